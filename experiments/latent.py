@@ -44,7 +44,7 @@ _DIRECTIONS = 64  # drawn for each view
 _TIMED = 1 << 18
 
 
-def _measure(options: Namespace) -> Figures:
+def measure(options: Namespace) -> Figures:
     require_llvm()
     rows: dict[str, Any] = {}
     for source in options.sources:
@@ -157,4 +157,4 @@ def _add_options(parser: ArgumentParser) -> None:
 
 
 if __name__ == "__main__":
-    run(_measure, _add_options)
+    run(measure, _add_options)

@@ -1,6 +1,7 @@
 """What the neural offset gains, by resolution and schedule: errors of held-out queries of a height field.
 
-    python -m experiments.neumip_offset [--source FILE] [--resolution N] [--steps N] [--variants NAMES]
+    python -m experiments.neumip_offset --folder FOLDER [--source FILE] [--resolution N]
+        [--steps N] [--variants NAMES] [--output FILE]
 
 Errors are of single levels: squared differences of π f·cos, without the noise of the truth, as each query is
 estimated twice and the mean of (model − first)·(model − second) has none.
@@ -8,9 +9,9 @@ estimated twice and the mean of (model − first)·(model − second) has none.
 
 from __future__ import annotations
 
-import argparse
 import json
 import time
+from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -19,17 +20,17 @@ from typing import Any
 import numpy as np
 from drjit.llvm.ad import Array2f, Array3f
 
+from benchmarks.harness import REPOSITORY, Figures, run
 from loomlight.assets.load import load_source
 from loomlight.assets.sources import Source
 from loomlight.core.footprint import Box, box_footprint
-from loomlight.core.provenance import provenance
+from loomlight.models.lobes.reference import Weights
 from loomlight.models.neumip.btf import btf_of
 from loomlight.models.neumip.model import NeumipModel
 from loomlight.models.neumip.pyramid import SIZE_OF_SIGMA, PyramidShape
 from loomlight.models.neumip.settings import QUALITIES, NeumipSettings
 from loomlight.models.neumip.training.train import shape_of, train_neumip
 
-ROOT = Path(__file__).resolve().parents[1]
 LEVELS = (0, 1, 2, 3)
 _SEED = 77
 # Changes of the settings by name.
@@ -65,46 +66,51 @@ def truth(
     return (positions.astype(np.float32), lights, views), halves
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
-    parser.add_argument("--source", default=str(ROOT / "examples/twisted-wool/twisted-wool.toml"))
-    parser.add_argument("--resolution", type=int, default=128)
-    parser.add_argument("--steps", type=int, default=3000)
-    parser.add_argument("--queries", type=int, default=200)
-    parser.add_argument("--variants", default=",".join(VARIANTS))
-    parser.add_argument("--folder", type=Path, required=True, help="keeps queries and checkpoints")
-    parser.add_argument("--output", type=Path)
-    options = parser.parse_args()
+def measure(options: Namespace) -> Figures:
+    """Errors of the variants by level, behind the runs that the output file already holds."""
     source = load_source(options.source)
     base = replace(
         QUALITIES["preview"], resolution=options.resolution, steps=options.steps, queries=options.queries
     )
     shape = shape_of(source, base)
     held_out = {level: truth(source, shape, level, 4000, 64) for level in LEVELS}
-    rows: dict[str, Any] = {}
+    rows: Figures = {}
     for name in options.variants.split(","):
         settings = VARIANTS[name](base)
         begun = time.process_time()
-        place = options.folder / f"{settings.identity(source)[:8]}"
-        place.mkdir(parents=True, exist_ok=True)
-        for file in options.folder.glob("queries-*.safetensors"):
-            if not (place / file.name).exists():
-                (place / file.name).symlink_to(file.resolve())
-        model = NeumipModel(source, train_neumip(source, settings, place))
-        for file in place.glob("queries-*.safetensors"):
-            if not file.is_symlink():
-                file.rename(options.folder / file.name)
+        model = NeumipModel(source, _trained(source, settings, options.folder))
         seconds = time.process_time() - begun
         errors = [_error(model, shape, level, *held_out[level]) for level in LEVELS]
         rows[name] = {"squared_errors": errors, "cpu_seconds": seconds}
-        print(f"{name:24s}", " ".join(f"{1000 * error:8.3f}" for error in errors), f"{seconds:.0f} s")
-    if options.output is not None:
-        run = {name: getattr(options, name) for name in ("resolution", "steps", "queries")}
-        # Runs add up: each takes up to ten minutes of a core.
-        earlier = json.loads(options.output.read_text())["runs"] if options.output.exists() else []
-        command = "python -m experiments.neumip_offset --resolution R --steps S --queries Q --variants NAMES"
-        record = {**provenance(command, ROOT), "levels": LEVELS, "runs": [*earlier, {**run, "rows": rows}]}
-        options.output.write_text(json.dumps(record, indent=1) + "\n")
+    run = {name: getattr(options, name) for name in ("resolution", "steps", "queries")}
+    # Runs add up: each takes up to ten minutes of a core.
+    earlier: list[Figures] = []
+    if options.output is not None and options.output.exists():
+        earlier = json.loads(options.output.read_text())["runs"]
+    return {"levels": LEVELS, "runs": [*earlier, {**run, "rows": rows}]}
+
+
+def _trained(source: Source, settings: NeumipSettings, folder: Path) -> Weights:
+    """Weights of a variant; all variants share the queries in the folder."""
+    place = folder / settings.identity(source)[:8]
+    place.mkdir(parents=True, exist_ok=True)
+    for file in folder.glob("queries-*.safetensors"):
+        if not (place / file.name).exists():
+            (place / file.name).symlink_to(file.resolve())
+    weights = train_neumip(source, settings, place)
+    for file in place.glob("queries-*.safetensors"):
+        if not file.is_symlink():
+            file.rename(folder / file.name)
+    return weights
+
+
+def _add_options(parser: ArgumentParser) -> None:
+    parser.add_argument("--source", default=str(REPOSITORY / "examples/twisted-wool/twisted-wool.toml"))
+    parser.add_argument("--resolution", type=int, default=128)
+    parser.add_argument("--steps", type=int, default=3000)
+    parser.add_argument("--queries", type=int, default=200)
+    parser.add_argument("--variants", default=",".join(VARIANTS))
+    parser.add_argument("--folder", type=Path, required=True, help="keeps queries and checkpoints")
 
 
 def _error(
@@ -124,4 +130,4 @@ def _error(
 
 
 if __name__ == "__main__":
-    main()
+    run(measure, _add_options)

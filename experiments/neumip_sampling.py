@@ -8,21 +8,19 @@ white sky, in units of that of the cosine on either side. Light that passes stra
 
 from __future__ import annotations
 
-import argparse
-import json
+from argparse import ArgumentParser, Namespace
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 from drjit.llvm.ad import Array2f, Array3f, Float
 
+from benchmarks.harness import Figures, run
 from loomlight.core.footprint import Box, box_footprint
-from loomlight.core.provenance import provenance
 from loomlight.models.neumip.model import NeumipModel
 from loomlight.models.neumip.proposal import cosine_proposal
 from loomlight.models.registry import model_from_loom
 
-ROOT = Path(__file__).resolve().parents[1]
 _PLACES, _SAMPLES = 2000, 64
 
 
@@ -46,12 +44,9 @@ def variance(model: NeumipModel) -> tuple[float, float]:
     return float(np.nanmean(grid)), float(np.nanmean(np.nanvar(grid, axis=1)))
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
-    parser.add_argument("materials", nargs="+", type=Path)
-    parser.add_argument("--output", type=Path, default=ROOT / "experiments/results/neumip_sampling.json")
-    options = parser.parse_args()
-    rows = {}
+def measure(options: Namespace) -> Figures:
+    """Mean weights and ratios of variances by material."""
+    rows: Figures = {}
     for path in options.materials:
         model = model_from_loom(path)
         assert isinstance(model, NeumipModel)
@@ -62,10 +57,12 @@ def main() -> None:
         cosine = NeumipModel(model.source, replace(model.weights, proposal=plain_texels))
         (mean, fitted), (other, plain) = variance(model), variance(cosine)
         rows[model.source.name] = {"mean": mean, "mean_by_cosine": other, "ratio": fitted / plain}
-        print(f"{model.source.name:20s} {mean:.4f} {other:.4f} {fitted / plain:.3f}")
-    record = {**provenance("python -m experiments.neumip_sampling MATERIALS", ROOT), "rows": rows}
-    options.output.write_text(json.dumps(record, indent=1) + "\n")
+    return {"rows": rows}
+
+
+def _add_options(parser: ArgumentParser) -> None:
+    parser.add_argument("materials", nargs="+", type=Path)
 
 
 if __name__ == "__main__":
-    main()
+    run(measure, _add_options)

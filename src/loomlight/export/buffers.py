@@ -45,7 +45,7 @@ def write_buffers(folder: Path, fabric: Fabric, model: str) -> list[dict[str, An
 
 def described_records() -> dict[str, Any]:
     """Fields of every record: name, type, offset in bytes, meaning."""
-    names = ("Fabric", "Lobes", "Woven", "Family")
+    names = ("Fabric", "Lobes", "Woven", "Neumip", "Family")
     return {name: _described(RECORDS[name]) for name in names} | {"Query": _described(QUERY)}
 
 

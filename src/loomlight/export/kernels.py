@@ -170,7 +170,7 @@ def c_header() -> str:
         "#endif",
         "",
     ]
-    for record in ("Lobes", "Woven", "Fabric", "Family", "Query"):
+    for record in ("Lobes", "Woven", "Neumip", "Fabric", "Family", "Query"):
         name = f"Cloth{record}"
         lines += [f"typedef struct {name}", "{"]
         offset = 0
