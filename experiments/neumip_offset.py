@@ -24,9 +24,9 @@ from benchmarks.harness import REPOSITORY, Figures, run
 from loomlight.assets.load import load_source
 from loomlight.assets.sources import Source
 from loomlight.core.footprint import Box, box_footprint
-from loomlight.models.lobes.reference import Weights
 from loomlight.models.neumip.btf import btf_of
 from loomlight.models.neumip.model import NeumipModel
+from loomlight.models.neumip.networks import Weights
 from loomlight.models.neumip.pyramid import SIZE_OF_SIGMA, PyramidShape
 from loomlight.models.neumip.settings import QUALITIES, NeumipSettings
 from loomlight.models.neumip.training.train import shape_of, train_neumip
