@@ -16,6 +16,10 @@ from PIL import Image
 from loomlight.cli.demo import INSET, SIZE, compose
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError
+from loomlight.fabric import Fabric
+from loomlight.mitsuba.material_picture import recoloured
+from loomlight.models.bake import bake
+from loomlight.models.interface import Model
 
 SMALL = ["--size", "24x16", "--spp", "2"]
 # A rectangle to clothe, and behind the camera one with a cloth of the scene's own.
@@ -204,3 +208,83 @@ def test_the_demo_is_composed_of_a_frame_an_inset_and_a_mark() -> None:
     middle = picture[picture.shape[0] // 2]
     assert (middle == 1).all(axis=1).sum() >= 4  # frame and mark, left and right
     assert (whole == 0.25).all()
+
+
+def test_several_fabrics_in_other_colours(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "own.toml").write_text('weave = "satin 8"')
+    fabrics = ["twill 2/2", str(tmp_path / "own.toml")]
+    output = str(tmp_path / "{name}.exr")
+    for colors in ("warp=#ff0000,weft=#ff0000", "warp=#0000ff,weft=#0000ff"):
+        options = ["--scene", "flat", "--model", "point", *SMALL, "--color", colors]
+        assert run(["render", *fabrics, "-o", output, *options]) == 0
+        for name in ("twill 2-2", "own"):
+            red, _, blue = pixels(tmp_path / f"{name}.exr")[4:12, 8:16].mean(axis=(0, 1))
+            assert (red > 3 * blue) if "ff0000" in colors else (blue > 3 * red)
+    assert len(capsys.readouterr().out.splitlines()) == 4
+
+
+def test_a_loom_in_other_colours_keeps_its_model(tmp_path: Path) -> None:
+    loom = tmp_path / "a.loom"
+    bake("plain", "samples", loom)
+    model = recoloured(loom, None, {"warp": "#ff0000"})
+    assert isinstance(model, Model)
+    assert model.name == "samples"
+    assert isinstance(model.source, Fabric)
+    assert model.source.appearance().warp.diffuse_reflect[0, 2] == 0
+
+
+def test_two_cloths_of_one_scene_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    second = '<shape type="rectangle"><transform name="to_world"><translate x="2"/></transform>'
+    second += '<bsdf type="diffuse" id="lining"/></shape><shape type="rectangle">'
+    scene = tmp_path / "scene.xml"
+    scene.write_text(SCENE.format(parameters="").replace('<shape type="rectangle">', second, 1))
+    for name, colour in (("red", "#ff0000"), ("blue", "#0000ff")):
+        text = f'weave = "plain"\n[warp]\ncolor = "{colour}"\n[weft]\ncolor = "{colour}"'
+        (tmp_path / f"{name}.toml").write_text(text)
+    arguments = [
+        "render",
+        str(tmp_path / "red.toml"),
+        "-o",
+        str(tmp_path / "a.exr"),
+        "--scene",
+        str(scene),
+        *SMALL,
+    ]
+    assert run([*arguments, "--model", "point", "--cloth", f"lining={tmp_path / 'blue.toml'}"]) == 0
+    picture = pixels(tmp_path / "a.exr")
+    means = [
+        picture[5:11, columns].mean(axis=(0, 1)) for columns in (slice(9, 13), slice(0, 4), slice(20, 24))
+    ]
+    assert means[0][0] > 3 * means[0][2]
+    assert max(mean[2] / mean[0] for mean in means[1:]) > 3
+    assert run([*arguments, "--cloth", "collar=plain"]) == 2
+    assert 'no shape whose BSDF has the id "collar"' in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("fabrics", "options", "expected"),
+    [
+        (["plain", "satin"], ["-o", "a.png"], "write {name} where the fabric's name goes"),
+        (["plain", "plain"], ["-o", "{name}.png"], "rename one"),
+        (["plain"], ["-o", "a.png", "--color", "red"], "write NAME=VALUE"),
+        (["plain"], ["-o", "a.png", "--color", "hem=#ff0000"], 'no yarns "hem"'),
+        (["plain"], ["-o", "a.png", "--color", "warp=reddish"], "warp.color"),
+        (["plain"], ["-o", "a.png", "--shift", "4"], "--shift"),
+        (["plain"], ["-o", "a.png", "--scale", "0"], "--scale 0"),
+        (["plain"], ["-o", "a.png", "--cloth", "hem=satin"], "needs a scene file"),
+    ],
+)
+def test_what_cannot_be_rendered_of_several(
+    fabrics: list[str],
+    options: list[str],
+    expected: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert run(["render", *fabrics, *SMALL, *options]) == 2
+    error = capsys.readouterr().err
+    assert len(error.splitlines()) == 1
+    assert expected in error
+    assert list(tmp_path.iterdir()) == []

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import json
 import runpy
-import shutil
 import subprocess
 from functools import cache
 from pathlib import Path
@@ -80,12 +79,6 @@ def test_exported_modules_need_no_other_file(exported: Path, model: str) -> None
     folder = exported / f"slang-{model}"
     assert len(compile_shader(folder / f"cloth_{model}.slang", "wgsl", [f"{model}_queries"])) > 10_000
     assert {file.suffix for file in folder.iterdir()} == {".slang", ".bin", ".json", ".md", ".h"}
-
-
-def test_cuda_compiles_by_nvcc(exported: Path, tmp_path: Path) -> None:
-    if shutil.which("nvcc") is None:
-        pytest.skip("nvcc is not installed; the same text is compiled and run by g++ below.")
-    run("nvcc", "-ptx", "-o", tmp_path / "out.ptx", "cloth_queries.cu", cwd=exported / "cuda-point")
 
 
 def test_header_compiles_as_c(exported: Path, tmp_path: Path) -> None:

@@ -40,6 +40,9 @@ require_llvm()
 # The bound on the overall error of the network that ships; what 32 samples stay below.
 LARGEST_ERROR = 0.2
 
+# Options of the cheapest bake: the contract holds for any.
+CHEAPEST = {"clustered": {"clusters": 4, "texels": 64}}
+
 every_model = pytest.mark.parametrize("name", model_names())
 
 
@@ -54,7 +57,8 @@ every_fabric = pytest.mark.parametrize("cloth", TEXTS)
 
 @cache
 def built(name: str, cloth: str) -> Model:
-    return make_model(name, fabric_from_text(WHITE) if cloth == "white" else fabric(cloth))
+    chosen = fabric_from_text(WHITE) if cloth == "white" else fabric(cloth)
+    return make_model(name, chosen, **CHEAPEST.get(name, {}))
 
 
 @dataclass
@@ -247,8 +251,9 @@ def test_both_faces_and_both_sides_are_the_cloths(name: str, cloth: str) -> None
         if light[2] * view[2] > 0:
             # Elsewhere there is no sheen, which alone needs it.
             assert error[4] < LARGEST_ERROR * truth[4]
-        if model.filters:
-            # Each large footprint by itself, against its own box.
+        if model.filters and not model.estimates:
+            # Each large footprint by itself, against its own box. (One estimate alone is noise; its mean is
+            # above, and experiments/unbiased.py tests single footprints.)
             boxes = exact.box_means(centres[:200], np.tile(size, (200, 1)))[:, :4]
             assert np.abs(actual[:200, :4] - boxes).sum() < 2 * LARGEST_ERROR * boxes.sum()
     assert np.sum(errors) < LARGEST_ERROR * np.sum(truths), (errors, truths)
@@ -268,7 +273,7 @@ def test_sheen_is_scaled_by_what_light_reaches_and_by_holes(name: str) -> None:
     black += '[weft]\ncolor = "#000000"\nspecular = 0\n[sheen]\nstrength = 0.7\n'
     cloth = fabric_from_text(black)
     queried = queries(cloth, 1500, seed=21)
-    actual = answers(make_model(name, cloth), queried)
+    actual = answers(make_model(name, cloth, **CHEAPEST.get(name, {})), queried)
     front = [np.c_[v[:, :2], v[:, 2] * np.sign(queried.views[:, 2])] for v in (queried.lights, queried.views)]
     lobe = sheen(*(vectors(v) for v in front), 0.7, cloth.appearance().sheen.roughness).numpy()
     scale = actual.parts["light_visibility"] + actual.parts["hole"]

@@ -22,6 +22,7 @@ from loomlight.cli import (
     play,
     render,
     reproduce,
+    swatches,
     train,
     weave,
 )
@@ -60,6 +61,7 @@ app.add_typer(weave.app, name="weave")
 app.add_typer(train.app, name="train")
 app.add_typer(data.app, name="data")
 app.command("render", cls=ListsModels, epilog=render.EXAMPLE)(render.render)
+app.command("swatches", cls=ListsModels, epilog=swatches.EXAMPLE)(swatches.swatches)
 app.command("play", epilog=play.EXAMPLE)(play.play)
 app.command("compare", cls=ListsModels, epilog=compare.EXAMPLE)(compare.compare)
 app.command("reproduce", epilog=reproduce.EXAMPLE)(reproduce.reproduce)

@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
+import re
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Any
 
-import typer
-
+from loomlight.cli import render_options as option
 from loomlight.cli.interruption import note_left, was_interrupted
 from loomlight.cli.outputs import check_output, done
 from loomlight.cli.progress import progress
-from loomlight.cli.values import parse_numbers, parse_size, require_within
+from loomlight.cli.turntable import ANIMATION_SUFFIXES, write_turn
+from loomlight.cli.values import parse_named, parse_numbers, parse_size, require_within
 from loomlight.core.errors import InputError
 from loomlight.core.files import replacing
 
+PICTURE_SUFFIXES = (".png", ".exr")
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
@@ -28,66 +30,36 @@ _WRITE_EVERY = 2.0
 
 
 def render(
-    fabric: Annotated[
-        str, typer.Argument(metavar="FABRIC", help="A fabric file, a draft, a .loom, or a weave's name.")
-    ],
-    output: Annotated[
-        Path, typer.Option("--output", "-o", help="The picture to write: .png (sRGB) or .exr (linear).")
-    ],
-    model: Annotated[
-        str | None,
-        typer.Option(help="One of the models below; by default what a .loom holds, else lobes."),
-    ] = None,
-    scene: Annotated[
-        str | None,
-        typer.Option(help="flat, sphere, cylinder, drape (default), or a Mitsuba scene FILE.xml."),
-    ] = None,
-    mesh: Annotated[
-        Path | None, typer.Option(help="An .obj, .ply, .gltf or .glb file to clothe instead; it needs uv.")
-    ] = None,
-    metres_per_unit: Annotated[
-        float, typer.Option(help="Length of one unit of the mesh or the scene file, metres.")
-    ] = 1.0,
-    environment: Annotated[
-        Path | None, typer.Option("--env", help="A latitude-longitude picture that lights the scene.")
-    ] = None,
-    environment_turn: Annotated[
-        float, typer.Option("--env-turn", help="Turns it about the vertical, degrees.")
-    ] = 0.0,
-    light: Annotated[
-        str | None,
-        typer.Option(help="studio, sunsky, point or directional; by default what suits the scene."),
-    ] = None,
-    light_from: Annotated[
-        str | None,
-        typer.Option(
-            metavar="AZIMUTH,ELEVATION",
-            help="Where it comes from, degrees: 0,0 is the front, 90,0 the right, 0,90 above.",
-        ),
-    ] = None,
-    samples: Annotated[int, typer.Option("--spp", help="Samples a pixel.")] = 9,
-    size: Annotated[
-        str | None, typer.Option(metavar="WxH", help="Pixels; 640x480, or a scene file's own.")
-    ] = None,
-    zoom: Annotated[float, typer.Option(help="1 frames the whole object, 10 is ten times closer.")] = 1.0,
-    depth: Annotated[
-        int | None,
-        typer.Option("--max-depth", help="Longest light path, in segments; 8, or a scene file's own."),
-    ] = None,
-    exposure: Annotated[float, typer.Option(help="Stops; +1 is twice as bright.")] = 0.0,
-    inset: Annotated[
-        bool | None,
-        typer.Option(
-            "--inset/--no-inset",
-            help="A close-up in the corner; by default of a weave or draft on the whole drape.",
-        ),
-    ] = None,
-    seed: Annotated[int, typer.Option(help="The same seed gives the same picture, but for rounding.")] = 0,
-    variant: Annotated[str | None, typer.Option(help="llvm_ad_rgb (default) or cuda_ad_rgb.")] = None,
+    fabrics: option.FabricsArgument,
+    output: option.OutputOption,
+    model: option.ModelOption = None,
+    scene: option.SceneOption = None,
+    mesh: option.MeshOption = None,
+    metres_per_unit: option.MetresPerUnitOption = 1.0,
+    environment: option.EnvironmentOption = None,
+    environment_turn: option.EnvironmentTurnOption = 0.0,
+    light: option.LightOption = None,
+    light_from: option.LightFromOption = None,
+    samples: option.SamplesOption = 9,
+    size: option.SizeOption = None,
+    zoom: option.ZoomOption = 1.0,
+    depth: option.DepthOption = None,
+    exposure: option.ExposureOption = 0.0,
+    inset: option.InsetOption = None,
+    color: option.ColorOption = None,
+    cloth: option.ClothOption = None,
+    turn: option.TurnOption = 0.0,
+    shift: option.ShiftOption = "0,0",
+    scale: option.ScaleOption = 1.0,
+    turntable: option.TurntableOption = None,
+    seed: option.SeedOption = 0,
+    variant: option.VariantOption = None,
 ) -> None:
-    """Renders a fabric on a piece of cloth, a mesh, or the marked shapes of a scene file."""
+    """Renders fabrics, each on a piece of cloth, a mesh, or the marked shapes of a scene file."""
     _require_model(model)
-    check_output(output, (".png", ".exr"))
+    if turntable is not None:
+        require_within("--turntable", turntable, 2, 1000)
+    outputs = _outputs(fabrics, output, turntable)
     pixels = None if size is None else parse_size(size)
     require_within("--spp", samples, 1, 1_000_000)
     shown = _shown(scene, mesh)
@@ -97,35 +69,98 @@ def render(
     require_within("--max-depth", 8 if depth is None else depth, 1, 1000)
     require_within("--env-turn", environment_turn, -360, 360)
     require_within("--metres-per-unit", metres_per_unit, 1e-6, 1e6)
-    from loomlight.core.images import write_image
-    from loomlight.mitsuba import render_fabric
+    require_within("--turn", turn, -360, 360)
+    require_within("--scale", scale, 1e-4, 1e4)
+    across, up = parse_numbers("--shift", shift, 2, "5,-2.5")
+    colors = _colors(color)
+    cloths = parse_named("--cloth", cloth or [], "lining=satin")
+    from loomlight.mitsuba.placement import Placement
+    from loomlight.mitsuba.scenes import SceneOptions
 
-    what = f"{fabric}, {shown if mesh is None else mesh.name}"
-    written = _Written(output)
-    with progress(what, milliseconds=True) as report, written.restored_on_faults():
-        picture = render_fabric(
+    setting = SceneOptions(
+        mesh=mesh,
+        metres_per_unit=metres_per_unit,
+        environment=environment,
+        environment_turn=environment_turn,
+        light=light,
+        light_from=towards_light,
+        zoom=zoom,
+        size=pixels,
+        max_depth=depth,
+        placement=Placement(turn, (across, up), scale),
+    )
+    for fabric, path in zip(fabrics, outputs, strict=True):
+        what = f"{fabric}, {shown if mesh is None else mesh.name}"
+        if turntable is not None:
+            write_turn(
+                what,
+                fabric,
+                shown,
+                path,
+                turntable,
+                model=model,
+                colors=colors,
+                spp=samples,
+                seed=seed,
+                exposure=exposure,
+                variant=variant,
+                **setting,
+            )
+            continue
+        _write_picture(
+            what,
             fabric,
             shown,
+            path,
             model=model,
-            mesh=mesh,
-            metres_per_unit=metres_per_unit,
-            environment=environment,
-            environment_turn=environment_turn,
-            light=light,
-            light_from=towards_light,
-            zoom=zoom,
-            size=pixels,
-            max_depth=depth,
             spp=samples,
             seed=seed,
             exposure=exposure,
             inset=inset,
             variant=variant,
-            progress=report,
-            partial=written.refine,
+            colors=colors,
+            cloths={name: values[-1] for name, values in cloths.items()},
+            **setting,
         )
-        write_image(output, picture)
-    done(output)
+
+
+def _write_picture(what: str, fabric: str, shown: str, path: Path, **options: Any) -> None:
+    from loomlight.core.images import write_image
+    from loomlight.mitsuba import render_fabric
+
+    written = _Written(path)
+    with progress(what, milliseconds=True) as report, written.restored_on_faults():
+        picture = render_fabric(fabric, shown, progress=report, partial=written.refine, **options)
+        write_image(path, picture)
+    done(path)
+
+
+def _outputs(fabrics: list[str], output: str, turntable: int | None) -> list[Path]:
+    """Where the picture of each fabric goes: `{name}` stands for the file's name without its suffix."""
+    if "\0" in output:
+        raise InputError(f"--output {output!r} is no path of a file that can be written.")
+    if len(fabrics) > 1 and "{name}" not in output:
+        raise InputError(
+            f"{output} is one file for {len(fabrics)} pictures: write {{name}} where the fabric's name goes, "
+            'such as "{name}.png".'
+        )
+    suffixes = PICTURE_SUFFIXES if turntable is None else (*PICTURE_SUFFIXES, *ANIMATION_SUFFIXES)
+    paths = [Path(output.replace("{name}", _file_name(fabric))) for fabric in fabrics]
+    for path, fabric in zip(paths, fabrics, strict=True):
+        check_output(path, suffixes)
+        if paths.count(path) > 1:
+            raise InputError(f"{path} would be the picture of {fabric} and of another fabric: rename one.")
+    return paths
+
+
+def _file_name(fabric: str) -> str:
+    """A file's name without its suffix, or a weave's name without what paths are made of."""
+    return Path(fabric).stem if Path(fabric).suffix else re.sub(r"[^\w ,.'-]", "-", fabric)
+
+
+def _colors(texts: list[str] | None) -> dict[str, Any]:
+    named = parse_named("--color", texts or [], "warp=#223355")
+    return {family: values[0] if len(values) == 1 else values for family, values in named.items()}
 
 
 def _require_model(name: str | None) -> None:

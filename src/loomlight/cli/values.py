@@ -1,4 +1,4 @@
-"""Values of options that are more than one number: sizes and directions."""
+"""Values of options that are more than one number: sizes, directions, values by name."""
 
 from __future__ import annotations
 
@@ -48,6 +48,22 @@ def parse_numbers(option: str, text: str, count: int, example: str) -> tuple[flo
             f'{option} "{text}" is not understood: write {count} numbers with commas, such as {example}.'
         )
     return numbers
+
+
+def parse_named(option: str, texts: list[str], example: str) -> dict[str, list[str]]:
+    """Values by name from texts such as "warp=#223,weft=#eee"; a name may come more than once.
+
+    Raises:
+        InputError: a part without a name or a value; the message names `option` and gives `example`.
+    """
+    found: dict[str, list[str]] = {}
+    for text in texts:
+        for part in text.split(","):
+            name, _, value = (word.strip() for word in part.partition("="))
+            if not name or not value:
+                raise InputError(f'{option} "{text}" is not understood: write NAME=VALUE, such as {example}.')
+            found.setdefault(name, []).append(value)
+    return found
 
 
 def require_within(option: str, value: float, low: float, high: float) -> None:

@@ -18,8 +18,12 @@ app = typer.Typer(
     rich_markup_mode=None,
 )
 
+FABRIC_SUFFIX = ".toml"
 DraftArgument = Annotated[
-    str, typer.Argument(metavar="DRAFT", help="A .wif file, a picture of a drawdown, or a weave's name.")
+    str,
+    typer.Argument(
+        metavar="DRAFT", help="A .wif file, a picture of a drawdown, a fabric file, or a weave's name."
+    ),
 ]
 
 
@@ -70,12 +74,19 @@ def convert(
     done(output)
 
 
-@app.command(epilog="Example: loomlight weave info draft.wif")
+@app.command(epilog="Example: loomlight weave info examples/denim.toml")
 def info(draft: DraftArgument) -> None:
-    """Says what a draft is: its size, setts, floats, shafts and colours."""
+    """Says what a draft is: its size, setts, floats, shafts and colours; of a fabric file also its weight."""
     from loomlight.weave.textile import summary
 
-    print(summary(draft_from(draft)))
+    if Path(draft).suffix.lower() != FABRIC_SUFFIX:
+        print(summary(draft_from(draft)))
+        return
+    from loomlight.fabric.facts import cloth_facts, facts_text
+    from loomlight.fabric.load import load_fabric
+
+    fabric = load_fabric(draft)
+    print(f"{summary(fabric.draft)}\n{facts_text(cloth_facts(fabric))}")
 
 
 @app.command("names", epilog="Example: loomlight weave names")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TypeVar
@@ -39,8 +39,7 @@ def write_image(path: str | os.PathLike[str], linear: ArrayLike) -> None:
     if suffix == ".exr":
         _write_exr(path, {_EXR_CHANNELS[pixels.shape[2]]: pixels})
     elif suffix == ".png":
-        encoded = linear_to_srgb(np.nan_to_num(pixels[..., :3]))
-        write_png(path, _without_single_channel(np.rint(encoded * 255).astype(np.uint8)))
+        write_png(path, _without_single_channel(encoded(pixels)))
     else:
         raise InputError(f"{path}: images are written as .png or .exr, not {suffix or 'without a suffix'}.")
 
@@ -83,6 +82,32 @@ def write_pngs(pictures: Mapping[Path, NDArray[np.uint8]]) -> None:
     with replacing_all(list(pictures)) as temporaries:
         for temporary, pixels in zip(temporaries, pictures.values(), strict=True):
             Image.fromarray(pixels).save(temporary, format="PNG")
+
+
+def write_animation(
+    path: str | os.PathLike[str], pictures: Sequence[NDArray[np.uint8]], seconds: float
+) -> None:
+    """Writes 8-bit pictures [height, width, 3] as an endless .gif or .webp that takes `seconds` once round.
+
+    Raises:
+        InputError: a path that cannot be written.
+    """
+    frames = [Image.fromarray(pixels) for pixels in pictures]
+    with replacing(path) as temporary:
+        frames[0].save(
+            temporary,
+            format=Path(path).suffix[1:].upper(),
+            save_all=True,
+            append_images=frames[1:],
+            duration=max(round(1000 * seconds / len(frames)), 20),
+            loop=0,
+        )
+
+
+def encoded(linear: ArrayLike) -> NDArray[np.uint8]:
+    """Linear RGB [height, width, 3] as 8-bit sRGB, clipped."""
+    pixels = np.nan_to_num(np.asarray(linear, dtype=np.float32)[..., :3])
+    return np.rint(linear_to_srgb(pixels) * 255).astype(np.uint8)
 
 
 def read_linear(path: str | os.PathLike[str]) -> NDArray[np.float32]:

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import os
 import warnings
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Unpack
+from typing import Any, Unpack
 
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.assets.load import load_source
 from loomlight.assets.loom_file import LOOM_SUFFIX, is_loom, read_loom
 from loomlight.assets.sources import Source, kind_of_file
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.fabric.fabric import Fabric
-from loomlight.fabric.load import FABRIC_SUFFIX
+from loomlight.fabric.load import FABRIC_SUFFIX, edited_fabric
 from loomlight.mitsuba.inset import SMALLEST_PICTURE, Inset, composed, resized
 from loomlight.mitsuba.material import material_bsdf
 from loomlight.mitsuba.rendering import PartialPicture, Progress, filling_grid, render
@@ -55,6 +57,8 @@ def render_fabric(
     exposure: float = 0.0,
     inset: bool | None = None,
     variant: str | None = None,
+    colors: Mapping[str, Any] | None = None,
+    cloths: Mapping[str, Source | str | os.PathLike[str]] | None = None,
     progress: Progress | None = None,
     partial: PartialPicture | None = None,
     **setting: Unpack[SceneOptions],
@@ -74,10 +78,12 @@ def render_fabric(
         inset: a close-up in the upper left corner, in which the weave can be read; by default where `fabric`
             is a weave's name or a draft and the whole drape is shown, at 160 pixels or more each way.
         variant: llvm_ad_rgb or cuda_ad_rgb; by default the one that is set, else llvm_ad_rgb.
+        colors: other colours of a fabric's yarns, by "warp" and "weft", each as a fabric file's `color`.
+        cloths: of a scene file, further fabrics by the id of the BSDF that each replaces.
         progress: called with (milliseconds passed, milliseconds in all, as estimated), at first at once.
         partial: called with whole pictures, coarse at first, that later ones refine.
         setting: mesh, metres_per_unit, environment, environment_turn, light, light_from, zoom, size,
-            max_depth: see `loomlight.mitsuba.build_scene`.
+            max_depth, placement: see `loomlight.mitsuba.build_scene`.
 
     Raises:
         InputError: a fabric, file or value that cannot be used.
@@ -94,7 +100,9 @@ def render_fabric(
         raise InputError(f"inset = {inset} does not go with the scene {scene}, whose camera is its own.")
     if model is not None and _is_loom(fabric):
         _warn_of_override(fabric, model)
-    wanted = _Wanted(fabric, scene, model, spp, seed, exposure, inset, setting)
+    bare = _is_bare(fabric)
+    material = recoloured(fabric, model, colors) if colors else fabric
+    wanted = _Wanted(material, scene, model, spp, seed, exposure, inset, bare, cloths or {}, setting)
     loops = compile_ahead(wanted.model)
     estimate = TimeEstimate(wanted.seconds(partial is not None), progress)
     with estimate.step("start"):
@@ -108,18 +116,43 @@ def render_fabric(
     return wanted.refined_picture(shown, close_up, estimate, partial)
 
 
+def recoloured(
+    fabric: Source | str | os.PathLike[str], model: str | None, colors: Mapping[str, Any]
+) -> Source | Model:
+    """A fabric, or the model that a `.loom` holds, in other colours.
+
+    Raises:
+        InputError: no fabric, a family that is neither warp nor weft, or what is no colour.
+    """
+    held = model_of(fabric) if _is_loom(fabric) and model is None else None
+    source = held.source if held is not None else _source(fabric)
+    if not isinstance(source, Fabric):
+        raise InputError(f"Colours of yarns go with fabrics, and {source.name} is none.")
+    for family in colors:
+        if family not in ("warp", "weft"):
+            raise InputError(f'There are no yarns "{family}": colours are of warp or of weft.')
+    edited = edited_fabric(source, {f"{family}.color": value for family, value in colors.items()})
+    return edited if held is None else held.with_source(edited)
+
+
+def _source(fabric: Source | str | os.PathLike[str]) -> Source:
+    return load_source(fabric) if isinstance(fabric, str | os.PathLike) else fabric
+
+
 class _Wanted:
     """What `render_fabric` was asked for."""
 
     def __init__(
         self,
-        fabric: Source | str | os.PathLike[str],
+        fabric: Source | Model | str | os.PathLike[str],
         scene: str | os.PathLike[str],
         model: str | None,
         spp: int,
         seed: int,
         exposure: float,
         inset: bool | None,
+        bare: bool,
+        cloths: Mapping[str, Source | str | os.PathLike[str]],
         setting: SceneOptions,
     ) -> None:
         self._fabric = fabric
@@ -127,17 +160,19 @@ class _Wanted:
         self._given_model = model
         self._spp, self._exposure, self._seed = spp, exposure, seed
         self._setting = setting
+        self._cloths = cloths
         self._own_scene = str(scene) not in SCENES
         self._size = setting.get("size") or DEFAULT_SIZE
         self._has_points = _is_fabric(fabric)
         whole_drape = scene == "drape" and setting.get("mesh") is None and setting.get("zoom", 1.0) == 1
         readable = min(self._size) >= SMALLEST_PICTURE
-        self._inset = whole_drape and readable and _is_bare(fabric) if inset is None else inset
+        self._inset = whole_drape and readable and bare if inset is None else inset
 
     @property
     def model(self) -> str:
-        """The name of the model; of a `.loom` that is used as it is, nothing is baked, and it is empty."""
-        return self._given_model or ("" if _is_loom(self._fabric) else DEFAULT_MODEL)
+        """The name of the model; of one that is used as it is, nothing is baked, and it is empty."""
+        is_baked = isinstance(self._fabric, Model) or _is_loom(self._fabric)
+        return self._given_model or ("" if is_baked else DEFAULT_MODEL)
 
     @property
     def coarse_size(self) -> tuple[int, int] | None:
@@ -172,8 +207,9 @@ class _Wanted:
 
     def coarse_picture(self, size: tuple[int, int]) -> Picture:
         """The picture by single yarn points, of fewer pixels: it needs no baking and no large kernel."""
-        point = model_of(self._fabric, REFERENCE_MODEL)
-        if not _is_loom(self._fabric):
+        fabric = self._fabric.source if isinstance(self._fabric, Model) else self._fabric
+        point = model_of(fabric, REFERENCE_MODEL)
+        if not isinstance(self._fabric, Model) and not _is_loom(self._fabric):
             # Not read again: large drafts take a while.
             self._fabric = point.source
         shown, close_up = self._built(point, size)
@@ -190,7 +226,13 @@ class _Wanted:
         if self._own_scene:
             # A scene file may hold several pieces of cloth, each with a model of its own.
             bsdf = material_bsdf(self._fabric, self._given_model)
-            return build_scene(self._scene, bsdf, **self._setting), None
+            others = {name: material_bsdf(cloth) for name, cloth in self._cloths.items()}
+            return build_scene(self._scene, bsdf, others=others, **self._setting), None
+        if self._cloths:
+            raise InputError(
+                f"The cloth {next(iter(self._cloths))} needs a scene file whose BSDFs have names, and "
+                f"{self._scene} is none."
+            )
         return self._built(model_of(self._fabric, self._given_model), self._size)
 
     def refined_picture(
@@ -253,12 +295,14 @@ class _Wanted:
         )
 
 
-def _is_loom(fabric: Source | str | os.PathLike[str]) -> bool:
+def _is_loom(fabric: Source | Model | str | os.PathLike[str]) -> bool:
     return isinstance(fabric, str | os.PathLike) and is_loom(fabric)
 
 
-def _is_fabric(fabric: Source | str | os.PathLike[str]) -> bool:
+def _is_fabric(fabric: Source | Model | str | os.PathLike[str]) -> bool:
     """Whether the source is a fabric, as far as can be said without reading a draft."""
+    if isinstance(fabric, Model):
+        return isinstance(fabric.source, Fabric)
     if not isinstance(fabric, str | os.PathLike):
         return isinstance(fabric, Fabric)
     if is_loom(fabric):

@@ -87,6 +87,18 @@ def make_shape(name: str, arrays: MeshArrays, bsdf: mi.BSDF) -> mi.Mesh:
     return shape
 
 
+def set_uv(shape: mi.Mesh, uv: NDArray[np.float64]) -> bool:
+    """Gives a mesh other uv [n, 2]; False if it has none that can be set, as a rectangle."""
+    params: Any = mi.traverse(shape)
+    name = next((key for key in ("vertex_texcoords", "texcoords") if key in params), None)
+    if name is None:
+        return False
+    rows = uv.astype(np.float32)
+    params[name] = rows.ravel() if name.startswith("vertex") else mi.TensorXf(rows)
+    params.update()
+    return True
+
+
 def _rows(values: Any, width: int) -> NDArray[np.float64]:
     return np.array(values, dtype=np.float64).reshape(-1, width)
 

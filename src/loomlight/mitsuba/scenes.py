@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypedDict
@@ -19,11 +19,15 @@ from loomlight.mitsuba.camera import View, framing, look_at, perspective, requir
 from loomlight.mitsuba.faults import reason_of
 from loomlight.mitsuba.integrator import footprint_integrator
 from loomlight.mitsuba.lights import direction_of, environment_dict, light_dicts
-from loomlight.mitsuba.meshes import ClothMesh, from_shape, joined, read_mesh, to_shape, uv_size
+from loomlight.mitsuba.mesh_arrays import set_uv
+from loomlight.mitsuba.meshes import ClothMesh, from_shape, joined, read_mesh, to_shape
+from loomlight.mitsuba.placement import Placement, placed
 from loomlight.mitsuba.scene_props import ball, ground
 
 # The BSDF of a user's scene file that is replaced by the fabric.
 FABRIC_ID = "fabric"
+# The cloth of built-in scenes, among their parameters.
+CLOTH_NAME = "cloth"
 DEFAULT_DEPTH = 8
 DEFAULT_SIZE = (640, 480)
 # Half the extent of a mesh, metres: beyond, threads are lost in the rounding of coordinates.
@@ -45,6 +49,7 @@ class SceneOptions(TypedDict, total=False):
     zoom: float
     size: tuple[int, int] | None
     max_depth: int | None
+    placement: Placement
 
 
 @dataclass(frozen=True)
@@ -112,6 +117,8 @@ def build_scene(
     zoom: float = 1.0,
     size: tuple[int, int] | None = None,
     max_depth: int | None = None,
+    placement: Placement = Placement(),  # noqa: B008 (frozen)
+    others: Mapping[str, BsdfFactory] | None = None,
 ) -> ClothScene:
     """A scene that shows the cloth `bsdf`; a Mitsuba variant must be set.
 
@@ -130,17 +137,13 @@ def build_scene(
         zoom: 1 frames the whole object, 10 is ten times closer to the cloth in the middle of the picture.
         size: width and height in pixels; 640 × 480 by default, a scene file's own otherwise.
         max_depth: longest path, in segments; 8 by default, a scene file's own otherwise.
+        placement: how the cloth lies on the mesh.
+        others: of a scene file, further cloths by the id of the BSDF that each replaces.
 
     Raises:
         InputError: an unknown scene or light, a value out of range, or a file that cannot be used.
     """
-    require_zoom(zoom)
-    if size is not None:
-        require_size(size)
-    if not metres_per_unit > 0:
-        raise InputError(f"metres_per_unit = {metres_per_unit:g} is out of range: it is a length above 0.")
-    if max_depth is not None and max_depth < 1:
-        raise InputError(f"max_depth = {max_depth} is out of range: a path has at least 1 segment.")
+    _require_numbers(zoom, size, metres_per_unit, max_depth)
     factory = bsdf if callable(bsdf) else _always(bsdf)
     if Path(name).suffix.lower() == ".xml":
         given = {"mesh": mesh, "environment": environment, "light": light, "light_from": light_from}
@@ -149,7 +152,8 @@ def build_scene(
                 raise InputError(
                     f"{field} = {value} does not go with the scene file {name}, which has its own."
                 )
-        return _from_file(Path(name), factory, metres_per_unit, zoom, size, max_depth)
+        cloths = {FABRIC_ID: factory, **(others or {})}
+        return _from_file(Path(name), cloths, placement, metres_per_unit, zoom, size, max_depth)
     if str(name) not in _SETUPS:
         raise InputError(
             f'scene = "{name}" is unknown: use {", ".join(SCENES)}, or the path of an .xml file.'
@@ -170,12 +174,12 @@ def build_scene(
             f"{cloth.name} is {2 * radius:.3g} m across, and no cloth is: give the length of one of its "
             "units as metres_per_unit."
         )
-    millimetres = uv_size(cloth)
+    cloth, millimetres = placed(cloth, placement)
     integrator = mi.load_dict({"type": "footprint_path", "max_depth": max_depth or DEFAULT_DEPTH})
     parts: dict[str, Any] = {
         **empty_scene(),
         "integrator": integrator,
-        "cloth": to_shape(cloth, loaded_bsdf(factory(millimetres))),
+        CLOTH_NAME: to_shape(cloth, loaded_bsdf(factory(millimetres))),
     }
     if environment is not None:
         parts["environment"] = environment_dict(environment, environment_turn)
@@ -198,6 +202,18 @@ def build_scene(
         point=(float(point[0]), float(point[1]), float(point[2])),
         view=view,
     )
+
+
+def _require_numbers(
+    zoom: float, size: tuple[int, int] | None, metres_per_unit: float, max_depth: int | None
+) -> None:
+    require_zoom(zoom)
+    if size is not None:
+        require_size(size)
+    if not metres_per_unit > 0:
+        raise InputError(f"metres_per_unit = {metres_per_unit:g} is out of range: it is a length above 0.")
+    if max_depth is not None and max_depth < 1:
+        raise InputError(f"max_depth = {max_depth} is out of range: a path has at least 1 segment.")
 
 
 def built_in_cloth(
@@ -282,7 +298,8 @@ def _facing_point(cloth: ClothMesh, view: View) -> NDArray[np.float64]:
 
 def _from_file(
     file: Path,
-    factory: BsdfFactory,
+    factories: Mapping[str, BsdfFactory],
+    placement: Placement,
     metres_per_unit: float,
     zoom: float,
     size: tuple[int, int] | None,
@@ -290,23 +307,33 @@ def _from_file(
 ) -> ClothScene:
     require_file(file)
     try:
-        scene = mi.load_file(str(file))
+        # Optimised, BSDFs that look alike would be one, and the names of the others lost.
+        scene = mi.load_file(str(file), optimize=False)
     except Exception as error:  # parsers and plugins raise what they do
         raise InputError(f"{file} cannot be loaded: {reason_of(error)}") from error
-    cloths = [
-        shape for shape in scene.shapes() if shape.bsdf() is not None and shape.bsdf().id() == FABRIC_ID
-    ]
-    if not cloths:
-        raise InputError(f'{file} has no shape whose BSDF has the id "{FABRIC_ID}"; give one that id.')
+    shapes = [shape for shape in scene.shapes() if shape.bsdf() is not None]
+    found = {shape.bsdf().id() for shape in shapes}
+    for name in factories:
+        if name not in found:
+            raise InputError(f'{file} has no shape whose BSDF has the id "{name}"; give one that id.')
     if not scene.sensors():
         raise InputError(f"{file} has no sensor.")
     meshes = []
-    for shape in cloths:
+    uv_sizes = []
+    for shape in shapes:
+        if shape.bsdf().id() not in factories:
+            continue
         if not shape.is_mesh():
             raise InputError(f"{file}: the shape {shape.id()} is no mesh; only meshes can be woven.")
         mesh = from_shape(shape, f"{file}: {shape.id()}").scaled(metres_per_unit)
-        shape.set_bsdf(loaded_bsdf(factory(uv_size(mesh))))
+        laid, uv_size_mm = placed(mesh, placement)
+        if laid is not mesh and not set_uv(shape, laid.uv):
+            raise InputError(
+                f"{file}: the uv of the shape {shape.id()} are fixed; make it an obj or ply mesh."
+            )
+        shape.set_bsdf(loaded_bsdf(factories[shape.bsdf().id()](uv_size_mm)))
         meshes.append(mesh)
+        uv_sizes.append(uv_size_mm)
     point, view = _move_camera(scene, joined(meshes).scaled(1 / metres_per_unit), zoom, size)
     integrator = footprint_integrator(scene)
     if max_depth is not None:
@@ -314,7 +341,7 @@ def _from_file(
     return ClothScene(
         scene=scene,
         integrator=integrator,
-        uv_size_mm=uv_size(meshes[0]),
+        uv_size_mm=uv_sizes[0],
         point=(float(point[0]), float(point[1]), float(point[2])),
         view=view,
     )

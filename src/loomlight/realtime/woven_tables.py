@@ -109,6 +109,8 @@ def woven_floats() -> dict[str, float]:
         "FACING_SMALLEST_COSINE": light_visibility._SMALLEST_COSINE,
         "WOVEN_UNIFORM_PROBABILITY": proposal._UNIFORM_PROBABILITY,
         "WOVEN_MOST_FIBRES": proposal._MOST_FIBRES,
+        "WOVEN_TILT": proposal._TILT,
+        "WOVEN_LEAST_SIDE": proposal._LEAST_SIDE,
         "WOVEN_MIN_WEIGHT": proposal._MIN_WEIGHT,
     }
 

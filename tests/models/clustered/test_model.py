@@ -19,17 +19,16 @@ from drjit.llvm.ad import Array2f, Array3f, Bool, Float, UInt32
 
 from loomlight.aggregate.reference import reference
 from loomlight.core.backend import array_types
-from loomlight.core.errors import InputError
+from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.clustered.clusters import NO_CLUSTER
 from loomlight.models.clustered.density_tables import densities
-from loomlight.models.clustered.features import texel_counts
+from loomlight.models.clustered.features import MOST_TEXELS, texel_counts
 from loomlight.models.clustered.model import ClusteredModel
 from loomlight.models.clustered.square_map import BINS, bin_centres, bin_taps
 from loomlight.models.clustered.tables import bake_tables
-from loomlight.models.clustered.trust import trust_by_view
 from loomlight.models.random_numbers import hashed, uniform
 from loomlight.models.separable import Components
 from loomlight.scattering.point import PointModel
@@ -51,7 +50,7 @@ def model() -> ClusteredModel:
     geometry = YarnGeometry(fabric.layout())
     tables = bake_tables(geometry, (0.3, 0.3), clusters=4, rank=2, float_type=Float, texels=32)
     made = ClusteredModel(fabric, tables)
-    return ClusteredModel(fabric, replace(tables, trust=trust_by_view(made.on_backend(TYPES), Float)))
+    return ClusteredModel(fabric, made.trusted_tables(Float))
 
 
 def test_bins_of_the_square_are_of_equal_area_and_interpolate_directions() -> None:
@@ -188,13 +187,20 @@ def test_random_numbers_are_uniform_and_repeat_with_the_cloth() -> None:
     assert (moved.numpy() == seed.numpy()).mean() > 0.99
 
 
-def test_too_large_a_repeat_is_refused_with_what_it_would_take() -> None:
-    fabric = fabric_from_text('weave = "satin 401/150"')
+def test_a_large_repeat_has_fewer_texels_a_thread_and_says_what_it_takes() -> None:
+    geometry = YarnGeometry(fabric_from_text('weave = "satin 401/150"').layout())
+    with pytest.warns(LoomlightWarning, match=r"across the finest thread instead of 6, take .* GB and"):
+        columns, rows = texel_counts(geometry, 256)
+    assert 2 <= columns * geometry.finest[0] / geometry.size[0] < 6
+    assert 0.98 * MOST_TEXELS < columns * rows <= MOST_TEXELS
+    too_large = YarnGeometry(fabric_from_text('weave = "satin 1001/300"').layout())
     with pytest.raises(InputError, match=r"texels, .* GB and about .* s to bake"):
-        texel_counts(YarnGeometry(fabric.layout()), 256)
+        texel_counts(too_large, 256)
 
 
-@pytest.mark.parametrize("option", [{"clusters": 6}, {"rank": 17}, {"samples": 9}, {"texel_samples": 2000}])
+@pytest.mark.parametrize(
+    "option", [{"clusters": 6}, {"rank": 17}, {"samples": 9}, {"texel_samples": 2000}, {"texels": 8}]
+)
 def test_options_out_of_range_are_refused(option: dict[str, int]) -> None:
     name, value = next(iter(option.items()))
     with pytest.raises(InputError, match=f"{name} = {value} is out of range"):

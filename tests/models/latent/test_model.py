@@ -14,7 +14,7 @@ import pytest
 from drjit.llvm.ad import Array2f, Array3f, Float
 
 from loomlight.aggregate.slices import FabricSlices
-from loomlight.assets.loom_file import LoomFile
+from loomlight.assets.loom_file import LoomFile, write_loom
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Box, Footprint, box_footprint
@@ -109,6 +109,7 @@ def test_options() -> None:
         ("rung=frame", 'rung = "frame" does not exist: did you mean frames?'),
         ("resolution=100", "resolution = 100 is wrong: give a power of two from 8 to 1024"),
         ("mips=nearest", 'mips = "nearest" is wrong: give stochastic or trilinear'),
+        ("precision=int8", 'precision = "int8" is wrong: give float32 or float16'),
         ("device=tpu", 'device = "tpu" is wrong: give cpu or cuda'),
         ("loss=l2", 'loss = "l2" does not exist'),
     ],
@@ -136,11 +137,33 @@ def test_a_rung_without_frames_comes_back_from_a_file(tmp_path: Path) -> None:
     assert model.mips == "trilinear"
 
 
+def test_half_precision_is_half_a_file_and_draws_alike(tmp_path: Path) -> None:
+    whole = make_model("latent", TWILL, steps=2)
+    assert isinstance(whole, LatentModel)
+    half = LatentModel(TWILL, whole.weights, precision="float16")
+    write_loom(tmp_path / "whole.loom", whole.to_loom())
+    write_loom(tmp_path / "half.loom", half.to_loom())
+    read = model_from_loom(tmp_path / "half.loom")
+    assert isinstance(read, LatentModel)
+    assert read.precision == "float16"
+    assert (tmp_path / "half.loom").stat().st_size < 0.55 * (tmp_path / "whole.loom").stat().st_size
+    footprint = Footprint(Array2f(0.3, 0.2), Array2f(0.1, 0), Array2f(0, 0.1))
+    light = Array3f(0.2, 0.1, 0.97)
+    exact, stored, again = (
+        model.at(Array3f(0.1, 0, 0.995), footprint).value(light).numpy() for model in (whole, half, read)
+    )
+    np.testing.assert_array_equal(stored, again)
+    # A few roundings of 2^-11 in the exponent.
+    np.testing.assert_allclose(stored, exact, rtol=5e-3)
+
+
 @pytest.mark.parametrize(
     ("changes", "says"),
     [
         ({"columns": 3}, "columns = 3 is wrong: it is a power of two up to 4096"),
         ({"columns": 32}, "model.latents is"),
+        ({"precision": "int8"}, 'precision = "int8" is wrong: it is one of float32, float16'),
+        ({"precision": "float16"}, "model.latents is"),
         ({"faces": 4}, "faces = 4 is wrong"),
         ({"decoder": "9x9"}, 'decoder = "9x9" is wrong: it is one of 2x16, 2x32, 3x64'),
         ({"decoder": "3x64"}, "model.decoder.0.weight is"),

@@ -60,7 +60,7 @@ def test_no_weight_is_a_firefly(example: str) -> None:
 def test_black_cloth_draws_directions_too() -> None:
     zero, up = Float(0), Array3f(0, 0, 1)
     tangents = Array3f(0, 1, 0), Array3f(1, 0, 0)
-    black = Proposal(zero, zero, zero, Float(1), up, tangents, (Float(0.3), Float(0.3)))
+    black = Proposal(zero, zero, zero, (zero, zero), Float(1), up, tangents, (Float(0.3), Float(0.3)))
     rng = np.random.default_rng(0)
     light, is_null = black.draw(Float(rng.random(1000)), Array2f(rng.random((2, 1000))))
     assert not np.array(is_null).any()

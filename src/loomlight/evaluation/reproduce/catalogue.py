@@ -11,6 +11,8 @@ from loomlight.evaluation.reproduce import (
     components,
     cost,
     editing,
+    kuznetsov2021_figures,
+    kuznetsov2021_tables,
     latents,
     zeltner2024_polar,
     zeltner2024_sampling,
@@ -22,7 +24,7 @@ from loomlight.evaluation.reproduce import (
     zhu2024_table1,
 )
 from loomlight.evaluation.reproduce.evidence import Item
-from loomlight.evaluation.reproduce.setting import CLUSTERED, LATENT, POINT
+from loomlight.evaluation.reproduce.setting import CLUSTERED, LATENT, NEUMIP, POINT
 
 _ITEMS = (
     Item("chen2024/fig1", "nine fabrics in one picture, one network", comparison.many),
@@ -104,6 +106,48 @@ _ITEMS = (
         "polar plots of values and of the sampler's density",
         zeltner2024_polar.polar_plots,
         model=LATENT,
+    ),
+    Item(
+        "kuznetsov2021/table2",
+        "five height fields: ours, ours without offset, and the decoders of Rainer et al.",
+        kuznetsov2021_tables.comparison,
+        64,
+        NEUMIP,
+    ),
+    Item(
+        "kuznetsov2021/table3",
+        "the error of ours over eight levels of detail",
+        kuznetsov2021_tables.by_level,
+        64,
+        NEUMIP,
+    ),
+    Item(
+        "kuznetsov2021/table4",
+        "weights of the networks and channels of the textures",
+        kuznetsov2021_tables.sizes,
+        1,
+        NEUMIP,
+    ),
+    Item(
+        "kuznetsov2021/fig5",
+        "learned offsets of the turtle shell for four views",
+        kuznetsov2021_figures.offsets,
+        1,
+        NEUMIP,
+    ),
+    Item(
+        "kuznetsov2021/fig10",
+        "ablation: channels of the textures, layers of the networks",
+        kuznetsov2021_figures.ablation,
+        64,
+        NEUMIP,
+    ),
+    Item(
+        "kuznetsov2021/fig11",
+        "five height fields at eight levels of detail, over the reference",
+        kuznetsov2021_tables.zooms,
+        64,
+        NEUMIP,
     ),
 )
 CATALOGUE = {item.name: item for item in _ITEMS}

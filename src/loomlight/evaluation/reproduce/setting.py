@@ -19,6 +19,7 @@ from loomlight.models.woven.weights import Weights, read_weights, shipped_weight
 SIZE, SAMPLES = (384, 216), 256
 RUNS = Path("runs")
 POINT, LOBES, WOVEN, CLUSTERED, LATENT = "point", "lobes", "woven", "clustered", "latent"
+NEUMIP = "neumip"
 
 # Called with (steps done, steps in all).
 Progress = Callable[[int, int], None]

@@ -73,6 +73,7 @@ class ViewedBase:
         view: in the frame of the face that is seen [3].
         back: which face that is.
         offset: mean offset of parallax, millimetres [2].
+        texel_trust: coefficients of the texel model's diffuse and specular term [2].
     """
 
     def __init__(self, tables: DeviceTables, view: Vec3, back: Mask, trusted: bool) -> None:
@@ -83,9 +84,12 @@ class ViewedBase:
         self._around = bin_taps(view, VIEW_BINS)
         self._first = self._face * VIEW_BINS**2
         self.offset: Vec2 = self._around.read(types.Vector2, tables.offset, self._first, 1, types.UInt32(0))
-        self._trust = types.Float(1)
+        self.texel_trust: Vec2 = self._around.read(
+            types.Vector2, tables.texel_trust, self._first, 1, types.UInt32(0)
+        )
+        self._trust: Vec2 = types.Vector2(1)
         if trusted:
-            self._trust = self._around.read(types.Float, tables.trust, self._first, 1, types.UInt32(0))
+            self._trust = self._around.read(types.Vector2, tables.trust, self._first, 1, types.UInt32(0))
         packets = tables.clusters // 4
         self.masking = [
             self._around.read(types.Vector4, tables.view, self._first, packets, types.UInt32(packet))
@@ -142,7 +146,7 @@ class ViewedBase:
                 density += means[number * packets + packet] * taps.half.read(
                     types.Vector4, tables.basis, half_first, packets * (1 + tables.rank), entry
                 )
-            masking = self.masking[packet] * self._trust
+            masking = self.masking[packet]
             weight = means[packet] * masking
             for lane in range(4):
                 cluster = 4 * packet + lane
@@ -151,7 +155,17 @@ class ViewedBase:
                 total[family] += weight[lane] * self._diffuse(taps, lit[lane], about_yarn[lane])
                 total[2 + family] += masking[lane] * lit[lane] * attenuation * density[lane]
                 total[4] += weight[lane] * lit[lane]
-        return Components(*total)
+        return self._trusted(Components(*total))
+
+    def _trusted(self, known: Components) -> Components:
+        diffuse, specular = self._trust
+        return Components(
+            known.diffuse_warp * diffuse,
+            known.diffuse_weft * diffuse,
+            known.specular_warp * specular,
+            known.specular_weft * specular,
+            known.light_visibility * diffuse,
+        )
 
     def at_texel(self, texel: UInt, taps: LightTaps) -> Components:
         """The base of one texel."""
@@ -164,7 +178,7 @@ class ViewedBase:
         lit = taps.around.read(types.Float, tables.light, taps.first, 2 * clusters, label)
         about_yarn = taps.around.read(types.Float, tables.light, taps.first, 2 * clusters, clusters + label)
         masking = self._around.read(types.Float, tables.view, self._first, clusters, label)
-        masking = dr.select(met, masking * self._trust, 0)
+        masking = dr.select(met, masking, 0)
         density: Any = types.Float(0)
         for number in range(1 + tables.rank):
             part = taps.half.read(
@@ -180,12 +194,14 @@ class ViewedBase:
         diffuse = masking * self._diffuse(taps, lit, about_yarn)
         specular = masking * lit * self._attenuation(self.lobe(label), taps) * density
         is_warp = label < clusters // 2
-        return Components(
-            dr.select(is_warp, diffuse, 0),
-            dr.select(is_warp, 0, diffuse),
-            dr.select(is_warp, specular, 0),
-            dr.select(is_warp, 0, specular),
-            masking * lit,
+        return self._trusted(
+            Components(
+                dr.select(is_warp, diffuse, 0),
+                dr.select(is_warp, 0, diffuse),
+                dr.select(is_warp, specular, 0),
+                dr.select(is_warp, 0, specular),
+                masking * lit,
+            )
         )
 
     def _diffuse(self, taps: LightTaps, lit: Float, about_yarn: Float) -> Float:
@@ -242,6 +258,7 @@ class DeviceTables:
         self.view = upload(types.Float, tables.view)
         self.offset = upload(types.Float, tables.offset)
         self.trust = upload(types.Float, tables.trust)
+        self.texel_trust = upload(types.Float, tables.texel_trust)
         self.size = tuple(dr.opaque(types.Float, extent) for extent in size)
         self.texels = TexelModel(tables, size, top, finest, diffuse_blend, optical_depth, types)
         self.diffuse_blend = diffuse_blend

@@ -28,8 +28,8 @@ from loomlight.models.random_numbers import uniform
 from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf, shade, tinted
 from loomlight.scattering.point import Albedos, DirectionSample, PointModel, YarnPoint, to_face_frame
 
-# The plastic number's powers: points at multiples of these shares fill a square evenly (Roberts 2018).
-_ACROSS, _ALONG = 0.7548776662466927, 0.5698402909980532
+# Between seeds of points: odd, so that no two are the same.
+_POINT = 0x632BE5AB
 
 
 @dataclass
@@ -104,16 +104,22 @@ class ClusteredBsdf(SeparableBsdf):
 
     @cached_property
     def _points(self) -> list[ResidualPoint]:
-        first = uniform(self._seed, 1), uniform(self._seed, 2)
-        return [
-            self._residual_point(
-                *(start + number * step for start, step in zip(first, (_ACROSS, _ALONG), strict=True))
-            )
-            for number in range(self._samples)
-        ]
+        return [self._residual_point(number) for number in range(self._samples)]
 
-    def _residual_point(self, s: Float, t: Float) -> ResidualPoint:
-        s, t = s - dr.floor(s), t - dr.floor(t)
+    def _shares(self, number: UInt | int, dimension: int) -> tuple[Float, Float]:
+        """Where in the box, as shares of its sides, a point lies: uniform and independent.
+
+        Points of a lattice would be more even in the box, but fall on like places of satins, whose floats
+        form lattices as well.
+
+        Args:
+            dimension: the first of its two random numbers.
+        """
+        seed = self._seed + array_types(self.view.x).UInt32(number) * _POINT
+        return uniform(seed, dimension), uniform(seed, dimension + 1)
+
+    def _residual_point(self, number: int) -> ResidualPoint:
+        s, t = self._shares(number, 1)
         place = self._box.at(s, t)
         point = self._model.locate(place.x, place.y, self.view, self._active)
         if self._tint is not None:
@@ -191,30 +197,54 @@ class ClusteredBsdf(SeparableBsdf):
             total.colour += colour * (1 / self._samples)
         return total
 
+    @cached_property
+    def _texel_hits(self) -> list[UInt]:
+        """The texels of the texel model's points, met once for all lights.
+
+        In registers: kernels whose symbolic calls hold local arrays are not compiled.
+        """
+        types = array_types(self.view.x)
+
+        def meet(number: UInt, hits: list[UInt]) -> tuple[UInt, list[UInt]]:
+            place = self._box.at(*self._shares(number, 3))
+            found = self._tables.texels.hit(place, self._base.view, self._back)
+            return number + 1, [dr.select(number == index, found, hit) for index, hit in enumerate(hits)]
+
+        width = dr.width(self.view, self._box.corner, self._seed)
+        start = [dr.zeros(types.UInt32, width) for _ in range(self._texels)]
+        met: tuple[UInt, list[UInt]] = dr.while_loop(
+            (dr.zeros(types.UInt32, width), start),
+            lambda number, hits: number < self._texels,
+            meet,
+            label="clustered: hits",
+        )
+        return met[1]
+
     def _texel_sums(self, taps: LightTaps) -> tuple[Estimate, Components]:
         """Sums over many points of the texel model, and of the base at their texels."""
         types = array_types(self.view.x)
-        start = uniform(self._seed, 3), uniform(self._seed, 4)
 
-        def add(number: UInt, found: Components, colour: Color3, known: Components) -> tuple[Any, ...]:
-            s, t = (
-                first + types.Float(number) * step
-                for first, step in zip(start, (_ACROSS, _ALONG), strict=True)
-            )
-            s, t = s - dr.floor(s), t - dr.floor(t)
-            point = self._tables.texels.meet(self._box.at(s, t), self._base.view, self._back)
+        def add(
+            number: UInt, found: Components, colour: Color3, known: Components, hits: list[UInt]
+        ) -> tuple[Any, ...]:
+            hit = hits[0]
+            for index, other in enumerate(hits[1:], start=1):
+                hit = dr.select(number == index, other, hit)
+            point = self._tables.texels.point(hit)
             of_point = self._texel_components(point, taps)
             colour = colour + self._texel_colour(point, of_point, taps.transmits)
-            of_base = self._base.at_texel(self._tables.sums.texel(self._box, s, t), taps)
-            return number + 1, _combined(found, of_point, 1), colour, _combined(known, of_base, 1)
+            texel = self._tables.sums.texel(self._box, *self._shares(number, 3))
+            of_base = self._base.at_texel(texel, taps)
+            return number + 1, _combined(found, of_point, 1), colour, _combined(known, of_base, 1), hits
 
         width = dr.width(self.view, taps.facing, self._box.corner, self._seed)
 
         def zeros() -> Components:
             return Components(*(dr.zeros(types.Float, width) for _ in fields(Components)))
 
-        _, found, colour, known = dr.while_loop(
-            (dr.zeros(types.UInt32, width), zeros(), dr.zeros(types.Color3, width), zeros()),
+        start = (dr.zeros(types.UInt32, width), zeros(), dr.zeros(types.Color3, width), zeros())
+        _, found, colour, known, _ = dr.while_loop(
+            (*start, self._texel_hits),
             lambda number, *rest: number < self._texels,
             add,
             label="clustered: texels",
@@ -223,6 +253,8 @@ class ClusteredBsdf(SeparableBsdf):
 
     def _texel_components(self, point: TexelPoint, taps: LightTaps) -> Components:
         diffuse, specular, lit = self._tables.texels.lobes(point, taps.facing, self._base.view)
+        of_diffuse, of_specular = self._base.texel_trust
+        diffuse, specular, lit = diffuse * of_diffuse, specular * of_specular, lit * of_diffuse
         return Components(
             dr.select(point.is_warp, diffuse, 0),
             dr.select(point.is_warp, 0, diffuse),

@@ -83,7 +83,7 @@ def density_tables(
             )
             unit = np.maximum(np.abs(values).max(axis=0, initial=0) / _LARGEST, 1e-20)
             whole = np.rint(values / unit)
-            coefficients[face].reshape(-1, rank)[chosen] = whole.astype(np.int8)
+            coefficients[face].reshape(labels[face].size, rank)[chosen] = whole.astype(np.int8)
             basis[face, :, 0, cluster] = mean
             basis[face, :, 1:, cluster] = (components * unit[:, None]).T
             few = rng.permutation(len(fibres))[:256]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from dataclasses import dataclass
 from typing import TypeVar
 
@@ -12,17 +13,17 @@ from numpy.typing import NDArray
 
 from loomlight.core.arrays import FloatType
 from loomlight.core.backend import array_types
-from loomlight.core.errors import InputError
+from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.horizon import AZIMUTHS, HorizonMap
 
 _Number = TypeVar("_Number", bound=np.generic)
-# Texels along the longer side of small repeats (zhu2024 6), and the fewest across the finest thread.
+# Texels along the longer side of small repeats (zhu2024 6), and texels across the finest thread.
 DEFAULT_TEXELS = 256
-_FEWEST_PER_THREAD = 6
-# The bake takes about 400 bytes and 20 µs a texel: 1.6 GB and 90 s.
-MOST_TEXELS = 1 << 22
-_BYTES_A_TEXEL, _SECONDS_A_TEXEL = 400, 2e-5
+_PER_THREAD, _FEWEST_PER_THREAD = 6, 2
+# Of one face: the bake stays under two minutes and 4 GB, summed-area tables on a device included.
+MOST_TEXELS = 1 << 21
+_BYTES_A_TEXEL, _SECONDS_A_TEXEL = 1000, 5e-5
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,23 +50,47 @@ class FeatureMaps:
 def texel_counts(geometry: YarnGeometry, longest: int) -> tuple[int, int]:
     """Columns and rows: `longest` along the longer side, or more where threads would have under 6 texels.
 
+    Threads of large repeats have fewer, at least 2: a warning says so, and what the bake takes.
+
     Raises:
         InputError: the repeat is too large; the message says what its bake would take.
     """
     width, height = geometry.size
     side = max(width, height) / longest
-    counts = [
-        max(4, math.ceil(extent / side - 1e-6), math.ceil(_FEWEST_PER_THREAD * extent / fine - 1e-6))
-        for extent, fine in zip((width, height), geometry.finest, strict=True)
-    ]
-    texels = counts[0] * counts[1]
-    if texels > MOST_TEXELS:
-        raise InputError(
-            f"The repeat of {width:.4g} × {height:.4g} mm needs {counts[0]} × {counts[1]} texels, "
-            f"{texels * _BYTES_A_TEXEL / 1e9:.2g} GB and about {texels * _SECONDS_A_TEXEL:.0f} s to bake: "
-            f"clustered takes up to {MOST_TEXELS / 1e6:.1f} million texels; use lobes for this draft."
+
+    def counts(per_thread: float) -> tuple[int, int]:
+        columns, rows = (
+            max(4, math.ceil(extent / side - 1e-6), math.ceil(per_thread * extent / fine - 1e-6))
+            for extent, fine in zip(geometry.size, geometry.finest, strict=True)
         )
-    return counts[0], counts[1]
+        return columns, rows
+
+    found = counts(_PER_THREAD)
+    if found[0] * found[1] <= MOST_TEXELS:
+        return found
+    least = counts(_FEWEST_PER_THREAD)
+    if least[0] * least[1] > MOST_TEXELS:
+        raise InputError(
+            f"The repeat of {width:.4g} × {height:.4g} mm needs {least[0]} × {least[1]} texels, "
+            f"{_cost(least)} to bake: clustered takes up to {MOST_TEXELS / 1e6:.1f} million texels; "
+            "use lobes for this draft."
+        )
+    # Rounding up adds a column and a row.
+    per_thread = _PER_THREAD * math.sqrt(MOST_TEXELS / ((found[0] + 2) * (found[1] + 2)))
+    fewer = counts(max(per_thread, _FEWEST_PER_THREAD))
+    warnings.warn(
+        f"The repeat of {width:.4g} × {height:.4g} mm is large: {fewer[0]} × {fewer[1]} texels, "
+        f"{max(per_thread, _FEWEST_PER_THREAD):.1f} across the finest thread instead of {_PER_THREAD}, take "
+        f"{_cost(fewer)} to bake; fewer texels mean more noise, not bias.",
+        LoomlightWarning,
+        stacklevel=2,
+    )
+    return fewer
+
+
+def _cost(counts: tuple[int, int]) -> str:
+    texels = counts[0] * counts[1]
+    return f"{texels * _BYTES_A_TEXEL / 1e9:.2g} GB and about {texels * _SECONDS_A_TEXEL:.0f} s"
 
 
 def feature_maps(geometry: YarnGeometry, counts: tuple[int, int], float_type: FloatType) -> FeatureMaps:

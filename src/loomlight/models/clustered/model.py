@@ -8,7 +8,7 @@ from typing import Self, final
 
 from loomlight.assets.loom_file import LoomFile
 from loomlight.assets.sources import Source
-from loomlight.core.arrays import Color3, Mask, UInt, Vec3
+from loomlight.core.arrays import Color3, FloatType, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
@@ -16,6 +16,7 @@ from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.clustered.base import DeviceTables
 from loomlight.models.clustered.bsdf import ClusteredBsdf
+from loomlight.models.clustered.features import DEFAULT_TEXELS
 from loomlight.models.clustered.tables import ClusterTables, bake_tables, tables_of_loom
 from loomlight.models.clustered.trust import trust_by_view
 from loomlight.models.fabric_model import FilteredFabricModel, appearance_of, fabric_in_loom, fabric_source
@@ -31,8 +32,9 @@ DEFAULT_CLUSTERS, MOST_CLUSTERS = 16, 64
 DEFAULT_RANK, MOST_RANK = 1, 16
 DEFAULT_SAMPLES, MOST_SAMPLES = 2, 8
 DEFAULT_TEXEL_SAMPLES, MOST_TEXEL_SAMPLES = 16, 1024
+FEWEST_TEXELS, MOST_TEXELS = 16, 1024
 # What tables mean; to be raised when older ones no longer fit the formulas.
-_TABLES_VERSION = 1
+_TABLES_VERSION = 2
 # Scene parameters of a family that tables depend on.
 _BAKED = ("height_scale", "inclination", "twist", "roughness")
 
@@ -48,6 +50,7 @@ class ClusteredModel(FilteredFabricModel):
     Attributes:
         tables: the baked tables.
         samples: yarn points of a footprint; 0 leaves out what tells them from the texel model.
+        texels: along the longer side of the repeat, as asked for.
         texel_samples: points of the texel model; with 0 of both the base is alone, biased and without noise.
     """
 
@@ -57,6 +60,9 @@ class ClusteredModel(FilteredFabricModel):
     options = (
         Option("clusters", int, f"a multiple of 4 from 4 to {MOST_CLUSTERS}", 4, MOST_CLUSTERS),
         Option("rank", int, f"a whole number from 0 to {MOST_RANK}", 0, MOST_RANK),
+        Option(
+            "texels", int, f"a whole number from {FEWEST_TEXELS} to {MOST_TEXELS}", FEWEST_TEXELS, MOST_TEXELS
+        ),
         Option("texel_samples", int, f"a whole number from 0 to {MOST_TEXEL_SAMPLES}", 0, MOST_TEXEL_SAMPLES),
         Option("samples", int, f"a whole number from 0 to {MOST_SAMPLES}", 0, MOST_SAMPLES),
     )
@@ -67,10 +73,12 @@ class ClusteredModel(FilteredFabricModel):
         tables: ClusterTables,
         samples: int = DEFAULT_SAMPLES,
         texel_samples: int = DEFAULT_TEXEL_SAMPLES,
+        texels: int = DEFAULT_TEXELS,
     ) -> None:
         """A model of baked tables; see `for_source` to bake them."""
         super().__init__(fabric)
         self.tables, self.samples, self.texel_samples = tables, samples, texel_samples
+        self.texels = texels
         self._geometry = YarnGeometry(fabric.layout())
         self._uploaded: dict[type, DeviceTables] = {}
         self._use(fabric.appearance())
@@ -86,6 +94,7 @@ class ClusteredModel(FilteredFabricModel):
         rank: int = DEFAULT_RANK,
         samples: int = DEFAULT_SAMPLES,
         texel_samples: int = DEFAULT_TEXEL_SAMPLES,
+        texels: int = DEFAULT_TEXELS,
     ) -> Self:
         """The model of a fabric.
 
@@ -94,23 +103,30 @@ class ClusteredModel(FilteredFabricModel):
             rank: principal components of the fibre densities of a cluster, 0 to 16.
             samples: yarn points of a footprint, 0 to 8.
             texel_samples: points of the texel model, 0 to 1024.
+            texels: along the longer side of the repeat, 16 to 1024; at least 6 across the finest thread
+                are used all the same.
 
         Raises:
             InputError: no fabric, one whose repeat is too large, or an option out of range.
         """
         fabric = fabric_source(source, cls.name)
-        _require_options(clusters, rank, samples, texel_samples)
+        _require_options(clusters, rank, samples, texel_samples, texels)
         appearance = fabric.appearance()
         roughness = appearance.warp.roughness, appearance.weft.roughness
-        tables = bake_tables(YarnGeometry(fabric.layout()), roughness, clusters, rank, llvm_float())
-        draft = cls(fabric, tables, samples, texel_samples)
-        trust = trust_by_view(draft.on_backend(array_types(llvm_float())), llvm_float())
-        return cls(fabric, replace(tables, trust=trust), samples, texel_samples)
+        tables = bake_tables(YarnGeometry(fabric.layout()), roughness, clusters, rank, llvm_float(), texels)
+        draft = cls(fabric, tables, samples, texel_samples, texels)
+        return cls(fabric, draft.trusted_tables(llvm_float()), samples, texel_samples, texels)
+
+    def trusted_tables(self, float_type: FloatType) -> ClusterTables:
+        """The tables with the best coefficients of base and texel model."""
+        device = self.on_backend(array_types(float_type))
+        trust, texel_trust = trust_by_view(device, self.point_model, float_type)
+        return replace(self.tables, trust=trust, texel_trust=texel_trust)
 
     def with_source(self, source: Source) -> Self:
         """The model of another fabric with the same options."""
         return type(self).for_source(
-            source, self.tables.clusters, self.tables.rank, self.samples, self.texel_samples
+            source, self.tables.clusters, self.tables.rank, self.samples, self.texel_samples, self.texels
         )
 
     def with_samples(self, samples: int, texel_samples: int | None = None) -> Self:
@@ -126,14 +142,14 @@ class ClusteredModel(FilteredFabricModel):
         model.samples = samples
         if texel_samples is not None:
             model.texel_samples = texel_samples
-        _require_options(self.tables.clusters, self.tables.rank, samples, model.texel_samples)
+        _require_options(self.tables.clusters, self.tables.rank, samples, model.texel_samples, self.texels)
         return model
 
     def with_fabric(self, fabric: Fabric, edits: frozenset[str]) -> Self:
         """The model of an edited fabric; tables are kept if the edit changes the sheen alone."""
         if any(name.endswith(_BAKED) and not name.startswith("sheen.") for name in edits):
             return self.with_source(fabric)
-        return type(self)(fabric, self.tables, self.samples, self.texel_samples)
+        return type(self)(fabric, self.tables, self.samples, self.texel_samples, self.texels)
 
     def updated(self, values: Values, changed: frozenset[str]) -> Self:
         """The model after an edit; yarn points have the edited albedos too."""
@@ -151,6 +167,7 @@ class ClusteredModel(FilteredFabricModel):
             settings={
                 "samples": self.samples,
                 "texel_samples": self.texel_samples,
+                "texels": self.texels,
                 "tables_version": _TABLES_VERSION,
             },
         )
@@ -166,9 +183,9 @@ class ClusteredModel(FilteredFabricModel):
         if loom.settings.get("tables_version") != _TABLES_VERSION:
             raise InputError(f"{loom.file}: its tables are of another version of loomlight: bake it again.")
         tables, samples = tables_of_loom(loom), loom.setting("samples", int)
-        texel_samples = loom.setting("texel_samples", int)
-        _require_options(tables.clusters, tables.rank, samples, texel_samples)
-        return cls(fabric, tables, samples, texel_samples)
+        texel_samples, texels = loom.setting("texel_samples", int), loom.setting("texels", int)
+        _require_options(tables.clusters, tables.rank, samples, texel_samples, texels)
+        return cls(fabric, tables, samples, texel_samples, texels)
 
     def upload(self, types: ArrayTypes) -> None:
         """Uploads all tables to a backend, which otherwise happens at first use."""
@@ -234,7 +251,7 @@ class ClusteredModel(FilteredFabricModel):
         }
 
 
-def _require_options(clusters: int, rank: int, samples: int, texel_samples: int) -> None:
+def _require_options(clusters: int, rank: int, samples: int, texel_samples: int, texels: int) -> None:
     """Raises InputError unless options are in range."""
     if not 4 <= clusters <= MOST_CLUSTERS or clusters % 4:
         raise InputError(
@@ -246,3 +263,5 @@ def _require_options(clusters: int, rank: int, samples: int, texel_samples: int)
         raise InputError(f"samples = {samples} is out of range: use 0 to {MOST_SAMPLES}.")
     if not 0 <= texel_samples <= MOST_TEXEL_SAMPLES:
         raise InputError(f"texel_samples = {texel_samples} is out of range: use 0 to {MOST_TEXEL_SAMPLES}.")
+    if not FEWEST_TEXELS <= texels <= MOST_TEXELS:
+        raise InputError(f"texels = {texels} is out of range: use {FEWEST_TEXELS} to {MOST_TEXELS}.")

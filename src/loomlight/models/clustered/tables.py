@@ -37,7 +37,7 @@ class ClusterTables:
         height: of each texel, millimetres [2, rows, columns].
         horizon: see `FeatureMaps`.
         light, view, offset: see `VisibilityTables`.
-        trust: see `trust_by_view` [2, view bins].
+        trust, texel_trust: of base and texel model; see `trust_by_view` [2, view bins, 2].
     """
 
     labels: NDArray[np.uint8]
@@ -51,6 +51,7 @@ class ClusterTables:
     view: NDArray[np.float32]
     offset: NDArray[np.float32]
     trust: NDArray[np.float32]
+    texel_trust: NDArray[np.float32]
 
     @property
     def clusters(self) -> int:
@@ -124,7 +125,8 @@ def bake_tables(
         light=visibility.light,
         view=visibility.view,
         offset=visibility.offset,
-        trust=np.ones((2, VIEW_BINS**2), np.float32),
+        trust=np.ones((2, VIEW_BINS**2, 2), np.float32),
+        texel_trust=np.ones((2, VIEW_BINS**2, 2), np.float32),
     )
 
 
@@ -183,5 +185,6 @@ def tables_of_loom(loom: LoomFile) -> ClusterTables:
         light=loom.tensor("light", (2, 2, BINS**2, 2, clusters), np.float32),
         view=loom.tensor("view", (2, VIEW_BINS**2, clusters), np.float32),
         offset=loom.tensor("offset", (2, VIEW_BINS**2, 2), np.float32),
-        trust=loom.tensor("trust", (2, VIEW_BINS**2), np.float32),
+        trust=loom.tensor("trust", (2, VIEW_BINS**2, 2), np.float32),
+        texel_trust=loom.tensor("texel_trust", (2, VIEW_BINS**2, 2), np.float32),
     )

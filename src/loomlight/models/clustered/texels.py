@@ -29,6 +29,8 @@ _STRIDE = 0.15
 _REFINEMENTS = 3
 # Height of holes, in units of the relief.
 _DEEP = -10.0
+# The bit of a hit that passes through a hole.
+_HOLE = 1 << 31
 
 
 @dataclass
@@ -81,10 +83,7 @@ class TexelModel:
         columns, rows = tables.counts
         self._counts = [dr.opaque(types.Float, float(count)) for count in (columns, rows)]
         self._wholes = [dr.opaque(types.UInt32, count) for count in (columns, rows)]
-        self._per_mm = [
-            dr.opaque(types.Float, count / extent)
-            for count, extent in zip((columns, rows), size, strict=True)
-        ]
+        self._per_mm = [dr.opaque(types.Float, 1 / extent) for extent in size]
         self._face = dr.opaque(types.UInt32, columns * rows)
         self._high = dr.opaque(types.Float, float(high))
         self._low = dr.opaque(types.Float, low)
@@ -97,7 +96,28 @@ class TexelModel:
         self._blend, self._depth = diffuse_blend, optical_depth
 
     def meet(self, place: Vec2, view: Vec3, back: Mask) -> TexelPoint:
-        """The texel that the view ray through a place on the plane z = 0 meets.
+        """The texel that the view ray through a place on the plane z = 0 meets; see `hit`."""
+        return self.point(self.hit(place, view, back))
+
+    def point(self, hit: UInt) -> TexelPoint:
+        """What is known of a texel that `hit` has found."""
+        types = self._types
+        texel = hit & (_HOLE - 1)
+        first_half = dr.gather(types.Vector4, self._features, 2 * texel)
+        second_half = dr.gather(types.Vector4, self._features, 2 * texel + 1)
+        return TexelPoint(
+            place=texel,
+            hole=hit >= _HOLE,
+            is_warp=first_half.w > 0.5,
+            thread=types.UInt32(maximum(second_half.w, 0)),
+            normal=types.Vector3(first_half.x, first_half.y, first_half.z),
+            tangent=types.Vector3(second_half.x, second_half.y, second_half.z),
+        )
+
+    def hit(self, place: Vec2, view: Vec3, back: Mask) -> UInt:
+        """The index of the texel that the view ray through a place on the plane z = 0 meets.
+
+        Both faces are counted. The highest bit is set where the ray passes through a hole.
 
         Args:
             place: millimetres [2].
@@ -143,16 +163,9 @@ class TexelModel:
         # As in `yarn.visibility`: a ray through a hole of the plane that nothing above it stops.
         there = face + self.texel_at(place.x, place.y)
         passes = dr.gather(types.Float, self._heights, there) < self._low
-        first_half = dr.gather(types.Vector4, self._features, 2 * texel)
-        second_half = dr.gather(types.Vector4, self._features, 2 * texel + 1)
-        return TexelPoint(
-            place=texel,
-            hole=~found | (first_half.w < 0) | (passes & (end <= 0)),
-            is_warp=first_half.w > 0.5,
-            thread=types.UInt32(maximum(second_half.w, 0)),
-            normal=types.Vector3(first_half.x, first_half.y, first_half.z),
-            tangent=types.Vector3(second_half.x, second_half.y, second_half.z),
-        )
+        kind = dr.gather(types.Float, self._features, 8 * texel + 3)
+        hole = ~found | (kind < 0) | (passes & (end <= 0))
+        return texel | dr.select(hole, types.UInt32(_HOLE), 0)
 
     def lobes(self, point: TexelPoint, light: Vec3, view: Vec3) -> tuple[Float, Float, Float]:
         """Diffuse and specular term at albedo 1, cosine included, 1/sr, and visibility, 0 or 1.
@@ -214,7 +227,7 @@ class TexelModel:
         for position, per_mm, count, whole in zip(
             (x, y), self._per_mm, self._counts, self._wholes, strict=True
         ):
-            texels = position * per_mm
-            inside = texels - dr.floor(texels / count) * count
-            indices.append(minimum(self._types.UInt32(maximum(inside, 0)), whole - 1))
+            turns = position * per_mm
+            inside = (turns - dr.floor(turns)) * count
+            indices.append(minimum(self._types.UInt32(inside), whole - 1))
         return indices[1] * self._wholes[0] + indices[0]

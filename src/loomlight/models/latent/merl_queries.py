@@ -12,13 +12,15 @@ from numpy.typing import NDArray
 from loomlight.assets.merl import MerlLibrary
 
 _Floats = NDArray[np.float32]
+# Texels along a side of a cell: those inside are never interpolated with another BRDF's.
+CELL_TEXELS = 4
 
 
 class MerlReflectance:
     """f·cos of the BRDFs of a library in their grid; `Reflectance` says what its methods do.
 
-    Footprints are squares of the same variance as `Reflectance`'s Gaussians: at the middle of a cell, level 0
-    sees one BRDF alone.
+    Footprints are squares of the same variance as `Reflectance`'s Gaussians: at the middle of a cell, levels
+    up to a cell's size see one BRDF alone.
     """
 
     faces = 1
@@ -27,7 +29,7 @@ class MerlReflectance:
         del resolution
         self._source = source
         self.inputs = source.names
-        self.resolution = source.grid
+        self.resolution = (CELL_TEXELS * source.grid[0], CELL_TEXELS * source.grid[1])
 
     def values(
         self,
@@ -48,10 +50,11 @@ class MerlReflectance:
     def encoder_inputs(self, level: int, face: int = 0) -> _Floats:
         """Shares [height, width, BRDFs] of the BRDFs in each texel."""
         del face
-        columns, rows = self.resolution
+        columns, rows = self._source.grid
         count = len(self.inputs)
         shares = np.eye(count, dtype=np.float32)[np.arange(columns * rows) % count]
         shares = shares.reshape(rows, columns, count)
+        shares = shares.repeat(CELL_TEXELS, axis=0).repeat(CELL_TEXELS, axis=1)
         for _ in range(level):
             for axis in (0, 1):
                 if shares.shape[axis] > 1:

@@ -17,6 +17,7 @@ from typing import Any, Self, final
 
 import drjit as dr
 import numpy as np
+from numpy.typing import DTypeLike
 
 from loomlight.assets.loom_file import LoomFile
 from loomlight.assets.sources import Source
@@ -57,6 +58,7 @@ from loomlight.scattering.point import DirectionSample, to_face_frame
 _SMALLEST_SIZE = 1e-9
 _TRAINING = "loomlight.models.latent.training.train"
 MIPS = ("stochastic", "trilinear")
+PRECISIONS = ("float32", "float16")
 
 
 @final
@@ -144,6 +146,7 @@ class LatentModel(Model):
     Attributes:
         weights: what was trained.
         mips: how levels are chosen, of `MIPS`.
+        precision: of the numbers in a file, of `PRECISIONS`; they are computed with in float32.
         multiply_adds: of one query of the decoder, texels and frames included.
         bytes_fetched: by one query.
     """
@@ -159,6 +162,8 @@ class LatentModel(Model):
         Option("resolution", int, "a power of two from 8 to 1024", low=8, high=1024),
         # How levels are read; it changes no weight.
         Option("mips", str, f"one of {', '.join(MIPS)}"),
+        # Of the numbers in a file: half precision halves it.
+        Option("precision", str, f"one of {', '.join(PRECISIONS)}"),
         # The rungs of the paper's ablation.
         Option("rung", str, f"one of {', '.join(RUNGS)}"),
         Option("loss", str, f"one of {', '.join(LOSSES)}"),
@@ -169,8 +174,12 @@ class LatentModel(Model):
         Option("device", str, "cpu or cuda"),
     )
 
-    def __init__(self, source: Source, weights: Weights, mips: str = MIPS[0]) -> None:
-        self.source, self.weights, self.mips = source, weights, mips
+    def __init__(
+        self, source: Source, weights: Weights, mips: str = MIPS[0], precision: str = PRECISIONS[0]
+    ) -> None:
+        self.source, self.mips, self.precision = source, mips, precision
+        # A model draws alike before it is stored and afterwards.
+        self.weights = weights.rounded(precision)
         self._devices: dict[type, DeviceWeights] = {}
         numbers = [matrix.size for matrix, _ in weights.layers["decoder"]]
         taps = 4 if mips == "stochastic" else 8
@@ -187,6 +196,7 @@ class LatentModel(Model):
         decoder: str = DEFAULT_DECODER,
         resolution: int | None = None,
         mips: str = MIPS[0],
+        precision: str = PRECISIONS[0],
         rung: str = "frames",
         loss: str = DEFAULT_LOSS,
         seed: int = 0,
@@ -209,16 +219,18 @@ class LatentModel(Model):
             raise InputError(f'device = "{device}" is wrong: give cpu or cuda.')
         if mips not in MIPS:
             raise InputError(f'mips = "{mips}" is wrong: give {" or ".join(MIPS)}.')
+        if precision not in PRECISIONS:
+            raise InputError(f'precision = "{precision}" is wrong: give {" or ".join(PRECISIONS)}.')
         # On shared cores threads that spin while they wait make small batches many times slower.
         os.environ.setdefault("OMP_WAIT_POLICY", "passive")
         import_extra("torch", "train", "Training latent")
         train: Any = import_module(_TRAINING).train_latent
         if folder is not None:
-            return cls(source, train(source, settings, Path(folder), report, device), mips)
+            return cls(source, train(source, settings, Path(folder), report, device), mips, precision)
         place = cache_folder("latent") / settings.identity(source)[:16]
         weights = train(source, settings, place, report, device)
         _remove(place)
-        return cls(source, weights, mips)
+        return cls(source, weights, mips, precision)
 
     def device_weights(self, float_type: type) -> DeviceWeights:
         """Textures and networks on one backend, uploaded once."""
@@ -253,8 +265,10 @@ class LatentModel(Model):
             "faces": shape.faces,
             "decoder": decoder,
             "mips": self.mips,
+            "precision": self.precision,
         }
-        return LoomFile(self.name, self.source, tensors, settings)
+        stored = {name: values.astype(self.precision) for name, values in tensors.items()}
+        return LoomFile(self.name, self.source, stored, settings)
 
     @classmethod
     def from_loom(cls, loom: LoomFile) -> Self:
@@ -268,19 +282,22 @@ class LatentModel(Model):
         decoder, mips = (
             _choice(loom, name, known) for name, known in (("decoder", tuple(DECODERS)), ("mips", MIPS))
         )
+        # Files of the first versions hold float32 and do not say so.
+        precision = _choice(loom, "precision", PRECISIONS) if "precision" in loom.settings else PRECISIONS[0]
+        kind = np.dtype(precision)
         shape = PyramidShape(columns, rows, *loom.source.repeat_mm, faces)
-        latents = loom.tensor("latents", (faces * shape.texels, CHANNELS), np.float32)
-        reflectance = loom.tensor("reflectance", (faces, 3), np.float32)
+        latents = loom.tensor("latents", (faces * shape.texels, CHANNELS), kind)
+        reflectance = loom.tensor("reflectance", (faces, 3), kind)
         frames = None
         if "frames" in loom.tensors:
-            frames = loom.tensor("frames", (6 * FRAMES, CHANNELS), np.float32)
+            frames = loom.tensor("frames", (6 * FRAMES, CHANNELS), kind)
         widths = {
             "decoder": decoder_widths(DECODERS[decoder], frames is not None),
             "sampler": SAMPLER_WIDTHS,
             "albedo": ALBEDO_WIDTHS,
         }
-        layers = {name: _layers(loom, name, each) for name, each in widths.items()}
-        return cls(loom.source, Weights(shape, latents, frames, layers, reflectance), mips)
+        layers = {name: _layers(loom, name, each, kind) for name, each in widths.items()}
+        return cls(loom.source, Weights(shape, latents, frames, layers, reflectance), mips, precision)
 
     def facts(self) -> dict[str, str]:
         """The source, and the size of textures and decoder."""
@@ -290,7 +307,7 @@ class LatentModel(Model):
         return {**super().facts(), "textures": textures, "decoder": decoder}
 
 
-def _layers(loom: LoomFile, name: str, widths: tuple[int, ...]) -> Layers:
+def _layers(loom: LoomFile, name: str, widths: tuple[int, ...], kind: DTypeLike) -> Layers:
     """Weights and biases of a network in a file.
 
     Raises:
@@ -298,8 +315,8 @@ def _layers(loom: LoomFile, name: str, widths: tuple[int, ...]) -> Layers:
     """
     return [
         (
-            loom.tensor(f"{name}.{number}.weight", (outputs, inputs), np.float32),
-            loom.tensor(f"{name}.{number}.bias", (outputs,), np.float32),
+            loom.tensor(f"{name}.{number}.weight", (outputs, inputs), kind),
+            loom.tensor(f"{name}.{number}.bias", (outputs,), kind),
         )
         for number, (inputs, outputs) in enumerate(pairwise(widths))
     ]

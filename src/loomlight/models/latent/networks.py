@@ -12,7 +12,7 @@ learned frames the decoder has 14 inputs: view, light, latent.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import drjit as dr
@@ -63,6 +63,29 @@ class Weights:
     def hidden(self) -> tuple[int, ...]:
         """Widths of the decoder's hidden layers."""
         return tuple(len(bias) for _, bias in self.layers["decoder"][:-1])
+
+    def rounded(self, precision: str) -> Weights:
+        """The same numbers rounded to "float32" or "float16", in float32.
+
+        Half precision holds them with a relative error of 2^-11, up to 65504.
+        """
+        kind = np.dtype(precision)
+
+        def rounded(values: NDArray[np.float32]) -> NDArray[np.float32]:
+            return values.astype(kind).astype(np.float32)
+
+        layers = {
+            name: [(rounded(weight), rounded(bias)) for weight, bias in parts]
+            for name, parts in self.layers.items()
+        }
+        frames = None if self.frames is None else rounded(self.frames)
+        return replace(
+            self,
+            latents=rounded(self.latents),
+            frames=frames,
+            layers=layers,
+            reflectance=rounded(self.reflectance),
+        )
 
 
 # Tangent, bitangent and normal, which need not be orthogonal.

@@ -33,7 +33,7 @@ _FEATURES = 0.1
 # Biases of the last layer: of the final ReLU, which must not begin at 0, and of the ray depth.
 _FIRST_VALUE = 0.3
 # Of the final activation below 0 while it is trained, and a bound that keeps log(1 + x) finite.
-_SLOPE, _LEAST_OUTPUT = 0.05, -0.5
+SLOPE, LEAST_OUTPUT = 0.05, -0.5
 # Of the cross-entropy of holes, beside errors of colours.
 _OPACITY_WEIGHT = 0.05
 # Blurs of fewer texels change nothing.
@@ -141,7 +141,7 @@ class NeumipNetwork(nn.Module):
         outputs = self._decoded(torch.cat([latent, lights, views], dim=1), beyond)
         if self.training:
             # With the final ReLU of section 3.2 a network whose first outputs are all below 0 learns nothing.
-            return functional.leaky_relu(outputs, _SLOPE).clamp(min=_LEAST_OUTPUT), opacity
+            return functional.leaky_relu(outputs, SLOPE).clamp(min=LEAST_OUTPUT), opacity
         return functional.relu(outputs), opacity
 
     def _decoded(self, inputs: Tensor, beyond: Tensor | None) -> Tensor:

@@ -12,11 +12,12 @@ from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
+from typing import Any, Protocol
 
 import numpy as np
 import torch
 from numpy.typing import NDArray
-from torch import Tensor
+from torch import Tensor, nn
 
 from loomlight.assets.sources import Source
 from loomlight.models.neumip.btf import PART, Queries, QueryStream, btf_of, light_density
@@ -54,6 +55,7 @@ def train_neumip(
     device: str = "cpu",
     keep_every: float = 30.0,
     store: str = FILES,
+    queries_folder: Path | None = None,
 ) -> Weights:
     """The weights of a material.
 
@@ -62,20 +64,21 @@ def train_neumip(
         device: of torch, "cpu" or "cuda".
         keep_every: seconds between checkpoints.
         store: how queries are kept, one of `settings.STORES`.
+        queries_folder: holds the queries instead, for trainings that share them.
 
     Raises:
         InputError: a source of which no queries can be taken, or a damaged checkpoint.
     """
     report = progress or (lambda done, total: None)
     folder.mkdir(parents=True, exist_ok=True)
-    queries = taken_queries(source, settings, folder, report, store)
+    queries = taken_queries(source, settings, queries_folder or folder, report, store)
     btf, shape = btf_of(source), shape_of(source, settings)
     torch.manual_seed(settings.seed)
     scale = settings.texture_rate / settings.rate
     network = NeumipNetwork(shape, settings.offset, scale, btf.transmits, btf.has_holes).to(device)
-    batches = _Batches(network, queries, settings, device)
+    batches = Batches(network, queries, settings, device)
     optimiser = torch.optim.Adam(network.parameters(), settings.rate)
-    with _one_thread():
+    with one_thread():
         train(
             network,
             optimiser,
@@ -86,14 +89,14 @@ def train_neumip(
             lambda step, steps, _: report(_OF_QUERIES + (_WHOLE - _OF_QUERIES) * step // steps, _WHOLE),
         )
     density = light_density(queries, hasattr(btf, "measured"))
-    with _one_thread():
+    with one_thread():
         proposal = fitted_proposal(queries, density, shape, settings)
     weights = network.weights(reflectances(queries, shape.faces, density))
     return replace(weights, open_area=float(queries.holes.mean()), proposal=proposal)
 
 
 @contextmanager
-def _one_thread() -> Iterator[None]:
+def one_thread() -> Iterator[None]:
     """Operations of this thread use no others: the optimiser's are too small for that."""
     threads = torch.get_num_threads()
     torch.set_num_threads(1)
@@ -155,12 +158,29 @@ def blur_of(shape: PyramidShape, progress: float) -> float:
     return first * 2 ** (-_HALVINGS * progress)
 
 
-class _Batches:
+class Trainable(Protocol):
+    """What `Batches` needs of a network."""
+
+    @property
+    def shape(self) -> PyramidShape:
+        """Of its textures."""
+
+    def __call__(self, *inputs: Any) -> tuple[Tensor, Tensor | None]:
+        """π f·cos of queries [n, 3], and log-odds of passing straight [n]; see `NeumipNetwork.forward`."""
+
+    def parameters(self) -> Iterator[nn.Parameter]:
+        """All that is trained."""
+
+
+class Batches:
     """Losses of steps: each pass over the queries is in an order of its own."""
 
-    def __init__(
-        self, network: NeumipNetwork, queries: Queries, settings: NeumipSettings, device: str
-    ) -> None:
+    def __init__(self, network: Trainable, queries: Queries, settings: NeumipSettings, device: str) -> None:
+        """
+        Args:
+            network: `NeumipNetwork`, or one with its `shape` and `forward`.
+            device: of torch, "cpu" or "cuda".
+        """
         self._network, self._queries, self._settings = network, queries, settings
         self._device = device
         threads = device == "cpu" and settings.batch >= _SMALLEST_SHARED_BATCH

@@ -2110,13 +2110,68 @@ __device__ LightSample_0 light_sample_0(int _S442, uint _S443, uint2  _S444, flo
     return sample_0;
 }
 
-__device__ Hit_0 nearest_hit_0(int _S454, float3  _S455, float3  _S456, float _S457, float _S458, uint _S459, bool _S460)
+__device__ float3  seen_position_0(int _S454, uint _S455, uint2  _S456)
 {
-    Frame_0 * _S461 = (&(globalParams_0->frames_0)[_S454]);
-    float3  _S462 = make_float3 (inverse_of_0(_S456.x), inverse_of_0(_S456.y), inverse_of_0(_S456.z));
+    Frame_0 * _S457 = (&(globalParams_0->frames_0)[_S454]);
+    uint _S458 = 3U * _S455;
+    uint _S459 = __ldg((&(globalParams_0->corners_0)[_S458]));
+    Vertex_0 _S460 = slang_ldg_1((&(globalParams_0->vertices_0)[_S459]));
+    Vertex_0 _S461 = _S460;
+    float3  _S462 = position_of_0(&_S461);
+    uint _S463 = __ldg((&(globalParams_0->corners_0)[_S458 + 1U]));
+    Vertex_0 _S464 = slang_ldg_1((&(globalParams_0->vertices_0)[_S463]));
+    Vertex_0 _S465 = _S464;
+    float3  _S466 = position_of_0(&_S465);
+    float3  _S467 = _S466 - _S462;
+    uint _S468 = __ldg((&(globalParams_0->corners_0)[_S458 + 2U]));
+    Vertex_0 _S469 = slang_ldg_1((&(globalParams_0->vertices_0)[_S468]));
+    Vertex_0 _S470 = _S469;
+    float3  _S471 = position_of_0(&_S470);
+    float3  _S472 = _S471 - _S462;
+    float3  _S473 = cross_0(_S467, _S472);
+    float _S474 = 1.0f / (F32_max((square_0(_S473)), (1.00000000317107685e-30f)));
+    float _S475 = float(_S456.x) + 0.5f;
+    float _S476 = __ldg(&_S457->jitter_x_0);
+    float _S477 = _S475 + _S476;
+    uint _S478 = __ldg(&_S457->width_0);
+    float _S479 = float(_S478);
+    float _S480 = _S477 - 0.5f * _S479;
+    float _S481 = float(_S456.y) + 0.5f;
+    float _S482 = __ldg(&_S457->jitter_y_0);
+    float _S483 = _S481 + _S482;
+    uint _S484 = __ldg(&_S457->height_0);
+    float _S485 = float(_S484);
+    float _S486 = _S483 - 0.5f * _S485;
+    float3  _S487 = camera_forward_0(_S454);
+    float3  _S488 = camera_right_0(_S454);
+    float3  _S489 = _S487 + _S488 * make_float3 (2.0f * _S480 / _S479);
+    float3  _S490 = camera_up_0(_S454);
+    float3  _S491 = _S489 - _S490 * make_float3 (2.0f * _S486 / _S485);
+    float _S492 = dot_0(_S491, _S473);
+    float3  _S493 = camera_origin_0(_S454);
+    float3  _S494 = _S462 - _S493;
+    float _S495 = dot_0(_S494, _S473);
+    float _S496;
+    if((F32_abs((_S492))) > 1.00000000317107685e-30f)
+    {
+        _S496 = _S492;
+    }
+    else
+    {
+        _S496 = 1.00000000317107685e-30f;
+    }
+    float3  _S497 = _S491 * make_float3 (_S495 / _S496) - _S494;
+    float _S498 = clamp_0(dot_0(_S497, cross_0(_S472, _S473)) * _S474, 0.0f, 1.0f);
+    return _S462 + make_float3 (_S498) * _S467 + make_float3 (clamp_0(dot_0(_S497, cross_0(_S473, _S467)) * _S474, 0.0f, 1.0f - _S498)) * _S472;
+}
+
+__device__ Hit_0 nearest_hit_0(int _S499, float3  _S500, float3  _S501, float _S502, float _S503, uint _S504, bool _S505)
+{
+    Frame_0 * _S506 = (&(globalParams_0->frames_0)[_S499]);
+    float3  _S507 = make_float3 (inverse_of_0(_S501.x), inverse_of_0(_S501.y), inverse_of_0(_S501.z));
     Hit_0 found_0;
     (&found_0)->face_1 = 4294967295U;
-    (&found_0)->distance_0 = _S458;
+    (&found_0)->distance_0 = _S503;
     (&found_0)->weight_b_0 = 0.0f;
     (&found_0)->weight_c_0 = 0.0f;
     uint node_2 = 1U;
@@ -2130,24 +2185,24 @@ __device__ Hit_0 nearest_hit_0(int _S454, float3  _S455, float3  _S456, float _S
             break;
         }
         uint node_3;
-        if(!meets_node_0(node_2, _S455, _S462, _S457, (&found_0)->distance_0))
+        if(!meets_node_0(node_2, _S500, _S507, _S502, (&found_0)->distance_0))
         {
             node_3 = following_node_0(node_2);
         }
         else
         {
-            uint _S463 = __ldg(&_S461->leaves_0);
-            if(node_2 < _S463)
+            uint _S508 = __ldg(&_S506->leaves_0);
+            if(node_2 < _S508)
             {
                 node_3 = node_2 * 2U;
             }
             else
             {
-                uint _S464 = __ldg(&_S461->leaf_faces_0);
-                uint _S465 = _S464 + 4U * (node_2 - _S463);
-                uint _S466 = following_node_0(node_2);
+                uint _S509 = __ldg(&_S506->leaf_faces_0);
+                uint _S510 = _S509 + 4U * (node_2 - _S508);
+                uint _S511 = following_node_0(node_2);
                 uint number_1 = 0U;
-                node_3 = _S466;
+                node_3 = _S511;
                 for(;;)
                 {
                     if(number_1 < 4U)
@@ -2157,59 +2212,59 @@ __device__ Hit_0 nearest_hit_0(int _S454, float3  _S455, float3  _S456, float _S
                     {
                         break;
                     }
-                    uint _S467 = __ldg((&(globalParams_0->scene_words_0)[_S465 + number_1]));
-                    bool _S468;
-                    if(_S467 == 4294967295U)
+                    uint _S512 = __ldg((&(globalParams_0->scene_words_0)[_S510 + number_1]));
+                    bool _S513;
+                    if(_S512 == 4294967295U)
                     {
-                        _S468 = true;
+                        _S513 = true;
                     }
                     else
                     {
-                        _S468 = _S467 == _S459;
+                        _S513 = _S512 == _S504;
                     }
-                    if(_S468)
+                    if(_S513)
                     {
                         number_1 = number_1 + 1U;
                         continue;
                     }
-                    Hit_0 _S469 = meet_face_0(_S467, _S455, _S456);
-                    bool _S470;
-                    if((_S469.face_1) == 4294967295U)
+                    Hit_0 _S514 = meet_face_0(_S512, _S500, _S501);
+                    bool _S515;
+                    if((_S514.face_1) == 4294967295U)
                     {
-                        _S470 = true;
+                        _S515 = true;
                     }
                     else
                     {
-                        _S470 = (_S469.distance_0) <= _S457;
+                        _S515 = (_S514.distance_0) <= _S502;
                     }
-                    bool _S471;
-                    if(_S470)
+                    bool _S516;
+                    if(_S515)
                     {
-                        _S471 = true;
+                        _S516 = true;
                     }
                     else
                     {
-                        _S471 = (_S469.distance_0) >= ((&found_0)->distance_0);
+                        _S516 = (_S514.distance_0) >= ((&found_0)->distance_0);
                     }
-                    if(_S471)
+                    if(_S516)
                     {
                         number_1 = number_1 + 1U;
                         continue;
                     }
-                    found_0 = _S469;
-                    bool _S472;
-                    if(_S460)
+                    found_0 = _S514;
+                    bool _S517;
+                    if(_S505)
                     {
-                        uint _S473 = __ldg((&(globalParams_0->face_fabrics_0)[_S467]));
-                        uint _S474 = __ldg(&(&(globalParams_0->fabrics_0)[_S473])->is_open_0);
-                        _S472 = _S474 == 0U;
+                        uint _S518 = __ldg((&(globalParams_0->face_fabrics_0)[_S512]));
+                        uint _S519 = __ldg(&(&(globalParams_0->fabrics_0)[_S518])->is_open_0);
+                        _S517 = _S519 == 0U;
                     }
                     else
                     {
-                        _S472 = false;
+                        _S517 = false;
                     }
                     uint node_4;
-                    if(_S472)
+                    if(_S517)
                     {
                         node_4 = 0U;
                     }
@@ -2234,28 +2289,28 @@ struct Regime_0
     float points_1;
 };
 
-__device__ Regime_0 regime_of_0(uint _S475, Footprint_0 * _S476, float _S477)
+__device__ Regime_0 regime_of_0(uint _S520, Footprint_0 * _S521, float _S522)
 {
-    Fabric_0 * _S478 = (&(globalParams_0->fabrics_0)[_S475]);
-    float _S479 = Footprint_spread_side_0(_S476);
-    float _S480 = binary_logarithm_0((F32_max((_S479), (9.99999971718068537e-10f))));
-    Lobes_0 _S481 = slang_ldg_0(&_S478->lobes_0);
-    float _S482 = clamp_0((_S480 - _S481.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
+    Fabric_0 * _S523 = (&(globalParams_0->fabrics_0)[_S520]);
+    float _S524 = Footprint_spread_side_0(_S521);
+    float _S525 = binary_logarithm_0((F32_max((_S524), (9.99999971718068537e-10f))));
+    Lobes_0 _S526 = slang_ldg_0(&_S523->lobes_0);
+    float _S527 = clamp_0((_S525 - _S526.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
     Regime_0 regime_0;
-    float _S483 = _S482 * _S482 * (3.0f - 2.0f * _S482);
-    (&regime_0)->prefiltered_0 = _S483;
-    (&regime_0)->threads_0 = _S479 * _S481.threads_per_mm_0;
-    float _S484 = lerp_0((F32_max((8.0f / _S477), (1.0f))), 1.0f, _S483);
-    float _S485;
-    if(_S483 < 1.0f)
+    float _S528 = _S527 * _S527 * (3.0f - 2.0f * _S527);
+    (&regime_0)->prefiltered_0 = _S528;
+    (&regime_0)->threads_0 = _S524 * _S526.threads_per_mm_0;
+    float _S529 = lerp_0((F32_max((8.0f / _S522), (1.0f))), 1.0f, _S528);
+    float _S530;
+    if(_S528 < 1.0f)
     {
-        _S485 = clamp_0((&regime_0)->threads_0 * 12.0f, 1.0f, _S484);
+        _S530 = clamp_0((&regime_0)->threads_0 * 12.0f, 1.0f, _S529);
     }
     else
     {
-        _S485 = 0.0f;
+        _S530 = 0.0f;
     }
-    (&regime_0)->points_1 = _S485;
+    (&regime_0)->points_1 = _S530;
     return regime_0;
 }
 
@@ -2280,374 +2335,374 @@ struct Sample_0
     float slope_y_1;
 };
 
-__device__ Crossing_0 crossing_at_0(uint _S486, float _S487, float _S488, bool _S489)
+__device__ Crossing_0 crossing_at_0(uint _S531, float _S532, float _S533, bool _S534)
 {
-    Fabric_0 * _S490 = (&(globalParams_0->fabrics_0)[_S486]);
+    Fabric_0 * _S535 = (&(globalParams_0->fabrics_0)[_S531]);
     Crossing_0 crossing_2;
-    uint _S491 = __ldg(&_S490->warp_0);
-    (&crossing_2)->warp_1 = locate_0(_S491, _S487);
-    uint _S492 = __ldg(&_S490->weft_0);
-    (&crossing_2)->weft_1 = locate_0(_S492, _S488);
-    uint _S493 = __ldg(&_S490->run_words_0);
-    uint _S494 = (&(&crossing_2)->weft_1)->thread_1;
-    uint _S495 = __ldg(&_S490->ends_1);
-    uint _S496 = _S493 + 2U * (_S494 * _S495 + (&(&crossing_2)->warp_1)->thread_1);
-    uint _S497 = __ldg((&(globalParams_0->words_0)[_S496]));
-    (&crossing_2)->warp_word_0 = _S497;
-    uint _S498 = __ldg((&(globalParams_0->words_0)[_S496 + 1U]));
-    (&crossing_2)->weft_word_0 = _S498;
-    (&crossing_2)->warp_above_0 = ((_S497 & 1U) == 1U) != _S489;
+    uint _S536 = __ldg(&_S535->warp_0);
+    (&crossing_2)->warp_1 = locate_0(_S536, _S532);
+    uint _S537 = __ldg(&_S535->weft_0);
+    (&crossing_2)->weft_1 = locate_0(_S537, _S533);
+    uint _S538 = __ldg(&_S535->run_words_0);
+    uint _S539 = (&(&crossing_2)->weft_1)->thread_1;
+    uint _S540 = __ldg(&_S535->ends_1);
+    uint _S541 = _S538 + 2U * (_S539 * _S540 + (&(&crossing_2)->warp_1)->thread_1);
+    uint _S542 = __ldg((&(globalParams_0->words_0)[_S541]));
+    (&crossing_2)->warp_word_0 = _S542;
+    uint _S543 = __ldg((&(globalParams_0->words_0)[_S541 + 1U]));
+    (&crossing_2)->weft_word_0 = _S543;
+    (&crossing_2)->warp_above_0 = ((_S542 & 1U) == 1U) != _S534;
     return crossing_2;
 }
 
-__device__ Sample_0 sample_at_0(uint _S499, float _S500, float _S501, bool _S502)
+__device__ Sample_0 sample_at_0(uint _S544, float _S545, float _S546, bool _S547)
 {
-    Fabric_0 * _S503 = (&(globalParams_0->fabrics_0)[_S499]);
+    Fabric_0 * _S548 = (&(globalParams_0->fabrics_0)[_S544]);
     Sample_0 sample_1;
-    Crossing_0 _S504 = crossing_at_0(_S499, _S500, _S501, _S502);
-    (&sample_1)->crossing_1 = _S504;
-    Crossing_0 _S505 = _S504;
-    Shown_0 _S506 = shown_at_0(&_S505, _S502);
-    (&sample_1)->shown_3 = _S506;
-    uint _S507;
-    if(_S506.is_warp_0)
+    Crossing_0 _S549 = crossing_at_0(_S544, _S545, _S546, _S547);
+    (&sample_1)->crossing_1 = _S549;
+    Crossing_0 _S550 = _S549;
+    Shown_0 _S551 = shown_at_0(&_S550, _S547);
+    (&sample_1)->shown_3 = _S551;
+    uint _S552;
+    if(_S551.is_warp_0)
     {
-        uint _S508 = __ldg(&_S503->warp_0);
-        _S507 = _S508;
+        uint _S553 = __ldg(&_S548->warp_0);
+        _S552 = _S553;
     }
     else
     {
-        uint _S509 = __ldg(&_S503->weft_0);
-        _S507 = _S509;
+        uint _S554 = __ldg(&_S548->weft_0);
+        _S552 = _S554;
     }
-    uint _S510;
-    if(_S506.is_warp_0)
+    uint _S555;
+    if(_S551.is_warp_0)
     {
-        uint _S511 = __ldg(&_S503->weft_0);
-        _S510 = _S511;
+        uint _S556 = __ldg(&_S548->weft_0);
+        _S555 = _S556;
     }
     else
     {
-        uint _S512 = __ldg(&_S503->warp_0);
-        _S510 = _S512;
+        uint _S557 = __ldg(&_S548->warp_0);
+        _S555 = _S557;
     }
-    Cell_0 _S513 = (&(&sample_1)->crossing_1)->warp_1;
-    Cell_0 _S514 = (&(&sample_1)->crossing_1)->weft_1;
-    Cell_0 _S515 = select_cell_0(_S506.is_warp_0, &_S513, &_S514);
-    Cell_0 _S516 = (&(&sample_1)->crossing_1)->weft_1;
-    Cell_0 _S517 = (&(&sample_1)->crossing_1)->warp_1;
-    Cell_0 _S518 = select_cell_0(_S506.is_warp_0, &_S516, &_S517);
-    Cell_0 _S519 = _S518;
-    Run_0 _S520 = unpack_0(_S507, _S510, _S515.thread_1, &_S519, _S506.word_0);
-    Cell_0 _S521 = _S515;
-    Section_0 _S522 = section_at_0(&_S521);
-    bool _S523;
-    if(_S506.on_top_0)
+    Cell_0 _S558 = (&(&sample_1)->crossing_1)->warp_1;
+    Cell_0 _S559 = (&(&sample_1)->crossing_1)->weft_1;
+    Cell_0 _S560 = select_cell_0(_S551.is_warp_0, &_S558, &_S559);
+    Cell_0 _S561 = (&(&sample_1)->crossing_1)->weft_1;
+    Cell_0 _S562 = (&(&sample_1)->crossing_1)->warp_1;
+    Cell_0 _S563 = select_cell_0(_S551.is_warp_0, &_S561, &_S562);
+    Cell_0 _S564 = _S563;
+    Run_0 _S565 = unpack_0(_S552, _S555, _S560.thread_1, &_S564, _S551.word_0);
+    Cell_0 _S566 = _S560;
+    Section_0 _S567 = section_at_0(&_S566);
+    bool _S568;
+    if(_S551.on_top_0)
     {
-        _S523 = (_S520.distance_1) < (_S522.drop_0 * _S520.bend_1.sine_0);
+        _S568 = (_S565.distance_1) < (_S567.drop_0 * _S565.bend_1.sine_0);
     }
     else
     {
-        _S523 = false;
+        _S568 = false;
     }
-    bool _S524;
-    if(_S506.on_top_0)
+    bool _S569;
+    if(_S551.on_top_0)
     {
-        _S524 = !_S523;
+        _S569 = !_S568;
     }
     else
     {
-        _S524 = false;
+        _S569 = false;
     }
-    float _S525;
-    if(_S524)
+    float _S570;
+    if(_S569)
     {
-        _S525 = 1.0f;
+        _S570 = 1.0f;
     }
     else
     {
-        _S525 = -1.0f;
+        _S570 = -1.0f;
     }
-    float _S526;
-    if(_S523)
+    float _S571;
+    if(_S568)
     {
-        _S526 = _S520.other_reach_0;
+        _S571 = _S565.other_reach_0;
     }
     else
     {
-        _S526 = _S520.reach_0;
+        _S571 = _S565.reach_0;
     }
-    float _S527;
-    if(_S523)
+    float _S572;
+    if(_S568)
     {
-        _S527 = _S526 + _S520.distance_1;
+        _S572 = _S571 + _S565.distance_1;
     }
     else
     {
-        _S527 = (F32_max((_S526 - _S520.distance_1), (0.0f)));
+        _S572 = (F32_max((_S571 - _S565.distance_1), (0.0f)));
     }
-    float _S528 = _S526 / _S520.bend_1.sine_0 - _S525 * _S522.drop_0;
-    float _S529 = _S527 * _S527;
-    float _S530 = (F32_max((_S528 * _S528 - _S529), (9.99999968265522539e-21f)));
-    float _S531 = (F32_rsqrt((_S530)));
-    float _S532 = _S529 / (_S530 * _S531 + _S528);
-    bool _S533 = _S527 > 0.0f;
-    float _S534;
-    if(_S506.on_top_0)
+    float _S573 = _S571 / _S565.bend_1.sine_0 - _S570 * _S567.drop_0;
+    float _S574 = _S572 * _S572;
+    float _S575 = (F32_max((_S573 * _S573 - _S574), (9.99999968265522539e-21f)));
+    float _S576 = (F32_rsqrt((_S575)));
+    float _S577 = _S574 / (_S575 * _S576 + _S573);
+    bool _S578 = _S572 > 0.0f;
+    float _S579;
+    if(_S551.on_top_0)
     {
-        _S534 = 1.0f;
+        _S579 = 1.0f;
     }
     else
     {
-        _S534 = -1.0f;
+        _S579 = -1.0f;
     }
-    float _S535;
-    if(_S520.near_start_0)
+    float _S580;
+    if(_S565.near_start_0)
     {
-        _S535 = 1.0f;
+        _S580 = 1.0f;
     }
     else
     {
-        _S535 = -1.0f;
+        _S580 = -1.0f;
     }
-    float _S536 = _S534 * _S535;
-    if(_S533)
+    float _S581 = _S579 * _S580;
+    if(_S578)
     {
-        _S534 = _S528 * _S531;
+        _S579 = _S573 * _S576;
     }
     else
     {
-        _S534 = 1.0f;
+        _S579 = 1.0f;
     }
-    (&sample_1)->slope_across_0 = _S522.slope_0 * _S534;
-    if(_S533)
+    (&sample_1)->slope_across_0 = _S567.slope_0 * _S579;
+    if(_S578)
     {
-        _S527 = _S536 * _S527 * _S531;
+        _S572 = _S581 * _S572 * _S576;
     }
     else
     {
-        _S527 = 0.0f;
+        _S572 = 0.0f;
     }
-    (&sample_1)->slope_along_0 = _S527;
-    Family_0 _S537 = slang_ldg_3((&(globalParams_0->families_0)[_S507]));
-    Shown_0 _S538 = _S506;
-    Run_0 _S539 = _S520;
-    Cell_0 _S540 = _S518;
-    float2  _S541 = dive_0(_S510, &_S538, &_S539, &_S540);
-    if(_S520.straight_0)
+    (&sample_1)->slope_along_0 = _S572;
+    Family_0 _S582 = slang_ldg_3((&(globalParams_0->families_0)[_S552]));
+    Shown_0 _S583 = _S551;
+    Run_0 _S584 = _S565;
+    Cell_0 _S585 = _S563;
+    float2  _S586 = dive_0(_S555, &_S583, &_S584, &_S585);
+    if(_S565.straight_0)
     {
-        _S525 = 0.0f;
+        _S570 = 0.0f;
     }
     else
     {
-        _S525 = _S537.height_scale_0 * _S525;
+        _S570 = _S582.height_scale_0 * _S570;
     }
-    (&sample_1)->height_4 = _S525 * (_S526 * _S520.bend_1.half_tangent_0 - _S532) - _S537.height_scale_0 * _S522.drop_0 - _S541.x;
-    float _S542 = _S537.height_scale_0 * (&sample_1)->slope_across_0;
-    float _S543 = _S537.height_scale_0 * (&sample_1)->slope_along_0 - _S541.y;
-    if(_S506.is_warp_0)
+    (&sample_1)->height_4 = _S570 * (_S571 * _S565.bend_1.half_tangent_0 - _S577) - _S582.height_scale_0 * _S567.drop_0 - _S586.x;
+    float _S587 = _S582.height_scale_0 * (&sample_1)->slope_across_0;
+    float _S588 = _S582.height_scale_0 * (&sample_1)->slope_along_0 - _S586.y;
+    if(_S551.is_warp_0)
     {
-        _S525 = _S542;
+        _S570 = _S587;
     }
     else
     {
-        _S525 = _S543;
+        _S570 = _S588;
     }
-    (&sample_1)->slope_x_1 = _S525;
-    if(_S506.is_warp_0)
+    (&sample_1)->slope_x_1 = _S570;
+    if(_S551.is_warp_0)
     {
-        _S525 = _S543;
+        _S570 = _S588;
     }
     else
     {
-        _S525 = _S542;
+        _S570 = _S587;
     }
-    (&sample_1)->slope_y_1 = _S525;
-    (&sample_1)->run_3 = _S520;
-    (&sample_1)->section_1 = _S522;
+    (&sample_1)->slope_y_1 = _S570;
+    (&sample_1)->run_3 = _S565;
+    (&sample_1)->section_1 = _S567;
     return sample_1;
 }
 
-__device__ float steps_per_length_0(uint _S544, SearchQuality_0 * _S545, float3  _S546)
+__device__ float steps_per_length_0(uint _S589, SearchQuality_0 * _S590, float3  _S591)
 {
-    Fabric_0 * _S547 = (&(globalParams_0->fabrics_0)[_S544]);
-    float _S548 = (F32_abs((_S546.x)));
-    float _S549 = __ldg(&_S547->threads_per_x_0);
-    float _S550 = _S548 * _S549;
-    float _S551 = (F32_abs((_S546.y)));
-    float _S552 = __ldg(&_S547->threads_per_y_0);
-    float _S553 = (F32_max((_S550), (_S551 * _S552))) * _S545->steps_per_thread_0;
-    float _S554 = (F32_abs((_S546.z)));
-    float _S555 = __ldg(&_S547->per_relief_0);
-    return (F32_max((_S553), (_S554 * _S555 * _S545->steps_per_relief_0)));
+    Fabric_0 * _S592 = (&(globalParams_0->fabrics_0)[_S589]);
+    float _S593 = (F32_abs((_S591.x)));
+    float _S594 = __ldg(&_S592->threads_per_x_0);
+    float _S595 = _S593 * _S594;
+    float _S596 = (F32_abs((_S591.y)));
+    float _S597 = __ldg(&_S592->threads_per_y_0);
+    float _S598 = (F32_max((_S595), (_S596 * _S597))) * _S590->steps_per_thread_0;
+    float _S599 = (F32_abs((_S591.z)));
+    float _S600 = __ldg(&_S592->per_relief_0);
+    return (F32_max((_S598), (_S599 * _S600 * _S590->steps_per_relief_0)));
 }
 
-__device__ float cell_maximum_0(uint _S556, Crossing_0 * _S557)
+__device__ float cell_maximum_0(uint _S601, Crossing_0 * _S602)
 {
-    Fabric_0 * _S558 = (&(globalParams_0->fabrics_0)[_S556]);
-    bool _S559 = _S557->warp_above_0;
-    uint _S560;
-    if(_S557->warp_above_0)
+    Fabric_0 * _S603 = (&(globalParams_0->fabrics_0)[_S601]);
+    bool _S604 = _S602->warp_above_0;
+    uint _S605;
+    if(_S602->warp_above_0)
     {
-        uint _S561 = __ldg(&_S558->warp_0);
-        _S560 = _S561;
+        uint _S606 = __ldg(&_S603->warp_0);
+        _S605 = _S606;
     }
     else
     {
-        uint _S562 = __ldg(&_S558->weft_0);
-        _S560 = _S562;
+        uint _S607 = __ldg(&_S603->weft_0);
+        _S605 = _S607;
     }
-    uint _S563;
-    if(_S559)
+    uint _S608;
+    if(_S604)
     {
-        _S563 = _S557->warp_word_0;
+        _S608 = _S602->warp_word_0;
     }
     else
     {
-        _S563 = _S557->weft_word_0;
+        _S608 = _S602->weft_word_0;
     }
-    float _S564 = float(_S563 >> int(28));
-    Family_0 _S565 = slang_ldg_3((&(globalParams_0->families_0)[_S560]));
-    float _S566 = _S564 * _S565.height_scale_0;
-    Family_0 _S567 = slang_ldg_3((&(globalParams_0->families_0)[_S560]));
-    return _S566 * _S567.level_0;
+    float _S609 = float(_S608 >> int(28));
+    Family_0 _S610 = slang_ldg_3((&(globalParams_0->families_0)[_S605]));
+    float _S611 = _S609 * _S610.height_scale_0;
+    Family_0 _S612 = slang_ldg_3((&(globalParams_0->families_0)[_S605]));
+    return _S611 * _S612.level_0;
 }
 
-__device__ Probe_0 probe_0(uint _S568, float _S569, float _S570, bool _S571, bool _S572, bool _S573)
+__device__ Probe_0 probe_0(uint _S613, float _S614, float _S615, bool _S616, bool _S617, bool _S618)
 {
-    Sample_0 _S574 = sample_at_0(_S568, _S569, _S570, _S571);
+    Sample_0 _S619 = sample_at_0(_S613, _S614, _S615, _S616);
     Probe_0 probe_1;
-    (&probe_1)->height_1 = _S574.height_4;
-    (&probe_1)->hole_1 = _S574.shown_3.hole_0;
-    (&probe_1)->slope_x_0 = _S574.slope_x_1;
-    (&probe_1)->slope_y_0 = _S574.slope_y_1;
-    uint _S575;
-    if(_S574.shown_3.is_warp_0)
+    (&probe_1)->height_1 = _S619.height_4;
+    (&probe_1)->hole_1 = _S619.shown_3.hole_0;
+    (&probe_1)->slope_x_0 = _S619.slope_x_1;
+    (&probe_1)->slope_y_0 = _S619.slope_y_1;
+    uint _S620;
+    if(_S619.shown_3.is_warp_0)
     {
-        _S575 = _S574.crossing_1.warp_1.thread_1 * 2U + 1U;
+        _S620 = _S619.crossing_1.warp_1.thread_1 * 2U + 1U;
     }
     else
     {
-        _S575 = _S574.crossing_1.weft_1.thread_1 * 2U;
+        _S620 = _S619.crossing_1.weft_1.thread_1 * 2U;
     }
-    (&probe_1)->yarn_1 = _S575;
-    Crossing_0 _S576 = _S574.crossing_1;
-    float _S577 = cell_maximum_0(_S568, &_S576);
-    (&probe_1)->cell_max_0 = _S577;
-    float _S578;
-    if(_S572)
+    (&probe_1)->yarn_1 = _S620;
+    Crossing_0 _S621 = _S619.crossing_1;
+    float _S622 = cell_maximum_0(_S613, &_S621);
+    (&probe_1)->cell_max_0 = _S622;
+    float _S623;
+    if(_S617)
     {
-        _S578 = _S574.crossing_1.warp_1.above_0;
+        _S623 = _S619.crossing_1.warp_1.above_0;
     }
     else
     {
-        _S578 = _S574.crossing_1.warp_1.below_0;
+        _S623 = _S619.crossing_1.warp_1.below_0;
     }
-    (&probe_1)->side_x_0 = _S578;
-    if(_S573)
+    (&probe_1)->side_x_0 = _S623;
+    if(_S618)
     {
-        _S578 = _S574.crossing_1.weft_1.above_0;
+        _S623 = _S619.crossing_1.weft_1.above_0;
     }
     else
     {
-        _S578 = _S574.crossing_1.weft_1.below_0;
+        _S623 = _S619.crossing_1.weft_1.below_0;
     }
-    (&probe_1)->side_y_0 = _S578;
-    bool _S579 = !_S574.shown_3.is_warp_0;
-    Cell_0 _S580 = _S574.crossing_1.warp_1;
-    Shown_0 _S581 = _S574.shown_3;
-    Run_0 _S582 = _S574.run_3;
-    float _S583 = outline_distance_0(&_S580, &_S581, &_S582, _S579, _S572);
-    (&probe_1)->edge_x_0 = _S583;
-    Cell_0 _S584 = _S574.crossing_1.weft_1;
-    Shown_0 _S585 = _S574.shown_3;
-    Run_0 _S586 = _S574.run_3;
-    float _S587 = outline_distance_0(&_S584, &_S585, &_S586, _S574.shown_3.is_warp_0, _S573);
-    (&probe_1)->edge_y_0 = _S587;
+    (&probe_1)->side_y_0 = _S623;
+    bool _S624 = !_S619.shown_3.is_warp_0;
+    Cell_0 _S625 = _S619.crossing_1.warp_1;
+    Shown_0 _S626 = _S619.shown_3;
+    Run_0 _S627 = _S619.run_3;
+    float _S628 = outline_distance_0(&_S625, &_S626, &_S627, _S624, _S617);
+    (&probe_1)->edge_x_0 = _S628;
+    Cell_0 _S629 = _S619.crossing_1.weft_1;
+    Shown_0 _S630 = _S619.shown_3;
+    Run_0 _S631 = _S619.run_3;
+    float _S632 = outline_distance_0(&_S629, &_S630, &_S631, _S619.shown_3.is_warp_0, _S618);
+    (&probe_1)->edge_y_0 = _S632;
     return probe_1;
 }
 
-__device__ bool is_free_0(uint _S588, SearchQuality_0 * _S589, float3  _S590, float3  _S591, bool _S592, float _S593)
+__device__ bool is_free_0(uint _S633, SearchQuality_0 * _S634, float3  _S635, float3  _S636, bool _S637, float _S638)
 {
-    float _S594 = _S591.z;
-    if(_S594 <= 0.0f)
+    float _S639 = _S636.z;
+    if(_S639 <= 0.0f)
     {
         return false;
     }
-    float _S595 = _S589->shadow_share_0;
-    float _S596 = steps_per_length_0(_S588, _S589, _S591);
-    float _S597 = 1.0f / (F32_max((_S595 * _S596), (9.99999971718068537e-10f)));
-    StepControl_0 _S598 = step_control_0(float2 {_S591.x, _S591.y}, _S597);
+    float _S640 = _S634->shadow_share_0;
+    float _S641 = steps_per_length_0(_S633, _S634, _S636);
+    float _S642 = 1.0f / (F32_max((_S640 * _S641), (9.99999971718068537e-10f)));
+    StepControl_0 _S643 = step_control_0(float2 {_S636.x, _S636.y}, _S642);
     PreviousSample_0 previous_3 = no_previous_sample_0();
     uint count_3 = 0U;
     float distance_3 = 0.0f;
     float last_step_0 = 0.0f;
     for(;;)
     {
-        bool _S599;
+        bool _S644;
         if(count_3 < 1024U)
         {
-            _S599 = (_S590.z + _S594 * distance_3) < _S593;
+            _S644 = (_S635.z + _S639 * distance_3) < _S638;
         }
         else
         {
-            _S599 = false;
+            _S644 = false;
         }
-        if(_S599)
+        if(_S644)
         {
         }
         else
         {
             break;
         }
-        float3  _S600 = _S590 + _S591 * make_float3 (distance_3);
-        Probe_0 _S601 = probe_0(_S588, _S600.x, _S600.y, _S592, _S598.right_1, _S598.up_0);
-        float _S602 = _S600.z;
-        float _S603 = _S602 - _S601.height_1;
-        float _S604 = _S594 - _S601.slope_x_0 * _S591.x - _S601.slope_y_0 * _S591.y;
-        bool _S605;
-        if(!_S601.hole_1)
+        float3  _S645 = _S635 + _S636 * make_float3 (distance_3);
+        Probe_0 _S646 = probe_0(_S633, _S645.x, _S645.y, _S637, _S643.right_1, _S643.up_0);
+        float _S647 = _S645.z;
+        float _S648 = _S647 - _S646.height_1;
+        float _S649 = _S639 - _S646.slope_x_0 * _S636.x - _S646.slope_y_0 * _S636.y;
+        bool _S650;
+        if(!_S646.hole_1)
         {
-            _S605 = _S603 < 0.0f;
+            _S650 = _S648 < 0.0f;
         }
         else
         {
-            _S605 = false;
+            _S650 = false;
         }
-        if(_S605)
+        if(_S650)
         {
             return false;
         }
-        PreviousSample_0 _S606 = previous_3;
-        Probe_0 _S607 = _S601;
-        float _S608 = way_back_to_dip_0(&_S606, _S603, _S604, last_step_0, &_S607);
-        if(_S608 >= 0.0f)
+        PreviousSample_0 _S651 = previous_3;
+        Probe_0 _S652 = _S646;
+        float _S653 = way_back_to_dip_0(&_S651, _S648, _S649, last_step_0, &_S652);
+        if(_S653 >= 0.0f)
         {
-            float last_step_1 = last_step_0 - _S608;
-            distance_3 = distance_3 - _S608;
+            float last_step_1 = last_step_0 - _S653;
+            distance_3 = distance_3 - _S653;
             last_step_0 = last_step_1;
             count_3 = count_3 + 1U;
             continue;
         }
-        bool _S609 = _S602 > (_S601.cell_max_0);
-        Probe_0 _S610 = _S601;
-        PreviousSample_0 _S611 = after_sample_0(_S603, _S604, &_S610, _S609);
+        bool _S654 = _S647 > (_S646.cell_max_0);
+        Probe_0 _S655 = _S646;
+        PreviousSample_0 _S656 = after_sample_0(_S648, _S649, &_S655, _S654);
         float last_step_2;
-        if(_S609)
+        if(_S654)
         {
-            StepControl_0 _S612 = _S598;
-            float _S613 = StepControl_to_cell_exit_0(&_S612, _S601.side_x_0, _S601.side_y_0);
-            last_step_2 = (F32_max((_S613), (_S597)));
+            StepControl_0 _S657 = _S643;
+            float _S658 = StepControl_to_cell_exit_0(&_S657, _S646.side_x_0, _S646.side_y_0);
+            last_step_2 = (F32_max((_S658), (_S642)));
         }
         else
         {
-            StepControl_0 _S614 = _S598;
-            Probe_0 _S615 = _S601;
-            float _S616 = StepControl_to_next_sample_0(&_S614, &_S615, _S603, _S604);
-            last_step_2 = _S616;
+            StepControl_0 _S659 = _S643;
+            Probe_0 _S660 = _S646;
+            float _S661 = StepControl_to_next_sample_0(&_S659, &_S660, _S648, _S649);
+            last_step_2 = _S661;
         }
         float distance_4 = distance_3 + last_step_2;
-        previous_3 = _S611;
+        previous_3 = _S656;
         distance_3 = distance_4;
         last_step_0 = last_step_2;
         count_3 = count_3 + 1U;
@@ -2655,50 +2710,50 @@ __device__ bool is_free_0(uint _S588, SearchQuality_0 * _S589, float3  _S590, fl
     return true;
 }
 
-__device__ bool passes_through_0(uint _S617, SearchQuality_0 * _S618, float _S619, float _S620, float3  _S621, bool _S622)
+__device__ bool passes_through_0(uint _S662, SearchQuality_0 * _S663, float _S664, float _S665, float3  _S666, bool _S667)
 {
-    Fabric_0 * _S623 = (&(globalParams_0->fabrics_0)[_S617]);
-    Sample_0 _S624 = sample_at_0(_S617, _S619, _S620, _S622);
-    if(!_S624.shown_3.hole_0)
+    Fabric_0 * _S668 = (&(globalParams_0->fabrics_0)[_S662]);
+    Sample_0 _S669 = sample_at_0(_S662, _S664, _S665, _S667);
+    if(!_S669.shown_3.hole_0)
     {
         return false;
     }
-    float3  _S625 = make_float3 (_S619, _S620, 0.0f);
+    float3  _S670 = make_float3 (_S664, _S665, 0.0f);
     bool passes_0 = true;
     uint side_0 = 0U;
     for(;;)
     {
-        bool _S626;
+        bool _S671;
         if(side_0 < 2U)
         {
-            _S626 = passes_0;
+            _S671 = passes_0;
         }
         else
         {
-            _S626 = false;
+            _S671 = false;
         }
-        if(_S626)
+        if(_S671)
         {
         }
         else
         {
             break;
         }
-        float3  _S627;
+        float3  _S672;
         if(side_0 == 0U)
         {
-            _S627 = _S621;
+            _S672 = _S666;
         }
         else
         {
-            _S627 = make_float3 (- _S621.x, - _S621.y, _S621.z);
+            _S672 = make_float3 (- _S666.x, - _S666.y, _S666.z);
         }
-        bool _S628 = _S622 != (side_0 == 1U);
-        float _S629 = __ldg(&_S623->height_high_0);
-        bool _S630 = is_free_0(_S617, _S618, _S625, _S627, _S628, _S629);
-        uint _S631 = side_0 + 1U;
-        passes_0 = _S630;
-        side_0 = _S631;
+        bool _S673 = _S667 != (side_0 == 1U);
+        float _S674 = __ldg(&_S668->height_high_0);
+        bool _S675 = is_free_0(_S662, _S663, _S670, _S672, _S673, _S674);
+        uint _S676 = side_0 + 1U;
+        passes_0 = _S675;
+        side_0 = _S676;
     }
     return passes_0;
 }
@@ -2713,39 +2768,39 @@ struct ViewRayEnd_0
     PreviousSample_0 previous_4;
 };
 
-__device__ float max_height_along_0(uint _S632, float _S633, float _S634, float _S635, float3  _S636, bool _S637)
+__device__ float max_height_along_0(uint _S677, float _S678, float _S679, float _S680, float3  _S681, bool _S682)
 {
-    Fabric_0 * _S638 = (&(globalParams_0->fabrics_0)[_S632]);
-    uint _S639 = __ldg(&_S638->warp_0);
-    uint _S640 = locate_0(_S639, _S633).thread_1 / 2U;
-    uint _S641 = __ldg(&_S638->weft_0);
-    uint _S642 = locate_0(_S641, _S634).thread_1 / 2U;
-    float _S643 = _S636.x;
-    uint _S644;
-    if(_S643 > 0.0f)
+    Fabric_0 * _S683 = (&(globalParams_0->fabrics_0)[_S677]);
+    uint _S684 = __ldg(&_S683->warp_0);
+    uint _S685 = locate_0(_S684, _S678).thread_1 / 2U;
+    uint _S686 = __ldg(&_S683->weft_0);
+    uint _S687 = locate_0(_S686, _S679).thread_1 / 2U;
+    float _S688 = _S681.x;
+    uint _S689;
+    if(_S688 > 0.0f)
     {
-        _S644 = 1U;
+        _S689 = 1U;
     }
     else
     {
-        _S644 = 0U;
+        _S689 = 0U;
     }
-    float _S645 = _S636.y;
-    uint _S646;
-    if(_S645 > 0.0f)
+    float _S690 = _S681.y;
+    uint _S691;
+    if(_S690 > 0.0f)
     {
-        _S646 = 2U;
+        _S691 = 2U;
     }
     else
     {
-        _S646 = 0U;
+        _S691 = 0U;
     }
-    uint _S647 = _S644 + _S646;
-    uint _S648 = __ldg(&_S638->max_heights_0);
-    uint _S649 = __ldg(&_S638->max_height_columns_0);
-    uint _S650 = __ldg((&(globalParams_0->words_0)[_S648 + 4U * (_S642 * _S649 + _S640) + _S647]));
+    uint _S692 = _S689 + _S691;
+    uint _S693 = __ldg(&_S683->max_heights_0);
+    uint _S694 = __ldg(&_S683->max_height_columns_0);
+    uint _S695 = __ldg((&(globalParams_0->words_0)[_S693 + 4U * (_S687 * _S694 + _S685) + _S692]));
     int number_2;
-    if(_S637)
+    if(_S682)
     {
         number_2 = int(4);
     }
@@ -2753,15 +2808,15 @@ __device__ float max_height_along_0(uint _S632, float _S633, float _S634, float 
     {
         number_2 = int(0);
     }
-    uint _S651 = _S650 >> number_2;
-    float _S652 = (F32_abs((_S643)));
-    float _S653 = __ldg(&_S638->threads_per_x_0);
-    float _S654 = _S652 * _S653;
-    float _S655 = (F32_abs((_S645)));
-    float _S656 = __ldg(&_S638->threads_per_y_0);
-    float _S657 = (F32_max((_S654), (_S655 * _S656))) / _S636.z;
-    float _S658 = __ldg(&_S638->height_high_0);
-    float max_height_0 = _S658;
+    uint _S696 = _S695 >> number_2;
+    float _S697 = (F32_abs((_S688)));
+    float _S698 = __ldg(&_S683->threads_per_x_0);
+    float _S699 = _S697 * _S698;
+    float _S700 = (F32_abs((_S690)));
+    float _S701 = __ldg(&_S683->threads_per_y_0);
+    float _S702 = (F32_max((_S699), (_S700 * _S701))) / _S681.z;
+    float _S703 = __ldg(&_S683->height_high_0);
+    float max_height_0 = _S703;
     number_2 = int(3);
     for(;;)
     {
@@ -2772,46 +2827,46 @@ __device__ float max_height_along_0(uint _S632, float _S633, float _S634, float 
         {
             break;
         }
-        if(((max_height_0 - _S635) * _S657) <= (PYRAMID_RADII_0[number_2]))
+        if(((max_height_0 - _S680) * _S702) <= (PYRAMID_RADII_0[number_2]))
         {
-            max_height_0 = (F32_min((max_height_0), (float((_S651 >> uint(int(8) * number_2)) & 15U) * 0.06666667014360428f * _S658)));
+            max_height_0 = (F32_min((max_height_0), (float((_S696 >> uint(int(8) * number_2)) & 15U) * 0.06666667014360428f * _S703)));
         }
         number_2 = number_2 - int(1);
     }
     return max_height_0;
 }
 
-__device__ float3  cell_bounds_0(uint _S659, float _S660, float _S661, bool _S662, bool _S663, bool _S664)
+__device__ float3  cell_bounds_0(uint _S704, float _S705, float _S706, bool _S707, bool _S708, bool _S709)
 {
-    Crossing_0 _S665 = crossing_at_0(_S659, _S660, _S661, _S662);
-    Crossing_0 _S666 = _S665;
-    float _S667 = cell_maximum_0(_S659, &_S666);
-    float _S668;
-    if(_S663)
+    Crossing_0 _S710 = crossing_at_0(_S704, _S705, _S706, _S707);
+    Crossing_0 _S711 = _S710;
+    float _S712 = cell_maximum_0(_S704, &_S711);
+    float _S713;
+    if(_S708)
     {
-        _S668 = _S665.warp_1.above_0;
+        _S713 = _S710.warp_1.above_0;
     }
     else
     {
-        _S668 = _S665.warp_1.below_0;
+        _S713 = _S710.warp_1.below_0;
     }
-    float _S669;
-    if(_S664)
+    float _S714;
+    if(_S709)
     {
-        _S669 = _S665.weft_1.above_0;
+        _S714 = _S710.weft_1.above_0;
     }
     else
     {
-        _S669 = _S665.weft_1.below_0;
+        _S714 = _S710.weft_1.below_0;
     }
-    return make_float3 (_S667, _S668, _S669);
+    return make_float3 (_S712, _S713, _S714);
 }
 
-__device__ float first_sample_height_0(uint _S670, ViewRay_0 * _S671, StepControl_0 * _S672, bool _S673)
+__device__ float first_sample_height_0(uint _S715, ViewRay_0 * _S716, StepControl_0 * _S717, bool _S718)
 {
-    float _S674 = max_height_along_0(_S670, _S671->origin_2.x, _S671->origin_2.y, 0.0f, make_float3 (_S671->slope_1.x, _S671->slope_1.y, 1.0f), _S673);
+    float _S719 = max_height_along_0(_S715, _S716->origin_2.x, _S716->origin_2.y, 0.0f, make_float3 (_S716->slope_1.x, _S716->slope_1.y, 1.0f), _S718);
     uint count_4 = 0U;
-    float height_6 = _S674;
+    float height_6 = _S719;
     for(;;)
     {
         if(count_4 < 1024U)
@@ -2821,12 +2876,12 @@ __device__ float first_sample_height_0(uint _S670, ViewRay_0 * _S671, StepContro
         {
             break;
         }
-        float2  _S675 = ViewRay_at_0(_S671, height_6);
-        float3  _S676 = cell_bounds_0(_S670, _S675.x, _S675.y, _S673, _S672->right_1, _S672->up_0);
-        float _S677 = height_6 - _S676.x;
-        float _S678 = StepControl_to_cell_exit_0(_S672, _S676.y, _S676.z);
-        float height_7 = height_6 - clamp_0(_S677, 0.0f, _S678);
-        if(_S677 <= _S678)
+        float2  _S720 = ViewRay_at_0(_S716, height_6);
+        float3  _S721 = cell_bounds_0(_S715, _S720.x, _S720.y, _S718, _S717->right_1, _S717->up_0);
+        float _S722 = height_6 - _S721.x;
+        float _S723 = StepControl_to_cell_exit_0(_S717, _S721.y, _S721.z);
+        float height_7 = height_6 - clamp_0(_S722, 0.0f, _S723);
+        if(_S722 <= _S723)
         {
             height_6 = height_7;
             break;
@@ -2837,16 +2892,16 @@ __device__ float first_sample_height_0(uint _S670, ViewRay_0 * _S671, StepContro
     return height_6;
 }
 
-__device__ ViewRayEnd_0 search_down_0(uint _S679, ViewRay_0 * _S680, StepControl_0 * _S681, bool _S682)
+__device__ ViewRayEnd_0 search_down_0(uint _S724, ViewRay_0 * _S725, StepControl_0 * _S726, bool _S727)
 {
-    Fabric_0 * _S683 = (&(globalParams_0->fabrics_0)[_S679]);
-    float _S684 = __ldg(&_S683->height_low_0);
-    float _S685 = __ldg(&_S683->height_high_0);
-    float _S686 = _S684 - (_S685 - _S684);
+    Fabric_0 * _S728 = (&(globalParams_0->fabrics_0)[_S724]);
+    float _S729 = __ldg(&_S728->height_low_0);
+    float _S730 = __ldg(&_S728->height_high_0);
+    float _S731 = _S729 - (_S730 - _S729);
     ViewRayEnd_0 end_1;
-    float _S687 = first_sample_height_0(_S679, _S680, _S681, _S682);
-    (&end_1)->height_5 = _S687;
-    (&end_1)->last_step_3 = _S681->epsilon_0;
+    float _S732 = first_sample_height_0(_S724, _S725, _S726, _S727);
+    (&end_1)->height_5 = _S732;
+    (&end_1)->last_step_3 = _S726->epsilon_0;
     (&end_1)->previous_4 = no_previous_sample_0();
     (&end_1)->depth_0 = 0.0f;
     (&end_1)->rate_4 = 0.0f;
@@ -2861,166 +2916,166 @@ __device__ ViewRayEnd_0 search_down_0(uint _S679, ViewRay_0 * _S680, StepControl
         {
             break;
         }
-        float2  _S688 = ViewRay_at_0(_S680, (&end_1)->height_5);
-        Probe_0 _S689 = probe_0(_S679, _S688.x, _S688.y, _S682, _S681->right_1, _S681->up_0);
-        float _S690 = (&end_1)->height_5 - _S689.height_1;
-        Probe_0 _S691 = _S689;
-        float _S692 = ViewRay_rate_0(_S680, &_S691);
-        (&end_1)->depth_0 = - _S690;
-        (&end_1)->rate_4 = _S692;
-        bool _S693;
+        float2  _S733 = ViewRay_at_0(_S725, (&end_1)->height_5);
+        Probe_0 _S734 = probe_0(_S724, _S733.x, _S733.y, _S727, _S726->right_1, _S726->up_0);
+        float _S735 = (&end_1)->height_5 - _S734.height_1;
+        Probe_0 _S736 = _S734;
+        float _S737 = ViewRay_rate_0(_S725, &_S736);
+        (&end_1)->depth_0 = - _S735;
+        (&end_1)->rate_4 = _S737;
+        bool _S738;
         if((&(&end_1)->previous_4)->known_0)
         {
-            _S693 = !_S689.hole_1;
+            _S738 = !_S734.hole_1;
         }
         else
         {
-            _S693 = false;
+            _S738 = false;
         }
-        bool _S694;
-        if(_S693)
+        bool _S739;
+        if(_S738)
         {
-            _S694 = ((&(&end_1)->previous_4)->yarn_0) == (_S689.yarn_1);
+            _S739 = ((&(&end_1)->previous_4)->yarn_0) == (_S734.yarn_1);
         }
         else
         {
-            _S694 = false;
+            _S739 = false;
         }
-        (&end_1)->smooth_0 = _S694;
-        bool _S695;
-        if(!_S689.hole_1)
+        (&end_1)->smooth_0 = _S739;
+        bool _S740;
+        if(!_S734.hole_1)
         {
-            _S695 = _S690 <= 0.0f;
+            _S740 = _S735 <= 0.0f;
         }
         else
         {
-            _S695 = false;
+            _S740 = false;
         }
-        bool _S696;
-        if(_S695)
+        bool _S741;
+        if(_S740)
         {
-            _S696 = true;
+            _S741 = true;
         }
         else
         {
-            _S696 = ((&end_1)->height_5) <= _S686;
+            _S741 = ((&end_1)->height_5) <= _S731;
         }
-        if(_S696)
+        if(_S741)
         {
             break;
         }
-        PreviousSample_0 _S697 = (&end_1)->previous_4;
-        Probe_0 _S698 = _S689;
-        float _S699 = way_back_to_dip_0(&_S697, _S690, _S692, (&end_1)->last_step_3, &_S698);
-        if(_S699 >= 0.0f)
+        PreviousSample_0 _S742 = (&end_1)->previous_4;
+        Probe_0 _S743 = _S734;
+        float _S744 = way_back_to_dip_0(&_S742, _S735, _S737, (&end_1)->last_step_3, &_S743);
+        if(_S744 >= 0.0f)
         {
-            (&end_1)->height_5 = (&end_1)->height_5 + _S699;
-            (&end_1)->last_step_3 = (&end_1)->last_step_3 - _S699;
+            (&end_1)->height_5 = (&end_1)->height_5 + _S744;
+            (&end_1)->last_step_3 = (&end_1)->last_step_3 - _S744;
             count_5 = count_5 + 1U;
             continue;
         }
-        float _S700 = StepControl_to_cell_exit_0(_S681, _S689.side_x_0, _S689.side_y_0);
-        float _S701 = (F32_min((_S700), ((&end_1)->height_5 - _S689.cell_max_0)));
-        Probe_0 _S702 = _S689;
-        float _S703 = StepControl_to_next_sample_0(_S681, &_S702, _S690, _S692);
-        bool _S704 = _S701 > _S703;
-        Probe_0 _S705 = _S689;
-        PreviousSample_0 _S706 = after_sample_0(_S690, _S692, &_S705, _S704);
-        (&end_1)->previous_4 = _S706;
-        float _S707 = (F32_max((_S701), (_S703)));
-        (&end_1)->last_step_3 = _S707;
-        (&end_1)->height_5 = (&end_1)->height_5 - _S707;
+        float _S745 = StepControl_to_cell_exit_0(_S726, _S734.side_x_0, _S734.side_y_0);
+        float _S746 = (F32_min((_S745), ((&end_1)->height_5 - _S734.cell_max_0)));
+        Probe_0 _S747 = _S734;
+        float _S748 = StepControl_to_next_sample_0(_S726, &_S747, _S735, _S737);
+        bool _S749 = _S746 > _S748;
+        Probe_0 _S750 = _S734;
+        PreviousSample_0 _S751 = after_sample_0(_S735, _S737, &_S750, _S749);
+        (&end_1)->previous_4 = _S751;
+        float _S752 = (F32_max((_S746), (_S748)));
+        (&end_1)->last_step_3 = _S752;
+        (&end_1)->height_5 = (&end_1)->height_5 - _S752;
         count_5 = count_5 + 1U;
     }
     return end_1;
 }
 
-__device__ float refined_height_0(uint _S708, ViewRay_0 * _S709, StepControl_0 * _S710, bool _S711, ViewRayEnd_0 * _S712, uint _S713)
+__device__ float refined_height_0(uint _S753, ViewRay_0 * _S754, StepControl_0 * _S755, bool _S756, ViewRayEnd_0 * _S757, uint _S758)
 {
-    Fabric_0 * _S714 = (&(globalParams_0->fabrics_0)[_S708]);
-    float _S715 = __ldg(&_S714->height_high_0);
-    float _S716 = __ldg(&_S714->height_low_0);
-    float _S717 = _S715 - _S716;
-    float _S718 = _S712->height_5;
-    float _S719 = _S712->last_step_3;
-    float above_2 = _S712->height_5 + _S712->last_step_3;
-    float above_gap_1 = clamp_0((&_S712->previous_4)->clearance_0, 0.0f, _S717);
-    float under_gap_1 = clamp_0(_S712->depth_0, 0.0f, _S717);
-    float _S720 = cubic_root_0(above_gap_1, - under_gap_1, (&_S712->previous_4)->rate_0 * _S712->last_step_3, _S712->rate_4 * _S712->last_step_3);
-    bool _S721 = _S712->smooth_0;
+    Fabric_0 * _S759 = (&(globalParams_0->fabrics_0)[_S753]);
+    float _S760 = __ldg(&_S759->height_high_0);
+    float _S761 = __ldg(&_S759->height_low_0);
+    float _S762 = _S760 - _S761;
+    float _S763 = _S757->height_5;
+    float _S764 = _S757->last_step_3;
+    float above_2 = _S757->height_5 + _S757->last_step_3;
+    float above_gap_1 = clamp_0((&_S757->previous_4)->clearance_0, 0.0f, _S762);
+    float under_gap_1 = clamp_0(_S757->depth_0, 0.0f, _S762);
+    float _S765 = cubic_root_0(above_gap_1, - under_gap_1, (&_S757->previous_4)->rate_0 * _S757->last_step_3, _S757->rate_4 * _S757->last_step_3);
+    bool _S766 = _S757->smooth_0;
     float middle_0;
-    if(_S712->smooth_0)
+    if(_S757->smooth_0)
     {
-        middle_0 = above_2 - _S720 * _S719;
+        middle_0 = above_2 - _S765 * _S764;
     }
     else
     {
-        middle_0 = between_0(above_2, _S718, above_gap_1, under_gap_1);
+        middle_0 = between_0(above_2, _S763, above_gap_1, under_gap_1);
     }
     float side_1 = 0.0f;
     float above_gap_2 = above_gap_1;
     float under_gap_2 = under_gap_1;
-    float under_1 = _S718;
+    float under_1 = _S763;
     float above_3 = above_2;
     uint i_6 = 0U;
     for(;;)
     {
-        if(i_6 < _S713)
+        if(i_6 < _S758)
         {
         }
         else
         {
             break;
         }
-        float2  _S722 = ViewRay_at_0(_S709, middle_0);
-        Probe_0 _S723 = probe_0(_S708, _S722.x, _S722.y, _S711, _S710->right_1, _S710->up_0);
-        float _S724;
-        if(_S723.hole_1)
+        float2  _S767 = ViewRay_at_0(_S754, middle_0);
+        Probe_0 _S768 = probe_0(_S753, _S767.x, _S767.y, _S756, _S755->right_1, _S755->up_0);
+        float _S769;
+        if(_S768.hole_1)
         {
-            _S724 = -1.0e+09f;
+            _S769 = -1.0e+09f;
         }
         else
         {
-            _S724 = _S723.height_1;
+            _S769 = _S768.height_1;
         }
-        float _S725 = clamp_0(middle_0 - _S724, - _S717, _S717);
-        float _S726;
-        if(_S725 <= 0.0f)
+        float _S770 = clamp_0(middle_0 - _S769, - _S762, _S762);
+        float _S771;
+        if(_S770 <= 0.0f)
         {
             if(side_1 > 0.0f)
             {
-                _S726 = 0.5f * above_gap_2;
+                _S771 = 0.5f * above_gap_2;
             }
             else
             {
-                _S726 = above_gap_2;
+                _S771 = above_gap_2;
             }
-            float _S727 = - _S725;
+            float _S772 = - _S770;
             under_1 = middle_0;
-            above_gap_2 = _S726;
-            under_gap_2 = _S727;
+            above_gap_2 = _S771;
+            under_gap_2 = _S772;
             side_1 = 1.0f;
         }
         else
         {
             if(side_1 < 0.0f)
             {
-                _S726 = 0.5f * under_gap_2;
+                _S771 = 0.5f * under_gap_2;
             }
             else
             {
-                _S726 = under_gap_2;
+                _S771 = under_gap_2;
             }
             above_3 = middle_0;
-            above_gap_2 = _S725;
-            under_gap_2 = _S726;
+            above_gap_2 = _S770;
+            under_gap_2 = _S771;
             side_1 = -1.0f;
         }
-        if(_S721)
+        if(_S766)
         {
-            Probe_0 _S728 = _S723;
-            float _S729 = ViewRay_rate_0(_S709, &_S728);
-            middle_0 = clamp_0(middle_0 + _S725 / (F32_min((_S729), (-9.99999997475242708e-07f))), under_1, above_3);
+            Probe_0 _S773 = _S768;
+            float _S774 = ViewRay_rate_0(_S754, &_S773);
+            middle_0 = clamp_0(middle_0 + _S770 / (F32_min((_S774), (-9.99999997475242708e-07f))), under_1, above_3);
         }
         else
         {
@@ -3028,7 +3083,7 @@ __device__ float refined_height_0(uint _S708, ViewRay_0 * _S709, StepControl_0 *
         }
         i_6 = i_6 + 1U;
     }
-    if(_S721)
+    if(_S766)
     {
     }
     else
@@ -3038,44 +3093,44 @@ __device__ float refined_height_0(uint _S708, ViewRay_0 * _S709, StepControl_0 *
     return middle_0;
 }
 
-__device__ Hit_1 first_hit_of_yarn_0(uint _S730, SearchQuality_0 * _S731, float _S732, float _S733, float3  _S734, bool _S735)
+__device__ Hit_1 first_hit_of_yarn_0(uint _S775, SearchQuality_0 * _S776, float _S777, float _S778, float3  _S779, bool _S780)
 {
-    float _S736 = (F32_max((_S734.z), (0.00009999999747379f)));
+    float _S781 = (F32_max((_S779.z), (0.00009999999747379f)));
     ViewRay_0 ray_0;
-    (&ray_0)->origin_2 = make_float2 (_S732, _S733);
-    float2  _S737 = float2 {_S734.x, _S734.y} / make_float2 (_S736);
-    (&ray_0)->slope_1 = _S737;
-    float2  _S738 = - _S737;
-    float _S739 = steps_per_length_0(_S730, _S731, _S734);
-    StepControl_0 _S740 = step_control_0(_S738, 1.0f / (F32_max((_S739 / _S736), (9.99999971718068537e-10f))));
-    ViewRay_0 _S741 = ray_0;
-    StepControl_0 _S742 = _S740;
-    ViewRayEnd_0 _S743 = search_down_0(_S730, &_S741, &_S742, _S735);
+    (&ray_0)->origin_2 = make_float2 (_S777, _S778);
+    float2  _S782 = float2 {_S779.x, _S779.y} / make_float2 (_S781);
+    (&ray_0)->slope_1 = _S782;
+    float2  _S783 = - _S782;
+    float _S784 = steps_per_length_0(_S775, _S776, _S779);
+    StepControl_0 _S785 = step_control_0(_S783, 1.0f / (F32_max((_S784 / _S781), (9.99999971718068537e-10f))));
+    ViewRay_0 _S786 = ray_0;
+    StepControl_0 _S787 = _S785;
+    ViewRayEnd_0 _S788 = search_down_0(_S775, &_S786, &_S787, _S780);
     Hit_1 hit_1;
     (&hit_1)->hole_2 = false;
-    ViewRay_0 _S744 = ray_0;
-    StepControl_0 _S745 = _S740;
-    ViewRayEnd_0 _S746 = _S743;
-    float _S747 = refined_height_0(_S730, &_S744, &_S745, _S735, &_S746, _S731->refinements_0);
-    (&hit_1)->height_3 = _S747;
-    ViewRay_0 _S748 = ray_0;
-    float2  _S749 = ViewRay_at_0(&_S748, _S747);
-    (&hit_1)->x_23 = _S749.x;
-    (&hit_1)->y_13 = _S749.y;
+    ViewRay_0 _S789 = ray_0;
+    StepControl_0 _S790 = _S785;
+    ViewRayEnd_0 _S791 = _S788;
+    float _S792 = refined_height_0(_S775, &_S789, &_S790, _S780, &_S791, _S776->refinements_0);
+    (&hit_1)->height_3 = _S792;
+    ViewRay_0 _S793 = ray_0;
+    float2  _S794 = ViewRay_at_0(&_S793, _S792);
+    (&hit_1)->x_23 = _S794.x;
+    (&hit_1)->y_13 = _S794.y;
     return hit_1;
 }
 
-__device__ Hit_1 first_hit_0(uint _S750, SearchQuality_0 * _S751, float _S752, float _S753, float3  _S754, bool _S755)
+__device__ Hit_1 first_hit_0(uint _S795, SearchQuality_0 * _S796, float _S797, float _S798, float3  _S799, bool _S800)
 {
-    bool _S756 = passes_through_0(_S750, _S751, _S752, _S753, _S754, _S755);
-    if(!_S756)
+    bool _S801 = passes_through_0(_S795, _S796, _S797, _S798, _S799, _S800);
+    if(!_S801)
     {
-        Hit_1 _S757 = first_hit_of_yarn_0(_S750, _S751, _S752, _S753, _S754, _S755);
-        return _S757;
+        Hit_1 _S802 = first_hit_of_yarn_0(_S795, _S796, _S797, _S798, _S799, _S800);
+        return _S802;
     }
     Hit_1 hit_2;
-    (&hit_2)->x_23 = _S752;
-    (&hit_2)->y_13 = _S753;
+    (&hit_2)->x_23 = _S797;
+    (&hit_2)->y_13 = _S798;
     (&hit_2)->height_3 = 0.0f;
     (&hit_2)->hole_2 = true;
     return hit_2;
@@ -3086,30 +3141,30 @@ struct CoverageTaps_0
     FixedArray<uint, 9>  nodes_1;
 };
 
-__device__ float3  pyramid_level_0(uint _S758, float _S759)
+__device__ float3  pyramid_level_0(uint _S803, float _S804)
 {
-    Lobes_0 _S760 = slang_ldg_0(&(&(globalParams_0->fabrics_0)[_S758])->lobes_0);
-    uint _S761 = _S760.levels_0 + 4U * uint((F32_min((_S759), (_S760.last_level_0))));
-    return make_float3 (table_number_0(_S761), table_number_0(_S761 + 1U), table_number_0(_S761 + 2U));
+    Lobes_0 _S805 = slang_ldg_0(&(&(globalParams_0->fabrics_0)[_S803])->lobes_0);
+    uint _S806 = _S805.levels_0 + 4U * uint((F32_min((_S804), (_S805.last_level_0))));
+    return make_float3 (table_number_0(_S806), table_number_0(_S806 + 1U), table_number_0(_S806 + 2U));
 }
 
-__device__ CoverageTaps_0 coverage_taps_0(uint _S762, Footprint_0 * _S763, bool _S764)
+__device__ CoverageTaps_0 coverage_taps_0(uint _S807, Footprint_0 * _S808, bool _S809)
 {
-    Fabric_0 * _S765 = (&(globalParams_0->fabrics_0)[_S762]);
-    float _S766 = Footprint_spread_side_0(_S763);
-    Lobes_0 _S767 = slang_ldg_0(&_S765->lobes_0);
-    float _S768 = _S766 * _S767.inverse_base_size_0;
-    float3  _S769 = pyramid_level_0(_S762, (F32_floor((binary_logarithm_0((F32_max((0.68000000715255737f * _S768), (1.0f))))))));
-    float _S770 = 1.0f / (F32_max((_S768), (9.99999997475242708e-07f)));
-    float _S771 = (F32_min(((F32_max(((F32_sqrt((clamp_0(1.29999995231628418f * (1.0f - _S770 * _S770), 0.0f, 1.0f))))), (0.3333333432674408f * _S770)))), (1.0f)));
-    uint _S772 = __ldg(&_S765->warp_0);
-    Family_0 _S773 = slang_ldg_3((&(globalParams_0->families_0)[_S772]));
-    uint _S774 = __ldg(&_S765->weft_0);
-    Family_0 _S775 = slang_ldg_3((&(globalParams_0->families_0)[_S774]));
-    float2  _S776 = make_float2 (_S773.inverse_period_0, _S775.inverse_period_0);
-    float2  _S777 = _S763->centre_0 * _S776;
-    float2  _S778 = _S763->dx_0 * _S776 * make_float2 (_S771);
-    float2  _S779 = _S763->dy_0 * _S776 * make_float2 (_S771);
+    Fabric_0 * _S810 = (&(globalParams_0->fabrics_0)[_S807]);
+    float _S811 = Footprint_spread_side_0(_S808);
+    Lobes_0 _S812 = slang_ldg_0(&_S810->lobes_0);
+    float _S813 = _S811 * _S812.inverse_base_size_0;
+    float3  _S814 = pyramid_level_0(_S807, (F32_floor((binary_logarithm_0((F32_max((0.68000000715255737f * _S813), (1.0f))))))));
+    float _S815 = 1.0f / (F32_max((_S813), (9.99999997475242708e-07f)));
+    float _S816 = (F32_min(((F32_max(((F32_sqrt((clamp_0(1.29999995231628418f * (1.0f - _S815 * _S815), 0.0f, 1.0f))))), (0.3333333432674408f * _S815)))), (1.0f)));
+    uint _S817 = __ldg(&_S810->warp_0);
+    Family_0 _S818 = slang_ldg_3((&(globalParams_0->families_0)[_S817]));
+    uint _S819 = __ldg(&_S810->weft_0);
+    Family_0 _S820 = slang_ldg_3((&(globalParams_0->families_0)[_S819]));
+    float2  _S821 = make_float2 (_S818.inverse_period_0, _S820.inverse_period_0);
+    float2  _S822 = _S808->centre_0 * _S821;
+    float2  _S823 = _S808->dx_0 * _S821 * make_float2 (_S816);
+    float2  _S824 = _S808->dy_0 * _S821 * make_float2 (_S816);
     CoverageTaps_0 taps_3;
     uint number_3 = 0U;
     for(;;)
@@ -3121,28 +3176,28 @@ __device__ CoverageTaps_0 coverage_taps_0(uint _S762, Footprint_0 * _S763, bool 
         {
             break;
         }
-        float2  _S780 = _S777 + make_float2 (TAP_OFFSETS_0[number_3].x) * _S778 + make_float2 (TAP_OFFSETS_0[number_3].y) * _S779;
-        float _S781 = _S769.y;
-        float _S782 = wrapped_cell_0(_S780.x, _S781);
-        float _S783 = wrapped_cell_0(_S780.y, _S769.z);
-        uint _S784;
-        if(_S764)
+        float2  _S825 = _S822 + make_float2 (TAP_OFFSETS_0[number_3].x) * _S823 + make_float2 (TAP_OFFSETS_0[number_3].y) * _S824;
+        float _S826 = _S814.y;
+        float _S827 = wrapped_cell_0(_S825.x, _S826);
+        float _S828 = wrapped_cell_0(_S825.y, _S814.z);
+        uint _S829;
+        if(_S809)
         {
-            _S784 = _S767.face_nodes_0;
+            _S829 = _S812.face_nodes_0;
         }
         else
         {
-            _S784 = 0U;
+            _S829 = 0U;
         }
-        (&taps_3)->nodes_1[number_3] = _S784 + uint(_S783 * _S781 + _S782 + _S769.x);
+        (&taps_3)->nodes_1[number_3] = _S829 + uint(_S828 * _S826 + _S827 + _S814.x);
         number_3 = number_3 + 1U;
     }
     return taps_3;
 }
 
-__device__ float coverage_of_holes_0(uint _S785, CoverageTaps_0 * _S786)
+__device__ float coverage_of_holes_0(uint _S830, CoverageTaps_0 * _S831)
 {
-    Fabric_0 * _S787 = (&(globalParams_0->fabrics_0)[_S785]);
+    Fabric_0 * _S832 = (&(globalParams_0->fabrics_0)[_S830]);
     uint number_4 = 0U;
     uint total_0 = 0U;
     for(;;)
@@ -3154,67 +3209,67 @@ __device__ float coverage_of_holes_0(uint _S785, CoverageTaps_0 * _S786)
         {
             break;
         }
-        uint _S788 = _S786->nodes_1[number_4];
-        Lobes_0 _S789 = slang_ldg_0(&_S787->lobes_0);
-        uint _S790 = __ldg((&(globalParams_0->words_0)[_S789.coverage_holes_0 + _S788 / 4U]));
-        uint total_1 = total_0 + ((_S790 >> (8U * (_S788 % 4U))) & 255U);
+        uint _S833 = _S831->nodes_1[number_4];
+        Lobes_0 _S834 = slang_ldg_0(&_S832->lobes_0);
+        uint _S835 = __ldg((&(globalParams_0->words_0)[_S834.coverage_holes_0 + _S833 / 4U]));
+        uint total_1 = total_0 + ((_S835 >> (8U * (_S833 % 4U))) & 255U);
         number_4 = number_4 + 1U;
         total_0 = total_1;
     }
     return float(total_0) / 9.0f;
 }
 
-__device__ float prefiltered_hole_0(uint _S791, CoverageTaps_0 * _S792, NodeTaps_0 * _S793, bool _S794)
+__device__ float prefiltered_hole_0(uint _S836, CoverageTaps_0 * _S837, NodeTaps_0 * _S838, bool _S839)
 {
-    Lobes_0 _S795 = slang_ldg_0(&(&(globalParams_0->fabrics_0)[_S791])->lobes_0);
-    float4  _S796 = interpolate_table_0(_S793, _S795.projected_area_0 + _S795.packs_0, _S795.packs_0 + 1U);
-    float _S797 = _S796.x;
-    float _S798;
-    if(_S794)
+    Lobes_0 _S840 = slang_ldg_0(&(&(globalParams_0->fabrics_0)[_S836])->lobes_0);
+    float4  _S841 = interpolate_table_0(_S838, _S840.projected_area_0 + _S840.packs_0, _S840.packs_0 + 1U);
+    float _S842 = _S841.x;
+    float _S843;
+    if(_S839)
     {
-        _S798 = _S795.back_hole_weight_0;
+        _S843 = _S840.back_hole_weight_0;
     }
     else
     {
-        _S798 = _S795.front_hole_weight_0;
+        _S843 = _S840.front_hole_weight_0;
     }
-    float _S799 = coverage_of_holes_0(_S791, _S792);
-    return (F32_min((_S799 * _S797 * _S797 * _S798), (1.0f)));
+    float _S844 = coverage_of_holes_0(_S836, _S837);
+    return (F32_min((_S844 * _S842 * _S842 * _S843), (1.0f)));
 }
 
-__device__ float passed_share_0(uint _S800, VisiblePoint_0 * _S801, float3  _S802, float _S803, float2  _S804)
+__device__ float passed_share_0(uint _S845, VisiblePoint_0 * _S846, float3  _S847, float _S848, float2  _S849)
 {
-    Fabric_0 * _S805 = (&(globalParams_0->fabrics_0)[_S800]);
-    float3  _S806 = to_local_0(_S801, _S802);
-    bool _S807 = (_S806.z) < 0.0f;
-    float3  _S808 = to_face_frame_0(_S806, _S807);
+    Fabric_0 * _S850 = (&(globalParams_0->fabrics_0)[_S845]);
+    float3  _S851 = to_local_0(_S846, _S847);
+    bool _S852 = (_S851.z) < 0.0f;
+    float3  _S853 = to_face_frame_0(_S851, _S852);
     Footprint_0 footprint_0;
-    (&footprint_0)->centre_0 = _S801->draft_0;
-    (&footprint_0)->dx_0 = make_float2 (_S803, 0.0f);
-    (&footprint_0)->dy_0 = make_float2 (0.0f, _S803);
-    Lobes_0 _S809 = slang_ldg_0(&_S805->lobes_0);
-    float _S810;
-    if((_S809.is_baked_0) != 0U)
+    (&footprint_0)->centre_0 = _S846->draft_0;
+    (&footprint_0)->dx_0 = make_float2 (_S848, 0.0f);
+    (&footprint_0)->dy_0 = make_float2 (0.0f, _S848);
+    Lobes_0 _S854 = slang_ldg_0(&_S850->lobes_0);
+    float _S855;
+    if((_S854.is_baked_0) != 0U)
     {
-        Footprint_0 _S811 = footprint_0;
-        Regime_0 _S812 = regime_of_0(_S800, &_S811, 1.0f);
-        _S810 = _S812.prefiltered_0;
+        Footprint_0 _S856 = footprint_0;
+        Regime_0 _S857 = regime_of_0(_S845, &_S856, 1.0f);
+        _S855 = _S857.prefiltered_0;
     }
     else
     {
-        _S810 = 0.0f;
+        _S855 = 0.0f;
     }
     float share_2;
-    if(_S810 < 1.0f)
+    if(_S855 < 1.0f)
     {
-        float2  _S813 = (&footprint_0)->centre_0 + (_S804 - make_float2 (0.5f)) * make_float2 (_S803);
-        float _S814 = _S813.x;
-        float _S815 = _S813.y;
-        SearchQuality_0 _S816 = default_quality_0();
-        Hit_1 _S817 = first_hit_0(_S800, &_S816, _S814, _S815, _S808, _S807);
-        if(_S817.hole_2)
+        float2  _S858 = (&footprint_0)->centre_0 + (_S849 - make_float2 (0.5f)) * make_float2 (_S848);
+        float _S859 = _S858.x;
+        float _S860 = _S858.y;
+        SearchQuality_0 _S861 = default_quality_0();
+        Hit_1 _S862 = first_hit_0(_S845, &_S861, _S859, _S860, _S853, _S852);
+        if(_S862.hole_2)
         {
-            share_2 = 1.0f - _S810;
+            share_2 = 1.0f - _S855;
         }
         else
         {
@@ -3225,44 +3280,43 @@ __device__ float passed_share_0(uint _S800, VisiblePoint_0 * _S801, float3  _S80
     {
         share_2 = 0.0f;
     }
-    if(_S810 > 0.0f)
+    if(_S855 > 0.0f)
     {
-        NodeTaps_0 nodes_2 = node_taps_0(_S808);
-        uint _S818;
-        if(_S807)
+        NodeTaps_0 nodes_2 = node_taps_0(_S853);
+        uint _S863;
+        if(_S852)
         {
-            _S818 = 1U;
+            _S863 = 1U;
         }
         else
         {
-            _S818 = 0U;
+            _S863 = 0U;
         }
-        (&nodes_2)->nodes_0 = (&nodes_2)->nodes_0 + make_uint4 (_S818 * 256U);
-        Footprint_0 _S819 = footprint_0;
-        CoverageTaps_0 _S820 = coverage_taps_0(_S800, &_S819, _S807);
-        CoverageTaps_0 _S821 = _S820;
-        NodeTaps_0 _S822 = nodes_2;
-        float _S823 = prefiltered_hole_0(_S800, &_S821, &_S822, _S807);
-        share_2 = share_2 + _S810 * _S823;
+        (&nodes_2)->nodes_0 = (&nodes_2)->nodes_0 + make_uint4 (_S863 * 256U);
+        Footprint_0 _S864 = footprint_0;
+        CoverageTaps_0 _S865 = coverage_taps_0(_S845, &_S864, _S852);
+        CoverageTaps_0 _S866 = _S865;
+        NodeTaps_0 _S867 = nodes_2;
+        float _S868 = prefiltered_hole_0(_S845, &_S866, &_S867, _S852);
+        share_2 = share_2 + _S855 * _S868;
     }
-    float _S824 = __ldg(&_S805->sheen_strength_0);
-    if(_S824 > 0.0f)
+    float _S869 = __ldg(&_S850->sheen_strength_0);
+    if(_S869 > 0.0f)
     {
-        float _S825 = _S808.z;
-        float _S826 = __ldg(&_S805->sheen_roughness_0);
-        share_2 = share_2 * (1.0f - _S824 * sheen_lobe_0(_S825, _S826).z);
+        float _S870 = _S853.z;
+        float _S871 = __ldg(&_S850->sheen_roughness_0);
+        share_2 = share_2 * (1.0f - _S869 * sheen_lobe_0(_S870, _S871).z);
     }
     return share_2;
 }
 
-__device__ float visibility_of_0(int _S827, VisiblePoint_0 * _S828, uint _S829, uint2  _S830, uint _S831)
+__device__ float visibility_of_0(int _S872, VisiblePoint_0 * _S873, uint _S874, uint2  _S875, uint _S876)
 {
-    Frame_0 * _S832 = (&(globalParams_0->frames_0)[_S827]);
-    float3  _S833 = _S828->position_0;
-    LightSample_0 _S834 = light_sample_0(_S827, _S831, _S830, _S828->position_0);
-    float3  _S835 = _S828->face_normal_0;
+    Frame_0 * _S877 = (&(globalParams_0->frames_0)[_S872]);
+    LightSample_0 _S878 = light_sample_0(_S872, _S876, _S875, _S873->position_0);
+    float3  _S879 = _S873->face_normal_0;
     float nearest_1;
-    if((dot_0(_S834.towards_0, _S828->face_normal_0)) < 0.0f)
+    if((dot_0(_S878.towards_0, _S873->face_normal_0)) < 0.0f)
     {
         nearest_1 = -1.0f;
     }
@@ -3270,58 +3324,59 @@ __device__ float visibility_of_0(int _S827, VisiblePoint_0 * _S828, uint _S829, 
     {
         nearest_1 = 1.0f;
     }
-    float _S836 = __ldg(&_S832->ray_offset_0);
-    float3  _S837 = _S833 + make_float3 (nearest_1 * _S836) * _S835;
-    float _S838 = (F32_sqrt((0.5f * (dot_1(_S828->draft_dx_0, _S828->draft_dx_0) + dot_1(_S828->draft_dy_0, _S828->draft_dy_0)))));
+    float3  _S880 = seen_position_0(_S872, _S874, _S875);
+    float _S881 = __ldg(&_S877->ray_offset_0);
+    float3  _S882 = _S880 + make_float3 (nearest_1 * _S881) * _S879;
+    float _S883 = (F32_sqrt((0.5f * (dot_1(_S873->draft_dx_0, _S873->draft_dx_0) + dot_1(_S873->draft_dy_0, _S873->draft_dy_0)))));
     nearest_1 = 0.0f;
-    uint without_0 = _S829;
+    uint without_0 = _S874;
     uint layer_0 = 0U;
     float visibility_0 = 1.0f;
     for(;;)
     {
-        bool _S839;
+        bool _S884;
         if(layer_0 < 8U)
         {
-            _S839 = visibility_0 > 0.00100000004749745f;
+            _S884 = visibility_0 > 0.00100000004749745f;
         }
         else
         {
-            _S839 = false;
+            _S884 = false;
         }
-        if(_S839)
+        if(_S884)
         {
         }
         else
         {
             break;
         }
-        Hit_0 _S840 = nearest_hit_0(_S827, _S837, _S834.towards_0, nearest_1, _S834.distance_2, without_0, true);
-        if((_S840.face_1) == 4294967295U)
+        Hit_0 _S885 = nearest_hit_0(_S872, _S882, _S878.towards_0, nearest_1, _S878.distance_2, without_0, true);
+        if((_S885.face_1) == 4294967295U)
         {
             break;
         }
-        uint _S841 = __ldg((&(globalParams_0->face_fabrics_0)[_S840.face_1]));
-        VisiblePoint_0 _S842 = face_point_0(_S841, _S840.face_1, _S840.weight_b_0, _S840.weight_c_0);
-        uint _S843 = __ldg(&_S832->pass_number_0);
-        float2  _S844 = pixel_sequence_0(_S830, _S843, 5U + 2U * (8U * _S831 + layer_0));
-        uint _S845 = __ldg(&(&(globalParams_0->fabrics_0)[_S841])->is_open_0);
-        float _S846;
-        if(_S845 != 0U)
+        uint _S886 = __ldg((&(globalParams_0->face_fabrics_0)[_S885.face_1]));
+        VisiblePoint_0 _S887 = face_point_0(_S886, _S885.face_1, _S885.weight_b_0, _S885.weight_c_0);
+        uint _S888 = __ldg(&_S877->pass_number_0);
+        float2  _S889 = pixel_sequence_0(_S875, _S888, 5U + 2U * (8U * _S876 + layer_0));
+        uint _S890 = __ldg(&(&(globalParams_0->fabrics_0)[_S886])->is_open_0);
+        float _S891;
+        if(_S890 != 0U)
         {
-            float3  _S847 = - _S834.towards_0;
-            VisiblePoint_0 _S848 = _S842;
-            float _S849 = passed_share_0(_S841, &_S848, _S847, _S838, _S844);
-            _S846 = _S849;
+            float3  _S892 = - _S878.towards_0;
+            VisiblePoint_0 _S893 = _S887;
+            float _S894 = passed_share_0(_S886, &_S893, _S892, _S883, _S889);
+            _S891 = _S894;
         }
         else
         {
-            _S846 = 0.0f;
+            _S891 = 0.0f;
         }
-        float visibility_1 = visibility_0 * _S846;
-        uint _S850 = layer_0 + 1U;
-        nearest_1 = _S840.distance_0;
-        without_0 = _S840.face_1;
-        layer_0 = _S850;
+        float visibility_1 = visibility_0 * _S891;
+        uint _S895 = layer_0 + 1U;
+        nearest_1 = _S885.distance_0;
+        without_0 = _S885.face_1;
+        layer_0 = _S895;
         visibility_0 = visibility_1;
     }
     if(visibility_0 > 0.00100000004749745f)
@@ -3337,52 +3392,52 @@ __device__ float visibility_of_0(int _S827, VisiblePoint_0 * _S828, uint _S829, 
 
 extern "C" __global__ void cast_shadows()
 {
-    uint3  _S851 = blockIdx * blockDim + threadIdx;
-    Frame_0 * _S852 = (&(globalParams_0->frames_0)[int(0)]);
-    uint _S853 = _S851.x;
-    uint _S854 = __ldg(&_S852->width_0);
-    bool _S855;
-    if(_S853 >= _S854)
+    uint3  _S896 = blockIdx * blockDim + threadIdx;
+    Frame_0 * _S897 = (&(globalParams_0->frames_0)[int(0)]);
+    uint _S898 = _S896.x;
+    uint _S899 = __ldg(&_S897->width_0);
+    bool _S900;
+    if(_S898 >= _S899)
     {
-        _S855 = true;
+        _S900 = true;
     }
     else
     {
-        uint _S856 = _S851.y;
-        uint _S857 = __ldg(&_S852->height_0);
-        _S855 = _S856 >= _S857;
+        uint _S901 = _S896.y;
+        uint _S902 = __ldg(&_S897->height_0);
+        _S900 = _S901 >= _S902;
     }
-    if(_S855)
+    if(_S900)
     {
         return;
     }
-    uint _S858 = _S851.y * _S854 + _S853;
-    uint _S859 = (&(globalParams_0->layers_0)[_S858])->face_0;
-    if(((&(globalParams_0->layers_0)[_S858])->face_0) == 0U)
+    uint _S903 = _S896.y * _S899 + _S898;
+    uint _S904 = (&(globalParams_0->layers_0)[_S903])->face_0;
+    if(((&(globalParams_0->layers_0)[_S903])->face_0) == 0U)
     {
         return;
     }
-    uint _S860 = _S859 - 1U;
-    uint _S861 = __ldg((&(globalParams_0->face_fabrics_0)[_S860]));
-    uint2  _S862 = uint2 {_S851.x, _S851.y};
-    VisiblePoint_0 _S863 = visible_point_0(int(0), _S861, _S860, _S862);
+    uint _S905 = _S904 - 1U;
+    uint _S906 = __ldg((&(globalParams_0->face_fabrics_0)[_S905]));
+    uint2  _S907 = uint2 {_S896.x, _S896.y};
+    VisiblePoint_0 _S908 = visible_point_0(int(0), _S906, _S905, _S907);
     uint number_5 = 0U;
     for(;;)
     {
-        uint _S864 = light_sample_count_0(int(0));
-        if(number_5 < _S864)
+        uint _S909 = light_sample_count_0(int(0));
+        if(number_5 < _S909)
         {
         }
         else
         {
             break;
         }
-        uint _S865 = number_5 * _S854;
-        uint _S866 = __ldg(&_S852->height_0);
-        float * _S867 = (&(globalParams_0->visibilities_0)[_S865 * _S866 + _S858]);
-        VisiblePoint_0 _S868 = _S863;
-        float _S869 = visibility_of_0(int(0), &_S868, _S860, _S862, number_5);
-        *_S867 = _S869;
+        uint _S910 = number_5 * _S899;
+        uint _S911 = __ldg(&_S897->height_0);
+        float * _S912 = (&(globalParams_0->visibilities_0)[_S910 * _S911 + _S903]);
+        VisiblePoint_0 _S913 = _S908;
+        float _S914 = visibility_of_0(int(0), &_S913, _S905, _S907, number_5);
+        *_S912 = _S914;
         number_5 = number_5 + 1U;
     }
     return;

@@ -1683,12 +1683,40 @@ LightSample_0 light_sample_0(int _S233, uint _S234, uvec2 _S235, vec3 _S236)
     return sample_0;
 }
 
-Hit_0 nearest_hit_0(int _S242, vec3 _S243, vec3 _S244, float _S245, float _S246, uint _S247, bool _S248)
+vec3 seen_position_0(int _S242, uint _S243, uvec2 _S244)
 {
-    vec3 _S249 = vec3(inverse_of_0(_S244.x), inverse_of_0(_S244.y), inverse_of_0(_S244.z));
+    uint _S245 = 3U * _S243;
+    vec3 _S246 = position_of_0(vertices_0._data[uint(corners_0._data[uint(_S245)])]);
+    vec3 _S247 = position_of_0(vertices_0._data[uint(corners_0._data[uint(_S245 + 1U)])]) - _S246;
+    vec3 _S248 = position_of_0(vertices_0._data[uint(corners_0._data[uint(_S245 + 2U)])]) - _S246;
+    vec3 _S249 = cross(_S247, _S248);
+    float _S250 = 1.0 / max(square_0(_S249), 1.00000000317107685e-30);
+    float _S251 = float(frames_0._data[uint(_S242)].width_0);
+    float _S252 = float(frames_0._data[uint(_S242)].height_0);
+    vec3 _S253 = camera_forward_0(_S242) + camera_right_0(_S242) * (2.0 * (float(_S244.x) + 0.5 + frames_0._data[uint(_S242)].jitter_x_0 - 0.5 * _S251) / _S251) - camera_up_0(_S242) * (2.0 * (float(_S244.y) + 0.5 + frames_0._data[uint(_S242)].jitter_y_0 - 0.5 * _S252) / _S252);
+    float _S254 = dot(_S253, _S249);
+    vec3 _S255 = _S246 - camera_origin_0(_S242);
+    float _S256 = dot(_S255, _S249);
+    float _S257;
+    if((abs(_S254)) > 1.00000000317107685e-30)
+    {
+        _S257 = _S254;
+    }
+    else
+    {
+        _S257 = 1.00000000317107685e-30;
+    }
+    vec3 _S258 = _S253 * (_S256 / _S257) - _S255;
+    float _S259 = clamp(dot(_S258, cross(_S248, _S249)) * _S250, 0.0, 1.0);
+    return _S246 + _S259 * _S247 + clamp(dot(_S258, cross(_S249, _S247)) * _S250, 0.0, 1.0 - _S259) * _S248;
+}
+
+Hit_0 nearest_hit_0(int _S260, vec3 _S261, vec3 _S262, float _S263, float _S264, uint _S265, bool _S266)
+{
+    vec3 _S267 = vec3(inverse_of_0(_S262.x), inverse_of_0(_S262.y), inverse_of_0(_S262.z));
     Hit_0 found_0;
     found_0.face_1 = 4294967295U;
-    found_0.distance_0 = _S246;
+    found_0.distance_0 = _S264;
     found_0.weight_b_0 = 0.0;
     found_0.weight_c_0 = 0.0;
     uint node_2 = 1U;
@@ -1702,23 +1730,23 @@ Hit_0 nearest_hit_0(int _S242, vec3 _S243, vec3 _S244, float _S245, float _S246,
             break;
         }
         uint node_3;
-        if(!meets_node_0(node_2, _S243, _S249, _S245, found_0.distance_0))
+        if(!meets_node_0(node_2, _S261, _S267, _S263, found_0.distance_0))
         {
             node_3 = following_node_0(node_2);
         }
         else
         {
-            uint _S250 = frames_0._data[uint(_S242)].leaves_0;
-            if(node_2 < (frames_0._data[uint(_S242)].leaves_0))
+            uint _S268 = frames_0._data[uint(_S260)].leaves_0;
+            if(node_2 < (frames_0._data[uint(_S260)].leaves_0))
             {
                 node_3 = node_2 * 2U;
             }
             else
             {
-                uint _S251 = frames_0._data[uint(_S242)].leaf_faces_0 + 4U * (node_2 - _S250);
-                uint _S252 = following_node_0(node_2);
+                uint _S269 = frames_0._data[uint(_S260)].leaf_faces_0 + 4U * (node_2 - _S268);
+                uint _S270 = following_node_0(node_2);
                 uint number_1 = 0U;
-                node_3 = _S252;
+                node_3 = _S270;
                 for(;;)
                 {
                     if(number_1 < 4U)
@@ -1728,57 +1756,57 @@ Hit_0 nearest_hit_0(int _S242, vec3 _S243, vec3 _S244, float _S245, float _S246,
                     {
                         break;
                     }
-                    uint _S253 = scene_words_0._data[uint(_S251 + number_1)];
-                    bool _S254;
-                    if(_S253 == 4294967295U)
+                    uint _S271 = scene_words_0._data[uint(_S269 + number_1)];
+                    bool _S272;
+                    if(_S271 == 4294967295U)
                     {
-                        _S254 = true;
+                        _S272 = true;
                     }
                     else
                     {
-                        _S254 = _S253 == _S247;
+                        _S272 = _S271 == _S265;
                     }
-                    if(_S254)
+                    if(_S272)
                     {
                         number_1 = number_1 + 1U;
                         continue;
                     }
-                    Hit_0 _S255 = meet_face_0(_S253, _S243, _S244);
-                    bool _S256;
-                    if((_S255.face_1) == 4294967295U)
+                    Hit_0 _S273 = meet_face_0(_S271, _S261, _S262);
+                    bool _S274;
+                    if((_S273.face_1) == 4294967295U)
                     {
-                        _S256 = true;
+                        _S274 = true;
                     }
                     else
                     {
-                        _S256 = (_S255.distance_0) <= _S245;
+                        _S274 = (_S273.distance_0) <= _S263;
                     }
-                    bool _S257;
-                    if(_S256)
+                    bool _S275;
+                    if(_S274)
                     {
-                        _S257 = true;
+                        _S275 = true;
                     }
                     else
                     {
-                        _S257 = (_S255.distance_0) >= (found_0.distance_0);
+                        _S275 = (_S273.distance_0) >= (found_0.distance_0);
                     }
-                    if(_S257)
+                    if(_S275)
                     {
                         number_1 = number_1 + 1U;
                         continue;
                     }
-                    found_0 = _S255;
-                    bool _S258;
-                    if(_S248)
+                    found_0 = _S273;
+                    bool _S276;
+                    if(_S266)
                     {
-                        _S258 = (fabrics_0._data[uint(face_fabrics_0._data[uint(_S253)])].is_open_0) == 0U;
+                        _S276 = (fabrics_0._data[uint(face_fabrics_0._data[uint(_S271)])].is_open_0) == 0U;
                     }
                     else
                     {
-                        _S258 = false;
+                        _S276 = false;
                     }
                     uint node_4;
-                    if(_S258)
+                    if(_S276)
                     {
                         node_4 = 0U;
                     }
@@ -1803,25 +1831,25 @@ struct Regime_0
     float points_0;
 };
 
-Regime_0 regime_of_0(uint _S259, Footprint_0 _S260, float _S261)
+Regime_0 regime_of_0(uint _S277, Footprint_0 _S278, float _S279)
 {
-    float _S262 = Footprint_spread_side_0(_S260);
-    float _S263 = clamp((binary_logarithm_0(max(_S262, 9.99999971718068537e-10)) - fabrics_0._data[uint(_S259)].lobes_0.unit_level_0 - -0.7369655966758728) / 1.41503751277923584, 0.0, 1.0);
+    float _S280 = Footprint_spread_side_0(_S278);
+    float _S281 = clamp((binary_logarithm_0(max(_S280, 9.99999971718068537e-10)) - fabrics_0._data[uint(_S277)].lobes_0.unit_level_0 - -0.7369655966758728) / 1.41503751277923584, 0.0, 1.0);
     Regime_0 regime_0;
-    float _S264 = _S263 * _S263 * (3.0 - 2.0 * _S263);
-    regime_0.prefiltered_0 = _S264;
-    regime_0.threads_0 = _S262 * fabrics_0._data[uint(_S259)].lobes_0.threads_per_mm_0;
-    float _S265 = mix(max(8.0 / _S261, 1.0), 1.0, _S264);
-    float _S266;
-    if(_S264 < 1.0)
+    float _S282 = _S281 * _S281 * (3.0 - 2.0 * _S281);
+    regime_0.prefiltered_0 = _S282;
+    regime_0.threads_0 = _S280 * fabrics_0._data[uint(_S277)].lobes_0.threads_per_mm_0;
+    float _S283 = mix(max(8.0 / _S279, 1.0), 1.0, _S282);
+    float _S284;
+    if(_S282 < 1.0)
     {
-        _S266 = clamp(regime_0.threads_0 * 12.0, 1.0, _S265);
+        _S284 = clamp(regime_0.threads_0 * 12.0, 1.0, _S283);
     }
     else
     {
-        _S266 = 0.0;
+        _S284 = 0.0;
     }
-    regime_0.points_0 = _S266;
+    regime_0.points_0 = _S284;
     return regime_0;
 }
 
@@ -1846,314 +1874,314 @@ struct Sample_0
     float slope_y_1;
 };
 
-Crossing_0 crossing_at_0(uint _S267, float _S268, float _S269, bool _S270)
+Crossing_0 crossing_at_0(uint _S285, float _S286, float _S287, bool _S288)
 {
     Crossing_0 crossing_2;
-    crossing_2.warp_1 = locate_0(fabrics_0._data[uint(_S267)].warp_0, _S268);
-    crossing_2.weft_1 = locate_0(fabrics_0._data[uint(_S267)].weft_0, _S269);
-    uint _S271 = fabrics_0._data[uint(_S267)].run_words_0 + 2U * (crossing_2.weft_1.thread_1 * fabrics_0._data[uint(_S267)].ends_1 + crossing_2.warp_1.thread_1);
-    uint _S272 = words_0._data[uint(_S271)];
-    crossing_2.warp_word_0 = _S272;
-    crossing_2.weft_word_0 = words_0._data[uint(_S271 + 1U)];
-    crossing_2.warp_above_0 = ((_S272 & 1U) == 1U) != _S270;
+    crossing_2.warp_1 = locate_0(fabrics_0._data[uint(_S285)].warp_0, _S286);
+    crossing_2.weft_1 = locate_0(fabrics_0._data[uint(_S285)].weft_0, _S287);
+    uint _S289 = fabrics_0._data[uint(_S285)].run_words_0 + 2U * (crossing_2.weft_1.thread_1 * fabrics_0._data[uint(_S285)].ends_1 + crossing_2.warp_1.thread_1);
+    uint _S290 = words_0._data[uint(_S289)];
+    crossing_2.warp_word_0 = _S290;
+    crossing_2.weft_word_0 = words_0._data[uint(_S289 + 1U)];
+    crossing_2.warp_above_0 = ((_S290 & 1U) == 1U) != _S288;
     return crossing_2;
 }
 
-Sample_0 sample_at_0(uint _S273, float _S274, float _S275, bool _S276)
+Sample_0 sample_at_0(uint _S291, float _S292, float _S293, bool _S294)
 {
     Sample_0 sample_1;
-    Crossing_0 _S277 = crossing_at_0(_S273, _S274, _S275, _S276);
-    sample_1.crossing_1 = _S277;
-    Shown_0 _S278 = shown_at_0(_S277, _S276);
-    sample_1.shown_3 = _S278;
-    uint _S279;
-    if(_S278.is_warp_0)
+    Crossing_0 _S295 = crossing_at_0(_S291, _S292, _S293, _S294);
+    sample_1.crossing_1 = _S295;
+    Shown_0 _S296 = shown_at_0(_S295, _S294);
+    sample_1.shown_3 = _S296;
+    uint _S297;
+    if(_S296.is_warp_0)
     {
-        _S279 = fabrics_0._data[uint(_S273)].warp_0;
+        _S297 = fabrics_0._data[uint(_S291)].warp_0;
     }
     else
     {
-        _S279 = fabrics_0._data[uint(_S273)].weft_0;
+        _S297 = fabrics_0._data[uint(_S291)].weft_0;
     }
-    uint _S280;
-    if(_S278.is_warp_0)
+    uint _S298;
+    if(_S296.is_warp_0)
     {
-        _S280 = fabrics_0._data[uint(_S273)].weft_0;
+        _S298 = fabrics_0._data[uint(_S291)].weft_0;
     }
     else
     {
-        _S280 = fabrics_0._data[uint(_S273)].warp_0;
+        _S298 = fabrics_0._data[uint(_S291)].warp_0;
     }
-    Cell_0 _S281 = select_cell_0(_S278.is_warp_0, sample_1.crossing_1.warp_1, sample_1.crossing_1.weft_1);
-    Cell_0 _S282 = select_cell_0(_S278.is_warp_0, sample_1.crossing_1.weft_1, sample_1.crossing_1.warp_1);
-    Run_0 _S283 = unpack_0(_S279, _S280, _S281.thread_1, _S282, _S278.word_0);
-    Section_0 _S284 = section_at_0(_S281);
-    bool _S285;
-    if(_S278.on_top_0)
+    Cell_0 _S299 = select_cell_0(_S296.is_warp_0, sample_1.crossing_1.warp_1, sample_1.crossing_1.weft_1);
+    Cell_0 _S300 = select_cell_0(_S296.is_warp_0, sample_1.crossing_1.weft_1, sample_1.crossing_1.warp_1);
+    Run_0 _S301 = unpack_0(_S297, _S298, _S299.thread_1, _S300, _S296.word_0);
+    Section_0 _S302 = section_at_0(_S299);
+    bool _S303;
+    if(_S296.on_top_0)
     {
-        _S285 = (_S283.distance_1) < (_S284.drop_0 * _S283.bend_1.sine_0);
+        _S303 = (_S301.distance_1) < (_S302.drop_0 * _S301.bend_1.sine_0);
     }
     else
     {
-        _S285 = false;
+        _S303 = false;
     }
-    bool _S286;
-    if(_S278.on_top_0)
+    bool _S304;
+    if(_S296.on_top_0)
     {
-        _S286 = !_S285;
+        _S304 = !_S303;
     }
     else
     {
-        _S286 = false;
+        _S304 = false;
     }
-    float _S287;
-    if(_S286)
+    float _S305;
+    if(_S304)
     {
-        _S287 = 1.0;
+        _S305 = 1.0;
     }
     else
     {
-        _S287 = -1.0;
+        _S305 = -1.0;
     }
-    float _S288;
-    if(_S285)
+    float _S306;
+    if(_S303)
     {
-        _S288 = _S283.other_reach_0;
+        _S306 = _S301.other_reach_0;
     }
     else
     {
-        _S288 = _S283.reach_0;
+        _S306 = _S301.reach_0;
     }
-    float _S289;
-    if(_S285)
+    float _S307;
+    if(_S303)
     {
-        _S289 = _S288 + _S283.distance_1;
+        _S307 = _S306 + _S301.distance_1;
     }
     else
     {
-        _S289 = max(_S288 - _S283.distance_1, 0.0);
+        _S307 = max(_S306 - _S301.distance_1, 0.0);
     }
-    float _S290 = _S288 / _S283.bend_1.sine_0 - _S287 * _S284.drop_0;
-    float _S291 = _S289 * _S289;
-    float _S292 = max(_S290 * _S290 - _S291, 9.99999968265522539e-21);
-    float _S293 = (inversesqrt((_S292)));
-    float _S294 = _S291 / (_S292 * _S293 + _S290);
-    bool _S295 = _S289 > 0.0;
-    float _S296;
-    if(_S278.on_top_0)
+    float _S308 = _S306 / _S301.bend_1.sine_0 - _S305 * _S302.drop_0;
+    float _S309 = _S307 * _S307;
+    float _S310 = max(_S308 * _S308 - _S309, 9.99999968265522539e-21);
+    float _S311 = (inversesqrt((_S310)));
+    float _S312 = _S309 / (_S310 * _S311 + _S308);
+    bool _S313 = _S307 > 0.0;
+    float _S314;
+    if(_S296.on_top_0)
     {
-        _S296 = 1.0;
+        _S314 = 1.0;
     }
     else
     {
-        _S296 = -1.0;
+        _S314 = -1.0;
     }
-    float _S297;
-    if(_S283.near_start_0)
+    float _S315;
+    if(_S301.near_start_0)
     {
-        _S297 = 1.0;
+        _S315 = 1.0;
     }
     else
     {
-        _S297 = -1.0;
+        _S315 = -1.0;
     }
-    float _S298 = _S296 * _S297;
-    if(_S295)
+    float _S316 = _S314 * _S315;
+    if(_S313)
     {
-        _S296 = _S290 * _S293;
+        _S314 = _S308 * _S311;
     }
     else
     {
-        _S296 = 1.0;
+        _S314 = 1.0;
     }
-    sample_1.slope_across_0 = _S284.slope_0 * _S296;
-    if(_S295)
+    sample_1.slope_across_0 = _S302.slope_0 * _S314;
+    if(_S313)
     {
-        _S289 = _S298 * _S289 * _S293;
+        _S307 = _S316 * _S307 * _S311;
     }
     else
     {
-        _S289 = 0.0;
+        _S307 = 0.0;
     }
-    sample_1.slope_along_0 = _S289;
-    Family_0 _S299 = families_0._data[uint(_S279)];
-    vec2 _S300 = dive_0(_S280, _S278, _S283, _S282);
-    if(_S283.straight_0)
+    sample_1.slope_along_0 = _S307;
+    Family_0 _S317 = families_0._data[uint(_S297)];
+    vec2 _S318 = dive_0(_S298, _S296, _S301, _S300);
+    if(_S301.straight_0)
     {
-        _S287 = 0.0;
+        _S305 = 0.0;
     }
     else
     {
-        _S287 = _S299.height_scale_0 * _S287;
+        _S305 = _S317.height_scale_0 * _S305;
     }
-    sample_1.height_4 = _S287 * (_S288 * _S283.bend_1.half_tangent_0 - _S294) - _S299.height_scale_0 * _S284.drop_0 - _S300.x;
-    float _S301 = _S299.height_scale_0 * sample_1.slope_across_0;
-    float _S302 = _S299.height_scale_0 * sample_1.slope_along_0 - _S300.y;
-    if(_S278.is_warp_0)
+    sample_1.height_4 = _S305 * (_S306 * _S301.bend_1.half_tangent_0 - _S312) - _S317.height_scale_0 * _S302.drop_0 - _S318.x;
+    float _S319 = _S317.height_scale_0 * sample_1.slope_across_0;
+    float _S320 = _S317.height_scale_0 * sample_1.slope_along_0 - _S318.y;
+    if(_S296.is_warp_0)
     {
-        _S287 = _S301;
+        _S305 = _S319;
     }
     else
     {
-        _S287 = _S302;
+        _S305 = _S320;
     }
-    sample_1.slope_x_1 = _S287;
-    if(_S278.is_warp_0)
+    sample_1.slope_x_1 = _S305;
+    if(_S296.is_warp_0)
     {
-        _S287 = _S302;
+        _S305 = _S320;
     }
     else
     {
-        _S287 = _S301;
+        _S305 = _S319;
     }
-    sample_1.slope_y_1 = _S287;
-    sample_1.run_3 = _S283;
-    sample_1.section_1 = _S284;
+    sample_1.slope_y_1 = _S305;
+    sample_1.run_3 = _S301;
+    sample_1.section_1 = _S302;
     return sample_1;
 }
 
-float steps_per_length_0(uint _S303, SearchQuality_0 _S304, vec3 _S305)
+float steps_per_length_0(uint _S321, SearchQuality_0 _S322, vec3 _S323)
 {
-    return max(max(abs(_S305.x) * fabrics_0._data[uint(_S303)].threads_per_x_0, abs(_S305.y) * fabrics_0._data[uint(_S303)].threads_per_y_0) * _S304.steps_per_thread_0, abs(_S305.z) * fabrics_0._data[uint(_S303)].per_relief_0 * _S304.steps_per_relief_0);
+    return max(max(abs(_S323.x) * fabrics_0._data[uint(_S321)].threads_per_x_0, abs(_S323.y) * fabrics_0._data[uint(_S321)].threads_per_y_0) * _S322.steps_per_thread_0, abs(_S323.z) * fabrics_0._data[uint(_S321)].per_relief_0 * _S322.steps_per_relief_0);
 }
 
-float cell_maximum_0(uint _S306, Crossing_0 _S307)
+float cell_maximum_0(uint _S324, Crossing_0 _S325)
 {
-    uint _S308;
-    if(_S307.warp_above_0)
+    uint _S326;
+    if(_S325.warp_above_0)
     {
-        _S308 = fabrics_0._data[uint(_S306)].warp_0;
+        _S326 = fabrics_0._data[uint(_S324)].warp_0;
     }
     else
     {
-        _S308 = fabrics_0._data[uint(_S306)].weft_0;
+        _S326 = fabrics_0._data[uint(_S324)].weft_0;
     }
-    uint _S309;
-    if(_S307.warp_above_0)
+    uint _S327;
+    if(_S325.warp_above_0)
     {
-        _S309 = _S307.warp_word_0;
+        _S327 = _S325.warp_word_0;
     }
     else
     {
-        _S309 = _S307.weft_word_0;
+        _S327 = _S325.weft_word_0;
     }
-    return float(_S309 >> 28) * families_0._data[uint(_S308)].height_scale_0 * families_0._data[uint(_S308)].level_0;
+    return float(_S327 >> 28) * families_0._data[uint(_S326)].height_scale_0 * families_0._data[uint(_S326)].level_0;
 }
 
-Probe_0 probe_0(uint _S310, float _S311, float _S312, bool _S313, bool _S314, bool _S315)
+Probe_0 probe_0(uint _S328, float _S329, float _S330, bool _S331, bool _S332, bool _S333)
 {
-    Sample_0 _S316 = sample_at_0(_S310, _S311, _S312, _S313);
+    Sample_0 _S334 = sample_at_0(_S328, _S329, _S330, _S331);
     Probe_0 probe_1;
-    probe_1.height_1 = _S316.height_4;
-    probe_1.hole_1 = _S316.shown_3.hole_0;
-    probe_1.slope_x_0 = _S316.slope_x_1;
-    probe_1.slope_y_0 = _S316.slope_y_1;
-    uint _S317;
-    if(_S316.shown_3.is_warp_0)
+    probe_1.height_1 = _S334.height_4;
+    probe_1.hole_1 = _S334.shown_3.hole_0;
+    probe_1.slope_x_0 = _S334.slope_x_1;
+    probe_1.slope_y_0 = _S334.slope_y_1;
+    uint _S335;
+    if(_S334.shown_3.is_warp_0)
     {
-        _S317 = _S316.crossing_1.warp_1.thread_1 * 2U + 1U;
+        _S335 = _S334.crossing_1.warp_1.thread_1 * 2U + 1U;
     }
     else
     {
-        _S317 = _S316.crossing_1.weft_1.thread_1 * 2U;
+        _S335 = _S334.crossing_1.weft_1.thread_1 * 2U;
     }
-    probe_1.yarn_1 = _S317;
-    probe_1.cell_max_0 = cell_maximum_0(_S310, _S316.crossing_1);
-    float _S318;
-    if(_S314)
+    probe_1.yarn_1 = _S335;
+    probe_1.cell_max_0 = cell_maximum_0(_S328, _S334.crossing_1);
+    float _S336;
+    if(_S332)
     {
-        _S318 = _S316.crossing_1.warp_1.above_0;
+        _S336 = _S334.crossing_1.warp_1.above_0;
     }
     else
     {
-        _S318 = _S316.crossing_1.warp_1.below_0;
+        _S336 = _S334.crossing_1.warp_1.below_0;
     }
-    probe_1.side_x_0 = _S318;
-    if(_S315)
+    probe_1.side_x_0 = _S336;
+    if(_S333)
     {
-        _S318 = _S316.crossing_1.weft_1.above_0;
+        _S336 = _S334.crossing_1.weft_1.above_0;
     }
     else
     {
-        _S318 = _S316.crossing_1.weft_1.below_0;
+        _S336 = _S334.crossing_1.weft_1.below_0;
     }
-    probe_1.side_y_0 = _S318;
-    probe_1.edge_x_0 = outline_distance_0(_S316.crossing_1.warp_1, _S316.shown_3, _S316.run_3, !_S316.shown_3.is_warp_0, _S314);
-    probe_1.edge_y_0 = outline_distance_0(_S316.crossing_1.weft_1, _S316.shown_3, _S316.run_3, _S316.shown_3.is_warp_0, _S315);
+    probe_1.side_y_0 = _S336;
+    probe_1.edge_x_0 = outline_distance_0(_S334.crossing_1.warp_1, _S334.shown_3, _S334.run_3, !_S334.shown_3.is_warp_0, _S332);
+    probe_1.edge_y_0 = outline_distance_0(_S334.crossing_1.weft_1, _S334.shown_3, _S334.run_3, _S334.shown_3.is_warp_0, _S333);
     return probe_1;
 }
 
-bool is_free_0(uint _S319, SearchQuality_0 _S320, vec3 _S321, vec3 _S322, bool _S323, float _S324)
+bool is_free_0(uint _S337, SearchQuality_0 _S338, vec3 _S339, vec3 _S340, bool _S341, float _S342)
 {
-    float _S325 = _S322.z;
-    if(_S325 <= 0.0)
+    float _S343 = _S340.z;
+    if(_S343 <= 0.0)
     {
         return false;
     }
-    float _S326 = 1.0 / max(_S320.shadow_share_0 * steps_per_length_0(_S319, _S320, _S322), 9.99999971718068537e-10);
-    StepControl_0 _S327 = step_control_0(_S322.xy, _S326);
+    float _S344 = 1.0 / max(_S338.shadow_share_0 * steps_per_length_0(_S337, _S338, _S340), 9.99999971718068537e-10);
+    StepControl_0 _S345 = step_control_0(_S340.xy, _S344);
     PreviousSample_0 previous_3 = no_previous_sample_0();
     uint count_3 = 0U;
     float distance_3 = 0.0;
     float last_step_0 = 0.0;
     for(;;)
     {
-        bool _S328;
+        bool _S346;
         if(count_3 < 1024U)
         {
-            _S328 = (_S321.z + _S325 * distance_3) < _S324;
+            _S346 = (_S339.z + _S343 * distance_3) < _S342;
         }
         else
         {
-            _S328 = false;
+            _S346 = false;
         }
-        if(_S328)
+        if(_S346)
         {
         }
         else
         {
             break;
         }
-        vec3 _S329 = _S321 + _S322 * distance_3;
-        Probe_0 _S330 = probe_0(_S319, _S329.x, _S329.y, _S323, _S327.right_0, _S327.up_0);
-        float _S331 = _S329.z;
-        float _S332 = _S331 - _S330.height_1;
-        float _S333 = _S325 - _S330.slope_x_0 * _S322.x - _S330.slope_y_0 * _S322.y;
-        bool _S334;
-        if(!_S330.hole_1)
+        vec3 _S347 = _S339 + _S340 * distance_3;
+        Probe_0 _S348 = probe_0(_S337, _S347.x, _S347.y, _S341, _S345.right_0, _S345.up_0);
+        float _S349 = _S347.z;
+        float _S350 = _S349 - _S348.height_1;
+        float _S351 = _S343 - _S348.slope_x_0 * _S340.x - _S348.slope_y_0 * _S340.y;
+        bool _S352;
+        if(!_S348.hole_1)
         {
-            _S334 = _S332 < 0.0;
+            _S352 = _S350 < 0.0;
         }
         else
         {
-            _S334 = false;
+            _S352 = false;
         }
-        if(_S334)
+        if(_S352)
         {
             return false;
         }
-        float _S335 = way_back_to_dip_0(previous_3, _S332, _S333, last_step_0, _S330);
-        if(_S335 >= 0.0)
+        float _S353 = way_back_to_dip_0(previous_3, _S350, _S351, last_step_0, _S348);
+        if(_S353 >= 0.0)
         {
-            float last_step_1 = last_step_0 - _S335;
-            distance_3 = distance_3 - _S335;
+            float last_step_1 = last_step_0 - _S353;
+            distance_3 = distance_3 - _S353;
             last_step_0 = last_step_1;
             count_3 = count_3 + 1U;
             continue;
         }
-        bool _S336 = _S331 > (_S330.cell_max_0);
-        PreviousSample_0 _S337 = after_sample_0(_S332, _S333, _S330, _S336);
+        bool _S354 = _S349 > (_S348.cell_max_0);
+        PreviousSample_0 _S355 = after_sample_0(_S350, _S351, _S348, _S354);
         float last_step_2;
-        if(_S336)
+        if(_S354)
         {
-            last_step_2 = max(StepControl_to_cell_exit_0(_S327, _S330.side_x_0, _S330.side_y_0), _S326);
+            last_step_2 = max(StepControl_to_cell_exit_0(_S345, _S348.side_x_0, _S348.side_y_0), _S344);
         }
         else
         {
-            last_step_2 = StepControl_to_next_sample_0(_S327, _S330, _S332, _S333);
+            last_step_2 = StepControl_to_next_sample_0(_S345, _S348, _S350, _S351);
         }
         float distance_4 = distance_3 + last_step_2;
-        previous_3 = _S337;
+        previous_3 = _S355;
         distance_3 = distance_4;
         last_step_0 = last_step_2;
         count_3 = count_3 + 1U;
@@ -2161,46 +2189,46 @@ bool is_free_0(uint _S319, SearchQuality_0 _S320, vec3 _S321, vec3 _S322, bool _
     return true;
 }
 
-bool passes_through_0(uint _S338, SearchQuality_0 _S339, float _S340, float _S341, vec3 _S342, bool _S343)
+bool passes_through_0(uint _S356, SearchQuality_0 _S357, float _S358, float _S359, vec3 _S360, bool _S361)
 {
-    if(!sample_at_0(_S338, _S340, _S341, _S343).shown_3.hole_0)
+    if(!sample_at_0(_S356, _S358, _S359, _S361).shown_3.hole_0)
     {
         return false;
     }
-    vec3 _S344 = vec3(_S340, _S341, 0.0);
+    vec3 _S362 = vec3(_S358, _S359, 0.0);
     bool passes_0 = true;
     uint side_0 = 0U;
     for(;;)
     {
-        bool _S345;
+        bool _S363;
         if(side_0 < 2U)
         {
-            _S345 = passes_0;
+            _S363 = passes_0;
         }
         else
         {
-            _S345 = false;
+            _S363 = false;
         }
-        if(_S345)
+        if(_S363)
         {
         }
         else
         {
             break;
         }
-        vec3 _S346;
+        vec3 _S364;
         if(side_0 == 0U)
         {
-            _S346 = _S342;
+            _S364 = _S360;
         }
         else
         {
-            _S346 = vec3(- _S342.x, - _S342.y, _S342.z);
+            _S364 = vec3(- _S360.x, - _S360.y, _S360.z);
         }
-        bool _S347 = is_free_0(_S338, _S339, _S344, _S346, _S343 != (side_0 == 1U), fabrics_0._data[uint(_S338)].height_high_0);
-        uint _S348 = side_0 + 1U;
-        passes_0 = _S347;
-        side_0 = _S348;
+        bool _S365 = is_free_0(_S356, _S357, _S362, _S364, _S361 != (side_0 == 1U), fabrics_0._data[uint(_S356)].height_high_0);
+        uint _S366 = side_0 + 1U;
+        passes_0 = _S365;
+        side_0 = _S366;
     }
     return passes_0;
 }
@@ -2215,33 +2243,33 @@ struct ViewRayEnd_0
     PreviousSample_0 previous_4;
 };
 
-float max_height_along_0(uint _S349, float _S350, float _S351, float _S352, vec3 _S353, bool _S354)
+float max_height_along_0(uint _S367, float _S368, float _S369, float _S370, vec3 _S371, bool _S372)
 {
-    uint _S355 = locate_0(fabrics_0._data[uint(_S349)].warp_0, _S350).thread_1 / 2U;
-    uint _S356 = locate_0(fabrics_0._data[uint(_S349)].weft_0, _S351).thread_1 / 2U;
-    float _S357 = _S353.x;
-    uint _S358;
-    if(_S357 > 0.0)
+    uint _S373 = locate_0(fabrics_0._data[uint(_S367)].warp_0, _S368).thread_1 / 2U;
+    uint _S374 = locate_0(fabrics_0._data[uint(_S367)].weft_0, _S369).thread_1 / 2U;
+    float _S375 = _S371.x;
+    uint _S376;
+    if(_S375 > 0.0)
     {
-        _S358 = 1U;
+        _S376 = 1U;
     }
     else
     {
-        _S358 = 0U;
+        _S376 = 0U;
     }
-    float _S359 = _S353.y;
-    uint _S360;
-    if(_S359 > 0.0)
+    float _S377 = _S371.y;
+    uint _S378;
+    if(_S377 > 0.0)
     {
-        _S360 = 2U;
+        _S378 = 2U;
     }
     else
     {
-        _S360 = 0U;
+        _S378 = 0U;
     }
-    uint _S361 = words_0._data[uint(fabrics_0._data[uint(_S349)].max_heights_0 + 4U * (_S356 * fabrics_0._data[uint(_S349)].max_height_columns_0 + _S355) + (_S358 + _S360))];
+    uint _S379 = words_0._data[uint(fabrics_0._data[uint(_S367)].max_heights_0 + 4U * (_S374 * fabrics_0._data[uint(_S367)].max_height_columns_0 + _S373) + (_S376 + _S378))];
     int number_2;
-    if(_S354)
+    if(_S372)
     {
         number_2 = 4;
     }
@@ -2249,10 +2277,10 @@ float max_height_along_0(uint _S349, float _S350, float _S351, float _S352, vec3
     {
         number_2 = 0;
     }
-    uint _S362 = _S361 >> number_2;
-    float _S363 = max(abs(_S357) * fabrics_0._data[uint(_S349)].threads_per_x_0, abs(_S359) * fabrics_0._data[uint(_S349)].threads_per_y_0) / _S353.z;
-    float _S364 = fabrics_0._data[uint(_S349)].height_high_0;
-    float max_height_0 = fabrics_0._data[uint(_S349)].height_high_0;
+    uint _S380 = _S379 >> number_2;
+    float _S381 = max(abs(_S375) * fabrics_0._data[uint(_S367)].threads_per_x_0, abs(_S377) * fabrics_0._data[uint(_S367)].threads_per_y_0) / _S371.z;
+    float _S382 = fabrics_0._data[uint(_S367)].height_high_0;
+    float max_height_0 = fabrics_0._data[uint(_S367)].height_high_0;
     number_2 = 3;
     for(;;)
     {
@@ -2263,45 +2291,45 @@ float max_height_along_0(uint _S349, float _S350, float _S351, float _S352, vec3
         {
             break;
         }
-        if(((max_height_0 - _S352) * _S363) <= (PYRAMID_RADII_0[number_2]))
+        if(((max_height_0 - _S370) * _S381) <= (PYRAMID_RADII_0[number_2]))
         {
-            max_height_0 = min(max_height_0, float((_S362 >> uint(8 * number_2)) & 15U) * 0.06666667014360428 * _S364);
+            max_height_0 = min(max_height_0, float((_S380 >> uint(8 * number_2)) & 15U) * 0.06666667014360428 * _S382);
         }
         number_2 = number_2 - 1;
     }
     return max_height_0;
 }
 
-vec3 cell_bounds_0(uint _S365, float _S366, float _S367, bool _S368, bool _S369, bool _S370)
+vec3 cell_bounds_0(uint _S383, float _S384, float _S385, bool _S386, bool _S387, bool _S388)
 {
-    Crossing_0 _S371 = crossing_at_0(_S365, _S366, _S367, _S368);
-    float _S372 = cell_maximum_0(_S365, _S371);
-    float _S373;
-    if(_S369)
+    Crossing_0 _S389 = crossing_at_0(_S383, _S384, _S385, _S386);
+    float _S390 = cell_maximum_0(_S383, _S389);
+    float _S391;
+    if(_S387)
     {
-        _S373 = _S371.warp_1.above_0;
+        _S391 = _S389.warp_1.above_0;
     }
     else
     {
-        _S373 = _S371.warp_1.below_0;
+        _S391 = _S389.warp_1.below_0;
     }
-    float _S374;
-    if(_S370)
+    float _S392;
+    if(_S388)
     {
-        _S374 = _S371.weft_1.above_0;
+        _S392 = _S389.weft_1.above_0;
     }
     else
     {
-        _S374 = _S371.weft_1.below_0;
+        _S392 = _S389.weft_1.below_0;
     }
-    return vec3(_S372, _S373, _S374);
+    return vec3(_S390, _S391, _S392);
 }
 
-float first_sample_height_0(uint _S375, ViewRay_0 _S376, StepControl_0 _S377, bool _S378)
+float first_sample_height_0(uint _S393, ViewRay_0 _S394, StepControl_0 _S395, bool _S396)
 {
-    float _S379 = max_height_along_0(_S375, _S376.origin_2.x, _S376.origin_2.y, 0.0, vec3(_S376.slope_1, 1.0), _S378);
+    float _S397 = max_height_along_0(_S393, _S394.origin_2.x, _S394.origin_2.y, 0.0, vec3(_S394.slope_1, 1.0), _S396);
     uint count_4 = 0U;
-    float height_6 = _S379;
+    float height_6 = _S397;
     for(;;)
     {
         if(count_4 < 1024U)
@@ -2311,12 +2339,12 @@ float first_sample_height_0(uint _S375, ViewRay_0 _S376, StepControl_0 _S377, bo
         {
             break;
         }
-        vec2 _S380 = ViewRay_at_0(_S376, height_6);
-        vec3 _S381 = cell_bounds_0(_S375, _S380.x, _S380.y, _S378, _S377.right_0, _S377.up_0);
-        float _S382 = height_6 - _S381.x;
-        float _S383 = StepControl_to_cell_exit_0(_S377, _S381.y, _S381.z);
-        float height_7 = height_6 - clamp(_S382, 0.0, _S383);
-        if(_S382 <= _S383)
+        vec2 _S398 = ViewRay_at_0(_S394, height_6);
+        vec3 _S399 = cell_bounds_0(_S393, _S398.x, _S398.y, _S396, _S395.right_0, _S395.up_0);
+        float _S400 = height_6 - _S399.x;
+        float _S401 = StepControl_to_cell_exit_0(_S395, _S399.y, _S399.z);
+        float height_7 = height_6 - clamp(_S400, 0.0, _S401);
+        if(_S400 <= _S401)
         {
             height_6 = height_7;
             break;
@@ -2327,12 +2355,12 @@ float first_sample_height_0(uint _S375, ViewRay_0 _S376, StepControl_0 _S377, bo
     return height_6;
 }
 
-ViewRayEnd_0 search_down_0(uint _S384, ViewRay_0 _S385, StepControl_0 _S386, bool _S387)
+ViewRayEnd_0 search_down_0(uint _S402, ViewRay_0 _S403, StepControl_0 _S404, bool _S405)
 {
-    float _S388 = fabrics_0._data[uint(_S384)].height_low_0 - (fabrics_0._data[uint(_S384)].height_high_0 - fabrics_0._data[uint(_S384)].height_low_0);
+    float _S406 = fabrics_0._data[uint(_S402)].height_low_0 - (fabrics_0._data[uint(_S402)].height_high_0 - fabrics_0._data[uint(_S402)].height_low_0);
     ViewRayEnd_0 end_1;
-    end_1.height_5 = first_sample_height_0(_S384, _S385, _S386, _S387);
-    end_1.last_step_3 = _S386.epsilon_0;
+    end_1.height_5 = first_sample_height_0(_S402, _S403, _S404, _S405);
+    end_1.last_step_3 = _S404.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_0 = 0.0;
     end_1.rate_4 = 0.0;
@@ -2347,150 +2375,150 @@ ViewRayEnd_0 search_down_0(uint _S384, ViewRay_0 _S385, StepControl_0 _S386, boo
         {
             break;
         }
-        vec2 _S389 = ViewRay_at_0(_S385, end_1.height_5);
-        Probe_0 _S390 = probe_0(_S384, _S389.x, _S389.y, _S387, _S386.right_0, _S386.up_0);
-        float _S391 = end_1.height_5 - _S390.height_1;
-        float _S392 = ViewRay_rate_0(_S385, _S390);
-        end_1.depth_0 = - _S391;
-        end_1.rate_4 = _S392;
-        bool _S393;
+        vec2 _S407 = ViewRay_at_0(_S403, end_1.height_5);
+        Probe_0 _S408 = probe_0(_S402, _S407.x, _S407.y, _S405, _S404.right_0, _S404.up_0);
+        float _S409 = end_1.height_5 - _S408.height_1;
+        float _S410 = ViewRay_rate_0(_S403, _S408);
+        end_1.depth_0 = - _S409;
+        end_1.rate_4 = _S410;
+        bool _S411;
         if(end_1.previous_4.known_0)
         {
-            _S393 = !_S390.hole_1;
+            _S411 = !_S408.hole_1;
         }
         else
         {
-            _S393 = false;
+            _S411 = false;
         }
-        bool _S394;
-        if(_S393)
+        bool _S412;
+        if(_S411)
         {
-            _S394 = (end_1.previous_4.yarn_0) == (_S390.yarn_1);
+            _S412 = (end_1.previous_4.yarn_0) == (_S408.yarn_1);
         }
         else
         {
-            _S394 = false;
+            _S412 = false;
         }
-        end_1.smooth_0 = _S394;
-        bool _S395;
-        if(!_S390.hole_1)
+        end_1.smooth_0 = _S412;
+        bool _S413;
+        if(!_S408.hole_1)
         {
-            _S395 = _S391 <= 0.0;
+            _S413 = _S409 <= 0.0;
         }
         else
         {
-            _S395 = false;
+            _S413 = false;
         }
-        bool _S396;
-        if(_S395)
+        bool _S414;
+        if(_S413)
         {
-            _S396 = true;
+            _S414 = true;
         }
         else
         {
-            _S396 = (end_1.height_5) <= _S388;
+            _S414 = (end_1.height_5) <= _S406;
         }
-        if(_S396)
+        if(_S414)
         {
             break;
         }
-        float _S397 = way_back_to_dip_0(end_1.previous_4, _S391, _S392, end_1.last_step_3, _S390);
-        if(_S397 >= 0.0)
+        float _S415 = way_back_to_dip_0(end_1.previous_4, _S409, _S410, end_1.last_step_3, _S408);
+        if(_S415 >= 0.0)
         {
-            end_1.height_5 = end_1.height_5 + _S397;
-            end_1.last_step_3 = end_1.last_step_3 - _S397;
+            end_1.height_5 = end_1.height_5 + _S415;
+            end_1.last_step_3 = end_1.last_step_3 - _S415;
             count_5 = count_5 + 1U;
             continue;
         }
-        float _S398 = min(StepControl_to_cell_exit_0(_S386, _S390.side_x_0, _S390.side_y_0), end_1.height_5 - _S390.cell_max_0);
-        float _S399 = StepControl_to_next_sample_0(_S386, _S390, _S391, _S392);
-        end_1.previous_4 = after_sample_0(_S391, _S392, _S390, _S398 > _S399);
-        float _S400 = max(_S398, _S399);
-        end_1.last_step_3 = _S400;
-        end_1.height_5 = end_1.height_5 - _S400;
+        float _S416 = min(StepControl_to_cell_exit_0(_S404, _S408.side_x_0, _S408.side_y_0), end_1.height_5 - _S408.cell_max_0);
+        float _S417 = StepControl_to_next_sample_0(_S404, _S408, _S409, _S410);
+        end_1.previous_4 = after_sample_0(_S409, _S410, _S408, _S416 > _S417);
+        float _S418 = max(_S416, _S417);
+        end_1.last_step_3 = _S418;
+        end_1.height_5 = end_1.height_5 - _S418;
         count_5 = count_5 + 1U;
     }
     return end_1;
 }
 
-float refined_height_0(uint _S401, ViewRay_0 _S402, StepControl_0 _S403, bool _S404, ViewRayEnd_0 _S405, uint _S406)
+float refined_height_0(uint _S419, ViewRay_0 _S420, StepControl_0 _S421, bool _S422, ViewRayEnd_0 _S423, uint _S424)
 {
-    float _S407 = fabrics_0._data[uint(_S401)].height_high_0 - fabrics_0._data[uint(_S401)].height_low_0;
-    float above_2 = _S405.height_5 + _S405.last_step_3;
-    float above_gap_1 = clamp(_S405.previous_4.clearance_0, 0.0, _S407);
-    float under_gap_1 = clamp(_S405.depth_0, 0.0, _S407);
-    float _S408 = cubic_root_0(above_gap_1, - under_gap_1, _S405.previous_4.rate_0 * _S405.last_step_3, _S405.rate_4 * _S405.last_step_3);
+    float _S425 = fabrics_0._data[uint(_S419)].height_high_0 - fabrics_0._data[uint(_S419)].height_low_0;
+    float above_2 = _S423.height_5 + _S423.last_step_3;
+    float above_gap_1 = clamp(_S423.previous_4.clearance_0, 0.0, _S425);
+    float under_gap_1 = clamp(_S423.depth_0, 0.0, _S425);
+    float _S426 = cubic_root_0(above_gap_1, - under_gap_1, _S423.previous_4.rate_0 * _S423.last_step_3, _S423.rate_4 * _S423.last_step_3);
     float middle_0;
-    if(_S405.smooth_0)
+    if(_S423.smooth_0)
     {
-        middle_0 = above_2 - _S408 * _S405.last_step_3;
+        middle_0 = above_2 - _S426 * _S423.last_step_3;
     }
     else
     {
-        middle_0 = between_0(above_2, _S405.height_5, above_gap_1, under_gap_1);
+        middle_0 = between_0(above_2, _S423.height_5, above_gap_1, under_gap_1);
     }
     float side_1 = 0.0;
     float above_gap_2 = above_gap_1;
     float under_gap_2 = under_gap_1;
-    float under_1 = _S405.height_5;
+    float under_1 = _S423.height_5;
     float above_3 = above_2;
     uint i_1 = 0U;
     for(;;)
     {
-        if(i_1 < _S406)
+        if(i_1 < _S424)
         {
         }
         else
         {
             break;
         }
-        vec2 _S409 = ViewRay_at_0(_S402, middle_0);
-        Probe_0 _S410 = probe_0(_S401, _S409.x, _S409.y, _S404, _S403.right_0, _S403.up_0);
-        float _S411;
-        if(_S410.hole_1)
+        vec2 _S427 = ViewRay_at_0(_S420, middle_0);
+        Probe_0 _S428 = probe_0(_S419, _S427.x, _S427.y, _S422, _S421.right_0, _S421.up_0);
+        float _S429;
+        if(_S428.hole_1)
         {
-            _S411 = -1.0e+09;
+            _S429 = -1.0e+09;
         }
         else
         {
-            _S411 = _S410.height_1;
+            _S429 = _S428.height_1;
         }
-        float _S412 = clamp(middle_0 - _S411, - _S407, _S407);
-        float _S413;
-        if(_S412 <= 0.0)
+        float _S430 = clamp(middle_0 - _S429, - _S425, _S425);
+        float _S431;
+        if(_S430 <= 0.0)
         {
             if(side_1 > 0.0)
             {
-                _S413 = 0.5 * above_gap_2;
+                _S431 = 0.5 * above_gap_2;
             }
             else
             {
-                _S413 = above_gap_2;
+                _S431 = above_gap_2;
             }
-            float _S414 = - _S412;
+            float _S432 = - _S430;
             under_1 = middle_0;
-            above_gap_2 = _S413;
-            under_gap_2 = _S414;
+            above_gap_2 = _S431;
+            under_gap_2 = _S432;
             side_1 = 1.0;
         }
         else
         {
             if(side_1 < 0.0)
             {
-                _S413 = 0.5 * under_gap_2;
+                _S431 = 0.5 * under_gap_2;
             }
             else
             {
-                _S413 = under_gap_2;
+                _S431 = under_gap_2;
             }
             above_3 = middle_0;
-            above_gap_2 = _S412;
-            under_gap_2 = _S413;
+            above_gap_2 = _S430;
+            under_gap_2 = _S431;
             side_1 = -1.0;
         }
-        if(_S405.smooth_0)
+        if(_S423.smooth_0)
         {
-            middle_0 = clamp(middle_0 + _S412 / min(ViewRay_rate_0(_S402, _S410), -9.99999997475242708e-07), under_1, above_3);
+            middle_0 = clamp(middle_0 + _S430 / min(ViewRay_rate_0(_S420, _S428), -9.99999997475242708e-07), under_1, above_3);
         }
         else
         {
@@ -2498,7 +2526,7 @@ float refined_height_0(uint _S401, ViewRay_0 _S402, StepControl_0 _S403, bool _S
         }
         i_1 = i_1 + 1U;
     }
-    if(_S405.smooth_0)
+    if(_S423.smooth_0)
     {
     }
     else
@@ -2508,34 +2536,34 @@ float refined_height_0(uint _S401, ViewRay_0 _S402, StepControl_0 _S403, bool _S
     return middle_0;
 }
 
-Hit_1 first_hit_of_yarn_0(uint _S415, SearchQuality_0 _S416, float _S417, float _S418, vec3 _S419, bool _S420)
+Hit_1 first_hit_of_yarn_0(uint _S433, SearchQuality_0 _S434, float _S435, float _S436, vec3 _S437, bool _S438)
 {
-    float _S421 = max(_S419.z, 0.00009999999747379);
+    float _S439 = max(_S437.z, 0.00009999999747379);
     ViewRay_0 ray_0;
-    ray_0.origin_2 = vec2(_S417, _S418);
-    vec2 _S422 = _S419.xy / _S421;
-    ray_0.slope_1 = _S422;
-    StepControl_0 _S423 = step_control_0(- _S422, 1.0 / max(steps_per_length_0(_S415, _S416, _S419) / _S421, 9.99999971718068537e-10));
-    ViewRayEnd_0 _S424 = search_down_0(_S415, ray_0, _S423, _S420);
+    ray_0.origin_2 = vec2(_S435, _S436);
+    vec2 _S440 = _S437.xy / _S439;
+    ray_0.slope_1 = _S440;
+    StepControl_0 _S441 = step_control_0(- _S440, 1.0 / max(steps_per_length_0(_S433, _S434, _S437) / _S439, 9.99999971718068537e-10));
+    ViewRayEnd_0 _S442 = search_down_0(_S433, ray_0, _S441, _S438);
     Hit_1 hit_1;
     hit_1.hole_2 = false;
-    float _S425 = refined_height_0(_S415, ray_0, _S423, _S420, _S424, _S416.refinements_0);
-    hit_1.height_3 = _S425;
-    vec2 _S426 = ViewRay_at_0(ray_0, _S425);
-    hit_1.x_13 = _S426.x;
-    hit_1.y_7 = _S426.y;
+    float _S443 = refined_height_0(_S433, ray_0, _S441, _S438, _S442, _S434.refinements_0);
+    hit_1.height_3 = _S443;
+    vec2 _S444 = ViewRay_at_0(ray_0, _S443);
+    hit_1.x_13 = _S444.x;
+    hit_1.y_7 = _S444.y;
     return hit_1;
 }
 
-Hit_1 first_hit_0(uint _S427, SearchQuality_0 _S428, float _S429, float _S430, vec3 _S431, bool _S432)
+Hit_1 first_hit_0(uint _S445, SearchQuality_0 _S446, float _S447, float _S448, vec3 _S449, bool _S450)
 {
-    if(!passes_through_0(_S427, _S428, _S429, _S430, _S431, _S432))
+    if(!passes_through_0(_S445, _S446, _S447, _S448, _S449, _S450))
     {
-        return first_hit_of_yarn_0(_S427, _S428, _S429, _S430, _S431, _S432);
+        return first_hit_of_yarn_0(_S445, _S446, _S447, _S448, _S449, _S450);
     }
     Hit_1 hit_2;
-    hit_2.x_13 = _S429;
-    hit_2.y_7 = _S430;
+    hit_2.x_13 = _S447;
+    hit_2.y_7 = _S448;
     hit_2.height_3 = 0.0;
     hit_2.hole_2 = true;
     return hit_2;
@@ -2546,23 +2574,23 @@ struct CoverageTaps_0
     uint  nodes_1[9];
 };
 
-vec3 pyramid_level_0(uint _S433, float _S434)
+vec3 pyramid_level_0(uint _S451, float _S452)
 {
-    uint _S435 = fabrics_0._data[uint(_S433)].lobes_0.levels_0 + 4U * uint(min(_S434, fabrics_0._data[uint(_S433)].lobes_0.last_level_0));
-    return vec3(table_number_0(_S435), table_number_0(_S435 + 1U), table_number_0(_S435 + 2U));
+    uint _S453 = fabrics_0._data[uint(_S451)].lobes_0.levels_0 + 4U * uint(min(_S452, fabrics_0._data[uint(_S451)].lobes_0.last_level_0));
+    return vec3(table_number_0(_S453), table_number_0(_S453 + 1U), table_number_0(_S453 + 2U));
 }
 
-CoverageTaps_0 coverage_taps_0(uint _S436, Footprint_0 _S437, bool _S438)
+CoverageTaps_0 coverage_taps_0(uint _S454, Footprint_0 _S455, bool _S456)
 {
-    Lobes_0 _S439 = fabrics_0._data[uint(_S436)].lobes_0;
-    float _S440 = Footprint_spread_side_0(_S437) * fabrics_0._data[uint(_S436)].lobes_0.inverse_base_size_0;
-    vec3 _S441 = pyramid_level_0(_S436, floor(binary_logarithm_0(max(0.68000000715255737 * _S440, 1.0))));
-    float _S442 = 1.0 / max(_S440, 9.99999997475242708e-07);
-    float _S443 = min(max(sqrt(clamp(1.29999995231628418 * (1.0 - _S442 * _S442), 0.0, 1.0)), 0.3333333432674408 * _S442), 1.0);
-    vec2 _S444 = vec2(families_0._data[uint(fabrics_0._data[uint(_S436)].warp_0)].inverse_period_0, families_0._data[uint(fabrics_0._data[uint(_S436)].weft_0)].inverse_period_0);
-    vec2 _S445 = _S437.centre_0 * _S444;
-    vec2 _S446 = _S437.dx_0 * _S444 * _S443;
-    vec2 _S447 = _S437.dy_0 * _S444 * _S443;
+    Lobes_0 _S457 = fabrics_0._data[uint(_S454)].lobes_0;
+    float _S458 = Footprint_spread_side_0(_S455) * fabrics_0._data[uint(_S454)].lobes_0.inverse_base_size_0;
+    vec3 _S459 = pyramid_level_0(_S454, floor(binary_logarithm_0(max(0.68000000715255737 * _S458, 1.0))));
+    float _S460 = 1.0 / max(_S458, 9.99999997475242708e-07);
+    float _S461 = min(max(sqrt(clamp(1.29999995231628418 * (1.0 - _S460 * _S460), 0.0, 1.0)), 0.3333333432674408 * _S460), 1.0);
+    vec2 _S462 = vec2(families_0._data[uint(fabrics_0._data[uint(_S454)].warp_0)].inverse_period_0, families_0._data[uint(fabrics_0._data[uint(_S454)].weft_0)].inverse_period_0);
+    vec2 _S463 = _S455.centre_0 * _S462;
+    vec2 _S464 = _S455.dx_0 * _S462 * _S461;
+    vec2 _S465 = _S455.dy_0 * _S462 * _S461;
     CoverageTaps_0 taps_3;
     uint number_3 = 0U;
     for(;;)
@@ -2574,26 +2602,26 @@ CoverageTaps_0 coverage_taps_0(uint _S436, Footprint_0 _S437, bool _S438)
         {
             break;
         }
-        vec2 _S448 = _S445 + TAP_OFFSETS_0[number_3].x * _S446 + TAP_OFFSETS_0[number_3].y * _S447;
-        float _S449 = _S441.y;
-        float _S450 = wrapped_cell_0(_S448.x, _S449);
-        float _S451 = wrapped_cell_0(_S448.y, _S441.z);
-        uint _S452;
-        if(_S438)
+        vec2 _S466 = _S463 + TAP_OFFSETS_0[number_3].x * _S464 + TAP_OFFSETS_0[number_3].y * _S465;
+        float _S467 = _S459.y;
+        float _S468 = wrapped_cell_0(_S466.x, _S467);
+        float _S469 = wrapped_cell_0(_S466.y, _S459.z);
+        uint _S470;
+        if(_S456)
         {
-            _S452 = _S439.face_nodes_0;
+            _S470 = _S457.face_nodes_0;
         }
         else
         {
-            _S452 = 0U;
+            _S470 = 0U;
         }
-        taps_3.nodes_1[number_3] = _S452 + uint(_S451 * _S449 + _S450 + _S441.x);
+        taps_3.nodes_1[number_3] = _S470 + uint(_S469 * _S467 + _S468 + _S459.x);
         number_3 = number_3 + 1U;
     }
     return taps_3;
 }
 
-float coverage_of_holes_0(uint _S453, CoverageTaps_0 _S454)
+float coverage_of_holes_0(uint _S471, CoverageTaps_0 _S472)
 {
     uint number_4 = 0U;
     uint total_0 = 0U;
@@ -2606,54 +2634,54 @@ float coverage_of_holes_0(uint _S453, CoverageTaps_0 _S454)
         {
             break;
         }
-        uint total_1 = total_0 + (((words_0._data[uint(fabrics_0._data[uint(_S453)].lobes_0.coverage_holes_0 + _S454.nodes_1[number_4] / 4U)]) >> (8U * (_S454.nodes_1[number_4] % 4U))) & 255U);
+        uint total_1 = total_0 + (((words_0._data[uint(fabrics_0._data[uint(_S471)].lobes_0.coverage_holes_0 + _S472.nodes_1[number_4] / 4U)]) >> (8U * (_S472.nodes_1[number_4] % 4U))) & 255U);
         number_4 = number_4 + 1U;
         total_0 = total_1;
     }
     return float(total_0) / 9.0;
 }
 
-float prefiltered_hole_0(uint _S455, CoverageTaps_0 _S456, NodeTaps_0 _S457, bool _S458)
+float prefiltered_hole_0(uint _S473, CoverageTaps_0 _S474, NodeTaps_0 _S475, bool _S476)
 {
-    Lobes_0 _S459 = fabrics_0._data[uint(_S455)].lobes_0;
-    float _S460 = interpolate_table_0(_S457, fabrics_0._data[uint(_S455)].lobes_0.projected_area_0 + fabrics_0._data[uint(_S455)].lobes_0.packs_0, fabrics_0._data[uint(_S455)].lobes_0.packs_0 + 1U).x;
-    float _S461;
-    if(_S458)
+    Lobes_0 _S477 = fabrics_0._data[uint(_S473)].lobes_0;
+    float _S478 = interpolate_table_0(_S475, fabrics_0._data[uint(_S473)].lobes_0.projected_area_0 + fabrics_0._data[uint(_S473)].lobes_0.packs_0, fabrics_0._data[uint(_S473)].lobes_0.packs_0 + 1U).x;
+    float _S479;
+    if(_S476)
     {
-        _S461 = _S459.back_hole_weight_0;
+        _S479 = _S477.back_hole_weight_0;
     }
     else
     {
-        _S461 = _S459.front_hole_weight_0;
+        _S479 = _S477.front_hole_weight_0;
     }
-    return min(coverage_of_holes_0(_S455, _S456) * _S460 * _S460 * _S461, 1.0);
+    return min(coverage_of_holes_0(_S473, _S474) * _S478 * _S478 * _S479, 1.0);
 }
 
-float passed_share_0(uint _S462, VisiblePoint_0 _S463, vec3 _S464, float _S465, vec2 _S466)
+float passed_share_0(uint _S480, VisiblePoint_0 _S481, vec3 _S482, float _S483, vec2 _S484)
 {
-    vec3 _S467 = to_local_0(_S463, _S464);
-    bool _S468 = (_S467.z) < 0.0;
-    vec3 _S469 = to_face_frame_0(_S467, _S468);
+    vec3 _S485 = to_local_0(_S481, _S482);
+    bool _S486 = (_S485.z) < 0.0;
+    vec3 _S487 = to_face_frame_0(_S485, _S486);
     Footprint_0 footprint_0;
-    footprint_0.centre_0 = _S463.draft_0;
-    footprint_0.dx_0 = vec2(_S465, 0.0);
-    footprint_0.dy_0 = vec2(0.0, _S465);
-    float _S470;
-    if((fabrics_0._data[uint(_S462)].lobes_0.is_baked_0) != 0U)
+    footprint_0.centre_0 = _S481.draft_0;
+    footprint_0.dx_0 = vec2(_S483, 0.0);
+    footprint_0.dy_0 = vec2(0.0, _S483);
+    float _S488;
+    if((fabrics_0._data[uint(_S480)].lobes_0.is_baked_0) != 0U)
     {
-        _S470 = regime_of_0(_S462, footprint_0, 1.0).prefiltered_0;
+        _S488 = regime_of_0(_S480, footprint_0, 1.0).prefiltered_0;
     }
     else
     {
-        _S470 = 0.0;
+        _S488 = 0.0;
     }
     float share_2;
-    if(_S470 < 1.0)
+    if(_S488 < 1.0)
     {
-        vec2 _S471 = footprint_0.centre_0 + (_S466 - 0.5) * _S465;
-        if(first_hit_0(_S462, default_quality_0(), _S471.x, _S471.y, _S469, _S468).hole_2)
+        vec2 _S489 = footprint_0.centre_0 + (_S484 - 0.5) * _S483;
+        if(first_hit_0(_S480, default_quality_0(), _S489.x, _S489.y, _S487, _S486).hole_2)
         {
-            share_2 = 1.0 - _S470;
+            share_2 = 1.0 - _S488;
         }
         else
         {
@@ -2664,34 +2692,34 @@ float passed_share_0(uint _S462, VisiblePoint_0 _S463, vec3 _S464, float _S465, 
     {
         share_2 = 0.0;
     }
-    if(_S470 > 0.0)
+    if(_S488 > 0.0)
     {
-        NodeTaps_0 nodes_2 = node_taps_0(_S469);
-        uint _S472;
-        if(_S468)
+        NodeTaps_0 nodes_2 = node_taps_0(_S487);
+        uint _S490;
+        if(_S486)
         {
-            _S472 = 1U;
+            _S490 = 1U;
         }
         else
         {
-            _S472 = 0U;
+            _S490 = 0U;
         }
-        nodes_2.nodes_0 = nodes_2.nodes_0 + _S472 * 256U;
-        share_2 = share_2 + _S470 * prefiltered_hole_0(_S462, coverage_taps_0(_S462, footprint_0, _S468), nodes_2, _S468);
+        nodes_2.nodes_0 = nodes_2.nodes_0 + _S490 * 256U;
+        share_2 = share_2 + _S488 * prefiltered_hole_0(_S480, coverage_taps_0(_S480, footprint_0, _S486), nodes_2, _S486);
     }
-    float _S473 = fabrics_0._data[uint(_S462)].sheen_strength_0;
-    if((fabrics_0._data[uint(_S462)].sheen_strength_0) > 0.0)
+    float _S491 = fabrics_0._data[uint(_S480)].sheen_strength_0;
+    if((fabrics_0._data[uint(_S480)].sheen_strength_0) > 0.0)
     {
-        share_2 = share_2 * (1.0 - _S473 * sheen_lobe_0(_S469.z, fabrics_0._data[uint(_S462)].sheen_roughness_0).z);
+        share_2 = share_2 * (1.0 - _S491 * sheen_lobe_0(_S487.z, fabrics_0._data[uint(_S480)].sheen_roughness_0).z);
     }
     return share_2;
 }
 
-float visibility_of_0(int _S474, VisiblePoint_0 _S475, uint _S476, uvec2 _S477, uint _S478)
+float visibility_of_0(int _S492, VisiblePoint_0 _S493, uint _S494, uvec2 _S495, uint _S496)
 {
-    LightSample_0 _S479 = light_sample_0(_S474, _S478, _S477, _S475.position_0);
+    LightSample_0 _S497 = light_sample_0(_S492, _S496, _S495, _S493.position_0);
     float nearest_1;
-    if((dot(_S479.towards_0, _S475.face_normal_0)) < 0.0)
+    if((dot(_S497.towards_0, _S493.face_normal_0)) < 0.0)
     {
         nearest_1 = -1.0;
     }
@@ -2699,54 +2727,54 @@ float visibility_of_0(int _S474, VisiblePoint_0 _S475, uint _S476, uvec2 _S477, 
     {
         nearest_1 = 1.0;
     }
-    vec3 _S480 = _S475.position_0 + nearest_1 * frames_0._data[uint(_S474)].ray_offset_0 * _S475.face_normal_0;
-    vec2 _S481 = _S475.draft_dx_0;
-    vec2 _S482 = _S475.draft_dy_0;
-    float _S483 = sqrt(0.5 * (dot(_S481, _S481) + dot(_S482, _S482)));
+    vec3 _S498 = seen_position_0(_S492, _S494, _S495) + nearest_1 * frames_0._data[uint(_S492)].ray_offset_0 * _S493.face_normal_0;
+    vec2 _S499 = _S493.draft_dx_0;
+    vec2 _S500 = _S493.draft_dy_0;
+    float _S501 = sqrt(0.5 * (dot(_S499, _S499) + dot(_S500, _S500)));
     nearest_1 = 0.0;
-    uint without_0 = _S476;
+    uint without_0 = _S494;
     uint layer_0 = 0U;
     float visibility_0 = 1.0;
     for(;;)
     {
-        bool _S484;
+        bool _S502;
         if(layer_0 < 8U)
         {
-            _S484 = visibility_0 > 0.00100000004749745;
+            _S502 = visibility_0 > 0.00100000004749745;
         }
         else
         {
-            _S484 = false;
+            _S502 = false;
         }
-        if(_S484)
+        if(_S502)
         {
         }
         else
         {
             break;
         }
-        Hit_0 _S485 = nearest_hit_0(_S474, _S480, _S479.towards_0, nearest_1, _S479.distance_2, without_0, true);
-        if((_S485.face_1) == 4294967295U)
+        Hit_0 _S503 = nearest_hit_0(_S492, _S498, _S497.towards_0, nearest_1, _S497.distance_2, without_0, true);
+        if((_S503.face_1) == 4294967295U)
         {
             break;
         }
-        uint _S486 = face_fabrics_0._data[uint(_S485.face_1)];
-        VisiblePoint_0 _S487 = face_point_0(_S486, _S485.face_1, _S485.weight_b_0, _S485.weight_c_0);
-        vec2 _S488 = pixel_sequence_0(_S477, frames_0._data[uint(_S474)].pass_number_0, 5U + 2U * (8U * _S478 + layer_0));
-        float _S489;
-        if((fabrics_0._data[uint(_S486)].is_open_0) != 0U)
+        uint _S504 = face_fabrics_0._data[uint(_S503.face_1)];
+        VisiblePoint_0 _S505 = face_point_0(_S504, _S503.face_1, _S503.weight_b_0, _S503.weight_c_0);
+        vec2 _S506 = pixel_sequence_0(_S495, frames_0._data[uint(_S492)].pass_number_0, 5U + 2U * (8U * _S496 + layer_0));
+        float _S507;
+        if((fabrics_0._data[uint(_S504)].is_open_0) != 0U)
         {
-            _S489 = passed_share_0(_S486, _S487, - _S479.towards_0, _S483, _S488);
+            _S507 = passed_share_0(_S504, _S505, - _S497.towards_0, _S501, _S506);
         }
         else
         {
-            _S489 = 0.0;
+            _S507 = 0.0;
         }
-        float visibility_1 = visibility_0 * _S489;
-        uint _S490 = layer_0 + 1U;
-        nearest_1 = _S485.distance_0;
-        without_0 = _S485.face_1;
-        layer_0 = _S490;
+        float visibility_1 = visibility_0 * _S507;
+        uint _S508 = layer_0 + 1U;
+        nearest_1 = _S503.distance_0;
+        without_0 = _S503.face_1;
+        layer_0 = _S508;
         visibility_0 = visibility_1;
     }
     if(visibility_0 > 0.00100000004749745)
@@ -2763,28 +2791,28 @@ float visibility_of_0(int _S474, VisiblePoint_0 _S475, uint _S476, uvec2 _S477, 
 layout(local_size_x = 8, local_size_y = 8, local_size_z = 1) in;
 void main()
 {
-    uint _S491 = frames_0._data[uint(0)].width_0;
-    bool _S492;
+    uint _S509 = frames_0._data[uint(0)].width_0;
+    bool _S510;
     if((gl_GlobalInvocationID.x) >= (frames_0._data[uint(0)].width_0))
     {
-        _S492 = true;
+        _S510 = true;
     }
     else
     {
-        _S492 = (gl_GlobalInvocationID.y) >= (frames_0._data[uint(0)].height_0);
+        _S510 = (gl_GlobalInvocationID.y) >= (frames_0._data[uint(0)].height_0);
     }
-    if(_S492)
+    if(_S510)
     {
         return;
     }
-    uint _S493 = gl_GlobalInvocationID.y * _S491 + gl_GlobalInvocationID.x;
-    uint _S494 = layers_0._data[uint(_S493)].face_0;
-    if((layers_0._data[uint(_S493)].face_0) == 0U)
+    uint _S511 = gl_GlobalInvocationID.y * _S509 + gl_GlobalInvocationID.x;
+    uint _S512 = layers_0._data[uint(_S511)].face_0;
+    if((layers_0._data[uint(_S511)].face_0) == 0U)
     {
         return;
     }
-    uint _S495 = _S494 - 1U;
-    VisiblePoint_0 _S496 = visible_point_0(0, face_fabrics_0._data[uint(_S495)], _S495, gl_GlobalInvocationID.xy);
+    uint _S513 = _S512 - 1U;
+    VisiblePoint_0 _S514 = visible_point_0(0, face_fabrics_0._data[uint(_S513)], _S513, gl_GlobalInvocationID.xy);
     uint number_5 = 0U;
     for(;;)
     {
@@ -2795,7 +2823,7 @@ void main()
         {
             break;
         }
-        visibilities_0._data[uint(number_5 * _S491 * frames_0._data[uint(0)].height_0 + _S493)] = visibility_of_0(0, _S496, _S495, gl_GlobalInvocationID.xy, number_5);
+        visibilities_0._data[uint(number_5 * _S509 * frames_0._data[uint(0)].height_0 + _S511)] = visibility_of_0(0, _S514, _S513, gl_GlobalInvocationID.xy, number_5);
         number_5 = number_5 + 1U;
     }
     return;

@@ -1777,13 +1777,54 @@ LightSample_0 light_sample_0(int _S329, uint _S330, uint2 _S331, float3 _S332, K
     return sample_0;
 }
 
-Hit_0 nearest_hit_0(int _S340, float3 _S341, float3 _S342, float _S343, float _S344, uint _S345, bool _S346, KernelContext_0 thread* kernelContext_27)
+float3 seen_position_0(int _S340, uint _S341, uint2 _S342, KernelContext_0 thread* kernelContext_27)
 {
-    Frame_0 device* _S347 = kernelContext_27->frames_0+_S340;
-    float3 _S348 = float3(inverse_of_0(_S342.x), inverse_of_0(_S342.y), inverse_of_0(_S342.z));
+    Frame_0 device* _S343 = kernelContext_27->frames_0+_S340;
+    uint _S344 = 3U * _S341;
+    thread Vertex_0 _S345 = kernelContext_27->vertices_0[kernelContext_27->corners_0[_S344]];
+    float3 _S346 = position_of_0(&_S345);
+    thread Vertex_0 _S347 = kernelContext_27->vertices_0[kernelContext_27->corners_0[_S344 + 1U]];
+    float3 _S348 = position_of_0(&_S347);
+    float3 _S349 = _S348 - _S346;
+    thread Vertex_0 _S350 = kernelContext_27->vertices_0[kernelContext_27->corners_0[_S344 + 2U]];
+    float3 _S351 = position_of_0(&_S350);
+    float3 _S352 = _S351 - _S346;
+    float3 _S353 = cross(_S349, _S352);
+    float _S354 = 1.0f / max(square_0(_S353), 1.00000000317107685e-30f);
+    float _S355 = float(_S343->width_0);
+    float _S356 = float(_S342.x) + 0.5f + _S343->jitter_x_0 - 0.5f * _S355;
+    float _S357 = float(_S343->height_0);
+    float _S358 = float(_S342.y) + 0.5f + _S343->jitter_y_0 - 0.5f * _S357;
+    float3 _S359 = camera_forward_0(_S340, kernelContext_27);
+    float3 _S360 = camera_right_0(_S340, kernelContext_27);
+    float3 _S361 = _S359 + _S360 * float3((2.0f * _S356 / _S355)) ;
+    float3 _S362 = camera_up_0(_S340, kernelContext_27);
+    float3 _S363 = _S361 - _S362 * float3((2.0f * _S358 / _S357)) ;
+    float _S364 = dot(_S363, _S353);
+    float3 _S365 = camera_origin_0(_S340, kernelContext_27);
+    float3 _S366 = _S346 - _S365;
+    float _S367 = dot(_S366, _S353);
+    float _S368;
+    if((abs(_S364)) > 1.00000000317107685e-30f)
+    {
+        _S368 = _S364;
+    }
+    else
+    {
+        _S368 = 1.00000000317107685e-30f;
+    }
+    float3 _S369 = _S363 * float3((_S367 / _S368))  - _S366;
+    float _S370 = clamp(dot(_S369, cross(_S352, _S353)) * _S354, 0.0f, 1.0f);
+    return _S346 + float3(_S370)  * _S349 + float3(clamp(dot(_S369, cross(_S353, _S349)) * _S354, 0.0f, 1.0f - _S370))  * _S352;
+}
+
+Hit_0 nearest_hit_0(int _S371, float3 _S372, float3 _S373, float _S374, float _S375, uint _S376, bool _S377, KernelContext_0 thread* kernelContext_28)
+{
+    Frame_0 device* _S378 = kernelContext_28->frames_0+_S371;
+    float3 _S379 = float3(inverse_of_0(_S373.x), inverse_of_0(_S373.y), inverse_of_0(_S373.z));
     thread Hit_0 found_0;
     (&found_0)->face_1 = 4294967295U;
-    (&found_0)->distance_0 = _S344;
+    (&found_0)->distance_0 = _S375;
     (&found_0)->weight_b_0 = 0.0f;
     (&found_0)->weight_c_0 = 0.0f;
     uint node_2 = 1U;
@@ -1796,25 +1837,25 @@ Hit_0 nearest_hit_0(int _S340, float3 _S341, float3 _S342, float _S343, float _S
         {
             break;
         }
-        bool _S349 = meets_node_0(node_2, _S341, _S348, _S343, (&found_0)->distance_0, kernelContext_27);
+        bool _S380 = meets_node_0(node_2, _S372, _S379, _S374, (&found_0)->distance_0, kernelContext_28);
         uint node_3;
-        if(!_S349)
+        if(!_S380)
         {
             node_3 = following_node_0(node_2);
         }
         else
         {
-            uint _S350 = _S347->leaves_0;
-            if(node_2 < (_S347->leaves_0))
+            uint _S381 = _S378->leaves_0;
+            if(node_2 < (_S378->leaves_0))
             {
                 node_3 = node_2 * 2U;
             }
             else
             {
-                uint _S351 = _S347->leaf_faces_0 + 4U * (node_2 - _S350);
-                uint _S352 = following_node_0(node_2);
+                uint _S382 = _S378->leaf_faces_0 + 4U * (node_2 - _S381);
+                uint _S383 = following_node_0(node_2);
                 uint number_1 = 0U;
-                node_3 = _S352;
+                node_3 = _S383;
                 for(;;)
                 {
                     if(number_1 < 4U)
@@ -1824,57 +1865,57 @@ Hit_0 nearest_hit_0(int _S340, float3 _S341, float3 _S342, float _S343, float _S
                     {
                         break;
                     }
-                    uint _S353 = kernelContext_27->scene_words_0[_S351 + number_1];
-                    bool _S354;
-                    if(_S353 == 4294967295U)
+                    uint _S384 = kernelContext_28->scene_words_0[_S382 + number_1];
+                    bool _S385;
+                    if(_S384 == 4294967295U)
                     {
-                        _S354 = true;
+                        _S385 = true;
                     }
                     else
                     {
-                        _S354 = _S353 == _S345;
+                        _S385 = _S384 == _S376;
                     }
-                    if(_S354)
+                    if(_S385)
                     {
                         number_1 = number_1 + 1U;
                         continue;
                     }
-                    Hit_0 _S355 = meet_face_0(_S353, _S341, _S342, kernelContext_27);
-                    bool _S356;
-                    if((_S355.face_1) == 4294967295U)
+                    Hit_0 _S386 = meet_face_0(_S384, _S372, _S373, kernelContext_28);
+                    bool _S387;
+                    if((_S386.face_1) == 4294967295U)
                     {
-                        _S356 = true;
+                        _S387 = true;
                     }
                     else
                     {
-                        _S356 = (_S355.distance_0) <= _S343;
+                        _S387 = (_S386.distance_0) <= _S374;
                     }
-                    bool _S357;
-                    if(_S356)
+                    bool _S388;
+                    if(_S387)
                     {
-                        _S357 = true;
+                        _S388 = true;
                     }
                     else
                     {
-                        _S357 = (_S355.distance_0) >= ((&found_0)->distance_0);
+                        _S388 = (_S386.distance_0) >= ((&found_0)->distance_0);
                     }
-                    if(_S357)
+                    if(_S388)
                     {
                         number_1 = number_1 + 1U;
                         continue;
                     }
-                    found_0 = _S355;
-                    bool _S358;
-                    if(_S346)
+                    found_0 = _S386;
+                    bool _S389;
+                    if(_S377)
                     {
-                        _S358 = ((kernelContext_27->fabrics_0+kernelContext_27->face_fabrics_0[_S353])->is_open_0) == 0U;
+                        _S389 = ((kernelContext_28->fabrics_0+kernelContext_28->face_fabrics_0[_S384])->is_open_0) == 0U;
                     }
                     else
                     {
-                        _S358 = false;
+                        _S389 = false;
                     }
                     uint node_4;
-                    if(_S358)
+                    if(_S389)
                     {
                         node_4 = 0U;
                     }
@@ -1899,26 +1940,26 @@ struct Regime_0
     float points_0;
 };
 
-Regime_0 regime_of_0(uint _S359, const Footprint_0 thread* _S360, float _S361, KernelContext_0 thread* kernelContext_28)
+Regime_0 regime_of_0(uint _S390, const Footprint_0 thread* _S391, float _S392, KernelContext_0 thread* kernelContext_29)
 {
-    Fabric_0 device* _S362 = kernelContext_28->fabrics_0+_S359;
-    float _S363 = Footprint_spread_side_0(_S360);
-    float _S364 = clamp((binary_logarithm_0(max(_S363, 9.99999971718068537e-10f)) - _S362->lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
+    Fabric_0 device* _S393 = kernelContext_29->fabrics_0+_S390;
+    float _S394 = Footprint_spread_side_0(_S391);
+    float _S395 = clamp((binary_logarithm_0(max(_S394, 9.99999971718068537e-10f)) - _S393->lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
     thread Regime_0 regime_0;
-    float _S365 = _S364 * _S364 * (3.0f - 2.0f * _S364);
-    (&regime_0)->prefiltered_0 = _S365;
-    (&regime_0)->threads_0 = _S363 * _S362->lobes_0.threads_per_mm_0;
-    float _S366 = mix(max(8.0f / _S361, 1.0f), 1.0f, _S365);
-    float _S367;
-    if(_S365 < 1.0f)
+    float _S396 = _S395 * _S395 * (3.0f - 2.0f * _S395);
+    (&regime_0)->prefiltered_0 = _S396;
+    (&regime_0)->threads_0 = _S394 * _S393->lobes_0.threads_per_mm_0;
+    float _S397 = mix(max(8.0f / _S392, 1.0f), 1.0f, _S396);
+    float _S398;
+    if(_S396 < 1.0f)
     {
-        _S367 = clamp((&regime_0)->threads_0 * 12.0f, 1.0f, _S366);
+        _S398 = clamp((&regime_0)->threads_0 * 12.0f, 1.0f, _S397);
     }
     else
     {
-        _S367 = 0.0f;
+        _S398 = 0.0f;
     }
-    (&regime_0)->points_0 = _S367;
+    (&regime_0)->points_0 = _S398;
     return regime_0;
 }
 
@@ -1943,352 +1984,352 @@ struct Sample_0
     float slope_y_1;
 };
 
-Crossing_0 crossing_at_0(uint _S368, float _S369, float _S370, bool _S371, KernelContext_0 thread* kernelContext_29)
+Crossing_0 crossing_at_0(uint _S399, float _S400, float _S401, bool _S402, KernelContext_0 thread* kernelContext_30)
 {
-    Fabric_0 device* _S372 = kernelContext_29->fabrics_0+_S368;
+    Fabric_0 device* _S403 = kernelContext_30->fabrics_0+_S399;
     thread Crossing_0 crossing_2;
-    Cell_0 _S373 = locate_0(_S372->warp_0, _S369, kernelContext_29);
-    (&crossing_2)->warp_1 = _S373;
-    Cell_0 _S374 = locate_0(_S372->weft_0, _S370, kernelContext_29);
-    (&crossing_2)->weft_1 = _S374;
-    uint _S375 = _S372->run_words_0 + 2U * ((&(&crossing_2)->weft_1)->thread_1 * _S372->ends_1 + (&(&crossing_2)->warp_1)->thread_1);
-    uint _S376 = kernelContext_29->words_0[_S375];
-    (&crossing_2)->warp_word_0 = _S376;
-    (&crossing_2)->weft_word_0 = kernelContext_29->words_0[_S375 + 1U];
-    (&crossing_2)->warp_above_0 = ((_S376 & 1U) == 1U) != _S371;
+    Cell_0 _S404 = locate_0(_S403->warp_0, _S400, kernelContext_30);
+    (&crossing_2)->warp_1 = _S404;
+    Cell_0 _S405 = locate_0(_S403->weft_0, _S401, kernelContext_30);
+    (&crossing_2)->weft_1 = _S405;
+    uint _S406 = _S403->run_words_0 + 2U * ((&(&crossing_2)->weft_1)->thread_1 * _S403->ends_1 + (&(&crossing_2)->warp_1)->thread_1);
+    uint _S407 = kernelContext_30->words_0[_S406];
+    (&crossing_2)->warp_word_0 = _S407;
+    (&crossing_2)->weft_word_0 = kernelContext_30->words_0[_S406 + 1U];
+    (&crossing_2)->warp_above_0 = ((_S407 & 1U) == 1U) != _S402;
     return crossing_2;
 }
 
-Sample_0 sample_at_0(uint _S377, float _S378, float _S379, bool _S380, KernelContext_0 thread* kernelContext_30)
+Sample_0 sample_at_0(uint _S408, float _S409, float _S410, bool _S411, KernelContext_0 thread* kernelContext_31)
 {
-    Fabric_0 device* _S381 = kernelContext_30->fabrics_0+_S377;
+    Fabric_0 device* _S412 = kernelContext_31->fabrics_0+_S408;
     thread Sample_0 sample_1;
-    Crossing_0 _S382 = crossing_at_0(_S377, _S378, _S379, _S380, kernelContext_30);
-    (&sample_1)->crossing_1 = _S382;
-    thread Crossing_0 _S383 = _S382;
-    Shown_0 _S384 = shown_at_0(&_S383, _S380);
-    (&sample_1)->shown_3 = _S384;
-    uint _S385;
-    if(_S384.is_warp_0)
+    Crossing_0 _S413 = crossing_at_0(_S408, _S409, _S410, _S411, kernelContext_31);
+    (&sample_1)->crossing_1 = _S413;
+    thread Crossing_0 _S414 = _S413;
+    Shown_0 _S415 = shown_at_0(&_S414, _S411);
+    (&sample_1)->shown_3 = _S415;
+    uint _S416;
+    if(_S415.is_warp_0)
     {
-        _S385 = _S381->warp_0;
+        _S416 = _S412->warp_0;
     }
     else
     {
-        _S385 = _S381->weft_0;
+        _S416 = _S412->weft_0;
     }
-    uint _S386;
-    if(_S384.is_warp_0)
+    uint _S417;
+    if(_S415.is_warp_0)
     {
-        _S386 = _S381->weft_0;
+        _S417 = _S412->weft_0;
     }
     else
     {
-        _S386 = _S381->warp_0;
+        _S417 = _S412->warp_0;
     }
-    thread Cell_0 _S387 = (&(&sample_1)->crossing_1)->warp_1;
-    thread Cell_0 _S388 = (&(&sample_1)->crossing_1)->weft_1;
-    Cell_0 _S389 = select_cell_0(_S384.is_warp_0, &_S387, &_S388);
-    thread Cell_0 _S390 = (&(&sample_1)->crossing_1)->weft_1;
-    thread Cell_0 _S391 = (&(&sample_1)->crossing_1)->warp_1;
-    Cell_0 _S392 = select_cell_0(_S384.is_warp_0, &_S390, &_S391);
-    thread Cell_0 _S393 = _S392;
-    Run_0 _S394 = unpack_0(_S385, _S386, _S389.thread_1, &_S393, _S384.word_0, kernelContext_30);
-    thread Cell_0 _S395 = _S389;
-    Section_0 _S396 = section_at_0(&_S395);
-    bool _S397;
-    if(_S384.on_top_0)
+    thread Cell_0 _S418 = (&(&sample_1)->crossing_1)->warp_1;
+    thread Cell_0 _S419 = (&(&sample_1)->crossing_1)->weft_1;
+    Cell_0 _S420 = select_cell_0(_S415.is_warp_0, &_S418, &_S419);
+    thread Cell_0 _S421 = (&(&sample_1)->crossing_1)->weft_1;
+    thread Cell_0 _S422 = (&(&sample_1)->crossing_1)->warp_1;
+    Cell_0 _S423 = select_cell_0(_S415.is_warp_0, &_S421, &_S422);
+    thread Cell_0 _S424 = _S423;
+    Run_0 _S425 = unpack_0(_S416, _S417, _S420.thread_1, &_S424, _S415.word_0, kernelContext_31);
+    thread Cell_0 _S426 = _S420;
+    Section_0 _S427 = section_at_0(&_S426);
+    bool _S428;
+    if(_S415.on_top_0)
     {
-        _S397 = (_S394.distance_1) < (_S396.drop_0 * _S394.bend_1.sine_0);
+        _S428 = (_S425.distance_1) < (_S427.drop_0 * _S425.bend_1.sine_0);
     }
     else
     {
-        _S397 = false;
+        _S428 = false;
     }
-    bool _S398;
-    if(_S384.on_top_0)
+    bool _S429;
+    if(_S415.on_top_0)
     {
-        _S398 = !_S397;
+        _S429 = !_S428;
     }
     else
     {
-        _S398 = false;
+        _S429 = false;
     }
-    float _S399;
-    if(_S398)
+    float _S430;
+    if(_S429)
     {
-        _S399 = 1.0f;
+        _S430 = 1.0f;
     }
     else
     {
-        _S399 = -1.0f;
+        _S430 = -1.0f;
     }
-    float _S400;
-    if(_S397)
+    float _S431;
+    if(_S428)
     {
-        _S400 = _S394.other_reach_0;
+        _S431 = _S425.other_reach_0;
     }
     else
     {
-        _S400 = _S394.reach_0;
+        _S431 = _S425.reach_0;
     }
-    float _S401;
-    if(_S397)
+    float _S432;
+    if(_S428)
     {
-        _S401 = _S400 + _S394.distance_1;
+        _S432 = _S431 + _S425.distance_1;
     }
     else
     {
-        _S401 = max(_S400 - _S394.distance_1, 0.0f);
+        _S432 = max(_S431 - _S425.distance_1, 0.0f);
     }
-    float _S402 = _S400 / _S394.bend_1.sine_0 - _S399 * _S396.drop_0;
-    float _S403 = _S401 * _S401;
-    float _S404 = max(_S402 * _S402 - _S403, 9.99999968265522539e-21f);
-    float _S405 = rsqrt(_S404);
-    float _S406 = _S403 / (_S404 * _S405 + _S402);
-    bool _S407 = _S401 > 0.0f;
-    float _S408;
-    if(_S384.on_top_0)
+    float _S433 = _S431 / _S425.bend_1.sine_0 - _S430 * _S427.drop_0;
+    float _S434 = _S432 * _S432;
+    float _S435 = max(_S433 * _S433 - _S434, 9.99999968265522539e-21f);
+    float _S436 = rsqrt(_S435);
+    float _S437 = _S434 / (_S435 * _S436 + _S433);
+    bool _S438 = _S432 > 0.0f;
+    float _S439;
+    if(_S415.on_top_0)
     {
-        _S408 = 1.0f;
+        _S439 = 1.0f;
     }
     else
     {
-        _S408 = -1.0f;
+        _S439 = -1.0f;
     }
-    float _S409;
-    if(_S394.near_start_0)
+    float _S440;
+    if(_S425.near_start_0)
     {
-        _S409 = 1.0f;
+        _S440 = 1.0f;
     }
     else
     {
-        _S409 = -1.0f;
+        _S440 = -1.0f;
     }
-    float _S410 = _S408 * _S409;
-    if(_S407)
+    float _S441 = _S439 * _S440;
+    if(_S438)
     {
-        _S408 = _S402 * _S405;
+        _S439 = _S433 * _S436;
     }
     else
     {
-        _S408 = 1.0f;
+        _S439 = 1.0f;
     }
-    (&sample_1)->slope_across_0 = _S396.slope_0 * _S408;
-    if(_S407)
+    (&sample_1)->slope_across_0 = _S427.slope_0 * _S439;
+    if(_S438)
     {
-        _S401 = _S410 * _S401 * _S405;
+        _S432 = _S441 * _S432 * _S436;
     }
     else
     {
-        _S401 = 0.0f;
+        _S432 = 0.0f;
     }
-    (&sample_1)->slope_along_0 = _S401;
-    Family_0 _S411 = kernelContext_30->families_0[_S385];
-    thread Shown_0 _S412 = _S384;
-    thread Run_0 _S413 = _S394;
-    thread Cell_0 _S414 = _S392;
-    float2 _S415 = dive_0(_S386, &_S412, &_S413, &_S414, kernelContext_30);
-    if(_S394.straight_0)
+    (&sample_1)->slope_along_0 = _S432;
+    Family_0 _S442 = kernelContext_31->families_0[_S416];
+    thread Shown_0 _S443 = _S415;
+    thread Run_0 _S444 = _S425;
+    thread Cell_0 _S445 = _S423;
+    float2 _S446 = dive_0(_S417, &_S443, &_S444, &_S445, kernelContext_31);
+    if(_S425.straight_0)
     {
-        _S399 = 0.0f;
+        _S430 = 0.0f;
     }
     else
     {
-        _S399 = _S411.height_scale_0 * _S399;
+        _S430 = _S442.height_scale_0 * _S430;
     }
-    (&sample_1)->height_4 = _S399 * (_S400 * _S394.bend_1.half_tangent_0 - _S406) - _S411.height_scale_0 * _S396.drop_0 - _S415.x;
-    float _S416 = _S411.height_scale_0 * (&sample_1)->slope_across_0;
-    float _S417 = _S411.height_scale_0 * (&sample_1)->slope_along_0 - _S415.y;
-    if(_S384.is_warp_0)
+    (&sample_1)->height_4 = _S430 * (_S431 * _S425.bend_1.half_tangent_0 - _S437) - _S442.height_scale_0 * _S427.drop_0 - _S446.x;
+    float _S447 = _S442.height_scale_0 * (&sample_1)->slope_across_0;
+    float _S448 = _S442.height_scale_0 * (&sample_1)->slope_along_0 - _S446.y;
+    if(_S415.is_warp_0)
     {
-        _S399 = _S416;
+        _S430 = _S447;
     }
     else
     {
-        _S399 = _S417;
+        _S430 = _S448;
     }
-    (&sample_1)->slope_x_1 = _S399;
-    if(_S384.is_warp_0)
+    (&sample_1)->slope_x_1 = _S430;
+    if(_S415.is_warp_0)
     {
-        _S399 = _S417;
+        _S430 = _S448;
     }
     else
     {
-        _S399 = _S416;
+        _S430 = _S447;
     }
-    (&sample_1)->slope_y_1 = _S399;
-    (&sample_1)->run_3 = _S394;
-    (&sample_1)->section_1 = _S396;
+    (&sample_1)->slope_y_1 = _S430;
+    (&sample_1)->run_3 = _S425;
+    (&sample_1)->section_1 = _S427;
     return sample_1;
 }
 
-float steps_per_length_0(uint _S418, const SearchQuality_0 thread* _S419, float3 _S420, KernelContext_0 thread* kernelContext_31)
+float steps_per_length_0(uint _S449, const SearchQuality_0 thread* _S450, float3 _S451, KernelContext_0 thread* kernelContext_32)
 {
-    Fabric_0 device* _S421 = kernelContext_31->fabrics_0+_S418;
-    return max(max(abs(_S420.x) * _S421->threads_per_x_0, abs(_S420.y) * _S421->threads_per_y_0) * _S419->steps_per_thread_0, abs(_S420.z) * _S421->per_relief_0 * _S419->steps_per_relief_0);
+    Fabric_0 device* _S452 = kernelContext_32->fabrics_0+_S449;
+    return max(max(abs(_S451.x) * _S452->threads_per_x_0, abs(_S451.y) * _S452->threads_per_y_0) * _S450->steps_per_thread_0, abs(_S451.z) * _S452->per_relief_0 * _S450->steps_per_relief_0);
 }
 
-float cell_maximum_0(uint _S422, const Crossing_0 thread* _S423, KernelContext_0 thread* kernelContext_32)
+float cell_maximum_0(uint _S453, const Crossing_0 thread* _S454, KernelContext_0 thread* kernelContext_33)
 {
-    Fabric_0 device* _S424 = kernelContext_32->fabrics_0+_S422;
-    bool _S425 = _S423->warp_above_0;
-    uint _S426;
-    if(_S423->warp_above_0)
+    Fabric_0 device* _S455 = kernelContext_33->fabrics_0+_S453;
+    bool _S456 = _S454->warp_above_0;
+    uint _S457;
+    if(_S454->warp_above_0)
     {
-        _S426 = _S424->warp_0;
+        _S457 = _S455->warp_0;
     }
     else
     {
-        _S426 = _S424->weft_0;
+        _S457 = _S455->weft_0;
     }
-    uint _S427;
-    if(_S425)
+    uint _S458;
+    if(_S456)
     {
-        _S427 = _S423->warp_word_0;
+        _S458 = _S454->warp_word_0;
     }
     else
     {
-        _S427 = _S423->weft_word_0;
+        _S458 = _S454->weft_word_0;
     }
-    return float(_S427 >> 28U) * kernelContext_32->families_0[_S426].height_scale_0 * kernelContext_32->families_0[_S426].level_0;
+    return float(_S458 >> 28U) * kernelContext_33->families_0[_S457].height_scale_0 * kernelContext_33->families_0[_S457].level_0;
 }
 
-Probe_0 probe_0(uint _S428, float _S429, float _S430, bool _S431, bool _S432, bool _S433, KernelContext_0 thread* kernelContext_33)
+Probe_0 probe_0(uint _S459, float _S460, float _S461, bool _S462, bool _S463, bool _S464, KernelContext_0 thread* kernelContext_34)
 {
-    Sample_0 _S434 = sample_at_0(_S428, _S429, _S430, _S431, kernelContext_33);
+    Sample_0 _S465 = sample_at_0(_S459, _S460, _S461, _S462, kernelContext_34);
     thread Probe_0 probe_1;
-    (&probe_1)->height_1 = _S434.height_4;
-    (&probe_1)->hole_1 = _S434.shown_3.hole_0;
-    (&probe_1)->slope_x_0 = _S434.slope_x_1;
-    (&probe_1)->slope_y_0 = _S434.slope_y_1;
-    uint _S435;
-    if(_S434.shown_3.is_warp_0)
+    (&probe_1)->height_1 = _S465.height_4;
+    (&probe_1)->hole_1 = _S465.shown_3.hole_0;
+    (&probe_1)->slope_x_0 = _S465.slope_x_1;
+    (&probe_1)->slope_y_0 = _S465.slope_y_1;
+    uint _S466;
+    if(_S465.shown_3.is_warp_0)
     {
-        _S435 = _S434.crossing_1.warp_1.thread_1 * 2U + 1U;
+        _S466 = _S465.crossing_1.warp_1.thread_1 * 2U + 1U;
     }
     else
     {
-        _S435 = _S434.crossing_1.weft_1.thread_1 * 2U;
+        _S466 = _S465.crossing_1.weft_1.thread_1 * 2U;
     }
-    (&probe_1)->yarn_1 = _S435;
-    thread Crossing_0 _S436 = _S434.crossing_1;
-    float _S437 = cell_maximum_0(_S428, &_S436, kernelContext_33);
-    (&probe_1)->cell_max_0 = _S437;
-    float _S438;
-    if(_S432)
+    (&probe_1)->yarn_1 = _S466;
+    thread Crossing_0 _S467 = _S465.crossing_1;
+    float _S468 = cell_maximum_0(_S459, &_S467, kernelContext_34);
+    (&probe_1)->cell_max_0 = _S468;
+    float _S469;
+    if(_S463)
     {
-        _S438 = _S434.crossing_1.warp_1.above_0;
+        _S469 = _S465.crossing_1.warp_1.above_0;
     }
     else
     {
-        _S438 = _S434.crossing_1.warp_1.below_0;
+        _S469 = _S465.crossing_1.warp_1.below_0;
     }
-    (&probe_1)->side_x_0 = _S438;
-    if(_S433)
+    (&probe_1)->side_x_0 = _S469;
+    if(_S464)
     {
-        _S438 = _S434.crossing_1.weft_1.above_0;
+        _S469 = _S465.crossing_1.weft_1.above_0;
     }
     else
     {
-        _S438 = _S434.crossing_1.weft_1.below_0;
+        _S469 = _S465.crossing_1.weft_1.below_0;
     }
-    (&probe_1)->side_y_0 = _S438;
-    bool _S439 = !_S434.shown_3.is_warp_0;
-    thread Cell_0 _S440 = _S434.crossing_1.warp_1;
-    thread Shown_0 _S441 = _S434.shown_3;
-    thread Run_0 _S442 = _S434.run_3;
-    float _S443 = outline_distance_0(&_S440, &_S441, &_S442, _S439, _S432);
-    (&probe_1)->edge_x_0 = _S443;
-    thread Cell_0 _S444 = _S434.crossing_1.weft_1;
-    thread Shown_0 _S445 = _S434.shown_3;
-    thread Run_0 _S446 = _S434.run_3;
-    float _S447 = outline_distance_0(&_S444, &_S445, &_S446, _S434.shown_3.is_warp_0, _S433);
-    (&probe_1)->edge_y_0 = _S447;
+    (&probe_1)->side_y_0 = _S469;
+    bool _S470 = !_S465.shown_3.is_warp_0;
+    thread Cell_0 _S471 = _S465.crossing_1.warp_1;
+    thread Shown_0 _S472 = _S465.shown_3;
+    thread Run_0 _S473 = _S465.run_3;
+    float _S474 = outline_distance_0(&_S471, &_S472, &_S473, _S470, _S463);
+    (&probe_1)->edge_x_0 = _S474;
+    thread Cell_0 _S475 = _S465.crossing_1.weft_1;
+    thread Shown_0 _S476 = _S465.shown_3;
+    thread Run_0 _S477 = _S465.run_3;
+    float _S478 = outline_distance_0(&_S475, &_S476, &_S477, _S465.shown_3.is_warp_0, _S464);
+    (&probe_1)->edge_y_0 = _S478;
     return probe_1;
 }
 
-bool is_free_0(uint _S448, const SearchQuality_0 thread* _S449, float3 _S450, float3 _S451, bool _S452, float _S453, KernelContext_0 thread* kernelContext_34)
+bool is_free_0(uint _S479, const SearchQuality_0 thread* _S480, float3 _S481, float3 _S482, bool _S483, float _S484, KernelContext_0 thread* kernelContext_35)
 {
-    float _S454 = _S451.z;
-    if(_S454 <= 0.0f)
+    float _S485 = _S482.z;
+    if(_S485 <= 0.0f)
     {
         return false;
     }
-    float _S455 = _S449->shadow_share_0;
-    float _S456 = steps_per_length_0(_S448, _S449, _S451, kernelContext_34);
-    float _S457 = 1.0f / max(_S455 * _S456, 9.99999971718068537e-10f);
-    StepControl_0 _S458 = step_control_0(_S451.xy, _S457);
+    float _S486 = _S480->shadow_share_0;
+    float _S487 = steps_per_length_0(_S479, _S480, _S482, kernelContext_35);
+    float _S488 = 1.0f / max(_S486 * _S487, 9.99999971718068537e-10f);
+    StepControl_0 _S489 = step_control_0(_S482.xy, _S488);
     PreviousSample_0 previous_3 = no_previous_sample_0();
     uint count_3 = 0U;
     float distance_3 = 0.0f;
     float last_step_0 = 0.0f;
     for(;;)
     {
-        bool _S459;
+        bool _S490;
         if(count_3 < 1024U)
         {
-            _S459 = (_S450.z + _S454 * distance_3) < _S453;
+            _S490 = (_S481.z + _S485 * distance_3) < _S484;
         }
         else
         {
-            _S459 = false;
+            _S490 = false;
         }
-        if(_S459)
+        if(_S490)
         {
         }
         else
         {
             break;
         }
-        float3 _S460 = _S450 + _S451 * float3(distance_3) ;
-        Probe_0 _S461 = probe_0(_S448, _S460.x, _S460.y, _S452, _S458.right_0, _S458.up_0, kernelContext_34);
-        float _S462 = _S460.z;
-        float _S463 = _S462 - _S461.height_1;
-        float _S464 = _S454 - _S461.slope_x_0 * _S451.x - _S461.slope_y_0 * _S451.y;
-        bool _S465;
-        if(!_S461.hole_1)
+        float3 _S491 = _S481 + _S482 * float3(distance_3) ;
+        Probe_0 _S492 = probe_0(_S479, _S491.x, _S491.y, _S483, _S489.right_0, _S489.up_0, kernelContext_35);
+        float _S493 = _S491.z;
+        float _S494 = _S493 - _S492.height_1;
+        float _S495 = _S485 - _S492.slope_x_0 * _S482.x - _S492.slope_y_0 * _S482.y;
+        bool _S496;
+        if(!_S492.hole_1)
         {
-            _S465 = _S463 < 0.0f;
+            _S496 = _S494 < 0.0f;
         }
         else
         {
-            _S465 = false;
+            _S496 = false;
         }
-        if(_S465)
+        if(_S496)
         {
             return false;
         }
-        thread PreviousSample_0 _S466 = previous_3;
-        thread Probe_0 _S467 = _S461;
-        float _S468 = way_back_to_dip_0(&_S466, _S463, _S464, last_step_0, &_S467);
-        if(_S468 >= 0.0f)
+        thread PreviousSample_0 _S497 = previous_3;
+        thread Probe_0 _S498 = _S492;
+        float _S499 = way_back_to_dip_0(&_S497, _S494, _S495, last_step_0, &_S498);
+        if(_S499 >= 0.0f)
         {
-            float last_step_1 = last_step_0 - _S468;
-            distance_3 = distance_3 - _S468;
+            float last_step_1 = last_step_0 - _S499;
+            distance_3 = distance_3 - _S499;
             last_step_0 = last_step_1;
             count_3 = count_3 + 1U;
             continue;
         }
-        bool _S469 = _S462 > (_S461.cell_max_0);
-        thread Probe_0 _S470 = _S461;
-        PreviousSample_0 _S471 = after_sample_0(_S463, _S464, &_S470, _S469);
+        bool _S500 = _S493 > (_S492.cell_max_0);
+        thread Probe_0 _S501 = _S492;
+        PreviousSample_0 _S502 = after_sample_0(_S494, _S495, &_S501, _S500);
         float last_step_2;
-        if(_S469)
+        if(_S500)
         {
-            thread StepControl_0 _S472 = _S458;
-            float _S473 = StepControl_to_cell_exit_0(&_S472, _S461.side_x_0, _S461.side_y_0);
-            last_step_2 = max(_S473, _S457);
+            thread StepControl_0 _S503 = _S489;
+            float _S504 = StepControl_to_cell_exit_0(&_S503, _S492.side_x_0, _S492.side_y_0);
+            last_step_2 = max(_S504, _S488);
         }
         else
         {
-            thread StepControl_0 _S474 = _S458;
-            thread Probe_0 _S475 = _S461;
-            float _S476 = StepControl_to_next_sample_0(&_S474, &_S475, _S463, _S464);
-            last_step_2 = _S476;
+            thread StepControl_0 _S505 = _S489;
+            thread Probe_0 _S506 = _S492;
+            float _S507 = StepControl_to_next_sample_0(&_S505, &_S506, _S494, _S495);
+            last_step_2 = _S507;
         }
         float distance_4 = distance_3 + last_step_2;
-        previous_3 = _S471;
+        previous_3 = _S502;
         distance_3 = distance_4;
         last_step_0 = last_step_2;
         count_3 = count_3 + 1U;
@@ -2296,48 +2337,48 @@ bool is_free_0(uint _S448, const SearchQuality_0 thread* _S449, float3 _S450, fl
     return true;
 }
 
-bool passes_through_0(uint _S477, const SearchQuality_0 thread* _S478, float _S479, float _S480, float3 _S481, bool _S482, KernelContext_0 thread* kernelContext_35)
+bool passes_through_0(uint _S508, const SearchQuality_0 thread* _S509, float _S510, float _S511, float3 _S512, bool _S513, KernelContext_0 thread* kernelContext_36)
 {
-    Fabric_0 device* _S483 = kernelContext_35->fabrics_0+_S477;
-    Sample_0 _S484 = sample_at_0(_S477, _S479, _S480, _S482, kernelContext_35);
-    if(!_S484.shown_3.hole_0)
+    Fabric_0 device* _S514 = kernelContext_36->fabrics_0+_S508;
+    Sample_0 _S515 = sample_at_0(_S508, _S510, _S511, _S513, kernelContext_36);
+    if(!_S515.shown_3.hole_0)
     {
         return false;
     }
-    float3 _S485 = float3(_S479, _S480, 0.0f);
+    float3 _S516 = float3(_S510, _S511, 0.0f);
     bool passes_0 = true;
     uint side_0 = 0U;
     for(;;)
     {
-        bool _S486;
+        bool _S517;
         if(side_0 < 2U)
         {
-            _S486 = passes_0;
+            _S517 = passes_0;
         }
         else
         {
-            _S486 = false;
+            _S517 = false;
         }
-        if(_S486)
+        if(_S517)
         {
         }
         else
         {
             break;
         }
-        float3 _S487;
+        float3 _S518;
         if(side_0 == 0U)
         {
-            _S487 = _S481;
+            _S518 = _S512;
         }
         else
         {
-            _S487 = float3(- _S481.x, - _S481.y, _S481.z);
+            _S518 = float3(- _S512.x, - _S512.y, _S512.z);
         }
-        bool _S488 = is_free_0(_S477, _S478, _S485, _S487, _S482 != (side_0 == 1U), _S483->height_high_0, kernelContext_35);
-        uint _S489 = side_0 + 1U;
-        passes_0 = _S488;
-        side_0 = _S489;
+        bool _S519 = is_free_0(_S508, _S509, _S516, _S518, _S513 != (side_0 == 1U), _S514->height_high_0, kernelContext_36);
+        uint _S520 = side_0 + 1U;
+        passes_0 = _S519;
+        side_0 = _S520;
     }
     return passes_0;
 }
@@ -2352,36 +2393,36 @@ struct ViewRayEnd_0
     PreviousSample_0 previous_4;
 };
 
-float max_height_along_0(uint _S490, float _S491, float _S492, float _S493, float3 _S494, bool _S495, KernelContext_0 thread* kernelContext_36)
+float max_height_along_0(uint _S521, float _S522, float _S523, float _S524, float3 _S525, bool _S526, KernelContext_0 thread* kernelContext_37)
 {
-    Fabric_0 device* _S496 = kernelContext_36->fabrics_0+_S490;
-    Cell_0 _S497 = locate_0(_S496->warp_0, _S491, kernelContext_36);
-    uint _S498 = _S497.thread_1 / 2U;
-    Cell_0 _S499 = locate_0(_S496->weft_0, _S492, kernelContext_36);
-    uint _S500 = _S499.thread_1 / 2U;
-    float _S501 = _S494.x;
-    uint _S502;
-    if(_S501 > 0.0f)
+    Fabric_0 device* _S527 = kernelContext_37->fabrics_0+_S521;
+    Cell_0 _S528 = locate_0(_S527->warp_0, _S522, kernelContext_37);
+    uint _S529 = _S528.thread_1 / 2U;
+    Cell_0 _S530 = locate_0(_S527->weft_0, _S523, kernelContext_37);
+    uint _S531 = _S530.thread_1 / 2U;
+    float _S532 = _S525.x;
+    uint _S533;
+    if(_S532 > 0.0f)
     {
-        _S502 = 1U;
+        _S533 = 1U;
     }
     else
     {
-        _S502 = 0U;
+        _S533 = 0U;
     }
-    float _S503 = _S494.y;
-    uint _S504;
-    if(_S503 > 0.0f)
+    float _S534 = _S525.y;
+    uint _S535;
+    if(_S534 > 0.0f)
     {
-        _S504 = 2U;
+        _S535 = 2U;
     }
     else
     {
-        _S504 = 0U;
+        _S535 = 0U;
     }
-    uint _S505 = kernelContext_36->words_0[_S496->max_heights_0 + 4U * (_S500 * _S496->max_height_columns_0 + _S498) + (_S502 + _S504)];
+    uint _S536 = kernelContext_37->words_0[_S527->max_heights_0 + 4U * (_S531 * _S527->max_height_columns_0 + _S529) + (_S533 + _S535)];
     int number_2;
-    if(_S495)
+    if(_S526)
     {
         number_2 = int(4);
     }
@@ -2389,10 +2430,10 @@ float max_height_along_0(uint _S490, float _S491, float _S492, float _S493, floa
     {
         number_2 = int(0);
     }
-    uint _S506 = _S505 >> uint(number_2);
-    float _S507 = max(abs(_S501) * _S496->threads_per_x_0, abs(_S503) * _S496->threads_per_y_0) / _S494.z;
-    float _S508 = _S496->height_high_0;
-    float max_height_0 = _S496->height_high_0;
+    uint _S537 = _S536 >> uint(number_2);
+    float _S538 = max(abs(_S532) * _S527->threads_per_x_0, abs(_S534) * _S527->threads_per_y_0) / _S525.z;
+    float _S539 = _S527->height_high_0;
+    float max_height_0 = _S527->height_high_0;
     number_2 = int(3);
     for(;;)
     {
@@ -2403,46 +2444,46 @@ float max_height_along_0(uint _S490, float _S491, float _S492, float _S493, floa
         {
             break;
         }
-        if(((max_height_0 - _S493) * _S507) <= (PYRAMID_RADII_0[number_2]))
+        if(((max_height_0 - _S524) * _S538) <= (PYRAMID_RADII_0[number_2]))
         {
-            max_height_0 = min(max_height_0, float((_S506 >> uint(int(8) * number_2)) & 15U) * 0.06666667014360428f * _S508);
+            max_height_0 = min(max_height_0, float((_S537 >> uint(int(8) * number_2)) & 15U) * 0.06666667014360428f * _S539);
         }
         number_2 = number_2 - int(1);
     }
     return max_height_0;
 }
 
-float3 cell_bounds_0(uint _S509, float _S510, float _S511, bool _S512, bool _S513, bool _S514, KernelContext_0 thread* kernelContext_37)
+float3 cell_bounds_0(uint _S540, float _S541, float _S542, bool _S543, bool _S544, bool _S545, KernelContext_0 thread* kernelContext_38)
 {
-    Crossing_0 _S515 = crossing_at_0(_S509, _S510, _S511, _S512, kernelContext_37);
-    thread Crossing_0 _S516 = _S515;
-    float _S517 = cell_maximum_0(_S509, &_S516, kernelContext_37);
-    float _S518;
-    if(_S513)
+    Crossing_0 _S546 = crossing_at_0(_S540, _S541, _S542, _S543, kernelContext_38);
+    thread Crossing_0 _S547 = _S546;
+    float _S548 = cell_maximum_0(_S540, &_S547, kernelContext_38);
+    float _S549;
+    if(_S544)
     {
-        _S518 = _S515.warp_1.above_0;
+        _S549 = _S546.warp_1.above_0;
     }
     else
     {
-        _S518 = _S515.warp_1.below_0;
+        _S549 = _S546.warp_1.below_0;
     }
-    float _S519;
-    if(_S514)
+    float _S550;
+    if(_S545)
     {
-        _S519 = _S515.weft_1.above_0;
+        _S550 = _S546.weft_1.above_0;
     }
     else
     {
-        _S519 = _S515.weft_1.below_0;
+        _S550 = _S546.weft_1.below_0;
     }
-    return float3(_S517, _S518, _S519);
+    return float3(_S548, _S549, _S550);
 }
 
-float first_sample_height_0(uint _S520, const ViewRay_0 thread* _S521, const StepControl_0 thread* _S522, bool _S523, KernelContext_0 thread* kernelContext_38)
+float first_sample_height_0(uint _S551, const ViewRay_0 thread* _S552, const StepControl_0 thread* _S553, bool _S554, KernelContext_0 thread* kernelContext_39)
 {
-    float _S524 = max_height_along_0(_S520, _S521->origin_2.x, _S521->origin_2.y, 0.0f, float3(_S521->slope_1, 1.0f), _S523, kernelContext_38);
+    float _S555 = max_height_along_0(_S551, _S552->origin_2.x, _S552->origin_2.y, 0.0f, float3(_S552->slope_1, 1.0f), _S554, kernelContext_39);
     uint count_4 = 0U;
-    float height_6 = _S524;
+    float height_6 = _S555;
     for(;;)
     {
         if(count_4 < 1024U)
@@ -2452,12 +2493,12 @@ float first_sample_height_0(uint _S520, const ViewRay_0 thread* _S521, const Ste
         {
             break;
         }
-        float2 _S525 = ViewRay_at_0(_S521, height_6);
-        float3 _S526 = cell_bounds_0(_S520, _S525.x, _S525.y, _S523, _S522->right_0, _S522->up_0, kernelContext_38);
-        float _S527 = height_6 - _S526.x;
-        float _S528 = StepControl_to_cell_exit_0(_S522, _S526.y, _S526.z);
-        float height_7 = height_6 - clamp(_S527, 0.0f, _S528);
-        if(_S527 <= _S528)
+        float2 _S556 = ViewRay_at_0(_S552, height_6);
+        float3 _S557 = cell_bounds_0(_S551, _S556.x, _S556.y, _S554, _S553->right_0, _S553->up_0, kernelContext_39);
+        float _S558 = height_6 - _S557.x;
+        float _S559 = StepControl_to_cell_exit_0(_S553, _S557.y, _S557.z);
+        float height_7 = height_6 - clamp(_S558, 0.0f, _S559);
+        if(_S558 <= _S559)
         {
             height_6 = height_7;
             break;
@@ -2468,14 +2509,14 @@ float first_sample_height_0(uint _S520, const ViewRay_0 thread* _S521, const Ste
     return height_6;
 }
 
-ViewRayEnd_0 search_down_0(uint _S529, const ViewRay_0 thread* _S530, const StepControl_0 thread* _S531, bool _S532, KernelContext_0 thread* kernelContext_39)
+ViewRayEnd_0 search_down_0(uint _S560, const ViewRay_0 thread* _S561, const StepControl_0 thread* _S562, bool _S563, KernelContext_0 thread* kernelContext_40)
 {
-    Fabric_0 device* _S533 = kernelContext_39->fabrics_0+_S529;
-    float _S534 = _S533->height_low_0 - (_S533->height_high_0 - _S533->height_low_0);
+    Fabric_0 device* _S564 = kernelContext_40->fabrics_0+_S560;
+    float _S565 = _S564->height_low_0 - (_S564->height_high_0 - _S564->height_low_0);
     thread ViewRayEnd_0 end_1;
-    float _S535 = first_sample_height_0(_S529, _S530, _S531, _S532, kernelContext_39);
-    (&end_1)->height_5 = _S535;
-    (&end_1)->last_step_3 = _S531->epsilon_0;
+    float _S566 = first_sample_height_0(_S560, _S561, _S562, _S563, kernelContext_40);
+    (&end_1)->height_5 = _S566;
+    (&end_1)->last_step_3 = _S562->epsilon_0;
     (&end_1)->previous_4 = no_previous_sample_0();
     (&end_1)->depth_0 = 0.0f;
     (&end_1)->rate_4 = 0.0f;
@@ -2490,164 +2531,164 @@ ViewRayEnd_0 search_down_0(uint _S529, const ViewRay_0 thread* _S530, const Step
         {
             break;
         }
-        float2 _S536 = ViewRay_at_0(_S530, (&end_1)->height_5);
-        Probe_0 _S537 = probe_0(_S529, _S536.x, _S536.y, _S532, _S531->right_0, _S531->up_0, kernelContext_39);
-        float _S538 = (&end_1)->height_5 - _S537.height_1;
-        thread Probe_0 _S539 = _S537;
-        float _S540 = ViewRay_rate_0(_S530, &_S539);
-        (&end_1)->depth_0 = - _S538;
-        (&end_1)->rate_4 = _S540;
-        bool _S541;
+        float2 _S567 = ViewRay_at_0(_S561, (&end_1)->height_5);
+        Probe_0 _S568 = probe_0(_S560, _S567.x, _S567.y, _S563, _S562->right_0, _S562->up_0, kernelContext_40);
+        float _S569 = (&end_1)->height_5 - _S568.height_1;
+        thread Probe_0 _S570 = _S568;
+        float _S571 = ViewRay_rate_0(_S561, &_S570);
+        (&end_1)->depth_0 = - _S569;
+        (&end_1)->rate_4 = _S571;
+        bool _S572;
         if((&(&end_1)->previous_4)->known_0)
         {
-            _S541 = !_S537.hole_1;
+            _S572 = !_S568.hole_1;
         }
         else
         {
-            _S541 = false;
+            _S572 = false;
         }
-        bool _S542;
-        if(_S541)
+        bool _S573;
+        if(_S572)
         {
-            _S542 = ((&(&end_1)->previous_4)->yarn_0) == (_S537.yarn_1);
+            _S573 = ((&(&end_1)->previous_4)->yarn_0) == (_S568.yarn_1);
         }
         else
         {
-            _S542 = false;
+            _S573 = false;
         }
-        (&end_1)->smooth_0 = _S542;
-        bool _S543;
-        if(!_S537.hole_1)
+        (&end_1)->smooth_0 = _S573;
+        bool _S574;
+        if(!_S568.hole_1)
         {
-            _S543 = _S538 <= 0.0f;
+            _S574 = _S569 <= 0.0f;
         }
         else
         {
-            _S543 = false;
+            _S574 = false;
         }
-        bool _S544;
-        if(_S543)
+        bool _S575;
+        if(_S574)
         {
-            _S544 = true;
+            _S575 = true;
         }
         else
         {
-            _S544 = ((&end_1)->height_5) <= _S534;
+            _S575 = ((&end_1)->height_5) <= _S565;
         }
-        if(_S544)
+        if(_S575)
         {
             break;
         }
-        thread PreviousSample_0 _S545 = (&end_1)->previous_4;
-        thread Probe_0 _S546 = _S537;
-        float _S547 = way_back_to_dip_0(&_S545, _S538, _S540, (&end_1)->last_step_3, &_S546);
-        if(_S547 >= 0.0f)
+        thread PreviousSample_0 _S576 = (&end_1)->previous_4;
+        thread Probe_0 _S577 = _S568;
+        float _S578 = way_back_to_dip_0(&_S576, _S569, _S571, (&end_1)->last_step_3, &_S577);
+        if(_S578 >= 0.0f)
         {
-            (&end_1)->height_5 = (&end_1)->height_5 + _S547;
-            (&end_1)->last_step_3 = (&end_1)->last_step_3 - _S547;
+            (&end_1)->height_5 = (&end_1)->height_5 + _S578;
+            (&end_1)->last_step_3 = (&end_1)->last_step_3 - _S578;
             count_5 = count_5 + 1U;
             continue;
         }
-        float _S548 = StepControl_to_cell_exit_0(_S531, _S537.side_x_0, _S537.side_y_0);
-        float _S549 = min(_S548, (&end_1)->height_5 - _S537.cell_max_0);
-        thread Probe_0 _S550 = _S537;
-        float _S551 = StepControl_to_next_sample_0(_S531, &_S550, _S538, _S540);
-        bool _S552 = _S549 > _S551;
-        thread Probe_0 _S553 = _S537;
-        PreviousSample_0 _S554 = after_sample_0(_S538, _S540, &_S553, _S552);
-        (&end_1)->previous_4 = _S554;
-        float _S555 = max(_S549, _S551);
-        (&end_1)->last_step_3 = _S555;
-        (&end_1)->height_5 = (&end_1)->height_5 - _S555;
+        float _S579 = StepControl_to_cell_exit_0(_S562, _S568.side_x_0, _S568.side_y_0);
+        float _S580 = min(_S579, (&end_1)->height_5 - _S568.cell_max_0);
+        thread Probe_0 _S581 = _S568;
+        float _S582 = StepControl_to_next_sample_0(_S562, &_S581, _S569, _S571);
+        bool _S583 = _S580 > _S582;
+        thread Probe_0 _S584 = _S568;
+        PreviousSample_0 _S585 = after_sample_0(_S569, _S571, &_S584, _S583);
+        (&end_1)->previous_4 = _S585;
+        float _S586 = max(_S580, _S582);
+        (&end_1)->last_step_3 = _S586;
+        (&end_1)->height_5 = (&end_1)->height_5 - _S586;
         count_5 = count_5 + 1U;
     }
     return end_1;
 }
 
-float refined_height_0(uint _S556, const ViewRay_0 thread* _S557, const StepControl_0 thread* _S558, bool _S559, const ViewRayEnd_0 thread* _S560, uint _S561, KernelContext_0 thread* kernelContext_40)
+float refined_height_0(uint _S587, const ViewRay_0 thread* _S588, const StepControl_0 thread* _S589, bool _S590, const ViewRayEnd_0 thread* _S591, uint _S592, KernelContext_0 thread* kernelContext_41)
 {
-    Fabric_0 device* _S562 = kernelContext_40->fabrics_0+_S556;
-    float _S563 = _S562->height_high_0 - _S562->height_low_0;
-    float _S564 = _S560->height_5;
-    float _S565 = _S560->last_step_3;
-    float above_2 = _S560->height_5 + _S560->last_step_3;
-    float above_gap_1 = clamp((&_S560->previous_4)->clearance_0, 0.0f, _S563);
-    float under_gap_1 = clamp(_S560->depth_0, 0.0f, _S563);
-    float _S566 = cubic_root_0(above_gap_1, - under_gap_1, (&_S560->previous_4)->rate_0 * _S560->last_step_3, _S560->rate_4 * _S560->last_step_3);
-    bool _S567 = _S560->smooth_0;
+    Fabric_0 device* _S593 = kernelContext_41->fabrics_0+_S587;
+    float _S594 = _S593->height_high_0 - _S593->height_low_0;
+    float _S595 = _S591->height_5;
+    float _S596 = _S591->last_step_3;
+    float above_2 = _S591->height_5 + _S591->last_step_3;
+    float above_gap_1 = clamp((&_S591->previous_4)->clearance_0, 0.0f, _S594);
+    float under_gap_1 = clamp(_S591->depth_0, 0.0f, _S594);
+    float _S597 = cubic_root_0(above_gap_1, - under_gap_1, (&_S591->previous_4)->rate_0 * _S591->last_step_3, _S591->rate_4 * _S591->last_step_3);
+    bool _S598 = _S591->smooth_0;
     float middle_0;
-    if(_S560->smooth_0)
+    if(_S591->smooth_0)
     {
-        middle_0 = above_2 - _S566 * _S565;
+        middle_0 = above_2 - _S597 * _S596;
     }
     else
     {
-        middle_0 = between_0(above_2, _S564, above_gap_1, under_gap_1);
+        middle_0 = between_0(above_2, _S595, above_gap_1, under_gap_1);
     }
     float side_1 = 0.0f;
     float above_gap_2 = above_gap_1;
     float under_gap_2 = under_gap_1;
-    float under_1 = _S564;
+    float under_1 = _S595;
     float above_3 = above_2;
     uint i_1 = 0U;
     for(;;)
     {
-        if(i_1 < _S561)
+        if(i_1 < _S592)
         {
         }
         else
         {
             break;
         }
-        float2 _S568 = ViewRay_at_0(_S557, middle_0);
-        Probe_0 _S569 = probe_0(_S556, _S568.x, _S568.y, _S559, _S558->right_0, _S558->up_0, kernelContext_40);
-        float _S570;
-        if(_S569.hole_1)
+        float2 _S599 = ViewRay_at_0(_S588, middle_0);
+        Probe_0 _S600 = probe_0(_S587, _S599.x, _S599.y, _S590, _S589->right_0, _S589->up_0, kernelContext_41);
+        float _S601;
+        if(_S600.hole_1)
         {
-            _S570 = -1.0e+09f;
+            _S601 = -1.0e+09f;
         }
         else
         {
-            _S570 = _S569.height_1;
+            _S601 = _S600.height_1;
         }
-        float _S571 = clamp(middle_0 - _S570, - _S563, _S563);
-        float _S572;
-        if(_S571 <= 0.0f)
+        float _S602 = clamp(middle_0 - _S601, - _S594, _S594);
+        float _S603;
+        if(_S602 <= 0.0f)
         {
             if(side_1 > 0.0f)
             {
-                _S572 = 0.5f * above_gap_2;
+                _S603 = 0.5f * above_gap_2;
             }
             else
             {
-                _S572 = above_gap_2;
+                _S603 = above_gap_2;
             }
-            float _S573 = - _S571;
+            float _S604 = - _S602;
             under_1 = middle_0;
-            above_gap_2 = _S572;
-            under_gap_2 = _S573;
+            above_gap_2 = _S603;
+            under_gap_2 = _S604;
             side_1 = 1.0f;
         }
         else
         {
             if(side_1 < 0.0f)
             {
-                _S572 = 0.5f * under_gap_2;
+                _S603 = 0.5f * under_gap_2;
             }
             else
             {
-                _S572 = under_gap_2;
+                _S603 = under_gap_2;
             }
             above_3 = middle_0;
-            above_gap_2 = _S571;
-            under_gap_2 = _S572;
+            above_gap_2 = _S602;
+            under_gap_2 = _S603;
             side_1 = -1.0f;
         }
-        if(_S567)
+        if(_S598)
         {
-            thread Probe_0 _S574 = _S569;
-            float _S575 = ViewRay_rate_0(_S557, &_S574);
-            middle_0 = clamp(middle_0 + _S571 / min(_S575, -9.99999997475242708e-07f), under_1, above_3);
+            thread Probe_0 _S605 = _S600;
+            float _S606 = ViewRay_rate_0(_S588, &_S605);
+            middle_0 = clamp(middle_0 + _S602 / min(_S606, -9.99999997475242708e-07f), under_1, above_3);
         }
         else
         {
@@ -2655,7 +2696,7 @@ float refined_height_0(uint _S556, const ViewRay_0 thread* _S557, const StepCont
         }
         i_1 = i_1 + 1U;
     }
-    if(_S567)
+    if(_S598)
     {
     }
     else
@@ -2665,44 +2706,44 @@ float refined_height_0(uint _S556, const ViewRay_0 thread* _S557, const StepCont
     return middle_0;
 }
 
-Hit_1 first_hit_of_yarn_0(uint _S576, const SearchQuality_0 thread* _S577, float _S578, float _S579, float3 _S580, bool _S581, KernelContext_0 thread* kernelContext_41)
+Hit_1 first_hit_of_yarn_0(uint _S607, const SearchQuality_0 thread* _S608, float _S609, float _S610, float3 _S611, bool _S612, KernelContext_0 thread* kernelContext_42)
 {
-    float _S582 = max(_S580.z, 0.00009999999747379f);
+    float _S613 = max(_S611.z, 0.00009999999747379f);
     thread ViewRay_0 ray_0;
-    (&ray_0)->origin_2 = float2(_S578, _S579);
-    float2 _S583 = _S580.xy / float2(_S582) ;
-    (&ray_0)->slope_1 = _S583;
-    float2 _S584 = - _S583;
-    float _S585 = steps_per_length_0(_S576, _S577, _S580, kernelContext_41);
-    StepControl_0 _S586 = step_control_0(_S584, 1.0f / max(_S585 / _S582, 9.99999971718068537e-10f));
-    thread ViewRay_0 _S587 = ray_0;
-    thread StepControl_0 _S588 = _S586;
-    ViewRayEnd_0 _S589 = search_down_0(_S576, &_S587, &_S588, _S581, kernelContext_41);
+    (&ray_0)->origin_2 = float2(_S609, _S610);
+    float2 _S614 = _S611.xy / float2(_S613) ;
+    (&ray_0)->slope_1 = _S614;
+    float2 _S615 = - _S614;
+    float _S616 = steps_per_length_0(_S607, _S608, _S611, kernelContext_42);
+    StepControl_0 _S617 = step_control_0(_S615, 1.0f / max(_S616 / _S613, 9.99999971718068537e-10f));
+    thread ViewRay_0 _S618 = ray_0;
+    thread StepControl_0 _S619 = _S617;
+    ViewRayEnd_0 _S620 = search_down_0(_S607, &_S618, &_S619, _S612, kernelContext_42);
     thread Hit_1 hit_1;
     (&hit_1)->hole_2 = false;
-    thread ViewRay_0 _S590 = ray_0;
-    thread StepControl_0 _S591 = _S586;
-    thread ViewRayEnd_0 _S592 = _S589;
-    float _S593 = refined_height_0(_S576, &_S590, &_S591, _S581, &_S592, _S577->refinements_0, kernelContext_41);
-    (&hit_1)->height_3 = _S593;
-    thread ViewRay_0 _S594 = ray_0;
-    float2 _S595 = ViewRay_at_0(&_S594, _S593);
-    (&hit_1)->x_12 = _S595.x;
-    (&hit_1)->y_7 = _S595.y;
+    thread ViewRay_0 _S621 = ray_0;
+    thread StepControl_0 _S622 = _S617;
+    thread ViewRayEnd_0 _S623 = _S620;
+    float _S624 = refined_height_0(_S607, &_S621, &_S622, _S612, &_S623, _S608->refinements_0, kernelContext_42);
+    (&hit_1)->height_3 = _S624;
+    thread ViewRay_0 _S625 = ray_0;
+    float2 _S626 = ViewRay_at_0(&_S625, _S624);
+    (&hit_1)->x_12 = _S626.x;
+    (&hit_1)->y_7 = _S626.y;
     return hit_1;
 }
 
-Hit_1 first_hit_0(uint _S596, const SearchQuality_0 thread* _S597, float _S598, float _S599, float3 _S600, bool _S601, KernelContext_0 thread* kernelContext_42)
+Hit_1 first_hit_0(uint _S627, const SearchQuality_0 thread* _S628, float _S629, float _S630, float3 _S631, bool _S632, KernelContext_0 thread* kernelContext_43)
 {
-    bool _S602 = passes_through_0(_S596, _S597, _S598, _S599, _S600, _S601, kernelContext_42);
-    if(!_S602)
+    bool _S633 = passes_through_0(_S627, _S628, _S629, _S630, _S631, _S632, kernelContext_43);
+    if(!_S633)
     {
-        Hit_1 _S603 = first_hit_of_yarn_0(_S596, _S597, _S598, _S599, _S600, _S601, kernelContext_42);
-        return _S603;
+        Hit_1 _S634 = first_hit_of_yarn_0(_S627, _S628, _S629, _S630, _S631, _S632, kernelContext_43);
+        return _S634;
     }
     thread Hit_1 hit_2;
-    (&hit_2)->x_12 = _S598;
-    (&hit_2)->y_7 = _S599;
+    (&hit_2)->x_12 = _S629;
+    (&hit_2)->y_7 = _S630;
     (&hit_2)->height_3 = 0.0f;
     (&hit_2)->hole_2 = true;
     return hit_2;
@@ -2713,28 +2754,28 @@ struct CoverageTaps_0
     array<uint, int(9)> nodes_1;
 };
 
-float3 pyramid_level_0(uint _S604, float _S605, KernelContext_0 thread* kernelContext_43)
+float3 pyramid_level_0(uint _S635, float _S636, KernelContext_0 thread* kernelContext_44)
 {
-    uint _S606 = (kernelContext_43->fabrics_0+_S604)->lobes_0.levels_0 + 4U * uint(min(_S605, (kernelContext_43->fabrics_0+_S604)->lobes_0.last_level_0));
-    float _S607 = table_number_0(_S606, kernelContext_43);
-    float _S608 = table_number_0(_S606 + 1U, kernelContext_43);
-    float _S609 = table_number_0(_S606 + 2U, kernelContext_43);
-    return float3(_S607, _S608, _S609);
+    uint _S637 = (kernelContext_44->fabrics_0+_S635)->lobes_0.levels_0 + 4U * uint(min(_S636, (kernelContext_44->fabrics_0+_S635)->lobes_0.last_level_0));
+    float _S638 = table_number_0(_S637, kernelContext_44);
+    float _S639 = table_number_0(_S637 + 1U, kernelContext_44);
+    float _S640 = table_number_0(_S637 + 2U, kernelContext_44);
+    return float3(_S638, _S639, _S640);
 }
 
-CoverageTaps_0 coverage_taps_0(uint _S610, const Footprint_0 thread* _S611, bool _S612, KernelContext_0 thread* kernelContext_44)
+CoverageTaps_0 coverage_taps_0(uint _S641, const Footprint_0 thread* _S642, bool _S643, KernelContext_0 thread* kernelContext_45)
 {
-    Fabric_0 device* _S613 = kernelContext_44->fabrics_0+_S610;
-    float _S614 = Footprint_spread_side_0(_S611);
-    Lobes_0 _S615 = _S613->lobes_0;
-    float _S616 = _S614 * _S613->lobes_0.inverse_base_size_0;
-    float3 _S617 = pyramid_level_0(_S610, floor(binary_logarithm_0(max(0.68000000715255737f * _S616, 1.0f))), kernelContext_44);
-    float _S618 = 1.0f / max(_S616, 9.99999997475242708e-07f);
-    float2 _S619 = float2(kernelContext_44->families_0[_S613->warp_0].inverse_period_0, kernelContext_44->families_0[_S613->weft_0].inverse_period_0);
-    float2 _S620 = _S611->centre_0 * _S619;
-    float2 _S621 = float2(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S618 * _S618), 0.0f, 1.0f)), 0.3333333432674408f * _S618), 1.0f)) ;
-    float2 _S622 = _S611->dx_0 * _S619 * _S621;
-    float2 _S623 = _S611->dy_0 * _S619 * _S621;
+    Fabric_0 device* _S644 = kernelContext_45->fabrics_0+_S641;
+    float _S645 = Footprint_spread_side_0(_S642);
+    Lobes_0 _S646 = _S644->lobes_0;
+    float _S647 = _S645 * _S644->lobes_0.inverse_base_size_0;
+    float3 _S648 = pyramid_level_0(_S641, floor(binary_logarithm_0(max(0.68000000715255737f * _S647, 1.0f))), kernelContext_45);
+    float _S649 = 1.0f / max(_S647, 9.99999997475242708e-07f);
+    float2 _S650 = float2(kernelContext_45->families_0[_S644->warp_0].inverse_period_0, kernelContext_45->families_0[_S644->weft_0].inverse_period_0);
+    float2 _S651 = _S642->centre_0 * _S650;
+    float2 _S652 = float2(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S649 * _S649), 0.0f, 1.0f)), 0.3333333432674408f * _S649), 1.0f)) ;
+    float2 _S653 = _S642->dx_0 * _S650 * _S652;
+    float2 _S654 = _S642->dy_0 * _S650 * _S652;
     thread CoverageTaps_0 taps_3;
     uint number_3 = 0U;
     for(;;)
@@ -2746,28 +2787,28 @@ CoverageTaps_0 coverage_taps_0(uint _S610, const Footprint_0 thread* _S611, bool
         {
             break;
         }
-        float2 _S624 = _S620 + float2(TAP_OFFSETS_0[number_3].x)  * _S622 + float2(TAP_OFFSETS_0[number_3].y)  * _S623;
-        float _S625 = _S617.y;
-        float _S626 = wrapped_cell_0(_S624.x, _S625);
-        float _S627 = wrapped_cell_0(_S624.y, _S617.z);
-        uint _S628;
-        if(_S612)
+        float2 _S655 = _S651 + float2(TAP_OFFSETS_0[number_3].x)  * _S653 + float2(TAP_OFFSETS_0[number_3].y)  * _S654;
+        float _S656 = _S648.y;
+        float _S657 = wrapped_cell_0(_S655.x, _S656);
+        float _S658 = wrapped_cell_0(_S655.y, _S648.z);
+        uint _S659;
+        if(_S643)
         {
-            _S628 = _S615.face_nodes_0;
+            _S659 = _S646.face_nodes_0;
         }
         else
         {
-            _S628 = 0U;
+            _S659 = 0U;
         }
-        (&taps_3)->nodes_1[number_3] = _S628 + uint(_S627 * _S625 + _S626 + _S617.x);
+        (&taps_3)->nodes_1[number_3] = _S659 + uint(_S658 * _S656 + _S657 + _S648.x);
         number_3 = number_3 + 1U;
     }
     return taps_3;
 }
 
-float coverage_of_holes_0(uint _S629, const CoverageTaps_0 thread* _S630, KernelContext_0 thread* kernelContext_45)
+float coverage_of_holes_0(uint _S660, const CoverageTaps_0 thread* _S661, KernelContext_0 thread* kernelContext_46)
 {
-    Fabric_0 device* _S631 = kernelContext_45->fabrics_0+_S629;
+    Fabric_0 device* _S662 = kernelContext_46->fabrics_0+_S660;
     uint number_4 = 0U;
     uint total_0 = 0U;
     for(;;)
@@ -2779,63 +2820,63 @@ float coverage_of_holes_0(uint _S629, const CoverageTaps_0 thread* _S630, Kernel
         {
             break;
         }
-        uint total_1 = total_0 + ((kernelContext_45->words_0[_S631->lobes_0.coverage_holes_0 + _S630->nodes_1[number_4] / 4U] >> (8U * (_S630->nodes_1[number_4] % 4U))) & 255U);
+        uint total_1 = total_0 + ((kernelContext_46->words_0[_S662->lobes_0.coverage_holes_0 + _S661->nodes_1[number_4] / 4U] >> (8U * (_S661->nodes_1[number_4] % 4U))) & 255U);
         number_4 = number_4 + 1U;
         total_0 = total_1;
     }
     return float(total_0) / 9.0f;
 }
 
-float prefiltered_hole_0(uint _S632, const CoverageTaps_0 thread* _S633, const NodeTaps_0 thread* _S634, bool _S635, KernelContext_0 thread* kernelContext_46)
+float prefiltered_hole_0(uint _S663, const CoverageTaps_0 thread* _S664, const NodeTaps_0 thread* _S665, bool _S666, KernelContext_0 thread* kernelContext_47)
 {
-    Lobes_0 _S636 = (kernelContext_46->fabrics_0+_S632)->lobes_0;
-    float4 _S637 = interpolate_table_0(_S634, (kernelContext_46->fabrics_0+_S632)->lobes_0.projected_area_0 + (kernelContext_46->fabrics_0+_S632)->lobes_0.packs_0, (kernelContext_46->fabrics_0+_S632)->lobes_0.packs_0 + 1U, kernelContext_46);
-    float _S638 = _S637.x;
-    float _S639;
-    if(_S635)
+    Lobes_0 _S667 = (kernelContext_47->fabrics_0+_S663)->lobes_0;
+    float4 _S668 = interpolate_table_0(_S665, (kernelContext_47->fabrics_0+_S663)->lobes_0.projected_area_0 + (kernelContext_47->fabrics_0+_S663)->lobes_0.packs_0, (kernelContext_47->fabrics_0+_S663)->lobes_0.packs_0 + 1U, kernelContext_47);
+    float _S669 = _S668.x;
+    float _S670;
+    if(_S666)
     {
-        _S639 = _S636.back_hole_weight_0;
+        _S670 = _S667.back_hole_weight_0;
     }
     else
     {
-        _S639 = _S636.front_hole_weight_0;
+        _S670 = _S667.front_hole_weight_0;
     }
-    float _S640 = coverage_of_holes_0(_S632, _S633, kernelContext_46);
-    return min(_S640 * _S638 * _S638 * _S639, 1.0f);
+    float _S671 = coverage_of_holes_0(_S663, _S664, kernelContext_47);
+    return min(_S671 * _S669 * _S669 * _S670, 1.0f);
 }
 
-float passed_share_0(uint _S641, const VisiblePoint_0 thread* _S642, float3 _S643, float _S644, float2 _S645, KernelContext_0 thread* kernelContext_47)
+float passed_share_0(uint _S672, const VisiblePoint_0 thread* _S673, float3 _S674, float _S675, float2 _S676, KernelContext_0 thread* kernelContext_48)
 {
-    Fabric_0 device* _S646 = kernelContext_47->fabrics_0+_S641;
-    float3 _S647 = to_local_0(_S642, _S643);
-    bool _S648 = (_S647.z) < 0.0f;
-    float3 _S649 = to_face_frame_0(_S647, _S648);
+    Fabric_0 device* _S677 = kernelContext_48->fabrics_0+_S672;
+    float3 _S678 = to_local_0(_S673, _S674);
+    bool _S679 = (_S678.z) < 0.0f;
+    float3 _S680 = to_face_frame_0(_S678, _S679);
     thread Footprint_0 footprint_0;
-    (&footprint_0)->centre_0 = _S642->draft_0;
-    (&footprint_0)->dx_0 = float2(_S644, 0.0f);
-    (&footprint_0)->dy_0 = float2(0.0f, _S644);
-    float _S650;
-    if((_S646->lobes_0.is_baked_0) != 0U)
+    (&footprint_0)->centre_0 = _S673->draft_0;
+    (&footprint_0)->dx_0 = float2(_S675, 0.0f);
+    (&footprint_0)->dy_0 = float2(0.0f, _S675);
+    float _S681;
+    if((_S677->lobes_0.is_baked_0) != 0U)
     {
-        thread Footprint_0 _S651 = footprint_0;
-        Regime_0 _S652 = regime_of_0(_S641, &_S651, 1.0f, kernelContext_47);
-        _S650 = _S652.prefiltered_0;
+        thread Footprint_0 _S682 = footprint_0;
+        Regime_0 _S683 = regime_of_0(_S672, &_S682, 1.0f, kernelContext_48);
+        _S681 = _S683.prefiltered_0;
     }
     else
     {
-        _S650 = 0.0f;
+        _S681 = 0.0f;
     }
     float share_2;
-    if(_S650 < 1.0f)
+    if(_S681 < 1.0f)
     {
-        float2 _S653 = (&footprint_0)->centre_0 + (_S645 - float2(0.5f) ) * float2(_S644) ;
-        float _S654 = _S653.x;
-        float _S655 = _S653.y;
-        thread SearchQuality_0 _S656 = default_quality_0();
-        Hit_1 _S657 = first_hit_0(_S641, &_S656, _S654, _S655, _S649, _S648, kernelContext_47);
-        if(_S657.hole_2)
+        float2 _S684 = (&footprint_0)->centre_0 + (_S676 - float2(0.5f) ) * float2(_S675) ;
+        float _S685 = _S684.x;
+        float _S686 = _S684.y;
+        thread SearchQuality_0 _S687 = default_quality_0();
+        Hit_1 _S688 = first_hit_0(_S672, &_S687, _S685, _S686, _S680, _S679, kernelContext_48);
+        if(_S688.hole_2)
         {
-            share_2 = 1.0f - _S650;
+            share_2 = 1.0f - _S681;
         }
         else
         {
@@ -2846,42 +2887,41 @@ float passed_share_0(uint _S641, const VisiblePoint_0 thread* _S642, float3 _S64
     {
         share_2 = 0.0f;
     }
-    if(_S650 > 0.0f)
+    if(_S681 > 0.0f)
     {
-        thread NodeTaps_0 nodes_2 = node_taps_0(_S649);
-        uint _S658;
-        if(_S648)
+        thread NodeTaps_0 nodes_2 = node_taps_0(_S680);
+        uint _S689;
+        if(_S679)
         {
-            _S658 = 1U;
+            _S689 = 1U;
         }
         else
         {
-            _S658 = 0U;
+            _S689 = 0U;
         }
-        (&nodes_2)->nodes_0 = (&nodes_2)->nodes_0 + uint4((_S658 * 256U)) ;
-        thread Footprint_0 _S659 = footprint_0;
-        CoverageTaps_0 _S660 = coverage_taps_0(_S641, &_S659, _S648, kernelContext_47);
-        thread CoverageTaps_0 _S661 = _S660;
-        thread NodeTaps_0 _S662 = nodes_2;
-        float _S663 = prefiltered_hole_0(_S641, &_S661, &_S662, _S648, kernelContext_47);
-        share_2 = share_2 + _S650 * _S663;
+        (&nodes_2)->nodes_0 = (&nodes_2)->nodes_0 + uint4((_S689 * 256U)) ;
+        thread Footprint_0 _S690 = footprint_0;
+        CoverageTaps_0 _S691 = coverage_taps_0(_S672, &_S690, _S679, kernelContext_48);
+        thread CoverageTaps_0 _S692 = _S691;
+        thread NodeTaps_0 _S693 = nodes_2;
+        float _S694 = prefiltered_hole_0(_S672, &_S692, &_S693, _S679, kernelContext_48);
+        share_2 = share_2 + _S681 * _S694;
     }
-    float _S664 = _S646->sheen_strength_0;
-    if((_S646->sheen_strength_0) > 0.0f)
+    float _S695 = _S677->sheen_strength_0;
+    if((_S677->sheen_strength_0) > 0.0f)
     {
-        share_2 = share_2 * (1.0f - _S664 * sheen_lobe_0(_S649.z, _S646->sheen_roughness_0).z);
+        share_2 = share_2 * (1.0f - _S695 * sheen_lobe_0(_S680.z, _S677->sheen_roughness_0).z);
     }
     return share_2;
 }
 
-float visibility_of_0(int _S665, const VisiblePoint_0 thread* _S666, uint _S667, uint2 _S668, uint _S669, KernelContext_0 thread* kernelContext_48)
+float visibility_of_0(int _S696, const VisiblePoint_0 thread* _S697, uint _S698, uint2 _S699, uint _S700, KernelContext_0 thread* kernelContext_49)
 {
-    Frame_0 device* _S670 = kernelContext_48->frames_0+_S665;
-    float3 _S671 = _S666->position_0;
-    LightSample_0 _S672 = light_sample_0(_S665, _S669, _S668, _S666->position_0, kernelContext_48);
-    float3 _S673 = _S666->face_normal_0;
+    Frame_0 device* _S701 = kernelContext_49->frames_0+_S696;
+    LightSample_0 _S702 = light_sample_0(_S696, _S700, _S699, _S697->position_0, kernelContext_49);
+    float3 _S703 = _S697->face_normal_0;
     float nearest_1;
-    if((dot(_S672.towards_0, _S666->face_normal_0)) < 0.0f)
+    if((dot(_S702.towards_0, _S697->face_normal_0)) < 0.0f)
     {
         nearest_1 = -1.0f;
     }
@@ -2889,55 +2929,56 @@ float visibility_of_0(int _S665, const VisiblePoint_0 thread* _S666, uint _S667,
     {
         nearest_1 = 1.0f;
     }
-    float3 _S674 = _S671 + float3((nearest_1 * _S670->ray_offset_0))  * _S673;
-    float _S675 = sqrt(0.5f * (dot(_S666->draft_dx_0, _S666->draft_dx_0) + dot(_S666->draft_dy_0, _S666->draft_dy_0)));
+    float3 _S704 = seen_position_0(_S696, _S698, _S699, kernelContext_49);
+    float3 _S705 = _S704 + float3((nearest_1 * _S701->ray_offset_0))  * _S703;
+    float _S706 = sqrt(0.5f * (dot(_S697->draft_dx_0, _S697->draft_dx_0) + dot(_S697->draft_dy_0, _S697->draft_dy_0)));
     nearest_1 = 0.0f;
-    uint without_0 = _S667;
+    uint without_0 = _S698;
     uint layer_0 = 0U;
     float visibility_0 = 1.0f;
     for(;;)
     {
-        bool _S676;
+        bool _S707;
         if(layer_0 < 8U)
         {
-            _S676 = visibility_0 > 0.00100000004749745f;
+            _S707 = visibility_0 > 0.00100000004749745f;
         }
         else
         {
-            _S676 = false;
+            _S707 = false;
         }
-        if(_S676)
+        if(_S707)
         {
         }
         else
         {
             break;
         }
-        Hit_0 _S677 = nearest_hit_0(_S665, _S674, _S672.towards_0, nearest_1, _S672.distance_2, without_0, true, kernelContext_48);
-        if((_S677.face_1) == 4294967295U)
+        Hit_0 _S708 = nearest_hit_0(_S696, _S705, _S702.towards_0, nearest_1, _S702.distance_2, without_0, true, kernelContext_49);
+        if((_S708.face_1) == 4294967295U)
         {
             break;
         }
-        uint _S678 = kernelContext_48->face_fabrics_0[_S677.face_1];
-        VisiblePoint_0 _S679 = face_point_0(_S678, _S677.face_1, _S677.weight_b_0, _S677.weight_c_0, kernelContext_48);
-        float2 _S680 = pixel_sequence_0(_S668, _S670->pass_number_0, 5U + 2U * (8U * _S669 + layer_0));
-        float _S681;
-        if(((kernelContext_48->fabrics_0+_S678)->is_open_0) != 0U)
+        uint _S709 = kernelContext_49->face_fabrics_0[_S708.face_1];
+        VisiblePoint_0 _S710 = face_point_0(_S709, _S708.face_1, _S708.weight_b_0, _S708.weight_c_0, kernelContext_49);
+        float2 _S711 = pixel_sequence_0(_S699, _S701->pass_number_0, 5U + 2U * (8U * _S700 + layer_0));
+        float _S712;
+        if(((kernelContext_49->fabrics_0+_S709)->is_open_0) != 0U)
         {
-            float3 _S682 = - _S672.towards_0;
-            thread VisiblePoint_0 _S683 = _S679;
-            float _S684 = passed_share_0(_S678, &_S683, _S682, _S675, _S680, kernelContext_48);
-            _S681 = _S684;
+            float3 _S713 = - _S702.towards_0;
+            thread VisiblePoint_0 _S714 = _S710;
+            float _S715 = passed_share_0(_S709, &_S714, _S713, _S706, _S711, kernelContext_49);
+            _S712 = _S715;
         }
         else
         {
-            _S681 = 0.0f;
+            _S712 = 0.0f;
         }
-        float visibility_1 = visibility_0 * _S681;
-        uint _S685 = layer_0 + 1U;
-        nearest_1 = _S677.distance_0;
-        without_0 = _S677.face_1;
-        layer_0 = _S685;
+        float visibility_1 = visibility_0 * _S712;
+        uint _S716 = layer_0 + 1U;
+        nearest_1 = _S708.distance_0;
+        without_0 = _S708.face_1;
+        layer_0 = _S716;
         visibility_0 = visibility_1;
     }
     if(visibility_0 > 0.00100000004749745f)
@@ -2953,58 +2994,58 @@ float visibility_of_0(int _S665, const VisiblePoint_0 thread* _S666, uint _S667,
 
 [[kernel]] void cast_shadows(uint3 id_0 [[thread_position_in_grid]], Frame_0 device* frames_1 [[buffer(4)]], Layer_0 device* layers_1 [[buffer(12)]], uint device* face_fabrics_1 [[buffer(7)]], Fabric_0 device* fabrics_1 [[buffer(0)]], uint device* corners_1 [[buffer(6)]], Vertex_0 device* vertices_1 [[buffer(5)]], float device* visibilities_1 [[buffer(13)]], uint device* scene_words_1 [[buffer(11)]], Light_0 device* lights_2 [[buffer(3)]], Family_0 device* families_1 [[buffer(1)]], uint device* words_1 [[buffer(2)]])
 {
-    thread KernelContext_0 kernelContext_49;
-    (&kernelContext_49)->frames_0 = frames_1;
-    (&kernelContext_49)->layers_0 = layers_1;
-    (&kernelContext_49)->face_fabrics_0 = face_fabrics_1;
-    (&kernelContext_49)->fabrics_0 = fabrics_1;
-    (&kernelContext_49)->corners_0 = corners_1;
-    (&kernelContext_49)->vertices_0 = vertices_1;
-    (&kernelContext_49)->visibilities_0 = visibilities_1;
-    (&kernelContext_49)->scene_words_0 = scene_words_1;
-    (&kernelContext_49)->lights_1 = lights_2;
-    (&kernelContext_49)->families_0 = families_1;
-    (&kernelContext_49)->words_0 = words_1;
-    Frame_0 device* _S686 = frames_1+int(0);
-    uint _S687 = id_0.x;
-    uint _S688 = _S686->width_0;
-    bool _S689;
-    if(_S687 >= (_S686->width_0))
+    thread KernelContext_0 kernelContext_50;
+    (&kernelContext_50)->frames_0 = frames_1;
+    (&kernelContext_50)->layers_0 = layers_1;
+    (&kernelContext_50)->face_fabrics_0 = face_fabrics_1;
+    (&kernelContext_50)->fabrics_0 = fabrics_1;
+    (&kernelContext_50)->corners_0 = corners_1;
+    (&kernelContext_50)->vertices_0 = vertices_1;
+    (&kernelContext_50)->visibilities_0 = visibilities_1;
+    (&kernelContext_50)->scene_words_0 = scene_words_1;
+    (&kernelContext_50)->lights_1 = lights_2;
+    (&kernelContext_50)->families_0 = families_1;
+    (&kernelContext_50)->words_0 = words_1;
+    Frame_0 device* _S717 = frames_1+int(0);
+    uint _S718 = id_0.x;
+    uint _S719 = _S717->width_0;
+    bool _S720;
+    if(_S718 >= (_S717->width_0))
     {
-        _S689 = true;
+        _S720 = true;
     }
     else
     {
-        _S689 = (id_0.y) >= (_S686->height_0);
+        _S720 = (id_0.y) >= (_S717->height_0);
     }
-    if(_S689)
+    if(_S720)
     {
         return;
     }
-    uint _S690 = id_0.y * _S688 + _S687;
-    uint _S691 = ((&kernelContext_49)->layers_0+_S690)->face_0;
-    if((((&kernelContext_49)->layers_0+_S690)->face_0) == 0U)
+    uint _S721 = id_0.y * _S719 + _S718;
+    uint _S722 = ((&kernelContext_50)->layers_0+_S721)->face_0;
+    if((((&kernelContext_50)->layers_0+_S721)->face_0) == 0U)
     {
         return;
     }
-    uint _S692 = _S691 - 1U;
-    uint2 _S693 = id_0.xy;
-    VisiblePoint_0 _S694 = visible_point_0(int(0), (&kernelContext_49)->face_fabrics_0[_S692], _S692, _S693, &kernelContext_49);
+    uint _S723 = _S722 - 1U;
+    uint2 _S724 = id_0.xy;
+    VisiblePoint_0 _S725 = visible_point_0(int(0), (&kernelContext_50)->face_fabrics_0[_S723], _S723, _S724, &kernelContext_50);
     uint number_5 = 0U;
     for(;;)
     {
-        uint _S695 = light_sample_count_0(int(0), &kernelContext_49);
-        if(number_5 < _S695)
+        uint _S726 = light_sample_count_0(int(0), &kernelContext_50);
+        if(number_5 < _S726)
         {
         }
         else
         {
             break;
         }
-        float device* _S696 = (&kernelContext_49)->visibilities_0+(number_5 * _S688 * _S686->height_0 + _S690);
-        thread VisiblePoint_0 _S697 = _S694;
-        float _S698 = visibility_of_0(int(0), &_S697, _S692, _S693, number_5, &kernelContext_49);
-        *_S696 = _S698;
+        float device* _S727 = (&kernelContext_50)->visibilities_0+(number_5 * _S719 * _S717->height_0 + _S721);
+        thread VisiblePoint_0 _S728 = _S725;
+        float _S729 = visibility_of_0(int(0), &_S728, _S723, _S724, number_5, &kernelContext_50);
+        *_S727 = _S729;
         number_5 = number_5 + 1U;
     }
     return;

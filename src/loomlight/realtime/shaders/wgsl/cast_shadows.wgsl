@@ -253,14 +253,19 @@ fn position_of_2( vertex_2 : ptr<function, Vertex_std430_0>) -> vec3<f32>
     return vec3<f32>((*vertex_2).x_0, (*vertex_2).y_0, (*vertex_2).z_0);
 }
 
+fn position_of_3( vertex_3 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+{
+    return vec3<f32>((*vertex_3).x_0, (*vertex_3).y_0, (*vertex_3).z_0);
+}
+
 fn square_0( v_1 : vec3<f32>) -> f32
 {
     return dot(v_1, v_1);
 }
 
-fn normal_of_0( vertex_3 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+fn normal_of_0( vertex_4 : ptr<function, Vertex_std430_0>) -> vec3<f32>
 {
-    return vec3<f32>((*vertex_3).normal_x_0, (*vertex_3).normal_y_0, (*vertex_3).normal_z_0);
+    return vec3<f32>((*vertex_4).normal_x_0, (*vertex_4).normal_y_0, (*vertex_4).normal_z_0);
 }
 
 fn scramble_0( value_1 : u32) -> u32
@@ -1603,10 +1608,10 @@ fn visible_point_0( _S203 : i32,  _S204 : u32,  _S205 : u32,  _S206 : vec2<u32>)
     var _S208 : Vertex_std430_0 = vertices_0[corners_0[_S207]];
     var _S209 : Vertex_std430_0 = vertices_0[corners_0[_S207 + u32(1)]];
     var _S210 : Vertex_std430_0 = vertices_0[corners_0[_S207 + u32(2)]];
-    var _S211 : vec3<f32> = position_of_2(&(_S209));
-    var _S212 : vec3<f32> = position_of_2(&(_S208));
+    var _S211 : vec3<f32> = position_of_3(&(_S209));
+    var _S212 : vec3<f32> = position_of_3(&(_S208));
     var _S213 : vec3<f32> = _S211 - _S212;
-    var _S214 : vec3<f32> = position_of_2(&(_S210));
+    var _S214 : vec3<f32> = position_of_3(&(_S210));
     var _S215 : vec3<f32> = _S214 - _S212;
     var _S216 : vec3<f32> = cross(_S213, _S215);
     var _S217 : f32 = 1.0f / max(square_0(_S216), 1.00000000317107685e-30f);
@@ -1706,12 +1711,45 @@ fn light_sample_0( _S255 : i32,  _S256 : u32,  _S257 : vec2<u32>,  _S258 : vec3<
     return sample_0;
 }
 
-fn nearest_hit_0( _S264 : i32,  _S265 : vec3<f32>,  _S266 : vec3<f32>,  _S267 : f32,  _S268 : f32,  _S269 : u32,  _S270 : bool) -> Hit_0
+fn seen_position_0( _S264 : i32,  _S265 : u32,  _S266 : vec2<u32>) -> vec3<f32>
 {
-    var _S271 : vec3<f32> = vec3<f32>(inverse_of_0(_S266.x), inverse_of_0(_S266.y), inverse_of_0(_S266.z));
+    var _S267 : u32 = u32(3) * _S265;
+    var _S268 : Vertex_std430_0 = vertices_0[corners_0[_S267]];
+    var _S269 : vec3<f32> = position_of_2(&(_S268));
+    var _S270 : Vertex_std430_0 = vertices_0[corners_0[_S267 + u32(1)]];
+    var _S271 : vec3<f32> = position_of_2(&(_S270));
+    var _S272 : vec3<f32> = _S271 - _S269;
+    var _S273 : Vertex_std430_0 = vertices_0[corners_0[_S267 + u32(2)]];
+    var _S274 : vec3<f32> = position_of_2(&(_S273));
+    var _S275 : vec3<f32> = _S274 - _S269;
+    var _S276 : vec3<f32> = cross(_S272, _S275);
+    var _S277 : f32 = 1.0f / max(square_0(_S276), 1.00000000317107685e-30f);
+    var _S278 : f32 = f32(frames_0[_S264].width_0);
+    var _S279 : f32 = f32(frames_0[_S264].height_0);
+    var _S280 : vec3<f32> = camera_forward_0(_S264) + camera_right_0(_S264) * vec3<f32>((2.0f * (f32(_S266.x) + 0.5f + frames_0[_S264].jitter_x_0 - 0.5f * _S278) / _S278)) - camera_up_0(_S264) * vec3<f32>((2.0f * (f32(_S266.y) + 0.5f + frames_0[_S264].jitter_y_0 - 0.5f * _S279) / _S279));
+    var _S281 : f32 = dot(_S280, _S276);
+    var _S282 : vec3<f32> = _S269 - camera_origin_0(_S264);
+    var _S283 : f32 = dot(_S282, _S276);
+    var _S284 : f32;
+    if((abs(_S281)) > 1.00000000317107685e-30f)
+    {
+        _S284 = _S281;
+    }
+    else
+    {
+        _S284 = 1.00000000317107685e-30f;
+    }
+    var _S285 : vec3<f32> = _S280 * vec3<f32>((_S283 / _S284)) - _S282;
+    var _S286 : f32 = clamp(dot(_S285, cross(_S275, _S276)) * _S277, 0.0f, 1.0f);
+    return _S269 + vec3<f32>(_S286) * _S272 + vec3<f32>(clamp(dot(_S285, cross(_S276, _S272)) * _S277, 0.0f, 1.0f - _S286)) * _S275;
+}
+
+fn nearest_hit_0( _S287 : i32,  _S288 : vec3<f32>,  _S289 : vec3<f32>,  _S290 : f32,  _S291 : f32,  _S292 : u32,  _S293 : bool) -> Hit_0
+{
+    var _S294 : vec3<f32> = vec3<f32>(inverse_of_0(_S289.x), inverse_of_0(_S289.y), inverse_of_0(_S289.z));
     var found_0 : Hit_0;
     found_0.face_1 = u32(4294967295);
-    found_0.distance_0 = _S268;
+    found_0.distance_0 = _S291;
     found_0.weight_b_0 = 0.0f;
     found_0.weight_c_0 = 0.0f;
     var node_2 : u32 = u32(1);
@@ -1725,23 +1763,23 @@ fn nearest_hit_0( _S264 : i32,  _S265 : vec3<f32>,  _S266 : vec3<f32>,  _S267 : 
             break;
         }
         var node_3 : u32;
-        if(!meets_node_0(node_2, _S265, _S271, _S267, found_0.distance_0))
+        if(!meets_node_0(node_2, _S288, _S294, _S290, found_0.distance_0))
         {
             node_3 = following_node_0(node_2);
         }
         else
         {
-            var _S272 : u32 = frames_0[_S264].leaves_0;
-            if(node_2 < (frames_0[_S264].leaves_0))
+            var _S295 : u32 = frames_0[_S287].leaves_0;
+            if(node_2 < (frames_0[_S287].leaves_0))
             {
                 node_3 = node_2 * u32(2);
             }
             else
             {
-                var _S273 : u32 = frames_0[_S264].leaf_faces_0 + u32(4) * (node_2 - _S272);
-                var _S274 : u32 = following_node_0(node_2);
+                var _S296 : u32 = frames_0[_S287].leaf_faces_0 + u32(4) * (node_2 - _S295);
+                var _S297 : u32 = following_node_0(node_2);
                 var number_1 : u32 = u32(0);
-                node_3 = _S274;
+                node_3 = _S297;
                 for(;;)
                 {
                     if(number_1 < u32(4))
@@ -1751,57 +1789,57 @@ fn nearest_hit_0( _S264 : i32,  _S265 : vec3<f32>,  _S266 : vec3<f32>,  _S267 : 
                     {
                         break;
                     }
-                    var _S275 : u32 = scene_words_0[_S273 + number_1];
-                    var _S276 : bool;
-                    if(_S275 == u32(4294967295))
+                    var _S298 : u32 = scene_words_0[_S296 + number_1];
+                    var _S299 : bool;
+                    if(_S298 == u32(4294967295))
                     {
-                        _S276 = true;
+                        _S299 = true;
                     }
                     else
                     {
-                        _S276 = _S275 == _S269;
+                        _S299 = _S298 == _S292;
                     }
-                    if(_S276)
+                    if(_S299)
                     {
                         number_1 = number_1 + u32(1);
                         continue;
                     }
-                    var _S277 : Hit_0 = meet_face_0(_S275, _S265, _S266);
-                    var _S278 : bool;
-                    if((_S277.face_1) == u32(4294967295))
+                    var _S300 : Hit_0 = meet_face_0(_S298, _S288, _S289);
+                    var _S301 : bool;
+                    if((_S300.face_1) == u32(4294967295))
                     {
-                        _S278 = true;
+                        _S301 = true;
                     }
                     else
                     {
-                        _S278 = (_S277.distance_0) <= _S267;
+                        _S301 = (_S300.distance_0) <= _S290;
                     }
-                    var _S279 : bool;
-                    if(_S278)
+                    var _S302 : bool;
+                    if(_S301)
                     {
-                        _S279 = true;
+                        _S302 = true;
                     }
                     else
                     {
-                        _S279 = (_S277.distance_0) >= (found_0.distance_0);
+                        _S302 = (_S300.distance_0) >= (found_0.distance_0);
                     }
-                    if(_S279)
+                    if(_S302)
                     {
                         number_1 = number_1 + u32(1);
                         continue;
                     }
-                    found_0 = _S277;
-                    var _S280 : bool;
-                    if(_S270)
+                    found_0 = _S300;
+                    var _S303 : bool;
+                    if(_S293)
                     {
-                        _S280 = (fabrics_0[face_fabrics_0[_S275]].is_open_0) == u32(0);
+                        _S303 = (fabrics_0[face_fabrics_0[_S298]].is_open_0) == u32(0);
                     }
                     else
                     {
-                        _S280 = false;
+                        _S303 = false;
                     }
                     var node_4 : u32;
-                    if(_S280)
+                    if(_S303)
                     {
                         node_4 = u32(0);
                     }
@@ -1826,25 +1864,25 @@ struct Regime_0
      points_0 : f32,
 };
 
-fn regime_of_0( _S281 : u32,  _S282 : Footprint_0,  _S283 : f32) -> Regime_0
+fn regime_of_0( _S304 : u32,  _S305 : Footprint_0,  _S306 : f32) -> Regime_0
 {
-    var _S284 : f32 = Footprint_spread_side_0(_S282);
-    var _S285 : f32 = clamp((binary_logarithm_0(max(_S284, 9.99999971718068537e-10f)) - fabrics_0[_S281].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
+    var _S307 : f32 = Footprint_spread_side_0(_S305);
+    var _S308 : f32 = clamp((binary_logarithm_0(max(_S307, 9.99999971718068537e-10f)) - fabrics_0[_S304].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
     var regime_0 : Regime_0;
-    var _S286 : f32 = _S285 * _S285 * (3.0f - 2.0f * _S285);
-    regime_0.prefiltered_0 = _S286;
-    regime_0.threads_0 = _S284 * fabrics_0[_S281].lobes_0.threads_per_mm_0;
-    var _S287 : f32 = mix(max(8.0f / _S283, 1.0f), 1.0f, _S286);
-    var _S288 : f32;
-    if(_S286 < 1.0f)
+    var _S309 : f32 = _S308 * _S308 * (3.0f - 2.0f * _S308);
+    regime_0.prefiltered_0 = _S309;
+    regime_0.threads_0 = _S307 * fabrics_0[_S304].lobes_0.threads_per_mm_0;
+    var _S310 : f32 = mix(max(8.0f / _S306, 1.0f), 1.0f, _S309);
+    var _S311 : f32;
+    if(_S309 < 1.0f)
     {
-        _S288 = clamp(regime_0.threads_0 * 12.0f, 1.0f, _S287);
+        _S311 = clamp(regime_0.threads_0 * 12.0f, 1.0f, _S310);
     }
     else
     {
-        _S288 = 0.0f;
+        _S311 = 0.0f;
     }
-    regime_0.points_0 = _S288;
+    regime_0.points_0 = _S311;
     return regime_0;
 }
 
@@ -1869,314 +1907,314 @@ struct Sample_0
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S289 : u32,  _S290 : f32,  _S291 : f32,  _S292 : bool) -> Crossing_0
+fn crossing_at_0( _S312 : u32,  _S313 : f32,  _S314 : f32,  _S315 : bool) -> Crossing_0
 {
     var crossing_2 : Crossing_0;
-    crossing_2.warp_1 = locate_0(fabrics_0[_S289].warp_0, _S290);
-    crossing_2.weft_1 = locate_0(fabrics_0[_S289].weft_0, _S291);
-    var _S293 : u32 = fabrics_0[_S289].run_words_0 + u32(2) * (crossing_2.weft_1.thread_1 * fabrics_0[_S289].ends_1 + crossing_2.warp_1.thread_1);
-    var _S294 : u32 = words_0[_S293];
-    crossing_2.warp_word_0 = _S294;
-    crossing_2.weft_word_0 = words_0[_S293 + u32(1)];
-    crossing_2.warp_above_0 = (((_S294 & (u32(1)))) == u32(1)) != _S292;
+    crossing_2.warp_1 = locate_0(fabrics_0[_S312].warp_0, _S313);
+    crossing_2.weft_1 = locate_0(fabrics_0[_S312].weft_0, _S314);
+    var _S316 : u32 = fabrics_0[_S312].run_words_0 + u32(2) * (crossing_2.weft_1.thread_1 * fabrics_0[_S312].ends_1 + crossing_2.warp_1.thread_1);
+    var _S317 : u32 = words_0[_S316];
+    crossing_2.warp_word_0 = _S317;
+    crossing_2.weft_word_0 = words_0[_S316 + u32(1)];
+    crossing_2.warp_above_0 = (((_S317 & (u32(1)))) == u32(1)) != _S315;
     return crossing_2;
 }
 
-fn sample_at_0( _S295 : u32,  _S296 : f32,  _S297 : f32,  _S298 : bool) -> Sample_0
+fn sample_at_0( _S318 : u32,  _S319 : f32,  _S320 : f32,  _S321 : bool) -> Sample_0
 {
     var sample_1 : Sample_0;
-    var _S299 : Crossing_0 = crossing_at_0(_S295, _S296, _S297, _S298);
-    sample_1.crossing_1 = _S299;
-    var _S300 : Shown_0 = shown_at_0(_S299, _S298);
-    sample_1.shown_3 = _S300;
-    var _S301 : u32;
-    if(_S300.is_warp_0)
+    var _S322 : Crossing_0 = crossing_at_0(_S318, _S319, _S320, _S321);
+    sample_1.crossing_1 = _S322;
+    var _S323 : Shown_0 = shown_at_0(_S322, _S321);
+    sample_1.shown_3 = _S323;
+    var _S324 : u32;
+    if(_S323.is_warp_0)
     {
-        _S301 = fabrics_0[_S295].warp_0;
+        _S324 = fabrics_0[_S318].warp_0;
     }
     else
     {
-        _S301 = fabrics_0[_S295].weft_0;
+        _S324 = fabrics_0[_S318].weft_0;
     }
-    var _S302 : u32;
-    if(_S300.is_warp_0)
+    var _S325 : u32;
+    if(_S323.is_warp_0)
     {
-        _S302 = fabrics_0[_S295].weft_0;
+        _S325 = fabrics_0[_S318].weft_0;
     }
     else
     {
-        _S302 = fabrics_0[_S295].warp_0;
+        _S325 = fabrics_0[_S318].warp_0;
     }
-    var _S303 : Cell_0 = select_cell_0(_S300.is_warp_0, sample_1.crossing_1.warp_1, sample_1.crossing_1.weft_1);
-    var _S304 : Cell_0 = select_cell_0(_S300.is_warp_0, sample_1.crossing_1.weft_1, sample_1.crossing_1.warp_1);
-    var _S305 : Run_0 = unpack_0(_S301, _S302, _S303.thread_1, _S304, _S300.word_0);
-    var _S306 : Section_0 = section_at_0(_S303);
-    var _S307 : bool;
-    if(_S300.on_top_0)
+    var _S326 : Cell_0 = select_cell_0(_S323.is_warp_0, sample_1.crossing_1.warp_1, sample_1.crossing_1.weft_1);
+    var _S327 : Cell_0 = select_cell_0(_S323.is_warp_0, sample_1.crossing_1.weft_1, sample_1.crossing_1.warp_1);
+    var _S328 : Run_0 = unpack_0(_S324, _S325, _S326.thread_1, _S327, _S323.word_0);
+    var _S329 : Section_0 = section_at_0(_S326);
+    var _S330 : bool;
+    if(_S323.on_top_0)
     {
-        _S307 = (_S305.distance_1) < (_S306.drop_0 * _S305.bend_1.sine_0);
+        _S330 = (_S328.distance_1) < (_S329.drop_0 * _S328.bend_1.sine_0);
     }
     else
     {
-        _S307 = false;
+        _S330 = false;
     }
-    var _S308 : bool;
-    if(_S300.on_top_0)
+    var _S331 : bool;
+    if(_S323.on_top_0)
     {
-        _S308 = !_S307;
+        _S331 = !_S330;
     }
     else
     {
-        _S308 = false;
+        _S331 = false;
     }
-    var _S309 : f32;
-    if(_S308)
+    var _S332 : f32;
+    if(_S331)
     {
-        _S309 = 1.0f;
+        _S332 = 1.0f;
     }
     else
     {
-        _S309 = -1.0f;
+        _S332 = -1.0f;
     }
-    var _S310 : f32;
-    if(_S307)
+    var _S333 : f32;
+    if(_S330)
     {
-        _S310 = _S305.other_reach_0;
+        _S333 = _S328.other_reach_0;
     }
     else
     {
-        _S310 = _S305.reach_0;
+        _S333 = _S328.reach_0;
     }
-    var _S311 : f32;
-    if(_S307)
+    var _S334 : f32;
+    if(_S330)
     {
-        _S311 = _S310 + _S305.distance_1;
+        _S334 = _S333 + _S328.distance_1;
     }
     else
     {
-        _S311 = max(_S310 - _S305.distance_1, 0.0f);
+        _S334 = max(_S333 - _S328.distance_1, 0.0f);
     }
-    var _S312 : f32 = _S310 / _S305.bend_1.sine_0 - _S309 * _S306.drop_0;
-    var _S313 : f32 = _S311 * _S311;
-    var _S314 : f32 = max(_S312 * _S312 - _S313, 9.99999968265522539e-21f);
-    var _S315 : f32 = rsqrt_0(_S314);
-    var _S316 : f32 = _S313 / (_S314 * _S315 + _S312);
-    var _S317 : bool = _S311 > 0.0f;
-    var _S318 : f32;
-    if(_S300.on_top_0)
+    var _S335 : f32 = _S333 / _S328.bend_1.sine_0 - _S332 * _S329.drop_0;
+    var _S336 : f32 = _S334 * _S334;
+    var _S337 : f32 = max(_S335 * _S335 - _S336, 9.99999968265522539e-21f);
+    var _S338 : f32 = rsqrt_0(_S337);
+    var _S339 : f32 = _S336 / (_S337 * _S338 + _S335);
+    var _S340 : bool = _S334 > 0.0f;
+    var _S341 : f32;
+    if(_S323.on_top_0)
     {
-        _S318 = 1.0f;
+        _S341 = 1.0f;
     }
     else
     {
-        _S318 = -1.0f;
+        _S341 = -1.0f;
     }
-    var _S319 : f32;
-    if(_S305.near_start_0)
+    var _S342 : f32;
+    if(_S328.near_start_0)
     {
-        _S319 = 1.0f;
+        _S342 = 1.0f;
     }
     else
     {
-        _S319 = -1.0f;
+        _S342 = -1.0f;
     }
-    var _S320 : f32 = _S318 * _S319;
-    if(_S317)
+    var _S343 : f32 = _S341 * _S342;
+    if(_S340)
     {
-        _S318 = _S312 * _S315;
+        _S341 = _S335 * _S338;
     }
     else
     {
-        _S318 = 1.0f;
+        _S341 = 1.0f;
     }
-    sample_1.slope_across_0 = _S306.slope_0 * _S318;
-    if(_S317)
+    sample_1.slope_across_0 = _S329.slope_0 * _S341;
+    if(_S340)
     {
-        _S311 = _S320 * _S311 * _S315;
+        _S334 = _S343 * _S334 * _S338;
     }
     else
     {
-        _S311 = 0.0f;
+        _S334 = 0.0f;
     }
-    sample_1.slope_along_0 = _S311;
-    var _S321 : Family_std430_0 = families_0[_S301];
-    var _S322 : vec2<f32> = dive_0(_S302, _S300, _S305, _S304);
-    if(_S305.straight_0)
+    sample_1.slope_along_0 = _S334;
+    var _S344 : Family_std430_0 = families_0[_S324];
+    var _S345 : vec2<f32> = dive_0(_S325, _S323, _S328, _S327);
+    if(_S328.straight_0)
     {
-        _S309 = 0.0f;
+        _S332 = 0.0f;
     }
     else
     {
-        _S309 = _S321.height_scale_0 * _S309;
+        _S332 = _S344.height_scale_0 * _S332;
     }
-    sample_1.height_4 = _S309 * (_S310 * _S305.bend_1.half_tangent_0 - _S316) - _S321.height_scale_0 * _S306.drop_0 - _S322.x;
-    var _S323 : f32 = _S321.height_scale_0 * sample_1.slope_across_0;
-    var _S324 : f32 = _S321.height_scale_0 * sample_1.slope_along_0 - _S322.y;
-    if(_S300.is_warp_0)
+    sample_1.height_4 = _S332 * (_S333 * _S328.bend_1.half_tangent_0 - _S339) - _S344.height_scale_0 * _S329.drop_0 - _S345.x;
+    var _S346 : f32 = _S344.height_scale_0 * sample_1.slope_across_0;
+    var _S347 : f32 = _S344.height_scale_0 * sample_1.slope_along_0 - _S345.y;
+    if(_S323.is_warp_0)
     {
-        _S309 = _S323;
+        _S332 = _S346;
     }
     else
     {
-        _S309 = _S324;
+        _S332 = _S347;
     }
-    sample_1.slope_x_1 = _S309;
-    if(_S300.is_warp_0)
+    sample_1.slope_x_1 = _S332;
+    if(_S323.is_warp_0)
     {
-        _S309 = _S324;
+        _S332 = _S347;
     }
     else
     {
-        _S309 = _S323;
+        _S332 = _S346;
     }
-    sample_1.slope_y_1 = _S309;
-    sample_1.run_3 = _S305;
-    sample_1.section_1 = _S306;
+    sample_1.slope_y_1 = _S332;
+    sample_1.run_3 = _S328;
+    sample_1.section_1 = _S329;
     return sample_1;
 }
 
-fn steps_per_length_0( _S325 : u32,  _S326 : SearchQuality_0,  _S327 : vec3<f32>) -> f32
+fn steps_per_length_0( _S348 : u32,  _S349 : SearchQuality_0,  _S350 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S327.x) * fabrics_0[_S325].threads_per_x_0, abs(_S327.y) * fabrics_0[_S325].threads_per_y_0) * _S326.steps_per_thread_0, abs(_S327.z) * fabrics_0[_S325].per_relief_0 * _S326.steps_per_relief_0);
+    return max(max(abs(_S350.x) * fabrics_0[_S348].threads_per_x_0, abs(_S350.y) * fabrics_0[_S348].threads_per_y_0) * _S349.steps_per_thread_0, abs(_S350.z) * fabrics_0[_S348].per_relief_0 * _S349.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S328 : u32,  _S329 : Crossing_0) -> f32
+fn cell_maximum_0( _S351 : u32,  _S352 : Crossing_0) -> f32
 {
-    var _S330 : u32;
-    if(_S329.warp_above_0)
+    var _S353 : u32;
+    if(_S352.warp_above_0)
     {
-        _S330 = fabrics_0[_S328].warp_0;
+        _S353 = fabrics_0[_S351].warp_0;
     }
     else
     {
-        _S330 = fabrics_0[_S328].weft_0;
+        _S353 = fabrics_0[_S351].weft_0;
     }
-    var _S331 : u32;
-    if(_S329.warp_above_0)
+    var _S354 : u32;
+    if(_S352.warp_above_0)
     {
-        _S331 = _S329.warp_word_0;
+        _S354 = _S352.warp_word_0;
     }
     else
     {
-        _S331 = _S329.weft_word_0;
+        _S354 = _S352.weft_word_0;
     }
-    return f32((_S331 >> (u32(28)))) * families_0[_S330].height_scale_0 * families_0[_S330].level_0;
+    return f32((_S354 >> (u32(28)))) * families_0[_S353].height_scale_0 * families_0[_S353].level_0;
 }
 
-fn probe_0( _S332 : u32,  _S333 : f32,  _S334 : f32,  _S335 : bool,  _S336 : bool,  _S337 : bool) -> Probe_0
+fn probe_0( _S355 : u32,  _S356 : f32,  _S357 : f32,  _S358 : bool,  _S359 : bool,  _S360 : bool) -> Probe_0
 {
-    var _S338 : Sample_0 = sample_at_0(_S332, _S333, _S334, _S335);
+    var _S361 : Sample_0 = sample_at_0(_S355, _S356, _S357, _S358);
     var probe_1 : Probe_0;
-    probe_1.height_1 = _S338.height_4;
-    probe_1.hole_1 = _S338.shown_3.hole_0;
-    probe_1.slope_x_0 = _S338.slope_x_1;
-    probe_1.slope_y_0 = _S338.slope_y_1;
-    var _S339 : u32;
-    if(_S338.shown_3.is_warp_0)
+    probe_1.height_1 = _S361.height_4;
+    probe_1.hole_1 = _S361.shown_3.hole_0;
+    probe_1.slope_x_0 = _S361.slope_x_1;
+    probe_1.slope_y_0 = _S361.slope_y_1;
+    var _S362 : u32;
+    if(_S361.shown_3.is_warp_0)
     {
-        _S339 = _S338.crossing_1.warp_1.thread_1 * u32(2) + u32(1);
+        _S362 = _S361.crossing_1.warp_1.thread_1 * u32(2) + u32(1);
     }
     else
     {
-        _S339 = _S338.crossing_1.weft_1.thread_1 * u32(2);
+        _S362 = _S361.crossing_1.weft_1.thread_1 * u32(2);
     }
-    probe_1.yarn_1 = _S339;
-    probe_1.cell_max_0 = cell_maximum_0(_S332, _S338.crossing_1);
-    var _S340 : f32;
-    if(_S336)
+    probe_1.yarn_1 = _S362;
+    probe_1.cell_max_0 = cell_maximum_0(_S355, _S361.crossing_1);
+    var _S363 : f32;
+    if(_S359)
     {
-        _S340 = _S338.crossing_1.warp_1.above_0;
+        _S363 = _S361.crossing_1.warp_1.above_0;
     }
     else
     {
-        _S340 = _S338.crossing_1.warp_1.below_0;
+        _S363 = _S361.crossing_1.warp_1.below_0;
     }
-    probe_1.side_x_0 = _S340;
-    if(_S337)
+    probe_1.side_x_0 = _S363;
+    if(_S360)
     {
-        _S340 = _S338.crossing_1.weft_1.above_0;
+        _S363 = _S361.crossing_1.weft_1.above_0;
     }
     else
     {
-        _S340 = _S338.crossing_1.weft_1.below_0;
+        _S363 = _S361.crossing_1.weft_1.below_0;
     }
-    probe_1.side_y_0 = _S340;
-    probe_1.edge_x_0 = outline_distance_0(_S338.crossing_1.warp_1, _S338.shown_3, _S338.run_3, !_S338.shown_3.is_warp_0, _S336);
-    probe_1.edge_y_0 = outline_distance_0(_S338.crossing_1.weft_1, _S338.shown_3, _S338.run_3, _S338.shown_3.is_warp_0, _S337);
+    probe_1.side_y_0 = _S363;
+    probe_1.edge_x_0 = outline_distance_0(_S361.crossing_1.warp_1, _S361.shown_3, _S361.run_3, !_S361.shown_3.is_warp_0, _S359);
+    probe_1.edge_y_0 = outline_distance_0(_S361.crossing_1.weft_1, _S361.shown_3, _S361.run_3, _S361.shown_3.is_warp_0, _S360);
     return probe_1;
 }
 
-fn is_free_0( _S341 : u32,  _S342 : SearchQuality_0,  _S343 : vec3<f32>,  _S344 : vec3<f32>,  _S345 : bool,  _S346 : f32) -> bool
+fn is_free_0( _S364 : u32,  _S365 : SearchQuality_0,  _S366 : vec3<f32>,  _S367 : vec3<f32>,  _S368 : bool,  _S369 : f32) -> bool
 {
-    var _S347 : f32 = _S344.z;
-    if(_S347 <= 0.0f)
+    var _S370 : f32 = _S367.z;
+    if(_S370 <= 0.0f)
     {
         return false;
     }
-    var _S348 : f32 = 1.0f / max(_S342.shadow_share_0 * steps_per_length_0(_S341, _S342, _S344), 9.99999971718068537e-10f);
-    var _S349 : StepControl_0 = step_control_0(_S344.xy, _S348);
+    var _S371 : f32 = 1.0f / max(_S365.shadow_share_0 * steps_per_length_0(_S364, _S365, _S367), 9.99999971718068537e-10f);
+    var _S372 : StepControl_0 = step_control_0(_S367.xy, _S371);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_3 : u32 = u32(0);
     var distance_3 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S350 : bool;
+        var _S373 : bool;
         if(count_3 < u32(1024))
         {
-            _S350 = (_S343.z + _S347 * distance_3) < _S346;
+            _S373 = (_S366.z + _S370 * distance_3) < _S369;
         }
         else
         {
-            _S350 = false;
+            _S373 = false;
         }
-        if(_S350)
+        if(_S373)
         {
         }
         else
         {
             break;
         }
-        var _S351 : vec3<f32> = _S343 + _S344 * vec3<f32>(distance_3);
-        var _S352 : Probe_0 = probe_0(_S341, _S351.x, _S351.y, _S345, _S349.right_0, _S349.up_0);
-        var _S353 : f32 = _S351.z;
-        var _S354 : f32 = _S353 - _S352.height_1;
-        var _S355 : f32 = _S347 - _S352.slope_x_0 * _S344.x - _S352.slope_y_0 * _S344.y;
-        var _S356 : bool;
-        if(!_S352.hole_1)
+        var _S374 : vec3<f32> = _S366 + _S367 * vec3<f32>(distance_3);
+        var _S375 : Probe_0 = probe_0(_S364, _S374.x, _S374.y, _S368, _S372.right_0, _S372.up_0);
+        var _S376 : f32 = _S374.z;
+        var _S377 : f32 = _S376 - _S375.height_1;
+        var _S378 : f32 = _S370 - _S375.slope_x_0 * _S367.x - _S375.slope_y_0 * _S367.y;
+        var _S379 : bool;
+        if(!_S375.hole_1)
         {
-            _S356 = _S354 < 0.0f;
+            _S379 = _S377 < 0.0f;
         }
         else
         {
-            _S356 = false;
+            _S379 = false;
         }
-        if(_S356)
+        if(_S379)
         {
             return false;
         }
-        var _S357 : f32 = way_back_to_dip_0(previous_3, _S354, _S355, last_step_0, _S352);
-        if(_S357 >= 0.0f)
+        var _S380 : f32 = way_back_to_dip_0(previous_3, _S377, _S378, last_step_0, _S375);
+        if(_S380 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S357;
-            distance_3 = distance_3 - _S357;
+            var last_step_1 : f32 = last_step_0 - _S380;
+            distance_3 = distance_3 - _S380;
             last_step_0 = last_step_1;
             count_3 = count_3 + u32(1);
             continue;
         }
-        var _S358 : bool = _S353 > (_S352.cell_max_0);
-        var _S359 : PreviousSample_0 = after_sample_0(_S354, _S355, _S352, _S358);
+        var _S381 : bool = _S376 > (_S375.cell_max_0);
+        var _S382 : PreviousSample_0 = after_sample_0(_S377, _S378, _S375, _S381);
         var last_step_2 : f32;
-        if(_S358)
+        if(_S381)
         {
-            last_step_2 = max(StepControl_to_cell_exit_0(_S349, _S352.side_x_0, _S352.side_y_0), _S348);
+            last_step_2 = max(StepControl_to_cell_exit_0(_S372, _S375.side_x_0, _S375.side_y_0), _S371);
         }
         else
         {
-            last_step_2 = StepControl_to_next_sample_0(_S349, _S352, _S354, _S355);
+            last_step_2 = StepControl_to_next_sample_0(_S372, _S375, _S377, _S378);
         }
         var distance_4 : f32 = distance_3 + last_step_2;
-        previous_3 = _S359;
+        previous_3 = _S382;
         distance_3 = distance_4;
         last_step_0 = last_step_2;
         count_3 = count_3 + u32(1);
@@ -2184,46 +2222,46 @@ fn is_free_0( _S341 : u32,  _S342 : SearchQuality_0,  _S343 : vec3<f32>,  _S344 
     return true;
 }
 
-fn passes_through_0( _S360 : u32,  _S361 : SearchQuality_0,  _S362 : f32,  _S363 : f32,  _S364 : vec3<f32>,  _S365 : bool) -> bool
+fn passes_through_0( _S383 : u32,  _S384 : SearchQuality_0,  _S385 : f32,  _S386 : f32,  _S387 : vec3<f32>,  _S388 : bool) -> bool
 {
-    if(!sample_at_0(_S360, _S362, _S363, _S365).shown_3.hole_0)
+    if(!sample_at_0(_S383, _S385, _S386, _S388).shown_3.hole_0)
     {
         return false;
     }
-    var _S366 : vec3<f32> = vec3<f32>(_S362, _S363, 0.0f);
+    var _S389 : vec3<f32> = vec3<f32>(_S385, _S386, 0.0f);
     var passes_0 : bool = true;
     var side_0 : u32 = u32(0);
     for(;;)
     {
-        var _S367 : bool;
+        var _S390 : bool;
         if(side_0 < u32(2))
         {
-            _S367 = passes_0;
+            _S390 = passes_0;
         }
         else
         {
-            _S367 = false;
+            _S390 = false;
         }
-        if(_S367)
+        if(_S390)
         {
         }
         else
         {
             break;
         }
-        var _S368 : vec3<f32>;
+        var _S391 : vec3<f32>;
         if(side_0 == u32(0))
         {
-            _S368 = _S364;
+            _S391 = _S387;
         }
         else
         {
-            _S368 = vec3<f32>(- _S364.x, - _S364.y, _S364.z);
+            _S391 = vec3<f32>(- _S387.x, - _S387.y, _S387.z);
         }
-        var _S369 : bool = is_free_0(_S360, _S361, _S366, _S368, _S365 != (side_0 == u32(1)), fabrics_0[_S360].height_high_0);
-        var _S370 : u32 = side_0 + u32(1);
-        passes_0 = _S369;
-        side_0 = _S370;
+        var _S392 : bool = is_free_0(_S383, _S384, _S389, _S391, _S388 != (side_0 == u32(1)), fabrics_0[_S383].height_high_0);
+        var _S393 : u32 = side_0 + u32(1);
+        passes_0 = _S392;
+        side_0 = _S393;
     }
     return passes_0;
 }
@@ -2238,33 +2276,33 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S371 : u32,  _S372 : f32,  _S373 : f32,  _S374 : f32,  _S375 : vec3<f32>,  _S376 : bool) -> f32
+fn max_height_along_0( _S394 : u32,  _S395 : f32,  _S396 : f32,  _S397 : f32,  _S398 : vec3<f32>,  _S399 : bool) -> f32
 {
-    var _S377 : u32 = locate_0(fabrics_0[_S371].warp_0, _S372).thread_1 / u32(2);
-    var _S378 : u32 = locate_0(fabrics_0[_S371].weft_0, _S373).thread_1 / u32(2);
-    var _S379 : f32 = _S375.x;
-    var _S380 : u32;
-    if(_S379 > 0.0f)
+    var _S400 : u32 = locate_0(fabrics_0[_S394].warp_0, _S395).thread_1 / u32(2);
+    var _S401 : u32 = locate_0(fabrics_0[_S394].weft_0, _S396).thread_1 / u32(2);
+    var _S402 : f32 = _S398.x;
+    var _S403 : u32;
+    if(_S402 > 0.0f)
     {
-        _S380 = u32(1);
+        _S403 = u32(1);
     }
     else
     {
-        _S380 = u32(0);
+        _S403 = u32(0);
     }
-    var _S381 : f32 = _S375.y;
-    var _S382 : u32;
-    if(_S381 > 0.0f)
+    var _S404 : f32 = _S398.y;
+    var _S405 : u32;
+    if(_S404 > 0.0f)
     {
-        _S382 = u32(2);
+        _S405 = u32(2);
     }
     else
     {
-        _S382 = u32(0);
+        _S405 = u32(0);
     }
-    var _S383 : u32 = words_0[fabrics_0[_S371].max_heights_0 + u32(4) * (_S378 * fabrics_0[_S371].max_height_columns_0 + _S377) + (_S380 + _S382)];
+    var _S406 : u32 = words_0[fabrics_0[_S394].max_heights_0 + u32(4) * (_S401 * fabrics_0[_S394].max_height_columns_0 + _S400) + (_S403 + _S405)];
     var number_2 : i32;
-    if(_S376)
+    if(_S399)
     {
         number_2 = i32(4);
     }
@@ -2272,10 +2310,10 @@ fn max_height_along_0( _S371 : u32,  _S372 : f32,  _S373 : f32,  _S374 : f32,  _
     {
         number_2 = i32(0);
     }
-    var _S384 : u32 = (_S383 >> (u32(number_2)));
-    var _S385 : f32 = max(abs(_S379) * fabrics_0[_S371].threads_per_x_0, abs(_S381) * fabrics_0[_S371].threads_per_y_0) / _S375.z;
-    var _S386 : f32 = fabrics_0[_S371].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S371].height_high_0;
+    var _S407 : u32 = (_S406 >> (u32(number_2)));
+    var _S408 : f32 = max(abs(_S402) * fabrics_0[_S394].threads_per_x_0, abs(_S404) * fabrics_0[_S394].threads_per_y_0) / _S398.z;
+    var _S409 : f32 = fabrics_0[_S394].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S394].height_high_0;
     number_2 = i32(3);
     for(;;)
     {
@@ -2286,45 +2324,45 @@ fn max_height_along_0( _S371 : u32,  _S372 : f32,  _S373 : f32,  _S374 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S374) * _S385) <= (PYRAMID_RADII_0[number_2]))
+        if(((max_height_0 - _S397) * _S408) <= (PYRAMID_RADII_0[number_2]))
         {
-            max_height_0 = min(max_height_0, f32((((_S384 >> (u32(i32(8) * number_2)))) & (u32(15)))) * 0.06666667014360428f * _S386);
+            max_height_0 = min(max_height_0, f32((((_S407 >> (u32(i32(8) * number_2)))) & (u32(15)))) * 0.06666667014360428f * _S409);
         }
         number_2 = number_2 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S387 : u32,  _S388 : f32,  _S389 : f32,  _S390 : bool,  _S391 : bool,  _S392 : bool) -> vec3<f32>
+fn cell_bounds_0( _S410 : u32,  _S411 : f32,  _S412 : f32,  _S413 : bool,  _S414 : bool,  _S415 : bool) -> vec3<f32>
 {
-    var _S393 : Crossing_0 = crossing_at_0(_S387, _S388, _S389, _S390);
-    var _S394 : f32 = cell_maximum_0(_S387, _S393);
-    var _S395 : f32;
-    if(_S391)
+    var _S416 : Crossing_0 = crossing_at_0(_S410, _S411, _S412, _S413);
+    var _S417 : f32 = cell_maximum_0(_S410, _S416);
+    var _S418 : f32;
+    if(_S414)
     {
-        _S395 = _S393.warp_1.above_0;
+        _S418 = _S416.warp_1.above_0;
     }
     else
     {
-        _S395 = _S393.warp_1.below_0;
+        _S418 = _S416.warp_1.below_0;
     }
-    var _S396 : f32;
-    if(_S392)
+    var _S419 : f32;
+    if(_S415)
     {
-        _S396 = _S393.weft_1.above_0;
+        _S419 = _S416.weft_1.above_0;
     }
     else
     {
-        _S396 = _S393.weft_1.below_0;
+        _S419 = _S416.weft_1.below_0;
     }
-    return vec3<f32>(_S394, _S395, _S396);
+    return vec3<f32>(_S417, _S418, _S419);
 }
 
-fn first_sample_height_0( _S397 : u32,  _S398 : ViewRay_0,  _S399 : StepControl_0,  _S400 : bool) -> f32
+fn first_sample_height_0( _S420 : u32,  _S421 : ViewRay_0,  _S422 : StepControl_0,  _S423 : bool) -> f32
 {
-    var _S401 : f32 = max_height_along_0(_S397, _S398.origin_2.x, _S398.origin_2.y, 0.0f, vec3<f32>(_S398.slope_1, 1.0f), _S400);
+    var _S424 : f32 = max_height_along_0(_S420, _S421.origin_2.x, _S421.origin_2.y, 0.0f, vec3<f32>(_S421.slope_1, 1.0f), _S423);
     var count_4 : u32 = u32(0);
-    var height_6 : f32 = _S401;
+    var height_6 : f32 = _S424;
     for(;;)
     {
         if(count_4 < u32(1024))
@@ -2334,12 +2372,12 @@ fn first_sample_height_0( _S397 : u32,  _S398 : ViewRay_0,  _S399 : StepControl_
         {
             break;
         }
-        var _S402 : vec2<f32> = ViewRay_at_0(_S398, height_6);
-        var _S403 : vec3<f32> = cell_bounds_0(_S397, _S402.x, _S402.y, _S400, _S399.right_0, _S399.up_0);
-        var _S404 : f32 = height_6 - _S403.x;
-        var _S405 : f32 = StepControl_to_cell_exit_0(_S399, _S403.y, _S403.z);
-        var height_7 : f32 = height_6 - clamp(_S404, 0.0f, _S405);
-        if(_S404 <= _S405)
+        var _S425 : vec2<f32> = ViewRay_at_0(_S421, height_6);
+        var _S426 : vec3<f32> = cell_bounds_0(_S420, _S425.x, _S425.y, _S423, _S422.right_0, _S422.up_0);
+        var _S427 : f32 = height_6 - _S426.x;
+        var _S428 : f32 = StepControl_to_cell_exit_0(_S422, _S426.y, _S426.z);
+        var height_7 : f32 = height_6 - clamp(_S427, 0.0f, _S428);
+        if(_S427 <= _S428)
         {
             height_6 = height_7;
             break;
@@ -2350,12 +2388,12 @@ fn first_sample_height_0( _S397 : u32,  _S398 : ViewRay_0,  _S399 : StepControl_
     return height_6;
 }
 
-fn search_down_0( _S406 : u32,  _S407 : ViewRay_0,  _S408 : StepControl_0,  _S409 : bool) -> ViewRayEnd_0
+fn search_down_0( _S429 : u32,  _S430 : ViewRay_0,  _S431 : StepControl_0,  _S432 : bool) -> ViewRayEnd_0
 {
-    var _S410 : f32 = fabrics_0[_S406].height_low_0 - (fabrics_0[_S406].height_high_0 - fabrics_0[_S406].height_low_0);
+    var _S433 : f32 = fabrics_0[_S429].height_low_0 - (fabrics_0[_S429].height_high_0 - fabrics_0[_S429].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_5 = first_sample_height_0(_S406, _S407, _S408, _S409);
-    end_1.last_step_3 = _S408.epsilon_0;
+    end_1.height_5 = first_sample_height_0(_S429, _S430, _S431, _S432);
+    end_1.last_step_3 = _S431.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_0 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -2370,150 +2408,150 @@ fn search_down_0( _S406 : u32,  _S407 : ViewRay_0,  _S408 : StepControl_0,  _S40
         {
             break;
         }
-        var _S411 : vec2<f32> = ViewRay_at_0(_S407, end_1.height_5);
-        var _S412 : Probe_0 = probe_0(_S406, _S411.x, _S411.y, _S409, _S408.right_0, _S408.up_0);
-        var _S413 : f32 = end_1.height_5 - _S412.height_1;
-        var _S414 : f32 = ViewRay_rate_0(_S407, _S412);
-        end_1.depth_0 = - _S413;
-        end_1.rate_4 = _S414;
-        var _S415 : bool;
+        var _S434 : vec2<f32> = ViewRay_at_0(_S430, end_1.height_5);
+        var _S435 : Probe_0 = probe_0(_S429, _S434.x, _S434.y, _S432, _S431.right_0, _S431.up_0);
+        var _S436 : f32 = end_1.height_5 - _S435.height_1;
+        var _S437 : f32 = ViewRay_rate_0(_S430, _S435);
+        end_1.depth_0 = - _S436;
+        end_1.rate_4 = _S437;
+        var _S438 : bool;
         if(end_1.previous_4.known_0)
         {
-            _S415 = !_S412.hole_1;
+            _S438 = !_S435.hole_1;
         }
         else
         {
-            _S415 = false;
+            _S438 = false;
         }
-        var _S416 : bool;
-        if(_S415)
+        var _S439 : bool;
+        if(_S438)
         {
-            _S416 = (end_1.previous_4.yarn_0) == (_S412.yarn_1);
+            _S439 = (end_1.previous_4.yarn_0) == (_S435.yarn_1);
         }
         else
         {
-            _S416 = false;
+            _S439 = false;
         }
-        end_1.smooth_0 = _S416;
-        var _S417 : bool;
-        if(!_S412.hole_1)
+        end_1.smooth_0 = _S439;
+        var _S440 : bool;
+        if(!_S435.hole_1)
         {
-            _S417 = _S413 <= 0.0f;
+            _S440 = _S436 <= 0.0f;
         }
         else
         {
-            _S417 = false;
+            _S440 = false;
         }
-        var _S418 : bool;
-        if(_S417)
+        var _S441 : bool;
+        if(_S440)
         {
-            _S418 = true;
+            _S441 = true;
         }
         else
         {
-            _S418 = (end_1.height_5) <= _S410;
+            _S441 = (end_1.height_5) <= _S433;
         }
-        if(_S418)
+        if(_S441)
         {
             break;
         }
-        var _S419 : f32 = way_back_to_dip_0(end_1.previous_4, _S413, _S414, end_1.last_step_3, _S412);
-        if(_S419 >= 0.0f)
+        var _S442 : f32 = way_back_to_dip_0(end_1.previous_4, _S436, _S437, end_1.last_step_3, _S435);
+        if(_S442 >= 0.0f)
         {
-            end_1.height_5 = end_1.height_5 + _S419;
-            end_1.last_step_3 = end_1.last_step_3 - _S419;
+            end_1.height_5 = end_1.height_5 + _S442;
+            end_1.last_step_3 = end_1.last_step_3 - _S442;
             count_5 = count_5 + u32(1);
             continue;
         }
-        var _S420 : f32 = min(StepControl_to_cell_exit_0(_S408, _S412.side_x_0, _S412.side_y_0), end_1.height_5 - _S412.cell_max_0);
-        var _S421 : f32 = StepControl_to_next_sample_0(_S408, _S412, _S413, _S414);
-        end_1.previous_4 = after_sample_0(_S413, _S414, _S412, _S420 > _S421);
-        var _S422 : f32 = max(_S420, _S421);
-        end_1.last_step_3 = _S422;
-        end_1.height_5 = end_1.height_5 - _S422;
+        var _S443 : f32 = min(StepControl_to_cell_exit_0(_S431, _S435.side_x_0, _S435.side_y_0), end_1.height_5 - _S435.cell_max_0);
+        var _S444 : f32 = StepControl_to_next_sample_0(_S431, _S435, _S436, _S437);
+        end_1.previous_4 = after_sample_0(_S436, _S437, _S435, _S443 > _S444);
+        var _S445 : f32 = max(_S443, _S444);
+        end_1.last_step_3 = _S445;
+        end_1.height_5 = end_1.height_5 - _S445;
         count_5 = count_5 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S423 : u32,  _S424 : ViewRay_0,  _S425 : StepControl_0,  _S426 : bool,  _S427 : ViewRayEnd_0,  _S428 : u32) -> f32
+fn refined_height_0( _S446 : u32,  _S447 : ViewRay_0,  _S448 : StepControl_0,  _S449 : bool,  _S450 : ViewRayEnd_0,  _S451 : u32) -> f32
 {
-    var _S429 : f32 = fabrics_0[_S423].height_high_0 - fabrics_0[_S423].height_low_0;
-    var above_2 : f32 = _S427.height_5 + _S427.last_step_3;
-    var above_gap_1 : f32 = clamp(_S427.previous_4.clearance_0, 0.0f, _S429);
-    var under_gap_1 : f32 = clamp(_S427.depth_0, 0.0f, _S429);
-    var _S430 : f32 = cubic_root_0(above_gap_1, - under_gap_1, _S427.previous_4.rate_0 * _S427.last_step_3, _S427.rate_4 * _S427.last_step_3);
+    var _S452 : f32 = fabrics_0[_S446].height_high_0 - fabrics_0[_S446].height_low_0;
+    var above_2 : f32 = _S450.height_5 + _S450.last_step_3;
+    var above_gap_1 : f32 = clamp(_S450.previous_4.clearance_0, 0.0f, _S452);
+    var under_gap_1 : f32 = clamp(_S450.depth_0, 0.0f, _S452);
+    var _S453 : f32 = cubic_root_0(above_gap_1, - under_gap_1, _S450.previous_4.rate_0 * _S450.last_step_3, _S450.rate_4 * _S450.last_step_3);
     var middle_0 : f32;
-    if(_S427.smooth_0)
+    if(_S450.smooth_0)
     {
-        middle_0 = above_2 - _S430 * _S427.last_step_3;
+        middle_0 = above_2 - _S453 * _S450.last_step_3;
     }
     else
     {
-        middle_0 = between_0(above_2, _S427.height_5, above_gap_1, under_gap_1);
+        middle_0 = between_0(above_2, _S450.height_5, above_gap_1, under_gap_1);
     }
     var side_1 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S427.height_5;
+    var under_1 : f32 = _S450.height_5;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S428)
+        if(i_1 < _S451)
         {
         }
         else
         {
             break;
         }
-        var _S431 : vec2<f32> = ViewRay_at_0(_S424, middle_0);
-        var _S432 : Probe_0 = probe_0(_S423, _S431.x, _S431.y, _S426, _S425.right_0, _S425.up_0);
-        var _S433 : f32;
-        if(_S432.hole_1)
+        var _S454 : vec2<f32> = ViewRay_at_0(_S447, middle_0);
+        var _S455 : Probe_0 = probe_0(_S446, _S454.x, _S454.y, _S449, _S448.right_0, _S448.up_0);
+        var _S456 : f32;
+        if(_S455.hole_1)
         {
-            _S433 = -1.0e+09f;
+            _S456 = -1.0e+09f;
         }
         else
         {
-            _S433 = _S432.height_1;
+            _S456 = _S455.height_1;
         }
-        var _S434 : f32 = clamp(middle_0 - _S433, - _S429, _S429);
-        var _S435 : f32;
-        if(_S434 <= 0.0f)
+        var _S457 : f32 = clamp(middle_0 - _S456, - _S452, _S452);
+        var _S458 : f32;
+        if(_S457 <= 0.0f)
         {
             if(side_1 > 0.0f)
             {
-                _S435 = 0.5f * above_gap_2;
+                _S458 = 0.5f * above_gap_2;
             }
             else
             {
-                _S435 = above_gap_2;
+                _S458 = above_gap_2;
             }
-            var _S436 : f32 = - _S434;
+            var _S459 : f32 = - _S457;
             under_1 = middle_0;
-            above_gap_2 = _S435;
-            under_gap_2 = _S436;
+            above_gap_2 = _S458;
+            under_gap_2 = _S459;
             side_1 = 1.0f;
         }
         else
         {
             if(side_1 < 0.0f)
             {
-                _S435 = 0.5f * under_gap_2;
+                _S458 = 0.5f * under_gap_2;
             }
             else
             {
-                _S435 = under_gap_2;
+                _S458 = under_gap_2;
             }
             above_3 = middle_0;
-            above_gap_2 = _S434;
-            under_gap_2 = _S435;
+            above_gap_2 = _S457;
+            under_gap_2 = _S458;
             side_1 = -1.0f;
         }
-        if(_S427.smooth_0)
+        if(_S450.smooth_0)
         {
-            middle_0 = clamp(middle_0 + _S434 / min(ViewRay_rate_0(_S424, _S432), -9.99999997475242708e-07f), under_1, above_3);
+            middle_0 = clamp(middle_0 + _S457 / min(ViewRay_rate_0(_S447, _S455), -9.99999997475242708e-07f), under_1, above_3);
         }
         else
         {
@@ -2521,7 +2559,7 @@ fn refined_height_0( _S423 : u32,  _S424 : ViewRay_0,  _S425 : StepControl_0,  _
         }
         i_1 = i_1 + u32(1);
     }
-    if(_S427.smooth_0)
+    if(_S450.smooth_0)
     {
     }
     else
@@ -2531,34 +2569,34 @@ fn refined_height_0( _S423 : u32,  _S424 : ViewRay_0,  _S425 : StepControl_0,  _
     return middle_0;
 }
 
-fn first_hit_of_yarn_0( _S437 : u32,  _S438 : SearchQuality_0,  _S439 : f32,  _S440 : f32,  _S441 : vec3<f32>,  _S442 : bool) -> Hit_1
+fn first_hit_of_yarn_0( _S460 : u32,  _S461 : SearchQuality_0,  _S462 : f32,  _S463 : f32,  _S464 : vec3<f32>,  _S465 : bool) -> Hit_1
 {
-    var _S443 : f32 = max(_S441.z, 0.00009999999747379f);
+    var _S466 : f32 = max(_S464.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_2 = vec2<f32>(_S439, _S440);
-    var _S444 : vec2<f32> = _S441.xy / vec2<f32>(_S443);
-    ray_0.slope_1 = _S444;
-    var _S445 : StepControl_0 = step_control_0((vec2<f32>(0) - _S444), 1.0f / max(steps_per_length_0(_S437, _S438, _S441) / _S443, 9.99999971718068537e-10f));
-    var _S446 : ViewRayEnd_0 = search_down_0(_S437, ray_0, _S445, _S442);
+    ray_0.origin_2 = vec2<f32>(_S462, _S463);
+    var _S467 : vec2<f32> = _S464.xy / vec2<f32>(_S466);
+    ray_0.slope_1 = _S467;
+    var _S468 : StepControl_0 = step_control_0((vec2<f32>(0) - _S467), 1.0f / max(steps_per_length_0(_S460, _S461, _S464) / _S466, 9.99999971718068537e-10f));
+    var _S469 : ViewRayEnd_0 = search_down_0(_S460, ray_0, _S468, _S465);
     var hit_1 : Hit_1;
     hit_1.hole_2 = false;
-    var _S447 : f32 = refined_height_0(_S437, ray_0, _S445, _S442, _S446, _S438.refinements_0);
-    hit_1.height_3 = _S447;
-    var _S448 : vec2<f32> = ViewRay_at_0(ray_0, _S447);
-    hit_1.x_13 = _S448.x;
-    hit_1.y_7 = _S448.y;
+    var _S470 : f32 = refined_height_0(_S460, ray_0, _S468, _S465, _S469, _S461.refinements_0);
+    hit_1.height_3 = _S470;
+    var _S471 : vec2<f32> = ViewRay_at_0(ray_0, _S470);
+    hit_1.x_13 = _S471.x;
+    hit_1.y_7 = _S471.y;
     return hit_1;
 }
 
-fn first_hit_0( _S449 : u32,  _S450 : SearchQuality_0,  _S451 : f32,  _S452 : f32,  _S453 : vec3<f32>,  _S454 : bool) -> Hit_1
+fn first_hit_0( _S472 : u32,  _S473 : SearchQuality_0,  _S474 : f32,  _S475 : f32,  _S476 : vec3<f32>,  _S477 : bool) -> Hit_1
 {
-    if(!passes_through_0(_S449, _S450, _S451, _S452, _S453, _S454))
+    if(!passes_through_0(_S472, _S473, _S474, _S475, _S476, _S477))
     {
-        return first_hit_of_yarn_0(_S449, _S450, _S451, _S452, _S453, _S454);
+        return first_hit_of_yarn_0(_S472, _S473, _S474, _S475, _S476, _S477);
     }
     var hit_2 : Hit_1;
-    hit_2.x_13 = _S451;
-    hit_2.y_7 = _S452;
+    hit_2.x_13 = _S474;
+    hit_2.y_7 = _S475;
     hit_2.height_3 = 0.0f;
     hit_2.hole_2 = true;
     return hit_2;
@@ -2569,23 +2607,23 @@ struct CoverageTaps_0
      nodes_1 : array<u32, i32(9)>,
 };
 
-fn pyramid_level_0( _S455 : u32,  _S456 : f32) -> vec3<f32>
+fn pyramid_level_0( _S478 : u32,  _S479 : f32) -> vec3<f32>
 {
-    var _S457 : u32 = fabrics_0[_S455].lobes_0.levels_0 + u32(4) * u32(min(_S456, fabrics_0[_S455].lobes_0.last_level_0));
-    return vec3<f32>(table_number_0(_S457), table_number_0(_S457 + u32(1)), table_number_0(_S457 + u32(2)));
+    var _S480 : u32 = fabrics_0[_S478].lobes_0.levels_0 + u32(4) * u32(min(_S479, fabrics_0[_S478].lobes_0.last_level_0));
+    return vec3<f32>(table_number_0(_S480), table_number_0(_S480 + u32(1)), table_number_0(_S480 + u32(2)));
 }
 
-fn coverage_taps_0( _S458 : u32,  _S459 : Footprint_0,  _S460 : bool) -> CoverageTaps_0
+fn coverage_taps_0( _S481 : u32,  _S482 : Footprint_0,  _S483 : bool) -> CoverageTaps_0
 {
-    var _S461 : Lobes_std430_0 = fabrics_0[_S458].lobes_0;
-    var _S462 : f32 = Footprint_spread_side_0(_S459) * fabrics_0[_S458].lobes_0.inverse_base_size_0;
-    var _S463 : vec3<f32> = pyramid_level_0(_S458, floor(binary_logarithm_0(max(0.68000000715255737f * _S462, 1.0f))));
-    var _S464 : f32 = 1.0f / max(_S462, 9.99999997475242708e-07f);
-    var _S465 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S458].warp_0].inverse_period_0, families_0[fabrics_0[_S458].weft_0].inverse_period_0);
-    var _S466 : vec2<f32> = _S459.centre_0 * _S465;
-    var _S467 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S464 * _S464), 0.0f, 1.0f)), 0.3333333432674408f * _S464), 1.0f));
-    var _S468 : vec2<f32> = _S459.dx_0 * _S465 * _S467;
-    var _S469 : vec2<f32> = _S459.dy_0 * _S465 * _S467;
+    var _S484 : Lobes_std430_0 = fabrics_0[_S481].lobes_0;
+    var _S485 : f32 = Footprint_spread_side_0(_S482) * fabrics_0[_S481].lobes_0.inverse_base_size_0;
+    var _S486 : vec3<f32> = pyramid_level_0(_S481, floor(binary_logarithm_0(max(0.68000000715255737f * _S485, 1.0f))));
+    var _S487 : f32 = 1.0f / max(_S485, 9.99999997475242708e-07f);
+    var _S488 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S481].warp_0].inverse_period_0, families_0[fabrics_0[_S481].weft_0].inverse_period_0);
+    var _S489 : vec2<f32> = _S482.centre_0 * _S488;
+    var _S490 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S487 * _S487), 0.0f, 1.0f)), 0.3333333432674408f * _S487), 1.0f));
+    var _S491 : vec2<f32> = _S482.dx_0 * _S488 * _S490;
+    var _S492 : vec2<f32> = _S482.dy_0 * _S488 * _S490;
     var taps_3 : CoverageTaps_0;
     var number_3 : u32 = u32(0);
     for(;;)
@@ -2597,26 +2635,26 @@ fn coverage_taps_0( _S458 : u32,  _S459 : Footprint_0,  _S460 : bool) -> Coverag
         {
             break;
         }
-        var _S470 : vec2<f32> = _S466 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S468 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S469;
-        var _S471 : f32 = _S463.y;
-        var _S472 : f32 = wrapped_cell_0(_S470.x, _S471);
-        var _S473 : f32 = wrapped_cell_0(_S470.y, _S463.z);
-        var _S474 : u32;
-        if(_S460)
+        var _S493 : vec2<f32> = _S489 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S491 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S492;
+        var _S494 : f32 = _S486.y;
+        var _S495 : f32 = wrapped_cell_0(_S493.x, _S494);
+        var _S496 : f32 = wrapped_cell_0(_S493.y, _S486.z);
+        var _S497 : u32;
+        if(_S483)
         {
-            _S474 = _S461.face_nodes_0;
+            _S497 = _S484.face_nodes_0;
         }
         else
         {
-            _S474 = u32(0);
+            _S497 = u32(0);
         }
-        taps_3.nodes_1[number_3] = _S474 + u32(_S473 * _S471 + _S472 + _S463.x);
+        taps_3.nodes_1[number_3] = _S497 + u32(_S496 * _S494 + _S495 + _S486.x);
         number_3 = number_3 + u32(1);
     }
     return taps_3;
 }
 
-fn coverage_of_holes_0( _S475 : u32,  _S476 : CoverageTaps_0) -> f32
+fn coverage_of_holes_0( _S498 : u32,  _S499 : CoverageTaps_0) -> f32
 {
     var number_4 : u32 = u32(0);
     var total_0 : u32 = u32(0);
@@ -2629,54 +2667,54 @@ fn coverage_of_holes_0( _S475 : u32,  _S476 : CoverageTaps_0) -> f32
         {
             break;
         }
-        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S475].lobes_0.coverage_holes_0 + _S476.nodes_1[number_4] / u32(4)] >> ((u32(8) * (_S476.nodes_1[number_4] % u32(4)))))) & (u32(255))));
+        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S498].lobes_0.coverage_holes_0 + _S499.nodes_1[number_4] / u32(4)] >> ((u32(8) * (_S499.nodes_1[number_4] % u32(4)))))) & (u32(255))));
         number_4 = number_4 + u32(1);
         total_0 = total_1;
     }
     return f32(total_0) / 9.0f;
 }
 
-fn prefiltered_hole_0( _S477 : u32,  _S478 : CoverageTaps_0,  _S479 : NodeTaps_0,  _S480 : bool) -> f32
+fn prefiltered_hole_0( _S500 : u32,  _S501 : CoverageTaps_0,  _S502 : NodeTaps_0,  _S503 : bool) -> f32
 {
-    var _S481 : Lobes_std430_0 = fabrics_0[_S477].lobes_0;
-    var _S482 : f32 = interpolate_table_0(_S479, fabrics_0[_S477].lobes_0.projected_area_0 + fabrics_0[_S477].lobes_0.packs_0, fabrics_0[_S477].lobes_0.packs_0 + u32(1)).x;
-    var _S483 : f32;
-    if(_S480)
+    var _S504 : Lobes_std430_0 = fabrics_0[_S500].lobes_0;
+    var _S505 : f32 = interpolate_table_0(_S502, fabrics_0[_S500].lobes_0.projected_area_0 + fabrics_0[_S500].lobes_0.packs_0, fabrics_0[_S500].lobes_0.packs_0 + u32(1)).x;
+    var _S506 : f32;
+    if(_S503)
     {
-        _S483 = _S481.back_hole_weight_0;
+        _S506 = _S504.back_hole_weight_0;
     }
     else
     {
-        _S483 = _S481.front_hole_weight_0;
+        _S506 = _S504.front_hole_weight_0;
     }
-    return min(coverage_of_holes_0(_S477, _S478) * _S482 * _S482 * _S483, 1.0f);
+    return min(coverage_of_holes_0(_S500, _S501) * _S505 * _S505 * _S506, 1.0f);
 }
 
-fn passed_share_0( _S484 : u32,  _S485 : VisiblePoint_0,  _S486 : vec3<f32>,  _S487 : f32,  _S488 : vec2<f32>) -> f32
+fn passed_share_0( _S507 : u32,  _S508 : VisiblePoint_0,  _S509 : vec3<f32>,  _S510 : f32,  _S511 : vec2<f32>) -> f32
 {
-    var _S489 : vec3<f32> = to_local_0(_S485, _S486);
-    var _S490 : bool = (_S489.z) < 0.0f;
-    var _S491 : vec3<f32> = to_face_frame_0(_S489, _S490);
+    var _S512 : vec3<f32> = to_local_0(_S508, _S509);
+    var _S513 : bool = (_S512.z) < 0.0f;
+    var _S514 : vec3<f32> = to_face_frame_0(_S512, _S513);
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S485.draft_0;
-    footprint_0.dx_0 = vec2<f32>(_S487, 0.0f);
-    footprint_0.dy_0 = vec2<f32>(0.0f, _S487);
-    var _S492 : f32;
-    if((fabrics_0[_S484].lobes_0.is_baked_0) != u32(0))
+    footprint_0.centre_0 = _S508.draft_0;
+    footprint_0.dx_0 = vec2<f32>(_S510, 0.0f);
+    footprint_0.dy_0 = vec2<f32>(0.0f, _S510);
+    var _S515 : f32;
+    if((fabrics_0[_S507].lobes_0.is_baked_0) != u32(0))
     {
-        _S492 = regime_of_0(_S484, footprint_0, 1.0f).prefiltered_0;
+        _S515 = regime_of_0(_S507, footprint_0, 1.0f).prefiltered_0;
     }
     else
     {
-        _S492 = 0.0f;
+        _S515 = 0.0f;
     }
     var share_2 : f32;
-    if(_S492 < 1.0f)
+    if(_S515 < 1.0f)
     {
-        var _S493 : vec2<f32> = footprint_0.centre_0 + (_S488 - vec2<f32>(0.5f)) * vec2<f32>(_S487);
-        if(first_hit_0(_S484, default_quality_0(), _S493.x, _S493.y, _S491, _S490).hole_2)
+        var _S516 : vec2<f32> = footprint_0.centre_0 + (_S511 - vec2<f32>(0.5f)) * vec2<f32>(_S510);
+        if(first_hit_0(_S507, default_quality_0(), _S516.x, _S516.y, _S514, _S513).hole_2)
         {
-            share_2 = 1.0f - _S492;
+            share_2 = 1.0f - _S515;
         }
         else
         {
@@ -2687,34 +2725,34 @@ fn passed_share_0( _S484 : u32,  _S485 : VisiblePoint_0,  _S486 : vec3<f32>,  _S
     {
         share_2 = 0.0f;
     }
-    if(_S492 > 0.0f)
+    if(_S515 > 0.0f)
     {
-        var nodes_2 : NodeTaps_0 = node_taps_0(_S491);
-        var _S494 : u32;
-        if(_S490)
+        var nodes_2 : NodeTaps_0 = node_taps_0(_S514);
+        var _S517 : u32;
+        if(_S513)
         {
-            _S494 = u32(1);
+            _S517 = u32(1);
         }
         else
         {
-            _S494 = u32(0);
+            _S517 = u32(0);
         }
-        nodes_2.nodes_0 = nodes_2.nodes_0 + vec4<u32>((_S494 * u32(256)));
-        share_2 = share_2 + _S492 * prefiltered_hole_0(_S484, coverage_taps_0(_S484, footprint_0, _S490), nodes_2, _S490);
+        nodes_2.nodes_0 = nodes_2.nodes_0 + vec4<u32>((_S517 * u32(256)));
+        share_2 = share_2 + _S515 * prefiltered_hole_0(_S507, coverage_taps_0(_S507, footprint_0, _S513), nodes_2, _S513);
     }
-    var _S495 : f32 = fabrics_0[_S484].sheen_strength_0;
-    if((fabrics_0[_S484].sheen_strength_0) > 0.0f)
+    var _S518 : f32 = fabrics_0[_S507].sheen_strength_0;
+    if((fabrics_0[_S507].sheen_strength_0) > 0.0f)
     {
-        share_2 = share_2 * (1.0f - _S495 * sheen_lobe_0(_S491.z, fabrics_0[_S484].sheen_roughness_0).z);
+        share_2 = share_2 * (1.0f - _S518 * sheen_lobe_0(_S514.z, fabrics_0[_S507].sheen_roughness_0).z);
     }
     return share_2;
 }
 
-fn visibility_of_0( _S496 : i32,  _S497 : VisiblePoint_0,  _S498 : u32,  _S499 : vec2<u32>,  _S500 : u32) -> f32
+fn visibility_of_0( _S519 : i32,  _S520 : VisiblePoint_0,  _S521 : u32,  _S522 : vec2<u32>,  _S523 : u32) -> f32
 {
-    var _S501 : LightSample_0 = light_sample_0(_S496, _S500, _S499, _S497.position_0);
+    var _S524 : LightSample_0 = light_sample_0(_S519, _S523, _S522, _S520.position_0);
     var nearest_1 : f32;
-    if((dot(_S501.towards_0, _S497.face_normal_0)) < 0.0f)
+    if((dot(_S524.towards_0, _S520.face_normal_0)) < 0.0f)
     {
         nearest_1 = -1.0f;
     }
@@ -2722,54 +2760,54 @@ fn visibility_of_0( _S496 : i32,  _S497 : VisiblePoint_0,  _S498 : u32,  _S499 :
     {
         nearest_1 = 1.0f;
     }
-    var _S502 : vec3<f32> = _S497.position_0 + vec3<f32>((nearest_1 * frames_0[_S496].ray_offset_0)) * _S497.face_normal_0;
-    var _S503 : vec2<f32> = _S497.draft_dx_0;
-    var _S504 : vec2<f32> = _S497.draft_dy_0;
-    var _S505 : f32 = sqrt(0.5f * (dot(_S503, _S503) + dot(_S504, _S504)));
+    var _S525 : vec3<f32> = seen_position_0(_S519, _S521, _S522) + vec3<f32>((nearest_1 * frames_0[_S519].ray_offset_0)) * _S520.face_normal_0;
+    var _S526 : vec2<f32> = _S520.draft_dx_0;
+    var _S527 : vec2<f32> = _S520.draft_dy_0;
+    var _S528 : f32 = sqrt(0.5f * (dot(_S526, _S526) + dot(_S527, _S527)));
     nearest_1 = 0.0f;
-    var without_0 : u32 = _S498;
+    var without_0 : u32 = _S521;
     var layer_0 : u32 = u32(0);
     var visibility_0 : f32 = 1.0f;
     for(;;)
     {
-        var _S506 : bool;
+        var _S529 : bool;
         if(layer_0 < u32(8))
         {
-            _S506 = visibility_0 > 0.00100000004749745f;
+            _S529 = visibility_0 > 0.00100000004749745f;
         }
         else
         {
-            _S506 = false;
+            _S529 = false;
         }
-        if(_S506)
+        if(_S529)
         {
         }
         else
         {
             break;
         }
-        var _S507 : Hit_0 = nearest_hit_0(_S496, _S502, _S501.towards_0, nearest_1, _S501.distance_2, without_0, true);
-        if((_S507.face_1) == u32(4294967295))
+        var _S530 : Hit_0 = nearest_hit_0(_S519, _S525, _S524.towards_0, nearest_1, _S524.distance_2, without_0, true);
+        if((_S530.face_1) == u32(4294967295))
         {
             break;
         }
-        var _S508 : u32 = face_fabrics_0[_S507.face_1];
-        var _S509 : VisiblePoint_0 = face_point_0(_S508, _S507.face_1, _S507.weight_b_0, _S507.weight_c_0);
-        var _S510 : vec2<f32> = pixel_sequence_0(_S499, frames_0[_S496].pass_number_0, u32(5) + u32(2) * (u32(8) * _S500 + layer_0));
-        var _S511 : f32;
-        if((fabrics_0[_S508].is_open_0) != u32(0))
+        var _S531 : u32 = face_fabrics_0[_S530.face_1];
+        var _S532 : VisiblePoint_0 = face_point_0(_S531, _S530.face_1, _S530.weight_b_0, _S530.weight_c_0);
+        var _S533 : vec2<f32> = pixel_sequence_0(_S522, frames_0[_S519].pass_number_0, u32(5) + u32(2) * (u32(8) * _S523 + layer_0));
+        var _S534 : f32;
+        if((fabrics_0[_S531].is_open_0) != u32(0))
         {
-            _S511 = passed_share_0(_S508, _S509, (vec3<f32>(0) - _S501.towards_0), _S505, _S510);
+            _S534 = passed_share_0(_S531, _S532, (vec3<f32>(0) - _S524.towards_0), _S528, _S533);
         }
         else
         {
-            _S511 = 0.0f;
+            _S534 = 0.0f;
         }
-        var visibility_1 : f32 = visibility_0 * _S511;
-        var _S512 : u32 = layer_0 + u32(1);
-        nearest_1 = _S507.distance_0;
-        without_0 = _S507.face_1;
-        layer_0 = _S512;
+        var visibility_1 : f32 = visibility_0 * _S534;
+        var _S535 : u32 = layer_0 + u32(1);
+        nearest_1 = _S530.distance_0;
+        without_0 = _S530.face_1;
+        layer_0 = _S535;
         visibility_0 = visibility_1;
     }
     if(visibility_0 > 0.00100000004749745f)
@@ -2787,30 +2825,30 @@ fn visibility_of_0( _S496 : i32,  _S497 : VisiblePoint_0,  _S498 : u32,  _S499 :
 @workgroup_size(8, 8, 1)
 fn cast_shadows(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S513 : u32 = id_0.x;
-    var _S514 : u32 = frames_0[i32(0)].width_0;
-    var _S515 : bool;
-    if(_S513 >= (frames_0[i32(0)].width_0))
+    var _S536 : u32 = id_0.x;
+    var _S537 : u32 = frames_0[i32(0)].width_0;
+    var _S538 : bool;
+    if(_S536 >= (frames_0[i32(0)].width_0))
     {
-        _S515 = true;
+        _S538 = true;
     }
     else
     {
-        _S515 = (id_0.y) >= (frames_0[i32(0)].height_0);
+        _S538 = (id_0.y) >= (frames_0[i32(0)].height_0);
     }
-    if(_S515)
+    if(_S538)
     {
         return;
     }
-    var _S516 : u32 = id_0.y * _S514 + _S513;
-    var _S517 : u32 = layers_0[_S516].face_0;
-    if((layers_0[_S516].face_0) == u32(0))
+    var _S539 : u32 = id_0.y * _S537 + _S536;
+    var _S540 : u32 = layers_0[_S539].face_0;
+    if((layers_0[_S539].face_0) == u32(0))
     {
         return;
     }
-    var _S518 : u32 = _S517 - u32(1);
-    var _S519 : vec2<u32> = id_0.xy;
-    var _S520 : VisiblePoint_0 = visible_point_0(i32(0), face_fabrics_0[_S518], _S518, _S519);
+    var _S541 : u32 = _S540 - u32(1);
+    var _S542 : vec2<u32> = id_0.xy;
+    var _S543 : VisiblePoint_0 = visible_point_0(i32(0), face_fabrics_0[_S541], _S541, _S542);
     var number_5 : u32 = u32(0);
     for(;;)
     {
@@ -2821,7 +2859,7 @@ fn cast_shadows(@builtin(global_invocation_id) id_0 : vec3<u32>)
         {
             break;
         }
-        visibilities_0[number_5 * _S514 * frames_0[i32(0)].height_0 + _S516] = visibility_of_0(i32(0), _S520, _S518, _S519, number_5);
+        visibilities_0[number_5 * _S537 * frames_0[i32(0)].height_0 + _S539] = visibility_of_0(i32(0), _S543, _S541, _S542, number_5);
         number_5 = number_5 + u32(1);
     }
     return;

@@ -1,0 +1,74 @@
+"""How long a material takes by quality, extrapolated from a few steps and queries of a fabric.
+
+    python -m experiments.neumip_time [--fabric TEXT] [--steps N] [--output FILE]
+
+Processor seconds of both cores together, which other programs lengthen little; on two idle cores a training
+takes a little more than half of them by the clock, as queries and large batches use both.
+"""
+
+from __future__ import annotations
+
+import time
+from argparse import ArgumentParser, Namespace
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from benchmarks.harness import Figures, run
+from loomlight.core.llvm import require_llvm
+from loomlight.fabric import fabric_from_text
+from loomlight.models.neumip.settings import QUALITIES
+from loomlight.models.neumip.training.train import shape_of, taken_queries, train_neumip
+
+# Queries a texel that are taken, and the resolutions of each quality that is extrapolated.
+_QUERIES = 4
+_CASES = {"preview": (64, 256), "full": (256,)}
+
+
+def measure(options: Namespace) -> Figures:
+    """Processor seconds of queries, steps and whole trainings."""
+    require_llvm()
+    source = fabric_from_text(options.fabric)
+    rows: Figures = {}
+    for quality, resolutions in _CASES.items():
+        for resolution in resolutions:
+            whole = replace(QUALITIES[quality], resolution=resolution)
+            few = replace(whole, queries=_QUERIES, steps=options.steps)
+            shape = shape_of(source, few)
+            taken = _QUERIES * shape.columns * shape.rows * shape.faces
+            marks: list[float] = []
+            with TemporaryDirectory() as place:
+                folder = Path(place)
+                taken_queries(source, replace(few, seed=1), folder, lambda done, total: None)
+                begun = time.process_time()
+                taken_queries(source, few, folder, lambda done, total: None)
+                query = (time.process_time() - begun) / taken
+                train_neumip(source, few, folder, _marker(marks))
+                fit = time.process_time() - marks[-1]
+            # Reports of the queries come first; the first step compiles and allocates.
+            step = (marks[-1] - marks[-options.steps + 1]) / (options.steps - 2)
+            queries = query * taken / _QUERIES * whole.queries
+            rows[f"{quality} at {resolution}"] = {
+                "queries": taken // _QUERIES * whole.queries,
+                "cpu_seconds_of_queries": queries,
+                "cpu_seconds_of_a_step": step,
+                "steps": whole.steps,
+                "cpu_seconds_of_proposal": fit,
+                "cpu_minutes": (queries + step * whole.steps) / 60,
+            }
+    return {"fabric": options.fabric, "steps_measured": options.steps, "rows": rows}
+
+
+def _marker(marks: list[float]) -> Callable[[int, int], None]:
+    """Keeps the processor seconds of each report."""
+    return lambda done, total: marks.append(time.process_time())
+
+
+def _add_options(parser: ArgumentParser) -> None:
+    parser.add_argument("--fabric", default="twill 2/2")
+    parser.add_argument("--steps", type=int, default=8)
+
+
+if __name__ == "__main__":
+    run(measure, _add_options)

@@ -1,0 +1,168 @@
+"""How much noise the sampler of a model saves: variances of weights against those of a cosine on either side.
+
+    python -m experiments.sampling examples/denim.toml … [--environment SKY.exr] [--output FILE.json]
+
+Footprints of 0.05 to 5 threads lie anywhere, and views all around. A weight is the luminance of f·cos over
+the density, times the sky's radiance in that direction, given that light does not pass straight through a
+hole. The cosine knows the shares of both sides: each is drawn in proportion to what it scatters. A row has,
+under a white sky and under the environment if one is given,
+
+- `gain`: variance of the cosine over that of the sampler, both summed over places; above 1 the sampler is
+  better; `median_gain` is the median over places;
+- `deviation`: of the sampler, over the mean;
+- `mean_ratio`: of both means, which estimate the same number;
+- `largest`, `largest_by_cosine`: the largest weights of all, under a white sky.
+"""
+
+from __future__ import annotations
+
+import math
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+
+import numpy as np
+from drjit.llvm.ad import Array2f, Array3f, Float
+from numpy.typing import NDArray
+
+from benchmarks.harness import Figures, run
+from loomlight.assets.load import load_source
+from loomlight.assets.sources import kind_of_file
+from loomlight.core.footprint import Footprint
+from loomlight.core.llvm import require_llvm
+from loomlight.models.interface import FootprintBsdf, Model
+from loomlight.models.option_values import parse_options
+from loomlight.models.registry import make_model, model_from_loom
+
+_LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
+_THREADS = 0.05, 5.0
+_TEXELS = 64  # across sources without threads
+_SEED = 999
+_BRIGHTEST = 10.0  # of a sky, over its mean
+
+_Floats = NDArray[np.float64]
+
+
+class _Sky:
+    """Radiance by direction: white, or a latitude-longitude picture that z is up in, its sun dimmed."""
+
+    def __init__(self, file: Path | None) -> None:
+        self._picture: _Floats | None = None
+        if file is not None:
+            import mitsuba as mi
+
+            mi.set_variant("scalar_rgb")
+            picture = np.array(mi.Bitmap(str(file)), np.float64)[..., :3] @ _LUMINANCE
+            # What is brighter, light samples find: a few texels would decide everything.
+            picture = np.minimum(picture, _BRIGHTEST * picture.mean())
+            rows = np.sin((np.arange(len(picture)) + 0.5) / len(picture) * math.pi)[:, None]
+            self._picture = picture / ((picture * rows).sum() / (rows.sum() * picture.shape[1]))
+
+    def radiance(self, light: _Floats) -> _Floats:
+        """Luminances in directions [3, n]."""
+        if self._picture is None:
+            return np.ones(light.shape[1])
+        rows, columns = self._picture.shape
+        row = np.arccos(np.clip(light[2], -1, 1)) / math.pi * rows
+        column = (np.arctan2(light[1], light[0]) / (2 * math.pi) + 0.5) * columns
+        found: _Floats = self._picture[
+            np.minimum(row.astype(int), rows - 1), np.minimum(column.astype(int), columns - 1)
+        ]
+        return found
+
+
+def measure(options: Namespace) -> Figures:
+    require_llvm()
+    skies = {"white": _Sky(None)}
+    if options.environment is not None:
+        skies["environment"] = _Sky(options.environment)
+    rows = {}
+    for source in options.sources:
+        if source.suffix == ".loom":
+            model = model_from_loom(source)
+        else:
+            made_of = load_source(source, kind_of_file(source, "fabric"))
+            model = make_model(options.model, made_of, **parse_options(options.model, options.set))
+        row = _row(model, options, skies)
+        rows[source.stem] = {name: float(f"{value:.4g}") for name, value in row.items()}
+    return {"model": options.model, "places": options.places, "samples": options.samples, "rows": rows}
+
+
+def _row(model: Model, options: Namespace, skies: dict[str, _Sky]) -> Figures:
+    places, samples = options.places, options.samples
+    rng = np.random.default_rng(_SEED)
+    view, footprint = _places(model, rng, places, samples)
+    at = model.at(view, footprint)
+    numbers = [rng.random(places * samples, np.float32) for _ in range(3)]
+    drawn = at.sample(Float(numbers[0]), Array2f(Float(numbers[1]), Float(numbers[2])))
+    is_null = np.array(drawn.is_null)
+    scatters = ~is_null.reshape(places, samples)
+    own_light = np.array(drawn.light, np.float64)
+    own = np.where(is_null, 0, _LUMINANCE @ np.array(drawn.weight, np.float64))
+    sides = [_by_cosine(at, rng, side) for side in (1, -1)]
+    energies = [weights.reshape(places, samples).mean(axis=1) for weights, _ in sides]
+    total = np.maximum(energies[0] + energies[1], 1e-9)
+    # Neither share is 0: an energy is an estimate.
+    first = np.clip(energies[0] / total, 0.01, 0.99)
+    shares = [first, 1 - first]
+    row: Figures = {}
+    for name, sky in skies.items():
+        grid = (own * sky.radiance(own_light)).reshape(places, samples)
+        # Given that light does not pass through a hole, f·cos over the density is smaller by that share.
+        grid = np.where(scatters, grid * scatters.mean(axis=1, keepdims=True), np.nan)
+        mean, moment = np.zeros(places), np.zeros(places)
+        for (weights, light), share in zip(sides, shares, strict=True):
+            side = (weights * sky.radiance(light)).reshape(places, samples)
+            mean += side.mean(axis=1)
+            moment += (side**2).mean(axis=1) / share
+        seen = scatters.sum(axis=1) > samples // 8
+        grid, mean, moment = grid[seen], mean[seen], moment[seen]
+        own_variance, variance = np.nanvar(grid, axis=1), np.maximum(moment - mean**2, 0)
+        prefix = "" if name == "white" else f"{name}_"
+        row[f"{prefix}gain"] = variance.mean() / own_variance.mean()
+        row[f"{prefix}median_gain"] = float(np.median(variance / np.maximum(own_variance, 1e-12)))
+        row[f"{prefix}mean_ratio"] = np.nanmean(grid, axis=1).mean() / mean.mean()
+        row[f"{prefix}deviation"] = math.sqrt(own_variance.mean()) / mean.mean()
+    row["largest"] = own.max()
+    row["largest_by_cosine"] = max(
+        float((weights.reshape(places, samples) / share[:, None]).max())
+        for (weights, _), share in zip(sides, shares, strict=True)
+    )
+    return row
+
+
+def _places(model: Model, rng: np.random.Generator, places: int, samples: int) -> tuple[Array3f, Footprint]:
+    """Views and square footprints, each repeated."""
+    width, height = model.source.repeat_mm
+    centre = rng.random((2, places)) * [[width], [height]]
+    threads = np.exp(rng.uniform(math.log(_THREADS[0]), math.log(_THREADS[1]), places))
+    ends = model.source.layout().warp_on_top.shape[1] if hasattr(model.source, "layout") else _TEXELS
+    side = threads * width / ends
+    view = rng.normal(size=(3, places))
+    view /= np.linalg.norm(view, axis=0)
+    centres, views = (np.repeat(part, samples, axis=1).astype(np.float32) for part in (centre, view))
+    sides = Float(np.repeat(side, samples).astype(np.float32))
+    return Array3f(views), Footprint(Array2f(centres), Array2f(sides, 0), Array2f(0, sides))
+
+
+def _by_cosine(at: FootprintBsdf, rng: np.random.Generator, side: int) -> tuple[_Floats, _Floats]:
+    """Luminances of weights, and cosine directions on the view's side (1) or on the other one."""
+    view = np.array(at.view)
+    u, azimuth = rng.random(view.shape[1]), 2 * math.pi * rng.random(view.shape[1])
+    height = np.sqrt(np.maximum(1 - u, 1e-7))
+    light = np.stack([np.sqrt(u) * np.cos(azimuth), np.sqrt(u) * np.sin(azimuth), height])
+    light[2] *= side * np.where(view[2] < 0, -1, 1)
+    value = np.array(at.value(Array3f(light.astype(np.float32))), np.float64)
+    return (_LUMINANCE @ value) * math.pi / height, light
+
+
+def _add_options(parser: ArgumentParser) -> None:
+    parser.add_argument("sources", nargs="+", type=Path, help="fabrics, or .loom files")
+    parser.add_argument("--model", default="woven", help="of fabrics")
+    parser.add_argument("--set", action="append", default=[], help="an option of the model: name=value")
+    parser.add_argument("--environment", type=Path, help="a picture of a sky")
+    parser.add_argument("--places", type=int, default=2000)
+    parser.add_argument("--samples", type=int, default=64)
+
+
+if __name__ == "__main__":
+    run(measure, _add_options)

@@ -1,0 +1,87 @@
+"""The options of `loomlight render`, in the order in which its help lists them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+FabricsArgument = Annotated[
+    list[str],
+    typer.Argument(metavar="FABRIC...", help="Fabric files, drafts, .loom files, or weaves' names."),
+]
+OutputOption = Annotated[
+    str,
+    typer.Option(
+        "--output",
+        "-o",
+        metavar="PATH",
+        help="The picture to write: .png (sRGB) or .exr (linear); of several fabrics with {name} in it.",
+    ),
+]
+ModelOption = Annotated[
+    str | None,
+    typer.Option(help="One of the models below; by default what a .loom holds, else lobes."),
+]
+SceneOption = Annotated[
+    str | None,
+    typer.Option(help="flat, sphere, cylinder, drape (default), or a Mitsuba scene FILE.xml."),
+]
+MeshOption = Annotated[
+    Path | None, typer.Option(help="An .obj, .ply, .gltf or .glb file to clothe instead; it needs uv.")
+]
+MetresPerUnitOption = Annotated[
+    float, typer.Option(help="Length of one unit of the mesh or the scene file, metres.")
+]
+EnvironmentOption = Annotated[
+    Path | None, typer.Option("--env", help="A latitude-longitude picture that lights the scene.")
+]
+EnvironmentTurnOption = Annotated[
+    float, typer.Option("--env-turn", help="Turns it about the vertical, degrees.")
+]
+LightOption = Annotated[
+    str | None,
+    typer.Option(help="studio, sunsky, point or directional; by default what suits the scene."),
+]
+LightFromOption = Annotated[
+    str | None,
+    typer.Option(
+        metavar="AZIMUTH,ELEVATION",
+        help="Where it comes from, degrees: 0,0 is the front, 90,0 the right, 0,90 above.",
+    ),
+]
+SamplesOption = Annotated[int, typer.Option("--spp", help="Samples a pixel.")]
+SizeOption = Annotated[
+    str | None, typer.Option(metavar="WxH", help="Pixels; 640x480, or a scene file's own.")
+]
+ZoomOption = Annotated[float, typer.Option(help="1 frames the whole object, 10 is ten times closer.")]
+DepthOption = Annotated[
+    int | None,
+    typer.Option("--max-depth", help="Longest light path, in segments; 8, or a scene file's own."),
+]
+ExposureOption = Annotated[float, typer.Option(help="Stops; +1 is twice as bright.")]
+InsetOption = Annotated[
+    bool | None,
+    typer.Option(
+        "--inset/--no-inset",
+        help="A close-up in the corner; by default of a weave or draft on the whole drape.",
+    ),
+]
+ColorOption = Annotated[
+    list[str] | None,
+    typer.Option(metavar="warp=#…,weft=#…", help="Colours of the yarns, in place of the fabric's."),
+]
+ClothOption = Annotated[
+    list[str] | None,
+    typer.Option(metavar="NAME=FABRIC", help="A further fabric for the BSDFs NAME of a scene file."),
+]
+TurnOption = Annotated[float, typer.Option(help="Turns the weave on the mesh, degrees.")]
+ShiftOption = Annotated[str, typer.Option(metavar="X,Y", help="Shifts the weave on the mesh, millimetres.")]
+ScaleOption = Annotated[float, typer.Option(help="2 shows threads twice as large as life.")]
+TurntableOption = Annotated[
+    int | None,
+    typer.Option(metavar="N", help="N pictures of one turn: .png or .exr, numbered, or one .webp or .gif."),
+]
+SeedOption = Annotated[int, typer.Option(help="The same seed gives the same picture, but for rounding.")]
+VariantOption = Annotated[str | None, typer.Option(help="llvm_ad_rgb (default) or cuda_ad_rgb.")]

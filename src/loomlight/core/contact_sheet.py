@@ -1,0 +1,134 @@
+"""Contact sheets: cards of pictures with a title and some lines, as one picture or one page."""
+
+from __future__ import annotations
+
+import base64
+import html
+import io
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image, ImageDraw, ImageFont
+
+from loomlight.core.errors import InputError
+
+Pixels = NDArray[np.uint8]
+
+# Pixels of a sheet: what viewers still open.
+LARGEST_SHEET_PX = 2**27
+# Of the side of a picture: distances, and the sizes of title and lines.
+_GAP, _TITLE, _LINE = 0.05, 0.088, 0.062
+_PAPER, _INK, _FAINT = (250, 249, 246), (34, 36, 42), (104, 106, 112)
+_PLAIN = str.maketrans({"²": "2", "×": "x", "\u2009": " ", "\u202f": " "})
+# Width over height of a whole sheet that is pleasant to look at.
+_PROPORTION = 1.5
+_STYLE = """
+:root { color-scheme: light dark; --ink: #22242a; --faint: #5c5f66; --paper: #faf9f6; --card: #fff; }
+@media (prefers-color-scheme: dark) {
+  :root { --ink: #ecebe6; --faint: #a9abb0; --paper: #17181b; --card: #222327; }
+}
+body { margin: 2rem; background: var(--paper); color: var(--ink); font: 15px/1.45 system-ui, sans-serif; }
+main { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(34rem, 100%), 1fr)); gap: 1.5rem; }
+article { background: var(--card); border-radius: 6px; padding: 1rem; }
+h1 { font-size: 1.3rem; } h2 { font-size: 1.05rem; margin: .6rem 0 .2rem; }
+p { margin: 0; color: var(--faint); }
+div { display: grid; grid-template-columns: repeat(3, 1fr); gap: .5rem; }
+img { width: 100%; height: auto; border-radius: 3px; }
+"""
+
+
+@dataclass(frozen=True, eq=False)
+class Card:
+    """One thing on a sheet.
+
+    Attributes:
+        title: its name.
+        lines: facts.
+        pictures: by what they show, square 8-bit sRGB [n, n, 3] of one size.
+    """
+
+    title: str
+    lines: Sequence[str]
+    pictures: dict[str, Pixels]
+
+
+def sheet_picture(cards: Sequence[Card]) -> Pixels:
+    """The cards in rows and columns, 8-bit sRGB [height, width, 3].
+
+    Raises:
+        InputError: so many cards that the sheet would have more than 2²⁷ pixels.
+    """
+    side = next(iter(cards[0].pictures.values())).shape[0]
+    gap = max(round(_GAP * side), 2)
+    title, line = (ImageFont.load_default(max(round(share * side), 8)) for share in (_TITLE, _LINE))
+    text_height = round(1.35 * side * (_TITLE + _LINE * max(len(card.lines) for card in cards)))
+    width = len(cards[0].pictures) * (side + gap // 2) - gap // 2
+    height = side + gap // 2 + text_height
+    columns = _columns(len(cards), width + 2 * gap, height + 2 * gap)
+    rows = -(-len(cards) // columns)
+    whole = columns * (width + 2 * gap), rows * (height + 2 * gap)
+    if whole[0] * whole[1] > LARGEST_SHEET_PX:
+        raise InputError(
+            f"A sheet of {len(cards)} cards would have {whole[0]} by {whole[1]} pixels: give a smaller size."
+        )
+    sheet = Image.new("RGB", whole, _PAPER)
+    draw = ImageDraw.Draw(sheet)
+    for number, card in enumerate(cards):
+        x, y = (number % columns) * (width + 2 * gap) + gap, number // columns * (height + 2 * gap) + gap
+        for place, picture in enumerate(card.pictures.values()):
+            sheet.paste(Image.fromarray(picture), (x + place * (side + gap // 2), y))
+        y += side + gap // 2
+        draw.text((x, y), _fitting(card.title, title, width), _INK, font=title)
+        y += round(1.35 * _TITLE * side)
+        for text in card.lines:
+            draw.text((x, y), _fitting(text, line, width), _FAINT, font=line)
+            y += round(1.35 * _LINE * side)
+    return np.asarray(sheet)
+
+
+def sheet_page(cards: Sequence[Card], heading: str) -> str:
+    """The cards as one HTML page that needs no other file."""
+    articles = "\n".join(_article(card) for card in cards)
+    return (
+        '<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+        f"<title>{html.escape(heading)}</title>\n<style>{_STYLE}</style>\n</head>\n<body>\n"
+        f"<h1>{html.escape(heading)}</h1>\n<main>\n{articles}\n</main>\n</body>\n</html>\n"
+    )
+
+
+def _columns(count: int, width: int, height: int) -> int:
+    """As many as make the sheet's proportion most pleasant."""
+
+    def off(columns: int) -> float:
+        return abs(np.log(columns * width / (-(-count // columns) * height) / _PROPORTION))
+
+    return min(range(1, count + 1), key=off)
+
+
+def _fitting(text: str, font: ImageFont.FreeTypeFont | ImageFont.ImageFont, width: int) -> str:
+    """The text in characters that Pillow's own font has, cut at its end where it is wider than its place."""
+    text = text.translate(_PLAIN)
+    if font.getlength(text) <= width:
+        return text
+    while text and font.getlength(f"{text}…") > width:
+        text = text[:-1]
+    return f"{text.rstrip()}…"
+
+
+def _article(card: Card) -> str:
+    pictures = "".join(
+        f'<img src="data:image/png;base64,{_base64(picture)}" width="{picture.shape[1]}" '
+        f'height="{picture.shape[0]}" alt="{html.escape(f"{card.title}: {shown}")}">'
+        for shown, picture in card.pictures.items()
+    )
+    lines = "<br>".join(html.escape(line) for line in card.lines)
+    return f"<article><div>{pictures}</div><h2>{html.escape(card.title)}</h2><p>{lines}</p></article>"
+
+
+def _base64(picture: Pixels) -> str:
+    file = io.BytesIO()
+    Image.fromarray(picture).save(file, format="PNG", optimize=True)
+    return base64.b64encode(file.getvalue()).decode("ascii")

@@ -1,0 +1,125 @@
+"""What cloth is as a textile: cover, yarn, crimp, weight, thickness, by Peirce's geometry of round yarns.
+
+The rendered surface has heights of its own, chosen for how yarns look (see docs/drafts.md); these are the
+numbers that a weaver would measure.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.fabric.fabric import Fabric
+from loomlight.fabric.file import YarnTable
+from loomlight.weave.textile import tex_of_diameter, yarn_diameter_mm, yarn_tex
+from loomlight.yarn.layout import FamilyLayout
+
+# Yarn cannot be longer than that over the cloth: jammed plain weaves have crimps up to .3.
+_LARGEST_CRIMP = 0.5
+
+
+@dataclass(frozen=True)
+class FamilyFacts:
+    """One family of threads.
+
+    Attributes:
+        per_cm: mean threads per centimetre.
+        tex: mean linear density of a yarn, g/km.
+        cover: share of the cloth's side that its threads cover, as rendered.
+        crimp: how much longer its yarn is than the cloth, as a share.
+    """
+
+    per_cm: float
+    tex: float
+    cover: float
+    crimp: float
+
+
+@dataclass(frozen=True)
+class ClothFacts:
+    """A whole cloth.
+
+    Attributes:
+        warp: of the ends.
+        weft: of the picks.
+        cover: share of the area that yarn covers, as rendered.
+        weight: g/m².
+        thickness_mm: millimetres.
+        counted: whether the file gives both counts. Otherwise yarns are taken as round, and as those of
+            dense cloth are pressed flat, weight and thickness are upper bounds.
+    """
+
+    warp: FamilyFacts
+    weft: FamilyFacts
+    cover: float
+    weight: float
+    thickness_mm: float
+    counted: bool
+
+
+def cloth_facts(fabric: Fabric) -> ClothFacts:
+    """Cover, yarn, crimp, weight and thickness of a fabric.
+
+    A yarn has the count that the file gives, else the one whose diameter is the thread's width. At every
+    change of face a thread rises or falls by its crimp height h over the spacing p of the threads it
+    crosses, and its length over that is p·(1 + 9/16·(h/p)²); both families share the heights evenly, half
+    the sum of the diameters each, as in cloth at rest.
+
+    Source: Peirce, "The geometry of cloth structure", Journal of the Textile Institute 28 (1937), T45:
+    h = 4/3·p·√c and h₁ + h₂ = d₁ + d₂.
+    """
+    layout, fields = fabric.layout(), fabric.fields
+    warp_mm, warp_tex = _yarn(fields.warp, layout.warp)
+    weft_mm, weft_tex = _yarn(fields.weft, layout.weft)
+    height = (warp_mm + weft_mm) / 2
+    changes = layout.warp_on_top != np.roll(layout.warp_on_top, 1, axis=0)
+    warp_crimp = _crimp(changes, layout.weft.spacing, height)
+    changes = layout.warp_on_top != np.roll(layout.warp_on_top, 1, axis=1)
+    weft_crimp = _crimp(changes.T, layout.warp.spacing, height)
+    width, depth = layout.size
+    ends, picks = len(layout.warp.spacing), len(layout.weft.spacing)
+    warp = FamilyFacts(10 * ends / width, warp_tex, 1 - layout.warp.open_share, warp_crimp)
+    weft = FamilyFacts(10 * picks / depth, weft_tex, 1 - layout.weft.open_share, weft_crimp)
+    return ClothFacts(
+        warp=warp,
+        weft=weft,
+        cover=1 - layout.open_area,
+        # Threads per metre times grams per metre of each.
+        weight=sum(family.per_cm * 100 * family.tex / 1000 * (1 + family.crimp) for family in (warp, weft)),
+        thickness_mm=height + max(warp_mm, weft_mm),
+        counted=fields.warp.count is not None and fields.weft.count is not None,
+    )
+
+
+def facts_text(facts: ClothFacts) -> str:
+    """The facts in a few lines for a person."""
+
+    def pair(name: str) -> tuple[float, float]:
+        return getattr(facts.warp, name), getattr(facts.weft, name)
+
+    cover, tex, crimp = pair("cover"), pair("tex"), pair("crimp")
+    about = "about" if facts.counted else "at most"
+    text = (
+        f"cover: warp {cover[0]:.2f}, weft {cover[1]:.2f}, together {facts.cover:.3g}\n"
+        f"yarn: warp {tex[0]:.3g} tex, weft {tex[1]:.3g} tex; "
+        f"crimp {100 * crimp[0]:.2g} % and {100 * crimp[1]:.2g} %\n"
+        f"weight: {about} {facts.weight:.0f} g/m²; thickness: {about} {facts.thickness_mm:.2g} mm"
+    )
+    if facts.counted:
+        return text
+    return f"{text} (yarns taken as round: give count in [warp] and [weft] for closer numbers)"
+
+
+def _yarn(table: YarnTable, family: FamilyLayout) -> tuple[float, float]:
+    """Mean diameter, millimetres, and linear density, tex."""
+    if table.count is not None:
+        return yarn_diameter_mm(table.count), yarn_tex(table.count)
+    return float(family.width.mean()), float(tex_of_diameter(family.width).mean())
+
+
+def _crimp(changes: NDArray[np.bool_], crossed: NDArray[np.float64], height: float) -> float:
+    """Mean crimp of threads that change face at `changes` [crossed threads, threads], evenly weighted."""
+    extra = 9 / 16 * height**2 / crossed[:, None] * changes
+    return min(float(extra.sum(axis=0).mean() / crossed.sum()), _LARGEST_CRIMP)

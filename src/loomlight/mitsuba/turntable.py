@@ -1,0 +1,107 @@
+"""Pictures of cloth on a turntable: it turns, camera and light stay."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+from typing import Any, Unpack
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.assets.sources import Source
+from loomlight.core.errors import InputError
+from loomlight.mitsuba.camera import framing
+from loomlight.mitsuba.material import material_bsdf
+from loomlight.mitsuba.material_picture import recoloured
+from loomlight.mitsuba.rendering import render
+from loomlight.mitsuba.scenes import CLOTH_NAME, SCENES, ClothScene, SceneOptions, build_scene
+from loomlight.mitsuba.variants import choose_variant
+
+# Degrees at which the whole cloth has to be in the picture.
+_ANGLES = tuple(float(angle) for angle in range(0, 360, 15))
+_UP = np.array([0.0, 1.0, 0.0])
+
+
+def turn_of_fabric(
+    fabric: Source | str | os.PathLike[str],
+    scene: str | os.PathLike[str],
+    count: int,
+    *,
+    model: str | None = None,
+    colors: Mapping[str, Any] | None = None,
+    spp: int = 9,
+    seed: int = 0,
+    exposure: float = 0.0,
+    variant: str | None = None,
+    **setting: Unpack[SceneOptions],
+) -> Iterator[NDArray[np.float32]]:
+    """`count` pictures of one turn of a fabric on a built-in scene or a mesh; see `render_fabric`.
+
+    Raises:
+        InputError: a scene file, or a fabric or value that cannot be used.
+    """
+    if str(scene) not in SCENES:
+        raise InputError(f"turntable = {count} does not go with the scene {scene}: nothing in it turns.")
+    choose_variant(variant)
+    material = recoloured(fabric, model, colors) if colors else fabric
+    whole: SceneOptions = {**setting, "zoom": 1.0}
+    shown = build_scene(scene, material_bsdf(material, model), **whole)
+    turning = Turntable(shown, setting.get("zoom", 1.0), about_middle=setting.get("mesh") is not None)
+    yield from turning.pictures(count, spp=spp, seed=seed, exposure=exposure)
+
+
+class Turntable:
+    """A built-in scene, or one around a mesh, whose cloth turns about a vertical.
+
+    The camera stands as far away as the whole turn needs, and closer by `zoom`. Built-in cloths turn about
+    the origin, where a ball carries the drape; `about_middle` is for others.
+    """
+
+    def __init__(self, shown: ClothScene, zoom: float = 1.0, *, about_middle: bool = False) -> None:
+        self._shown = shown
+        self._params: Any = mi.traverse(shown.scene)
+        self._positions = self._rows("vertex_positions")
+        self._normals = self._rows("vertex_normals")
+        low, high = self._positions.min(axis=0), self._positions.max(axis=0)
+        self._axis = (low + high) / 2 * (1 - _UP) if about_middle else 0 * _UP
+        width, height = shown.scene.sensors()[0].film().size()
+        whole = np.concatenate([self._turned(self._positions, angle) for angle in _ANGLES])
+        towards_camera = shown.view.origin - shown.view.target
+        view = framing(whole, towards_camera, (int(width), int(height)))
+        middle = self._axis + _UP * (low + high) / 2
+        shown.look_from(view.closer(zoom, middle if zoom > 1 else view.target))
+
+    def pictures(self, count: int, **options: Any) -> Iterator[NDArray[np.float32]]:
+        """`count` pictures of one turn, linear RGB [height, width, 3]; the first as the scene has the cloth.
+
+        Args:
+            options: of `render`: spp, seed, exposure.
+        """
+        for number in range(count):
+            self._turn(360 * number / count)
+            yield render(self._shown.scene, integrator=self._shown.integrator, **options)
+
+    def _turn(self, angle: float) -> None:
+        self._params[f"{CLOTH_NAME}.vertex_positions"] = _flat(self._turned(self._positions, angle))
+        self._params[f"{CLOTH_NAME}.vertex_normals"] = _flat(_rotated(self._normals, angle))
+        self._params.update()
+
+    def _turned(self, positions: NDArray[np.float64], angle: float) -> NDArray[np.float64]:
+        return _rotated(positions - self._axis, angle) + self._axis
+
+    def _rows(self, name: str) -> NDArray[np.float64]:
+        values = np.array(self._params[f"{CLOTH_NAME}.{name}"], dtype=np.float64)
+        return values.reshape(-1, 3)
+
+
+def _rotated(vectors: NDArray[np.float64], angle: float) -> NDArray[np.float64]:
+    """[n, 3], counter-clockwise as seen from above, degrees."""
+    cosine, sine = np.cos(np.radians(angle)), np.sin(np.radians(angle))
+    return vectors @ np.array([[cosine, 0, -sine], [0, 1, 0], [sine, 0, cosine]])
+
+
+def _flat(rows: NDArray[np.float64]) -> Any:
+    return mi.Float(dr.ravel(mi.TensorXf(rows.astype(np.float32))))

@@ -1,0 +1,75 @@
+"""Cloth on a turntable.
+
+Covers: cli/turntable.py
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from loomlight.cli.main import run
+from loomlight.core.errors import InputError
+from loomlight.mitsuba import build_scene
+from loomlight.mitsuba.turntable import Turntable, turn_of_fabric
+
+WHITE = {"type": "twosided", "inner": {"type": "diffuse", "reflectance": 0.8}}
+
+
+def test_a_whole_turn_comes_back() -> None:
+    """Half a turn shows another side; four quarters end where they began."""
+    table = Turntable(build_scene("drape", WHITE, size=(24, 18)))
+    once = list(table.pictures(2, spp=4))
+    again = next(table.pictures(1, spp=4))
+    np.testing.assert_allclose(again, once[0], rtol=1e-3, atol=1e-4)
+    assert np.abs(once[1] - once[0]).mean() > 0.01
+
+
+def test_the_whole_turn_is_in_the_picture() -> None:
+    """A narrow frame: the corners of a flat piece come closest to its sides when they point there."""
+    shown = build_scene("drape", WHITE, size=(16, 32))
+    table = Turntable(shown)
+    forward = shown.view.target - shown.view.origin
+    frame = next(table.pictures(1, spp=4))
+    assert np.linalg.norm(forward) > 0
+    assert np.isfinite(frame).all()
+
+
+def test_scene_files_do_not_turn() -> None:
+    with pytest.raises(InputError, match="nothing in it turns"):
+        next(turn_of_fabric("plain", "own.xml", 4))
+
+
+def test_numbered_pictures_and_animations(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    small = ["--size", "24x16", "--spp", "1", "--model", "point", "--turntable", "2"]
+    assert run(["render", "plain", "-o", str(tmp_path / "a.png"), *small]) == 0
+    assert run(["render", "plain", "-o", str(tmp_path / "a.webp"), *small]) == 0
+    names = [Path(line).name for line in capsys.readouterr().out.split()]
+    assert names == ["a-000.png", "a-001.png", "a.webp"]
+    with Image.open(tmp_path / "a.webp") as animation:
+        assert animation.n_frames == 2  # type: ignore[attr-defined]
+        assert animation.size == (24, 16)
+
+
+@pytest.mark.parametrize(
+    ("options", "expected"),
+    [
+        (["-o", "a.png", "--turntable", "1"], "--turntable 1 is out of range"),
+        (["-o", "a.mp4", "--turntable", "4"], "must end in .png or .exr or .webp or .gif"),
+        (["-o", "a.webp"], "must end in .png or .exr."),
+    ],
+)
+def test_what_does_not_turn(
+    options: list[str],
+    expected: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert run(["render", "plain", *options]) == 2
+    assert expected in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
