@@ -19,7 +19,7 @@ class PageHook(BuildHookInterface):  # type: ignore[type-arg]
     PLUGIN_NAME = "custom"
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
-        """Builds the page unless it is newer than its sources. An editable installation does so on first use."""
+        """Builds the page where its sources are newer; an editable installation does so on first use."""
         if version == "editable":
             return
         checkout = Path(self.root)

@@ -24,7 +24,7 @@ from starlette.staticfiles import StaticFiles
 from loomlight.core.errors import LoomlightError, LoomlightWarning
 from loomlight.fabric.fabric import Fabric
 from loomlight.viewer.access import Access, Guard
-from loomlight.viewer.draft_json import fabric_of_json
+from loomlight.viewer.fabric_json import fabric_of_json
 from loomlight.viewer.saving import FORMATS, saved, tables_of
 from loomlight.viewer.session import session
 from loomlight.viewer.uploads import TooLargeResponse, UploadTooLargeError, read_body

@@ -1,4 +1,4 @@
-"""Drafts and fabrics as JSON, as the editor's page exchanges them with its server.
+"""Drafts as JSON, as the editor's page exchanges them with its server.
 
 A drawdown is base64 of its bits, row by row (a row is a pick) without padding between rows, the first bit
 highest, 1 where the warp is on top. Colours are linear RGB, lengths millimetres; what a draft does not say is
@@ -17,8 +17,6 @@ from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from loomlight.core.errors import InputError
-from loomlight.fabric.fabric import Fabric, make_fabric
-from loomlight.fabric.reading import speaking_of, validate_fields
 from loomlight.weave.draft import MAXIMUM_THREADS, Draft, LoomPlan, Threads
 
 # As many shafts as there may be threads: a derived plan can need one for each.
@@ -30,14 +28,16 @@ Sets = list[list[Count]]
 JsonObject = dict[str, Any]
 
 
-class _Json(BaseModel):
+class Json(BaseModel):
+    """What a page sends: unknown keys are passed over, NaN is an error."""
+
     model_config = ConfigDict(extra="ignore", frozen=True, allow_inf_nan=False)
 
 
-Kind = TypeVar("Kind", bound=_Json)
+Kind = TypeVar("Kind", bound=Json)
 
 
-class ThreadsJson(_Json):
+class ThreadsJson(Json):
     """One family of threads; see `Threads`."""
 
     colors: list[tuple[Unit, Unit, Unit]] | None = None
@@ -46,7 +46,7 @@ class ThreadsJson(_Json):
     color_index: list[Number] | None = None
 
 
-class LoomJson(_Json):
+class LoomJson(Json):
     """How a loom weaves the drawdown; see `LoomPlan`."""
 
     shafts: Number
@@ -58,7 +58,7 @@ class LoomJson(_Json):
     liftplan: Sets | None = None
 
 
-class DraftJson(_Json):
+class DraftJson(Json):
     """A draft."""
 
     name: Annotated[str, Field(max_length=500)] = ""
@@ -68,14 +68,6 @@ class DraftJson(_Json):
     warp: ThreadsJson = ThreadsJson()
     weft: ThreadsJson = ThreadsJson()
     loom: LoomJson | None = None
-
-
-class FabricJson(_Json):
-    """A fabric: the keys of a fabric file, and the draft that they name before they colour and repeat it."""
-
-    name: Annotated[str, Field(max_length=500)] = ""
-    fields: JsonObject
-    draft: DraftJson
 
 
 def draft_json(draft: Draft) -> JsonObject:
@@ -91,40 +83,28 @@ def draft_json(draft: Draft) -> JsonObject:
     }
 
 
-def fabric_json(fabric: Fabric) -> JsonObject:
-    """A fabric as JSON: its fields without defaults, and the draft that they name."""
-    return {
-        "name": fabric.name,
-        "fields": {
-            key: value for key, value in fabric.fields.model_dump(exclude_none=True).items() if value != {}
-        },
-        "draft": draft_json(fabric.named_draft),
-    }
-
-
 def draft_of_json(values: Mapping[str, Any]) -> Draft:
     """The draft of JSON.
 
     Raises:
         InputError: values of another type or range, or lists that do not fit the drawdown.
     """
-    return _draft(_validated(DraftJson, values))
+    return draft_of(validated(DraftJson, values))
 
 
-def fabric_of_json(values: Mapping[str, Any]) -> Fabric:
-    """The fabric of JSON; no file is read, whatever paths are among the fields.
-
-    Raises:
-        InputError: fields or a draft that make no fabric; the message names the one at fault.
-    """
-    given = _validated(FabricJson, values)
-    with speaking_of("the fabric"):
-        fields = validate_fields(given.fields)
-        draft = _draft(given.draft)
-        return make_fabric(fields, draft, fields.name or given.name or draft.title or "fabric", ".")
+def draft_of(given: DraftJson) -> Draft:
+    """The draft of valid JSON; see `draft_of_json`."""
+    return Draft(
+        drawdown=_drawdown(given),
+        warp=_threads("warp", given.warp, given.ends),
+        weft=_threads("weft", given.weft, given.picks),
+        title=" ".join(given.name.split()),
+        loom=None if given.loom is None else _loom(given.loom, given.ends, given.picks),
+    )
 
 
-def _validated(kind: type[Kind], values: Mapping[str, Any]) -> Kind:
+def validated(kind: type[Kind], values: Mapping[str, Any]) -> Kind:
+    """Values as what a page sends; raises InputError, which names the first fault."""
     try:
         return kind.model_validate(values)
     except ValidationError as error:
@@ -159,16 +139,6 @@ def _loom_json(loom: LoomPlan) -> JsonObject:
 
 def _lists(sets: Sequence[frozenset[int]] | None) -> list[list[int]] | None:
     return None if sets is None else [sorted(numbers) for numbers in sets]
-
-
-def _draft(given: DraftJson) -> Draft:
-    return Draft(
-        drawdown=_drawdown(given),
-        warp=_threads("warp", given.warp, given.ends),
-        weft=_threads("weft", given.weft, given.picks),
-        title=" ".join(given.name.split()),
-        loom=None if given.loom is None else _loom(given.loom, given.ends, given.picks),
-    )
 
 
 def _drawdown(given: DraftJson) -> NDArray[np.bool_]:

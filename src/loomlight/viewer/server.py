@@ -73,8 +73,6 @@ def _address(host: str, port: int, token: str | None) -> str:
     return f"http://{f'[{shown}]' if ':' in shown else shown}:{port}/" + (f"?token={token}" if token else "")
 
 
-
-
 def _unavailable(host: str, port: int, cause: BaseException | None) -> str:
     number = getattr(cause, "errno", None)
     if number == errno.EADDRINUSE:

@@ -10,7 +10,7 @@ from typing import Any
 from loomlight.assets.load import fabric_of_path
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.load import load_fabric
-from loomlight.viewer.draft_json import fabric_json
+from loomlight.viewer.fabric_json import fabric_json
 from loomlight.viewer.wif_worker import LARGEST_UPLOAD
 
 VERSION = 1

@@ -56,7 +56,9 @@ class TooLargeResponse(JSONResponse):
     """The answer to an upload that is too large: sent at once, before the rest of it is thrown away."""
 
     def __init__(self, error: UploadTooLargeError) -> None:
-        super().__init__({"error": str(error)}, 413, {"connection": "close"})
+        # Compression would hold the answer back until the end.
+        headers = {"connection": "close", "content-encoding": "identity"}
+        super().__init__({"error": str(error)}, 413, headers)
         self._has_more = error.has_more
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:

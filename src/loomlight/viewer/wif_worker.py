@@ -21,7 +21,7 @@ from loomlight.core.errors import InputError
 # A WIF of 16384 threads with a colour and a spacing each has some 2 MB.
 LARGEST_UPLOAD = 16 << 20
 # The interpreter and NumPy map 0.4 GiB; the largest draft, of 16384² crossings, takes 1.2 GiB meanwhile.
-MEMORY_BYTES = 3 << 30
+MEMORY_BYTES = 2 << 30
 SECONDS = 20.0
 _UNSAFE = re.compile(r"[^\w .()+-]+")
 _LONGEST_NAME = 120
@@ -119,14 +119,14 @@ def _read(file: Path) -> dict[str, Any]:
     try:
         with warnings.catch_warnings(record=True) as told:
             warnings.simplefilter("always")
-            draft = load_draft(file)
+            draft = draft_json(load_draft(file))
     except InputError as error:
         return {"error": _without_folder(str(error), file)}
     except MemoryError:
         return {"error": f"{file.name} takes more memory than a draft may."}
     except Exception as error:  # a reader's defect must not look like the server's
         return {"error": f"{file.name} is no draft that can be read ({type(error).__name__})."}
-    return {**draft_json(draft), "warnings": [_without_folder(str(each.message), file) for each in told]}
+    return {**draft, "warnings": [_without_folder(str(each.message), file) for each in told]}
 
 
 def _without_folder(sentence: str, file: Path) -> str:
