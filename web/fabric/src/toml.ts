@@ -17,7 +17,7 @@ export function readToml(text: string): FabricFields {
   if (text.length > LARGEST_FILE)
     throw new InputError(`it is larger than ${LARGEST_FILE >> 20} MiB; it is no fabric file.`);
   if (text.trim() === "") throw new InputError('it is empty: weave = "twill 3/1" alone would be a fabric.');
-  return validateFields(parsed(text));
+  return validateFields(parsed(text), (value) => typeof value === "bigint");
 }
 
 function parsed(text: string): unknown {

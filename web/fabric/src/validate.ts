@@ -5,17 +5,18 @@ import { InputError } from "./errors.ts";
 import { FABRIC, FAMILIES, type FabricFields, type FieldKind, type FieldTable } from "./fields.ts";
 import { general } from "./numbers.ts";
 
-/** A whole number of a TOML file is a bigint, so that 3 and 3.0 differ; elsewhere plain numbers will do. */
 type Plain = Record<string, unknown>;
+type IsWhole = (value: unknown) => boolean;
 
 /**
  * The fields of a fabric from plain values.
  *
+ * @param isWhole whether a number is a whole one: in TOML 3 is and 3.0 is not.
  * @throws InputError an unknown field, a value of another type or range, contradicting fields.
  */
-export function validateFields(values: unknown): FabricFields {
+export function validateFields(values: unknown, isWhole: IsWhole = Number.isInteger): FabricFields {
   if (!isTable(values)) throw new InputError("the fabric is no table of fields.");
-  const fields = validTable(values, FABRIC, []) as FabricFields;
+  const fields = validTable(values, FABRIC, [], isWhole) as FabricFields;
   requireConsistent(fields);
   return fields;
 }
@@ -26,7 +27,7 @@ function isTable(value: unknown): value is Plain {
   return prototype === Object.prototype || prototype === null;
 }
 
-function validTable(values: Plain, table: FieldTable, parents: readonly string[]): Plain {
+function validTable(values: Plain, table: FieldTable, parents: readonly string[], isWhole: IsWhole): Plain {
   const valid: Plain = {};
   for (const [key, kind] of Object.entries(table)) {
     const value = Object.hasOwn(values, key) ? values[key] : undefined;
@@ -34,10 +35,10 @@ function validTable(values: Plain, table: FieldTable, parents: readonly string[]
     const name = [...parents, key].join(".");
     if (kind.kind === "table") {
       if (!isTable(value)) throw cannotBeUsed(name, value, kind);
-      const inner = validTable(value, kind.fields, [...parents, key]);
+      const inner = validTable(value, kind.fields, [...parents, key], isWhole);
       if (Object.keys(inner).length > 0) valid[key] = inner;
     } else {
-      valid[key] = validValue(value, kind, name);
+      valid[key] = validValue(value, kind, name, isWhole);
     }
   }
   const stranger = Object.keys(values).find((key) => !Object.hasOwn(table, key));
@@ -45,13 +46,13 @@ function validTable(values: Plain, table: FieldTable, parents: readonly string[]
   return valid;
 }
 
-function validValue(value: unknown, kind: FieldKind, name: string): unknown {
+function validValue(value: unknown, kind: FieldKind, name: string, isWhole: IsWhole): unknown {
   switch (kind.kind) {
     case "number":
     case "integer": {
       const number = typeof value === "bigint" ? Number(value) : value;
-      const isWhole = kind.kind === "number" || Number.isInteger(number);
-      if (typeof number !== "number" || !isWhole || !(kind.low <= number && number <= kind.high))
+      const isKind = kind.kind === "number" || isWhole(value);
+      if (typeof number !== "number" || !isKind || !(kind.low <= number && number <= kind.high))
         throw cannotBeUsed(name, value, kind);
       return number;
     }
