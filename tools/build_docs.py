@@ -1,6 +1,6 @@
 """Builds the documentation site: `python -m tools.build_docs DIR`. Static files, no Python behind them.
 
-Pages are the Markdown files of the project, by reader: for use, how it works, figures, and what was tried. Each
+Pages are the Markdown files of the project, by reader: for use, how it works, figures, what was tried. Each
 page ends with one live cloth, the exported editor in a frame; a browser without WebGPU shows its picture.
 """
 
@@ -246,14 +246,19 @@ def _write(site: Path, target: str, text: str) -> None:
 
 
 def _gallery(cloths: Sequence[tuple[str, str, str]]) -> str:
-    figures = "\n".join(
-        f'<li><a href="live/index.html?fabric={name}">'
-        f'<img src="live/gallery/{name}.webp" alt="" width="320" height="320" loading="lazy"><strong>{html.escape(title)}</strong></a><p>{html.escape(about)}</p></li>'
-        for name, title, about in cloths
-    )
     return (
-        "<h1>Gallery</h1><p>Fabrics that come with the editor; a click opens one there, where weave, yarns and "
-        f'light can be changed.</p><ul class="gallery">{figures}</ul>'
+        "<h1>Gallery</h1><p>Fabrics that come with the editor; a click opens one there, "
+        'where weave, yarns and light can be changed.</p><ul class="gallery">'
+        + "\n".join(_gallery_entry(*cloth) for cloth in cloths)
+        + "</ul>"
+    )
+
+
+def _gallery_entry(name: str, title: str, about: str) -> str:
+    return (
+        f'<li><a href="live/index.html?fabric={name}">'
+        f'<img src="live/gallery/{name}.webp" alt="" width="320" height="320" loading="lazy">'
+        f"<strong>{html.escape(title)}</strong></a><p>{html.escape(about)}</p></li>"
     )
 
 
