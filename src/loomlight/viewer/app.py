@@ -26,7 +26,7 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.viewer.access import Access, Guard
 from loomlight.viewer.fabric_json import fabric_of_json
 from loomlight.viewer.saving import FORMATS, saved, tables_of
-from loomlight.viewer.session import session
+from loomlight.viewer.session import gallery_pictures, session
 from loomlight.viewer.uploads import TooLargeResponse, UploadTooLargeError, read_body
 from loomlight.viewer.wif_worker import LARGEST_UPLOAD, read_uploaded_draft
 
@@ -82,6 +82,7 @@ def editor_app(client: Path, fabric: Fabric | str | None, access: Access) -> Sta
             Route("/api/save", _answered(save), methods=["POST"]),
             Route("/api/tables", _answered(tables), methods=["POST"]),
             Route("/api/{rest:path}", _answered(_unknown), methods=["GET", "POST"]),
+            Mount("/gallery", StaticFiles(directory=gallery_pictures())),
             Mount("/", StaticFiles(directory=client, html=True)),
         ],
         middleware=[Middleware(Guard, access=access), Middleware(GZipMiddleware, minimum_size=2000)],

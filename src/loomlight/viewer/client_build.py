@@ -37,7 +37,7 @@ def is_current(package: Path, checkout: Path) -> bool:
 
 
 def build(package: Path, checkout: Path) -> None:
-    """Builds the page from `checkout`/web into the package's folder unless it is current; whole or not at all.
+    """Builds the page from `checkout`/web into the package's folder where it is older, whole or not at all.
 
     Raises:
         BuildError: Node is missing or too old, or the build fails.

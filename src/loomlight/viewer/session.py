@@ -48,12 +48,26 @@ def session(fabric: Fabric | str | None, *, has_python: bool, token: str | None 
 
 @cache
 def gallery() -> list[dict[str, Any]]:
-    """The fabrics that come with the editor, by name: "id", "description", and a fabric as JSON."""
+    """The fabrics that come with the editor, by name: "id", "description", "picture", and a fabric as JSON.
+
+    A picture is a place relative to the page; it is null where there is none.
+    """
     entries = []
     for name, file in sorted(_gallery_files().items()):
         fabric = load_fabric(file)
-        entries.append({"id": name, "description": fabric.fields.description or "", **fabric_json(fabric)})
+        picture = f"gallery/{name}.webp"
+        facts = {
+            "id": name,
+            "description": fabric.fields.description or "",
+            "picture": picture if (_PACKAGE / picture).is_file() else None,
+        }
+        entries.append(facts | fabric_json(fabric))
     return entries
+
+
+def gallery_pictures() -> Path:
+    """The folder of the gallery's pictures, which a page finds as "gallery"."""
+    return _PACKAGE / "gallery"
 
 
 def _gallery_files() -> dict[str, Path]:

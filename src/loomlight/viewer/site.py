@@ -10,7 +10,7 @@ from pathlib import Path
 from loomlight.export.folder import replacing_folder, write_manifest
 from loomlight.fabric.fabric import Fabric
 from loomlight.viewer.client import client_folder
-from loomlight.viewer.session import session
+from loomlight.viewer.session import gallery_pictures, session
 
 _SERVED = 'content="api/session"'
 _ALONE = 'content="session.json"'
@@ -41,8 +41,11 @@ def export_site(
 
 
 def copy_client(folder: Path, first: dict[str, object]) -> None:
-    """Copies the built page into a folder, with the session `first` beside it."""
+    """Copies the built page into a folder, with the session `first` and the gallery's pictures beside it."""
     shutil.copytree(client_folder(), folder, dirs_exist_ok=True)
+    (folder / "gallery").mkdir(exist_ok=True)
+    for picture in gallery_pictures().glob("*.webp"):
+        shutil.copyfile(picture, folder / "gallery" / picture.name)
     index = folder / "index.html"
     page = index.read_text(encoding="utf-8")
     if _SERVED not in page:

@@ -47,6 +47,8 @@ export interface FabricJson {
 export interface GalleryEntry extends FabricJson {
   id: string;
   description: string;
+  /** A picture of 320 pixels a side, relative to the page. */
+  picture: string | null;
 }
 
 export interface Session {

@@ -18,6 +18,8 @@ export interface ThreadsJson {
   colors: [number, number, number][] | null;
   spacing_mm: number[] | null;
   thickness_mm: number[] | null;
+  /** Row of the draft's palette that each thread has, by which a list of colours replaces the draft's. */
+  color_index?: number[] | null;
 }
 
 /** Shafts of each end, shafts of each treadle, treadles of each pick, shafts of each pick; numbers from 1. */
@@ -45,7 +47,7 @@ export function draftToJson(draft: Draft): DraftJson {
 }
 
 /**
- * The draft of its JSON. Colours that occur more than once become a palette in the order of their occurrence.
+ * The draft of its JSON. Without palette rows, colours become a palette in the order of their occurrence.
  *
  * @throws InputError drawdown and counts that do not belong together.
  */
@@ -54,20 +56,20 @@ export function draftFromJson(json: DraftJson): Draft {
   const drawdown = textToBits(json.drawdown, ends * picks);
   const rows = new Map<string, number>();
   const palette: number[] = [];
+  const isIndexed = [json.warp, json.weft].every(({ colors, color_index }) => colors === null || color_index);
   const family = (threads: ThreadsJson, count: number): Threads => {
-    for (const list of [threads.colors, threads.spacing_mm, threads.thickness_mm])
+    for (const list of [threads.colors, threads.spacing_mm, threads.thickness_mm, threads.color_index ?? null])
       if (list !== null && list.length !== count)
         throw new InputError(`the draft has ${count} threads where ${list.length} are described.`);
     const colorIndex =
       threads.colors === null
         ? null
-        : Int32Array.from(threads.colors, (colour) => {
+        : Int32Array.from(threads.colors, (colour, thread) => {
             const key = colour.join();
-            const row = rows.get(key) ?? rows.size;
-            if (!rows.has(key)) {
-              rows.set(key, row);
-              palette.push(...colour);
-            }
+            const row = isIndexed ? threads.color_index![thread]! : (rows.get(key) ?? rows.size);
+            rows.set(key, row);
+            while (palette.length < 3 * row) palette.push(0);
+            palette.splice(3 * row, 3, ...colour);
             return row;
           });
     return {
@@ -104,6 +106,7 @@ function threadsToJson(threads: Threads): ThreadsJson {
           ]),
     spacing_mm: threads.spacingMm === null ? null : [...threads.spacingMm],
     thickness_mm: threads.thicknessMm === null ? null : [...threads.thicknessMm],
+    color_index: threads.colorIndex === null ? null : [...threads.colorIndex],
   };
 }
 
