@@ -2,7 +2,8 @@
 
     python -m loomlight.realtime.build
 
-needs slangc; users do not. In a checkout it also writes the constants of the web client, and with `--web` these alone.
+needs slangc; users do not. In a checkout it also writes the constants of the web client, and with `--web`
+these alone.
 """
 
 from __future__ import annotations
