@@ -9,6 +9,7 @@ export * from "./json.ts";
 export * from "./load.ts";
 export { deriveLoomPlan, movedShafts, planDrawdown, weaves } from "./loom.ts";
 export { namedWeave, weaveNames } from "./named.ts";
+export { rint } from "./numbers.ts";
 export { fromPalette, pickRows, repeatDraft, WARP_COLOUR, WEFT_COLOUR, withPalette } from "./palette.ts";
 export { draftOfPixels } from "./picture.ts";
 export * from "./spacing.ts";
