@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import os
+import sys
 import threading
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 
 import pytest
 
@@ -46,3 +49,47 @@ def test_a_forked_process_has_threads_of_its_own() -> None:
     if child == 0:
         os._exit(0 if parallel_map(abs, [-1, -2]) == [1, 2] else 1)
     assert os.waitpid(child, 0)[1] == 0
+
+
+# One in thirty of the calls frees something on another thread if the pool's threads keep references.
+ROUNDS = 150
+
+
+class _Freed:
+    """Notes which thread frees it."""
+
+    def __init__(self, threads: list[int]) -> None:
+        self.threads = threads
+
+    def __del__(self) -> None:
+        self.threads.append(threading.get_ident())
+
+
+@contextmanager
+def _frequent_switches() -> Iterator[None]:
+    """Threads take turns often, so that those of the pool are overtaken by this one."""
+    before = sys.getswitchinterval()
+    sys.setswitchinterval(1e-6)
+    try:
+        yield
+    finally:
+        sys.setswitchinterval(before)
+
+
+def test_what_a_call_holds_is_freed_by_the_caller() -> None:
+    """Function, items and results: a pool thread that frees memory of Dr.Jit may wait for it for ever."""
+    threads: list[int] = []
+
+    def call() -> None:
+        held = _Freed(threads)
+
+        def function(item: _Freed) -> tuple[_Freed, _Freed, _Freed]:
+            return held, item, _Freed(threads)
+
+        parallel_map(function, [_Freed(threads) for _ in range(8)])
+
+    with _frequent_switches():
+        for _ in range(ROUNDS):
+            call()
+    assert len(threads) == ROUNDS * 17
+    assert set(threads) == {threading.get_ident()}

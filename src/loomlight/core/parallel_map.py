@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
-from typing import TypeVar
+from typing import Generic, TypeVar
 
 _Item = TypeVar("_Item")
 _Result = TypeVar("_Result")
@@ -23,11 +23,52 @@ def parallel_map(function: Callable[[_Item], _Result], items: Iterable[_Item]) -
 
     Any number of threads may call it at once. (Numba's own threads may not be used so: its "workqueue" layer
     ends the process when two threads call it, and OpenMP's when a process that forked does.)
+
+    Threads of the pool keep no reference to the function, an item or a result: what these hold is freed by
+    the caller's thread. A pool thread that frees memory of Dr.Jit waits for Dr.Jit's lock with Python's lock
+    held, and the thread that holds Dr.Jit's may be waiting for Python's.
     """
-    tasks = [(item, _pool().submit(function, item)) for item in items]
+    tasks = [_Task(function, item) for item in items]
+    futures = [_pool().submit(task.run) for task in tasks]
     # The pool begins with the first items, this thread with the last.
-    results = [function(item) if future.cancel() else future.result() for item, future in reversed(tasks)]
-    return results[::-1]
+    for task, future in zip(reversed(tasks), reversed(futures), strict=True):
+        if future.cancel():
+            task.run()
+        else:
+            future.result()
+        task.drop_call()
+    return [task.result() for task in tasks]
+
+
+class _Task(Generic[_Item, _Result]):
+    """A call whose function, item and result are dropped by the thread that asks for the result."""
+
+    def __init__(self, function: Callable[[_Item], _Result], item: _Item) -> None:
+        self._call: tuple[Callable[[_Item], _Result], _Item] | None = (function, item)
+        self._results: list[_Result] = []
+        self._error: BaseException | None = None
+
+    def run(self) -> None:
+        """Calls the function; returns nothing, as the pool's threads hold what it returns for a while."""
+        assert self._call is not None
+        try:
+            self._results.append(self._call[0](self._call[1]))
+        except BaseException as error:
+            self._error = error
+
+    def drop_call(self) -> None:
+        """Drops function and item."""
+        self._call = None
+
+    def result(self) -> _Result:
+        """The result, once; raises the function's error."""
+        error, self._error = self._error, None
+        if error is not None:
+            try:
+                raise error
+            finally:
+                del error  # its traceback holds this frame
+        return self._results.pop()
 
 
 @cache
