@@ -118,6 +118,10 @@ NEUMIP: Fields = (
     ("texels_per_mm", "float", "of level 0"),
     ("unit_x", "float", "unit of the ray depth, in repeats of x"),
     ("unit_y", "float", "and of y"),
+    ("transmits", "uint", "1 with a decoder for lights on the other side"),
+    ("transmission", "uint", "first element of that decoder, singles"),
+    ("has_holes", "uint", "1 with a network of holes"),
+    ("opacity", "uint", "first element of that network, singles"),
 )
 
 FABRIC: Fields = (
@@ -154,6 +158,8 @@ FABRIC: Fields = (
         "uint",
         "of that map, each half as wide as the one before, down to 1; 0 for no map",
     ),
+    ("has_yarns", "uint", "1 where the yarns are here too: records of families, run words, heights"),
+    ("mean_hole", "float", "share of light that passes straight through cloth without yarns here"),
 )
 
 LIGHT: Fields = (
