@@ -56,6 +56,12 @@ template <typename T> static inline T __ldg(const T* address)
 #include "cloth_prelude.h"
 static inline Counted F32_abs(Counted a) { return counted(fabsf(a.v), counts.simple); }
 static inline Counted F32_floor(Counted a) { return counted(floorf(a.v), counts.simple); }
+static inline Counted F32_ceil(Counted a) { return counted(ceilf(a.v), counts.simple); }
+static inline Counted F32_frac(Counted a)
+{
+    counts.simple++; // floor and difference
+    return counted(a.v - floorf(a.v), counts.simple);
+}
 static inline Counted F32_round(Counted a) { return counted(rintf(a.v), counts.simple); }
 static inline Counted F32_max(Counted a, Counted b) { return counted(fmaxf(a.v, b.v), counts.simple); }
 static inline Counted F32_min(Counted a, Counted b) { return counted(fminf(a.v, b.v), counts.simple); }

@@ -31,7 +31,7 @@ from loomlight.realtime.device import default_adapter
 from loomlight.realtime.layout import numpy_type
 from loomlight.realtime.models import REALTIME_MODELS, Material
 from loomlight.realtime.slangc import compile_shader
-from tests.realtime.test_neumip import random_model
+from tests.realtime import test_latent, test_neumip
 from tests.realtime.queries import directions, share_beyond
 
 require_llvm()
@@ -44,7 +44,8 @@ MATERIALS: dict[str, Material] = {
     "lobes": FABRIC,
     "point": FABRIC,
     "woven": WovenModel.for_source(FABRIC, refined=False),
-    "neumip": random_model(),
+    "neumip": test_neumip.random_model(),
+    "latent": test_latent.random_model(),
 }
 MODELS = tuple(REALTIME_MODELS)
 

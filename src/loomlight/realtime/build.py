@@ -75,6 +75,7 @@ HOST_ENTRIES = {
     },
     "frame_woven": {"shade_woven": "compute"},
     "frame_neumip": {"shade_neumip": "compute"},
+    "frame_latent": {"shade_latent": "compute"},
     "layers": {"first_layer": "compute", "next_layer": "compute", "add_background": "compute"},
     "shadows": {"cast_shadows": "compute"},
 }

@@ -20,12 +20,14 @@ from loomlight.assets.sources import Source
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import Model
+from loomlight.models.latent.model import LatentModel
 from loomlight.models.lobes.model import DEFAULT_GROUPS, LobesModel, tables_of
 from loomlight.models.lobes.tables import LobeTables
 from loomlight.models.neumip.model import NeumipModel
 from loomlight.models.registry import make_model, model_class, model_of_loom
 from loomlight.models.woven.model import WovenModel
 from loomlight.realtime.bake import BakePlan
+from loomlight.realtime.latent_tables import pack_latent
 from loomlight.realtime.lobes_tables import pack_lobes, reserve_lobes
 from loomlight.realtime.neumip_tables import pack_neumip
 from loomlight.realtime.woven_tables import pack_woven
@@ -33,7 +35,7 @@ from loomlight.realtime.word_table import Tables
 from loomlight.yarn.layout import ClothLayout
 
 Material: TypeAlias = Fabric | Model
-Prepared: TypeAlias = LobeTables | BakePlan | WovenModel | NeumipModel | None
+Prepared: TypeAlias = LobeTables | BakePlan | WovenModel | NeumipModel | LatentModel | None
 """What a model's shaders need beside a fabric's yarns."""
 Packer: TypeAlias = Callable[[np.void, Any, ClothLayout | None, Tables], None]
 
@@ -42,6 +44,7 @@ _PACKERS: dict[type, Packer] = {
     BakePlan: reserve_lobes,
     WovenModel: pack_woven,
     NeumipModel: pack_neumip,
+    LatentModel: pack_latent,
 }
 _TABLES = ("fabrics", "families", "words")
 _NETWORKS = ("fabrics", "words", "packed_numbers")
@@ -126,6 +129,14 @@ REALTIME_MODELS: dict[str, RealtimeModel] = {
         _FOOTPRINT,
         "About 9,000 floating-point operations a pixel, of which a further light of a pixel repeats a half.",
         _made("neumip"),
+    ),
+    "latent": RealtimeModel(
+        "shade_latent",
+        _NETWORKS,
+        _FOOTPRINT,
+        "About 5,000 floating-point operations a pixel and light with the decoder 2x32.",
+        _made("latent"),
+        reads_yarns=False,
     ),
 }
 

@@ -118,6 +118,7 @@ CLOTH_INLINE int I32_max(int a, int b) { return a > b ? a : b; }
 CLOTH_INLINE float F32_abs(float a) { return fabsf(a); }
 CLOTH_INLINE float F32_floor(float a) { return floorf(a); }
 CLOTH_INLINE float F32_ceil(float a) { return ceilf(a); }
+CLOTH_INLINE float F32_frac(float a) { return a - floorf(a); }
 CLOTH_INLINE float F32_round(float a) { return rintf(a); }
 CLOTH_INLINE float F32_fma(float a, float b, float c) { return fmaf(a, b, c); }
 CLOTH_INLINE float F32_max(float a, float b) { return fmaxf(a, b); }
