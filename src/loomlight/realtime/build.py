@@ -1,23 +1,28 @@
 """Writes what is generated: `generated.slang`, and the shaders of every shading language.
 
-    python -m loomlight.realtime.build
+    python -m loomlight.realtime.build [FILE ...]
 
-needs slangc; users do not. In a checkout it also writes the constants of the web client, and with `--web`
-these alone.
+needs slangc; users do not. With names of Slang files, such as `cloth_lobes`, it compiles these alone. In a
+checkout it also writes the constants of the web client, and with `--web` these alone.
 """
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Collection, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import cache, partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
+
+import numpy as np
 
 from loomlight.core.files import replacing
 from loomlight.realtime.bake import manifest
 from loomlight.realtime.constants import slang_constants
 from loomlight.realtime.layout import slang_structs
+from loomlight.realtime.models import REALTIME_MODELS
 from loomlight.realtime.slangc import SHADERS, compile_shader
 from loomlight.realtime.web_constants import WEB_FILE, typescript
 
@@ -32,13 +37,11 @@ class Target:
         name: of its folder.
         suffix: of its files.
         options: of slangc.
-        stages: kinds of entry points that it has.
     """
 
     name: str
     suffix: str
     options: tuple[str, ...] = ()
-    stages: tuple[str, ...] = ("compute", "vertex", "fragment")
 
 
 TARGETS = (
@@ -48,19 +51,23 @@ TARGETS = (
     # Drivers optimise; the optimiser and validator that slangc would load are not in its wheel.
     Target("spirv", "spv", ("-profile", "spirv_1_3", "-O0", "-skip-spirv-validation")),
     Target("metal", "metal"),
-    Target("cuda", "cu", (), ("compute",)),
+    Target("cuda", "cu"),
 )
-# Variants of entry points whose networks run by cooperative vectors, where a target has them for compute
+# Variants of libraries whose networks run by cooperative vectors, where a target has them for compute
 # shaders (CUDA has them in OptiX programs alone): engines may choose them, nothing needs them.
 COOPERATIVE_TARGETS = (
     Target("hlsl", "hlsl", ("-profile", "sm_6_9")),
     Target("spirv", "spv", ("-profile", "spirv_1_6", "-O0", "-skip-spirv-validation")),
 )
-COOPERATIVE_ENTRIES = {"frame_woven": ("shade_woven",)}
+COOPERATIVE_LIBRARY = "woven"
 # Line numbers would name files of the machine that built it.
 _OPTIONS = ("-line-directive-mode", "none")
-# Entry points by file of `shaders/`, with their stages.
-ENTRIES = {
+# Compilers that run at a time.
+_PROCESSES = 2
+# Entry points of frames and of the bake by file of `shaders/`, with their stages. Only WebGPU hosts draw
+# frames and bake, this package's and pages, so they are WGSL alone. All kernels of a bake module are in one
+# file; others have a file each.
+HOST_ENTRIES = {
     "frame": {
         "raster_vertex": "vertex",
         "raster_fragment": "fragment",
@@ -70,53 +77,43 @@ ENTRIES = {
     },
     "frame_woven": {"shade_woven": "compute"},
     "frame_neumip": {"shade_neumip": "compute"},
-    "bake_rays": dict.fromkeys(
-        (
-            "bake_top_down",
-            "bake_views",
-            "bake_gap_starts",
-            "bake_nulls",
-            "bake_shadows",
-            "bake_texels",
-        ),
-        "compute",
-    ),
-    "bake_points": dict.fromkeys(("bake_gaps", "bake_points"), "compute"),
-    "bake_groups": dict.fromkeys(("bake_bisect", "bake_refine", "bake_assign"), "compute"),
-    "bake_tables": dict.fromkeys(
-        (
-            "bake_view_sums",
-            "bake_light_sums",
-            "bake_zenith",
-            "bake_moments",
-            "bake_areas",
-            "bake_area_scales",
-            "bake_pack_areas",
-            "bake_pack_light",
-            "bake_pack_moments",
-        ),
-        "compute",
-    ),
-    "bake_coverage": dict.fromkeys(
-        (
-            "bake_first_level",
-            "bake_row_totals",
-            "bake_coverage_scales",
-            "bake_downsample",
-            "bake_pack_coverage",
-            "bake_pack_holes",
-        ),
-        "compute",
-    ),
+    "frame_latent": {"shade_latent": "compute"},
     "layers": {"first_layer": "compute", "next_layer": "compute", "add_background": "compute"},
     "shadows": {"cast_shadows": "compute"},
-    # Libraries for engines, with a kernel that calls each; `loomlight.export` takes them apart.
-    "cloth_lobes": {"lobes_queries": "compute"},
-    "cloth_point": {"point_queries": "compute"},
 }
-# Engines read tables and do not bake them: these modules are for WebGPU hosts, this package's and pages. All
-# kernels of a module are in one file.
-WGSL_ONLY = tuple(module for module in ENTRIES if module.startswith("bake_"))
+BAKE_ENTRIES = {
+    "bake_rays": (
+        "bake_top_down",
+        "bake_views",
+        "bake_gap_starts",
+        "bake_nulls",
+        "bake_shadows",
+        "bake_texels",
+    ),
+    "bake_points": ("bake_gaps", "bake_points"),
+    "bake_groups": ("bake_bisect", "bake_refine", "bake_assign"),
+    "bake_tables": (
+        "bake_view_sums",
+        "bake_light_sums",
+        "bake_zenith",
+        "bake_moments",
+        "bake_areas",
+        "bake_area_scales",
+        "bake_pack_areas",
+        "bake_pack_light",
+        "bake_pack_moments",
+    ),
+    "bake_coverage": (
+        "bake_first_level",
+        "bake_row_totals",
+        "bake_coverage_scales",
+        "bake_downsample",
+        "bake_pack_coverage",
+        "bake_pack_holes",
+    ),
+}
+# Instructions of SPIR-V that name things for debuggers: OpSourceContinued to OpMemberName, OpString, OpLine.
+_DEBUG_OPCODES = (2, 3, 4, 5, 6, 7, 8, 317, 330)
 
 
 def generated_slang() -> str:
@@ -124,38 +121,72 @@ def generated_slang() -> str:
     return _HEADER + slang_constants() + "\n" + slang_structs()
 
 
-def generated_files() -> dict[Path, bytes]:
-    """Contents of all generated shaders, by path relative to the folder of shaders.
+def library_entries() -> dict[str, str]:
+    """The kernel of each library for engines by its file; `loomlight.export` takes them apart."""
+    return {f"cloth_{name}": f"{name}_queries" for name in REALTIME_MODELS}
+
+
+def generated_files(modules: Collection[str] = ()) -> dict[Path, bytes]:
+    """Contents of generated shaders, by path relative to the folder of shaders.
+
+    Args:
+        modules: files of `shaders/` whose entry points are compiled; all by default.
 
     Raises:
         MissingDependencyError: slangc is missing.
         ShaderError: a source does not compile.
     """
-    files: dict[Path, bytes] = {}
-    prelude = _cuda_prelude()
-    for module, entries in ENTRIES.items():
-        if module in WGSL_ONLY:
-            text = compile_shader(SHADERS / f"{module}.slang", "wgsl", list(entries), _OPTIONS)
-            files[Path("wgsl") / f"{module}.wgsl"] = text
-            continue
+    jobs: dict[Path, Callable[[], bytes]] = {}
+
+    def add(name: str, target: Target, module: str, entries: Sequence[str], *options: str) -> None:
+        if not modules or module in modules:
+            path = Path(target.name) / f"{name}.{target.suffix}"
+            jobs[path] = partial(_compiled, target, module, entries, options)
+
+    wgsl = TARGETS[0]
+    for module, stages in HOST_ENTRIES.items():
+        for entry in stages:
+            add(entry, wgsl, module, [entry])
+    for module, kernels in BAKE_ENTRIES.items():
+        add(module, wgsl, module, kernels)
+    for module, entry in library_entries().items():
         for target in TARGETS:
-            for entry, stage in entries.items():
-                if stage in target.stages:
-                    path = Path(target.name) / f"{entry}.{target.suffix}"
-                    options = (*_OPTIONS, *target.options)
-                    text = compile_shader(SHADERS / f"{module}.slang", target.name, [entry], options)
-                    if target.name == "cuda":
-                        text = b"#include <slang-cuda-prelude.h>\n" + text.removeprefix(prelude)
-                    files[path] = text
-    for module, names in COOPERATIVE_ENTRIES.items():
-        for target in COOPERATIVE_TARGETS:
-            for entry in names:
-                options = (*_OPTIONS, *target.options, "-DCOOPERATIVE")
-                path = Path(target.name) / f"{entry}_cooperative.{target.suffix}"
-                files[path] = compile_shader(SHADERS / f"{module}.slang", target.name, [entry], options)
-    return files
+            add(entry, target, module, [entry])
+        if module == f"cloth_{COOPERATIVE_LIBRARY}":
+            for target in COOPERATIVE_TARGETS:
+                add(f"{entry}_cooperative", target, module, [entry], "-DCOOPERATIVE")
+    # Threads wait for the compiler's processes.
+    with ThreadPoolExecutor(_PROCESSES) as pool:
+        contents = pool.map(lambda job: job(), jobs.values())
+        return dict(zip(jobs, contents, strict=True))
 
 
+def stored_files() -> list[Path]:
+    """Paths of the shaders that lie in the folders of all languages, relative to the folder of shaders."""
+    return [path.relative_to(SHADERS) for target in TARGETS for path in (SHADERS / target.name).iterdir()]
+
+
+def _compiled(target: Target, module: str, entries: Sequence[str], options: Sequence[str]) -> bytes:
+    all_options = (*_OPTIONS, *target.options, *options)
+    text = compile_shader(SHADERS / f"{module}.slang", target.name, entries, all_options)
+    if target.name == "cuda":
+        return b"#include <slang-cuda-prelude.h>\n" + text.removeprefix(_cuda_prelude())
+    return without_debug_names(text) if target.name == "spirv" else text
+
+
+def without_debug_names(module: bytes) -> bytes:
+    """A SPIR-V module without names and sources for debuggers, which are a third of it."""
+    words = np.frombuffer(module, "<u4")
+    kept, at = [words[:5]], 5  # behind the header
+    while at < words.size:
+        length = int(words[at] >> 16)
+        if words[at] & 0xFFFF not in _DEBUG_OPCODES:
+            kept.append(words[at : at + length])
+        at += length
+    return np.concatenate(kept).astype("<u4").tobytes()
+
+
+@cache
 def _cuda_prelude() -> bytes:
     """What slangc writes before every CUDA source: a header that Slang's distribution has as a file."""
     with TemporaryDirectory() as folder:
@@ -169,18 +200,25 @@ def main(arguments: Sequence[str] = ()) -> None:
     """Writes everything that is generated.
 
     Args:
-        arguments: `--web` writes the constants of the web client alone.
+        arguments: names of Slang files, which alone are compiled; `--web` writes the constants of the web
+            client and nothing else.
     """
     if WEB_FILE.parent.is_dir():
         _write(WEB_FILE, typescript().encode())
     if "--web" in arguments:
         return
+    modules = arguments
     _write(SHADERS / "generated.slang", generated_slang().encode())
-    for path, content in generated_files().items():
+    files = generated_files(modules)
+    for path, content in files.items():
         target = SHADERS / path
         target.parent.mkdir(exist_ok=True)
         _write(target, content)
         print(path)
+    if not modules:
+        for path in stored_files():
+            if path not in files:
+                (SHADERS / path).unlink()
     _write(SHADERS / "bake.json", manifest().encode())  # reads the shaders
 
 
