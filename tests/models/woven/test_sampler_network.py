@@ -48,7 +48,8 @@ def proposal_of(seed: int) -> LearnedProposal:
     view = np.array([*rng.uniform(-0.6, 0.6, 2), 0])
     view[2] = np.sqrt(1 - view @ view)
     lobes = TwoSidedLobes.of([Float(value) for value in outputs])
-    return LearnedProposal(Float(0), lobes, Float(0.05 * (seed % 3)), Array3f(*view.tolist()))
+    sheen = (Float(0.1 * seed), 0.4) if seed else None
+    return LearnedProposal(Float(0), lobes, Array3f(*view.tolist()), sheen)
 
 
 @pytest.mark.parametrize("seed", range(4))

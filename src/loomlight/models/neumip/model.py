@@ -115,7 +115,7 @@ class NeumipBsdf(FootprintBsdf):
     def _learned(self) -> LearnedProposal | None:
         """What the sampler network describes; None without one."""
         lobes = self._device.lobes(dr.detach(self._latent), dr.detach(self._facing))
-        return None if lobes is None else LearnedProposal(dr.detach(self.hole), lobes, 0.0, self._facing)
+        return None if lobes is None else LearnedProposal(dr.detach(self.hole), lobes, self._facing)
 
     def value(self, light: Vec3, active: Mask = True) -> Color3:
         """f·cos, 1/sr; 0 for lights on the other side unless the source transmits."""

@@ -140,12 +140,13 @@ class WovenBsdf(SeparableBsdf):
             self._activate_first()
         albedos, null = dr.detach(self.albedos), dr.detach(self.null_transmission)
         view, fibres = to_face_frame(self.view, self._back), self._table.fibres(self._back)
-        sheen = self.sheen.strength
         if self._sampler is not None:
             angular = dr.detach(self._activations.angular)
-            return woven_proposal(self._sampler, angular, albedos, null, sheen, view, fibres)
+            return woven_proposal(self._sampler, angular, albedos, null, self.sheen, view, fibres)
         layer = layer_albedo_bound(self._model.fabric.appearance().optical_depth)
-        return proposal_of(albedos, null, sheen, layer, view, fibres, self._table.lobe_roughness)
+        return proposal_of(
+            albedos, null, self.sheen.strength, layer, view, fibres, self._table.lobe_roughness
+        )
 
 
 @final

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from functools import cache
 from importlib.resources import files
 
+import drjit as dr
 import numpy as np
 from safetensors import SafetensorError
 from safetensors.numpy import load
@@ -22,12 +23,14 @@ from loomlight.models.relu_network import Layers, ReluNetwork
 from loomlight.models.separable import FamilyAlbedos
 from loomlight.models.woven.codings import Fibre
 from loomlight.models.woven.weights import Weights
+from loomlight.scattering.appearance import Sheen
+from loomlight.scattering.sheen import sheen_transmittance
 from loomlight.scattering.two_sided_lobes import TwoSidedLobes
 
 # Beside the decoder's activations: view, fibres of two families (x, y, α), shares of eight albedos.
 FURTHER_INPUTS = 3 + 6 + 8
-# Largest probability of uniform directions that sheen adds.
-_SHEEN = 0.5
+# Largest probability of the sheen's lobe: weights of what is below stay bounded.
+_MOST_SHEEN = 0.8
 # Order of the terms of an albedo, of warp and then of weft.
 _TERMS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")
 _FILE = "woven_sampler.safetensors"
@@ -39,7 +42,7 @@ def woven_proposal(
     angular: Sequence[Float],
     albedos: FamilyAlbedos,
     null: Float,
-    sheen: float,
+    sheen: Sheen,
     view: Vec3,
     fibres: tuple[Fibre, Fibre],
 ) -> LearnedProposal:
@@ -49,7 +52,7 @@ def woven_proposal(
         angular: the decoder's first angular layer without the light's part.
         albedos: means over the footprint.
         null: null transmission, 0 to 1, which is also the probability of drawing it.
-        sheen: its strength, 0 to 1.
+        sheen: of the fabric; strength 0 is none.
         view: unit vector [3] in the frame of the face that is seen.
         fibres: on the crowns of both families, in that frame.
     """
@@ -58,8 +61,12 @@ def woven_proposal(
     ]
     further = further_inputs([*view], [(fibre.x, fibre.y, fibre.roughness) for fibre in fibres], terms)
     lobes = TwoSidedLobes.of(network([*angular, *further]))
-    part = _SHEEN * sheen / (sheen + sum(terms) + _TINY)
-    return LearnedProposal(null, lobes, part, view)
+    if sheen.strength <= 0:
+        return LearnedProposal(null, lobes, view)
+    reflected = 1 - sheen_transmittance(view, sheen.strength, sheen.roughness)
+    # A place shows one family, so its albedos are half of the sum.
+    share = reflected * dr.rcp(reflected + 0.5 * sum(terms) + _TINY)
+    return LearnedProposal(null, lobes, view, (_MOST_SHEEN * share, sheen.roughness))
 
 
 def further_inputs(
