@@ -32,7 +32,14 @@ from loomlight.models.neumip.pyramid import (
 )
 from loomlight.models.neumip.settings import NeumipSettings
 from loomlight.models.neumip.training.network import LEAST_OUTPUT, SLOPE, TorchFunctions, blurred
-from loomlight.models.neumip.training.train import Batches, one_thread, rate_factor, shape_of, taken_queries
+from loomlight.models.neumip.training.train import (
+    Batches,
+    gains_of,
+    one_thread,
+    rate_factor,
+    shape_of,
+    taken_queries,
+)
 from loomlight.training.loop import Schedule, train
 
 _FUNCTIONS = TorchFunctions()
@@ -47,13 +54,20 @@ Report = Callable[[int, int], None]
 class NeuralTextures(nn.Module):
     """A pyramid of neural textures and its networks, of one face; light is reflected alone."""
 
-    def __init__(self, design: Design, shape: PyramidShape, scale: float = 1.0) -> None:
+    def __init__(
+        self,
+        design: Design,
+        shape: PyramidShape,
+        scale: float = 1.0,
+        gains: tuple[float, float] = (1.0, 1.0),
+    ) -> None:
         """
         Args:
             scale: textures learn so many times as fast as networks.
+            gains: see `gains_of`.
         """
         super().__init__()
-        self.design, self.shape, self.scale = design, shape, scale
+        self.design, self.shape, self.scale, self.gains = design, shape, scale, gains
         first = torch.zeros(design.pyramid_channels)
         first[design.latent :] = _COLOUR / scale
         self.features = nn.ParameterList(
@@ -129,7 +143,7 @@ class NeuralTextures(nn.Module):
         for first in range(0, len(positions), _CHUNK):
             u, level, light, view = (part[first : first + _CHUNK] for part in arrays)
             face = torch.zeros(len(u), dtype=torch.int64)
-            parts.append(self(u - u.floor(), level, light, view, face)[0] / EXPOSURE)
+            parts.append(self(u - u.floor(), level, light, view, face)[0] / (EXPOSURE * self.gains[0]))
         return torch.cat(parts).numpy()
 
 
@@ -154,7 +168,8 @@ def trained_textures(
     folder.mkdir(parents=True, exist_ok=True)
     queries = taken_queries(source, settings, queries_folder, lambda done, total: None)
     torch.manual_seed(settings.seed)
-    network = NeuralTextures(design, shape_of(source, settings), settings.texture_rate / settings.rate)
+    scale = settings.texture_rate / settings.rate
+    network = NeuralTextures(design, shape_of(source, settings), scale, gains_of(queries))
     batches = Batches(network, queries, settings, "cpu")
     optimiser = torch.optim.Adam(network.parameters(), settings.rate)
     with one_thread():
