@@ -252,7 +252,7 @@ def _with_albedos(family: FamilyAppearance, name: str, values: Values) -> Family
     named: Mapping[str, NDArray[np.float64]] = {
         albedo: rows[:, number] for number, albedo in enumerate(ALBEDOS)
     }
-    return FamilyAppearance(**named, roughness=family.roughness)
+    return replace(family, **named)
 
 
 def _numbers(parameter: Parameter) -> NDArray[np.float64]:

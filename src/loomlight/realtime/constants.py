@@ -52,7 +52,7 @@ _FLOATS: dict[str, float] = {
     "SHEEN_SMALLEST_SCALE": sheen._SMALLEST_SCALE,
     "SHEEN_LARGEST_SHEAR": sheen._LARGEST_SHEAR,
     "SHEEN_CEILING": sheen_coefficients.CEILING,
-    "FIBRE_CELL_LENGTH": point._FIBRE_CELL_LENGTH,
+    "FIBRE_CELL_LENGTH": variation.FIBRE_CELL_LENGTH,
     "LARGEST_FIBRE_GAIN": variation._LARGEST_FIBRE_GAIN,
     "MIN_NODE_COSINE": hemisphere.MIN_COSINE,
     "TENT_VARIANCE": coverage_lookup.TENT_VARIANCE,

@@ -181,7 +181,7 @@ def _pack_fabric(
         "colour_noise": variation.colour_noise,
         "seed": variation.seed & 0xFFFFFFFF,
         "layer_bound": layer_albedo_bound(appearance.optical_depth),
-        "fibre_size": min(fine_x, fine_y) / point_model._FIBRES_ACROSS,
+        "fibre_size": min(fine_x, fine_y) / variation.FIBRES_ACROSS,
         "is_open": int(_open_share(warp) * _open_share(weft) > _SMALLEST_OPEN_SHARE),
     }
     _fill(record, values)
