@@ -50,7 +50,9 @@ def _yarn(value: str) -> str:
     name = " ".join(value.lower().split())
     if name not in YARNS:
         known = ", ".join(f'"{yarn}"' for yarn in YARNS)
-        text = f'{FIELD} = "{" ".join(value.split())[:40]}" is no kind of yarn that has a name: write {known}.'
+        text = (
+            f'{FIELD} = "{" ".join(value.split())[:40]}" is no kind of yarn that has a name: write {known}.'
+        )
         raise PydanticCustomError("sentence", "{text}", {"text": text})
     return name
 

@@ -49,7 +49,7 @@ def family_width(
 ) -> NDArray[np.float64]:
     """Width of each thread of family `name`, millimetres, as many as `spacing`.
 
-    The family's own width or gap comes first, then its count, then the draft's thickness, then the file's gap.
+    The family's own width or gap comes first, then its count, the draft's thickness, and the file's gap.
 
     Raises:
         InputError: a yarn count that cannot be read.

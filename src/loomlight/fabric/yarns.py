@@ -1,8 +1,7 @@
 """Kinds of yarn by name: what a fabric file need not say of a yarn of that fibre and spinning.
 
-Strengths and angles are those of typical apparel yarns: angles of twist from twist factors (Hearle, Grosberg and
-Backer 1969), densities of fibres and packing of yarns from Morton and Hearle 2008. Gloss, stray, slubs and hairs
-were set by eye, beside photographs of cloth.
+Densities of fibres and packing of yarns are from Morton and Hearle 2008, angles of twist those of usual twist
+factors (Hearle, Grosberg and Backer 1969). Gloss, stray, slubs and hairs were set by eye.
 """
 
 from __future__ import annotations
@@ -42,14 +41,14 @@ PRESETS = MappingProxyType(
             roughness=0.42,
             translucency=0.12,
             twist_deg=-20,
-            fibre_tilt_deg=13,
+            fibre_tilt_deg=11,
             hairiness=0.4,
             slub=0.25,
         ),
         "mercerised cotton": _yarn(
             COTTON_DENSITY,
             0.65,
-            specular=0.55,
+            specular=0.5,
             roughness=0.2,
             translucency=0.1,
             twist_deg=-4,
@@ -66,7 +65,7 @@ PRESETS = MappingProxyType(
             roughness=0.3,
             translucency=0.18,
             twist_deg=-14,
-            fibre_tilt_deg=10,
+            fibre_tilt_deg=9,
             hairiness=0.12,
             slub=0.9,
         ),
@@ -79,7 +78,7 @@ PRESETS = MappingProxyType(
             twist_deg=-6,
             plies=2,
             ply_twist_deg=24,
-            fibre_tilt_deg=17,
+            fibre_tilt_deg=12,
             hairiness=1,
             slub=0.2,
         ),

@@ -33,7 +33,7 @@ from loomlight.models.lobes import proposal as lobe_proposal
 from loomlight.models.lobes import tables as lobe_tables
 from loomlight.realtime.neumip_tables import neumip_floats, neumip_uints
 from loomlight.realtime.woven_tables import woven_floats, woven_uints
-from loomlight.scattering import directions, fibre, point, sheen, sheen_coefficients, variation
+from loomlight.scattering import directions, fibre, sheen, sheen_coefficients, variation
 from loomlight.yarn import max_heights, rays, runs, search, threads
 
 _FLOATS: dict[str, float] = {

@@ -21,9 +21,9 @@ from loomlight.realtime.layout import numpy_type
 from loomlight.realtime.networks import Elements, NumberTable
 from loomlight.realtime.neumip_tables import add_neumip
 from loomlight.realtime.woven_tables import WovenTables
-from loomlight.scattering import point as point_model
 from loomlight.scattering.albedo import layer_albedo_bound
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
+from loomlight.scattering.variation import FIBRES_ACROSS
 from loomlight.yarn import search
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
@@ -181,7 +181,7 @@ def _pack_fabric(
         "colour_noise": variation.colour_noise,
         "seed": variation.seed & 0xFFFFFFFF,
         "layer_bound": layer_albedo_bound(appearance.optical_depth),
-        "fibre_size": min(fine_x, fine_y) / variation.FIBRES_ACROSS,
+        "fibre_size": min(fine_x, fine_y) / FIBRES_ACROSS,
         "is_open": int(_open_share(warp) * _open_share(weft) > _SMALLEST_OPEN_SHARE),
     }
     _fill(record, values)

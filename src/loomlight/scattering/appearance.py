@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True)
 class YarnDetail:
-    """Plies, fibres, slubs and hairs of one family, seen close up; all off by default (`scattering/detail.py`).
+    """Plies, fibres, slubs and hairs of one family, seen close up (`detail.py`); all off by default.
 
     Attributes:
         plies: yarns twisted together, 1 to 12; 1 shows no plies.

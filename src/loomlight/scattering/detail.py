@@ -1,18 +1,18 @@
 """Yarns close up: plies, fibres, slubs and hairs on the smooth tube of the geometry.
 
-Nothing here moves the surface: normals and fibre directions turn, and diffuse albedos vary, about those of the
-smooth yarn. Every turn is a rotation of the whole frame, so tangent and normal stay perpendicular and the
-energy bound of `albedo.py` holds at every point.
+Nothing here moves the surface: normals and fibre directions turn, and diffuse albedos vary, about those of
+the smooth yarn. Every turn is a rotation of the whole frame, so tangent and normal stay perpendicular and
+the energy bound of `albedo.py` holds at every point.
 
-- *Plies* are sub-cylinders that wind around the yarn: across a ply the sine of the normal's turn rises linearly
-  from edge to edge, and the grooves between plies are darker.
+- *Plies* are sub-cylinders that wind around the yarn: across a ply the sine of the normal's turn rises
+  linearly from edge to edge, and the grooves between plies are darker.
 - *Fibres* are long cells of the fibre coordinates. Noise that is smooth along a cell turns the normal across
   the fibre, and the fibre itself; fibres of a bundle move together.
 - *Slubs* are noise along the thread: where it is thick its margins are lighter, where it is thin darker.
 - *Hairs* are arcs that lie on the cloth; one may begin in each cell of a square grid.
 
-Turns are symmetric about 0 and gains have mean 1, so that means over many threads stay. Each part fades before
-its period falls below the side of the footprint: what a pixel cannot resolve is not drawn.
+Turns are symmetric about 0 and gains have mean 1, so that means over many threads stay. Each part fades
+before its period falls below the side of the footprint: what a pixel cannot resolve is not drawn.
 
 Sources: plies, migrating fibres and fly-away fibres are those of the procedural yarns of Zhao, Luan and Bala
 2016; plies as shading normals of a surface those of Montazeri et al. 2020.
@@ -34,8 +34,11 @@ from loomlight.yarn.geometry import SurfacePoint
 from loomlight.yarn.threads import SECTION_ANGLE
 
 # Sine of the turn of a ply's normal at its edges, and by what share of the albedo its grooves are darker.
-PLY_EDGE_SINE = 0.64
-GROOVE_DEPTH = 0.5
+PLY_EDGE_SINE = 0.42
+GROOVE_DEPTH = 0.6
+# Turned normals see less of a dome, as light from below the yarn's own surface is lost. How much more diffuse
+# light makes up for it, over the mean of 1 − cos of the turn (`experiments/yarn_detail.py`).
+DIFFUSE_LOSS = 0.85
 # Fibres that stray together.
 BUNDLE_FIBRES = 5.0
 # Fibres wave along the yarn: the period in widths of a fibre, and the amplitude over period and stray.
@@ -45,8 +48,8 @@ WAVE_SHARE = 0.5
 SLUB_LENGTH = 9.0
 # Share of the albedo that fibres vary by for each radian that they stray, and at most.
 TONE_OF_TILT, MOST_TONE = 0.5, 0.15
-# Hairs: grids of cells, a hair a cell; in widths of a fibre the side of the cells, half the width of hairs, and half
-# their length from and to; and their largest sagitta over half the length.
+# Hairs: grids of cells, a hair a cell; in widths of a fibre the side of cells, half the width of hairs, and
+# half their length from and to; and their largest sagitta over half the length.
 HAIR_LAYERS = 2
 HAIR_CELL = 17.0
 HAIR_HALF_WIDTH = 0.32
@@ -65,10 +68,11 @@ TILT_STREAM = 0x02E5BE93
 SLUB_STREAM = 0x51D7348D
 HAIR_STREAM = 0x3C6EF372
 
-# 1 / deviation of the sum of noises that turn normals and fibres. Uniform numbers in ±1 have the variance 1/3, and
-# smoothed along their cells 26/35 of it.
-TILT_SCALE = (2 * 26 / 105 + 1 / 3) ** -0.5
-TURN_SCALE = (2 * 26 / 105) ** -0.5
+# 1 / deviation of the sum of noises that turn normals and fibres. Uniform numbers in ±1 have the variance
+# 1/3, and smoothed along their cells 26/35 of it.
+NOISE_VARIANCE = 26 / 105
+TILT_SCALE = (2 * NOISE_VARIANCE + 1 / 3) ** -0.5
+TURN_SCALE = (2 * NOISE_VARIANCE) ** -0.5
 
 
 def family_numbers(detail: YarnDetail) -> dict[str, float]:
@@ -133,7 +137,7 @@ class Hair:
 
 
 def fade(size: Float, period: Float) -> Float:
-    """Weight of detail of a period for footprints of a side, both in millimetres: 1 up to a quarter, 0 from 1 on."""
+    """Weight of detail of a period for footprints of a side, millimetres: 1 up to a quarter, 0 from 1 on."""
     return clip(dr.fma(size * dr.rcp(period), -4 / 3, 4 / 3), 0, 1)
 
 
@@ -149,20 +153,34 @@ def ply_offset(numbers: DetailNumbers, point: SurfacePoint, back: Mask) -> Float
     return dr.fma(2, ply - dr.floor(ply), -1)
 
 
-def turned_frame(
-    numbers: DetailNumbers, point: SurfacePoint, back: Mask, thread: UInt, size: Float
-) -> tuple[Vec3, Vec3]:
-    """Normal and tangent [3] of a yarn point with its plies and fibres, without hairs.
+@dataclass
+class Frame:
+    """The frame of a yarn point.
+
+    Attributes:
+        normal, tangent: unit vectors [3] at right angles.
+        loss: mean of 1 − cos of the angle that detail turns normals by here.
+    """
+
+    normal: Vec3
+    tangent: Vec3
+    loss: Float
+
+
+def turned_frame(numbers: DetailNumbers, point: SurfacePoint, back: Mask, thread: UInt, size: Float) -> Frame:
+    """The frame of a yarn point with its plies and fibres, without hairs.
 
     Args:
         thread: UInt32, number of the thread over the whole cloth.
         size: side of the footprint, millimetres.
     """
     normal, tangent = point.normal, point.tangent
+    loss = array_types(point.across).Float(0)
     if numbers.has_plies:
         period = dr.rcp(numbers.of("plies_per_mm", point.is_warp))
         weight = numbers.of("has_plies", point.is_warp) * fade(size, period)
         sine = weight * PLY_EDGE_SINE * ply_offset(numbers, point, back)
+        loss = dr.square(weight) * (PLY_EDGE_SINE**2 / 6)
         # The fibre in the frame of the ply, which then turns about its own axis.
         lean_sine = numbers.of("ply_sine", point.is_warp)
         lean_sine = dr.select(back, -lean_sine, lean_sine)
@@ -180,6 +198,9 @@ def turned_frame(
         # Fibres are round.
         tilt = noise.bundle_weight * noise.bundle_tilt + noise.weight * (noise.tilt + noise.offset)
         tilt *= TILT_SCALE * amount
+        of_bundle, of_fibre = dr.square(noise.bundle_weight), dr.square(noise.weight)
+        variance = (NOISE_VARIANCE * (of_bundle + of_fibre) + of_fibre / 3) * TILT_SCALE**2
+        loss = dr.fma(0.5 * dr.square(amount), variance, loss)
         turn = TURN_SCALE * (noise.bundle_weight * noise.bundle_turn + noise.weight * noise.turn)
         turn = amount * dr.fma(-noise.bundle_weight, noise.slope, turn)
         across = dr.cross(tangent, normal)
@@ -187,7 +208,20 @@ def turned_frame(
         normal, across = cosine * normal + sine * across, cosine * across - sine * normal
         (sine, cosine) = dr.sincos(turn)
         tangent = cosine * tangent + sine * across
-    return normal, tangent
+    return Frame(normal, tangent, loss)
+
+
+def diffuse_gain(frame: Frame, blend: Float) -> Float:
+    """Gain of the diffuse term of a turned frame, which keeps the mean over many points, Float ≥ 1.
+
+    No point returns more than its albedo of light from everywhere: of that the diffuse term returns
+    w·(1 + n_z)/2 + 1 − w.
+
+    Args:
+        blend: w, the weight of the yarn normal.
+    """
+    returned = dr.fma(0.5 * blend, frame.normal.z - 1, 1)
+    return minimum(dr.fma(DIFFUSE_LOSS * blend, frame.loss, 1), dr.rcp(returned))
 
 
 @dataclass
@@ -241,7 +275,7 @@ def fibre_cell(across: Float, along: Float, width: Float) -> tuple[Float, Float,
 
     Args:
         across, along: position, millimetres.
-        width: of the cells, millimetres; they are `FIBRE_CELL_LENGTH` times as long. The row is no whole number.
+        width: of the cells, millimetres; they are `FIBRE_CELL_LENGTH` times as long. The row is not rounded.
     """
     inverse = dr.rcp(width)
     column = dr.floor(across * inverse)
@@ -275,7 +309,8 @@ def _wave(key: UInt, position: Float) -> tuple[Float, Float]:
 
 def _signed(bits: UInt) -> Float:
     """Sixteen bits as a number in ±1."""
-    return dr.fma(dr.float32_array_t(type(bits))(bits) + 0.5, 2**-15, -1)
+    types = array_types(dr.float32_array_t(type(bits)))
+    return dr.fma(types.Float(bits) + 0.5, 2**-15, -1)
 
 
 def detail_gain(
@@ -366,7 +401,13 @@ def hair_at(numbers: DetailNumbers, x: Float, y: Float, back: Mask, size: Float)
 
     width = dr.width(x, y, size, back)
     zero = dr.zeros(types.Float, width)
-    start = dr.zeros(types.UInt32, width), zero, zero, dr.ones(types.Float, width), dr.zeros(types.Float, width)
+    start = (
+        dr.zeros(types.UInt32, width),
+        zero,
+        zero,
+        dr.ones(types.Float, width),
+        dr.zeros(types.Float, width),
+    )
     active = types.Bool(weight > 0)
     _, cover, across_x, across_y, away = dr.while_loop(
         start, lambda number, *_: active & (number < 9 * HAIR_LAYERS), add, label="detail: hairs"
@@ -382,14 +423,16 @@ def hair_at(numbers: DetailNumbers, x: Float, y: Float, back: Mask, size: Float)
 
 def _share(bits: UInt) -> Float:
     """The lowest ten bits as a number in (0, 1)."""
-    return (dr.float32_array_t(type(bits))(bits & 1023) + 0.5) * 2**-10
+    types = array_types(dr.float32_array_t(type(bits)))
+    return (types.Float(bits & 1023) + 0.5) * 2**-10
 
 
-def under_hair(normal: Vec3, tangent: Vec3, hair: Hair) -> tuple[Vec3, Vec3]:
-    """Normal and tangent of a yarn point, blended with those of the hair on top by what it covers."""
+def under_hair(frame: Frame, hair: Hair) -> Frame:
+    """The frame of a yarn point, blended with that of the hair on top by what it covers."""
     # A fibre has no front and no rear.
-    hair_tangent = dr.select(dr.dot(tangent, hair.tangent) < 0, -hair.tangent, hair.tangent)
-    normal = dr.normalize(dr.lerp(normal, hair.normal, hair.cover))
-    tangent = dr.lerp(tangent, hair_tangent, hair.cover)
+    hair_tangent = dr.select(dr.dot(frame.tangent, hair.tangent) < 0, -hair.tangent, hair.tangent)
+    normal = dr.normalize(dr.lerp(frame.normal, hair.normal, hair.cover))
+    tangent = dr.lerp(frame.tangent, hair_tangent, hair.cover)
     tangent = dr.fma(-dr.dot(tangent, normal), normal, tangent)
-    return normal, tangent * dr.rsqrt(maximum(dr.squared_norm(tangent), 1e-12))
+    tangent *= dr.rsqrt(maximum(dr.squared_norm(tangent), 1e-12))
+    return Frame(normal, tangent, frame.loss * (1 - hair.cover))

@@ -21,6 +21,17 @@ from loomlight.core.backend import ArrayTypes, array_types, channel_mean, maximu
 from loomlight.core.masked_branch import masked_branch
 from loomlight.scattering.albedo import layer_albedo_bound
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
+from loomlight.scattering.detail import (
+    DetailNumbers,
+    Frame,
+    Hair,
+    detail_gain,
+    diffuse_gain,
+    fibre_cell,
+    hair_at,
+    turned_frame,
+    under_hair,
+)
 from loomlight.scattering.diffuse import (
     diffuse_pdf,
     diffuse_reflection,
@@ -39,15 +50,6 @@ from loomlight.scattering.sheen import (
     sheen_pdf,
     sheen_transmittance,
     sheen_with_transmittance,
-)
-from loomlight.scattering.detail import (
-    DetailNumbers,
-    Hair,
-    detail_gain,
-    fibre_cell,
-    hair_at,
-    turned_frame,
-    under_hair,
 )
 from loomlight.scattering.variation import FIBRES_ACROSS, vary_albedos
 from loomlight.yarn.geometry import SurfacePoint
@@ -81,6 +83,7 @@ class YarnPoint:
         roughness: α.
         albedos: of its thread; None where they are not asked for.
         surface_normal: of the yarn's surface [3], which hides light; None is `normal`.
+        diffuse_gain: what turned normals gain (`detail.diffuse_gain`); None is 1.
     """
 
     back: Mask
@@ -94,6 +97,11 @@ class YarnPoint:
     roughness: Float
     albedos: Any
     surface_normal: Any = None
+    diffuse_gain: Any = None
+
+    def diffuse(self, value: Float) -> Float:
+        """The diffuse term at this point, of its value for smooth yarn."""
+        return value if self.diffuse_gain is None else value * self.diffuse_gain
 
 
 @dataclass
@@ -252,8 +260,8 @@ class PointModel:
         """The yarn point at draft coordinates x, y (millimetres) of one face, without parallax.
 
         Args:
-            size: side of the footprint, millimetres, which the yarns' detail is filtered with; None shows smooth
-                yarns.
+            size: side of the footprint, millimetres, that the yarns' detail is filtered with; None shows
+                smooth yarns.
         """
         types = array_types(x)
         point = self.surface.surface(x, y, back)
@@ -271,19 +279,20 @@ class PointModel:
         hair = self.hair(x, y, back, size)
         if self.varies_at(size):
             albedos = self.varied(point, albedos, x, y, back, size, hair)
-        normal, tangent = self._turned_frame(point, x, y, back, size, hair)
+        frame = self._turned_frame(point, x, y, back, size, hair)
         return YarnPoint(
             back=back,
             hole=hole,
             x=x,
             y=y,
             height=point.height,
-            normal=normal,
-            tangent=tangent,
+            normal=point.normal if frame is None else frame.normal,
+            tangent=point.tangent if frame is None else frame.tangent,
             is_warp=point.is_warp,
             roughness=dr.select(point.is_warp, warp.roughness, weft.roughness),
             albedos=albedos,
-            surface_normal=None if normal is point.normal else point.normal,
+            surface_normal=None if frame is None else point.normal,
+            diffuse_gain=None if frame is None else diffuse_gain(frame, self.appearance.diffuse_blend),
         )
 
     @property
@@ -309,13 +318,13 @@ class PointModel:
 
     def _turned_frame(
         self, point: SurfacePoint, x: Float, y: Float, back: Mask, size: Float | None, hair: Hair | None
-    ) -> tuple[Vec3, Vec3]:
-        """Normal and tangent of a point of the surface with the yarn's detail."""
+    ) -> Frame | None:
+        """The frame of a point of the surface with the yarn's detail; None where there is none."""
         if size is None or not self.has_detail:
-            return point.normal, point.tangent
+            return None
         thread = self.thread_number(point, x, y)
-        normal, tangent = turned_frame(self.detail(array_types(x)), point, back, thread, size)
-        return (normal, tangent) if hair is None else under_hair(normal, tangent, hair)
+        frame = turned_frame(self.detail(array_types(x)), point, back, thread, size)
+        return frame if hair is None else under_hair(frame, hair)
 
     def thread_number(self, point: SurfacePoint, x: Float, y: Float) -> UInt:
         """Number of the thread at draft coordinates x, y (millimetres) over the whole cloth, UInt32.
@@ -454,9 +463,9 @@ class PointModel:
         frame = (point.normal, point.tangent, point.roughness, depth)
         above, below = light.z > 0, light.z < 0
         albedos = point.albedos
-        near = albedos.diffuse_reflect * diffuse_reflection(light, point.normal, blend)
+        near = albedos.diffuse_reflect * point.diffuse(diffuse_reflection(light, point.normal, blend))
         near += albedos.specular_reflect * reflection(light, view, *frame)
-        far = albedos.diffuse_transmit * diffuse_transmission(light, point.normal, blend)
+        far = albedos.diffuse_transmit * point.diffuse(diffuse_transmission(light, point.normal, blend))
         far += albedos.specular_transmit * transmission(light, view, *frame)
         value = dr.select(above, near, dr.select(below, far, types.Color3(0)))
         value = dr.select(point.hole, 0, value)

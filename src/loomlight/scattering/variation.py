@@ -98,8 +98,8 @@ def vary_albedos(
     """The four albedos of one point varied by fibre and thread, still inside the energy bound.
 
     The thread's gain applies to the diffuse terms first, then that of the yarn's detail, which is made
-    flatter where its largest value has no room, so that its mean stays; the fibre's gain then has the room that
-    they leave.
+    flatter where its largest value has no room, so that its mean stays; the fibre's gain then has the room
+    that they leave.
 
     Args:
         albedos: diffuse_reflect, diffuse_transmit, specular_reflect, specular_transmit; Color3 each.
