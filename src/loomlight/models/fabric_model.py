@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from abc import abstractmethod
-from collections.abc import Mapping
 from copy import copy
 from dataclasses import replace
 from functools import cached_property
@@ -249,10 +248,10 @@ def _with_albedos(family: FamilyAppearance, name: str, values: Values) -> Family
     else:
         shared = [_numbers(values[f"{name}.{albedo}"]).reshape(3) for albedo in ALBEDOS]
         rows = np.tile(np.stack(shared), (threads, 1, 1))
-    named: Mapping[str, NDArray[np.float64]] = {
-        albedo: rows[:, number] for number, albedo in enumerate(ALBEDOS)
-    }
-    return FamilyAppearance(**named, roughness=family.roughness)
+    reflect, transmit, specular, specular_transmit = (rows[:, number] for number in range(len(ALBEDOS)))
+    return FamilyAppearance(
+        reflect, transmit, specular, specular_transmit, roughness=family.roughness, detail=family.detail
+    )
 
 
 def _numbers(parameter: Parameter) -> NDArray[np.float64]:

@@ -48,7 +48,8 @@ class PointBsdf(SeparableBsdf):
             hit = first_hit(
                 model.surface, centre.x, centre.y, to_face_frame(view, back), back, active, model.quality
             )
-        self.point = model.at(hit.x, hit.y, back, hit.hole)
+        size = footprint.spread_side if model.has_detail else None
+        self.point = model.at(hit.x, hit.y, back, hit.hole, size)
         if tint is not None:
             albedos = self.point.albedos
             albedos.diffuse_reflect = albedos.diffuse_reflect * tint
@@ -161,6 +162,7 @@ class PointFootprint(FabricModel):
         self._geometry.upload(types)
         upload_extent(self.point_model.surface, types)
         self.point_model.parameters(types)
+        self.point_model.detail(types)
 
     def parameters(self, types: ArrayTypes) -> Values:
         """The model's own arrays: what is assigned to them shows at once, with derivatives."""

@@ -34,7 +34,7 @@ from loomlight.models.lobes import tables as lobe_tables
 from loomlight.realtime.latent_tables import latent_floats, latent_uints
 from loomlight.realtime.neumip_tables import neumip_floats, neumip_uints
 from loomlight.realtime.woven_tables import woven_floats, woven_uints
-from loomlight.scattering import directions, fibre, point, sheen, sheen_coefficients, variation
+from loomlight.scattering import directions, fibre, sheen, sheen_coefficients, variation
 from loomlight.yarn import max_heights, rays, runs, search, threads
 
 _FLOATS: dict[str, float] = {
@@ -53,7 +53,7 @@ _FLOATS: dict[str, float] = {
     "SHEEN_SMALLEST_SCALE": sheen._SMALLEST_SCALE,
     "SHEEN_LARGEST_SHEAR": sheen._LARGEST_SHEAR,
     "SHEEN_CEILING": sheen_coefficients.CEILING,
-    "FIBRE_CELL_LENGTH": point._FIBRE_CELL_LENGTH,
+    "FIBRE_CELL_LENGTH": variation.FIBRE_CELL_LENGTH,
     "LARGEST_FIBRE_GAIN": variation._LARGEST_FIBRE_GAIN,
     "MIN_NODE_COSINE": hemisphere.MIN_COSINE,
     "TENT_VARIANCE": coverage_lookup.TENT_VARIANCE,

@@ -16,9 +16,9 @@ from loomlight.realtime.layout import numpy_type
 from loomlight.realtime.models import Prepared, pack_model
 from loomlight.realtime.networks import Elements
 from loomlight.realtime.word_table import Tables, Words, WordTable, fill
-from loomlight.scattering import point as point_model
 from loomlight.scattering.albedo import layer_albedo_bound
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
+from loomlight.scattering.variation import FIBRES_ACROSS
 from loomlight.yarn import search
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
@@ -126,7 +126,7 @@ def _pack_fabric(
         "colour_noise": variation.colour_noise,
         "seed": variation.seed & 0xFFFFFFFF,
         "layer_bound": layer_albedo_bound(appearance.optical_depth),
-        "fibre_size": min(fine_x, fine_y) / point_model._FIBRES_ACROSS,
+        "fibre_size": min(fine_x, fine_y) / FIBRES_ACROSS,
         "has_yarns": 1,
         "is_open": int(_open_share(warp) * _open_share(weft) > _SMALLEST_OPEN_SHARE),
     }

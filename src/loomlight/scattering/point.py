@@ -21,6 +21,17 @@ from loomlight.core.backend import ArrayTypes, array_types, channel_mean, maximu
 from loomlight.core.masked_branch import masked_branch
 from loomlight.scattering.albedo import layer_albedo_bound
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
+from loomlight.scattering.detail import (
+    DetailNumbers,
+    Frame,
+    Hair,
+    detail_gain,
+    diffuse_gain,
+    fibre_cell,
+    hair_at,
+    turned_frame,
+    under_hair,
+)
 from loomlight.scattering.diffuse import (
     diffuse_pdf,
     diffuse_reflection,
@@ -40,15 +51,11 @@ from loomlight.scattering.sheen import (
     sheen_transmittance,
     sheen_with_transmittance,
 )
-from loomlight.scattering.variation import vary_albedos
+from loomlight.scattering.variation import FIBRES_ACROSS, vary_albedos
 from loomlight.yarn.geometry import SurfacePoint
 from loomlight.yarn.horizon import HorizonMap
 from loomlight.yarn.search import DEFAULT_QUALITY, SearchQuality, Surface
 from loomlight.yarn.visibility import first_hit, unoccluded
-
-# Size of the cells of fibre noise: this many fibres side by side in a yarn, each cell so many times as long.
-_FIBRES_ACROSS = 30
-_FIBRE_CELL_LENGTH = 40
 
 _ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")
 
@@ -71,10 +78,12 @@ class YarnPoint:
         back: the face behind is seen.
         hole: the ray passes through; only sheen and delta transmission are left.
         x, y, height: where, millimetres.
-        normal, tangent: of the yarn and its fibres [3].
+        normal, tangent: of the yarn and its fibres [3], turned by detail.
         is_warp: the family.
         roughness: α.
         albedos: of its thread; None where they are not asked for.
+        surface_normal: of the yarn's surface [3], which hides light; None is `normal`.
+        diffuse_gain: what turned normals gain (`detail.diffuse_gain`); None is 1.
     """
 
     back: Mask
@@ -87,6 +96,12 @@ class YarnPoint:
     is_warp: Mask
     roughness: Float
     albedos: Any
+    surface_normal: Any = None
+    diffuse_gain: Any = None
+
+    def diffuse(self, value: Float) -> Float:
+        """The diffuse term at this point, of its value for smooth yarn."""
+        return value if self.diffuse_gain is None else value * self.diffuse_gain
 
 
 @dataclass
@@ -132,7 +147,8 @@ def shadow_query(surface: Surface, point: YarnPoint, light: Vec3) -> ShadowQuery
     facing = to_face_frame(light, point.back)
     beyond = facing.z < 0
     # Visibility is a Mask, so no derivatives are needed.
-    own: tuple[Vec3, Float] = dr.detach((point.normal, types.Float(point.height)))
+    surface_normal = point.normal if point.surface_normal is None else point.surface_normal
+    own: tuple[Vec3, Float] = dr.detach((surface_normal, types.Float(point.height)))
 
     def turned(_: tuple[Vec3, Float]) -> tuple[Vec3, Float]:
         far = surface.surface(point.x, point.y, ~point.back)
@@ -197,6 +213,7 @@ class PointModel:
             (sheen.strength, sheen.roughness) if sheen.strength > 0 else None
         )
         self._uploaded: dict[type, tuple[_FamilyParameters, _FamilyParameters]] = {}
+        self._detail: dict[type, DetailNumbers] = {}
 
     def parameters(self, types: ArrayTypes) -> tuple[_FamilyParameters, _FamilyParameters]:
         """Parameters of (warp, weft) on one backend."""
@@ -207,21 +224,45 @@ class PointModel:
             )
         return self._uploaded[types.Float]
 
-    def locate(self, x: Float, y: Float, view: Vec3, active: Mask = True) -> YarnPoint:
+    @property
+    def has_detail(self) -> bool:
+        """Whether yarns show plies, fibres, slubs or hairs close up."""
+        return self.appearance.warp.detail.is_on or self.appearance.weft.detail.is_on
+
+    def detail(self, types: ArrayTypes) -> DetailNumbers:
+        """Numbers of the yarns' detail on one backend."""
+        if types.Float not in self._detail:
+            self._detail[types.Float] = DetailNumbers(self.appearance, self.fibre_size, types)
+        return self._detail[types.Float]
+
+    @property
+    def fibre_size(self) -> float:
+        """Width of a fibre, millimetres."""
+        return min(self.surface.finest) / FIBRES_ACROSS
+
+    def locate(
+        self, x: Float, y: Float, view: Vec3, active: Mask = True, size: Float | None = None
+    ) -> YarnPoint:
         """The yarn point that the view ray through x, y on the plane z = 0 meets.
 
         Args:
             x, y: draft coordinates, millimetres.
             view: unit vector [3] towards the eye; z < 0 sees the back.
+            size: see `at`.
         """
         types = array_types(x)
         back = types.Bool(view.z < 0)
         seen = to_face_frame(view, back)
         hit = first_hit(self.surface, x, y, seen, back, active, self.quality)
-        return self.at(hit.x, hit.y, back, hit.hole)
+        return self.at(hit.x, hit.y, back, hit.hole, size)
 
-    def at(self, x: Float, y: Float, back: Mask, hole: Mask) -> YarnPoint:
-        """The yarn point at draft coordinates x, y (millimetres) of one face, without parallax."""
+    def at(self, x: Float, y: Float, back: Mask, hole: Mask, size: Float | None = None) -> YarnPoint:
+        """The yarn point at draft coordinates x, y (millimetres) of one face, without parallax.
+
+        Args:
+            size: side of the footprint, millimetres, that the yarns' detail is filtered with; None shows
+                smooth yarns.
+        """
         types = array_types(x)
         point = self.surface.surface(x, y, back)
         warp, weft = self.parameters(types)
@@ -235,19 +276,23 @@ class PointModel:
                 for number in range(len(_ALBEDOS))
             )
         )
-        if self.varies:
-            albedos = self.varied(point, albedos, x, y)
+        hair = self.hair(x, y, back, size)
+        if self.varies_at(size):
+            albedos = self.varied(point, albedos, x, y, back, size, hair)
+        frame = self._turned_frame(point, x, y, back, size, hair)
         return YarnPoint(
             back=back,
             hole=hole,
             x=x,
             y=y,
             height=point.height,
-            normal=point.normal,
-            tangent=point.tangent,
+            normal=point.normal if frame is None else frame.normal,
+            tangent=point.tangent if frame is None else frame.tangent,
             is_warp=point.is_warp,
             roughness=dr.select(point.is_warp, warp.roughness, weft.roughness),
             albedos=albedos,
+            surface_normal=None if frame is None else point.normal,
+            diffuse_gain=None if frame is None else diffuse_gain(frame, self.appearance.diffuse_blend),
         )
 
     @property
@@ -255,11 +300,38 @@ class PointModel:
         """Whether fibres or threads vary by chance."""
         return self.appearance.variation.fibre_noise > 0 or self.appearance.variation.colour_noise > 0
 
-    def varied(self, point: SurfacePoint, albedos: Albedos, x: Float, y: Float) -> Albedos:
-        """Albedos of the thread at draft coordinates x, y (millimetres), varied as its fibres there are."""
+    def varies_at(self, size: Float | None) -> bool:
+        """Whether albedos vary by chance or by what yarns show to footprints of a side; see `at`."""
+        if size is None or not self.has_detail:
+            return self.varies
+        details = self.appearance.warp.detail, self.appearance.weft.detail
+        return self.varies or any(
+            detail.plies > 1 or max(detail.fibre_tilt, detail.slub) > 0 for detail in details
+        )
+
+    def hair(self, x: Float, y: Float, back: Mask, size: Float | None) -> Hair | None:
+        """The hair on top of draft coordinates x, y (millimetres); None where there are none."""
+        if size is None or not self.has_detail:
+            return None
+        numbers = self.detail(array_types(x))
+        return hair_at(numbers, x, y, back, size) if numbers.has_hairs else None
+
+    def _turned_frame(
+        self, point: SurfacePoint, x: Float, y: Float, back: Mask, size: Float | None, hair: Hair | None
+    ) -> Frame | None:
+        """The frame of a point of the surface with the yarn's detail; None where there is none."""
+        if size is None or not self.has_detail:
+            return None
+        thread = self.thread_number(point, x, y)
+        frame = turned_frame(self.detail(array_types(x)), point, back, thread, size)
+        return frame if hair is None else under_hair(frame, hair)
+
+    def thread_number(self, point: SurfacePoint, x: Float, y: Float) -> UInt:
+        """Number of the thread at draft coordinates x, y (millimetres) over the whole cloth, UInt32.
+
+        Were it counted within the repeat, what varies by chance would repeat with the draft.
+        """
         types = array_types(x)
-        variation = self.appearance.variation
-        # Threads are counted over the whole cloth, or the noise would repeat with the draft.
         position = dr.select(point.is_warp, x, y) - point.across
         period = dr.select(point.is_warp, types.Float(self.surface.size[0]), self.surface.size[1])
         threads = dr.select(
@@ -270,12 +342,34 @@ class PointModel:
         index = dr.select(point.is_warp, types.Int32(point.warp_thread), types.Int32(point.weft_thread))
         number = types.Int32(dr.floor(position / period)) * threads + index
         # Two families must not share numbers.
-        thread = types.UInt32(number) * 2 + dr.select(point.is_warp, types.UInt32(1), types.UInt32(0))
-        fibre = min(self.surface.finest) / _FIBRES_ACROSS
-        column = dr.floor(point.fibre_across / fibre)
-        # Cells side by side are staggered, or their ends would line up.
-        row = dr.floor(point.fibre_along / (fibre * _FIBRE_CELL_LENGTH) + 0.618 * column)
-        cell = types.UInt32(types.Int32(column)) * 65536 + types.UInt32(types.Int32(row))
+        return types.UInt32(number) * 2 + dr.select(point.is_warp, types.UInt32(1), types.UInt32(0))
+
+    def varied(
+        self,
+        point: SurfacePoint,
+        albedos: Albedos,
+        x: Float,
+        y: Float,
+        back: Mask = False,
+        size: Float | None = None,
+        hair: Hair | None = None,
+    ) -> Albedos:
+        """Albedos of the thread at draft coordinates x, y (millimetres), varied as it is there.
+
+        Args:
+            size: see `at`.
+            hair: on top, which hides grooves and slubs.
+        """
+        types = array_types(x)
+        variation = self.appearance.variation
+        thread = self.thread_number(point, x, y)
+        column, row, _ = fibre_cell(point.fibre_across, point.fibre_along, types.Float(self.fibre_size))
+        cell = types.UInt32(types.Int32(column)) * 65536 + types.UInt32(types.Int32(dr.floor(row)))
+        gain = None
+        if size is not None and self.has_detail:
+            gain = detail_gain(self.detail(types), point, x, y, back, thread, size)
+            if hair is not None:
+                gain.excess *= 1 - hair.cover
         varied = vary_albedos(
             (
                 albedos.diffuse_reflect,
@@ -289,6 +383,7 @@ class PointModel:
             types.Float(variation.colour_noise),
             variation.seed,
             layer_albedo_bound(self.appearance.optical_depth),
+            gain,
         )
         return Albedos(*varied)
 
@@ -368,9 +463,9 @@ class PointModel:
         frame = (point.normal, point.tangent, point.roughness, depth)
         above, below = light.z > 0, light.z < 0
         albedos = point.albedos
-        near = albedos.diffuse_reflect * diffuse_reflection(light, point.normal, blend)
+        near = albedos.diffuse_reflect * point.diffuse(diffuse_reflection(light, point.normal, blend))
         near += albedos.specular_reflect * reflection(light, view, *frame)
-        far = albedos.diffuse_transmit * diffuse_transmission(light, point.normal, blend)
+        far = albedos.diffuse_transmit * point.diffuse(diffuse_transmission(light, point.normal, blend))
         far += albedos.specular_transmit * transmission(light, view, *frame)
         value = dr.select(above, near, dr.select(below, far, types.Color3(0)))
         value = dr.select(point.hole, 0, value)

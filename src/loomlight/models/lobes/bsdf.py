@@ -104,7 +104,9 @@ class LobesBsdf(SeparableBsdf):
 
     def _mean_albedos(self) -> FamilyAlbedos:
         means, model, footprint, back = self._means, self._point_model, self.footprint, self._back
-        if not means.varied and not model.varies:
+        size = footprint.spread_side if model.has_detail else None
+        varies = model.varies_at(size)
+        if not means.varied and not varies:
             return FamilyAlbedos(*means.over(footprint, back))
         types, surface, centre = array_types(self.view.x), model.surface, footprint.centre
         point_weight = 1 - self._regime.prefiltered
@@ -119,13 +121,18 @@ class LobesBsdf(SeparableBsdf):
         x, y, weight = masked_branch(point_weight > 0, start, intersect, "lobes: central ray")
         shifted = types.Vector2(dr.lerp(centre.x, x, weight), dr.lerp(centre.y, y, weight))
         mean = means.over(replace(footprint, centre=shifted), back)
-        if not model.varies:
+        if not varies:
             return FamilyAlbedos(*mean)
 
         def vary(families: tuple[Albedos, Albedos]) -> tuple[Albedos, Albedos]:
             point = surface.surface(x, y, back)
+            hair = model.hair(x, y, back, size)
             warp, weft = (
-                _lerp_albedos(family, model.varied(point, family, x, y), dr.select(is_family, weight, 0))
+                _lerp_albedos(
+                    family,
+                    model.varied(point, family, x, y, back, size, hair),
+                    dr.select(is_family, weight, 0),
+                )
                 for family, is_family in zip(families, (point.is_warp, ~point.is_warp), strict=True)
             )
             return warp, weft

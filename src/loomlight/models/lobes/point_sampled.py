@@ -90,8 +90,10 @@ def point_sampled_components(
 ) -> tuple[Float, list[Components]]:
     """Fraction of holes, and mean components for each light, of a number of points; 0 without points."""
 
+    size = footprint.spread_side if model.has_detail else None
+
     def measure(x: Any, y: Any) -> tuple[Any, ...]:
-        point = model.locate(x, y, view)
+        point = model.locate(x, y, view, size=size)
         values = [dr.select(point.hole, array_types(view.x).Float(1), 0)]
         for light in lights:
             visible = model.visibility(point, light)
