@@ -22,6 +22,8 @@ export interface ThreadsJson {
   colors: [number, number, number][] | null;
   spacing_mm: number[] | null;
   thickness_mm: number[] | null;
+  /** Row of the draft's palette that each thread has; a list of as many colours replaces them in this order. */
+  color_index: number[] | null;
 }
 
 /** Shafts of each end, shafts of each treadle, treadles of each pick, shafts of each pick; numbers from 1. */
