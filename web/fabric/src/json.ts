@@ -18,6 +18,8 @@ export interface ThreadsJson {
   colors: [number, number, number][] | null;
   spacing_mm: number[] | null;
   thickness_mm: number[] | null;
+  /** Role of each thread's colour; colours that are swapped by role (dark and light, say) follow it. */
+  color_index: number[] | null;
 }
 
 /** Shafts of each end, shafts of each treadle, treadles of each pick, shafts of each pick; numbers from 1. */
@@ -45,50 +47,41 @@ export function draftToJson(draft: Draft): DraftJson {
 }
 
 /**
- * The draft of its JSON. Colours that occur more than once become a palette in the order of their occurrence.
+ * The draft of its JSON.
  *
  * @throws InputError drawdown and counts that do not belong together.
  */
 export function draftFromJson(json: DraftJson): Draft {
   const { ends, picks } = json;
   const drawdown = textToBits(json.drawdown, ends * picks);
-  const rows = new Map<string, number>();
-  const palette: number[] = [];
-  const family = (threads: ThreadsJson, count: number): Threads => {
-    for (const list of [threads.colors, threads.spacing_mm, threads.thickness_mm])
-      if (list !== null && list.length !== count)
-        throw new InputError(`the draft has ${count} threads where ${list.length} are described.`);
-    const colorIndex =
-      threads.colors === null
-        ? null
-        : Int32Array.from(threads.colors, (colour) => {
-            const key = colour.join();
-            const row = rows.get(key) ?? rows.size;
-            if (!rows.has(key)) {
-              rows.set(key, row);
-              palette.push(...colour);
-            }
-            return row;
-          });
-    return {
-      colors: threads.colors === null ? null : Float64Array.from(threads.colors.flat()),
-      spacingMm: threads.spacing_mm === null ? null : Float64Array.from(threads.spacing_mm),
-      thicknessMm: threads.thickness_mm === null ? null : Float64Array.from(threads.thickness_mm),
-      colorIndex,
-    };
+  const warp = threadsFromJson(json.warp, ends);
+  const weft = threadsFromJson(json.weft, picks);
+  const loom = json.loom === null ? null : loomFromJson(json.loom);
+  const palette = paletteOf([warp, weft]);
+  return makeDraft({ ends, picks, drawdown }, { name: json.name, warp, weft, loom, palette });
+}
+
+function threadsFromJson(json: ThreadsJson, count: number): Threads {
+  for (const list of [json.colors, json.spacing_mm, json.thickness_mm, json.color_index])
+    if (list != null && list.length !== count)
+      throw new InputError(`the draft has ${count} threads where ${list.length} are described.`);
+  return {
+    colors: json.colors === null ? null : Float64Array.from(json.colors.flat()),
+    spacingMm: json.spacing_mm === null ? null : Float64Array.from(json.spacing_mm),
+    thicknessMm: json.thickness_mm === null ? null : Float64Array.from(json.thickness_mm),
+    colorIndex: json.color_index == null ? null : Int32Array.from(json.color_index),
   };
-  const warp = family(json.warp, ends);
-  const weft = family(json.weft, picks);
-  return makeDraft(
-    { ends, picks, drawdown },
-    {
-      name: json.name,
-      warp,
-      weft,
-      loom: json.loom === null ? null : loomFromJson(json.loom),
-      palette: palette.length > 0 ? Float64Array.from(palette) : null,
-    },
-  );
+}
+
+/** The rows that the threads' indices point into, as far as threads show them; null without indices. */
+function paletteOf(families: readonly Threads[]): Float64Array | null {
+  const indexed = families.filter((threads) => threads.colorIndex !== null && threads.colors !== null);
+  if (indexed.length === 0) return null;
+  const size = 1 + Math.max(...indexed.map((threads) => threads.colorIndex!.reduce((a, b) => Math.max(a, b), 0)));
+  const palette = new Float64Array(size * 3);
+  for (const { colors, colorIndex } of indexed)
+    colorIndex!.forEach((row, thread) => palette.set(colors!.subarray(thread * 3, thread * 3 + 3), row * 3));
+  return palette;
 }
 
 function threadsToJson(threads: Threads): ThreadsJson {
@@ -104,6 +97,7 @@ function threadsToJson(threads: Threads): ThreadsJson {
           ]),
     spacing_mm: threads.spacingMm === null ? null : [...threads.spacingMm],
     thickness_mm: threads.thicknessMm === null ? null : [...threads.thicknessMm],
+    color_index: threads.colorIndex === null ? null : [...threads.colorIndex],
   };
 }
 
