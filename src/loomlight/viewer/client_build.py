@@ -18,7 +18,7 @@ from pathlib import Path
 STATIC = "static"
 NODE = (20, 19)
 _IGNORED = {"node_modules", "dist", "test"}
-_SUFFIXES = {".ts", ".css", ".html", ".json", ".wgsl", ".svg"}
+_SUFFIXES = {".ts", ".tsx", ".css", ".html", ".json", ".wgsl", ".svg"}
 
 
 class BuildError(Exception):

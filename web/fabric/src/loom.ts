@@ -148,3 +148,26 @@ export function weaves(plan: LoomPlan, structure: Structure): boolean {
     woven.drawdown.every((up, at) => up === structure.drawdown[at])
   );
 }
+
+/** The same plan with a lift of shafts for each pick, in place of tie-up and treadling. */
+export function asLiftplan(plan: LoomPlan): LoomPlan {
+  return { ...plan, treadles: 0, tieup: null, treadling: null, liftplan: movedShafts(plan) };
+}
+
+/** The same plan with a treadle for each kind of pick, numbered as they first occur, in place of a liftplan. */
+export function asTreadling(plan: LoomPlan): LoomPlan {
+  if (plan.treadling !== null) return { ...plan, liftplan: null };
+  const tieup: (readonly number[])[] = [];
+  const treadleOf = new Map<string, number>();
+  const treadling = movedShafts(plan).map((shafts) => {
+    const key = shafts.join();
+    let treadle = treadleOf.get(key);
+    if (treadle === undefined) {
+      tieup.push(shafts);
+      treadle = tieup.length;
+      treadleOf.set(key, treadle);
+    }
+    return [treadle];
+  });
+  return { ...plan, treadles: tieup.length, tieup, treadling, liftplan: null };
+}
