@@ -68,8 +68,12 @@ TARGETS: dict[str, ExportTarget] = {
     name: ExportTarget(summary, tuple(REALTIME_MODELS), _shader(name)) for name, summary in _LANGUAGES.items()
 } | {
     "onnx": ExportTarget("the network's decoder, and latents", ("woven",), _of_fabric(write_onnx)),
-    "gltf": ExportTarget("a glTF file with textures, for any viewer", ("lobes",), _of_fabric(write_gltf), True),
-    "materialx": ExportTarget("MaterialX with OpenPBR, and textures", ("lobes",), _of_fabric(write_materialx), True),
+    "gltf": ExportTarget(
+        "a glTF file with textures, for any viewer", ("lobes",), _of_fabric(write_gltf), True
+    ),
+    "materialx": ExportTarget(
+        "MaterialX with OpenPBR, and textures", ("lobes",), _of_fabric(write_materialx), True
+    ),
 }
 
 

@@ -44,6 +44,8 @@ _SIGNATURE = {
     "metal": "float4 cloth_value(uint fabric, float2 centre, float2 dx, float2 dy, "
     "float3 light, float3 view, ClothBuffers thread* buffers)",
 }
+
+
 def shader_instructions(
     name: str,
     model: str,

@@ -165,7 +165,13 @@ def _element(buffer: str, language: str) -> str:
 
 
 # From the buffers that the library reads to the text.
-KERNELS: dict[str, Callable[[Sequence[str]], str]] = {"wgsl": _wgsl, "hlsl": _hlsl, "glsl": _glsl, "metal": _metal, "cuda": _cuda}
+KERNELS: dict[str, Callable[[Sequence[str]], str]] = {
+    "wgsl": _wgsl,
+    "hlsl": _hlsl,
+    "glsl": _glsl,
+    "metal": _metal,
+    "cuda": _cuda,
+}
 
 
 def library_records() -> tuple[str, ...]:

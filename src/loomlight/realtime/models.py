@@ -30,8 +30,8 @@ from loomlight.realtime.bake import BakePlan
 from loomlight.realtime.latent_tables import pack_latent
 from loomlight.realtime.lobes_tables import pack_lobes, reserve_lobes
 from loomlight.realtime.neumip_tables import pack_neumip
-from loomlight.realtime.woven_tables import pack_woven
 from loomlight.realtime.word_table import Tables
+from loomlight.realtime.woven_tables import pack_woven
 from loomlight.yarn.layout import ClothLayout
 
 Material: TypeAlias = Fabric | Model

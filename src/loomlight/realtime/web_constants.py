@@ -20,7 +20,8 @@ from loomlight.models.lobes.tables import MOMENTS
 from loomlight.realtime import albedo_map, bake, bvh, environment, orbit, renderer, scene_words, tables
 from loomlight.realtime.layout import RECORDS, numpy_type
 from loomlight.realtime.slangc import SHADERS
-from loomlight.scattering import albedo, point
+from loomlight.scattering import albedo
+from loomlight.scattering.variation import FIBRES_ACROSS
 from loomlight.yarn import layout, max_heights, runs, search, threads
 
 # In a checkout; a wheel has the built client instead.
@@ -52,7 +53,7 @@ CONSTANTS: dict[str, dict[str, Value]] = {
     "scattering/albedo.py, point.py": {
         "WHITE_SHARE": albedo.WHITE_SHARE,
         "ALBEDO_TOLERANCE": albedo._TOLERANCE,
-        "FIBRES_ACROSS": point._FIBRES_ACROSS,
+        "FIBRES_ACROSS": FIBRES_ACROSS,
     },
     "fabric/fabric.py": {"MAXIMUM_CROSSINGS": MAXIMUM_CROSSINGS},
     "aggregate/footprint_albedos.py": {

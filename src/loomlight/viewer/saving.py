@@ -60,7 +60,7 @@ def tables_of(fabric: Fabric, model: str) -> bytes:
 
     require_llvm()
     baked: Any = make_model(model, fabric)
-    packed = pack_fabrics([(fabric.layout(), fabric.appearance())], woven=[baked])
+    packed = pack_fabrics([(fabric.layout(), fabric.appearance())], prepared=[baked])
     return bytes(
         save({name: np.frombuffer(values.tobytes(), np.uint8) for name, values in packed.buffers().items()})
     )

@@ -23,7 +23,7 @@ export interface ThreadsJson {
   spacing_mm: number[] | null;
   thickness_mm: number[] | null;
   /** Row of the draft's palette that each thread has; a list of as many colours replaces them in this order. */
-  color_index: number[] | null;
+  color_index?: number[] | null;
 }
 
 /** Shafts of each end, shafts of each treadle, treadles of each pick, shafts of each pick; numbers from 1. */

@@ -54,6 +54,7 @@ export class ClothRenderer {
   };
   private model: ModelName = "lobes";
   private samples = DEFAULT_SAMPLES;
+  private mostPasses = MOST_PASSES;
   private width: number;
   private height: number;
   private pieces: readonly Piece[] = [];
@@ -166,18 +167,23 @@ export class ClothRenderer {
   }
 
   /**
-   * The model of the next frames; `samples` are points of a pixel's footprint that one pass of `point` takes.
+   * The model of the next frames; `samples` are points of a pixel's footprint that one pass of `point` takes, and
+   * `passes` how many passes add up at rest, 256 by default.
    *
-   * @throws InputError no such model, or no sample.
+   * @throws InputError no such model, no sample, or no pass.
    */
-  setModel(model: ModelName, options: { readonly samples?: number } = {}): void {
+  setModel(model: ModelName, options: { readonly samples?: number; readonly passes?: number } = {}): void {
     const samples = options.samples ?? DEFAULT_SAMPLES;
+    const passes = options.passes ?? MOST_PASSES;
     if (!Object.hasOwn(ENTRIES, model))
       throw new InputError(`model = "${model}" is unknown here: use ${Object.keys(ENTRIES).join(" or ")}.`);
     if (!(Number.isInteger(samples) && samples >= 1))
       throw new InputError(`samples = ${samples}: it is a whole number of at least 1.`);
+    if (!(Number.isInteger(passes) && passes >= 1))
+      throw new InputError(`passes = ${passes}: it is a whole number of at least 1.`);
     this.model = model;
     this.samples = samples;
+    this.mostPasses = passes;
   }
 
   /** Directional and point lights, which are exact. */
@@ -356,7 +362,7 @@ export class ClothRenderer {
       this.pace?.moved(full);
     } else if (this.pace?.rested(full)) {
       this.shown = "";
-    } else if (this.passes >= MOST_PASSES) {
+    } else if (this.passes >= this.mostPasses) {
       return this.report(true);
     }
     const divisor = this.pace?.divisor ?? 1;
@@ -399,7 +405,7 @@ export class ClothRenderer {
   /** What sums depend on; the exposure is none of it. */
   private keyOf(view: View): string {
     const { environment, exposure: _, ...rest } = view;
-    return JSON.stringify([rest, environment === null ? null : identity(environment), this.model, this.samples]);
+    return JSON.stringify([rest, environment === null ? null : identity(environment), this.model, this.samples, this.mostPasses]);
   }
 
   private addPass(view: View): void {

@@ -46,7 +46,7 @@ export interface ClothView {
   resize(): void;
   /** Draws if there is anything new to draw. */
   frame(): void;
-  /** 0 frames the whole piece, 1 is a single yarn. */
+  /** 0 is across the room, 1 a single yarn. */
   zoom: number;
   /** The camera as it began. */
   frameWhole(): void;
