@@ -83,9 +83,17 @@ class CountedLibrary:
 
         fabrics, families, words, numbers = self._buffers
         self._run(
-            address(fabrics), address(families), address(words), ctypes.c_ulong(words.size),
-            address(numbers), ctypes.c_ulong(numbers.size), address(data), ctypes.c_uint(len(queries)), address(found), address(totals),
-        )  # fmt: skip
+            address(fabrics),
+            address(families),
+            address(words),
+            ctypes.c_ulong(words.size),
+            address(numbers),
+            ctypes.c_ulong(numbers.size),
+            address(data),
+            ctypes.c_uint(len(queries)),
+            address(found),
+            address(totals),
+        )
         simple, divisions, roots, loads, sectors = (float(total) / len(queries) for total in totals)
         return found, Counts(simple, divisions, roots, 4 * loads, 32 * sectors)
 

@@ -2,8 +2,8 @@
 
     python -m tools.make_web_drape
 
-The file holds int16 x, y, z of SIDE² vertices, row by row, little-endian, in units of 1/65534 metre; uv follows
-from a vertex's place in the grid, and the page computes normals.
+The file holds int16 x, y, z of SIDE² vertices, row by row, little-endian, in units of 1/65534 metre; uv
+follows from a vertex's place in the grid, and the page computes normals.
 """
 
 from __future__ import annotations

@@ -88,7 +88,8 @@ def queries(count: int = COUNT) -> dict[str, NDArray[np.float32]]:
 
 
 SEEN = (
-    "Footprint p; p.centre = centre; p.dx = dx; p.dy = dy; let size = float2(fabric.latent.width, fabric.latent.height);"
+    "Footprint p; p.centre = centre; p.dx = dx; p.dy = dy;"
+    "let size = float2(fabric.latent.width, fabric.latent.height);"
     "LatentView seen; latent_view(fabric, p, view, uniform_of(hashed(p, view, size), 0), seen);"
 )
 

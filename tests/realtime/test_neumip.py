@@ -129,7 +129,7 @@ def test_frames_are_those_of_the_model() -> None:
 
 def test_a_model_to_train_is_one_sentence() -> None:
     cloth = Cloth(rectangle(1, 1), fabric_from_text('weave = "plain"'))
-    with pytest.raises(InputError, match="neumip is trained for .* which takes minutes: bake it"):
+    with pytest.raises(InputError, match=r"neumip is trained for .* which takes minutes: bake it"):
         Renderer([cloth], (4, 4), "neumip")
     alone = Cloth(rectangle(1, 1), random_model(faces=1, offset=False))
     with pytest.raises(InputError, match='"tile" is no fabric: lobes shows fabrics alone'):

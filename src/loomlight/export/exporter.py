@@ -87,10 +87,11 @@ def export(
     """Writes a fabric for another program into a folder, which is new, empty, or holds an earlier export.
 
     Args:
-        fabric: a fabric, a model that is made already, or a path: a fabric file, a draft, a `.loom`, a weave's
-            name.
+        fabric: a fabric, a model that is made already, or a path: a fabric file, a draft, a `.loom`, the name
+            of a weave.
         to: a name of `TARGETS`.
-        model: by default the one that a `.loom` holds where the target takes it, else the first that it takes.
+        model: by default the one that a `.loom` holds where the target takes it, else the first that it
+            takes.
         distance: metres from which textures are seen, 0.01 to 1000; None for close views. Shader code and
             networks serve every distance.
 

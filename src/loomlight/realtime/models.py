@@ -1,8 +1,8 @@
 """The models that frames and exported libraries shade with, by name. This is the one list of them.
 
-A material is a fabric, or a model that is made already, such as the one that a `.loom` holds: its source need
-not be a fabric. `prepared_for` gives what shaders need of a material beside its yarns, and `pack_model` writes
-that into tables and into the record of the fabric.
+A material is a fabric, or a model that is made already, such as the one that a `.loom` holds: its source
+need not be a fabric. `prepared_for` gives what shaders need of a material beside its yarns, and `pack_model`
+writes that into tables and into the record of the fabric.
 """
 
 from __future__ import annotations
@@ -102,9 +102,9 @@ REALTIME_MODELS: dict[str, RealtimeModel] = {
         "shade_lobes",
         _TABLES,
         _FOOTPRINT,
-        "About 5,000 floating-point operations a pixel and light far away and close by, 13,000 where a pixel is "
-        "about half a thread. Far away 60 frames a second of 1920 × 1080 take 0.7 TFLOP/s; the tables stay in "
-        "the caches.",
+        "About 5,000 floating-point operations a pixel and light far away and close by, 13,000 where a pixel "
+        "is about half a thread. Far away 60 frames a second of 1920 × 1080 take 0.7 TFLOP/s; the tables stay "
+        "in the caches.",
         _lobe_tables,
         bakes_on_adapter=True,
     ),
