@@ -103,8 +103,8 @@ REALTIME_MODELS: dict[str, RealtimeModel] = {
         _TABLES,
         _FOOTPRINT,
         "About 5,000 floating-point operations a pixel and light far away and close by, 13,000 where a pixel "
-        "is about half a thread. Far away 60 frames a second of 1920 × 1080 take 0.7 TFLOP/s; the tables stay "
-        "in the caches.",
+        "is about half a thread. Far away 60 frames a second of 1920 × 1080 take 0.7 TFLOP/s; the tables "
+        "stay in the caches.",
         _lobe_tables,
         bakes_on_adapter=True,
     ),
