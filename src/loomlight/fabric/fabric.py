@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass, replace
+from functools import cached_property
 from math import radians
 
 import numpy as np
@@ -25,6 +26,7 @@ from loomlight.fabric.spacing import family_spacing, family_width
 from loomlight.fabric.writing import fabric_toml
 from loomlight.fabric.yarns import with_yarns
 from loomlight.scattering.appearance import Appearance, Sheen, Variation, YarnDetail
+from loomlight.scattering.openness import openness_of
 from loomlight.weave.draft import Draft, Threads
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
 
@@ -51,15 +53,24 @@ class Fabric:
     fields: FabricFile
     folder: str
     _layout: ClothLayout
-    _appearance: Appearance
+    _own_appearance: Appearance
 
     def layout(self) -> ClothLayout:
         """Where the threads of one repeat lie, millimetres and radians."""
         return self._layout
 
     def appearance(self) -> Appearance:
-        """What scatters: albedos of every thread (linear RGB), roughness, sheen, variation."""
+        """What scatters: albedos of every thread (linear RGB), roughness, sheen, variation, openness."""
         return self._appearance
+
+    @cached_property
+    def _appearance(self) -> Appearance:
+        own = self._own_appearance
+        if self.fields.interreflection is False:
+            return own
+        roughness = own.warp.roughness, own.weft.roughness
+        openness = openness_of(self._layout, own.diffuse_blend, roughness, own.optical_depth)
+        return replace(own, openness=openness)
 
     @property
     def default_uv_size_mm(self) -> tuple[float, float]:

@@ -131,6 +131,7 @@ class FabricFile(Table):
     yarn: YarnName | None = None
     diffuse_blend: Fraction | None = None
     optical_depth: Annotated[float, Field(ge=0.01, le=100)] | None = None
+    interreflection: bool | None = None
     warp: YarnTable = YarnTable()
     weft: YarnTable = YarnTable()
     sheen: SheenTable = SheenTable()

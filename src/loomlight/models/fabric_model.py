@@ -134,7 +134,7 @@ class FilteredFabricModel(FabricModel):
         if edits:
             fabric = edited_fabric(self.fabric, dict(_field(*edit) for edit in edits.items()))
             model = self.with_fabric(fabric, frozenset(edits))
-            model.means = self.means
+            model.means = self.means.with_openness(fabric.appearance())
         if any(_is_albedo(name) for name in changed) or not changed:
             # Tables of this model know nothing of albedos, so a copy may share them.
             model = copy(model)

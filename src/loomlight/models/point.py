@@ -14,6 +14,7 @@ from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.footprint import Footprint
 from loomlight.fabric.fabric import Fabric
+from loomlight.models.between_yarns import Bounced
 from loomlight.models.fabric_model import (
     ALBEDOS,
     FAMILIES,
@@ -49,11 +50,7 @@ class PointBsdf(SeparableBsdf):
                 model.surface, centre.x, centre.y, to_face_frame(view, back), back, active, model.quality
             )
         size = footprint.spread_side if model.has_detail else None
-        self.point = model.at(hit.x, hit.y, back, hit.hole, size)
-        if tint is not None:
-            albedos = self.point.albedos
-            albedos.diffuse_reflect = albedos.diffuse_reflect * tint
-            albedos.diffuse_transmit = albedos.diffuse_transmit * tint
+        self.point = model.at(hit.x, hit.y, back, hit.hole, size, tint)
 
     @cached_property
     def hole(self) -> Float:
@@ -82,6 +79,12 @@ class PointBsdf(SeparableBsdf):
             components(self._model.appearance, self.point, light, self.view, visible),
             light_visibility(self.point, visible),
         )
+
+    def bounced(self, components: Components) -> Bounced | None:
+        """Albedos of light between yarns at the point."""
+        del components
+        bounced: Bounced | None = self.point.bounced
+        return bounced
 
     def value(self, light: Vec3, active: Mask = True) -> Color3:
         """f·cos with derivatives, 1/sr; 0 in lanes that are not active."""

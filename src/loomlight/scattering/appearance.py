@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.scattering.openness import Openness
+
 
 @dataclass(frozen=True)
 class YarnDetail:
@@ -90,6 +92,7 @@ class Appearance:
     Attributes:
         diffuse_blend: w, the share of the yarn normal in the blended diffuse term (chen2024 eq. 1).
         optical_depth: Tρ of the fibre layer, > 0.
+        openness: of the cloth's yarns, for light between them; None scatters light of the sky once.
     """
 
     warp: FamilyAppearance
@@ -98,3 +101,4 @@ class Appearance:
     variation: Variation = field(default_factory=Variation)
     diffuse_blend: float = 0.5
     optical_depth: float = 2.0
+    openness: Openness | None = None

@@ -14,13 +14,12 @@ from dataclasses import dataclass
 from typing import Any
 
 import drjit as dr
-import numpy as np
 
 from loomlight.core.arrays import Color3, Float, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, channel_mean, maximum
 from loomlight.core.masked_branch import masked_branch
 from loomlight.scattering.albedo import layer_albedo_bound
-from loomlight.scattering.appearance import Appearance, FamilyAppearance
+from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.detail import (
     DetailNumbers,
     Frame,
@@ -38,13 +37,16 @@ from loomlight.scattering.diffuse import (
     diffuse_transmission,
     sample_diffuse,
 )
+from loomlight.scattering.family_parameters import ALBEDO_NAMES, FamilyParameters
 from loomlight.scattering.fibre import (
     layer_albedo_estimate,
+    mean_layer_shares,
     pdf_specular,
     reflection,
     sample_specular,
     transmission,
 )
+from loomlight.scattering.interreflection import Interreflection, Scattered, bounced, scattered
 from loomlight.scattering.sheen import (
     sample_sheen,
     sheen_pdf,
@@ -56,8 +58,6 @@ from loomlight.yarn.geometry import SurfacePoint
 from loomlight.yarn.horizon import HorizonMap
 from loomlight.yarn.search import DEFAULT_QUALITY, SearchQuality, Surface
 from loomlight.yarn.visibility import first_hit, unoccluded
-
-_ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")
 
 
 @dataclass
@@ -84,6 +84,7 @@ class YarnPoint:
         albedos: of its thread; None where they are not asked for.
         surface_normal: of the yarn's surface [3], which hides light; None is `normal`.
         diffuse_gain: what turned normals gain (`detail.diffuse_gain`); None is 1.
+        bounced: albedos of light between yarns, reflected and transmitted, Color3 each; None without.
     """
 
     back: Mask
@@ -98,6 +99,7 @@ class YarnPoint:
     albedos: Any
     surface_normal: Any = None
     diffuse_gain: Any = None
+    bounced: Any = None
 
     def diffuse(self, value: Float) -> Float:
         """The diffuse term at this point, of its value for smooth yarn."""
@@ -161,30 +163,6 @@ def shadow_query(surface: Surface, point: YarnPoint, light: Vec3) -> ShadowQuery
     return ShadowQuery(height, direction, point.back ^ beyond, searched)
 
 
-class _FamilyParameters:
-    """One family's scattering parameters on one backend: scalars where threads are alike, else a table."""
-
-    def __init__(self, family: FamilyAppearance, types: ArrayTypes) -> None:
-        rows = np.stack([np.asarray(getattr(family, name), np.float64) for name in _ALBEDOS], axis=1)
-        self.roughness = dr.opaque(types.Float, float(family.roughness))
-        self.threads = rows.shape[0]
-        self.alike = bool(np.allclose(rows, rows[:1], rtol=0, atol=1e-12))
-        self.shared = [
-            types.Color3(*(dr.opaque(types.Float, float(value)) for value in row)) for row in rows[0]
-        ]
-        padded = np.zeros((self.threads, 4, 4))
-        padded[:, :, :3] = rows
-        self.table = None if self.alike else types.Float(padded.ravel())
-        self._types = types
-
-    def albedo(self, number: int, thread: UInt) -> Color3:
-        """Albedo `number` (in the order of `_ALBEDOS`) of a thread, Color3."""
-        if self.table is None:
-            return self.shared[number]
-        row = dr.gather(self._types.Vector4, self.table, thread * 4 + number)
-        return self._types.Color3(row.x, row.y, row.z)
-
-
 class PointModel:
     """The point model of one fabric.
 
@@ -212,16 +190,18 @@ class PointModel:
         self.sheen: tuple[Float, Float] | None = (
             (sheen.strength, sheen.roughness) if sheen.strength > 0 else None
         )
-        self._uploaded: dict[type, tuple[_FamilyParameters, _FamilyParameters]] = {}
+        self._uploaded: dict[type, tuple[FamilyParameters, FamilyParameters]] = {}
         self._detail: dict[type, DetailNumbers] = {}
+        self._between: dict[type, Interreflection] = {}
 
-    def parameters(self, types: ArrayTypes) -> tuple[_FamilyParameters, _FamilyParameters]:
+    def parameters(self, types: ArrayTypes) -> tuple[FamilyParameters, FamilyParameters]:
         """Parameters of (warp, weft) on one backend."""
         if types.Float not in self._uploaded:
             self._uploaded[types.Float] = (
-                _FamilyParameters(self.appearance.warp, types),
-                _FamilyParameters(self.appearance.weft, types),
+                FamilyParameters(self.appearance.warp, types),
+                FamilyParameters(self.appearance.weft, types),
             )
+            self.between_yarns(types)
         return self._uploaded[types.Float]
 
     @property
@@ -240,28 +220,51 @@ class PointModel:
         """Width of a fibre, millimetres."""
         return min(self.surface.finest) / FIBRES_ACROSS
 
+    def between_yarns(self, types: ArrayTypes) -> Interreflection | None:
+        """Light between yarns on one backend; None without."""
+        if self.appearance.openness is None:
+            return None
+        if types.Float not in self._between:
+            self._between[types.Float] = Interreflection(self.appearance.openness, types)
+        return self._between[types.Float]
+
     def locate(
-        self, x: Float, y: Float, view: Vec3, active: Mask = True, size: Float | None = None
+        self,
+        x: Float,
+        y: Float,
+        view: Vec3,
+        active: Mask = True,
+        size: Float | None = None,
+        tint: Color3 | None = None,
     ) -> YarnPoint:
         """The yarn point that the view ray through x, y on the plane z = 0 meets.
 
         Args:
             x, y: draft coordinates, millimetres.
             view: unit vector [3] towards the eye; z < 0 sees the back.
-            size: see `at`.
+            size, tint: see `at`.
         """
         types = array_types(x)
         back = types.Bool(view.z < 0)
         seen = to_face_frame(view, back)
         hit = first_hit(self.surface, x, y, seen, back, active, self.quality)
-        return self.at(hit.x, hit.y, back, hit.hole, size)
+        return self.at(hit.x, hit.y, back, hit.hole, size, tint)
 
-    def at(self, x: Float, y: Float, back: Mask, hole: Mask, size: Float | None = None) -> YarnPoint:
+    def at(
+        self,
+        x: Float,
+        y: Float,
+        back: Mask,
+        hole: Mask,
+        size: Float | None = None,
+        tint: Color3 | None = None,
+    ) -> YarnPoint:
         """The yarn point at draft coordinates x, y (millimetres) of one face, without parallax.
 
         Args:
             size: side of the footprint, millimetres, that the yarns' detail is filtered with; None shows
                 smooth yarns.
+            tint: what diffuse albedos of the cloth are multiplied with, Color3; None for 1.
         """
         types = array_types(x)
         point = self.surface.surface(x, y, back)
@@ -273,12 +276,14 @@ class PointModel:
                     warp.albedo(number, point.warp_thread),
                     weft.albedo(number, point.weft_thread),
                 )
-                for number in range(len(_ALBEDOS))
+                for number in range(len(ALBEDO_NAMES))
             )
         )
         hair = self.hair(x, y, back, size)
         if self.varies_at(size):
             albedos = self.varied(point, albedos, x, y, back, size, hair)
+        albedos = tinted(albedos, tint)
+        roughness = dr.select(point.is_warp, warp.roughness, weft.roughness)
         frame = self._turned_frame(point, x, y, back, size, hair)
         return YarnPoint(
             back=back,
@@ -289,11 +294,36 @@ class PointModel:
             normal=point.normal if frame is None else frame.normal,
             tangent=point.tangent if frame is None else frame.tangent,
             is_warp=point.is_warp,
-            roughness=dr.select(point.is_warp, warp.roughness, weft.roughness),
+            roughness=roughness,
             albedos=albedos,
             surface_normal=None if frame is None else point.normal,
             diffuse_gain=None if frame is None else diffuse_gain(frame, self.appearance.diffuse_blend),
+            bounced=self._bounced(point, albedos, roughness, back, hole, tint),
         )
+
+    def _bounced(
+        self,
+        point: SurfacePoint,
+        albedos: Albedos,
+        roughness: Float,
+        back: Mask,
+        hole: Mask,
+        tint: Color3 | None,
+    ) -> tuple[Color3, Color3] | None:
+        """Albedos of light between yarns at a point, reflected and transmitted; 0 in holes."""
+        types = array_types(roughness)
+        between = self.between_yarns(types)
+        if between is None:
+            return None
+        depth = types.Float(self.appearance.optical_depth)
+        warp, weft = (
+            scattered_by(tinted(Albedos(*family.mean()), tint), family.roughness, depth)
+            for family in self.parameters(types)
+        )
+        blocked = between.blocked_at(point.is_warp, back, point.normal.z, point.height)
+        own = scattered_by(albedos, roughness, depth)
+        reflected, transmitted = bounced(blocked, own, between.interior(warp, weft, back))
+        return dr.select(hole, 0, reflected), dr.select(hole, 0, transmitted)
 
     @property
     def varies(self) -> bool:
@@ -401,9 +431,14 @@ class PointModel:
 
     def evaluate(self, point: YarnPoint, light: Vec3, view: Vec3, active: Mask = True) -> Color3:
         """f(light, view)·|cos θ_light| of a yarn point, shadows included, without delta: Color3, 1/sr."""
-        value = self._scattered(point, to_face_frame(light, point.back), to_face_frame(view, point.back))
-        worth = array_types(point.x).Bool(active) & (dr.max(value) > 0)
-        return dr.select(self.visibility(point, light, worth) & worth, value, 0)
+        facing, seen = to_face_frame(light, point.back), to_face_frame(view, point.back)
+        value = self._scattered(point, facing, seen)
+        active = array_types(point.x).Bool(active)
+        worth = active & (dr.max(value) > 0)
+        value = dr.select(self.visibility(point, light, worth) & worth, value, 0)
+        if point.bounced is not None:
+            value += dr.select(active, self._bounced_value(point, facing, seen), 0)
+        return value
 
     def pdf(self, point: YarnPoint, light: Vec3, view: Vec3) -> Float:
         """Density of `sample` per solid angle, without delta: Float, 1/sr."""
@@ -425,8 +460,8 @@ class PointModel:
         lobes = self._lobe_shares(point, seen)
         specular, reflect, transmit, sheen, passing = lobes
         facing = sample_specular(seen, point.tangent, point.roughness, u)
-        blend = types.Float(self.appearance.diffuse_blend)
-        diffuse = sample_diffuse(point.normal, blend, u)
+        blends = self._sampling_blends(point)
+        diffuse = sample_diffuse(point.normal, dr.select(choice < specular + reflect, *blends), u)
         facing = dr.select(
             choice < specular, facing, dr.select(choice < specular + reflect, diffuse, -diffuse)
         )
@@ -440,9 +475,13 @@ class PointModel:
         through = types.Color3(self._straight_through(point, seen))
         value = dr.select(is_null, through, self._scattered(point, facing, seen))
         light = to_face_frame(facing, point.back)
-        worth = types.Bool(active) & (dr.max(value) > 0) & (pdf > 0)
+        drawn = types.Bool(active) & (pdf > 0)
+        worth = drawn & (dr.max(value) > 0)
         worth &= self.visibility(point, light, worth & ~is_null) | is_null
-        weight = dr.select(worth, value / maximum(pdf, 1e-30), 0)
+        value = dr.select(worth, value, 0)
+        if point.bounced is not None:
+            value += dr.select(drawn & ~is_null, self._bounced_value(point, facing, seen), 0)
+        weight = value / maximum(pdf, 1e-30)
         return DirectionSample(light=light, pdf=dr.select(active, pdf, 0), weight=weight, is_null=is_null)
 
     def straight_through(self, point: YarnPoint, view: Vec3) -> Float:
@@ -475,6 +514,37 @@ class PointModel:
             value = transmittance * value + sheen
         return value
 
+    def _bounced_value(self, point: YarnPoint, light: Vec3, view: Vec3) -> Color3:
+        """f·cos of light between yarns, directions in the frame of the face, 1/sr; no shadow falls on it."""
+        reflected, transmitted = point.bounced
+        value = dr.select(light.z > 0, reflected, transmitted) * (abs(light.z) * dr.inv_pi)
+        if self.sheen is not None:
+            value *= sheen_transmittance(view, *self.sheen)
+        return value
+
+    def _diffuse_albedos(self, point: YarnPoint) -> tuple[Float, Float, Float, Float]:
+        """Means of the channels: diffuse reflection and transmission, and light between yarns of both."""
+        albedos = point.albedos
+        reflect, transmit = channel_mean(albedos.diffuse_reflect), channel_mean(albedos.diffuse_transmit)
+        if point.bounced is None:
+            return reflect, transmit, array_types(point.x).Float(0), array_types(point.x).Float(0)
+        return reflect, transmit, *(channel_mean(part) for part in point.bounced)
+
+    def _sampling_blends(self, point: YarnPoint) -> tuple[Float, Float]:
+        """Share of the yarn's normal in what is drawn for reflection and for transmission.
+
+        Light between yarns is diffuse about the cloth's normal, so with it the diffuse lobe is of another
+        blend, exactly.
+        """
+        blend = array_types(point.x).Float(self.appearance.diffuse_blend)
+        if point.bounced is None:
+            return blend, blend
+        reflect, transmit, more_reflect, more_transmit = self._diffuse_albedos(point)
+        return (
+            blend * reflect * dr.rcp(maximum(reflect + more_reflect, 1e-20)),
+            blend * transmit * dr.rcp(maximum(transmit + more_transmit, 1e-20)),
+        )
+
     def _lobe_shares(self, point: YarnPoint, view: Vec3) -> tuple[Float, Float, Float, Float, Float]:
         """Probabilities of specular, diffuse reflection, diffuse transmission, sheen and passing; sum 1."""
         types = array_types(point.x)
@@ -485,8 +555,8 @@ class PointModel:
             channel_mean(albedos.specular_reflect) * turned
             + channel_mean(albedos.specular_transmit) * through
         )
-        reflect = channel_mean(albedos.diffuse_reflect)
-        transmit = channel_mean(albedos.diffuse_transmit)
+        reflect, transmit, more_reflect, more_transmit = self._diffuse_albedos(point)
+        reflect, transmit = reflect + more_reflect, transmit + more_transmit
         if self.sheen is None:
             sheen = types.Float(0)
         else:
@@ -503,17 +573,39 @@ class PointModel:
     def _pdf(
         self, point: YarnPoint, light: Vec3, view: Vec3, lobes: tuple[Float, Float, Float, Float, Float]
     ) -> Float:
-        types = array_types(point.x)
         specular, reflect, transmit, sheen, _ = lobes
-        blend = types.Float(self.appearance.diffuse_blend)
+        blend_reflect, blend_transmit = self._sampling_blends(point)
         density = (
             specular * pdf_specular(light, view, point.tangent, point.roughness)
-            + reflect * diffuse_pdf(light, point.normal, blend)
-            + transmit * diffuse_pdf(-light, point.normal, blend)
+            + reflect * diffuse_pdf(light, point.normal, blend_reflect)
+            + transmit * diffuse_pdf(-light, point.normal, blend_transmit)
         )
         if self.sheen is not None:
             density += sheen * sheen_pdf(light, view, self.sheen[1])
         return density
+
+
+def tinted(albedos: Albedos, tint: Color3 | None) -> Albedos:
+    """Albedos whose diffuse terms are multiplied with a tint; None leaves them."""
+    if tint is None:
+        return albedos
+    return Albedos(
+        albedos.diffuse_reflect * tint,
+        albedos.diffuse_transmit * tint,
+        albedos.specular_reflect,
+        albedos.specular_transmit,
+    )
+
+
+def scattered_by(albedos: Albedos, roughness: Float, optical_depth: Float) -> Scattered:
+    """What yarn of these albedos sends back and lets through at one scattering."""
+    return scattered(
+        albedos.diffuse_reflect,
+        albedos.diffuse_transmit,
+        albedos.specular_reflect,
+        albedos.specular_transmit,
+        mean_layer_shares(roughness, optical_depth),
+    )
 
 
 def to_face_frame(direction: Vec3, back: Mask) -> Vec3:

@@ -14,8 +14,9 @@ from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import array_types, maximum
 from loomlight.core.footprint import Footprint
 from loomlight.core.masked_branch import masked_branch
+from loomlight.models.between_yarns import BetweenYarns, Bounced
 from loomlight.models.lobes.point_sampled import (
-    point_sampled_components,
+    point_sampled,
     point_sampled_hole,
     with_search_quality,
 )
@@ -139,6 +140,22 @@ class LobesBsdf(SeparableBsdf):
 
         return FamilyAlbedos(*masked_branch(weight > 0, mean, vary, "lobes: variation"))
 
+    @cached_property
+    def between(self) -> BetweenYarns | None:
+        """Light between yarns; None without."""
+        albedos, seen = self.albedos, to_face_frame(self.view, self._back)
+        return BetweenYarns.of(self._means, (albedos.warp, albedos.weft), self._tint, seen, self._back)
+
+    def bounced(self, components: Components) -> Bounced | None:
+        """Albedos of light between yarns: of the points of close-ups, of the families' means farther away."""
+        far = super().bounced(components)
+        near = self.__dict__.get("_points_blocked")
+        if self.between is None or far is None or near is None:
+            return far
+        of_points = self.between.of_families(*near)
+        weight = self._regime.prefiltered
+        return dr.lerp(of_points[0], far[0], weight), dr.lerp(of_points[1], far[1], weight)
+
     def components(self, light: Vec3, active: Mask = True) -> Components:
         """Components for a light, 1/sr; evaluates the hole as well."""
         return self._evaluate([light], None, active)[0].components
@@ -194,14 +211,20 @@ class LobesBsdf(SeparableBsdf):
         """
         weight = self._regime.prefiltered
         hole, prefiltered = self.prefiltered(lights, mixture, (weight > 0) & active)
-        point_hole, sampled = point_sampled_components(
-            self._sampled_model, self._regime.points, lights, self.view, self.footprint
+        points = point_sampled(
+            self._sampled_model,
+            self._means.between_yarns(array_types(self.view.x)),
+            self._regime.points,
+            lights,
+            self.view,
+            self.footprint,
         )
-        # The hole comes with the components; caching it saves a second search.
-        self.__dict__.setdefault("hole", dr.lerp(point_hole, hole, weight))
+        # The hole comes with the components, and what is blocked too; caching them saves a second search.
+        self.__dict__.setdefault("hole", dr.lerp(points.hole, hole, weight))
+        self.__dict__.setdefault("_points_blocked", points.blocked)
         return [
-            replace(result, components=_lerp_components(points, result.components, weight))
-            for points, result in zip(sampled, prefiltered, strict=True)
+            replace(result, components=_lerp_components(sampled, result.components, weight))
+            for sampled, result in zip(points.components, prefiltered, strict=True)
         ]
 
     def prefiltered(

@@ -19,6 +19,7 @@ from loomlight.core.files import require_file
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
+from loomlight.models.between_yarns import BetweenYarns
 from loomlight.models.fabric_model import FilteredFabricModel, fabric_in_loom, fabric_source, number_of
 from loomlight.models.interface import Option, Parameter, Values
 from loomlight.models.learned_proposal import LearnedProposal
@@ -82,6 +83,12 @@ class WovenBsdf(SeparableBsdf):
     def albedos(self) -> FamilyAlbedos:
         """Mean albedos of the threads over footprints, without parallax."""
         return tinted(FamilyAlbedos(*self._model.means.over(self.footprint, self._back)), self._tint)
+
+    @cached_property
+    def between(self) -> BetweenYarns | None:
+        """Light between yarns; None without."""
+        albedos, seen = self.albedos, to_face_frame(self.view, self._back)
+        return BetweenYarns.of(self._model.means, (albedos.warp, albedos.weft), self._tint, seen, self._back)
 
     def components(self, light: Vec3, active: Mask = True) -> Components:
         """Components for a light; the hole comes with those of the first one."""
