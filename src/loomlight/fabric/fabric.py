@@ -66,11 +66,24 @@ class Fabric:
     @cached_property
     def _appearance(self) -> Appearance:
         own = self._own_appearance
-        if self.fields.interreflection is False:
+        if not self.fields.interreflection:
             return own
         roughness = own.warp.roughness, own.weft.roughness
         openness = openness_of(self._layout, own.diffuse_blend, roughness, own.optical_depth)
-        return replace(own, openness=openness)
+        fields = with_yarns(self.fields)
+        warp, weft = (
+            replace(
+                family_appearance(table, name, _colours(threads), own.optical_depth, (openness, number)),
+                detail=family.detail,
+            )
+            for number, (name, table, threads, family) in enumerate(
+                (
+                    ("warp", fields.warp, self.draft.warp, own.warp),
+                    ("weft", fields.weft, self.draft.weft, own.weft),
+                )
+            )
+        )
+        return replace(own, warp=warp, weft=weft, openness=openness)
 
     @property
     def default_uv_size_mm(self) -> tuple[float, float]:

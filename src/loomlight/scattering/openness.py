@@ -190,8 +190,8 @@ def _fitted(terms: NDArray[np.float64], shares: NDArray[Any]) -> NDArray[np.floa
         flat = np.zeros((len(shares), count))
         flat[:, 0] = shares.mean(axis=1) if len(terms) else 0.5
         return flat
-    found: NDArray[np.float64] = np.linalg.lstsq(terms, shares.T.astype(np.float64), rcond=None)[0].T
-    return found
+    found = np.linalg.lstsq(terms, shares.T.astype(np.float64), rcond=None)[0].T
+    return np.asarray(found, np.float64)
 
 
 class _Rays:
