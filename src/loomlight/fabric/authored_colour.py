@@ -1,8 +1,8 @@
 """Colours as cloth shows them: what a flat cloth woven of one yarn alone reflects, and the inverse of that.
 
-The instrument is the one of textile laboratories, d/8° (CIE 15:2018): a white sky over the cloth, a view 8° from
-the normal, nothing behind. The reflectance is what the point model with light between yarns returns there
-(`scattering/interreflection.py`), channel by channel; it grows with the colour that albedos are made of, so
+The instrument is the one of textile laboratories, d/8° (CIE 15:2018): a white sky over the cloth, a view 8°
+from the normal, nothing behind. The reflectance is what the point model with light between yarns returns
+there (`scattering/interreflection.py`), by channels; it grows with the colour that albedos are made of, so
 halving intervals inverts it.
 """
 
@@ -62,7 +62,7 @@ def colour_for(
 ) -> NDArray[np.float64]:
     """The colour [n, 3] that albedos are made of so that cloth shows `shown` [n, 3], linear RGB.
 
-    Colours that are brighter or darker than the cloth can be become the nearest in each channel: 1 or 0. Other
+    Colours brighter or darker than the cloth can be become the nearest in each channel: 1 or 0. Other
     arguments are those of `shown_colour`.
     """
     distinct, places = np.unique(shown, axis=0, return_inverse=True)
