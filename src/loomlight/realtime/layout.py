@@ -173,6 +173,11 @@ FABRIC: Fields = (
     ("uv_width", "float", "millimetres per unit of u"),
     ("uv_height", "float", "millimetres per unit of v"),
     ("is_open", "uint", "1 where light passes through holes"),
+    (
+        "openness",
+        "uint",
+        "first word of the numbers of light between yarns (openness_tables.py); 2³² − 1: none",
+    ),
     ("albedo_map", "uint", "first texel, in scene_words, of a map that diffuse albedos are multiplied by"),
     (
         "albedo_map_levels",

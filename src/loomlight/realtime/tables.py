@@ -15,6 +15,7 @@ from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.realtime.layout import numpy_type
 from loomlight.realtime.models import Prepared, pack_model
 from loomlight.realtime.networks import Elements
+from loomlight.realtime.openness_tables import NO_OPENNESS, pack_openness
 from loomlight.realtime.word_table import Tables, Words, WordTable, fill
 from loomlight.scattering.albedo import layer_albedo_bound
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
@@ -81,7 +82,7 @@ def pack_fabrics(
     for number, fabric in enumerate(fabrics):
         size = (100.0, 100.0) if uv_size_mm is None else uv_size_mm[number]
         fill(records[number], {"warp": 2 * number, "weft": 2 * number + 1})
-        fill(records[number], {"uv_width": size[0], "uv_height": size[1]})
+        fill(records[number], {"uv_width": size[0], "uv_height": size[1], "openness": NO_OPENNESS})
         if fabric is not None:
             _pack_fabric(records[number], families[number], tables.words, *fabric)
         if prepared is not None:
@@ -128,6 +129,7 @@ def _pack_fabric(
         "layer_bound": layer_albedo_bound(appearance.optical_depth),
         "fibre_size": min(fine_x, fine_y) / FIBRES_ACROSS,
         "has_yarns": 1,
+        "openness": pack_openness(table, appearance),
         "is_open": int(_open_share(warp) * _open_share(weft) > _SMALLEST_OPEN_SHARE),
     }
     fill(record, values)
