@@ -25,6 +25,8 @@ LOSSES = (AUTO, "log", "cube-root", "relative")
 # SOAP is Adam in the eigenbases of a matrix's gradients; the paper has Adam.
 OPTIMISERS = ("soap", "adam")
 DEFAULT_OPTIMISER = OPTIMISERS[0]
+# Largest rates of networks and of textures, of an optimiser that is not the quality's.
+_RATES = {"soap": (1e-2, 2e-2), "adam": (5e-3, 1e-2)}
 # Part of every identity: to be raised when the same settings give other weights.
 _VERSION = 3
 
@@ -68,11 +70,11 @@ class LatentSettings:
     queries: int = 1 << 21
     samples: int = 8
     steps: int = 8000
-    encoder_share: float = 0.5
+    encoder_share: float = 0.3
     mollified: float = 1 / 15
     batch: int = 1 << 12
-    rate: float = 5e-3
-    texture_rate: float = 1e-2
+    rate: float = 1e-2
+    texture_rate: float = 2e-2
     sampler_steps: int = 1000
     sampler_batch: int = 1 << 10
     seed: int = 0
@@ -139,8 +141,9 @@ def settings_of(
         if value not in known:
             raise InputError(f"{name} = {shown(value)} does not exist: {closest(value, known)}")
     chosen = replace(QUALITIES[quality], decoder=decoder, rung=rung, loss=loss, seed=seed)
-    if optimiser is not None:
-        chosen = replace(chosen, optimiser=optimiser)
+    if optimiser is not None and optimiser != chosen.optimiser:
+        rate, texture_rate = _RATES[optimiser]
+        chosen = replace(chosen, optimiser=optimiser, rate=rate, texture_rate=texture_rate)
     if resolution is not None:
         fits = SMALLEST_RESOLUTION <= resolution <= LARGEST_RESOLUTION and resolution & (resolution - 1) == 0
         if not fits:
