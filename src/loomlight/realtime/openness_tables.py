@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -52,7 +53,7 @@ def pack_openness(table: WordTable, appearance: Appearance) -> int:
         [float(share) for share in mean_layer_shares(family.roughness, appearance.optical_depth)]
         for family in (appearance.warp, appearance.weft)
     ]
-    parts = (
+    parts: tuple[Any, ...] = (
         openness.by_view,
         openness.by_point,
         openness.warp_seen,
