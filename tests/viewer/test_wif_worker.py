@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +17,9 @@ WIF = (Path(__file__).resolve().parents[2] / "examples" / "undulating-twill.wif"
 
 
 def read(content: bytes, name: str, **limits: Any) -> dict[str, Any]:
-    return asyncio.run(read_uploaded_draft(content, name, **limits))
+    # In a thread of its own: Playwright leaves its loop running in that of the tests.
+    with ThreadPoolExecutor(1) as pool:
+        return pool.submit(lambda: asyncio.run(read_uploaded_draft(content, name, **limits))).result()
 
 
 def test_draft_is_read() -> None:

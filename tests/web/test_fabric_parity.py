@@ -83,7 +83,7 @@ REFUSED_TOML = [
     'weave = "plain"\nvariation.seed = 1.0',
     'weave = "plain"\nvariation.seed = -1',
     'weave = "plain"\nends_per_cm = 10\nepi = 20',
-    'weave = "plain"\nweft.gap = 0.1\nweft.count = "30 tex"',
+    'weave = "plain"\nweft.gap = 0.1\nweft.width_mm = 0.3',
     'weave = "plain"\ndraft = "a.wif"',
     'weave = "plain"\nweave = "twill 2/1"',
     'weave = "plain',
@@ -244,13 +244,17 @@ def _kind(field: FieldInfo) -> dict[str, Any]:
     if isinstance(field.annotation, type) and issubclass(field.annotation, BaseModel):
         return {"kind": "table", "fields": _table(field.annotation)}
     types, notes = _parts(field.annotation)
+    names = {getattr(getattr(note, "func", None), "__name__", "") for note in notes}
+    if bool in types:
+        return {"kind": "boolean"}
+    if "_yarn" in names:
+        return {"kind": "yarn"}
     low = next((note.ge for note in notes if isinstance(note, Ge)), None)
     high = next((note.le for note in notes if isinstance(note, Le)), None)
     if float in types or int in types:
         return {"kind": "number" if float in types else "integer", "low": low, "high": high}
     if str in types:
         return {"kind": "text", "mayBeEmpty": not any(getattr(note, "min_length", 0) for note in notes)}
-    names = {getattr(getattr(note, "func", None), "__name__", "") for note in notes}
     return {"kind": "colours" if "_colours" in names else "colour"}
 
 

@@ -8,6 +8,7 @@ import type { Colour } from "./colour.ts";
 
 /** [warp] or [weft]. */
 export interface YarnFields {
+  readonly yarn?: string;
   readonly color?: Colour | readonly Colour[];
   readonly specular?: number;
   readonly specular_tint?: Colour;
@@ -16,6 +17,11 @@ export interface YarnFields {
   readonly height_scale?: number;
   readonly inclination_deg?: number;
   readonly twist_deg?: number;
+  readonly plies?: number;
+  readonly ply_twist_deg?: number;
+  readonly fibre_tilt_deg?: number;
+  readonly slub?: number;
+  readonly hairiness?: number;
   readonly gap?: number;
   readonly count?: string;
   readonly width_mm?: number;
@@ -37,8 +43,10 @@ export interface FabricFields {
   readonly epi?: number;
   readonly ppi?: number;
   readonly gap?: number;
+  readonly yarn?: string;
   readonly diffuse_blend?: number;
   readonly optical_depth?: number;
+  readonly interreflection?: boolean;
   readonly warp?: YarnFields;
   readonly weft?: YarnFields;
   readonly sheen?: { readonly strength?: number; readonly roughness?: number };
@@ -49,7 +57,7 @@ export interface FabricFields {
 export type FieldKind =
   | { readonly kind: "number" | "integer"; readonly low: number; readonly high: number }
   | { readonly kind: "text"; readonly mayBeEmpty: boolean }
-  | { readonly kind: "colour" | "colours" }
+  | { readonly kind: "colour" | "colours" | "boolean" | "yarn" }
   | { readonly kind: "table"; readonly fields: FieldTable };
 
 /** Fields of a table by their keys, in the order in which a file is written. */
@@ -63,9 +71,11 @@ const name: FieldKind = { kind: "text", mayBeEmpty: false };
 const colour: FieldKind = { kind: "colour" };
 const fraction = number(0, 1);
 const gap = number(0, 0.95);
+const yarn: FieldKind = { kind: "yarn" };
 
 /** [warp] and [weft]. */
 export const YARN: FieldTable = {
+  yarn,
   color: { kind: "colours" },
   specular: fraction,
   specular_tint: colour,
@@ -74,6 +84,11 @@ export const YARN: FieldTable = {
   height_scale: number(0.01, 2),
   inclination_deg: number(0, 80),
   twist_deg: number(-89, 89),
+  plies: { kind: "integer", low: 1, high: 12 },
+  ply_twist_deg: number(-60, 60),
+  fibre_tilt_deg: number(0, 30),
+  slub: fraction,
+  hairiness: fraction,
   gap,
   count: name,
   width_mm: number(0.001, 1000),
@@ -95,8 +110,10 @@ export const FABRIC: FieldTable = {
   epi: number(0.254, 2540),
   ppi: number(0.254, 2540),
   gap,
+  yarn,
   diffuse_blend: fraction,
   optical_depth: number(0.01, 100),
+  interreflection: { kind: "boolean" },
   warp: { kind: "table", fields: YARN },
   weft: { kind: "table", fields: YARN },
   sheen: { kind: "table", fields: { strength: fraction, roughness: fraction } },

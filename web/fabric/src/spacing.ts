@@ -4,6 +4,7 @@ import type { Draft } from "./draft.ts";
 import { InputError } from "./errors.ts";
 import type { FabricFields, FamilyName } from "./fields.ts";
 import { CM_PER_INCH, DEFAULT_SETT_PER_CM, yarnDiameterMm } from "./textile.ts";
+import { yarnDensity } from "./yarns.ts";
 
 const MM_PER_CM = 10;
 
@@ -36,7 +37,7 @@ export function familySpacing(fields: FabricFields, family: FamilyName, draft: D
 /**
  * Width of each thread of a family, millimetres, as many as `spacing`.
  *
- * The family's own width, count or gap come first, then the draft's thickness, then the fabric's gap.
+ * The family's own width or gap comes first, then its count, the draft's thickness, and the fabric's gap.
  *
  * @throws InputError a yarn count that cannot be read.
  */
@@ -47,17 +48,19 @@ export function familyWidth(
   spacing: Float64Array,
 ): Float64Array {
   const table = fields[family] ?? {};
-  if (table.width_mm !== undefined) return new Float64Array(spacing.length).fill(table.width_mm);
-  if (table.count !== undefined) return new Float64Array(spacing.length).fill(widthOfCount(table.count, family));
+  const ofCount = table.count === undefined ? null : widthOfCount(fields, table.count, family);
+  const { gap, width_mm: width } = table;
+  if (width !== undefined) return new Float64Array(spacing.length).fill(width);
+  if (gap !== undefined) return spacing.map((distance) => distance * (1 - gap));
+  if (ofCount !== null) return new Float64Array(spacing.length).fill(ofCount);
   const { thicknessMm } = draft[family];
-  if (table.gap === undefined && thicknessMm !== null) return thicknessMm;
-  const gap = table.gap ?? fields.gap ?? GAP;
-  return spacing.map((distance) => distance * (1 - gap));
+  if (thicknessMm !== null) return thicknessMm;
+  return spacing.map((distance) => distance * (1 - (fields.gap ?? GAP)));
 }
 
-function widthOfCount(count: string, family: FamilyName): number {
+function widthOfCount(fields: FabricFields, count: string, family: FamilyName): number {
   try {
-    return yarnDiameterMm(count);
+    return yarnDiameterMm(count, yarnDensity(fields, family));
   } catch (error) {
     if (error instanceof InputError) throw new InputError(`${family}.count: ${error.message}`);
     throw error;

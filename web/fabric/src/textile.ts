@@ -5,9 +5,9 @@ import { general } from "./numbers.ts";
 export const CM_PER_INCH = 2.54;
 export const DEFAULT_SETT_PER_CM = 20;
 /** Cotton; g/cm³. */
-const COTTON_DENSITY = 1.52;
+export const COTTON_DENSITY = 1.52;
 /** The fraction of a ring-spun yarn's cross-section that is fibre (Morton and Hearle 2008 give 0.5 to 0.65). */
-const PACKING = 0.6;
+export const DEFAULT_PACKING = 0.6;
 
 const DIRECT = /^(\d+(?:\.\d+)?)\s*(?:x\s*(\d+)\s*)?(dtex|tex|denier|den|ktex)$/;
 const INDIRECT = /^(ne|nec|nm)\s*(\d+(?:\.\d+)?)(?:\s*\/\s*(\d+))?$/;
@@ -49,12 +49,15 @@ function indirectTex(text: string): number | null {
 }
 
 /**
- * Diameter in millimetres of a round cotton yarn of that count: d = √(4 tex / (π · 1000 · ρ · φ)).
+ * Diameter in millimetres of a round yarn of that count, of cotton by default: d = √(4 tex / (π · 1000 · ρ · φ)).
  *
  * @throws InputError a count that is not known.
  *
  * Source: Peirce, "The geometry of cloth structure", Journal of the Textile Institute 28 (1937), T45.
  */
-export function yarnDiameterMm(count: string): number {
-  return Math.sqrt((4 * yarnTex(count)) / (Math.PI * 1000 * COTTON_DENSITY * PACKING));
+export function yarnDiameterMm(
+  count: string,
+  { density, packing } = { density: COTTON_DENSITY, packing: DEFAULT_PACKING },
+): number {
+  return Math.sqrt((4 * yarnTex(count)) / (Math.PI * 1000 * density * packing));
 }

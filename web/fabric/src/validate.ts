@@ -4,6 +4,7 @@ import { isOneColour, parseColour } from "./colour.ts";
 import { InputError } from "./errors.ts";
 import { FABRIC, FAMILIES, type FabricFields, type FieldKind, type FieldTable } from "./fields.ts";
 import { general } from "./numbers.ts";
+import { YARN_PRESETS } from "./yarn_presets.ts";
 
 type Plain = Record<string, unknown>;
 type IsWhole = (value: unknown) => boolean;
@@ -61,6 +62,11 @@ function validValue(value: unknown, kind: FieldKind, name: string, isWhole: IsWh
       if (value === "" && !kind.mayBeEmpty)
         throw new InputError(`${name} = "" is empty: write a value, or leave the field out.`);
       return value;
+    case "boolean":
+      if (typeof value !== "boolean") throw cannotBeUsed(name, value, kind);
+      return value;
+    case "yarn":
+      return validYarn(value, name);
     case "colour":
       return validColour(value, name);
     case "colours":
@@ -73,6 +79,18 @@ function validValue(value: unknown, kind: FieldKind, name: string, isWhole: IsWh
     case "table":
       throw cannotBeUsed(name, value, kind);
   }
+}
+
+function validYarn(value: unknown, name: string): string {
+  if (typeof value !== "string") throw cannotBeUsed(name, value, { kind: "yarn" });
+  const given = value.trim().split(/\s+/).join(" ");
+  const yarn = YARN_PRESETS.find((preset) => preset.name === given.toLowerCase());
+  if (yarn === undefined)
+    throw new InputError(
+      `${name} = "${given.slice(0, 40)}" is no kind of yarn that has a name: write ` +
+        `${YARN_PRESETS.map((preset) => `"${preset.name}"`).join(", ")}.`,
+    );
+  return yarn.name;
 }
 
 function validColour(value: unknown, name: string): unknown {
@@ -95,6 +113,8 @@ function expected(kind: FieldKind): string {
       return `write a whole number from ${kind.low} to ${kind.high}`;
     case "table":
       return "it is a table of fields";
+    case "boolean":
+      return "write true or false";
     default:
       return "write text in quotes";
   }
@@ -138,7 +158,7 @@ function requireConsistent(fields: FabricFields): void {
   refuseTogether(fields, ["ends_per_cm", "epi"], "");
   refuseTogether(fields, ["picks_per_cm", "ppi"], "");
   for (const family of FAMILIES)
-    refuseTogether(fields[family] ?? {}, ["width_mm", "count", "gap"], `${family}.`);
+    refuseTogether(fields[family] ?? {}, ["width_mm", "gap"], `${family}.`);
 }
 
 function refuseTogether(table: object, keys: readonly string[], prefix: string): void {

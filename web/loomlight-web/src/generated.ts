@@ -325,7 +325,8 @@ export const EVEN_FROM = 64;
 export const EVEN_STEP = 16;
 export const MAX_PYRAMID_BYTES = 58720256;
 
-// realtime/tables.py, bake.py
+// realtime/tables.py, openness_tables.py, bake.py
+export const NO_OPENNESS = 4294967295;
 export const SMALLEST_OPEN_SHARE = 0.001;
 export const FIRST_WEIGHT = 16;
 

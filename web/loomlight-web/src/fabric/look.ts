@@ -10,6 +10,7 @@ import {
   OPTICAL_DEPTH,
   SHEEN_ROUGHNESS,
   SHEEN_STRENGTH,
+  withYarns,
   type Bend,
   type Draft,
   type FabricFields,
@@ -70,7 +71,8 @@ const RADIANS = Math.PI / 180;
  *
  * @throws InputError fields that contradict the draft, albedos that exceed the light, or too many crossings.
  */
-export function lookOf(fields: FabricFields, draft: Draft): Look {
+export function lookOf(given: FabricFields, draft: Draft): Look {
+  const fields = withYarns(given);
   const coloured = colouredDraft(draft, fields);
   const crossings = coloured.ends * coloured.picks;
   if (crossings > MAXIMUM_CROSSINGS)

@@ -3,6 +3,7 @@ import {
   CELL_MAX_LEVELS,
   FIBRES_ACROSS,
   LIFT,
+  NO_OPENNESS,
   SMALLEST_BOX,
   SMALLEST_OPEN_SHARE,
   SQUARE_SCALE,
@@ -140,6 +141,8 @@ function packFabric(
     seed: appearance.seed,
     layer_bound: layerAlbedoBound(appearance.opticalDepth),
     fibre_size: Math.min(fineX, fineY) / FIBRES_ACROSS,
+    has_yarns: 1,
+    openness: NO_OPENNESS,
     is_open: openShare(warp) * openShare(weft) > SMALLEST_OPEN_SHARE ? 1 : 0,
   });
 }
