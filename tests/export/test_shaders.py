@@ -44,7 +44,7 @@ MATERIALS: dict[str, Material] = {
     "lobes": FABRIC,
     "point": FABRIC,
     "woven": WovenModel.for_source(FABRIC, refined=False),
-    "neumip": test_neumip.random_model(),
+    "neumip": test_neumip.random_model(half=True),
     "latent": test_latent.random_model(),
 }
 MODELS = tuple(REALTIME_MODELS)

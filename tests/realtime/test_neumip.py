@@ -37,8 +37,12 @@ def heightfield() -> Heightfield:
     return Heightfield("tile", (4.0, 2.0), 0.5, 0.5, one, np.ones((1, 1, 3), np.float32), one, 0 * one)
 
 
-def random_model(faces: int = 2, offset: bool = True) -> NeumipModel:
-    """Numbers of the size of trained ones: depths of a few texels, values of a colour."""
+def random_model(faces: int = 2, offset: bool = True, half: bool = False) -> NeumipModel:
+    """Numbers of the size of trained ones: depths of a few texels, values of a colour.
+
+    Args:
+        half: texels are numbers of half precision, so that packing them as such rounds nothing.
+    """
     rng = np.random.default_rng(3)
     source = fabric_from_text('weave = "plain"') if faces == 2 else heightfield()
     shape = PyramidShape(16, 8, *source.repeat_mm, faces)
@@ -59,7 +63,8 @@ def random_model(faces: int = 2, offset: bool = True) -> NeumipModel:
         layers[name][-1] = (layers[name][-1][0], np.float32([1, 0.8, 0.6]))
 
     def texels(count: int) -> NDArray[np.float32]:
-        return np.float32(rng.normal(0, 0.5, (faces * count, CHANNELS)))
+        numbers = np.float32(rng.normal(0, 0.5, (faces * count, CHANNELS)))
+        return numbers.astype(np.float16).astype(np.float32) if half else numbers
 
     of_offset = texels(shape.columns * shape.rows) if offset else None
     weights = Weights(shape, texels(shape.texels), of_offset, layers, np.full((faces, 3), 0.5, np.float32))
