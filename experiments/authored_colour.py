@@ -1,10 +1,10 @@
-"""Colours as authored: what flat cloth of one yarn shows, by paths through it, against the colour in its file.
+"""Colours as authored: what flat cloth of one yarn shows, traced by paths, against the colour in its file.
 
     python -m experiments.authored_colour [--paths N] [--output FILE.json]
 
-The 24 patches of a colour chart (sRGB of McCamy, Marcus and Davidson 1976, as published by the maker) on three
-weaves, d/8°: a white sky over the cloth, a view 8° from the normal, nothing behind. CIEDE2000 for D65 and the 2°
-observer; the bar is 2 where the colour is within reach of the cloth.
+The 24 patches of a colour chart (McCamy, Marcus and Davidson 1976; sRGB as its maker publishes it) on three
+weaves, d/8°: a white sky over the cloth, a view 8° from the normal, nothing behind. CIEDE2000 for D65 and the
+2° observer; the bar is 2 where the colour is within reach of the cloth.
 """
 
 from __future__ import annotations
@@ -24,10 +24,32 @@ from loomlight.fabric.authored_colour import shown_colour
 from loomlight.fabric.defaults import ROUGHNESS, SPECULAR, TRANSLUCENCY
 
 WEAVES = ("plain", "twill 2/2", "satin 5")
-CHART = (
-    "#735244 #c29682 #627a9d #576c43 #8580b1 #67bdaa #d67e2c #505ba6 #c15a63 #5e3c6c #9dbc40 #e0a32e "
-    "#383d96 #469449 #af363c #e7c71f #bb5695 #0885a1 #f3f3f2 #c8c8c8 #a0a0a0 #7a7a79 #555555 #343434"
-).split()
+CHART = [
+    "#735244",
+    "#c29682",
+    "#627a9d",
+    "#576c43",
+    "#8580b1",
+    "#67bdaa",
+    "#d67e2c",
+    "#505ba6",
+    "#c15a63",
+    "#5e3c6c",
+    "#9dbc40",
+    "#e0a32e",
+    "#383d96",
+    "#469449",
+    "#af363c",
+    "#e7c71f",
+    "#bb5695",
+    "#0885a1",
+    "#f3f3f2",
+    "#c8c8c8",
+    "#a0a0a0",
+    "#7a7a79",
+    "#555555",
+    "#343434",
+]
 BAR = 2.0
 
 

@@ -1,10 +1,10 @@
 """Light between yarns: models with its closed form against paths through the cloth, under a white sky.
 
-    python -m experiments.interreflection [--models point,lobes,woven] [--paths N] [--samples N] [--output FILE.json]
+    python -m experiments.interreflection [--models point,lobes,woven] [--paths N] [--samples N] [--output F.json]
 
 Twelve pairs of weave and colours, six views each. Cloth that scatters like the point model is traced by
-`cloth_paths.py`; a model's reflectance is the mean of its values over lights of the whole sphere and places of the
-repeat, of the yarn that views meet. The bar is 3 % of the mean of the channels.
+`cloth_paths.py`; a model's reflectance is the mean of its values over lights of the whole sphere and places of
+the repeat, of the yarn that views meet. The bar is 3 % of the mean of the channels.
 """
 
 from __future__ import annotations
