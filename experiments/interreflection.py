@@ -1,10 +1,10 @@
 """Light between yarns: models with its closed form against paths through the cloth, under a white sky.
 
-    python -m experiments.interreflection [--models point,lobes,woven] [--paths N] [--samples N] [--output F.json]
+    python -m experiments.interreflection [--models point,lobes,woven] [--paths N] [--samples N] [--output F]
 
 Twelve pairs of weave and colours, six views each. Cloth that scatters like the point model is traced by
-`cloth_paths.py`; a model's reflectance is the mean of its values over lights of the whole sphere and places of
-the repeat, of the yarn that views meet. The bar is 3 % of the mean of the channels.
+`cloth_paths.py`; a model's reflectance is the mean of its values over lights of the whole sphere and places
+of the repeat, of the yarn that views meet. The bar is 3 % of the mean of the channels.
 """
 
 from __future__ import annotations
@@ -49,7 +49,8 @@ def sky_value(model: Any, view: NDArray[np.float64], samples: int, seed: int) ->
     """Radiance [3] of the yarn that a view meets under a white sky on both sides."""
     rng = np.random.default_rng(seed)
     width, height = model.fabric.repeat_mm
-    centre = Array2f(*np.float32(rng.random((2, samples)) * [[width], [height]]))
+    x, y = (rng.random((2, samples)) * [[width], [height]]).astype(np.float32)
+    centre = Array2f(x, y)
     side, zero = np.full(samples, width / 256, np.float32), np.zeros(samples, np.float32)
     footprint = Footprint(centre, Array2f(side, zero), Array2f(zero, side))
     at = model.at(Array3f(*(np.full(samples, part, np.float32) for part in view)), footprint)
@@ -57,7 +58,8 @@ def sky_value(model: Any, view: NDArray[np.float64], samples: int, seed: int) ->
     sine = np.sqrt(1 - cosine**2)
     total = np.zeros(3)
     for sign in (1, -1):
-        light = Array3f(*np.float32([sine * np.cos(around), sine * np.sin(around), sign * cosine]))
+        parts = (sine * np.cos(around), sine * np.sin(around), sign * cosine)
+        light = Array3f(*(part.astype(np.float32) for part in parts))
         total += 2 * np.pi * np.array(at.value(light)).astype(np.float64).mean(axis=1)
     shown: NDArray[np.float64] = total / (1 - float(np.mean(Float(at.hole).numpy())))
     return shown
