@@ -105,7 +105,9 @@ def parse_executor(text: str, workers: int, settings: Mapping[str, str]) -> Exec
     return Executor(kind, backend, workers, values)
 
 
-def run_locally(work: Shared, workers: int, report: Report = lambda done, total: None, first: int = 0) -> None:
+def run_locally(
+    work: Shared, workers: int, report: Report = lambda done, total: None, first: int = 0
+) -> None:
     """Works with processes of this machine; with this one alone where one suffices.
 
     Args:

@@ -45,7 +45,9 @@ def _begun(process: int) -> int:
     """Clock ticks from the machine's start to the process's; 0 where the system does not say."""
     try:
         # The name before it may hold spaces and brackets.
-        fields = Path(f"/proc/{process}/stat").read_text(encoding="utf-8", errors="replace").rpartition(")")[2]
+        fields = (
+            Path(f"/proc/{process}/stat").read_text(encoding="utf-8", errors="replace").rpartition(")")[2]
+        )
         return int(fields.split()[19])
     except (OSError, IndexError, ValueError):
         return 0

@@ -162,7 +162,9 @@ def _locked(path: Path, wait: bool) -> int | None:
     try:
         import fcntl
     except ModuleNotFoundError as error:
-        raise MissingDependencyError("Several processes need file locks of POSIX: use --workers 1.") from error
+        raise MissingDependencyError(
+            "Several processes need file locks of POSIX: use --workers 1."
+        ) from error
     while True:
         handle = os.open(path, os.O_RDWR | os.O_CREAT, 0o666)
         try:

@@ -12,7 +12,7 @@ import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Generic, TypeVar
+from typing import Generic, TypeVar
 
 from loomlight.core.errors import InputError, LoomlightError, LoomlightWarning
 from loomlight.core.executors import Executor, Report
