@@ -1,6 +1,6 @@
 """`loomlight bake`, and pictures of what it writes.
 
-Covers: models/bake.py
+Covers: models/bake.py, models/bake_catalogue.py, assets/source_identity.py, cli/fleet.py
 """
 
 from __future__ import annotations
@@ -136,3 +136,51 @@ def test_a_fault_is_one_sentence(
     assert len(captured.err.splitlines()) == 1
     assert says in captured.err
     assert sorted(folder.iterdir()) == before
+
+
+def test_a_catalogue_is_baked_by_processes_and_again_only_what_changed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("cloth.toml").write_text('weave = "plain"')
+    command = ["bake", "cloth.toml", "twill 2/1", "satin 5", "--model", "point", "-o", "out"]
+    assert run([*command, "--workers", "2"]) == 0
+    assert capsys.readouterr().out.split() == ["out/cloth.loom", "out/twill-2-1.loom", "out/satin-5.loom"]
+    assert model_from_loom("out/satin-5.loom").source.name == "satin 5"
+    before = {path.name: path.stat().st_mtime_ns for path in Path("out").glob("*.loom")}
+    Path("cloth.toml").write_text('weave = "plain"\ngap = 0.3')
+    Path("out/satin-5.loom").unlink()
+    assert run(command) == 0
+    after = {path.name: path.stat().st_mtime_ns for path in Path("out").glob("*.loom")}
+    assert [name for name in sorted(before) if after[name] == before[name]] == ["twill-2-1.loom"]
+    assert read_loom("out/cloth.loom").source.fields.gap == 0.3
+
+
+@pytest.mark.parametrize(
+    ("sources", "output", "sentence"),
+    [
+        (["plain", "twill"], "a.loom", "several sources are baked into a folder"),
+        (["a/x.toml", "b/x.toml"], "out", "would both be out/x.loom"),
+        (["plain", "no.toml"], "out", "no.toml does not exist"),
+        (["out/a.loom", "plain"], "out", "out/a.loom is one of the sources"),
+    ],
+)
+def test_faults_of_a_catalogue(
+    sources: list[str],
+    output: str,
+    sentence: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert run(["bake", *sources, "--model", "point", "-o", output]) == 2
+    assert sentence in capsys.readouterr().err
+    assert not Path("out", "a.loom").exists()
+
+
+def test_what_is_read_is_not_overwritten(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    before = Path("cloth.loom").read_bytes()
+    assert run(["bake", "cloth.loom", "--model", "point", "-o", "cloth.loom"]) == 2
+    assert "cloth.loom is read by this command" in capsys.readouterr().err
+    assert Path("cloth.loom").read_bytes() == before

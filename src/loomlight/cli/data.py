@@ -9,6 +9,7 @@ from typing import Annotated
 
 import typer
 
+from loomlight.cli.fleet import ExecutorName, SlurmSettings, Workers, executor_of
 from loomlight.cli.help import WholeSentences
 from loomlight.cli.interruption import note_left
 from loomlight.cli.outputs import done
@@ -41,12 +42,16 @@ def woven(
         ),
     ] = str(DEFAULT_QUERIES),
     seed: Annotated[int, typer.Option(help="The same seed gives the same materials and queries.")] = 0,
+    workers: Workers = 1,
+    executor: ExecutorName = "local",
+    slurm: SlurmSettings = None,
 ) -> None:
     """Writes the materials and queries of chen2024 with their answers. Run again, it goes on where it ended.
 
     Several runs with different materials may write into one store at the same time.
     """
     first, end = _range_of(materials)
+    chosen = executor_of(executor, workers, slurm)
     require_within("--seed", seed, 0, 2**32 - 1)
     wanted = _queries_of(queries)
     if output.suffix != ".zarr":
@@ -65,7 +70,7 @@ def woven(
     command = shlex.join(["loomlight", "data", "woven", "--queries", str(wanted), "--seed", str(seed)])
     note_left(f"{output} keeps the materials that are finished: the same command goes on from there.")
     with progress(f"materials {materials}") as report:
-        make_store(output, range(first, end), settings, Float, command, report)
+        make_store(output, range(first, end), settings, Float, command, report, chosen)
     done(output)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from loomlight.core.errors import InputError
@@ -23,6 +23,21 @@ def check_output(path: Path, suffixes: Sequence[str]) -> None:
         raise InputError(f"{str(path)[:80]!r} is no path of a file that can be written: {error}.") from error
     if not os.access(path.parent, os.W_OK):
         raise InputError(f"{path}: the folder {path.parent} cannot be written to.")
+
+
+def require_not_read(path: Path, reads: Iterable[str | Path | None]) -> None:
+    """Raises InputError if `path` is one of the files that the command reads.
+
+    Args:
+        reads: paths, or what may be one, such as the name of a weave.
+    """
+    for read in reads:
+        try:
+            same = read is not None and path.exists() and os.path.samefile(path, read)
+        except (OSError, ValueError):
+            continue  # a name, or a file that is not there
+        if same:
+            raise InputError(f"{path} is read by this command: give another name to write to.")
 
 
 def done(path: Path) -> None:

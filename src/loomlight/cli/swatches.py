@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-import warnings
+import shutil
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from loomlight.cli.outputs import check_output, done
+from loomlight.cli.fleet import ExecutorName, SlurmSettings, Workers, executor_of
+from loomlight.cli.interruption import note_left
+from loomlight.cli.outputs import check_output, done, require_not_read
 from loomlight.cli.progress import progress
 from loomlight.cli.values import require_within
-from loomlight.core.errors import InputError, LoomlightWarning
 
 EXAMPLE = "Example: loomlight swatches examples/*.toml -o sheet.png"
 
@@ -29,6 +30,9 @@ def swatches(
     samples: Annotated[int, typer.Option("--spp", help="Samples a pixel.")] = 9,
     title: Annotated[str, typer.Option(help="Heading of a page.")] = "Fabrics",
     variant: Annotated[str | None, typer.Option(help="llvm_ad_rgb (default) or cuda_ad_rgb.")] = None,
+    workers: Workers = 1,
+    executor: ExecutorName = "local",
+    slurm: SlurmSettings = None,
 ) -> None:
     """Renders a labelled contact sheet: of each fabric its drawdown, a swatch, a drape and facts.
 
@@ -37,30 +41,25 @@ def swatches(
     check_output(output, (".png", ".html"))
     require_within("--size", side, 32, 2048)
     require_within("--spp", samples, 1, 100_000)
-    from loomlight.core.contact_sheet import Card, sheet_page, sheet_picture
+    chosen = executor_of(executor, workers, slurm)
+    require_not_read(output, fabrics)
+    from loomlight.core.contact_sheet import sheet_page, sheet_picture
     from loomlight.core.files import replacing
     from loomlight.core.images import write_png
     from loomlight.mitsuba import choose_variant
-    from loomlight.mitsuba.swatches import fabric_card
+    from loomlight.mitsuba.swatches import CardSettings, fabric_cards, work_folder_of
     from loomlight.models.registry import require_model_name
 
     require_model_name(model)
-    choose_variant(variant)
-    cards: list[Card] = []
+    settings = CardSettings(side, model, samples, choose_variant(variant))
+    parts = work_folder_of(output)
+    note_left(f"{parts} keeps the fabrics that are rendered: the same command goes on from there.")
     with progress("swatches") as report:
-        for number, fabric in enumerate(fabrics):
-            try:
-                cards.append(fabric_card(fabric, side, model=model, spp=samples))
-            except InputError as error:
-                if len(fabrics) == 1:
-                    raise
-                warnings.warn(f"{error} It is left out.", LoomlightWarning, stacklevel=1)
-            report(number + 1, len(fabrics))
-    if not cards:
-        raise InputError(f"None of the {len(fabrics)} fabrics can be used.")
+        cards = fabric_cards(fabrics, settings, parts, chosen, report)
     if output.suffix.lower() == ".html":
         with replacing(output) as temporary:
             temporary.write_text(sheet_page(cards, title), encoding="utf-8")
     else:
         write_png(output, sheet_picture(cards))
+    shutil.rmtree(parts, ignore_errors=True)
     done(output)

@@ -1,4 +1,8 @@
-"""Atomic writes: a file is written beside its final name, then renamed."""
+"""Atomic writes: a file is written beside its final name, then renamed.
+
+Temporary names say whose they are, so that what a killed process leaves is recognised, and removed when the
+next one writes into that folder.
+"""
 
 from __future__ import annotations
 
@@ -9,6 +13,11 @@ from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 
 from loomlight.core.errors import InputError
+from loomlight.core.process_identity import has_ended, process_identity
+
+_TEMPORARY = ".loomlight-"
+# Folders that this process has looked through.
+_cleaned: set[Path] = set()
 
 
 def cache_folder(kind: str) -> Path:
@@ -48,8 +57,12 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
         raise InputError(f"{target}: the folder {target.parent} does not exist; make it first.")
     if target.is_dir():
         raise InputError(f"{target} is a folder; give the name of a file.")
+    if target.parent not in _cleaned:
+        _cleaned.add(target.parent)
+        remove_leftovers(target.parent)
+    prefix = f"{_TEMPORARY}{process_identity()}-"
     try:
-        handle, name = tempfile.mkstemp(dir=target.parent, prefix=".loomlight-", suffix=target.suffix)
+        handle, name = tempfile.mkstemp(dir=target.parent, prefix=prefix, suffix=target.suffix)
     except OSError as error:
         raise InputError(f"{target} cannot be written: {error.strerror}.") from error
     os.close(handle)
@@ -65,6 +78,16 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
         raise InputError(f"{target} cannot be written: {error.strerror or error}.") from error
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def remove_leftovers(folder: Path) -> None:
+    """Removes temporary files in a folder whose processes have ended; those of other machines stay."""
+    with suppress(OSError), os.scandir(folder) as entries:
+        for entry in entries:
+            if entry.name.startswith(_TEMPORARY):
+                identity = entry.name.removeprefix(_TEMPORARY).rpartition("-")[0]
+                if has_ended(identity):
+                    Path(entry.path).unlink(missing_ok=True)
 
 
 @contextmanager

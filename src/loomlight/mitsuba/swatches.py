@@ -3,19 +3,31 @@
 from __future__ import annotations
 
 import os
+import re
+import warnings
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from functools import partial
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
 from loomlight.assets.load import fabric_of_path
-from loomlight.core.contact_sheet import Card
+from loomlight.assets.source_identity import source_identity
+from loomlight.core.contact_sheet import Card, card_from_bytes, card_to_bytes
+from loomlight.core.errors import InputError, LoomlightWarning
+from loomlight.core.executors import Executor, Report
 from loomlight.core.images import encoded
+from loomlight.core.shards import Outcome, Shard
+from loomlight.core.work_map import work_map
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.facts import cloth_facts
 from loomlight.mitsuba.material import material_bsdf
 from loomlight.mitsuba.rendering import render
 from loomlight.mitsuba.scenes import build_scene
+from loomlight.mitsuba.variants import choose_variant
 from loomlight.models.registry import make_model
 from loomlight.weave.draft import Draft
 from loomlight.weave.drawing import draw_drawdown
@@ -25,6 +37,79 @@ SWATCH_MM, _FLAT_MM = 25.0, 100.0
 # Threads across a drawdown: more cannot be told apart.
 _MOST_THREADS = 48
 Pixels = NDArray[np.uint8]
+
+
+@dataclass(frozen=True)
+class CardSettings:
+    """How fabrics are rendered.
+
+    Attributes:
+        side: of each picture, pixels.
+        model: by which they are rendered.
+        spp: samples a pixel.
+        variant: of Mitsuba.
+    """
+
+    side: int
+    model: str
+    spp: int
+    variant: str
+
+
+def work_folder_of(sheet: Path) -> Path:
+    """Where cards are kept until the sheet is whole."""
+    return sheet.with_name(f".loomlight-{sheet.name}.parts")
+
+
+def fabric_cards(
+    fabrics: Sequence[str],
+    settings: CardSettings,
+    folder: Path,
+    executor: Executor | None = None,
+    report: Report = lambda done, total: None,
+) -> list[Card]:
+    """The cards of fabrics; one that cannot be used is left out with a warning.
+
+    Args:
+        fabrics: as of `fabric_card`.
+        folder: keeps the cards.
+        executor: who renders; this process by default.
+        report: called with (fabrics done, fabrics in all).
+
+    Raises:
+        InputError: none can be used.
+        LoomlightError: processes ended before all was done; what is done stays.
+    """
+    outcomes: dict[int, Outcome] = {}
+    items: list[tuple[Shard, str]] = []
+    numbers: list[int] = []
+    for number, fabric in enumerate(fabrics):
+        try:
+            identity = source_identity(fabric_of_path(fabric), asdict(settings))
+        except InputError as error:
+            outcomes[number] = Outcome(fault=str(error))
+            continue
+        name = re.sub(r"[^\w.+]+", "-", Path(fabric).name)[:100]
+        items.append((Shard(f"{number:05d}-{name}", identity), fabric))
+        numbers.append(number)
+    outcomes |= zip(numbers, work_map(partial(_card, settings), items, folder, executor, report), strict=True)
+    cards = []
+    for number in range(len(fabrics)):
+        outcome = outcomes[number]
+        if outcome.fault is None:
+            cards.append(card_from_bytes(outcome.content))
+        elif len(fabrics) == 1:
+            raise InputError(outcome.fault)
+        else:
+            warnings.warn(f"{outcome.fault} It is left out.", LoomlightWarning, stacklevel=2)
+    if not cards:
+        raise InputError(f"None of the {len(fabrics)} fabrics can be used.")
+    return cards
+
+
+def _card(settings: CardSettings, fabric: str) -> bytes:
+    choose_variant(settings.variant)
+    return card_to_bytes(fabric_card(fabric, settings.side, model=settings.model, spp=settings.spp))
 
 
 def fabric_card(path: str | os.PathLike[str], side: int, *, model: str, spp: int) -> Card:

@@ -15,6 +15,7 @@ import pytest
 from drjit.llvm.ad import Float
 
 from loomlight.core.errors import InputError, LoomlightWarning, MissingDependencyError
+from loomlight.core.executors import Executor
 from loomlight.models.woven.training import dataset_store as store_module
 from loomlight.models.woven.training.dataset_store import BYTES_A_QUERY, QueryStore, StoreSettings, make_store
 from loomlight.models.woven.training.materials import paper_material
@@ -58,6 +59,14 @@ def test_what_is_read_is_what_was_computed(made):
     # float16 keeps 11 bits; below its normal numbers it is exact to 3e-8.
     np.testing.assert_allclose(material.truth(), truth, rtol=2**-11, atol=3e-8)
     assert truth.max() > 0.1
+
+
+def test_several_processes_write_the_same_bytes(made, tmp_path):
+    path = tmp_path / "shared.zarr"
+    make_store(path, NUMBERS[1:], SETTINGS, Float, "test", executor=Executor(workers=2))
+    names = [name for name in contents(made) if name.startswith(("material_0080", "material_0081"))]
+    assert {name: contents(path)[name] for name in names} == {name: contents(made)[name] for name in names}
+    assert [entry.name for entry in tmp_path.iterdir()] == ["shared.zarr"]
 
 
 def test_half_precision_changes_means_by_less_than_the_grid_does(made):

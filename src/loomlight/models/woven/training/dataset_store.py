@@ -18,12 +18,14 @@ one rename, so every material in a store is complete.
 from __future__ import annotations
 
 import errno
+import json
 import os
 import re
 import shutil
 import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -32,9 +34,12 @@ from numpy.typing import NDArray
 
 from loomlight.aggregate.components import CHANNELS, COMPONENTS
 from loomlight.core.errors import InputError, LoomlightWarning
+from loomlight.core.executors import Executor
 from loomlight.core.extras import import_extra
 from loomlight.core.files import discarding_empty
 from loomlight.core.provenance import provenance
+from loomlight.core.shards import Shard, ShardFolder
+from loomlight.core.work_map import require_results, work_map
 from loomlight.models.woven.parameter_ranges import PARAMETER_RANGES
 from loomlight.models.woven.training.materials import MATERIALS, paper_material
 from loomlight.models.woven.training.queries import (
@@ -162,6 +167,7 @@ def make_store(
     float_type: type,
     command: str,
     report: Callable[[int, int], None] = lambda done, total: None,
+    executor: Executor | None = None,
 ) -> tuple[int, ...]:
     """Writes materials into a new store or one with the same settings; returns all finished ones.
 
@@ -172,6 +178,7 @@ def make_store(
         float_type: the Dr.Jit Float type to compute with.
         command: recorded in the provenance.
         report: called with (materials done, materials in all).
+        executor: who works; this process by default.
 
     Raises:
         InputError: `path` is something else or has other settings, a number does not exist, or the disk is
@@ -190,13 +197,46 @@ def make_store(
         done = set(finished(store))
         missing = [number for number in numbers if number not in done]
         _warn_of_space(store, len(missing), settings)
-        for index, number in enumerate(missing):
-            report(len(numbers) - len(missing) + index, len(numbers))
-            _write_material(store, number, settings, float_type)
+        if executor is None or executor == Executor():
+            for index, number in enumerate(missing):
+                report(len(numbers) - len(missing) + index, len(numbers))
+                _write_material(store, number, settings, float_type)
+        elif missing:
+            _write_shards(store, missing, settings, float_type, executor, report)
         report(len(numbers), len(numbers))
     except OSError as error:
         raise InputError(_cut_off(store, error)) from error
     return finished(store)
+
+
+def _write_shards(
+    store: Path,
+    numbers: Sequence[int],
+    settings: StoreSettings,
+    float_type: type,
+    executor: Executor,
+    report: Callable[[int, int], None],
+) -> None:
+    """Materials by several processes; claims and markers lie beside the store until all are done."""
+    folder = store.with_name(f".loomlight-{store.name}.parts")
+    identity = json.dumps([str(store.resolve()), settings.attributes()], sort_keys=True)
+    items = [(Shard(f"material_{number:04d}", identity), number) for number in numbers]
+    shared = ShardFolder(folder, "")
+    for shard, _ in items:
+        shared.forget(shard)  # the material is not in the store
+    function = partial(_write_shard, str(store), settings, float_type)
+    outcomes = work_map(function, items, folder, executor, report)
+    require_results({shard.key: outcome for (shard, _), outcome in zip(items, outcomes, strict=True)})
+    shutil.rmtree(folder, ignore_errors=True)
+
+
+def _write_shard(store: str, settings: StoreSettings, float_type: type, number: int) -> bytes:
+    try:
+        if number not in finished(Path(store)):
+            _write_material(Path(store), number, settings, float_type)
+    except OSError as error:
+        raise InputError(_cut_off(Path(store), error)) from error
+    return b""
 
 
 def require_valid_settings(settings: StoreSettings) -> None:

@@ -1,0 +1,309 @@
+"""Who works on shards: processes of this machine, jobs of Slurm through submitit, or a backend of joblib."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, field
+from multiprocessing import connection, get_context, parent_process
+from pathlib import Path
+from typing import Any, Protocol
+
+from loomlight.core.errors import InputError, LoomlightError, MissingDependencyError
+from loomlight.core.extras import import_extra
+from loomlight.core.parallel_map import core_count
+
+KINDS = ("local", "slurm", "joblib")
+# Shards that one process works on before a fresh one takes its place: compiled kernels stay in memory, and
+# Linux grants a process 65 530 mappings, which about a thousand fabrics would fill.
+MOST_SHARDS_OF_A_PROCESS = 64
+# Processes that may end in error, one after the other, while nothing gets done.
+_MOST_IDLE_DEATHS = 4
+# Between looks at the folder, where other machines work.
+_LOOK_SECONDS = 2.0
+# What a process has to end by itself once it is told to.
+_GRACE_SECONDS = 2.0
+_MOST_WORKERS = 4096
+
+Report = Callable[[int, int], None]
+
+
+class Shared(Protocol):
+    """What an executor knows of the work."""
+
+    @property
+    def folder(self) -> Path:
+        """That all processes share."""
+
+    @property
+    def items(self) -> Sequence[Any]:
+        """One for each shard."""
+
+    def remaining(self) -> int:
+        """How many shards have no outcome."""
+
+    def work_through(self, first: int, most: int | None, told: Callable[[], None]) -> None:
+        """Works on shards from number `first` on, at most on so many; calls `told` after each."""
+
+
+@dataclass(frozen=True)
+class Executor:
+    """Who works.
+
+    Attributes:
+        kind: one of `KINDS`.
+        backend: of joblib, such as loky, dask or ray; for Slurm a cluster of submitit: "local" are processes
+            of this machine, to try it.
+        workers: processes, or jobs.
+        settings: parameters of submitit, such as slurm_partition and timeout_min.
+    """
+
+    kind: str = "local"
+    backend: str = ""
+    workers: int = 1
+    settings: Mapping[str, int | str] = field(default_factory=dict)
+
+    def run(self, work: Shared, report: Report) -> None:
+        """Works until all shards have an outcome, or all processes have ended.
+
+        Raises:
+            LoomlightError: nothing gets done, or a process says why it cannot go on.
+            MissingDependencyError: submitit, joblib or Slurm is missing.
+        """
+        if self.kind == "slurm":
+            _run_jobs(self, work, report)
+        elif self.kind == "joblib":
+            _run_joblib(self, work, report)
+        else:
+            run_locally(work, self.workers, report)
+
+
+def parse_executor(text: str, workers: int, settings: Mapping[str, str]) -> Executor:
+    """The executor of the options --executor, --workers and --slurm.
+
+    Args:
+        text: local, slurm or joblib, or with a backend "joblib:dask".
+        settings: of submitit, by name.
+
+    Raises:
+        InputError: no such executor, or a number of workers out of range.
+    """
+    kind, _, backend = text.strip().lower().partition(":")
+    if kind not in KINDS or (kind == "local" and backend):
+        raise InputError(f'--executor "{text}" is none: write local, slurm, joblib, or joblib:dask.')
+    if not 1 <= workers <= _MOST_WORKERS:
+        raise InputError(f"--workers {workers} is out of range: write a number from 1 to {_MOST_WORKERS}.")
+    if settings and kind != "slurm":
+        raise InputError(f"--slurm {next(iter(settings))} needs --executor slurm.")
+    values = {name: int(value) if value.isdecimal() else value for name, value in settings.items()}
+    return Executor(kind, backend, workers, values)
+
+
+def run_locally(
+    work: Shared, workers: int, report: Report = lambda done, total: None, first: int = 0
+) -> None:
+    """Works with processes of this machine; with this one alone where one suffices.
+
+    Args:
+        first: number of the shard to begin with.
+
+    Raises:
+        LoomlightError: as `Executor.run`.
+    """
+    count, missing = len(work.items), work.remaining()
+    if min(workers, missing) <= 1 and missing <= MOST_SHARDS_OF_A_PROCESS:
+        done = count - missing
+
+        def told() -> None:
+            nonlocal done
+            done += 1
+            report(done, count)
+
+        work.work_through(first, None, told)
+    elif missing:
+        with _Crew(work, min(workers, missing), report, first) as crew:
+            crew.wait()
+
+
+class _Crew:
+    """Processes that work; one that ends while there is work is replaced."""
+
+    def __init__(self, work: Shared, workers: int, report: Report, first: int) -> None:
+        self._work, self._report = work, report
+        self._context = get_context("spawn")  # a fork has none of Dr.Jit's threads
+        self._threads = max(1, core_count() // workers)
+        self._processes: dict[connection.Connection, Any] = {}
+        count = len(work.items)
+        self._done = count - work.remaining()
+        self._starts = [first + number * count // workers for number in range(workers)]
+
+    def __enter__(self) -> _Crew:
+        for first in self._starts:
+            self._start(first)
+        return self
+
+    def wait(self) -> None:
+        """Returns when no process works any more."""
+        idle_deaths = 0
+        while self._processes:
+            for channel in connection.wait(list(self._processes)):
+                assert isinstance(channel, connection.Connection)
+                try:
+                    sentence = channel.recv_bytes().decode()
+                except (EOFError, ConnectionError):
+                    process = self._processes.pop(channel)
+                    channel.close()
+                    process.join()
+                    if process.exitcode:
+                        idle_deaths += 1
+                    if idle_deaths > _MOST_IDLE_DEATHS:
+                        raise LoomlightError(
+                            f"Processes end before they finish anything, the last by {_end_of(process)}; "
+                            "what is finished is kept."
+                        ) from None
+                    if self._work.remaining():
+                        self._start(self._starts[0])
+                    continue
+                if sentence:
+                    raise LoomlightError(sentence)
+                idle_deaths = 0
+                self._done += 1
+                self._report(min(self._done, len(self._work.items)), len(self._work.items))
+
+    def __exit__(self, *_: object) -> None:
+        for process in self._processes.values():
+            process.terminate()
+        end = time.monotonic() + _GRACE_SECONDS
+        for process in self._processes.values():
+            process.join(max(end - time.monotonic(), 0.01))
+            process.kill()
+            process.join()
+
+    def _start(self, first: int) -> None:
+        source, sink = self._context.Pipe(duplex=False)
+        process = self._context.Process(
+            target=_member, args=(self._work, first, sink, self._threads), daemon=True
+        )
+        process.start()
+        sink.close()
+        self._processes[source] = process
+
+
+def _member(work: Shared, first: int, channel: connection.Connection, threads: int) -> None:
+    """What a process of a crew does: works, and says so; a sentence says why it cannot go on."""
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
+    import drjit as dr
+
+    dr.set_thread_count(threads)
+    try:
+        work.work_through(first, MOST_SHARDS_OF_A_PROCESS, lambda: channel.send_bytes(b""))
+    except KeyboardInterrupt:
+        sys.exit(128 + signal.SIGINT)
+    except LoomlightError as error:
+        channel.send_bytes(str(error).encode())
+
+
+def _end_with_parent() -> None:
+    parent = parent_process()
+    if parent is not None:
+        parent.join()
+        signal.raise_signal(signal.SIGTERM)
+        time.sleep(_GRACE_SECONDS)
+        os._exit(128 + signal.SIGTERM)
+
+
+def _end_of(process: Any) -> str:
+    code = process.exitcode
+    return signal.Signals(-code).name if code < 0 else f"exit code {code}"
+
+
+def _run_jobs(chosen: Executor, work: Shared, report: Report) -> None:
+    submitit = import_extra("submitit", "fleet", "--executor slurm")
+    cluster = chosen.backend or "slurm"
+    if cluster == "slurm" and shutil.which("sbatch") is None:
+        raise MissingDependencyError(
+            "--executor slurm needs Slurm's sbatch, which this machine lacks: use --executor local."
+        )
+    try:
+        executor = submitit.AutoExecutor(folder=work.folder / "jobs", cluster=cluster)
+        executor.update_parameters(name="loomlight", **chosen.settings)
+    except (NameError, ValueError, TypeError, AssertionError) as error:
+        reason = " ".join(str(error).split())[:300]
+        raise InputError(f"submitit does not take these settings of --slurm: {reason}") from error
+    count = len(work.items)
+    workers = min(chosen.workers, work.remaining())
+    with executor.batch():
+        jobs = [
+            executor.submit(run_locally, work, 1, first=number * count // workers)
+            for number in range(workers)
+        ]
+    try:
+        with _looking(work, report):
+            for job in jobs:
+                job.wait()
+    except BaseException:
+        for job in jobs:
+            job.cancel(check=False)
+        raise
+    errors = [job.exception() for job in jobs]
+    failed = next((job for job, error in zip(jobs, errors, strict=True) if error is not None), None)
+    if failed is not None and work.remaining():
+        raise LoomlightError(
+            f"{sum(error is not None for error in errors)} of {workers} jobs failed; {failed.paths.stderr} "
+            "says why, and what is finished is kept: the same command goes on from there."
+        )
+
+
+def _run_joblib(chosen: Executor, work: Shared, report: Report) -> None:
+    joblib = import_extra("joblib", "fleet", "--executor joblib")
+    backend = chosen.backend or "loky"
+    count = len(work.items)
+    workers = min(chosen.workers, work.remaining())
+    with _connected(backend), _looking(work, report):
+        try:
+            pool = joblib.Parallel(n_jobs=workers, backend=backend)
+        except ValueError as error:
+            raise InputError(f"--executor joblib:{backend}: joblib has no such backend.") from error
+        pool(
+            joblib.delayed(run_locally)(work, 1, first=number * count // workers) for number in range(workers)
+        )
+
+
+@contextmanager
+def _connected(backend: str) -> Iterator[None]:
+    """Connected to the cluster of a backend, which DASK_SCHEDULER_ADDRESS or RAY_ADDRESS names."""
+    if backend == "dask":
+        distributed = import_extra("distributed", "fleet", "--executor joblib:dask")
+        address = os.environ.get("DASK_SCHEDULER_ADDRESS")
+        with distributed.Client(address) if address else distributed.Client():
+            yield
+        return
+    if backend == "ray":
+        import_extra("ray.util.joblib", "fleet", "--executor joblib:ray").register_ray()
+    yield
+
+
+@contextmanager
+def _looking(work: Shared, report: Report) -> Iterator[None]:
+    """Reports the shards that others complete, now and then."""
+    ended = threading.Event()
+
+    def look() -> None:
+        while not ended.wait(_LOOK_SECONDS):
+            with suppress(InputError):
+                report(len(work.items) - work.remaining(), len(work.items))
+
+    thread = threading.Thread(target=look, daemon=True)
+    thread.start()
+    try:
+        yield
+    finally:
+        ended.set()
+        thread.join()
