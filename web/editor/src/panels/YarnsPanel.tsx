@@ -1,5 +1,5 @@
 /** Warp and weft yarns: how they shine, how they lie, how thick they are. */
-import { bendsOf, familySpacing, familyWidth, FAMILIES, threadsPerCm, yarnTex, type FamilyName } from "loomlight-fabric";
+import { bendsOf, familySpacing, familyWidth, FAMILIES, threadsPerCm, withYarns, YARN_PRESETS, yarnTex, type FamilyName } from "loomlight-fabric";
 import { useState } from "preact/hooks";
 
 import { Segmented } from "../controls/Segmented.tsx";
@@ -38,6 +38,7 @@ export function YarnsPanel({ fabric, dispatch }: Props) {
       </section>
       <section class="group">
         <h2>Yarn</h2>
+        <KindField fabric={fabric} dispatch={dispatch} families={families} />
         <CountField fabric={fabric} dispatch={dispatch} families={families} />
         {["gap", "twist_deg", "specular", "roughness", "translucency"].map((key) => (
           <YarnSlider key={key} fabric={fabric} dispatch={dispatch} families={families} name={key} />
@@ -100,7 +101,7 @@ function YarnSlider({ fabric, dispatch, families, name }: FamiliesProps & { read
 
 /** A quantity as it is in use: the family's own, or what follows from the weave and the draft. */
 function valueOf(fabric: Fabric, family: FamilyName, name: string): number {
-  const own = (fabric.fields[family] as Record<string, unknown> | undefined)?.[name];
+  const own = (withYarns(fabric.fields)[family] as Record<string, unknown> | undefined)?.[name];
   if (typeof own === "number") return own;
   const draft = woven(fabric);
   if (name === "gap") {
@@ -111,6 +112,37 @@ function valueOf(fabric: Fabric, family: FamilyName, name: string): number {
   if (name === "inclination_deg") return bendsOf(draft)[family].inclinationDeg;
   if (name === "twist_deg") return bendsOf(draft)[family].twistDeg;
   return YARN_QUANTITIES[name]!.standard;
+}
+
+/** What the yarn is spun of: other defaults for everything below. */
+function KindField({ fabric, dispatch, families }: FamiliesProps) {
+  const kinds = families.map((family) => fabric.fields[family]?.yarn ?? fabric.fields.yarn ?? "");
+  const kind = kinds.every((each) => each === kinds[0]) ? kinds[0]! : "mixed";
+  const label = families.length === 2 ? "both" : families[0]!;
+  return (
+    <div class="row">
+      <label class="tip" data-tip="Other defaults of gloss, roughness, translucency and twist (yarn)" for={`kind-${label}`}>
+        Kind of yarn
+      </label>
+      <select
+        id={`kind-${label}`}
+        value={kind}
+        data-testid={`field-${label}.yarn`}
+        onChange={(event) => {
+          const value = event.currentTarget.value || undefined;
+          for (const each of families) dispatch({ type: "field/set", field: `${each}.yarn`, value, stroke: `yarn-${value}` });
+        }}
+      >
+        {kind === "mixed" && <option value="mixed">mixed</option>}
+        <option value="">any</option>
+        {YARN_PRESETS.map(({ name }) => (
+          <option key={name} value={name}>
+            {name}
+          </option>
+        ))}
+      </select>
+    </div>
+  );
 }
 
 function CountField({ fabric, dispatch, families }: FamiliesProps) {
