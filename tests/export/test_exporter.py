@@ -32,7 +32,8 @@ def test_an_earlier_export_is_replaced(tmp_path: Path, capsys: pytest.CaptureFix
     ("arguments", "says"),
     [
         (["--to", "hsls", "-o", "x"], '--to "hsls" is unknown: use one of slang, wgsl'),
-        (["--to", "wgsl", "--model", "woven", "-o", "x"], "does not take the model"),
+        (["--to", "wgsl", "--model", "samples", "-o", "x"], 'does not take the model "samples"'),
+        (["--to", "wgsl", "--model", "neumip", "-o", "x"], "takes minutes: bake it with"),
         (["--to", "wgsl", "--distance", "1", "-o", "x"], "leave out --distance"),
         (["--to", "gltf", "--distance", "0", "-o", "x"], "from 0.01 to 1000"),
         (["--to", "wgsl", "-o", "no/x"], "does not exist; make it first"),

@@ -97,7 +97,7 @@ def mapped(
 
 
 def _pack(layout: Any, appearance: Any, *lobes: Any, woven: WovenModel | None) -> Packed:
-    return pack_fabrics([(layout, appearance)], lobes=lobes or None, woven=[woven])
+    return pack_fabrics([(layout, appearance)], None, [lobes[0] if lobes else woven])
 
 
 def _argument(values: NDArray[Any], column: int) -> tuple[str, list[NDArray[np.uint32]]]:

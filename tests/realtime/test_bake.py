@@ -20,7 +20,7 @@ from loomlight.realtime.bake import (
     manifest,
     plan_bake,
 )
-from loomlight.realtime.build import ENTRIES, WGSL_ONLY
+from loomlight.realtime.build import BAKE_ENTRIES
 from loomlight.realtime.device import default_adapter
 from loomlight.realtime.fabric_buffers import FabricBuffers
 from loomlight.realtime.slangc import SHADERS
@@ -58,7 +58,7 @@ def baked() -> Baked:
     look = appearance(np.random.default_rng(5), layout, False, False)
     buffers = FabricBuffers(default_adapter(), [(layout, look)], groups=GROUPS)
     tables = bake_tables(YarnGeometry(layout), look.diffuse_blend, GROUPS, llvm_float())
-    by_python = pack_fabrics([(layout, look)], lobes=[tables])
+    by_python = pack_fabrics([(layout, look)], None, [tables])
     return Baked(layout, look, read(buffers, by_python), by_python, plan_bake(layout, GROUPS))
 
 
@@ -153,7 +153,7 @@ def test_kernels_bind_few_buffers() -> None:
 
 
 def test_every_kernel_is_in_the_sequence() -> None:
-    built = {(module, entry) for module in WGSL_ONLY for entry in ENTRIES[module]}
+    built = {(module, entry) for module, entries in BAKE_ENTRIES.items() for entry in entries}
     assert built == {(dispatch.module, dispatch.entry) for dispatch in DISPATCHES}
 
 

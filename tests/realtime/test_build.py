@@ -13,21 +13,22 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from loomlight.realtime.build import ENTRIES, TARGETS, generated_files, generated_slang
+from loomlight.realtime.build import (
+    COOPERATIVE_LIBRARY,
+    HOST_ENTRIES,
+    TARGETS,
+    generated_files,
+    generated_slang,
+    library_entries,
+    stored_files,
+)
 from loomlight.realtime.constants import number_text
 from loomlight.realtime.device import default_adapter
 from loomlight.realtime.slangc import SHADERS
 
-# Kernels of the bake lie in one file a module, as WGSL alone.
-STAGES = {
-    entry: stage
-    for module, entries in ENTRIES.items()
-    if not module.startswith("bake_")
-    for entry, stage in entries.items()
-}
-GLSLANG_STAGES = {"compute": "comp", "vertex": "vert", "fragment": "frag"}
-# In the header of SPIR-V and as the language of OpSource: older validators do not know Slang's number.
-OP_SOURCE, SLANG = 3, 11
+# Kernels of libraries, in every language; frames are WGSL alone.
+LIBRARIES = tuple(library_entries().values())
+WGSL = (*LIBRARIES, *(entry for stages in HOST_ENTRIES.values() for entry in stages))
 COOPERATIVE_MULTIPLY_ADD = 5292  # OpCooperativeVectorMatrixMulAddNV
 
 
@@ -38,13 +39,8 @@ def test_generated_slang_is_in_step() -> None:
 def test_generated_shaders_are_in_step() -> None:
     """Run `python -m loomlight.realtime.build` after edits of Slang, or of what is generated."""
     generated = generated_files()
-    stored = {
-        path.relative_to(SHADERS): path.read_bytes()
-        for target in TARGETS
-        for path in (SHADERS / target.name).iterdir()
-    }
-    assert sorted(stored) == sorted(generated)
-    assert [path for path in stored if stored[path] != generated[path]] == []
+    assert sorted(stored_files()) == sorted(generated)
+    assert [path for path in generated if (SHADERS / path).read_bytes() != generated[path]] == []
 
 
 def test_generated_text_names_no_file_of_a_machine() -> None:
@@ -66,49 +62,41 @@ def run(*command: str | Path) -> None:
     assert done.returncode == 0, done.stdout + done.stderr
 
 
-@pytest.mark.parametrize("entry", STAGES)
+@pytest.mark.parametrize("entry", LIBRARIES)
 def test_glslang_compiles_glsl(entry: str, tmp_path: Path) -> None:
-    stage = GLSLANG_STAGES[STAGES[entry]]
     source = SHADERS / "glsl" / f"{entry}.glsl"
-    run("glslangValidator", "-V", "-S", stage, "-o", tmp_path / "out.spv", source)
+    run("glslangValidator", "-V", "-S", "comp", "-o", tmp_path / "out.spv", source)
 
 
-@pytest.mark.parametrize("entry", STAGES)
+@pytest.mark.parametrize("entry", LIBRARIES)
 def test_glslang_compiles_hlsl(entry: str, tmp_path: Path) -> None:
-    stage = GLSLANG_STAGES[STAGES[entry]]
     source = SHADERS / "hlsl" / f"{entry}.hlsl"
-    run("glslangValidator", "-D", "-V", "-S", stage, "-e", entry, "-o", tmp_path / "out.spv", source)
+    run("glslangValidator", "-D", "-V", "-S", "comp", "-e", entry, "-o", tmp_path / "out.spv", source)
 
 
-@pytest.mark.parametrize("entry", STAGES)
+@pytest.mark.parametrize("entry", LIBRARIES)
 def test_spirv_is_valid(entry: str, tmp_path: Path) -> None:
-    words = np.fromfile(SHADERS / "spirv" / f"{entry}.spv", np.uint32)
-    at = 5  # behind the header
-    while at < words.size:
-        if words[at] & 0xFFFF == OP_SOURCE and words[at + 1] == SLANG:
-            words[at + 1] = 0  # unknown
-        at += int(words[at] >> 16)
-    words.tofile(tmp_path / "shader.spv")
-    run("spirv-val", "--target-env", "vulkan1.1", tmp_path / "shader.spv")
+    run("spirv-val", "--target-env", "vulkan1.1", SHADERS / "spirv" / f"{entry}.spv")
 
 
 def test_cooperative_variants_use_cooperative_vectors() -> None:
     """Debian's validator is older than the extension: `docs/notes/realtime.md` says what checked them."""
-    words = np.fromfile(SHADERS / "spirv" / "shade_woven_cooperative.spv", np.uint32)
+    name = f"{COOPERATIVE_LIBRARY}_queries_cooperative"
+    words = np.fromfile(SHADERS / "spirv" / f"{name}.spv", np.uint32)
     found, at = set(), 5
     while at < words.size:
         found.add(int(words[at] & 0xFFFF))
         at += int(words[at] >> 16)
     assert COOPERATIVE_MULTIPLY_ADD in found
-    hlsl = (SHADERS / "hlsl" / "shade_woven_cooperative.hlsl").read_text(encoding="utf-8")
+    hlsl = (SHADERS / "hlsl" / f"{name}.hlsl").read_text(encoding="utf-8")
     assert "dx/linalg.h" in hlsl
     # None is required: the ordinary shaders know nothing of them.
-    for path in SHADERS.glob("*/shade_*"):
-        if path.suffix not in (".spv", ".cu") and "cooperative" not in path.name:
+    for path in SHADERS.glob("*/*_queries.*"):
+        if path.suffix not in (".spv", ".cu"):
             assert "linalg" not in path.read_text(encoding="utf-8"), path
 
 
-@pytest.mark.parametrize("entry", STAGES)
+@pytest.mark.parametrize("entry", WGSL)
 def test_naga_compiles_wgsl(entry: str) -> None:
     code = (SHADERS / "wgsl" / f"{entry}.wgsl").read_text(encoding="utf-8")
     assert default_adapter().device.create_shader_module(code=code) is not None

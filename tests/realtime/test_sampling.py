@@ -151,7 +151,7 @@ def test_lobes_are_drawn_with_their_density() -> None:
 
 def test_sampling_of_woven() -> None:
     """Hole and albedos are given: parity of the network has tests of its own."""
-    model = WovenModel.for_source(fabric_from_text(OPEN), refined=False)
+    model = WovenModel.for_source(fabric_from_text(OPEN), refined=False, sampler="lobes")
     rng = np.random.default_rng(4)
     at = places(rng, model.fabric.layout(), COUNT)
     light, view = directions(rng, COUNT), directions(rng, COUNT)

@@ -115,8 +115,8 @@ def test_a_frame_shades_the_footprints_of_its_pixels() -> None:
 def test_fabrics_share_a_network() -> None:
     model = woven_of("open")
     looks = (model.fabric.layout(), model.fabric.appearance())
-    alone = pack_fabrics([looks], woven=[model])
-    both = pack_fabrics([looks, looks], woven=[model, model])
+    alone = pack_fabrics([looks], None, [model])
+    both = pack_fabrics([looks, looks], None, [model, model])
     first, second = both.fabrics["woven"]
     assert first["network"] == second["network"] == 0
     assert second["latents"] > first["latents"]
@@ -130,4 +130,4 @@ def test_a_network_of_another_shape_is_one_sentence() -> None:
     table = shipped_weights().table.model_copy(update={"hidden": 32})
     model.weights = replace(model.weights, table=table, source="mine.safetensors")
     with pytest.raises(InputError, match=r"^mine.safetensors: real-time shaders are compiled for networks"):
-        pack_fabrics([(model.fabric.layout(), model.fabric.appearance())], woven=[model])
+        pack_fabrics([(model.fabric.layout(), model.fabric.appearance())], None, [model])

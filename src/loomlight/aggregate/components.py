@@ -106,7 +106,9 @@ def lobes(
     blend = types.Float(appearance.diffuse_blend)
     is_transmission = types.Bool(facing.z < 0)
     # Diffuse transmission is diffuse reflection of the opposite direction.
-    diffuse = diffuse_reflection(dr.select(is_transmission, -facing, facing), point.normal, blend)
+    diffuse = point.diffuse(
+        diffuse_reflection(dr.select(is_transmission, -facing, facing), point.normal, blend)
+    )
     if transmits is None:
         specular = dr.select(
             is_transmission,

@@ -21,8 +21,9 @@ crossing has 5000 units in a draft of 641 by 641 threads, 128 in one of 4096 by 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from copy import copy
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Self
 
 import drjit as dr
 import numpy as np
@@ -32,6 +33,7 @@ from loomlight.core.arrays import Float, Mask, UInt, Vec2
 from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum, upload
 from loomlight.core.footprint import Footprint
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
+from loomlight.scattering.interreflection import Interreflection
 from loomlight.scattering.point import Albedos
 from loomlight.yarn.families import Cell, upload_family
 from loomlight.yarn.geometry import YarnGeometry
@@ -78,6 +80,16 @@ class FootprintAlbedos:
         )
         self._families = (warp, weft)
         self._uploaded: dict[type, _Uploaded] = {}
+        self.appearance = appearance
+        self._between: dict[type, Interreflection] = {}
+
+    def with_openness(self, appearance: Appearance) -> Self:
+        """These means, with roughness and openness of an edited fabric for light between yarns."""
+        edited = copy(self)
+        edited.appearance, edited._between = appearance, {}
+        # Tables are shared; what is uploaded beside them is not.
+        edited._uploaded = {}
+        return edited
 
     @property
     def varied(self) -> bool:
@@ -108,6 +120,18 @@ class FootprintAlbedos:
         """Uploads the tables to a backend, which otherwise happens at first use."""
         if types.Float not in self._uploaded:
             self._uploaded[types.Float] = _Uploaded(self._families, self._tables, types)
+            if self.appearance.openness is not None:
+                self._between[types.Float] = Interreflection(self.appearance.openness, types)
+
+    def of_cloth(self, types: ArrayTypes) -> tuple[Albedos, Albedos]:
+        """Mean albedos of (warp, weft) over all threads."""
+        self.upload(types)
+        return self._uploaded[types.Float].means
+
+    def between_yarns(self, types: ArrayTypes) -> Interreflection | None:
+        """Light between yarns on one backend; None without."""
+        self.upload(types)
+        return self._between.get(types.Float)
 
 
 @dataclass(frozen=True, eq=False)
@@ -278,6 +302,11 @@ class _Uploaded:
     ) -> None:
         self._axes = tuple(_Axis(family, types) for family in families)
         self._colours = tuple(_Colours(table, types) for table in tables)
+
+    @property
+    def means(self) -> tuple[Albedos, Albedos]:
+        warp, weft = self._colours
+        return warp.uniform, weft.uniform
 
     def over(self, footprint: Footprint, back: Mask) -> tuple[Albedos, Albedos]:
         warp, weft = self._colours

@@ -187,7 +187,8 @@ def _probe(model: PointModel, *numbers: int) -> PointModel:
                 term = "diffuse" if component < 2 else "specular"
                 tables[f"{term}_reflect"][:, channel] = 1
                 tables[f"{term}_transmit"][:, channel] = 1
-        return FamilyAppearance(**tables, roughness=old.roughness)
+        reflect, transmit, specular, specular_transmit = tables.values()
+        return FamilyAppearance(reflect, transmit, specular, specular_transmit, old.roughness)
 
     old = model.appearance
     appearance = Appearance(

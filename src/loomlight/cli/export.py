@@ -23,7 +23,12 @@ def export(
     output: Annotated[
         Path, typer.Option("--output", "-o", help="The folder to write: new, or of an export.")
     ],
-    model: Annotated[str | None, typer.Option(help="lobes (default) or point; woven for onnx.")] = None,
+    model: Annotated[
+        str | None,
+        typer.Option(
+            help="lobes, point, woven, clustered, neumip or latent; by default that of the .loom, else lobes."
+        ),
+    ] = None,
     distance: Annotated[
         float | None,
         typer.Option(help="Metres from which textures of gltf and materialx are seen; by default close."),

@@ -24,6 +24,7 @@ from loomlight.cli import (
     reproduce,
     swatches,
     train,
+    view,
     weave,
 )
 from loomlight.cli.help import ListsModels, WholeSentences
@@ -63,6 +64,7 @@ app.add_typer(data.app, name="data")
 app.command("render", cls=ListsModels, epilog=render.EXAMPLE)(render.render)
 app.command("swatches", cls=ListsModels, epilog=swatches.EXAMPLE)(swatches.swatches)
 app.command("play", epilog=play.EXAMPLE)(play.play)
+app.command("view", epilog=view.EXAMPLE)(view.view)
 app.command("compare", cls=ListsModels, epilog=compare.EXAMPLE)(compare.compare)
 app.command("reproduce", epilog=reproduce.EXAMPLE)(reproduce.reproduce)
 app.command("demo", epilog=demo.EXAMPLE)(demo.demo)

@@ -11,7 +11,7 @@ import typer
 
 from loomlight.cli.outputs import check_output, done
 from loomlight.cli.values import parse_size, require_within
-from loomlight.core.errors import InputError, MissingDependencyError
+from loomlight.core.errors import MissingDependencyError
 
 if TYPE_CHECKING:
     from loomlight.realtime.viewer import Viewer
@@ -33,7 +33,12 @@ def play(
         Path | None, typer.Option(help="An .obj, .ply, .gltf or .glb file to clothe instead; it needs uv.")
     ] = None,
     metres_per_unit: Annotated[float, typer.Option(help="Length of one unit of the mesh, metres.")] = 1.0,
-    model: Annotated[str, typer.Option(help="lobes or point; the key m changes it.")] = "lobes",
+    model: Annotated[
+        str | None,
+        typer.Option(
+            help="lobes, point, woven, clustered, neumip or latent; by default that of the .loom, else lobes."
+        ),
+    ] = None,
     environment: Annotated[
         Path | None, typer.Option("--env", help="A latitude-longitude picture: .exr, .hdr, .png or .jpg.")
     ] = None,
@@ -78,33 +83,30 @@ def _viewer(
     scene: str,
     mesh: Path | None,
     metres_per_unit: float,
-    model: str,
+    model: str | None,
     environment: Path | None,
     environment_turn: float,
     size: tuple[int, int],
     zoom: float,
     exposure: float,
 ) -> Viewer:
-    from loomlight.fabric.fabric import Fabric
     from loomlight.mitsuba.camera import framing
     from loomlight.mitsuba.lights import studio_radiance
     from loomlight.mitsuba.meshes import uv_size
     from loomlight.mitsuba.scenes import built_in_cloth
     from loomlight.mitsuba.variants import choose_variant
-    from loomlight.models.registry import REFERENCE_MODEL, model_of
     from loomlight.realtime import Cloth, DirectionalLight, Environment, Mesh, Renderer
+    from loomlight.realtime.models import material_of, models_of
     from loomlight.realtime.orbit import Orbit
     from loomlight.realtime.viewer import Lighting, Viewer
 
     choose_variant(None)
-    source = model_of(fabric, REFERENCE_MODEL).source
-    if not isinstance(source, Fabric):
-        raise InputError(f"{fabric} is no fabric: real time shows fabrics alone.")
+    material = material_of(fabric)
     cloth, towards_camera, towards_light = built_in_cloth(scene, mesh)
     cloth = cloth.scaled(metres_per_unit if mesh is not None else 1.0)
     piece = Cloth(
         Mesh(cloth.positions, cloth.normals, cloth.uv, cloth.triangles.astype("uint32")),
-        source,
+        material,
         uv_size(cloth),
     )
     towards = towards_light / (towards_light @ towards_light) ** 0.5
@@ -120,7 +122,8 @@ def _viewer(
     renderer = Renderer([piece], size, model)
     view = framing(cloth.positions, towards_camera, size)
     orbit = Orbit.between(view.origin, view.target)
-    return Viewer(renderer, orbit.closer_by(zoom), lightings, exposure=exposure)
+    models = models_of(material)
+    return Viewer(renderer, orbit.closer_by(zoom), lightings, models, exposure)
 
 
 def _write(viewer: Viewer, output: Path, passes: int, exposure: float) -> None:

@@ -1,33 +1,28 @@
-"""A fabric's buffers as files, and their description."""
+"""Buffers of a material as files, and their description."""
 
 from __future__ import annotations
 
 from pathlib import Path
 from typing import Any
 
-from loomlight.export.kernels import size_of
-from loomlight.fabric.fabric import Fabric
-from loomlight.models.lobes.model import DEFAULT_GROUPS, tables_of
-from loomlight.realtime.layout import BUFFERS, QUERY, RECORDS, Fields
+from loomlight.export.kernels import library_records, size_of
+from loomlight.realtime.layout import BUFFERS, RECORDS, Fields
+from loomlight.realtime.models import REALTIME_MODELS, Material, look_of, prepared_for
 from loomlight.realtime.tables import pack_fabrics
 
-# Buffers that `cloth_value` reads; their binding is their place in `layout.BUFFERS`.
-LIBRARY_BUFFERS = ("fabrics", "families", "words")
 
-
-def write_buffers(folder: Path, fabric: Fabric, model: str) -> list[dict[str, Any]]:
-    """Writes fabrics.bin, families.bin and words.bin, little-endian, and returns their description.
+def write_buffers(
+    folder: Path, material: Material, model: str, repeat_mm: tuple[float, float]
+) -> list[dict[str, Any]]:
+    """Writes a file NAME.bin, little-endian, of each buffer of a library, and returns their description.
 
     Raises:
-        InputError: the model does not take the fabric.
+        InputError: the model does not take the material.
     """
-    baked = tables_of(fabric, DEFAULT_GROUPS) if model == "lobes" else None
-    layout = fabric.layout()
-    width, height = layout.size
-    packed = pack_fabrics([(layout, fabric.appearance())], [(float(width), float(height))], [baked])
+    packed = pack_fabrics([look_of(material, model)], [repeat_mm], [prepared_for(material, model)])
     described = []
     for binding, (name, (kind, _)) in enumerate(BUFFERS.items()):
-        if name in LIBRARY_BUFFERS:
+        if name in REALTIME_MODELS[model].buffers:
             content = packed.buffers()[name].tobytes()
             (folder / f"{name}.bin").write_bytes(content)
             described.append(
@@ -45,8 +40,7 @@ def write_buffers(folder: Path, fabric: Fabric, model: str) -> list[dict[str, An
 
 def described_records() -> dict[str, Any]:
     """Fields of every record: name, type, offset in bytes, meaning."""
-    names = ("Fabric", "Lobes", "Woven", "Neumip", "Family")
-    return {name: _described(RECORDS[name]) for name in names} | {"Query": _described(QUERY)}
+    return {name: _described(RECORDS[name]) for name in library_records()}
 
 
 def _described(fields: Fields) -> list[dict[str, Any]]:

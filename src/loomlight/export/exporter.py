@@ -7,17 +7,24 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from loomlight.assets.load import fabric_of_path
 from loomlight.core.errors import InputError
 from loomlight.export.folder import replacing_folder, write_manifest
 from loomlight.export.materials import write_gltf, write_materialx
 from loomlight.export.network import write_onnx
 from loomlight.export.shaders import write_shaders
 from loomlight.fabric.fabric import Fabric
+from loomlight.realtime.models import (
+    REALTIME_MODELS,
+    Material,
+    default_model_of,
+    fabric_for,
+    material_of,
+    source_of,
+)
 
-# Writes files of a fabric and a model into a folder; returns what the manifest says of them.
+# Writes files of a material and a model into a folder; returns what the manifest says of them.
 # The last argument is the distance in metres, None for close views, where a target has one.
-Writer = Callable[[Path, Fabric, str, float | None], dict[str, object]]
+Writer = Callable[[Path, Material, str, float | None], dict[str, object]]
 
 
 @dataclass(frozen=True)
@@ -38,7 +45,14 @@ class ExportTarget:
 
 
 def _shader(language: str) -> Writer:
-    return lambda folder, fabric, model, _: write_shaders(folder, fabric, model, language)
+    return lambda folder, material, model, _: write_shaders(folder, material, model, language)
+
+
+def _of_fabric(write: Callable[[Path, Fabric, str, float | None], dict[str, object]]) -> Writer:
+    """A writer that takes fabrics alone."""
+    return lambda folder, material, model, distance: write(
+        folder, fabric_for(material, model), model, distance
+    )
 
 
 _LANGUAGES = {
@@ -51,16 +65,20 @@ _LANGUAGES = {
     "cuda": "CUDA C++",
 }
 TARGETS: dict[str, ExportTarget] = {
-    name: ExportTarget(summary, ("lobes", "point"), _shader(name)) for name, summary in _LANGUAGES.items()
+    name: ExportTarget(summary, tuple(REALTIME_MODELS), _shader(name)) for name, summary in _LANGUAGES.items()
 } | {
-    "onnx": ExportTarget("the network's decoder, and latents", ("woven",), write_onnx),
-    "gltf": ExportTarget("a glTF file with textures, for any viewer", ("lobes",), write_gltf, True),
-    "materialx": ExportTarget("MaterialX with OpenPBR, and textures", ("lobes",), write_materialx, True),
+    "onnx": ExportTarget("the network's decoder, and latents", ("woven",), _of_fabric(write_onnx)),
+    "gltf": ExportTarget(
+        "a glTF file with textures, for any viewer", ("lobes",), _of_fabric(write_gltf), True
+    ),
+    "materialx": ExportTarget(
+        "MaterialX with OpenPBR, and textures", ("lobes",), _of_fabric(write_materialx), True
+    ),
 }
 
 
 def export(
-    fabric: Fabric | str | os.PathLike[str],
+    fabric: Material | str | os.PathLike[str],
     to: str,
     folder: str | os.PathLike[str],
     model: str | None = None,
@@ -69,9 +87,11 @@ def export(
     """Writes a fabric for another program into a folder, which is new, empty, or holds an earlier export.
 
     Args:
-        fabric: a fabric, or an argument of `fabric_of_path`.
+        fabric: a fabric, a model that is made already, or a path: a fabric file, a draft, a `.loom`, the name
+            of a weave.
         to: a name of `TARGETS`.
-        model: by default the first that the target takes.
+        model: by default the one that a `.loom` holds where the target takes it, else the first that it
+            takes.
         distance: metres from which textures are seen, 0.01 to 1000; None for close views. Shader code and
             networks serve every distance.
 
@@ -79,21 +99,23 @@ def export(
         The folder.
 
     Raises:
-        InputError: an unknown target, a model that it does not take, or a folder that cannot be written.
+        InputError: an unknown target, a model that it does not take or that does not take the material, or a
+            folder that cannot be written.
         MissingDependencyError: a package that the target needs is missing.
     """
     if to not in TARGETS:
         raise InputError(f'--to "{to}" is unknown: use one of {", ".join(TARGETS)}.')
     target = TARGETS[to]
-    chosen = target.models[0] if model is None else model
-    if chosen not in target.models:
-        raise InputError(f'--to {to} does not take the model "{chosen}": use {" or ".join(target.models)}.')
+    if model is not None and model not in target.models:
+        raise InputError(f'--to {to} does not take the model "{model}": use {" or ".join(target.models)}.')
     if distance is not None and not target.has_distance:
         raise InputError(f"--to {to} serves every distance: leave out --distance.")
     if distance is not None and not 0.01 <= distance <= 1000:
         raise InputError(f"--distance {distance:g} is out of range: write metres from 0.01 to 1000.")
     with replacing_folder(folder) as temporary:
-        cloth = fabric if isinstance(fabric, Fabric) else fabric_of_path(fabric)
-        facts: dict[str, object] = {"fabric": cloth.name, "model": chosen, "target": to}
-        write_manifest(temporary, facts | target.write(temporary, cloth, chosen, distance))
+        material = material_of(fabric)
+        own = default_model_of(material)
+        chosen = model or (own if own in target.models else target.models[0])
+        facts: dict[str, object] = {"fabric": source_of(material).name, "model": chosen, "target": to}
+        write_manifest(temporary, facts | target.write(temporary, material, chosen, distance))
     return Path(folder)

@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from loomlight.realtime.models import REALTIME_MODELS
+
 _PAGE = Path(__file__).parent / "languages" / "instructions.md"
 # How each language is used, a sentence or two.
 _USE = {
@@ -20,9 +22,9 @@ _USE = {
     "set 1 holds its queries (binding 0, records `Query` of `cloth.h`), their number (binding 1, one uint) "
     "and four floats for each answer (binding 2).",
     "metal": '`#include "cloth.metal"`; `cloth_value` takes a `ClothBuffers` as its last argument, '
-    "which holds the pointers to the three buffers.",
+    "which holds the pointers to the buffers.",
     "cuda": '`#include "cloth.cu"` in one `.cu` file; call `cloth_bind` of `cloth_queries.cu` once '
-    "with pointers to the three buffers on the device. `nvcc -c cloth_queries.cu` compiles the kernel.",
+    "with pointers to the buffers on the device. `nvcc -c cloth_queries.cu` compiles the kernel.",
 }
 _BINDING = {
     "slang": "`[[vk::binding({n}, 0)]]`",
@@ -41,10 +43,6 @@ _SIGNATURE = {
     "glsl": "vec4 cloth_value(uint fabric, vec2 centre, vec2 dx, vec2 dy, vec3 light, vec3 view)",
     "metal": "float4 cloth_value(uint fabric, float2 centre, float2 dx, float2 dy, "
     "float3 light, float3 view, ClothBuffers thread* buffers)",
-}
-_MODELS = {
-    "lobes": "the mean over the footprint of a pixel: one call a pixel and light",
-    "point": "one point of the cloth, `centre`; average several centres a pixel",
 }
 
 
@@ -76,23 +74,14 @@ def shader_instructions(
         use=use,
         files=files,
         signature=_SIGNATURE.get(language, _SIGNATURE["slang"]),
-        computes=_MODELS[model],
+        computes=REALTIME_MODELS[model].computes,
         width=width,
         height=height,
         rows="\n".join(rows),
-        cost=_COSTS[model],
+        cost=REALTIME_MODELS[model].cost,
     )
 
 
 def _element(buffer: dict[str, Any]) -> str:
     kind = buffer["element"]
     return "32-bit words" if kind == "uint" else f"`{kind}`, {buffer['stride']} bytes"
-
-
-# Counted by benchmarks/realtime.py: denim and silk satin, one light.
-_COSTS = {
-    "lobes": "About 5,000 floating-point operations a pixel and light far away and close by, 13,000 where a "
-    "pixel is about half a thread. Far away 60 frames a second of 1920 × 1080 take 0.7 TFLOP/s; the tables "
-    "stay in the caches.",
-    "point": "About 1,800 floating-point operations for each point of a pixel and light.",
-}

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from loomlight.realtime.layout import QUERY, RECORDS, Fields
+from collections.abc import Callable, Sequence
+
+from loomlight.realtime.layout import BUFFERS, QUERY, RECORDS, Fields
 
 _WGSL_TYPES = {"float": "f32", "uint": "u32"}
 # Arguments of `cloth_value` from a query, with two and three numbers a vector.
@@ -32,7 +34,8 @@ def _wgsl_struct(name: str, fields: Fields) -> str:
     return "\n".join([f"struct {name}", "{", *lines, "}", ""])
 
 
-def _wgsl() -> str:
+def _wgsl(buffers: Sequence[str]) -> str:
+    del buffers  # they are declared in the library
     return f"""// To be put behind cloth.wgsl.
 // An answer (red, green, blue, share that passes through) for each query.
 {_wgsl_struct("Query", QUERY)}
@@ -50,7 +53,8 @@ fn cloth_queries(@builtin(global_invocation_id) id: vec3<u32>)
 """
 
 
-def _hlsl() -> str:
+def _hlsl(buffers: Sequence[str]) -> str:
+    del buffers  # they are declared in the library
     return f"""// An answer (red, green, blue, share that passes through) for each query.
 #include "cloth.hlsl"
 
@@ -72,7 +76,8 @@ void cloth_queries(uint3 id : SV_DispatchThreadID)
 """
 
 
-def _glsl() -> str:
+def _glsl(buffers: Sequence[str]) -> str:
+    del buffers  # they are declared in the library
     return f"""#version 450
 #extension GL_GOOGLE_include_directive : require
 // An answer (red, green, blue, share that passes through) for each query.
@@ -94,22 +99,22 @@ void main()
 """
 
 
-def _metal() -> str:
+def _metal(buffers: Sequence[str]) -> str:
+    parameters = [f"device {_element(name, 'metal')}* {name}" for name in buffers]
+    parameters += ["device const Query* queries", "constant uint& count", "device float4* answers"]
+    bound = [f"{parameter} [[buffer({n})]]" for n, parameter in enumerate(parameters)]
+    lines = (",\n" + " " * 26).join([*bound, "uint id [[thread_position_in_grid]]"])
+    assignments = "\n".join(f"    buffers.{name} = {name};" for name in buffers)
     return f"""// An answer (red, green, blue, share that passes through) for each query.
 #include "cloth.metal"
 
 {c_struct("Query", QUERY)}
-kernel void cloth_queries(device Fabric_0* fabrics [[buffer(0)]], device Family_0* families [[buffer(1)]],
-                          device uint* words [[buffer(2)]], device const Query* queries [[buffer(3)]],
-                          constant uint& count [[buffer(4)]], device float4* answers [[buffer(5)]],
-                          uint id [[thread_position_in_grid]])
+kernel void cloth_queries({lines})
 {{
     if (id >= count)
         return;
     thread ClothBuffers buffers;
-    buffers.fabrics = fabrics;
-    buffers.families = families;
-    buffers.words = words;
+{assignments}
     Query query = queries[id];
     answers[id] = cloth_value(
         {_arguments("float2", "float3")},
@@ -118,7 +123,9 @@ kernel void cloth_queries(device Fabric_0* fabrics [[buffer(0)]], device Family_
 """
 
 
-def _cuda() -> str:
+def _cuda(buffers: Sequence[str]) -> str:
+    parameters = ", ".join(f"{_element(name, 'cuda')}* {name}" for name in buffers)
+    assignments = "\n".join(f"    buffers.{name}.data = {name};" for name in buffers)
     return f"""// An answer (red, green, blue, share that passes through) for each query.
 #include "cloth.cu"
 
@@ -133,13 +140,11 @@ extern "C" __global__ void cloth_queries(const Query* queries, uint count, float
         {_arguments("make_float2", "make_float3")});
 }}
 
-// Host: pointers to copies of fabrics.bin, families.bin and words.bin on the device, before the first launch.
-extern "C" cudaError_t cloth_bind(Fabric_0* fabrics, Family_0* families, uint* words)
+// Host: pointers to copies of the files .bin of these names on the device, before the first launch.
+extern "C" cudaError_t cloth_bind({parameters})
 {{
     ClothBuffers buffers = {{}};
-    buffers.fabrics.data = fabrics;
-    buffers.families.data = families;
-    buffers.words.data = words;
+{assignments}
     return cudaMemcpyToSymbol(cloth_buffers, &buffers, sizeof buffers);
 }}
 
@@ -151,7 +156,28 @@ extern "C" cudaError_t cloth_launch(const Query* queries, uint count, float4* an
 """
 
 
-KERNELS = {"wgsl": _wgsl, "hlsl": _hlsl, "glsl": _glsl, "metal": _metal, "cuda": _cuda}
+def _element(buffer: str, language: str) -> str:
+    """The type of a buffer's elements in a library."""
+    kind = BUFFERS[buffer][0]
+    if kind in RECORDS:
+        return f"{kind}_0"
+    return f"packed_{kind}" if language == "metal" and kind == "uint4" else kind
+
+
+# From the buffers that the library reads to the text.
+KERNELS: dict[str, Callable[[Sequence[str]], str]] = {
+    "wgsl": _wgsl,
+    "hlsl": _hlsl,
+    "glsl": _glsl,
+    "metal": _metal,
+    "cuda": _cuda,
+}
+
+
+def library_records() -> tuple[str, ...]:
+    """Names of the records that libraries read, nested ones before those that hold them."""
+    nested = [kind for _, kind, _ in RECORDS["Fabric"] if kind in RECORDS]
+    return (*nested, "Fabric", "Family", "Query")
 
 
 def c_header() -> str:
@@ -170,7 +196,7 @@ def c_header() -> str:
         "#endif",
         "",
     ]
-    for record in ("Lobes", "Woven", "Neumip", "Fabric", "Family", "Query"):
+    for record in library_records():
         name = f"Cloth{record}"
         lines += [f"typedef struct {name}", "{"]
         offset = 0
@@ -185,5 +211,7 @@ def c_header() -> str:
 
 
 def size_of(kind: str) -> int:
-    """Bytes of a field's type: four, or those of a record."""
-    return sum(size_of(part) for _, part, _ in RECORDS[kind]) if kind in RECORDS else 4
+    """Bytes of an element: four a number, or those of a record."""
+    if kind in RECORDS:
+        return sum(size_of(part) for _, part, _ in RECORDS[kind])
+    return 16 if kind.endswith("4") else 4

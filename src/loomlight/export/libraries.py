@@ -14,7 +14,7 @@ from loomlight.core.errors import LoomlightError
 from loomlight.realtime.slangc import SHADERS
 
 # What an engine calls and binds.
-_PUBLIC = ("cloth_value", "fabrics", "families", "words")
+_PUBLIC = ("cloth_value", "fabrics", "families", "words", "packed_numbers")
 _QUERY_BUFFERS = "queries|query_count|answers"
 
 
@@ -70,8 +70,8 @@ LANGUAGES = {
         "cu",
         r'extern "C" __global__',
         (
-            # Of all global buffers the library reads three.
-            r"    (?:RW)?StructuredBuffer<[^;]*> (?!fabrics_|families_|words_)\w+;\n",
+            # Of all global buffers a library reads four at most.
+            r"    (?:RW)?StructuredBuffer<[^;]*> (?!fabrics_|families_|words_|packed_numbers_)\w+;\n",
             r"    CUtexObject \w+;\n",
             r"#include <slang-cuda-prelude.h>\n",
             r"__device__ Query_\d+ slang_ldg_\d+\(Query_\d+ \* \w+\)\n\{.*?\n\}\n+",

@@ -10,19 +10,22 @@ from loomlight.export.buffers import described_records, write_buffers
 from loomlight.export.instructions import shader_instructions
 from loomlight.export.kernels import KERNELS, c_header
 from loomlight.export.libraries import LANGUAGES, library
-from loomlight.fabric.fabric import Fabric
+from loomlight.realtime.models import REALTIME_MODELS, Material, source_of
 from loomlight.realtime.slangc import SHADERS
 
 _OWN = Path(__file__).parent / "languages"
 _IMPORT = re.compile(r"^import (\w+);", re.MULTILINE)
 
 
-def write_shaders(folder: Path, fabric: Fabric, model: str, language: str) -> dict[str, object]:
+def write_shaders(folder: Path, material: Material, model: str, language: str) -> dict[str, object]:
     """Writes the files of a shader language and returns what the manifest says of them.
 
     Args:
-        model: lobes or point.
+        model: a name of `REALTIME_MODELS`.
         language: slang, spirv, or a name of `LANGUAGES`.
+
+    Raises:
+        InputError: the model does not take the material.
     """
     from loomlight.core.llvm import require_llvm
 
@@ -35,11 +38,12 @@ def write_shaders(folder: Path, fabric: Fabric, model: str, language: str) -> di
     else:
         code = _write_text(folder, model, language)
     (folder / "cloth.h").write_text(c_header(), encoding="utf-8")
-    buffers = write_buffers(folder, fabric, model)
-    width, height = fabric.layout().size
+    source = source_of(material)
+    width, height = source.repeat_mm
     repeat = (float(width), float(height))
+    buffers = write_buffers(folder, material, model, repeat)
     (folder / "README.md").write_text(
-        shader_instructions(fabric.name, model, language, code, buffers, repeat), encoding="utf-8"
+        shader_instructions(source.name, model, language, code, buffers, repeat), encoding="utf-8"
     )
     return {
         "code": code,
@@ -58,7 +62,7 @@ def _write_text(folder: Path, model: str, language: str) -> list[str]:
         text = '#include "cloth_prelude.h"\n' + text
         names.append("cloth_prelude.h")
     (folder / names[0]).write_text(text, encoding="utf-8")
-    (folder / names[1]).write_text(KERNELS[language](), encoding="utf-8")
+    (folder / names[1]).write_text(KERNELS[language](REALTIME_MODELS[model].buffers), encoding="utf-8")
     if language == "wgsl":
         names += ["sample.wgsl", "sample.py"]
     for name in names[2:]:

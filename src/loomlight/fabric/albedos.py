@@ -6,28 +6,39 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.colour import parse_colour
+from loomlight.fabric.authored_colour import colour_for
 from loomlight.fabric.defaults import ROUGHNESS, SPECULAR, TRANSLUCENCY
 from loomlight.fabric.file import YarnTable
 from loomlight.scattering.albedo import Albedos, albedos_from_colour, check_albedos
 from loomlight.scattering.appearance import FamilyAppearance
+from loomlight.scattering.openness import Openness
 
 
 def family_appearance(
-    table: YarnTable, name: str, colours: NDArray[np.float64], optical_depth: float
+    table: YarnTable,
+    name: str,
+    colours: NDArray[np.float64],
+    optical_depth: float,
+    shown_by: tuple[Openness, int] | None = None,
 ) -> FamilyAppearance:
     """Appearance of threads of linear RGB `colours` [n, 3] in family `name` ("warp" or "weft").
 
     A tint only takes from the highlight, so it keeps the energy bound.
 
+    Args:
+        shown_by: the cloth's openness and the number of the family, by which colours are those that cloth
+            shows (`authored_colour.py`); None makes albedos of the colours as they are.
+
     Raises:
         InputError: explicit albedos that together send back more light than arrives.
     """
-    albedos = albedos_from_colour(
-        colours,
-        SPECULAR if table.specular is None else table.specular,
-        TRANSLUCENCY if table.translucency is None else table.translucency,
-        optical_depth,
-    )
+    specular = SPECULAR if table.specular is None else table.specular
+    translucency = TRANSLUCENCY if table.translucency is None else table.translucency
+    roughness = ROUGHNESS if table.roughness is None else table.roughness
+    if shown_by is not None:
+        openness, number = shown_by
+        colours = colour_for(colours, specular, translucency, openness, number, roughness, optical_depth)
+    albedos = albedos_from_colour(colours, specular, translucency, optical_depth)
     if table.specular_tint is not None:
         tint = parse_colour(table.specular_tint, f"{name}.specular_tint")
         albedos = albedos._replace(
@@ -36,7 +47,6 @@ def family_appearance(
         )
     albedos = _with_explicit(albedos, table, name)
     check_albedos(albedos, name, optical_depth)
-    roughness = ROUGHNESS if table.roughness is None else table.roughness
     return FamilyAppearance(**albedos._asdict(), roughness=roughness)
 
 

@@ -17,6 +17,8 @@ SPECULAR = 0.4
 TRANSLUCENCY = 0.1
 ROUGHNESS = 0.3
 HEIGHT_SCALE = 1.0
+# S twist, against the Z twist of the singles.
+PLY_TWIST_DEG = 24.0
 DIFFUSE_BLEND = 0.5
 OPTICAL_DEPTH = 2.0
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 from math import radians
 
 import numpy as np
@@ -12,11 +13,20 @@ from numpy.typing import NDArray
 from loomlight.core.errors import InputError
 from loomlight.fabric.albedos import family_appearance
 from loomlight.fabric.colours import coloured_draft
-from loomlight.fabric.defaults import DIFFUSE_BLEND, HEIGHT_SCALE, OPTICAL_DEPTH, Bend, bends_of
+from loomlight.fabric.defaults import (
+    DIFFUSE_BLEND,
+    HEIGHT_SCALE,
+    OPTICAL_DEPTH,
+    PLY_TWIST_DEG,
+    Bend,
+    bends_of,
+)
 from loomlight.fabric.file import FabricFile, YarnTable
 from loomlight.fabric.spacing import family_spacing, family_width
 from loomlight.fabric.writing import fabric_toml
-from loomlight.scattering.appearance import Appearance, Sheen, Variation
+from loomlight.fabric.yarns import with_yarns
+from loomlight.scattering.appearance import Appearance, Sheen, Variation, YarnDetail
+from loomlight.scattering.openness import openness_of
 from loomlight.weave.draft import Draft, Threads
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
 
@@ -43,15 +53,37 @@ class Fabric:
     fields: FabricFile
     folder: str
     _layout: ClothLayout
-    _appearance: Appearance
+    _own_appearance: Appearance
 
     def layout(self) -> ClothLayout:
         """Where the threads of one repeat lie, millimetres and radians."""
         return self._layout
 
     def appearance(self) -> Appearance:
-        """What scatters: albedos of every thread (linear RGB), roughness, sheen, variation."""
+        """What scatters: albedos of every thread (linear RGB), roughness, sheen, variation, openness."""
         return self._appearance
+
+    @cached_property
+    def _appearance(self) -> Appearance:
+        own = self._own_appearance
+        if not self.fields.interreflection:
+            return own
+        roughness = own.warp.roughness, own.weft.roughness
+        openness = openness_of(self._layout, own.diffuse_blend, roughness, own.optical_depth)
+        fields = with_yarns(self.fields)
+        warp, weft = (
+            replace(
+                family_appearance(table, name, _colours(threads), own.optical_depth, (openness, number)),
+                detail=family.detail,
+            )
+            for number, (name, table, threads, family) in enumerate(
+                (
+                    ("warp", fields.warp, self.draft.warp, own.warp),
+                    ("weft", fields.weft, self.draft.weft, own.weft),
+                )
+            )
+        )
+        return replace(own, warp=warp, weft=weft, openness=openness)
 
     @property
     def default_uv_size_mm(self) -> tuple[float, float]:
@@ -75,6 +107,7 @@ def make_fabric(fields: FabricFile, draft: Draft, name: str, folder: str) -> Fab
         InputError: fields that contradict the draft, albedos that exceed the light, an unreadable yarn count,
             or more than 67 million crossings.
     """
+    given, fields = fields, with_yarns(fields)
     coloured = coloured_draft(draft, fields)
     if coloured.drawdown.size > MAXIMUM_CROSSINGS:
         raise InputError(
@@ -83,15 +116,18 @@ def make_fabric(fields: FabricFile, draft: Draft, name: str, folder: str) -> Fab
             f"{MAXIMUM_CROSSINGS / 1e6:.0f} million can be rendered: render a part of it."
         )
     optical_depth = OPTICAL_DEPTH if fields.optical_depth is None else fields.optical_depth
+    layout = _layout(fields, coloured)
+    warp = family_appearance(fields.warp, "warp", _colours(coloured.warp), optical_depth)
+    weft = family_appearance(fields.weft, "weft", _colours(coloured.weft), optical_depth)
     appearance = Appearance(
-        warp=family_appearance(fields.warp, "warp", _colours(coloured.warp), optical_depth),
-        weft=family_appearance(fields.weft, "weft", _colours(coloured.weft), optical_depth),
+        warp=replace(warp, detail=_detail(fields.warp, layout.warp)),
+        weft=replace(weft, detail=_detail(fields.weft, layout.weft)),
         sheen=_sheen(fields),
         variation=_variation(fields),
         diffuse_blend=DIFFUSE_BLEND if fields.diffuse_blend is None else fields.diffuse_blend,
         optical_depth=optical_depth,
     )
-    return Fabric(name, coloured, draft, fields, folder, _layout(fields, coloured), appearance)
+    return Fabric(name, coloured, draft, given, folder, layout, appearance)
 
 
 def _colours(threads: Threads) -> NDArray[np.float64]:
@@ -124,6 +160,19 @@ def _bend(table: YarnTable, default: Bend) -> dict[str, float]:
     twist = default.twist_deg if table.twist_deg is None else table.twist_deg
     height_scale = HEIGHT_SCALE if table.height_scale is None else table.height_scale
     return {"inclination": radians(inclination), "twist": radians(twist), "height_scale": height_scale}
+
+
+def _detail(table: YarnTable, layout: FamilyLayout) -> YarnDetail:
+    ply_twist = PLY_TWIST_DEG if table.ply_twist_deg is None else table.ply_twist_deg
+    return YarnDetail(
+        plies=table.plies or 1,
+        ply_twist=radians(ply_twist),
+        fibre_tilt=radians(table.fibre_tilt_deg or 0),
+        slub=table.slub or 0,
+        hairiness=table.hairiness or 0,
+        twist=layout.twist,
+        width=float(layout.visible_width.mean()),
+    )
 
 
 def _sheen(fields: FabricFile) -> Sheen:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.file import YarnTable
+from loomlight.fabric.yarns import with_yarns, yarn_density
 from loomlight.weave.textile import tex_of_diameter, yarn_diameter_mm, yarn_tex
 from loomlight.yarn.layout import FamilyLayout
 
@@ -62,15 +63,16 @@ class ClothFacts:
 def cloth_facts(fabric: Fabric) -> ClothFacts:
     """Cover, yarn, crimp, weight and thickness of a fabric.
 
-    A yarn has the count that the file gives, else the one whose diameter is the thread's width. At every
-    change of face a thread rises or falls by its crimp height h over the spacing p of the threads it
-    crosses, and its length over that is p·(1 + 9/16·(h/p)²); both families share the heights evenly, half
-    the sum of the diameters each, as in cloth at rest.
+    A yarn has the count that the file gives, else the one whose diameter is the thread's width. With a count
+    and a width above that count's diameter it is pressed flat: its height d is that of the ellipse of the
+    same area. At every change of face a thread rises or falls by its crimp height h over the spacing p of the
+    threads it crosses, and its length over that is p·(1 + 9/16·(h/p)²); both families share the heights
+    evenly, half the sum of the diameters each, as in cloth at rest.
 
     Source: Peirce, "The geometry of cloth structure", Journal of the Textile Institute 28 (1937), T45:
     h = 4/3·p·√c and h₁ + h₂ = d₁ + d₂.
     """
-    layout, fields = fabric.layout(), fabric.fields
+    layout, fields = fabric.layout(), with_yarns(fabric.fields)
     warp_mm, warp_tex = _yarn(fields.warp, layout.warp)
     weft_mm, weft_tex = _yarn(fields.weft, layout.weft)
     height = (warp_mm + weft_mm) / 2
@@ -113,10 +115,15 @@ def facts_text(facts: ClothFacts) -> str:
 
 
 def _yarn(table: YarnTable, family: FamilyLayout) -> tuple[float, float]:
-    """Mean diameter, millimetres, and linear density, tex."""
+    """Mean height, millimetres, and linear density, tex."""
+    density, packing = yarn_density(table)
     if table.count is not None:
-        return yarn_diameter_mm(table.count), yarn_tex(table.count)
-    return float(family.width.mean()), float(tex_of_diameter(family.width).mean())
+        diameter = yarn_diameter_mm(table.count, density=density, packing=packing)
+        flattened = diameter**2 / float(family.visible_width.mean())
+        is_wide = table.width_mm is not None or table.gap is not None
+        return min(diameter, flattened) if is_wide else diameter, yarn_tex(table.count)
+    tex = tex_of_diameter(family.width, density=density, packing=packing)
+    return float(family.width.mean()), float(tex.mean())
 
 
 def _crimp(changes: NDArray[np.bool_], crossed: NDArray[np.float64], height: float) -> float:

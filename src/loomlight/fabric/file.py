@@ -42,8 +42,24 @@ def _colours(value: object) -> object:
     return [_colour(part) for part in value]
 
 
+# Kinds of yarn; `yarns.py` says what they are.
+YARNS = ("cotton", "mercerised cotton", "linen", "wool", "silk", "filament polyester", "viscose")
+
+
+def _yarn(value: str) -> str:
+    name = " ".join(value.lower().split())
+    if name not in YARNS:
+        known = ", ".join(f'"{yarn}"' for yarn in YARNS)
+        text = (
+            f'{FIELD} = "{" ".join(value.split())[:40]}" is no kind of yarn that has a name: write {known}.'
+        )
+        raise PydanticCustomError("sentence", "{text}", {"text": text})
+    return name
+
+
 Colour = Annotated[Any, AfterValidator(_colour)]
 Colours = Annotated[Any, AfterValidator(_colours)]
+YarnName = Annotated[str, AfterValidator(_yarn)]
 Fraction = Annotated[float, Field(ge=0, le=1)]
 Gap = Annotated[float, Field(ge=0, le=0.95)]
 
@@ -57,6 +73,7 @@ class Table(BaseModel):
 class YarnTable(Table):
     """[warp] or [weft]."""
 
+    yarn: YarnName | None = None
     color: Colours | None = None
     specular: Fraction | None = None
     specular_tint: Colour | None = None
@@ -65,6 +82,11 @@ class YarnTable(Table):
     height_scale: Annotated[float, Field(ge=0.01, le=2)] | None = None
     inclination_deg: Annotated[float, Field(ge=0, le=80)] | None = None
     twist_deg: Annotated[float, Field(ge=-89, le=89)] | None = None
+    plies: Annotated[int, Field(ge=1, le=12)] | None = None
+    ply_twist_deg: Annotated[float, Field(ge=-60, le=60)] | None = None
+    fibre_tilt_deg: Annotated[float, Field(ge=0, le=30)] | None = None
+    slub: Fraction | None = None
+    hairiness: Fraction | None = None
     gap: Gap | None = None
     count: Annotated[str, Field(min_length=1)] | None = None
     width_mm: Annotated[float, Field(ge=0.001, le=1000)] | None = None
@@ -106,8 +128,10 @@ class FabricFile(Table):
     epi: DensityPerInch | None = None
     ppi: DensityPerInch | None = None
     gap: Gap | None = None
+    yarn: YarnName | None = None
     diffuse_blend: Fraction | None = None
     optical_depth: Annotated[float, Field(ge=0.01, le=100)] | None = None
+    interreflection: bool | None = None
     warp: YarnTable = YarnTable()
     weft: YarnTable = YarnTable()
     sheen: SheenTable = SheenTable()

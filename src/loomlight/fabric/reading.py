@@ -108,7 +108,7 @@ def _require_consistent(fields: FabricFile) -> None:
     _refuse_together(fields, ["ends_per_cm", "epi"])
     _refuse_together(fields, ["picks_per_cm", "ppi"])
     for family in ("warp", "weft"):
-        _refuse_together(getattr(fields, family), ["width_mm", "count", "gap"], f"{family}.")
+        _refuse_together(getattr(fields, family), ["width_mm", "gap"], f"{family}.")
 
 
 def _refuse_together(table: object, names: list[str], prefix: str = "") -> None:

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from loomlight.core.errors import InputError
 from loomlight.fabric.defaults import GAP
 from loomlight.fabric.file import FabricFile, YarnTable
+from loomlight.fabric.yarns import yarn_density
 from loomlight.weave.draft import Threads
 from loomlight.weave.textile import CM_PER_INCH, DEFAULT_SETT_PER_CM, yarn_diameter_mm
 
@@ -48,24 +49,32 @@ def family_width(
 ) -> NDArray[np.float64]:
     """Width of each thread of family `name`, millimetres, as many as `spacing`.
 
-    The family's own width, count or gap come first, then the draft's thickness, then the file's gap.
+    The family's own width or gap comes first, then its count, the draft's thickness, and the file's gap.
 
     Raises:
         InputError: a yarn count that cannot be read.
     """
     table: YarnTable = getattr(fields, name)
+    of_count = None if table.count is None else yarn_diameter(table, f"{name}.count")
     if table.width_mm is not None:
         return np.full_like(spacing, table.width_mm)
-    if table.count is not None:
-        return np.full_like(spacing, _width_of_count(table.count, f"{name}.count"))
-    if table.gap is None and threads.thickness_mm is not None:
+    if table.gap is not None:
+        return spacing * (1 - table.gap)
+    if of_count is not None:
+        return np.full_like(spacing, of_count)
+    if threads.thickness_mm is not None:
         return threads.thickness_mm
-    gap = next(value for value in (table.gap, fields.gap, GAP) if value is not None)
-    return spacing * (1 - gap)
+    return spacing * (1 - (GAP if fields.gap is None else fields.gap))
 
 
-def _width_of_count(count: str, field: str) -> float:
+def yarn_diameter(table: YarnTable, field: str) -> float:
+    """Diameter of a round yarn of the table's count and kind, millimetres.
+
+    Raises:
+        InputError: a yarn count that cannot be read; the message names `field`.
+    """
+    density, packing = yarn_density(table)
     try:
-        return yarn_diameter_mm(count)
+        return yarn_diameter_mm(str(table.count), density=density, packing=packing)
     except InputError as error:
         raise InputError(f"{field}: {error}") from error

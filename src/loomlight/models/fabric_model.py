@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from abc import abstractmethod
-from collections.abc import Mapping
 from copy import copy
 from dataclasses import replace
 from functools import cached_property
@@ -135,7 +134,7 @@ class FilteredFabricModel(FabricModel):
         if edits:
             fabric = edited_fabric(self.fabric, dict(_field(*edit) for edit in edits.items()))
             model = self.with_fabric(fabric, frozenset(edits))
-            model.means = self.means
+            model.means = self.means.with_openness(fabric.appearance())
         if any(_is_albedo(name) for name in changed) or not changed:
             # Tables of this model know nothing of albedos, so a copy may share them.
             model = copy(model)
@@ -249,10 +248,10 @@ def _with_albedos(family: FamilyAppearance, name: str, values: Values) -> Family
     else:
         shared = [_numbers(values[f"{name}.{albedo}"]).reshape(3) for albedo in ALBEDOS]
         rows = np.tile(np.stack(shared), (threads, 1, 1))
-    named: Mapping[str, NDArray[np.float64]] = {
-        albedo: rows[:, number] for number, albedo in enumerate(ALBEDOS)
-    }
-    return FamilyAppearance(**named, roughness=family.roughness)
+    reflect, transmit, specular, specular_transmit = (rows[:, number] for number in range(len(ALBEDOS)))
+    return FamilyAppearance(
+        reflect, transmit, specular, specular_transmit, roughness=family.roughness, detail=family.detail
+    )
 
 
 def _numbers(parameter: Parameter) -> NDArray[np.float64]:

@@ -6,6 +6,7 @@ from typing import final
 
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.core.arrays import Mask
+from loomlight.core.backend import ArrayTypes
 from loomlight.core.footprint import Footprint
 from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.point import Albedos
@@ -32,7 +33,13 @@ class LiveAlbedos(FootprintAlbedos):
 
     def over(self, footprint: Footprint, back: Mask) -> tuple[Albedos, Albedos]:
         """Mean albedos of (warp, weft) over footprints; see `FootprintAlbedos.over`."""
-        warp, weft = super().over(footprint, back)
+        return self._with_shared(*super().over(footprint, back))
+
+    def of_cloth(self, types: ArrayTypes) -> tuple[Albedos, Albedos]:
+        """Mean albedos of (warp, weft) over all threads."""
+        return self._with_shared(*super().of_cloth(types))
+
+    def _with_shared(self, warp: Albedos, weft: Albedos) -> tuple[Albedos, Albedos]:
         own_warp, own_weft = self._shared
         if own_warp is not None and type(own_warp.diffuse_reflect) is type(warp.diffuse_reflect):
             warp = own_warp

@@ -14,6 +14,7 @@ from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.footprint import Footprint
 from loomlight.fabric.fabric import Fabric
+from loomlight.models.between_yarns import Bounced
 from loomlight.models.fabric_model import (
     ALBEDOS,
     FAMILIES,
@@ -48,11 +49,8 @@ class PointBsdf(SeparableBsdf):
             hit = first_hit(
                 model.surface, centre.x, centre.y, to_face_frame(view, back), back, active, model.quality
             )
-        self.point = model.at(hit.x, hit.y, back, hit.hole)
-        if tint is not None:
-            albedos = self.point.albedos
-            albedos.diffuse_reflect = albedos.diffuse_reflect * tint
-            albedos.diffuse_transmit = albedos.diffuse_transmit * tint
+        size = footprint.spread_side if model.has_detail else None
+        self.point = model.at(hit.x, hit.y, back, hit.hole, size, tint)
 
     @cached_property
     def hole(self) -> Float:
@@ -81,6 +79,12 @@ class PointBsdf(SeparableBsdf):
             components(self._model.appearance, self.point, light, self.view, visible),
             light_visibility(self.point, visible),
         )
+
+    def bounced(self, components: Components) -> Bounced | None:
+        """Albedos of light between yarns at the point."""
+        del components
+        bounced: Bounced | None = self.point.bounced
+        return bounced
 
     def value(self, light: Vec3, active: Mask = True) -> Color3:
         """f·cos with derivatives, 1/sr; 0 in lanes that are not active."""
@@ -161,6 +165,7 @@ class PointFootprint(FabricModel):
         self._geometry.upload(types)
         upload_extent(self.point_model.surface, types)
         self.point_model.parameters(types)
+        self.point_model.detail(types)
 
     def parameters(self, types: ArrayTypes) -> Values:
         """The model's own arrays: what is assigned to them shows at once, with derivatives."""

@@ -21,10 +21,11 @@ from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minim
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.fabric.fabric import Fabric
+from loomlight.models.between_yarns import Bounced
 from loomlight.models.fabric_model import FabricModel, fabric_in_loom, fabric_source
 from loomlight.models.interface import Option
 from loomlight.models.point import families_of
-from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf, tinted
+from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf
 from loomlight.scattering.point import Albedos, DirectionSample, PointModel, YarnPoint
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.search import upload_extent
@@ -43,12 +44,14 @@ class _Shown:
         hole: share of points that are holes.
         warp_share, weft_share: shares of points that show each family.
         albedos: sums over each family's points, over the number of all points.
+        bounced: albedos of light between yarns; None without.
     """
 
     hole: Float
     warp_share: Float
     weft_share: Float
     albedos: FamilyAlbedos
+    bounced: Bounced | None
 
 
 @final
@@ -72,6 +75,7 @@ class SamplesBsdf(SeparableBsdf):
                 dr.select(point.is_warp & ~point.hole, one, 0),
                 dr.select(~point.is_warp & ~point.hole, one, 0),
                 families_of(point),
+                point.bounced,
             )
 
         found: _Shown = self._mean(measure)
@@ -92,13 +96,14 @@ class SamplesBsdf(SeparableBsdf):
             found: Albedos = _combined(lambda part: part * scale, sums)
             return found
 
-        return tinted(
-            FamilyAlbedos(
-                of_family(shown.albedos.warp, shown.warp_share),
-                of_family(shown.albedos.weft, shown.weft_share),
-            ),
-            self._tint,
+        return FamilyAlbedos(
+            of_family(shown.albedos.warp, shown.warp_share), of_family(shown.albedos.weft, shown.weft_share)
         )
+
+    def bounced(self, components: Components) -> Bounced | None:
+        """Mean albedos of light between yarns of the points."""
+        del components
+        return self._shown.bounced
 
     def components(self, light: Vec3, active: Mask = True) -> Components:
         """Mean components over the points."""
@@ -147,7 +152,7 @@ class SamplesBsdf(SeparableBsdf):
         if self._points > 1:
             s, t = (types.Float(number) * share + 0.5 for share in (_ACROSS, _ALONG))
             place = self.footprint.at(s - dr.floor(s) - 0.5, t - dr.floor(t) - 0.5)
-        return self._model.locate(place.x, place.y, self.view)
+        return self._model.locate(place.x, place.y, self.view, tint=self._tint)
 
     def _mean(self, measure: Callable[[YarnPoint], Any]) -> Any:
         """Mean over the points of what `measure` finds: Floats, or dataclasses and tuples of them."""
@@ -166,6 +171,8 @@ class SamplesBsdf(SeparableBsdf):
 
 def _combined(operation: Callable[..., Any], *trees: Any) -> Any:
     """`operation` on the arrays of equal dataclasses and tuples, leaf by leaf."""
+    if trees[0] is None:
+        return None
     if isinstance(trees[0], tuple):
         return tuple(_combined(operation, *parts) for parts in zip(*trees, strict=True))
     if hasattr(trees[0], "__dataclass_fields__"):

@@ -10,10 +10,13 @@ from typing import final
 import drjit as dr
 
 from loomlight.core.arrays import Color3, Float, Mask, Vec3
+from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
+from loomlight.models.between_yarns import BetweenYarns, Bounced
 from loomlight.models.interface import FootprintBsdf
 from loomlight.scattering.appearance import Sheen
 from loomlight.scattering.point import Albedos
+from loomlight.scattering.point import tinted as tinted_family
 from loomlight.scattering.sheen import sheen_transmittance, sheen_with_transmittance
 
 
@@ -71,6 +74,21 @@ class SeparableBsdf(FootprintBsdf):
         """Components for a light; anything in lanes that are not active."""
 
     @property
+    def between(self) -> BetweenYarns | None:
+        """Light between yarns; None without."""
+        return None
+
+    def bounced(self, components: Components) -> Bounced | None:
+        """Albedos of light between yarns, reflected and transmitted, over the footprint; None without.
+
+        Args:
+            components: for the light; see `BetweenYarns.far`.
+        """
+        if self.between is None:
+            return None
+        return self.between.far(components.diffuse_warp, components.diffuse_weft, self.hole)
+
+    @property
     def null_transmission(self) -> Float:
         """Share of light that passes straight through: the hole, less what sheen takes."""
         if self.sheen.strength <= 0:
@@ -92,7 +110,17 @@ class SeparableBsdf(FootprintBsdf):
     def composed(self, components: Components, light: Vec3) -> Color3:
         """`value` of components that are at hand, 1/sr."""
         body = shade(components, self.albedos, light.z * self.view.z < 0)
+        body += self.bounced_value(components, light)
         return self.under_sheen(body, components.light_visibility, light)
+
+    @final
+    def bounced_value(self, components: Components, light: Vec3) -> Color3:
+        """f·cos of light between yarns, 1/sr: diffuse about the cloth's normal, and no shadow falls on it."""
+        bounced = self.bounced(components)
+        if bounced is None:
+            return array_types(light.x).Color3(0)
+        reflected, transmitted = bounced
+        return dr.select(light.z * self.view.z < 0, transmitted, reflected) * (abs(light.z) * dr.inv_pi)
 
     @final
     def under_sheen(self, body: Color3, light_visibility: Float, light: Vec3) -> Color3:
@@ -133,13 +161,4 @@ def tinted(albedos: FamilyAlbedos, tint: Color3 | None) -> FamilyAlbedos:
     """Albedos whose diffuse terms are multiplied with a tint; None leaves them."""
     if tint is None:
         return albedos
-    return FamilyAlbedos(*(_tinted(family, tint) for family in (albedos.warp, albedos.weft)))
-
-
-def _tinted(albedos: Albedos, tint: Color3) -> Albedos:
-    return Albedos(
-        albedos.diffuse_reflect * tint,
-        albedos.diffuse_transmit * tint,
-        albedos.specular_reflect,
-        albedos.specular_transmit,
-    )
+    return FamilyAlbedos(*(tinted_family(family, tint) for family in (albedos.warp, albedos.weft)))

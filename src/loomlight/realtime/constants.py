@@ -31,9 +31,11 @@ from loomlight.models.lobes import (
 from loomlight.models.lobes import bsdf as lobe_bsdf
 from loomlight.models.lobes import proposal as lobe_proposal
 from loomlight.models.lobes import tables as lobe_tables
+from loomlight.realtime.latent_tables import latent_floats, latent_uints
 from loomlight.realtime.neumip_tables import neumip_floats, neumip_uints
+from loomlight.realtime.openness_tables import openness_floats, openness_uints
 from loomlight.realtime.woven_tables import woven_floats, woven_uints
-from loomlight.scattering import directions, fibre, point, sheen, sheen_coefficients, variation
+from loomlight.scattering import directions, fibre, sheen, sheen_coefficients, variation
 from loomlight.yarn import max_heights, rays, runs, search, threads
 
 _FLOATS: dict[str, float] = {
@@ -52,7 +54,7 @@ _FLOATS: dict[str, float] = {
     "SHEEN_SMALLEST_SCALE": sheen._SMALLEST_SCALE,
     "SHEEN_LARGEST_SHEAR": sheen._LARGEST_SHEAR,
     "SHEEN_CEILING": sheen_coefficients.CEILING,
-    "FIBRE_CELL_LENGTH": point._FIBRE_CELL_LENGTH,
+    "FIBRE_CELL_LENGTH": variation.FIBRE_CELL_LENGTH,
     "LARGEST_FIBRE_GAIN": variation._LARGEST_FIBRE_GAIN,
     "MIN_NODE_COSINE": hemisphere.MIN_COSINE,
     "TENT_VARIANCE": coverage_lookup.TENT_VARIANCE,
@@ -173,8 +175,8 @@ def number_text(value: float) -> str:
 
 def slang_constants() -> str:
     """Slang declarations of all constants, and the polynomials of the sheen."""
-    floats = _FLOATS | woven_floats() | neumip_floats()
-    uints = _UINTS | woven_uints() | neumip_uints()
+    floats = _FLOATS | woven_floats() | neumip_floats() | latent_floats() | openness_floats()
+    uints = _UINTS | woven_uints() | neumip_uints() | latent_uints() | openness_uints()
     lines = [f"static const float {name} = {number_text(value)};" for name, value in floats.items()]
     lines += [f"static const uint {name} = {value}u;" for name, value in uints.items()]
     for name, numbers in _FLOAT_ARRAYS.items():

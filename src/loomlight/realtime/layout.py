@@ -118,6 +118,31 @@ NEUMIP: Fields = (
     ("texels_per_mm", "float", "of level 0"),
     ("unit_x", "float", "unit of the ray depth, in repeats of x"),
     ("unit_y", "float", "and of y"),
+    ("transmits", "uint", "1 with a decoder for lights on the other side"),
+    ("transmission", "uint", "first element of that decoder, singles"),
+    ("has_holes", "uint", "1 with a network of holes"),
+    ("opacity", "uint", "first element of that network, singles"),
+)
+
+LATENT: Fields = (
+    ("is_trained", "uint", "0 where the source has no trained latents"),
+    ("decoder", "uint", "first element of the decoder in packed_numbers, singles"),
+    ("hidden", "uint", "width of its hidden layers: 16 or 32 of two, 64 of three"),
+    ("frames", "uint", "first element of the layer of frames, singles"),
+    ("sampler", "uint", "first element of the network that describes the density of directions"),
+    ("albedo", "uint", "first element of the network of albedos"),
+    ("texels", "uint", "first element of the latents [faces, texels, 8]"),
+    ("texel_elements", "uint", "of a texel: 1 for halves, 2 for singles"),
+    ("levels", "uint", "first texel, columns, rows of each level, three words each"),
+    ("last_level", "float", "number of the level of one texel"),
+    ("face_texels", "uint", "texels of the pyramid of a face"),
+    ("back", "uint", "number of the latents of the back: 0 where both sides look alike"),
+    ("repeats_per_x", "float", "1 / width"),
+    ("repeats_per_y", "float", "1 / height"),
+    ("texels_per_mm", "float", "of level 0"),
+    ("width", "float", "of the repeat"),
+    ("height", "float", ""),
+    ("is_trilinear", "uint", "1 where levels are interpolated, 0 where one of two is chosen at random"),
 )
 
 FABRIC: Fields = (
@@ -148,12 +173,20 @@ FABRIC: Fields = (
     ("uv_width", "float", "millimetres per unit of u"),
     ("uv_height", "float", "millimetres per unit of v"),
     ("is_open", "uint", "1 where light passes through holes"),
+    (
+        "openness",
+        "uint",
+        "first word of the numbers of light between yarns (openness_tables.py); 2³² − 1: none",
+    ),
     ("albedo_map", "uint", "first texel, in scene_words, of a map that diffuse albedos are multiplied by"),
     (
         "albedo_map_levels",
         "uint",
         "of that map, each half as wide as the one before, down to 1; 0 for no map",
     ),
+    ("has_yarns", "uint", "1 where the yarns are here too: records of families, run words, heights"),
+    ("mean_hole", "float", "share of light that passes straight through cloth without yarns here"),
+    ("latent", "Latent", "latents of the model latent"),
 )
 
 LIGHT: Fields = (
@@ -302,6 +335,7 @@ RECORDS: dict[str, Fields] = {
     "Lobes": LOBES,
     "Woven": WOVEN,
     "Neumip": NEUMIP,
+    "Latent": LATENT,
     "Fabric": FABRIC,
     "Light": LIGHT,
     "Frame": FRAME,

@@ -1,4 +1,4 @@
-"""The model neumip as shaders read it: both networks, both textures, and the levels of the pyramid.
+"""The model neumip as shaders read it: its networks, both textures, and the levels of the pyramid.
 
 Networks are single precision, as they are trained. Texels may be halves: 16 bytes each instead of 32, at an
 error of at most 2⁻¹² of each channel.
@@ -12,12 +12,18 @@ from numpy.typing import NDArray
 from loomlight.models.neumip import model as neumip_model
 from loomlight.models.neumip import networks, pyramid
 from loomlight.models.neumip.model import NeumipModel
-from loomlight.realtime.networks import EIGHT, NumberTable, packed_mlp, packed_numbers
+from loomlight.realtime.networks import EIGHT, packed_mlp, packed_numbers
+from loomlight.realtime.word_table import Tables, fill
+from loomlight.yarn.layout import ClothLayout
 
 
 def neumip_uints() -> dict[str, int]:
     """Constants of `neumip.slang` that are whole numbers."""
-    return {"NEUMIP_CHANNELS": pyramid.CHANNELS, "NEUMIP_HIDDEN": networks._HIDDEN}
+    return {
+        "NEUMIP_CHANNELS": pyramid.CHANNELS,
+        "NEUMIP_HIDDEN": networks._HIDDEN,
+        "NEUMIP_HOLE_HIDDEN": networks.OPACITY_WIDTHS[1],
+    }
 
 
 def neumip_floats() -> dict[str, float]:
@@ -29,32 +35,30 @@ def neumip_floats() -> dict[str, float]:
     }
 
 
-def add_neumip(
-    model: NeumipModel, table: NumberTable, half: bool = True
-) -> tuple[dict[str, float], NDArray[np.uint32]]:
-    """Appends networks and textures of a trained source.
+def pack_neumip(record: np.void, model: NeumipModel, layout: ClothLayout | None, tables: Tables) -> None:
+    """Appends networks and textures of a trained source, and what shadows know of its holes.
 
     Args:
-        half: texels in half precision, else as they are trained.
-
-    Returns:
-        values of the record `Neumip` by name, and the table of levels [n, 3]: first texel, columns, rows.
+        record: of the fabric.
     """
-    weights, shape = model.weights, model.weights.shape
+    weights, shape, table = model.weights, model.weights.shape, tables.numbers
 
     def network(name: str) -> int:
         matrices, biases = zip(*weights.layers[name], strict=True)
         return table.add(packed_mlp(matrices, biases, half=False))
 
     def texels(values: NDArray[np.float32]) -> int:
-        return table.add(packed_numbers(np.pad(values, ((0, 0), (0, EIGHT - values.shape[1]))), half))
+        padded = np.pad(values, ((0, 0), (0, EIGHT - values.shape[1])))
+        return table.add(packed_numbers(padded, tables.half))
 
     unit_x, unit_y = shape.unit
-    record: dict[str, float] = {
+    levels = [(start, *size) for start, size in zip(shape.starts, shape.sizes, strict=False)]
+    values: dict[str, float] = {
         "is_trained": 1,
         "decoder": network("decoder"),
         "features": texels(weights.features),
-        "texel_elements": 1 if half else 2,
+        "texel_elements": 1 if tables.half else 2,
+        "levels": tables.words.add(np.array(levels, np.uint32)),
         "last_level": shape.levels - 1,
         "face_texels": shape.texels,
         "back": shape.faces - 1,
@@ -65,10 +69,16 @@ def add_neumip(
         "unit_y": unit_y,
     }
     if weights.offset_texels is not None:
-        record |= {
+        values |= {
             "has_offset": 1,
             "offset": network("offset"),
             "offset_texels": texels(weights.offset_texels),
         }
-    levels = [(start, *size) for start, size in zip(shape.starts, shape.sizes, strict=False)]
-    return record, np.array(levels, np.uint32)
+    if weights.transmits:
+        values |= {"transmits": 1, "transmission": network("transmission")}
+    if weights.has_holes:
+        values |= {"has_holes": 1, "opacity": network("opacity")}
+    fill(record["neumip"], values)
+    if layout is None:
+        record["is_open"] = int(weights.has_holes)
+        record["mean_hole"] = model.open_area

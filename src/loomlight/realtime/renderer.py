@@ -11,21 +11,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.fabric.fabric import Fabric
-from loomlight.models.lobes.model import DEFAULT_GROUPS, tables_of
-from loomlight.models.lobes.tables import LobeTables
-from loomlight.models.woven.model import WovenModel
 from loomlight.realtime.device import Adapter, default_adapter, wgpu_module
 from loomlight.realtime.environment import Environment, EnvironmentTables
 from loomlight.realtime.fabric_buffers import FabricBuffers
 from loomlight.realtime.layout import numpy_type
+from loomlight.realtime.models import (
+    REALTIME_MODELS,
+    Material,
+    default_model_of,
+    look_of,
+    prepared_for,
+    require_realtime_model,
+)
 from loomlight.realtime.scene import Camera, Cloth, Light, light_records, vertex_records
 from loomlight.realtime.scene_words import SceneWords
 from loomlight.realtime.slangc import SHADERS
 from loomlight.realtime.tables import pack_fabrics
 
-# Entry points of the models.
-_ENTRIES = {"lobes": "shade_lobes", "point": "shade_points", "woven": "shade_woven"}
 # Of open cloth, from the nearest on; what lies behind is taken for the background.
 _MOST_LAYERS = 4
 _GOLDEN = np.array([0.7548776662466927, 0.5698402909980532])  # of the R2 sequence
@@ -77,14 +79,14 @@ class Renderer:
         passes: how many the sums hold; see `accumulate`.
         adapter: the graphics adapter that computes.
         size: width and height of frames, pixels.
-        model: lobes, woven or point.
+        model: a name of `REALTIME_MODELS`.
     """
 
     def __init__(
         self,
         cloths: Sequence[Cloth],
         size: tuple[int, int] = (512, 512),
-        model: str = "lobes",
+        model: str | None = None,
         adapter: Adapter | None = None,
         bake: str = "cpu",
     ) -> None:
@@ -92,17 +94,20 @@ class Renderer:
 
         Args:
             size: width and height of frames, pixels.
-            model: lobes or woven, which average over the footprints of pixels, or point, which samples them.
+            model: a name of `REALTIME_MODELS`: point samples the footprints of pixels, others average over
+                them; by default the model that the first cloth holds, for fabrics lobes.
             bake: where tables of lobes are baked: cpu, or gpu, where an edit never leaves the adapter.
 
         Raises:
-            InputError: no cloth, a size out of range, or an unknown model or place to bake.
+            InputError: no cloth, a size out of range, an unknown model or place to bake, or a cloth that the
+                model does not take.
             MissingDependencyError: no adapter, wgpu is not installed, or the adapter's limits are too small.
         """
         if not cloths:
             raise InputError("A renderer needs at least one piece of cloth.")
         _require_size(size)
-        _require_model(model)
+        model = default_model_of(cloths[0].fabric) if model is None else model
+        require_realtime_model(model)
         if bake not in ("cpu", "gpu"):
             raise InputError(f'bake = "{bake}" is unknown: use cpu or gpu.')
         self.adapter = default_adapter() if adapter is None else adapter
@@ -122,13 +127,14 @@ class Renderer:
             self._upload_targets()
             self._raster = self._raster_pipeline()
 
-    def set_fabric(self, number: int, fabric: Fabric) -> None:
+    def set_fabric(self, number: int, fabric: Material) -> None:
         """Another fabric for cloth `number`: tables are rewritten, and no pipeline is compiled."""
+        look = look_of(fabric, self.model)
         self._cloths[number] = replace(self._cloths[number], fabric=fabric)
-        if self._fabric_buffers is None:
+        if self._fabric_buffers is None or look is None:
             self._upload_fabrics()
         else:
-            self._fabric_buffers.set_fabric(number, (fabric.layout(), fabric.appearance()))
+            self._fabric_buffers.set_fabric(number, look)
             self._take_buffers(self._fabric_buffers)
         self._shown = b""
 
@@ -136,11 +142,15 @@ class Renderer:
         """Another model for the next frames; tables are baked, and its shader is compiled at its first frame.
 
         Raises:
-            InputError: an unknown model.
+            InputError: an unknown model, or a cloth that it does not take.
         """
-        _require_model(model)
-        self.model = model
-        self._upload_fabrics()
+        require_realtime_model(model)
+        before, self.model = self.model, model
+        try:
+            self._upload_fabrics()
+        except InputError:
+            self.model = before
+            raise
         self._shown = b""
 
     def resize(self, size: tuple[int, int]) -> None:
@@ -220,7 +230,7 @@ class Renderer:
             self._compute("next_layer" if number else "first_layer", tiles)
             if frame["casts_shadows"][0]:
                 self._compute("cast_shadows", tiles)
-            self._compute(_ENTRIES[self.model], tiles)
+            self._compute(REALTIME_MODELS[self.model].kernel, tiles)
         self._compute("add_background", tiles)
         self.passes += 1
 
@@ -295,21 +305,19 @@ class Renderer:
         self._store("face_fabrics", numbers)
 
     def _upload_fabrics(self) -> None:
-        looks = [(cloth.fabric.layout(), cloth.fabric.appearance()) for cloth in self._cloths]
+        materials = [cloth.fabric for cloth in self._cloths]
+        looks = [look_of(material, self.model) for material in materials]
         uv_size_mm = [cloth.uv_size_mm for cloth in self._cloths]
-        self._fabric_buffers = None
-        if self._bake == "gpu" and self.model == "lobes":
+        if self._bake == "gpu" and REALTIME_MODELS[self.model].bakes_on_adapter:
+            yarns = [look for look in looks if look is not None]
             self._fabric_buffers = FabricBuffers(
-                self.adapter, looks, uv_size_mm, describe=self._scene.describe_maps
+                self.adapter, yarns, uv_size_mm, describe=self._scene.describe_maps
             )
             self._take_buffers(self._fabric_buffers)
             return
-        packed = pack_fabrics(
-            looks,
-            uv_size_mm,
-            [self._baked(cloth.fabric) for cloth in self._cloths],
-            [self._encoded(cloth.fabric) for cloth in self._cloths],
-        )
+        prepared = [prepared_for(material, self.model) for material in materials]
+        packed = pack_fabrics(looks, uv_size_mm, prepared)
+        self._fabric_buffers = None
         self._scene.describe_maps(packed.fabrics)
         self._is_open = bool(packed.fabrics["is_open"].any())
         for name, values in packed.buffers().items():
@@ -318,12 +326,6 @@ class Renderer:
     def _take_buffers(self, fabrics: FabricBuffers) -> None:
         self._resources.update(fabrics.buffers)
         self._is_open = fabrics.is_open
-
-    def _baked(self, fabric: Fabric) -> LobeTables | None:
-        return tables_of(fabric, DEFAULT_GROUPS) if self.model == "lobes" else None
-
-    def _encoded(self, fabric: Fabric) -> WovenModel | None:
-        return WovenModel.for_source(fabric) if self.model == "woven" else None
 
     def _upload_targets(self) -> None:
         wgpu = wgpu_module()
@@ -408,11 +410,6 @@ def _require_size(size: tuple[int, int]) -> None:
     width, height = size
     if not (1 <= width <= 8192 and 1 <= height <= 8192):
         raise InputError(f"size = {width} × {height} is out of range: 1 to 8192 pixels each way.")
-
-
-def _require_model(model: str) -> None:
-    if model not in _ENTRIES:
-        raise InputError(f'model = "{model}" is unknown here: use {" or ".join(_ENTRIES)}.')
 
 
 def _wgsl(entry: str) -> str:

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
+from loomlight.models.interface import Model
 from loomlight.realtime.layout import numpy_type
 
 Vector = Sequence[float] | NDArray[np.float64]
@@ -59,13 +60,14 @@ class Cloth:
     """A mesh and its fabric.
 
     Attributes:
+        fabric: a fabric, or a model that is made already, such as `model_from_loom` reads.
         uv_size_mm: millimetres per unit of u and of v.
         albedo: linear RGB [rows, columns, 3], 0 to 1, over the unit of uv, which repeats; v runs down. The
             diffuse albedos are multiplied by its mean over each footprint. None leaves them.
     """
 
     mesh: Mesh
-    fabric: Fabric
+    fabric: Fabric | Model
     uv_size_mm: tuple[float, float] = (100.0, 100.0)
     albedo: NDArray[np.floating] | None = None
 

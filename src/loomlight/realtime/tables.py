@@ -12,18 +12,14 @@ from numpy.typing import NDArray
 
 from loomlight.aggregate import footprint_albedos
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
-from loomlight.models.lobes import regimes
-from loomlight.models.lobes.tables import LobeTables
-from loomlight.models.neumip.model import NeumipModel
-from loomlight.models.woven.model import WovenModel
-from loomlight.realtime.bake import BakePlan
 from loomlight.realtime.layout import numpy_type
-from loomlight.realtime.networks import Elements, NumberTable
-from loomlight.realtime.neumip_tables import add_neumip
-from loomlight.realtime.woven_tables import WovenTables
-from loomlight.scattering import point as point_model
+from loomlight.realtime.models import Prepared, pack_model
+from loomlight.realtime.networks import Elements
+from loomlight.realtime.openness_tables import NO_OPENNESS, pack_openness
+from loomlight.realtime.word_table import Tables, Words, WordTable, fill
 from loomlight.scattering.albedo import layer_albedo_bound
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
+from loomlight.scattering.variation import FIBRES_ACROSS
 from loomlight.yarn import search
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
@@ -34,33 +30,7 @@ _ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular
 # Cloth with less open area casts the shadow of cloth without: a thousandth of the light is three steps of
 # 8-bit sRGB on white cloth.
 _SMALLEST_OPEN_SHARE = 1e-3
-Words = NDArray[np.uint32]
 Record = NDArray[np.void]
-
-
-class WordTable:
-    """Tables of 32-bit words, one behind the other."""
-
-    def __init__(self) -> None:
-        self._parts: list[Words] = []
-        self.size = 0
-
-    def add(self, values: NDArray[np.generic]) -> int:
-        """Appends unsigned integers as they are or numbers as float32; the index of the first word."""
-        kind = np.uint32 if np.issubdtype(values.dtype, np.integer) else np.float32
-        words = np.ascontiguousarray(values, dtype=kind).ravel().view(np.uint32)
-        first = self.size
-        self._parts.append(words)
-        self.size += words.size
-        return first
-
-    def reserve(self, count: int) -> int:
-        """Appends so many words of 0; the index of the first."""
-        return self.add(np.zeros(count, np.uint32))
-
-    def words(self) -> Words:
-        """All of them; at least one, as no buffer is empty."""
-        return np.concatenate(self._parts) if self._parts else np.zeros(1, np.uint32)
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,9 +62,7 @@ class Packed:
 def pack_fabrics(
     fabrics: Sequence[tuple[ClothLayout, Appearance] | None],
     uv_size_mm: Sequence[tuple[float, float]] | None = None,
-    lobes: Sequence[LobeTables | BakePlan | None] | None = None,
-    woven: Sequence[WovenModel | None] | None = None,
-    neumip: Sequence[NeumipModel | None] | None = None,
+    prepared: Sequence[Prepared] | None = None,
     half: bool = True,
 ) -> Packed:
     """Records of fabrics and the words of their tables.
@@ -102,46 +70,24 @@ def pack_fabrics(
     Args:
         fabrics: yarns and appearance of each; None for a source that is no fabric.
         uv_size_mm: millimetres per unit of u and of v of each fabric; 100 by default.
-        lobes: baked tables of each fabric; plans of tables that kernels will bake, whose words are left 0;
-            None for none.
-        woven: the encoded model of each fabric; None for none. A network that several share is stored once.
-        neumip: the trained model of each source; None for none.
-        half: texels of neumip in half precision, else in single precision.
+        prepared: what a model of `models.py` needs beside the fabric, such as baked tables; None for nothing.
+        half: texels of networks in half precision, else in single precision.
 
     Raises:
         InputError: a network of woven of another shape than that of the shaders.
     """
-    table = WordTable()
-    numbers = NumberTable()
-    encoded = WovenTables(numbers)
+    tables = Tables(half=half)
     records = np.zeros(len(fabrics), numpy_type("Fabric"))
     families = np.zeros((len(fabrics), 2), numpy_type("Family"))
     for number, fabric in enumerate(fabrics):
         size = (100.0, 100.0) if uv_size_mm is None else uv_size_mm[number]
-        _fill(records[number], {"warp": 2 * number, "weft": 2 * number + 1})
-        _fill(records[number], {"uv_width": size[0], "uv_height": size[1]})
+        fill(records[number], {"warp": 2 * number, "weft": 2 * number + 1})
+        fill(records[number], {"uv_width": size[0], "uv_height": size[1], "openness": NO_OPENNESS})
         if fabric is not None:
-            _pack_fabric(records[number], families[number], table, *fabric)
-        baked = None if lobes is None else lobes[number]
-        if fabric is not None and isinstance(baked, BakePlan):
-            _reserve_lobes(records["lobes"][number], table, baked, fabric[0])
-        elif fabric is not None and isinstance(baked, LobeTables):
-            _pack_lobes(records["lobes"][number], table, baked, fabric[0])
-        model = None if woven is None else woven[number]
-        if model is not None:
-            values, levels, bundles = encoded.add(model)
-            values |= {"levels": table.add(levels), "bundles": table.add(bundles)}
-            _fill(records["woven"][number], values)
-        trained = None if neumip is None else neumip[number]
-        if trained is not None:
-            values, sizes = add_neumip(trained, numbers, half)
-            _fill(records["neumip"][number], values | {"levels": table.add(sizes)})
-    return Packed(records, families.ravel(), table.words(), numbers.elements())
-
-
-def _fill(record: np.void, values: dict[str, float]) -> None:
-    for name, value in values.items():
-        record[name] = value
+            _pack_fabric(records[number], families[number], tables.words, *fabric)
+        if prepared is not None:
+            pack_model(records[number], prepared[number], None if fabric is None else fabric[0], tables)
+    return Packed(records, families.ravel(), tables.words.words(), tables.numbers.elements())
 
 
 def _pack_fabric(
@@ -181,10 +127,12 @@ def _pack_fabric(
         "colour_noise": variation.colour_noise,
         "seed": variation.seed & 0xFFFFFFFF,
         "layer_bound": layer_albedo_bound(appearance.optical_depth),
-        "fibre_size": min(fine_x, fine_y) / point_model._FIBRES_ACROSS,
+        "fibre_size": min(fine_x, fine_y) / FIBRES_ACROSS,
+        "has_yarns": 1,
+        "openness": pack_openness(table, appearance),
         "is_open": int(_open_share(warp) * _open_share(weft) > _SMALLEST_OPEN_SHARE),
     }
-    _fill(record, values)
+    fill(record, values)
 
 
 def _open_share(threads: FamilyTables) -> float:
@@ -244,7 +192,7 @@ def _pack_family(
     alike = bool(np.allclose(albedos, albedos[:1], rtol=0, atol=1e-12))
     values["albedo_table"] = table.add(albedos[:1] if alike else albedos)
     values["albedo_stride"] = 0 if alike else albedos[0].size
-    _fill(record, values)
+    fill(record, values)
 
 
 def _pack_colours(
@@ -266,55 +214,4 @@ def _pack_colours(
     if quantities > 1:
         values["colour_threads"] = table.add(colours.threads)
         values["colour_areas"] = table.add(colours.areas[..., :quantities])
-    _fill(record, values)
-
-
-def _pack_lobes(record: np.void, table: WordTable, lobes: LobeTables, layout: ClothLayout) -> None:
-    packs = lobes.packs
-    values = _common_fields(table, lobes.levels, lobes.base_size, packs, layout) | {
-        "front_warp_packs": lobes.warp_packs[0],
-        "back_warp_packs": lobes.warp_packs[1],
-        "coverage": table.add(_words_of(lobes.coverage[..., : 4 * packs])),
-        "coverage_holes": table.add(_words_of(lobes.coverage[..., 4 * packs].ravel())),
-        "projected_area": table.add(_words_of(lobes.projected_area)),
-        "light_visibility": table.add(_words_of(lobes.light_visibility)),
-        "irradiance": table.add(_words_of(lobes.irradiance)),
-        "moments": table.add(lobes.moments),
-        "front_hole_weight": lobes.hole_weight[0],
-        "back_hole_weight": lobes.hole_weight[1],
-    }
-    _fill(record, values)
-
-
-def _reserve_lobes(record: np.void, table: WordTable, plan: BakePlan, layout: ClothLayout) -> None:
-    """The same for tables that kernels write: what they find out themselves stays 0."""
-    values = _common_fields(table, plan.levels, plan.base_size, plan.sizes["packs"], layout)
-    values |= {name: table.reserve(size) for name, size in plan.table_sizes.items()}
-    _fill(record, values)
-
-
-def _common_fields(
-    table: WordTable, pyramid: NDArray[np.int64], base_size: float, packs: int, layout: ClothLayout
-) -> dict[str, float]:
-    """Fields that follow from the draft and the number of groups, and the table of levels."""
-    width, height = layout.size
-    picks, ends = layout.warp_on_top.shape
-    thread = math.sqrt(width / ends * height / picks)
-    levels = np.pad(np.asarray(pyramid, np.float64), ((0, 0), (0, 1)))
-    return {
-        "is_baked": 1,
-        "inverse_base_size": 1 / base_size,
-        "last_level": len(levels) - 1,
-        # Node indices stay below 2²⁴, which float32 holds exactly.
-        "levels": table.add(levels),
-        "face_nodes": int(pyramid[-1, 0]) + 1,
-        "packs": packs,
-        "threads_per_mm": 1 / thread,
-        "unit_level": math.log2(max(thread, regimes._SQUARE_SCALE * base_size)),
-    }
-
-
-def _words_of(values: NDArray[np.uint8]) -> Words:
-    """Bytes as little-endian words, filled up with zeros at the end."""
-    flat = np.ascontiguousarray(values).ravel()
-    return np.pad(flat, (0, -flat.size % 4)).view("<u4").astype(np.uint32)
+    fill(record, values)

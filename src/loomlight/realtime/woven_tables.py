@@ -17,13 +17,9 @@ from loomlight.models.woven.decoder import _matrices
 from loomlight.models.woven.footprint_coding import mean_pitch
 from loomlight.models.woven.model import WovenModel
 from loomlight.models.woven.weights import Weights, shipped_weights
-from loomlight.realtime.networks import (
-    NumberTable,
-    layer_size,
-    layer_starts,
-    packed_layer,
-    packed_numbers,
-)
+from loomlight.realtime.networks import layer_size, layer_starts, packed_layer, packed_numbers
+from loomlight.realtime.word_table import Tables, fill
+from loomlight.yarn.layout import ClothLayout
 
 # Layers in the order of memory; see `woven_layers`.
 _LAYERS = ("FUSION_0", "FUSION_1", "HOLE_0", "HOLE_1", "VIEW", "LIGHT")
@@ -115,62 +111,59 @@ def woven_floats() -> dict[str, float]:
     }
 
 
-class WovenTables:
-    """Networks and latents of any number of fabrics, appended to a table of elements."""
+def pack_woven(record: np.void, model: WovenModel, layout: ClothLayout | None, tables: Tables) -> None:
+    """Appends latents and correction of a fabric, and its network unless it is there.
 
-    def __init__(self, table: NumberTable) -> None:
-        self._table = table
-        self._networks: dict[str, int] = {}
+    Args:
+        record: of the fabric.
 
-    def add(self, model: WovenModel) -> tuple[dict[str, float], Numbers, Numbers]:
-        """Appends latents and correction of a fabric, and its network unless it is here.
+    Raises:
+        InputError: a network of another shape than that of the shaders.
+    """
+    del layout  # the model's own has the repeat that the encoder saw
+    encoded, cloth, table = model.encoded, model.fabric.layout(), tables.numbers
+    picks, ends = cloth.warp_on_top.shape
+    width, height = cloth.size
+    warp, weft = encoded.fibres.face(False)
+    lobe_warp, lobe_weft = encoded.fibres.lobe_roughness()
+    values: dict[str, float] = {
+        "is_encoded": 1,
+        "network": _network(model.weights, tables),
+        "latents": table.add(packed_numbers(np.concatenate(encoded.faces))),
+        "texels": len(encoded.faces[0]),
+        "top_level": len(encoded.levels) - 1,
+        "ends": encoded.ends,
+        "picks": encoded.picks,
+        "ends_per_mm": ends / width,
+        "picks_per_mm": picks / height,
+        "pitch": mean_pitch(cloth),
+        "warp_x": warp[0],
+        "warp_y": warp[1],
+        "warp_roughness": warp[2],
+        "weft_x": weft[0],
+        "weft_y": weft[1],
+        "weft_roughness": weft[2],
+        "warp_lobe_roughness": lobe_warp,
+        "weft_lobe_roughness": lobe_weft,
+    }
+    if encoded.correction is not None:
+        # In single precision, as in files: halves would round it.
+        layer = packed_layer(encoded.correction[:, :-1], encoded.correction[:, -1], half=False)
+        values |= {"is_corrected": 1, "correction": table.add(layer)}
+    levels = [(level.first, level.columns, level.rows, level.per_thread) for level in encoded.levels]
+    values["levels"] = tables.words.add(np.array(levels, np.float32))
+    values["bundles"] = tables.words.add(encoded.fibres.bundles(False))
+    fill(record["woven"], values)
 
-        Returns:
-            values of the record `Woven` by name, the table of levels [n, 4], the lobe basis [2, bundles, 4].
 
-        Raises:
-            InputError: a network of another shape than that of the shaders.
-        """
-        encoded, layout, table = model.encoded, model.fabric.layout(), self._table
-        picks, ends = layout.warp_on_top.shape
-        width, height = layout.size
-        warp, weft = encoded.fibres.face(False)
-        lobe_warp, lobe_weft = encoded.fibres.lobe_roughness()
-        values: dict[str, float] = {
-            "is_encoded": 1,
-            "network": self._network(model.weights),
-            "latents": table.add(packed_numbers(np.concatenate(encoded.faces))),
-            "texels": len(encoded.faces[0]),
-            "top_level": len(encoded.levels) - 1,
-            "ends": encoded.ends,
-            "picks": encoded.picks,
-            "ends_per_mm": ends / width,
-            "picks_per_mm": picks / height,
-            "pitch": mean_pitch(layout),
-            "warp_x": warp[0],
-            "warp_y": warp[1],
-            "warp_roughness": warp[2],
-            "weft_x": weft[0],
-            "weft_y": weft[1],
-            "weft_roughness": weft[2],
-            "warp_lobe_roughness": lobe_warp,
-            "weft_lobe_roughness": lobe_weft,
-        }
-        if encoded.correction is not None:
-            # In single precision, as in files: halves would round it.
-            layer = packed_layer(encoded.correction[:, :-1], encoded.correction[:, -1], half=False)
-            values |= {"is_corrected": 1, "correction": table.add(layer)}
-        levels = [(level.first, level.columns, level.rows, level.per_thread) for level in encoded.levels]
-        return values, np.array(levels, np.float32), encoded.fibres.bundles(False)
-
-    def _network(self, weights: Weights) -> int:
-        """The first element of a network."""
-        if weights.sha256 not in self._networks:
-            _require_shape(weights)
-            layers = woven_layers(weights).values()
-            elements = np.concatenate([packed_layer(weight, bias) for weight, bias in layers])
-            self._networks[weights.sha256] = self._table.add(elements)
-        return self._networks[weights.sha256]
+def _network(weights: Weights, tables: Tables) -> int:
+    """The first element of a network."""
+    if weights.sha256 not in tables.networks:
+        _require_shape(weights)
+        layers = woven_layers(weights).values()
+        elements = np.concatenate([packed_layer(weight, bias) for weight, bias in layers])
+        tables.networks[weights.sha256] = tables.numbers.add(elements)
+    return tables.networks[weights.sha256]
 
 
 def _require_shape(weights: Weights) -> None:

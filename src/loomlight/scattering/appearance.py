@@ -7,6 +7,36 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.scattering.openness import Openness
+
+
+@dataclass(frozen=True)
+class YarnDetail:
+    """Plies, fibres, slubs and hairs of one family, seen close up (`detail.py`); all off by default.
+
+    Attributes:
+        plies: yarns twisted together, 1 to 12; 1 shows no plies.
+        ply_twist: angle of the plies to the yarn, radians; negative for Z twist.
+        fibre_tilt: standard deviation of the angles by which fibres stray, radians, 0 to π/6.
+        slub: how much the thickness of the yarn varies along it, 0 to 1.
+        hairiness: 0 to 1, of fibres that stand off the yarn; at 1 they cover a twelfth of the cloth.
+        twist: ψ of the fibres, radians, as in the layout.
+        width: of the yarn, millimetres, > 0.
+    """
+
+    plies: int = 1
+    ply_twist: float = 0.0
+    fibre_tilt: float = 0.0
+    slub: float = 0.0
+    hairiness: float = 0.0
+    twist: float = 0.0
+    width: float = 1.0
+
+    @property
+    def is_on(self) -> bool:
+        """Whether the yarn shows anything beside its smooth surface."""
+        return self.plies > 1 or max(self.fibre_tilt, self.slub, self.hairiness) > 0
+
 
 @dataclass(frozen=True, eq=False)
 class FamilyAppearance:
@@ -18,6 +48,7 @@ class FamilyAppearance:
         specular_reflect: single-scattering albedo k_s of the fibre layer in reflection [n, 3].
         specular_transmit: the same in transmission [n, 3].
         roughness: α of the fibre SGGX distribution, 0.01 to 1.
+        detail: what the yarn shows close up.
 
     Per channel diffuse_reflect + diffuse_transmit + κ·max(specular_reflect, specular_transmit) ≤ 1, checked
     where the values are made (`scattering/albedo.py`, which has κ).
@@ -28,6 +59,7 @@ class FamilyAppearance:
     specular_reflect: NDArray[np.float64]
     specular_transmit: NDArray[np.float64]
     roughness: float
+    detail: YarnDetail = YarnDetail()
 
 
 @dataclass(frozen=True)
@@ -60,6 +92,7 @@ class Appearance:
     Attributes:
         diffuse_blend: w, the share of the yarn normal in the blended diffuse term (chen2024 eq. 1).
         optical_depth: Tρ of the fibre layer, > 0.
+        openness: of the cloth's yarns, for light between them; None scatters light of the sky once.
     """
 
     warp: FamilyAppearance
@@ -68,3 +101,4 @@ class Appearance:
     variation: Variation = field(default_factory=Variation)
     diffuse_blend: float = 0.5
     optical_depth: float = 2.0
+    openness: Openness | None = None

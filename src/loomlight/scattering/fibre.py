@@ -23,6 +23,10 @@ _SMALLEST_SQUARED_SUM = 1e-12
 # views and tangents at Tρ = 2.
 _SHARE_TURNED = (0.57, -0.17)
 _SHARE_THROUGH = (0.27, 0.045)
+# Mean shares over cosine-weighted views of a layer whose fibres lie in its plane, back and through:
+# least squares over α of 0.05 to 1 and Tρ of 0.1 to 10, largest errors 0.014 and 0.006.
+_MEAN_TURNED = (0.297, -0.086, -3.12)
+_MEAN_THROUGH = (0.579, 0.310, -2.014, 0.786)
 # Optical depth per Tρ of a light direction that stands for all of them: 1/cos 45°.
 _TYPICAL_DEPTH = 1.4
 
@@ -130,6 +134,21 @@ def layer_albedo_estimate(
     return (
         dr.fma(_SHARE_TURNED[1], roughness, _SHARE_TURNED[0]) * turned,
         dr.fma(_SHARE_THROUGH[1], roughness, _SHARE_THROUGH[0]) * through,
+    )
+
+
+def mean_layer_shares(roughness: Float, optical_depth: Float) -> tuple[Float, Float]:
+    """Shares of diffuse light that a layer of albedo 1 scatters back and through: Floats, 0 to 0.3.
+
+    Light that meets no fibre is in neither.
+    """
+    turned = dr.fma(_MEAN_TURNED[1], roughness, _MEAN_TURNED[0])
+    through = dr.fma(_MEAN_THROUGH[1], roughness, _MEAN_THROUGH[0])
+    # Tρ to a power: it is positive.
+    depth = dr.exp(_MEAN_THROUGH[3] * dr.log(optical_depth))
+    return (
+        turned * (1 - dr.exp(_MEAN_TURNED[2] * optical_depth)),
+        through * optical_depth * dr.exp(_MEAN_THROUGH[2] * depth),
     )
 
 

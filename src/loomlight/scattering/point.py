@@ -14,43 +14,50 @@ from dataclasses import dataclass
 from typing import Any
 
 import drjit as dr
-import numpy as np
 
 from loomlight.core.arrays import Color3, Float, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, channel_mean, maximum
 from loomlight.core.masked_branch import masked_branch
 from loomlight.scattering.albedo import layer_albedo_bound
-from loomlight.scattering.appearance import Appearance, FamilyAppearance
+from loomlight.scattering.appearance import Appearance
+from loomlight.scattering.detail import (
+    DetailNumbers,
+    Frame,
+    Hair,
+    detail_gain,
+    diffuse_gain,
+    fibre_cell,
+    hair_at,
+    turned_frame,
+    under_hair,
+)
 from loomlight.scattering.diffuse import (
     diffuse_pdf,
     diffuse_reflection,
     diffuse_transmission,
     sample_diffuse,
 )
+from loomlight.scattering.family_parameters import ALBEDO_NAMES, FamilyParameters
 from loomlight.scattering.fibre import (
     layer_albedo_estimate,
+    mean_layer_shares,
     pdf_specular,
     reflection,
     sample_specular,
     transmission,
 )
+from loomlight.scattering.interreflection import Interreflection, Scattered, bounced, scattered
 from loomlight.scattering.sheen import (
     sample_sheen,
     sheen_pdf,
     sheen_transmittance,
     sheen_with_transmittance,
 )
-from loomlight.scattering.variation import vary_albedos
+from loomlight.scattering.variation import FIBRES_ACROSS, vary_albedos
 from loomlight.yarn.geometry import SurfacePoint
 from loomlight.yarn.horizon import HorizonMap
 from loomlight.yarn.search import DEFAULT_QUALITY, SearchQuality, Surface
 from loomlight.yarn.visibility import first_hit, unoccluded
-
-# Size of the cells of fibre noise: this many fibres side by side in a yarn, each cell so many times as long.
-_FIBRES_ACROSS = 30
-_FIBRE_CELL_LENGTH = 40
-
-_ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")
 
 
 @dataclass
@@ -71,10 +78,13 @@ class YarnPoint:
         back: the face behind is seen.
         hole: the ray passes through; only sheen and delta transmission are left.
         x, y, height: where, millimetres.
-        normal, tangent: of the yarn and its fibres [3].
+        normal, tangent: of the yarn and its fibres [3], turned by detail.
         is_warp: the family.
         roughness: α.
         albedos: of its thread; None where they are not asked for.
+        surface_normal: of the yarn's surface [3], which hides light; None is `normal`.
+        diffuse_gain: what turned normals gain (`detail.diffuse_gain`); None is 1.
+        bounced: albedos of light between yarns, reflected and transmitted, Color3 each; None without.
     """
 
     back: Mask
@@ -87,6 +97,13 @@ class YarnPoint:
     is_warp: Mask
     roughness: Float
     albedos: Any
+    surface_normal: Any = None
+    diffuse_gain: Any = None
+    bounced: Any = None
+
+    def diffuse(self, value: Float) -> Float:
+        """The diffuse term at this point, of its value for smooth yarn."""
+        return value if self.diffuse_gain is None else value * self.diffuse_gain
 
 
 @dataclass
@@ -132,7 +149,8 @@ def shadow_query(surface: Surface, point: YarnPoint, light: Vec3) -> ShadowQuery
     facing = to_face_frame(light, point.back)
     beyond = facing.z < 0
     # Visibility is a Mask, so no derivatives are needed.
-    own: tuple[Vec3, Float] = dr.detach((point.normal, types.Float(point.height)))
+    surface_normal = point.normal if point.surface_normal is None else point.surface_normal
+    own: tuple[Vec3, Float] = dr.detach((surface_normal, types.Float(point.height)))
 
     def turned(_: tuple[Vec3, Float]) -> tuple[Vec3, Float]:
         far = surface.surface(point.x, point.y, ~point.back)
@@ -143,30 +161,6 @@ def shadow_query(surface: Surface, point: YarnPoint, light: Vec3) -> ShadowQuery
     # The yarn itself occludes lights below its tangent plane.
     searched = ~point.hole & (dr.dot(normal, direction) > 0)
     return ShadowQuery(height, direction, point.back ^ beyond, searched)
-
-
-class _FamilyParameters:
-    """One family's scattering parameters on one backend: scalars where threads are alike, else a table."""
-
-    def __init__(self, family: FamilyAppearance, types: ArrayTypes) -> None:
-        rows = np.stack([np.asarray(getattr(family, name), np.float64) for name in _ALBEDOS], axis=1)
-        self.roughness = dr.opaque(types.Float, float(family.roughness))
-        self.threads = rows.shape[0]
-        self.alike = bool(np.allclose(rows, rows[:1], rtol=0, atol=1e-12))
-        self.shared = [
-            types.Color3(*(dr.opaque(types.Float, float(value)) for value in row)) for row in rows[0]
-        ]
-        padded = np.zeros((self.threads, 4, 4))
-        padded[:, :, :3] = rows
-        self.table = None if self.alike else types.Float(padded.ravel())
-        self._types = types
-
-    def albedo(self, number: int, thread: UInt) -> Color3:
-        """Albedo `number` (in the order of `_ALBEDOS`) of a thread, Color3."""
-        if self.table is None:
-            return self.shared[number]
-        row = dr.gather(self._types.Vector4, self.table, thread * 4 + number)
-        return self._types.Color3(row.x, row.y, row.z)
 
 
 class PointModel:
@@ -196,32 +190,82 @@ class PointModel:
         self.sheen: tuple[Float, Float] | None = (
             (sheen.strength, sheen.roughness) if sheen.strength > 0 else None
         )
-        self._uploaded: dict[type, tuple[_FamilyParameters, _FamilyParameters]] = {}
+        self._uploaded: dict[type, tuple[FamilyParameters, FamilyParameters]] = {}
+        self._detail: dict[type, DetailNumbers] = {}
+        self._between: dict[type, Interreflection] = {}
 
-    def parameters(self, types: ArrayTypes) -> tuple[_FamilyParameters, _FamilyParameters]:
+    def parameters(self, types: ArrayTypes) -> tuple[FamilyParameters, FamilyParameters]:
         """Parameters of (warp, weft) on one backend."""
         if types.Float not in self._uploaded:
             self._uploaded[types.Float] = (
-                _FamilyParameters(self.appearance.warp, types),
-                _FamilyParameters(self.appearance.weft, types),
+                FamilyParameters(self.appearance.warp, types),
+                FamilyParameters(self.appearance.weft, types),
             )
+            self.between_yarns(types)
         return self._uploaded[types.Float]
 
-    def locate(self, x: Float, y: Float, view: Vec3, active: Mask = True) -> YarnPoint:
+    @property
+    def has_detail(self) -> bool:
+        """Whether yarns show plies, fibres, slubs or hairs close up."""
+        return self.appearance.warp.detail.is_on or self.appearance.weft.detail.is_on
+
+    def detail(self, types: ArrayTypes) -> DetailNumbers:
+        """Numbers of the yarns' detail on one backend."""
+        if types.Float not in self._detail:
+            self._detail[types.Float] = DetailNumbers(self.appearance, self.fibre_size, types)
+        return self._detail[types.Float]
+
+    @property
+    def fibre_size(self) -> float:
+        """Width of a fibre, millimetres."""
+        return min(self.surface.finest) / FIBRES_ACROSS
+
+    def between_yarns(self, types: ArrayTypes) -> Interreflection | None:
+        """Light between yarns on one backend; None without."""
+        if self.appearance.openness is None:
+            return None
+        if types.Float not in self._between:
+            self._between[types.Float] = Interreflection(self.appearance.openness, types)
+        return self._between[types.Float]
+
+    def locate(
+        self,
+        x: Float,
+        y: Float,
+        view: Vec3,
+        active: Mask = True,
+        size: Float | None = None,
+        tint: Color3 | None = None,
+    ) -> YarnPoint:
         """The yarn point that the view ray through x, y on the plane z = 0 meets.
 
         Args:
             x, y: draft coordinates, millimetres.
             view: unit vector [3] towards the eye; z < 0 sees the back.
+            size, tint: see `at`.
         """
         types = array_types(x)
         back = types.Bool(view.z < 0)
         seen = to_face_frame(view, back)
         hit = first_hit(self.surface, x, y, seen, back, active, self.quality)
-        return self.at(hit.x, hit.y, back, hit.hole)
+        return self.at(hit.x, hit.y, back, hit.hole, size, tint)
 
-    def at(self, x: Float, y: Float, back: Mask, hole: Mask) -> YarnPoint:
-        """The yarn point at draft coordinates x, y (millimetres) of one face, without parallax."""
+    def at(
+        self,
+        x: Float,
+        y: Float,
+        back: Mask,
+        hole: Mask,
+        size: Float | None = None,
+        tint: Color3 | None = None,
+    ) -> YarnPoint:
+        """The yarn point at draft coordinates x, y (millimetres) of one face, without parallax.
+
+        Args:
+            size: side of the footprint, millimetres, that the yarns' detail is filtered with; None shows
+                smooth yarns.
+            tint: what diffuse albedos of the cloth are multiplied with, Color3; None for 1.
+        """
         types = array_types(x)
         point = self.surface.surface(x, y, back)
         warp, weft = self.parameters(types)
@@ -232,34 +276,92 @@ class PointModel:
                     warp.albedo(number, point.warp_thread),
                     weft.albedo(number, point.weft_thread),
                 )
-                for number in range(len(_ALBEDOS))
+                for number in range(len(ALBEDO_NAMES))
             )
         )
-        if self.varies:
-            albedos = self.varied(point, albedos, x, y)
+        hair = self.hair(x, y, back, size)
+        if self.varies_at(size):
+            albedos = self.varied(point, albedos, x, y, back, size, hair)
+        albedos = tinted(albedos, tint)
+        roughness = dr.select(point.is_warp, warp.roughness, weft.roughness)
+        frame = self._turned_frame(point, x, y, back, size, hair)
         return YarnPoint(
             back=back,
             hole=hole,
             x=x,
             y=y,
             height=point.height,
-            normal=point.normal,
-            tangent=point.tangent,
+            normal=point.normal if frame is None else frame.normal,
+            tangent=point.tangent if frame is None else frame.tangent,
             is_warp=point.is_warp,
-            roughness=dr.select(point.is_warp, warp.roughness, weft.roughness),
+            roughness=roughness,
             albedos=albedos,
+            surface_normal=None if frame is None else point.normal,
+            diffuse_gain=None if frame is None else diffuse_gain(frame, self.appearance.diffuse_blend),
+            bounced=self._bounced(point, albedos, roughness, back, hole, tint),
         )
+
+    def _bounced(
+        self,
+        point: SurfacePoint,
+        albedos: Albedos,
+        roughness: Float,
+        back: Mask,
+        hole: Mask,
+        tint: Color3 | None,
+    ) -> tuple[Color3, Color3] | None:
+        """Albedos of light between yarns at a point, reflected and transmitted; 0 in holes."""
+        types = array_types(roughness)
+        between = self.between_yarns(types)
+        if between is None:
+            return None
+        depth = types.Float(self.appearance.optical_depth)
+        warp, weft = (
+            scattered_by(tinted(Albedos(*family.mean()), tint), family.roughness, depth)
+            for family in self.parameters(types)
+        )
+        blocked = between.blocked_at(point.is_warp, back, point.normal.z, point.height)
+        own = scattered_by(albedos, roughness, depth)
+        reflected, transmitted = bounced(blocked, own, between.interior(warp, weft, back))
+        return dr.select(hole, 0, reflected), dr.select(hole, 0, transmitted)
 
     @property
     def varies(self) -> bool:
         """Whether fibres or threads vary by chance."""
         return self.appearance.variation.fibre_noise > 0 or self.appearance.variation.colour_noise > 0
 
-    def varied(self, point: SurfacePoint, albedos: Albedos, x: Float, y: Float) -> Albedos:
-        """Albedos of the thread at draft coordinates x, y (millimetres), varied as its fibres there are."""
+    def varies_at(self, size: Float | None) -> bool:
+        """Whether albedos vary by chance or by what yarns show to footprints of a side; see `at`."""
+        if size is None or not self.has_detail:
+            return self.varies
+        details = self.appearance.warp.detail, self.appearance.weft.detail
+        return self.varies or any(
+            detail.plies > 1 or max(detail.fibre_tilt, detail.slub) > 0 for detail in details
+        )
+
+    def hair(self, x: Float, y: Float, back: Mask, size: Float | None) -> Hair | None:
+        """The hair on top of draft coordinates x, y (millimetres); None where there are none."""
+        if size is None or not self.has_detail:
+            return None
+        numbers = self.detail(array_types(x))
+        return hair_at(numbers, x, y, back, size) if numbers.has_hairs else None
+
+    def _turned_frame(
+        self, point: SurfacePoint, x: Float, y: Float, back: Mask, size: Float | None, hair: Hair | None
+    ) -> Frame | None:
+        """The frame of a point of the surface with the yarn's detail; None where there is none."""
+        if size is None or not self.has_detail:
+            return None
+        thread = self.thread_number(point, x, y)
+        frame = turned_frame(self.detail(array_types(x)), point, back, thread, size)
+        return frame if hair is None else under_hair(frame, hair)
+
+    def thread_number(self, point: SurfacePoint, x: Float, y: Float) -> UInt:
+        """Number of the thread at draft coordinates x, y (millimetres) over the whole cloth, UInt32.
+
+        Were it counted within the repeat, what varies by chance would repeat with the draft.
+        """
         types = array_types(x)
-        variation = self.appearance.variation
-        # Threads are counted over the whole cloth, or the noise would repeat with the draft.
         position = dr.select(point.is_warp, x, y) - point.across
         period = dr.select(point.is_warp, types.Float(self.surface.size[0]), self.surface.size[1])
         threads = dr.select(
@@ -270,12 +372,34 @@ class PointModel:
         index = dr.select(point.is_warp, types.Int32(point.warp_thread), types.Int32(point.weft_thread))
         number = types.Int32(dr.floor(position / period)) * threads + index
         # Two families must not share numbers.
-        thread = types.UInt32(number) * 2 + dr.select(point.is_warp, types.UInt32(1), types.UInt32(0))
-        fibre = min(self.surface.finest) / _FIBRES_ACROSS
-        column = dr.floor(point.fibre_across / fibre)
-        # Cells side by side are staggered, or their ends would line up.
-        row = dr.floor(point.fibre_along / (fibre * _FIBRE_CELL_LENGTH) + 0.618 * column)
-        cell = types.UInt32(types.Int32(column)) * 65536 + types.UInt32(types.Int32(row))
+        return types.UInt32(number) * 2 + dr.select(point.is_warp, types.UInt32(1), types.UInt32(0))
+
+    def varied(
+        self,
+        point: SurfacePoint,
+        albedos: Albedos,
+        x: Float,
+        y: Float,
+        back: Mask = False,
+        size: Float | None = None,
+        hair: Hair | None = None,
+    ) -> Albedos:
+        """Albedos of the thread at draft coordinates x, y (millimetres), varied as it is there.
+
+        Args:
+            size: see `at`.
+            hair: on top, which hides grooves and slubs.
+        """
+        types = array_types(x)
+        variation = self.appearance.variation
+        thread = self.thread_number(point, x, y)
+        column, row, _ = fibre_cell(point.fibre_across, point.fibre_along, types.Float(self.fibre_size))
+        cell = types.UInt32(types.Int32(column)) * 65536 + types.UInt32(types.Int32(dr.floor(row)))
+        gain = None
+        if size is not None and self.has_detail:
+            gain = detail_gain(self.detail(types), point, x, y, back, thread, size)
+            if hair is not None:
+                gain.excess *= 1 - hair.cover
         varied = vary_albedos(
             (
                 albedos.diffuse_reflect,
@@ -289,6 +413,7 @@ class PointModel:
             types.Float(variation.colour_noise),
             variation.seed,
             layer_albedo_bound(self.appearance.optical_depth),
+            gain,
         )
         return Albedos(*varied)
 
@@ -306,9 +431,14 @@ class PointModel:
 
     def evaluate(self, point: YarnPoint, light: Vec3, view: Vec3, active: Mask = True) -> Color3:
         """f(light, view)·|cos θ_light| of a yarn point, shadows included, without delta: Color3, 1/sr."""
-        value = self._scattered(point, to_face_frame(light, point.back), to_face_frame(view, point.back))
-        worth = array_types(point.x).Bool(active) & (dr.max(value) > 0)
-        return dr.select(self.visibility(point, light, worth) & worth, value, 0)
+        facing, seen = to_face_frame(light, point.back), to_face_frame(view, point.back)
+        value = self._scattered(point, facing, seen)
+        active = array_types(point.x).Bool(active)
+        worth = active & (dr.max(value) > 0)
+        value = dr.select(self.visibility(point, light, worth) & worth, value, 0)
+        if point.bounced is not None:
+            value += dr.select(active, self._bounced_value(point, facing, seen), 0)
+        return value
 
     def pdf(self, point: YarnPoint, light: Vec3, view: Vec3) -> Float:
         """Density of `sample` per solid angle, without delta: Float, 1/sr."""
@@ -330,8 +460,8 @@ class PointModel:
         lobes = self._lobe_shares(point, seen)
         specular, reflect, transmit, sheen, passing = lobes
         facing = sample_specular(seen, point.tangent, point.roughness, u)
-        blend = types.Float(self.appearance.diffuse_blend)
-        diffuse = sample_diffuse(point.normal, blend, u)
+        blends = self._sampling_blends(point)
+        diffuse = sample_diffuse(point.normal, dr.select(choice < specular + reflect, *blends), u)
         facing = dr.select(
             choice < specular, facing, dr.select(choice < specular + reflect, diffuse, -diffuse)
         )
@@ -345,9 +475,13 @@ class PointModel:
         through = types.Color3(self._straight_through(point, seen))
         value = dr.select(is_null, through, self._scattered(point, facing, seen))
         light = to_face_frame(facing, point.back)
-        worth = types.Bool(active) & (dr.max(value) > 0) & (pdf > 0)
+        drawn = types.Bool(active) & (pdf > 0)
+        worth = drawn & (dr.max(value) > 0)
         worth &= self.visibility(point, light, worth & ~is_null) | is_null
-        weight = dr.select(worth, value / maximum(pdf, 1e-30), 0)
+        value = dr.select(worth, value, 0)
+        if point.bounced is not None:
+            value += dr.select(drawn & ~is_null, self._bounced_value(point, facing, seen), 0)
+        weight = value / maximum(pdf, 1e-30)
         return DirectionSample(light=light, pdf=dr.select(active, pdf, 0), weight=weight, is_null=is_null)
 
     def straight_through(self, point: YarnPoint, view: Vec3) -> Float:
@@ -368,9 +502,9 @@ class PointModel:
         frame = (point.normal, point.tangent, point.roughness, depth)
         above, below = light.z > 0, light.z < 0
         albedos = point.albedos
-        near = albedos.diffuse_reflect * diffuse_reflection(light, point.normal, blend)
+        near = albedos.diffuse_reflect * point.diffuse(diffuse_reflection(light, point.normal, blend))
         near += albedos.specular_reflect * reflection(light, view, *frame)
-        far = albedos.diffuse_transmit * diffuse_transmission(light, point.normal, blend)
+        far = albedos.diffuse_transmit * point.diffuse(diffuse_transmission(light, point.normal, blend))
         far += albedos.specular_transmit * transmission(light, view, *frame)
         value = dr.select(above, near, dr.select(below, far, types.Color3(0)))
         value = dr.select(point.hole, 0, value)
@@ -379,6 +513,37 @@ class PointModel:
             sheen, transmittance = sheen_with_transmittance(light, view, *self.sheen)
             value = transmittance * value + sheen
         return value
+
+    def _bounced_value(self, point: YarnPoint, light: Vec3, view: Vec3) -> Color3:
+        """f·cos of light between yarns, directions in the frame of the face, 1/sr; no shadow falls on it."""
+        reflected, transmitted = point.bounced
+        value = dr.select(light.z > 0, reflected, transmitted) * (abs(light.z) * dr.inv_pi)
+        if self.sheen is not None:
+            value *= sheen_transmittance(view, *self.sheen)
+        return value
+
+    def _diffuse_albedos(self, point: YarnPoint) -> tuple[Float, Float, Float, Float]:
+        """Means of the channels: diffuse reflection and transmission, and light between yarns of both."""
+        albedos = point.albedos
+        reflect, transmit = channel_mean(albedos.diffuse_reflect), channel_mean(albedos.diffuse_transmit)
+        if point.bounced is None:
+            return reflect, transmit, array_types(point.x).Float(0), array_types(point.x).Float(0)
+        return reflect, transmit, *(channel_mean(part) for part in point.bounced)
+
+    def _sampling_blends(self, point: YarnPoint) -> tuple[Float, Float]:
+        """Share of the yarn's normal in what is drawn for reflection and for transmission.
+
+        Light between yarns is diffuse about the cloth's normal, so with it the diffuse lobe is of another
+        blend, exactly.
+        """
+        blend = array_types(point.x).Float(self.appearance.diffuse_blend)
+        if point.bounced is None:
+            return blend, blend
+        reflect, transmit, more_reflect, more_transmit = self._diffuse_albedos(point)
+        return (
+            blend * reflect * dr.rcp(maximum(reflect + more_reflect, 1e-20)),
+            blend * transmit * dr.rcp(maximum(transmit + more_transmit, 1e-20)),
+        )
 
     def _lobe_shares(self, point: YarnPoint, view: Vec3) -> tuple[Float, Float, Float, Float, Float]:
         """Probabilities of specular, diffuse reflection, diffuse transmission, sheen and passing; sum 1."""
@@ -390,8 +555,8 @@ class PointModel:
             channel_mean(albedos.specular_reflect) * turned
             + channel_mean(albedos.specular_transmit) * through
         )
-        reflect = channel_mean(albedos.diffuse_reflect)
-        transmit = channel_mean(albedos.diffuse_transmit)
+        reflect, transmit, more_reflect, more_transmit = self._diffuse_albedos(point)
+        reflect, transmit = reflect + more_reflect, transmit + more_transmit
         if self.sheen is None:
             sheen = types.Float(0)
         else:
@@ -408,17 +573,39 @@ class PointModel:
     def _pdf(
         self, point: YarnPoint, light: Vec3, view: Vec3, lobes: tuple[Float, Float, Float, Float, Float]
     ) -> Float:
-        types = array_types(point.x)
         specular, reflect, transmit, sheen, _ = lobes
-        blend = types.Float(self.appearance.diffuse_blend)
+        blend_reflect, blend_transmit = self._sampling_blends(point)
         density = (
             specular * pdf_specular(light, view, point.tangent, point.roughness)
-            + reflect * diffuse_pdf(light, point.normal, blend)
-            + transmit * diffuse_pdf(-light, point.normal, blend)
+            + reflect * diffuse_pdf(light, point.normal, blend_reflect)
+            + transmit * diffuse_pdf(-light, point.normal, blend_transmit)
         )
         if self.sheen is not None:
             density += sheen * sheen_pdf(light, view, self.sheen[1])
         return density
+
+
+def tinted(albedos: Albedos, tint: Color3 | None) -> Albedos:
+    """Albedos whose diffuse terms are multiplied with a tint; None leaves them."""
+    if tint is None:
+        return albedos
+    return Albedos(
+        albedos.diffuse_reflect * tint,
+        albedos.diffuse_transmit * tint,
+        albedos.specular_reflect,
+        albedos.specular_transmit,
+    )
+
+
+def scattered_by(albedos: Albedos, roughness: Float, optical_depth: Float) -> Scattered:
+    """What yarn of these albedos sends back and lets through at one scattering."""
+    return scattered(
+        albedos.diffuse_reflect,
+        albedos.diffuse_transmit,
+        albedos.specular_reflect,
+        albedos.specular_transmit,
+        mean_layer_shares(roughness, optical_depth),
+    )
 
 
 def to_face_frame(direction: Vec3, back: Mask) -> Vec3:

@@ -15,6 +15,7 @@ import torch
 from torch import Tensor, nn
 
 from loomlight.scattering.lobe_mixture import lobe_mixture, mixture_density, sample_mixture
+from loomlight.scattering.two_sided_lobes import TwoSidedLobes
 from loomlight.training.torch_functions import TORCH
 
 # f·cos [n, m, 3] of lights [n, m, 3] on the view's side.
@@ -66,6 +67,40 @@ def sampler_loss(
     divergence = -(shares * log_density).mean()
     # Squared errors make the estimates' mean the optimum.
     return divergence + (torch.exp(log_albedo) - albedo).square().mean()
+
+
+def two_sided_loss(
+    lobes: TwoSidedLobes,
+    views: Tensor,
+    values: Callable[[Tensor], Tensor],
+    lights: int,
+    generator: torch.Generator,
+) -> Tensor:
+    """The divergence of densities over the whole sphere, up to a number that no weight changes.
+
+    Args:
+        lobes: columns [n, 1] of a network's outputs.
+        views: unit vectors [n, 3], z > 0.
+        values: luminance of f·cos [n, m] of lights [n, m, 3] on either side.
+        lights: how many are drawn for each view, half of them by cosines on either side.
+        generator: of random numbers.
+    """
+    view = [column[:, None] for column in views.T]
+    with torch.no_grad():
+        numbers = torch.rand(5, len(views), lights, generator=generator).to(views.device)
+        choice, *u = numbers[:3]
+        own = torch.stack(lobes.sample(view, choice, u, TORCH), dim=-1)
+        cosine = _cosine_directions(*u)
+        cosine[..., 2] *= torch.where(numbers[3] < 0.5, 1.0, -1.0)
+        drawn = torch.where((numbers[4] < _BY_MIXTURE)[..., None], own, cosine)
+        density = _BY_MIXTURE * lobes.density([*drawn.unbind(-1)], view, TORCH)
+        density += (1 - _BY_MIXTURE) * drawn[..., 2].abs() / (2 * pi)
+        weights = values(drawn) / density.clamp(min=_SMALLEST)
+        mean = weights.mean(dim=1, keepdim=True)
+        # Views of black places have no distribution to learn.
+        shares = torch.where(mean > 1e-6, weights / mean.clamp(min=_SMALLEST), torch.zeros_like(weights))
+    log_density = torch.log(lobes.density([*drawn.unbind(-1)], view, TORCH).clamp(min=_SMALLEST))
+    return -(shares * log_density).mean()
 
 
 def _cosine_directions(u: Tensor, v: Tensor) -> Tensor:

@@ -100,9 +100,11 @@ def yarn_diameter_mm(
     return math.sqrt(4 * yarn_tex(count) / (math.pi * 1000 * density * packing))
 
 
-def tex_of_diameter(diameter_mm: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Linear density in tex of round cotton yarns of these diameters, millimetres: see `yarn_diameter_mm`."""
-    return diameter_mm**2 * (math.pi / 4 * 1000 * COTTON_DENSITY * DEFAULT_PACKING)
+def tex_of_diameter(
+    diameter_mm: NDArray[np.float64], *, density: float = COTTON_DENSITY, packing: float = DEFAULT_PACKING
+) -> NDArray[np.float64]:
+    """Linear density in tex of round yarns of these diameters, millimetres: see `yarn_diameter_mm`."""
+    return diameter_mm**2 * (math.pi / 4 * 1000 * density * packing)
 
 
 def longest_runs(on_top: NDArray[np.bool_]) -> NDArray[np.intp]:

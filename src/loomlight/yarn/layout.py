@@ -42,10 +42,14 @@ class FamilyLayout:
         _require_within("height_scale", self.height_scale, 0.01, 2)
 
     @property
+    def visible_width(self) -> NDArray[np.float64]:
+        """Width of each thread that is used [n], millimetres."""
+        return np.minimum(self.width, (1 - SMALLEST_GAP) * self.spacing)
+
+    @property
     def open_share(self) -> float:
         """Share of the cloth's side that no thread of the family covers."""
-        widths = np.minimum(self.width, (1 - SMALLEST_GAP) * self.spacing)
-        return 1 - float(widths.sum() / self.spacing.sum())
+        return 1 - float(self.visible_width.sum() / self.spacing.sum())
 
 
 @dataclass(frozen=True, eq=False)

@@ -100,7 +100,8 @@ def test_a_frozen_offset_texture_gets_no_gradient() -> None:
     made, queries = network().train(), inputs()
     for frozen in (False, True):
         made.zero_grad(set_to_none=True)
-        loss_of(made(*queries, blur=1.0, offset_frozen=frozen)[0], torch.ones(COUNT, 3) / np.pi).backward()
+        predicted, _ = made(*queries, blur=1.0, offset_frozen=frozen)
+        loss_of(predicted, torch.ones(COUNT, 3) / np.pi, torch.tensor(1.0)).backward()
         assert made.offset_texture is not None
         assert (made.offset_texture.grad is None) == frozen
         assert made.features[0].grad is not None

@@ -16,12 +16,16 @@ class Design:
         offset: with the neural offset module.
         whitened: texels hold a mean and a deviation of each colour too, six channels, and the decoder gives
             how many deviations a colour is from its mean.
+        encoded: latents are an encoder's, of what is measured of a texel (`encoded_textures.py`).
+        together: one encoder and one decoder are trained for many materials.
     """
 
     latent: int
     hidden: tuple[int, ...]
     offset: bool = False
     whitened: bool = False
+    encoded: bool = False
+    together: bool = False
 
     @property
     def decoder_widths(self) -> tuple[int, ...]:
@@ -56,6 +60,6 @@ OURS, WITHOUT, RAINER19, RAINER20 = "ours", "ours without offset", "Rainer19", "
 DESIGNS = {
     WITHOUT: Design(7, (25, 25, 25)),
     OURS: Design(7, (25, 25, 25), offset=True),
-    RAINER19: Design(8, (106,) * 4, whitened=True),
-    RAINER20: Design(32, (106,) * 4, whitened=True),
+    RAINER19: Design(8, (106,) * 4, whitened=True, encoded=True),
+    RAINER20: Design(32, (106,) * 4, whitened=True, encoded=True, together=True),
 }

@@ -1,10 +1,8 @@
 """Any `Design` as a torch module, trained on the queries of neumip by its loop: kuznetsov2021's baselines.
 
-Rainer et al. 2019 and 2020 encode the apparent BRDF of each texel, measured for a fixed set of directions;
-the second with one encoder for many materials. Scattered queries have no such sets: each has directions of
-its own. So latents are found by descent, as in an auto-decoder, under the published decoders. They are also
-given the pyramid, the blur, the loss and the schedule of neumip, without which queries of all sizes would
-contradict one another: what is compared is decoder, latent size and offset alone.
+Latents are found by descent, as in neumip; those of Rainer et al. are encoded (`encoded_textures.py`). All
+designs have the pyramid, the loss and the schedule of neumip, without which queries of all sizes would
+contradict one another.
 """
 
 from __future__ import annotations
@@ -32,7 +30,14 @@ from loomlight.models.neumip.pyramid import (
 )
 from loomlight.models.neumip.settings import NeumipSettings
 from loomlight.models.neumip.training.network import LEAST_OUTPUT, SLOPE, TorchFunctions, blurred
-from loomlight.models.neumip.training.train import Batches, one_thread, rate_factor, shape_of, taken_queries
+from loomlight.models.neumip.training.train import (
+    Batches,
+    gains_of,
+    one_thread,
+    rate_factor,
+    shape_of,
+    taken_queries,
+)
 from loomlight.training.loop import Schedule, train
 
 _FUNCTIONS = TorchFunctions()
@@ -47,26 +52,37 @@ Report = Callable[[int, int], None]
 class NeuralTextures(nn.Module):
     """A pyramid of neural textures and its networks, of one face; light is reflected alone."""
 
-    def __init__(self, design: Design, shape: PyramidShape, scale: float = 1.0) -> None:
+    def __init__(
+        self,
+        design: Design,
+        shape: PyramidShape,
+        scale: float = 1.0,
+        gains: tuple[float, float] = (1.0, 1.0),
+    ) -> None:
         """
         Args:
             scale: textures learn so many times as fast as networks.
+            gains: see `gains_of`.
         """
         super().__init__()
-        self.design, self.shape, self.scale = design, shape, scale
-        first = torch.zeros(design.pyramid_channels)
-        first[design.latent :] = _COLOUR / scale
-        self.features = nn.ParameterList(
-            nn.Parameter(self._first(first, high, wide)) for wide, high in shape.sizes
-        )
-        self.decoder = _perceptron(design.decoder_widths)
+        self.design, self.shape, self.scale, self.gains = design, shape, scale, gains
+        self.features = self.first_textures()
+        self.decoder = perceptron(design.decoder_widths)
         nn.init.constant_(self.decoder[-1].bias, 0 if design.whitened else _COLOUR)
         self.offset_texture: nn.Parameter | None = None
         self.offset: nn.Sequential | None = None
         if design.offset:
             self.offset_texture = nn.Parameter(torch.zeros(design.latent, shape.rows, shape.columns))
-            self.offset = _perceptron(design.offset_widths)
+            self.offset = perceptron(design.offset_widths)
             nn.init.zeros_(self.offset[-1].bias)
+
+    def first_textures(self) -> nn.ParameterList:
+        """The textures of all levels [channels, rows, columns], as they begin."""
+        first = torch.zeros(self.design.pyramid_channels)
+        first[self.design.latent :] = _COLOUR / self.scale
+        return nn.ParameterList(
+            nn.Parameter(self._first(first, high, wide)) for wide, high in self.shape.sizes
+        )
 
     def _first(self, first: Tensor, high: int, wide: int) -> Tensor:
         texture = first[:, None, None].expand(-1, high, wide).clone()
@@ -90,13 +106,13 @@ class NeuralTextures(nn.Module):
         if self.offset is not None and self.offset_texture is not None:
             texture = self.offset_texture.detach() if offset_frozen else self.offset_texture
             taps = bilinear_taps(u, v, shape.columns, shape.rows, faces * 0, _FUNCTIONS)
-            texel = self._fetched([texture], blur, taps)
+            texel = _fetched(self._rows([texture], blur), taps)
             depth = self.offset(torch.cat([texel, views], dim=1))[:, 0]
             cosine = torch.sqrt((1 - views.square().sum(1)).clamp(min=0))
             slope = 1 / cosine.clamp(min=SMALLEST_COSINE)
             u, v = shifted(shape, u, v, depth, views[:, 0], views[:, 1], slope)
         taps = trilinear_taps(shape, u, v, levels, faces * 0, _FUNCTIONS)
-        texel = self._fetched(list(self.features), blur, taps)
+        texel = _fetched(self.rows(blur), taps)
         latent, colours = texel[:, : self.design.latent], texel[:, self.design.latent :]
         outputs = self.decoder(torch.cat([latent, lights, views], dim=1))
         if self.design.whitened:
@@ -105,14 +121,16 @@ class NeuralTextures(nn.Module):
             return functional.leaky_relu(outputs, SLOPE).clamp(min=LEAST_OUTPUT), None
         return functional.relu(outputs), None
 
-    def _fetched(self, textures: list[Tensor], blur: float, taps: Taps) -> Tensor:
-        """Weighted sums of texels [n, channels]."""
+    def rows(self, blur: float) -> Tensor:
+        """Texels of all levels [texels, channels], blurred."""
+        return self._rows(list(self.features), blur)
+
+    def _rows(self, textures: list[Tensor], blur: float) -> Tensor:
         rows = [
             (self.scale * blurred(texture, blur / 2**level)).permute(1, 2, 0).flatten(0, 1)
             for level, texture in enumerate(textures)
         ]
-        texels, weights = torch.stack(taps.texels, dim=1), torch.stack(taps.weights, dim=1)
-        return functional.embedding_bag(texels, torch.cat(rows), per_sample_weights=weights, mode="sum")
+        return torch.cat(rows)
 
     @torch.no_grad()
     def value(
@@ -129,7 +147,7 @@ class NeuralTextures(nn.Module):
         for first in range(0, len(positions), _CHUNK):
             u, level, light, view = (part[first : first + _CHUNK] for part in arrays)
             face = torch.zeros(len(u), dtype=torch.int64)
-            parts.append(self(u - u.floor(), level, light, view, face)[0] / EXPOSURE)
+            parts.append(self(u - u.floor(), level, light, view, face)[0] / (EXPOSURE * self.gains[0]))
         return torch.cat(parts).numpy()
 
 
@@ -154,7 +172,8 @@ def trained_textures(
     folder.mkdir(parents=True, exist_ok=True)
     queries = taken_queries(source, settings, queries_folder, lambda done, total: None)
     torch.manual_seed(settings.seed)
-    network = NeuralTextures(design, shape_of(source, settings), settings.texture_rate / settings.rate)
+    scale = settings.texture_rate / settings.rate
+    network = NeuralTextures(design, shape_of(source, settings), scale, gains_of(queries))
     batches = Batches(network, queries, settings, "cpu")
     optimiser = torch.optim.Adam(network.parameters(), settings.rate)
     with one_thread():
@@ -170,7 +189,13 @@ def trained_textures(
     return network
 
 
-def _perceptron(widths: tuple[int, ...]) -> nn.Sequential:
+def _fetched(rows: Tensor, taps: Taps) -> Tensor:
+    """Weighted sums of texels [n, channels]."""
+    texels, weights = torch.stack(taps.texels, dim=1), torch.stack(taps.weights, dim=1)
+    return functional.embedding_bag(texels, rows, per_sample_weights=weights, mode="sum")
+
+
+def perceptron(widths: tuple[int, ...]) -> nn.Sequential:
     """Dense layers with ReLU between them."""
     layers: list[nn.Module] = []
     for inputs, outputs in pairwise(widths):

@@ -9,8 +9,10 @@ averages paths over the same Gaussian, so that errors are the model's alone.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
+from hashlib import sha256
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -43,6 +45,7 @@ _SEED = 41
 # Paths of one call: a picture's footprints are held in memory.
 _CHUNK = 1 << 21
 _BASELINES = "loomlight.evaluation.baselines.neural_textures"
+_ENCODINGS = "loomlight.evaluation.baselines.encoded_textures"
 
 # f·cos, linear RGB [n, 3], 1/sr, of the queries of a shot.
 Predict = Callable[["Shot"], _Floats]
@@ -99,6 +102,7 @@ def stage_settings(setting: Setting, resolution: int | None = None) -> NeumipSet
     chosen = settings_of(setting.quality, steps=setting.steps)
     if setting.quality == "preview":
         chosen = PREVIEW if setting.steps is None else replace(PREVIEW, steps=setting.steps)
+    resolution = resolution or setting.resolution
     return chosen if resolution is None else replace(chosen, resolution=resolution)
 
 
@@ -197,7 +201,7 @@ def trained_model(
             return model
     import_extra("torch", "train", "Training neumip")
     training: Any = import_module("loomlight.models.neumip.training.train")
-    weights = training.train_neumip(source, settings, place, report, queries_folder=_queries(setting))
+    weights = training.train_neumip(source, settings, place, report, queries_folder=_queries(setting.runs))
     model = NeumipModel(source, weights)
     write_loom(file, model.to_loom())
     return model
@@ -209,6 +213,7 @@ def predictor(
     name: str,
     design: Design | None = None,
     resolution: int | None = None,
+    together: Sequence[str] = (),
 ) -> Predict:
     """The values of a trained design.
 
@@ -216,6 +221,7 @@ def predictor(
         name: of `DESIGNS`, or of the design given.
         design: any other, trained as a torch module.
         resolution: of its textures, instead of `stage_settings`'.
+        together: names of the materials that share networks, of designs that share any.
 
     Raises:
         InputError: as of `trained_model`.
@@ -223,15 +229,14 @@ def predictor(
     if design is None and name in (OURS, WITHOUT):
         return model_predictor(trained_model(source, setting, name))
     import_extra("torch", "train", "Training a baseline")
-    settings = stage_settings(setting, resolution)
-    baselines: Any = import_module(_BASELINES)
-    network = baselines.trained_textures(
-        design or DESIGNS[name],
-        source,
-        settings,
-        _place(source, settings, setting, name),
-        _queries(setting),
-    )
+    chosen, settings = design or DESIGNS[name], stage_settings(setting, resolution)
+    if chosen.encoded:
+        names = tuple(together) if chosen.together else (source.name,)
+        network = _encodings(chosen, names, settings, setting.runs)[names.index(source.name)]
+    else:
+        baselines: Any = import_module(_BASELINES)
+        place = _place(source, settings, setting, name)
+        network = baselines.trained_textures(chosen, source, settings, place, _queries(setting.runs))
     shape: PyramidShape = network.shape
 
     def predict(shot: Shot) -> _Floats:
@@ -242,6 +247,16 @@ def predictor(
         return found
 
     return predict
+
+
+@lru_cache(2)
+def _encodings(design: Design, names: tuple[str, ...], settings: NeumipSettings, runs: Path) -> Any:
+    """`trained_encodings` of materials, in the order of their names."""
+    encodings: Any = import_module(_ENCODINGS)
+    sources = [stage_material(name) for name in names]
+    digest = sha256(" ".join([repr(design), *map(settings.identity, sources)]).encode()).hexdigest()[:12]
+    place = Path(runs) / "kuznetsov2021" / f"encoded-{digest}"
+    return encodings.trained_encodings(design, sources, settings, place, _queries(runs))
 
 
 def model_predictor(model: NeumipModel) -> Predict:
@@ -263,16 +278,12 @@ def _as_picture(values: _Floats, shot: Shot) -> _Floats:
     return np.asarray(np.pi * values.reshape(height, width, 3), np.float32)
 
 
-def _runs(setting: Setting) -> Path:
-    return Path(setting.runs) / "kuznetsov2021"
-
-
 def _place(source: Heightfield, settings: NeumipSettings, setting: Setting, name: str) -> Path:
     identity = settings.identity(source)[:12]
-    return _runs(setting) / f"{source.name}-{name}-{identity}".replace(" ", "-").lower()
+    return Path(setting.runs) / "kuznetsov2021" / f"{source.name}-{name}-{identity}".replace(" ", "-").lower()
 
 
-def _queries(setting: Setting) -> Path:
-    folder = _runs(setting) / "queries"
+def _queries(runs: Path) -> Path:
+    folder = Path(runs) / "kuznetsov2021" / "queries"
     folder.mkdir(parents=True, exist_ok=True)
     return folder

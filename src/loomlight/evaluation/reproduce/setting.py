@@ -38,6 +38,7 @@ class Setting:
         model: of figures that show one model beside the point model.
         quality: of trainings that a figure makes, such as "preview".
         steps: of these trainings; by default as the quality says.
+        resolution: texels a side of the textures of `neumip`; by default as the quality says.
         environment: a latitude-longitude picture for scenes that an environment lights; None is the studio.
     """
 
@@ -50,6 +51,7 @@ class Setting:
     environment: Path | None = None
     quality: str = "preview"
     steps: int | None = None
+    resolution: int | None = None
 
     def network(self) -> Weights:
         """The network of the figure.

@@ -93,8 +93,13 @@ def stage_material(name: str) -> Material:
     return layered_material(name, RESOLUTION)
 
 
-def trained(source: Material, setting: Setting, decoder: str = "2x32", rung: str = "frames") -> Model:
+def trained(
+    source: Material, setting: Setting, decoder: str = "2x32", rung: str = "frames", **others: Any
+) -> Model:
     """The model of a material; a training is kept in the setting's folder of runs, and read if it is there.
+
+    Args:
+        others: further options of `settings_of`.
 
     Raises:
         InputError: an unknown quality, or a folder that cannot be written to.
@@ -105,6 +110,7 @@ def trained(source: Material, setting: Setting, decoder: str = "2x32", rung: str
         "resolution": RESOLUTION,
         "decoder": decoder,
         "rung": rung,
+        **others,
     }
     if setting.steps is not None:
         options["steps"] = setting.steps

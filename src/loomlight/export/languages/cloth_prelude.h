@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #ifdef __CUDACC__
+#include <cuda_fp16.h>
 #define CLOTH_INLINE __device__ __forceinline__
 #else
 #define CLOTH_INLINE inline
@@ -42,6 +43,16 @@ CLOTH_MAKE(uint, uint)
 #endif
 #ifdef __CUDACC__
 typedef unsigned int uint;
+#else
+// Half-precision numbers by their bits, as cuda_fp16.h has them.
+struct cloth_half { unsigned short bits; };
+inline cloth_half __ushort_as_half(unsigned short bits) { return {bits}; }
+inline CLOTH_REAL __half2float(cloth_half number)
+{
+    const uint exponent = (number.bits >> 10) & 31u, mantissa = number.bits & 1023u;
+    const float size = exponent ? std::ldexp(float(1024u + mantissa), int(exponent) - 25) : std::ldexp(float(mantissa), -24);
+    return CLOTH_REAL(number.bits & 0x8000u ? -size : size);
+}
 #endif
 
 template <typename T> struct StructuredBuffer
@@ -107,6 +118,7 @@ CLOTH_INLINE int I32_max(int a, int b) { return a > b ? a : b; }
 CLOTH_INLINE float F32_abs(float a) { return fabsf(a); }
 CLOTH_INLINE float F32_floor(float a) { return floorf(a); }
 CLOTH_INLINE float F32_ceil(float a) { return ceilf(a); }
+CLOTH_INLINE float F32_frac(float a) { return a - floorf(a); }
 CLOTH_INLINE float F32_round(float a) { return rintf(a); }
 CLOTH_INLINE float F32_fma(float a, float b, float c) { return fmaf(a, b, c); }
 CLOTH_INLINE float F32_max(float a, float b) { return fmaxf(a, b); }

@@ -18,9 +18,11 @@ from typing import Any, final
 import drjit as dr
 
 from loomlight.aggregate.components import components, light_visibility
+from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.core.arrays import Color3, Float, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import array_types, maximum
 from loomlight.core.footprint import Footprint
+from loomlight.models.between_yarns import BetweenYarns, Bounced
 from loomlight.models.clustered.base import DeviceTables, LightTaps
 from loomlight.models.clustered.sampling import LobeSampler
 from loomlight.models.clustered.texels import TexelPoint
@@ -71,6 +73,7 @@ class ClusteredBsdf(SeparableBsdf):
         tables: DeviceTables,
         model: PointModel,
         mean_albedos: FamilyAlbedos,
+        albedos_of_cloth: FootprintAlbedos,
         samples: int,
         texels: int,
         seed: UInt,
@@ -82,6 +85,7 @@ class ClusteredBsdf(SeparableBsdf):
         """
         Args:
             mean_albedos: of the footprint, without tint.
+            albedos_of_cloth: of threads over footprints, for light between yarns.
             samples: yarn points; 0 leaves the residual out.
             texels: points of the texel model; 0 leaves it out.
             seed: a random number a lane.
@@ -93,6 +97,7 @@ class ClusteredBsdf(SeparableBsdf):
         self._tint, self._active = tint, active
         self._back = types.Bool(view.z < 0)
         self._mean_albedos = mean_albedos
+        self._albedos_of_cloth = albedos_of_cloth
         self._base = tables.seen_from(
             to_face_frame(view, self._back), self._back, trusted=samples + texels > 0
         )
@@ -149,6 +154,18 @@ class ClusteredBsdf(SeparableBsdf):
         """Mean albedos of the threads over the footprint, which the base is multiplied by."""
         return tinted(self._mean_albedos, self._tint)
 
+    def bounced(self, components: Components) -> Bounced | None:
+        """Albedos of light between yarns, with as much of either family as the whole cloth shows.
+
+        Components are estimates of either sign, and say nothing of shares.
+        """
+        del components
+        albedos, seen = self.albedos, to_face_frame(self.view, self._back)
+        between = BetweenYarns.of(
+            self._albedos_of_cloth, (albedos.warp, albedos.weft), self._tint, seen, self._back
+        )
+        return None if between is None else between.anywhere(self.hole)
+
     def components(self, light: Vec3, active: Mask = True) -> Components:
         """Base and residual of the components: unbiased estimates, of either sign."""
         return self._estimate(light, active).components
@@ -167,7 +184,7 @@ class ClusteredBsdf(SeparableBsdf):
             own.specular_weft if weft else rest.specular_weft,
             own.light_visibility,
         )
-        body = found.colour + shade(known, self.albedos, through)
+        body = found.colour + shade(known, self.albedos, through) + self.bounced_value(own, light)
         return self.under_sheen(body, found.components.light_visibility, light)
 
     def _estimate(self, light: Vec3, active: Mask) -> Estimate:

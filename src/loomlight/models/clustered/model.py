@@ -218,6 +218,7 @@ class ClusteredModel(FilteredFabricModel):
             tables,
             self.point_model,
             means,
+            self.means,
             self.samples,
             self.texel_samples,
             seed,

@@ -39,11 +39,12 @@ from loomlight.models.latent.networks import (
     decoder_widths,
 )
 from loomlight.models.latent.settings import (
+    AUTO,
     DECODERS,
     DEFAULT_DECODER,
-    DEFAULT_LOSS,
     DEFAULT_QUALITY,
     LOSSES,
+    OPTIMISERS,
     QUALITIES,
     RUNGS,
     settings_of,
@@ -167,6 +168,7 @@ class LatentModel(Model):
         # The rungs of the paper's ablation.
         Option("rung", str, f"one of {', '.join(RUNGS)}"),
         Option("loss", str, f"one of {', '.join(LOSSES)}"),
+        Option("optimiser", str, f"one of {', '.join(OPTIMISERS)}"),
         Option("seed", int, "a whole number from 0", low=0, high=2**32 - 1),
         Option("steps", int, "a whole number from 1", low=1, high=10**7),
         # Where queries and checkpoints stay; by default they are removed at the end.
@@ -198,7 +200,8 @@ class LatentModel(Model):
         mips: str = MIPS[0],
         precision: str = PRECISIONS[0],
         rung: str = "frames",
-        loss: str = DEFAULT_LOSS,
+        loss: str = AUTO,
+        optimiser: str | None = None,
         seed: int = 0,
         steps: int | None = None,
         folder: str | os.PathLike[str] | None = None,
@@ -214,7 +217,7 @@ class LatentModel(Model):
             InputError: a source of which no queries can be taken, or an option that cannot be.
             MissingDependencyError: PyTorch is missing.
         """
-        settings = settings_of(quality, resolution, decoder, rung, loss, seed, steps)
+        settings = settings_of(quality, resolution, decoder, rung, loss, seed, steps, optimiser)
         if device not in ("cpu", "cuda"):
             raise InputError(f'device = "{device}" is wrong: give cpu or cuda.')
         if mips not in MIPS:

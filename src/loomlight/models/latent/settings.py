@@ -19,11 +19,25 @@ DECODERS = {"2x16": (16, 16), "2x32": (32, 32), "3x64": (64, 64, 64)}
 DEFAULT_DECODER = "2x32"
 # The rungs of the paper's ablation (Tables 1 to 4), each with what the ones before have.
 RUNGS = ("mlp", "encoder", "frames")
-LOSSES = ("log", "cube-root", "relative")
-# The mean of noisy values, where the paper's "log" learns medians.
-DEFAULT_LOSS = "relative"
+# "auto" is `loss_of_kind`.
+AUTO = "auto"
+LOSSES = (AUTO, "log", "cube-root", "relative")
+# SOAP is Adam in the eigenbases of a matrix's gradients; the paper has Adam.
+OPTIMISERS = ("soap", "adam")
+DEFAULT_OPTIMISER = OPTIMISERS[0]
+# Largest rates of networks and of textures, of an optimiser that is not the quality's.
+_RATES = {"soap": (1e-2, 2e-2), "adam": (5e-3, 1e-2)}
 # Part of every identity: to be raised when the same settings give other weights.
-_VERSION = 2
+_VERSION = 3
+
+
+def loss_of_kind(kind: str) -> str:
+    """The loss that "auto" is for a kind of source.
+
+    Differences of cube roots weigh values as the eye does, but learn medians of noisy values. Values of
+    fabrics are noisy, as means over a few points; relative squares learn their means.
+    """
+    return "relative" if kind == "fabric" else "cube-root"
 
 
 @dataclass(frozen=True)
@@ -35,6 +49,7 @@ class LatentSettings:
         decoder: a name of `DECODERS`.
         rung: how much of the model is used, of `RUNGS`.
         loss: of `LOSSES`.
+        optimiser: of `OPTIMISERS`, for encoder, textures and decoder.
         queries: of the source.
         samples: estimates of which the value of a query is the mean.
         steps: updates of encoder, textures and decoder.
@@ -50,15 +65,16 @@ class LatentSettings:
     resolution: int = 128
     decoder: str = DEFAULT_DECODER
     rung: str = "frames"
-    loss: str = DEFAULT_LOSS
+    loss: str = AUTO
+    optimiser: str = DEFAULT_OPTIMISER
     queries: int = 1 << 21
     samples: int = 8
     steps: int = 8000
-    encoder_share: float = 0.5
+    encoder_share: float = 0.3
     mollified: float = 1 / 15
     batch: int = 1 << 12
-    rate: float = 5e-3
-    texture_rate: float = 1e-2
+    rate: float = 1e-2
+    texture_rate: float = 2e-2
     sampler_steps: int = 1000
     sampler_batch: int = 1 << 10
     seed: int = 0
@@ -85,6 +101,7 @@ QUALITIES: dict[str, LatentSettings] = {
         samples=64,
         steps=300_000,
         batch=1 << 17,
+        optimiser="adam",
         rate=1e-3,
         texture_rate=1e-3,
         sampler_steps=20_000,
@@ -98,28 +115,35 @@ def settings_of(
     resolution: int | None = None,
     decoder: str = DEFAULT_DECODER,
     rung: str = "frames",
-    loss: str = DEFAULT_LOSS,
+    loss: str = AUTO,
     seed: int = 0,
     steps: int | None = None,
+    optimiser: str | None = None,
 ) -> LatentSettings:
     """The settings of a quality with some of them chosen.
 
     Args:
         steps: of the model; the sampler is trained a third as many.
+        optimiser: by default that of the quality.
 
     Raises:
-        InputError: an unknown quality, decoder, rung or loss, or a resolution that is no power of two.
+        InputError: an unknown quality, decoder, rung, loss or optimiser, or a resolution that is no power of
+            two.
     """
     named = (
         ("quality", quality, QUALITIES),
         ("decoder", decoder, DECODERS),
         ("rung", rung, RUNGS),
         ("loss", loss, LOSSES),
+        ("optimiser", optimiser or DEFAULT_OPTIMISER, OPTIMISERS),
     )
     for name, value, known in named:
         if value not in known:
             raise InputError(f"{name} = {shown(value)} does not exist: {closest(value, known)}")
     chosen = replace(QUALITIES[quality], decoder=decoder, rung=rung, loss=loss, seed=seed)
+    if optimiser is not None and optimiser != chosen.optimiser:
+        rate, texture_rate = _RATES[optimiser]
+        chosen = replace(chosen, optimiser=optimiser, rate=rate, texture_rate=texture_rate)
     if resolution is not None:
         fits = SMALLEST_RESOLUTION <= resolution <= LARGEST_RESOLUTION and resolution & (resolution - 1) == 0
         if not fits:

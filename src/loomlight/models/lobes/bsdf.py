@@ -14,8 +14,9 @@ from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import array_types, maximum
 from loomlight.core.footprint import Footprint
 from loomlight.core.masked_branch import masked_branch
+from loomlight.models.between_yarns import BetweenYarns, Bounced
 from loomlight.models.lobes.point_sampled import (
-    point_sampled_components,
+    point_sampled,
     point_sampled_hole,
     with_search_quality,
 )
@@ -104,7 +105,9 @@ class LobesBsdf(SeparableBsdf):
 
     def _mean_albedos(self) -> FamilyAlbedos:
         means, model, footprint, back = self._means, self._point_model, self.footprint, self._back
-        if not means.varied and not model.varies:
+        size = footprint.spread_side if model.has_detail else None
+        varies = model.varies_at(size)
+        if not means.varied and not varies:
             return FamilyAlbedos(*means.over(footprint, back))
         types, surface, centre = array_types(self.view.x), model.surface, footprint.centre
         point_weight = 1 - self._regime.prefiltered
@@ -119,18 +122,39 @@ class LobesBsdf(SeparableBsdf):
         x, y, weight = masked_branch(point_weight > 0, start, intersect, "lobes: central ray")
         shifted = types.Vector2(dr.lerp(centre.x, x, weight), dr.lerp(centre.y, y, weight))
         mean = means.over(replace(footprint, centre=shifted), back)
-        if not model.varies:
+        if not varies:
             return FamilyAlbedos(*mean)
 
         def vary(families: tuple[Albedos, Albedos]) -> tuple[Albedos, Albedos]:
             point = surface.surface(x, y, back)
+            hair = model.hair(x, y, back, size)
             warp, weft = (
-                _lerp_albedos(family, model.varied(point, family, x, y), dr.select(is_family, weight, 0))
+                _lerp_albedos(
+                    family,
+                    model.varied(point, family, x, y, back, size, hair),
+                    dr.select(is_family, weight, 0),
+                )
                 for family, is_family in zip(families, (point.is_warp, ~point.is_warp), strict=True)
             )
             return warp, weft
 
         return FamilyAlbedos(*masked_branch(weight > 0, mean, vary, "lobes: variation"))
+
+    @cached_property
+    def between(self) -> BetweenYarns | None:
+        """Light between yarns; None without."""
+        albedos, seen = self.albedos, to_face_frame(self.view, self._back)
+        return BetweenYarns.of(self._means, (albedos.warp, albedos.weft), self._tint, seen, self._back)
+
+    def bounced(self, components: Components) -> Bounced | None:
+        """Albedos of light between yarns: of the points of close-ups, of the families' means farther away."""
+        far = super().bounced(components)
+        near = self.__dict__.get("_points_blocked")
+        if self.between is None or far is None or near is None:
+            return far
+        of_points = self.between.of_families(*near)
+        weight = self._regime.prefiltered
+        return dr.lerp(of_points[0], far[0], weight), dr.lerp(of_points[1], far[1], weight)
 
     def components(self, light: Vec3, active: Mask = True) -> Components:
         """Components for a light, 1/sr; evaluates the hole as well."""
@@ -187,14 +211,20 @@ class LobesBsdf(SeparableBsdf):
         """
         weight = self._regime.prefiltered
         hole, prefiltered = self.prefiltered(lights, mixture, (weight > 0) & active)
-        point_hole, sampled = point_sampled_components(
-            self._sampled_model, self._regime.points, lights, self.view, self.footprint
+        points = point_sampled(
+            self._sampled_model,
+            self._means.between_yarns(array_types(self.view.x)),
+            self._regime.points,
+            lights,
+            self.view,
+            self.footprint,
         )
-        # The hole comes with the components; caching it saves a second search.
-        self.__dict__.setdefault("hole", dr.lerp(point_hole, hole, weight))
+        # The hole comes with the components, and what is blocked too; caching them saves a second search.
+        self.__dict__.setdefault("hole", dr.lerp(points.hole, hole, weight))
+        self.__dict__.setdefault("_points_blocked", points.blocked)
         return [
-            replace(result, components=_lerp_components(points, result.components, weight))
-            for points, result in zip(sampled, prefiltered, strict=True)
+            replace(result, components=_lerp_components(sampled, result.components, weight))
+            for sampled, result in zip(points.components, prefiltered, strict=True)
         ]
 
     def prefiltered(

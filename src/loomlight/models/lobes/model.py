@@ -121,6 +121,7 @@ class LobesModel(FilteredFabricModel):
         self._geometry.upload(types)
         upload_extent(self._geometry, types)
         self.point_model.parameters(types)
+        self.point_model.detail(types)
         self.on_backend(types)
 
     def at(

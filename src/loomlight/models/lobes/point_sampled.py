@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from copy import copy
+from dataclasses import dataclass
 from typing import Any
 
 import drjit as dr
@@ -22,6 +23,7 @@ from loomlight.core.arrays import Float, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum
 from loomlight.core.footprint import Footprint
 from loomlight.models.separable import Components
+from loomlight.scattering.interreflection import Blocked, Interreflection
 from loomlight.scattering.point import PointModel, to_face_frame
 from loomlight.yarn.search import DEFAULT_QUALITY, SearchQuality
 from loomlight.yarn.visibility import passes_through
@@ -85,14 +87,41 @@ def with_search_quality(model: PointModel, size: Float) -> PointModel:
     return searched
 
 
-def point_sampled_components(
-    model: PointModel, points: Float, lights: Sequence[Vec3], view: Vec3, footprint: Footprint
-) -> tuple[Float, list[Components]]:
-    """Fraction of holes, and mean components for each light, of a number of points; 0 without points."""
+@dataclass
+class SampledPoints:
+    """Means over the points of footprints; 0 without points.
+
+    Attributes:
+        hole: fraction of holes.
+        components: for each light.
+        blocked: blocked shares of the sky of warp and of weft; None without light between yarns.
+    """
+
+    hole: Float
+    components: list[Components]
+    blocked: tuple[Blocked, Blocked] | None
+
+
+def point_sampled(
+    model: PointModel,
+    between: Interreflection | None,
+    points: Float,
+    lights: Sequence[Vec3],
+    view: Vec3,
+    footprint: Footprint,
+) -> SampledPoints:
+    """Means over a number of points."""
+
+    size = footprint.spread_side if model.has_detail else None
 
     def measure(x: Any, y: Any) -> tuple[Any, ...]:
-        point = model.locate(x, y, view)
+        point = model.locate(x, y, view, size=size)
         values = [dr.select(point.hole, array_types(view.x).Float(1), 0)]
+        if between is not None:
+            blocked = between.blocked_at(point.is_warp, point.back, point.normal.z, point.height)
+            for family in (point.is_warp, ~point.is_warp):
+                for part in (blocked.by_warp, blocked.by_weft, blocked.far):
+                    values.append(dr.select(family & ~point.hole, part, 0))
         for light in lights:
             visible = model.visibility(point, light)
             values += components(model.appearance, point, light, view, visible)
@@ -100,8 +129,11 @@ def point_sampled_components(
         return tuple(values)
 
     width = dr.width(view, list(lights), footprint.centre, points)
-    hole, *means = _mean(measure, 1 + 5 * len(lights), footprint, points, width)
-    return hole, [Components(*means[first : first + 5]) for first in range(0, len(means), 5)]
+    shares = 0 if between is None else 6
+    hole, *means = _mean(measure, 1 + shares + 5 * len(lights), footprint, points, width)
+    blocked = None if between is None else (Blocked(*means[:3]), Blocked(*means[3:6]))
+    parts = [Components(*means[first : first + 5]) for first in range(shares, len(means), 5)]
+    return SampledPoints(hole, parts, blocked)
 
 
 def point_sampled_hole(model: PointModel, points: Float, view: Vec3, footprint: Footprint) -> Float:

@@ -145,8 +145,8 @@ class QueryStream:
         """The queries of one part."""
         rng = np.random.default_rng([self._seed, _STREAM, number])
         positions = rng.random((count, 2), np.float32)
-        levels = _draw_levels(rng, count, self._shape.levels - 1)
-        lights, views = self._drawn_directions(rng, count)
+        levels = draw_levels(rng, count, self._shape.levels - 1)
+        lights, views = self._drawn(rng, count)
         faces = rng.integers(self._btf.faces, size=count, dtype=np.uint8)
         extent = np.array([self._shape.width_mm, self._shape.height_mm], np.float32)
         sigmas = (self._shape.texel_mm / SIZE_OF_SIGMA * np.exp2(levels))[:, None, None]
@@ -170,11 +170,11 @@ class QueryStream:
         lights, views = lights[:, :2].copy(), views[:, :2].copy()
         return Queries(positions, levels, lights, views, faces, beyond, values, holes)
 
-    def _drawn_directions(self, rng: np.random.Generator, count: int) -> tuple[_Floats, _Floats]:
+    def _drawn(self, rng: np.random.Generator, count: int) -> tuple[_Floats, _Floats]:
         """Lights and views above the surface; of a measured BTF its own."""
         measured = getattr(self._btf, "measured", None)
         if measured is None:
-            return _directions(rng, count), _directions(rng, count)
+            return draw_directions(rng, count), draw_directions(rng, count)
         lights, views = (known[rng.integers(len(known), size=count)] for known in measured)
         return lights, views
 
@@ -186,7 +186,8 @@ def _with_sign(directions: _Floats, below: NDArray[np.bool_]) -> _Floats:
     return signed
 
 
-def _draw_levels(rng: np.random.Generator, count: int, coarsest: int) -> _Floats:
+def draw_levels(rng: np.random.Generator, count: int, coarsest: int) -> _Floats:
+    """Levels [count] from 0 to one beyond the coarsest, fine ones more often."""
     top = coarsest + _LEVELS_BEYOND
     u = rng.random(count)
     uniform = u * top
@@ -207,7 +208,7 @@ def light_density(queries: Queries, measured: bool) -> _Floats:
     return np.asarray(0.5 * (1 / (2 * np.pi) + cosines / np.pi), np.float32)
 
 
-def _directions(rng: np.random.Generator, count: int) -> _Floats:
+def draw_directions(rng: np.random.Generator, count: int) -> _Floats:
     """Unit vectors [count, 3] with z > 0."""
     u, azimuth = rng.random(count), 2 * math.pi * rng.random(count)
     cosine = np.where(rng.random(count) < 0.5, u, np.sqrt(u))

@@ -11,6 +11,7 @@ import os
 from collections.abc import Callable
 from functools import cached_property
 from importlib import import_module
+from itertools import pairwise
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, Self, final
@@ -29,10 +30,25 @@ from loomlight.core.files import cache_folder
 from loomlight.core.footprint import Footprint
 from loomlight.fabric.sentences import shown
 from loomlight.models.interface import FootprintBsdf, Model, Option
-from loomlight.models.neumip.networks import CHANNELS, NETWORKS, DeviceWeights, Weights
+from loomlight.models.learned_proposal import LearnedProposal
+from loomlight.models.neumip.networks import (
+    CHANNELS,
+    NETWORKS,
+    DeviceWeights,
+    Layers,
+    Weights,
+    sampler_widths,
+)
 from loomlight.models.neumip.proposal import PARAMETERS, Proposal, proposal_shape
 from loomlight.models.neumip.pyramid import SMALLEST_COSINE, PyramidShape, shifted
-from loomlight.models.neumip.settings import DEFAULT_QUALITY, FILES, QUALITIES, STORES, settings_of
+from loomlight.models.neumip.settings import (
+    DEFAULT_QUALITY,
+    FILES,
+    QUALITIES,
+    SAMPLERS,
+    STORES,
+    settings_of,
+)
 from loomlight.scattering.point import DirectionSample, to_face_frame
 
 # Not log2(0): footprints of points.
@@ -95,6 +111,12 @@ class NeumipBsdf(FootprintBsdf):
     def _proposal(self) -> Proposal:
         return self._device.proposal.at(*self._place)
 
+    @cached_property
+    def _learned(self) -> LearnedProposal | None:
+        """What the sampler network describes; None without one."""
+        lobes = self._device.lobes(dr.detach(self._latent), dr.detach(self._facing))
+        return None if lobes is None else LearnedProposal(dr.detach(self.hole), lobes, self._facing)
+
     def value(self, light: Vec3, active: Mask = True) -> Color3:
         """f·cos, 1/sr; 0 for lights on the other side unless the source transmits."""
         types, facing = array_types(self.view.x), to_face_frame(light, self._back)
@@ -107,7 +129,9 @@ class NeumipBsdf(FootprintBsdf):
         return dr.select(active, value, 0)
 
     def pdf(self, light: Vec3) -> Float:
-        """Density of `sample`; see `proposal.py`."""
+        """Density of `sample`, 1/sr; by the sampler network, or by `proposal.py` without one."""
+        if self._learned is not None:
+            return self._learned.density(to_face_frame(light, self._back))
         density = self._proposal.density(to_face_frame(light, self._back), self._facing)
         return (1 - self.hole) * density
 
@@ -115,9 +139,12 @@ class NeumipBsdf(FootprintBsdf):
         """A direction of the proposal, or straight on in proportion to the hole."""
         types = array_types(self.view.x)
         through = self.hole
-        is_null = types.Bool(choice < through)
-        rest = (choice - through) * dr.rcp(maximum(1 - through, 1e-6))
-        facing = self._proposal.sample(self._facing, rest, u)
+        if self._learned is not None:
+            facing, is_null = self._learned.draw(choice, u)
+        else:
+            is_null = types.Bool(choice < through)
+            rest = (choice - through) * dr.rcp(maximum(1 - through, 1e-6))
+            facing = self._proposal.sample(self._facing, rest, u)
         light = dr.select(is_null, -self.view, to_face_frame(facing, self._back))
         pdf = dr.select(is_null, through, self.pdf(light))
         value = dr.select(is_null, types.Color3(through), self.value(light))
@@ -153,6 +180,8 @@ class NeumipModel(Model):
         # How queries are kept there; Zarr is for other programs.
         Option("store", str, "files or zarr"),
         Option("device", str, "cpu or cuda"),
+        # Directions are drawn by a network, or by lobes that are fitted to texels.
+        Option("sampler", str, f"one of {', '.join(SAMPLERS)}"),
     )
 
     def __init__(self, source: Source, weights: Weights) -> None:
@@ -175,6 +204,7 @@ class NeumipModel(Model):
         folder: str | os.PathLike[str] | None = None,
         store: str = FILES,
         device: str = "cpu",
+        sampler: str = SAMPLERS[0],
         report: Callable[[int, int], None] | None = None,
     ) -> Self:
         """The model trained for a source; see `options`. A training that was stopped goes on.
@@ -186,7 +216,7 @@ class NeumipModel(Model):
             InputError: a source of which no queries can be taken, or an option that cannot be.
             MissingDependencyError: PyTorch is missing.
         """
-        settings = settings_of(quality, resolution, offset, seed, steps)
+        settings = settings_of(quality, resolution, offset, seed, steps, sampler)
         if device not in ("cpu", "cuda"):
             raise InputError(f'device = "{device}" is wrong: give cpu or cuda.')
         if store not in STORES:
@@ -237,7 +267,8 @@ class NeumipModel(Model):
             tensors["proposal"] = weights.proposal
         if weights.offset_texels is not None:
             tensors["offset_texels"] = weights.offset_texels
-        for name, layers in weights.layers.items():
+        sampler = {} if weights.sampler is None else {"sampler": weights.sampler}
+        for name, layers in {**weights.layers, **sampler}.items():
             for number, (matrix, bias) in enumerate(layers):
                 tensors |= {f"{name}.{number}.weight": matrix, f"{name}.{number}.bias": bias}
         shape = weights.shape
@@ -267,20 +298,12 @@ class NeumipModel(Model):
         if "offset_texels" in loom.tensors:
             offset_texels = loom.tensor("offset_texels", (faces * rows * columns, CHANNELS), np.float32)
             names.append("offset")
-        layers = {
-            name: [
-                (
-                    loom.tensor(f"{name}.{number}.weight", (outputs, inputs), np.float32),
-                    loom.tensor(f"{name}.{number}.bias", (outputs,), np.float32),
-                )
-                for number, (inputs, outputs) in enumerate(
-                    zip(NETWORKS[name][:-1], NETWORKS[name][1:], strict=True)
-                )
-            ]
-            for name in names
-        }
+        layers = {name: _layers(loom, name, NETWORKS[name]) for name in names}
+        sampler = None
+        if "sampler.0.weight" in loom.tensors:
+            sampler = _layers(loom, "sampler", sampler_widths("transmission" in layers))
         open_area = loom.setting("open_area", float)
-        weights = Weights(shape, features, offset_texels, layers, reflectance, open_area, proposal)
+        weights = Weights(shape, features, offset_texels, layers, reflectance, open_area, proposal, sampler)
         return cls(loom.source, weights)
 
     def facts(self) -> dict[str, str]:
@@ -288,6 +311,21 @@ class NeumipModel(Model):
         shape = self.weights.shape
         textures = f"{shape.columns} × {shape.rows} texels, {shape.levels} levels"
         return {**super().facts(), "textures": textures, "weights": f"{self.weights.count}"}
+
+
+def _layers(loom: LoomFile, name: str, widths: tuple[int, ...]) -> Layers:
+    """Weights and biases of a network in a file.
+
+    Raises:
+        InputError: tensors that are missing or of another shape.
+    """
+    return [
+        (
+            loom.tensor(f"{name}.{number}.weight", (outputs, inputs), np.float32),
+            loom.tensor(f"{name}.{number}.bias", (outputs,), np.float32),
+        )
+        for number, (inputs, outputs) in enumerate(pairwise(widths))
+    ]
 
 
 def _count(loom: LoomFile, name: str) -> int:

@@ -9,7 +9,11 @@ proposes the second):
     transmission  11 → 25 → 25 → 25 → 3   the same of lights on the other side
     opacity        9 → 16 → 16 → 1        texel of the pyramid, view → share that passes straight, by sigmoid
 
-Directions are x and y of unit vectors. On CPUs a fused SIMD kernel evaluates the networks; on GPUs, for
+A third one, which the paper's section 7 asks for, describes the directions that are drawn:
+
+    sampler  10 → 32 → 32 → 19 or 9   texel of the pyramid, view (x, y, z) → lobes (`two_sided_lobes.py`)
+
+Other directions are x and y of unit vectors. On CPUs a fused SIMD kernel evaluates the networks; on GPUs, for
 derivatives, and in symbolic calls Dr.Jit's cooperative vectors do.
 """
 
@@ -25,11 +29,12 @@ import drjit.nn as nn
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.arrays import Float, FloatType, Int, UInt
+from loomlight.core.arrays import Float, FloatType, Int, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, upload
 from loomlight.core.simd import DenseLayer, FusedMlp, can_use_kernel
 from loomlight.models.neumip.proposal import DeviceProposal, cosine_proposal
 from loomlight.models.neumip.pyramid import CHANNELS, PyramidShape, Taps, bilinear_taps, trilinear_taps
+from loomlight.scattering.two_sided_lobes import OPAQUE_OUTPUTS, OUTPUTS, TwoSidedLobes
 
 _HIDDEN = 25
 OFFSET_WIDTHS = (CHANNELS + 2, _HIDDEN, _HIDDEN, _HIDDEN, 1)
@@ -41,12 +46,13 @@ NETWORKS = {
     "transmission": DECODER_WIDTHS,
     "opacity": OPACITY_WIDTHS,
 }
+SAMPLER_HIDDEN = (32, 32)
 # The networks learn π f·cos, which is about an albedo.
 EXPOSURE = math.pi
 # Texels are stored in rows of eight numbers, so that a row is two loads of four.
 _ROW = 8
 
-_Layers = list[tuple[NDArray[np.float32], NDArray[np.float32]]]
+Layers = list[tuple[NDArray[np.float32], NDArray[np.float32]]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,16 +66,19 @@ class Weights:
         layers: weights [outputs, inputs] and biases of "decoder", and of the other `NETWORKS` that there are.
         reflectance: mean albedo of each face [faces, 3].
         open_area: mean share of light that passes straight through, 0 to 1.
-        proposal: of directions that are drawn (`proposal.py`); None draws by the cosine.
+        proposal: of directions that are drawn without a sampler network (`proposal.py`); None draws by the
+            cosine.
+        sampler: network of directions that are drawn; None draws by `proposal`.
     """
 
     shape: PyramidShape
     features: NDArray[np.float32]
     offset_texels: NDArray[np.float32] | None
-    layers: dict[str, _Layers]
+    layers: dict[str, Layers]
     reflectance: NDArray[np.float32]
     open_area: float = 0.0
     proposal: NDArray[np.float32] | None = None
+    sampler: Layers | None = None
 
     @property
     def count(self) -> int:
@@ -85,6 +94,11 @@ class Weights:
     def has_holes(self) -> bool:
         """Whether light passes straight through."""
         return "opacity" in self.layers
+
+
+def sampler_widths(transmits: bool) -> tuple[int, ...]:
+    """Widths of the sampler's layers, inputs first."""
+    return CHANNELS + 3, *SAMPLER_HIDDEN, OUTPUTS if transmits else OPAQUE_OUTPUTS
 
 
 class DrjitFunctions:
@@ -129,6 +143,7 @@ class DeviceWeights:
             self._offset_texels = upload(float_type, _padded(weights.offset_texels))
         proposal = cosine_proposal(weights.shape) if weights.proposal is None else weights.proposal
         self.proposal = DeviceProposal(proposal, weights.shape, float_type)
+        self._sampler = None if weights.sampler is None else _Network(weights.sampler, float_type)
         self._networks = {name: _Network(layers, float_type) for name, layers in weights.layers.items()}
 
     @property
@@ -178,6 +193,10 @@ class DeviceWeights:
         outputs = self._networks[network]([*latent, *light, *view])
         return [maximum(value, 0) * (1 / EXPOSURE) for value in outputs]
 
+    def lobes(self, latent: Sequence[Float], view: Vec3) -> TwoSidedLobes | None:
+        """What the sampler network describes, of a view in the frame of the face seen; None without one."""
+        return None if self._sampler is None else TwoSidedLobes.of(self._sampler([*latent, *view]))
+
     def straight_through(self, latent: Sequence[Float], view: Sequence[Float]) -> Float:
         """Share of light that passes straight through, 0 to 1."""
         (value,) = self._networks["opacity"]([*latent, *view])
@@ -197,7 +216,7 @@ class DeviceWeights:
 class _Network:
     """Dense layers with ReLU between them, on one backend."""
 
-    def __init__(self, layers: _Layers, float_type: FloatType) -> None:
+    def __init__(self, layers: Layers, float_type: FloatType) -> None:
         self._types = array_types(float_type)
         last = len(layers) - 1
         self._mlp = FusedMlp(

@@ -18,8 +18,11 @@ STORES = (FILES, ZARR)
 DEFAULT_QUALITY = "preview"
 # Texels a side; a power of two between these.
 SMALLEST_RESOLUTION, LARGEST_RESOLUTION = 8, 1024
+# A network, trained after the others, or lobes that are fitted to texels.
+SAMPLERS = ("learned", "lobes")
+_MOST_SAMPLER_STEPS = 2000
 # Part of every identity: to be raised when the same settings give other weights.
-_VERSION = 2
+_VERSION = 3
 
 
 @dataclass(frozen=True)
@@ -38,6 +41,7 @@ class NeumipSettings:
         offset_share: share of the training after which the offset texture stays as it is; a third in the
             released code, whose trainings are longer.
         seed: of queries, weights and batches.
+        sampler: what directions are drawn by, of `SAMPLERS`.
     """
 
     resolution: int = 64
@@ -50,6 +54,12 @@ class NeumipSettings:
     texture_rate: float = 1e-2
     offset_share: float = 2 / 3
     seed: int = 0
+    sampler: str = "learned"
+
+    @property
+    def sampler_steps(self) -> int:
+        """Updates of the sampler network."""
+        return min(max(1, self.steps // 5), _MOST_SAMPLER_STEPS)
 
     def identity(self, source: Source) -> str:
         """A hash of all that the weights depend on, for checkpoints and folders."""
@@ -90,16 +100,23 @@ QUALITIES: dict[str, NeumipSettings] = {
 
 
 def settings_of(
-    quality: str, resolution: int | None = None, offset: bool = True, seed: int = 0, steps: int | None = None
+    quality: str,
+    resolution: int | None = None,
+    offset: bool = True,
+    seed: int = 0,
+    steps: int | None = None,
+    sampler: str = SAMPLERS[0],
 ) -> NeumipSettings:
     """The settings of a quality with some of them chosen.
 
     Raises:
-        InputError: an unknown quality, or a resolution that is no power of two.
+        InputError: an unknown quality or sampler, or a resolution that is no power of two.
     """
     if quality not in QUALITIES:
         raise InputError(f"quality = {shown(quality)} does not exist: {closest(quality, QUALITIES)}")
-    chosen = replace(QUALITIES[quality], offset=offset, seed=seed)
+    if sampler not in SAMPLERS:
+        raise InputError(f"sampler = {shown(sampler)} is wrong: give {' or '.join(SAMPLERS)}.")
+    chosen = replace(QUALITIES[quality], offset=offset, seed=seed, sampler=sampler)
     if resolution is not None:
         fits = SMALLEST_RESOLUTION <= resolution <= LARGEST_RESOLUTION and resolution & (resolution - 1) == 0
         if not fits:

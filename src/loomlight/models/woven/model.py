@@ -19,8 +19,11 @@ from loomlight.core.files import require_file
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
+from loomlight.models.between_yarns import BetweenYarns
 from loomlight.models.fabric_model import FilteredFabricModel, fabric_in_loom, fabric_source, number_of
 from loomlight.models.interface import Option, Parameter, Values
+from loomlight.models.learned_proposal import LearnedProposal
+from loomlight.models.relu_network import ReluNetwork
 from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf, tinted
 from loomlight.models.woven.decoder import Decoder, ViewActivations, decoder_cost, decoder_of
 from loomlight.models.woven.encoded_fabric import EncodedFabric
@@ -36,11 +39,14 @@ from loomlight.models.woven.footprint_coding import (
 from loomlight.models.woven.latent_table import LatentTable
 from loomlight.models.woven.light_visibility import light_visibility_of
 from loomlight.models.woven.proposal import Proposal, proposal_of
+from loomlight.models.woven.sampler_network import sampler_layers, sampler_of, woven_proposal
 from loomlight.models.woven.weights import Weights, read_weights, shipped_weights
 from loomlight.scattering.albedo import layer_albedo_bound
 from loomlight.scattering.point import DirectionSample, to_face_frame
 
 _NETWORK = "woven"
+# By one network for all fabrics, or by lobes about the fibres.
+SAMPLERS = ("learned", "lobes")
 # Scene parameters of a family that the encoder sees.
 _ENCODED = ("roughness", "height_scale", "inclination", "twist")
 
@@ -78,6 +84,12 @@ class WovenBsdf(SeparableBsdf):
         """Mean albedos of the threads over footprints, without parallax."""
         return tinted(FamilyAlbedos(*self._model.means.over(self.footprint, self._back)), self._tint)
 
+    @cached_property
+    def between(self) -> BetweenYarns | None:
+        """Light between yarns; None without."""
+        albedos, seen = self.albedos, to_face_frame(self.view, self._back)
+        return BetweenYarns.of(self._model.means, (albedos.warp, albedos.weft), self._tint, seen, self._back)
+
     def components(self, light: Vec3, active: Mask = True) -> Components:
         """Components for a light; the hole comes with those of the first one."""
         facing = to_face_frame(light, self._back)
@@ -95,7 +107,7 @@ class WovenBsdf(SeparableBsdf):
         return self._proposal.density(to_face_frame(light, self._back))
 
     def sample(self, choice: Float, u: Vec2) -> DirectionSample:
-        """Null transmission through holes, else a direction from one of the lobes of `proposal`."""
+        """Null transmission through holes, else a direction of the proposal."""
         self._activate_first()
         facing, is_null = self._proposal.draw(choice, u)
         light = to_face_frame(facing, self._back)
@@ -112,21 +124,35 @@ class WovenBsdf(SeparableBsdf):
         self._activate_first()
         return super().value_pdf_and_sample(light, choice, u)
 
+    def value_and_pdf(self, light: Vec3, active: Mask = True) -> tuple[Color3, Float]:
+        """Both, of one run of the part that no light changes, which the learned sampler sees too."""
+        if self._sampler is not None:
+            self._activate_first()
+        return super().value_and_pdf(light, active)
+
+    @cached_property
+    def _sampler(self) -> ReluNetwork | None:
+        if self._model.sampler != SAMPLERS[0]:
+            return None
+        return sampler_of(self._model.weights, array_types(self.view.x).Float)
+
     def _activate_first(self) -> None:
         """Runs the part that no light changes by itself: several lights follow, and the hole is wanted."""
         self.__dict__.setdefault("hole", self._activations.hole)
 
     @cached_property
-    def _proposal(self) -> Proposal:
+    def _proposal(self) -> Proposal | LearnedProposal:
         """The mixture that directions are drawn from; densities carry no derivatives."""
+        if self._sampler is not None:
+            self._activate_first()
+        albedos, null = dr.detach(self.albedos), dr.detach(self.null_transmission)
+        view, fibres = to_face_frame(self.view, self._back), self._table.fibres(self._back)
+        if self._sampler is not None:
+            angular = dr.detach(self._activations.angular)
+            return woven_proposal(self._sampler, angular, albedos, null, self.sheen, view, fibres)
+        layer = layer_albedo_bound(self._model.fabric.appearance().optical_depth)
         return proposal_of(
-            dr.detach(self.albedos),
-            dr.detach(self.null_transmission),
-            self.sheen.strength,
-            layer_albedo_bound(self._model.fabric.appearance().optical_depth),
-            to_face_frame(self.view, self._back),
-            self._table.fibres(self._back),
-            self._table.lobe_roughness,
+            albedos, null, self.sheen.strength, layer, view, fibres, self._table.lobe_roughness
         )
 
 
@@ -139,6 +165,7 @@ class WovenModel(FilteredFabricModel):
 
     Attributes:
         weights: the shared network.
+        sampler: what directions are drawn by, of `SAMPLERS`.
         encoded: latents of both faces; of a mixture, the interpolated latents.
         multiply_adds: of one query.
         bytes_fetched: by one query.
@@ -152,6 +179,8 @@ class WovenModel(FilteredFabricModel):
         Option("refined", bool, "true or false"),
         # A weights file written by `loomlight train woven`; by default that of the package.
         Option("weights", str, "the path of a weights file"),
+        # Directions are drawn by a network for all fabrics, or by lobes about the fibres.
+        Option("sampler", str, f"one of {', '.join(SAMPLERS)}"),
         # A second fabric to interpolate latents with; colours are those of the first.
         Option("other", Source, "the path of a second fabric, or a weave's name"),
         # Weight of the other fabric: 0 is this one, 1 the other; other values extrapolate.
@@ -168,16 +197,27 @@ class WovenModel(FilteredFabricModel):
         other: Fabric | None = None,
         blend: float = 0.0,
         endpoints: tuple[EncodedFabric, EncodedFabric] | None = None,
+        sampler: str | None = None,
     ) -> None:
         """A model of encoded latents; see `for_source` to encode them.
 
         Args:
+            sampler: by default the learned one, or lobes where the network is not the package's.
             other, blend: the fabric that the latents were interpolated with, and its weight.
             endpoints: latents of this fabric and of the other one, before interpolation.
         """
         super().__init__(fabric)
         self.encoded = encoded
         self.weights = weights
+        learned = sampler_layers(weights) is not None
+        self.sampler = sampler or SAMPLERS[0 if learned else 1]
+        if self.sampler not in SAMPLERS:
+            raise InputError(f'sampler = "{self.sampler}" is wrong: give {" or ".join(SAMPLERS)}.')
+        if self.sampler == SAMPLERS[0] and not learned:
+            raise InputError(
+                'sampler = "learned" is of the package\'s network alone, '
+                f'and {weights.source} is another one: give "lobes".'
+            )
         self._refined, self._other, self._blend, self._endpoints = refined, other, blend, endpoints
         layout = fabric.layout()
         picks, count = layout.warp_on_top.shape
@@ -197,6 +237,7 @@ class WovenModel(FilteredFabricModel):
         weights: str | os.PathLike[str] | Weights | None = None,
         other: Source | None = None,
         blend: float = 0.0,
+        sampler: str | None = None,
     ) -> Self:
         """The model of a fabric, from the cache or by the encoder; see `options`.
 
@@ -207,15 +248,26 @@ class WovenModel(FilteredFabricModel):
         network = weights if isinstance(weights, Weights) else _network(weights)
         if other is None:
             encoded = encode(fabric, network, llvm_float(), refined=refined)
-            return cls(fabric, encoded, network, refined=refined)
+            return cls(fabric, encoded, network, refined=refined, sampler=sampler)
         second = fabric_source(other, cls.name)
         endpoints = encode_pair(fabric, second, network, llvm_float(), refined)
         mixed = endpoints[0].mixed(endpoints[1], blend)
-        return cls(fabric, mixed, network, refined=refined, other=second, blend=blend, endpoints=endpoints)
+        return cls(
+            fabric,
+            mixed,
+            network,
+            refined=refined,
+            other=second,
+            blend=blend,
+            endpoints=endpoints,
+            sampler=sampler,
+        )
 
     def with_source(self, source: Source) -> Self:
         """The model of another fabric by the same network, mixed with the same second fabric."""
-        return type(self).for_source(source, self._refined, self.weights, self._other, self._blend)
+        return type(self).for_source(
+            source, self._refined, self.weights, self._other, self._blend, self.sampler
+        )
 
     def with_fabric(self, fabric: Fabric, edits: frozenset[str]) -> Self:
         """The model of an edited fabric; the encoder runs if its inputs change."""
@@ -229,6 +281,7 @@ class WovenModel(FilteredFabricModel):
             other=self._other,
             blend=self._blend,
             endpoints=self._endpoints,
+            sampler=self.sampler,
         )
 
     def parameters(self, types: ArrayTypes) -> Values:
@@ -252,6 +305,7 @@ class WovenModel(FilteredFabricModel):
             other=model._other,
             blend=blend,
             endpoints=model._endpoints,
+            sampler=model.sampler,
         )
         mixed.means = model.means
         return mixed
@@ -275,6 +329,7 @@ class WovenModel(FilteredFabricModel):
             model=self.name,
             source=self.fabric,
             tensors=tensors,
+            settings={"sampler": self.sampler},
             networks={_NETWORK: self.weights.sha256},
         )
 
@@ -300,7 +355,10 @@ class WovenModel(FilteredFabricModel):
         correction = None
         if "correction" in loom.tensors:
             correction = loom.tensor("correction", weights.table.corrected_shape, np.float32)
-        return cls(fabric, EncodedFabric(picks, ends, (front, back), fibres, correction), weights)
+        # Files of the first versions do not say what draws directions.
+        sampler = loom.setting("sampler", str) if "sampler" in loom.settings else None
+        encoded = EncodedFabric(picks, ends, (front, back), fibres, correction)
+        return cls(fabric, encoded, weights, sampler=sampler)
 
     def at(
         self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True

@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -21,17 +22,18 @@ from safetensors import SafetensorError
 from safetensors.numpy import load_file, save_file
 from torch import Tensor, nn
 
-from loomlight.assets.sources import Source
+from loomlight.assets.sources import Source, kind_of_source
 from loomlight.core.files import replacing
 from loomlight.models.latent.networks import Weights
 from loomlight.models.latent.queries import Reflectance, reflectance_of
 from loomlight.models.latent.query_stream import PART, Queries, QueryStream, draw_directions, draw_levels
-from loomlight.models.latent.settings import DECODERS, LatentSettings
+from loomlight.models.latent.settings import AUTO, DECODERS, LatentSettings, loss_of_kind
 from loomlight.models.latent.training.network import LatentNetwork, loss_of, texel_inputs
 from loomlight.models.mip_pyramid import PyramidShape
 from loomlight.training.direction_sampler import sampler_loss
 from loomlight.training.loop import Schedule, train
 from loomlight.training.side_by_side import SideBySide
+from loomlight.training.soap import Soap
 
 # Called with (done, in all) of the whole training, in thousandths.
 Progress = Callable[[int, int], None]
@@ -81,8 +83,11 @@ def train_latent(
         settings.rung == "frames",
         settings.texture_rate / settings.rate,
     ).to(device)
+    identity = settings.identity(source)
+    if settings.loss == AUTO:
+        settings = replace(settings, loss=loss_of_kind(kind_of_source(source)))
     with _one_thread():
-        _train_phases(network, queries, settings, settings.identity(source), folder, report, keep_every)
+        _train_phases(network, queries, settings, identity, folder, report, keep_every)
         return network.weights(_face_albedos(network, settings.seed))
 
 
@@ -100,11 +105,19 @@ def _train_phases(
     batches = _Batches(network, queries, settings)
     common = [network.decoder, *([network.frames] if network.frames is not None else [])]
 
-    def run(name: str, parts: list[nn.Parameter], losses: _Losses, steps: int, first: int, span: int) -> None:
+    def run(
+        name: str,
+        parts: list[nn.Parameter],
+        losses: _Losses,
+        steps: int,
+        first: int,
+        span: int,
+        optimiser: str = settings.optimiser,
+    ) -> None:
         rate = settings.rate
         train(
             network,
-            torch.optim.Adam(parts, rate, eps=1e-7),
+            Soap(parts, rate) if optimiser == "soap" else torch.optim.Adam(parts, rate, eps=1e-7),
             losses,
             Schedule(steps, lambda done: rate * rate_factor(done), keep_every=keep_every),
             folder / f"{name}.safetensors",
@@ -128,7 +141,7 @@ def _train_phases(
     sampler = _SamplerLosses(network, settings)
     trained = parameters(network.sampler, network.albedo)
     last = _WHOLE - _TEXTURES_DONE
-    run("sampler", trained, sampler.losses, settings.sampler_steps, _TEXTURES_DONE, last)
+    run("sampler", trained, sampler.losses, settings.sampler_steps, _TEXTURES_DONE, last, "adam")
 
 
 _Losses = Callable[[int], Iterator[Tensor]]

@@ -17,6 +17,7 @@ from loomlight.models.neumip.networks import (
     EXPOSURE,
     OFFSET_WIDTHS,
     OPACITY_WIDTHS,
+    Layers,
     Weights,
 )
 from loomlight.models.neumip.pyramid import (
@@ -76,9 +77,15 @@ class NeumipNetwork(nn.Module):
         scale: float = 1.0,
         transmits: bool = False,
         has_holes: bool = False,
+        gains: tuple[float, float] = (1.0, 1.0),
     ) -> None:
+        """
+        Args:
+            gains: factors of π f·cos while it is trained, of lights on the view's side and on the other one
+                (`gains_of`).
+        """
         super().__init__()
-        self.shape, self.scale = shape, scale
+        self.shape, self.scale, self.gains = shape, scale, gains
         rows, columns = shape.rows, shape.columns
         self.features = nn.ParameterList(
             nn.Parameter(_FEATURES / scale * torch.randn(shape.faces, CHANNELS, high, wide))
@@ -110,7 +117,7 @@ class NeumipNetwork(nn.Module):
         offset_frozen: bool = False,
         beyond: Tensor | None = None,
     ) -> tuple[Tensor, Tensor | None]:
-        """π f·cos of queries [n, 3], and log-odds of passing straight [n]; see `Queries`.
+        """π f·cos of queries [n, 3] times the gains, and log-odds of passing straight [n]; see `Queries`.
 
         While it is trained, colours below 0 have a slope.
 
@@ -119,6 +126,24 @@ class NeumipNetwork(nn.Module):
             offset_frozen: the offset texture gets no gradient.
             beyond: lights on the other side, which a source that transmits alone has.
         """
+        latent = self.latent(positions, levels, views, faces, blur, offset_frozen)
+        opacity = None if self.opacity is None else self.opacity(torch.cat([latent, views], dim=1))[:, 0]
+        outputs = self._decoded(torch.cat([latent, lights, views], dim=1), beyond)
+        if self.training:
+            # With the final ReLU of section 3.2 a network whose first outputs are all below 0 learns nothing.
+            return functional.leaky_relu(outputs, SLOPE).clamp(min=LEAST_OUTPUT), opacity
+        return functional.relu(outputs), opacity
+
+    def latent(
+        self,
+        positions: Tensor,
+        levels: Tensor,
+        views: Tensor,
+        faces: Tensor,
+        blur: float = 0.0,
+        offset_frozen: bool = False,
+    ) -> Tensor:
+        """Interpolated texels of the pyramid [n, 7]; arguments as of `forward`."""
         shape, (u, v) = self.shape, positions.T
         if self.offset is not None and self.offset_texture is not None:
             texture = self.offset_texture.detach() if offset_frozen else self.offset_texture
@@ -136,13 +161,7 @@ class NeumipNetwork(nn.Module):
         ]
         table = torch.cat(parts, dim=1).reshape(-1, CHANNELS)
         taps = trilinear_taps(shape, u, v, levels, faces * shape.texels, _TORCH)
-        latent = _fetched(table, taps.texels, taps.weights)
-        opacity = None if self.opacity is None else self.opacity(torch.cat([latent, views], dim=1))[:, 0]
-        outputs = self._decoded(torch.cat([latent, lights, views], dim=1), beyond)
-        if self.training:
-            # With the final ReLU of section 3.2 a network whose first outputs are all below 0 learns nothing.
-            return functional.leaky_relu(outputs, SLOPE).clamp(min=LEAST_OUTPUT), opacity
-        return functional.relu(outputs), opacity
+        return _fetched(table, taps.texels, taps.weights)
 
     def _decoded(self, inputs: Tensor, beyond: Tensor | None) -> Tensor:
         if self.transmission is None or beyond is None:
@@ -164,11 +183,18 @@ class NeumipNetwork(nn.Module):
         ]
         features = torch.cat(texels, dim=1).reshape(-1, CHANNELS)
         further = {"transmission": self.transmission, "opacity": self.opacity}
-        layers = {"decoder": _layers(self.decoder)}
-        layers |= {name: _layers(network) for name, network in further.items() if network is not None}
+        layers = {"decoder": numbers_of_layers(self.decoder)}
+        layers |= {
+            name: numbers_of_layers(network) for name, network in further.items() if network is not None
+        }
+        # The final ReLU passes factors on.
+        for name, gain in zip(("decoder", "transmission"), self.gains, strict=True):
+            if name in layers:
+                weight, bias = layers[name][-1]
+                layers[name][-1] = weight / np.float32(gain), bias / np.float32(gain)
         offset_texels = None
         if self.offset is not None and self.offset_texture is not None:
-            layers["offset"] = _layers(self.offset)
+            layers["offset"] = numbers_of_layers(self.offset)
             offset_texels = _numbers(_texels(self.scale * self.offset_texture))
         return Weights(shape, _numbers(features), offset_texels, layers, reflectance)
 
@@ -185,14 +211,15 @@ def blurred(texture: Tensor, sigma: float) -> Tensor:
     return torch.fft.irfft2(torch.fft.rfft2(texture) * response, s=(rows, columns))
 
 
-def loss_of(predicted: Tensor, truth: Tensor) -> Tensor:
+def loss_of(predicted: Tensor, truth: Tensor, gain: Tensor) -> Tensor:
     """The released code's loss: squares of differences of log(1 + x), plus a tenth of absolute differences.
 
     Args:
-        predicted: π f·cos [n, 3].
+        predicted: π f·cos times the gain [n, 3].
         truth: f·cos [n, 3], 1/sr.
+        gain: [n], or one for all.
     """
-    exposed = EXPOSURE * truth
+    exposed = EXPOSURE * gain[..., None] * truth
     logarithmic = functional.mse_loss(torch.log1p(predicted), torch.log1p(exposed))
     return logarithmic + 0.1 * functional.l1_loss(predicted, exposed)
 
@@ -222,7 +249,8 @@ def _fetched(table: Tensor, texels: list[Tensor], weights: list[Tensor]) -> Tens
     )
 
 
-def _layers(perceptron: nn.Sequential) -> list[tuple[NDArray[np.float32], NDArray[np.float32]]]:
+def numbers_of_layers(perceptron: nn.Sequential) -> Layers:
+    """Weights [outputs, inputs] and biases of each layer."""
     return [
         (_numbers(layer.weight), _numbers(layer.bias)) for layer in perceptron if isinstance(layer, nn.Linear)
     ]

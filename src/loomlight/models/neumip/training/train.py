@@ -21,12 +21,13 @@ from torch import Tensor, nn
 
 from loomlight.assets.sources import Source
 from loomlight.models.neumip.btf import PART, Queries, QueryStream, btf_of, light_density
-from loomlight.models.neumip.networks import Weights
+from loomlight.models.neumip.networks import EXPOSURE, Weights
 from loomlight.models.neumip.pyramid import PyramidShape
 from loomlight.models.neumip.settings import FILES, NeumipSettings
 from loomlight.models.neumip.training.network import NeumipNetwork, loss_of, opacity_loss
 from loomlight.models.neumip.training.proposal_fit import fitted_proposal
 from loomlight.models.neumip.training.query_store import query_store
+from loomlight.models.neumip.training.sampler_fit import trained_sampler
 from loomlight.training.loop import Schedule, train
 from loomlight.training.side_by_side import SideBySide
 
@@ -41,6 +42,8 @@ _WARM_UP = 0.02
 # Parts of a batch on CPUs, a thread each: the same on every machine, as the weights depend on it. Smaller
 # batches are computed on one thread, as threads would wait for each other longer than they compute.
 _PARTS, _SMALLEST_SHARED_BATCH = 2, 1 << 13
+# Mean of π f·cos that dark sources are scaled to while they are trained, and the largest factor.
+_MEAN, _LARGEST_GAIN = 0.15, 1e3
 # Key that separates the random numbers of batches from those of queries.
 _BATCHES = 5
 # Thousandths of the progress that taking queries is counted as.
@@ -75,7 +78,8 @@ def train_neumip(
     btf, shape = btf_of(source), shape_of(source, settings)
     torch.manual_seed(settings.seed)
     scale = settings.texture_rate / settings.rate
-    network = NeumipNetwork(shape, settings.offset, scale, btf.transmits, btf.has_holes).to(device)
+    gains = gains_of(queries)
+    network = NeumipNetwork(shape, settings.offset, scale, btf.transmits, btf.has_holes, gains).to(device)
     batches = Batches(network, queries, settings, device)
     optimiser = torch.optim.Adam(network.parameters(), settings.rate)
     with one_thread():
@@ -89,10 +93,13 @@ def train_neumip(
             lambda step, steps, _: report(_OF_QUERIES + (_WHOLE - _OF_QUERIES) * step // steps, _WHOLE),
         )
     density = light_density(queries, hasattr(btf, "measured"))
-    with one_thread():
-        proposal = fitted_proposal(queries, density, shape, settings)
     weights = network.weights(reflectances(queries, shape.faces, density))
-    return replace(weights, open_area=float(queries.holes.mean()), proposal=proposal)
+    weights = replace(weights, open_area=float(queries.holes.mean()))
+    with one_thread():
+        if settings.sampler == "lobes":
+            return replace(weights, proposal=fitted_proposal(queries, density, shape, settings))
+        identity, file = settings.identity(source), folder / "sampler.safetensors"
+        return replace(weights, sampler=trained_sampler(network, settings, file, identity))
 
 
 @contextmanager
@@ -147,6 +154,18 @@ def reflectances(queries: Queries, faces: int, density: NDArray[np.float32]) -> 
     return np.clip(np.stack(means), 0, 1).astype(np.float32)
 
 
+def gains_of(queries: Queries) -> tuple[float, float]:
+    """Factors of π f·cos for training: of lights on the view's side, and on the other one.
+
+    Dark values are scaled up to a mean of `_MEAN`. Without that the first weights, which are about 1, give
+    colours below 0 almost everywhere, errors are too small to pull them up, and dark cloth stays black.
+    """
+    near = queries.beyond == 0
+    means = [float(queries.values[side].mean()) if side.any() else 0.0 for side in (near, ~near)]
+    first, second = (min(max(_MEAN / max(EXPOSURE * mean, 1e-9), 1.0), _LARGEST_GAIN) for mean in means)
+    return first, second
+
+
 def rate_factor(progress: float) -> float:
     """The learning rate over the largest, at a progress from 0 to 1: a short rise, then a half cosine."""
     return min(1.0, (progress + 1e-9) / _WARM_UP) * 0.5 * (1 + math.cos(math.pi * progress))
@@ -164,6 +183,10 @@ class Trainable(Protocol):
     @property
     def shape(self) -> PyramidShape:
         """Of its textures."""
+
+    @property
+    def gains(self) -> tuple[float, float]:
+        """Factors of its π f·cos; see `gains_of`."""
 
     def __call__(self, *inputs: Any) -> tuple[Tensor, Tensor | None]:
         """π f·cos of queries [n, 3], and log-odds of passing straight [n]; see `NeumipNetwork.forward`."""
@@ -207,7 +230,8 @@ class Batches:
         predicted, opacity = self._network(
             positions, levels, lights, views, faces, blur, offset_frozen, beyond
         )
-        loss = loss_of(predicted, values)
+        near, far = (values.new_tensor(gain) for gain in self._network.gains)
+        loss = loss_of(predicted, values, torch.where(beyond, far, near))
         if opacity is None:
             return loss
         return loss + opacity_loss(opacity, torch.from_numpy(batch.holes).to(self._device))

@@ -93,6 +93,32 @@ struct Neumip_0
     float texels_per_mm_0;
     float unit_x_0;
     float unit_y_0;
+    uint transmits_0;
+    uint transmission_0;
+    uint has_holes_0;
+    uint opacity_0;
+};
+
+struct Latent_0
+{
+    uint is_trained_1;
+    uint decoder_1;
+    uint hidden_0;
+    uint frames_0;
+    uint sampler_0;
+    uint albedo_0;
+    uint texels_1;
+    uint texel_elements_1;
+    uint levels_3;
+    float last_level_2;
+    uint face_texels_1;
+    uint back_1;
+    float repeats_per_x_1;
+    float repeats_per_y_1;
+    float texels_per_mm_1;
+    float width_0;
+    float height_0;
+    uint is_trilinear_0;
 };
 
 struct Fabric_0
@@ -124,8 +150,12 @@ struct Fabric_0
     float uv_width_0;
     float uv_height_0;
     uint is_open_0;
+    uint openness_0;
     uint albedo_map_0;
     uint albedo_map_levels_0;
+    uint has_yarns_0;
+    float mean_hole_0;
+    Latent_0 latent_0;
 };
 
 layout(std430, binding = 0) readonly buffer StructuredBuffer_Fabric_t_0 {
@@ -172,6 +202,11 @@ layout(std430, binding = 1) readonly buffer StructuredBuffer_Family_t_0 {
 layout(std430, binding = 2) readonly buffer StructuredBuffer_uint_t_1 {
     uint _data[];
 } words_0;
+float saturate_0(float x_0)
+{
+    return clamp(x_0, 0.0, 1.0);
+}
+
 const float  PYRAMID_RADII_0[4] = float[](1.0, 2.0, 4.0, 8.0);
 struct SearchQuality_0
 {
@@ -191,11 +226,11 @@ SearchQuality_0 default_quality_0()
     return quality_0;
 }
 
-vec3 to_face_frame_0(vec3 direction_0, bool back_1)
+vec3 to_face_frame_0(vec3 direction_0, bool back_2)
 {
     vec2 _S1 = direction_0.xy;
     float _S2;
-    if(back_1)
+    if(back_2)
     {
         _S2 = - direction_0.z;
     }
@@ -291,7 +326,7 @@ struct Crossing_0
     bool warp_above_0;
 };
 
-Shown_0 shown_at_0(Crossing_0 crossing_0, bool back_2)
+Shown_0 shown_at_0(Crossing_0 crossing_0, bool back_3)
 {
     bool _S10 = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
     bool _S11 = (abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1);
@@ -332,7 +367,7 @@ Shown_0 shown_at_0(Crossing_0 crossing_0, bool back_2)
         _S13 = crossing_0.weft_word_0;
     }
     shown_0.word_0 = _S13;
-    shown_0.on_top_0 = ((_S13 & 1U) == 1U) != back_2;
+    shown_0.on_top_0 = ((_S13 & 1U) == 1U) != back_3;
     return shown_0;
 }
 
@@ -497,9 +532,9 @@ Run_0 unpack_0(uint own_0, uint other_0, uint thread_5, Cell_0 crossed_0, uint w
     return run_0;
 }
 
-float square_0(float x_0)
+float square_0(float x_1)
 {
-    return x_0 * x_0;
+    return x_1 * x_1;
 }
 
 struct Section_0
@@ -777,7 +812,7 @@ float outline_distance_0(Cell_0 cell_4, Shown_0 shown_2, Run_0 run_2, bool lengt
 
 struct Probe_0
 {
-    float height_0;
+    float height_1;
     bool hole_1;
     float slope_x_0;
     float slope_y_0;
@@ -947,9 +982,9 @@ struct ViewRay_0
     vec2 slope_1;
 };
 
-vec2 ViewRay_at_0(ViewRay_0 this_2, float height_1)
+vec2 ViewRay_at_0(ViewRay_0 this_2, float height_2)
 {
-    return this_2.origin_0 + this_2.slope_1 * height_1;
+    return this_2.origin_0 + this_2.slope_1 * height_2;
 }
 
 float ViewRay_rate_0(ViewRay_0 this_3, Probe_0 here_3)
@@ -994,9 +1029,9 @@ vec2 fibre_direction_0(float across_slope_0, float along_slope_0, float sine_1, 
     return vec2(- _S82 * _S80, _S82 * across_slope_0 * along_slope_0 + cosine_0 * _S81);
 }
 
-float arc_sine_0(float x_1)
+float arc_sine_0(float x_2)
 {
-    float _S83 = abs(x_1);
+    float _S83 = abs(x_2);
     bool _S84 = _S83 > 0.5;
     float _S85;
     if(_S84)
@@ -1025,7 +1060,7 @@ float arc_sine_0(float x_1)
     {
         _S85 = _S87;
     }
-    if(x_1 < 0.0)
+    if(x_2 < 0.0)
     {
         _S85 = - _S85;
     }
@@ -1077,15 +1112,15 @@ float thread_gain_0(uint thread_9, float amount_0, uint seed_1)
     return amount_0 * (2.0 * uniform_hash_0(thread_9, 0U, seed_1 ^ 2135587861U) - 1.0) + 1.0;
 }
 
-float bounded_gain_0(float gain_0, vec3 albedo_0, vec3 room_0)
+float bounded_gain_0(float gain_0, vec3 albedo_1, vec3 room_0)
 {
-    vec3 _S90 = room_0 / max(albedo_0, vec3(9.99999997475242708e-07));
+    vec3 _S90 = room_0 / max(albedo_1, vec3(9.99999997475242708e-07));
     return min(gain_0, max(min(min(_S90.x, _S90.y), _S90.z), 0.0));
 }
 
-float natural_logarithm_0(float x_2)
+float natural_logarithm_0(float x_3)
 {
-    uint _S91 = floatBitsToUint(x_2);
+    uint _S91 = floatBitsToUint(x_3);
     float exponent_0 = float(int(_S91 >> 23) - 126);
     float m_0 = uintBitsToFloat((_S91 & 8388607U) | 1056964608U);
     float m_1;
@@ -1111,39 +1146,109 @@ float fibre_gain_0(uint thread_10, uint cell_6, float amount_1, uint seed_2)
     return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_10, cell_6, seed_2 ^ 2654435769U)), 10.0) - 1.0) + 1.0;
 }
 
+struct FaceRadiance_0
+{
+    vec3 warp_2;
+    vec3 weft_2;
+    vec3 mean_0;
+    vec3 leaked_0;
+};
+
+struct FaceSends_0
+{
+    vec3 sky_warp_0;
+    vec3 sky_weft_0;
+    vec3 crossing_warp_0;
+    vec3 crossing_weft_0;
+    float open_0;
+    float blocks_warp_0;
+    float blocks_weft_0;
+};
+
+FaceRadiance_0 face_radiance_0(FaceSends_0 sends_0, float open_of_other_0, vec3 passed_0, vec3 from_other_0)
+{
+    vec3 _S93 = (1.0 - open_of_other_0) * passed_0;
+    FaceRadiance_0 found_0;
+    vec3 _S94 = sends_0.sky_warp_0 + _S93 * sends_0.crossing_warp_0;
+    found_0.warp_2 = _S94;
+    vec3 _S95 = sends_0.sky_weft_0 + _S93 * sends_0.crossing_weft_0;
+    found_0.weft_2 = _S95;
+    found_0.mean_0 = sends_0.blocks_warp_0 * _S94 + sends_0.blocks_weft_0 * _S95;
+    found_0.leaked_0 = from_other_0;
+    return found_0;
+}
+
+struct Bounced_0
+{
+    vec3 reflected_0;
+    vec3 transmitted_0;
+};
+
+struct Blocked_0
+{
+    float by_warp_0;
+    float by_weft_0;
+    float far_0;
+};
+
+struct Scattered_0
+{
+    vec3 back_4;
+    vec3 through_0;
+};
+
+struct Interior_0
+{
+    vec3 warp_3;
+    vec3 weft_3;
+    vec3 leaked_1;
+    vec3 far_1;
+    vec3 far_leaked_0;
+};
+
+Bounced_0 bounced_by_0(Blocked_0 blocked_0, Scattered_0 yarn_2, Interior_0 interior_0)
+{
+    vec3 _S96 = (blocked_0.by_warp_0 + blocked_0.by_weft_0) * interior_0.leaked_1;
+    vec3 _S97 = blocked_0.far_0 * yarn_2.through_0;
+    Bounced_0 bounced_0;
+    bounced_0.reflected_0 = yarn_2.back_4 * (blocked_0.by_warp_0 * interior_0.warp_3 + blocked_0.by_weft_0 * interior_0.weft_3) + _S97 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S97 * interior_0.far_1 + yarn_2.back_4 * _S96;
+    return bounced_0;
+}
+
 float diffuse_reflection_0(vec3 light_0, vec3 normal_0, float blend_0)
 {
-    float _S93 = light_0.z;
-    if(_S93 <= 0.0)
+    float _S98 = light_0.z;
+    if(_S98 <= 0.0)
     {
         return 0.0;
     }
-    return 0.31830987334251404 * mix(max(_S93, 0.0), max(dot(light_0, normal_0), 0.0), blend_0);
+    return 0.31830987334251404 * mix(max(_S98, 0.0), max(dot(light_0, normal_0), 0.0), blend_0);
 }
 
 float projected_area_1(vec3 direction_2, vec3 tangent_0, float roughness_1)
 {
-    float _S94 = dot(direction_2, tangent_0);
-    return sqrt(max((roughness_1 + 1.0) * (roughness_1 - 1.0) * _S94 * _S94 + 1.0, roughness_1 * roughness_1));
+    float _S99 = dot(direction_2, tangent_0);
+    return sqrt(max((roughness_1 + 1.0) * (roughness_1 - 1.0) * _S99 * _S99 + 1.0, roughness_1 * roughness_1));
 }
 
-float exponential_0(float x_3)
+float exponential_0(float x_4)
 {
-    float _S95 = clamp(x_3, -87.0, 88.0);
-    float _S96 = floor(_S95 * 1.4426950216293335 + 0.5);
-    float _S97 = _S95 - _S96 * 0.693359375 + _S96 * 0.00021219444170129;
-    float p_0 = ((((0.00019875691214111 * _S97 + 0.00139819993637502) * _S97 + 0.00833345204591751) * _S97 + 0.04166579619050026) * _S97 + 0.1666666567325592) * _S97 + 0.5;
-    float _S98 = uintBitsToFloat(uint(int(_S96) + 127) << 23);
-    float _S99;
-    if(x_3 < -87.0)
+    float _S100 = clamp(x_4, -87.0, 88.0);
+    float _S101 = floor(_S100 * 1.4426950216293335 + 0.5);
+    float _S102 = _S100 - _S101 * 0.693359375 + _S101 * 0.00021219444170129;
+    float p_0 = ((((0.00019875691214111 * _S102 + 0.00139819993637502) * _S102 + 0.00833345204591751) * _S102 + 0.04166579619050026) * _S102 + 0.1666666567325592) * _S102 + 0.5;
+    float _S103 = uintBitsToFloat(uint(int(_S101) + 127) << 23);
+    float _S104;
+    if(x_4 < -87.0)
     {
-        _S99 = 0.0;
+        _S104 = 0.0;
     }
     else
     {
-        _S99 = (p_0 * _S97 * _S97 + _S97 + 1.0) * _S98;
+        _S104 = (p_0 * _S102 * _S102 + _S102 + 1.0) * _S103;
     }
-    return _S99;
+    return _S104;
 }
 
 float mean_attenuation_0(float depth_0)
@@ -1162,135 +1267,150 @@ float square_1(vec3 v_0)
 
 float flake_density_0(float squared_along_0, float roughness_2)
 {
-    float _S100 = roughness_2 * roughness_2;
-    float _S101 = squared_along_0 * (1.0 - _S100) + _S100;
-    return 0.31830987334251404 * _S100 * roughness_2 / (_S101 * _S101);
+    float _S105 = roughness_2 * roughness_2;
+    float _S106 = squared_along_0 * (1.0 - _S105) + _S105;
+    return 0.31830987334251404 * _S105 * roughness_2 / (_S106 * _S106);
 }
 
 float density_between_0(vec3 light_1, vec3 view_0, vec3 tangent_1, float roughness_3)
 {
-    vec3 _S102 = light_1 + view_0;
-    float _S103 = dot(_S102, tangent_1);
-    return flake_density_0(min(_S103 * _S103 / max(square_1(_S102), 9.999999960041972e-13), 1.0), roughness_3);
+    vec3 _S107 = light_1 + view_0;
+    float _S108 = dot(_S107, tangent_1);
+    return flake_density_0(min(_S108 * _S108 / max(square_1(_S107), 9.999999960041972e-13), 1.0), roughness_3);
 }
 
 float reflection_0(vec3 light_2, vec3 view_1, vec3 normal_1, vec3 tangent_2, float roughness_4, float optical_depth_1)
 {
-    float _S104 = dot(light_2, normal_1);
-    bool _S105;
-    if(_S104 <= 0.0)
+    float _S109 = dot(light_2, normal_1);
+    bool _S110;
+    if(_S109 <= 0.0)
     {
-        _S105 = true;
+        _S110 = true;
     }
     else
     {
-        _S105 = (dot(view_1, normal_1)) <= 0.0;
+        _S110 = (dot(view_1, normal_1)) <= 0.0;
     }
-    if(_S105)
+    if(_S110)
     {
         return 0.0;
     }
-    float _S106 = max(_S104, 9.99999997475242708e-07);
-    float _S107 = max(dot(view_1, normal_1), 9.99999997475242708e-07);
-    float _S108 = projected_area_1(light_2, tangent_2, roughness_4) * _S107 + projected_area_1(view_1, tangent_2, roughness_4) * _S106;
-    float _S109 = optical_depth_1 * _S108 / (_S106 * _S107);
-    return 0.25 * density_between_0(light_2, view_1, tangent_2, roughness_4) * (_S109 * mean_attenuation_0(_S109)) * _S106 / _S108;
+    float _S111 = max(_S109, 9.99999997475242708e-07);
+    float _S112 = max(dot(view_1, normal_1), 9.99999997475242708e-07);
+    float _S113 = projected_area_1(light_2, tangent_2, roughness_4) * _S112 + projected_area_1(view_1, tangent_2, roughness_4) * _S111;
+    float _S114 = optical_depth_1 * _S113 / (_S111 * _S112);
+    return 0.25 * density_between_0(light_2, view_1, tangent_2, roughness_4) * (_S114 * mean_attenuation_0(_S114)) * _S111 / _S113;
 }
 
-float transmission_0(vec3 light_3, vec3 view_2, vec3 normal_2, vec3 tangent_3, float roughness_5, float optical_depth_2)
+float transmission_1(vec3 light_3, vec3 view_2, vec3 normal_2, vec3 tangent_3, float roughness_5, float optical_depth_2)
 {
-    float _S110 = - dot(light_3, normal_2);
-    float _S111 = dot(view_2, normal_2);
-    bool _S112;
-    if(_S110 <= 0.0)
+    float _S115 = - dot(light_3, normal_2);
+    float _S116 = dot(view_2, normal_2);
+    bool _S117;
+    if(_S115 <= 0.0)
     {
-        _S112 = true;
+        _S117 = true;
     }
     else
     {
-        _S112 = _S111 <= 0.0;
+        _S117 = _S116 <= 0.0;
     }
-    if(_S112)
+    if(_S117)
     {
         return 0.0;
     }
-    float _S113 = 1.0 / max(_S111, 9.99999997475242708e-07);
-    float _S114 = projected_area_1(light_3, tangent_3, roughness_5) / max(_S110, 9.99999997475242708e-07);
-    float _S115 = projected_area_1(view_2, tangent_3, roughness_5) * _S113;
-    return density_between_0(light_3, view_2, tangent_3, roughness_5) * 0.25 * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S114, _S115)) * mean_attenuation_0(optical_depth_2 * abs(_S114 - _S115)) * _S113;
+    float _S118 = 1.0 / max(_S116, 9.99999997475242708e-07);
+    float _S119 = projected_area_1(light_3, tangent_3, roughness_5) / max(_S115, 9.99999997475242708e-07);
+    float _S120 = projected_area_1(view_2, tangent_3, roughness_5) * _S118;
+    return density_between_0(light_3, view_2, tangent_3, roughness_5) * 0.25 * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S119, _S120)) * mean_attenuation_0(optical_depth_2 * abs(_S119 - _S120)) * _S118;
 }
 
-float sheen_scale_0(float x_4, float y_0)
+float sheen_scale_0(float x_5, float y_0)
 {
-    return (((((0.0 * x_4 + (((((-1.1402510404586792 * y_0 + 0.40672621130943298) * y_0 + 1.65398800373077393) * y_0 + -1.29730904102325439) * y_0 + 0.30570998787879944) * y_0 + -0.0220868494361639)) * x_4 + (((((-0.21142719686031342 * y_0 + 1.05947399139404297) * y_0 + -0.41116121411323547) * y_0 + -0.93859231472015381) * y_0 + 0.51606941223144531) * y_0 + 0.05409301072359085)) * x_4 + (((((1.22944498062133789 * y_0 + -0.45962560176849365) * y_0 + -1.63861405849456787) * y_0 + 1.33565104007720947) * y_0 + -0.45725581049919128) * y_0 + 0.08243165910243988)) * x_4 + (((((0.39779931306838989 * y_0 + -1.18879103660583496) * y_0 + 0.28251591324806213) * y_0 + 1.168984055519104) * y_0 + -0.76864629983901978) * y_0 + 0.0091691892594099)) * x_4 + (((((-0.26563560962677002 * y_0 + -0.19379159808158875) * y_0 + 0.2677634060382843) * y_0 + 0.00270519289188087) * y_0 + 0.14349560439586639) * y_0 + 0.10290180146694183)) * x_4 + (((((-0.20701569318771362 * y_0 + 0.24526430666446686) * y_0 + 0.19551840424537659) * y_0 + 0.07586126774549484) * y_0 + 0.38894739747047424) * y_0 + 0.15043120086193085);
+    return (((((0.0 * x_5 + (((((-1.1402510404586792 * y_0 + 0.40672621130943298) * y_0 + 1.65398800373077393) * y_0 + -1.29730904102325439) * y_0 + 0.30570998787879944) * y_0 + -0.0220868494361639)) * x_5 + (((((-0.21142719686031342 * y_0 + 1.05947399139404297) * y_0 + -0.41116121411323547) * y_0 + -0.93859231472015381) * y_0 + 0.51606941223144531) * y_0 + 0.05409301072359085)) * x_5 + (((((1.22944498062133789 * y_0 + -0.45962560176849365) * y_0 + -1.63861405849456787) * y_0 + 1.33565104007720947) * y_0 + -0.45725581049919128) * y_0 + 0.08243165910243988)) * x_5 + (((((0.39779931306838989 * y_0 + -1.18879103660583496) * y_0 + 0.28251591324806213) * y_0 + 1.168984055519104) * y_0 + -0.76864629983901978) * y_0 + 0.0091691892594099)) * x_5 + (((((-0.26563560962677002 * y_0 + -0.19379159808158875) * y_0 + 0.2677634060382843) * y_0 + 0.00270519289188087) * y_0 + 0.14349560439586639) * y_0 + 0.10290180146694183)) * x_5 + (((((-0.20701569318771362 * y_0 + 0.24526430666446686) * y_0 + 0.19551840424537659) * y_0 + 0.07586126774549484) * y_0 + 0.38894739747047424) * y_0 + 0.15043120086193085);
 }
 
-float sheen_shear_0(float x_5, float y_1)
+float sheen_shear_0(float x_6, float y_1)
 {
-    return ((((0.0 * x_5 + (((((-0.10608240216970444 * y_1 + 1.99214303493499756) * y_1 + -1.42255294322967529) * y_1 + -1.09495604038238525) * y_1 + 0.59180057048797607) * y_1 + 0.06902855634689331)) * x_5 + (((((-0.46220690011978149 * y_1 + -0.29113379120826721) * y_1 + 1.39025199413299561) * y_1 + 0.35589990019798279) * y_1 + -1.17120099067687988) * y_1 + 0.15940259397029877)) * x_5 + (((((2.26068711280822754 * y_1 + -3.64728999137878418) * y_1 + -0.72173482179641724) * y_1 + 3.07659196853637695) * y_1 + -0.6827620267868042) * y_1 + -0.3039557933807373)) * x_5 + (((((0.81201767921447754 * y_1 + 0.36014080047607422) * y_1 + -1.72646903991699219) * y_1 + -0.22630110383033752) * y_1 + 0.89514690637588501) * y_1 + -0.10397960245609283)) * x_5 + (((((-0.37648698687553406 * y_1 + 1.10974001884460449) * y_1 + 0.17824520170688629) * y_1 + -1.04968702793121338) * y_1 + 0.1461234986782074) * y_1 + -0.00475129019469023);
+    return ((((0.0 * x_6 + (((((-0.10608240216970444 * y_1 + 1.99214303493499756) * y_1 + -1.42255294322967529) * y_1 + -1.09495604038238525) * y_1 + 0.59180057048797607) * y_1 + 0.06902855634689331)) * x_6 + (((((-0.46220690011978149 * y_1 + -0.29113379120826721) * y_1 + 1.39025199413299561) * y_1 + 0.35589990019798279) * y_1 + -1.17120099067687988) * y_1 + 0.15940259397029877)) * x_6 + (((((2.26068711280822754 * y_1 + -3.64728999137878418) * y_1 + -0.72173482179641724) * y_1 + 3.07659196853637695) * y_1 + -0.6827620267868042) * y_1 + -0.3039557933807373)) * x_6 + (((((0.81201767921447754 * y_1 + 0.36014080047607422) * y_1 + -1.72646903991699219) * y_1 + -0.22630110383033752) * y_1 + 0.89514690637588501) * y_1 + -0.10397960245609283)) * x_6 + (((((-0.37648698687553406 * y_1 + 1.10974001884460449) * y_1 + 0.17824520170688629) * y_1 + -1.04968702793121338) * y_1 + 0.1461234986782074) * y_1 + -0.00475129019469023);
 }
 
-float sheen_reflectance_0(float x_6, float y_2)
+float sheen_reflectance_0(float x_7, float y_2)
 {
-    return ((((0.0 * x_6 + (((((12.95646953582763672 * y_2 + -21.38032913208007812) * y_2 + -7.37853097915649414) * y_2 + 34.55607986450195312) * y_2 + -23.61347007751464844) * y_2 + 5.00126314163208008)) * x_6 + (((((10.91487026214599609 * y_2 + -6.08202791213989258) * y_2 + -38.2036285400390625) * y_2 + 53.3440399169921875) * y_2 + -21.91996002197265625) * y_2 + 2.01606011390686035)) * x_6 + (((((-14.52206039428710938 * y_2 + 36.803619384765625) * y_2 + -22.94047927856445312) * y_2 + -10.07973003387451172) * y_2 + 15.77003955841064453) * y_2 + -4.92722177505493164)) * x_6 + (((((-7.62505722045898438 * y_2 + 1.27310299873352051) * y_2 + 31.19523048400878906) * y_2 + -44.39989852905273438) * y_2 + 26.44947052001953125) * y_2 + -8.73507976531982422)) * x_6 + (((((5.65633487701416016 * y_2 + -17.66820907592773438) * y_2 + 24.65356063842773438) * y_2 + -19.38941001892089844) * y_2 + 11.06159019470214844) * y_2 + -3.06573700904846191);
+    return ((((0.0 * x_7 + (((((12.95646953582763672 * y_2 + -21.38032913208007812) * y_2 + -7.37853097915649414) * y_2 + 34.55607986450195312) * y_2 + -23.61347007751464844) * y_2 + 5.00126314163208008)) * x_7 + (((((10.91487026214599609 * y_2 + -6.08202791213989258) * y_2 + -38.2036285400390625) * y_2 + 53.3440399169921875) * y_2 + -21.91996002197265625) * y_2 + 2.01606011390686035)) * x_7 + (((((-14.52206039428710938 * y_2 + 36.803619384765625) * y_2 + -22.94047927856445312) * y_2 + -10.07973003387451172) * y_2 + 15.77003955841064453) * y_2 + -4.92722177505493164)) * x_7 + (((((-7.62505722045898438 * y_2 + 1.27310299873352051) * y_2 + 31.19523048400878906) * y_2 + -44.39989852905273438) * y_2 + 26.44947052001953125) * y_2 + -8.73507976531982422)) * x_7 + (((((5.65633487701416016 * y_2 + -17.66820907592773438) * y_2 + 24.65356063842773438) * y_2 + -19.38941001892089844) * y_2 + 11.06159019470214844) * y_2 + -3.06573700904846191);
 }
 
 vec3 sheen_lobe_0(float cos_view_0, float roughness_6)
 {
-    float _S116 = clamp(cos_view_0, 0.00999999977648258, 1.0);
-    float _S117 = 2.0 * sqrt(_S116) - 1.0;
-    float _S118 = 3.0 * sqrt(sqrt(clamp(roughness_6, 0.00999999977648258, 1.0))) - 2.0;
-    return vec3(clamp(sheen_scale_0(_S117, _S118), 0.00999999977648258, 1.0), clamp((1.0 - _S116) * sheen_shear_0(_S117, _S118), -0.25, 0.0), 0.80000001192092896 / (1.0 + exponential_0(- clamp(sheen_reflectance_0(_S117, _S118), -60.0, 60.0))));
+    float _S121 = clamp(cos_view_0, 0.00999999977648258, 1.0);
+    float _S122 = 2.0 * sqrt(_S121) - 1.0;
+    float _S123 = 3.0 * sqrt(sqrt(clamp(roughness_6, 0.00999999977648258, 1.0))) - 2.0;
+    return vec3(clamp(sheen_scale_0(_S122, _S123), 0.00999999977648258, 1.0), clamp((1.0 - _S121) * sheen_shear_0(_S122, _S123), -0.25, 0.0), 0.80000001192092896 / (1.0 + exponential_0(- clamp(sheen_reflectance_0(_S122, _S123), -60.0, 60.0))));
 }
 
 float transformed_cosine_0(vec3 light_4, vec3 view_3, float scale_0, float shear_0)
 {
-    float _S119 = light_4.z;
-    bool _S120;
-    if(_S119 <= 0.0)
+    float _S124 = light_4.z;
+    bool _S125;
+    if(_S124 <= 0.0)
     {
-        _S120 = true;
+        _S125 = true;
     }
     else
     {
-        _S120 = (view_3.z) <= 0.0;
+        _S125 = (view_3.z) <= 0.0;
     }
-    if(_S120)
+    if(_S125)
     {
         return 0.0;
     }
-    vec2 _S121 = view_3.xy;
-    float _S122 = dot(_S121, _S121);
-    vec2 _S123;
-    if(_S122 > 9.99999968265522539e-21)
+    vec2 _S126 = view_3.xy;
+    float _S127 = dot(_S126, _S126);
+    vec2 _S128;
+    if(_S127 > 9.99999968265522539e-21)
     {
-        _S123 = _S121 * (inversesqrt((_S122)));
+        _S128 = _S126 * (inversesqrt((_S127)));
     }
     else
     {
-        _S123 = vec2(1.0, 0.0);
+        _S128 = vec2(1.0, 0.0);
     }
-    float _S124 = scale_0 * dot(light_4.xy, _S123) + shear_0 * _S119;
-    float _S125 = scale_0 * (light_4.y * _S123.x - light_4.x * _S123.y);
-    float _S126 = _S124 * _S124 + _S125 * _S125 + _S119 * _S119;
-    return 0.31830987334251404 * scale_0 * scale_0 * _S119 / max(_S126 * _S126, 9.99999968265522539e-21);
+    float _S129 = scale_0 * dot(light_4.xy, _S128) + shear_0 * _S124;
+    float _S130 = scale_0 * (light_4.y * _S128.x - light_4.x * _S128.y);
+    float _S131 = _S129 * _S129 + _S130 * _S130 + _S124 * _S124;
+    return 0.31830987334251404 * scale_0 * scale_0 * _S124 / max(_S131 * _S131, 9.99999968265522539e-21);
 }
 
 vec2 sheen_with_transmittance_0(vec3 light_5, vec3 view_4, float strength_0, float roughness_7)
 {
-    vec3 _S127 = sheen_lobe_0(view_4.z, roughness_7);
-    float _S128 = strength_0 * _S127.z;
-    return vec2(_S128 * transformed_cosine_0(light_5, view_4, _S127.x, _S127.y), 1.0 - _S128);
+    vec3 _S132 = sheen_lobe_0(view_4.z, roughness_7);
+    float _S133 = strength_0 * _S132.z;
+    return vec2(_S133 * transformed_cosine_0(light_5, view_4, _S132.x, _S132.y), 1.0 - _S133);
+}
+
+vec3 bounced_value_0(Bounced_0 bounced_1, vec3 light_6, vec3 view_5)
+{
+    float _S134 = light_6.z;
+    vec3 _S135;
+    if((_S134 * view_5.z) < 0.0)
+    {
+        _S135 = bounced_1.transmitted_0;
+    }
+    else
+    {
+        _S135 = bounced_1.reflected_0;
+    }
+    return _S135 * (abs(_S134) * 0.31830987334251404);
 }
 
 struct YarnPoint_0
 {
-    bool back_3;
+    bool back_5;
     bool hole_2;
     bool is_warp_1;
-    float x_7;
+    float x_8;
     float y_3;
-    float height_2;
+    float height_3;
     vec3 normal_3;
     vec3 tangent_4;
     float roughness_8;
@@ -1299,10 +1419,10 @@ struct YarnPoint_0
 
 struct Hit_0
 {
-    float x_8;
+    float x_9;
     float y_4;
     bool hole_3;
-    float height_3;
+    float height_4;
 };
 
 struct Sample_0
@@ -1311,321 +1431,321 @@ struct Sample_0
     Shown_0 shown_3;
     Run_0 run_3;
     Section_0 section_1;
-    float height_4;
+    float height_5;
     float slope_across_0;
     float slope_along_0;
     float slope_x_1;
     float slope_y_1;
 };
 
-Crossing_0 crossing_at_0(uint _S129, float _S130, float _S131, bool _S132)
+Crossing_0 crossing_at_0(uint _S136, float _S137, float _S138, bool _S139)
 {
     Crossing_0 crossing_2;
-    crossing_2.warp_1 = locate_0(fabrics_0._data[uint(_S129)].warp_0, _S130);
-    crossing_2.weft_1 = locate_0(fabrics_0._data[uint(_S129)].weft_0, _S131);
-    uint _S133 = fabrics_0._data[uint(_S129)].run_words_0 + 2U * (crossing_2.weft_1.thread_0 * fabrics_0._data[uint(_S129)].ends_1 + crossing_2.warp_1.thread_0);
-    uint _S134 = words_0._data[uint(_S133)];
-    crossing_2.warp_word_0 = _S134;
-    crossing_2.weft_word_0 = words_0._data[uint(_S133 + 1U)];
-    crossing_2.warp_above_0 = ((_S134 & 1U) == 1U) != _S132;
+    crossing_2.warp_1 = locate_0(fabrics_0._data[uint(_S136)].warp_0, _S137);
+    crossing_2.weft_1 = locate_0(fabrics_0._data[uint(_S136)].weft_0, _S138);
+    uint _S140 = fabrics_0._data[uint(_S136)].run_words_0 + 2U * (crossing_2.weft_1.thread_0 * fabrics_0._data[uint(_S136)].ends_1 + crossing_2.warp_1.thread_0);
+    uint _S141 = words_0._data[uint(_S140)];
+    crossing_2.warp_word_0 = _S141;
+    crossing_2.weft_word_0 = words_0._data[uint(_S140 + 1U)];
+    crossing_2.warp_above_0 = ((_S141 & 1U) == 1U) != _S139;
     return crossing_2;
 }
 
-Sample_0 sample_at_0(uint _S135, float _S136, float _S137, bool _S138)
+Sample_0 sample_at_0(uint _S142, float _S143, float _S144, bool _S145)
 {
     Sample_0 sample_0;
-    Crossing_0 _S139 = crossing_at_0(_S135, _S136, _S137, _S138);
-    sample_0.crossing_1 = _S139;
-    Shown_0 _S140 = shown_at_0(_S139, _S138);
-    sample_0.shown_3 = _S140;
-    uint _S141;
-    if(_S140.is_warp_0)
+    Crossing_0 _S146 = crossing_at_0(_S142, _S143, _S144, _S145);
+    sample_0.crossing_1 = _S146;
+    Shown_0 _S147 = shown_at_0(_S146, _S145);
+    sample_0.shown_3 = _S147;
+    uint _S148;
+    if(_S147.is_warp_0)
     {
-        _S141 = fabrics_0._data[uint(_S135)].warp_0;
+        _S148 = fabrics_0._data[uint(_S142)].warp_0;
     }
     else
     {
-        _S141 = fabrics_0._data[uint(_S135)].weft_0;
+        _S148 = fabrics_0._data[uint(_S142)].weft_0;
     }
-    uint _S142;
-    if(_S140.is_warp_0)
+    uint _S149;
+    if(_S147.is_warp_0)
     {
-        _S142 = fabrics_0._data[uint(_S135)].weft_0;
+        _S149 = fabrics_0._data[uint(_S142)].weft_0;
     }
     else
     {
-        _S142 = fabrics_0._data[uint(_S135)].warp_0;
+        _S149 = fabrics_0._data[uint(_S142)].warp_0;
     }
-    Cell_0 _S143 = select_cell_0(_S140.is_warp_0, sample_0.crossing_1.warp_1, sample_0.crossing_1.weft_1);
-    Cell_0 _S144 = select_cell_0(_S140.is_warp_0, sample_0.crossing_1.weft_1, sample_0.crossing_1.warp_1);
-    Run_0 _S145 = unpack_0(_S141, _S142, _S143.thread_0, _S144, _S140.word_0);
-    Section_0 _S146 = section_at_0(_S143);
-    bool _S147;
-    if(_S140.on_top_0)
+    Cell_0 _S150 = select_cell_0(_S147.is_warp_0, sample_0.crossing_1.warp_1, sample_0.crossing_1.weft_1);
+    Cell_0 _S151 = select_cell_0(_S147.is_warp_0, sample_0.crossing_1.weft_1, sample_0.crossing_1.warp_1);
+    Run_0 _S152 = unpack_0(_S148, _S149, _S150.thread_0, _S151, _S147.word_0);
+    Section_0 _S153 = section_at_0(_S150);
+    bool _S154;
+    if(_S147.on_top_0)
     {
-        _S147 = (_S145.distance_0) < (_S146.drop_0 * _S145.bend_1.sine_0);
+        _S154 = (_S152.distance_0) < (_S153.drop_0 * _S152.bend_1.sine_0);
     }
     else
     {
-        _S147 = false;
+        _S154 = false;
     }
-    bool _S148;
-    if(_S140.on_top_0)
+    bool _S155;
+    if(_S147.on_top_0)
     {
-        _S148 = !_S147;
+        _S155 = !_S154;
     }
     else
     {
-        _S148 = false;
+        _S155 = false;
     }
-    float _S149;
-    if(_S148)
+    float _S156;
+    if(_S155)
     {
-        _S149 = 1.0;
+        _S156 = 1.0;
     }
     else
     {
-        _S149 = -1.0;
+        _S156 = -1.0;
     }
-    float _S150;
-    if(_S147)
+    float _S157;
+    if(_S154)
     {
-        _S150 = _S145.other_reach_0;
+        _S157 = _S152.other_reach_0;
     }
     else
     {
-        _S150 = _S145.reach_0;
+        _S157 = _S152.reach_0;
     }
-    float _S151;
-    if(_S147)
-    {
-        _S151 = _S150 + _S145.distance_0;
-    }
-    else
-    {
-        _S151 = max(_S150 - _S145.distance_0, 0.0);
-    }
-    float _S152 = _S150 / _S145.bend_1.sine_0 - _S149 * _S146.drop_0;
-    float _S153 = _S151 * _S151;
-    float _S154 = max(_S152 * _S152 - _S153, 9.99999968265522539e-21);
-    float _S155 = (inversesqrt((_S154)));
-    float _S156 = _S153 / (_S154 * _S155 + _S152);
-    bool _S157 = _S151 > 0.0;
     float _S158;
-    if(_S140.on_top_0)
+    if(_S154)
     {
-        _S158 = 1.0;
+        _S158 = _S157 + _S152.distance_0;
     }
     else
     {
-        _S158 = -1.0;
+        _S158 = max(_S157 - _S152.distance_0, 0.0);
     }
-    float _S159;
-    if(_S145.near_start_0)
+    float _S159 = _S157 / _S152.bend_1.sine_0 - _S156 * _S153.drop_0;
+    float _S160 = _S158 * _S158;
+    float _S161 = max(_S159 * _S159 - _S160, 9.99999968265522539e-21);
+    float _S162 = (inversesqrt((_S161)));
+    float _S163 = _S160 / (_S161 * _S162 + _S159);
+    bool _S164 = _S158 > 0.0;
+    float _S165;
+    if(_S147.on_top_0)
     {
-        _S159 = 1.0;
+        _S165 = 1.0;
     }
     else
     {
-        _S159 = -1.0;
+        _S165 = -1.0;
     }
-    float _S160 = _S158 * _S159;
-    if(_S157)
+    float _S166;
+    if(_S152.near_start_0)
     {
-        _S158 = _S152 * _S155;
+        _S166 = 1.0;
     }
     else
     {
-        _S158 = 1.0;
+        _S166 = -1.0;
     }
-    sample_0.slope_across_0 = _S146.slope_0 * _S158;
-    if(_S157)
+    float _S167 = _S165 * _S166;
+    if(_S164)
     {
-        _S151 = _S160 * _S151 * _S155;
+        _S165 = _S159 * _S162;
     }
     else
     {
-        _S151 = 0.0;
+        _S165 = 1.0;
     }
-    sample_0.slope_along_0 = _S151;
-    Family_0 _S161 = families_0._data[uint(_S141)];
-    vec2 _S162 = dive_0(_S142, _S140, _S145, _S144);
-    if(_S145.straight_0)
+    sample_0.slope_across_0 = _S153.slope_0 * _S165;
+    if(_S164)
     {
-        _S149 = 0.0;
+        _S158 = _S167 * _S158 * _S162;
     }
     else
     {
-        _S149 = _S161.height_scale_0 * _S149;
+        _S158 = 0.0;
     }
-    sample_0.height_4 = _S149 * (_S150 * _S145.bend_1.half_tangent_0 - _S156) - _S161.height_scale_0 * _S146.drop_0 - _S162.x;
-    float _S163 = _S161.height_scale_0 * sample_0.slope_across_0;
-    float _S164 = _S161.height_scale_0 * sample_0.slope_along_0 - _S162.y;
-    if(_S140.is_warp_0)
+    sample_0.slope_along_0 = _S158;
+    Family_0 _S168 = families_0._data[uint(_S148)];
+    vec2 _S169 = dive_0(_S149, _S147, _S152, _S151);
+    if(_S152.straight_0)
     {
-        _S149 = _S163;
+        _S156 = 0.0;
     }
     else
     {
-        _S149 = _S164;
+        _S156 = _S168.height_scale_0 * _S156;
     }
-    sample_0.slope_x_1 = _S149;
-    if(_S140.is_warp_0)
+    sample_0.height_5 = _S156 * (_S157 * _S152.bend_1.half_tangent_0 - _S163) - _S168.height_scale_0 * _S153.drop_0 - _S169.x;
+    float _S170 = _S168.height_scale_0 * sample_0.slope_across_0;
+    float _S171 = _S168.height_scale_0 * sample_0.slope_along_0 - _S169.y;
+    if(_S147.is_warp_0)
     {
-        _S149 = _S164;
+        _S156 = _S170;
     }
     else
     {
-        _S149 = _S163;
+        _S156 = _S171;
     }
-    sample_0.slope_y_1 = _S149;
-    sample_0.run_3 = _S145;
-    sample_0.section_1 = _S146;
+    sample_0.slope_x_1 = _S156;
+    if(_S147.is_warp_0)
+    {
+        _S156 = _S171;
+    }
+    else
+    {
+        _S156 = _S170;
+    }
+    sample_0.slope_y_1 = _S156;
+    sample_0.run_3 = _S152;
+    sample_0.section_1 = _S153;
     return sample_0;
 }
 
-float steps_per_length_0(uint _S165, SearchQuality_0 _S166, vec3 _S167)
+float steps_per_length_0(uint _S172, SearchQuality_0 _S173, vec3 _S174)
 {
-    return max(max(abs(_S167.x) * fabrics_0._data[uint(_S165)].threads_per_x_0, abs(_S167.y) * fabrics_0._data[uint(_S165)].threads_per_y_0) * _S166.steps_per_thread_0, abs(_S167.z) * fabrics_0._data[uint(_S165)].per_relief_0 * _S166.steps_per_relief_0);
+    return max(max(abs(_S174.x) * fabrics_0._data[uint(_S172)].threads_per_x_0, abs(_S174.y) * fabrics_0._data[uint(_S172)].threads_per_y_0) * _S173.steps_per_thread_0, abs(_S174.z) * fabrics_0._data[uint(_S172)].per_relief_0 * _S173.steps_per_relief_0);
 }
 
-float cell_maximum_0(uint _S168, Crossing_0 _S169)
+float cell_maximum_0(uint _S175, Crossing_0 _S176)
 {
-    uint _S170;
-    if(_S169.warp_above_0)
+    uint _S177;
+    if(_S176.warp_above_0)
     {
-        _S170 = fabrics_0._data[uint(_S168)].warp_0;
+        _S177 = fabrics_0._data[uint(_S175)].warp_0;
     }
     else
     {
-        _S170 = fabrics_0._data[uint(_S168)].weft_0;
+        _S177 = fabrics_0._data[uint(_S175)].weft_0;
     }
-    uint _S171;
-    if(_S169.warp_above_0)
+    uint _S178;
+    if(_S176.warp_above_0)
     {
-        _S171 = _S169.warp_word_0;
+        _S178 = _S176.warp_word_0;
     }
     else
     {
-        _S171 = _S169.weft_word_0;
+        _S178 = _S176.weft_word_0;
     }
-    return float(_S171 >> 28) * families_0._data[uint(_S170)].height_scale_0 * families_0._data[uint(_S170)].level_0;
+    return float(_S178 >> 28) * families_0._data[uint(_S177)].height_scale_0 * families_0._data[uint(_S177)].level_0;
 }
 
-Probe_0 probe_0(uint _S172, float _S173, float _S174, bool _S175, bool _S176, bool _S177)
+Probe_0 probe_0(uint _S179, float _S180, float _S181, bool _S182, bool _S183, bool _S184)
 {
-    Sample_0 _S178 = sample_at_0(_S172, _S173, _S174, _S175);
+    Sample_0 _S185 = sample_at_0(_S179, _S180, _S181, _S182);
     Probe_0 probe_1;
-    probe_1.height_0 = _S178.height_4;
-    probe_1.hole_1 = _S178.shown_3.hole_0;
-    probe_1.slope_x_0 = _S178.slope_x_1;
-    probe_1.slope_y_0 = _S178.slope_y_1;
-    uint _S179;
-    if(_S178.shown_3.is_warp_0)
+    probe_1.height_1 = _S185.height_5;
+    probe_1.hole_1 = _S185.shown_3.hole_0;
+    probe_1.slope_x_0 = _S185.slope_x_1;
+    probe_1.slope_y_0 = _S185.slope_y_1;
+    uint _S186;
+    if(_S185.shown_3.is_warp_0)
     {
-        _S179 = _S178.crossing_1.warp_1.thread_0 * 2U + 1U;
+        _S186 = _S185.crossing_1.warp_1.thread_0 * 2U + 1U;
     }
     else
     {
-        _S179 = _S178.crossing_1.weft_1.thread_0 * 2U;
+        _S186 = _S185.crossing_1.weft_1.thread_0 * 2U;
     }
-    probe_1.yarn_1 = _S179;
-    probe_1.cell_max_0 = cell_maximum_0(_S172, _S178.crossing_1);
-    float _S180;
-    if(_S176)
+    probe_1.yarn_1 = _S186;
+    probe_1.cell_max_0 = cell_maximum_0(_S179, _S185.crossing_1);
+    float _S187;
+    if(_S183)
     {
-        _S180 = _S178.crossing_1.warp_1.above_0;
+        _S187 = _S185.crossing_1.warp_1.above_0;
     }
     else
     {
-        _S180 = _S178.crossing_1.warp_1.below_0;
+        _S187 = _S185.crossing_1.warp_1.below_0;
     }
-    probe_1.side_x_0 = _S180;
-    if(_S177)
+    probe_1.side_x_0 = _S187;
+    if(_S184)
     {
-        _S180 = _S178.crossing_1.weft_1.above_0;
+        _S187 = _S185.crossing_1.weft_1.above_0;
     }
     else
     {
-        _S180 = _S178.crossing_1.weft_1.below_0;
+        _S187 = _S185.crossing_1.weft_1.below_0;
     }
-    probe_1.side_y_0 = _S180;
-    probe_1.edge_x_0 = outline_distance_0(_S178.crossing_1.warp_1, _S178.shown_3, _S178.run_3, !_S178.shown_3.is_warp_0, _S176);
-    probe_1.edge_y_0 = outline_distance_0(_S178.crossing_1.weft_1, _S178.shown_3, _S178.run_3, _S178.shown_3.is_warp_0, _S177);
+    probe_1.side_y_0 = _S187;
+    probe_1.edge_x_0 = outline_distance_0(_S185.crossing_1.warp_1, _S185.shown_3, _S185.run_3, !_S185.shown_3.is_warp_0, _S183);
+    probe_1.edge_y_0 = outline_distance_0(_S185.crossing_1.weft_1, _S185.shown_3, _S185.run_3, _S185.shown_3.is_warp_0, _S184);
     return probe_1;
 }
 
-bool is_free_0(uint _S181, SearchQuality_0 _S182, vec3 _S183, vec3 _S184, bool _S185, float _S186)
+bool is_free_0(uint _S188, SearchQuality_0 _S189, vec3 _S190, vec3 _S191, bool _S192, float _S193)
 {
-    float _S187 = _S184.z;
-    if(_S187 <= 0.0)
+    float _S194 = _S191.z;
+    if(_S194 <= 0.0)
     {
         return false;
     }
-    float _S188 = 1.0 / max(_S182.shadow_share_0 * steps_per_length_0(_S181, _S182, _S184), 9.99999971718068537e-10);
-    StepControl_0 _S189 = step_control_0(_S184.xy, _S188);
+    float _S195 = 1.0 / max(_S189.shadow_share_0 * steps_per_length_0(_S188, _S189, _S191), 9.99999971718068537e-10);
+    StepControl_0 _S196 = step_control_0(_S191.xy, _S195);
     PreviousSample_0 previous_3 = no_previous_sample_0();
     uint count_1 = 0U;
     float distance_1 = 0.0;
     float last_step_0 = 0.0;
     for(;;)
     {
-        bool _S190;
+        bool _S197;
         if(count_1 < 1024U)
         {
-            _S190 = (_S183.z + _S187 * distance_1) < _S186;
+            _S197 = (_S190.z + _S194 * distance_1) < _S193;
         }
         else
         {
-            _S190 = false;
+            _S197 = false;
         }
-        if(_S190)
+        if(_S197)
         {
         }
         else
         {
             break;
         }
-        vec3 _S191 = _S183 + _S184 * distance_1;
-        Probe_0 _S192 = probe_0(_S181, _S191.x, _S191.y, _S185, _S189.right_0, _S189.up_0);
-        float _S193 = _S191.z;
-        float _S194 = _S193 - _S192.height_0;
-        float _S195 = _S187 - _S192.slope_x_0 * _S184.x - _S192.slope_y_0 * _S184.y;
-        bool _S196;
-        if(!_S192.hole_1)
+        vec3 _S198 = _S190 + _S191 * distance_1;
+        Probe_0 _S199 = probe_0(_S188, _S198.x, _S198.y, _S192, _S196.right_0, _S196.up_0);
+        float _S200 = _S198.z;
+        float _S201 = _S200 - _S199.height_1;
+        float _S202 = _S194 - _S199.slope_x_0 * _S191.x - _S199.slope_y_0 * _S191.y;
+        bool _S203;
+        if(!_S199.hole_1)
         {
-            _S196 = _S194 < 0.0;
+            _S203 = _S201 < 0.0;
         }
         else
         {
-            _S196 = false;
+            _S203 = false;
         }
-        if(_S196)
+        if(_S203)
         {
             return false;
         }
-        float _S197 = way_back_to_dip_0(previous_3, _S194, _S195, last_step_0, _S192);
-        if(_S197 >= 0.0)
+        float _S204 = way_back_to_dip_0(previous_3, _S201, _S202, last_step_0, _S199);
+        if(_S204 >= 0.0)
         {
-            float last_step_1 = last_step_0 - _S197;
-            distance_1 = distance_1 - _S197;
+            float last_step_1 = last_step_0 - _S204;
+            distance_1 = distance_1 - _S204;
             last_step_0 = last_step_1;
             count_1 = count_1 + 1U;
             continue;
         }
-        bool _S198 = _S193 > (_S192.cell_max_0);
-        PreviousSample_0 _S199 = after_sample_0(_S194, _S195, _S192, _S198);
+        bool _S205 = _S200 > (_S199.cell_max_0);
+        PreviousSample_0 _S206 = after_sample_0(_S201, _S202, _S199, _S205);
         float last_step_2;
-        if(_S198)
+        if(_S205)
         {
-            last_step_2 = max(StepControl_to_cell_exit_0(_S189, _S192.side_x_0, _S192.side_y_0), _S188);
+            last_step_2 = max(StepControl_to_cell_exit_0(_S196, _S199.side_x_0, _S199.side_y_0), _S195);
         }
         else
         {
-            last_step_2 = StepControl_to_next_sample_0(_S189, _S192, _S194, _S195);
+            last_step_2 = StepControl_to_next_sample_0(_S196, _S199, _S201, _S202);
         }
         float distance_2 = distance_1 + last_step_2;
-        previous_3 = _S199;
+        previous_3 = _S206;
         distance_1 = distance_2;
         last_step_0 = last_step_2;
         count_1 = count_1 + 1U;
@@ -1633,53 +1753,53 @@ bool is_free_0(uint _S181, SearchQuality_0 _S182, vec3 _S183, vec3 _S184, bool _
     return true;
 }
 
-bool passes_through_0(uint _S200, SearchQuality_0 _S201, float _S202, float _S203, vec3 _S204, bool _S205)
+bool passes_through_0(uint _S207, SearchQuality_0 _S208, float _S209, float _S210, vec3 _S211, bool _S212)
 {
-    if(!sample_at_0(_S200, _S202, _S203, _S205).shown_3.hole_0)
+    if(!sample_at_0(_S207, _S209, _S210, _S212).shown_3.hole_0)
     {
         return false;
     }
-    vec3 _S206 = vec3(_S202, _S203, 0.0);
+    vec3 _S213 = vec3(_S209, _S210, 0.0);
     bool passes_0 = true;
     uint side_0 = 0U;
     for(;;)
     {
-        bool _S207;
+        bool _S214;
         if(side_0 < 2U)
         {
-            _S207 = passes_0;
+            _S214 = passes_0;
         }
         else
         {
-            _S207 = false;
+            _S214 = false;
         }
-        if(_S207)
+        if(_S214)
         {
         }
         else
         {
             break;
         }
-        vec3 _S208;
+        vec3 _S215;
         if(side_0 == 0U)
         {
-            _S208 = _S204;
+            _S215 = _S211;
         }
         else
         {
-            _S208 = vec3(- _S204.x, - _S204.y, _S204.z);
+            _S215 = vec3(- _S211.x, - _S211.y, _S211.z);
         }
-        bool _S209 = is_free_0(_S200, _S201, _S206, _S208, _S205 != (side_0 == 1U), fabrics_0._data[uint(_S200)].height_high_0);
-        uint _S210 = side_0 + 1U;
-        passes_0 = _S209;
-        side_0 = _S210;
+        bool _S216 = is_free_0(_S207, _S208, _S213, _S215, _S212 != (side_0 == 1U), fabrics_0._data[uint(_S207)].height_high_0);
+        uint _S217 = side_0 + 1U;
+        passes_0 = _S216;
+        side_0 = _S217;
     }
     return passes_0;
 }
 
 struct ViewRayEnd_0
 {
-    float height_5;
+    float height_6;
     float last_step_3;
     float depth_1;
     float rate_4;
@@ -1687,33 +1807,33 @@ struct ViewRayEnd_0
     PreviousSample_0 previous_4;
 };
 
-float max_height_along_0(uint _S211, float _S212, float _S213, float _S214, vec3 _S215, bool _S216)
+float max_height_along_0(uint _S218, float _S219, float _S220, float _S221, vec3 _S222, bool _S223)
 {
-    uint _S217 = locate_0(fabrics_0._data[uint(_S211)].warp_0, _S212).thread_0 / 2U;
-    uint _S218 = locate_0(fabrics_0._data[uint(_S211)].weft_0, _S213).thread_0 / 2U;
-    float _S219 = _S215.x;
-    uint _S220;
-    if(_S219 > 0.0)
+    uint _S224 = locate_0(fabrics_0._data[uint(_S218)].warp_0, _S219).thread_0 / 2U;
+    uint _S225 = locate_0(fabrics_0._data[uint(_S218)].weft_0, _S220).thread_0 / 2U;
+    float _S226 = _S222.x;
+    uint _S227;
+    if(_S226 > 0.0)
     {
-        _S220 = 1U;
+        _S227 = 1U;
     }
     else
     {
-        _S220 = 0U;
+        _S227 = 0U;
     }
-    float _S221 = _S215.y;
-    uint _S222;
-    if(_S221 > 0.0)
+    float _S228 = _S222.y;
+    uint _S229;
+    if(_S228 > 0.0)
     {
-        _S222 = 2U;
+        _S229 = 2U;
     }
     else
     {
-        _S222 = 0U;
+        _S229 = 0U;
     }
-    uint _S223 = words_0._data[uint(fabrics_0._data[uint(_S211)].max_heights_0 + 4U * (_S218 * fabrics_0._data[uint(_S211)].max_height_columns_0 + _S217) + (_S220 + _S222))];
+    uint _S230 = words_0._data[uint(fabrics_0._data[uint(_S218)].max_heights_0 + 4U * (_S225 * fabrics_0._data[uint(_S218)].max_height_columns_0 + _S224) + (_S227 + _S229))];
     int number_0;
-    if(_S216)
+    if(_S223)
     {
         number_0 = 4;
     }
@@ -1721,10 +1841,10 @@ float max_height_along_0(uint _S211, float _S212, float _S213, float _S214, vec3
     {
         number_0 = 0;
     }
-    uint _S224 = _S223 >> number_0;
-    float _S225 = max(abs(_S219) * fabrics_0._data[uint(_S211)].threads_per_x_0, abs(_S221) * fabrics_0._data[uint(_S211)].threads_per_y_0) / _S215.z;
-    float _S226 = fabrics_0._data[uint(_S211)].height_high_0;
-    float max_height_0 = fabrics_0._data[uint(_S211)].height_high_0;
+    uint _S231 = _S230 >> number_0;
+    float _S232 = max(abs(_S226) * fabrics_0._data[uint(_S218)].threads_per_x_0, abs(_S228) * fabrics_0._data[uint(_S218)].threads_per_y_0) / _S222.z;
+    float _S233 = fabrics_0._data[uint(_S218)].height_high_0;
+    float max_height_0 = fabrics_0._data[uint(_S218)].height_high_0;
     number_0 = 3;
     for(;;)
     {
@@ -1735,45 +1855,45 @@ float max_height_along_0(uint _S211, float _S212, float _S213, float _S214, vec3
         {
             break;
         }
-        if(((max_height_0 - _S214) * _S225) <= (PYRAMID_RADII_0[number_0]))
+        if(((max_height_0 - _S221) * _S232) <= (PYRAMID_RADII_0[number_0]))
         {
-            max_height_0 = min(max_height_0, float((_S224 >> uint(8 * number_0)) & 15U) * 0.06666667014360428 * _S226);
+            max_height_0 = min(max_height_0, float((_S231 >> uint(8 * number_0)) & 15U) * 0.06666667014360428 * _S233);
         }
         number_0 = number_0 - 1;
     }
     return max_height_0;
 }
 
-vec3 cell_bounds_0(uint _S227, float _S228, float _S229, bool _S230, bool _S231, bool _S232)
+vec3 cell_bounds_0(uint _S234, float _S235, float _S236, bool _S237, bool _S238, bool _S239)
 {
-    Crossing_0 _S233 = crossing_at_0(_S227, _S228, _S229, _S230);
-    float _S234 = cell_maximum_0(_S227, _S233);
-    float _S235;
-    if(_S231)
+    Crossing_0 _S240 = crossing_at_0(_S234, _S235, _S236, _S237);
+    float _S241 = cell_maximum_0(_S234, _S240);
+    float _S242;
+    if(_S238)
     {
-        _S235 = _S233.warp_1.above_0;
+        _S242 = _S240.warp_1.above_0;
     }
     else
     {
-        _S235 = _S233.warp_1.below_0;
+        _S242 = _S240.warp_1.below_0;
     }
-    float _S236;
-    if(_S232)
+    float _S243;
+    if(_S239)
     {
-        _S236 = _S233.weft_1.above_0;
+        _S243 = _S240.weft_1.above_0;
     }
     else
     {
-        _S236 = _S233.weft_1.below_0;
+        _S243 = _S240.weft_1.below_0;
     }
-    return vec3(_S234, _S235, _S236);
+    return vec3(_S241, _S242, _S243);
 }
 
-float first_sample_height_0(uint _S237, ViewRay_0 _S238, StepControl_0 _S239, bool _S240)
+float first_sample_height_0(uint _S244, ViewRay_0 _S245, StepControl_0 _S246, bool _S247)
 {
-    float _S241 = max_height_along_0(_S237, _S238.origin_0.x, _S238.origin_0.y, 0.0, vec3(_S238.slope_1, 1.0), _S240);
+    float _S248 = max_height_along_0(_S244, _S245.origin_0.x, _S245.origin_0.y, 0.0, vec3(_S245.slope_1, 1.0), _S247);
     uint count_2 = 0U;
-    float height_6 = _S241;
+    float height_7 = _S248;
     for(;;)
     {
         if(count_2 < 1024U)
@@ -1783,28 +1903,28 @@ float first_sample_height_0(uint _S237, ViewRay_0 _S238, StepControl_0 _S239, bo
         {
             break;
         }
-        vec2 _S242 = ViewRay_at_0(_S238, height_6);
-        vec3 _S243 = cell_bounds_0(_S237, _S242.x, _S242.y, _S240, _S239.right_0, _S239.up_0);
-        float _S244 = height_6 - _S243.x;
-        float _S245 = StepControl_to_cell_exit_0(_S239, _S243.y, _S243.z);
-        float height_7 = height_6 - clamp(_S244, 0.0, _S245);
-        if(_S244 <= _S245)
+        vec2 _S249 = ViewRay_at_0(_S245, height_7);
+        vec3 _S250 = cell_bounds_0(_S244, _S249.x, _S249.y, _S247, _S246.right_0, _S246.up_0);
+        float _S251 = height_7 - _S250.x;
+        float _S252 = StepControl_to_cell_exit_0(_S246, _S250.y, _S250.z);
+        float height_8 = height_7 - clamp(_S251, 0.0, _S252);
+        if(_S251 <= _S252)
         {
-            height_6 = height_7;
+            height_7 = height_8;
             break;
         }
         count_2 = count_2 + 1U;
-        height_6 = height_7;
+        height_7 = height_8;
     }
-    return height_6;
+    return height_7;
 }
 
-ViewRayEnd_0 search_down_0(uint _S246, ViewRay_0 _S247, StepControl_0 _S248, bool _S249)
+ViewRayEnd_0 search_down_0(uint _S253, ViewRay_0 _S254, StepControl_0 _S255, bool _S256)
 {
-    float _S250 = fabrics_0._data[uint(_S246)].height_low_0 - (fabrics_0._data[uint(_S246)].height_high_0 - fabrics_0._data[uint(_S246)].height_low_0);
+    float _S257 = fabrics_0._data[uint(_S253)].height_low_0 - (fabrics_0._data[uint(_S253)].height_high_0 - fabrics_0._data[uint(_S253)].height_low_0);
     ViewRayEnd_0 end_1;
-    end_1.height_5 = first_sample_height_0(_S246, _S247, _S248, _S249);
-    end_1.last_step_3 = _S248.epsilon_0;
+    end_1.height_6 = first_sample_height_0(_S253, _S254, _S255, _S256);
+    end_1.last_step_3 = _S255.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_1 = 0.0;
     end_1.rate_4 = 0.0;
@@ -1819,150 +1939,150 @@ ViewRayEnd_0 search_down_0(uint _S246, ViewRay_0 _S247, StepControl_0 _S248, boo
         {
             break;
         }
-        vec2 _S251 = ViewRay_at_0(_S247, end_1.height_5);
-        Probe_0 _S252 = probe_0(_S246, _S251.x, _S251.y, _S249, _S248.right_0, _S248.up_0);
-        float _S253 = end_1.height_5 - _S252.height_0;
-        float _S254 = ViewRay_rate_0(_S247, _S252);
-        end_1.depth_1 = - _S253;
-        end_1.rate_4 = _S254;
-        bool _S255;
+        vec2 _S258 = ViewRay_at_0(_S254, end_1.height_6);
+        Probe_0 _S259 = probe_0(_S253, _S258.x, _S258.y, _S256, _S255.right_0, _S255.up_0);
+        float _S260 = end_1.height_6 - _S259.height_1;
+        float _S261 = ViewRay_rate_0(_S254, _S259);
+        end_1.depth_1 = - _S260;
+        end_1.rate_4 = _S261;
+        bool _S262;
         if(end_1.previous_4.known_0)
         {
-            _S255 = !_S252.hole_1;
+            _S262 = !_S259.hole_1;
         }
         else
         {
-            _S255 = false;
+            _S262 = false;
         }
-        bool _S256;
-        if(_S255)
+        bool _S263;
+        if(_S262)
         {
-            _S256 = (end_1.previous_4.yarn_0) == (_S252.yarn_1);
+            _S263 = (end_1.previous_4.yarn_0) == (_S259.yarn_1);
         }
         else
         {
-            _S256 = false;
+            _S263 = false;
         }
-        end_1.smooth_0 = _S256;
-        bool _S257;
-        if(!_S252.hole_1)
+        end_1.smooth_0 = _S263;
+        bool _S264;
+        if(!_S259.hole_1)
         {
-            _S257 = _S253 <= 0.0;
+            _S264 = _S260 <= 0.0;
         }
         else
         {
-            _S257 = false;
+            _S264 = false;
         }
-        bool _S258;
-        if(_S257)
+        bool _S265;
+        if(_S264)
         {
-            _S258 = true;
+            _S265 = true;
         }
         else
         {
-            _S258 = (end_1.height_5) <= _S250;
+            _S265 = (end_1.height_6) <= _S257;
         }
-        if(_S258)
+        if(_S265)
         {
             break;
         }
-        float _S259 = way_back_to_dip_0(end_1.previous_4, _S253, _S254, end_1.last_step_3, _S252);
-        if(_S259 >= 0.0)
+        float _S266 = way_back_to_dip_0(end_1.previous_4, _S260, _S261, end_1.last_step_3, _S259);
+        if(_S266 >= 0.0)
         {
-            end_1.height_5 = end_1.height_5 + _S259;
-            end_1.last_step_3 = end_1.last_step_3 - _S259;
+            end_1.height_6 = end_1.height_6 + _S266;
+            end_1.last_step_3 = end_1.last_step_3 - _S266;
             count_3 = count_3 + 1U;
             continue;
         }
-        float _S260 = min(StepControl_to_cell_exit_0(_S248, _S252.side_x_0, _S252.side_y_0), end_1.height_5 - _S252.cell_max_0);
-        float _S261 = StepControl_to_next_sample_0(_S248, _S252, _S253, _S254);
-        end_1.previous_4 = after_sample_0(_S253, _S254, _S252, _S260 > _S261);
-        float _S262 = max(_S260, _S261);
-        end_1.last_step_3 = _S262;
-        end_1.height_5 = end_1.height_5 - _S262;
+        float _S267 = min(StepControl_to_cell_exit_0(_S255, _S259.side_x_0, _S259.side_y_0), end_1.height_6 - _S259.cell_max_0);
+        float _S268 = StepControl_to_next_sample_0(_S255, _S259, _S260, _S261);
+        end_1.previous_4 = after_sample_0(_S260, _S261, _S259, _S267 > _S268);
+        float _S269 = max(_S267, _S268);
+        end_1.last_step_3 = _S269;
+        end_1.height_6 = end_1.height_6 - _S269;
         count_3 = count_3 + 1U;
     }
     return end_1;
 }
 
-float refined_height_0(uint _S263, ViewRay_0 _S264, StepControl_0 _S265, bool _S266, ViewRayEnd_0 _S267, uint _S268)
+float refined_height_0(uint _S270, ViewRay_0 _S271, StepControl_0 _S272, bool _S273, ViewRayEnd_0 _S274, uint _S275)
 {
-    float _S269 = fabrics_0._data[uint(_S263)].height_high_0 - fabrics_0._data[uint(_S263)].height_low_0;
-    float above_2 = _S267.height_5 + _S267.last_step_3;
-    float above_gap_1 = clamp(_S267.previous_4.clearance_0, 0.0, _S269);
-    float under_gap_1 = clamp(_S267.depth_1, 0.0, _S269);
-    float _S270 = cubic_root_0(above_gap_1, - under_gap_1, _S267.previous_4.rate_0 * _S267.last_step_3, _S267.rate_4 * _S267.last_step_3);
+    float _S276 = fabrics_0._data[uint(_S270)].height_high_0 - fabrics_0._data[uint(_S270)].height_low_0;
+    float above_2 = _S274.height_6 + _S274.last_step_3;
+    float above_gap_1 = clamp(_S274.previous_4.clearance_0, 0.0, _S276);
+    float under_gap_1 = clamp(_S274.depth_1, 0.0, _S276);
+    float _S277 = cubic_root_0(above_gap_1, - under_gap_1, _S274.previous_4.rate_0 * _S274.last_step_3, _S274.rate_4 * _S274.last_step_3);
     float middle_0;
-    if(_S267.smooth_0)
+    if(_S274.smooth_0)
     {
-        middle_0 = above_2 - _S270 * _S267.last_step_3;
+        middle_0 = above_2 - _S277 * _S274.last_step_3;
     }
     else
     {
-        middle_0 = between_0(above_2, _S267.height_5, above_gap_1, under_gap_1);
+        middle_0 = between_0(above_2, _S274.height_6, above_gap_1, under_gap_1);
     }
     float side_1 = 0.0;
     float above_gap_2 = above_gap_1;
     float under_gap_2 = under_gap_1;
-    float under_1 = _S267.height_5;
+    float under_1 = _S274.height_6;
     float above_3 = above_2;
     uint i_1 = 0U;
     for(;;)
     {
-        if(i_1 < _S268)
+        if(i_1 < _S275)
         {
         }
         else
         {
             break;
         }
-        vec2 _S271 = ViewRay_at_0(_S264, middle_0);
-        Probe_0 _S272 = probe_0(_S263, _S271.x, _S271.y, _S266, _S265.right_0, _S265.up_0);
-        float _S273;
-        if(_S272.hole_1)
+        vec2 _S278 = ViewRay_at_0(_S271, middle_0);
+        Probe_0 _S279 = probe_0(_S270, _S278.x, _S278.y, _S273, _S272.right_0, _S272.up_0);
+        float _S280;
+        if(_S279.hole_1)
         {
-            _S273 = -1.0e+09;
+            _S280 = -1.0e+09;
         }
         else
         {
-            _S273 = _S272.height_0;
+            _S280 = _S279.height_1;
         }
-        float _S274 = clamp(middle_0 - _S273, - _S269, _S269);
-        float _S275;
-        if(_S274 <= 0.0)
+        float _S281 = clamp(middle_0 - _S280, - _S276, _S276);
+        float _S282;
+        if(_S281 <= 0.0)
         {
             if(side_1 > 0.0)
             {
-                _S275 = 0.5 * above_gap_2;
+                _S282 = 0.5 * above_gap_2;
             }
             else
             {
-                _S275 = above_gap_2;
+                _S282 = above_gap_2;
             }
-            float _S276 = - _S274;
+            float _S283 = - _S281;
             under_1 = middle_0;
-            above_gap_2 = _S275;
-            under_gap_2 = _S276;
+            above_gap_2 = _S282;
+            under_gap_2 = _S283;
             side_1 = 1.0;
         }
         else
         {
             if(side_1 < 0.0)
             {
-                _S275 = 0.5 * under_gap_2;
+                _S282 = 0.5 * under_gap_2;
             }
             else
             {
-                _S275 = under_gap_2;
+                _S282 = under_gap_2;
             }
             above_3 = middle_0;
-            above_gap_2 = _S274;
-            under_gap_2 = _S275;
+            above_gap_2 = _S281;
+            under_gap_2 = _S282;
             side_1 = -1.0;
         }
-        if(_S267.smooth_0)
+        if(_S274.smooth_0)
         {
-            middle_0 = clamp(middle_0 + _S274 / min(ViewRay_rate_0(_S264, _S272), -9.99999997475242708e-07), under_1, above_3);
+            middle_0 = clamp(middle_0 + _S281 / min(ViewRay_rate_0(_S271, _S279), -9.99999997475242708e-07), under_1, above_3);
         }
         else
         {
@@ -1970,7 +2090,7 @@ float refined_height_0(uint _S263, ViewRay_0 _S264, StepControl_0 _S265, bool _S
         }
         i_1 = i_1 + 1U;
     }
-    if(_S267.smooth_0)
+    if(_S274.smooth_0)
     {
     }
     else
@@ -1980,35 +2100,35 @@ float refined_height_0(uint _S263, ViewRay_0 _S264, StepControl_0 _S265, bool _S
     return middle_0;
 }
 
-Hit_0 first_hit_of_yarn_0(uint _S277, SearchQuality_0 _S278, float _S279, float _S280, vec3 _S281, bool _S282)
+Hit_0 first_hit_of_yarn_0(uint _S284, SearchQuality_0 _S285, float _S286, float _S287, vec3 _S288, bool _S289)
 {
-    float _S283 = max(_S281.z, 0.00009999999747379);
+    float _S290 = max(_S288.z, 0.00009999999747379);
     ViewRay_0 ray_0;
-    ray_0.origin_0 = vec2(_S279, _S280);
-    vec2 _S284 = _S281.xy / _S283;
-    ray_0.slope_1 = _S284;
-    StepControl_0 _S285 = step_control_0(- _S284, 1.0 / max(steps_per_length_0(_S277, _S278, _S281) / _S283, 9.99999971718068537e-10));
-    ViewRayEnd_0 _S286 = search_down_0(_S277, ray_0, _S285, _S282);
+    ray_0.origin_0 = vec2(_S286, _S287);
+    vec2 _S291 = _S288.xy / _S290;
+    ray_0.slope_1 = _S291;
+    StepControl_0 _S292 = step_control_0(- _S291, 1.0 / max(steps_per_length_0(_S284, _S285, _S288) / _S290, 9.99999971718068537e-10));
+    ViewRayEnd_0 _S293 = search_down_0(_S284, ray_0, _S292, _S289);
     Hit_0 hit_0;
     hit_0.hole_3 = false;
-    float _S287 = refined_height_0(_S277, ray_0, _S285, _S282, _S286, _S278.refinements_0);
-    hit_0.height_3 = _S287;
-    vec2 _S288 = ViewRay_at_0(ray_0, _S287);
-    hit_0.x_8 = _S288.x;
-    hit_0.y_4 = _S288.y;
+    float _S294 = refined_height_0(_S284, ray_0, _S292, _S289, _S293, _S285.refinements_0);
+    hit_0.height_4 = _S294;
+    vec2 _S295 = ViewRay_at_0(ray_0, _S294);
+    hit_0.x_9 = _S295.x;
+    hit_0.y_4 = _S295.y;
     return hit_0;
 }
 
-Hit_0 first_hit_0(uint _S289, SearchQuality_0 _S290, float _S291, float _S292, vec3 _S293, bool _S294)
+Hit_0 first_hit_0(uint _S296, SearchQuality_0 _S297, float _S298, float _S299, vec3 _S300, bool _S301)
 {
-    if(!passes_through_0(_S289, _S290, _S291, _S292, _S293, _S294))
+    if(!passes_through_0(_S296, _S297, _S298, _S299, _S300, _S301))
     {
-        return first_hit_of_yarn_0(_S289, _S290, _S291, _S292, _S293, _S294);
+        return first_hit_of_yarn_0(_S296, _S297, _S298, _S299, _S300, _S301);
     }
     Hit_0 hit_1;
-    hit_1.x_8 = _S291;
-    hit_1.y_4 = _S292;
-    hit_1.height_3 = 0.0;
+    hit_1.x_9 = _S298;
+    hit_1.y_4 = _S299;
+    hit_1.height_4 = 0.0;
     hit_1.hole_3 = true;
     return hit_1;
 }
@@ -2019,7 +2139,7 @@ struct SurfacePoint_0
     bool is_warp_2;
     uint warp_thread_0;
     uint weft_thread_0;
-    float height_8;
+    float height_9;
     vec3 normal_4;
     vec3 tangent_5;
     float across_2;
@@ -2027,343 +2147,547 @@ struct SurfacePoint_0
     float fibre_along_0;
 };
 
-SurfacePoint_0 surface_at_0(uint _S295, float _S296, float _S297, bool _S298)
+SurfacePoint_0 surface_at_0(uint _S302, float _S303, float _S304, bool _S305)
 {
-    Sample_0 _S299 = sample_at_0(_S295, _S296, _S297, _S298);
-    float _S300;
-    if(_S299.shown_3.is_warp_0)
-    {
-        _S300 = _S299.crossing_1.warp_1.half_width_1;
-    }
-    else
-    {
-        _S300 = _S299.crossing_1.weft_1.half_width_1;
-    }
-    uint _S301;
-    if(_S299.shown_3.is_warp_0)
-    {
-        _S301 = fabrics_0._data[uint(_S295)].warp_0;
-    }
-    else
-    {
-        _S301 = fabrics_0._data[uint(_S295)].weft_0;
-    }
-    Family_0 _S302 = families_0._data[uint(_S301)];
-    float _S303;
-    if(_S298)
-    {
-        _S303 = -1.0;
-    }
-    else
-    {
-        _S303 = 1.0;
-    }
-    float _S304 = _S302.twist_sine_0 * _S303;
-    Family_0 _S305 = families_0._data[uint(_S301)];
-    if(_S299.shown_3.is_warp_0)
-    {
-        _S303 = 1.0;
-    }
-    else
-    {
-        _S303 = -1.0;
-    }
-    vec2 _S306 = fibre_direction_0(_S299.slope_across_0, _S303 * _S299.slope_along_0, _S304, _S305.twist_cosine_0);
+    Sample_0 _S306 = sample_at_0(_S302, _S303, _S304, _S305);
     float _S307;
-    if(_S299.shown_3.is_warp_0)
+    if(_S306.shown_3.is_warp_0)
     {
-        _S307 = _S299.slope_x_1;
+        _S307 = _S306.crossing_1.warp_1.half_width_1;
     }
     else
     {
-        _S307 = _S299.slope_y_1;
+        _S307 = _S306.crossing_1.weft_1.half_width_1;
     }
-    float _S308;
-    if(_S299.shown_3.is_warp_0)
+    uint _S308;
+    if(_S306.shown_3.is_warp_0)
     {
-        _S308 = _S299.slope_y_1;
-    }
-    else
-    {
-        _S308 = _S299.slope_x_1;
-    }
-    float _S309 = _S306.x;
-    float _S310 = _S306.y;
-    float _S311 = _S307 * _S309 + _S303 * _S308 * _S310;
-    float _S312 = _S300 * 1.0154266357421875;
-    float _S313 = _S312 * arc_sine_0(clamp(_S299.section_1.across_1 / _S312, -1.0, 1.0));
-    if(_S299.shown_3.is_warp_0)
-    {
-        _S300 = _S297;
+        _S308 = fabrics_0._data[uint(_S302)].warp_0;
     }
     else
     {
-        _S300 = - _S296;
+        _S308 = fabrics_0._data[uint(_S302)].weft_0;
+    }
+    Family_0 _S309 = families_0._data[uint(_S308)];
+    float _S310;
+    if(_S305)
+    {
+        _S310 = -1.0;
+    }
+    else
+    {
+        _S310 = 1.0;
+    }
+    float _S311 = _S309.twist_sine_0 * _S310;
+    Family_0 _S312 = families_0._data[uint(_S308)];
+    if(_S306.shown_3.is_warp_0)
+    {
+        _S310 = 1.0;
+    }
+    else
+    {
+        _S310 = -1.0;
+    }
+    vec2 _S313 = fibre_direction_0(_S306.slope_across_0, _S310 * _S306.slope_along_0, _S311, _S312.twist_cosine_0);
+    float _S314;
+    if(_S306.shown_3.is_warp_0)
+    {
+        _S314 = _S306.slope_x_1;
+    }
+    else
+    {
+        _S314 = _S306.slope_y_1;
+    }
+    float _S315;
+    if(_S306.shown_3.is_warp_0)
+    {
+        _S315 = _S306.slope_y_1;
+    }
+    else
+    {
+        _S315 = _S306.slope_x_1;
+    }
+    float _S316 = _S313.x;
+    float _S317 = _S313.y;
+    float _S318 = _S314 * _S316 + _S310 * _S315 * _S317;
+    float _S319 = _S307 * 1.0154266357421875;
+    float _S320 = _S319 * arc_sine_0(clamp(_S306.section_1.across_1 / _S319, -1.0, 1.0));
+    if(_S306.shown_3.is_warp_0)
+    {
+        _S307 = _S304;
+    }
+    else
+    {
+        _S307 = - _S303;
     }
     SurfacePoint_0 point_0;
-    point_0.hole_4 = _S299.shown_3.hole_0;
-    point_0.is_warp_2 = _S299.shown_3.is_warp_0;
-    point_0.warp_thread_0 = _S299.crossing_1.warp_1.thread_0;
-    point_0.weft_thread_0 = _S299.crossing_1.weft_1.thread_0;
-    point_0.height_8 = _S299.height_4;
-    point_0.normal_4 = normalize(vec3(- _S299.slope_x_1, - _S299.slope_y_1, 1.0));
-    vec3 _S314;
-    if(_S299.shown_3.is_warp_0)
+    point_0.hole_4 = _S306.shown_3.hole_0;
+    point_0.is_warp_2 = _S306.shown_3.is_warp_0;
+    point_0.warp_thread_0 = _S306.crossing_1.warp_1.thread_0;
+    point_0.weft_thread_0 = _S306.crossing_1.weft_1.thread_0;
+    point_0.height_9 = _S306.height_5;
+    point_0.normal_4 = normalize(vec3(- _S306.slope_x_1, - _S306.slope_y_1, 1.0));
+    vec3 _S321;
+    if(_S306.shown_3.is_warp_0)
     {
-        _S314 = vec3(_S309, _S310, _S311);
+        _S321 = vec3(_S316, _S317, _S318);
     }
     else
     {
-        _S314 = vec3(- _S310, _S309, _S311);
+        _S321 = vec3(- _S317, _S316, _S318);
     }
-    point_0.tangent_5 = normalize(_S314);
-    point_0.across_2 = _S299.section_1.across_1;
-    point_0.fibre_across_0 = _S313 * _S305.twist_cosine_0 + _S300 * _S304;
-    point_0.fibre_along_0 = _S300 * _S305.twist_cosine_0 - _S313 * _S304;
+    point_0.tangent_5 = normalize(_S321);
+    point_0.across_2 = _S306.section_1.across_1;
+    point_0.fibre_across_0 = _S320 * _S312.twist_cosine_0 + _S307 * _S311;
+    point_0.fibre_along_0 = _S307 * _S312.twist_cosine_0 - _S320 * _S311;
     return point_0;
 }
 
-Albedos_0 vary_albedos_0(uint _S315, Albedos_0 _S316, uint _S317, uint _S318)
+Albedos_0 vary_albedos_0(uint _S322, Albedos_0 _S323, uint _S324, uint _S325)
 {
-    vec3 _S319 = max(_S316.specular_reflect_0, _S316.specular_transmit_0);
-    vec3 _S320 = _S316.diffuse_reflect_0 + _S316.diffuse_transmit_0;
-    float _S321 = bounded_gain_0(thread_gain_0(_S317, fabrics_0._data[uint(_S315)].colour_noise_0, fabrics_0._data[uint(_S315)].seed_0), _S320, 1.0 - fabrics_0._data[uint(_S315)].layer_bound_0 * _S319);
-    float _S322 = bounded_gain_0(fibre_gain_0(_S317, _S318, fabrics_0._data[uint(_S315)].fibre_noise_0, fabrics_0._data[uint(_S315)].seed_0), _S319, min((1.0 - _S321 * _S320) / fabrics_0._data[uint(_S315)].layer_bound_0, vec3(1.0)));
+    vec3 _S326 = max(_S323.specular_reflect_0, _S323.specular_transmit_0);
+    vec3 _S327 = _S323.diffuse_reflect_0 + _S323.diffuse_transmit_0;
+    float _S328 = bounded_gain_0(thread_gain_0(_S324, fabrics_0._data[uint(_S322)].colour_noise_0, fabrics_0._data[uint(_S322)].seed_0), _S327, 1.0 - fabrics_0._data[uint(_S322)].layer_bound_0 * _S326);
+    float _S329 = bounded_gain_0(fibre_gain_0(_S324, _S325, fabrics_0._data[uint(_S322)].fibre_noise_0, fabrics_0._data[uint(_S322)].seed_0), _S326, min((1.0 - _S328 * _S327) / fabrics_0._data[uint(_S322)].layer_bound_0, vec3(1.0)));
     Albedos_0 varied_0;
-    varied_0.diffuse_reflect_0 = _S321 * _S316.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S321 * _S316.diffuse_transmit_0;
-    varied_0.specular_reflect_0 = _S322 * _S316.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S322 * _S316.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S328 * _S323.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S328 * _S323.diffuse_transmit_0;
+    varied_0.specular_reflect_0 = _S329 * _S323.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S329 * _S323.specular_transmit_0;
     return varied_0;
 }
 
-Albedos_0 varied_at_0(uint _S323, SurfacePoint_0 _S324, Albedos_0 _S325, float _S326, float _S327)
+Albedos_0 varied_at_0(uint _S330, SurfacePoint_0 _S331, Albedos_0 _S332, float _S333, float _S334)
 {
-    float _S328;
-    if(_S324.is_warp_2)
+    float _S335;
+    if(_S331.is_warp_2)
     {
-        _S328 = _S326;
+        _S335 = _S333;
     }
     else
     {
-        _S328 = _S327;
+        _S335 = _S334;
     }
-    float _S329 = _S328 - _S324.across_2;
-    uint _S330;
-    if(_S324.is_warp_2)
+    float _S336 = _S335 - _S331.across_2;
+    uint _S337;
+    if(_S331.is_warp_2)
     {
-        _S330 = fabrics_0._data[uint(_S323)].warp_0;
+        _S337 = fabrics_0._data[uint(_S330)].warp_0;
     }
     else
     {
-        _S330 = fabrics_0._data[uint(_S323)].weft_0;
+        _S337 = fabrics_0._data[uint(_S330)].weft_0;
     }
-    Family_0 _S331 = families_0._data[uint(_S330)];
-    int _S332 = int(families_0._data[uint(_S330)].count_0);
-    if(_S324.is_warp_2)
+    Family_0 _S338 = families_0._data[uint(_S337)];
+    int _S339 = int(families_0._data[uint(_S337)].count_0);
+    if(_S331.is_warp_2)
     {
-        _S330 = _S324.warp_thread_0;
+        _S337 = _S331.warp_thread_0;
     }
     else
     {
-        _S330 = _S324.weft_thread_0;
+        _S337 = _S331.weft_thread_0;
     }
-    uint _S333 = uint(int(floor(_S329 / _S331.period_0)) * _S332 + int(_S330)) * 2U;
-    if(_S324.is_warp_2)
+    uint _S340 = uint(int(floor(_S336 / _S338.period_0)) * _S339 + int(_S337)) * 2U;
+    if(_S331.is_warp_2)
     {
-        _S330 = 1U;
+        _S337 = 1U;
     }
     else
     {
-        _S330 = 0U;
+        _S337 = 0U;
     }
-    float _S334 = floor(_S324.fibre_across_0 / fabrics_0._data[uint(_S323)].fibre_size_0);
-    return vary_albedos_0(_S323, _S325, _S333 + _S330, uint(int(_S334)) * 65536U + uint(int(floor(_S324.fibre_along_0 / (fabrics_0._data[uint(_S323)].fibre_size_0 * 40.0) + 0.61799997091293335 * _S334))));
+    float _S341 = floor(_S331.fibre_across_0 / fabrics_0._data[uint(_S330)].fibre_size_0);
+    return vary_albedos_0(_S330, _S332, _S340 + _S337, uint(int(_S341)) * 65536U + uint(int(floor(_S331.fibre_along_0 / (fabrics_0._data[uint(_S330)].fibre_size_0 * 40.0) + 0.61799997091293335 * _S341))));
 }
 
-YarnPoint_0 yarn_point_of_0(uint _S335, SurfacePoint_0 _S336, float _S337, float _S338, bool _S339, bool _S340)
+YarnPoint_0 yarn_point_of_0(uint _S342, SurfacePoint_0 _S343, float _S344, float _S345, bool _S346, bool _S347)
 {
-    uint _S341;
-    if(_S336.is_warp_2)
+    uint _S348;
+    if(_S343.is_warp_2)
     {
-        _S341 = fabrics_0._data[uint(_S335)].warp_0;
+        _S348 = fabrics_0._data[uint(_S342)].warp_0;
     }
     else
     {
-        _S341 = fabrics_0._data[uint(_S335)].weft_0;
+        _S348 = fabrics_0._data[uint(_S342)].weft_0;
     }
-    uint _S342;
-    if(_S336.is_warp_2)
+    uint _S349;
+    if(_S343.is_warp_2)
     {
-        _S342 = _S336.warp_thread_0;
-    }
-    else
-    {
-        _S342 = _S336.weft_thread_0;
-    }
-    Albedos_0 albedos_2 = albedos_of_0(_S341, _S342);
-    bool _S343;
-    if((fabrics_0._data[uint(_S335)].fibre_noise_0) > 0.0)
-    {
-        _S343 = true;
+        _S349 = _S343.warp_thread_0;
     }
     else
     {
-        _S343 = (fabrics_0._data[uint(_S335)].colour_noise_0) > 0.0;
+        _S349 = _S343.weft_thread_0;
+    }
+    Albedos_0 albedos_2 = albedos_of_0(_S348, _S349);
+    bool _S350;
+    if((fabrics_0._data[uint(_S342)].fibre_noise_0) > 0.0)
+    {
+        _S350 = true;
+    }
+    else
+    {
+        _S350 = (fabrics_0._data[uint(_S342)].colour_noise_0) > 0.0;
     }
     Albedos_0 albedos_3;
-    if(_S343)
+    if(_S350)
     {
-        albedos_3 = varied_at_0(_S335, _S336, albedos_2, _S337, _S338);
+        albedos_3 = varied_at_0(_S342, _S343, albedos_2, _S344, _S345);
     }
     else
     {
         albedos_3 = albedos_2;
     }
     YarnPoint_0 point_1;
-    point_1.back_3 = _S339;
-    point_1.hole_2 = _S340;
-    point_1.is_warp_1 = _S336.is_warp_2;
-    point_1.x_7 = _S337;
-    point_1.y_3 = _S338;
-    point_1.height_2 = _S336.height_8;
-    point_1.normal_3 = _S336.normal_4;
-    point_1.tangent_4 = _S336.tangent_5;
-    point_1.roughness_8 = families_0._data[uint(_S341)].roughness_0;
+    point_1.back_5 = _S346;
+    point_1.hole_2 = _S347;
+    point_1.is_warp_1 = _S343.is_warp_2;
+    point_1.x_8 = _S344;
+    point_1.y_3 = _S345;
+    point_1.height_3 = _S343.height_9;
+    point_1.normal_3 = _S343.normal_4;
+    point_1.tangent_4 = _S343.tangent_5;
+    point_1.roughness_8 = families_0._data[uint(_S348)].roughness_0;
     point_1.albedos_1 = albedos_3;
     return point_1;
 }
 
-YarnPoint_0 locate_yarn_0(uint _S344, SearchQuality_0 _S345, float _S346, float _S347, vec3 _S348)
+YarnPoint_0 locate_yarn_0(uint _S351, SearchQuality_0 _S352, float _S353, float _S354, vec3 _S355)
 {
-    bool _S349 = (_S348.z) < 0.0;
-    Hit_0 _S350 = first_hit_0(_S344, _S345, _S346, _S347, to_face_frame_0(_S348, _S349), _S349);
-    return yarn_point_of_0(_S344, surface_at_0(_S344, _S350.x_8, _S350.y_4, _S349), _S350.x_8, _S350.y_4, _S349, _S350.hole_3);
+    bool _S356 = (_S355.z) < 0.0;
+    Hit_0 _S357 = first_hit_0(_S351, _S352, _S353, _S354, to_face_frame_0(_S355, _S356), _S356);
+    return yarn_point_of_0(_S351, surface_at_0(_S351, _S357.x_9, _S357.y_4, _S356), _S357.x_9, _S357.y_4, _S356, _S357.hole_3);
 }
 
-vec3 scattered_0(uint _S351, YarnPoint_0 _S352, vec3 _S353, vec3 _S354)
+float openness_number_0(uint _S358, uint _S359)
 {
-    const vec3 _S355 = vec3(0.0);
-    bool _S356 = !_S352.hole_2;
-    bool _S357;
-    if(_S356)
+    return table_number_0(fabrics_0._data[uint(_S358)].openness_0 + _S359);
+}
+
+Blocked_0 blocked_of_terms_0(uint _S360, uint _S361, float  _S362[6], uint _S363)
+{
+    float  shares_0[3];
+    uint share_1 = 0U;
+    for(;;)
     {
-        _S357 = (_S353.z) > 0.0;
+        if(share_1 < 3U)
+        {
+        }
+        else
+        {
+            break;
+        }
+        shares_0[share_1] = 0.0;
+        uint term_0 = 0U;
+        for(;;)
+        {
+            if(term_0 < _S363)
+            {
+            }
+            else
+            {
+                break;
+            }
+            shares_0[share_1] = shares_0[share_1] + openness_number_0(_S360, _S361 + share_1 * _S363 + term_0) * _S362[term_0];
+            term_0 = term_0 + 1U;
+        }
+        shares_0[share_1] = saturate_0(shares_0[share_1]);
+        share_1 = share_1 + 1U;
+    }
+    Blocked_0 blocked_1;
+    blocked_1.by_warp_0 = shares_0[0] * shares_0[2];
+    blocked_1.by_weft_0 = shares_0[0] * (1.0 - shares_0[2]);
+    blocked_1.far_0 = shares_0[1];
+    return blocked_1;
+}
+
+Blocked_0 blocked_at_0(uint _S364, bool _S365, bool _S366, float _S367, float _S368)
+{
+    float _S369 = _S368 * openness_number_0(_S364, 158U);
+    float  terms_0[6] = float[](1.0, _S367, _S369, _S367 * _S367, _S367 * _S369, _S369 * _S369);
+    uint _S370;
+    if(_S366)
+    {
+        _S370 = 2U;
     }
     else
     {
-        _S357 = false;
+        _S370 = 0U;
+    }
+    uint _S371;
+    if(_S365)
+    {
+        _S371 = 0U;
+    }
+    else
+    {
+        _S371 = 1U;
+    }
+    return blocked_of_terms_0(_S364, 60U + (_S370 + _S371) * 18U, terms_0, 6U);
+}
+
+Scattered_0 scattered_by_0(uint _S372, Albedos_0 _S373, uint _S374, vec3 _S375)
+{
+    uint _S376 = 159U + 2U * _S374;
+    Scattered_0 yarn_3;
+    yarn_3.back_4 = _S375 * _S373.diffuse_reflect_0 + openness_number_0(_S372, _S376) * _S373.specular_reflect_0;
+    yarn_3.through_0 = _S375 * _S373.diffuse_transmit_0 + openness_number_0(_S372, _S376 + 1U) * _S373.specular_transmit_0;
+    return yarn_3;
+}
+
+void sent_0(uint _S377, uint _S378, vec3 _S379, vec3 _S380, vec3 _S381, vec3 _S382, out vec3 _S383, out vec3 _S384)
+{
+    uint _S385 = 146U + 4U * _S378;
+    float _S386 = openness_number_0(_S377, _S385 + 1U);
+    float _S387 = openness_number_0(_S377, _S385 + 2U);
+    vec3 _S388 = 1.0 - _S381 * openness_number_0(_S377, _S385);
+    vec3 _S389 = 1.0 - _S382 * openness_number_0(_S377, _S385 + 3U);
+    vec3 _S390 = 1.0 / (_S388 * _S389 - _S381 * _S382 * (_S386 * _S387));
+    _S383 = (_S379 * _S389 + _S381 * _S386 * _S380) * _S390;
+    _S384 = (_S380 * _S388 + _S382 * _S387 * _S379) * _S390;
+    return;
+}
+
+FaceSends_0 face_sends_0(uint _S391, uint _S392, Scattered_0 _S393, Scattered_0 _S394)
+{
+    uint _S395 = 2U * _S392;
+    uint _S396 = 142U + _S395;
+    float _S397 = openness_number_0(_S391, _S396);
+    float _S398 = openness_number_0(_S391, _S396 + 1U);
+    vec3 _S399 = (1.0 - _S397) * _S393.back_4;
+    vec3 _S400 = (1.0 - _S398) * _S394.back_4;
+    FaceSends_0 sends_1;
+    uint _S401 = 154U + _S395;
+    float _S402 = openness_number_0(_S391, _S401);
+    sends_1.blocks_warp_0 = _S402;
+    float _S403 = openness_number_0(_S391, _S401 + 1U);
+    sends_1.blocks_weft_0 = _S403;
+    sends_1.open_0 = _S402 * _S397 + _S403 * _S398;
+    sent_0(_S391, _S392, _S397 * _S393.back_4, _S398 * _S394.back_4, _S399, _S400, sends_1.sky_warp_0, sends_1.sky_weft_0);
+    sent_0(_S391, _S392, _S393.through_0, _S394.through_0, _S399, _S400, sends_1.crossing_warp_0, sends_1.crossing_weft_0);
+    return sends_1;
+}
+
+Interior_0 interior_of_0(uint _S404, vec3 _S405, bool _S406)
+{
+    Scattered_0 _S407 = scattered_by_0(_S404, table_albedos_0(families_0._data[uint(fabrics_0._data[uint(_S404)].warp_0)].colour_mean_0), 0U, _S405);
+    Scattered_0 _S408 = scattered_by_0(_S404, table_albedos_0(families_0._data[uint(fabrics_0._data[uint(_S404)].weft_0)].colour_mean_0), 1U, _S405);
+    uint _S409;
+    if(_S406)
+    {
+        _S409 = 1U;
+    }
+    else
+    {
+        _S409 = 0U;
+    }
+    FaceSends_0 _S410 = face_sends_0(_S404, _S409, _S407, _S408);
+    if(_S406)
+    {
+        _S409 = 0U;
+    }
+    else
+    {
+        _S409 = 1U;
+    }
+    FaceSends_0 _S411 = face_sends_0(_S404, _S409, _S407, _S408);
+    vec3 _S412 = _S410.blocks_warp_0 * _S410.crossing_warp_0 + _S410.blocks_weft_0 * _S410.crossing_weft_0;
+    vec3 _S413 = _S411.blocks_warp_0 * _S411.crossing_warp_0 + _S411.blocks_weft_0 * _S411.crossing_weft_0;
+    float _S414 = 1.0 - _S410.open_0;
+    float _S415 = 1.0 - _S411.open_0;
+    vec3 _S416 = 1.0 / (1.0 - _S412 * _S413 * (_S414 * _S415));
+    vec3 _S417 = _S413 * (_S410.open_0 + _S414 * (_S410.blocks_warp_0 * _S410.sky_warp_0 + _S410.blocks_weft_0 * _S410.sky_weft_0)) * _S416;
+    vec3 _S418 = _S412 * (_S411.open_0 + _S415 * (_S411.blocks_warp_0 * _S411.sky_warp_0 + _S411.blocks_weft_0 * _S411.sky_weft_0)) * _S416;
+    FaceRadiance_0 _S419 = face_radiance_0(_S410, _S411.open_0, _S417, _S418);
+    FaceRadiance_0 _S420 = face_radiance_0(_S411, _S410.open_0, _S418, _S417);
+    Interior_0 interior_1;
+    interior_1.warp_3 = _S419.warp_2;
+    interior_1.weft_3 = _S419.weft_2;
+    interior_1.leaked_1 = _S419.leaked_0;
+    interior_1.far_1 = _S420.mean_0;
+    interior_1.far_leaked_0 = _S420.leaked_0;
+    return interior_1;
+}
+
+Bounced_0 bounced_at_0(uint _S421, YarnPoint_0 _S422, vec3 _S423)
+{
+    Bounced_0 nothing_0;
+    const vec3 _S424 = vec3(0.0);
+    nothing_0.reflected_0 = _S424;
+    nothing_0.transmitted_0 = _S424;
+    bool _S425;
+    if((fabrics_0._data[uint(_S421)].openness_0) == 4294967295U)
+    {
+        _S425 = true;
+    }
+    else
+    {
+        _S425 = _S422.hole_2;
+    }
+    if(_S425)
+    {
+        return nothing_0;
+    }
+    Blocked_0 _S426 = blocked_at_0(_S421, _S422.is_warp_1, _S422.back_5, _S422.normal_3.z, _S422.height_3);
+    uint _S427;
+    if(_S422.is_warp_1)
+    {
+        _S427 = 0U;
+    }
+    else
+    {
+        _S427 = 1U;
+    }
+    return bounced_by_0(_S426, scattered_by_0(_S421, _S422.albedos_1, _S427, _S423), interior_of_0(_S421, _S423, _S422.back_5));
+}
+
+vec3 scattered_0(uint _S428, YarnPoint_0 _S429, vec3 _S430, vec3 _S431)
+{
+    const vec3 _S432 = vec3(0.0);
+    bool _S433 = !_S429.hole_2;
+    bool _S434;
+    if(_S433)
+    {
+        _S434 = (_S430.z) > 0.0;
+    }
+    else
+    {
+        _S434 = false;
     }
     vec3 value_1;
-    if(_S357)
+    if(_S434)
     {
-        value_1 = _S352.albedos_1.diffuse_reflect_0 * diffuse_reflection_0(_S353, _S352.normal_3, fabrics_0._data[uint(_S351)].diffuse_blend_0) + _S352.albedos_1.specular_reflect_0 * reflection_0(_S353, _S354, _S352.normal_3, _S352.tangent_4, _S352.roughness_8, fabrics_0._data[uint(_S351)].optical_depth_0);
+        value_1 = _S429.albedos_1.diffuse_reflect_0 * diffuse_reflection_0(_S430, _S429.normal_3, fabrics_0._data[uint(_S428)].diffuse_blend_0) + _S429.albedos_1.specular_reflect_0 * reflection_0(_S430, _S431, _S429.normal_3, _S429.tangent_4, _S429.roughness_8, fabrics_0._data[uint(_S428)].optical_depth_0);
     }
     else
     {
-        if(_S356)
+        if(_S433)
         {
-            _S357 = (_S353.z) < 0.0;
+            _S434 = (_S430.z) < 0.0;
         }
         else
         {
-            _S357 = false;
+            _S434 = false;
         }
-        if(_S357)
+        if(_S434)
         {
-            value_1 = _S352.albedos_1.diffuse_transmit_0 * diffuse_reflection_0(- _S353, _S352.normal_3, fabrics_0._data[uint(_S351)].diffuse_blend_0) + _S352.albedos_1.specular_transmit_0 * transmission_0(_S353, _S354, _S352.normal_3, _S352.tangent_4, _S352.roughness_8, fabrics_0._data[uint(_S351)].optical_depth_0);
+            value_1 = _S429.albedos_1.diffuse_transmit_0 * diffuse_reflection_0(- _S430, _S429.normal_3, fabrics_0._data[uint(_S428)].diffuse_blend_0) + _S429.albedos_1.specular_transmit_0 * transmission_1(_S430, _S431, _S429.normal_3, _S429.tangent_4, _S429.roughness_8, fabrics_0._data[uint(_S428)].optical_depth_0);
         }
         else
         {
-            value_1 = _S355;
+            value_1 = _S432;
         }
     }
-    float _S358 = fabrics_0._data[uint(_S351)].sheen_strength_0;
-    if((fabrics_0._data[uint(_S351)].sheen_strength_0) <= 0.0)
+    float _S435 = fabrics_0._data[uint(_S428)].sheen_strength_0;
+    if((fabrics_0._data[uint(_S428)].sheen_strength_0) <= 0.0)
     {
         return value_1;
     }
-    vec2 _S359 = sheen_with_transmittance_0(_S353, _S354, _S358, fabrics_0._data[uint(_S351)].sheen_roughness_0);
-    return _S359.y * value_1 + _S359.x;
+    vec2 _S436 = sheen_with_transmittance_0(_S430, _S431, _S435, fabrics_0._data[uint(_S428)].sheen_roughness_0);
+    return _S436.y * value_1 + _S436.x;
 }
 
-bool unoccluded_0(uint _S360, SearchQuality_0 _S361, float _S362, float _S363, float _S364, vec3 _S365, bool _S366)
+bool unoccluded_0(uint _S437, SearchQuality_0 _S438, float _S439, float _S440, float _S441, vec3 _S442, bool _S443)
 {
-    if((_S365.z) <= 0.0)
+    if((_S442.z) <= 0.0)
     {
         return false;
     }
-    return is_free_0(_S360, _S361, vec3(_S362, _S363, _S364 + fabrics_0._data[uint(_S360)].lift_0), _S365, _S366, max_height_along_0(_S360, _S362, _S363, _S364, _S365, _S366));
+    return is_free_0(_S437, _S438, vec3(_S439, _S440, _S441 + fabrics_0._data[uint(_S437)].lift_0), _S442, _S443, max_height_along_0(_S437, _S439, _S440, _S441, _S442, _S443));
 }
 
-bool is_lit_0(uint _S367, SearchQuality_0 _S368, YarnPoint_0 _S369, vec3 _S370)
+bool is_lit_0(uint _S444, SearchQuality_0 _S445, YarnPoint_0 _S446, vec3 _S447)
 {
-    if(_S369.hole_2)
+    if(_S446.hole_2)
     {
         return true;
     }
-    vec3 _S371 = to_face_frame_0(_S370, _S369.back_3);
-    float _S372 = _S371.z;
-    bool _S373 = _S372 < 0.0;
+    vec3 _S448 = to_face_frame_0(_S447, _S446.back_5);
+    float _S449 = _S448.z;
+    bool _S450 = _S449 < 0.0;
     vec3 normal_5;
-    float height_9;
-    if(_S373)
+    float height_10;
+    if(_S450)
     {
-        SurfacePoint_0 _S374 = surface_at_0(_S367, _S369.x_7, _S369.y_3, !_S369.back_3);
-        normal_5 = _S374.normal_4;
-        height_9 = _S374.height_8;
+        SurfacePoint_0 _S451 = surface_at_0(_S444, _S446.x_8, _S446.y_3, !_S446.back_5);
+        normal_5 = _S451.normal_4;
+        height_10 = _S451.height_9;
     }
     else
     {
-        normal_5 = _S369.normal_3;
-        height_9 = _S369.height_2;
+        normal_5 = _S446.normal_3;
+        height_10 = _S446.height_3;
     }
-    vec3 _S375 = vec3(_S371.xy, abs(_S372));
-    if((dot(normal_5, _S375)) <= 0.0)
+    vec3 _S452 = vec3(_S448.xy, abs(_S449));
+    if((dot(normal_5, _S452)) <= 0.0)
     {
         return false;
     }
-    return unoccluded_0(_S367, _S368, _S369.x_7, _S369.y_3, height_9, _S375, (_S369.back_3) != _S373);
+    return unoccluded_0(_S444, _S445, _S446.x_8, _S446.y_3, height_10, _S452, (_S446.back_5) != _S450);
 }
 
-vec3 evaluate_0(uint _S376, SearchQuality_0 _S377, YarnPoint_0 _S378, vec3 _S379, vec3 _S380)
+vec3 evaluate_with_0(uint _S453, SearchQuality_0 _S454, YarnPoint_0 _S455, Bounced_0 _S456, vec3 _S457, vec3 _S458)
 {
-    vec3 _S381 = scattered_0(_S376, _S378, to_face_frame_0(_S379, _S378.back_3), to_face_frame_0(_S380, _S378.back_3));
-    bool _S382;
-    if((max(_S381.x, max(_S381.y, _S381.z))) <= 0.0)
+    vec3 _S459 = to_face_frame_0(_S458, _S455.back_5);
+    vec3 _S460 = scattered_0(_S453, _S455, to_face_frame_0(_S457, _S455.back_5), _S459);
+    bool _S461;
+    if((max(_S460.x, max(_S460.y, _S460.z))) <= 0.0)
     {
-        _S382 = true;
+        _S461 = true;
     }
     else
     {
-        _S382 = !is_lit_0(_S376, _S377, _S378, _S379);
+        _S461 = !is_lit_0(_S453, _S454, _S455, _S457);
     }
-    if(_S382)
+    vec3 value_2;
+    if(_S461)
     {
-        return vec3(0.0);
+        value_2 = vec3(0.0);
     }
-    return _S381;
+    else
+    {
+        value_2 = _S460;
+    }
+    vec3 between_1 = bounced_value_0(_S456, _S457, _S458);
+    float _S462 = fabrics_0._data[uint(_S453)].sheen_strength_0;
+    vec3 between_2;
+    if((fabrics_0._data[uint(_S453)].sheen_strength_0) > 0.0)
+    {
+        between_2 = between_1 * (1.0 - _S462 * sheen_lobe_0(abs(_S459.z), fabrics_0._data[uint(_S453)].sheen_roughness_0).z);
+    }
+    else
+    {
+        between_2 = between_1;
+    }
+    return value_2 + between_2;
 }
 
-float straight_through_0(uint _S383, YarnPoint_0 _S384, vec3 _S385)
+vec3 evaluate_0(uint _S463, SearchQuality_0 _S464, YarnPoint_0 _S465, vec3 _S466, vec3 _S467)
 {
-    if(!_S384.hole_2)
+    return evaluate_with_0(_S463, _S464, _S465, bounced_at_0(_S463, _S465, vec3(1.0)), _S466, _S467);
+}
+
+float straight_through_0(uint _S468, YarnPoint_0 _S469, vec3 _S470)
+{
+    if(!_S469.hole_2)
     {
         return 0.0;
     }
-    float _S386 = fabrics_0._data[uint(_S383)].sheen_strength_0;
-    if((fabrics_0._data[uint(_S383)].sheen_strength_0) <= 0.0)
+    float _S471 = fabrics_0._data[uint(_S468)].sheen_strength_0;
+    if((fabrics_0._data[uint(_S468)].sheen_strength_0) <= 0.0)
     {
         return 1.0;
     }
-    return 1.0 - _S386 * sheen_lobe_0(abs(_S385.z), fabrics_0._data[uint(_S383)].sheen_roughness_0).z;
+    return 1.0 - _S471 * sheen_lobe_0(abs(_S470.z), fabrics_0._data[uint(_S468)].sheen_roughness_0).z;
 }
 
-vec4 cloth_value_0(uint fabric_1, vec2 centre_0, vec2 dx_0, vec2 dy_0, vec3 light_6, vec3 view_5)
+vec4 cloth_value_0(uint fabric_1, vec2 centre_0, vec2 dx_0, vec2 dy_0, vec3 light_7, vec3 view_6)
 {
-    SearchQuality_0 _S387 = default_quality_0();
-    YarnPoint_0 _S388 = locate_yarn_0(fabric_1, _S387, centre_0.x, centre_0.y, view_5);
-    return vec4(evaluate_0(fabric_1, _S387, _S388, light_6, view_5), straight_through_0(fabric_1, _S388, view_5));
+    SearchQuality_0 _S472 = default_quality_0();
+    YarnPoint_0 _S473 = locate_yarn_0(fabric_1, _S472, centre_0.x, centre_0.y, view_6);
+    return vec4(evaluate_0(fabric_1, _S472, _S473, light_7, view_6), straight_through_0(fabric_1, _S473, view_6));
 }
 
 layout(local_size_x = 64, local_size_y = 1, local_size_z = 1) in;
@@ -2373,8 +2697,8 @@ void main()
     {
         return;
     }
-    Query_0 _S389 = queries_0._data[uint(gl_GlobalInvocationID.x)];
-    answers_0._data[uint(gl_GlobalInvocationID.x)] = cloth_value_0(_S389.fabric_0, vec2(_S389.centre_x_0, _S389.centre_y_0), vec2(_S389.dx_x_0, _S389.dx_y_0), vec2(_S389.dy_x_0, _S389.dy_y_0), vec3(_S389.light_x_0, _S389.light_y_0, _S389.light_z_0), vec3(_S389.view_x_0, _S389.view_y_0, _S389.view_z_0));
+    Query_0 _S474 = queries_0._data[uint(gl_GlobalInvocationID.x)];
+    answers_0._data[uint(gl_GlobalInvocationID.x)] = cloth_value_0(_S474.fabric_0, vec2(_S474.centre_x_0, _S474.centre_y_0), vec2(_S474.dx_x_0, _S474.dx_y_0), vec2(_S474.dy_x_0, _S474.dy_y_0), vec3(_S474.light_x_0, _S474.light_y_0, _S474.light_z_0), vec3(_S474.view_x_0, _S474.view_y_0, _S474.view_z_0));
     return;
 }
 

@@ -119,6 +119,32 @@ struct Neumip_0
     float texels_per_mm_0;
     float unit_x_0;
     float unit_y_0;
+    uint transmits_0;
+    uint transmission_0;
+    uint has_holes_0;
+    uint opacity_0;
+};
+
+struct Latent_0
+{
+    uint is_trained_1;
+    uint decoder_1;
+    uint hidden_0;
+    uint frames_0;
+    uint sampler_0;
+    uint albedo_0;
+    uint texels_1;
+    uint texel_elements_1;
+    uint levels_3;
+    float last_level_2;
+    uint face_texels_1;
+    uint back_2;
+    float repeats_per_x_1;
+    float repeats_per_y_1;
+    float texels_per_mm_1;
+    float width_0;
+    float height_0;
+    uint is_trilinear_0;
 };
 
 struct Fabric_0
@@ -150,8 +176,12 @@ struct Fabric_0
     float uv_width_0;
     float uv_height_0;
     uint is_open_0;
+    uint openness_0;
     uint albedo_map_0;
     uint albedo_map_levels_0;
+    uint has_yarns_0;
+    float mean_hole_0;
+    Latent_0 latent_0;
 };
 
 struct Family_0
@@ -297,7 +327,7 @@ struct Crossing_0
     bool warp_above_0;
 };
 
-Shown_0 shown_at_0(const Crossing_0 thread* crossing_0, bool back_2)
+Shown_0 shown_at_0(const Crossing_0 thread* crossing_0, bool back_3)
 {
     bool _S18 = (abs((&crossing_0->warp_1)->across_0)) < ((&crossing_0->warp_1)->half_width_1);
     bool _S19 = (abs((&crossing_0->weft_1)->across_0)) < ((&crossing_0->weft_1)->half_width_1);
@@ -338,7 +368,7 @@ Shown_0 shown_at_0(const Crossing_0 thread* crossing_0, bool back_2)
         _S21 = crossing_0->weft_word_0;
     }
     (&shown_0)->word_0 = _S21;
-    (&shown_0)->on_top_0 = ((_S21 & 1U) == 1U) != back_2;
+    (&shown_0)->on_top_0 = ((_S21 & 1U) == 1U) != back_3;
     return shown_0;
 }
 
@@ -810,7 +840,7 @@ float outline_distance_0(const Cell_0 thread* cell_4, const Shown_0 thread* show
 
 struct Probe_0
 {
-    float height_0;
+    float height_1;
     bool hole_1;
     float slope_x_0;
     float slope_y_0;
@@ -984,9 +1014,9 @@ struct ViewRay_0
     float2 slope_1;
 };
 
-float2 ViewRay_at_0(const ViewRay_0 thread* this_2, float height_1)
+float2 ViewRay_at_0(const ViewRay_0 thread* this_2, float height_2)
 {
-    return this_2->origin_0 + this_2->slope_1 * float2(height_1) ;
+    return this_2->origin_0 + this_2->slope_1 * float2(height_2) ;
 }
 
 float ViewRay_rate_0(const ViewRay_0 thread* this_3, const Probe_0 thread* here_3)
@@ -1122,9 +1152,9 @@ float thread_gain_0(uint thread_9, float amount_0, uint seed_1)
     return amount_0 * (2.0f * uniform_hash_0(thread_9, 0U, seed_1 ^ 2135587861U) - 1.0f) + 1.0f;
 }
 
-float bounded_gain_0(float gain_0, float3 albedo_0, float3 room_0)
+float bounded_gain_0(float gain_0, float3 albedo_1, float3 room_0)
 {
-    float3 _S137 = room_0 / max(albedo_0, float3(9.99999997475242708e-07f) );
+    float3 _S137 = room_0 / max(albedo_1, float3(9.99999997475242708e-07f) );
     return min(gain_0, max(min(min(_S137.x, _S137.y), _S137.z), 0.0f));
 }
 
@@ -1156,39 +1186,109 @@ float fibre_gain_0(uint thread_10, uint cell_6, float amount_1, uint seed_2)
     return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_10, cell_6, seed_2 ^ 2654435769U)), 10.0f) - 1.0f) + 1.0f;
 }
 
+struct FaceRadiance_0
+{
+    float3 warp_2;
+    float3 weft_2;
+    float3 mean_0;
+    float3 leaked_0;
+};
+
+struct FaceSends_0
+{
+    float3 sky_warp_0;
+    float3 sky_weft_0;
+    float3 crossing_warp_0;
+    float3 crossing_weft_0;
+    float open_0;
+    float blocks_warp_0;
+    float blocks_weft_0;
+};
+
+FaceRadiance_0 face_radiance_0(const FaceSends_0 thread* sends_0, float open_of_other_0, float3 passed_0, float3 from_other_0)
+{
+    float3 _S140 = float3((1.0f - open_of_other_0))  * passed_0;
+    thread FaceRadiance_0 found_0;
+    float3 _S141 = sends_0->sky_warp_0 + _S140 * sends_0->crossing_warp_0;
+    (&found_0)->warp_2 = _S141;
+    float3 _S142 = sends_0->sky_weft_0 + _S140 * sends_0->crossing_weft_0;
+    (&found_0)->weft_2 = _S142;
+    (&found_0)->mean_0 = float3(sends_0->blocks_warp_0)  * _S141 + float3(sends_0->blocks_weft_0)  * _S142;
+    (&found_0)->leaked_0 = from_other_0;
+    return found_0;
+}
+
+struct Bounced_0
+{
+    float3 reflected_0;
+    float3 transmitted_0;
+};
+
+struct Blocked_0
+{
+    float by_warp_0;
+    float by_weft_0;
+    float far_0;
+};
+
+struct Scattered_0
+{
+    float3 back_4;
+    float3 through_0;
+};
+
+struct Interior_0
+{
+    float3 warp_3;
+    float3 weft_3;
+    float3 leaked_1;
+    float3 far_1;
+    float3 far_leaked_0;
+};
+
+Bounced_0 bounced_by_0(const Blocked_0 thread* blocked_0, const Scattered_0 thread* yarn_2, const Interior_0 thread* interior_0)
+{
+    float3 _S143 = float3((blocked_0->by_warp_0 + blocked_0->by_weft_0))  * interior_0->leaked_1;
+    float3 _S144 = float3(blocked_0->far_0)  * yarn_2->through_0;
+    thread Bounced_0 bounced_0;
+    (&bounced_0)->reflected_0 = yarn_2->back_4 * (float3(blocked_0->by_warp_0)  * interior_0->warp_3 + float3(blocked_0->by_weft_0)  * interior_0->weft_3) + _S144 * interior_0->far_leaked_0;
+    (&bounced_0)->transmitted_0 = _S144 * interior_0->far_1 + yarn_2->back_4 * _S143;
+    return bounced_0;
+}
+
 float diffuse_reflection_0(float3 light_0, float3 normal_0, float blend_0)
 {
-    float _S140 = light_0.z;
-    if(_S140 <= 0.0f)
+    float _S145 = light_0.z;
+    if(_S145 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * mix(max(_S140, 0.0f), max(dot(light_0, normal_0), 0.0f), blend_0);
+    return 0.31830987334251404f * mix(max(_S145, 0.0f), max(dot(light_0, normal_0), 0.0f), blend_0);
 }
 
 float projected_area_1(float3 direction_2, float3 tangent_0, float roughness_1)
 {
-    float _S141 = dot(direction_2, tangent_0);
-    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S141 * _S141 + 1.0f, roughness_1 * roughness_1));
+    float _S146 = dot(direction_2, tangent_0);
+    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S146 * _S146 + 1.0f, roughness_1 * roughness_1));
 }
 
 float exponential_0(float x_3)
 {
-    float _S142 = clamp(x_3, -87.0f, 88.0f);
-    float _S143 = floor(_S142 * 1.4426950216293335f + 0.5f);
-    float _S144 = _S142 - _S143 * 0.693359375f + _S143 * 0.00021219444170129f;
-    float p_0 = ((((0.00019875691214111f * _S144 + 0.00139819993637502f) * _S144 + 0.00833345204591751f) * _S144 + 0.04166579619050026f) * _S144 + 0.1666666567325592f) * _S144 + 0.5f;
-    float _S145 = (as_type<float>((uint(int(_S143) + int(127)) << 23U)));
-    float _S146;
+    float _S147 = clamp(x_3, -87.0f, 88.0f);
+    float _S148 = floor(_S147 * 1.4426950216293335f + 0.5f);
+    float _S149 = _S147 - _S148 * 0.693359375f + _S148 * 0.00021219444170129f;
+    float p_0 = ((((0.00019875691214111f * _S149 + 0.00139819993637502f) * _S149 + 0.00833345204591751f) * _S149 + 0.04166579619050026f) * _S149 + 0.1666666567325592f) * _S149 + 0.5f;
+    float _S150 = (as_type<float>((uint(int(_S148) + int(127)) << 23U)));
+    float _S151;
     if(x_3 < -87.0f)
     {
-        _S146 = 0.0f;
+        _S151 = 0.0f;
     }
     else
     {
-        _S146 = (p_0 * _S144 * _S144 + _S144 + 1.0f) * _S145;
+        _S151 = (p_0 * _S149 * _S149 + _S149 + 1.0f) * _S150;
     }
-    return _S146;
+    return _S151;
 }
 
 float mean_attenuation_0(float depth_0)
@@ -1207,62 +1307,62 @@ float square_1(float3 v_0)
 
 float flake_density_0(float squared_along_0, float roughness_2)
 {
-    float _S147 = roughness_2 * roughness_2;
-    float _S148 = squared_along_0 * (1.0f - _S147) + _S147;
-    return 0.31830987334251404f * _S147 * roughness_2 / (_S148 * _S148);
+    float _S152 = roughness_2 * roughness_2;
+    float _S153 = squared_along_0 * (1.0f - _S152) + _S152;
+    return 0.31830987334251404f * _S152 * roughness_2 / (_S153 * _S153);
 }
 
 float density_between_0(float3 light_1, float3 view_0, float3 tangent_1, float roughness_3)
 {
-    float3 _S149 = light_1 + view_0;
-    float _S150 = dot(_S149, tangent_1);
-    return flake_density_0(min(_S150 * _S150 / max(square_1(_S149), 9.999999960041972e-13f), 1.0f), roughness_3);
+    float3 _S154 = light_1 + view_0;
+    float _S155 = dot(_S154, tangent_1);
+    return flake_density_0(min(_S155 * _S155 / max(square_1(_S154), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
 float reflection_0(float3 light_2, float3 view_1, float3 normal_1, float3 tangent_2, float roughness_4, float optical_depth_1)
 {
-    float _S151 = dot(light_2, normal_1);
-    bool _S152;
-    if(_S151 <= 0.0f)
+    float _S156 = dot(light_2, normal_1);
+    bool _S157;
+    if(_S156 <= 0.0f)
     {
-        _S152 = true;
+        _S157 = true;
     }
     else
     {
-        _S152 = (dot(view_1, normal_1)) <= 0.0f;
+        _S157 = (dot(view_1, normal_1)) <= 0.0f;
     }
-    if(_S152)
+    if(_S157)
     {
         return 0.0f;
     }
-    float _S153 = max(_S151, 9.99999997475242708e-07f);
-    float _S154 = max(dot(view_1, normal_1), 9.99999997475242708e-07f);
-    float _S155 = projected_area_1(light_2, tangent_2, roughness_4) * _S154 + projected_area_1(view_1, tangent_2, roughness_4) * _S153;
-    float _S156 = optical_depth_1 * _S155 / (_S153 * _S154);
-    return 0.25f * density_between_0(light_2, view_1, tangent_2, roughness_4) * (_S156 * mean_attenuation_0(_S156)) * _S153 / _S155;
+    float _S158 = max(_S156, 9.99999997475242708e-07f);
+    float _S159 = max(dot(view_1, normal_1), 9.99999997475242708e-07f);
+    float _S160 = projected_area_1(light_2, tangent_2, roughness_4) * _S159 + projected_area_1(view_1, tangent_2, roughness_4) * _S158;
+    float _S161 = optical_depth_1 * _S160 / (_S158 * _S159);
+    return 0.25f * density_between_0(light_2, view_1, tangent_2, roughness_4) * (_S161 * mean_attenuation_0(_S161)) * _S158 / _S160;
 }
 
-float transmission_0(float3 light_3, float3 view_2, float3 normal_2, float3 tangent_3, float roughness_5, float optical_depth_2)
+float transmission_1(float3 light_3, float3 view_2, float3 normal_2, float3 tangent_3, float roughness_5, float optical_depth_2)
 {
-    float _S157 = - dot(light_3, normal_2);
-    float _S158 = dot(view_2, normal_2);
-    bool _S159;
-    if(_S157 <= 0.0f)
+    float _S162 = - dot(light_3, normal_2);
+    float _S163 = dot(view_2, normal_2);
+    bool _S164;
+    if(_S162 <= 0.0f)
     {
-        _S159 = true;
+        _S164 = true;
     }
     else
     {
-        _S159 = _S158 <= 0.0f;
+        _S164 = _S163 <= 0.0f;
     }
-    if(_S159)
+    if(_S164)
     {
         return 0.0f;
     }
-    float _S160 = 1.0f / max(_S158, 9.99999997475242708e-07f);
-    float _S161 = projected_area_1(light_3, tangent_3, roughness_5) / max(_S157, 9.99999997475242708e-07f);
-    float _S162 = projected_area_1(view_2, tangent_3, roughness_5) * _S160;
-    return density_between_0(light_3, view_2, tangent_3, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S161, _S162)) * mean_attenuation_0(optical_depth_2 * abs(_S161 - _S162)) * _S160;
+    float _S165 = 1.0f / max(_S163, 9.99999997475242708e-07f);
+    float _S166 = projected_area_1(light_3, tangent_3, roughness_5) / max(_S162, 9.99999997475242708e-07f);
+    float _S167 = projected_area_1(view_2, tangent_3, roughness_5) * _S165;
+    return density_between_0(light_3, view_2, tangent_3, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S166, _S167)) * mean_attenuation_0(optical_depth_2 * abs(_S166 - _S167)) * _S165;
 }
 
 float sheen_scale_0(float x_4, float y_0)
@@ -1282,60 +1382,75 @@ float sheen_reflectance_0(float x_6, float y_2)
 
 float3 sheen_lobe_0(float cos_view_0, float roughness_6)
 {
-    float _S163 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    float _S164 = 2.0f * sqrt(_S163) - 1.0f;
-    float _S165 = 3.0f * sqrt(sqrt(clamp(roughness_6, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return float3(clamp(sheen_scale_0(_S164, _S165), 0.00999999977648258f, 1.0f), clamp((1.0f - _S163) * sheen_shear_0(_S164, _S165), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S164, _S165), -60.0f, 60.0f))));
+    float _S168 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    float _S169 = 2.0f * sqrt(_S168) - 1.0f;
+    float _S170 = 3.0f * sqrt(sqrt(clamp(roughness_6, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return float3(clamp(sheen_scale_0(_S169, _S170), 0.00999999977648258f, 1.0f), clamp((1.0f - _S168) * sheen_shear_0(_S169, _S170), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S169, _S170), -60.0f, 60.0f))));
 }
 
 float transformed_cosine_0(float3 light_4, float3 view_3, float scale_0, float shear_0)
 {
-    float _S166 = light_4.z;
-    bool _S167;
-    if(_S166 <= 0.0f)
+    float _S171 = light_4.z;
+    bool _S172;
+    if(_S171 <= 0.0f)
     {
-        _S167 = true;
+        _S172 = true;
     }
     else
     {
-        _S167 = (view_3.z) <= 0.0f;
+        _S172 = (view_3.z) <= 0.0f;
     }
-    if(_S167)
+    if(_S172)
     {
         return 0.0f;
     }
-    float2 _S168 = view_3.xy;
-    float _S169 = dot(_S168, _S168);
-    float2 _S170;
-    if(_S169 > 9.99999968265522539e-21f)
+    float2 _S173 = view_3.xy;
+    float _S174 = dot(_S173, _S173);
+    float2 _S175;
+    if(_S174 > 9.99999968265522539e-21f)
     {
-        _S170 = _S168 * float2(rsqrt(_S169)) ;
+        _S175 = _S173 * float2(rsqrt(_S174)) ;
     }
     else
     {
-        _S170 = float2(1.0f, 0.0f);
+        _S175 = float2(1.0f, 0.0f);
     }
-    float _S171 = scale_0 * dot(light_4.xy, _S170) + shear_0 * _S166;
-    float _S172 = scale_0 * (light_4.y * _S170.x - light_4.x * _S170.y);
-    float _S173 = _S171 * _S171 + _S172 * _S172 + _S166 * _S166;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S166 / max(_S173 * _S173, 9.99999968265522539e-21f);
+    float _S176 = scale_0 * dot(light_4.xy, _S175) + shear_0 * _S171;
+    float _S177 = scale_0 * (light_4.y * _S175.x - light_4.x * _S175.y);
+    float _S178 = _S176 * _S176 + _S177 * _S177 + _S171 * _S171;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S171 / max(_S178 * _S178, 9.99999968265522539e-21f);
 }
 
 float2 sheen_with_transmittance_0(float3 light_5, float3 view_4, float strength_0, float roughness_7)
 {
-    float3 _S174 = sheen_lobe_0(view_4.z, roughness_7);
-    float _S175 = strength_0 * _S174.z;
-    return float2(_S175 * transformed_cosine_0(light_5, view_4, _S174.x, _S174.y), 1.0f - _S175);
+    float3 _S179 = sheen_lobe_0(view_4.z, roughness_7);
+    float _S180 = strength_0 * _S179.z;
+    return float2(_S180 * transformed_cosine_0(light_5, view_4, _S179.x, _S179.y), 1.0f - _S180);
+}
+
+float3 bounced_value_0(const Bounced_0 thread* bounced_1, float3 light_6, float3 view_5)
+{
+    float _S181 = light_6.z;
+    float3 _S182;
+    if((_S181 * view_5.z) < 0.0f)
+    {
+        _S182 = bounced_1->transmitted_0;
+    }
+    else
+    {
+        _S182 = bounced_1->reflected_0;
+    }
+    return _S182 * float3((abs(_S181) * 0.31830987334251404f)) ;
 }
 
 struct YarnPoint_0
 {
-    bool back_3;
+    bool back_5;
     bool hole_2;
     bool is_warp_1;
     float x_7;
     float y_3;
-    float height_2;
+    float height_3;
     float3 normal_3;
     float3 tangent_4;
     float roughness_8;
@@ -1347,7 +1462,7 @@ struct Hit_0
     float x_8;
     float y_4;
     bool hole_3;
-    float height_3;
+    float height_4;
 };
 
 struct Sample_0
@@ -1356,359 +1471,359 @@ struct Sample_0
     Shown_0 shown_3;
     Run_0 run_3;
     Section_0 section_1;
-    float height_4;
+    float height_5;
     float slope_across_0;
     float slope_along_0;
     float slope_x_1;
     float slope_y_1;
 };
 
-Crossing_0 crossing_at_0(uint _S176, float _S177, float _S178, bool _S179, KernelContext_0 thread* kernelContext_15)
+Crossing_0 crossing_at_0(uint _S183, float _S184, float _S185, bool _S186, KernelContext_0 thread* kernelContext_15)
 {
-    Fabric_0 device* _S180 = kernelContext_15->fabrics_0+_S176;
+    Fabric_0 device* _S187 = kernelContext_15->fabrics_0+_S183;
     thread Crossing_0 crossing_2;
-    Cell_0 _S181 = locate_0(_S180->warp_0, _S177, kernelContext_15);
-    (&crossing_2)->warp_1 = _S181;
-    Cell_0 _S182 = locate_0(_S180->weft_0, _S178, kernelContext_15);
-    (&crossing_2)->weft_1 = _S182;
-    uint _S183 = _S180->run_words_0 + 2U * ((&(&crossing_2)->weft_1)->thread_0 * _S180->ends_1 + (&(&crossing_2)->warp_1)->thread_0);
-    uint _S184 = kernelContext_15->words_0[_S183];
-    (&crossing_2)->warp_word_0 = _S184;
-    (&crossing_2)->weft_word_0 = kernelContext_15->words_0[_S183 + 1U];
-    (&crossing_2)->warp_above_0 = ((_S184 & 1U) == 1U) != _S179;
+    Cell_0 _S188 = locate_0(_S187->warp_0, _S184, kernelContext_15);
+    (&crossing_2)->warp_1 = _S188;
+    Cell_0 _S189 = locate_0(_S187->weft_0, _S185, kernelContext_15);
+    (&crossing_2)->weft_1 = _S189;
+    uint _S190 = _S187->run_words_0 + 2U * ((&(&crossing_2)->weft_1)->thread_0 * _S187->ends_1 + (&(&crossing_2)->warp_1)->thread_0);
+    uint _S191 = kernelContext_15->words_0[_S190];
+    (&crossing_2)->warp_word_0 = _S191;
+    (&crossing_2)->weft_word_0 = kernelContext_15->words_0[_S190 + 1U];
+    (&crossing_2)->warp_above_0 = ((_S191 & 1U) == 1U) != _S186;
     return crossing_2;
 }
 
-Sample_0 sample_at_0(uint _S185, float _S186, float _S187, bool _S188, KernelContext_0 thread* kernelContext_16)
+Sample_0 sample_at_0(uint _S192, float _S193, float _S194, bool _S195, KernelContext_0 thread* kernelContext_16)
 {
-    Fabric_0 device* _S189 = kernelContext_16->fabrics_0+_S185;
+    Fabric_0 device* _S196 = kernelContext_16->fabrics_0+_S192;
     thread Sample_0 sample_0;
-    Crossing_0 _S190 = crossing_at_0(_S185, _S186, _S187, _S188, kernelContext_16);
-    (&sample_0)->crossing_1 = _S190;
-    thread Crossing_0 _S191 = _S190;
-    Shown_0 _S192 = shown_at_0(&_S191, _S188);
-    (&sample_0)->shown_3 = _S192;
-    uint _S193;
-    if(_S192.is_warp_0)
+    Crossing_0 _S197 = crossing_at_0(_S192, _S193, _S194, _S195, kernelContext_16);
+    (&sample_0)->crossing_1 = _S197;
+    thread Crossing_0 _S198 = _S197;
+    Shown_0 _S199 = shown_at_0(&_S198, _S195);
+    (&sample_0)->shown_3 = _S199;
+    uint _S200;
+    if(_S199.is_warp_0)
     {
-        _S193 = _S189->warp_0;
+        _S200 = _S196->warp_0;
     }
     else
     {
-        _S193 = _S189->weft_0;
+        _S200 = _S196->weft_0;
     }
-    uint _S194;
-    if(_S192.is_warp_0)
+    uint _S201;
+    if(_S199.is_warp_0)
     {
-        _S194 = _S189->weft_0;
+        _S201 = _S196->weft_0;
     }
     else
     {
-        _S194 = _S189->warp_0;
+        _S201 = _S196->warp_0;
     }
-    thread Cell_0 _S195 = (&(&sample_0)->crossing_1)->warp_1;
-    thread Cell_0 _S196 = (&(&sample_0)->crossing_1)->weft_1;
-    Cell_0 _S197 = select_cell_0(_S192.is_warp_0, &_S195, &_S196);
-    thread Cell_0 _S198 = (&(&sample_0)->crossing_1)->weft_1;
-    thread Cell_0 _S199 = (&(&sample_0)->crossing_1)->warp_1;
-    Cell_0 _S200 = select_cell_0(_S192.is_warp_0, &_S198, &_S199);
-    thread Cell_0 _S201 = _S200;
-    Run_0 _S202 = unpack_0(_S193, _S194, _S197.thread_0, &_S201, _S192.word_0, kernelContext_16);
-    thread Cell_0 _S203 = _S197;
-    Section_0 _S204 = section_at_0(&_S203);
-    bool _S205;
-    if(_S192.on_top_0)
+    thread Cell_0 _S202 = (&(&sample_0)->crossing_1)->warp_1;
+    thread Cell_0 _S203 = (&(&sample_0)->crossing_1)->weft_1;
+    Cell_0 _S204 = select_cell_0(_S199.is_warp_0, &_S202, &_S203);
+    thread Cell_0 _S205 = (&(&sample_0)->crossing_1)->weft_1;
+    thread Cell_0 _S206 = (&(&sample_0)->crossing_1)->warp_1;
+    Cell_0 _S207 = select_cell_0(_S199.is_warp_0, &_S205, &_S206);
+    thread Cell_0 _S208 = _S207;
+    Run_0 _S209 = unpack_0(_S200, _S201, _S204.thread_0, &_S208, _S199.word_0, kernelContext_16);
+    thread Cell_0 _S210 = _S204;
+    Section_0 _S211 = section_at_0(&_S210);
+    bool _S212;
+    if(_S199.on_top_0)
     {
-        _S205 = (_S202.distance_0) < (_S204.drop_0 * _S202.bend_1.sine_0);
+        _S212 = (_S209.distance_0) < (_S211.drop_0 * _S209.bend_1.sine_0);
     }
     else
     {
-        _S205 = false;
+        _S212 = false;
     }
-    bool _S206;
-    if(_S192.on_top_0)
+    bool _S213;
+    if(_S199.on_top_0)
     {
-        _S206 = !_S205;
+        _S213 = !_S212;
     }
     else
     {
-        _S206 = false;
+        _S213 = false;
     }
-    float _S207;
-    if(_S206)
+    float _S214;
+    if(_S213)
     {
-        _S207 = 1.0f;
+        _S214 = 1.0f;
     }
     else
     {
-        _S207 = -1.0f;
+        _S214 = -1.0f;
     }
-    float _S208;
-    if(_S205)
+    float _S215;
+    if(_S212)
     {
-        _S208 = _S202.other_reach_0;
+        _S215 = _S209.other_reach_0;
     }
     else
     {
-        _S208 = _S202.reach_0;
+        _S215 = _S209.reach_0;
     }
-    float _S209;
-    if(_S205)
-    {
-        _S209 = _S208 + _S202.distance_0;
-    }
-    else
-    {
-        _S209 = max(_S208 - _S202.distance_0, 0.0f);
-    }
-    float _S210 = _S208 / _S202.bend_1.sine_0 - _S207 * _S204.drop_0;
-    float _S211 = _S209 * _S209;
-    float _S212 = max(_S210 * _S210 - _S211, 9.99999968265522539e-21f);
-    float _S213 = rsqrt(_S212);
-    float _S214 = _S211 / (_S212 * _S213 + _S210);
-    bool _S215 = _S209 > 0.0f;
     float _S216;
-    if(_S192.on_top_0)
+    if(_S212)
     {
-        _S216 = 1.0f;
+        _S216 = _S215 + _S209.distance_0;
     }
     else
     {
-        _S216 = -1.0f;
+        _S216 = max(_S215 - _S209.distance_0, 0.0f);
     }
-    float _S217;
-    if(_S202.near_start_0)
+    float _S217 = _S215 / _S209.bend_1.sine_0 - _S214 * _S211.drop_0;
+    float _S218 = _S216 * _S216;
+    float _S219 = max(_S217 * _S217 - _S218, 9.99999968265522539e-21f);
+    float _S220 = rsqrt(_S219);
+    float _S221 = _S218 / (_S219 * _S220 + _S217);
+    bool _S222 = _S216 > 0.0f;
+    float _S223;
+    if(_S199.on_top_0)
     {
-        _S217 = 1.0f;
+        _S223 = 1.0f;
     }
     else
     {
-        _S217 = -1.0f;
+        _S223 = -1.0f;
     }
-    float _S218 = _S216 * _S217;
-    if(_S215)
+    float _S224;
+    if(_S209.near_start_0)
     {
-        _S216 = _S210 * _S213;
+        _S224 = 1.0f;
     }
     else
     {
-        _S216 = 1.0f;
+        _S224 = -1.0f;
     }
-    (&sample_0)->slope_across_0 = _S204.slope_0 * _S216;
-    if(_S215)
+    float _S225 = _S223 * _S224;
+    if(_S222)
     {
-        _S209 = _S218 * _S209 * _S213;
+        _S223 = _S217 * _S220;
     }
     else
     {
-        _S209 = 0.0f;
+        _S223 = 1.0f;
     }
-    (&sample_0)->slope_along_0 = _S209;
-    Family_0 _S219 = kernelContext_16->families_0[_S193];
-    thread Shown_0 _S220 = _S192;
-    thread Run_0 _S221 = _S202;
-    thread Cell_0 _S222 = _S200;
-    float2 _S223 = dive_0(_S194, &_S220, &_S221, &_S222, kernelContext_16);
-    if(_S202.straight_0)
+    (&sample_0)->slope_across_0 = _S211.slope_0 * _S223;
+    if(_S222)
     {
-        _S207 = 0.0f;
+        _S216 = _S225 * _S216 * _S220;
     }
     else
     {
-        _S207 = _S219.height_scale_0 * _S207;
+        _S216 = 0.0f;
     }
-    (&sample_0)->height_4 = _S207 * (_S208 * _S202.bend_1.half_tangent_0 - _S214) - _S219.height_scale_0 * _S204.drop_0 - _S223.x;
-    float _S224 = _S219.height_scale_0 * (&sample_0)->slope_across_0;
-    float _S225 = _S219.height_scale_0 * (&sample_0)->slope_along_0 - _S223.y;
-    if(_S192.is_warp_0)
+    (&sample_0)->slope_along_0 = _S216;
+    Family_0 _S226 = kernelContext_16->families_0[_S200];
+    thread Shown_0 _S227 = _S199;
+    thread Run_0 _S228 = _S209;
+    thread Cell_0 _S229 = _S207;
+    float2 _S230 = dive_0(_S201, &_S227, &_S228, &_S229, kernelContext_16);
+    if(_S209.straight_0)
     {
-        _S207 = _S224;
+        _S214 = 0.0f;
     }
     else
     {
-        _S207 = _S225;
+        _S214 = _S226.height_scale_0 * _S214;
     }
-    (&sample_0)->slope_x_1 = _S207;
-    if(_S192.is_warp_0)
+    (&sample_0)->height_5 = _S214 * (_S215 * _S209.bend_1.half_tangent_0 - _S221) - _S226.height_scale_0 * _S211.drop_0 - _S230.x;
+    float _S231 = _S226.height_scale_0 * (&sample_0)->slope_across_0;
+    float _S232 = _S226.height_scale_0 * (&sample_0)->slope_along_0 - _S230.y;
+    if(_S199.is_warp_0)
     {
-        _S207 = _S225;
+        _S214 = _S231;
     }
     else
     {
-        _S207 = _S224;
+        _S214 = _S232;
     }
-    (&sample_0)->slope_y_1 = _S207;
-    (&sample_0)->run_3 = _S202;
-    (&sample_0)->section_1 = _S204;
+    (&sample_0)->slope_x_1 = _S214;
+    if(_S199.is_warp_0)
+    {
+        _S214 = _S232;
+    }
+    else
+    {
+        _S214 = _S231;
+    }
+    (&sample_0)->slope_y_1 = _S214;
+    (&sample_0)->run_3 = _S209;
+    (&sample_0)->section_1 = _S211;
     return sample_0;
 }
 
-float steps_per_length_0(uint _S226, const SearchQuality_0 thread* _S227, float3 _S228, KernelContext_0 thread* kernelContext_17)
+float steps_per_length_0(uint _S233, const SearchQuality_0 thread* _S234, float3 _S235, KernelContext_0 thread* kernelContext_17)
 {
-    Fabric_0 device* _S229 = kernelContext_17->fabrics_0+_S226;
-    return max(max(abs(_S228.x) * _S229->threads_per_x_0, abs(_S228.y) * _S229->threads_per_y_0) * _S227->steps_per_thread_0, abs(_S228.z) * _S229->per_relief_0 * _S227->steps_per_relief_0);
+    Fabric_0 device* _S236 = kernelContext_17->fabrics_0+_S233;
+    return max(max(abs(_S235.x) * _S236->threads_per_x_0, abs(_S235.y) * _S236->threads_per_y_0) * _S234->steps_per_thread_0, abs(_S235.z) * _S236->per_relief_0 * _S234->steps_per_relief_0);
 }
 
-float cell_maximum_0(uint _S230, const Crossing_0 thread* _S231, KernelContext_0 thread* kernelContext_18)
+float cell_maximum_0(uint _S237, const Crossing_0 thread* _S238, KernelContext_0 thread* kernelContext_18)
 {
-    Fabric_0 device* _S232 = kernelContext_18->fabrics_0+_S230;
-    bool _S233 = _S231->warp_above_0;
-    uint _S234;
-    if(_S231->warp_above_0)
+    Fabric_0 device* _S239 = kernelContext_18->fabrics_0+_S237;
+    bool _S240 = _S238->warp_above_0;
+    uint _S241;
+    if(_S238->warp_above_0)
     {
-        _S234 = _S232->warp_0;
+        _S241 = _S239->warp_0;
     }
     else
     {
-        _S234 = _S232->weft_0;
+        _S241 = _S239->weft_0;
     }
-    uint _S235;
-    if(_S233)
-    {
-        _S235 = _S231->warp_word_0;
-    }
-    else
-    {
-        _S235 = _S231->weft_word_0;
-    }
-    return float(_S235 >> 28U) * kernelContext_18->families_0[_S234].height_scale_0 * kernelContext_18->families_0[_S234].level_0;
-}
-
-Probe_0 probe_0(uint _S236, float _S237, float _S238, bool _S239, bool _S240, bool _S241, KernelContext_0 thread* kernelContext_19)
-{
-    Sample_0 _S242 = sample_at_0(_S236, _S237, _S238, _S239, kernelContext_19);
-    thread Probe_0 probe_1;
-    (&probe_1)->height_0 = _S242.height_4;
-    (&probe_1)->hole_1 = _S242.shown_3.hole_0;
-    (&probe_1)->slope_x_0 = _S242.slope_x_1;
-    (&probe_1)->slope_y_0 = _S242.slope_y_1;
-    uint _S243;
-    if(_S242.shown_3.is_warp_0)
-    {
-        _S243 = _S242.crossing_1.warp_1.thread_0 * 2U + 1U;
-    }
-    else
-    {
-        _S243 = _S242.crossing_1.weft_1.thread_0 * 2U;
-    }
-    (&probe_1)->yarn_1 = _S243;
-    thread Crossing_0 _S244 = _S242.crossing_1;
-    float _S245 = cell_maximum_0(_S236, &_S244, kernelContext_19);
-    (&probe_1)->cell_max_0 = _S245;
-    float _S246;
+    uint _S242;
     if(_S240)
     {
-        _S246 = _S242.crossing_1.warp_1.above_0;
+        _S242 = _S238->warp_word_0;
     }
     else
     {
-        _S246 = _S242.crossing_1.warp_1.below_0;
+        _S242 = _S238->weft_word_0;
     }
-    (&probe_1)->side_x_0 = _S246;
-    if(_S241)
+    return float(_S242 >> 28U) * kernelContext_18->families_0[_S241].height_scale_0 * kernelContext_18->families_0[_S241].level_0;
+}
+
+Probe_0 probe_0(uint _S243, float _S244, float _S245, bool _S246, bool _S247, bool _S248, KernelContext_0 thread* kernelContext_19)
+{
+    Sample_0 _S249 = sample_at_0(_S243, _S244, _S245, _S246, kernelContext_19);
+    thread Probe_0 probe_1;
+    (&probe_1)->height_1 = _S249.height_5;
+    (&probe_1)->hole_1 = _S249.shown_3.hole_0;
+    (&probe_1)->slope_x_0 = _S249.slope_x_1;
+    (&probe_1)->slope_y_0 = _S249.slope_y_1;
+    uint _S250;
+    if(_S249.shown_3.is_warp_0)
     {
-        _S246 = _S242.crossing_1.weft_1.above_0;
+        _S250 = _S249.crossing_1.warp_1.thread_0 * 2U + 1U;
     }
     else
     {
-        _S246 = _S242.crossing_1.weft_1.below_0;
+        _S250 = _S249.crossing_1.weft_1.thread_0 * 2U;
     }
-    (&probe_1)->side_y_0 = _S246;
-    bool _S247 = !_S242.shown_3.is_warp_0;
-    thread Cell_0 _S248 = _S242.crossing_1.warp_1;
-    thread Shown_0 _S249 = _S242.shown_3;
-    thread Run_0 _S250 = _S242.run_3;
-    float _S251 = outline_distance_0(&_S248, &_S249, &_S250, _S247, _S240);
-    (&probe_1)->edge_x_0 = _S251;
-    thread Cell_0 _S252 = _S242.crossing_1.weft_1;
-    thread Shown_0 _S253 = _S242.shown_3;
-    thread Run_0 _S254 = _S242.run_3;
-    float _S255 = outline_distance_0(&_S252, &_S253, &_S254, _S242.shown_3.is_warp_0, _S241);
-    (&probe_1)->edge_y_0 = _S255;
+    (&probe_1)->yarn_1 = _S250;
+    thread Crossing_0 _S251 = _S249.crossing_1;
+    float _S252 = cell_maximum_0(_S243, &_S251, kernelContext_19);
+    (&probe_1)->cell_max_0 = _S252;
+    float _S253;
+    if(_S247)
+    {
+        _S253 = _S249.crossing_1.warp_1.above_0;
+    }
+    else
+    {
+        _S253 = _S249.crossing_1.warp_1.below_0;
+    }
+    (&probe_1)->side_x_0 = _S253;
+    if(_S248)
+    {
+        _S253 = _S249.crossing_1.weft_1.above_0;
+    }
+    else
+    {
+        _S253 = _S249.crossing_1.weft_1.below_0;
+    }
+    (&probe_1)->side_y_0 = _S253;
+    bool _S254 = !_S249.shown_3.is_warp_0;
+    thread Cell_0 _S255 = _S249.crossing_1.warp_1;
+    thread Shown_0 _S256 = _S249.shown_3;
+    thread Run_0 _S257 = _S249.run_3;
+    float _S258 = outline_distance_0(&_S255, &_S256, &_S257, _S254, _S247);
+    (&probe_1)->edge_x_0 = _S258;
+    thread Cell_0 _S259 = _S249.crossing_1.weft_1;
+    thread Shown_0 _S260 = _S249.shown_3;
+    thread Run_0 _S261 = _S249.run_3;
+    float _S262 = outline_distance_0(&_S259, &_S260, &_S261, _S249.shown_3.is_warp_0, _S248);
+    (&probe_1)->edge_y_0 = _S262;
     return probe_1;
 }
 
-bool is_free_0(uint _S256, const SearchQuality_0 thread* _S257, float3 _S258, float3 _S259, bool _S260, float _S261, KernelContext_0 thread* kernelContext_20)
+bool is_free_0(uint _S263, const SearchQuality_0 thread* _S264, float3 _S265, float3 _S266, bool _S267, float _S268, KernelContext_0 thread* kernelContext_20)
 {
-    float _S262 = _S259.z;
-    if(_S262 <= 0.0f)
+    float _S269 = _S266.z;
+    if(_S269 <= 0.0f)
     {
         return false;
     }
-    float _S263 = _S257->shadow_share_0;
-    float _S264 = steps_per_length_0(_S256, _S257, _S259, kernelContext_20);
-    float _S265 = 1.0f / max(_S263 * _S264, 9.99999971718068537e-10f);
-    StepControl_0 _S266 = step_control_0(_S259.xy, _S265);
+    float _S270 = _S264->shadow_share_0;
+    float _S271 = steps_per_length_0(_S263, _S264, _S266, kernelContext_20);
+    float _S272 = 1.0f / max(_S270 * _S271, 9.99999971718068537e-10f);
+    StepControl_0 _S273 = step_control_0(_S266.xy, _S272);
     PreviousSample_0 previous_3 = no_previous_sample_0();
     uint count_1 = 0U;
     float distance_1 = 0.0f;
     float last_step_0 = 0.0f;
     for(;;)
     {
-        bool _S267;
+        bool _S274;
         if(count_1 < 1024U)
         {
-            _S267 = (_S258.z + _S262 * distance_1) < _S261;
+            _S274 = (_S265.z + _S269 * distance_1) < _S268;
         }
         else
         {
-            _S267 = false;
+            _S274 = false;
         }
-        if(_S267)
+        if(_S274)
         {
         }
         else
         {
             break;
         }
-        float3 _S268 = _S258 + _S259 * float3(distance_1) ;
-        Probe_0 _S269 = probe_0(_S256, _S268.x, _S268.y, _S260, _S266.right_0, _S266.up_0, kernelContext_20);
-        float _S270 = _S268.z;
-        float _S271 = _S270 - _S269.height_0;
-        float _S272 = _S262 - _S269.slope_x_0 * _S259.x - _S269.slope_y_0 * _S259.y;
-        bool _S273;
-        if(!_S269.hole_1)
+        float3 _S275 = _S265 + _S266 * float3(distance_1) ;
+        Probe_0 _S276 = probe_0(_S263, _S275.x, _S275.y, _S267, _S273.right_0, _S273.up_0, kernelContext_20);
+        float _S277 = _S275.z;
+        float _S278 = _S277 - _S276.height_1;
+        float _S279 = _S269 - _S276.slope_x_0 * _S266.x - _S276.slope_y_0 * _S266.y;
+        bool _S280;
+        if(!_S276.hole_1)
         {
-            _S273 = _S271 < 0.0f;
+            _S280 = _S278 < 0.0f;
         }
         else
         {
-            _S273 = false;
+            _S280 = false;
         }
-        if(_S273)
+        if(_S280)
         {
             return false;
         }
-        thread PreviousSample_0 _S274 = previous_3;
-        thread Probe_0 _S275 = _S269;
-        float _S276 = way_back_to_dip_0(&_S274, _S271, _S272, last_step_0, &_S275);
-        if(_S276 >= 0.0f)
+        thread PreviousSample_0 _S281 = previous_3;
+        thread Probe_0 _S282 = _S276;
+        float _S283 = way_back_to_dip_0(&_S281, _S278, _S279, last_step_0, &_S282);
+        if(_S283 >= 0.0f)
         {
-            float last_step_1 = last_step_0 - _S276;
-            distance_1 = distance_1 - _S276;
+            float last_step_1 = last_step_0 - _S283;
+            distance_1 = distance_1 - _S283;
             last_step_0 = last_step_1;
             count_1 = count_1 + 1U;
             continue;
         }
-        bool _S277 = _S270 > (_S269.cell_max_0);
-        thread Probe_0 _S278 = _S269;
-        PreviousSample_0 _S279 = after_sample_0(_S271, _S272, &_S278, _S277);
+        bool _S284 = _S277 > (_S276.cell_max_0);
+        thread Probe_0 _S285 = _S276;
+        PreviousSample_0 _S286 = after_sample_0(_S278, _S279, &_S285, _S284);
         float last_step_2;
-        if(_S277)
+        if(_S284)
         {
-            thread StepControl_0 _S280 = _S266;
-            float _S281 = StepControl_to_cell_exit_0(&_S280, _S269.side_x_0, _S269.side_y_0);
-            last_step_2 = max(_S281, _S265);
+            thread StepControl_0 _S287 = _S273;
+            float _S288 = StepControl_to_cell_exit_0(&_S287, _S276.side_x_0, _S276.side_y_0);
+            last_step_2 = max(_S288, _S272);
         }
         else
         {
-            thread StepControl_0 _S282 = _S266;
-            thread Probe_0 _S283 = _S269;
-            float _S284 = StepControl_to_next_sample_0(&_S282, &_S283, _S271, _S272);
-            last_step_2 = _S284;
+            thread StepControl_0 _S289 = _S273;
+            thread Probe_0 _S290 = _S276;
+            float _S291 = StepControl_to_next_sample_0(&_S289, &_S290, _S278, _S279);
+            last_step_2 = _S291;
         }
         float distance_2 = distance_1 + last_step_2;
-        previous_3 = _S279;
+        previous_3 = _S286;
         distance_1 = distance_2;
         last_step_0 = last_step_2;
         count_1 = count_1 + 1U;
@@ -1716,55 +1831,55 @@ bool is_free_0(uint _S256, const SearchQuality_0 thread* _S257, float3 _S258, fl
     return true;
 }
 
-bool passes_through_0(uint _S285, const SearchQuality_0 thread* _S286, float _S287, float _S288, float3 _S289, bool _S290, KernelContext_0 thread* kernelContext_21)
+bool passes_through_0(uint _S292, const SearchQuality_0 thread* _S293, float _S294, float _S295, float3 _S296, bool _S297, KernelContext_0 thread* kernelContext_21)
 {
-    Fabric_0 device* _S291 = kernelContext_21->fabrics_0+_S285;
-    Sample_0 _S292 = sample_at_0(_S285, _S287, _S288, _S290, kernelContext_21);
-    if(!_S292.shown_3.hole_0)
+    Fabric_0 device* _S298 = kernelContext_21->fabrics_0+_S292;
+    Sample_0 _S299 = sample_at_0(_S292, _S294, _S295, _S297, kernelContext_21);
+    if(!_S299.shown_3.hole_0)
     {
         return false;
     }
-    float3 _S293 = float3(_S287, _S288, 0.0f);
+    float3 _S300 = float3(_S294, _S295, 0.0f);
     bool passes_0 = true;
     uint side_0 = 0U;
     for(;;)
     {
-        bool _S294;
+        bool _S301;
         if(side_0 < 2U)
         {
-            _S294 = passes_0;
+            _S301 = passes_0;
         }
         else
         {
-            _S294 = false;
+            _S301 = false;
         }
-        if(_S294)
+        if(_S301)
         {
         }
         else
         {
             break;
         }
-        float3 _S295;
+        float3 _S302;
         if(side_0 == 0U)
         {
-            _S295 = _S289;
+            _S302 = _S296;
         }
         else
         {
-            _S295 = float3(- _S289.x, - _S289.y, _S289.z);
+            _S302 = float3(- _S296.x, - _S296.y, _S296.z);
         }
-        bool _S296 = is_free_0(_S285, _S286, _S293, _S295, _S290 != (side_0 == 1U), _S291->height_high_0, kernelContext_21);
-        uint _S297 = side_0 + 1U;
-        passes_0 = _S296;
-        side_0 = _S297;
+        bool _S303 = is_free_0(_S292, _S293, _S300, _S302, _S297 != (side_0 == 1U), _S298->height_high_0, kernelContext_21);
+        uint _S304 = side_0 + 1U;
+        passes_0 = _S303;
+        side_0 = _S304;
     }
     return passes_0;
 }
 
 struct ViewRayEnd_0
 {
-    float height_5;
+    float height_6;
     float last_step_3;
     float depth_1;
     float rate_4;
@@ -1772,36 +1887,36 @@ struct ViewRayEnd_0
     PreviousSample_0 previous_4;
 };
 
-float max_height_along_0(uint _S298, float _S299, float _S300, float _S301, float3 _S302, bool _S303, KernelContext_0 thread* kernelContext_22)
+float max_height_along_0(uint _S305, float _S306, float _S307, float _S308, float3 _S309, bool _S310, KernelContext_0 thread* kernelContext_22)
 {
-    Fabric_0 device* _S304 = kernelContext_22->fabrics_0+_S298;
-    Cell_0 _S305 = locate_0(_S304->warp_0, _S299, kernelContext_22);
-    uint _S306 = _S305.thread_0 / 2U;
-    Cell_0 _S307 = locate_0(_S304->weft_0, _S300, kernelContext_22);
-    uint _S308 = _S307.thread_0 / 2U;
-    float _S309 = _S302.x;
-    uint _S310;
-    if(_S309 > 0.0f)
+    Fabric_0 device* _S311 = kernelContext_22->fabrics_0+_S305;
+    Cell_0 _S312 = locate_0(_S311->warp_0, _S306, kernelContext_22);
+    uint _S313 = _S312.thread_0 / 2U;
+    Cell_0 _S314 = locate_0(_S311->weft_0, _S307, kernelContext_22);
+    uint _S315 = _S314.thread_0 / 2U;
+    float _S316 = _S309.x;
+    uint _S317;
+    if(_S316 > 0.0f)
     {
-        _S310 = 1U;
+        _S317 = 1U;
     }
     else
     {
-        _S310 = 0U;
+        _S317 = 0U;
     }
-    float _S311 = _S302.y;
-    uint _S312;
-    if(_S311 > 0.0f)
+    float _S318 = _S309.y;
+    uint _S319;
+    if(_S318 > 0.0f)
     {
-        _S312 = 2U;
+        _S319 = 2U;
     }
     else
     {
-        _S312 = 0U;
+        _S319 = 0U;
     }
-    uint _S313 = kernelContext_22->words_0[_S304->max_heights_0 + 4U * (_S308 * _S304->max_height_columns_0 + _S306) + (_S310 + _S312)];
+    uint _S320 = kernelContext_22->words_0[_S311->max_heights_0 + 4U * (_S315 * _S311->max_height_columns_0 + _S313) + (_S317 + _S319)];
     int number_0;
-    if(_S303)
+    if(_S310)
     {
         number_0 = int(4);
     }
@@ -1809,10 +1924,10 @@ float max_height_along_0(uint _S298, float _S299, float _S300, float _S301, floa
     {
         number_0 = int(0);
     }
-    uint _S314 = _S313 >> uint(number_0);
-    float _S315 = max(abs(_S309) * _S304->threads_per_x_0, abs(_S311) * _S304->threads_per_y_0) / _S302.z;
-    float _S316 = _S304->height_high_0;
-    float max_height_0 = _S304->height_high_0;
+    uint _S321 = _S320 >> uint(number_0);
+    float _S322 = max(abs(_S316) * _S311->threads_per_x_0, abs(_S318) * _S311->threads_per_y_0) / _S309.z;
+    float _S323 = _S311->height_high_0;
+    float max_height_0 = _S311->height_high_0;
     number_0 = int(3);
     for(;;)
     {
@@ -1823,46 +1938,46 @@ float max_height_along_0(uint _S298, float _S299, float _S300, float _S301, floa
         {
             break;
         }
-        if(((max_height_0 - _S301) * _S315) <= (PYRAMID_RADII_0[number_0]))
+        if(((max_height_0 - _S308) * _S322) <= (PYRAMID_RADII_0[number_0]))
         {
-            max_height_0 = min(max_height_0, float((_S314 >> uint(int(8) * number_0)) & 15U) * 0.06666667014360428f * _S316);
+            max_height_0 = min(max_height_0, float((_S321 >> uint(int(8) * number_0)) & 15U) * 0.06666667014360428f * _S323);
         }
         number_0 = number_0 - int(1);
     }
     return max_height_0;
 }
 
-float3 cell_bounds_0(uint _S317, float _S318, float _S319, bool _S320, bool _S321, bool _S322, KernelContext_0 thread* kernelContext_23)
+float3 cell_bounds_0(uint _S324, float _S325, float _S326, bool _S327, bool _S328, bool _S329, KernelContext_0 thread* kernelContext_23)
 {
-    Crossing_0 _S323 = crossing_at_0(_S317, _S318, _S319, _S320, kernelContext_23);
-    thread Crossing_0 _S324 = _S323;
-    float _S325 = cell_maximum_0(_S317, &_S324, kernelContext_23);
-    float _S326;
-    if(_S321)
+    Crossing_0 _S330 = crossing_at_0(_S324, _S325, _S326, _S327, kernelContext_23);
+    thread Crossing_0 _S331 = _S330;
+    float _S332 = cell_maximum_0(_S324, &_S331, kernelContext_23);
+    float _S333;
+    if(_S328)
     {
-        _S326 = _S323.warp_1.above_0;
+        _S333 = _S330.warp_1.above_0;
     }
     else
     {
-        _S326 = _S323.warp_1.below_0;
+        _S333 = _S330.warp_1.below_0;
     }
-    float _S327;
-    if(_S322)
+    float _S334;
+    if(_S329)
     {
-        _S327 = _S323.weft_1.above_0;
+        _S334 = _S330.weft_1.above_0;
     }
     else
     {
-        _S327 = _S323.weft_1.below_0;
+        _S334 = _S330.weft_1.below_0;
     }
-    return float3(_S325, _S326, _S327);
+    return float3(_S332, _S333, _S334);
 }
 
-float first_sample_height_0(uint _S328, const ViewRay_0 thread* _S329, const StepControl_0 thread* _S330, bool _S331, KernelContext_0 thread* kernelContext_24)
+float first_sample_height_0(uint _S335, const ViewRay_0 thread* _S336, const StepControl_0 thread* _S337, bool _S338, KernelContext_0 thread* kernelContext_24)
 {
-    float _S332 = max_height_along_0(_S328, _S329->origin_0.x, _S329->origin_0.y, 0.0f, float3(_S329->slope_1, 1.0f), _S331, kernelContext_24);
+    float _S339 = max_height_along_0(_S335, _S336->origin_0.x, _S336->origin_0.y, 0.0f, float3(_S336->slope_1, 1.0f), _S338, kernelContext_24);
     uint count_2 = 0U;
-    float height_6 = _S332;
+    float height_7 = _S339;
     for(;;)
     {
         if(count_2 < 1024U)
@@ -1872,30 +1987,30 @@ float first_sample_height_0(uint _S328, const ViewRay_0 thread* _S329, const Ste
         {
             break;
         }
-        float2 _S333 = ViewRay_at_0(_S329, height_6);
-        float3 _S334 = cell_bounds_0(_S328, _S333.x, _S333.y, _S331, _S330->right_0, _S330->up_0, kernelContext_24);
-        float _S335 = height_6 - _S334.x;
-        float _S336 = StepControl_to_cell_exit_0(_S330, _S334.y, _S334.z);
-        float height_7 = height_6 - clamp(_S335, 0.0f, _S336);
-        if(_S335 <= _S336)
+        float2 _S340 = ViewRay_at_0(_S336, height_7);
+        float3 _S341 = cell_bounds_0(_S335, _S340.x, _S340.y, _S338, _S337->right_0, _S337->up_0, kernelContext_24);
+        float _S342 = height_7 - _S341.x;
+        float _S343 = StepControl_to_cell_exit_0(_S337, _S341.y, _S341.z);
+        float height_8 = height_7 - clamp(_S342, 0.0f, _S343);
+        if(_S342 <= _S343)
         {
-            height_6 = height_7;
+            height_7 = height_8;
             break;
         }
         count_2 = count_2 + 1U;
-        height_6 = height_7;
+        height_7 = height_8;
     }
-    return height_6;
+    return height_7;
 }
 
-ViewRayEnd_0 search_down_0(uint _S337, const ViewRay_0 thread* _S338, const StepControl_0 thread* _S339, bool _S340, KernelContext_0 thread* kernelContext_25)
+ViewRayEnd_0 search_down_0(uint _S344, const ViewRay_0 thread* _S345, const StepControl_0 thread* _S346, bool _S347, KernelContext_0 thread* kernelContext_25)
 {
-    Fabric_0 device* _S341 = kernelContext_25->fabrics_0+_S337;
-    float _S342 = _S341->height_low_0 - (_S341->height_high_0 - _S341->height_low_0);
+    Fabric_0 device* _S348 = kernelContext_25->fabrics_0+_S344;
+    float _S349 = _S348->height_low_0 - (_S348->height_high_0 - _S348->height_low_0);
     thread ViewRayEnd_0 end_1;
-    float _S343 = first_sample_height_0(_S337, _S338, _S339, _S340, kernelContext_25);
-    (&end_1)->height_5 = _S343;
-    (&end_1)->last_step_3 = _S339->epsilon_0;
+    float _S350 = first_sample_height_0(_S344, _S345, _S346, _S347, kernelContext_25);
+    (&end_1)->height_6 = _S350;
+    (&end_1)->last_step_3 = _S346->epsilon_0;
     (&end_1)->previous_4 = no_previous_sample_0();
     (&end_1)->depth_1 = 0.0f;
     (&end_1)->rate_4 = 0.0f;
@@ -1910,164 +2025,164 @@ ViewRayEnd_0 search_down_0(uint _S337, const ViewRay_0 thread* _S338, const Step
         {
             break;
         }
-        float2 _S344 = ViewRay_at_0(_S338, (&end_1)->height_5);
-        Probe_0 _S345 = probe_0(_S337, _S344.x, _S344.y, _S340, _S339->right_0, _S339->up_0, kernelContext_25);
-        float _S346 = (&end_1)->height_5 - _S345.height_0;
-        thread Probe_0 _S347 = _S345;
-        float _S348 = ViewRay_rate_0(_S338, &_S347);
-        (&end_1)->depth_1 = - _S346;
-        (&end_1)->rate_4 = _S348;
-        bool _S349;
+        float2 _S351 = ViewRay_at_0(_S345, (&end_1)->height_6);
+        Probe_0 _S352 = probe_0(_S344, _S351.x, _S351.y, _S347, _S346->right_0, _S346->up_0, kernelContext_25);
+        float _S353 = (&end_1)->height_6 - _S352.height_1;
+        thread Probe_0 _S354 = _S352;
+        float _S355 = ViewRay_rate_0(_S345, &_S354);
+        (&end_1)->depth_1 = - _S353;
+        (&end_1)->rate_4 = _S355;
+        bool _S356;
         if((&(&end_1)->previous_4)->known_0)
         {
-            _S349 = !_S345.hole_1;
+            _S356 = !_S352.hole_1;
         }
         else
         {
-            _S349 = false;
+            _S356 = false;
         }
-        bool _S350;
-        if(_S349)
+        bool _S357;
+        if(_S356)
         {
-            _S350 = ((&(&end_1)->previous_4)->yarn_0) == (_S345.yarn_1);
+            _S357 = ((&(&end_1)->previous_4)->yarn_0) == (_S352.yarn_1);
         }
         else
         {
-            _S350 = false;
+            _S357 = false;
         }
-        (&end_1)->smooth_0 = _S350;
-        bool _S351;
-        if(!_S345.hole_1)
+        (&end_1)->smooth_0 = _S357;
+        bool _S358;
+        if(!_S352.hole_1)
         {
-            _S351 = _S346 <= 0.0f;
+            _S358 = _S353 <= 0.0f;
         }
         else
         {
-            _S351 = false;
+            _S358 = false;
         }
-        bool _S352;
-        if(_S351)
+        bool _S359;
+        if(_S358)
         {
-            _S352 = true;
+            _S359 = true;
         }
         else
         {
-            _S352 = ((&end_1)->height_5) <= _S342;
+            _S359 = ((&end_1)->height_6) <= _S349;
         }
-        if(_S352)
+        if(_S359)
         {
             break;
         }
-        thread PreviousSample_0 _S353 = (&end_1)->previous_4;
-        thread Probe_0 _S354 = _S345;
-        float _S355 = way_back_to_dip_0(&_S353, _S346, _S348, (&end_1)->last_step_3, &_S354);
-        if(_S355 >= 0.0f)
+        thread PreviousSample_0 _S360 = (&end_1)->previous_4;
+        thread Probe_0 _S361 = _S352;
+        float _S362 = way_back_to_dip_0(&_S360, _S353, _S355, (&end_1)->last_step_3, &_S361);
+        if(_S362 >= 0.0f)
         {
-            (&end_1)->height_5 = (&end_1)->height_5 + _S355;
-            (&end_1)->last_step_3 = (&end_1)->last_step_3 - _S355;
+            (&end_1)->height_6 = (&end_1)->height_6 + _S362;
+            (&end_1)->last_step_3 = (&end_1)->last_step_3 - _S362;
             count_3 = count_3 + 1U;
             continue;
         }
-        float _S356 = StepControl_to_cell_exit_0(_S339, _S345.side_x_0, _S345.side_y_0);
-        float _S357 = min(_S356, (&end_1)->height_5 - _S345.cell_max_0);
-        thread Probe_0 _S358 = _S345;
-        float _S359 = StepControl_to_next_sample_0(_S339, &_S358, _S346, _S348);
-        bool _S360 = _S357 > _S359;
-        thread Probe_0 _S361 = _S345;
-        PreviousSample_0 _S362 = after_sample_0(_S346, _S348, &_S361, _S360);
-        (&end_1)->previous_4 = _S362;
-        float _S363 = max(_S357, _S359);
-        (&end_1)->last_step_3 = _S363;
-        (&end_1)->height_5 = (&end_1)->height_5 - _S363;
+        float _S363 = StepControl_to_cell_exit_0(_S346, _S352.side_x_0, _S352.side_y_0);
+        float _S364 = min(_S363, (&end_1)->height_6 - _S352.cell_max_0);
+        thread Probe_0 _S365 = _S352;
+        float _S366 = StepControl_to_next_sample_0(_S346, &_S365, _S353, _S355);
+        bool _S367 = _S364 > _S366;
+        thread Probe_0 _S368 = _S352;
+        PreviousSample_0 _S369 = after_sample_0(_S353, _S355, &_S368, _S367);
+        (&end_1)->previous_4 = _S369;
+        float _S370 = max(_S364, _S366);
+        (&end_1)->last_step_3 = _S370;
+        (&end_1)->height_6 = (&end_1)->height_6 - _S370;
         count_3 = count_3 + 1U;
     }
     return end_1;
 }
 
-float refined_height_0(uint _S364, const ViewRay_0 thread* _S365, const StepControl_0 thread* _S366, bool _S367, const ViewRayEnd_0 thread* _S368, uint _S369, KernelContext_0 thread* kernelContext_26)
+float refined_height_0(uint _S371, const ViewRay_0 thread* _S372, const StepControl_0 thread* _S373, bool _S374, const ViewRayEnd_0 thread* _S375, uint _S376, KernelContext_0 thread* kernelContext_26)
 {
-    Fabric_0 device* _S370 = kernelContext_26->fabrics_0+_S364;
-    float _S371 = _S370->height_high_0 - _S370->height_low_0;
-    float _S372 = _S368->height_5;
-    float _S373 = _S368->last_step_3;
-    float above_2 = _S368->height_5 + _S368->last_step_3;
-    float above_gap_1 = clamp((&_S368->previous_4)->clearance_0, 0.0f, _S371);
-    float under_gap_1 = clamp(_S368->depth_1, 0.0f, _S371);
-    float _S374 = cubic_root_0(above_gap_1, - under_gap_1, (&_S368->previous_4)->rate_0 * _S368->last_step_3, _S368->rate_4 * _S368->last_step_3);
-    bool _S375 = _S368->smooth_0;
+    Fabric_0 device* _S377 = kernelContext_26->fabrics_0+_S371;
+    float _S378 = _S377->height_high_0 - _S377->height_low_0;
+    float _S379 = _S375->height_6;
+    float _S380 = _S375->last_step_3;
+    float above_2 = _S375->height_6 + _S375->last_step_3;
+    float above_gap_1 = clamp((&_S375->previous_4)->clearance_0, 0.0f, _S378);
+    float under_gap_1 = clamp(_S375->depth_1, 0.0f, _S378);
+    float _S381 = cubic_root_0(above_gap_1, - under_gap_1, (&_S375->previous_4)->rate_0 * _S375->last_step_3, _S375->rate_4 * _S375->last_step_3);
+    bool _S382 = _S375->smooth_0;
     float middle_0;
-    if(_S368->smooth_0)
+    if(_S375->smooth_0)
     {
-        middle_0 = above_2 - _S374 * _S373;
+        middle_0 = above_2 - _S381 * _S380;
     }
     else
     {
-        middle_0 = between_0(above_2, _S372, above_gap_1, under_gap_1);
+        middle_0 = between_0(above_2, _S379, above_gap_1, under_gap_1);
     }
     float side_1 = 0.0f;
     float above_gap_2 = above_gap_1;
     float under_gap_2 = under_gap_1;
-    float under_1 = _S372;
+    float under_1 = _S379;
     float above_3 = above_2;
     uint i_1 = 0U;
     for(;;)
     {
-        if(i_1 < _S369)
+        if(i_1 < _S376)
         {
         }
         else
         {
             break;
         }
-        float2 _S376 = ViewRay_at_0(_S365, middle_0);
-        Probe_0 _S377 = probe_0(_S364, _S376.x, _S376.y, _S367, _S366->right_0, _S366->up_0, kernelContext_26);
-        float _S378;
-        if(_S377.hole_1)
+        float2 _S383 = ViewRay_at_0(_S372, middle_0);
+        Probe_0 _S384 = probe_0(_S371, _S383.x, _S383.y, _S374, _S373->right_0, _S373->up_0, kernelContext_26);
+        float _S385;
+        if(_S384.hole_1)
         {
-            _S378 = -1.0e+09f;
+            _S385 = -1.0e+09f;
         }
         else
         {
-            _S378 = _S377.height_0;
+            _S385 = _S384.height_1;
         }
-        float _S379 = clamp(middle_0 - _S378, - _S371, _S371);
-        float _S380;
-        if(_S379 <= 0.0f)
+        float _S386 = clamp(middle_0 - _S385, - _S378, _S378);
+        float _S387;
+        if(_S386 <= 0.0f)
         {
             if(side_1 > 0.0f)
             {
-                _S380 = 0.5f * above_gap_2;
+                _S387 = 0.5f * above_gap_2;
             }
             else
             {
-                _S380 = above_gap_2;
+                _S387 = above_gap_2;
             }
-            float _S381 = - _S379;
+            float _S388 = - _S386;
             under_1 = middle_0;
-            above_gap_2 = _S380;
-            under_gap_2 = _S381;
+            above_gap_2 = _S387;
+            under_gap_2 = _S388;
             side_1 = 1.0f;
         }
         else
         {
             if(side_1 < 0.0f)
             {
-                _S380 = 0.5f * under_gap_2;
+                _S387 = 0.5f * under_gap_2;
             }
             else
             {
-                _S380 = under_gap_2;
+                _S387 = under_gap_2;
             }
             above_3 = middle_0;
-            above_gap_2 = _S379;
-            under_gap_2 = _S380;
+            above_gap_2 = _S386;
+            under_gap_2 = _S387;
             side_1 = -1.0f;
         }
-        if(_S375)
+        if(_S382)
         {
-            thread Probe_0 _S382 = _S377;
-            float _S383 = ViewRay_rate_0(_S365, &_S382);
-            middle_0 = clamp(middle_0 + _S379 / min(_S383, -9.99999997475242708e-07f), under_1, above_3);
+            thread Probe_0 _S389 = _S384;
+            float _S390 = ViewRay_rate_0(_S372, &_S389);
+            middle_0 = clamp(middle_0 + _S386 / min(_S390, -9.99999997475242708e-07f), under_1, above_3);
         }
         else
         {
@@ -2075,7 +2190,7 @@ float refined_height_0(uint _S364, const ViewRay_0 thread* _S365, const StepCont
         }
         i_1 = i_1 + 1U;
     }
-    if(_S375)
+    if(_S382)
     {
     }
     else
@@ -2085,45 +2200,45 @@ float refined_height_0(uint _S364, const ViewRay_0 thread* _S365, const StepCont
     return middle_0;
 }
 
-Hit_0 first_hit_of_yarn_0(uint _S384, const SearchQuality_0 thread* _S385, float _S386, float _S387, float3 _S388, bool _S389, KernelContext_0 thread* kernelContext_27)
+Hit_0 first_hit_of_yarn_0(uint _S391, const SearchQuality_0 thread* _S392, float _S393, float _S394, float3 _S395, bool _S396, KernelContext_0 thread* kernelContext_27)
 {
-    float _S390 = max(_S388.z, 0.00009999999747379f);
+    float _S397 = max(_S395.z, 0.00009999999747379f);
     thread ViewRay_0 ray_0;
-    (&ray_0)->origin_0 = float2(_S386, _S387);
-    float2 _S391 = _S388.xy / float2(_S390) ;
-    (&ray_0)->slope_1 = _S391;
-    float2 _S392 = - _S391;
-    float _S393 = steps_per_length_0(_S384, _S385, _S388, kernelContext_27);
-    StepControl_0 _S394 = step_control_0(_S392, 1.0f / max(_S393 / _S390, 9.99999971718068537e-10f));
-    thread ViewRay_0 _S395 = ray_0;
-    thread StepControl_0 _S396 = _S394;
-    ViewRayEnd_0 _S397 = search_down_0(_S384, &_S395, &_S396, _S389, kernelContext_27);
+    (&ray_0)->origin_0 = float2(_S393, _S394);
+    float2 _S398 = _S395.xy / float2(_S397) ;
+    (&ray_0)->slope_1 = _S398;
+    float2 _S399 = - _S398;
+    float _S400 = steps_per_length_0(_S391, _S392, _S395, kernelContext_27);
+    StepControl_0 _S401 = step_control_0(_S399, 1.0f / max(_S400 / _S397, 9.99999971718068537e-10f));
+    thread ViewRay_0 _S402 = ray_0;
+    thread StepControl_0 _S403 = _S401;
+    ViewRayEnd_0 _S404 = search_down_0(_S391, &_S402, &_S403, _S396, kernelContext_27);
     thread Hit_0 hit_0;
     (&hit_0)->hole_3 = false;
-    thread ViewRay_0 _S398 = ray_0;
-    thread StepControl_0 _S399 = _S394;
-    thread ViewRayEnd_0 _S400 = _S397;
-    float _S401 = refined_height_0(_S384, &_S398, &_S399, _S389, &_S400, _S385->refinements_0, kernelContext_27);
-    (&hit_0)->height_3 = _S401;
-    thread ViewRay_0 _S402 = ray_0;
-    float2 _S403 = ViewRay_at_0(&_S402, _S401);
-    (&hit_0)->x_8 = _S403.x;
-    (&hit_0)->y_4 = _S403.y;
+    thread ViewRay_0 _S405 = ray_0;
+    thread StepControl_0 _S406 = _S401;
+    thread ViewRayEnd_0 _S407 = _S404;
+    float _S408 = refined_height_0(_S391, &_S405, &_S406, _S396, &_S407, _S392->refinements_0, kernelContext_27);
+    (&hit_0)->height_4 = _S408;
+    thread ViewRay_0 _S409 = ray_0;
+    float2 _S410 = ViewRay_at_0(&_S409, _S408);
+    (&hit_0)->x_8 = _S410.x;
+    (&hit_0)->y_4 = _S410.y;
     return hit_0;
 }
 
-Hit_0 first_hit_0(uint _S404, const SearchQuality_0 thread* _S405, float _S406, float _S407, float3 _S408, bool _S409, KernelContext_0 thread* kernelContext_28)
+Hit_0 first_hit_0(uint _S411, const SearchQuality_0 thread* _S412, float _S413, float _S414, float3 _S415, bool _S416, KernelContext_0 thread* kernelContext_28)
 {
-    bool _S410 = passes_through_0(_S404, _S405, _S406, _S407, _S408, _S409, kernelContext_28);
-    if(!_S410)
+    bool _S417 = passes_through_0(_S411, _S412, _S413, _S414, _S415, _S416, kernelContext_28);
+    if(!_S417)
     {
-        Hit_0 _S411 = first_hit_of_yarn_0(_S404, _S405, _S406, _S407, _S408, _S409, kernelContext_28);
-        return _S411;
+        Hit_0 _S418 = first_hit_of_yarn_0(_S411, _S412, _S413, _S414, _S415, _S416, kernelContext_28);
+        return _S418;
     }
     thread Hit_0 hit_1;
-    (&hit_1)->x_8 = _S406;
-    (&hit_1)->y_4 = _S407;
-    (&hit_1)->height_3 = 0.0f;
+    (&hit_1)->x_8 = _S413;
+    (&hit_1)->y_4 = _S414;
+    (&hit_1)->height_4 = 0.0f;
     (&hit_1)->hole_3 = true;
     return hit_1;
 }
@@ -2134,7 +2249,7 @@ struct SurfacePoint_0
     bool is_warp_2;
     uint warp_thread_0;
     uint weft_thread_0;
-    float height_8;
+    float height_9;
     float3 normal_4;
     float3 tangent_5;
     float across_2;
@@ -2142,396 +2257,658 @@ struct SurfacePoint_0
     float fibre_along_0;
 };
 
-SurfacePoint_0 surface_at_0(uint _S412, float _S413, float _S414, bool _S415, KernelContext_0 thread* kernelContext_29)
+SurfacePoint_0 surface_at_0(uint _S419, float _S420, float _S421, bool _S422, KernelContext_0 thread* kernelContext_29)
 {
-    Fabric_0 device* _S416 = kernelContext_29->fabrics_0+_S412;
-    Sample_0 _S417 = sample_at_0(_S412, _S413, _S414, _S415, kernelContext_29);
-    float _S418;
-    if(_S417.shown_3.is_warp_0)
-    {
-        _S418 = _S417.crossing_1.warp_1.half_width_1;
-    }
-    else
-    {
-        _S418 = _S417.crossing_1.weft_1.half_width_1;
-    }
-    uint _S419;
-    if(_S417.shown_3.is_warp_0)
-    {
-        _S419 = _S416->warp_0;
-    }
-    else
-    {
-        _S419 = _S416->weft_0;
-    }
-    Family_0 _S420 = kernelContext_29->families_0[_S419];
-    float _S421;
-    if(_S415)
-    {
-        _S421 = -1.0f;
-    }
-    else
-    {
-        _S421 = 1.0f;
-    }
-    float _S422 = _S420.twist_sine_0 * _S421;
-    Family_0 _S423 = kernelContext_29->families_0[_S419];
-    if(_S417.shown_3.is_warp_0)
-    {
-        _S421 = 1.0f;
-    }
-    else
-    {
-        _S421 = -1.0f;
-    }
-    float2 _S424 = fibre_direction_0(_S417.slope_across_0, _S421 * _S417.slope_along_0, _S422, _S423.twist_cosine_0);
+    Fabric_0 device* _S423 = kernelContext_29->fabrics_0+_S419;
+    Sample_0 _S424 = sample_at_0(_S419, _S420, _S421, _S422, kernelContext_29);
     float _S425;
-    if(_S417.shown_3.is_warp_0)
+    if(_S424.shown_3.is_warp_0)
     {
-        _S425 = _S417.slope_x_1;
+        _S425 = _S424.crossing_1.warp_1.half_width_1;
     }
     else
     {
-        _S425 = _S417.slope_y_1;
+        _S425 = _S424.crossing_1.weft_1.half_width_1;
     }
-    float _S426;
-    if(_S417.shown_3.is_warp_0)
+    uint _S426;
+    if(_S424.shown_3.is_warp_0)
     {
-        _S426 = _S417.slope_y_1;
-    }
-    else
-    {
-        _S426 = _S417.slope_x_1;
-    }
-    float _S427 = _S424.x;
-    float _S428 = _S424.y;
-    float _S429 = _S425 * _S427 + _S421 * _S426 * _S428;
-    float _S430 = _S418 * 1.0154266357421875f;
-    float _S431 = _S430 * arc_sine_0(clamp(_S417.section_1.across_1 / _S430, -1.0f, 1.0f));
-    if(_S417.shown_3.is_warp_0)
-    {
-        _S418 = _S414;
+        _S426 = _S423->warp_0;
     }
     else
     {
-        _S418 = - _S413;
+        _S426 = _S423->weft_0;
+    }
+    Family_0 _S427 = kernelContext_29->families_0[_S426];
+    float _S428;
+    if(_S422)
+    {
+        _S428 = -1.0f;
+    }
+    else
+    {
+        _S428 = 1.0f;
+    }
+    float _S429 = _S427.twist_sine_0 * _S428;
+    Family_0 _S430 = kernelContext_29->families_0[_S426];
+    if(_S424.shown_3.is_warp_0)
+    {
+        _S428 = 1.0f;
+    }
+    else
+    {
+        _S428 = -1.0f;
+    }
+    float2 _S431 = fibre_direction_0(_S424.slope_across_0, _S428 * _S424.slope_along_0, _S429, _S430.twist_cosine_0);
+    float _S432;
+    if(_S424.shown_3.is_warp_0)
+    {
+        _S432 = _S424.slope_x_1;
+    }
+    else
+    {
+        _S432 = _S424.slope_y_1;
+    }
+    float _S433;
+    if(_S424.shown_3.is_warp_0)
+    {
+        _S433 = _S424.slope_y_1;
+    }
+    else
+    {
+        _S433 = _S424.slope_x_1;
+    }
+    float _S434 = _S431.x;
+    float _S435 = _S431.y;
+    float _S436 = _S432 * _S434 + _S428 * _S433 * _S435;
+    float _S437 = _S425 * 1.0154266357421875f;
+    float _S438 = _S437 * arc_sine_0(clamp(_S424.section_1.across_1 / _S437, -1.0f, 1.0f));
+    if(_S424.shown_3.is_warp_0)
+    {
+        _S425 = _S421;
+    }
+    else
+    {
+        _S425 = - _S420;
     }
     thread SurfacePoint_0 point_0;
-    (&point_0)->hole_4 = _S417.shown_3.hole_0;
-    (&point_0)->is_warp_2 = _S417.shown_3.is_warp_0;
-    (&point_0)->warp_thread_0 = _S417.crossing_1.warp_1.thread_0;
-    (&point_0)->weft_thread_0 = _S417.crossing_1.weft_1.thread_0;
-    (&point_0)->height_8 = _S417.height_4;
-    (&point_0)->normal_4 = normalize(float3(- _S417.slope_x_1, - _S417.slope_y_1, 1.0f));
-    float3 _S432;
-    if(_S417.shown_3.is_warp_0)
+    (&point_0)->hole_4 = _S424.shown_3.hole_0;
+    (&point_0)->is_warp_2 = _S424.shown_3.is_warp_0;
+    (&point_0)->warp_thread_0 = _S424.crossing_1.warp_1.thread_0;
+    (&point_0)->weft_thread_0 = _S424.crossing_1.weft_1.thread_0;
+    (&point_0)->height_9 = _S424.height_5;
+    (&point_0)->normal_4 = normalize(float3(- _S424.slope_x_1, - _S424.slope_y_1, 1.0f));
+    float3 _S439;
+    if(_S424.shown_3.is_warp_0)
     {
-        _S432 = float3(_S427, _S428, _S429);
+        _S439 = float3(_S434, _S435, _S436);
     }
     else
     {
-        _S432 = float3(- _S428, _S427, _S429);
+        _S439 = float3(- _S435, _S434, _S436);
     }
-    (&point_0)->tangent_5 = normalize(_S432);
-    (&point_0)->across_2 = _S417.section_1.across_1;
-    (&point_0)->fibre_across_0 = _S431 * _S423.twist_cosine_0 + _S418 * _S422;
-    (&point_0)->fibre_along_0 = _S418 * _S423.twist_cosine_0 - _S431 * _S422;
+    (&point_0)->tangent_5 = normalize(_S439);
+    (&point_0)->across_2 = _S424.section_1.across_1;
+    (&point_0)->fibre_across_0 = _S438 * _S430.twist_cosine_0 + _S425 * _S429;
+    (&point_0)->fibre_along_0 = _S425 * _S430.twist_cosine_0 - _S438 * _S429;
     return point_0;
 }
 
-Albedos_0 vary_albedos_0(uint _S433, const Albedos_0 thread* _S434, uint _S435, uint _S436, KernelContext_0 thread* kernelContext_30)
+Albedos_0 vary_albedos_0(uint _S440, const Albedos_0 thread* _S441, uint _S442, uint _S443, KernelContext_0 thread* kernelContext_30)
 {
-    Fabric_0 device* _S437 = kernelContext_30->fabrics_0+_S433;
-    float3 _S438 = max(_S434->specular_reflect_0, _S434->specular_transmit_0);
-    float3 _S439 = _S434->diffuse_reflect_0 + _S434->diffuse_transmit_0;
-    float3 _S440 = float3(_S437->layer_bound_0) ;
-    float3 _S441 = float3(1.0f) ;
-    float3 _S442 = float3(bounded_gain_0(thread_gain_0(_S435, _S437->colour_noise_0, _S437->seed_0), _S439, _S441 - _S440 * _S438)) ;
-    float _S443 = bounded_gain_0(fibre_gain_0(_S435, _S436, _S437->fibre_noise_0, _S437->seed_0), _S438, min((_S441 - _S442 * _S439) / _S440, float3(1.0f) ));
+    Fabric_0 device* _S444 = kernelContext_30->fabrics_0+_S440;
+    float3 _S445 = max(_S441->specular_reflect_0, _S441->specular_transmit_0);
+    float3 _S446 = _S441->diffuse_reflect_0 + _S441->diffuse_transmit_0;
+    float3 _S447 = float3(_S444->layer_bound_0) ;
+    float3 _S448 = float3(1.0f) ;
+    float3 _S449 = float3(bounded_gain_0(thread_gain_0(_S442, _S444->colour_noise_0, _S444->seed_0), _S446, _S448 - _S447 * _S445)) ;
+    float _S450 = bounded_gain_0(fibre_gain_0(_S442, _S443, _S444->fibre_noise_0, _S444->seed_0), _S445, min((_S448 - _S449 * _S446) / _S447, float3(1.0f) ));
     thread Albedos_0 varied_0;
-    (&varied_0)->diffuse_reflect_0 = _S442 * _S434->diffuse_reflect_0;
-    (&varied_0)->diffuse_transmit_0 = _S442 * _S434->diffuse_transmit_0;
-    float3 _S444 = float3(_S443) ;
-    (&varied_0)->specular_reflect_0 = _S444 * _S434->specular_reflect_0;
-    (&varied_0)->specular_transmit_0 = _S444 * _S434->specular_transmit_0;
+    (&varied_0)->diffuse_reflect_0 = _S449 * _S441->diffuse_reflect_0;
+    (&varied_0)->diffuse_transmit_0 = _S449 * _S441->diffuse_transmit_0;
+    float3 _S451 = float3(_S450) ;
+    (&varied_0)->specular_reflect_0 = _S451 * _S441->specular_reflect_0;
+    (&varied_0)->specular_transmit_0 = _S451 * _S441->specular_transmit_0;
     return varied_0;
 }
 
-Albedos_0 varied_at_0(uint _S445, const SurfacePoint_0 thread* _S446, const Albedos_0 thread* _S447, float _S448, float _S449, KernelContext_0 thread* kernelContext_31)
+Albedos_0 varied_at_0(uint _S452, const SurfacePoint_0 thread* _S453, const Albedos_0 thread* _S454, float _S455, float _S456, KernelContext_0 thread* kernelContext_31)
 {
-    Fabric_0 device* _S450 = kernelContext_31->fabrics_0+_S445;
-    bool _S451 = _S446->is_warp_2;
-    float _S452;
-    if(_S446->is_warp_2)
+    Fabric_0 device* _S457 = kernelContext_31->fabrics_0+_S452;
+    bool _S458 = _S453->is_warp_2;
+    float _S459;
+    if(_S453->is_warp_2)
     {
-        _S452 = _S448;
+        _S459 = _S455;
     }
     else
     {
-        _S452 = _S449;
+        _S459 = _S456;
     }
-    float _S453 = _S452 - _S446->across_2;
-    uint _S454;
-    if(_S451)
+    float _S460 = _S459 - _S453->across_2;
+    uint _S461;
+    if(_S458)
     {
-        _S454 = _S450->warp_0;
+        _S461 = _S457->warp_0;
     }
     else
     {
-        _S454 = _S450->weft_0;
+        _S461 = _S457->weft_0;
     }
-    Family_0 _S455 = kernelContext_31->families_0[_S454];
-    int _S456 = int(kernelContext_31->families_0[_S454].count_0);
-    if(_S451)
+    Family_0 _S462 = kernelContext_31->families_0[_S461];
+    int _S463 = int(kernelContext_31->families_0[_S461].count_0);
+    if(_S458)
     {
-        _S454 = _S446->warp_thread_0;
+        _S461 = _S453->warp_thread_0;
     }
     else
     {
-        _S454 = _S446->weft_thread_0;
+        _S461 = _S453->weft_thread_0;
     }
-    uint _S457 = uint(int(floor(_S453 / _S455.period_0)) * _S456 + int(_S454)) * 2U;
-    if(_S451)
+    uint _S464 = uint(int(floor(_S460 / _S462.period_0)) * _S463 + int(_S461)) * 2U;
+    if(_S458)
     {
-        _S454 = 1U;
+        _S461 = 1U;
     }
     else
     {
-        _S454 = 0U;
+        _S461 = 0U;
     }
-    float _S458 = floor(_S446->fibre_across_0 / _S450->fibre_size_0);
-    Albedos_0 _S459 = vary_albedos_0(_S445, _S447, _S457 + _S454, uint(int(_S458)) * 65536U + uint(int(floor(_S446->fibre_along_0 / (_S450->fibre_size_0 * 40.0f) + 0.61799997091293335f * _S458))), kernelContext_31);
-    return _S459;
+    float _S465 = floor(_S453->fibre_across_0 / _S457->fibre_size_0);
+    Albedos_0 _S466 = vary_albedos_0(_S452, _S454, _S464 + _S461, uint(int(_S465)) * 65536U + uint(int(floor(_S453->fibre_along_0 / (_S457->fibre_size_0 * 40.0f) + 0.61799997091293335f * _S465))), kernelContext_31);
+    return _S466;
 }
 
-YarnPoint_0 yarn_point_of_0(uint _S460, const SurfacePoint_0 thread* _S461, float _S462, float _S463, bool _S464, bool _S465, KernelContext_0 thread* kernelContext_32)
+YarnPoint_0 yarn_point_of_0(uint _S467, const SurfacePoint_0 thread* _S468, float _S469, float _S470, bool _S471, bool _S472, KernelContext_0 thread* kernelContext_32)
 {
-    Fabric_0 device* _S466 = kernelContext_32->fabrics_0+_S460;
-    bool _S467 = _S461->is_warp_2;
-    uint _S468;
-    if(_S461->is_warp_2)
+    Fabric_0 device* _S473 = kernelContext_32->fabrics_0+_S467;
+    bool _S474 = _S468->is_warp_2;
+    uint _S475;
+    if(_S468->is_warp_2)
     {
-        _S468 = _S466->warp_0;
+        _S475 = _S473->warp_0;
     }
     else
     {
-        _S468 = _S466->weft_0;
+        _S475 = _S473->weft_0;
     }
-    uint _S469;
-    if(_S467)
+    uint _S476;
+    if(_S474)
     {
-        _S469 = _S461->warp_thread_0;
-    }
-    else
-    {
-        _S469 = _S461->weft_thread_0;
-    }
-    Albedos_0 _S470 = albedos_of_0(_S468, _S469, kernelContext_32);
-    bool _S471;
-    if((_S466->fibre_noise_0) > 0.0f)
-    {
-        _S471 = true;
+        _S476 = _S468->warp_thread_0;
     }
     else
     {
-        _S471 = (_S466->colour_noise_0) > 0.0f;
+        _S476 = _S468->weft_thread_0;
+    }
+    Albedos_0 _S477 = albedos_of_0(_S475, _S476, kernelContext_32);
+    bool _S478;
+    if((_S473->fibre_noise_0) > 0.0f)
+    {
+        _S478 = true;
+    }
+    else
+    {
+        _S478 = (_S473->colour_noise_0) > 0.0f;
     }
     Albedos_0 albedos_2;
-    if(_S471)
+    if(_S478)
     {
-        thread Albedos_0 _S472 = _S470;
-        Albedos_0 _S473 = varied_at_0(_S460, _S461, &_S472, _S462, _S463, kernelContext_32);
-        albedos_2 = _S473;
+        thread Albedos_0 _S479 = _S477;
+        Albedos_0 _S480 = varied_at_0(_S467, _S468, &_S479, _S469, _S470, kernelContext_32);
+        albedos_2 = _S480;
     }
     else
     {
-        albedos_2 = _S470;
+        albedos_2 = _S477;
     }
     thread YarnPoint_0 point_1;
-    (&point_1)->back_3 = _S464;
-    (&point_1)->hole_2 = _S465;
-    (&point_1)->is_warp_1 = _S467;
-    (&point_1)->x_7 = _S462;
-    (&point_1)->y_3 = _S463;
-    (&point_1)->height_2 = _S461->height_8;
-    (&point_1)->normal_3 = _S461->normal_4;
-    (&point_1)->tangent_4 = _S461->tangent_5;
-    (&point_1)->roughness_8 = kernelContext_32->families_0[_S468].roughness_0;
+    (&point_1)->back_5 = _S471;
+    (&point_1)->hole_2 = _S472;
+    (&point_1)->is_warp_1 = _S474;
+    (&point_1)->x_7 = _S469;
+    (&point_1)->y_3 = _S470;
+    (&point_1)->height_3 = _S468->height_9;
+    (&point_1)->normal_3 = _S468->normal_4;
+    (&point_1)->tangent_4 = _S468->tangent_5;
+    (&point_1)->roughness_8 = kernelContext_32->families_0[_S475].roughness_0;
     (&point_1)->albedos_1 = albedos_2;
     return point_1;
 }
 
-YarnPoint_0 locate_yarn_0(uint _S474, const SearchQuality_0 thread* _S475, float _S476, float _S477, float3 _S478, KernelContext_0 thread* kernelContext_33)
+YarnPoint_0 locate_yarn_0(uint _S481, const SearchQuality_0 thread* _S482, float _S483, float _S484, float3 _S485, KernelContext_0 thread* kernelContext_33)
 {
-    bool _S479 = (_S478.z) < 0.0f;
-    Hit_0 _S480 = first_hit_0(_S474, _S475, _S476, _S477, to_face_frame_0(_S478, _S479), _S479, kernelContext_33);
-    SurfacePoint_0 _S481 = surface_at_0(_S474, _S480.x_8, _S480.y_4, _S479, kernelContext_33);
-    thread SurfacePoint_0 _S482 = _S481;
-    YarnPoint_0 _S483 = yarn_point_of_0(_S474, &_S482, _S480.x_8, _S480.y_4, _S479, _S480.hole_3, kernelContext_33);
-    return _S483;
+    bool _S486 = (_S485.z) < 0.0f;
+    Hit_0 _S487 = first_hit_0(_S481, _S482, _S483, _S484, to_face_frame_0(_S485, _S486), _S486, kernelContext_33);
+    SurfacePoint_0 _S488 = surface_at_0(_S481, _S487.x_8, _S487.y_4, _S486, kernelContext_33);
+    thread SurfacePoint_0 _S489 = _S488;
+    YarnPoint_0 _S490 = yarn_point_of_0(_S481, &_S489, _S487.x_8, _S487.y_4, _S486, _S487.hole_3, kernelContext_33);
+    return _S490;
 }
 
-float3 scattered_0(uint _S484, const YarnPoint_0 thread* _S485, float3 _S486, float3 _S487, KernelContext_0 thread* kernelContext_34)
+float openness_number_0(uint _S491, uint _S492, KernelContext_0 thread* kernelContext_34)
 {
-    Fabric_0 device* _S488 = kernelContext_34->fabrics_0+_S484;
-    float3 _S489 = float3(0.0f) ;
-    bool _S490 = !_S485->hole_2;
-    bool _S491;
-    if(_S490)
+    float _S493 = table_number_0((kernelContext_34->fabrics_0+_S491)->openness_0 + _S492, kernelContext_34);
+    return _S493;
+}
+
+Blocked_0 blocked_of_terms_0(uint _S494, uint _S495, const array<float, int(6)> thread* _S496, uint _S497, KernelContext_0 thread* kernelContext_35)
+{
+    thread array<float, int(3)> shares_0;
+    uint share_1 = 0U;
+    for(;;)
     {
-        _S491 = (_S486.z) > 0.0f;
+        if(share_1 < 3U)
+        {
+        }
+        else
+        {
+            break;
+        }
+        shares_0[share_1] = 0.0f;
+        uint term_0 = 0U;
+        for(;;)
+        {
+            if(term_0 < _S497)
+            {
+            }
+            else
+            {
+                break;
+            }
+            float _S498 = openness_number_0(_S494, _S495 + share_1 * _S497 + term_0, kernelContext_35);
+            shares_0[share_1] = shares_0[share_1] + _S498 * (*_S496)[term_0];
+            term_0 = term_0 + 1U;
+        }
+        shares_0[share_1] = saturate(shares_0[share_1]);
+        share_1 = share_1 + 1U;
+    }
+    thread Blocked_0 blocked_1;
+    (&blocked_1)->by_warp_0 = shares_0[int(0)] * shares_0[int(2)];
+    (&blocked_1)->by_weft_0 = shares_0[int(0)] * (1.0f - shares_0[int(2)]);
+    (&blocked_1)->far_0 = shares_0[int(1)];
+    return blocked_1;
+}
+
+Blocked_0 blocked_at_0(uint _S499, bool _S500, bool _S501, float _S502, float _S503, KernelContext_0 thread* kernelContext_36)
+{
+    float _S504 = openness_number_0(_S499, 158U, kernelContext_36);
+    float _S505 = _S503 * _S504;
+    float _S506 = _S502 * _S502;
+    float _S507 = _S502 * _S505;
+    float _S508 = _S505 * _S505;
+    uint _S509;
+    if(_S501)
+    {
+        _S509 = 2U;
     }
     else
     {
-        _S491 = false;
+        _S509 = 0U;
+    }
+    uint _S510;
+    if(_S500)
+    {
+        _S510 = 0U;
+    }
+    else
+    {
+        _S510 = 1U;
+    }
+    uint _S511 = 60U + (_S509 + _S510) * 18U;
+    thread array<float, int(6)> _S512;
+    _S512[int(0)] = 1.0f;
+    _S512[int(1)] = _S502;
+    _S512[int(2)] = _S505;
+    _S512[int(3)] = _S506;
+    _S512[int(4)] = _S507;
+    _S512[int(5)] = _S508;
+    Blocked_0 _S513 = blocked_of_terms_0(_S499, _S511, &_S512, 6U, kernelContext_36);
+    return _S513;
+}
+
+Scattered_0 scattered_by_0(uint _S514, const Albedos_0 thread* _S515, uint _S516, float3 _S517, KernelContext_0 thread* kernelContext_37)
+{
+    uint _S518 = 159U + 2U * _S516;
+    thread Scattered_0 yarn_3;
+    float3 _S519 = _S517 * _S515->diffuse_reflect_0;
+    float _S520 = openness_number_0(_S514, _S518, kernelContext_37);
+    (&yarn_3)->back_4 = _S519 + float3(_S520)  * _S515->specular_reflect_0;
+    float3 _S521 = _S517 * _S515->diffuse_transmit_0;
+    float _S522 = openness_number_0(_S514, _S518 + 1U, kernelContext_37);
+    (&yarn_3)->through_0 = _S521 + float3(_S522)  * _S515->specular_transmit_0;
+    return yarn_3;
+}
+
+float openness_number_1(uint _S523, uint _S524, KernelContext_0 thread* kernelContext_38)
+{
+    float _S525 = table_number_0((kernelContext_38->fabrics_0+_S523)->openness_0 + _S524, kernelContext_38);
+    return _S525;
+}
+
+void sent_0(uint _S526, uint _S527, float3 _S528, float3 _S529, float3 _S530, float3 _S531, float3 thread* _S532, float3 thread* _S533, KernelContext_0 thread* kernelContext_39)
+{
+    uint _S534 = 146U + 4U * _S527;
+    float _S535 = openness_number_1(_S526, _S534, kernelContext_39);
+    float _S536 = openness_number_1(_S526, _S534 + 1U, kernelContext_39);
+    float _S537 = openness_number_1(_S526, _S534 + 2U, kernelContext_39);
+    float _S538 = openness_number_1(_S526, _S534 + 3U, kernelContext_39);
+    float3 _S539 = float3(1.0f) ;
+    float3 _S540 = _S539 - _S530 * float3(_S535) ;
+    float3 _S541 = _S539 - _S531 * float3(_S538) ;
+    float3 _S542 = _S539 / (_S540 * _S541 - _S530 * _S531 * float3((_S536 * _S537)) );
+    *_S532 = (_S528 * _S541 + _S530 * float3(_S536)  * _S529) * _S542;
+    *_S533 = (_S529 * _S540 + _S531 * float3(_S537)  * _S528) * _S542;
+    return;
+}
+
+FaceSends_0 face_sends_0(uint _S543, uint _S544, const Scattered_0 thread* _S545, const Scattered_0 thread* _S546, KernelContext_0 thread* kernelContext_40)
+{
+    uint _S547 = 2U * _S544;
+    uint _S548 = 142U + _S547;
+    float _S549 = openness_number_0(_S543, _S548, kernelContext_40);
+    float _S550 = openness_number_0(_S543, _S548 + 1U, kernelContext_40);
+    float3 _S551 = _S545->back_4;
+    float3 _S552 = float3((1.0f - _S549))  * _S545->back_4;
+    float3 _S553 = _S546->back_4;
+    float3 _S554 = float3((1.0f - _S550))  * _S546->back_4;
+    thread FaceSends_0 sends_1;
+    uint _S555 = 154U + _S547;
+    float _S556 = openness_number_0(_S543, _S555, kernelContext_40);
+    (&sends_1)->blocks_warp_0 = _S556;
+    float _S557 = openness_number_0(_S543, _S555 + 1U, kernelContext_40);
+    (&sends_1)->blocks_weft_0 = _S557;
+    (&sends_1)->open_0 = _S556 * _S549 + _S557 * _S550;
+    sent_0(_S543, _S544, float3(_S549)  * _S551, float3(_S550)  * _S553, _S552, _S554, &(&sends_1)->sky_warp_0, &(&sends_1)->sky_weft_0, kernelContext_40);
+    sent_0(_S543, _S544, _S545->through_0, _S546->through_0, _S552, _S554, &(&sends_1)->crossing_warp_0, &(&sends_1)->crossing_weft_0, kernelContext_40);
+    return sends_1;
+}
+
+Interior_0 interior_of_0(uint _S558, float3 _S559, bool _S560, KernelContext_0 thread* kernelContext_41)
+{
+    Fabric_0 device* _S561 = kernelContext_41->fabrics_0+_S558;
+    Albedos_0 _S562 = table_albedos_0(kernelContext_41->families_0[_S561->warp_0].colour_mean_0, kernelContext_41);
+    thread Albedos_0 _S563 = _S562;
+    Scattered_0 _S564 = scattered_by_0(_S558, &_S563, 0U, _S559, kernelContext_41);
+    Albedos_0 _S565 = table_albedos_0(kernelContext_41->families_0[_S561->weft_0].colour_mean_0, kernelContext_41);
+    thread Albedos_0 _S566 = _S565;
+    Scattered_0 _S567 = scattered_by_0(_S558, &_S566, 1U, _S559, kernelContext_41);
+    uint _S568;
+    if(_S560)
+    {
+        _S568 = 1U;
+    }
+    else
+    {
+        _S568 = 0U;
+    }
+    thread Scattered_0 _S569 = _S564;
+    thread Scattered_0 _S570 = _S567;
+    FaceSends_0 _S571 = face_sends_0(_S558, _S568, &_S569, &_S570, kernelContext_41);
+    if(_S560)
+    {
+        _S568 = 0U;
+    }
+    else
+    {
+        _S568 = 1U;
+    }
+    thread Scattered_0 _S572 = _S564;
+    thread Scattered_0 _S573 = _S567;
+    FaceSends_0 _S574 = face_sends_0(_S558, _S568, &_S572, &_S573, kernelContext_41);
+    float3 _S575 = float3(_S571.blocks_warp_0) ;
+    float3 _S576 = float3(_S571.blocks_weft_0) ;
+    float3 _S577 = _S575 * _S571.crossing_warp_0 + _S576 * _S571.crossing_weft_0;
+    float3 _S578 = float3(_S574.blocks_warp_0) ;
+    float3 _S579 = float3(_S574.blocks_weft_0) ;
+    float3 _S580 = _S578 * _S574.crossing_warp_0 + _S579 * _S574.crossing_weft_0;
+    float _S581 = 1.0f - _S571.open_0;
+    float _S582 = 1.0f - _S574.open_0;
+    float3 _S583 = float3(1.0f) ;
+    float3 _S584 = _S583 / (_S583 - _S577 * _S580 * float3((_S581 * _S582)) );
+    float3 _S585 = _S580 * (float3(_S571.open_0)  + float3(_S581)  * (_S575 * _S571.sky_warp_0 + _S576 * _S571.sky_weft_0)) * _S584;
+    float3 _S586 = _S577 * (float3(_S574.open_0)  + float3(_S582)  * (_S578 * _S574.sky_warp_0 + _S579 * _S574.sky_weft_0)) * _S584;
+    thread FaceSends_0 _S587 = _S571;
+    FaceRadiance_0 _S588 = face_radiance_0(&_S587, _S574.open_0, _S585, _S586);
+    thread FaceSends_0 _S589 = _S574;
+    FaceRadiance_0 _S590 = face_radiance_0(&_S589, _S571.open_0, _S586, _S585);
+    thread Interior_0 interior_1;
+    (&interior_1)->warp_3 = _S588.warp_2;
+    (&interior_1)->weft_3 = _S588.weft_2;
+    (&interior_1)->leaked_1 = _S588.leaked_0;
+    (&interior_1)->far_1 = _S590.mean_0;
+    (&interior_1)->far_leaked_0 = _S590.leaked_0;
+    return interior_1;
+}
+
+Bounced_0 bounced_at_0(uint _S591, const YarnPoint_0 thread* _S592, float3 _S593, KernelContext_0 thread* kernelContext_42)
+{
+    Fabric_0 device* _S594 = kernelContext_42->fabrics_0+_S591;
+    thread Bounced_0 nothing_0;
+    float3 _S595 = float3(0.0f) ;
+    (&nothing_0)->reflected_0 = _S595;
+    (&nothing_0)->transmitted_0 = _S595;
+    bool _S596;
+    if((_S594->openness_0) == 4294967295U)
+    {
+        _S596 = true;
+    }
+    else
+    {
+        _S596 = _S592->hole_2;
+    }
+    if(_S596)
+    {
+        return nothing_0;
+    }
+    bool _S597 = _S592->is_warp_1;
+    bool _S598 = _S592->back_5;
+    Blocked_0 _S599 = blocked_at_0(_S591, _S592->is_warp_1, _S592->back_5, _S592->normal_3.z, _S592->height_3, kernelContext_42);
+    uint _S600;
+    if(_S597)
+    {
+        _S600 = 0U;
+    }
+    else
+    {
+        _S600 = 1U;
+    }
+    Scattered_0 _S601 = scattered_by_0(_S591, &_S592->albedos_1, _S600, _S593, kernelContext_42);
+    Interior_0 _S602 = interior_of_0(_S591, _S593, _S598, kernelContext_42);
+    thread Blocked_0 _S603 = _S599;
+    thread Scattered_0 _S604 = _S601;
+    thread Interior_0 _S605 = _S602;
+    Bounced_0 _S606 = bounced_by_0(&_S603, &_S604, &_S605);
+    return _S606;
+}
+
+float3 scattered_0(uint _S607, const YarnPoint_0 thread* _S608, float3 _S609, float3 _S610, KernelContext_0 thread* kernelContext_43)
+{
+    Fabric_0 device* _S611 = kernelContext_43->fabrics_0+_S607;
+    float3 _S612 = float3(0.0f) ;
+    bool _S613 = !_S608->hole_2;
+    bool _S614;
+    if(_S613)
+    {
+        _S614 = (_S609.z) > 0.0f;
+    }
+    else
+    {
+        _S614 = false;
     }
     float3 value_1;
-    if(_S491)
+    if(_S614)
     {
-        value_1 = (&_S485->albedos_1)->diffuse_reflect_0 * float3(diffuse_reflection_0(_S486, _S485->normal_3, _S488->diffuse_blend_0))  + (&_S485->albedos_1)->specular_reflect_0 * float3(reflection_0(_S486, _S487, _S485->normal_3, _S485->tangent_4, _S485->roughness_8, _S488->optical_depth_0)) ;
+        value_1 = (&_S608->albedos_1)->diffuse_reflect_0 * float3(diffuse_reflection_0(_S609, _S608->normal_3, _S611->diffuse_blend_0))  + (&_S608->albedos_1)->specular_reflect_0 * float3(reflection_0(_S609, _S610, _S608->normal_3, _S608->tangent_4, _S608->roughness_8, _S611->optical_depth_0)) ;
     }
     else
     {
-        if(_S490)
+        if(_S613)
         {
-            _S491 = (_S486.z) < 0.0f;
+            _S614 = (_S609.z) < 0.0f;
         }
         else
         {
-            _S491 = false;
+            _S614 = false;
         }
-        if(_S491)
+        if(_S614)
         {
-            value_1 = (&_S485->albedos_1)->diffuse_transmit_0 * float3(diffuse_reflection_0(- _S486, _S485->normal_3, _S488->diffuse_blend_0))  + (&_S485->albedos_1)->specular_transmit_0 * float3(transmission_0(_S486, _S487, _S485->normal_3, _S485->tangent_4, _S485->roughness_8, _S488->optical_depth_0)) ;
+            value_1 = (&_S608->albedos_1)->diffuse_transmit_0 * float3(diffuse_reflection_0(- _S609, _S608->normal_3, _S611->diffuse_blend_0))  + (&_S608->albedos_1)->specular_transmit_0 * float3(transmission_1(_S609, _S610, _S608->normal_3, _S608->tangent_4, _S608->roughness_8, _S611->optical_depth_0)) ;
         }
         else
         {
-            value_1 = _S489;
+            value_1 = _S612;
         }
     }
-    float _S492 = _S488->sheen_strength_0;
-    if((_S488->sheen_strength_0) <= 0.0f)
+    float _S615 = _S611->sheen_strength_0;
+    if((_S611->sheen_strength_0) <= 0.0f)
     {
         return value_1;
     }
-    float2 _S493 = sheen_with_transmittance_0(_S486, _S487, _S492, _S488->sheen_roughness_0);
-    return float3(_S493.y)  * value_1 + float3(_S493.x) ;
+    float2 _S616 = sheen_with_transmittance_0(_S609, _S610, _S615, _S611->sheen_roughness_0);
+    return float3(_S616.y)  * value_1 + float3(_S616.x) ;
 }
 
-bool unoccluded_0(uint _S494, const SearchQuality_0 thread* _S495, float _S496, float _S497, float _S498, float3 _S499, bool _S500, KernelContext_0 thread* kernelContext_35)
+bool unoccluded_0(uint _S617, const SearchQuality_0 thread* _S618, float _S619, float _S620, float _S621, float3 _S622, bool _S623, KernelContext_0 thread* kernelContext_44)
 {
-    Fabric_0 device* _S501 = kernelContext_35->fabrics_0+_S494;
-    if((_S499.z) <= 0.0f)
+    Fabric_0 device* _S624 = kernelContext_44->fabrics_0+_S617;
+    if((_S622.z) <= 0.0f)
     {
         return false;
     }
-    float _S502 = max_height_along_0(_S494, _S496, _S497, _S498, _S499, _S500, kernelContext_35);
-    bool _S503 = is_free_0(_S494, _S495, float3(_S496, _S497, _S498 + _S501->lift_0), _S499, _S500, _S502, kernelContext_35);
-    return _S503;
+    float _S625 = max_height_along_0(_S617, _S619, _S620, _S621, _S622, _S623, kernelContext_44);
+    bool _S626 = is_free_0(_S617, _S618, float3(_S619, _S620, _S621 + _S624->lift_0), _S622, _S623, _S625, kernelContext_44);
+    return _S626;
 }
 
-bool is_lit_0(uint _S504, const SearchQuality_0 thread* _S505, const YarnPoint_0 thread* _S506, float3 _S507, KernelContext_0 thread* kernelContext_36)
+bool is_lit_0(uint _S627, const SearchQuality_0 thread* _S628, const YarnPoint_0 thread* _S629, float3 _S630, KernelContext_0 thread* kernelContext_45)
 {
-    if(_S506->hole_2)
+    if(_S629->hole_2)
     {
         return true;
     }
-    bool _S508 = _S506->back_3;
-    float3 _S509 = to_face_frame_0(_S507, _S506->back_3);
-    float _S510 = _S509.z;
-    bool _S511 = _S510 < 0.0f;
-    float3 _S512 = _S506->normal_3;
-    float _S513 = _S506->height_2;
+    bool _S631 = _S629->back_5;
+    float3 _S632 = to_face_frame_0(_S630, _S629->back_5);
+    float _S633 = _S632.z;
+    bool _S634 = _S633 < 0.0f;
+    float3 _S635 = _S629->normal_3;
+    float _S636 = _S629->height_3;
     float3 normal_5;
-    float height_9;
-    if(_S511)
+    float height_10;
+    if(_S634)
     {
-        SurfacePoint_0 _S514 = surface_at_0(_S504, _S506->x_7, _S506->y_3, !_S508, kernelContext_36);
-        normal_5 = _S514.normal_4;
-        height_9 = _S514.height_8;
+        SurfacePoint_0 _S637 = surface_at_0(_S627, _S629->x_7, _S629->y_3, !_S631, kernelContext_45);
+        normal_5 = _S637.normal_4;
+        height_10 = _S637.height_9;
     }
     else
     {
-        normal_5 = _S512;
-        height_9 = _S513;
+        normal_5 = _S635;
+        height_10 = _S636;
     }
-    float3 _S515 = float3(_S509.xy, abs(_S510));
-    if((dot(normal_5, _S515)) <= 0.0f)
+    float3 _S638 = float3(_S632.xy, abs(_S633));
+    if((dot(normal_5, _S638)) <= 0.0f)
     {
         return false;
     }
-    bool _S516 = unoccluded_0(_S504, _S505, _S506->x_7, _S506->y_3, height_9, _S515, _S508 != _S511, kernelContext_36);
-    return _S516;
+    bool _S639 = unoccluded_0(_S627, _S628, _S629->x_7, _S629->y_3, height_10, _S638, _S631 != _S634, kernelContext_45);
+    return _S639;
 }
 
-float3 evaluate_0(uint _S517, const SearchQuality_0 thread* _S518, const YarnPoint_0 thread* _S519, float3 _S520, float3 _S521, KernelContext_0 thread* kernelContext_37)
+float3 evaluate_with_0(uint _S640, const SearchQuality_0 thread* _S641, const YarnPoint_0 thread* _S642, const Bounced_0 thread* _S643, float3 _S644, float3 _S645, KernelContext_0 thread* kernelContext_46)
 {
-    float3 _S522 = scattered_0(_S517, _S519, to_face_frame_0(_S520, _S519->back_3), to_face_frame_0(_S521, _S519->back_3), kernelContext_37);
-    bool _S523;
-    if((max(_S522.x, max(_S522.y, _S522.z))) <= 0.0f)
+    Fabric_0 device* _S646 = kernelContext_46->fabrics_0+_S640;
+    float3 _S647 = to_face_frame_0(_S645, _S642->back_5);
+    float3 _S648 = scattered_0(_S640, _S642, to_face_frame_0(_S644, _S642->back_5), _S647, kernelContext_46);
+    bool _S649;
+    if((max(_S648.x, max(_S648.y, _S648.z))) <= 0.0f)
     {
-        _S523 = true;
+        _S649 = true;
     }
     else
     {
-        bool _S524 = is_lit_0(_S517, _S518, _S519, _S520, kernelContext_37);
-        _S523 = !_S524;
+        bool _S650 = is_lit_0(_S640, _S641, _S642, _S644, kernelContext_46);
+        _S649 = !_S650;
     }
-    if(_S523)
+    float3 value_2;
+    if(_S649)
     {
-        return float3(0.0f) ;
+        value_2 = float3(0.0f) ;
     }
-    return _S522;
+    else
+    {
+        value_2 = _S648;
+    }
+    float3 _S651 = bounced_value_0(_S643, _S644, _S645);
+    float _S652 = _S646->sheen_strength_0;
+    float3 between_1;
+    if((_S646->sheen_strength_0) > 0.0f)
+    {
+        between_1 = _S651 * float3((1.0f - _S652 * sheen_lobe_0(abs(_S647.z), _S646->sheen_roughness_0).z)) ;
+    }
+    else
+    {
+        between_1 = _S651;
+    }
+    return value_2 + between_1;
 }
 
-float straight_through_0(uint _S525, const YarnPoint_0 thread* _S526, float3 _S527, KernelContext_0 thread* kernelContext_38)
+float3 evaluate_0(uint _S653, const SearchQuality_0 thread* _S654, const YarnPoint_0 thread* _S655, float3 _S656, float3 _S657, KernelContext_0 thread* kernelContext_47)
 {
-    Fabric_0 device* _S528 = kernelContext_38->fabrics_0+_S525;
-    if(!_S526->hole_2)
+    Bounced_0 _S658 = bounced_at_0(_S653, _S655, float3(1.0f) , kernelContext_47);
+    thread Bounced_0 _S659 = _S658;
+    float3 _S660 = evaluate_with_0(_S653, _S654, _S655, &_S659, _S656, _S657, kernelContext_47);
+    return _S660;
+}
+
+float straight_through_0(uint _S661, const YarnPoint_0 thread* _S662, float3 _S663, KernelContext_0 thread* kernelContext_48)
+{
+    Fabric_0 device* _S664 = kernelContext_48->fabrics_0+_S661;
+    if(!_S662->hole_2)
     {
         return 0.0f;
     }
-    float _S529 = _S528->sheen_strength_0;
-    if((_S528->sheen_strength_0) <= 0.0f)
+    float _S665 = _S664->sheen_strength_0;
+    if((_S664->sheen_strength_0) <= 0.0f)
     {
         return 1.0f;
     }
-    return 1.0f - _S529 * sheen_lobe_0(abs(_S527.z), _S528->sheen_roughness_0).z;
+    return 1.0f - _S665 * sheen_lobe_0(abs(_S663.z), _S664->sheen_roughness_0).z;
 }
 
-float4 cloth_value_0(uint fabric_1, float2 centre_0, float2 dx_0, float2 dy_0, float3 light_6, float3 view_5, KernelContext_0 thread* kernelContext_39)
+float4 cloth_value_0(uint fabric_1, float2 centre_0, float2 dx_0, float2 dy_0, float3 light_7, float3 view_6, KernelContext_0 thread* kernelContext_49)
 {
-    SearchQuality_0 _S530 = default_quality_0();
-    float _S531 = centre_0.x;
-    float _S532 = centre_0.y;
-    thread SearchQuality_0 _S533 = _S530;
-    YarnPoint_0 _S534 = locate_yarn_0(fabric_1, &_S533, _S531, _S532, view_5, kernelContext_39);
-    thread SearchQuality_0 _S535 = _S530;
-    thread YarnPoint_0 _S536 = _S534;
-    float3 _S537 = evaluate_0(fabric_1, &_S535, &_S536, light_6, view_5, kernelContext_39);
-    thread YarnPoint_0 _S538 = _S534;
-    float _S539 = straight_through_0(fabric_1, &_S538, view_5, kernelContext_39);
-    return float4(_S537, _S539);
+    SearchQuality_0 _S666 = default_quality_0();
+    float _S667 = centre_0.x;
+    float _S668 = centre_0.y;
+    thread SearchQuality_0 _S669 = _S666;
+    YarnPoint_0 _S670 = locate_yarn_0(fabric_1, &_S669, _S667, _S668, view_6, kernelContext_49);
+    thread SearchQuality_0 _S671 = _S666;
+    thread YarnPoint_0 _S672 = _S670;
+    float3 _S673 = evaluate_0(fabric_1, &_S671, &_S672, light_7, view_6, kernelContext_49);
+    thread YarnPoint_0 _S674 = _S670;
+    float _S675 = straight_through_0(fabric_1, &_S674, view_6, kernelContext_49);
+    return float4(_S673, _S675);
 }
 
 [[kernel]] void point_queries(uint3 id_0 [[thread_position_in_grid]], uint device* query_count_1 [[buffer(24)]], Query_0 device* queries_1 [[buffer(23)]], packed_float4 device* answers_1 [[buffer(25)]], Fabric_0 device* fabrics_1 [[buffer(0)]], Family_0 device* families_1 [[buffer(1)]], uint device* words_1 [[buffer(2)]])
 {
-    thread KernelContext_0 kernelContext_40;
-    (&kernelContext_40)->query_count_0 = query_count_1;
-    (&kernelContext_40)->queries_0 = queries_1;
-    (&kernelContext_40)->answers_0 = answers_1;
-    (&kernelContext_40)->fabrics_0 = fabrics_1;
-    (&kernelContext_40)->families_0 = families_1;
-    (&kernelContext_40)->words_0 = words_1;
-    uint _S540 = id_0.x;
-    if(_S540 >= query_count_1[int(0)])
+    thread KernelContext_0 kernelContext_50;
+    (&kernelContext_50)->query_count_0 = query_count_1;
+    (&kernelContext_50)->queries_0 = queries_1;
+    (&kernelContext_50)->answers_0 = answers_1;
+    (&kernelContext_50)->fabrics_0 = fabrics_1;
+    (&kernelContext_50)->families_0 = families_1;
+    (&kernelContext_50)->words_0 = words_1;
+    uint _S676 = id_0.x;
+    if(_S676 >= query_count_1[int(0)])
     {
         return;
     }
-    Query_0 _S541 = (&kernelContext_40)->queries_0[_S540];
-    packed_float4 device* _S542 = (&kernelContext_40)->answers_0+_S540;
-    float4 _S543 = cloth_value_0(_S541.fabric_0, float2(_S541.centre_x_0, _S541.centre_y_0), float2(_S541.dx_x_0, _S541.dx_y_0), float2(_S541.dy_x_0, _S541.dy_y_0), float3(_S541.light_x_0, _S541.light_y_0, _S541.light_z_0), float3(_S541.view_x_0, _S541.view_y_0, _S541.view_z_0), &kernelContext_40);
-    *_S542 = packed_float4(_S543) ;
+    Query_0 _S677 = (&kernelContext_50)->queries_0[_S676];
+    packed_float4 device* _S678 = (&kernelContext_50)->answers_0+_S676;
+    float4 _S679 = cloth_value_0(_S677.fabric_0, float2(_S677.centre_x_0, _S677.centre_y_0), float2(_S677.dx_x_0, _S677.dx_y_0), float2(_S677.dy_x_0, _S677.dy_y_0), float3(_S677.light_x_0, _S677.light_y_0, _S677.light_z_0), float3(_S677.view_x_0, _S677.view_y_0, _S677.view_z_0), &kernelContext_50);
+    *_S678 = packed_float4(_S679) ;
     return;
 }
 

@@ -118,6 +118,32 @@ struct Neumip_std430_0
     @align(4) texels_per_mm_0 : f32,
     @align(4) unit_x_0 : f32,
     @align(4) unit_y_0 : f32,
+    @align(4) transmits_0 : u32,
+    @align(4) transmission_0 : u32,
+    @align(4) has_holes_0 : u32,
+    @align(4) opacity_0 : u32,
+};
+
+struct Latent_std430_0
+{
+    @align(4) is_trained_1 : u32,
+    @align(4) decoder_1 : u32,
+    @align(4) hidden_0 : u32,
+    @align(4) frames_0 : u32,
+    @align(4) sampler_0 : u32,
+    @align(4) albedo_0 : u32,
+    @align(4) texels_1 : u32,
+    @align(4) texel_elements_1 : u32,
+    @align(4) levels_3 : u32,
+    @align(4) last_level_2 : f32,
+    @align(4) face_texels_1 : u32,
+    @align(4) back_1 : u32,
+    @align(4) repeats_per_x_1 : f32,
+    @align(4) repeats_per_y_1 : f32,
+    @align(4) texels_per_mm_1 : f32,
+    @align(4) width_0 : f32,
+    @align(4) height_0 : f32,
+    @align(4) is_trilinear_0 : u32,
 };
 
 struct Fabric_std430_0
@@ -149,8 +175,12 @@ struct Fabric_std430_0
     @align(4) uv_width_0 : f32,
     @align(4) uv_height_0 : f32,
     @align(4) is_open_0 : u32,
+    @align(4) openness_0 : u32,
     @align(4) albedo_map_0 : u32,
     @align(4) albedo_map_levels_0 : u32,
+    @align(4) has_yarns_0 : u32,
+    @align(4) mean_hole_0 : f32,
+    @align(4) latent_0 : Latent_std430_0,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;

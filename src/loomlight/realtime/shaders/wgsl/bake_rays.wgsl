@@ -110,6 +110,32 @@ struct Neumip_std430_0
     @align(4) texels_per_mm_0 : f32,
     @align(4) unit_x_0 : f32,
     @align(4) unit_y_0 : f32,
+    @align(4) transmits_0 : u32,
+    @align(4) transmission_0 : u32,
+    @align(4) has_holes_0 : u32,
+    @align(4) opacity_0 : u32,
+};
+
+struct Latent_std430_0
+{
+    @align(4) is_trained_1 : u32,
+    @align(4) decoder_1 : u32,
+    @align(4) hidden_0 : u32,
+    @align(4) frames_0 : u32,
+    @align(4) sampler_0 : u32,
+    @align(4) albedo_0 : u32,
+    @align(4) texels_1 : u32,
+    @align(4) texel_elements_1 : u32,
+    @align(4) levels_3 : u32,
+    @align(4) last_level_2 : f32,
+    @align(4) face_texels_1 : u32,
+    @align(4) back_1 : u32,
+    @align(4) repeats_per_x_1 : f32,
+    @align(4) repeats_per_y_1 : f32,
+    @align(4) texels_per_mm_1 : f32,
+    @align(4) width_0 : f32,
+    @align(4) height_0 : f32,
+    @align(4) is_trilinear_0 : u32,
 };
 
 struct Fabric_std430_0
@@ -141,8 +167,12 @@ struct Fabric_std430_0
     @align(4) uv_width_0 : f32,
     @align(4) uv_height_0 : f32,
     @align(4) is_open_0 : u32,
+    @align(4) openness_0 : u32,
     @align(4) albedo_map_0 : u32,
     @align(4) albedo_map_levels_0 : u32,
+    @align(4) has_yarns_0 : u32,
+    @align(4) mean_hole_0 : f32,
+    @align(4) latent_0 : Latent_std430_0,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -307,7 +337,7 @@ struct Crossing_0
      warp_above_0 : bool,
 };
 
-fn shown_at_0( crossing_0 : Crossing_0,  back_1 : bool) -> Shown_0
+fn shown_at_0( crossing_0 : Crossing_0,  back_2 : bool) -> Shown_0
 {
     var _S8 : bool = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
     var _S9 : bool = (abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1);
@@ -348,7 +378,7 @@ fn shown_at_0( crossing_0 : Crossing_0,  back_1 : bool) -> Shown_0
         _S11 = crossing_0.weft_word_0;
     }
     shown_0.word_0 = _S11;
-    shown_0.on_top_0 = (((_S11 & (u32(1)))) == u32(1)) != back_1;
+    shown_0.on_top_0 = (((_S11 & (u32(1)))) == u32(1)) != back_2;
     return shown_0;
 }
 
@@ -677,7 +707,7 @@ struct SurfacePoint_0
      is_warp_1 : bool,
      warp_thread_0 : u32,
      weft_thread_0 : u32,
-     height_0 : f32,
+     height_1 : f32,
      normal_0 : vec3<f32>,
      tangent_0 : vec3<f32>,
      across_2 : f32,
@@ -729,7 +759,7 @@ struct Sample_0
      shown_2 : Shown_0,
      run_2 : Run_0,
      section_1 : Section_0,
-     height_1 : f32,
+     height_2 : f32,
      slope_across_0 : f32,
      slope_along_0 : f32,
      slope_x_0 : f32,
@@ -876,7 +906,7 @@ fn sample_at_0( _S65 : u32,  _S66 : f32,  _S67 : f32,  _S68 : bool) -> Sample_0
     {
         _S79 = _S91.height_scale_0 * _S79;
     }
-    sample_0.height_1 = _S79 * (_S80 * _S75.bend_1.half_tangent_0 - _S86) - _S91.height_scale_0 * _S76.drop_0 - _S92.x;
+    sample_0.height_2 = _S79 * (_S80 * _S75.bend_1.half_tangent_0 - _S86) - _S91.height_scale_0 * _S76.drop_0 - _S92.x;
     var _S93 : f32 = _S91.height_scale_0 * sample_0.slope_across_0;
     var _S94 : f32 = _S91.height_scale_0 * sample_0.slope_along_0 - _S92.y;
     if(_S70.is_warp_0)
@@ -980,7 +1010,7 @@ fn surface_at_0( _S95 : u32,  _S96 : f32,  _S97 : f32,  _S98 : bool) -> SurfaceP
     point_1.is_warp_1 = _S99.shown_2.is_warp_0;
     point_1.warp_thread_0 = _S99.crossing_1.warp_1.thread_0;
     point_1.weft_thread_0 = _S99.crossing_1.weft_1.thread_0;
-    point_1.height_0 = _S99.height_1;
+    point_1.height_1 = _S99.height_2;
     point_1.normal_0 = normalize(vec3<f32>(- _S99.slope_x_0, - _S99.slope_y_0, 1.0f));
     var _S114 : vec3<f32>;
     if(_S99.shown_2.is_warp_0)
@@ -1117,9 +1147,9 @@ struct ViewRay_0
      slope_1 : vec2<f32>,
 };
 
-fn ViewRay_at_0( this_0 : ViewRay_0,  height_2 : f32) -> vec2<f32>
+fn ViewRay_at_0( this_0 : ViewRay_0,  height_3 : f32) -> vec2<f32>
 {
-    return this_0.origin_0 + this_0.slope_1 * vec2<f32>(height_2);
+    return this_0.origin_0 + this_0.slope_1 * vec2<f32>(height_3);
 }
 
 fn StepControl_to_cell_exit_0( this_1 : StepControl_0,  side_x_0 : f32,  side_y_0 : f32) -> f32
@@ -1284,7 +1314,7 @@ fn outline_distance_0( cell_4 : Cell_0,  shown_3 : Shown_0,  run_3 : Run_0,  len
 
 struct Probe_0
 {
-     height_3 : f32,
+     height_4 : f32,
      hole_2 : bool,
      slope_x_1 : f32,
      slope_y_1 : f32,
@@ -1482,7 +1512,7 @@ struct Hit_0
      x_6 : f32,
      y_2 : f32,
      hole_3 : bool,
-     height_4 : f32,
+     height_5 : f32,
 };
 
 fn steps_per_length_0( _S164 : u32,  _S165 : SearchQuality_0,  _S166 : vec3<f32>) -> f32
@@ -1492,7 +1522,7 @@ fn steps_per_length_0( _S164 : u32,  _S165 : SearchQuality_0,  _S166 : vec3<f32>
 
 struct ViewRayEnd_0
 {
-     height_5 : f32,
+     height_6 : f32,
      last_step_0 : f32,
      depth_0 : f32,
      rate_4 : f32,
@@ -1609,7 +1639,7 @@ fn first_sample_height_0( _S197 : u32,  _S198 : ViewRay_0,  _S199 : StepControl_
 {
     var _S201 : f32 = max_height_along_0(_S197, _S198.origin_0.x, _S198.origin_0.y, 0.0f, vec3<f32>(_S198.slope_1, 1.0f), _S200);
     var count_1 : u32 = u32(0);
-    var height_6 : f32 = _S201;
+    var height_7 : f32 = _S201;
     for(;;)
     {
         if(count_1 < u32(1024))
@@ -1619,27 +1649,27 @@ fn first_sample_height_0( _S197 : u32,  _S198 : ViewRay_0,  _S199 : StepControl_
         {
             break;
         }
-        var _S202 : vec2<f32> = ViewRay_at_0(_S198, height_6);
+        var _S202 : vec2<f32> = ViewRay_at_0(_S198, height_7);
         var _S203 : vec3<f32> = cell_bounds_0(_S197, _S202.x, _S202.y, _S200, _S199.right_0, _S199.up_0);
-        var _S204 : f32 = height_6 - _S203.x;
+        var _S204 : f32 = height_7 - _S203.x;
         var _S205 : f32 = StepControl_to_cell_exit_0(_S199, _S203.y, _S203.z);
-        var height_7 : f32 = height_6 - clamp(_S204, 0.0f, _S205);
+        var height_8 : f32 = height_7 - clamp(_S204, 0.0f, _S205);
         if(_S204 <= _S205)
         {
-            height_6 = height_7;
+            height_7 = height_8;
             break;
         }
         count_1 = count_1 + u32(1);
-        height_6 = height_7;
+        height_7 = height_8;
     }
-    return height_6;
+    return height_7;
 }
 
 fn probe_0( _S206 : u32,  _S207 : f32,  _S208 : f32,  _S209 : bool,  _S210 : bool,  _S211 : bool) -> Probe_0
 {
     var _S212 : Sample_0 = sample_at_0(_S206, _S207, _S208, _S209);
     var probe_1 : Probe_0;
-    probe_1.height_3 = _S212.height_1;
+    probe_1.height_4 = _S212.height_2;
     probe_1.hole_2 = _S212.shown_2.hole_0;
     probe_1.slope_x_1 = _S212.slope_x_0;
     probe_1.slope_y_1 = _S212.slope_y_0;
@@ -1682,7 +1712,7 @@ fn search_down_0( _S215 : u32,  _S216 : ViewRay_0,  _S217 : StepControl_0,  _S21
 {
     var _S219 : f32 = fabrics_0[_S215].height_low_0 - (fabrics_0[_S215].height_high_0 - fabrics_0[_S215].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_5 = first_sample_height_0(_S215, _S216, _S217, _S218);
+    end_1.height_6 = first_sample_height_0(_S215, _S216, _S217, _S218);
     end_1.last_step_0 = _S217.epsilon_0;
     end_1.previous_3 = no_previous_sample_0();
     end_1.depth_0 = 0.0f;
@@ -1698,9 +1728,9 @@ fn search_down_0( _S215 : u32,  _S216 : ViewRay_0,  _S217 : StepControl_0,  _S21
         {
             break;
         }
-        var _S220 : vec2<f32> = ViewRay_at_0(_S216, end_1.height_5);
+        var _S220 : vec2<f32> = ViewRay_at_0(_S216, end_1.height_6);
         var _S221 : Probe_0 = probe_0(_S215, _S220.x, _S220.y, _S218, _S217.right_0, _S217.up_0);
-        var _S222 : f32 = end_1.height_5 - _S221.height_3;
+        var _S222 : f32 = end_1.height_6 - _S221.height_4;
         var _S223 : f32 = ViewRay_rate_0(_S216, _S221);
         end_1.depth_0 = - _S222;
         end_1.rate_4 = _S223;
@@ -1739,7 +1769,7 @@ fn search_down_0( _S215 : u32,  _S216 : ViewRay_0,  _S217 : StepControl_0,  _S21
         }
         else
         {
-            _S227 = (end_1.height_5) <= _S219;
+            _S227 = (end_1.height_6) <= _S219;
         }
         if(_S227)
         {
@@ -1748,17 +1778,17 @@ fn search_down_0( _S215 : u32,  _S216 : ViewRay_0,  _S217 : StepControl_0,  _S21
         var _S228 : f32 = way_back_to_dip_0(end_1.previous_3, _S222, _S223, end_1.last_step_0, _S221);
         if(_S228 >= 0.0f)
         {
-            end_1.height_5 = end_1.height_5 + _S228;
+            end_1.height_6 = end_1.height_6 + _S228;
             end_1.last_step_0 = end_1.last_step_0 - _S228;
             count_2 = count_2 + u32(1);
             continue;
         }
-        var _S229 : f32 = min(StepControl_to_cell_exit_0(_S217, _S221.side_x_1, _S221.side_y_1), end_1.height_5 - _S221.cell_max_0);
+        var _S229 : f32 = min(StepControl_to_cell_exit_0(_S217, _S221.side_x_1, _S221.side_y_1), end_1.height_6 - _S221.cell_max_0);
         var _S230 : f32 = StepControl_to_next_sample_0(_S217, _S221, _S222, _S223);
         end_1.previous_3 = after_sample_0(_S222, _S223, _S221, _S229 > _S230);
         var _S231 : f32 = max(_S229, _S230);
         end_1.last_step_0 = _S231;
-        end_1.height_5 = end_1.height_5 - _S231;
+        end_1.height_6 = end_1.height_6 - _S231;
         count_2 = count_2 + u32(1);
     }
     return end_1;
@@ -1767,7 +1797,7 @@ fn search_down_0( _S215 : u32,  _S216 : ViewRay_0,  _S217 : StepControl_0,  _S21
 fn refined_height_0( _S232 : u32,  _S233 : ViewRay_0,  _S234 : StepControl_0,  _S235 : bool,  _S236 : ViewRayEnd_0,  _S237 : u32) -> f32
 {
     var _S238 : f32 = fabrics_0[_S232].height_high_0 - fabrics_0[_S232].height_low_0;
-    var above_2 : f32 = _S236.height_5 + _S236.last_step_0;
+    var above_2 : f32 = _S236.height_6 + _S236.last_step_0;
     var above_gap_1 : f32 = clamp(_S236.previous_3.clearance_0, 0.0f, _S238);
     var under_gap_1 : f32 = clamp(_S236.depth_0, 0.0f, _S238);
     var _S239 : f32 = cubic_root_0(above_gap_1, - under_gap_1, _S236.previous_3.rate_0 * _S236.last_step_0, _S236.rate_4 * _S236.last_step_0);
@@ -1778,12 +1808,12 @@ fn refined_height_0( _S232 : u32,  _S233 : ViewRay_0,  _S234 : StepControl_0,  _
     }
     else
     {
-        middle_0 = between_0(above_2, _S236.height_5, above_gap_1, under_gap_1);
+        middle_0 = between_0(above_2, _S236.height_6, above_gap_1, under_gap_1);
     }
     var side_0 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S236.height_5;
+    var under_1 : f32 = _S236.height_6;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
@@ -1804,7 +1834,7 @@ fn refined_height_0( _S232 : u32,  _S233 : ViewRay_0,  _S234 : StepControl_0,  _
         }
         else
         {
-            _S242 = _S241.height_3;
+            _S242 = _S241.height_4;
         }
         var _S243 : f32 = clamp(middle_0 - _S242, - _S238, _S238);
         var _S244 : f32;
@@ -1871,7 +1901,7 @@ fn first_hit_of_yarn_0( _S246 : u32,  _S247 : SearchQuality_0,  _S248 : f32,  _S
     var hit_1 : Hit_0;
     hit_1.hole_3 = false;
     var _S256 : f32 = refined_height_0(_S246, ray_0, _S254, _S251, _S255, _S247.refinements_0);
-    hit_1.height_4 = _S256;
+    hit_1.height_5 = _S256;
     var _S257 : vec2<f32> = ViewRay_at_0(ray_0, _S256);
     hit_1.x_6 = _S257.x;
     hit_1.y_2 = _S257.y;
@@ -1905,7 +1935,7 @@ fn bake_views(@builtin(global_invocation_id) id_2 : vec3<u32>)
     var _S266 : vec2<f32> = sample_position_0(i32(0), _S265, _S264);
     var _S267 : Hit_0 = first_hit_of_yarn_0(_S261, bake_quality_0(), _S266.x, _S266.y, node_direction_0(_S264), _S262);
     var hit_2 : SurfaceHit_0 = hit_of_0(surface_at_0(_S261, _S267.x_6, _S267.y_2, _S262), _S267.x_6, _S267.y_2);
-    if((_S267.height_4) <= 0.0f)
+    if((_S267.height_5) <= 0.0f)
     {
         _S263 = u32(4);
     }
@@ -2006,7 +2036,7 @@ fn is_free_0( _S278 : u32,  _S279 : SearchQuality_0,  _S280 : vec3<f32>,  _S281 
         var _S288 : vec3<f32> = _S280 + _S281 * vec3<f32>(distance_1);
         var _S289 : Probe_0 = probe_0(_S278, _S288.x, _S288.y, _S282, _S286.right_0, _S286.up_0);
         var _S290 : f32 = _S288.z;
-        var _S291 : f32 = _S290 - _S289.height_3;
+        var _S291 : f32 = _S290 - _S289.height_4;
         var _S292 : f32 = _S284 - _S289.slope_x_1 * _S281.x - _S289.slope_y_1 * _S281.y;
         var _S293 : bool;
         if(!_S289.hole_2)
@@ -2282,7 +2312,7 @@ fn bake_shadows(@builtin(global_invocation_id) id_5 : vec3<u32>)
         var _S347 : bool;
         if(_S346)
         {
-            _S347 = unoccluded_0(_S335, bake_quality_0(), _S341, _S342, _S345.height_0, _S343, _S344);
+            _S347 = unoccluded_0(_S335, bake_quality_0(), _S341, _S342, _S345.height_1, _S343, _S344);
         }
         else
         {

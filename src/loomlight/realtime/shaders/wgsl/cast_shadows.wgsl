@@ -116,6 +116,32 @@ struct Neumip_std430_0
     @align(4) texels_per_mm_0 : f32,
     @align(4) unit_x_0 : f32,
     @align(4) unit_y_0 : f32,
+    @align(4) transmits_0 : u32,
+    @align(4) transmission_0 : u32,
+    @align(4) has_holes_0 : u32,
+    @align(4) opacity_0 : u32,
+};
+
+struct Latent_std430_0
+{
+    @align(4) is_trained_1 : u32,
+    @align(4) decoder_1 : u32,
+    @align(4) hidden_0 : u32,
+    @align(4) frames_1 : u32,
+    @align(4) sampler_0 : u32,
+    @align(4) albedo_0 : u32,
+    @align(4) texels_1 : u32,
+    @align(4) texel_elements_1 : u32,
+    @align(4) levels_3 : u32,
+    @align(4) last_level_2 : f32,
+    @align(4) face_texels_1 : u32,
+    @align(4) back_1 : u32,
+    @align(4) repeats_per_x_1 : f32,
+    @align(4) repeats_per_y_1 : f32,
+    @align(4) texels_per_mm_1 : f32,
+    @align(4) width_1 : f32,
+    @align(4) height_1 : f32,
+    @align(4) is_trilinear_0 : u32,
 };
 
 struct Fabric_std430_0
@@ -147,8 +173,12 @@ struct Fabric_std430_0
     @align(4) uv_width_0 : f32,
     @align(4) uv_height_0 : f32,
     @align(4) is_open_0 : u32,
+    @align(4) openness_0 : u32,
     @align(4) albedo_map_0 : u32,
     @align(4) albedo_map_levels_0 : u32,
+    @align(4) has_yarns_0 : u32,
+    @align(4) mean_hole_0 : f32,
+    @align(4) latent_0 : Latent_std430_0,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -510,11 +540,11 @@ fn to_local_0( point_0 : VisiblePoint_0,  direction_1 : vec3<f32>) -> vec3<f32>
     return vec3<f32>(dot(direction_1, point_0.axis_x_0), dot(direction_1, point_0.axis_y_0), dot(direction_1, point_0.normal_0));
 }
 
-fn to_face_frame_0( direction_2 : vec3<f32>,  back_1 : bool) -> vec3<f32>
+fn to_face_frame_0( direction_2 : vec3<f32>,  back_2 : bool) -> vec3<f32>
 {
     var _S47 : vec2<f32> = direction_2.xy;
     var _S48 : f32;
-    if(back_1)
+    if(back_2)
     {
         _S48 = - direction_2.z;
     }
@@ -670,7 +700,7 @@ struct Crossing_0
      warp_above_0 : bool,
 };
 
-fn shown_at_0( crossing_0 : Crossing_0,  back_2 : bool) -> Shown_0
+fn shown_at_0( crossing_0 : Crossing_0,  back_3 : bool) -> Shown_0
 {
     var _S60 : bool = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
     var _S61 : bool = (abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1);
@@ -711,7 +741,7 @@ fn shown_at_0( crossing_0 : Crossing_0,  back_2 : bool) -> Shown_0
         _S63 = crossing_0.weft_word_0;
     }
     shown_0.word_0 = _S63;
-    shown_0.on_top_0 = (((_S63 & (u32(1)))) == u32(1)) != back_2;
+    shown_0.on_top_0 = (((_S63 & (u32(1)))) == u32(1)) != back_3;
     return shown_0;
 }
 
@@ -1156,7 +1186,7 @@ fn outline_distance_0( cell_5 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  len
 
 struct Probe_0
 {
-     height_1 : f32,
+     height_2 : f32,
      hole_1 : bool,
      slope_x_0 : f32,
      slope_y_0 : f32,
@@ -1326,9 +1356,9 @@ struct ViewRay_0
      slope_1 : vec2<f32>,
 };
 
-fn ViewRay_at_0( this_3 : ViewRay_0,  height_2 : f32) -> vec2<f32>
+fn ViewRay_at_0( this_3 : ViewRay_0,  height_3 : f32) -> vec2<f32>
 {
-    return this_3.origin_2 + this_3.slope_1 * vec2<f32>(height_2);
+    return this_3.origin_2 + this_3.slope_1 * vec2<f32>(height_3);
 }
 
 fn ViewRay_rate_0( this_4 : ViewRay_0,  here_3 : Probe_0) -> f32
@@ -1891,7 +1921,7 @@ struct Hit_1
      x_13 : f32,
      y_7 : f32,
      hole_2 : bool,
-     height_3 : f32,
+     height_4 : f32,
 };
 
 struct Sample_0
@@ -1900,7 +1930,7 @@ struct Sample_0
      shown_3 : Shown_0,
      run_3 : Run_0,
      section_1 : Section_0,
-     height_4 : f32,
+     height_5 : f32,
      slope_across_0 : f32,
      slope_along_0 : f32,
      slope_x_1 : f32,
@@ -2047,7 +2077,7 @@ fn sample_at_0( _S318 : u32,  _S319 : f32,  _S320 : f32,  _S321 : bool) -> Sampl
     {
         _S332 = _S344.height_scale_0 * _S332;
     }
-    sample_1.height_4 = _S332 * (_S333 * _S328.bend_1.half_tangent_0 - _S339) - _S344.height_scale_0 * _S329.drop_0 - _S345.x;
+    sample_1.height_5 = _S332 * (_S333 * _S328.bend_1.half_tangent_0 - _S339) - _S344.height_scale_0 * _S329.drop_0 - _S345.x;
     var _S346 : f32 = _S344.height_scale_0 * sample_1.slope_across_0;
     var _S347 : f32 = _S344.height_scale_0 * sample_1.slope_along_0 - _S345.y;
     if(_S323.is_warp_0)
@@ -2105,7 +2135,7 @@ fn probe_0( _S355 : u32,  _S356 : f32,  _S357 : f32,  _S358 : bool,  _S359 : boo
 {
     var _S361 : Sample_0 = sample_at_0(_S355, _S356, _S357, _S358);
     var probe_1 : Probe_0;
-    probe_1.height_1 = _S361.height_4;
+    probe_1.height_2 = _S361.height_5;
     probe_1.hole_1 = _S361.shown_3.hole_0;
     probe_1.slope_x_0 = _S361.slope_x_1;
     probe_1.slope_y_0 = _S361.slope_y_1;
@@ -2178,7 +2208,7 @@ fn is_free_0( _S364 : u32,  _S365 : SearchQuality_0,  _S366 : vec3<f32>,  _S367 
         var _S374 : vec3<f32> = _S366 + _S367 * vec3<f32>(distance_3);
         var _S375 : Probe_0 = probe_0(_S364, _S374.x, _S374.y, _S368, _S372.right_0, _S372.up_0);
         var _S376 : f32 = _S374.z;
-        var _S377 : f32 = _S376 - _S375.height_1;
+        var _S377 : f32 = _S376 - _S375.height_2;
         var _S378 : f32 = _S370 - _S375.slope_x_0 * _S367.x - _S375.slope_y_0 * _S367.y;
         var _S379 : bool;
         if(!_S375.hole_1)
@@ -2268,7 +2298,7 @@ fn passes_through_0( _S383 : u32,  _S384 : SearchQuality_0,  _S385 : f32,  _S386
 
 struct ViewRayEnd_0
 {
-     height_5 : f32,
+     height_6 : f32,
      last_step_3 : f32,
      depth_0 : f32,
      rate_4 : f32,
@@ -2362,7 +2392,7 @@ fn first_sample_height_0( _S420 : u32,  _S421 : ViewRay_0,  _S422 : StepControl_
 {
     var _S424 : f32 = max_height_along_0(_S420, _S421.origin_2.x, _S421.origin_2.y, 0.0f, vec3<f32>(_S421.slope_1, 1.0f), _S423);
     var count_4 : u32 = u32(0);
-    var height_6 : f32 = _S424;
+    var height_7 : f32 = _S424;
     for(;;)
     {
         if(count_4 < u32(1024))
@@ -2372,27 +2402,27 @@ fn first_sample_height_0( _S420 : u32,  _S421 : ViewRay_0,  _S422 : StepControl_
         {
             break;
         }
-        var _S425 : vec2<f32> = ViewRay_at_0(_S421, height_6);
+        var _S425 : vec2<f32> = ViewRay_at_0(_S421, height_7);
         var _S426 : vec3<f32> = cell_bounds_0(_S420, _S425.x, _S425.y, _S423, _S422.right_0, _S422.up_0);
-        var _S427 : f32 = height_6 - _S426.x;
+        var _S427 : f32 = height_7 - _S426.x;
         var _S428 : f32 = StepControl_to_cell_exit_0(_S422, _S426.y, _S426.z);
-        var height_7 : f32 = height_6 - clamp(_S427, 0.0f, _S428);
+        var height_8 : f32 = height_7 - clamp(_S427, 0.0f, _S428);
         if(_S427 <= _S428)
         {
-            height_6 = height_7;
+            height_7 = height_8;
             break;
         }
         count_4 = count_4 + u32(1);
-        height_6 = height_7;
+        height_7 = height_8;
     }
-    return height_6;
+    return height_7;
 }
 
 fn search_down_0( _S429 : u32,  _S430 : ViewRay_0,  _S431 : StepControl_0,  _S432 : bool) -> ViewRayEnd_0
 {
     var _S433 : f32 = fabrics_0[_S429].height_low_0 - (fabrics_0[_S429].height_high_0 - fabrics_0[_S429].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_5 = first_sample_height_0(_S429, _S430, _S431, _S432);
+    end_1.height_6 = first_sample_height_0(_S429, _S430, _S431, _S432);
     end_1.last_step_3 = _S431.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_0 = 0.0f;
@@ -2408,9 +2438,9 @@ fn search_down_0( _S429 : u32,  _S430 : ViewRay_0,  _S431 : StepControl_0,  _S43
         {
             break;
         }
-        var _S434 : vec2<f32> = ViewRay_at_0(_S430, end_1.height_5);
+        var _S434 : vec2<f32> = ViewRay_at_0(_S430, end_1.height_6);
         var _S435 : Probe_0 = probe_0(_S429, _S434.x, _S434.y, _S432, _S431.right_0, _S431.up_0);
-        var _S436 : f32 = end_1.height_5 - _S435.height_1;
+        var _S436 : f32 = end_1.height_6 - _S435.height_2;
         var _S437 : f32 = ViewRay_rate_0(_S430, _S435);
         end_1.depth_0 = - _S436;
         end_1.rate_4 = _S437;
@@ -2449,7 +2479,7 @@ fn search_down_0( _S429 : u32,  _S430 : ViewRay_0,  _S431 : StepControl_0,  _S43
         }
         else
         {
-            _S441 = (end_1.height_5) <= _S433;
+            _S441 = (end_1.height_6) <= _S433;
         }
         if(_S441)
         {
@@ -2458,17 +2488,17 @@ fn search_down_0( _S429 : u32,  _S430 : ViewRay_0,  _S431 : StepControl_0,  _S43
         var _S442 : f32 = way_back_to_dip_0(end_1.previous_4, _S436, _S437, end_1.last_step_3, _S435);
         if(_S442 >= 0.0f)
         {
-            end_1.height_5 = end_1.height_5 + _S442;
+            end_1.height_6 = end_1.height_6 + _S442;
             end_1.last_step_3 = end_1.last_step_3 - _S442;
             count_5 = count_5 + u32(1);
             continue;
         }
-        var _S443 : f32 = min(StepControl_to_cell_exit_0(_S431, _S435.side_x_0, _S435.side_y_0), end_1.height_5 - _S435.cell_max_0);
+        var _S443 : f32 = min(StepControl_to_cell_exit_0(_S431, _S435.side_x_0, _S435.side_y_0), end_1.height_6 - _S435.cell_max_0);
         var _S444 : f32 = StepControl_to_next_sample_0(_S431, _S435, _S436, _S437);
         end_1.previous_4 = after_sample_0(_S436, _S437, _S435, _S443 > _S444);
         var _S445 : f32 = max(_S443, _S444);
         end_1.last_step_3 = _S445;
-        end_1.height_5 = end_1.height_5 - _S445;
+        end_1.height_6 = end_1.height_6 - _S445;
         count_5 = count_5 + u32(1);
     }
     return end_1;
@@ -2477,7 +2507,7 @@ fn search_down_0( _S429 : u32,  _S430 : ViewRay_0,  _S431 : StepControl_0,  _S43
 fn refined_height_0( _S446 : u32,  _S447 : ViewRay_0,  _S448 : StepControl_0,  _S449 : bool,  _S450 : ViewRayEnd_0,  _S451 : u32) -> f32
 {
     var _S452 : f32 = fabrics_0[_S446].height_high_0 - fabrics_0[_S446].height_low_0;
-    var above_2 : f32 = _S450.height_5 + _S450.last_step_3;
+    var above_2 : f32 = _S450.height_6 + _S450.last_step_3;
     var above_gap_1 : f32 = clamp(_S450.previous_4.clearance_0, 0.0f, _S452);
     var under_gap_1 : f32 = clamp(_S450.depth_0, 0.0f, _S452);
     var _S453 : f32 = cubic_root_0(above_gap_1, - under_gap_1, _S450.previous_4.rate_0 * _S450.last_step_3, _S450.rate_4 * _S450.last_step_3);
@@ -2488,12 +2518,12 @@ fn refined_height_0( _S446 : u32,  _S447 : ViewRay_0,  _S448 : StepControl_0,  _
     }
     else
     {
-        middle_0 = between_0(above_2, _S450.height_5, above_gap_1, under_gap_1);
+        middle_0 = between_0(above_2, _S450.height_6, above_gap_1, under_gap_1);
     }
     var side_1 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S450.height_5;
+    var under_1 : f32 = _S450.height_6;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
@@ -2514,7 +2544,7 @@ fn refined_height_0( _S446 : u32,  _S447 : ViewRay_0,  _S448 : StepControl_0,  _
         }
         else
         {
-            _S456 = _S455.height_1;
+            _S456 = _S455.height_2;
         }
         var _S457 : f32 = clamp(middle_0 - _S456, - _S452, _S452);
         var _S458 : f32;
@@ -2581,7 +2611,7 @@ fn first_hit_of_yarn_0( _S460 : u32,  _S461 : SearchQuality_0,  _S462 : f32,  _S
     var hit_1 : Hit_1;
     hit_1.hole_2 = false;
     var _S470 : f32 = refined_height_0(_S460, ray_0, _S468, _S465, _S469, _S461.refinements_0);
-    hit_1.height_3 = _S470;
+    hit_1.height_4 = _S470;
     var _S471 : vec2<f32> = ViewRay_at_0(ray_0, _S470);
     hit_1.x_13 = _S471.x;
     hit_1.y_7 = _S471.y;
@@ -2597,7 +2627,7 @@ fn first_hit_0( _S472 : u32,  _S473 : SearchQuality_0,  _S474 : f32,  _S475 : f3
     var hit_2 : Hit_1;
     hit_2.x_13 = _S474;
     hit_2.y_7 = _S475;
-    hit_2.height_3 = 0.0f;
+    hit_2.height_4 = 0.0f;
     hit_2.hole_2 = true;
     return hit_2;
 }
@@ -2692,6 +2722,10 @@ fn prefiltered_hole_0( _S500 : u32,  _S501 : CoverageTaps_0,  _S502 : NodeTaps_0
 
 fn passed_share_0( _S507 : u32,  _S508 : VisiblePoint_0,  _S509 : vec3<f32>,  _S510 : f32,  _S511 : vec2<f32>) -> f32
 {
+    if((fabrics_0[_S507].has_yarns_0) == u32(0))
+    {
+        return fabrics_0[_S507].mean_hole_0;
+    }
     var _S512 : vec3<f32> = to_local_0(_S508, _S509);
     var _S513 : bool = (_S512.z) < 0.0f;
     var _S514 : vec3<f32> = to_face_frame_0(_S512, _S513);

@@ -87,6 +87,32 @@ struct Neumip_std430_0
     @align(4) texels_per_mm_0 : f32,
     @align(4) unit_x_0 : f32,
     @align(4) unit_y_0 : f32,
+    @align(4) transmits_0 : u32,
+    @align(4) transmission_0 : u32,
+    @align(4) has_holes_0 : u32,
+    @align(4) opacity_0 : u32,
+};
+
+struct Latent_std430_0
+{
+    @align(4) is_trained_1 : u32,
+    @align(4) decoder_1 : u32,
+    @align(4) hidden_0 : u32,
+    @align(4) frames_0 : u32,
+    @align(4) sampler_0 : u32,
+    @align(4) albedo_0 : u32,
+    @align(4) texels_1 : u32,
+    @align(4) texel_elements_1 : u32,
+    @align(4) levels_3 : u32,
+    @align(4) last_level_2 : f32,
+    @align(4) face_texels_1 : u32,
+    @align(4) back_1 : u32,
+    @align(4) repeats_per_x_1 : f32,
+    @align(4) repeats_per_y_1 : f32,
+    @align(4) texels_per_mm_1 : f32,
+    @align(4) width_0 : f32,
+    @align(4) height_0 : f32,
+    @align(4) is_trilinear_0 : u32,
 };
 
 struct Fabric_std430_0
@@ -118,8 +144,12 @@ struct Fabric_std430_0
     @align(4) uv_width_0 : f32,
     @align(4) uv_height_0 : f32,
     @align(4) is_open_0 : u32,
+    @align(4) openness_0 : u32,
     @align(4) albedo_map_0 : u32,
     @align(4) albedo_map_levels_0 : u32,
+    @align(4) has_yarns_0 : u32,
+    @align(4) mean_hole_0 : f32,
+    @align(4) latent_0 : Latent_std430_0,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -187,11 +217,11 @@ fn default_quality_0() -> SearchQuality_0
     return quality_0;
 }
 
-fn to_face_frame_0( direction_0 : vec3<f32>,  back_1 : bool) -> vec3<f32>
+fn to_face_frame_0( direction_0 : vec3<f32>,  back_2 : bool) -> vec3<f32>
 {
     var _S1 : vec2<f32> = direction_0.xy;
     var _S2 : f32;
-    if(back_1)
+    if(back_2)
     {
         _S2 = - direction_0.z;
     }
@@ -287,7 +317,7 @@ struct Crossing_0
      warp_above_0 : bool,
 };
 
-fn shown_at_0( crossing_0 : Crossing_0,  back_2 : bool) -> Shown_0
+fn shown_at_0( crossing_0 : Crossing_0,  back_3 : bool) -> Shown_0
 {
     var _S10 : bool = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
     var _S11 : bool = (abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1);
@@ -328,7 +358,7 @@ fn shown_at_0( crossing_0 : Crossing_0,  back_2 : bool) -> Shown_0
         _S13 = crossing_0.weft_word_0;
     }
     shown_0.word_0 = _S13;
-    shown_0.on_top_0 = (((_S13 & (u32(1)))) == u32(1)) != back_2;
+    shown_0.on_top_0 = (((_S13 & (u32(1)))) == u32(1)) != back_3;
     return shown_0;
 }
 
@@ -773,7 +803,7 @@ fn outline_distance_0( cell_4 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  len
 
 struct Probe_0
 {
-     height_0 : f32,
+     height_1 : f32,
      hole_1 : bool,
      slope_x_0 : f32,
      slope_y_0 : f32,
@@ -943,9 +973,9 @@ struct ViewRay_0
      slope_1 : vec2<f32>,
 };
 
-fn ViewRay_at_0( this_2 : ViewRay_0,  height_1 : f32) -> vec2<f32>
+fn ViewRay_at_0( this_2 : ViewRay_0,  height_2 : f32) -> vec2<f32>
 {
-    return this_2.origin_0 + this_2.slope_1 * vec2<f32>(height_1);
+    return this_2.origin_0 + this_2.slope_1 * vec2<f32>(height_2);
 }
 
 fn ViewRay_rate_0( this_3 : ViewRay_0,  here_3 : Probe_0) -> f32
@@ -1073,9 +1103,9 @@ fn thread_gain_0( thread_9 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
     return amount_0 * (2.0f * uniform_hash_0(thread_9, u32(0), (seed_1 ^ (u32(2135587861)))) - 1.0f) + 1.0f;
 }
 
-fn bounded_gain_0( gain_0 : f32,  albedo_0 : vec3<f32>,  room_0 : vec3<f32>) -> f32
+fn bounded_gain_0( gain_0 : f32,  albedo_1 : vec3<f32>,  room_0 : vec3<f32>) -> f32
 {
-    var _S90 : vec3<f32> = room_0 / max(albedo_0, vec3<f32>(9.99999997475242708e-07f));
+    var _S90 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
     return min(gain_0, max(min(min(_S90.x, _S90.y), _S90.z), 0.0f));
 }
 
@@ -1107,39 +1137,109 @@ fn fibre_gain_0( thread_10 : u32,  cell_6 : u32,  amount_1 : f32,  seed_2 : u32)
     return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_10, cell_6, (seed_2 ^ (u32(2654435769))))), 10.0f) - 1.0f) + 1.0f;
 }
 
+struct FaceRadiance_0
+{
+     warp_2 : vec3<f32>,
+     weft_2 : vec3<f32>,
+     mean_0 : vec3<f32>,
+     leaked_0 : vec3<f32>,
+};
+
+struct FaceSends_0
+{
+     sky_warp_0 : vec3<f32>,
+     sky_weft_0 : vec3<f32>,
+     crossing_warp_0 : vec3<f32>,
+     crossing_weft_0 : vec3<f32>,
+     open_0 : f32,
+     blocks_warp_0 : f32,
+     blocks_weft_0 : f32,
+};
+
+fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
+{
+    var _S93 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
+    var found_0 : FaceRadiance_0;
+    var _S94 : vec3<f32> = sends_0.sky_warp_0 + _S93 * sends_0.crossing_warp_0;
+    found_0.warp_2 = _S94;
+    var _S95 : vec3<f32> = sends_0.sky_weft_0 + _S93 * sends_0.crossing_weft_0;
+    found_0.weft_2 = _S95;
+    found_0.mean_0 = vec3<f32>(sends_0.blocks_warp_0) * _S94 + vec3<f32>(sends_0.blocks_weft_0) * _S95;
+    found_0.leaked_0 = from_other_0;
+    return found_0;
+}
+
+struct Bounced_0
+{
+     reflected_0 : vec3<f32>,
+     transmitted_0 : vec3<f32>,
+};
+
+struct Blocked_0
+{
+     by_warp_0 : f32,
+     by_weft_0 : f32,
+     far_0 : f32,
+};
+
+struct Scattered_0
+{
+     back_4 : vec3<f32>,
+     through_0 : vec3<f32>,
+};
+
+struct Interior_0
+{
+     warp_3 : vec3<f32>,
+     weft_3 : vec3<f32>,
+     leaked_1 : vec3<f32>,
+     far_1 : vec3<f32>,
+     far_leaked_0 : vec3<f32>,
+};
+
+fn bounced_by_0( blocked_0 : Blocked_0,  yarn_2 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
+{
+    var _S96 : vec3<f32> = vec3<f32>((blocked_0.by_warp_0 + blocked_0.by_weft_0)) * interior_0.leaked_1;
+    var _S97 : vec3<f32> = vec3<f32>(blocked_0.far_0) * yarn_2.through_0;
+    var bounced_0 : Bounced_0;
+    bounced_0.reflected_0 = yarn_2.back_4 * (vec3<f32>(blocked_0.by_warp_0) * interior_0.warp_3 + vec3<f32>(blocked_0.by_weft_0) * interior_0.weft_3) + _S97 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S97 * interior_0.far_1 + yarn_2.back_4 * _S96;
+    return bounced_0;
+}
+
 fn diffuse_reflection_0( light_0 : vec3<f32>,  normal_0 : vec3<f32>,  blend_0 : f32) -> f32
 {
-    var _S93 : f32 = light_0.z;
-    if(_S93 <= 0.0f)
+    var _S98 : f32 = light_0.z;
+    if(_S98 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * mix(max(_S93, 0.0f), max(dot(light_0, normal_0), 0.0f), blend_0);
+    return 0.31830987334251404f * mix(max(_S98, 0.0f), max(dot(light_0, normal_0), 0.0f), blend_0);
 }
 
 fn projected_area_1( direction_2 : vec3<f32>,  tangent_0 : vec3<f32>,  roughness_1 : f32) -> f32
 {
-    var _S94 : f32 = dot(direction_2, tangent_0);
-    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S94 * _S94 + 1.0f, roughness_1 * roughness_1));
+    var _S99 : f32 = dot(direction_2, tangent_0);
+    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S99 * _S99 + 1.0f, roughness_1 * roughness_1));
 }
 
 fn exponential_0( x_4 : f32) -> f32
 {
-    var _S95 : f32 = clamp(x_4, -87.0f, 88.0f);
-    var _S96 : f32 = floor(_S95 * 1.4426950216293335f + 0.5f);
-    var _S97 : f32 = _S95 - _S96 * 0.693359375f + _S96 * 0.00021219444170129f;
-    var p_0 : f32 = ((((0.00019875691214111f * _S97 + 0.00139819993637502f) * _S97 + 0.00833345204591751f) * _S97 + 0.04166579619050026f) * _S97 + 0.1666666567325592f) * _S97 + 0.5f;
-    var _S98 : f32 = (bitcast<f32>(((u32(i32(_S96) + i32(127)) << (u32(23))))));
-    var _S99 : f32;
+    var _S100 : f32 = clamp(x_4, -87.0f, 88.0f);
+    var _S101 : f32 = floor(_S100 * 1.4426950216293335f + 0.5f);
+    var _S102 : f32 = _S100 - _S101 * 0.693359375f + _S101 * 0.00021219444170129f;
+    var p_0 : f32 = ((((0.00019875691214111f * _S102 + 0.00139819993637502f) * _S102 + 0.00833345204591751f) * _S102 + 0.04166579619050026f) * _S102 + 0.1666666567325592f) * _S102 + 0.5f;
+    var _S103 : f32 = (bitcast<f32>(((u32(i32(_S101) + i32(127)) << (u32(23))))));
+    var _S104 : f32;
     if(x_4 < -87.0f)
     {
-        _S99 = 0.0f;
+        _S104 = 0.0f;
     }
     else
     {
-        _S99 = (p_0 * _S97 * _S97 + _S97 + 1.0f) * _S98;
+        _S104 = (p_0 * _S102 * _S102 + _S102 + 1.0f) * _S103;
     }
-    return _S99;
+    return _S104;
 }
 
 fn mean_attenuation_0( depth_0 : f32) -> f32
@@ -1158,62 +1258,62 @@ fn square_1( v_0 : vec3<f32>) -> f32
 
 fn flake_density_0( squared_along_0 : f32,  roughness_2 : f32) -> f32
 {
-    var _S100 : f32 = roughness_2 * roughness_2;
-    var _S101 : f32 = squared_along_0 * (1.0f - _S100) + _S100;
-    return 0.31830987334251404f * _S100 * roughness_2 / (_S101 * _S101);
+    var _S105 : f32 = roughness_2 * roughness_2;
+    var _S106 : f32 = squared_along_0 * (1.0f - _S105) + _S105;
+    return 0.31830987334251404f * _S105 * roughness_2 / (_S106 * _S106);
 }
 
 fn density_between_0( light_1 : vec3<f32>,  view_0 : vec3<f32>,  tangent_1 : vec3<f32>,  roughness_3 : f32) -> f32
 {
-    var _S102 : vec3<f32> = light_1 + view_0;
-    var _S103 : f32 = dot(_S102, tangent_1);
-    return flake_density_0(min(_S103 * _S103 / max(square_1(_S102), 9.999999960041972e-13f), 1.0f), roughness_3);
+    var _S107 : vec3<f32> = light_1 + view_0;
+    var _S108 : f32 = dot(_S107, tangent_1);
+    return flake_density_0(min(_S108 * _S108 / max(square_1(_S107), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
 fn reflection_0( light_2 : vec3<f32>,  view_1 : vec3<f32>,  normal_1 : vec3<f32>,  tangent_2 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
 {
-    var _S104 : f32 = dot(light_2, normal_1);
-    var _S105 : bool;
-    if(_S104 <= 0.0f)
+    var _S109 : f32 = dot(light_2, normal_1);
+    var _S110 : bool;
+    if(_S109 <= 0.0f)
     {
-        _S105 = true;
+        _S110 = true;
     }
     else
     {
-        _S105 = (dot(view_1, normal_1)) <= 0.0f;
+        _S110 = (dot(view_1, normal_1)) <= 0.0f;
     }
-    if(_S105)
+    if(_S110)
     {
         return 0.0f;
     }
-    var _S106 : f32 = max(_S104, 9.99999997475242708e-07f);
-    var _S107 : f32 = max(dot(view_1, normal_1), 9.99999997475242708e-07f);
-    var _S108 : f32 = projected_area_1(light_2, tangent_2, roughness_4) * _S107 + projected_area_1(view_1, tangent_2, roughness_4) * _S106;
-    var _S109 : f32 = optical_depth_1 * _S108 / (_S106 * _S107);
-    return 0.25f * density_between_0(light_2, view_1, tangent_2, roughness_4) * (_S109 * mean_attenuation_0(_S109)) * _S106 / _S108;
+    var _S111 : f32 = max(_S109, 9.99999997475242708e-07f);
+    var _S112 : f32 = max(dot(view_1, normal_1), 9.99999997475242708e-07f);
+    var _S113 : f32 = projected_area_1(light_2, tangent_2, roughness_4) * _S112 + projected_area_1(view_1, tangent_2, roughness_4) * _S111;
+    var _S114 : f32 = optical_depth_1 * _S113 / (_S111 * _S112);
+    return 0.25f * density_between_0(light_2, view_1, tangent_2, roughness_4) * (_S114 * mean_attenuation_0(_S114)) * _S111 / _S113;
 }
 
-fn transmission_0( light_3 : vec3<f32>,  view_2 : vec3<f32>,  normal_2 : vec3<f32>,  tangent_3 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
+fn transmission_1( light_3 : vec3<f32>,  view_2 : vec3<f32>,  normal_2 : vec3<f32>,  tangent_3 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
 {
-    var _S110 : f32 = - dot(light_3, normal_2);
-    var _S111 : f32 = dot(view_2, normal_2);
-    var _S112 : bool;
-    if(_S110 <= 0.0f)
+    var _S115 : f32 = - dot(light_3, normal_2);
+    var _S116 : f32 = dot(view_2, normal_2);
+    var _S117 : bool;
+    if(_S115 <= 0.0f)
     {
-        _S112 = true;
+        _S117 = true;
     }
     else
     {
-        _S112 = _S111 <= 0.0f;
+        _S117 = _S116 <= 0.0f;
     }
-    if(_S112)
+    if(_S117)
     {
         return 0.0f;
     }
-    var _S113 : f32 = 1.0f / max(_S111, 9.99999997475242708e-07f);
-    var _S114 : f32 = projected_area_1(light_3, tangent_3, roughness_5) / max(_S110, 9.99999997475242708e-07f);
-    var _S115 : f32 = projected_area_1(view_2, tangent_3, roughness_5) * _S113;
-    return density_between_0(light_3, view_2, tangent_3, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S114, _S115)) * mean_attenuation_0(optical_depth_2 * abs(_S114 - _S115)) * _S113;
+    var _S118 : f32 = 1.0f / max(_S116, 9.99999997475242708e-07f);
+    var _S119 : f32 = projected_area_1(light_3, tangent_3, roughness_5) / max(_S115, 9.99999997475242708e-07f);
+    var _S120 : f32 = projected_area_1(view_2, tangent_3, roughness_5) * _S118;
+    return density_between_0(light_3, view_2, tangent_3, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S119, _S120)) * mean_attenuation_0(optical_depth_2 * abs(_S119 - _S120)) * _S118;
 }
 
 fn sheen_scale_0( x_5 : f32,  y_0 : f32) -> f32
@@ -1233,60 +1333,75 @@ fn sheen_reflectance_0( x_7 : f32,  y_2 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_6 : f32) -> vec3<f32>
 {
-    var _S116 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S117 : f32 = 2.0f * sqrt(_S116) - 1.0f;
-    var _S118 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_6, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S117, _S118), 0.00999999977648258f, 1.0f), clamp((1.0f - _S116) * sheen_shear_0(_S117, _S118), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S117, _S118), -60.0f, 60.0f))));
+    var _S121 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S122 : f32 = 2.0f * sqrt(_S121) - 1.0f;
+    var _S123 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_6, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S122, _S123), 0.00999999977648258f, 1.0f), clamp((1.0f - _S121) * sheen_shear_0(_S122, _S123), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S122, _S123), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_4 : vec3<f32>,  view_3 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S119 : f32 = light_4.z;
-    var _S120 : bool;
-    if(_S119 <= 0.0f)
+    var _S124 : f32 = light_4.z;
+    var _S125 : bool;
+    if(_S124 <= 0.0f)
     {
-        _S120 = true;
+        _S125 = true;
     }
     else
     {
-        _S120 = (view_3.z) <= 0.0f;
+        _S125 = (view_3.z) <= 0.0f;
     }
-    if(_S120)
+    if(_S125)
     {
         return 0.0f;
     }
-    var _S121 : vec2<f32> = view_3.xy;
-    var _S122 : f32 = dot(_S121, _S121);
-    var _S123 : vec2<f32>;
-    if(_S122 > 9.99999968265522539e-21f)
+    var _S126 : vec2<f32> = view_3.xy;
+    var _S127 : f32 = dot(_S126, _S126);
+    var _S128 : vec2<f32>;
+    if(_S127 > 9.99999968265522539e-21f)
     {
-        _S123 = _S121 * vec2<f32>(rsqrt_0(_S122));
+        _S128 = _S126 * vec2<f32>(rsqrt_0(_S127));
     }
     else
     {
-        _S123 = vec2<f32>(1.0f, 0.0f);
+        _S128 = vec2<f32>(1.0f, 0.0f);
     }
-    var _S124 : f32 = scale_0 * dot(light_4.xy, _S123) + shear_0 * _S119;
-    var _S125 : f32 = scale_0 * (light_4.y * _S123.x - light_4.x * _S123.y);
-    var _S126 : f32 = _S124 * _S124 + _S125 * _S125 + _S119 * _S119;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S119 / max(_S126 * _S126, 9.99999968265522539e-21f);
+    var _S129 : f32 = scale_0 * dot(light_4.xy, _S128) + shear_0 * _S124;
+    var _S130 : f32 = scale_0 * (light_4.y * _S128.x - light_4.x * _S128.y);
+    var _S131 : f32 = _S129 * _S129 + _S130 * _S130 + _S124 * _S124;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S124 / max(_S131 * _S131, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_5 : vec3<f32>,  view_4 : vec3<f32>,  strength_0 : f32,  roughness_7 : f32) -> vec2<f32>
 {
-    var _S127 : vec3<f32> = sheen_lobe_0(view_4.z, roughness_7);
-    var _S128 : f32 = strength_0 * _S127.z;
-    return vec2<f32>(_S128 * transformed_cosine_0(light_5, view_4, _S127.x, _S127.y), 1.0f - _S128);
+    var _S132 : vec3<f32> = sheen_lobe_0(view_4.z, roughness_7);
+    var _S133 : f32 = strength_0 * _S132.z;
+    return vec2<f32>(_S133 * transformed_cosine_0(light_5, view_4, _S132.x, _S132.y), 1.0f - _S133);
+}
+
+fn bounced_value_0( bounced_1 : Bounced_0,  light_6 : vec3<f32>,  view_5 : vec3<f32>) -> vec3<f32>
+{
+    var _S134 : f32 = light_6.z;
+    var _S135 : vec3<f32>;
+    if((_S134 * view_5.z) < 0.0f)
+    {
+        _S135 = bounced_1.transmitted_0;
+    }
+    else
+    {
+        _S135 = bounced_1.reflected_0;
+    }
+    return _S135 * vec3<f32>((abs(_S134) * 0.31830987334251404f));
 }
 
 struct YarnPoint_0
 {
-     back_3 : bool,
+     back_5 : bool,
      hole_2 : bool,
      is_warp_1 : bool,
      x_8 : f32,
      y_3 : f32,
-     height_2 : f32,
+     height_3 : f32,
      normal_3 : vec3<f32>,
      tangent_4 : vec3<f32>,
      roughness_8 : f32,
@@ -1298,7 +1413,7 @@ struct Hit_0
      x_9 : f32,
      y_4 : f32,
      hole_3 : bool,
-     height_3 : f32,
+     height_4 : f32,
 };
 
 struct Sample_0
@@ -1307,321 +1422,321 @@ struct Sample_0
      shown_3 : Shown_0,
      run_3 : Run_0,
      section_1 : Section_0,
-     height_4 : f32,
+     height_5 : f32,
      slope_across_0 : f32,
      slope_along_0 : f32,
      slope_x_1 : f32,
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S129 : u32,  _S130 : f32,  _S131 : f32,  _S132 : bool) -> Crossing_0
+fn crossing_at_0( _S136 : u32,  _S137 : f32,  _S138 : f32,  _S139 : bool) -> Crossing_0
 {
     var crossing_2 : Crossing_0;
-    crossing_2.warp_1 = locate_0(fabrics_0[_S129].warp_0, _S130);
-    crossing_2.weft_1 = locate_0(fabrics_0[_S129].weft_0, _S131);
-    var _S133 : u32 = fabrics_0[_S129].run_words_0 + u32(2) * (crossing_2.weft_1.thread_0 * fabrics_0[_S129].ends_1 + crossing_2.warp_1.thread_0);
-    var _S134 : u32 = words_0[_S133];
-    crossing_2.warp_word_0 = _S134;
-    crossing_2.weft_word_0 = words_0[_S133 + u32(1)];
-    crossing_2.warp_above_0 = (((_S134 & (u32(1)))) == u32(1)) != _S132;
+    crossing_2.warp_1 = locate_0(fabrics_0[_S136].warp_0, _S137);
+    crossing_2.weft_1 = locate_0(fabrics_0[_S136].weft_0, _S138);
+    var _S140 : u32 = fabrics_0[_S136].run_words_0 + u32(2) * (crossing_2.weft_1.thread_0 * fabrics_0[_S136].ends_1 + crossing_2.warp_1.thread_0);
+    var _S141 : u32 = words_0[_S140];
+    crossing_2.warp_word_0 = _S141;
+    crossing_2.weft_word_0 = words_0[_S140 + u32(1)];
+    crossing_2.warp_above_0 = (((_S141 & (u32(1)))) == u32(1)) != _S139;
     return crossing_2;
 }
 
-fn sample_at_0( _S135 : u32,  _S136 : f32,  _S137 : f32,  _S138 : bool) -> Sample_0
+fn sample_at_0( _S142 : u32,  _S143 : f32,  _S144 : f32,  _S145 : bool) -> Sample_0
 {
     var sample_0 : Sample_0;
-    var _S139 : Crossing_0 = crossing_at_0(_S135, _S136, _S137, _S138);
-    sample_0.crossing_1 = _S139;
-    var _S140 : Shown_0 = shown_at_0(_S139, _S138);
-    sample_0.shown_3 = _S140;
-    var _S141 : u32;
-    if(_S140.is_warp_0)
+    var _S146 : Crossing_0 = crossing_at_0(_S142, _S143, _S144, _S145);
+    sample_0.crossing_1 = _S146;
+    var _S147 : Shown_0 = shown_at_0(_S146, _S145);
+    sample_0.shown_3 = _S147;
+    var _S148 : u32;
+    if(_S147.is_warp_0)
     {
-        _S141 = fabrics_0[_S135].warp_0;
+        _S148 = fabrics_0[_S142].warp_0;
     }
     else
     {
-        _S141 = fabrics_0[_S135].weft_0;
+        _S148 = fabrics_0[_S142].weft_0;
     }
-    var _S142 : u32;
-    if(_S140.is_warp_0)
+    var _S149 : u32;
+    if(_S147.is_warp_0)
     {
-        _S142 = fabrics_0[_S135].weft_0;
+        _S149 = fabrics_0[_S142].weft_0;
     }
     else
     {
-        _S142 = fabrics_0[_S135].warp_0;
+        _S149 = fabrics_0[_S142].warp_0;
     }
-    var _S143 : Cell_0 = select_cell_0(_S140.is_warp_0, sample_0.crossing_1.warp_1, sample_0.crossing_1.weft_1);
-    var _S144 : Cell_0 = select_cell_0(_S140.is_warp_0, sample_0.crossing_1.weft_1, sample_0.crossing_1.warp_1);
-    var _S145 : Run_0 = unpack_0(_S141, _S142, _S143.thread_0, _S144, _S140.word_0);
-    var _S146 : Section_0 = section_at_0(_S143);
-    var _S147 : bool;
-    if(_S140.on_top_0)
+    var _S150 : Cell_0 = select_cell_0(_S147.is_warp_0, sample_0.crossing_1.warp_1, sample_0.crossing_1.weft_1);
+    var _S151 : Cell_0 = select_cell_0(_S147.is_warp_0, sample_0.crossing_1.weft_1, sample_0.crossing_1.warp_1);
+    var _S152 : Run_0 = unpack_0(_S148, _S149, _S150.thread_0, _S151, _S147.word_0);
+    var _S153 : Section_0 = section_at_0(_S150);
+    var _S154 : bool;
+    if(_S147.on_top_0)
     {
-        _S147 = (_S145.distance_0) < (_S146.drop_0 * _S145.bend_1.sine_0);
+        _S154 = (_S152.distance_0) < (_S153.drop_0 * _S152.bend_1.sine_0);
     }
     else
     {
-        _S147 = false;
+        _S154 = false;
     }
-    var _S148 : bool;
-    if(_S140.on_top_0)
+    var _S155 : bool;
+    if(_S147.on_top_0)
     {
-        _S148 = !_S147;
+        _S155 = !_S154;
     }
     else
     {
-        _S148 = false;
+        _S155 = false;
     }
-    var _S149 : f32;
-    if(_S148)
+    var _S156 : f32;
+    if(_S155)
     {
-        _S149 = 1.0f;
+        _S156 = 1.0f;
     }
     else
     {
-        _S149 = -1.0f;
+        _S156 = -1.0f;
     }
-    var _S150 : f32;
-    if(_S147)
+    var _S157 : f32;
+    if(_S154)
     {
-        _S150 = _S145.other_reach_0;
+        _S157 = _S152.other_reach_0;
     }
     else
     {
-        _S150 = _S145.reach_0;
+        _S157 = _S152.reach_0;
     }
-    var _S151 : f32;
-    if(_S147)
-    {
-        _S151 = _S150 + _S145.distance_0;
-    }
-    else
-    {
-        _S151 = max(_S150 - _S145.distance_0, 0.0f);
-    }
-    var _S152 : f32 = _S150 / _S145.bend_1.sine_0 - _S149 * _S146.drop_0;
-    var _S153 : f32 = _S151 * _S151;
-    var _S154 : f32 = max(_S152 * _S152 - _S153, 9.99999968265522539e-21f);
-    var _S155 : f32 = rsqrt_0(_S154);
-    var _S156 : f32 = _S153 / (_S154 * _S155 + _S152);
-    var _S157 : bool = _S151 > 0.0f;
     var _S158 : f32;
-    if(_S140.on_top_0)
+    if(_S154)
     {
-        _S158 = 1.0f;
+        _S158 = _S157 + _S152.distance_0;
     }
     else
     {
-        _S158 = -1.0f;
+        _S158 = max(_S157 - _S152.distance_0, 0.0f);
     }
-    var _S159 : f32;
-    if(_S145.near_start_0)
+    var _S159 : f32 = _S157 / _S152.bend_1.sine_0 - _S156 * _S153.drop_0;
+    var _S160 : f32 = _S158 * _S158;
+    var _S161 : f32 = max(_S159 * _S159 - _S160, 9.99999968265522539e-21f);
+    var _S162 : f32 = rsqrt_0(_S161);
+    var _S163 : f32 = _S160 / (_S161 * _S162 + _S159);
+    var _S164 : bool = _S158 > 0.0f;
+    var _S165 : f32;
+    if(_S147.on_top_0)
     {
-        _S159 = 1.0f;
+        _S165 = 1.0f;
     }
     else
     {
-        _S159 = -1.0f;
+        _S165 = -1.0f;
     }
-    var _S160 : f32 = _S158 * _S159;
-    if(_S157)
+    var _S166 : f32;
+    if(_S152.near_start_0)
     {
-        _S158 = _S152 * _S155;
+        _S166 = 1.0f;
     }
     else
     {
-        _S158 = 1.0f;
+        _S166 = -1.0f;
     }
-    sample_0.slope_across_0 = _S146.slope_0 * _S158;
-    if(_S157)
+    var _S167 : f32 = _S165 * _S166;
+    if(_S164)
     {
-        _S151 = _S160 * _S151 * _S155;
+        _S165 = _S159 * _S162;
     }
     else
     {
-        _S151 = 0.0f;
+        _S165 = 1.0f;
     }
-    sample_0.slope_along_0 = _S151;
-    var _S161 : Family_std430_0 = families_0[_S141];
-    var _S162 : vec2<f32> = dive_0(_S142, _S140, _S145, _S144);
-    if(_S145.straight_0)
+    sample_0.slope_across_0 = _S153.slope_0 * _S165;
+    if(_S164)
     {
-        _S149 = 0.0f;
+        _S158 = _S167 * _S158 * _S162;
     }
     else
     {
-        _S149 = _S161.height_scale_0 * _S149;
+        _S158 = 0.0f;
     }
-    sample_0.height_4 = _S149 * (_S150 * _S145.bend_1.half_tangent_0 - _S156) - _S161.height_scale_0 * _S146.drop_0 - _S162.x;
-    var _S163 : f32 = _S161.height_scale_0 * sample_0.slope_across_0;
-    var _S164 : f32 = _S161.height_scale_0 * sample_0.slope_along_0 - _S162.y;
-    if(_S140.is_warp_0)
+    sample_0.slope_along_0 = _S158;
+    var _S168 : Family_std430_0 = families_0[_S148];
+    var _S169 : vec2<f32> = dive_0(_S149, _S147, _S152, _S151);
+    if(_S152.straight_0)
     {
-        _S149 = _S163;
+        _S156 = 0.0f;
     }
     else
     {
-        _S149 = _S164;
+        _S156 = _S168.height_scale_0 * _S156;
     }
-    sample_0.slope_x_1 = _S149;
-    if(_S140.is_warp_0)
+    sample_0.height_5 = _S156 * (_S157 * _S152.bend_1.half_tangent_0 - _S163) - _S168.height_scale_0 * _S153.drop_0 - _S169.x;
+    var _S170 : f32 = _S168.height_scale_0 * sample_0.slope_across_0;
+    var _S171 : f32 = _S168.height_scale_0 * sample_0.slope_along_0 - _S169.y;
+    if(_S147.is_warp_0)
     {
-        _S149 = _S164;
+        _S156 = _S170;
     }
     else
     {
-        _S149 = _S163;
+        _S156 = _S171;
     }
-    sample_0.slope_y_1 = _S149;
-    sample_0.run_3 = _S145;
-    sample_0.section_1 = _S146;
+    sample_0.slope_x_1 = _S156;
+    if(_S147.is_warp_0)
+    {
+        _S156 = _S171;
+    }
+    else
+    {
+        _S156 = _S170;
+    }
+    sample_0.slope_y_1 = _S156;
+    sample_0.run_3 = _S152;
+    sample_0.section_1 = _S153;
     return sample_0;
 }
 
-fn steps_per_length_0( _S165 : u32,  _S166 : SearchQuality_0,  _S167 : vec3<f32>) -> f32
+fn steps_per_length_0( _S172 : u32,  _S173 : SearchQuality_0,  _S174 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S167.x) * fabrics_0[_S165].threads_per_x_0, abs(_S167.y) * fabrics_0[_S165].threads_per_y_0) * _S166.steps_per_thread_0, abs(_S167.z) * fabrics_0[_S165].per_relief_0 * _S166.steps_per_relief_0);
+    return max(max(abs(_S174.x) * fabrics_0[_S172].threads_per_x_0, abs(_S174.y) * fabrics_0[_S172].threads_per_y_0) * _S173.steps_per_thread_0, abs(_S174.z) * fabrics_0[_S172].per_relief_0 * _S173.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S168 : u32,  _S169 : Crossing_0) -> f32
+fn cell_maximum_0( _S175 : u32,  _S176 : Crossing_0) -> f32
 {
-    var _S170 : u32;
-    if(_S169.warp_above_0)
+    var _S177 : u32;
+    if(_S176.warp_above_0)
     {
-        _S170 = fabrics_0[_S168].warp_0;
+        _S177 = fabrics_0[_S175].warp_0;
     }
     else
     {
-        _S170 = fabrics_0[_S168].weft_0;
+        _S177 = fabrics_0[_S175].weft_0;
     }
-    var _S171 : u32;
-    if(_S169.warp_above_0)
+    var _S178 : u32;
+    if(_S176.warp_above_0)
     {
-        _S171 = _S169.warp_word_0;
+        _S178 = _S176.warp_word_0;
     }
     else
     {
-        _S171 = _S169.weft_word_0;
+        _S178 = _S176.weft_word_0;
     }
-    return f32((_S171 >> (u32(28)))) * families_0[_S170].height_scale_0 * families_0[_S170].level_0;
+    return f32((_S178 >> (u32(28)))) * families_0[_S177].height_scale_0 * families_0[_S177].level_0;
 }
 
-fn probe_0( _S172 : u32,  _S173 : f32,  _S174 : f32,  _S175 : bool,  _S176 : bool,  _S177 : bool) -> Probe_0
+fn probe_0( _S179 : u32,  _S180 : f32,  _S181 : f32,  _S182 : bool,  _S183 : bool,  _S184 : bool) -> Probe_0
 {
-    var _S178 : Sample_0 = sample_at_0(_S172, _S173, _S174, _S175);
+    var _S185 : Sample_0 = sample_at_0(_S179, _S180, _S181, _S182);
     var probe_1 : Probe_0;
-    probe_1.height_0 = _S178.height_4;
-    probe_1.hole_1 = _S178.shown_3.hole_0;
-    probe_1.slope_x_0 = _S178.slope_x_1;
-    probe_1.slope_y_0 = _S178.slope_y_1;
-    var _S179 : u32;
-    if(_S178.shown_3.is_warp_0)
+    probe_1.height_1 = _S185.height_5;
+    probe_1.hole_1 = _S185.shown_3.hole_0;
+    probe_1.slope_x_0 = _S185.slope_x_1;
+    probe_1.slope_y_0 = _S185.slope_y_1;
+    var _S186 : u32;
+    if(_S185.shown_3.is_warp_0)
     {
-        _S179 = _S178.crossing_1.warp_1.thread_0 * u32(2) + u32(1);
+        _S186 = _S185.crossing_1.warp_1.thread_0 * u32(2) + u32(1);
     }
     else
     {
-        _S179 = _S178.crossing_1.weft_1.thread_0 * u32(2);
+        _S186 = _S185.crossing_1.weft_1.thread_0 * u32(2);
     }
-    probe_1.yarn_1 = _S179;
-    probe_1.cell_max_0 = cell_maximum_0(_S172, _S178.crossing_1);
-    var _S180 : f32;
-    if(_S176)
+    probe_1.yarn_1 = _S186;
+    probe_1.cell_max_0 = cell_maximum_0(_S179, _S185.crossing_1);
+    var _S187 : f32;
+    if(_S183)
     {
-        _S180 = _S178.crossing_1.warp_1.above_0;
+        _S187 = _S185.crossing_1.warp_1.above_0;
     }
     else
     {
-        _S180 = _S178.crossing_1.warp_1.below_0;
+        _S187 = _S185.crossing_1.warp_1.below_0;
     }
-    probe_1.side_x_0 = _S180;
-    if(_S177)
+    probe_1.side_x_0 = _S187;
+    if(_S184)
     {
-        _S180 = _S178.crossing_1.weft_1.above_0;
+        _S187 = _S185.crossing_1.weft_1.above_0;
     }
     else
     {
-        _S180 = _S178.crossing_1.weft_1.below_0;
+        _S187 = _S185.crossing_1.weft_1.below_0;
     }
-    probe_1.side_y_0 = _S180;
-    probe_1.edge_x_0 = outline_distance_0(_S178.crossing_1.warp_1, _S178.shown_3, _S178.run_3, !_S178.shown_3.is_warp_0, _S176);
-    probe_1.edge_y_0 = outline_distance_0(_S178.crossing_1.weft_1, _S178.shown_3, _S178.run_3, _S178.shown_3.is_warp_0, _S177);
+    probe_1.side_y_0 = _S187;
+    probe_1.edge_x_0 = outline_distance_0(_S185.crossing_1.warp_1, _S185.shown_3, _S185.run_3, !_S185.shown_3.is_warp_0, _S183);
+    probe_1.edge_y_0 = outline_distance_0(_S185.crossing_1.weft_1, _S185.shown_3, _S185.run_3, _S185.shown_3.is_warp_0, _S184);
     return probe_1;
 }
 
-fn is_free_0( _S181 : u32,  _S182 : SearchQuality_0,  _S183 : vec3<f32>,  _S184 : vec3<f32>,  _S185 : bool,  _S186 : f32) -> bool
+fn is_free_0( _S188 : u32,  _S189 : SearchQuality_0,  _S190 : vec3<f32>,  _S191 : vec3<f32>,  _S192 : bool,  _S193 : f32) -> bool
 {
-    var _S187 : f32 = _S184.z;
-    if(_S187 <= 0.0f)
+    var _S194 : f32 = _S191.z;
+    if(_S194 <= 0.0f)
     {
         return false;
     }
-    var _S188 : f32 = 1.0f / max(_S182.shadow_share_0 * steps_per_length_0(_S181, _S182, _S184), 9.99999971718068537e-10f);
-    var _S189 : StepControl_0 = step_control_0(_S184.xy, _S188);
+    var _S195 : f32 = 1.0f / max(_S189.shadow_share_0 * steps_per_length_0(_S188, _S189, _S191), 9.99999971718068537e-10f);
+    var _S196 : StepControl_0 = step_control_0(_S191.xy, _S195);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_1 : u32 = u32(0);
     var distance_1 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S190 : bool;
+        var _S197 : bool;
         if(count_1 < u32(1024))
         {
-            _S190 = (_S183.z + _S187 * distance_1) < _S186;
+            _S197 = (_S190.z + _S194 * distance_1) < _S193;
         }
         else
         {
-            _S190 = false;
+            _S197 = false;
         }
-        if(_S190)
+        if(_S197)
         {
         }
         else
         {
             break;
         }
-        var _S191 : vec3<f32> = _S183 + _S184 * vec3<f32>(distance_1);
-        var _S192 : Probe_0 = probe_0(_S181, _S191.x, _S191.y, _S185, _S189.right_0, _S189.up_0);
-        var _S193 : f32 = _S191.z;
-        var _S194 : f32 = _S193 - _S192.height_0;
-        var _S195 : f32 = _S187 - _S192.slope_x_0 * _S184.x - _S192.slope_y_0 * _S184.y;
-        var _S196 : bool;
-        if(!_S192.hole_1)
+        var _S198 : vec3<f32> = _S190 + _S191 * vec3<f32>(distance_1);
+        var _S199 : Probe_0 = probe_0(_S188, _S198.x, _S198.y, _S192, _S196.right_0, _S196.up_0);
+        var _S200 : f32 = _S198.z;
+        var _S201 : f32 = _S200 - _S199.height_1;
+        var _S202 : f32 = _S194 - _S199.slope_x_0 * _S191.x - _S199.slope_y_0 * _S191.y;
+        var _S203 : bool;
+        if(!_S199.hole_1)
         {
-            _S196 = _S194 < 0.0f;
+            _S203 = _S201 < 0.0f;
         }
         else
         {
-            _S196 = false;
+            _S203 = false;
         }
-        if(_S196)
+        if(_S203)
         {
             return false;
         }
-        var _S197 : f32 = way_back_to_dip_0(previous_3, _S194, _S195, last_step_0, _S192);
-        if(_S197 >= 0.0f)
+        var _S204 : f32 = way_back_to_dip_0(previous_3, _S201, _S202, last_step_0, _S199);
+        if(_S204 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S197;
-            distance_1 = distance_1 - _S197;
+            var last_step_1 : f32 = last_step_0 - _S204;
+            distance_1 = distance_1 - _S204;
             last_step_0 = last_step_1;
             count_1 = count_1 + u32(1);
             continue;
         }
-        var _S198 : bool = _S193 > (_S192.cell_max_0);
-        var _S199 : PreviousSample_0 = after_sample_0(_S194, _S195, _S192, _S198);
+        var _S205 : bool = _S200 > (_S199.cell_max_0);
+        var _S206 : PreviousSample_0 = after_sample_0(_S201, _S202, _S199, _S205);
         var last_step_2 : f32;
-        if(_S198)
+        if(_S205)
         {
-            last_step_2 = max(StepControl_to_cell_exit_0(_S189, _S192.side_x_0, _S192.side_y_0), _S188);
+            last_step_2 = max(StepControl_to_cell_exit_0(_S196, _S199.side_x_0, _S199.side_y_0), _S195);
         }
         else
         {
-            last_step_2 = StepControl_to_next_sample_0(_S189, _S192, _S194, _S195);
+            last_step_2 = StepControl_to_next_sample_0(_S196, _S199, _S201, _S202);
         }
         var distance_2 : f32 = distance_1 + last_step_2;
-        previous_3 = _S199;
+        previous_3 = _S206;
         distance_1 = distance_2;
         last_step_0 = last_step_2;
         count_1 = count_1 + u32(1);
@@ -1629,53 +1744,53 @@ fn is_free_0( _S181 : u32,  _S182 : SearchQuality_0,  _S183 : vec3<f32>,  _S184 
     return true;
 }
 
-fn passes_through_0( _S200 : u32,  _S201 : SearchQuality_0,  _S202 : f32,  _S203 : f32,  _S204 : vec3<f32>,  _S205 : bool) -> bool
+fn passes_through_0( _S207 : u32,  _S208 : SearchQuality_0,  _S209 : f32,  _S210 : f32,  _S211 : vec3<f32>,  _S212 : bool) -> bool
 {
-    if(!sample_at_0(_S200, _S202, _S203, _S205).shown_3.hole_0)
+    if(!sample_at_0(_S207, _S209, _S210, _S212).shown_3.hole_0)
     {
         return false;
     }
-    var _S206 : vec3<f32> = vec3<f32>(_S202, _S203, 0.0f);
+    var _S213 : vec3<f32> = vec3<f32>(_S209, _S210, 0.0f);
     var passes_0 : bool = true;
     var side_0 : u32 = u32(0);
     for(;;)
     {
-        var _S207 : bool;
+        var _S214 : bool;
         if(side_0 < u32(2))
         {
-            _S207 = passes_0;
+            _S214 = passes_0;
         }
         else
         {
-            _S207 = false;
+            _S214 = false;
         }
-        if(_S207)
+        if(_S214)
         {
         }
         else
         {
             break;
         }
-        var _S208 : vec3<f32>;
+        var _S215 : vec3<f32>;
         if(side_0 == u32(0))
         {
-            _S208 = _S204;
+            _S215 = _S211;
         }
         else
         {
-            _S208 = vec3<f32>(- _S204.x, - _S204.y, _S204.z);
+            _S215 = vec3<f32>(- _S211.x, - _S211.y, _S211.z);
         }
-        var _S209 : bool = is_free_0(_S200, _S201, _S206, _S208, _S205 != (side_0 == u32(1)), fabrics_0[_S200].height_high_0);
-        var _S210 : u32 = side_0 + u32(1);
-        passes_0 = _S209;
-        side_0 = _S210;
+        var _S216 : bool = is_free_0(_S207, _S208, _S213, _S215, _S212 != (side_0 == u32(1)), fabrics_0[_S207].height_high_0);
+        var _S217 : u32 = side_0 + u32(1);
+        passes_0 = _S216;
+        side_0 = _S217;
     }
     return passes_0;
 }
 
 struct ViewRayEnd_0
 {
-     height_5 : f32,
+     height_6 : f32,
      last_step_3 : f32,
      depth_1 : f32,
      rate_4 : f32,
@@ -1683,33 +1798,33 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S211 : u32,  _S212 : f32,  _S213 : f32,  _S214 : f32,  _S215 : vec3<f32>,  _S216 : bool) -> f32
+fn max_height_along_0( _S218 : u32,  _S219 : f32,  _S220 : f32,  _S221 : f32,  _S222 : vec3<f32>,  _S223 : bool) -> f32
 {
-    var _S217 : u32 = locate_0(fabrics_0[_S211].warp_0, _S212).thread_0 / u32(2);
-    var _S218 : u32 = locate_0(fabrics_0[_S211].weft_0, _S213).thread_0 / u32(2);
-    var _S219 : f32 = _S215.x;
-    var _S220 : u32;
-    if(_S219 > 0.0f)
+    var _S224 : u32 = locate_0(fabrics_0[_S218].warp_0, _S219).thread_0 / u32(2);
+    var _S225 : u32 = locate_0(fabrics_0[_S218].weft_0, _S220).thread_0 / u32(2);
+    var _S226 : f32 = _S222.x;
+    var _S227 : u32;
+    if(_S226 > 0.0f)
     {
-        _S220 = u32(1);
+        _S227 = u32(1);
     }
     else
     {
-        _S220 = u32(0);
+        _S227 = u32(0);
     }
-    var _S221 : f32 = _S215.y;
-    var _S222 : u32;
-    if(_S221 > 0.0f)
+    var _S228 : f32 = _S222.y;
+    var _S229 : u32;
+    if(_S228 > 0.0f)
     {
-        _S222 = u32(2);
+        _S229 = u32(2);
     }
     else
     {
-        _S222 = u32(0);
+        _S229 = u32(0);
     }
-    var _S223 : u32 = words_0[fabrics_0[_S211].max_heights_0 + u32(4) * (_S218 * fabrics_0[_S211].max_height_columns_0 + _S217) + (_S220 + _S222)];
+    var _S230 : u32 = words_0[fabrics_0[_S218].max_heights_0 + u32(4) * (_S225 * fabrics_0[_S218].max_height_columns_0 + _S224) + (_S227 + _S229)];
     var number_0 : i32;
-    if(_S216)
+    if(_S223)
     {
         number_0 = i32(4);
     }
@@ -1717,10 +1832,10 @@ fn max_height_along_0( _S211 : u32,  _S212 : f32,  _S213 : f32,  _S214 : f32,  _
     {
         number_0 = i32(0);
     }
-    var _S224 : u32 = (_S223 >> (u32(number_0)));
-    var _S225 : f32 = max(abs(_S219) * fabrics_0[_S211].threads_per_x_0, abs(_S221) * fabrics_0[_S211].threads_per_y_0) / _S215.z;
-    var _S226 : f32 = fabrics_0[_S211].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S211].height_high_0;
+    var _S231 : u32 = (_S230 >> (u32(number_0)));
+    var _S232 : f32 = max(abs(_S226) * fabrics_0[_S218].threads_per_x_0, abs(_S228) * fabrics_0[_S218].threads_per_y_0) / _S222.z;
+    var _S233 : f32 = fabrics_0[_S218].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S218].height_high_0;
     number_0 = i32(3);
     for(;;)
     {
@@ -1731,45 +1846,45 @@ fn max_height_along_0( _S211 : u32,  _S212 : f32,  _S213 : f32,  _S214 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S214) * _S225) <= (PYRAMID_RADII_0[number_0]))
+        if(((max_height_0 - _S221) * _S232) <= (PYRAMID_RADII_0[number_0]))
         {
-            max_height_0 = min(max_height_0, f32((((_S224 >> (u32(i32(8) * number_0)))) & (u32(15)))) * 0.06666667014360428f * _S226);
+            max_height_0 = min(max_height_0, f32((((_S231 >> (u32(i32(8) * number_0)))) & (u32(15)))) * 0.06666667014360428f * _S233);
         }
         number_0 = number_0 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S227 : u32,  _S228 : f32,  _S229 : f32,  _S230 : bool,  _S231 : bool,  _S232 : bool) -> vec3<f32>
+fn cell_bounds_0( _S234 : u32,  _S235 : f32,  _S236 : f32,  _S237 : bool,  _S238 : bool,  _S239 : bool) -> vec3<f32>
 {
-    var _S233 : Crossing_0 = crossing_at_0(_S227, _S228, _S229, _S230);
-    var _S234 : f32 = cell_maximum_0(_S227, _S233);
-    var _S235 : f32;
-    if(_S231)
+    var _S240 : Crossing_0 = crossing_at_0(_S234, _S235, _S236, _S237);
+    var _S241 : f32 = cell_maximum_0(_S234, _S240);
+    var _S242 : f32;
+    if(_S238)
     {
-        _S235 = _S233.warp_1.above_0;
+        _S242 = _S240.warp_1.above_0;
     }
     else
     {
-        _S235 = _S233.warp_1.below_0;
+        _S242 = _S240.warp_1.below_0;
     }
-    var _S236 : f32;
-    if(_S232)
+    var _S243 : f32;
+    if(_S239)
     {
-        _S236 = _S233.weft_1.above_0;
+        _S243 = _S240.weft_1.above_0;
     }
     else
     {
-        _S236 = _S233.weft_1.below_0;
+        _S243 = _S240.weft_1.below_0;
     }
-    return vec3<f32>(_S234, _S235, _S236);
+    return vec3<f32>(_S241, _S242, _S243);
 }
 
-fn first_sample_height_0( _S237 : u32,  _S238 : ViewRay_0,  _S239 : StepControl_0,  _S240 : bool) -> f32
+fn first_sample_height_0( _S244 : u32,  _S245 : ViewRay_0,  _S246 : StepControl_0,  _S247 : bool) -> f32
 {
-    var _S241 : f32 = max_height_along_0(_S237, _S238.origin_0.x, _S238.origin_0.y, 0.0f, vec3<f32>(_S238.slope_1, 1.0f), _S240);
+    var _S248 : f32 = max_height_along_0(_S244, _S245.origin_0.x, _S245.origin_0.y, 0.0f, vec3<f32>(_S245.slope_1, 1.0f), _S247);
     var count_2 : u32 = u32(0);
-    var height_6 : f32 = _S241;
+    var height_7 : f32 = _S248;
     for(;;)
     {
         if(count_2 < u32(1024))
@@ -1779,28 +1894,28 @@ fn first_sample_height_0( _S237 : u32,  _S238 : ViewRay_0,  _S239 : StepControl_
         {
             break;
         }
-        var _S242 : vec2<f32> = ViewRay_at_0(_S238, height_6);
-        var _S243 : vec3<f32> = cell_bounds_0(_S237, _S242.x, _S242.y, _S240, _S239.right_0, _S239.up_0);
-        var _S244 : f32 = height_6 - _S243.x;
-        var _S245 : f32 = StepControl_to_cell_exit_0(_S239, _S243.y, _S243.z);
-        var height_7 : f32 = height_6 - clamp(_S244, 0.0f, _S245);
-        if(_S244 <= _S245)
+        var _S249 : vec2<f32> = ViewRay_at_0(_S245, height_7);
+        var _S250 : vec3<f32> = cell_bounds_0(_S244, _S249.x, _S249.y, _S247, _S246.right_0, _S246.up_0);
+        var _S251 : f32 = height_7 - _S250.x;
+        var _S252 : f32 = StepControl_to_cell_exit_0(_S246, _S250.y, _S250.z);
+        var height_8 : f32 = height_7 - clamp(_S251, 0.0f, _S252);
+        if(_S251 <= _S252)
         {
-            height_6 = height_7;
+            height_7 = height_8;
             break;
         }
         count_2 = count_2 + u32(1);
-        height_6 = height_7;
+        height_7 = height_8;
     }
-    return height_6;
+    return height_7;
 }
 
-fn search_down_0( _S246 : u32,  _S247 : ViewRay_0,  _S248 : StepControl_0,  _S249 : bool) -> ViewRayEnd_0
+fn search_down_0( _S253 : u32,  _S254 : ViewRay_0,  _S255 : StepControl_0,  _S256 : bool) -> ViewRayEnd_0
 {
-    var _S250 : f32 = fabrics_0[_S246].height_low_0 - (fabrics_0[_S246].height_high_0 - fabrics_0[_S246].height_low_0);
+    var _S257 : f32 = fabrics_0[_S253].height_low_0 - (fabrics_0[_S253].height_high_0 - fabrics_0[_S253].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_5 = first_sample_height_0(_S246, _S247, _S248, _S249);
-    end_1.last_step_3 = _S248.epsilon_0;
+    end_1.height_6 = first_sample_height_0(_S253, _S254, _S255, _S256);
+    end_1.last_step_3 = _S255.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_1 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -1815,150 +1930,150 @@ fn search_down_0( _S246 : u32,  _S247 : ViewRay_0,  _S248 : StepControl_0,  _S24
         {
             break;
         }
-        var _S251 : vec2<f32> = ViewRay_at_0(_S247, end_1.height_5);
-        var _S252 : Probe_0 = probe_0(_S246, _S251.x, _S251.y, _S249, _S248.right_0, _S248.up_0);
-        var _S253 : f32 = end_1.height_5 - _S252.height_0;
-        var _S254 : f32 = ViewRay_rate_0(_S247, _S252);
-        end_1.depth_1 = - _S253;
-        end_1.rate_4 = _S254;
-        var _S255 : bool;
+        var _S258 : vec2<f32> = ViewRay_at_0(_S254, end_1.height_6);
+        var _S259 : Probe_0 = probe_0(_S253, _S258.x, _S258.y, _S256, _S255.right_0, _S255.up_0);
+        var _S260 : f32 = end_1.height_6 - _S259.height_1;
+        var _S261 : f32 = ViewRay_rate_0(_S254, _S259);
+        end_1.depth_1 = - _S260;
+        end_1.rate_4 = _S261;
+        var _S262 : bool;
         if(end_1.previous_4.known_0)
         {
-            _S255 = !_S252.hole_1;
+            _S262 = !_S259.hole_1;
         }
         else
         {
-            _S255 = false;
+            _S262 = false;
         }
-        var _S256 : bool;
-        if(_S255)
+        var _S263 : bool;
+        if(_S262)
         {
-            _S256 = (end_1.previous_4.yarn_0) == (_S252.yarn_1);
+            _S263 = (end_1.previous_4.yarn_0) == (_S259.yarn_1);
         }
         else
         {
-            _S256 = false;
+            _S263 = false;
         }
-        end_1.smooth_0 = _S256;
-        var _S257 : bool;
-        if(!_S252.hole_1)
+        end_1.smooth_0 = _S263;
+        var _S264 : bool;
+        if(!_S259.hole_1)
         {
-            _S257 = _S253 <= 0.0f;
+            _S264 = _S260 <= 0.0f;
         }
         else
         {
-            _S257 = false;
+            _S264 = false;
         }
-        var _S258 : bool;
-        if(_S257)
+        var _S265 : bool;
+        if(_S264)
         {
-            _S258 = true;
+            _S265 = true;
         }
         else
         {
-            _S258 = (end_1.height_5) <= _S250;
+            _S265 = (end_1.height_6) <= _S257;
         }
-        if(_S258)
+        if(_S265)
         {
             break;
         }
-        var _S259 : f32 = way_back_to_dip_0(end_1.previous_4, _S253, _S254, end_1.last_step_3, _S252);
-        if(_S259 >= 0.0f)
+        var _S266 : f32 = way_back_to_dip_0(end_1.previous_4, _S260, _S261, end_1.last_step_3, _S259);
+        if(_S266 >= 0.0f)
         {
-            end_1.height_5 = end_1.height_5 + _S259;
-            end_1.last_step_3 = end_1.last_step_3 - _S259;
+            end_1.height_6 = end_1.height_6 + _S266;
+            end_1.last_step_3 = end_1.last_step_3 - _S266;
             count_3 = count_3 + u32(1);
             continue;
         }
-        var _S260 : f32 = min(StepControl_to_cell_exit_0(_S248, _S252.side_x_0, _S252.side_y_0), end_1.height_5 - _S252.cell_max_0);
-        var _S261 : f32 = StepControl_to_next_sample_0(_S248, _S252, _S253, _S254);
-        end_1.previous_4 = after_sample_0(_S253, _S254, _S252, _S260 > _S261);
-        var _S262 : f32 = max(_S260, _S261);
-        end_1.last_step_3 = _S262;
-        end_1.height_5 = end_1.height_5 - _S262;
+        var _S267 : f32 = min(StepControl_to_cell_exit_0(_S255, _S259.side_x_0, _S259.side_y_0), end_1.height_6 - _S259.cell_max_0);
+        var _S268 : f32 = StepControl_to_next_sample_0(_S255, _S259, _S260, _S261);
+        end_1.previous_4 = after_sample_0(_S260, _S261, _S259, _S267 > _S268);
+        var _S269 : f32 = max(_S267, _S268);
+        end_1.last_step_3 = _S269;
+        end_1.height_6 = end_1.height_6 - _S269;
         count_3 = count_3 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S263 : u32,  _S264 : ViewRay_0,  _S265 : StepControl_0,  _S266 : bool,  _S267 : ViewRayEnd_0,  _S268 : u32) -> f32
+fn refined_height_0( _S270 : u32,  _S271 : ViewRay_0,  _S272 : StepControl_0,  _S273 : bool,  _S274 : ViewRayEnd_0,  _S275 : u32) -> f32
 {
-    var _S269 : f32 = fabrics_0[_S263].height_high_0 - fabrics_0[_S263].height_low_0;
-    var above_2 : f32 = _S267.height_5 + _S267.last_step_3;
-    var above_gap_1 : f32 = clamp(_S267.previous_4.clearance_0, 0.0f, _S269);
-    var under_gap_1 : f32 = clamp(_S267.depth_1, 0.0f, _S269);
-    var _S270 : f32 = cubic_root_0(above_gap_1, - under_gap_1, _S267.previous_4.rate_0 * _S267.last_step_3, _S267.rate_4 * _S267.last_step_3);
+    var _S276 : f32 = fabrics_0[_S270].height_high_0 - fabrics_0[_S270].height_low_0;
+    var above_2 : f32 = _S274.height_6 + _S274.last_step_3;
+    var above_gap_1 : f32 = clamp(_S274.previous_4.clearance_0, 0.0f, _S276);
+    var under_gap_1 : f32 = clamp(_S274.depth_1, 0.0f, _S276);
+    var _S277 : f32 = cubic_root_0(above_gap_1, - under_gap_1, _S274.previous_4.rate_0 * _S274.last_step_3, _S274.rate_4 * _S274.last_step_3);
     var middle_0 : f32;
-    if(_S267.smooth_0)
+    if(_S274.smooth_0)
     {
-        middle_0 = above_2 - _S270 * _S267.last_step_3;
+        middle_0 = above_2 - _S277 * _S274.last_step_3;
     }
     else
     {
-        middle_0 = between_0(above_2, _S267.height_5, above_gap_1, under_gap_1);
+        middle_0 = between_0(above_2, _S274.height_6, above_gap_1, under_gap_1);
     }
     var side_1 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S267.height_5;
+    var under_1 : f32 = _S274.height_6;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S268)
+        if(i_1 < _S275)
         {
         }
         else
         {
             break;
         }
-        var _S271 : vec2<f32> = ViewRay_at_0(_S264, middle_0);
-        var _S272 : Probe_0 = probe_0(_S263, _S271.x, _S271.y, _S266, _S265.right_0, _S265.up_0);
-        var _S273 : f32;
-        if(_S272.hole_1)
+        var _S278 : vec2<f32> = ViewRay_at_0(_S271, middle_0);
+        var _S279 : Probe_0 = probe_0(_S270, _S278.x, _S278.y, _S273, _S272.right_0, _S272.up_0);
+        var _S280 : f32;
+        if(_S279.hole_1)
         {
-            _S273 = -1.0e+09f;
+            _S280 = -1.0e+09f;
         }
         else
         {
-            _S273 = _S272.height_0;
+            _S280 = _S279.height_1;
         }
-        var _S274 : f32 = clamp(middle_0 - _S273, - _S269, _S269);
-        var _S275 : f32;
-        if(_S274 <= 0.0f)
+        var _S281 : f32 = clamp(middle_0 - _S280, - _S276, _S276);
+        var _S282 : f32;
+        if(_S281 <= 0.0f)
         {
             if(side_1 > 0.0f)
             {
-                _S275 = 0.5f * above_gap_2;
+                _S282 = 0.5f * above_gap_2;
             }
             else
             {
-                _S275 = above_gap_2;
+                _S282 = above_gap_2;
             }
-            var _S276 : f32 = - _S274;
+            var _S283 : f32 = - _S281;
             under_1 = middle_0;
-            above_gap_2 = _S275;
-            under_gap_2 = _S276;
+            above_gap_2 = _S282;
+            under_gap_2 = _S283;
             side_1 = 1.0f;
         }
         else
         {
             if(side_1 < 0.0f)
             {
-                _S275 = 0.5f * under_gap_2;
+                _S282 = 0.5f * under_gap_2;
             }
             else
             {
-                _S275 = under_gap_2;
+                _S282 = under_gap_2;
             }
             above_3 = middle_0;
-            above_gap_2 = _S274;
-            under_gap_2 = _S275;
+            above_gap_2 = _S281;
+            under_gap_2 = _S282;
             side_1 = -1.0f;
         }
-        if(_S267.smooth_0)
+        if(_S274.smooth_0)
         {
-            middle_0 = clamp(middle_0 + _S274 / min(ViewRay_rate_0(_S264, _S272), -9.99999997475242708e-07f), under_1, above_3);
+            middle_0 = clamp(middle_0 + _S281 / min(ViewRay_rate_0(_S271, _S279), -9.99999997475242708e-07f), under_1, above_3);
         }
         else
         {
@@ -1966,7 +2081,7 @@ fn refined_height_0( _S263 : u32,  _S264 : ViewRay_0,  _S265 : StepControl_0,  _
         }
         i_1 = i_1 + u32(1);
     }
-    if(_S267.smooth_0)
+    if(_S274.smooth_0)
     {
     }
     else
@@ -1976,35 +2091,35 @@ fn refined_height_0( _S263 : u32,  _S264 : ViewRay_0,  _S265 : StepControl_0,  _
     return middle_0;
 }
 
-fn first_hit_of_yarn_0( _S277 : u32,  _S278 : SearchQuality_0,  _S279 : f32,  _S280 : f32,  _S281 : vec3<f32>,  _S282 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S284 : u32,  _S285 : SearchQuality_0,  _S286 : f32,  _S287 : f32,  _S288 : vec3<f32>,  _S289 : bool) -> Hit_0
 {
-    var _S283 : f32 = max(_S281.z, 0.00009999999747379f);
+    var _S290 : f32 = max(_S288.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S279, _S280);
-    var _S284 : vec2<f32> = _S281.xy / vec2<f32>(_S283);
-    ray_0.slope_1 = _S284;
-    var _S285 : StepControl_0 = step_control_0((vec2<f32>(0) - _S284), 1.0f / max(steps_per_length_0(_S277, _S278, _S281) / _S283, 9.99999971718068537e-10f));
-    var _S286 : ViewRayEnd_0 = search_down_0(_S277, ray_0, _S285, _S282);
+    ray_0.origin_0 = vec2<f32>(_S286, _S287);
+    var _S291 : vec2<f32> = _S288.xy / vec2<f32>(_S290);
+    ray_0.slope_1 = _S291;
+    var _S292 : StepControl_0 = step_control_0((vec2<f32>(0) - _S291), 1.0f / max(steps_per_length_0(_S284, _S285, _S288) / _S290, 9.99999971718068537e-10f));
+    var _S293 : ViewRayEnd_0 = search_down_0(_S284, ray_0, _S292, _S289);
     var hit_0 : Hit_0;
     hit_0.hole_3 = false;
-    var _S287 : f32 = refined_height_0(_S277, ray_0, _S285, _S282, _S286, _S278.refinements_0);
-    hit_0.height_3 = _S287;
-    var _S288 : vec2<f32> = ViewRay_at_0(ray_0, _S287);
-    hit_0.x_9 = _S288.x;
-    hit_0.y_4 = _S288.y;
+    var _S294 : f32 = refined_height_0(_S284, ray_0, _S292, _S289, _S293, _S285.refinements_0);
+    hit_0.height_4 = _S294;
+    var _S295 : vec2<f32> = ViewRay_at_0(ray_0, _S294);
+    hit_0.x_9 = _S295.x;
+    hit_0.y_4 = _S295.y;
     return hit_0;
 }
 
-fn first_hit_0( _S289 : u32,  _S290 : SearchQuality_0,  _S291 : f32,  _S292 : f32,  _S293 : vec3<f32>,  _S294 : bool) -> Hit_0
+fn first_hit_0( _S296 : u32,  _S297 : SearchQuality_0,  _S298 : f32,  _S299 : f32,  _S300 : vec3<f32>,  _S301 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S289, _S290, _S291, _S292, _S293, _S294))
+    if(!passes_through_0(_S296, _S297, _S298, _S299, _S300, _S301))
     {
-        return first_hit_of_yarn_0(_S289, _S290, _S291, _S292, _S293, _S294);
+        return first_hit_of_yarn_0(_S296, _S297, _S298, _S299, _S300, _S301);
     }
     var hit_1 : Hit_0;
-    hit_1.x_9 = _S291;
-    hit_1.y_4 = _S292;
-    hit_1.height_3 = 0.0f;
+    hit_1.x_9 = _S298;
+    hit_1.y_4 = _S299;
+    hit_1.height_4 = 0.0f;
     hit_1.hole_3 = true;
     return hit_1;
 }
@@ -2015,7 +2130,7 @@ struct SurfacePoint_0
      is_warp_2 : bool,
      warp_thread_0 : u32,
      weft_thread_0 : u32,
-     height_8 : f32,
+     height_9 : f32,
      normal_4 : vec3<f32>,
      tangent_5 : vec3<f32>,
      across_2 : f32,
@@ -2023,359 +2138,579 @@ struct SurfacePoint_0
      fibre_along_0 : f32,
 };
 
-fn surface_at_0( _S295 : u32,  _S296 : f32,  _S297 : f32,  _S298 : bool) -> SurfacePoint_0
+fn surface_at_0( _S302 : u32,  _S303 : f32,  _S304 : f32,  _S305 : bool) -> SurfacePoint_0
 {
-    var _S299 : Sample_0 = sample_at_0(_S295, _S296, _S297, _S298);
-    var _S300 : f32;
-    if(_S299.shown_3.is_warp_0)
-    {
-        _S300 = _S299.crossing_1.warp_1.half_width_1;
-    }
-    else
-    {
-        _S300 = _S299.crossing_1.weft_1.half_width_1;
-    }
-    var _S301 : u32;
-    if(_S299.shown_3.is_warp_0)
-    {
-        _S301 = fabrics_0[_S295].warp_0;
-    }
-    else
-    {
-        _S301 = fabrics_0[_S295].weft_0;
-    }
-    var _S302 : Family_std430_0 = families_0[_S301];
-    var _S303 : f32;
-    if(_S298)
-    {
-        _S303 = -1.0f;
-    }
-    else
-    {
-        _S303 = 1.0f;
-    }
-    var _S304 : f32 = _S302.twist_sine_0 * _S303;
-    var _S305 : Family_std430_0 = families_0[_S301];
-    if(_S299.shown_3.is_warp_0)
-    {
-        _S303 = 1.0f;
-    }
-    else
-    {
-        _S303 = -1.0f;
-    }
-    var _S306 : vec2<f32> = fibre_direction_0(_S299.slope_across_0, _S303 * _S299.slope_along_0, _S304, _S305.twist_cosine_0);
+    var _S306 : Sample_0 = sample_at_0(_S302, _S303, _S304, _S305);
     var _S307 : f32;
-    if(_S299.shown_3.is_warp_0)
+    if(_S306.shown_3.is_warp_0)
     {
-        _S307 = _S299.slope_x_1;
+        _S307 = _S306.crossing_1.warp_1.half_width_1;
     }
     else
     {
-        _S307 = _S299.slope_y_1;
+        _S307 = _S306.crossing_1.weft_1.half_width_1;
     }
-    var _S308 : f32;
-    if(_S299.shown_3.is_warp_0)
+    var _S308 : u32;
+    if(_S306.shown_3.is_warp_0)
     {
-        _S308 = _S299.slope_y_1;
-    }
-    else
-    {
-        _S308 = _S299.slope_x_1;
-    }
-    var _S309 : f32 = _S306.x;
-    var _S310 : f32 = _S306.y;
-    var _S311 : f32 = _S307 * _S309 + _S303 * _S308 * _S310;
-    var _S312 : f32 = _S300 * 1.0154266357421875f;
-    var _S313 : f32 = _S312 * arc_sine_0(clamp(_S299.section_1.across_1 / _S312, -1.0f, 1.0f));
-    if(_S299.shown_3.is_warp_0)
-    {
-        _S300 = _S297;
+        _S308 = fabrics_0[_S302].warp_0;
     }
     else
     {
-        _S300 = - _S296;
+        _S308 = fabrics_0[_S302].weft_0;
+    }
+    var _S309 : Family_std430_0 = families_0[_S308];
+    var _S310 : f32;
+    if(_S305)
+    {
+        _S310 = -1.0f;
+    }
+    else
+    {
+        _S310 = 1.0f;
+    }
+    var _S311 : f32 = _S309.twist_sine_0 * _S310;
+    var _S312 : Family_std430_0 = families_0[_S308];
+    if(_S306.shown_3.is_warp_0)
+    {
+        _S310 = 1.0f;
+    }
+    else
+    {
+        _S310 = -1.0f;
+    }
+    var _S313 : vec2<f32> = fibre_direction_0(_S306.slope_across_0, _S310 * _S306.slope_along_0, _S311, _S312.twist_cosine_0);
+    var _S314 : f32;
+    if(_S306.shown_3.is_warp_0)
+    {
+        _S314 = _S306.slope_x_1;
+    }
+    else
+    {
+        _S314 = _S306.slope_y_1;
+    }
+    var _S315 : f32;
+    if(_S306.shown_3.is_warp_0)
+    {
+        _S315 = _S306.slope_y_1;
+    }
+    else
+    {
+        _S315 = _S306.slope_x_1;
+    }
+    var _S316 : f32 = _S313.x;
+    var _S317 : f32 = _S313.y;
+    var _S318 : f32 = _S314 * _S316 + _S310 * _S315 * _S317;
+    var _S319 : f32 = _S307 * 1.0154266357421875f;
+    var _S320 : f32 = _S319 * arc_sine_0(clamp(_S306.section_1.across_1 / _S319, -1.0f, 1.0f));
+    if(_S306.shown_3.is_warp_0)
+    {
+        _S307 = _S304;
+    }
+    else
+    {
+        _S307 = - _S303;
     }
     var point_0 : SurfacePoint_0;
-    point_0.hole_4 = _S299.shown_3.hole_0;
-    point_0.is_warp_2 = _S299.shown_3.is_warp_0;
-    point_0.warp_thread_0 = _S299.crossing_1.warp_1.thread_0;
-    point_0.weft_thread_0 = _S299.crossing_1.weft_1.thread_0;
-    point_0.height_8 = _S299.height_4;
-    point_0.normal_4 = normalize(vec3<f32>(- _S299.slope_x_1, - _S299.slope_y_1, 1.0f));
-    var _S314 : vec3<f32>;
-    if(_S299.shown_3.is_warp_0)
+    point_0.hole_4 = _S306.shown_3.hole_0;
+    point_0.is_warp_2 = _S306.shown_3.is_warp_0;
+    point_0.warp_thread_0 = _S306.crossing_1.warp_1.thread_0;
+    point_0.weft_thread_0 = _S306.crossing_1.weft_1.thread_0;
+    point_0.height_9 = _S306.height_5;
+    point_0.normal_4 = normalize(vec3<f32>(- _S306.slope_x_1, - _S306.slope_y_1, 1.0f));
+    var _S321 : vec3<f32>;
+    if(_S306.shown_3.is_warp_0)
     {
-        _S314 = vec3<f32>(_S309, _S310, _S311);
+        _S321 = vec3<f32>(_S316, _S317, _S318);
     }
     else
     {
-        _S314 = vec3<f32>(- _S310, _S309, _S311);
+        _S321 = vec3<f32>(- _S317, _S316, _S318);
     }
-    point_0.tangent_5 = normalize(_S314);
-    point_0.across_2 = _S299.section_1.across_1;
-    point_0.fibre_across_0 = _S313 * _S305.twist_cosine_0 + _S300 * _S304;
-    point_0.fibre_along_0 = _S300 * _S305.twist_cosine_0 - _S313 * _S304;
+    point_0.tangent_5 = normalize(_S321);
+    point_0.across_2 = _S306.section_1.across_1;
+    point_0.fibre_across_0 = _S320 * _S312.twist_cosine_0 + _S307 * _S311;
+    point_0.fibre_along_0 = _S307 * _S312.twist_cosine_0 - _S320 * _S311;
     return point_0;
 }
 
-fn vary_albedos_0( _S315 : u32,  _S316 : Albedos_0,  _S317 : u32,  _S318 : u32) -> Albedos_0
+fn vary_albedos_0( _S322 : u32,  _S323 : Albedos_0,  _S324 : u32,  _S325 : u32) -> Albedos_0
 {
-    var _S319 : vec3<f32> = max(_S316.specular_reflect_0, _S316.specular_transmit_0);
-    var _S320 : vec3<f32> = _S316.diffuse_reflect_0 + _S316.diffuse_transmit_0;
-    var _S321 : vec3<f32> = vec3<f32>(fabrics_0[_S315].layer_bound_0);
-    var _S322 : vec3<f32> = vec3<f32>(1.0f);
-    var _S323 : vec3<f32> = vec3<f32>(bounded_gain_0(thread_gain_0(_S317, fabrics_0[_S315].colour_noise_0, fabrics_0[_S315].seed_0), _S320, _S322 - _S321 * _S319));
-    var _S324 : f32 = bounded_gain_0(fibre_gain_0(_S317, _S318, fabrics_0[_S315].fibre_noise_0, fabrics_0[_S315].seed_0), _S319, min((_S322 - _S323 * _S320) / _S321, vec3<f32>(1.0f)));
+    var _S326 : vec3<f32> = max(_S323.specular_reflect_0, _S323.specular_transmit_0);
+    var _S327 : vec3<f32> = _S323.diffuse_reflect_0 + _S323.diffuse_transmit_0;
+    var _S328 : vec3<f32> = vec3<f32>(fabrics_0[_S322].layer_bound_0);
+    var _S329 : vec3<f32> = vec3<f32>(1.0f);
+    var _S330 : vec3<f32> = vec3<f32>(bounded_gain_0(thread_gain_0(_S324, fabrics_0[_S322].colour_noise_0, fabrics_0[_S322].seed_0), _S327, _S329 - _S328 * _S326));
+    var _S331 : f32 = bounded_gain_0(fibre_gain_0(_S324, _S325, fabrics_0[_S322].fibre_noise_0, fabrics_0[_S322].seed_0), _S326, min((_S329 - _S330 * _S327) / _S328, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S323 * _S316.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S323 * _S316.diffuse_transmit_0;
-    var _S325 : vec3<f32> = vec3<f32>(_S324);
-    varied_0.specular_reflect_0 = _S325 * _S316.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S325 * _S316.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S330 * _S323.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S330 * _S323.diffuse_transmit_0;
+    var _S332 : vec3<f32> = vec3<f32>(_S331);
+    varied_0.specular_reflect_0 = _S332 * _S323.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S332 * _S323.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S326 : u32,  _S327 : SurfacePoint_0,  _S328 : Albedos_0,  _S329 : f32,  _S330 : f32) -> Albedos_0
+fn varied_at_0( _S333 : u32,  _S334 : SurfacePoint_0,  _S335 : Albedos_0,  _S336 : f32,  _S337 : f32) -> Albedos_0
 {
-    var _S331 : f32;
-    if(_S327.is_warp_2)
+    var _S338 : f32;
+    if(_S334.is_warp_2)
     {
-        _S331 = _S329;
+        _S338 = _S336;
     }
     else
     {
-        _S331 = _S330;
+        _S338 = _S337;
     }
-    var _S332 : f32 = _S331 - _S327.across_2;
-    var _S333 : u32;
-    if(_S327.is_warp_2)
+    var _S339 : f32 = _S338 - _S334.across_2;
+    var _S340 : u32;
+    if(_S334.is_warp_2)
     {
-        _S333 = fabrics_0[_S326].warp_0;
+        _S340 = fabrics_0[_S333].warp_0;
     }
     else
     {
-        _S333 = fabrics_0[_S326].weft_0;
+        _S340 = fabrics_0[_S333].weft_0;
     }
-    var _S334 : Family_std430_0 = families_0[_S333];
-    var _S335 : i32 = i32(families_0[_S333].count_0);
-    if(_S327.is_warp_2)
+    var _S341 : Family_std430_0 = families_0[_S340];
+    var _S342 : i32 = i32(families_0[_S340].count_0);
+    if(_S334.is_warp_2)
     {
-        _S333 = _S327.warp_thread_0;
+        _S340 = _S334.warp_thread_0;
     }
     else
     {
-        _S333 = _S327.weft_thread_0;
+        _S340 = _S334.weft_thread_0;
     }
-    var _S336 : u32 = u32(i32(floor(_S332 / _S334.period_0)) * _S335 + i32(_S333)) * u32(2);
-    if(_S327.is_warp_2)
+    var _S343 : u32 = u32(i32(floor(_S339 / _S341.period_0)) * _S342 + i32(_S340)) * u32(2);
+    if(_S334.is_warp_2)
     {
-        _S333 = u32(1);
+        _S340 = u32(1);
     }
     else
     {
-        _S333 = u32(0);
+        _S340 = u32(0);
     }
-    var _S337 : f32 = floor(_S327.fibre_across_0 / fabrics_0[_S326].fibre_size_0);
-    return vary_albedos_0(_S326, _S328, _S336 + _S333, u32(i32(_S337)) * u32(65536) + u32(i32(floor(_S327.fibre_along_0 / (fabrics_0[_S326].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S337))));
+    var _S344 : f32 = floor(_S334.fibre_across_0 / fabrics_0[_S333].fibre_size_0);
+    return vary_albedos_0(_S333, _S335, _S343 + _S340, u32(i32(_S344)) * u32(65536) + u32(i32(floor(_S334.fibre_along_0 / (fabrics_0[_S333].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S344))));
 }
 
-fn yarn_point_of_0( _S338 : u32,  _S339 : SurfacePoint_0,  _S340 : f32,  _S341 : f32,  _S342 : bool,  _S343 : bool) -> YarnPoint_0
+fn yarn_point_of_0( _S345 : u32,  _S346 : SurfacePoint_0,  _S347 : f32,  _S348 : f32,  _S349 : bool,  _S350 : bool) -> YarnPoint_0
 {
-    var _S344 : u32;
-    if(_S339.is_warp_2)
+    var _S351 : u32;
+    if(_S346.is_warp_2)
     {
-        _S344 = fabrics_0[_S338].warp_0;
+        _S351 = fabrics_0[_S345].warp_0;
     }
     else
     {
-        _S344 = fabrics_0[_S338].weft_0;
+        _S351 = fabrics_0[_S345].weft_0;
     }
-    var _S345 : u32;
-    if(_S339.is_warp_2)
+    var _S352 : u32;
+    if(_S346.is_warp_2)
     {
-        _S345 = _S339.warp_thread_0;
-    }
-    else
-    {
-        _S345 = _S339.weft_thread_0;
-    }
-    var albedos_2 : Albedos_0 = albedos_of_0(_S344, _S345);
-    var _S346 : bool;
-    if((fabrics_0[_S338].fibre_noise_0) > 0.0f)
-    {
-        _S346 = true;
+        _S352 = _S346.warp_thread_0;
     }
     else
     {
-        _S346 = (fabrics_0[_S338].colour_noise_0) > 0.0f;
+        _S352 = _S346.weft_thread_0;
+    }
+    var albedos_2 : Albedos_0 = albedos_of_0(_S351, _S352);
+    var _S353 : bool;
+    if((fabrics_0[_S345].fibre_noise_0) > 0.0f)
+    {
+        _S353 = true;
+    }
+    else
+    {
+        _S353 = (fabrics_0[_S345].colour_noise_0) > 0.0f;
     }
     var albedos_3 : Albedos_0;
-    if(_S346)
+    if(_S353)
     {
-        albedos_3 = varied_at_0(_S338, _S339, albedos_2, _S340, _S341);
+        albedos_3 = varied_at_0(_S345, _S346, albedos_2, _S347, _S348);
     }
     else
     {
         albedos_3 = albedos_2;
     }
     var point_1 : YarnPoint_0;
-    point_1.back_3 = _S342;
-    point_1.hole_2 = _S343;
-    point_1.is_warp_1 = _S339.is_warp_2;
-    point_1.x_8 = _S340;
-    point_1.y_3 = _S341;
-    point_1.height_2 = _S339.height_8;
-    point_1.normal_3 = _S339.normal_4;
-    point_1.tangent_4 = _S339.tangent_5;
-    point_1.roughness_8 = families_0[_S344].roughness_0;
+    point_1.back_5 = _S349;
+    point_1.hole_2 = _S350;
+    point_1.is_warp_1 = _S346.is_warp_2;
+    point_1.x_8 = _S347;
+    point_1.y_3 = _S348;
+    point_1.height_3 = _S346.height_9;
+    point_1.normal_3 = _S346.normal_4;
+    point_1.tangent_4 = _S346.tangent_5;
+    point_1.roughness_8 = families_0[_S351].roughness_0;
     point_1.albedos_1 = albedos_3;
     return point_1;
 }
 
-fn locate_yarn_0( _S347 : u32,  _S348 : SearchQuality_0,  _S349 : f32,  _S350 : f32,  _S351 : vec3<f32>) -> YarnPoint_0
+fn locate_yarn_0( _S354 : u32,  _S355 : SearchQuality_0,  _S356 : f32,  _S357 : f32,  _S358 : vec3<f32>) -> YarnPoint_0
 {
-    var _S352 : bool = (_S351.z) < 0.0f;
-    var _S353 : Hit_0 = first_hit_0(_S347, _S348, _S349, _S350, to_face_frame_0(_S351, _S352), _S352);
-    return yarn_point_of_0(_S347, surface_at_0(_S347, _S353.x_9, _S353.y_4, _S352), _S353.x_9, _S353.y_4, _S352, _S353.hole_3);
+    var _S359 : bool = (_S358.z) < 0.0f;
+    var _S360 : Hit_0 = first_hit_0(_S354, _S355, _S356, _S357, to_face_frame_0(_S358, _S359), _S359);
+    return yarn_point_of_0(_S354, surface_at_0(_S354, _S360.x_9, _S360.y_4, _S359), _S360.x_9, _S360.y_4, _S359, _S360.hole_3);
 }
 
-fn scattered_0( _S354 : u32,  _S355 : YarnPoint_0,  _S356 : vec3<f32>,  _S357 : vec3<f32>) -> vec3<f32>
+fn openness_number_0( _S361 : u32,  _S362 : u32) -> f32
 {
-    var _S358 : vec3<f32> = vec3<f32>(0.0f);
-    var _S359 : bool = !_S355.hole_2;
-    var _S360 : bool;
-    if(_S359)
+    return table_number_0(fabrics_0[_S361].openness_0 + _S362);
+}
+
+fn blocked_of_terms_0( _S363 : u32,  _S364 : u32,  _S365 : array<f32, i32(6)>,  _S366 : u32) -> Blocked_0
+{
+    var shares_0 : array<f32, i32(3)>;
+    var share_1 : u32 = u32(0);
+    for(;;)
     {
-        _S360 = (_S356.z) > 0.0f;
+        if(share_1 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        shares_0[share_1] = 0.0f;
+        var term_0 : u32 = u32(0);
+        for(;;)
+        {
+            if(term_0 < _S366)
+            {
+            }
+            else
+            {
+                break;
+            }
+            shares_0[share_1] = shares_0[share_1] + openness_number_0(_S363, _S364 + share_1 * _S366 + term_0) * _S365[term_0];
+            term_0 = term_0 + u32(1);
+        }
+        shares_0[share_1] = saturate(shares_0[share_1]);
+        share_1 = share_1 + u32(1);
+    }
+    var blocked_1 : Blocked_0;
+    blocked_1.by_warp_0 = shares_0[i32(0)] * shares_0[i32(2)];
+    blocked_1.by_weft_0 = shares_0[i32(0)] * (1.0f - shares_0[i32(2)]);
+    blocked_1.far_0 = shares_0[i32(1)];
+    return blocked_1;
+}
+
+fn blocked_at_0( _S367 : u32,  _S368 : bool,  _S369 : bool,  _S370 : f32,  _S371 : f32) -> Blocked_0
+{
+    var _S372 : f32 = _S371 * openness_number_0(_S367, u32(158));
+    var terms_0 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S370, _S372, _S370 * _S370, _S370 * _S372, _S372 * _S372 );
+    var _S373 : u32;
+    if(_S369)
+    {
+        _S373 = u32(2);
     }
     else
     {
-        _S360 = false;
+        _S373 = u32(0);
+    }
+    var _S374 : u32;
+    if(_S368)
+    {
+        _S374 = u32(0);
+    }
+    else
+    {
+        _S374 = u32(1);
+    }
+    return blocked_of_terms_0(_S367, u32(60) + (_S373 + _S374) * u32(18), terms_0, u32(6));
+}
+
+fn scattered_by_0( _S375 : u32,  _S376 : Albedos_0,  _S377 : u32,  _S378 : vec3<f32>) -> Scattered_0
+{
+    var _S379 : u32 = u32(159) + u32(2) * _S377;
+    var yarn_3 : Scattered_0;
+    yarn_3.back_4 = _S378 * _S376.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S375, _S379)) * _S376.specular_reflect_0;
+    yarn_3.through_0 = _S378 * _S376.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S375, _S379 + u32(1))) * _S376.specular_transmit_0;
+    return yarn_3;
+}
+
+fn sent_0( _S380 : u32,  _S381 : u32,  _S382 : vec3<f32>,  _S383 : vec3<f32>,  _S384 : vec3<f32>,  _S385 : vec3<f32>,  _S386 : ptr<function, vec3<f32>>,  _S387 : ptr<function, vec3<f32>>)
+{
+    var _S388 : u32 = u32(146) + u32(4) * _S381;
+    var _S389 : f32 = openness_number_0(_S380, _S388 + u32(1));
+    var _S390 : f32 = openness_number_0(_S380, _S388 + u32(2));
+    var _S391 : vec3<f32> = vec3<f32>(1.0f);
+    var _S392 : vec3<f32> = _S391 - _S384 * vec3<f32>(openness_number_0(_S380, _S388));
+    var _S393 : vec3<f32> = _S391 - _S385 * vec3<f32>(openness_number_0(_S380, _S388 + u32(3)));
+    var _S394 : vec3<f32> = _S391 / (_S392 * _S393 - _S384 * _S385 * vec3<f32>((_S389 * _S390)));
+    (*_S386) = (_S382 * _S393 + _S384 * vec3<f32>(_S389) * _S383) * _S394;
+    (*_S387) = (_S383 * _S392 + _S385 * vec3<f32>(_S390) * _S382) * _S394;
+    return;
+}
+
+fn face_sends_0( _S395 : u32,  _S396 : u32,  _S397 : Scattered_0,  _S398 : Scattered_0) -> FaceSends_0
+{
+    var _S399 : u32 = u32(2) * _S396;
+    var _S400 : u32 = u32(142) + _S399;
+    var _S401 : f32 = openness_number_0(_S395, _S400);
+    var _S402 : f32 = openness_number_0(_S395, _S400 + u32(1));
+    var _S403 : vec3<f32> = vec3<f32>((1.0f - _S401)) * _S397.back_4;
+    var _S404 : vec3<f32> = vec3<f32>((1.0f - _S402)) * _S398.back_4;
+    var sends_1 : FaceSends_0;
+    var _S405 : u32 = u32(154) + _S399;
+    var _S406 : f32 = openness_number_0(_S395, _S405);
+    sends_1.blocks_warp_0 = _S406;
+    var _S407 : f32 = openness_number_0(_S395, _S405 + u32(1));
+    sends_1.blocks_weft_0 = _S407;
+    sends_1.open_0 = _S406 * _S401 + _S407 * _S402;
+    var _S408 : vec3<f32> = vec3<f32>(_S401) * _S397.back_4;
+    var _S409 : vec3<f32> = vec3<f32>(_S402) * _S398.back_4;
+    var _S410 : vec3<f32> = sends_1.sky_warp_0;
+    var _S411 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S395, _S396, _S408, _S409, _S403, _S404, &(_S410), &(_S411));
+    sends_1.sky_warp_0 = _S410;
+    sends_1.sky_weft_0 = _S411;
+    var _S412 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S413 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S395, _S396, _S397.through_0, _S398.through_0, _S403, _S404, &(_S412), &(_S413));
+    sends_1.crossing_warp_0 = _S412;
+    sends_1.crossing_weft_0 = _S413;
+    return sends_1;
+}
+
+fn interior_of_0( _S414 : u32,  _S415 : vec3<f32>,  _S416 : bool) -> Interior_0
+{
+    var _S417 : Scattered_0 = scattered_by_0(_S414, table_albedos_0(families_0[fabrics_0[_S414].warp_0].colour_mean_0), u32(0), _S415);
+    var _S418 : Scattered_0 = scattered_by_0(_S414, table_albedos_0(families_0[fabrics_0[_S414].weft_0].colour_mean_0), u32(1), _S415);
+    var _S419 : u32;
+    if(_S416)
+    {
+        _S419 = u32(1);
+    }
+    else
+    {
+        _S419 = u32(0);
+    }
+    var _S420 : FaceSends_0 = face_sends_0(_S414, _S419, _S417, _S418);
+    if(_S416)
+    {
+        _S419 = u32(0);
+    }
+    else
+    {
+        _S419 = u32(1);
+    }
+    var _S421 : FaceSends_0 = face_sends_0(_S414, _S419, _S417, _S418);
+    var _S422 : vec3<f32> = vec3<f32>(_S420.blocks_warp_0);
+    var _S423 : vec3<f32> = vec3<f32>(_S420.blocks_weft_0);
+    var _S424 : vec3<f32> = _S422 * _S420.crossing_warp_0 + _S423 * _S420.crossing_weft_0;
+    var _S425 : vec3<f32> = vec3<f32>(_S421.blocks_warp_0);
+    var _S426 : vec3<f32> = vec3<f32>(_S421.blocks_weft_0);
+    var _S427 : vec3<f32> = _S425 * _S421.crossing_warp_0 + _S426 * _S421.crossing_weft_0;
+    var _S428 : f32 = 1.0f - _S420.open_0;
+    var _S429 : f32 = 1.0f - _S421.open_0;
+    var _S430 : vec3<f32> = vec3<f32>(1.0f);
+    var _S431 : vec3<f32> = _S430 / (_S430 - _S424 * _S427 * vec3<f32>((_S428 * _S429)));
+    var _S432 : vec3<f32> = _S427 * (vec3<f32>(_S420.open_0) + vec3<f32>(_S428) * (_S422 * _S420.sky_warp_0 + _S423 * _S420.sky_weft_0)) * _S431;
+    var _S433 : vec3<f32> = _S424 * (vec3<f32>(_S421.open_0) + vec3<f32>(_S429) * (_S425 * _S421.sky_warp_0 + _S426 * _S421.sky_weft_0)) * _S431;
+    var _S434 : FaceRadiance_0 = face_radiance_0(_S420, _S421.open_0, _S432, _S433);
+    var _S435 : FaceRadiance_0 = face_radiance_0(_S421, _S420.open_0, _S433, _S432);
+    var interior_1 : Interior_0;
+    interior_1.warp_3 = _S434.warp_2;
+    interior_1.weft_3 = _S434.weft_2;
+    interior_1.leaked_1 = _S434.leaked_0;
+    interior_1.far_1 = _S435.mean_0;
+    interior_1.far_leaked_0 = _S435.leaked_0;
+    return interior_1;
+}
+
+fn bounced_at_0( _S436 : u32,  _S437 : YarnPoint_0,  _S438 : vec3<f32>) -> Bounced_0
+{
+    var nothing_0 : Bounced_0;
+    var _S439 : vec3<f32> = vec3<f32>(0.0f);
+    nothing_0.reflected_0 = _S439;
+    nothing_0.transmitted_0 = _S439;
+    var _S440 : bool;
+    if((fabrics_0[_S436].openness_0) == u32(4294967295))
+    {
+        _S440 = true;
+    }
+    else
+    {
+        _S440 = _S437.hole_2;
+    }
+    if(_S440)
+    {
+        return nothing_0;
+    }
+    var _S441 : Blocked_0 = blocked_at_0(_S436, _S437.is_warp_1, _S437.back_5, _S437.normal_3.z, _S437.height_3);
+    var _S442 : u32;
+    if(_S437.is_warp_1)
+    {
+        _S442 = u32(0);
+    }
+    else
+    {
+        _S442 = u32(1);
+    }
+    return bounced_by_0(_S441, scattered_by_0(_S436, _S437.albedos_1, _S442, _S438), interior_of_0(_S436, _S438, _S437.back_5));
+}
+
+fn scattered_0( _S443 : u32,  _S444 : YarnPoint_0,  _S445 : vec3<f32>,  _S446 : vec3<f32>) -> vec3<f32>
+{
+    var _S447 : vec3<f32> = vec3<f32>(0.0f);
+    var _S448 : bool = !_S444.hole_2;
+    var _S449 : bool;
+    if(_S448)
+    {
+        _S449 = (_S445.z) > 0.0f;
+    }
+    else
+    {
+        _S449 = false;
     }
     var value_1 : vec3<f32>;
-    if(_S360)
+    if(_S449)
     {
-        value_1 = _S355.albedos_1.diffuse_reflect_0 * vec3<f32>(diffuse_reflection_0(_S356, _S355.normal_3, fabrics_0[_S354].diffuse_blend_0)) + _S355.albedos_1.specular_reflect_0 * vec3<f32>(reflection_0(_S356, _S357, _S355.normal_3, _S355.tangent_4, _S355.roughness_8, fabrics_0[_S354].optical_depth_0));
+        value_1 = _S444.albedos_1.diffuse_reflect_0 * vec3<f32>(diffuse_reflection_0(_S445, _S444.normal_3, fabrics_0[_S443].diffuse_blend_0)) + _S444.albedos_1.specular_reflect_0 * vec3<f32>(reflection_0(_S445, _S446, _S444.normal_3, _S444.tangent_4, _S444.roughness_8, fabrics_0[_S443].optical_depth_0));
     }
     else
     {
-        if(_S359)
+        if(_S448)
         {
-            _S360 = (_S356.z) < 0.0f;
+            _S449 = (_S445.z) < 0.0f;
         }
         else
         {
-            _S360 = false;
+            _S449 = false;
         }
-        if(_S360)
+        if(_S449)
         {
-            value_1 = _S355.albedos_1.diffuse_transmit_0 * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S356), _S355.normal_3, fabrics_0[_S354].diffuse_blend_0)) + _S355.albedos_1.specular_transmit_0 * vec3<f32>(transmission_0(_S356, _S357, _S355.normal_3, _S355.tangent_4, _S355.roughness_8, fabrics_0[_S354].optical_depth_0));
+            value_1 = _S444.albedos_1.diffuse_transmit_0 * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S445), _S444.normal_3, fabrics_0[_S443].diffuse_blend_0)) + _S444.albedos_1.specular_transmit_0 * vec3<f32>(transmission_1(_S445, _S446, _S444.normal_3, _S444.tangent_4, _S444.roughness_8, fabrics_0[_S443].optical_depth_0));
         }
         else
         {
-            value_1 = _S358;
+            value_1 = _S447;
         }
     }
-    var _S361 : f32 = fabrics_0[_S354].sheen_strength_0;
-    if((fabrics_0[_S354].sheen_strength_0) <= 0.0f)
+    var _S450 : f32 = fabrics_0[_S443].sheen_strength_0;
+    if((fabrics_0[_S443].sheen_strength_0) <= 0.0f)
     {
         return value_1;
     }
-    var _S362 : vec2<f32> = sheen_with_transmittance_0(_S356, _S357, _S361, fabrics_0[_S354].sheen_roughness_0);
-    return vec3<f32>(_S362.y) * value_1 + vec3<f32>(_S362.x);
+    var _S451 : vec2<f32> = sheen_with_transmittance_0(_S445, _S446, _S450, fabrics_0[_S443].sheen_roughness_0);
+    return vec3<f32>(_S451.y) * value_1 + vec3<f32>(_S451.x);
 }
 
-fn unoccluded_0( _S363 : u32,  _S364 : SearchQuality_0,  _S365 : f32,  _S366 : f32,  _S367 : f32,  _S368 : vec3<f32>,  _S369 : bool) -> bool
+fn unoccluded_0( _S452 : u32,  _S453 : SearchQuality_0,  _S454 : f32,  _S455 : f32,  _S456 : f32,  _S457 : vec3<f32>,  _S458 : bool) -> bool
 {
-    if((_S368.z) <= 0.0f)
+    if((_S457.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S363, _S364, vec3<f32>(_S365, _S366, _S367 + fabrics_0[_S363].lift_0), _S368, _S369, max_height_along_0(_S363, _S365, _S366, _S367, _S368, _S369));
+    return is_free_0(_S452, _S453, vec3<f32>(_S454, _S455, _S456 + fabrics_0[_S452].lift_0), _S457, _S458, max_height_along_0(_S452, _S454, _S455, _S456, _S457, _S458));
 }
 
-fn is_lit_0( _S370 : u32,  _S371 : SearchQuality_0,  _S372 : YarnPoint_0,  _S373 : vec3<f32>) -> bool
+fn is_lit_0( _S459 : u32,  _S460 : SearchQuality_0,  _S461 : YarnPoint_0,  _S462 : vec3<f32>) -> bool
 {
-    if(_S372.hole_2)
+    if(_S461.hole_2)
     {
         return true;
     }
-    var _S374 : vec3<f32> = to_face_frame_0(_S373, _S372.back_3);
-    var _S375 : f32 = _S374.z;
-    var _S376 : bool = _S375 < 0.0f;
+    var _S463 : vec3<f32> = to_face_frame_0(_S462, _S461.back_5);
+    var _S464 : f32 = _S463.z;
+    var _S465 : bool = _S464 < 0.0f;
     var normal_5 : vec3<f32>;
-    var height_9 : f32;
-    if(_S376)
+    var height_10 : f32;
+    if(_S465)
     {
-        var _S377 : SurfacePoint_0 = surface_at_0(_S370, _S372.x_8, _S372.y_3, !_S372.back_3);
-        normal_5 = _S377.normal_4;
-        height_9 = _S377.height_8;
+        var _S466 : SurfacePoint_0 = surface_at_0(_S459, _S461.x_8, _S461.y_3, !_S461.back_5);
+        normal_5 = _S466.normal_4;
+        height_10 = _S466.height_9;
     }
     else
     {
-        normal_5 = _S372.normal_3;
-        height_9 = _S372.height_2;
+        normal_5 = _S461.normal_3;
+        height_10 = _S461.height_3;
     }
-    var _S378 : vec3<f32> = vec3<f32>(_S374.xy, abs(_S375));
-    if((dot(normal_5, _S378)) <= 0.0f)
+    var _S467 : vec3<f32> = vec3<f32>(_S463.xy, abs(_S464));
+    if((dot(normal_5, _S467)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S370, _S371, _S372.x_8, _S372.y_3, height_9, _S378, (_S372.back_3) != _S376);
+    return unoccluded_0(_S459, _S460, _S461.x_8, _S461.y_3, height_10, _S467, (_S461.back_5) != _S465);
 }
 
-fn evaluate_0( _S379 : u32,  _S380 : SearchQuality_0,  _S381 : YarnPoint_0,  _S382 : vec3<f32>,  _S383 : vec3<f32>) -> vec3<f32>
+fn evaluate_with_0( _S468 : u32,  _S469 : SearchQuality_0,  _S470 : YarnPoint_0,  _S471 : Bounced_0,  _S472 : vec3<f32>,  _S473 : vec3<f32>) -> vec3<f32>
 {
-    var _S384 : vec3<f32> = scattered_0(_S379, _S381, to_face_frame_0(_S382, _S381.back_3), to_face_frame_0(_S383, _S381.back_3));
-    var _S385 : bool;
-    if((max(_S384.x, max(_S384.y, _S384.z))) <= 0.0f)
+    var _S474 : vec3<f32> = to_face_frame_0(_S473, _S470.back_5);
+    var _S475 : vec3<f32> = scattered_0(_S468, _S470, to_face_frame_0(_S472, _S470.back_5), _S474);
+    var _S476 : bool;
+    if((max(_S475.x, max(_S475.y, _S475.z))) <= 0.0f)
     {
-        _S385 = true;
+        _S476 = true;
     }
     else
     {
-        _S385 = !is_lit_0(_S379, _S380, _S381, _S382);
+        _S476 = !is_lit_0(_S468, _S469, _S470, _S472);
     }
-    if(_S385)
+    var value_2 : vec3<f32>;
+    if(_S476)
     {
-        return vec3<f32>(0.0f);
+        value_2 = vec3<f32>(0.0f);
     }
-    return _S384;
+    else
+    {
+        value_2 = _S475;
+    }
+    var between_1 : vec3<f32> = bounced_value_0(_S471, _S472, _S473);
+    var _S477 : f32 = fabrics_0[_S468].sheen_strength_0;
+    var between_2 : vec3<f32>;
+    if((fabrics_0[_S468].sheen_strength_0) > 0.0f)
+    {
+        between_2 = between_1 * vec3<f32>((1.0f - _S477 * sheen_lobe_0(abs(_S474.z), fabrics_0[_S468].sheen_roughness_0).z));
+    }
+    else
+    {
+        between_2 = between_1;
+    }
+    return value_2 + between_2;
 }
 
-fn straight_through_0( _S386 : u32,  _S387 : YarnPoint_0,  _S388 : vec3<f32>) -> f32
+fn evaluate_0( _S478 : u32,  _S479 : SearchQuality_0,  _S480 : YarnPoint_0,  _S481 : vec3<f32>,  _S482 : vec3<f32>) -> vec3<f32>
 {
-    if(!_S387.hole_2)
+    return evaluate_with_0(_S478, _S479, _S480, bounced_at_0(_S478, _S480, vec3<f32>(1.0f)), _S481, _S482);
+}
+
+fn straight_through_0( _S483 : u32,  _S484 : YarnPoint_0,  _S485 : vec3<f32>) -> f32
+{
+    if(!_S484.hole_2)
     {
         return 0.0f;
     }
-    var _S389 : f32 = fabrics_0[_S386].sheen_strength_0;
-    if((fabrics_0[_S386].sheen_strength_0) <= 0.0f)
+    var _S486 : f32 = fabrics_0[_S483].sheen_strength_0;
+    if((fabrics_0[_S483].sheen_strength_0) <= 0.0f)
     {
         return 1.0f;
     }
-    return 1.0f - _S389 * sheen_lobe_0(abs(_S388.z), fabrics_0[_S386].sheen_roughness_0).z;
+    return 1.0f - _S486 * sheen_lobe_0(abs(_S485.z), fabrics_0[_S483].sheen_roughness_0).z;
 }
 
-fn cloth_value_0( fabric_1 : u32,  centre_0 : vec2<f32>,  dx_0 : vec2<f32>,  dy_0 : vec2<f32>,  light_6 : vec3<f32>,  view_5 : vec3<f32>) -> vec4<f32>
+fn cloth_value_0( fabric_1 : u32,  centre_0 : vec2<f32>,  dx_0 : vec2<f32>,  dy_0 : vec2<f32>,  light_7 : vec3<f32>,  view_6 : vec3<f32>) -> vec4<f32>
 {
-    var _S390 : SearchQuality_0 = default_quality_0();
-    var _S391 : YarnPoint_0 = locate_yarn_0(fabric_1, _S390, centre_0.x, centre_0.y, view_5);
-    return vec4<f32>(evaluate_0(fabric_1, _S390, _S391, light_6, view_5), straight_through_0(fabric_1, _S391, view_5));
+    var _S487 : SearchQuality_0 = default_quality_0();
+    var _S488 : YarnPoint_0 = locate_yarn_0(fabric_1, _S487, centre_0.x, centre_0.y, view_6);
+    return vec4<f32>(evaluate_0(fabric_1, _S487, _S488, light_7, view_6), straight_through_0(fabric_1, _S488, view_6));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn point_queries(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S392 : u32 = id_0.x;
-    if(_S392 >= query_count_0[i32(0)])
+    var _S489 : u32 = id_0.x;
+    if(_S489 >= query_count_0[i32(0)])
     {
         return;
     }
-    var _S393 : Query_std430_0 = queries_0[_S392];
-    answers_0[_S392] = cloth_value_0(_S393.fabric_0, vec2<f32>(_S393.centre_x_0, _S393.centre_y_0), vec2<f32>(_S393.dx_x_0, _S393.dx_y_0), vec2<f32>(_S393.dy_x_0, _S393.dy_y_0), vec3<f32>(_S393.light_x_0, _S393.light_y_0, _S393.light_z_0), vec3<f32>(_S393.view_x_0, _S393.view_y_0, _S393.view_z_0));
+    var _S490 : Query_std430_0 = queries_0[_S489];
+    answers_0[_S489] = cloth_value_0(_S490.fabric_0, vec2<f32>(_S490.centre_x_0, _S490.centre_y_0), vec2<f32>(_S490.dx_x_0, _S490.dx_y_0), vec2<f32>(_S490.dy_x_0, _S490.dy_y_0), vec3<f32>(_S490.light_x_0, _S490.light_y_0, _S490.light_z_0), vec3<f32>(_S490.view_x_0, _S490.view_y_0, _S490.view_z_0));
     return;
 }
 

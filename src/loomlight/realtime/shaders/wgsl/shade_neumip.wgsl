@@ -116,6 +116,32 @@ struct Neumip_std430_0
     @align(4) texels_per_mm_0 : f32,
     @align(4) unit_x_0 : f32,
     @align(4) unit_y_0 : f32,
+    @align(4) transmits_0 : u32,
+    @align(4) transmission_0 : u32,
+    @align(4) has_holes_0 : u32,
+    @align(4) opacity_0 : u32,
+};
+
+struct Latent_std430_0
+{
+    @align(4) is_trained_1 : u32,
+    @align(4) decoder_1 : u32,
+    @align(4) hidden_0 : u32,
+    @align(4) frames_1 : u32,
+    @align(4) sampler_0 : u32,
+    @align(4) albedo_0 : u32,
+    @align(4) texels_1 : u32,
+    @align(4) texel_elements_1 : u32,
+    @align(4) levels_3 : u32,
+    @align(4) last_level_2 : f32,
+    @align(4) face_texels_1 : u32,
+    @align(4) back_1 : u32,
+    @align(4) repeats_per_x_1 : f32,
+    @align(4) repeats_per_y_1 : f32,
+    @align(4) texels_per_mm_1 : f32,
+    @align(4) width_1 : f32,
+    @align(4) height_1 : f32,
+    @align(4) is_trilinear_0 : u32,
 };
 
 struct Fabric_std430_0
@@ -147,8 +173,12 @@ struct Fabric_std430_0
     @align(4) uv_width_0 : f32,
     @align(4) uv_height_0 : f32,
     @align(4) is_open_0 : u32,
+    @align(4) openness_0 : u32,
     @align(4) albedo_map_0 : u32,
     @align(4) albedo_map_levels_0 : u32,
+    @align(4) has_yarns_0 : u32,
+    @align(4) mean_hole_0 : f32,
+    @align(4) latent_0 : Latent_std430_0,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -487,175 +517,7 @@ fn dense_1( weights_5 : FloatWeights_0,  first_4 : u32,  adds_3 : bool,  inputs_
     return;
 }
 
-fn dense_part_2( weights_6 : FloatWeights_0,  first_5 : u32,  adds_4 : bool,  inputs_6 : ptr<function, array<f32, i32(25)>>,  outputs_4 : ptr<function, array<f32, i32(25)>>)
-{
-    var _S40 : u32 = first_5 + u32(whole_parts_0(i32(4)));
-    var output_2 : i32 = i32(0);
-    for(;;)
-    {
-        var _S41 : bool = output_2 < i32(25);
-        if(_S41)
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S42 : u32 = u32(output_2);
-        var _S43 : Eight_0 = FloatWeights_eight_0(weights_6, first_5 + _S42 / u32(8));
-        var _S44 : vec4<f32> = tile_product_0(weights_6, _S40 + _S42 * u32(4), &((*inputs_6)));
-        var _S45 : vec4<f32>;
-        if(((output_2 & (i32(4)))) != i32(0))
-        {
-            _S45 = _S43.high_0;
-        }
-        else
-        {
-            _S45 = _S43.low_0;
-        }
-        var _S46 : vec4<f32> = _S44 + _S45;
-        var _S47 : f32;
-        if(_S41)
-        {
-            if(adds_4)
-            {
-                _S47 = (*outputs_4)[output_2];
-            }
-            else
-            {
-                _S47 = 0.0f;
-            }
-            (*outputs_4)[output_2] = Relu_apply_0(_S46[i32(0)] + _S47);
-        }
-        var _S48 : i32 = output_2 + i32(1);
-        if(_S48 < i32(25))
-        {
-            if(adds_4)
-            {
-                _S47 = (*outputs_4)[_S48];
-            }
-            else
-            {
-                _S47 = 0.0f;
-            }
-            (*outputs_4)[_S48] = Relu_apply_0(_S46[i32(1)] + _S47);
-        }
-        var _S49 : i32 = output_2 + i32(2);
-        if(_S49 < i32(25))
-        {
-            if(adds_4)
-            {
-                _S47 = (*outputs_4)[_S49];
-            }
-            else
-            {
-                _S47 = 0.0f;
-            }
-            (*outputs_4)[_S49] = Relu_apply_0(_S46[i32(2)] + _S47);
-        }
-        var _S50 : i32 = output_2 + i32(3);
-        if(_S50 < i32(25))
-        {
-            if(adds_4)
-            {
-                _S47 = (*outputs_4)[_S50];
-            }
-            else
-            {
-                _S47 = 0.0f;
-            }
-            (*outputs_4)[_S50] = Relu_apply_0(_S46[i32(3)] + _S47);
-        }
-        output_2 = output_2 + i32(4);
-    }
-    return;
-}
-
-fn dense_part_3( weights_7 : FloatWeights_0,  first_6 : u32,  adds_5 : bool,  inputs_7 : ptr<function, array<f32, i32(25)>>,  outputs_5 : ptr<function, array<f32, i32(1)>>)
-{
-    var _S51 : u32 = first_6 + u32(whole_parts_0(i32(1)));
-    var output_3 : i32 = i32(0);
-    for(;;)
-    {
-        var _S52 : bool = output_3 < i32(1);
-        if(_S52)
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S53 : u32 = u32(output_3);
-        var _S54 : Eight_0 = FloatWeights_eight_0(weights_7, first_6 + _S53 / u32(8));
-        var _S55 : vec4<f32> = tile_product_0(weights_7, _S51 + _S53 * u32(4), &((*inputs_7)));
-        var _S56 : vec4<f32>;
-        if(((output_3 & (i32(4)))) != i32(0))
-        {
-            _S56 = _S54.high_0;
-        }
-        else
-        {
-            _S56 = _S54.low_0;
-        }
-        var _S57 : vec4<f32> = _S55 + _S56;
-        var _S58 : f32;
-        if(_S52)
-        {
-            if(adds_5)
-            {
-                _S58 = (*outputs_5)[output_3];
-            }
-            else
-            {
-                _S58 = 0.0f;
-            }
-            (*outputs_5)[output_3] = Identity_apply_0(_S57[i32(0)] + _S58);
-        }
-        var _S59 : i32 = output_3 + i32(1);
-        if(_S59 < i32(1))
-        {
-            if(adds_5)
-            {
-                _S58 = (*outputs_5)[_S59];
-            }
-            else
-            {
-                _S58 = 0.0f;
-            }
-            (*outputs_5)[_S59] = Identity_apply_0(_S57[i32(1)] + _S58);
-        }
-        var _S60 : i32 = output_3 + i32(2);
-        if(_S60 < i32(1))
-        {
-            if(adds_5)
-            {
-                _S58 = (*outputs_5)[_S60];
-            }
-            else
-            {
-                _S58 = 0.0f;
-            }
-            (*outputs_5)[_S60] = Identity_apply_0(_S57[i32(2)] + _S58);
-        }
-        var _S61 : i32 = output_3 + i32(3);
-        if(_S61 < i32(1))
-        {
-            if(adds_5)
-            {
-                _S58 = (*outputs_5)[_S61];
-            }
-            else
-            {
-                _S58 = 0.0f;
-            }
-            (*outputs_5)[_S61] = Identity_apply_0(_S57[i32(3)] + _S58);
-        }
-        output_3 = output_3 + i32(4);
-    }
-    return;
-}
-
-fn tile_product_2( weights_8 : FloatWeights_0,  row_2 : u32,  inputs_8 : ptr<function, array<f32, i32(9)>>) -> vec4<f32>
+fn tile_product_2( weights_6 : FloatWeights_0,  row_2 : u32,  inputs_6 : ptr<function, array<f32, i32(16)>>) -> vec4<f32>
 {
     var sums_2 : vec4<f32> = vec4<f32>(0.0f);
     var column_2 : u32 = u32(0);
@@ -670,148 +532,626 @@ fn tile_product_2( weights_8 : FloatWeights_0,  row_2 : u32,  inputs_8 : ptr<fun
         }
         var low_3 : vec4<f32>;
         var high_3 : vec4<f32>;
-        var _S62 : i32 = i32(u32(8) * column_2);
-        low_3[i32(0)] = (*inputs_8)[min(_S62, i32(8))];
-        high_3[i32(0)] = (*inputs_8)[min(_S62 + i32(4), i32(8))];
-        var _S63 : i32 = _S62 + i32(1);
-        low_3[i32(1)] = (*inputs_8)[min(_S63, i32(8))];
-        high_3[i32(1)] = (*inputs_8)[min(_S63 + i32(4), i32(8))];
-        var _S64 : i32 = _S62 + i32(2);
-        low_3[i32(2)] = (*inputs_8)[min(_S64, i32(8))];
-        high_3[i32(2)] = (*inputs_8)[min(_S64 + i32(4), i32(8))];
-        var _S65 : i32 = _S62 + i32(3);
-        low_3[i32(3)] = (*inputs_8)[min(_S65, i32(8))];
-        high_3[i32(3)] = (*inputs_8)[min(_S65 + i32(4), i32(8))];
-        var _S66 : Eight_0 = FloatWeights_eight_0(weights_8, row_2 + column_2);
-        sums_2[i32(0)] = sums_2[i32(0)] + (dot(_S66.low_0, low_3) + dot(_S66.high_0, high_3));
-        var _S67 : Eight_0 = FloatWeights_eight_0(weights_8, row_2 + u32(2) + column_2);
-        sums_2[i32(1)] = sums_2[i32(1)] + (dot(_S67.low_0, low_3) + dot(_S67.high_0, high_3));
-        var _S68 : Eight_0 = FloatWeights_eight_0(weights_8, row_2 + u32(4) + column_2);
-        sums_2[i32(2)] = sums_2[i32(2)] + (dot(_S68.low_0, low_3) + dot(_S68.high_0, high_3));
-        var _S69 : Eight_0 = FloatWeights_eight_0(weights_8, row_2 + u32(6) + column_2);
-        sums_2[i32(3)] = sums_2[i32(3)] + (dot(_S69.low_0, low_3) + dot(_S69.high_0, high_3));
+        var _S40 : i32 = i32(u32(8) * column_2);
+        low_3[i32(0)] = (*inputs_6)[_S40];
+        high_3[i32(0)] = (*inputs_6)[_S40 + i32(4)];
+        var _S41 : i32 = _S40 + i32(1);
+        low_3[i32(1)] = (*inputs_6)[_S41];
+        high_3[i32(1)] = (*inputs_6)[_S41 + i32(4)];
+        var _S42 : i32 = _S40 + i32(2);
+        low_3[i32(2)] = (*inputs_6)[_S42];
+        high_3[i32(2)] = (*inputs_6)[_S42 + i32(4)];
+        var _S43 : i32 = _S40 + i32(3);
+        low_3[i32(3)] = (*inputs_6)[_S43];
+        high_3[i32(3)] = (*inputs_6)[_S43 + i32(4)];
+        var _S44 : Eight_0 = FloatWeights_eight_0(weights_6, row_2 + column_2);
+        sums_2[i32(0)] = sums_2[i32(0)] + (dot(_S44.low_0, low_3) + dot(_S44.high_0, high_3));
+        var _S45 : Eight_0 = FloatWeights_eight_0(weights_6, row_2 + u32(2) + column_2);
+        sums_2[i32(1)] = sums_2[i32(1)] + (dot(_S45.low_0, low_3) + dot(_S45.high_0, high_3));
+        var _S46 : Eight_0 = FloatWeights_eight_0(weights_6, row_2 + u32(4) + column_2);
+        sums_2[i32(2)] = sums_2[i32(2)] + (dot(_S46.low_0, low_3) + dot(_S46.high_0, high_3));
+        var _S47 : Eight_0 = FloatWeights_eight_0(weights_6, row_2 + u32(6) + column_2);
+        sums_2[i32(3)] = sums_2[i32(3)] + (dot(_S47.low_0, low_3) + dot(_S47.high_0, high_3));
         column_2 = column_2 + u32(1);
     }
     return sums_2;
 }
 
-fn dense_part_4( weights_9 : FloatWeights_0,  first_7 : u32,  adds_6 : bool,  inputs_9 : ptr<function, array<f32, i32(9)>>,  outputs_6 : ptr<function, array<f32, i32(25)>>)
+fn dense_part_2( weights_7 : FloatWeights_0,  first_5 : u32,  adds_4 : bool,  inputs_7 : ptr<function, array<f32, i32(16)>>,  outputs_4 : ptr<function, array<f32, i32(16)>>)
 {
-    var _S70 : u32 = first_7 + u32(whole_parts_0(i32(4)));
-    var output_4 : i32 = i32(0);
+    var _S48 : u32 = first_5 + u32(whole_parts_0(i32(2)));
+    var output_2 : i32 = i32(0);
     for(;;)
     {
-        var _S71 : bool = output_4 < i32(25);
-        if(_S71)
+        var _S49 : bool = output_2 < i32(16);
+        if(_S49)
         {
         }
         else
         {
             break;
         }
-        var _S72 : u32 = u32(output_4);
-        var _S73 : Eight_0 = FloatWeights_eight_0(weights_9, first_7 + _S72 / u32(8));
-        var _S74 : vec4<f32> = tile_product_2(weights_9, _S70 + _S72 * u32(2), &((*inputs_9)));
-        var _S75 : vec4<f32>;
-        if(((output_4 & (i32(4)))) != i32(0))
+        var _S50 : u32 = u32(output_2);
+        var _S51 : Eight_0 = FloatWeights_eight_0(weights_7, first_5 + _S50 / u32(8));
+        var _S52 : vec4<f32> = tile_product_2(weights_7, _S48 + _S50 * u32(2), &((*inputs_7)));
+        var _S53 : vec4<f32>;
+        if(((output_2 & (i32(4)))) != i32(0))
         {
-            _S75 = _S73.high_0;
+            _S53 = _S51.high_0;
         }
         else
         {
-            _S75 = _S73.low_0;
+            _S53 = _S51.low_0;
         }
-        var _S76 : vec4<f32> = _S74 + _S75;
-        var _S77 : f32;
-        if(_S71)
+        var _S54 : vec4<f32> = _S52 + _S53;
+        var _S55 : f32;
+        if(_S49)
         {
-            if(adds_6)
+            if(adds_4)
             {
-                _S77 = (*outputs_6)[output_4];
+                _S55 = (*outputs_4)[output_2];
             }
             else
             {
-                _S77 = 0.0f;
+                _S55 = 0.0f;
             }
-            (*outputs_6)[output_4] = Relu_apply_0(_S76[i32(0)] + _S77);
+            (*outputs_4)[output_2] = Relu_apply_0(_S54[i32(0)] + _S55);
         }
-        var _S78 : i32 = output_4 + i32(1);
-        if(_S78 < i32(25))
+        var _S56 : i32 = output_2 + i32(1);
+        if(_S56 < i32(16))
         {
-            if(adds_6)
+            if(adds_4)
             {
-                _S77 = (*outputs_6)[_S78];
+                _S55 = (*outputs_4)[_S56];
             }
             else
             {
-                _S77 = 0.0f;
+                _S55 = 0.0f;
             }
-            (*outputs_6)[_S78] = Relu_apply_0(_S76[i32(1)] + _S77);
+            (*outputs_4)[_S56] = Relu_apply_0(_S54[i32(1)] + _S55);
         }
-        var _S79 : i32 = output_4 + i32(2);
-        if(_S79 < i32(25))
+        var _S57 : i32 = output_2 + i32(2);
+        if(_S57 < i32(16))
         {
-            if(adds_6)
+            if(adds_4)
             {
-                _S77 = (*outputs_6)[_S79];
+                _S55 = (*outputs_4)[_S57];
             }
             else
             {
-                _S77 = 0.0f;
+                _S55 = 0.0f;
             }
-            (*outputs_6)[_S79] = Relu_apply_0(_S76[i32(2)] + _S77);
+            (*outputs_4)[_S57] = Relu_apply_0(_S54[i32(2)] + _S55);
         }
-        var _S80 : i32 = output_4 + i32(3);
-        if(_S80 < i32(25))
+        var _S58 : i32 = output_2 + i32(3);
+        if(_S58 < i32(16))
         {
-            if(adds_6)
+            if(adds_4)
             {
-                _S77 = (*outputs_6)[_S80];
+                _S55 = (*outputs_4)[_S58];
             }
             else
             {
-                _S77 = 0.0f;
+                _S55 = 0.0f;
             }
-            (*outputs_6)[_S80] = Relu_apply_0(_S76[i32(3)] + _S77);
+            (*outputs_4)[_S58] = Relu_apply_0(_S54[i32(3)] + _S55);
+        }
+        output_2 = output_2 + i32(4);
+    }
+    return;
+}
+
+fn dense_part_3( weights_8 : FloatWeights_0,  first_6 : u32,  adds_5 : bool,  inputs_8 : ptr<function, array<f32, i32(16)>>,  outputs_5 : ptr<function, array<f32, i32(1)>>)
+{
+    var _S59 : u32 = first_6 + u32(whole_parts_0(i32(1)));
+    var output_3 : i32 = i32(0);
+    for(;;)
+    {
+        var _S60 : bool = output_3 < i32(1);
+        if(_S60)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S61 : u32 = u32(output_3);
+        var _S62 : Eight_0 = FloatWeights_eight_0(weights_8, first_6 + _S61 / u32(8));
+        var _S63 : vec4<f32> = tile_product_2(weights_8, _S59 + _S61 * u32(2), &((*inputs_8)));
+        var _S64 : vec4<f32>;
+        if(((output_3 & (i32(4)))) != i32(0))
+        {
+            _S64 = _S62.high_0;
+        }
+        else
+        {
+            _S64 = _S62.low_0;
+        }
+        var _S65 : vec4<f32> = _S63 + _S64;
+        var _S66 : f32;
+        if(_S60)
+        {
+            if(adds_5)
+            {
+                _S66 = (*outputs_5)[output_3];
+            }
+            else
+            {
+                _S66 = 0.0f;
+            }
+            (*outputs_5)[output_3] = Identity_apply_0(_S65[i32(0)] + _S66);
+        }
+        var _S67 : i32 = output_3 + i32(1);
+        if(_S67 < i32(1))
+        {
+            if(adds_5)
+            {
+                _S66 = (*outputs_5)[_S67];
+            }
+            else
+            {
+                _S66 = 0.0f;
+            }
+            (*outputs_5)[_S67] = Identity_apply_0(_S65[i32(1)] + _S66);
+        }
+        var _S68 : i32 = output_3 + i32(2);
+        if(_S68 < i32(1))
+        {
+            if(adds_5)
+            {
+                _S66 = (*outputs_5)[_S68];
+            }
+            else
+            {
+                _S66 = 0.0f;
+            }
+            (*outputs_5)[_S68] = Identity_apply_0(_S65[i32(2)] + _S66);
+        }
+        var _S69 : i32 = output_3 + i32(3);
+        if(_S69 < i32(1))
+        {
+            if(adds_5)
+            {
+                _S66 = (*outputs_5)[_S69];
+            }
+            else
+            {
+                _S66 = 0.0f;
+            }
+            (*outputs_5)[_S69] = Identity_apply_0(_S65[i32(3)] + _S66);
+        }
+        output_3 = output_3 + i32(4);
+    }
+    return;
+}
+
+fn tile_product_3( weights_9 : FloatWeights_0,  row_3 : u32,  inputs_9 : ptr<function, array<f32, i32(9)>>) -> vec4<f32>
+{
+    var sums_3 : vec4<f32> = vec4<f32>(0.0f);
+    var column_3 : u32 = u32(0);
+    for(;;)
+    {
+        if(column_3 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var low_4 : vec4<f32>;
+        var high_4 : vec4<f32>;
+        var _S70 : i32 = i32(u32(8) * column_3);
+        low_4[i32(0)] = (*inputs_9)[min(_S70, i32(8))];
+        high_4[i32(0)] = (*inputs_9)[min(_S70 + i32(4), i32(8))];
+        var _S71 : i32 = _S70 + i32(1);
+        low_4[i32(1)] = (*inputs_9)[min(_S71, i32(8))];
+        high_4[i32(1)] = (*inputs_9)[min(_S71 + i32(4), i32(8))];
+        var _S72 : i32 = _S70 + i32(2);
+        low_4[i32(2)] = (*inputs_9)[min(_S72, i32(8))];
+        high_4[i32(2)] = (*inputs_9)[min(_S72 + i32(4), i32(8))];
+        var _S73 : i32 = _S70 + i32(3);
+        low_4[i32(3)] = (*inputs_9)[min(_S73, i32(8))];
+        high_4[i32(3)] = (*inputs_9)[min(_S73 + i32(4), i32(8))];
+        var _S74 : Eight_0 = FloatWeights_eight_0(weights_9, row_3 + column_3);
+        sums_3[i32(0)] = sums_3[i32(0)] + (dot(_S74.low_0, low_4) + dot(_S74.high_0, high_4));
+        var _S75 : Eight_0 = FloatWeights_eight_0(weights_9, row_3 + u32(2) + column_3);
+        sums_3[i32(1)] = sums_3[i32(1)] + (dot(_S75.low_0, low_4) + dot(_S75.high_0, high_4));
+        var _S76 : Eight_0 = FloatWeights_eight_0(weights_9, row_3 + u32(4) + column_3);
+        sums_3[i32(2)] = sums_3[i32(2)] + (dot(_S76.low_0, low_4) + dot(_S76.high_0, high_4));
+        var _S77 : Eight_0 = FloatWeights_eight_0(weights_9, row_3 + u32(6) + column_3);
+        sums_3[i32(3)] = sums_3[i32(3)] + (dot(_S77.low_0, low_4) + dot(_S77.high_0, high_4));
+        column_3 = column_3 + u32(1);
+    }
+    return sums_3;
+}
+
+fn dense_part_4( weights_10 : FloatWeights_0,  first_7 : u32,  adds_6 : bool,  inputs_10 : ptr<function, array<f32, i32(9)>>,  outputs_6 : ptr<function, array<f32, i32(16)>>)
+{
+    var _S78 : u32 = first_7 + u32(whole_parts_0(i32(2)));
+    var output_4 : i32 = i32(0);
+    for(;;)
+    {
+        var _S79 : bool = output_4 < i32(16);
+        if(_S79)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S80 : u32 = u32(output_4);
+        var _S81 : Eight_0 = FloatWeights_eight_0(weights_10, first_7 + _S80 / u32(8));
+        var _S82 : vec4<f32> = tile_product_3(weights_10, _S78 + _S80 * u32(2), &((*inputs_10)));
+        var _S83 : vec4<f32>;
+        if(((output_4 & (i32(4)))) != i32(0))
+        {
+            _S83 = _S81.high_0;
+        }
+        else
+        {
+            _S83 = _S81.low_0;
+        }
+        var _S84 : vec4<f32> = _S82 + _S83;
+        var _S85 : f32;
+        if(_S79)
+        {
+            if(adds_6)
+            {
+                _S85 = (*outputs_6)[output_4];
+            }
+            else
+            {
+                _S85 = 0.0f;
+            }
+            (*outputs_6)[output_4] = Relu_apply_0(_S84[i32(0)] + _S85);
+        }
+        var _S86 : i32 = output_4 + i32(1);
+        if(_S86 < i32(16))
+        {
+            if(adds_6)
+            {
+                _S85 = (*outputs_6)[_S86];
+            }
+            else
+            {
+                _S85 = 0.0f;
+            }
+            (*outputs_6)[_S86] = Relu_apply_0(_S84[i32(1)] + _S85);
+        }
+        var _S87 : i32 = output_4 + i32(2);
+        if(_S87 < i32(16))
+        {
+            if(adds_6)
+            {
+                _S85 = (*outputs_6)[_S87];
+            }
+            else
+            {
+                _S85 = 0.0f;
+            }
+            (*outputs_6)[_S87] = Relu_apply_0(_S84[i32(2)] + _S85);
+        }
+        var _S88 : i32 = output_4 + i32(3);
+        if(_S88 < i32(16))
+        {
+            if(adds_6)
+            {
+                _S85 = (*outputs_6)[_S88];
+            }
+            else
+            {
+                _S85 = 0.0f;
+            }
+            (*outputs_6)[_S88] = Relu_apply_0(_S84[i32(3)] + _S85);
         }
         output_4 = output_4 + i32(4);
     }
     return;
 }
 
-fn dense_2( weights_10 : FloatWeights_0,  first_8 : u32,  adds_7 : bool,  inputs_10 : ptr<function, array<f32, i32(25)>>,  outputs_7 : ptr<function, array<f32, i32(25)>>)
+fn dense_2( weights_11 : FloatWeights_0,  first_8 : u32,  adds_7 : bool,  inputs_11 : ptr<function, array<f32, i32(16)>>,  outputs_7 : ptr<function, array<f32, i32(16)>>)
 {
-    dense_part_2(weights_10, first_8, adds_7, &((*inputs_10)), &((*outputs_7)));
+    dense_part_2(weights_11, first_8, adds_7, &((*inputs_11)), &((*outputs_7)));
     return;
 }
 
-fn dense_3( weights_11 : FloatWeights_0,  first_9 : u32,  adds_8 : bool,  inputs_11 : ptr<function, array<f32, i32(25)>>,  outputs_8 : ptr<function, array<f32, i32(1)>>)
+fn dense_3( weights_12 : FloatWeights_0,  first_9 : u32,  adds_8 : bool,  inputs_12 : ptr<function, array<f32, i32(16)>>,  outputs_8 : ptr<function, array<f32, i32(1)>>)
 {
-    dense_part_3(weights_11, first_9, adds_8, &((*inputs_11)), &((*outputs_8)));
+    dense_part_3(weights_12, first_9, adds_8, &((*inputs_12)), &((*outputs_8)));
     return;
 }
 
-fn dense_4( weights_12 : FloatWeights_0,  first_10 : u32,  adds_9 : bool,  inputs_12 : ptr<function, array<f32, i32(9)>>,  outputs_9 : ptr<function, array<f32, i32(25)>>)
+fn dense_4( weights_13 : FloatWeights_0,  first_10 : u32,  adds_9 : bool,  inputs_13 : ptr<function, array<f32, i32(9)>>,  outputs_9 : ptr<function, array<f32, i32(16)>>)
 {
-    dense_part_4(weights_12, first_10, adds_9, &((*inputs_12)), &((*outputs_9)));
+    dense_part_4(weights_13, first_10, adds_9, &((*inputs_13)), &((*outputs_9)));
+    return;
+}
+
+fn dense_part_5( weights_14 : FloatWeights_0,  first_11 : u32,  adds_10 : bool,  inputs_14 : ptr<function, array<f32, i32(25)>>,  outputs_10 : ptr<function, array<f32, i32(25)>>)
+{
+    var _S89 : u32 = first_11 + u32(whole_parts_0(i32(4)));
+    var output_5 : i32 = i32(0);
+    for(;;)
+    {
+        var _S90 : bool = output_5 < i32(25);
+        if(_S90)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S91 : u32 = u32(output_5);
+        var _S92 : Eight_0 = FloatWeights_eight_0(weights_14, first_11 + _S91 / u32(8));
+        var _S93 : vec4<f32> = tile_product_0(weights_14, _S89 + _S91 * u32(4), &((*inputs_14)));
+        var _S94 : vec4<f32>;
+        if(((output_5 & (i32(4)))) != i32(0))
+        {
+            _S94 = _S92.high_0;
+        }
+        else
+        {
+            _S94 = _S92.low_0;
+        }
+        var _S95 : vec4<f32> = _S93 + _S94;
+        var _S96 : f32;
+        if(_S90)
+        {
+            if(adds_10)
+            {
+                _S96 = (*outputs_10)[output_5];
+            }
+            else
+            {
+                _S96 = 0.0f;
+            }
+            (*outputs_10)[output_5] = Relu_apply_0(_S95[i32(0)] + _S96);
+        }
+        var _S97 : i32 = output_5 + i32(1);
+        if(_S97 < i32(25))
+        {
+            if(adds_10)
+            {
+                _S96 = (*outputs_10)[_S97];
+            }
+            else
+            {
+                _S96 = 0.0f;
+            }
+            (*outputs_10)[_S97] = Relu_apply_0(_S95[i32(1)] + _S96);
+        }
+        var _S98 : i32 = output_5 + i32(2);
+        if(_S98 < i32(25))
+        {
+            if(adds_10)
+            {
+                _S96 = (*outputs_10)[_S98];
+            }
+            else
+            {
+                _S96 = 0.0f;
+            }
+            (*outputs_10)[_S98] = Relu_apply_0(_S95[i32(2)] + _S96);
+        }
+        var _S99 : i32 = output_5 + i32(3);
+        if(_S99 < i32(25))
+        {
+            if(adds_10)
+            {
+                _S96 = (*outputs_10)[_S99];
+            }
+            else
+            {
+                _S96 = 0.0f;
+            }
+            (*outputs_10)[_S99] = Relu_apply_0(_S95[i32(3)] + _S96);
+        }
+        output_5 = output_5 + i32(4);
+    }
+    return;
+}
+
+fn dense_part_6( weights_15 : FloatWeights_0,  first_12 : u32,  adds_11 : bool,  inputs_15 : ptr<function, array<f32, i32(25)>>,  outputs_11 : ptr<function, array<f32, i32(1)>>)
+{
+    var _S100 : u32 = first_12 + u32(whole_parts_0(i32(1)));
+    var output_6 : i32 = i32(0);
+    for(;;)
+    {
+        var _S101 : bool = output_6 < i32(1);
+        if(_S101)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S102 : u32 = u32(output_6);
+        var _S103 : Eight_0 = FloatWeights_eight_0(weights_15, first_12 + _S102 / u32(8));
+        var _S104 : vec4<f32> = tile_product_0(weights_15, _S100 + _S102 * u32(4), &((*inputs_15)));
+        var _S105 : vec4<f32>;
+        if(((output_6 & (i32(4)))) != i32(0))
+        {
+            _S105 = _S103.high_0;
+        }
+        else
+        {
+            _S105 = _S103.low_0;
+        }
+        var _S106 : vec4<f32> = _S104 + _S105;
+        var _S107 : f32;
+        if(_S101)
+        {
+            if(adds_11)
+            {
+                _S107 = (*outputs_11)[output_6];
+            }
+            else
+            {
+                _S107 = 0.0f;
+            }
+            (*outputs_11)[output_6] = Identity_apply_0(_S106[i32(0)] + _S107);
+        }
+        var _S108 : i32 = output_6 + i32(1);
+        if(_S108 < i32(1))
+        {
+            if(adds_11)
+            {
+                _S107 = (*outputs_11)[_S108];
+            }
+            else
+            {
+                _S107 = 0.0f;
+            }
+            (*outputs_11)[_S108] = Identity_apply_0(_S106[i32(1)] + _S107);
+        }
+        var _S109 : i32 = output_6 + i32(2);
+        if(_S109 < i32(1))
+        {
+            if(adds_11)
+            {
+                _S107 = (*outputs_11)[_S109];
+            }
+            else
+            {
+                _S107 = 0.0f;
+            }
+            (*outputs_11)[_S109] = Identity_apply_0(_S106[i32(2)] + _S107);
+        }
+        var _S110 : i32 = output_6 + i32(3);
+        if(_S110 < i32(1))
+        {
+            if(adds_11)
+            {
+                _S107 = (*outputs_11)[_S110];
+            }
+            else
+            {
+                _S107 = 0.0f;
+            }
+            (*outputs_11)[_S110] = Identity_apply_0(_S106[i32(3)] + _S107);
+        }
+        output_6 = output_6 + i32(4);
+    }
+    return;
+}
+
+fn dense_part_7( weights_16 : FloatWeights_0,  first_13 : u32,  adds_12 : bool,  inputs_16 : ptr<function, array<f32, i32(9)>>,  outputs_12 : ptr<function, array<f32, i32(25)>>)
+{
+    var _S111 : u32 = first_13 + u32(whole_parts_0(i32(4)));
+    var output_7 : i32 = i32(0);
+    for(;;)
+    {
+        var _S112 : bool = output_7 < i32(25);
+        if(_S112)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S113 : u32 = u32(output_7);
+        var _S114 : Eight_0 = FloatWeights_eight_0(weights_16, first_13 + _S113 / u32(8));
+        var _S115 : vec4<f32> = tile_product_3(weights_16, _S111 + _S113 * u32(2), &((*inputs_16)));
+        var _S116 : vec4<f32>;
+        if(((output_7 & (i32(4)))) != i32(0))
+        {
+            _S116 = _S114.high_0;
+        }
+        else
+        {
+            _S116 = _S114.low_0;
+        }
+        var _S117 : vec4<f32> = _S115 + _S116;
+        var _S118 : f32;
+        if(_S112)
+        {
+            if(adds_12)
+            {
+                _S118 = (*outputs_12)[output_7];
+            }
+            else
+            {
+                _S118 = 0.0f;
+            }
+            (*outputs_12)[output_7] = Relu_apply_0(_S117[i32(0)] + _S118);
+        }
+        var _S119 : i32 = output_7 + i32(1);
+        if(_S119 < i32(25))
+        {
+            if(adds_12)
+            {
+                _S118 = (*outputs_12)[_S119];
+            }
+            else
+            {
+                _S118 = 0.0f;
+            }
+            (*outputs_12)[_S119] = Relu_apply_0(_S117[i32(1)] + _S118);
+        }
+        var _S120 : i32 = output_7 + i32(2);
+        if(_S120 < i32(25))
+        {
+            if(adds_12)
+            {
+                _S118 = (*outputs_12)[_S120];
+            }
+            else
+            {
+                _S118 = 0.0f;
+            }
+            (*outputs_12)[_S120] = Relu_apply_0(_S117[i32(2)] + _S118);
+        }
+        var _S121 : i32 = output_7 + i32(3);
+        if(_S121 < i32(25))
+        {
+            if(adds_12)
+            {
+                _S118 = (*outputs_12)[_S121];
+            }
+            else
+            {
+                _S118 = 0.0f;
+            }
+            (*outputs_12)[_S121] = Relu_apply_0(_S117[i32(3)] + _S118);
+        }
+        output_7 = output_7 + i32(4);
+    }
+    return;
+}
+
+fn dense_5( weights_17 : FloatWeights_0,  first_14 : u32,  adds_13 : bool,  inputs_17 : ptr<function, array<f32, i32(25)>>,  outputs_13 : ptr<function, array<f32, i32(25)>>)
+{
+    dense_part_5(weights_17, first_14, adds_13, &((*inputs_17)), &((*outputs_13)));
+    return;
+}
+
+fn dense_6( weights_18 : FloatWeights_0,  first_15 : u32,  adds_14 : bool,  inputs_18 : ptr<function, array<f32, i32(25)>>,  outputs_14 : ptr<function, array<f32, i32(1)>>)
+{
+    dense_part_6(weights_18, first_15, adds_14, &((*inputs_18)), &((*outputs_14)));
+    return;
+}
+
+fn dense_7( weights_19 : FloatWeights_0,  first_16 : u32,  adds_15 : bool,  inputs_19 : ptr<function, array<f32, i32(9)>>,  outputs_15 : ptr<function, array<f32, i32(25)>>)
+{
+    dense_part_7(weights_19, first_16, adds_15, &((*inputs_19)), &((*outputs_15)));
     return;
 }
 
 struct MLP_0
 {
-     weights_13 : FloatWeights_0,
+     weights_20 : FloatWeights_0,
 };
 
-fn layer_size_0( inputs_13 : i32,  outputs_10 : i32) -> i32
+fn layer_size_0( inputs_20 : i32,  outputs_16 : i32) -> i32
 {
-    return whole_parts_0((outputs_10 + i32(7)) / i32(8)) + whole_parts_0((inputs_13 + i32(7)) / i32(8) * ((outputs_10 + i32(4) - i32(1)) / i32(4) * i32(4)));
+    return whole_parts_0((outputs_16 + i32(7)) / i32(8)) + whole_parts_0((inputs_20 + i32(7)) / i32(8) * ((outputs_16 + i32(4) - i32(1)) / i32(4) * i32(4)));
 }
 
-fn MLP_evaluate_0( this_1 : MLP_0,  inputs_14 : ptr<function, array<f32, i32(11)>>,  outputs_11 : ptr<function, array<f32, i32(3)>>)
+fn MLP_evaluate_0( this_1 : MLP_0,  inputs_21 : ptr<function, array<f32, i32(11)>>,  outputs_17 : ptr<function, array<f32, i32(3)>>)
 {
     var odd_0 : array<f32, i32(25)>;
     var even_0 : array<f32, i32(25)>;
-    dense_1(this_1.weights_13, u32(0), false, &((*inputs_14)), &(even_0));
+    dense_1(this_1.weights_20, u32(0), false, &((*inputs_21)), &(even_0));
     var layer_0 : i32 = i32(1);
     for(;;)
     {
@@ -822,46 +1162,75 @@ fn MLP_evaluate_0( this_1 : MLP_0,  inputs_14 : ptr<function, array<f32, i32(11)
         {
             break;
         }
-        var _S81 : i32 = layer_size_0(i32(25), i32(25));
-        var _S82 : u32 = u32(layer_size_0(i32(11), i32(25)) + (layer_0 - i32(1)) * _S81);
-        dense_2(this_1.weights_13, _S82, false, &(even_0), &(odd_0));
+        var _S122 : i32 = layer_size_0(i32(25), i32(25));
+        var _S123 : u32 = u32(layer_size_0(i32(11), i32(25)) + (layer_0 - i32(1)) * _S122);
+        dense_5(this_1.weights_20, _S123, false, &(even_0), &(odd_0));
         if((layer_0 + i32(1)) < i32(3))
         {
-            dense_2(this_1.weights_13, _S82 + u32(_S81), false, &(odd_0), &(even_0));
+            dense_5(this_1.weights_20, _S123 + u32(_S122), false, &(odd_0), &(even_0));
         }
         layer_0 = layer_0 + i32(2);
     }
-    var _S83 : u32 = u32(layer_size_0(i32(11), i32(25)) + i32(2) * layer_size_0(i32(25), i32(25)));
-    dense_0(this_1.weights_13, _S83, false, &(even_0), &((*outputs_11)));
+    var _S124 : u32 = u32(layer_size_0(i32(11), i32(25)) + i32(2) * layer_size_0(i32(25), i32(25)));
+    dense_0(this_1.weights_20, _S124, false, &(even_0), &((*outputs_17)));
     return;
 }
 
-fn MLP_evaluate_1( this_2 : MLP_0,  inputs_15 : ptr<function, array<f32, i32(9)>>,  outputs_12 : ptr<function, array<f32, i32(1)>>)
+fn MLP_evaluate_1( this_2 : MLP_0,  inputs_22 : ptr<function, array<f32, i32(9)>>,  outputs_18 : ptr<function, array<f32, i32(1)>>)
 {
-    var odd_1 : array<f32, i32(25)>;
-    var even_1 : array<f32, i32(25)>;
-    dense_4(this_2.weights_13, u32(0), false, &((*inputs_15)), &(even_1));
+    var odd_1 : array<f32, i32(16)>;
+    var even_1 : array<f32, i32(16)>;
+    dense_4(this_2.weights_20, u32(0), false, &((*inputs_22)), &(even_1));
     var layer_1 : i32 = i32(1);
     for(;;)
     {
-        if(layer_1 < i32(3))
+        if(layer_1 < i32(2))
         {
         }
         else
         {
             break;
         }
-        var _S84 : i32 = layer_size_0(i32(25), i32(25));
-        var _S85 : u32 = u32(layer_size_0(i32(9), i32(25)) + (layer_1 - i32(1)) * _S84);
-        dense_2(this_2.weights_13, _S85, false, &(even_1), &(odd_1));
-        if((layer_1 + i32(1)) < i32(3))
+        var _S125 : i32 = layer_size_0(i32(16), i32(16));
+        var _S126 : u32 = u32(layer_size_0(i32(9), i32(16)) + (layer_1 - i32(1)) * _S125);
+        dense_2(this_2.weights_20, _S126, false, &(even_1), &(odd_1));
+        if((layer_1 + i32(1)) < i32(2))
         {
-            dense_2(this_2.weights_13, _S85 + u32(_S84), false, &(odd_1), &(even_1));
+            dense_2(this_2.weights_20, _S126 + u32(_S125), false, &(odd_1), &(even_1));
         }
         layer_1 = layer_1 + i32(2);
     }
-    var _S86 : u32 = u32(layer_size_0(i32(9), i32(25)) + i32(2) * layer_size_0(i32(25), i32(25)));
-    dense_3(this_2.weights_13, _S86, false, &(even_1), &((*outputs_12)));
+    var _S127 : u32 = u32(layer_size_0(i32(9), i32(16)) + layer_size_0(i32(16), i32(16)));
+    dense_3(this_2.weights_20, _S127, false, &(odd_1), &((*outputs_18)));
+    return;
+}
+
+fn MLP_evaluate_2( this_3 : MLP_0,  inputs_23 : ptr<function, array<f32, i32(9)>>,  outputs_19 : ptr<function, array<f32, i32(1)>>)
+{
+    var odd_2 : array<f32, i32(25)>;
+    var even_2 : array<f32, i32(25)>;
+    dense_7(this_3.weights_20, u32(0), false, &((*inputs_23)), &(even_2));
+    var layer_2 : i32 = i32(1);
+    for(;;)
+    {
+        if(layer_2 < i32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S128 : i32 = layer_size_0(i32(25), i32(25));
+        var _S129 : u32 = u32(layer_size_0(i32(9), i32(25)) + (layer_2 - i32(1)) * _S128);
+        dense_5(this_3.weights_20, _S129, false, &(even_2), &(odd_2));
+        if((layer_2 + i32(1)) < i32(3))
+        {
+            dense_5(this_3.weights_20, _S129 + u32(_S128), false, &(odd_2), &(even_2));
+        }
+        layer_2 = layer_2 + i32(2);
+    }
+    var _S130 : u32 = u32(layer_size_0(i32(9), i32(25)) + i32(2) * layer_size_0(i32(25), i32(25)));
+    dense_6(this_3.weights_20, _S130, false, &(even_2), &((*outputs_19)));
     return;
 }
 
@@ -905,27 +1274,27 @@ fn to_local_0( point_0 : VisiblePoint_0,  direction_0 : vec3<f32>) -> vec3<f32>
     return vec3<f32>(dot(direction_0, point_0.axis_x_0), dot(direction_0, point_0.axis_y_0), dot(direction_0, point_0.normal_0));
 }
 
-fn to_face_frame_0( direction_1 : vec3<f32>,  back_1 : bool) -> vec3<f32>
+fn to_face_frame_0( direction_1 : vec3<f32>,  back_2 : bool) -> vec3<f32>
 {
-    var _S87 : vec2<f32> = direction_1.xy;
-    var _S88 : f32;
-    if(back_1)
+    var _S131 : vec2<f32> = direction_1.xy;
+    var _S132 : f32;
+    if(back_2)
     {
-        _S88 = - direction_1.z;
+        _S132 = - direction_1.z;
     }
     else
     {
-        _S88 = direction_1.z;
+        _S132 = direction_1.z;
     }
-    return vec3<f32>(_S87, _S88);
+    return vec3<f32>(_S131, _S132);
 }
 
 fn no_numbers_0() -> Eight_0
 {
     var numbers_1 : Eight_0;
-    var _S89 : vec4<f32> = vec4<f32>(0.0f);
-    numbers_1.low_0 = _S89;
-    numbers_1.high_0 = _S89;
+    var _S133 : vec4<f32> = vec4<f32>(0.0f);
+    numbers_1.low_0 = _S133;
+    numbers_1.high_0 = _S133;
     return numbers_1;
 }
 
@@ -937,27 +1306,27 @@ fn eight_halves_0( packed_0 : vec4<u32>) -> Eight_0
     return numbers_2;
 }
 
-fn texel_numbers_0( first_11 : u32,  elements_1 : u32,  texel_0 : u32) -> Eight_0
+fn texel_numbers_0( first_17 : u32,  elements_1 : u32,  texel_0 : u32) -> Eight_0
 {
-    var _S90 : u32 = first_11 + texel_0 * elements_1;
-    var _S91 : vec4<u32> = packed_numbers_0[_S90];
+    var _S134 : u32 = first_17 + texel_0 * elements_1;
+    var _S135 : vec4<u32> = packed_numbers_0[_S134];
     if(elements_1 == u32(1))
     {
-        return eight_halves_0(_S91);
+        return eight_halves_0(_S135);
     }
     var numbers_3 : Eight_0;
-    numbers_3.low_0 = (bitcast<vec4<f32>>((_S91)));
-    numbers_3.high_0 = (bitcast<vec4<f32>>((packed_numbers_0[_S90 + u32(1)])));
+    numbers_3.low_0 = (bitcast<vec4<f32>>((_S135)));
+    numbers_3.high_0 = (bitcast<vec4<f32>>((packed_numbers_0[_S134 + u32(1)])));
     return numbers_3;
 }
 
-fn add_bilinear_0( first_12 : u32,  elements_2 : u32,  start_0 : u32,  columns_0 : u32,  rows_0 : u32,  uv_1 : vec2<f32>,  weight_0 : f32,  sums_3 : ptr<function, Eight_0>)
+fn add_bilinear_0( first_18 : u32,  elements_2 : u32,  start_0 : u32,  columns_0 : u32,  rows_0 : u32,  uv_1 : vec2<f32>,  weight_0 : f32,  sums_4 : ptr<function, Eight_0>)
 {
-    var _S92 : vec2<f32> = uv_1 * vec2<f32>(f32(columns_0), f32(rows_0)) - vec2<f32>(0.5f);
-    var _S93 : vec2<f32> = floor(_S92);
-    var _S94 : vec2<f32> = _S92 - _S93;
-    var _S95 : i32 = i32(_S93.x);
-    var _S96 : i32 = i32(_S93.y);
+    var _S136 : vec2<f32> = uv_1 * vec2<f32>(f32(columns_0), f32(rows_0)) - vec2<f32>(0.5f);
+    var _S137 : vec2<f32> = floor(_S136);
+    var _S138 : vec2<f32> = _S136 - _S137;
+    var _S139 : i32 = i32(_S137.x);
+    var _S140 : i32 = i32(_S137.y);
     var tap_0 : u32 = u32(0);
     for(;;)
     {
@@ -968,56 +1337,102 @@ fn add_bilinear_0( first_12 : u32,  elements_2 : u32,  start_0 : u32,  columns_0
         {
             break;
         }
-        var _S97 : u32 = (tap_0 & (u32(1)));
-        var _S98 : u32 = (tap_0 >> (u32(1)));
-        var _S99 : Eight_0 = texel_numbers_0(first_12, elements_2, start_0 + ((u32(_S96 + i32(_S98)) & ((rows_0 - u32(1))))) * columns_0 + ((u32(_S95 + i32(_S97)) & ((columns_0 - u32(1))))));
-        var _S100 : f32;
-        if(_S98 != u32(0))
+        var _S141 : u32 = (tap_0 & (u32(1)));
+        var _S142 : u32 = (tap_0 >> (u32(1)));
+        var _S143 : Eight_0 = texel_numbers_0(first_18, elements_2, start_0 + ((u32(_S140 + i32(_S142)) & ((rows_0 - u32(1))))) * columns_0 + ((u32(_S139 + i32(_S141)) & ((columns_0 - u32(1))))));
+        var _S144 : f32;
+        if(_S142 != u32(0))
         {
-            _S100 = _S94.y;
+            _S144 = _S138.y;
         }
         else
         {
-            _S100 = 1.0f - _S94.y;
+            _S144 = 1.0f - _S138.y;
         }
-        var _S101 : f32;
-        if(_S97 != u32(0))
+        var _S145 : f32;
+        if(_S141 != u32(0))
         {
-            _S101 = _S94.x;
+            _S145 = _S138.x;
         }
         else
         {
-            _S101 = 1.0f - _S94.x;
+            _S145 = 1.0f - _S138.x;
         }
-        var _S102 : vec4<f32> = vec4<f32>((_S100 * _S101 * weight_0));
-        (*sums_3).low_0 = (*sums_3).low_0 + _S102 * _S99.low_0;
-        (*sums_3).high_0 = (*sums_3).high_0 + _S102 * _S99.high_0;
+        var _S146 : vec4<f32> = vec4<f32>((_S144 * _S145 * weight_0));
+        (*sums_4).low_0 = (*sums_4).low_0 + _S146 * _S143.low_0;
+        (*sums_4).high_0 = (*sums_4).high_0 + _S146 * _S143.high_0;
         tap_0 = tap_0 + u32(1);
+    }
+    return;
+}
+
+fn add_bilinear_1( first_19 : u32,  elements_3 : u32,  start_1 : u32,  columns_1 : u32,  rows_1 : u32,  uv_2 : vec2<f32>,  weight_1 : f32,  sums_5 : ptr<function, Eight_0>)
+{
+    var _S147 : vec2<f32> = uv_2 * vec2<f32>(f32(columns_1), f32(rows_1)) - vec2<f32>(0.5f);
+    var _S148 : vec2<f32> = floor(_S147);
+    var _S149 : vec2<f32> = _S147 - _S148;
+    var _S150 : i32 = i32(_S148.x);
+    var _S151 : i32 = i32(_S148.y);
+    var tap_1 : u32 = u32(0);
+    for(;;)
+    {
+        if(tap_1 < u32(4))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S152 : u32 = (tap_1 & (u32(1)));
+        var _S153 : u32 = (tap_1 >> (u32(1)));
+        var _S154 : Eight_0 = texel_numbers_0(first_19, elements_3, start_1 + ((u32(_S151 + i32(_S153)) & ((rows_1 - u32(1))))) * columns_1 + ((u32(_S150 + i32(_S152)) & ((columns_1 - u32(1))))));
+        var _S155 : f32;
+        if(_S153 != u32(0))
+        {
+            _S155 = _S149.y;
+        }
+        else
+        {
+            _S155 = 1.0f - _S149.y;
+        }
+        var _S156 : f32;
+        if(_S152 != u32(0))
+        {
+            _S156 = _S149.x;
+        }
+        else
+        {
+            _S156 = 1.0f - _S149.x;
+        }
+        var _S157 : vec4<f32> = vec4<f32>((_S155 * _S156 * weight_1));
+        (*sums_5).low_0 = (*sums_5).low_0 + _S157 * _S154.low_0;
+        (*sums_5).high_0 = (*sums_5).high_0 + _S157 * _S154.high_0;
+        tap_1 = tap_1 + u32(1);
     }
     return;
 }
 
 fn channel_0( numbers_4 : Eight_0,  k_0 : i32) -> f32
 {
-    var _S103 : f32;
+    var _S158 : f32;
     if(k_0 < i32(4))
     {
-        _S103 = numbers_4.low_0[k_0];
+        _S158 = numbers_4.low_0[k_0];
     }
     else
     {
-        _S103 = numbers_4.high_0[k_0 - i32(4)];
+        _S158 = numbers_4.high_0[k_0 - i32(4)];
     }
-    return _S103;
+    return _S158;
 }
 
-fn neumip_depth_0( model_0 : ptr<function, Neumip_std430_0>,  uv_2 : vec2<f32>,  view_1 : vec2<f32>,  face_1 : u32) -> f32
+fn neumip_depth_0( model_0 : ptr<function, Neumip_std430_0>,  uv_3 : vec2<f32>,  view_1 : vec2<f32>,  face_1 : u32) -> f32
 {
-    var _S104 : u32 = words_0[(*model_0).levels_2 + u32(1)];
-    var _S105 : u32 = words_0[(*model_0).levels_2 + u32(2)];
+    var _S159 : u32 = words_0[(*model_0).levels_2 + u32(1)];
+    var _S160 : u32 = words_0[(*model_0).levels_2 + u32(2)];
     var texel_1 : Eight_0 = no_numbers_0();
-    add_bilinear_0((*model_0).offset_texels_0, (*model_0).texel_elements_0, face_1 * _S104 * _S105, _S104, _S105, fract(uv_2), 1.0f, &(texel_1));
-    var inputs_16 : array<f32, i32(9)>;
+    add_bilinear_0((*model_0).offset_texels_0, (*model_0).texel_elements_0, face_1 * _S159 * _S160, _S159, _S160, fract(uv_3), 1.0f, &(texel_1));
+    var inputs_24 : array<f32, i32(9)>;
     var k_1 : i32 = i32(0);
     for(;;)
     {
@@ -1028,23 +1443,23 @@ fn neumip_depth_0( model_0 : ptr<function, Neumip_std430_0>,  uv_2 : vec2<f32>, 
         {
             break;
         }
-        inputs_16[k_1] = channel_0(texel_1, k_1);
+        inputs_24[k_1] = channel_0(texel_1, k_1);
         k_1 = k_1 + i32(1);
     }
-    inputs_16[i32(7)] = view_1.x;
-    inputs_16[i32(8)] = view_1.y;
+    inputs_24[i32(7)] = view_1.x;
+    inputs_24[i32(8)] = view_1.y;
     var network_1 : MLP_0;
-    network_1.weights_13.first_0 = (*model_0).offset_0;
+    network_1.weights_20.first_0 = (*model_0).offset_0;
     var depth_0 : array<f32, i32(1)>;
-    MLP_evaluate_1(network_1, &(inputs_16), &(depth_0));
+    MLP_evaluate_2(network_1, &(inputs_24), &(depth_0));
     return depth_0[i32(0)];
 }
 
 fn natural_logarithm_0( x_4 : f32) -> f32
 {
-    var _S106 : u32 = (bitcast<u32>((x_4)));
-    var exponent_0 : f32 = f32(i32((_S106 >> (u32(23)))) - i32(126));
-    var m_0 : f32 = (bitcast<f32>(((((_S106 & (u32(8388607)))) | (u32(1056964608))))));
+    var _S161 : u32 = (bitcast<u32>((x_4)));
+    var exponent_0 : f32 = f32(i32((_S161 >> (u32(23)))) - i32(126));
+    var m_0 : f32 = (bitcast<f32>(((((_S161 & (u32(8388607)))) | (u32(1056964608))))));
     var m_1 : f32;
     var exponent_1 : f32;
     if(m_0 < 0.70710676908493042f)
@@ -1059,8 +1474,8 @@ fn natural_logarithm_0( x_4 : f32) -> f32
         exponent_1 = exponent_0;
     }
     var m_2 : f32 = m_1 - 1.0f;
-    var _S107 : f32 = m_2 * m_2;
-    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S107 - exponent_1 * 0.00021219444170129f - 0.5f * _S107) + exponent_1 * 0.693359375f;
+    var _S162 : f32 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S162 - exponent_1 * 0.00021219444170129f - 0.5f * _S162) + exponent_1 * 0.693359375f;
 }
 
 fn binary_logarithm_0( x_5 : f32) -> f32
@@ -1068,12 +1483,33 @@ fn binary_logarithm_0( x_5 : f32) -> f32
     return natural_logarithm_0(x_5) * 1.4426950216293335f;
 }
 
-fn neumip_texel_0( model_1 : ptr<function, Neumip_std430_0>,  uv_3 : vec2<f32>,  level_0 : f32,  face_2 : u32) -> Eight_0
+fn within_repeat_0( uv_4 : vec2<f32>) -> vec2<f32>
 {
-    var _S108 : f32 = clamp(level_0, 0.0f, (*model_1).last_level_1);
-    var _S109 : f32 = clamp(floor(_S108), 0.0f, max((*model_1).last_level_1 - 1.0f, 0.0f));
-    var _S110 : f32 = _S108 - _S109;
-    var _S111 : vec2<f32> = clamp(fract(uv_3), vec2<f32>(0.0f), vec2<f32>(1.0f));
+    return clamp(fract(uv_4), vec2<f32>(0.0f), vec2<f32>(1.0f));
+}
+
+struct TexelPyramid_0
+{
+     first_20 : u32,
+     elements_4 : u32,
+     levels_4 : u32,
+     last_level_3 : f32,
+     face_texels_2 : u32,
+};
+
+fn TexelPyramid_add_level_0( this_4 : TexelPyramid_0,  place_0 : vec2<f32>,  level_0 : u32,  face_2 : u32,  weight_2 : f32,  sums_6 : ptr<function, Eight_0>)
+{
+    var _S163 : u32 = this_4.levels_4 + u32(3) * level_0;
+    add_bilinear_1(this_4.first_20, this_4.elements_4, face_2 * this_4.face_texels_2 + words_0[_S163], words_0[_S163 + u32(1)], words_0[_S163 + u32(2)], place_0, weight_2, &((*sums_6)));
+    return;
+}
+
+fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_5 : vec2<f32>,  level_1 : f32,  face_3 : u32) -> Eight_0
+{
+    var _S164 : f32 = clamp(level_1, 0.0f, this_5.last_level_3);
+    var _S165 : f32 = clamp(floor(_S164), 0.0f, max(this_5.last_level_3 - 1.0f, 0.0f));
+    var _S166 : f32 = _S164 - _S165;
+    var _S167 : vec2<f32> = within_repeat_0(uv_5);
     var texel_2 : Eight_0 = no_numbers_0();
     var offset_1 : u32 = u32(0);
     for(;;)
@@ -1085,32 +1521,73 @@ fn neumip_texel_0( model_1 : ptr<function, Neumip_std430_0>,  uv_3 : vec2<f32>, 
         {
             break;
         }
-        var _S112 : f32;
+        var _S168 : f32;
         if(offset_1 == u32(0))
         {
-            _S112 = 1.0f - _S110;
+            _S168 = 1.0f - _S166;
         }
         else
         {
-            _S112 = _S110;
+            _S168 = _S166;
         }
-        if(_S112 <= 0.0f)
+        if(_S168 > 0.0f)
         {
-            offset_1 = offset_1 + u32(1);
-            continue;
+            TexelPyramid_add_level_0(this_5, _S167, u32(_S165) + offset_1, face_3, _S168, &(texel_2));
         }
-        var _S113 : u32 = (*model_1).levels_2 + u32(3) * (u32(_S109) + offset_1);
-        add_bilinear_0((*model_1).features_0, (*model_1).texel_elements_0, face_2 * (*model_1).face_texels_0 + words_0[_S113], words_0[_S113 + u32(1)], words_0[_S113 + u32(2)], _S111, _S112, &(texel_2));
         offset_1 = offset_1 + u32(1);
     }
     return texel_2;
 }
 
+fn exponential_0( x_6 : f32) -> f32
+{
+    var _S169 : f32 = clamp(x_6, -87.0f, 88.0f);
+    var _S170 : f32 = floor(_S169 * 1.4426950216293335f + 0.5f);
+    var _S171 : f32 = _S169 - _S170 * 0.693359375f + _S170 * 0.00021219444170129f;
+    var p_0 : f32 = ((((0.00019875691214111f * _S171 + 0.00139819993637502f) * _S171 + 0.00833345204591751f) * _S171 + 0.04166579619050026f) * _S171 + 0.1666666567325592f) * _S171 + 0.5f;
+    var _S172 : f32 = (bitcast<f32>(((u32(i32(_S170) + i32(127)) << (u32(23))))));
+    var _S173 : f32;
+    if(x_6 < -87.0f)
+    {
+        _S173 = 0.0f;
+    }
+    else
+    {
+        _S173 = (p_0 * _S171 * _S171 + _S171 + 1.0f) * _S172;
+    }
+    return _S173;
+}
+
+fn neumip_hole_0( model_1 : ptr<function, Neumip_std430_0>,  texel_3 : Eight_0,  view_2 : vec2<f32>) -> f32
+{
+    var inputs_25 : array<f32, i32(9)>;
+    var k_2 : i32 = i32(0);
+    for(;;)
+    {
+        if(k_2 < i32(7))
+        {
+        }
+        else
+        {
+            break;
+        }
+        inputs_25[k_2] = channel_0(texel_3, k_2);
+        k_2 = k_2 + i32(1);
+    }
+    inputs_25[i32(7)] = view_2.x;
+    inputs_25[i32(8)] = view_2.y;
+    var network_2 : MLP_0;
+    network_2.weights_20.first_0 = (*model_1).opacity_0;
+    var opening_0 : array<f32, i32(1)>;
+    MLP_evaluate_1(network_2, &(inputs_25), &(opening_0));
+    return 1.0f / (1.0f + exponential_0(- clamp(opening_0[i32(0)], -30.0f, 30.0f)));
+}
+
 fn scramble_0( value_0 : u32) -> u32
 {
-    var _S114 : u32 = value_0 * u32(747796405) + u32(2891336453);
-    var _S115 : u32 = ((((_S114 >> ((((_S114 >> (u32(28)))) + u32(4))))) ^ (_S114))) * u32(277803737);
-    return (((_S115 >> (u32(22)))) ^ (_S115));
+    var _S174 : u32 = value_0 * u32(747796405) + u32(2891336453);
+    var _S175 : u32 = ((((_S174 >> ((((_S174 >> (u32(28)))) + u32(4))))) ^ (_S174))) * u32(277803737);
+    return (((_S175 >> (u32(22)))) ^ (_S175));
 }
 
 fn uniform_hash_0( thread_0 : u32,  cell_0 : u32,  stream_0 : u32) -> f32
@@ -1120,9 +1597,9 @@ fn uniform_hash_0( thread_0 : u32,  cell_0 : u32,  stream_0 : u32) -> f32
 
 fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_0 : u32,  stream_1 : u32) -> vec2<f32>
 {
-    var _S116 : u32 = pixel_0.x;
-    var _S117 : u32 = pixel_0.y;
-    return fract(vec2<f32>(uniform_hash_0(_S116, _S117, stream_1), uniform_hash_0(_S116, _S117, stream_1 + u32(1))) + vec2<f32>(f32((index_0 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S176 : u32 = pixel_0.x;
+    var _S177 : u32 = pixel_0.y;
+    return fract(vec2<f32>(uniform_hash_0(_S176, _S177, stream_1), uniform_hash_0(_S176, _S177, stream_1 + u32(1))) + vec2<f32>(f32((index_0 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
 }
 
 fn scene_number_0( index_1 : u32) -> f32
@@ -1138,33 +1615,33 @@ struct Choice_0
 
 fn choose_0( table_0 : u32,  count_0 : u32,  number_0 : f32) -> Choice_0
 {
-    var high_4 : u32 = count_0;
-    var low_4 : u32 = u32(0);
+    var high_5 : u32 = count_0;
+    var low_5 : u32 = u32(0);
     for(;;)
     {
-        if((high_4 - low_4) > u32(1))
+        if((high_5 - low_5) > u32(1))
         {
         }
         else
         {
             break;
         }
-        var _S118 : u32 = (low_4 + high_4) / u32(2);
-        if((scene_number_0(table_0 + _S118)) <= number_0)
+        var _S178 : u32 = (low_5 + high_5) / u32(2);
+        if((scene_number_0(table_0 + _S178)) <= number_0)
         {
-            low_4 = _S118;
+            low_5 = _S178;
         }
         else
         {
-            high_4 = _S118;
+            high_5 = _S178;
         }
     }
-    var _S119 : u32 = table_0 + low_4;
-    var _S120 : f32 = scene_number_0(_S119);
-    var _S121 : f32 = scene_number_0(_S119 + u32(1));
+    var _S179 : u32 = table_0 + low_5;
+    var _S180 : f32 = scene_number_0(_S179);
+    var _S181 : f32 = scene_number_0(_S179 + u32(1));
     var choice_0 : Choice_0;
-    choice_0.index_2 = low_4;
-    choice_0.remainder_0 = saturate((number_0 - _S120) / max(_S121 - _S120, 9.999999960041972e-13f));
+    choice_0.index_2 = low_5;
+    choice_0.remainder_0 = saturate((number_0 - _S180) / max(_S181 - _S180, 9.999999960041972e-13f));
     return choice_0;
 }
 
@@ -1173,202 +1650,202 @@ fn mean_0( colour_0 : vec3<f32>) -> f32
     return (colour_0.x + colour_0.y + colour_0.z) / 3.0f;
 }
 
-fn sine_cosine_0( x_6 : f32) -> vec2<f32>
+fn sine_cosine_0( x_7 : f32) -> vec2<f32>
 {
-    var _S122 : f32 = floor(x_6 * 0.63661974668502808f + 0.5f);
-    var _S123 : f32 = x_6 - _S122 * 1.5703125f - _S122 * 0.00048375129699707f - _S122 * 7.54979012640433211e-08f;
-    var _S124 : f32 = _S123 * _S123;
-    var _S125 : f32 = ((-0.00019515295571182f * _S124 + 0.00833216123282909f) * _S124 - 0.16666655242443085f) * _S124 * _S123 + _S123;
-    var _S126 : f32 = ((0.00002443315679557f * _S124 - 0.00138873164542019f) * _S124 + 0.04166664555668831f) * _S124 * _S124 - 0.5f * _S124 + 1.0f;
-    var _S127 : u32 = (u32(i32(_S122)) & (u32(3)));
-    var _S128 : vec2<f32>;
-    if(((_S127 & (u32(1)))) != u32(0))
+    var _S182 : f32 = floor(x_7 * 0.63661974668502808f + 0.5f);
+    var _S183 : f32 = x_7 - _S182 * 1.5703125f - _S182 * 0.00048375129699707f - _S182 * 7.54979012640433211e-08f;
+    var _S184 : f32 = _S183 * _S183;
+    var _S185 : f32 = ((-0.00019515295571182f * _S184 + 0.00833216123282909f) * _S184 - 0.16666655242443085f) * _S184 * _S183 + _S183;
+    var _S186 : f32 = ((0.00002443315679557f * _S184 - 0.00138873164542019f) * _S184 + 0.04166664555668831f) * _S184 * _S184 - 0.5f * _S184 + 1.0f;
+    var _S187 : u32 = (u32(i32(_S182)) & (u32(3)));
+    var _S188 : vec2<f32>;
+    if(((_S187 & (u32(1)))) != u32(0))
     {
-        _S128 = vec2<f32>(_S126, _S125);
+        _S188 = vec2<f32>(_S186, _S185);
     }
     else
     {
-        _S128 = vec2<f32>(_S125, _S126);
+        _S188 = vec2<f32>(_S185, _S186);
     }
-    var _S129 : f32;
-    if(((_S127 & (u32(2)))) != u32(0))
+    var _S189 : f32;
+    if(((_S187 & (u32(2)))) != u32(0))
     {
-        _S129 = - _S128.x;
+        _S189 = - _S188.x;
     }
     else
     {
-        _S129 = _S128.x;
+        _S189 = _S188.x;
     }
-    var _S130 : f32;
-    if((((_S127 + u32(1)) & (u32(2)))) != u32(0))
+    var _S190 : f32;
+    if((((_S187 + u32(1)) & (u32(2)))) != u32(0))
     {
-        _S130 = - _S128.y;
+        _S190 = - _S188.y;
     }
     else
     {
-        _S130 = _S128.y;
+        _S190 = _S188.y;
     }
-    return vec2<f32>(_S129, _S130);
+    return vec2<f32>(_S189, _S190);
 }
 
 fn accumulate_0( index_3 : u32,  light_0 : vec4<f32>)
 {
-    var _S131 : f32 = layers_0[index_3].share_0;
+    var _S191 : f32 = layers_0[index_3].share_0;
     radiance_0[index_3] = radiance_0[index_3] + vec4<f32>(layers_0[index_3].share_0) * light_0;
-    layers_0[index_3].share_0 = _S131 * (1.0f - light_0.w);
+    layers_0[index_3].share_0 = _S191 * (1.0f - light_0.w);
     return;
 }
 
-fn camera_right_0( _S132 : i32) -> vec3<f32>
+fn camera_right_0( _S192 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S132].right_x_0, frames_0[_S132].right_y_0, frames_0[_S132].right_z_0);
+    return vec3<f32>(frames_0[_S192].right_x_0, frames_0[_S192].right_y_0, frames_0[_S192].right_z_0);
 }
 
-fn camera_up_0( _S133 : i32) -> vec3<f32>
+fn camera_up_0( _S193 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S133].up_x_0, frames_0[_S133].up_y_0, frames_0[_S133].up_z_0);
+    return vec3<f32>(frames_0[_S193].up_x_0, frames_0[_S193].up_y_0, frames_0[_S193].up_z_0);
 }
 
-fn camera_forward_0( _S134 : i32) -> vec3<f32>
+fn camera_forward_0( _S194 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S134].forward_x_0, frames_0[_S134].forward_y_0, frames_0[_S134].forward_z_0);
+    return vec3<f32>(frames_0[_S194].forward_x_0, frames_0[_S194].forward_y_0, frames_0[_S194].forward_z_0);
 }
 
-fn camera_origin_0( _S135 : i32) -> vec3<f32>
+fn camera_origin_0( _S195 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S135].origin_x_0, frames_0[_S135].origin_y_0, frames_0[_S135].origin_z_0);
+    return vec3<f32>(frames_0[_S195].origin_x_0, frames_0[_S195].origin_y_0, frames_0[_S195].origin_z_0);
 }
 
-fn face_point_0( _S136 : u32,  _S137 : u32,  _S138 : f32,  _S139 : f32) -> VisiblePoint_0
+fn face_point_0( _S196 : u32,  _S197 : u32,  _S198 : f32,  _S199 : f32) -> VisiblePoint_0
 {
-    var _S140 : u32 = u32(3) * _S137;
-    var _S141 : Vertex_std430_0 = vertices_0[corners_0[_S140]];
-    var _S142 : Vertex_std430_0 = vertices_0[corners_0[_S140 + u32(1)]];
-    var _S143 : Vertex_std430_0 = vertices_0[corners_0[_S140 + u32(2)]];
-    var _S144 : vec3<f32> = position_of_0(&(_S142));
-    var _S145 : vec3<f32> = position_of_0(&(_S141));
-    var _S146 : vec3<f32> = _S144 - _S145;
-    var _S147 : vec3<f32> = position_of_0(&(_S143));
-    var _S148 : vec3<f32> = _S147 - _S145;
-    var _S149 : f32 = _S141.u_0;
-    var _S150 : f32 = _S142.u_0 - _S141.u_0;
-    var _S151 : f32 = _S141.v_0;
-    var _S152 : f32 = _S142.v_0 - _S141.v_0;
-    var _S153 : vec2<f32> = vec2<f32>(_S150, _S152);
-    var _S154 : f32 = _S143.u_0 - _S141.u_0;
-    var _S155 : f32 = _S143.v_0 - _S141.v_0;
-    var _S156 : vec2<f32> = vec2<f32>(_S154, _S155);
-    var _S157 : f32;
-    if((_S150 * _S155 - _S152 * _S154) < 0.0f)
+    var _S200 : u32 = u32(3) * _S197;
+    var _S201 : Vertex_std430_0 = vertices_0[corners_0[_S200]];
+    var _S202 : Vertex_std430_0 = vertices_0[corners_0[_S200 + u32(1)]];
+    var _S203 : Vertex_std430_0 = vertices_0[corners_0[_S200 + u32(2)]];
+    var _S204 : vec3<f32> = position_of_0(&(_S202));
+    var _S205 : vec3<f32> = position_of_0(&(_S201));
+    var _S206 : vec3<f32> = _S204 - _S205;
+    var _S207 : vec3<f32> = position_of_0(&(_S203));
+    var _S208 : vec3<f32> = _S207 - _S205;
+    var _S209 : f32 = _S201.u_0;
+    var _S210 : f32 = _S202.u_0 - _S201.u_0;
+    var _S211 : f32 = _S201.v_0;
+    var _S212 : f32 = _S202.v_0 - _S201.v_0;
+    var _S213 : vec2<f32> = vec2<f32>(_S210, _S212);
+    var _S214 : f32 = _S203.u_0 - _S201.u_0;
+    var _S215 : f32 = _S203.v_0 - _S201.v_0;
+    var _S216 : vec2<f32> = vec2<f32>(_S214, _S215);
+    var _S217 : f32;
+    if((_S210 * _S215 - _S212 * _S214) < 0.0f)
     {
-        _S157 = -1.0f;
+        _S217 = -1.0f;
     }
     else
     {
-        _S157 = 1.0f;
+        _S217 = 1.0f;
     }
-    var _S158 : vec3<f32> = vec3<f32>(_S157) * (vec3<f32>(_S155) * _S146 - vec3<f32>(_S152) * _S148);
-    var _S159 : vec3<f32> = vec3<f32>(_S157) * (vec3<f32>(_S150) * _S148 - vec3<f32>(_S154) * _S146);
+    var _S218 : vec3<f32> = vec3<f32>(_S217) * (vec3<f32>(_S215) * _S206 - vec3<f32>(_S212) * _S208);
+    var _S219 : vec3<f32> = vec3<f32>(_S217) * (vec3<f32>(_S210) * _S208 - vec3<f32>(_S214) * _S206);
     var point_1 : VisiblePoint_0;
-    var _S160 : f32 = 1.0f - _S138 - _S139;
-    var _S161 : vec3<f32> = normal_of_0(&(_S141));
-    var _S162 : vec3<f32> = vec3<f32>(_S160) * _S161;
-    var _S163 : vec3<f32> = normal_of_0(&(_S142));
-    var _S164 : vec3<f32> = vec3<f32>(_S138);
-    var _S165 : vec3<f32> = _S162 + _S164 * _S163;
-    var _S166 : vec3<f32> = normal_of_0(&(_S143));
-    var _S167 : vec3<f32> = vec3<f32>(_S139);
-    var _S168 : vec3<f32> = normalize(_S165 + _S167 * _S166);
-    point_1.normal_0 = _S168;
-    var _S169 : vec3<f32> = normalize(_S158 - _S168 * vec3<f32>(dot(_S168, _S158)));
-    point_1.axis_x_0 = _S169;
-    point_1.axis_y_0 = cross(_S168, _S169);
-    var _S170 : vec3<f32> = normalize(cross(_S146, _S148));
-    var _S171 : vec3<f32>;
-    if((dot(_S170, _S168)) < 0.0f)
+    var _S220 : f32 = 1.0f - _S198 - _S199;
+    var _S221 : vec3<f32> = normal_of_0(&(_S201));
+    var _S222 : vec3<f32> = vec3<f32>(_S220) * _S221;
+    var _S223 : vec3<f32> = normal_of_0(&(_S202));
+    var _S224 : vec3<f32> = vec3<f32>(_S198);
+    var _S225 : vec3<f32> = _S222 + _S224 * _S223;
+    var _S226 : vec3<f32> = normal_of_0(&(_S203));
+    var _S227 : vec3<f32> = vec3<f32>(_S199);
+    var _S228 : vec3<f32> = normalize(_S225 + _S227 * _S226);
+    point_1.normal_0 = _S228;
+    var _S229 : vec3<f32> = normalize(_S218 - _S228 * vec3<f32>(dot(_S228, _S218)));
+    point_1.axis_x_0 = _S229;
+    point_1.axis_y_0 = cross(_S228, _S229);
+    var _S230 : vec3<f32> = normalize(cross(_S206, _S208));
+    var _S231 : vec3<f32>;
+    if((dot(_S230, _S228)) < 0.0f)
     {
-        _S171 = (vec3<f32>(0) - _S170);
+        _S231 = (vec3<f32>(0) - _S230);
     }
     else
     {
-        _S171 = _S170;
+        _S231 = _S230;
     }
-    point_1.face_normal_0 = _S171;
-    point_1.position_0 = _S145 + _S164 * _S146 + _S167 * _S148;
+    point_1.face_normal_0 = _S231;
+    point_1.position_0 = _S205 + _S224 * _S206 + _S227 * _S208;
     point_1.view_0 = point_1.normal_0;
-    point_1.uv_0 = vec2<f32>(_S149, _S151) + vec2<f32>(_S138) * _S153 + vec2<f32>(_S139) * _S156;
-    var _S172 : bool = (dot(cross(_S158, _S159), point_1.normal_0)) < 0.0f;
-    var _S173 : f32 = fabrics_0[_S136].uv_width_0;
-    if(_S172)
+    point_1.uv_0 = vec2<f32>(_S209, _S211) + vec2<f32>(_S198) * _S213 + vec2<f32>(_S199) * _S216;
+    var _S232 : bool = (dot(cross(_S218, _S219), point_1.normal_0)) < 0.0f;
+    var _S233 : f32 = fabrics_0[_S196].uv_width_0;
+    if(_S232)
     {
-        _S157 = - fabrics_0[_S136].uv_height_0;
+        _S217 = - fabrics_0[_S196].uv_height_0;
     }
     else
     {
-        _S157 = fabrics_0[_S136].uv_height_0;
+        _S217 = fabrics_0[_S196].uv_height_0;
     }
-    var _S174 : vec2<f32> = vec2<f32>(_S173, _S157);
-    point_1.draft_per_uv_0 = _S174;
-    var _S175 : vec2<f32> = point_1.uv_0 * _S174;
-    if(_S172)
+    var _S234 : vec2<f32> = vec2<f32>(_S233, _S217);
+    point_1.draft_per_uv_0 = _S234;
+    var _S235 : vec2<f32> = point_1.uv_0 * _S234;
+    if(_S232)
     {
-        _S157 = fabrics_0[_S136].uv_height_0;
+        _S217 = fabrics_0[_S196].uv_height_0;
     }
     else
     {
-        _S157 = 0.0f;
+        _S217 = 0.0f;
     }
-    point_1.draft_0 = _S175 + vec2<f32>(0.0f, _S157);
-    var _S176 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S176;
-    point_1.draft_dy_0 = _S176;
+    point_1.draft_0 = _S235 + vec2<f32>(0.0f, _S217);
+    var _S236 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S236;
+    point_1.draft_dy_0 = _S236;
     return point_1;
 }
 
-fn visible_point_0( _S177 : i32,  _S178 : u32,  _S179 : u32,  _S180 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S237 : i32,  _S238 : u32,  _S239 : u32,  _S240 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S181 : u32 = u32(3) * _S179;
-    var _S182 : Vertex_std430_0 = vertices_0[corners_0[_S181]];
-    var _S183 : Vertex_std430_0 = vertices_0[corners_0[_S181 + u32(1)]];
-    var _S184 : Vertex_std430_0 = vertices_0[corners_0[_S181 + u32(2)]];
-    var _S185 : vec3<f32> = position_of_1(&(_S183));
-    var _S186 : vec3<f32> = position_of_1(&(_S182));
-    var _S187 : vec3<f32> = _S185 - _S186;
-    var _S188 : vec3<f32> = position_of_1(&(_S184));
-    var _S189 : vec3<f32> = _S188 - _S186;
-    var _S190 : vec3<f32> = cross(_S187, _S189);
-    var _S191 : f32 = 1.0f / max(square_0(_S190), 1.00000000317107685e-30f);
-    var _S192 : f32 = f32(frames_0[_S177].width_0);
-    var _S193 : vec3<f32> = camera_right_0(_S177) * vec3<f32>((2.0f / _S192));
-    var _S194 : f32 = f32(frames_0[_S177].height_0);
-    var _S195 : vec3<f32> = camera_up_0(_S177) * vec3<f32>((-2.0f / _S194));
-    var _S196 : vec3<f32> = camera_forward_0(_S177) + vec3<f32>((f32(_S180.x) + 0.5f - 0.5f * _S192)) * _S193 + vec3<f32>((f32(_S180.y) + 0.5f - 0.5f * _S194)) * _S195;
-    var _S197 : f32 = dot(_S196, _S190);
-    var _S198 : f32;
-    if((abs(_S197)) > 1.00000000317107685e-30f)
+    var _S241 : u32 = u32(3) * _S239;
+    var _S242 : Vertex_std430_0 = vertices_0[corners_0[_S241]];
+    var _S243 : Vertex_std430_0 = vertices_0[corners_0[_S241 + u32(1)]];
+    var _S244 : Vertex_std430_0 = vertices_0[corners_0[_S241 + u32(2)]];
+    var _S245 : vec3<f32> = position_of_1(&(_S243));
+    var _S246 : vec3<f32> = position_of_1(&(_S242));
+    var _S247 : vec3<f32> = _S245 - _S246;
+    var _S248 : vec3<f32> = position_of_1(&(_S244));
+    var _S249 : vec3<f32> = _S248 - _S246;
+    var _S250 : vec3<f32> = cross(_S247, _S249);
+    var _S251 : f32 = 1.0f / max(square_0(_S250), 1.00000000317107685e-30f);
+    var _S252 : f32 = f32(frames_0[_S237].width_0);
+    var _S253 : vec3<f32> = camera_right_0(_S237) * vec3<f32>((2.0f / _S252));
+    var _S254 : f32 = f32(frames_0[_S237].height_0);
+    var _S255 : vec3<f32> = camera_up_0(_S237) * vec3<f32>((-2.0f / _S254));
+    var _S256 : vec3<f32> = camera_forward_0(_S237) + vec3<f32>((f32(_S240.x) + 0.5f - 0.5f * _S252)) * _S253 + vec3<f32>((f32(_S240.y) + 0.5f - 0.5f * _S254)) * _S255;
+    var _S257 : f32 = dot(_S256, _S250);
+    var _S258 : f32;
+    if((abs(_S257)) > 1.00000000317107685e-30f)
     {
-        _S198 = _S197;
+        _S258 = _S257;
     }
     else
     {
-        _S198 = 1.00000000317107685e-30f;
+        _S258 = 1.00000000317107685e-30f;
     }
-    var _S199 : f32 = 1.0f / _S198;
-    var _S200 : vec3<f32> = _S186 - camera_origin_0(_S177);
-    var _S201 : vec3<f32> = vec3<f32>((dot(_S200, _S190) * _S199));
-    var _S202 : vec3<f32> = _S196 * _S201 - _S200;
-    var _S203 : vec3<f32> = _S201 * (_S193 - _S196 * vec3<f32>((dot(_S193, _S190) * _S199)));
-    var _S204 : vec3<f32> = _S201 * (_S195 - _S196 * vec3<f32>((dot(_S195, _S190) * _S199)));
-    var _S205 : vec3<f32> = vec3<f32>(_S191);
-    var _S206 : vec3<f32> = cross(_S189, _S190) * _S205;
-    var _S207 : vec3<f32> = cross(_S190, _S187) * _S205;
-    var _S208 : vec2<f32> = vec2<f32>(_S183.u_0 - _S182.u_0, _S183.v_0 - _S182.v_0);
-    var _S209 : vec2<f32> = vec2<f32>(_S184.u_0 - _S182.u_0, _S184.v_0 - _S182.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S178, _S179, dot(_S202, _S206), dot(_S202, _S207));
-    point_2.position_0 = _S186 + _S202;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S196));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S203, _S206)) * _S208 + vec2<f32>(dot(_S203, _S207)) * _S209) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S204, _S206)) * _S208 + vec2<f32>(dot(_S204, _S207)) * _S209) * point_2.draft_per_uv_0;
+    var _S259 : f32 = 1.0f / _S258;
+    var _S260 : vec3<f32> = _S246 - camera_origin_0(_S237);
+    var _S261 : vec3<f32> = vec3<f32>((dot(_S260, _S250) * _S259));
+    var _S262 : vec3<f32> = _S256 * _S261 - _S260;
+    var _S263 : vec3<f32> = _S261 * (_S253 - _S256 * vec3<f32>((dot(_S253, _S250) * _S259)));
+    var _S264 : vec3<f32> = _S261 * (_S255 - _S256 * vec3<f32>((dot(_S255, _S250) * _S259)));
+    var _S265 : vec3<f32> = vec3<f32>(_S251);
+    var _S266 : vec3<f32> = cross(_S249, _S250) * _S265;
+    var _S267 : vec3<f32> = cross(_S250, _S247) * _S265;
+    var _S268 : vec2<f32> = vec2<f32>(_S243.u_0 - _S242.u_0, _S243.v_0 - _S242.v_0);
+    var _S269 : vec2<f32> = vec2<f32>(_S244.u_0 - _S242.u_0, _S244.v_0 - _S242.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S238, _S239, dot(_S262, _S266), dot(_S262, _S267));
+    point_2.position_0 = _S246 + _S262;
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S256));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S263, _S266)) * _S268 + vec2<f32>(dot(_S263, _S267)) * _S269) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S264, _S266)) * _S268 + vec2<f32>(dot(_S264, _S267)) * _S269) * point_2.draft_per_uv_0;
     return point_2;
 }
 
@@ -1381,135 +1858,46 @@ struct Footprint_0
 
 struct NeumipView_0
 {
-     latent_0 : array<f32, i32(7)>,
-     view_2 : vec2<f32>,
-     back_2 : bool,
+     latent_1 : array<f32, i32(7)>,
+     view_3 : vec2<f32>,
+     back_3 : bool,
+     hole_0 : f32,
 };
 
-fn neumip_view_0( _S210 : u32,  _S211 : Footprint_0,  _S212 : vec3<f32>,  _S213 : ptr<function, NeumipView_0>)
+fn neumip_view_0( _S270 : u32,  _S271 : Footprint_0,  _S272 : vec3<f32>,  _S273 : ptr<function, NeumipView_0>)
 {
-    var _S214 : Neumip_std430_0 = fabrics_0[_S210].neumip_0;
-    var _S215 : bool = (_S212.z) < 0.0f;
-    var _S216 : u32;
-    if(_S215)
+    var _S274 : Neumip_std430_0 = fabrics_0[_S270].neumip_0;
+    var _S275 : bool = (_S272.z) < 0.0f;
+    var _S276 : u32;
+    if(_S275)
     {
-        _S216 = _S214.back_0;
+        _S276 = _S274.back_0;
     }
     else
     {
-        _S216 = u32(0);
+        _S276 = u32(0);
     }
-    var _S217 : vec3<f32> = to_face_frame_0(_S212, _S215);
-    var uv_4 : vec2<f32> = _S211.centre_0 * vec2<f32>(_S214.repeats_per_x_0, _S214.repeats_per_y_0);
-    var uv_5 : vec2<f32>;
-    if((_S214.has_offset_0) != u32(0))
+    var _S277 : vec3<f32> = to_face_frame_0(_S272, _S275);
+    var uv_6 : vec2<f32> = _S271.centre_0 * vec2<f32>(_S274.repeats_per_x_0, _S274.repeats_per_y_0);
+    var uv_7 : vec2<f32>;
+    if((_S274.has_offset_0) != u32(0))
     {
-        var _S218 : vec2<f32> = _S217.xy;
-        var _S219 : f32 = neumip_depth_0(&(_S214), uv_4, _S218, _S216);
-        uv_5 = uv_4 + vec2<f32>((_S219 / max(_S217.z, 0.60000002384185791f))) * _S218 * vec2<f32>(_S214.unit_x_0, _S214.unit_y_0);
+        var _S278 : vec2<f32> = _S277.xy;
+        var _S279 : f32 = neumip_depth_0(&(_S274), uv_6, _S278, _S276);
+        uv_7 = uv_6 + vec2<f32>((_S279 / max(_S277.z, 0.60000002384185791f))) * _S278 * vec2<f32>(_S274.unit_x_0, _S274.unit_y_0);
     }
     else
     {
-        uv_5 = uv_4;
+        uv_7 = uv_6;
     }
-    var _S220 : Eight_0 = neumip_texel_0(&(_S214), uv_5, binary_logarithm_0(max(sqrt(abs(_S211.dx_0.x * _S211.dy_0.y - _S211.dx_0.y * _S211.dy_0.x)) * _S214.texels_per_mm_0, 9.99999971718068537e-10f)), _S216);
-    var k_2 : i32 = i32(0);
-    for(;;)
-    {
-        if(k_2 < i32(7))
-        {
-        }
-        else
-        {
-            break;
-        }
-        (*_S213).latent_0[k_2] = channel_0(_S220, k_2);
-        k_2 = k_2 + i32(1);
-    }
-    (*_S213).view_2 = _S217.xy;
-    (*_S213).back_2 = _S215;
-    return;
-}
-
-fn light_sample_count_0( _S221 : i32) -> u32
-{
-    return frames_0[_S221].lights_0 + frames_0[_S221].environment_samples_0;
-}
-
-fn visibility_at_0( _S222 : i32,  _S223 : u32,  _S224 : vec2<u32>) -> f32
-{
-    if((frames_0[_S222].casts_shadows_0) == u32(0))
-    {
-        return 1.0f;
-    }
-    return visibilities_0[(_S223 * frames_0[_S222].height_0 + _S224.y) * frames_0[_S222].width_0 + _S224.x];
-}
-
-struct LightSample_0
-{
-     towards_0 : vec3<f32>,
-     irradiance_1 : vec3<f32>,
-     distance_0 : f32,
-};
-
-fn environment_texel_0( _S225 : i32,  _S226 : u32,  _S227 : u32) -> vec3<f32>
-{
-    var _S228 : u32 = frames_0[_S225].environment_table_0 + frames_0[_S225].environment_rows_0 + u32(1) + frames_0[_S225].environment_rows_0 * (frames_0[_S225].environment_columns_0 + u32(1)) + u32(3) * (_S226 * frames_0[_S225].environment_columns_0 + _S227);
-    return vec3<f32>(scene_number_0(_S228), scene_number_0(_S228 + u32(1)), scene_number_0(_S228 + u32(2)));
-}
-
-fn sample_environment_0( _S229 : i32,  _S230 : vec2<f32>,  _S231 : ptr<function, vec3<f32>>) -> vec3<f32>
-{
-    var _S232 : u32 = frames_0[_S229].environment_rows_0;
-    var _S233 : Choice_0 = choose_0(frames_0[_S229].environment_table_0, frames_0[_S229].environment_rows_0, _S230.y);
-    var _S234 : u32 = frames_0[_S229].environment_columns_0;
-    var _S235 : Choice_0 = choose_0(frames_0[_S229].environment_table_0 + frames_0[_S229].environment_rows_0 + u32(1) + _S233.index_2 * (frames_0[_S229].environment_columns_0 + u32(1)), frames_0[_S229].environment_columns_0, _S230.x);
-    var _S236 : vec3<f32> = environment_texel_0(_S229, _S233.index_2, _S235.index_2);
-    (*_S231) = _S236 * vec3<f32>((frames_0[_S229].environment_total_0 / max(mean_0(_S236), 9.99999968265522539e-21f)));
-    var _S237 : f32 = 3.14159274101257324f / f32(_S232);
-    var _S238 : f32 = mix(sine_cosine_0(f32(_S233.index_2) * _S237).y, sine_cosine_0(f32(_S233.index_2 + u32(1)) * _S237).y, _S233.remainder_0);
-    var _S239 : f32 = sqrt(max(1.0f - _S238 * _S238, 0.0f));
-    var _S240 : vec2<f32> = sine_cosine_0((f32(_S235.index_2) + _S235.remainder_0) * (6.28318548202514648f / f32(_S234)));
-    var _S241 : f32 = _S239 * _S240.x;
-    var _S242 : f32 = - _S239 * _S240.y;
-    return vec3<f32>(frames_0[_S229].environment_cosine_0 * _S241 + frames_0[_S229].environment_sine_0 * _S242, _S238, frames_0[_S229].environment_cosine_0 * _S242 - frames_0[_S229].environment_sine_0 * _S241);
-}
-
-fn light_sample_0( _S243 : i32,  _S244 : u32,  _S245 : vec2<u32>,  _S246 : vec3<f32>) -> LightSample_0
-{
-    var sample_0 : LightSample_0;
-    sample_0.distance_0 = 1.00000001504746622e+30f;
-    var _S247 : u32 = frames_0[_S243].lights_0;
-    if(_S244 >= (frames_0[_S243].lights_0))
-    {
-        var weight_1 : vec3<f32>;
-        var _S248 : vec3<f32> = sample_environment_0(_S243, pixel_sequence_0(_S245, frames_0[_S243].pass_number_0 * frames_0[_S243].environment_samples_0 + (_S244 - _S247), u32(3)), &(weight_1));
-        sample_0.towards_0 = _S248;
-        sample_0.irradiance_1 = weight_1 / vec3<f32>(f32(frames_0[_S243].environment_samples_0));
-        return sample_0;
-    }
-    var _S249 : Light_std430_0 = lights_1[_S244];
-    sample_0.irradiance_1 = vec3<f32>(_S249.red_0, _S249.green_0, _S249.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S249.x_1, _S249.y_1, _S249.z_1);
-    if((_S249.is_point_0) != u32(0))
-    {
-        var _S250 : vec3<f32> = sample_0.towards_0 - _S246;
-        var _S251 : f32 = max(square_0(_S250), 9.999999960041972e-13f);
-        sample_0.distance_0 = sqrt(_S251);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S251);
-        sample_0.towards_0 = normalize(_S250);
-    }
-    return sample_0;
-}
-
-fn neumip_value_0( _S252 : u32,  _S253 : ptr<function, NeumipView_0>,  _S254 : vec3<f32>) -> vec3<f32>
-{
-    var _S255 : vec3<f32> = to_face_frame_0(_S254, (*_S253).back_2);
-    if((_S255.z) <= 0.0f)
-    {
-        return vec3<f32>(0.0f);
-    }
-    var inputs_17 : array<f32, i32(11)>;
+    var _S280 : f32 = sqrt(abs(_S271.dx_0.x * _S271.dy_0.y - _S271.dx_0.y * _S271.dy_0.x)) * _S274.texels_per_mm_0;
+    var pyramid_0 : TexelPyramid_0;
+    pyramid_0.first_20 = _S274.features_0;
+    pyramid_0.elements_4 = _S274.texel_elements_0;
+    pyramid_0.levels_4 = _S274.levels_2;
+    pyramid_0.last_level_3 = _S274.last_level_1;
+    pyramid_0.face_texels_2 = _S274.face_texels_0;
+    var _S281 : Eight_0 = TexelPyramid_between_levels_0(pyramid_0, uv_7, binary_logarithm_0(max(_S280, 9.99999971718068537e-10f)), _S276);
     var k_3 : i32 = i32(0);
     for(;;)
     {
@@ -1520,84 +1908,221 @@ fn neumip_value_0( _S252 : u32,  _S253 : ptr<function, NeumipView_0>,  _S254 : v
         {
             break;
         }
-        inputs_17[k_3] = (*_S253).latent_0[k_3];
+        (*_S273).latent_1[k_3] = channel_0(_S281, k_3);
         k_3 = k_3 + i32(1);
     }
-    inputs_17[i32(7)] = _S255.x;
-    inputs_17[i32(8)] = _S255.y;
-    inputs_17[i32(9)] = (*_S253).view_2.x;
-    inputs_17[i32(10)] = (*_S253).view_2.y;
-    var network_2 : MLP_0;
-    network_2.weights_13.first_0 = fabrics_0[_S252].neumip_0.decoder_0;
-    var outputs_13 : array<f32, i32(3)>;
-    MLP_evaluate_0(network_2, &(inputs_17), &(outputs_13));
-    return max(vec3<f32>(outputs_13[i32(0)], outputs_13[i32(1)], outputs_13[i32(2)]), vec3<f32>(0.0f)) * vec3<f32>(0.31830987334251404f);
+    var _S282 : vec2<f32> = _S277.xy;
+    (*_S273).view_3 = _S282;
+    (*_S273).back_3 = _S275;
+    var _S283 : f32;
+    if((_S274.has_holes_0) != u32(0))
+    {
+        var _S284 : f32 = neumip_hole_0(&(_S274), _S281, _S282);
+        _S283 = _S284;
+    }
+    else
+    {
+        _S283 = 0.0f;
+    }
+    (*_S273).hole_0 = _S283;
+    return;
 }
 
-fn light_of_neumip_0( _S256 : i32,  _S257 : u32,  _S258 : VisiblePoint_0,  _S259 : vec2<u32>) -> vec4<f32>
+fn light_sample_count_0( _S285 : i32) -> u32
 {
-    var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S258.draft_0;
-    footprint_0.dx_0 = _S258.draft_dx_0;
-    footprint_0.dy_0 = _S258.draft_dy_0;
-    var seen_0 : NeumipView_0;
-    neumip_view_0(_S257, footprint_0, to_local_0(_S258, _S258.view_0), &(seen_0));
-    var _S260 : vec3<f32> = vec3<f32>(0.0f);
-    var number_1 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S260;
+    return frames_0[_S285].lights_0 + frames_0[_S285].environment_samples_0;
+}
+
+fn visibility_at_0( _S286 : i32,  _S287 : u32,  _S288 : vec2<u32>) -> f32
+{
+    if((frames_0[_S286].casts_shadows_0) == u32(0))
+    {
+        return 1.0f;
+    }
+    return visibilities_0[(_S287 * frames_0[_S286].height_0 + _S288.y) * frames_0[_S286].width_0 + _S288.x];
+}
+
+struct LightSample_0
+{
+     towards_0 : vec3<f32>,
+     irradiance_1 : vec3<f32>,
+     distance_0 : f32,
+};
+
+fn environment_texel_0( _S289 : i32,  _S290 : u32,  _S291 : u32) -> vec3<f32>
+{
+    var _S292 : u32 = frames_0[_S289].environment_table_0 + frames_0[_S289].environment_rows_0 + u32(1) + frames_0[_S289].environment_rows_0 * (frames_0[_S289].environment_columns_0 + u32(1)) + u32(3) * (_S290 * frames_0[_S289].environment_columns_0 + _S291);
+    return vec3<f32>(scene_number_0(_S292), scene_number_0(_S292 + u32(1)), scene_number_0(_S292 + u32(2)));
+}
+
+fn sample_environment_0( _S293 : i32,  _S294 : vec2<f32>,  _S295 : ptr<function, vec3<f32>>) -> vec3<f32>
+{
+    var _S296 : u32 = frames_0[_S293].environment_rows_0;
+    var _S297 : Choice_0 = choose_0(frames_0[_S293].environment_table_0, frames_0[_S293].environment_rows_0, _S294.y);
+    var _S298 : u32 = frames_0[_S293].environment_columns_0;
+    var _S299 : Choice_0 = choose_0(frames_0[_S293].environment_table_0 + frames_0[_S293].environment_rows_0 + u32(1) + _S297.index_2 * (frames_0[_S293].environment_columns_0 + u32(1)), frames_0[_S293].environment_columns_0, _S294.x);
+    var _S300 : vec3<f32> = environment_texel_0(_S293, _S297.index_2, _S299.index_2);
+    (*_S295) = _S300 * vec3<f32>((frames_0[_S293].environment_total_0 / max(mean_0(_S300), 9.99999968265522539e-21f)));
+    var _S301 : f32 = 3.14159274101257324f / f32(_S296);
+    var _S302 : f32 = mix(sine_cosine_0(f32(_S297.index_2) * _S301).y, sine_cosine_0(f32(_S297.index_2 + u32(1)) * _S301).y, _S297.remainder_0);
+    var _S303 : f32 = sqrt(max(1.0f - _S302 * _S302, 0.0f));
+    var _S304 : vec2<f32> = sine_cosine_0((f32(_S299.index_2) + _S299.remainder_0) * (6.28318548202514648f / f32(_S298)));
+    var _S305 : f32 = _S303 * _S304.x;
+    var _S306 : f32 = - _S303 * _S304.y;
+    return vec3<f32>(frames_0[_S293].environment_cosine_0 * _S305 + frames_0[_S293].environment_sine_0 * _S306, _S302, frames_0[_S293].environment_cosine_0 * _S306 - frames_0[_S293].environment_sine_0 * _S305);
+}
+
+fn light_sample_0( _S307 : i32,  _S308 : u32,  _S309 : vec2<u32>,  _S310 : vec3<f32>) -> LightSample_0
+{
+    var sample_0 : LightSample_0;
+    sample_0.distance_0 = 1.00000001504746622e+30f;
+    var _S311 : u32 = frames_0[_S307].lights_0;
+    if(_S308 >= (frames_0[_S307].lights_0))
+    {
+        var weight_3 : vec3<f32>;
+        var _S312 : vec3<f32> = sample_environment_0(_S307, pixel_sequence_0(_S309, frames_0[_S307].pass_number_0 * frames_0[_S307].environment_samples_0 + (_S308 - _S311), u32(3)), &(weight_3));
+        sample_0.towards_0 = _S312;
+        sample_0.irradiance_1 = weight_3 / vec3<f32>(f32(frames_0[_S307].environment_samples_0));
+        return sample_0;
+    }
+    var _S313 : Light_std430_0 = lights_1[_S308];
+    sample_0.irradiance_1 = vec3<f32>(_S313.red_0, _S313.green_0, _S313.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S313.x_1, _S313.y_1, _S313.z_1);
+    if((_S313.is_point_0) != u32(0))
+    {
+        var _S314 : vec3<f32> = sample_0.towards_0 - _S310;
+        var _S315 : f32 = max(square_0(_S314), 9.999999960041972e-13f);
+        sample_0.distance_0 = sqrt(_S315);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S315);
+        sample_0.towards_0 = normalize(_S314);
+    }
+    return sample_0;
+}
+
+fn neumip_value_0( _S316 : u32,  _S317 : ptr<function, NeumipView_0>,  _S318 : vec3<f32>) -> vec3<f32>
+{
+    var _S319 : vec3<f32> = to_face_frame_0(_S318, (*_S317).back_3);
+    var _S320 : f32 = _S319.z;
+    var _S321 : bool;
+    if(_S320 < 0.0f)
+    {
+        _S321 = (fabrics_0[_S316].neumip_0.transmits_0) != u32(0);
+    }
+    else
+    {
+        _S321 = false;
+    }
+    var _S322 : bool;
+    if(_S320 <= 0.0f)
+    {
+        _S322 = !_S321;
+    }
+    else
+    {
+        _S322 = false;
+    }
+    if(_S322)
+    {
+        return vec3<f32>(0.0f);
+    }
+    var inputs_26 : array<f32, i32(11)>;
+    var k_4 : i32 = i32(0);
     for(;;)
     {
-        if(number_1 < (light_sample_count_0(_S256)))
+        if(k_4 < i32(7))
         {
         }
         else
         {
             break;
         }
-        var _S261 : f32 = visibility_at_0(_S256, number_1, _S259);
-        if(_S261 <= 0.0f)
+        inputs_26[k_4] = (*_S317).latent_1[k_4];
+        k_4 = k_4 + i32(1);
+    }
+    inputs_26[i32(7)] = _S319.x;
+    inputs_26[i32(8)] = _S319.y;
+    inputs_26[i32(9)] = (*_S317).view_3.x;
+    inputs_26[i32(10)] = (*_S317).view_3.y;
+    var outputs_20 : array<f32, i32(3)>;
+    var network_3 : MLP_0;
+    var _S323 : u32;
+    if(_S321)
+    {
+        _S323 = fabrics_0[_S316].neumip_0.transmission_0;
+    }
+    else
+    {
+        _S323 = fabrics_0[_S316].neumip_0.decoder_0;
+    }
+    network_3.weights_20.first_0 = _S323;
+    MLP_evaluate_0(network_3, &(inputs_26), &(outputs_20));
+    return max(vec3<f32>(outputs_20[i32(0)], outputs_20[i32(1)], outputs_20[i32(2)]), vec3<f32>(0.0f)) * vec3<f32>(0.31830987334251404f);
+}
+
+fn light_of_neumip_0( _S324 : i32,  _S325 : u32,  _S326 : VisiblePoint_0,  _S327 : vec2<u32>) -> vec4<f32>
+{
+    var footprint_0 : Footprint_0;
+    footprint_0.centre_0 = _S326.draft_0;
+    footprint_0.dx_0 = _S326.draft_dx_0;
+    footprint_0.dy_0 = _S326.draft_dy_0;
+    var seen_0 : NeumipView_0;
+    neumip_view_0(_S325, footprint_0, to_local_0(_S326, _S326.view_0), &(seen_0));
+    var _S328 : vec3<f32> = vec3<f32>(0.0f);
+    var number_1 : u32 = u32(0);
+    var radiance_1 : vec3<f32> = _S328;
+    for(;;)
+    {
+        if(number_1 < (light_sample_count_0(_S324)))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S329 : f32 = visibility_at_0(_S324, number_1, _S327);
+        if(_S329 <= 0.0f)
         {
             number_1 = number_1 + u32(1);
             continue;
         }
-        var _S262 : LightSample_0 = light_sample_0(_S256, number_1, _S259, _S258.position_0);
-        var _S263 : vec3<f32> = vec3<f32>(_S261) * _S262.irradiance_1;
-        var _S264 : vec3<f32> = neumip_value_0(_S257, &(seen_0), to_local_0(_S258, _S262.towards_0));
-        radiance_1 = radiance_1 + _S263 * _S264;
+        var _S330 : LightSample_0 = light_sample_0(_S324, number_1, _S327, _S326.position_0);
+        var _S331 : vec3<f32> = vec3<f32>(_S329) * _S330.irradiance_1;
+        var _S332 : vec3<f32> = neumip_value_0(_S325, &(seen_0), to_local_0(_S326, _S330.towards_0));
+        radiance_1 = radiance_1 + _S331 * _S332;
         number_1 = number_1 + u32(1);
     }
-    return vec4<f32>(radiance_1, 1.0f);
+    return vec4<f32>(radiance_1, 1.0f - seen_0.hole_0);
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn shade_neumip(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S265 : u32 = id_0.x;
-    var _S266 : u32 = frames_0[i32(0)].width_0;
-    var _S267 : bool;
-    if(_S265 >= (frames_0[i32(0)].width_0))
+    var _S333 : u32 = id_0.x;
+    var _S334 : u32 = frames_0[i32(0)].width_0;
+    var _S335 : bool;
+    if(_S333 >= (frames_0[i32(0)].width_0))
     {
-        _S267 = true;
+        _S335 = true;
     }
     else
     {
-        _S267 = (id_0.y) >= (frames_0[i32(0)].height_0);
+        _S335 = (id_0.y) >= (frames_0[i32(0)].height_0);
     }
-    if(_S267)
+    if(_S335)
     {
         return;
     }
-    var _S268 : u32 = id_0.y * _S266 + _S265;
-    var _S269 : u32 = layers_0[_S268].face_0;
-    if((layers_0[_S268].face_0) == u32(0))
+    var _S336 : u32 = id_0.y * _S334 + _S333;
+    var _S337 : u32 = layers_0[_S336].face_0;
+    if((layers_0[_S336].face_0) == u32(0))
     {
         return;
     }
-    var _S270 : u32 = _S269 - u32(1);
-    var _S271 : u32 = face_fabrics_0[_S270];
-    var _S272 : vec2<u32> = id_0.xy;
-    accumulate_0(_S268, light_of_neumip_0(i32(0), _S271, visible_point_0(i32(0), _S271, _S270, _S272), _S272));
+    var _S338 : u32 = _S337 - u32(1);
+    var _S339 : u32 = face_fabrics_0[_S338];
+    var _S340 : vec2<u32> = id_0.xy;
+    accumulate_0(_S336, light_of_neumip_0(i32(0), _S339, visible_point_0(i32(0), _S339, _S338, _S340), _S340));
     return;
 }
 

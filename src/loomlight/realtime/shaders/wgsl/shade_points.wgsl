@@ -116,6 +116,32 @@ struct Neumip_std430_0
     @align(4) texels_per_mm_0 : f32,
     @align(4) unit_x_0 : f32,
     @align(4) unit_y_0 : f32,
+    @align(4) transmits_0 : u32,
+    @align(4) transmission_0 : u32,
+    @align(4) has_holes_0 : u32,
+    @align(4) opacity_0 : u32,
+};
+
+struct Latent_std430_0
+{
+    @align(4) is_trained_1 : u32,
+    @align(4) decoder_1 : u32,
+    @align(4) hidden_0 : u32,
+    @align(4) frames_1 : u32,
+    @align(4) sampler_0 : u32,
+    @align(4) albedo_0 : u32,
+    @align(4) texels_1 : u32,
+    @align(4) texel_elements_1 : u32,
+    @align(4) levels_3 : u32,
+    @align(4) last_level_2 : f32,
+    @align(4) face_texels_1 : u32,
+    @align(4) back_1 : u32,
+    @align(4) repeats_per_x_1 : f32,
+    @align(4) repeats_per_y_1 : f32,
+    @align(4) texels_per_mm_1 : f32,
+    @align(4) width_1 : f32,
+    @align(4) height_1 : f32,
+    @align(4) is_trilinear_0 : u32,
 };
 
 struct Fabric_std430_0
@@ -147,8 +173,12 @@ struct Fabric_std430_0
     @align(4) uv_width_0 : f32,
     @align(4) uv_height_0 : f32,
     @align(4) is_open_0 : u32,
+    @align(4) openness_0 : u32,
     @align(4) albedo_map_0 : u32,
     @align(4) albedo_map_levels_0 : u32,
+    @align(4) has_yarns_0 : u32,
+    @align(4) mean_hole_0 : f32,
+    @align(4) latent_0 : Latent_std430_0,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -389,11 +419,11 @@ fn to_local_0( point_0 : VisiblePoint_0,  direction_0 : vec3<f32>) -> vec3<f32>
     return vec3<f32>(dot(direction_0, point_0.axis_x_0), dot(direction_0, point_0.axis_y_0), dot(direction_0, point_0.normal_0));
 }
 
-fn to_face_frame_0( direction_1 : vec3<f32>,  back_1 : bool) -> vec3<f32>
+fn to_face_frame_0( direction_1 : vec3<f32>,  back_2 : bool) -> vec3<f32>
 {
     var _S29 : vec2<f32> = direction_1.xy;
     var _S30 : f32;
-    if(back_1)
+    if(back_2)
     {
         _S30 = - direction_1.z;
     }
@@ -489,7 +519,7 @@ struct Crossing_0
      warp_above_0 : bool,
 };
 
-fn shown_at_0( crossing_0 : Crossing_0,  back_2 : bool) -> Shown_0
+fn shown_at_0( crossing_0 : Crossing_0,  back_3 : bool) -> Shown_0
 {
     var _S38 : bool = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
     var _S39 : bool = (abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1);
@@ -530,7 +560,7 @@ fn shown_at_0( crossing_0 : Crossing_0,  back_2 : bool) -> Shown_0
         _S41 = crossing_0.weft_word_0;
     }
     shown_0.word_0 = _S41;
-    shown_0.on_top_0 = (((_S41 & (u32(1)))) == u32(1)) != back_2;
+    shown_0.on_top_0 = (((_S41 & (u32(1)))) == u32(1)) != back_3;
     return shown_0;
 }
 
@@ -970,7 +1000,7 @@ fn outline_distance_0( cell_5 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  len
 
 struct Probe_0
 {
-     height_1 : f32,
+     height_2 : f32,
      hole_1 : bool,
      slope_x_0 : f32,
      slope_y_0 : f32,
@@ -1140,9 +1170,9 @@ struct ViewRay_0
      slope_1 : vec2<f32>,
 };
 
-fn ViewRay_at_0( this_2 : ViewRay_0,  height_2 : f32) -> vec2<f32>
+fn ViewRay_at_0( this_2 : ViewRay_0,  height_3 : f32) -> vec2<f32>
 {
-    return this_2.origin_0 + this_2.slope_1 * vec2<f32>(height_2);
+    return this_2.origin_0 + this_2.slope_1 * vec2<f32>(height_3);
 }
 
 fn ViewRay_rate_0( this_3 : ViewRay_0,  here_3 : Probe_0) -> f32
@@ -1258,15 +1288,85 @@ fn thread_gain_0( thread_9 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
     return amount_0 * (2.0f * uniform_hash_0(thread_9, u32(0), (seed_1 ^ (u32(2135587861)))) - 1.0f) + 1.0f;
 }
 
-fn bounded_gain_0( gain_1 : f32,  albedo_0 : vec3<f32>,  room_0 : vec3<f32>) -> f32
+fn bounded_gain_0( gain_1 : f32,  albedo_1 : vec3<f32>,  room_0 : vec3<f32>) -> f32
 {
-    var _S116 : vec3<f32> = room_0 / max(albedo_0, vec3<f32>(9.99999997475242708e-07f));
+    var _S116 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
     return min(gain_1, max(min(min(_S116.x, _S116.y), _S116.z), 0.0f));
 }
 
 fn fibre_gain_0( thread_10 : u32,  cell_6 : u32,  amount_1 : f32,  seed_2 : u32) -> f32
 {
     return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_10, cell_6, (seed_2 ^ (u32(2654435769))))), 10.0f) - 1.0f) + 1.0f;
+}
+
+struct FaceRadiance_0
+{
+     warp_2 : vec3<f32>,
+     weft_2 : vec3<f32>,
+     mean_0 : vec3<f32>,
+     leaked_0 : vec3<f32>,
+};
+
+struct FaceSends_0
+{
+     sky_warp_0 : vec3<f32>,
+     sky_weft_0 : vec3<f32>,
+     crossing_warp_0 : vec3<f32>,
+     crossing_weft_0 : vec3<f32>,
+     open_0 : f32,
+     blocks_warp_0 : f32,
+     blocks_weft_0 : f32,
+};
+
+fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
+{
+    var _S117 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
+    var found_0 : FaceRadiance_0;
+    var _S118 : vec3<f32> = sends_0.sky_warp_0 + _S117 * sends_0.crossing_warp_0;
+    found_0.warp_2 = _S118;
+    var _S119 : vec3<f32> = sends_0.sky_weft_0 + _S117 * sends_0.crossing_weft_0;
+    found_0.weft_2 = _S119;
+    found_0.mean_0 = vec3<f32>(sends_0.blocks_warp_0) * _S118 + vec3<f32>(sends_0.blocks_weft_0) * _S119;
+    found_0.leaked_0 = from_other_0;
+    return found_0;
+}
+
+struct Bounced_0
+{
+     reflected_0 : vec3<f32>,
+     transmitted_0 : vec3<f32>,
+};
+
+struct Blocked_0
+{
+     by_warp_0 : f32,
+     by_weft_0 : f32,
+     far_0 : f32,
+};
+
+struct Scattered_0
+{
+     back_4 : vec3<f32>,
+     through_0 : vec3<f32>,
+};
+
+struct Interior_0
+{
+     warp_3 : vec3<f32>,
+     weft_3 : vec3<f32>,
+     leaked_1 : vec3<f32>,
+     far_1 : vec3<f32>,
+     far_leaked_0 : vec3<f32>,
+};
+
+fn bounced_by_0( blocked_0 : Blocked_0,  yarn_2 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
+{
+    var _S120 : vec3<f32> = vec3<f32>((blocked_0.by_warp_0 + blocked_0.by_weft_0)) * interior_0.leaked_1;
+    var _S121 : vec3<f32> = vec3<f32>(blocked_0.far_0) * yarn_2.through_0;
+    var bounced_0 : Bounced_0;
+    bounced_0.reflected_0 = yarn_2.back_4 * (vec3<f32>(blocked_0.by_warp_0) * interior_0.warp_3 + vec3<f32>(blocked_0.by_weft_0) * interior_0.weft_3) + _S121 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S121 * interior_0.far_1 + yarn_2.back_4 * _S120;
+    return bounced_0;
 }
 
 fn tinted_0( albedos_1 : Albedos_0,  tint_0 : vec3<f32>) -> Albedos_0
@@ -1301,82 +1401,82 @@ fn choose_0( table_0 : u32,  count_1 : u32,  number_0 : f32) -> Choice_0
         {
             break;
         }
-        var _S117 : u32 = (low_0 + high_0) / u32(2);
-        if((scene_number_0(table_0 + _S117)) <= number_0)
+        var _S122 : u32 = (low_0 + high_0) / u32(2);
+        if((scene_number_0(table_0 + _S122)) <= number_0)
         {
-            low_0 = _S117;
+            low_0 = _S122;
         }
         else
         {
-            high_0 = _S117;
+            high_0 = _S122;
         }
     }
-    var _S118 : u32 = table_0 + low_0;
-    var _S119 : f32 = scene_number_0(_S118);
-    var _S120 : f32 = scene_number_0(_S118 + u32(1));
+    var _S123 : u32 = table_0 + low_0;
+    var _S124 : f32 = scene_number_0(_S123);
+    var _S125 : f32 = scene_number_0(_S123 + u32(1));
     var choice_0 : Choice_0;
     choice_0.index_6 = low_0;
-    choice_0.remainder_0 = saturate((number_0 - _S119) / max(_S120 - _S119, 9.999999960041972e-13f));
+    choice_0.remainder_0 = saturate((number_0 - _S124) / max(_S125 - _S124, 9.999999960041972e-13f));
     return choice_0;
 }
 
-fn mean_0( colour_0 : vec3<f32>) -> f32
+fn mean_1( colour_0 : vec3<f32>) -> f32
 {
     return (colour_0.x + colour_0.y + colour_0.z) / 3.0f;
 }
 
 fn sine_cosine_0( x_8 : f32) -> vec2<f32>
 {
-    var _S121 : f32 = floor(x_8 * 0.63661974668502808f + 0.5f);
-    var _S122 : f32 = x_8 - _S121 * 1.5703125f - _S121 * 0.00048375129699707f - _S121 * 7.54979012640433211e-08f;
-    var _S123 : f32 = _S122 * _S122;
-    var _S124 : f32 = ((-0.00019515295571182f * _S123 + 0.00833216123282909f) * _S123 - 0.16666655242443085f) * _S123 * _S122 + _S122;
-    var _S125 : f32 = ((0.00002443315679557f * _S123 - 0.00138873164542019f) * _S123 + 0.04166664555668831f) * _S123 * _S123 - 0.5f * _S123 + 1.0f;
-    var _S126 : u32 = (u32(i32(_S121)) & (u32(3)));
-    var _S127 : vec2<f32>;
-    if(((_S126 & (u32(1)))) != u32(0))
+    var _S126 : f32 = floor(x_8 * 0.63661974668502808f + 0.5f);
+    var _S127 : f32 = x_8 - _S126 * 1.5703125f - _S126 * 0.00048375129699707f - _S126 * 7.54979012640433211e-08f;
+    var _S128 : f32 = _S127 * _S127;
+    var _S129 : f32 = ((-0.00019515295571182f * _S128 + 0.00833216123282909f) * _S128 - 0.16666655242443085f) * _S128 * _S127 + _S127;
+    var _S130 : f32 = ((0.00002443315679557f * _S128 - 0.00138873164542019f) * _S128 + 0.04166664555668831f) * _S128 * _S128 - 0.5f * _S128 + 1.0f;
+    var _S131 : u32 = (u32(i32(_S126)) & (u32(3)));
+    var _S132 : vec2<f32>;
+    if(((_S131 & (u32(1)))) != u32(0))
     {
-        _S127 = vec2<f32>(_S125, _S124);
+        _S132 = vec2<f32>(_S130, _S129);
     }
     else
     {
-        _S127 = vec2<f32>(_S124, _S125);
+        _S132 = vec2<f32>(_S129, _S130);
     }
-    var _S128 : f32;
-    if(((_S126 & (u32(2)))) != u32(0))
+    var _S133 : f32;
+    if(((_S131 & (u32(2)))) != u32(0))
     {
-        _S128 = - _S127.x;
+        _S133 = - _S132.x;
     }
     else
     {
-        _S128 = _S127.x;
+        _S133 = _S132.x;
     }
-    var _S129 : f32;
-    if((((_S126 + u32(1)) & (u32(2)))) != u32(0))
+    var _S134 : f32;
+    if((((_S131 + u32(1)) & (u32(2)))) != u32(0))
     {
-        _S129 = - _S127.y;
+        _S134 = - _S132.y;
     }
     else
     {
-        _S129 = _S127.y;
+        _S134 = _S132.y;
     }
-    return vec2<f32>(_S128, _S129);
+    return vec2<f32>(_S133, _S134);
 }
 
 fn diffuse_reflection_0( light_0 : vec3<f32>,  normal_1 : vec3<f32>,  blend_0 : f32) -> f32
 {
-    var _S130 : f32 = light_0.z;
-    if(_S130 <= 0.0f)
+    var _S135 : f32 = light_0.z;
+    if(_S135 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * mix(max(_S130, 0.0f), max(dot(light_0, normal_1), 0.0f), blend_0);
+    return 0.31830987334251404f * mix(max(_S135, 0.0f), max(dot(light_0, normal_1), 0.0f), blend_0);
 }
 
 fn projected_area_1( direction_3 : vec3<f32>,  tangent_0 : vec3<f32>,  roughness_1 : f32) -> f32
 {
-    var _S131 : f32 = dot(direction_3, tangent_0);
-    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S131 * _S131 + 1.0f, roughness_1 * roughness_1));
+    var _S136 : f32 = dot(direction_3, tangent_0);
+    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S136 * _S136 + 1.0f, roughness_1 * roughness_1));
 }
 
 fn mean_attenuation_0( depth_0 : f32) -> f32
@@ -1390,62 +1490,62 @@ fn mean_attenuation_0( depth_0 : f32) -> f32
 
 fn flake_density_0( squared_along_0 : f32,  roughness_2 : f32) -> f32
 {
-    var _S132 : f32 = roughness_2 * roughness_2;
-    var _S133 : f32 = squared_along_0 * (1.0f - _S132) + _S132;
-    return 0.31830987334251404f * _S132 * roughness_2 / (_S133 * _S133);
+    var _S137 : f32 = roughness_2 * roughness_2;
+    var _S138 : f32 = squared_along_0 * (1.0f - _S137) + _S137;
+    return 0.31830987334251404f * _S137 * roughness_2 / (_S138 * _S138);
 }
 
 fn density_between_0( light_1 : vec3<f32>,  view_1 : vec3<f32>,  tangent_1 : vec3<f32>,  roughness_3 : f32) -> f32
 {
-    var _S134 : vec3<f32> = light_1 + view_1;
-    var _S135 : f32 = dot(_S134, tangent_1);
-    return flake_density_0(min(_S135 * _S135 / max(square_0(_S134), 9.999999960041972e-13f), 1.0f), roughness_3);
+    var _S139 : vec3<f32> = light_1 + view_1;
+    var _S140 : f32 = dot(_S139, tangent_1);
+    return flake_density_0(min(_S140 * _S140 / max(square_0(_S139), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
 fn reflection_0( light_2 : vec3<f32>,  view_2 : vec3<f32>,  normal_2 : vec3<f32>,  tangent_2 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
 {
-    var _S136 : f32 = dot(light_2, normal_2);
-    var _S137 : bool;
-    if(_S136 <= 0.0f)
+    var _S141 : f32 = dot(light_2, normal_2);
+    var _S142 : bool;
+    if(_S141 <= 0.0f)
     {
-        _S137 = true;
+        _S142 = true;
     }
     else
     {
-        _S137 = (dot(view_2, normal_2)) <= 0.0f;
+        _S142 = (dot(view_2, normal_2)) <= 0.0f;
     }
-    if(_S137)
+    if(_S142)
     {
         return 0.0f;
     }
-    var _S138 : f32 = max(_S136, 9.99999997475242708e-07f);
-    var _S139 : f32 = max(dot(view_2, normal_2), 9.99999997475242708e-07f);
-    var _S140 : f32 = projected_area_1(light_2, tangent_2, roughness_4) * _S139 + projected_area_1(view_2, tangent_2, roughness_4) * _S138;
-    var _S141 : f32 = optical_depth_1 * _S140 / (_S138 * _S139);
-    return 0.25f * density_between_0(light_2, view_2, tangent_2, roughness_4) * (_S141 * mean_attenuation_0(_S141)) * _S138 / _S140;
+    var _S143 : f32 = max(_S141, 9.99999997475242708e-07f);
+    var _S144 : f32 = max(dot(view_2, normal_2), 9.99999997475242708e-07f);
+    var _S145 : f32 = projected_area_1(light_2, tangent_2, roughness_4) * _S144 + projected_area_1(view_2, tangent_2, roughness_4) * _S143;
+    var _S146 : f32 = optical_depth_1 * _S145 / (_S143 * _S144);
+    return 0.25f * density_between_0(light_2, view_2, tangent_2, roughness_4) * (_S146 * mean_attenuation_0(_S146)) * _S143 / _S145;
 }
 
-fn transmission_0( light_3 : vec3<f32>,  view_3 : vec3<f32>,  normal_3 : vec3<f32>,  tangent_3 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
+fn transmission_1( light_3 : vec3<f32>,  view_3 : vec3<f32>,  normal_3 : vec3<f32>,  tangent_3 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
 {
-    var _S142 : f32 = - dot(light_3, normal_3);
-    var _S143 : f32 = dot(view_3, normal_3);
-    var _S144 : bool;
-    if(_S142 <= 0.0f)
+    var _S147 : f32 = - dot(light_3, normal_3);
+    var _S148 : f32 = dot(view_3, normal_3);
+    var _S149 : bool;
+    if(_S147 <= 0.0f)
     {
-        _S144 = true;
+        _S149 = true;
     }
     else
     {
-        _S144 = _S143 <= 0.0f;
+        _S149 = _S148 <= 0.0f;
     }
-    if(_S144)
+    if(_S149)
     {
         return 0.0f;
     }
-    var _S145 : f32 = 1.0f / max(_S143, 9.99999997475242708e-07f);
-    var _S146 : f32 = projected_area_1(light_3, tangent_3, roughness_5) / max(_S142, 9.99999997475242708e-07f);
-    var _S147 : f32 = projected_area_1(view_3, tangent_3, roughness_5) * _S145;
-    return density_between_0(light_3, view_3, tangent_3, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S146, _S147)) * mean_attenuation_0(optical_depth_2 * abs(_S146 - _S147)) * _S145;
+    var _S150 : f32 = 1.0f / max(_S148, 9.99999997475242708e-07f);
+    var _S151 : f32 = projected_area_1(light_3, tangent_3, roughness_5) / max(_S147, 9.99999997475242708e-07f);
+    var _S152 : f32 = projected_area_1(view_3, tangent_3, roughness_5) * _S150;
+    return density_between_0(light_3, view_3, tangent_3, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S151, _S152)) * mean_attenuation_0(optical_depth_2 * abs(_S151 - _S152)) * _S150;
 }
 
 fn sheen_scale_0( x_9 : f32,  y_2 : f32) -> f32
@@ -1465,240 +1565,255 @@ fn sheen_reflectance_0( x_11 : f32,  y_4 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_6 : f32) -> vec3<f32>
 {
-    var _S148 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S149 : f32 = 2.0f * sqrt(_S148) - 1.0f;
-    var _S150 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_6, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S149, _S150), 0.00999999977648258f, 1.0f), clamp((1.0f - _S148) * sheen_shear_0(_S149, _S150), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S149, _S150), -60.0f, 60.0f))));
+    var _S153 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S154 : f32 = 2.0f * sqrt(_S153) - 1.0f;
+    var _S155 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_6, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S154, _S155), 0.00999999977648258f, 1.0f), clamp((1.0f - _S153) * sheen_shear_0(_S154, _S155), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S154, _S155), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_4 : vec3<f32>,  view_4 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S151 : f32 = light_4.z;
-    var _S152 : bool;
-    if(_S151 <= 0.0f)
+    var _S156 : f32 = light_4.z;
+    var _S157 : bool;
+    if(_S156 <= 0.0f)
     {
-        _S152 = true;
+        _S157 = true;
     }
     else
     {
-        _S152 = (view_4.z) <= 0.0f;
+        _S157 = (view_4.z) <= 0.0f;
     }
-    if(_S152)
+    if(_S157)
     {
         return 0.0f;
     }
-    var _S153 : vec2<f32> = view_4.xy;
-    var _S154 : f32 = dot(_S153, _S153);
-    var _S155 : vec2<f32>;
-    if(_S154 > 9.99999968265522539e-21f)
+    var _S158 : vec2<f32> = view_4.xy;
+    var _S159 : f32 = dot(_S158, _S158);
+    var _S160 : vec2<f32>;
+    if(_S159 > 9.99999968265522539e-21f)
     {
-        _S155 = _S153 * vec2<f32>(rsqrt_0(_S154));
+        _S160 = _S158 * vec2<f32>(rsqrt_0(_S159));
     }
     else
     {
-        _S155 = vec2<f32>(1.0f, 0.0f);
+        _S160 = vec2<f32>(1.0f, 0.0f);
     }
-    var _S156 : f32 = scale_0 * dot(light_4.xy, _S155) + shear_0 * _S151;
-    var _S157 : f32 = scale_0 * (light_4.y * _S155.x - light_4.x * _S155.y);
-    var _S158 : f32 = _S156 * _S156 + _S157 * _S157 + _S151 * _S151;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S151 / max(_S158 * _S158, 9.99999968265522539e-21f);
+    var _S161 : f32 = scale_0 * dot(light_4.xy, _S160) + shear_0 * _S156;
+    var _S162 : f32 = scale_0 * (light_4.y * _S160.x - light_4.x * _S160.y);
+    var _S163 : f32 = _S161 * _S161 + _S162 * _S162 + _S156 * _S156;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S156 / max(_S163 * _S163, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_5 : vec3<f32>,  view_5 : vec3<f32>,  strength_0 : f32,  roughness_7 : f32) -> vec2<f32>
 {
-    var _S159 : vec3<f32> = sheen_lobe_0(view_5.z, roughness_7);
-    var _S160 : f32 = strength_0 * _S159.z;
-    return vec2<f32>(_S160 * transformed_cosine_0(light_5, view_5, _S159.x, _S159.y), 1.0f - _S160);
+    var _S164 : vec3<f32> = sheen_lobe_0(view_5.z, roughness_7);
+    var _S165 : f32 = strength_0 * _S164.z;
+    return vec2<f32>(_S165 * transformed_cosine_0(light_5, view_5, _S164.x, _S164.y), 1.0f - _S165);
 }
 
-fn accumulate_0( index_7 : u32,  light_6 : vec4<f32>)
+fn bounced_value_0( bounced_1 : Bounced_0,  light_6 : vec3<f32>,  view_6 : vec3<f32>) -> vec3<f32>
 {
-    var _S161 : f32 = layers_0[index_7].share_0;
-    radiance_0[index_7] = radiance_0[index_7] + vec4<f32>(layers_0[index_7].share_0) * light_6;
-    layers_0[index_7].share_0 = _S161 * (1.0f - light_6.w);
+    var _S166 : f32 = light_6.z;
+    var _S167 : vec3<f32>;
+    if((_S166 * view_6.z) < 0.0f)
+    {
+        _S167 = bounced_1.transmitted_0;
+    }
+    else
+    {
+        _S167 = bounced_1.reflected_0;
+    }
+    return _S167 * vec3<f32>((abs(_S166) * 0.31830987334251404f));
+}
+
+fn accumulate_0( index_7 : u32,  light_7 : vec4<f32>)
+{
+    var _S168 : f32 = layers_0[index_7].share_0;
+    radiance_0[index_7] = radiance_0[index_7] + vec4<f32>(layers_0[index_7].share_0) * light_7;
+    layers_0[index_7].share_0 = _S168 * (1.0f - light_7.w);
     return;
 }
 
-fn camera_right_0( _S162 : i32) -> vec3<f32>
+fn camera_right_0( _S169 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S162].right_x_0, frames_0[_S162].right_y_0, frames_0[_S162].right_z_0);
+    return vec3<f32>(frames_0[_S169].right_x_0, frames_0[_S169].right_y_0, frames_0[_S169].right_z_0);
 }
 
-fn camera_up_0( _S163 : i32) -> vec3<f32>
+fn camera_up_0( _S170 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S163].up_x_0, frames_0[_S163].up_y_0, frames_0[_S163].up_z_0);
+    return vec3<f32>(frames_0[_S170].up_x_0, frames_0[_S170].up_y_0, frames_0[_S170].up_z_0);
 }
 
-fn camera_forward_0( _S164 : i32) -> vec3<f32>
+fn camera_forward_0( _S171 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S164].forward_x_0, frames_0[_S164].forward_y_0, frames_0[_S164].forward_z_0);
+    return vec3<f32>(frames_0[_S171].forward_x_0, frames_0[_S171].forward_y_0, frames_0[_S171].forward_z_0);
 }
 
-fn camera_origin_0( _S165 : i32) -> vec3<f32>
+fn camera_origin_0( _S172 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S165].origin_x_0, frames_0[_S165].origin_y_0, frames_0[_S165].origin_z_0);
+    return vec3<f32>(frames_0[_S172].origin_x_0, frames_0[_S172].origin_y_0, frames_0[_S172].origin_z_0);
 }
 
-fn face_point_0( _S166 : u32,  _S167 : u32,  _S168 : f32,  _S169 : f32) -> VisiblePoint_0
+fn face_point_0( _S173 : u32,  _S174 : u32,  _S175 : f32,  _S176 : f32) -> VisiblePoint_0
 {
-    var _S170 : u32 = u32(3) * _S167;
-    var _S171 : Vertex_std430_0 = vertices_0[corners_0[_S170]];
-    var _S172 : Vertex_std430_0 = vertices_0[corners_0[_S170 + u32(1)]];
-    var _S173 : Vertex_std430_0 = vertices_0[corners_0[_S170 + u32(2)]];
-    var _S174 : vec3<f32> = position_of_0(&(_S172));
-    var _S175 : vec3<f32> = position_of_0(&(_S171));
-    var _S176 : vec3<f32> = _S174 - _S175;
-    var _S177 : vec3<f32> = position_of_0(&(_S173));
-    var _S178 : vec3<f32> = _S177 - _S175;
-    var _S179 : f32 = _S171.u_0;
-    var _S180 : f32 = _S172.u_0 - _S171.u_0;
-    var _S181 : f32 = _S171.v_0;
-    var _S182 : f32 = _S172.v_0 - _S171.v_0;
-    var _S183 : vec2<f32> = vec2<f32>(_S180, _S182);
-    var _S184 : f32 = _S173.u_0 - _S171.u_0;
-    var _S185 : f32 = _S173.v_0 - _S171.v_0;
-    var _S186 : vec2<f32> = vec2<f32>(_S184, _S185);
-    var _S187 : f32;
-    if((_S180 * _S185 - _S182 * _S184) < 0.0f)
+    var _S177 : u32 = u32(3) * _S174;
+    var _S178 : Vertex_std430_0 = vertices_0[corners_0[_S177]];
+    var _S179 : Vertex_std430_0 = vertices_0[corners_0[_S177 + u32(1)]];
+    var _S180 : Vertex_std430_0 = vertices_0[corners_0[_S177 + u32(2)]];
+    var _S181 : vec3<f32> = position_of_0(&(_S179));
+    var _S182 : vec3<f32> = position_of_0(&(_S178));
+    var _S183 : vec3<f32> = _S181 - _S182;
+    var _S184 : vec3<f32> = position_of_0(&(_S180));
+    var _S185 : vec3<f32> = _S184 - _S182;
+    var _S186 : f32 = _S178.u_0;
+    var _S187 : f32 = _S179.u_0 - _S178.u_0;
+    var _S188 : f32 = _S178.v_0;
+    var _S189 : f32 = _S179.v_0 - _S178.v_0;
+    var _S190 : vec2<f32> = vec2<f32>(_S187, _S189);
+    var _S191 : f32 = _S180.u_0 - _S178.u_0;
+    var _S192 : f32 = _S180.v_0 - _S178.v_0;
+    var _S193 : vec2<f32> = vec2<f32>(_S191, _S192);
+    var _S194 : f32;
+    if((_S187 * _S192 - _S189 * _S191) < 0.0f)
     {
-        _S187 = -1.0f;
+        _S194 = -1.0f;
     }
     else
     {
-        _S187 = 1.0f;
+        _S194 = 1.0f;
     }
-    var _S188 : vec3<f32> = vec3<f32>(_S187) * (vec3<f32>(_S185) * _S176 - vec3<f32>(_S182) * _S178);
-    var _S189 : vec3<f32> = vec3<f32>(_S187) * (vec3<f32>(_S180) * _S178 - vec3<f32>(_S184) * _S176);
+    var _S195 : vec3<f32> = vec3<f32>(_S194) * (vec3<f32>(_S192) * _S183 - vec3<f32>(_S189) * _S185);
+    var _S196 : vec3<f32> = vec3<f32>(_S194) * (vec3<f32>(_S187) * _S185 - vec3<f32>(_S191) * _S183);
     var point_1 : VisiblePoint_0;
-    var _S190 : f32 = 1.0f - _S168 - _S169;
-    var _S191 : vec3<f32> = normal_of_0(&(_S171));
-    var _S192 : vec3<f32> = vec3<f32>(_S190) * _S191;
-    var _S193 : vec3<f32> = normal_of_0(&(_S172));
-    var _S194 : vec3<f32> = vec3<f32>(_S168);
-    var _S195 : vec3<f32> = _S192 + _S194 * _S193;
-    var _S196 : vec3<f32> = normal_of_0(&(_S173));
-    var _S197 : vec3<f32> = vec3<f32>(_S169);
-    var _S198 : vec3<f32> = normalize(_S195 + _S197 * _S196);
-    point_1.normal_0 = _S198;
-    var _S199 : vec3<f32> = normalize(_S188 - _S198 * vec3<f32>(dot(_S198, _S188)));
-    point_1.axis_x_0 = _S199;
-    point_1.axis_y_0 = cross(_S198, _S199);
-    var _S200 : vec3<f32> = normalize(cross(_S176, _S178));
-    var _S201 : vec3<f32>;
-    if((dot(_S200, _S198)) < 0.0f)
+    var _S197 : f32 = 1.0f - _S175 - _S176;
+    var _S198 : vec3<f32> = normal_of_0(&(_S178));
+    var _S199 : vec3<f32> = vec3<f32>(_S197) * _S198;
+    var _S200 : vec3<f32> = normal_of_0(&(_S179));
+    var _S201 : vec3<f32> = vec3<f32>(_S175);
+    var _S202 : vec3<f32> = _S199 + _S201 * _S200;
+    var _S203 : vec3<f32> = normal_of_0(&(_S180));
+    var _S204 : vec3<f32> = vec3<f32>(_S176);
+    var _S205 : vec3<f32> = normalize(_S202 + _S204 * _S203);
+    point_1.normal_0 = _S205;
+    var _S206 : vec3<f32> = normalize(_S195 - _S205 * vec3<f32>(dot(_S205, _S195)));
+    point_1.axis_x_0 = _S206;
+    point_1.axis_y_0 = cross(_S205, _S206);
+    var _S207 : vec3<f32> = normalize(cross(_S183, _S185));
+    var _S208 : vec3<f32>;
+    if((dot(_S207, _S205)) < 0.0f)
     {
-        _S201 = (vec3<f32>(0) - _S200);
+        _S208 = (vec3<f32>(0) - _S207);
     }
     else
     {
-        _S201 = _S200;
+        _S208 = _S207;
     }
-    point_1.face_normal_0 = _S201;
-    point_1.position_0 = _S175 + _S194 * _S176 + _S197 * _S178;
+    point_1.face_normal_0 = _S208;
+    point_1.position_0 = _S182 + _S201 * _S183 + _S204 * _S185;
     point_1.view_0 = point_1.normal_0;
-    point_1.uv_1 = vec2<f32>(_S179, _S181) + vec2<f32>(_S168) * _S183 + vec2<f32>(_S169) * _S186;
-    var _S202 : bool = (dot(cross(_S188, _S189), point_1.normal_0)) < 0.0f;
-    var _S203 : f32 = fabrics_0[_S166].uv_width_0;
-    if(_S202)
+    point_1.uv_1 = vec2<f32>(_S186, _S188) + vec2<f32>(_S175) * _S190 + vec2<f32>(_S176) * _S193;
+    var _S209 : bool = (dot(cross(_S195, _S196), point_1.normal_0)) < 0.0f;
+    var _S210 : f32 = fabrics_0[_S173].uv_width_0;
+    if(_S209)
     {
-        _S187 = - fabrics_0[_S166].uv_height_0;
+        _S194 = - fabrics_0[_S173].uv_height_0;
     }
     else
     {
-        _S187 = fabrics_0[_S166].uv_height_0;
+        _S194 = fabrics_0[_S173].uv_height_0;
     }
-    var _S204 : vec2<f32> = vec2<f32>(_S203, _S187);
-    point_1.draft_per_uv_0 = _S204;
-    var _S205 : vec2<f32> = point_1.uv_1 * _S204;
-    if(_S202)
+    var _S211 : vec2<f32> = vec2<f32>(_S210, _S194);
+    point_1.draft_per_uv_0 = _S211;
+    var _S212 : vec2<f32> = point_1.uv_1 * _S211;
+    if(_S209)
     {
-        _S187 = fabrics_0[_S166].uv_height_0;
+        _S194 = fabrics_0[_S173].uv_height_0;
     }
     else
     {
-        _S187 = 0.0f;
+        _S194 = 0.0f;
     }
-    point_1.draft_0 = _S205 + vec2<f32>(0.0f, _S187);
-    var _S206 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S206;
-    point_1.draft_dy_0 = _S206;
+    point_1.draft_0 = _S212 + vec2<f32>(0.0f, _S194);
+    var _S213 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S213;
+    point_1.draft_dy_0 = _S213;
     return point_1;
 }
 
-fn visible_point_0( _S207 : i32,  _S208 : u32,  _S209 : u32,  _S210 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S214 : i32,  _S215 : u32,  _S216 : u32,  _S217 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S211 : u32 = u32(3) * _S209;
-    var _S212 : Vertex_std430_0 = vertices_0[corners_0[_S211]];
-    var _S213 : Vertex_std430_0 = vertices_0[corners_0[_S211 + u32(1)]];
-    var _S214 : Vertex_std430_0 = vertices_0[corners_0[_S211 + u32(2)]];
-    var _S215 : vec3<f32> = position_of_1(&(_S213));
-    var _S216 : vec3<f32> = position_of_1(&(_S212));
-    var _S217 : vec3<f32> = _S215 - _S216;
-    var _S218 : vec3<f32> = position_of_1(&(_S214));
-    var _S219 : vec3<f32> = _S218 - _S216;
-    var _S220 : vec3<f32> = cross(_S217, _S219);
-    var _S221 : f32 = 1.0f / max(square_0(_S220), 1.00000000317107685e-30f);
-    var _S222 : f32 = f32(frames_0[_S207].width_0);
-    var _S223 : vec3<f32> = camera_right_0(_S207) * vec3<f32>((2.0f / _S222));
-    var _S224 : f32 = f32(frames_0[_S207].height_0);
-    var _S225 : vec3<f32> = camera_up_0(_S207) * vec3<f32>((-2.0f / _S224));
-    var _S226 : vec3<f32> = camera_forward_0(_S207) + vec3<f32>((f32(_S210.x) + 0.5f - 0.5f * _S222)) * _S223 + vec3<f32>((f32(_S210.y) + 0.5f - 0.5f * _S224)) * _S225;
-    var _S227 : f32 = dot(_S226, _S220);
-    var _S228 : f32;
-    if((abs(_S227)) > 1.00000000317107685e-30f)
+    var _S218 : u32 = u32(3) * _S216;
+    var _S219 : Vertex_std430_0 = vertices_0[corners_0[_S218]];
+    var _S220 : Vertex_std430_0 = vertices_0[corners_0[_S218 + u32(1)]];
+    var _S221 : Vertex_std430_0 = vertices_0[corners_0[_S218 + u32(2)]];
+    var _S222 : vec3<f32> = position_of_1(&(_S220));
+    var _S223 : vec3<f32> = position_of_1(&(_S219));
+    var _S224 : vec3<f32> = _S222 - _S223;
+    var _S225 : vec3<f32> = position_of_1(&(_S221));
+    var _S226 : vec3<f32> = _S225 - _S223;
+    var _S227 : vec3<f32> = cross(_S224, _S226);
+    var _S228 : f32 = 1.0f / max(square_0(_S227), 1.00000000317107685e-30f);
+    var _S229 : f32 = f32(frames_0[_S214].width_0);
+    var _S230 : vec3<f32> = camera_right_0(_S214) * vec3<f32>((2.0f / _S229));
+    var _S231 : f32 = f32(frames_0[_S214].height_0);
+    var _S232 : vec3<f32> = camera_up_0(_S214) * vec3<f32>((-2.0f / _S231));
+    var _S233 : vec3<f32> = camera_forward_0(_S214) + vec3<f32>((f32(_S217.x) + 0.5f - 0.5f * _S229)) * _S230 + vec3<f32>((f32(_S217.y) + 0.5f - 0.5f * _S231)) * _S232;
+    var _S234 : f32 = dot(_S233, _S227);
+    var _S235 : f32;
+    if((abs(_S234)) > 1.00000000317107685e-30f)
     {
-        _S228 = _S227;
+        _S235 = _S234;
     }
     else
     {
-        _S228 = 1.00000000317107685e-30f;
+        _S235 = 1.00000000317107685e-30f;
     }
-    var _S229 : f32 = 1.0f / _S228;
-    var _S230 : vec3<f32> = _S216 - camera_origin_0(_S207);
-    var _S231 : vec3<f32> = vec3<f32>((dot(_S230, _S220) * _S229));
-    var _S232 : vec3<f32> = _S226 * _S231 - _S230;
-    var _S233 : vec3<f32> = _S231 * (_S223 - _S226 * vec3<f32>((dot(_S223, _S220) * _S229)));
-    var _S234 : vec3<f32> = _S231 * (_S225 - _S226 * vec3<f32>((dot(_S225, _S220) * _S229)));
-    var _S235 : vec3<f32> = vec3<f32>(_S221);
-    var _S236 : vec3<f32> = cross(_S219, _S220) * _S235;
-    var _S237 : vec3<f32> = cross(_S220, _S217) * _S235;
-    var _S238 : vec2<f32> = vec2<f32>(_S213.u_0 - _S212.u_0, _S213.v_0 - _S212.v_0);
-    var _S239 : vec2<f32> = vec2<f32>(_S214.u_0 - _S212.u_0, _S214.v_0 - _S212.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S208, _S209, dot(_S232, _S236), dot(_S232, _S237));
-    point_2.position_0 = _S216 + _S232;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S226));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S233, _S236)) * _S238 + vec2<f32>(dot(_S233, _S237)) * _S239) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S234, _S236)) * _S238 + vec2<f32>(dot(_S234, _S237)) * _S239) * point_2.draft_per_uv_0;
+    var _S236 : f32 = 1.0f / _S235;
+    var _S237 : vec3<f32> = _S223 - camera_origin_0(_S214);
+    var _S238 : vec3<f32> = vec3<f32>((dot(_S237, _S227) * _S236));
+    var _S239 : vec3<f32> = _S233 * _S238 - _S237;
+    var _S240 : vec3<f32> = _S238 * (_S230 - _S233 * vec3<f32>((dot(_S230, _S227) * _S236)));
+    var _S241 : vec3<f32> = _S238 * (_S232 - _S233 * vec3<f32>((dot(_S232, _S227) * _S236)));
+    var _S242 : vec3<f32> = vec3<f32>(_S228);
+    var _S243 : vec3<f32> = cross(_S226, _S227) * _S242;
+    var _S244 : vec3<f32> = cross(_S227, _S224) * _S242;
+    var _S245 : vec2<f32> = vec2<f32>(_S220.u_0 - _S219.u_0, _S220.v_0 - _S219.v_0);
+    var _S246 : vec2<f32> = vec2<f32>(_S221.u_0 - _S219.u_0, _S221.v_0 - _S219.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S215, _S216, dot(_S239, _S243), dot(_S239, _S244));
+    point_2.position_0 = _S223 + _S239;
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S233));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S240, _S243)) * _S245 + vec2<f32>(dot(_S240, _S244)) * _S246) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S241, _S243)) * _S245 + vec2<f32>(dot(_S241, _S244)) * _S246) * point_2.draft_per_uv_0;
     return point_2;
 }
 
-fn filtered_albedo_0( _S240 : u32,  _S241 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S247 : u32,  _S248 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S242 : u32 = fabrics_0[_S240].albedo_map_levels_0;
-    if((fabrics_0[_S240].albedo_map_levels_0) == u32(0))
+    var _S249 : u32 = fabrics_0[_S247].albedo_map_levels_0;
+    if((fabrics_0[_S247].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S243 : vec2<f32> = vec2<f32>(fabrics_0[_S240].uv_width_0, fabrics_0[_S240].uv_height_0);
-    var _S244 : vec2<f32> = _S241.draft_dx_0 / _S243;
-    var _S245 : vec2<f32> = _S241.draft_dy_0 / _S243;
-    var _S246 : u32 = _S242 - u32(1);
-    var _S247 : u32 = (u32(1) << (_S246));
-    var _S248 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S244.x * _S245.y - _S244.y * _S245.x), 9.99999968265522539e-21f) * (square_1(f32(_S247)) / 3.0f)), 0.0f, f32(_S242) - 1.0f);
-    var _S249 : u32 = min(u32(_S248), max(_S242, u32(2)) - u32(2));
-    var _S250 : u32 = min(_S249 + u32(1), _S246);
-    var _S251 : u32 = (u32(1) << ((u32(2) * _S242)));
-    return mix(map_level_0(fabrics_0[_S240].albedo_map_0 + (_S251 - ((_S251 >> ((u32(2) * _S249))))) / u32(3), (_S247 >> (_S249)), _S241.uv_1), map_level_0(fabrics_0[_S240].albedo_map_0 + (_S251 - ((_S251 >> ((u32(2) * _S250))))) / u32(3), (_S247 >> (_S250)), _S241.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S248 - f32(_S249))) - 1.0f) / 3.0f)));
+    var _S250 : vec2<f32> = vec2<f32>(fabrics_0[_S247].uv_width_0, fabrics_0[_S247].uv_height_0);
+    var _S251 : vec2<f32> = _S248.draft_dx_0 / _S250;
+    var _S252 : vec2<f32> = _S248.draft_dy_0 / _S250;
+    var _S253 : u32 = _S249 - u32(1);
+    var _S254 : u32 = (u32(1) << (_S253));
+    var _S255 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S251.x * _S252.y - _S251.y * _S252.x), 9.99999968265522539e-21f) * (square_1(f32(_S254)) / 3.0f)), 0.0f, f32(_S249) - 1.0f);
+    var _S256 : u32 = min(u32(_S255), max(_S249, u32(2)) - u32(2));
+    var _S257 : u32 = min(_S256 + u32(1), _S253);
+    var _S258 : u32 = (u32(1) << ((u32(2) * _S249)));
+    return mix(map_level_0(fabrics_0[_S247].albedo_map_0 + (_S258 - ((_S258 >> ((u32(2) * _S256))))) / u32(3), (_S254 >> (_S256)), _S248.uv_1), map_level_0(fabrics_0[_S247].albedo_map_0 + (_S258 - ((_S258 >> ((u32(2) * _S257))))) / u32(3), (_S254 >> (_S257)), _S248.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S255 - f32(_S256))) - 1.0f) / 3.0f)));
 }
 
 struct YarnPoint_0
 {
-     back_3 : bool,
+     back_5 : bool,
      hole_2 : bool,
      is_warp_1 : bool,
      x_12 : f32,
      y_5 : f32,
-     height_3 : f32,
+     height_4 : f32,
      normal_4 : vec3<f32>,
      tangent_4 : vec3<f32>,
      roughness_8 : f32,
@@ -1710,7 +1825,7 @@ struct Hit_0
      x_13 : f32,
      y_6 : f32,
      hole_3 : bool,
-     height_4 : f32,
+     height_5 : f32,
 };
 
 struct Sample_0
@@ -1719,321 +1834,321 @@ struct Sample_0
      shown_3 : Shown_0,
      run_3 : Run_0,
      section_1 : Section_0,
-     height_5 : f32,
+     height_6 : f32,
      slope_across_0 : f32,
      slope_along_0 : f32,
      slope_x_1 : f32,
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S252 : u32,  _S253 : f32,  _S254 : f32,  _S255 : bool) -> Crossing_0
+fn crossing_at_0( _S259 : u32,  _S260 : f32,  _S261 : f32,  _S262 : bool) -> Crossing_0
 {
     var crossing_2 : Crossing_0;
-    crossing_2.warp_1 = locate_0(fabrics_0[_S252].warp_0, _S253);
-    crossing_2.weft_1 = locate_0(fabrics_0[_S252].weft_0, _S254);
-    var _S256 : u32 = fabrics_0[_S252].run_words_0 + u32(2) * (crossing_2.weft_1.thread_1 * fabrics_0[_S252].ends_1 + crossing_2.warp_1.thread_1);
-    var _S257 : u32 = words_0[_S256];
-    crossing_2.warp_word_0 = _S257;
-    crossing_2.weft_word_0 = words_0[_S256 + u32(1)];
-    crossing_2.warp_above_0 = (((_S257 & (u32(1)))) == u32(1)) != _S255;
+    crossing_2.warp_1 = locate_0(fabrics_0[_S259].warp_0, _S260);
+    crossing_2.weft_1 = locate_0(fabrics_0[_S259].weft_0, _S261);
+    var _S263 : u32 = fabrics_0[_S259].run_words_0 + u32(2) * (crossing_2.weft_1.thread_1 * fabrics_0[_S259].ends_1 + crossing_2.warp_1.thread_1);
+    var _S264 : u32 = words_0[_S263];
+    crossing_2.warp_word_0 = _S264;
+    crossing_2.weft_word_0 = words_0[_S263 + u32(1)];
+    crossing_2.warp_above_0 = (((_S264 & (u32(1)))) == u32(1)) != _S262;
     return crossing_2;
 }
 
-fn sample_at_0( _S258 : u32,  _S259 : f32,  _S260 : f32,  _S261 : bool) -> Sample_0
+fn sample_at_0( _S265 : u32,  _S266 : f32,  _S267 : f32,  _S268 : bool) -> Sample_0
 {
     var sample_0 : Sample_0;
-    var _S262 : Crossing_0 = crossing_at_0(_S258, _S259, _S260, _S261);
-    sample_0.crossing_1 = _S262;
-    var _S263 : Shown_0 = shown_at_0(_S262, _S261);
-    sample_0.shown_3 = _S263;
-    var _S264 : u32;
-    if(_S263.is_warp_0)
+    var _S269 : Crossing_0 = crossing_at_0(_S265, _S266, _S267, _S268);
+    sample_0.crossing_1 = _S269;
+    var _S270 : Shown_0 = shown_at_0(_S269, _S268);
+    sample_0.shown_3 = _S270;
+    var _S271 : u32;
+    if(_S270.is_warp_0)
     {
-        _S264 = fabrics_0[_S258].warp_0;
+        _S271 = fabrics_0[_S265].warp_0;
     }
     else
     {
-        _S264 = fabrics_0[_S258].weft_0;
+        _S271 = fabrics_0[_S265].weft_0;
     }
-    var _S265 : u32;
-    if(_S263.is_warp_0)
+    var _S272 : u32;
+    if(_S270.is_warp_0)
     {
-        _S265 = fabrics_0[_S258].weft_0;
+        _S272 = fabrics_0[_S265].weft_0;
     }
     else
     {
-        _S265 = fabrics_0[_S258].warp_0;
+        _S272 = fabrics_0[_S265].warp_0;
     }
-    var _S266 : Cell_0 = select_cell_0(_S263.is_warp_0, sample_0.crossing_1.warp_1, sample_0.crossing_1.weft_1);
-    var _S267 : Cell_0 = select_cell_0(_S263.is_warp_0, sample_0.crossing_1.weft_1, sample_0.crossing_1.warp_1);
-    var _S268 : Run_0 = unpack_0(_S264, _S265, _S266.thread_1, _S267, _S263.word_0);
-    var _S269 : Section_0 = section_at_0(_S266);
-    var _S270 : bool;
-    if(_S263.on_top_0)
+    var _S273 : Cell_0 = select_cell_0(_S270.is_warp_0, sample_0.crossing_1.warp_1, sample_0.crossing_1.weft_1);
+    var _S274 : Cell_0 = select_cell_0(_S270.is_warp_0, sample_0.crossing_1.weft_1, sample_0.crossing_1.warp_1);
+    var _S275 : Run_0 = unpack_0(_S271, _S272, _S273.thread_1, _S274, _S270.word_0);
+    var _S276 : Section_0 = section_at_0(_S273);
+    var _S277 : bool;
+    if(_S270.on_top_0)
     {
-        _S270 = (_S268.distance_0) < (_S269.drop_0 * _S268.bend_1.sine_0);
+        _S277 = (_S275.distance_0) < (_S276.drop_0 * _S275.bend_1.sine_0);
     }
     else
     {
-        _S270 = false;
+        _S277 = false;
     }
-    var _S271 : bool;
-    if(_S263.on_top_0)
+    var _S278 : bool;
+    if(_S270.on_top_0)
     {
-        _S271 = !_S270;
+        _S278 = !_S277;
     }
     else
     {
-        _S271 = false;
+        _S278 = false;
     }
-    var _S272 : f32;
-    if(_S271)
+    var _S279 : f32;
+    if(_S278)
     {
-        _S272 = 1.0f;
+        _S279 = 1.0f;
     }
     else
     {
-        _S272 = -1.0f;
+        _S279 = -1.0f;
     }
-    var _S273 : f32;
-    if(_S270)
+    var _S280 : f32;
+    if(_S277)
     {
-        _S273 = _S268.other_reach_0;
+        _S280 = _S275.other_reach_0;
     }
     else
     {
-        _S273 = _S268.reach_0;
+        _S280 = _S275.reach_0;
     }
-    var _S274 : f32;
-    if(_S270)
-    {
-        _S274 = _S273 + _S268.distance_0;
-    }
-    else
-    {
-        _S274 = max(_S273 - _S268.distance_0, 0.0f);
-    }
-    var _S275 : f32 = _S273 / _S268.bend_1.sine_0 - _S272 * _S269.drop_0;
-    var _S276 : f32 = _S274 * _S274;
-    var _S277 : f32 = max(_S275 * _S275 - _S276, 9.99999968265522539e-21f);
-    var _S278 : f32 = rsqrt_0(_S277);
-    var _S279 : f32 = _S276 / (_S277 * _S278 + _S275);
-    var _S280 : bool = _S274 > 0.0f;
     var _S281 : f32;
-    if(_S263.on_top_0)
+    if(_S277)
     {
-        _S281 = 1.0f;
+        _S281 = _S280 + _S275.distance_0;
     }
     else
     {
-        _S281 = -1.0f;
+        _S281 = max(_S280 - _S275.distance_0, 0.0f);
     }
-    var _S282 : f32;
-    if(_S268.near_start_0)
+    var _S282 : f32 = _S280 / _S275.bend_1.sine_0 - _S279 * _S276.drop_0;
+    var _S283 : f32 = _S281 * _S281;
+    var _S284 : f32 = max(_S282 * _S282 - _S283, 9.99999968265522539e-21f);
+    var _S285 : f32 = rsqrt_0(_S284);
+    var _S286 : f32 = _S283 / (_S284 * _S285 + _S282);
+    var _S287 : bool = _S281 > 0.0f;
+    var _S288 : f32;
+    if(_S270.on_top_0)
     {
-        _S282 = 1.0f;
+        _S288 = 1.0f;
     }
     else
     {
-        _S282 = -1.0f;
+        _S288 = -1.0f;
     }
-    var _S283 : f32 = _S281 * _S282;
-    if(_S280)
+    var _S289 : f32;
+    if(_S275.near_start_0)
     {
-        _S281 = _S275 * _S278;
+        _S289 = 1.0f;
     }
     else
     {
-        _S281 = 1.0f;
+        _S289 = -1.0f;
     }
-    sample_0.slope_across_0 = _S269.slope_0 * _S281;
-    if(_S280)
+    var _S290 : f32 = _S288 * _S289;
+    if(_S287)
     {
-        _S274 = _S283 * _S274 * _S278;
+        _S288 = _S282 * _S285;
     }
     else
     {
-        _S274 = 0.0f;
+        _S288 = 1.0f;
     }
-    sample_0.slope_along_0 = _S274;
-    var _S284 : Family_std430_0 = families_0[_S264];
-    var _S285 : vec2<f32> = dive_0(_S265, _S263, _S268, _S267);
-    if(_S268.straight_0)
+    sample_0.slope_across_0 = _S276.slope_0 * _S288;
+    if(_S287)
     {
-        _S272 = 0.0f;
+        _S281 = _S290 * _S281 * _S285;
     }
     else
     {
-        _S272 = _S284.height_scale_0 * _S272;
+        _S281 = 0.0f;
     }
-    sample_0.height_5 = _S272 * (_S273 * _S268.bend_1.half_tangent_0 - _S279) - _S284.height_scale_0 * _S269.drop_0 - _S285.x;
-    var _S286 : f32 = _S284.height_scale_0 * sample_0.slope_across_0;
-    var _S287 : f32 = _S284.height_scale_0 * sample_0.slope_along_0 - _S285.y;
-    if(_S263.is_warp_0)
+    sample_0.slope_along_0 = _S281;
+    var _S291 : Family_std430_0 = families_0[_S271];
+    var _S292 : vec2<f32> = dive_0(_S272, _S270, _S275, _S274);
+    if(_S275.straight_0)
     {
-        _S272 = _S286;
+        _S279 = 0.0f;
     }
     else
     {
-        _S272 = _S287;
+        _S279 = _S291.height_scale_0 * _S279;
     }
-    sample_0.slope_x_1 = _S272;
-    if(_S263.is_warp_0)
+    sample_0.height_6 = _S279 * (_S280 * _S275.bend_1.half_tangent_0 - _S286) - _S291.height_scale_0 * _S276.drop_0 - _S292.x;
+    var _S293 : f32 = _S291.height_scale_0 * sample_0.slope_across_0;
+    var _S294 : f32 = _S291.height_scale_0 * sample_0.slope_along_0 - _S292.y;
+    if(_S270.is_warp_0)
     {
-        _S272 = _S287;
+        _S279 = _S293;
     }
     else
     {
-        _S272 = _S286;
+        _S279 = _S294;
     }
-    sample_0.slope_y_1 = _S272;
-    sample_0.run_3 = _S268;
-    sample_0.section_1 = _S269;
+    sample_0.slope_x_1 = _S279;
+    if(_S270.is_warp_0)
+    {
+        _S279 = _S294;
+    }
+    else
+    {
+        _S279 = _S293;
+    }
+    sample_0.slope_y_1 = _S279;
+    sample_0.run_3 = _S275;
+    sample_0.section_1 = _S276;
     return sample_0;
 }
 
-fn steps_per_length_0( _S288 : u32,  _S289 : SearchQuality_0,  _S290 : vec3<f32>) -> f32
+fn steps_per_length_0( _S295 : u32,  _S296 : SearchQuality_0,  _S297 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S290.x) * fabrics_0[_S288].threads_per_x_0, abs(_S290.y) * fabrics_0[_S288].threads_per_y_0) * _S289.steps_per_thread_0, abs(_S290.z) * fabrics_0[_S288].per_relief_0 * _S289.steps_per_relief_0);
+    return max(max(abs(_S297.x) * fabrics_0[_S295].threads_per_x_0, abs(_S297.y) * fabrics_0[_S295].threads_per_y_0) * _S296.steps_per_thread_0, abs(_S297.z) * fabrics_0[_S295].per_relief_0 * _S296.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S291 : u32,  _S292 : Crossing_0) -> f32
+fn cell_maximum_0( _S298 : u32,  _S299 : Crossing_0) -> f32
 {
-    var _S293 : u32;
-    if(_S292.warp_above_0)
+    var _S300 : u32;
+    if(_S299.warp_above_0)
     {
-        _S293 = fabrics_0[_S291].warp_0;
+        _S300 = fabrics_0[_S298].warp_0;
     }
     else
     {
-        _S293 = fabrics_0[_S291].weft_0;
+        _S300 = fabrics_0[_S298].weft_0;
     }
-    var _S294 : u32;
-    if(_S292.warp_above_0)
+    var _S301 : u32;
+    if(_S299.warp_above_0)
     {
-        _S294 = _S292.warp_word_0;
+        _S301 = _S299.warp_word_0;
     }
     else
     {
-        _S294 = _S292.weft_word_0;
+        _S301 = _S299.weft_word_0;
     }
-    return f32((_S294 >> (u32(28)))) * families_0[_S293].height_scale_0 * families_0[_S293].level_0;
+    return f32((_S301 >> (u32(28)))) * families_0[_S300].height_scale_0 * families_0[_S300].level_0;
 }
 
-fn probe_0( _S295 : u32,  _S296 : f32,  _S297 : f32,  _S298 : bool,  _S299 : bool,  _S300 : bool) -> Probe_0
+fn probe_0( _S302 : u32,  _S303 : f32,  _S304 : f32,  _S305 : bool,  _S306 : bool,  _S307 : bool) -> Probe_0
 {
-    var _S301 : Sample_0 = sample_at_0(_S295, _S296, _S297, _S298);
+    var _S308 : Sample_0 = sample_at_0(_S302, _S303, _S304, _S305);
     var probe_1 : Probe_0;
-    probe_1.height_1 = _S301.height_5;
-    probe_1.hole_1 = _S301.shown_3.hole_0;
-    probe_1.slope_x_0 = _S301.slope_x_1;
-    probe_1.slope_y_0 = _S301.slope_y_1;
-    var _S302 : u32;
-    if(_S301.shown_3.is_warp_0)
+    probe_1.height_2 = _S308.height_6;
+    probe_1.hole_1 = _S308.shown_3.hole_0;
+    probe_1.slope_x_0 = _S308.slope_x_1;
+    probe_1.slope_y_0 = _S308.slope_y_1;
+    var _S309 : u32;
+    if(_S308.shown_3.is_warp_0)
     {
-        _S302 = _S301.crossing_1.warp_1.thread_1 * u32(2) + u32(1);
+        _S309 = _S308.crossing_1.warp_1.thread_1 * u32(2) + u32(1);
     }
     else
     {
-        _S302 = _S301.crossing_1.weft_1.thread_1 * u32(2);
+        _S309 = _S308.crossing_1.weft_1.thread_1 * u32(2);
     }
-    probe_1.yarn_1 = _S302;
-    probe_1.cell_max_0 = cell_maximum_0(_S295, _S301.crossing_1);
-    var _S303 : f32;
-    if(_S299)
+    probe_1.yarn_1 = _S309;
+    probe_1.cell_max_0 = cell_maximum_0(_S302, _S308.crossing_1);
+    var _S310 : f32;
+    if(_S306)
     {
-        _S303 = _S301.crossing_1.warp_1.above_0;
+        _S310 = _S308.crossing_1.warp_1.above_0;
     }
     else
     {
-        _S303 = _S301.crossing_1.warp_1.below_0;
+        _S310 = _S308.crossing_1.warp_1.below_0;
     }
-    probe_1.side_x_0 = _S303;
-    if(_S300)
+    probe_1.side_x_0 = _S310;
+    if(_S307)
     {
-        _S303 = _S301.crossing_1.weft_1.above_0;
+        _S310 = _S308.crossing_1.weft_1.above_0;
     }
     else
     {
-        _S303 = _S301.crossing_1.weft_1.below_0;
+        _S310 = _S308.crossing_1.weft_1.below_0;
     }
-    probe_1.side_y_0 = _S303;
-    probe_1.edge_x_0 = outline_distance_0(_S301.crossing_1.warp_1, _S301.shown_3, _S301.run_3, !_S301.shown_3.is_warp_0, _S299);
-    probe_1.edge_y_0 = outline_distance_0(_S301.crossing_1.weft_1, _S301.shown_3, _S301.run_3, _S301.shown_3.is_warp_0, _S300);
+    probe_1.side_y_0 = _S310;
+    probe_1.edge_x_0 = outline_distance_0(_S308.crossing_1.warp_1, _S308.shown_3, _S308.run_3, !_S308.shown_3.is_warp_0, _S306);
+    probe_1.edge_y_0 = outline_distance_0(_S308.crossing_1.weft_1, _S308.shown_3, _S308.run_3, _S308.shown_3.is_warp_0, _S307);
     return probe_1;
 }
 
-fn is_free_0( _S304 : u32,  _S305 : SearchQuality_0,  _S306 : vec3<f32>,  _S307 : vec3<f32>,  _S308 : bool,  _S309 : f32) -> bool
+fn is_free_0( _S311 : u32,  _S312 : SearchQuality_0,  _S313 : vec3<f32>,  _S314 : vec3<f32>,  _S315 : bool,  _S316 : f32) -> bool
 {
-    var _S310 : f32 = _S307.z;
-    if(_S310 <= 0.0f)
+    var _S317 : f32 = _S314.z;
+    if(_S317 <= 0.0f)
     {
         return false;
     }
-    var _S311 : f32 = 1.0f / max(_S305.shadow_share_0 * steps_per_length_0(_S304, _S305, _S307), 9.99999971718068537e-10f);
-    var _S312 : StepControl_0 = step_control_0(_S307.xy, _S311);
+    var _S318 : f32 = 1.0f / max(_S312.shadow_share_0 * steps_per_length_0(_S311, _S312, _S314), 9.99999971718068537e-10f);
+    var _S319 : StepControl_0 = step_control_0(_S314.xy, _S318);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_2 : u32 = u32(0);
     var distance_1 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S313 : bool;
+        var _S320 : bool;
         if(count_2 < u32(1024))
         {
-            _S313 = (_S306.z + _S310 * distance_1) < _S309;
+            _S320 = (_S313.z + _S317 * distance_1) < _S316;
         }
         else
         {
-            _S313 = false;
+            _S320 = false;
         }
-        if(_S313)
+        if(_S320)
         {
         }
         else
         {
             break;
         }
-        var _S314 : vec3<f32> = _S306 + _S307 * vec3<f32>(distance_1);
-        var _S315 : Probe_0 = probe_0(_S304, _S314.x, _S314.y, _S308, _S312.right_0, _S312.up_0);
-        var _S316 : f32 = _S314.z;
-        var _S317 : f32 = _S316 - _S315.height_1;
-        var _S318 : f32 = _S310 - _S315.slope_x_0 * _S307.x - _S315.slope_y_0 * _S307.y;
-        var _S319 : bool;
-        if(!_S315.hole_1)
+        var _S321 : vec3<f32> = _S313 + _S314 * vec3<f32>(distance_1);
+        var _S322 : Probe_0 = probe_0(_S311, _S321.x, _S321.y, _S315, _S319.right_0, _S319.up_0);
+        var _S323 : f32 = _S321.z;
+        var _S324 : f32 = _S323 - _S322.height_2;
+        var _S325 : f32 = _S317 - _S322.slope_x_0 * _S314.x - _S322.slope_y_0 * _S314.y;
+        var _S326 : bool;
+        if(!_S322.hole_1)
         {
-            _S319 = _S317 < 0.0f;
+            _S326 = _S324 < 0.0f;
         }
         else
         {
-            _S319 = false;
+            _S326 = false;
         }
-        if(_S319)
+        if(_S326)
         {
             return false;
         }
-        var _S320 : f32 = way_back_to_dip_0(previous_3, _S317, _S318, last_step_0, _S315);
-        if(_S320 >= 0.0f)
+        var _S327 : f32 = way_back_to_dip_0(previous_3, _S324, _S325, last_step_0, _S322);
+        if(_S327 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S320;
-            distance_1 = distance_1 - _S320;
+            var last_step_1 : f32 = last_step_0 - _S327;
+            distance_1 = distance_1 - _S327;
             last_step_0 = last_step_1;
             count_2 = count_2 + u32(1);
             continue;
         }
-        var _S321 : bool = _S316 > (_S315.cell_max_0);
-        var _S322 : PreviousSample_0 = after_sample_0(_S317, _S318, _S315, _S321);
+        var _S328 : bool = _S323 > (_S322.cell_max_0);
+        var _S329 : PreviousSample_0 = after_sample_0(_S324, _S325, _S322, _S328);
         var last_step_2 : f32;
-        if(_S321)
+        if(_S328)
         {
-            last_step_2 = max(StepControl_to_cell_exit_0(_S312, _S315.side_x_0, _S315.side_y_0), _S311);
+            last_step_2 = max(StepControl_to_cell_exit_0(_S319, _S322.side_x_0, _S322.side_y_0), _S318);
         }
         else
         {
-            last_step_2 = StepControl_to_next_sample_0(_S312, _S315, _S317, _S318);
+            last_step_2 = StepControl_to_next_sample_0(_S319, _S322, _S324, _S325);
         }
         var distance_2 : f32 = distance_1 + last_step_2;
-        previous_3 = _S322;
+        previous_3 = _S329;
         distance_1 = distance_2;
         last_step_0 = last_step_2;
         count_2 = count_2 + u32(1);
@@ -2041,53 +2156,53 @@ fn is_free_0( _S304 : u32,  _S305 : SearchQuality_0,  _S306 : vec3<f32>,  _S307 
     return true;
 }
 
-fn passes_through_0( _S323 : u32,  _S324 : SearchQuality_0,  _S325 : f32,  _S326 : f32,  _S327 : vec3<f32>,  _S328 : bool) -> bool
+fn passes_through_0( _S330 : u32,  _S331 : SearchQuality_0,  _S332 : f32,  _S333 : f32,  _S334 : vec3<f32>,  _S335 : bool) -> bool
 {
-    if(!sample_at_0(_S323, _S325, _S326, _S328).shown_3.hole_0)
+    if(!sample_at_0(_S330, _S332, _S333, _S335).shown_3.hole_0)
     {
         return false;
     }
-    var _S329 : vec3<f32> = vec3<f32>(_S325, _S326, 0.0f);
+    var _S336 : vec3<f32> = vec3<f32>(_S332, _S333, 0.0f);
     var passes_0 : bool = true;
     var side_1 : u32 = u32(0);
     for(;;)
     {
-        var _S330 : bool;
+        var _S337 : bool;
         if(side_1 < u32(2))
         {
-            _S330 = passes_0;
+            _S337 = passes_0;
         }
         else
         {
-            _S330 = false;
+            _S337 = false;
         }
-        if(_S330)
+        if(_S337)
         {
         }
         else
         {
             break;
         }
-        var _S331 : vec3<f32>;
+        var _S338 : vec3<f32>;
         if(side_1 == u32(0))
         {
-            _S331 = _S327;
+            _S338 = _S334;
         }
         else
         {
-            _S331 = vec3<f32>(- _S327.x, - _S327.y, _S327.z);
+            _S338 = vec3<f32>(- _S334.x, - _S334.y, _S334.z);
         }
-        var _S332 : bool = is_free_0(_S323, _S324, _S329, _S331, _S328 != (side_1 == u32(1)), fabrics_0[_S323].height_high_0);
-        var _S333 : u32 = side_1 + u32(1);
-        passes_0 = _S332;
-        side_1 = _S333;
+        var _S339 : bool = is_free_0(_S330, _S331, _S336, _S338, _S335 != (side_1 == u32(1)), fabrics_0[_S330].height_high_0);
+        var _S340 : u32 = side_1 + u32(1);
+        passes_0 = _S339;
+        side_1 = _S340;
     }
     return passes_0;
 }
 
 struct ViewRayEnd_0
 {
-     height_6 : f32,
+     height_7 : f32,
      last_step_3 : f32,
      depth_1 : f32,
      rate_4 : f32,
@@ -2095,33 +2210,33 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S334 : u32,  _S335 : f32,  _S336 : f32,  _S337 : f32,  _S338 : vec3<f32>,  _S339 : bool) -> f32
+fn max_height_along_0( _S341 : u32,  _S342 : f32,  _S343 : f32,  _S344 : f32,  _S345 : vec3<f32>,  _S346 : bool) -> f32
 {
-    var _S340 : u32 = locate_0(fabrics_0[_S334].warp_0, _S335).thread_1 / u32(2);
-    var _S341 : u32 = locate_0(fabrics_0[_S334].weft_0, _S336).thread_1 / u32(2);
-    var _S342 : f32 = _S338.x;
-    var _S343 : u32;
-    if(_S342 > 0.0f)
+    var _S347 : u32 = locate_0(fabrics_0[_S341].warp_0, _S342).thread_1 / u32(2);
+    var _S348 : u32 = locate_0(fabrics_0[_S341].weft_0, _S343).thread_1 / u32(2);
+    var _S349 : f32 = _S345.x;
+    var _S350 : u32;
+    if(_S349 > 0.0f)
     {
-        _S343 = u32(1);
+        _S350 = u32(1);
     }
     else
     {
-        _S343 = u32(0);
+        _S350 = u32(0);
     }
-    var _S344 : f32 = _S338.y;
-    var _S345 : u32;
-    if(_S344 > 0.0f)
+    var _S351 : f32 = _S345.y;
+    var _S352 : u32;
+    if(_S351 > 0.0f)
     {
-        _S345 = u32(2);
+        _S352 = u32(2);
     }
     else
     {
-        _S345 = u32(0);
+        _S352 = u32(0);
     }
-    var _S346 : u32 = words_0[fabrics_0[_S334].max_heights_0 + u32(4) * (_S341 * fabrics_0[_S334].max_height_columns_0 + _S340) + (_S343 + _S345)];
+    var _S353 : u32 = words_0[fabrics_0[_S341].max_heights_0 + u32(4) * (_S348 * fabrics_0[_S341].max_height_columns_0 + _S347) + (_S350 + _S352)];
     var number_1 : i32;
-    if(_S339)
+    if(_S346)
     {
         number_1 = i32(4);
     }
@@ -2129,10 +2244,10 @@ fn max_height_along_0( _S334 : u32,  _S335 : f32,  _S336 : f32,  _S337 : f32,  _
     {
         number_1 = i32(0);
     }
-    var _S347 : u32 = (_S346 >> (u32(number_1)));
-    var _S348 : f32 = max(abs(_S342) * fabrics_0[_S334].threads_per_x_0, abs(_S344) * fabrics_0[_S334].threads_per_y_0) / _S338.z;
-    var _S349 : f32 = fabrics_0[_S334].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S334].height_high_0;
+    var _S354 : u32 = (_S353 >> (u32(number_1)));
+    var _S355 : f32 = max(abs(_S349) * fabrics_0[_S341].threads_per_x_0, abs(_S351) * fabrics_0[_S341].threads_per_y_0) / _S345.z;
+    var _S356 : f32 = fabrics_0[_S341].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S341].height_high_0;
     number_1 = i32(3);
     for(;;)
     {
@@ -2143,45 +2258,45 @@ fn max_height_along_0( _S334 : u32,  _S335 : f32,  _S336 : f32,  _S337 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S337) * _S348) <= (PYRAMID_RADII_0[number_1]))
+        if(((max_height_0 - _S344) * _S355) <= (PYRAMID_RADII_0[number_1]))
         {
-            max_height_0 = min(max_height_0, f32((((_S347 >> (u32(i32(8) * number_1)))) & (u32(15)))) * 0.06666667014360428f * _S349);
+            max_height_0 = min(max_height_0, f32((((_S354 >> (u32(i32(8) * number_1)))) & (u32(15)))) * 0.06666667014360428f * _S356);
         }
         number_1 = number_1 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S350 : u32,  _S351 : f32,  _S352 : f32,  _S353 : bool,  _S354 : bool,  _S355 : bool) -> vec3<f32>
+fn cell_bounds_0( _S357 : u32,  _S358 : f32,  _S359 : f32,  _S360 : bool,  _S361 : bool,  _S362 : bool) -> vec3<f32>
 {
-    var _S356 : Crossing_0 = crossing_at_0(_S350, _S351, _S352, _S353);
-    var _S357 : f32 = cell_maximum_0(_S350, _S356);
-    var _S358 : f32;
-    if(_S354)
+    var _S363 : Crossing_0 = crossing_at_0(_S357, _S358, _S359, _S360);
+    var _S364 : f32 = cell_maximum_0(_S357, _S363);
+    var _S365 : f32;
+    if(_S361)
     {
-        _S358 = _S356.warp_1.above_0;
+        _S365 = _S363.warp_1.above_0;
     }
     else
     {
-        _S358 = _S356.warp_1.below_0;
+        _S365 = _S363.warp_1.below_0;
     }
-    var _S359 : f32;
-    if(_S355)
+    var _S366 : f32;
+    if(_S362)
     {
-        _S359 = _S356.weft_1.above_0;
+        _S366 = _S363.weft_1.above_0;
     }
     else
     {
-        _S359 = _S356.weft_1.below_0;
+        _S366 = _S363.weft_1.below_0;
     }
-    return vec3<f32>(_S357, _S358, _S359);
+    return vec3<f32>(_S364, _S365, _S366);
 }
 
-fn first_sample_height_0( _S360 : u32,  _S361 : ViewRay_0,  _S362 : StepControl_0,  _S363 : bool) -> f32
+fn first_sample_height_0( _S367 : u32,  _S368 : ViewRay_0,  _S369 : StepControl_0,  _S370 : bool) -> f32
 {
-    var _S364 : f32 = max_height_along_0(_S360, _S361.origin_0.x, _S361.origin_0.y, 0.0f, vec3<f32>(_S361.slope_1, 1.0f), _S363);
+    var _S371 : f32 = max_height_along_0(_S367, _S368.origin_0.x, _S368.origin_0.y, 0.0f, vec3<f32>(_S368.slope_1, 1.0f), _S370);
     var count_3 : u32 = u32(0);
-    var height_7 : f32 = _S364;
+    var height_8 : f32 = _S371;
     for(;;)
     {
         if(count_3 < u32(1024))
@@ -2191,28 +2306,28 @@ fn first_sample_height_0( _S360 : u32,  _S361 : ViewRay_0,  _S362 : StepControl_
         {
             break;
         }
-        var _S365 : vec2<f32> = ViewRay_at_0(_S361, height_7);
-        var _S366 : vec3<f32> = cell_bounds_0(_S360, _S365.x, _S365.y, _S363, _S362.right_0, _S362.up_0);
-        var _S367 : f32 = height_7 - _S366.x;
-        var _S368 : f32 = StepControl_to_cell_exit_0(_S362, _S366.y, _S366.z);
-        var height_8 : f32 = height_7 - clamp(_S367, 0.0f, _S368);
-        if(_S367 <= _S368)
+        var _S372 : vec2<f32> = ViewRay_at_0(_S368, height_8);
+        var _S373 : vec3<f32> = cell_bounds_0(_S367, _S372.x, _S372.y, _S370, _S369.right_0, _S369.up_0);
+        var _S374 : f32 = height_8 - _S373.x;
+        var _S375 : f32 = StepControl_to_cell_exit_0(_S369, _S373.y, _S373.z);
+        var height_9 : f32 = height_8 - clamp(_S374, 0.0f, _S375);
+        if(_S374 <= _S375)
         {
-            height_7 = height_8;
+            height_8 = height_9;
             break;
         }
         count_3 = count_3 + u32(1);
-        height_7 = height_8;
+        height_8 = height_9;
     }
-    return height_7;
+    return height_8;
 }
 
-fn search_down_0( _S369 : u32,  _S370 : ViewRay_0,  _S371 : StepControl_0,  _S372 : bool) -> ViewRayEnd_0
+fn search_down_0( _S376 : u32,  _S377 : ViewRay_0,  _S378 : StepControl_0,  _S379 : bool) -> ViewRayEnd_0
 {
-    var _S373 : f32 = fabrics_0[_S369].height_low_0 - (fabrics_0[_S369].height_high_0 - fabrics_0[_S369].height_low_0);
+    var _S380 : f32 = fabrics_0[_S376].height_low_0 - (fabrics_0[_S376].height_high_0 - fabrics_0[_S376].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_6 = first_sample_height_0(_S369, _S370, _S371, _S372);
-    end_1.last_step_3 = _S371.epsilon_0;
+    end_1.height_7 = first_sample_height_0(_S376, _S377, _S378, _S379);
+    end_1.last_step_3 = _S378.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_1 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -2227,150 +2342,150 @@ fn search_down_0( _S369 : u32,  _S370 : ViewRay_0,  _S371 : StepControl_0,  _S37
         {
             break;
         }
-        var _S374 : vec2<f32> = ViewRay_at_0(_S370, end_1.height_6);
-        var _S375 : Probe_0 = probe_0(_S369, _S374.x, _S374.y, _S372, _S371.right_0, _S371.up_0);
-        var _S376 : f32 = end_1.height_6 - _S375.height_1;
-        var _S377 : f32 = ViewRay_rate_0(_S370, _S375);
-        end_1.depth_1 = - _S376;
-        end_1.rate_4 = _S377;
-        var _S378 : bool;
+        var _S381 : vec2<f32> = ViewRay_at_0(_S377, end_1.height_7);
+        var _S382 : Probe_0 = probe_0(_S376, _S381.x, _S381.y, _S379, _S378.right_0, _S378.up_0);
+        var _S383 : f32 = end_1.height_7 - _S382.height_2;
+        var _S384 : f32 = ViewRay_rate_0(_S377, _S382);
+        end_1.depth_1 = - _S383;
+        end_1.rate_4 = _S384;
+        var _S385 : bool;
         if(end_1.previous_4.known_0)
         {
-            _S378 = !_S375.hole_1;
+            _S385 = !_S382.hole_1;
         }
         else
         {
-            _S378 = false;
+            _S385 = false;
         }
-        var _S379 : bool;
-        if(_S378)
+        var _S386 : bool;
+        if(_S385)
         {
-            _S379 = (end_1.previous_4.yarn_0) == (_S375.yarn_1);
+            _S386 = (end_1.previous_4.yarn_0) == (_S382.yarn_1);
         }
         else
         {
-            _S379 = false;
+            _S386 = false;
         }
-        end_1.smooth_0 = _S379;
-        var _S380 : bool;
-        if(!_S375.hole_1)
+        end_1.smooth_0 = _S386;
+        var _S387 : bool;
+        if(!_S382.hole_1)
         {
-            _S380 = _S376 <= 0.0f;
+            _S387 = _S383 <= 0.0f;
         }
         else
         {
-            _S380 = false;
+            _S387 = false;
         }
-        var _S381 : bool;
-        if(_S380)
+        var _S388 : bool;
+        if(_S387)
         {
-            _S381 = true;
+            _S388 = true;
         }
         else
         {
-            _S381 = (end_1.height_6) <= _S373;
+            _S388 = (end_1.height_7) <= _S380;
         }
-        if(_S381)
+        if(_S388)
         {
             break;
         }
-        var _S382 : f32 = way_back_to_dip_0(end_1.previous_4, _S376, _S377, end_1.last_step_3, _S375);
-        if(_S382 >= 0.0f)
+        var _S389 : f32 = way_back_to_dip_0(end_1.previous_4, _S383, _S384, end_1.last_step_3, _S382);
+        if(_S389 >= 0.0f)
         {
-            end_1.height_6 = end_1.height_6 + _S382;
-            end_1.last_step_3 = end_1.last_step_3 - _S382;
+            end_1.height_7 = end_1.height_7 + _S389;
+            end_1.last_step_3 = end_1.last_step_3 - _S389;
             count_4 = count_4 + u32(1);
             continue;
         }
-        var _S383 : f32 = min(StepControl_to_cell_exit_0(_S371, _S375.side_x_0, _S375.side_y_0), end_1.height_6 - _S375.cell_max_0);
-        var _S384 : f32 = StepControl_to_next_sample_0(_S371, _S375, _S376, _S377);
-        end_1.previous_4 = after_sample_0(_S376, _S377, _S375, _S383 > _S384);
-        var _S385 : f32 = max(_S383, _S384);
-        end_1.last_step_3 = _S385;
-        end_1.height_6 = end_1.height_6 - _S385;
+        var _S390 : f32 = min(StepControl_to_cell_exit_0(_S378, _S382.side_x_0, _S382.side_y_0), end_1.height_7 - _S382.cell_max_0);
+        var _S391 : f32 = StepControl_to_next_sample_0(_S378, _S382, _S383, _S384);
+        end_1.previous_4 = after_sample_0(_S383, _S384, _S382, _S390 > _S391);
+        var _S392 : f32 = max(_S390, _S391);
+        end_1.last_step_3 = _S392;
+        end_1.height_7 = end_1.height_7 - _S392;
         count_4 = count_4 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S386 : u32,  _S387 : ViewRay_0,  _S388 : StepControl_0,  _S389 : bool,  _S390 : ViewRayEnd_0,  _S391 : u32) -> f32
+fn refined_height_0( _S393 : u32,  _S394 : ViewRay_0,  _S395 : StepControl_0,  _S396 : bool,  _S397 : ViewRayEnd_0,  _S398 : u32) -> f32
 {
-    var _S392 : f32 = fabrics_0[_S386].height_high_0 - fabrics_0[_S386].height_low_0;
-    var above_2 : f32 = _S390.height_6 + _S390.last_step_3;
-    var above_gap_1 : f32 = clamp(_S390.previous_4.clearance_0, 0.0f, _S392);
-    var under_gap_1 : f32 = clamp(_S390.depth_1, 0.0f, _S392);
-    var _S393 : f32 = cubic_root_0(above_gap_1, - under_gap_1, _S390.previous_4.rate_0 * _S390.last_step_3, _S390.rate_4 * _S390.last_step_3);
+    var _S399 : f32 = fabrics_0[_S393].height_high_0 - fabrics_0[_S393].height_low_0;
+    var above_2 : f32 = _S397.height_7 + _S397.last_step_3;
+    var above_gap_1 : f32 = clamp(_S397.previous_4.clearance_0, 0.0f, _S399);
+    var under_gap_1 : f32 = clamp(_S397.depth_1, 0.0f, _S399);
+    var _S400 : f32 = cubic_root_0(above_gap_1, - under_gap_1, _S397.previous_4.rate_0 * _S397.last_step_3, _S397.rate_4 * _S397.last_step_3);
     var middle_0 : f32;
-    if(_S390.smooth_0)
+    if(_S397.smooth_0)
     {
-        middle_0 = above_2 - _S393 * _S390.last_step_3;
+        middle_0 = above_2 - _S400 * _S397.last_step_3;
     }
     else
     {
-        middle_0 = between_0(above_2, _S390.height_6, above_gap_1, under_gap_1);
+        middle_0 = between_0(above_2, _S397.height_7, above_gap_1, under_gap_1);
     }
     var side_2 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S390.height_6;
+    var under_1 : f32 = _S397.height_7;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S391)
+        if(i_1 < _S398)
         {
         }
         else
         {
             break;
         }
-        var _S394 : vec2<f32> = ViewRay_at_0(_S387, middle_0);
-        var _S395 : Probe_0 = probe_0(_S386, _S394.x, _S394.y, _S389, _S388.right_0, _S388.up_0);
-        var _S396 : f32;
-        if(_S395.hole_1)
+        var _S401 : vec2<f32> = ViewRay_at_0(_S394, middle_0);
+        var _S402 : Probe_0 = probe_0(_S393, _S401.x, _S401.y, _S396, _S395.right_0, _S395.up_0);
+        var _S403 : f32;
+        if(_S402.hole_1)
         {
-            _S396 = -1.0e+09f;
+            _S403 = -1.0e+09f;
         }
         else
         {
-            _S396 = _S395.height_1;
+            _S403 = _S402.height_2;
         }
-        var _S397 : f32 = clamp(middle_0 - _S396, - _S392, _S392);
-        var _S398 : f32;
-        if(_S397 <= 0.0f)
+        var _S404 : f32 = clamp(middle_0 - _S403, - _S399, _S399);
+        var _S405 : f32;
+        if(_S404 <= 0.0f)
         {
             if(side_2 > 0.0f)
             {
-                _S398 = 0.5f * above_gap_2;
+                _S405 = 0.5f * above_gap_2;
             }
             else
             {
-                _S398 = above_gap_2;
+                _S405 = above_gap_2;
             }
-            var _S399 : f32 = - _S397;
+            var _S406 : f32 = - _S404;
             under_1 = middle_0;
-            above_gap_2 = _S398;
-            under_gap_2 = _S399;
+            above_gap_2 = _S405;
+            under_gap_2 = _S406;
             side_2 = 1.0f;
         }
         else
         {
             if(side_2 < 0.0f)
             {
-                _S398 = 0.5f * under_gap_2;
+                _S405 = 0.5f * under_gap_2;
             }
             else
             {
-                _S398 = under_gap_2;
+                _S405 = under_gap_2;
             }
             above_3 = middle_0;
-            above_gap_2 = _S397;
-            under_gap_2 = _S398;
+            above_gap_2 = _S404;
+            under_gap_2 = _S405;
             side_2 = -1.0f;
         }
-        if(_S390.smooth_0)
+        if(_S397.smooth_0)
         {
-            middle_0 = clamp(middle_0 + _S397 / min(ViewRay_rate_0(_S387, _S395), -9.99999997475242708e-07f), under_1, above_3);
+            middle_0 = clamp(middle_0 + _S404 / min(ViewRay_rate_0(_S394, _S402), -9.99999997475242708e-07f), under_1, above_3);
         }
         else
         {
@@ -2378,7 +2493,7 @@ fn refined_height_0( _S386 : u32,  _S387 : ViewRay_0,  _S388 : StepControl_0,  _
         }
         i_1 = i_1 + u32(1);
     }
-    if(_S390.smooth_0)
+    if(_S397.smooth_0)
     {
     }
     else
@@ -2388,35 +2503,35 @@ fn refined_height_0( _S386 : u32,  _S387 : ViewRay_0,  _S388 : StepControl_0,  _
     return middle_0;
 }
 
-fn first_hit_of_yarn_0( _S400 : u32,  _S401 : SearchQuality_0,  _S402 : f32,  _S403 : f32,  _S404 : vec3<f32>,  _S405 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S407 : u32,  _S408 : SearchQuality_0,  _S409 : f32,  _S410 : f32,  _S411 : vec3<f32>,  _S412 : bool) -> Hit_0
 {
-    var _S406 : f32 = max(_S404.z, 0.00009999999747379f);
+    var _S413 : f32 = max(_S411.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S402, _S403);
-    var _S407 : vec2<f32> = _S404.xy / vec2<f32>(_S406);
-    ray_0.slope_1 = _S407;
-    var _S408 : StepControl_0 = step_control_0((vec2<f32>(0) - _S407), 1.0f / max(steps_per_length_0(_S400, _S401, _S404) / _S406, 9.99999971718068537e-10f));
-    var _S409 : ViewRayEnd_0 = search_down_0(_S400, ray_0, _S408, _S405);
+    ray_0.origin_0 = vec2<f32>(_S409, _S410);
+    var _S414 : vec2<f32> = _S411.xy / vec2<f32>(_S413);
+    ray_0.slope_1 = _S414;
+    var _S415 : StepControl_0 = step_control_0((vec2<f32>(0) - _S414), 1.0f / max(steps_per_length_0(_S407, _S408, _S411) / _S413, 9.99999971718068537e-10f));
+    var _S416 : ViewRayEnd_0 = search_down_0(_S407, ray_0, _S415, _S412);
     var hit_0 : Hit_0;
     hit_0.hole_3 = false;
-    var _S410 : f32 = refined_height_0(_S400, ray_0, _S408, _S405, _S409, _S401.refinements_0);
-    hit_0.height_4 = _S410;
-    var _S411 : vec2<f32> = ViewRay_at_0(ray_0, _S410);
-    hit_0.x_13 = _S411.x;
-    hit_0.y_6 = _S411.y;
+    var _S417 : f32 = refined_height_0(_S407, ray_0, _S415, _S412, _S416, _S408.refinements_0);
+    hit_0.height_5 = _S417;
+    var _S418 : vec2<f32> = ViewRay_at_0(ray_0, _S417);
+    hit_0.x_13 = _S418.x;
+    hit_0.y_6 = _S418.y;
     return hit_0;
 }
 
-fn first_hit_0( _S412 : u32,  _S413 : SearchQuality_0,  _S414 : f32,  _S415 : f32,  _S416 : vec3<f32>,  _S417 : bool) -> Hit_0
+fn first_hit_0( _S419 : u32,  _S420 : SearchQuality_0,  _S421 : f32,  _S422 : f32,  _S423 : vec3<f32>,  _S424 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S412, _S413, _S414, _S415, _S416, _S417))
+    if(!passes_through_0(_S419, _S420, _S421, _S422, _S423, _S424))
     {
-        return first_hit_of_yarn_0(_S412, _S413, _S414, _S415, _S416, _S417);
+        return first_hit_of_yarn_0(_S419, _S420, _S421, _S422, _S423, _S424);
     }
     var hit_1 : Hit_0;
-    hit_1.x_13 = _S414;
-    hit_1.y_6 = _S415;
-    hit_1.height_4 = 0.0f;
+    hit_1.x_13 = _S421;
+    hit_1.y_6 = _S422;
+    hit_1.height_5 = 0.0f;
     hit_1.hole_3 = true;
     return hit_1;
 }
@@ -2427,7 +2542,7 @@ struct SurfacePoint_0
      is_warp_2 : bool,
      warp_thread_0 : u32,
      weft_thread_0 : u32,
-     height_9 : f32,
+     height_10 : f32,
      normal_5 : vec3<f32>,
      tangent_5 : vec3<f32>,
      across_2 : f32,
@@ -2435,235 +2550,433 @@ struct SurfacePoint_0
      fibre_along_0 : f32,
 };
 
-fn surface_at_0( _S418 : u32,  _S419 : f32,  _S420 : f32,  _S421 : bool) -> SurfacePoint_0
+fn surface_at_0( _S425 : u32,  _S426 : f32,  _S427 : f32,  _S428 : bool) -> SurfacePoint_0
 {
-    var _S422 : Sample_0 = sample_at_0(_S418, _S419, _S420, _S421);
-    var _S423 : f32;
-    if(_S422.shown_3.is_warp_0)
-    {
-        _S423 = _S422.crossing_1.warp_1.half_width_1;
-    }
-    else
-    {
-        _S423 = _S422.crossing_1.weft_1.half_width_1;
-    }
-    var _S424 : u32;
-    if(_S422.shown_3.is_warp_0)
-    {
-        _S424 = fabrics_0[_S418].warp_0;
-    }
-    else
-    {
-        _S424 = fabrics_0[_S418].weft_0;
-    }
-    var _S425 : Family_std430_0 = families_0[_S424];
-    var _S426 : f32;
-    if(_S421)
-    {
-        _S426 = -1.0f;
-    }
-    else
-    {
-        _S426 = 1.0f;
-    }
-    var _S427 : f32 = _S425.twist_sine_0 * _S426;
-    var _S428 : Family_std430_0 = families_0[_S424];
-    if(_S422.shown_3.is_warp_0)
-    {
-        _S426 = 1.0f;
-    }
-    else
-    {
-        _S426 = -1.0f;
-    }
-    var _S429 : vec2<f32> = fibre_direction_0(_S422.slope_across_0, _S426 * _S422.slope_along_0, _S427, _S428.twist_cosine_0);
+    var _S429 : Sample_0 = sample_at_0(_S425, _S426, _S427, _S428);
     var _S430 : f32;
-    if(_S422.shown_3.is_warp_0)
+    if(_S429.shown_3.is_warp_0)
     {
-        _S430 = _S422.slope_x_1;
+        _S430 = _S429.crossing_1.warp_1.half_width_1;
     }
     else
     {
-        _S430 = _S422.slope_y_1;
+        _S430 = _S429.crossing_1.weft_1.half_width_1;
     }
-    var _S431 : f32;
-    if(_S422.shown_3.is_warp_0)
+    var _S431 : u32;
+    if(_S429.shown_3.is_warp_0)
     {
-        _S431 = _S422.slope_y_1;
-    }
-    else
-    {
-        _S431 = _S422.slope_x_1;
-    }
-    var _S432 : f32 = _S429.x;
-    var _S433 : f32 = _S429.y;
-    var _S434 : f32 = _S430 * _S432 + _S426 * _S431 * _S433;
-    var _S435 : f32 = _S423 * 1.0154266357421875f;
-    var _S436 : f32 = _S435 * arc_sine_0(clamp(_S422.section_1.across_1 / _S435, -1.0f, 1.0f));
-    if(_S422.shown_3.is_warp_0)
-    {
-        _S423 = _S420;
+        _S431 = fabrics_0[_S425].warp_0;
     }
     else
     {
-        _S423 = - _S419;
+        _S431 = fabrics_0[_S425].weft_0;
+    }
+    var _S432 : Family_std430_0 = families_0[_S431];
+    var _S433 : f32;
+    if(_S428)
+    {
+        _S433 = -1.0f;
+    }
+    else
+    {
+        _S433 = 1.0f;
+    }
+    var _S434 : f32 = _S432.twist_sine_0 * _S433;
+    var _S435 : Family_std430_0 = families_0[_S431];
+    if(_S429.shown_3.is_warp_0)
+    {
+        _S433 = 1.0f;
+    }
+    else
+    {
+        _S433 = -1.0f;
+    }
+    var _S436 : vec2<f32> = fibre_direction_0(_S429.slope_across_0, _S433 * _S429.slope_along_0, _S434, _S435.twist_cosine_0);
+    var _S437 : f32;
+    if(_S429.shown_3.is_warp_0)
+    {
+        _S437 = _S429.slope_x_1;
+    }
+    else
+    {
+        _S437 = _S429.slope_y_1;
+    }
+    var _S438 : f32;
+    if(_S429.shown_3.is_warp_0)
+    {
+        _S438 = _S429.slope_y_1;
+    }
+    else
+    {
+        _S438 = _S429.slope_x_1;
+    }
+    var _S439 : f32 = _S436.x;
+    var _S440 : f32 = _S436.y;
+    var _S441 : f32 = _S437 * _S439 + _S433 * _S438 * _S440;
+    var _S442 : f32 = _S430 * 1.0154266357421875f;
+    var _S443 : f32 = _S442 * arc_sine_0(clamp(_S429.section_1.across_1 / _S442, -1.0f, 1.0f));
+    if(_S429.shown_3.is_warp_0)
+    {
+        _S430 = _S427;
+    }
+    else
+    {
+        _S430 = - _S426;
     }
     var point_3 : SurfacePoint_0;
-    point_3.hole_4 = _S422.shown_3.hole_0;
-    point_3.is_warp_2 = _S422.shown_3.is_warp_0;
-    point_3.warp_thread_0 = _S422.crossing_1.warp_1.thread_1;
-    point_3.weft_thread_0 = _S422.crossing_1.weft_1.thread_1;
-    point_3.height_9 = _S422.height_5;
-    point_3.normal_5 = normalize(vec3<f32>(- _S422.slope_x_1, - _S422.slope_y_1, 1.0f));
-    var _S437 : vec3<f32>;
-    if(_S422.shown_3.is_warp_0)
+    point_3.hole_4 = _S429.shown_3.hole_0;
+    point_3.is_warp_2 = _S429.shown_3.is_warp_0;
+    point_3.warp_thread_0 = _S429.crossing_1.warp_1.thread_1;
+    point_3.weft_thread_0 = _S429.crossing_1.weft_1.thread_1;
+    point_3.height_10 = _S429.height_6;
+    point_3.normal_5 = normalize(vec3<f32>(- _S429.slope_x_1, - _S429.slope_y_1, 1.0f));
+    var _S444 : vec3<f32>;
+    if(_S429.shown_3.is_warp_0)
     {
-        _S437 = vec3<f32>(_S432, _S433, _S434);
+        _S444 = vec3<f32>(_S439, _S440, _S441);
     }
     else
     {
-        _S437 = vec3<f32>(- _S433, _S432, _S434);
+        _S444 = vec3<f32>(- _S440, _S439, _S441);
     }
-    point_3.tangent_5 = normalize(_S437);
-    point_3.across_2 = _S422.section_1.across_1;
-    point_3.fibre_across_0 = _S436 * _S428.twist_cosine_0 + _S423 * _S427;
-    point_3.fibre_along_0 = _S423 * _S428.twist_cosine_0 - _S436 * _S427;
+    point_3.tangent_5 = normalize(_S444);
+    point_3.across_2 = _S429.section_1.across_1;
+    point_3.fibre_across_0 = _S443 * _S435.twist_cosine_0 + _S430 * _S434;
+    point_3.fibre_along_0 = _S430 * _S435.twist_cosine_0 - _S443 * _S434;
     return point_3;
 }
 
-fn vary_albedos_0( _S438 : u32,  _S439 : Albedos_0,  _S440 : u32,  _S441 : u32) -> Albedos_0
+fn vary_albedos_0( _S445 : u32,  _S446 : Albedos_0,  _S447 : u32,  _S448 : u32) -> Albedos_0
 {
-    var _S442 : vec3<f32> = max(_S439.specular_reflect_0, _S439.specular_transmit_0);
-    var _S443 : vec3<f32> = _S439.diffuse_reflect_0 + _S439.diffuse_transmit_0;
-    var _S444 : vec3<f32> = vec3<f32>(fabrics_0[_S438].layer_bound_0);
-    var _S445 : vec3<f32> = vec3<f32>(1.0f);
-    var _S446 : vec3<f32> = vec3<f32>(bounded_gain_0(thread_gain_0(_S440, fabrics_0[_S438].colour_noise_0, fabrics_0[_S438].seed_0), _S443, _S445 - _S444 * _S442));
-    var _S447 : f32 = bounded_gain_0(fibre_gain_0(_S440, _S441, fabrics_0[_S438].fibre_noise_0, fabrics_0[_S438].seed_0), _S442, min((_S445 - _S446 * _S443) / _S444, vec3<f32>(1.0f)));
+    var _S449 : vec3<f32> = max(_S446.specular_reflect_0, _S446.specular_transmit_0);
+    var _S450 : vec3<f32> = _S446.diffuse_reflect_0 + _S446.diffuse_transmit_0;
+    var _S451 : vec3<f32> = vec3<f32>(fabrics_0[_S445].layer_bound_0);
+    var _S452 : vec3<f32> = vec3<f32>(1.0f);
+    var _S453 : vec3<f32> = vec3<f32>(bounded_gain_0(thread_gain_0(_S447, fabrics_0[_S445].colour_noise_0, fabrics_0[_S445].seed_0), _S450, _S452 - _S451 * _S449));
+    var _S454 : f32 = bounded_gain_0(fibre_gain_0(_S447, _S448, fabrics_0[_S445].fibre_noise_0, fabrics_0[_S445].seed_0), _S449, min((_S452 - _S453 * _S450) / _S451, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S446 * _S439.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S446 * _S439.diffuse_transmit_0;
-    var _S448 : vec3<f32> = vec3<f32>(_S447);
-    varied_0.specular_reflect_0 = _S448 * _S439.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S448 * _S439.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S453 * _S446.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S453 * _S446.diffuse_transmit_0;
+    var _S455 : vec3<f32> = vec3<f32>(_S454);
+    varied_0.specular_reflect_0 = _S455 * _S446.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S455 * _S446.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S449 : u32,  _S450 : SurfacePoint_0,  _S451 : Albedos_0,  _S452 : f32,  _S453 : f32) -> Albedos_0
+fn varied_at_0( _S456 : u32,  _S457 : SurfacePoint_0,  _S458 : Albedos_0,  _S459 : f32,  _S460 : f32) -> Albedos_0
 {
-    var _S454 : f32;
-    if(_S450.is_warp_2)
+    var _S461 : f32;
+    if(_S457.is_warp_2)
     {
-        _S454 = _S452;
+        _S461 = _S459;
     }
     else
     {
-        _S454 = _S453;
+        _S461 = _S460;
     }
-    var _S455 : f32 = _S454 - _S450.across_2;
-    var _S456 : u32;
-    if(_S450.is_warp_2)
+    var _S462 : f32 = _S461 - _S457.across_2;
+    var _S463 : u32;
+    if(_S457.is_warp_2)
     {
-        _S456 = fabrics_0[_S449].warp_0;
+        _S463 = fabrics_0[_S456].warp_0;
     }
     else
     {
-        _S456 = fabrics_0[_S449].weft_0;
+        _S463 = fabrics_0[_S456].weft_0;
     }
-    var _S457 : Family_std430_0 = families_0[_S456];
-    var _S458 : i32 = i32(families_0[_S456].count_0);
-    if(_S450.is_warp_2)
+    var _S464 : Family_std430_0 = families_0[_S463];
+    var _S465 : i32 = i32(families_0[_S463].count_0);
+    if(_S457.is_warp_2)
     {
-        _S456 = _S450.warp_thread_0;
+        _S463 = _S457.warp_thread_0;
     }
     else
     {
-        _S456 = _S450.weft_thread_0;
+        _S463 = _S457.weft_thread_0;
     }
-    var _S459 : u32 = u32(i32(floor(_S455 / _S457.period_0)) * _S458 + i32(_S456)) * u32(2);
-    if(_S450.is_warp_2)
+    var _S466 : u32 = u32(i32(floor(_S462 / _S464.period_0)) * _S465 + i32(_S463)) * u32(2);
+    if(_S457.is_warp_2)
     {
-        _S456 = u32(1);
+        _S463 = u32(1);
     }
     else
     {
-        _S456 = u32(0);
+        _S463 = u32(0);
     }
-    var _S460 : f32 = floor(_S450.fibre_across_0 / fabrics_0[_S449].fibre_size_0);
-    return vary_albedos_0(_S449, _S451, _S459 + _S456, u32(i32(_S460)) * u32(65536) + u32(i32(floor(_S450.fibre_along_0 / (fabrics_0[_S449].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S460))));
+    var _S467 : f32 = floor(_S457.fibre_across_0 / fabrics_0[_S456].fibre_size_0);
+    return vary_albedos_0(_S456, _S458, _S466 + _S463, u32(i32(_S467)) * u32(65536) + u32(i32(floor(_S457.fibre_along_0 / (fabrics_0[_S456].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S467))));
 }
 
-fn yarn_point_of_0( _S461 : u32,  _S462 : SurfacePoint_0,  _S463 : f32,  _S464 : f32,  _S465 : bool,  _S466 : bool) -> YarnPoint_0
+fn yarn_point_of_0( _S468 : u32,  _S469 : SurfacePoint_0,  _S470 : f32,  _S471 : f32,  _S472 : bool,  _S473 : bool) -> YarnPoint_0
 {
-    var _S467 : u32;
-    if(_S462.is_warp_2)
+    var _S474 : u32;
+    if(_S469.is_warp_2)
     {
-        _S467 = fabrics_0[_S461].warp_0;
+        _S474 = fabrics_0[_S468].warp_0;
     }
     else
     {
-        _S467 = fabrics_0[_S461].weft_0;
+        _S474 = fabrics_0[_S468].weft_0;
     }
-    var _S468 : u32;
-    if(_S462.is_warp_2)
+    var _S475 : u32;
+    if(_S469.is_warp_2)
     {
-        _S468 = _S462.warp_thread_0;
-    }
-    else
-    {
-        _S468 = _S462.weft_thread_0;
-    }
-    var albedos_3 : Albedos_0 = albedos_of_0(_S467, _S468);
-    var _S469 : bool;
-    if((fabrics_0[_S461].fibre_noise_0) > 0.0f)
-    {
-        _S469 = true;
+        _S475 = _S469.warp_thread_0;
     }
     else
     {
-        _S469 = (fabrics_0[_S461].colour_noise_0) > 0.0f;
+        _S475 = _S469.weft_thread_0;
+    }
+    var albedos_3 : Albedos_0 = albedos_of_0(_S474, _S475);
+    var _S476 : bool;
+    if((fabrics_0[_S468].fibre_noise_0) > 0.0f)
+    {
+        _S476 = true;
+    }
+    else
+    {
+        _S476 = (fabrics_0[_S468].colour_noise_0) > 0.0f;
     }
     var albedos_4 : Albedos_0;
-    if(_S469)
+    if(_S476)
     {
-        albedos_4 = varied_at_0(_S461, _S462, albedos_3, _S463, _S464);
+        albedos_4 = varied_at_0(_S468, _S469, albedos_3, _S470, _S471);
     }
     else
     {
         albedos_4 = albedos_3;
     }
     var point_4 : YarnPoint_0;
-    point_4.back_3 = _S465;
-    point_4.hole_2 = _S466;
-    point_4.is_warp_1 = _S462.is_warp_2;
-    point_4.x_12 = _S463;
-    point_4.y_5 = _S464;
-    point_4.height_3 = _S462.height_9;
-    point_4.normal_4 = _S462.normal_5;
-    point_4.tangent_4 = _S462.tangent_5;
-    point_4.roughness_8 = families_0[_S467].roughness_0;
+    point_4.back_5 = _S472;
+    point_4.hole_2 = _S473;
+    point_4.is_warp_1 = _S469.is_warp_2;
+    point_4.x_12 = _S470;
+    point_4.y_5 = _S471;
+    point_4.height_4 = _S469.height_10;
+    point_4.normal_4 = _S469.normal_5;
+    point_4.tangent_4 = _S469.tangent_5;
+    point_4.roughness_8 = families_0[_S474].roughness_0;
     point_4.albedos_2 = albedos_4;
     return point_4;
 }
 
-fn locate_yarn_0( _S470 : u32,  _S471 : SearchQuality_0,  _S472 : f32,  _S473 : f32,  _S474 : vec3<f32>) -> YarnPoint_0
+fn locate_yarn_0( _S477 : u32,  _S478 : SearchQuality_0,  _S479 : f32,  _S480 : f32,  _S481 : vec3<f32>) -> YarnPoint_0
 {
-    var _S475 : bool = (_S474.z) < 0.0f;
-    var _S476 : Hit_0 = first_hit_0(_S470, _S471, _S472, _S473, to_face_frame_0(_S474, _S475), _S475);
-    return yarn_point_of_0(_S470, surface_at_0(_S470, _S476.x_13, _S476.y_6, _S475), _S476.x_13, _S476.y_6, _S475, _S476.hole_3);
+    var _S482 : bool = (_S481.z) < 0.0f;
+    var _S483 : Hit_0 = first_hit_0(_S477, _S478, _S479, _S480, to_face_frame_0(_S481, _S482), _S482);
+    return yarn_point_of_0(_S477, surface_at_0(_S477, _S483.x_13, _S483.y_6, _S482), _S483.x_13, _S483.y_6, _S482, _S483.hole_3);
 }
 
-fn light_sample_count_0( _S477 : i32) -> u32
+fn openness_number_0( _S484 : u32,  _S485 : u32) -> f32
 {
-    return frames_0[_S477].lights_0 + frames_0[_S477].environment_samples_0;
+    return table_number_0(fabrics_0[_S484].openness_0 + _S485);
 }
 
-fn visibility_at_0( _S478 : i32,  _S479 : u32,  _S480 : vec2<u32>) -> f32
+fn blocked_of_terms_0( _S486 : u32,  _S487 : u32,  _S488 : array<f32, i32(6)>,  _S489 : u32) -> Blocked_0
 {
-    if((frames_0[_S478].casts_shadows_0) == u32(0))
+    var shares_0 : array<f32, i32(3)>;
+    var share_2 : u32 = u32(0);
+    for(;;)
+    {
+        if(share_2 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        shares_0[share_2] = 0.0f;
+        var term_0 : u32 = u32(0);
+        for(;;)
+        {
+            if(term_0 < _S489)
+            {
+            }
+            else
+            {
+                break;
+            }
+            shares_0[share_2] = shares_0[share_2] + openness_number_0(_S486, _S487 + share_2 * _S489 + term_0) * _S488[term_0];
+            term_0 = term_0 + u32(1);
+        }
+        shares_0[share_2] = saturate(shares_0[share_2]);
+        share_2 = share_2 + u32(1);
+    }
+    var blocked_1 : Blocked_0;
+    blocked_1.by_warp_0 = shares_0[i32(0)] * shares_0[i32(2)];
+    blocked_1.by_weft_0 = shares_0[i32(0)] * (1.0f - shares_0[i32(2)]);
+    blocked_1.far_0 = shares_0[i32(1)];
+    return blocked_1;
+}
+
+fn blocked_at_0( _S490 : u32,  _S491 : bool,  _S492 : bool,  _S493 : f32,  _S494 : f32) -> Blocked_0
+{
+    var _S495 : f32 = _S494 * openness_number_0(_S490, u32(158));
+    var terms_0 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S493, _S495, _S493 * _S493, _S493 * _S495, _S495 * _S495 );
+    var _S496 : u32;
+    if(_S492)
+    {
+        _S496 = u32(2);
+    }
+    else
+    {
+        _S496 = u32(0);
+    }
+    var _S497 : u32;
+    if(_S491)
+    {
+        _S497 = u32(0);
+    }
+    else
+    {
+        _S497 = u32(1);
+    }
+    return blocked_of_terms_0(_S490, u32(60) + (_S496 + _S497) * u32(18), terms_0, u32(6));
+}
+
+fn scattered_by_0( _S498 : u32,  _S499 : Albedos_0,  _S500 : u32,  _S501 : vec3<f32>) -> Scattered_0
+{
+    var _S502 : u32 = u32(159) + u32(2) * _S500;
+    var yarn_3 : Scattered_0;
+    yarn_3.back_4 = _S501 * _S499.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S498, _S502)) * _S499.specular_reflect_0;
+    yarn_3.through_0 = _S501 * _S499.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S498, _S502 + u32(1))) * _S499.specular_transmit_0;
+    return yarn_3;
+}
+
+fn sent_0( _S503 : u32,  _S504 : u32,  _S505 : vec3<f32>,  _S506 : vec3<f32>,  _S507 : vec3<f32>,  _S508 : vec3<f32>,  _S509 : ptr<function, vec3<f32>>,  _S510 : ptr<function, vec3<f32>>)
+{
+    var _S511 : u32 = u32(146) + u32(4) * _S504;
+    var _S512 : f32 = openness_number_0(_S503, _S511 + u32(1));
+    var _S513 : f32 = openness_number_0(_S503, _S511 + u32(2));
+    var _S514 : vec3<f32> = vec3<f32>(1.0f);
+    var _S515 : vec3<f32> = _S514 - _S507 * vec3<f32>(openness_number_0(_S503, _S511));
+    var _S516 : vec3<f32> = _S514 - _S508 * vec3<f32>(openness_number_0(_S503, _S511 + u32(3)));
+    var _S517 : vec3<f32> = _S514 / (_S515 * _S516 - _S507 * _S508 * vec3<f32>((_S512 * _S513)));
+    (*_S509) = (_S505 * _S516 + _S507 * vec3<f32>(_S512) * _S506) * _S517;
+    (*_S510) = (_S506 * _S515 + _S508 * vec3<f32>(_S513) * _S505) * _S517;
+    return;
+}
+
+fn face_sends_0( _S518 : u32,  _S519 : u32,  _S520 : Scattered_0,  _S521 : Scattered_0) -> FaceSends_0
+{
+    var _S522 : u32 = u32(2) * _S519;
+    var _S523 : u32 = u32(142) + _S522;
+    var _S524 : f32 = openness_number_0(_S518, _S523);
+    var _S525 : f32 = openness_number_0(_S518, _S523 + u32(1));
+    var _S526 : vec3<f32> = vec3<f32>((1.0f - _S524)) * _S520.back_4;
+    var _S527 : vec3<f32> = vec3<f32>((1.0f - _S525)) * _S521.back_4;
+    var sends_1 : FaceSends_0;
+    var _S528 : u32 = u32(154) + _S522;
+    var _S529 : f32 = openness_number_0(_S518, _S528);
+    sends_1.blocks_warp_0 = _S529;
+    var _S530 : f32 = openness_number_0(_S518, _S528 + u32(1));
+    sends_1.blocks_weft_0 = _S530;
+    sends_1.open_0 = _S529 * _S524 + _S530 * _S525;
+    var _S531 : vec3<f32> = vec3<f32>(_S524) * _S520.back_4;
+    var _S532 : vec3<f32> = vec3<f32>(_S525) * _S521.back_4;
+    var _S533 : vec3<f32> = sends_1.sky_warp_0;
+    var _S534 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S518, _S519, _S531, _S532, _S526, _S527, &(_S533), &(_S534));
+    sends_1.sky_warp_0 = _S533;
+    sends_1.sky_weft_0 = _S534;
+    var _S535 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S536 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S518, _S519, _S520.through_0, _S521.through_0, _S526, _S527, &(_S535), &(_S536));
+    sends_1.crossing_warp_0 = _S535;
+    sends_1.crossing_weft_0 = _S536;
+    return sends_1;
+}
+
+fn interior_of_0( _S537 : u32,  _S538 : vec3<f32>,  _S539 : bool) -> Interior_0
+{
+    var _S540 : Scattered_0 = scattered_by_0(_S537, table_albedos_0(families_0[fabrics_0[_S537].warp_0].colour_mean_0), u32(0), _S538);
+    var _S541 : Scattered_0 = scattered_by_0(_S537, table_albedos_0(families_0[fabrics_0[_S537].weft_0].colour_mean_0), u32(1), _S538);
+    var _S542 : u32;
+    if(_S539)
+    {
+        _S542 = u32(1);
+    }
+    else
+    {
+        _S542 = u32(0);
+    }
+    var _S543 : FaceSends_0 = face_sends_0(_S537, _S542, _S540, _S541);
+    if(_S539)
+    {
+        _S542 = u32(0);
+    }
+    else
+    {
+        _S542 = u32(1);
+    }
+    var _S544 : FaceSends_0 = face_sends_0(_S537, _S542, _S540, _S541);
+    var _S545 : vec3<f32> = vec3<f32>(_S543.blocks_warp_0);
+    var _S546 : vec3<f32> = vec3<f32>(_S543.blocks_weft_0);
+    var _S547 : vec3<f32> = _S545 * _S543.crossing_warp_0 + _S546 * _S543.crossing_weft_0;
+    var _S548 : vec3<f32> = vec3<f32>(_S544.blocks_warp_0);
+    var _S549 : vec3<f32> = vec3<f32>(_S544.blocks_weft_0);
+    var _S550 : vec3<f32> = _S548 * _S544.crossing_warp_0 + _S549 * _S544.crossing_weft_0;
+    var _S551 : f32 = 1.0f - _S543.open_0;
+    var _S552 : f32 = 1.0f - _S544.open_0;
+    var _S553 : vec3<f32> = vec3<f32>(1.0f);
+    var _S554 : vec3<f32> = _S553 / (_S553 - _S547 * _S550 * vec3<f32>((_S551 * _S552)));
+    var _S555 : vec3<f32> = _S550 * (vec3<f32>(_S543.open_0) + vec3<f32>(_S551) * (_S545 * _S543.sky_warp_0 + _S546 * _S543.sky_weft_0)) * _S554;
+    var _S556 : vec3<f32> = _S547 * (vec3<f32>(_S544.open_0) + vec3<f32>(_S552) * (_S548 * _S544.sky_warp_0 + _S549 * _S544.sky_weft_0)) * _S554;
+    var _S557 : FaceRadiance_0 = face_radiance_0(_S543, _S544.open_0, _S555, _S556);
+    var _S558 : FaceRadiance_0 = face_radiance_0(_S544, _S543.open_0, _S556, _S555);
+    var interior_1 : Interior_0;
+    interior_1.warp_3 = _S557.warp_2;
+    interior_1.weft_3 = _S557.weft_2;
+    interior_1.leaked_1 = _S557.leaked_0;
+    interior_1.far_1 = _S558.mean_0;
+    interior_1.far_leaked_0 = _S558.leaked_0;
+    return interior_1;
+}
+
+fn bounced_at_0( _S559 : u32,  _S560 : YarnPoint_0,  _S561 : vec3<f32>) -> Bounced_0
+{
+    var nothing_0 : Bounced_0;
+    var _S562 : vec3<f32> = vec3<f32>(0.0f);
+    nothing_0.reflected_0 = _S562;
+    nothing_0.transmitted_0 = _S562;
+    var _S563 : bool;
+    if((fabrics_0[_S559].openness_0) == u32(4294967295))
+    {
+        _S563 = true;
+    }
+    else
+    {
+        _S563 = _S560.hole_2;
+    }
+    if(_S563)
+    {
+        return nothing_0;
+    }
+    var _S564 : Blocked_0 = blocked_at_0(_S559, _S560.is_warp_1, _S560.back_5, _S560.normal_4.z, _S560.height_4);
+    var _S565 : u32;
+    if(_S560.is_warp_1)
+    {
+        _S565 = u32(0);
+    }
+    else
+    {
+        _S565 = u32(1);
+    }
+    return bounced_by_0(_S564, scattered_by_0(_S559, _S560.albedos_2, _S565, _S561), interior_of_0(_S559, _S561, _S560.back_5));
+}
+
+fn light_sample_count_0( _S566 : i32) -> u32
+{
+    return frames_0[_S566].lights_0 + frames_0[_S566].environment_samples_0;
+}
+
+fn visibility_at_0( _S567 : i32,  _S568 : u32,  _S569 : vec2<u32>) -> f32
+{
+    if((frames_0[_S567].casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S479 * frames_0[_S478].height_0 + _S480.y) * frames_0[_S478].width_0 + _S480.x];
+    return visibilities_0[(_S568 * frames_0[_S567].height_0 + _S569.y) * frames_0[_S567].width_0 + _S569.x];
 }
 
 struct LightSample_0
@@ -2673,243 +2986,262 @@ struct LightSample_0
      distance_3 : f32,
 };
 
-fn environment_texel_0( _S481 : i32,  _S482 : u32,  _S483 : u32) -> vec3<f32>
+fn environment_texel_0( _S570 : i32,  _S571 : u32,  _S572 : u32) -> vec3<f32>
 {
-    var _S484 : u32 = frames_0[_S481].environment_table_0 + frames_0[_S481].environment_rows_0 + u32(1) + frames_0[_S481].environment_rows_0 * (frames_0[_S481].environment_columns_0 + u32(1)) + u32(3) * (_S482 * frames_0[_S481].environment_columns_0 + _S483);
-    return vec3<f32>(scene_number_0(_S484), scene_number_0(_S484 + u32(1)), scene_number_0(_S484 + u32(2)));
+    var _S573 : u32 = frames_0[_S570].environment_table_0 + frames_0[_S570].environment_rows_0 + u32(1) + frames_0[_S570].environment_rows_0 * (frames_0[_S570].environment_columns_0 + u32(1)) + u32(3) * (_S571 * frames_0[_S570].environment_columns_0 + _S572);
+    return vec3<f32>(scene_number_0(_S573), scene_number_0(_S573 + u32(1)), scene_number_0(_S573 + u32(2)));
 }
 
-fn sample_environment_0( _S485 : i32,  _S486 : vec2<f32>,  _S487 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S574 : i32,  _S575 : vec2<f32>,  _S576 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S488 : u32 = frames_0[_S485].environment_rows_0;
-    var _S489 : Choice_0 = choose_0(frames_0[_S485].environment_table_0, frames_0[_S485].environment_rows_0, _S486.y);
-    var _S490 : u32 = frames_0[_S485].environment_columns_0;
-    var _S491 : Choice_0 = choose_0(frames_0[_S485].environment_table_0 + frames_0[_S485].environment_rows_0 + u32(1) + _S489.index_6 * (frames_0[_S485].environment_columns_0 + u32(1)), frames_0[_S485].environment_columns_0, _S486.x);
-    var _S492 : vec3<f32> = environment_texel_0(_S485, _S489.index_6, _S491.index_6);
-    (*_S487) = _S492 * vec3<f32>((frames_0[_S485].environment_total_0 / max(mean_0(_S492), 9.99999968265522539e-21f)));
-    var _S493 : f32 = 3.14159274101257324f / f32(_S488);
-    var _S494 : f32 = mix(sine_cosine_0(f32(_S489.index_6) * _S493).y, sine_cosine_0(f32(_S489.index_6 + u32(1)) * _S493).y, _S489.remainder_0);
-    var _S495 : f32 = sqrt(max(1.0f - _S494 * _S494, 0.0f));
-    var _S496 : vec2<f32> = sine_cosine_0((f32(_S491.index_6) + _S491.remainder_0) * (6.28318548202514648f / f32(_S490)));
-    var _S497 : f32 = _S495 * _S496.x;
-    var _S498 : f32 = - _S495 * _S496.y;
-    return vec3<f32>(frames_0[_S485].environment_cosine_0 * _S497 + frames_0[_S485].environment_sine_0 * _S498, _S494, frames_0[_S485].environment_cosine_0 * _S498 - frames_0[_S485].environment_sine_0 * _S497);
+    var _S577 : u32 = frames_0[_S574].environment_rows_0;
+    var _S578 : Choice_0 = choose_0(frames_0[_S574].environment_table_0, frames_0[_S574].environment_rows_0, _S575.y);
+    var _S579 : u32 = frames_0[_S574].environment_columns_0;
+    var _S580 : Choice_0 = choose_0(frames_0[_S574].environment_table_0 + frames_0[_S574].environment_rows_0 + u32(1) + _S578.index_6 * (frames_0[_S574].environment_columns_0 + u32(1)), frames_0[_S574].environment_columns_0, _S575.x);
+    var _S581 : vec3<f32> = environment_texel_0(_S574, _S578.index_6, _S580.index_6);
+    (*_S576) = _S581 * vec3<f32>((frames_0[_S574].environment_total_0 / max(mean_1(_S581), 9.99999968265522539e-21f)));
+    var _S582 : f32 = 3.14159274101257324f / f32(_S577);
+    var _S583 : f32 = mix(sine_cosine_0(f32(_S578.index_6) * _S582).y, sine_cosine_0(f32(_S578.index_6 + u32(1)) * _S582).y, _S578.remainder_0);
+    var _S584 : f32 = sqrt(max(1.0f - _S583 * _S583, 0.0f));
+    var _S585 : vec2<f32> = sine_cosine_0((f32(_S580.index_6) + _S580.remainder_0) * (6.28318548202514648f / f32(_S579)));
+    var _S586 : f32 = _S584 * _S585.x;
+    var _S587 : f32 = - _S584 * _S585.y;
+    return vec3<f32>(frames_0[_S574].environment_cosine_0 * _S586 + frames_0[_S574].environment_sine_0 * _S587, _S583, frames_0[_S574].environment_cosine_0 * _S587 - frames_0[_S574].environment_sine_0 * _S586);
 }
 
-fn light_sample_0( _S499 : i32,  _S500 : u32,  _S501 : vec2<u32>,  _S502 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S588 : i32,  _S589 : u32,  _S590 : vec2<u32>,  _S591 : vec3<f32>) -> LightSample_0
 {
     var sample_1 : LightSample_0;
     sample_1.distance_3 = 1.00000001504746622e+30f;
-    var _S503 : u32 = frames_0[_S499].lights_0;
-    if(_S500 >= (frames_0[_S499].lights_0))
+    var _S592 : u32 = frames_0[_S588].lights_0;
+    if(_S589 >= (frames_0[_S588].lights_0))
     {
         var weight_0 : vec3<f32>;
-        var _S504 : vec3<f32> = sample_environment_0(_S499, pixel_sequence_0(_S501, frames_0[_S499].pass_number_0 * frames_0[_S499].environment_samples_0 + (_S500 - _S503), u32(3)), &(weight_0));
-        sample_1.towards_0 = _S504;
-        sample_1.irradiance_1 = weight_0 / vec3<f32>(f32(frames_0[_S499].environment_samples_0));
+        var _S593 : vec3<f32> = sample_environment_0(_S588, pixel_sequence_0(_S590, frames_0[_S588].pass_number_0 * frames_0[_S588].environment_samples_0 + (_S589 - _S592), u32(3)), &(weight_0));
+        sample_1.towards_0 = _S593;
+        sample_1.irradiance_1 = weight_0 / vec3<f32>(f32(frames_0[_S588].environment_samples_0));
         return sample_1;
     }
-    var _S505 : Light_std430_0 = lights_1[_S500];
-    sample_1.irradiance_1 = vec3<f32>(_S505.red_0, _S505.green_0, _S505.blue_0);
-    sample_1.towards_0 = vec3<f32>(_S505.x_1, _S505.y_1, _S505.z_1);
-    if((_S505.is_point_0) != u32(0))
+    var _S594 : Light_std430_0 = lights_1[_S589];
+    sample_1.irradiance_1 = vec3<f32>(_S594.red_0, _S594.green_0, _S594.blue_0);
+    sample_1.towards_0 = vec3<f32>(_S594.x_1, _S594.y_1, _S594.z_1);
+    if((_S594.is_point_0) != u32(0))
     {
-        var _S506 : vec3<f32> = sample_1.towards_0 - _S502;
-        var _S507 : f32 = max(square_0(_S506), 9.999999960041972e-13f);
-        sample_1.distance_3 = sqrt(_S507);
-        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S507);
-        sample_1.towards_0 = normalize(_S506);
+        var _S595 : vec3<f32> = sample_1.towards_0 - _S591;
+        var _S596 : f32 = max(square_0(_S595), 9.999999960041972e-13f);
+        sample_1.distance_3 = sqrt(_S596);
+        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S596);
+        sample_1.towards_0 = normalize(_S595);
     }
     return sample_1;
 }
 
-fn scattered_0( _S508 : u32,  _S509 : YarnPoint_0,  _S510 : vec3<f32>,  _S511 : vec3<f32>) -> vec3<f32>
+fn scattered_0( _S597 : u32,  _S598 : YarnPoint_0,  _S599 : vec3<f32>,  _S600 : vec3<f32>) -> vec3<f32>
 {
-    var _S512 : vec3<f32> = vec3<f32>(0.0f);
-    var _S513 : bool = !_S509.hole_2;
-    var _S514 : bool;
-    if(_S513)
+    var _S601 : vec3<f32> = vec3<f32>(0.0f);
+    var _S602 : bool = !_S598.hole_2;
+    var _S603 : bool;
+    if(_S602)
     {
-        _S514 = (_S510.z) > 0.0f;
+        _S603 = (_S599.z) > 0.0f;
     }
     else
     {
-        _S514 = false;
+        _S603 = false;
     }
     var value_1 : vec3<f32>;
-    if(_S514)
+    if(_S603)
     {
-        value_1 = _S509.albedos_2.diffuse_reflect_0 * vec3<f32>(diffuse_reflection_0(_S510, _S509.normal_4, fabrics_0[_S508].diffuse_blend_0)) + _S509.albedos_2.specular_reflect_0 * vec3<f32>(reflection_0(_S510, _S511, _S509.normal_4, _S509.tangent_4, _S509.roughness_8, fabrics_0[_S508].optical_depth_0));
+        value_1 = _S598.albedos_2.diffuse_reflect_0 * vec3<f32>(diffuse_reflection_0(_S599, _S598.normal_4, fabrics_0[_S597].diffuse_blend_0)) + _S598.albedos_2.specular_reflect_0 * vec3<f32>(reflection_0(_S599, _S600, _S598.normal_4, _S598.tangent_4, _S598.roughness_8, fabrics_0[_S597].optical_depth_0));
     }
     else
     {
-        if(_S513)
+        if(_S602)
         {
-            _S514 = (_S510.z) < 0.0f;
+            _S603 = (_S599.z) < 0.0f;
         }
         else
         {
-            _S514 = false;
+            _S603 = false;
         }
-        if(_S514)
+        if(_S603)
         {
-            value_1 = _S509.albedos_2.diffuse_transmit_0 * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S510), _S509.normal_4, fabrics_0[_S508].diffuse_blend_0)) + _S509.albedos_2.specular_transmit_0 * vec3<f32>(transmission_0(_S510, _S511, _S509.normal_4, _S509.tangent_4, _S509.roughness_8, fabrics_0[_S508].optical_depth_0));
+            value_1 = _S598.albedos_2.diffuse_transmit_0 * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S599), _S598.normal_4, fabrics_0[_S597].diffuse_blend_0)) + _S598.albedos_2.specular_transmit_0 * vec3<f32>(transmission_1(_S599, _S600, _S598.normal_4, _S598.tangent_4, _S598.roughness_8, fabrics_0[_S597].optical_depth_0));
         }
         else
         {
-            value_1 = _S512;
+            value_1 = _S601;
         }
     }
-    var _S515 : f32 = fabrics_0[_S508].sheen_strength_0;
-    if((fabrics_0[_S508].sheen_strength_0) <= 0.0f)
+    var _S604 : f32 = fabrics_0[_S597].sheen_strength_0;
+    if((fabrics_0[_S597].sheen_strength_0) <= 0.0f)
     {
         return value_1;
     }
-    var _S516 : vec2<f32> = sheen_with_transmittance_0(_S510, _S511, _S515, fabrics_0[_S508].sheen_roughness_0);
-    return vec3<f32>(_S516.y) * value_1 + vec3<f32>(_S516.x);
+    var _S605 : vec2<f32> = sheen_with_transmittance_0(_S599, _S600, _S604, fabrics_0[_S597].sheen_roughness_0);
+    return vec3<f32>(_S605.y) * value_1 + vec3<f32>(_S605.x);
 }
 
-fn unoccluded_0( _S517 : u32,  _S518 : SearchQuality_0,  _S519 : f32,  _S520 : f32,  _S521 : f32,  _S522 : vec3<f32>,  _S523 : bool) -> bool
+fn unoccluded_0( _S606 : u32,  _S607 : SearchQuality_0,  _S608 : f32,  _S609 : f32,  _S610 : f32,  _S611 : vec3<f32>,  _S612 : bool) -> bool
 {
-    if((_S522.z) <= 0.0f)
+    if((_S611.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S517, _S518, vec3<f32>(_S519, _S520, _S521 + fabrics_0[_S517].lift_0), _S522, _S523, max_height_along_0(_S517, _S519, _S520, _S521, _S522, _S523));
+    return is_free_0(_S606, _S607, vec3<f32>(_S608, _S609, _S610 + fabrics_0[_S606].lift_0), _S611, _S612, max_height_along_0(_S606, _S608, _S609, _S610, _S611, _S612));
 }
 
-fn is_lit_0( _S524 : u32,  _S525 : SearchQuality_0,  _S526 : YarnPoint_0,  _S527 : vec3<f32>) -> bool
+fn is_lit_0( _S613 : u32,  _S614 : SearchQuality_0,  _S615 : YarnPoint_0,  _S616 : vec3<f32>) -> bool
 {
-    if(_S526.hole_2)
+    if(_S615.hole_2)
     {
         return true;
     }
-    var _S528 : vec3<f32> = to_face_frame_0(_S527, _S526.back_3);
-    var _S529 : f32 = _S528.z;
-    var _S530 : bool = _S529 < 0.0f;
+    var _S617 : vec3<f32> = to_face_frame_0(_S616, _S615.back_5);
+    var _S618 : f32 = _S617.z;
+    var _S619 : bool = _S618 < 0.0f;
     var normal_6 : vec3<f32>;
-    var height_10 : f32;
-    if(_S530)
+    var height_11 : f32;
+    if(_S619)
     {
-        var _S531 : SurfacePoint_0 = surface_at_0(_S524, _S526.x_12, _S526.y_5, !_S526.back_3);
-        normal_6 = _S531.normal_5;
-        height_10 = _S531.height_9;
+        var _S620 : SurfacePoint_0 = surface_at_0(_S613, _S615.x_12, _S615.y_5, !_S615.back_5);
+        normal_6 = _S620.normal_5;
+        height_11 = _S620.height_10;
     }
     else
     {
-        normal_6 = _S526.normal_4;
-        height_10 = _S526.height_3;
+        normal_6 = _S615.normal_4;
+        height_11 = _S615.height_4;
     }
-    var _S532 : vec3<f32> = vec3<f32>(_S528.xy, abs(_S529));
-    if((dot(normal_6, _S532)) <= 0.0f)
+    var _S621 : vec3<f32> = vec3<f32>(_S617.xy, abs(_S618));
+    if((dot(normal_6, _S621)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S524, _S525, _S526.x_12, _S526.y_5, height_10, _S532, (_S526.back_3) != _S530);
+    return unoccluded_0(_S613, _S614, _S615.x_12, _S615.y_5, height_11, _S621, (_S615.back_5) != _S619);
 }
 
-fn evaluate_0( _S533 : u32,  _S534 : SearchQuality_0,  _S535 : YarnPoint_0,  _S536 : vec3<f32>,  _S537 : vec3<f32>) -> vec3<f32>
+fn evaluate_with_0( _S622 : u32,  _S623 : SearchQuality_0,  _S624 : YarnPoint_0,  _S625 : Bounced_0,  _S626 : vec3<f32>,  _S627 : vec3<f32>) -> vec3<f32>
 {
-    var _S538 : vec3<f32> = scattered_0(_S533, _S535, to_face_frame_0(_S536, _S535.back_3), to_face_frame_0(_S537, _S535.back_3));
-    var _S539 : bool;
-    if((max(_S538.x, max(_S538.y, _S538.z))) <= 0.0f)
+    var _S628 : vec3<f32> = to_face_frame_0(_S627, _S624.back_5);
+    var _S629 : vec3<f32> = scattered_0(_S622, _S624, to_face_frame_0(_S626, _S624.back_5), _S628);
+    var _S630 : bool;
+    if((max(_S629.x, max(_S629.y, _S629.z))) <= 0.0f)
     {
-        _S539 = true;
+        _S630 = true;
     }
     else
     {
-        _S539 = !is_lit_0(_S533, _S534, _S535, _S536);
+        _S630 = !is_lit_0(_S622, _S623, _S624, _S626);
     }
-    if(_S539)
+    var value_2 : vec3<f32>;
+    if(_S630)
     {
-        return vec3<f32>(0.0f);
+        value_2 = vec3<f32>(0.0f);
     }
-    return _S538;
+    else
+    {
+        value_2 = _S629;
+    }
+    var between_1 : vec3<f32> = bounced_value_0(_S625, _S626, _S627);
+    var _S631 : f32 = fabrics_0[_S622].sheen_strength_0;
+    var between_2 : vec3<f32>;
+    if((fabrics_0[_S622].sheen_strength_0) > 0.0f)
+    {
+        between_2 = between_1 * vec3<f32>((1.0f - _S631 * sheen_lobe_0(abs(_S628.z), fabrics_0[_S622].sheen_roughness_0).z));
+    }
+    else
+    {
+        between_2 = between_1;
+    }
+    return value_2 + between_2;
 }
 
-fn straight_through_0( _S540 : u32,  _S541 : YarnPoint_0,  _S542 : vec3<f32>) -> f32
+fn straight_through_0( _S632 : u32,  _S633 : YarnPoint_0,  _S634 : vec3<f32>) -> f32
 {
-    if(!_S541.hole_2)
+    if(!_S633.hole_2)
     {
         return 0.0f;
     }
-    var _S543 : f32 = fabrics_0[_S540].sheen_strength_0;
-    if((fabrics_0[_S540].sheen_strength_0) <= 0.0f)
+    var _S635 : f32 = fabrics_0[_S632].sheen_strength_0;
+    if((fabrics_0[_S632].sheen_strength_0) <= 0.0f)
     {
         return 1.0f;
     }
-    return 1.0f - _S543 * sheen_lobe_0(abs(_S542.z), fabrics_0[_S540].sheen_roughness_0).z;
+    return 1.0f - _S635 * sheen_lobe_0(abs(_S634.z), fabrics_0[_S632].sheen_roughness_0).z;
 }
 
-fn light_of_point_0( _S544 : i32,  _S545 : u32,  _S546 : VisiblePoint_0,  _S547 : vec2<u32>,  _S548 : vec3<f32>,  _S549 : vec2<f32>) -> vec4<f32>
+fn light_of_point_0( _S636 : i32,  _S637 : u32,  _S638 : VisiblePoint_0,  _S639 : vec2<u32>,  _S640 : vec3<f32>,  _S641 : vec2<f32>) -> vec4<f32>
 {
-    var _S550 : SearchQuality_0 = default_quality_0();
-    var _S551 : vec3<f32> = to_local_0(_S546, _S546.view_0);
-    var point_5 : YarnPoint_0 = locate_yarn_0(_S545, _S550, _S549.x, _S549.y, _S551);
-    point_5.albedos_2 = tinted_0(point_5.albedos_2, _S548);
-    var _S552 : vec3<f32> = vec3<f32>(0.0f);
+    var _S642 : SearchQuality_0 = default_quality_0();
+    var _S643 : vec3<f32> = to_local_0(_S638, _S638.view_0);
+    var _S644 : YarnPoint_0 = locate_yarn_0(_S637, _S642, _S641.x, _S641.y, _S643);
+    var point_5 : YarnPoint_0 = _S644;
+    var _S645 : Bounced_0 = bounced_at_0(_S637, _S644, _S640);
+    point_5.albedos_2 = tinted_0(point_5.albedos_2, _S640);
+    var _S646 : vec3<f32> = vec3<f32>(0.0f);
     var number_2 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S552;
+    var radiance_1 : vec3<f32> = _S646;
     for(;;)
     {
-        if(number_2 < (light_sample_count_0(_S544)))
+        if(number_2 < (light_sample_count_0(_S636)))
         {
         }
         else
         {
             break;
         }
-        var _S553 : f32 = visibility_at_0(_S544, number_2, _S547);
-        if(_S553 <= 0.0f)
+        var _S647 : f32 = visibility_at_0(_S636, number_2, _S639);
+        if(_S647 <= 0.0f)
         {
             number_2 = number_2 + u32(1);
             continue;
         }
-        var _S554 : LightSample_0 = light_sample_0(_S544, number_2, _S547, _S546.position_0);
-        radiance_1 = radiance_1 + vec3<f32>(_S553) * _S554.irradiance_1 * evaluate_0(_S545, _S550, point_5, to_local_0(_S546, _S554.towards_0), _S551);
+        var _S648 : LightSample_0 = light_sample_0(_S636, number_2, _S639, _S638.position_0);
+        radiance_1 = radiance_1 + vec3<f32>(_S647) * _S648.irradiance_1 * evaluate_with_0(_S637, _S642, point_5, _S645, to_local_0(_S638, _S648.towards_0), _S643);
         number_2 = number_2 + u32(1);
     }
-    return vec4<f32>(radiance_1, 1.0f - straight_through_0(_S545, point_5, _S551));
+    return vec4<f32>(radiance_1, 1.0f - straight_through_0(_S637, point_5, _S643));
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn shade_points(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S555 : u32;
-    var _S556 : u32 = id_0.x;
-    var _S557 : u32 = frames_0[i32(0)].width_0;
-    var _S558 : bool;
-    if(_S556 >= (frames_0[i32(0)].width_0))
+    var _S649 : u32;
+    var _S650 : u32 = id_0.x;
+    var _S651 : u32 = frames_0[i32(0)].width_0;
+    var _S652 : bool;
+    if(_S650 >= (frames_0[i32(0)].width_0))
     {
-        _S558 = true;
+        _S652 = true;
     }
     else
     {
-        _S558 = (id_0.y) >= (frames_0[i32(0)].height_0);
+        _S652 = (id_0.y) >= (frames_0[i32(0)].height_0);
     }
-    if(_S558)
+    if(_S652)
     {
         return;
     }
-    var _S559 : vec2<u32> = id_0.xy;
-    var _S560 : u32 = id_0.y * _S557 + _S556;
-    var _S561 : u32 = layers_0[_S560].face_0;
-    if((layers_0[_S560].face_0) == u32(0))
+    var _S653 : vec2<u32> = id_0.xy;
+    var _S654 : u32 = id_0.y * _S651 + _S650;
+    var _S655 : u32 = layers_0[_S654].face_0;
+    if((layers_0[_S654].face_0) == u32(0))
     {
         return;
     }
-    var _S562 : u32 = _S561 - u32(1);
-    var _S563 : u32 = face_fabrics_0[_S562];
-    var _S564 : VisiblePoint_0 = visible_point_0(i32(0), _S563, _S562, _S559);
-    var _S565 : vec3<f32> = filtered_albedo_0(_S563, _S564);
-    var _S566 : vec4<f32> = vec4<f32>(0.0f);
+    var _S656 : u32 = _S655 - u32(1);
+    var _S657 : u32 = face_fabrics_0[_S656];
+    var _S658 : VisiblePoint_0 = visible_point_0(i32(0), _S657, _S656, _S653);
+    var _S659 : vec3<f32> = filtered_albedo_0(_S657, _S658);
+    var _S660 : vec4<f32> = vec4<f32>(0.0f);
     var k_0 : u32 = u32(0);
-    var sum_0 : vec4<f32> = _S566;
+    var sum_0 : vec4<f32> = _S660;
     for(;;)
     {
-        var _S567 : u32 = frames_0[i32(0)].samples_0;
-        _S555 = frames_0[i32(0)].samples_0;
+        var _S661 : u32 = frames_0[i32(0)].samples_0;
+        _S649 = frames_0[i32(0)].samples_0;
         if(k_0 < (frames_0[i32(0)].samples_0))
         {
         }
@@ -2917,12 +3249,12 @@ fn shade_points(@builtin(global_invocation_id) id_0 : vec3<u32>)
         {
             break;
         }
-        var _S568 : vec2<f32> = pixel_sequence_0(_S559, frames_0[i32(0)].pass_number_0 * _S567 + k_0, u32(1)) - vec2<f32>(0.5f);
-        var sum_1 : vec4<f32> = sum_0 + light_of_point_0(i32(0), _S563, _S564, _S559, _S565, _S564.draft_0 + vec2<f32>(_S568.x) * _S564.draft_dx_0 + vec2<f32>(_S568.y) * _S564.draft_dy_0);
+        var _S662 : vec2<f32> = pixel_sequence_0(_S653, frames_0[i32(0)].pass_number_0 * _S661 + k_0, u32(1)) - vec2<f32>(0.5f);
+        var sum_1 : vec4<f32> = sum_0 + light_of_point_0(i32(0), _S657, _S658, _S653, _S659, _S658.draft_0 + vec2<f32>(_S662.x) * _S658.draft_dx_0 + vec2<f32>(_S662.y) * _S658.draft_dy_0);
         k_0 = k_0 + u32(1);
         sum_0 = sum_1;
     }
-    accumulate_0(_S560, sum_0 / vec4<f32>(f32(_S555)));
+    accumulate_0(_S654, sum_0 / vec4<f32>(f32(_S649)));
     return;
 }
 

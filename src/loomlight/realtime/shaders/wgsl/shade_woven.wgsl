@@ -116,6 +116,32 @@ struct Neumip_std430_0
     @align(4) texels_per_mm_0 : f32,
     @align(4) unit_x_0 : f32,
     @align(4) unit_y_0 : f32,
+    @align(4) transmits_0 : u32,
+    @align(4) transmission_0 : u32,
+    @align(4) has_holes_0 : u32,
+    @align(4) opacity_0 : u32,
+};
+
+struct Latent_std430_0
+{
+    @align(4) is_trained_1 : u32,
+    @align(4) decoder_1 : u32,
+    @align(4) hidden_0 : u32,
+    @align(4) frames_1 : u32,
+    @align(4) sampler_0 : u32,
+    @align(4) albedo_0 : u32,
+    @align(4) texels_1 : u32,
+    @align(4) texel_elements_1 : u32,
+    @align(4) levels_3 : u32,
+    @align(4) last_level_2 : f32,
+    @align(4) face_texels_1 : u32,
+    @align(4) back_1 : u32,
+    @align(4) repeats_per_x_1 : f32,
+    @align(4) repeats_per_y_1 : f32,
+    @align(4) texels_per_mm_1 : f32,
+    @align(4) width_1 : f32,
+    @align(4) height_1 : f32,
+    @align(4) is_trilinear_0 : u32,
 };
 
 struct Fabric_std430_0
@@ -147,8 +173,12 @@ struct Fabric_std430_0
     @align(4) uv_width_0 : f32,
     @align(4) uv_height_0 : f32,
     @align(4) is_open_0 : u32,
+    @align(4) openness_0 : u32,
     @align(4) albedo_map_0 : u32,
     @align(4) albedo_map_levels_0 : u32,
+    @align(4) has_yarns_0 : u32,
+    @align(4) mean_hole_0 : f32,
+    @align(4) latent_0 : Latent_std430_0,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -1515,11 +1545,11 @@ fn footprint_coordinates_0( taps_0 : AnisotropicTaps_0) -> vec3<f32>
     return vec3<f32>(taps_0.centre_1 - floor(taps_0.centre_1), clamp(natural_logarithm_0(max(AnisotropicTaps_size_0(taps_0), 9.99999997475242708e-07f) / 0.015625f) * 0.11708354949951172f, 0.0f, 1.0f));
 }
 
-fn to_face_frame_0( direction_1 : vec3<f32>,  back_1 : bool) -> vec3<f32>
+fn to_face_frame_0( direction_1 : vec3<f32>,  back_2 : bool) -> vec3<f32>
 {
     var _S200 : vec2<f32> = direction_1.xy;
     var _S201 : f32;
-    if(back_1)
+    if(back_2)
     {
         _S201 = - direction_1.z;
     }
@@ -1558,17 +1588,9 @@ fn wrapped_0( index_2 : f32,  count_1 : f32) -> f32
 
 fn AnisotropicTaps_has_steps_0( this_3 : AnisotropicTaps_0) -> bool
 {
-    var _S203 : vec2<f32> = vec2<f32>(0.0f);
-    var _S204 : bool;
-    if((any(((this_3.first_20) != _S203))))
-    {
-        _S204 = true;
-    }
-    else
-    {
-        _S204 = (any(((this_3.second_0) != _S203)));
-    }
-    return _S204;
+    var _S203 : vec2<f32> = this_3.first_20;
+    var _S204 : vec2<f32> = this_3.second_0;
+    return (max(dot(_S203, _S203), dot(_S204, _S204))) > 0.0f;
 }
 
 fn AnisotropicTaps_place_0( this_4 : AnisotropicTaps_0,  number_0 : u32) -> vec2<f32>
@@ -1674,7 +1696,7 @@ struct Bound_0
      turns_2 : f32,
      cell_2 : f32,
      visible_0 : f32,
-     width_1 : f32,
+     width_2 : f32,
      gap_0 : f32,
 };
 
@@ -1687,7 +1709,7 @@ fn bound_at_0( family_4 : u32,  position_4 : f32) -> Bound_0
     bound_0.turns_2 = round((position_4 - families_0[family_4].start_0 - _S216 - _S215.below_0) * families_0[family_4].inverse_period_0);
     bound_0.cell_2 = _S215.below_0;
     var _S217 : f32 = 2.0f * _S215.half_width_1;
-    bound_0.width_1 = _S217;
+    bound_0.width_2 = _S217;
     bound_0.visible_0 = clamp((_S215.across_0 + _S215.half_width_1) / _S217, 0.0f, 1.0f);
     bound_0.gap_0 = min(_S215.below_0, _S215.below_0 - _S215.across_0 - _S215.half_width_1) + max(_S215.across_0 - _S215.half_width_1, 0.0f);
     return bound_0;
@@ -1744,7 +1766,7 @@ fn lengths_0( family_6 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
     var _S222 : u32 = families_0[family_6].before_0 + u32(2) * stretch_1.high_7.thread_2;
     var _S223 : f32 = table_number_0(_S222) - table_number_0(_S221);
     var _S224 : f32 = table_number_0(_S222 + u32(1)) - table_number_0(_S221 + u32(1));
-    return vec3<f32>(_S223 + stretch_1.high_7.visible_0 * stretch_1.high_7.width_1 - stretch_1.low_7.visible_0 * stretch_1.low_7.width_1 + _S220 * families_0[family_6].visible_total_0, _S224 - _S223 + stretch_1.high_7.gap_0 - stretch_1.low_7.gap_0 + _S220 * (families_0[family_6].period_0 - families_0[family_6].visible_total_0), _S224 + stretch_1.high_7.cell_2 - stretch_1.low_7.cell_2 + _S220 * families_0[family_6].period_0);
+    return vec3<f32>(_S223 + stretch_1.high_7.visible_0 * stretch_1.high_7.width_2 - stretch_1.low_7.visible_0 * stretch_1.low_7.width_2 + _S220 * families_0[family_6].visible_total_0, _S224 - _S223 + stretch_1.high_7.gap_0 - stretch_1.low_7.gap_0 + _S220 * (families_0[family_6].period_0 - families_0[family_6].visible_total_0), _S224 + stretch_1.high_7.cell_2 - stretch_1.low_7.cell_2 + _S220 * families_0[family_6].period_0);
 }
 
 fn integrals_along_0( family_7 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
@@ -1758,7 +1780,7 @@ fn integrals_along_0( family_7 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32)
     var _S231 : f32 = table_number_0(_S228);
     var _S232 : f32 = Stretch_turns_0(stretch_2);
     var _S233 : u32 = u32(2) * _S225.quantities_0;
-    return vec2<f32>(table_number_0(_S228 + _S225.quantities_0) - table_number_0(_S227 + _S225.quantities_0) + _S231 * stretch_2.high_7.visible_0 * stretch_2.high_7.width_1 - _S230 * stretch_2.low_7.visible_0 * stretch_2.low_7.width_1 + _S232 * table_number_0(_S229 + _S225.quantities_0), table_number_0(_S228 + _S233) - table_number_0(_S227 + _S233) + _S231 * stretch_2.high_7.cell_2 - _S230 * stretch_2.low_7.cell_2 + _S232 * table_number_0(_S229 + _S233));
+    return vec2<f32>(table_number_0(_S228 + _S225.quantities_0) - table_number_0(_S227 + _S225.quantities_0) + _S231 * stretch_2.high_7.visible_0 * stretch_2.high_7.width_2 - _S230 * stretch_2.low_7.visible_0 * stretch_2.low_7.width_2 + _S232 * table_number_0(_S229 + _S225.quantities_0), table_number_0(_S228 + _S233) - table_number_0(_S227 + _S233) + _S231 * stretch_2.high_7.cell_2 - _S230 * stretch_2.low_7.cell_2 + _S232 * table_number_0(_S229 + _S233));
 }
 
 fn Stretch_wraps_0( this_6 : Stretch_0) -> bool
@@ -1842,7 +1864,7 @@ fn with_added_albedos_0( albedos_1 : Albedos_0,  weight_0 : f32,  row_8 : u32) -
     return sum_0;
 }
 
-fn mean_albedos_0( family_9 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other_0 : Stretch_0,  back_2 : bool) -> Albedos_0
+fn mean_albedos_0( family_9 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other_0 : Stretch_0,  back_3 : bool) -> Albedos_0
 {
     var albedos_2 : Albedos_0 = table_albedos_0(families_0[family_9].colour_mean_0);
     if((families_0[family_9].quantities_0) == u32(1))
@@ -1867,7 +1889,7 @@ fn mean_albedos_0( family_9 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other
         var _S259 : f32 = _S257.x;
         var _S260 : f32 = _S259 * _S256.x;
         var _S261 : f32;
-        if(back_2)
+        if(back_3)
         {
             _S261 = _S260 - _S258;
         }
@@ -1906,14 +1928,6 @@ fn mean_albedos_0( family_9 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other
     albedos_2.specular_reflect_0 = saturate(albedos_2.specular_reflect_0);
     albedos_2.specular_transmit_0 = saturate(albedos_2.specular_transmit_0);
     return albedos_2;
-}
-
-fn tinted_0( albedos_3 : Albedos_0,  tint_0 : vec3<f32>) -> Albedos_0
-{
-    var result_0 : Albedos_0 = albedos_3;
-    result_0.diffuse_reflect_0 = result_0.diffuse_reflect_0 * tint_0;
-    result_0.diffuse_transmit_0 = result_0.diffuse_transmit_0 * tint_0;
-    return result_0;
 }
 
 fn scramble_0( value_0 : u32) -> u32
@@ -2049,6 +2063,176 @@ fn light_visibility_of_0( diffuse_0 : f32,  light_0 : vec3<f32>,  view_1 : vec3<
     return 3.14159274101257324f * max(diffuse_0, 0.0f) / mix(_S286, (0.59700000286102295f * _S286 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S287, view_1.xy) * rsqrt_0(max(dot(_S287, _S287), 9.99999997475242708e-07f))) + 1.0f), blend_0);
 }
 
+struct Blocked_0
+{
+     by_warp_0 : f32,
+     by_weft_0 : f32,
+     far_0 : f32,
+};
+
+fn no_blocked_0() -> Blocked_0
+{
+    var nothing_0 : Blocked_0;
+    nothing_0.by_warp_0 = 0.0f;
+    nothing_0.by_weft_0 = 0.0f;
+    nothing_0.far_0 = 0.0f;
+    return nothing_0;
+}
+
+struct CloseUp_0
+{
+     weight_2 : f32,
+     warp_1 : Blocked_0,
+     weft_1 : Blocked_0,
+};
+
+fn no_close_up_0() -> CloseUp_0
+{
+    var nothing_1 : CloseUp_0;
+    nothing_1.weight_2 = 0.0f;
+    var _S288 : Blocked_0 = no_blocked_0();
+    nothing_1.warp_1 = _S288;
+    nothing_1.weft_1 = _S288;
+    return nothing_1;
+}
+
+fn tinted_0( albedos_3 : Albedos_0,  tint_0 : vec3<f32>) -> Albedos_0
+{
+    var result_0 : Albedos_0 = albedos_3;
+    result_0.diffuse_reflect_0 = result_0.diffuse_reflect_0 * tint_0;
+    result_0.diffuse_transmit_0 = result_0.diffuse_transmit_0 * tint_0;
+    return result_0;
+}
+
+struct FaceRadiance_0
+{
+     warp_2 : vec3<f32>,
+     weft_2 : vec3<f32>,
+     mean_1 : vec3<f32>,
+     leaked_0 : vec3<f32>,
+};
+
+struct FaceSends_0
+{
+     sky_warp_0 : vec3<f32>,
+     sky_weft_0 : vec3<f32>,
+     crossing_warp_0 : vec3<f32>,
+     crossing_weft_0 : vec3<f32>,
+     open_0 : f32,
+     blocks_warp_0 : f32,
+     blocks_weft_0 : f32,
+};
+
+fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
+{
+    var _S289 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
+    var found_0 : FaceRadiance_0;
+    var _S290 : vec3<f32> = sends_0.sky_warp_0 + _S289 * sends_0.crossing_warp_0;
+    found_0.warp_2 = _S290;
+    var _S291 : vec3<f32> = sends_0.sky_weft_0 + _S289 * sends_0.crossing_weft_0;
+    found_0.weft_2 = _S291;
+    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S290 + vec3<f32>(sends_0.blocks_weft_0) * _S291;
+    found_0.leaked_0 = from_other_0;
+    return found_0;
+}
+
+fn view_terms_0( view_2 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
+{
+    var _S292 : f32 = 1.0f - view_2.z;
+    var _S293 : f32 = _S292 * _S292;
+    (*terms_0)[i32(0)] = 1.0f;
+    var _S294 : f32 = view_2.x;
+    var _S295 : f32 = _S294 * _S294;
+    var _S296 : f32 = view_2.y;
+    var _S297 : f32 = _S296 * _S296;
+    (*terms_0)[i32(1)] = sqrt(max(_S295 + _S297, 9.999999960041972e-13f));
+    (*terms_0)[i32(2)] = _S293;
+    (*terms_0)[i32(3)] = _S293 * _S293;
+    (*terms_0)[i32(4)] = _S295 - _S297;
+    (*terms_0)[i32(5)] = 0.0f;
+    return;
+}
+
+fn view_terms_1( view_3 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
+{
+    var _S298 : f32 = 1.0f - view_3.z;
+    var _S299 : f32 = _S298 * _S298;
+    (*terms_1)[i32(0)] = 1.0f;
+    var _S300 : f32 = view_3.x;
+    var _S301 : f32 = _S300 * _S300;
+    var _S302 : f32 = view_3.y;
+    var _S303 : f32 = _S302 * _S302;
+    (*terms_1)[i32(1)] = sqrt(max(_S301 + _S303, 9.999999960041972e-13f));
+    (*terms_1)[i32(2)] = _S299;
+    (*terms_1)[i32(3)] = _S299 * _S299;
+    (*terms_1)[i32(4)] = _S301 - _S303;
+    (*terms_1)[i32(5)] = 0.0f;
+    return;
+}
+
+fn scaled_0( blocked_0 : Blocked_0,  share_1 : f32) -> Blocked_0
+{
+    var result_1 : Blocked_0;
+    result_1.by_warp_0 = share_1 * blocked_0.by_warp_0;
+    result_1.by_weft_0 = share_1 * blocked_0.by_weft_0;
+    result_1.far_0 = share_1 * blocked_0.far_0;
+    return result_1;
+}
+
+struct Bounced_0
+{
+     reflected_0 : vec3<f32>,
+     transmitted_0 : vec3<f32>,
+};
+
+struct Scattered_0
+{
+     back_4 : vec3<f32>,
+     through_0 : vec3<f32>,
+};
+
+struct Interior_0
+{
+     warp_3 : vec3<f32>,
+     weft_3 : vec3<f32>,
+     leaked_1 : vec3<f32>,
+     far_1 : vec3<f32>,
+     far_leaked_0 : vec3<f32>,
+};
+
+fn bounced_by_0( blocked_1 : Blocked_0,  yarn_0 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
+{
+    var _S304 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
+    var _S305 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_0.through_0;
+    var bounced_0 : Bounced_0;
+    bounced_0.reflected_0 = yarn_0.back_4 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_3 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_3) + _S305 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S305 * interior_0.far_1 + yarn_0.back_4 * _S304;
+    return bounced_0;
+}
+
+fn sum_of_0( first_21 : Bounced_0,  second_1 : Bounced_0) -> Bounced_0
+{
+    var sum_1 : Bounced_0;
+    sum_1.reflected_0 = first_21.reflected_0 + second_1.reflected_0;
+    sum_1.transmitted_0 = first_21.transmitted_0 + second_1.transmitted_0;
+    return sum_1;
+}
+
+fn bounced_value_0( bounced_1 : Bounced_0,  light_1 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
+{
+    var _S306 : f32 = light_1.z;
+    var _S307 : vec3<f32>;
+    if((_S306 * view_4.z) < 0.0f)
+    {
+        _S307 = bounced_1.transmitted_0;
+    }
+    else
+    {
+        _S307 = bounced_1.reflected_0;
+    }
+    return _S307 * vec3<f32>((abs(_S306) * 0.31830987334251404f));
+}
+
 fn sheen_scale_0( x_10 : f32,  y_2 : f32) -> f32
 {
     return (((((0.0f * x_10 + (((((-1.1402510404586792f * y_2 + 0.40672621130943298f) * y_2 + 1.65398800373077393f) * y_2 + -1.29730904102325439f) * y_2 + 0.30570998787879944f) * y_2 + -0.0220868494361639f)) * x_10 + (((((-0.21142719686031342f * y_2 + 1.05947399139404297f) * y_2 + -0.41116121411323547f) * y_2 + -0.93859231472015381f) * y_2 + 0.51606941223144531f) * y_2 + 0.05409301072359085f)) * x_10 + (((((1.22944498062133789f * y_2 + -0.45962560176849365f) * y_2 + -1.63861405849456787f) * y_2 + 1.33565104007720947f) * y_2 + -0.45725581049919128f) * y_2 + 0.08243165910243988f)) * x_10 + (((((0.39779931306838989f * y_2 + -1.18879103660583496f) * y_2 + 0.28251591324806213f) * y_2 + 1.168984055519104f) * y_2 + -0.76864629983901978f) * y_2 + 0.0091691892594099f)) * x_10 + (((((-0.26563560962677002f * y_2 + -0.19379159808158875f) * y_2 + 0.2677634060382843f) * y_2 + 0.00270519289188087f) * y_2 + 0.14349560439586639f) * y_2 + 0.10290180146694183f)) * x_10 + (((((-0.20701569318771362f * y_2 + 0.24526430666446686f) * y_2 + 0.19551840424537659f) * y_2 + 0.07586126774549484f) * y_2 + 0.38894739747047424f) * y_2 + 0.15043120086193085f);
@@ -2066,230 +2250,230 @@ fn sheen_reflectance_0( x_12 : f32,  y_4 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_1 : f32) -> vec3<f32>
 {
-    var _S288 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S289 : f32 = 2.0f * sqrt(_S288) - 1.0f;
-    var _S290 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S289, _S290), 0.00999999977648258f, 1.0f), clamp((1.0f - _S288) * sheen_shear_0(_S289, _S290), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S289, _S290), -60.0f, 60.0f))));
+    var _S308 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S309 : f32 = 2.0f * sqrt(_S308) - 1.0f;
+    var _S310 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S309, _S310), 0.00999999977648258f, 1.0f), clamp((1.0f - _S308) * sheen_shear_0(_S309, _S310), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S309, _S310), -60.0f, 60.0f))));
 }
 
-fn transformed_cosine_0( light_1 : vec3<f32>,  view_2 : vec3<f32>,  scale_1 : f32,  shear_0 : f32) -> f32
+fn transformed_cosine_0( light_2 : vec3<f32>,  view_5 : vec3<f32>,  scale_1 : f32,  shear_0 : f32) -> f32
 {
-    var _S291 : f32 = light_1.z;
-    var _S292 : bool;
-    if(_S291 <= 0.0f)
+    var _S311 : f32 = light_2.z;
+    var _S312 : bool;
+    if(_S311 <= 0.0f)
     {
-        _S292 = true;
+        _S312 = true;
     }
     else
     {
-        _S292 = (view_2.z) <= 0.0f;
+        _S312 = (view_5.z) <= 0.0f;
     }
-    if(_S292)
+    if(_S312)
     {
         return 0.0f;
     }
-    var _S293 : vec2<f32> = view_2.xy;
-    var _S294 : f32 = dot(_S293, _S293);
-    var _S295 : vec2<f32>;
-    if(_S294 > 9.99999968265522539e-21f)
+    var _S313 : vec2<f32> = view_5.xy;
+    var _S314 : f32 = dot(_S313, _S313);
+    var _S315 : vec2<f32>;
+    if(_S314 > 9.99999968265522539e-21f)
     {
-        _S295 = _S293 * vec2<f32>(rsqrt_0(_S294));
+        _S315 = _S313 * vec2<f32>(rsqrt_0(_S314));
     }
     else
     {
-        _S295 = vec2<f32>(1.0f, 0.0f);
+        _S315 = vec2<f32>(1.0f, 0.0f);
     }
-    var _S296 : f32 = scale_1 * dot(light_1.xy, _S295) + shear_0 * _S291;
-    var _S297 : f32 = scale_1 * (light_1.y * _S295.x - light_1.x * _S295.y);
-    var _S298 : f32 = _S296 * _S296 + _S297 * _S297 + _S291 * _S291;
-    return 0.31830987334251404f * scale_1 * scale_1 * _S291 / max(_S298 * _S298, 9.99999968265522539e-21f);
+    var _S316 : f32 = scale_1 * dot(light_2.xy, _S315) + shear_0 * _S311;
+    var _S317 : f32 = scale_1 * (light_2.y * _S315.x - light_2.x * _S315.y);
+    var _S318 : f32 = _S316 * _S316 + _S317 * _S317 + _S311 * _S311;
+    return 0.31830987334251404f * scale_1 * scale_1 * _S311 / max(_S318 * _S318, 9.99999968265522539e-21f);
 }
 
-fn sheen_with_transmittance_0( light_2 : vec3<f32>,  view_3 : vec3<f32>,  strength_0 : f32,  roughness_2 : f32) -> vec2<f32>
+fn sheen_with_transmittance_0( light_3 : vec3<f32>,  view_6 : vec3<f32>,  strength_0 : f32,  roughness_2 : f32) -> vec2<f32>
 {
-    var _S299 : vec3<f32> = sheen_lobe_0(view_3.z, roughness_2);
-    var _S300 : f32 = strength_0 * _S299.z;
-    return vec2<f32>(_S300 * transformed_cosine_0(light_2, view_3, _S299.x, _S299.y), 1.0f - _S300);
+    var _S319 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_2);
+    var _S320 : f32 = strength_0 * _S319.z;
+    return vec2<f32>(_S320 * transformed_cosine_0(light_3, view_6, _S319.x, _S319.y), 1.0f - _S320);
 }
 
-fn accumulate_0( index_8 : u32,  light_3 : vec4<f32>)
+fn accumulate_0( index_8 : u32,  light_4 : vec4<f32>)
 {
-    var _S301 : f32 = layers_0[index_8].share_0;
-    radiance_0[index_8] = radiance_0[index_8] + vec4<f32>(layers_0[index_8].share_0) * light_3;
-    layers_0[index_8].share_0 = _S301 * (1.0f - light_3.w);
+    var _S321 : f32 = layers_0[index_8].share_0;
+    radiance_0[index_8] = radiance_0[index_8] + vec4<f32>(layers_0[index_8].share_0) * light_4;
+    layers_0[index_8].share_0 = _S321 * (1.0f - light_4.w);
     return;
 }
 
-fn camera_right_0( _S302 : i32) -> vec3<f32>
+fn camera_right_0( _S322 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S302].right_x_0, frames_0[_S302].right_y_0, frames_0[_S302].right_z_0);
+    return vec3<f32>(frames_0[_S322].right_x_0, frames_0[_S322].right_y_0, frames_0[_S322].right_z_0);
 }
 
-fn camera_up_0( _S303 : i32) -> vec3<f32>
+fn camera_up_0( _S323 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S303].up_x_0, frames_0[_S303].up_y_0, frames_0[_S303].up_z_0);
+    return vec3<f32>(frames_0[_S323].up_x_0, frames_0[_S323].up_y_0, frames_0[_S323].up_z_0);
 }
 
-fn camera_forward_0( _S304 : i32) -> vec3<f32>
+fn camera_forward_0( _S324 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S304].forward_x_0, frames_0[_S304].forward_y_0, frames_0[_S304].forward_z_0);
+    return vec3<f32>(frames_0[_S324].forward_x_0, frames_0[_S324].forward_y_0, frames_0[_S324].forward_z_0);
 }
 
-fn camera_origin_0( _S305 : i32) -> vec3<f32>
+fn camera_origin_0( _S325 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S305].origin_x_0, frames_0[_S305].origin_y_0, frames_0[_S305].origin_z_0);
+    return vec3<f32>(frames_0[_S325].origin_x_0, frames_0[_S325].origin_y_0, frames_0[_S325].origin_z_0);
 }
 
-fn face_point_0( _S306 : u32,  _S307 : u32,  _S308 : f32,  _S309 : f32) -> VisiblePoint_0
+fn face_point_0( _S326 : u32,  _S327 : u32,  _S328 : f32,  _S329 : f32) -> VisiblePoint_0
 {
-    var _S310 : u32 = u32(3) * _S307;
-    var _S311 : Vertex_std430_0 = vertices_0[corners_0[_S310]];
-    var _S312 : Vertex_std430_0 = vertices_0[corners_0[_S310 + u32(1)]];
-    var _S313 : Vertex_std430_0 = vertices_0[corners_0[_S310 + u32(2)]];
-    var _S314 : vec3<f32> = position_of_0(&(_S312));
-    var _S315 : vec3<f32> = position_of_0(&(_S311));
-    var _S316 : vec3<f32> = _S314 - _S315;
-    var _S317 : vec3<f32> = position_of_0(&(_S313));
-    var _S318 : vec3<f32> = _S317 - _S315;
-    var _S319 : f32 = _S311.u_0;
-    var _S320 : f32 = _S312.u_0 - _S311.u_0;
-    var _S321 : f32 = _S311.v_0;
-    var _S322 : f32 = _S312.v_0 - _S311.v_0;
-    var _S323 : vec2<f32> = vec2<f32>(_S320, _S322);
-    var _S324 : f32 = _S313.u_0 - _S311.u_0;
-    var _S325 : f32 = _S313.v_0 - _S311.v_0;
-    var _S326 : vec2<f32> = vec2<f32>(_S324, _S325);
-    var _S327 : f32;
-    if((_S320 * _S325 - _S322 * _S324) < 0.0f)
+    var _S330 : u32 = u32(3) * _S327;
+    var _S331 : Vertex_std430_0 = vertices_0[corners_0[_S330]];
+    var _S332 : Vertex_std430_0 = vertices_0[corners_0[_S330 + u32(1)]];
+    var _S333 : Vertex_std430_0 = vertices_0[corners_0[_S330 + u32(2)]];
+    var _S334 : vec3<f32> = position_of_0(&(_S332));
+    var _S335 : vec3<f32> = position_of_0(&(_S331));
+    var _S336 : vec3<f32> = _S334 - _S335;
+    var _S337 : vec3<f32> = position_of_0(&(_S333));
+    var _S338 : vec3<f32> = _S337 - _S335;
+    var _S339 : f32 = _S331.u_0;
+    var _S340 : f32 = _S332.u_0 - _S331.u_0;
+    var _S341 : f32 = _S331.v_0;
+    var _S342 : f32 = _S332.v_0 - _S331.v_0;
+    var _S343 : vec2<f32> = vec2<f32>(_S340, _S342);
+    var _S344 : f32 = _S333.u_0 - _S331.u_0;
+    var _S345 : f32 = _S333.v_0 - _S331.v_0;
+    var _S346 : vec2<f32> = vec2<f32>(_S344, _S345);
+    var _S347 : f32;
+    if((_S340 * _S345 - _S342 * _S344) < 0.0f)
     {
-        _S327 = -1.0f;
+        _S347 = -1.0f;
     }
     else
     {
-        _S327 = 1.0f;
+        _S347 = 1.0f;
     }
-    var _S328 : vec3<f32> = vec3<f32>(_S327) * (vec3<f32>(_S325) * _S316 - vec3<f32>(_S322) * _S318);
-    var _S329 : vec3<f32> = vec3<f32>(_S327) * (vec3<f32>(_S320) * _S318 - vec3<f32>(_S324) * _S316);
+    var _S348 : vec3<f32> = vec3<f32>(_S347) * (vec3<f32>(_S345) * _S336 - vec3<f32>(_S342) * _S338);
+    var _S349 : vec3<f32> = vec3<f32>(_S347) * (vec3<f32>(_S340) * _S338 - vec3<f32>(_S344) * _S336);
     var point_1 : VisiblePoint_0;
-    var _S330 : f32 = 1.0f - _S308 - _S309;
-    var _S331 : vec3<f32> = normal_of_0(&(_S311));
-    var _S332 : vec3<f32> = vec3<f32>(_S330) * _S331;
-    var _S333 : vec3<f32> = normal_of_0(&(_S312));
-    var _S334 : vec3<f32> = vec3<f32>(_S308);
-    var _S335 : vec3<f32> = _S332 + _S334 * _S333;
-    var _S336 : vec3<f32> = normal_of_0(&(_S313));
-    var _S337 : vec3<f32> = vec3<f32>(_S309);
-    var _S338 : vec3<f32> = normalize(_S335 + _S337 * _S336);
-    point_1.normal_0 = _S338;
-    var _S339 : vec3<f32> = normalize(_S328 - _S338 * vec3<f32>(dot(_S338, _S328)));
-    point_1.axis_x_0 = _S339;
-    point_1.axis_y_0 = cross(_S338, _S339);
-    var _S340 : vec3<f32> = normalize(cross(_S316, _S318));
-    var _S341 : vec3<f32>;
-    if((dot(_S340, _S338)) < 0.0f)
+    var _S350 : f32 = 1.0f - _S328 - _S329;
+    var _S351 : vec3<f32> = normal_of_0(&(_S331));
+    var _S352 : vec3<f32> = vec3<f32>(_S350) * _S351;
+    var _S353 : vec3<f32> = normal_of_0(&(_S332));
+    var _S354 : vec3<f32> = vec3<f32>(_S328);
+    var _S355 : vec3<f32> = _S352 + _S354 * _S353;
+    var _S356 : vec3<f32> = normal_of_0(&(_S333));
+    var _S357 : vec3<f32> = vec3<f32>(_S329);
+    var _S358 : vec3<f32> = normalize(_S355 + _S357 * _S356);
+    point_1.normal_0 = _S358;
+    var _S359 : vec3<f32> = normalize(_S348 - _S358 * vec3<f32>(dot(_S358, _S348)));
+    point_1.axis_x_0 = _S359;
+    point_1.axis_y_0 = cross(_S358, _S359);
+    var _S360 : vec3<f32> = normalize(cross(_S336, _S338));
+    var _S361 : vec3<f32>;
+    if((dot(_S360, _S358)) < 0.0f)
     {
-        _S341 = (vec3<f32>(0) - _S340);
+        _S361 = (vec3<f32>(0) - _S360);
     }
     else
     {
-        _S341 = _S340;
+        _S361 = _S360;
     }
-    point_1.face_normal_0 = _S341;
-    point_1.position_0 = _S315 + _S334 * _S316 + _S337 * _S318;
+    point_1.face_normal_0 = _S361;
+    point_1.position_0 = _S335 + _S354 * _S336 + _S357 * _S338;
     point_1.view_0 = point_1.normal_0;
-    point_1.uv_1 = vec2<f32>(_S319, _S321) + vec2<f32>(_S308) * _S323 + vec2<f32>(_S309) * _S326;
-    var _S342 : bool = (dot(cross(_S328, _S329), point_1.normal_0)) < 0.0f;
-    var _S343 : f32 = fabrics_0[_S306].uv_width_0;
-    if(_S342)
+    point_1.uv_1 = vec2<f32>(_S339, _S341) + vec2<f32>(_S328) * _S343 + vec2<f32>(_S329) * _S346;
+    var _S362 : bool = (dot(cross(_S348, _S349), point_1.normal_0)) < 0.0f;
+    var _S363 : f32 = fabrics_0[_S326].uv_width_0;
+    if(_S362)
     {
-        _S327 = - fabrics_0[_S306].uv_height_0;
+        _S347 = - fabrics_0[_S326].uv_height_0;
     }
     else
     {
-        _S327 = fabrics_0[_S306].uv_height_0;
+        _S347 = fabrics_0[_S326].uv_height_0;
     }
-    var _S344 : vec2<f32> = vec2<f32>(_S343, _S327);
-    point_1.draft_per_uv_0 = _S344;
-    var _S345 : vec2<f32> = point_1.uv_1 * _S344;
-    if(_S342)
+    var _S364 : vec2<f32> = vec2<f32>(_S363, _S347);
+    point_1.draft_per_uv_0 = _S364;
+    var _S365 : vec2<f32> = point_1.uv_1 * _S364;
+    if(_S362)
     {
-        _S327 = fabrics_0[_S306].uv_height_0;
+        _S347 = fabrics_0[_S326].uv_height_0;
     }
     else
     {
-        _S327 = 0.0f;
+        _S347 = 0.0f;
     }
-    point_1.draft_0 = _S345 + vec2<f32>(0.0f, _S327);
-    var _S346 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S346;
-    point_1.draft_dy_0 = _S346;
+    point_1.draft_0 = _S365 + vec2<f32>(0.0f, _S347);
+    var _S366 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S366;
+    point_1.draft_dy_0 = _S366;
     return point_1;
 }
 
-fn visible_point_0( _S347 : i32,  _S348 : u32,  _S349 : u32,  _S350 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S367 : i32,  _S368 : u32,  _S369 : u32,  _S370 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S351 : u32 = u32(3) * _S349;
-    var _S352 : Vertex_std430_0 = vertices_0[corners_0[_S351]];
-    var _S353 : Vertex_std430_0 = vertices_0[corners_0[_S351 + u32(1)]];
-    var _S354 : Vertex_std430_0 = vertices_0[corners_0[_S351 + u32(2)]];
-    var _S355 : vec3<f32> = position_of_1(&(_S353));
-    var _S356 : vec3<f32> = position_of_1(&(_S352));
-    var _S357 : vec3<f32> = _S355 - _S356;
-    var _S358 : vec3<f32> = position_of_1(&(_S354));
-    var _S359 : vec3<f32> = _S358 - _S356;
-    var _S360 : vec3<f32> = cross(_S357, _S359);
-    var _S361 : f32 = 1.0f / max(square_0(_S360), 1.00000000317107685e-30f);
-    var _S362 : f32 = f32(frames_0[_S347].width_0);
-    var _S363 : vec3<f32> = camera_right_0(_S347) * vec3<f32>((2.0f / _S362));
-    var _S364 : f32 = f32(frames_0[_S347].height_0);
-    var _S365 : vec3<f32> = camera_up_0(_S347) * vec3<f32>((-2.0f / _S364));
-    var _S366 : vec3<f32> = camera_forward_0(_S347) + vec3<f32>((f32(_S350.x) + 0.5f - 0.5f * _S362)) * _S363 + vec3<f32>((f32(_S350.y) + 0.5f - 0.5f * _S364)) * _S365;
-    var _S367 : f32 = dot(_S366, _S360);
-    var _S368 : f32;
-    if((abs(_S367)) > 1.00000000317107685e-30f)
+    var _S371 : u32 = u32(3) * _S369;
+    var _S372 : Vertex_std430_0 = vertices_0[corners_0[_S371]];
+    var _S373 : Vertex_std430_0 = vertices_0[corners_0[_S371 + u32(1)]];
+    var _S374 : Vertex_std430_0 = vertices_0[corners_0[_S371 + u32(2)]];
+    var _S375 : vec3<f32> = position_of_1(&(_S373));
+    var _S376 : vec3<f32> = position_of_1(&(_S372));
+    var _S377 : vec3<f32> = _S375 - _S376;
+    var _S378 : vec3<f32> = position_of_1(&(_S374));
+    var _S379 : vec3<f32> = _S378 - _S376;
+    var _S380 : vec3<f32> = cross(_S377, _S379);
+    var _S381 : f32 = 1.0f / max(square_0(_S380), 1.00000000317107685e-30f);
+    var _S382 : f32 = f32(frames_0[_S367].width_0);
+    var _S383 : vec3<f32> = camera_right_0(_S367) * vec3<f32>((2.0f / _S382));
+    var _S384 : f32 = f32(frames_0[_S367].height_0);
+    var _S385 : vec3<f32> = camera_up_0(_S367) * vec3<f32>((-2.0f / _S384));
+    var _S386 : vec3<f32> = camera_forward_0(_S367) + vec3<f32>((f32(_S370.x) + 0.5f - 0.5f * _S382)) * _S383 + vec3<f32>((f32(_S370.y) + 0.5f - 0.5f * _S384)) * _S385;
+    var _S387 : f32 = dot(_S386, _S380);
+    var _S388 : f32;
+    if((abs(_S387)) > 1.00000000317107685e-30f)
     {
-        _S368 = _S367;
+        _S388 = _S387;
     }
     else
     {
-        _S368 = 1.00000000317107685e-30f;
+        _S388 = 1.00000000317107685e-30f;
     }
-    var _S369 : f32 = 1.0f / _S368;
-    var _S370 : vec3<f32> = _S356 - camera_origin_0(_S347);
-    var _S371 : vec3<f32> = vec3<f32>((dot(_S370, _S360) * _S369));
-    var _S372 : vec3<f32> = _S366 * _S371 - _S370;
-    var _S373 : vec3<f32> = _S371 * (_S363 - _S366 * vec3<f32>((dot(_S363, _S360) * _S369)));
-    var _S374 : vec3<f32> = _S371 * (_S365 - _S366 * vec3<f32>((dot(_S365, _S360) * _S369)));
-    var _S375 : vec3<f32> = vec3<f32>(_S361);
-    var _S376 : vec3<f32> = cross(_S359, _S360) * _S375;
-    var _S377 : vec3<f32> = cross(_S360, _S357) * _S375;
-    var _S378 : vec2<f32> = vec2<f32>(_S353.u_0 - _S352.u_0, _S353.v_0 - _S352.v_0);
-    var _S379 : vec2<f32> = vec2<f32>(_S354.u_0 - _S352.u_0, _S354.v_0 - _S352.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S348, _S349, dot(_S372, _S376), dot(_S372, _S377));
-    point_2.position_0 = _S356 + _S372;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S366));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S373, _S376)) * _S378 + vec2<f32>(dot(_S373, _S377)) * _S379) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S374, _S376)) * _S378 + vec2<f32>(dot(_S374, _S377)) * _S379) * point_2.draft_per_uv_0;
+    var _S389 : f32 = 1.0f / _S388;
+    var _S390 : vec3<f32> = _S376 - camera_origin_0(_S367);
+    var _S391 : vec3<f32> = vec3<f32>((dot(_S390, _S380) * _S389));
+    var _S392 : vec3<f32> = _S386 * _S391 - _S390;
+    var _S393 : vec3<f32> = _S391 * (_S383 - _S386 * vec3<f32>((dot(_S383, _S380) * _S389)));
+    var _S394 : vec3<f32> = _S391 * (_S385 - _S386 * vec3<f32>((dot(_S385, _S380) * _S389)));
+    var _S395 : vec3<f32> = vec3<f32>(_S381);
+    var _S396 : vec3<f32> = cross(_S379, _S380) * _S395;
+    var _S397 : vec3<f32> = cross(_S380, _S377) * _S395;
+    var _S398 : vec2<f32> = vec2<f32>(_S373.u_0 - _S372.u_0, _S373.v_0 - _S372.v_0);
+    var _S399 : vec2<f32> = vec2<f32>(_S374.u_0 - _S372.u_0, _S374.v_0 - _S372.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S368, _S369, dot(_S392, _S396), dot(_S392, _S397));
+    point_2.position_0 = _S376 + _S392;
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S386));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S393, _S396)) * _S398 + vec2<f32>(dot(_S393, _S397)) * _S399) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S394, _S396)) * _S398 + vec2<f32>(dot(_S394, _S397)) * _S399) * point_2.draft_per_uv_0;
     return point_2;
 }
 
-fn filtered_albedo_0( _S380 : u32,  _S381 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S400 : u32,  _S401 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S382 : u32 = fabrics_0[_S380].albedo_map_levels_0;
-    if((fabrics_0[_S380].albedo_map_levels_0) == u32(0))
+    var _S402 : u32 = fabrics_0[_S400].albedo_map_levels_0;
+    if((fabrics_0[_S400].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S383 : vec2<f32> = vec2<f32>(fabrics_0[_S380].uv_width_0, fabrics_0[_S380].uv_height_0);
-    var _S384 : vec2<f32> = _S381.draft_dx_0 / _S383;
-    var _S385 : vec2<f32> = _S381.draft_dy_0 / _S383;
-    var _S386 : u32 = _S382 - u32(1);
-    var _S387 : u32 = (u32(1) << (_S386));
-    var _S388 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S384.x * _S385.y - _S384.y * _S385.x), 9.99999968265522539e-21f) * (square_1(f32(_S387)) / 3.0f)), 0.0f, f32(_S382) - 1.0f);
-    var _S389 : u32 = min(u32(_S388), max(_S382, u32(2)) - u32(2));
-    var _S390 : u32 = min(_S389 + u32(1), _S386);
-    var _S391 : u32 = (u32(1) << ((u32(2) * _S382)));
-    return mix(map_level_0(fabrics_0[_S380].albedo_map_0 + (_S391 - ((_S391 >> ((u32(2) * _S389))))) / u32(3), (_S387 >> (_S389)), _S381.uv_1), map_level_0(fabrics_0[_S380].albedo_map_0 + (_S391 - ((_S391 >> ((u32(2) * _S390))))) / u32(3), (_S387 >> (_S390)), _S381.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S388 - f32(_S389))) - 1.0f) / 3.0f)));
+    var _S403 : vec2<f32> = vec2<f32>(fabrics_0[_S400].uv_width_0, fabrics_0[_S400].uv_height_0);
+    var _S404 : vec2<f32> = _S401.draft_dx_0 / _S403;
+    var _S405 : vec2<f32> = _S401.draft_dy_0 / _S403;
+    var _S406 : u32 = _S402 - u32(1);
+    var _S407 : u32 = (u32(1) << (_S406));
+    var _S408 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S404.x * _S405.y - _S404.y * _S405.x), 9.99999968265522539e-21f) * (square_1(f32(_S407)) / 3.0f)), 0.0f, f32(_S402) - 1.0f);
+    var _S409 : u32 = min(u32(_S408), max(_S402, u32(2)) - u32(2));
+    var _S410 : u32 = min(_S409 + u32(1), _S406);
+    var _S411 : u32 = (u32(1) << ((u32(2) * _S402)));
+    return mix(map_level_0(fabrics_0[_S400].albedo_map_0 + (_S411 - ((_S411 >> ((u32(2) * _S409))))) / u32(3), (_S407 >> (_S409)), _S401.uv_1), map_level_0(fabrics_0[_S400].albedo_map_0 + (_S411 - ((_S411 >> ((u32(2) * _S410))))) / u32(3), (_S407 >> (_S410)), _S401.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S408 - f32(_S409))) - 1.0f) / 3.0f)));
 }
 
 struct WovenView_0
@@ -2297,66 +2481,66 @@ struct WovenView_0
      sums_6 : array<f32, i32(96)>,
      hole_0 : f32,
      correction_weight_0 : f32,
-     view_4 : vec3<f32>,
-     back_3 : bool,
+     view_7 : vec3<f32>,
+     back_5 : bool,
 };
 
-fn anisotropic_taps_0( _S392 : u32,  _S393 : Footprint_0) -> AnisotropicTaps_0
+fn anisotropic_taps_0( _S412 : u32,  _S413 : Footprint_0) -> AnisotropicTaps_0
 {
-    var _S394 : vec3<f32> = row_of_taps_0(_S393);
-    var _S395 : vec2<f32> = _S393.dx_0;
-    var _S396 : vec2<f32> = _S393.dy_0;
-    var _S397 : f32 = dot(_S395, _S395) + dot(_S396, _S396);
-    var _S398 : f32 = _S393.dx_0.x * _S393.dy_0.y - _S393.dx_0.y * _S393.dy_0.x;
-    var _S399 : f32 = 0.5f * (_S397 + sqrt(max(_S397 * _S397 - 4.0f * _S398 * _S398, 0.0f)));
-    var _S400 : Woven_std430_0 = fabrics_0[_S392].woven_0;
-    var _S401 : bool;
-    if(_S399 < (5.5f * (_S397 - _S399)))
+    var _S414 : vec3<f32> = row_of_taps_0(_S413);
+    var _S415 : vec2<f32> = _S413.dx_0;
+    var _S416 : vec2<f32> = _S413.dy_0;
+    var _S417 : f32 = dot(_S415, _S415) + dot(_S416, _S416);
+    var _S418 : f32 = _S413.dx_0.x * _S413.dy_0.y - _S413.dx_0.y * _S413.dy_0.x;
+    var _S419 : f32 = 0.5f * (_S417 + sqrt(max(_S417 * _S417 - 4.0f * _S418 * _S418, 0.0f)));
+    var _S420 : Woven_std430_0 = fabrics_0[_S412].woven_0;
+    var _S421 : bool;
+    if(_S419 < (5.5f * (_S417 - _S419)))
     {
-        _S401 = _S397 > (8.0f * _S400.pitch_0 * _S400.pitch_0);
+        _S421 = _S417 > (8.0f * _S420.pitch_0 * _S420.pitch_0);
     }
     else
     {
-        _S401 = false;
+        _S421 = false;
     }
-    var _S402 : vec2<f32> = vec2<f32>(_S400.ends_per_mm_0, _S400.picks_per_mm_0);
+    var _S422 : vec2<f32> = vec2<f32>(_S420.ends_per_mm_0, _S420.picks_per_mm_0);
     var taps_1 : AnisotropicTaps_0;
-    taps_1.centre_1 = _S393.centre_0 * _S402;
-    var _S403 : f32;
-    if(_S401)
+    taps_1.centre_1 = _S413.centre_0 * _S422;
+    var _S423 : f32;
+    if(_S421)
     {
-        _S403 = sqrt(0.125f * _S397);
+        _S423 = sqrt(0.125f * _S417);
     }
     else
     {
-        _S403 = _S394.x;
+        _S423 = _S414.x;
     }
-    taps_1.side_1 = _S403 / _S400.pitch_0;
-    var _S404 : vec2<f32>;
-    if(_S401)
+    taps_1.side_1 = _S423 / _S420.pitch_0;
+    var _S424 : vec2<f32>;
+    if(_S421)
     {
-        _S404 = vec2<f32>(0.25f) * _S393.dx_0;
+        _S424 = vec2<f32>(0.25f) * _S413.dx_0;
     }
     else
     {
-        _S404 = _S394.yz;
+        _S424 = _S414.yz;
     }
-    taps_1.first_20 = _S404 * _S402;
-    if(_S401)
+    taps_1.first_20 = _S424 * _S422;
+    if(_S421)
     {
-        _S404 = vec2<f32>(0.25f) * _S393.dy_0;
+        _S424 = vec2<f32>(0.25f) * _S413.dy_0;
     }
     else
     {
-        _S404 = vec2<f32>(0.5f) * _S394.yz;
+        _S424 = vec2<f32>(0.5f) * _S414.yz;
     }
-    taps_1.second_0 = _S404 * _S402;
+    taps_1.second_0 = _S424 * _S422;
     return taps_1;
 }
 
-fn add_texel_0( _S405 : u32,  _S406 : u32,  _S407 : f32,  _S408 : ptr<function, array<f32, i32(88)>>)
+fn add_texel_0( _S425 : u32,  _S426 : u32,  _S427 : f32,  _S428 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S409 : u32 = fabrics_0[_S405].woven_0.latents_0 + _S406 * u32(8);
+    var _S429 : u32 = fabrics_0[_S425].woven_0.latents_0 + _S426 * u32(8);
     var part_0 : u32 = u32(0);
     for(;;)
     {
@@ -2367,53 +2551,53 @@ fn add_texel_0( _S405 : u32,  _S406 : u32,  _S407 : f32,  _S408 : ptr<function, 
         {
             break;
         }
-        var _S410 : Eight_0 = eight_halves_0(packed_numbers_0[_S409 + part_0]);
-        var _S411 : i32 = i32(u32(8) * part_0);
-        (*_S408)[_S411] = (*_S408)[_S411] + _S407 * _S410.low_0[i32(0)];
-        (*_S408)[_S411 + i32(4)] = (*_S408)[_S411 + i32(4)] + _S407 * _S410.high_0[i32(0)];
-        var _S412 : i32 = _S411 + i32(1);
-        (*_S408)[_S412] = (*_S408)[_S412] + _S407 * _S410.low_0[i32(1)];
-        (*_S408)[_S412 + i32(4)] = (*_S408)[_S412 + i32(4)] + _S407 * _S410.high_0[i32(1)];
-        var _S413 : i32 = _S411 + i32(2);
-        (*_S408)[_S413] = (*_S408)[_S413] + _S407 * _S410.low_0[i32(2)];
-        (*_S408)[_S413 + i32(4)] = (*_S408)[_S413 + i32(4)] + _S407 * _S410.high_0[i32(2)];
-        var _S414 : i32 = _S411 + i32(3);
-        (*_S408)[_S414] = (*_S408)[_S414] + _S407 * _S410.low_0[i32(3)];
-        (*_S408)[_S414 + i32(4)] = (*_S408)[_S414 + i32(4)] + _S407 * _S410.high_0[i32(3)];
+        var _S430 : Eight_0 = eight_halves_0(packed_numbers_0[_S429 + part_0]);
+        var _S431 : i32 = i32(u32(8) * part_0);
+        (*_S428)[_S431] = (*_S428)[_S431] + _S427 * _S430.low_0[i32(0)];
+        (*_S428)[_S431 + i32(4)] = (*_S428)[_S431 + i32(4)] + _S427 * _S430.high_0[i32(0)];
+        var _S432 : i32 = _S431 + i32(1);
+        (*_S428)[_S432] = (*_S428)[_S432] + _S427 * _S430.low_0[i32(1)];
+        (*_S428)[_S432 + i32(4)] = (*_S428)[_S432 + i32(4)] + _S427 * _S430.high_0[i32(1)];
+        var _S433 : i32 = _S431 + i32(2);
+        (*_S428)[_S433] = (*_S428)[_S433] + _S427 * _S430.low_0[i32(2)];
+        (*_S428)[_S433 + i32(4)] = (*_S428)[_S433 + i32(4)] + _S427 * _S430.high_0[i32(2)];
+        var _S434 : i32 = _S431 + i32(3);
+        (*_S428)[_S434] = (*_S428)[_S434] + _S427 * _S430.low_0[i32(3)];
+        (*_S428)[_S434 + i32(4)] = (*_S428)[_S434 + i32(4)] + _S427 * _S430.high_0[i32(3)];
         part_0 = part_0 + u32(1);
     }
     return;
 }
 
-fn add_level_0( _S415 : u32,  _S416 : u32,  _S417 : bool,  _S418 : vec2<f32>,  _S419 : f32,  _S420 : ptr<function, array<f32, i32(88)>>)
+fn add_level_0( _S435 : u32,  _S436 : u32,  _S437 : bool,  _S438 : vec2<f32>,  _S439 : f32,  _S440 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S421 : Woven_std430_0 = fabrics_0[_S415].woven_0;
-    var _S422 : u32 = fabrics_0[_S415].woven_0.levels_1 + u32(4) * _S416;
-    var _S423 : f32 = table_number_0(_S422);
-    var _S424 : f32 = table_number_0(_S422 + u32(1));
-    var _S425 : f32 = table_number_0(_S422 + u32(2));
-    var _S426 : bool;
-    if(_S416 > u32(3))
+    var _S441 : Woven_std430_0 = fabrics_0[_S435].woven_0;
+    var _S442 : u32 = fabrics_0[_S435].woven_0.levels_1 + u32(4) * _S436;
+    var _S443 : f32 = table_number_0(_S442);
+    var _S444 : f32 = table_number_0(_S442 + u32(1));
+    var _S445 : f32 = table_number_0(_S442 + u32(2));
+    var _S446 : bool;
+    if(_S436 > u32(3))
     {
-        _S426 = _S416 < (_S421.top_level_0);
+        _S446 = _S436 < (_S441.top_level_0);
     }
     else
     {
-        _S426 = false;
+        _S446 = false;
     }
-    var _S427 : vec2<f32> = _S418 * vec2<f32>(table_number_0(_S422 + u32(3)));
-    var _S428 : f32;
-    if(_S426)
+    var _S447 : vec2<f32> = _S438 * vec2<f32>(table_number_0(_S442 + u32(3)));
+    var _S448 : f32;
+    if(_S446)
     {
-        _S428 = 1.0f;
+        _S448 = 1.0f;
     }
     else
     {
-        _S428 = 0.5f;
+        _S448 = 0.5f;
     }
-    var _S429 : vec2<f32> = _S427 - vec2<f32>(_S428);
-    var _S430 : vec2<f32> = floor(_S429);
-    var _S431 : vec2<f32> = _S429 - _S430;
+    var _S449 : vec2<f32> = _S447 - vec2<f32>(_S448);
+    var _S450 : vec2<f32> = floor(_S449);
+    var _S451 : vec2<f32> = _S449 - _S450;
     var corner_0 : u32 = u32(0);
     for(;;)
     {
@@ -2424,26 +2608,26 @@ fn add_level_0( _S415 : u32,  _S416 : u32,  _S417 : bool,  _S418 : vec2<f32>,  _
         {
             break;
         }
-        var _S432 : f32 = f32((corner_0 & (u32(1))));
-        var _S433 : f32 = f32((corner_0 >> (u32(1))));
-        var _S434 : vec2<f32> = mix(vec2<f32>(1.0f) - _S431, _S431, vec2<f32>(_S432, _S433));
-        var _S435 : u32 = u32(_S423 + wrapped_0(_S430.y + _S433, _S425) * _S424 + wrapped_0(_S430.x + _S432, _S424));
-        var _S436 : u32;
-        if(_S417)
+        var _S452 : f32 = f32((corner_0 & (u32(1))));
+        var _S453 : f32 = f32((corner_0 >> (u32(1))));
+        var _S454 : vec2<f32> = mix(vec2<f32>(1.0f) - _S451, _S451, vec2<f32>(_S452, _S453));
+        var _S455 : u32 = u32(_S443 + wrapped_0(_S450.y + _S453, _S445) * _S444 + wrapped_0(_S450.x + _S452, _S444));
+        var _S456 : u32;
+        if(_S437)
         {
-            _S436 = _S421.texels_0;
+            _S456 = _S441.texels_0;
         }
         else
         {
-            _S436 = u32(0);
+            _S456 = u32(0);
         }
-        add_texel_0(_S415, _S435 + _S436, _S419 * _S434.x * _S434.y, &((*_S420)));
+        add_texel_0(_S435, _S455 + _S456, _S439 * _S454.x * _S454.y, &((*_S440)));
         corner_0 = corner_0 + u32(1);
     }
     return;
 }
 
-fn code_footprint_0( _S437 : u32,  _S438 : AnisotropicTaps_0,  _S439 : vec3<f32>,  _S440 : bool,  _S441 : ptr<function, array<f32, i32(88)>>)
+fn code_footprint_0( _S457 : u32,  _S458 : AnisotropicTaps_0,  _S459 : vec3<f32>,  _S460 : bool,  _S461 : ptr<function, array<f32, i32(88)>>)
 {
     var offset_1 : f32;
     var k_0 : i32 = i32(0);
@@ -2456,55 +2640,55 @@ fn code_footprint_0( _S437 : u32,  _S438 : AnisotropicTaps_0,  _S439 : vec3<f32>
         {
             break;
         }
-        (*_S441)[k_0] = 0.0f;
+        (*_S461)[k_0] = 0.0f;
         k_0 = k_0 + i32(1);
     }
-    var _S442 : vec2<f32> = vec2<f32>(fabrics_0[_S437].woven_0.ends_0, fabrics_0[_S437].woven_0.picks_0);
-    var _S443 : f32 = f32(fabrics_0[_S437].woven_0.top_level_0);
-    var _S444 : f32 = clamp(binary_logarithm_0(max(_S438.side_1, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S443);
-    var _S445 : f32 = min(floor(_S444), _S443 - 1.0f);
-    var _S446 : u32;
-    if(AnisotropicTaps_has_steps_0(_S438))
+    var _S462 : vec2<f32> = vec2<f32>(fabrics_0[_S457].woven_0.ends_0, fabrics_0[_S457].woven_0.picks_0);
+    var _S463 : f32 = f32(fabrics_0[_S457].woven_0.top_level_0);
+    var _S464 : f32 = clamp(binary_logarithm_0(max(_S458.side_1, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S463);
+    var _S465 : f32 = min(floor(_S464), _S463 - 1.0f);
+    var _S466 : u32;
+    if(AnisotropicTaps_has_steps_0(_S458))
     {
-        _S446 = u32(4);
+        _S466 = u32(4);
     }
     else
     {
-        _S446 = u32(1);
+        _S466 = u32(1);
     }
     var number_2 : u32 = u32(0);
     for(;;)
     {
-        if(number_2 < (u32(2) * _S446))
+        if(number_2 < (u32(2) * _S466))
         {
         }
         else
         {
             break;
         }
-        var _S447 : vec2<f32> = AnisotropicTaps_place_0(_S438, (number_2 >> (u32(1))));
-        var _S448 : vec2<f32> = clamp(_S447 - _S442 * floor(_S447 / _S442), vec2<f32>(0.0f), _S442);
-        var _S449 : bool = ((number_2 & (u32(1)))) != u32(0);
-        if(_S449)
+        var _S467 : vec2<f32> = AnisotropicTaps_place_0(_S458, (number_2 >> (u32(1))));
+        var _S468 : vec2<f32> = clamp(_S467 - _S462 * floor(_S467 / _S462), vec2<f32>(0.0f), _S462);
+        var _S469 : bool = ((number_2 & (u32(1)))) != u32(0);
+        if(_S469)
         {
-            offset_1 = _S444 - _S445;
+            offset_1 = _S464 - _S465;
         }
         else
         {
-            offset_1 = 1.0f - (_S444 - _S445);
+            offset_1 = 1.0f - (_S464 - _S465);
         }
-        var _S450 : f32 = offset_1 / f32(_S446);
-        var _S451 : u32 = u32(_S445);
-        var _S452 : u32;
-        if(_S449)
+        var _S470 : f32 = offset_1 / f32(_S466);
+        var _S471 : u32 = u32(_S465);
+        var _S472 : u32;
+        if(_S469)
         {
-            _S452 = u32(1);
+            _S472 = u32(1);
         }
         else
         {
-            _S452 = u32(0);
+            _S472 = u32(0);
         }
-        add_level_0(_S437, _S451 + _S452, _S440, _S448, _S450, &((*_S441)));
+        add_level_0(_S457, _S471 + _S472, _S460, _S468, _S470, &((*_S461)));
         number_2 = number_2 + u32(1);
     }
     var number_3 : i32 = i32(0);
@@ -2527,7 +2711,7 @@ fn code_footprint_0( _S437 : u32,  _S438 : AnisotropicTaps_0,  _S439 : vec3<f32>
             {
                 break;
             }
-            var offset_2 : f32 = _S439[number_3] - (f32(bin_0) + 0.5f) / 8.0f;
+            var offset_2 : f32 = _S459[number_3] - (f32(bin_0) + 0.5f) / 8.0f;
             if(number_3 < i32(2))
             {
                 offset_1 = offset_2 - round(offset_2);
@@ -2536,7 +2720,7 @@ fn code_footprint_0( _S437 : u32,  _S438 : AnisotropicTaps_0,  _S439 : vec3<f32>
             {
                 offset_1 = offset_2;
             }
-            (*_S441)[i32(64) + number_3 * i32(8) + bin_0] = bump_0(offset_1 * 3.20000004768371582f);
+            (*_S461)[i32(64) + number_3 * i32(8) + bin_0] = bump_0(offset_1 * 3.20000004768371582f);
             bin_0 = bin_0 + i32(1);
         }
         number_3 = number_3 + i32(1);
@@ -2544,97 +2728,97 @@ fn code_footprint_0( _S437 : u32,  _S438 : AnisotropicTaps_0,  _S439 : vec3<f32>
     return;
 }
 
-fn crown_fibres_0( _S453 : u32,  _S454 : bool,  _S455 : bool) -> vec3<f32>
+fn crown_fibres_0( _S473 : u32,  _S474 : bool,  _S475 : bool) -> vec3<f32>
 {
-    var _S456 : f32;
-    if(_S454)
+    var _S476 : f32;
+    if(_S474)
     {
-        if(_S455)
+        if(_S475)
         {
-            _S456 = - fabrics_0[_S453].woven_0.warp_x_0;
+            _S476 = - fabrics_0[_S473].woven_0.warp_x_0;
         }
         else
         {
-            _S456 = fabrics_0[_S453].woven_0.warp_x_0;
+            _S476 = fabrics_0[_S473].woven_0.warp_x_0;
         }
-        return vec3<f32>(_S456, fabrics_0[_S453].woven_0.warp_y_0, fabrics_0[_S453].woven_0.warp_roughness_0);
+        return vec3<f32>(_S476, fabrics_0[_S473].woven_0.warp_y_0, fabrics_0[_S473].woven_0.warp_roughness_0);
     }
-    var _S457 : Woven_std430_0 = fabrics_0[_S453].woven_0;
-    if(_S455)
+    var _S477 : Woven_std430_0 = fabrics_0[_S473].woven_0;
+    if(_S475)
     {
-        _S456 = - _S457.weft_y_0;
+        _S476 = - _S477.weft_y_0;
     }
     else
     {
-        _S456 = _S457.weft_y_0;
+        _S476 = _S477.weft_y_0;
     }
-    return vec3<f32>(_S457.weft_x_0, _S456, _S457.weft_roughness_0);
+    return vec3<f32>(_S477.weft_x_0, _S476, _S477.weft_roughness_0);
 }
 
-fn woven_view_0( _S458 : u32,  _S459 : Footprint_0,  _S460 : vec3<f32>,  _S461 : ptr<function, WovenView_0>)
+fn woven_view_0( _S478 : u32,  _S479 : Footprint_0,  _S480 : vec3<f32>,  _S481 : ptr<function, WovenView_0>)
 {
-    var _S462 : bool = (_S460.z) < 0.0f;
-    var _S463 : AnisotropicTaps_0 = anisotropic_taps_0(_S458, _S459);
-    var _S464 : vec3<f32> = footprint_coordinates_0(_S463);
-    var _S465 : vec3<f32> = to_face_frame_0(_S460, _S462);
+    var _S482 : bool = (_S480.z) < 0.0f;
+    var _S483 : AnisotropicTaps_0 = anisotropic_taps_0(_S478, _S479);
+    var _S484 : vec3<f32> = footprint_coordinates_0(_S483);
+    var _S485 : vec3<f32> = to_face_frame_0(_S480, _S482);
     var weights_23 : HalfWeights_0;
-    weights_23.first_2 = fabrics_0[_S458].woven_0.network_0;
+    weights_23.first_2 = fabrics_0[_S478].woven_0.network_0;
     var inputs_23 : array<f32, i32(88)>;
-    code_footprint_0(_S458, _S463, _S464, _S462, &(inputs_23));
-    var hidden_0 : array<f32, i32(96)>;
-    dense_7(weights_23, u32(0), false, &(inputs_23), &(hidden_0));
+    code_footprint_0(_S478, _S483, _S484, _S482, &(inputs_23));
+    var hidden_1 : array<f32, i32(96)>;
+    dense_7(weights_23, u32(0), false, &(inputs_23), &(hidden_1));
     var fused_0 : array<f32, i32(100)>;
-    dense_part_8(weights_23, u32(1068), false, &(hidden_0), &(fused_0));
-    fused_0[i32(96)] = _S465.x;
-    fused_0[i32(97)] = _S465.y;
-    var _S466 : vec2<f32> = _S465.xy;
-    fused_0[i32(98)] = dot(crown_fibres_0(_S458, true, _S462).xy, _S466);
-    fused_0[i32(99)] = dot(crown_fibres_0(_S458, false, _S462).xy, _S466);
+    dense_part_8(weights_23, u32(1068), false, &(hidden_1), &(fused_0));
+    fused_0[i32(96)] = _S485.x;
+    fused_0[i32(97)] = _S485.y;
+    var _S486 : vec2<f32> = _S485.xy;
+    fused_0[i32(98)] = dot(crown_fibres_0(_S478, true, _S482).xy, _S486);
+    fused_0[i32(99)] = dot(crown_fibres_0(_S478, false, _S482).xy, _S486);
     var of_hole_0 : array<f32, i32(16)>;
     dense_6(weights_23, u32(2232), false, &(fused_0), &(of_hole_0));
     var hole_1 : array<f32, i32(1)>;
     dense_5(weights_23, u32(2444), false, &(of_hole_0), &(hole_1));
-    var _S467 : array<f32, i32(96)> = (*_S461).sums_6;
-    dense_4(weights_23, u32(2456), false, &(fused_0), &(_S467));
-    (*_S461).sums_6 = _S467;
-    (*_S461).hole_0 = clamp(hole_1[i32(0)], 0.0f, 1.0f);
-    (*_S461).correction_weight_0 = correction_weight_of_0(_S464.z);
-    (*_S461).view_4 = _S465;
-    (*_S461).back_3 = _S462;
+    var _S487 : array<f32, i32(96)> = (*_S481).sums_6;
+    dense_4(weights_23, u32(2456), false, &(fused_0), &(_S487));
+    (*_S481).sums_6 = _S487;
+    (*_S481).hole_0 = clamp(hole_1[i32(0)], 0.0f, 1.0f);
+    (*_S481).correction_weight_0 = correction_weight_of_0(_S484.z);
+    (*_S481).view_7 = _S485;
+    (*_S481).back_5 = _S482;
     return;
 }
 
 struct FamilyAlbedos_0
 {
-     warp_1 : Albedos_0,
-     weft_1 : Albedos_0,
+     warp_4 : Albedos_0,
+     weft_4 : Albedos_0,
 };
 
-fn albedos_over_0( _S468 : u32,  _S469 : Footprint_0,  _S470 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S488 : u32,  _S489 : Footprint_0,  _S490 : bool) -> FamilyAlbedos_0
 {
-    var _S471 : vec2<f32> = _S469.dx_0;
-    var _S472 : vec2<f32> = _S469.dy_0;
-    var _S473 : vec2<f32> = sqrt(_S471 * _S471 + _S472 * _S472);
-    var _S474 : Stretch_0 = stretch_of_0(fabrics_0[_S468].warp_0, _S469.centre_0.x, _S473.x);
-    var _S475 : Stretch_0 = stretch_of_0(fabrics_0[_S468].weft_0, _S469.centre_0.y, _S473.y);
+    var _S491 : vec2<f32> = _S489.dx_0;
+    var _S492 : vec2<f32> = _S489.dy_0;
+    var _S493 : vec2<f32> = sqrt(_S491 * _S491 + _S492 * _S492);
+    var _S494 : Stretch_0 = stretch_of_0(fabrics_0[_S488].warp_0, _S489.centre_0.x, _S493.x);
+    var _S495 : Stretch_0 = stretch_of_0(fabrics_0[_S488].weft_0, _S489.centre_0.y, _S493.y);
     var albedos_4 : FamilyAlbedos_0;
-    albedos_4.warp_1 = mean_albedos_0(fabrics_0[_S468].warp_0, fabrics_0[_S468].weft_0, _S474, _S475, _S470);
-    albedos_4.weft_1 = mean_albedos_0(fabrics_0[_S468].weft_0, fabrics_0[_S468].warp_0, _S475, _S474, _S470);
+    albedos_4.warp_4 = mean_albedos_0(fabrics_0[_S488].warp_0, fabrics_0[_S488].weft_0, _S494, _S495, _S490);
+    albedos_4.weft_4 = mean_albedos_0(fabrics_0[_S488].weft_0, fabrics_0[_S488].warp_0, _S495, _S494, _S490);
     return albedos_4;
 }
 
-fn light_sample_count_0( _S476 : i32) -> u32
+fn light_sample_count_0( _S496 : i32) -> u32
 {
-    return frames_0[_S476].lights_0 + frames_0[_S476].environment_samples_0;
+    return frames_0[_S496].lights_0 + frames_0[_S496].environment_samples_0;
 }
 
-fn visibility_at_0( _S477 : i32,  _S478 : u32,  _S479 : vec2<u32>) -> f32
+fn visibility_at_0( _S497 : i32,  _S498 : u32,  _S499 : vec2<u32>) -> f32
 {
-    if((frames_0[_S477].casts_shadows_0) == u32(0))
+    if((frames_0[_S497].casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S478 * frames_0[_S477].height_0 + _S479.y) * frames_0[_S477].width_0 + _S479.x];
+    return visibilities_0[(_S498 * frames_0[_S497].height_0 + _S499.y) * frames_0[_S497].width_0 + _S499.x];
 }
 
 struct LightSample_0
@@ -2644,52 +2828,52 @@ struct LightSample_0
      distance_1 : f32,
 };
 
-fn environment_texel_0( _S480 : i32,  _S481 : u32,  _S482 : u32) -> vec3<f32>
+fn environment_texel_0( _S500 : i32,  _S501 : u32,  _S502 : u32) -> vec3<f32>
 {
-    var _S483 : u32 = frames_0[_S480].environment_table_0 + frames_0[_S480].environment_rows_0 + u32(1) + frames_0[_S480].environment_rows_0 * (frames_0[_S480].environment_columns_0 + u32(1)) + u32(3) * (_S481 * frames_0[_S480].environment_columns_0 + _S482);
-    return vec3<f32>(scene_number_0(_S483), scene_number_0(_S483 + u32(1)), scene_number_0(_S483 + u32(2)));
+    var _S503 : u32 = frames_0[_S500].environment_table_0 + frames_0[_S500].environment_rows_0 + u32(1) + frames_0[_S500].environment_rows_0 * (frames_0[_S500].environment_columns_0 + u32(1)) + u32(3) * (_S501 * frames_0[_S500].environment_columns_0 + _S502);
+    return vec3<f32>(scene_number_0(_S503), scene_number_0(_S503 + u32(1)), scene_number_0(_S503 + u32(2)));
 }
 
-fn sample_environment_0( _S484 : i32,  _S485 : vec2<f32>,  _S486 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S504 : i32,  _S505 : vec2<f32>,  _S506 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S487 : u32 = frames_0[_S484].environment_rows_0;
-    var _S488 : Choice_0 = choose_0(frames_0[_S484].environment_table_0, frames_0[_S484].environment_rows_0, _S485.y);
-    var _S489 : u32 = frames_0[_S484].environment_columns_0;
-    var _S490 : Choice_0 = choose_0(frames_0[_S484].environment_table_0 + frames_0[_S484].environment_rows_0 + u32(1) + _S488.index_7 * (frames_0[_S484].environment_columns_0 + u32(1)), frames_0[_S484].environment_columns_0, _S485.x);
-    var _S491 : vec3<f32> = environment_texel_0(_S484, _S488.index_7, _S490.index_7);
-    (*_S486) = _S491 * vec3<f32>((frames_0[_S484].environment_total_0 / max(mean_0(_S491), 9.99999968265522539e-21f)));
-    var _S492 : f32 = 3.14159274101257324f / f32(_S487);
-    var _S493 : f32 = mix(sine_cosine_0(f32(_S488.index_7) * _S492).y, sine_cosine_0(f32(_S488.index_7 + u32(1)) * _S492).y, _S488.remainder_0);
-    var _S494 : f32 = sqrt(max(1.0f - _S493 * _S493, 0.0f));
-    var _S495 : vec2<f32> = sine_cosine_0((f32(_S490.index_7) + _S490.remainder_0) * (6.28318548202514648f / f32(_S489)));
-    var _S496 : f32 = _S494 * _S495.x;
-    var _S497 : f32 = - _S494 * _S495.y;
-    return vec3<f32>(frames_0[_S484].environment_cosine_0 * _S496 + frames_0[_S484].environment_sine_0 * _S497, _S493, frames_0[_S484].environment_cosine_0 * _S497 - frames_0[_S484].environment_sine_0 * _S496);
+    var _S507 : u32 = frames_0[_S504].environment_rows_0;
+    var _S508 : Choice_0 = choose_0(frames_0[_S504].environment_table_0, frames_0[_S504].environment_rows_0, _S505.y);
+    var _S509 : u32 = frames_0[_S504].environment_columns_0;
+    var _S510 : Choice_0 = choose_0(frames_0[_S504].environment_table_0 + frames_0[_S504].environment_rows_0 + u32(1) + _S508.index_7 * (frames_0[_S504].environment_columns_0 + u32(1)), frames_0[_S504].environment_columns_0, _S505.x);
+    var _S511 : vec3<f32> = environment_texel_0(_S504, _S508.index_7, _S510.index_7);
+    (*_S506) = _S511 * vec3<f32>((frames_0[_S504].environment_total_0 / max(mean_0(_S511), 9.99999968265522539e-21f)));
+    var _S512 : f32 = 3.14159274101257324f / f32(_S507);
+    var _S513 : f32 = mix(sine_cosine_0(f32(_S508.index_7) * _S512).y, sine_cosine_0(f32(_S508.index_7 + u32(1)) * _S512).y, _S508.remainder_0);
+    var _S514 : f32 = sqrt(max(1.0f - _S513 * _S513, 0.0f));
+    var _S515 : vec2<f32> = sine_cosine_0((f32(_S510.index_7) + _S510.remainder_0) * (6.28318548202514648f / f32(_S509)));
+    var _S516 : f32 = _S514 * _S515.x;
+    var _S517 : f32 = - _S514 * _S515.y;
+    return vec3<f32>(frames_0[_S504].environment_cosine_0 * _S516 + frames_0[_S504].environment_sine_0 * _S517, _S513, frames_0[_S504].environment_cosine_0 * _S517 - frames_0[_S504].environment_sine_0 * _S516);
 }
 
-fn light_sample_0( _S498 : i32,  _S499 : u32,  _S500 : vec2<u32>,  _S501 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S518 : i32,  _S519 : u32,  _S520 : vec2<u32>,  _S521 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_1 = 1.00000001504746622e+30f;
-    var _S502 : u32 = frames_0[_S498].lights_0;
-    if(_S499 >= (frames_0[_S498].lights_0))
+    var _S522 : u32 = frames_0[_S518].lights_0;
+    if(_S519 >= (frames_0[_S518].lights_0))
     {
-        var weight_2 : vec3<f32>;
-        var _S503 : vec3<f32> = sample_environment_0(_S498, pixel_sequence_0(_S500, frames_0[_S498].pass_number_0 * frames_0[_S498].environment_samples_0 + (_S499 - _S502), u32(3)), &(weight_2));
-        sample_0.towards_0 = _S503;
-        sample_0.irradiance_1 = weight_2 / vec3<f32>(f32(frames_0[_S498].environment_samples_0));
+        var weight_3 : vec3<f32>;
+        var _S523 : vec3<f32> = sample_environment_0(_S518, pixel_sequence_0(_S520, frames_0[_S518].pass_number_0 * frames_0[_S518].environment_samples_0 + (_S519 - _S522), u32(3)), &(weight_3));
+        sample_0.towards_0 = _S523;
+        sample_0.irradiance_1 = weight_3 / vec3<f32>(f32(frames_0[_S518].environment_samples_0));
         return sample_0;
     }
-    var _S504 : Light_std430_0 = lights_1[_S499];
-    sample_0.irradiance_1 = vec3<f32>(_S504.red_0, _S504.green_0, _S504.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S504.x_1, _S504.y_1, _S504.z_1);
-    if((_S504.is_point_0) != u32(0))
+    var _S524 : Light_std430_0 = lights_1[_S519];
+    sample_0.irradiance_1 = vec3<f32>(_S524.red_0, _S524.green_0, _S524.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S524.x_1, _S524.y_1, _S524.z_1);
+    if((_S524.is_point_0) != u32(0))
     {
-        var _S505 : vec3<f32> = sample_0.towards_0 - _S501;
-        var _S506 : f32 = max(square_0(_S505), 9.999999960041972e-13f);
-        sample_0.distance_1 = sqrt(_S506);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S506);
-        sample_0.towards_0 = normalize(_S505);
+        var _S525 : vec3<f32> = sample_0.towards_0 - _S521;
+        var _S526 : f32 = max(square_0(_S525), 9.999999960041972e-13f);
+        sample_0.distance_1 = sqrt(_S526);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S526);
+        sample_0.towards_0 = normalize(_S525);
     }
     return sample_0;
 }
@@ -2704,16 +2888,16 @@ struct Components_0
      hole_2 : f32,
 };
 
-fn code_light_0( _S507 : u32,  _S508 : vec3<f32>,  _S509 : vec3<f32>,  _S510 : bool,  _S511 : ptr<function, array<f32, i32(39)>>)
+fn code_light_0( _S527 : u32,  _S528 : vec3<f32>,  _S529 : vec3<f32>,  _S530 : bool,  _S531 : ptr<function, array<f32, i32(39)>>)
 {
-    (*_S511)[i32(0)] = _S508.x;
-    (*_S511)[i32(1)] = _S508.y;
-    (*_S511)[i32(2)] = _S508.z;
-    var _S512 : vec3<f32> = _S508 + _S509;
-    var _S513 : f32 = _S512.z;
-    var _S514 : f32 = _S513 * _S513 + 0.00009999999747379f;
-    var _S515 : vec2<f32> = _S512.xy;
-    var _S516 : f32 = 1.0f / (dot(_S515, _S515) + _S514);
+    (*_S531)[i32(0)] = _S528.x;
+    (*_S531)[i32(1)] = _S528.y;
+    (*_S531)[i32(2)] = _S528.z;
+    var _S532 : vec3<f32> = _S528 + _S529;
+    var _S533 : f32 = _S532.z;
+    var _S534 : f32 = _S533 * _S533 + 0.00009999999747379f;
+    var _S535 : vec2<f32> = _S532.xy;
+    var _S536 : f32 = 1.0f / (dot(_S535, _S535) + _S534);
     var family_10 : i32 = i32(0);
     for(;;)
     {
@@ -2724,12 +2908,12 @@ fn code_light_0( _S507 : u32,  _S508 : vec3<f32>,  _S509 : vec3<f32>,  _S510 : b
         {
             break;
         }
-        var _S517 : vec3<f32> = crown_fibres_0(_S507, family_10 == i32(0), _S510);
-        var _S518 : vec2<f32> = _S517.xy;
-        (*_S511)[i32(3) + family_10] = dot(_S518, _S508.xy);
-        var _S519 : f32 = dot(_S518, _S515);
-        var _S520 : f32 = _S519 * _S519;
-        var _S521 : f32 = (0.75f * _S519 / (0.5f * sqrt(_S520 + _S514) + abs(_S519)) + 0.5f) * 8.0f;
+        var _S537 : vec3<f32> = crown_fibres_0(_S527, family_10 == i32(0), _S530);
+        var _S538 : vec2<f32> = _S537.xy;
+        (*_S531)[i32(3) + family_10] = dot(_S538, _S528.xy);
+        var _S539 : f32 = dot(_S538, _S535);
+        var _S540 : f32 = _S539 * _S539;
+        var _S541 : f32 = (0.75f * _S539 / (0.5f * sqrt(_S540 + _S534) + abs(_S539)) + 0.5f) * 8.0f;
         var bin_1 : i32 = i32(0);
         for(;;)
         {
@@ -2740,59 +2924,59 @@ fn code_light_0( _S507 : u32,  _S508 : vec3<f32>,  _S509 : vec3<f32>,  _S510 : b
             {
                 break;
             }
-            (*_S511)[i32(5) + family_10 * i32(16) + bin_1] = bump_0(_S521 - (f32(bin_1) + 0.5f) / 2.0f);
+            (*_S531)[i32(5) + family_10 * i32(16) + bin_1] = bump_0(_S541 - (f32(bin_1) + 0.5f) / 2.0f);
             bin_1 = bin_1 + i32(1);
         }
-        var _S522 : f32 = _S517.z;
-        var _S523 : f32 = _S522 * _S522;
-        var _S524 : f32 = _S520 * _S516 * (1.0f - _S523) + _S523;
-        (*_S511)[i32(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S523 * _S522 / (_S524 * _S524));
+        var _S542 : f32 = _S537.z;
+        var _S543 : f32 = _S542 * _S542;
+        var _S544 : f32 = _S540 * _S536 * (1.0f - _S543) + _S543;
+        (*_S531)[i32(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S543 * _S542 / (_S544 * _S544));
         family_10 = family_10 + i32(1);
     }
     return;
 }
 
-fn mixed_bundles_0( _S525 : u32,  _S526 : u32,  _S527 : u32,  _S528 : vec3<f32>,  _S529 : vec3<f32>,  _S530 : bool,  _S531 : ptr<function, array<f32, i32(52)>>) -> f32
+fn mixed_bundles_0( _S545 : u32,  _S546 : u32,  _S547 : u32,  _S548 : vec3<f32>,  _S549 : vec3<f32>,  _S550 : bool,  _S551 : ptr<function, array<f32, i32(52)>>) -> f32
 {
-    var _S532 : vec3<f32> = _S528 + _S529;
-    var _S533 : f32 = 1.0f / (square_0(_S532) + 0.00009999999747379f);
-    var _S534 : bool;
-    if(_S526 == u32(0))
+    var _S552 : vec3<f32> = _S548 + _S549;
+    var _S553 : f32 = 1.0f / (square_0(_S552) + 0.00009999999747379f);
+    var _S554 : bool;
+    if(_S546 == u32(0))
     {
-        _S534 = _S530;
+        _S554 = _S550;
     }
     else
     {
-        _S534 = false;
+        _S554 = false;
     }
-    var _S535 : f32;
-    if(_S534)
+    var _S555 : f32;
+    if(_S554)
     {
-        _S535 = - _S532.x;
-    }
-    else
-    {
-        _S535 = _S532.x;
-    }
-    if(_S526 == u32(1))
-    {
-        _S534 = _S530;
+        _S555 = - _S552.x;
     }
     else
     {
-        _S534 = false;
+        _S555 = _S552.x;
     }
-    var _S536 : f32;
-    if(_S534)
+    if(_S546 == u32(1))
     {
-        _S536 = - _S532.y;
+        _S554 = _S550;
     }
     else
     {
-        _S536 = _S532.y;
+        _S554 = false;
+    }
+    var _S556 : f32;
+    if(_S554)
+    {
+        _S556 = - _S552.y;
+    }
+    else
+    {
+        _S556 = _S552.y;
     }
     var bundle_1 : u32 = u32(0);
-    var sum_1 : f32 = 0.0f;
+    var sum_2 : f32 = 0.0f;
     for(;;)
     {
         if(bundle_1 < u32(25))
@@ -2802,38 +2986,38 @@ fn mixed_bundles_0( _S525 : u32,  _S526 : u32,  _S527 : u32,  _S528 : vec3<f32>,
         {
             break;
         }
-        var _S537 : u32 = _S526 * u32(25);
-        var _S538 : u32 = fabrics_0[_S525].woven_0.bundles_0 + u32(4) * (_S537 + bundle_1);
-        var _S539 : f32 = dot(vec3<f32>(table_number_0(_S538), table_number_0(_S538 + u32(1)), table_number_0(_S538 + u32(2))), vec3<f32>(_S535, _S536, _S532.z));
-        var _S540 : f32 = _S539 * _S539 * _S533 + table_number_0(_S538 + u32(3));
-        var _S541 : u32 = _S527 + _S537;
-        var _S542 : u32;
-        if(_S530)
+        var _S557 : u32 = _S546 * u32(25);
+        var _S558 : u32 = fabrics_0[_S545].woven_0.bundles_0 + u32(4) * (_S557 + bundle_1);
+        var _S559 : f32 = dot(vec3<f32>(table_number_0(_S558), table_number_0(_S558 + u32(1)), table_number_0(_S558 + u32(2))), vec3<f32>(_S555, _S556, _S552.z));
+        var _S560 : f32 = _S559 * _S559 * _S553 + table_number_0(_S558 + u32(3));
+        var _S561 : u32 = _S547 + _S557;
+        var _S562 : u32;
+        if(_S550)
         {
-            _S542 = mirrored_bundle_0(bundle_1);
+            _S562 = mirrored_bundle_0(bundle_1);
         }
         else
         {
-            _S542 = bundle_1;
+            _S562 = bundle_1;
         }
-        var sum_2 : f32 = sum_1 + max((*_S531)[_S541 + _S542], (*_S531)[_S541 + _S542] * 0.00999999977648258f) / (_S540 * _S540);
+        var sum_3 : f32 = sum_2 + max((*_S551)[_S561 + _S562], (*_S551)[_S561 + _S562] * 0.00999999977648258f) / (_S560 * _S560);
         bundle_1 = bundle_1 + u32(1);
-        sum_1 = sum_2;
+        sum_2 = sum_3;
     }
-    return 0.01999999955296516f * sum_1;
+    return 0.01999999955296516f * sum_2;
 }
 
-fn woven_components_0( _S543 : u32,  _S544 : ptr<function, WovenView_0>,  _S545 : vec3<f32>) -> Components_0
+fn woven_components_0( _S563 : u32,  _S564 : ptr<function, WovenView_0>,  _S565 : vec3<f32>) -> Components_0
 {
-    var _S546 : f32;
-    var _S547 : bool = (*_S544).back_3;
-    var _S548 : vec3<f32> = to_face_frame_0(_S545, (*_S544).back_3);
-    var _S549 : vec3<f32> = (*_S544).view_4;
+    var _S566 : f32;
+    var _S567 : bool = (*_S564).back_5;
+    var _S568 : vec3<f32> = to_face_frame_0(_S565, (*_S564).back_5);
+    var _S569 : vec3<f32> = (*_S564).view_7;
     var weights_24 : HalfWeights_0;
-    var _S550 : Woven_std430_0 = fabrics_0[_S543].woven_0;
-    weights_24.first_2 = fabrics_0[_S543].woven_0.network_0;
+    var _S570 : Woven_std430_0 = fabrics_0[_S563].woven_0;
+    weights_24.first_2 = fabrics_0[_S563].woven_0.network_0;
     var directions_0 : array<f32, i32(39)>;
-    code_light_0(_S543, _S548, (*_S544).view_4, (*_S544).back_3, &(directions_0));
+    code_light_0(_S563, _S568, (*_S564).view_7, (*_S564).back_5, &(directions_0));
     var skip_0 : array<f32, i32(96)>;
     var k_1 : i32 = i32(0);
     for(;;)
@@ -2845,11 +3029,11 @@ fn woven_components_0( _S543 : u32,  _S544 : ptr<function, WovenView_0>,  _S545 
         {
             break;
         }
-        skip_0[k_1] = (*_S544).sums_6[k_1];
+        skip_0[k_1] = (*_S564).sums_6[k_1];
         k_1 = k_1 + i32(1);
     }
     dense_3(weights_24, u32(3716), true, &(directions_0), &(skip_0));
-    var hidden_1 : array<f32, i32(96)>;
+    var hidden_2 : array<f32, i32(96)>;
     var next_0 : array<f32, i32(96)>;
     k_1 = i32(0);
     for(;;)
@@ -2861,7 +3045,7 @@ fn woven_components_0( _S543 : u32,  _S544 : ptr<function, WovenView_0>,  _S545 
         {
             break;
         }
-        hidden_1[k_1] = LeakyRelu_apply_0(skip_0[k_1]);
+        hidden_2[k_1] = LeakyRelu_apply_0(skip_0[k_1]);
         k_1 = k_1 + i32(1);
     }
     var layer_0 : u32 = u32(0);
@@ -2886,16 +3070,16 @@ fn woven_components_0( _S543 : u32,  _S544 : ptr<function, WovenView_0>,  _S545 
             }
             if(layer_0 == u32(1))
             {
-                _S546 = skip_0[k_1];
+                _S566 = skip_0[k_1];
             }
             else
             {
-                _S546 = 0.0f;
+                _S566 = 0.0f;
             }
-            next_0[k_1] = _S546;
+            next_0[k_1] = _S566;
             k_1 = k_1 + i32(1);
         }
-        dense_2(weights_24, u32(4208) + layer_0 * u32(1164), true, &(hidden_1), &(next_0));
+        dense_2(weights_24, u32(4208) + layer_0 * u32(1164), true, &(hidden_2), &(next_0));
         var k_2 : i32 = i32(0);
         for(;;)
         {
@@ -2906,36 +3090,36 @@ fn woven_components_0( _S543 : u32,  _S544 : ptr<function, WovenView_0>,  _S545 
             {
                 break;
             }
-            hidden_1[k_2] = next_0[k_2];
+            hidden_2[k_2] = next_0[k_2];
             k_2 = k_2 + i32(1);
         }
         layer_0 = layer_0 + u32(1);
     }
     var outputs_17 : array<f32, i32(52)>;
-    dense_1(weights_24, u32(7700), false, &(hidden_1), &(outputs_17));
-    var _S551 : bool;
-    if((_S550.is_corrected_0) != u32(0))
+    dense_1(weights_24, u32(7700), false, &(hidden_2), &(outputs_17));
+    var _S571 : bool;
+    if((_S570.is_corrected_0) != u32(0))
     {
-        _S551 = (_S548.z) > 0.0f;
+        _S571 = (_S568.z) > 0.0f;
     }
     else
     {
-        _S551 = false;
+        _S571 = false;
     }
-    if(_S551)
+    if(_S571)
     {
-        _S551 = ((*_S544).correction_weight_0) > 0.0f;
+        _S571 = ((*_S564).correction_weight_0) > 0.0f;
     }
     else
     {
-        _S551 = false;
+        _S571 = false;
     }
-    if(_S551)
+    if(_S571)
     {
         var fitted_0 : FloatWeights_0;
-        fitted_0.first_0 = _S550.correction_0;
+        fitted_0.first_0 = _S570.correction_0;
         var change_0 : array<f32, i32(50)>;
-        dense_0(fitted_0, u32(0), false, &(hidden_1), &(change_0));
+        dense_0(fitted_0, u32(0), false, &(hidden_2), &(change_0));
         k_1 = i32(0);
         for(;;)
         {
@@ -2946,104 +3130,334 @@ fn woven_components_0( _S543 : u32,  _S544 : ptr<function, WovenView_0>,  _S545 
             {
                 break;
             }
-            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S544).correction_weight_0 * change_0[k_1];
+            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S564).correction_weight_0 * change_0[k_1];
             k_1 = k_1 + i32(1);
         }
     }
-    if((_S548.z) > 0.0f)
+    if((_S568.z) > 0.0f)
     {
-        _S546 = 0.00999999977648258f;
+        _S566 = 0.00999999977648258f;
     }
     else
     {
-        _S546 = 0.00100000004749745f;
+        _S566 = 0.00100000004749745f;
     }
-    var result_1 : Components_0;
-    var _S552 : f32 = unmapped_0(outputs_17[i32(0)], _S546);
-    result_1.diffuse_warp_0 = _S552;
-    var _S553 : f32 = unmapped_0(outputs_17[i32(1)], _S546);
-    result_1.diffuse_weft_0 = _S553;
-    var _S554 : f32 = 2979.9580078125f * _S546;
-    var _S555 : f32 = mixed_bundles_0(_S543, u32(0), u32(2), _S548, _S549, _S547, &(outputs_17));
-    result_1.specular_warp_0 = clamp(_S555, 0.0f, _S554);
-    var _S556 : f32 = mixed_bundles_0(_S543, u32(1), u32(2), _S548, _S549, _S547, &(outputs_17));
-    result_1.specular_weft_0 = clamp(_S556, 0.0f, _S554);
-    result_1.hole_2 = (*_S544).hole_0;
-    result_1.light_visibility_1 = min(light_visibility_of_0(_S552 + _S553, _S548, _S549, fabrics_0[_S543].diffuse_blend_0), 1.0f - (*_S544).hole_0);
-    return result_1;
+    var result_2 : Components_0;
+    var _S572 : f32 = unmapped_0(outputs_17[i32(0)], _S566);
+    result_2.diffuse_warp_0 = _S572;
+    var _S573 : f32 = unmapped_0(outputs_17[i32(1)], _S566);
+    result_2.diffuse_weft_0 = _S573;
+    var _S574 : f32 = 2979.9580078125f * _S566;
+    var _S575 : f32 = mixed_bundles_0(_S563, u32(0), u32(2), _S568, _S569, _S567, &(outputs_17));
+    result_2.specular_warp_0 = clamp(_S575, 0.0f, _S574);
+    var _S576 : f32 = mixed_bundles_0(_S563, u32(1), u32(2), _S568, _S569, _S567, &(outputs_17));
+    result_2.specular_weft_0 = clamp(_S576, 0.0f, _S574);
+    result_2.hole_2 = (*_S564).hole_0;
+    result_2.light_visibility_1 = min(light_visibility_of_0(_S572 + _S573, _S568, _S569, fabrics_0[_S563].diffuse_blend_0), 1.0f - (*_S564).hole_0);
+    return result_2;
 }
 
-fn composed_0( _S557 : u32,  _S558 : Components_0,  _S559 : FamilyAlbedos_0,  _S560 : vec3<f32>,  _S561 : vec3<f32>) -> vec3<f32>
+fn openness_number_0( _S577 : u32,  _S578 : u32) -> f32
 {
-    var _S562 : vec3<f32> = vec3<f32>(_S558.diffuse_warp_0);
-    var _S563 : vec3<f32> = vec3<f32>(_S558.diffuse_weft_0);
-    var _S564 : vec3<f32> = vec3<f32>(_S558.specular_warp_0);
-    var _S565 : vec3<f32> = vec3<f32>(_S558.specular_weft_0);
-    var _S566 : vec3<f32> = _S559.warp_1.diffuse_reflect_0 * _S562 + _S559.weft_1.diffuse_reflect_0 * _S563 + _S559.warp_1.specular_reflect_0 * _S564 + _S559.weft_1.specular_reflect_0 * _S565;
-    var _S567 : f32 = _S561.z;
-    var body_0 : vec3<f32>;
-    if((_S560.z * _S567) < 0.0f)
+    return table_number_0(fabrics_0[_S577].openness_0 + _S578);
+}
+
+fn scattered_by_0( _S579 : u32,  _S580 : Albedos_0,  _S581 : u32,  _S582 : vec3<f32>) -> Scattered_0
+{
+    var _S583 : u32 = u32(159) + u32(2) * _S581;
+    var yarn_1 : Scattered_0;
+    yarn_1.back_4 = _S582 * _S580.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S579, _S583)) * _S580.specular_reflect_0;
+    yarn_1.through_0 = _S582 * _S580.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S579, _S583 + u32(1))) * _S580.specular_transmit_0;
+    return yarn_1;
+}
+
+fn sent_0( _S584 : u32,  _S585 : u32,  _S586 : vec3<f32>,  _S587 : vec3<f32>,  _S588 : vec3<f32>,  _S589 : vec3<f32>,  _S590 : ptr<function, vec3<f32>>,  _S591 : ptr<function, vec3<f32>>)
+{
+    var _S592 : u32 = u32(146) + u32(4) * _S585;
+    var _S593 : f32 = openness_number_0(_S584, _S592 + u32(1));
+    var _S594 : f32 = openness_number_0(_S584, _S592 + u32(2));
+    var _S595 : vec3<f32> = vec3<f32>(1.0f);
+    var _S596 : vec3<f32> = _S595 - _S588 * vec3<f32>(openness_number_0(_S584, _S592));
+    var _S597 : vec3<f32> = _S595 - _S589 * vec3<f32>(openness_number_0(_S584, _S592 + u32(3)));
+    var _S598 : vec3<f32> = _S595 / (_S596 * _S597 - _S588 * _S589 * vec3<f32>((_S593 * _S594)));
+    (*_S590) = (_S586 * _S597 + _S588 * vec3<f32>(_S593) * _S587) * _S598;
+    (*_S591) = (_S587 * _S596 + _S589 * vec3<f32>(_S594) * _S586) * _S598;
+    return;
+}
+
+fn face_sends_0( _S599 : u32,  _S600 : u32,  _S601 : Scattered_0,  _S602 : Scattered_0) -> FaceSends_0
+{
+    var _S603 : u32 = u32(2) * _S600;
+    var _S604 : u32 = u32(142) + _S603;
+    var _S605 : f32 = openness_number_0(_S599, _S604);
+    var _S606 : f32 = openness_number_0(_S599, _S604 + u32(1));
+    var _S607 : vec3<f32> = vec3<f32>((1.0f - _S605)) * _S601.back_4;
+    var _S608 : vec3<f32> = vec3<f32>((1.0f - _S606)) * _S602.back_4;
+    var sends_1 : FaceSends_0;
+    var _S609 : u32 = u32(154) + _S603;
+    var _S610 : f32 = openness_number_0(_S599, _S609);
+    sends_1.blocks_warp_0 = _S610;
+    var _S611 : f32 = openness_number_0(_S599, _S609 + u32(1));
+    sends_1.blocks_weft_0 = _S611;
+    sends_1.open_0 = _S610 * _S605 + _S611 * _S606;
+    var _S612 : vec3<f32> = vec3<f32>(_S605) * _S601.back_4;
+    var _S613 : vec3<f32> = vec3<f32>(_S606) * _S602.back_4;
+    var _S614 : vec3<f32> = sends_1.sky_warp_0;
+    var _S615 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S599, _S600, _S612, _S613, _S607, _S608, &(_S614), &(_S615));
+    sends_1.sky_warp_0 = _S614;
+    sends_1.sky_weft_0 = _S615;
+    var _S616 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S617 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S599, _S600, _S601.through_0, _S602.through_0, _S607, _S608, &(_S616), &(_S617));
+    sends_1.crossing_warp_0 = _S616;
+    sends_1.crossing_weft_0 = _S617;
+    return sends_1;
+}
+
+fn interior_of_0( _S618 : u32,  _S619 : vec3<f32>,  _S620 : bool) -> Interior_0
+{
+    var _S621 : Scattered_0 = scattered_by_0(_S618, table_albedos_0(families_0[fabrics_0[_S618].warp_0].colour_mean_0), u32(0), _S619);
+    var _S622 : Scattered_0 = scattered_by_0(_S618, table_albedos_0(families_0[fabrics_0[_S618].weft_0].colour_mean_0), u32(1), _S619);
+    var _S623 : u32;
+    if(_S620)
     {
-        body_0 = _S559.warp_1.diffuse_transmit_0 * _S562 + _S559.weft_1.diffuse_transmit_0 * _S563 + _S559.warp_1.specular_transmit_0 * _S564 + _S559.weft_1.specular_transmit_0 * _S565;
+        _S623 = u32(1);
     }
     else
     {
-        body_0 = _S566;
+        _S623 = u32(0);
     }
-    var _S568 : f32 = fabrics_0[_S557].sheen_strength_0;
-    if((fabrics_0[_S557].sheen_strength_0) <= 0.0f)
+    var _S624 : FaceSends_0 = face_sends_0(_S618, _S623, _S621, _S622);
+    if(_S620)
     {
-        return body_0;
+        _S623 = u32(0);
     }
-    var _S569 : bool = _S567 < 0.0f;
-    var _S570 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S560, _S569), to_face_frame_0(_S561, _S569), _S568, fabrics_0[_S557].sheen_roughness_0);
-    return vec3<f32>(_S570.y) * body_0 + vec3<f32>(((_S558.light_visibility_1 + _S558.hole_2) * _S570.x));
+    else
+    {
+        _S623 = u32(1);
+    }
+    var _S625 : FaceSends_0 = face_sends_0(_S618, _S623, _S621, _S622);
+    var _S626 : vec3<f32> = vec3<f32>(_S624.blocks_warp_0);
+    var _S627 : vec3<f32> = vec3<f32>(_S624.blocks_weft_0);
+    var _S628 : vec3<f32> = _S626 * _S624.crossing_warp_0 + _S627 * _S624.crossing_weft_0;
+    var _S629 : vec3<f32> = vec3<f32>(_S625.blocks_warp_0);
+    var _S630 : vec3<f32> = vec3<f32>(_S625.blocks_weft_0);
+    var _S631 : vec3<f32> = _S629 * _S625.crossing_warp_0 + _S630 * _S625.crossing_weft_0;
+    var _S632 : f32 = 1.0f - _S624.open_0;
+    var _S633 : f32 = 1.0f - _S625.open_0;
+    var _S634 : vec3<f32> = vec3<f32>(1.0f);
+    var _S635 : vec3<f32> = _S634 / (_S634 - _S628 * _S631 * vec3<f32>((_S632 * _S633)));
+    var _S636 : vec3<f32> = _S631 * (vec3<f32>(_S624.open_0) + vec3<f32>(_S632) * (_S626 * _S624.sky_warp_0 + _S627 * _S624.sky_weft_0)) * _S635;
+    var _S637 : vec3<f32> = _S628 * (vec3<f32>(_S625.open_0) + vec3<f32>(_S633) * (_S629 * _S625.sky_warp_0 + _S630 * _S625.sky_weft_0)) * _S635;
+    var _S638 : FaceRadiance_0 = face_radiance_0(_S624, _S625.open_0, _S636, _S637);
+    var _S639 : FaceRadiance_0 = face_radiance_0(_S625, _S624.open_0, _S637, _S636);
+    var interior_1 : Interior_0;
+    interior_1.warp_3 = _S638.warp_2;
+    interior_1.weft_3 = _S638.weft_2;
+    interior_1.leaked_1 = _S638.leaked_0;
+    interior_1.far_1 = _S639.mean_1;
+    interior_1.far_leaked_0 = _S639.leaked_0;
+    return interior_1;
 }
 
-fn light_of_woven_0( _S571 : i32,  _S572 : u32,  _S573 : VisiblePoint_0,  _S574 : vec2<u32>,  _S575 : vec3<f32>) -> vec4<f32>
+fn blocked_of_terms_0( _S640 : u32,  _S641 : u32,  _S642 : array<f32, i32(6)>,  _S643 : u32) -> Blocked_0
 {
-    var footprint_1 : Footprint_0;
-    footprint_1.centre_0 = _S573.draft_0;
-    footprint_1.dx_0 = _S573.draft_dx_0;
-    footprint_1.dy_0 = _S573.draft_dy_0;
-    var _S576 : vec3<f32> = to_local_0(_S573, _S573.view_0);
-    var activations_0 : WovenView_0;
-    woven_view_0(_S572, footprint_1, _S576, &(activations_0));
-    var _S577 : f32 = _S576.z;
-    var _S578 : FamilyAlbedos_0 = albedos_over_0(_S572, footprint_1, _S577 < 0.0f);
-    var albedos_5 : FamilyAlbedos_0;
-    albedos_5.warp_1 = tinted_0(_S578.warp_1, _S575);
-    albedos_5.weft_1 = tinted_0(_S578.weft_1, _S575);
-    var _S579 : vec3<f32> = vec3<f32>(0.0f);
-    var number_4 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S579;
+    var shares_0 : array<f32, i32(3)>;
+    var share_2 : u32 = u32(0);
     for(;;)
     {
-        if(number_4 < (light_sample_count_0(_S571)))
+        if(share_2 < u32(3))
         {
         }
         else
         {
             break;
         }
-        var _S580 : f32 = visibility_at_0(_S571, number_4, _S574);
-        if(_S580 <= 0.0f)
+        shares_0[share_2] = 0.0f;
+        var term_0 : u32 = u32(0);
+        for(;;)
+        {
+            if(term_0 < _S643)
+            {
+            }
+            else
+            {
+                break;
+            }
+            shares_0[share_2] = shares_0[share_2] + openness_number_0(_S640, _S641 + share_2 * _S643 + term_0) * _S642[term_0];
+            term_0 = term_0 + u32(1);
+        }
+        shares_0[share_2] = saturate(shares_0[share_2]);
+        share_2 = share_2 + u32(1);
+    }
+    var blocked_2 : Blocked_0;
+    blocked_2.by_warp_0 = shares_0[i32(0)] * shares_0[i32(2)];
+    blocked_2.by_weft_0 = shares_0[i32(0)] * (1.0f - shares_0[i32(2)]);
+    blocked_2.far_0 = shares_0[i32(1)];
+    return blocked_2;
+}
+
+fn blocked_from_0( _S644 : u32,  _S645 : vec3<f32>,  _S646 : bool,  _S647 : bool) -> Blocked_0
+{
+    var terms_2 : array<f32, i32(6)>;
+    view_terms_0(_S645, &(terms_2));
+    var _S648 : u32;
+    if(_S647)
+    {
+        _S648 = u32(2);
+    }
+    else
+    {
+        _S648 = u32(0);
+    }
+    var _S649 : u32;
+    if(_S646)
+    {
+        _S649 = u32(0);
+    }
+    else
+    {
+        _S649 = u32(1);
+    }
+    return blocked_of_terms_0(_S644, (_S648 + _S649) * u32(15), terms_2, u32(5));
+}
+
+fn warp_seen_from_0( _S650 : u32,  _S651 : vec3<f32>,  _S652 : bool) -> f32
+{
+    var terms_3 : array<f32, i32(6)>;
+    view_terms_1(_S651, &(terms_3));
+    var term_1 : u32 = u32(0);
+    var share_3 : f32 = 0.0f;
+    for(;;)
+    {
+        if(term_1 < u32(5))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S653 : u32;
+        if(_S652)
+        {
+            _S653 = u32(5);
+        }
+        else
+        {
+            _S653 = u32(0);
+        }
+        var share_4 : f32 = share_3 + openness_number_0(_S650, u32(132) + _S653 + term_1) * terms_3[term_1];
+        term_1 = term_1 + u32(1);
+        share_3 = share_4;
+    }
+    return saturate(share_3);
+}
+
+fn bounced_of_families_0( _S654 : u32,  _S655 : FamilyAlbedos_0,  _S656 : vec3<f32>,  _S657 : Interior_0,  _S658 : Blocked_0,  _S659 : Blocked_0) -> Bounced_0
+{
+    return sum_of_0(bounced_by_0(_S658, scattered_by_0(_S654, _S655.warp_4, u32(0), _S656), _S657), bounced_by_0(_S659, scattered_by_0(_S654, _S655.weft_4, u32(1), _S656), _S657));
+}
+
+fn bounced_far_0( _S660 : u32,  _S661 : FamilyAlbedos_0,  _S662 : vec3<f32>,  _S663 : Interior_0,  _S664 : vec3<f32>,  _S665 : bool,  _S666 : f32,  _S667 : f32,  _S668 : f32) -> Bounced_0
+{
+    var _S669 : Blocked_0 = blocked_from_0(_S660, _S664, true, _S665);
+    var _S670 : Blocked_0 = blocked_from_0(_S660, _S664, false, _S665);
+    var _S671 : f32 = _S666 / max(1.0f - _S669.by_warp_0 - _S669.by_weft_0, 0.10000000149011612f);
+    var _S672 : f32 = (0.0020000000949949f * warp_seen_from_0(_S660, _S664, _S665) + _S671) / (_S671 + _S667 / max(1.0f - _S670.by_warp_0 - _S670.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S673 : f32 = 1.0f - _S668;
+    return bounced_of_families_0(_S660, _S661, _S662, _S663, scaled_0(_S669, _S672 * _S673), scaled_0(_S670, (1.0f - _S672) * _S673));
+}
+
+fn bounced_over_0( _S674 : u32,  _S675 : Components_0,  _S676 : CloseUp_0,  _S677 : FamilyAlbedos_0,  _S678 : vec3<f32>,  _S679 : vec3<f32>) -> Bounced_0
+{
+    var _S680 : bool = (_S679.z) < 0.0f;
+    var _S681 : Interior_0 = interior_of_0(_S674, _S678, _S680);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S674, _S677, _S678, _S681, to_face_frame_0(_S679, _S680), _S680, _S675.diffuse_warp_0, _S675.diffuse_weft_0, _S675.hole_2);
+    if((_S676.weight_2) > 0.0f)
+    {
+        var _S682 : Bounced_0 = bounced_of_families_0(_S674, _S677, _S678, _S681, _S676.warp_1, _S676.weft_1);
+        var _S683 : vec3<f32> = vec3<f32>(_S676.weight_2);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S682.reflected_0, _S683);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S682.transmitted_0, _S683);
+    }
+    return bounced_2;
+}
+
+fn composed_0( _S684 : u32,  _S685 : Components_0,  _S686 : CloseUp_0,  _S687 : FamilyAlbedos_0,  _S688 : vec3<f32>,  _S689 : vec3<f32>,  _S690 : vec3<f32>) -> vec3<f32>
+{
+    var _S691 : Albedos_0 = tinted_0(_S687.warp_4, _S688);
+    var _S692 : Albedos_0 = tinted_0(_S687.weft_4, _S688);
+    var _S693 : vec3<f32> = vec3<f32>(_S685.diffuse_warp_0);
+    var _S694 : vec3<f32> = vec3<f32>(_S685.diffuse_weft_0);
+    var _S695 : vec3<f32> = vec3<f32>(_S685.specular_warp_0);
+    var _S696 : vec3<f32> = vec3<f32>(_S685.specular_weft_0);
+    var _S697 : vec3<f32> = _S691.diffuse_reflect_0 * _S693 + _S692.diffuse_reflect_0 * _S694 + _S691.specular_reflect_0 * _S695 + _S692.specular_reflect_0 * _S696;
+    var _S698 : f32 = _S690.z;
+    var body_0 : vec3<f32>;
+    if((_S689.z * _S698) < 0.0f)
+    {
+        body_0 = _S691.diffuse_transmit_0 * _S693 + _S692.diffuse_transmit_0 * _S694 + _S691.specular_transmit_0 * _S695 + _S692.specular_transmit_0 * _S696;
+    }
+    else
+    {
+        body_0 = _S697;
+    }
+    if((fabrics_0[_S684].openness_0) != u32(4294967295))
+    {
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S684, _S685, _S686, _S687, _S688, _S690), _S689, _S690);
+    }
+    var _S699 : f32 = fabrics_0[_S684].sheen_strength_0;
+    if((fabrics_0[_S684].sheen_strength_0) <= 0.0f)
+    {
+        return body_0;
+    }
+    var _S700 : bool = _S698 < 0.0f;
+    var _S701 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S689, _S700), to_face_frame_0(_S690, _S700), _S699, fabrics_0[_S684].sheen_roughness_0);
+    return vec3<f32>(_S701.y) * body_0 + vec3<f32>(((_S685.light_visibility_1 + _S685.hole_2) * _S701.x));
+}
+
+fn light_of_woven_0( _S702 : i32,  _S703 : u32,  _S704 : VisiblePoint_0,  _S705 : vec2<u32>,  _S706 : vec3<f32>) -> vec4<f32>
+{
+    var footprint_1 : Footprint_0;
+    footprint_1.centre_0 = _S704.draft_0;
+    footprint_1.dx_0 = _S704.draft_dx_0;
+    footprint_1.dy_0 = _S704.draft_dy_0;
+    var _S707 : vec3<f32> = to_local_0(_S704, _S704.view_0);
+    var activations_0 : WovenView_0;
+    woven_view_0(_S703, footprint_1, _S707, &(activations_0));
+    var _S708 : f32 = _S707.z;
+    var _S709 : FamilyAlbedos_0 = albedos_over_0(_S703, footprint_1, _S708 < 0.0f);
+    var _S710 : vec3<f32> = vec3<f32>(0.0f);
+    var number_4 : u32 = u32(0);
+    var radiance_1 : vec3<f32> = _S710;
+    for(;;)
+    {
+        if(number_4 < (light_sample_count_0(_S702)))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S711 : f32 = visibility_at_0(_S702, number_4, _S705);
+        if(_S711 <= 0.0f)
         {
             number_4 = number_4 + u32(1);
             continue;
         }
-        var _S581 : LightSample_0 = light_sample_0(_S571, number_4, _S574, _S573.position_0);
-        var _S582 : vec3<f32> = to_local_0(_S573, _S581.towards_0);
-        var _S583 : Components_0 = woven_components_0(_S572, &(activations_0), _S582);
-        radiance_1 = radiance_1 + vec3<f32>(_S580) * _S581.irradiance_1 * composed_0(_S572, _S583, albedos_5, _S582, _S576);
+        var _S712 : LightSample_0 = light_sample_0(_S702, number_4, _S705, _S704.position_0);
+        var _S713 : vec3<f32> = to_local_0(_S704, _S712.towards_0);
+        var _S714 : Components_0 = woven_components_0(_S703, &(activations_0), _S713);
+        radiance_1 = radiance_1 + vec3<f32>(_S711) * _S712.irradiance_1 * composed_0(_S703, _S714, no_close_up_0(), _S709, _S706, _S713, _S707);
         number_4 = number_4 + u32(1);
     }
     var hole_3 : f32 = activations_0.hole_0;
-    var _S584 : f32 = fabrics_0[_S572].sheen_strength_0;
+    var _S715 : f32 = fabrics_0[_S703].sheen_strength_0;
     var hole_4 : f32;
-    if((fabrics_0[_S572].sheen_strength_0) > 0.0f)
+    if((fabrics_0[_S703].sheen_strength_0) > 0.0f)
     {
-        hole_4 = hole_3 * (1.0f - _S584 * sheen_lobe_0(abs(_S577), fabrics_0[_S572].sheen_roughness_0).z);
+        hole_4 = hole_3 * (1.0f - _S715 * sheen_lobe_0(abs(_S708), fabrics_0[_S703].sheen_roughness_0).z);
     }
     else
     {
@@ -3056,32 +3470,32 @@ fn light_of_woven_0( _S571 : i32,  _S572 : u32,  _S573 : VisiblePoint_0,  _S574 
 @workgroup_size(8, 8, 1)
 fn shade_woven(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S585 : u32 = id_0.x;
-    var _S586 : u32 = frames_0[i32(0)].width_0;
-    var _S587 : bool;
-    if(_S585 >= (frames_0[i32(0)].width_0))
+    var _S716 : u32 = id_0.x;
+    var _S717 : u32 = frames_0[i32(0)].width_0;
+    var _S718 : bool;
+    if(_S716 >= (frames_0[i32(0)].width_0))
     {
-        _S587 = true;
+        _S718 = true;
     }
     else
     {
-        _S587 = (id_0.y) >= (frames_0[i32(0)].height_0);
+        _S718 = (id_0.y) >= (frames_0[i32(0)].height_0);
     }
-    if(_S587)
+    if(_S718)
     {
         return;
     }
-    var _S588 : u32 = id_0.y * _S586 + _S585;
-    var _S589 : u32 = layers_0[_S588].face_0;
-    if((layers_0[_S588].face_0) == u32(0))
+    var _S719 : u32 = id_0.y * _S717 + _S716;
+    var _S720 : u32 = layers_0[_S719].face_0;
+    if((layers_0[_S719].face_0) == u32(0))
     {
         return;
     }
-    var _S590 : u32 = _S589 - u32(1);
-    var _S591 : u32 = face_fabrics_0[_S590];
-    var _S592 : vec2<u32> = id_0.xy;
-    var _S593 : VisiblePoint_0 = visible_point_0(i32(0), _S591, _S590, _S592);
-    accumulate_0(_S588, light_of_woven_0(i32(0), _S591, _S593, _S592, filtered_albedo_0(_S591, _S593)));
+    var _S721 : u32 = _S720 - u32(1);
+    var _S722 : u32 = face_fabrics_0[_S721];
+    var _S723 : vec2<u32> = id_0.xy;
+    var _S724 : VisiblePoint_0 = visible_point_0(i32(0), _S722, _S721, _S723);
+    accumulate_0(_S719, light_of_woven_0(i32(0), _S722, _S724, _S723, filtered_albedo_0(_S722, _S724)));
     return;
 }
 

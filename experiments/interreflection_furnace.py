@@ -1,0 +1,89 @@
+"""White furnace of cloth with light between yarns: what white cloth returns, and whether any makes light.
+
+    python -m experiments.interreflection_furnace [--fabrics N] [--seed N] [--output FILE.json]
+
+White cloth of three weaves is seen from six views. Random fabrics are those of `experiments.white_furnace`:
+all parameter ranges, limits included. Reflectance is the mean weight of the point model's sampler over places
+of the repeat, light through holes included: 1 if nothing is lost. The bars are 0.95 to 1 for white cloth, 1.02
+for all.
+"""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from dataclasses import replace
+
+import numpy as np
+from drjit.llvm import Array2f, Array3f, Float
+from numpy.typing import NDArray
+
+from benchmarks.harness import Figures, run
+from experiments.interreflection import VIEWS, WEAVES, direction
+from experiments.white_furnace import fabric
+from loomlight.core.llvm import require_llvm
+from loomlight.fabric import fabric_from_text
+from loomlight.scattering.openness import openness_of
+from loomlight.scattering.point import PointModel
+from loomlight.yarn.geometry import YarnGeometry
+
+SAMPLES = 1 << 15
+LOW, HIGH = 0.95, 1.02
+
+
+def returned(model: PointModel, size: tuple[float, float], view: NDArray[np.float64], seed: int) -> float:
+    """Mean weight of the sampler over the repeat, the largest of the channels."""
+    rng = np.random.default_rng(seed)
+    x, y = (rng.random((2, SAMPLES)) * [[size[0]], [size[1]]]).astype(np.float32)
+    seen = Array3f(*(np.full(SAMPLES, part, np.float32) for part in view))
+    point = model.locate(Float(x), Float(y), seen)
+    numbers = rng.random((3, SAMPLES)).astype(np.float32)
+    sample = model.sample(point, seen, Float(numbers[0]), Array2f(numbers[1], numbers[2]))
+    return float(np.array(sample.weight).astype(np.float64).mean(axis=1).max())
+
+
+def white_cloth() -> list[dict[str, object]]:
+    """Reflectance of white cloth by weave and view."""
+    rows: list[dict[str, object]] = []
+    for weave in WEAVES:
+        cloth = fabric_from_text(
+            f'weave = "{weave}"\ninterreflection = true\n[warp]\ncolor = "#fff"\n[weft]\ncolor = "#fff"\n'
+        )
+        model = PointModel(YarnGeometry(cloth.layout()), cloth.appearance())
+        for place in VIEWS:
+            value = returned(model, cloth.repeat_mm, direction(*place), 3)
+            rows.append({"weave": weave, "view_deg": list(place), "returned": value})
+    return rows
+
+
+def measure(options: Namespace) -> Figures:
+    """Reflectances of white cloth, and the largest of random fabrics."""
+    require_llvm()
+    rng = np.random.default_rng(options.seed)
+    largest = []
+    for number in range(options.fabrics):
+        geometry, appearance = fabric(rng)
+        roughness = appearance.warp.roughness, appearance.weft.roughness
+        openness = openness_of(geometry.layout, appearance.diffuse_blend, roughness, appearance.optical_depth)
+        model = PointModel(geometry, replace(appearance, openness=openness))
+        views = [direction(angle, 360 * rng.random()) for angle in (0, 40, 75)]
+        largest.append(max(returned(model, geometry.size, view, number) for view in views))
+    white = white_cloth()
+    values = [float(str(row["returned"])) for row in white]
+    return {
+        "bars": {"white cloth": [LOW, 1.0], "any": HIGH},
+        "white_cloth": {"least": min(values), "most": max(values)},
+        "fabrics": options.fabrics,
+        "largest": max(largest),
+        "above_bar": int(np.sum(np.array(largest) > HIGH)),
+        "rows": white,
+    }
+
+
+def add_options(parser: ArgumentParser) -> None:
+    """Options of this script."""
+    parser.add_argument("--fabrics", type=int, default=60, help="random fabrics")
+    parser.add_argument("--seed", type=int, default=1, help="of the random fabrics")
+
+
+if __name__ == "__main__":
+    run(measure, add_options)

@@ -1,0 +1,95 @@
+"""The model latent as shaders read it: the pyramid of latents, the frames, and its three networks.
+
+Networks are single precision. Latents may be halves: 16 bytes a texel instead of 32.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from loomlight.models import random_numbers
+from loomlight.models.latent import model as latent_model
+from loomlight.models.latent import networks
+from loomlight.models.latent.model import LatentModel
+from loomlight.models.latent.networks import CHANNELS, FRAMES
+from loomlight.models.relu_network import Layers
+from loomlight.realtime.networks import packed_layer, packed_mlp, packed_numbers
+from loomlight.realtime.word_table import Tables, fill
+from loomlight.scattering import lobe_mixture
+from loomlight.yarn.layout import ClothLayout
+
+
+def latent_uints() -> dict[str, int]:
+    """Constants of `latent.slang` and its sampling that are whole numbers."""
+    return {
+        "LATENT_CHANNELS": CHANNELS,
+        "LATENT_SAMPLER_HIDDEN": networks.SAMPLER_WIDTHS[1],
+        "LATENT_SAMPLER_OUTPUTS": networks.SAMPLER_WIDTHS[-1],
+        "LATENT_ALBEDO_HIDDEN": networks.ALBEDO_WIDTHS[1],
+    }
+
+
+def latent_floats() -> dict[str, float]:
+    """Constants of `latent.slang`, of its sampling and its random numbers that are numbers."""
+    return {
+        "HASH_STEPS": random_numbers._STEPS,
+        "LATENT_SMALLEST_SIZE": latent_model._SMALLEST_SIZE,
+        "LATENT_VALUE_OFFSET": networks.VALUE_OFFSET,
+        "LATENT_ALBEDO_OFFSET": networks.ALBEDO_OFFSET,
+        "LATENT_LARGEST_EXPONENT": networks.LARGEST_EXPONENT,
+        "MIXTURE_LARGEST_SLOPE": lobe_mixture._LARGEST_SLOPE_OUTPUT,
+        "MIXTURE_LARGEST_OUTPUT": lobe_mixture._LARGEST_OUTPUT,
+        "MIXTURE_LARGEST_RATIO": lobe_mixture._LARGEST_LOG_RATIO,
+        "MIXTURE_SMALLEST_ALPHA": lobe_mixture._SMALLEST_ALPHA,
+        "MIXTURE_SMALLEST_COSINE": lobe_mixture._SMALLEST_COSINE,
+    }
+
+
+def pack_latent(record: np.void, model: LatentModel, layout: ClothLayout | None, tables: Tables) -> None:
+    """Appends networks and latents of a trained source.
+
+    Args:
+        record: of the fabric.
+    """
+    del layout
+    weights, shape, table = model.weights, model.weights.shape, tables.numbers
+
+    def network(layers: Layers) -> int:
+        matrices, biases = zip(*layers, strict=True)
+        return table.add(packed_mlp(matrices, biases, half=False))
+
+    # Without learned frames both are the axes: their weights are 0.
+    frames = np.zeros((6 * FRAMES, CHANNELS), np.float32) if weights.frames is None else weights.frames
+    decoder = weights.layers["decoder"]
+    if weights.frames is None:
+        decoder = _with_frames(decoder)
+    is_half = tables.half or model.precision == "float16"
+    levels = [(start, *size) for start, size in zip(shape.starts, shape.sizes, strict=False)]
+    values: dict[str, float] = {
+        "is_trained": 1,
+        "decoder": network(decoder),
+        "hidden": weights.hidden[0],
+        "frames": table.add(packed_layer(frames, half=False)),
+        "sampler": network(weights.layers["sampler"]),
+        "albedo": network(weights.layers["albedo"]),
+        "texels": table.add(packed_numbers(weights.latents, is_half)),
+        "texel_elements": 1 if is_half else 2,
+        "levels": tables.words.add(np.array(levels, np.uint32)),
+        "last_level": shape.levels - 1,
+        "face_texels": shape.texels,
+        "back": shape.faces - 1,
+        "repeats_per_x": 1 / shape.width_mm,
+        "repeats_per_y": 1 / shape.height_mm,
+        "texels_per_mm": 1 / shape.texel_mm,
+        "width": shape.width_mm,
+        "height": shape.height_mm,
+        "is_trilinear": int(model.mips == "trilinear"),
+    }
+    fill(record["latent"], values)
+
+
+def _with_frames(decoder: Layers) -> Layers:
+    """A decoder of view, light and latent as one of both directions in two frames; it ignores the second."""
+    (matrix, bias), *others = decoder
+    without = np.zeros((len(matrix), 6), np.float32)
+    return [(np.concatenate([matrix[:, :6], without, matrix[:, 6:]], axis=1), bias), *others]

@@ -1,0 +1,67 @@
+"""Numbers of light between yarns as shaders read them: words in the order of `PARTS`."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from loomlight.models import between_yarns
+from loomlight.realtime.word_table import WordTable
+from loomlight.scattering.appearance import Appearance
+from loomlight.scattering.fibre import mean_layer_shares
+from loomlight.scattering.openness import POINT_TERMS, VIEW_TERMS
+
+NO_OPENNESS = 0xFFFFFFFF
+# Shapes by name, in order: numbers of `Openness`, 1/relief, and what fibre layers of warp and weft send back
+# and let through at albedo 1.
+PARTS: dict[str, tuple[int, ...]] = {
+    "BY_VIEW": (2, 2, 3, VIEW_TERMS),
+    "BY_POINT": (2, 2, 3, POINT_TERMS),
+    "WARP_SEEN": (2, VIEW_TERMS),
+    "INTERIOR": (2, 2),
+    "MEETS": (2, 2, 2),
+    "BLOCKS": (2, 2),
+    "PER_RELIEF": (1,),
+    "LAYERS": (2, 2),
+}
+
+
+def openness_uints() -> dict[str, int]:
+    """Constants for shaders: where each part begins, and numbers of terms."""
+    sizes = [math.prod(shape) for shape in PARTS.values()]
+    starts = [sum(sizes[:number]) for number in range(len(sizes))]
+    offsets = {f"OPENNESS_{name}": start for name, start in zip(PARTS, starts, strict=True)}
+    return offsets | {"VIEW_TERMS": VIEW_TERMS, "POINT_TERMS": POINT_TERMS}
+
+
+def openness_floats() -> dict[str, float]:
+    """Constants of `models/between_yarns.py` for shaders."""
+    return {
+        "SMALLEST_OPENNESS": between_yarns._SMALLEST_OPENNESS,
+        "WEIGHT_OF_CLOTH": between_yarns._WEIGHT_OF_CLOTH,
+    }
+
+
+def pack_openness(table: WordTable, appearance: Appearance) -> int:
+    """Appends the numbers of a fabric; the first word, or `NO_OPENNESS` without light between yarns."""
+    openness = appearance.openness
+    if openness is None:
+        return NO_OPENNESS
+    layers = [
+        [float(share) for share in mean_layer_shares(family.roughness, appearance.optical_depth)]
+        for family in (appearance.warp, appearance.weft)
+    ]
+    parts: tuple[Any, ...] = (
+        openness.by_view,
+        openness.by_point,
+        openness.warp_seen,
+        openness.interior,
+        openness.meets,
+        openness.blocks,
+        1 / openness.relief,
+        layers,
+    )
+    arrays = [np.broadcast_to(part, shape) for part, shape in zip(parts, PARTS.values(), strict=True)]
+    return table.add(np.concatenate([array.ravel() for array in arrays]))

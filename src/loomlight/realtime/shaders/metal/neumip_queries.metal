@@ -1,0 +1,1647 @@
+#include <metal_stdlib>
+#include <metal_math>
+#include <metal_texture>
+using namespace metal;
+struct FloatWeights_0
+{
+    uint first_0;
+};
+
+struct Query_0
+{
+    uint fabric_0;
+    float centre_x_0;
+    float centre_y_0;
+    float dx_x_0;
+    float dx_y_0;
+    float dy_x_0;
+    float dy_y_0;
+    float light_x_0;
+    float light_y_0;
+    float light_z_0;
+    float view_x_0;
+    float view_y_0;
+    float view_z_0;
+};
+
+struct Lobes_0
+{
+    uint is_baked_0;
+    float inverse_base_size_0;
+    float last_level_0;
+    uint levels_0;
+    uint face_nodes_0;
+    uint packs_0;
+    uint front_warp_packs_0;
+    uint back_warp_packs_0;
+    uint coverage_0;
+    uint coverage_holes_0;
+    uint projected_area_0;
+    uint light_visibility_0;
+    uint irradiance_0;
+    uint moments_0;
+    float front_hole_weight_0;
+    float back_hole_weight_0;
+    float threads_per_mm_0;
+    float unit_level_0;
+};
+
+struct Woven_0
+{
+    uint is_encoded_0;
+    uint network_0;
+    uint latents_0;
+    uint texels_0;
+    uint levels_1;
+    uint top_level_0;
+    float ends_0;
+    float picks_0;
+    float ends_per_mm_0;
+    float picks_per_mm_0;
+    float pitch_0;
+    float warp_x_0;
+    float warp_y_0;
+    float warp_roughness_0;
+    float weft_x_0;
+    float weft_y_0;
+    float weft_roughness_0;
+    float warp_lobe_roughness_0;
+    float weft_lobe_roughness_0;
+    uint bundles_0;
+    uint is_corrected_0;
+    uint correction_0;
+};
+
+struct Neumip_0
+{
+    uint is_trained_0;
+    uint decoder_0;
+    uint has_offset_0;
+    uint offset_0;
+    uint offset_texels_0;
+    uint features_0;
+    uint texel_elements_0;
+    uint levels_2;
+    float last_level_1;
+    uint face_texels_0;
+    uint back_0;
+    float repeats_per_x_0;
+    float repeats_per_y_0;
+    float texels_per_mm_0;
+    float unit_x_0;
+    float unit_y_0;
+    uint transmits_0;
+    uint transmission_0;
+    uint has_holes_0;
+    uint opacity_0;
+};
+
+struct Latent_0
+{
+    uint is_trained_1;
+    uint decoder_1;
+    uint hidden_0;
+    uint frames_0;
+    uint sampler_0;
+    uint albedo_0;
+    uint texels_1;
+    uint texel_elements_1;
+    uint levels_3;
+    float last_level_2;
+    uint face_texels_1;
+    uint back_1;
+    float repeats_per_x_1;
+    float repeats_per_y_1;
+    float texels_per_mm_1;
+    float width_0;
+    float height_0;
+    uint is_trilinear_0;
+};
+
+struct Fabric_0
+{
+    uint warp_0;
+    uint weft_0;
+    Lobes_0 lobes_0;
+    Woven_0 woven_0;
+    Neumip_0 neumip_0;
+    uint run_words_0;
+    uint ends_1;
+    uint max_heights_0;
+    uint max_height_columns_0;
+    float height_low_0;
+    float height_high_0;
+    float lift_0;
+    float threads_per_x_0;
+    float threads_per_y_0;
+    float per_relief_0;
+    float diffuse_blend_0;
+    float optical_depth_0;
+    float sheen_strength_0;
+    float sheen_roughness_0;
+    float fibre_noise_0;
+    float colour_noise_0;
+    uint seed_0;
+    float layer_bound_0;
+    float fibre_size_0;
+    float uv_width_0;
+    float uv_height_0;
+    uint is_open_0;
+    uint openness_0;
+    uint albedo_map_0;
+    uint albedo_map_levels_0;
+    uint has_yarns_0;
+    float mean_hole_0;
+    Latent_0 latent_0;
+};
+
+struct KernelContext_0
+{
+    uint device* query_count_0;
+    Query_0 device* queries_0;
+    packed_float4 device* answers_0;
+    Fabric_0 device* fabrics_0;
+    uint device* words_0;
+    packed_uint4 device* packed_numbers_0;
+};
+
+int whole_parts_0(int elements_0)
+{
+    return (elements_0 + int(3)) / int(4) * int(4);
+}
+
+struct Eight_0
+{
+    float4 low_0;
+    float4 high_0;
+};
+
+Eight_0 FloatWeights_eight_0(const FloatWeights_0 thread* this_0, uint element_0, KernelContext_0 thread* kernelContext_0)
+{
+    thread Eight_0 numbers_0;
+    uint _S1 = this_0->first_0 + 2U * element_0;
+    (&numbers_0)->low_0 = (as_type<float4>((uint4(*(kernelContext_0->packed_numbers_0+_S1)) )));
+    (&numbers_0)->high_0 = (as_type<float4>((uint4(*(kernelContext_0->packed_numbers_0+(_S1 + 1U))) )));
+    return numbers_0;
+}
+
+float4 tile_product_0(const FloatWeights_0 thread* weights_0, uint row_0, array<float, int(25)> thread* inputs_0, KernelContext_0 thread* kernelContext_1)
+{
+    thread float4 sums_0 = float4(0.0f) ;
+    uint column_0 = 0U;
+    for(;;)
+    {
+        if(column_0 < 4U)
+        {
+        }
+        else
+        {
+            break;
+        }
+        thread float4 low_1;
+        thread float4 high_1;
+        int _S2 = int(8U * column_0);
+        low_1.x = (*inputs_0)[min(_S2, int(24))];
+        high_1.x = (*inputs_0)[min(_S2 + int(4), int(24))];
+        int _S3 = _S2 + int(1);
+        low_1.y = (*inputs_0)[min(_S3, int(24))];
+        high_1.y = (*inputs_0)[min(_S3 + int(4), int(24))];
+        int _S4 = _S2 + int(2);
+        low_1.z = (*inputs_0)[min(_S4, int(24))];
+        high_1.z = (*inputs_0)[min(_S4 + int(4), int(24))];
+        int _S5 = _S2 + int(3);
+        low_1.w = (*inputs_0)[min(_S5, int(24))];
+        high_1.w = (*inputs_0)[min(_S5 + int(4), int(24))];
+        Eight_0 _S6 = FloatWeights_eight_0(weights_0, row_0 + column_0, kernelContext_1);
+        sums_0.x = sums_0.x + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
+        Eight_0 _S7 = FloatWeights_eight_0(weights_0, row_0 + 4U + column_0, kernelContext_1);
+        sums_0.y = sums_0.y + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
+        Eight_0 _S8 = FloatWeights_eight_0(weights_0, row_0 + 8U + column_0, kernelContext_1);
+        sums_0.z = sums_0.z + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
+        Eight_0 _S9 = FloatWeights_eight_0(weights_0, row_0 + 12U + column_0, kernelContext_1);
+        sums_0.w = sums_0.w + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
+        column_0 = column_0 + 1U;
+    }
+    return sums_0;
+}
+
+float Identity_apply_0(float x_0)
+{
+    return x_0;
+}
+
+void dense_part_0(const FloatWeights_0 thread* weights_1, uint first_1, bool adds_0, array<float, int(25)> thread* inputs_1, array<float, int(3)> thread* outputs_0, KernelContext_0 thread* kernelContext_2)
+{
+    uint _S10 = first_1 + uint(whole_parts_0(int(1)));
+    int output_0 = int(0);
+    for(;;)
+    {
+        bool _S11 = output_0 < int(3);
+        if(_S11)
+        {
+        }
+        else
+        {
+            break;
+        }
+        uint _S12 = uint(output_0);
+        Eight_0 _S13 = FloatWeights_eight_0(weights_1, first_1 + _S12 / 8U, kernelContext_2);
+        float4 _S14 = tile_product_0(weights_1, _S10 + _S12 * 4U, inputs_1, kernelContext_2);
+        float4 _S15;
+        if((output_0 & int(4)) != int(0))
+        {
+            _S15 = _S13.high_0;
+        }
+        else
+        {
+            _S15 = _S13.low_0;
+        }
+        float4 _S16 = _S14 + _S15;
+        float _S17;
+        if(_S11)
+        {
+            if(adds_0)
+            {
+                _S17 = (*outputs_0)[output_0];
+            }
+            else
+            {
+                _S17 = 0.0f;
+            }
+            (*outputs_0)[output_0] = Identity_apply_0(_S16[int(0)] + _S17);
+        }
+        int _S18 = output_0 + int(1);
+        if(_S18 < int(3))
+        {
+            if(adds_0)
+            {
+                _S17 = (*outputs_0)[_S18];
+            }
+            else
+            {
+                _S17 = 0.0f;
+            }
+            (*outputs_0)[_S18] = Identity_apply_0(_S16[int(1)] + _S17);
+        }
+        int _S19 = output_0 + int(2);
+        if(_S19 < int(3))
+        {
+            if(adds_0)
+            {
+                _S17 = (*outputs_0)[_S19];
+            }
+            else
+            {
+                _S17 = 0.0f;
+            }
+            (*outputs_0)[_S19] = Identity_apply_0(_S16[int(2)] + _S17);
+        }
+        int _S20 = output_0 + int(3);
+        if(_S20 < int(3))
+        {
+            if(adds_0)
+            {
+                _S17 = (*outputs_0)[_S20];
+            }
+            else
+            {
+                _S17 = 0.0f;
+            }
+            (*outputs_0)[_S20] = Identity_apply_0(_S16[int(3)] + _S17);
+        }
+        output_0 = output_0 + int(4);
+    }
+    return;
+}
+
+float4 tile_product_1(const FloatWeights_0 thread* weights_2, uint row_1, array<float, int(11)> thread* inputs_2, KernelContext_0 thread* kernelContext_3)
+{
+    thread float4 sums_1 = float4(0.0f) ;
+    uint column_1 = 0U;
+    for(;;)
+    {
+        if(column_1 < 2U)
+        {
+        }
+        else
+        {
+            break;
+        }
+        thread float4 low_2;
+        thread float4 high_2;
+        int _S21 = int(8U * column_1);
+        low_2.x = (*inputs_2)[min(_S21, int(10))];
+        high_2.x = (*inputs_2)[min(_S21 + int(4), int(10))];
+        int _S22 = _S21 + int(1);
+        low_2.y = (*inputs_2)[min(_S22, int(10))];
+        high_2.y = (*inputs_2)[min(_S22 + int(4), int(10))];
+        int _S23 = _S21 + int(2);
+        low_2.z = (*inputs_2)[min(_S23, int(10))];
+        high_2.z = (*inputs_2)[min(_S23 + int(4), int(10))];
+        int _S24 = _S21 + int(3);
+        low_2.w = (*inputs_2)[min(_S24, int(10))];
+        high_2.w = (*inputs_2)[min(_S24 + int(4), int(10))];
+        Eight_0 _S25 = FloatWeights_eight_0(weights_2, row_1 + column_1, kernelContext_3);
+        sums_1.x = sums_1.x + (dot(_S25.low_0, low_2) + dot(_S25.high_0, high_2));
+        Eight_0 _S26 = FloatWeights_eight_0(weights_2, row_1 + 2U + column_1, kernelContext_3);
+        sums_1.y = sums_1.y + (dot(_S26.low_0, low_2) + dot(_S26.high_0, high_2));
+        Eight_0 _S27 = FloatWeights_eight_0(weights_2, row_1 + 4U + column_1, kernelContext_3);
+        sums_1.z = sums_1.z + (dot(_S27.low_0, low_2) + dot(_S27.high_0, high_2));
+        Eight_0 _S28 = FloatWeights_eight_0(weights_2, row_1 + 6U + column_1, kernelContext_3);
+        sums_1.w = sums_1.w + (dot(_S28.low_0, low_2) + dot(_S28.high_0, high_2));
+        column_1 = column_1 + 1U;
+    }
+    return sums_1;
+}
+
+float Relu_apply_0(float x_1)
+{
+    return max(x_1, 0.0f);
+}
+
+void dense_part_1(const FloatWeights_0 thread* weights_3, uint first_2, bool adds_1, array<float, int(11)> thread* inputs_3, array<float, int(25)> thread* outputs_1, KernelContext_0 thread* kernelContext_4)
+{
+    uint _S29 = first_2 + uint(whole_parts_0(int(4)));
+    int output_1 = int(0);
+    for(;;)
+    {
+        bool _S30 = output_1 < int(25);
+        if(_S30)
+        {
+        }
+        else
+        {
+            break;
+        }
+        uint _S31 = uint(output_1);
+        Eight_0 _S32 = FloatWeights_eight_0(weights_3, first_2 + _S31 / 8U, kernelContext_4);
+        float4 _S33 = tile_product_1(weights_3, _S29 + _S31 * 2U, inputs_3, kernelContext_4);
+        float4 _S34;
+        if((output_1 & int(4)) != int(0))
+        {
+            _S34 = _S32.high_0;
+        }
+        else
+        {
+            _S34 = _S32.low_0;
+        }
+        float4 _S35 = _S33 + _S34;
+        float _S36;
+        if(_S30)
+        {
+            if(adds_1)
+            {
+                _S36 = (*outputs_1)[output_1];
+            }
+            else
+            {
+                _S36 = 0.0f;
+            }
+            (*outputs_1)[output_1] = Relu_apply_0(_S35[int(0)] + _S36);
+        }
+        int _S37 = output_1 + int(1);
+        if(_S37 < int(25))
+        {
+            if(adds_1)
+            {
+                _S36 = (*outputs_1)[_S37];
+            }
+            else
+            {
+                _S36 = 0.0f;
+            }
+            (*outputs_1)[_S37] = Relu_apply_0(_S35[int(1)] + _S36);
+        }
+        int _S38 = output_1 + int(2);
+        if(_S38 < int(25))
+        {
+            if(adds_1)
+            {
+                _S36 = (*outputs_1)[_S38];
+            }
+            else
+            {
+                _S36 = 0.0f;
+            }
+            (*outputs_1)[_S38] = Relu_apply_0(_S35[int(2)] + _S36);
+        }
+        int _S39 = output_1 + int(3);
+        if(_S39 < int(25))
+        {
+            if(adds_1)
+            {
+                _S36 = (*outputs_1)[_S39];
+            }
+            else
+            {
+                _S36 = 0.0f;
+            }
+            (*outputs_1)[_S39] = Relu_apply_0(_S35[int(3)] + _S36);
+        }
+        output_1 = output_1 + int(4);
+    }
+    return;
+}
+
+void dense_0(const FloatWeights_0 thread* weights_4, uint first_3, bool adds_2, array<float, int(25)> thread* inputs_4, array<float, int(3)> thread* outputs_2, KernelContext_0 thread* kernelContext_5)
+{
+    dense_part_0(weights_4, first_3, adds_2, inputs_4, outputs_2, kernelContext_5);
+    return;
+}
+
+void dense_1(const FloatWeights_0 thread* weights_5, uint first_4, bool adds_3, array<float, int(11)> thread* inputs_5, array<float, int(25)> thread* outputs_3, KernelContext_0 thread* kernelContext_6)
+{
+    dense_part_1(weights_5, first_4, adds_3, inputs_5, outputs_3, kernelContext_6);
+    return;
+}
+
+float4 tile_product_2(const FloatWeights_0 thread* weights_6, uint row_2, array<float, int(16)> thread* inputs_6, KernelContext_0 thread* kernelContext_7)
+{
+    thread float4 sums_2 = float4(0.0f) ;
+    uint column_2 = 0U;
+    for(;;)
+    {
+        if(column_2 < 2U)
+        {
+        }
+        else
+        {
+            break;
+        }
+        thread float4 low_3;
+        thread float4 high_3;
+        int _S40 = int(8U * column_2);
+        low_3.x = (*inputs_6)[_S40];
+        high_3.x = (*inputs_6)[_S40 + int(4)];
+        int _S41 = _S40 + int(1);
+        low_3.y = (*inputs_6)[_S41];
+        high_3.y = (*inputs_6)[_S41 + int(4)];
+        int _S42 = _S40 + int(2);
+        low_3.z = (*inputs_6)[_S42];
+        high_3.z = (*inputs_6)[_S42 + int(4)];
+        int _S43 = _S40 + int(3);
+        low_3.w = (*inputs_6)[_S43];
+        high_3.w = (*inputs_6)[_S43 + int(4)];
+        Eight_0 _S44 = FloatWeights_eight_0(weights_6, row_2 + column_2, kernelContext_7);
+        sums_2.x = sums_2.x + (dot(_S44.low_0, low_3) + dot(_S44.high_0, high_3));
+        Eight_0 _S45 = FloatWeights_eight_0(weights_6, row_2 + 2U + column_2, kernelContext_7);
+        sums_2.y = sums_2.y + (dot(_S45.low_0, low_3) + dot(_S45.high_0, high_3));
+        Eight_0 _S46 = FloatWeights_eight_0(weights_6, row_2 + 4U + column_2, kernelContext_7);
+        sums_2.z = sums_2.z + (dot(_S46.low_0, low_3) + dot(_S46.high_0, high_3));
+        Eight_0 _S47 = FloatWeights_eight_0(weights_6, row_2 + 6U + column_2, kernelContext_7);
+        sums_2.w = sums_2.w + (dot(_S47.low_0, low_3) + dot(_S47.high_0, high_3));
+        column_2 = column_2 + 1U;
+    }
+    return sums_2;
+}
+
+void dense_part_2(const FloatWeights_0 thread* weights_7, uint first_5, bool adds_4, array<float, int(16)> thread* inputs_7, array<float, int(16)> thread* outputs_4, KernelContext_0 thread* kernelContext_8)
+{
+    uint _S48 = first_5 + uint(whole_parts_0(int(2)));
+    int output_2 = int(0);
+    for(;;)
+    {
+        bool _S49 = output_2 < int(16);
+        if(_S49)
+        {
+        }
+        else
+        {
+            break;
+        }
+        uint _S50 = uint(output_2);
+        Eight_0 _S51 = FloatWeights_eight_0(weights_7, first_5 + _S50 / 8U, kernelContext_8);
+        float4 _S52 = tile_product_2(weights_7, _S48 + _S50 * 2U, inputs_7, kernelContext_8);
+        float4 _S53;
+        if((output_2 & int(4)) != int(0))
+        {
+            _S53 = _S51.high_0;
+        }
+        else
+        {
+            _S53 = _S51.low_0;
+        }
+        float4 _S54 = _S52 + _S53;
+        float _S55;
+        if(_S49)
+        {
+            if(adds_4)
+            {
+                _S55 = (*outputs_4)[output_2];
+            }
+            else
+            {
+                _S55 = 0.0f;
+            }
+            (*outputs_4)[output_2] = Relu_apply_0(_S54[int(0)] + _S55);
+        }
+        int _S56 = output_2 + int(1);
+        if(_S56 < int(16))
+        {
+            if(adds_4)
+            {
+                _S55 = (*outputs_4)[_S56];
+            }
+            else
+            {
+                _S55 = 0.0f;
+            }
+            (*outputs_4)[_S56] = Relu_apply_0(_S54[int(1)] + _S55);
+        }
+        int _S57 = output_2 + int(2);
+        if(_S57 < int(16))
+        {
+            if(adds_4)
+            {
+                _S55 = (*outputs_4)[_S57];
+            }
+            else
+            {
+                _S55 = 0.0f;
+            }
+            (*outputs_4)[_S57] = Relu_apply_0(_S54[int(2)] + _S55);
+        }
+        int _S58 = output_2 + int(3);
+        if(_S58 < int(16))
+        {
+            if(adds_4)
+            {
+                _S55 = (*outputs_4)[_S58];
+            }
+            else
+            {
+                _S55 = 0.0f;
+            }
+            (*outputs_4)[_S58] = Relu_apply_0(_S54[int(3)] + _S55);
+        }
+        output_2 = output_2 + int(4);
+    }
+    return;
+}
+
+void dense_part_3(const FloatWeights_0 thread* weights_8, uint first_6, bool adds_5, array<float, int(16)> thread* inputs_8, array<float, int(1)> thread* outputs_5, KernelContext_0 thread* kernelContext_9)
+{
+    uint _S59 = first_6 + uint(whole_parts_0(int(1)));
+    int output_3 = int(0);
+    for(;;)
+    {
+        bool _S60 = output_3 < int(1);
+        if(_S60)
+        {
+        }
+        else
+        {
+            break;
+        }
+        uint _S61 = uint(output_3);
+        Eight_0 _S62 = FloatWeights_eight_0(weights_8, first_6 + _S61 / 8U, kernelContext_9);
+        float4 _S63 = tile_product_2(weights_8, _S59 + _S61 * 2U, inputs_8, kernelContext_9);
+        float4 _S64;
+        if((output_3 & int(4)) != int(0))
+        {
+            _S64 = _S62.high_0;
+        }
+        else
+        {
+            _S64 = _S62.low_0;
+        }
+        float4 _S65 = _S63 + _S64;
+        float _S66;
+        if(_S60)
+        {
+            if(adds_5)
+            {
+                _S66 = (*outputs_5)[output_3];
+            }
+            else
+            {
+                _S66 = 0.0f;
+            }
+            (*outputs_5)[output_3] = Identity_apply_0(_S65[int(0)] + _S66);
+        }
+        int _S67 = output_3 + int(1);
+        if(_S67 < int(1))
+        {
+            if(adds_5)
+            {
+                _S66 = (*outputs_5)[_S67];
+            }
+            else
+            {
+                _S66 = 0.0f;
+            }
+            (*outputs_5)[_S67] = Identity_apply_0(_S65[int(1)] + _S66);
+        }
+        int _S68 = output_3 + int(2);
+        if(_S68 < int(1))
+        {
+            if(adds_5)
+            {
+                _S66 = (*outputs_5)[_S68];
+            }
+            else
+            {
+                _S66 = 0.0f;
+            }
+            (*outputs_5)[_S68] = Identity_apply_0(_S65[int(2)] + _S66);
+        }
+        int _S69 = output_3 + int(3);
+        if(_S69 < int(1))
+        {
+            if(adds_5)
+            {
+                _S66 = (*outputs_5)[_S69];
+            }
+            else
+            {
+                _S66 = 0.0f;
+            }
+            (*outputs_5)[_S69] = Identity_apply_0(_S65[int(3)] + _S66);
+        }
+        output_3 = output_3 + int(4);
+    }
+    return;
+}
+
+float4 tile_product_3(const FloatWeights_0 thread* weights_9, uint row_3, array<float, int(9)> thread* inputs_9, KernelContext_0 thread* kernelContext_10)
+{
+    thread float4 sums_3 = float4(0.0f) ;
+    uint column_3 = 0U;
+    for(;;)
+    {
+        if(column_3 < 2U)
+        {
+        }
+        else
+        {
+            break;
+        }
+        thread float4 low_4;
+        thread float4 high_4;
+        int _S70 = int(8U * column_3);
+        low_4.x = (*inputs_9)[min(_S70, int(8))];
+        high_4.x = (*inputs_9)[min(_S70 + int(4), int(8))];
+        int _S71 = _S70 + int(1);
+        low_4.y = (*inputs_9)[min(_S71, int(8))];
+        high_4.y = (*inputs_9)[min(_S71 + int(4), int(8))];
+        int _S72 = _S70 + int(2);
+        low_4.z = (*inputs_9)[min(_S72, int(8))];
+        high_4.z = (*inputs_9)[min(_S72 + int(4), int(8))];
+        int _S73 = _S70 + int(3);
+        low_4.w = (*inputs_9)[min(_S73, int(8))];
+        high_4.w = (*inputs_9)[min(_S73 + int(4), int(8))];
+        Eight_0 _S74 = FloatWeights_eight_0(weights_9, row_3 + column_3, kernelContext_10);
+        sums_3.x = sums_3.x + (dot(_S74.low_0, low_4) + dot(_S74.high_0, high_4));
+        Eight_0 _S75 = FloatWeights_eight_0(weights_9, row_3 + 2U + column_3, kernelContext_10);
+        sums_3.y = sums_3.y + (dot(_S75.low_0, low_4) + dot(_S75.high_0, high_4));
+        Eight_0 _S76 = FloatWeights_eight_0(weights_9, row_3 + 4U + column_3, kernelContext_10);
+        sums_3.z = sums_3.z + (dot(_S76.low_0, low_4) + dot(_S76.high_0, high_4));
+        Eight_0 _S77 = FloatWeights_eight_0(weights_9, row_3 + 6U + column_3, kernelContext_10);
+        sums_3.w = sums_3.w + (dot(_S77.low_0, low_4) + dot(_S77.high_0, high_4));
+        column_3 = column_3 + 1U;
+    }
+    return sums_3;
+}
+
+void dense_part_4(const FloatWeights_0 thread* weights_10, uint first_7, bool adds_6, array<float, int(9)> thread* inputs_10, array<float, int(16)> thread* outputs_6, KernelContext_0 thread* kernelContext_11)
+{
+    uint _S78 = first_7 + uint(whole_parts_0(int(2)));
+    int output_4 = int(0);
+    for(;;)
+    {
+        bool _S79 = output_4 < int(16);
+        if(_S79)
+        {
+        }
+        else
+        {
+            break;
+        }
+        uint _S80 = uint(output_4);
+        Eight_0 _S81 = FloatWeights_eight_0(weights_10, first_7 + _S80 / 8U, kernelContext_11);
+        float4 _S82 = tile_product_3(weights_10, _S78 + _S80 * 2U, inputs_10, kernelContext_11);
+        float4 _S83;
+        if((output_4 & int(4)) != int(0))
+        {
+            _S83 = _S81.high_0;
+        }
+        else
+        {
+            _S83 = _S81.low_0;
+        }
+        float4 _S84 = _S82 + _S83;
+        float _S85;
+        if(_S79)
+        {
+            if(adds_6)
+            {
+                _S85 = (*outputs_6)[output_4];
+            }
+            else
+            {
+                _S85 = 0.0f;
+            }
+            (*outputs_6)[output_4] = Relu_apply_0(_S84[int(0)] + _S85);
+        }
+        int _S86 = output_4 + int(1);
+        if(_S86 < int(16))
+        {
+            if(adds_6)
+            {
+                _S85 = (*outputs_6)[_S86];
+            }
+            else
+            {
+                _S85 = 0.0f;
+            }
+            (*outputs_6)[_S86] = Relu_apply_0(_S84[int(1)] + _S85);
+        }
+        int _S87 = output_4 + int(2);
+        if(_S87 < int(16))
+        {
+            if(adds_6)
+            {
+                _S85 = (*outputs_6)[_S87];
+            }
+            else
+            {
+                _S85 = 0.0f;
+            }
+            (*outputs_6)[_S87] = Relu_apply_0(_S84[int(2)] + _S85);
+        }
+        int _S88 = output_4 + int(3);
+        if(_S88 < int(16))
+        {
+            if(adds_6)
+            {
+                _S85 = (*outputs_6)[_S88];
+            }
+            else
+            {
+                _S85 = 0.0f;
+            }
+            (*outputs_6)[_S88] = Relu_apply_0(_S84[int(3)] + _S85);
+        }
+        output_4 = output_4 + int(4);
+    }
+    return;
+}
+
+void dense_2(const FloatWeights_0 thread* weights_11, uint first_8, bool adds_7, array<float, int(16)> thread* inputs_11, array<float, int(16)> thread* outputs_7, KernelContext_0 thread* kernelContext_12)
+{
+    dense_part_2(weights_11, first_8, adds_7, inputs_11, outputs_7, kernelContext_12);
+    return;
+}
+
+void dense_3(const FloatWeights_0 thread* weights_12, uint first_9, bool adds_8, array<float, int(16)> thread* inputs_12, array<float, int(1)> thread* outputs_8, KernelContext_0 thread* kernelContext_13)
+{
+    dense_part_3(weights_12, first_9, adds_8, inputs_12, outputs_8, kernelContext_13);
+    return;
+}
+
+void dense_4(const FloatWeights_0 thread* weights_13, uint first_10, bool adds_9, array<float, int(9)> thread* inputs_13, array<float, int(16)> thread* outputs_9, KernelContext_0 thread* kernelContext_14)
+{
+    dense_part_4(weights_13, first_10, adds_9, inputs_13, outputs_9, kernelContext_14);
+    return;
+}
+
+void dense_part_5(const FloatWeights_0 thread* weights_14, uint first_11, bool adds_10, array<float, int(25)> thread* inputs_14, array<float, int(25)> thread* outputs_10, KernelContext_0 thread* kernelContext_15)
+{
+    uint _S89 = first_11 + uint(whole_parts_0(int(4)));
+    int output_5 = int(0);
+    for(;;)
+    {
+        bool _S90 = output_5 < int(25);
+        if(_S90)
+        {
+        }
+        else
+        {
+            break;
+        }
+        uint _S91 = uint(output_5);
+        Eight_0 _S92 = FloatWeights_eight_0(weights_14, first_11 + _S91 / 8U, kernelContext_15);
+        float4 _S93 = tile_product_0(weights_14, _S89 + _S91 * 4U, inputs_14, kernelContext_15);
+        float4 _S94;
+        if((output_5 & int(4)) != int(0))
+        {
+            _S94 = _S92.high_0;
+        }
+        else
+        {
+            _S94 = _S92.low_0;
+        }
+        float4 _S95 = _S93 + _S94;
+        float _S96;
+        if(_S90)
+        {
+            if(adds_10)
+            {
+                _S96 = (*outputs_10)[output_5];
+            }
+            else
+            {
+                _S96 = 0.0f;
+            }
+            (*outputs_10)[output_5] = Relu_apply_0(_S95[int(0)] + _S96);
+        }
+        int _S97 = output_5 + int(1);
+        if(_S97 < int(25))
+        {
+            if(adds_10)
+            {
+                _S96 = (*outputs_10)[_S97];
+            }
+            else
+            {
+                _S96 = 0.0f;
+            }
+            (*outputs_10)[_S97] = Relu_apply_0(_S95[int(1)] + _S96);
+        }
+        int _S98 = output_5 + int(2);
+        if(_S98 < int(25))
+        {
+            if(adds_10)
+            {
+                _S96 = (*outputs_10)[_S98];
+            }
+            else
+            {
+                _S96 = 0.0f;
+            }
+            (*outputs_10)[_S98] = Relu_apply_0(_S95[int(2)] + _S96);
+        }
+        int _S99 = output_5 + int(3);
+        if(_S99 < int(25))
+        {
+            if(adds_10)
+            {
+                _S96 = (*outputs_10)[_S99];
+            }
+            else
+            {
+                _S96 = 0.0f;
+            }
+            (*outputs_10)[_S99] = Relu_apply_0(_S95[int(3)] + _S96);
+        }
+        output_5 = output_5 + int(4);
+    }
+    return;
+}
+
+void dense_part_6(const FloatWeights_0 thread* weights_15, uint first_12, bool adds_11, array<float, int(25)> thread* inputs_15, array<float, int(1)> thread* outputs_11, KernelContext_0 thread* kernelContext_16)
+{
+    uint _S100 = first_12 + uint(whole_parts_0(int(1)));
+    int output_6 = int(0);
+    for(;;)
+    {
+        bool _S101 = output_6 < int(1);
+        if(_S101)
+        {
+        }
+        else
+        {
+            break;
+        }
+        uint _S102 = uint(output_6);
+        Eight_0 _S103 = FloatWeights_eight_0(weights_15, first_12 + _S102 / 8U, kernelContext_16);
+        float4 _S104 = tile_product_0(weights_15, _S100 + _S102 * 4U, inputs_15, kernelContext_16);
+        float4 _S105;
+        if((output_6 & int(4)) != int(0))
+        {
+            _S105 = _S103.high_0;
+        }
+        else
+        {
+            _S105 = _S103.low_0;
+        }
+        float4 _S106 = _S104 + _S105;
+        float _S107;
+        if(_S101)
+        {
+            if(adds_11)
+            {
+                _S107 = (*outputs_11)[output_6];
+            }
+            else
+            {
+                _S107 = 0.0f;
+            }
+            (*outputs_11)[output_6] = Identity_apply_0(_S106[int(0)] + _S107);
+        }
+        int _S108 = output_6 + int(1);
+        if(_S108 < int(1))
+        {
+            if(adds_11)
+            {
+                _S107 = (*outputs_11)[_S108];
+            }
+            else
+            {
+                _S107 = 0.0f;
+            }
+            (*outputs_11)[_S108] = Identity_apply_0(_S106[int(1)] + _S107);
+        }
+        int _S109 = output_6 + int(2);
+        if(_S109 < int(1))
+        {
+            if(adds_11)
+            {
+                _S107 = (*outputs_11)[_S109];
+            }
+            else
+            {
+                _S107 = 0.0f;
+            }
+            (*outputs_11)[_S109] = Identity_apply_0(_S106[int(2)] + _S107);
+        }
+        int _S110 = output_6 + int(3);
+        if(_S110 < int(1))
+        {
+            if(adds_11)
+            {
+                _S107 = (*outputs_11)[_S110];
+            }
+            else
+            {
+                _S107 = 0.0f;
+            }
+            (*outputs_11)[_S110] = Identity_apply_0(_S106[int(3)] + _S107);
+        }
+        output_6 = output_6 + int(4);
+    }
+    return;
+}
+
+void dense_part_7(const FloatWeights_0 thread* weights_16, uint first_13, bool adds_12, array<float, int(9)> thread* inputs_16, array<float, int(25)> thread* outputs_12, KernelContext_0 thread* kernelContext_17)
+{
+    uint _S111 = first_13 + uint(whole_parts_0(int(4)));
+    int output_7 = int(0);
+    for(;;)
+    {
+        bool _S112 = output_7 < int(25);
+        if(_S112)
+        {
+        }
+        else
+        {
+            break;
+        }
+        uint _S113 = uint(output_7);
+        Eight_0 _S114 = FloatWeights_eight_0(weights_16, first_13 + _S113 / 8U, kernelContext_17);
+        float4 _S115 = tile_product_3(weights_16, _S111 + _S113 * 2U, inputs_16, kernelContext_17);
+        float4 _S116;
+        if((output_7 & int(4)) != int(0))
+        {
+            _S116 = _S114.high_0;
+        }
+        else
+        {
+            _S116 = _S114.low_0;
+        }
+        float4 _S117 = _S115 + _S116;
+        float _S118;
+        if(_S112)
+        {
+            if(adds_12)
+            {
+                _S118 = (*outputs_12)[output_7];
+            }
+            else
+            {
+                _S118 = 0.0f;
+            }
+            (*outputs_12)[output_7] = Relu_apply_0(_S117[int(0)] + _S118);
+        }
+        int _S119 = output_7 + int(1);
+        if(_S119 < int(25))
+        {
+            if(adds_12)
+            {
+                _S118 = (*outputs_12)[_S119];
+            }
+            else
+            {
+                _S118 = 0.0f;
+            }
+            (*outputs_12)[_S119] = Relu_apply_0(_S117[int(1)] + _S118);
+        }
+        int _S120 = output_7 + int(2);
+        if(_S120 < int(25))
+        {
+            if(adds_12)
+            {
+                _S118 = (*outputs_12)[_S120];
+            }
+            else
+            {
+                _S118 = 0.0f;
+            }
+            (*outputs_12)[_S120] = Relu_apply_0(_S117[int(2)] + _S118);
+        }
+        int _S121 = output_7 + int(3);
+        if(_S121 < int(25))
+        {
+            if(adds_12)
+            {
+                _S118 = (*outputs_12)[_S121];
+            }
+            else
+            {
+                _S118 = 0.0f;
+            }
+            (*outputs_12)[_S121] = Relu_apply_0(_S117[int(3)] + _S118);
+        }
+        output_7 = output_7 + int(4);
+    }
+    return;
+}
+
+void dense_5(const FloatWeights_0 thread* weights_17, uint first_14, bool adds_13, array<float, int(25)> thread* inputs_17, array<float, int(25)> thread* outputs_13, KernelContext_0 thread* kernelContext_18)
+{
+    dense_part_5(weights_17, first_14, adds_13, inputs_17, outputs_13, kernelContext_18);
+    return;
+}
+
+void dense_6(const FloatWeights_0 thread* weights_18, uint first_15, bool adds_14, array<float, int(25)> thread* inputs_18, array<float, int(1)> thread* outputs_14, KernelContext_0 thread* kernelContext_19)
+{
+    dense_part_6(weights_18, first_15, adds_14, inputs_18, outputs_14, kernelContext_19);
+    return;
+}
+
+void dense_7(const FloatWeights_0 thread* weights_19, uint first_16, bool adds_15, array<float, int(9)> thread* inputs_19, array<float, int(25)> thread* outputs_15, KernelContext_0 thread* kernelContext_20)
+{
+    dense_part_7(weights_19, first_16, adds_15, inputs_19, outputs_15, kernelContext_20);
+    return;
+}
+
+struct MLP_0
+{
+    FloatWeights_0 weights_20;
+};
+
+int layer_size_0(int inputs_20, int outputs_16)
+{
+    return whole_parts_0((outputs_16 + int(7)) / int(8)) + whole_parts_0((inputs_20 + int(7)) / int(8) * ((outputs_16 + int(4) - int(1)) / int(4) * int(4)));
+}
+
+void MLP_evaluate_0(const MLP_0 thread* this_1, array<float, int(11)> thread* inputs_21, array<float, int(3)> thread* outputs_17, KernelContext_0 thread* kernelContext_21)
+{
+    thread array<float, int(25)> odd_0;
+    thread array<float, int(25)> even_0;
+    dense_1(&this_1->weights_20, 0U, false, inputs_21, &even_0, kernelContext_21);
+    int layer_0 = int(1);
+    for(;;)
+    {
+        if(layer_0 < int(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        int _S122 = layer_size_0(int(25), int(25));
+        uint _S123 = uint(layer_size_0(int(11), int(25)) + (layer_0 - int(1)) * _S122);
+        dense_5(&this_1->weights_20, _S123, false, &even_0, &odd_0, kernelContext_21);
+        if((layer_0 + int(1)) < int(3))
+        {
+            dense_5(&this_1->weights_20, _S123 + uint(_S122), false, &odd_0, &even_0, kernelContext_21);
+        }
+        layer_0 = layer_0 + int(2);
+    }
+    uint _S124 = uint(layer_size_0(int(11), int(25)) + int(2) * layer_size_0(int(25), int(25)));
+    dense_0(&this_1->weights_20, _S124, false, &even_0, outputs_17, kernelContext_21);
+    return;
+}
+
+void MLP_evaluate_1(const MLP_0 thread* this_2, array<float, int(9)> thread* inputs_22, array<float, int(1)> thread* outputs_18, KernelContext_0 thread* kernelContext_22)
+{
+    thread array<float, int(16)> odd_1;
+    thread array<float, int(16)> even_1;
+    dense_4(&this_2->weights_20, 0U, false, inputs_22, &even_1, kernelContext_22);
+    int layer_1 = int(1);
+    for(;;)
+    {
+        if(layer_1 < int(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        int _S125 = layer_size_0(int(16), int(16));
+        uint _S126 = uint(layer_size_0(int(9), int(16)) + (layer_1 - int(1)) * _S125);
+        dense_2(&this_2->weights_20, _S126, false, &even_1, &odd_1, kernelContext_22);
+        if((layer_1 + int(1)) < int(2))
+        {
+            dense_2(&this_2->weights_20, _S126 + uint(_S125), false, &odd_1, &even_1, kernelContext_22);
+        }
+        layer_1 = layer_1 + int(2);
+    }
+    uint _S127 = uint(layer_size_0(int(9), int(16)) + layer_size_0(int(16), int(16)));
+    dense_3(&this_2->weights_20, _S127, false, &odd_1, outputs_18, kernelContext_22);
+    return;
+}
+
+void MLP_evaluate_2(const MLP_0 thread* this_3, array<float, int(9)> thread* inputs_23, array<float, int(1)> thread* outputs_19, KernelContext_0 thread* kernelContext_23)
+{
+    thread array<float, int(25)> odd_2;
+    thread array<float, int(25)> even_2;
+    dense_7(&this_3->weights_20, 0U, false, inputs_23, &even_2, kernelContext_23);
+    int layer_2 = int(1);
+    for(;;)
+    {
+        if(layer_2 < int(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        int _S128 = layer_size_0(int(25), int(25));
+        uint _S129 = uint(layer_size_0(int(9), int(25)) + (layer_2 - int(1)) * _S128);
+        dense_5(&this_3->weights_20, _S129, false, &even_2, &odd_2, kernelContext_23);
+        if((layer_2 + int(1)) < int(3))
+        {
+            dense_5(&this_3->weights_20, _S129 + uint(_S128), false, &odd_2, &even_2, kernelContext_23);
+        }
+        layer_2 = layer_2 + int(2);
+    }
+    uint _S130 = uint(layer_size_0(int(9), int(25)) + int(2) * layer_size_0(int(25), int(25)));
+    dense_6(&this_3->weights_20, _S130, false, &even_2, outputs_19, kernelContext_23);
+    return;
+}
+
+float2 f16tof32_0(uint2 value_0)
+{
+    thread float2 result_0;
+    int i_0 = int(0);
+    for(;;)
+    {
+        if(i_0 < int(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        result_0[i_0] = (as_type<half>((ushort)((value_0[i_0]))));
+        i_0 = i_0 + int(1);
+    }
+    return result_0;
+}
+
+float3 to_face_frame_0(float3 direction_0, bool back_2)
+{
+    float2 _S131 = direction_0.xy;
+    float _S132;
+    if(back_2)
+    {
+        _S132 = - direction_0.z;
+    }
+    else
+    {
+        _S132 = direction_0.z;
+    }
+    return float3(_S131, _S132);
+}
+
+Eight_0 no_numbers_0()
+{
+    thread Eight_0 numbers_1;
+    float4 _S133 = float4(0.0f) ;
+    (&numbers_1)->low_0 = _S133;
+    (&numbers_1)->high_0 = _S133;
+    return numbers_1;
+}
+
+Eight_0 eight_halves_0(uint4 packed_0)
+{
+    thread Eight_0 numbers_2;
+    uint _S134 = packed_0.x;
+    uint _S135 = packed_0.y;
+    (&numbers_2)->low_0 = float4(f16tof32_0(uint2(_S134 & 65535U, _S134 >> 16U)), f16tof32_0(uint2(_S135 & 65535U, _S135 >> 16U)));
+    uint _S136 = packed_0.z;
+    uint _S137 = packed_0.w;
+    (&numbers_2)->high_0 = float4(f16tof32_0(uint2(_S136 & 65535U, _S136 >> 16U)), f16tof32_0(uint2(_S137 & 65535U, _S137 >> 16U)));
+    return numbers_2;
+}
+
+Eight_0 texel_numbers_0(uint first_17, uint elements_1, uint texel_0, KernelContext_0 thread* kernelContext_24)
+{
+    uint _S138 = first_17 + texel_0 * elements_1;
+    uint4 _S139 = uint4(*(kernelContext_24->packed_numbers_0+_S138)) ;
+    if(elements_1 == 1U)
+    {
+        return eight_halves_0(_S139);
+    }
+    thread Eight_0 numbers_3;
+    (&numbers_3)->low_0 = (as_type<float4>((_S139)));
+    (&numbers_3)->high_0 = (as_type<float4>((uint4(*(kernelContext_24->packed_numbers_0+(_S138 + 1U))) )));
+    return numbers_3;
+}
+
+void add_bilinear_0(uint first_18, uint elements_2, uint start_0, uint columns_0, uint rows_0, float2 uv_0, float weight_0, Eight_0 thread* sums_4, KernelContext_0 thread* kernelContext_25)
+{
+    float2 _S140 = uv_0 * float2(float(columns_0), float(rows_0)) - float2(0.5f) ;
+    float2 _S141 = floor(_S140);
+    float2 _S142 = _S140 - _S141;
+    int _S143 = int(_S141.x);
+    int _S144 = int(_S141.y);
+    uint tap_0 = 0U;
+    for(;;)
+    {
+        if(tap_0 < 4U)
+        {
+        }
+        else
+        {
+            break;
+        }
+        uint _S145 = tap_0 & 1U;
+        uint _S146 = tap_0 >> 1U;
+        Eight_0 _S147 = texel_numbers_0(first_18, elements_2, start_0 + (uint(_S144 + int(_S146)) & (rows_0 - 1U)) * columns_0 + (uint(_S143 + int(_S145)) & (columns_0 - 1U)), kernelContext_25);
+        float _S148;
+        if(_S146 != 0U)
+        {
+            _S148 = _S142.y;
+        }
+        else
+        {
+            _S148 = 1.0f - _S142.y;
+        }
+        float _S149;
+        if(_S145 != 0U)
+        {
+            _S149 = _S142.x;
+        }
+        else
+        {
+            _S149 = 1.0f - _S142.x;
+        }
+        float4 _S150 = float4((_S148 * _S149 * weight_0)) ;
+        sums_4->low_0 = sums_4->low_0 + _S150 * _S147.low_0;
+        sums_4->high_0 = sums_4->high_0 + _S150 * _S147.high_0;
+        tap_0 = tap_0 + 1U;
+    }
+    return;
+}
+
+float channel_0(const Eight_0 thread* numbers_4, int k_0)
+{
+    float _S151;
+    if(k_0 < int(4))
+    {
+        _S151 = numbers_4->low_0[k_0];
+    }
+    else
+    {
+        _S151 = numbers_4->high_0[k_0 - int(4)];
+    }
+    return _S151;
+}
+
+float neumip_depth_0(const Neumip_0 thread* model_0, float2 uv_1, float2 view_0, uint face_0, KernelContext_0 thread* kernelContext_26)
+{
+    uint _S152 = kernelContext_26->words_0[model_0->levels_2 + 1U];
+    uint _S153 = kernelContext_26->words_0[model_0->levels_2 + 2U];
+    thread Eight_0 texel_1 = no_numbers_0();
+    add_bilinear_0(model_0->offset_texels_0, model_0->texel_elements_0, face_0 * _S152 * _S153, _S152, _S153, fract(uv_1), 1.0f, &texel_1, kernelContext_26);
+    thread array<float, int(9)> inputs_24;
+    int k_1 = int(0);
+    for(;;)
+    {
+        if(k_1 < int(7))
+        {
+        }
+        else
+        {
+            break;
+        }
+        thread Eight_0 _S154 = texel_1;
+        float _S155 = channel_0(&_S154, k_1);
+        inputs_24[k_1] = _S155;
+        k_1 = k_1 + int(1);
+    }
+    inputs_24[int(7)] = view_0.x;
+    inputs_24[int(8)] = view_0.y;
+    thread MLP_0 network_1;
+    (&(&network_1)->weights_20)->first_0 = model_0->offset_0;
+    thread MLP_0 _S156 = network_1;
+    thread array<float, int(1)> depth_0;
+    MLP_evaluate_2(&_S156, &inputs_24, &depth_0, kernelContext_26);
+    return depth_0[int(0)];
+}
+
+float natural_logarithm_0(float x_2)
+{
+    uint _S157 = (as_type<uint>((x_2)));
+    float exponent_0 = float(int(_S157 >> 23U) - int(126));
+    float m_0 = (as_type<float>(((_S157 & 8388607U) | 1056964608U)));
+    float m_1;
+    float exponent_1;
+    if(m_0 < 0.70710676908493042f)
+    {
+        float exponent_2 = exponent_0 - 1.0f;
+        m_1 = m_0 + m_0;
+        exponent_1 = exponent_2;
+    }
+    else
+    {
+        m_1 = m_0;
+        exponent_1 = exponent_0;
+    }
+    float m_2 = m_1 - 1.0f;
+    float _S158 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S158 - exponent_1 * 0.00021219444170129f - 0.5f * _S158) + exponent_1 * 0.693359375f;
+}
+
+float binary_logarithm_0(float x_3)
+{
+    return natural_logarithm_0(x_3) * 1.4426950216293335f;
+}
+
+float2 within_repeat_0(float2 uv_2)
+{
+    return clamp(fract(uv_2), float2(0.0f) , float2(1.0f) );
+}
+
+struct TexelPyramid_0
+{
+    uint first_19;
+    uint elements_3;
+    uint levels_4;
+    float last_level_3;
+    uint face_texels_2;
+};
+
+void TexelPyramid_add_level_0(const TexelPyramid_0 thread* this_4, float2 place_0, uint level_0, uint face_1, float weight_1, Eight_0 thread* sums_5, KernelContext_0 thread* kernelContext_27)
+{
+    uint _S159 = this_4->levels_4 + 3U * level_0;
+    add_bilinear_0(this_4->first_19, this_4->elements_3, face_1 * this_4->face_texels_2 + kernelContext_27->words_0[_S159], kernelContext_27->words_0[_S159 + 1U], kernelContext_27->words_0[_S159 + 2U], place_0, weight_1, sums_5, kernelContext_27);
+    return;
+}
+
+Eight_0 TexelPyramid_between_levels_0(const TexelPyramid_0 thread* this_5, float2 uv_3, float level_1, uint face_2, KernelContext_0 thread* kernelContext_28)
+{
+    float _S160 = clamp(level_1, 0.0f, this_5->last_level_3);
+    float _S161 = clamp(floor(_S160), 0.0f, max(this_5->last_level_3 - 1.0f, 0.0f));
+    float _S162 = _S160 - _S161;
+    float2 _S163 = within_repeat_0(uv_3);
+    thread Eight_0 texel_2 = no_numbers_0();
+    uint offset_1 = 0U;
+    for(;;)
+    {
+        if(offset_1 < 2U)
+        {
+        }
+        else
+        {
+            break;
+        }
+        float _S164;
+        if(offset_1 == 0U)
+        {
+            _S164 = 1.0f - _S162;
+        }
+        else
+        {
+            _S164 = _S162;
+        }
+        if(_S164 > 0.0f)
+        {
+            TexelPyramid_add_level_0(this_5, _S163, uint(_S161) + offset_1, face_2, _S164, &texel_2, kernelContext_28);
+        }
+        offset_1 = offset_1 + 1U;
+    }
+    return texel_2;
+}
+
+float exponential_0(float x_4)
+{
+    float _S165 = clamp(x_4, -87.0f, 88.0f);
+    float _S166 = floor(_S165 * 1.4426950216293335f + 0.5f);
+    float _S167 = _S165 - _S166 * 0.693359375f + _S166 * 0.00021219444170129f;
+    float p_0 = ((((0.00019875691214111f * _S167 + 0.00139819993637502f) * _S167 + 0.00833345204591751f) * _S167 + 0.04166579619050026f) * _S167 + 0.1666666567325592f) * _S167 + 0.5f;
+    float _S168 = (as_type<float>((uint(int(_S166) + int(127)) << 23U)));
+    float _S169;
+    if(x_4 < -87.0f)
+    {
+        _S169 = 0.0f;
+    }
+    else
+    {
+        _S169 = (p_0 * _S167 * _S167 + _S167 + 1.0f) * _S168;
+    }
+    return _S169;
+}
+
+float neumip_hole_0(const Neumip_0 thread* model_1, const Eight_0 thread* texel_3, float2 view_1, KernelContext_0 thread* kernelContext_29)
+{
+    thread array<float, int(9)> inputs_25;
+    int k_2 = int(0);
+    for(;;)
+    {
+        if(k_2 < int(7))
+        {
+        }
+        else
+        {
+            break;
+        }
+        float _S170 = channel_0(texel_3, k_2);
+        inputs_25[k_2] = _S170;
+        k_2 = k_2 + int(1);
+    }
+    inputs_25[int(7)] = view_1.x;
+    inputs_25[int(8)] = view_1.y;
+    thread MLP_0 network_2;
+    (&(&network_2)->weights_20)->first_0 = model_1->opacity_0;
+    thread MLP_0 _S171 = network_2;
+    thread array<float, int(1)> opening_0;
+    MLP_evaluate_1(&_S171, &inputs_25, &opening_0, kernelContext_29);
+    return 1.0f / (1.0f + exponential_0(- clamp(opening_0[int(0)], -30.0f, 30.0f)));
+}
+
+struct Footprint_0
+{
+    float2 centre_0;
+    float2 dx_0;
+    float2 dy_0;
+};
+
+struct NeumipView_0
+{
+    array<float, int(7)> latent_1;
+    float2 view_2;
+    bool back_3;
+    float hole_0;
+};
+
+void neumip_view_0(uint _S172, const Footprint_0 thread* _S173, float3 _S174, NeumipView_0 thread* _S175, KernelContext_0 thread* kernelContext_30)
+{
+    Neumip_0 _S176 = (kernelContext_30->fabrics_0+_S172)->neumip_0;
+    bool _S177 = (_S174.z) < 0.0f;
+    uint _S178;
+    if(_S177)
+    {
+        _S178 = _S176.back_0;
+    }
+    else
+    {
+        _S178 = 0U;
+    }
+    float3 _S179 = to_face_frame_0(_S174, _S177);
+    float2 uv_4 = _S173->centre_0 * float2(_S176.repeats_per_x_0, _S176.repeats_per_y_0);
+    float2 uv_5;
+    if((_S176.has_offset_0) != 0U)
+    {
+        float2 _S180 = _S179.xy;
+        thread Neumip_0 _S181 = _S176;
+        float _S182 = neumip_depth_0(&_S181, uv_4, _S180, _S178, kernelContext_30);
+        uv_5 = uv_4 + float2((_S182 / max(_S179.z, 0.60000002384185791f)))  * _S180 * float2(_S176.unit_x_0, _S176.unit_y_0);
+    }
+    else
+    {
+        uv_5 = uv_4;
+    }
+    float _S183 = sqrt(abs(_S173->dx_0.x * _S173->dy_0.y - _S173->dx_0.y * _S173->dy_0.x)) * _S176.texels_per_mm_0;
+    thread TexelPyramid_0 pyramid_0;
+    (&pyramid_0)->first_19 = _S176.features_0;
+    (&pyramid_0)->elements_3 = _S176.texel_elements_0;
+    (&pyramid_0)->levels_4 = _S176.levels_2;
+    (&pyramid_0)->last_level_3 = _S176.last_level_1;
+    (&pyramid_0)->face_texels_2 = _S176.face_texels_0;
+    float _S184 = binary_logarithm_0(max(_S183, 9.99999971718068537e-10f));
+    thread TexelPyramid_0 _S185 = pyramid_0;
+    Eight_0 _S186 = TexelPyramid_between_levels_0(&_S185, uv_5, _S184, _S178, kernelContext_30);
+    int k_3 = int(0);
+    for(;;)
+    {
+        if(k_3 < int(7))
+        {
+        }
+        else
+        {
+            break;
+        }
+        thread Eight_0 _S187 = _S186;
+        float _S188 = channel_0(&_S187, k_3);
+        _S175->latent_1[k_3] = _S188;
+        k_3 = k_3 + int(1);
+    }
+    float2 _S189 = _S179.xy;
+    _S175->view_2 = _S189;
+    _S175->back_3 = _S177;
+    float _S190;
+    if((_S176.has_holes_0) != 0U)
+    {
+        thread Neumip_0 _S191 = _S176;
+        thread Eight_0 _S192 = _S186;
+        float _S193 = neumip_hole_0(&_S191, &_S192, _S189, kernelContext_30);
+        _S190 = _S193;
+    }
+    else
+    {
+        _S190 = 0.0f;
+    }
+    _S175->hole_0 = _S190;
+    return;
+}
+
+float3 neumip_value_0(uint _S194, NeumipView_0 thread* _S195, float3 _S196, KernelContext_0 thread* kernelContext_31)
+{
+    Fabric_0 device* _S197 = kernelContext_31->fabrics_0+_S194;
+    float3 _S198 = to_face_frame_0(_S196, _S195->back_3);
+    float _S199 = _S198.z;
+    bool _S200;
+    if(_S199 < 0.0f)
+    {
+        _S200 = (_S197->neumip_0.transmits_0) != 0U;
+    }
+    else
+    {
+        _S200 = false;
+    }
+    bool _S201;
+    if(_S199 <= 0.0f)
+    {
+        _S201 = !_S200;
+    }
+    else
+    {
+        _S201 = false;
+    }
+    if(_S201)
+    {
+        return float3(0.0f) ;
+    }
+    thread array<float, int(11)> inputs_26;
+    int k_4 = int(0);
+    for(;;)
+    {
+        if(k_4 < int(7))
+        {
+        }
+        else
+        {
+            break;
+        }
+        inputs_26[k_4] = _S195->latent_1[k_4];
+        k_4 = k_4 + int(1);
+    }
+    inputs_26[int(7)] = _S198.x;
+    inputs_26[int(8)] = _S198.y;
+    inputs_26[int(9)] = _S195->view_2.x;
+    inputs_26[int(10)] = _S195->view_2.y;
+    thread array<float, int(3)> outputs_20;
+    thread MLP_0 network_3;
+    uint _S202;
+    if(_S200)
+    {
+        _S202 = _S197->neumip_0.transmission_0;
+    }
+    else
+    {
+        _S202 = _S197->neumip_0.decoder_0;
+    }
+    (&(&network_3)->weights_20)->first_0 = _S202;
+    thread MLP_0 _S203 = network_3;
+    MLP_evaluate_0(&_S203, &inputs_26, &outputs_20, kernelContext_31);
+    return max(float3(outputs_20[int(0)], outputs_20[int(1)], outputs_20[int(2)]), float3(0.0f) ) * float3(0.31830987334251404f) ;
+}
+
+float4 cloth_value_0(uint fabric_1, float2 centre_1, float2 dx_1, float2 dy_1, float3 light_0, float3 view_3, KernelContext_0 thread* kernelContext_32)
+{
+    thread Footprint_0 footprint_0;
+    (&footprint_0)->centre_0 = centre_1;
+    (&footprint_0)->dx_0 = dx_1;
+    (&footprint_0)->dy_0 = dy_1;
+    thread Footprint_0 _S204 = footprint_0;
+    thread NeumipView_0 seen_0;
+    neumip_view_0(fabric_1, &_S204, view_3, &seen_0, kernelContext_32);
+    float3 _S205 = neumip_value_0(fabric_1, &seen_0, light_0, kernelContext_32);
+    return float4(_S205, (&seen_0)->hole_0);
+}
+
+[[kernel]] void neumip_queries(uint3 id_0 [[thread_position_in_grid]], uint device* query_count_1 [[buffer(24)]], Query_0 device* queries_1 [[buffer(23)]], packed_float4 device* answers_1 [[buffer(25)]], Fabric_0 device* fabrics_1 [[buffer(0)]], uint device* words_1 [[buffer(2)]], packed_uint4 device* packed_numbers_1 [[buffer(10)]])
+{
+    thread KernelContext_0 kernelContext_33;
+    (&kernelContext_33)->query_count_0 = query_count_1;
+    (&kernelContext_33)->queries_0 = queries_1;
+    (&kernelContext_33)->answers_0 = answers_1;
+    (&kernelContext_33)->fabrics_0 = fabrics_1;
+    (&kernelContext_33)->words_0 = words_1;
+    (&kernelContext_33)->packed_numbers_0 = packed_numbers_1;
+    uint _S206 = id_0.x;
+    if(_S206 >= query_count_1[int(0)])
+    {
+        return;
+    }
+    Query_0 _S207 = (&kernelContext_33)->queries_0[_S206];
+    packed_float4 device* _S208 = (&kernelContext_33)->answers_0+_S206;
+    float4 _S209 = cloth_value_0(_S207.fabric_0, float2(_S207.centre_x_0, _S207.centre_y_0), float2(_S207.dx_x_0, _S207.dx_y_0), float2(_S207.dy_x_0, _S207.dy_y_0), float3(_S207.light_x_0, _S207.light_y_0, _S207.light_z_0), float3(_S207.view_x_0, _S207.view_y_0, _S207.view_z_0), &kernelContext_33);
+    *_S208 = packed_float4(_S209) ;
+    return;
+}
+

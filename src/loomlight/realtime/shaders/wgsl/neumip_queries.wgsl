@@ -1,0 +1,1646 @@
+@binding(1) @group(1) var<storage, read> query_count_0 : array<u32>;
+
+struct Query_std430_0
+{
+    @align(4) fabric_0 : u32,
+    @align(4) centre_x_0 : f32,
+    @align(4) centre_y_0 : f32,
+    @align(4) dx_x_0 : f32,
+    @align(4) dx_y_0 : f32,
+    @align(4) dy_x_0 : f32,
+    @align(4) dy_y_0 : f32,
+    @align(4) light_x_0 : f32,
+    @align(4) light_y_0 : f32,
+    @align(4) light_z_0 : f32,
+    @align(4) view_x_0 : f32,
+    @align(4) view_y_0 : f32,
+    @align(4) view_z_0 : f32,
+};
+
+@binding(0) @group(1) var<storage, read> queries_0 : array<Query_std430_0>;
+
+@binding(2) @group(1) var<storage, read_write> answers_0 : array<vec4<f32>>;
+
+struct Lobes_std430_0
+{
+    @align(4) is_baked_0 : u32,
+    @align(4) inverse_base_size_0 : f32,
+    @align(4) last_level_0 : f32,
+    @align(4) levels_0 : u32,
+    @align(4) face_nodes_0 : u32,
+    @align(4) packs_0 : u32,
+    @align(4) front_warp_packs_0 : u32,
+    @align(4) back_warp_packs_0 : u32,
+    @align(4) coverage_0 : u32,
+    @align(4) coverage_holes_0 : u32,
+    @align(4) projected_area_0 : u32,
+    @align(4) light_visibility_0 : u32,
+    @align(4) irradiance_0 : u32,
+    @align(4) moments_0 : u32,
+    @align(4) front_hole_weight_0 : f32,
+    @align(4) back_hole_weight_0 : f32,
+    @align(4) threads_per_mm_0 : f32,
+    @align(4) unit_level_0 : f32,
+};
+
+struct Woven_std430_0
+{
+    @align(4) is_encoded_0 : u32,
+    @align(4) network_0 : u32,
+    @align(4) latents_0 : u32,
+    @align(4) texels_0 : u32,
+    @align(4) levels_1 : u32,
+    @align(4) top_level_0 : u32,
+    @align(4) ends_0 : f32,
+    @align(4) picks_0 : f32,
+    @align(4) ends_per_mm_0 : f32,
+    @align(4) picks_per_mm_0 : f32,
+    @align(4) pitch_0 : f32,
+    @align(4) warp_x_0 : f32,
+    @align(4) warp_y_0 : f32,
+    @align(4) warp_roughness_0 : f32,
+    @align(4) weft_x_0 : f32,
+    @align(4) weft_y_0 : f32,
+    @align(4) weft_roughness_0 : f32,
+    @align(4) warp_lobe_roughness_0 : f32,
+    @align(4) weft_lobe_roughness_0 : f32,
+    @align(4) bundles_0 : u32,
+    @align(4) is_corrected_0 : u32,
+    @align(4) correction_0 : u32,
+};
+
+struct Neumip_std430_0
+{
+    @align(4) is_trained_0 : u32,
+    @align(4) decoder_0 : u32,
+    @align(4) has_offset_0 : u32,
+    @align(4) offset_0 : u32,
+    @align(4) offset_texels_0 : u32,
+    @align(4) features_0 : u32,
+    @align(4) texel_elements_0 : u32,
+    @align(4) levels_2 : u32,
+    @align(4) last_level_1 : f32,
+    @align(4) face_texels_0 : u32,
+    @align(4) back_0 : u32,
+    @align(4) repeats_per_x_0 : f32,
+    @align(4) repeats_per_y_0 : f32,
+    @align(4) texels_per_mm_0 : f32,
+    @align(4) unit_x_0 : f32,
+    @align(4) unit_y_0 : f32,
+    @align(4) transmits_0 : u32,
+    @align(4) transmission_0 : u32,
+    @align(4) has_holes_0 : u32,
+    @align(4) opacity_0 : u32,
+};
+
+struct Latent_std430_0
+{
+    @align(4) is_trained_1 : u32,
+    @align(4) decoder_1 : u32,
+    @align(4) hidden_0 : u32,
+    @align(4) frames_0 : u32,
+    @align(4) sampler_0 : u32,
+    @align(4) albedo_0 : u32,
+    @align(4) texels_1 : u32,
+    @align(4) texel_elements_1 : u32,
+    @align(4) levels_3 : u32,
+    @align(4) last_level_2 : f32,
+    @align(4) face_texels_1 : u32,
+    @align(4) back_1 : u32,
+    @align(4) repeats_per_x_1 : f32,
+    @align(4) repeats_per_y_1 : f32,
+    @align(4) texels_per_mm_1 : f32,
+    @align(4) width_0 : f32,
+    @align(4) height_0 : f32,
+    @align(4) is_trilinear_0 : u32,
+};
+
+struct Fabric_std430_0
+{
+    @align(4) warp_0 : u32,
+    @align(4) weft_0 : u32,
+    @align(4) lobes_0 : Lobes_std430_0,
+    @align(4) woven_0 : Woven_std430_0,
+    @align(4) neumip_0 : Neumip_std430_0,
+    @align(4) run_words_0 : u32,
+    @align(4) ends_1 : u32,
+    @align(4) max_heights_0 : u32,
+    @align(4) max_height_columns_0 : u32,
+    @align(4) height_low_0 : f32,
+    @align(4) height_high_0 : f32,
+    @align(4) lift_0 : f32,
+    @align(4) threads_per_x_0 : f32,
+    @align(4) threads_per_y_0 : f32,
+    @align(4) per_relief_0 : f32,
+    @align(4) diffuse_blend_0 : f32,
+    @align(4) optical_depth_0 : f32,
+    @align(4) sheen_strength_0 : f32,
+    @align(4) sheen_roughness_0 : f32,
+    @align(4) fibre_noise_0 : f32,
+    @align(4) colour_noise_0 : f32,
+    @align(4) seed_0 : u32,
+    @align(4) layer_bound_0 : f32,
+    @align(4) fibre_size_0 : f32,
+    @align(4) uv_width_0 : f32,
+    @align(4) uv_height_0 : f32,
+    @align(4) is_open_0 : u32,
+    @align(4) openness_0 : u32,
+    @align(4) albedo_map_0 : u32,
+    @align(4) albedo_map_levels_0 : u32,
+    @align(4) has_yarns_0 : u32,
+    @align(4) mean_hole_0 : f32,
+    @align(4) latent_0 : Latent_std430_0,
+};
+
+@binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
+
+@binding(2) @group(0) var<storage, read> words_0 : array<u32>;
+
+@binding(10) @group(0) var<storage, read> packed_numbers_0 : array<vec4<u32>>;
+
+struct FloatWeights_0
+{
+     first_0 : u32,
+};
+
+fn whole_parts_0( elements_0 : i32) -> i32
+{
+    return (elements_0 + i32(3)) / i32(4) * i32(4);
+}
+
+struct Eight_0
+{
+     low_0 : vec4<f32>,
+     high_0 : vec4<f32>,
+};
+
+fn FloatWeights_eight_0( this_0 : FloatWeights_0,  element_0 : u32) -> Eight_0
+{
+    var numbers_0 : Eight_0;
+    var _S1 : u32 = this_0.first_0 + u32(2) * element_0;
+    numbers_0.low_0 = (bitcast<vec4<f32>>((packed_numbers_0[_S1])));
+    numbers_0.high_0 = (bitcast<vec4<f32>>((packed_numbers_0[_S1 + u32(1)])));
+    return numbers_0;
+}
+
+fn tile_product_0( weights_0 : FloatWeights_0,  row_0 : u32,  inputs_0 : ptr<function, array<f32, i32(25)>>) -> vec4<f32>
+{
+    var sums_0 : vec4<f32> = vec4<f32>(0.0f);
+    var column_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(column_0 < u32(4))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var low_1 : vec4<f32>;
+        var high_1 : vec4<f32>;
+        var _S2 : i32 = i32(u32(8) * column_0);
+        low_1[i32(0)] = (*inputs_0)[min(_S2, i32(24))];
+        high_1[i32(0)] = (*inputs_0)[min(_S2 + i32(4), i32(24))];
+        var _S3 : i32 = _S2 + i32(1);
+        low_1[i32(1)] = (*inputs_0)[min(_S3, i32(24))];
+        high_1[i32(1)] = (*inputs_0)[min(_S3 + i32(4), i32(24))];
+        var _S4 : i32 = _S2 + i32(2);
+        low_1[i32(2)] = (*inputs_0)[min(_S4, i32(24))];
+        high_1[i32(2)] = (*inputs_0)[min(_S4 + i32(4), i32(24))];
+        var _S5 : i32 = _S2 + i32(3);
+        low_1[i32(3)] = (*inputs_0)[min(_S5, i32(24))];
+        high_1[i32(3)] = (*inputs_0)[min(_S5 + i32(4), i32(24))];
+        var _S6 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + column_0);
+        sums_0[i32(0)] = sums_0[i32(0)] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
+        var _S7 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + u32(4) + column_0);
+        sums_0[i32(1)] = sums_0[i32(1)] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
+        var _S8 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + u32(8) + column_0);
+        sums_0[i32(2)] = sums_0[i32(2)] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
+        var _S9 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + u32(12) + column_0);
+        sums_0[i32(3)] = sums_0[i32(3)] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
+        column_0 = column_0 + u32(1);
+    }
+    return sums_0;
+}
+
+fn Identity_apply_0( x_0 : f32) -> f32
+{
+    return x_0;
+}
+
+fn dense_part_0( weights_1 : FloatWeights_0,  first_1 : u32,  adds_0 : bool,  inputs_1 : ptr<function, array<f32, i32(25)>>,  outputs_0 : ptr<function, array<f32, i32(3)>>)
+{
+    var _S10 : u32 = first_1 + u32(whole_parts_0(i32(1)));
+    var output_0 : i32 = i32(0);
+    for(;;)
+    {
+        var _S11 : bool = output_0 < i32(3);
+        if(_S11)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S12 : u32 = u32(output_0);
+        var _S13 : Eight_0 = FloatWeights_eight_0(weights_1, first_1 + _S12 / u32(8));
+        var _S14 : vec4<f32> = tile_product_0(weights_1, _S10 + _S12 * u32(4), &((*inputs_1)));
+        var _S15 : vec4<f32>;
+        if(((output_0 & (i32(4)))) != i32(0))
+        {
+            _S15 = _S13.high_0;
+        }
+        else
+        {
+            _S15 = _S13.low_0;
+        }
+        var _S16 : vec4<f32> = _S14 + _S15;
+        var _S17 : f32;
+        if(_S11)
+        {
+            if(adds_0)
+            {
+                _S17 = (*outputs_0)[output_0];
+            }
+            else
+            {
+                _S17 = 0.0f;
+            }
+            (*outputs_0)[output_0] = Identity_apply_0(_S16[i32(0)] + _S17);
+        }
+        var _S18 : i32 = output_0 + i32(1);
+        if(_S18 < i32(3))
+        {
+            if(adds_0)
+            {
+                _S17 = (*outputs_0)[_S18];
+            }
+            else
+            {
+                _S17 = 0.0f;
+            }
+            (*outputs_0)[_S18] = Identity_apply_0(_S16[i32(1)] + _S17);
+        }
+        var _S19 : i32 = output_0 + i32(2);
+        if(_S19 < i32(3))
+        {
+            if(adds_0)
+            {
+                _S17 = (*outputs_0)[_S19];
+            }
+            else
+            {
+                _S17 = 0.0f;
+            }
+            (*outputs_0)[_S19] = Identity_apply_0(_S16[i32(2)] + _S17);
+        }
+        var _S20 : i32 = output_0 + i32(3);
+        if(_S20 < i32(3))
+        {
+            if(adds_0)
+            {
+                _S17 = (*outputs_0)[_S20];
+            }
+            else
+            {
+                _S17 = 0.0f;
+            }
+            (*outputs_0)[_S20] = Identity_apply_0(_S16[i32(3)] + _S17);
+        }
+        output_0 = output_0 + i32(4);
+    }
+    return;
+}
+
+fn tile_product_1( weights_2 : FloatWeights_0,  row_1 : u32,  inputs_2 : ptr<function, array<f32, i32(11)>>) -> vec4<f32>
+{
+    var sums_1 : vec4<f32> = vec4<f32>(0.0f);
+    var column_1 : u32 = u32(0);
+    for(;;)
+    {
+        if(column_1 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var low_2 : vec4<f32>;
+        var high_2 : vec4<f32>;
+        var _S21 : i32 = i32(u32(8) * column_1);
+        low_2[i32(0)] = (*inputs_2)[min(_S21, i32(10))];
+        high_2[i32(0)] = (*inputs_2)[min(_S21 + i32(4), i32(10))];
+        var _S22 : i32 = _S21 + i32(1);
+        low_2[i32(1)] = (*inputs_2)[min(_S22, i32(10))];
+        high_2[i32(1)] = (*inputs_2)[min(_S22 + i32(4), i32(10))];
+        var _S23 : i32 = _S21 + i32(2);
+        low_2[i32(2)] = (*inputs_2)[min(_S23, i32(10))];
+        high_2[i32(2)] = (*inputs_2)[min(_S23 + i32(4), i32(10))];
+        var _S24 : i32 = _S21 + i32(3);
+        low_2[i32(3)] = (*inputs_2)[min(_S24, i32(10))];
+        high_2[i32(3)] = (*inputs_2)[min(_S24 + i32(4), i32(10))];
+        var _S25 : Eight_0 = FloatWeights_eight_0(weights_2, row_1 + column_1);
+        sums_1[i32(0)] = sums_1[i32(0)] + (dot(_S25.low_0, low_2) + dot(_S25.high_0, high_2));
+        var _S26 : Eight_0 = FloatWeights_eight_0(weights_2, row_1 + u32(2) + column_1);
+        sums_1[i32(1)] = sums_1[i32(1)] + (dot(_S26.low_0, low_2) + dot(_S26.high_0, high_2));
+        var _S27 : Eight_0 = FloatWeights_eight_0(weights_2, row_1 + u32(4) + column_1);
+        sums_1[i32(2)] = sums_1[i32(2)] + (dot(_S27.low_0, low_2) + dot(_S27.high_0, high_2));
+        var _S28 : Eight_0 = FloatWeights_eight_0(weights_2, row_1 + u32(6) + column_1);
+        sums_1[i32(3)] = sums_1[i32(3)] + (dot(_S28.low_0, low_2) + dot(_S28.high_0, high_2));
+        column_1 = column_1 + u32(1);
+    }
+    return sums_1;
+}
+
+fn Relu_apply_0( x_1 : f32) -> f32
+{
+    return max(x_1, 0.0f);
+}
+
+fn dense_part_1( weights_3 : FloatWeights_0,  first_2 : u32,  adds_1 : bool,  inputs_3 : ptr<function, array<f32, i32(11)>>,  outputs_1 : ptr<function, array<f32, i32(25)>>)
+{
+    var _S29 : u32 = first_2 + u32(whole_parts_0(i32(4)));
+    var output_1 : i32 = i32(0);
+    for(;;)
+    {
+        var _S30 : bool = output_1 < i32(25);
+        if(_S30)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S31 : u32 = u32(output_1);
+        var _S32 : Eight_0 = FloatWeights_eight_0(weights_3, first_2 + _S31 / u32(8));
+        var _S33 : vec4<f32> = tile_product_1(weights_3, _S29 + _S31 * u32(2), &((*inputs_3)));
+        var _S34 : vec4<f32>;
+        if(((output_1 & (i32(4)))) != i32(0))
+        {
+            _S34 = _S32.high_0;
+        }
+        else
+        {
+            _S34 = _S32.low_0;
+        }
+        var _S35 : vec4<f32> = _S33 + _S34;
+        var _S36 : f32;
+        if(_S30)
+        {
+            if(adds_1)
+            {
+                _S36 = (*outputs_1)[output_1];
+            }
+            else
+            {
+                _S36 = 0.0f;
+            }
+            (*outputs_1)[output_1] = Relu_apply_0(_S35[i32(0)] + _S36);
+        }
+        var _S37 : i32 = output_1 + i32(1);
+        if(_S37 < i32(25))
+        {
+            if(adds_1)
+            {
+                _S36 = (*outputs_1)[_S37];
+            }
+            else
+            {
+                _S36 = 0.0f;
+            }
+            (*outputs_1)[_S37] = Relu_apply_0(_S35[i32(1)] + _S36);
+        }
+        var _S38 : i32 = output_1 + i32(2);
+        if(_S38 < i32(25))
+        {
+            if(adds_1)
+            {
+                _S36 = (*outputs_1)[_S38];
+            }
+            else
+            {
+                _S36 = 0.0f;
+            }
+            (*outputs_1)[_S38] = Relu_apply_0(_S35[i32(2)] + _S36);
+        }
+        var _S39 : i32 = output_1 + i32(3);
+        if(_S39 < i32(25))
+        {
+            if(adds_1)
+            {
+                _S36 = (*outputs_1)[_S39];
+            }
+            else
+            {
+                _S36 = 0.0f;
+            }
+            (*outputs_1)[_S39] = Relu_apply_0(_S35[i32(3)] + _S36);
+        }
+        output_1 = output_1 + i32(4);
+    }
+    return;
+}
+
+fn dense_0( weights_4 : FloatWeights_0,  first_3 : u32,  adds_2 : bool,  inputs_4 : ptr<function, array<f32, i32(25)>>,  outputs_2 : ptr<function, array<f32, i32(3)>>)
+{
+    dense_part_0(weights_4, first_3, adds_2, &((*inputs_4)), &((*outputs_2)));
+    return;
+}
+
+fn dense_1( weights_5 : FloatWeights_0,  first_4 : u32,  adds_3 : bool,  inputs_5 : ptr<function, array<f32, i32(11)>>,  outputs_3 : ptr<function, array<f32, i32(25)>>)
+{
+    dense_part_1(weights_5, first_4, adds_3, &((*inputs_5)), &((*outputs_3)));
+    return;
+}
+
+fn tile_product_2( weights_6 : FloatWeights_0,  row_2 : u32,  inputs_6 : ptr<function, array<f32, i32(16)>>) -> vec4<f32>
+{
+    var sums_2 : vec4<f32> = vec4<f32>(0.0f);
+    var column_2 : u32 = u32(0);
+    for(;;)
+    {
+        if(column_2 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var low_3 : vec4<f32>;
+        var high_3 : vec4<f32>;
+        var _S40 : i32 = i32(u32(8) * column_2);
+        low_3[i32(0)] = (*inputs_6)[_S40];
+        high_3[i32(0)] = (*inputs_6)[_S40 + i32(4)];
+        var _S41 : i32 = _S40 + i32(1);
+        low_3[i32(1)] = (*inputs_6)[_S41];
+        high_3[i32(1)] = (*inputs_6)[_S41 + i32(4)];
+        var _S42 : i32 = _S40 + i32(2);
+        low_3[i32(2)] = (*inputs_6)[_S42];
+        high_3[i32(2)] = (*inputs_6)[_S42 + i32(4)];
+        var _S43 : i32 = _S40 + i32(3);
+        low_3[i32(3)] = (*inputs_6)[_S43];
+        high_3[i32(3)] = (*inputs_6)[_S43 + i32(4)];
+        var _S44 : Eight_0 = FloatWeights_eight_0(weights_6, row_2 + column_2);
+        sums_2[i32(0)] = sums_2[i32(0)] + (dot(_S44.low_0, low_3) + dot(_S44.high_0, high_3));
+        var _S45 : Eight_0 = FloatWeights_eight_0(weights_6, row_2 + u32(2) + column_2);
+        sums_2[i32(1)] = sums_2[i32(1)] + (dot(_S45.low_0, low_3) + dot(_S45.high_0, high_3));
+        var _S46 : Eight_0 = FloatWeights_eight_0(weights_6, row_2 + u32(4) + column_2);
+        sums_2[i32(2)] = sums_2[i32(2)] + (dot(_S46.low_0, low_3) + dot(_S46.high_0, high_3));
+        var _S47 : Eight_0 = FloatWeights_eight_0(weights_6, row_2 + u32(6) + column_2);
+        sums_2[i32(3)] = sums_2[i32(3)] + (dot(_S47.low_0, low_3) + dot(_S47.high_0, high_3));
+        column_2 = column_2 + u32(1);
+    }
+    return sums_2;
+}
+
+fn dense_part_2( weights_7 : FloatWeights_0,  first_5 : u32,  adds_4 : bool,  inputs_7 : ptr<function, array<f32, i32(16)>>,  outputs_4 : ptr<function, array<f32, i32(16)>>)
+{
+    var _S48 : u32 = first_5 + u32(whole_parts_0(i32(2)));
+    var output_2 : i32 = i32(0);
+    for(;;)
+    {
+        var _S49 : bool = output_2 < i32(16);
+        if(_S49)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S50 : u32 = u32(output_2);
+        var _S51 : Eight_0 = FloatWeights_eight_0(weights_7, first_5 + _S50 / u32(8));
+        var _S52 : vec4<f32> = tile_product_2(weights_7, _S48 + _S50 * u32(2), &((*inputs_7)));
+        var _S53 : vec4<f32>;
+        if(((output_2 & (i32(4)))) != i32(0))
+        {
+            _S53 = _S51.high_0;
+        }
+        else
+        {
+            _S53 = _S51.low_0;
+        }
+        var _S54 : vec4<f32> = _S52 + _S53;
+        var _S55 : f32;
+        if(_S49)
+        {
+            if(adds_4)
+            {
+                _S55 = (*outputs_4)[output_2];
+            }
+            else
+            {
+                _S55 = 0.0f;
+            }
+            (*outputs_4)[output_2] = Relu_apply_0(_S54[i32(0)] + _S55);
+        }
+        var _S56 : i32 = output_2 + i32(1);
+        if(_S56 < i32(16))
+        {
+            if(adds_4)
+            {
+                _S55 = (*outputs_4)[_S56];
+            }
+            else
+            {
+                _S55 = 0.0f;
+            }
+            (*outputs_4)[_S56] = Relu_apply_0(_S54[i32(1)] + _S55);
+        }
+        var _S57 : i32 = output_2 + i32(2);
+        if(_S57 < i32(16))
+        {
+            if(adds_4)
+            {
+                _S55 = (*outputs_4)[_S57];
+            }
+            else
+            {
+                _S55 = 0.0f;
+            }
+            (*outputs_4)[_S57] = Relu_apply_0(_S54[i32(2)] + _S55);
+        }
+        var _S58 : i32 = output_2 + i32(3);
+        if(_S58 < i32(16))
+        {
+            if(adds_4)
+            {
+                _S55 = (*outputs_4)[_S58];
+            }
+            else
+            {
+                _S55 = 0.0f;
+            }
+            (*outputs_4)[_S58] = Relu_apply_0(_S54[i32(3)] + _S55);
+        }
+        output_2 = output_2 + i32(4);
+    }
+    return;
+}
+
+fn dense_part_3( weights_8 : FloatWeights_0,  first_6 : u32,  adds_5 : bool,  inputs_8 : ptr<function, array<f32, i32(16)>>,  outputs_5 : ptr<function, array<f32, i32(1)>>)
+{
+    var _S59 : u32 = first_6 + u32(whole_parts_0(i32(1)));
+    var output_3 : i32 = i32(0);
+    for(;;)
+    {
+        var _S60 : bool = output_3 < i32(1);
+        if(_S60)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S61 : u32 = u32(output_3);
+        var _S62 : Eight_0 = FloatWeights_eight_0(weights_8, first_6 + _S61 / u32(8));
+        var _S63 : vec4<f32> = tile_product_2(weights_8, _S59 + _S61 * u32(2), &((*inputs_8)));
+        var _S64 : vec4<f32>;
+        if(((output_3 & (i32(4)))) != i32(0))
+        {
+            _S64 = _S62.high_0;
+        }
+        else
+        {
+            _S64 = _S62.low_0;
+        }
+        var _S65 : vec4<f32> = _S63 + _S64;
+        var _S66 : f32;
+        if(_S60)
+        {
+            if(adds_5)
+            {
+                _S66 = (*outputs_5)[output_3];
+            }
+            else
+            {
+                _S66 = 0.0f;
+            }
+            (*outputs_5)[output_3] = Identity_apply_0(_S65[i32(0)] + _S66);
+        }
+        var _S67 : i32 = output_3 + i32(1);
+        if(_S67 < i32(1))
+        {
+            if(adds_5)
+            {
+                _S66 = (*outputs_5)[_S67];
+            }
+            else
+            {
+                _S66 = 0.0f;
+            }
+            (*outputs_5)[_S67] = Identity_apply_0(_S65[i32(1)] + _S66);
+        }
+        var _S68 : i32 = output_3 + i32(2);
+        if(_S68 < i32(1))
+        {
+            if(adds_5)
+            {
+                _S66 = (*outputs_5)[_S68];
+            }
+            else
+            {
+                _S66 = 0.0f;
+            }
+            (*outputs_5)[_S68] = Identity_apply_0(_S65[i32(2)] + _S66);
+        }
+        var _S69 : i32 = output_3 + i32(3);
+        if(_S69 < i32(1))
+        {
+            if(adds_5)
+            {
+                _S66 = (*outputs_5)[_S69];
+            }
+            else
+            {
+                _S66 = 0.0f;
+            }
+            (*outputs_5)[_S69] = Identity_apply_0(_S65[i32(3)] + _S66);
+        }
+        output_3 = output_3 + i32(4);
+    }
+    return;
+}
+
+fn tile_product_3( weights_9 : FloatWeights_0,  row_3 : u32,  inputs_9 : ptr<function, array<f32, i32(9)>>) -> vec4<f32>
+{
+    var sums_3 : vec4<f32> = vec4<f32>(0.0f);
+    var column_3 : u32 = u32(0);
+    for(;;)
+    {
+        if(column_3 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var low_4 : vec4<f32>;
+        var high_4 : vec4<f32>;
+        var _S70 : i32 = i32(u32(8) * column_3);
+        low_4[i32(0)] = (*inputs_9)[min(_S70, i32(8))];
+        high_4[i32(0)] = (*inputs_9)[min(_S70 + i32(4), i32(8))];
+        var _S71 : i32 = _S70 + i32(1);
+        low_4[i32(1)] = (*inputs_9)[min(_S71, i32(8))];
+        high_4[i32(1)] = (*inputs_9)[min(_S71 + i32(4), i32(8))];
+        var _S72 : i32 = _S70 + i32(2);
+        low_4[i32(2)] = (*inputs_9)[min(_S72, i32(8))];
+        high_4[i32(2)] = (*inputs_9)[min(_S72 + i32(4), i32(8))];
+        var _S73 : i32 = _S70 + i32(3);
+        low_4[i32(3)] = (*inputs_9)[min(_S73, i32(8))];
+        high_4[i32(3)] = (*inputs_9)[min(_S73 + i32(4), i32(8))];
+        var _S74 : Eight_0 = FloatWeights_eight_0(weights_9, row_3 + column_3);
+        sums_3[i32(0)] = sums_3[i32(0)] + (dot(_S74.low_0, low_4) + dot(_S74.high_0, high_4));
+        var _S75 : Eight_0 = FloatWeights_eight_0(weights_9, row_3 + u32(2) + column_3);
+        sums_3[i32(1)] = sums_3[i32(1)] + (dot(_S75.low_0, low_4) + dot(_S75.high_0, high_4));
+        var _S76 : Eight_0 = FloatWeights_eight_0(weights_9, row_3 + u32(4) + column_3);
+        sums_3[i32(2)] = sums_3[i32(2)] + (dot(_S76.low_0, low_4) + dot(_S76.high_0, high_4));
+        var _S77 : Eight_0 = FloatWeights_eight_0(weights_9, row_3 + u32(6) + column_3);
+        sums_3[i32(3)] = sums_3[i32(3)] + (dot(_S77.low_0, low_4) + dot(_S77.high_0, high_4));
+        column_3 = column_3 + u32(1);
+    }
+    return sums_3;
+}
+
+fn dense_part_4( weights_10 : FloatWeights_0,  first_7 : u32,  adds_6 : bool,  inputs_10 : ptr<function, array<f32, i32(9)>>,  outputs_6 : ptr<function, array<f32, i32(16)>>)
+{
+    var _S78 : u32 = first_7 + u32(whole_parts_0(i32(2)));
+    var output_4 : i32 = i32(0);
+    for(;;)
+    {
+        var _S79 : bool = output_4 < i32(16);
+        if(_S79)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S80 : u32 = u32(output_4);
+        var _S81 : Eight_0 = FloatWeights_eight_0(weights_10, first_7 + _S80 / u32(8));
+        var _S82 : vec4<f32> = tile_product_3(weights_10, _S78 + _S80 * u32(2), &((*inputs_10)));
+        var _S83 : vec4<f32>;
+        if(((output_4 & (i32(4)))) != i32(0))
+        {
+            _S83 = _S81.high_0;
+        }
+        else
+        {
+            _S83 = _S81.low_0;
+        }
+        var _S84 : vec4<f32> = _S82 + _S83;
+        var _S85 : f32;
+        if(_S79)
+        {
+            if(adds_6)
+            {
+                _S85 = (*outputs_6)[output_4];
+            }
+            else
+            {
+                _S85 = 0.0f;
+            }
+            (*outputs_6)[output_4] = Relu_apply_0(_S84[i32(0)] + _S85);
+        }
+        var _S86 : i32 = output_4 + i32(1);
+        if(_S86 < i32(16))
+        {
+            if(adds_6)
+            {
+                _S85 = (*outputs_6)[_S86];
+            }
+            else
+            {
+                _S85 = 0.0f;
+            }
+            (*outputs_6)[_S86] = Relu_apply_0(_S84[i32(1)] + _S85);
+        }
+        var _S87 : i32 = output_4 + i32(2);
+        if(_S87 < i32(16))
+        {
+            if(adds_6)
+            {
+                _S85 = (*outputs_6)[_S87];
+            }
+            else
+            {
+                _S85 = 0.0f;
+            }
+            (*outputs_6)[_S87] = Relu_apply_0(_S84[i32(2)] + _S85);
+        }
+        var _S88 : i32 = output_4 + i32(3);
+        if(_S88 < i32(16))
+        {
+            if(adds_6)
+            {
+                _S85 = (*outputs_6)[_S88];
+            }
+            else
+            {
+                _S85 = 0.0f;
+            }
+            (*outputs_6)[_S88] = Relu_apply_0(_S84[i32(3)] + _S85);
+        }
+        output_4 = output_4 + i32(4);
+    }
+    return;
+}
+
+fn dense_2( weights_11 : FloatWeights_0,  first_8 : u32,  adds_7 : bool,  inputs_11 : ptr<function, array<f32, i32(16)>>,  outputs_7 : ptr<function, array<f32, i32(16)>>)
+{
+    dense_part_2(weights_11, first_8, adds_7, &((*inputs_11)), &((*outputs_7)));
+    return;
+}
+
+fn dense_3( weights_12 : FloatWeights_0,  first_9 : u32,  adds_8 : bool,  inputs_12 : ptr<function, array<f32, i32(16)>>,  outputs_8 : ptr<function, array<f32, i32(1)>>)
+{
+    dense_part_3(weights_12, first_9, adds_8, &((*inputs_12)), &((*outputs_8)));
+    return;
+}
+
+fn dense_4( weights_13 : FloatWeights_0,  first_10 : u32,  adds_9 : bool,  inputs_13 : ptr<function, array<f32, i32(9)>>,  outputs_9 : ptr<function, array<f32, i32(16)>>)
+{
+    dense_part_4(weights_13, first_10, adds_9, &((*inputs_13)), &((*outputs_9)));
+    return;
+}
+
+fn dense_part_5( weights_14 : FloatWeights_0,  first_11 : u32,  adds_10 : bool,  inputs_14 : ptr<function, array<f32, i32(25)>>,  outputs_10 : ptr<function, array<f32, i32(25)>>)
+{
+    var _S89 : u32 = first_11 + u32(whole_parts_0(i32(4)));
+    var output_5 : i32 = i32(0);
+    for(;;)
+    {
+        var _S90 : bool = output_5 < i32(25);
+        if(_S90)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S91 : u32 = u32(output_5);
+        var _S92 : Eight_0 = FloatWeights_eight_0(weights_14, first_11 + _S91 / u32(8));
+        var _S93 : vec4<f32> = tile_product_0(weights_14, _S89 + _S91 * u32(4), &((*inputs_14)));
+        var _S94 : vec4<f32>;
+        if(((output_5 & (i32(4)))) != i32(0))
+        {
+            _S94 = _S92.high_0;
+        }
+        else
+        {
+            _S94 = _S92.low_0;
+        }
+        var _S95 : vec4<f32> = _S93 + _S94;
+        var _S96 : f32;
+        if(_S90)
+        {
+            if(adds_10)
+            {
+                _S96 = (*outputs_10)[output_5];
+            }
+            else
+            {
+                _S96 = 0.0f;
+            }
+            (*outputs_10)[output_5] = Relu_apply_0(_S95[i32(0)] + _S96);
+        }
+        var _S97 : i32 = output_5 + i32(1);
+        if(_S97 < i32(25))
+        {
+            if(adds_10)
+            {
+                _S96 = (*outputs_10)[_S97];
+            }
+            else
+            {
+                _S96 = 0.0f;
+            }
+            (*outputs_10)[_S97] = Relu_apply_0(_S95[i32(1)] + _S96);
+        }
+        var _S98 : i32 = output_5 + i32(2);
+        if(_S98 < i32(25))
+        {
+            if(adds_10)
+            {
+                _S96 = (*outputs_10)[_S98];
+            }
+            else
+            {
+                _S96 = 0.0f;
+            }
+            (*outputs_10)[_S98] = Relu_apply_0(_S95[i32(2)] + _S96);
+        }
+        var _S99 : i32 = output_5 + i32(3);
+        if(_S99 < i32(25))
+        {
+            if(adds_10)
+            {
+                _S96 = (*outputs_10)[_S99];
+            }
+            else
+            {
+                _S96 = 0.0f;
+            }
+            (*outputs_10)[_S99] = Relu_apply_0(_S95[i32(3)] + _S96);
+        }
+        output_5 = output_5 + i32(4);
+    }
+    return;
+}
+
+fn dense_part_6( weights_15 : FloatWeights_0,  first_12 : u32,  adds_11 : bool,  inputs_15 : ptr<function, array<f32, i32(25)>>,  outputs_11 : ptr<function, array<f32, i32(1)>>)
+{
+    var _S100 : u32 = first_12 + u32(whole_parts_0(i32(1)));
+    var output_6 : i32 = i32(0);
+    for(;;)
+    {
+        var _S101 : bool = output_6 < i32(1);
+        if(_S101)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S102 : u32 = u32(output_6);
+        var _S103 : Eight_0 = FloatWeights_eight_0(weights_15, first_12 + _S102 / u32(8));
+        var _S104 : vec4<f32> = tile_product_0(weights_15, _S100 + _S102 * u32(4), &((*inputs_15)));
+        var _S105 : vec4<f32>;
+        if(((output_6 & (i32(4)))) != i32(0))
+        {
+            _S105 = _S103.high_0;
+        }
+        else
+        {
+            _S105 = _S103.low_0;
+        }
+        var _S106 : vec4<f32> = _S104 + _S105;
+        var _S107 : f32;
+        if(_S101)
+        {
+            if(adds_11)
+            {
+                _S107 = (*outputs_11)[output_6];
+            }
+            else
+            {
+                _S107 = 0.0f;
+            }
+            (*outputs_11)[output_6] = Identity_apply_0(_S106[i32(0)] + _S107);
+        }
+        var _S108 : i32 = output_6 + i32(1);
+        if(_S108 < i32(1))
+        {
+            if(adds_11)
+            {
+                _S107 = (*outputs_11)[_S108];
+            }
+            else
+            {
+                _S107 = 0.0f;
+            }
+            (*outputs_11)[_S108] = Identity_apply_0(_S106[i32(1)] + _S107);
+        }
+        var _S109 : i32 = output_6 + i32(2);
+        if(_S109 < i32(1))
+        {
+            if(adds_11)
+            {
+                _S107 = (*outputs_11)[_S109];
+            }
+            else
+            {
+                _S107 = 0.0f;
+            }
+            (*outputs_11)[_S109] = Identity_apply_0(_S106[i32(2)] + _S107);
+        }
+        var _S110 : i32 = output_6 + i32(3);
+        if(_S110 < i32(1))
+        {
+            if(adds_11)
+            {
+                _S107 = (*outputs_11)[_S110];
+            }
+            else
+            {
+                _S107 = 0.0f;
+            }
+            (*outputs_11)[_S110] = Identity_apply_0(_S106[i32(3)] + _S107);
+        }
+        output_6 = output_6 + i32(4);
+    }
+    return;
+}
+
+fn dense_part_7( weights_16 : FloatWeights_0,  first_13 : u32,  adds_12 : bool,  inputs_16 : ptr<function, array<f32, i32(9)>>,  outputs_12 : ptr<function, array<f32, i32(25)>>)
+{
+    var _S111 : u32 = first_13 + u32(whole_parts_0(i32(4)));
+    var output_7 : i32 = i32(0);
+    for(;;)
+    {
+        var _S112 : bool = output_7 < i32(25);
+        if(_S112)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S113 : u32 = u32(output_7);
+        var _S114 : Eight_0 = FloatWeights_eight_0(weights_16, first_13 + _S113 / u32(8));
+        var _S115 : vec4<f32> = tile_product_3(weights_16, _S111 + _S113 * u32(2), &((*inputs_16)));
+        var _S116 : vec4<f32>;
+        if(((output_7 & (i32(4)))) != i32(0))
+        {
+            _S116 = _S114.high_0;
+        }
+        else
+        {
+            _S116 = _S114.low_0;
+        }
+        var _S117 : vec4<f32> = _S115 + _S116;
+        var _S118 : f32;
+        if(_S112)
+        {
+            if(adds_12)
+            {
+                _S118 = (*outputs_12)[output_7];
+            }
+            else
+            {
+                _S118 = 0.0f;
+            }
+            (*outputs_12)[output_7] = Relu_apply_0(_S117[i32(0)] + _S118);
+        }
+        var _S119 : i32 = output_7 + i32(1);
+        if(_S119 < i32(25))
+        {
+            if(adds_12)
+            {
+                _S118 = (*outputs_12)[_S119];
+            }
+            else
+            {
+                _S118 = 0.0f;
+            }
+            (*outputs_12)[_S119] = Relu_apply_0(_S117[i32(1)] + _S118);
+        }
+        var _S120 : i32 = output_7 + i32(2);
+        if(_S120 < i32(25))
+        {
+            if(adds_12)
+            {
+                _S118 = (*outputs_12)[_S120];
+            }
+            else
+            {
+                _S118 = 0.0f;
+            }
+            (*outputs_12)[_S120] = Relu_apply_0(_S117[i32(2)] + _S118);
+        }
+        var _S121 : i32 = output_7 + i32(3);
+        if(_S121 < i32(25))
+        {
+            if(adds_12)
+            {
+                _S118 = (*outputs_12)[_S121];
+            }
+            else
+            {
+                _S118 = 0.0f;
+            }
+            (*outputs_12)[_S121] = Relu_apply_0(_S117[i32(3)] + _S118);
+        }
+        output_7 = output_7 + i32(4);
+    }
+    return;
+}
+
+fn dense_5( weights_17 : FloatWeights_0,  first_14 : u32,  adds_13 : bool,  inputs_17 : ptr<function, array<f32, i32(25)>>,  outputs_13 : ptr<function, array<f32, i32(25)>>)
+{
+    dense_part_5(weights_17, first_14, adds_13, &((*inputs_17)), &((*outputs_13)));
+    return;
+}
+
+fn dense_6( weights_18 : FloatWeights_0,  first_15 : u32,  adds_14 : bool,  inputs_18 : ptr<function, array<f32, i32(25)>>,  outputs_14 : ptr<function, array<f32, i32(1)>>)
+{
+    dense_part_6(weights_18, first_15, adds_14, &((*inputs_18)), &((*outputs_14)));
+    return;
+}
+
+fn dense_7( weights_19 : FloatWeights_0,  first_16 : u32,  adds_15 : bool,  inputs_19 : ptr<function, array<f32, i32(9)>>,  outputs_15 : ptr<function, array<f32, i32(25)>>)
+{
+    dense_part_7(weights_19, first_16, adds_15, &((*inputs_19)), &((*outputs_15)));
+    return;
+}
+
+struct MLP_0
+{
+     weights_20 : FloatWeights_0,
+};
+
+fn layer_size_0( inputs_20 : i32,  outputs_16 : i32) -> i32
+{
+    return whole_parts_0((outputs_16 + i32(7)) / i32(8)) + whole_parts_0((inputs_20 + i32(7)) / i32(8) * ((outputs_16 + i32(4) - i32(1)) / i32(4) * i32(4)));
+}
+
+fn MLP_evaluate_0( this_1 : MLP_0,  inputs_21 : ptr<function, array<f32, i32(11)>>,  outputs_17 : ptr<function, array<f32, i32(3)>>)
+{
+    var odd_0 : array<f32, i32(25)>;
+    var even_0 : array<f32, i32(25)>;
+    dense_1(this_1.weights_20, u32(0), false, &((*inputs_21)), &(even_0));
+    var layer_0 : i32 = i32(1);
+    for(;;)
+    {
+        if(layer_0 < i32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S122 : i32 = layer_size_0(i32(25), i32(25));
+        var _S123 : u32 = u32(layer_size_0(i32(11), i32(25)) + (layer_0 - i32(1)) * _S122);
+        dense_5(this_1.weights_20, _S123, false, &(even_0), &(odd_0));
+        if((layer_0 + i32(1)) < i32(3))
+        {
+            dense_5(this_1.weights_20, _S123 + u32(_S122), false, &(odd_0), &(even_0));
+        }
+        layer_0 = layer_0 + i32(2);
+    }
+    var _S124 : u32 = u32(layer_size_0(i32(11), i32(25)) + i32(2) * layer_size_0(i32(25), i32(25)));
+    dense_0(this_1.weights_20, _S124, false, &(even_0), &((*outputs_17)));
+    return;
+}
+
+fn MLP_evaluate_1( this_2 : MLP_0,  inputs_22 : ptr<function, array<f32, i32(9)>>,  outputs_18 : ptr<function, array<f32, i32(1)>>)
+{
+    var odd_1 : array<f32, i32(16)>;
+    var even_1 : array<f32, i32(16)>;
+    dense_4(this_2.weights_20, u32(0), false, &((*inputs_22)), &(even_1));
+    var layer_1 : i32 = i32(1);
+    for(;;)
+    {
+        if(layer_1 < i32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S125 : i32 = layer_size_0(i32(16), i32(16));
+        var _S126 : u32 = u32(layer_size_0(i32(9), i32(16)) + (layer_1 - i32(1)) * _S125);
+        dense_2(this_2.weights_20, _S126, false, &(even_1), &(odd_1));
+        if((layer_1 + i32(1)) < i32(2))
+        {
+            dense_2(this_2.weights_20, _S126 + u32(_S125), false, &(odd_1), &(even_1));
+        }
+        layer_1 = layer_1 + i32(2);
+    }
+    var _S127 : u32 = u32(layer_size_0(i32(9), i32(16)) + layer_size_0(i32(16), i32(16)));
+    dense_3(this_2.weights_20, _S127, false, &(odd_1), &((*outputs_18)));
+    return;
+}
+
+fn MLP_evaluate_2( this_3 : MLP_0,  inputs_23 : ptr<function, array<f32, i32(9)>>,  outputs_19 : ptr<function, array<f32, i32(1)>>)
+{
+    var odd_2 : array<f32, i32(25)>;
+    var even_2 : array<f32, i32(25)>;
+    dense_7(this_3.weights_20, u32(0), false, &((*inputs_23)), &(even_2));
+    var layer_2 : i32 = i32(1);
+    for(;;)
+    {
+        if(layer_2 < i32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S128 : i32 = layer_size_0(i32(25), i32(25));
+        var _S129 : u32 = u32(layer_size_0(i32(9), i32(25)) + (layer_2 - i32(1)) * _S128);
+        dense_5(this_3.weights_20, _S129, false, &(even_2), &(odd_2));
+        if((layer_2 + i32(1)) < i32(3))
+        {
+            dense_5(this_3.weights_20, _S129 + u32(_S128), false, &(odd_2), &(even_2));
+        }
+        layer_2 = layer_2 + i32(2);
+    }
+    var _S130 : u32 = u32(layer_size_0(i32(9), i32(25)) + i32(2) * layer_size_0(i32(25), i32(25)));
+    dense_6(this_3.weights_20, _S130, false, &(even_2), &((*outputs_19)));
+    return;
+}
+
+fn to_face_frame_0( direction_0 : vec3<f32>,  back_2 : bool) -> vec3<f32>
+{
+    var _S131 : vec2<f32> = direction_0.xy;
+    var _S132 : f32;
+    if(back_2)
+    {
+        _S132 = - direction_0.z;
+    }
+    else
+    {
+        _S132 = direction_0.z;
+    }
+    return vec3<f32>(_S131, _S132);
+}
+
+fn no_numbers_0() -> Eight_0
+{
+    var numbers_1 : Eight_0;
+    var _S133 : vec4<f32> = vec4<f32>(0.0f);
+    numbers_1.low_0 = _S133;
+    numbers_1.high_0 = _S133;
+    return numbers_1;
+}
+
+fn eight_halves_0( packed_0 : vec4<u32>) -> Eight_0
+{
+    var numbers_2 : Eight_0;
+    numbers_2.low_0 = vec4<f32>(unpack2x16float(packed_0.x), unpack2x16float(packed_0.y));
+    numbers_2.high_0 = vec4<f32>(unpack2x16float(packed_0.z), unpack2x16float(packed_0.w));
+    return numbers_2;
+}
+
+fn texel_numbers_0( first_17 : u32,  elements_1 : u32,  texel_0 : u32) -> Eight_0
+{
+    var _S134 : u32 = first_17 + texel_0 * elements_1;
+    var _S135 : vec4<u32> = packed_numbers_0[_S134];
+    if(elements_1 == u32(1))
+    {
+        return eight_halves_0(_S135);
+    }
+    var numbers_3 : Eight_0;
+    numbers_3.low_0 = (bitcast<vec4<f32>>((_S135)));
+    numbers_3.high_0 = (bitcast<vec4<f32>>((packed_numbers_0[_S134 + u32(1)])));
+    return numbers_3;
+}
+
+fn add_bilinear_0( first_18 : u32,  elements_2 : u32,  start_0 : u32,  columns_0 : u32,  rows_0 : u32,  uv_0 : vec2<f32>,  weight_0 : f32,  sums_4 : ptr<function, Eight_0>)
+{
+    var _S136 : vec2<f32> = uv_0 * vec2<f32>(f32(columns_0), f32(rows_0)) - vec2<f32>(0.5f);
+    var _S137 : vec2<f32> = floor(_S136);
+    var _S138 : vec2<f32> = _S136 - _S137;
+    var _S139 : i32 = i32(_S137.x);
+    var _S140 : i32 = i32(_S137.y);
+    var tap_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(tap_0 < u32(4))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S141 : u32 = (tap_0 & (u32(1)));
+        var _S142 : u32 = (tap_0 >> (u32(1)));
+        var _S143 : Eight_0 = texel_numbers_0(first_18, elements_2, start_0 + ((u32(_S140 + i32(_S142)) & ((rows_0 - u32(1))))) * columns_0 + ((u32(_S139 + i32(_S141)) & ((columns_0 - u32(1))))));
+        var _S144 : f32;
+        if(_S142 != u32(0))
+        {
+            _S144 = _S138.y;
+        }
+        else
+        {
+            _S144 = 1.0f - _S138.y;
+        }
+        var _S145 : f32;
+        if(_S141 != u32(0))
+        {
+            _S145 = _S138.x;
+        }
+        else
+        {
+            _S145 = 1.0f - _S138.x;
+        }
+        var _S146 : vec4<f32> = vec4<f32>((_S144 * _S145 * weight_0));
+        (*sums_4).low_0 = (*sums_4).low_0 + _S146 * _S143.low_0;
+        (*sums_4).high_0 = (*sums_4).high_0 + _S146 * _S143.high_0;
+        tap_0 = tap_0 + u32(1);
+    }
+    return;
+}
+
+fn add_bilinear_1( first_19 : u32,  elements_3 : u32,  start_1 : u32,  columns_1 : u32,  rows_1 : u32,  uv_1 : vec2<f32>,  weight_1 : f32,  sums_5 : ptr<function, Eight_0>)
+{
+    var _S147 : vec2<f32> = uv_1 * vec2<f32>(f32(columns_1), f32(rows_1)) - vec2<f32>(0.5f);
+    var _S148 : vec2<f32> = floor(_S147);
+    var _S149 : vec2<f32> = _S147 - _S148;
+    var _S150 : i32 = i32(_S148.x);
+    var _S151 : i32 = i32(_S148.y);
+    var tap_1 : u32 = u32(0);
+    for(;;)
+    {
+        if(tap_1 < u32(4))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S152 : u32 = (tap_1 & (u32(1)));
+        var _S153 : u32 = (tap_1 >> (u32(1)));
+        var _S154 : Eight_0 = texel_numbers_0(first_19, elements_3, start_1 + ((u32(_S151 + i32(_S153)) & ((rows_1 - u32(1))))) * columns_1 + ((u32(_S150 + i32(_S152)) & ((columns_1 - u32(1))))));
+        var _S155 : f32;
+        if(_S153 != u32(0))
+        {
+            _S155 = _S149.y;
+        }
+        else
+        {
+            _S155 = 1.0f - _S149.y;
+        }
+        var _S156 : f32;
+        if(_S152 != u32(0))
+        {
+            _S156 = _S149.x;
+        }
+        else
+        {
+            _S156 = 1.0f - _S149.x;
+        }
+        var _S157 : vec4<f32> = vec4<f32>((_S155 * _S156 * weight_1));
+        (*sums_5).low_0 = (*sums_5).low_0 + _S157 * _S154.low_0;
+        (*sums_5).high_0 = (*sums_5).high_0 + _S157 * _S154.high_0;
+        tap_1 = tap_1 + u32(1);
+    }
+    return;
+}
+
+fn channel_0( numbers_4 : Eight_0,  k_0 : i32) -> f32
+{
+    var _S158 : f32;
+    if(k_0 < i32(4))
+    {
+        _S158 = numbers_4.low_0[k_0];
+    }
+    else
+    {
+        _S158 = numbers_4.high_0[k_0 - i32(4)];
+    }
+    return _S158;
+}
+
+fn neumip_depth_0( model_0 : ptr<function, Neumip_std430_0>,  uv_2 : vec2<f32>,  view_0 : vec2<f32>,  face_0 : u32) -> f32
+{
+    var _S159 : u32 = words_0[(*model_0).levels_2 + u32(1)];
+    var _S160 : u32 = words_0[(*model_0).levels_2 + u32(2)];
+    var texel_1 : Eight_0 = no_numbers_0();
+    add_bilinear_0((*model_0).offset_texels_0, (*model_0).texel_elements_0, face_0 * _S159 * _S160, _S159, _S160, fract(uv_2), 1.0f, &(texel_1));
+    var inputs_24 : array<f32, i32(9)>;
+    var k_1 : i32 = i32(0);
+    for(;;)
+    {
+        if(k_1 < i32(7))
+        {
+        }
+        else
+        {
+            break;
+        }
+        inputs_24[k_1] = channel_0(texel_1, k_1);
+        k_1 = k_1 + i32(1);
+    }
+    inputs_24[i32(7)] = view_0.x;
+    inputs_24[i32(8)] = view_0.y;
+    var network_1 : MLP_0;
+    network_1.weights_20.first_0 = (*model_0).offset_0;
+    var depth_0 : array<f32, i32(1)>;
+    MLP_evaluate_2(network_1, &(inputs_24), &(depth_0));
+    return depth_0[i32(0)];
+}
+
+fn natural_logarithm_0( x_2 : f32) -> f32
+{
+    var _S161 : u32 = (bitcast<u32>((x_2)));
+    var exponent_0 : f32 = f32(i32((_S161 >> (u32(23)))) - i32(126));
+    var m_0 : f32 = (bitcast<f32>(((((_S161 & (u32(8388607)))) | (u32(1056964608))))));
+    var m_1 : f32;
+    var exponent_1 : f32;
+    if(m_0 < 0.70710676908493042f)
+    {
+        var exponent_2 : f32 = exponent_0 - 1.0f;
+        m_1 = m_0 + m_0;
+        exponent_1 = exponent_2;
+    }
+    else
+    {
+        m_1 = m_0;
+        exponent_1 = exponent_0;
+    }
+    var m_2 : f32 = m_1 - 1.0f;
+    var _S162 : f32 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S162 - exponent_1 * 0.00021219444170129f - 0.5f * _S162) + exponent_1 * 0.693359375f;
+}
+
+fn binary_logarithm_0( x_3 : f32) -> f32
+{
+    return natural_logarithm_0(x_3) * 1.4426950216293335f;
+}
+
+fn within_repeat_0( uv_3 : vec2<f32>) -> vec2<f32>
+{
+    return clamp(fract(uv_3), vec2<f32>(0.0f), vec2<f32>(1.0f));
+}
+
+struct TexelPyramid_0
+{
+     first_20 : u32,
+     elements_4 : u32,
+     levels_4 : u32,
+     last_level_3 : f32,
+     face_texels_2 : u32,
+};
+
+fn TexelPyramid_add_level_0( this_4 : TexelPyramid_0,  place_0 : vec2<f32>,  level_0 : u32,  face_1 : u32,  weight_2 : f32,  sums_6 : ptr<function, Eight_0>)
+{
+    var _S163 : u32 = this_4.levels_4 + u32(3) * level_0;
+    add_bilinear_1(this_4.first_20, this_4.elements_4, face_1 * this_4.face_texels_2 + words_0[_S163], words_0[_S163 + u32(1)], words_0[_S163 + u32(2)], place_0, weight_2, &((*sums_6)));
+    return;
+}
+
+fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_4 : vec2<f32>,  level_1 : f32,  face_2 : u32) -> Eight_0
+{
+    var _S164 : f32 = clamp(level_1, 0.0f, this_5.last_level_3);
+    var _S165 : f32 = clamp(floor(_S164), 0.0f, max(this_5.last_level_3 - 1.0f, 0.0f));
+    var _S166 : f32 = _S164 - _S165;
+    var _S167 : vec2<f32> = within_repeat_0(uv_4);
+    var texel_2 : Eight_0 = no_numbers_0();
+    var offset_1 : u32 = u32(0);
+    for(;;)
+    {
+        if(offset_1 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S168 : f32;
+        if(offset_1 == u32(0))
+        {
+            _S168 = 1.0f - _S166;
+        }
+        else
+        {
+            _S168 = _S166;
+        }
+        if(_S168 > 0.0f)
+        {
+            TexelPyramid_add_level_0(this_5, _S167, u32(_S165) + offset_1, face_2, _S168, &(texel_2));
+        }
+        offset_1 = offset_1 + u32(1);
+    }
+    return texel_2;
+}
+
+fn exponential_0( x_4 : f32) -> f32
+{
+    var _S169 : f32 = clamp(x_4, -87.0f, 88.0f);
+    var _S170 : f32 = floor(_S169 * 1.4426950216293335f + 0.5f);
+    var _S171 : f32 = _S169 - _S170 * 0.693359375f + _S170 * 0.00021219444170129f;
+    var p_0 : f32 = ((((0.00019875691214111f * _S171 + 0.00139819993637502f) * _S171 + 0.00833345204591751f) * _S171 + 0.04166579619050026f) * _S171 + 0.1666666567325592f) * _S171 + 0.5f;
+    var _S172 : f32 = (bitcast<f32>(((u32(i32(_S170) + i32(127)) << (u32(23))))));
+    var _S173 : f32;
+    if(x_4 < -87.0f)
+    {
+        _S173 = 0.0f;
+    }
+    else
+    {
+        _S173 = (p_0 * _S171 * _S171 + _S171 + 1.0f) * _S172;
+    }
+    return _S173;
+}
+
+fn neumip_hole_0( model_1 : ptr<function, Neumip_std430_0>,  texel_3 : Eight_0,  view_1 : vec2<f32>) -> f32
+{
+    var inputs_25 : array<f32, i32(9)>;
+    var k_2 : i32 = i32(0);
+    for(;;)
+    {
+        if(k_2 < i32(7))
+        {
+        }
+        else
+        {
+            break;
+        }
+        inputs_25[k_2] = channel_0(texel_3, k_2);
+        k_2 = k_2 + i32(1);
+    }
+    inputs_25[i32(7)] = view_1.x;
+    inputs_25[i32(8)] = view_1.y;
+    var network_2 : MLP_0;
+    network_2.weights_20.first_0 = (*model_1).opacity_0;
+    var opening_0 : array<f32, i32(1)>;
+    MLP_evaluate_1(network_2, &(inputs_25), &(opening_0));
+    return 1.0f / (1.0f + exponential_0(- clamp(opening_0[i32(0)], -30.0f, 30.0f)));
+}
+
+struct Footprint_0
+{
+     centre_0 : vec2<f32>,
+     dx_0 : vec2<f32>,
+     dy_0 : vec2<f32>,
+};
+
+struct NeumipView_0
+{
+     latent_1 : array<f32, i32(7)>,
+     view_2 : vec2<f32>,
+     back_3 : bool,
+     hole_0 : f32,
+};
+
+fn neumip_view_0( _S174 : u32,  _S175 : Footprint_0,  _S176 : vec3<f32>,  _S177 : ptr<function, NeumipView_0>)
+{
+    var _S178 : Neumip_std430_0 = fabrics_0[_S174].neumip_0;
+    var _S179 : bool = (_S176.z) < 0.0f;
+    var _S180 : u32;
+    if(_S179)
+    {
+        _S180 = _S178.back_0;
+    }
+    else
+    {
+        _S180 = u32(0);
+    }
+    var _S181 : vec3<f32> = to_face_frame_0(_S176, _S179);
+    var uv_5 : vec2<f32> = _S175.centre_0 * vec2<f32>(_S178.repeats_per_x_0, _S178.repeats_per_y_0);
+    var uv_6 : vec2<f32>;
+    if((_S178.has_offset_0) != u32(0))
+    {
+        var _S182 : vec2<f32> = _S181.xy;
+        var _S183 : f32 = neumip_depth_0(&(_S178), uv_5, _S182, _S180);
+        uv_6 = uv_5 + vec2<f32>((_S183 / max(_S181.z, 0.60000002384185791f))) * _S182 * vec2<f32>(_S178.unit_x_0, _S178.unit_y_0);
+    }
+    else
+    {
+        uv_6 = uv_5;
+    }
+    var _S184 : f32 = sqrt(abs(_S175.dx_0.x * _S175.dy_0.y - _S175.dx_0.y * _S175.dy_0.x)) * _S178.texels_per_mm_0;
+    var pyramid_0 : TexelPyramid_0;
+    pyramid_0.first_20 = _S178.features_0;
+    pyramid_0.elements_4 = _S178.texel_elements_0;
+    pyramid_0.levels_4 = _S178.levels_2;
+    pyramid_0.last_level_3 = _S178.last_level_1;
+    pyramid_0.face_texels_2 = _S178.face_texels_0;
+    var _S185 : Eight_0 = TexelPyramid_between_levels_0(pyramid_0, uv_6, binary_logarithm_0(max(_S184, 9.99999971718068537e-10f)), _S180);
+    var k_3 : i32 = i32(0);
+    for(;;)
+    {
+        if(k_3 < i32(7))
+        {
+        }
+        else
+        {
+            break;
+        }
+        (*_S177).latent_1[k_3] = channel_0(_S185, k_3);
+        k_3 = k_3 + i32(1);
+    }
+    var _S186 : vec2<f32> = _S181.xy;
+    (*_S177).view_2 = _S186;
+    (*_S177).back_3 = _S179;
+    var _S187 : f32;
+    if((_S178.has_holes_0) != u32(0))
+    {
+        var _S188 : f32 = neumip_hole_0(&(_S178), _S185, _S186);
+        _S187 = _S188;
+    }
+    else
+    {
+        _S187 = 0.0f;
+    }
+    (*_S177).hole_0 = _S187;
+    return;
+}
+
+fn neumip_value_0( _S189 : u32,  _S190 : ptr<function, NeumipView_0>,  _S191 : vec3<f32>) -> vec3<f32>
+{
+    var _S192 : vec3<f32> = to_face_frame_0(_S191, (*_S190).back_3);
+    var _S193 : f32 = _S192.z;
+    var _S194 : bool;
+    if(_S193 < 0.0f)
+    {
+        _S194 = (fabrics_0[_S189].neumip_0.transmits_0) != u32(0);
+    }
+    else
+    {
+        _S194 = false;
+    }
+    var _S195 : bool;
+    if(_S193 <= 0.0f)
+    {
+        _S195 = !_S194;
+    }
+    else
+    {
+        _S195 = false;
+    }
+    if(_S195)
+    {
+        return vec3<f32>(0.0f);
+    }
+    var inputs_26 : array<f32, i32(11)>;
+    var k_4 : i32 = i32(0);
+    for(;;)
+    {
+        if(k_4 < i32(7))
+        {
+        }
+        else
+        {
+            break;
+        }
+        inputs_26[k_4] = (*_S190).latent_1[k_4];
+        k_4 = k_4 + i32(1);
+    }
+    inputs_26[i32(7)] = _S192.x;
+    inputs_26[i32(8)] = _S192.y;
+    inputs_26[i32(9)] = (*_S190).view_2.x;
+    inputs_26[i32(10)] = (*_S190).view_2.y;
+    var outputs_20 : array<f32, i32(3)>;
+    var network_3 : MLP_0;
+    var _S196 : u32;
+    if(_S194)
+    {
+        _S196 = fabrics_0[_S189].neumip_0.transmission_0;
+    }
+    else
+    {
+        _S196 = fabrics_0[_S189].neumip_0.decoder_0;
+    }
+    network_3.weights_20.first_0 = _S196;
+    MLP_evaluate_0(network_3, &(inputs_26), &(outputs_20));
+    return max(vec3<f32>(outputs_20[i32(0)], outputs_20[i32(1)], outputs_20[i32(2)]), vec3<f32>(0.0f)) * vec3<f32>(0.31830987334251404f);
+}
+
+fn cloth_value_0( fabric_1 : u32,  centre_1 : vec2<f32>,  dx_1 : vec2<f32>,  dy_1 : vec2<f32>,  light_0 : vec3<f32>,  view_3 : vec3<f32>) -> vec4<f32>
+{
+    var footprint_0 : Footprint_0;
+    footprint_0.centre_0 = centre_1;
+    footprint_0.dx_0 = dx_1;
+    footprint_0.dy_0 = dy_1;
+    var seen_0 : NeumipView_0;
+    neumip_view_0(fabric_1, footprint_0, view_3, &(seen_0));
+    var _S197 : vec3<f32> = neumip_value_0(fabric_1, &(seen_0), light_0);
+    return vec4<f32>(_S197, seen_0.hole_0);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn neumip_queries(@builtin(global_invocation_id) id_0 : vec3<u32>)
+{
+    var _S198 : u32 = id_0.x;
+    if(_S198 >= query_count_0[i32(0)])
+    {
+        return;
+    }
+    var _S199 : Query_std430_0 = queries_0[_S198];
+    answers_0[_S198] = cloth_value_0(_S199.fabric_0, vec2<f32>(_S199.centre_x_0, _S199.centre_y_0), vec2<f32>(_S199.dx_x_0, _S199.dx_y_0), vec2<f32>(_S199.dy_x_0, _S199.dy_y_0), vec3<f32>(_S199.light_x_0, _S199.light_y_0, _S199.light_z_0), vec3<f32>(_S199.view_x_0, _S199.view_y_0, _S199.view_z_0));
+    return;
+}
+

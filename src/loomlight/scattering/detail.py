@@ -1,0 +1,438 @@
+"""Yarns close up: plies, fibres, slubs and hairs on the smooth tube of the geometry.
+
+Nothing here moves the surface: normals and fibre directions turn, and diffuse albedos vary, about those of
+the smooth yarn. Every turn is a rotation of the whole frame, so tangent and normal stay perpendicular and
+the energy bound of `albedo.py` holds at every point.
+
+- *Plies* are sub-cylinders that wind around the yarn: across a ply the sine of the normal's turn rises
+  linearly from edge to edge, and the grooves between plies are darker.
+- *Fibres* are long cells of the fibre coordinates. Noise that is smooth along a cell turns the normal across
+  the fibre, and the fibre itself; fibres of a bundle move together.
+- *Slubs* are noise along the thread: where it is thick its margins are lighter, where it is thin darker.
+- *Hairs* are arcs that lie on the cloth; one may begin in each cell of a square grid.
+
+Turns are symmetric about 0 and gains have mean 1, so that means over many threads stay. Each part fades
+before its period falls below the side of the footprint: what a pixel cannot resolve is not drawn.
+
+Sources: plies, migrating fibres and fly-away fibres are those of the procedural yarns of Zhao, Luan and Bala
+2016; plies as shading normals of a surface those of Montazeri et al. 2020.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import drjit as dr
+
+from loomlight.core.arrays import Float, Mask, UInt, Vec3
+from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum
+from loomlight.scattering.appearance import Appearance, YarnDetail
+from loomlight.scattering.variation import FIBRE_CELL_LENGTH, Gain, hash_bits, hash_key
+from loomlight.yarn.geometry import SurfacePoint
+from loomlight.yarn.threads import SECTION_ANGLE
+
+# Sine of the turn of a ply's normal at its edges, and by what share of the albedo its grooves are darker.
+PLY_EDGE_SINE = 0.42
+GROOVE_DEPTH = 0.6
+# Turned normals see less of a dome, as light from below the yarn's own surface is lost. How much more diffuse
+# light makes up for it, over the mean of 1 − cos of the turn (`experiments/yarn_detail.py`).
+DIFFUSE_LOSS = 0.85
+# Fibres that stray together.
+BUNDLE_FIBRES = 5.0
+# Fibres wave along the yarn: the period in widths of a fibre, and the amplitude over period and stray.
+WAVE_LENGTH = 25.0
+WAVE_SHARE = 0.5
+# Period of slubs, in widths of the yarn.
+SLUB_LENGTH = 9.0
+# Share of the albedo that fibres vary by for each radian that they stray, and at most.
+TONE_OF_TILT, MOST_TONE = 0.5, 0.15
+# Hairs: grids of cells, a hair a cell; in widths of a fibre the side of cells, half the width of hairs, and
+# half their length from and to; and their largest sagitta over half the length.
+HAIR_LAYERS = 2
+HAIR_CELL = 17.0
+HAIR_HALF_WIDTH = 0.32
+HAIR_SHORTEST, HAIR_LONGEST = 5.0, 16.0
+HAIR_CURL = 0.7
+# Sine of the turn of a hair's normal at its edges.
+HAIR_EDGE_SINE = 0.8
+# Largest share of the albedo that slubs add or take.
+SLUB_DEPTH = 0.25
+# Part of the noise of slubs that the middle of a yarn shows; its margins show all.
+SLUB_MIDDLE = 0.4
+
+BUNDLE_STREAM = 0x68BC21EB
+WAVE_STREAM = 0x1B56C4E9
+TILT_STREAM = 0x02E5BE93
+SLUB_STREAM = 0x51D7348D
+HAIR_STREAM = 0x3C6EF372
+
+# 1 / deviation of the sum of noises that turn normals and fibres. Uniform numbers in ±1 have the variance
+# 1/3, and smoothed along their cells 26/35 of it.
+NOISE_VARIANCE = 26 / 105
+TILT_SCALE = (2 * NOISE_VARIANCE + 1 / 3) ** -0.5
+TURN_SCALE = (2 * NOISE_VARIANCE) ** -0.5
+
+
+def family_numbers(detail: YarnDetail) -> dict[str, float]:
+    """What points are computed with, by the name of the shaders' field (`realtime/layout.py`)."""
+    circumference = math.pi * detail.width / math.sin(SECTION_ANGLE)
+    lean = detail.ply_twist - detail.twist
+    return {
+        "has_plies": float(detail.plies > 1),
+        "plies_per_mm": detail.plies / (circumference * math.cos(detail.ply_twist)),
+        "ply_sine": math.sin(lean),
+        "ply_cosine": math.cos(lean),
+        "fibre_tilt": detail.fibre_tilt,
+        "fibre_tone": min(TONE_OF_TILT * detail.fibre_tilt, MOST_TONE),
+        "slub": detail.slub,
+        "slubs_per_mm": 1 / (SLUB_LENGTH * detail.width),
+        "per_half_width": 2 / detail.width,
+        "hairiness": detail.hairiness,
+    }
+
+
+class DetailNumbers:
+    """The detail of a fabric's two families on one backend."""
+
+    def __init__(self, appearance: Appearance, fibre_size: float, types: ArrayTypes) -> None:
+        """
+        Args:
+            fibre_size: width of a fibre, millimetres.
+        """
+        details = appearance.warp.detail, appearance.weft.detail
+        self.has_plies = any(detail.plies > 1 for detail in details)
+        self.has_fibres = any(detail.fibre_tilt > 0 for detail in details)
+        self.has_slubs = any(detail.slub > 0 for detail in details)
+        self.has_hairs = any(detail.hairiness > 0 for detail in details)
+        self.fibre_size = dr.opaque(types.Float, fibre_size)
+        self.seed = appearance.variation.seed
+        self._families = [
+            {name: dr.opaque(types.Float, number) for name, number in family_numbers(detail).items()}
+            for detail in details
+        ]
+
+    def of(self, name: str, is_warp: Mask) -> Float:
+        """A number of the family that shows."""
+        return dr.select(is_warp, self._families[0][name], self._families[1][name])
+
+    def hairiness(self, is_warp: Mask) -> Float:
+        """Probability that a cell has a hair of that family."""
+        return self.of("hairiness", is_warp)
+
+
+@dataclass
+class Hair:
+    """The hair on top of a point.
+
+    Attributes:
+        cover: share of the footprint that it covers, 0 to 1.
+        normal, tangent: of the hair [3].
+    """
+
+    cover: Float
+    normal: Vec3
+    tangent: Vec3
+
+
+def fade(size: Float, period: Float) -> Float:
+    """Weight of detail of a period for footprints of a side, millimetres: 1 up to a quarter, 0 from 1 on."""
+    return clip(dr.fma(size * dr.rcp(period), -4 / 3, 4 / 3), 0, 1)
+
+
+def ply_offset(numbers: DetailNumbers, point: SurfacePoint, back: Mask) -> Float:
+    """Position across the ply of a point, −1 at one edge to 1 at the other."""
+    sine = numbers.of("ply_sine", point.is_warp)
+    across = dr.fma(
+        point.fibre_across,
+        numbers.of("ply_cosine", point.is_warp),
+        point.fibre_along * dr.select(back, -sine, sine),
+    )
+    ply = across * numbers.of("plies_per_mm", point.is_warp)
+    return dr.fma(2, ply - dr.floor(ply), -1)
+
+
+@dataclass
+class Frame:
+    """The frame of a yarn point.
+
+    Attributes:
+        normal, tangent: unit vectors [3] at right angles.
+        loss: mean of 1 − cos of the angle that detail turns normals by here.
+    """
+
+    normal: Vec3
+    tangent: Vec3
+    loss: Float
+
+
+def turned_frame(numbers: DetailNumbers, point: SurfacePoint, back: Mask, thread: UInt, size: Float) -> Frame:
+    """The frame of a yarn point with its plies and fibres, without hairs.
+
+    Args:
+        thread: UInt32, number of the thread over the whole cloth.
+        size: side of the footprint, millimetres.
+    """
+    normal, tangent = point.normal, point.tangent
+    loss = array_types(point.across).Float(0)
+    if numbers.has_plies:
+        period = dr.rcp(numbers.of("plies_per_mm", point.is_warp))
+        weight = numbers.of("has_plies", point.is_warp) * fade(size, period)
+        sine = weight * PLY_EDGE_SINE * ply_offset(numbers, point, back)
+        loss = dr.square(weight) * (PLY_EDGE_SINE**2 / 6)
+        # The fibre in the frame of the ply, which then turns about its own axis.
+        lean_sine = numbers.of("ply_sine", point.is_warp)
+        lean_sine = dr.select(back, -lean_sine, lean_sine)
+        lean_cosine = numbers.of("ply_cosine", point.is_warp)
+        across = dr.cross(tangent, normal)
+        along_ply = lean_cosine * tangent - lean_sine * across
+        across_ply = lean_cosine * across + lean_sine * tangent
+        cosine = dr.sqrt(dr.fma(-sine, sine, 1))
+        across_turned = cosine * across_ply - sine * normal
+        normal = cosine * normal + sine * across_ply
+        tangent = lean_cosine * along_ply + lean_sine * across_turned
+    if numbers.has_fibres:
+        noise = _fibre_noise(numbers, point, thread, size)
+        amount = numbers.of("fibre_tilt", point.is_warp)
+        # Fibres are round.
+        tilt = noise.bundle_weight * noise.bundle_tilt + noise.weight * (noise.tilt + noise.offset)
+        tilt *= TILT_SCALE * amount
+        of_bundle, of_fibre = dr.square(noise.bundle_weight), dr.square(noise.weight)
+        variance = (NOISE_VARIANCE * (of_bundle + of_fibre) + of_fibre / 3) * TILT_SCALE**2
+        loss = dr.fma(0.5 * dr.square(amount), variance, loss)
+        turn = TURN_SCALE * (noise.bundle_weight * noise.bundle_turn + noise.weight * noise.turn)
+        turn = amount * dr.fma(-noise.bundle_weight, noise.slope, turn)
+        across = dr.cross(tangent, normal)
+        (sine, cosine) = dr.sincos(tilt)
+        normal, across = cosine * normal + sine * across, cosine * across - sine * normal
+        (sine, cosine) = dr.sincos(turn)
+        tangent = cosine * tangent + sine * across
+    return Frame(normal, tangent, loss)
+
+
+def diffuse_gain(frame: Frame, blend: Float) -> Float:
+    """Gain of the diffuse term of a turned frame, which keeps the mean over many points, Float ≥ 1.
+
+    No point returns more than its albedo of light from everywhere: of that the diffuse term returns
+    w·(1 + n_z)/2 + 1 − w.
+
+    Args:
+        blend: w, the weight of the yarn normal.
+    """
+    returned = dr.fma(0.5 * blend, frame.normal.z - 1, 1)
+    return minimum(dr.fma(DIFFUSE_LOSS * blend, frame.loss, 1), dr.rcp(returned))
+
+
+@dataclass
+class _FibreNoise:
+    """Noise of the fibre at a point and of its bundle.
+
+    Attributes:
+        tilt, turn: of the bundle, and of the fibre, in ±1.
+        offset: position across the fibre, −1 to 1.
+        slope: of the wave, at a stray of one radian.
+    """
+
+    bundle_tilt: Float
+    bundle_turn: Float
+    bundle_weight: Float
+    tilt: Float
+    turn: Float
+    weight: Float
+    offset: Float
+    slope: Float
+
+
+def _fibre_noise(numbers: DetailNumbers, point: SurfacePoint, thread: UInt, size: Float) -> _FibreNoise:
+    fibre = numbers.fibre_size
+    bundle = BUNDLE_FIBRES * fibre
+    seed = numbers.seed
+    amount = numbers.of("fibre_tilt", point.is_warp)
+    # Fibres wave together along the yarn.
+    inverse = dr.rcp(WAVE_LENGTH * fibre)
+    key = hash_key(thread, seed ^ WAVE_STREAM)
+    wave, slope = _wave(key, point.fibre_along * inverse)
+    across = dr.fma(amount * WAVE_SHARE * WAVE_LENGTH * fibre, wave, point.fibre_across)
+    column, row, _ = fibre_cell(across, point.fibre_along, bundle)
+    bundle_tilt, bundle_turn = _noise(hash_key(thread, seed ^ BUNDLE_STREAM), column, row)
+    column, row, offset = fibre_cell(across, point.fibre_along, fibre)
+    tilt, turn = _noise(hash_key(thread, seed ^ TILT_STREAM), column, row)
+    return _FibreNoise(
+        bundle_tilt=bundle_tilt,
+        bundle_turn=bundle_turn,
+        bundle_weight=fade(size, bundle),
+        tilt=tilt,
+        turn=turn,
+        weight=fade(size, fibre),
+        offset=offset,
+        slope=WAVE_SHARE * slope,
+    )
+
+
+def fibre_cell(across: Float, along: Float, width: Float) -> tuple[Float, Float, Float]:
+    """Column and row of a cell of fibre coordinates, and the position across it, −1 to 1.
+
+    Args:
+        across, along: position, millimetres.
+        width: of the cells, millimetres; they are `FIBRE_CELL_LENGTH` times as long. The row is not rounded.
+    """
+    inverse = dr.rcp(width)
+    column = dr.floor(across * inverse)
+    # Cells side by side are staggered, or their ends would line up.
+    row = dr.fma(along * inverse, 1 / FIBRE_CELL_LENGTH, 0.618 * column)
+    return column, row, dr.fma(2, across * inverse - column, -1)
+
+
+def _noise(key: UInt, column: Float, position: Float) -> tuple[Float, Float]:
+    """Two numbers in ±1 that change smoothly with a position, of a column of cells."""
+    types = array_types(position)
+    row = dr.floor(position)
+    share = position - row
+    share = dr.square(share) * dr.fma(-2, share, 3)
+    cell = types.UInt32(types.Int32(column)) * 65536 + types.UInt32(types.Int32(row))
+    low, high = hash_bits(key, cell), hash_bits(key, cell + 1)
+    first = dr.lerp(_signed(low & 0xFFFF), _signed(high & 0xFFFF), share)
+    return first, dr.lerp(_signed(low >> 16), _signed(high >> 16), share)
+
+
+def _wave(key: UInt, position: Float) -> tuple[Float, Float]:
+    """A number in ±1 that changes smoothly with a position, and its derivative."""
+    types = array_types(position)
+    row = dr.floor(position)
+    share = position - row
+    cell = types.UInt32(types.Int32(row))
+    low, high = _signed(hash_bits(key, cell) & 0xFFFF), _signed(hash_bits(key, cell + 1) & 0xFFFF)
+    slope = 6 * share * (1 - share) * (high - low)
+    return dr.lerp(low, high, dr.square(share) * dr.fma(-2, share, 3)), slope
+
+
+def _signed(bits: UInt) -> Float:
+    """Sixteen bits as a number in ±1."""
+    types = array_types(dr.float32_array_t(type(bits)))
+    return dr.fma(types.Float(bits) + 0.5, 2**-15, -1)
+
+
+def detail_gain(
+    numbers: DetailNumbers, point: SurfacePoint, x: Float, y: Float, back: Mask, thread: UInt, size: Float
+) -> Gain:
+    """Gain of the diffuse albedos by grooves between plies and by slubs.
+
+    Args:
+        x, y: draft coordinates, millimetres.
+        thread, size: see `turned_frame`.
+    """
+    types = array_types(x)
+    excess, largest = types.Float(0), types.Float(0)
+    if numbers.has_plies:
+        period = dr.rcp(numbers.of("plies_per_mm", point.is_warp))
+        weight = GROOVE_DEPTH * numbers.of("has_plies", point.is_warp) * fade(size, period)
+        # The mean of the fourth power over a ply is a fifth.
+        fourth = dr.square(dr.square(ply_offset(numbers, point, back)))
+        excess = weight * (0.2 - fourth)
+        largest = 0.2 * weight
+    if numbers.has_fibres:
+        noise = _fibre_noise(numbers, point, thread, size)
+        tone = numbers.of("fibre_tone", point.is_warp)
+        excess += tone * (noise.bundle_weight * noise.bundle_turn + noise.weight * noise.turn)
+        largest += tone * (noise.bundle_weight + noise.weight)
+    if numbers.has_slubs:
+        per_slub = numbers.of("slubs_per_mm", point.is_warp)
+        weight = SLUB_DEPTH * numbers.of("slub", point.is_warp) * fade(size, dr.rcp(per_slub))
+        lengthwise = dr.select(point.is_warp, y, -x)
+        key = hash_key(thread, numbers.seed ^ SLUB_STREAM)
+        wave, _ = _wave(key, lengthwise * per_slub)
+        margin = minimum(dr.square(point.across * numbers.of("per_half_width", point.is_warp)), 1)
+        excess += weight * wave * dr.fma(1 - SLUB_MIDDLE, margin, SLUB_MIDDLE)
+        largest += weight
+    return Gain(excess, largest)
+
+
+def hair_at(numbers: DetailNumbers, x: Float, y: Float, back: Mask, size: Float) -> Hair:
+    """The hair on top of a point, in the frame of the face that is seen.
+
+    Args:
+        x, y: draft coordinates, millimetres.
+        size: side of the footprint, millimetres.
+    """
+    types = array_types(x)
+    x, y, size = dr.detach(x), dr.detach(y), dr.detach(types.Float(size))
+    fibre = numbers.fibre_size
+    weight = fade(size, HAIR_CELL * fibre)
+    inverse = dr.rcp(HAIR_CELL * fibre)
+    cell_x, cell_y = dr.floor(x * inverse), dr.floor(y * inverse)
+    side = dr.select(back, types.UInt32(1), types.UInt32(0))
+    key = hash_key(side, numbers.seed ^ HAIR_STREAM)
+    # A bar of the hair's width, seen by a box of the footprint's side.
+    inverse_size = dr.rcp(maximum(size, 0.25 * HAIR_HALF_WIDTH * fibre))
+    most = minimum(2 * HAIR_HALF_WIDTH * fibre * inverse_size, 1)
+
+    def add(number: Any, *best: Any) -> tuple[Any, ...]:
+        layer = number // 9
+        row = number // 3 - 3 * layer
+        column = number - 3 * row - 9 * layer
+        place_x = cell_x + types.Float(column) - 1
+        place_y = cell_y + types.Float(row) - 1
+        first = hash_bits(
+            key + layer, types.UInt32(types.Int32(place_x)) * 65536 + types.UInt32(types.Int32(place_y))
+        )
+        second = hash_bits(key, first)
+        offset_x = x * inverse - place_x - _share(first)
+        offset_y = y * inverse - place_y - _share(first >> 10)
+        sine, cosine = dr.sincos(math.pi * _share(first >> 20))
+        half = dr.fma(_share(second >> 10), HAIR_LONGEST - HAIR_SHORTEST, HAIR_SHORTEST) * (1 / HAIR_CELL)
+        along = (offset_x * cosine + offset_y * sine) * dr.rcp(half)
+        across = offset_y * cosine - offset_x * sine
+        curl = HAIR_CURL * dr.fma(2, _share(second >> 20), -1)
+        slope = 2 * curl * along
+        inverse_length = dr.rsqrt(dr.fma(slope, slope, 1))
+        # Distance from the arc, in widths of a fibre.
+        away = dr.fma(-curl * half, dr.square(along), across) * inverse_length * HAIR_CELL
+        edge = HAIR_HALF_WIDTH - abs(away)
+        cover = clip(dr.fma(edge * fibre, inverse_size, 0.5), 0, most)
+        is_warp = (second >> 30) & 1 == 1
+        exists = (_share(second) < numbers.hairiness(is_warp)) & (abs(along) < 1)
+        taken = exists & (cover > best[0])
+        # Across the hair's own direction.
+        across_x = (-sine - slope * cosine) * inverse_length
+        across_y = (cosine - slope * sine) * inverse_length
+        found = cover, across_x, across_y, away
+        return number + 1, *(dr.select(taken, new, old) for new, old in zip(found, best, strict=True))
+
+    width = dr.width(x, y, size, back)
+    zero = dr.zeros(types.Float, width)
+    start = (
+        dr.zeros(types.UInt32, width),
+        zero,
+        zero,
+        dr.ones(types.Float, width),
+        dr.zeros(types.Float, width),
+    )
+    active = types.Bool(weight > 0)
+    _, cover, across_x, across_y, away = dr.while_loop(
+        start, lambda number, *_: active & (number < 9 * HAIR_LAYERS), add, label="detail: hairs"
+    )
+    sine = clip(away * (HAIR_EDGE_SINE / HAIR_HALF_WIDTH), -HAIR_EDGE_SINE, HAIR_EDGE_SINE)
+    cosine = dr.sqrt(dr.fma(-sine, sine, 1))
+    return Hair(
+        cover=weight * cover,
+        normal=types.Vector3(sine * across_x, sine * across_y, cosine),
+        tangent=types.Vector3(across_y, -across_x, 0),
+    )
+
+
+def _share(bits: UInt) -> Float:
+    """The lowest ten bits as a number in (0, 1)."""
+    types = array_types(dr.float32_array_t(type(bits)))
+    return (types.Float(bits & 1023) + 0.5) * 2**-10
+
+
+def under_hair(frame: Frame, hair: Hair) -> Frame:
+    """The frame of a yarn point, blended with that of the hair on top by what it covers."""
+    # A fibre has no front and no rear.
+    hair_tangent = dr.select(dr.dot(frame.tangent, hair.tangent) < 0, -hair.tangent, hair.tangent)
+    normal = dr.normalize(dr.lerp(frame.normal, hair.normal, hair.cover))
+    tangent = dr.lerp(frame.tangent, hair_tangent, hair.cover)
+    tangent = dr.fma(-dr.dot(tangent, normal), normal, tangent)
+    tangent *= dr.rsqrt(maximum(dr.squared_norm(tangent), 1e-12))
+    return Frame(normal, tangent, frame.loss * (1 - hair.cover))

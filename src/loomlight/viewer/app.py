@@ -1,0 +1,144 @@
+"""The editor's server: its page, and what that cannot do by itself."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import re
+import warnings
+from collections.abc import Awaitable, Callable
+from pathlib import Path
+from typing import Any
+from urllib.parse import quote
+
+import anyio
+from starlette.applications import Starlette
+from starlette.exceptions import HTTPException
+from starlette.middleware import Middleware
+from starlette.middleware.gzip import GZipMiddleware
+from starlette.requests import ClientDisconnect, Request
+from starlette.responses import JSONResponse, Response
+from starlette.routing import Mount, Route
+from starlette.staticfiles import StaticFiles
+
+from loomlight.core.errors import LoomlightError, LoomlightWarning
+from loomlight.fabric.fabric import Fabric
+from loomlight.viewer.access import Access, Guard
+from loomlight.viewer.fabric_json import fabric_of_json
+from loomlight.viewer.saving import FORMATS, saved, tables_of
+from loomlight.viewer.session import gallery_pictures, session
+from loomlight.viewer.uploads import TooLargeResponse, UploadTooLargeError, read_body
+from loomlight.viewer.wif_worker import LARGEST_UPLOAD, read_uploaded_draft
+
+# The largest draft with a loom plan and colours of every thread, as JSON.
+_LARGEST_FABRIC = 64 << 20
+# Drafts that are read at once: each may take the memory that `wif_worker` allows.
+_READERS = 2
+
+Endpoint = Callable[[Request], Awaitable[Response]]
+
+
+def editor_app(client: Path, fabric: Fabric | str | None, access: Access) -> Starlette:
+    """The application, for any ASGI server.
+
+    Args:
+        client: the folder of the built page.
+        fabric: what the page shows first; see `session`.
+
+    Raises:
+        InputError: no such fabric.
+    """
+    first = session(fabric, has_python=True, token=access.token)
+    readers = asyncio.Semaphore(_READERS)
+    bakery = anyio.CapacityLimiter(1)
+
+    async def get_session(request: Request) -> Response:
+        return JSONResponse(first, headers={"cache-control": "no-store"})
+
+    async def read_draft(request: Request) -> Response:
+        content = await read_body(request, LARGEST_UPLOAD)
+        async with readers:
+            return JSONResponse(
+                await read_uploaded_draft(content, request.query_params.get("name", "draft.wif"))
+            )
+
+    async def save(request: Request) -> Response:
+        asked = await _json_object(request)
+        form = str(asked.get("format"))
+        content = await anyio.to_thread.run_sync(_saved, asked, form, limiter=bakery)
+        name = re.sub(r"[^\w-]+", "-", str(asked.get("name") or "fabric")).strip("-").lower()[:80] or "fabric"
+        disposition = f"attachment; filename*=UTF-8''{quote(f'{name}.{form}')}"
+        return Response(content, media_type=FORMATS[form], headers={"content-disposition": disposition})
+
+    async def tables(request: Request) -> Response:
+        asked = await _json_object(request)
+        content = await anyio.to_thread.run_sync(_tables, asked, limiter=bakery)
+        return Response(content, media_type="application/octet-stream")
+
+    return Starlette(
+        routes=[
+            Route("/api/session", _answered(get_session)),
+            Route("/api/wif", _answered(read_draft), methods=["POST"]),
+            Route("/api/save", _answered(save), methods=["POST"]),
+            Route("/api/tables", _answered(tables), methods=["POST"]),
+            Route("/api/{rest:path}", _answered(_unknown), methods=["GET", "POST"]),
+            Mount("/gallery", StaticFiles(directory=gallery_pictures())),
+            Mount("/", StaticFiles(directory=client, html=True)),
+        ],
+        middleware=[Middleware(Guard, access=access), Middleware(GZipMiddleware, minimum_size=2000)],
+        exception_handlers={Exception: _defect},
+    )
+
+
+async def _unknown(request: Request) -> Response:
+    raise HTTPException(404, f"There is no {request.url.path[:200]} here.")
+
+
+def _answered(endpoint: Endpoint) -> Endpoint:
+    """An endpoint whose faults are answered in one sentence: `{"error": …}`."""
+
+    async def answer(request: Request) -> Response:
+        try:
+            return await endpoint(request)
+        except LoomlightError as error:
+            return JSONResponse({"error": str(error)}, 422)
+        except HTTPException as error:
+            return JSONResponse({"error": error.detail}, error.status_code)
+        except UploadTooLargeError as error:
+            return TooLargeResponse(error)
+        except ClientDisconnect:  # nobody is there to read an answer
+            return Response(status_code=499)
+
+    return answer
+
+
+async def _defect(request: Request, error: Exception) -> Response:
+    return JSONResponse(
+        {"error": f"The server failed ({type(error).__name__}); its terminal says more."}, 500
+    )
+
+
+async def _json_object(request: Request) -> dict[str, Any]:
+    body = await read_body(request, _LARGEST_FABRIC)
+    try:
+        values = json.loads(body)
+    except (ValueError, RecursionError) as error:
+        raise HTTPException(400, f"The request is no JSON: {error}.") from error
+    if not isinstance(values, dict):
+        raise HTTPException(400, "The request is JSON, but no object.")
+    return values
+
+
+def _saved(asked: dict[str, Any], form: str) -> bytes:
+    return _quietly(lambda: saved(fabric_of_json(asked), form, str(asked.get("model") or "lobes")))
+
+
+def _tables(asked: dict[str, Any]) -> bytes:
+    return _quietly(lambda: tables_of(fabric_of_json(asked), str(asked.get("model"))))
+
+
+def _quietly(work: Callable[[], bytes]) -> bytes:
+    """Work without warnings about the fabric: the page shows its own while the user edits."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", LoomlightWarning)
+        return work()

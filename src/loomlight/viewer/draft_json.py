@@ -1,0 +1,204 @@
+"""Drafts as JSON, as the editor's page exchanges them with its server.
+
+A drawdown is base64 of its bits, row by row (a row is a pick) without padding between rows, the first bit
+highest, 1 where the warp is on top. Colours are linear RGB, lengths millimetres; what a draft does not say is
+null.
+"""
+
+from __future__ import annotations
+
+import base64
+import binascii
+from collections.abc import Mapping, Sequence
+from typing import Annotated, Any, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from loomlight.core.errors import InputError
+from loomlight.weave.draft import MAXIMUM_THREADS, Draft, LoomPlan, Threads
+
+# As many shafts as there may be threads: a derived plan can need one for each.
+Number = Annotated[int, Field(ge=0, le=MAXIMUM_THREADS)]
+Count = Annotated[int, Field(ge=1, le=MAXIMUM_THREADS)]
+Unit = Annotated[float, Field(ge=0, le=1)]
+Length = Annotated[float, Field(ge=1e-6, le=1e6)]
+Sets = list[list[Count]]
+JsonObject = dict[str, Any]
+
+
+class Json(BaseModel):
+    """What a page sends: unknown keys are passed over, NaN is an error."""
+
+    model_config = ConfigDict(extra="ignore", frozen=True, allow_inf_nan=False)
+
+
+Kind = TypeVar("Kind", bound=Json)
+
+
+class ThreadsJson(Json):
+    """One family of threads; see `Threads`."""
+
+    colors: list[tuple[Unit, Unit, Unit]] | None = None
+    spacing_mm: list[Length] | None = None
+    thickness_mm: list[Length] | None = None
+    color_index: list[Number] | None = None
+
+
+class LoomJson(Json):
+    """How a loom weaves the drawdown; see `LoomPlan`."""
+
+    shafts: Number
+    treadles: Number = 0
+    rising_shed: bool = True
+    threading: Sets
+    tieup: Sets | None = None
+    treadling: Sets | None = None
+    liftplan: Sets | None = None
+
+
+class DraftJson(Json):
+    """A draft."""
+
+    name: Annotated[str, Field(max_length=500)] = ""
+    ends: Count
+    picks: Count
+    drawdown: str
+    warp: ThreadsJson = ThreadsJson()
+    weft: ThreadsJson = ThreadsJson()
+    loom: LoomJson | None = None
+
+
+def draft_json(draft: Draft) -> JsonObject:
+    """A draft as JSON; notes and private sections of a WIF are left out."""
+    return {
+        "name": draft.title,
+        "ends": draft.ends,
+        "picks": draft.picks,
+        "drawdown": base64.b64encode(np.packbits(draft.drawdown).tobytes()).decode(),
+        "warp": _threads_json(draft.warp),
+        "weft": _threads_json(draft.weft),
+        "loom": None if draft.loom is None else _loom_json(draft.loom),
+    }
+
+
+def draft_of_json(values: Mapping[str, Any]) -> Draft:
+    """The draft of JSON.
+
+    Raises:
+        InputError: values of another type or range, or lists that do not fit the drawdown.
+    """
+    return draft_of(validated(DraftJson, values))
+
+
+def draft_of(given: DraftJson) -> Draft:
+    """The draft of valid JSON; see `draft_of_json`."""
+    return Draft(
+        drawdown=_drawdown(given),
+        warp=_threads("warp", given.warp, given.ends),
+        weft=_threads("weft", given.weft, given.picks),
+        title=" ".join(given.name.split()),
+        loom=None if given.loom is None else _loom(given.loom, given.ends, given.picks),
+    )
+
+
+def validated(kind: type[Kind], values: Mapping[str, Any]) -> Kind:
+    """Values as what a page sends; raises InputError, which names the first fault."""
+    try:
+        return kind.model_validate(values)
+    except ValidationError as error:
+        fault = error.errors(include_url=False)[0]
+        place = ".".join(str(part) for part in fault["loc"]) or "the request"
+        raise InputError(f"{place} cannot be used: {fault['msg']}.") from error
+
+
+def _threads_json(threads: Threads) -> JsonObject:
+    return {
+        name: None if values is None else values.tolist()
+        for name, values in (
+            ("colors", threads.colors),
+            ("spacing_mm", threads.spacing_mm),
+            ("thickness_mm", threads.thickness_mm),
+            ("color_index", threads.color_index),
+        )
+    }
+
+
+def _loom_json(loom: LoomPlan) -> JsonObject:
+    return {
+        "shafts": loom.shafts,
+        "treadles": loom.treadles,
+        "rising_shed": loom.rising_shed,
+        "threading": _lists(loom.threading),
+        "tieup": _lists(loom.tieup),
+        "treadling": _lists(loom.treadling),
+        "liftplan": _lists(loom.liftplan),
+    }
+
+
+def _lists(sets: Sequence[frozenset[int]] | None) -> list[list[int]] | None:
+    return None if sets is None else [sorted(numbers) for numbers in sets]
+
+
+def _drawdown(given: DraftJson) -> NDArray[np.bool_]:
+    count = given.ends * given.picks
+    try:
+        packed = np.frombuffer(base64.b64decode(given.drawdown, validate=True), np.uint8)
+    except binascii.Error as error:
+        raise InputError(f"draft.drawdown is no base64: {error}.") from error
+    if packed.size != (count + 7) // 8:
+        raise InputError(
+            f"draft.drawdown holds {packed.size} bytes, where {given.ends} ends and {given.picks} picks take "
+            f"{(count + 7) // 8}."
+        )
+    return np.unpackbits(packed, count=count).astype(np.bool_).reshape(given.picks, given.ends)
+
+
+def _threads(family: str, given: ThreadsJson, count: int) -> Threads:
+    for name in ThreadsJson.model_fields:
+        listed = getattr(given, name)
+        if listed is not None and len(listed) != count:
+            raise InputError(
+                f"draft.{family}.{name} holds {len(listed)} threads, where the draft has {count}."
+            )
+    return Threads(
+        colors=None if given.colors is None else np.array(given.colors, np.float64),
+        spacing_mm=None if given.spacing_mm is None else np.array(given.spacing_mm, np.float64),
+        thickness_mm=None if given.thickness_mm is None else np.array(given.thickness_mm, np.float64),
+        color_index=None if given.color_index is None else np.array(given.color_index, np.intp),
+    )
+
+
+def _loom(given: LoomJson, ends: int, picks: int) -> LoomPlan:
+    lengths = {
+        "threading": ends,
+        "tieup": given.treadles,
+        "treadling": picks,
+        "liftplan": picks,
+    }
+    limits = {
+        "threading": given.shafts,
+        "tieup": given.shafts,
+        "treadling": given.treadles,
+        "liftplan": given.shafts,
+    }
+    sets: dict[str, tuple[frozenset[int], ...] | None] = {}
+    for name, length in lengths.items():
+        listed: Sets | None = getattr(given, name)
+        if listed is not None and (
+            len(listed) != length or any(number > limits[name] for row in listed for number in row)
+        ):
+            raise InputError(
+                f"draft.loom.{name} must list {length} sets of numbers from 1 to {limits[name]}."
+            )
+        sets[name] = None if listed is None else tuple(frozenset(row) for row in listed)
+    return LoomPlan(
+        threading=sets["threading"] or (),
+        shafts=given.shafts,
+        treadles=given.treadles,
+        tieup=sets["tieup"],
+        treadling=sets["treadling"],
+        liftplan=sets["liftplan"],
+        rising_shed=given.rising_shed,
+    )

@@ -1,0 +1,74 @@
+"""What the editor begins with: the fabric that it was opened for, and the gallery."""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+from loomlight.assets.load import fabric_of_path
+from loomlight.fabric.fabric import Fabric
+from loomlight.fabric.load import load_fabric
+from loomlight.viewer.fabric_json import fabric_json
+from loomlight.viewer.wif_worker import LARGEST_UPLOAD
+
+VERSION = 1
+# The fabric of the gallery that the editor shows when it is opened without one.
+_FIRST = "wool-houndstooth"
+_PACKAGE = Path(str(files("loomlight.viewer")))
+# A wheel holds the examples in the first folder; in a source checkout they lie in the second.
+_FOLDERS = (_PACKAGE / "gallery", _PACKAGE.parents[2] / "examples")
+
+
+def session(fabric: Fabric | str | None, *, has_python: bool, token: str | None = None) -> dict[str, Any]:
+    """The session of a page, as JSON.
+
+    Args:
+        fabric: a fabric, an argument of `fabric_of_path`, or None for the gallery's first.
+        has_python: whether a server answers the page.
+        token: that the page must send to that server.
+
+    Raises:
+        InputError: no such file, or no fabric.
+    """
+    if fabric is None:
+        shown = load_fabric(_gallery_files()[_FIRST])
+    else:
+        shown = fabric if isinstance(fabric, Fabric) else fabric_of_path(fabric)
+    return {
+        "version": VERSION,
+        "has_python": has_python,
+        "token": token,
+        "fabric": fabric_json(shown),
+        "gallery": gallery(),
+        "largest_upload": LARGEST_UPLOAD,
+    }
+
+
+@cache
+def gallery() -> list[dict[str, Any]]:
+    """The fabrics that come with the editor, by name: "id", "description", "picture", and a fabric as JSON.
+
+    A picture is a place relative to the page; it is null where there is none.
+    """
+    entries = []
+    for name, file in sorted(_gallery_files().items()):
+        fabric = load_fabric(file)
+        picture = f"gallery/{name}.webp"
+        facts = {
+            "id": name,
+            "description": fabric.fields.description or "",
+            "picture": picture if (_PACKAGE / picture).is_file() else None,
+        }
+        entries.append(facts | fabric_json(fabric))
+    return entries
+
+
+def gallery_pictures() -> Path:
+    """The folder of the gallery's pictures, which a page finds as "gallery"."""
+    return _PACKAGE / "gallery"
+
+
+def _gallery_files() -> dict[str, Path]:
+    return {file.stem: file for folder in _FOLDERS for file in folder.glob("*.toml")}

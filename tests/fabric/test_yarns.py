@@ -1,0 +1,106 @@
+"""Kinds of yarn give defaults that fields of the file override, and yarns of a count their fibre's width.
+
+Covers: fabric/yarns.py
+"""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+
+from loomlight.fabric import fabric_from_text
+from loomlight.fabric.facts import cloth_facts
+from loomlight.fabric.file import YARNS
+from loomlight.fabric.yarns import PRESETS
+from loomlight.weave.textile import yarn_diameter_mm
+
+ROOT = Path(__file__).parents[2]
+
+
+def test_a_file_without_yarns_shows_no_detail() -> None:
+    appearance = fabric_from_text("twill 2/2").appearance()
+    assert not appearance.warp.detail.is_on
+    assert not appearance.weft.detail.is_on
+
+
+@pytest.mark.parametrize("name", YARNS)
+def test_a_kind_of_yarn_is_what_its_fields_say(name: str) -> None:
+    """The same fields written out make the same fabric."""
+    by_name = fabric_from_text(f'weave = "twill 2/2"\nyarn = "{name}"')
+    fields = PRESETS[name].fields.model_dump(exclude_none=True)
+    lines = "".join(f"{field} = {value}\n" for field, value in fields.items())
+    written = fabric_from_text(f'weave = "twill 2/2"\n[warp]\n{lines}[weft]\n{lines}')
+    for family in ("warp", "weft"):
+        named, other = (getattr(fabric.appearance(), family) for fabric in (by_name, written))
+        assert named.detail == other.detail
+        assert named.detail.is_on
+        assert named.roughness == other.roughness == fields["roughness"]
+        assert (named.specular_reflect == other.specular_reflect).all()
+        assert getattr(by_name.layout(), family).twist == getattr(written.layout(), family).twist
+
+
+def test_fields_of_the_file_come_first() -> None:
+    text = 'weave = "plain"\nyarn = "wool"\n[warp]\nroughness = 0.3\nplies = 3\n[weft]\nyarn = "Silk"\n'
+    fabric = fabric_from_text(text)
+    warp, weft = fabric.appearance().warp, fabric.appearance().weft
+    assert (warp.roughness, warp.detail.plies) == (0.3, 3)
+    assert warp.detail.hairiness == PRESETS["wool"].fields.hairiness
+    assert weft.roughness == PRESETS["silk"].fields.roughness
+    assert weft.detail.hairiness == 0
+    # What is written again says no more than the file did.
+    assert "hairiness" not in fabric.to_toml()
+    assert 'yarn = "wool"' in fabric.to_toml()
+
+
+def test_angles_and_widths_reach_the_detail() -> None:
+    warp = "[warp]\ntwist_deg = -10\nplies = 2\nfibre_tilt_deg = 6\n"
+    detail = (
+        fabric_from_text(f'weave = "plain"\nends_per_cm = 10\ngap = 0.25\n{warp}').appearance().warp.detail
+    )
+    assert detail.twist == pytest.approx(math.radians(-10))
+    assert detail.ply_twist == pytest.approx(math.radians(24))
+    assert detail.fibre_tilt == pytest.approx(math.radians(6))
+    assert detail.width == pytest.approx(0.75)
+
+
+def test_wool_of_a_count_is_wider_than_cotton() -> None:
+    texts = {
+        name: f'weave = "plain"\n[warp]\nyarn = "{name}"\ncount = "30 tex"' for name in ("cotton", "wool")
+    }
+    cotton, wool = (fabric_from_text(text).layout().warp.width[0] for text in texts.values())
+    assert cotton == pytest.approx(yarn_diameter_mm("30 tex"))
+    assert wool == pytest.approx(cotton * math.sqrt(1.52 * 0.6 / (1.31 * 0.45)))
+
+
+def test_a_count_beside_a_gap_weighs() -> None:
+    counts = '[warp]\ncount = "40 tex"\n{}[weft]\ncount = "40 tex"\n{}'
+    head = 'weave = "plain"\nends_per_cm = 20\npicks_per_cm = 18\n'
+    round_, pressed = (fabric_from_text(head + counts.format(gap, gap)) for gap in ("", "gap = 0.1\n"))
+    assert pressed.layout().warp.width[0] == pytest.approx(0.45)
+    before, after = cloth_facts(round_), cloth_facts(pressed)
+    assert after.counted
+    assert after.warp.tex == before.warp.tex == 40
+    # Straight yarns would weigh 152 g/m²; flat ones crimp less than round ones.
+    assert 152 < after.weight < before.weight
+    # The ellipse of the same area.
+    diameter = yarn_diameter_mm("40 tex")
+    weft_mm = diameter**2 / (10 / 18 * 0.9)
+    assert after.thickness_mm == pytest.approx((diameter**2 / 0.45 + weft_mm) / 2 + diameter**2 / 0.45)
+
+
+def test_the_page_of_yarns_lists_their_fields() -> None:
+    page = (ROOT / "docs" / "yarns.md").read_text(encoding="utf-8")
+    rows = {line.split("|")[1].strip(): line for line in page.splitlines() if line.startswith('| "')}
+    for name, yarn in PRESETS.items():
+        cells = [cell.strip() for cell in rows[f'"{name}"'].split("|")[2:-1]]
+        fields = yarn.fields
+        plies = f"{fields.plies} at {fields.ply_twist_deg:g}°" if fields.plies else "1"
+        numbers = [fields.specular, fields.roughness, fields.translucency, fields.twist_deg]
+        expected = [f"{number:g}" for number in numbers]
+        expected += [
+            plies,
+            *(f"{value or 0:g}" for value in (fields.fibre_tilt_deg, fields.slub, fields.hairiness)),
+        ]
+        assert cells == [*expected, f"{yarn.density:.2f} × {yarn.packing:g}"], name

@@ -1,0 +1,78 @@
+"""Light between yarns in Slang against its Python twin, for `point` and `lobes`, with tints and sheen.
+
+The bar is that of `queries.py`; a footprint or ray that meets the edge of a yarn may take the other side,
+which rounding decides, so a few of the queries may differ.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from drjit.llvm import Float
+
+from loomlight.core.backend import array_types
+from loomlight.fabric import fabric_from_text
+from loomlight.models.registry import model_of
+from loomlight.realtime.openness_tables import PARTS, openness_uints
+from tests.realtime.mapped import mapped
+from tests.realtime.queries import share_beyond, vectors
+from tests.realtime.test_lobes import FOOTPRINT, MOST_FLIPS, Queries
+
+TINT = (0.9, 0.5, 0.2)
+FABRIC = """
+weave = "satin 5"
+interreflection = true
+[warp]
+color = ["#c03020", "#e0d0a0", "#203060"]
+translucency = 0.3
+[weft]
+color = "#f0f0f0"
+roughness = 0.5
+[sheen]
+strength = 0.4
+"""
+
+
+def tint() -> Any:
+    return array_types(Float).Color3(*TINT)
+
+
+@pytest.mark.parametrize("name", ["lobes", "point"])
+def test_values_with_light_between_yarns(name: str) -> None:
+    model = model_of(fabric_from_text(FABRIC), "lobes")
+    queries = Queries(model)
+    if name == "lobes":
+        body = (
+            FOOTPRINT + "let e = lobes_estimate(fabric, p, 1.0, light, view);"
+            f"let v = composed(fabric, e.components, e.close, e.albedos, float3{TINT}, light, view);"
+        )
+    else:
+        model = model_of(model.fabric, "point")
+        body = (
+            "let point = locate_yarn(fabric, default_quality(), x, y, view);"
+            f"let bounced = bounced_at(fabric, point, float3{TINT}); var tinted_point = point;"
+            f"tinted_point.albedos = tinted(point.albedos, float3{TINT});"
+            "let v = evaluate_with(fabric, default_quality(), tinted_point, bounced, light, view);"
+        )
+    modules = "lobes footprint point search separable"
+    found = mapped(modules, body, "v.x; v.y; v.z", queries.arguments, queries.looks)
+    at = model.at(vectors(queries.view), queries.footprint, tint=tint())
+    value = np.array(at.value(vectors(queries.light)))
+    assert share_beyond(found.T, value) <= 2 * MOST_FLIPS
+    # It is there to be seen: the same without it is darker by far more than the bar.
+    dark = model_of(fabric_from_text(FABRIC.replace("interreflection = true", "")), name)
+    assert (
+        value.mean()
+        > 1.02
+        * np.array(
+            dark.at(vectors(queries.view), queries.footprint, tint=tint()).value(vectors(queries.light))
+        ).mean()
+    )
+
+
+def test_parts_follow_each_other() -> None:
+    offsets = openness_uints()
+    ends = [offsets[f"OPENNESS_{name}"] + int(np.prod(shape)) for name, shape in PARTS.items()]
+    assert [offsets[f"OPENNESS_{name}"] for name in PARTS][1:] == ends[:-1]

@@ -1,0 +1,79 @@
+"""A page of two files, and the editor's application with it behind a real server in a thread."""
+
+from __future__ import annotations
+
+import http.client
+import threading
+import time
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+import uvicorn
+
+from loomlight.viewer.access import Access
+from loomlight.viewer.app import editor_app
+
+
+@dataclass(frozen=True)
+class Served:
+    """Where a server listens."""
+
+    port: int
+
+    def ask(
+        self, method: str, place: str, body: bytes | None = None, headers: Mapping[str, str] | None = None
+    ) -> tuple[int, dict[str, str], bytes]:
+        """Status, headers by lower-case name, and body of an answer; the place is sent as it is."""
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=60)
+        try:
+            connection.request(method, place, body, dict(headers or {}))
+            response = connection.getresponse()
+            return (
+                response.status,
+                {name.lower(): value for name, value in response.getheaders()},
+                response.read(),
+            )
+        finally:
+            connection.close()
+
+
+@pytest.fixture(scope="session")
+def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of a page, in a folder with a file that nobody may read."""
+    folder = tmp_path_factory.mktemp("client") / "static"
+    (folder / "assets").mkdir(parents=True)
+    (folder / "index.html").write_text('<meta name="loomlight-session" content="api/session" /><p>page</p>')
+    (folder / "assets" / "page.js").write_text("export {};")
+    (folder.parent / "secret.txt").write_text("secret")
+    (folder / "link.txt").symlink_to(folder.parent / "secret.txt")
+    return folder
+
+
+def serving(page: Path, access: Access) -> Iterator[Served]:
+    """Serves until the generator is closed."""
+    config = uvicorn.Config(
+        editor_app(page, "twill 3/1", access), host="127.0.0.1", port=0, log_level="critical"
+    )
+    server = uvicorn.Server(config)
+    thread = threading.Thread(target=server.run, daemon=True)
+    thread.start()
+    while not server.started:
+        assert thread.is_alive()
+        time.sleep(0.01)
+    yield Served(server.servers[0].sockets[0].getsockname()[1])
+    server.should_exit = True
+    thread.join()
+
+
+@pytest.fixture(scope="module")
+def local(page: Path) -> Iterator[Served]:
+    """A server on loopback."""
+    yield from serving(page, Access.for_host("127.0.0.1"))
+
+
+@pytest.fixture(scope="module")
+def shared(page: Path) -> Iterator[Served]:
+    """A server that asks for the token "token"."""
+    yield from serving(page, Access(loopback=False, token="token"))

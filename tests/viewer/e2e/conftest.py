@@ -1,0 +1,126 @@
+"""A real Chromium, the built page and a server; tests that need them are left out where one is missing."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from loomlight.core.errors import LoomlightError
+from loomlight.viewer.access import Access
+from loomlight.viewer.client import client_folder
+from tests.viewer.conftest import Served, serving
+
+ROOT = Path(__file__).resolve().parents[3]
+AXE = ROOT / "web" / "node_modules" / "axe-core" / "axe.min.js"
+# A fresh profile that asks nothing of the network.
+_QUIET = (
+    "--no-sandbox",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+)
+# WebGPU in software; a canvas needs all of them.
+SWIFTSHADER = (
+    "--enable-unsafe-webgpu",
+    "--use-webgpu-adapter=swiftshader",
+    "--enable-features=Vulkan",
+    "--use-vulkan=swiftshader",
+    "--use-angle=swiftshader",
+)
+# Console messages of Chromium about this machine, not about the page.
+_OF_THE_MACHINE = ("No available adapters", "GPU stall due to ReadPixels", "experimental on this platform")
+
+
+@dataclass
+class Visit:
+    """A tab of the browser, and what its page asked for and complained about."""
+
+    page: Any
+    requests: list[str] = field(default_factory=list)
+    complaints: list[str] = field(default_factory=list)
+
+    def outside(self, address: str) -> list[str]:
+        """Requests that went elsewhere than to the page's own server."""
+        return [url for url in self.requests if not url.startswith((address, "data:", "blob:", "about:"))]
+
+
+def _chromium() -> str | None:
+    return next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+
+
+@pytest.fixture(scope="session")
+def client() -> Path:
+    """The folder of the built page, built now where its sources are newer."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            return client_folder()
+    except (LoomlightError, Warning) as error:
+        pytest.skip(str(error))
+
+
+@pytest.fixture(scope="session")
+def browser(client: Path) -> Iterator[Any]:
+    """Chromium without a graphics device: what a page does by itself."""
+    with launched(()) as started:
+        yield started
+
+
+@contextmanager
+def launched(options: tuple[str, ...], headless: bool = True) -> Iterator[Any]:
+    """Chromium with further options; skips the test where it or Playwright is missing."""
+    sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+    program = _chromium()
+    if program is None:
+        pytest.skip("chromium is not installed: apt-get install chromium")
+    with sync_api.sync_playwright() as playwright:
+        started = playwright.chromium.launch(
+            executable_path=program, headless=headless, args=[*_QUIET, *options], env=dict(os.environ)
+        )
+        try:
+            yield started
+        finally:
+            started.close()
+
+
+@pytest.fixture(scope="module")
+def served(client: Path) -> Iterator[Served]:
+    """The editor behind a server on loopback, opened for a twill."""
+    yield from serving(client, Access.for_host("127.0.0.1"))
+
+
+@pytest.fixture
+def visit(browser: Any) -> Iterator[Visit]:
+    """A tab with a profile of its own."""
+    with visiting(browser) as one:
+        yield one
+
+
+@contextmanager
+def visiting(browser: Any, **options: Any) -> Iterator[Visit]:
+    """A tab with a profile of its own; its requests and complaints are written down."""
+    context = browser.new_context(viewport={"width": 1280, "height": 800}, **options)
+    one = Visit(context.new_page())
+    one.page.set_default_timeout(15_000)
+    one.page.on("request", lambda request: one.requests.append(request.url))
+    one.page.on("pageerror", lambda error: one.complaints.append(str(error)))
+
+    def note(message: Any) -> None:
+        if message.type in ("error", "warning") and not any(part in message.text for part in _OF_THE_MACHINE):
+            one.complaints.append(message.text)
+
+    one.page.on("console", note)
+    try:
+        yield one
+    finally:
+        context.close()

@@ -1,0 +1,68 @@
+"""The editor's page in a real Chromium, without a graphics device: everything but the picture."""
+
+from __future__ import annotations
+
+import functools
+import gzip
+import http.server
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from loomlight.viewer.site import export_site
+from tests.viewer.conftest import Served
+from tests.viewer.e2e.conftest import AXE, Visit
+
+# Of everything that the page may load, compressed as web servers do.
+LARGEST_BUNDLE = 3 << 20
+
+
+def test_bundle_is_small(client: Path) -> None:
+    size = sum(len(gzip.compress(file.read_bytes(), 6)) for file in client.rglob("*") if file.is_file())
+    assert size < LARGEST_BUNDLE
+
+
+def test_loads_without_a_request_outside_and_without_complaint(served: Served, visit: Visit) -> None:
+    address = f"http://127.0.0.1:{served.port}/"
+    visit.page.goto(address)
+    visit.page.wait_for_load_state("networkidle")
+    assert visit.outside(address) == []
+    assert visit.complaints == []
+    assert any(url.endswith("/api/session") for url in visit.requests)
+
+
+@pytest.fixture
+def plain_server(tmp_path: Path, client: Path) -> Iterator[str]:
+    """A static export behind the plainest of web servers, in a folder of it."""
+    export_site(tmp_path / "cloth", "satin 5/2")
+    handler = functools.partial(http.server.SimpleHTTPRequestHandler, directory=str(tmp_path))
+    handler.log_message = lambda *_: None  # type: ignore[attr-defined]
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
+    thread = threading.Thread(target=server.serve_forever, daemon=True)
+    thread.start()
+    yield f"http://127.0.0.1:{server.server_address[1]}/cloth/"
+    server.shutdown()
+    server.server_close()
+    thread.join()
+
+
+def test_static_folder_needs_no_python(plain_server: str, visit: Visit) -> None:
+    visit.page.goto(plain_server)
+    visit.page.wait_for_load_state("networkidle")
+    assert visit.outside(plain_server) == []
+    assert not any("/api/" in url for url in visit.requests)
+    assert visit.complaints == []
+
+
+@pytest.mark.skipif(not AXE.is_file(), reason="axe-core is not installed: npm install in web/")
+def test_is_accessible(served: Served, visit: Visit) -> None:
+    visit.page.goto(f"http://127.0.0.1:{served.port}/")
+    visit.page.wait_for_load_state("networkidle")
+    # The page's content policy lets no script in; the debugger's evaluation is not bound by it.
+    visit.page.evaluate(AXE.read_text(encoding="utf-8"))
+    found = visit.page.evaluate("axe.run()")
+    assert [
+        (fault["id"], [node["html"][:120] for node in fault["nodes"]]) for fault in found["violations"]
+    ] == []

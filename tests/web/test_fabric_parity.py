@@ -1,0 +1,275 @@
+"""The fabric package of the web clients against this one: drafts, colours, lengths, and what is refused."""
+
+from __future__ import annotations
+
+import base64
+import json
+import os
+import shutil
+import subprocess
+import warnings
+from math import degrees
+from pathlib import Path
+from typing import Any, get_args
+
+import numpy as np
+import pytest
+from annotated_types import Ge, Le
+from numpy.typing import NDArray
+from pydantic import BaseModel
+from pydantic.fields import FieldInfo
+
+from loomlight.core.errors import InputError, LoomlightWarning
+from loomlight.fabric import Fabric, fabric_from_text, load_fabric
+from loomlight.fabric.file import FabricFile
+from loomlight.weave import Draft, load_draft, named_weave
+from loomlight.weave.named import weave_names
+from loomlight.weave.wif_writer import wif_text_of
+
+# By the kind of a question and its text or path.
+Answers = dict[tuple[str, str], dict[str, Any]]
+
+WEB = Path(__file__).parents[2] / "web"
+FIXTURES = sorted((Path(__file__).parents[1] / "weave" / "fixtures").glob("*.wif"))
+# Both compute in double precision; their powers and sums differ in the last bits.
+ROUNDING = 1e-12
+
+# Names of the pages for users, of both directions, without numbers, and at the edges of what can be woven.
+WEAVES = [
+    *weave_names(),
+    *(
+        "tabby",
+        "twill 2/1",
+        "twill 2/2 s",
+        "twill 3/1/1/2 z",
+        "satin 8/3",
+        "satin 5",
+        "sateen 8/3",
+        "satin 16",
+    ),
+    *("basket 3", "basket 2/3", "warp rib 2/3", "weft rib 3/2", "rib 3", "herringbone", "diamond 3/1 5"),
+    *("Waffle16", "crêpe", "dogtooth 4", "houndstooth3", "shepherd's check", "glen-check 2", "LOG CABIN"),
+    *("hairline", "prince of wales", "argyle", "diamond figure", "damask 160", "herringbone 2/1 5", "ogee"),
+]
+REFUSED_WEAVES = [
+    *("satin 8/2", "satin 6", "satin", "twill", "twill 2", "twill 2/0", "twill 99999/1", "houndstooth 0"),
+    *("hounstooth", "hounds-tooth 4", "velvet", "", "waffle 5", "waffle 66", "damask 100", "argyle 33"),
+    *("plain 2", "twill 2/1 q", "basket 1/2/3", "satin 8/3/1", "glen check 129", "diamond figure 40"),
+    *("herringbone 2/2 1", "twill 1/1/1", "pinstripe 2000", "basket 3000"),
+]
+TOML = [
+    'weave = "twill 3/1"',
+    'weave = "plain"\nends_per_cm = 30\n[warp]\ncolor = ["#f00", [0.1, 0.2, 0.3], "#00ff00"]\ngap = 0.1',
+    'weave = "houndstooth"\nepi = 60\nppi = 40.5\nwarp.color = ["#000", "#fff"]\nweft.color = "#888"',
+    'weave = "satin 8/3"\npicks_per_cm = 12\nwarp.count = "Ne 40/2"\nweft.width_mm = 0.3\nwarp.twist_deg = 9',
+    'weave = "sateen 5"\nname = "a \\"b\\"\\n\\u00e9"\n[sheen]\nstrength = 1\n[variation]\nseed = 7',
+    'weave = "gingham 4"\nwarp.color = ["#111", "#222", "#333"]\ngap = 0\nweft.height_scale = 2',
+]
+REFUSED_TOML = [
+    "",
+    "gap = 0.1",
+    "weave = 3",
+    'weave = "plain"\ngap = 0.96',
+    'weave = "plain"\ngap = true',
+    'weave = "plain"\ngap = nan',
+    'weave = "plain"\nroughness = 0.3',
+    'weave = "plain"\nwarp = 3',
+    'weave = "plain"\nwarp.roughness = "0.3"',
+    'weave = "plain"\nwarp.color = []',
+    'weave = "plain"\nwarp.color = "blue"',
+    'weave = "plain"\nwarp.color = [0.1, 2, 0.3]',
+    'weave = "plain"\nwarp.color = ["#fff", 3]',
+    'weave = "houndstooth"\nwarp.count = "40 sheep"',
+    'weave = "plain"\nvariation.seed = 1.0',
+    'weave = "plain"\nvariation.seed = -1',
+    'weave = "plain"\nends_per_cm = 10\nepi = 20',
+    'weave = "plain"\nweft.gap = 0.1\nweft.width_mm = 0.3',
+    'weave = "plain"\ndraft = "a.wif"',
+    'weave = "plain"\nweave = "twill 2/1"',
+    'weave = "plain',
+    'weave = ""',
+    'weave = "satin 5/2"\nwarp.color = ["#000", "#111"]\nsheen.colour = 1',
+]
+
+
+def _ask(questions: list[dict[str, str]]) -> list[dict[str, Any]]:
+    node = shutil.which("node")
+    if node is None or not (WEB / "node_modules").is_dir():
+        pytest.skip("needs Node and `npm install` in web/")
+    done = subprocess.run(
+        [node, "fabric/tools/report.mjs"],
+        cwd=WEB,
+        input=json.dumps(questions),
+        capture_output=True,
+        text=True,
+        timeout=240,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    answers: list[dict[str, Any]] = json.loads(done.stdout)
+    return answers
+
+
+def _wif_files() -> list[Path]:
+    data = os.environ.get("LOOMLIGHT_DATA")
+    outside = sorted(Path(data, "wif").rglob("*.wif")) if data else []
+    return [*FIXTURES, *outside]
+
+
+@pytest.fixture(scope="module")
+def answers() -> Answers:
+    """Answers of the web package by kind and text or path, all of one run of Node."""
+    questions: list[dict[str, str]] = [{"kind": "fields"}]
+    keys = [("fields", "")]
+    for text in (*WEAVES, *REFUSED_WEAVES):
+        questions.append({"kind": "weave", "text": text})
+        keys.append(("weave", text))
+    for text in (*TOML, *REFUSED_TOML):
+        questions.append({"kind": "toml", "text": text})
+        keys.append(("toml", text))
+    for file in _wif_files():
+        content = base64.b64encode(file.read_bytes()).decode()
+        questions.append({"kind": "wif", "name": file.name, "base64": content})
+        keys.append(("wif", str(file)))
+    return dict(zip(keys, _ask(questions), strict=True))
+
+
+def _assert_same(answer: dict[str, Any], fabric: Fabric) -> None:
+    draft = fabric.draft
+    assert "error" not in answer, answer.get("error")
+    assert (answer["ends"], answer["picks"]) == (draft.ends, draft.picks)
+    packed = np.frombuffer(base64.b64decode(answer["drawdown"]), np.uint8)
+    bits = np.unpackbits(packed, count=draft.drawdown.size)
+    assert np.array_equal(bits.astype(bool).reshape(draft.drawdown.shape), draft.drawdown)
+    layout = fabric.layout()
+    for family, bend, threads, lying in (
+        ("warp", answer["bends"][0], draft.warp, layout.warp),
+        ("weft", answer["bends"][1], draft.weft, layout.weft),
+    ):
+        assert threads.colors is not None
+        _assert_close(answer[family], threads.colors)
+        # Widths above the spacing are cut by the layout, later than here.
+        spacing, width = np.split(np.array(answer["lengths"][family]), 2)
+        _assert_close(spacing, np.broadcast_to(lying.spacing, spacing.shape))
+        _assert_close(np.minimum(width, 0.98 * spacing), np.minimum(lying.width, 0.98 * spacing))
+        table = getattr(fabric.fields, family)
+        if table.inclination_deg is None:
+            assert bend["inclinationDeg"] == pytest.approx(degrees(lying.inclination))
+        if table.twist_deg is None:
+            assert bend["twistDeg"] == pytest.approx(degrees(lying.twist))
+
+
+def _assert_close(found: object, expected: NDArray[np.float64]) -> None:
+    values = np.asarray(found, dtype=np.float64).ravel()
+    np.testing.assert_allclose(values, np.ravel(expected), rtol=ROUNDING, atol=ROUNDING)
+
+
+@pytest.mark.parametrize("text", WEAVES)
+def test_named_weaves_are_the_same(answers: Answers, text: str) -> None:
+    answer = answers["weave", text]
+    _assert_same(answer, fabric_from_text(text))
+    assert answer["name"] == named_weave(text).title
+
+
+@pytest.mark.parametrize("text", REFUSED_WEAVES)
+def test_names_that_make_no_weave_are_refused_in_the_same_words(answers: Answers, text: str) -> None:
+    with pytest.raises(InputError) as refusal:
+        named_weave(text)
+    assert answers["weave", text]["error"] == str(refusal.value)
+
+
+@pytest.mark.parametrize("text", TOML)
+def test_fabric_files_are_the_same(answers: Answers, text: str) -> None:
+    answer = answers["toml", text]
+    fabric = fabric_from_text(text)
+    _assert_same(answer, fabric)
+    assert fabric_from_text(answer["written"]).fields == fabric.fields
+
+
+@pytest.mark.parametrize("text", REFUSED_TOML)
+def test_fabric_files_that_cannot_be_are_refused(answers: Answers, text: str) -> None:
+    with pytest.raises(InputError):
+        fabric_from_text(text or "\n=")
+    assert answers["toml", text]["error"]
+
+
+@pytest.mark.parametrize("file", _wif_files(), ids=lambda file: f"{file.parent.name}/{file.stem}")
+def test_weaving_information_files_are_the_same(answers: Answers, file: Path, tmp_path: Path) -> None:
+    answer = answers["wif", str(file)]
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        draft, refusal = _draft_or_refusal(file)
+    if draft is None:
+        # The page knows a file by its name alone.
+        assert answer["error"] == refusal.replace(str(file), file.name)
+        return
+    said = [str(warning.message) for warning in caught if issubclass(warning.category, LoomlightWarning)]
+    assert answer["warnings"] == [text.replace(str(file), file.name) for text in said]
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        _assert_same(answer, load_fabric(file))
+    assert answer["isLoomTrue"]
+    assert answer["isKeptByWriting"]
+    assert answer["notes"] == list(draft.notes)
+    written = tmp_path / file.name
+    written.write_text(answer["written"], newline="")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        # Everything but the line that says which program wrote it.
+        assert _lines(wif_text_of(load_draft(written))) == _lines(wif_text_of(draft))
+
+
+def _draft_or_refusal(file: Path) -> tuple[Draft | None, str]:
+    try:
+        return load_draft(file), ""
+    except InputError as refusal:
+        return None, str(refusal)
+
+
+def _lines(text: str) -> list[str]:
+    return [line for line in text.split("\r\n") if not line.startswith("Source ")]
+
+
+def test_fields_and_ranges_are_those_of_the_fabric_file(
+    answers: Answers,
+) -> None:
+    assert answers["fields", ""] == _table(FabricFile)
+
+
+def _table(model: type[BaseModel]) -> dict[str, Any]:
+    return {name: _kind(field) for name, field in model.model_fields.items()}
+
+
+def _kind(field: FieldInfo) -> dict[str, Any]:
+    if isinstance(field.annotation, type) and issubclass(field.annotation, BaseModel):
+        return {"kind": "table", "fields": _table(field.annotation)}
+    types, notes = _parts(field.annotation)
+    names = {getattr(getattr(note, "func", None), "__name__", "") for note in notes}
+    if bool in types:
+        return {"kind": "boolean"}
+    if "_yarn" in names:
+        return {"kind": "yarn"}
+    low = next((note.ge for note in notes if isinstance(note, Ge)), None)
+    high = next((note.le for note in notes if isinstance(note, Le)), None)
+    if float in types or int in types:
+        return {"kind": "number" if float in types else "integer", "low": low, "high": high}
+    if str in types:
+        return {"kind": "text", "mayBeEmpty": not any(getattr(note, "min_length", 0) for note in notes)}
+    return {"kind": "colours" if "_colours" in names else "colour"}
+
+
+def _parts(annotation: object) -> tuple[set[type], list[Any]]:
+    if isinstance(annotation, type):
+        return {annotation}, []
+    types: set[type] = set()
+    notes: list[Any] = []
+    for part in get_args(annotation):
+        if isinstance(part, FieldInfo):
+            notes += part.metadata
+        elif isinstance(part, type):
+            types.add(part)
+        else:
+            inner, more = _parts(part)
+            types |= inner
+            notes += [part, *more]
+    return types, notes

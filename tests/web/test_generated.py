@@ -1,0 +1,10 @@
+"""What Python writes for the web client is in step with Python."""
+
+from loomlight.realtime.web_constants import web_files
+
+
+def test_generated_files_are_in_step() -> None:
+    for path, text in web_files().items():
+        assert path.read_text(encoding="utf-8") == text, (
+            f"{path.name}: python -m loomlight.realtime.build --web"
+        )

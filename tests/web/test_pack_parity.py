@@ -1,0 +1,184 @@
+"""The web client packs fabrics into the words that the Python package packs them into."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from loomlight.fabric import Fabric, fabric_from_text, load_fabric
+from loomlight.models.lobes.model import DEFAULT_GROUPS
+from loomlight.realtime.bake import BakePlan, _bake_record, _steps, plan_bake
+from loomlight.realtime.layout import numpy_type
+from loomlight.realtime.tables import Packed, pack_fabrics
+from loomlight.weave.draft import Draft, Threads
+
+ROOT = Path(__file__).parents[2]
+WEB = ROOT / "web"
+EXAMPLES = [
+    *sorted((ROOT / "examples").glob("*.toml")),
+    *sorted((ROOT / "examples").glob("*.wif")),
+    *sorted((ROOT / "tests" / "weave" / "fixtures").glob("*.wif"))[:12],
+]
+# Beyond the examples: long floats, thin layers, wide gaps, colours in an order of their own.
+TEXTS = [
+    'weave = "houndstooth 4"\nwarp.color = ["#222222", "#c02040", "#ffffff"]\noptical_depth = 0.5',
+    'weave = "satin 16/5"\nepi = 90\nppi = 60\nwarp.specular = 1\nweft.count = "Ne 30/2"',
+    'weave = "basket 3"\ngap = 0.6\nwarp.inclination_deg = 70\nwarp.height_scale = 1.7\nweft.gap = 0',
+    'weave = "damask 160"\nwarp.color = ["#111", "#777", "#eee", "#900", "#070"]',
+]
+# Both compute in double precision, where sums differ in their last bits, and round to single precision.
+ROUNDING = 3e-7
+UV_SIZE_MM = (90.0, 110.0)
+
+
+@dataclass(frozen=True)
+class Pair:
+    """What Python packs a fabric into, and the bytes of the page's buffers by name."""
+
+    packed: Packed
+    plan: BakePlan
+    page: dict[str, bytes]
+
+
+def _threads(threads: Threads) -> dict[str, Any]:
+    def flat(values: NDArray[Any] | None) -> list[float] | None:
+        return None if values is None else np.ravel(values).tolist()
+
+    return {
+        "colors": flat(threads.colors),
+        "spacingMm": flat(threads.spacing_mm),
+        "thicknessMm": flat(threads.thickness_mm),
+        "colorIndex": flat(threads.color_index),
+    }
+
+
+def _question(fabric: Fabric) -> dict[str, Any]:
+    draft: Draft = fabric.named_draft
+    return {
+        "fields": fabric.fields.model_dump(exclude_none=True),
+        "ends": draft.ends,
+        "picks": draft.picks,
+        "drawdown": "".join("01"[int(up)] for up in draft.drawdown.ravel()),
+        "warp": _threads(draft.warp),
+        "weft": _threads(draft.weft),
+        "uvSizeMm": UV_SIZE_MM,
+    }
+
+
+@pytest.fixture(scope="module")
+def pairs(tmp_path_factory: pytest.TempPathFactory) -> list[Pair]:
+    node = shutil.which("node")
+    if node is None or not (WEB / "node_modules").is_dir():
+        pytest.skip("needs Node, and `npm install` in web/: scripts/setup.sh does both")
+    fabrics = [*map(load_fabric, EXAMPLES), *map(fabric_from_text, TEXTS)]
+    folder = tmp_path_factory.mktemp("packed")
+    (folder / "questions.json").write_text(json.dumps([_question(fabric) for fabric in fabrics]))
+    command = [node, "loomlight-web/tools/pack_report.mjs", str(folder / "questions.json"), str(folder)]
+    subprocess.run(command, cwd=WEB, check=True, timeout=120)
+    result = []
+    for number, fabric in enumerate(fabrics):
+        plan = plan_bake(fabric.layout(), DEFAULT_GROUPS)
+        packed = pack_fabrics([(fabric.layout(), fabric.appearance())], [UV_SIZE_MM], [plan])
+        names = ("fabrics", "families", "words", "bake", "steps")
+        page = {name: (folder / f"{number}.{name}").read_bytes() for name in names}
+        result.append(Pair(packed, plan, page))
+    return result
+
+
+NUMBERS = range(len(EXAMPLES) + len(TEXTS))
+
+
+def _assert_alike(ours: NDArray[np.void], theirs: NDArray[np.void], names: list[str]) -> None:
+    for name in names:
+        one, other = ours[name], theirs[name]
+        if one.dtype.names:
+            _assert_alike(one, other, list(one.dtype.names))
+        elif one.dtype == np.uint32:
+            assert one.tolist() == other.tolist(), name
+        else:
+            np.testing.assert_allclose(other, one, rtol=ROUNDING, atol=1e-12, err_msg=name)
+
+
+@pytest.mark.parametrize("number", NUMBERS)
+def test_records_are_those_of_python(pairs: list[Pair], number: int) -> None:
+    pair = pairs[number]
+    for name, ours in (("fabrics", pair.packed.fabrics), ("families", pair.packed.families)):
+        theirs = np.frombuffer(pair.page[name], ours.dtype)
+        _assert_alike(ours, theirs, list(ours.dtype.names or ()))
+
+
+@pytest.mark.parametrize("number", NUMBERS)
+def test_words_are_those_of_python(pairs: list[Pair], number: int) -> None:
+    """Whole numbers bit for bit, others within rounding; axes of colours are compared by what they make."""
+    packed, page = pairs[number].packed, pairs[number].page
+    ours, theirs = packed.words, np.frombuffer(page["words"], np.uint32)
+    assert ours.size == theirs.size
+    is_compared = np.ones(ours.size, bool)
+    for family in packed.families:
+        is_compared[_colour_words(packed, family)] = False
+    whole = ours == theirs
+    close = np.isclose(ours.view(np.float32), theirs.view(np.float32), rtol=ROUNDING, atol=1e-9)
+    assert (whole | close)[is_compared].all()
+    fabric = packed.fabrics[0]
+    runs = slice(int(fabric["run_words"]), int(fabric["lobes"]["levels"]))
+    assert whole[runs].all()
+
+
+def _colour_words(packed: Packed, family: np.void) -> slice:
+    """Axes, and the tables along them, whose signs are free."""
+    first, others = int(family["colour_axes"]), [int(other["before"]) for other in packed.families]
+    ends = [end for end in (*others, int(packed.fabrics[0]["run_words"])) if end >= first]
+    return slice(first, min(ends))
+
+
+@pytest.mark.parametrize("number", NUMBERS)
+def test_colours_over_footprints_are_those_of_python(pairs: list[Pair], number: int) -> None:
+    """Albedos of every thread, and their integrals over all prefixes of the repeat."""
+    packed, page = pairs[number].packed, pairs[number].page
+    theirs = np.frombuffer(page["words"], np.uint32)
+    fabric = packed.fabrics[0]
+    size = packed.words[int(fabric["run_words"]) : int(fabric["max_heights"])].size // 2
+    for family in packed.families:
+        quantities, count = int(family["quantities"]), int(family["count"])
+        if quantities == 1:
+            continue
+        entries = (size // count + 1) * (count + 1)
+        found = []
+        for words in (packed.words, theirs):
+            numbers = words.view(np.float32)
+            axes = numbers[int(family["colour_axes"]) :][: 12 * (quantities - 1)].reshape(-1, 12)
+            rows = numbers[int(family["colour_threads"]) :][: 3 * quantities * (count + 1)]
+            areas = words[int(family["colour_areas"]) :][: entries * quantities].view(np.int32)
+            found.append(
+                (
+                    rows.reshape(-1, quantities)[:, 1:] @ axes,
+                    areas.reshape(-1, quantities)[:, 1:].astype(np.float64) @ axes,
+                    areas.reshape(-1, quantities)[:, 0],
+                )
+            )
+        (threads, sums, weights), (page_threads, page_sums, page_weights) = found
+        scale = float(family["period"])
+        np.testing.assert_allclose(page_threads, threads, atol=3e-7 * max(scale, 1))
+        # Entries are rounded to whole units, each by half at most.
+        assert np.abs(page_weights.astype(np.int64) - weights).max() <= 1
+        # Axes in single precision of sums of 2e9 units at most: 1e-7 of them.
+        np.testing.assert_allclose(page_sums, sums, atol=500)
+
+
+@pytest.mark.parametrize("number", NUMBERS)
+def test_bakes_are_told_what_python_tells_them(pairs: list[Pair], number: int) -> None:
+    pair = pairs[number]
+    record = _bake_record(pair.plan, pair.packed.fabrics, 0)
+    theirs = np.frombuffer(pair.page["bake"], numpy_type("Bake"))
+    _assert_alike(record, theirs, list(record.dtype.names or ()))
+    steps, their_steps = _steps(pair.plan).ravel(), np.frombuffer(pair.page["steps"], np.uint32)
+    same = steps == their_steps
+    assert (same | np.isclose(steps.view(np.float32), their_steps.view(np.float32), rtol=ROUNDING)).all()

@@ -1,0 +1,257 @@
+/** The whole page. */
+import { useEffect, useRef, useState } from "preact/hooks";
+
+import type { Server } from "./api.ts";
+import { ServerError } from "./api.ts";
+import { Icon } from "./controls/Icon.tsx";
+import { ACCEPTED, download, fabricFiles, MESHES, openFabric, stemOf, wifFile } from "./files.ts";
+import { linkOf } from "./link.ts";
+import { ColourPanel } from "./panels/ColourPanel.tsx";
+import { DraftPanel } from "./panels/DraftPanel.tsx";
+import { FinishPanel } from "./panels/FinishPanel.tsx";
+import { LightPanel } from "./panels/LightPanel.tsx";
+import { WeavePanel } from "./panels/WeavePanel.tsx";
+import { YarnsPanel } from "./panels/YarnsPanel.tsx";
+import { Stage } from "./Stage.tsx";
+import { TABS, type Notice, type Tab } from "./state/document.ts";
+import { fabricForServer } from "./state/fabric_json.ts";
+import type { Store } from "./state/store.ts";
+import { TopBar, type SaveFormat } from "./TopBar.tsx";
+import type { ClothView, SurroundingsPicture } from "./view/cloth_view.ts";
+import type { ClothShape } from "./view/meshes.ts";
+
+interface Props {
+  readonly store: Store;
+  readonly server: Server | null;
+  readonly onView: (view: ClothView | null) => void;
+}
+
+const TAB_NAMES: Readonly<Record<Tab, string>> = {
+  weave: "Weave",
+  draft: "Draft",
+  colour: "Colour",
+  yarns: "Yarns",
+  finish: "Finish",
+  light: "Light",
+};
+/** Pictures of surroundings. */
+const SURROUNDINGS = /\.hdr$/i;
+
+export function App({ store, server, onView }: Props) {
+  const [state, setState] = useState(store.state);
+  const [ownMesh, setOwnMesh] = useState<ClothShape | null>(null);
+  const [surroundings, setSurroundings] = useState<SurroundingsPicture | null>(null);
+  const [isDropping, setDropping] = useState(false);
+  const view = useRef<ClothView | null>(null);
+  const chooser = useRef<HTMLInputElement>(null);
+  const { dispatch } = store;
+
+  useEffect(() => store.subscribe(setState), [store]);
+
+  const tell = (kind: Notice["kind"], text: string): void => dispatch({ type: "notice/add", kind, text });
+
+  /** Runs what may fail with a sentence for the user. */
+  const attempt = async (act: () => Promise<void>): Promise<void> => {
+    try {
+      await act();
+    } catch (error) {
+      tell("fault", error instanceof Error ? error.message : String(error));
+    }
+  };
+
+  const open = (files: readonly File[]): Promise<void> =>
+    attempt(async () => {
+      const mesh = files.find((file) => MESHES.test(file.name));
+      const picture = files.find((file) => SURROUNDINGS.test(file.name));
+      if (mesh !== undefined) {
+        const { readOwnMesh } = await import("./view/own_mesh.ts");
+        setOwnMesh(await readOwnMesh(mesh));
+        dispatch({ type: "scene/set", scene: { shape: "mesh" } });
+      }
+      if (picture !== undefined) {
+        const { readSurroundings } = await import("./view/surroundings_file.ts");
+        setSurroundings(await readSurroundings(picture));
+        dispatch({ type: "scene/set", scene: { surroundings: "picture" } });
+      }
+      const rest = files.filter((file) => file !== mesh && file !== picture);
+      if (rest.length === 0) return;
+      const { fabric, warnings } = await openFabric(rest, server);
+      dispatch({ type: "fabric/open", fabric });
+      for (const warning of warnings.slice(0, 2)) tell("warning", warning);
+    });
+
+  const choose = (accepted: string): void => {
+    const input = chooser.current!;
+    input.accept = accepted;
+    input.value = "";
+    input.click();
+  };
+
+  const save = (format: SaveFormat): Promise<void> =>
+    attempt(async () => {
+      const { fabric } = store.state;
+      if (format === "toml") for (const file of fabricFiles(fabric)) download(file.name, file.content, "application/toml");
+      if (format === "wif") {
+        const file = wifFile(fabric);
+        download(file.name, file.content);
+      }
+      if (format === "png") download(`${stemOf(fabric)}.png`, await pngOf(view.current), "image/png");
+      if (format === "loom") {
+        if (server === null || !server.hasPython)
+          throw new ServerError("A .loom material is baked by Python, and this page runs without it: start `loomlight view`.");
+        tell("done", "Baking the material …");
+        download(`${stemOf(fabric)}.loom`, await server.save("loom", fabricForServer(fabric)), "application/octet-stream");
+      }
+    });
+
+  const copyLink = (): Promise<void> =>
+    attempt(async () => {
+      const link = await linkOf(store.state.fabric);
+      if (link === null)
+        return tell("warning", "This draft is too large for a link: save the fabric and send its files.");
+      history.replaceState(null, "", `#${link}`);
+      try {
+        await navigator.clipboard.writeText(location.href);
+        tell("done", "The link is copied: it carries the whole fabric.");
+      } catch {
+        tell("done", "The page's address now carries the whole fabric: copy it from above.");
+      }
+    });
+
+  useEffect(() => {
+    const onKey = (event: KeyboardEvent): void => {
+      const isText = event.target instanceof HTMLInputElement && event.target.type === "text";
+      if (!(event.ctrlKey || event.metaKey) || isText) return;
+      const key = event.key.toLowerCase();
+      if (key === "z") dispatch({ type: event.shiftKey ? "history/redo" : "history/undo" });
+      else if (key === "y") dispatch({ type: "history/redo" });
+      else if (key === "s") void save("toml");
+      else if (key === "o") choose(ACCEPTED);
+      else return;
+      event.preventDefault();
+    };
+    addEventListener("keydown", onKey);
+    return () => removeEventListener("keydown", onKey);
+  }, []);
+
+  const panels: Readonly<Record<Tab, () => preact.ComponentChildren>> = {
+    weave: () => <WeavePanel fabric={state.fabric} gallery={server?.session.gallery ?? []} dispatch={dispatch} />,
+    draft: () => <DraftPanel fabric={state.fabric} dispatch={dispatch} />,
+    colour: () => <ColourPanel fabric={state.fabric} dispatch={dispatch} />,
+    yarns: () => <YarnsPanel fabric={state.fabric} dispatch={dispatch} />,
+    finish: () => <FinishPanel fabric={state.fabric} dispatch={dispatch} />,
+    light: () => <LightPanel scene={state.scene} dispatch={dispatch} onPicture={() => choose(".hdr")} />,
+  };
+  return (
+    <div
+      class="page"
+      onDragOver={(event) => {
+        event.preventDefault();
+        setDropping(true);
+      }}
+      onDragLeave={(event) => event.relatedTarget === null && setDropping(false)}
+      onDrop={(event) => {
+        event.preventDefault();
+        setDropping(false);
+        void open([...(event.dataTransfer?.files ?? [])]);
+      }}
+    >
+      <TopBar state={state} dispatch={dispatch} hasPython={server?.hasPython ?? false} onOpen={() => choose(ACCEPTED)} onSave={(format) => void save(format)} onLink={() => void copyLink()} />
+      <Stage
+        state={state}
+        dispatch={dispatch}
+        ownMesh={ownMesh}
+        surroundings={surroundings}
+        onMesh={() => choose(".obj,.glb,.gltf")}
+        onView={(made) => {
+          view.current = made;
+          onView(made);
+        }}
+      />
+      <aside class="panel" aria-label="Fabric">
+        <Tabs tab={state.tab} onTab={(tab) => dispatch({ type: "tab/show", tab })} />
+        <div class="panel-body" role="tabpanel" id="panel" aria-labelledby={`tab-${state.tab}`} tabIndex={-1}>
+          {panels[state.tab]()}
+        </div>
+      </aside>
+      <Notices notices={state.notices} onDismiss={(id) => dispatch({ type: "notice/dismiss", id })} />
+      <input
+        ref={chooser}
+        type="file"
+        multiple
+        hidden
+        aria-label="Files to open"
+        data-testid="files"
+        onChange={(event) => void open([...(event.currentTarget.files ?? [])])}
+      />
+      {isDropping && (
+        <div class="dropping" aria-hidden="true">
+          Drop a draft, a fabric or a mesh
+        </div>
+      )}
+    </div>
+  );
+}
+
+function Tabs({ tab, onTab }: { tab: Tab; onTab: (tab: Tab) => void }) {
+  const onKeyDown = (event: KeyboardEvent): void => {
+    const step = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
+    if (step === 0) return;
+    const next = TABS[(TABS.indexOf(tab) + step + TABS.length) % TABS.length]!;
+    onTab(next);
+    document.getElementById(`tab-${next}`)?.focus();
+  };
+  return (
+    <div class="tabs" role="tablist" aria-label="What to change" onKeyDown={onKeyDown}>
+      {TABS.map((each) => (
+        <button
+          key={each}
+          id={`tab-${each}`}
+          type="button"
+          role="tab"
+          aria-selected={each === tab}
+          aria-controls="panel"
+          tabIndex={each === tab ? 0 : -1}
+          data-testid={`tab-${each}`}
+          onClick={() => onTab(each)}
+        >
+          {TAB_NAMES[each]}
+        </button>
+      ))}
+    </div>
+  );
+}
+
+function Notices({ notices, onDismiss }: { notices: readonly Notice[]; onDismiss: (id: number) => void }) {
+  return (
+    <div class="notices" aria-live="polite">
+      {notices.map((notice) => (
+        <NoticeCard key={notice.id} notice={notice} onDismiss={onDismiss} />
+      ))}
+    </div>
+  );
+}
+
+function NoticeCard({ notice, onDismiss }: { notice: Notice; onDismiss: (id: number) => void }) {
+  useEffect(() => {
+    if (notice.kind !== "done") return;
+    const timer = setTimeout(() => onDismiss(notice.id), 5000);
+    return () => clearTimeout(timer);
+  }, [notice.id]);
+  return (
+    <div class={`notice is-${notice.kind}`} role={notice.kind === "fault" ? "alert" : "status"} data-testid={`notice-${notice.kind}`}>
+      <p>{notice.text}</p>
+      <button type="button" class="icon-button" aria-label="Dismiss" onClick={() => onDismiss(notice.id)}>
+        <Icon name="close" />
+      </button>
+    </div>
+  );
+}
+
+async function pngOf(view: ClothView | null): Promise<Blob> {
+  if (view === null) throw new Error("There is no picture yet.");
+  const { width, height, data } = await view.readPixels();
+  const canvas = new OffscreenCanvas(width, height);
+  canvas.getContext("2d")!.putImageData(new ImageData(data, width, height), 0, 0);
+  return canvas.convertToBlob({ type: "image/png" });
+}

@@ -1,0 +1,230 @@
+/** The cloth, with what belongs to looking at it: shapes, distance, the wipe, the frame time. */
+import { useEffect, useRef, useState } from "preact/hooks";
+
+import { Icon } from "./controls/Icon.tsx";
+import { MODELS, nameOf, type Comparison, type Model, type Shape, type State } from "./state/document.ts";
+import type { Dispatch } from "./state/store.ts";
+import { makeView, type ClothView, type SurroundingsPicture } from "./view/cloth_view.ts";
+import { builtInShape, type ClothShape } from "./view/meshes.ts";
+
+interface Props {
+  readonly state: State;
+  readonly dispatch: Dispatch;
+  readonly ownMesh: ClothShape | null;
+  readonly surroundings: SurroundingsPicture | null;
+  /** Chooses a mesh file. */
+  readonly onMesh: () => void;
+  readonly onView: (view: ClothView | null) => void;
+}
+
+const SHAPE_NAMES: readonly (readonly [Shape, string])[] = [
+  ["drape", "Drape"],
+  ["flat", "Swatch"],
+  ["curtain", "Curtain"],
+  ["cylinder", "Roll"],
+  ["sphere", "Ball"],
+  ["mesh", "Yours"],
+];
+
+/** What each model is called, and what it is for the tooltip. */
+export const MODEL_NAMES: Readonly<Record<Model, readonly [string, string]>> = {
+  lobes: ["Filtered", "lobes: averaged over the footprint of each pixel"],
+  "point-1": ["1 sample", "point: one sample a pixel"],
+  "point-3": ["3 samples", "point: three samples a pixel"],
+  "point-256": ["256 samples", "point: 256 samples a pixel"],
+};
+
+export function Stage({ state, dispatch, ownMesh, surroundings, onMesh, onView }: Props) {
+  const host = useRef<HTMLDivElement>(null);
+  const [view, setView] = useState<ClothView | null>(null);
+  const [reason, setReason] = useState<string | null>(null);
+  const [lost, setLost] = useState<string | null>(null);
+  const [piece, setPiece] = useState<ClothShape | null>(null);
+  const [frameMs, setFrameMs] = useState(0);
+  const [zoom, setZoom] = useState(0);
+  const [isTouched, setTouched] = useState(false);
+  const { fabric, scene, comparison } = state;
+
+  useEffect(() => {
+    let made: ClothView | null = null;
+    let isGone = false;
+    void makeView(host.current!).then(({ view: next, reason: why }) => {
+      if (isGone) return next.dispose();
+      made = next;
+      setView(next);
+      setReason(why);
+      onView(next);
+      void next.lost.then((text) => !isGone && setLost(text));
+    });
+    return () => {
+      isGone = true;
+      made?.dispose();
+      onView(null);
+    };
+  }, []);
+
+  useEffect(() => {
+    let isStale = false;
+    if (scene.shape === "mesh") setPiece(ownMesh);
+    else
+      builtInShape(scene.shape).then(
+        (shape) => !isStale && setPiece(shape),
+        (error: Error) => dispatch({ type: "notice/add", kind: "fault", text: error.message }),
+      );
+    return () => void (isStale = true);
+  }, [scene.shape, ownMesh]);
+
+  useEffect(() => {
+    if (view === null || lost !== null) return;
+    try {
+      view.show({ fabric, scene, comparison, piece, surroundings });
+    } catch (error) {
+      dispatch({ type: "notice/add", kind: "fault", text: error instanceof Error ? error.message : String(error) });
+    }
+  }, [view, fabric, scene, comparison, piece, surroundings]);
+
+  useEffect(() => {
+    if (view === null || lost !== null) return;
+    let handle = 0;
+    let told = 0;
+    const draw = (now: number): void => {
+      view.frame();
+      if (now - told > 250) {
+        told = now;
+        setFrameMs(view.statistics().frameMs);
+        setZoom(view.zoom);
+      }
+      handle = requestAnimationFrame(draw);
+    };
+    handle = requestAnimationFrame(draw);
+    return () => cancelAnimationFrame(handle);
+  }, [view, lost]);
+
+  const isWiping = comparison.mode !== "off" && (comparison.mode === "models" || comparison.before !== null);
+  return (
+    <section class="stage" aria-label="Cloth">
+      <div class="stage-view" ref={host} onPointerDown={() => setTouched(true)} onWheel={() => setTouched(true)} />
+      {isWiping && <Wipe comparison={comparison} dispatch={dispatch} right={nameOf(fabric)} />}
+      {lost !== null && <Lost text={lost} />}
+      {reason !== null && lost === null && (
+        <p class="stage-reason" role="status" data-testid="no-webgpu">
+          {reason} Everything else works: drafts, colours, saving.{" "}
+          <a href="https://caniuse.com/webgpu" rel="noreferrer">
+            Which browsers have WebGPU
+          </a>
+        </p>
+      )}
+      <div class="stage-bar">
+        <div class="shapes" role="radiogroup" aria-label="Shape of the cloth">
+          {SHAPE_NAMES.map(([shape, text]) => (
+            <label key={shape} class={shape === scene.shape ? "is-chosen" : ""}>
+              <input
+                type="radio"
+                name="shape"
+                checked={shape === scene.shape}
+                data-testid={`shape-${shape}`}
+                onClick={() => shape === "mesh" && onMesh()}
+                onChange={() => (shape === "mesh" && ownMesh === null ? undefined : dispatch({ type: "scene/set", scene: { shape } }))}
+              />
+              <span>{text}</span>
+            </label>
+          ))}
+        </div>
+        <label class="zoom">
+          <span>room</span>
+          <input
+            type="range"
+            min={0}
+            max={1}
+            step={0.005}
+            value={zoom}
+            aria-label="Distance, from across the room to a single yarn"
+            data-testid="zoom"
+            onInput={(event) => {
+              if (view === null) return;
+              view.zoom = event.currentTarget.valueAsNumber;
+              setZoom(view.zoom);
+              setTouched(true);
+            }}
+          />
+          <span>yarn</span>
+        </label>
+        <button type="button" class="icon-button" aria-label="Show the whole cloth" title="Show the whole cloth" data-testid="frame-whole" onClick={() => view?.frameWhole()}>
+          <Icon name="frame" />
+        </button>
+        <output class="frame-time" title="Time of the last frame" data-testid="frame-time">
+          {frameMs > 0 ? `${frameMs < 10 ? frameMs.toFixed(1) : Math.round(frameMs)} ms` : "–"}
+        </output>
+      </div>
+      {!isTouched && view?.kind === "webgpu" && lost === null && <p class="stage-hint">Drag to turn · scroll to come closer</p>}
+    </section>
+  );
+}
+
+function Wipe({ comparison, dispatch, right }: { comparison: Comparison; dispatch: Dispatch; right: string }) {
+  const frame = useRef<HTMLDivElement>(null);
+  const move = (event: PointerEvent): void => {
+    if (event.buttons === 0) return;
+    const box = frame.current!.getBoundingClientRect();
+    const position = Math.min(Math.max((event.clientX - box.left) / box.width, 0), 1);
+    dispatch({ type: "comparison/set", comparison: { position } });
+  };
+  const isModels = comparison.mode === "models";
+  const left = comparison.before === null ? "" : nameOf(comparison.before);
+  return (
+    <div class="wipe" ref={frame}>
+      <div
+        class="wipe-line"
+        style={{ left: `${comparison.position * 100}%` }}
+        role="slider"
+        tabIndex={0}
+        aria-label="Wipe between before and after"
+        aria-valuemin={0}
+        aria-valuemax={100}
+        aria-valuenow={Math.round(comparison.position * 100)}
+        data-testid="wipe"
+        onPointerDown={(event) => event.currentTarget.setPointerCapture(event.pointerId)}
+        onPointerMove={move}
+        onKeyDown={(event) => {
+          const step = event.key === "ArrowLeft" ? -0.02 : event.key === "ArrowRight" ? 0.02 : 0;
+          if (step === 0) return;
+          event.preventDefault();
+          const position = Math.min(Math.max(comparison.position + step, 0), 1);
+          dispatch({ type: "comparison/set", comparison: { position } });
+        }}
+      />
+      <span class="wipe-name wipe-left">{isModels ? <ModelChoice side="left" comparison={comparison} dispatch={dispatch} /> : `Before: ${left}`}</span>
+      <span class="wipe-name wipe-right">{isModels ? <ModelChoice side="right" comparison={comparison} dispatch={dispatch} /> : `After: ${right}`}</span>
+    </div>
+  );
+}
+
+function ModelChoice({ side, comparison, dispatch }: { side: "left" | "right"; comparison: Comparison; dispatch: Dispatch }) {
+  return (
+    <select
+      aria-label={`Model on the ${side}`}
+      value={comparison[side]}
+      title={MODEL_NAMES[comparison[side]][1]}
+      data-testid={`model-${side}`}
+      onChange={(event) => dispatch({ type: "comparison/set", comparison: { [side]: event.currentTarget.value as Model } })}
+    >
+      {MODELS.map((model) => (
+        <option key={model} value={model}>
+          {MODEL_NAMES[model][0]}
+        </option>
+      ))}
+    </select>
+  );
+}
+
+function Lost({ text }: { readonly text: string }) {
+  return (
+    <div class="stage-lost" role="alert" data-testid="lost">
+      <h2>The graphics device is gone</h2>
+      <p>{text} Your cloth is kept; reload to go on where you were.</p>
+      <button type="button" class="button is-primary" data-testid="reload" onClick={() => location.reload()}>
+        Reload
+      </button>
+    </div>
+  );
+}

@@ -1,0 +1,132 @@
+/**
+ * What the page asks of its server: the session, WIF files, materials and tables of models.
+ *
+ * `loomlight view` serves `api/session`. A static export names `session.json` instead (the `meta` element
+ * `loomlight-session` of the page), and has no Python behind it: `hasPython` is false, and what needs the server
+ * says so. Draft JSON is what `src/loomlight/viewer/draft_json.py` reads and writes.
+ */
+
+/** Draft as JSON; `drawdown` is base64 of its bits, row by row without padding, the first bit highest. */
+export interface DraftJson {
+  name: string;
+  ends: number;
+  picks: number;
+  drawdown: string;
+  warp: ThreadsJson;
+  weft: ThreadsJson;
+  loom: LoomJson | null;
+}
+
+/** Linear RGB in [0, 1] and millimetres of each thread; null where the draft does not say. */
+export interface ThreadsJson {
+  colors: [number, number, number][] | null;
+  spacing_mm: number[] | null;
+  thickness_mm: number[] | null;
+  /** Row of the draft's palette that each thread has; a list of as many colours replaces them in this order. */
+  color_index?: number[] | null;
+}
+
+/** Shafts of each end, shafts of each treadle, treadles of each pick, shafts of each pick; numbers from 1. */
+export interface LoomJson {
+  shafts: number;
+  treadles: number;
+  rising_shed: boolean;
+  threading: number[][];
+  tieup: number[][] | null;
+  treadling: number[][] | null;
+  liftplan: number[][] | null;
+}
+
+/** A fabric: the keys of a fabric file, and the draft that they name, before they colour and repeat it. */
+export interface FabricJson {
+  name: string;
+  fields: Record<string, unknown>;
+  draft: DraftJson;
+}
+
+export interface GalleryEntry extends FabricJson {
+  id: string;
+  description: string;
+  /** A picture of 320 pixels a side, relative to the page. */
+  picture: string | null;
+}
+
+export interface Session {
+  version: 1;
+  has_python: boolean;
+  token: string | null;
+  fabric: FabricJson;
+  gallery: GalleryEntry[];
+  /** Largest file that the server reads, bytes. */
+  largest_upload: number;
+}
+
+/** A request that the server refused, or that did not reach it; the message is one sentence. */
+export class ServerError extends Error {
+  override name = "ServerError";
+}
+
+const GONE = "The server does not answer: start loomlight view again. What you made here is kept.";
+const ALONE = "This page has no Python behind it: run loomlight view for that.";
+
+/** The server, or the static folder, that the page came from. */
+export class Server {
+  readonly session: Session;
+
+  private constructor(session: Session) {
+    this.session = session;
+  }
+
+  /** Reads the session; the page's address may carry the token of a server that is not on this machine. */
+  static async connect(): Promise<Server> {
+    const place = document.querySelector<HTMLMetaElement>('meta[name="loomlight-session"]')?.content ?? "api/session";
+    const response = await reach(place, {});
+    return new Server((await response.json()) as Session);
+  }
+
+  get hasPython(): boolean {
+    return this.session.has_python;
+  }
+
+  /** The draft in a file that only Python reads (pictures, DTX, WPO, TWA), or in a WIF. */
+  async readDraft(file: File): Promise<DraftJson & { warnings: string[] }> {
+    if (file.size > this.session.largest_upload) {
+      const largest = Math.floor(this.session.largest_upload / 2 ** 20);
+      throw new ServerError(`${file.name} is larger than ${largest} MiB; no draft that can be used is.`);
+    }
+    const response = await this.post(`api/wif?name=${encodeURIComponent(file.name)}`, await file.arrayBuffer());
+    return (await response.json()) as DraftJson & { warnings: string[] };
+  }
+
+  /** The bytes of a file of a fabric: a fabric file, a baked material of `model`, or a WIF. */
+  async save(format: "toml" | "loom" | "wif", fabric: FabricJson, model = "lobes"): Promise<Uint8Array<ArrayBuffer>> {
+    const response = await this.post("api/save", JSON.stringify({ format, model, ...fabric }));
+    return new Uint8Array(await response.arrayBuffer());
+  }
+
+  /** Tables that Python bakes, as the bytes of a safetensors file; `model` is "woven" or "clustered". */
+  async tables(model: string, fabric: FabricJson): Promise<Uint8Array<ArrayBuffer>> {
+    const response = await this.post("api/tables", JSON.stringify({ model, ...fabric }));
+    return new Uint8Array(await response.arrayBuffer());
+  }
+
+  private async post(place: string, body: BodyInit): Promise<Response> {
+    if (!this.hasPython) throw new ServerError(ALONE);
+    const token = this.session.token;
+    return reach(place, { method: "POST", body, headers: token === null ? {} : { "X-Loomlight-Token": token } });
+  }
+}
+
+async function reach(place: string, request: RequestInit): Promise<Response> {
+  let response: Response;
+  try {
+    response = await fetch(place, request);
+  } catch {
+    throw new ServerError(GONE);
+  }
+  if (!response.ok) {
+    const refusal = (await response.json().catch(() => null)) as { error?: string } | null;
+    throw new ServerError(refusal?.error ?? `The server answers ${response.status} ${response.statusText}.`);
+  }
+  return response;
+}

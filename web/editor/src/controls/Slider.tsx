@@ -1,0 +1,87 @@
+/** A slider with its number, for one quantity. */
+import { useId, useRef } from "preact/hooks";
+
+import type { Quantity } from "./symbols.ts";
+
+interface Props {
+  readonly field: string;
+  readonly quantity: Quantity;
+  /** What is in use: the fabric's own value or the one that follows from the weave. */
+  readonly value: number;
+  /** Whether the fabric says so itself. */
+  readonly isOwn: boolean;
+  /** `stroke` names the gesture, so that a drag is one step of undo. */
+  readonly onValue: (value: number, stroke: string) => void;
+  readonly onReset?: () => void;
+}
+
+let strokes = 0;
+
+/** A name that no other gesture has. */
+export function newStroke(): string {
+  strokes += 1;
+  return `stroke-${strokes}`;
+}
+
+export function Slider({ field, quantity, value, isOwn, onValue, onReset }: Props) {
+  const id = useId();
+  const stroke = useRef(newStroke());
+  const { label, tip, low, high, step, unit, ends } = quantity;
+  const bounded = Math.min(Math.max(value, low), high);
+  const share = ((bounded - low) / (high - low)) * 100;
+  const enter = (text: string): void => {
+    const number = Number(text.replace(",", "."));
+    if (text.trim() !== "" && Number.isFinite(number)) onValue(number, newStroke());
+  };
+  return (
+    <div class={`slider${isOwn ? " is-own" : ""}`} data-field={field}>
+      <div class="slider-head">
+        <label for={id} class="tip" data-tip={tip}>
+          {label}
+        </label>
+        {isOwn && onReset !== undefined && (
+          <button type="button" class="reset" onClick={onReset} aria-label={`${label}: back to the weave's own`} title="Back to the weave's own">
+            ↺
+          </button>
+        )}
+        <span class="slider-number">
+          <input
+            type="text"
+            inputMode="decimal"
+            value={shownNumber(value, step)}
+            aria-label={`${label}, number`}
+            data-testid={`number-${field}`}
+            onChange={(event) => enter(event.currentTarget.value)}
+          />
+          {unit !== undefined && <span class="unit">{unit}</span>}
+        </span>
+      </div>
+      <input
+        id={id}
+        type="range"
+        min={low}
+        max={high}
+        step={step}
+        value={bounded}
+        title={tip}
+        aria-description={tip}
+        data-testid={`field-${field}`}
+        style={{ "--share": `${share}%` }}
+        onPointerDown={() => (stroke.current = newStroke())}
+        onKeyDown={() => (stroke.current = `key-${field}`)}
+        onInput={(event) => onValue(event.currentTarget.valueAsNumber, stroke.current)}
+      />
+      {ends !== undefined && (
+        <div class="slider-ends" aria-hidden="true">
+          <span>{ends[0]}</span>
+          <span>{ends[1]}</span>
+        </div>
+      )}
+    </div>
+  );
+}
+
+function shownNumber(value: number, step: number): string {
+  const digits = step >= 1 ? (Number.isInteger(value) ? 0 : 1) : step >= 0.1 ? 1 : 2;
+  return value.toFixed(digits);
+}

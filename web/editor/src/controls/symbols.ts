@@ -1,0 +1,160 @@
+/** What each slider is called by a weaver, what the equations call it, and its range. */
+import { DIFFUSE_BLEND, GAP, HEIGHT_SCALE, OPTICAL_DEPTH, ROUGHNESS, SPECULAR, TRANSLUCENCY } from "loomlight-fabric";
+
+export interface Quantity {
+  /** A weaver's word. */
+  readonly label: string;
+  /** The symbol in the equations and what it is, for the tooltip. */
+  readonly tip: string;
+  readonly low: number;
+  readonly high: number;
+  readonly step: number;
+  readonly unit?: string;
+  /** Words at the two ends of the slider. */
+  readonly ends?: readonly [string, string];
+  /** Used where neither the fabric nor the weave says otherwise. */
+  readonly standard: number;
+}
+
+/** Of one family of yarns, by the field's name. */
+export const YARN_QUANTITIES: Readonly<Record<string, Quantity>> = {
+  specular: {
+    label: "Lustre",
+    tip: "kₛ: strength of the fibres' highlight",
+    low: 0,
+    high: 1,
+    step: 0.01,
+    ends: ["dull", "bright"],
+    standard: SPECULAR,
+  },
+  roughness: {
+    label: "Hairiness",
+    tip: "α: spread of the fibres' directions (roughness)",
+    low: 0.01,
+    high: 1,
+    step: 0.01,
+    ends: ["silk", "wool"],
+    standard: ROUGHNESS,
+  },
+  height_scale: {
+    label: "Relief",
+    tip: "β: multiplies the heights of the yarns",
+    low: 0.01,
+    high: 2,
+    step: 0.01,
+    ends: ["pressed", "raised"],
+    standard: HEIGHT_SCALE,
+  },
+  inclination_deg: {
+    label: "Crimp",
+    tip: "U: slope of a float's ends, degrees",
+    low: 0,
+    high: 80,
+    step: 1,
+    unit: "°",
+    ends: ["lies straight", "dives"],
+    standard: 24,
+  },
+  twist_deg: {
+    label: "Twist",
+    tip: "ψ: angle of the fibres to the yarn; negative is Z",
+    low: -89,
+    high: 89,
+    step: 1,
+    unit: "°",
+    ends: ["Z", "S"],
+    standard: 0,
+  },
+  gap: {
+    label: "Openness",
+    tip: "Gap: share of a thread's spacing that stays open",
+    low: 0,
+    high: 0.95,
+    step: 0.01,
+    ends: ["closed", "sheer"],
+    standard: GAP,
+  },
+  translucency: {
+    label: "Translucency",
+    tip: "Share of the scattered light that passes through",
+    low: 0,
+    high: 1,
+    step: 0.01,
+    ends: ["opaque", "glows"],
+    standard: TRANSLUCENCY,
+  },
+};
+
+/** Of the whole cloth, by the field's dotted name. */
+export const CLOTH_QUANTITIES: Readonly<Record<string, Quantity>> = {
+  ends_per_cm: {
+    label: "Ends per cm",
+    tip: "Sett: warp threads per centimetre",
+    low: 1,
+    high: 150,
+    step: 0.5,
+    standard: 20,
+  },
+  picks_per_cm: {
+    label: "Picks per cm",
+    tip: "Weft threads per centimetre",
+    low: 1,
+    high: 150,
+    step: 0.5,
+    standard: 20,
+  },
+  "sheen.strength": {
+    label: "Nap",
+    tip: "Sheen: fly-away fibres that catch light at the edge",
+    low: 0,
+    high: 1,
+    step: 0.01,
+    ends: ["clean", "velvet"],
+    standard: 0,
+  },
+  "sheen.roughness": {
+    label: "Length of the nap",
+    tip: "Roughness of the sheen: how far it spreads from the outline",
+    low: 0,
+    high: 1,
+    step: 0.01,
+    ends: ["short", "long"],
+    standard: 0.4,
+  },
+  "variation.colour_noise": {
+    label: "Uneven dye",
+    tip: "Spread of the colour from thread to thread",
+    low: 0,
+    high: 1,
+    step: 0.01,
+    ends: ["even", "hand-dyed"],
+    standard: 0,
+  },
+  "variation.fibre_noise": {
+    label: "Sparkle",
+    tip: "How much the highlight varies from fibre to fibre",
+    low: 0,
+    high: 1,
+    step: 0.01,
+    ends: ["smooth", "lively"],
+    standard: 0,
+  },
+  diffuse_blend: {
+    label: "Roundness in the shade",
+    tip: "w: how much diffuse light follows the yarn's own normal rather than the cloth's",
+    low: 0,
+    high: 1,
+    step: 0.01,
+    ends: ["flat", "round"],
+    standard: DIFFUSE_BLEND,
+  },
+  optical_depth: {
+    label: "Density of fibres",
+    tip: "Tρ: optical depth of the fibre layer",
+    low: 0.05,
+    high: 10,
+    step: 0.05,
+    ends: ["loose", "dense"],
+    standard: OPTICAL_DEPTH,
+  },
+};

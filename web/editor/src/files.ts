@@ -1,0 +1,137 @@
+/** Files that are opened, dropped on the page, and saved. */
+import {
+  draftFromJson,
+  draftOfPixels,
+  InputError,
+  loadDraft,
+  readToml,
+  readWif,
+  requireInterlacing,
+  writeToml,
+  writeWif,
+  type Draft,
+  type FabricFields,
+} from "loomlight-fabric";
+
+import type { Server } from "./api.ts";
+import { draftFile } from "./reducers/draft.ts";
+import { isNamed, nameOf, woven, type Fabric } from "./state/document.ts";
+
+const PICTURES = /\.(png|jpe?g|gif|bmp|webp)$/i;
+/** Drafts of other programs, which Python reads. */
+const OTHER_DRAFTS = /\.(dtx|wpo|twa|tiff?)$/i;
+/** Larger than any draft that can be used: 64 MiB, as Python reads. */
+const LARGEST = 64 * 2 ** 20;
+
+/** A file that is a mesh. */
+export const MESHES = /\.(obj|glb|gltf|ply)$/i;
+/** What the dialogue offers. */
+export const ACCEPTED = ".toml,.wif,.dtx,.wpo,.twa,.png,.obj,.glb,.hdr";
+
+export interface Opened {
+  readonly fabric: Fabric;
+  readonly warnings: readonly string[];
+}
+
+/**
+ * The fabric of files that belong together: a fabric file and its draft, or a draft alone.
+ *
+ * @throws InputError no such files, or ones that cannot be used; the message names the file.
+ */
+export async function openFabric(files: readonly File[], server: Server | null): Promise<Opened> {
+  const warnings: string[] = [];
+  const warn = (text: string): number => warnings.push(text);
+  const toml = files.find((file) => /\.toml$/i.test(file.name));
+  const draft = files.find((file) => file !== toml);
+  for (const file of files)
+    if (file.size > LARGEST)
+      throw new InputError(`${file.name} is larger than ${LARGEST >> 20} MiB; no draft or fabric that can be used is.`);
+  if (toml !== undefined) {
+    const text = await toml.text();
+    const fields = speakingOf(toml.name, () => readToml(text));
+    if (fields.weave !== undefined) return { fabric: { fields, draft: speakingOf(toml.name, () => loadDraft(fields)) }, warnings };
+    const named = fields.draft ?? fields.image ?? "";
+    if (draft === undefined)
+      throw new InputError(`${toml.name} needs its draft, ${named}: open both files together.`);
+    return { fabric: { fields, draft: await readDraft(draft, server, warn) }, warnings };
+  }
+  if (draft === undefined) throw new InputError("No file was chosen.");
+  const read = await readDraft(draft, server, warn);
+  const fields: FabricFields = PICTURES.test(draft.name) ? { image: draft.name } : { draft: draft.name };
+  return { fabric: { fields, draft: read }, warnings };
+}
+
+async function readDraft(file: File, server: Server | null, warn: (text: string) => void): Promise<Draft> {
+  const draft = await draftOfFile(file, server, warn);
+  return speakingOf(file.name, () => {
+    requireInterlacing(draft);
+    return draft;
+  });
+}
+
+async function draftOfFile(file: File, server: Server | null, warn: (text: string) => void): Promise<Draft> {
+  if (/\.wif$/i.test(file.name)) return readWif(new Uint8Array(await file.arrayBuffer()), file.name, warn);
+  if (PICTURES.test(file.name)) return draftOfPicture(file);
+  if (OTHER_DRAFTS.test(file.name)) {
+    if (server === null || !server.hasPython)
+      throw new InputError(`${file.name} is read by \`loomlight view\`, which this page runs without: export it as .wif.`);
+    const { warnings, ...json } = await server.readDraft(file);
+    warnings.forEach(warn);
+    return draftFromJson(json);
+  }
+  throw new InputError(`${file.name} is neither a fabric (.toml) nor a draft (.wif or a picture of a drawdown).`);
+}
+
+async function draftOfPicture(file: File): Promise<Draft> {
+  let bitmap: ImageBitmap;
+  try {
+    bitmap = await createImageBitmap(file);
+  } catch {
+    throw new InputError(`${file.name} is no picture that this browser reads.`);
+  }
+  const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+  const context = canvas.getContext("2d")!;
+  context.drawImage(bitmap, 0, 0);
+  const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+  return draftOfPixels(data, bitmap.width, bitmap.height, file.name);
+}
+
+function speakingOf<T>(file: string, read: () => T): T {
+  try {
+    return read();
+  } catch (error) {
+    if (error instanceof InputError && !error.message.includes(file)) throw new InputError(`${file}: ${error.message}`);
+    throw error;
+  }
+}
+
+/** File names without what file systems dislike. */
+export function stemOf(fabric: Fabric): string {
+  return draftFile(nameOf(fabric)).replace(/\.wif$/, "");
+}
+
+/** The fabric file, and beside it the draft where no weave's name stands for it. */
+export function fabricFiles(fabric: Fabric): { name: string; content: string }[] {
+  const stem = stemOf(fabric);
+  if (isNamed(fabric)) return [{ name: `${stem}.toml`, content: writeToml(fabric.fields) }];
+  const { image: _, ...fields } = fabric.fields;
+  return [
+    { name: `${stem}.toml`, content: writeToml({ ...fields, draft: `${stem}.wif` }) },
+    { name: `${stem}.wif`, content: writeWif(fabric.draft) },
+  ];
+}
+
+/** The draft with the colours of every thread, as a weaving information file. */
+export function wifFile(fabric: Fabric): { name: string; content: string } {
+  return { name: `${stemOf(fabric)}.wif`, content: writeWif({ ...woven(fabric), name: nameOf(fabric) }) };
+}
+
+/** Hands a file to the browser's downloads. */
+export function download(name: string, content: BlobPart, type = "text/plain"): void {
+  const address = URL.createObjectURL(new Blob([content], { type }));
+  const link = document.createElement("a");
+  link.href = address;
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(address), 10_000);
+}

@@ -1,0 +1,179 @@
+/** Colours: the palette of each family, bars of its threads, and its order as weavers write it. */
+import { coloursInUse, FAMILIES, InputError, threadHexes, type FamilyName } from "loomlight-fabric";
+import { useEffect, useRef, useState } from "preact/hooks";
+
+import { newStroke } from "../controls/Slider.tsx";
+import { woven, type Fabric } from "../state/document.ts";
+import type { Dispatch } from "../state/store.ts";
+import { Brush } from "./Brush.tsx";
+import { orderText, parseOrder } from "./colour_order.ts";
+
+interface Props {
+  readonly fabric: Fabric;
+  readonly dispatch: Dispatch;
+}
+
+const TITLES: Readonly<Record<FamilyName, string>> = { warp: "Warp", weft: "Weft" };
+/** Colours of a family that are listed one by one. */
+const MOST_LISTED = 16;
+
+export function ColourPanel({ fabric, dispatch }: Props) {
+  const [brush, setBrush] = useState<string | null>(null);
+  const hexes = { warp: threadHexes(woven(fabric), "warp"), weft: threadHexes(woven(fabric), "weft") };
+  const colour = brush ?? hexes.weft[0] ?? "#ffffff";
+  return (
+    <>
+      <Brush fabric={fabric} value={colour} onValue={setBrush} />
+      {FAMILIES.map((family) => (
+        <Family key={family} family={family} hexes={hexes[family]} brush={colour} fabric={fabric} dispatch={dispatch} />
+      ))}
+      <button
+        type="button"
+        class="button"
+        data-testid="colours-exchange"
+        onClick={() => {
+          const stroke = newStroke();
+          const { warp, weft } = hexes;
+          dispatch({ type: "colour/order", family: "warp", hexes: weft, stroke });
+          dispatch({ type: "colour/order", family: "weft", hexes: warp, stroke });
+        }}
+      >
+        Exchange warp and weft
+      </button>
+    </>
+  );
+}
+
+interface FamilyProps extends Props {
+  readonly family: FamilyName;
+  readonly hexes: readonly string[];
+  readonly brush: string;
+}
+
+function Family({ family, hexes, brush, dispatch }: FamilyProps) {
+  const used = coloursInUse(hexes);
+  const stroke = useRef(newStroke());
+  return (
+    <section class="group">
+      <h2>{TITLES[family]}</h2>
+      <ThreadBar family={family} hexes={hexes} brush={brush} dispatch={dispatch} />
+      <ul class="palette">
+        {used.slice(0, MOST_LISTED).map(({ hex, count }, index) => (
+          <li key={index}>
+            <label>
+              <input
+                type="color"
+                value={hex}
+                aria-label={`${TITLES[family]} colour ${index + 1}`}
+                data-testid={`colour-${family}-${index}`}
+                onPointerDown={() => (stroke.current = newStroke())}
+                onInput={(event) =>
+                  dispatch({ type: "colour/swap", family, from: hex, to: event.currentTarget.value, stroke: stroke.current })
+                }
+              />
+              <code>{hex}</code>
+            </label>
+            <span class="hint">
+              {count} {count === 1 ? "thread" : "threads"}
+            </span>
+          </li>
+        ))}
+        {used.length > MOST_LISTED && <li class="hint">and {used.length - MOST_LISTED} more</li>}
+      </ul>
+      <Order family={family} hexes={hexes} brush={brush} dispatch={dispatch} />
+    </section>
+  );
+}
+
+type PartProps = Omit<FamilyProps, "fabric">;
+
+/** The threads of one repeat side by side: drag along it to paint. */
+function ThreadBar({ family, hexes, brush, dispatch }: PartProps) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const stroke = useRef("");
+  useEffect(() => {
+    const { current } = canvas;
+    const context = current!.getContext("2d")!;
+    const { width, height } = current!;
+    hexes.forEach((hex, thread) => {
+      const left = Math.round((thread * width) / hexes.length);
+      context.fillStyle = hex;
+      context.fillRect(left, 0, Math.round(((thread + 1) * width) / hexes.length) - left, height);
+      if (width / hexes.length < 8) return;
+      context.fillStyle = "rgb(0 0 0 / 14%)";
+      context.fillRect(left, 0, 1, height);
+    });
+  }, [hexes]);
+  const paint = (event: PointerEvent): void => {
+    const box = canvas.current!.getBoundingClientRect();
+    const thread = Math.floor(((event.clientX - box.left) / box.width) * hexes.length);
+    if (thread < 0 || thread >= hexes.length || hexes[thread] === brush) return;
+    dispatch({ type: "colour/paint", family, thread, hex: brush, stroke: stroke.current });
+  };
+  return (
+    <canvas
+      ref={canvas}
+      class="thread-bar"
+      width={680}
+      height={40}
+      role="img"
+      aria-label={`Colours of ${hexes.length} ${family === "warp" ? "ends" : "picks"} of a repeat; drag to paint them, or write their order below`}
+      data-testid={`threads-${family}`}
+      onPointerDown={(event) => {
+        stroke.current = newStroke();
+        event.currentTarget.setPointerCapture(event.pointerId);
+        paint(event);
+      }}
+      onPointerMove={(event) => event.buttons !== 0 && paint(event)}
+    />
+  );
+}
+
+/** The order as weavers write it: "4a 4b" is four threads of the first colour, four of the second. */
+function Order({ family, hexes, brush, dispatch }: PartProps) {
+  const written = orderText(hexes);
+  const [text, setText] = useState(written);
+  const [fault, setFault] = useState("");
+  useEffect(() => {
+    setText(written);
+    setFault("");
+  }, [written]);
+  const apply = (): void => {
+    try {
+      dispatch({ type: "colour/order", family, hexes: parseOrder(text, hexes, brush) });
+      setFault("");
+    } catch (error) {
+      if (!(error instanceof InputError)) throw error;
+      setFault(error.message);
+    }
+  };
+  return (
+    <form
+      class="row"
+      onSubmit={(event) => {
+        event.preventDefault();
+        apply();
+      }}
+    >
+      <label class="tip" for={`order-${family}`} data-tip="4a 4b: four threads of the first colour, four of the second; z is the colour you paint with">
+        Order
+      </label>
+      <input
+        id={`order-${family}`}
+        class="text"
+        type="text"
+        value={text}
+        aria-invalid={fault !== ""}
+        data-testid={`order-${family}`}
+        onInput={(event) => setText(event.currentTarget.value)}
+        onChange={apply}
+      />
+      {fault !== "" && (
+        <span class="fault" role="alert">
+          {fault}
+        </span>
+      )}
+    </form>
+  );
+}
+

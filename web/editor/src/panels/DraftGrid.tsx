@@ -1,0 +1,221 @@
+/** The draft as weaving software draws it, on a canvas; each part is edited by pointer and by keys. */
+import { loomOf, threadHexes, type LoomPlan } from "loomlight-fabric";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
+
+import { newStroke } from "../controls/Slider.tsx";
+import { woven, type Fabric } from "../state/document.ts";
+import type { Dispatch } from "../state/store.ts";
+import { cellAt, described, isFilled, layoutOf, nextPart, placeOf, stepped, type Cell, type Layout } from "./draft_grid.ts";
+
+interface Props {
+  readonly fabric: Fabric;
+  readonly dispatch: Dispatch;
+  readonly firstEnd: number;
+  readonly firstPick: number;
+  /** The colour that thread bars are painted with. */
+  readonly brush: string;
+  /** Screen pixels a cell. */
+  readonly cell: number;
+}
+
+interface Colours {
+  readonly warp: readonly string[];
+  readonly weft: readonly string[];
+}
+
+export function DraftGrid({ fabric, dispatch, firstEnd, firstPick, brush, cell: size }: Props) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const draft = woven(fabric);
+  const loom = useMemo(() => loomOf(draft), [draft]);
+  const layout = useMemo(() => layoutOf(draft, loom, firstEnd, firstPick), [draft, loom, firstEnd, firstPick]);
+  const [cursor, setCursor] = useState<Cell>({ part: "drawdown", column: 0, row: 0 });
+  const [isFocused, setFocused] = useState(false);
+  const drag = useRef<{ stroke: string; isOn: boolean; last: string; cell: Cell } | null>(null);
+
+  useEffect(() => {
+    const colours = { warp: threadHexes(draft, "warp"), weft: threadHexes(draft, "weft") };
+    draw(canvas.current!, fabric, loom, layout, colours, size, isFocused ? cursor : null);
+  }, [fabric, loom, layout, size, cursor, isFocused, draft]);
+
+  const edit = (cell: Cell, isOn: boolean, stroke: string): void => {
+    const end = firstEnd + cell.column;
+    const pick = firstPick + cell.row;
+    switch (cell.part) {
+      case "drawdown":
+        return dispatch({ type: "draft/crossing", pick, end, isUp: isOn, stroke });
+      case "threading":
+        return dispatch({ type: "draft/thread", end, shaft: cell.row + 1, stroke });
+      case "tieup":
+        return dispatch({ type: "draft/tie", treadle: cell.column, shaft: cell.row + 1, isIn: isOn, stroke });
+      case "treadling":
+        return dispatch({ type: "draft/press", pick, treadle: cell.column + 1, stroke });
+      case "liftplan":
+        return dispatch({ type: "draft/lift", pick, shaft: cell.column + 1, isIn: isOn, stroke });
+      case "warp":
+        return dispatch({ type: "colour/paint", family: "warp", thread: end, hex: brush, stroke });
+      case "weft":
+        return dispatch({ type: "colour/paint", family: "weft", thread: pick, hex: brush, stroke });
+    }
+  };
+
+  const cellOf = (event: PointerEvent): Cell | null => {
+    const box = canvas.current!.getBoundingClientRect();
+    return cellAt(layout, (event.clientX - box.left) / size, (event.clientY - box.top) / size);
+  };
+
+  const onPointerDown = (event: PointerEvent): void => {
+    const cell = cellOf(event);
+    if (cell === null || event.button !== 0) return;
+    canvas.current!.setPointerCapture(event.pointerId);
+    const isOn = !isFilled(draft, loom, layout, cell);
+    drag.current = { stroke: newStroke(), isOn, last: key(cell), cell };
+    setCursor(cell);
+    edit(cell, isOn, drag.current.stroke);
+  };
+
+  const onPointerMove = (event: PointerEvent): void => {
+    const dragged = drag.current;
+    const cell = cellOf(event);
+    if (dragged === null || cell === null || cell.part !== dragged.cell.part || key(cell) === dragged.last) return;
+    dragged.last = key(cell);
+    edit(cell, dragged.isOn, dragged.stroke);
+  };
+
+  const onKeyDown = (event: KeyboardEvent): void => {
+    const moves: Readonly<Record<string, readonly [number, number]>> = {
+      ArrowLeft: [-1, 0],
+      ArrowRight: [1, 0],
+      ArrowUp: [0, 1],
+      ArrowDown: [0, -1],
+    };
+    const move = moves[event.key];
+    if (move !== undefined) setCursor(stepped(layout, cursor, ...move));
+    else if (event.key === "PageDown") setCursor(nextPart(layout, cursor, 1));
+    else if (event.key === "PageUp") setCursor(nextPart(layout, cursor, -1));
+    else if (event.key === " " || event.key === "Enter") edit(cursor, !isFilled(draft, loom, layout, cursor), newStroke());
+    else return;
+    event.preventDefault();
+  };
+
+  const said = described(layout, cursor, isFilled(draft, loom, layout, cursor));
+  return (
+    <div class="draft-scroll">
+      <canvas
+        ref={canvas}
+        class="draft-grid"
+        tabIndex={0}
+        role="application"
+        aria-label={`Draft of ${draft.ends} ends and ${draft.picks} picks. Arrow keys move, space changes a cell, page up and down change the part.`}
+        aria-describedby="draft-cell"
+        data-testid="draft-grid"
+        data-cell={size}
+        onPointerDown={onPointerDown}
+        onPointerMove={onPointerMove}
+        onPointerUp={() => (drag.current = null)}
+        onPointerCancel={() => (drag.current = null)}
+        onKeyDown={onKeyDown}
+        onFocus={() => setFocused(true)}
+        onBlur={() => setFocused(false)}
+      />
+      <p id="draft-cell" class="visually-hidden" aria-live="polite">
+        {isFocused ? said : ""}
+      </p>
+    </div>
+  );
+}
+
+const key = (cell: Cell): string => `${cell.part} ${cell.column} ${cell.row}`;
+
+const INK = "#2b3552";
+const PAPER = "#fffdf8";
+const LINE = "#dcd4c4";
+const FIFTH = "#bfb49e";
+
+function draw(
+  canvas: HTMLCanvasElement,
+  fabric: Fabric,
+  loom: LoomPlan,
+  layout: Layout,
+  colours: Colours,
+  size: number,
+  cursor: Cell | null,
+): void {
+  const draft = woven(fabric);
+  const ratio = Math.min(devicePixelRatio, 2);
+  const [width, height] = [layout.columns * size + 1, layout.rows * size + 1];
+  canvas.style.width = `${width}px`;
+  canvas.style.height = `${height}px`;
+  canvas.width = width * ratio;
+  canvas.height = height * ratio;
+  const context = canvas.getContext("2d")!;
+  context.scale(ratio, ratio);
+  const { firstEnd, firstPick } = layout.window;
+  for (const box of layout.boxes) {
+    for (let row = 0; row < box.rows; row++)
+      for (let column = 0; column < box.columns; column++) {
+        const cell: Cell = { part: box.part, column, row };
+        const isOn = isFilled(draft, loom, layout, cell);
+        const [x, y] = [(box.left + column) * size, (box.top + box.rows - 1 - row) * size];
+        context.fillStyle =
+          box.part === "drawdown"
+            ? ((isOn ? colours.warp[firstEnd + column] : colours.weft[firstPick + row]) ?? PAPER)
+            : box.part === "warp"
+              ? (colours.warp[firstEnd + column] ?? PAPER)
+              : box.part === "weft"
+                ? (colours.weft[firstPick + row] ?? PAPER)
+                : PAPER;
+        context.fillRect(x, y, size, size);
+        if (box.part === "drawdown") yarnEdge(context, isOn, x, y, size);
+        else if (isOn && box.part !== "warp" && box.part !== "weft") mark(context, x, y, size);
+      }
+    lines(context, box, size);
+  }
+  const place = cursor === null ? null : placeOf(layout, cursor);
+  if (place !== null) {
+    context.strokeStyle = "#b4552d";
+    context.lineWidth = 2;
+    context.strokeRect(place.x * size, place.y * size, size, size);
+  }
+}
+
+/** Dark edges along the thread on top tell which one it is, whatever the colours are. */
+function yarnEdge(context: CanvasRenderingContext2D, isWarp: boolean, x: number, y: number, size: number): void {
+  context.fillStyle = "rgb(0 0 0 / 22%)";
+  const edge = Math.max(1, size * 0.14);
+  if (isWarp) {
+    context.fillRect(x, y, edge, size);
+    context.fillRect(x + size - edge, y, edge, size);
+  } else {
+    context.fillRect(x, y, size, edge);
+    context.fillRect(x, y + size - edge, size, edge);
+  }
+}
+
+function mark(context: CanvasRenderingContext2D, x: number, y: number, size: number): void {
+  context.fillStyle = INK;
+  const inset = size * 0.16;
+  context.beginPath();
+  context.roundRect(x + inset, y + inset, size - 2 * inset, size - 2 * inset, size * 0.16);
+  context.fill();
+}
+
+function lines(
+  context: CanvasRenderingContext2D,
+  box: { left: number; top: number; columns: number; rows: number },
+  size: number,
+): void {
+  context.lineWidth = 1;
+  const [left, top] = [box.left * size + 0.5, box.top * size + 0.5];
+  const [right, bottom] = [left + box.columns * size, top + box.rows * size];
+  const line = (isFifth: boolean, from: [number, number], to: [number, number]): void => {
+    context.strokeStyle = isFifth ? FIFTH : LINE;
+    context.beginPath();
+    context.moveTo(...from);
+    context.lineTo(...to);
+    context.stroke();
+  };
+  for (let column = 0; column <= box.columns; column++)
+    line(column % 4 === 0, [left + column * size, top], [left + column * size, bottom]);
+  for (let row = 0; row <= box.rows; row++)
+    line(row % 4 === 0, [left, bottom - row * size], [right, bottom - row * size]);
+}

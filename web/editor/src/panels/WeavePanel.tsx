@@ -1,0 +1,164 @@
+/** The gallery: whole fabrics, and weaves by name as tiles drawn as drawdowns. */
+import { loadDraft, type Draft } from "loomlight-fabric";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
+
+import type { GalleryEntry } from "../api.ts";
+import { woven, type Fabric } from "../state/document.ts";
+import { fabricFromJson } from "../state/fabric_json.ts";
+import type { Dispatch } from "../state/store.ts";
+import { clothPicture } from "../view/cloth_picture.ts";
+
+interface Props {
+  readonly fabric: Fabric;
+  readonly gallery: readonly GalleryEntry[];
+  readonly dispatch: Dispatch;
+}
+
+const GROUPS: readonly (readonly [string, readonly string[]])[] = [
+  ["Plain", ["plain", "basket 2/2", "warp rib 2/2", "weft rib 2/2", "crepe", "waffle 8"]],
+  ["Twill", ["twill 2/1", "twill 2/2", "twill 3/1", "twill 1/3 s", "twill 3/1/1/2", "herringbone 2/2 8", "diamond 2/2 8"]],
+  ["Satin", ["satin 5/2", "satin 8/3", "sateen 5/2", "sateen 8/3"]],
+  ["Colour and weave", ["houndstooth 4", "shepherd's check 12", "glen check 2", "gingham 8", "log cabin 8", "hairline", "pinstripe 12", "denim", "chambray"]],
+  ["Figured", ["argyle 64", "diamond figure 96", "damask 160"]],
+];
+/** Threads of a weave that a tile shows, each way. */
+const TILE_THREADS = 24;
+const TILE_SIDE = 96;
+
+export function WeavePanel({ fabric, gallery, dispatch }: Props) {
+  const current = fabric.fields.weave ?? "";
+  const [name, setName] = useState(current);
+  useEffect(() => setName(current), [current]);
+  return (
+    <>
+      <section class="group">
+        <h2>Fabrics</h2>
+        <div class="tiles tiles-wide">
+          {gallery.map((entry) => (
+            <FabricTile key={entry.id} entry={entry} onChoose={(opened) => dispatch({ type: "fabric/open", fabric: opened })} />
+          ))}
+        </div>
+      </section>
+      <section class="group">
+        <h2>Weaves</h2>
+        <form
+          class="row"
+          onSubmit={(event) => {
+            event.preventDefault();
+            if (name.trim() !== "") dispatch({ type: "weave/choose", weave: name });
+          }}
+        >
+          <label class="tip" for="weave-name" data-tip="Any weave by its name, with your own numbers: twill 5/1/1/1 s, satin 12/5, houndstooth 6">
+            By name
+          </label>
+          <input
+            id="weave-name"
+            class="text"
+            type="text"
+            value={name}
+            placeholder="twill 3/1/1/2 s"
+            data-testid="weave-name"
+            onInput={(event) => setName(event.currentTarget.value)}
+          />
+          <button type="submit" class="button" data-testid="weave-apply">
+            Weave
+          </button>
+        </form>
+        {GROUPS.map(([title, weaves]) => (
+          <div key={title}>
+            <h3>{title}</h3>
+            <div class="tiles">
+              {weaves.map((weave) => (
+                <WeaveTile
+                  key={weave}
+                  weave={weave}
+                  isChosen={weave === current}
+                  onChoose={() => dispatch({ type: "weave/choose", weave })}
+                />
+              ))}
+            </div>
+          </div>
+        ))}
+      </section>
+    </>
+  );
+}
+
+function WeaveTile({ weave, isChosen, onChoose }: { weave: string; isChosen: boolean; onChoose: () => void }) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  useEffect(() => drawDrawdown(canvas.current!, loadDraft({ weave })), [weave]);
+  return (
+    <button type="button" class={`tile${isChosen ? " is-chosen" : ""}`} aria-pressed={isChosen} data-testid={`weave-${weave.replace(/[ /]/g, "-")}`} onClick={onChoose}>
+      <canvas ref={canvas} width={TILE_SIDE} height={TILE_SIDE} aria-hidden="true" />
+      <span>{weave}</span>
+    </button>
+  );
+}
+
+/** The drawdown: filled where the warp is on top, in the thread on top's colour where the weave brings colours. */
+function drawDrawdown(canvas: HTMLCanvasElement, draft: Draft): void {
+  const context = canvas.getContext("2d")!;
+  const isFigured = draft.ends > 3 * TILE_THREADS;
+  const hasColours = draft.palette !== null;
+  const threads = isFigured ? draft.ends : hasColours ? Math.max(TILE_THREADS, Math.min(draft.ends, 48)) : smallTile(draft);
+  const cell = TILE_SIDE / threads;
+  context.fillStyle = "#fffdf8";
+  context.fillRect(0, 0, TILE_SIDE, TILE_SIDE);
+  for (let pick = 0; pick < threads; pick++)
+    for (let end = 0; end < threads; end++) {
+      const [row, column] = [pick % draft.picks, end % draft.ends];
+      const isUp = draft.drawdown[row * draft.ends + column] === 1;
+      context.fillStyle = hasColours
+        ? css((isUp ? draft.warp : draft.weft).colors!, isUp ? column : row)
+        : isUp
+          ? "#2f3f66"
+          : "#fffdf8";
+      const [left, top] = [Math.round(end * cell), Math.round(TILE_SIDE - (pick + 1) * cell)];
+      context.fillRect(left, top, Math.round((end + 1) * cell) - left, Math.round(TILE_SIDE - pick * cell) - top);
+    }
+}
+
+/** So many threads that small repeats are seen a few times in large cells. */
+function smallTile(draft: Draft): number {
+  const repeat = Math.max(draft.ends, draft.picks);
+  return repeat <= 4 ? 12 : repeat <= 8 ? 16 : TILE_THREADS;
+}
+
+function css(colors: Float64Array, thread: number): string {
+  const encoded = [0, 1, 2].map((axis) => Math.round(255 * colors[thread * 3 + axis]! ** (1 / 2.2)));
+  return `rgb(${encoded.join(" ")})`;
+}
+
+function FabricTile({ entry, onChoose }: { entry: GalleryEntry; onChoose: (fabric: Fabric) => void }) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const fabric = useMemo(() => fabricFromJson({ fields: entry.fields, draft: entry.draft }), [entry]);
+  useEffect(() => {
+    const draft = woven(fabric);
+    // A corner of figured cloth: the whole of it would be dots.
+    const side = Math.min(draft.ends, 16);
+    const corner = cropped(draft, side, Math.min(draft.picks, 12));
+    const picture = clothPicture(corner, { pixels: Math.max(4, Math.round(128 / side)), gap: { warp: 0.06, weft: 0.06 } });
+    const tile = document.createElement("canvas");
+    tile.width = picture.width;
+    tile.height = picture.height;
+    tile.getContext("2d")!.putImageData(new ImageData(picture.rgba, picture.width, picture.height), 0, 0);
+    const context = canvas.current!.getContext("2d")!;
+    const pattern = context.createPattern(tile, "repeat")!;
+    context.fillStyle = pattern;
+    context.fillRect(0, 0, canvas.current!.width, canvas.current!.height);
+  }, [fabric]);
+  return (
+    <button type="button" class="tile" title={entry.description} data-testid={`fabric-${entry.id}`} onClick={() => onChoose(fabric)}>
+      <canvas ref={canvas} width={160} height={100} aria-hidden="true" />
+      <span>{entry.name}</span>
+    </button>
+  );
+}
+
+function cropped(draft: Draft, ends: number, picks: number): Draft {
+  if (ends === draft.ends && picks === draft.picks) return draft;
+  const drawdown = new Uint8Array(ends * picks);
+  for (let pick = 0; pick < picks; pick++)
+    drawdown.set(draft.drawdown.subarray(pick * draft.ends, pick * draft.ends + ends), pick * ends);
+  return { ...draft, ends, picks, drawdown };
+}

@@ -1,0 +1,141 @@
+/** Warp and weft yarns: how they shine, how they lie, how thick they are. */
+import { bendsOf, familySpacing, familyWidth, FAMILIES, threadsPerCm, yarnTex, type FamilyName } from "loomlight-fabric";
+import { useState } from "preact/hooks";
+
+import { Segmented } from "../controls/Segmented.tsx";
+import { Slider } from "../controls/Slider.tsx";
+import { CLOTH_QUANTITIES, YARN_QUANTITIES } from "../controls/symbols.ts";
+import { woven, type Fabric } from "../state/document.ts";
+import type { Dispatch } from "../state/store.ts";
+
+interface Props {
+  readonly fabric: Fabric;
+  readonly dispatch: Dispatch;
+}
+
+type Choice = FamilyName | "both";
+
+export function YarnsPanel({ fabric, dispatch }: Props) {
+  const [choice, choose] = useState<Choice>("both");
+  const families = choice === "both" ? FAMILIES : [choice];
+  return (
+    <>
+      <Segmented
+        label="Which yarns"
+        testid="yarns"
+        choices={[
+          ["both", "Both"],
+          ["warp", "Warp"],
+          ["weft", "Weft"],
+        ]}
+        value={choice}
+        onChoose={choose}
+      />
+      <section class="group">
+        <h2>Sett</h2>
+        {choice !== "weft" && <SettSlider fabric={fabric} dispatch={dispatch} family="warp" />}
+        {choice !== "warp" && <SettSlider fabric={fabric} dispatch={dispatch} family="weft" />}
+      </section>
+      <section class="group">
+        <h2>Yarn</h2>
+        <CountField fabric={fabric} dispatch={dispatch} families={families} />
+        {["gap", "twist_deg", "specular", "roughness", "translucency"].map((key) => (
+          <YarnSlider key={key} fabric={fabric} dispatch={dispatch} families={families} name={key} />
+        ))}
+      </section>
+      <section class="group">
+        <h2>How it lies</h2>
+        {["height_scale", "inclination_deg"].map((key) => (
+          <YarnSlider key={key} fabric={fabric} dispatch={dispatch} families={families} name={key} />
+        ))}
+      </section>
+    </>
+  );
+}
+
+function SettSlider({ fabric, dispatch, family }: Props & { readonly family: FamilyName }) {
+  const field = family === "warp" ? "ends_per_cm" : "picks_per_cm";
+  const own = threadsPerCm(fabric.fields, family);
+  const spacing = familySpacing(fabric.fields, family, woven(fabric));
+  const value = (10 * spacing.length) / spacing.reduce((sum, length) => sum + length, 0);
+  return (
+    <Slider
+      field={field}
+      quantity={CLOTH_QUANTITIES[field]!}
+      value={value}
+      isOwn={own !== null}
+      onValue={(number, stroke) => dispatch({ type: "field/set", field, value: number, stroke })}
+      onReset={() => {
+        dispatch({ type: "field/set", field, value: undefined });
+        dispatch({ type: "field/set", field: family === "warp" ? "epi" : "ppi", value: undefined });
+      }}
+    />
+  );
+}
+
+interface FamiliesProps extends Props {
+  readonly families: readonly FamilyName[];
+}
+
+function YarnSlider({ fabric, dispatch, families, name }: FamiliesProps & { readonly name: string }) {
+  const family = families[0]!;
+  const value = valueOf(fabric, family, name);
+  const isOwn = families.some((each) => (fabric.fields[each] as Record<string, unknown> | undefined)?.[name] !== undefined);
+  const label = families.length === 2 ? "both" : family;
+  return (
+    <Slider
+      field={`${label}.${name}`}
+      quantity={YARN_QUANTITIES[name]!}
+      value={value}
+      isOwn={isOwn}
+      onValue={(number, stroke) => {
+        for (const each of families) dispatch({ type: "field/set", field: `${each}.${name}`, value: number, stroke });
+      }}
+      onReset={() => {
+        for (const each of families) dispatch({ type: "field/set", field: `${each}.${name}`, value: undefined, stroke: "reset" });
+      }}
+    />
+  );
+}
+
+/** A quantity as it is in use: the family's own, or what follows from the weave and the draft. */
+function valueOf(fabric: Fabric, family: FamilyName, name: string): number {
+  const own = (fabric.fields[family] as Record<string, unknown> | undefined)?.[name];
+  if (typeof own === "number") return own;
+  const draft = woven(fabric);
+  if (name === "gap") {
+    const spacing = familySpacing(fabric.fields, family, draft);
+    const width = familyWidth(fabric.fields, family, draft, spacing);
+    return Math.min(Math.max(1 - width[0]! / spacing[0]!, 0), 0.95);
+  }
+  if (name === "inclination_deg") return bendsOf(draft)[family].inclinationDeg;
+  if (name === "twist_deg") return bendsOf(draft)[family].twistDeg;
+  return YARN_QUANTITIES[name]!.standard;
+}
+
+function CountField({ fabric, dispatch, families }: FamiliesProps) {
+  const count = fabric.fields[families[0]!]?.count ?? "";
+  const tex = count === "" ? null : `${Math.round(yarnTex(count))} tex`;
+  const label = families.length === 2 ? "both" : families[0]!;
+  return (
+    <div class="row">
+      <label class="tip" data-tip="Gives the width of a cotton yarn of that count, in place of the openness" for={`count-${label}`}>
+        Yarn count
+      </label>
+      <input
+        id={`count-${label}`}
+        class="text"
+        type="text"
+        placeholder="30 tex, Ne 40/2 …"
+        value={count}
+        data-testid={`field-${label}.count`}
+        onChange={(event) => {
+          const text = event.currentTarget.value.trim();
+          for (const each of families)
+            dispatch({ type: "field/set", field: `${each}.count`, value: text === "" ? undefined : text, stroke: `count-${text}` });
+        }}
+      />
+      {tex !== null && <span class="hint">{tex}</span>}
+    </div>
+  );
+}

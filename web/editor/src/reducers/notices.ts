@@ -1,0 +1,17 @@
+/** Sentences that the page tells: faults, warnings, and what was done. */
+import type { Notice } from "../state/document.ts";
+
+/** More would cover the cloth. */
+const MOST = 4;
+
+/** The notices with one more; one that is there already is not told twice. */
+export function withNotice(notices: readonly Notice[], kind: Notice["kind"], text: string): readonly Notice[] {
+  const others = notices.filter((notice) => notice.text !== text);
+  const id = notices.reduce((most, notice) => Math.max(most, notice.id), 0) + 1;
+  return [...others, { id, kind, text }].slice(-MOST);
+}
+
+/** The notices without one. */
+export function withoutNotice(notices: readonly Notice[], id: number): readonly Notice[] {
+  return notices.filter((notice) => notice.id !== id);
+}

@@ -1,0 +1,123 @@
+/** The one document of the page: everything that a view shows is a function of it. */
+import { colouredDraft, type Draft, type FabricFields } from "loomlight-fabric";
+
+/** A fabric: its fields, and the draft that they name, before they colour and repeat it. */
+export interface Fabric {
+  readonly fields: FabricFields;
+  readonly draft: Draft;
+}
+
+/** The pieces of cloth that can be shown. */
+export const SHAPES = ["drape", "flat", "curtain", "cylinder", "sphere", "mesh"] as const;
+export type Shape = (typeof SHAPES)[number];
+
+/** What lights the cloth beside the lamp. */
+export type Surroundings = "studio" | "window" | "sky" | "none" | "picture";
+
+export interface Scene {
+  readonly shape: Shape;
+  /** Where the lamp stands, degrees: azimuth 0 in front, 90 to the right; elevation 90 above. */
+  readonly lampAzimuth: number;
+  readonly lampElevation: number;
+  /** Of the lamp and of the surroundings, 0 to 2; 1 as designed. */
+  readonly lampStrength: number;
+  readonly surroundings: Surroundings;
+  readonly surroundingsStrength: number;
+  /** Degrees about the vertical. */
+  readonly surroundingsTurn: number;
+  /** Stops. */
+  readonly exposure: number;
+}
+
+/** How colours are computed: filtered over each pixel, or by so many samples of points in it. */
+export const MODELS = ["lobes", "point-1", "point-3", "point-256"] as const;
+export type Model = (typeof MODELS)[number];
+
+export interface Comparison {
+  readonly mode: "off" | "fabrics" | "models";
+  /** Where the wipe stands, 0 to 1 from the left. */
+  readonly position: number;
+  /** The fabric to the left of the wipe; null until one is kept. */
+  readonly before: Fabric | null;
+  readonly left: Model;
+  readonly right: Model;
+}
+
+export const TABS = ["weave", "draft", "colour", "yarns", "finish", "light"] as const;
+export type Tab = (typeof TABS)[number];
+
+export interface Notice {
+  readonly id: number;
+  readonly kind: "fault" | "warning" | "done";
+  readonly text: string;
+}
+
+/** Fabrics that undo and redo walk over. */
+export interface History {
+  readonly past: readonly Fabric[];
+  readonly future: readonly Fabric[];
+  /** The gesture that made the present fabric: a drag of a slider is one step. */
+  readonly stroke: string | null;
+}
+
+export interface State {
+  readonly fabric: Fabric;
+  readonly history: History;
+  readonly scene: Scene;
+  readonly comparison: Comparison;
+  readonly tab: Tab;
+  readonly notices: readonly Notice[];
+}
+
+export const FIRST_SCENE: Scene = {
+  shape: "drape",
+  lampAzimuth: -39,
+  lampElevation: 45,
+  lampStrength: 1,
+  surroundings: "studio",
+  surroundingsStrength: 1,
+  surroundingsTurn: 0,
+  exposure: 0,
+};
+
+export const FIRST_COMPARISON: Comparison = {
+  mode: "off",
+  position: 0.5,
+  before: null,
+  left: "point-1",
+  right: "lobes",
+};
+
+/** The state with which the page begins. */
+export function firstState(fabric: Fabric): State {
+  return {
+    fabric,
+    history: { past: [], future: [], stroke: null },
+    scene: FIRST_SCENE,
+    comparison: FIRST_COMPARISON,
+    tab: "weave",
+    notices: [],
+  };
+}
+
+const wovenOf = new WeakMap<Fabric, Draft>();
+
+/** The draft in its colours, as it is woven: its repeat may be longer than that of the named draft. */
+export function woven(fabric: Fabric): Draft {
+  let draft = wovenOf.get(fabric);
+  if (draft === undefined) {
+    draft = colouredDraft(fabric.draft, fabric.fields);
+    wovenOf.set(fabric, draft);
+  }
+  return draft;
+}
+
+/** What to call a fabric. */
+export function nameOf(fabric: Fabric): string {
+  return fabric.fields.name ?? (fabric.draft.name || fabric.fields.weave || "Untitled cloth");
+}
+
+/** Whether the fields name the draft by a weave's name, so that the fabric file alone holds it. */
+export function isNamed(fabric: Fabric): boolean {
+  return fabric.fields.weave !== undefined;
+}

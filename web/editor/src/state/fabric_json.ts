@@ -1,0 +1,34 @@
+/** Fabrics as JSON: of the server, of the page's address, and of what the browser keeps. */
+import { draftFromJson, draftToJson, loadDraft, validateFields, type DraftJson } from "loomlight-fabric";
+
+import type { Fabric } from "./document.ts";
+import { isNamed, nameOf } from "./document.ts";
+
+/** A fabric; a draft that the fields name by a weave's name may be left out. */
+export interface StoredFabric {
+  readonly fields: Record<string, unknown>;
+  readonly draft?: DraftJson | null;
+}
+
+/**
+ * The fabric of its JSON.
+ *
+ * @throws InputError fields or a draft that cannot be.
+ */
+export function fabricFromJson(json: StoredFabric): Fabric {
+  const fields = validateFields(json.fields);
+  // A named weave knows the roles of its colours better than its JSON.
+  const draft = fields.weave !== undefined || json.draft == null ? loadDraft(fields) : draftFromJson(json.draft);
+  return { fields, draft };
+}
+
+/** The fabric as JSON, as short as it can be. */
+export function fabricToJson(fabric: Fabric): StoredFabric {
+  const fields = { ...fabric.fields } as Record<string, unknown>;
+  return isNamed(fabric) ? { fields } : { fields, draft: draftToJson(fabric.draft) };
+}
+
+/** The fabric as the server takes it, with its whole draft. */
+export function fabricForServer(fabric: Fabric): { name: string; fields: Record<string, unknown>; draft: DraftJson } {
+  return { name: nameOf(fabric), fields: { ...fabric.fields }, draft: draftToJson(fabric.draft) };
+}

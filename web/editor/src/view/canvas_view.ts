@@ -1,0 +1,213 @@
+/** The flat view: yarns and colours of the draft on a 2D canvas, without light models. */
+import { familySpacing, familyWidth } from "loomlight-fabric";
+
+import { woven, type Fabric } from "../state/document.ts";
+import { clothPicture } from "./cloth_picture.ts";
+import type { ClothView, Pixels, Shown, ViewStatistics } from "./cloth_view.ts";
+
+/** Pixels of the picture of one repeat along its longer side, about. */
+const PICTURE_SIDE = 1200;
+/** Screen pixels a thread: of the farthest and the closest view. */
+const FARTHEST = 1.5;
+const CLOSEST = 90;
+
+export class CanvasView implements ClothView {
+  readonly kind = "canvas";
+  readonly lost = new Promise<string>(() => undefined);
+  private readonly canvas = document.createElement("canvas");
+  private readonly pictures = new WeakMap<Fabric, HTMLCanvasElement[]>();
+  private readonly resizing: ResizeObserver;
+  private shown: Shown | null = null;
+  private isStale = true;
+  private frames = 0;
+  private frameMs = 0;
+  /** Screen pixels a thread, in CSS pixels, and where the pattern begins. */
+  private scale = 12;
+  private offset = { x: 0, y: 0 };
+
+  constructor(host: HTMLElement) {
+    this.canvas.className = "cloth-canvas";
+    this.canvas.tabIndex = 0;
+    this.canvas.setAttribute("role", "img");
+    this.canvas.dataset["testid"] = "cloth";
+    host.append(this.canvas);
+    this.resizing = new ResizeObserver(() => this.resize());
+    this.resizing.observe(host);
+    this.listen();
+    this.resize();
+  }
+
+  show(shown: Shown): void {
+    this.shown = shown;
+    this.canvas.setAttribute("aria-label", `The cloth, flat: ${woven(shown.fabric).ends} ends and ${woven(shown.fabric).picks} picks a repeat`);
+    this.isStale = true;
+  }
+
+  resize(): void {
+    const ratio = Math.min(devicePixelRatio, 2);
+    const { clientWidth, clientHeight } = this.canvas;
+    this.canvas.width = Math.max(1, Math.round(clientWidth * ratio));
+    this.canvas.height = Math.max(1, Math.round(clientHeight * ratio));
+    this.isStale = true;
+  }
+
+  get zoom(): number {
+    return Math.log(this.scale / FARTHEST) / Math.log(CLOSEST / FARTHEST);
+  }
+
+  set zoom(zoom: number) {
+    this.zoomTo(FARTHEST * (CLOSEST / FARTHEST) ** zoom, this.canvas.clientWidth / 2, this.canvas.clientHeight / 2);
+  }
+
+  frameWhole(): void {
+    this.scale = 12;
+    this.offset = { x: 0, y: 0 };
+    this.isStale = true;
+  }
+
+  frame(): void {
+    if (!this.isStale || this.shown === null) return;
+    const began = performance.now();
+    this.isStale = false;
+    const context = this.canvas.getContext("2d")!;
+    const { width, height } = this.canvas;
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.clearRect(0, 0, width, height);
+    const { fabric, comparison } = this.shown;
+    const before = comparison.mode === "fabrics" ? comparison.before : null;
+    const margin = Math.round(Math.min(width, height) * 0.07);
+    const swatch = { x: margin, y: margin, width: width - 2 * margin, height: height - 2.4 * margin };
+    context.save();
+    context.shadowColor = "rgb(60 45 20 / 35%)";
+    context.shadowBlur = margin * 0.5;
+    context.shadowOffsetY = margin * 0.16;
+    context.fillStyle = "#777";
+    context.fillRect(swatch.x, swatch.y, swatch.width, swatch.height);
+    context.restore();
+    const split = before === null ? 0 : Math.min(Math.max(width * comparison.position, swatch.x), swatch.x + swatch.width);
+    if (before !== null) this.fill(context, before, swatch.x, swatch.y, split - swatch.x, swatch.height);
+    const left = Math.max(swatch.x, split);
+    this.fill(context, fabric, left, swatch.y, swatch.x + swatch.width - left, swatch.height);
+    this.frames++;
+    this.frameMs = performance.now() - began;
+  }
+
+  readPixels(): Promise<Pixels> {
+    this.frame();
+    const { width, height } = this.canvas;
+    const { data } = this.canvas.getContext("2d")!.getImageData(0, 0, width, height);
+    return Promise.resolve({ width, height, data });
+  }
+
+  statistics(): ViewStatistics {
+    return { kind: "canvas", frameMs: this.frameMs, frames: this.frames, isComplete: !this.isStale };
+  }
+
+  dispose(): void {
+    this.resizing.disconnect();
+    this.canvas.remove();
+  }
+
+  private fill(
+    context: CanvasRenderingContext2D,
+    fabric: Fabric,
+    x: number,
+    y: number,
+    width: number,
+    height: number,
+  ): void {
+    if (width <= 0) return;
+    const draft = woven(fabric);
+    const ratio = this.canvas.width / Math.max(1, this.canvas.clientWidth);
+    const levels = this.picturesOf(fabric);
+    const wanted = (this.scale * ratio * draft.ends) / 1;
+    const level = levels.findLast((picture) => picture.width >= wanted) ?? levels[0]!;
+    const pattern = context.createPattern(level, "repeat")!;
+    const across = wanted / level.width;
+    const { warp, weft } = meanSpacings(fabric);
+    const along = (across * (weft / warp) * draft.picks * level.width) / (draft.ends * level.height);
+    // Pick 1 lies at the bottom of the swatch.
+    const bottom = this.canvas.height - Math.round(Math.min(this.canvas.width, this.canvas.height) * 0.07) * 1.4;
+    pattern.setTransform(new DOMMatrix([across, 0, 0, along, this.offset.x * ratio, bottom + this.offset.y * ratio]));
+    context.imageSmoothingQuality = "high";
+    context.fillStyle = pattern;
+    context.fillRect(x, y, width, height);
+  }
+
+  /** The picture of one repeat and its halves, finest first. */
+  private picturesOf(fabric: Fabric): HTMLCanvasElement[] {
+    let levels = this.pictures.get(fabric);
+    if (levels === undefined) {
+      const draft = woven(fabric);
+      const pixels = Math.min(Math.max(Math.floor(PICTURE_SIDE / Math.max(draft.ends, draft.picks)), 2), 40);
+      const { width, height, rgba } = clothPicture(draft, { pixels, gap: gapsOf(fabric) });
+      const finest = canvasOf(width, height);
+      finest.getContext("2d")!.putImageData(new ImageData(rgba, width, height), 0, 0);
+      levels = [finest];
+      for (let last = finest; Math.min(last.width, last.height) >= 8; ) {
+        const half = canvasOf(Math.ceil(last.width / 2), Math.ceil(last.height / 2));
+        half.getContext("2d")!.drawImage(last, 0, 0, half.width, half.height);
+        levels.push(half);
+        last = half;
+      }
+      this.pictures.set(fabric, levels);
+    }
+    return levels;
+  }
+
+  private zoomTo(scale: number, x: number, y: number): void {
+    const bounded = Math.min(Math.max(scale, FARTHEST), CLOSEST);
+    const ratio = bounded / this.scale;
+    const bottom = this.canvas.clientHeight - Math.min(this.canvas.clientWidth, this.canvas.clientHeight) * 0.098;
+    this.offset = { x: x - (x - this.offset.x) * ratio, y: y - bottom - (y - bottom - this.offset.y) * ratio };
+    this.scale = bounded;
+    this.isStale = true;
+  }
+
+  private listen(): void {
+    this.canvas.addEventListener(
+      "wheel",
+      (event) => {
+        event.preventDefault();
+        this.zoomTo(this.scale * 1.0015 ** -event.deltaY, event.offsetX, event.offsetY);
+      },
+      { passive: false },
+    );
+    this.canvas.addEventListener("pointerdown", (event) => this.canvas.setPointerCapture(event.pointerId));
+    this.canvas.addEventListener("pointermove", (event) => {
+      if (event.buttons === 0) return;
+      this.offset = { x: this.offset.x + event.movementX, y: this.offset.y + event.movementY };
+      this.isStale = true;
+    });
+    this.canvas.addEventListener("keydown", (event) => {
+      if (event.key === "+" || event.key === "=") this.zoom = Math.min(this.zoom + 0.05, 1);
+      if (event.key === "-") this.zoom = Math.max(this.zoom - 0.05, 0);
+    });
+  }
+}
+
+function canvasOf(width: number, height: number): HTMLCanvasElement {
+  const canvas = document.createElement("canvas");
+  canvas.width = width;
+  canvas.height = height;
+  return canvas;
+}
+
+function meanSpacings(fabric: Fabric): { warp: number; weft: number } {
+  const draft = woven(fabric);
+  const mean = (values: Float64Array): number => values.reduce((sum, value) => sum + value, 0) / values.length;
+  return {
+    warp: mean(familySpacing(fabric.fields, "warp", draft)),
+    weft: mean(familySpacing(fabric.fields, "weft", draft)),
+  };
+}
+
+function gapsOf(fabric: Fabric): { warp: number; weft: number } {
+  const draft = woven(fabric);
+  const gap = (family: "warp" | "weft"): number => {
+    const spacing = familySpacing(fabric.fields, family, draft);
+    const width = familyWidth(fabric.fields, family, draft, spacing);
+    return Math.min(Math.max(1 - width[0]! / spacing[0]!, 0.02), 0.95);
+  };
+  return { warp: gap("warp"), weft: gap("weft") };
+}

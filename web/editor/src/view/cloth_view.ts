@@ -1,0 +1,84 @@
+/** What shows the cloth: by WebGPU, or where that is missing as a flat picture of its yarns. */
+import type { Comparison, Fabric, Scene } from "../state/document.ts";
+import type { ClothShape } from "./meshes.ts";
+
+/** What a view shows. */
+export interface Shown {
+  readonly fabric: Fabric;
+  readonly scene: Scene;
+  readonly comparison: Comparison;
+  /** The piece of cloth; null while it loads. */
+  readonly piece: ClothShape | null;
+  /** The user's own surroundings, if the scene asks for them. */
+  readonly surroundings: SurroundingsPicture | null;
+}
+
+/** An equirectangular picture: linear RGB [height·width·3], the top row first. */
+export interface SurroundingsPicture {
+  readonly width: number;
+  readonly height: number;
+  readonly pixels: Float32Array;
+}
+
+/** Pixels of what is shown: sRGB, 0 to 255 [height·width·4], the top row first. */
+export interface Pixels {
+  readonly width: number;
+  readonly height: number;
+  readonly data: Uint8ClampedArray<ArrayBuffer>;
+}
+
+export interface ViewStatistics {
+  readonly kind: "webgpu" | "canvas";
+  /** Milliseconds of the last frame. */
+  readonly frameMs: number;
+  /** Frames that were drawn. */
+  readonly frames: number;
+  /** Whether the picture is as fine as it gets. */
+  readonly isComplete: boolean;
+  readonly [name: string]: unknown;
+}
+
+export interface ClothView {
+  readonly kind: "webgpu" | "canvas";
+  /** Takes over what changed; drawn by the next `frame`. */
+  show(shown: Shown): void;
+  /** The element's size changed. */
+  resize(): void;
+  /** Draws if there is anything new to draw. */
+  frame(): void;
+  /** 0 is across the room, 1 a single yarn. */
+  zoom: number;
+  /** The camera as it began. */
+  frameWhole(): void;
+  readPixels(): Promise<Pixels>;
+  statistics(): ViewStatistics;
+  /** Resolves with a sentence once the view can draw no more. */
+  readonly lost: Promise<string>;
+  dispose(): void;
+}
+
+/** A view in an element, and why it is no WebGPU if it is none. */
+export interface Made {
+  readonly view: ClothView;
+  readonly reason: string | null;
+}
+
+/** Makes the best view that the browser has. */
+export async function makeView(host: HTMLElement): Promise<Made> {
+  const { CanvasView } = await import("./canvas_view.ts");
+  if (!("gpu" in navigator))
+    return {
+      view: new CanvasView(host),
+      reason: "This browser has no WebGPU, so the cloth is shown flat, by its yarns and colours.",
+    };
+  try {
+    const { WebGpuView } = await import("./webgpu_view.ts");
+    return { view: await WebGpuView.create(host), reason: null };
+  } catch (error) {
+    const said = error instanceof Error ? ` (${error.message.split("\n")[0]})` : "";
+    return {
+      view: new CanvasView(host),
+      reason: `WebGPU does not start in this browser${said}, so the cloth is shown flat, by its yarns and colours.`,
+    };
+  }
+}

@@ -1,0 +1,116 @@
+/** A mesh of the user's own: OBJ, GLB and glTF by three.js' loaders, which are fetched when one is opened. */
+import { InputError } from "loomlight-fabric";
+import type { Mesh } from "loomlight-web";
+
+import { ownShape, type ClothShape } from "./meshes.ts";
+
+/** The side, in millimetres, that a mesh is taken to have where its unit is unlikely to be the metre. */
+const LIKELY_MM = 600;
+
+/**
+ * The mesh in a file, all its parts as one piece of cloth.
+ *
+ * @throws InputError no mesh, one without triangles, or one without uv, which place the weave.
+ */
+export async function readOwnMesh(file: File): Promise<ClothShape> {
+  const mesh = merged(await geometriesOf(file), file.name);
+  return scaled(mesh);
+}
+
+interface Geometry {
+  readonly attributes: Readonly<Record<string, { readonly array: ArrayLike<number>; readonly count: number } | undefined>>;
+  readonly index: { readonly array: ArrayLike<number> } | null;
+  computeVertexNormals(): void;
+}
+
+async function geometriesOf(file: File): Promise<Geometry[]> {
+  const root = await loaded(file);
+  const geometries: Geometry[] = [];
+  root.updateMatrixWorld(true);
+  root.traverse((part) => {
+    const { geometry, matrixWorld } = part as unknown as {
+      geometry?: Geometry & { clone(): Geometry & { applyMatrix4(matrix: unknown): void } };
+      matrixWorld: unknown;
+    };
+    if (geometry === undefined || (part as { isMesh?: boolean }).isMesh !== true) return;
+    const placed = geometry.clone();
+    placed.applyMatrix4(matrixWorld);
+    geometries.push(placed);
+  });
+  return geometries;
+}
+
+interface Node {
+  updateMatrixWorld(force: boolean): void;
+  traverse(visit: (part: object) => void): void;
+}
+
+async function loaded(file: File): Promise<Node> {
+  try {
+    if (/\.obj$/i.test(file.name)) {
+      const { OBJLoader } = await import("three/addons/loaders/OBJLoader.js");
+      return new OBJLoader().parse(await file.text());
+    }
+    const { GLTFLoader } = await import("three/addons/loaders/GLTFLoader.js");
+    const scene = await new GLTFLoader().parseAsync(await file.arrayBuffer(), "");
+    return scene.scene;
+  } catch {
+    throw new InputError(`${file.name} is damaged or no mesh: OBJ and GLB are read.`);
+  }
+}
+
+function merged(geometries: readonly Geometry[], name: string): Mesh {
+  const positions: number[] = [];
+  const normals: number[] = [];
+  const uv: number[] = [];
+  const triangles: number[] = [];
+  for (const geometry of geometries) {
+    if (geometry.attributes["normal"] === undefined) geometry.computeVertexNormals();
+    const { position, normal, uv: coordinates } = geometry.attributes;
+    if (position === undefined || normal === undefined) continue;
+    if (coordinates === undefined)
+      throw new InputError(`${name} has no uv: unwrap the mesh and export it again, as uv place the weave on it.`);
+    const first = positions.length / 3;
+    for (let at = 0; at < position.count * 3; at++) {
+      positions.push(position.array[at]!);
+      normals.push(normal.array[at]!);
+    }
+    for (let at = 0; at < position.count * 2; at++) uv.push(coordinates.array[at]!);
+    const corners = geometry.index?.array ?? Array.from({ length: position.count }, (_, vertex) => vertex);
+    for (let at = 0; at < corners.length; at++) triangles.push(first + corners[at]!);
+  }
+  if (triangles.length === 0) throw new InputError(`${name} holds no triangles.`);
+  if (!positions.every(Number.isFinite)) throw new InputError(`${name} holds numbers that are not finite.`);
+  return { positions, normals, uv, triangles };
+}
+
+/** Millimetres per unit of uv: the root of the mesh's area over that of its uv, in a mesh brought to a likely size. */
+function scaled(mesh: Mesh): ClothShape {
+  const whole = ownShape(mesh, [100, 100]);
+  const isMetres = whole.radius > 0.02 && whole.radius < 3;
+  const factor = isMetres ? 1 : LIKELY_MM / 2000 / whole.radius;
+  const positions = isMetres ? mesh.positions : Array.from(mesh.positions, (value) => value * factor);
+  const sized = { ...mesh, positions };
+  const side = 1000 * Math.sqrt(areaRatio(sized));
+  return ownShape(sized, [side, side]);
+}
+
+function areaRatio(mesh: Mesh): number {
+  let surface = 0;
+  let flat = 0;
+  const { positions, uv, triangles } = mesh;
+  for (let face = 0; face < triangles.length; face += 3) {
+    const [a, b, c] = [triangles[face]!, triangles[face + 1]!, triangles[face + 2]!];
+    const edge = (from: number, to: number): [number, number, number] => [
+      positions[to * 3]! - positions[from * 3]!,
+      positions[to * 3 + 1]! - positions[from * 3 + 1]!,
+      positions[to * 3 + 2]! - positions[from * 3 + 2]!,
+    ];
+    const [p, q] = [edge(a, b), edge(a, c)];
+    surface += Math.hypot(p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]) / 2;
+    const [du, dv] = [uv[b * 2]! - uv[a * 2]!, uv[b * 2 + 1]! - uv[a * 2 + 1]!];
+    const [eu, ev] = [uv[c * 2]! - uv[a * 2]!, uv[c * 2 + 1]! - uv[a * 2 + 1]!];
+    flat += Math.abs(du * ev - dv * eu) / 2;
+  }
+  return flat > 0 ? surface / flat : 0.01;
+}

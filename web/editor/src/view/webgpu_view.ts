@@ -1,0 +1,183 @@
+/** The cloth on WebGPU: lit, draped, from the whole piece to a single yarn; two fabrics or models side by side. */
+import { ClothRenderer, type Vector3 } from "loomlight-web";
+
+import { woven, type Fabric, type Model, type Scene } from "../state/document.ts";
+import type { ClothView, Pixels, Shown, ViewStatistics } from "./cloth_view.ts";
+import type { ClothShape } from "./meshes.ts";
+import { OrbitControl } from "./orbit_control.ts";
+import { LAMP_IRRADIANCE, surroundingsOf } from "./surroundings.ts";
+
+/** Linear radiance of the paper behind the cloth, as style.css has it. */
+const PAPER: Vector3 = [0.913, 0.88, 0.807];
+const MOST_DEVICE_PIXELS = 2;
+
+/** The renderer's model, points a pass, and passes that add up, for each of the page's models. */
+const MODELS: Readonly<Record<Model, readonly ["lobes" | "point", number, number]>> = {
+  lobes: ["lobes", 1, 256],
+  "point-1": ["point", 1, 1],
+  "point-3": ["point", 3, 1],
+  "point-256": ["point", 8, 32],
+};
+
+/** What one renderer has been given, so that only what changed is given again. */
+interface Given {
+  shape: ClothShape | null;
+  fabric: Fabric | null;
+}
+
+export class WebGpuView implements ClothView {
+  readonly kind = "webgpu";
+  readonly lost: Promise<string>;
+  private readonly canvas: HTMLCanvasElement;
+  private readonly renderer: ClothRenderer;
+  private readonly control: OrbitControl;
+  private readonly resizing: ResizeObserver;
+  private readonly given = new Map<ClothRenderer, Given>();
+  private other: ClothRenderer | null = null;
+  private isMakingOther = false;
+  private shown: Shown | null = null;
+  private lit: readonly [Scene, Shown["surroundings"]] | null = null;
+  private frames = 0;
+  private isComplete = false;
+
+  private constructor(host: HTMLElement, canvas: HTMLCanvasElement, renderer: ClothRenderer) {
+    [this.canvas, this.renderer] = [canvas, renderer];
+    this.lost = renderer.lost;
+    this.control = new OrbitControl(canvas);
+    this.resizing = new ResizeObserver(() => this.resize());
+    this.resizing.observe(host);
+    renderer.setBackground(PAPER);
+    this.resize();
+  }
+
+  /**
+   * A view that fills `host`.
+   *
+   * @throws InputError no graphics adapter, or one whose limits are too small.
+   */
+  static async create(host: HTMLElement): Promise<WebGpuView> {
+    const canvas = document.createElement("canvas");
+    canvas.className = "cloth-canvas";
+    canvas.tabIndex = 0;
+    canvas.setAttribute("role", "img");
+    canvas.dataset["testid"] = "cloth";
+    const renderer = await ClothRenderer.create({ canvas, transparent: true });
+    host.append(canvas);
+    return new WebGpuView(host, canvas, renderer);
+  }
+
+  show(shown: Shown): void {
+    const isNewShape = shown.piece !== null && shown.piece !== this.shown?.piece;
+    this.shown = shown;
+    this.isComplete = false;
+    const { ends, picks } = woven(shown.fabric);
+    this.canvas.setAttribute("aria-label", `The cloth: ${ends} ends and ${picks} picks a repeat`);
+    if (shown.piece === null) return;
+    if (isNewShape) this.control.frame(shown.piece);
+    const { comparison, fabric } = shown;
+    if (comparison.mode === "off" || (comparison.mode === "fabrics" && comparison.before === null)) {
+      this.dress(this.renderer, shown.piece, fabric, "lobes");
+      this.renderer.wipe(null);
+    } else {
+      const isModels = comparison.mode === "models";
+      this.dress(this.renderer, shown.piece, isModels ? fabric : comparison.before!, isModels ? comparison.left : "lobes");
+      if (this.other === null) void this.makeOther();
+      else {
+        this.dress(this.other, shown.piece, fabric, isModels ? comparison.right : "lobes");
+        this.renderer.wipe(this.other, comparison.position);
+      }
+    }
+    this.light(shown);
+  }
+
+  resize(): void {
+    const ratio = Math.min(devicePixelRatio, MOST_DEVICE_PIXELS);
+    const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
+    const height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
+    if (width === this.canvas.width && height === this.canvas.height) return;
+    this.renderer.resize(width, height);
+    this.other?.resize(width, height);
+  }
+
+  frame(): void {
+    if (this.shown === null || this.shown.piece === null) return;
+    this.renderer.setCamera(this.control.camera);
+    const report = this.renderer.frame();
+    this.isComplete = report.isComplete;
+    this.frames++;
+  }
+
+  get zoom(): number {
+    return this.control.zoom;
+  }
+
+  set zoom(zoom: number) {
+    this.control.zoom = zoom;
+  }
+
+  frameWhole(): void {
+    if (this.shown?.piece) this.control.frame(this.shown.piece);
+  }
+
+  async readPixels(): Promise<Pixels> {
+    const left = await this.renderer.readPixels();
+    if (this.other === null || this.shown === null || this.shown.comparison.mode === "off") return left;
+    const right = await this.other.readPixels();
+    if (right.width !== left.width || right.height !== left.height) return left;
+    const split = Math.round(this.shown.comparison.position * left.width);
+    for (let row = 0; row < left.height; row++) {
+      const [begin, end] = [(row * left.width + split) * 4, (row + 1) * left.width * 4];
+      left.data.set(right.data.subarray(begin, end), begin);
+    }
+    return left;
+  }
+
+  statistics(): ViewStatistics {
+    const { renderer, frames, isComplete } = this;
+    return { ...renderer.statistics, adapter: renderer.adapter.name, kind: "webgpu", frames, isComplete };
+  }
+
+  dispose(): void {
+    this.resizing.disconnect();
+    this.other?.destroy();
+    this.renderer.destroy();
+    this.canvas.remove();
+  }
+
+  private async makeOther(): Promise<void> {
+    if (this.isMakingOther) return;
+    this.isMakingOther = true;
+    const { width, height } = this.canvas;
+    this.other = await ClothRenderer.create({ shareWith: this.renderer, size: [width, height] });
+    this.other.setBackground(PAPER);
+    this.isMakingOther = false;
+    this.lit = null;
+    if (this.shown !== null) this.show(this.shown);
+  }
+
+  /** Gives a renderer its piece, fabric and model, as far as they are new. */
+  private dress(renderer: ClothRenderer, shape: ClothShape, fabric: Fabric, model: Model): void {
+    const given = this.given.get(renderer) ?? { shape: null, fabric: null };
+    const { fields, draft } = fabric;
+    if (given.shape !== shape) renderer.setPieces([{ mesh: shape.mesh, uvSizeMm: shape.uvSizeMm, fields, draft }]);
+    else if (given.fabric !== fabric) renderer.setFabric(0, fields, draft);
+    this.given.set(renderer, { shape, fabric });
+    const [name, samples, passes] = MODELS[model];
+    renderer.setModel(name, { samples, passes });
+  }
+
+  private light({ scene, surroundings }: Shown): void {
+    if (this.lit !== null && this.lit[0] === scene && this.lit[1] === surroundings) return;
+    this.lit = [scene, surroundings];
+    const [around, above] = [scene.lampAzimuth, scene.lampElevation].map((degrees) => (degrees * Math.PI) / 180) as [number, number];
+    const towards: Vector3 = [Math.sin(around) * Math.cos(above), Math.sin(above), Math.cos(around) * Math.cos(above)];
+    const irradiance = LAMP_IRRADIANCE * scene.lampStrength;
+    const environment = surroundingsOf(scene, surroundings);
+    for (const renderer of [this.renderer, this.other]) {
+      if (renderer === null) continue;
+      renderer.setLights(irradiance > 0 ? [{ kind: "directional", towards, irradiance: [irradiance, irradiance, irradiance] }] : []);
+      renderer.setEnvironment(environment);
+      renderer.setExposure(scene.exposure);
+    }
+  }
+}

@@ -1,0 +1,59 @@
+/** Colour: sRGB where people write it, linear RGB (ITU-R BT.709 primaries) where light is computed. */
+import { InputError } from "./errors.ts";
+import { rint } from "./numbers.ts";
+
+/** A colour as a fabric file has it: "#rrggbb" (sRGB) or a linear RGB triple in [0, 1]. */
+export type Colour = string | readonly [number, number, number];
+/** Linear RGB, each in [0, 1]. */
+export type Rgb = [number, number, number];
+
+const HEX = /^#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})$/;
+
+/** Linear value of an sRGB-encoded one, both in [0, 1] (IEC 61966-2-1). */
+export function srgbToLinear(encoded: number): number {
+  return encoded <= 0.04045 ? encoded / 12.92 : ((encoded + 0.055) / 1.055) ** 2.4;
+}
+
+/** sRGB encoding of a linear value; values outside [0, 1] are clipped (IEC 61966-2-1). */
+export function linearToSrgb(linear: number): number {
+  const value = Math.min(Math.max(linear, 0), 1);
+  return value <= 0.0031308 ? value * 12.92 : 1.055 * value ** (1 / 2.4) - 0.055;
+}
+
+/**
+ * Linear RGB of a colour of a fabric file; messages name `field`.
+ *
+ * @throws InputError no colour, or a component outside [0, 1].
+ */
+export function parseColour(value: unknown, field: string): Rgb {
+  if (typeof value === "string") {
+    const digits = HEX.exec(value.trim())?.[1];
+    if (digits === undefined)
+      throw new InputError(`${field} = "${value}" is no colour: write sRGB hex such as "#20305c".`);
+    const pairs = digits.length === 3 ? [...digits].map((digit) => digit + digit) : (digits.match(/../g) ?? []);
+    return pairs.map((pair) => srgbToLinear(parseInt(pair, 16) / 255)) as Rgb;
+  }
+  if (Array.isArray(value) && value.length === 3) {
+    if (!value.every((part) => typeof part === "number"))
+      throw new InputError(`${field} = [${value.join(", ")}] is no colour: a linear RGB triple holds three numbers.`);
+    if (!value.every((part) => part >= 0 && part <= 1))
+      throw new InputError(`${field} = [${value.join(", ")}] is out of gamut: linear RGB lies between 0 and 1.`);
+    return [...value] as Rgb;
+  }
+  throw new InputError(`${field} = ${String(value)} is no colour: write "#rrggbb" or a linear RGB triple.`);
+}
+
+/** sRGB hex of linear RGB, rounded to 8 bits. */
+export function toHex(linear: ArrayLike<number>): string {
+  const pair = (value: number): string =>
+    rint(linearToSrgb(value) * 255)
+      .toString(16)
+      .padStart(2, "0");
+  return `#${pair(linear[0] ?? 0)}${pair(linear[1] ?? 0)}${pair(linear[2] ?? 0)}`;
+}
+
+/** Whether a value is written as one colour ("#rrggbb" or three numbers), not as a list of colours. */
+export function isOneColour(value: unknown): value is Colour {
+  if (!Array.isArray(value)) return true;
+  return value.length > 0 && value.every((part) => typeof part === "number");
+}

@@ -1,0 +1,72 @@
+/** Spacing and width of the threads of a fabric, from its fields or from the draft. */
+import { GAP } from "./defaults.ts";
+import type { Draft } from "./draft.ts";
+import { InputError } from "./errors.ts";
+import type { FabricFields, FamilyName } from "./fields.ts";
+import { CM_PER_INCH, DEFAULT_SETT_PER_CM, yarnDiameterMm } from "./textile.ts";
+import { yarnDensity } from "./yarns.ts";
+
+const MM_PER_CM = 10;
+
+/** Threads/cm that the fields give for a family, in centimetres or in inches; null without. */
+export function threadsPerCm(fields: FabricFields, family: FamilyName): number | null {
+  const [perCm, perInch] = family === "warp" ? [fields.ends_per_cm, fields.epi] : [fields.picks_per_cm, fields.ppi];
+  return perInch !== undefined ? perInch / CM_PER_INCH : (perCm ?? null);
+}
+
+/**
+ * Distance that each thread of a family takes up, millimetres.
+ *
+ * The fields' threads/cm come first; the draft's spacing, where there is one, keeps its proportions and is scaled to
+ * them. Without either, the other family's density is used, so that the cloth is square.
+ */
+export function familySpacing(fields: FabricFields, family: FamilyName, draft: Draft): Float64Array {
+  const [threads, other, count] =
+    family === "warp" ? [draft.warp, draft.weft, draft.ends] : [draft.weft, draft.warp, draft.picks];
+  const own = threadsPerCm(fields, family);
+  if (threads.spacingMm !== null) {
+    const scale = own === null ? 1 : MM_PER_CM / own / mean(threads.spacingMm);
+    return threads.spacingMm.map((spacing) => spacing * scale);
+  }
+  const density = own ?? threadsPerCm(fields, family === "warp" ? "weft" : "warp");
+  if (density !== null) return new Float64Array(count).fill(MM_PER_CM / density);
+  if (other.spacingMm !== null) return new Float64Array(count).fill(mean(other.spacingMm));
+  return new Float64Array(count).fill(MM_PER_CM / DEFAULT_SETT_PER_CM);
+}
+
+/**
+ * Width of each thread of a family, millimetres, as many as `spacing`.
+ *
+ * The family's own width or gap comes first, then its count, the draft's thickness, and the fabric's gap.
+ *
+ * @throws InputError a yarn count that cannot be read.
+ */
+export function familyWidth(
+  fields: FabricFields,
+  family: FamilyName,
+  draft: Draft,
+  spacing: Float64Array,
+): Float64Array {
+  const table = fields[family] ?? {};
+  const ofCount = table.count === undefined ? null : widthOfCount(fields, table.count, family);
+  const { gap, width_mm: width } = table;
+  if (width !== undefined) return new Float64Array(spacing.length).fill(width);
+  if (gap !== undefined) return spacing.map((distance) => distance * (1 - gap));
+  if (ofCount !== null) return new Float64Array(spacing.length).fill(ofCount);
+  const { thicknessMm } = draft[family];
+  if (thicknessMm !== null) return thicknessMm;
+  return spacing.map((distance) => distance * (1 - (fields.gap ?? GAP)));
+}
+
+function widthOfCount(fields: FabricFields, count: string, family: FamilyName): number {
+  try {
+    return yarnDiameterMm(count, yarnDensity(fields, family));
+  } catch (error) {
+    if (error instanceof InputError) throw new InputError(`${family}.count: ${error.message}`);
+    throw error;
+  }
+}
+
+function mean(values: Float64Array): number {
+  return values.reduce((sum, value) => sum + value, 0) / values.length;
+}

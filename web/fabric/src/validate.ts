@@ -1,0 +1,170 @@
+/** Validation of a fabric's fields; each fault is one sentence: field, value, and what would be right. */
+import { closeMatch } from "./close_match.ts";
+import { isOneColour, parseColour } from "./colour.ts";
+import { InputError } from "./errors.ts";
+import { FABRIC, FAMILIES, type FabricFields, type FieldKind, type FieldTable } from "./fields.ts";
+import { general } from "./numbers.ts";
+import { YARN_PRESETS } from "./yarn_presets.ts";
+
+type Plain = Record<string, unknown>;
+type IsWhole = (value: unknown) => boolean;
+
+/**
+ * The fields of a fabric from plain values.
+ *
+ * @param isWhole whether a number is a whole one: in TOML 3 is and 3.0 is not.
+ * @throws InputError an unknown field, a value of another type or range, contradicting fields.
+ */
+export function validateFields(values: unknown, isWhole: IsWhole = Number.isInteger): FabricFields {
+  if (!isTable(values)) throw new InputError("the fabric is no table of fields.");
+  const fields = validTable(values, FABRIC, [], isWhole) as FabricFields;
+  requireConsistent(fields);
+  return fields;
+}
+
+function isTable(value: unknown): value is Plain {
+  if (typeof value !== "object" || value === null || Array.isArray(value)) return false;
+  const prototype: unknown = Object.getPrototypeOf(value);
+  return prototype === Object.prototype || prototype === null;
+}
+
+function validTable(values: Plain, table: FieldTable, parents: readonly string[], isWhole: IsWhole): Plain {
+  const valid: Plain = {};
+  for (const [key, kind] of Object.entries(table)) {
+    const value = Object.hasOwn(values, key) ? values[key] : undefined;
+    if (value === undefined || value === null) continue;
+    const name = [...parents, key].join(".");
+    if (kind.kind === "table") {
+      if (!isTable(value)) throw cannotBeUsed(name, value, kind);
+      const inner = validTable(value, kind.fields, [...parents, key], isWhole);
+      if (Object.keys(inner).length > 0) valid[key] = inner;
+    } else {
+      valid[key] = validValue(value, kind, name, isWhole);
+    }
+  }
+  const stranger = Object.keys(values).find((key) => !Object.hasOwn(table, key));
+  if (stranger !== undefined) throw unknownField(stranger, table, parents);
+  return valid;
+}
+
+function validValue(value: unknown, kind: FieldKind, name: string, isWhole: IsWhole): unknown {
+  switch (kind.kind) {
+    case "number":
+    case "integer": {
+      const number = typeof value === "bigint" ? Number(value) : value;
+      const isKind = kind.kind === "number" || isWhole(value);
+      if (typeof number !== "number" || !isKind || !(kind.low <= number && number <= kind.high))
+        throw cannotBeUsed(name, value, kind);
+      return number;
+    }
+    case "text":
+      if (typeof value !== "string") throw cannotBeUsed(name, value, kind);
+      if (value === "" && !kind.mayBeEmpty)
+        throw new InputError(`${name} = "" is empty: write a value, or leave the field out.`);
+      return value;
+    case "boolean":
+      if (typeof value !== "boolean") throw cannotBeUsed(name, value, kind);
+      return value;
+    case "yarn":
+      return validYarn(value, name);
+    case "colour":
+      return validColour(value, name);
+    case "colours":
+      if (isOneColour(value)) return validColour(value, name);
+      if ((value as unknown[]).length === 0)
+        throw new InputError(
+          `${name} = [] holds no colour: write "#rrggbb", a linear RGB triple, or a list of these.`,
+        );
+      return (value as unknown[]).map((part) => validColour(part, name));
+    case "table":
+      throw cannotBeUsed(name, value, kind);
+  }
+}
+
+function validYarn(value: unknown, name: string): string {
+  if (typeof value !== "string") throw cannotBeUsed(name, value, { kind: "yarn" });
+  const given = value.trim().split(/\s+/).join(" ");
+  const yarn = YARN_PRESETS.find((preset) => preset.name === given.toLowerCase());
+  if (yarn === undefined)
+    throw new InputError(
+      `${name} = "${given.slice(0, 40)}" is no kind of yarn that has a name: write ` +
+        `${YARN_PRESETS.map((preset) => `"${preset.name}"`).join(", ")}.`,
+    );
+  return yarn.name;
+}
+
+function validColour(value: unknown, name: string): unknown {
+  const plain = Array.isArray(value)
+    ? value.map((part: unknown) => (typeof part === "bigint" ? Number(part) : part))
+    : value;
+  parseColour(plain, name);
+  return plain;
+}
+
+function cannotBeUsed(name: string, value: unknown, kind: FieldKind): InputError {
+  return new InputError(`${name} = ${shown(value)} cannot be used: ${expected(kind)}.`);
+}
+
+function expected(kind: FieldKind): string {
+  switch (kind.kind) {
+    case "number":
+      return `write a number from ${general(kind.low)} to ${general(kind.high)}`;
+    case "integer":
+      return `write a whole number from ${kind.low} to ${kind.high}`;
+    case "table":
+      return "it is a table of fields";
+    case "boolean":
+      return "write true or false";
+    default:
+      return "write text in quotes";
+  }
+}
+
+/** A value as a file writes it, shortened. */
+function shown(value: unknown, most = 60): string {
+  const written = typeof value === "string" ? `"${value}"` : isTable(value) ? "a table" : plainText(value);
+  const line = written.split(/\s+/).join(" ");
+  return line.length <= most ? line : `${line.slice(0, most - 1)}…`;
+}
+
+function plainText(value: unknown): string {
+  return Array.isArray(value) ? `[${value.map((part) => shown(part)).join(", ")}]` : String(value);
+}
+
+function unknownField(key: string, table: FieldTable, parents: readonly string[]): InputError {
+  const home = parents.length > 0 ? `[${parents.join(".")}] has` : "a fabric file has";
+  return new InputError(`${shown(key)} is no field that ${home}: ${placeOf(key, table)}`);
+}
+
+function placeOf(key: string, table: FieldTable): string {
+  const homes = Object.entries(FABRIC).flatMap(([name, kind]) =>
+    kind.kind === "table" && Object.hasOwn(kind.fields, key) ? [`[${name}]`] : [],
+  );
+  if (homes.length > 0) return `it belongs under ${homes.join(" or ")}.`;
+  if (Object.hasOwn(FABRIC, key) && table !== FABRIC)
+    return "it belongs at the top of the file, above the first table.";
+  const known = Object.keys(table);
+  const close = closeMatch(key.toLowerCase(), known);
+  return close === null ? `known are ${known.join(", ")}.` : `did you mean ${close}?`;
+}
+
+function requireConsistent(fields: FabricFields): void {
+  const sources = (["weave", "draft", "image"] as const).filter((key) => fields[key] !== undefined);
+  if (sources.length === 0)
+    throw new InputError(
+      'it has no weave: write weave = "twill 3/1", draft = "file.wif" or image = "file.png".',
+    );
+  refuseTogether(fields, sources, "");
+  refuseTogether(fields, ["ends_per_cm", "epi"], "");
+  refuseTogether(fields, ["picks_per_cm", "ppi"], "");
+  for (const family of FAMILIES)
+    refuseTogether(fields[family] ?? {}, ["width_mm", "gap"], `${family}.`);
+}
+
+function refuseTogether(table: object, keys: readonly string[], prefix: string): void {
+  const given = Object.entries(table).filter(([key]) => keys.includes(key));
+  const [first, second] = keys.flatMap((key) => given.filter(([name]) => name === key));
+  if (first === undefined || second === undefined) return;
+  const say = ([key, value]: [string, unknown]): string => `${prefix}${key} = ${shown(value)}`;
+  throw new InputError(`${say(first)} and ${say(second)} say the same thing twice: keep one of them.`);
+}

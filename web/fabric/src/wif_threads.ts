@@ -1,0 +1,211 @@
+/** Colours, spacings and thicknesses of the threads in a weaving information file. */
+import { srgbToLinear } from "./colour.ts";
+import type { FamilyDefaults, Threads } from "./draft.ts";
+import { InputError } from "./errors.ts";
+import { pickRows } from "./palette.ts";
+import type { WifText } from "./wif_text.ts";
+import { integers, lengthMm, threadNumber, unitMm, withoutComment } from "./wif_values.ts";
+
+type Family = "WARP" | "WEFT";
+
+const A_TRIPLE = "a colour: write three whole numbers, as in 255,128,0";
+const A_RANGE = "a range of colour components: write two whole numbers, as in 0,255";
+const A_COLOR = "a colour: write its number in [COLOR TABLE]";
+
+/** Linear RGB rows of the colour table, null without one, and its range of components. */
+export function readPalette(text: WifText): { palette: Float64Array | null; range: [number, number] } {
+  const components = new Map<number, { key: string; value: string; rgb: number[] }>();
+  for (const [key, value] of text.items("COLOR TABLE")) {
+    const number = threadNumber(text, "COLOR TABLE", key, value, "the number of a colour");
+    components.set(number, { key, value, rgb: integers(text, "COLOR TABLE", key, value, [3], A_TRIPLE) });
+  }
+  if (components.size === 0) return { palette: null, range: colorRange(text, 0) };
+  for (let number = 1; number <= components.size; number++)
+    if (!components.has(number))
+      throw new InputError(
+        `${text.file}: [COLOR TABLE] lacks the colour ${number}; its ${components.size} colours are numbered from 1 ` +
+          `to ${components.size} without gaps.`,
+      );
+  const all = [...components.values()];
+  const range = colorRange(text, Math.max(...all.map(({ rgb }) => Math.max(...rgb))));
+  const [low, high] = range;
+  for (const { key, value, rgb } of all)
+    if (Math.min(...rgb) < low || Math.max(...rgb) > high)
+      throw text.fault(
+        "COLOR TABLE",
+        key,
+        value,
+        `leaves the range ${low} to ${high} that [COLOR PALETTE] Range gives`,
+      );
+  const palette = new Float64Array(components.size * 3);
+  for (const [number, { rgb }] of components)
+    palette.set(
+      rgb.map((component) => srgbToLinear((component - low) / (high - low))),
+      (number - 1) * 3,
+    );
+  return { palette, range };
+}
+
+function colorRange(text: WifText, highest: number): [number, number] {
+  const value = text.value("COLOR PALETTE", "Range");
+  const form = text.value("COLOR PALETTE", "Form");
+  if (form !== "" && withoutComment(form).toUpperCase() !== "RGB")
+    text.warn("COLOR PALETTE", "Form", form, "is not known; the colours are read as RGB");
+  if (withoutComment(value) !== "") {
+    const [low, high] = integers(text, "COLOR PALETTE", "Range", value, [2], A_RANGE) as [number, number];
+    if (low >= high)
+      throw text.fault("COLOR PALETTE", "Range", value, "is no range: the first number must be the lower");
+    return [low, high];
+  }
+  if (highest > 255)
+    throw text.fault(
+      "COLOR PALETTE",
+      "Range",
+      value,
+      `is missing, and [COLOR TABLE] goes up to ${highest}: give the lowest and highest component, as in 0,255`,
+    );
+  if (text.has("COLOR TABLE"))
+    text.warn("COLOR PALETTE", "Range", value, "is missing; the colours are read as 0 to 255");
+  return [0, 255];
+}
+
+/** The threads of one family, and what the file says for all of them. */
+export function readFamily(
+  text: WifText,
+  family: Family,
+  count: number,
+  palette: Float64Array | null,
+): { threads: Threads; defaults: FamilyDefaults } {
+  const colours = readColors(text, family, count, palette);
+  const spacing = readLengths(text, family, "Spacing", count);
+  const thickness = readLengths(text, family, "Thickness", count);
+  const colors = colours.index !== null && palette !== null ? pickRows(palette, colours.index) : colours.rgb;
+  return {
+    threads: { colors, spacingMm: spacing.lengths, thicknessMm: thickness.lengths, colorIndex: colours.index },
+    defaults: {
+      threads: null,
+      unit: withoutComment(text.value(family, "Units")),
+      colorIndex: colours.standard,
+      spacingMm: spacing.standard,
+      thicknessMm: thickness.standard,
+    },
+  };
+}
+
+interface Colours {
+  /** Palette row per thread, 0-based. */
+  readonly index: Int32Array | null;
+  /** Palette row by default. */
+  readonly standard: number | null;
+  /** Without a palette, linear RGB rows. */
+  readonly rgb: Float64Array | null;
+}
+
+function readColors(text: WifText, family: Family, count: number, palette: Float64Array | null): Colours {
+  const section = `${family} COLORS`;
+  const own = text.items(section).filter(([, value]) => withoutComment(value) !== "");
+  const value = text.value(family, "Color");
+  const stated = withoutComment(value) === "" ? [] : integers(text, family, "Color", value, [1, 4], A_COLOR);
+  if (palette === null) {
+    if (own.length > 0)
+      throw text.fault(section, ...own[0]!, "names a colour of [COLOR TABLE], and the file has none; add it");
+    return { index: null, standard: null, rgb: statedRgb(text, family, stated, count) };
+  }
+  const size = palette.length / 3;
+  const index = new Int32Array(count).fill(-1);
+  for (const [key, colour] of own) {
+    const thread = threadNumber(text, section, key, colour, "the number of a thread");
+    const row = integers(text, section, key, colour, [1], "the number of a colour")[0]!;
+    if (!(1 <= row && row <= size))
+      throw text.fault(
+        section,
+        key,
+        colour,
+        `is not in [COLOR TABLE], which holds the colours 1 to ${size}`,
+      );
+    if (thread <= count) index[thread - 1] = row - 1;
+  }
+  return withDefaultColor(text, family, index, stated, size);
+}
+
+function withDefaultColor(
+  text: WifText,
+  family: Family,
+  index: Int32Array,
+  stated: readonly number[],
+  size: number,
+): Colours {
+  const value = text.value(family, "Color");
+  const first = stated[0];
+  if (first !== undefined && 1 <= first && first <= size)
+    return { index: index.map((row) => (row < 0 ? first - 1 : row)), standard: first - 1, rgb: null };
+  const without = index.indexOf(-1);
+  if (first === undefined && index.every((row) => row < 0)) return { index: null, standard: null, rgb: null };
+  if (without >= 0)
+    throw text.fault(
+      family,
+      "Color",
+      value,
+      `${first !== undefined ? "is not in [COLOR TABLE]" : "is missing"}, and thread ${without + 1} has no colour of ` +
+        `its own in [${family} COLORS]; give a colour from 1 to ${size}`,
+    );
+  if (first !== undefined)
+    text.warn(
+      family,
+      "Color",
+      value,
+      `is not in [COLOR TABLE], which holds 1 to ${size}; it is passed over, since every thread has a colour of its own`,
+    );
+  return { index, standard: null, rgb: null };
+}
+
+/** The colour of "Color=index,red,green,blue" for every thread, where there is no table. */
+function statedRgb(text: WifText, family: Family, stated: readonly number[], count: number): Float64Array | null {
+  const value = text.value(family, "Color");
+  if (stated.length !== 4) {
+    if (stated.length > 0) text.warn(family, "Color", value, "is passed over, since the file has no [COLOR TABLE]");
+    return null;
+  }
+  const components = stated.slice(1);
+  const [low, high] = colorRange(text, Math.max(...components));
+  if (Math.min(...components) < low || Math.max(...components) > high)
+    throw text.fault(family, "Color", value, `leaves the range ${low} to ${high}`);
+  const rgb = components.map((component) => srgbToLinear((component - low) / (high - low)));
+  return Float64Array.from({ length: 3 * count }, (_, at) => rgb[at % 3]!);
+}
+
+/** Millimetres per thread, null if the file does not say for all, and the default. */
+function readLengths(
+  text: WifText,
+  family: Family,
+  what: "Spacing" | "Thickness",
+  count: number,
+): { lengths: Float64Array | null; standard: number | null } {
+  const section = `${family} ${what.toUpperCase()}`;
+  const stated = unitMm(text, family);
+  const own = text.items(section).filter(([, value]) => withoutComment(value) !== "");
+  const value = text.value(family, what);
+  const isSaid = own.length > 0 || withoutComment(value) !== "";
+  if (stated === null && isSaid && (withoutComment(text.value(family, "Spacing")) === "" || what === "Spacing"))
+    text.warn(family, "Units", "", "is missing; the lengths are read as centimetres");
+  const unit = stated ?? 10;
+  const standard = lengthMm(text, family, what, value, unit);
+  const lengths = new Float64Array(count).fill(NaN);
+  for (const [key, length] of own) {
+    const thread = threadNumber(text, section, key, length, "the number of a thread");
+    const millimetres = lengthMm(text, section, key, length, unit);
+    if (thread <= count && millimetres !== null) lengths[thread - 1] = millimetres;
+  }
+  if (standard !== null)
+    return { lengths: lengths.map((length) => (Number.isNaN(length) ? standard : length)), standard };
+  const without = lengths.findIndex(Number.isNaN);
+  if (without < 0) return { lengths, standard };
+  if (!lengths.every(Number.isNaN))
+    text.warn(
+      section,
+      ...own[0]!,
+      `and the rest of this section is passed over: thread ${without + 1} is not in it, and [${family}] ${what} gives ` +
+        "no default",
+    );
+  return { lengths: null, standard: null };
+}

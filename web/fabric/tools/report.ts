@@ -1,0 +1,82 @@
+/** What this package makes of weaves, files and fields, as JSON that a test compares with the Python package. */
+import {
+  bendsOf,
+  bitsToText,
+  colouredDraft,
+  FABRIC,
+  familySpacing,
+  familyWidth,
+  isInputError,
+  loadDraft,
+  planDrawdown,
+  readToml,
+  readWif,
+  writeToml,
+  writeWif,
+  type Draft,
+  type FabricFields,
+  type FamilyName,
+} from "../src/index.ts";
+
+export type Question =
+  | { kind: "fields" }
+  | { kind: "weave"; text: string }
+  | { kind: "wif"; name: string; base64: string }
+  | { kind: "toml"; text: string };
+
+/** The answer to a question, `{ error }` for input that is refused. */
+export function report(question: Question): object {
+  const warnings: string[] = [];
+  try {
+    switch (question.kind) {
+      case "fields":
+        return FABRIC;
+      case "weave":
+        return fabric({ weave: question.text }, loadDraft({ weave: question.text }));
+      case "wif": {
+        const draft = readWif(Buffer.from(question.base64, "base64"), question.name, (text) => warnings.push(text));
+        const again = readWif(new TextEncoder().encode(writeWif(draft)), question.name);
+        return {
+          ...fabric({ draft: question.name }, draft),
+          warnings,
+          isLoomTrue: draft.loom !== null && same(planDrawdown(draft.loom).drawdown, draft.drawdown),
+          isKeptByWriting: JSON.stringify(described(again)) === JSON.stringify(described(draft)),
+          written: writeWif(draft),
+        };
+      }
+      case "toml": {
+        const fields = readToml(question.text);
+        return { ...fabric(fields, loadDraft(fields)), written: writeToml(fields) };
+      }
+    }
+  } catch (error) {
+    if (!isInputError(error)) throw error;
+    return { error: error.message };
+  }
+}
+
+function same(a: Uint8Array, b: Uint8Array): boolean {
+  return a.length === b.length && a.every((value, at) => value === b[at]);
+}
+
+function fabric(fields: FabricFields, named: Draft): object {
+  const draft = colouredDraft(named, fields);
+  const { warp, weft } = bendsOf(draft);
+  const widths = (family: FamilyName): number[] => {
+    const spacing = familySpacing(fields, family, draft);
+    return [...spacing, ...familyWidth(fields, family, draft, spacing)];
+  };
+  return { ...described(draft), bends: [warp, weft], lengths: { warp: widths("warp"), weft: widths("weft") } };
+}
+
+function described(draft: Draft): object {
+  return {
+    name: draft.name,
+    ends: draft.ends,
+    picks: draft.picks,
+    drawdown: bitsToText(draft.drawdown),
+    warp: [...(draft.warp.colors ?? [])],
+    weft: [...(draft.weft.colors ?? [])],
+    notes: draft.notes,
+  };
+}

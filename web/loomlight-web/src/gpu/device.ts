@@ -1,0 +1,168 @@
+/** The graphics adapter: a WebGPU device, its buffers, and pipelines that compile in the background. */
+import { InputError } from "loomlight-fabric";
+
+import { bindingsOf } from "./bindings.ts";
+import { shaderText, type ShaderName } from "./shaders.ts";
+
+export const NO_WEBGPU =
+  "This browser has no WebGPU, which draws the cloth: use a current Chrome, Edge, Safari 26 or Firefox, on a page " +
+  "that came by https or from this machine.";
+export const NO_ADAPTER =
+  "This browser has WebGPU but finds no graphics adapter for it: see that hardware acceleration is switched on.";
+// Storage buffers that the largest shader binds; see bindings.ts.
+const STORAGE_BUFFERS = 10;
+const RAISED_LIMITS = ["maxStorageBufferBindingSize", "maxBufferSize", "maxStorageBuffersPerShaderStage"] as const;
+
+/** Buffers and views by the names that shaders have for them. */
+export type Resources = Readonly<Record<string, GPUBuffer | GPUBufferBinding | GPUTextureView>>;
+
+/** A compute pipeline, and the bindings of what it uses. */
+export interface Kernel {
+  readonly pipeline: GPUComputePipeline;
+  readonly bindings: Readonly<Record<string, number>>;
+}
+
+/** Where a device comes from. */
+export interface DeviceOptions {
+  /** What adapter to ask for. */
+  readonly adapter?: GPURequestAdapterOptions;
+}
+
+/** A device, with the counts of what was sent to it. */
+export class Device {
+  readonly gpu: GPUDevice;
+  /** The adapter's name, as far as the browser tells. */
+  readonly name: string;
+  /** Whether a CPU computes, as far as the browser tells. */
+  readonly isSoftware: boolean;
+  /** Resolves with a sentence when the device is lost, but not after `destroy`. */
+  readonly lost: Promise<string>;
+  private readonly kernels = new Map<string, Kernel>();
+  private readonly compiling = new Map<string, Promise<void>>();
+  /** Why a kernel could not be compiled. */
+  private fault: Error | null = null;
+  private isDestroyed = false;
+
+  private constructor(gpu: GPUDevice, info: GPUAdapterInfo) {
+    this.gpu = gpu;
+    this.name = [info.vendor, info.architecture, info.description].filter((part) => part !== "").join(" ") || "unnamed";
+    this.isSoftware = info.isFallbackAdapter || /swiftshader|llvmpipe|lavapipe/i.test(this.name);
+    this.lost = new Promise((resolve) => {
+      void gpu.lost.then(({ message }) => {
+        if (this.isDestroyed) return;
+        const reason = message === "" ? "" : ` (${message.trim().replace(/\.$/, "")})`;
+        resolve(`The graphics adapter ${this.name} was lost${reason}: the picture is begun again.`);
+      });
+    });
+  }
+
+  /**
+   * A device of the browser's adapter.
+   *
+   * @throws InputError no WebGPU, no adapter, or one whose limits are too small.
+   */
+  static async request(options: DeviceOptions = {}): Promise<Device> {
+    const gpu = (globalThis.navigator as Navigator | undefined)?.gpu;
+    if (gpu === undefined) throw new InputError(NO_WEBGPU);
+    const adapter = await gpu.requestAdapter(options.adapter ?? { powerPreference: "high-performance" });
+    if (adapter === null) throw new InputError(NO_ADAPTER);
+    const buffers = adapter.limits.maxStorageBuffersPerShaderStage;
+    if (buffers < STORAGE_BUFFERS)
+      throw new InputError(
+        `This graphics adapter binds at most ${buffers} storage buffers to a shader, but ${STORAGE_BUFFERS} are ` +
+          "needed: choose another adapter or browser.",
+      );
+    const requiredLimits = Object.fromEntries(RAISED_LIMITS.map((limit) => [limit, adapter.limits[limit]]));
+    return new Device(await adapter.requestDevice({ requiredLimits }), adapter.info);
+  }
+
+  /** A buffer of at least so many bytes, all zero. */
+  buffer(size: number, usage: GPUBufferUsageFlags = GPUBufferUsage.STORAGE): GPUBuffer {
+    const most = Math.min(this.gpu.limits.maxStorageBufferBindingSize, this.gpu.limits.maxBufferSize);
+    if (size > most)
+      throw new InputError(
+        `${this.name} takes at most ${most} bytes in a table, but ${size} are needed: choose a smaller draft, mesh or ` +
+          "picture, or another adapter.",
+      );
+    return this.gpu.createBuffer({
+      size: Math.max(16, Math.ceil(size / 16) * 16),
+      usage: usage | GPUBufferUsage.COPY_DST | GPUBufferUsage.COPY_SRC,
+    });
+  }
+
+  /** Overwrites a part of a buffer with words, from the word `at` on. */
+  write(buffer: GPUBuffer, words: Uint32Array<ArrayBuffer>, at = 0): void {
+    this.gpu.queue.writeBuffer(buffer, 4 * at, words);
+  }
+
+  /** The first bytes of a buffer; waits for the device. */
+  async read(buffer: GPUBuffer, size: number): Promise<ArrayBuffer> {
+    const copy = this.gpu.createBuffer({ size, usage: GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ });
+    const encoder = this.gpu.createCommandEncoder();
+    encoder.copyBufferToBuffer(buffer, 0, copy, 0, size);
+    this.gpu.queue.submit([encoder.finish()]);
+    await copy.mapAsync(GPUMapMode.READ);
+    const bytes = copy.getMappedRange().slice(0);
+    copy.destroy();
+    return bytes;
+  }
+
+  /**
+   * The kernel of an entry point of a shader if it is compiled; else undefined, and compiling begins.
+   *
+   * @throws Error a kernel that the browser could not compile.
+   */
+  kernel(shader: ShaderName, entry: string, bindings?: Readonly<Record<string, number>>): Kernel | undefined {
+    if (this.fault !== null) throw this.fault;
+    const key = `${shader} ${entry}`;
+    if (!this.kernels.has(key) && !this.compiling.has(key)) {
+      const compiling = this.compile(key, shader, entry, bindings).catch((error: unknown) => {
+        this.fault = error instanceof Error ? error : new Error(String(error));
+      });
+      this.compiling.set(key, compiling);
+    }
+    return this.kernels.get(key);
+  }
+
+  /** Resolves when all kernels that were asked for are compiled, or one cannot be. */
+  async compiled(): Promise<void> {
+    await Promise.all(this.compiling.values());
+  }
+
+  /** The bind group that gives a kernel the buffers and views of the names it has for them. */
+  bind(kernel: Kernel, resources: Resources): GPUBindGroup {
+    return this.gpu.createBindGroup({
+      layout: kernel.pipeline.getBindGroupLayout(0),
+      entries: bindEntries(kernel.bindings, resources),
+    });
+  }
+
+  /** Gives everything back; `lost` then stays pending. */
+  destroy(): void {
+    this.isDestroyed = true;
+    this.gpu.destroy();
+  }
+
+  private async compile(
+    key: string,
+    shader: ShaderName,
+    entry: string,
+    bindings?: Readonly<Record<string, number>>,
+  ): Promise<void> {
+    const code = shaderText(shader);
+    const pipeline = await this.gpu.createComputePipelineAsync({
+      layout: "auto",
+      compute: { module: this.gpu.createShaderModule({ code, label: shader }), entryPoint: entry },
+    });
+    this.kernels.set(key, { pipeline, bindings: bindings ?? bindingsOf(code) });
+  }
+}
+
+/** Entries of a bind group by the names of globals. */
+export function bindEntries(bindings: Readonly<Record<string, number>>, resources: Resources): GPUBindGroupEntry[] {
+  return Object.entries(bindings).map(([name, binding]) => {
+    const resource = resources[name];
+    if (resource === undefined) throw new Error(`no resource ${name}`);
+    return { binding, resource: resource instanceof GPUBuffer ? { buffer: resource } : resource };
+  });
+}

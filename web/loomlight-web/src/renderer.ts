@@ -1,0 +1,534 @@
+/** Renders meshes of cloth on WebGPU; see `realtime/renderer.py`, whose frames it makes. */
+import { InputError, type Draft, type FabricFields } from "loomlight-fabric";
+
+import { lookOf } from "./fabric/look.ts";
+import { DEFAULT_ENVIRONMENT_SAMPLES, DEFAULT_SAMPLES, GOLDEN, MOST_LAYERS } from "./generated.ts";
+import { Device, type DeviceOptions } from "./gpu/device.ts";
+import { FabricBuffers, type Dressing } from "./gpu/fabric_buffers.ts";
+import { Presenter, type Source } from "./gpu/present.ts";
+import { Raster } from "./gpu/raster.ts";
+import { SceneBuffers } from "./gpu/scene_buffers.ts";
+import type { ShaderName } from "./gpu/shaders.ts";
+import { Targets } from "./gpu/targets.ts";
+import { BUDGET, Pace, type Budget } from "./pace.ts";
+import { RecordArray } from "./records.ts";
+import { cameraValues, lightRecords } from "./scene/camera.ts";
+import { environmentTables } from "./scene/environment.ts";
+import { requireMesh } from "./scene/mesh.ts";
+import type { Camera, Environment, FrameReport, Light, ModelName, Piece, Statistics, Vector3 } from "./types.ts";
+import type { View } from "./view.ts";
+
+const ENTRIES: Readonly<Record<ModelName, ShaderName>> = { lobes: "shade_lobes", point: "shade_points" };
+const UV_SIZE_MM = [100, 100] as const;
+// A picture that is the mean of so many passes changes no more to the eye.
+const MOST_PASSES = 256;
+const LARGEST_SIDE = 8192;
+
+/** How a renderer is made. */
+export interface RendererOptions extends DeviceOptions {
+  /** Where frames are shown; without one they are only read back. */
+  readonly canvas?: HTMLCanvasElement | OffscreenCanvas;
+  /** Of frames without a canvas, pixels; 512 × 512 by default. */
+  readonly size?: readonly [number, number];
+  /** Whether the canvas lets through what lies behind it where there is no cloth. */
+  readonly transparent?: boolean;
+  /** A renderer whose device this one uses, so that `wipe` can show both. */
+  readonly shareWith?: ClothRenderer;
+  /** Milliseconds that a pass may take; null for pictures that are always as fine as the canvas. */
+  readonly budget?: Budget | null;
+}
+
+/** Renders pieces of cloth by direct light; see `docs/web.md`. */
+export class ClothRenderer {
+  private readonly options: RendererOptions;
+  private device: Device;
+  private view: View = {
+    camera: { origin: [0, 0, 0.3], target: [0, 0, 0] },
+    lights: [],
+    environment: null,
+    turn: 0,
+    environmentSamples: DEFAULT_ENVIRONMENT_SAMPLES,
+    background: null,
+    shadows: true,
+    exposure: 0,
+  };
+  private model: ModelName = "lobes";
+  private samples = DEFAULT_SAMPLES;
+  private mostPasses = MOST_PASSES;
+  private width: number;
+  private height: number;
+  private pieces: readonly Piece[] = [];
+  private scene: SceneBuffers | null = null;
+  private fabrics: FabricBuffers | null = null;
+  private targets: Targets;
+  private raster: Raster;
+  private presenter: Presenter | null = null;
+  private own: Record<string, GPUBuffer> = {};
+  private readonly pace: Pace | null;
+  /** What the sums show; empty where they are to begin anew. */
+  private shown = "";
+  private passes = 0;
+  /** Of the picture that the sums are of, pixels. */
+  private frameSize: readonly [number, number] = [1, 1];
+  private isPending = false;
+  private other: { readonly renderer: ClothRenderer; readonly split: number } | null = null;
+  private done = { passes: 0, frameMs: 0, editMs: 0, bakeKernels: 0, bakes: 0, writes: 0, writtenBytes: 0 };
+
+  private constructor(options: RendererOptions, device: Device) {
+    this.options = options;
+    this.device = device;
+    const { canvas } = options;
+    [this.width, this.height] = canvas ? [canvas.width, canvas.height] : (options.size ?? [512, 512]);
+    requireSize(this.width, this.height);
+    this.pace = options.budget === null ? null : new Pace(options.budget ?? BUDGET);
+    this.targets = new Targets(device, this.width, this.height);
+    this.raster = new Raster(device);
+    if (canvas) this.presenter = new Presenter(device, canvas, options.transparent ?? false);
+  }
+
+  /**
+   * A renderer on the browser's graphics adapter.
+   *
+   * @throws InputError no WebGPU, no adapter, or one whose limits are too small: one sentence.
+   */
+  static async create(options: RendererOptions = {}): Promise<ClothRenderer> {
+    const device = options.shareWith?.device ?? (await Device.request(options));
+    return new ClothRenderer(options, device);
+  }
+
+  /** Resolves with a sentence when the device is lost; `rebuild` then goes on. */
+  get lost(): Promise<string> {
+    return this.device.lost;
+  }
+
+  /** Name of the graphics adapter, as far as the browser tells, and whether a CPU computes. */
+  get adapter(): { readonly name: string; readonly isSoftware: boolean } {
+    return { name: this.device.name, isSoftware: this.device.isSoftware };
+  }
+
+  /** What was done so far, in kernels, bytes and milliseconds. */
+  get statistics(): Statistics {
+    const { fabrics, done } = this;
+    return {
+      bakeKernels: done.bakeKernels + (fabrics?.bakeKernels ?? 0),
+      bakes: done.bakes + (fabrics?.bakes ?? 0),
+      writes: done.writes + (fabrics?.writes ?? 0),
+      writtenBytes: done.writtenBytes + (fabrics?.writtenBytes ?? 0),
+      passes: done.passes,
+      frameMs: done.frameMs,
+      editMs: done.editMs,
+    };
+  }
+
+  /**
+   * The cloth to show: meshes and fabrics.
+   *
+   * @throws InputError a mesh without uv, a fabric that cannot be, or tables beyond the adapter's limits.
+   */
+  setPieces(pieces: readonly Piece[]): void {
+    if (pieces.length === 0) throw new InputError("A renderer needs at least one piece of cloth.");
+    pieces.forEach(({ mesh }) => requireMesh(mesh));
+    const looks = pieces.map(({ fields, draft }) => lookOf(fields, draft));
+    const scene = new SceneBuffers(
+      this.device,
+      pieces.map(({ mesh }) => mesh),
+      pieces.map(({ albedo }) => albedo ?? null),
+    );
+    const dressings = pieces.map(
+      ({ uvSizeMm }, number): Dressing => ({
+        look: looks[number]!,
+        uvSizeMm: uvSizeMm ?? UV_SIZE_MM,
+        extra: scene.maps[number]!,
+      }),
+    );
+    const fabrics = new FabricBuffers(this.device, dressings);
+    this.keepCounts();
+    this.scene?.destroy();
+    this.fabrics?.destroy();
+    [this.pieces, this.scene, this.fabrics] = [[...pieces], scene, fabrics];
+    this.shown = "";
+  }
+
+  /**
+   * Another fabric, or an edit of it, for piece `number`: only what changes is written, and only tables that change
+   * are baked.
+   *
+   * @throws InputError a fabric that cannot be; the picture stays as it is.
+   */
+  setFabric(number: number, fields: FabricFields, draft: Draft): void {
+    const piece = this.pieces[number];
+    if (piece === undefined || this.fabrics === null)
+      throw new InputError(`piece = ${number} is none of the ${this.pieces.length} pieces of cloth.`);
+    const begin = performance.now();
+    this.fabrics.setFabric(number, lookOf(fields, draft));
+    this.pieces = this.pieces.map((other, index) => (index === number ? { ...piece, fields, draft } : other));
+    this.done.editMs = performance.now() - begin;
+    this.shown = "";
+  }
+
+  /**
+   * The model of the next frames; `samples` are points of a pixel's footprint that one pass of `point` takes, and
+   * `passes` how many passes add up at rest, 256 by default.
+   *
+   * @throws InputError no such model, no sample, or no pass.
+   */
+  setModel(model: ModelName, options: { readonly samples?: number; readonly passes?: number } = {}): void {
+    const samples = options.samples ?? DEFAULT_SAMPLES;
+    const passes = options.passes ?? MOST_PASSES;
+    if (!Object.hasOwn(ENTRIES, model))
+      throw new InputError(`model = "${model}" is unknown here: use ${Object.keys(ENTRIES).join(" or ")}.`);
+    if (!(Number.isInteger(samples) && samples >= 1))
+      throw new InputError(`samples = ${samples}: it is a whole number of at least 1.`);
+    if (!(Number.isInteger(passes) && passes >= 1))
+      throw new InputError(`passes = ${passes}: it is a whole number of at least 1.`);
+    this.model = model;
+    this.samples = samples;
+    this.mostPasses = passes;
+  }
+
+  /** Directional and point lights, which are exact. */
+  setLights(lights: readonly Light[]): void {
+    lightRecords(lights); // refuses a light of no direction
+    this.view = { ...this.view, lights: [...lights] };
+  }
+
+  /**
+   * Light from all directions, which is seen beside the cloth too; `samples` directions are taken in one pass.
+   *
+   * @throws InputError radiance that is negative or not finite.
+   */
+  setEnvironment(environment: Environment | null, options: { readonly samples?: number } = {}): void {
+    this.view = {
+      ...this.view,
+      environment: environment === null ? null : environmentTables(environment),
+      turn: environment?.turn ?? 0,
+      environmentSamples: options.samples ?? DEFAULT_ENVIRONMENT_SAMPLES,
+    };
+  }
+
+  /** Turns the environment about the vertical, degrees. */
+  turnEnvironment(turn: number): void {
+    this.view = { ...this.view, turn };
+  }
+
+  /** Linear radiance beside the cloth and behind its holes; null for the environment, else black. */
+  setBackground(background: Vector3 | null): void {
+    this.view = { ...this.view, background };
+  }
+
+  /** Whether cloth casts shadows on cloth. */
+  setShadows(shadows: boolean): void {
+    this.view = { ...this.view, shadows };
+  }
+
+  /** Stops: colours are multiplied by 2^exposure. */
+  setExposure(exposure: number): void {
+    this.view = { ...this.view, exposure };
+  }
+
+  /**
+   * The camera of the next frames.
+   *
+   * @throws InputError a field of view outside 0 to 180, or no direction to look in.
+   */
+  setCamera(camera: Camera): void {
+    cameraValues(camera, this.width, this.height);
+    this.view = { ...this.view, camera };
+  }
+
+  /**
+   * Another size of frames, pixels, and of the canvas.
+   *
+   * @throws InputError a size out of range.
+   */
+  resize(width: number, height: number): void {
+    requireSize(width, height);
+    const { canvas } = this.options;
+    if (canvas) [canvas.width, canvas.height] = [width, height];
+    [this.width, this.height] = [width, height];
+    this.targets.destroy();
+    this.targets = new Targets(this.device, width, height);
+    this.shown = "";
+  }
+
+  /** Shows `other`, which shares this one's device, right of `split` (0 at the left edge, 1 at the right); null ends it. */
+  wipe(other: ClothRenderer | null, split = 0.5): void {
+    if (other !== null && other.device !== this.device)
+      throw new InputError("The other renderer has a device of its own: make it with shareWith.");
+    this.other = other === null ? null : { renderer: other, split: Math.min(Math.max(split, 0), 1) };
+  }
+
+  /**
+   * One pass, shown on the canvas: call it at every animation frame.
+   *
+   * Coarse while something moves on a slow adapter, finer at rest, where passes add up. It never waits: while shaders
+   * compile or the adapter is busy, it returns what there is.
+   */
+  frame(): FrameReport {
+    const mine = this.advance(this.view);
+    if (this.other === null) {
+      this.show();
+      return mine;
+    }
+    const others = this.other.renderer.advance(this.view);
+    this.show();
+    return {
+      ...mine,
+      passes: Math.min(mine.passes, others.passes),
+      isComplete: mine.isComplete && others.isComplete,
+    };
+  }
+
+  /**
+   * A picture of so many passes as fine as the canvas, for files and tests; resolves when the adapter has made it.
+   *
+   * @throws Error a shader that the browser cannot compile.
+   */
+  async render(passes: number): Promise<void> {
+    await this.ready();
+    this.shown = "";
+    for (let pass = 0; pass < passes; pass++) {
+      this.begin(this.view, this.width, this.height);
+      this.addPass(this.view);
+      await this.device.gpu.queue.onSubmittedWorkDone();
+    }
+    this.show();
+  }
+
+  /** Resolves when everything that the next frame needs is compiled and baked. */
+  async ready(): Promise<void> {
+    while (!this.prepare()) {
+      await Promise.all([this.raster.compiled, this.device.compiled()]);
+    }
+  }
+
+  /** The picture's pixels, sRGB with an opaque alpha [height·width·4], of the size of the last frame. */
+  async readPixels(): Promise<{ width: number; height: number; data: Uint8ClampedArray<ArrayBuffer> }> {
+    const { width, height } = this.source();
+    const bytes = await this.device.read(this.targets.buffers["pixels"]!, 4 * width * height);
+    return { width, height, data: new Uint8ClampedArray(bytes) };
+  }
+
+  /** Mean linear radiance, and the share of each pixel that cloth covers [height·width·4]. */
+  async readLinear(): Promise<{ width: number; height: number; data: Float32Array }> {
+    const { width, height, passes } = this.source();
+    const sums = new Float32Array(await this.device.read(this.targets.buffers["radiance"]!, 16 * width * height));
+    return { width, height, data: sums.map((sum) => sum / Math.max(passes, 1)) };
+  }
+
+  /** A new device after a loss, with everything that the old one held. */
+  async rebuild(): Promise<void> {
+    const { canvas, shareWith, transparent } = this.options;
+    this.device = shareWith?.device ?? (await Device.request(this.options));
+    this.targets = new Targets(this.device, this.width, this.height);
+    this.raster = new Raster(this.device);
+    if (canvas) this.presenter = new Presenter(this.device, canvas, transparent ?? false);
+    this.own = {};
+    this.keepCounts();
+    [this.scene, this.fabrics, this.isPending] = [null, null, false];
+    if (this.pieces.length > 0) this.setPieces(this.pieces);
+    this.shown = "";
+  }
+
+  /** Gives everything back to the adapter. */
+  destroy(): void {
+    if (this.options.shareWith === undefined) {
+      this.device.destroy();
+      return;
+    }
+    this.scene?.destroy();
+    this.fabrics?.destroy();
+    this.targets.destroy();
+    Object.values(this.own).forEach((buffer) => buffer.destroy());
+  }
+
+  /** Whether all kernels of the next frame are compiled, and tables baked; begins what is missing. */
+  private prepare(): boolean {
+    if (this.scene === null || this.fabrics === null) throw new InputError("A renderer needs at least one piece of cloth.");
+    const names: ShaderName[] = ["first_layer", ENTRIES[this.model], "add_background", "tone_map"];
+    if (this.layers() > 1) names.push("next_layer");
+    if (this.castsShadows(this.view)) names.push("cast_shadows");
+    const kernels = names.map((name) => this.device.kernel(name, name));
+    const isBaked = this.model !== "lobes" || this.fabrics.bake();
+    return isBaked && this.raster.isReady && kernels.every((kernel) => kernel !== undefined);
+  }
+
+  private advance(view: View): FrameReport {
+    this.view = view;
+    const full = this.width * this.height;
+    if (this.isPending || !this.prepare()) return this.report(false);
+    const key = this.keyOf(view);
+    if (key !== this.shown) {
+      this.pace?.moved(full);
+    } else if (this.pace?.rested(full)) {
+      this.shown = "";
+    } else if (this.passes >= this.mostPasses) {
+      return this.report(true);
+    }
+    const divisor = this.pace?.divisor ?? 1;
+    const [width, height] = [this.width, this.height].map((side) => Math.max(1, Math.round(side / divisor))) as [
+      number,
+      number,
+    ];
+    this.begin(view, width, height);
+    this.addPass(view);
+    this.time(width * height);
+    return this.report(false);
+  }
+
+  private time(pixels: number): void {
+    const begin = performance.now();
+    this.isPending = true;
+    void this.device.gpu.queue.onSubmittedWorkDone().then(() => {
+      this.isPending = false;
+      this.done.frameMs = performance.now() - begin;
+      this.pace?.measured(this.done.frameMs, pixels);
+    });
+  }
+
+  private report(isComplete: boolean): FrameReport {
+    const { width, height, passes } = this.source();
+    return { passes, width, height, isComplete };
+  }
+
+  /** Begins new sums if the picture is to be another. */
+  private begin(view: View, width: number, height: number): void {
+    const key = this.keyOf(view);
+    if (key === this.shown && this.frameSize[0] === width && this.frameSize[1] === height) return;
+    this.shown = key;
+    this.passes = 0;
+    this.frameSize = [width, height];
+    this.scene!.setEnvironment(view.environment);
+    this.store("lights", lightRecords(view.lights), GPUBufferUsage.STORAGE);
+  }
+
+  /** What sums depend on; the exposure is none of it. */
+  private keyOf(view: View): string {
+    const { environment, exposure: _, ...rest } = view;
+    return JSON.stringify([rest, environment === null ? null : identity(environment), this.model, this.samples, this.mostPasses]);
+  }
+
+  private addPass(view: View): void {
+    const [width, height] = this.frameSize;
+    const castsShadows = this.castsShadows(view);
+    const frame = this.frameRecord(view, width, height, castsShadows);
+    this.targets.makeRoom(castsShadows ? view.lights.length + frame.get(0, "environment_samples") : 1);
+    this.store("frames", frame, GPUBufferUsage.UNIFORM);
+    const resources = this.resources();
+    this.raster.draw(this.targets, resources, this.scene!.faces, width, height);
+    const tiles = [Math.ceil(width / 8), Math.ceil(height / 8)] as const;
+    // A dispatch a submission: software adapters take seconds for all of them.
+    for (let layer = 0; layer < this.layers(); layer++) {
+      this.compute(layer === 0 ? "first_layer" : "next_layer", tiles, resources);
+      if (castsShadows) this.compute("cast_shadows", tiles, resources);
+      this.compute(ENTRIES[this.model], tiles, resources);
+    }
+    this.compute("add_background", tiles, resources);
+    this.compute("tone_map", [Math.ceil((width * height) / 64), 1], resources);
+    this.passes++;
+    this.done.passes++;
+  }
+
+  private frameRecord(view: View, width: number, height: number, castsShadows: boolean): RecordArray {
+    const frame = new RecordArray("Frame", 1);
+    // Passes 0 and following of the R2 sequence, about the middle of the pixel.
+    const jitter = GOLDEN.map((step) => ((0.5 + this.passes * step) % 1) - 0.5) as [number, number];
+    const background = view.background ?? [0, 0, 0];
+    frame.set(0, {
+      width,
+      height,
+      lights: view.lights.length,
+      samples: this.samples,
+      pass_number: this.passes,
+      jitter_x: jitter[0],
+      jitter_y: jitter[1],
+      gain: 2 ** view.exposure / (this.passes + 1),
+      casts_shadows: castsShadows ? 1 : 0,
+      ...this.scene!.frameValues(view.turn, view.environmentSamples),
+      ...cameraValues(view.camera, width, height),
+      background_red: background[0],
+      background_green: background[1],
+      background_blue: background[2],
+      shows_environment: view.environment !== null && view.background === null ? 1 : 0,
+    });
+    return frame;
+  }
+
+  private resources(): Record<string, GPUBuffer | GPUTextureView> {
+    return {
+      ...this.scene!.buffers,
+      ...this.fabrics!.buffers,
+      ...this.targets.buffers,
+      ...this.own,
+      visible_faces: this.targets.faces,
+    };
+  }
+
+  private compute(
+    name: ShaderName,
+    groups: readonly [number, number],
+    resources: Readonly<Record<string, GPUBuffer | GPUTextureView>>,
+  ): void {
+    const kernel = this.device.kernel(name, name);
+    if (kernel === undefined) throw new Error(`${name} is not compiled yet`);
+    const encoder = this.device.gpu.createCommandEncoder();
+    const pass = encoder.beginComputePass();
+    pass.setPipeline(kernel.pipeline);
+    pass.setBindGroup(0, this.device.bind(kernel, resources));
+    pass.dispatchWorkgroups(groups[0], groups[1]);
+    pass.end();
+    this.device.gpu.queue.submit([encoder.finish()]);
+  }
+
+  /** Layers of cloth that a pixel can see. */
+  private layers(): number {
+    return this.fabrics!.isOpen && !this.scene!.isFlat ? MOST_LAYERS : 1;
+  }
+
+  private castsShadows(view: View): boolean {
+    return view.shadows && !this.scene!.isFlat;
+  }
+
+  private show(): void {
+    if (this.presenter === null || this.passes === 0) return;
+    const left = this.source();
+    const right = this.other?.renderer.source() ?? left;
+    if (right.passes > 0) this.presenter.show(left, right, this.other?.split ?? 1);
+  }
+
+  private source(): Source {
+    const [width, height] = this.frameSize;
+    const { pixels, radiance } = this.targets.buffers;
+    return { width, height, passes: this.passes, pixels: pixels!, sums: radiance! };
+  }
+
+  private store(name: string, records: RecordArray, usage: GPUBufferUsageFlags): void {
+    const { words } = records;
+    if (this.own[name] === undefined || this.own[name].size < words.byteLength) {
+      this.own[name]?.destroy();
+      this.own[name] = this.device.buffer(words.byteLength, usage);
+    }
+    this.device.write(this.own[name], words);
+  }
+
+  /** Adds what buffers of fabrics counted, which are about to be replaced, to the counts. */
+  private keepCounts(): void {
+    const { bakeKernels, bakes, writes, writtenBytes } = this.statistics;
+    Object.assign(this.done, { bakeKernels, bakes, writes, writtenBytes });
+  }
+}
+
+const identities = new WeakMap<object, number>();
+let identified = 0;
+
+/** A number that no other object has. */
+function identity(object: object): number {
+  if (!identities.has(object)) identities.set(object, ++identified);
+  return identities.get(object)!;
+}
+
+function requireSize(width: number, height: number): void {
+  const isSide = (side: number): boolean => Number.isInteger(side) && side >= 1 && side <= LARGEST_SIDE;
+  if (!isSide(width) || !isSide(height))
+    throw new InputError(`size = ${width} × ${height} is out of range: 1 to ${LARGEST_SIDE} pixels each way.`);
+}

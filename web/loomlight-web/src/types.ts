@@ -1,0 +1,105 @@
+/** What a renderer shows and what it tells. Lengths are metres but for `uvSizeMm`; colours are linear RGB. */
+import type { Draft, FabricFields } from "loomlight-fabric";
+
+export type Vector3 = readonly [number, number, number];
+
+/** Triangles with normals and uv, as flat arrays. */
+export interface Mesh {
+  /** [n·3], metres. */
+  readonly positions: ArrayLike<number>;
+  /** [n·3], unit vectors. */
+  readonly normals: ArrayLike<number>;
+  /** [n·2]; they place the weave on the mesh. */
+  readonly uv: ArrayLike<number>;
+  /** [m·3], vertices of each triangle. */
+  readonly triangles: ArrayLike<number>;
+}
+
+/** A picture, the top row first. */
+export interface LinearPicture {
+  readonly width: number;
+  readonly height: number;
+  /** Linear RGB [height·width·3]. */
+  readonly pixels: ArrayLike<number>;
+}
+
+/** A piece of cloth: a mesh and its fabric. */
+export interface Piece {
+  readonly mesh: Mesh;
+  /** Fields of the fabric, with the keys of a fabric file. */
+  readonly fields: FabricFields;
+  /** The draft that the fields name, as `loadDraft` returns it. */
+  readonly draft: Draft;
+  /** Millimetres per unit of u and of v; 100 by default. */
+  readonly uvSizeMm?: readonly [number, number];
+  /** Diffuse albedos are multiplied by this picture, 0 to 1, over the unit of uv, which repeats; v runs down. */
+  readonly albedo?: LinearPicture | null;
+}
+
+/** Parallel light: `irradiance` on a surface that faces it, W/m²; π by default. */
+export interface DirectionalLight {
+  readonly kind: "directional";
+  /** The direction from which it comes, of any length. */
+  readonly towards: Vector3;
+  readonly irradiance?: Vector3;
+}
+
+/** Light from a point: `intensity` in W/sr. */
+export interface PointLight {
+  readonly kind: "point";
+  readonly position: Vector3;
+  readonly intensity: Vector3;
+}
+
+export type Light = DirectionalLight | PointLight;
+
+/** Light from all directions: an equirectangular picture; +y is above, columns turn from −z over +x. */
+export interface Environment {
+  readonly picture: LinearPicture;
+  /** Degrees about the vertical. */
+  readonly turn?: number;
+}
+
+/** A pinhole camera. */
+export interface Camera {
+  /** Where it stands. */
+  readonly origin: Vector3;
+  /** What it looks at. */
+  readonly target: Vector3;
+  /** What is upwards in the picture; +y by default. */
+  readonly up?: Vector3;
+  /** Of the picture's shorter side, degrees; 26 by default. */
+  readonly fieldOfView?: number;
+  /** Nearest distance that is drawn; 0.0001 by default. */
+  readonly near?: number;
+}
+
+/** `lobes` averages over the footprint of a pixel, `point` samples it. */
+export type ModelName = "lobes" | "point";
+
+/** What a renderer did since it was made; bytes are those that the page sent to the adapter. */
+export interface Statistics {
+  /** Kernels of baking that were launched, and bakes of a fabric. */
+  readonly bakeKernels: number;
+  readonly bakes: number;
+  /** Buffers, or parts of them, that were written for fabrics, and their bytes. */
+  readonly writes: number;
+  readonly writtenBytes: number;
+  /** Passes of frames. */
+  readonly passes: number;
+  /** Milliseconds from handing the last pass over until the adapter had done it; 0 before the first. */
+  readonly frameMs: number;
+  /** Milliseconds that the last edit took on the page's side. */
+  readonly editMs: number;
+}
+
+/** What `ClothRenderer.frame` did. */
+export interface FrameReport {
+  /** Passes that the picture on the canvas is the mean of; 0 while shaders compile. */
+  readonly passes: number;
+  /** Pixels of the picture; fewer than the canvas has while something moves on a slow adapter. */
+  readonly width: number;
+  readonly height: number;
+  /** Whether a further frame would change the picture. */
+  readonly isComplete: boolean;
+}
