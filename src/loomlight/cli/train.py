@@ -49,8 +49,8 @@ def woven(
     note_left(f"{folder} keeps data and the last checkpoint: the same command goes on from there.")
     with process_group():
         speaks = process_number() == 0
-        lines = (_Lines("data"), _Lines("training")) if speaks else (None, None)
-        weights = train_woven(recipe, folder, *lines, device)
+        of_data, of_training = (_Lines("data"), _Lines("training")) if speaks else (None, None)
+        weights = train_woven(recipe, folder, of_data, of_training, device)
     if speaks:
         done(weights)
 
