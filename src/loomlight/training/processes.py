@@ -1,4 +1,4 @@
-"""Training by several processes that torchrun starts: each has a share of every batch, gradients are added up.
+"""Training by several processes that torchrun starts: each has a share of every batch, gradients add up.
 
     torchrun --nproc-per-node 2 -m loomlight train woven experiments/chen2024.toml
 
