@@ -42,12 +42,17 @@ def woven(
     os.environ.setdefault("OMP_WAIT_POLICY", "passive")
     try:
         from loomlight.models.woven.training.train import train_woven
+        from loomlight.training.processes import process_group, process_number
     except ModuleNotFoundError as error:
         raise MissingDependencyError("Training needs PyTorch: pip install 'loomlight[train]'.") from error
     folder = Path("runs") / config.stem if output is None else output
     note_left(f"{folder} keeps data and the last checkpoint: the same command goes on from there.")
-    weights = train_woven(recipe, folder, _Lines("data"), _Lines("training"), device)
-    done(weights)
+    with process_group():
+        speaks = process_number() == 0
+        of_data, of_training = (_Lines("data"), _Lines("training")) if speaks else (None, None)
+        weights = train_woven(recipe, folder, of_data, of_training, device)
+    if speaks:
+        done(weights)
 
 
 class _Lines:
