@@ -49,8 +49,8 @@ def woven(
     note_left(f"{folder} keeps data and the last checkpoint: the same command goes on from there.")
     with process_group():
         speaks = process_number() == 0
-        lines = (_Lines("data"), _Lines("training")) if speaks else (None, None)
-        weights = train_woven(recipe, folder, *lines, device)
+        data, training = (_Lines("data"), _Lines("training")) if speaks else (None, None)
+        weights = train_woven(recipe, folder, data, training, device)
     if speaks:
         done(weights)
 
