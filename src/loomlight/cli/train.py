@@ -40,6 +40,8 @@ def woven(
     recipe = read_config(config)
     # On shared cores threads that spin while they wait make small batches many times slower.
     os.environ.setdefault("OMP_WAIT_POLICY", "passive")
+    # MKL's sums otherwise depend on where arrays lie in memory, and a resumed training on that.
+    os.environ.setdefault("MKL_CBWR", "AUTO,STRICT")
     try:
         from loomlight.models.woven.training.train import train_woven
         from loomlight.training.processes import process_group, process_number
