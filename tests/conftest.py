@@ -12,7 +12,7 @@ from hypothesis import HealthCheck, settings
 from loomlight.models.latent.settings import QUALITIES as LATENT_QUALITIES
 from loomlight.models.neumip.settings import QUALITIES
 
-# Before torch is loaded: MKL's sums otherwise depend on where arrays lie, and trainings must repeat bit for bit.
+# Before torch is loaded: MKL's sums otherwise depend on where arrays lie, and trainings repeat bit for bit.
 os.environ.setdefault("MKL_CBWR", "AUTO,STRICT")
 
 # Seconds that an example takes say how busy a machine is, not what is wrong.
