@@ -40,6 +40,8 @@ def woven(
     recipe = read_config(config)
     # On shared cores threads that spin while they wait make small batches many times slower.
     os.environ.setdefault("OMP_WAIT_POLICY", "passive")
+    # MKL's sums otherwise depend on where arrays lie in memory, and a resumed training on that.
+    os.environ.setdefault("MKL_CBWR", "AUTO,STRICT")
     try:
         from loomlight.models.woven.training.train import train_woven
         from loomlight.training.processes import process_group, process_number
@@ -49,8 +51,8 @@ def woven(
     note_left(f"{folder} keeps data and the last checkpoint: the same command goes on from there.")
     with process_group():
         speaks = process_number() == 0
-        of_data, of_training = (_Lines("data"), _Lines("training")) if speaks else (None, None)
-        weights = train_woven(recipe, folder, of_data, of_training, device)
+        data, training = (_Lines("data"), _Lines("training")) if speaks else (None, None)
+        weights = train_woven(recipe, folder, data, training, device)
     if speaks:
         done(weights)
 
