@@ -1,5 +1,5 @@
 /** Warp and weft yarns: how they shine, how they lie, how thick they are. */
-import { bendsOf, familySpacing, familyWidth, FAMILIES, threadsPerCm, yarnTex, type FamilyName } from "loomlight-fabric";
+import { bendsOf, familySpacing, familyWidth, FAMILIES, threadsPerCm, withYarns, yarnTex, YARN_PRESETS, type FamilyName } from "loomlight-fabric";
 import { useState } from "preact/hooks";
 
 import { Segmented } from "../controls/Segmented.tsx";
@@ -38,8 +38,15 @@ export function YarnsPanel({ fabric, dispatch }: Props) {
       </section>
       <section class="group">
         <h2>Yarn</h2>
+        <KindField fabric={fabric} dispatch={dispatch} choice={choice} />
         <CountField fabric={fabric} dispatch={dispatch} families={families} />
-        {["gap", "twist_deg", "specular", "roughness", "translucency"].map((key) => (
+        {["gap", "specular", "roughness", "translucency"].map((key) => (
+          <YarnSlider key={key} fabric={fabric} dispatch={dispatch} families={families} name={key} />
+        ))}
+      </section>
+      <section class="group">
+        <h2>How it is spun</h2>
+        {["twist_deg", "plies", "ply_twist_deg", "fibre_tilt_deg", "slub", "hairiness"].map((key) => (
           <YarnSlider key={key} fabric={fabric} dispatch={dispatch} families={families} name={key} />
         ))}
       </section>
@@ -100,7 +107,7 @@ function YarnSlider({ fabric, dispatch, families, name }: FamiliesProps & { read
 
 /** A quantity as it is in use: the family's own, or what follows from the weave and the draft. */
 function valueOf(fabric: Fabric, family: FamilyName, name: string): number {
-  const own = (fabric.fields[family] as Record<string, unknown> | undefined)?.[name];
+  const own = (withYarns(fabric.fields)[family] as Record<string, unknown> | undefined)?.[name];
   if (typeof own === "number") return own;
   const draft = woven(fabric);
   if (name === "gap") {
@@ -111,6 +118,33 @@ function valueOf(fabric: Fabric, family: FamilyName, name: string): number {
   if (name === "inclination_deg") return bendsOf(draft)[family].inclinationDeg;
   if (name === "twist_deg") return bendsOf(draft)[family].twistDeg;
   return YARN_QUANTITIES[name]!.standard;
+}
+
+/** The kind of yarn, which says what the sliders below leave unsaid. */
+function KindField({ fabric, dispatch, choice }: Props & { readonly choice: Choice }) {
+  const field = choice === "both" ? "yarn" : `${choice}.yarn`;
+  const own = choice === "both" ? fabric.fields.yarn : fabric.fields[choice]?.yarn;
+  return (
+    <div class="row">
+      <label class="tip" data-tip="Fibre and spinning: sets lustre, twist, plies and hairiness, unless you set them" for="yarn-kind">
+        Kind
+      </label>
+      <select
+        id="yarn-kind"
+        class="text"
+        value={own ?? ""}
+        data-testid={`field-${field}`}
+        onChange={(event) => dispatch({ type: "field/set", field, value: event.currentTarget.value || undefined })}
+      >
+        <option value="">{choice === "both" ? "No kind in particular" : "As the fabric"}</option>
+        {YARN_PRESETS.map(({ name }) => (
+          <option key={name} value={name}>
+            {name[0]!.toUpperCase() + name.slice(1)}
+          </option>
+        ))}
+      </select>
+    </div>
+  );
 }
 
 function CountField({ fabric, dispatch, families }: FamiliesProps) {
