@@ -4,8 +4,8 @@
 
 White cloth of three weaves is seen from six views. Random fabrics are those of `experiments.white_furnace`:
 all parameter ranges, limits included. Reflectance is the mean weight of the point model's sampler over places
-of the repeat, light through holes included: 1 if nothing is lost. The bars are 0.95 to 1 for white cloth, 1.02
-for all.
+of the repeat, light through holes included: 1 if nothing is lost. The bars are 0.95 to 1 for white cloth, and
+1.02 for all.
 """
 
 from __future__ import annotations

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -10,6 +11,9 @@ from hypothesis import HealthCheck, settings
 
 from loomlight.models.latent.settings import QUALITIES as LATENT_QUALITIES
 from loomlight.models.neumip.settings import QUALITIES
+
+# Before torch is loaded: MKL's sums otherwise depend on where arrays lie, and trainings repeat bit for bit.
+os.environ.setdefault("MKL_CBWR", "AUTO,STRICT")
 
 # Seconds that an example takes say how busy a machine is, not what is wrong.
 settings.register_profile("busy machines", deadline=None, suppress_health_check=[HealthCheck.too_slow])

@@ -88,7 +88,7 @@ def test_ranges_of_properties_are_those_of_fields() -> None:
                 or field.partition(".")[2].endswith(("reflect", "transmit"))
             ):
                 continue
-            kind = int if name == "variation_seed" else float
+            kind = int if name.endswith(("_seed", "_plies")) else float
             step = 1 if kind is int else 1e-3
             low, high = (kind(float(number)) for number in span.groups())
             for value, right in ((low, True), (high, True), (low - step, False), (high + step, False)):

@@ -6,11 +6,14 @@ queries in ten thousand fall on the other side of an edge; they are counted.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from drjit.llvm import Float
 
 from loomlight.scattering import diffuse, fibre, sheen
+from loomlight.scattering.appearance import YarnDetail
 from loomlight.scattering.point import PointModel, to_face_frame
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout
@@ -163,3 +166,39 @@ def test_view_from_behind_negates_z() -> None:
     view = directions(generator(), 100)
     found = mapped("point", "let v = to_face_frame(view, true);", "v.x; v.y; v.z", {"view": view})
     np.testing.assert_array_equal(found.T, np.array(to_face_frame(vectors(view), True)))
+
+
+def test_queries_of_yarns_close_up() -> None:
+    """Plies, fibres, slubs and hairs of both families, in footprints of a two-thousandth to two threads."""
+    rng = generator()
+    layout = LAYOUTS["uneven"]
+    details = (
+        YarnDetail(2, 0.4, 0.2, 0.7, 1, layout.warp.twist, float(layout.warp.width.mean())),
+        YarnDetail(1, 0.0, 0.1, 0.0, 0.5, layout.weft.twist, float(layout.weft.width.mean())),
+    )
+    plain = appearance(rng, layout, False, True)
+    looks = replace(
+        plain, warp=replace(plain.warp, detail=details[0]), weft=replace(plain.weft, detail=details[1])
+    )
+    at = places(rng, layout, COUNT)
+    light, view = directions(rng, COUNT), directions(rng, COUNT)
+    side = np.float32(float(layout.warp.spacing.mean()) * np.exp(rng.uniform(np.log(5e-4), np.log(2), COUNT)))
+    body = (
+        "let q = default_quality(); let p = locate_yarn(fabric, q, x, y, view, side);"
+        "let f = evaluate(fabric, q, p, light, view);"
+    )
+    results = "f.x; f.y; f.z; p.normal.x; p.normal.y; p.tangent.x; p.albedos.diffuse_reflect.x"
+    arguments = {"x": at.x, "y": at.y, "light": light, "view": view, "side": side}
+    found = mapped("point search", body, results, arguments, (layout, looks))
+    model = PointModel(YarnGeometry(layout), looks)
+    x, y, _ = at.arrays()
+    point = model.locate(x, y, vectors(view), size=Float(side))
+    value = np.array(model.evaluate(point, vectors(light), vectors(view)))
+    expected = [*value, point.normal.x, point.normal.y, point.tangent.x, point.albedos.diffuse_reflect.x]
+    on_yarn = ~np.array(point.hole)
+    assert value.max() > 0.1
+    for column, values in enumerate(expected[:3]):
+        assert share_beyond(found[on_yarn, column], np.array(values)[on_yarn]) <= MOST_FLIPS, column
+    # Positions are rounded to 1e-4 of a fibre, over which a frame turns by up to a thousandth.
+    for column, values in enumerate(expected[3:], 3):
+        assert np.mean(abs(found[on_yarn, column] - np.array(values)[on_yarn]) > 1e-3) <= MOST_FLIPS, column

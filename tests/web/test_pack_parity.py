@@ -32,6 +32,7 @@ TEXTS = [
     'weave = "houndstooth 4"\nwarp.color = ["#222222", "#c02040", "#ffffff"]\noptical_depth = 0.5',
     'weave = "satin 16/5"\nepi = 90\nppi = 60\nwarp.specular = 1\nweft.count = "Ne 30/2"',
     'weave = "basket 3"\ngap = 0.6\nwarp.inclination_deg = 70\nwarp.height_scale = 1.7\nweft.gap = 0',
+    'weave = "plain"\nyarn = "wool"\nweft.plies = 3\nweft.ply_twist_deg = -20\nweft.hairiness = 0.2',
     'weave = "damask 160"\nwarp.color = ["#111", "#777", "#eee", "#900", "#070"]',
 ]
 # Both compute in double precision, where sums differ in their last bits, and round to single precision.

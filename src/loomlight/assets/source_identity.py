@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import hashlib
 import json
+from importlib.metadata import version
 from typing import Any
 
 import numpy as np
 
-from loomlight import __version__
 from loomlight.assets.sources import SOURCE_KINDS, Source, kind_of_source
 
 
@@ -16,7 +16,7 @@ def source_identity(source: Source, settings: dict[str, Any]) -> str:
     """A hash of a source, of settings (JSON values) and of this program's version, hexadecimal."""
     kind = kind_of_source(source)
     record, tensors = SOURCE_KINDS[kind].record(source)
-    facts = [__version__, kind, record, settings]
+    facts = [version("loomlight"), kind, record, settings]
     digest = hashlib.sha256(json.dumps(facts, sort_keys=True, default=str).encode())
     for name, values in sorted(tensors.items()):
         array = np.ascontiguousarray(values)

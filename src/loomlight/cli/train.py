@@ -40,14 +40,21 @@ def woven(
     recipe = read_config(config)
     # On shared cores threads that spin while they wait make small batches many times slower.
     os.environ.setdefault("OMP_WAIT_POLICY", "passive")
+    # MKL's sums otherwise depend on where arrays lie in memory, and a resumed training on that.
+    os.environ.setdefault("MKL_CBWR", "AUTO,STRICT")
     try:
         from loomlight.models.woven.training.train import train_woven
+        from loomlight.training.processes import process_group, process_number
     except ModuleNotFoundError as error:
         raise MissingDependencyError("Training needs PyTorch: pip install 'loomlight[train]'.") from error
     folder = Path("runs") / config.stem if output is None else output
     note_left(f"{folder} keeps data and the last checkpoint: the same command goes on from there.")
-    weights = train_woven(recipe, folder, _Lines("data"), _Lines("training"), device)
-    done(weights)
+    with process_group():
+        speaks = process_number() == 0
+        data, training = (_Lines("data"), _Lines("training")) if speaks else (None, None)
+        weights = train_woven(recipe, folder, data, training, device)
+    if speaks:
+        done(weights)
 
 
 class _Lines:

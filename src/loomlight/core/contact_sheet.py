@@ -8,6 +8,7 @@ import io
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -59,7 +60,8 @@ def card_to_bytes(card: Card) -> bytes:
     """A card as a file of NumPy arrays, without pickled objects."""
     file = io.BytesIO()
     texts = np.frombuffer(json.dumps([card.title, *card.lines]).encode(), np.uint8)
-    np.savez(file, texts, **card.pictures)
+    arrays: dict[str, Any] = card.pictures
+    np.savez(file, texts, **arrays)
     return file.getvalue()
 
 

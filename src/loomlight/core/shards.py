@@ -3,8 +3,8 @@
     KEY.claim    locked by the process that works on the shard; says which that is, and the how-manieth
     KEY.done     the outcome, written under a temporary name and renamed: there, the shard is complete
 
-The kernel releases a lock when its process ends, however it ends, on other machines too if the file system has
-locks (NFS has). So a claim without a lock is a dead process's, whatever the time, and is taken over.
+The kernel releases a lock when its process ends, however it ends, on other machines too if the file system
+has locks (NFS has). So a claim without a lock is a dead process's, whatever the time, and is taken over.
 """
 
 from __future__ import annotations

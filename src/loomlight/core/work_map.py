@@ -1,7 +1,7 @@
 """A function over items, on processes of this machine, on Slurm, or by joblib's backends.
 
 Every process works through the same shards of one folder (`shards.py`), whichever is free. A process that is
-killed loses the shard it was at, which another process takes; whoever calls again with the same folder goes on.
+killed loses the shard it was at, which another process takes; a later call with the same folder goes on.
 """
 
 from __future__ import annotations
@@ -117,18 +117,19 @@ def work_map(
 
 def attempt(function: Callable[[_Item], bytes], item: _Item) -> Outcome:
     """What becomes of an item: its result, or what is wrong with it."""
+    content, fault, defect = b"", None, None
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", LoomlightWarning)
         try:
-            outcome = {"content": function(item)}
+            content = function(item)
         except InputError as error:
-            outcome = {"fault": str(error)}
+            fault = str(error)
         except LoomlightError:
             raise
         except Exception:
-            outcome = {"defect": traceback.format_exc()}
+            defect = traceback.format_exc()
     sentences = [str(each.message) for each in caught if issubclass(each.category, LoomlightWarning)]
-    return Outcome(**outcome, warnings=tuple(dict.fromkeys(sentences)))
+    return Outcome(content, fault, defect, tuple(dict.fromkeys(sentences)))
 
 
 def require_results(outcomes: Mapping[str, Outcome]) -> None:

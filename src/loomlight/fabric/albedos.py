@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.colour import parse_colour
-from loomlight.fabric.authored_colour import colour_for
 from loomlight.fabric.defaults import ROUGHNESS, SPECULAR, TRANSLUCENCY
 from loomlight.fabric.file import YarnTable
 from loomlight.scattering.albedo import Albedos, albedos_from_colour, check_albedos
 from loomlight.scattering.appearance import FamilyAppearance
-from loomlight.scattering.openness import Openness
+
+if TYPE_CHECKING:  # it needs Dr.Jit, and fabrics do not
+    from loomlight.scattering.openness import Openness
 
 
 def family_appearance(
@@ -36,6 +39,8 @@ def family_appearance(
     translucency = TRANSLUCENCY if table.translucency is None else table.translucency
     roughness = ROUGHNESS if table.roughness is None else table.roughness
     if shown_by is not None:
+        from loomlight.fabric.authored_colour import colour_for
+
         openness, number = shown_by
         colours = colour_for(colours, specular, translucency, openness, number, roughness, optical_depth)
     albedos = albedos_from_colour(colours, specular, translucency, optical_depth)

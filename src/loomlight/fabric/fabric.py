@@ -26,7 +26,6 @@ from loomlight.fabric.spacing import family_spacing, family_width
 from loomlight.fabric.writing import fabric_toml
 from loomlight.fabric.yarns import with_yarns
 from loomlight.scattering.appearance import Appearance, Sheen, Variation, YarnDetail
-from loomlight.scattering.openness import openness_of
 from loomlight.weave.draft import Draft, Threads
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
 
@@ -68,6 +67,9 @@ class Fabric:
         own = self._own_appearance
         if not self.fields.interreflection:
             return own
+        # Rays need Dr.Jit, which fabrics without them do not load.
+        from loomlight.scattering.openness import openness_of
+
         roughness = own.warp.roughness, own.weft.roughness
         openness = openness_of(self._layout, own.diffuse_blend, roughness, own.optical_depth)
         fields = with_yarns(self.fields)

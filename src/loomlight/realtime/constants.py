@@ -35,10 +35,27 @@ from loomlight.realtime.latent_tables import latent_floats, latent_uints
 from loomlight.realtime.neumip_tables import neumip_floats, neumip_uints
 from loomlight.realtime.openness_tables import openness_floats, openness_uints
 from loomlight.realtime.woven_tables import woven_floats, woven_uints
-from loomlight.scattering import directions, fibre, sheen, sheen_coefficients, variation
+from loomlight.scattering import detail, directions, fibre, sheen, sheen_coefficients, variation
 from loomlight.yarn import max_heights, rays, runs, search, threads
 
 _FLOATS: dict[str, float] = {
+    "PLY_EDGE_SINE": detail.PLY_EDGE_SINE,
+    "GROOVE_DEPTH": detail.GROOVE_DEPTH,
+    "BUNDLE_FIBRES": detail.BUNDLE_FIBRES,
+    "WAVE_LENGTH": detail.WAVE_LENGTH,
+    "WAVE_SHARE": detail.WAVE_SHARE,
+    "HAIR_CELL": detail.HAIR_CELL,
+    "HAIR_SHORTEST": detail.HAIR_SHORTEST,
+    "HAIR_LONGEST": detail.HAIR_LONGEST,
+    "HAIR_HALF_WIDTH": detail.HAIR_HALF_WIDTH,
+    "HAIR_CURL": detail.HAIR_CURL,
+    "HAIR_EDGE_SINE": detail.HAIR_EDGE_SINE,
+    "SLUB_DEPTH": detail.SLUB_DEPTH,
+    "SLUB_MIDDLE": detail.SLUB_MIDDLE,
+    "NOISE_VARIANCE": detail.NOISE_VARIANCE,
+    "TILT_SCALE": detail.TILT_SCALE,
+    "TURN_SCALE": detail.TURN_SCALE,
+    "DIFFUSE_TURN_LOSS": detail.DIFFUSE_LOSS,
     "INVERSE_SECTION_SINE": 1 / math.sin(threads.SECTION_ANGLE),
     "INVERSE_CELL_MAX_LEVELS": 1 / runs.CELL_MAX_LEVELS,
     "OUTLINE_EPSILON": search._EPSILON,
@@ -112,6 +129,12 @@ _VECTOR_ARRAYS: dict[str, Sequence[tuple[float, float]]] = {
     "POINT_OFFSETS": point_sampled.POINT_OFFSETS,
 }
 _UINTS: dict[str, int] = {
+    "BUNDLE_STREAM": detail.BUNDLE_STREAM,
+    "WAVE_STREAM": detail.WAVE_STREAM,
+    "TILT_STREAM": detail.TILT_STREAM,
+    "SLUB_STREAM": detail.SLUB_STREAM,
+    "HAIR_STREAM": detail.HAIR_STREAM,
+    "HAIR_LAYERS": detail.HAIR_LAYERS,
     "MOST_SAMPLES": search.DEFAULT_QUALITY.steps,
     "REFINEMENTS": search.DEFAULT_QUALITY.refinements,
     "NEWTON_STEPS": rays._NEWTON_STEPS,

@@ -53,6 +53,16 @@ FAMILY: Fields = (
     ),
     ("area_unit", "float", "square millimetres that the integer 1 of these integrals stands for"),
     ("crossing_area", "float", "mean visible area of a crossing"),
+    ("has_plies", "float", "1 where yarns have two plies or more"),
+    ("plies_per_mm", "float", "across the plies"),
+    ("ply_sine", "float", "sine of the angle from fibres to plies"),
+    ("ply_cosine", "float", ""),
+    ("fibre_tilt", "float", "deviation of the angles by which fibres stray"),
+    ("fibre_tone", "float", "share of the albedo that fibres vary by"),
+    ("slub", "float", "0 to 1"),
+    ("slubs_per_mm", "float", "along the thread"),
+    ("per_half_width", "float", "2 / width of the yarn"),
+    ("hairiness", "float", "0 to 1"),
 )
 
 LOBES: Fields = (
@@ -170,6 +180,7 @@ FABRIC: Fields = (
     ("seed", "uint", "of the noise"),
     ("layer_bound", "float", "κ of the energy bound"),
     ("fibre_size", "float", "width of a cell of fibre noise"),
+    ("has_detail", "uint", "1 where yarns show plies, fibres, slubs or hairs close up"),
     ("uv_width", "float", "millimetres per unit of u"),
     ("uv_height", "float", "millimetres per unit of v"),
     ("is_open", "uint", "1 where light passes through holes"),

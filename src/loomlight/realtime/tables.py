@@ -19,6 +19,7 @@ from loomlight.realtime.openness_tables import NO_OPENNESS, pack_openness
 from loomlight.realtime.word_table import Tables, Words, WordTable, fill
 from loomlight.scattering.albedo import layer_albedo_bound
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
+from loomlight.scattering.detail import family_numbers
 from loomlight.scattering.variation import FIBRES_ACROSS
 from loomlight.yarn import search
 from loomlight.yarn.geometry import YarnGeometry
@@ -130,6 +131,7 @@ def _pack_fabric(
         "fibre_size": min(fine_x, fine_y) / FIBRES_ACROSS,
         "has_yarns": 1,
         "openness": pack_openness(table, appearance),
+        "has_detail": int(appearance.warp.detail.is_on or appearance.weft.detail.is_on),
         "is_open": int(_open_share(warp) * _open_share(weft) > _SMALLEST_OPEN_SHARE),
     }
     fill(record, values)
@@ -188,6 +190,7 @@ def _pack_family(
         values["place_table"] = table.add(
             np.stack([lower, upper, threads.centre - first, threads.half_width], axis=1)
         )
+    values |= family_numbers(appearance.detail)
     albedos = np.stack([np.asarray(getattr(appearance, name), np.float64) for name in _ALBEDOS], axis=1)
     alike = bool(np.allclose(albedos, albedos[:1], rtol=0, atol=1e-12))
     values["albedo_table"] = table.add(albedos[:1] if alike else albedos)

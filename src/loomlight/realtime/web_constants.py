@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TypeAlias
 
 from loomlight.aggregate import footprint_albedos
+from loomlight.fabric.defaults import PLY_TWIST_DEG
 from loomlight.fabric.fabric import MAXIMUM_CROSSINGS
 from loomlight.fabric.yarns import PRESETS
 from loomlight.models.lobes import coverage_lookup, coverage_pyramid, groups, regimes, visibility_rays
@@ -23,7 +24,7 @@ from loomlight.realtime import albedo_map, bake, bvh, environment, orbit, render
 from loomlight.realtime.layout import RECORDS, numpy_type
 from loomlight.realtime.openness_tables import NO_OPENNESS
 from loomlight.realtime.slangc import SHADERS
-from loomlight.scattering import albedo
+from loomlight.scattering import albedo, detail
 from loomlight.scattering.variation import FIBRES_ACROSS
 from loomlight.yarn import layout, max_heights, runs, search, threads
 
@@ -58,6 +59,12 @@ CONSTANTS: dict[str, dict[str, Value]] = {
         "WHITE_SHARE": albedo.WHITE_SHARE,
         "ALBEDO_TOLERANCE": albedo._TOLERANCE,
         "FIBRES_ACROSS": FIBRES_ACROSS,
+    },
+    "scattering/detail.py, fabric/defaults.py": {
+        "SLUB_LENGTH": detail.SLUB_LENGTH,
+        "TONE_OF_TILT": detail.TONE_OF_TILT,
+        "MOST_TONE": detail.MOST_TONE,
+        "PLY_TWIST_DEG": PLY_TWIST_DEG,
     },
     "fabric/fabric.py": {"MAXIMUM_CROSSINGS": MAXIMUM_CROSSINGS},
     "aggregate/footprint_albedos.py": {

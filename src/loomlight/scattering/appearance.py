@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.scattering.openness import Openness
+if TYPE_CHECKING:  # it needs Dr.Jit, and appearances do not
+    from loomlight.scattering.openness import Openness
 
 
 @dataclass(frozen=True)

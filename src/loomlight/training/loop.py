@@ -18,6 +18,7 @@ from loomlight.training.checkpoint import (
     restore_optimiser,
     write_checkpoint,
 )
+from loomlight.training.processes import process_number, same_for_all, wait_for_all
 
 # Called with (steps done, steps in all, running mean of the loss).
 Report = Callable[[int, int, float], None]
@@ -84,12 +85,13 @@ def train(
         LoomlightError: the loss is no number any more.
     """
     step, spent, mean = _restored(network, optimiser, checkpoint, identity)
+    wait_for_all()  # before another one writes the checkpoint
     begun = kept = time.monotonic()
     while step < schedule.steps:
         elapsed = spent + time.monotonic() - begun
         progress = step / schedule.steps
         if schedule.seconds:
-            progress = max(progress, elapsed / schedule.seconds)
+            progress = same_for_all(max(progress, elapsed / schedule.seconds))
         if progress >= 1:
             break
         for group in optimiser.param_groups:
@@ -124,6 +126,8 @@ def _keep(
     spent: float,
     mean: float,
 ) -> None:
+    if process_number() != 0:
+        return
     tensors = {f"weights.{name}": tensor for name, tensor in network.state_dict().items()}
     tensors |= {f"optimiser.{name}": tensor for name, tensor in optimiser_tensors(optimiser).items()}
     facts = {"identity": identity, "step": step, "seconds": spent, "loss": mean}

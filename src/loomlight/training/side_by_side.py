@@ -13,6 +13,8 @@ from typing import Any
 import torch
 from torch import Tensor, nn
 
+from loomlight.training.processes import own_share, sum_over_processes
+
 
 class SideBySide:
     """Computes losses and gradients of parts on a thread each.
@@ -34,6 +36,8 @@ class SideBySide:
     ) -> Tensor:
         """The weighted sum of losses, with gradients computed already.
 
+        Under torchrun each process computes its share of the parts (`processes.py`), at least one.
+
         Args:
             losses: of the parts; each may use the network's parameters and nothing else that has a gradient.
         """
@@ -44,9 +48,11 @@ class SideBySide:
             return value.detach(), torch.autograd.grad(value, parameters, allow_unused=True)
 
         apply = map if self.parts == 1 else self._threads.map
-        values, gradients = zip(*apply(backward, losses, weights), strict=True)
+        values, gradients = zip(*apply(backward, own_share(losses), own_share(weights)), strict=True)
         sums = [_sum(parts) for parts in zip(*gradients, strict=True)]
-        loss: Tensor = _Known.apply(sum(values), sums, *parameters)
+        total = torch.stack(values).sum()
+        sum_over_processes(total, sums)
+        loss: Tensor = _Known.apply(total, sums, *parameters)
         return loss
 
 

@@ -6,7 +6,7 @@ export type Field = readonly [word: number, kind: "float" | "uint"];
 /** Records as buffers hold them: size in words, and fields by their names. */
 export const RECORDS = {
   Family: {
-    words: 31,
+    words: 41,
     fields: {
       "is_alike": [0, "uint"],
       "count": [1, "float"],
@@ -39,10 +39,20 @@ export const RECORDS = {
       "colour_areas": [28, "uint"],
       "area_unit": [29, "float"],
       "crossing_area": [30, "float"],
+      "has_plies": [31, "float"],
+      "plies_per_mm": [32, "float"],
+      "ply_sine": [33, "float"],
+      "ply_cosine": [34, "float"],
+      "fibre_tilt": [35, "float"],
+      "fibre_tone": [36, "float"],
+      "slub": [37, "float"],
+      "slubs_per_mm": [38, "float"],
+      "per_half_width": [39, "float"],
+      "hairiness": [40, "float"],
     },
   },
   Fabric: {
-    words: 107,
+    words: 108,
     fields: {
       "warp": [0, "uint"],
       "weft": [1, "uint"],
@@ -125,32 +135,33 @@ export const RECORDS = {
       "seed": [78, "uint"],
       "layer_bound": [79, "float"],
       "fibre_size": [80, "float"],
-      "uv_width": [81, "float"],
-      "uv_height": [82, "float"],
-      "is_open": [83, "uint"],
-      "openness": [84, "uint"],
-      "albedo_map": [85, "uint"],
-      "albedo_map_levels": [86, "uint"],
-      "has_yarns": [87, "uint"],
-      "mean_hole": [88, "float"],
-      "latent.is_trained": [89, "uint"],
-      "latent.decoder": [90, "uint"],
-      "latent.hidden": [91, "uint"],
-      "latent.frames": [92, "uint"],
-      "latent.sampler": [93, "uint"],
-      "latent.albedo": [94, "uint"],
-      "latent.texels": [95, "uint"],
-      "latent.texel_elements": [96, "uint"],
-      "latent.levels": [97, "uint"],
-      "latent.last_level": [98, "float"],
-      "latent.face_texels": [99, "uint"],
-      "latent.back": [100, "uint"],
-      "latent.repeats_per_x": [101, "float"],
-      "latent.repeats_per_y": [102, "float"],
-      "latent.texels_per_mm": [103, "float"],
-      "latent.width": [104, "float"],
-      "latent.height": [105, "float"],
-      "latent.is_trilinear": [106, "uint"],
+      "has_detail": [81, "uint"],
+      "uv_width": [82, "float"],
+      "uv_height": [83, "float"],
+      "is_open": [84, "uint"],
+      "openness": [85, "uint"],
+      "albedo_map": [86, "uint"],
+      "albedo_map_levels": [87, "uint"],
+      "has_yarns": [88, "uint"],
+      "mean_hole": [89, "float"],
+      "latent.is_trained": [90, "uint"],
+      "latent.decoder": [91, "uint"],
+      "latent.hidden": [92, "uint"],
+      "latent.frames": [93, "uint"],
+      "latent.sampler": [94, "uint"],
+      "latent.albedo": [95, "uint"],
+      "latent.texels": [96, "uint"],
+      "latent.texel_elements": [97, "uint"],
+      "latent.levels": [98, "uint"],
+      "latent.last_level": [99, "float"],
+      "latent.face_texels": [100, "uint"],
+      "latent.back": [101, "uint"],
+      "latent.repeats_per_x": [102, "float"],
+      "latent.repeats_per_y": [103, "float"],
+      "latent.texels_per_mm": [104, "float"],
+      "latent.width": [105, "float"],
+      "latent.height": [106, "float"],
+      "latent.is_trilinear": [107, "uint"],
     },
   },
   Light: {
@@ -294,6 +305,12 @@ export const LIFT = 0.002;
 export const WHITE_SHARE = 0.3;
 export const ALBEDO_TOLERANCE = 1e-05;
 export const FIBRES_ACROSS = 30;
+
+// scattering/detail.py, fabric/defaults.py
+export const SLUB_LENGTH = 9.0;
+export const TONE_OF_TILT = 0.5;
+export const MOST_TONE = 0.15;
+export const PLY_TWIST_DEG = 24.0;
 
 // fabric/fabric.py
 export const MAXIMUM_CROSSINGS = 67108864;

@@ -38,7 +38,7 @@ export function YarnsPanel({ fabric, dispatch }: Props) {
       </section>
       <section class="group">
         <h2>Yarn</h2>
-        <KindField fabric={fabric} dispatch={dispatch} choice={choice} />
+        <KindField fabric={fabric} dispatch={dispatch} families={families} />
         <CountField fabric={fabric} dispatch={dispatch} families={families} />
         {["gap", "specular", "roughness", "translucency"].map((key) => (
           <YarnSlider key={key} fabric={fabric} dispatch={dispatch} families={families} name={key} />
@@ -120,26 +120,31 @@ function valueOf(fabric: Fabric, family: FamilyName, name: string): number {
   return YARN_QUANTITIES[name]!.standard;
 }
 
-/** The kind of yarn, which says what the sliders below leave unsaid. */
-function KindField({ fabric, dispatch, choice }: Props & { readonly choice: Choice }) {
-  const field = choice === "both" ? "yarn" : `${choice}.yarn`;
-  const own = choice === "both" ? fabric.fields.yarn : fabric.fields[choice]?.yarn;
+/** What the yarn is spun of: other defaults for everything below. */
+function KindField({ fabric, dispatch, families }: FamiliesProps) {
+  const kinds = families.map((family) => fabric.fields[family]?.yarn ?? fabric.fields.yarn ?? "");
+  const kind = kinds.every((each) => each === kinds[0]) ? kinds[0]! : "mixed";
+  const label = families.length === 2 ? "both" : families[0]!;
   return (
     <div class="row">
-      <label class="tip" data-tip="Fibre and spinning: sets lustre, twist, plies and hairiness, unless you set them" for="yarn-kind">
-        Kind
+      <label class="tip" data-tip="Other defaults of gloss, roughness, translucency and twist (yarn)" for={`kind-${label}`}>
+        Kind of yarn
       </label>
       <select
-        id="yarn-kind"
+        id={`kind-${label}`}
         class="text"
-        value={own ?? ""}
-        data-testid={`field-${field}`}
-        onChange={(event) => dispatch({ type: "field/set", field, value: event.currentTarget.value || undefined })}
+        value={kind}
+        data-testid={`field-${label}.yarn`}
+        onChange={(event) => {
+          const value = event.currentTarget.value || undefined;
+          for (const each of families) dispatch({ type: "field/set", field: `${each}.yarn`, value, stroke: `yarn-${value}` });
+        }}
       >
-        <option value="">{choice === "both" ? "No kind in particular" : "As the fabric"}</option>
+        {kind === "mixed" && <option value="mixed">mixed</option>}
+        <option value="">any</option>
         {YARN_PRESETS.map(({ name }) => (
           <option key={name} value={name}>
-            {name[0]!.toUpperCase() + name.slice(1)}
+            {name}
           </option>
         ))}
       </select>

@@ -11,6 +11,7 @@ import {
 } from "loomlight-fabric";
 
 import { ALBEDO_TOLERANCE, WHITE_SHARE } from "../generated.ts";
+import { detailOf, type YarnDetail } from "./detail.ts";
 
 /** The order of a thread's albedos, red, green and blue of each. */
 export const ALBEDOS = ["diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit"] as const;
@@ -22,6 +23,8 @@ export interface FamilyAppearance {
   readonly albedos: Float64Array;
   /** α of the fibre distribution. */
   readonly roughness: number;
+  /** What the yarns show close up. */
+  readonly detail: YarnDetail;
 }
 
 /** κ = (1 + e^{−Tρ})/2: no direction gets more than this share back from a fibre layer of albedo 1. */
@@ -55,7 +58,7 @@ export function familyAppearance(
     for (let i = 3 * number; i < albedos.length; i += ALBEDO_NUMBERS) albedos.set(colour, i);
   });
   checkAlbedos(albedos, family, opticalDepth);
-  return { albedos, roughness: table.roughness ?? ROUGHNESS };
+  return { albedos, roughness: table.roughness ?? ROUGHNESS, detail: detailOf(table) };
 }
 
 /** Albedo of the highlight of white threads at specular 1; see `scattering/albedo.py`. */

@@ -11,9 +11,10 @@ import {
 import { RecordArray, WordTable, type Values } from "../records.ts";
 import { ALBEDO_NUMBERS, layerAlbedoBound, type FamilyAppearance } from "./albedos.ts";
 import type { BakePlan } from "./bake_plan.ts";
+import { detailNumbers, isDetailed } from "./detail.ts";
 import { colourTables, type ColourTables } from "./footprint_albedos.ts";
 import { geometryOf, heightBounds, type Geometry } from "./geometry.ts";
-import { sizeOf, type ClothLayout, type FamilyLayout, type Look } from "./look.ts";
+import { halfWidth, sizeOf, type ClothLayout, type FamilyLayout, type Look } from "./look.ts";
 import { pairwiseSum } from "./sums.ts";
 import { areAlike, finestOf, type FamilyTables } from "./threads.ts";
 
@@ -142,6 +143,7 @@ function packFabric(
     layer_bound: layerAlbedoBound(appearance.opticalDepth),
     fibre_size: Math.min(fineX, fineY) / FIBRES_ACROSS,
     has_yarns: 1,
+    has_detail: isDetailed(appearance.warp.detail) || isDetailed(appearance.weft.detail) ? 1 : 0,
     openness: NO_OPENNESS,
     is_open: openShare(warp) * openShare(weft) > SMALLEST_OPEN_SHARE ? 1 : 0,
   });
@@ -187,6 +189,7 @@ function familyValues(
     level: threads.highest / CELL_MAX_LEVELS,
     roughness: appearance.roughness,
     bend_table: table.addNumbers(rows),
+    ...detailNumbers(appearance.detail, meanWidth(layout), layout.twist),
   };
   if (!isAlike) {
     const first = threads.lower[0]!;
@@ -206,6 +209,12 @@ function familyValues(
   values["albedo_table"] = table.addNumbers(areOneColour ? albedos.subarray(0, ALBEDO_NUMBERS) : albedos);
   values["albedo_stride"] = areOneColour ? 0 : ALBEDO_NUMBERS;
   return values;
+}
+
+/** Mean visible width of the threads, millimetres. */
+function meanWidth(layout: FamilyLayout): number {
+  const widths = layout.spacing.map((_, thread) => 2 * halfWidth(layout, thread));
+  return pairwiseSum(widths) / widths.length;
 }
 
 /** The last thread whose cell begins at or before each bin's edge. */

@@ -18,6 +18,7 @@ from loomlight.models.woven.training.config import TrainingConfig
 from loomlight.models.woven.training.dataset import Face
 from loomlight.models.woven.training.losses import LOSSES
 from loomlight.models.woven.training.network import FieldEncoder, WovenNetwork
+from loomlight.training.processes import process_count
 from loomlight.training.side_by_side import SideBySide
 
 _Floats = NDArray[np.float32]
@@ -55,7 +56,7 @@ class Batches:
         self._network = network
         self._device = device
         self._latents: list[Tensor] = []
-        self._side_by_side = SideBySide(_PARTS if device.type == "cpu" else 1)
+        self._side_by_side = SideBySide(max(_PARTS if device.type == "cpu" else 1, process_count()))
 
     def losses(self, step: int) -> Iterator[Tensor]:
         """The losses of one step: of encoder and decoder, then of the decoder alone on the same latents."""

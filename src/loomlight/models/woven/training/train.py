@@ -11,6 +11,7 @@ from typing import Any
 
 import torch
 
+from loomlight.core.errors import InputError
 from loomlight.core.provenance import provenance
 from loomlight.models.woven.architecture import FIELD_MAP, VECTOR_MAP
 from loomlight.models.woven.training.batches import Batches
@@ -21,6 +22,7 @@ from loomlight.models.woven.training.losses import is_published
 from loomlight.models.woven.training.network import Decoder, WovenNetwork
 from loomlight.models.woven.weights import write_weights
 from loomlight.training.loop import Report, Schedule, train
+from loomlight.training.processes import process_count, process_number, wait_for_all
 from loomlight.training.soap import Soap
 
 # Called with (fabrics made, fabrics in all).
@@ -48,6 +50,11 @@ def train_woven(
     Raises:
         InputError: the folder belongs to another configuration, or a file in it is damaged.
     """
+    if config.training.fabrics < process_count():
+        raise InputError(
+            f"[training] fabrics = {config.training.fabrics} is fewer than the {process_count()} processes, "
+            "which share the fabrics of each step: start fewer processes."
+        )
     faces = make_dataset(
         config,
         folder / f"pool-{_identity(_DATASET_VERSION, config.data, config.network.latent)[:8]}",
@@ -89,6 +96,8 @@ def train_woven(
             report,
         )
     weights = folder / "woven.safetensors"
+    if process_number() != 0:
+        return weights
     write_weights(
         weights,
         network.decoder.table,
@@ -127,11 +136,13 @@ def make_dataset(config: TrainingConfig, folder: Path, report: DatasetReport | N
     faces: list[Face] = []
     for number in range(config.data.fabrics):
         path = folder / f"{number:06d}.safetensors"
-        if not path.exists():
+        if number % process_count() == process_number() and not path.exists():
             write_faces(path, dataset_faces(config.data, number, side, per_thread, Float))
-        faces += read_faces(path)
         if report is not None:
             report(number + 1, config.data.fabrics)
+    wait_for_all()
+    for number in range(config.data.fabrics):
+        faces += read_faces(folder / f"{number:06d}.safetensors")
     return faces
 
 
