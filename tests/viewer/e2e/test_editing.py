@@ -12,8 +12,6 @@ from tests.viewer.conftest import Served
 from tests.viewer.e2e.conftest import AXE, Visit, visiting
 
 FIXTURES = Path(__file__).parents[2] / "weave" / "fixtures"
-# Kept edits reach the page's address once nothing happened for a while (CALM_MS of main.tsx), with a margin.
-CALM_MS = 1500
 SIZES = {"desk": (1440, 900), "small": (1024, 768), "phone": (390, 844)}
 
 
@@ -183,7 +181,10 @@ def test_saved_files_open_as_the_same_fabric(editor: Any, tmp_path: Path) -> Non
     editor.on("download", lambda download: saved.append(download))
     by_id(editor, "save").click()
     by_id(editor, "save-toml").click()
-    editor.wait_for_timeout(CALM_MS)
+    for _ in range(100):
+        if len(saved) == 2:
+            break
+        editor.wait_for_timeout(50)
     files = [tmp_path / download.suggested_filename for download in saved]
     for download, file in zip(saved, files, strict=True):
         download.save_as(file)
