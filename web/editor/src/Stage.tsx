@@ -43,6 +43,7 @@ export function Stage({ state, dispatch, ownMesh, surroundings, onMesh, onView }
   const [frameMs, setFrameMs] = useState(0);
   const [zoom, setZoom] = useState(0);
   const [isTouched, setTouched] = useState(false);
+  const [isDrawn, setDrawn] = useState(false);
   const { fabric, scene, comparison } = state;
 
   useEffect(() => {
@@ -91,7 +92,9 @@ export function Stage({ state, dispatch, ownMesh, surroundings, onMesh, onView }
       view.frame();
       if (now - told > 250) {
         told = now;
-        setFrameMs(view.statistics().frameMs);
+        const { kind, frameMs: last, passes } = view.statistics();
+        setFrameMs(last);
+        setDrawn(kind === "canvas" || Number(passes ?? 1) > 0);
         setZoom(view.zoom);
       }
       handle = requestAnimationFrame(draw);
@@ -108,14 +111,14 @@ export function Stage({ state, dispatch, ownMesh, surroundings, onMesh, onView }
       {lost !== null && <Lost text={lost} />}
       {reason !== null && lost === null && (
         <p class="stage-reason" role="status" data-testid="no-webgpu">
-          {reason} Everything else works: drafts, colours, saving.{" "}
+          {reason} Drafts, colours and saving work as ever.{" "}
           <a href="https://caniuse.com/webgpu" rel="noreferrer">
-            Which browsers have WebGPU
+            Browsers that have it
           </a>
         </p>
       )}
       <div class="stage-bar">
-        <div class="shapes" role="radiogroup" aria-label="Shape of the cloth">
+        {view?.kind !== "canvas" && <div class="shapes" role="radiogroup" aria-label="Shape of the cloth">
           {SHAPE_NAMES.map(([shape, text]) => (
             <label key={shape} class={shape === scene.shape ? "is-chosen" : ""}>
               <input
@@ -129,7 +132,7 @@ export function Stage({ state, dispatch, ownMesh, surroundings, onMesh, onView }
               <span>{text}</span>
             </label>
           ))}
-        </div>
+        </div>}
         <label class="zoom">
           <span>room</span>
           <input
@@ -156,7 +159,12 @@ export function Stage({ state, dispatch, ownMesh, surroundings, onMesh, onView }
           {frameMs > 0 ? `${frameMs < 10 ? frameMs.toFixed(1) : Math.round(frameMs)} ms` : "–"}
         </output>
       </div>
-      {!isTouched && view?.kind === "webgpu" && lost === null && <p class="stage-hint">Drag to turn · scroll to come closer</p>}
+      {!isDrawn && lost === null && (
+        <p class="stage-wait" role="status">
+          Preparing the light …
+        </p>
+      )}
+      {isDrawn && !isTouched && view?.kind === "webgpu" && lost === null && <p class="stage-hint">Drag to turn · scroll to come closer</p>}
     </section>
   );
 }

@@ -159,6 +159,7 @@ function Menu({ label, icon, testid, isPrimary, isOn, children }: MenuProps) {
         ref={button}
         type="button"
         class={`button${isPrimary === true ? " is-primary" : ""}${isOn === true ? " is-on" : ""}`}
+        aria-label={label}
         aria-haspopup="menu"
         aria-expanded={isOpen}
         data-testid={testid}

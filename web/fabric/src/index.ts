@@ -1,5 +1,4 @@
 /** Fabric files and weave drafts: named weaves, WIF, loom plans, colours and spacings. No DOM and no GPU. */
-export { YARN_PRESETS } from "./yarn_presets.ts";
 export { withYarns } from "./yarns.ts";
 export * from "./colour.ts";
 export * from "./colours.ts";
@@ -22,3 +21,4 @@ export { readToml, writeToml } from "./toml.ts";
 export { validateFields } from "./validate.ts";
 export { readWif } from "./wif_reader.ts";
 export { writeWif } from "./wif_writer.ts";
+export * from "./yarn_presets.ts";

@@ -101,7 +101,7 @@ function ThreadBar({ family, hexes, brush, dispatch }: PartProps) {
       context.fillRect(left, 0, Math.round(((thread + 1) * width) / hexes.length) - left, height);
       if (width / hexes.length < 8) return;
       context.fillStyle = "rgb(0 0 0 / 14%)";
-      context.fillRect(left, 0, 1, height);
+      context.fillRect(left, 0, 2, height);
     });
   }, [hexes]);
   const paint = (event: PointerEvent): void => {

@@ -137,7 +137,7 @@ function FabricTile({ entry, onChoose }: { entry: GalleryEntry; onChoose: (fabri
     // A corner of figured cloth: the whole of it would be dots.
     const side = Math.min(draft.ends, 16);
     const corner = cropped(draft, side, Math.min(draft.picks, 12));
-    const picture = clothPicture(corner, { pixels: Math.max(4, Math.round(128 / side)), gap: { warp: 0.06, weft: 0.06 } });
+    const picture = clothPicture(corner, { pixels: Math.min(Math.max(4, Math.round(128 / side)), 13), gap: { warp: 0.06, weft: 0.06 } });
     const tile = document.createElement("canvas");
     tile.width = picture.width;
     tile.height = picture.height;

@@ -1,5 +1,5 @@
 /** Warp and weft yarns: how they shine, how they lie, how thick they are. */
-import { bendsOf, familySpacing, familyWidth, FAMILIES, threadsPerCm, withYarns, YARN_PRESETS, yarnTex, type FamilyName } from "loomlight-fabric";
+import { bendsOf, familySpacing, familyWidth, FAMILIES, threadsPerCm, withYarns, yarnTex, YARN_PRESETS, type FamilyName } from "loomlight-fabric";
 import { useState } from "preact/hooks";
 
 import { Segmented } from "../controls/Segmented.tsx";
@@ -40,7 +40,13 @@ export function YarnsPanel({ fabric, dispatch }: Props) {
         <h2>Yarn</h2>
         <KindField fabric={fabric} dispatch={dispatch} families={families} />
         <CountField fabric={fabric} dispatch={dispatch} families={families} />
-        {["gap", "twist_deg", "specular", "roughness", "translucency"].map((key) => (
+        {["gap", "specular", "roughness", "translucency"].map((key) => (
+          <YarnSlider key={key} fabric={fabric} dispatch={dispatch} families={families} name={key} />
+        ))}
+      </section>
+      <section class="group">
+        <h2>How it is spun</h2>
+        {["twist_deg", "plies", "ply_twist_deg", "fibre_tilt_deg", "slub", "hairiness"].map((key) => (
           <YarnSlider key={key} fabric={fabric} dispatch={dispatch} families={families} name={key} />
         ))}
       </section>
@@ -126,6 +132,7 @@ function KindField({ fabric, dispatch, families }: FamiliesProps) {
       </label>
       <select
         id={`kind-${label}`}
+        class="text"
         value={kind}
         data-testid={`field-${label}.yarn`}
         onChange={(event) => {

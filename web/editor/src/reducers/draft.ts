@@ -3,6 +3,7 @@ import {
   loomOf,
   requireInterlacing,
   turnedOver,
+  validateFields,
   withColoursInDraft,
   withCrossing,
   withLoom,
@@ -12,7 +13,6 @@ import {
   withShafts,
   withSize,
   type Draft,
-  type FabricFields,
 } from "loomlight-fabric";
 
 import type { FabricAction } from "../state/actions.ts";
@@ -32,8 +32,7 @@ export function withDraftEdit(fabric: Fabric, action: DraftAction): Fabric {
   const draft = { ...edited(before, action), name };
   requireInterlacing(draft);
   const { weave: _weave, image: _image, ...kept } = own.fields;
-  const fields: FabricFields = { ...kept, name, draft: draftFile(name) };
-  return { fields, draft };
+  return { fields: validateFields({ ...kept, name, draft: draftFile(name) }), draft };
 }
 
 /** The file name of a draft that was made here. */

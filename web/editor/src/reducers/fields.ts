@@ -3,18 +3,18 @@ import { loadDraft, validateFields, type FabricFields } from "loomlight-fabric";
 
 import type { Fabric } from "../state/document.ts";
 
-/** Fields that say the same thing twice: a new value of one takes the place of the others. */
+/** Fields that say the same thing twice: a new value of one takes the place of the others. A count beside a gap weighs. */
 const INSTEAD_OF: Readonly<Record<string, readonly string[]>> = {
   ends_per_cm: ["epi"],
   epi: ["ends_per_cm"],
   picks_per_cm: ["ppi"],
   ppi: ["picks_per_cm"],
-  "warp.gap": ["warp.count", "warp.width_mm"],
+  "warp.gap": ["warp.width_mm"],
   "warp.count": ["warp.gap", "warp.width_mm"],
-  "warp.width_mm": ["warp.gap", "warp.count"],
-  "weft.gap": ["weft.count", "weft.width_mm"],
+  "warp.width_mm": ["warp.gap"],
+  "weft.gap": ["weft.width_mm"],
   "weft.count": ["weft.gap", "weft.width_mm"],
-  "weft.width_mm": ["weft.gap", "weft.count"],
+  "weft.width_mm": ["weft.gap"],
 };
 
 type Plain = Readonly<Record<string, unknown>>;

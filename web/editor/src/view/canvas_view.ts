@@ -95,7 +95,9 @@ export class CanvasView implements ClothView {
   readPixels(): Promise<Pixels> {
     this.frame();
     const { width, height } = this.canvas;
-    const { data } = this.canvas.getContext("2d")!.getImageData(0, 0, width, height);
+    const copy = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true })!;
+    copy.drawImage(this.canvas, 0, 0);
+    const { data } = copy.getImageData(0, 0, width, height);
     return Promise.resolve({ width, height, data });
   }
 

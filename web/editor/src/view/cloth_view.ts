@@ -69,16 +69,19 @@ export async function makeView(host: HTMLElement): Promise<Made> {
   if (!("gpu" in navigator))
     return {
       view: new CanvasView(host),
-      reason: "This browser has no WebGPU, so the cloth is shown flat, by its yarns and colours.",
+      reason: "This browser has no WebGPU, so the cloth is shown flat, without light.",
     };
   try {
     const { WebGpuView } = await import("./webgpu_view.ts");
     return { view: await WebGpuView.create(host), reason: null };
   } catch (error) {
-    const said = error instanceof Error ? ` (${error.message.split("\n")[0]})` : "";
     return {
       view: new CanvasView(host),
-      reason: `WebGPU does not start in this browser${said}, so the cloth is shown flat, by its yarns and colours.`,
+      reason: `WebGPU does not start here, so the cloth is shown flat, without light. ${reasonOf(error)}`,
     };
   }
+}
+
+function reasonOf(error: unknown): string {
+  return error instanceof Error ? (error.message.split("\n")[0] ?? "") : "";
 }
