@@ -33,7 +33,8 @@ from loomlight.evaluation.table import write_json
 from loomlight.evaluation.timing import timed
 from loomlight.scattering.albedo import Albedos, albedos_from_colour, check_albedos, layer_albedo_bound
 from loomlight.scattering.appearance import Appearance, FamilyAppearance, Sheen, Variation
-from loomlight.scattering.point import PointModel, YarnPoint
+from loomlight.scattering.point import PointModel
+from loomlight.scattering.yarn_point import YarnPoint
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
 

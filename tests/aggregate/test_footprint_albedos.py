@@ -1,4 +1,7 @@
-"""Mean albedos over footprints from tables, against rays, against sums over a fine grid, and their bounds."""
+"""Mean albedos over footprints from tables, against rays, against sums over a fine grid, and their bounds.
+
+Covers: aggregate/area_entries.py
+"""
 
 from __future__ import annotations
 

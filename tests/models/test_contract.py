@@ -28,8 +28,9 @@ from loomlight.fabric import fabric_from_text
 from loomlight.models.interface import Model
 from loomlight.models.registry import make_model, model_class, model_from_loom, model_names
 from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf
-from loomlight.scattering.point import Albedos, DirectionSample, PointModel
+from loomlight.scattering.point import PointModel
 from loomlight.scattering.sheen import sheen
+from loomlight.scattering.yarn_point import Albedos, DirectionSample
 from loomlight.yarn.geometry import YarnGeometry
 
 from .chi_square import cell_counts, cell_shares, p_value

@@ -2,6 +2,8 @@
 
 The bar is that of `queries.py`; a footprint or ray that meets the edge of a yarn may take the other side,
 which rounding decides, so a few of the queries may differ.
+
+Covers: realtime/openness_tables.py
 """
 
 from __future__ import annotations

@@ -16,7 +16,8 @@ from loomlight.fabric import fabric_from_text, load_fabric
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.registry import model_of
 from loomlight.models.woven.model import WovenModel
-from loomlight.scattering.point import DirectionSample, PointModel
+from loomlight.scattering.point import PointModel
+from loomlight.scattering.yarn_point import DirectionSample
 from loomlight.yarn.geometry import YarnGeometry
 from tests.models.chi_square import COLUMNS, ROWS, cell_counts, cell_shares, p_value
 from tests.realtime.mapped import mapped

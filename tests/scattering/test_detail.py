@@ -20,8 +20,9 @@ from loomlight.fabric import fabric_from_text
 from loomlight.scattering import detail
 from loomlight.scattering.albedo import albedos_from_colour, layer_albedo_bound
 from loomlight.scattering.appearance import Variation
-from loomlight.scattering.point import PointModel, YarnPoint
+from loomlight.scattering.point import PointModel
 from loomlight.scattering.variation import Gain, vary_albedos
+from loomlight.scattering.yarn_point import YarnPoint
 from loomlight.yarn.geometry import YarnGeometry
 
 TYPES = array_types(Float)

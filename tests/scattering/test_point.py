@@ -15,7 +15,8 @@ import pytest
 from loomlight.core.llvm import require_llvm
 from loomlight.scattering.albedo import albedos_from_colour, layer_albedo_bound
 from loomlight.scattering.appearance import Appearance, FamilyAppearance, Sheen, Variation
-from loomlight.scattering.point import PointModel, YarnPoint
+from loomlight.scattering.point import PointModel
+from loomlight.scattering.yarn_point import YarnPoint
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.horizon import HorizonMap
 from loomlight.yarn.layout import ClothLayout, FamilyLayout

@@ -1,4 +1,7 @@
-"""What Python writes for the web client is in step with Python."""
+"""What Python writes for the web client is in step with Python.
+
+Covers: realtime/web_constants.py
+"""
 
 from loomlight.realtime.web_constants import web_files
 

@@ -29,12 +29,13 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.aggregate.area_entries import Entries, PairedEntries, SingleEntries
 from loomlight.core.arrays import Float, Mask, UInt, Vec2
 from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum, upload
 from loomlight.core.footprint import Footprint
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
 from loomlight.scattering.interreflection import Interreflection
-from loomlight.scattering.point import Albedos
+from loomlight.scattering.yarn_point import Albedos
 from loomlight.yarn.families import Cell, upload_family
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.threads import FamilyTables
@@ -345,8 +346,8 @@ class _Colours:
         self._threads = upload(types.Float, padded.astype(np.float32))
         self._totals = _opaque(types, rows[-1])
         areas = tables.areas
-        self._areas: _Entries = (
-            _PairedEntries(areas, types) if areas.size <= _MOST_PAIRED else _SingleEntries(areas, types)
+        self._areas: Entries = (
+            PairedEntries(areas, types) if areas.size <= _MOST_PAIRED else SingleEntries(areas, types)
         )
 
     def mean_over(self, own: _Stretch, other: _Stretch, back: Mask) -> Albedos:
@@ -405,7 +406,7 @@ class _Colours:
         types = self._types
         columns, rows = _Steps.of(types, own), _Steps.of(types, other)
         values = []
-        for entries in self._areas.read(rows, columns):
+        for entries in self._areas.read(rows.entries, columns.entries):
             grid = [rows.differences(column) for column in entries]
             total = types.Float(0)
             for row_weight, line in zip(rows.weights, zip(*grid, strict=True), strict=True):
@@ -415,77 +416,6 @@ class _Colours:
                 total = dr.fma(row_weight, across, total)
             values.append(total * self._unit)
         return values[: self._quantities]
-
-
-class _SingleEntries:
-    """The summed-area table of a large draft, read entry by entry."""
-
-    def __init__(self, areas: NDArray[np.uint32], types: ArrayTypes) -> None:
-        self._types = types
-        self._padded = areas.shape[2]
-        self._pitch = dr.opaque(types.UInt32, areas.shape[1])
-        self._areas = upload(types.UInt32, areas)
-
-    def read(self, rows: _Steps, columns: _Steps) -> Iterator[list[list[Float]]]:
-        """For each number of an entry, a grid of entries: by column, then by row."""
-        size = min(self._padded, 4)
-        kind = self._types.Index2 if size == 2 else self._types.Index4
-        for part in range(self._padded // size):
-            values = []
-            for column in columns.entries:
-                starts = [(row * self._pitch + column) * (self._padded // size) for row in rows.entries]
-                values.append([dr.gather(kind, self._areas, start + part) for start in starts])
-            for number in range(size):
-                yield [[entry[number] for entry in line] for line in values]
-
-
-class _PairedEntries:
-    """The summed-area table of a smaller draft: neighbours along its rows are read at once.
-
-    The last column, of the whole repeat, has no right neighbour: it is paired with its next row.
-    """
-
-    def __init__(self, areas: NDArray[np.uint32], types: ArrayTypes) -> None:
-        self._types = types
-        self._size = min(areas.shape[2], 4)
-        self._parts = areas.shape[2] // self._size
-        self._pitch = dr.opaque(types.UInt32, areas.shape[1] - 1)
-        split = areas.reshape(*areas.shape[:2], self._parts, 1, self._size)
-        self._pairs = upload(types.UInt32, np.concatenate([split[:, :-1], split[:, 1:]], axis=3))
-        last = split[:, -1]
-        self._last = upload(types.UInt32, np.concatenate([last[:-1], last[1:]], axis=2))
-        self._all = [dr.opaque(types.UInt32, int(number)) for number in areas[-1, -1]]
-
-    def read(self, rows: _Steps, columns: _Steps) -> Iterator[list[list[Float]]]:
-        """For each number of an entry, a grid of entries: by column, then by row."""
-        size = self._size
-        for part in range(self._parts):
-            lines = [
-                [
-                    self._pair(self._pairs, row * self._pitch + columns.entries[first], part)
-                    for first in (0, 2)
-                ]
-                for row in rows.entries
-            ]
-            ends = [self._pair(self._last, rows.entries[first], part) for first in (0, 2)]
-            for number in range(size):
-                grid = [
-                    [line[pair][number + size * half] for line in lines]
-                    for pair in range(2)
-                    for half in range(2)
-                ]
-                last = [end[number + size * half] for end in ends for half in range(2)]
-                yield [*grid, [*last, self._all[part * size + number]]]
-
-    def _pair(self, table: Float, index: UInt, part: int) -> Float:
-        """The numbers of two neighbours, concatenated."""
-        types, index = self._types, index * self._parts + part
-        if self._size == 2:
-            return dr.gather(types.Index4, table, index)
-        return dr.gather(types.Indices, table, index, shape=(2 * self._size, dr.width(index)))
-
-
-_Entries = _SingleEntries | _PairedEntries
 
 
 @dataclass

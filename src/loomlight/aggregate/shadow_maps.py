@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from loomlight.aggregate.grid import Grid, divide
 from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, upload
-from loomlight.scattering.point import PointModel, to_face_frame
+from loomlight.scattering.point import PointModel
+from loomlight.scattering.yarn_point import to_face_frame
 from loomlight.yarn.visibility import unoccluded
 
 _BATCH = 1 << 22

@@ -29,7 +29,8 @@ from loomlight.aggregate.components import COMPONENTS, components, trace_views, 
 from loomlight.aggregate.grid import Grid
 from loomlight.core.arrays import Float, FloatType, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, maximum
-from loomlight.scattering.point import PointModel, YarnPoint, to_face_frame
+from loomlight.scattering.point import PointModel
+from loomlight.scattering.yarn_point import YarnPoint, to_face_frame
 from loomlight.yarn.visibility import passes_through, unoccluded
 
 

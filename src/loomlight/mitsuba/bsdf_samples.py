@@ -9,7 +9,7 @@ import drjit as dr
 import mitsuba as mi
 
 from loomlight.core.backend import ArrayTypes, array_types
-from loomlight.scattering.point import DirectionSample
+from loomlight.scattering.yarn_point import DirectionSample
 
 # Places of lobes in `m_components`.
 _REFLECTION, _TRANSMISSION, _NULL = 0, 2, 4

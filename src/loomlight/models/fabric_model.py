@@ -23,7 +23,7 @@ from loomlight.fabric.load import edited_fabric
 from loomlight.models.interface import Model, Parameter, Values
 from loomlight.models.live_albedos import LiveAlbedos
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
-from loomlight.scattering.point import Albedos
+from loomlight.scattering.yarn_point import Albedos
 from loomlight.yarn.geometry import YarnGeometry
 
 FAMILIES = ("warp", "weft")

@@ -25,7 +25,8 @@ from loomlight.models.fabric_model import (
 )
 from loomlight.models.interface import Values
 from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf
-from loomlight.scattering.point import Albedos, DirectionSample, PointModel, YarnPoint, to_face_frame
+from loomlight.scattering.point import PointModel
+from loomlight.scattering.yarn_point import Albedos, DirectionSample, YarnPoint, to_face_frame
 from loomlight.yarn.detached_surface import DetachedSurface
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.search import upload_extent

@@ -26,7 +26,8 @@ from loomlight.models.fabric_model import FabricModel, fabric_in_loom, fabric_so
 from loomlight.models.interface import Option
 from loomlight.models.point import families_of
 from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf
-from loomlight.scattering.point import Albedos, DirectionSample, PointModel, YarnPoint
+from loomlight.scattering.point import PointModel
+from loomlight.scattering.yarn_point import Albedos, DirectionSample, YarnPoint
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.search import upload_extent
 

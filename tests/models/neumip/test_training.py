@@ -1,7 +1,7 @@
 """A training is the same however often it is stopped, and learns what it is shown.
 
 Covers: models/neumip/training/train.py, models/neumip/training/query_store.py, models/neumip/btf.py
-Covers: models/neumip/fabric_btf.py
+Covers: models/neumip/fabric_btf.py, models/neumip/training/sampler_fit.py
 """
 
 from __future__ import annotations

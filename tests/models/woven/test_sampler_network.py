@@ -4,6 +4,7 @@ That weights are value over density, and that drawn directions follow the densit
 suite tests with the shipped network.
 
 Covers: models/learned_proposal.py, models/woven/sampler_network.py, models/woven/training/sampler.py
+Covers: scattering/two_sided_lobes.py
 """
 
 from __future__ import annotations

@@ -38,7 +38,7 @@ from loomlight.evaluation.table import Table
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.models.interface import FootprintBsdf, Model
-from loomlight.scattering.point import DirectionSample, to_face_frame
+from loomlight.scattering.yarn_point import DirectionSample, to_face_frame
 
 SAMPLES = 16
 _COLUMNS = ("cosine", "learned sampler", "reference's own")

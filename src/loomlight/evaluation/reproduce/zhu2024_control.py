@@ -38,7 +38,8 @@ from loomlight.mitsuba.plugins import make_bsdf
 from loomlight.mitsuba.scenes import BsdfFactory
 from loomlight.models.interface import FootprintBsdf, Model
 from loomlight.models.point import PointFootprint
-from loomlight.scattering.point import DirectionSample, PointModel
+from loomlight.scattering.point import PointModel
+from loomlight.scattering.yarn_point import DirectionSample
 from loomlight.yarn.geometry import YarnGeometry
 
 CLUSTERS = 8

@@ -28,7 +28,8 @@ from loomlight.models.clustered.sampling import LobeSampler
 from loomlight.models.clustered.texels import TexelPoint
 from loomlight.models.random_numbers import uniform
 from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf, shade, tinted
-from loomlight.scattering.point import Albedos, DirectionSample, PointModel, YarnPoint, to_face_frame
+from loomlight.scattering.point import PointModel
+from loomlight.scattering.yarn_point import Albedos, DirectionSample, YarnPoint, to_face_frame
 
 # Between seeds of points: odd, so that no two are the same.
 _POINT = 0x632BE5AB

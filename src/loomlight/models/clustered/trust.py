@@ -17,7 +17,8 @@ from loomlight.core.backend import array_types
 from loomlight.models.clustered.base import DeviceTables
 from loomlight.models.clustered.square_map import bin_centres
 from loomlight.models.clustered.visibility_tables import VIEW_BINS
-from loomlight.scattering.point import PointModel, to_face_frame
+from loomlight.scattering.point import PointModel
+from loomlight.scattering.yarn_point import to_face_frame
 
 _PLACES = 512
 _LIGHTS = 8

@@ -53,7 +53,7 @@ from loomlight.models.mip_pyramid import PyramidShape
 from loomlight.models.random_numbers import hashed, uniform
 from loomlight.models.relu_network import Layers
 from loomlight.scattering.lobe_mixture import LobeMixture, mixture_density, sample_mixture
-from loomlight.scattering.point import DirectionSample, to_face_frame
+from loomlight.scattering.yarn_point import DirectionSample, to_face_frame
 
 # Not log2(0): footprints of points.
 _SMALLEST_SIZE = 1e-9

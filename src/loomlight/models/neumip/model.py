@@ -49,7 +49,7 @@ from loomlight.models.neumip.settings import (
     STORES,
     settings_of,
 )
-from loomlight.scattering.point import DirectionSample, to_face_frame
+from loomlight.scattering.yarn_point import DirectionSample, to_face_frame
 
 # Not log2(0): footprints of points.
 _SMALLEST_SIZE = 1e-9

@@ -42,7 +42,7 @@ from loomlight.models.woven.proposal import Proposal, proposal_of
 from loomlight.models.woven.sampler_network import sampler_layers, sampler_of, woven_proposal
 from loomlight.models.woven.weights import Weights, read_weights, shipped_weights
 from loomlight.scattering.albedo import layer_albedo_bound
-from loomlight.scattering.point import DirectionSample, to_face_frame
+from loomlight.scattering.yarn_point import DirectionSample, to_face_frame
 
 _NETWORK = "woven"
 # By one network for all fabrics, or by lobes about the fibres.

@@ -119,6 +119,7 @@ struct Fabric_0
     uint seed_0;
     float layer_bound_0;
     float fibre_size_0;
+    uint has_detail_0;
     float uv_width_0;
     float uv_height_0;
     uint is_open_0;
@@ -163,6 +164,16 @@ struct Family_0
     uint colour_areas_0;
     float area_unit_0;
     float crossing_area_0;
+    float has_plies_0;
+    float plies_per_mm_0;
+    float ply_sine_0;
+    float ply_cosine_0;
+    float fibre_tilt_0;
+    float fibre_tone_0;
+    float slub_0;
+    float slubs_per_mm_0;
+    float per_half_width_0;
+    float hairiness_0;
 };
 
 struct Light_0
@@ -1975,51 +1986,14 @@ __device__ float light_visibility_of_0(float diffuse_0, float3  light_0, float3 
     return 3.14159274101257324f * (F32_max((diffuse_0), (0.0f))) / lerp_1(_S237, (0.59700000286102295f * _S237 + 0.16599999368190765f) * (0.21600000560283661f * (dot_1(_S238, float2 {view_0.x, view_0.y}) * (F32_rsqrt(((F32_max((dot_1(_S238, _S238)), (9.99999997475242708e-07f))))))) + 1.0f), blend_0);
 }
 
-__device__ Family_0 slang_ldg_2(Family_0 * ptr_2)
-{
-    uint _S239 = __ldg(&ptr_2->is_alike_0);
-    float _S240 = __ldg(&ptr_2->count_0);
-    float _S241 = __ldg(&ptr_2->inverse_count_0);
-    float _S242 = __ldg(&ptr_2->half_inverse_count_0);
-    float _S243 = __ldg(&ptr_2->size_0);
-    float _S244 = __ldg(&ptr_2->inverse_size_0);
-    float _S245 = __ldg(&ptr_2->half_width_0);
-    float _S246 = __ldg(&ptr_2->start_0);
-    float _S247 = __ldg(&ptr_2->period_0);
-    float _S248 = __ldg(&ptr_2->inverse_period_0);
-    float _S249 = __ldg(&ptr_2->bins_0);
-    uint _S250 = __ldg(&ptr_2->first_thread_table_0);
-    uint _S251 = __ldg(&ptr_2->place_table_0);
-    uint _S252 = __ldg(&ptr_2->bend_table_0);
-    float _S253 = __ldg(&ptr_2->height_scale_0);
-    float _S254 = __ldg(&ptr_2->twist_sine_0);
-    float _S255 = __ldg(&ptr_2->twist_cosine_0);
-    float _S256 = __ldg(&ptr_2->level_0);
-    float _S257 = __ldg(&ptr_2->roughness_0);
-    uint _S258 = __ldg(&ptr_2->albedo_table_0);
-    uint _S259 = __ldg(&ptr_2->albedo_stride_0);
-    uint _S260 = __ldg(&ptr_2->before_0);
-    float _S261 = __ldg(&ptr_2->visible_total_0);
-    float _S262 = __ldg(&ptr_2->smallest_box_0);
-    uint _S263 = __ldg(&ptr_2->quantities_0);
-    uint _S264 = __ldg(&ptr_2->colour_mean_0);
-    uint _S265 = __ldg(&ptr_2->colour_axes_0);
-    uint _S266 = __ldg(&ptr_2->colour_threads_0);
-    uint _S267 = __ldg(&ptr_2->colour_areas_0);
-    float _S268 = __ldg(&ptr_2->area_unit_0);
-    float _S269 = __ldg(&ptr_2->crossing_area_0);
-    Family_0 _S270 = { _S239, _S240, _S241, _S242, _S243, _S244, _S245, _S246, _S247, _S248, _S249, _S250, _S251, _S252, _S253, _S254, _S255, _S256, _S257, _S258, _S259, _S260, _S261, _S262, _S263, _S264, _S265, _S266, _S267, _S268, _S269 };
-    return _S270;
-}
-
 __device__ float2  turns_and_remainder_0(uint family_0, float index_2)
 {
-    Family_0 _S271 = slang_ldg_2((&(globalParams_0->families_0)[family_0]));
-    Family_0 _S272 = slang_ldg_2((&(globalParams_0->families_0)[family_0]));
-    float _S273 = (F32_floor(((F32_fma((index_2), (_S271.inverse_count_0), (_S272.half_inverse_count_0))))));
-    float _S274 = - _S273;
-    Family_0 _S275 = slang_ldg_2((&(globalParams_0->families_0)[family_0]));
-    return make_float2 (_S273, (F32_fma((_S274), (_S275.count_0), (index_2))));
+    float _S239 = __ldg(&(&(globalParams_0->families_0)[family_0])->inverse_count_0);
+    float _S240 = __ldg(&(&(globalParams_0->families_0)[family_0])->half_inverse_count_0);
+    float _S241 = (F32_floor(((F32_fma((index_2), (_S239), (_S240))))));
+    float _S242 = - _S241;
+    float _S243 = __ldg(&(&(globalParams_0->families_0)[family_0])->count_0);
+    return make_float2 (_S241, (F32_fma((_S242), (_S243), (index_2))));
 }
 
 struct Cell_0
@@ -2033,68 +2007,68 @@ struct Cell_0
 
 __device__ Cell_0 locate_alike_0(uint family_1, float position_0)
 {
-    Family_0 _S276 = slang_ldg_2((&(globalParams_0->families_0)[family_1]));
-    float _S277 = (F32_floor((position_0 * _S276.inverse_size_0)));
+    float _S244 = __ldg(&(&(globalParams_0->families_0)[family_1])->inverse_size_0);
+    float _S245 = (F32_floor((position_0 * _S244)));
     Cell_0 cell_0;
-    float _S278 = - _S277;
-    Family_0 _S279 = slang_ldg_2((&(globalParams_0->families_0)[family_1]));
-    float _S280 = (F32_fma((_S278), (_S279.size_0), (position_0)));
-    (&cell_0)->below_0 = _S280;
-    Family_0 _S281 = slang_ldg_2((&(globalParams_0->families_0)[family_1]));
-    (&cell_0)->above_0 = _S281.size_0 - _S280;
-    Family_0 _S282 = slang_ldg_2((&(globalParams_0->families_0)[family_1]));
-    (&cell_0)->across_0 = _S280 - 0.5f * _S282.size_0;
-    Family_0 _S283 = slang_ldg_2((&(globalParams_0->families_0)[family_1]));
-    (&cell_0)->half_width_1 = _S283.half_width_0;
-    float _S284 = turns_and_remainder_0(family_1, _S277).y;
-    Family_0 _S285 = slang_ldg_2((&(globalParams_0->families_0)[family_1]));
-    (&cell_0)->thread_0 = uint(clamp_1(_S284, 0.0f, _S285.count_0 - 1.0f));
+    float _S246 = - _S245;
+    float _S247 = __ldg(&(&(globalParams_0->families_0)[family_1])->size_0);
+    float _S248 = (F32_fma((_S246), (_S247), (position_0)));
+    (&cell_0)->below_0 = _S248;
+    float _S249 = __ldg(&(&(globalParams_0->families_0)[family_1])->size_0);
+    (&cell_0)->above_0 = _S249 - _S248;
+    float _S250 = __ldg(&(&(globalParams_0->families_0)[family_1])->size_0);
+    (&cell_0)->across_0 = _S248 - 0.5f * _S250;
+    float _S251 = __ldg(&(&(globalParams_0->families_0)[family_1])->half_width_0);
+    (&cell_0)->half_width_1 = _S251;
+    float _S252 = turns_and_remainder_0(family_1, _S245).y;
+    float _S253 = __ldg(&(&(globalParams_0->families_0)[family_1])->count_0);
+    (&cell_0)->thread_0 = uint(clamp_1(_S252, 0.0f, _S253 - 1.0f));
     return cell_0;
 }
 
 __device__ Cell_0 locate_varied_0(uint family_2, float position_1)
 {
-    Family_0 _S286 = slang_ldg_2((&(globalParams_0->families_0)[family_2]));
-    float _S287 = position_1 - _S286.start_0;
-    Family_0 _S288 = slang_ldg_2((&(globalParams_0->families_0)[family_2]));
-    float turns_0 = _S287 * _S288.inverse_period_0;
+    float _S254 = __ldg(&(&(globalParams_0->families_0)[family_2])->start_0);
+    float _S255 = position_1 - _S254;
+    float _S256 = __ldg(&(&(globalParams_0->families_0)[family_2])->inverse_period_0);
+    float turns_0 = _S255 * _S256;
     float turns_1 = turns_0 - (F32_floor((turns_0)));
-    Family_0 _S289 = slang_ldg_2((&(globalParams_0->families_0)[family_2]));
-    float _S290 = turns_1 * _S289.period_0;
-    Family_0 _S291 = slang_ldg_2((&(globalParams_0->families_0)[family_2]));
-    float _S292 = turns_1 * _S291.bins_0;
-    Family_0 _S293 = slang_ldg_2((&(globalParams_0->families_0)[family_2]));
-    uint _S294 = uint(clamp_1(_S292, 0.0f, _S293.bins_0 - 1.0f));
-    Family_0 _S295 = slang_ldg_2((&(globalParams_0->families_0)[family_2]));
-    uint _S296 = __ldg((&(globalParams_0->words_0)[_S295.first_thread_table_0 + _S294]));
-    Family_0 _S297 = slang_ldg_2((&(globalParams_0->families_0)[family_2]));
-    uint _S298;
-    if(_S290 >= (table_number_0(_S297.place_table_0 + _S296 * 4U + 1U)))
+    float _S257 = __ldg(&(&(globalParams_0->families_0)[family_2])->period_0);
+    float _S258 = turns_1 * _S257;
+    float _S259 = __ldg(&(&(globalParams_0->families_0)[family_2])->bins_0);
+    float _S260 = turns_1 * _S259;
+    float _S261 = __ldg(&(&(globalParams_0->families_0)[family_2])->bins_0);
+    uint _S262 = uint(clamp_1(_S260, 0.0f, _S261 - 1.0f));
+    uint _S263 = __ldg(&(&(globalParams_0->families_0)[family_2])->first_thread_table_0);
+    uint _S264 = __ldg((&(globalParams_0->words_0)[_S263 + _S262]));
+    uint _S265 = __ldg(&(&(globalParams_0->families_0)[family_2])->place_table_0);
+    uint _S266;
+    if(_S258 >= (table_number_0(_S265 + _S264 * 4U + 1U)))
     {
-        _S298 = 1U;
+        _S266 = 1U;
     }
     else
     {
-        _S298 = 0U;
+        _S266 = 0U;
     }
-    uint _S299 = _S296 + _S298;
-    Family_0 _S300 = slang_ldg_2((&(globalParams_0->families_0)[family_2]));
-    uint _S301 = (U32_min((_S299), (uint(_S300.count_0) - 1U)));
-    Family_0 _S302 = slang_ldg_2((&(globalParams_0->families_0)[family_2]));
-    uint _S303 = _S302.place_table_0 + _S301 * 4U;
+    uint _S267 = _S264 + _S266;
+    float _S268 = __ldg(&(&(globalParams_0->families_0)[family_2])->count_0);
+    uint _S269 = (U32_min((_S267), (uint(_S268) - 1U)));
+    uint _S270 = __ldg(&(&(globalParams_0->families_0)[family_2])->place_table_0);
+    uint _S271 = _S270 + _S269 * 4U;
     Cell_0 cell_1;
-    (&cell_1)->thread_0 = _S301;
-    (&cell_1)->below_0 = _S290 - table_number_0(_S303);
-    (&cell_1)->above_0 = table_number_0(_S303 + 1U) - _S290;
-    (&cell_1)->across_0 = _S290 - table_number_0(_S303 + 2U);
-    (&cell_1)->half_width_1 = table_number_0(_S303 + 3U);
+    (&cell_1)->thread_0 = _S269;
+    (&cell_1)->below_0 = _S258 - table_number_0(_S271);
+    (&cell_1)->above_0 = table_number_0(_S271 + 1U) - _S258;
+    (&cell_1)->across_0 = _S258 - table_number_0(_S271 + 2U);
+    (&cell_1)->half_width_1 = table_number_0(_S271 + 3U);
     return cell_1;
 }
 
 __device__ Cell_0 locate_0(uint family_3, float position_2)
 {
-    Family_0 _S304 = slang_ldg_2((&(globalParams_0->families_0)[family_3]));
-    if((_S304.is_alike_0) != 0U)
+    uint _S272 = __ldg(&(&(globalParams_0->families_0)[family_3])->is_alike_0);
+    if(_S272 != 0U)
     {
         return locate_alike_0(family_3, position_2);
     }
@@ -2113,20 +2087,20 @@ struct Bound_0
 
 __device__ Bound_0 bound_at_0(uint family_4, float position_3)
 {
-    Cell_0 _S305 = locate_0(family_4, position_3);
-    Family_0 _S306 = slang_ldg_2((&(globalParams_0->families_0)[family_4]));
-    float _S307 = table_number_0(_S306.before_0 + 2U * _S305.thread_0 + 1U);
+    Cell_0 _S273 = locate_0(family_4, position_3);
+    uint _S274 = __ldg(&(&(globalParams_0->families_0)[family_4])->before_0);
+    float _S275 = table_number_0(_S274 + 2U * _S273.thread_0 + 1U);
     Bound_0 bound_0;
-    (&bound_0)->thread_1 = _S305.thread_0;
-    Family_0 _S308 = slang_ldg_2((&(globalParams_0->families_0)[family_4]));
-    float _S309 = position_3 - _S308.start_0 - _S307 - _S305.below_0;
-    Family_0 _S310 = slang_ldg_2((&(globalParams_0->families_0)[family_4]));
-    (&bound_0)->turns_2 = (F32_round((_S309 * _S310.inverse_period_0)));
-    (&bound_0)->cell_2 = _S305.below_0;
-    float _S311 = 2.0f * _S305.half_width_1;
-    (&bound_0)->width_2 = _S311;
-    (&bound_0)->visible_0 = clamp_1((_S305.across_0 + _S305.half_width_1) / _S311, 0.0f, 1.0f);
-    (&bound_0)->gap_0 = (F32_min((_S305.below_0), (_S305.below_0 - _S305.across_0 - _S305.half_width_1))) + (F32_max((_S305.across_0 - _S305.half_width_1), (0.0f)));
+    (&bound_0)->thread_1 = _S273.thread_0;
+    float _S276 = __ldg(&(&(globalParams_0->families_0)[family_4])->start_0);
+    float _S277 = position_3 - _S276 - _S275 - _S273.below_0;
+    float _S278 = __ldg(&(&(globalParams_0->families_0)[family_4])->inverse_period_0);
+    (&bound_0)->turns_2 = (F32_round((_S277 * _S278)));
+    (&bound_0)->cell_2 = _S273.below_0;
+    float _S279 = 2.0f * _S273.half_width_1;
+    (&bound_0)->width_2 = _S279;
+    (&bound_0)->visible_0 = clamp_1((_S273.across_0 + _S273.half_width_1) / _S279, 0.0f, 1.0f);
+    (&bound_0)->gap_0 = (F32_min((_S273.below_0), (_S273.below_0 - _S273.across_0 - _S273.half_width_1))) + (F32_max((_S273.across_0 - _S273.half_width_1), (0.0f)));
     return bound_0;
 }
 
@@ -2138,17 +2112,17 @@ struct Stretch_0
 
 __device__ Stretch_0 stretch_of_0(uint family_5, float centre_2, float size_1)
 {
-    Family_0 _S312 = slang_ldg_2((&(globalParams_0->families_0)[family_5]));
-    float _S313 = centre_2 - _S312.start_0;
-    Family_0 _S314 = slang_ldg_2((&(globalParams_0->families_0)[family_5]));
-    float _S315 = (F32_floor((_S313 * _S314.inverse_period_0)));
-    Family_0 _S316 = slang_ldg_2((&(globalParams_0->families_0)[family_5]));
-    float _S317 = centre_2 - _S315 * _S316.period_0;
-    Family_0 _S318 = slang_ldg_2((&(globalParams_0->families_0)[family_5]));
-    float _S319 = 0.5f * (F32_max((size_1), (_S318.smallest_box_0)));
+    float _S280 = __ldg(&(&(globalParams_0->families_0)[family_5])->start_0);
+    float _S281 = centre_2 - _S280;
+    float _S282 = __ldg(&(&(globalParams_0->families_0)[family_5])->inverse_period_0);
+    float _S283 = (F32_floor((_S281 * _S282)));
+    float _S284 = __ldg(&(&(globalParams_0->families_0)[family_5])->period_0);
+    float _S285 = centre_2 - _S283 * _S284;
+    float _S286 = __ldg(&(&(globalParams_0->families_0)[family_5])->smallest_box_0);
+    float _S287 = 0.5f * (F32_max((size_1), (_S286)));
     Stretch_0 stretch_0;
-    (&stretch_0)->low_7 = bound_at_0(family_5, _S317 - _S319);
-    (&stretch_0)->high_7 = bound_at_0(family_5, _S317 + _S319);
+    (&stretch_0)->low_7 = bound_at_0(family_5, _S285 - _S287);
+    (&stretch_0)->high_7 = bound_at_0(family_5, _S285 + _S287);
     return stretch_0;
 }
 
@@ -2182,41 +2156,41 @@ __device__ float Stretch_turns_0(Stretch_0 * this_5)
 
 __device__ float3  lengths_0(uint family_6, Stretch_0 * stretch_1)
 {
-    float _S320 = Stretch_turns_0(stretch_1);
-    Family_0 _S321 = slang_ldg_2((&(globalParams_0->families_0)[family_6]));
-    uint _S322 = _S321.before_0 + 2U * (&stretch_1->low_7)->thread_1;
-    Family_0 _S323 = slang_ldg_2((&(globalParams_0->families_0)[family_6]));
-    uint _S324 = _S323.before_0 + 2U * (&stretch_1->high_7)->thread_1;
-    float _S325 = table_number_0(_S324) - table_number_0(_S322);
-    float _S326 = table_number_0(_S324 + 1U) - table_number_0(_S322 + 1U);
-    float _S327 = _S325 + (&stretch_1->high_7)->visible_0 * (&stretch_1->high_7)->width_2 - (&stretch_1->low_7)->visible_0 * (&stretch_1->low_7)->width_2;
-    Family_0 _S328 = slang_ldg_2((&(globalParams_0->families_0)[family_6]));
-    float _S329 = _S327 + _S320 * _S328.visible_total_0;
-    float _S330 = _S326 - _S325 + (&stretch_1->high_7)->gap_0 - (&stretch_1->low_7)->gap_0;
-    Family_0 _S331 = slang_ldg_2((&(globalParams_0->families_0)[family_6]));
-    Family_0 _S332 = slang_ldg_2((&(globalParams_0->families_0)[family_6]));
-    float _S333 = _S330 + _S320 * (_S331.period_0 - _S332.visible_total_0);
-    float _S334 = _S326 + (&stretch_1->high_7)->cell_2 - (&stretch_1->low_7)->cell_2;
-    Family_0 _S335 = slang_ldg_2((&(globalParams_0->families_0)[family_6]));
-    return make_float3 (_S329, _S333, _S334 + _S320 * _S335.period_0);
+    float _S288 = Stretch_turns_0(stretch_1);
+    uint _S289 = __ldg(&(&(globalParams_0->families_0)[family_6])->before_0);
+    uint _S290 = _S289 + 2U * (&stretch_1->low_7)->thread_1;
+    uint _S291 = __ldg(&(&(globalParams_0->families_0)[family_6])->before_0);
+    uint _S292 = _S291 + 2U * (&stretch_1->high_7)->thread_1;
+    float _S293 = table_number_0(_S292) - table_number_0(_S290);
+    float _S294 = table_number_0(_S292 + 1U) - table_number_0(_S290 + 1U);
+    float _S295 = _S293 + (&stretch_1->high_7)->visible_0 * (&stretch_1->high_7)->width_2 - (&stretch_1->low_7)->visible_0 * (&stretch_1->low_7)->width_2;
+    float _S296 = __ldg(&(&(globalParams_0->families_0)[family_6])->visible_total_0);
+    float _S297 = _S295 + _S288 * _S296;
+    float _S298 = _S294 - _S293 + (&stretch_1->high_7)->gap_0 - (&stretch_1->low_7)->gap_0;
+    float _S299 = __ldg(&(&(globalParams_0->families_0)[family_6])->period_0);
+    float _S300 = __ldg(&(&(globalParams_0->families_0)[family_6])->visible_total_0);
+    float _S301 = _S298 + _S288 * (_S299 - _S300);
+    float _S302 = _S294 + (&stretch_1->high_7)->cell_2 - (&stretch_1->low_7)->cell_2;
+    float _S303 = __ldg(&(&(globalParams_0->families_0)[family_6])->period_0);
+    return make_float3 (_S297, _S301, _S302 + _S288 * _S303);
 }
 
 __device__ float2  integrals_along_0(uint family_7, Stretch_0 * stretch_2, uint quantity_0)
 {
-    Family_0 _S336 = slang_ldg_2((&(globalParams_0->families_0)[family_7]));
-    Family_0 _S337 = slang_ldg_2((&(globalParams_0->families_0)[family_7]));
-    uint _S338 = 3U * _S336.quantities_0;
-    uint _S339 = _S337.colour_threads_0 + _S338 * (&stretch_2->low_7)->thread_1 + quantity_0;
-    Family_0 _S340 = slang_ldg_2((&(globalParams_0->families_0)[family_7]));
-    uint _S341 = _S340.colour_threads_0 + _S338 * (&stretch_2->high_7)->thread_1 + quantity_0;
-    Family_0 _S342 = slang_ldg_2((&(globalParams_0->families_0)[family_7]));
-    Family_0 _S343 = slang_ldg_2((&(globalParams_0->families_0)[family_7]));
-    uint _S344 = _S342.colour_threads_0 + _S338 * uint(_S343.count_0) + quantity_0;
-    float _S345 = table_number_0(_S339);
-    float _S346 = table_number_0(_S341);
-    float _S347 = Stretch_turns_0(stretch_2);
-    uint _S348 = 2U * _S336.quantities_0;
-    return make_float2 (table_number_0(_S341 + _S336.quantities_0) - table_number_0(_S339 + _S336.quantities_0) + _S346 * (&stretch_2->high_7)->visible_0 * (&stretch_2->high_7)->width_2 - _S345 * (&stretch_2->low_7)->visible_0 * (&stretch_2->low_7)->width_2 + _S347 * table_number_0(_S344 + _S336.quantities_0), table_number_0(_S341 + _S348) - table_number_0(_S339 + _S348) + _S346 * (&stretch_2->high_7)->cell_2 - _S345 * (&stretch_2->low_7)->cell_2 + _S347 * table_number_0(_S344 + _S348));
+    uint _S304 = __ldg(&(&(globalParams_0->families_0)[family_7])->quantities_0);
+    uint _S305 = __ldg(&(&(globalParams_0->families_0)[family_7])->colour_threads_0);
+    uint _S306 = 3U * _S304;
+    uint _S307 = _S305 + _S306 * (&stretch_2->low_7)->thread_1 + quantity_0;
+    uint _S308 = __ldg(&(&(globalParams_0->families_0)[family_7])->colour_threads_0);
+    uint _S309 = _S308 + _S306 * (&stretch_2->high_7)->thread_1 + quantity_0;
+    uint _S310 = __ldg(&(&(globalParams_0->families_0)[family_7])->colour_threads_0);
+    float _S311 = __ldg(&(&(globalParams_0->families_0)[family_7])->count_0);
+    uint _S312 = _S310 + _S306 * uint(_S311) + quantity_0;
+    float _S313 = table_number_0(_S307);
+    float _S314 = table_number_0(_S309);
+    float _S315 = Stretch_turns_0(stretch_2);
+    uint _S316 = 2U * _S304;
+    return make_float2 (table_number_0(_S309 + _S304) - table_number_0(_S307 + _S304) + _S314 * (&stretch_2->high_7)->visible_0 * (&stretch_2->high_7)->width_2 - _S313 * (&stretch_2->low_7)->visible_0 * (&stretch_2->low_7)->width_2 + _S315 * table_number_0(_S312 + _S304), table_number_0(_S309 + _S316) - table_number_0(_S307 + _S316) + _S314 * (&stretch_2->high_7)->cell_2 - _S313 * (&stretch_2->low_7)->cell_2 + _S315 * table_number_0(_S312 + _S316));
 }
 
 __device__ bool Stretch_wraps_0(Stretch_0 * this_6)
@@ -2226,190 +2200,191 @@ __device__ bool Stretch_wraps_0(Stretch_0 * this_6)
 
 __device__ uint4  Stretch_differences_0(Stretch_0 * this_7, uint4  entries_0, uint whole_0)
 {
-    uint _S349 = entries_0.z;
-    uint _S350 = entries_0.x;
-    uint _S351 = _S349 - _S350;
-    bool _S352 = Stretch_wraps_0(this_7);
-    uint _S353;
-    if(_S352)
+    uint _S317 = entries_0.z;
+    uint _S318 = entries_0.x;
+    uint _S319 = _S317 - _S318;
+    bool _S320 = Stretch_wraps_0(this_7);
+    uint _S321;
+    if(_S320)
     {
-        _S353 = whole_0;
+        _S321 = whole_0;
     }
     else
     {
-        _S353 = 0U;
+        _S321 = 0U;
     }
-    return make_uint4 (_S351 + _S353, entries_0.w - _S349, entries_0.y - _S350, whole_0);
+    return make_uint4 (_S319 + _S321, entries_0.w - _S317, entries_0.y - _S318, whole_0);
 }
 
 __device__ uint4  row_differences_0(Stretch_0 * across_1, uint row_7, uint count_2, uint quantities_1)
 {
-    uint _S354 = row_7 + (&across_1->low_7)->thread_1 * quantities_1;
-    uint _S355 = row_7 + (&across_1->high_7)->thread_1 * quantities_1;
-    uint _S356 = __ldg((&(globalParams_0->words_0)[_S354]));
-    uint _S357 = __ldg((&(globalParams_0->words_0)[_S354 + quantities_1]));
-    uint _S358 = __ldg((&(globalParams_0->words_0)[_S355]));
-    uint _S359 = __ldg((&(globalParams_0->words_0)[_S355 + quantities_1]));
-    uint4  _S360 = make_uint4 (_S356, _S357, _S358, _S359);
-    uint _S361 = __ldg((&(globalParams_0->words_0)[row_7 + count_2 * quantities_1]));
-    uint4  _S362 = Stretch_differences_0(across_1, _S360, _S361);
-    return _S362;
+    uint _S322 = row_7 + (&across_1->low_7)->thread_1 * quantities_1;
+    uint _S323 = row_7 + (&across_1->high_7)->thread_1 * quantities_1;
+    uint _S324 = __ldg((&(globalParams_0->words_0)[_S322]));
+    uint _S325 = __ldg((&(globalParams_0->words_0)[_S322 + quantities_1]));
+    uint _S326 = __ldg((&(globalParams_0->words_0)[_S323]));
+    uint _S327 = __ldg((&(globalParams_0->words_0)[_S323 + quantities_1]));
+    uint4  _S328 = make_uint4 (_S324, _S325, _S326, _S327);
+    uint _S329 = __ldg((&(globalParams_0->words_0)[row_7 + count_2 * quantities_1]));
+    uint4  _S330 = Stretch_differences_0(across_1, _S328, _S329);
+    return _S330;
 }
 
 __device__ float4  Stretch_weights_0(Stretch_0 * this_8)
 {
-    float _S363 = (&this_8->high_7)->visible_0;
-    float _S364 = - (&this_8->low_7)->visible_0;
-    float _S365 = Stretch_turns_0(this_8);
-    bool _S366 = Stretch_wraps_0(this_8);
-    float _S367;
-    if(_S366)
+    float _S331 = (&this_8->high_7)->visible_0;
+    float _S332 = - (&this_8->low_7)->visible_0;
+    float _S333 = Stretch_turns_0(this_8);
+    bool _S334 = Stretch_wraps_0(this_8);
+    float _S335;
+    if(_S334)
     {
-        _S367 = 1.0f;
+        _S335 = 1.0f;
     }
     else
     {
-        _S367 = 0.0f;
+        _S335 = 0.0f;
     }
-    return make_float4 (1.0f, _S363, _S364, _S365 - _S367);
+    return make_float4 (1.0f, _S331, _S332, _S333 - _S335);
 }
 
 __device__ float integral_on_top_0(uint family_8, Stretch_0 * across_2, Stretch_0 * along_0, uint crossing_count_0, uint quantity_1)
 {
-    Family_0 _S368 = slang_ldg_2((&(globalParams_0->families_0)[family_8]));
-    uint _S369 = uint(_S368.count_0);
-    uint _S370 = _S369 + 1U;
-    Family_0 _S371 = slang_ldg_2((&(globalParams_0->families_0)[family_8]));
-    uint _S372 = _S370 * _S371.quantities_0;
-    Family_0 _S373 = slang_ldg_2((&(globalParams_0->families_0)[family_8]));
-    uint _S374 = _S373.colour_areas_0 + quantity_1;
-    uint _S375 = (&along_0->low_7)->thread_1;
-    uint _S376 = _S374 + (&along_0->low_7)->thread_1 * _S372;
-    Family_0 _S377 = slang_ldg_2((&(globalParams_0->families_0)[family_8]));
-    uint4  _S378 = row_differences_0(across_2, _S376, _S369, _S377.quantities_0);
-    uint _S379 = _S374 + (_S375 + 1U) * _S372;
-    Family_0 _S380 = slang_ldg_2((&(globalParams_0->families_0)[family_8]));
-    uint4  _S381 = row_differences_0(across_2, _S379, _S369, _S380.quantities_0);
-    uint _S382 = (&along_0->high_7)->thread_1;
-    uint _S383 = _S374 + (&along_0->high_7)->thread_1 * _S372;
-    Family_0 _S384 = slang_ldg_2((&(globalParams_0->families_0)[family_8]));
-    uint4  _S385 = row_differences_0(across_2, _S383, _S369, _S384.quantities_0);
-    uint _S386 = _S374 + (_S382 + 1U) * _S372;
-    Family_0 _S387 = slang_ldg_2((&(globalParams_0->families_0)[family_8]));
-    uint4  _S388 = row_differences_0(across_2, _S386, _S369, _S387.quantities_0);
-    uint _S389 = _S374 + crossing_count_0 * _S372;
-    Family_0 _S390 = slang_ldg_2((&(globalParams_0->families_0)[family_8]));
-    uint4  _S391 = row_differences_0(across_2, _S389, _S369, _S390.quantities_0);
-    uint4  _S392 = _S385 - _S378;
-    bool _S393 = Stretch_wraps_0(along_0);
-    uint4  _S394;
-    if(_S393)
+    float _S336 = __ldg(&(&(globalParams_0->families_0)[family_8])->count_0);
+    uint _S337 = uint(_S336);
+    uint _S338 = _S337 + 1U;
+    uint _S339 = __ldg(&(&(globalParams_0->families_0)[family_8])->quantities_0);
+    uint _S340 = _S338 * _S339;
+    uint _S341 = __ldg(&(&(globalParams_0->families_0)[family_8])->colour_areas_0);
+    uint _S342 = _S341 + quantity_1;
+    uint _S343 = (&along_0->low_7)->thread_1;
+    uint _S344 = _S342 + (&along_0->low_7)->thread_1 * _S340;
+    uint _S345 = __ldg(&(&(globalParams_0->families_0)[family_8])->quantities_0);
+    uint4  _S346 = row_differences_0(across_2, _S344, _S337, _S345);
+    uint _S347 = _S342 + (_S343 + 1U) * _S340;
+    uint _S348 = __ldg(&(&(globalParams_0->families_0)[family_8])->quantities_0);
+    uint4  _S349 = row_differences_0(across_2, _S347, _S337, _S348);
+    uint _S350 = (&along_0->high_7)->thread_1;
+    uint _S351 = _S342 + (&along_0->high_7)->thread_1 * _S340;
+    uint _S352 = __ldg(&(&(globalParams_0->families_0)[family_8])->quantities_0);
+    uint4  _S353 = row_differences_0(across_2, _S351, _S337, _S352);
+    uint _S354 = _S342 + (_S350 + 1U) * _S340;
+    uint _S355 = __ldg(&(&(globalParams_0->families_0)[family_8])->quantities_0);
+    uint4  _S356 = row_differences_0(across_2, _S354, _S337, _S355);
+    uint _S357 = _S342 + crossing_count_0 * _S340;
+    uint _S358 = __ldg(&(&(globalParams_0->families_0)[family_8])->quantities_0);
+    uint4  _S359 = row_differences_0(across_2, _S357, _S337, _S358);
+    uint4  _S360 = _S353 - _S346;
+    bool _S361 = Stretch_wraps_0(along_0);
+    uint4  _S362;
+    if(_S361)
     {
-        _S394 = _S391;
+        _S362 = _S359;
     }
     else
     {
-        int4  _S395 = make_int4 (int(0));
-        uint4  _S396 = make_uint4 ((uint)_S395.x, (uint)_S395.y, (uint)_S395.z, (uint)_S395.w);
-        _S394 = _S396;
+        int4  _S363 = make_int4 (int(0));
+        uint4  _S364 = make_uint4 ((uint)_S363.x, (uint)_S363.y, (uint)_S363.z, (uint)_S363.w);
+        _S362 = _S364;
     }
-    uint4  _S397 = _S392 + _S394;
-    float4  _S398 = Stretch_weights_0(across_2);
-    float4  _S399 = Stretch_weights_0(along_0);
-    int4  _S400 = make_int4 ((int)_S397.x, (int)_S397.y, (int)_S397.z, (int)_S397.w);
-    float4  _S401 = make_float4 ((float)_S400.x, (float)_S400.y, (float)_S400.z, (float)_S400.w);
-    uint4  _S402 = _S388 - _S385;
-    int4  _S403 = make_int4 ((int)_S402.x, (int)_S402.y, (int)_S402.z, (int)_S402.w);
-    float4  _S404 = make_float4 ((float)_S403.x, (float)_S403.y, (float)_S403.z, (float)_S403.w);
-    uint4  _S405 = _S381 - _S378;
-    int4  _S406 = make_int4 ((int)_S405.x, (int)_S405.y, (int)_S405.z, (int)_S405.w);
-    float4  _S407 = make_float4 ((float)_S406.x, (float)_S406.y, (float)_S406.z, (float)_S406.w);
-    int4  _S408 = make_int4 ((int)_S391.x, (int)_S391.y, (int)_S391.z, (int)_S391.w);
-    float4  _S409 = make_float4 ((float)_S408.x, (float)_S408.y, (float)_S408.z, (float)_S408.w);
-    float _S410 = dot_0(make_float4 (dot_0(_S401, _S398), dot_0(_S404, _S398), dot_0(_S407, _S398), dot_0(_S409, _S398)), _S399);
-    Family_0 _S411 = slang_ldg_2((&(globalParams_0->families_0)[family_8]));
-    return _S410 * _S411.area_unit_0;
+    uint4  _S365 = _S360 + _S362;
+    float4  _S366 = Stretch_weights_0(across_2);
+    float4  _S367 = Stretch_weights_0(along_0);
+    int4  _S368 = make_int4 ((int)_S365.x, (int)_S365.y, (int)_S365.z, (int)_S365.w);
+    float4  _S369 = make_float4 ((float)_S368.x, (float)_S368.y, (float)_S368.z, (float)_S368.w);
+    uint4  _S370 = _S356 - _S353;
+    int4  _S371 = make_int4 ((int)_S370.x, (int)_S370.y, (int)_S370.z, (int)_S370.w);
+    float4  _S372 = make_float4 ((float)_S371.x, (float)_S371.y, (float)_S371.z, (float)_S371.w);
+    uint4  _S373 = _S349 - _S346;
+    int4  _S374 = make_int4 ((int)_S373.x, (int)_S373.y, (int)_S373.z, (int)_S373.w);
+    float4  _S375 = make_float4 ((float)_S374.x, (float)_S374.y, (float)_S374.z, (float)_S374.w);
+    int4  _S376 = make_int4 ((int)_S359.x, (int)_S359.y, (int)_S359.z, (int)_S359.w);
+    float4  _S377 = make_float4 ((float)_S376.x, (float)_S376.y, (float)_S376.z, (float)_S376.w);
+    float _S378 = dot_0(make_float4 (dot_0(_S369, _S366), dot_0(_S372, _S366), dot_0(_S375, _S366), dot_0(_S377, _S366)), _S367);
+    float _S379 = __ldg(&(&(globalParams_0->families_0)[family_8])->area_unit_0);
+    return _S378 * _S379;
 }
 
 __device__ Albedos_0 with_added_albedos_0(Albedos_0 * albedos_1, float weight_0, uint row_8)
 {
-    Albedos_0 _S412 = table_albedos_0(row_8);
+    Albedos_0 _S380 = table_albedos_0(row_8);
     Albedos_0 sum_0;
-    (&sum_0)->diffuse_reflect_0 = albedos_1->diffuse_reflect_0 + make_float3 (weight_0) * _S412.diffuse_reflect_0;
-    (&sum_0)->diffuse_transmit_0 = albedos_1->diffuse_transmit_0 + make_float3 (weight_0) * _S412.diffuse_transmit_0;
-    (&sum_0)->specular_reflect_0 = albedos_1->specular_reflect_0 + make_float3 (weight_0) * _S412.specular_reflect_0;
-    (&sum_0)->specular_transmit_0 = albedos_1->specular_transmit_0 + make_float3 (weight_0) * _S412.specular_transmit_0;
+    (&sum_0)->diffuse_reflect_0 = albedos_1->diffuse_reflect_0 + make_float3 (weight_0) * _S380.diffuse_reflect_0;
+    (&sum_0)->diffuse_transmit_0 = albedos_1->diffuse_transmit_0 + make_float3 (weight_0) * _S380.diffuse_transmit_0;
+    (&sum_0)->specular_reflect_0 = albedos_1->specular_reflect_0 + make_float3 (weight_0) * _S380.specular_reflect_0;
+    (&sum_0)->specular_transmit_0 = albedos_1->specular_transmit_0 + make_float3 (weight_0) * _S380.specular_transmit_0;
     return sum_0;
 }
 
 __device__ Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, Stretch_0 * own_0, Stretch_0 * other_0, bool back_3)
 {
-    Family_0 _S413 = slang_ldg_2((&(globalParams_0->families_0)[family_9]));
-    Albedos_0 albedos_2 = table_albedos_0(_S413.colour_mean_0);
-    Family_0 _S414 = slang_ldg_2((&(globalParams_0->families_0)[family_9]));
-    if((_S414.quantities_0) == 1U)
+    uint _S381 = __ldg(&(&(globalParams_0->families_0)[family_9])->colour_mean_0);
+    Albedos_0 albedos_2 = table_albedos_0(_S381);
+    uint _S382 = __ldg(&(&(globalParams_0->families_0)[family_9])->quantities_0);
+    if(_S382 == 1U)
     {
         return albedos_2;
     }
-    float3  _S415 = lengths_0(crossing_0, other_0);
+    float3  _S383 = lengths_0(crossing_0, other_0);
     bool is_exposed_0 = false;
     float weight_1 = 0.0f;
     uint quantity_2 = 0U;
     for(;;)
     {
-        Family_0 _S416 = slang_ldg_2((&(globalParams_0->families_0)[family_9]));
-        if(quantity_2 < (_S416.quantities_0))
+        uint _S384 = __ldg(&(&(globalParams_0->families_0)[family_9])->quantities_0);
+        if(quantity_2 < _S384)
         {
         }
         else
         {
             break;
         }
-        float2  _S417 = integrals_along_0(family_9, own_0, quantity_2);
-        Family_0 _S418 = slang_ldg_2((&(globalParams_0->families_0)[crossing_0]));
-        float _S419 = integral_on_top_0(family_9, own_0, other_0, uint(_S418.count_0), quantity_2);
-        float _S420 = _S417.x;
-        float _S421 = _S420 * _S415.x;
-        float _S422;
+        float2  _S385 = integrals_along_0(family_9, own_0, quantity_2);
+        float _S386 = __ldg(&(&(globalParams_0->families_0)[crossing_0])->count_0);
+        float _S387 = integral_on_top_0(family_9, own_0, other_0, uint(_S386), quantity_2);
+        float _S388 = _S385.x;
+        float _S389 = _S388 * _S383.x;
+        float _S390;
         if(back_3)
         {
-            _S422 = _S421 - _S419;
+            _S390 = _S389 - _S387;
         }
         else
         {
-            _S422 = _S419;
+            _S390 = _S387;
         }
-        bool _S423 = quantity_2 == 0U;
-        if(_S423)
+        bool _S391 = quantity_2 == 0U;
+        if(_S391)
         {
-            Family_0 _S424 = slang_ldg_2((&(globalParams_0->families_0)[family_9]));
-            float _S425 = 16.0f * _S424.area_unit_0;
-            Family_0 _S426 = slang_ldg_2((&(globalParams_0->families_0)[family_9]));
-            is_exposed_0 = _S422 > (_S425 * (F32_min((_S421 / _S426.crossing_area_0), (1.0f))) + 0.00000999999974738f * _S421);
+            float _S392 = __ldg(&(&(globalParams_0->families_0)[family_9])->area_unit_0);
+            float _S393 = 16.0f * _S392;
+            float _S394 = __ldg(&(&(globalParams_0->families_0)[family_9])->crossing_area_0);
+            is_exposed_0 = _S390 > (_S393 * (F32_min((_S389 / _S394), (1.0f))) + 0.00000999999974738f * _S389);
         }
-        float _S427 = _S420 * _S415.y;
-        float _S428;
+        float _S395 = _S388 * _S383.y;
+        float _S396;
         if(is_exposed_0)
         {
-            _S428 = _S422;
+            _S396 = _S390;
         }
         else
         {
-            _S428 = 0.0f;
+            _S396 = 0.0f;
         }
-        float _S429 = _S427 + _S428 + 0.000244140625f * _S415.z * _S417.y;
-        if(_S423)
+        float _S397 = _S395 + _S396 + 0.000244140625f * _S383.z * _S385.y;
+        if(_S391)
         {
-            weight_1 = 1.0f / (F32_max((_S429), (9.99999968265522539e-21f)));
+            weight_1 = 1.0f / (F32_max((_S397), (9.99999968265522539e-21f)));
         }
         else
         {
-            float _S430 = _S429 * weight_1;
-            Family_0 _S431 = slang_ldg_2((&(globalParams_0->families_0)[family_9]));
-            uint _S432 = _S431.colour_axes_0 + 12U * (quantity_2 - 1U);
-            Albedos_0 _S433 = albedos_2;
-            Albedos_0 _S434 = with_added_albedos_0(&_S433, _S430, _S432);
-            albedos_2 = _S434;
+            Albedos_0 _S398 = albedos_2;
+            float _S399 = _S397 * weight_1;
+            uint _S400 = __ldg(&(&(globalParams_0->families_0)[family_9])->colour_axes_0);
+            uint _S401 = _S400 + 12U * (quantity_2 - 1U);
+            Albedos_0 _S402 = _S398;
+            Albedos_0 _S403 = with_added_albedos_0(&_S402, _S399, _S401);
+            albedos_2 = _S403;
         }
         quantity_2 = quantity_2 + 1U;
     }
@@ -2447,9 +2422,9 @@ __device__ CloseUp_0 no_close_up_0()
 {
     CloseUp_0 nothing_1;
     (&nothing_1)->weight_2 = 0.0f;
-    Blocked_0 _S435 = no_blocked_0();
-    (&nothing_1)->warp_1 = _S435;
-    (&nothing_1)->weft_1 = _S435;
+    Blocked_0 _S404 = no_blocked_0();
+    (&nothing_1)->warp_1 = _S404;
+    (&nothing_1)->weft_1 = _S404;
     return nothing_1;
 }
 
@@ -2482,30 +2457,30 @@ struct FaceSends_0
 
 __device__ FaceRadiance_0 face_radiance_0(FaceSends_0 * sends_0, float open_of_other_0, float3  passed_0, float3  from_other_0)
 {
-    float3  _S436 = make_float3 (1.0f - open_of_other_0) * passed_0;
+    float3  _S405 = make_float3 (1.0f - open_of_other_0) * passed_0;
     FaceRadiance_0 found_0;
-    float3  _S437 = sends_0->sky_warp_0 + _S436 * sends_0->crossing_warp_0;
-    (&found_0)->warp_2 = _S437;
-    float3  _S438 = sends_0->sky_weft_0 + _S436 * sends_0->crossing_weft_0;
-    (&found_0)->weft_2 = _S438;
-    (&found_0)->mean_0 = make_float3 (sends_0->blocks_warp_0) * _S437 + make_float3 (sends_0->blocks_weft_0) * _S438;
+    float3  _S406 = sends_0->sky_warp_0 + _S405 * sends_0->crossing_warp_0;
+    (&found_0)->warp_2 = _S406;
+    float3  _S407 = sends_0->sky_weft_0 + _S405 * sends_0->crossing_weft_0;
+    (&found_0)->weft_2 = _S407;
+    (&found_0)->mean_0 = make_float3 (sends_0->blocks_warp_0) * _S406 + make_float3 (sends_0->blocks_weft_0) * _S407;
     (&found_0)->leaked_0 = from_other_0;
     return found_0;
 }
 
 __device__ void view_terms_0(float3  view_1, FixedArray<float, 6>  * terms_0)
 {
-    float _S439 = 1.0f - view_1.z;
-    float _S440 = _S439 * _S439;
+    float _S408 = 1.0f - view_1.z;
+    float _S409 = _S408 * _S408;
     (*terms_0)[int(0)] = 1.0f;
-    float _S441 = view_1.x;
-    float _S442 = _S441 * _S441;
-    float _S443 = view_1.y;
-    float _S444 = _S443 * _S443;
-    (*terms_0)[int(1)] = (F32_sqrt(((F32_max((_S442 + _S444), (9.999999960041972e-13f))))));
-    (*terms_0)[int(2)] = _S440;
-    (*terms_0)[int(3)] = _S440 * _S440;
-    (*terms_0)[int(4)] = _S442 - _S444;
+    float _S410 = view_1.x;
+    float _S411 = _S410 * _S410;
+    float _S412 = view_1.y;
+    float _S413 = _S412 * _S412;
+    (*terms_0)[int(1)] = (F32_sqrt(((F32_max((_S411 + _S413), (9.999999960041972e-13f))))));
+    (*terms_0)[int(2)] = _S409;
+    (*terms_0)[int(3)] = _S409 * _S409;
+    (*terms_0)[int(4)] = _S411 - _S413;
     (*terms_0)[int(5)] = 0.0f;
     return;
 }
@@ -2542,11 +2517,11 @@ struct Interior_0
 
 __device__ Bounced_0 bounced_by_0(Blocked_0 * blocked_1, Scattered_0 * yarn_0, Interior_0 * interior_0)
 {
-    float3  _S445 = make_float3 (blocked_1->by_warp_0 + blocked_1->by_weft_0) * interior_0->leaked_1;
-    float3  _S446 = make_float3 (blocked_1->far_0) * yarn_0->through_0;
+    float3  _S414 = make_float3 (blocked_1->by_warp_0 + blocked_1->by_weft_0) * interior_0->leaked_1;
+    float3  _S415 = make_float3 (blocked_1->far_0) * yarn_0->through_0;
     Bounced_0 bounced_0;
-    (&bounced_0)->reflected_0 = yarn_0->back_4 * (make_float3 (blocked_1->by_warp_0) * interior_0->warp_3 + make_float3 (blocked_1->by_weft_0) * interior_0->weft_3) + _S446 * interior_0->far_leaked_0;
-    (&bounced_0)->transmitted_0 = _S446 * interior_0->far_1 + yarn_0->back_4 * _S445;
+    (&bounced_0)->reflected_0 = yarn_0->back_4 * (make_float3 (blocked_1->by_warp_0) * interior_0->warp_3 + make_float3 (blocked_1->by_weft_0) * interior_0->weft_3) + _S415 * interior_0->far_leaked_0;
+    (&bounced_0)->transmitted_0 = _S415 * interior_0->far_1 + yarn_0->back_4 * _S414;
     return bounced_0;
 }
 
@@ -2560,17 +2535,17 @@ __device__ Bounced_0 sum_of_0(Bounced_0 * first_20, Bounced_0 * second_1)
 
 __device__ float3  bounced_value_0(Bounced_0 * bounced_1, float3  light_1, float3  view_2)
 {
-    float _S447 = light_1.z;
-    float3  _S448;
-    if((_S447 * view_2.z) < 0.0f)
+    float _S416 = light_1.z;
+    float3  _S417;
+    if((_S416 * view_2.z) < 0.0f)
     {
-        _S448 = bounced_1->transmitted_0;
+        _S417 = bounced_1->transmitted_0;
     }
     else
     {
-        _S448 = bounced_1->reflected_0;
+        _S417 = bounced_1->reflected_0;
     }
-    return _S448 * make_float3 ((F32_abs((_S447))) * 0.31830987334251404f);
+    return _S417 * make_float3 ((F32_abs((_S416))) * 0.31830987334251404f);
 }
 
 __device__ float sheen_scale_0(float x_27, float y_13)
@@ -2590,50 +2565,50 @@ __device__ float sheen_reflectance_0(float x_29, float y_15)
 
 __device__ float3  sheen_lobe_0(float cos_view_0, float roughness_1)
 {
-    float _S449 = clamp_1(cos_view_0, 0.00999999977648258f, 1.0f);
-    float _S450 = 2.0f * (F32_sqrt((_S449))) - 1.0f;
-    float _S451 = 3.0f * (F32_sqrt(((F32_sqrt((clamp_1(roughness_1, 0.00999999977648258f, 1.0f))))))) - 2.0f;
-    return make_float3 (clamp_1(sheen_scale_0(_S450, _S451), 0.00999999977648258f, 1.0f), clamp_1((1.0f - _S449) * sheen_shear_0(_S450, _S451), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp_1(sheen_reflectance_0(_S450, _S451), -60.0f, 60.0f))));
+    float _S418 = clamp_1(cos_view_0, 0.00999999977648258f, 1.0f);
+    float _S419 = 2.0f * (F32_sqrt((_S418))) - 1.0f;
+    float _S420 = 3.0f * (F32_sqrt(((F32_sqrt((clamp_1(roughness_1, 0.00999999977648258f, 1.0f))))))) - 2.0f;
+    return make_float3 (clamp_1(sheen_scale_0(_S419, _S420), 0.00999999977648258f, 1.0f), clamp_1((1.0f - _S418) * sheen_shear_0(_S419, _S420), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp_1(sheen_reflectance_0(_S419, _S420), -60.0f, 60.0f))));
 }
 
 __device__ float transformed_cosine_0(float3  light_2, float3  view_3, float scale_1, float shear_0)
 {
-    float _S452 = light_2.z;
-    bool _S453;
-    if(_S452 <= 0.0f)
+    float _S421 = light_2.z;
+    bool _S422;
+    if(_S421 <= 0.0f)
     {
-        _S453 = true;
+        _S422 = true;
     }
     else
     {
-        _S453 = (view_3.z) <= 0.0f;
+        _S422 = (view_3.z) <= 0.0f;
     }
-    if(_S453)
+    if(_S422)
     {
         return 0.0f;
     }
-    float2  _S454 = float2 {view_3.x, view_3.y};
-    float _S455 = dot_1(_S454, _S454);
-    float2  _S456;
-    if(_S455 > 9.99999968265522539e-21f)
+    float2  _S423 = float2 {view_3.x, view_3.y};
+    float _S424 = dot_1(_S423, _S423);
+    float2  _S425;
+    if(_S424 > 9.99999968265522539e-21f)
     {
-        _S456 = _S454 * make_float2 ((F32_rsqrt((_S455))));
+        _S425 = _S423 * make_float2 ((F32_rsqrt((_S424))));
     }
     else
     {
-        _S456 = make_float2 (1.0f, 0.0f);
+        _S425 = make_float2 (1.0f, 0.0f);
     }
-    float _S457 = scale_1 * dot_1(float2 {light_2.x, light_2.y}, _S456) + shear_0 * _S452;
-    float _S458 = scale_1 * (light_2.y * _S456.x - light_2.x * _S456.y);
-    float _S459 = _S457 * _S457 + _S458 * _S458 + _S452 * _S452;
-    return 0.31830987334251404f * scale_1 * scale_1 * _S452 / (F32_max((_S459 * _S459), (9.99999968265522539e-21f)));
+    float _S426 = scale_1 * dot_1(float2 {light_2.x, light_2.y}, _S425) + shear_0 * _S421;
+    float _S427 = scale_1 * (light_2.y * _S425.x - light_2.x * _S425.y);
+    float _S428 = _S426 * _S426 + _S427 * _S427 + _S421 * _S421;
+    return 0.31830987334251404f * scale_1 * scale_1 * _S421 / (F32_max((_S428 * _S428), (9.99999968265522539e-21f)));
 }
 
 __device__ float2  sheen_with_transmittance_0(float3  light_3, float3  view_4, float strength_0, float roughness_2)
 {
-    float3  _S460 = sheen_lobe_0(view_4.z, roughness_2);
-    float _S461 = strength_0 * _S460.z;
-    return make_float2 (_S461 * transformed_cosine_0(light_3, view_4, _S460.x, _S460.y), 1.0f - _S461);
+    float3  _S429 = sheen_lobe_0(view_4.z, roughness_2);
+    float _S430 = strength_0 * _S429.z;
+    return make_float2 (_S430 * transformed_cosine_0(light_3, view_4, _S429.x, _S429.y), 1.0f - _S430);
 }
 
 struct WovenView_0
@@ -2645,64 +2620,64 @@ struct WovenView_0
     bool back_5;
 };
 
-__device__ AnisotropicTaps_0 anisotropic_taps_0(uint _S462, Footprint_0 * _S463)
+__device__ AnisotropicTaps_0 anisotropic_taps_0(uint _S431, Footprint_0 * _S432)
 {
-    Fabric_0 * _S464 = (&(globalParams_0->fabrics_0)[_S462]);
-    float3  _S465 = row_of_taps_0(_S463);
-    float2  _S466 = _S463->dx_0;
-    float2  _S467 = _S463->dy_0;
-    float _S468 = dot_1(_S463->dx_0, _S463->dx_0) + dot_1(_S463->dy_0, _S463->dy_0);
-    float _S469 = _S463->dx_0.x * _S463->dy_0.y - _S463->dx_0.y * _S463->dy_0.x;
-    float _S470 = 0.5f * (_S468 + (F32_sqrt(((F32_max((_S468 * _S468 - 4.0f * _S469 * _S469), (0.0f)))))));
-    Woven_0 _S471 = slang_ldg_1(&_S464->woven_0);
-    bool _S472;
-    if(_S470 < (5.5f * (_S468 - _S470)))
+    Fabric_0 * _S433 = (&(globalParams_0->fabrics_0)[_S431]);
+    float3  _S434 = row_of_taps_0(_S432);
+    float2  _S435 = _S432->dx_0;
+    float2  _S436 = _S432->dy_0;
+    float _S437 = dot_1(_S432->dx_0, _S432->dx_0) + dot_1(_S432->dy_0, _S432->dy_0);
+    float _S438 = _S432->dx_0.x * _S432->dy_0.y - _S432->dx_0.y * _S432->dy_0.x;
+    float _S439 = 0.5f * (_S437 + (F32_sqrt(((F32_max((_S437 * _S437 - 4.0f * _S438 * _S438), (0.0f)))))));
+    Woven_0 _S440 = slang_ldg_1(&_S433->woven_0);
+    bool _S441;
+    if(_S439 < (5.5f * (_S437 - _S439)))
     {
-        _S472 = _S468 > (8.0f * _S471.pitch_0 * _S471.pitch_0);
+        _S441 = _S437 > (8.0f * _S440.pitch_0 * _S440.pitch_0);
     }
     else
     {
-        _S472 = false;
+        _S441 = false;
     }
-    float2  _S473 = make_float2 (_S471.ends_per_mm_0, _S471.picks_per_mm_0);
+    float2  _S442 = make_float2 (_S440.ends_per_mm_0, _S440.picks_per_mm_0);
     AnisotropicTaps_0 taps_1;
-    (&taps_1)->centre_1 = _S463->centre_0 * _S473;
-    float _S474;
-    if(_S472)
+    (&taps_1)->centre_1 = _S432->centre_0 * _S442;
+    float _S443;
+    if(_S441)
     {
-        _S474 = (F32_sqrt((0.125f * _S468)));
+        _S443 = (F32_sqrt((0.125f * _S437)));
     }
     else
     {
-        _S474 = _S465.x;
+        _S443 = _S434.x;
     }
-    (&taps_1)->side_0 = _S474 / _S471.pitch_0;
-    float2  _S475;
-    if(_S472)
+    (&taps_1)->side_0 = _S443 / _S440.pitch_0;
+    float2  _S444;
+    if(_S441)
     {
-        _S475 = make_float2 (0.25f) * _S466;
+        _S444 = make_float2 (0.25f) * _S435;
     }
     else
     {
-        _S475 = float2 {_S465.y, _S465.z};
+        _S444 = float2 {_S434.y, _S434.z};
     }
-    (&taps_1)->first_19 = _S475 * _S473;
-    if(_S472)
+    (&taps_1)->first_19 = _S444 * _S442;
+    if(_S441)
     {
-        _S475 = make_float2 (0.25f) * _S467;
+        _S444 = make_float2 (0.25f) * _S436;
     }
     else
     {
-        _S475 = make_float2 (0.5f) * float2 {_S465.y, _S465.z};
+        _S444 = make_float2 (0.5f) * float2 {_S434.y, _S434.z};
     }
-    (&taps_1)->second_0 = _S475 * _S473;
+    (&taps_1)->second_0 = _S444 * _S442;
     return taps_1;
 }
 
-__device__ void add_texel_0(uint _S476, uint _S477, float _S478, FixedArray<float, 88>  * _S479)
+__device__ void add_texel_0(uint _S445, uint _S446, float _S447, FixedArray<float, 88>  * _S448)
 {
-    Woven_0 _S480 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[_S476])->woven_0);
-    uint _S481 = _S480.latents_0 + _S477 * 8U;
+    Woven_0 _S449 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[_S445])->woven_0);
+    uint _S450 = _S449.latents_0 + _S446 * 8U;
     uint part_0 = 0U;
     for(;;)
     {
@@ -2713,54 +2688,54 @@ __device__ void add_texel_0(uint _S476, uint _S477, float _S478, FixedArray<floa
         {
             break;
         }
-        uint4  _S482 = __ldg((&(globalParams_0->packed_numbers_0)[_S481 + part_0]));
-        Eight_0 _S483 = eight_halves_0(_S482);
-        int _S484 = int(8U * part_0);
-        (*_S479)[_S484] = (*_S479)[_S484] + _S478 * _S483.low_0.x;
-        (*_S479)[_S484 + int(4)] = (*_S479)[_S484 + int(4)] + _S478 * _S483.high_0.x;
-        int _S485 = _S484 + int(1);
-        (*_S479)[_S485] = (*_S479)[_S485] + _S478 * _S483.low_0.y;
-        (*_S479)[_S485 + int(4)] = (*_S479)[_S485 + int(4)] + _S478 * _S483.high_0.y;
-        int _S486 = _S484 + int(2);
-        (*_S479)[_S486] = (*_S479)[_S486] + _S478 * _S483.low_0.z;
-        (*_S479)[_S486 + int(4)] = (*_S479)[_S486 + int(4)] + _S478 * _S483.high_0.z;
-        int _S487 = _S484 + int(3);
-        (*_S479)[_S487] = (*_S479)[_S487] + _S478 * _S483.low_0.w;
-        (*_S479)[_S487 + int(4)] = (*_S479)[_S487 + int(4)] + _S478 * _S483.high_0.w;
+        uint4  _S451 = __ldg((&(globalParams_0->packed_numbers_0)[_S450 + part_0]));
+        Eight_0 _S452 = eight_halves_0(_S451);
+        int _S453 = int(8U * part_0);
+        (*_S448)[_S453] = (*_S448)[_S453] + _S447 * _S452.low_0.x;
+        (*_S448)[_S453 + int(4)] = (*_S448)[_S453 + int(4)] + _S447 * _S452.high_0.x;
+        int _S454 = _S453 + int(1);
+        (*_S448)[_S454] = (*_S448)[_S454] + _S447 * _S452.low_0.y;
+        (*_S448)[_S454 + int(4)] = (*_S448)[_S454 + int(4)] + _S447 * _S452.high_0.y;
+        int _S455 = _S453 + int(2);
+        (*_S448)[_S455] = (*_S448)[_S455] + _S447 * _S452.low_0.z;
+        (*_S448)[_S455 + int(4)] = (*_S448)[_S455 + int(4)] + _S447 * _S452.high_0.z;
+        int _S456 = _S453 + int(3);
+        (*_S448)[_S456] = (*_S448)[_S456] + _S447 * _S452.low_0.w;
+        (*_S448)[_S456 + int(4)] = (*_S448)[_S456 + int(4)] + _S447 * _S452.high_0.w;
         part_0 = part_0 + 1U;
     }
     return;
 }
 
-__device__ void add_level_0(uint _S488, uint _S489, bool _S490, float2  _S491, float _S492, FixedArray<float, 88>  * _S493)
+__device__ void add_level_0(uint _S457, uint _S458, bool _S459, float2  _S460, float _S461, FixedArray<float, 88>  * _S462)
 {
-    Woven_0 _S494 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[_S488])->woven_0);
-    uint _S495 = _S494.levels_1 + 4U * _S489;
-    float _S496 = table_number_0(_S495);
-    float _S497 = table_number_0(_S495 + 1U);
-    float _S498 = table_number_0(_S495 + 2U);
-    bool _S499;
-    if(_S489 > 3U)
+    Woven_0 _S463 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[_S457])->woven_0);
+    uint _S464 = _S463.levels_1 + 4U * _S458;
+    float _S465 = table_number_0(_S464);
+    float _S466 = table_number_0(_S464 + 1U);
+    float _S467 = table_number_0(_S464 + 2U);
+    bool _S468;
+    if(_S458 > 3U)
     {
-        _S499 = _S489 < (_S494.top_level_0);
+        _S468 = _S458 < (_S463.top_level_0);
     }
     else
     {
-        _S499 = false;
+        _S468 = false;
     }
-    float2  _S500 = _S491 * make_float2 (table_number_0(_S495 + 3U));
-    float _S501;
-    if(_S499)
+    float2  _S469 = _S460 * make_float2 (table_number_0(_S464 + 3U));
+    float _S470;
+    if(_S468)
     {
-        _S501 = 1.0f;
+        _S470 = 1.0f;
     }
     else
     {
-        _S501 = 0.5f;
+        _S470 = 0.5f;
     }
-    float2  _S502 = _S500 - make_float2 (_S501);
-    float2  _S503 = floor_0(_S502);
-    float2  _S504 = _S502 - _S503;
+    float2  _S471 = _S469 - make_float2 (_S470);
+    float2  _S472 = floor_0(_S471);
+    float2  _S473 = _S471 - _S472;
     uint corner_0 = 0U;
     for(;;)
     {
@@ -2771,29 +2746,29 @@ __device__ void add_level_0(uint _S488, uint _S489, bool _S490, float2  _S491, f
         {
             break;
         }
-        float _S505 = float(corner_0 & 1U);
-        float _S506 = float(corner_0 >> int(1));
-        float2  _S507 = lerp_2(make_float2 (1.0f) - _S504, _S504, make_float2 (_S505, _S506));
-        uint _S508 = uint(_S496 + wrapped_0(_S503.y + _S506, _S498) * _S497 + wrapped_0(_S503.x + _S505, _S497));
-        uint _S509;
-        if(_S490)
+        float _S474 = float(corner_0 & 1U);
+        float _S475 = float(corner_0 >> int(1));
+        float2  _S476 = lerp_2(make_float2 (1.0f) - _S473, _S473, make_float2 (_S474, _S475));
+        uint _S477 = uint(_S465 + wrapped_0(_S472.y + _S475, _S467) * _S466 + wrapped_0(_S472.x + _S474, _S466));
+        uint _S478;
+        if(_S459)
         {
-            _S509 = _S494.texels_0;
+            _S478 = _S463.texels_0;
         }
         else
         {
-            _S509 = 0U;
+            _S478 = 0U;
         }
-        add_texel_0(_S488, _S508 + _S509, _S492 * _S507.x * _S507.y, _S493);
+        add_texel_0(_S457, _S477 + _S478, _S461 * _S476.x * _S476.y, _S462);
         corner_0 = corner_0 + 1U;
     }
     return;
 }
 
-__device__ void code_footprint_0(uint _S510, AnisotropicTaps_0 * _S511, float3  _S512, bool _S513, FixedArray<float, 88>  * _S514)
+__device__ void code_footprint_0(uint _S479, AnisotropicTaps_0 * _S480, float3  _S481, bool _S482, FixedArray<float, 88>  * _S483)
 {
     float offset_1;
-    Fabric_0 * _S515 = (&(globalParams_0->fabrics_0)[_S510]);
+    Fabric_0 * _S484 = (&(globalParams_0->fabrics_0)[_S479]);
     int k_0 = int(0);
     for(;;)
     {
@@ -2804,57 +2779,57 @@ __device__ void code_footprint_0(uint _S510, AnisotropicTaps_0 * _S511, float3  
         {
             break;
         }
-        (*_S514)[k_0] = 0.0f;
+        (*_S483)[k_0] = 0.0f;
         k_0 = k_0 + int(1);
     }
-    Woven_0 _S516 = slang_ldg_1(&_S515->woven_0);
-    float2  _S517 = make_float2 (_S516.ends_0, _S516.picks_0);
-    float _S518 = float(_S516.top_level_0);
-    float _S519 = clamp_1(binary_logarithm_0((F32_max((_S511->side_0), (9.99999997475242708e-07f)))) + 3.0f, 0.0f, _S518);
-    float _S520 = (F32_min(((F32_floor((_S519)))), (_S518 - 1.0f)));
-    bool _S521 = AnisotropicTaps_has_steps_0(_S511);
-    uint _S522;
-    if(_S521)
+    Woven_0 _S485 = slang_ldg_1(&_S484->woven_0);
+    float2  _S486 = make_float2 (_S485.ends_0, _S485.picks_0);
+    float _S487 = float(_S485.top_level_0);
+    float _S488 = clamp_1(binary_logarithm_0((F32_max((_S480->side_0), (9.99999997475242708e-07f)))) + 3.0f, 0.0f, _S487);
+    float _S489 = (F32_min(((F32_floor((_S488)))), (_S487 - 1.0f)));
+    bool _S490 = AnisotropicTaps_has_steps_0(_S480);
+    uint _S491;
+    if(_S490)
     {
-        _S522 = 4U;
+        _S491 = 4U;
     }
     else
     {
-        _S522 = 1U;
+        _S491 = 1U;
     }
     uint number_1 = 0U;
     for(;;)
     {
-        if(number_1 < (2U * _S522))
+        if(number_1 < (2U * _S491))
         {
         }
         else
         {
             break;
         }
-        float2  _S523 = AnisotropicTaps_place_0(_S511, number_1 >> int(1));
-        float2  _S524 = clamp_2(_S523 - _S517 * floor_0(_S523 / _S517), make_float2 (0.0f), _S517);
-        bool _S525 = (number_1 & 1U) != 0U;
-        if(_S525)
+        float2  _S492 = AnisotropicTaps_place_0(_S480, number_1 >> int(1));
+        float2  _S493 = clamp_2(_S492 - _S486 * floor_0(_S492 / _S486), make_float2 (0.0f), _S486);
+        bool _S494 = (number_1 & 1U) != 0U;
+        if(_S494)
         {
-            offset_1 = _S519 - _S520;
+            offset_1 = _S488 - _S489;
         }
         else
         {
-            offset_1 = 1.0f - (_S519 - _S520);
+            offset_1 = 1.0f - (_S488 - _S489);
         }
-        float _S526 = offset_1 / float(_S522);
-        uint _S527 = uint(_S520);
-        uint _S528;
-        if(_S525)
+        float _S495 = offset_1 / float(_S491);
+        uint _S496 = uint(_S489);
+        uint _S497;
+        if(_S494)
         {
-            _S528 = 1U;
+            _S497 = 1U;
         }
         else
         {
-            _S528 = 0U;
+            _S497 = 0U;
         }
-        add_level_0(_S510, _S527 + _S528, _S513, _S524, _S526, _S514);
+        add_level_0(_S479, _S496 + _S497, _S482, _S493, _S495, _S483);
         number_1 = number_1 + 1U;
     }
     int number_2 = int(0);
@@ -2877,7 +2852,7 @@ __device__ void code_footprint_0(uint _S510, AnisotropicTaps_0 * _S511, float3  
             {
                 break;
             }
-            float offset_2 = _slang_vector_get_element(_S512, number_2) - (float(bin_0) + 0.5f) / 8.0f;
+            float offset_2 = _slang_vector_get_element(_S481, number_2) - (float(bin_0) + 0.5f) / 8.0f;
             if(number_2 < int(2))
             {
                 offset_1 = offset_2 - (F32_round((offset_2)));
@@ -2886,7 +2861,7 @@ __device__ void code_footprint_0(uint _S510, AnisotropicTaps_0 * _S511, float3  
             {
                 offset_1 = offset_2;
             }
-            (*_S514)[int(64) + number_2 * int(8) + bin_0] = bump_0(offset_1 * 3.20000004768371582f);
+            (*_S483)[int(64) + number_2 * int(8) + bin_0] = bump_0(offset_1 * 3.20000004768371582f);
             bin_0 = bin_0 + int(1);
         }
         number_2 = number_2 + int(1);
@@ -2894,76 +2869,76 @@ __device__ void code_footprint_0(uint _S510, AnisotropicTaps_0 * _S511, float3  
     return;
 }
 
-__device__ float3  crown_fibres_0(uint _S529, bool _S530, bool _S531)
+__device__ float3  crown_fibres_0(uint _S498, bool _S499, bool _S500)
 {
-    Fabric_0 * _S532 = (&(globalParams_0->fabrics_0)[_S529]);
-    float _S533;
-    if(_S530)
+    Fabric_0 * _S501 = (&(globalParams_0->fabrics_0)[_S498]);
+    float _S502;
+    if(_S499)
     {
-        if(_S531)
+        if(_S500)
         {
-            Woven_0 _S534 = slang_ldg_1(&_S532->woven_0);
-            _S533 = - _S534.warp_x_0;
+            Woven_0 _S503 = slang_ldg_1(&_S501->woven_0);
+            _S502 = - _S503.warp_x_0;
         }
         else
         {
-            Woven_0 _S535 = slang_ldg_1(&_S532->woven_0);
-            _S533 = _S535.warp_x_0;
+            Woven_0 _S504 = slang_ldg_1(&_S501->woven_0);
+            _S502 = _S504.warp_x_0;
         }
-        Woven_0 _S536 = slang_ldg_1(&_S532->woven_0);
-        return make_float3 (_S533, _S536.warp_y_0, _S536.warp_roughness_0);
+        Woven_0 _S505 = slang_ldg_1(&_S501->woven_0);
+        return make_float3 (_S502, _S505.warp_y_0, _S505.warp_roughness_0);
     }
-    Woven_0 _S537 = slang_ldg_1(&_S532->woven_0);
-    if(_S531)
+    Woven_0 _S506 = slang_ldg_1(&_S501->woven_0);
+    if(_S500)
     {
-        _S533 = - _S537.weft_y_0;
+        _S502 = - _S506.weft_y_0;
     }
     else
     {
-        _S533 = _S537.weft_y_0;
+        _S502 = _S506.weft_y_0;
     }
-    return make_float3 (_S537.weft_x_0, _S533, _S537.weft_roughness_0);
+    return make_float3 (_S506.weft_x_0, _S502, _S506.weft_roughness_0);
 }
 
-__device__ void woven_view_0(uint _S538, Footprint_0 * _S539, float3  _S540, WovenView_0 * _S541)
+__device__ void woven_view_0(uint _S507, Footprint_0 * _S508, float3  _S509, WovenView_0 * _S510)
 {
-    Fabric_0 * _S542 = (&(globalParams_0->fabrics_0)[_S538]);
-    bool _S543 = (_S540.z) < 0.0f;
-    AnisotropicTaps_0 _S544 = anisotropic_taps_0(_S538, _S539);
-    AnisotropicTaps_0 _S545 = _S544;
-    float3  _S546 = footprint_coordinates_0(&_S545);
-    float3  _S547 = to_face_frame_0(_S540, _S543);
+    Fabric_0 * _S511 = (&(globalParams_0->fabrics_0)[_S507]);
+    bool _S512 = (_S509.z) < 0.0f;
+    AnisotropicTaps_0 _S513 = anisotropic_taps_0(_S507, _S508);
+    AnisotropicTaps_0 _S514 = _S513;
+    float3  _S515 = footprint_coordinates_0(&_S514);
+    float3  _S516 = to_face_frame_0(_S509, _S512);
     HalfWeights_0 weights_23;
-    Woven_0 _S548 = slang_ldg_1(&_S542->woven_0);
-    (&weights_23)->first_2 = _S548.network_0;
-    AnisotropicTaps_0 _S549 = _S544;
+    Woven_0 _S517 = slang_ldg_1(&_S511->woven_0);
+    (&weights_23)->first_2 = _S517.network_0;
+    AnisotropicTaps_0 _S518 = _S513;
     FixedArray<float, 88>  inputs_23;
-    code_footprint_0(_S538, &_S549, _S546, _S543, &inputs_23);
-    HalfWeights_0 _S550 = weights_23;
+    code_footprint_0(_S507, &_S518, _S515, _S512, &inputs_23);
+    HalfWeights_0 _S519 = weights_23;
     FixedArray<float, 96>  hidden_1;
-    dense_7(&_S550, 0U, false, &inputs_23, &hidden_1);
-    HalfWeights_0 _S551 = weights_23;
+    dense_7(&_S519, 0U, false, &inputs_23, &hidden_1);
+    HalfWeights_0 _S520 = weights_23;
     FixedArray<float, 100>  fused_0;
-    dense_part_8(&_S551, 1068U, false, &hidden_1, &fused_0);
-    fused_0[int(96)] = _S547.x;
-    fused_0[int(97)] = _S547.y;
-    float3  _S552 = crown_fibres_0(_S538, true, _S543);
-    float2  _S553 = float2 {_S547.x, _S547.y};
-    fused_0[int(98)] = dot_1(float2 {_S552.x, _S552.y}, _S553);
-    float3  _S554 = crown_fibres_0(_S538, false, _S543);
-    fused_0[int(99)] = dot_1(float2 {_S554.x, _S554.y}, _S553);
-    HalfWeights_0 _S555 = weights_23;
+    dense_part_8(&_S520, 1068U, false, &hidden_1, &fused_0);
+    fused_0[int(96)] = _S516.x;
+    fused_0[int(97)] = _S516.y;
+    float3  _S521 = crown_fibres_0(_S507, true, _S512);
+    float2  _S522 = float2 {_S516.x, _S516.y};
+    fused_0[int(98)] = dot_1(float2 {_S521.x, _S521.y}, _S522);
+    float3  _S523 = crown_fibres_0(_S507, false, _S512);
+    fused_0[int(99)] = dot_1(float2 {_S523.x, _S523.y}, _S522);
+    HalfWeights_0 _S524 = weights_23;
     FixedArray<float, 16>  of_hole_0;
-    dense_6(&_S555, 2232U, false, &fused_0, &of_hole_0);
-    HalfWeights_0 _S556 = weights_23;
+    dense_6(&_S524, 2232U, false, &fused_0, &of_hole_0);
+    HalfWeights_0 _S525 = weights_23;
     FixedArray<float, 1>  hole_1;
-    dense_5(&_S556, 2444U, false, &of_hole_0, &hole_1);
-    HalfWeights_0 _S557 = weights_23;
-    dense_4(&_S557, 2456U, false, &fused_0, &_S541->sums_6);
-    _S541->hole_0 = clamp_1(hole_1[int(0)], 0.0f, 1.0f);
-    _S541->correction_weight_0 = correction_weight_of_0(_S546.z);
-    _S541->view_5 = _S547;
-    _S541->back_5 = _S543;
+    dense_5(&_S525, 2444U, false, &of_hole_0, &hole_1);
+    HalfWeights_0 _S526 = weights_23;
+    dense_4(&_S526, 2456U, false, &fused_0, &_S510->sums_6);
+    _S510->hole_0 = clamp_1(hole_1[int(0)], 0.0f, 1.0f);
+    _S510->correction_weight_0 = correction_weight_of_0(_S515.z);
+    _S510->view_5 = _S516;
+    _S510->back_5 = _S512;
     return;
 }
 
@@ -2977,16 +2952,16 @@ struct Components_0
     float hole_2;
 };
 
-__device__ void code_light_0(uint _S558, float3  _S559, float3  _S560, bool _S561, FixedArray<float, 39>  * _S562)
+__device__ void code_light_0(uint _S527, float3  _S528, float3  _S529, bool _S530, FixedArray<float, 39>  * _S531)
 {
-    (*_S562)[int(0)] = _S559.x;
-    (*_S562)[int(1)] = _S559.y;
-    (*_S562)[int(2)] = _S559.z;
-    float3  _S563 = _S559 + _S560;
-    float _S564 = _S563.z;
-    float _S565 = _S564 * _S564 + 0.00009999999747379f;
-    float2  _S566 = float2 {_S563.x, _S563.y};
-    float _S567 = 1.0f / (dot_1(_S566, _S566) + _S565);
+    (*_S531)[int(0)] = _S528.x;
+    (*_S531)[int(1)] = _S528.y;
+    (*_S531)[int(2)] = _S528.z;
+    float3  _S532 = _S528 + _S529;
+    float _S533 = _S532.z;
+    float _S534 = _S533 * _S533 + 0.00009999999747379f;
+    float2  _S535 = float2 {_S532.x, _S532.y};
+    float _S536 = 1.0f / (dot_1(_S535, _S535) + _S534);
     int family_10 = int(0);
     for(;;)
     {
@@ -2997,12 +2972,12 @@ __device__ void code_light_0(uint _S558, float3  _S559, float3  _S560, bool _S56
         {
             break;
         }
-        float3  _S568 = crown_fibres_0(_S558, family_10 == int(0), _S561);
-        float2  _S569 = float2 {_S568.x, _S568.y};
-        (*_S562)[int(3) + family_10] = dot_1(_S569, float2 {_S559.x, _S559.y});
-        float _S570 = dot_1(_S569, _S566);
-        float _S571 = _S570 * _S570;
-        float _S572 = (0.75f * _S570 / (0.5f * (F32_sqrt((_S571 + _S565))) + (F32_abs((_S570)))) + 0.5f) * 8.0f;
+        float3  _S537 = crown_fibres_0(_S527, family_10 == int(0), _S530);
+        float2  _S538 = float2 {_S537.x, _S537.y};
+        (*_S531)[int(3) + family_10] = dot_1(_S538, float2 {_S528.x, _S528.y});
+        float _S539 = dot_1(_S538, _S535);
+        float _S540 = _S539 * _S539;
+        float _S541 = (0.75f * _S539 / (0.5f * (F32_sqrt((_S540 + _S534))) + (F32_abs((_S539)))) + 0.5f) * 8.0f;
         int bin_1 = int(0);
         for(;;)
         {
@@ -3013,57 +2988,57 @@ __device__ void code_light_0(uint _S558, float3  _S559, float3  _S560, bool _S56
             {
                 break;
             }
-            (*_S562)[int(5) + family_10 * int(16) + bin_1] = bump_0(_S572 - (float(bin_1) + 0.5f) / 2.0f);
+            (*_S531)[int(5) + family_10 * int(16) + bin_1] = bump_0(_S541 - (float(bin_1) + 0.5f) / 2.0f);
             bin_1 = bin_1 + int(1);
         }
-        float _S573 = _S568.z;
-        float _S574 = _S573 * _S573;
-        float _S575 = _S571 * _S567 * (1.0f - _S574) + _S574;
-        (*_S562)[int(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S574 * _S573 / (_S575 * _S575));
+        float _S542 = _S537.z;
+        float _S543 = _S542 * _S542;
+        float _S544 = _S540 * _S536 * (1.0f - _S543) + _S543;
+        (*_S531)[int(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S543 * _S542 / (_S544 * _S544));
         family_10 = family_10 + int(1);
     }
     return;
 }
 
-__device__ float mixed_bundles_0(uint _S576, uint _S577, uint _S578, float3  _S579, float3  _S580, bool _S581, FixedArray<float, 52>  * _S582)
+__device__ float mixed_bundles_0(uint _S545, uint _S546, uint _S547, float3  _S548, float3  _S549, bool _S550, FixedArray<float, 52>  * _S551)
 {
-    Fabric_0 * _S583 = (&(globalParams_0->fabrics_0)[_S576]);
-    float3  _S584 = _S579 + _S580;
-    float _S585 = 1.0f / (square_1(_S584) + 0.00009999999747379f);
-    bool _S586;
-    if(_S577 == 0U)
+    Fabric_0 * _S552 = (&(globalParams_0->fabrics_0)[_S545]);
+    float3  _S553 = _S548 + _S549;
+    float _S554 = 1.0f / (square_1(_S553) + 0.00009999999747379f);
+    bool _S555;
+    if(_S546 == 0U)
     {
-        _S586 = _S581;
+        _S555 = _S550;
     }
     else
     {
-        _S586 = false;
+        _S555 = false;
     }
-    float _S587;
-    if(_S586)
+    float _S556;
+    if(_S555)
     {
-        _S587 = - _S584.x;
-    }
-    else
-    {
-        _S587 = _S584.x;
-    }
-    if(_S577 == 1U)
-    {
-        _S586 = _S581;
+        _S556 = - _S553.x;
     }
     else
     {
-        _S586 = false;
+        _S556 = _S553.x;
     }
-    float _S588;
-    if(_S586)
+    if(_S546 == 1U)
     {
-        _S588 = - _S584.y;
+        _S555 = _S550;
     }
     else
     {
-        _S588 = _S584.y;
+        _S555 = false;
+    }
+    float _S557;
+    if(_S555)
+    {
+        _S557 = - _S553.y;
+    }
+    else
+    {
+        _S557 = _S553.y;
     }
     uint bundle_1 = 0U;
     float sum_2 = 0.0f;
@@ -3076,40 +3051,40 @@ __device__ float mixed_bundles_0(uint _S576, uint _S577, uint _S578, float3  _S5
         {
             break;
         }
-        Woven_0 _S589 = slang_ldg_1(&_S583->woven_0);
-        uint _S590 = _S577 * 25U;
-        uint _S591 = _S589.bundles_0 + 4U * (_S590 + bundle_1);
-        float _S592 = dot_2(make_float3 (table_number_0(_S591), table_number_0(_S591 + 1U), table_number_0(_S591 + 2U)), make_float3 (_S587, _S588, _S584.z));
-        float _S593 = _S592 * _S592 * _S585 + table_number_0(_S591 + 3U);
-        uint _S594 = _S578 + _S590;
-        uint _S595;
-        if(_S581)
+        Woven_0 _S558 = slang_ldg_1(&_S552->woven_0);
+        uint _S559 = _S546 * 25U;
+        uint _S560 = _S558.bundles_0 + 4U * (_S559 + bundle_1);
+        float _S561 = dot_2(make_float3 (table_number_0(_S560), table_number_0(_S560 + 1U), table_number_0(_S560 + 2U)), make_float3 (_S556, _S557, _S553.z));
+        float _S562 = _S561 * _S561 * _S554 + table_number_0(_S560 + 3U);
+        uint _S563 = _S547 + _S559;
+        uint _S564;
+        if(_S550)
         {
-            _S595 = mirrored_bundle_0(bundle_1);
+            _S564 = mirrored_bundle_0(bundle_1);
         }
         else
         {
-            _S595 = bundle_1;
+            _S564 = bundle_1;
         }
-        float sum_3 = sum_2 + (F32_max(((*_S582)[_S594 + _S595]), ((*_S582)[_S594 + _S595] * 0.00999999977648258f))) / (_S593 * _S593);
+        float sum_3 = sum_2 + (F32_max(((*_S551)[_S563 + _S564]), ((*_S551)[_S563 + _S564] * 0.00999999977648258f))) / (_S562 * _S562);
         bundle_1 = bundle_1 + 1U;
         sum_2 = sum_3;
     }
     return 0.01999999955296516f * sum_2;
 }
 
-__device__ Components_0 woven_components_0(uint _S596, WovenView_0 * _S597, float3  _S598)
+__device__ Components_0 woven_components_0(uint _S565, WovenView_0 * _S566, float3  _S567)
 {
-    float _S599;
-    Fabric_0 * _S600 = (&(globalParams_0->fabrics_0)[_S596]);
-    bool _S601 = _S597->back_5;
-    float3  _S602 = to_face_frame_0(_S598, _S597->back_5);
-    float3  _S603 = _S597->view_5;
+    float _S568;
+    Fabric_0 * _S569 = (&(globalParams_0->fabrics_0)[_S565]);
+    bool _S570 = _S566->back_5;
+    float3  _S571 = to_face_frame_0(_S567, _S566->back_5);
+    float3  _S572 = _S566->view_5;
     HalfWeights_0 weights_24;
-    Woven_0 _S604 = slang_ldg_1(&_S600->woven_0);
-    (&weights_24)->first_2 = _S604.network_0;
+    Woven_0 _S573 = slang_ldg_1(&_S569->woven_0);
+    (&weights_24)->first_2 = _S573.network_0;
     FixedArray<float, 39>  directions_0;
-    code_light_0(_S596, _S602, _S603, _S601, &directions_0);
+    code_light_0(_S565, _S571, _S572, _S570, &directions_0);
     FixedArray<float, 96>  skip_0;
     int k_1 = int(0);
     for(;;)
@@ -3121,11 +3096,11 @@ __device__ Components_0 woven_components_0(uint _S596, WovenView_0 * _S597, floa
         {
             break;
         }
-        skip_0[k_1] = _S597->sums_6[k_1];
+        skip_0[k_1] = _S566->sums_6[k_1];
         k_1 = k_1 + int(1);
     }
-    HalfWeights_0 _S605 = weights_24;
-    dense_3(&_S605, 3716U, true, &directions_0, &skip_0);
+    HalfWeights_0 _S574 = weights_24;
+    dense_3(&_S574, 3716U, true, &directions_0, &skip_0);
     FixedArray<float, 96>  hidden_2;
     FixedArray<float, 96>  next_0;
     k_1 = int(0);
@@ -3163,18 +3138,18 @@ __device__ Components_0 woven_components_0(uint _S596, WovenView_0 * _S597, floa
             }
             if(layer_0 == 1U)
             {
-                _S599 = skip_0[k_1];
+                _S568 = skip_0[k_1];
             }
             else
             {
-                _S599 = 0.0f;
+                _S568 = 0.0f;
             }
-            next_0[k_1] = _S599;
+            next_0[k_1] = _S568;
             k_1 = k_1 + int(1);
         }
-        uint _S606 = 4208U + layer_0 * 1164U;
-        HalfWeights_0 _S607 = weights_24;
-        dense_2(&_S607, _S606, true, &hidden_2, &next_0);
+        uint _S575 = 4208U + layer_0 * 1164U;
+        HalfWeights_0 _S576 = weights_24;
+        dense_2(&_S576, _S575, true, &hidden_2, &next_0);
         int k_2 = int(0);
         for(;;)
         {
@@ -3190,33 +3165,33 @@ __device__ Components_0 woven_components_0(uint _S596, WovenView_0 * _S597, floa
         }
         layer_0 = layer_0 + 1U;
     }
-    HalfWeights_0 _S608 = weights_24;
+    HalfWeights_0 _S577 = weights_24;
     FixedArray<float, 52>  outputs_17;
-    dense_1(&_S608, 7700U, false, &hidden_2, &outputs_17);
-    bool _S609;
-    if((_S604.is_corrected_0) != 0U)
+    dense_1(&_S577, 7700U, false, &hidden_2, &outputs_17);
+    bool _S578;
+    if((_S573.is_corrected_0) != 0U)
     {
-        _S609 = (_S602.z) > 0.0f;
+        _S578 = (_S571.z) > 0.0f;
     }
     else
     {
-        _S609 = false;
+        _S578 = false;
     }
-    if(_S609)
+    if(_S578)
     {
-        _S609 = (_S597->correction_weight_0) > 0.0f;
+        _S578 = (_S566->correction_weight_0) > 0.0f;
     }
     else
     {
-        _S609 = false;
+        _S578 = false;
     }
-    if(_S609)
+    if(_S578)
     {
         FloatWeights_0 fitted_0;
-        (&fitted_0)->first_0 = _S604.correction_0;
-        FloatWeights_0 _S610 = fitted_0;
+        (&fitted_0)->first_0 = _S573.correction_0;
+        FloatWeights_0 _S579 = fitted_0;
         FixedArray<float, 50>  change_0;
-        dense_0(&_S610, 0U, false, &hidden_2, &change_0);
+        dense_0(&_S579, 0U, false, &hidden_2, &change_0);
         k_1 = int(0);
         for(;;)
         {
@@ -3227,33 +3202,33 @@ __device__ Components_0 woven_components_0(uint _S596, WovenView_0 * _S597, floa
             {
                 break;
             }
-            outputs_17[k_1 + int(2)] = outputs_17[k_1 + int(2)] + _S597->correction_weight_0 * change_0[k_1];
+            outputs_17[k_1 + int(2)] = outputs_17[k_1 + int(2)] + _S566->correction_weight_0 * change_0[k_1];
             k_1 = k_1 + int(1);
         }
     }
-    if((_S602.z) > 0.0f)
+    if((_S571.z) > 0.0f)
     {
-        _S599 = 0.00999999977648258f;
+        _S568 = 0.00999999977648258f;
     }
     else
     {
-        _S599 = 0.00100000004749745f;
+        _S568 = 0.00100000004749745f;
     }
     Components_0 result_16;
-    float _S611 = unmapped_0(outputs_17[int(0)], _S599);
-    (&result_16)->diffuse_warp_0 = _S611;
-    float _S612 = unmapped_0(outputs_17[int(1)], _S599);
-    (&result_16)->diffuse_weft_0 = _S612;
-    float _S613 = 2979.9580078125f * _S599;
-    float _S614 = mixed_bundles_0(_S596, 0U, 2U, _S602, _S603, _S601, &outputs_17);
-    (&result_16)->specular_warp_0 = clamp_1(_S614, 0.0f, _S613);
-    float _S615 = mixed_bundles_0(_S596, 1U, 2U, _S602, _S603, _S601, &outputs_17);
-    (&result_16)->specular_weft_0 = clamp_1(_S615, 0.0f, _S613);
-    float _S616 = _S597->hole_0;
-    (&result_16)->hole_2 = _S597->hole_0;
-    float _S617 = _S611 + _S612;
-    float _S618 = __ldg(&_S600->diffuse_blend_0);
-    (&result_16)->light_visibility_1 = (F32_min((light_visibility_of_0(_S617, _S602, _S603, _S618)), (1.0f - _S616)));
+    float _S580 = unmapped_0(outputs_17[int(0)], _S568);
+    (&result_16)->diffuse_warp_0 = _S580;
+    float _S581 = unmapped_0(outputs_17[int(1)], _S568);
+    (&result_16)->diffuse_weft_0 = _S581;
+    float _S582 = 2979.9580078125f * _S568;
+    float _S583 = mixed_bundles_0(_S565, 0U, 2U, _S571, _S572, _S570, &outputs_17);
+    (&result_16)->specular_warp_0 = clamp_1(_S583, 0.0f, _S582);
+    float _S584 = mixed_bundles_0(_S565, 1U, 2U, _S571, _S572, _S570, &outputs_17);
+    (&result_16)->specular_weft_0 = clamp_1(_S584, 0.0f, _S582);
+    float _S585 = _S566->hole_0;
+    (&result_16)->hole_2 = _S566->hole_0;
+    float _S586 = _S580 + _S581;
+    float _S587 = __ldg(&_S569->diffuse_blend_0);
+    (&result_16)->light_visibility_1 = (F32_min((light_visibility_of_0(_S586, _S571, _S572, _S587)), (1.0f - _S585)));
     return result_16;
 }
 
@@ -3263,136 +3238,136 @@ struct FamilyAlbedos_0
     Albedos_0 weft_4;
 };
 
-__device__ FamilyAlbedos_0 albedos_over_0(uint _S619, Footprint_0 * _S620, bool _S621)
+__device__ FamilyAlbedos_0 albedos_over_0(uint _S588, Footprint_0 * _S589, bool _S590)
 {
-    Fabric_0 * _S622 = (&(globalParams_0->fabrics_0)[_S619]);
-    float2  _S623 = sqrt_0(_S620->dx_0 * _S620->dx_0 + _S620->dy_0 * _S620->dy_0);
-    uint _S624 = __ldg(&_S622->warp_0);
-    float2  _S625 = _S620->centre_0;
-    Stretch_0 _S626 = stretch_of_0(_S624, _S620->centre_0.x, _S623.x);
-    uint _S627 = __ldg(&_S622->weft_0);
-    Stretch_0 _S628 = stretch_of_0(_S627, _S625.y, _S623.y);
+    Fabric_0 * _S591 = (&(globalParams_0->fabrics_0)[_S588]);
+    float2  _S592 = sqrt_0(_S589->dx_0 * _S589->dx_0 + _S589->dy_0 * _S589->dy_0);
+    uint _S593 = __ldg(&_S591->warp_0);
+    float2  _S594 = _S589->centre_0;
+    Stretch_0 _S595 = stretch_of_0(_S593, _S589->centre_0.x, _S592.x);
+    uint _S596 = __ldg(&_S591->weft_0);
+    Stretch_0 _S597 = stretch_of_0(_S596, _S594.y, _S592.y);
     FamilyAlbedos_0 albedos_4;
-    Stretch_0 _S629 = _S626;
-    Stretch_0 _S630 = _S628;
-    Albedos_0 _S631 = mean_albedos_0(_S624, _S627, &_S629, &_S630, _S621);
-    (&albedos_4)->warp_4 = _S631;
-    Stretch_0 _S632 = _S628;
-    Stretch_0 _S633 = _S626;
-    Albedos_0 _S634 = mean_albedos_0(_S627, _S624, &_S632, &_S633, _S621);
-    (&albedos_4)->weft_4 = _S634;
+    Stretch_0 _S598 = _S595;
+    Stretch_0 _S599 = _S597;
+    Albedos_0 _S600 = mean_albedos_0(_S593, _S596, &_S598, &_S599, _S590);
+    (&albedos_4)->warp_4 = _S600;
+    Stretch_0 _S601 = _S597;
+    Stretch_0 _S602 = _S595;
+    Albedos_0 _S603 = mean_albedos_0(_S596, _S593, &_S601, &_S602, _S590);
+    (&albedos_4)->weft_4 = _S603;
     return albedos_4;
 }
 
-__device__ float openness_number_0(uint _S635, uint _S636)
+__device__ float openness_number_0(uint _S604, uint _S605)
 {
-    uint _S637 = __ldg(&(&(globalParams_0->fabrics_0)[_S635])->openness_0);
-    return table_number_0(_S637 + _S636);
+    uint _S606 = __ldg(&(&(globalParams_0->fabrics_0)[_S604])->openness_0);
+    return table_number_0(_S606 + _S605);
 }
 
-__device__ Scattered_0 scattered_by_0(uint _S638, Albedos_0 * _S639, uint _S640, float3  _S641)
+__device__ Scattered_0 scattered_by_0(uint _S607, Albedos_0 * _S608, uint _S609, float3  _S610)
 {
-    uint _S642 = 159U + 2U * _S640;
+    uint _S611 = 159U + 2U * _S609;
     Scattered_0 yarn_1;
-    float3  _S643 = _S641 * _S639->diffuse_reflect_0;
-    float _S644 = openness_number_0(_S638, _S642);
-    (&yarn_1)->back_4 = _S643 + make_float3 (_S644) * _S639->specular_reflect_0;
-    float3  _S645 = _S641 * _S639->diffuse_transmit_0;
-    float _S646 = openness_number_0(_S638, _S642 + 1U);
-    (&yarn_1)->through_0 = _S645 + make_float3 (_S646) * _S639->specular_transmit_0;
+    float3  _S612 = _S610 * _S608->diffuse_reflect_0;
+    float _S613 = openness_number_0(_S607, _S611);
+    (&yarn_1)->back_4 = _S612 + make_float3 (_S613) * _S608->specular_reflect_0;
+    float3  _S614 = _S610 * _S608->diffuse_transmit_0;
+    float _S615 = openness_number_0(_S607, _S611 + 1U);
+    (&yarn_1)->through_0 = _S614 + make_float3 (_S615) * _S608->specular_transmit_0;
     return yarn_1;
 }
 
-__device__ void sent_0(uint _S647, uint _S648, float3  _S649, float3  _S650, float3  _S651, float3  _S652, float3  * _S653, float3  * _S654)
+__device__ void sent_0(uint _S616, uint _S617, float3  _S618, float3  _S619, float3  _S620, float3  _S621, float3  * _S622, float3  * _S623)
 {
-    uint _S655 = 146U + 4U * _S648;
-    float _S656 = openness_number_0(_S647, _S655);
-    float _S657 = openness_number_0(_S647, _S655 + 1U);
-    float _S658 = openness_number_0(_S647, _S655 + 2U);
-    float _S659 = openness_number_0(_S647, _S655 + 3U);
-    float3  _S660 = make_float3 (1.0f) - _S651 * make_float3 (_S656);
-    float3  _S661 = make_float3 (1.0f) - _S652 * make_float3 (_S659);
-    float3  _S662 = make_float3 (1.0f) / (_S660 * _S661 - _S651 * _S652 * make_float3 (_S657 * _S658));
-    *_S653 = (_S649 * _S661 + _S651 * make_float3 (_S657) * _S650) * _S662;
-    *_S654 = (_S650 * _S660 + _S652 * make_float3 (_S658) * _S649) * _S662;
+    uint _S624 = 146U + 4U * _S617;
+    float _S625 = openness_number_0(_S616, _S624);
+    float _S626 = openness_number_0(_S616, _S624 + 1U);
+    float _S627 = openness_number_0(_S616, _S624 + 2U);
+    float _S628 = openness_number_0(_S616, _S624 + 3U);
+    float3  _S629 = make_float3 (1.0f) - _S620 * make_float3 (_S625);
+    float3  _S630 = make_float3 (1.0f) - _S621 * make_float3 (_S628);
+    float3  _S631 = make_float3 (1.0f) / (_S629 * _S630 - _S620 * _S621 * make_float3 (_S626 * _S627));
+    *_S622 = (_S618 * _S630 + _S620 * make_float3 (_S626) * _S619) * _S631;
+    *_S623 = (_S619 * _S629 + _S621 * make_float3 (_S627) * _S618) * _S631;
     return;
 }
 
-__device__ FaceSends_0 face_sends_0(uint _S663, uint _S664, Scattered_0 * _S665, Scattered_0 * _S666)
+__device__ FaceSends_0 face_sends_0(uint _S632, uint _S633, Scattered_0 * _S634, Scattered_0 * _S635)
 {
-    uint _S667 = 2U * _S664;
-    uint _S668 = 142U + _S667;
-    float _S669 = openness_number_0(_S663, _S668);
-    float _S670 = openness_number_0(_S663, _S668 + 1U);
-    float3  _S671 = make_float3 (1.0f - _S669) * _S665->back_4;
-    float3  _S672 = make_float3 (1.0f - _S670) * _S666->back_4;
+    uint _S636 = 2U * _S633;
+    uint _S637 = 142U + _S636;
+    float _S638 = openness_number_0(_S632, _S637);
+    float _S639 = openness_number_0(_S632, _S637 + 1U);
+    float3  _S640 = make_float3 (1.0f - _S638) * _S634->back_4;
+    float3  _S641 = make_float3 (1.0f - _S639) * _S635->back_4;
     FaceSends_0 sends_1;
-    uint _S673 = 154U + _S667;
-    float _S674 = openness_number_0(_S663, _S673);
-    (&sends_1)->blocks_warp_0 = _S674;
-    float _S675 = openness_number_0(_S663, _S673 + 1U);
-    (&sends_1)->blocks_weft_0 = _S675;
-    (&sends_1)->open_0 = _S674 * _S669 + _S675 * _S670;
-    sent_0(_S663, _S664, make_float3 (_S669) * _S665->back_4, make_float3 (_S670) * _S666->back_4, _S671, _S672, &(&sends_1)->sky_warp_0, &(&sends_1)->sky_weft_0);
-    sent_0(_S663, _S664, _S665->through_0, _S666->through_0, _S671, _S672, &(&sends_1)->crossing_warp_0, &(&sends_1)->crossing_weft_0);
+    uint _S642 = 154U + _S636;
+    float _S643 = openness_number_0(_S632, _S642);
+    (&sends_1)->blocks_warp_0 = _S643;
+    float _S644 = openness_number_0(_S632, _S642 + 1U);
+    (&sends_1)->blocks_weft_0 = _S644;
+    (&sends_1)->open_0 = _S643 * _S638 + _S644 * _S639;
+    sent_0(_S632, _S633, make_float3 (_S638) * _S634->back_4, make_float3 (_S639) * _S635->back_4, _S640, _S641, &(&sends_1)->sky_warp_0, &(&sends_1)->sky_weft_0);
+    sent_0(_S632, _S633, _S634->through_0, _S635->through_0, _S640, _S641, &(&sends_1)->crossing_warp_0, &(&sends_1)->crossing_weft_0);
     return sends_1;
 }
 
-__device__ Interior_0 interior_of_0(uint _S676, float3  _S677, bool _S678)
+__device__ Interior_0 interior_of_0(uint _S645, float3  _S646, bool _S647)
 {
-    Fabric_0 * _S679 = (&(globalParams_0->fabrics_0)[_S676]);
-    uint _S680 = __ldg(&_S679->warp_0);
-    Family_0 _S681 = slang_ldg_2((&(globalParams_0->families_0)[_S680]));
-    Albedos_0 _S682 = table_albedos_0(_S681.colour_mean_0);
-    Scattered_0 _S683 = scattered_by_0(_S676, &_S682, 0U, _S677);
-    uint _S684 = __ldg(&_S679->weft_0);
-    Family_0 _S685 = slang_ldg_2((&(globalParams_0->families_0)[_S684]));
-    Albedos_0 _S686 = table_albedos_0(_S685.colour_mean_0);
-    Scattered_0 _S687 = scattered_by_0(_S676, &_S686, 1U, _S677);
-    uint _S688;
-    if(_S678)
+    Fabric_0 * _S648 = (&(globalParams_0->fabrics_0)[_S645]);
+    uint _S649 = __ldg(&_S648->warp_0);
+    uint _S650 = __ldg(&(&(globalParams_0->families_0)[_S649])->colour_mean_0);
+    Albedos_0 _S651 = table_albedos_0(_S650);
+    Scattered_0 _S652 = scattered_by_0(_S645, &_S651, 0U, _S646);
+    uint _S653 = __ldg(&_S648->weft_0);
+    uint _S654 = __ldg(&(&(globalParams_0->families_0)[_S653])->colour_mean_0);
+    Albedos_0 _S655 = table_albedos_0(_S654);
+    Scattered_0 _S656 = scattered_by_0(_S645, &_S655, 1U, _S646);
+    uint _S657;
+    if(_S647)
     {
-        _S688 = 1U;
+        _S657 = 1U;
     }
     else
     {
-        _S688 = 0U;
+        _S657 = 0U;
     }
-    Scattered_0 _S689 = _S683;
-    Scattered_0 _S690 = _S687;
-    FaceSends_0 _S691 = face_sends_0(_S676, _S688, &_S689, &_S690);
-    if(_S678)
+    Scattered_0 _S658 = _S652;
+    Scattered_0 _S659 = _S656;
+    FaceSends_0 _S660 = face_sends_0(_S645, _S657, &_S658, &_S659);
+    if(_S647)
     {
-        _S688 = 0U;
+        _S657 = 0U;
     }
     else
     {
-        _S688 = 1U;
+        _S657 = 1U;
     }
-    Scattered_0 _S692 = _S683;
-    Scattered_0 _S693 = _S687;
-    FaceSends_0 _S694 = face_sends_0(_S676, _S688, &_S692, &_S693);
-    float3  _S695 = make_float3 (_S691.blocks_warp_0) * _S691.crossing_warp_0 + make_float3 (_S691.blocks_weft_0) * _S691.crossing_weft_0;
-    float3  _S696 = make_float3 (_S694.blocks_warp_0) * _S694.crossing_warp_0 + make_float3 (_S694.blocks_weft_0) * _S694.crossing_weft_0;
-    float _S697 = 1.0f - _S691.open_0;
-    float _S698 = 1.0f - _S694.open_0;
-    float3  _S699 = make_float3 (1.0f) / (make_float3 (1.0f) - _S695 * _S696 * make_float3 (_S697 * _S698));
-    float3  _S700 = _S696 * (make_float3 (_S691.open_0) + make_float3 (_S697) * (make_float3 (_S691.blocks_warp_0) * _S691.sky_warp_0 + make_float3 (_S691.blocks_weft_0) * _S691.sky_weft_0)) * _S699;
-    float3  _S701 = _S695 * (make_float3 (_S694.open_0) + make_float3 (_S698) * (make_float3 (_S694.blocks_warp_0) * _S694.sky_warp_0 + make_float3 (_S694.blocks_weft_0) * _S694.sky_weft_0)) * _S699;
-    FaceSends_0 _S702 = _S691;
-    FaceRadiance_0 _S703 = face_radiance_0(&_S702, _S694.open_0, _S700, _S701);
-    FaceSends_0 _S704 = _S694;
-    FaceRadiance_0 _S705 = face_radiance_0(&_S704, _S691.open_0, _S701, _S700);
+    Scattered_0 _S661 = _S652;
+    Scattered_0 _S662 = _S656;
+    FaceSends_0 _S663 = face_sends_0(_S645, _S657, &_S661, &_S662);
+    float3  _S664 = make_float3 (_S660.blocks_warp_0) * _S660.crossing_warp_0 + make_float3 (_S660.blocks_weft_0) * _S660.crossing_weft_0;
+    float3  _S665 = make_float3 (_S663.blocks_warp_0) * _S663.crossing_warp_0 + make_float3 (_S663.blocks_weft_0) * _S663.crossing_weft_0;
+    float _S666 = 1.0f - _S660.open_0;
+    float _S667 = 1.0f - _S663.open_0;
+    float3  _S668 = make_float3 (1.0f) / (make_float3 (1.0f) - _S664 * _S665 * make_float3 (_S666 * _S667));
+    float3  _S669 = _S665 * (make_float3 (_S660.open_0) + make_float3 (_S666) * (make_float3 (_S660.blocks_warp_0) * _S660.sky_warp_0 + make_float3 (_S660.blocks_weft_0) * _S660.sky_weft_0)) * _S668;
+    float3  _S670 = _S664 * (make_float3 (_S663.open_0) + make_float3 (_S667) * (make_float3 (_S663.blocks_warp_0) * _S663.sky_warp_0 + make_float3 (_S663.blocks_weft_0) * _S663.sky_weft_0)) * _S668;
+    FaceSends_0 _S671 = _S660;
+    FaceRadiance_0 _S672 = face_radiance_0(&_S671, _S663.open_0, _S669, _S670);
+    FaceSends_0 _S673 = _S663;
+    FaceRadiance_0 _S674 = face_radiance_0(&_S673, _S660.open_0, _S670, _S669);
     Interior_0 interior_1;
-    (&interior_1)->warp_3 = _S703.warp_2;
-    (&interior_1)->weft_3 = _S703.weft_2;
-    (&interior_1)->leaked_1 = _S703.leaked_0;
-    (&interior_1)->far_1 = _S705.mean_0;
-    (&interior_1)->far_leaked_0 = _S705.leaked_0;
+    (&interior_1)->warp_3 = _S672.warp_2;
+    (&interior_1)->weft_3 = _S672.weft_2;
+    (&interior_1)->leaked_1 = _S672.leaked_0;
+    (&interior_1)->far_1 = _S674.mean_0;
+    (&interior_1)->far_leaked_0 = _S674.leaked_0;
     return interior_1;
 }
 
-__device__ Blocked_0 blocked_of_terms_0(uint _S706, uint _S707, FixedArray<float, 6>  * _S708, uint _S709)
+__device__ Blocked_0 blocked_of_terms_0(uint _S675, uint _S676, FixedArray<float, 6>  * _S677, uint _S678)
 {
     FixedArray<float, 3>  shares_0;
     uint share_2 = 0U;
@@ -3409,15 +3384,15 @@ __device__ Blocked_0 blocked_of_terms_0(uint _S706, uint _S707, FixedArray<float
         uint term_0 = 0U;
         for(;;)
         {
-            if(term_0 < _S709)
+            if(term_0 < _S678)
             {
             }
             else
             {
                 break;
             }
-            float _S710 = openness_number_0(_S706, _S707 + share_2 * _S709 + term_0);
-            shares_0[share_2] = shares_0[share_2] + _S710 * (*_S708)[term_0];
+            float _S679 = openness_number_0(_S675, _S676 + share_2 * _S678 + term_0);
+            shares_0[share_2] = shares_0[share_2] + _S679 * (*_S677)[term_0];
             term_0 = term_0 + 1U;
         }
         shares_0[share_2] = saturate_0(shares_0[share_2]);
@@ -3430,38 +3405,38 @@ __device__ Blocked_0 blocked_of_terms_0(uint _S706, uint _S707, FixedArray<float
     return blocked_2;
 }
 
-__device__ Blocked_0 blocked_from_0(uint _S711, float3  _S712, bool _S713, bool _S714)
+__device__ Blocked_0 blocked_from_0(uint _S680, float3  _S681, bool _S682, bool _S683)
 {
     FixedArray<float, 6>  terms_1;
-    view_terms_0(_S712, &terms_1);
-    uint _S715;
-    if(_S714)
+    view_terms_0(_S681, &terms_1);
+    uint _S684;
+    if(_S683)
     {
-        _S715 = 2U;
+        _S684 = 2U;
     }
     else
     {
-        _S715 = 0U;
+        _S684 = 0U;
     }
-    uint _S716;
-    if(_S713)
+    uint _S685;
+    if(_S682)
     {
-        _S716 = 0U;
+        _S685 = 0U;
     }
     else
     {
-        _S716 = 1U;
+        _S685 = 1U;
     }
-    uint _S717 = (_S715 + _S716) * 15U;
-    FixedArray<float, 6>  _S718 = terms_1;
-    Blocked_0 _S719 = blocked_of_terms_0(_S711, _S717, &_S718, 5U);
-    return _S719;
+    uint _S686 = (_S684 + _S685) * 15U;
+    FixedArray<float, 6>  _S687 = terms_1;
+    Blocked_0 _S688 = blocked_of_terms_0(_S680, _S686, &_S687, 5U);
+    return _S688;
 }
 
-__device__ float warp_seen_from_0(uint _S720, float3  _S721, bool _S722)
+__device__ float warp_seen_from_0(uint _S689, float3  _S690, bool _S691)
 {
     FixedArray<float, 6>  terms_2;
-    view_terms_0(_S721, &terms_2);
+    view_terms_0(_S690, &terms_2);
     uint term_1 = 0U;
     float share_3 = 0.0f;
     for(;;)
@@ -3473,117 +3448,117 @@ __device__ float warp_seen_from_0(uint _S720, float3  _S721, bool _S722)
         {
             break;
         }
-        uint _S723;
-        if(_S722)
+        uint _S692;
+        if(_S691)
         {
-            _S723 = 5U;
+            _S692 = 5U;
         }
         else
         {
-            _S723 = 0U;
+            _S692 = 0U;
         }
-        float _S724 = openness_number_0(_S720, 132U + _S723 + term_1);
-        float share_4 = share_3 + _S724 * terms_2[term_1];
+        float _S693 = openness_number_0(_S689, 132U + _S692 + term_1);
+        float share_4 = share_3 + _S693 * terms_2[term_1];
         term_1 = term_1 + 1U;
         share_3 = share_4;
     }
     return saturate_0(share_3);
 }
 
-__device__ Bounced_0 bounced_of_families_0(uint _S725, FamilyAlbedos_0 * _S726, float3  _S727, Interior_0 * _S728, Blocked_0 * _S729, Blocked_0 * _S730)
+__device__ Bounced_0 bounced_of_families_0(uint _S694, FamilyAlbedos_0 * _S695, float3  _S696, Interior_0 * _S697, Blocked_0 * _S698, Blocked_0 * _S699)
 {
-    Scattered_0 _S731 = scattered_by_0(_S725, &_S726->warp_4, 0U, _S727);
-    Scattered_0 _S732 = _S731;
-    Bounced_0 _S733 = bounced_by_0(_S729, &_S732, _S728);
-    Scattered_0 _S734 = scattered_by_0(_S725, &_S726->weft_4, 1U, _S727);
-    Scattered_0 _S735 = _S734;
-    Bounced_0 _S736 = bounced_by_0(_S730, &_S735, _S728);
-    Bounced_0 _S737 = _S733;
-    Bounced_0 _S738 = _S736;
-    Bounced_0 _S739 = sum_of_0(&_S737, &_S738);
-    return _S739;
+    Scattered_0 _S700 = scattered_by_0(_S694, &_S695->warp_4, 0U, _S696);
+    Scattered_0 _S701 = _S700;
+    Bounced_0 _S702 = bounced_by_0(_S698, &_S701, _S697);
+    Scattered_0 _S703 = scattered_by_0(_S694, &_S695->weft_4, 1U, _S696);
+    Scattered_0 _S704 = _S703;
+    Bounced_0 _S705 = bounced_by_0(_S699, &_S704, _S697);
+    Bounced_0 _S706 = _S702;
+    Bounced_0 _S707 = _S705;
+    Bounced_0 _S708 = sum_of_0(&_S706, &_S707);
+    return _S708;
 }
 
-__device__ Bounced_0 bounced_far_0(uint _S740, FamilyAlbedos_0 * _S741, float3  _S742, Interior_0 * _S743, float3  _S744, bool _S745, float _S746, float _S747, float _S748)
+__device__ Bounced_0 bounced_far_0(uint _S709, FamilyAlbedos_0 * _S710, float3  _S711, Interior_0 * _S712, float3  _S713, bool _S714, float _S715, float _S716, float _S717)
 {
-    Blocked_0 _S749 = blocked_from_0(_S740, _S744, true, _S745);
-    Blocked_0 _S750 = blocked_from_0(_S740, _S744, false, _S745);
-    float _S751 = _S746 / (F32_max((1.0f - _S749.by_warp_0 - _S749.by_weft_0), (0.10000000149011612f)));
-    float _S752 = _S747 / (F32_max((1.0f - _S750.by_warp_0 - _S750.by_weft_0), (0.10000000149011612f)));
-    float _S753 = warp_seen_from_0(_S740, _S744, _S745);
-    float _S754 = (0.0020000000949949f * _S753 + _S751) / (_S751 + _S752 + 0.0020000000949949f);
-    float _S755 = 1.0f - _S748;
-    float _S756 = _S754 * _S755;
-    Blocked_0 _S757 = _S749;
-    Blocked_0 _S758 = scaled_0(&_S757, _S756);
-    float _S759 = (1.0f - _S754) * _S755;
-    Blocked_0 _S760 = _S750;
-    Blocked_0 _S761 = scaled_0(&_S760, _S759);
-    Blocked_0 _S762 = _S758;
-    Blocked_0 _S763 = _S761;
-    Bounced_0 _S764 = bounced_of_families_0(_S740, _S741, _S742, _S743, &_S762, &_S763);
-    return _S764;
+    Blocked_0 _S718 = blocked_from_0(_S709, _S713, true, _S714);
+    Blocked_0 _S719 = blocked_from_0(_S709, _S713, false, _S714);
+    float _S720 = _S715 / (F32_max((1.0f - _S718.by_warp_0 - _S718.by_weft_0), (0.10000000149011612f)));
+    float _S721 = _S716 / (F32_max((1.0f - _S719.by_warp_0 - _S719.by_weft_0), (0.10000000149011612f)));
+    float _S722 = warp_seen_from_0(_S709, _S713, _S714);
+    float _S723 = (0.0020000000949949f * _S722 + _S720) / (_S720 + _S721 + 0.0020000000949949f);
+    float _S724 = 1.0f - _S717;
+    float _S725 = _S723 * _S724;
+    Blocked_0 _S726 = _S718;
+    Blocked_0 _S727 = scaled_0(&_S726, _S725);
+    float _S728 = (1.0f - _S723) * _S724;
+    Blocked_0 _S729 = _S719;
+    Blocked_0 _S730 = scaled_0(&_S729, _S728);
+    Blocked_0 _S731 = _S727;
+    Blocked_0 _S732 = _S730;
+    Bounced_0 _S733 = bounced_of_families_0(_S709, _S710, _S711, _S712, &_S731, &_S732);
+    return _S733;
 }
 
-__device__ Bounced_0 bounced_over_0(uint _S765, Components_0 * _S766, CloseUp_0 * _S767, FamilyAlbedos_0 * _S768, float3  _S769, float3  _S770)
+__device__ Bounced_0 bounced_over_0(uint _S734, Components_0 * _S735, CloseUp_0 * _S736, FamilyAlbedos_0 * _S737, float3  _S738, float3  _S739)
 {
-    bool _S771 = (_S770.z) < 0.0f;
-    Interior_0 _S772 = interior_of_0(_S765, _S769, _S771);
-    float3  _S773 = to_face_frame_0(_S770, _S771);
-    Interior_0 _S774 = _S772;
-    Bounced_0 _S775 = bounced_far_0(_S765, _S768, _S769, &_S774, _S773, _S771, _S766->diffuse_warp_0, _S766->diffuse_weft_0, _S766->hole_2);
-    Bounced_0 bounced_2 = _S775;
-    float _S776 = _S767->weight_2;
-    if((_S767->weight_2) > 0.0f)
+    bool _S740 = (_S739.z) < 0.0f;
+    Interior_0 _S741 = interior_of_0(_S734, _S738, _S740);
+    float3  _S742 = to_face_frame_0(_S739, _S740);
+    Interior_0 _S743 = _S741;
+    Bounced_0 _S744 = bounced_far_0(_S734, _S737, _S738, &_S743, _S742, _S740, _S735->diffuse_warp_0, _S735->diffuse_weft_0, _S735->hole_2);
+    Bounced_0 bounced_2 = _S744;
+    float _S745 = _S736->weight_2;
+    if((_S736->weight_2) > 0.0f)
     {
-        Interior_0 _S777 = _S772;
-        Bounced_0 _S778 = bounced_of_families_0(_S765, _S768, _S769, &_S777, &_S767->warp_1, &_S767->weft_1);
-        float3  _S779 = make_float3 (_S776);
-        (&bounced_2)->reflected_0 = lerp_0((&bounced_2)->reflected_0, _S778.reflected_0, _S779);
-        (&bounced_2)->transmitted_0 = lerp_0((&bounced_2)->transmitted_0, _S778.transmitted_0, _S779);
+        Interior_0 _S746 = _S741;
+        Bounced_0 _S747 = bounced_of_families_0(_S734, _S737, _S738, &_S746, &_S736->warp_1, &_S736->weft_1);
+        float3  _S748 = make_float3 (_S745);
+        (&bounced_2)->reflected_0 = lerp_0((&bounced_2)->reflected_0, _S747.reflected_0, _S748);
+        (&bounced_2)->transmitted_0 = lerp_0((&bounced_2)->transmitted_0, _S747.transmitted_0, _S748);
     }
     return bounced_2;
 }
 
-__device__ float3  composed_0(uint _S780, Components_0 * _S781, CloseUp_0 * _S782, FamilyAlbedos_0 * _S783, float3  _S784, float3  _S785, float3  _S786)
+__device__ float3  composed_0(uint _S749, Components_0 * _S750, CloseUp_0 * _S751, FamilyAlbedos_0 * _S752, float3  _S753, float3  _S754, float3  _S755)
 {
-    Fabric_0 * _S787 = (&(globalParams_0->fabrics_0)[_S780]);
-    Albedos_0 _S788 = tinted_0(&_S783->warp_4, _S784);
-    Albedos_0 _S789 = tinted_0(&_S783->weft_4, _S784);
-    float _S790 = _S781->diffuse_warp_0;
-    float _S791 = _S781->diffuse_weft_0;
-    float _S792 = _S781->specular_warp_0;
-    float _S793 = _S781->specular_weft_0;
-    float3  _S794 = _S788.diffuse_reflect_0 * make_float3 (_S781->diffuse_warp_0) + _S789.diffuse_reflect_0 * make_float3 (_S781->diffuse_weft_0) + _S788.specular_reflect_0 * make_float3 (_S781->specular_warp_0) + _S789.specular_reflect_0 * make_float3 (_S781->specular_weft_0);
-    float _S795 = _S786.z;
+    Fabric_0 * _S756 = (&(globalParams_0->fabrics_0)[_S749]);
+    Albedos_0 _S757 = tinted_0(&_S752->warp_4, _S753);
+    Albedos_0 _S758 = tinted_0(&_S752->weft_4, _S753);
+    float _S759 = _S750->diffuse_warp_0;
+    float _S760 = _S750->diffuse_weft_0;
+    float _S761 = _S750->specular_warp_0;
+    float _S762 = _S750->specular_weft_0;
+    float3  _S763 = _S757.diffuse_reflect_0 * make_float3 (_S750->diffuse_warp_0) + _S758.diffuse_reflect_0 * make_float3 (_S750->diffuse_weft_0) + _S757.specular_reflect_0 * make_float3 (_S750->specular_warp_0) + _S758.specular_reflect_0 * make_float3 (_S750->specular_weft_0);
+    float _S764 = _S755.z;
     float3  body_0;
-    if((_S785.z * _S795) < 0.0f)
+    if((_S754.z * _S764) < 0.0f)
     {
-        body_0 = _S788.diffuse_transmit_0 * make_float3 (_S790) + _S789.diffuse_transmit_0 * make_float3 (_S791) + _S788.specular_transmit_0 * make_float3 (_S792) + _S789.specular_transmit_0 * make_float3 (_S793);
+        body_0 = _S757.diffuse_transmit_0 * make_float3 (_S759) + _S758.diffuse_transmit_0 * make_float3 (_S760) + _S757.specular_transmit_0 * make_float3 (_S761) + _S758.specular_transmit_0 * make_float3 (_S762);
     }
     else
     {
-        body_0 = _S794;
+        body_0 = _S763;
     }
-    uint _S796 = __ldg(&_S787->openness_0);
-    if(_S796 != 4294967295U)
+    uint _S765 = __ldg(&_S756->openness_0);
+    if(_S765 != 4294967295U)
     {
-        Bounced_0 _S797 = bounced_over_0(_S780, _S781, _S782, _S783, _S784, _S786);
-        Bounced_0 _S798 = _S797;
-        float3  _S799 = bounced_value_0(&_S798, _S785, _S786);
-        body_0 = body_0 + _S799;
+        Bounced_0 _S766 = bounced_over_0(_S749, _S750, _S751, _S752, _S753, _S755);
+        Bounced_0 _S767 = _S766;
+        float3  _S768 = bounced_value_0(&_S767, _S754, _S755);
+        body_0 = body_0 + _S768;
     }
-    float _S800 = __ldg(&_S787->sheen_strength_0);
-    if(_S800 <= 0.0f)
+    float _S769 = __ldg(&_S756->sheen_strength_0);
+    if(_S769 <= 0.0f)
     {
         return body_0;
     }
-    bool _S801 = _S795 < 0.0f;
-    float3  _S802 = to_face_frame_0(_S785, _S801);
-    float3  _S803 = to_face_frame_0(_S786, _S801);
-    float _S804 = __ldg(&_S787->sheen_roughness_0);
-    float2  _S805 = sheen_with_transmittance_0(_S802, _S803, _S800, _S804);
-    return make_float3 (_S805.y) * body_0 + make_float3 ((_S781->light_visibility_1 + _S781->hole_2) * _S805.x);
+    bool _S770 = _S764 < 0.0f;
+    float3  _S771 = to_face_frame_0(_S754, _S770);
+    float3  _S772 = to_face_frame_0(_S755, _S770);
+    float _S773 = __ldg(&_S756->sheen_roughness_0);
+    float2  _S774 = sheen_with_transmittance_0(_S771, _S772, _S769, _S773);
+    return make_float3 (_S774.y) * body_0 + make_float3 ((_S750->light_visibility_1 + _S750->hole_2) * _S774.x);
 }
 
 __device__ float4  cloth_value_0(uint fabric_2, float2  centre_3, float2  dx_1, float2  dy_1, float3  light_4, float3  view_6)
@@ -3592,47 +3567,47 @@ __device__ float4  cloth_value_0(uint fabric_2, float2  centre_3, float2  dx_1, 
     (&footprint_1)->centre_0 = centre_3;
     (&footprint_1)->dx_0 = dx_1;
     (&footprint_1)->dy_0 = dy_1;
-    Footprint_0 _S806 = footprint_1;
+    Footprint_0 _S775 = footprint_1;
     WovenView_0 activations_0;
-    woven_view_0(fabric_2, &_S806, view_6, &activations_0);
-    Components_0 _S807 = woven_components_0(fabric_2, &activations_0, light_4);
-    float _S808 = view_6.z;
-    bool _S809 = _S808 < 0.0f;
-    Footprint_0 _S810 = footprint_1;
-    FamilyAlbedos_0 _S811 = albedos_over_0(fabric_2, &_S810, _S809);
-    CloseUp_0 _S812 = no_close_up_0();
-    float3  _S813 = make_float3 (1.0f);
-    Components_0 _S814 = _S807;
-    CloseUp_0 _S815 = _S812;
-    FamilyAlbedos_0 _S816 = _S811;
-    float3  _S817 = composed_0(fabric_2, &_S814, &_S815, &_S816, _S813, light_4, view_6);
+    woven_view_0(fabric_2, &_S775, view_6, &activations_0);
+    Components_0 _S776 = woven_components_0(fabric_2, &activations_0, light_4);
+    float _S777 = view_6.z;
+    bool _S778 = _S777 < 0.0f;
+    Footprint_0 _S779 = footprint_1;
+    FamilyAlbedos_0 _S780 = albedos_over_0(fabric_2, &_S779, _S778);
+    CloseUp_0 _S781 = no_close_up_0();
+    float3  _S782 = make_float3 (1.0f);
+    Components_0 _S783 = _S776;
+    CloseUp_0 _S784 = _S781;
+    FamilyAlbedos_0 _S785 = _S780;
+    float3  _S786 = composed_0(fabric_2, &_S783, &_S784, &_S785, _S782, light_4, view_6);
     float through_1 = (&activations_0)->hole_0;
-    float _S818 = __ldg(&(&(globalParams_0->fabrics_0)[fabric_2])->sheen_strength_0);
+    float _S787 = __ldg(&(&(globalParams_0->fabrics_0)[fabric_2])->sheen_strength_0);
     float through_2;
-    if(_S818 > 0.0f)
+    if(_S787 > 0.0f)
     {
-        float _S819 = __ldg(&(&(globalParams_0->fabrics_0)[fabric_2])->sheen_strength_0);
-        float _S820 = (F32_abs((_S808)));
-        float _S821 = __ldg(&(&(globalParams_0->fabrics_0)[fabric_2])->sheen_roughness_0);
-        through_2 = through_1 * (1.0f - _S819 * sheen_lobe_0(_S820, _S821).z);
+        float _S788 = __ldg(&(&(globalParams_0->fabrics_0)[fabric_2])->sheen_strength_0);
+        float _S789 = (F32_abs((_S777)));
+        float _S790 = __ldg(&(&(globalParams_0->fabrics_0)[fabric_2])->sheen_roughness_0);
+        through_2 = through_1 * (1.0f - _S788 * sheen_lobe_0(_S789, _S790).z);
     }
     else
     {
         through_2 = through_1;
     }
-    return make_float4 (_S817.x, _S817.y, _S817.z, through_2);
+    return make_float4 (_S786.x, _S786.y, _S786.z, through_2);
 }
 
 extern "C" __global__ void woven_queries()
 {
-    uint _S822 = (blockIdx * blockDim + threadIdx).x;
-    uint _S823 = __ldg((&(globalParams_0->query_count_0)[int(0)]));
-    if(_S822 >= _S823)
+    uint _S791 = (blockIdx * blockDim + threadIdx).x;
+    uint _S792 = __ldg((&(globalParams_0->query_count_0)[int(0)]));
+    if(_S791 >= _S792)
     {
         return;
     }
-    Query_0 _S824 = slang_ldg_0((&(globalParams_0->queries_0)[_S822]));
-    *(&(globalParams_0->answers_0)[_S822]) = cloth_value_0(_S824.fabric_1, make_float2 (_S824.centre_x_0, _S824.centre_y_0), make_float2 (_S824.dx_x_0, _S824.dx_y_0), make_float2 (_S824.dy_x_0, _S824.dy_y_0), make_float3 (_S824.light_x_0, _S824.light_y_0, _S824.light_z_0), make_float3 (_S824.view_x_0, _S824.view_y_0, _S824.view_z_0));
+    Query_0 _S793 = slang_ldg_0((&(globalParams_0->queries_0)[_S791]));
+    *(&(globalParams_0->answers_0)[_S791]) = cloth_value_0(_S793.fabric_1, make_float2 (_S793.centre_x_0, _S793.centre_y_0), make_float2 (_S793.dx_x_0, _S793.dx_y_0), make_float2 (_S793.dy_x_0, _S793.dy_y_0), make_float3 (_S793.light_x_0, _S793.light_y_0, _S793.light_z_0), make_float3 (_S793.view_x_0, _S793.view_y_0, _S793.view_z_0));
     return;
 }
 

@@ -147,6 +147,7 @@ struct Fabric_0
     uint seed_0;
     float layer_bound_0;
     float fibre_size_0;
+    uint has_detail_0;
     float uv_width_0;
     float uv_height_0;
     uint is_open_0;
@@ -200,6 +201,16 @@ struct Family_0
     uint colour_areas_0;
     float area_unit_0;
     float crossing_area_0;
+    float has_plies_0;
+    float plies_per_mm_0;
+    float ply_sine_0;
+    float ply_cosine_0;
+    float fibre_tilt_0;
+    float fibre_tone_0;
+    float slub_0;
+    float slubs_per_mm_0;
+    float per_half_width_0;
+    float hairiness_0;
 };
 
 layout(std430, binding = 1) readonly buffer StructuredBuffer_Family_t_0 {
@@ -1688,16 +1699,15 @@ vec3 lengths_0(uint family_6, Stretch_0 stretch_1)
 
 vec2 integrals_along_0(uint family_7, Stretch_0 stretch_2, uint quantity_0)
 {
-    Family_0 _S213 = families_0._data[uint(family_7)];
-    uint _S214 = 3U * _S213.quantities_0;
-    uint _S215 = families_0._data[uint(family_7)].colour_threads_0 + _S214 * stretch_2.low_7.thread_2 + quantity_0;
-    uint _S216 = families_0._data[uint(family_7)].colour_threads_0 + _S214 * stretch_2.high_7.thread_2 + quantity_0;
-    uint _S217 = families_0._data[uint(family_7)].colour_threads_0 + _S214 * uint(families_0._data[uint(family_7)].count_0) + quantity_0;
+    uint _S213 = 3U * families_0._data[uint(family_7)].quantities_0;
+    uint _S214 = families_0._data[uint(family_7)].colour_threads_0 + _S213 * stretch_2.low_7.thread_2 + quantity_0;
+    uint _S215 = families_0._data[uint(family_7)].colour_threads_0 + _S213 * stretch_2.high_7.thread_2 + quantity_0;
+    uint _S216 = families_0._data[uint(family_7)].colour_threads_0 + _S213 * uint(families_0._data[uint(family_7)].count_0) + quantity_0;
+    float _S217 = table_number_0(_S214);
     float _S218 = table_number_0(_S215);
-    float _S219 = table_number_0(_S216);
-    float _S220 = Stretch_turns_0(stretch_2);
-    uint _S221 = 2U * _S213.quantities_0;
-    return vec2(table_number_0(_S216 + _S213.quantities_0) - table_number_0(_S215 + _S213.quantities_0) + _S219 * stretch_2.high_7.visible_0 * stretch_2.high_7.width_1 - _S218 * stretch_2.low_7.visible_0 * stretch_2.low_7.width_1 + _S220 * table_number_0(_S217 + _S213.quantities_0), table_number_0(_S216 + _S221) - table_number_0(_S215 + _S221) + _S219 * stretch_2.high_7.cell_2 - _S218 * stretch_2.low_7.cell_2 + _S220 * table_number_0(_S217 + _S221));
+    float _S219 = Stretch_turns_0(stretch_2);
+    uint _S220 = 2U * families_0._data[uint(family_7)].quantities_0;
+    return vec2(table_number_0(_S215 + families_0._data[uint(family_7)].quantities_0) - table_number_0(_S214 + families_0._data[uint(family_7)].quantities_0) + _S218 * stretch_2.high_7.visible_0 * stretch_2.high_7.width_1 - _S217 * stretch_2.low_7.visible_0 * stretch_2.low_7.width_1 + _S219 * table_number_0(_S216 + families_0._data[uint(family_7)].quantities_0), table_number_0(_S215 + _S220) - table_number_0(_S214 + _S220) + _S218 * stretch_2.high_7.cell_2 - _S217 * stretch_2.low_7.cell_2 + _S219 * table_number_0(_S216 + _S220));
 }
 
 bool Stretch_wraps_0(Stretch_0 this_6)
@@ -1707,76 +1717,76 @@ bool Stretch_wraps_0(Stretch_0 this_6)
 
 uvec4 Stretch_differences_0(Stretch_0 this_7, uvec4 entries_0, uint whole_0)
 {
-    uint _S222 = entries_0.z;
-    uint _S223 = entries_0.x;
-    uint _S224 = _S222 - _S223;
-    uint _S225;
+    uint _S221 = entries_0.z;
+    uint _S222 = entries_0.x;
+    uint _S223 = _S221 - _S222;
+    uint _S224;
     if(Stretch_wraps_0(this_7))
     {
-        _S225 = whole_0;
+        _S224 = whole_0;
     }
     else
     {
-        _S225 = 0U;
+        _S224 = 0U;
     }
-    return uvec4(_S224 + _S225, entries_0.w - _S222, entries_0.y - _S223, whole_0);
+    return uvec4(_S223 + _S224, entries_0.w - _S221, entries_0.y - _S222, whole_0);
 }
 
 uvec4 row_differences_0(Stretch_0 across_1, uint row_7, uint count_2, uint quantities_1)
 {
-    uint _S226 = row_7 + across_1.low_7.thread_2 * quantities_1;
-    uint _S227 = row_7 + across_1.high_7.thread_2 * quantities_1;
-    return Stretch_differences_0(across_1, uvec4(words_0._data[uint(_S226)], words_0._data[uint(_S226 + quantities_1)], words_0._data[uint(_S227)], words_0._data[uint(_S227 + quantities_1)]), words_0._data[uint(row_7 + count_2 * quantities_1)]);
+    uint _S225 = row_7 + across_1.low_7.thread_2 * quantities_1;
+    uint _S226 = row_7 + across_1.high_7.thread_2 * quantities_1;
+    return Stretch_differences_0(across_1, uvec4(words_0._data[uint(_S225)], words_0._data[uint(_S225 + quantities_1)], words_0._data[uint(_S226)], words_0._data[uint(_S226 + quantities_1)]), words_0._data[uint(row_7 + count_2 * quantities_1)]);
 }
 
 vec4 Stretch_weights_0(Stretch_0 this_8)
 {
-    float _S228 = - this_8.low_7.visible_0;
-    float _S229 = Stretch_turns_0(this_8);
-    float _S230;
+    float _S227 = - this_8.low_7.visible_0;
+    float _S228 = Stretch_turns_0(this_8);
+    float _S229;
     if(Stretch_wraps_0(this_8))
     {
-        _S230 = 1.0;
+        _S229 = 1.0;
     }
     else
     {
-        _S230 = 0.0;
+        _S229 = 0.0;
     }
-    return vec4(1.0, this_8.high_7.visible_0, _S228, _S229 - _S230);
+    return vec4(1.0, this_8.high_7.visible_0, _S227, _S228 - _S229);
 }
 
 float integral_on_top_0(uint family_8, Stretch_0 across_2, Stretch_0 along_0, uint crossing_count_0, uint quantity_1)
 {
-    uint _S231 = uint(families_0._data[uint(family_8)].count_0);
-    uint _S232 = (_S231 + 1U) * families_0._data[uint(family_8)].quantities_0;
-    uint _S233 = families_0._data[uint(family_8)].colour_areas_0 + quantity_1;
-    uvec4 _S234 = row_differences_0(across_2, _S233 + along_0.low_7.thread_2 * _S232, _S231, families_0._data[uint(family_8)].quantities_0);
-    uvec4 _S235 = row_differences_0(across_2, _S233 + (along_0.low_7.thread_2 + 1U) * _S232, _S231, families_0._data[uint(family_8)].quantities_0);
-    uvec4 _S236 = row_differences_0(across_2, _S233 + along_0.high_7.thread_2 * _S232, _S231, families_0._data[uint(family_8)].quantities_0);
-    uvec4 _S237 = row_differences_0(across_2, _S233 + (along_0.high_7.thread_2 + 1U) * _S232, _S231, families_0._data[uint(family_8)].quantities_0);
-    uvec4 _S238 = row_differences_0(across_2, _S233 + crossing_count_0 * _S232, _S231, families_0._data[uint(family_8)].quantities_0);
-    uvec4 _S239 = _S236 - _S234;
-    uvec4 _S240;
+    uint _S230 = uint(families_0._data[uint(family_8)].count_0);
+    uint _S231 = (_S230 + 1U) * families_0._data[uint(family_8)].quantities_0;
+    uint _S232 = families_0._data[uint(family_8)].colour_areas_0 + quantity_1;
+    uvec4 _S233 = row_differences_0(across_2, _S232 + along_0.low_7.thread_2 * _S231, _S230, families_0._data[uint(family_8)].quantities_0);
+    uvec4 _S234 = row_differences_0(across_2, _S232 + (along_0.low_7.thread_2 + 1U) * _S231, _S230, families_0._data[uint(family_8)].quantities_0);
+    uvec4 _S235 = row_differences_0(across_2, _S232 + along_0.high_7.thread_2 * _S231, _S230, families_0._data[uint(family_8)].quantities_0);
+    uvec4 _S236 = row_differences_0(across_2, _S232 + (along_0.high_7.thread_2 + 1U) * _S231, _S230, families_0._data[uint(family_8)].quantities_0);
+    uvec4 _S237 = row_differences_0(across_2, _S232 + crossing_count_0 * _S231, _S230, families_0._data[uint(family_8)].quantities_0);
+    uvec4 _S238 = _S235 - _S233;
+    uvec4 _S239;
     if(Stretch_wraps_0(along_0))
     {
-        _S240 = _S238;
+        _S239 = _S237;
     }
     else
     {
-        _S240 = uvec4(ivec4(0));
+        _S239 = uvec4(ivec4(0));
     }
-    vec4 _S241 = Stretch_weights_0(across_2);
-    return dot(vec4(dot(vec4(ivec4(_S239 + _S240)), _S241), dot(vec4(ivec4(_S237 - _S236)), _S241), dot(vec4(ivec4(_S235 - _S234)), _S241), dot(vec4(ivec4(_S238)), _S241)), Stretch_weights_0(along_0)) * families_0._data[uint(family_8)].area_unit_0;
+    vec4 _S240 = Stretch_weights_0(across_2);
+    return dot(vec4(dot(vec4(ivec4(_S238 + _S239)), _S240), dot(vec4(ivec4(_S236 - _S235)), _S240), dot(vec4(ivec4(_S234 - _S233)), _S240), dot(vec4(ivec4(_S237)), _S240)), Stretch_weights_0(along_0)) * families_0._data[uint(family_8)].area_unit_0;
 }
 
 Albedos_0 with_added_albedos_0(Albedos_0 albedos_1, float weight_0, uint row_8)
 {
-    Albedos_0 _S242 = table_albedos_0(row_8);
+    Albedos_0 _S241 = table_albedos_0(row_8);
     Albedos_0 sum_0;
-    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + weight_0 * _S242.diffuse_reflect_0;
-    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + weight_0 * _S242.diffuse_transmit_0;
-    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + weight_0 * _S242.specular_reflect_0;
-    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + weight_0 * _S242.specular_transmit_0;
+    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + weight_0 * _S241.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + weight_0 * _S241.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + weight_0 * _S241.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + weight_0 * _S241.specular_transmit_0;
     return sum_0;
 }
 
@@ -1787,7 +1797,7 @@ Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, Stretch_0 own_0, Stretc
     {
         return albedos_2;
     }
-    vec3 _S243 = lengths_0(crossing_0, other_0);
+    vec3 _S242 = lengths_0(crossing_0, other_0);
     bool is_exposed_0 = false;
     float weight_1 = 0.0;
     uint quantity_2 = 0U;
@@ -1800,42 +1810,42 @@ Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, Stretch_0 own_0, Stretc
         {
             break;
         }
-        vec2 _S244 = integrals_along_0(family_9, own_0, quantity_2);
-        float _S245 = integral_on_top_0(family_9, own_0, other_0, uint(families_0._data[uint(crossing_0)].count_0), quantity_2);
-        float _S246 = _S244.x;
-        float _S247 = _S246 * _S243.x;
-        float _S248;
+        vec2 _S243 = integrals_along_0(family_9, own_0, quantity_2);
+        float _S244 = integral_on_top_0(family_9, own_0, other_0, uint(families_0._data[uint(crossing_0)].count_0), quantity_2);
+        float _S245 = _S243.x;
+        float _S246 = _S245 * _S242.x;
+        float _S247;
         if(back_3)
         {
-            _S248 = _S247 - _S245;
+            _S247 = _S246 - _S244;
         }
         else
         {
-            _S248 = _S245;
+            _S247 = _S244;
         }
-        bool _S249 = quantity_2 == 0U;
-        if(_S249)
+        bool _S248 = quantity_2 == 0U;
+        if(_S248)
         {
-            is_exposed_0 = _S248 > (16.0 * families_0._data[uint(family_9)].area_unit_0 * min(_S247 / families_0._data[uint(family_9)].crossing_area_0, 1.0) + 0.00000999999974738 * _S247);
+            is_exposed_0 = _S247 > (16.0 * families_0._data[uint(family_9)].area_unit_0 * min(_S246 / families_0._data[uint(family_9)].crossing_area_0, 1.0) + 0.00000999999974738 * _S246);
         }
-        float _S250 = _S246 * _S243.y;
-        float _S251;
+        float _S249 = _S245 * _S242.y;
+        float _S250;
         if(is_exposed_0)
         {
-            _S251 = _S248;
+            _S250 = _S247;
         }
         else
         {
-            _S251 = 0.0;
+            _S250 = 0.0;
         }
-        float _S252 = _S250 + _S251 + 0.000244140625 * _S243.z * _S244.y;
-        if(_S249)
+        float _S251 = _S249 + _S250 + 0.000244140625 * _S242.z * _S243.y;
+        if(_S248)
         {
-            weight_1 = 1.0 / max(_S252, 9.99999968265522539e-21);
+            weight_1 = 1.0 / max(_S251, 9.99999968265522539e-21);
         }
         else
         {
-            albedos_2 = with_added_albedos_0(albedos_2, _S252 * weight_1, families_0._data[uint(family_9)].colour_axes_0 + 12U * (quantity_2 - 1U));
+            albedos_2 = with_added_albedos_0(albedos_2, _S251 * weight_1, families_0._data[uint(family_9)].colour_axes_0 + 12U * (quantity_2 - 1U));
         }
         quantity_2 = quantity_2 + 1U;
     }
@@ -1873,9 +1883,9 @@ CloseUp_0 no_close_up_0()
 {
     CloseUp_0 nothing_1;
     nothing_1.weight_2 = 0.0;
-    Blocked_0 _S253 = no_blocked_0();
-    nothing_1.warp_1 = _S253;
-    nothing_1.weft_1 = _S253;
+    Blocked_0 _S252 = no_blocked_0();
+    nothing_1.warp_1 = _S252;
+    nothing_1.weft_1 = _S252;
     return nothing_1;
 }
 
@@ -1908,30 +1918,30 @@ struct FaceSends_0
 
 FaceRadiance_0 face_radiance_0(FaceSends_0 sends_0, float open_of_other_0, vec3 passed_0, vec3 from_other_0)
 {
-    vec3 _S254 = (1.0 - open_of_other_0) * passed_0;
+    vec3 _S253 = (1.0 - open_of_other_0) * passed_0;
     FaceRadiance_0 found_0;
-    vec3 _S255 = sends_0.sky_warp_0 + _S254 * sends_0.crossing_warp_0;
-    found_0.warp_2 = _S255;
-    vec3 _S256 = sends_0.sky_weft_0 + _S254 * sends_0.crossing_weft_0;
-    found_0.weft_2 = _S256;
-    found_0.mean_0 = sends_0.blocks_warp_0 * _S255 + sends_0.blocks_weft_0 * _S256;
+    vec3 _S254 = sends_0.sky_warp_0 + _S253 * sends_0.crossing_warp_0;
+    found_0.warp_2 = _S254;
+    vec3 _S255 = sends_0.sky_weft_0 + _S253 * sends_0.crossing_weft_0;
+    found_0.weft_2 = _S255;
+    found_0.mean_0 = sends_0.blocks_warp_0 * _S254 + sends_0.blocks_weft_0 * _S255;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
 void view_terms_0(vec3 view_1, out float  terms_0[6])
 {
-    float _S257 = 1.0 - view_1.z;
-    float _S258 = _S257 * _S257;
+    float _S256 = 1.0 - view_1.z;
+    float _S257 = _S256 * _S256;
     terms_0[0] = 1.0;
-    float _S259 = view_1.x;
-    float _S260 = _S259 * _S259;
-    float _S261 = view_1.y;
-    float _S262 = _S261 * _S261;
-    terms_0[1] = sqrt(max(_S260 + _S262, 9.999999960041972e-13));
-    terms_0[2] = _S258;
-    terms_0[3] = _S258 * _S258;
-    terms_0[4] = _S260 - _S262;
+    float _S258 = view_1.x;
+    float _S259 = _S258 * _S258;
+    float _S260 = view_1.y;
+    float _S261 = _S260 * _S260;
+    terms_0[1] = sqrt(max(_S259 + _S261, 9.999999960041972e-13));
+    terms_0[2] = _S257;
+    terms_0[3] = _S257 * _S257;
+    terms_0[4] = _S259 - _S261;
     terms_0[5] = 0.0;
     return;
 }
@@ -1968,11 +1978,11 @@ struct Interior_0
 
 Bounced_0 bounced_by_0(Blocked_0 blocked_1, Scattered_0 yarn_0, Interior_0 interior_0)
 {
-    vec3 _S263 = (blocked_1.by_warp_0 + blocked_1.by_weft_0) * interior_0.leaked_1;
-    vec3 _S264 = blocked_1.far_0 * yarn_0.through_0;
+    vec3 _S262 = (blocked_1.by_warp_0 + blocked_1.by_weft_0) * interior_0.leaked_1;
+    vec3 _S263 = blocked_1.far_0 * yarn_0.through_0;
     Bounced_0 bounced_0;
-    bounced_0.reflected_0 = yarn_0.back_4 * (blocked_1.by_warp_0 * interior_0.warp_3 + blocked_1.by_weft_0 * interior_0.weft_3) + _S264 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S264 * interior_0.far_1 + yarn_0.back_4 * _S263;
+    bounced_0.reflected_0 = yarn_0.back_4 * (blocked_1.by_warp_0 * interior_0.warp_3 + blocked_1.by_weft_0 * interior_0.weft_3) + _S263 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S263 * interior_0.far_1 + yarn_0.back_4 * _S262;
     return bounced_0;
 }
 
@@ -1986,17 +1996,17 @@ Bounced_0 sum_of_0(Bounced_0 first_20, Bounced_0 second_1)
 
 vec3 bounced_value_0(Bounced_0 bounced_1, vec3 light_1, vec3 view_2)
 {
-    float _S265 = light_1.z;
-    vec3 _S266;
-    if((_S265 * view_2.z) < 0.0)
+    float _S264 = light_1.z;
+    vec3 _S265;
+    if((_S264 * view_2.z) < 0.0)
     {
-        _S266 = bounced_1.transmitted_0;
+        _S265 = bounced_1.transmitted_0;
     }
     else
     {
-        _S266 = bounced_1.reflected_0;
+        _S265 = bounced_1.reflected_0;
     }
-    return _S266 * (abs(_S265) * 0.31830987334251404);
+    return _S265 * (abs(_S264) * 0.31830987334251404);
 }
 
 float sheen_scale_0(float x_8, float y_0)
@@ -2016,50 +2026,50 @@ float sheen_reflectance_0(float x_10, float y_2)
 
 vec3 sheen_lobe_0(float cos_view_0, float roughness_1)
 {
-    float _S267 = clamp(cos_view_0, 0.00999999977648258, 1.0);
-    float _S268 = 2.0 * sqrt(_S267) - 1.0;
-    float _S269 = 3.0 * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258, 1.0))) - 2.0;
-    return vec3(clamp(sheen_scale_0(_S268, _S269), 0.00999999977648258, 1.0), clamp((1.0 - _S267) * sheen_shear_0(_S268, _S269), -0.25, 0.0), 0.80000001192092896 / (1.0 + exponential_0(- clamp(sheen_reflectance_0(_S268, _S269), -60.0, 60.0))));
+    float _S266 = clamp(cos_view_0, 0.00999999977648258, 1.0);
+    float _S267 = 2.0 * sqrt(_S266) - 1.0;
+    float _S268 = 3.0 * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258, 1.0))) - 2.0;
+    return vec3(clamp(sheen_scale_0(_S267, _S268), 0.00999999977648258, 1.0), clamp((1.0 - _S266) * sheen_shear_0(_S267, _S268), -0.25, 0.0), 0.80000001192092896 / (1.0 + exponential_0(- clamp(sheen_reflectance_0(_S267, _S268), -60.0, 60.0))));
 }
 
 float transformed_cosine_0(vec3 light_2, vec3 view_3, float scale_1, float shear_0)
 {
-    float _S270 = light_2.z;
-    bool _S271;
-    if(_S270 <= 0.0)
+    float _S269 = light_2.z;
+    bool _S270;
+    if(_S269 <= 0.0)
     {
-        _S271 = true;
+        _S270 = true;
     }
     else
     {
-        _S271 = (view_3.z) <= 0.0;
+        _S270 = (view_3.z) <= 0.0;
     }
-    if(_S271)
+    if(_S270)
     {
         return 0.0;
     }
-    vec2 _S272 = view_3.xy;
-    float _S273 = dot(_S272, _S272);
-    vec2 _S274;
-    if(_S273 > 9.99999968265522539e-21)
+    vec2 _S271 = view_3.xy;
+    float _S272 = dot(_S271, _S271);
+    vec2 _S273;
+    if(_S272 > 9.99999968265522539e-21)
     {
-        _S274 = _S272 * (inversesqrt((_S273)));
+        _S273 = _S271 * (inversesqrt((_S272)));
     }
     else
     {
-        _S274 = vec2(1.0, 0.0);
+        _S273 = vec2(1.0, 0.0);
     }
-    float _S275 = scale_1 * dot(light_2.xy, _S274) + shear_0 * _S270;
-    float _S276 = scale_1 * (light_2.y * _S274.x - light_2.x * _S274.y);
-    float _S277 = _S275 * _S275 + _S276 * _S276 + _S270 * _S270;
-    return 0.31830987334251404 * scale_1 * scale_1 * _S270 / max(_S277 * _S277, 9.99999968265522539e-21);
+    float _S274 = scale_1 * dot(light_2.xy, _S273) + shear_0 * _S269;
+    float _S275 = scale_1 * (light_2.y * _S273.x - light_2.x * _S273.y);
+    float _S276 = _S274 * _S274 + _S275 * _S275 + _S269 * _S269;
+    return 0.31830987334251404 * scale_1 * scale_1 * _S269 / max(_S276 * _S276, 9.99999968265522539e-21);
 }
 
 vec2 sheen_with_transmittance_0(vec3 light_3, vec3 view_4, float strength_0, float roughness_2)
 {
-    vec3 _S278 = sheen_lobe_0(view_4.z, roughness_2);
-    float _S279 = strength_0 * _S278.z;
-    return vec2(_S279 * transformed_cosine_0(light_3, view_4, _S278.x, _S278.y), 1.0 - _S279);
+    vec3 _S277 = sheen_lobe_0(view_4.z, roughness_2);
+    float _S278 = strength_0 * _S277.z;
+    return vec2(_S278 * transformed_cosine_0(light_3, view_4, _S277.x, _S277.y), 1.0 - _S278);
 }
 
 struct WovenView_0
@@ -2071,62 +2081,62 @@ struct WovenView_0
     bool back_5;
 };
 
-AnisotropicTaps_0 anisotropic_taps_0(uint _S280, Footprint_0 _S281)
+AnisotropicTaps_0 anisotropic_taps_0(uint _S279, Footprint_0 _S280)
 {
-    vec3 _S282 = row_of_taps_0(_S281);
-    vec2 _S283 = _S281.dx_0;
-    vec2 _S284 = _S281.dy_0;
-    float _S285 = dot(_S283, _S283) + dot(_S284, _S284);
-    float _S286 = _S281.dx_0.x * _S281.dy_0.y - _S281.dx_0.y * _S281.dy_0.x;
-    float _S287 = 0.5 * (_S285 + sqrt(max(_S285 * _S285 - 4.0 * _S286 * _S286, 0.0)));
-    Woven_0 _S288 = fabrics_0._data[uint(_S280)].woven_0;
-    bool _S289;
-    if(_S287 < (5.5 * (_S285 - _S287)))
+    vec3 _S281 = row_of_taps_0(_S280);
+    vec2 _S282 = _S280.dx_0;
+    vec2 _S283 = _S280.dy_0;
+    float _S284 = dot(_S282, _S282) + dot(_S283, _S283);
+    float _S285 = _S280.dx_0.x * _S280.dy_0.y - _S280.dx_0.y * _S280.dy_0.x;
+    float _S286 = 0.5 * (_S284 + sqrt(max(_S284 * _S284 - 4.0 * _S285 * _S285, 0.0)));
+    Woven_0 _S287 = fabrics_0._data[uint(_S279)].woven_0;
+    bool _S288;
+    if(_S286 < (5.5 * (_S284 - _S286)))
     {
-        _S289 = _S285 > (8.0 * _S288.pitch_0 * _S288.pitch_0);
+        _S288 = _S284 > (8.0 * _S287.pitch_0 * _S287.pitch_0);
     }
     else
     {
-        _S289 = false;
+        _S288 = false;
     }
-    vec2 _S290 = vec2(_S288.ends_per_mm_0, _S288.picks_per_mm_0);
+    vec2 _S289 = vec2(_S287.ends_per_mm_0, _S287.picks_per_mm_0);
     AnisotropicTaps_0 taps_1;
-    taps_1.centre_1 = _S281.centre_0 * _S290;
-    float _S291;
-    if(_S289)
+    taps_1.centre_1 = _S280.centre_0 * _S289;
+    float _S290;
+    if(_S288)
     {
-        _S291 = sqrt(0.125 * _S285);
+        _S290 = sqrt(0.125 * _S284);
     }
     else
     {
-        _S291 = _S282.x;
+        _S290 = _S281.x;
     }
-    taps_1.side_0 = _S291 / _S288.pitch_0;
-    vec2 _S292;
-    if(_S289)
+    taps_1.side_0 = _S290 / _S287.pitch_0;
+    vec2 _S291;
+    if(_S288)
     {
-        _S292 = 0.25 * _S281.dx_0;
+        _S291 = 0.25 * _S280.dx_0;
     }
     else
     {
-        _S292 = _S282.yz;
+        _S291 = _S281.yz;
     }
-    taps_1.first_19 = _S292 * _S290;
-    if(_S289)
+    taps_1.first_19 = _S291 * _S289;
+    if(_S288)
     {
-        _S292 = 0.25 * _S281.dy_0;
+        _S291 = 0.25 * _S280.dy_0;
     }
     else
     {
-        _S292 = 0.5 * _S282.yz;
+        _S291 = 0.5 * _S281.yz;
     }
-    taps_1.second_0 = _S292 * _S290;
+    taps_1.second_0 = _S291 * _S289;
     return taps_1;
 }
 
-void add_texel_0(uint _S293, uint _S294, float _S295, inout float  _S296[88])
+void add_texel_0(uint _S292, uint _S293, float _S294, inout float  _S295[88])
 {
-    uint _S297 = fabrics_0._data[uint(_S293)].woven_0.latents_0 + _S294 * 8U;
+    uint _S296 = fabrics_0._data[uint(_S292)].woven_0.latents_0 + _S293 * 8U;
     uint part_0 = 0U;
     for(;;)
     {
@@ -2137,53 +2147,53 @@ void add_texel_0(uint _S293, uint _S294, float _S295, inout float  _S296[88])
         {
             break;
         }
-        Eight_0 _S298 = eight_halves_0(packed_numbers_0._data[uint(_S297 + part_0)]);
-        int _S299 = int(8U * part_0);
-        _S296[_S299] = _S296[_S299] + _S295 * _S298.low_0[0];
-        _S296[_S299 + 4] = _S296[_S299 + 4] + _S295 * _S298.high_0[0];
-        int _S300 = _S299 + 1;
-        _S296[_S300] = _S296[_S300] + _S295 * _S298.low_0[1];
-        _S296[_S300 + 4] = _S296[_S300 + 4] + _S295 * _S298.high_0[1];
-        int _S301 = _S299 + 2;
-        _S296[_S301] = _S296[_S301] + _S295 * _S298.low_0[2];
-        _S296[_S301 + 4] = _S296[_S301 + 4] + _S295 * _S298.high_0[2];
-        int _S302 = _S299 + 3;
-        _S296[_S302] = _S296[_S302] + _S295 * _S298.low_0[3];
-        _S296[_S302 + 4] = _S296[_S302 + 4] + _S295 * _S298.high_0[3];
+        Eight_0 _S297 = eight_halves_0(packed_numbers_0._data[uint(_S296 + part_0)]);
+        int _S298 = int(8U * part_0);
+        _S295[_S298] = _S295[_S298] + _S294 * _S297.low_0[0];
+        _S295[_S298 + 4] = _S295[_S298 + 4] + _S294 * _S297.high_0[0];
+        int _S299 = _S298 + 1;
+        _S295[_S299] = _S295[_S299] + _S294 * _S297.low_0[1];
+        _S295[_S299 + 4] = _S295[_S299 + 4] + _S294 * _S297.high_0[1];
+        int _S300 = _S298 + 2;
+        _S295[_S300] = _S295[_S300] + _S294 * _S297.low_0[2];
+        _S295[_S300 + 4] = _S295[_S300 + 4] + _S294 * _S297.high_0[2];
+        int _S301 = _S298 + 3;
+        _S295[_S301] = _S295[_S301] + _S294 * _S297.low_0[3];
+        _S295[_S301 + 4] = _S295[_S301 + 4] + _S294 * _S297.high_0[3];
         part_0 = part_0 + 1U;
     }
     return;
 }
 
-void add_level_0(uint _S303, uint _S304, bool _S305, vec2 _S306, float _S307, inout float  _S308[88])
+void add_level_0(uint _S302, uint _S303, bool _S304, vec2 _S305, float _S306, inout float  _S307[88])
 {
-    Woven_0 _S309 = fabrics_0._data[uint(_S303)].woven_0;
-    uint _S310 = fabrics_0._data[uint(_S303)].woven_0.levels_1 + 4U * _S304;
-    float _S311 = table_number_0(_S310);
-    float _S312 = table_number_0(_S310 + 1U);
-    float _S313 = table_number_0(_S310 + 2U);
-    bool _S314;
-    if(_S304 > 3U)
+    Woven_0 _S308 = fabrics_0._data[uint(_S302)].woven_0;
+    uint _S309 = fabrics_0._data[uint(_S302)].woven_0.levels_1 + 4U * _S303;
+    float _S310 = table_number_0(_S309);
+    float _S311 = table_number_0(_S309 + 1U);
+    float _S312 = table_number_0(_S309 + 2U);
+    bool _S313;
+    if(_S303 > 3U)
     {
-        _S314 = _S304 < (_S309.top_level_0);
+        _S313 = _S303 < (_S308.top_level_0);
     }
     else
     {
-        _S314 = false;
+        _S313 = false;
     }
-    vec2 _S315 = _S306 * table_number_0(_S310 + 3U);
-    float _S316;
-    if(_S314)
+    vec2 _S314 = _S305 * table_number_0(_S309 + 3U);
+    float _S315;
+    if(_S313)
     {
-        _S316 = 1.0;
+        _S315 = 1.0;
     }
     else
     {
-        _S316 = 0.5;
+        _S315 = 0.5;
     }
-    vec2 _S317 = _S315 - _S316;
-    vec2 _S318 = floor(_S317);
-    vec2 _S319 = _S317 - _S318;
+    vec2 _S316 = _S314 - _S315;
+    vec2 _S317 = floor(_S316);
+    vec2 _S318 = _S316 - _S317;
     uint corner_0 = 0U;
     for(;;)
     {
@@ -2194,26 +2204,26 @@ void add_level_0(uint _S303, uint _S304, bool _S305, vec2 _S306, float _S307, in
         {
             break;
         }
-        float _S320 = float(corner_0 & 1U);
-        float _S321 = float(corner_0 >> 1);
-        vec2 _S322 = mix(1.0 - _S319, _S319, vec2(_S320, _S321));
-        uint _S323 = uint(_S311 + wrapped_0(_S318.y + _S321, _S313) * _S312 + wrapped_0(_S318.x + _S320, _S312));
-        uint _S324;
-        if(_S305)
+        float _S319 = float(corner_0 & 1U);
+        float _S320 = float(corner_0 >> 1);
+        vec2 _S321 = mix(1.0 - _S318, _S318, vec2(_S319, _S320));
+        uint _S322 = uint(_S310 + wrapped_0(_S317.y + _S320, _S312) * _S311 + wrapped_0(_S317.x + _S319, _S311));
+        uint _S323;
+        if(_S304)
         {
-            _S324 = _S309.texels_0;
+            _S323 = _S308.texels_0;
         }
         else
         {
-            _S324 = 0U;
+            _S323 = 0U;
         }
-        add_texel_0(_S303, _S323 + _S324, _S307 * _S322.x * _S322.y, _S308);
+        add_texel_0(_S302, _S322 + _S323, _S306 * _S321.x * _S321.y, _S307);
         corner_0 = corner_0 + 1U;
     }
     return;
 }
 
-void code_footprint_0(uint _S325, AnisotropicTaps_0 _S326, vec3 _S327, bool _S328, inout float  _S329[88])
+void code_footprint_0(uint _S324, AnisotropicTaps_0 _S325, vec3 _S326, bool _S327, inout float  _S328[88])
 {
     float offset_1;
     int k_0 = 0;
@@ -2226,55 +2236,55 @@ void code_footprint_0(uint _S325, AnisotropicTaps_0 _S326, vec3 _S327, bool _S32
         {
             break;
         }
-        _S329[k_0] = 0.0;
+        _S328[k_0] = 0.0;
         k_0 = k_0 + 1;
     }
-    vec2 _S330 = vec2(fabrics_0._data[uint(_S325)].woven_0.ends_0, fabrics_0._data[uint(_S325)].woven_0.picks_0);
-    float _S331 = float(fabrics_0._data[uint(_S325)].woven_0.top_level_0);
-    float _S332 = clamp(binary_logarithm_0(max(_S326.side_0, 9.99999997475242708e-07)) + 3.0, 0.0, _S331);
-    float _S333 = min(floor(_S332), _S331 - 1.0);
-    uint _S334;
-    if(AnisotropicTaps_has_steps_0(_S326))
+    vec2 _S329 = vec2(fabrics_0._data[uint(_S324)].woven_0.ends_0, fabrics_0._data[uint(_S324)].woven_0.picks_0);
+    float _S330 = float(fabrics_0._data[uint(_S324)].woven_0.top_level_0);
+    float _S331 = clamp(binary_logarithm_0(max(_S325.side_0, 9.99999997475242708e-07)) + 3.0, 0.0, _S330);
+    float _S332 = min(floor(_S331), _S330 - 1.0);
+    uint _S333;
+    if(AnisotropicTaps_has_steps_0(_S325))
     {
-        _S334 = 4U;
+        _S333 = 4U;
     }
     else
     {
-        _S334 = 1U;
+        _S333 = 1U;
     }
     uint number_1 = 0U;
     for(;;)
     {
-        if(number_1 < (2U * _S334))
+        if(number_1 < (2U * _S333))
         {
         }
         else
         {
             break;
         }
-        vec2 _S335 = AnisotropicTaps_place_0(_S326, number_1 >> 1);
-        vec2 _S336 = clamp(_S335 - _S330 * floor(_S335 / _S330), vec2(0.0), _S330);
-        bool _S337 = (number_1 & 1U) != 0U;
-        if(_S337)
+        vec2 _S334 = AnisotropicTaps_place_0(_S325, number_1 >> 1);
+        vec2 _S335 = clamp(_S334 - _S329 * floor(_S334 / _S329), vec2(0.0), _S329);
+        bool _S336 = (number_1 & 1U) != 0U;
+        if(_S336)
         {
-            offset_1 = _S332 - _S333;
+            offset_1 = _S331 - _S332;
         }
         else
         {
-            offset_1 = 1.0 - (_S332 - _S333);
+            offset_1 = 1.0 - (_S331 - _S332);
         }
-        float _S338 = offset_1 / float(_S334);
-        uint _S339 = uint(_S333);
-        uint _S340;
-        if(_S337)
+        float _S337 = offset_1 / float(_S333);
+        uint _S338 = uint(_S332);
+        uint _S339;
+        if(_S336)
         {
-            _S340 = 1U;
+            _S339 = 1U;
         }
         else
         {
-            _S340 = 0U;
+            _S339 = 0U;
         }
-        add_level_0(_S325, _S339 + _S340, _S328, _S336, _S338, _S329);
+        add_level_0(_S324, _S338 + _S339, _S327, _S335, _S337, _S328);
         number_1 = number_1 + 1U;
     }
     int number_2 = 0;
@@ -2297,7 +2307,7 @@ void code_footprint_0(uint _S325, AnisotropicTaps_0 _S326, vec3 _S327, bool _S32
             {
                 break;
             }
-            float offset_2 = _S327[number_2] - (float(bin_0) + 0.5) / 8.0;
+            float offset_2 = _S326[number_2] - (float(bin_0) + 0.5) / 8.0;
             if(number_2 < 2)
             {
                 offset_1 = offset_2 - round(offset_2);
@@ -2306,7 +2316,7 @@ void code_footprint_0(uint _S325, AnisotropicTaps_0 _S326, vec3 _S327, bool _S32
             {
                 offset_1 = offset_2;
             }
-            _S329[64 + number_2 * 8 + bin_0] = bump_0(offset_1 * 3.20000004768371582);
+            _S328[64 + number_2 * 8 + bin_0] = bump_0(offset_1 * 3.20000004768371582);
             bin_0 = bin_0 + 1;
         }
         number_2 = number_2 + 1;
@@ -2314,61 +2324,61 @@ void code_footprint_0(uint _S325, AnisotropicTaps_0 _S326, vec3 _S327, bool _S32
     return;
 }
 
-vec3 crown_fibres_0(uint _S341, bool _S342, bool _S343)
+vec3 crown_fibres_0(uint _S340, bool _S341, bool _S342)
 {
-    float _S344;
-    if(_S342)
+    float _S343;
+    if(_S341)
     {
-        if(_S343)
+        if(_S342)
         {
-            _S344 = - fabrics_0._data[uint(_S341)].woven_0.warp_x_0;
+            _S343 = - fabrics_0._data[uint(_S340)].woven_0.warp_x_0;
         }
         else
         {
-            _S344 = fabrics_0._data[uint(_S341)].woven_0.warp_x_0;
+            _S343 = fabrics_0._data[uint(_S340)].woven_0.warp_x_0;
         }
-        return vec3(_S344, fabrics_0._data[uint(_S341)].woven_0.warp_y_0, fabrics_0._data[uint(_S341)].woven_0.warp_roughness_0);
+        return vec3(_S343, fabrics_0._data[uint(_S340)].woven_0.warp_y_0, fabrics_0._data[uint(_S340)].woven_0.warp_roughness_0);
     }
-    Woven_0 _S345 = fabrics_0._data[uint(_S341)].woven_0;
-    if(_S343)
+    Woven_0 _S344 = fabrics_0._data[uint(_S340)].woven_0;
+    if(_S342)
     {
-        _S344 = - _S345.weft_y_0;
+        _S343 = - _S344.weft_y_0;
     }
     else
     {
-        _S344 = _S345.weft_y_0;
+        _S343 = _S344.weft_y_0;
     }
-    return vec3(_S345.weft_x_0, _S344, _S345.weft_roughness_0);
+    return vec3(_S344.weft_x_0, _S343, _S344.weft_roughness_0);
 }
 
-void woven_view_0(uint _S346, Footprint_0 _S347, vec3 _S348, inout WovenView_0 _S349)
+void woven_view_0(uint _S345, Footprint_0 _S346, vec3 _S347, inout WovenView_0 _S348)
 {
-    bool _S350 = (_S348.z) < 0.0;
-    AnisotropicTaps_0 _S351 = anisotropic_taps_0(_S346, _S347);
-    vec3 _S352 = footprint_coordinates_0(_S351);
-    vec3 _S353 = to_face_frame_0(_S348, _S350);
+    bool _S349 = (_S347.z) < 0.0;
+    AnisotropicTaps_0 _S350 = anisotropic_taps_0(_S345, _S346);
+    vec3 _S351 = footprint_coordinates_0(_S350);
+    vec3 _S352 = to_face_frame_0(_S347, _S349);
     HalfWeights_0 weights_23;
-    weights_23.first_2 = fabrics_0._data[uint(_S346)].woven_0.network_0;
+    weights_23.first_2 = fabrics_0._data[uint(_S345)].woven_0.network_0;
     float  inputs_23[88];
-    code_footprint_0(_S346, _S351, _S352, _S350, inputs_23);
+    code_footprint_0(_S345, _S350, _S351, _S349, inputs_23);
     float  hidden_1[96];
     dense_7(weights_23, 0U, false, inputs_23, hidden_1);
     float  fused_0[100];
     dense_part_8(weights_23, 1068U, false, hidden_1, fused_0);
-    fused_0[96] = _S353.x;
-    fused_0[97] = _S353.y;
-    vec2 _S354 = _S353.xy;
-    fused_0[98] = dot(crown_fibres_0(_S346, true, _S350).xy, _S354);
-    fused_0[99] = dot(crown_fibres_0(_S346, false, _S350).xy, _S354);
+    fused_0[96] = _S352.x;
+    fused_0[97] = _S352.y;
+    vec2 _S353 = _S352.xy;
+    fused_0[98] = dot(crown_fibres_0(_S345, true, _S349).xy, _S353);
+    fused_0[99] = dot(crown_fibres_0(_S345, false, _S349).xy, _S353);
     float  of_hole_0[16];
     dense_6(weights_23, 2232U, false, fused_0, of_hole_0);
     float  hole_1[1];
     dense_5(weights_23, 2444U, false, of_hole_0, hole_1);
-    dense_4(weights_23, 2456U, false, fused_0, _S349.sums_6);
-    _S349.hole_0 = clamp(hole_1[0], 0.0, 1.0);
-    _S349.correction_weight_0 = correction_weight_of_0(_S352.z);
-    _S349.view_5 = _S353;
-    _S349.back_5 = _S350;
+    dense_4(weights_23, 2456U, false, fused_0, _S348.sums_6);
+    _S348.hole_0 = clamp(hole_1[0], 0.0, 1.0);
+    _S348.correction_weight_0 = correction_weight_of_0(_S351.z);
+    _S348.view_5 = _S352;
+    _S348.back_5 = _S349;
     return;
 }
 
@@ -2382,16 +2392,16 @@ struct Components_0
     float hole_2;
 };
 
-void code_light_0(uint _S355, vec3 _S356, vec3 _S357, bool _S358, inout float  _S359[39])
+void code_light_0(uint _S354, vec3 _S355, vec3 _S356, bool _S357, inout float  _S358[39])
 {
-    _S359[0] = _S356.x;
-    _S359[1] = _S356.y;
-    _S359[2] = _S356.z;
-    vec3 _S360 = _S356 + _S357;
-    float _S361 = _S360.z;
-    float _S362 = _S361 * _S361 + 0.00009999999747379;
-    vec2 _S363 = _S360.xy;
-    float _S364 = 1.0 / (dot(_S363, _S363) + _S362);
+    _S358[0] = _S355.x;
+    _S358[1] = _S355.y;
+    _S358[2] = _S355.z;
+    vec3 _S359 = _S355 + _S356;
+    float _S360 = _S359.z;
+    float _S361 = _S360 * _S360 + 0.00009999999747379;
+    vec2 _S362 = _S359.xy;
+    float _S363 = 1.0 / (dot(_S362, _S362) + _S361);
     int family_10 = 0;
     for(;;)
     {
@@ -2402,12 +2412,12 @@ void code_light_0(uint _S355, vec3 _S356, vec3 _S357, bool _S358, inout float  _
         {
             break;
         }
-        vec3 _S365 = crown_fibres_0(_S355, family_10 == 0, _S358);
-        vec2 _S366 = _S365.xy;
-        _S359[3 + family_10] = dot(_S366, _S356.xy);
-        float _S367 = dot(_S366, _S363);
-        float _S368 = _S367 * _S367;
-        float _S369 = (0.75 * _S367 / (0.5 * sqrt(_S368 + _S362) + abs(_S367)) + 0.5) * 8.0;
+        vec3 _S364 = crown_fibres_0(_S354, family_10 == 0, _S357);
+        vec2 _S365 = _S364.xy;
+        _S358[3 + family_10] = dot(_S365, _S355.xy);
+        float _S366 = dot(_S365, _S362);
+        float _S367 = _S366 * _S366;
+        float _S368 = (0.75 * _S366 / (0.5 * sqrt(_S367 + _S361) + abs(_S366)) + 0.5) * 8.0;
         int bin_1 = 0;
         for(;;)
         {
@@ -2418,56 +2428,56 @@ void code_light_0(uint _S355, vec3 _S356, vec3 _S357, bool _S358, inout float  _
             {
                 break;
             }
-            _S359[5 + family_10 * 16 + bin_1] = bump_0(_S369 - (float(bin_1) + 0.5) / 2.0);
+            _S358[5 + family_10 * 16 + bin_1] = bump_0(_S368 - (float(bin_1) + 0.5) / 2.0);
             bin_1 = bin_1 + 1;
         }
-        float _S370 = _S365.z;
-        float _S371 = _S370 * _S370;
-        float _S372 = _S368 * _S364 * (1.0 - _S371) + _S371;
-        _S359[37 + family_10] = 0.25 * natural_logarithm_0(1.0 + 9.54929637908935547 * _S371 * _S370 / (_S372 * _S372));
+        float _S369 = _S364.z;
+        float _S370 = _S369 * _S369;
+        float _S371 = _S367 * _S363 * (1.0 - _S370) + _S370;
+        _S358[37 + family_10] = 0.25 * natural_logarithm_0(1.0 + 9.54929637908935547 * _S370 * _S369 / (_S371 * _S371));
         family_10 = family_10 + 1;
     }
     return;
 }
 
-float mixed_bundles_0(uint _S373, uint _S374, uint _S375, vec3 _S376, vec3 _S377, bool _S378, inout float  _S379[52])
+float mixed_bundles_0(uint _S372, uint _S373, uint _S374, vec3 _S375, vec3 _S376, bool _S377, inout float  _S378[52])
 {
-    vec3 _S380 = _S376 + _S377;
-    float _S381 = 1.0 / (square_1(_S380) + 0.00009999999747379);
-    bool _S382;
-    if(_S374 == 0U)
+    vec3 _S379 = _S375 + _S376;
+    float _S380 = 1.0 / (square_1(_S379) + 0.00009999999747379);
+    bool _S381;
+    if(_S373 == 0U)
     {
-        _S382 = _S378;
+        _S381 = _S377;
     }
     else
     {
-        _S382 = false;
+        _S381 = false;
+    }
+    float _S382;
+    if(_S381)
+    {
+        _S382 = - _S379.x;
+    }
+    else
+    {
+        _S382 = _S379.x;
+    }
+    if(_S373 == 1U)
+    {
+        _S381 = _S377;
+    }
+    else
+    {
+        _S381 = false;
     }
     float _S383;
-    if(_S382)
+    if(_S381)
     {
-        _S383 = - _S380.x;
+        _S383 = - _S379.y;
     }
     else
     {
-        _S383 = _S380.x;
-    }
-    if(_S374 == 1U)
-    {
-        _S382 = _S378;
-    }
-    else
-    {
-        _S382 = false;
-    }
-    float _S384;
-    if(_S382)
-    {
-        _S384 = - _S380.y;
-    }
-    else
-    {
-        _S384 = _S380.y;
+        _S383 = _S379.y;
     }
     uint bundle_1 = 0U;
     float sum_2 = 0.0;
@@ -2480,38 +2490,38 @@ float mixed_bundles_0(uint _S373, uint _S374, uint _S375, vec3 _S376, vec3 _S377
         {
             break;
         }
-        uint _S385 = _S374 * 25U;
-        uint _S386 = fabrics_0._data[uint(_S373)].woven_0.bundles_0 + 4U * (_S385 + bundle_1);
-        float _S387 = dot(vec3(table_number_0(_S386), table_number_0(_S386 + 1U), table_number_0(_S386 + 2U)), vec3(_S383, _S384, _S380.z));
-        float _S388 = _S387 * _S387 * _S381 + table_number_0(_S386 + 3U);
-        uint _S389 = _S375 + _S385;
-        uint _S390;
-        if(_S378)
+        uint _S384 = _S373 * 25U;
+        uint _S385 = fabrics_0._data[uint(_S372)].woven_0.bundles_0 + 4U * (_S384 + bundle_1);
+        float _S386 = dot(vec3(table_number_0(_S385), table_number_0(_S385 + 1U), table_number_0(_S385 + 2U)), vec3(_S382, _S383, _S379.z));
+        float _S387 = _S386 * _S386 * _S380 + table_number_0(_S385 + 3U);
+        uint _S388 = _S374 + _S384;
+        uint _S389;
+        if(_S377)
         {
-            _S390 = mirrored_bundle_0(bundle_1);
+            _S389 = mirrored_bundle_0(bundle_1);
         }
         else
         {
-            _S390 = bundle_1;
+            _S389 = bundle_1;
         }
-        float sum_3 = sum_2 + max(_S379[_S389 + _S390], _S379[_S389 + _S390] * 0.00999999977648258) / (_S388 * _S388);
+        float sum_3 = sum_2 + max(_S378[_S388 + _S389], _S378[_S388 + _S389] * 0.00999999977648258) / (_S387 * _S387);
         bundle_1 = bundle_1 + 1U;
         sum_2 = sum_3;
     }
     return 0.01999999955296516 * sum_2;
 }
 
-Components_0 woven_components_0(uint _S391, inout WovenView_0 _S392, vec3 _S393)
+Components_0 woven_components_0(uint _S390, inout WovenView_0 _S391, vec3 _S392)
 {
-    float _S394;
-    bool _S395 = _S392.back_5;
-    vec3 _S396 = to_face_frame_0(_S393, _S392.back_5);
-    vec3 _S397 = _S392.view_5;
+    float _S393;
+    bool _S394 = _S391.back_5;
+    vec3 _S395 = to_face_frame_0(_S392, _S391.back_5);
+    vec3 _S396 = _S391.view_5;
     HalfWeights_0 weights_24;
-    Woven_0 _S398 = fabrics_0._data[uint(_S391)].woven_0;
-    weights_24.first_2 = fabrics_0._data[uint(_S391)].woven_0.network_0;
+    Woven_0 _S397 = fabrics_0._data[uint(_S390)].woven_0;
+    weights_24.first_2 = fabrics_0._data[uint(_S390)].woven_0.network_0;
     float  directions_0[39];
-    code_light_0(_S391, _S396, _S392.view_5, _S392.back_5, directions_0);
+    code_light_0(_S390, _S395, _S391.view_5, _S391.back_5, directions_0);
     float  skip_0[96];
     int k_1 = 0;
     for(;;)
@@ -2523,7 +2533,7 @@ Components_0 woven_components_0(uint _S391, inout WovenView_0 _S392, vec3 _S393)
         {
             break;
         }
-        skip_0[k_1] = _S392.sums_6[k_1];
+        skip_0[k_1] = _S391.sums_6[k_1];
         k_1 = k_1 + 1;
     }
     dense_3(weights_24, 3716U, true, directions_0, skip_0);
@@ -2564,13 +2574,13 @@ Components_0 woven_components_0(uint _S391, inout WovenView_0 _S392, vec3 _S393)
             }
             if(layer_0 == 1U)
             {
-                _S394 = skip_0[k_1];
+                _S393 = skip_0[k_1];
             }
             else
             {
-                _S394 = 0.0;
+                _S393 = 0.0;
             }
-            next_0[k_1] = _S394;
+            next_0[k_1] = _S393;
             k_1 = k_1 + 1;
         }
         dense_2(weights_24, 4208U + layer_0 * 1164U, true, hidden_2, next_0);
@@ -2591,27 +2601,27 @@ Components_0 woven_components_0(uint _S391, inout WovenView_0 _S392, vec3 _S393)
     }
     float  outputs_17[52];
     dense_1(weights_24, 7700U, false, hidden_2, outputs_17);
-    bool _S399;
-    if((_S398.is_corrected_0) != 0U)
+    bool _S398;
+    if((_S397.is_corrected_0) != 0U)
     {
-        _S399 = (_S396.z) > 0.0;
+        _S398 = (_S395.z) > 0.0;
     }
     else
     {
-        _S399 = false;
+        _S398 = false;
     }
-    if(_S399)
+    if(_S398)
     {
-        _S399 = (_S392.correction_weight_0) > 0.0;
+        _S398 = (_S391.correction_weight_0) > 0.0;
     }
     else
     {
-        _S399 = false;
+        _S398 = false;
     }
-    if(_S399)
+    if(_S398)
     {
         FloatWeights_0 fitted_0;
-        fitted_0.first_0 = _S398.correction_0;
+        fitted_0.first_0 = _S397.correction_0;
         float  change_0[50];
         dense_0(fitted_0, 0U, false, hidden_2, change_0);
         k_1 = 0;
@@ -2624,30 +2634,30 @@ Components_0 woven_components_0(uint _S391, inout WovenView_0 _S392, vec3 _S393)
             {
                 break;
             }
-            outputs_17[k_1 + 2] = outputs_17[k_1 + 2] + _S392.correction_weight_0 * change_0[k_1];
+            outputs_17[k_1 + 2] = outputs_17[k_1 + 2] + _S391.correction_weight_0 * change_0[k_1];
             k_1 = k_1 + 1;
         }
     }
-    if((_S396.z) > 0.0)
+    if((_S395.z) > 0.0)
     {
-        _S394 = 0.00999999977648258;
+        _S393 = 0.00999999977648258;
     }
     else
     {
-        _S394 = 0.00100000004749745;
+        _S393 = 0.00100000004749745;
     }
     Components_0 result_2;
-    float _S400 = unmapped_0(outputs_17[0], _S394);
-    result_2.diffuse_warp_0 = _S400;
-    float _S401 = unmapped_0(outputs_17[1], _S394);
-    result_2.diffuse_weft_0 = _S401;
-    float _S402 = 2979.9580078125 * _S394;
-    float _S403 = mixed_bundles_0(_S391, 0U, 2U, _S396, _S397, _S395, outputs_17);
-    result_2.specular_warp_0 = clamp(_S403, 0.0, _S402);
-    float _S404 = mixed_bundles_0(_S391, 1U, 2U, _S396, _S397, _S395, outputs_17);
-    result_2.specular_weft_0 = clamp(_S404, 0.0, _S402);
-    result_2.hole_2 = _S392.hole_0;
-    result_2.light_visibility_1 = min(light_visibility_of_0(_S400 + _S401, _S396, _S397, fabrics_0._data[uint(_S391)].diffuse_blend_0), 1.0 - _S392.hole_0);
+    float _S399 = unmapped_0(outputs_17[0], _S393);
+    result_2.diffuse_warp_0 = _S399;
+    float _S400 = unmapped_0(outputs_17[1], _S393);
+    result_2.diffuse_weft_0 = _S400;
+    float _S401 = 2979.9580078125 * _S393;
+    float _S402 = mixed_bundles_0(_S390, 0U, 2U, _S395, _S396, _S394, outputs_17);
+    result_2.specular_warp_0 = clamp(_S402, 0.0, _S401);
+    float _S403 = mixed_bundles_0(_S390, 1U, 2U, _S395, _S396, _S394, outputs_17);
+    result_2.specular_weft_0 = clamp(_S403, 0.0, _S401);
+    result_2.hole_2 = _S391.hole_0;
+    result_2.light_visibility_1 = min(light_visibility_of_0(_S399 + _S400, _S395, _S396, fabrics_0._data[uint(_S390)].diffuse_blend_0), 1.0 - _S391.hole_0);
     return result_2;
 }
 
@@ -2657,108 +2667,108 @@ struct FamilyAlbedos_0
     Albedos_0 weft_4;
 };
 
-FamilyAlbedos_0 albedos_over_0(uint _S405, Footprint_0 _S406, bool _S407)
+FamilyAlbedos_0 albedos_over_0(uint _S404, Footprint_0 _S405, bool _S406)
 {
-    vec2 _S408 = _S406.dx_0;
-    vec2 _S409 = _S406.dy_0;
-    vec2 _S410 = sqrt(_S408 * _S408 + _S409 * _S409);
-    Stretch_0 _S411 = stretch_of_0(fabrics_0._data[uint(_S405)].warp_0, _S406.centre_0.x, _S410.x);
-    Stretch_0 _S412 = stretch_of_0(fabrics_0._data[uint(_S405)].weft_0, _S406.centre_0.y, _S410.y);
+    vec2 _S407 = _S405.dx_0;
+    vec2 _S408 = _S405.dy_0;
+    vec2 _S409 = sqrt(_S407 * _S407 + _S408 * _S408);
+    Stretch_0 _S410 = stretch_of_0(fabrics_0._data[uint(_S404)].warp_0, _S405.centre_0.x, _S409.x);
+    Stretch_0 _S411 = stretch_of_0(fabrics_0._data[uint(_S404)].weft_0, _S405.centre_0.y, _S409.y);
     FamilyAlbedos_0 albedos_4;
-    albedos_4.warp_4 = mean_albedos_0(fabrics_0._data[uint(_S405)].warp_0, fabrics_0._data[uint(_S405)].weft_0, _S411, _S412, _S407);
-    albedos_4.weft_4 = mean_albedos_0(fabrics_0._data[uint(_S405)].weft_0, fabrics_0._data[uint(_S405)].warp_0, _S412, _S411, _S407);
+    albedos_4.warp_4 = mean_albedos_0(fabrics_0._data[uint(_S404)].warp_0, fabrics_0._data[uint(_S404)].weft_0, _S410, _S411, _S406);
+    albedos_4.weft_4 = mean_albedos_0(fabrics_0._data[uint(_S404)].weft_0, fabrics_0._data[uint(_S404)].warp_0, _S411, _S410, _S406);
     return albedos_4;
 }
 
-float openness_number_0(uint _S413, uint _S414)
+float openness_number_0(uint _S412, uint _S413)
 {
-    return table_number_0(fabrics_0._data[uint(_S413)].openness_0 + _S414);
+    return table_number_0(fabrics_0._data[uint(_S412)].openness_0 + _S413);
 }
 
-Scattered_0 scattered_by_0(uint _S415, Albedos_0 _S416, uint _S417, vec3 _S418)
+Scattered_0 scattered_by_0(uint _S414, Albedos_0 _S415, uint _S416, vec3 _S417)
 {
-    uint _S419 = 159U + 2U * _S417;
+    uint _S418 = 159U + 2U * _S416;
     Scattered_0 yarn_1;
-    yarn_1.back_4 = _S418 * _S416.diffuse_reflect_0 + openness_number_0(_S415, _S419) * _S416.specular_reflect_0;
-    yarn_1.through_0 = _S418 * _S416.diffuse_transmit_0 + openness_number_0(_S415, _S419 + 1U) * _S416.specular_transmit_0;
+    yarn_1.back_4 = _S417 * _S415.diffuse_reflect_0 + openness_number_0(_S414, _S418) * _S415.specular_reflect_0;
+    yarn_1.through_0 = _S417 * _S415.diffuse_transmit_0 + openness_number_0(_S414, _S418 + 1U) * _S415.specular_transmit_0;
     return yarn_1;
 }
 
-void sent_0(uint _S420, uint _S421, vec3 _S422, vec3 _S423, vec3 _S424, vec3 _S425, out vec3 _S426, out vec3 _S427)
+void sent_0(uint _S419, uint _S420, vec3 _S421, vec3 _S422, vec3 _S423, vec3 _S424, out vec3 _S425, out vec3 _S426)
 {
-    uint _S428 = 146U + 4U * _S421;
-    float _S429 = openness_number_0(_S420, _S428 + 1U);
-    float _S430 = openness_number_0(_S420, _S428 + 2U);
-    vec3 _S431 = 1.0 - _S424 * openness_number_0(_S420, _S428);
-    vec3 _S432 = 1.0 - _S425 * openness_number_0(_S420, _S428 + 3U);
-    vec3 _S433 = 1.0 / (_S431 * _S432 - _S424 * _S425 * (_S429 * _S430));
-    _S426 = (_S422 * _S432 + _S424 * _S429 * _S423) * _S433;
-    _S427 = (_S423 * _S431 + _S425 * _S430 * _S422) * _S433;
+    uint _S427 = 146U + 4U * _S420;
+    float _S428 = openness_number_0(_S419, _S427 + 1U);
+    float _S429 = openness_number_0(_S419, _S427 + 2U);
+    vec3 _S430 = 1.0 - _S423 * openness_number_0(_S419, _S427);
+    vec3 _S431 = 1.0 - _S424 * openness_number_0(_S419, _S427 + 3U);
+    vec3 _S432 = 1.0 / (_S430 * _S431 - _S423 * _S424 * (_S428 * _S429));
+    _S425 = (_S421 * _S431 + _S423 * _S428 * _S422) * _S432;
+    _S426 = (_S422 * _S430 + _S424 * _S429 * _S421) * _S432;
     return;
 }
 
-FaceSends_0 face_sends_0(uint _S434, uint _S435, Scattered_0 _S436, Scattered_0 _S437)
+FaceSends_0 face_sends_0(uint _S433, uint _S434, Scattered_0 _S435, Scattered_0 _S436)
 {
-    uint _S438 = 2U * _S435;
-    uint _S439 = 142U + _S438;
-    float _S440 = openness_number_0(_S434, _S439);
-    float _S441 = openness_number_0(_S434, _S439 + 1U);
+    uint _S437 = 2U * _S434;
+    uint _S438 = 142U + _S437;
+    float _S439 = openness_number_0(_S433, _S438);
+    float _S440 = openness_number_0(_S433, _S438 + 1U);
+    vec3 _S441 = (1.0 - _S439) * _S435.back_4;
     vec3 _S442 = (1.0 - _S440) * _S436.back_4;
-    vec3 _S443 = (1.0 - _S441) * _S437.back_4;
     FaceSends_0 sends_1;
-    uint _S444 = 154U + _S438;
-    float _S445 = openness_number_0(_S434, _S444);
-    sends_1.blocks_warp_0 = _S445;
-    float _S446 = openness_number_0(_S434, _S444 + 1U);
-    sends_1.blocks_weft_0 = _S446;
-    sends_1.open_0 = _S445 * _S440 + _S446 * _S441;
-    sent_0(_S434, _S435, _S440 * _S436.back_4, _S441 * _S437.back_4, _S442, _S443, sends_1.sky_warp_0, sends_1.sky_weft_0);
-    sent_0(_S434, _S435, _S436.through_0, _S437.through_0, _S442, _S443, sends_1.crossing_warp_0, sends_1.crossing_weft_0);
+    uint _S443 = 154U + _S437;
+    float _S444 = openness_number_0(_S433, _S443);
+    sends_1.blocks_warp_0 = _S444;
+    float _S445 = openness_number_0(_S433, _S443 + 1U);
+    sends_1.blocks_weft_0 = _S445;
+    sends_1.open_0 = _S444 * _S439 + _S445 * _S440;
+    sent_0(_S433, _S434, _S439 * _S435.back_4, _S440 * _S436.back_4, _S441, _S442, sends_1.sky_warp_0, sends_1.sky_weft_0);
+    sent_0(_S433, _S434, _S435.through_0, _S436.through_0, _S441, _S442, sends_1.crossing_warp_0, sends_1.crossing_weft_0);
     return sends_1;
 }
 
-Interior_0 interior_of_0(uint _S447, vec3 _S448, bool _S449)
+Interior_0 interior_of_0(uint _S446, vec3 _S447, bool _S448)
 {
-    Scattered_0 _S450 = scattered_by_0(_S447, table_albedos_0(families_0._data[uint(fabrics_0._data[uint(_S447)].warp_0)].colour_mean_0), 0U, _S448);
-    Scattered_0 _S451 = scattered_by_0(_S447, table_albedos_0(families_0._data[uint(fabrics_0._data[uint(_S447)].weft_0)].colour_mean_0), 1U, _S448);
-    uint _S452;
-    if(_S449)
+    Scattered_0 _S449 = scattered_by_0(_S446, table_albedos_0(families_0._data[uint(fabrics_0._data[uint(_S446)].warp_0)].colour_mean_0), 0U, _S447);
+    Scattered_0 _S450 = scattered_by_0(_S446, table_albedos_0(families_0._data[uint(fabrics_0._data[uint(_S446)].weft_0)].colour_mean_0), 1U, _S447);
+    uint _S451;
+    if(_S448)
     {
-        _S452 = 1U;
+        _S451 = 1U;
     }
     else
     {
-        _S452 = 0U;
+        _S451 = 0U;
     }
-    FaceSends_0 _S453 = face_sends_0(_S447, _S452, _S450, _S451);
-    if(_S449)
+    FaceSends_0 _S452 = face_sends_0(_S446, _S451, _S449, _S450);
+    if(_S448)
     {
-        _S452 = 0U;
+        _S451 = 0U;
     }
     else
     {
-        _S452 = 1U;
+        _S451 = 1U;
     }
-    FaceSends_0 _S454 = face_sends_0(_S447, _S452, _S450, _S451);
+    FaceSends_0 _S453 = face_sends_0(_S446, _S451, _S449, _S450);
+    vec3 _S454 = _S452.blocks_warp_0 * _S452.crossing_warp_0 + _S452.blocks_weft_0 * _S452.crossing_weft_0;
     vec3 _S455 = _S453.blocks_warp_0 * _S453.crossing_warp_0 + _S453.blocks_weft_0 * _S453.crossing_weft_0;
-    vec3 _S456 = _S454.blocks_warp_0 * _S454.crossing_warp_0 + _S454.blocks_weft_0 * _S454.crossing_weft_0;
+    float _S456 = 1.0 - _S452.open_0;
     float _S457 = 1.0 - _S453.open_0;
-    float _S458 = 1.0 - _S454.open_0;
-    vec3 _S459 = 1.0 / (1.0 - _S455 * _S456 * (_S457 * _S458));
-    vec3 _S460 = _S456 * (_S453.open_0 + _S457 * (_S453.blocks_warp_0 * _S453.sky_warp_0 + _S453.blocks_weft_0 * _S453.sky_weft_0)) * _S459;
-    vec3 _S461 = _S455 * (_S454.open_0 + _S458 * (_S454.blocks_warp_0 * _S454.sky_warp_0 + _S454.blocks_weft_0 * _S454.sky_weft_0)) * _S459;
-    FaceRadiance_0 _S462 = face_radiance_0(_S453, _S454.open_0, _S460, _S461);
-    FaceRadiance_0 _S463 = face_radiance_0(_S454, _S453.open_0, _S461, _S460);
+    vec3 _S458 = 1.0 / (1.0 - _S454 * _S455 * (_S456 * _S457));
+    vec3 _S459 = _S455 * (_S452.open_0 + _S456 * (_S452.blocks_warp_0 * _S452.sky_warp_0 + _S452.blocks_weft_0 * _S452.sky_weft_0)) * _S458;
+    vec3 _S460 = _S454 * (_S453.open_0 + _S457 * (_S453.blocks_warp_0 * _S453.sky_warp_0 + _S453.blocks_weft_0 * _S453.sky_weft_0)) * _S458;
+    FaceRadiance_0 _S461 = face_radiance_0(_S452, _S453.open_0, _S459, _S460);
+    FaceRadiance_0 _S462 = face_radiance_0(_S453, _S452.open_0, _S460, _S459);
     Interior_0 interior_1;
-    interior_1.warp_3 = _S462.warp_2;
-    interior_1.weft_3 = _S462.weft_2;
-    interior_1.leaked_1 = _S462.leaked_0;
-    interior_1.far_1 = _S463.mean_0;
-    interior_1.far_leaked_0 = _S463.leaked_0;
+    interior_1.warp_3 = _S461.warp_2;
+    interior_1.weft_3 = _S461.weft_2;
+    interior_1.leaked_1 = _S461.leaked_0;
+    interior_1.far_1 = _S462.mean_0;
+    interior_1.far_leaked_0 = _S462.leaked_0;
     return interior_1;
 }
 
-Blocked_0 blocked_of_terms_0(uint _S464, uint _S465, float  _S466[6], uint _S467)
+Blocked_0 blocked_of_terms_0(uint _S463, uint _S464, float  _S465[6], uint _S466)
 {
     float  shares_0[3];
     uint share_1 = 0U;
@@ -2775,14 +2785,14 @@ Blocked_0 blocked_of_terms_0(uint _S464, uint _S465, float  _S466[6], uint _S467
         uint term_0 = 0U;
         for(;;)
         {
-            if(term_0 < _S467)
+            if(term_0 < _S466)
             {
             }
             else
             {
                 break;
             }
-            shares_0[share_1] = shares_0[share_1] + openness_number_0(_S464, _S465 + share_1 * _S467 + term_0) * _S466[term_0];
+            shares_0[share_1] = shares_0[share_1] + openness_number_0(_S463, _S464 + share_1 * _S466 + term_0) * _S465[term_0];
             term_0 = term_0 + 1U;
         }
         shares_0[share_1] = saturate_0(shares_0[share_1]);
@@ -2795,35 +2805,35 @@ Blocked_0 blocked_of_terms_0(uint _S464, uint _S465, float  _S466[6], uint _S467
     return blocked_2;
 }
 
-Blocked_0 blocked_from_0(uint _S468, vec3 _S469, bool _S470, bool _S471)
+Blocked_0 blocked_from_0(uint _S467, vec3 _S468, bool _S469, bool _S470)
 {
     float  terms_1[6];
-    view_terms_0(_S469, terms_1);
-    uint _S472;
-    if(_S471)
+    view_terms_0(_S468, terms_1);
+    uint _S471;
+    if(_S470)
     {
-        _S472 = 2U;
+        _S471 = 2U;
     }
     else
+    {
+        _S471 = 0U;
+    }
+    uint _S472;
+    if(_S469)
     {
         _S472 = 0U;
     }
-    uint _S473;
-    if(_S470)
-    {
-        _S473 = 0U;
-    }
     else
     {
-        _S473 = 1U;
+        _S472 = 1U;
     }
-    return blocked_of_terms_0(_S468, (_S472 + _S473) * 15U, terms_1, 5U);
+    return blocked_of_terms_0(_S467, (_S471 + _S472) * 15U, terms_1, 5U);
 }
 
-float warp_seen_from_0(uint _S474, vec3 _S475, bool _S476)
+float warp_seen_from_0(uint _S473, vec3 _S474, bool _S475)
 {
     float  terms_2[6];
-    view_terms_0(_S475, terms_2);
+    view_terms_0(_S474, terms_2);
     uint term_1 = 0U;
     float share_2 = 0.0;
     for(;;)
@@ -2835,79 +2845,79 @@ float warp_seen_from_0(uint _S474, vec3 _S475, bool _S476)
         {
             break;
         }
-        uint _S477;
-        if(_S476)
+        uint _S476;
+        if(_S475)
         {
-            _S477 = 5U;
+            _S476 = 5U;
         }
         else
         {
-            _S477 = 0U;
+            _S476 = 0U;
         }
-        float share_3 = share_2 + openness_number_0(_S474, 132U + _S477 + term_1) * terms_2[term_1];
+        float share_3 = share_2 + openness_number_0(_S473, 132U + _S476 + term_1) * terms_2[term_1];
         term_1 = term_1 + 1U;
         share_2 = share_3;
     }
     return saturate_0(share_2);
 }
 
-Bounced_0 bounced_of_families_0(uint _S478, FamilyAlbedos_0 _S479, vec3 _S480, Interior_0 _S481, Blocked_0 _S482, Blocked_0 _S483)
+Bounced_0 bounced_of_families_0(uint _S477, FamilyAlbedos_0 _S478, vec3 _S479, Interior_0 _S480, Blocked_0 _S481, Blocked_0 _S482)
 {
-    return sum_of_0(bounced_by_0(_S482, scattered_by_0(_S478, _S479.warp_4, 0U, _S480), _S481), bounced_by_0(_S483, scattered_by_0(_S478, _S479.weft_4, 1U, _S480), _S481));
+    return sum_of_0(bounced_by_0(_S481, scattered_by_0(_S477, _S478.warp_4, 0U, _S479), _S480), bounced_by_0(_S482, scattered_by_0(_S477, _S478.weft_4, 1U, _S479), _S480));
 }
 
-Bounced_0 bounced_far_0(uint _S484, FamilyAlbedos_0 _S485, vec3 _S486, Interior_0 _S487, vec3 _S488, bool _S489, float _S490, float _S491, float _S492)
+Bounced_0 bounced_far_0(uint _S483, FamilyAlbedos_0 _S484, vec3 _S485, Interior_0 _S486, vec3 _S487, bool _S488, float _S489, float _S490, float _S491)
 {
-    Blocked_0 _S493 = blocked_from_0(_S484, _S488, true, _S489);
-    Blocked_0 _S494 = blocked_from_0(_S484, _S488, false, _S489);
-    float _S495 = _S490 / max(1.0 - _S493.by_warp_0 - _S493.by_weft_0, 0.10000000149011612);
-    float _S496 = (0.0020000000949949 * warp_seen_from_0(_S484, _S488, _S489) + _S495) / (_S495 + _S491 / max(1.0 - _S494.by_warp_0 - _S494.by_weft_0, 0.10000000149011612) + 0.0020000000949949);
-    float _S497 = 1.0 - _S492;
-    return bounced_of_families_0(_S484, _S485, _S486, _S487, scaled_0(_S493, _S496 * _S497), scaled_0(_S494, (1.0 - _S496) * _S497));
+    Blocked_0 _S492 = blocked_from_0(_S483, _S487, true, _S488);
+    Blocked_0 _S493 = blocked_from_0(_S483, _S487, false, _S488);
+    float _S494 = _S489 / max(1.0 - _S492.by_warp_0 - _S492.by_weft_0, 0.10000000149011612);
+    float _S495 = (0.0020000000949949 * warp_seen_from_0(_S483, _S487, _S488) + _S494) / (_S494 + _S490 / max(1.0 - _S493.by_warp_0 - _S493.by_weft_0, 0.10000000149011612) + 0.0020000000949949);
+    float _S496 = 1.0 - _S491;
+    return bounced_of_families_0(_S483, _S484, _S485, _S486, scaled_0(_S492, _S495 * _S496), scaled_0(_S493, (1.0 - _S495) * _S496));
 }
 
-Bounced_0 bounced_over_0(uint _S498, Components_0 _S499, CloseUp_0 _S500, FamilyAlbedos_0 _S501, vec3 _S502, vec3 _S503)
+Bounced_0 bounced_over_0(uint _S497, Components_0 _S498, CloseUp_0 _S499, FamilyAlbedos_0 _S500, vec3 _S501, vec3 _S502)
 {
-    bool _S504 = (_S503.z) < 0.0;
-    Interior_0 _S505 = interior_of_0(_S498, _S502, _S504);
-    Bounced_0 bounced_2 = bounced_far_0(_S498, _S501, _S502, _S505, to_face_frame_0(_S503, _S504), _S504, _S499.diffuse_warp_0, _S499.diffuse_weft_0, _S499.hole_2);
-    if((_S500.weight_2) > 0.0)
+    bool _S503 = (_S502.z) < 0.0;
+    Interior_0 _S504 = interior_of_0(_S497, _S501, _S503);
+    Bounced_0 bounced_2 = bounced_far_0(_S497, _S500, _S501, _S504, to_face_frame_0(_S502, _S503), _S503, _S498.diffuse_warp_0, _S498.diffuse_weft_0, _S498.hole_2);
+    if((_S499.weight_2) > 0.0)
     {
-        Bounced_0 _S506 = bounced_of_families_0(_S498, _S501, _S502, _S505, _S500.warp_1, _S500.weft_1);
-        vec3 _S507 = vec3(_S500.weight_2);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S506.reflected_0, _S507);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S506.transmitted_0, _S507);
+        Bounced_0 _S505 = bounced_of_families_0(_S497, _S500, _S501, _S504, _S499.warp_1, _S499.weft_1);
+        vec3 _S506 = vec3(_S499.weight_2);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S505.reflected_0, _S506);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S505.transmitted_0, _S506);
     }
     return bounced_2;
 }
 
-vec3 composed_0(uint _S508, Components_0 _S509, CloseUp_0 _S510, FamilyAlbedos_0 _S511, vec3 _S512, vec3 _S513, vec3 _S514)
+vec3 composed_0(uint _S507, Components_0 _S508, CloseUp_0 _S509, FamilyAlbedos_0 _S510, vec3 _S511, vec3 _S512, vec3 _S513)
 {
-    Albedos_0 _S515 = tinted_0(_S511.warp_4, _S512);
-    Albedos_0 _S516 = tinted_0(_S511.weft_4, _S512);
-    vec3 _S517 = _S515.diffuse_reflect_0 * _S509.diffuse_warp_0 + _S516.diffuse_reflect_0 * _S509.diffuse_weft_0 + _S515.specular_reflect_0 * _S509.specular_warp_0 + _S516.specular_reflect_0 * _S509.specular_weft_0;
-    float _S518 = _S514.z;
+    Albedos_0 _S514 = tinted_0(_S510.warp_4, _S511);
+    Albedos_0 _S515 = tinted_0(_S510.weft_4, _S511);
+    vec3 _S516 = _S514.diffuse_reflect_0 * _S508.diffuse_warp_0 + _S515.diffuse_reflect_0 * _S508.diffuse_weft_0 + _S514.specular_reflect_0 * _S508.specular_warp_0 + _S515.specular_reflect_0 * _S508.specular_weft_0;
+    float _S517 = _S513.z;
     vec3 body_0;
-    if((_S513.z * _S518) < 0.0)
+    if((_S512.z * _S517) < 0.0)
     {
-        body_0 = _S515.diffuse_transmit_0 * _S509.diffuse_warp_0 + _S516.diffuse_transmit_0 * _S509.diffuse_weft_0 + _S515.specular_transmit_0 * _S509.specular_warp_0 + _S516.specular_transmit_0 * _S509.specular_weft_0;
+        body_0 = _S514.diffuse_transmit_0 * _S508.diffuse_warp_0 + _S515.diffuse_transmit_0 * _S508.diffuse_weft_0 + _S514.specular_transmit_0 * _S508.specular_warp_0 + _S515.specular_transmit_0 * _S508.specular_weft_0;
     }
     else
     {
-        body_0 = _S517;
+        body_0 = _S516;
     }
-    if((fabrics_0._data[uint(_S508)].openness_0) != 4294967295U)
+    if((fabrics_0._data[uint(_S507)].openness_0) != 4294967295U)
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S508, _S509, _S510, _S511, _S512, _S514), _S513, _S514);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S507, _S508, _S509, _S510, _S511, _S513), _S512, _S513);
     }
-    float _S519 = fabrics_0._data[uint(_S508)].sheen_strength_0;
-    if((fabrics_0._data[uint(_S508)].sheen_strength_0) <= 0.0)
+    float _S518 = fabrics_0._data[uint(_S507)].sheen_strength_0;
+    if((fabrics_0._data[uint(_S507)].sheen_strength_0) <= 0.0)
     {
         return body_0;
     }
-    bool _S520 = _S518 < 0.0;
-    vec2 _S521 = sheen_with_transmittance_0(to_face_frame_0(_S513, _S520), to_face_frame_0(_S514, _S520), _S519, fabrics_0._data[uint(_S508)].sheen_roughness_0);
-    return _S521.y * body_0 + (_S509.light_visibility_1 + _S509.hole_2) * _S521.x;
+    bool _S519 = _S517 < 0.0;
+    vec2 _S520 = sheen_with_transmittance_0(to_face_frame_0(_S512, _S519), to_face_frame_0(_S513, _S519), _S518, fabrics_0._data[uint(_S507)].sheen_roughness_0);
+    return _S520.y * body_0 + (_S508.light_visibility_1 + _S508.hole_2) * _S520.x;
 }
 
 vec4 cloth_value_0(uint fabric_1, vec2 centre_3, vec2 dx_1, vec2 dy_1, vec3 light_4, vec3 view_6)
@@ -2918,20 +2928,20 @@ vec4 cloth_value_0(uint fabric_1, vec2 centre_3, vec2 dx_1, vec2 dy_1, vec3 ligh
     footprint_1.dy_0 = dy_1;
     WovenView_0 activations_0;
     woven_view_0(fabric_1, footprint_1, view_6, activations_0);
-    Components_0 _S522 = woven_components_0(fabric_1, activations_0, light_4);
-    float _S523 = view_6.z;
-    vec3 _S524 = composed_0(fabric_1, _S522, no_close_up_0(), albedos_over_0(fabric_1, footprint_1, _S523 < 0.0), vec3(1.0), light_4, view_6);
+    Components_0 _S521 = woven_components_0(fabric_1, activations_0, light_4);
+    float _S522 = view_6.z;
+    vec3 _S523 = composed_0(fabric_1, _S521, no_close_up_0(), albedos_over_0(fabric_1, footprint_1, _S522 < 0.0), vec3(1.0), light_4, view_6);
     float through_1 = activations_0.hole_0;
     float through_2;
     if((fabrics_0._data[uint(fabric_1)].sheen_strength_0) > 0.0)
     {
-        through_2 = through_1 * (1.0 - fabrics_0._data[uint(fabric_1)].sheen_strength_0 * sheen_lobe_0(abs(_S523), fabrics_0._data[uint(fabric_1)].sheen_roughness_0).z);
+        through_2 = through_1 * (1.0 - fabrics_0._data[uint(fabric_1)].sheen_strength_0 * sheen_lobe_0(abs(_S522), fabrics_0._data[uint(fabric_1)].sheen_roughness_0).z);
     }
     else
     {
         through_2 = through_1;
     }
-    return vec4(_S524, through_2);
+    return vec4(_S523, through_2);
 }
 
 layout(local_size_x = 64, local_size_y = 1, local_size_z = 1) in;
@@ -2941,8 +2951,8 @@ void main()
     {
         return;
     }
-    Query_0 _S525 = queries_0._data[uint(gl_GlobalInvocationID.x)];
-    answers_0._data[uint(gl_GlobalInvocationID.x)] = cloth_value_0(_S525.fabric_0, vec2(_S525.centre_x_0, _S525.centre_y_0), vec2(_S525.dx_x_0, _S525.dx_y_0), vec2(_S525.dy_x_0, _S525.dy_y_0), vec3(_S525.light_x_0, _S525.light_y_0, _S525.light_z_0), vec3(_S525.view_x_0, _S525.view_y_0, _S525.view_z_0));
+    Query_0 _S524 = queries_0._data[uint(gl_GlobalInvocationID.x)];
+    answers_0._data[uint(gl_GlobalInvocationID.x)] = cloth_value_0(_S524.fabric_0, vec2(_S524.centre_x_0, _S524.centre_y_0), vec2(_S524.dx_x_0, _S524.dx_y_0), vec2(_S524.dy_x_0, _S524.dy_y_0), vec3(_S524.light_x_0, _S524.light_y_0, _S524.light_z_0), vec3(_S524.view_x_0, _S524.view_y_0, _S524.view_z_0));
     return;
 }
 

@@ -151,6 +151,7 @@ struct Fabric_0
     uint seed_0;
     float layer_bound_0;
     float fibre_size_0;
+    uint has_detail_0;
     float uv_width_0;
     float uv_height_0;
     uint is_open_0;

@@ -151,6 +151,7 @@ struct Fabric_0
     uint seed_0;
     float layer_bound_0;
     float fibre_size_0;
+    uint has_detail_0;
     float uv_width_0;
     float uv_height_0;
     uint is_open_0;
@@ -201,6 +202,16 @@ struct Family_0
     uint colour_areas_0;
     float area_unit_0;
     float crossing_area_0;
+    float has_plies_0;
+    float plies_per_mm_0;
+    float ply_sine_0;
+    float ply_cosine_0;
+    float fibre_tilt_0;
+    float fibre_tone_0;
+    float slub_0;
+    float slubs_per_mm_0;
+    float per_half_width_0;
+    float hairiness_0;
 };
 
 StructuredBuffer<Family_0 > families_0 : register(t1);
@@ -1540,8 +1551,8 @@ float light_visibility_of_0(float diffuse_0, float3 light_0, float3 view_0, floa
 
 float2 turns_and_remainder_0(uint family_0, float index_2)
 {
-    float _S200 = floor(mad(index_2, families_0.Load(family_0).inverse_count_0, families_0.Load(family_0).half_inverse_count_0));
-    return float2(_S200, mad(- _S200, families_0.Load(family_0).count_0, index_2));
+    float _S200 = floor(mad(index_2, families_0[family_0].inverse_count_0, families_0[family_0].half_inverse_count_0));
+    return float2(_S200, mad(- _S200, families_0[family_0].count_0, index_2));
 }
 
 struct Cell_0
@@ -1555,25 +1566,25 @@ struct Cell_0
 
 Cell_0 locate_alike_0(uint family_1, float position_0)
 {
-    float _S201 = floor(position_0 * families_0.Load(family_1).inverse_size_0);
+    float _S201 = floor(position_0 * families_0[family_1].inverse_size_0);
     Cell_0 cell_0;
-    float _S202 = mad(- _S201, families_0.Load(family_1).size_0, position_0);
+    float _S202 = mad(- _S201, families_0[family_1].size_0, position_0);
     cell_0.below_0 = _S202;
-    cell_0.above_0 = families_0.Load(family_1).size_0 - _S202;
-    cell_0.across_0 = _S202 - 0.5f * families_0.Load(family_1).size_0;
-    cell_0.half_width_1 = families_0.Load(family_1).half_width_0;
-    cell_0.thread_0 = uint(clamp(turns_and_remainder_0(family_1, _S201).y, 0.0f, families_0.Load(family_1).count_0 - 1.0f));
+    cell_0.above_0 = families_0[family_1].size_0 - _S202;
+    cell_0.across_0 = _S202 - 0.5f * families_0[family_1].size_0;
+    cell_0.half_width_1 = families_0[family_1].half_width_0;
+    cell_0.thread_0 = uint(clamp(turns_and_remainder_0(family_1, _S201).y, 0.0f, families_0[family_1].count_0 - 1.0f));
     return cell_0;
 }
 
 Cell_0 locate_varied_0(uint family_2, float position_1)
 {
-    float turns_0 = (position_1 - families_0.Load(family_2).start_0) * families_0.Load(family_2).inverse_period_0;
+    float turns_0 = (position_1 - families_0[family_2].start_0) * families_0[family_2].inverse_period_0;
     float turns_1 = turns_0 - floor(turns_0);
-    float _S203 = turns_1 * families_0.Load(family_2).period_0;
-    uint thread_1 = words_0.Load(families_0.Load(family_2).first_thread_table_0 + uint(clamp(turns_1 * families_0.Load(family_2).bins_0, 0.0f, families_0.Load(family_2).bins_0 - 1.0f)));
+    float _S203 = turns_1 * families_0[family_2].period_0;
+    uint thread_1 = words_0.Load(families_0[family_2].first_thread_table_0 + uint(clamp(turns_1 * families_0[family_2].bins_0, 0.0f, families_0[family_2].bins_0 - 1.0f)));
     uint _S204;
-    if(_S203 >= (table_number_0(families_0.Load(family_2).place_table_0 + thread_1 * 4U + 1U)))
+    if(_S203 >= (table_number_0(families_0[family_2].place_table_0 + thread_1 * 4U + 1U)))
     {
         _S204 = 1U;
     }
@@ -1581,8 +1592,8 @@ Cell_0 locate_varied_0(uint family_2, float position_1)
     {
         _S204 = 0U;
     }
-    uint _S205 = min(thread_1 + _S204, uint(families_0.Load(family_2).count_0) - 1U);
-    uint _S206 = families_0.Load(family_2).place_table_0 + _S205 * 4U;
+    uint _S205 = min(thread_1 + _S204, uint(families_0[family_2].count_0) - 1U);
+    uint _S206 = families_0[family_2].place_table_0 + _S205 * 4U;
     Cell_0 cell_1;
     cell_1.thread_0 = _S205;
     cell_1.below_0 = _S203 - table_number_0(_S206);
@@ -1594,7 +1605,7 @@ Cell_0 locate_varied_0(uint family_2, float position_1)
 
 Cell_0 locate_0(uint family_3, float position_2)
 {
-    if((families_0.Load(family_3).is_alike_0) != 0U)
+    if((families_0[family_3].is_alike_0) != 0U)
     {
         return locate_alike_0(family_3, position_2);
     }
@@ -1614,10 +1625,10 @@ struct Bound_0
 Bound_0 bound_at_0(uint family_4, float position_3)
 {
     Cell_0 _S207 = locate_0(family_4, position_3);
-    float _S208 = table_number_0(families_0.Load(family_4).before_0 + 2U * _S207.thread_0 + 1U);
+    float _S208 = table_number_0(families_0[family_4].before_0 + 2U * _S207.thread_0 + 1U);
     Bound_0 bound_0;
     bound_0.thread_2 = _S207.thread_0;
-    bound_0.turns_2 = round((position_3 - families_0.Load(family_4).start_0 - _S208 - _S207.below_0) * families_0.Load(family_4).inverse_period_0);
+    bound_0.turns_2 = round((position_3 - families_0[family_4].start_0 - _S208 - _S207.below_0) * families_0[family_4].inverse_period_0);
     bound_0.cell_2 = _S207.below_0;
     float _S209 = 2.0f * _S207.half_width_1;
     bound_0.width_1 = _S209;
@@ -1634,8 +1645,8 @@ struct Stretch_0
 
 Stretch_0 stretch_of_0(uint family_5, float centre_2, float size_1)
 {
-    float _S210 = centre_2 - floor((centre_2 - families_0.Load(family_5).start_0) * families_0.Load(family_5).inverse_period_0) * families_0.Load(family_5).period_0;
-    float _S211 = 0.5f * max(size_1, families_0.Load(family_5).smallest_box_0);
+    float _S210 = centre_2 - floor((centre_2 - families_0[family_5].start_0) * families_0[family_5].inverse_period_0) * families_0[family_5].period_0;
+    float _S211 = 0.5f * max(size_1, families_0[family_5].smallest_box_0);
     Stretch_0 stretch_0;
     stretch_0.low_7 = bound_at_0(family_5, _S210 - _S211);
     stretch_0.high_7 = bound_at_0(family_5, _S210 + _S211);
@@ -1673,25 +1684,24 @@ float Stretch_turns_0(Stretch_0 this_5)
 float3 lengths_0(uint family_6, Stretch_0 stretch_1)
 {
     float _S212 = Stretch_turns_0(stretch_1);
-    uint _S213 = families_0.Load(family_6).before_0 + 2U * stretch_1.low_7.thread_2;
-    uint _S214 = families_0.Load(family_6).before_0 + 2U * stretch_1.high_7.thread_2;
+    uint _S213 = families_0[family_6].before_0 + 2U * stretch_1.low_7.thread_2;
+    uint _S214 = families_0[family_6].before_0 + 2U * stretch_1.high_7.thread_2;
     float _S215 = table_number_0(_S214) - table_number_0(_S213);
     float _S216 = table_number_0(_S214 + 1U) - table_number_0(_S213 + 1U);
-    return float3(_S215 + stretch_1.high_7.visible_0 * stretch_1.high_7.width_1 - stretch_1.low_7.visible_0 * stretch_1.low_7.width_1 + _S212 * families_0.Load(family_6).visible_total_0, _S216 - _S215 + stretch_1.high_7.gap_0 - stretch_1.low_7.gap_0 + _S212 * (families_0.Load(family_6).period_0 - families_0.Load(family_6).visible_total_0), _S216 + stretch_1.high_7.cell_2 - stretch_1.low_7.cell_2 + _S212 * families_0.Load(family_6).period_0);
+    return float3(_S215 + stretch_1.high_7.visible_0 * stretch_1.high_7.width_1 - stretch_1.low_7.visible_0 * stretch_1.low_7.width_1 + _S212 * families_0[family_6].visible_total_0, _S216 - _S215 + stretch_1.high_7.gap_0 - stretch_1.low_7.gap_0 + _S212 * (families_0[family_6].period_0 - families_0[family_6].visible_total_0), _S216 + stretch_1.high_7.cell_2 - stretch_1.low_7.cell_2 + _S212 * families_0[family_6].period_0);
 }
 
 float2 integrals_along_0(uint family_7, Stretch_0 stretch_2, uint quantity_0)
 {
-    Family_0 _S217 = families_0.Load(family_7);
-    uint _S218 = 3U * _S217.quantities_0;
-    uint _S219 = families_0.Load(family_7).colour_threads_0 + _S218 * stretch_2.low_7.thread_2 + quantity_0;
-    uint _S220 = families_0.Load(family_7).colour_threads_0 + _S218 * stretch_2.high_7.thread_2 + quantity_0;
-    uint _S221 = families_0.Load(family_7).colour_threads_0 + _S218 * uint(families_0.Load(family_7).count_0) + quantity_0;
+    uint _S217 = 3U * families_0[family_7].quantities_0;
+    uint _S218 = families_0[family_7].colour_threads_0 + _S217 * stretch_2.low_7.thread_2 + quantity_0;
+    uint _S219 = families_0[family_7].colour_threads_0 + _S217 * stretch_2.high_7.thread_2 + quantity_0;
+    uint _S220 = families_0[family_7].colour_threads_0 + _S217 * uint(families_0[family_7].count_0) + quantity_0;
+    float _S221 = table_number_0(_S218);
     float _S222 = table_number_0(_S219);
-    float _S223 = table_number_0(_S220);
-    float _S224 = Stretch_turns_0(stretch_2);
-    uint _S225 = 2U * _S217.quantities_0;
-    return float2(table_number_0(_S220 + _S217.quantities_0) - table_number_0(_S219 + _S217.quantities_0) + _S223 * stretch_2.high_7.visible_0 * stretch_2.high_7.width_1 - _S222 * stretch_2.low_7.visible_0 * stretch_2.low_7.width_1 + _S224 * table_number_0(_S221 + _S217.quantities_0), table_number_0(_S220 + _S225) - table_number_0(_S219 + _S225) + _S223 * stretch_2.high_7.cell_2 - _S222 * stretch_2.low_7.cell_2 + _S224 * table_number_0(_S221 + _S225));
+    float _S223 = Stretch_turns_0(stretch_2);
+    uint _S224 = 2U * families_0[family_7].quantities_0;
+    return float2(table_number_0(_S219 + families_0[family_7].quantities_0) - table_number_0(_S218 + families_0[family_7].quantities_0) + _S222 * stretch_2.high_7.visible_0 * stretch_2.high_7.width_1 - _S221 * stretch_2.low_7.visible_0 * stretch_2.low_7.width_1 + _S223 * table_number_0(_S220 + families_0[family_7].quantities_0), table_number_0(_S219 + _S224) - table_number_0(_S218 + _S224) + _S222 * stretch_2.high_7.cell_2 - _S221 * stretch_2.low_7.cell_2 + _S223 * table_number_0(_S220 + _S224));
 }
 
 bool Stretch_wraps_0(Stretch_0 this_6)
@@ -1701,135 +1711,135 @@ bool Stretch_wraps_0(Stretch_0 this_6)
 
 uint4 Stretch_differences_0(Stretch_0 this_7, uint4 entries_0, uint whole_0)
 {
-    uint _S226 = entries_0.z;
-    uint _S227 = entries_0.x;
-    uint _S228 = _S226 - _S227;
-    uint _S229;
+    uint _S225 = entries_0.z;
+    uint _S226 = entries_0.x;
+    uint _S227 = _S225 - _S226;
+    uint _S228;
     if(Stretch_wraps_0(this_7))
     {
-        _S229 = whole_0;
+        _S228 = whole_0;
     }
     else
     {
-        _S229 = 0U;
+        _S228 = 0U;
     }
-    return uint4(_S228 + _S229, entries_0.w - _S226, entries_0.y - _S227, whole_0);
+    return uint4(_S227 + _S228, entries_0.w - _S225, entries_0.y - _S226, whole_0);
 }
 
 uint4 row_differences_0(Stretch_0 across_1, uint row_7, uint count_2, uint quantities_1)
 {
-    uint _S230 = row_7 + across_1.low_7.thread_2 * quantities_1;
-    uint _S231 = row_7 + across_1.high_7.thread_2 * quantities_1;
-    return Stretch_differences_0(across_1, uint4(words_0.Load(_S230), words_0.Load(_S230 + quantities_1), words_0.Load(_S231), words_0.Load(_S231 + quantities_1)), words_0.Load(row_7 + count_2 * quantities_1));
+    uint _S229 = row_7 + across_1.low_7.thread_2 * quantities_1;
+    uint _S230 = row_7 + across_1.high_7.thread_2 * quantities_1;
+    return Stretch_differences_0(across_1, uint4(words_0.Load(_S229), words_0.Load(_S229 + quantities_1), words_0.Load(_S230), words_0.Load(_S230 + quantities_1)), words_0.Load(row_7 + count_2 * quantities_1));
 }
 
 float4 Stretch_weights_0(Stretch_0 this_8)
 {
-    float _S232 = - this_8.low_7.visible_0;
-    float _S233 = Stretch_turns_0(this_8);
-    float _S234;
+    float _S231 = - this_8.low_7.visible_0;
+    float _S232 = Stretch_turns_0(this_8);
+    float _S233;
     if(Stretch_wraps_0(this_8))
     {
-        _S234 = 1.0f;
+        _S233 = 1.0f;
     }
     else
     {
-        _S234 = 0.0f;
+        _S233 = 0.0f;
     }
-    return float4(1.0f, this_8.high_7.visible_0, _S232, _S233 - _S234);
+    return float4(1.0f, this_8.high_7.visible_0, _S231, _S232 - _S233);
 }
 
 float integral_on_top_0(uint family_8, Stretch_0 across_2, Stretch_0 along_0, uint crossing_count_0, uint quantity_1)
 {
-    uint _S235 = uint(families_0.Load(family_8).count_0);
-    uint _S236 = (_S235 + 1U) * families_0.Load(family_8).quantities_0;
-    uint _S237 = families_0.Load(family_8).colour_areas_0 + quantity_1;
-    uint4 _S238 = row_differences_0(across_2, _S237 + along_0.low_7.thread_2 * _S236, _S235, families_0.Load(family_8).quantities_0);
-    uint4 _S239 = row_differences_0(across_2, _S237 + (along_0.low_7.thread_2 + 1U) * _S236, _S235, families_0.Load(family_8).quantities_0);
-    uint4 _S240 = row_differences_0(across_2, _S237 + along_0.high_7.thread_2 * _S236, _S235, families_0.Load(family_8).quantities_0);
-    uint4 _S241 = row_differences_0(across_2, _S237 + (along_0.high_7.thread_2 + 1U) * _S236, _S235, families_0.Load(family_8).quantities_0);
-    uint4 _S242 = row_differences_0(across_2, _S237 + crossing_count_0 * _S236, _S235, families_0.Load(family_8).quantities_0);
-    uint4 _S243 = _S240 - _S238;
-    uint4 _S244;
+    uint _S234 = uint(families_0[family_8].count_0);
+    uint _S235 = (_S234 + 1U) * families_0[family_8].quantities_0;
+    uint _S236 = families_0[family_8].colour_areas_0 + quantity_1;
+    uint4 _S237 = row_differences_0(across_2, _S236 + along_0.low_7.thread_2 * _S235, _S234, families_0[family_8].quantities_0);
+    uint4 _S238 = row_differences_0(across_2, _S236 + (along_0.low_7.thread_2 + 1U) * _S235, _S234, families_0[family_8].quantities_0);
+    uint4 _S239 = row_differences_0(across_2, _S236 + along_0.high_7.thread_2 * _S235, _S234, families_0[family_8].quantities_0);
+    uint4 _S240 = row_differences_0(across_2, _S236 + (along_0.high_7.thread_2 + 1U) * _S235, _S234, families_0[family_8].quantities_0);
+    uint4 _S241 = row_differences_0(across_2, _S236 + crossing_count_0 * _S235, _S234, families_0[family_8].quantities_0);
+    uint4 _S242 = _S239 - _S237;
+    uint4 _S243;
     if(Stretch_wraps_0(along_0))
     {
-        _S244 = _S242;
+        _S243 = _S241;
     }
     else
     {
-        _S244 = uint4((int4)int(0));
+        _S243 = uint4((int4)int(0));
     }
-    float4 _S245 = Stretch_weights_0(across_2);
-    return dot(float4(dot(float4(int4(_S243 + _S244)), _S245), dot(float4(int4(_S241 - _S240)), _S245), dot(float4(int4(_S239 - _S238)), _S245), dot(float4(int4(_S242)), _S245)), Stretch_weights_0(along_0)) * families_0.Load(family_8).area_unit_0;
+    float4 _S244 = Stretch_weights_0(across_2);
+    return dot(float4(dot(float4(int4(_S242 + _S243)), _S244), dot(float4(int4(_S240 - _S239)), _S244), dot(float4(int4(_S238 - _S237)), _S244), dot(float4(int4(_S241)), _S244)), Stretch_weights_0(along_0)) * families_0[family_8].area_unit_0;
 }
 
 Albedos_0 with_added_albedos_0(Albedos_0 albedos_1, float weight_0, uint row_8)
 {
-    Albedos_0 _S246 = table_albedos_0(row_8);
+    Albedos_0 _S245 = table_albedos_0(row_8);
     Albedos_0 sum_0;
-    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + weight_0 * _S246.diffuse_reflect_0;
-    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + weight_0 * _S246.diffuse_transmit_0;
-    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + weight_0 * _S246.specular_reflect_0;
-    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + weight_0 * _S246.specular_transmit_0;
+    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + weight_0 * _S245.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + weight_0 * _S245.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + weight_0 * _S245.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + weight_0 * _S245.specular_transmit_0;
     return sum_0;
 }
 
 Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, Stretch_0 own_0, Stretch_0 other_0, bool back_3)
 {
-    Albedos_0 albedos_2 = table_albedos_0(families_0.Load(family_9).colour_mean_0);
-    if((families_0.Load(family_9).quantities_0) == 1U)
+    Albedos_0 albedos_2 = table_albedos_0(families_0[family_9].colour_mean_0);
+    if((families_0[family_9].quantities_0) == 1U)
     {
         return albedos_2;
     }
-    float3 _S247 = lengths_0(crossing_0, other_0);
+    float3 _S246 = lengths_0(crossing_0, other_0);
     bool is_exposed_0 = false;
     float weight_1 = 0.0f;
     uint quantity_2 = 0U;
     for(;;)
     {
-        if(quantity_2 < (families_0.Load(family_9).quantities_0))
+        if(quantity_2 < (families_0[family_9].quantities_0))
         {
         }
         else
         {
             break;
         }
-        float2 _S248 = integrals_along_0(family_9, own_0, quantity_2);
-        float _S249 = integral_on_top_0(family_9, own_0, other_0, uint(families_0.Load(crossing_0).count_0), quantity_2);
-        float _S250 = _S248.x;
-        float _S251 = _S250 * _S247.x;
-        float _S252;
+        float2 _S247 = integrals_along_0(family_9, own_0, quantity_2);
+        float _S248 = integral_on_top_0(family_9, own_0, other_0, uint(families_0[crossing_0].count_0), quantity_2);
+        float _S249 = _S247.x;
+        float _S250 = _S249 * _S246.x;
+        float _S251;
         if(back_3)
         {
-            _S252 = _S251 - _S249;
+            _S251 = _S250 - _S248;
         }
         else
         {
-            _S252 = _S249;
+            _S251 = _S248;
         }
-        bool _S253 = quantity_2 == 0U;
-        if(_S253)
+        bool _S252 = quantity_2 == 0U;
+        if(_S252)
         {
-            is_exposed_0 = _S252 > (16.0f * families_0.Load(family_9).area_unit_0 * min(_S251 / families_0.Load(family_9).crossing_area_0, 1.0f) + 0.00000999999974738f * _S251);
+            is_exposed_0 = _S251 > (16.0f * families_0[family_9].area_unit_0 * min(_S250 / families_0[family_9].crossing_area_0, 1.0f) + 0.00000999999974738f * _S250);
         }
-        float _S254 = _S250 * _S247.y;
-        float _S255;
+        float _S253 = _S249 * _S246.y;
+        float _S254;
         if(is_exposed_0)
         {
-            _S255 = _S252;
+            _S254 = _S251;
         }
         else
         {
-            _S255 = 0.0f;
+            _S254 = 0.0f;
         }
-        float _S256 = _S254 + _S255 + 0.000244140625f * _S247.z * _S248.y;
-        if(_S253)
+        float _S255 = _S253 + _S254 + 0.000244140625f * _S246.z * _S247.y;
+        if(_S252)
         {
-            weight_1 = 1.0f / max(_S256, 9.99999968265522539e-21f);
+            weight_1 = 1.0f / max(_S255, 9.99999968265522539e-21f);
         }
         else
         {
-            albedos_2 = with_added_albedos_0(albedos_2, _S256 * weight_1, families_0.Load(family_9).colour_axes_0 + 12U * (quantity_2 - 1U));
+            albedos_2 = with_added_albedos_0(albedos_2, _S255 * weight_1, families_0[family_9].colour_axes_0 + 12U * (quantity_2 - 1U));
         }
         quantity_2 = quantity_2 + 1U;
     }
@@ -1867,9 +1877,9 @@ CloseUp_0 no_close_up_0()
 {
     CloseUp_0 nothing_1;
     nothing_1.weight_2 = 0.0f;
-    Blocked_0 _S257 = no_blocked_0();
-    nothing_1.warp_1 = _S257;
-    nothing_1.weft_1 = _S257;
+    Blocked_0 _S256 = no_blocked_0();
+    nothing_1.warp_1 = _S256;
+    nothing_1.weft_1 = _S256;
     return nothing_1;
 }
 
@@ -1902,30 +1912,30 @@ struct FaceSends_0
 
 FaceRadiance_0 face_radiance_0(FaceSends_0 sends_0, float open_of_other_0, float3 passed_0, float3 from_other_0)
 {
-    float3 _S258 = (1.0f - open_of_other_0) * passed_0;
+    float3 _S257 = (1.0f - open_of_other_0) * passed_0;
     FaceRadiance_0 found_0;
-    float3 _S259 = sends_0.sky_warp_0 + _S258 * sends_0.crossing_warp_0;
-    found_0.warp_2 = _S259;
-    float3 _S260 = sends_0.sky_weft_0 + _S258 * sends_0.crossing_weft_0;
-    found_0.weft_2 = _S260;
-    found_0.mean_0 = sends_0.blocks_warp_0 * _S259 + sends_0.blocks_weft_0 * _S260;
+    float3 _S258 = sends_0.sky_warp_0 + _S257 * sends_0.crossing_warp_0;
+    found_0.warp_2 = _S258;
+    float3 _S259 = sends_0.sky_weft_0 + _S257 * sends_0.crossing_weft_0;
+    found_0.weft_2 = _S259;
+    found_0.mean_0 = sends_0.blocks_warp_0 * _S258 + sends_0.blocks_weft_0 * _S259;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
 void view_terms_0(float3 view_1, out float  terms_0[int(6)])
 {
-    float _S261 = 1.0f - view_1.z;
-    float _S262 = _S261 * _S261;
+    float _S260 = 1.0f - view_1.z;
+    float _S261 = _S260 * _S260;
     terms_0[int(0)] = 1.0f;
-    float _S263 = view_1.x;
-    float _S264 = _S263 * _S263;
-    float _S265 = view_1.y;
-    float _S266 = _S265 * _S265;
-    terms_0[int(1)] = sqrt(max(_S264 + _S266, 9.999999960041972e-13f));
-    terms_0[int(2)] = _S262;
-    terms_0[int(3)] = _S262 * _S262;
-    terms_0[int(4)] = _S264 - _S266;
+    float _S262 = view_1.x;
+    float _S263 = _S262 * _S262;
+    float _S264 = view_1.y;
+    float _S265 = _S264 * _S264;
+    terms_0[int(1)] = sqrt(max(_S263 + _S265, 9.999999960041972e-13f));
+    terms_0[int(2)] = _S261;
+    terms_0[int(3)] = _S261 * _S261;
+    terms_0[int(4)] = _S263 - _S265;
     terms_0[int(5)] = 0.0f;
     return;
 }
@@ -1962,11 +1972,11 @@ struct Interior_0
 
 Bounced_0 bounced_by_0(Blocked_0 blocked_1, Scattered_0 yarn_0, Interior_0 interior_0)
 {
-    float3 _S267 = (blocked_1.by_warp_0 + blocked_1.by_weft_0) * interior_0.leaked_1;
-    float3 _S268 = blocked_1.far_0 * yarn_0.through_0;
+    float3 _S266 = (blocked_1.by_warp_0 + blocked_1.by_weft_0) * interior_0.leaked_1;
+    float3 _S267 = blocked_1.far_0 * yarn_0.through_0;
     Bounced_0 bounced_0;
-    bounced_0.reflected_0 = yarn_0.back_4 * (blocked_1.by_warp_0 * interior_0.warp_3 + blocked_1.by_weft_0 * interior_0.weft_3) + _S268 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S268 * interior_0.far_1 + yarn_0.back_4 * _S267;
+    bounced_0.reflected_0 = yarn_0.back_4 * (blocked_1.by_warp_0 * interior_0.warp_3 + blocked_1.by_weft_0 * interior_0.weft_3) + _S267 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S267 * interior_0.far_1 + yarn_0.back_4 * _S266;
     return bounced_0;
 }
 
@@ -1980,17 +1990,17 @@ Bounced_0 sum_of_0(Bounced_0 first_20, Bounced_0 second_1)
 
 float3 bounced_value_0(Bounced_0 bounced_1, float3 light_1, float3 view_2)
 {
-    float _S269 = light_1.z;
-    float3 _S270;
-    if((_S269 * view_2.z) < 0.0f)
+    float _S268 = light_1.z;
+    float3 _S269;
+    if((_S268 * view_2.z) < 0.0f)
     {
-        _S270 = bounced_1.transmitted_0;
+        _S269 = bounced_1.transmitted_0;
     }
     else
     {
-        _S270 = bounced_1.reflected_0;
+        _S269 = bounced_1.reflected_0;
     }
-    return _S270 * (abs(_S269) * 0.31830987334251404f);
+    return _S269 * (abs(_S268) * 0.31830987334251404f);
 }
 
 float sheen_scale_0(float x_6, float y_0)
@@ -2010,50 +2020,50 @@ float sheen_reflectance_0(float x_8, float y_2)
 
 float3 sheen_lobe_0(float cos_view_0, float roughness_1)
 {
-    float _S271 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    float _S272 = 2.0f * sqrt(_S271) - 1.0f;
-    float _S273 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return float3(clamp(sheen_scale_0(_S272, _S273), 0.00999999977648258f, 1.0f), clamp((1.0f - _S271) * sheen_shear_0(_S272, _S273), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S272, _S273), -60.0f, 60.0f))));
+    float _S270 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    float _S271 = 2.0f * sqrt(_S270) - 1.0f;
+    float _S272 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return float3(clamp(sheen_scale_0(_S271, _S272), 0.00999999977648258f, 1.0f), clamp((1.0f - _S270) * sheen_shear_0(_S271, _S272), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S271, _S272), -60.0f, 60.0f))));
 }
 
 float transformed_cosine_0(float3 light_2, float3 view_3, float scale_1, float shear_0)
 {
-    float _S274 = light_2.z;
-    bool _S275;
-    if(_S274 <= 0.0f)
+    float _S273 = light_2.z;
+    bool _S274;
+    if(_S273 <= 0.0f)
     {
-        _S275 = true;
+        _S274 = true;
     }
     else
     {
-        _S275 = (view_3.z) <= 0.0f;
+        _S274 = (view_3.z) <= 0.0f;
     }
-    if(_S275)
+    if(_S274)
     {
         return 0.0f;
     }
-    float2 _S276 = view_3.xy;
-    float _S277 = dot(_S276, _S276);
-    float2 _S278;
-    if(_S277 > 9.99999968265522539e-21f)
+    float2 _S275 = view_3.xy;
+    float _S276 = dot(_S275, _S275);
+    float2 _S277;
+    if(_S276 > 9.99999968265522539e-21f)
     {
-        _S278 = _S276 * rsqrt(_S277);
+        _S277 = _S275 * rsqrt(_S276);
     }
     else
     {
-        _S278 = float2(1.0f, 0.0f);
+        _S277 = float2(1.0f, 0.0f);
     }
-    float _S279 = scale_1 * dot(light_2.xy, _S278) + shear_0 * _S274;
-    float _S280 = scale_1 * (light_2.y * _S278.x - light_2.x * _S278.y);
-    float _S281 = _S279 * _S279 + _S280 * _S280 + _S274 * _S274;
-    return 0.31830987334251404f * scale_1 * scale_1 * _S274 / max(_S281 * _S281, 9.99999968265522539e-21f);
+    float _S278 = scale_1 * dot(light_2.xy, _S277) + shear_0 * _S273;
+    float _S279 = scale_1 * (light_2.y * _S277.x - light_2.x * _S277.y);
+    float _S280 = _S278 * _S278 + _S279 * _S279 + _S273 * _S273;
+    return 0.31830987334251404f * scale_1 * scale_1 * _S273 / max(_S280 * _S280, 9.99999968265522539e-21f);
 }
 
 float2 sheen_with_transmittance_0(float3 light_3, float3 view_4, float strength_0, float roughness_2)
 {
-    float3 _S282 = sheen_lobe_0(view_4.z, roughness_2);
-    float _S283 = strength_0 * _S282.z;
-    return float2(_S283 * transformed_cosine_0(light_3, view_4, _S282.x, _S282.y), 1.0f - _S283);
+    float3 _S281 = sheen_lobe_0(view_4.z, roughness_2);
+    float _S282 = strength_0 * _S281.z;
+    return float2(_S282 * transformed_cosine_0(light_3, view_4, _S281.x, _S281.y), 1.0f - _S282);
 }
 
 struct WovenView_0
@@ -2065,62 +2075,62 @@ struct WovenView_0
     bool back_5;
 };
 
-AnisotropicTaps_0 anisotropic_taps_0(uint _S284, Footprint_0 _S285)
+AnisotropicTaps_0 anisotropic_taps_0(uint _S283, Footprint_0 _S284)
 {
-    float3 _S286 = row_of_taps_0(_S285);
-    float2 _S287 = _S285.dx_0;
-    float2 _S288 = _S285.dy_0;
-    float _S289 = dot(_S287, _S287) + dot(_S288, _S288);
-    float _S290 = _S285.dx_0.x * _S285.dy_0.y - _S285.dx_0.y * _S285.dy_0.x;
-    float _S291 = 0.5f * (_S289 + sqrt(max(_S289 * _S289 - 4.0f * _S290 * _S290, 0.0f)));
-    Woven_0 _S292 = fabrics_0[_S284].woven_0;
-    bool _S293;
-    if(_S291 < (5.5f * (_S289 - _S291)))
+    float3 _S285 = row_of_taps_0(_S284);
+    float2 _S286 = _S284.dx_0;
+    float2 _S287 = _S284.dy_0;
+    float _S288 = dot(_S286, _S286) + dot(_S287, _S287);
+    float _S289 = _S284.dx_0.x * _S284.dy_0.y - _S284.dx_0.y * _S284.dy_0.x;
+    float _S290 = 0.5f * (_S288 + sqrt(max(_S288 * _S288 - 4.0f * _S289 * _S289, 0.0f)));
+    Woven_0 _S291 = fabrics_0[_S283].woven_0;
+    bool _S292;
+    if(_S290 < (5.5f * (_S288 - _S290)))
     {
-        _S293 = _S289 > (8.0f * _S292.pitch_0 * _S292.pitch_0);
+        _S292 = _S288 > (8.0f * _S291.pitch_0 * _S291.pitch_0);
     }
     else
     {
-        _S293 = false;
+        _S292 = false;
     }
-    float2 _S294 = float2(_S292.ends_per_mm_0, _S292.picks_per_mm_0);
+    float2 _S293 = float2(_S291.ends_per_mm_0, _S291.picks_per_mm_0);
     AnisotropicTaps_0 taps_1;
-    taps_1.centre_1 = _S285.centre_0 * _S294;
-    float _S295;
-    if(_S293)
+    taps_1.centre_1 = _S284.centre_0 * _S293;
+    float _S294;
+    if(_S292)
     {
-        _S295 = sqrt(0.125f * _S289);
+        _S294 = sqrt(0.125f * _S288);
     }
     else
     {
-        _S295 = _S286.x;
+        _S294 = _S285.x;
     }
-    taps_1.side_0 = _S295 / _S292.pitch_0;
-    float2 _S296;
-    if(_S293)
+    taps_1.side_0 = _S294 / _S291.pitch_0;
+    float2 _S295;
+    if(_S292)
     {
-        _S296 = 0.25f * _S285.dx_0;
+        _S295 = 0.25f * _S284.dx_0;
     }
     else
     {
-        _S296 = _S286.yz;
+        _S295 = _S285.yz;
     }
-    taps_1.first_19 = _S296 * _S294;
-    if(_S293)
+    taps_1.first_19 = _S295 * _S293;
+    if(_S292)
     {
-        _S296 = 0.25f * _S285.dy_0;
+        _S295 = 0.25f * _S284.dy_0;
     }
     else
     {
-        _S296 = 0.5f * _S286.yz;
+        _S295 = 0.5f * _S285.yz;
     }
-    taps_1.second_0 = _S296 * _S294;
+    taps_1.second_0 = _S295 * _S293;
     return taps_1;
 }
 
-void add_texel_0(uint _S297, uint _S298, float _S299, inout float  _S300[int(88)])
+void add_texel_0(uint _S296, uint _S297, float _S298, inout float  _S299[int(88)])
 {
-    uint _S301 = fabrics_0[_S297].woven_0.latents_0 + _S298 * 8U;
+    uint _S300 = fabrics_0[_S296].woven_0.latents_0 + _S297 * 8U;
     uint part_0 = 0U;
     for(;;)
     {
@@ -2131,53 +2141,53 @@ void add_texel_0(uint _S297, uint _S298, float _S299, inout float  _S300[int(88)
         {
             break;
         }
-        Eight_0 _S302 = eight_halves_0(packed_numbers_0.Load(_S301 + part_0));
-        int _S303 = int(8U * part_0);
-        _S300[_S303] = _S300[_S303] + _S299 * _S302.low_0[int(0)];
-        _S300[_S303 + int(4)] = _S300[_S303 + int(4)] + _S299 * _S302.high_0[int(0)];
-        int _S304 = _S303 + int(1);
-        _S300[_S304] = _S300[_S304] + _S299 * _S302.low_0[int(1)];
-        _S300[_S304 + int(4)] = _S300[_S304 + int(4)] + _S299 * _S302.high_0[int(1)];
-        int _S305 = _S303 + int(2);
-        _S300[_S305] = _S300[_S305] + _S299 * _S302.low_0[int(2)];
-        _S300[_S305 + int(4)] = _S300[_S305 + int(4)] + _S299 * _S302.high_0[int(2)];
-        int _S306 = _S303 + int(3);
-        _S300[_S306] = _S300[_S306] + _S299 * _S302.low_0[int(3)];
-        _S300[_S306 + int(4)] = _S300[_S306 + int(4)] + _S299 * _S302.high_0[int(3)];
+        Eight_0 _S301 = eight_halves_0(packed_numbers_0.Load(_S300 + part_0));
+        int _S302 = int(8U * part_0);
+        _S299[_S302] = _S299[_S302] + _S298 * _S301.low_0[int(0)];
+        _S299[_S302 + int(4)] = _S299[_S302 + int(4)] + _S298 * _S301.high_0[int(0)];
+        int _S303 = _S302 + int(1);
+        _S299[_S303] = _S299[_S303] + _S298 * _S301.low_0[int(1)];
+        _S299[_S303 + int(4)] = _S299[_S303 + int(4)] + _S298 * _S301.high_0[int(1)];
+        int _S304 = _S302 + int(2);
+        _S299[_S304] = _S299[_S304] + _S298 * _S301.low_0[int(2)];
+        _S299[_S304 + int(4)] = _S299[_S304 + int(4)] + _S298 * _S301.high_0[int(2)];
+        int _S305 = _S302 + int(3);
+        _S299[_S305] = _S299[_S305] + _S298 * _S301.low_0[int(3)];
+        _S299[_S305 + int(4)] = _S299[_S305 + int(4)] + _S298 * _S301.high_0[int(3)];
         part_0 = part_0 + 1U;
     }
     return;
 }
 
-void add_level_0(uint _S307, uint _S308, bool _S309, float2 _S310, float _S311, inout float  _S312[int(88)])
+void add_level_0(uint _S306, uint _S307, bool _S308, float2 _S309, float _S310, inout float  _S311[int(88)])
 {
-    Woven_0 _S313 = fabrics_0[_S307].woven_0;
-    uint _S314 = fabrics_0[_S307].woven_0.levels_1 + 4U * _S308;
-    float _S315 = table_number_0(_S314);
-    float _S316 = table_number_0(_S314 + 1U);
-    float _S317 = table_number_0(_S314 + 2U);
-    bool _S318;
-    if(_S308 > 3U)
+    Woven_0 _S312 = fabrics_0[_S306].woven_0;
+    uint _S313 = fabrics_0[_S306].woven_0.levels_1 + 4U * _S307;
+    float _S314 = table_number_0(_S313);
+    float _S315 = table_number_0(_S313 + 1U);
+    float _S316 = table_number_0(_S313 + 2U);
+    bool _S317;
+    if(_S307 > 3U)
     {
-        _S318 = _S308 < (_S313.top_level_0);
+        _S317 = _S307 < (_S312.top_level_0);
     }
     else
     {
-        _S318 = false;
+        _S317 = false;
     }
-    float2 _S319 = _S310 * table_number_0(_S314 + 3U);
-    float _S320;
-    if(_S318)
+    float2 _S318 = _S309 * table_number_0(_S313 + 3U);
+    float _S319;
+    if(_S317)
     {
-        _S320 = 1.0f;
+        _S319 = 1.0f;
     }
     else
     {
-        _S320 = 0.5f;
+        _S319 = 0.5f;
     }
-    float2 _S321 = _S319 - _S320;
-    float2 _S322 = floor(_S321);
-    float2 _S323 = _S321 - _S322;
+    float2 _S320 = _S318 - _S319;
+    float2 _S321 = floor(_S320);
+    float2 _S322 = _S320 - _S321;
     uint corner_0 = 0U;
     for(;;)
     {
@@ -2188,26 +2198,26 @@ void add_level_0(uint _S307, uint _S308, bool _S309, float2 _S310, float _S311, 
         {
             break;
         }
-        float _S324 = float(corner_0 & 1U);
-        float _S325 = float(corner_0 >> int(1));
-        float2 _S326 = lerp(1.0f - _S323, _S323, float2(_S324, _S325));
-        uint _S327 = uint(_S315 + wrapped_0(_S322.y + _S325, _S317) * _S316 + wrapped_0(_S322.x + _S324, _S316));
-        uint _S328;
-        if(_S309)
+        float _S323 = float(corner_0 & 1U);
+        float _S324 = float(corner_0 >> int(1));
+        float2 _S325 = lerp(1.0f - _S322, _S322, float2(_S323, _S324));
+        uint _S326 = uint(_S314 + wrapped_0(_S321.y + _S324, _S316) * _S315 + wrapped_0(_S321.x + _S323, _S315));
+        uint _S327;
+        if(_S308)
         {
-            _S328 = _S313.texels_0;
+            _S327 = _S312.texels_0;
         }
         else
         {
-            _S328 = 0U;
+            _S327 = 0U;
         }
-        add_texel_0(_S307, _S327 + _S328, _S311 * _S326.x * _S326.y, _S312);
+        add_texel_0(_S306, _S326 + _S327, _S310 * _S325.x * _S325.y, _S311);
         corner_0 = corner_0 + 1U;
     }
     return;
 }
 
-void code_footprint_0(uint _S329, AnisotropicTaps_0 _S330, float3 _S331, bool _S332, inout float  _S333[int(88)])
+void code_footprint_0(uint _S328, AnisotropicTaps_0 _S329, float3 _S330, bool _S331, inout float  _S332[int(88)])
 {
     float offset_1;
     int k_0 = int(0);
@@ -2220,55 +2230,55 @@ void code_footprint_0(uint _S329, AnisotropicTaps_0 _S330, float3 _S331, bool _S
         {
             break;
         }
-        _S333[k_0] = 0.0f;
+        _S332[k_0] = 0.0f;
         k_0 = k_0 + int(1);
     }
-    float2 _S334 = float2(fabrics_0[_S329].woven_0.ends_0, fabrics_0[_S329].woven_0.picks_0);
-    float _S335 = float(fabrics_0[_S329].woven_0.top_level_0);
-    float _S336 = clamp(binary_logarithm_0(max(_S330.side_0, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S335);
-    float _S337 = min(floor(_S336), _S335 - 1.0f);
-    uint _S338;
-    if(AnisotropicTaps_has_steps_0(_S330))
+    float2 _S333 = float2(fabrics_0[_S328].woven_0.ends_0, fabrics_0[_S328].woven_0.picks_0);
+    float _S334 = float(fabrics_0[_S328].woven_0.top_level_0);
+    float _S335 = clamp(binary_logarithm_0(max(_S329.side_0, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S334);
+    float _S336 = min(floor(_S335), _S334 - 1.0f);
+    uint _S337;
+    if(AnisotropicTaps_has_steps_0(_S329))
     {
-        _S338 = 4U;
+        _S337 = 4U;
     }
     else
     {
-        _S338 = 1U;
+        _S337 = 1U;
     }
     uint number_1 = 0U;
     for(;;)
     {
-        if(number_1 < (2U * _S338))
+        if(number_1 < (2U * _S337))
         {
         }
         else
         {
             break;
         }
-        float2 _S339 = AnisotropicTaps_place_0(_S330, number_1 >> int(1));
-        float2 _S340 = clamp(_S339 - _S334 * floor(_S339 / _S334), (float2)0.0f, _S334);
-        bool _S341 = (number_1 & 1U) != 0U;
-        if(_S341)
+        float2 _S338 = AnisotropicTaps_place_0(_S329, number_1 >> int(1));
+        float2 _S339 = clamp(_S338 - _S333 * floor(_S338 / _S333), (float2)0.0f, _S333);
+        bool _S340 = (number_1 & 1U) != 0U;
+        if(_S340)
         {
-            offset_1 = _S336 - _S337;
+            offset_1 = _S335 - _S336;
         }
         else
         {
-            offset_1 = 1.0f - (_S336 - _S337);
+            offset_1 = 1.0f - (_S335 - _S336);
         }
-        float _S342 = offset_1 / float(_S338);
-        uint _S343 = uint(_S337);
-        uint _S344;
-        if(_S341)
+        float _S341 = offset_1 / float(_S337);
+        uint _S342 = uint(_S336);
+        uint _S343;
+        if(_S340)
         {
-            _S344 = 1U;
+            _S343 = 1U;
         }
         else
         {
-            _S344 = 0U;
+            _S343 = 0U;
         }
-        add_level_0(_S329, _S343 + _S344, _S332, _S340, _S342, _S333);
+        add_level_0(_S328, _S342 + _S343, _S331, _S339, _S341, _S332);
         number_1 = number_1 + 1U;
     }
     int number_2 = int(0);
@@ -2291,7 +2301,7 @@ void code_footprint_0(uint _S329, AnisotropicTaps_0 _S330, float3 _S331, bool _S
             {
                 break;
             }
-            float offset_2 = _S331[number_2] - (float(bin_0) + 0.5f) / 8.0f;
+            float offset_2 = _S330[number_2] - (float(bin_0) + 0.5f) / 8.0f;
             if(number_2 < int(2))
             {
                 offset_1 = offset_2 - round(offset_2);
@@ -2300,7 +2310,7 @@ void code_footprint_0(uint _S329, AnisotropicTaps_0 _S330, float3 _S331, bool _S
             {
                 offset_1 = offset_2;
             }
-            _S333[int(64) + number_2 * int(8) + bin_0] = bump_0(offset_1 * 3.20000004768371582f);
+            _S332[int(64) + number_2 * int(8) + bin_0] = bump_0(offset_1 * 3.20000004768371582f);
             bin_0 = bin_0 + int(1);
         }
         number_2 = number_2 + int(1);
@@ -2308,61 +2318,61 @@ void code_footprint_0(uint _S329, AnisotropicTaps_0 _S330, float3 _S331, bool _S
     return;
 }
 
-float3 crown_fibres_0(uint _S345, bool _S346, bool _S347)
+float3 crown_fibres_0(uint _S344, bool _S345, bool _S346)
 {
-    float _S348;
-    if(_S346)
+    float _S347;
+    if(_S345)
     {
-        if(_S347)
+        if(_S346)
         {
-            _S348 = - fabrics_0[_S345].woven_0.warp_x_0;
+            _S347 = - fabrics_0[_S344].woven_0.warp_x_0;
         }
         else
         {
-            _S348 = fabrics_0[_S345].woven_0.warp_x_0;
+            _S347 = fabrics_0[_S344].woven_0.warp_x_0;
         }
-        return float3(_S348, fabrics_0[_S345].woven_0.warp_y_0, fabrics_0[_S345].woven_0.warp_roughness_0);
+        return float3(_S347, fabrics_0[_S344].woven_0.warp_y_0, fabrics_0[_S344].woven_0.warp_roughness_0);
     }
-    Woven_0 _S349 = fabrics_0[_S345].woven_0;
-    if(_S347)
+    Woven_0 _S348 = fabrics_0[_S344].woven_0;
+    if(_S346)
     {
-        _S348 = - _S349.weft_y_0;
+        _S347 = - _S348.weft_y_0;
     }
     else
     {
-        _S348 = _S349.weft_y_0;
+        _S347 = _S348.weft_y_0;
     }
-    return float3(_S349.weft_x_0, _S348, _S349.weft_roughness_0);
+    return float3(_S348.weft_x_0, _S347, _S348.weft_roughness_0);
 }
 
-void woven_view_0(uint _S350, Footprint_0 _S351, float3 _S352, inout WovenView_0 _S353)
+void woven_view_0(uint _S349, Footprint_0 _S350, float3 _S351, inout WovenView_0 _S352)
 {
-    bool _S354 = (_S352.z) < 0.0f;
-    AnisotropicTaps_0 _S355 = anisotropic_taps_0(_S350, _S351);
-    float3 _S356 = footprint_coordinates_0(_S355);
-    float3 _S357 = to_face_frame_0(_S352, _S354);
+    bool _S353 = (_S351.z) < 0.0f;
+    AnisotropicTaps_0 _S354 = anisotropic_taps_0(_S349, _S350);
+    float3 _S355 = footprint_coordinates_0(_S354);
+    float3 _S356 = to_face_frame_0(_S351, _S353);
     HalfWeights_0 weights_23;
-    weights_23.first_2 = fabrics_0[_S350].woven_0.network_0;
+    weights_23.first_2 = fabrics_0[_S349].woven_0.network_0;
     float  inputs_23[int(88)];
-    code_footprint_0(_S350, _S355, _S356, _S354, inputs_23);
+    code_footprint_0(_S349, _S354, _S355, _S353, inputs_23);
     float  hidden_1[int(96)];
     dense_7(weights_23, 0U, false, inputs_23, hidden_1);
     float  fused_0[int(100)];
     dense_part_8(weights_23, 1068U, false, hidden_1, fused_0);
-    fused_0[int(96)] = _S357.x;
-    fused_0[int(97)] = _S357.y;
-    float2 _S358 = _S357.xy;
-    fused_0[int(98)] = dot(crown_fibres_0(_S350, true, _S354).xy, _S358);
-    fused_0[int(99)] = dot(crown_fibres_0(_S350, false, _S354).xy, _S358);
+    fused_0[int(96)] = _S356.x;
+    fused_0[int(97)] = _S356.y;
+    float2 _S357 = _S356.xy;
+    fused_0[int(98)] = dot(crown_fibres_0(_S349, true, _S353).xy, _S357);
+    fused_0[int(99)] = dot(crown_fibres_0(_S349, false, _S353).xy, _S357);
     float  of_hole_0[int(16)];
     dense_6(weights_23, 2232U, false, fused_0, of_hole_0);
     float  hole_1[int(1)];
     dense_5(weights_23, 2444U, false, of_hole_0, hole_1);
-    dense_4(weights_23, 2456U, false, fused_0, _S353.sums_6);
-    _S353.hole_0 = clamp(hole_1[int(0)], 0.0f, 1.0f);
-    _S353.correction_weight_0 = correction_weight_of_0(_S356.z);
-    _S353.view_5 = _S357;
-    _S353.back_5 = _S354;
+    dense_4(weights_23, 2456U, false, fused_0, _S352.sums_6);
+    _S352.hole_0 = clamp(hole_1[int(0)], 0.0f, 1.0f);
+    _S352.correction_weight_0 = correction_weight_of_0(_S355.z);
+    _S352.view_5 = _S356;
+    _S352.back_5 = _S353;
     return;
 }
 
@@ -2376,16 +2386,16 @@ struct Components_0
     float hole_2;
 };
 
-void code_light_0(uint _S359, float3 _S360, float3 _S361, bool _S362, inout float  _S363[int(39)])
+void code_light_0(uint _S358, float3 _S359, float3 _S360, bool _S361, inout float  _S362[int(39)])
 {
-    _S363[int(0)] = _S360.x;
-    _S363[int(1)] = _S360.y;
-    _S363[int(2)] = _S360.z;
-    float3 _S364 = _S360 + _S361;
-    float _S365 = _S364.z;
-    float _S366 = _S365 * _S365 + 0.00009999999747379f;
-    float2 _S367 = _S364.xy;
-    float _S368 = 1.0f / (dot(_S367, _S367) + _S366);
+    _S362[int(0)] = _S359.x;
+    _S362[int(1)] = _S359.y;
+    _S362[int(2)] = _S359.z;
+    float3 _S363 = _S359 + _S360;
+    float _S364 = _S363.z;
+    float _S365 = _S364 * _S364 + 0.00009999999747379f;
+    float2 _S366 = _S363.xy;
+    float _S367 = 1.0f / (dot(_S366, _S366) + _S365);
     int family_10 = int(0);
     for(;;)
     {
@@ -2396,12 +2406,12 @@ void code_light_0(uint _S359, float3 _S360, float3 _S361, bool _S362, inout floa
         {
             break;
         }
-        float3 _S369 = crown_fibres_0(_S359, family_10 == int(0), _S362);
-        float2 _S370 = _S369.xy;
-        _S363[int(3) + family_10] = dot(_S370, _S360.xy);
-        float _S371 = dot(_S370, _S367);
-        float _S372 = _S371 * _S371;
-        float _S373 = (0.75f * _S371 / (0.5f * sqrt(_S372 + _S366) + abs(_S371)) + 0.5f) * 8.0f;
+        float3 _S368 = crown_fibres_0(_S358, family_10 == int(0), _S361);
+        float2 _S369 = _S368.xy;
+        _S362[int(3) + family_10] = dot(_S369, _S359.xy);
+        float _S370 = dot(_S369, _S366);
+        float _S371 = _S370 * _S370;
+        float _S372 = (0.75f * _S370 / (0.5f * sqrt(_S371 + _S365) + abs(_S370)) + 0.5f) * 8.0f;
         int bin_1 = int(0);
         for(;;)
         {
@@ -2412,56 +2422,56 @@ void code_light_0(uint _S359, float3 _S360, float3 _S361, bool _S362, inout floa
             {
                 break;
             }
-            _S363[int(5) + family_10 * int(16) + bin_1] = bump_0(_S373 - (float(bin_1) + 0.5f) / 2.0f);
+            _S362[int(5) + family_10 * int(16) + bin_1] = bump_0(_S372 - (float(bin_1) + 0.5f) / 2.0f);
             bin_1 = bin_1 + int(1);
         }
-        float _S374 = _S369.z;
-        float _S375 = _S374 * _S374;
-        float _S376 = _S372 * _S368 * (1.0f - _S375) + _S375;
-        _S363[int(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S375 * _S374 / (_S376 * _S376));
+        float _S373 = _S368.z;
+        float _S374 = _S373 * _S373;
+        float _S375 = _S371 * _S367 * (1.0f - _S374) + _S374;
+        _S362[int(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S374 * _S373 / (_S375 * _S375));
         family_10 = family_10 + int(1);
     }
     return;
 }
 
-float mixed_bundles_0(uint _S377, uint _S378, uint _S379, float3 _S380, float3 _S381, bool _S382, inout float  _S383[int(52)])
+float mixed_bundles_0(uint _S376, uint _S377, uint _S378, float3 _S379, float3 _S380, bool _S381, inout float  _S382[int(52)])
 {
-    float3 _S384 = _S380 + _S381;
-    float _S385 = 1.0f / (square_1(_S384) + 0.00009999999747379f);
-    bool _S386;
-    if(_S378 == 0U)
+    float3 _S383 = _S379 + _S380;
+    float _S384 = 1.0f / (square_1(_S383) + 0.00009999999747379f);
+    bool _S385;
+    if(_S377 == 0U)
     {
-        _S386 = _S382;
+        _S385 = _S381;
     }
     else
     {
-        _S386 = false;
+        _S385 = false;
+    }
+    float _S386;
+    if(_S385)
+    {
+        _S386 = - _S383.x;
+    }
+    else
+    {
+        _S386 = _S383.x;
+    }
+    if(_S377 == 1U)
+    {
+        _S385 = _S381;
+    }
+    else
+    {
+        _S385 = false;
     }
     float _S387;
-    if(_S386)
+    if(_S385)
     {
-        _S387 = - _S384.x;
+        _S387 = - _S383.y;
     }
     else
     {
-        _S387 = _S384.x;
-    }
-    if(_S378 == 1U)
-    {
-        _S386 = _S382;
-    }
-    else
-    {
-        _S386 = false;
-    }
-    float _S388;
-    if(_S386)
-    {
-        _S388 = - _S384.y;
-    }
-    else
-    {
-        _S388 = _S384.y;
+        _S387 = _S383.y;
     }
     uint bundle_1 = 0U;
     float sum_2 = 0.0f;
@@ -2474,38 +2484,38 @@ float mixed_bundles_0(uint _S377, uint _S378, uint _S379, float3 _S380, float3 _
         {
             break;
         }
-        uint _S389 = _S378 * 25U;
-        uint _S390 = fabrics_0[_S377].woven_0.bundles_0 + 4U * (_S389 + bundle_1);
-        float _S391 = dot(float3(table_number_0(_S390), table_number_0(_S390 + 1U), table_number_0(_S390 + 2U)), float3(_S387, _S388, _S384.z));
-        float _S392 = _S391 * _S391 * _S385 + table_number_0(_S390 + 3U);
-        uint _S393 = _S379 + _S389;
-        uint _S394;
-        if(_S382)
+        uint _S388 = _S377 * 25U;
+        uint _S389 = fabrics_0[_S376].woven_0.bundles_0 + 4U * (_S388 + bundle_1);
+        float _S390 = dot(float3(table_number_0(_S389), table_number_0(_S389 + 1U), table_number_0(_S389 + 2U)), float3(_S386, _S387, _S383.z));
+        float _S391 = _S390 * _S390 * _S384 + table_number_0(_S389 + 3U);
+        uint _S392 = _S378 + _S388;
+        uint _S393;
+        if(_S381)
         {
-            _S394 = mirrored_bundle_0(bundle_1);
+            _S393 = mirrored_bundle_0(bundle_1);
         }
         else
         {
-            _S394 = bundle_1;
+            _S393 = bundle_1;
         }
-        float sum_3 = sum_2 + max(_S383[_S393 + _S394], _S383[_S393 + _S394] * 0.00999999977648258f) / (_S392 * _S392);
+        float sum_3 = sum_2 + max(_S382[_S392 + _S393], _S382[_S392 + _S393] * 0.00999999977648258f) / (_S391 * _S391);
         bundle_1 = bundle_1 + 1U;
         sum_2 = sum_3;
     }
     return 0.01999999955296516f * sum_2;
 }
 
-Components_0 woven_components_0(uint _S395, inout WovenView_0 _S396, float3 _S397)
+Components_0 woven_components_0(uint _S394, inout WovenView_0 _S395, float3 _S396)
 {
-    float _S398;
-    bool _S399 = _S396.back_5;
-    float3 _S400 = to_face_frame_0(_S397, _S396.back_5);
-    float3 _S401 = _S396.view_5;
+    float _S397;
+    bool _S398 = _S395.back_5;
+    float3 _S399 = to_face_frame_0(_S396, _S395.back_5);
+    float3 _S400 = _S395.view_5;
     HalfWeights_0 weights_24;
-    Woven_0 _S402 = fabrics_0[_S395].woven_0;
-    weights_24.first_2 = fabrics_0[_S395].woven_0.network_0;
+    Woven_0 _S401 = fabrics_0[_S394].woven_0;
+    weights_24.first_2 = fabrics_0[_S394].woven_0.network_0;
     float  directions_0[int(39)];
-    code_light_0(_S395, _S400, _S396.view_5, _S396.back_5, directions_0);
+    code_light_0(_S394, _S399, _S395.view_5, _S395.back_5, directions_0);
     float  skip_0[int(96)];
     int k_1 = int(0);
     for(;;)
@@ -2517,7 +2527,7 @@ Components_0 woven_components_0(uint _S395, inout WovenView_0 _S396, float3 _S39
         {
             break;
         }
-        skip_0[k_1] = _S396.sums_6[k_1];
+        skip_0[k_1] = _S395.sums_6[k_1];
         k_1 = k_1 + int(1);
     }
     dense_3(weights_24, 3716U, true, directions_0, skip_0);
@@ -2558,13 +2568,13 @@ Components_0 woven_components_0(uint _S395, inout WovenView_0 _S396, float3 _S39
             }
             if(layer_0 == 1U)
             {
-                _S398 = skip_0[k_1];
+                _S397 = skip_0[k_1];
             }
             else
             {
-                _S398 = 0.0f;
+                _S397 = 0.0f;
             }
-            next_0[k_1] = _S398;
+            next_0[k_1] = _S397;
             k_1 = k_1 + int(1);
         }
         dense_2(weights_24, 4208U + layer_0 * 1164U, true, hidden_2, next_0);
@@ -2585,27 +2595,27 @@ Components_0 woven_components_0(uint _S395, inout WovenView_0 _S396, float3 _S39
     }
     float  outputs_17[int(52)];
     dense_1(weights_24, 7700U, false, hidden_2, outputs_17);
-    bool _S403;
-    if((_S402.is_corrected_0) != 0U)
+    bool _S402;
+    if((_S401.is_corrected_0) != 0U)
     {
-        _S403 = (_S400.z) > 0.0f;
+        _S402 = (_S399.z) > 0.0f;
     }
     else
     {
-        _S403 = false;
+        _S402 = false;
     }
-    if(_S403)
+    if(_S402)
     {
-        _S403 = (_S396.correction_weight_0) > 0.0f;
+        _S402 = (_S395.correction_weight_0) > 0.0f;
     }
     else
     {
-        _S403 = false;
+        _S402 = false;
     }
-    if(_S403)
+    if(_S402)
     {
         FloatWeights_0 fitted_0;
-        fitted_0.first_0 = _S402.correction_0;
+        fitted_0.first_0 = _S401.correction_0;
         float  change_0[int(50)];
         dense_0(fitted_0, 0U, false, hidden_2, change_0);
         k_1 = int(0);
@@ -2618,30 +2628,30 @@ Components_0 woven_components_0(uint _S395, inout WovenView_0 _S396, float3 _S39
             {
                 break;
             }
-            outputs_17[k_1 + int(2)] = outputs_17[k_1 + int(2)] + _S396.correction_weight_0 * change_0[k_1];
+            outputs_17[k_1 + int(2)] = outputs_17[k_1 + int(2)] + _S395.correction_weight_0 * change_0[k_1];
             k_1 = k_1 + int(1);
         }
     }
-    if((_S400.z) > 0.0f)
+    if((_S399.z) > 0.0f)
     {
-        _S398 = 0.00999999977648258f;
+        _S397 = 0.00999999977648258f;
     }
     else
     {
-        _S398 = 0.00100000004749745f;
+        _S397 = 0.00100000004749745f;
     }
     Components_0 result_2;
-    float _S404 = unmapped_0(outputs_17[int(0)], _S398);
-    result_2.diffuse_warp_0 = _S404;
-    float _S405 = unmapped_0(outputs_17[int(1)], _S398);
-    result_2.diffuse_weft_0 = _S405;
-    float _S406 = 2979.9580078125f * _S398;
-    float _S407 = mixed_bundles_0(_S395, 0U, 2U, _S400, _S401, _S399, outputs_17);
-    result_2.specular_warp_0 = clamp(_S407, 0.0f, _S406);
-    float _S408 = mixed_bundles_0(_S395, 1U, 2U, _S400, _S401, _S399, outputs_17);
-    result_2.specular_weft_0 = clamp(_S408, 0.0f, _S406);
-    result_2.hole_2 = _S396.hole_0;
-    result_2.light_visibility_1 = min(light_visibility_of_0(_S404 + _S405, _S400, _S401, fabrics_0[_S395].diffuse_blend_0), 1.0f - _S396.hole_0);
+    float _S403 = unmapped_0(outputs_17[int(0)], _S397);
+    result_2.diffuse_warp_0 = _S403;
+    float _S404 = unmapped_0(outputs_17[int(1)], _S397);
+    result_2.diffuse_weft_0 = _S404;
+    float _S405 = 2979.9580078125f * _S397;
+    float _S406 = mixed_bundles_0(_S394, 0U, 2U, _S399, _S400, _S398, outputs_17);
+    result_2.specular_warp_0 = clamp(_S406, 0.0f, _S405);
+    float _S407 = mixed_bundles_0(_S394, 1U, 2U, _S399, _S400, _S398, outputs_17);
+    result_2.specular_weft_0 = clamp(_S407, 0.0f, _S405);
+    result_2.hole_2 = _S395.hole_0;
+    result_2.light_visibility_1 = min(light_visibility_of_0(_S403 + _S404, _S399, _S400, fabrics_0[_S394].diffuse_blend_0), 1.0f - _S395.hole_0);
     return result_2;
 }
 
@@ -2651,108 +2661,108 @@ struct FamilyAlbedos_0
     Albedos_0 weft_4;
 };
 
-FamilyAlbedos_0 albedos_over_0(uint _S409, Footprint_0 _S410, bool _S411)
+FamilyAlbedos_0 albedos_over_0(uint _S408, Footprint_0 _S409, bool _S410)
 {
-    float2 _S412 = _S410.dx_0;
-    float2 _S413 = _S410.dy_0;
-    float2 _S414 = sqrt(_S412 * _S412 + _S413 * _S413);
-    Stretch_0 _S415 = stretch_of_0(fabrics_0[_S409].warp_0, _S410.centre_0.x, _S414.x);
-    Stretch_0 _S416 = stretch_of_0(fabrics_0[_S409].weft_0, _S410.centre_0.y, _S414.y);
+    float2 _S411 = _S409.dx_0;
+    float2 _S412 = _S409.dy_0;
+    float2 _S413 = sqrt(_S411 * _S411 + _S412 * _S412);
+    Stretch_0 _S414 = stretch_of_0(fabrics_0[_S408].warp_0, _S409.centre_0.x, _S413.x);
+    Stretch_0 _S415 = stretch_of_0(fabrics_0[_S408].weft_0, _S409.centre_0.y, _S413.y);
     FamilyAlbedos_0 albedos_4;
-    albedos_4.warp_4 = mean_albedos_0(fabrics_0[_S409].warp_0, fabrics_0[_S409].weft_0, _S415, _S416, _S411);
-    albedos_4.weft_4 = mean_albedos_0(fabrics_0[_S409].weft_0, fabrics_0[_S409].warp_0, _S416, _S415, _S411);
+    albedos_4.warp_4 = mean_albedos_0(fabrics_0[_S408].warp_0, fabrics_0[_S408].weft_0, _S414, _S415, _S410);
+    albedos_4.weft_4 = mean_albedos_0(fabrics_0[_S408].weft_0, fabrics_0[_S408].warp_0, _S415, _S414, _S410);
     return albedos_4;
 }
 
-float openness_number_0(uint _S417, uint _S418)
+float openness_number_0(uint _S416, uint _S417)
 {
-    return table_number_0(fabrics_0[_S417].openness_0 + _S418);
+    return table_number_0(fabrics_0[_S416].openness_0 + _S417);
 }
 
-Scattered_0 scattered_by_0(uint _S419, Albedos_0 _S420, uint _S421, float3 _S422)
+Scattered_0 scattered_by_0(uint _S418, Albedos_0 _S419, uint _S420, float3 _S421)
 {
-    uint _S423 = 159U + 2U * _S421;
+    uint _S422 = 159U + 2U * _S420;
     Scattered_0 yarn_1;
-    yarn_1.back_4 = _S422 * _S420.diffuse_reflect_0 + openness_number_0(_S419, _S423) * _S420.specular_reflect_0;
-    yarn_1.through_0 = _S422 * _S420.diffuse_transmit_0 + openness_number_0(_S419, _S423 + 1U) * _S420.specular_transmit_0;
+    yarn_1.back_4 = _S421 * _S419.diffuse_reflect_0 + openness_number_0(_S418, _S422) * _S419.specular_reflect_0;
+    yarn_1.through_0 = _S421 * _S419.diffuse_transmit_0 + openness_number_0(_S418, _S422 + 1U) * _S419.specular_transmit_0;
     return yarn_1;
 }
 
-void sent_0(uint _S424, uint _S425, float3 _S426, float3 _S427, float3 _S428, float3 _S429, out float3 _S430, out float3 _S431)
+void sent_0(uint _S423, uint _S424, float3 _S425, float3 _S426, float3 _S427, float3 _S428, out float3 _S429, out float3 _S430)
 {
-    uint _S432 = 146U + 4U * _S425;
-    float _S433 = openness_number_0(_S424, _S432 + 1U);
-    float _S434 = openness_number_0(_S424, _S432 + 2U);
-    float3 _S435 = 1.0f - _S428 * openness_number_0(_S424, _S432);
-    float3 _S436 = 1.0f - _S429 * openness_number_0(_S424, _S432 + 3U);
-    float3 _S437 = 1.0f / (_S435 * _S436 - _S428 * _S429 * (_S433 * _S434));
-    _S430 = (_S426 * _S436 + _S428 * _S433 * _S427) * _S437;
-    _S431 = (_S427 * _S435 + _S429 * _S434 * _S426) * _S437;
+    uint _S431 = 146U + 4U * _S424;
+    float _S432 = openness_number_0(_S423, _S431 + 1U);
+    float _S433 = openness_number_0(_S423, _S431 + 2U);
+    float3 _S434 = 1.0f - _S427 * openness_number_0(_S423, _S431);
+    float3 _S435 = 1.0f - _S428 * openness_number_0(_S423, _S431 + 3U);
+    float3 _S436 = 1.0f / (_S434 * _S435 - _S427 * _S428 * (_S432 * _S433));
+    _S429 = (_S425 * _S435 + _S427 * _S432 * _S426) * _S436;
+    _S430 = (_S426 * _S434 + _S428 * _S433 * _S425) * _S436;
     return;
 }
 
-FaceSends_0 face_sends_0(uint _S438, uint _S439, Scattered_0 _S440, Scattered_0 _S441)
+FaceSends_0 face_sends_0(uint _S437, uint _S438, Scattered_0 _S439, Scattered_0 _S440)
 {
-    uint _S442 = 2U * _S439;
-    uint _S443 = 142U + _S442;
-    float _S444 = openness_number_0(_S438, _S443);
-    float _S445 = openness_number_0(_S438, _S443 + 1U);
+    uint _S441 = 2U * _S438;
+    uint _S442 = 142U + _S441;
+    float _S443 = openness_number_0(_S437, _S442);
+    float _S444 = openness_number_0(_S437, _S442 + 1U);
+    float3 _S445 = (1.0f - _S443) * _S439.back_4;
     float3 _S446 = (1.0f - _S444) * _S440.back_4;
-    float3 _S447 = (1.0f - _S445) * _S441.back_4;
     FaceSends_0 sends_1;
-    uint _S448 = 154U + _S442;
-    float _S449 = openness_number_0(_S438, _S448);
-    sends_1.blocks_warp_0 = _S449;
-    float _S450 = openness_number_0(_S438, _S448 + 1U);
-    sends_1.blocks_weft_0 = _S450;
-    sends_1.open_0 = _S449 * _S444 + _S450 * _S445;
-    sent_0(_S438, _S439, _S444 * _S440.back_4, _S445 * _S441.back_4, _S446, _S447, sends_1.sky_warp_0, sends_1.sky_weft_0);
-    sent_0(_S438, _S439, _S440.through_0, _S441.through_0, _S446, _S447, sends_1.crossing_warp_0, sends_1.crossing_weft_0);
+    uint _S447 = 154U + _S441;
+    float _S448 = openness_number_0(_S437, _S447);
+    sends_1.blocks_warp_0 = _S448;
+    float _S449 = openness_number_0(_S437, _S447 + 1U);
+    sends_1.blocks_weft_0 = _S449;
+    sends_1.open_0 = _S448 * _S443 + _S449 * _S444;
+    sent_0(_S437, _S438, _S443 * _S439.back_4, _S444 * _S440.back_4, _S445, _S446, sends_1.sky_warp_0, sends_1.sky_weft_0);
+    sent_0(_S437, _S438, _S439.through_0, _S440.through_0, _S445, _S446, sends_1.crossing_warp_0, sends_1.crossing_weft_0);
     return sends_1;
 }
 
-Interior_0 interior_of_0(uint _S451, float3 _S452, bool _S453)
+Interior_0 interior_of_0(uint _S450, float3 _S451, bool _S452)
 {
-    Scattered_0 _S454 = scattered_by_0(_S451, table_albedos_0(families_0.Load(fabrics_0[_S451].warp_0).colour_mean_0), 0U, _S452);
-    Scattered_0 _S455 = scattered_by_0(_S451, table_albedos_0(families_0.Load(fabrics_0[_S451].weft_0).colour_mean_0), 1U, _S452);
-    uint _S456;
-    if(_S453)
+    Scattered_0 _S453 = scattered_by_0(_S450, table_albedos_0(families_0[fabrics_0[_S450].warp_0].colour_mean_0), 0U, _S451);
+    Scattered_0 _S454 = scattered_by_0(_S450, table_albedos_0(families_0[fabrics_0[_S450].weft_0].colour_mean_0), 1U, _S451);
+    uint _S455;
+    if(_S452)
     {
-        _S456 = 1U;
+        _S455 = 1U;
     }
     else
     {
-        _S456 = 0U;
+        _S455 = 0U;
     }
-    FaceSends_0 _S457 = face_sends_0(_S451, _S456, _S454, _S455);
-    if(_S453)
+    FaceSends_0 _S456 = face_sends_0(_S450, _S455, _S453, _S454);
+    if(_S452)
     {
-        _S456 = 0U;
+        _S455 = 0U;
     }
     else
     {
-        _S456 = 1U;
+        _S455 = 1U;
     }
-    FaceSends_0 _S458 = face_sends_0(_S451, _S456, _S454, _S455);
+    FaceSends_0 _S457 = face_sends_0(_S450, _S455, _S453, _S454);
+    float3 _S458 = _S456.blocks_warp_0 * _S456.crossing_warp_0 + _S456.blocks_weft_0 * _S456.crossing_weft_0;
     float3 _S459 = _S457.blocks_warp_0 * _S457.crossing_warp_0 + _S457.blocks_weft_0 * _S457.crossing_weft_0;
-    float3 _S460 = _S458.blocks_warp_0 * _S458.crossing_warp_0 + _S458.blocks_weft_0 * _S458.crossing_weft_0;
+    float _S460 = 1.0f - _S456.open_0;
     float _S461 = 1.0f - _S457.open_0;
-    float _S462 = 1.0f - _S458.open_0;
-    float3 _S463 = 1.0f / (1.0f - _S459 * _S460 * (_S461 * _S462));
-    float3 _S464 = _S460 * (_S457.open_0 + _S461 * (_S457.blocks_warp_0 * _S457.sky_warp_0 + _S457.blocks_weft_0 * _S457.sky_weft_0)) * _S463;
-    float3 _S465 = _S459 * (_S458.open_0 + _S462 * (_S458.blocks_warp_0 * _S458.sky_warp_0 + _S458.blocks_weft_0 * _S458.sky_weft_0)) * _S463;
-    FaceRadiance_0 _S466 = face_radiance_0(_S457, _S458.open_0, _S464, _S465);
-    FaceRadiance_0 _S467 = face_radiance_0(_S458, _S457.open_0, _S465, _S464);
+    float3 _S462 = 1.0f / (1.0f - _S458 * _S459 * (_S460 * _S461));
+    float3 _S463 = _S459 * (_S456.open_0 + _S460 * (_S456.blocks_warp_0 * _S456.sky_warp_0 + _S456.blocks_weft_0 * _S456.sky_weft_0)) * _S462;
+    float3 _S464 = _S458 * (_S457.open_0 + _S461 * (_S457.blocks_warp_0 * _S457.sky_warp_0 + _S457.blocks_weft_0 * _S457.sky_weft_0)) * _S462;
+    FaceRadiance_0 _S465 = face_radiance_0(_S456, _S457.open_0, _S463, _S464);
+    FaceRadiance_0 _S466 = face_radiance_0(_S457, _S456.open_0, _S464, _S463);
     Interior_0 interior_1;
-    interior_1.warp_3 = _S466.warp_2;
-    interior_1.weft_3 = _S466.weft_2;
-    interior_1.leaked_1 = _S466.leaked_0;
-    interior_1.far_1 = _S467.mean_0;
-    interior_1.far_leaked_0 = _S467.leaked_0;
+    interior_1.warp_3 = _S465.warp_2;
+    interior_1.weft_3 = _S465.weft_2;
+    interior_1.leaked_1 = _S465.leaked_0;
+    interior_1.far_1 = _S466.mean_0;
+    interior_1.far_leaked_0 = _S466.leaked_0;
     return interior_1;
 }
 
-Blocked_0 blocked_of_terms_0(uint _S468, uint _S469, float  _S470[int(6)], uint _S471)
+Blocked_0 blocked_of_terms_0(uint _S467, uint _S468, float  _S469[int(6)], uint _S470)
 {
     float  shares_0[int(3)];
     uint share_1 = 0U;
@@ -2769,14 +2779,14 @@ Blocked_0 blocked_of_terms_0(uint _S468, uint _S469, float  _S470[int(6)], uint 
         uint term_0 = 0U;
         for(;;)
         {
-            if(term_0 < _S471)
+            if(term_0 < _S470)
             {
             }
             else
             {
                 break;
             }
-            shares_0[share_1] = shares_0[share_1] + openness_number_0(_S468, _S469 + share_1 * _S471 + term_0) * _S470[term_0];
+            shares_0[share_1] = shares_0[share_1] + openness_number_0(_S467, _S468 + share_1 * _S470 + term_0) * _S469[term_0];
             term_0 = term_0 + 1U;
         }
         shares_0[share_1] = saturate(shares_0[share_1]);
@@ -2789,35 +2799,35 @@ Blocked_0 blocked_of_terms_0(uint _S468, uint _S469, float  _S470[int(6)], uint 
     return blocked_2;
 }
 
-Blocked_0 blocked_from_0(uint _S472, float3 _S473, bool _S474, bool _S475)
+Blocked_0 blocked_from_0(uint _S471, float3 _S472, bool _S473, bool _S474)
 {
     float  terms_1[int(6)];
-    view_terms_0(_S473, terms_1);
-    uint _S476;
-    if(_S475)
+    view_terms_0(_S472, terms_1);
+    uint _S475;
+    if(_S474)
     {
-        _S476 = 2U;
+        _S475 = 2U;
     }
     else
+    {
+        _S475 = 0U;
+    }
+    uint _S476;
+    if(_S473)
     {
         _S476 = 0U;
     }
-    uint _S477;
-    if(_S474)
-    {
-        _S477 = 0U;
-    }
     else
     {
-        _S477 = 1U;
+        _S476 = 1U;
     }
-    return blocked_of_terms_0(_S472, (_S476 + _S477) * 15U, terms_1, 5U);
+    return blocked_of_terms_0(_S471, (_S475 + _S476) * 15U, terms_1, 5U);
 }
 
-float warp_seen_from_0(uint _S478, float3 _S479, bool _S480)
+float warp_seen_from_0(uint _S477, float3 _S478, bool _S479)
 {
     float  terms_2[int(6)];
-    view_terms_0(_S479, terms_2);
+    view_terms_0(_S478, terms_2);
     uint term_1 = 0U;
     float share_2 = 0.0f;
     for(;;)
@@ -2829,79 +2839,79 @@ float warp_seen_from_0(uint _S478, float3 _S479, bool _S480)
         {
             break;
         }
-        uint _S481;
-        if(_S480)
+        uint _S480;
+        if(_S479)
         {
-            _S481 = 5U;
+            _S480 = 5U;
         }
         else
         {
-            _S481 = 0U;
+            _S480 = 0U;
         }
-        float share_3 = share_2 + openness_number_0(_S478, 132U + _S481 + term_1) * terms_2[term_1];
+        float share_3 = share_2 + openness_number_0(_S477, 132U + _S480 + term_1) * terms_2[term_1];
         term_1 = term_1 + 1U;
         share_2 = share_3;
     }
     return saturate(share_2);
 }
 
-Bounced_0 bounced_of_families_0(uint _S482, FamilyAlbedos_0 _S483, float3 _S484, Interior_0 _S485, Blocked_0 _S486, Blocked_0 _S487)
+Bounced_0 bounced_of_families_0(uint _S481, FamilyAlbedos_0 _S482, float3 _S483, Interior_0 _S484, Blocked_0 _S485, Blocked_0 _S486)
 {
-    return sum_of_0(bounced_by_0(_S486, scattered_by_0(_S482, _S483.warp_4, 0U, _S484), _S485), bounced_by_0(_S487, scattered_by_0(_S482, _S483.weft_4, 1U, _S484), _S485));
+    return sum_of_0(bounced_by_0(_S485, scattered_by_0(_S481, _S482.warp_4, 0U, _S483), _S484), bounced_by_0(_S486, scattered_by_0(_S481, _S482.weft_4, 1U, _S483), _S484));
 }
 
-Bounced_0 bounced_far_0(uint _S488, FamilyAlbedos_0 _S489, float3 _S490, Interior_0 _S491, float3 _S492, bool _S493, float _S494, float _S495, float _S496)
+Bounced_0 bounced_far_0(uint _S487, FamilyAlbedos_0 _S488, float3 _S489, Interior_0 _S490, float3 _S491, bool _S492, float _S493, float _S494, float _S495)
 {
-    Blocked_0 _S497 = blocked_from_0(_S488, _S492, true, _S493);
-    Blocked_0 _S498 = blocked_from_0(_S488, _S492, false, _S493);
-    float _S499 = _S494 / max(1.0f - _S497.by_warp_0 - _S497.by_weft_0, 0.10000000149011612f);
-    float _S500 = (0.0020000000949949f * warp_seen_from_0(_S488, _S492, _S493) + _S499) / (_S499 + _S495 / max(1.0f - _S498.by_warp_0 - _S498.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    float _S501 = 1.0f - _S496;
-    return bounced_of_families_0(_S488, _S489, _S490, _S491, scaled_0(_S497, _S500 * _S501), scaled_0(_S498, (1.0f - _S500) * _S501));
+    Blocked_0 _S496 = blocked_from_0(_S487, _S491, true, _S492);
+    Blocked_0 _S497 = blocked_from_0(_S487, _S491, false, _S492);
+    float _S498 = _S493 / max(1.0f - _S496.by_warp_0 - _S496.by_weft_0, 0.10000000149011612f);
+    float _S499 = (0.0020000000949949f * warp_seen_from_0(_S487, _S491, _S492) + _S498) / (_S498 + _S494 / max(1.0f - _S497.by_warp_0 - _S497.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    float _S500 = 1.0f - _S495;
+    return bounced_of_families_0(_S487, _S488, _S489, _S490, scaled_0(_S496, _S499 * _S500), scaled_0(_S497, (1.0f - _S499) * _S500));
 }
 
-Bounced_0 bounced_over_0(uint _S502, Components_0 _S503, CloseUp_0 _S504, FamilyAlbedos_0 _S505, float3 _S506, float3 _S507)
+Bounced_0 bounced_over_0(uint _S501, Components_0 _S502, CloseUp_0 _S503, FamilyAlbedos_0 _S504, float3 _S505, float3 _S506)
 {
-    bool _S508 = (_S507.z) < 0.0f;
-    Interior_0 _S509 = interior_of_0(_S502, _S506, _S508);
-    Bounced_0 bounced_2 = bounced_far_0(_S502, _S505, _S506, _S509, to_face_frame_0(_S507, _S508), _S508, _S503.diffuse_warp_0, _S503.diffuse_weft_0, _S503.hole_2);
-    if((_S504.weight_2) > 0.0f)
+    bool _S507 = (_S506.z) < 0.0f;
+    Interior_0 _S508 = interior_of_0(_S501, _S505, _S507);
+    Bounced_0 bounced_2 = bounced_far_0(_S501, _S504, _S505, _S508, to_face_frame_0(_S506, _S507), _S507, _S502.diffuse_warp_0, _S502.diffuse_weft_0, _S502.hole_2);
+    if((_S503.weight_2) > 0.0f)
     {
-        Bounced_0 _S510 = bounced_of_families_0(_S502, _S505, _S506, _S509, _S504.warp_1, _S504.weft_1);
-        float3 _S511 = (float3)_S504.weight_2;
-        bounced_2.reflected_0 = lerp(bounced_2.reflected_0, _S510.reflected_0, _S511);
-        bounced_2.transmitted_0 = lerp(bounced_2.transmitted_0, _S510.transmitted_0, _S511);
+        Bounced_0 _S509 = bounced_of_families_0(_S501, _S504, _S505, _S508, _S503.warp_1, _S503.weft_1);
+        float3 _S510 = (float3)_S503.weight_2;
+        bounced_2.reflected_0 = lerp(bounced_2.reflected_0, _S509.reflected_0, _S510);
+        bounced_2.transmitted_0 = lerp(bounced_2.transmitted_0, _S509.transmitted_0, _S510);
     }
     return bounced_2;
 }
 
-float3 composed_0(uint _S512, Components_0 _S513, CloseUp_0 _S514, FamilyAlbedos_0 _S515, float3 _S516, float3 _S517, float3 _S518)
+float3 composed_0(uint _S511, Components_0 _S512, CloseUp_0 _S513, FamilyAlbedos_0 _S514, float3 _S515, float3 _S516, float3 _S517)
 {
-    Albedos_0 _S519 = tinted_0(_S515.warp_4, _S516);
-    Albedos_0 _S520 = tinted_0(_S515.weft_4, _S516);
-    float3 _S521 = _S519.diffuse_reflect_0 * _S513.diffuse_warp_0 + _S520.diffuse_reflect_0 * _S513.diffuse_weft_0 + _S519.specular_reflect_0 * _S513.specular_warp_0 + _S520.specular_reflect_0 * _S513.specular_weft_0;
-    float _S522 = _S518.z;
+    Albedos_0 _S518 = tinted_0(_S514.warp_4, _S515);
+    Albedos_0 _S519 = tinted_0(_S514.weft_4, _S515);
+    float3 _S520 = _S518.diffuse_reflect_0 * _S512.diffuse_warp_0 + _S519.diffuse_reflect_0 * _S512.diffuse_weft_0 + _S518.specular_reflect_0 * _S512.specular_warp_0 + _S519.specular_reflect_0 * _S512.specular_weft_0;
+    float _S521 = _S517.z;
     float3 body_0;
-    if((_S517.z * _S522) < 0.0f)
+    if((_S516.z * _S521) < 0.0f)
     {
-        body_0 = _S519.diffuse_transmit_0 * _S513.diffuse_warp_0 + _S520.diffuse_transmit_0 * _S513.diffuse_weft_0 + _S519.specular_transmit_0 * _S513.specular_warp_0 + _S520.specular_transmit_0 * _S513.specular_weft_0;
+        body_0 = _S518.diffuse_transmit_0 * _S512.diffuse_warp_0 + _S519.diffuse_transmit_0 * _S512.diffuse_weft_0 + _S518.specular_transmit_0 * _S512.specular_warp_0 + _S519.specular_transmit_0 * _S512.specular_weft_0;
     }
     else
     {
-        body_0 = _S521;
+        body_0 = _S520;
     }
-    if((fabrics_0[_S512].openness_0) != 4294967295U)
+    if((fabrics_0[_S511].openness_0) != 4294967295U)
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S512, _S513, _S514, _S515, _S516, _S518), _S517, _S518);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S511, _S512, _S513, _S514, _S515, _S517), _S516, _S517);
     }
-    float _S523 = fabrics_0[_S512].sheen_strength_0;
-    if((fabrics_0[_S512].sheen_strength_0) <= 0.0f)
+    float _S522 = fabrics_0[_S511].sheen_strength_0;
+    if((fabrics_0[_S511].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    bool _S524 = _S522 < 0.0f;
-    float2 _S525 = sheen_with_transmittance_0(to_face_frame_0(_S517, _S524), to_face_frame_0(_S518, _S524), _S523, fabrics_0[_S512].sheen_roughness_0);
-    return _S525.y * body_0 + (_S513.light_visibility_1 + _S513.hole_2) * _S525.x;
+    bool _S523 = _S521 < 0.0f;
+    float2 _S524 = sheen_with_transmittance_0(to_face_frame_0(_S516, _S523), to_face_frame_0(_S517, _S523), _S522, fabrics_0[_S511].sheen_roughness_0);
+    return _S524.y * body_0 + (_S512.light_visibility_1 + _S512.hole_2) * _S524.x;
 }
 
 float4 cloth_value_0(uint fabric_1, float2 centre_3, float2 dx_1, float2 dy_1, float3 light_4, float3 view_6)
@@ -2912,20 +2922,20 @@ float4 cloth_value_0(uint fabric_1, float2 centre_3, float2 dx_1, float2 dy_1, f
     footprint_1.dy_0 = dy_1;
     WovenView_0 activations_0;
     woven_view_0(fabric_1, footprint_1, view_6, activations_0);
-    Components_0 _S526 = woven_components_0(fabric_1, activations_0, light_4);
-    float _S527 = view_6.z;
-    float3 _S528 = composed_0(fabric_1, _S526, no_close_up_0(), albedos_over_0(fabric_1, footprint_1, _S527 < 0.0f), (float3)1.0f, light_4, view_6);
+    Components_0 _S525 = woven_components_0(fabric_1, activations_0, light_4);
+    float _S526 = view_6.z;
+    float3 _S527 = composed_0(fabric_1, _S525, no_close_up_0(), albedos_over_0(fabric_1, footprint_1, _S526 < 0.0f), (float3)1.0f, light_4, view_6);
     float through_1 = activations_0.hole_0;
     float through_2;
     if((fabrics_0[fabric_1].sheen_strength_0) > 0.0f)
     {
-        through_2 = through_1 * (1.0f - fabrics_0[fabric_1].sheen_strength_0 * sheen_lobe_0(abs(_S527), fabrics_0[fabric_1].sheen_roughness_0).z);
+        through_2 = through_1 * (1.0f - fabrics_0[fabric_1].sheen_strength_0 * sheen_lobe_0(abs(_S526), fabrics_0[fabric_1].sheen_roughness_0).z);
     }
     else
     {
         through_2 = through_1;
     }
-    return float4(_S528, through_2);
+    return float4(_S527, through_2);
 }
 
 [numthreads(64, 1, 1)]
@@ -2935,8 +2945,8 @@ void woven_queries(uint3 id_0 : SV_DispatchThreadID)
     {
         return;
     }
-    Query_0 _S529 = queries_0.Load(id_0.x);
-    answers_0[id_0.x] = cloth_value_0(_S529.fabric_0, float2(_S529.centre_x_0, _S529.centre_y_0), float2(_S529.dx_x_0, _S529.dx_y_0), float2(_S529.dy_x_0, _S529.dy_y_0), float3(_S529.light_x_0, _S529.light_y_0, _S529.light_z_0), float3(_S529.view_x_0, _S529.view_y_0, _S529.view_z_0));
+    Query_0 _S528 = queries_0.Load(id_0.x);
+    answers_0[id_0.x] = cloth_value_0(_S528.fabric_0, float2(_S528.centre_x_0, _S528.centre_y_0), float2(_S528.dx_x_0, _S528.dx_y_0), float2(_S528.dy_x_0, _S528.dy_y_0), float3(_S528.light_x_0, _S528.light_y_0, _S528.light_z_0), float3(_S528.view_x_0, _S528.view_y_0, _S528.view_z_0));
     return;
 }
 

@@ -224,6 +224,7 @@ struct Fabric_0
     uint seed_0;
     float layer_bound_0;
     float fibre_size_0;
+    uint has_detail_0;
     float uv_width_0;
     float uv_height_0;
     uint is_open_0;
@@ -276,6 +277,16 @@ struct Family_0
     uint colour_areas_0;
     float area_unit_0;
     float crossing_area_0;
+    float has_plies_0;
+    float plies_per_mm_0;
+    float ply_sine_0;
+    float ply_cosine_0;
+    float fibre_tilt_0;
+    float fibre_tone_0;
+    float slub_0;
+    float slubs_per_mm_0;
+    float per_half_width_0;
+    float hairiness_0;
 };
 
 StructuredBuffer<Family_0 > families_0 : register(t1);
@@ -7000,8 +7011,8 @@ float light_visibility_of_0(float diffuse_0, float3 light_0, float3 view_0, floa
 
 float2 turns_and_remainder_0(uint family_0, float index_2)
 {
-    float _S645 = floor(mad(index_2, families_0.Load(family_0).inverse_count_0, families_0.Load(family_0).half_inverse_count_0));
-    return float2(_S645, mad(- _S645, families_0.Load(family_0).count_0, index_2));
+    float _S645 = floor(mad(index_2, families_0[family_0].inverse_count_0, families_0[family_0].half_inverse_count_0));
+    return float2(_S645, mad(- _S645, families_0[family_0].count_0, index_2));
 }
 
 struct Cell_0
@@ -7015,25 +7026,25 @@ struct Cell_0
 
 Cell_0 locate_alike_0(uint family_1, float position_0)
 {
-    float _S646 = floor(position_0 * families_0.Load(family_1).inverse_size_0);
+    float _S646 = floor(position_0 * families_0[family_1].inverse_size_0);
     Cell_0 cell_0;
-    float _S647 = mad(- _S646, families_0.Load(family_1).size_0, position_0);
+    float _S647 = mad(- _S646, families_0[family_1].size_0, position_0);
     cell_0.below_0 = _S647;
-    cell_0.above_0 = families_0.Load(family_1).size_0 - _S647;
-    cell_0.across_0 = _S647 - 0.5f * families_0.Load(family_1).size_0;
-    cell_0.half_width_1 = families_0.Load(family_1).half_width_0;
-    cell_0.thread_0 = uint(clamp(turns_and_remainder_0(family_1, _S646).y, 0.0f, families_0.Load(family_1).count_0 - 1.0f));
+    cell_0.above_0 = families_0[family_1].size_0 - _S647;
+    cell_0.across_0 = _S647 - 0.5f * families_0[family_1].size_0;
+    cell_0.half_width_1 = families_0[family_1].half_width_0;
+    cell_0.thread_0 = uint(clamp(turns_and_remainder_0(family_1, _S646).y, 0.0f, families_0[family_1].count_0 - 1.0f));
     return cell_0;
 }
 
 Cell_0 locate_varied_0(uint family_2, float position_1)
 {
-    float turns_0 = (position_1 - families_0.Load(family_2).start_0) * families_0.Load(family_2).inverse_period_0;
+    float turns_0 = (position_1 - families_0[family_2].start_0) * families_0[family_2].inverse_period_0;
     float turns_1 = turns_0 - floor(turns_0);
-    float _S648 = turns_1 * families_0.Load(family_2).period_0;
-    uint thread_1 = words_0.Load(families_0.Load(family_2).first_thread_table_0 + uint(clamp(turns_1 * families_0.Load(family_2).bins_0, 0.0f, families_0.Load(family_2).bins_0 - 1.0f)));
+    float _S648 = turns_1 * families_0[family_2].period_0;
+    uint thread_1 = words_0.Load(families_0[family_2].first_thread_table_0 + uint(clamp(turns_1 * families_0[family_2].bins_0, 0.0f, families_0[family_2].bins_0 - 1.0f)));
     uint _S649;
-    if(_S648 >= (table_number_0(families_0.Load(family_2).place_table_0 + thread_1 * 4U + 1U)))
+    if(_S648 >= (table_number_0(families_0[family_2].place_table_0 + thread_1 * 4U + 1U)))
     {
         _S649 = 1U;
     }
@@ -7041,8 +7052,8 @@ Cell_0 locate_varied_0(uint family_2, float position_1)
     {
         _S649 = 0U;
     }
-    uint _S650 = min(thread_1 + _S649, uint(families_0.Load(family_2).count_0) - 1U);
-    uint _S651 = families_0.Load(family_2).place_table_0 + _S650 * 4U;
+    uint _S650 = min(thread_1 + _S649, uint(families_0[family_2].count_0) - 1U);
+    uint _S651 = families_0[family_2].place_table_0 + _S650 * 4U;
     Cell_0 cell_1;
     cell_1.thread_0 = _S650;
     cell_1.below_0 = _S648 - table_number_0(_S651);
@@ -7054,7 +7065,7 @@ Cell_0 locate_varied_0(uint family_2, float position_1)
 
 Cell_0 locate_0(uint family_3, float position_2)
 {
-    if((families_0.Load(family_3).is_alike_0) != 0U)
+    if((families_0[family_3].is_alike_0) != 0U)
     {
         return locate_alike_0(family_3, position_2);
     }
@@ -7074,10 +7085,10 @@ struct Bound_0
 Bound_0 bound_at_0(uint family_4, float position_3)
 {
     Cell_0 _S652 = locate_0(family_4, position_3);
-    float _S653 = table_number_0(families_0.Load(family_4).before_0 + 2U * _S652.thread_0 + 1U);
+    float _S653 = table_number_0(families_0[family_4].before_0 + 2U * _S652.thread_0 + 1U);
     Bound_0 bound_0;
     bound_0.thread_2 = _S652.thread_0;
-    bound_0.turns_2 = round((position_3 - families_0.Load(family_4).start_0 - _S653 - _S652.below_0) * families_0.Load(family_4).inverse_period_0);
+    bound_0.turns_2 = round((position_3 - families_0[family_4].start_0 - _S653 - _S652.below_0) * families_0[family_4].inverse_period_0);
     bound_0.cell_2 = _S652.below_0;
     float _S654 = 2.0f * _S652.half_width_1;
     bound_0.width_1 = _S654;
@@ -7094,8 +7105,8 @@ struct Stretch_0
 
 Stretch_0 stretch_of_0(uint family_5, float centre_2, float size_1)
 {
-    float _S655 = centre_2 - floor((centre_2 - families_0.Load(family_5).start_0) * families_0.Load(family_5).inverse_period_0) * families_0.Load(family_5).period_0;
-    float _S656 = 0.5f * max(size_1, families_0.Load(family_5).smallest_box_0);
+    float _S655 = centre_2 - floor((centre_2 - families_0[family_5].start_0) * families_0[family_5].inverse_period_0) * families_0[family_5].period_0;
+    float _S656 = 0.5f * max(size_1, families_0[family_5].smallest_box_0);
     Stretch_0 stretch_0;
     stretch_0.low_2 = bound_at_0(family_5, _S655 - _S656);
     stretch_0.high_2 = bound_at_0(family_5, _S655 + _S656);
@@ -7133,25 +7144,24 @@ float Stretch_turns_0(Stretch_0 this_5)
 float3 lengths_0(uint family_6, Stretch_0 stretch_1)
 {
     float _S657 = Stretch_turns_0(stretch_1);
-    uint _S658 = families_0.Load(family_6).before_0 + 2U * stretch_1.low_2.thread_2;
-    uint _S659 = families_0.Load(family_6).before_0 + 2U * stretch_1.high_2.thread_2;
+    uint _S658 = families_0[family_6].before_0 + 2U * stretch_1.low_2.thread_2;
+    uint _S659 = families_0[family_6].before_0 + 2U * stretch_1.high_2.thread_2;
     float _S660 = table_number_0(_S659) - table_number_0(_S658);
     float _S661 = table_number_0(_S659 + 1U) - table_number_0(_S658 + 1U);
-    return float3(_S660 + stretch_1.high_2.visible_0 * stretch_1.high_2.width_1 - stretch_1.low_2.visible_0 * stretch_1.low_2.width_1 + _S657 * families_0.Load(family_6).visible_total_0, _S661 - _S660 + stretch_1.high_2.gap_0 - stretch_1.low_2.gap_0 + _S657 * (families_0.Load(family_6).period_0 - families_0.Load(family_6).visible_total_0), _S661 + stretch_1.high_2.cell_2 - stretch_1.low_2.cell_2 + _S657 * families_0.Load(family_6).period_0);
+    return float3(_S660 + stretch_1.high_2.visible_0 * stretch_1.high_2.width_1 - stretch_1.low_2.visible_0 * stretch_1.low_2.width_1 + _S657 * families_0[family_6].visible_total_0, _S661 - _S660 + stretch_1.high_2.gap_0 - stretch_1.low_2.gap_0 + _S657 * (families_0[family_6].period_0 - families_0[family_6].visible_total_0), _S661 + stretch_1.high_2.cell_2 - stretch_1.low_2.cell_2 + _S657 * families_0[family_6].period_0);
 }
 
 float2 integrals_along_0(uint family_7, Stretch_0 stretch_2, uint quantity_0)
 {
-    Family_0 _S662 = families_0.Load(family_7);
-    uint _S663 = 3U * _S662.quantities_0;
-    uint _S664 = families_0.Load(family_7).colour_threads_0 + _S663 * stretch_2.low_2.thread_2 + quantity_0;
-    uint _S665 = families_0.Load(family_7).colour_threads_0 + _S663 * stretch_2.high_2.thread_2 + quantity_0;
-    uint _S666 = families_0.Load(family_7).colour_threads_0 + _S663 * uint(families_0.Load(family_7).count_0) + quantity_0;
+    uint _S662 = 3U * families_0[family_7].quantities_0;
+    uint _S663 = families_0[family_7].colour_threads_0 + _S662 * stretch_2.low_2.thread_2 + quantity_0;
+    uint _S664 = families_0[family_7].colour_threads_0 + _S662 * stretch_2.high_2.thread_2 + quantity_0;
+    uint _S665 = families_0[family_7].colour_threads_0 + _S662 * uint(families_0[family_7].count_0) + quantity_0;
+    float _S666 = table_number_0(_S663);
     float _S667 = table_number_0(_S664);
-    float _S668 = table_number_0(_S665);
-    float _S669 = Stretch_turns_0(stretch_2);
-    uint _S670 = 2U * _S662.quantities_0;
-    return float2(table_number_0(_S665 + _S662.quantities_0) - table_number_0(_S664 + _S662.quantities_0) + _S668 * stretch_2.high_2.visible_0 * stretch_2.high_2.width_1 - _S667 * stretch_2.low_2.visible_0 * stretch_2.low_2.width_1 + _S669 * table_number_0(_S666 + _S662.quantities_0), table_number_0(_S665 + _S670) - table_number_0(_S664 + _S670) + _S668 * stretch_2.high_2.cell_2 - _S667 * stretch_2.low_2.cell_2 + _S669 * table_number_0(_S666 + _S670));
+    float _S668 = Stretch_turns_0(stretch_2);
+    uint _S669 = 2U * families_0[family_7].quantities_0;
+    return float2(table_number_0(_S664 + families_0[family_7].quantities_0) - table_number_0(_S663 + families_0[family_7].quantities_0) + _S667 * stretch_2.high_2.visible_0 * stretch_2.high_2.width_1 - _S666 * stretch_2.low_2.visible_0 * stretch_2.low_2.width_1 + _S668 * table_number_0(_S665 + families_0[family_7].quantities_0), table_number_0(_S664 + _S669) - table_number_0(_S663 + _S669) + _S667 * stretch_2.high_2.cell_2 - _S666 * stretch_2.low_2.cell_2 + _S668 * table_number_0(_S665 + _S669));
 }
 
 bool Stretch_wraps_0(Stretch_0 this_6)
@@ -7161,135 +7171,135 @@ bool Stretch_wraps_0(Stretch_0 this_6)
 
 uint4 Stretch_differences_0(Stretch_0 this_7, uint4 entries_0, uint whole_0)
 {
-    uint _S671 = entries_0.z;
-    uint _S672 = entries_0.x;
-    uint _S673 = _S671 - _S672;
-    uint _S674;
+    uint _S670 = entries_0.z;
+    uint _S671 = entries_0.x;
+    uint _S672 = _S670 - _S671;
+    uint _S673;
     if(Stretch_wraps_0(this_7))
     {
-        _S674 = whole_0;
+        _S673 = whole_0;
     }
     else
     {
-        _S674 = 0U;
+        _S673 = 0U;
     }
-    return uint4(_S673 + _S674, entries_0.w - _S671, entries_0.y - _S672, whole_0);
+    return uint4(_S672 + _S673, entries_0.w - _S670, entries_0.y - _S671, whole_0);
 }
 
 uint4 row_differences_0(Stretch_0 across_1, uint row_2, uint count_2, uint quantities_1)
 {
-    uint _S675 = row_2 + across_1.low_2.thread_2 * quantities_1;
-    uint _S676 = row_2 + across_1.high_2.thread_2 * quantities_1;
-    return Stretch_differences_0(across_1, uint4(words_0.Load(_S675), words_0.Load(_S675 + quantities_1), words_0.Load(_S676), words_0.Load(_S676 + quantities_1)), words_0.Load(row_2 + count_2 * quantities_1));
+    uint _S674 = row_2 + across_1.low_2.thread_2 * quantities_1;
+    uint _S675 = row_2 + across_1.high_2.thread_2 * quantities_1;
+    return Stretch_differences_0(across_1, uint4(words_0.Load(_S674), words_0.Load(_S674 + quantities_1), words_0.Load(_S675), words_0.Load(_S675 + quantities_1)), words_0.Load(row_2 + count_2 * quantities_1));
 }
 
 float4 Stretch_weights_0(Stretch_0 this_8)
 {
-    float _S677 = - this_8.low_2.visible_0;
-    float _S678 = Stretch_turns_0(this_8);
-    float _S679;
+    float _S676 = - this_8.low_2.visible_0;
+    float _S677 = Stretch_turns_0(this_8);
+    float _S678;
     if(Stretch_wraps_0(this_8))
     {
-        _S679 = 1.0f;
+        _S678 = 1.0f;
     }
     else
     {
-        _S679 = 0.0f;
+        _S678 = 0.0f;
     }
-    return float4(1.0f, this_8.high_2.visible_0, _S677, _S678 - _S679);
+    return float4(1.0f, this_8.high_2.visible_0, _S676, _S677 - _S678);
 }
 
 float integral_on_top_0(uint family_8, Stretch_0 across_2, Stretch_0 along_0, uint crossing_count_0, uint quantity_1)
 {
-    uint _S680 = uint(families_0.Load(family_8).count_0);
-    uint _S681 = (_S680 + 1U) * families_0.Load(family_8).quantities_0;
-    uint _S682 = families_0.Load(family_8).colour_areas_0 + quantity_1;
-    uint4 _S683 = row_differences_0(across_2, _S682 + along_0.low_2.thread_2 * _S681, _S680, families_0.Load(family_8).quantities_0);
-    uint4 _S684 = row_differences_0(across_2, _S682 + (along_0.low_2.thread_2 + 1U) * _S681, _S680, families_0.Load(family_8).quantities_0);
-    uint4 _S685 = row_differences_0(across_2, _S682 + along_0.high_2.thread_2 * _S681, _S680, families_0.Load(family_8).quantities_0);
-    uint4 _S686 = row_differences_0(across_2, _S682 + (along_0.high_2.thread_2 + 1U) * _S681, _S680, families_0.Load(family_8).quantities_0);
-    uint4 _S687 = row_differences_0(across_2, _S682 + crossing_count_0 * _S681, _S680, families_0.Load(family_8).quantities_0);
-    uint4 _S688 = _S685 - _S683;
-    uint4 _S689;
+    uint _S679 = uint(families_0[family_8].count_0);
+    uint _S680 = (_S679 + 1U) * families_0[family_8].quantities_0;
+    uint _S681 = families_0[family_8].colour_areas_0 + quantity_1;
+    uint4 _S682 = row_differences_0(across_2, _S681 + along_0.low_2.thread_2 * _S680, _S679, families_0[family_8].quantities_0);
+    uint4 _S683 = row_differences_0(across_2, _S681 + (along_0.low_2.thread_2 + 1U) * _S680, _S679, families_0[family_8].quantities_0);
+    uint4 _S684 = row_differences_0(across_2, _S681 + along_0.high_2.thread_2 * _S680, _S679, families_0[family_8].quantities_0);
+    uint4 _S685 = row_differences_0(across_2, _S681 + (along_0.high_2.thread_2 + 1U) * _S680, _S679, families_0[family_8].quantities_0);
+    uint4 _S686 = row_differences_0(across_2, _S681 + crossing_count_0 * _S680, _S679, families_0[family_8].quantities_0);
+    uint4 _S687 = _S684 - _S682;
+    uint4 _S688;
     if(Stretch_wraps_0(along_0))
     {
-        _S689 = _S687;
+        _S688 = _S686;
     }
     else
     {
-        _S689 = uint4((int4)int(0));
+        _S688 = uint4((int4)int(0));
     }
-    float4 _S690 = Stretch_weights_0(across_2);
-    return dot(float4(dot(float4(int4(_S688 + _S689)), _S690), dot(float4(int4(_S686 - _S685)), _S690), dot(float4(int4(_S684 - _S683)), _S690), dot(float4(int4(_S687)), _S690)), Stretch_weights_0(along_0)) * families_0.Load(family_8).area_unit_0;
+    float4 _S689 = Stretch_weights_0(across_2);
+    return dot(float4(dot(float4(int4(_S687 + _S688)), _S689), dot(float4(int4(_S685 - _S684)), _S689), dot(float4(int4(_S683 - _S682)), _S689), dot(float4(int4(_S686)), _S689)), Stretch_weights_0(along_0)) * families_0[family_8].area_unit_0;
 }
 
 Albedos_0 with_added_albedos_0(Albedos_0 albedos_1, float weight_0, uint row_3)
 {
-    Albedos_0 _S691 = table_albedos_0(row_3);
+    Albedos_0 _S690 = table_albedos_0(row_3);
     Albedos_0 sum_0;
-    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + weight_0 * _S691.diffuse_reflect_0;
-    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + weight_0 * _S691.diffuse_transmit_0;
-    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + weight_0 * _S691.specular_reflect_0;
-    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + weight_0 * _S691.specular_transmit_0;
+    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + weight_0 * _S690.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + weight_0 * _S690.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + weight_0 * _S690.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + weight_0 * _S690.specular_transmit_0;
     return sum_0;
 }
 
 Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, Stretch_0 own_0, Stretch_0 other_0, bool back_3)
 {
-    Albedos_0 albedos_2 = table_albedos_0(families_0.Load(family_9).colour_mean_0);
-    if((families_0.Load(family_9).quantities_0) == 1U)
+    Albedos_0 albedos_2 = table_albedos_0(families_0[family_9].colour_mean_0);
+    if((families_0[family_9].quantities_0) == 1U)
     {
         return albedos_2;
     }
-    float3 _S692 = lengths_0(crossing_0, other_0);
+    float3 _S691 = lengths_0(crossing_0, other_0);
     bool is_exposed_0 = false;
     float weight_1 = 0.0f;
     uint quantity_2 = 0U;
     for(;;)
     {
-        if(quantity_2 < (families_0.Load(family_9).quantities_0))
+        if(quantity_2 < (families_0[family_9].quantities_0))
         {
         }
         else
         {
             break;
         }
-        float2 _S693 = integrals_along_0(family_9, own_0, quantity_2);
-        float _S694 = integral_on_top_0(family_9, own_0, other_0, uint(families_0.Load(crossing_0).count_0), quantity_2);
-        float _S695 = _S693.x;
-        float _S696 = _S695 * _S692.x;
-        float _S697;
+        float2 _S692 = integrals_along_0(family_9, own_0, quantity_2);
+        float _S693 = integral_on_top_0(family_9, own_0, other_0, uint(families_0[crossing_0].count_0), quantity_2);
+        float _S694 = _S692.x;
+        float _S695 = _S694 * _S691.x;
+        float _S696;
         if(back_3)
         {
-            _S697 = _S696 - _S694;
+            _S696 = _S695 - _S693;
         }
         else
         {
-            _S697 = _S694;
+            _S696 = _S693;
         }
-        bool _S698 = quantity_2 == 0U;
-        if(_S698)
+        bool _S697 = quantity_2 == 0U;
+        if(_S697)
         {
-            is_exposed_0 = _S697 > (16.0f * families_0.Load(family_9).area_unit_0 * min(_S696 / families_0.Load(family_9).crossing_area_0, 1.0f) + 0.00000999999974738f * _S696);
+            is_exposed_0 = _S696 > (16.0f * families_0[family_9].area_unit_0 * min(_S695 / families_0[family_9].crossing_area_0, 1.0f) + 0.00000999999974738f * _S695);
         }
-        float _S699 = _S695 * _S692.y;
-        float _S700;
+        float _S698 = _S694 * _S691.y;
+        float _S699;
         if(is_exposed_0)
         {
-            _S700 = _S697;
+            _S699 = _S696;
         }
         else
         {
-            _S700 = 0.0f;
+            _S699 = 0.0f;
         }
-        float _S701 = _S699 + _S700 + 0.000244140625f * _S692.z * _S693.y;
-        if(_S698)
+        float _S700 = _S698 + _S699 + 0.000244140625f * _S691.z * _S692.y;
+        if(_S697)
         {
-            weight_1 = 1.0f / max(_S701, 9.99999968265522539e-21f);
+            weight_1 = 1.0f / max(_S700, 9.99999968265522539e-21f);
         }
         else
         {
-            albedos_2 = with_added_albedos_0(albedos_2, _S701 * weight_1, families_0.Load(family_9).colour_axes_0 + 12U * (quantity_2 - 1U));
+            albedos_2 = with_added_albedos_0(albedos_2, _S700 * weight_1, families_0[family_9].colour_axes_0 + 12U * (quantity_2 - 1U));
         }
         quantity_2 = quantity_2 + 1U;
     }
@@ -7327,9 +7337,9 @@ CloseUp_0 no_close_up_0()
 {
     CloseUp_0 nothing_1;
     nothing_1.weight_2 = 0.0f;
-    Blocked_0 _S702 = no_blocked_0();
-    nothing_1.warp_1 = _S702;
-    nothing_1.weft_1 = _S702;
+    Blocked_0 _S701 = no_blocked_0();
+    nothing_1.warp_1 = _S701;
+    nothing_1.weft_1 = _S701;
     return nothing_1;
 }
 
@@ -7362,30 +7372,30 @@ struct FaceSends_0
 
 FaceRadiance_0 face_radiance_0(FaceSends_0 sends_0, float open_of_other_0, float3 passed_0, float3 from_other_0)
 {
-    float3 _S703 = (1.0f - open_of_other_0) * passed_0;
+    float3 _S702 = (1.0f - open_of_other_0) * passed_0;
     FaceRadiance_0 found_0;
-    float3 _S704 = sends_0.sky_warp_0 + _S703 * sends_0.crossing_warp_0;
-    found_0.warp_2 = _S704;
-    float3 _S705 = sends_0.sky_weft_0 + _S703 * sends_0.crossing_weft_0;
-    found_0.weft_2 = _S705;
-    found_0.mean_0 = sends_0.blocks_warp_0 * _S704 + sends_0.blocks_weft_0 * _S705;
+    float3 _S703 = sends_0.sky_warp_0 + _S702 * sends_0.crossing_warp_0;
+    found_0.warp_2 = _S703;
+    float3 _S704 = sends_0.sky_weft_0 + _S702 * sends_0.crossing_weft_0;
+    found_0.weft_2 = _S704;
+    found_0.mean_0 = sends_0.blocks_warp_0 * _S703 + sends_0.blocks_weft_0 * _S704;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
 void view_terms_0(float3 view_1, out float  terms_0[int(6)])
 {
-    float _S706 = 1.0f - view_1.z;
-    float _S707 = _S706 * _S706;
+    float _S705 = 1.0f - view_1.z;
+    float _S706 = _S705 * _S705;
     terms_0[int(0)] = 1.0f;
-    float _S708 = view_1.x;
-    float _S709 = _S708 * _S708;
-    float _S710 = view_1.y;
-    float _S711 = _S710 * _S710;
-    terms_0[int(1)] = sqrt(max(_S709 + _S711, 9.999999960041972e-13f));
-    terms_0[int(2)] = _S707;
-    terms_0[int(3)] = _S707 * _S707;
-    terms_0[int(4)] = _S709 - _S711;
+    float _S707 = view_1.x;
+    float _S708 = _S707 * _S707;
+    float _S709 = view_1.y;
+    float _S710 = _S709 * _S709;
+    terms_0[int(1)] = sqrt(max(_S708 + _S710, 9.999999960041972e-13f));
+    terms_0[int(2)] = _S706;
+    terms_0[int(3)] = _S706 * _S706;
+    terms_0[int(4)] = _S708 - _S710;
     terms_0[int(5)] = 0.0f;
     return;
 }
@@ -7422,11 +7432,11 @@ struct Interior_0
 
 Bounced_0 bounced_by_0(Blocked_0 blocked_1, Scattered_0 yarn_0, Interior_0 interior_0)
 {
-    float3 _S712 = (blocked_1.by_warp_0 + blocked_1.by_weft_0) * interior_0.leaked_1;
-    float3 _S713 = blocked_1.far_0 * yarn_0.through_0;
+    float3 _S711 = (blocked_1.by_warp_0 + blocked_1.by_weft_0) * interior_0.leaked_1;
+    float3 _S712 = blocked_1.far_0 * yarn_0.through_0;
     Bounced_0 bounced_0;
-    bounced_0.reflected_0 = yarn_0.back_4 * (blocked_1.by_warp_0 * interior_0.warp_3 + blocked_1.by_weft_0 * interior_0.weft_3) + _S713 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S713 * interior_0.far_1 + yarn_0.back_4 * _S712;
+    bounced_0.reflected_0 = yarn_0.back_4 * (blocked_1.by_warp_0 * interior_0.warp_3 + blocked_1.by_weft_0 * interior_0.weft_3) + _S712 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S712 * interior_0.far_1 + yarn_0.back_4 * _S711;
     return bounced_0;
 }
 
@@ -7440,17 +7450,17 @@ Bounced_0 sum_of_0(Bounced_0 first_28, Bounced_0 second_1)
 
 float3 bounced_value_0(Bounced_0 bounced_1, float3 light_1, float3 view_2)
 {
-    float _S714 = light_1.z;
-    float3 _S715;
-    if((_S714 * view_2.z) < 0.0f)
+    float _S713 = light_1.z;
+    float3 _S714;
+    if((_S713 * view_2.z) < 0.0f)
     {
-        _S715 = bounced_1.transmitted_0;
+        _S714 = bounced_1.transmitted_0;
     }
     else
     {
-        _S715 = bounced_1.reflected_0;
+        _S714 = bounced_1.reflected_0;
     }
-    return _S715 * (abs(_S714) * 0.31830987334251404f);
+    return _S714 * (abs(_S713) * 0.31830987334251404f);
 }
 
 float sheen_scale_0(float x_6, float y_0)
@@ -7470,50 +7480,50 @@ float sheen_reflectance_0(float x_8, float y_2)
 
 float3 sheen_lobe_0(float cos_view_0, float roughness_1)
 {
-    float _S716 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    float _S717 = 2.0f * sqrt(_S716) - 1.0f;
-    float _S718 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return float3(clamp(sheen_scale_0(_S717, _S718), 0.00999999977648258f, 1.0f), clamp((1.0f - _S716) * sheen_shear_0(_S717, _S718), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S717, _S718), -60.0f, 60.0f))));
+    float _S715 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    float _S716 = 2.0f * sqrt(_S715) - 1.0f;
+    float _S717 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return float3(clamp(sheen_scale_0(_S716, _S717), 0.00999999977648258f, 1.0f), clamp((1.0f - _S715) * sheen_shear_0(_S716, _S717), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S716, _S717), -60.0f, 60.0f))));
 }
 
 float transformed_cosine_0(float3 light_2, float3 view_3, float scale_1, float shear_0)
 {
-    float _S719 = light_2.z;
-    bool _S720;
-    if(_S719 <= 0.0f)
+    float _S718 = light_2.z;
+    bool _S719;
+    if(_S718 <= 0.0f)
     {
-        _S720 = true;
+        _S719 = true;
     }
     else
     {
-        _S720 = (view_3.z) <= 0.0f;
+        _S719 = (view_3.z) <= 0.0f;
     }
-    if(_S720)
+    if(_S719)
     {
         return 0.0f;
     }
-    float2 _S721 = view_3.xy;
-    float _S722 = dot(_S721, _S721);
-    float2 _S723;
-    if(_S722 > 9.99999968265522539e-21f)
+    float2 _S720 = view_3.xy;
+    float _S721 = dot(_S720, _S720);
+    float2 _S722;
+    if(_S721 > 9.99999968265522539e-21f)
     {
-        _S723 = _S721 * rsqrt(_S722);
+        _S722 = _S720 * rsqrt(_S721);
     }
     else
     {
-        _S723 = float2(1.0f, 0.0f);
+        _S722 = float2(1.0f, 0.0f);
     }
-    float _S724 = scale_1 * dot(light_2.xy, _S723) + shear_0 * _S719;
-    float _S725 = scale_1 * (light_2.y * _S723.x - light_2.x * _S723.y);
-    float _S726 = _S724 * _S724 + _S725 * _S725 + _S719 * _S719;
-    return 0.31830987334251404f * scale_1 * scale_1 * _S719 / max(_S726 * _S726, 9.99999968265522539e-21f);
+    float _S723 = scale_1 * dot(light_2.xy, _S722) + shear_0 * _S718;
+    float _S724 = scale_1 * (light_2.y * _S722.x - light_2.x * _S722.y);
+    float _S725 = _S723 * _S723 + _S724 * _S724 + _S718 * _S718;
+    return 0.31830987334251404f * scale_1 * scale_1 * _S718 / max(_S725 * _S725, 9.99999968265522539e-21f);
 }
 
 float2 sheen_with_transmittance_0(float3 light_3, float3 view_4, float strength_0, float roughness_2)
 {
-    float3 _S727 = sheen_lobe_0(view_4.z, roughness_2);
-    float _S728 = strength_0 * _S727.z;
-    return float2(_S728 * transformed_cosine_0(light_3, view_4, _S727.x, _S727.y), 1.0f - _S728);
+    float3 _S726 = sheen_lobe_0(view_4.z, roughness_2);
+    float _S727 = strength_0 * _S726.z;
+    return float2(_S727 * transformed_cosine_0(light_3, view_4, _S726.x, _S726.y), 1.0f - _S727);
 }
 
 struct WovenView_0
@@ -7525,62 +7535,62 @@ struct WovenView_0
     bool back_5;
 };
 
-AnisotropicTaps_0 anisotropic_taps_0(uint _S729, Footprint_0 _S730)
+AnisotropicTaps_0 anisotropic_taps_0(uint _S728, Footprint_0 _S729)
 {
-    float3 _S731 = row_of_taps_0(_S730);
-    float2 _S732 = _S730.dx_0;
-    float2 _S733 = _S730.dy_0;
-    float _S734 = dot(_S732, _S732) + dot(_S733, _S733);
-    float _S735 = _S730.dx_0.x * _S730.dy_0.y - _S730.dx_0.y * _S730.dy_0.x;
-    float _S736 = 0.5f * (_S734 + sqrt(max(_S734 * _S734 - 4.0f * _S735 * _S735, 0.0f)));
-    Woven_0 _S737 = fabrics_0[_S729].woven_0;
-    bool _S738;
-    if(_S736 < (5.5f * (_S734 - _S736)))
+    float3 _S730 = row_of_taps_0(_S729);
+    float2 _S731 = _S729.dx_0;
+    float2 _S732 = _S729.dy_0;
+    float _S733 = dot(_S731, _S731) + dot(_S732, _S732);
+    float _S734 = _S729.dx_0.x * _S729.dy_0.y - _S729.dx_0.y * _S729.dy_0.x;
+    float _S735 = 0.5f * (_S733 + sqrt(max(_S733 * _S733 - 4.0f * _S734 * _S734, 0.0f)));
+    Woven_0 _S736 = fabrics_0[_S728].woven_0;
+    bool _S737;
+    if(_S735 < (5.5f * (_S733 - _S735)))
     {
-        _S738 = _S734 > (8.0f * _S737.pitch_0 * _S737.pitch_0);
+        _S737 = _S733 > (8.0f * _S736.pitch_0 * _S736.pitch_0);
     }
     else
     {
-        _S738 = false;
+        _S737 = false;
     }
-    float2 _S739 = float2(_S737.ends_per_mm_0, _S737.picks_per_mm_0);
+    float2 _S738 = float2(_S736.ends_per_mm_0, _S736.picks_per_mm_0);
     AnisotropicTaps_0 taps_1;
-    taps_1.centre_1 = _S730.centre_0 * _S739;
-    float _S740;
-    if(_S738)
+    taps_1.centre_1 = _S729.centre_0 * _S738;
+    float _S739;
+    if(_S737)
     {
-        _S740 = sqrt(0.125f * _S734);
+        _S739 = sqrt(0.125f * _S733);
     }
     else
     {
-        _S740 = _S731.x;
+        _S739 = _S730.x;
     }
-    taps_1.side_0 = _S740 / _S737.pitch_0;
-    float2 _S741;
-    if(_S738)
+    taps_1.side_0 = _S739 / _S736.pitch_0;
+    float2 _S740;
+    if(_S737)
     {
-        _S741 = 0.25f * _S730.dx_0;
+        _S740 = 0.25f * _S729.dx_0;
     }
     else
     {
-        _S741 = _S731.yz;
+        _S740 = _S730.yz;
     }
-    taps_1.first_27 = _S741 * _S739;
-    if(_S738)
+    taps_1.first_27 = _S740 * _S738;
+    if(_S737)
     {
-        _S741 = 0.25f * _S730.dy_0;
+        _S740 = 0.25f * _S729.dy_0;
     }
     else
     {
-        _S741 = 0.5f * _S731.yz;
+        _S740 = 0.5f * _S730.yz;
     }
-    taps_1.second_0 = _S741 * _S739;
+    taps_1.second_0 = _S740 * _S738;
     return taps_1;
 }
 
-void add_texel_0(uint _S742, uint _S743, float _S744, inout float  _S745[int(88)])
+void add_texel_0(uint _S741, uint _S742, float _S743, inout float  _S744[int(88)])
 {
-    uint _S746 = fabrics_0[_S742].woven_0.latents_0 + _S743 * 8U;
+    uint _S745 = fabrics_0[_S741].woven_0.latents_0 + _S742 * 8U;
     uint part_0 = 0U;
     for(;;)
     {
@@ -7591,53 +7601,53 @@ void add_texel_0(uint _S742, uint _S743, float _S744, inout float  _S745[int(88)
         {
             break;
         }
-        Eight_0 _S747 = eight_halves_0(packed_numbers_0.Load(_S746 + part_0));
-        int _S748 = int(8U * part_0);
-        _S745[_S748] = _S745[_S748] + _S744 * _S747.low_0[int(0)];
-        _S745[_S748 + int(4)] = _S745[_S748 + int(4)] + _S744 * _S747.high_0[int(0)];
-        int _S749 = _S748 + int(1);
-        _S745[_S749] = _S745[_S749] + _S744 * _S747.low_0[int(1)];
-        _S745[_S749 + int(4)] = _S745[_S749 + int(4)] + _S744 * _S747.high_0[int(1)];
-        int _S750 = _S748 + int(2);
-        _S745[_S750] = _S745[_S750] + _S744 * _S747.low_0[int(2)];
-        _S745[_S750 + int(4)] = _S745[_S750 + int(4)] + _S744 * _S747.high_0[int(2)];
-        int _S751 = _S748 + int(3);
-        _S745[_S751] = _S745[_S751] + _S744 * _S747.low_0[int(3)];
-        _S745[_S751 + int(4)] = _S745[_S751 + int(4)] + _S744 * _S747.high_0[int(3)];
+        Eight_0 _S746 = eight_halves_0(packed_numbers_0.Load(_S745 + part_0));
+        int _S747 = int(8U * part_0);
+        _S744[_S747] = _S744[_S747] + _S743 * _S746.low_0[int(0)];
+        _S744[_S747 + int(4)] = _S744[_S747 + int(4)] + _S743 * _S746.high_0[int(0)];
+        int _S748 = _S747 + int(1);
+        _S744[_S748] = _S744[_S748] + _S743 * _S746.low_0[int(1)];
+        _S744[_S748 + int(4)] = _S744[_S748 + int(4)] + _S743 * _S746.high_0[int(1)];
+        int _S749 = _S747 + int(2);
+        _S744[_S749] = _S744[_S749] + _S743 * _S746.low_0[int(2)];
+        _S744[_S749 + int(4)] = _S744[_S749 + int(4)] + _S743 * _S746.high_0[int(2)];
+        int _S750 = _S747 + int(3);
+        _S744[_S750] = _S744[_S750] + _S743 * _S746.low_0[int(3)];
+        _S744[_S750 + int(4)] = _S744[_S750 + int(4)] + _S743 * _S746.high_0[int(3)];
         part_0 = part_0 + 1U;
     }
     return;
 }
 
-void add_level_0(uint _S752, uint _S753, bool _S754, float2 _S755, float _S756, inout float  _S757[int(88)])
+void add_level_0(uint _S751, uint _S752, bool _S753, float2 _S754, float _S755, inout float  _S756[int(88)])
 {
-    Woven_0 _S758 = fabrics_0[_S752].woven_0;
-    uint _S759 = fabrics_0[_S752].woven_0.levels_1 + 4U * _S753;
-    float _S760 = table_number_0(_S759);
-    float _S761 = table_number_0(_S759 + 1U);
-    float _S762 = table_number_0(_S759 + 2U);
-    bool _S763;
-    if(_S753 > 3U)
+    Woven_0 _S757 = fabrics_0[_S751].woven_0;
+    uint _S758 = fabrics_0[_S751].woven_0.levels_1 + 4U * _S752;
+    float _S759 = table_number_0(_S758);
+    float _S760 = table_number_0(_S758 + 1U);
+    float _S761 = table_number_0(_S758 + 2U);
+    bool _S762;
+    if(_S752 > 3U)
     {
-        _S763 = _S753 < (_S758.top_level_0);
+        _S762 = _S752 < (_S757.top_level_0);
     }
     else
     {
-        _S763 = false;
+        _S762 = false;
     }
-    float2 _S764 = _S755 * table_number_0(_S759 + 3U);
-    float _S765;
-    if(_S763)
+    float2 _S763 = _S754 * table_number_0(_S758 + 3U);
+    float _S764;
+    if(_S762)
     {
-        _S765 = 1.0f;
+        _S764 = 1.0f;
     }
     else
     {
-        _S765 = 0.5f;
+        _S764 = 0.5f;
     }
-    float2 _S766 = _S764 - _S765;
-    float2 _S767 = floor(_S766);
-    float2 _S768 = _S766 - _S767;
+    float2 _S765 = _S763 - _S764;
+    float2 _S766 = floor(_S765);
+    float2 _S767 = _S765 - _S766;
     uint corner_0 = 0U;
     for(;;)
     {
@@ -7648,26 +7658,26 @@ void add_level_0(uint _S752, uint _S753, bool _S754, float2 _S755, float _S756, 
         {
             break;
         }
-        float _S769 = float(corner_0 & 1U);
-        float _S770 = float(corner_0 >> int(1));
-        float2 _S771 = lerp(1.0f - _S768, _S768, float2(_S769, _S770));
-        uint _S772 = uint(_S760 + wrapped_0(_S767.y + _S770, _S762) * _S761 + wrapped_0(_S767.x + _S769, _S761));
-        uint _S773;
-        if(_S754)
+        float _S768 = float(corner_0 & 1U);
+        float _S769 = float(corner_0 >> int(1));
+        float2 _S770 = lerp(1.0f - _S767, _S767, float2(_S768, _S769));
+        uint _S771 = uint(_S759 + wrapped_0(_S766.y + _S769, _S761) * _S760 + wrapped_0(_S766.x + _S768, _S760));
+        uint _S772;
+        if(_S753)
         {
-            _S773 = _S758.texels_0;
+            _S772 = _S757.texels_0;
         }
         else
         {
-            _S773 = 0U;
+            _S772 = 0U;
         }
-        add_texel_0(_S752, _S772 + _S773, _S756 * _S771.x * _S771.y, _S757);
+        add_texel_0(_S751, _S771 + _S772, _S755 * _S770.x * _S770.y, _S756);
         corner_0 = corner_0 + 1U;
     }
     return;
 }
 
-void code_footprint_0(uint _S774, AnisotropicTaps_0 _S775, float3 _S776, bool _S777, inout float  _S778[int(88)])
+void code_footprint_0(uint _S773, AnisotropicTaps_0 _S774, float3 _S775, bool _S776, inout float  _S777[int(88)])
 {
     float offset_1;
     int k_0 = int(0);
@@ -7680,55 +7690,55 @@ void code_footprint_0(uint _S774, AnisotropicTaps_0 _S775, float3 _S776, bool _S
         {
             break;
         }
-        _S778[k_0] = 0.0f;
+        _S777[k_0] = 0.0f;
         k_0 = k_0 + int(1);
     }
-    float2 _S779 = float2(fabrics_0[_S774].woven_0.ends_0, fabrics_0[_S774].woven_0.picks_0);
-    float _S780 = float(fabrics_0[_S774].woven_0.top_level_0);
-    float _S781 = clamp(binary_logarithm_0(max(_S775.side_0, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S780);
-    float _S782 = min(floor(_S781), _S780 - 1.0f);
-    uint _S783;
-    if(AnisotropicTaps_has_steps_0(_S775))
+    float2 _S778 = float2(fabrics_0[_S773].woven_0.ends_0, fabrics_0[_S773].woven_0.picks_0);
+    float _S779 = float(fabrics_0[_S773].woven_0.top_level_0);
+    float _S780 = clamp(binary_logarithm_0(max(_S774.side_0, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S779);
+    float _S781 = min(floor(_S780), _S779 - 1.0f);
+    uint _S782;
+    if(AnisotropicTaps_has_steps_0(_S774))
     {
-        _S783 = 4U;
+        _S782 = 4U;
     }
     else
     {
-        _S783 = 1U;
+        _S782 = 1U;
     }
     uint number_1 = 0U;
     for(;;)
     {
-        if(number_1 < (2U * _S783))
+        if(number_1 < (2U * _S782))
         {
         }
         else
         {
             break;
         }
-        float2 _S784 = AnisotropicTaps_place_0(_S775, number_1 >> int(1));
-        float2 _S785 = clamp(_S784 - _S779 * floor(_S784 / _S779), (float2)0.0f, _S779);
-        bool _S786 = (number_1 & 1U) != 0U;
-        if(_S786)
+        float2 _S783 = AnisotropicTaps_place_0(_S774, number_1 >> int(1));
+        float2 _S784 = clamp(_S783 - _S778 * floor(_S783 / _S778), (float2)0.0f, _S778);
+        bool _S785 = (number_1 & 1U) != 0U;
+        if(_S785)
         {
-            offset_1 = _S781 - _S782;
+            offset_1 = _S780 - _S781;
         }
         else
         {
-            offset_1 = 1.0f - (_S781 - _S782);
+            offset_1 = 1.0f - (_S780 - _S781);
         }
-        float _S787 = offset_1 / float(_S783);
-        uint _S788 = uint(_S782);
-        uint _S789;
-        if(_S786)
+        float _S786 = offset_1 / float(_S782);
+        uint _S787 = uint(_S781);
+        uint _S788;
+        if(_S785)
         {
-            _S789 = 1U;
+            _S788 = 1U;
         }
         else
         {
-            _S789 = 0U;
+            _S788 = 0U;
         }
-        add_level_0(_S774, _S788 + _S789, _S777, _S785, _S787, _S778);
+        add_level_0(_S773, _S787 + _S788, _S776, _S784, _S786, _S777);
         number_1 = number_1 + 1U;
     }
     int number_2 = int(0);
@@ -7751,7 +7761,7 @@ void code_footprint_0(uint _S774, AnisotropicTaps_0 _S775, float3 _S776, bool _S
             {
                 break;
             }
-            float offset_2 = _S776[number_2] - (float(bin_0) + 0.5f) / 8.0f;
+            float offset_2 = _S775[number_2] - (float(bin_0) + 0.5f) / 8.0f;
             if(number_2 < int(2))
             {
                 offset_1 = offset_2 - round(offset_2);
@@ -7760,7 +7770,7 @@ void code_footprint_0(uint _S774, AnisotropicTaps_0 _S775, float3 _S776, bool _S
             {
                 offset_1 = offset_2;
             }
-            _S778[int(64) + number_2 * int(8) + bin_0] = bump_0(offset_1 * 3.20000004768371582f);
+            _S777[int(64) + number_2 * int(8) + bin_0] = bump_0(offset_1 * 3.20000004768371582f);
             bin_0 = bin_0 + int(1);
         }
         number_2 = number_2 + int(1);
@@ -7768,61 +7778,61 @@ void code_footprint_0(uint _S774, AnisotropicTaps_0 _S775, float3 _S776, bool _S
     return;
 }
 
-float3 crown_fibres_0(uint _S790, bool _S791, bool _S792)
+float3 crown_fibres_0(uint _S789, bool _S790, bool _S791)
 {
-    float _S793;
-    if(_S791)
+    float _S792;
+    if(_S790)
     {
-        if(_S792)
+        if(_S791)
         {
-            _S793 = - fabrics_0[_S790].woven_0.warp_x_0;
+            _S792 = - fabrics_0[_S789].woven_0.warp_x_0;
         }
         else
         {
-            _S793 = fabrics_0[_S790].woven_0.warp_x_0;
+            _S792 = fabrics_0[_S789].woven_0.warp_x_0;
         }
-        return float3(_S793, fabrics_0[_S790].woven_0.warp_y_0, fabrics_0[_S790].woven_0.warp_roughness_0);
+        return float3(_S792, fabrics_0[_S789].woven_0.warp_y_0, fabrics_0[_S789].woven_0.warp_roughness_0);
     }
-    Woven_0 _S794 = fabrics_0[_S790].woven_0;
-    if(_S792)
+    Woven_0 _S793 = fabrics_0[_S789].woven_0;
+    if(_S791)
     {
-        _S793 = - _S794.weft_y_0;
+        _S792 = - _S793.weft_y_0;
     }
     else
     {
-        _S793 = _S794.weft_y_0;
+        _S792 = _S793.weft_y_0;
     }
-    return float3(_S794.weft_x_0, _S793, _S794.weft_roughness_0);
+    return float3(_S793.weft_x_0, _S792, _S793.weft_roughness_0);
 }
 
-void woven_view_0(uint _S795, Footprint_0 _S796, float3 _S797, inout WovenView_0 _S798)
+void woven_view_0(uint _S794, Footprint_0 _S795, float3 _S796, inout WovenView_0 _S797)
 {
-    bool _S799 = (_S797.z) < 0.0f;
-    AnisotropicTaps_0 _S800 = anisotropic_taps_0(_S795, _S796);
-    float3 _S801 = footprint_coordinates_0(_S800);
-    float3 _S802 = to_face_frame_0(_S797, _S799);
+    bool _S798 = (_S796.z) < 0.0f;
+    AnisotropicTaps_0 _S799 = anisotropic_taps_0(_S794, _S795);
+    float3 _S800 = footprint_coordinates_0(_S799);
+    float3 _S801 = to_face_frame_0(_S796, _S798);
     HalfWeights_0 weights_26;
-    weights_26.first_2 = fabrics_0[_S795].woven_0.network_0;
+    weights_26.first_2 = fabrics_0[_S794].woven_0.network_0;
     float  inputs_26[int(88)];
-    code_footprint_0(_S795, _S800, _S801, _S799, inputs_26);
+    code_footprint_0(_S794, _S799, _S800, _S798, inputs_26);
     float  hidden_1[int(96)];
     dense_7(weights_26, 0U, false, inputs_26, hidden_1);
     float  fused_0[int(100)];
     dense_part_8(weights_26, 1068U, false, hidden_1, fused_0);
-    fused_0[int(96)] = _S802.x;
-    fused_0[int(97)] = _S802.y;
-    float2 _S803 = _S802.xy;
-    fused_0[int(98)] = dot(crown_fibres_0(_S795, true, _S799).xy, _S803);
-    fused_0[int(99)] = dot(crown_fibres_0(_S795, false, _S799).xy, _S803);
+    fused_0[int(96)] = _S801.x;
+    fused_0[int(97)] = _S801.y;
+    float2 _S802 = _S801.xy;
+    fused_0[int(98)] = dot(crown_fibres_0(_S794, true, _S798).xy, _S802);
+    fused_0[int(99)] = dot(crown_fibres_0(_S794, false, _S798).xy, _S802);
     float  of_hole_0[int(16)];
     dense_6(weights_26, 2232U, false, fused_0, of_hole_0);
     float  hole_1[int(1)];
     dense_5(weights_26, 2444U, false, of_hole_0, hole_1);
-    dense_4(weights_26, 2456U, false, fused_0, _S798.sums_1);
-    _S798.hole_0 = clamp(hole_1[int(0)], 0.0f, 1.0f);
-    _S798.correction_weight_0 = correction_weight_of_0(_S801.z);
-    _S798.view_5 = _S802;
-    _S798.back_5 = _S799;
+    dense_4(weights_26, 2456U, false, fused_0, _S797.sums_1);
+    _S797.hole_0 = clamp(hole_1[int(0)], 0.0f, 1.0f);
+    _S797.correction_weight_0 = correction_weight_of_0(_S800.z);
+    _S797.view_5 = _S801;
+    _S797.back_5 = _S798;
     return;
 }
 
@@ -7836,16 +7846,16 @@ struct Components_0
     float hole_2;
 };
 
-void code_light_0(uint _S804, float3 _S805, float3 _S806, bool _S807, inout float  _S808[int(39)])
+void code_light_0(uint _S803, float3 _S804, float3 _S805, bool _S806, inout float  _S807[int(39)])
 {
-    _S808[int(0)] = _S805.x;
-    _S808[int(1)] = _S805.y;
-    _S808[int(2)] = _S805.z;
-    float3 _S809 = _S805 + _S806;
-    float _S810 = _S809.z;
-    float _S811 = _S810 * _S810 + 0.00009999999747379f;
-    float2 _S812 = _S809.xy;
-    float _S813 = 1.0f / (dot(_S812, _S812) + _S811);
+    _S807[int(0)] = _S804.x;
+    _S807[int(1)] = _S804.y;
+    _S807[int(2)] = _S804.z;
+    float3 _S808 = _S804 + _S805;
+    float _S809 = _S808.z;
+    float _S810 = _S809 * _S809 + 0.00009999999747379f;
+    float2 _S811 = _S808.xy;
+    float _S812 = 1.0f / (dot(_S811, _S811) + _S810);
     int family_10 = int(0);
     for(;;)
     {
@@ -7856,12 +7866,12 @@ void code_light_0(uint _S804, float3 _S805, float3 _S806, bool _S807, inout floa
         {
             break;
         }
-        float3 _S814 = crown_fibres_0(_S804, family_10 == int(0), _S807);
-        float2 _S815 = _S814.xy;
-        _S808[int(3) + family_10] = dot(_S815, _S805.xy);
-        float _S816 = dot(_S815, _S812);
-        float _S817 = _S816 * _S816;
-        float _S818 = (0.75f * _S816 / (0.5f * sqrt(_S817 + _S811) + abs(_S816)) + 0.5f) * 8.0f;
+        float3 _S813 = crown_fibres_0(_S803, family_10 == int(0), _S806);
+        float2 _S814 = _S813.xy;
+        _S807[int(3) + family_10] = dot(_S814, _S804.xy);
+        float _S815 = dot(_S814, _S811);
+        float _S816 = _S815 * _S815;
+        float _S817 = (0.75f * _S815 / (0.5f * sqrt(_S816 + _S810) + abs(_S815)) + 0.5f) * 8.0f;
         int bin_1 = int(0);
         for(;;)
         {
@@ -7872,56 +7882,56 @@ void code_light_0(uint _S804, float3 _S805, float3 _S806, bool _S807, inout floa
             {
                 break;
             }
-            _S808[int(5) + family_10 * int(16) + bin_1] = bump_0(_S818 - (float(bin_1) + 0.5f) / 2.0f);
+            _S807[int(5) + family_10 * int(16) + bin_1] = bump_0(_S817 - (float(bin_1) + 0.5f) / 2.0f);
             bin_1 = bin_1 + int(1);
         }
-        float _S819 = _S814.z;
-        float _S820 = _S819 * _S819;
-        float _S821 = _S817 * _S813 * (1.0f - _S820) + _S820;
-        _S808[int(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S820 * _S819 / (_S821 * _S821));
+        float _S818 = _S813.z;
+        float _S819 = _S818 * _S818;
+        float _S820 = _S816 * _S812 * (1.0f - _S819) + _S819;
+        _S807[int(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S819 * _S818 / (_S820 * _S820));
         family_10 = family_10 + int(1);
     }
     return;
 }
 
-float mixed_bundles_0(uint _S822, uint _S823, uint _S824, float3 _S825, float3 _S826, bool _S827, inout float  _S828[int(52)])
+float mixed_bundles_0(uint _S821, uint _S822, uint _S823, float3 _S824, float3 _S825, bool _S826, inout float  _S827[int(52)])
 {
-    float3 _S829 = _S825 + _S826;
-    float _S830 = 1.0f / (square_1(_S829) + 0.00009999999747379f);
-    bool _S831;
-    if(_S823 == 0U)
+    float3 _S828 = _S824 + _S825;
+    float _S829 = 1.0f / (square_1(_S828) + 0.00009999999747379f);
+    bool _S830;
+    if(_S822 == 0U)
     {
-        _S831 = _S827;
+        _S830 = _S826;
     }
     else
     {
-        _S831 = false;
+        _S830 = false;
+    }
+    float _S831;
+    if(_S830)
+    {
+        _S831 = - _S828.x;
+    }
+    else
+    {
+        _S831 = _S828.x;
+    }
+    if(_S822 == 1U)
+    {
+        _S830 = _S826;
+    }
+    else
+    {
+        _S830 = false;
     }
     float _S832;
-    if(_S831)
+    if(_S830)
     {
-        _S832 = - _S829.x;
+        _S832 = - _S828.y;
     }
     else
     {
-        _S832 = _S829.x;
-    }
-    if(_S823 == 1U)
-    {
-        _S831 = _S827;
-    }
-    else
-    {
-        _S831 = false;
-    }
-    float _S833;
-    if(_S831)
-    {
-        _S833 = - _S829.y;
-    }
-    else
-    {
-        _S833 = _S829.y;
+        _S832 = _S828.y;
     }
     uint bundle_1 = 0U;
     float sum_2 = 0.0f;
@@ -7934,38 +7944,38 @@ float mixed_bundles_0(uint _S822, uint _S823, uint _S824, float3 _S825, float3 _
         {
             break;
         }
-        uint _S834 = _S823 * 25U;
-        uint _S835 = fabrics_0[_S822].woven_0.bundles_0 + 4U * (_S834 + bundle_1);
-        float _S836 = dot(float3(table_number_0(_S835), table_number_0(_S835 + 1U), table_number_0(_S835 + 2U)), float3(_S832, _S833, _S829.z));
-        float _S837 = _S836 * _S836 * _S830 + table_number_0(_S835 + 3U);
-        uint _S838 = _S824 + _S834;
-        uint _S839;
-        if(_S827)
+        uint _S833 = _S822 * 25U;
+        uint _S834 = fabrics_0[_S821].woven_0.bundles_0 + 4U * (_S833 + bundle_1);
+        float _S835 = dot(float3(table_number_0(_S834), table_number_0(_S834 + 1U), table_number_0(_S834 + 2U)), float3(_S831, _S832, _S828.z));
+        float _S836 = _S835 * _S835 * _S829 + table_number_0(_S834 + 3U);
+        uint _S837 = _S823 + _S833;
+        uint _S838;
+        if(_S826)
         {
-            _S839 = mirrored_bundle_0(bundle_1);
+            _S838 = mirrored_bundle_0(bundle_1);
         }
         else
         {
-            _S839 = bundle_1;
+            _S838 = bundle_1;
         }
-        float sum_3 = sum_2 + max(_S828[_S838 + _S839], _S828[_S838 + _S839] * 0.00999999977648258f) / (_S837 * _S837);
+        float sum_3 = sum_2 + max(_S827[_S837 + _S838], _S827[_S837 + _S838] * 0.00999999977648258f) / (_S836 * _S836);
         bundle_1 = bundle_1 + 1U;
         sum_2 = sum_3;
     }
     return 0.01999999955296516f * sum_2;
 }
 
-Components_0 woven_components_0(uint _S840, inout WovenView_0 _S841, float3 _S842)
+Components_0 woven_components_0(uint _S839, inout WovenView_0 _S840, float3 _S841)
 {
-    float _S843;
-    bool _S844 = _S841.back_5;
-    float3 _S845 = to_face_frame_0(_S842, _S841.back_5);
-    float3 _S846 = _S841.view_5;
+    float _S842;
+    bool _S843 = _S840.back_5;
+    float3 _S844 = to_face_frame_0(_S841, _S840.back_5);
+    float3 _S845 = _S840.view_5;
     HalfWeights_0 weights_27;
-    Woven_0 _S847 = fabrics_0[_S840].woven_0;
-    weights_27.first_2 = fabrics_0[_S840].woven_0.network_0;
+    Woven_0 _S846 = fabrics_0[_S839].woven_0;
+    weights_27.first_2 = fabrics_0[_S839].woven_0.network_0;
     float  directions_0[int(39)];
-    code_light_0(_S840, _S845, _S841.view_5, _S841.back_5, directions_0);
+    code_light_0(_S839, _S844, _S840.view_5, _S840.back_5, directions_0);
     float  skip_0[int(96)];
     int k_1 = int(0);
     for(;;)
@@ -7977,7 +7987,7 @@ Components_0 woven_components_0(uint _S840, inout WovenView_0 _S841, float3 _S84
         {
             break;
         }
-        skip_0[k_1] = _S841.sums_1[k_1];
+        skip_0[k_1] = _S840.sums_1[k_1];
         k_1 = k_1 + int(1);
     }
     dense_3(weights_27, 3716U, true, directions_0, skip_0);
@@ -8018,13 +8028,13 @@ Components_0 woven_components_0(uint _S840, inout WovenView_0 _S841, float3 _S84
             }
             if(layer_0 == 1U)
             {
-                _S843 = skip_0[k_1];
+                _S842 = skip_0[k_1];
             }
             else
             {
-                _S843 = 0.0f;
+                _S842 = 0.0f;
             }
-            next_0[k_1] = _S843;
+            next_0[k_1] = _S842;
             k_1 = k_1 + int(1);
         }
         dense_2(weights_27, 4208U + layer_0 * 1164U, true, hidden_2, next_0);
@@ -8045,27 +8055,27 @@ Components_0 woven_components_0(uint _S840, inout WovenView_0 _S841, float3 _S84
     }
     float  outputs_25[int(52)];
     dense_1(weights_27, 7700U, false, hidden_2, outputs_25);
-    bool _S848;
-    if((_S847.is_corrected_0) != 0U)
+    bool _S847;
+    if((_S846.is_corrected_0) != 0U)
     {
-        _S848 = (_S845.z) > 0.0f;
+        _S847 = (_S844.z) > 0.0f;
     }
     else
     {
-        _S848 = false;
+        _S847 = false;
     }
-    if(_S848)
+    if(_S847)
     {
-        _S848 = (_S841.correction_weight_0) > 0.0f;
+        _S847 = (_S840.correction_weight_0) > 0.0f;
     }
     else
     {
-        _S848 = false;
+        _S847 = false;
     }
-    if(_S848)
+    if(_S847)
     {
         FloatWeights_0 fitted_0;
-        fitted_0.first_0 = _S847.correction_0;
+        fitted_0.first_0 = _S846.correction_0;
         float  change_0[int(50)];
         dense_0(fitted_0, 0U, false, hidden_2, change_0);
         k_1 = int(0);
@@ -8078,30 +8088,30 @@ Components_0 woven_components_0(uint _S840, inout WovenView_0 _S841, float3 _S84
             {
                 break;
             }
-            outputs_25[k_1 + int(2)] = outputs_25[k_1 + int(2)] + _S841.correction_weight_0 * change_0[k_1];
+            outputs_25[k_1 + int(2)] = outputs_25[k_1 + int(2)] + _S840.correction_weight_0 * change_0[k_1];
             k_1 = k_1 + int(1);
         }
     }
-    if((_S845.z) > 0.0f)
+    if((_S844.z) > 0.0f)
     {
-        _S843 = 0.00999999977648258f;
+        _S842 = 0.00999999977648258f;
     }
     else
     {
-        _S843 = 0.00100000004749745f;
+        _S842 = 0.00100000004749745f;
     }
     Components_0 result_2;
-    float _S849 = unmapped_0(outputs_25[int(0)], _S843);
-    result_2.diffuse_warp_0 = _S849;
-    float _S850 = unmapped_0(outputs_25[int(1)], _S843);
-    result_2.diffuse_weft_0 = _S850;
-    float _S851 = 2979.9580078125f * _S843;
-    float _S852 = mixed_bundles_0(_S840, 0U, 2U, _S845, _S846, _S844, outputs_25);
-    result_2.specular_warp_0 = clamp(_S852, 0.0f, _S851);
-    float _S853 = mixed_bundles_0(_S840, 1U, 2U, _S845, _S846, _S844, outputs_25);
-    result_2.specular_weft_0 = clamp(_S853, 0.0f, _S851);
-    result_2.hole_2 = _S841.hole_0;
-    result_2.light_visibility_1 = min(light_visibility_of_0(_S849 + _S850, _S845, _S846, fabrics_0[_S840].diffuse_blend_0), 1.0f - _S841.hole_0);
+    float _S848 = unmapped_0(outputs_25[int(0)], _S842);
+    result_2.diffuse_warp_0 = _S848;
+    float _S849 = unmapped_0(outputs_25[int(1)], _S842);
+    result_2.diffuse_weft_0 = _S849;
+    float _S850 = 2979.9580078125f * _S842;
+    float _S851 = mixed_bundles_0(_S839, 0U, 2U, _S844, _S845, _S843, outputs_25);
+    result_2.specular_warp_0 = clamp(_S851, 0.0f, _S850);
+    float _S852 = mixed_bundles_0(_S839, 1U, 2U, _S844, _S845, _S843, outputs_25);
+    result_2.specular_weft_0 = clamp(_S852, 0.0f, _S850);
+    result_2.hole_2 = _S840.hole_0;
+    result_2.light_visibility_1 = min(light_visibility_of_0(_S848 + _S849, _S844, _S845, fabrics_0[_S839].diffuse_blend_0), 1.0f - _S840.hole_0);
     return result_2;
 }
 
@@ -8111,108 +8121,108 @@ struct FamilyAlbedos_0
     Albedos_0 weft_4;
 };
 
-FamilyAlbedos_0 albedos_over_0(uint _S854, Footprint_0 _S855, bool _S856)
+FamilyAlbedos_0 albedos_over_0(uint _S853, Footprint_0 _S854, bool _S855)
 {
-    float2 _S857 = _S855.dx_0;
-    float2 _S858 = _S855.dy_0;
-    float2 _S859 = sqrt(_S857 * _S857 + _S858 * _S858);
-    Stretch_0 _S860 = stretch_of_0(fabrics_0[_S854].warp_0, _S855.centre_0.x, _S859.x);
-    Stretch_0 _S861 = stretch_of_0(fabrics_0[_S854].weft_0, _S855.centre_0.y, _S859.y);
+    float2 _S856 = _S854.dx_0;
+    float2 _S857 = _S854.dy_0;
+    float2 _S858 = sqrt(_S856 * _S856 + _S857 * _S857);
+    Stretch_0 _S859 = stretch_of_0(fabrics_0[_S853].warp_0, _S854.centre_0.x, _S858.x);
+    Stretch_0 _S860 = stretch_of_0(fabrics_0[_S853].weft_0, _S854.centre_0.y, _S858.y);
     FamilyAlbedos_0 albedos_4;
-    albedos_4.warp_4 = mean_albedos_0(fabrics_0[_S854].warp_0, fabrics_0[_S854].weft_0, _S860, _S861, _S856);
-    albedos_4.weft_4 = mean_albedos_0(fabrics_0[_S854].weft_0, fabrics_0[_S854].warp_0, _S861, _S860, _S856);
+    albedos_4.warp_4 = mean_albedos_0(fabrics_0[_S853].warp_0, fabrics_0[_S853].weft_0, _S859, _S860, _S855);
+    albedos_4.weft_4 = mean_albedos_0(fabrics_0[_S853].weft_0, fabrics_0[_S853].warp_0, _S860, _S859, _S855);
     return albedos_4;
 }
 
-float openness_number_0(uint _S862, uint _S863)
+float openness_number_0(uint _S861, uint _S862)
 {
-    return table_number_0(fabrics_0[_S862].openness_0 + _S863);
+    return table_number_0(fabrics_0[_S861].openness_0 + _S862);
 }
 
-Scattered_0 scattered_by_0(uint _S864, Albedos_0 _S865, uint _S866, float3 _S867)
+Scattered_0 scattered_by_0(uint _S863, Albedos_0 _S864, uint _S865, float3 _S866)
 {
-    uint _S868 = 159U + 2U * _S866;
+    uint _S867 = 159U + 2U * _S865;
     Scattered_0 yarn_1;
-    yarn_1.back_4 = _S867 * _S865.diffuse_reflect_0 + openness_number_0(_S864, _S868) * _S865.specular_reflect_0;
-    yarn_1.through_0 = _S867 * _S865.diffuse_transmit_0 + openness_number_0(_S864, _S868 + 1U) * _S865.specular_transmit_0;
+    yarn_1.back_4 = _S866 * _S864.diffuse_reflect_0 + openness_number_0(_S863, _S867) * _S864.specular_reflect_0;
+    yarn_1.through_0 = _S866 * _S864.diffuse_transmit_0 + openness_number_0(_S863, _S867 + 1U) * _S864.specular_transmit_0;
     return yarn_1;
 }
 
-void sent_0(uint _S869, uint _S870, float3 _S871, float3 _S872, float3 _S873, float3 _S874, out float3 _S875, out float3 _S876)
+void sent_0(uint _S868, uint _S869, float3 _S870, float3 _S871, float3 _S872, float3 _S873, out float3 _S874, out float3 _S875)
 {
-    uint _S877 = 146U + 4U * _S870;
-    float _S878 = openness_number_0(_S869, _S877 + 1U);
-    float _S879 = openness_number_0(_S869, _S877 + 2U);
-    float3 _S880 = 1.0f - _S873 * openness_number_0(_S869, _S877);
-    float3 _S881 = 1.0f - _S874 * openness_number_0(_S869, _S877 + 3U);
-    float3 _S882 = 1.0f / (_S880 * _S881 - _S873 * _S874 * (_S878 * _S879));
-    _S875 = (_S871 * _S881 + _S873 * _S878 * _S872) * _S882;
-    _S876 = (_S872 * _S880 + _S874 * _S879 * _S871) * _S882;
+    uint _S876 = 146U + 4U * _S869;
+    float _S877 = openness_number_0(_S868, _S876 + 1U);
+    float _S878 = openness_number_0(_S868, _S876 + 2U);
+    float3 _S879 = 1.0f - _S872 * openness_number_0(_S868, _S876);
+    float3 _S880 = 1.0f - _S873 * openness_number_0(_S868, _S876 + 3U);
+    float3 _S881 = 1.0f / (_S879 * _S880 - _S872 * _S873 * (_S877 * _S878));
+    _S874 = (_S870 * _S880 + _S872 * _S877 * _S871) * _S881;
+    _S875 = (_S871 * _S879 + _S873 * _S878 * _S870) * _S881;
     return;
 }
 
-FaceSends_0 face_sends_0(uint _S883, uint _S884, Scattered_0 _S885, Scattered_0 _S886)
+FaceSends_0 face_sends_0(uint _S882, uint _S883, Scattered_0 _S884, Scattered_0 _S885)
 {
-    uint _S887 = 2U * _S884;
-    uint _S888 = 142U + _S887;
-    float _S889 = openness_number_0(_S883, _S888);
-    float _S890 = openness_number_0(_S883, _S888 + 1U);
+    uint _S886 = 2U * _S883;
+    uint _S887 = 142U + _S886;
+    float _S888 = openness_number_0(_S882, _S887);
+    float _S889 = openness_number_0(_S882, _S887 + 1U);
+    float3 _S890 = (1.0f - _S888) * _S884.back_4;
     float3 _S891 = (1.0f - _S889) * _S885.back_4;
-    float3 _S892 = (1.0f - _S890) * _S886.back_4;
     FaceSends_0 sends_1;
-    uint _S893 = 154U + _S887;
-    float _S894 = openness_number_0(_S883, _S893);
-    sends_1.blocks_warp_0 = _S894;
-    float _S895 = openness_number_0(_S883, _S893 + 1U);
-    sends_1.blocks_weft_0 = _S895;
-    sends_1.open_0 = _S894 * _S889 + _S895 * _S890;
-    sent_0(_S883, _S884, _S889 * _S885.back_4, _S890 * _S886.back_4, _S891, _S892, sends_1.sky_warp_0, sends_1.sky_weft_0);
-    sent_0(_S883, _S884, _S885.through_0, _S886.through_0, _S891, _S892, sends_1.crossing_warp_0, sends_1.crossing_weft_0);
+    uint _S892 = 154U + _S886;
+    float _S893 = openness_number_0(_S882, _S892);
+    sends_1.blocks_warp_0 = _S893;
+    float _S894 = openness_number_0(_S882, _S892 + 1U);
+    sends_1.blocks_weft_0 = _S894;
+    sends_1.open_0 = _S893 * _S888 + _S894 * _S889;
+    sent_0(_S882, _S883, _S888 * _S884.back_4, _S889 * _S885.back_4, _S890, _S891, sends_1.sky_warp_0, sends_1.sky_weft_0);
+    sent_0(_S882, _S883, _S884.through_0, _S885.through_0, _S890, _S891, sends_1.crossing_warp_0, sends_1.crossing_weft_0);
     return sends_1;
 }
 
-Interior_0 interior_of_0(uint _S896, float3 _S897, bool _S898)
+Interior_0 interior_of_0(uint _S895, float3 _S896, bool _S897)
 {
-    Scattered_0 _S899 = scattered_by_0(_S896, table_albedos_0(families_0.Load(fabrics_0[_S896].warp_0).colour_mean_0), 0U, _S897);
-    Scattered_0 _S900 = scattered_by_0(_S896, table_albedos_0(families_0.Load(fabrics_0[_S896].weft_0).colour_mean_0), 1U, _S897);
-    uint _S901;
-    if(_S898)
+    Scattered_0 _S898 = scattered_by_0(_S895, table_albedos_0(families_0[fabrics_0[_S895].warp_0].colour_mean_0), 0U, _S896);
+    Scattered_0 _S899 = scattered_by_0(_S895, table_albedos_0(families_0[fabrics_0[_S895].weft_0].colour_mean_0), 1U, _S896);
+    uint _S900;
+    if(_S897)
     {
-        _S901 = 1U;
+        _S900 = 1U;
     }
     else
     {
-        _S901 = 0U;
+        _S900 = 0U;
     }
-    FaceSends_0 _S902 = face_sends_0(_S896, _S901, _S899, _S900);
-    if(_S898)
+    FaceSends_0 _S901 = face_sends_0(_S895, _S900, _S898, _S899);
+    if(_S897)
     {
-        _S901 = 0U;
+        _S900 = 0U;
     }
     else
     {
-        _S901 = 1U;
+        _S900 = 1U;
     }
-    FaceSends_0 _S903 = face_sends_0(_S896, _S901, _S899, _S900);
+    FaceSends_0 _S902 = face_sends_0(_S895, _S900, _S898, _S899);
+    float3 _S903 = _S901.blocks_warp_0 * _S901.crossing_warp_0 + _S901.blocks_weft_0 * _S901.crossing_weft_0;
     float3 _S904 = _S902.blocks_warp_0 * _S902.crossing_warp_0 + _S902.blocks_weft_0 * _S902.crossing_weft_0;
-    float3 _S905 = _S903.blocks_warp_0 * _S903.crossing_warp_0 + _S903.blocks_weft_0 * _S903.crossing_weft_0;
+    float _S905 = 1.0f - _S901.open_0;
     float _S906 = 1.0f - _S902.open_0;
-    float _S907 = 1.0f - _S903.open_0;
-    float3 _S908 = 1.0f / (1.0f - _S904 * _S905 * (_S906 * _S907));
-    float3 _S909 = _S905 * (_S902.open_0 + _S906 * (_S902.blocks_warp_0 * _S902.sky_warp_0 + _S902.blocks_weft_0 * _S902.sky_weft_0)) * _S908;
-    float3 _S910 = _S904 * (_S903.open_0 + _S907 * (_S903.blocks_warp_0 * _S903.sky_warp_0 + _S903.blocks_weft_0 * _S903.sky_weft_0)) * _S908;
-    FaceRadiance_0 _S911 = face_radiance_0(_S902, _S903.open_0, _S909, _S910);
-    FaceRadiance_0 _S912 = face_radiance_0(_S903, _S902.open_0, _S910, _S909);
+    float3 _S907 = 1.0f / (1.0f - _S903 * _S904 * (_S905 * _S906));
+    float3 _S908 = _S904 * (_S901.open_0 + _S905 * (_S901.blocks_warp_0 * _S901.sky_warp_0 + _S901.blocks_weft_0 * _S901.sky_weft_0)) * _S907;
+    float3 _S909 = _S903 * (_S902.open_0 + _S906 * (_S902.blocks_warp_0 * _S902.sky_warp_0 + _S902.blocks_weft_0 * _S902.sky_weft_0)) * _S907;
+    FaceRadiance_0 _S910 = face_radiance_0(_S901, _S902.open_0, _S908, _S909);
+    FaceRadiance_0 _S911 = face_radiance_0(_S902, _S901.open_0, _S909, _S908);
     Interior_0 interior_1;
-    interior_1.warp_3 = _S911.warp_2;
-    interior_1.weft_3 = _S911.weft_2;
-    interior_1.leaked_1 = _S911.leaked_0;
-    interior_1.far_1 = _S912.mean_0;
-    interior_1.far_leaked_0 = _S912.leaked_0;
+    interior_1.warp_3 = _S910.warp_2;
+    interior_1.weft_3 = _S910.weft_2;
+    interior_1.leaked_1 = _S910.leaked_0;
+    interior_1.far_1 = _S911.mean_0;
+    interior_1.far_leaked_0 = _S911.leaked_0;
     return interior_1;
 }
 
-Blocked_0 blocked_of_terms_0(uint _S913, uint _S914, float  _S915[int(6)], uint _S916)
+Blocked_0 blocked_of_terms_0(uint _S912, uint _S913, float  _S914[int(6)], uint _S915)
 {
     float  shares_0[int(3)];
     uint share_1 = 0U;
@@ -8229,14 +8239,14 @@ Blocked_0 blocked_of_terms_0(uint _S913, uint _S914, float  _S915[int(6)], uint 
         uint term_0 = 0U;
         for(;;)
         {
-            if(term_0 < _S916)
+            if(term_0 < _S915)
             {
             }
             else
             {
                 break;
             }
-            shares_0[share_1] = shares_0[share_1] + openness_number_0(_S913, _S914 + share_1 * _S916 + term_0) * _S915[term_0];
+            shares_0[share_1] = shares_0[share_1] + openness_number_0(_S912, _S913 + share_1 * _S915 + term_0) * _S914[term_0];
             term_0 = term_0 + 1U;
         }
         shares_0[share_1] = saturate(shares_0[share_1]);
@@ -8249,35 +8259,35 @@ Blocked_0 blocked_of_terms_0(uint _S913, uint _S914, float  _S915[int(6)], uint 
     return blocked_2;
 }
 
-Blocked_0 blocked_from_0(uint _S917, float3 _S918, bool _S919, bool _S920)
+Blocked_0 blocked_from_0(uint _S916, float3 _S917, bool _S918, bool _S919)
 {
     float  terms_1[int(6)];
-    view_terms_0(_S918, terms_1);
-    uint _S921;
-    if(_S920)
+    view_terms_0(_S917, terms_1);
+    uint _S920;
+    if(_S919)
     {
-        _S921 = 2U;
+        _S920 = 2U;
     }
     else
+    {
+        _S920 = 0U;
+    }
+    uint _S921;
+    if(_S918)
     {
         _S921 = 0U;
     }
-    uint _S922;
-    if(_S919)
-    {
-        _S922 = 0U;
-    }
     else
     {
-        _S922 = 1U;
+        _S921 = 1U;
     }
-    return blocked_of_terms_0(_S917, (_S921 + _S922) * 15U, terms_1, 5U);
+    return blocked_of_terms_0(_S916, (_S920 + _S921) * 15U, terms_1, 5U);
 }
 
-float warp_seen_from_0(uint _S923, float3 _S924, bool _S925)
+float warp_seen_from_0(uint _S922, float3 _S923, bool _S924)
 {
     float  terms_2[int(6)];
-    view_terms_0(_S924, terms_2);
+    view_terms_0(_S923, terms_2);
     uint term_1 = 0U;
     float share_2 = 0.0f;
     for(;;)
@@ -8289,79 +8299,79 @@ float warp_seen_from_0(uint _S923, float3 _S924, bool _S925)
         {
             break;
         }
-        uint _S926;
-        if(_S925)
+        uint _S925;
+        if(_S924)
         {
-            _S926 = 5U;
+            _S925 = 5U;
         }
         else
         {
-            _S926 = 0U;
+            _S925 = 0U;
         }
-        float share_3 = share_2 + openness_number_0(_S923, 132U + _S926 + term_1) * terms_2[term_1];
+        float share_3 = share_2 + openness_number_0(_S922, 132U + _S925 + term_1) * terms_2[term_1];
         term_1 = term_1 + 1U;
         share_2 = share_3;
     }
     return saturate(share_2);
 }
 
-Bounced_0 bounced_of_families_0(uint _S927, FamilyAlbedos_0 _S928, float3 _S929, Interior_0 _S930, Blocked_0 _S931, Blocked_0 _S932)
+Bounced_0 bounced_of_families_0(uint _S926, FamilyAlbedos_0 _S927, float3 _S928, Interior_0 _S929, Blocked_0 _S930, Blocked_0 _S931)
 {
-    return sum_of_0(bounced_by_0(_S931, scattered_by_0(_S927, _S928.warp_4, 0U, _S929), _S930), bounced_by_0(_S932, scattered_by_0(_S927, _S928.weft_4, 1U, _S929), _S930));
+    return sum_of_0(bounced_by_0(_S930, scattered_by_0(_S926, _S927.warp_4, 0U, _S928), _S929), bounced_by_0(_S931, scattered_by_0(_S926, _S927.weft_4, 1U, _S928), _S929));
 }
 
-Bounced_0 bounced_far_0(uint _S933, FamilyAlbedos_0 _S934, float3 _S935, Interior_0 _S936, float3 _S937, bool _S938, float _S939, float _S940, float _S941)
+Bounced_0 bounced_far_0(uint _S932, FamilyAlbedos_0 _S933, float3 _S934, Interior_0 _S935, float3 _S936, bool _S937, float _S938, float _S939, float _S940)
 {
-    Blocked_0 _S942 = blocked_from_0(_S933, _S937, true, _S938);
-    Blocked_0 _S943 = blocked_from_0(_S933, _S937, false, _S938);
-    float _S944 = _S939 / max(1.0f - _S942.by_warp_0 - _S942.by_weft_0, 0.10000000149011612f);
-    float _S945 = (0.0020000000949949f * warp_seen_from_0(_S933, _S937, _S938) + _S944) / (_S944 + _S940 / max(1.0f - _S943.by_warp_0 - _S943.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    float _S946 = 1.0f - _S941;
-    return bounced_of_families_0(_S933, _S934, _S935, _S936, scaled_0(_S942, _S945 * _S946), scaled_0(_S943, (1.0f - _S945) * _S946));
+    Blocked_0 _S941 = blocked_from_0(_S932, _S936, true, _S937);
+    Blocked_0 _S942 = blocked_from_0(_S932, _S936, false, _S937);
+    float _S943 = _S938 / max(1.0f - _S941.by_warp_0 - _S941.by_weft_0, 0.10000000149011612f);
+    float _S944 = (0.0020000000949949f * warp_seen_from_0(_S932, _S936, _S937) + _S943) / (_S943 + _S939 / max(1.0f - _S942.by_warp_0 - _S942.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    float _S945 = 1.0f - _S940;
+    return bounced_of_families_0(_S932, _S933, _S934, _S935, scaled_0(_S941, _S944 * _S945), scaled_0(_S942, (1.0f - _S944) * _S945));
 }
 
-Bounced_0 bounced_over_0(uint _S947, Components_0 _S948, CloseUp_0 _S949, FamilyAlbedos_0 _S950, float3 _S951, float3 _S952)
+Bounced_0 bounced_over_0(uint _S946, Components_0 _S947, CloseUp_0 _S948, FamilyAlbedos_0 _S949, float3 _S950, float3 _S951)
 {
-    bool _S953 = (_S952.z) < 0.0f;
-    Interior_0 _S954 = interior_of_0(_S947, _S951, _S953);
-    Bounced_0 bounced_2 = bounced_far_0(_S947, _S950, _S951, _S954, to_face_frame_0(_S952, _S953), _S953, _S948.diffuse_warp_0, _S948.diffuse_weft_0, _S948.hole_2);
-    if((_S949.weight_2) > 0.0f)
+    bool _S952 = (_S951.z) < 0.0f;
+    Interior_0 _S953 = interior_of_0(_S946, _S950, _S952);
+    Bounced_0 bounced_2 = bounced_far_0(_S946, _S949, _S950, _S953, to_face_frame_0(_S951, _S952), _S952, _S947.diffuse_warp_0, _S947.diffuse_weft_0, _S947.hole_2);
+    if((_S948.weight_2) > 0.0f)
     {
-        Bounced_0 _S955 = bounced_of_families_0(_S947, _S950, _S951, _S954, _S949.warp_1, _S949.weft_1);
-        float3 _S956 = (float3)_S949.weight_2;
-        bounced_2.reflected_0 = lerp(bounced_2.reflected_0, _S955.reflected_0, _S956);
-        bounced_2.transmitted_0 = lerp(bounced_2.transmitted_0, _S955.transmitted_0, _S956);
+        Bounced_0 _S954 = bounced_of_families_0(_S946, _S949, _S950, _S953, _S948.warp_1, _S948.weft_1);
+        float3 _S955 = (float3)_S948.weight_2;
+        bounced_2.reflected_0 = lerp(bounced_2.reflected_0, _S954.reflected_0, _S955);
+        bounced_2.transmitted_0 = lerp(bounced_2.transmitted_0, _S954.transmitted_0, _S955);
     }
     return bounced_2;
 }
 
-float3 composed_0(uint _S957, Components_0 _S958, CloseUp_0 _S959, FamilyAlbedos_0 _S960, float3 _S961, float3 _S962, float3 _S963)
+float3 composed_0(uint _S956, Components_0 _S957, CloseUp_0 _S958, FamilyAlbedos_0 _S959, float3 _S960, float3 _S961, float3 _S962)
 {
-    Albedos_0 _S964 = tinted_0(_S960.warp_4, _S961);
-    Albedos_0 _S965 = tinted_0(_S960.weft_4, _S961);
-    float3 _S966 = _S964.diffuse_reflect_0 * _S958.diffuse_warp_0 + _S965.diffuse_reflect_0 * _S958.diffuse_weft_0 + _S964.specular_reflect_0 * _S958.specular_warp_0 + _S965.specular_reflect_0 * _S958.specular_weft_0;
-    float _S967 = _S963.z;
+    Albedos_0 _S963 = tinted_0(_S959.warp_4, _S960);
+    Albedos_0 _S964 = tinted_0(_S959.weft_4, _S960);
+    float3 _S965 = _S963.diffuse_reflect_0 * _S957.diffuse_warp_0 + _S964.diffuse_reflect_0 * _S957.diffuse_weft_0 + _S963.specular_reflect_0 * _S957.specular_warp_0 + _S964.specular_reflect_0 * _S957.specular_weft_0;
+    float _S966 = _S962.z;
     float3 body_0;
-    if((_S962.z * _S967) < 0.0f)
+    if((_S961.z * _S966) < 0.0f)
     {
-        body_0 = _S964.diffuse_transmit_0 * _S958.diffuse_warp_0 + _S965.diffuse_transmit_0 * _S958.diffuse_weft_0 + _S964.specular_transmit_0 * _S958.specular_warp_0 + _S965.specular_transmit_0 * _S958.specular_weft_0;
+        body_0 = _S963.diffuse_transmit_0 * _S957.diffuse_warp_0 + _S964.diffuse_transmit_0 * _S957.diffuse_weft_0 + _S963.specular_transmit_0 * _S957.specular_warp_0 + _S964.specular_transmit_0 * _S957.specular_weft_0;
     }
     else
     {
-        body_0 = _S966;
+        body_0 = _S965;
     }
-    if((fabrics_0[_S957].openness_0) != 4294967295U)
+    if((fabrics_0[_S956].openness_0) != 4294967295U)
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S957, _S958, _S959, _S960, _S961, _S963), _S962, _S963);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S956, _S957, _S958, _S959, _S960, _S962), _S961, _S962);
     }
-    float _S968 = fabrics_0[_S957].sheen_strength_0;
-    if((fabrics_0[_S957].sheen_strength_0) <= 0.0f)
+    float _S967 = fabrics_0[_S956].sheen_strength_0;
+    if((fabrics_0[_S956].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    bool _S969 = _S967 < 0.0f;
-    float2 _S970 = sheen_with_transmittance_0(to_face_frame_0(_S962, _S969), to_face_frame_0(_S963, _S969), _S968, fabrics_0[_S957].sheen_roughness_0);
-    return _S970.y * body_0 + (_S958.light_visibility_1 + _S958.hole_2) * _S970.x;
+    bool _S968 = _S966 < 0.0f;
+    float2 _S969 = sheen_with_transmittance_0(to_face_frame_0(_S961, _S968), to_face_frame_0(_S962, _S968), _S967, fabrics_0[_S956].sheen_roughness_0);
+    return _S969.y * body_0 + (_S957.light_visibility_1 + _S957.hole_2) * _S969.x;
 }
 
 float4 cloth_value_0(uint fabric_1, float2 centre_3, float2 dx_1, float2 dy_1, float3 light_4, float3 view_6)
@@ -8372,20 +8382,20 @@ float4 cloth_value_0(uint fabric_1, float2 centre_3, float2 dx_1, float2 dy_1, f
     footprint_1.dy_0 = dy_1;
     WovenView_0 activations_0;
     woven_view_0(fabric_1, footprint_1, view_6, activations_0);
-    Components_0 _S971 = woven_components_0(fabric_1, activations_0, light_4);
-    float _S972 = view_6.z;
-    float3 _S973 = composed_0(fabric_1, _S971, no_close_up_0(), albedos_over_0(fabric_1, footprint_1, _S972 < 0.0f), (float3)1.0f, light_4, view_6);
+    Components_0 _S970 = woven_components_0(fabric_1, activations_0, light_4);
+    float _S971 = view_6.z;
+    float3 _S972 = composed_0(fabric_1, _S970, no_close_up_0(), albedos_over_0(fabric_1, footprint_1, _S971 < 0.0f), (float3)1.0f, light_4, view_6);
     float through_1 = activations_0.hole_0;
     float through_2;
     if((fabrics_0[fabric_1].sheen_strength_0) > 0.0f)
     {
-        through_2 = through_1 * (1.0f - fabrics_0[fabric_1].sheen_strength_0 * sheen_lobe_0(abs(_S972), fabrics_0[fabric_1].sheen_roughness_0).z);
+        through_2 = through_1 * (1.0f - fabrics_0[fabric_1].sheen_strength_0 * sheen_lobe_0(abs(_S971), fabrics_0[fabric_1].sheen_roughness_0).z);
     }
     else
     {
         through_2 = through_1;
     }
-    return float4(_S973, through_2);
+    return float4(_S972, through_2);
 }
 
 [shader("compute")][numthreads(64, 1, 1)]
@@ -8395,9 +8405,9 @@ void woven_queries(uint3 id_0 : SV_DispatchThreadID)
     {
         return;
     }
-    Query_0 _S974 = queries_0.Load(id_0.x);
-    float4 _S975 = cloth_value_0(_S974.fabric_0, float2(_S974.centre_x_0, _S974.centre_y_0), float2(_S974.dx_x_0, _S974.dx_y_0), float2(_S974.dy_x_0, _S974.dy_y_0), float3(_S974.light_x_0, _S974.light_y_0, _S974.light_z_0), float3(_S974.view_x_0, _S974.view_y_0, _S974.view_z_0));
-    answers_0[id_0.x] = _S975;
+    Query_0 _S973 = queries_0.Load(id_0.x);
+    float4 _S974 = cloth_value_0(_S973.fabric_0, float2(_S973.centre_x_0, _S973.centre_y_0), float2(_S973.dx_x_0, _S973.dx_y_0), float2(_S973.dy_x_0, _S973.dy_y_0), float3(_S973.light_x_0, _S973.light_y_0, _S973.light_z_0), float3(_S973.view_x_0, _S973.view_y_0, _S973.view_z_0));
+    answers_0[id_0.x] = _S974;
     return;
 }
 

@@ -302,6 +302,7 @@ struct Fabric_0
     uint seed_0;
     float layer_bound_0;
     float fibre_size_0;
+    uint has_detail_0;
     float uv_width_0;
     float uv_height_0;
     uint is_open_0;
@@ -346,6 +347,16 @@ struct Family_0
     uint colour_areas_0;
     float area_unit_0;
     float crossing_area_0;
+    float has_plies_0;
+    float plies_per_mm_0;
+    float ply_sine_0;
+    float ply_cosine_0;
+    float fibre_tilt_0;
+    float fibre_tone_0;
+    float slub_0;
+    float slubs_per_mm_0;
+    float per_half_width_0;
+    float hairiness_0;
 };
 
 struct KernelContext_0
@@ -360,8 +371,8 @@ struct KernelContext_0
 
 float2 turns_and_remainder_0(uint family_0, float index_0, KernelContext_0 thread* kernelContext_0)
 {
-    float _S9 = floor(fma(index_0, kernelContext_0->families_0[family_0].inverse_count_0, kernelContext_0->families_0[family_0].half_inverse_count_0));
-    return float2(_S9, fma(- _S9, kernelContext_0->families_0[family_0].count_0, index_0));
+    float _S9 = floor(fma(index_0, (kernelContext_0->families_0+family_0)->inverse_count_0, (kernelContext_0->families_0+family_0)->half_inverse_count_0));
+    return float2(_S9, fma(- _S9, (kernelContext_0->families_0+family_0)->count_0, index_0));
 }
 
 struct Cell_0
@@ -375,15 +386,15 @@ struct Cell_0
 
 Cell_0 locate_alike_0(uint family_1, float position_0, KernelContext_0 thread* kernelContext_1)
 {
-    float _S10 = floor(position_0 * kernelContext_1->families_0[family_1].inverse_size_0);
+    float _S10 = floor(position_0 * (kernelContext_1->families_0+family_1)->inverse_size_0);
     thread Cell_0 cell_0;
-    float _S11 = fma(- _S10, kernelContext_1->families_0[family_1].size_0, position_0);
+    float _S11 = fma(- _S10, (kernelContext_1->families_0+family_1)->size_0, position_0);
     (&cell_0)->below_0 = _S11;
-    (&cell_0)->above_0 = kernelContext_1->families_0[family_1].size_0 - _S11;
-    (&cell_0)->across_2 = _S11 - 0.5f * kernelContext_1->families_0[family_1].size_0;
-    (&cell_0)->half_width_1 = kernelContext_1->families_0[family_1].half_width_0;
+    (&cell_0)->above_0 = (kernelContext_1->families_0+family_1)->size_0 - _S11;
+    (&cell_0)->across_2 = _S11 - 0.5f * (kernelContext_1->families_0+family_1)->size_0;
+    (&cell_0)->half_width_1 = (kernelContext_1->families_0+family_1)->half_width_0;
     float2 _S12 = turns_and_remainder_0(family_1, _S10, kernelContext_1);
-    (&cell_0)->thread_0 = uint(clamp(_S12.y, 0.0f, kernelContext_1->families_0[family_1].count_0 - 1.0f));
+    (&cell_0)->thread_0 = uint(clamp(_S12.y, 0.0f, (kernelContext_1->families_0+family_1)->count_0 - 1.0f));
     return cell_0;
 }
 
@@ -399,11 +410,11 @@ float table_number_1(uint index_2, KernelContext_0 thread* kernelContext_3)
 
 Cell_0 locate_varied_0(uint family_2, float position_1, KernelContext_0 thread* kernelContext_4)
 {
-    float turns_0 = (position_1 - kernelContext_4->families_0[family_2].start_0) * kernelContext_4->families_0[family_2].inverse_period_0;
+    float turns_0 = (position_1 - (kernelContext_4->families_0+family_2)->start_0) * (kernelContext_4->families_0+family_2)->inverse_period_0;
     float turns_1 = turns_0 - floor(turns_0);
-    float _S13 = turns_1 * kernelContext_4->families_0[family_2].period_0;
-    uint thread_1 = kernelContext_4->words_0[kernelContext_4->families_0[family_2].first_thread_table_0 + uint(clamp(turns_1 * kernelContext_4->families_0[family_2].bins_0, 0.0f, kernelContext_4->families_0[family_2].bins_0 - 1.0f))];
-    float _S14 = table_number_0(kernelContext_4->families_0[family_2].place_table_0 + thread_1 * 4U + 1U, kernelContext_4);
+    float _S13 = turns_1 * (kernelContext_4->families_0+family_2)->period_0;
+    uint thread_1 = kernelContext_4->words_0[(kernelContext_4->families_0+family_2)->first_thread_table_0 + uint(clamp(turns_1 * (kernelContext_4->families_0+family_2)->bins_0, 0.0f, (kernelContext_4->families_0+family_2)->bins_0 - 1.0f))];
+    float _S14 = table_number_0((kernelContext_4->families_0+family_2)->place_table_0 + thread_1 * 4U + 1U, kernelContext_4);
     uint _S15;
     if(_S13 >= _S14)
     {
@@ -413,8 +424,8 @@ Cell_0 locate_varied_0(uint family_2, float position_1, KernelContext_0 thread* 
     {
         _S15 = 0U;
     }
-    uint _S16 = min(thread_1 + _S15, uint(kernelContext_4->families_0[family_2].count_0) - 1U);
-    uint _S17 = kernelContext_4->families_0[family_2].place_table_0 + _S16 * 4U;
+    uint _S16 = min(thread_1 + _S15, uint((kernelContext_4->families_0+family_2)->count_0) - 1U);
+    uint _S17 = (kernelContext_4->families_0+family_2)->place_table_0 + _S16 * 4U;
     thread Cell_0 cell_1;
     (&cell_1)->thread_0 = _S16;
     float _S18 = table_number_0(_S17, kernelContext_4);
@@ -430,7 +441,7 @@ Cell_0 locate_varied_0(uint family_2, float position_1, KernelContext_0 thread* 
 
 Cell_0 locate_0(uint family_3, float position_2, KernelContext_0 thread* kernelContext_5)
 {
-    if((kernelContext_5->families_0[family_3].is_alike_0) != 0U)
+    if(((kernelContext_5->families_0+family_3)->is_alike_0) != 0U)
     {
         Cell_0 _S22 = locate_alike_0(family_3, position_2, kernelContext_5);
         return _S22;
@@ -558,16 +569,16 @@ float boundary_0(uint family_4, uint thread_2, int step_0, KernelContext_0 threa
 {
     float2 _S30 = turns_and_remainder_0(family_4, float(int(thread_2) + step_0), kernelContext_6);
     float _S31 = _S30.x;
-    Family_0 _S32 = kernelContext_6->families_0[family_4];
-    float _S33 = table_number_0(kernelContext_6->families_0[family_4].place_table_0 + uint(_S30.y) * 4U, kernelContext_6);
-    return fma(_S31, _S32.period_0, _S33);
+    float _S32 = (kernelContext_6->families_0+family_4)->period_0;
+    float _S33 = table_number_0((kernelContext_6->families_0+family_4)->place_table_0 + uint(_S30.y) * 4U, kernelContext_6);
+    return fma(_S31, _S32, _S33);
 }
 
 float span_0(uint family_5, uint thread_3, int first_1, int last_0, KernelContext_0 thread* kernelContext_7)
 {
-    if((kernelContext_7->families_0[family_5].is_alike_0) != 0U)
+    if(((kernelContext_7->families_0+family_5)->is_alike_0) != 0U)
     {
-        return float(last_0 - first_1) * kernelContext_7->families_0[family_5].size_0;
+        return float(last_0 - first_1) * (kernelContext_7->families_0+family_5)->size_0;
     }
     float _S34 = boundary_0(family_5, thread_3, last_0, kernelContext_7);
     float _S35 = boundary_0(family_5, thread_3, first_1, kernelContext_7);
@@ -583,9 +594,9 @@ struct Bend_0
 
 Bend_0 bend_of_0(uint family_6, uint thread_4, KernelContext_0 thread* kernelContext_8)
 {
-    Family_0 _S36 = kernelContext_8->families_0[family_6];
+    uint _S36 = (kernelContext_8->families_0+family_6)->bend_table_0;
     uint _S37;
-    if((kernelContext_8->families_0[family_6].is_alike_0) != 0U)
+    if(((kernelContext_8->families_0+family_6)->is_alike_0) != 0U)
     {
         _S37 = 0U;
     }
@@ -593,7 +604,7 @@ Bend_0 bend_of_0(uint family_6, uint thread_4, KernelContext_0 thread* kernelCon
     {
         _S37 = thread_4 * 4U;
     }
-    uint _S38 = _S36.bend_table_0 + _S37;
+    uint _S38 = _S36 + _S37;
     thread Bend_0 bend_0;
     float _S39 = table_number_0(_S38, kernelContext_8);
     (&bend_0)->sine_0 = _S39;
@@ -704,14 +715,14 @@ Section_0 section_at_0(const Cell_0 thread* cell_3)
 
 float edge_drop_0(uint family_7, uint thread_6, int step_1, KernelContext_0 thread* kernelContext_10)
 {
-    if((kernelContext_10->families_0[family_7].is_alike_0) != 0U)
+    if(((kernelContext_10->families_0+family_7)->is_alike_0) != 0U)
     {
-        float _S65 = table_number_0(kernelContext_10->families_0[family_7].bend_table_0 + 3U, kernelContext_10);
+        float _S65 = table_number_0((kernelContext_10->families_0+family_7)->bend_table_0 + 3U, kernelContext_10);
         return _S65;
     }
-    Family_0 _S66 = kernelContext_10->families_0[family_7];
+    uint _S66 = (kernelContext_10->families_0+family_7)->bend_table_0;
     float2 _S67 = turns_and_remainder_0(family_7, float(int(thread_6) + step_1), kernelContext_10);
-    float _S68 = table_number_0(_S66.bend_table_0 + uint(_S67.y) * 4U + 3U, kernelContext_10);
+    float _S68 = table_number_0(_S66 + uint(_S67.y) * 4U + 3U, kernelContext_10);
     return _S68;
 }
 
@@ -747,9 +758,9 @@ float2 dive_0(uint other_1, const Shown_0 thread* shown_1, const Run_0 thread* r
     }
     else
     {
-        Family_0 _S77 = kernelContext_11->families_0[other_1];
+        float _S77 = (kernelContext_11->families_0+other_1)->height_scale_0;
         float _S78 = edge_drop_0(other_1, crossed_1->thread_0, int(0), kernelContext_11);
-        _S73 = _S77.height_scale_0 * _S78;
+        _S73 = _S77 * _S78;
     }
     float _S79;
     if(_S76 != _S75)
@@ -758,7 +769,7 @@ float2 dive_0(uint other_1, const Shown_0 thread* shown_1, const Run_0 thread* r
     }
     else
     {
-        Family_0 _S80 = kernelContext_11->families_0[other_1];
+        float _S80 = (kernelContext_11->families_0+other_1)->height_scale_0;
         uint _S81 = crossed_1->thread_0;
         int _S82;
         if(_S71)
@@ -770,7 +781,7 @@ float2 dive_0(uint other_1, const Shown_0 thread* shown_1, const Run_0 thread* r
             _S82 = int(1);
         }
         float _S83 = edge_drop_0(other_1, _S81, _S82, kernelContext_11);
-        _S79 = _S80.height_scale_0 * _S83;
+        _S79 = _S80 * _S83;
     }
     float _S84 = 1.0f / max(2.0f * _S74, 9.999999960041972e-13f);
     float _S85 = clamp((_S74 - _S72) * _S84, 0.0f, 1.0f);
@@ -1228,12 +1239,93 @@ float arc_sine_0(float x_3)
     return _S130;
 }
 
+struct Hair_0
+{
+    float cover_0;
+    float3 normal_2;
+    float3 tangent_2;
+};
+
+Hair_0 Hair_x24init_0(float cover_1, float3 normal_3, float3 tangent_3)
+{
+    thread Hair_0 _S133;
+    (&_S133)->cover_0 = cover_1;
+    (&_S133)->normal_2 = normal_3;
+    (&_S133)->tangent_2 = tangent_3;
+    return _S133;
+}
+
+float fade_0(float size_1, float period_1)
+{
+    return clamp((1.0f - size_1 / period_1) * 1.33333337306976318f, 0.0f, 1.0f);
+}
+
+uint scramble_0(uint value_0)
+{
+    uint _S134 = value_0 * 747796405U + 2891336453U;
+    uint _S135 = ((_S134 >> ((_S134 >> 28U) + 4U)) ^ _S134) * 277803737U;
+    return (_S135 >> 22U) ^ _S135;
+}
+
+uint hash_key_0(uint thread_7, uint stream_0)
+{
+    return scramble_0(thread_7 + scramble_0(stream_0));
+}
+
+uint hash_bits_0(uint key_0, uint cell_5)
+{
+    return scramble_0(cell_5 + key_0);
+}
+
+float share_of_0(uint bits_0)
+{
+    return (float(bits_0 & 1023U) + 0.5f) * 0.0009765625f;
+}
+
+float2 sine_cosine_0(float x_4)
+{
+    float _S136 = floor(x_4 * 0.63661974668502808f + 0.5f);
+    float _S137 = x_4 - _S136 * 1.5703125f - _S136 * 0.00048375129699707f - _S136 * 7.54979012640433211e-08f;
+    float _S138 = _S137 * _S137;
+    float _S139 = ((-0.00019515295571182f * _S138 + 0.00833216123282909f) * _S138 - 0.16666655242443085f) * _S138 * _S137 + _S137;
+    float _S140 = ((0.00002443315679557f * _S138 - 0.00138873164542019f) * _S138 + 0.04166664555668831f) * _S138 * _S138 - 0.5f * _S138 + 1.0f;
+    uint _S141 = uint(int(_S136)) & 3U;
+    float2 _S142;
+    if((_S141 & 1U) != 0U)
+    {
+        _S142 = float2(_S140, _S139);
+    }
+    else
+    {
+        _S142 = float2(_S139, _S140);
+    }
+    float _S143;
+    if((_S141 & 2U) != 0U)
+    {
+        _S143 = - _S142.x;
+    }
+    else
+    {
+        _S143 = _S142.x;
+    }
+    float _S144;
+    if(((_S141 + 1U) & 2U) != 0U)
+    {
+        _S144 = - _S142.y;
+    }
+    else
+    {
+        _S144 = _S142.y;
+    }
+    return float2(_S143, _S144);
+}
+
 float3 table_colour_0(uint index_3, KernelContext_0 thread* kernelContext_12)
 {
-    float _S133 = table_number_1(index_3, kernelContext_12);
-    float _S134 = table_number_1(index_3 + 1U, kernelContext_12);
-    float _S135 = table_number_1(index_3 + 2U, kernelContext_12);
-    return float3(_S133, _S134, _S135);
+    float _S145 = table_number_1(index_3, kernelContext_12);
+    float _S146 = table_number_1(index_3 + 1U, kernelContext_12);
+    float _S147 = table_number_1(index_3 + 2U, kernelContext_12);
+    return float3(_S145, _S146, _S147);
 }
 
 struct Albedos_0
@@ -1247,84 +1339,170 @@ struct Albedos_0
 Albedos_0 table_albedos_0(uint row_0, KernelContext_0 thread* kernelContext_13)
 {
     thread Albedos_0 albedos_0;
-    float3 _S136 = table_colour_0(row_0, kernelContext_13);
-    (&albedos_0)->diffuse_reflect_0 = _S136;
-    float3 _S137 = table_colour_0(row_0 + 3U, kernelContext_13);
-    (&albedos_0)->diffuse_transmit_0 = _S137;
-    float3 _S138 = table_colour_0(row_0 + 6U, kernelContext_13);
-    (&albedos_0)->specular_reflect_0 = _S138;
-    float3 _S139 = table_colour_0(row_0 + 9U, kernelContext_13);
-    (&albedos_0)->specular_transmit_0 = _S139;
+    float3 _S148 = table_colour_0(row_0, kernelContext_13);
+    (&albedos_0)->diffuse_reflect_0 = _S148;
+    float3 _S149 = table_colour_0(row_0 + 3U, kernelContext_13);
+    (&albedos_0)->diffuse_transmit_0 = _S149;
+    float3 _S150 = table_colour_0(row_0 + 6U, kernelContext_13);
+    (&albedos_0)->specular_reflect_0 = _S150;
+    float3 _S151 = table_colour_0(row_0 + 9U, kernelContext_13);
+    (&albedos_0)->specular_transmit_0 = _S151;
     return albedos_0;
 }
 
-Albedos_0 albedos_of_0(uint family_8, uint thread_7, KernelContext_0 thread* kernelContext_14)
+Albedos_0 albedos_of_0(uint family_8, uint thread_8, KernelContext_0 thread* kernelContext_14)
 {
-    Albedos_0 _S140 = table_albedos_0(kernelContext_14->families_0[family_8].albedo_table_0 + kernelContext_14->families_0[family_8].albedo_stride_0 * thread_7, kernelContext_14);
-    return _S140;
+    Albedos_0 _S152 = table_albedos_0((kernelContext_14->families_0+family_8)->albedo_table_0 + (kernelContext_14->families_0+family_8)->albedo_stride_0 * thread_8, kernelContext_14);
+    return _S152;
 }
 
-uint scramble_0(uint value_0)
+float3 fibre_cell_0(float across_4, float along_0, float width_1)
 {
-    uint _S141 = value_0 * 747796405U + 2891336453U;
-    uint _S142 = ((_S141 >> ((_S141 >> 28U) + 4U)) ^ _S141) * 277803737U;
-    return (_S142 >> 22U) ^ _S142;
+    float _S153 = floor(across_4 / width_1);
+    return float3(_S153, along_0 / (width_1 * 40.0f) + 0.61799997091293335f * _S153, 2.0f * (across_4 / width_1 - _S153) - 1.0f);
 }
 
-float uniform_hash_0(uint thread_8, uint cell_5, uint stream_0)
+float ply_offset_0(uint family_9, const SurfacePoint_0 thread* point_0, bool back_4, KernelContext_0 thread* kernelContext_15)
 {
-    return (float((scramble_0(cell_5 + scramble_0(thread_8 + scramble_0(stream_0)))) >> 9U) + 0.5f) * 1.1920928955078125e-07f;
+    float _S154;
+    if(back_4)
+    {
+        _S154 = - (kernelContext_15->families_0+family_9)->ply_sine_0;
+    }
+    else
+    {
+        _S154 = (kernelContext_15->families_0+family_9)->ply_sine_0;
+    }
+    float _S155 = (point_0->fibre_across_0 * (kernelContext_15->families_0+family_9)->ply_cosine_0 + point_0->fibre_along_0 * _S154) * (kernelContext_15->families_0+family_9)->plies_per_mm_0;
+    return 2.0f * (_S155 - floor(_S155)) - 1.0f;
 }
 
-float thread_gain_0(uint thread_9, float amount_0, uint seed_1)
+float signed_noise_0(uint bits_1)
 {
-    return amount_0 * (2.0f * uniform_hash_0(thread_9, 0U, seed_1 ^ 2135587861U) - 1.0f) + 1.0f;
+    return (float(bits_1 & 65535U) + 0.5f) * 0.000030517578125f - 1.0f;
+}
+
+float smooth_share_0(float share_1)
+{
+    return share_1 * share_1 * (3.0f - 2.0f * share_1);
+}
+
+float2 wave_noise_0(uint key_1, float position_3)
+{
+    float _S156 = floor(position_3);
+    float _S157 = position_3 - _S156;
+    uint _S158 = uint(int(_S156));
+    float _S159 = signed_noise_0(hash_bits_0(key_1, _S158));
+    float _S160 = signed_noise_0(hash_bits_0(key_1, _S158 + 1U));
+    return float2(mix(_S159, _S160, smooth_share_0(_S157)), 6.0f * _S157 * (1.0f - _S157) * (_S160 - _S159));
+}
+
+float2 cell_noise_0(uint key_2, float3 cell_6)
+{
+    float _S161 = cell_6.y;
+    float _S162 = floor(_S161);
+    uint _S163 = uint(int(cell_6.x)) * 65536U + uint(int(_S162));
+    uint _S164 = hash_bits_0(key_2, _S163);
+    uint _S165 = hash_bits_0(key_2, _S163 + 1U);
+    return mix(float2(signed_noise_0(_S164), signed_noise_0(_S164 >> 16U)), float2(signed_noise_0(_S165), signed_noise_0(_S165 >> 16U)), float2(smooth_share_0(_S161 - _S162)) );
+}
+
+float uniform_hash_0(uint thread_9, uint cell_7, uint stream_1)
+{
+    return (float((hash_bits_0(hash_key_0(thread_9, stream_1), cell_7)) >> 9U) + 0.5f) * 1.1920928955078125e-07f;
+}
+
+float thread_gain_0(uint thread_10, float amount_0, uint seed_1)
+{
+    return amount_0 * (2.0f * uniform_hash_0(thread_10, 0U, seed_1 ^ 2135587861U) - 1.0f) + 1.0f;
 }
 
 float bounded_gain_0(float gain_0, float3 albedo_1, float3 room_0)
 {
-    float3 _S143 = room_0 / max(albedo_1, float3(9.99999997475242708e-07f) );
-    return min(gain_0, max(min(min(_S143.x, _S143.y), _S143.z), 0.0f));
+    float3 _S166 = room_0 / max(albedo_1, float3(9.99999997475242708e-07f) );
+    return min(gain_0, max(min(min(_S166.x, _S166.y), _S166.z), 0.0f));
 }
 
-float fibre_gain_0(uint thread_10, uint cell_6, float amount_1, uint seed_2)
+float flattened_0(float largest_0, float3 albedo_2, float3 room_1)
 {
-    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_10, cell_6, seed_2 ^ 2654435769U)), 10.0f) - 1.0f) + 1.0f;
+    float3 _S167 = room_1 / max(albedo_2, float3(9.99999997475242708e-07f) ) - float3(1.0f) ;
+    return min(max(min(min(_S167.x, _S167.y), _S167.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
 }
 
-float diffuse_reflection_0(float3 light_0, float3 normal_2, float blend_0)
+float fibre_gain_0(uint thread_11, uint cell_8, float amount_1, uint seed_2)
 {
-    float _S144 = light_0.z;
-    if(_S144 <= 0.0f)
+    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_8, seed_2 ^ 2654435769U)), 10.0f) - 1.0f) + 1.0f;
+}
+
+struct YarnFrame_0
+{
+    float3 normal_4;
+    float3 tangent_4;
+    float loss_0;
+};
+
+YarnFrame_0 under_hair_0(const YarnFrame_0 thread* frame_0, const Hair_0 thread* hair_0)
+{
+    float3 _S168 = frame_0->tangent_4;
+    float3 _S169 = hair_0->tangent_2;
+    float3 _S170;
+    if((dot(frame_0->tangent_4, hair_0->tangent_2)) < 0.0f)
     {
-        return 0.0f;
-    }
-    return 0.31830987334251404f * mix(max(_S144, 0.0f), max(dot(light_0, normal_2), 0.0f), blend_0);
-}
-
-float projected_area_1(float3 direction_2, float3 tangent_2, float roughness_1)
-{
-    float _S145 = dot(direction_2, tangent_2);
-    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S145 * _S145 + 1.0f, roughness_1 * roughness_1));
-}
-
-float exponential_0(float x_4)
-{
-    float _S146 = clamp(x_4, -87.0f, 88.0f);
-    float _S147 = floor(_S146 * 1.4426950216293335f + 0.5f);
-    float _S148 = _S146 - _S147 * 0.693359375f + _S147 * 0.00021219444170129f;
-    float p_0 = ((((0.00019875691214111f * _S148 + 0.00139819993637502f) * _S148 + 0.00833345204591751f) * _S148 + 0.04166579619050026f) * _S148 + 0.1666666567325592f) * _S148 + 0.5f;
-    float _S149 = (as_type<float>((uint(int(_S147) + int(127)) << 23U)));
-    float _S150;
-    if(x_4 < -87.0f)
-    {
-        _S150 = 0.0f;
+        _S170 = - _S169;
     }
     else
     {
-        _S150 = (p_0 * _S148 * _S148 + _S148 + 1.0f) * _S149;
+        _S170 = _S169;
     }
-    return _S150;
+    thread YarnFrame_0 blended_0;
+    float3 _S171 = float3(hair_0->cover_0) ;
+    float3 _S172 = normalize(mix(frame_0->normal_4, hair_0->normal_2, _S171));
+    (&blended_0)->normal_4 = _S172;
+    float3 _S173 = mix(_S168, _S170, _S171);
+    float3 _S174 = _S173 - float3(dot(_S173, _S172))  * _S172;
+    (&blended_0)->tangent_4 = _S174 * float3(rsqrt(max(dot(_S174, _S174), 9.999999960041972e-13f))) ;
+    (&blended_0)->loss_0 = frame_0->loss_0 * (1.0f - hair_0->cover_0);
+    return blended_0;
+}
+
+float diffuse_gain_0(const YarnFrame_0 thread* frame_1, float blend_0)
+{
+    return min(0.85000002384185791f * blend_0 * frame_1->loss_0 + 1.0f, 1.0f / (0.5f * blend_0 * (frame_1->normal_4.z - 1.0f) + 1.0f));
+}
+
+float diffuse_reflection_0(float3 light_0, float3 normal_5, float blend_1)
+{
+    float _S175 = light_0.z;
+    if(_S175 <= 0.0f)
+    {
+        return 0.0f;
+    }
+    return 0.31830987334251404f * mix(max(_S175, 0.0f), max(dot(light_0, normal_5), 0.0f), blend_1);
+}
+
+float projected_area_1(float3 direction_2, float3 tangent_5, float roughness_1)
+{
+    float _S176 = dot(direction_2, tangent_5);
+    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S176 * _S176 + 1.0f, roughness_1 * roughness_1));
+}
+
+float exponential_0(float x_5)
+{
+    float _S177 = clamp(x_5, -87.0f, 88.0f);
+    float _S178 = floor(_S177 * 1.4426950216293335f + 0.5f);
+    float _S179 = _S177 - _S178 * 0.693359375f + _S178 * 0.00021219444170129f;
+    float p_0 = ((((0.00019875691214111f * _S179 + 0.00139819993637502f) * _S179 + 0.00833345204591751f) * _S179 + 0.04166579619050026f) * _S179 + 0.1666666567325592f) * _S179 + 0.5f;
+    float _S180 = (as_type<float>((uint(int(_S178) + int(127)) << 23U)));
+    float _S181;
+    if(x_5 < -87.0f)
+    {
+        _S181 = 0.0f;
+    }
+    else
+    {
+        _S181 = (p_0 * _S179 * _S179 + _S179 + 1.0f) * _S180;
+    }
+    return _S181;
 }
 
 float mean_attenuation_0(float depth_0)
@@ -1343,62 +1521,62 @@ float square_1(float3 v_0)
 
 float flake_density_0(float squared_along_0, float roughness_2)
 {
-    float _S151 = roughness_2 * roughness_2;
-    float _S152 = squared_along_0 * (1.0f - _S151) + _S151;
-    return 0.31830987334251404f * _S151 * roughness_2 / (_S152 * _S152);
+    float _S182 = roughness_2 * roughness_2;
+    float _S183 = squared_along_0 * (1.0f - _S182) + _S182;
+    return 0.31830987334251404f * _S182 * roughness_2 / (_S183 * _S183);
 }
 
-float density_between_0(float3 light_1, float3 view_0, float3 tangent_3, float roughness_3)
+float density_between_0(float3 light_1, float3 view_0, float3 tangent_6, float roughness_3)
 {
-    float3 _S153 = light_1 + view_0;
-    float _S154 = dot(_S153, tangent_3);
-    return flake_density_0(min(_S154 * _S154 / max(square_1(_S153), 9.999999960041972e-13f), 1.0f), roughness_3);
+    float3 _S184 = light_1 + view_0;
+    float _S185 = dot(_S184, tangent_6);
+    return flake_density_0(min(_S185 * _S185 / max(square_1(_S184), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
-float transmission_1(float3 light_2, float3 view_1, float3 normal_3, float3 tangent_4, float roughness_4, float optical_depth_1)
+float transmission_1(float3 light_2, float3 view_1, float3 normal_6, float3 tangent_7, float roughness_4, float optical_depth_1)
 {
-    float _S155 = - dot(light_2, normal_3);
-    float _S156 = dot(view_1, normal_3);
-    bool _S157;
-    if(_S155 <= 0.0f)
+    float _S186 = - dot(light_2, normal_6);
+    float _S187 = dot(view_1, normal_6);
+    bool _S188;
+    if(_S186 <= 0.0f)
     {
-        _S157 = true;
+        _S188 = true;
     }
     else
     {
-        _S157 = _S156 <= 0.0f;
+        _S188 = _S187 <= 0.0f;
     }
-    if(_S157)
+    if(_S188)
     {
         return 0.0f;
     }
-    float _S158 = 1.0f / max(_S156, 9.99999997475242708e-07f);
-    float _S159 = projected_area_1(light_2, tangent_4, roughness_4) / max(_S155, 9.99999997475242708e-07f);
-    float _S160 = projected_area_1(view_1, tangent_4, roughness_4) * _S158;
-    return density_between_0(light_2, view_1, tangent_4, roughness_4) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S159, _S160)) * mean_attenuation_0(optical_depth_1 * abs(_S159 - _S160)) * _S158;
+    float _S189 = 1.0f / max(_S187, 9.99999997475242708e-07f);
+    float _S190 = projected_area_1(light_2, tangent_7, roughness_4) / max(_S186, 9.99999997475242708e-07f);
+    float _S191 = projected_area_1(view_1, tangent_7, roughness_4) * _S189;
+    return density_between_0(light_2, view_1, tangent_7, roughness_4) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S190, _S191)) * mean_attenuation_0(optical_depth_1 * abs(_S190 - _S191)) * _S189;
 }
 
-float reflection_0(float3 light_3, float3 view_2, float3 normal_4, float3 tangent_5, float roughness_5, float optical_depth_2)
+float reflection_0(float3 light_3, float3 view_2, float3 normal_7, float3 tangent_8, float roughness_5, float optical_depth_2)
 {
-    float _S161 = dot(light_3, normal_4);
-    bool _S162;
-    if(_S161 <= 0.0f)
+    float _S192 = dot(light_3, normal_7);
+    bool _S193;
+    if(_S192 <= 0.0f)
     {
-        _S162 = true;
+        _S193 = true;
     }
     else
     {
-        _S162 = (dot(view_2, normal_4)) <= 0.0f;
+        _S193 = (dot(view_2, normal_7)) <= 0.0f;
     }
-    if(_S162)
+    if(_S193)
     {
         return 0.0f;
     }
-    float _S163 = max(_S161, 9.99999997475242708e-07f);
-    float _S164 = max(dot(view_2, normal_4), 9.99999997475242708e-07f);
-    float _S165 = projected_area_1(light_3, tangent_5, roughness_5) * _S164 + projected_area_1(view_2, tangent_5, roughness_5) * _S163;
-    float _S166 = optical_depth_2 * _S165 / (_S163 * _S164);
-    return 0.25f * density_between_0(light_3, view_2, tangent_5, roughness_5) * (_S166 * mean_attenuation_0(_S166)) * _S163 / _S165;
+    float _S194 = max(_S192, 9.99999997475242708e-07f);
+    float _S195 = max(dot(view_2, normal_7), 9.99999997475242708e-07f);
+    float _S196 = projected_area_1(light_3, tangent_8, roughness_5) * _S195 + projected_area_1(view_2, tangent_8, roughness_5) * _S194;
+    float _S197 = optical_depth_2 * _S196 / (_S194 * _S195);
+    return 0.25f * density_between_0(light_3, view_2, tangent_8, roughness_5) * (_S197 * mean_attenuation_0(_S197)) * _S194 / _S196;
 }
 
 Components_0 with_added_0(const Components_0 thread* sums_0, const Components_0 thread* more_0, float weight_1)
@@ -1413,23 +1591,23 @@ Components_0 with_added_0(const Components_0 thread* sums_0, const Components_0 
     return result_0;
 }
 
-Blocked_0 scaled_0(const Blocked_0 thread* blocked_0, float share_1)
+Blocked_0 scaled_0(const Blocked_0 thread* blocked_0, float share_2)
 {
     thread Blocked_0 result_1;
-    (&result_1)->by_warp_0 = share_1 * blocked_0->by_warp_0;
-    (&result_1)->by_weft_0 = share_1 * blocked_0->by_weft_0;
-    (&result_1)->far_0 = share_1 * blocked_0->far_0;
+    (&result_1)->by_warp_0 = share_2 * blocked_0->by_warp_0;
+    (&result_1)->by_weft_0 = share_2 * blocked_0->by_weft_0;
+    (&result_1)->far_0 = share_2 * blocked_0->far_0;
     return result_1;
 }
 
-float wrapped_cell_0(float position_3, float count_1)
+float wrapped_cell_0(float position_4, float count_1)
 {
-    return min(floor((position_3 - floor(position_3)) * count_1), count_1 - 1.0f);
+    return min(floor((position_4 - floor(position_4)) * count_1), count_1 - 1.0f);
 }
 
-float arc_tangent_quotient_0(float x_5, float y_0)
+float arc_tangent_quotient_0(float x_6, float y_0)
 {
-    return ((((((0.0f * x_5 + 0.00809729471802711f) * x_5 + -0.0377517081797123f) * x_5 + 0.08475969731807709f) * x_5 + -0.13537675142288208f) * x_5 + 0.19895026087760925f) * x_5 + -0.33327975869178772f) * x_5 + 0.99999970197677612f;
+    return ((((((0.0f * x_6 + 0.00809729471802711f) * x_6 + -0.0377517081797123f) * x_6 + 0.08475969731807709f) * x_6 + -0.13537675142288208f) * x_6 + 0.19895026087760925f) * x_6 + -0.33327975869178772f) * x_6 + 0.99999970197677612f;
 }
 
 float arc_tangent_of_ratio_0(float ratio_0)
@@ -1437,13 +1615,13 @@ float arc_tangent_of_ratio_0(float ratio_0)
     return ratio_0 * arc_tangent_quotient_0(ratio_0 * ratio_0, 0.0f);
 }
 
-float arc_tangent_0(float y_1, float x_6)
+float arc_tangent_0(float y_1, float x_7)
 {
-    float _S167 = abs(x_6);
-    float _S168 = abs(y_1);
-    float angle_0 = arc_tangent_of_ratio_0(min(_S167, _S168) / max(max(_S167, _S168), 1.00000000317107685e-30f));
+    float _S198 = abs(x_7);
+    float _S199 = abs(y_1);
+    float angle_0 = arc_tangent_of_ratio_0(min(_S198, _S199) / max(max(_S198, _S199), 1.00000000317107685e-30f));
     float angle_1;
-    if(_S168 > _S167)
+    if(_S199 > _S198)
     {
         angle_1 = 1.57079637050628662f - angle_0;
     }
@@ -1451,7 +1629,7 @@ float arc_tangent_0(float y_1, float x_6)
     {
         angle_1 = angle_0;
     }
-    if(x_6 < 0.0f)
+    if(x_7 < 0.0f)
     {
         angle_1 = 3.14159274101257324f - angle_1;
     }
@@ -1471,43 +1649,43 @@ struct NodeTaps_0
 
 NodeTaps_0 node_taps_0(float3 direction_3)
 {
-    float _S169 = arc_tangent_0(direction_3.y, direction_3.x) * 5.09295797348022461f;
-    float _S170 = floor(_S169);
-    float _S171 = _S169 - _S170;
-    float _S172 = sqrt(clamp((1.0f - abs(direction_3.z)) / 0.97000002861022949f, 0.0f, 1.0f));
-    float _S173 = 7.0f * _S172 * sqrt(_S172);
-    float _S174 = min(floor(_S173), 6.0f);
-    float _S175 = _S173 - _S174;
-    uint _S176 = uint(int(_S170) + int(32)) % 32U;
-    uint _S177 = uint(_S174);
-    uint _S178 = _S176 * 8U + _S177;
-    uint _S179 = (_S176 + 1U) % 32U * 8U + _S177;
+    float _S200 = arc_tangent_0(direction_3.y, direction_3.x) * 5.09295797348022461f;
+    float _S201 = floor(_S200);
+    float _S202 = _S200 - _S201;
+    float _S203 = sqrt(clamp((1.0f - abs(direction_3.z)) / 0.97000002861022949f, 0.0f, 1.0f));
+    float _S204 = 7.0f * _S203 * sqrt(_S203);
+    float _S205 = min(floor(_S204), 6.0f);
+    float _S206 = _S204 - _S205;
+    uint _S207 = uint(int(_S201) + int(32)) % 32U;
+    uint _S208 = uint(_S205);
+    uint _S209 = _S207 * 8U + _S208;
+    uint _S210 = (_S207 + 1U) % 32U * 8U + _S208;
     thread NodeTaps_0 taps_0;
-    (&taps_0)->nodes_0 = uint4(_S178, _S178 + 1U, _S179, _S179 + 1U);
-    float _S180 = 1.0f - _S171;
-    float _S181 = 1.0f - _S175;
-    uint4 _S182 = uint4(float4(_S180 * _S181, _S180 * _S175, _S171 * _S181, _S171 * _S175) * float4(252.0f)  + float4(0.5f) );
-    (&taps_0)->weights_0 = _S182;
-    (&taps_0)->inverse_sum_0 = 1.0f / float(_S182.x + _S182.y + _S182.z + _S182.w);
+    (&taps_0)->nodes_0 = uint4(_S209, _S209 + 1U, _S210, _S210 + 1U);
+    float _S211 = 1.0f - _S202;
+    float _S212 = 1.0f - _S206;
+    uint4 _S213 = uint4(float4(_S211 * _S212, _S211 * _S206, _S202 * _S212, _S202 * _S206) * float4(252.0f)  + float4(0.5f) );
+    (&taps_0)->weights_0 = _S213;
+    (&taps_0)->inverse_sum_0 = 1.0f / float(_S213.x + _S213.y + _S213.z + _S213.w);
     return taps_0;
 }
 
 float3 half_vector_0(float3 light_4, float3 view_3)
 {
-    float3 _S183 = light_4 + view_3;
-    return _S183 * float3(rsqrt(max(square_1(_S183), 9.999999960041972e-13f))) ;
+    float3 _S214 = light_4 + view_3;
+    return _S214 * float3(rsqrt(max(square_1(_S214), 9.999999960041972e-13f))) ;
 }
 
 float3 shadow_correlation_0(float3 light_5, float3 view_4)
 {
-    float2 _S184 = light_5.xy;
-    float2 _S185 = view_4.xy;
-    float _S186 = dot(_S184, _S185) / max(sqrt(dot(_S184, _S184) * dot(_S185, _S185)), 9.99999997475242708e-07f);
+    float2 _S215 = light_5.xy;
+    float2 _S216 = view_4.xy;
+    float _S217 = dot(_S215, _S216) / max(sqrt(dot(_S215, _S215) * dot(_S216, _S216)), 9.99999997475242708e-07f);
     if((light_5.z) < 0.0f)
     {
-        return float3(float2((-0.09000000357627869f + -0.07999999821186066f * _S186)) , 0.0f);
+        return float3(float2((-0.09000000357627869f + -0.07999999821186066f * _S217)) , 0.0f);
     }
-    return float3(min(0.62000000476837158f + 0.62999999523162842f * _S186, 1.20000004768371582f), 0.62000000476837158f, 0.37000000476837158f);
+    return float3(min(0.62000000476837158f + 0.62999999523162842f * _S217, 1.20000004768371582f), 0.62000000476837158f, 0.37000000476837158f);
 }
 
 float4 bytes_of_sums_0(uint even_0, uint odd_0)
@@ -1517,50 +1695,50 @@ float4 bytes_of_sums_0(uint even_0, uint odd_0)
 
 float4 interpolate_0(const NodeTaps_0 thread* taps_1, uint4 packs_1)
 {
-    uint4 _S187 = uint4(16711935U) ;
-    uint4 _S188 = (packs_1 & _S187) * taps_1->weights_0;
-    uint4 _S189 = ((packs_1 >> (uint4(8U) )) & _S187) * taps_1->weights_0;
-    return bytes_of_sums_0(_S188.x + _S188.y + _S188.z + _S188.w, _S189.x + _S189.y + _S189.z + _S189.w) * float4(taps_1->inverse_sum_0) ;
+    uint4 _S218 = uint4(16711935U) ;
+    uint4 _S219 = (packs_1 & _S218) * taps_1->weights_0;
+    uint4 _S220 = ((packs_1 >> (uint4(8U) )) & _S218) * taps_1->weights_0;
+    return bytes_of_sums_0(_S219.x + _S219.y + _S219.z + _S219.w, _S220.x + _S220.y + _S220.z + _S220.w) * float4(taps_1->inverse_sum_0) ;
 }
 
-float4 interpolate_table_0(const NodeTaps_0 thread* taps_2, uint table_0, uint stride_0, KernelContext_0 thread* kernelContext_15)
+float4 interpolate_table_0(const NodeTaps_0 thread* taps_2, uint table_0, uint stride_0, KernelContext_0 thread* kernelContext_16)
 {
-    uint4 _S190 = uint4(table_0)  + taps_2->nodes_0 * uint4(stride_0) ;
-    float4 _S191 = interpolate_0(taps_2, uint4(kernelContext_15->words_0[_S190.x], kernelContext_15->words_0[_S190.y], kernelContext_15->words_0[_S190.z], kernelContext_15->words_0[_S190.w]));
-    return _S191;
+    uint4 _S221 = uint4(table_0)  + taps_2->nodes_0 * uint4(stride_0) ;
+    float4 _S222 = interpolate_0(taps_2, uint4(kernelContext_16->words_0[_S221.x], kernelContext_16->words_0[_S221.y], kernelContext_16->words_0[_S221.z], kernelContext_16->words_0[_S221.w]));
+    return _S222;
 }
 
 struct Group_0
 {
-    float3 normal_5;
+    float3 normal_8;
     float weight_2;
-    float3 tangent_6;
+    float3 tangent_9;
     float3 variance_0;
     float3 covariance_0;
     float roughness_6;
 };
 
-Group_0 group_at_0(uint row_1, float roughness_7, KernelContext_0 thread* kernelContext_16)
+Group_0 group_at_0(uint row_1, float roughness_7, KernelContext_0 thread* kernelContext_17)
 {
     thread Group_0 group_0;
-    float _S192 = table_number_0(row_1, kernelContext_16);
-    float _S193 = table_number_0(row_1 + 1U, kernelContext_16);
-    float _S194 = table_number_0(row_1 + 2U, kernelContext_16);
-    (&group_0)->normal_5 = float3(_S192, _S193, _S194);
-    float _S195 = table_number_0(row_1 + 3U, kernelContext_16);
-    (&group_0)->weight_2 = _S195;
-    float _S196 = table_number_0(row_1 + 4U, kernelContext_16);
-    float _S197 = table_number_0(row_1 + 5U, kernelContext_16);
-    float _S198 = table_number_0(row_1 + 6U, kernelContext_16);
-    float3 _S199 = float3(_S196, _S197, _S198);
-    (&group_0)->tangent_6 = _S199;
-    float _S200 = table_number_0(row_1 + 7U, kernelContext_16);
-    float _S201 = table_number_0(row_1 + 8U, kernelContext_16);
-    (&group_0)->variance_0 = float3(_S200, _S201, 1.0f - square_1(_S199) - _S200 - _S201);
-    float _S202 = table_number_0(row_1 + 9U, kernelContext_16);
-    float _S203 = table_number_0(row_1 + 10U, kernelContext_16);
-    float _S204 = table_number_0(row_1 + 11U, kernelContext_16);
-    (&group_0)->covariance_0 = float3(_S202, _S203, _S204);
+    float _S223 = table_number_0(row_1, kernelContext_17);
+    float _S224 = table_number_0(row_1 + 1U, kernelContext_17);
+    float _S225 = table_number_0(row_1 + 2U, kernelContext_17);
+    (&group_0)->normal_8 = float3(_S223, _S224, _S225);
+    float _S226 = table_number_0(row_1 + 3U, kernelContext_17);
+    (&group_0)->weight_2 = _S226;
+    float _S227 = table_number_0(row_1 + 4U, kernelContext_17);
+    float _S228 = table_number_0(row_1 + 5U, kernelContext_17);
+    float _S229 = table_number_0(row_1 + 6U, kernelContext_17);
+    float3 _S230 = float3(_S227, _S228, _S229);
+    (&group_0)->tangent_9 = _S230;
+    float _S231 = table_number_0(row_1 + 7U, kernelContext_17);
+    float _S232 = table_number_0(row_1 + 8U, kernelContext_17);
+    (&group_0)->variance_0 = float3(_S231, _S232, 1.0f - square_1(_S230) - _S231 - _S232);
+    float _S233 = table_number_0(row_1 + 9U, kernelContext_17);
+    float _S234 = table_number_0(row_1 + 10U, kernelContext_17);
+    float _S235 = table_number_0(row_1 + 11U, kernelContext_17);
+    (&group_0)->covariance_0 = float3(_S233, _S234, _S235);
     (&group_0)->roughness_6 = roughness_7;
     return group_0;
 }
@@ -1572,107 +1750,107 @@ float2 visibility_gain_0(float3 correlations_0, float from_light_0, float from_v
 
 float Group_variance_along_0(const Group_0 thread* this_5, float3 direction_4)
 {
-    float _S205 = direction_4.x;
-    float _S206 = direction_4.y;
-    float _S207 = direction_4.z;
-    return max(dot(this_5->variance_0, direction_4 * direction_4) + 2.0f * dot(this_5->covariance_0, float3(_S205 * _S206, _S205 * _S207, _S206 * _S207)), 0.0f);
+    float _S236 = direction_4.x;
+    float _S237 = direction_4.y;
+    float _S238 = direction_4.z;
+    return max(dot(this_5->variance_0, direction_4 * direction_4) + 2.0f * dot(this_5->covariance_0, float3(_S236 * _S237, _S236 * _S238, _S237 * _S238)), 0.0f);
 }
 
 float mean_area_0(const Group_0 thread* group_1, float3 direction_5)
 {
-    float _S208 = dot(direction_5, group_1->tangent_6);
-    float _S209 = _S208 * _S208;
-    float _S210 = Group_variance_along_0(group_1, direction_5);
-    float _S211 = group_1->roughness_6 * group_1->roughness_6;
-    return sqrt(max((_S211 - 1.0f) * (_S209 + _S210) + 1.0f, _S211));
+    float _S239 = dot(direction_5, group_1->tangent_9);
+    float _S240 = _S239 * _S239;
+    float _S241 = Group_variance_along_0(group_1, direction_5);
+    float _S242 = group_1->roughness_6 * group_1->roughness_6;
+    return sqrt(max((_S242 - 1.0f) * (_S240 + _S241) + 1.0f, _S242));
 }
 
 float mean_density_0(const Group_0 thread* group_2, float3 half_0)
 {
-    float _S212 = group_2->roughness_6;
-    float _S213 = max(sqrt(max(1.0f - group_2->roughness_6 * group_2->roughness_6, 0.0f)) / group_2->roughness_6, 0.00100000004749745f);
-    float _S214 = Group_variance_along_0(group_2, half_0);
-    float _S215 = max(sqrt(3.0f * _S214), _S212 * 0.01999999955296516f + 0.00009999999747379f);
-    float _S216 = dot(half_0, group_2->tangent_6);
-    float _S217 = _S213 * (_S216 - _S215);
-    float _S218 = _S213 * (_S216 + _S215);
-    float _S219 = _S217 * _S218;
-    float _S220 = 2.0f * _S215 * _S213;
-    return 0.15915493667125702f / _S212 * ((1.0f - _S219) / ((_S217 * _S217 + 1.0f) * (_S218 * _S218 + 1.0f)) + arc_tangent_0(_S220, 1.0f + _S219) / _S220);
+    float _S243 = group_2->roughness_6;
+    float _S244 = max(sqrt(max(1.0f - group_2->roughness_6 * group_2->roughness_6, 0.0f)) / group_2->roughness_6, 0.00100000004749745f);
+    float _S245 = Group_variance_along_0(group_2, half_0);
+    float _S246 = max(sqrt(3.0f * _S245), _S243 * 0.01999999955296516f + 0.00009999999747379f);
+    float _S247 = dot(half_0, group_2->tangent_9);
+    float _S248 = _S244 * (_S247 - _S246);
+    float _S249 = _S244 * (_S247 + _S246);
+    float _S250 = _S248 * _S249;
+    float _S251 = 2.0f * _S246 * _S244;
+    return 0.15915493667125702f / _S243 * ((1.0f - _S250) / ((_S248 * _S248 + 1.0f) * (_S249 * _S249 + 1.0f)) + arc_tangent_0(_S251, 1.0f + _S250) / _S251);
 }
 
 float layer_value_0(const Group_0 thread* group_3, float3 half_1, float3 light_6, float3 view_5, float optical_depth_3)
 {
-    bool _S221 = (light_6.z) < 0.0f;
-    float3 _S222 = group_3->normal_5;
-    float _S223 = dot(light_6, group_3->normal_5);
-    float _S224;
-    if(_S221)
+    bool _S252 = (light_6.z) < 0.0f;
+    float3 _S253 = group_3->normal_8;
+    float _S254 = dot(light_6, group_3->normal_8);
+    float _S255;
+    if(_S252)
     {
-        _S224 = - _S223;
+        _S255 = - _S254;
     }
     else
     {
-        _S224 = _S223;
+        _S255 = _S254;
     }
-    float _S225 = max(_S224, 0.01999999955296516f);
-    float _S226 = max(dot(view_5, _S222), 0.01999999955296516f);
-    float _S227 = mean_area_0(group_3, light_6);
-    float _S228 = _S227 / _S225;
-    float _S229 = mean_area_0(group_3, view_5);
-    float _S230 = _S229 / _S226;
-    if(_S221)
+    float _S256 = max(_S255, 0.01999999955296516f);
+    float _S257 = max(dot(view_5, _S253), 0.01999999955296516f);
+    float _S258 = mean_area_0(group_3, light_6);
+    float _S259 = _S258 / _S256;
+    float _S260 = mean_area_0(group_3, view_5);
+    float _S261 = _S260 / _S257;
+    if(_S252)
     {
-        _S224 = abs(_S228 - _S230);
+        _S255 = abs(_S259 - _S261);
     }
     else
     {
-        _S224 = _S228 + _S230;
+        _S255 = _S259 + _S261;
     }
-    float _S231 = optical_depth_3 * max(_S224, 0.00100000004749745f);
-    if(_S221)
+    float _S262 = optical_depth_3 * max(_S255, 0.00100000004749745f);
+    if(_S252)
     {
-        _S224 = exponential_0(- optical_depth_3 * min(_S228, _S230));
+        _S255 = exponential_0(- optical_depth_3 * min(_S259, _S261));
     }
     else
     {
-        _S224 = 1.0f;
+        _S255 = 1.0f;
     }
-    float _S232 = optical_depth_3 * _S224 * (1.0f - exponential_0(- _S231)) / _S231 / _S226;
-    if(_S221)
+    float _S263 = optical_depth_3 * _S255 * (1.0f - exponential_0(- _S262)) / _S262 / _S257;
+    if(_S252)
     {
-        _S224 = 1.0f;
+        _S255 = 1.0f;
     }
     else
     {
-        _S224 = 1.0f - 0.34999999403953552f * (1.0f - square_1(_S222));
+        _S255 = 1.0f - 0.34999999403953552f * (1.0f - square_1(_S253));
     }
-    float _S233 = mean_density_0(group_3, half_1);
-    return 0.25f * _S233 * _S224 * _S232;
+    float _S264 = mean_density_0(group_3, half_1);
+    return 0.25f * _S264 * _S255 * _S263;
 }
 
 struct Bound_0
 {
-    uint thread_11;
+    uint thread_12;
     float turns_2;
-    float cell_7;
+    float cell_9;
     float visible_0;
-    float width_1;
+    float width_2;
     float gap_0;
 };
 
-Bound_0 bound_at_0(uint family_9, float position_4, KernelContext_0 thread* kernelContext_17)
+Bound_0 bound_at_0(uint family_10, float position_5, KernelContext_0 thread* kernelContext_18)
 {
-    Cell_0 _S234 = locate_0(family_9, position_4, kernelContext_17);
-    float _S235 = table_number_0(kernelContext_17->families_0[family_9].before_0 + 2U * _S234.thread_0 + 1U, kernelContext_17);
+    Cell_0 _S265 = locate_0(family_10, position_5, kernelContext_18);
+    float _S266 = table_number_0((kernelContext_18->families_0+family_10)->before_0 + 2U * _S265.thread_0 + 1U, kernelContext_18);
     thread Bound_0 bound_0;
-    (&bound_0)->thread_11 = _S234.thread_0;
-    (&bound_0)->turns_2 = round((position_4 - kernelContext_17->families_0[family_9].start_0 - _S235 - _S234.below_0) * kernelContext_17->families_0[family_9].inverse_period_0);
-    (&bound_0)->cell_7 = _S234.below_0;
-    float _S236 = 2.0f * _S234.half_width_1;
-    (&bound_0)->width_1 = _S236;
-    (&bound_0)->visible_0 = clamp((_S234.across_2 + _S234.half_width_1) / _S236, 0.0f, 1.0f);
-    (&bound_0)->gap_0 = min(_S234.below_0, _S234.below_0 - _S234.across_2 - _S234.half_width_1) + max(_S234.across_2 - _S234.half_width_1, 0.0f);
+    (&bound_0)->thread_12 = _S265.thread_0;
+    (&bound_0)->turns_2 = round((position_5 - (kernelContext_18->families_0+family_10)->start_0 - _S266 - _S265.below_0) * (kernelContext_18->families_0+family_10)->inverse_period_0);
+    (&bound_0)->cell_9 = _S265.below_0;
+    float _S267 = 2.0f * _S265.half_width_1;
+    (&bound_0)->width_2 = _S267;
+    (&bound_0)->visible_0 = clamp((_S265.across_2 + _S265.half_width_1) / _S267, 0.0f, 1.0f);
+    (&bound_0)->gap_0 = min(_S265.below_0, _S265.below_0 - _S265.across_2 - _S265.half_width_1) + max(_S265.across_2 - _S265.half_width_1, 0.0f);
     return bound_0;
 }
 
@@ -1682,15 +1860,15 @@ struct Stretch_0
     Bound_0 high_0;
 };
 
-Stretch_0 stretch_of_0(uint family_10, float centre_1, float size_1, KernelContext_0 thread* kernelContext_18)
+Stretch_0 stretch_of_0(uint family_11, float centre_1, float size_2, KernelContext_0 thread* kernelContext_19)
 {
-    float _S237 = centre_1 - floor((centre_1 - kernelContext_18->families_0[family_10].start_0) * kernelContext_18->families_0[family_10].inverse_period_0) * kernelContext_18->families_0[family_10].period_0;
-    float _S238 = 0.5f * max(size_1, kernelContext_18->families_0[family_10].smallest_box_0);
+    float _S268 = centre_1 - floor((centre_1 - (kernelContext_19->families_0+family_11)->start_0) * (kernelContext_19->families_0+family_11)->inverse_period_0) * (kernelContext_19->families_0+family_11)->period_0;
+    float _S269 = 0.5f * max(size_2, (kernelContext_19->families_0+family_11)->smallest_box_0);
     thread Stretch_0 stretch_0;
-    Bound_0 _S239 = bound_at_0(family_10, _S237 - _S238, kernelContext_18);
-    (&stretch_0)->low_0 = _S239;
-    Bound_0 _S240 = bound_at_0(family_10, _S237 + _S238, kernelContext_18);
-    (&stretch_0)->high_0 = _S240;
+    Bound_0 _S270 = bound_at_0(family_11, _S268 - _S269, kernelContext_19);
+    (&stretch_0)->low_0 = _S270;
+    Bound_0 _S271 = bound_at_0(family_11, _S268 + _S269, kernelContext_19);
+    (&stretch_0)->high_0 = _S271;
     return stretch_0;
 }
 
@@ -1699,199 +1877,199 @@ float Stretch_turns_0(const Stretch_0 thread* this_6)
     return (&this_6->high_0)->turns_2 - (&this_6->low_0)->turns_2;
 }
 
-float3 lengths_0(uint family_11, const Stretch_0 thread* stretch_1, KernelContext_0 thread* kernelContext_19)
+float3 lengths_0(uint family_12, const Stretch_0 thread* stretch_1, KernelContext_0 thread* kernelContext_20)
 {
-    float _S241 = Stretch_turns_0(stretch_1);
-    uint _S242 = kernelContext_19->families_0[family_11].before_0 + 2U * (&stretch_1->low_0)->thread_11;
-    uint _S243 = kernelContext_19->families_0[family_11].before_0 + 2U * (&stretch_1->high_0)->thread_11;
-    float _S244 = table_number_0(_S243, kernelContext_19);
-    float _S245 = table_number_0(_S242, kernelContext_19);
-    float _S246 = _S244 - _S245;
-    float _S247 = table_number_0(_S243 + 1U, kernelContext_19);
-    float _S248 = table_number_0(_S242 + 1U, kernelContext_19);
-    float _S249 = _S247 - _S248;
-    return float3(_S246 + (&stretch_1->high_0)->visible_0 * (&stretch_1->high_0)->width_1 - (&stretch_1->low_0)->visible_0 * (&stretch_1->low_0)->width_1 + _S241 * kernelContext_19->families_0[family_11].visible_total_0, _S249 - _S246 + (&stretch_1->high_0)->gap_0 - (&stretch_1->low_0)->gap_0 + _S241 * (kernelContext_19->families_0[family_11].period_0 - kernelContext_19->families_0[family_11].visible_total_0), _S249 + (&stretch_1->high_0)->cell_7 - (&stretch_1->low_0)->cell_7 + _S241 * kernelContext_19->families_0[family_11].period_0);
+    float _S272 = Stretch_turns_0(stretch_1);
+    uint _S273 = (kernelContext_20->families_0+family_12)->before_0 + 2U * (&stretch_1->low_0)->thread_12;
+    uint _S274 = (kernelContext_20->families_0+family_12)->before_0 + 2U * (&stretch_1->high_0)->thread_12;
+    float _S275 = table_number_0(_S274, kernelContext_20);
+    float _S276 = table_number_0(_S273, kernelContext_20);
+    float _S277 = _S275 - _S276;
+    float _S278 = table_number_0(_S274 + 1U, kernelContext_20);
+    float _S279 = table_number_0(_S273 + 1U, kernelContext_20);
+    float _S280 = _S278 - _S279;
+    return float3(_S277 + (&stretch_1->high_0)->visible_0 * (&stretch_1->high_0)->width_2 - (&stretch_1->low_0)->visible_0 * (&stretch_1->low_0)->width_2 + _S272 * (kernelContext_20->families_0+family_12)->visible_total_0, _S280 - _S277 + (&stretch_1->high_0)->gap_0 - (&stretch_1->low_0)->gap_0 + _S272 * ((kernelContext_20->families_0+family_12)->period_0 - (kernelContext_20->families_0+family_12)->visible_total_0), _S280 + (&stretch_1->high_0)->cell_9 - (&stretch_1->low_0)->cell_9 + _S272 * (kernelContext_20->families_0+family_12)->period_0);
 }
 
-float2 integrals_along_0(uint family_12, const Stretch_0 thread* stretch_2, uint quantity_0, KernelContext_0 thread* kernelContext_20)
+float2 integrals_along_0(uint family_13, const Stretch_0 thread* stretch_2, uint quantity_0, KernelContext_0 thread* kernelContext_21)
 {
-    Family_0 _S250 = kernelContext_20->families_0[family_12];
-    uint _S251 = 3U * _S250.quantities_0;
-    uint _S252 = kernelContext_20->families_0[family_12].colour_threads_0 + _S251 * (&stretch_2->low_0)->thread_11 + quantity_0;
-    uint _S253 = kernelContext_20->families_0[family_12].colour_threads_0 + _S251 * (&stretch_2->high_0)->thread_11 + quantity_0;
-    uint _S254 = kernelContext_20->families_0[family_12].colour_threads_0 + _S251 * uint(kernelContext_20->families_0[family_12].count_0) + quantity_0;
-    float _S255 = table_number_0(_S252, kernelContext_20);
-    float _S256 = table_number_0(_S253, kernelContext_20);
-    float _S257 = Stretch_turns_0(stretch_2);
-    float _S258 = table_number_0(_S253 + _S250.quantities_0, kernelContext_20);
-    float _S259 = table_number_0(_S252 + _S250.quantities_0, kernelContext_20);
-    float _S260 = _S258 - _S259 + _S256 * (&stretch_2->high_0)->visible_0 * (&stretch_2->high_0)->width_1 - _S255 * (&stretch_2->low_0)->visible_0 * (&stretch_2->low_0)->width_1;
-    float _S261 = table_number_0(_S254 + _S250.quantities_0, kernelContext_20);
-    float _S262 = _S260 + _S257 * _S261;
-    uint _S263 = 2U * _S250.quantities_0;
-    float _S264 = table_number_0(_S253 + _S263, kernelContext_20);
-    float _S265 = table_number_0(_S252 + _S263, kernelContext_20);
-    float _S266 = _S264 - _S265 + _S256 * (&stretch_2->high_0)->cell_7 - _S255 * (&stretch_2->low_0)->cell_7;
-    float _S267 = table_number_0(_S254 + _S263, kernelContext_20);
-    return float2(_S262, _S266 + _S257 * _S267);
+    uint _S281 = (kernelContext_21->families_0+family_13)->quantities_0;
+    uint _S282 = 3U * (kernelContext_21->families_0+family_13)->quantities_0;
+    uint _S283 = (kernelContext_21->families_0+family_13)->colour_threads_0 + _S282 * (&stretch_2->low_0)->thread_12 + quantity_0;
+    uint _S284 = (kernelContext_21->families_0+family_13)->colour_threads_0 + _S282 * (&stretch_2->high_0)->thread_12 + quantity_0;
+    uint _S285 = (kernelContext_21->families_0+family_13)->colour_threads_0 + _S282 * uint((kernelContext_21->families_0+family_13)->count_0) + quantity_0;
+    float _S286 = table_number_0(_S283, kernelContext_21);
+    float _S287 = table_number_0(_S284, kernelContext_21);
+    float _S288 = Stretch_turns_0(stretch_2);
+    float _S289 = table_number_0(_S284 + _S281, kernelContext_21);
+    float _S290 = table_number_0(_S283 + _S281, kernelContext_21);
+    float _S291 = _S289 - _S290 + _S287 * (&stretch_2->high_0)->visible_0 * (&stretch_2->high_0)->width_2 - _S286 * (&stretch_2->low_0)->visible_0 * (&stretch_2->low_0)->width_2;
+    float _S292 = table_number_0(_S285 + _S281, kernelContext_21);
+    float _S293 = _S291 + _S288 * _S292;
+    uint _S294 = 2U * _S281;
+    float _S295 = table_number_0(_S284 + _S294, kernelContext_21);
+    float _S296 = table_number_0(_S283 + _S294, kernelContext_21);
+    float _S297 = _S295 - _S296 + _S287 * (&stretch_2->high_0)->cell_9 - _S286 * (&stretch_2->low_0)->cell_9;
+    float _S298 = table_number_0(_S285 + _S294, kernelContext_21);
+    return float2(_S293, _S297 + _S288 * _S298);
 }
 
 bool Stretch_wraps_0(const Stretch_0 thread* this_7)
 {
-    return ((&this_7->high_0)->thread_11) < ((&this_7->low_0)->thread_11);
+    return ((&this_7->high_0)->thread_12) < ((&this_7->low_0)->thread_12);
 }
 
 bool Stretch_wraps_1(const Stretch_0 thread* this_8)
 {
-    return ((&this_8->high_0)->thread_11) < ((&this_8->low_0)->thread_11);
+    return ((&this_8->high_0)->thread_12) < ((&this_8->low_0)->thread_12);
 }
 
 uint4 Stretch_differences_0(const Stretch_0 thread* this_9, uint4 entries_0, uint whole_0)
 {
-    uint _S268 = entries_0.z;
-    uint _S269 = entries_0.x;
-    uint _S270 = _S268 - _S269;
-    bool _S271 = Stretch_wraps_1(this_9);
-    uint _S272;
-    if(_S271)
+    uint _S299 = entries_0.z;
+    uint _S300 = entries_0.x;
+    uint _S301 = _S299 - _S300;
+    bool _S302 = Stretch_wraps_1(this_9);
+    uint _S303;
+    if(_S302)
     {
-        _S272 = whole_0;
+        _S303 = whole_0;
     }
     else
     {
-        _S272 = 0U;
+        _S303 = 0U;
     }
-    return uint4(_S270 + _S272, entries_0.w - _S268, entries_0.y - _S269, whole_0);
+    return uint4(_S301 + _S303, entries_0.w - _S299, entries_0.y - _S300, whole_0);
 }
 
-uint4 row_differences_0(const Stretch_0 thread* across_4, uint row_2, uint count_2, uint quantities_1, KernelContext_0 thread* kernelContext_21)
+uint4 row_differences_0(const Stretch_0 thread* across_5, uint row_2, uint count_2, uint quantities_1, KernelContext_0 thread* kernelContext_22)
 {
-    uint _S273 = row_2 + (&across_4->low_0)->thread_11 * quantities_1;
-    uint _S274 = row_2 + (&across_4->high_0)->thread_11 * quantities_1;
-    uint4 _S275 = Stretch_differences_0(across_4, uint4(kernelContext_21->words_0[_S273], kernelContext_21->words_0[_S273 + quantities_1], kernelContext_21->words_0[_S274], kernelContext_21->words_0[_S274 + quantities_1]), kernelContext_21->words_0[row_2 + count_2 * quantities_1]);
-    return _S275;
+    uint _S304 = row_2 + (&across_5->low_0)->thread_12 * quantities_1;
+    uint _S305 = row_2 + (&across_5->high_0)->thread_12 * quantities_1;
+    uint4 _S306 = Stretch_differences_0(across_5, uint4(kernelContext_22->words_0[_S304], kernelContext_22->words_0[_S304 + quantities_1], kernelContext_22->words_0[_S305], kernelContext_22->words_0[_S305 + quantities_1]), kernelContext_22->words_0[row_2 + count_2 * quantities_1]);
+    return _S306;
 }
 
 float4 Stretch_weights_0(const Stretch_0 thread* this_10)
 {
-    float _S276 = (&this_10->high_0)->visible_0;
-    float _S277 = - (&this_10->low_0)->visible_0;
-    float _S278 = Stretch_turns_0(this_10);
-    bool _S279 = Stretch_wraps_0(this_10);
-    float _S280;
-    if(_S279)
+    float _S307 = (&this_10->high_0)->visible_0;
+    float _S308 = - (&this_10->low_0)->visible_0;
+    float _S309 = Stretch_turns_0(this_10);
+    bool _S310 = Stretch_wraps_0(this_10);
+    float _S311;
+    if(_S310)
     {
-        _S280 = 1.0f;
+        _S311 = 1.0f;
     }
     else
     {
-        _S280 = 0.0f;
+        _S311 = 0.0f;
     }
-    return float4(1.0f, _S276, _S277, _S278 - _S280);
+    return float4(1.0f, _S307, _S308, _S309 - _S311);
 }
 
-float integral_on_top_0(uint family_13, const Stretch_0 thread* across_5, const Stretch_0 thread* along_0, uint crossing_count_0, uint quantity_1, KernelContext_0 thread* kernelContext_22)
+float integral_on_top_0(uint family_14, const Stretch_0 thread* across_6, const Stretch_0 thread* along_1, uint crossing_count_0, uint quantity_1, KernelContext_0 thread* kernelContext_23)
 {
-    uint _S281 = uint(kernelContext_22->families_0[family_13].count_0);
-    uint _S282 = (_S281 + 1U) * kernelContext_22->families_0[family_13].quantities_0;
-    uint _S283 = kernelContext_22->families_0[family_13].colour_areas_0 + quantity_1;
-    uint _S284 = (&along_0->low_0)->thread_11;
-    uint4 _S285 = row_differences_0(across_5, _S283 + (&along_0->low_0)->thread_11 * _S282, _S281, kernelContext_22->families_0[family_13].quantities_0, kernelContext_22);
-    uint4 _S286 = row_differences_0(across_5, _S283 + (_S284 + 1U) * _S282, _S281, kernelContext_22->families_0[family_13].quantities_0, kernelContext_22);
-    uint _S287 = (&along_0->high_0)->thread_11;
-    uint4 _S288 = row_differences_0(across_5, _S283 + (&along_0->high_0)->thread_11 * _S282, _S281, kernelContext_22->families_0[family_13].quantities_0, kernelContext_22);
-    uint4 _S289 = row_differences_0(across_5, _S283 + (_S287 + 1U) * _S282, _S281, kernelContext_22->families_0[family_13].quantities_0, kernelContext_22);
-    uint4 _S290 = row_differences_0(across_5, _S283 + crossing_count_0 * _S282, _S281, kernelContext_22->families_0[family_13].quantities_0, kernelContext_22);
-    uint4 _S291 = _S288 - _S285;
-    bool _S292 = Stretch_wraps_0(along_0);
-    uint4 _S293;
-    if(_S292)
+    uint _S312 = uint((kernelContext_23->families_0+family_14)->count_0);
+    uint _S313 = (_S312 + 1U) * (kernelContext_23->families_0+family_14)->quantities_0;
+    uint _S314 = (kernelContext_23->families_0+family_14)->colour_areas_0 + quantity_1;
+    uint _S315 = (&along_1->low_0)->thread_12;
+    uint4 _S316 = row_differences_0(across_6, _S314 + (&along_1->low_0)->thread_12 * _S313, _S312, (kernelContext_23->families_0+family_14)->quantities_0, kernelContext_23);
+    uint4 _S317 = row_differences_0(across_6, _S314 + (_S315 + 1U) * _S313, _S312, (kernelContext_23->families_0+family_14)->quantities_0, kernelContext_23);
+    uint _S318 = (&along_1->high_0)->thread_12;
+    uint4 _S319 = row_differences_0(across_6, _S314 + (&along_1->high_0)->thread_12 * _S313, _S312, (kernelContext_23->families_0+family_14)->quantities_0, kernelContext_23);
+    uint4 _S320 = row_differences_0(across_6, _S314 + (_S318 + 1U) * _S313, _S312, (kernelContext_23->families_0+family_14)->quantities_0, kernelContext_23);
+    uint4 _S321 = row_differences_0(across_6, _S314 + crossing_count_0 * _S313, _S312, (kernelContext_23->families_0+family_14)->quantities_0, kernelContext_23);
+    uint4 _S322 = _S319 - _S316;
+    bool _S323 = Stretch_wraps_0(along_1);
+    uint4 _S324;
+    if(_S323)
     {
-        _S293 = _S290;
+        _S324 = _S321;
     }
     else
     {
-        _S293 = uint4(int4(int(0)) );
+        _S324 = uint4(int4(int(0)) );
     }
-    uint4 _S294 = _S291 + _S293;
-    float4 _S295 = Stretch_weights_0(across_5);
-    float4 _S296 = Stretch_weights_0(along_0);
-    return dot(float4(dot(float4(int4(_S294)), _S295), dot(float4(int4(_S289 - _S288)), _S295), dot(float4(int4(_S286 - _S285)), _S295), dot(float4(int4(_S290)), _S295)), _S296) * kernelContext_22->families_0[family_13].area_unit_0;
+    uint4 _S325 = _S322 + _S324;
+    float4 _S326 = Stretch_weights_0(across_6);
+    float4 _S327 = Stretch_weights_0(along_1);
+    return dot(float4(dot(float4(int4(_S325)), _S326), dot(float4(int4(_S320 - _S319)), _S326), dot(float4(int4(_S317 - _S316)), _S326), dot(float4(int4(_S321)), _S326)), _S327) * (kernelContext_23->families_0+family_14)->area_unit_0;
 }
 
-Albedos_0 with_added_albedos_0(const Albedos_0 thread* albedos_1, float weight_3, uint row_3, KernelContext_0 thread* kernelContext_23)
+Albedos_0 with_added_albedos_0(const Albedos_0 thread* albedos_1, float weight_3, uint row_3, KernelContext_0 thread* kernelContext_24)
 {
-    Albedos_0 _S297 = table_albedos_0(row_3, kernelContext_23);
+    Albedos_0 _S328 = table_albedos_0(row_3, kernelContext_24);
     thread Albedos_0 sum_0;
-    float3 _S298 = float3(weight_3) ;
-    (&sum_0)->diffuse_reflect_0 = albedos_1->diffuse_reflect_0 + _S298 * _S297.diffuse_reflect_0;
-    (&sum_0)->diffuse_transmit_0 = albedos_1->diffuse_transmit_0 + _S298 * _S297.diffuse_transmit_0;
-    (&sum_0)->specular_reflect_0 = albedos_1->specular_reflect_0 + _S298 * _S297.specular_reflect_0;
-    (&sum_0)->specular_transmit_0 = albedos_1->specular_transmit_0 + _S298 * _S297.specular_transmit_0;
+    float3 _S329 = float3(weight_3) ;
+    (&sum_0)->diffuse_reflect_0 = albedos_1->diffuse_reflect_0 + _S329 * _S328.diffuse_reflect_0;
+    (&sum_0)->diffuse_transmit_0 = albedos_1->diffuse_transmit_0 + _S329 * _S328.diffuse_transmit_0;
+    (&sum_0)->specular_reflect_0 = albedos_1->specular_reflect_0 + _S329 * _S328.specular_reflect_0;
+    (&sum_0)->specular_transmit_0 = albedos_1->specular_transmit_0 + _S329 * _S328.specular_transmit_0;
     return sum_0;
 }
 
-Albedos_0 mean_albedos_0(uint family_14, uint crossing_1, const Stretch_0 thread* own_1, const Stretch_0 thread* other_2, bool back_4, KernelContext_0 thread* kernelContext_24)
+Albedos_0 mean_albedos_0(uint family_15, uint crossing_1, const Stretch_0 thread* own_1, const Stretch_0 thread* other_2, bool back_5, KernelContext_0 thread* kernelContext_25)
 {
-    Albedos_0 _S299 = table_albedos_0(kernelContext_24->families_0[family_14].colour_mean_0, kernelContext_24);
-    thread Albedos_0 albedos_2 = _S299;
-    if((kernelContext_24->families_0[family_14].quantities_0) == 1U)
+    Albedos_0 _S330 = table_albedos_0((kernelContext_25->families_0+family_15)->colour_mean_0, kernelContext_25);
+    thread Albedos_0 albedos_2 = _S330;
+    if(((kernelContext_25->families_0+family_15)->quantities_0) == 1U)
     {
         return albedos_2;
     }
-    float3 _S300 = lengths_0(crossing_1, other_2, kernelContext_24);
+    float3 _S331 = lengths_0(crossing_1, other_2, kernelContext_25);
     bool is_exposed_0 = false;
     float weight_4 = 0.0f;
     uint quantity_2 = 0U;
     for(;;)
     {
-        if(quantity_2 < (kernelContext_24->families_0[family_14].quantities_0))
+        if(quantity_2 < ((kernelContext_25->families_0+family_15)->quantities_0))
         {
         }
         else
         {
             break;
         }
-        float2 _S301 = integrals_along_0(family_14, own_1, quantity_2, kernelContext_24);
-        float _S302 = integral_on_top_0(family_14, own_1, other_2, uint(kernelContext_24->families_0[crossing_1].count_0), quantity_2, kernelContext_24);
-        float _S303 = _S301.x;
-        float _S304 = _S303 * _S300.x;
-        float _S305;
-        if(back_4)
+        float2 _S332 = integrals_along_0(family_15, own_1, quantity_2, kernelContext_25);
+        float _S333 = integral_on_top_0(family_15, own_1, other_2, uint((kernelContext_25->families_0+crossing_1)->count_0), quantity_2, kernelContext_25);
+        float _S334 = _S332.x;
+        float _S335 = _S334 * _S331.x;
+        float _S336;
+        if(back_5)
         {
-            _S305 = _S304 - _S302;
+            _S336 = _S335 - _S333;
         }
         else
         {
-            _S305 = _S302;
+            _S336 = _S333;
         }
-        bool _S306 = quantity_2 == 0U;
-        if(_S306)
+        bool _S337 = quantity_2 == 0U;
+        if(_S337)
         {
-            is_exposed_0 = _S305 > (16.0f * kernelContext_24->families_0[family_14].area_unit_0 * min(_S304 / kernelContext_24->families_0[family_14].crossing_area_0, 1.0f) + 0.00000999999974738f * _S304);
+            is_exposed_0 = _S336 > (16.0f * (kernelContext_25->families_0+family_15)->area_unit_0 * min(_S335 / (kernelContext_25->families_0+family_15)->crossing_area_0, 1.0f) + 0.00000999999974738f * _S335);
         }
-        float _S307 = _S303 * _S300.y;
-        float _S308;
+        float _S338 = _S334 * _S331.y;
+        float _S339;
         if(is_exposed_0)
         {
-            _S308 = _S305;
+            _S339 = _S336;
         }
         else
         {
-            _S308 = 0.0f;
+            _S339 = 0.0f;
         }
-        float _S309 = _S307 + _S308 + 0.000244140625f * _S300.z * _S301.y;
-        if(_S306)
+        float _S340 = _S338 + _S339 + 0.000244140625f * _S331.z * _S332.y;
+        if(_S337)
         {
-            weight_4 = 1.0f / max(_S309, 9.99999968265522539e-21f);
+            weight_4 = 1.0f / max(_S340, 9.99999968265522539e-21f);
         }
         else
         {
-            float _S310 = _S309 * weight_4;
-            uint _S311 = kernelContext_24->families_0[family_14].colour_axes_0 + 12U * (quantity_2 - 1U);
-            thread Albedos_0 _S312 = albedos_2;
-            Albedos_0 _S313 = with_added_albedos_0(&_S312, _S310, _S311, kernelContext_24);
-            albedos_2 = _S313;
+            float _S341 = _S340 * weight_4;
+            uint _S342 = (kernelContext_25->families_0+family_15)->colour_axes_0 + 12U * (quantity_2 - 1U);
+            thread Albedos_0 _S343 = albedos_2;
+            Albedos_0 _S344 = with_added_albedos_0(&_S343, _S341, _S342, kernelContext_25);
+            albedos_2 = _S344;
         }
         quantity_2 = quantity_2 + 1U;
     }
@@ -1905,11 +2083,11 @@ Albedos_0 mean_albedos_0(uint family_14, uint crossing_1, const Stretch_0 thread
 Albedos_0 lerp_albedos_0(const Albedos_0 thread* first_2, const Albedos_0 thread* second_1, float weight_5)
 {
     thread Albedos_0 albedos_3;
-    float3 _S314 = float3(weight_5) ;
-    (&albedos_3)->diffuse_reflect_0 = mix(first_2->diffuse_reflect_0, second_1->diffuse_reflect_0, _S314);
-    (&albedos_3)->diffuse_transmit_0 = mix(first_2->diffuse_transmit_0, second_1->diffuse_transmit_0, _S314);
-    (&albedos_3)->specular_reflect_0 = mix(first_2->specular_reflect_0, second_1->specular_reflect_0, _S314);
-    (&albedos_3)->specular_transmit_0 = mix(first_2->specular_transmit_0, second_1->specular_transmit_0, _S314);
+    float3 _S345 = float3(weight_5) ;
+    (&albedos_3)->diffuse_reflect_0 = mix(first_2->diffuse_reflect_0, second_1->diffuse_reflect_0, _S345);
+    (&albedos_3)->diffuse_transmit_0 = mix(first_2->diffuse_transmit_0, second_1->diffuse_transmit_0, _S345);
+    (&albedos_3)->specular_reflect_0 = mix(first_2->specular_reflect_0, second_1->specular_reflect_0, _S345);
+    (&albedos_3)->specular_transmit_0 = mix(first_2->specular_transmit_0, second_1->specular_transmit_0, _S345);
     return albedos_3;
 }
 
@@ -1942,30 +2120,30 @@ struct FaceSends_0
 
 FaceRadiance_0 face_radiance_0(const FaceSends_0 thread* sends_0, float open_of_other_0, float3 passed_0, float3 from_other_0)
 {
-    float3 _S315 = float3((1.0f - open_of_other_0))  * passed_0;
+    float3 _S346 = float3((1.0f - open_of_other_0))  * passed_0;
     thread FaceRadiance_0 found_0;
-    float3 _S316 = sends_0->sky_warp_0 + _S315 * sends_0->crossing_warp_0;
-    (&found_0)->warp_3 = _S316;
-    float3 _S317 = sends_0->sky_weft_0 + _S315 * sends_0->crossing_weft_0;
-    (&found_0)->weft_3 = _S317;
-    (&found_0)->mean_0 = float3(sends_0->blocks_warp_0)  * _S316 + float3(sends_0->blocks_weft_0)  * _S317;
+    float3 _S347 = sends_0->sky_warp_0 + _S346 * sends_0->crossing_warp_0;
+    (&found_0)->warp_3 = _S347;
+    float3 _S348 = sends_0->sky_weft_0 + _S346 * sends_0->crossing_weft_0;
+    (&found_0)->weft_3 = _S348;
+    (&found_0)->mean_0 = float3(sends_0->blocks_warp_0)  * _S347 + float3(sends_0->blocks_weft_0)  * _S348;
     (&found_0)->leaked_0 = from_other_0;
     return found_0;
 }
 
 void view_terms_0(float3 view_6, array<float, int(6)> thread* terms_0)
 {
-    float _S318 = 1.0f - view_6.z;
-    float _S319 = _S318 * _S318;
+    float _S349 = 1.0f - view_6.z;
+    float _S350 = _S349 * _S349;
     (*terms_0)[int(0)] = 1.0f;
-    float _S320 = view_6.x;
-    float _S321 = _S320 * _S320;
-    float _S322 = view_6.y;
-    float _S323 = _S322 * _S322;
-    (*terms_0)[int(1)] = sqrt(max(_S321 + _S323, 9.999999960041972e-13f));
-    (*terms_0)[int(2)] = _S319;
-    (*terms_0)[int(3)] = _S319 * _S319;
-    (*terms_0)[int(4)] = _S321 - _S323;
+    float _S351 = view_6.x;
+    float _S352 = _S351 * _S351;
+    float _S353 = view_6.y;
+    float _S354 = _S353 * _S353;
+    (*terms_0)[int(1)] = sqrt(max(_S352 + _S354, 9.999999960041972e-13f));
+    (*terms_0)[int(2)] = _S350;
+    (*terms_0)[int(3)] = _S350 * _S350;
+    (*terms_0)[int(4)] = _S352 - _S354;
     (*terms_0)[int(5)] = 0.0f;
     return;
 }
@@ -1978,7 +2156,7 @@ struct Bounced_0
 
 struct Scattered_0
 {
-    float3 back_5;
+    float3 back_6;
     float3 through_0;
 };
 
@@ -1993,11 +2171,11 @@ struct Interior_0
 
 Bounced_0 bounced_by_0(const Blocked_0 thread* blocked_1, const Scattered_0 thread* yarn_2, const Interior_0 thread* interior_0)
 {
-    float3 _S324 = float3((blocked_1->by_warp_0 + blocked_1->by_weft_0))  * interior_0->leaked_1;
-    float3 _S325 = float3(blocked_1->far_0)  * yarn_2->through_0;
+    float3 _S355 = float3((blocked_1->by_warp_0 + blocked_1->by_weft_0))  * interior_0->leaked_1;
+    float3 _S356 = float3(blocked_1->far_0)  * yarn_2->through_0;
     thread Bounced_0 bounced_0;
-    (&bounced_0)->reflected_0 = yarn_2->back_5 * (float3(blocked_1->by_warp_0)  * interior_0->warp_4 + float3(blocked_1->by_weft_0)  * interior_0->weft_4) + _S325 * interior_0->far_leaked_0;
-    (&bounced_0)->transmitted_0 = _S325 * interior_0->far_1 + yarn_2->back_5 * _S324;
+    (&bounced_0)->reflected_0 = yarn_2->back_6 * (float3(blocked_1->by_warp_0)  * interior_0->warp_4 + float3(blocked_1->by_weft_0)  * interior_0->weft_4) + _S356 * interior_0->far_leaked_0;
+    (&bounced_0)->transmitted_0 = _S356 * interior_0->far_1 + yarn_2->back_6 * _S355;
     return bounced_0;
 }
 
@@ -2011,80 +2189,80 @@ Bounced_0 sum_of_0(const Bounced_0 thread* first_3, const Bounced_0 thread* seco
 
 float3 bounced_value_0(const Bounced_0 thread* bounced_1, float3 light_7, float3 view_7)
 {
-    float _S326 = light_7.z;
-    float3 _S327;
-    if((_S326 * view_7.z) < 0.0f)
+    float _S357 = light_7.z;
+    float3 _S358;
+    if((_S357 * view_7.z) < 0.0f)
     {
-        _S327 = bounced_1->transmitted_0;
+        _S358 = bounced_1->transmitted_0;
     }
     else
     {
-        _S327 = bounced_1->reflected_0;
+        _S358 = bounced_1->reflected_0;
     }
-    return _S327 * float3((abs(_S326) * 0.31830987334251404f)) ;
+    return _S358 * float3((abs(_S357) * 0.31830987334251404f)) ;
 }
 
-float sheen_scale_0(float x_7, float y_2)
+float sheen_scale_0(float x_8, float y_2)
 {
-    return (((((0.0f * x_7 + (((((-1.1402510404586792f * y_2 + 0.40672621130943298f) * y_2 + 1.65398800373077393f) * y_2 + -1.29730904102325439f) * y_2 + 0.30570998787879944f) * y_2 + -0.0220868494361639f)) * x_7 + (((((-0.21142719686031342f * y_2 + 1.05947399139404297f) * y_2 + -0.41116121411323547f) * y_2 + -0.93859231472015381f) * y_2 + 0.51606941223144531f) * y_2 + 0.05409301072359085f)) * x_7 + (((((1.22944498062133789f * y_2 + -0.45962560176849365f) * y_2 + -1.63861405849456787f) * y_2 + 1.33565104007720947f) * y_2 + -0.45725581049919128f) * y_2 + 0.08243165910243988f)) * x_7 + (((((0.39779931306838989f * y_2 + -1.18879103660583496f) * y_2 + 0.28251591324806213f) * y_2 + 1.168984055519104f) * y_2 + -0.76864629983901978f) * y_2 + 0.0091691892594099f)) * x_7 + (((((-0.26563560962677002f * y_2 + -0.19379159808158875f) * y_2 + 0.2677634060382843f) * y_2 + 0.00270519289188087f) * y_2 + 0.14349560439586639f) * y_2 + 0.10290180146694183f)) * x_7 + (((((-0.20701569318771362f * y_2 + 0.24526430666446686f) * y_2 + 0.19551840424537659f) * y_2 + 0.07586126774549484f) * y_2 + 0.38894739747047424f) * y_2 + 0.15043120086193085f);
+    return (((((0.0f * x_8 + (((((-1.1402510404586792f * y_2 + 0.40672621130943298f) * y_2 + 1.65398800373077393f) * y_2 + -1.29730904102325439f) * y_2 + 0.30570998787879944f) * y_2 + -0.0220868494361639f)) * x_8 + (((((-0.21142719686031342f * y_2 + 1.05947399139404297f) * y_2 + -0.41116121411323547f) * y_2 + -0.93859231472015381f) * y_2 + 0.51606941223144531f) * y_2 + 0.05409301072359085f)) * x_8 + (((((1.22944498062133789f * y_2 + -0.45962560176849365f) * y_2 + -1.63861405849456787f) * y_2 + 1.33565104007720947f) * y_2 + -0.45725581049919128f) * y_2 + 0.08243165910243988f)) * x_8 + (((((0.39779931306838989f * y_2 + -1.18879103660583496f) * y_2 + 0.28251591324806213f) * y_2 + 1.168984055519104f) * y_2 + -0.76864629983901978f) * y_2 + 0.0091691892594099f)) * x_8 + (((((-0.26563560962677002f * y_2 + -0.19379159808158875f) * y_2 + 0.2677634060382843f) * y_2 + 0.00270519289188087f) * y_2 + 0.14349560439586639f) * y_2 + 0.10290180146694183f)) * x_8 + (((((-0.20701569318771362f * y_2 + 0.24526430666446686f) * y_2 + 0.19551840424537659f) * y_2 + 0.07586126774549484f) * y_2 + 0.38894739747047424f) * y_2 + 0.15043120086193085f);
 }
 
-float sheen_shear_0(float x_8, float y_3)
+float sheen_shear_0(float x_9, float y_3)
 {
-    return ((((0.0f * x_8 + (((((-0.10608240216970444f * y_3 + 1.99214303493499756f) * y_3 + -1.42255294322967529f) * y_3 + -1.09495604038238525f) * y_3 + 0.59180057048797607f) * y_3 + 0.06902855634689331f)) * x_8 + (((((-0.46220690011978149f * y_3 + -0.29113379120826721f) * y_3 + 1.39025199413299561f) * y_3 + 0.35589990019798279f) * y_3 + -1.17120099067687988f) * y_3 + 0.15940259397029877f)) * x_8 + (((((2.26068711280822754f * y_3 + -3.64728999137878418f) * y_3 + -0.72173482179641724f) * y_3 + 3.07659196853637695f) * y_3 + -0.6827620267868042f) * y_3 + -0.3039557933807373f)) * x_8 + (((((0.81201767921447754f * y_3 + 0.36014080047607422f) * y_3 + -1.72646903991699219f) * y_3 + -0.22630110383033752f) * y_3 + 0.89514690637588501f) * y_3 + -0.10397960245609283f)) * x_8 + (((((-0.37648698687553406f * y_3 + 1.10974001884460449f) * y_3 + 0.17824520170688629f) * y_3 + -1.04968702793121338f) * y_3 + 0.1461234986782074f) * y_3 + -0.00475129019469023f);
+    return ((((0.0f * x_9 + (((((-0.10608240216970444f * y_3 + 1.99214303493499756f) * y_3 + -1.42255294322967529f) * y_3 + -1.09495604038238525f) * y_3 + 0.59180057048797607f) * y_3 + 0.06902855634689331f)) * x_9 + (((((-0.46220690011978149f * y_3 + -0.29113379120826721f) * y_3 + 1.39025199413299561f) * y_3 + 0.35589990019798279f) * y_3 + -1.17120099067687988f) * y_3 + 0.15940259397029877f)) * x_9 + (((((2.26068711280822754f * y_3 + -3.64728999137878418f) * y_3 + -0.72173482179641724f) * y_3 + 3.07659196853637695f) * y_3 + -0.6827620267868042f) * y_3 + -0.3039557933807373f)) * x_9 + (((((0.81201767921447754f * y_3 + 0.36014080047607422f) * y_3 + -1.72646903991699219f) * y_3 + -0.22630110383033752f) * y_3 + 0.89514690637588501f) * y_3 + -0.10397960245609283f)) * x_9 + (((((-0.37648698687553406f * y_3 + 1.10974001884460449f) * y_3 + 0.17824520170688629f) * y_3 + -1.04968702793121338f) * y_3 + 0.1461234986782074f) * y_3 + -0.00475129019469023f);
 }
 
-float sheen_reflectance_0(float x_9, float y_4)
+float sheen_reflectance_0(float x_10, float y_4)
 {
-    return ((((0.0f * x_9 + (((((12.95646953582763672f * y_4 + -21.38032913208007812f) * y_4 + -7.37853097915649414f) * y_4 + 34.55607986450195312f) * y_4 + -23.61347007751464844f) * y_4 + 5.00126314163208008f)) * x_9 + (((((10.91487026214599609f * y_4 + -6.08202791213989258f) * y_4 + -38.2036285400390625f) * y_4 + 53.3440399169921875f) * y_4 + -21.91996002197265625f) * y_4 + 2.01606011390686035f)) * x_9 + (((((-14.52206039428710938f * y_4 + 36.803619384765625f) * y_4 + -22.94047927856445312f) * y_4 + -10.07973003387451172f) * y_4 + 15.77003955841064453f) * y_4 + -4.92722177505493164f)) * x_9 + (((((-7.62505722045898438f * y_4 + 1.27310299873352051f) * y_4 + 31.19523048400878906f) * y_4 + -44.39989852905273438f) * y_4 + 26.44947052001953125f) * y_4 + -8.73507976531982422f)) * x_9 + (((((5.65633487701416016f * y_4 + -17.66820907592773438f) * y_4 + 24.65356063842773438f) * y_4 + -19.38941001892089844f) * y_4 + 11.06159019470214844f) * y_4 + -3.06573700904846191f);
+    return ((((0.0f * x_10 + (((((12.95646953582763672f * y_4 + -21.38032913208007812f) * y_4 + -7.37853097915649414f) * y_4 + 34.55607986450195312f) * y_4 + -23.61347007751464844f) * y_4 + 5.00126314163208008f)) * x_10 + (((((10.91487026214599609f * y_4 + -6.08202791213989258f) * y_4 + -38.2036285400390625f) * y_4 + 53.3440399169921875f) * y_4 + -21.91996002197265625f) * y_4 + 2.01606011390686035f)) * x_10 + (((((-14.52206039428710938f * y_4 + 36.803619384765625f) * y_4 + -22.94047927856445312f) * y_4 + -10.07973003387451172f) * y_4 + 15.77003955841064453f) * y_4 + -4.92722177505493164f)) * x_10 + (((((-7.62505722045898438f * y_4 + 1.27310299873352051f) * y_4 + 31.19523048400878906f) * y_4 + -44.39989852905273438f) * y_4 + 26.44947052001953125f) * y_4 + -8.73507976531982422f)) * x_10 + (((((5.65633487701416016f * y_4 + -17.66820907592773438f) * y_4 + 24.65356063842773438f) * y_4 + -19.38941001892089844f) * y_4 + 11.06159019470214844f) * y_4 + -3.06573700904846191f);
 }
 
 float3 sheen_lobe_0(float cos_view_0, float roughness_8)
 {
-    float _S328 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    float _S329 = 2.0f * sqrt(_S328) - 1.0f;
-    float _S330 = 3.0f * sqrt(sqrt(clamp(roughness_8, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return float3(clamp(sheen_scale_0(_S329, _S330), 0.00999999977648258f, 1.0f), clamp((1.0f - _S328) * sheen_shear_0(_S329, _S330), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S329, _S330), -60.0f, 60.0f))));
+    float _S359 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    float _S360 = 2.0f * sqrt(_S359) - 1.0f;
+    float _S361 = 3.0f * sqrt(sqrt(clamp(roughness_8, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return float3(clamp(sheen_scale_0(_S360, _S361), 0.00999999977648258f, 1.0f), clamp((1.0f - _S359) * sheen_shear_0(_S360, _S361), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S360, _S361), -60.0f, 60.0f))));
 }
 
 float transformed_cosine_0(float3 light_8, float3 view_8, float scale_0, float shear_0)
 {
-    float _S331 = light_8.z;
-    bool _S332;
-    if(_S331 <= 0.0f)
+    float _S362 = light_8.z;
+    bool _S363;
+    if(_S362 <= 0.0f)
     {
-        _S332 = true;
+        _S363 = true;
     }
     else
     {
-        _S332 = (view_8.z) <= 0.0f;
+        _S363 = (view_8.z) <= 0.0f;
     }
-    if(_S332)
+    if(_S363)
     {
         return 0.0f;
     }
-    float2 _S333 = view_8.xy;
-    float _S334 = dot(_S333, _S333);
-    float2 _S335;
-    if(_S334 > 9.99999968265522539e-21f)
+    float2 _S364 = view_8.xy;
+    float _S365 = dot(_S364, _S364);
+    float2 _S366;
+    if(_S365 > 9.99999968265522539e-21f)
     {
-        _S335 = _S333 * float2(rsqrt(_S334)) ;
+        _S366 = _S364 * float2(rsqrt(_S365)) ;
     }
     else
     {
-        _S335 = float2(1.0f, 0.0f);
+        _S366 = float2(1.0f, 0.0f);
     }
-    float _S336 = scale_0 * dot(light_8.xy, _S335) + shear_0 * _S331;
-    float _S337 = scale_0 * (light_8.y * _S335.x - light_8.x * _S335.y);
-    float _S338 = _S336 * _S336 + _S337 * _S337 + _S331 * _S331;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S331 / max(_S338 * _S338, 9.99999968265522539e-21f);
+    float _S367 = scale_0 * dot(light_8.xy, _S366) + shear_0 * _S362;
+    float _S368 = scale_0 * (light_8.y * _S366.x - light_8.x * _S366.y);
+    float _S369 = _S367 * _S367 + _S368 * _S368 + _S362 * _S362;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S362 / max(_S369 * _S369, 9.99999968265522539e-21f);
 }
 
 float2 sheen_with_transmittance_0(float3 light_9, float3 view_9, float strength_0, float roughness_9)
 {
-    float3 _S339 = sheen_lobe_0(view_9.z, roughness_9);
-    float _S340 = strength_0 * _S339.z;
-    return float2(_S340 * transformed_cosine_0(light_9, view_9, _S339.x, _S339.y), 1.0f - _S340);
+    float3 _S370 = sheen_lobe_0(view_9.z, roughness_9);
+    float _S371 = strength_0 * _S370.z;
+    return float2(_S371 * transformed_cosine_0(light_9, view_9, _S370.x, _S370.y), 1.0f - _S371);
 }
 
 struct FamilyAlbedos_0
@@ -2107,32 +2285,62 @@ struct Regime_0
     float points_0;
 };
 
-Regime_0 regime_of_0(uint _S341, const Footprint_0 thread* _S342, float _S343, KernelContext_0 thread* kernelContext_25)
+Regime_0 regime_of_0(uint _S372, const Footprint_0 thread* _S373, float _S374, KernelContext_0 thread* kernelContext_26)
 {
-    Fabric_0 device* _S344 = kernelContext_25->fabrics_0+_S341;
-    float _S345 = Footprint_spread_side_0(_S342);
-    float _S346 = clamp((binary_logarithm_0(max(_S345, 9.99999971718068537e-10f)) - _S344->lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
+    Fabric_0 device* _S375 = kernelContext_26->fabrics_0+_S372;
+    float _S376 = Footprint_spread_side_0(_S373);
+    float _S377 = clamp((binary_logarithm_0(max(_S376, 9.99999971718068537e-10f)) - _S375->lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
     thread Regime_0 regime_0;
-    float _S347 = _S346 * _S346 * (3.0f - 2.0f * _S346);
-    (&regime_0)->prefiltered_0 = _S347;
-    (&regime_0)->threads_1 = _S345 * _S344->lobes_0.threads_per_mm_0;
-    float _S348 = mix(max(8.0f / _S343, 1.0f), 1.0f, _S347);
-    float _S349;
-    if(_S347 < 1.0f)
+    float _S378 = _S377 * _S377 * (3.0f - 2.0f * _S377);
+    (&regime_0)->prefiltered_0 = _S378;
+    (&regime_0)->threads_1 = _S376 * _S375->lobes_0.threads_per_mm_0;
+    float _S379 = mix(max(8.0f / _S374, 1.0f), 1.0f, _S378);
+    float _S380;
+    if(_S378 < 1.0f)
     {
-        _S349 = clamp((&regime_0)->threads_1 * 12.0f, 1.0f, _S348);
+        _S380 = clamp((&regime_0)->threads_1 * 12.0f, 1.0f, _S379);
     }
     else
     {
-        _S349 = 0.0f;
+        _S380 = 0.0f;
     }
-    (&regime_0)->points_0 = _S349;
+    (&regime_0)->points_0 = _S380;
     return regime_0;
+}
+
+bool varies_at_0(uint _S381, float _S382, KernelContext_0 thread* kernelContext_27)
+{
+    Fabric_0 device* _S383 = kernelContext_27->fabrics_0+_S381;
+    bool _S384;
+    if((_S383->fibre_noise_0) > 0.0f)
+    {
+        _S384 = true;
+    }
+    else
+    {
+        _S384 = (_S383->colour_noise_0) > 0.0f;
+    }
+    if(_S384)
+    {
+        _S384 = true;
+    }
+    else
+    {
+        if((_S383->has_detail_0) != 0U)
+        {
+            _S384 = _S382 >= 0.0f;
+        }
+        else
+        {
+            _S384 = false;
+        }
+    }
+    return _S384;
 }
 
 struct Hit_0
 {
-    float x_10;
+    float x_11;
     float y_5;
     bool hole_5;
     float height_5;
@@ -2151,352 +2359,352 @@ struct Sample_0
     float slope_y_1;
 };
 
-Crossing_0 crossing_at_0(uint _S350, float _S351, float _S352, bool _S353, KernelContext_0 thread* kernelContext_26)
+Crossing_0 crossing_at_0(uint _S385, float _S386, float _S387, bool _S388, KernelContext_0 thread* kernelContext_28)
 {
-    Fabric_0 device* _S354 = kernelContext_26->fabrics_0+_S350;
+    Fabric_0 device* _S389 = kernelContext_28->fabrics_0+_S385;
     thread Crossing_0 crossing_3;
-    Cell_0 _S355 = locate_0(_S354->warp_1, _S351, kernelContext_26);
-    (&crossing_3)->warp_2 = _S355;
-    Cell_0 _S356 = locate_0(_S354->weft_1, _S352, kernelContext_26);
-    (&crossing_3)->weft_2 = _S356;
-    uint _S357 = _S354->run_words_0 + 2U * ((&(&crossing_3)->weft_2)->thread_0 * _S354->ends_1 + (&(&crossing_3)->warp_2)->thread_0);
-    uint _S358 = kernelContext_26->words_0[_S357];
-    (&crossing_3)->warp_word_0 = _S358;
-    (&crossing_3)->weft_word_0 = kernelContext_26->words_0[_S357 + 1U];
-    (&crossing_3)->warp_above_0 = ((_S358 & 1U) == 1U) != _S353;
+    Cell_0 _S390 = locate_0(_S389->warp_1, _S386, kernelContext_28);
+    (&crossing_3)->warp_2 = _S390;
+    Cell_0 _S391 = locate_0(_S389->weft_1, _S387, kernelContext_28);
+    (&crossing_3)->weft_2 = _S391;
+    uint _S392 = _S389->run_words_0 + 2U * ((&(&crossing_3)->weft_2)->thread_0 * _S389->ends_1 + (&(&crossing_3)->warp_2)->thread_0);
+    uint _S393 = kernelContext_28->words_0[_S392];
+    (&crossing_3)->warp_word_0 = _S393;
+    (&crossing_3)->weft_word_0 = kernelContext_28->words_0[_S392 + 1U];
+    (&crossing_3)->warp_above_0 = ((_S393 & 1U) == 1U) != _S388;
     return crossing_3;
 }
 
-Sample_0 sample_at_0(uint _S359, float _S360, float _S361, bool _S362, KernelContext_0 thread* kernelContext_27)
+Sample_0 sample_at_0(uint _S394, float _S395, float _S396, bool _S397, KernelContext_0 thread* kernelContext_29)
 {
-    Fabric_0 device* _S363 = kernelContext_27->fabrics_0+_S359;
+    Fabric_0 device* _S398 = kernelContext_29->fabrics_0+_S394;
     thread Sample_0 sample_0;
-    Crossing_0 _S364 = crossing_at_0(_S359, _S360, _S361, _S362, kernelContext_27);
-    (&sample_0)->crossing_2 = _S364;
-    thread Crossing_0 _S365 = _S364;
-    Shown_0 _S366 = shown_at_0(&_S365, _S362);
-    (&sample_0)->shown_3 = _S366;
-    uint _S367;
-    if(_S366.is_warp_2)
+    Crossing_0 _S399 = crossing_at_0(_S394, _S395, _S396, _S397, kernelContext_29);
+    (&sample_0)->crossing_2 = _S399;
+    thread Crossing_0 _S400 = _S399;
+    Shown_0 _S401 = shown_at_0(&_S400, _S397);
+    (&sample_0)->shown_3 = _S401;
+    uint _S402;
+    if(_S401.is_warp_2)
     {
-        _S367 = _S363->warp_1;
+        _S402 = _S398->warp_1;
     }
     else
     {
-        _S367 = _S363->weft_1;
+        _S402 = _S398->weft_1;
     }
-    uint _S368;
-    if(_S366.is_warp_2)
+    uint _S403;
+    if(_S401.is_warp_2)
     {
-        _S368 = _S363->weft_1;
+        _S403 = _S398->weft_1;
     }
     else
     {
-        _S368 = _S363->warp_1;
+        _S403 = _S398->warp_1;
     }
-    thread Cell_0 _S369 = (&(&sample_0)->crossing_2)->warp_2;
-    thread Cell_0 _S370 = (&(&sample_0)->crossing_2)->weft_2;
-    Cell_0 _S371 = select_cell_0(_S366.is_warp_2, &_S369, &_S370);
-    thread Cell_0 _S372 = (&(&sample_0)->crossing_2)->weft_2;
-    thread Cell_0 _S373 = (&(&sample_0)->crossing_2)->warp_2;
-    Cell_0 _S374 = select_cell_0(_S366.is_warp_2, &_S372, &_S373);
-    thread Cell_0 _S375 = _S374;
-    Run_0 _S376 = unpack_0(_S367, _S368, _S371.thread_0, &_S375, _S366.word_0, kernelContext_27);
-    thread Cell_0 _S377 = _S371;
-    Section_0 _S378 = section_at_0(&_S377);
-    bool _S379;
-    if(_S366.on_top_0)
+    thread Cell_0 _S404 = (&(&sample_0)->crossing_2)->warp_2;
+    thread Cell_0 _S405 = (&(&sample_0)->crossing_2)->weft_2;
+    Cell_0 _S406 = select_cell_0(_S401.is_warp_2, &_S404, &_S405);
+    thread Cell_0 _S407 = (&(&sample_0)->crossing_2)->weft_2;
+    thread Cell_0 _S408 = (&(&sample_0)->crossing_2)->warp_2;
+    Cell_0 _S409 = select_cell_0(_S401.is_warp_2, &_S407, &_S408);
+    thread Cell_0 _S410 = _S409;
+    Run_0 _S411 = unpack_0(_S402, _S403, _S406.thread_0, &_S410, _S401.word_0, kernelContext_29);
+    thread Cell_0 _S412 = _S406;
+    Section_0 _S413 = section_at_0(&_S412);
+    bool _S414;
+    if(_S401.on_top_0)
     {
-        _S379 = (_S376.distance_0) < (_S378.drop_0 * _S376.bend_1.sine_0);
+        _S414 = (_S411.distance_0) < (_S413.drop_0 * _S411.bend_1.sine_0);
     }
     else
     {
-        _S379 = false;
+        _S414 = false;
     }
-    bool _S380;
-    if(_S366.on_top_0)
+    bool _S415;
+    if(_S401.on_top_0)
     {
-        _S380 = !_S379;
+        _S415 = !_S414;
     }
     else
     {
-        _S380 = false;
+        _S415 = false;
     }
-    float _S381;
-    if(_S380)
+    float _S416;
+    if(_S415)
     {
-        _S381 = 1.0f;
+        _S416 = 1.0f;
     }
     else
     {
-        _S381 = -1.0f;
+        _S416 = -1.0f;
     }
-    float _S382;
-    if(_S379)
+    float _S417;
+    if(_S414)
     {
-        _S382 = _S376.other_reach_0;
+        _S417 = _S411.other_reach_0;
     }
     else
     {
-        _S382 = _S376.reach_0;
+        _S417 = _S411.reach_0;
     }
-    float _S383;
-    if(_S379)
+    float _S418;
+    if(_S414)
     {
-        _S383 = _S382 + _S376.distance_0;
+        _S418 = _S417 + _S411.distance_0;
     }
     else
     {
-        _S383 = max(_S382 - _S376.distance_0, 0.0f);
+        _S418 = max(_S417 - _S411.distance_0, 0.0f);
     }
-    float _S384 = _S382 / _S376.bend_1.sine_0 - _S381 * _S378.drop_0;
-    float _S385 = _S383 * _S383;
-    float _S386 = max(_S384 * _S384 - _S385, 9.99999968265522539e-21f);
-    float _S387 = rsqrt(_S386);
-    float _S388 = _S385 / (_S386 * _S387 + _S384);
-    bool _S389 = _S383 > 0.0f;
-    float _S390;
-    if(_S366.on_top_0)
+    float _S419 = _S417 / _S411.bend_1.sine_0 - _S416 * _S413.drop_0;
+    float _S420 = _S418 * _S418;
+    float _S421 = max(_S419 * _S419 - _S420, 9.99999968265522539e-21f);
+    float _S422 = rsqrt(_S421);
+    float _S423 = _S420 / (_S421 * _S422 + _S419);
+    bool _S424 = _S418 > 0.0f;
+    float _S425;
+    if(_S401.on_top_0)
     {
-        _S390 = 1.0f;
+        _S425 = 1.0f;
     }
     else
     {
-        _S390 = -1.0f;
+        _S425 = -1.0f;
     }
-    float _S391;
-    if(_S376.near_start_0)
+    float _S426;
+    if(_S411.near_start_0)
     {
-        _S391 = 1.0f;
+        _S426 = 1.0f;
     }
     else
     {
-        _S391 = -1.0f;
+        _S426 = -1.0f;
     }
-    float _S392 = _S390 * _S391;
-    if(_S389)
+    float _S427 = _S425 * _S426;
+    if(_S424)
     {
-        _S390 = _S384 * _S387;
+        _S425 = _S419 * _S422;
     }
     else
     {
-        _S390 = 1.0f;
+        _S425 = 1.0f;
     }
-    (&sample_0)->slope_across_0 = _S378.slope_0 * _S390;
-    if(_S389)
+    (&sample_0)->slope_across_0 = _S413.slope_0 * _S425;
+    if(_S424)
     {
-        _S383 = _S392 * _S383 * _S387;
+        _S418 = _S427 * _S418 * _S422;
     }
     else
     {
-        _S383 = 0.0f;
+        _S418 = 0.0f;
     }
-    (&sample_0)->slope_along_0 = _S383;
-    Family_0 _S393 = kernelContext_27->families_0[_S367];
-    thread Shown_0 _S394 = _S366;
-    thread Run_0 _S395 = _S376;
-    thread Cell_0 _S396 = _S374;
-    float2 _S397 = dive_0(_S368, &_S394, &_S395, &_S396, kernelContext_27);
-    if(_S376.straight_0)
+    (&sample_0)->slope_along_0 = _S418;
+    float _S428 = (kernelContext_29->families_0+_S402)->height_scale_0;
+    thread Shown_0 _S429 = _S401;
+    thread Run_0 _S430 = _S411;
+    thread Cell_0 _S431 = _S409;
+    float2 _S432 = dive_0(_S403, &_S429, &_S430, &_S431, kernelContext_29);
+    if(_S411.straight_0)
     {
-        _S381 = 0.0f;
+        _S416 = 0.0f;
     }
     else
     {
-        _S381 = _S393.height_scale_0 * _S381;
+        _S416 = _S428 * _S416;
     }
-    (&sample_0)->height_6 = _S381 * (_S382 * _S376.bend_1.half_tangent_0 - _S388) - _S393.height_scale_0 * _S378.drop_0 - _S397.x;
-    float _S398 = _S393.height_scale_0 * (&sample_0)->slope_across_0;
-    float _S399 = _S393.height_scale_0 * (&sample_0)->slope_along_0 - _S397.y;
-    if(_S366.is_warp_2)
+    (&sample_0)->height_6 = _S416 * (_S417 * _S411.bend_1.half_tangent_0 - _S423) - _S428 * _S413.drop_0 - _S432.x;
+    float _S433 = _S428 * (&sample_0)->slope_across_0;
+    float _S434 = _S428 * (&sample_0)->slope_along_0 - _S432.y;
+    if(_S401.is_warp_2)
     {
-        _S381 = _S398;
+        _S416 = _S433;
     }
     else
     {
-        _S381 = _S399;
+        _S416 = _S434;
     }
-    (&sample_0)->slope_x_1 = _S381;
-    if(_S366.is_warp_2)
+    (&sample_0)->slope_x_1 = _S416;
+    if(_S401.is_warp_2)
     {
-        _S381 = _S399;
+        _S416 = _S434;
     }
     else
     {
-        _S381 = _S398;
+        _S416 = _S433;
     }
-    (&sample_0)->slope_y_1 = _S381;
-    (&sample_0)->run_3 = _S376;
-    (&sample_0)->section_1 = _S378;
+    (&sample_0)->slope_y_1 = _S416;
+    (&sample_0)->run_3 = _S411;
+    (&sample_0)->section_1 = _S413;
     return sample_0;
 }
 
-float steps_per_length_0(uint _S400, const SearchQuality_0 thread* _S401, float3 _S402, KernelContext_0 thread* kernelContext_28)
+float steps_per_length_0(uint _S435, const SearchQuality_0 thread* _S436, float3 _S437, KernelContext_0 thread* kernelContext_30)
 {
-    Fabric_0 device* _S403 = kernelContext_28->fabrics_0+_S400;
-    return max(max(abs(_S402.x) * _S403->threads_per_x_0, abs(_S402.y) * _S403->threads_per_y_0) * _S401->steps_per_thread_0, abs(_S402.z) * _S403->per_relief_0 * _S401->steps_per_relief_0);
+    Fabric_0 device* _S438 = kernelContext_30->fabrics_0+_S435;
+    return max(max(abs(_S437.x) * _S438->threads_per_x_0, abs(_S437.y) * _S438->threads_per_y_0) * _S436->steps_per_thread_0, abs(_S437.z) * _S438->per_relief_0 * _S436->steps_per_relief_0);
 }
 
-float cell_maximum_0(uint _S404, const Crossing_0 thread* _S405, KernelContext_0 thread* kernelContext_29)
+float cell_maximum_0(uint _S439, const Crossing_0 thread* _S440, KernelContext_0 thread* kernelContext_31)
 {
-    Fabric_0 device* _S406 = kernelContext_29->fabrics_0+_S404;
-    bool _S407 = _S405->warp_above_0;
-    uint _S408;
-    if(_S405->warp_above_0)
+    Fabric_0 device* _S441 = kernelContext_31->fabrics_0+_S439;
+    bool _S442 = _S440->warp_above_0;
+    uint _S443;
+    if(_S440->warp_above_0)
     {
-        _S408 = _S406->warp_1;
+        _S443 = _S441->warp_1;
     }
     else
     {
-        _S408 = _S406->weft_1;
+        _S443 = _S441->weft_1;
     }
-    uint _S409;
-    if(_S407)
+    uint _S444;
+    if(_S442)
     {
-        _S409 = _S405->warp_word_0;
+        _S444 = _S440->warp_word_0;
     }
     else
     {
-        _S409 = _S405->weft_word_0;
+        _S444 = _S440->weft_word_0;
     }
-    return float(_S409 >> 28U) * kernelContext_29->families_0[_S408].height_scale_0 * kernelContext_29->families_0[_S408].level_0;
+    return float(_S444 >> 28U) * (kernelContext_31->families_0+_S443)->height_scale_0 * (kernelContext_31->families_0+_S443)->level_0;
 }
 
-Probe_0 probe_0(uint _S410, float _S411, float _S412, bool _S413, bool _S414, bool _S415, KernelContext_0 thread* kernelContext_30)
+Probe_0 probe_0(uint _S445, float _S446, float _S447, bool _S448, bool _S449, bool _S450, KernelContext_0 thread* kernelContext_32)
 {
-    Sample_0 _S416 = sample_at_0(_S410, _S411, _S412, _S413, kernelContext_30);
+    Sample_0 _S451 = sample_at_0(_S445, _S446, _S447, _S448, kernelContext_32);
     thread Probe_0 probe_1;
-    (&probe_1)->height_3 = _S416.height_6;
-    (&probe_1)->hole_4 = _S416.shown_3.hole_3;
-    (&probe_1)->slope_x_0 = _S416.slope_x_1;
-    (&probe_1)->slope_y_0 = _S416.slope_y_1;
-    uint _S417;
-    if(_S416.shown_3.is_warp_2)
+    (&probe_1)->height_3 = _S451.height_6;
+    (&probe_1)->hole_4 = _S451.shown_3.hole_3;
+    (&probe_1)->slope_x_0 = _S451.slope_x_1;
+    (&probe_1)->slope_y_0 = _S451.slope_y_1;
+    uint _S452;
+    if(_S451.shown_3.is_warp_2)
     {
-        _S417 = _S416.crossing_2.warp_2.thread_0 * 2U + 1U;
+        _S452 = _S451.crossing_2.warp_2.thread_0 * 2U + 1U;
     }
     else
     {
-        _S417 = _S416.crossing_2.weft_2.thread_0 * 2U;
+        _S452 = _S451.crossing_2.weft_2.thread_0 * 2U;
     }
-    (&probe_1)->yarn_1 = _S417;
-    thread Crossing_0 _S418 = _S416.crossing_2;
-    float _S419 = cell_maximum_0(_S410, &_S418, kernelContext_30);
-    (&probe_1)->cell_max_0 = _S419;
-    float _S420;
-    if(_S414)
+    (&probe_1)->yarn_1 = _S452;
+    thread Crossing_0 _S453 = _S451.crossing_2;
+    float _S454 = cell_maximum_0(_S445, &_S453, kernelContext_32);
+    (&probe_1)->cell_max_0 = _S454;
+    float _S455;
+    if(_S449)
     {
-        _S420 = _S416.crossing_2.warp_2.above_0;
+        _S455 = _S451.crossing_2.warp_2.above_0;
     }
     else
     {
-        _S420 = _S416.crossing_2.warp_2.below_0;
+        _S455 = _S451.crossing_2.warp_2.below_0;
     }
-    (&probe_1)->side_x_0 = _S420;
-    if(_S415)
+    (&probe_1)->side_x_0 = _S455;
+    if(_S450)
     {
-        _S420 = _S416.crossing_2.weft_2.above_0;
+        _S455 = _S451.crossing_2.weft_2.above_0;
     }
     else
     {
-        _S420 = _S416.crossing_2.weft_2.below_0;
+        _S455 = _S451.crossing_2.weft_2.below_0;
     }
-    (&probe_1)->side_y_0 = _S420;
-    bool _S421 = !_S416.shown_3.is_warp_2;
-    thread Cell_0 _S422 = _S416.crossing_2.warp_2;
-    thread Shown_0 _S423 = _S416.shown_3;
-    thread Run_0 _S424 = _S416.run_3;
-    float _S425 = outline_distance_0(&_S422, &_S423, &_S424, _S421, _S414);
-    (&probe_1)->edge_x_0 = _S425;
-    thread Cell_0 _S426 = _S416.crossing_2.weft_2;
-    thread Shown_0 _S427 = _S416.shown_3;
-    thread Run_0 _S428 = _S416.run_3;
-    float _S429 = outline_distance_0(&_S426, &_S427, &_S428, _S416.shown_3.is_warp_2, _S415);
-    (&probe_1)->edge_y_0 = _S429;
+    (&probe_1)->side_y_0 = _S455;
+    bool _S456 = !_S451.shown_3.is_warp_2;
+    thread Cell_0 _S457 = _S451.crossing_2.warp_2;
+    thread Shown_0 _S458 = _S451.shown_3;
+    thread Run_0 _S459 = _S451.run_3;
+    float _S460 = outline_distance_0(&_S457, &_S458, &_S459, _S456, _S449);
+    (&probe_1)->edge_x_0 = _S460;
+    thread Cell_0 _S461 = _S451.crossing_2.weft_2;
+    thread Shown_0 _S462 = _S451.shown_3;
+    thread Run_0 _S463 = _S451.run_3;
+    float _S464 = outline_distance_0(&_S461, &_S462, &_S463, _S451.shown_3.is_warp_2, _S450);
+    (&probe_1)->edge_y_0 = _S464;
     return probe_1;
 }
 
-bool is_free_0(uint _S430, const SearchQuality_0 thread* _S431, float3 _S432, float3 _S433, bool _S434, float _S435, KernelContext_0 thread* kernelContext_31)
+bool is_free_0(uint _S465, const SearchQuality_0 thread* _S466, float3 _S467, float3 _S468, bool _S469, float _S470, KernelContext_0 thread* kernelContext_33)
 {
-    float _S436 = _S433.z;
-    if(_S436 <= 0.0f)
+    float _S471 = _S468.z;
+    if(_S471 <= 0.0f)
     {
         return false;
     }
-    float _S437 = _S431->shadow_share_0;
-    float _S438 = steps_per_length_0(_S430, _S431, _S433, kernelContext_31);
-    float _S439 = 1.0f / max(_S437 * _S438, 9.99999971718068537e-10f);
-    StepControl_0 _S440 = step_control_0(_S433.xy, _S439);
+    float _S472 = _S466->shadow_share_0;
+    float _S473 = steps_per_length_0(_S465, _S466, _S468, kernelContext_33);
+    float _S474 = 1.0f / max(_S472 * _S473, 9.99999971718068537e-10f);
+    StepControl_0 _S475 = step_control_0(_S468.xy, _S474);
     PreviousSample_0 previous_3 = no_previous_sample_0();
     uint count_3 = 0U;
     float distance_1 = 0.0f;
     float last_step_0 = 0.0f;
     for(;;)
     {
-        bool _S441;
+        bool _S476;
         if(count_3 < 1024U)
         {
-            _S441 = (_S432.z + _S436 * distance_1) < _S435;
+            _S476 = (_S467.z + _S471 * distance_1) < _S470;
         }
         else
         {
-            _S441 = false;
+            _S476 = false;
         }
-        if(_S441)
+        if(_S476)
         {
         }
         else
         {
             break;
         }
-        float3 _S442 = _S432 + _S433 * float3(distance_1) ;
-        Probe_0 _S443 = probe_0(_S430, _S442.x, _S442.y, _S434, _S440.right_0, _S440.up_0, kernelContext_31);
-        float _S444 = _S442.z;
-        float _S445 = _S444 - _S443.height_3;
-        float _S446 = _S436 - _S443.slope_x_0 * _S433.x - _S443.slope_y_0 * _S433.y;
-        bool _S447;
-        if(!_S443.hole_4)
+        float3 _S477 = _S467 + _S468 * float3(distance_1) ;
+        Probe_0 _S478 = probe_0(_S465, _S477.x, _S477.y, _S469, _S475.right_0, _S475.up_0, kernelContext_33);
+        float _S479 = _S477.z;
+        float _S480 = _S479 - _S478.height_3;
+        float _S481 = _S471 - _S478.slope_x_0 * _S468.x - _S478.slope_y_0 * _S468.y;
+        bool _S482;
+        if(!_S478.hole_4)
         {
-            _S447 = _S445 < 0.0f;
+            _S482 = _S480 < 0.0f;
         }
         else
         {
-            _S447 = false;
+            _S482 = false;
         }
-        if(_S447)
+        if(_S482)
         {
             return false;
         }
-        thread PreviousSample_0 _S448 = previous_3;
-        thread Probe_0 _S449 = _S443;
-        float _S450 = way_back_to_dip_0(&_S448, _S445, _S446, last_step_0, &_S449);
-        if(_S450 >= 0.0f)
+        thread PreviousSample_0 _S483 = previous_3;
+        thread Probe_0 _S484 = _S478;
+        float _S485 = way_back_to_dip_0(&_S483, _S480, _S481, last_step_0, &_S484);
+        if(_S485 >= 0.0f)
         {
-            float last_step_1 = last_step_0 - _S450;
-            distance_1 = distance_1 - _S450;
+            float last_step_1 = last_step_0 - _S485;
+            distance_1 = distance_1 - _S485;
             last_step_0 = last_step_1;
             count_3 = count_3 + 1U;
             continue;
         }
-        bool _S451 = _S444 > (_S443.cell_max_0);
-        thread Probe_0 _S452 = _S443;
-        PreviousSample_0 _S453 = after_sample_0(_S445, _S446, &_S452, _S451);
+        bool _S486 = _S479 > (_S478.cell_max_0);
+        thread Probe_0 _S487 = _S478;
+        PreviousSample_0 _S488 = after_sample_0(_S480, _S481, &_S487, _S486);
         float last_step_2;
-        if(_S451)
+        if(_S486)
         {
-            thread StepControl_0 _S454 = _S440;
-            float _S455 = StepControl_to_cell_exit_0(&_S454, _S443.side_x_0, _S443.side_y_0);
-            last_step_2 = max(_S455, _S439);
+            thread StepControl_0 _S489 = _S475;
+            float _S490 = StepControl_to_cell_exit_0(&_S489, _S478.side_x_0, _S478.side_y_0);
+            last_step_2 = max(_S490, _S474);
         }
         else
         {
-            thread StepControl_0 _S456 = _S440;
-            thread Probe_0 _S457 = _S443;
-            float _S458 = StepControl_to_next_sample_0(&_S456, &_S457, _S445, _S446);
-            last_step_2 = _S458;
+            thread StepControl_0 _S491 = _S475;
+            thread Probe_0 _S492 = _S478;
+            float _S493 = StepControl_to_next_sample_0(&_S491, &_S492, _S480, _S481);
+            last_step_2 = _S493;
         }
         float distance_2 = distance_1 + last_step_2;
-        previous_3 = _S453;
+        previous_3 = _S488;
         distance_1 = distance_2;
         last_step_0 = last_step_2;
         count_3 = count_3 + 1U;
@@ -2504,48 +2712,48 @@ bool is_free_0(uint _S430, const SearchQuality_0 thread* _S431, float3 _S432, fl
     return true;
 }
 
-bool passes_through_0(uint _S459, const SearchQuality_0 thread* _S460, float _S461, float _S462, float3 _S463, bool _S464, KernelContext_0 thread* kernelContext_32)
+bool passes_through_0(uint _S494, const SearchQuality_0 thread* _S495, float _S496, float _S497, float3 _S498, bool _S499, KernelContext_0 thread* kernelContext_34)
 {
-    Fabric_0 device* _S465 = kernelContext_32->fabrics_0+_S459;
-    Sample_0 _S466 = sample_at_0(_S459, _S461, _S462, _S464, kernelContext_32);
-    if(!_S466.shown_3.hole_3)
+    Fabric_0 device* _S500 = kernelContext_34->fabrics_0+_S494;
+    Sample_0 _S501 = sample_at_0(_S494, _S496, _S497, _S499, kernelContext_34);
+    if(!_S501.shown_3.hole_3)
     {
         return false;
     }
-    float3 _S467 = float3(_S461, _S462, 0.0f);
+    float3 _S502 = float3(_S496, _S497, 0.0f);
     bool passes_0 = true;
     uint side_0 = 0U;
     for(;;)
     {
-        bool _S468;
+        bool _S503;
         if(side_0 < 2U)
         {
-            _S468 = passes_0;
+            _S503 = passes_0;
         }
         else
         {
-            _S468 = false;
+            _S503 = false;
         }
-        if(_S468)
+        if(_S503)
         {
         }
         else
         {
             break;
         }
-        float3 _S469;
+        float3 _S504;
         if(side_0 == 0U)
         {
-            _S469 = _S463;
+            _S504 = _S498;
         }
         else
         {
-            _S469 = float3(- _S463.x, - _S463.y, _S463.z);
+            _S504 = float3(- _S498.x, - _S498.y, _S498.z);
         }
-        bool _S470 = is_free_0(_S459, _S460, _S467, _S469, _S464 != (side_0 == 1U), _S465->height_high_0, kernelContext_32);
-        uint _S471 = side_0 + 1U;
-        passes_0 = _S470;
-        side_0 = _S471;
+        bool _S505 = is_free_0(_S494, _S495, _S502, _S504, _S499 != (side_0 == 1U), _S500->height_high_0, kernelContext_34);
+        uint _S506 = side_0 + 1U;
+        passes_0 = _S505;
+        side_0 = _S506;
     }
     return passes_0;
 }
@@ -2560,36 +2768,36 @@ struct ViewRayEnd_0
     PreviousSample_0 previous_4;
 };
 
-float max_height_along_0(uint _S472, float _S473, float _S474, float _S475, float3 _S476, bool _S477, KernelContext_0 thread* kernelContext_33)
+float max_height_along_0(uint _S507, float _S508, float _S509, float _S510, float3 _S511, bool _S512, KernelContext_0 thread* kernelContext_35)
 {
-    Fabric_0 device* _S478 = kernelContext_33->fabrics_0+_S472;
-    Cell_0 _S479 = locate_0(_S478->warp_1, _S473, kernelContext_33);
-    uint _S480 = _S479.thread_0 / 2U;
-    Cell_0 _S481 = locate_0(_S478->weft_1, _S474, kernelContext_33);
-    uint _S482 = _S481.thread_0 / 2U;
-    float _S483 = _S476.x;
-    uint _S484;
-    if(_S483 > 0.0f)
+    Fabric_0 device* _S513 = kernelContext_35->fabrics_0+_S507;
+    Cell_0 _S514 = locate_0(_S513->warp_1, _S508, kernelContext_35);
+    uint _S515 = _S514.thread_0 / 2U;
+    Cell_0 _S516 = locate_0(_S513->weft_1, _S509, kernelContext_35);
+    uint _S517 = _S516.thread_0 / 2U;
+    float _S518 = _S511.x;
+    uint _S519;
+    if(_S518 > 0.0f)
     {
-        _S484 = 1U;
+        _S519 = 1U;
     }
     else
     {
-        _S484 = 0U;
+        _S519 = 0U;
     }
-    float _S485 = _S476.y;
-    uint _S486;
-    if(_S485 > 0.0f)
+    float _S520 = _S511.y;
+    uint _S521;
+    if(_S520 > 0.0f)
     {
-        _S486 = 2U;
+        _S521 = 2U;
     }
     else
     {
-        _S486 = 0U;
+        _S521 = 0U;
     }
-    uint _S487 = kernelContext_33->words_0[_S478->max_heights_0 + 4U * (_S482 * _S478->max_height_columns_0 + _S480) + (_S484 + _S486)];
+    uint _S522 = kernelContext_35->words_0[_S513->max_heights_0 + 4U * (_S517 * _S513->max_height_columns_0 + _S515) + (_S519 + _S521)];
     int number_0;
-    if(_S477)
+    if(_S512)
     {
         number_0 = int(4);
     }
@@ -2597,10 +2805,10 @@ float max_height_along_0(uint _S472, float _S473, float _S474, float _S475, floa
     {
         number_0 = int(0);
     }
-    uint _S488 = _S487 >> uint(number_0);
-    float _S489 = max(abs(_S483) * _S478->threads_per_x_0, abs(_S485) * _S478->threads_per_y_0) / _S476.z;
-    float _S490 = _S478->height_high_0;
-    float max_height_0 = _S478->height_high_0;
+    uint _S523 = _S522 >> uint(number_0);
+    float _S524 = max(abs(_S518) * _S513->threads_per_x_0, abs(_S520) * _S513->threads_per_y_0) / _S511.z;
+    float _S525 = _S513->height_high_0;
+    float max_height_0 = _S513->height_high_0;
     number_0 = int(3);
     for(;;)
     {
@@ -2611,46 +2819,46 @@ float max_height_along_0(uint _S472, float _S473, float _S474, float _S475, floa
         {
             break;
         }
-        if(((max_height_0 - _S475) * _S489) <= (PYRAMID_RADII_0[number_0]))
+        if(((max_height_0 - _S510) * _S524) <= (PYRAMID_RADII_0[number_0]))
         {
-            max_height_0 = min(max_height_0, float((_S488 >> uint(int(8) * number_0)) & 15U) * 0.06666667014360428f * _S490);
+            max_height_0 = min(max_height_0, float((_S523 >> uint(int(8) * number_0)) & 15U) * 0.06666667014360428f * _S525);
         }
         number_0 = number_0 - int(1);
     }
     return max_height_0;
 }
 
-float3 cell_bounds_0(uint _S491, float _S492, float _S493, bool _S494, bool _S495, bool _S496, KernelContext_0 thread* kernelContext_34)
+float3 cell_bounds_0(uint _S526, float _S527, float _S528, bool _S529, bool _S530, bool _S531, KernelContext_0 thread* kernelContext_36)
 {
-    Crossing_0 _S497 = crossing_at_0(_S491, _S492, _S493, _S494, kernelContext_34);
-    thread Crossing_0 _S498 = _S497;
-    float _S499 = cell_maximum_0(_S491, &_S498, kernelContext_34);
-    float _S500;
-    if(_S495)
+    Crossing_0 _S532 = crossing_at_0(_S526, _S527, _S528, _S529, kernelContext_36);
+    thread Crossing_0 _S533 = _S532;
+    float _S534 = cell_maximum_0(_S526, &_S533, kernelContext_36);
+    float _S535;
+    if(_S530)
     {
-        _S500 = _S497.warp_2.above_0;
+        _S535 = _S532.warp_2.above_0;
     }
     else
     {
-        _S500 = _S497.warp_2.below_0;
+        _S535 = _S532.warp_2.below_0;
     }
-    float _S501;
-    if(_S496)
+    float _S536;
+    if(_S531)
     {
-        _S501 = _S497.weft_2.above_0;
+        _S536 = _S532.weft_2.above_0;
     }
     else
     {
-        _S501 = _S497.weft_2.below_0;
+        _S536 = _S532.weft_2.below_0;
     }
-    return float3(_S499, _S500, _S501);
+    return float3(_S534, _S535, _S536);
 }
 
-float first_sample_height_0(uint _S502, const ViewRay_0 thread* _S503, const StepControl_0 thread* _S504, bool _S505, KernelContext_0 thread* kernelContext_35)
+float first_sample_height_0(uint _S537, const ViewRay_0 thread* _S538, const StepControl_0 thread* _S539, bool _S540, KernelContext_0 thread* kernelContext_37)
 {
-    float _S506 = max_height_along_0(_S502, _S503->origin_0.x, _S503->origin_0.y, 0.0f, float3(_S503->slope_1, 1.0f), _S505, kernelContext_35);
+    float _S541 = max_height_along_0(_S537, _S538->origin_0.x, _S538->origin_0.y, 0.0f, float3(_S538->slope_1, 1.0f), _S540, kernelContext_37);
     uint count_4 = 0U;
-    float height_8 = _S506;
+    float height_8 = _S541;
     for(;;)
     {
         if(count_4 < 1024U)
@@ -2660,12 +2868,12 @@ float first_sample_height_0(uint _S502, const ViewRay_0 thread* _S503, const Ste
         {
             break;
         }
-        float2 _S507 = ViewRay_at_0(_S503, height_8);
-        float3 _S508 = cell_bounds_0(_S502, _S507.x, _S507.y, _S505, _S504->right_0, _S504->up_0, kernelContext_35);
-        float _S509 = height_8 - _S508.x;
-        float _S510 = StepControl_to_cell_exit_0(_S504, _S508.y, _S508.z);
-        float height_9 = height_8 - clamp(_S509, 0.0f, _S510);
-        if(_S509 <= _S510)
+        float2 _S542 = ViewRay_at_0(_S538, height_8);
+        float3 _S543 = cell_bounds_0(_S537, _S542.x, _S542.y, _S540, _S539->right_0, _S539->up_0, kernelContext_37);
+        float _S544 = height_8 - _S543.x;
+        float _S545 = StepControl_to_cell_exit_0(_S539, _S543.y, _S543.z);
+        float height_9 = height_8 - clamp(_S544, 0.0f, _S545);
+        if(_S544 <= _S545)
         {
             height_8 = height_9;
             break;
@@ -2676,14 +2884,14 @@ float first_sample_height_0(uint _S502, const ViewRay_0 thread* _S503, const Ste
     return height_8;
 }
 
-ViewRayEnd_0 search_down_0(uint _S511, const ViewRay_0 thread* _S512, const StepControl_0 thread* _S513, bool _S514, KernelContext_0 thread* kernelContext_36)
+ViewRayEnd_0 search_down_0(uint _S546, const ViewRay_0 thread* _S547, const StepControl_0 thread* _S548, bool _S549, KernelContext_0 thread* kernelContext_38)
 {
-    Fabric_0 device* _S515 = kernelContext_36->fabrics_0+_S511;
-    float _S516 = _S515->height_low_0 - (_S515->height_high_0 - _S515->height_low_0);
+    Fabric_0 device* _S550 = kernelContext_38->fabrics_0+_S546;
+    float _S551 = _S550->height_low_0 - (_S550->height_high_0 - _S550->height_low_0);
     thread ViewRayEnd_0 end_1;
-    float _S517 = first_sample_height_0(_S511, _S512, _S513, _S514, kernelContext_36);
-    (&end_1)->height_7 = _S517;
-    (&end_1)->last_step_3 = _S513->epsilon_0;
+    float _S552 = first_sample_height_0(_S546, _S547, _S548, _S549, kernelContext_38);
+    (&end_1)->height_7 = _S552;
+    (&end_1)->last_step_3 = _S548->epsilon_0;
     (&end_1)->previous_4 = no_previous_sample_0();
     (&end_1)->depth_1 = 0.0f;
     (&end_1)->rate_4 = 0.0f;
@@ -2698,164 +2906,164 @@ ViewRayEnd_0 search_down_0(uint _S511, const ViewRay_0 thread* _S512, const Step
         {
             break;
         }
-        float2 _S518 = ViewRay_at_0(_S512, (&end_1)->height_7);
-        Probe_0 _S519 = probe_0(_S511, _S518.x, _S518.y, _S514, _S513->right_0, _S513->up_0, kernelContext_36);
-        float _S520 = (&end_1)->height_7 - _S519.height_3;
-        thread Probe_0 _S521 = _S519;
-        float _S522 = ViewRay_rate_0(_S512, &_S521);
-        (&end_1)->depth_1 = - _S520;
-        (&end_1)->rate_4 = _S522;
-        bool _S523;
+        float2 _S553 = ViewRay_at_0(_S547, (&end_1)->height_7);
+        Probe_0 _S554 = probe_0(_S546, _S553.x, _S553.y, _S549, _S548->right_0, _S548->up_0, kernelContext_38);
+        float _S555 = (&end_1)->height_7 - _S554.height_3;
+        thread Probe_0 _S556 = _S554;
+        float _S557 = ViewRay_rate_0(_S547, &_S556);
+        (&end_1)->depth_1 = - _S555;
+        (&end_1)->rate_4 = _S557;
+        bool _S558;
         if((&(&end_1)->previous_4)->known_0)
         {
-            _S523 = !_S519.hole_4;
+            _S558 = !_S554.hole_4;
         }
         else
         {
-            _S523 = false;
+            _S558 = false;
         }
-        bool _S524;
-        if(_S523)
+        bool _S559;
+        if(_S558)
         {
-            _S524 = ((&(&end_1)->previous_4)->yarn_0) == (_S519.yarn_1);
+            _S559 = ((&(&end_1)->previous_4)->yarn_0) == (_S554.yarn_1);
         }
         else
         {
-            _S524 = false;
+            _S559 = false;
         }
-        (&end_1)->smooth_0 = _S524;
-        bool _S525;
-        if(!_S519.hole_4)
+        (&end_1)->smooth_0 = _S559;
+        bool _S560;
+        if(!_S554.hole_4)
         {
-            _S525 = _S520 <= 0.0f;
+            _S560 = _S555 <= 0.0f;
         }
         else
         {
-            _S525 = false;
+            _S560 = false;
         }
-        bool _S526;
-        if(_S525)
+        bool _S561;
+        if(_S560)
         {
-            _S526 = true;
+            _S561 = true;
         }
         else
         {
-            _S526 = ((&end_1)->height_7) <= _S516;
+            _S561 = ((&end_1)->height_7) <= _S551;
         }
-        if(_S526)
+        if(_S561)
         {
             break;
         }
-        thread PreviousSample_0 _S527 = (&end_1)->previous_4;
-        thread Probe_0 _S528 = _S519;
-        float _S529 = way_back_to_dip_0(&_S527, _S520, _S522, (&end_1)->last_step_3, &_S528);
-        if(_S529 >= 0.0f)
+        thread PreviousSample_0 _S562 = (&end_1)->previous_4;
+        thread Probe_0 _S563 = _S554;
+        float _S564 = way_back_to_dip_0(&_S562, _S555, _S557, (&end_1)->last_step_3, &_S563);
+        if(_S564 >= 0.0f)
         {
-            (&end_1)->height_7 = (&end_1)->height_7 + _S529;
-            (&end_1)->last_step_3 = (&end_1)->last_step_3 - _S529;
+            (&end_1)->height_7 = (&end_1)->height_7 + _S564;
+            (&end_1)->last_step_3 = (&end_1)->last_step_3 - _S564;
             count_5 = count_5 + 1U;
             continue;
         }
-        float _S530 = StepControl_to_cell_exit_0(_S513, _S519.side_x_0, _S519.side_y_0);
-        float _S531 = min(_S530, (&end_1)->height_7 - _S519.cell_max_0);
-        thread Probe_0 _S532 = _S519;
-        float _S533 = StepControl_to_next_sample_0(_S513, &_S532, _S520, _S522);
-        bool _S534 = _S531 > _S533;
-        thread Probe_0 _S535 = _S519;
-        PreviousSample_0 _S536 = after_sample_0(_S520, _S522, &_S535, _S534);
-        (&end_1)->previous_4 = _S536;
-        float _S537 = max(_S531, _S533);
-        (&end_1)->last_step_3 = _S537;
-        (&end_1)->height_7 = (&end_1)->height_7 - _S537;
+        float _S565 = StepControl_to_cell_exit_0(_S548, _S554.side_x_0, _S554.side_y_0);
+        float _S566 = min(_S565, (&end_1)->height_7 - _S554.cell_max_0);
+        thread Probe_0 _S567 = _S554;
+        float _S568 = StepControl_to_next_sample_0(_S548, &_S567, _S555, _S557);
+        bool _S569 = _S566 > _S568;
+        thread Probe_0 _S570 = _S554;
+        PreviousSample_0 _S571 = after_sample_0(_S555, _S557, &_S570, _S569);
+        (&end_1)->previous_4 = _S571;
+        float _S572 = max(_S566, _S568);
+        (&end_1)->last_step_3 = _S572;
+        (&end_1)->height_7 = (&end_1)->height_7 - _S572;
         count_5 = count_5 + 1U;
     }
     return end_1;
 }
 
-float refined_height_0(uint _S538, const ViewRay_0 thread* _S539, const StepControl_0 thread* _S540, bool _S541, const ViewRayEnd_0 thread* _S542, uint _S543, KernelContext_0 thread* kernelContext_37)
+float refined_height_0(uint _S573, const ViewRay_0 thread* _S574, const StepControl_0 thread* _S575, bool _S576, const ViewRayEnd_0 thread* _S577, uint _S578, KernelContext_0 thread* kernelContext_39)
 {
-    Fabric_0 device* _S544 = kernelContext_37->fabrics_0+_S538;
-    float _S545 = _S544->height_high_0 - _S544->height_low_0;
-    float _S546 = _S542->height_7;
-    float _S547 = _S542->last_step_3;
-    float above_2 = _S542->height_7 + _S542->last_step_3;
-    float above_gap_1 = clamp((&_S542->previous_4)->clearance_0, 0.0f, _S545);
-    float under_gap_1 = clamp(_S542->depth_1, 0.0f, _S545);
-    float _S548 = cubic_root_0(above_gap_1, - under_gap_1, (&_S542->previous_4)->rate_0 * _S542->last_step_3, _S542->rate_4 * _S542->last_step_3);
-    bool _S549 = _S542->smooth_0;
+    Fabric_0 device* _S579 = kernelContext_39->fabrics_0+_S573;
+    float _S580 = _S579->height_high_0 - _S579->height_low_0;
+    float _S581 = _S577->height_7;
+    float _S582 = _S577->last_step_3;
+    float above_2 = _S577->height_7 + _S577->last_step_3;
+    float above_gap_1 = clamp((&_S577->previous_4)->clearance_0, 0.0f, _S580);
+    float under_gap_1 = clamp(_S577->depth_1, 0.0f, _S580);
+    float _S583 = cubic_root_0(above_gap_1, - under_gap_1, (&_S577->previous_4)->rate_0 * _S577->last_step_3, _S577->rate_4 * _S577->last_step_3);
+    bool _S584 = _S577->smooth_0;
     float middle_0;
-    if(_S542->smooth_0)
+    if(_S577->smooth_0)
     {
-        middle_0 = above_2 - _S548 * _S547;
+        middle_0 = above_2 - _S583 * _S582;
     }
     else
     {
-        middle_0 = between_0(above_2, _S546, above_gap_1, under_gap_1);
+        middle_0 = between_0(above_2, _S581, above_gap_1, under_gap_1);
     }
     float side_1 = 0.0f;
     float above_gap_2 = above_gap_1;
     float under_gap_2 = under_gap_1;
-    float under_1 = _S546;
+    float under_1 = _S581;
     float above_3 = above_2;
     uint i_1 = 0U;
     for(;;)
     {
-        if(i_1 < _S543)
+        if(i_1 < _S578)
         {
         }
         else
         {
             break;
         }
-        float2 _S550 = ViewRay_at_0(_S539, middle_0);
-        Probe_0 _S551 = probe_0(_S538, _S550.x, _S550.y, _S541, _S540->right_0, _S540->up_0, kernelContext_37);
-        float _S552;
-        if(_S551.hole_4)
+        float2 _S585 = ViewRay_at_0(_S574, middle_0);
+        Probe_0 _S586 = probe_0(_S573, _S585.x, _S585.y, _S576, _S575->right_0, _S575->up_0, kernelContext_39);
+        float _S587;
+        if(_S586.hole_4)
         {
-            _S552 = -1.0e+09f;
+            _S587 = -1.0e+09f;
         }
         else
         {
-            _S552 = _S551.height_3;
+            _S587 = _S586.height_3;
         }
-        float _S553 = clamp(middle_0 - _S552, - _S545, _S545);
-        float _S554;
-        if(_S553 <= 0.0f)
+        float _S588 = clamp(middle_0 - _S587, - _S580, _S580);
+        float _S589;
+        if(_S588 <= 0.0f)
         {
             if(side_1 > 0.0f)
             {
-                _S554 = 0.5f * above_gap_2;
+                _S589 = 0.5f * above_gap_2;
             }
             else
             {
-                _S554 = above_gap_2;
+                _S589 = above_gap_2;
             }
-            float _S555 = - _S553;
+            float _S590 = - _S588;
             under_1 = middle_0;
-            above_gap_2 = _S554;
-            under_gap_2 = _S555;
+            above_gap_2 = _S589;
+            under_gap_2 = _S590;
             side_1 = 1.0f;
         }
         else
         {
             if(side_1 < 0.0f)
             {
-                _S554 = 0.5f * under_gap_2;
+                _S589 = 0.5f * under_gap_2;
             }
             else
             {
-                _S554 = under_gap_2;
+                _S589 = under_gap_2;
             }
             above_3 = middle_0;
-            above_gap_2 = _S553;
-            under_gap_2 = _S554;
+            above_gap_2 = _S588;
+            under_gap_2 = _S589;
             side_1 = -1.0f;
         }
-        if(_S549)
+        if(_S584)
         {
-            thread Probe_0 _S556 = _S551;
-            float _S557 = ViewRay_rate_0(_S539, &_S556);
-            middle_0 = clamp(middle_0 + _S553 / min(_S557, -9.99999997475242708e-07f), under_1, above_3);
+            thread Probe_0 _S591 = _S586;
+            float _S592 = ViewRay_rate_0(_S574, &_S591);
+            middle_0 = clamp(middle_0 + _S588 / min(_S592, -9.99999997475242708e-07f), under_1, above_3);
         }
         else
         {
@@ -2863,7 +3071,7 @@ float refined_height_0(uint _S538, const ViewRay_0 thread* _S539, const StepCont
         }
         i_1 = i_1 + 1U;
     }
-    if(_S549)
+    if(_S584)
     {
     }
     else
@@ -2873,453 +3081,776 @@ float refined_height_0(uint _S538, const ViewRay_0 thread* _S539, const StepCont
     return middle_0;
 }
 
-Hit_0 first_hit_of_yarn_0(uint _S558, const SearchQuality_0 thread* _S559, float _S560, float _S561, float3 _S562, bool _S563, KernelContext_0 thread* kernelContext_38)
+Hit_0 first_hit_of_yarn_0(uint _S593, const SearchQuality_0 thread* _S594, float _S595, float _S596, float3 _S597, bool _S598, KernelContext_0 thread* kernelContext_40)
 {
-    float _S564 = max(_S562.z, 0.00009999999747379f);
+    float _S599 = max(_S597.z, 0.00009999999747379f);
     thread ViewRay_0 ray_0;
-    (&ray_0)->origin_0 = float2(_S560, _S561);
-    float2 _S565 = _S562.xy / float2(_S564) ;
-    (&ray_0)->slope_1 = _S565;
-    float2 _S566 = - _S565;
-    float _S567 = steps_per_length_0(_S558, _S559, _S562, kernelContext_38);
-    StepControl_0 _S568 = step_control_0(_S566, 1.0f / max(_S567 / _S564, 9.99999971718068537e-10f));
-    thread ViewRay_0 _S569 = ray_0;
-    thread StepControl_0 _S570 = _S568;
-    ViewRayEnd_0 _S571 = search_down_0(_S558, &_S569, &_S570, _S563, kernelContext_38);
+    (&ray_0)->origin_0 = float2(_S595, _S596);
+    float2 _S600 = _S597.xy / float2(_S599) ;
+    (&ray_0)->slope_1 = _S600;
+    float2 _S601 = - _S600;
+    float _S602 = steps_per_length_0(_S593, _S594, _S597, kernelContext_40);
+    StepControl_0 _S603 = step_control_0(_S601, 1.0f / max(_S602 / _S599, 9.99999971718068537e-10f));
+    thread ViewRay_0 _S604 = ray_0;
+    thread StepControl_0 _S605 = _S603;
+    ViewRayEnd_0 _S606 = search_down_0(_S593, &_S604, &_S605, _S598, kernelContext_40);
     thread Hit_0 hit_0;
     (&hit_0)->hole_5 = false;
-    thread ViewRay_0 _S572 = ray_0;
-    thread StepControl_0 _S573 = _S568;
-    thread ViewRayEnd_0 _S574 = _S571;
-    float _S575 = refined_height_0(_S558, &_S572, &_S573, _S563, &_S574, _S559->refinements_0, kernelContext_38);
-    (&hit_0)->height_5 = _S575;
-    thread ViewRay_0 _S576 = ray_0;
-    float2 _S577 = ViewRay_at_0(&_S576, _S575);
-    (&hit_0)->x_10 = _S577.x;
-    (&hit_0)->y_5 = _S577.y;
+    thread ViewRay_0 _S607 = ray_0;
+    thread StepControl_0 _S608 = _S603;
+    thread ViewRayEnd_0 _S609 = _S606;
+    float _S610 = refined_height_0(_S593, &_S607, &_S608, _S598, &_S609, _S594->refinements_0, kernelContext_40);
+    (&hit_0)->height_5 = _S610;
+    thread ViewRay_0 _S611 = ray_0;
+    float2 _S612 = ViewRay_at_0(&_S611, _S610);
+    (&hit_0)->x_11 = _S612.x;
+    (&hit_0)->y_5 = _S612.y;
     return hit_0;
 }
 
-Hit_0 first_hit_0(uint _S578, const SearchQuality_0 thread* _S579, float _S580, float _S581, float3 _S582, bool _S583, KernelContext_0 thread* kernelContext_39)
+Hit_0 first_hit_0(uint _S613, const SearchQuality_0 thread* _S614, float _S615, float _S616, float3 _S617, bool _S618, KernelContext_0 thread* kernelContext_41)
 {
-    bool _S584 = passes_through_0(_S578, _S579, _S580, _S581, _S582, _S583, kernelContext_39);
-    if(!_S584)
+    bool _S619 = passes_through_0(_S613, _S614, _S615, _S616, _S617, _S618, kernelContext_41);
+    if(!_S619)
     {
-        Hit_0 _S585 = first_hit_of_yarn_0(_S578, _S579, _S580, _S581, _S582, _S583, kernelContext_39);
-        return _S585;
+        Hit_0 _S620 = first_hit_of_yarn_0(_S613, _S614, _S615, _S616, _S617, _S618, kernelContext_41);
+        return _S620;
     }
     thread Hit_0 hit_1;
-    (&hit_1)->x_10 = _S580;
-    (&hit_1)->y_5 = _S581;
+    (&hit_1)->x_11 = _S615;
+    (&hit_1)->y_5 = _S616;
     (&hit_1)->height_5 = 0.0f;
     (&hit_1)->hole_5 = true;
     return hit_1;
 }
 
-SurfacePoint_0 surface_at_0(uint _S586, float _S587, float _S588, bool _S589, KernelContext_0 thread* kernelContext_40)
+SurfacePoint_0 surface_at_0(uint _S621, float _S622, float _S623, bool _S624, KernelContext_0 thread* kernelContext_42)
 {
-    Fabric_0 device* _S590 = kernelContext_40->fabrics_0+_S586;
-    Sample_0 _S591 = sample_at_0(_S586, _S587, _S588, _S589, kernelContext_40);
-    float _S592;
-    if(_S591.shown_3.is_warp_2)
+    Fabric_0 device* _S625 = kernelContext_42->fabrics_0+_S621;
+    Sample_0 _S626 = sample_at_0(_S621, _S622, _S623, _S624, kernelContext_42);
+    float _S627;
+    if(_S626.shown_3.is_warp_2)
     {
-        _S592 = _S591.crossing_2.warp_2.half_width_1;
+        _S627 = _S626.crossing_2.warp_2.half_width_1;
     }
     else
     {
-        _S592 = _S591.crossing_2.weft_2.half_width_1;
+        _S627 = _S626.crossing_2.weft_2.half_width_1;
     }
-    uint _S593;
-    if(_S591.shown_3.is_warp_2)
+    uint _S628;
+    if(_S626.shown_3.is_warp_2)
     {
-        _S593 = _S590->warp_1;
+        _S628 = _S625->warp_1;
     }
     else
     {
-        _S593 = _S590->weft_1;
+        _S628 = _S625->weft_1;
     }
-    Family_0 _S594 = kernelContext_40->families_0[_S593];
-    float _S595;
-    if(_S589)
+    float _S629 = (kernelContext_42->families_0+_S628)->twist_sine_0;
+    float _S630;
+    if(_S624)
     {
-        _S595 = -1.0f;
+        _S630 = -1.0f;
     }
     else
     {
-        _S595 = 1.0f;
+        _S630 = 1.0f;
     }
-    float _S596 = _S594.twist_sine_0 * _S595;
-    Family_0 _S597 = kernelContext_40->families_0[_S593];
-    if(_S591.shown_3.is_warp_2)
+    float _S631 = _S629 * _S630;
+    float _S632 = (kernelContext_42->families_0+_S628)->twist_cosine_0;
+    if(_S626.shown_3.is_warp_2)
     {
-        _S595 = 1.0f;
+        _S630 = 1.0f;
     }
     else
     {
-        _S595 = -1.0f;
+        _S630 = -1.0f;
     }
-    float2 _S598 = fibre_direction_0(_S591.slope_across_0, _S595 * _S591.slope_along_0, _S596, _S597.twist_cosine_0);
-    float _S599;
-    if(_S591.shown_3.is_warp_2)
+    float2 _S633 = fibre_direction_0(_S626.slope_across_0, _S630 * _S626.slope_along_0, _S631, _S632);
+    float _S634;
+    if(_S626.shown_3.is_warp_2)
     {
-        _S599 = _S591.slope_x_1;
+        _S634 = _S626.slope_x_1;
     }
     else
     {
-        _S599 = _S591.slope_y_1;
+        _S634 = _S626.slope_y_1;
     }
-    float _S600;
-    if(_S591.shown_3.is_warp_2)
+    float _S635;
+    if(_S626.shown_3.is_warp_2)
     {
-        _S600 = _S591.slope_y_1;
+        _S635 = _S626.slope_y_1;
     }
     else
     {
-        _S600 = _S591.slope_x_1;
+        _S635 = _S626.slope_x_1;
     }
-    float _S601 = _S598.x;
-    float _S602 = _S598.y;
-    float _S603 = _S599 * _S601 + _S595 * _S600 * _S602;
-    float _S604 = _S592 * 1.0154266357421875f;
-    float _S605 = _S604 * arc_sine_0(clamp(_S591.section_1.across_3 / _S604, -1.0f, 1.0f));
-    if(_S591.shown_3.is_warp_2)
+    float _S636 = _S633.x;
+    float _S637 = _S633.y;
+    float _S638 = _S634 * _S636 + _S630 * _S635 * _S637;
+    float _S639 = _S627 * 1.0154266357421875f;
+    float _S640 = _S639 * arc_sine_0(clamp(_S626.section_1.across_3 / _S639, -1.0f, 1.0f));
+    if(_S626.shown_3.is_warp_2)
     {
-        _S592 = _S588;
+        _S627 = _S623;
     }
     else
     {
-        _S592 = - _S587;
+        _S627 = - _S622;
     }
-    thread SurfacePoint_0 point_0;
-    (&point_0)->hole_0 = _S591.shown_3.hole_3;
-    (&point_0)->is_warp_0 = _S591.shown_3.is_warp_2;
-    (&point_0)->warp_thread_0 = _S591.crossing_2.warp_2.thread_0;
-    (&point_0)->weft_thread_0 = _S591.crossing_2.weft_2.thread_0;
-    (&point_0)->height_0 = _S591.height_6;
-    (&point_0)->normal_0 = normalize(float3(- _S591.slope_x_1, - _S591.slope_y_1, 1.0f));
-    float3 _S606;
-    if(_S591.shown_3.is_warp_2)
+    thread SurfacePoint_0 point_1;
+    (&point_1)->hole_0 = _S626.shown_3.hole_3;
+    (&point_1)->is_warp_0 = _S626.shown_3.is_warp_2;
+    (&point_1)->warp_thread_0 = _S626.crossing_2.warp_2.thread_0;
+    (&point_1)->weft_thread_0 = _S626.crossing_2.weft_2.thread_0;
+    (&point_1)->height_0 = _S626.height_6;
+    (&point_1)->normal_0 = normalize(float3(- _S626.slope_x_1, - _S626.slope_y_1, 1.0f));
+    float3 _S641;
+    if(_S626.shown_3.is_warp_2)
     {
-        _S606 = float3(_S601, _S602, _S603);
+        _S641 = float3(_S636, _S637, _S638);
     }
     else
     {
-        _S606 = float3(- _S602, _S601, _S603);
+        _S641 = float3(- _S637, _S636, _S638);
     }
-    (&point_0)->tangent_0 = normalize(_S606);
-    (&point_0)->across_0 = _S591.section_1.across_3;
-    (&point_0)->fibre_across_0 = _S605 * _S597.twist_cosine_0 + _S592 * _S596;
-    (&point_0)->fibre_along_0 = _S592 * _S597.twist_cosine_0 - _S605 * _S596;
-    return point_0;
+    (&point_1)->tangent_0 = normalize(_S641);
+    (&point_1)->across_0 = _S626.section_1.across_3;
+    (&point_1)->fibre_across_0 = _S640 * _S632 + _S627 * _S631;
+    (&point_1)->fibre_along_0 = _S627 * _S632 - _S640 * _S631;
+    return point_1;
 }
 
 struct YarnPoint_0
 {
-    bool back_6;
+    bool back_7;
     bool hole_6;
     bool is_warp_3;
-    float x_11;
+    float x_12;
     float y_6;
     float height_10;
-    float3 normal_6;
-    float3 tangent_7;
+    float3 normal_9;
+    float3 tangent_10;
+    float3 surface_normal_0;
+    float diffuse_gain_1;
     float roughness_10;
     Albedos_0 albedos_6;
 };
 
-Albedos_0 vary_albedos_0(uint _S607, const Albedos_0 thread* _S608, uint _S609, uint _S610, KernelContext_0 thread* kernelContext_41)
+bool has_hairs_0(uint _S642, KernelContext_0 thread* kernelContext_43)
 {
-    Fabric_0 device* _S611 = kernelContext_41->fabrics_0+_S607;
-    float3 _S612 = max(_S608->specular_reflect_0, _S608->specular_transmit_0);
-    float3 _S613 = _S608->diffuse_reflect_0 + _S608->diffuse_transmit_0;
-    float3 _S614 = float3(_S611->layer_bound_0) ;
-    float3 _S615 = float3(1.0f) ;
-    float3 _S616 = float3(bounded_gain_0(thread_gain_0(_S609, _S611->colour_noise_0, _S611->seed_0), _S613, _S615 - _S614 * _S612)) ;
-    float _S617 = bounded_gain_0(fibre_gain_0(_S609, _S610, _S611->fibre_noise_0, _S611->seed_0), _S612, min((_S615 - _S616 * _S613) / _S614, float3(1.0f) ));
-    thread Albedos_0 varied_0;
-    (&varied_0)->diffuse_reflect_0 = _S616 * _S608->diffuse_reflect_0;
-    (&varied_0)->diffuse_transmit_0 = _S616 * _S608->diffuse_transmit_0;
-    float3 _S618 = float3(_S617) ;
-    (&varied_0)->specular_reflect_0 = _S618 * _S608->specular_reflect_0;
-    (&varied_0)->specular_transmit_0 = _S618 * _S608->specular_transmit_0;
-    return varied_0;
+    Fabric_0 device* _S643 = kernelContext_43->fabrics_0+_S642;
+    bool _S644;
+    if(((kernelContext_43->families_0+_S643->warp_1)->hairiness_0) > 0.0f)
+    {
+        _S644 = true;
+    }
+    else
+    {
+        _S644 = ((kernelContext_43->families_0+_S643->weft_1)->hairiness_0) > 0.0f;
+    }
+    return _S644;
 }
 
-Albedos_0 varied_at_0(uint _S619, const SurfacePoint_0 thread* _S620, const Albedos_0 thread* _S621, float _S622, float _S623, KernelContext_0 thread* kernelContext_42)
+Hair_0 hair_at_0(uint _S645, float2 _S646, bool _S647, float _S648, KernelContext_0 thread* kernelContext_44)
 {
-    Fabric_0 device* _S624 = kernelContext_42->fabrics_0+_S619;
-    bool _S625 = _S620->is_warp_0;
-    float _S626;
-    if(_S620->is_warp_0)
+    Fabric_0 device* _S649 = kernelContext_44->fabrics_0+_S645;
+    float _S650 = _S649->fibre_size_0;
+    float _S651 = 17.0f * _S649->fibre_size_0;
+    float _S652 = fade_0(_S648, _S651);
+    float2 _S653 = _S646 / float2(_S651) ;
+    uint number_1;
+    if(_S647)
     {
-        _S626 = _S622;
+        number_1 = 1U;
     }
     else
     {
-        _S626 = _S623;
+        number_1 = 0U;
     }
-    float _S627 = _S626 - _S620->across_0;
-    uint _S628;
-    if(_S625)
-    {
-        _S628 = _S624->warp_1;
-    }
-    else
-    {
-        _S628 = _S624->weft_1;
-    }
-    Family_0 _S629 = kernelContext_42->families_0[_S628];
-    int _S630 = int(kernelContext_42->families_0[_S628].count_0);
-    if(_S625)
-    {
-        _S628 = _S620->warp_thread_0;
-    }
-    else
-    {
-        _S628 = _S620->weft_thread_0;
-    }
-    uint _S631 = uint(int(floor(_S627 / _S629.period_0)) * _S630 + int(_S628)) * 2U;
-    if(_S625)
-    {
-        _S628 = 1U;
-    }
-    else
-    {
-        _S628 = 0U;
-    }
-    float _S632 = floor(_S620->fibre_across_0 / _S624->fibre_size_0);
-    Albedos_0 _S633 = vary_albedos_0(_S619, _S621, _S631 + _S628, uint(int(_S632)) * 65536U + uint(int(floor(_S620->fibre_along_0 / (_S624->fibre_size_0 * 40.0f) + 0.61799997091293335f * _S632))), kernelContext_42);
-    return _S633;
-}
-
-YarnPoint_0 yarn_point_of_0(uint _S634, const SurfacePoint_0 thread* _S635, float _S636, float _S637, bool _S638, bool _S639, KernelContext_0 thread* kernelContext_43)
-{
-    Fabric_0 device* _S640 = kernelContext_43->fabrics_0+_S634;
-    bool _S641 = _S635->is_warp_0;
-    uint _S642;
-    if(_S635->is_warp_0)
-    {
-        _S642 = _S640->warp_1;
-    }
-    else
-    {
-        _S642 = _S640->weft_1;
-    }
-    uint _S643;
-    if(_S641)
-    {
-        _S643 = _S635->warp_thread_0;
-    }
-    else
-    {
-        _S643 = _S635->weft_thread_0;
-    }
-    Albedos_0 _S644 = albedos_of_0(_S642, _S643, kernelContext_43);
-    bool _S645;
-    if((_S640->fibre_noise_0) > 0.0f)
-    {
-        _S645 = true;
-    }
-    else
-    {
-        _S645 = (_S640->colour_noise_0) > 0.0f;
-    }
-    Albedos_0 albedos_7;
-    if(_S645)
-    {
-        thread Albedos_0 _S646 = _S644;
-        Albedos_0 _S647 = varied_at_0(_S634, _S635, &_S646, _S636, _S637, kernelContext_43);
-        albedos_7 = _S647;
-    }
-    else
-    {
-        albedos_7 = _S644;
-    }
-    thread YarnPoint_0 point_1;
-    (&point_1)->back_6 = _S638;
-    (&point_1)->hole_6 = _S639;
-    (&point_1)->is_warp_3 = _S641;
-    (&point_1)->x_11 = _S636;
-    (&point_1)->y_6 = _S637;
-    (&point_1)->height_10 = _S635->height_0;
-    (&point_1)->normal_6 = _S635->normal_0;
-    (&point_1)->tangent_7 = _S635->tangent_0;
-    (&point_1)->roughness_10 = kernelContext_43->families_0[_S642].roughness_0;
-    (&point_1)->albedos_6 = albedos_7;
-    return point_1;
-}
-
-bool unoccluded_0(uint _S648, const SearchQuality_0 thread* _S649, float _S650, float _S651, float _S652, float3 _S653, bool _S654, KernelContext_0 thread* kernelContext_44)
-{
-    Fabric_0 device* _S655 = kernelContext_44->fabrics_0+_S648;
-    if((_S653.z) <= 0.0f)
-    {
-        return false;
-    }
-    float _S656 = max_height_along_0(_S648, _S650, _S651, _S652, _S653, _S654, kernelContext_44);
-    bool _S657 = is_free_0(_S648, _S649, float3(_S650, _S651, _S652 + _S655->lift_0), _S653, _S654, _S656, kernelContext_44);
-    return _S657;
-}
-
-bool is_lit_0(uint _S658, const SearchQuality_0 thread* _S659, const YarnPoint_0 thread* _S660, float3 _S661, KernelContext_0 thread* kernelContext_45)
-{
-    if(_S660->hole_6)
-    {
-        return true;
-    }
-    bool _S662 = _S660->back_6;
-    float3 _S663 = to_face_frame_0(_S661, _S660->back_6);
-    float _S664 = _S663.z;
-    bool _S665 = _S664 < 0.0f;
-    float3 _S666 = _S660->normal_6;
-    float _S667 = _S660->height_10;
-    float3 normal_7;
-    float height_11;
-    if(_S665)
-    {
-        SurfacePoint_0 _S668 = surface_at_0(_S658, _S660->x_11, _S660->y_6, !_S662, kernelContext_45);
-        normal_7 = _S668.normal_0;
-        height_11 = _S668.height_0;
-    }
-    else
-    {
-        normal_7 = _S666;
-        height_11 = _S667;
-    }
-    float3 _S669 = float3(_S663.xy, abs(_S664));
-    if((dot(normal_7, _S669)) <= 0.0f)
-    {
-        return false;
-    }
-    bool _S670 = unoccluded_0(_S658, _S659, _S660->x_11, _S660->y_6, height_11, _S669, _S662 != _S665, kernelContext_45);
-    return _S670;
-}
-
-Components_0 components_of_point_0(uint _S671, const SearchQuality_0 thread* _S672, const YarnPoint_0 thread* _S673, float3 _S674, float3 _S675, KernelContext_0 thread* kernelContext_46)
-{
-    Fabric_0 device* _S676 = kernelContext_46->fabrics_0+_S671;
-    thread Components_0 result_3 = no_components_0();
-    bool _S677 = _S673->hole_6;
-    float _S678;
-    if(_S673->hole_6)
-    {
-        _S678 = 1.0f;
-    }
-    else
-    {
-        _S678 = 0.0f;
-    }
-    (&result_3)->hole_2 = _S678;
-    bool _S679;
-    if(_S677)
-    {
-        _S679 = true;
-    }
-    else
-    {
-        bool _S680 = is_lit_0(_S671, _S672, _S673, _S674, kernelContext_46);
-        _S679 = !_S680;
-    }
-    if(_S679)
-    {
-        return result_3;
-    }
-    float3 _S681 = to_face_frame_0(_S674, _S673->back_6);
-    float3 _S682 = to_face_frame_0(_S675, _S673->back_6);
-    bool _S683 = (_S681.z) < 0.0f;
-    float3 _S684;
-    if(_S683)
-    {
-        _S684 = - _S681;
-    }
-    else
-    {
-        _S684 = _S681;
-    }
-    float3 _S685 = _S673->normal_6;
-    float _S686 = diffuse_reflection_0(_S684, _S673->normal_6, _S676->diffuse_blend_0);
-    if(_S683)
-    {
-        _S678 = transmission_1(_S681, _S682, _S685, _S673->tangent_7, _S673->roughness_10, _S676->optical_depth_0);
-    }
-    else
-    {
-        _S678 = reflection_0(_S681, _S682, _S685, _S673->tangent_7, _S673->roughness_10, _S676->optical_depth_0);
-    }
-    bool _S687 = _S673->is_warp_3;
-    float _S688;
-    if(_S673->is_warp_3)
-    {
-        _S688 = _S686;
-    }
-    else
-    {
-        _S688 = 0.0f;
-    }
-    (&result_3)->diffuse_warp_0 = _S688;
-    if(_S687)
-    {
-        _S688 = 0.0f;
-    }
-    else
-    {
-        _S688 = _S686;
-    }
-    (&result_3)->diffuse_weft_0 = _S688;
-    if(_S687)
-    {
-        _S688 = _S678;
-    }
-    else
-    {
-        _S688 = 0.0f;
-    }
-    (&result_3)->specular_warp_0 = _S688;
-    if(_S687)
-    {
-        _S678 = 0.0f;
-    }
-    (&result_3)->specular_weft_0 = _S678;
-    (&result_3)->light_visibility_0 = 1.0f;
-    return result_3;
-}
-
-float openness_number_0(uint _S689, uint _S690, KernelContext_0 thread* kernelContext_47)
-{
-    float _S691 = table_number_0((kernelContext_47->fabrics_0+_S689)->openness_0 + _S690, kernelContext_47);
-    return _S691;
-}
-
-Blocked_0 blocked_of_terms_0(uint _S692, uint _S693, const array<float, int(6)> thread* _S694, uint _S695, KernelContext_0 thread* kernelContext_48)
-{
-    thread array<float, int(3)> shares_0;
-    uint share_2 = 0U;
+    uint _S654 = hash_key_0(number_1, (_S649->seed_0) ^ 1013904242U);
+    float _S655 = 1.0f / max(_S648, 0.07999999821186066f * _S650);
+    float _S656 = min(0.63999998569488525f * _S650 * _S655, 1.0f);
+    float2 _S657 = float2(0.0f, 1.0f);
+    float cover_2 = 0.0f;
+    float hair_away_0 = 0.0f;
+    float2 hair_across_0 = _S657;
+    number_1 = 0U;
     for(;;)
     {
-        if(share_2 < 3U)
+        bool _S658;
+        if(_S652 > 0.0f)
+        {
+            _S658 = number_1 < 18U;
+        }
+        else
+        {
+            _S658 = false;
+        }
+        if(_S658)
         {
         }
         else
         {
             break;
         }
-        shares_0[share_2] = 0.0f;
+        uint _S659 = number_1 / 9U;
+        uint _S660 = number_1 / 3U - 3U * _S659;
+        float2 _S661 = floor(_S653) + float2(float(number_1 - 3U * _S660 - 9U * _S659), float(_S660)) - float2(1.0f) ;
+        uint _S662 = hash_bits_0(_S654 + _S659, uint(int(_S661.x)) * 65536U + uint(int(_S661.y)));
+        uint _S663 = hash_bits_0(_S654, _S662);
+        float2 _S664 = _S653 - _S661 - float2(share_of_0(_S662), share_of_0(_S662 >> 10U));
+        float2 _S665 = sine_cosine_0(3.14159274101257324f * share_of_0(_S662 >> 20U));
+        float _S666 = mix(5.0f, 16.0f, share_of_0(_S663 >> 10U)) / 17.0f;
+        float _S667 = _S664.x;
+        float _S668 = _S665.y;
+        float _S669 = _S664.y;
+        float _S670 = _S665.x;
+        float _S671 = (_S667 * _S668 + _S669 * _S670) / _S666;
+        float _S672 = 0.69999998807907104f * (2.0f * share_of_0(_S663 >> 20U) - 1.0f);
+        float _S673 = 2.0f * _S672 * _S671;
+        float _S674 = rsqrt(_S673 * _S673 + 1.0f);
+        float _S675 = (_S669 * _S668 - _S667 * _S670 - _S672 * _S666 * _S671 * _S671) * _S674 * 17.0f;
+        float _S676 = clamp((0.31999999284744263f - abs(_S675)) * _S650 * _S655 + 0.5f, 0.0f, _S656);
+        uint _S677;
+        if(((_S663 >> 30U) & 1U) == 1U)
+        {
+            _S677 = _S649->warp_1;
+        }
+        else
+        {
+            _S677 = _S649->weft_1;
+        }
+        bool _S678;
+        if((share_of_0(_S663)) < ((kernelContext_44->families_0+_S677)->hairiness_0))
+        {
+            _S678 = (abs(_S671)) < 1.0f;
+        }
+        else
+        {
+            _S678 = false;
+        }
+        bool _S679;
+        if(_S678)
+        {
+            _S679 = _S676 > cover_2;
+        }
+        else
+        {
+            _S679 = false;
+        }
+        if(_S679)
+        {
+            float2 _S680 = float2(- _S670 - _S673 * _S668, _S668 - _S673 * _S670) * float2(_S674) ;
+            cover_2 = _S676;
+            hair_away_0 = _S675;
+            hair_across_0 = _S680;
+        }
+        number_1 = number_1 + 1U;
+    }
+    float _S681 = clamp(hair_away_0 * 2.5f, -0.80000001192092896f, 0.80000001192092896f);
+    thread Hair_0 hair_1;
+    (&hair_1)->cover_0 = _S652 * cover_2;
+    (&hair_1)->normal_2 = float3(float2(_S681)  * hair_across_0, sqrt(1.0f - _S681 * _S681));
+    (&hair_1)->tangent_2 = float3(hair_across_0.y, - hair_across_0.x, 0.0f);
+    return hair_1;
+}
+
+uint thread_number_0(uint _S682, const SurfacePoint_0 thread* _S683, float _S684, float _S685, KernelContext_0 thread* kernelContext_45)
+{
+    Fabric_0 device* _S686 = kernelContext_45->fabrics_0+_S682;
+    bool _S687 = _S683->is_warp_0;
+    float _S688;
+    if(_S683->is_warp_0)
+    {
+        _S688 = _S684;
+    }
+    else
+    {
+        _S688 = _S685;
+    }
+    float _S689 = _S688 - _S683->across_0;
+    uint _S690;
+    if(_S687)
+    {
+        _S690 = _S686->warp_1;
+    }
+    else
+    {
+        _S690 = _S686->weft_1;
+    }
+    float _S691 = (kernelContext_45->families_0+_S690)->period_0;
+    int _S692 = int((kernelContext_45->families_0+_S690)->count_0);
+    if(_S687)
+    {
+        _S690 = _S683->warp_thread_0;
+    }
+    else
+    {
+        _S690 = _S683->weft_thread_0;
+    }
+    uint _S693 = uint(int(floor(_S689 / _S691)) * _S692 + int(_S690)) * 2U;
+    if(_S687)
+    {
+        _S690 = 1U;
+    }
+    else
+    {
+        _S690 = 0U;
+    }
+    return _S693 + _S690;
+}
+
+struct FibreNoise_0
+{
+    float2 bundle_0;
+    float bundle_weight_0;
+    float2 fibre_0;
+    float fibre_weight_0;
+    float offset_1;
+    float slope_2;
+};
+
+FibreNoise_0 fibre_noise_at_0(uint _S694, uint _S695, const SurfacePoint_0 thread* _S696, uint _S697, float _S698, KernelContext_0 thread* kernelContext_46)
+{
+    Fabric_0 device* _S699 = kernelContext_46->fabrics_0+_S694;
+    float _S700 = 5.0f * _S699->fibre_size_0;
+    float2 _S701 = wave_noise_0(hash_key_0(_S697, (_S699->seed_0) ^ 458671337U), _S696->fibre_along_0 / (25.0f * _S699->fibre_size_0));
+    float _S702 = _S696->fibre_across_0 + (kernelContext_46->families_0+_S695)->fibre_tilt_0 * 0.5f * 25.0f * _S699->fibre_size_0 * _S701.x;
+    float3 _S703 = fibre_cell_0(_S702, _S696->fibre_along_0, _S699->fibre_size_0);
+    thread FibreNoise_0 noise_0;
+    (&noise_0)->bundle_0 = cell_noise_0(hash_key_0(_S697, (_S699->seed_0) ^ 1757159915U), fibre_cell_0(_S702, _S696->fibre_along_0, _S700));
+    (&noise_0)->bundle_weight_0 = fade_0(_S698, _S700);
+    (&noise_0)->fibre_0 = cell_noise_0(hash_key_0(_S697, (_S699->seed_0) ^ 48610963U), _S703);
+    (&noise_0)->fibre_weight_0 = fade_0(_S698, _S699->fibre_size_0);
+    (&noise_0)->offset_1 = _S703.z;
+    (&noise_0)->slope_2 = 0.5f * _S701.y;
+    return noise_0;
+}
+
+float2 detail_gain_0(uint _S704, uint _S705, const SurfacePoint_0 thread* _S706, float2 _S707, bool _S708, uint _S709, float _S710, KernelContext_0 thread* kernelContext_47)
+{
+    Fabric_0 device* _S711 = kernelContext_47->fabrics_0+_S704;
+    float2 _S712 = float2(0.0f) ;
+    float2 gain_1;
+    if(((kernelContext_47->families_0+_S705)->has_plies_0) > 0.0f)
+    {
+        float _S713 = 0.60000002384185791f * fade_0(_S710, 1.0f / (kernelContext_47->families_0+_S705)->plies_per_mm_0);
+        float _S714 = ply_offset_0(_S705, _S706, _S708, kernelContext_47);
+        gain_1 = float2(_S713)  * float2(0.20000000298023224f - square_0(square_0(_S714)), 0.20000000298023224f);
+    }
+    else
+    {
+        gain_1 = _S712;
+    }
+    if(((kernelContext_47->families_0+_S705)->fibre_tone_0) > 0.0f)
+    {
+        FibreNoise_0 _S715 = fibre_noise_at_0(_S704, _S705, _S706, _S709, _S710, kernelContext_47);
+        gain_1 = gain_1 + float2((kernelContext_47->families_0+_S705)->fibre_tone_0)  * float2(_S715.bundle_weight_0 * _S715.bundle_0.y + _S715.fibre_weight_0 * _S715.fibre_0.y, _S715.bundle_weight_0 + _S715.fibre_weight_0);
+    }
+    if(((kernelContext_47->families_0+_S705)->slub_0) > 0.0f)
+    {
+        float _S716 = 0.25f * (kernelContext_47->families_0+_S705)->slub_0 * fade_0(_S710, 1.0f / (kernelContext_47->families_0+_S705)->slubs_per_mm_0);
+        float _S717;
+        if(_S706->is_warp_0)
+        {
+            _S717 = _S707.y;
+        }
+        else
+        {
+            _S717 = - _S707.x;
+        }
+        gain_1 = gain_1 + float2(_S716)  * float2(wave_noise_0(hash_key_0(_S709, (_S711->seed_0) ^ 1373058189U), _S717 * (kernelContext_47->families_0+_S705)->slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_0(_S706->across_0 * (kernelContext_47->families_0+_S705)->per_half_width_0), 1.0f)), 1.0f);
+    }
+    return gain_1;
+}
+
+Albedos_0 vary_albedos_0(uint _S718, const Albedos_0 thread* _S719, uint _S720, uint _S721, float2 _S722, KernelContext_0 thread* kernelContext_48)
+{
+    Fabric_0 device* _S723 = kernelContext_48->fabrics_0+_S718;
+    float3 _S724 = max(_S719->specular_reflect_0, _S719->specular_transmit_0);
+    float3 _S725 = _S719->diffuse_reflect_0 + _S719->diffuse_transmit_0;
+    float3 _S726 = float3(_S723->layer_bound_0) ;
+    float3 _S727 = float3(1.0f) ;
+    float3 _S728 = _S727 - _S726 * _S724;
+    float colour_0 = bounded_gain_0(thread_gain_0(_S720, _S723->colour_noise_0, _S723->seed_0), _S725, _S728);
+    float3 _S729 = float3((colour_0 * (1.0f + flattened_0(_S722.y, float3(colour_0)  * _S725, _S728) * _S722.x))) ;
+    float _S730 = bounded_gain_0(fibre_gain_0(_S720, _S721, _S723->fibre_noise_0, _S723->seed_0), _S724, min((_S727 - _S729 * _S725) / _S726, float3(1.0f) ));
+    thread Albedos_0 varied_0;
+    (&varied_0)->diffuse_reflect_0 = _S729 * _S719->diffuse_reflect_0;
+    (&varied_0)->diffuse_transmit_0 = _S729 * _S719->diffuse_transmit_0;
+    float3 _S731 = float3(_S730) ;
+    (&varied_0)->specular_reflect_0 = _S731 * _S719->specular_reflect_0;
+    (&varied_0)->specular_transmit_0 = _S731 * _S719->specular_transmit_0;
+    return varied_0;
+}
+
+Albedos_0 varied_at_0(uint _S732, const SurfacePoint_0 thread* _S733, const Albedos_0 thread* _S734, float _S735, float _S736, bool _S737, float _S738, float _S739, KernelContext_0 thread* kernelContext_49)
+{
+    Fabric_0 device* _S740 = kernelContext_49->fabrics_0+_S732;
+    uint _S741 = thread_number_0(_S732, _S733, _S735, _S736, kernelContext_49);
+    float3 _S742 = fibre_cell_0(_S733->fibre_across_0, _S733->fibre_along_0, _S740->fibre_size_0);
+    float2 _S743 = float2(0.0f) ;
+    bool _S744;
+    if((_S740->has_detail_0) != 0U)
+    {
+        _S744 = _S738 >= 0.0f;
+    }
+    else
+    {
+        _S744 = false;
+    }
+    float2 gain_2;
+    if(_S744)
+    {
+        uint _S745;
+        if(_S733->is_warp_0)
+        {
+            _S745 = _S740->warp_1;
+        }
+        else
+        {
+            _S745 = _S740->weft_1;
+        }
+        float2 _S746 = detail_gain_0(_S732, _S745, _S733, float2(_S735, _S736), _S737, _S741, _S738, kernelContext_49);
+        gain_2 = _S746 * float2(1.0f - _S739, 1.0f);
+    }
+    else
+    {
+        gain_2 = _S743;
+    }
+    Albedos_0 _S747 = vary_albedos_0(_S732, _S734, _S741, uint(int(_S742.x)) * 65536U + uint(int(floor(_S742.y))), gain_2, kernelContext_49);
+    return _S747;
+}
+
+YarnFrame_0 turned_frame_0(uint _S748, uint _S749, const SurfacePoint_0 thread* _S750, bool _S751, uint _S752, float _S753, KernelContext_0 thread* kernelContext_50)
+{
+    thread YarnFrame_0 frame_2;
+    (&frame_2)->normal_4 = _S750->normal_0;
+    (&frame_2)->tangent_4 = _S750->tangent_0;
+    (&frame_2)->loss_0 = 0.0f;
+    if(((kernelContext_50->families_0+_S749)->has_plies_0) > 0.0f)
+    {
+        float _S754 = fade_0(_S753, 1.0f / (kernelContext_50->families_0+_S749)->plies_per_mm_0);
+        float _S755 = _S754 * 0.41999998688697815f;
+        float _S756 = ply_offset_0(_S749, _S750, _S751, kernelContext_50);
+        float _S757 = _S755 * _S756;
+        float _S758 = sqrt(1.0f - _S757 * _S757);
+        float _S759;
+        if(_S751)
+        {
+            _S759 = - (kernelContext_50->families_0+_S749)->ply_sine_0;
+        }
+        else
+        {
+            _S759 = (kernelContext_50->families_0+_S749)->ply_sine_0;
+        }
+        float3 _S760 = cross((&frame_2)->tangent_4, (&frame_2)->normal_4);
+        float3 _S761 = float3((kernelContext_50->families_0+_S749)->ply_cosine_0) ;
+        float3 _S762 = _S761 * _S760 + float3(_S759)  * (&frame_2)->tangent_4;
+        float3 _S763 = float3(_S758) ;
+        float3 _S764 = float3(_S757) ;
+        (&frame_2)->tangent_4 = _S761 * (_S761 * (&frame_2)->tangent_4 - float3(_S759)  * _S760) + float3(_S759)  * (_S763 * _S762 - _S764 * (&frame_2)->normal_4);
+        (&frame_2)->normal_4 = _S763 * (&frame_2)->normal_4 + _S764 * _S762;
+        (&frame_2)->loss_0 = _S754 * _S754 * 0.41999998688697815f * 0.41999998688697815f / 6.0f;
+    }
+    float _S765 = (kernelContext_50->families_0+_S749)->fibre_tilt_0;
+    if(((kernelContext_50->families_0+_S749)->fibre_tilt_0) > 0.0f)
+    {
+        FibreNoise_0 _S766 = fibre_noise_at_0(_S748, _S749, _S750, _S752, _S753, kernelContext_50);
+        float _S767 = 1.09858846664428711f * _S765 * (_S766.bundle_weight_0 * _S766.bundle_0.x + _S766.fibre_weight_0 * (_S766.fibre_0.x + _S766.offset_1));
+        float _S768 = _S765 * (1.42099642753601074f * (_S766.bundle_weight_0 * _S766.bundle_0.y + _S766.fibre_weight_0 * _S766.fibre_0.y) - _S766.bundle_weight_0 * _S766.slope_2);
+        float _S769 = square_0(_S766.fibre_weight_0);
+        (&frame_2)->loss_0 = (&frame_2)->loss_0 + 0.5f * _S765 * _S765 * ((0.24761904776096344f * (square_0(_S766.bundle_weight_0) + _S769) + _S769 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
+        float3 _S770 = cross((&frame_2)->tangent_4, (&frame_2)->normal_4);
+        float2 _S771 = sine_cosine_0(_S767);
+        float2 _S772 = sine_cosine_0(_S768);
+        float3 _S773 = float3(_S771.y) ;
+        float3 _S774 = float3(_S771.x) ;
+        float3 _S775 = _S773 * _S770 - _S774 * (&frame_2)->normal_4;
+        (&frame_2)->normal_4 = _S773 * (&frame_2)->normal_4 + _S774 * _S770;
+        (&frame_2)->tangent_4 = float3(_S772.y)  * (&frame_2)->tangent_4 + float3(_S772.x)  * _S775;
+    }
+    return frame_2;
+}
+
+YarnPoint_0 yarn_point_of_0(uint _S776, const SurfacePoint_0 thread* _S777, float _S778, float _S779, bool _S780, bool _S781, float _S782, KernelContext_0 thread* kernelContext_51)
+{
+    Fabric_0 device* _S783 = kernelContext_51->fabrics_0+_S776;
+    bool _S784 = _S777->is_warp_0;
+    uint _S785;
+    if(_S777->is_warp_0)
+    {
+        _S785 = _S783->warp_1;
+    }
+    else
+    {
+        _S785 = _S783->weft_1;
+    }
+    bool _S786;
+    if((_S783->has_detail_0) != 0U)
+    {
+        _S786 = _S782 >= 0.0f;
+    }
+    else
+    {
+        _S786 = false;
+    }
+    float3 _S787 = float3(0.0f) ;
+    Hair_0 _S788 = Hair_x24init_0(0.0f, _S787, _S787);
+    bool _S789;
+    if(_S786)
+    {
+        bool _S790 = has_hairs_0(_S776, kernelContext_51);
+        _S789 = _S790;
+    }
+    else
+    {
+        _S789 = false;
+    }
+    Hair_0 hair_2;
+    if(_S789)
+    {
+        Hair_0 _S791 = hair_at_0(_S776, float2(_S778, _S779), _S780, _S782, kernelContext_51);
+        hair_2 = _S791;
+    }
+    else
+    {
+        hair_2 = _S788;
+    }
+    uint _S792;
+    if(_S784)
+    {
+        _S792 = _S777->warp_thread_0;
+    }
+    else
+    {
+        _S792 = _S777->weft_thread_0;
+    }
+    Albedos_0 _S793 = albedos_of_0(_S785, _S792, kernelContext_51);
+    bool _S794 = varies_at_0(_S776, _S782, kernelContext_51);
+    Albedos_0 albedos_7;
+    if(_S794)
+    {
+        thread Albedos_0 _S795 = _S793;
+        Albedos_0 _S796 = varied_at_0(_S776, _S777, &_S795, _S778, _S779, _S780, _S782, hair_2.cover_0, kernelContext_51);
+        albedos_7 = _S796;
+    }
+    else
+    {
+        albedos_7 = _S793;
+    }
+    thread YarnPoint_0 point_2;
+    (&point_2)->back_7 = _S780;
+    (&point_2)->hole_6 = _S781;
+    (&point_2)->is_warp_3 = _S784;
+    (&point_2)->x_12 = _S778;
+    (&point_2)->y_6 = _S779;
+    (&point_2)->height_10 = _S777->height_0;
+    (&point_2)->normal_9 = _S777->normal_0;
+    (&point_2)->tangent_10 = _S777->tangent_0;
+    (&point_2)->surface_normal_0 = _S777->normal_0;
+    (&point_2)->diffuse_gain_1 = 1.0f;
+    if(_S786)
+    {
+        uint _S797 = thread_number_0(_S776, _S777, _S778, _S779, kernelContext_51);
+        YarnFrame_0 _S798 = turned_frame_0(_S776, _S785, _S777, _S780, _S797, _S782, kernelContext_51);
+        bool _S799 = has_hairs_0(_S776, kernelContext_51);
+        YarnFrame_0 frame_3;
+        if(_S799)
+        {
+            thread YarnFrame_0 _S800 = _S798;
+            thread Hair_0 _S801 = hair_2;
+            YarnFrame_0 _S802 = under_hair_0(&_S800, &_S801);
+            frame_3 = _S802;
+        }
+        else
+        {
+            frame_3 = _S798;
+        }
+        (&point_2)->normal_9 = frame_3.normal_4;
+        (&point_2)->tangent_10 = frame_3.tangent_4;
+        thread YarnFrame_0 _S803 = frame_3;
+        float _S804 = diffuse_gain_0(&_S803, _S783->diffuse_blend_0);
+        (&point_2)->diffuse_gain_1 = _S804;
+    }
+    (&point_2)->roughness_10 = (kernelContext_51->families_0+_S785)->roughness_0;
+    (&point_2)->albedos_6 = albedos_7;
+    return point_2;
+}
+
+bool unoccluded_0(uint _S805, const SearchQuality_0 thread* _S806, float _S807, float _S808, float _S809, float3 _S810, bool _S811, KernelContext_0 thread* kernelContext_52)
+{
+    Fabric_0 device* _S812 = kernelContext_52->fabrics_0+_S805;
+    if((_S810.z) <= 0.0f)
+    {
+        return false;
+    }
+    float _S813 = max_height_along_0(_S805, _S807, _S808, _S809, _S810, _S811, kernelContext_52);
+    bool _S814 = is_free_0(_S805, _S806, float3(_S807, _S808, _S809 + _S812->lift_0), _S810, _S811, _S813, kernelContext_52);
+    return _S814;
+}
+
+bool is_lit_0(uint _S815, const SearchQuality_0 thread* _S816, const YarnPoint_0 thread* _S817, float3 _S818, KernelContext_0 thread* kernelContext_53)
+{
+    if(_S817->hole_6)
+    {
+        return true;
+    }
+    bool _S819 = _S817->back_7;
+    float3 _S820 = to_face_frame_0(_S818, _S817->back_7);
+    float _S821 = _S820.z;
+    bool _S822 = _S821 < 0.0f;
+    float3 _S823 = _S817->surface_normal_0;
+    float _S824 = _S817->height_10;
+    float3 normal_10;
+    float height_11;
+    if(_S822)
+    {
+        SurfacePoint_0 _S825 = surface_at_0(_S815, _S817->x_12, _S817->y_6, !_S819, kernelContext_53);
+        normal_10 = _S825.normal_0;
+        height_11 = _S825.height_0;
+    }
+    else
+    {
+        normal_10 = _S823;
+        height_11 = _S824;
+    }
+    float3 _S826 = float3(_S820.xy, abs(_S821));
+    if((dot(normal_10, _S826)) <= 0.0f)
+    {
+        return false;
+    }
+    bool _S827 = unoccluded_0(_S815, _S816, _S817->x_12, _S817->y_6, height_11, _S826, _S819 != _S822, kernelContext_53);
+    return _S827;
+}
+
+Components_0 components_of_point_0(uint _S828, const SearchQuality_0 thread* _S829, const YarnPoint_0 thread* _S830, float3 _S831, float3 _S832, KernelContext_0 thread* kernelContext_54)
+{
+    Fabric_0 device* _S833 = kernelContext_54->fabrics_0+_S828;
+    thread Components_0 result_3 = no_components_0();
+    bool _S834 = _S830->hole_6;
+    float _S835;
+    if(_S830->hole_6)
+    {
+        _S835 = 1.0f;
+    }
+    else
+    {
+        _S835 = 0.0f;
+    }
+    (&result_3)->hole_2 = _S835;
+    bool _S836;
+    if(_S834)
+    {
+        _S836 = true;
+    }
+    else
+    {
+        bool _S837 = is_lit_0(_S828, _S829, _S830, _S831, kernelContext_54);
+        _S836 = !_S837;
+    }
+    if(_S836)
+    {
+        return result_3;
+    }
+    float3 _S838 = to_face_frame_0(_S831, _S830->back_7);
+    float3 _S839 = to_face_frame_0(_S832, _S830->back_7);
+    float _S840 = _S830->diffuse_gain_1;
+    bool _S841 = (_S838.z) < 0.0f;
+    float3 _S842;
+    if(_S841)
+    {
+        _S842 = - _S838;
+    }
+    else
+    {
+        _S842 = _S838;
+    }
+    float3 _S843 = _S830->normal_9;
+    float _S844 = _S840 * diffuse_reflection_0(_S842, _S830->normal_9, _S833->diffuse_blend_0);
+    if(_S841)
+    {
+        _S835 = transmission_1(_S838, _S839, _S843, _S830->tangent_10, _S830->roughness_10, _S833->optical_depth_0);
+    }
+    else
+    {
+        _S835 = reflection_0(_S838, _S839, _S843, _S830->tangent_10, _S830->roughness_10, _S833->optical_depth_0);
+    }
+    bool _S845 = _S830->is_warp_3;
+    float _S846;
+    if(_S830->is_warp_3)
+    {
+        _S846 = _S844;
+    }
+    else
+    {
+        _S846 = 0.0f;
+    }
+    (&result_3)->diffuse_warp_0 = _S846;
+    if(_S845)
+    {
+        _S846 = 0.0f;
+    }
+    else
+    {
+        _S846 = _S844;
+    }
+    (&result_3)->diffuse_weft_0 = _S846;
+    if(_S845)
+    {
+        _S846 = _S835;
+    }
+    else
+    {
+        _S846 = 0.0f;
+    }
+    (&result_3)->specular_warp_0 = _S846;
+    if(_S845)
+    {
+        _S835 = 0.0f;
+    }
+    (&result_3)->specular_weft_0 = _S835;
+    (&result_3)->light_visibility_0 = 1.0f;
+    return result_3;
+}
+
+float openness_number_0(uint _S847, uint _S848, KernelContext_0 thread* kernelContext_55)
+{
+    float _S849 = table_number_0((kernelContext_55->fabrics_0+_S847)->openness_0 + _S848, kernelContext_55);
+    return _S849;
+}
+
+Blocked_0 blocked_of_terms_0(uint _S850, uint _S851, const array<float, int(6)> thread* _S852, uint _S853, KernelContext_0 thread* kernelContext_56)
+{
+    thread array<float, int(3)> shares_0;
+    uint share_3 = 0U;
+    for(;;)
+    {
+        if(share_3 < 3U)
+        {
+        }
+        else
+        {
+            break;
+        }
+        shares_0[share_3] = 0.0f;
         uint term_0 = 0U;
         for(;;)
         {
-            if(term_0 < _S695)
+            if(term_0 < _S853)
             {
             }
             else
             {
                 break;
             }
-            float _S696 = openness_number_0(_S692, _S693 + share_2 * _S695 + term_0, kernelContext_48);
-            shares_0[share_2] = shares_0[share_2] + _S696 * (*_S694)[term_0];
+            float _S854 = openness_number_0(_S850, _S851 + share_3 * _S853 + term_0, kernelContext_56);
+            shares_0[share_3] = shares_0[share_3] + _S854 * (*_S852)[term_0];
             term_0 = term_0 + 1U;
         }
-        shares_0[share_2] = saturate(shares_0[share_2]);
-        share_2 = share_2 + 1U;
+        shares_0[share_3] = saturate(shares_0[share_3]);
+        share_3 = share_3 + 1U;
     }
     thread Blocked_0 blocked_2;
     (&blocked_2)->by_warp_0 = shares_0[int(0)] * shares_0[int(2)];
@@ -3328,63 +3859,63 @@ Blocked_0 blocked_of_terms_0(uint _S692, uint _S693, const array<float, int(6)> 
     return blocked_2;
 }
 
-Blocked_0 blocked_at_0(uint _S697, bool _S698, bool _S699, float _S700, float _S701, KernelContext_0 thread* kernelContext_49)
+Blocked_0 blocked_at_0(uint _S855, bool _S856, bool _S857, float _S858, float _S859, KernelContext_0 thread* kernelContext_57)
 {
-    float _S702 = openness_number_0(_S697, 158U, kernelContext_49);
-    float _S703 = _S701 * _S702;
-    float _S704 = _S700 * _S700;
-    float _S705 = _S700 * _S703;
-    float _S706 = _S703 * _S703;
-    uint _S707;
-    if(_S699)
+    float _S860 = openness_number_0(_S855, 158U, kernelContext_57);
+    float _S861 = _S859 * _S860;
+    float _S862 = _S858 * _S858;
+    float _S863 = _S858 * _S861;
+    float _S864 = _S861 * _S861;
+    uint _S865;
+    if(_S857)
     {
-        _S707 = 2U;
+        _S865 = 2U;
     }
     else
     {
-        _S707 = 0U;
+        _S865 = 0U;
     }
-    uint _S708;
-    if(_S698)
+    uint _S866;
+    if(_S856)
     {
-        _S708 = 0U;
+        _S866 = 0U;
     }
     else
     {
-        _S708 = 1U;
+        _S866 = 1U;
     }
-    uint _S709 = 60U + (_S707 + _S708) * 18U;
-    thread array<float, int(6)> _S710;
-    _S710[int(0)] = 1.0f;
-    _S710[int(1)] = _S700;
-    _S710[int(2)] = _S703;
-    _S710[int(3)] = _S704;
-    _S710[int(4)] = _S705;
-    _S710[int(5)] = _S706;
-    Blocked_0 _S711 = blocked_of_terms_0(_S697, _S709, &_S710, 6U, kernelContext_49);
-    return _S711;
+    uint _S867 = 60U + (_S865 + _S866) * 18U;
+    thread array<float, int(6)> _S868;
+    _S868[int(0)] = 1.0f;
+    _S868[int(1)] = _S858;
+    _S868[int(2)] = _S861;
+    _S868[int(3)] = _S862;
+    _S868[int(4)] = _S863;
+    _S868[int(5)] = _S864;
+    Blocked_0 _S869 = blocked_of_terms_0(_S855, _S867, &_S868, 6U, kernelContext_57);
+    return _S869;
 }
 
-Blocked_0 with_blocked_0(uint _S712, const Blocked_0 thread* _S713, const YarnPoint_0 thread* _S714, bool _S715, float _S716, KernelContext_0 thread* kernelContext_50)
+Blocked_0 with_blocked_0(uint _S870, const Blocked_0 thread* _S871, const YarnPoint_0 thread* _S872, bool _S873, float _S874, KernelContext_0 thread* kernelContext_58)
 {
-    bool _S717;
-    if(_S714->hole_6)
+    bool _S875;
+    if(_S872->hole_6)
     {
-        _S717 = true;
+        _S875 = true;
     }
     else
     {
-        _S717 = (_S714->is_warp_3) != _S715;
+        _S875 = (_S872->is_warp_3) != _S873;
     }
-    if(_S717)
+    if(_S875)
     {
-        return *_S713;
+        return *_S871;
     }
-    Blocked_0 _S718 = blocked_at_0(_S712, _S715, _S714->back_6, _S714->normal_6.z, _S714->height_10, kernelContext_50);
+    Blocked_0 _S876 = blocked_at_0(_S870, _S873, _S872->back_7, _S872->normal_9.z, _S872->height_10, kernelContext_58);
     thread Blocked_0 result_4;
-    (&result_4)->by_warp_0 = _S713->by_warp_0 + _S716 * _S718.by_warp_0;
-    (&result_4)->by_weft_0 = _S713->by_weft_0 + _S716 * _S718.by_weft_0;
-    (&result_4)->far_0 = _S713->far_0 + _S716 * _S718.far_0;
+    (&result_4)->by_warp_0 = _S871->by_warp_0 + _S874 * _S876.by_warp_0;
+    (&result_4)->by_weft_0 = _S871->by_weft_0 + _S874 * _S876.by_weft_0;
+    (&result_4)->far_0 = _S871->far_0 + _S874 * _S876.far_0;
     return result_4;
 }
 
@@ -3393,64 +3924,30 @@ struct CoverageTaps_0
     array<uint, int(9)> nodes_1;
 };
 
-float3 pyramid_level_0(uint _S719, float _S720, KernelContext_0 thread* kernelContext_51)
+float3 pyramid_level_0(uint _S877, float _S878, KernelContext_0 thread* kernelContext_59)
 {
-    uint _S721 = (kernelContext_51->fabrics_0+_S719)->lobes_0.levels_0 + 4U * uint(min(_S720, (kernelContext_51->fabrics_0+_S719)->lobes_0.last_level_0));
-    float _S722 = table_number_0(_S721, kernelContext_51);
-    float _S723 = table_number_0(_S721 + 1U, kernelContext_51);
-    float _S724 = table_number_0(_S721 + 2U, kernelContext_51);
-    return float3(_S722, _S723, _S724);
+    uint _S879 = (kernelContext_59->fabrics_0+_S877)->lobes_0.levels_0 + 4U * uint(min(_S878, (kernelContext_59->fabrics_0+_S877)->lobes_0.last_level_0));
+    float _S880 = table_number_0(_S879, kernelContext_59);
+    float _S881 = table_number_0(_S879 + 1U, kernelContext_59);
+    float _S882 = table_number_0(_S879 + 2U, kernelContext_59);
+    return float3(_S880, _S881, _S882);
 }
 
-CoverageTaps_0 coverage_taps_0(uint _S725, const Footprint_0 thread* _S726, bool _S727, KernelContext_0 thread* kernelContext_52)
+CoverageTaps_0 coverage_taps_0(uint _S883, const Footprint_0 thread* _S884, bool _S885, KernelContext_0 thread* kernelContext_60)
 {
-    Fabric_0 device* _S728 = kernelContext_52->fabrics_0+_S725;
-    float _S729 = Footprint_spread_side_0(_S726);
-    Lobes_0 _S730 = _S728->lobes_0;
-    float _S731 = _S729 * _S728->lobes_0.inverse_base_size_0;
-    float3 _S732 = pyramid_level_0(_S725, floor(binary_logarithm_0(max(0.68000000715255737f * _S731, 1.0f))), kernelContext_52);
-    float _S733 = 1.0f / max(_S731, 9.99999997475242708e-07f);
-    float2 _S734 = float2(kernelContext_52->families_0[_S728->warp_1].inverse_period_0, kernelContext_52->families_0[_S728->weft_1].inverse_period_0);
-    float2 _S735 = _S726->centre_0 * _S734;
-    float2 _S736 = float2(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S733 * _S733), 0.0f, 1.0f)), 0.3333333432674408f * _S733), 1.0f)) ;
-    float2 _S737 = _S726->dx_0 * _S734 * _S736;
-    float2 _S738 = _S726->dy_0 * _S734 * _S736;
+    Fabric_0 device* _S886 = kernelContext_60->fabrics_0+_S883;
+    float _S887 = Footprint_spread_side_0(_S884);
+    Lobes_0 _S888 = _S886->lobes_0;
+    float _S889 = _S887 * _S886->lobes_0.inverse_base_size_0;
+    float3 _S890 = pyramid_level_0(_S883, floor(binary_logarithm_0(max(0.68000000715255737f * _S889, 1.0f))), kernelContext_60);
+    float _S891 = 1.0f / max(_S889, 9.99999997475242708e-07f);
+    float2 _S892 = float2((kernelContext_60->families_0+_S886->warp_1)->inverse_period_0, (kernelContext_60->families_0+_S886->weft_1)->inverse_period_0);
+    float2 _S893 = _S884->centre_0 * _S892;
+    float2 _S894 = float2(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S891 * _S891), 0.0f, 1.0f)), 0.3333333432674408f * _S891), 1.0f)) ;
+    float2 _S895 = _S884->dx_0 * _S892 * _S894;
+    float2 _S896 = _S884->dy_0 * _S892 * _S894;
     thread CoverageTaps_0 taps_3;
-    uint number_1 = 0U;
-    for(;;)
-    {
-        if(number_1 < 9U)
-        {
-        }
-        else
-        {
-            break;
-        }
-        float2 _S739 = _S735 + float2(TAP_OFFSETS_0[number_1].x)  * _S737 + float2(TAP_OFFSETS_0[number_1].y)  * _S738;
-        float _S740 = _S732.y;
-        float _S741 = wrapped_cell_0(_S739.x, _S740);
-        float _S742 = wrapped_cell_0(_S739.y, _S732.z);
-        uint _S743;
-        if(_S727)
-        {
-            _S743 = _S730.face_nodes_0;
-        }
-        else
-        {
-            _S743 = 0U;
-        }
-        (&taps_3)->nodes_1[number_1] = _S743 + uint(_S742 * _S740 + _S741 + _S732.x);
-        number_1 = number_1 + 1U;
-    }
-    return taps_3;
-}
-
-float4 coverage_of_pack_0(uint _S744, const CoverageTaps_0 thread* _S745, uint _S746, KernelContext_0 thread* kernelContext_53)
-{
-    Fabric_0 device* _S747 = kernelContext_53->fabrics_0+_S744;
     uint number_2 = 0U;
-    uint even_1 = 0U;
-    uint odd_1 = 0U;
     for(;;)
     {
         if(number_2 < 9U)
@@ -3460,21 +3957,31 @@ float4 coverage_of_pack_0(uint _S744, const CoverageTaps_0 thread* _S745, uint _
         {
             break;
         }
-        uint _S748 = kernelContext_53->words_0[_S747->lobes_0.coverage_0 + _S745->nodes_1[number_2] * _S747->lobes_0.packs_0 + _S746];
-        uint even_2 = even_1 + (_S748 & 16711935U);
-        uint odd_2 = odd_1 + ((_S748 >> 8U) & 16711935U);
+        float2 _S897 = _S893 + float2(TAP_OFFSETS_0[number_2].x)  * _S895 + float2(TAP_OFFSETS_0[number_2].y)  * _S896;
+        float _S898 = _S890.y;
+        float _S899 = wrapped_cell_0(_S897.x, _S898);
+        float _S900 = wrapped_cell_0(_S897.y, _S890.z);
+        uint _S901;
+        if(_S885)
+        {
+            _S901 = _S888.face_nodes_0;
+        }
+        else
+        {
+            _S901 = 0U;
+        }
+        (&taps_3)->nodes_1[number_2] = _S901 + uint(_S900 * _S898 + _S899 + _S890.x);
         number_2 = number_2 + 1U;
-        even_1 = even_2;
-        odd_1 = odd_2;
     }
-    return bytes_of_sums_0(even_1, odd_1) / float4(9.0f) ;
+    return taps_3;
 }
 
-float coverage_of_holes_0(uint _S749, const CoverageTaps_0 thread* _S750, KernelContext_0 thread* kernelContext_54)
+float4 coverage_of_pack_0(uint _S902, const CoverageTaps_0 thread* _S903, uint _S904, KernelContext_0 thread* kernelContext_61)
 {
-    Fabric_0 device* _S751 = kernelContext_54->fabrics_0+_S749;
+    Fabric_0 device* _S905 = kernelContext_61->fabrics_0+_S902;
     uint number_3 = 0U;
-    uint total_0 = 0U;
+    uint even_1 = 0U;
+    uint odd_1 = 0U;
     for(;;)
     {
         if(number_3 < 9U)
@@ -3484,70 +3991,94 @@ float coverage_of_holes_0(uint _S749, const CoverageTaps_0 thread* _S750, Kernel
         {
             break;
         }
-        uint total_1 = total_0 + ((kernelContext_54->words_0[_S751->lobes_0.coverage_holes_0 + _S750->nodes_1[number_3] / 4U] >> (8U * (_S750->nodes_1[number_3] % 4U))) & 255U);
+        uint _S906 = kernelContext_61->words_0[_S905->lobes_0.coverage_0 + _S903->nodes_1[number_3] * _S905->lobes_0.packs_0 + _S904];
+        uint even_2 = even_1 + (_S906 & 16711935U);
+        uint odd_2 = odd_1 + ((_S906 >> 8U) & 16711935U);
         number_3 = number_3 + 1U;
+        even_1 = even_2;
+        odd_1 = odd_2;
+    }
+    return bytes_of_sums_0(even_1, odd_1) / float4(9.0f) ;
+}
+
+float coverage_of_holes_0(uint _S907, const CoverageTaps_0 thread* _S908, KernelContext_0 thread* kernelContext_62)
+{
+    Fabric_0 device* _S909 = kernelContext_62->fabrics_0+_S907;
+    uint number_4 = 0U;
+    uint total_0 = 0U;
+    for(;;)
+    {
+        if(number_4 < 9U)
+        {
+        }
+        else
+        {
+            break;
+        }
+        uint total_1 = total_0 + ((kernelContext_62->words_0[_S909->lobes_0.coverage_holes_0 + _S908->nodes_1[number_4] / 4U] >> (8U * (_S908->nodes_1[number_4] % 4U))) & 255U);
+        number_4 = number_4 + 1U;
         total_0 = total_1;
     }
     return float(total_0) / 9.0f;
 }
 
-float prefiltered_hole_0(uint _S752, const CoverageTaps_0 thread* _S753, const NodeTaps_0 thread* _S754, bool _S755, KernelContext_0 thread* kernelContext_55)
+float prefiltered_hole_0(uint _S910, const CoverageTaps_0 thread* _S911, const NodeTaps_0 thread* _S912, bool _S913, KernelContext_0 thread* kernelContext_63)
 {
-    Lobes_0 _S756 = (kernelContext_55->fabrics_0+_S752)->lobes_0;
-    float4 _S757 = interpolate_table_0(_S754, (kernelContext_55->fabrics_0+_S752)->lobes_0.projected_area_0 + (kernelContext_55->fabrics_0+_S752)->lobes_0.packs_0, (kernelContext_55->fabrics_0+_S752)->lobes_0.packs_0 + 1U, kernelContext_55);
-    float _S758 = _S757.x;
-    float _S759;
-    if(_S755)
+    Lobes_0 _S914 = (kernelContext_63->fabrics_0+_S910)->lobes_0;
+    float4 _S915 = interpolate_table_0(_S912, (kernelContext_63->fabrics_0+_S910)->lobes_0.projected_area_0 + (kernelContext_63->fabrics_0+_S910)->lobes_0.packs_0, (kernelContext_63->fabrics_0+_S910)->lobes_0.packs_0 + 1U, kernelContext_63);
+    float _S916 = _S915.x;
+    float _S917;
+    if(_S913)
     {
-        _S759 = _S756.back_hole_weight_0;
+        _S917 = _S914.back_hole_weight_0;
     }
     else
     {
-        _S759 = _S756.front_hole_weight_0;
+        _S917 = _S914.front_hole_weight_0;
     }
-    float _S760 = coverage_of_holes_0(_S752, _S753, kernelContext_55);
-    return min(_S760 * _S758 * _S758 * _S759, 1.0f);
+    float _S918 = coverage_of_holes_0(_S910, _S911, kernelContext_63);
+    return min(_S918 * _S916 * _S916 * _S917, 1.0f);
 }
 
-Components_0 prefiltered_components_0(uint _S761, const Footprint_0 thread* _S762, float3 _S763, float3 _S764, bool _S765, KernelContext_0 thread* kernelContext_56)
+Components_0 prefiltered_components_0(uint _S919, const Footprint_0 thread* _S920, float3 _S921, float3 _S922, bool _S923, KernelContext_0 thread* kernelContext_64)
 {
-    Fabric_0 device* _S766 = kernelContext_56->fabrics_0+_S761;
-    CoverageTaps_0 _S767 = coverage_taps_0(_S761, _S762, _S765, kernelContext_56);
-    NodeTaps_0 _S768 = node_taps_0(_S764);
-    thread NodeTaps_0 view_nodes_0 = _S768;
-    thread NodeTaps_0 light_nodes_0 = node_taps_0(_S763);
-    thread NodeTaps_0 seen_nodes_0 = _S768;
-    uint _S769;
-    if(_S765)
+    Fabric_0 device* _S924 = kernelContext_64->fabrics_0+_S919;
+    CoverageTaps_0 _S925 = coverage_taps_0(_S919, _S920, _S923, kernelContext_64);
+    NodeTaps_0 _S926 = node_taps_0(_S922);
+    thread NodeTaps_0 view_nodes_0 = _S926;
+    thread NodeTaps_0 light_nodes_0 = node_taps_0(_S921);
+    thread NodeTaps_0 seen_nodes_0 = _S926;
+    uint _S927;
+    if(_S923)
     {
-        _S769 = 1U;
+        _S927 = 1U;
     }
     else
     {
-        _S769 = 0U;
+        _S927 = 0U;
     }
-    (&view_nodes_0)->nodes_0 = (&view_nodes_0)->nodes_0 + uint4((_S769 * 256U)) ;
-    uint _S770 = 2U * _S769;
-    (&seen_nodes_0)->nodes_0 = (&seen_nodes_0)->nodes_0 + uint4((_S770 * 256U)) ;
-    uint _S771;
-    if((_S763.z) < 0.0f)
+    (&view_nodes_0)->nodes_0 = (&view_nodes_0)->nodes_0 + uint4((_S927 * 256U)) ;
+    uint _S928 = 2U * _S927;
+    (&seen_nodes_0)->nodes_0 = (&seen_nodes_0)->nodes_0 + uint4((_S928 * 256U)) ;
+    uint _S929;
+    if((_S921.z) < 0.0f)
     {
-        _S771 = 1U;
-    }
-    else
-    {
-        _S771 = 0U;
-    }
-    (&light_nodes_0)->nodes_0 = (&light_nodes_0)->nodes_0 + uint4(((_S770 + _S771) * 256U)) ;
-    float3 _S772 = half_vector_0(_S763, _S764);
-    float3 _S773 = shadow_correlation_0(_S763, _S764);
-    if(_S765)
-    {
-        _S771 = _S766->lobes_0.back_warp_packs_0;
+        _S929 = 1U;
     }
     else
     {
-        _S771 = _S766->lobes_0.front_warp_packs_0;
+        _S929 = 0U;
+    }
+    (&light_nodes_0)->nodes_0 = (&light_nodes_0)->nodes_0 + uint4(((_S928 + _S929) * 256U)) ;
+    float3 _S930 = half_vector_0(_S921, _S922);
+    float3 _S931 = shadow_correlation_0(_S921, _S922);
+    if(_S923)
+    {
+        _S929 = _S924->lobes_0.back_warp_packs_0;
+    }
+    else
+    {
+        _S929 = _S924->lobes_0.front_warp_packs_0;
     }
     thread Components_0 sums_1;
     (&sums_1)->diffuse_warp_0 = 0.0f;
@@ -3559,515 +4090,526 @@ Components_0 prefiltered_components_0(uint _S761, const Footprint_0 thread* _S76
     float total_2 = 0.0f;
     for(;;)
     {
-        Lobes_0 _S774 = _S766->lobes_0;
-        if(pack_0 < (_S766->lobes_0.packs_0))
+        Lobes_0 _S932 = _S924->lobes_0;
+        if(pack_0 < (_S924->lobes_0.packs_0))
         {
         }
         else
         {
             break;
         }
-        thread CoverageTaps_0 _S775 = _S767;
-        float4 _S776 = coverage_of_pack_0(_S761, &_S775, pack_0, kernelContext_56);
-        uint _S777 = _S774.projected_area_0 + pack_0;
-        uint _S778 = _S774.packs_0 + 1U;
-        thread NodeTaps_0 _S779 = view_nodes_0;
-        float4 _S780 = interpolate_table_0(&_S779, _S777, _S778, kernelContext_56);
-        uint _S781 = _S774.light_visibility_1 + pack_0;
-        thread NodeTaps_0 _S782 = seen_nodes_0;
-        float4 _S783 = interpolate_table_0(&_S782, _S781, _S774.packs_0, kernelContext_56);
-        float4 _S784 = float4(255.0f) ;
-        float4 _S785 = _S783 / _S784;
-        thread NodeTaps_0 _S786 = light_nodes_0;
-        float4 _S787 = interpolate_table_0(&_S786, _S781, _S774.packs_0, kernelContext_56);
-        float4 _S788 = _S787 / _S784;
-        uint _S789 = _S774.irradiance_0 + pack_0;
-        thread NodeTaps_0 _S790 = light_nodes_0;
-        float4 _S791 = interpolate_table_0(&_S790, _S789, _S774.packs_0, kernelContext_56);
-        float4 _S792 = _S791 * float4(0.00124827399849892f) ;
-        bool _S793 = pack_0 < _S771;
-        uint _S794;
-        if(_S793)
+        thread CoverageTaps_0 _S933 = _S925;
+        float4 _S934 = coverage_of_pack_0(_S919, &_S933, pack_0, kernelContext_64);
+        uint _S935 = _S932.projected_area_0 + pack_0;
+        uint _S936 = _S932.packs_0 + 1U;
+        thread NodeTaps_0 _S937 = view_nodes_0;
+        float4 _S938 = interpolate_table_0(&_S937, _S935, _S936, kernelContext_64);
+        uint _S939 = _S932.light_visibility_1 + pack_0;
+        thread NodeTaps_0 _S940 = seen_nodes_0;
+        float4 _S941 = interpolate_table_0(&_S940, _S939, _S932.packs_0, kernelContext_64);
+        float4 _S942 = float4(255.0f) ;
+        float4 _S943 = _S941 / _S942;
+        thread NodeTaps_0 _S944 = light_nodes_0;
+        float4 _S945 = interpolate_table_0(&_S944, _S939, _S932.packs_0, kernelContext_64);
+        float4 _S946 = _S945 / _S942;
+        uint _S947 = _S932.irradiance_0 + pack_0;
+        thread NodeTaps_0 _S948 = light_nodes_0;
+        float4 _S949 = interpolate_table_0(&_S948, _S947, _S932.packs_0, kernelContext_64);
+        float4 _S950 = _S949 * float4(0.00124827399849892f) ;
+        bool _S951 = pack_0 < _S929;
+        uint _S952;
+        if(_S951)
         {
-            _S794 = _S766->warp_1;
+            _S952 = _S924->warp_1;
         }
         else
         {
-            _S794 = _S766->weft_1;
+            _S952 = _S924->weft_1;
         }
-        Family_0 _S795 = kernelContext_56->families_0[_S794];
-        uint number_4 = 0U;
+        float _S953 = (kernelContext_64->families_0+_S952)->roughness_0;
+        uint number_5 = 0U;
         float diffuse_0 = 0.0f;
         float specular_0 = 0.0f;
         for(;;)
         {
-            if(number_4 < 4U)
+            if(number_5 < 4U)
             {
             }
             else
             {
                 break;
             }
-            Group_0 _S796 = group_at_0(_S774.moments_0 + 12U * (4U * (_S769 * _S774.packs_0 + pack_0) + number_4), _S795.roughness_0, kernelContext_56);
-            float _S797 = _S776[number_4] * _S780[number_4] * _S780[number_4] * _S796.weight_2;
-            float2 _S798 = visibility_gain_0(_S773, _S788[number_4], _S785[number_4]);
-            thread Group_0 _S799 = _S796;
-            float _S800 = layer_value_0(&_S799, _S772, _S763, _S764, _S766->optical_depth_0);
-            float _S801 = _S798.x;
-            float diffuse_1 = diffuse_0 + _S797 * _S792[number_4] * _S801;
-            float specular_1 = specular_0 + _S797 * _S800 * _S788[number_4] * _S798.y;
-            (&sums_1)->light_visibility_0 = (&sums_1)->light_visibility_0 + _S797 * _S788[number_4] * _S801;
-            float total_3 = total_2 + _S797;
-            number_4 = number_4 + 1U;
+            Group_0 _S954 = group_at_0(_S932.moments_0 + 12U * (4U * (_S927 * _S932.packs_0 + pack_0) + number_5), _S953, kernelContext_64);
+            float _S955 = _S934[number_5] * _S938[number_5] * _S938[number_5] * _S954.weight_2;
+            float2 _S956 = visibility_gain_0(_S931, _S946[number_5], _S943[number_5]);
+            thread Group_0 _S957 = _S954;
+            float _S958 = layer_value_0(&_S957, _S930, _S921, _S922, _S924->optical_depth_0);
+            float _S959 = _S956.x;
+            float diffuse_1 = diffuse_0 + _S955 * _S950[number_5] * _S959;
+            float specular_1 = specular_0 + _S955 * _S958 * _S946[number_5] * _S956.y;
+            (&sums_1)->light_visibility_0 = (&sums_1)->light_visibility_0 + _S955 * _S946[number_5] * _S959;
+            float total_3 = total_2 + _S955;
+            number_5 = number_5 + 1U;
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             total_2 = total_3;
         }
-        float _S802;
-        if(_S793)
+        float _S960;
+        if(_S951)
         {
-            _S802 = diffuse_0;
+            _S960 = diffuse_0;
         }
         else
         {
-            _S802 = 0.0f;
+            _S960 = 0.0f;
         }
-        (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 + _S802;
-        float _S803;
-        if(_S793)
+        (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 + _S960;
+        float _S961;
+        if(_S951)
         {
-            _S803 = 0.0f;
+            _S961 = 0.0f;
         }
         else
         {
-            _S803 = diffuse_0;
+            _S961 = diffuse_0;
         }
-        (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 + _S803;
-        float _S804;
-        if(_S793)
+        (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 + _S961;
+        float _S962;
+        if(_S951)
         {
-            _S804 = specular_0;
+            _S962 = specular_0;
         }
         else
         {
-            _S804 = 0.0f;
+            _S962 = 0.0f;
         }
-        (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 + _S804;
-        float _S805;
-        if(_S793)
+        (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 + _S962;
+        float _S963;
+        if(_S951)
         {
-            _S805 = 0.0f;
+            _S963 = 0.0f;
         }
         else
         {
-            _S805 = specular_0;
+            _S963 = specular_0;
         }
-        (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 + _S805;
+        (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 + _S963;
         pack_0 = pack_0 + 1U;
     }
-    thread CoverageTaps_0 _S806 = _S767;
-    thread NodeTaps_0 _S807 = view_nodes_0;
-    float _S808 = prefiltered_hole_0(_S761, &_S806, &_S807, _S765, kernelContext_56);
-    (&sums_1)->hole_2 = _S808;
-    float _S809 = (1.0f - _S808) / max(total_2, 9.999999960041972e-13f);
-    (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 * _S809;
-    (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 * _S809;
-    (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 * _S809;
-    (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 * _S809;
-    (&sums_1)->light_visibility_0 = (&sums_1)->light_visibility_0 * _S809;
+    thread CoverageTaps_0 _S964 = _S925;
+    thread NodeTaps_0 _S965 = view_nodes_0;
+    float _S966 = prefiltered_hole_0(_S919, &_S964, &_S965, _S923, kernelContext_64);
+    (&sums_1)->hole_2 = _S966;
+    float _S967 = (1.0f - _S966) / max(total_2, 9.999999960041972e-13f);
+    (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 * _S967;
+    (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 * _S967;
+    (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 * _S967;
+    (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 * _S967;
+    (&sums_1)->light_visibility_0 = (&sums_1)->light_visibility_0 * _S967;
     return sums_1;
 }
 
-FamilyAlbedos_0 albedos_over_0(uint _S810, const Footprint_0 thread* _S811, bool _S812, KernelContext_0 thread* kernelContext_57)
+FamilyAlbedos_0 albedos_over_0(uint _S968, const Footprint_0 thread* _S969, bool _S970, KernelContext_0 thread* kernelContext_65)
 {
-    Fabric_0 device* _S813 = kernelContext_57->fabrics_0+_S810;
-    float2 _S814 = sqrt(_S811->dx_0 * _S811->dx_0 + _S811->dy_0 * _S811->dy_0);
-    uint _S815 = _S813->warp_1;
-    float2 _S816 = _S811->centre_0;
-    Stretch_0 _S817 = stretch_of_0(_S813->warp_1, _S811->centre_0.x, _S814.x, kernelContext_57);
-    uint _S818 = _S813->weft_1;
-    Stretch_0 _S819 = stretch_of_0(_S813->weft_1, _S816.y, _S814.y, kernelContext_57);
+    Fabric_0 device* _S971 = kernelContext_65->fabrics_0+_S968;
+    float2 _S972 = sqrt(_S969->dx_0 * _S969->dx_0 + _S969->dy_0 * _S969->dy_0);
+    uint _S973 = _S971->warp_1;
+    float2 _S974 = _S969->centre_0;
+    Stretch_0 _S975 = stretch_of_0(_S971->warp_1, _S969->centre_0.x, _S972.x, kernelContext_65);
+    uint _S976 = _S971->weft_1;
+    Stretch_0 _S977 = stretch_of_0(_S971->weft_1, _S974.y, _S972.y, kernelContext_65);
     thread FamilyAlbedos_0 albedos_8;
-    thread Stretch_0 _S820 = _S817;
-    thread Stretch_0 _S821 = _S819;
-    Albedos_0 _S822 = mean_albedos_0(_S815, _S818, &_S820, &_S821, _S812, kernelContext_57);
-    (&albedos_8)->warp_5 = _S822;
-    thread Stretch_0 _S823 = _S819;
-    thread Stretch_0 _S824 = _S817;
-    Albedos_0 _S825 = mean_albedos_0(_S818, _S815, &_S823, &_S824, _S812, kernelContext_57);
-    (&albedos_8)->weft_5 = _S825;
+    thread Stretch_0 _S978 = _S975;
+    thread Stretch_0 _S979 = _S977;
+    Albedos_0 _S980 = mean_albedos_0(_S973, _S976, &_S978, &_S979, _S970, kernelContext_65);
+    (&albedos_8)->warp_5 = _S980;
+    thread Stretch_0 _S981 = _S977;
+    thread Stretch_0 _S982 = _S975;
+    Albedos_0 _S983 = mean_albedos_0(_S976, _S973, &_S981, &_S982, _S970, kernelContext_65);
+    (&albedos_8)->weft_5 = _S983;
     return albedos_8;
 }
 
-Estimate_0 lobes_estimate_of_pass_0(uint _S826, const Footprint_0 thread* _S827, float _S828, float2 _S829, float3 _S830, float3 _S831, KernelContext_0 thread* kernelContext_58)
+Estimate_0 lobes_estimate_of_pass_0(uint _S984, const Footprint_0 thread* _S985, float _S986, float2 _S987, float3 _S988, float3 _S989, KernelContext_0 thread* kernelContext_66)
 {
-    float _S832;
-    Fabric_0 device* _S833 = kernelContext_58->fabrics_0+_S826;
-    Regime_0 _S834 = regime_of_0(_S826, _S827, _S828, kernelContext_58);
-    bool _S835 = (_S831.z) < 0.0f;
-    float3 _S836 = to_face_frame_0(_S831, _S835);
-    bool _S837;
-    if((_S833->fibre_noise_0) > 0.0f)
+    float _S990;
+    float _S991;
+    Fabric_0 device* _S992 = kernelContext_66->fabrics_0+_S984;
+    Regime_0 _S993 = regime_of_0(_S984, _S985, _S986, kernelContext_66);
+    bool _S994 = (_S989.z) < 0.0f;
+    float3 _S995 = to_face_frame_0(_S989, _S994);
+    float _S996 = Footprint_spread_side_0(_S985);
+    bool _S997 = varies_at_0(_S984, _S996, kernelContext_66);
+    bool _S998;
+    if(((kernelContext_66->families_0+_S992->warp_1)->quantities_0) > 1U)
     {
-        _S837 = true;
+        _S998 = true;
     }
     else
     {
-        _S837 = (_S833->colour_noise_0) > 0.0f;
+        _S998 = ((kernelContext_66->families_0+_S992->weft_1)->quantities_0) > 1U;
     }
-    bool _S838;
-    if((kernelContext_58->families_0[_S833->warp_1].quantities_0) > 1U)
+    float _S999 = 1.0f - _S993.prefiltered_0;
+    if(_S999 > 0.0f)
     {
-        _S838 = true;
-    }
-    else
-    {
-        _S838 = (kernelContext_58->families_0[_S833->weft_1].quantities_0) > 1U;
-    }
-    float _S839 = 1.0f - _S834.prefiltered_0;
-    if(_S839 > 0.0f)
-    {
-        if(_S837)
+        if(_S997)
         {
-            _S838 = true;
+            _S998 = true;
         }
     }
     else
     {
-        _S838 = false;
+        _S998 = false;
     }
-    thread Footprint_0 box_0 = *_S827;
-    float3 _S840 = float3(0.0f) ;
-    SurfacePoint_0 _S841 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S840, _S840, 0.0f, 0.0f, 0.0f);
-    float2 _S842 = _S827->centre_0;
-    Components_0 _S843 = no_components_0();
+    thread Footprint_0 box_0 = *_S985;
+    float3 _S1000 = float3(0.0f) ;
+    SurfacePoint_0 _S1001 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S1000, _S1000, 0.0f, 0.0f, 0.0f);
+    float2 _S1002 = _S985->centre_0;
+    Components_0 _S1003 = no_components_0();
     thread CloseUp_0 close_1 = no_close_up_0();
-    int _S844;
-    if(_S838)
+    int _S1004;
+    if(_S998)
     {
-        _S844 = int(0);
+        _S1004 = int(0);
     }
     else
     {
-        _S844 = int(1);
+        _S1004 = int(1);
     }
-    uint _S845 = uint(_S844);
-    Components_0 points_1 = _S843;
+    uint _S1005 = uint(_S1004);
+    Components_0 points_1 = _S1003;
     float central_weight_0 = 0.0f;
-    SurfacePoint_0 central_0 = _S841;
-    float2 central_place_0 = _S842;
-    uint number_5 = _S845;
+    SurfacePoint_0 central_0 = _S1001;
+    float2 central_place_0 = _S1002;
+    uint number_6 = _S1005;
     for(;;)
     {
-        float _S846 = float(number_5);
-        _S832 = _S834.points_0;
-        if(_S846 < (_S834.points_0 + 1.0f))
+        float _S1006 = float(number_6);
+        _S990 = _S993.points_0;
+        if(_S1006 < (_S993.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        bool _S847 = number_5 == 0U;
-        uint _S848;
-        if(_S847)
+        bool _S1007 = number_6 == 0U;
+        uint _S1008;
+        if(_S1007)
         {
-            _S848 = 0U;
+            _S1008 = 0U;
         }
         else
         {
-            _S848 = number_5 - 1U;
+            _S1008 = number_6 - 1U;
         }
-        float2 _S849 = POINT_OFFSETS_0[_S848] + _S829;
-        float2 _S850;
-        if(_S847)
+        float2 _S1009 = POINT_OFFSETS_0[_S1008] + _S987;
+        float2 _S1010;
+        if(_S1007)
         {
-            _S850 = float2(0.0f) ;
+            _S1010 = float2(0.0f) ;
         }
         else
         {
-            _S850 = _S849 - round(_S849);
+            _S1010 = _S1009 - round(_S1009);
         }
-        float2 _S851 = _S842 + float2(_S850.x)  * _S827->dx_0 + float2(_S850.y)  * _S827->dy_0;
-        float _S852;
-        if(_S847)
+        float2 _S1011 = _S1002 + float2(_S1010.x)  * _S985->dx_0 + float2(_S1010.y)  * _S985->dy_0;
+        if(_S1007)
         {
-            _S852 = 0.0f;
+            _S991 = 0.0f;
         }
         else
         {
-            _S852 = _S834.threads_1;
+            _S991 = _S993.threads_1;
         }
-        SearchQuality_0 _S853 = quality_of_0(_S852);
-        float _S854 = _S851.x;
-        float _S855 = _S851.y;
-        thread SearchQuality_0 _S856 = _S853;
-        Hit_0 _S857 = first_hit_0(_S826, &_S856, _S854, _S855, _S836, _S835, kernelContext_58);
-        SurfacePoint_0 _S858 = surface_at_0(_S826, _S857.x_10, _S857.y_5, _S835, kernelContext_58);
-        if(_S847)
+        SearchQuality_0 _S1012 = quality_of_0(_S991);
+        float _S1013 = _S1011.x;
+        float _S1014 = _S1011.y;
+        thread SearchQuality_0 _S1015 = _S1012;
+        Hit_0 _S1016 = first_hit_0(_S984, &_S1015, _S1013, _S1014, _S995, _S994, kernelContext_66);
+        SurfacePoint_0 _S1017 = surface_at_0(_S984, _S1016.x_11, _S1016.y_5, _S994, kernelContext_66);
+        if(_S1007)
         {
             float central_weight_1;
-            if(_S857.hole_5)
+            if(_S1016.hole_5)
             {
                 central_weight_1 = 0.0f;
             }
             else
             {
-                central_weight_1 = _S839;
+                central_weight_1 = _S999;
             }
-            float2 central_place_1 = float2(_S857.x_10, _S857.y_5);
-            (&box_0)->centre_0 = mix(_S842, central_place_1, float2(central_weight_1) );
+            float2 central_place_1 = float2(_S1016.x_11, _S1016.y_5);
+            (&box_0)->centre_0 = mix(_S1002, central_place_1, float2(central_weight_1) );
             central_weight_0 = central_weight_1;
-            central_0 = _S858;
+            central_0 = _S1017;
             central_place_0 = central_place_1;
-            number_5 = number_5 + 1U;
+            number_6 = number_6 + 1U;
             continue;
         }
-        thread SurfacePoint_0 _S859 = _S858;
-        YarnPoint_0 _S860 = yarn_point_of_0(_S826, &_S859, _S857.x_10, _S857.y_5, _S835, _S857.hole_5, kernelContext_58);
-        thread SearchQuality_0 _S861 = _S853;
-        thread YarnPoint_0 _S862 = _S860;
-        Components_0 _S863 = components_of_point_0(_S826, &_S861, &_S862, _S830, _S831, kernelContext_58);
-        float _S864 = min(_S834.points_0 - float(number_5 - 1U), 1.0f);
-        thread Components_0 _S865 = points_1;
-        thread Components_0 _S866 = _S863;
-        Components_0 _S867 = with_added_0(&_S865, &_S866, _S864);
-        if((_S833->openness_0) != 4294967295U)
+        thread SurfacePoint_0 _S1018 = _S1017;
+        YarnPoint_0 _S1019 = yarn_point_of_0(_S984, &_S1018, _S1016.x_11, _S1016.y_5, _S994, _S1016.hole_5, _S996, kernelContext_66);
+        thread SearchQuality_0 _S1020 = _S1012;
+        thread YarnPoint_0 _S1021 = _S1019;
+        Components_0 _S1022 = components_of_point_0(_S984, &_S1020, &_S1021, _S988, _S989, kernelContext_66);
+        float _S1023 = min(_S993.points_0 - float(number_6 - 1U), 1.0f);
+        thread Components_0 _S1024 = points_1;
+        thread Components_0 _S1025 = _S1022;
+        Components_0 _S1026 = with_added_0(&_S1024, &_S1025, _S1023);
+        if((_S992->openness_0) != 4294967295U)
         {
-            thread Blocked_0 _S868 = (&close_1)->warp_0;
-            thread YarnPoint_0 _S869 = _S860;
-            Blocked_0 _S870 = with_blocked_0(_S826, &_S868, &_S869, true, _S864, kernelContext_58);
-            (&close_1)->warp_0 = _S870;
-            thread Blocked_0 _S871 = (&close_1)->weft_0;
-            thread YarnPoint_0 _S872 = _S860;
-            Blocked_0 _S873 = with_blocked_0(_S826, &_S871, &_S872, false, _S864, kernelContext_58);
-            (&close_1)->weft_0 = _S873;
+            thread Blocked_0 _S1027 = (&close_1)->warp_0;
+            thread YarnPoint_0 _S1028 = _S1019;
+            Blocked_0 _S1029 = with_blocked_0(_S984, &_S1027, &_S1028, true, _S1023, kernelContext_66);
+            (&close_1)->warp_0 = _S1029;
+            thread Blocked_0 _S1030 = (&close_1)->weft_0;
+            thread YarnPoint_0 _S1031 = _S1019;
+            Blocked_0 _S1032 = with_blocked_0(_S984, &_S1030, &_S1031, false, _S1023, kernelContext_66);
+            (&close_1)->weft_0 = _S1032;
         }
-        points_1 = _S867;
-        number_5 = number_5 + 1U;
+        points_1 = _S1026;
+        number_6 = number_6 + 1U;
     }
-    (&close_1)->weight_0 = _S839;
-    float _S874 = max(_S832, 1.0f);
-    float _S875 = 1.0f / _S874;
-    thread Blocked_0 _S876 = (&close_1)->warp_0;
-    Blocked_0 _S877 = scaled_0(&_S876, _S875);
-    (&close_1)->warp_0 = _S877;
-    float _S878 = 1.0f / _S874;
-    thread Blocked_0 _S879 = (&close_1)->weft_0;
-    Blocked_0 _S880 = scaled_0(&_S879, _S878);
-    (&close_1)->weft_0 = _S880;
+    (&close_1)->weight_0 = _S999;
+    float _S1033 = max(_S990, 1.0f);
+    float _S1034 = 1.0f / _S1033;
+    thread Blocked_0 _S1035 = (&close_1)->warp_0;
+    Blocked_0 _S1036 = scaled_0(&_S1035, _S1034);
+    (&close_1)->warp_0 = _S1036;
+    float _S1037 = 1.0f / _S1033;
+    thread Blocked_0 _S1038 = (&close_1)->weft_0;
+    Blocked_0 _S1039 = scaled_0(&_S1038, _S1037);
+    (&close_1)->weft_0 = _S1039;
     thread Estimate_0 estimate_0;
     (&estimate_0)->close_0 = close_1;
-    float _S881 = _S839 / _S874;
-    thread Components_0 _S882 = _S843;
-    thread Components_0 _S883 = points_1;
-    Components_0 _S884 = with_added_0(&_S882, &_S883, _S881);
-    (&estimate_0)->components_0 = _S884;
-    if((_S834.prefiltered_0) > 0.0f)
+    float _S1040 = _S999 / _S1033;
+    thread Components_0 _S1041 = _S1003;
+    thread Components_0 _S1042 = points_1;
+    Components_0 _S1043 = with_added_0(&_S1041, &_S1042, _S1040);
+    (&estimate_0)->components_0 = _S1043;
+    if((_S993.prefiltered_0) > 0.0f)
     {
-        Components_0 _S885 = prefiltered_components_0(_S826, _S827, to_face_frame_0(_S830, _S835), _S836, _S835, kernelContext_58);
-        thread Components_0 _S886 = (&estimate_0)->components_0;
-        thread Components_0 _S887 = _S885;
-        Components_0 _S888 = with_added_0(&_S886, &_S887, _S834.prefiltered_0);
-        (&estimate_0)->components_0 = _S888;
+        Components_0 _S1044 = prefiltered_components_0(_S984, _S985, to_face_frame_0(_S988, _S994), _S995, _S994, kernelContext_66);
+        thread Components_0 _S1045 = (&estimate_0)->components_0;
+        thread Components_0 _S1046 = _S1044;
+        Components_0 _S1047 = with_added_0(&_S1045, &_S1046, _S993.prefiltered_0);
+        (&estimate_0)->components_0 = _S1047;
     }
-    thread Footprint_0 _S889 = box_0;
-    FamilyAlbedos_0 _S890 = albedos_over_0(_S826, &_S889, _S835, kernelContext_58);
-    (&estimate_0)->albedos_5 = _S890;
-    if(_S837)
+    thread Footprint_0 _S1048 = box_0;
+    FamilyAlbedos_0 _S1049 = albedos_over_0(_S984, &_S1048, _S994, kernelContext_66);
+    (&estimate_0)->albedos_5 = _S1049;
+    if(_S997)
     {
-        _S837 = central_weight_0 > 0.0f;
+        _S998 = central_weight_0 > 0.0f;
     }
     else
     {
-        _S837 = false;
+        _S998 = false;
     }
-    if(_S837)
+    if(_S998)
     {
-        SurfacePoint_0 _S891 = central_0;
-        Albedos_0 _S892;
+        SurfacePoint_0 _S1050 = central_0;
+        Albedos_0 _S1051;
         if(central_0.is_warp_0)
         {
-            _S892 = (&(&estimate_0)->albedos_5)->warp_5;
+            _S1051 = (&(&estimate_0)->albedos_5)->warp_5;
         }
         else
         {
-            _S892 = (&(&estimate_0)->albedos_5)->weft_5;
+            _S1051 = (&(&estimate_0)->albedos_5)->weft_5;
         }
-        float _S893 = central_place_0.x;
-        float _S894 = central_place_0.y;
-        thread SurfacePoint_0 _S895 = central_0;
-        thread Albedos_0 _S896 = _S892;
-        Albedos_0 _S897 = varied_at_0(_S826, &_S895, &_S896, _S893, _S894, kernelContext_58);
-        thread Albedos_0 _S898 = _S892;
-        thread Albedos_0 _S899 = _S897;
-        Albedos_0 _S900 = lerp_albedos_0(&_S898, &_S899, central_weight_0);
-        if(_S891.is_warp_0)
+        if((_S992->has_detail_0) != 0U)
         {
-            (&(&estimate_0)->albedos_5)->warp_5 = _S900;
+            bool _S1052 = has_hairs_0(_S984, kernelContext_66);
+            _S998 = _S1052;
         }
         else
         {
-            (&(&estimate_0)->albedos_5)->weft_5 = _S900;
+            _S998 = false;
+        }
+        if(_S998)
+        {
+            Hair_0 _S1053 = hair_at_0(_S984, central_place_0, _S994, _S996, kernelContext_66);
+            _S991 = _S1053.cover_0;
+        }
+        else
+        {
+            _S991 = 0.0f;
+        }
+        float _S1054 = central_place_0.x;
+        float _S1055 = central_place_0.y;
+        thread SurfacePoint_0 _S1056 = central_0;
+        thread Albedos_0 _S1057 = _S1051;
+        Albedos_0 _S1058 = varied_at_0(_S984, &_S1056, &_S1057, _S1054, _S1055, _S994, _S996, _S991, kernelContext_66);
+        thread Albedos_0 _S1059 = _S1051;
+        thread Albedos_0 _S1060 = _S1058;
+        Albedos_0 _S1061 = lerp_albedos_0(&_S1059, &_S1060, central_weight_0);
+        if(_S1050.is_warp_0)
+        {
+            (&(&estimate_0)->albedos_5)->warp_5 = _S1061;
+        }
+        else
+        {
+            (&(&estimate_0)->albedos_5)->weft_5 = _S1061;
         }
     }
     return estimate_0;
 }
 
-Estimate_0 lobes_estimate_0(uint _S901, const Footprint_0 thread* _S902, float _S903, float3 _S904, float3 _S905, KernelContext_0 thread* kernelContext_59)
+Estimate_0 lobes_estimate_0(uint _S1062, const Footprint_0 thread* _S1063, float _S1064, float3 _S1065, float3 _S1066, KernelContext_0 thread* kernelContext_67)
 {
-    Estimate_0 _S906 = lobes_estimate_of_pass_0(_S901, _S902, _S903, float2(0.0f) , _S904, _S905, kernelContext_59);
-    return _S906;
+    Estimate_0 _S1067 = lobes_estimate_of_pass_0(_S1062, _S1063, _S1064, float2(0.0f) , _S1065, _S1066, kernelContext_67);
+    return _S1067;
 }
 
-Scattered_0 scattered_by_0(uint _S907, const Albedos_0 thread* _S908, uint _S909, float3 _S910, KernelContext_0 thread* kernelContext_60)
+Scattered_0 scattered_by_0(uint _S1068, const Albedos_0 thread* _S1069, uint _S1070, float3 _S1071, KernelContext_0 thread* kernelContext_68)
 {
-    uint _S911 = 159U + 2U * _S909;
+    uint _S1072 = 159U + 2U * _S1070;
     thread Scattered_0 yarn_3;
-    float3 _S912 = _S910 * _S908->diffuse_reflect_0;
-    float _S913 = openness_number_0(_S907, _S911, kernelContext_60);
-    (&yarn_3)->back_5 = _S912 + float3(_S913)  * _S908->specular_reflect_0;
-    float3 _S914 = _S910 * _S908->diffuse_transmit_0;
-    float _S915 = openness_number_0(_S907, _S911 + 1U, kernelContext_60);
-    (&yarn_3)->through_0 = _S914 + float3(_S915)  * _S908->specular_transmit_0;
+    float3 _S1073 = _S1071 * _S1069->diffuse_reflect_0;
+    float _S1074 = openness_number_0(_S1068, _S1072, kernelContext_68);
+    (&yarn_3)->back_6 = _S1073 + float3(_S1074)  * _S1069->specular_reflect_0;
+    float3 _S1075 = _S1071 * _S1069->diffuse_transmit_0;
+    float _S1076 = openness_number_0(_S1068, _S1072 + 1U, kernelContext_68);
+    (&yarn_3)->through_0 = _S1075 + float3(_S1076)  * _S1069->specular_transmit_0;
     return yarn_3;
 }
 
-float openness_number_1(uint _S916, uint _S917, KernelContext_0 thread* kernelContext_61)
+float openness_number_1(uint _S1077, uint _S1078, KernelContext_0 thread* kernelContext_69)
 {
-    float _S918 = table_number_0((kernelContext_61->fabrics_0+_S916)->openness_0 + _S917, kernelContext_61);
-    return _S918;
+    float _S1079 = table_number_0((kernelContext_69->fabrics_0+_S1077)->openness_0 + _S1078, kernelContext_69);
+    return _S1079;
 }
 
-void sent_0(uint _S919, uint _S920, float3 _S921, float3 _S922, float3 _S923, float3 _S924, float3 thread* _S925, float3 thread* _S926, KernelContext_0 thread* kernelContext_62)
+void sent_0(uint _S1080, uint _S1081, float3 _S1082, float3 _S1083, float3 _S1084, float3 _S1085, float3 thread* _S1086, float3 thread* _S1087, KernelContext_0 thread* kernelContext_70)
 {
-    uint _S927 = 146U + 4U * _S920;
-    float _S928 = openness_number_1(_S919, _S927, kernelContext_62);
-    float _S929 = openness_number_1(_S919, _S927 + 1U, kernelContext_62);
-    float _S930 = openness_number_1(_S919, _S927 + 2U, kernelContext_62);
-    float _S931 = openness_number_1(_S919, _S927 + 3U, kernelContext_62);
-    float3 _S932 = float3(1.0f) ;
-    float3 _S933 = _S932 - _S923 * float3(_S928) ;
-    float3 _S934 = _S932 - _S924 * float3(_S931) ;
-    float3 _S935 = _S932 / (_S933 * _S934 - _S923 * _S924 * float3((_S929 * _S930)) );
-    *_S925 = (_S921 * _S934 + _S923 * float3(_S929)  * _S922) * _S935;
-    *_S926 = (_S922 * _S933 + _S924 * float3(_S930)  * _S921) * _S935;
+    uint _S1088 = 146U + 4U * _S1081;
+    float _S1089 = openness_number_1(_S1080, _S1088, kernelContext_70);
+    float _S1090 = openness_number_1(_S1080, _S1088 + 1U, kernelContext_70);
+    float _S1091 = openness_number_1(_S1080, _S1088 + 2U, kernelContext_70);
+    float _S1092 = openness_number_1(_S1080, _S1088 + 3U, kernelContext_70);
+    float3 _S1093 = float3(1.0f) ;
+    float3 _S1094 = _S1093 - _S1084 * float3(_S1089) ;
+    float3 _S1095 = _S1093 - _S1085 * float3(_S1092) ;
+    float3 _S1096 = _S1093 / (_S1094 * _S1095 - _S1084 * _S1085 * float3((_S1090 * _S1091)) );
+    *_S1086 = (_S1082 * _S1095 + _S1084 * float3(_S1090)  * _S1083) * _S1096;
+    *_S1087 = (_S1083 * _S1094 + _S1085 * float3(_S1091)  * _S1082) * _S1096;
     return;
 }
 
-FaceSends_0 face_sends_0(uint _S936, uint _S937, const Scattered_0 thread* _S938, const Scattered_0 thread* _S939, KernelContext_0 thread* kernelContext_63)
+FaceSends_0 face_sends_0(uint _S1097, uint _S1098, const Scattered_0 thread* _S1099, const Scattered_0 thread* _S1100, KernelContext_0 thread* kernelContext_71)
 {
-    uint _S940 = 2U * _S937;
-    uint _S941 = 142U + _S940;
-    float _S942 = openness_number_0(_S936, _S941, kernelContext_63);
-    float _S943 = openness_number_0(_S936, _S941 + 1U, kernelContext_63);
-    float3 _S944 = _S938->back_5;
-    float3 _S945 = float3((1.0f - _S942))  * _S938->back_5;
-    float3 _S946 = _S939->back_5;
-    float3 _S947 = float3((1.0f - _S943))  * _S939->back_5;
+    uint _S1101 = 2U * _S1098;
+    uint _S1102 = 142U + _S1101;
+    float _S1103 = openness_number_0(_S1097, _S1102, kernelContext_71);
+    float _S1104 = openness_number_0(_S1097, _S1102 + 1U, kernelContext_71);
+    float3 _S1105 = _S1099->back_6;
+    float3 _S1106 = float3((1.0f - _S1103))  * _S1099->back_6;
+    float3 _S1107 = _S1100->back_6;
+    float3 _S1108 = float3((1.0f - _S1104))  * _S1100->back_6;
     thread FaceSends_0 sends_1;
-    uint _S948 = 154U + _S940;
-    float _S949 = openness_number_0(_S936, _S948, kernelContext_63);
-    (&sends_1)->blocks_warp_0 = _S949;
-    float _S950 = openness_number_0(_S936, _S948 + 1U, kernelContext_63);
-    (&sends_1)->blocks_weft_0 = _S950;
-    (&sends_1)->open_0 = _S949 * _S942 + _S950 * _S943;
-    sent_0(_S936, _S937, float3(_S942)  * _S944, float3(_S943)  * _S946, _S945, _S947, &(&sends_1)->sky_warp_0, &(&sends_1)->sky_weft_0, kernelContext_63);
-    sent_0(_S936, _S937, _S938->through_0, _S939->through_0, _S945, _S947, &(&sends_1)->crossing_warp_0, &(&sends_1)->crossing_weft_0, kernelContext_63);
+    uint _S1109 = 154U + _S1101;
+    float _S1110 = openness_number_0(_S1097, _S1109, kernelContext_71);
+    (&sends_1)->blocks_warp_0 = _S1110;
+    float _S1111 = openness_number_0(_S1097, _S1109 + 1U, kernelContext_71);
+    (&sends_1)->blocks_weft_0 = _S1111;
+    (&sends_1)->open_0 = _S1110 * _S1103 + _S1111 * _S1104;
+    sent_0(_S1097, _S1098, float3(_S1103)  * _S1105, float3(_S1104)  * _S1107, _S1106, _S1108, &(&sends_1)->sky_warp_0, &(&sends_1)->sky_weft_0, kernelContext_71);
+    sent_0(_S1097, _S1098, _S1099->through_0, _S1100->through_0, _S1106, _S1108, &(&sends_1)->crossing_warp_0, &(&sends_1)->crossing_weft_0, kernelContext_71);
     return sends_1;
 }
 
-Interior_0 interior_of_0(uint _S951, float3 _S952, bool _S953, KernelContext_0 thread* kernelContext_64)
+Interior_0 interior_of_0(uint _S1112, float3 _S1113, bool _S1114, KernelContext_0 thread* kernelContext_72)
 {
-    Fabric_0 device* _S954 = kernelContext_64->fabrics_0+_S951;
-    Albedos_0 _S955 = table_albedos_0(kernelContext_64->families_0[_S954->warp_1].colour_mean_0, kernelContext_64);
-    thread Albedos_0 _S956 = _S955;
-    Scattered_0 _S957 = scattered_by_0(_S951, &_S956, 0U, _S952, kernelContext_64);
-    Albedos_0 _S958 = table_albedos_0(kernelContext_64->families_0[_S954->weft_1].colour_mean_0, kernelContext_64);
-    thread Albedos_0 _S959 = _S958;
-    Scattered_0 _S960 = scattered_by_0(_S951, &_S959, 1U, _S952, kernelContext_64);
-    uint _S961;
-    if(_S953)
+    Fabric_0 device* _S1115 = kernelContext_72->fabrics_0+_S1112;
+    Albedos_0 _S1116 = table_albedos_0((kernelContext_72->families_0+_S1115->warp_1)->colour_mean_0, kernelContext_72);
+    thread Albedos_0 _S1117 = _S1116;
+    Scattered_0 _S1118 = scattered_by_0(_S1112, &_S1117, 0U, _S1113, kernelContext_72);
+    Albedos_0 _S1119 = table_albedos_0((kernelContext_72->families_0+_S1115->weft_1)->colour_mean_0, kernelContext_72);
+    thread Albedos_0 _S1120 = _S1119;
+    Scattered_0 _S1121 = scattered_by_0(_S1112, &_S1120, 1U, _S1113, kernelContext_72);
+    uint _S1122;
+    if(_S1114)
     {
-        _S961 = 1U;
+        _S1122 = 1U;
     }
     else
     {
-        _S961 = 0U;
+        _S1122 = 0U;
     }
-    thread Scattered_0 _S962 = _S957;
-    thread Scattered_0 _S963 = _S960;
-    FaceSends_0 _S964 = face_sends_0(_S951, _S961, &_S962, &_S963, kernelContext_64);
-    if(_S953)
+    thread Scattered_0 _S1123 = _S1118;
+    thread Scattered_0 _S1124 = _S1121;
+    FaceSends_0 _S1125 = face_sends_0(_S1112, _S1122, &_S1123, &_S1124, kernelContext_72);
+    if(_S1114)
     {
-        _S961 = 0U;
+        _S1122 = 0U;
     }
     else
     {
-        _S961 = 1U;
+        _S1122 = 1U;
     }
-    thread Scattered_0 _S965 = _S957;
-    thread Scattered_0 _S966 = _S960;
-    FaceSends_0 _S967 = face_sends_0(_S951, _S961, &_S965, &_S966, kernelContext_64);
-    float3 _S968 = float3(_S964.blocks_warp_0) ;
-    float3 _S969 = float3(_S964.blocks_weft_0) ;
-    float3 _S970 = _S968 * _S964.crossing_warp_0 + _S969 * _S964.crossing_weft_0;
-    float3 _S971 = float3(_S967.blocks_warp_0) ;
-    float3 _S972 = float3(_S967.blocks_weft_0) ;
-    float3 _S973 = _S971 * _S967.crossing_warp_0 + _S972 * _S967.crossing_weft_0;
-    float _S974 = 1.0f - _S964.open_0;
-    float _S975 = 1.0f - _S967.open_0;
-    float3 _S976 = float3(1.0f) ;
-    float3 _S977 = _S976 / (_S976 - _S970 * _S973 * float3((_S974 * _S975)) );
-    float3 _S978 = _S973 * (float3(_S964.open_0)  + float3(_S974)  * (_S968 * _S964.sky_warp_0 + _S969 * _S964.sky_weft_0)) * _S977;
-    float3 _S979 = _S970 * (float3(_S967.open_0)  + float3(_S975)  * (_S971 * _S967.sky_warp_0 + _S972 * _S967.sky_weft_0)) * _S977;
-    thread FaceSends_0 _S980 = _S964;
-    FaceRadiance_0 _S981 = face_radiance_0(&_S980, _S967.open_0, _S978, _S979);
-    thread FaceSends_0 _S982 = _S967;
-    FaceRadiance_0 _S983 = face_radiance_0(&_S982, _S964.open_0, _S979, _S978);
+    thread Scattered_0 _S1126 = _S1118;
+    thread Scattered_0 _S1127 = _S1121;
+    FaceSends_0 _S1128 = face_sends_0(_S1112, _S1122, &_S1126, &_S1127, kernelContext_72);
+    float3 _S1129 = float3(_S1125.blocks_warp_0) ;
+    float3 _S1130 = float3(_S1125.blocks_weft_0) ;
+    float3 _S1131 = _S1129 * _S1125.crossing_warp_0 + _S1130 * _S1125.crossing_weft_0;
+    float3 _S1132 = float3(_S1128.blocks_warp_0) ;
+    float3 _S1133 = float3(_S1128.blocks_weft_0) ;
+    float3 _S1134 = _S1132 * _S1128.crossing_warp_0 + _S1133 * _S1128.crossing_weft_0;
+    float _S1135 = 1.0f - _S1125.open_0;
+    float _S1136 = 1.0f - _S1128.open_0;
+    float3 _S1137 = float3(1.0f) ;
+    float3 _S1138 = _S1137 / (_S1137 - _S1131 * _S1134 * float3((_S1135 * _S1136)) );
+    float3 _S1139 = _S1134 * (float3(_S1125.open_0)  + float3(_S1135)  * (_S1129 * _S1125.sky_warp_0 + _S1130 * _S1125.sky_weft_0)) * _S1138;
+    float3 _S1140 = _S1131 * (float3(_S1128.open_0)  + float3(_S1136)  * (_S1132 * _S1128.sky_warp_0 + _S1133 * _S1128.sky_weft_0)) * _S1138;
+    thread FaceSends_0 _S1141 = _S1125;
+    FaceRadiance_0 _S1142 = face_radiance_0(&_S1141, _S1128.open_0, _S1139, _S1140);
+    thread FaceSends_0 _S1143 = _S1128;
+    FaceRadiance_0 _S1144 = face_radiance_0(&_S1143, _S1125.open_0, _S1140, _S1139);
     thread Interior_0 interior_1;
-    (&interior_1)->warp_4 = _S981.warp_3;
-    (&interior_1)->weft_4 = _S981.weft_3;
-    (&interior_1)->leaked_1 = _S981.leaked_0;
-    (&interior_1)->far_1 = _S983.mean_0;
-    (&interior_1)->far_leaked_0 = _S983.leaked_0;
+    (&interior_1)->warp_4 = _S1142.warp_3;
+    (&interior_1)->weft_4 = _S1142.weft_3;
+    (&interior_1)->leaked_1 = _S1142.leaked_0;
+    (&interior_1)->far_1 = _S1144.mean_0;
+    (&interior_1)->far_leaked_0 = _S1144.leaked_0;
     return interior_1;
 }
 
-Blocked_0 blocked_from_0(uint _S984, float3 _S985, bool _S986, bool _S987, KernelContext_0 thread* kernelContext_65)
+Blocked_0 blocked_from_0(uint _S1145, float3 _S1146, bool _S1147, bool _S1148, KernelContext_0 thread* kernelContext_73)
 {
     thread array<float, int(6)> terms_1;
-    view_terms_0(_S985, &terms_1);
-    uint _S988;
-    if(_S987)
+    view_terms_0(_S1146, &terms_1);
+    uint _S1149;
+    if(_S1148)
     {
-        _S988 = 2U;
+        _S1149 = 2U;
     }
     else
     {
-        _S988 = 0U;
+        _S1149 = 0U;
     }
-    uint _S989;
-    if(_S986)
+    uint _S1150;
+    if(_S1147)
     {
-        _S989 = 0U;
+        _S1150 = 0U;
     }
     else
     {
-        _S989 = 1U;
+        _S1150 = 1U;
     }
-    uint _S990 = (_S988 + _S989) * 15U;
-    thread array<float, int(6)> _S991 = terms_1;
-    Blocked_0 _S992 = blocked_of_terms_0(_S984, _S990, &_S991, 5U, kernelContext_65);
-    return _S992;
+    uint _S1151 = (_S1149 + _S1150) * 15U;
+    thread array<float, int(6)> _S1152 = terms_1;
+    Blocked_0 _S1153 = blocked_of_terms_0(_S1145, _S1151, &_S1152, 5U, kernelContext_73);
+    return _S1153;
 }
 
-float warp_seen_from_0(uint _S993, float3 _S994, bool _S995, KernelContext_0 thread* kernelContext_66)
+float warp_seen_from_0(uint _S1154, float3 _S1155, bool _S1156, KernelContext_0 thread* kernelContext_74)
 {
     thread array<float, int(6)> terms_2;
-    view_terms_0(_S994, &terms_2);
+    view_terms_0(_S1155, &terms_2);
     uint term_1 = 0U;
-    float share_3 = 0.0f;
+    float share_4 = 0.0f;
     for(;;)
     {
         if(term_1 < 5U)
@@ -4077,158 +4619,158 @@ float warp_seen_from_0(uint _S993, float3 _S994, bool _S995, KernelContext_0 thr
         {
             break;
         }
-        uint _S996;
-        if(_S995)
+        uint _S1157;
+        if(_S1156)
         {
-            _S996 = 5U;
+            _S1157 = 5U;
         }
         else
         {
-            _S996 = 0U;
+            _S1157 = 0U;
         }
-        float _S997 = openness_number_0(_S993, 132U + _S996 + term_1, kernelContext_66);
-        float share_4 = share_3 + _S997 * terms_2[term_1];
+        float _S1158 = openness_number_0(_S1154, 132U + _S1157 + term_1, kernelContext_74);
+        float share_5 = share_4 + _S1158 * terms_2[term_1];
         term_1 = term_1 + 1U;
-        share_3 = share_4;
+        share_4 = share_5;
     }
-    return saturate(share_3);
+    return saturate(share_4);
 }
 
-Bounced_0 bounced_of_families_0(uint _S998, const FamilyAlbedos_0 thread* _S999, float3 _S1000, const Interior_0 thread* _S1001, const Blocked_0 thread* _S1002, const Blocked_0 thread* _S1003, KernelContext_0 thread* kernelContext_67)
+Bounced_0 bounced_of_families_0(uint _S1159, const FamilyAlbedos_0 thread* _S1160, float3 _S1161, const Interior_0 thread* _S1162, const Blocked_0 thread* _S1163, const Blocked_0 thread* _S1164, KernelContext_0 thread* kernelContext_75)
 {
-    Scattered_0 _S1004 = scattered_by_0(_S998, &_S999->warp_5, 0U, _S1000, kernelContext_67);
-    thread Scattered_0 _S1005 = _S1004;
-    Bounced_0 _S1006 = bounced_by_0(_S1002, &_S1005, _S1001);
-    Scattered_0 _S1007 = scattered_by_0(_S998, &_S999->weft_5, 1U, _S1000, kernelContext_67);
-    thread Scattered_0 _S1008 = _S1007;
-    Bounced_0 _S1009 = bounced_by_0(_S1003, &_S1008, _S1001);
-    thread Bounced_0 _S1010 = _S1006;
-    thread Bounced_0 _S1011 = _S1009;
-    Bounced_0 _S1012 = sum_of_0(&_S1010, &_S1011);
-    return _S1012;
+    Scattered_0 _S1165 = scattered_by_0(_S1159, &_S1160->warp_5, 0U, _S1161, kernelContext_75);
+    thread Scattered_0 _S1166 = _S1165;
+    Bounced_0 _S1167 = bounced_by_0(_S1163, &_S1166, _S1162);
+    Scattered_0 _S1168 = scattered_by_0(_S1159, &_S1160->weft_5, 1U, _S1161, kernelContext_75);
+    thread Scattered_0 _S1169 = _S1168;
+    Bounced_0 _S1170 = bounced_by_0(_S1164, &_S1169, _S1162);
+    thread Bounced_0 _S1171 = _S1167;
+    thread Bounced_0 _S1172 = _S1170;
+    Bounced_0 _S1173 = sum_of_0(&_S1171, &_S1172);
+    return _S1173;
 }
 
-Bounced_0 bounced_far_0(uint _S1013, const FamilyAlbedos_0 thread* _S1014, float3 _S1015, const Interior_0 thread* _S1016, float3 _S1017, bool _S1018, float _S1019, float _S1020, float _S1021, KernelContext_0 thread* kernelContext_68)
+Bounced_0 bounced_far_0(uint _S1174, const FamilyAlbedos_0 thread* _S1175, float3 _S1176, const Interior_0 thread* _S1177, float3 _S1178, bool _S1179, float _S1180, float _S1181, float _S1182, KernelContext_0 thread* kernelContext_76)
 {
-    Blocked_0 _S1022 = blocked_from_0(_S1013, _S1017, true, _S1018, kernelContext_68);
-    Blocked_0 _S1023 = blocked_from_0(_S1013, _S1017, false, _S1018, kernelContext_68);
-    float _S1024 = _S1019 / max(1.0f - _S1022.by_warp_0 - _S1022.by_weft_0, 0.10000000149011612f);
-    float _S1025 = _S1020 / max(1.0f - _S1023.by_warp_0 - _S1023.by_weft_0, 0.10000000149011612f);
-    float _S1026 = warp_seen_from_0(_S1013, _S1017, _S1018, kernelContext_68);
-    float _S1027 = (0.0020000000949949f * _S1026 + _S1024) / (_S1024 + _S1025 + 0.0020000000949949f);
-    float _S1028 = 1.0f - _S1021;
-    float _S1029 = _S1027 * _S1028;
-    thread Blocked_0 _S1030 = _S1022;
-    Blocked_0 _S1031 = scaled_0(&_S1030, _S1029);
-    float _S1032 = (1.0f - _S1027) * _S1028;
-    thread Blocked_0 _S1033 = _S1023;
-    Blocked_0 _S1034 = scaled_0(&_S1033, _S1032);
-    thread Blocked_0 _S1035 = _S1031;
-    thread Blocked_0 _S1036 = _S1034;
-    Bounced_0 _S1037 = bounced_of_families_0(_S1013, _S1014, _S1015, _S1016, &_S1035, &_S1036, kernelContext_68);
-    return _S1037;
+    Blocked_0 _S1183 = blocked_from_0(_S1174, _S1178, true, _S1179, kernelContext_76);
+    Blocked_0 _S1184 = blocked_from_0(_S1174, _S1178, false, _S1179, kernelContext_76);
+    float _S1185 = _S1180 / max(1.0f - _S1183.by_warp_0 - _S1183.by_weft_0, 0.10000000149011612f);
+    float _S1186 = _S1181 / max(1.0f - _S1184.by_warp_0 - _S1184.by_weft_0, 0.10000000149011612f);
+    float _S1187 = warp_seen_from_0(_S1174, _S1178, _S1179, kernelContext_76);
+    float _S1188 = (0.0020000000949949f * _S1187 + _S1185) / (_S1185 + _S1186 + 0.0020000000949949f);
+    float _S1189 = 1.0f - _S1182;
+    float _S1190 = _S1188 * _S1189;
+    thread Blocked_0 _S1191 = _S1183;
+    Blocked_0 _S1192 = scaled_0(&_S1191, _S1190);
+    float _S1193 = (1.0f - _S1188) * _S1189;
+    thread Blocked_0 _S1194 = _S1184;
+    Blocked_0 _S1195 = scaled_0(&_S1194, _S1193);
+    thread Blocked_0 _S1196 = _S1192;
+    thread Blocked_0 _S1197 = _S1195;
+    Bounced_0 _S1198 = bounced_of_families_0(_S1174, _S1175, _S1176, _S1177, &_S1196, &_S1197, kernelContext_76);
+    return _S1198;
 }
 
-Bounced_0 bounced_over_0(uint _S1038, const Components_0 thread* _S1039, const CloseUp_0 thread* _S1040, const FamilyAlbedos_0 thread* _S1041, float3 _S1042, float3 _S1043, KernelContext_0 thread* kernelContext_69)
+Bounced_0 bounced_over_0(uint _S1199, const Components_0 thread* _S1200, const CloseUp_0 thread* _S1201, const FamilyAlbedos_0 thread* _S1202, float3 _S1203, float3 _S1204, KernelContext_0 thread* kernelContext_77)
 {
-    bool _S1044 = (_S1043.z) < 0.0f;
-    Interior_0 _S1045 = interior_of_0(_S1038, _S1042, _S1044, kernelContext_69);
-    float3 _S1046 = to_face_frame_0(_S1043, _S1044);
-    thread Interior_0 _S1047 = _S1045;
-    Bounced_0 _S1048 = bounced_far_0(_S1038, _S1041, _S1042, &_S1047, _S1046, _S1044, _S1039->diffuse_warp_0, _S1039->diffuse_weft_0, _S1039->hole_2, kernelContext_69);
-    thread Bounced_0 bounced_2 = _S1048;
-    float _S1049 = _S1040->weight_0;
-    if((_S1040->weight_0) > 0.0f)
+    bool _S1205 = (_S1204.z) < 0.0f;
+    Interior_0 _S1206 = interior_of_0(_S1199, _S1203, _S1205, kernelContext_77);
+    float3 _S1207 = to_face_frame_0(_S1204, _S1205);
+    thread Interior_0 _S1208 = _S1206;
+    Bounced_0 _S1209 = bounced_far_0(_S1199, _S1202, _S1203, &_S1208, _S1207, _S1205, _S1200->diffuse_warp_0, _S1200->diffuse_weft_0, _S1200->hole_2, kernelContext_77);
+    thread Bounced_0 bounced_2 = _S1209;
+    float _S1210 = _S1201->weight_0;
+    if((_S1201->weight_0) > 0.0f)
     {
-        thread Interior_0 _S1050 = _S1045;
-        Bounced_0 _S1051 = bounced_of_families_0(_S1038, _S1041, _S1042, &_S1050, &_S1040->warp_0, &_S1040->weft_0, kernelContext_69);
-        float3 _S1052 = float3(_S1049) ;
-        (&bounced_2)->reflected_0 = mix((&bounced_2)->reflected_0, _S1051.reflected_0, _S1052);
-        (&bounced_2)->transmitted_0 = mix((&bounced_2)->transmitted_0, _S1051.transmitted_0, _S1052);
+        thread Interior_0 _S1211 = _S1206;
+        Bounced_0 _S1212 = bounced_of_families_0(_S1199, _S1202, _S1203, &_S1211, &_S1201->warp_0, &_S1201->weft_0, kernelContext_77);
+        float3 _S1213 = float3(_S1210) ;
+        (&bounced_2)->reflected_0 = mix((&bounced_2)->reflected_0, _S1212.reflected_0, _S1213);
+        (&bounced_2)->transmitted_0 = mix((&bounced_2)->transmitted_0, _S1212.transmitted_0, _S1213);
     }
     return bounced_2;
 }
 
-float3 composed_0(uint _S1053, const Components_0 thread* _S1054, const CloseUp_0 thread* _S1055, const FamilyAlbedos_0 thread* _S1056, float3 _S1057, float3 _S1058, float3 _S1059, KernelContext_0 thread* kernelContext_70)
+float3 composed_0(uint _S1214, const Components_0 thread* _S1215, const CloseUp_0 thread* _S1216, const FamilyAlbedos_0 thread* _S1217, float3 _S1218, float3 _S1219, float3 _S1220, KernelContext_0 thread* kernelContext_78)
 {
-    Fabric_0 device* _S1060 = kernelContext_70->fabrics_0+_S1053;
-    Albedos_0 _S1061 = tinted_0(&_S1056->warp_5, _S1057);
-    Albedos_0 _S1062 = tinted_0(&_S1056->weft_5, _S1057);
-    float3 _S1063 = float3(_S1054->diffuse_warp_0) ;
-    float3 _S1064 = float3(_S1054->diffuse_weft_0) ;
-    float3 _S1065 = float3(_S1054->specular_warp_0) ;
-    float3 _S1066 = float3(_S1054->specular_weft_0) ;
-    float3 _S1067 = _S1061.diffuse_reflect_0 * _S1063 + _S1062.diffuse_reflect_0 * _S1064 + _S1061.specular_reflect_0 * _S1065 + _S1062.specular_reflect_0 * _S1066;
-    float _S1068 = _S1059.z;
+    Fabric_0 device* _S1221 = kernelContext_78->fabrics_0+_S1214;
+    Albedos_0 _S1222 = tinted_0(&_S1217->warp_5, _S1218);
+    Albedos_0 _S1223 = tinted_0(&_S1217->weft_5, _S1218);
+    float3 _S1224 = float3(_S1215->diffuse_warp_0) ;
+    float3 _S1225 = float3(_S1215->diffuse_weft_0) ;
+    float3 _S1226 = float3(_S1215->specular_warp_0) ;
+    float3 _S1227 = float3(_S1215->specular_weft_0) ;
+    float3 _S1228 = _S1222.diffuse_reflect_0 * _S1224 + _S1223.diffuse_reflect_0 * _S1225 + _S1222.specular_reflect_0 * _S1226 + _S1223.specular_reflect_0 * _S1227;
+    float _S1229 = _S1220.z;
     float3 body_0;
-    if((_S1058.z * _S1068) < 0.0f)
+    if((_S1219.z * _S1229) < 0.0f)
     {
-        body_0 = _S1061.diffuse_transmit_0 * _S1063 + _S1062.diffuse_transmit_0 * _S1064 + _S1061.specular_transmit_0 * _S1065 + _S1062.specular_transmit_0 * _S1066;
+        body_0 = _S1222.diffuse_transmit_0 * _S1224 + _S1223.diffuse_transmit_0 * _S1225 + _S1222.specular_transmit_0 * _S1226 + _S1223.specular_transmit_0 * _S1227;
     }
     else
     {
-        body_0 = _S1067;
+        body_0 = _S1228;
     }
-    if((_S1060->openness_0) != 4294967295U)
+    if((_S1221->openness_0) != 4294967295U)
     {
-        Bounced_0 _S1069 = bounced_over_0(_S1053, _S1054, _S1055, _S1056, _S1057, _S1059, kernelContext_70);
-        thread Bounced_0 _S1070 = _S1069;
-        float3 _S1071 = bounced_value_0(&_S1070, _S1058, _S1059);
-        body_0 = body_0 + _S1071;
+        Bounced_0 _S1230 = bounced_over_0(_S1214, _S1215, _S1216, _S1217, _S1218, _S1220, kernelContext_78);
+        thread Bounced_0 _S1231 = _S1230;
+        float3 _S1232 = bounced_value_0(&_S1231, _S1219, _S1220);
+        body_0 = body_0 + _S1232;
     }
-    float _S1072 = _S1060->sheen_strength_0;
-    if((_S1060->sheen_strength_0) <= 0.0f)
+    float _S1233 = _S1221->sheen_strength_0;
+    if((_S1221->sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    bool _S1073 = _S1068 < 0.0f;
-    float2 _S1074 = sheen_with_transmittance_0(to_face_frame_0(_S1058, _S1073), to_face_frame_0(_S1059, _S1073), _S1072, _S1060->sheen_roughness_0);
-    return float3(_S1074.y)  * body_0 + float3(((_S1054->light_visibility_0 + _S1054->hole_2) * _S1074.x)) ;
+    bool _S1234 = _S1229 < 0.0f;
+    float2 _S1235 = sheen_with_transmittance_0(to_face_frame_0(_S1219, _S1234), to_face_frame_0(_S1220, _S1234), _S1233, _S1221->sheen_roughness_0);
+    return float3(_S1235.y)  * body_0 + float3(((_S1215->light_visibility_0 + _S1215->hole_2) * _S1235.x)) ;
 }
 
-float4 cloth_value_0(uint fabric_1, float2 centre_2, float2 dx_1, float2 dy_1, float3 light_10, float3 view_10, KernelContext_0 thread* kernelContext_71)
+float4 cloth_value_0(uint fabric_1, float2 centre_2, float2 dx_1, float2 dy_1, float3 light_10, float3 view_10, KernelContext_0 thread* kernelContext_79)
 {
     thread Footprint_0 footprint_0;
     (&footprint_0)->centre_0 = centre_2;
     (&footprint_0)->dx_0 = dx_1;
     (&footprint_0)->dy_0 = dy_1;
-    thread Footprint_0 _S1075 = footprint_0;
-    Estimate_0 _S1076 = lobes_estimate_0(fabric_1, &_S1075, 1.0f, light_10, view_10, kernelContext_71);
-    float3 _S1077 = float3(1.0f) ;
-    thread Components_0 _S1078 = _S1076.components_0;
-    thread CloseUp_0 _S1079 = _S1076.close_0;
-    thread FamilyAlbedos_0 _S1080 = _S1076.albedos_5;
-    float3 _S1081 = composed_0(fabric_1, &_S1078, &_S1079, &_S1080, _S1077, light_10, view_10, kernelContext_71);
+    thread Footprint_0 _S1236 = footprint_0;
+    Estimate_0 _S1237 = lobes_estimate_0(fabric_1, &_S1236, 1.0f, light_10, view_10, kernelContext_79);
+    float3 _S1238 = float3(1.0f) ;
+    thread Components_0 _S1239 = _S1237.components_0;
+    thread CloseUp_0 _S1240 = _S1237.close_0;
+    thread FamilyAlbedos_0 _S1241 = _S1237.albedos_5;
+    float3 _S1242 = composed_0(fabric_1, &_S1239, &_S1240, &_S1241, _S1238, light_10, view_10, kernelContext_79);
     float through_1;
-    if(((kernelContext_71->fabrics_0+fabric_1)->sheen_strength_0) > 0.0f)
+    if(((kernelContext_79->fabrics_0+fabric_1)->sheen_strength_0) > 0.0f)
     {
-        through_1 = _S1076.components_0.hole_2 * (1.0f - (kernelContext_71->fabrics_0+fabric_1)->sheen_strength_0 * sheen_lobe_0(abs(view_10.z), (kernelContext_71->fabrics_0+fabric_1)->sheen_roughness_0).z);
+        through_1 = _S1237.components_0.hole_2 * (1.0f - (kernelContext_79->fabrics_0+fabric_1)->sheen_strength_0 * sheen_lobe_0(abs(view_10.z), (kernelContext_79->fabrics_0+fabric_1)->sheen_roughness_0).z);
     }
     else
     {
-        through_1 = _S1076.components_0.hole_2;
+        through_1 = _S1237.components_0.hole_2;
     }
-    return float4(_S1081, through_1);
+    return float4(_S1242, through_1);
 }
 
 [[kernel]] void lobes_queries(uint3 id_0 [[thread_position_in_grid]], uint device* query_count_1 [[buffer(24)]], Query_0 device* queries_1 [[buffer(23)]], packed_float4 device* answers_1 [[buffer(25)]], Fabric_0 device* fabrics_1 [[buffer(0)]], Family_0 device* families_1 [[buffer(1)]], uint device* words_1 [[buffer(2)]])
 {
-    thread KernelContext_0 kernelContext_72;
-    (&kernelContext_72)->query_count_0 = query_count_1;
-    (&kernelContext_72)->queries_0 = queries_1;
-    (&kernelContext_72)->answers_0 = answers_1;
-    (&kernelContext_72)->fabrics_0 = fabrics_1;
-    (&kernelContext_72)->families_0 = families_1;
-    (&kernelContext_72)->words_0 = words_1;
-    uint _S1082 = id_0.x;
-    if(_S1082 >= query_count_1[int(0)])
+    thread KernelContext_0 kernelContext_80;
+    (&kernelContext_80)->query_count_0 = query_count_1;
+    (&kernelContext_80)->queries_0 = queries_1;
+    (&kernelContext_80)->answers_0 = answers_1;
+    (&kernelContext_80)->fabrics_0 = fabrics_1;
+    (&kernelContext_80)->families_0 = families_1;
+    (&kernelContext_80)->words_0 = words_1;
+    uint _S1243 = id_0.x;
+    if(_S1243 >= query_count_1[int(0)])
     {
         return;
     }
-    Query_0 _S1083 = (&kernelContext_72)->queries_0[_S1082];
-    packed_float4 device* _S1084 = (&kernelContext_72)->answers_0+_S1082;
-    float4 _S1085 = cloth_value_0(_S1083.fabric_0, float2(_S1083.centre_x_0, _S1083.centre_y_0), float2(_S1083.dx_x_0, _S1083.dx_y_0), float2(_S1083.dy_x_0, _S1083.dy_y_0), float3(_S1083.light_x_0, _S1083.light_y_0, _S1083.light_z_0), float3(_S1083.view_x_0, _S1083.view_y_0, _S1083.view_z_0), &kernelContext_72);
-    *_S1084 = packed_float4(_S1085) ;
+    Query_0 _S1244 = (&kernelContext_80)->queries_0[_S1243];
+    packed_float4 device* _S1245 = (&kernelContext_80)->answers_0+_S1243;
+    float4 _S1246 = cloth_value_0(_S1244.fabric_0, float2(_S1244.centre_x_0, _S1244.centre_y_0), float2(_S1244.dx_x_0, _S1244.dx_y_0), float2(_S1244.dy_x_0, _S1244.dy_y_0), float3(_S1244.light_x_0, _S1244.light_y_0, _S1244.light_z_0), float3(_S1244.view_x_0, _S1244.view_y_0, _S1244.view_z_0), &kernelContext_80);
+    *_S1245 = packed_float4(_S1246) ;
     return;
 }
 

@@ -144,6 +144,7 @@ struct Fabric_0
     uint seed_0;
     float layer_bound_0;
     float fibre_size_0;
+    uint has_detail_0;
     float uv_width_0;
     float uv_height_0;
     uint is_open_0;
@@ -188,6 +189,16 @@ struct Family_0
     uint colour_areas_0;
     float area_unit_0;
     float crossing_area_0;
+    float has_plies_0;
+    float plies_per_mm_0;
+    float ply_sine_0;
+    float ply_cosine_0;
+    float fibre_tilt_0;
+    float fibre_tone_0;
+    float slub_0;
+    float slubs_per_mm_0;
+    float per_half_width_0;
+    float hairiness_0;
 };
 
 struct KernelContext_0
@@ -1553,8 +1564,8 @@ float light_visibility_of_0(float diffuse_0, float3 light_0, float3 view_0, floa
 
 float2 turns_and_remainder_0(uint family_0, float index_3, KernelContext_0 thread* kernelContext_27)
 {
-    float _S198 = floor(fma(index_3, kernelContext_27->families_0[family_0].inverse_count_0, kernelContext_27->families_0[family_0].half_inverse_count_0));
-    return float2(_S198, fma(- _S198, kernelContext_27->families_0[family_0].count_0, index_3));
+    float _S198 = floor(fma(index_3, (kernelContext_27->families_0+family_0)->inverse_count_0, (kernelContext_27->families_0+family_0)->half_inverse_count_0));
+    return float2(_S198, fma(- _S198, (kernelContext_27->families_0+family_0)->count_0, index_3));
 }
 
 struct Cell_0
@@ -1568,25 +1579,25 @@ struct Cell_0
 
 Cell_0 locate_alike_0(uint family_1, float position_0, KernelContext_0 thread* kernelContext_28)
 {
-    float _S199 = floor(position_0 * kernelContext_28->families_0[family_1].inverse_size_0);
+    float _S199 = floor(position_0 * (kernelContext_28->families_0+family_1)->inverse_size_0);
     thread Cell_0 cell_0;
-    float _S200 = fma(- _S199, kernelContext_28->families_0[family_1].size_0, position_0);
+    float _S200 = fma(- _S199, (kernelContext_28->families_0+family_1)->size_0, position_0);
     (&cell_0)->below_0 = _S200;
-    (&cell_0)->above_0 = kernelContext_28->families_0[family_1].size_0 - _S200;
-    (&cell_0)->across_0 = _S200 - 0.5f * kernelContext_28->families_0[family_1].size_0;
-    (&cell_0)->half_width_1 = kernelContext_28->families_0[family_1].half_width_0;
+    (&cell_0)->above_0 = (kernelContext_28->families_0+family_1)->size_0 - _S200;
+    (&cell_0)->across_0 = _S200 - 0.5f * (kernelContext_28->families_0+family_1)->size_0;
+    (&cell_0)->half_width_1 = (kernelContext_28->families_0+family_1)->half_width_0;
     float2 _S201 = turns_and_remainder_0(family_1, _S199, kernelContext_28);
-    (&cell_0)->thread_0 = uint(clamp(_S201.y, 0.0f, kernelContext_28->families_0[family_1].count_0 - 1.0f));
+    (&cell_0)->thread_0 = uint(clamp(_S201.y, 0.0f, (kernelContext_28->families_0+family_1)->count_0 - 1.0f));
     return cell_0;
 }
 
 Cell_0 locate_varied_0(uint family_2, float position_1, KernelContext_0 thread* kernelContext_29)
 {
-    float turns_0 = (position_1 - kernelContext_29->families_0[family_2].start_0) * kernelContext_29->families_0[family_2].inverse_period_0;
+    float turns_0 = (position_1 - (kernelContext_29->families_0+family_2)->start_0) * (kernelContext_29->families_0+family_2)->inverse_period_0;
     float turns_1 = turns_0 - floor(turns_0);
-    float _S202 = turns_1 * kernelContext_29->families_0[family_2].period_0;
-    uint thread_1 = kernelContext_29->words_0[kernelContext_29->families_0[family_2].first_thread_table_0 + uint(clamp(turns_1 * kernelContext_29->families_0[family_2].bins_0, 0.0f, kernelContext_29->families_0[family_2].bins_0 - 1.0f))];
-    float _S203 = table_number_0(kernelContext_29->families_0[family_2].place_table_0 + thread_1 * 4U + 1U, kernelContext_29);
+    float _S202 = turns_1 * (kernelContext_29->families_0+family_2)->period_0;
+    uint thread_1 = kernelContext_29->words_0[(kernelContext_29->families_0+family_2)->first_thread_table_0 + uint(clamp(turns_1 * (kernelContext_29->families_0+family_2)->bins_0, 0.0f, (kernelContext_29->families_0+family_2)->bins_0 - 1.0f))];
+    float _S203 = table_number_0((kernelContext_29->families_0+family_2)->place_table_0 + thread_1 * 4U + 1U, kernelContext_29);
     uint _S204;
     if(_S202 >= _S203)
     {
@@ -1596,8 +1607,8 @@ Cell_0 locate_varied_0(uint family_2, float position_1, KernelContext_0 thread* 
     {
         _S204 = 0U;
     }
-    uint _S205 = min(thread_1 + _S204, uint(kernelContext_29->families_0[family_2].count_0) - 1U);
-    uint _S206 = kernelContext_29->families_0[family_2].place_table_0 + _S205 * 4U;
+    uint _S205 = min(thread_1 + _S204, uint((kernelContext_29->families_0+family_2)->count_0) - 1U);
+    uint _S206 = (kernelContext_29->families_0+family_2)->place_table_0 + _S205 * 4U;
     thread Cell_0 cell_1;
     (&cell_1)->thread_0 = _S205;
     float _S207 = table_number_0(_S206, kernelContext_29);
@@ -1613,7 +1624,7 @@ Cell_0 locate_varied_0(uint family_2, float position_1, KernelContext_0 thread* 
 
 Cell_0 locate_0(uint family_3, float position_2, KernelContext_0 thread* kernelContext_30)
 {
-    if((kernelContext_30->families_0[family_3].is_alike_0) != 0U)
+    if(((kernelContext_30->families_0+family_3)->is_alike_0) != 0U)
     {
         Cell_0 _S211 = locate_alike_0(family_3, position_2, kernelContext_30);
         return _S211;
@@ -1635,10 +1646,10 @@ struct Bound_0
 Bound_0 bound_at_0(uint family_4, float position_3, KernelContext_0 thread* kernelContext_31)
 {
     Cell_0 _S213 = locate_0(family_4, position_3, kernelContext_31);
-    float _S214 = table_number_0(kernelContext_31->families_0[family_4].before_0 + 2U * _S213.thread_0 + 1U, kernelContext_31);
+    float _S214 = table_number_0((kernelContext_31->families_0+family_4)->before_0 + 2U * _S213.thread_0 + 1U, kernelContext_31);
     thread Bound_0 bound_0;
     (&bound_0)->thread_2 = _S213.thread_0;
-    (&bound_0)->turns_2 = round((position_3 - kernelContext_31->families_0[family_4].start_0 - _S214 - _S213.below_0) * kernelContext_31->families_0[family_4].inverse_period_0);
+    (&bound_0)->turns_2 = round((position_3 - (kernelContext_31->families_0+family_4)->start_0 - _S214 - _S213.below_0) * (kernelContext_31->families_0+family_4)->inverse_period_0);
     (&bound_0)->cell_2 = _S213.below_0;
     float _S215 = 2.0f * _S213.half_width_1;
     (&bound_0)->width_1 = _S215;
@@ -1655,8 +1666,8 @@ struct Stretch_0
 
 Stretch_0 stretch_of_0(uint family_5, float centre_2, float size_1, KernelContext_0 thread* kernelContext_32)
 {
-    float _S216 = centre_2 - floor((centre_2 - kernelContext_32->families_0[family_5].start_0) * kernelContext_32->families_0[family_5].inverse_period_0) * kernelContext_32->families_0[family_5].period_0;
-    float _S217 = 0.5f * max(size_1, kernelContext_32->families_0[family_5].smallest_box_0);
+    float _S216 = centre_2 - floor((centre_2 - (kernelContext_32->families_0+family_5)->start_0) * (kernelContext_32->families_0+family_5)->inverse_period_0) * (kernelContext_32->families_0+family_5)->period_0;
+    float _S217 = 0.5f * max(size_1, (kernelContext_32->families_0+family_5)->smallest_box_0);
     thread Stretch_0 stretch_0;
     Bound_0 _S218 = bound_at_0(family_5, _S216 - _S217, kernelContext_32);
     (&stretch_0)->low_7 = _S218;
@@ -1703,33 +1714,33 @@ float Stretch_turns_0(const Stretch_0 thread* this_5)
 float3 lengths_0(uint family_6, const Stretch_0 thread* stretch_1, KernelContext_0 thread* kernelContext_35)
 {
     float _S227 = Stretch_turns_0(stretch_1);
-    uint _S228 = kernelContext_35->families_0[family_6].before_0 + 2U * (&stretch_1->low_7)->thread_2;
-    uint _S229 = kernelContext_35->families_0[family_6].before_0 + 2U * (&stretch_1->high_7)->thread_2;
+    uint _S228 = (kernelContext_35->families_0+family_6)->before_0 + 2U * (&stretch_1->low_7)->thread_2;
+    uint _S229 = (kernelContext_35->families_0+family_6)->before_0 + 2U * (&stretch_1->high_7)->thread_2;
     float _S230 = table_number_0(_S229, kernelContext_35);
     float _S231 = table_number_0(_S228, kernelContext_35);
     float _S232 = _S230 - _S231;
     float _S233 = table_number_0(_S229 + 1U, kernelContext_35);
     float _S234 = table_number_0(_S228 + 1U, kernelContext_35);
     float _S235 = _S233 - _S234;
-    return float3(_S232 + (&stretch_1->high_7)->visible_0 * (&stretch_1->high_7)->width_1 - (&stretch_1->low_7)->visible_0 * (&stretch_1->low_7)->width_1 + _S227 * kernelContext_35->families_0[family_6].visible_total_0, _S235 - _S232 + (&stretch_1->high_7)->gap_0 - (&stretch_1->low_7)->gap_0 + _S227 * (kernelContext_35->families_0[family_6].period_0 - kernelContext_35->families_0[family_6].visible_total_0), _S235 + (&stretch_1->high_7)->cell_2 - (&stretch_1->low_7)->cell_2 + _S227 * kernelContext_35->families_0[family_6].period_0);
+    return float3(_S232 + (&stretch_1->high_7)->visible_0 * (&stretch_1->high_7)->width_1 - (&stretch_1->low_7)->visible_0 * (&stretch_1->low_7)->width_1 + _S227 * (kernelContext_35->families_0+family_6)->visible_total_0, _S235 - _S232 + (&stretch_1->high_7)->gap_0 - (&stretch_1->low_7)->gap_0 + _S227 * ((kernelContext_35->families_0+family_6)->period_0 - (kernelContext_35->families_0+family_6)->visible_total_0), _S235 + (&stretch_1->high_7)->cell_2 - (&stretch_1->low_7)->cell_2 + _S227 * (kernelContext_35->families_0+family_6)->period_0);
 }
 
 float2 integrals_along_0(uint family_7, const Stretch_0 thread* stretch_2, uint quantity_0, KernelContext_0 thread* kernelContext_36)
 {
-    Family_0 _S236 = kernelContext_36->families_0[family_7];
-    uint _S237 = 3U * _S236.quantities_0;
-    uint _S238 = kernelContext_36->families_0[family_7].colour_threads_0 + _S237 * (&stretch_2->low_7)->thread_2 + quantity_0;
-    uint _S239 = kernelContext_36->families_0[family_7].colour_threads_0 + _S237 * (&stretch_2->high_7)->thread_2 + quantity_0;
-    uint _S240 = kernelContext_36->families_0[family_7].colour_threads_0 + _S237 * uint(kernelContext_36->families_0[family_7].count_0) + quantity_0;
+    uint _S236 = (kernelContext_36->families_0+family_7)->quantities_0;
+    uint _S237 = 3U * (kernelContext_36->families_0+family_7)->quantities_0;
+    uint _S238 = (kernelContext_36->families_0+family_7)->colour_threads_0 + _S237 * (&stretch_2->low_7)->thread_2 + quantity_0;
+    uint _S239 = (kernelContext_36->families_0+family_7)->colour_threads_0 + _S237 * (&stretch_2->high_7)->thread_2 + quantity_0;
+    uint _S240 = (kernelContext_36->families_0+family_7)->colour_threads_0 + _S237 * uint((kernelContext_36->families_0+family_7)->count_0) + quantity_0;
     float _S241 = table_number_0(_S238, kernelContext_36);
     float _S242 = table_number_0(_S239, kernelContext_36);
     float _S243 = Stretch_turns_0(stretch_2);
-    float _S244 = table_number_0(_S239 + _S236.quantities_0, kernelContext_36);
-    float _S245 = table_number_0(_S238 + _S236.quantities_0, kernelContext_36);
+    float _S244 = table_number_0(_S239 + _S236, kernelContext_36);
+    float _S245 = table_number_0(_S238 + _S236, kernelContext_36);
     float _S246 = _S244 - _S245 + _S242 * (&stretch_2->high_7)->visible_0 * (&stretch_2->high_7)->width_1 - _S241 * (&stretch_2->low_7)->visible_0 * (&stretch_2->low_7)->width_1;
-    float _S247 = table_number_0(_S240 + _S236.quantities_0, kernelContext_36);
+    float _S247 = table_number_0(_S240 + _S236, kernelContext_36);
     float _S248 = _S246 + _S243 * _S247;
-    uint _S249 = 2U * _S236.quantities_0;
+    uint _S249 = 2U * _S236;
     float _S250 = table_number_0(_S239 + _S249, kernelContext_36);
     float _S251 = table_number_0(_S238 + _S249, kernelContext_36);
     float _S252 = _S250 - _S251 + _S242 * (&stretch_2->high_7)->cell_2 - _S241 * (&stretch_2->low_7)->cell_2;
@@ -1793,16 +1804,16 @@ float4 Stretch_weights_0(const Stretch_0 thread* this_9)
 
 float integral_on_top_0(uint family_8, const Stretch_0 thread* across_2, const Stretch_0 thread* along_0, uint crossing_count_0, uint quantity_1, KernelContext_0 thread* kernelContext_38)
 {
-    uint _S267 = uint(kernelContext_38->families_0[family_8].count_0);
-    uint _S268 = (_S267 + 1U) * kernelContext_38->families_0[family_8].quantities_0;
-    uint _S269 = kernelContext_38->families_0[family_8].colour_areas_0 + quantity_1;
+    uint _S267 = uint((kernelContext_38->families_0+family_8)->count_0);
+    uint _S268 = (_S267 + 1U) * (kernelContext_38->families_0+family_8)->quantities_0;
+    uint _S269 = (kernelContext_38->families_0+family_8)->colour_areas_0 + quantity_1;
     uint _S270 = (&along_0->low_7)->thread_2;
-    uint4 _S271 = row_differences_0(across_2, _S269 + (&along_0->low_7)->thread_2 * _S268, _S267, kernelContext_38->families_0[family_8].quantities_0, kernelContext_38);
-    uint4 _S272 = row_differences_0(across_2, _S269 + (_S270 + 1U) * _S268, _S267, kernelContext_38->families_0[family_8].quantities_0, kernelContext_38);
+    uint4 _S271 = row_differences_0(across_2, _S269 + (&along_0->low_7)->thread_2 * _S268, _S267, (kernelContext_38->families_0+family_8)->quantities_0, kernelContext_38);
+    uint4 _S272 = row_differences_0(across_2, _S269 + (_S270 + 1U) * _S268, _S267, (kernelContext_38->families_0+family_8)->quantities_0, kernelContext_38);
     uint _S273 = (&along_0->high_7)->thread_2;
-    uint4 _S274 = row_differences_0(across_2, _S269 + (&along_0->high_7)->thread_2 * _S268, _S267, kernelContext_38->families_0[family_8].quantities_0, kernelContext_38);
-    uint4 _S275 = row_differences_0(across_2, _S269 + (_S273 + 1U) * _S268, _S267, kernelContext_38->families_0[family_8].quantities_0, kernelContext_38);
-    uint4 _S276 = row_differences_0(across_2, _S269 + crossing_count_0 * _S268, _S267, kernelContext_38->families_0[family_8].quantities_0, kernelContext_38);
+    uint4 _S274 = row_differences_0(across_2, _S269 + (&along_0->high_7)->thread_2 * _S268, _S267, (kernelContext_38->families_0+family_8)->quantities_0, kernelContext_38);
+    uint4 _S275 = row_differences_0(across_2, _S269 + (_S273 + 1U) * _S268, _S267, (kernelContext_38->families_0+family_8)->quantities_0, kernelContext_38);
+    uint4 _S276 = row_differences_0(across_2, _S269 + crossing_count_0 * _S268, _S267, (kernelContext_38->families_0+family_8)->quantities_0, kernelContext_38);
     uint4 _S277 = _S274 - _S271;
     bool _S278 = Stretch_wraps_0(along_0);
     uint4 _S279;
@@ -1817,7 +1828,7 @@ float integral_on_top_0(uint family_8, const Stretch_0 thread* across_2, const S
     uint4 _S280 = _S277 + _S279;
     float4 _S281 = Stretch_weights_0(across_2);
     float4 _S282 = Stretch_weights_0(along_0);
-    return dot(float4(dot(float4(int4(_S280)), _S281), dot(float4(int4(_S275 - _S274)), _S281), dot(float4(int4(_S272 - _S271)), _S281), dot(float4(int4(_S276)), _S281)), _S282) * kernelContext_38->families_0[family_8].area_unit_0;
+    return dot(float4(dot(float4(int4(_S280)), _S281), dot(float4(int4(_S275 - _S274)), _S281), dot(float4(int4(_S272 - _S271)), _S281), dot(float4(int4(_S276)), _S281)), _S282) * (kernelContext_38->families_0+family_8)->area_unit_0;
 }
 
 Albedos_0 with_added_albedos_0(const Albedos_0 thread* albedos_1, float weight_0, uint row_8, KernelContext_0 thread* kernelContext_39)
@@ -1834,9 +1845,9 @@ Albedos_0 with_added_albedos_0(const Albedos_0 thread* albedos_1, float weight_0
 
 Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, const Stretch_0 thread* own_0, const Stretch_0 thread* other_0, bool back_3, KernelContext_0 thread* kernelContext_40)
 {
-    Albedos_0 _S285 = table_albedos_0(kernelContext_40->families_0[family_9].colour_mean_0, kernelContext_40);
+    Albedos_0 _S285 = table_albedos_0((kernelContext_40->families_0+family_9)->colour_mean_0, kernelContext_40);
     thread Albedos_0 albedos_2 = _S285;
-    if((kernelContext_40->families_0[family_9].quantities_0) == 1U)
+    if(((kernelContext_40->families_0+family_9)->quantities_0) == 1U)
     {
         return albedos_2;
     }
@@ -1846,7 +1857,7 @@ Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, const Stretch_0 thread*
     uint quantity_2 = 0U;
     for(;;)
     {
-        if(quantity_2 < (kernelContext_40->families_0[family_9].quantities_0))
+        if(quantity_2 < ((kernelContext_40->families_0+family_9)->quantities_0))
         {
         }
         else
@@ -1854,7 +1865,7 @@ Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, const Stretch_0 thread*
             break;
         }
         float2 _S287 = integrals_along_0(family_9, own_0, quantity_2, kernelContext_40);
-        float _S288 = integral_on_top_0(family_9, own_0, other_0, uint(kernelContext_40->families_0[crossing_0].count_0), quantity_2, kernelContext_40);
+        float _S288 = integral_on_top_0(family_9, own_0, other_0, uint((kernelContext_40->families_0+crossing_0)->count_0), quantity_2, kernelContext_40);
         float _S289 = _S287.x;
         float _S290 = _S289 * _S286.x;
         float _S291;
@@ -1869,7 +1880,7 @@ Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, const Stretch_0 thread*
         bool _S292 = quantity_2 == 0U;
         if(_S292)
         {
-            is_exposed_0 = _S291 > (16.0f * kernelContext_40->families_0[family_9].area_unit_0 * min(_S290 / kernelContext_40->families_0[family_9].crossing_area_0, 1.0f) + 0.00000999999974738f * _S290);
+            is_exposed_0 = _S291 > (16.0f * (kernelContext_40->families_0+family_9)->area_unit_0 * min(_S290 / (kernelContext_40->families_0+family_9)->crossing_area_0, 1.0f) + 0.00000999999974738f * _S290);
         }
         float _S293 = _S289 * _S286.y;
         float _S294;
@@ -1889,7 +1900,7 @@ Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, const Stretch_0 thread*
         else
         {
             float _S296 = _S295 * weight_1;
-            uint _S297 = kernelContext_40->families_0[family_9].colour_axes_0 + 12U * (quantity_2 - 1U);
+            uint _S297 = (kernelContext_40->families_0+family_9)->colour_axes_0 + 12U * (quantity_2 - 1U);
             thread Albedos_0 _S298 = albedos_2;
             Albedos_0 _S299 = with_added_albedos_0(&_S298, _S296, _S297, kernelContext_40);
             albedos_2 = _S299;
@@ -2828,10 +2839,10 @@ FaceSends_0 face_sends_0(uint _S527, uint _S528, const Scattered_0 thread* _S529
 Interior_0 interior_of_0(uint _S542, float3 _S543, bool _S544, KernelContext_0 thread* kernelContext_56)
 {
     Fabric_0 device* _S545 = kernelContext_56->fabrics_0+_S542;
-    Albedos_0 _S546 = table_albedos_0(kernelContext_56->families_0[_S545->warp_0].colour_mean_0, kernelContext_56);
+    Albedos_0 _S546 = table_albedos_0((kernelContext_56->families_0+_S545->warp_0)->colour_mean_0, kernelContext_56);
     thread Albedos_0 _S547 = _S546;
     Scattered_0 _S548 = scattered_by_0(_S542, &_S547, 0U, _S543, kernelContext_56);
-    Albedos_0 _S549 = table_albedos_0(kernelContext_56->families_0[_S545->weft_0].colour_mean_0, kernelContext_56);
+    Albedos_0 _S549 = table_albedos_0((kernelContext_56->families_0+_S545->weft_0)->colour_mean_0, kernelContext_56);
     thread Albedos_0 _S550 = _S549;
     Scattered_0 _S551 = scattered_by_0(_S542, &_S550, 1U, _S543, kernelContext_56);
     uint _S552;

@@ -164,6 +164,7 @@ struct Fabric_std430_0
     @align(4) seed_0 : u32,
     @align(4) layer_bound_0 : f32,
     @align(4) fibre_size_0 : f32,
+    @align(4) has_detail_0 : u32,
     @align(4) uv_width_0 : f32,
     @align(4) uv_height_0 : f32,
     @align(4) is_open_0 : u32,
@@ -210,6 +211,16 @@ struct Family_std430_0
     @align(4) colour_areas_0 : u32,
     @align(4) area_unit_0 : f32,
     @align(4) crossing_area_0 : f32,
+    @align(4) has_plies_0 : f32,
+    @align(4) plies_per_mm_0 : f32,
+    @align(4) ply_sine_0 : f32,
+    @align(4) ply_cosine_0 : f32,
+    @align(4) fibre_tilt_0 : f32,
+    @align(4) fibre_tone_0 : f32,
+    @align(4) slub_0 : f32,
+    @align(4) slubs_per_mm_0 : f32,
+    @align(4) per_half_width_0 : f32,
+    @align(4) hairiness_0 : f32,
 };
 
 @binding(1) @group(0) var<storage, read> families_0 : array<Family_std430_0>;
@@ -459,7 +470,7 @@ struct Bend_0
 
 fn bend_of_0( family_6 : u32,  thread_4 : u32) -> Bend_0
 {
-    var _S15 : Family_std430_0 = families_0[family_6];
+    var _S15 : u32 = families_0[family_6].bend_table_0;
     var _S16 : u32;
     if((families_0[family_6].is_alike_0) != u32(0))
     {
@@ -469,7 +480,7 @@ fn bend_of_0( family_6 : u32,  thread_4 : u32) -> Bend_0
     {
         _S16 = thread_4 * u32(4);
     }
-    var _S17 : u32 = _S15.bend_table_0 + _S16;
+    var _S17 : u32 = _S15 + _S16;
     var bend_0 : Bend_0;
     bend_0.sine_0 = table_number_0(_S17);
     bend_0.half_tangent_0 = table_number_0(_S17 + u32(1));
@@ -615,7 +626,7 @@ fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_
     }
     else
     {
-        var _S40 : Family_std430_0 = families_0[other_1];
+        var _S40 : f32 = families_0[other_1].height_scale_0;
         var _S41 : i32;
         if(_S34)
         {
@@ -625,7 +636,7 @@ fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_
         {
             _S41 = i32(1);
         }
-        _S39 = _S40.height_scale_0 * edge_drop_0(other_1, crossed_1.thread_0, _S41);
+        _S39 = _S40 * edge_drop_0(other_1, crossed_1.thread_0, _S41);
     }
     var _S42 : f32 = 1.0f / max(2.0f * _S37, 9.999999960041972e-13f);
     var _S43 : f32 = clamp((_S37 - _S35) * _S42, 0.0f, 1.0f);
@@ -896,7 +907,7 @@ fn sample_at_0( _S65 : u32,  _S66 : f32,  _S67 : f32,  _S68 : bool) -> Sample_0
         _S81 = 0.0f;
     }
     sample_0.slope_along_0 = _S81;
-    var _S91 : Family_std430_0 = families_0[_S71];
+    var _S91 : f32 = families_0[_S71].height_scale_0;
     var _S92 : vec2<f32> = dive_0(_S72, _S70, _S75, _S74);
     if(_S75.straight_0)
     {
@@ -904,11 +915,11 @@ fn sample_at_0( _S65 : u32,  _S66 : f32,  _S67 : f32,  _S68 : bool) -> Sample_0
     }
     else
     {
-        _S79 = _S91.height_scale_0 * _S79;
+        _S79 = _S91 * _S79;
     }
-    sample_0.height_2 = _S79 * (_S80 * _S75.bend_1.half_tangent_0 - _S86) - _S91.height_scale_0 * _S76.drop_0 - _S92.x;
-    var _S93 : f32 = _S91.height_scale_0 * sample_0.slope_across_0;
-    var _S94 : f32 = _S91.height_scale_0 * sample_0.slope_along_0 - _S92.y;
+    sample_0.height_2 = _S79 * (_S80 * _S75.bend_1.half_tangent_0 - _S86) - _S91 * _S76.drop_0 - _S92.x;
+    var _S93 : f32 = _S91 * sample_0.slope_across_0;
+    var _S94 : f32 = _S91 * sample_0.slope_along_0 - _S92.y;
     if(_S70.is_warp_0)
     {
         _S79 = _S93;
@@ -953,7 +964,7 @@ fn surface_at_0( _S95 : u32,  _S96 : f32,  _S97 : f32,  _S98 : bool) -> SurfaceP
     {
         _S101 = fabrics_0[_S95].weft_0;
     }
-    var _S102 : Family_std430_0 = families_0[_S101];
+    var _S102 : f32 = families_0[_S101].twist_sine_0;
     var _S103 : f32;
     if(_S98)
     {
@@ -963,8 +974,8 @@ fn surface_at_0( _S95 : u32,  _S96 : f32,  _S97 : f32,  _S98 : bool) -> SurfaceP
     {
         _S103 = 1.0f;
     }
-    var _S104 : f32 = _S102.twist_sine_0 * _S103;
-    var _S105 : Family_std430_0 = families_0[_S101];
+    var _S104 : f32 = _S102 * _S103;
+    var _S105 : f32 = families_0[_S101].twist_cosine_0;
     if(_S99.shown_2.is_warp_0)
     {
         _S103 = 1.0f;
@@ -973,7 +984,7 @@ fn surface_at_0( _S95 : u32,  _S96 : f32,  _S97 : f32,  _S98 : bool) -> SurfaceP
     {
         _S103 = -1.0f;
     }
-    var _S106 : vec2<f32> = fibre_direction_0(_S99.slope_across_0, _S103 * _S99.slope_along_0, _S104, _S105.twist_cosine_0);
+    var _S106 : vec2<f32> = fibre_direction_0(_S99.slope_across_0, _S103 * _S99.slope_along_0, _S104, _S105);
     var _S107 : f32;
     if(_S99.shown_2.is_warp_0)
     {
@@ -1023,8 +1034,8 @@ fn surface_at_0( _S95 : u32,  _S96 : f32,  _S97 : f32,  _S98 : bool) -> SurfaceP
     }
     point_1.tangent_0 = normalize(_S114);
     point_1.across_2 = _S99.section_1.across_1;
-    point_1.fibre_across_0 = _S113 * _S105.twist_cosine_0 + _S100 * _S104;
-    point_1.fibre_along_0 = _S100 * _S105.twist_cosine_0 - _S113 * _S104;
+    point_1.fibre_across_0 = _S113 * _S105 + _S100 * _S104;
+    point_1.fibre_along_0 = _S100 * _S105 - _S113 * _S104;
     return point_1;
 }
 

@@ -170,6 +170,7 @@ struct Fabric_std430_0
     @align(4) seed_0 : u32,
     @align(4) layer_bound_0 : f32,
     @align(4) fibre_size_0 : f32,
+    @align(4) has_detail_0 : u32,
     @align(4) uv_width_0 : f32,
     @align(4) uv_height_0 : f32,
     @align(4) is_open_0 : u32,
@@ -249,6 +250,16 @@ struct Family_std430_0
     @align(4) colour_areas_0 : u32,
     @align(4) area_unit_0 : f32,
     @align(4) crossing_area_0 : f32,
+    @align(4) has_plies_0 : f32,
+    @align(4) plies_per_mm_0 : f32,
+    @align(4) ply_sine_0 : f32,
+    @align(4) ply_cosine_0 : f32,
+    @align(4) fibre_tilt_0 : f32,
+    @align(4) fibre_tone_0 : f32,
+    @align(4) slub_0 : f32,
+    @align(4) slubs_per_mm_0 : f32,
+    @align(4) per_half_width_0 : f32,
+    @align(4) hairiness_0 : f32,
 };
 
 @binding(1) @group(0) var<storage, read> families_0 : array<Family_std430_0>;
@@ -305,16 +316,26 @@ fn scramble_0( value_1 : u32) -> u32
     return (((_S3 >> (u32(22)))) ^ (_S3));
 }
 
-fn uniform_hash_0( thread_0 : u32,  cell_0 : u32,  stream_0 : u32) -> f32
+fn hash_key_0( thread_0 : u32,  stream_0 : u32) -> u32
 {
-    return (f32(((scramble_0(cell_0 + scramble_0(thread_0 + scramble_0(stream_0)))) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
+    return scramble_0(thread_0 + scramble_0(stream_0));
 }
 
-fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_0 : u32,  stream_1 : u32) -> vec2<f32>
+fn hash_bits_0( key_0 : u32,  cell_0 : u32) -> u32
+{
+    return scramble_0(cell_0 + key_0);
+}
+
+fn uniform_hash_0( thread_1 : u32,  cell_1 : u32,  stream_1 : u32) -> f32
+{
+    return (f32(((hash_bits_0(hash_key_0(thread_1, stream_1), cell_1)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
+}
+
+fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_0 : u32,  stream_2 : u32) -> vec2<f32>
 {
     var _S4 : u32 = pixel_0.x;
     var _S5 : u32 = pixel_0.y;
-    return fract(vec2<f32>(uniform_hash_0(_S4, _S5, stream_1), uniform_hash_0(_S4, _S5, stream_1 + u32(1))) + vec2<f32>(f32((index_0 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    return fract(vec2<f32>(uniform_hash_0(_S4, _S5, stream_2), uniform_hash_0(_S4, _S5, stream_2 + u32(1))) + vec2<f32>(f32((index_0 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
 }
 
 fn scene_number_0( index_1 : u32) -> f32
@@ -623,7 +644,7 @@ fn turns_and_remainder_0( family_0 : u32,  index_3 : f32) -> vec2<f32>
 
 struct Cell_0
 {
-     thread_1 : u32,
+     thread_2 : u32,
      across_0 : f32,
      half_width_1 : f32,
      below_0 : f32,
@@ -633,14 +654,14 @@ struct Cell_0
 fn locate_alike_0( family_1 : u32,  position_1 : f32) -> Cell_0
 {
     var _S54 : f32 = floor(position_1 * families_0[family_1].inverse_size_0);
-    var cell_1 : Cell_0;
+    var cell_2 : Cell_0;
     var _S55 : f32 = fma(- _S54, families_0[family_1].size_0, position_1);
-    cell_1.below_0 = _S55;
-    cell_1.above_0 = families_0[family_1].size_0 - _S55;
-    cell_1.across_0 = _S55 - 0.5f * families_0[family_1].size_0;
-    cell_1.half_width_1 = families_0[family_1].half_width_0;
-    cell_1.thread_1 = u32(clamp(turns_and_remainder_0(family_1, _S54).y, 0.0f, families_0[family_1].count_0 - 1.0f));
-    return cell_1;
+    cell_2.below_0 = _S55;
+    cell_2.above_0 = families_0[family_1].size_0 - _S55;
+    cell_2.across_0 = _S55 - 0.5f * families_0[family_1].size_0;
+    cell_2.half_width_1 = families_0[family_1].half_width_0;
+    cell_2.thread_2 = u32(clamp(turns_and_remainder_0(family_1, _S54).y, 0.0f, families_0[family_1].count_0 - 1.0f));
+    return cell_2;
 }
 
 fn table_number_0( index_4 : u32) -> f32
@@ -653,9 +674,9 @@ fn locate_varied_0( family_2 : u32,  position_2 : f32) -> Cell_0
     var turns_0 : f32 = (position_2 - families_0[family_2].start_0) * families_0[family_2].inverse_period_0;
     var turns_1 : f32 = turns_0 - floor(turns_0);
     var _S56 : f32 = turns_1 * families_0[family_2].period_0;
-    var thread_2 : u32 = words_0[families_0[family_2].first_thread_table_0 + u32(clamp(turns_1 * families_0[family_2].bins_0, 0.0f, families_0[family_2].bins_0 - 1.0f))];
+    var thread_3 : u32 = words_0[families_0[family_2].first_thread_table_0 + u32(clamp(turns_1 * families_0[family_2].bins_0, 0.0f, families_0[family_2].bins_0 - 1.0f))];
     var _S57 : u32;
-    if(_S56 >= (table_number_0(families_0[family_2].place_table_0 + thread_2 * u32(4) + u32(1))))
+    if(_S56 >= (table_number_0(families_0[family_2].place_table_0 + thread_3 * u32(4) + u32(1))))
     {
         _S57 = u32(1);
     }
@@ -663,15 +684,15 @@ fn locate_varied_0( family_2 : u32,  position_2 : f32) -> Cell_0
     {
         _S57 = u32(0);
     }
-    var _S58 : u32 = min(thread_2 + _S57, u32(families_0[family_2].count_0) - u32(1));
+    var _S58 : u32 = min(thread_3 + _S57, u32(families_0[family_2].count_0) - u32(1));
     var _S59 : u32 = families_0[family_2].place_table_0 + _S58 * u32(4);
-    var cell_2 : Cell_0;
-    cell_2.thread_1 = _S58;
-    cell_2.below_0 = _S56 - table_number_0(_S59);
-    cell_2.above_0 = table_number_0(_S59 + u32(1)) - _S56;
-    cell_2.across_0 = _S56 - table_number_0(_S59 + u32(2));
-    cell_2.half_width_1 = table_number_0(_S59 + u32(3));
-    return cell_2;
+    var cell_3 : Cell_0;
+    cell_3.thread_2 = _S58;
+    cell_3.below_0 = _S56 - table_number_0(_S59);
+    cell_3.above_0 = table_number_0(_S59 + u32(1)) - _S56;
+    cell_3.across_0 = _S56 - table_number_0(_S59 + u32(2));
+    cell_3.half_width_1 = table_number_0(_S59 + u32(3));
+    return cell_3;
 }
 
 fn locate_0( family_3 : u32,  position_3 : f32) -> Cell_0
@@ -747,17 +768,17 @@ fn shown_at_0( crossing_0 : Crossing_0,  back_3 : bool) -> Shown_0
 
 fn select_cell_0( is_first_0 : bool,  first_0 : Cell_0,  second_0 : Cell_0) -> Cell_0
 {
-    var cell_3 : Cell_0;
+    var cell_4 : Cell_0;
     var _S64 : u32;
     if(is_first_0)
     {
-        _S64 = first_0.thread_1;
+        _S64 = first_0.thread_2;
     }
     else
     {
-        _S64 = second_0.thread_1;
+        _S64 = second_0.thread_2;
     }
-    cell_3.thread_1 = _S64;
+    cell_4.thread_2 = _S64;
     var _S65 : f32;
     if(is_first_0)
     {
@@ -767,7 +788,7 @@ fn select_cell_0( is_first_0 : bool,  first_0 : Cell_0,  second_0 : Cell_0) -> C
     {
         _S65 = second_0.across_0;
     }
-    cell_3.across_0 = _S65;
+    cell_4.across_0 = _S65;
     if(is_first_0)
     {
         _S65 = first_0.half_width_1;
@@ -776,7 +797,7 @@ fn select_cell_0( is_first_0 : bool,  first_0 : Cell_0,  second_0 : Cell_0) -> C
     {
         _S65 = second_0.half_width_1;
     }
-    cell_3.half_width_1 = _S65;
+    cell_4.half_width_1 = _S65;
     if(is_first_0)
     {
         _S65 = first_0.below_0;
@@ -785,7 +806,7 @@ fn select_cell_0( is_first_0 : bool,  first_0 : Cell_0,  second_0 : Cell_0) -> C
     {
         _S65 = second_0.below_0;
     }
-    cell_3.below_0 = _S65;
+    cell_4.below_0 = _S65;
     if(is_first_0)
     {
         _S65 = first_0.above_0;
@@ -794,23 +815,23 @@ fn select_cell_0( is_first_0 : bool,  first_0 : Cell_0,  second_0 : Cell_0) -> C
     {
         _S65 = second_0.above_0;
     }
-    cell_3.above_0 = _S65;
-    return cell_3;
+    cell_4.above_0 = _S65;
+    return cell_4;
 }
 
-fn boundary_0( family_4 : u32,  thread_3 : u32,  step_0 : i32) -> f32
+fn boundary_0( family_4 : u32,  thread_4 : u32,  step_0 : i32) -> f32
 {
-    var _S66 : vec2<f32> = turns_and_remainder_0(family_4, f32(i32(thread_3) + step_0));
+    var _S66 : vec2<f32> = turns_and_remainder_0(family_4, f32(i32(thread_4) + step_0));
     return fma(_S66.x, families_0[family_4].period_0, table_number_0(families_0[family_4].place_table_0 + u32(_S66.y) * u32(4)));
 }
 
-fn span_0( family_5 : u32,  thread_4 : u32,  first_1 : i32,  last_0 : i32) -> f32
+fn span_0( family_5 : u32,  thread_5 : u32,  first_1 : i32,  last_0 : i32) -> f32
 {
     if((families_0[family_5].is_alike_0) != u32(0))
     {
         return f32(last_0 - first_1) * families_0[family_5].size_0;
     }
-    return boundary_0(family_5, thread_4, last_0) - boundary_0(family_5, thread_4, first_1);
+    return boundary_0(family_5, thread_5, last_0) - boundary_0(family_5, thread_5, first_1);
 }
 
 struct Bend_0
@@ -820,9 +841,9 @@ struct Bend_0
      arc_0 : f32,
 };
 
-fn bend_of_0( family_6 : u32,  thread_5 : u32) -> Bend_0
+fn bend_of_0( family_6 : u32,  thread_6 : u32) -> Bend_0
 {
-    var _S67 : Family_std430_0 = families_0[family_6];
+    var _S67 : u32 = families_0[family_6].bend_table_0;
     var _S68 : u32;
     if((families_0[family_6].is_alike_0) != u32(0))
     {
@@ -830,9 +851,9 @@ fn bend_of_0( family_6 : u32,  thread_5 : u32) -> Bend_0
     }
     else
     {
-        _S68 = thread_5 * u32(4);
+        _S68 = thread_6 * u32(4);
     }
-    var _S69 : u32 = _S67.bend_table_0 + _S68;
+    var _S69 : u32 = _S67 + _S68;
     var bend_0 : Bend_0;
     bend_0.sine_0 = table_number_0(_S69);
     bend_0.half_tangent_0 = table_number_0(_S69 + u32(1));
@@ -854,7 +875,7 @@ struct Run_0
      last_crossing_0 : bool,
 };
 
-fn unpack_0( own_0 : u32,  other_0 : u32,  thread_6 : u32,  crossed_0 : Cell_0,  word_1 : u32) -> Run_0
+fn unpack_0( own_0 : u32,  other_0 : u32,  thread_7 : u32,  crossed_0 : Cell_0,  word_1 : u32) -> Run_0
 {
     var _S70 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
     var _S71 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
@@ -863,10 +884,10 @@ fn unpack_0( own_0 : u32,  other_0 : u32,  thread_6 : u32,  crossed_0 : Cell_0, 
     var run_0 : Run_0;
     run_0.straight_0 = ((((word_1 >> (u32(27)))) & (u32(1)))) == u32(1);
     var _S74 : i32 = - _S70;
-    var _S75 : f32 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_1, _S74, i32(0));
+    var _S75 : f32 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_2, _S74, i32(0));
     run_0.from_start_0 = _S75;
     var _S76 : i32 = _S71 + i32(1);
-    var _S77 : f32 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_1, i32(1), _S76);
+    var _S77 : f32 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_2, i32(1), _S76);
     run_0.to_end_0 = _S77;
     var _S78 : bool = _S75 < _S77;
     run_0.near_start_0 = _S78;
@@ -888,7 +909,7 @@ fn unpack_0( own_0 : u32,  other_0 : u32,  thread_6 : u32,  crossed_0 : Cell_0, 
     {
         _S80 = _S76 + _S73;
     }
-    run_0.bend_1 = bend_of_0(own_0, thread_6);
+    run_0.bend_1 = bend_of_0(own_0, thread_7);
     var _S81 : f32;
     if(run_0.straight_0)
     {
@@ -900,7 +921,7 @@ fn unpack_0( own_0 : u32,  other_0 : u32,  thread_6 : u32,  crossed_0 : Cell_0, 
     }
     run_0.distance_1 = _S81;
     run_0.reach_0 = min(0.5f * (run_0.from_start_0 + run_0.to_end_0), run_0.bend_1.arc_0);
-    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_1, _S79, _S80), run_0.bend_1.arc_0);
+    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_2, _S79, _S80), run_0.bend_1.arc_0);
     run_0.first_crossing_0 = _S70 == i32(0);
     run_0.last_crossing_0 = _S71 == i32(0);
     return run_0;
@@ -918,11 +939,11 @@ struct Section_0
      slope_0 : f32,
 };
 
-fn section_at_0( cell_4 : Cell_0) -> Section_0
+fn section_at_0( cell_5 : Cell_0) -> Section_0
 {
-    var _S82 : f32 = cell_4.half_width_1 * 1.0154266357421875f;
+    var _S82 : f32 = cell_5.half_width_1 * 1.0154266357421875f;
     var section_0 : Section_0;
-    var _S83 : f32 = clamp(cell_4.across_0, - cell_4.half_width_1, cell_4.half_width_1);
+    var _S83 : f32 = clamp(cell_5.across_0, - cell_5.half_width_1, cell_5.half_width_1);
     section_0.across_1 = _S83;
     var _S84 : f32 = _S82 * _S82 - square_1(_S83);
     var _S85 : f32 = rsqrt_0(_S84);
@@ -931,13 +952,13 @@ fn section_at_0( cell_4 : Cell_0) -> Section_0
     return section_0;
 }
 
-fn edge_drop_0( family_7 : u32,  thread_7 : u32,  step_1 : i32) -> f32
+fn edge_drop_0( family_7 : u32,  thread_8 : u32,  step_1 : i32) -> f32
 {
     if((families_0[family_7].is_alike_0) != u32(0))
     {
         return table_number_0(families_0[family_7].bend_table_0 + u32(3));
     }
-    return table_number_0(families_0[family_7].bend_table_0 + u32(turns_and_remainder_0(family_7, f32(i32(thread_7) + step_1)).y) * u32(4) + u32(3));
+    return table_number_0(families_0[family_7].bend_table_0 + u32(turns_and_remainder_0(family_7, f32(i32(thread_8) + step_1)).y) * u32(4) + u32(3));
 }
 
 fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_0) -> vec2<f32>
@@ -969,7 +990,7 @@ fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_
     }
     else
     {
-        _S88 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, i32(0));
+        _S88 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, i32(0));
     }
     var _S91 : f32;
     if((shown_1.on_top_0) != _S90)
@@ -978,7 +999,7 @@ fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_
     }
     else
     {
-        var _S92 : Family_std430_0 = families_0[other_1];
+        var _S92 : f32 = families_0[other_1].height_scale_0;
         var _S93 : i32;
         if(_S86)
         {
@@ -988,7 +1009,7 @@ fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_
         {
             _S93 = i32(1);
         }
-        _S91 = _S92.height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, _S93);
+        _S91 = _S92 * edge_drop_0(other_1, crossed_1.thread_2, _S93);
     }
     var _S94 : f32 = 1.0f / max(2.0f * _S89, 9.999999960041972e-13f);
     var _S95 : f32 = clamp((_S89 - _S87) * _S94, 0.0f, 1.0f);
@@ -1047,25 +1068,25 @@ fn no_previous_sample_0() -> PreviousSample_0
     return previous_0;
 }
 
-fn outline_distance_0( cell_5 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  lengthwise_0 : bool,  forwards_0 : bool) -> f32
+fn outline_distance_0( cell_6 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  lengthwise_0 : bool,  forwards_0 : bool) -> f32
 {
     var _S100 : f32;
     if(forwards_0)
     {
-        _S100 = cell_5.across_0;
+        _S100 = cell_6.across_0;
     }
     else
     {
-        _S100 = - cell_5.across_0;
+        _S100 = - cell_6.across_0;
     }
     var _S101 : f32;
     if(forwards_0)
     {
-        _S101 = cell_5.above_0;
+        _S101 = cell_6.above_0;
     }
     else
     {
-        _S101 = cell_5.below_0;
+        _S101 = cell_6.below_0;
     }
     var _S102 : bool;
     if(forwards_0)
@@ -1085,9 +1106,9 @@ fn outline_distance_0( cell_5 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  len
     {
         _S103 = run_2.last_crossing_0;
     }
-    var _S104 : f32 = - cell_5.half_width_1;
+    var _S104 : f32 = - cell_6.half_width_1;
     var _S105 : bool = _S100 < _S104;
-    var _S106 : bool = _S100 >= (cell_5.half_width_1);
+    var _S106 : bool = _S100 >= (cell_6.half_width_1);
     if(lengthwise_0)
     {
         _S102 = !_S102;
@@ -1151,12 +1172,12 @@ fn outline_distance_0( cell_5 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  len
     }
     else
     {
-        _S108 = cell_5.half_width_1;
+        _S108 = cell_6.half_width_1;
     }
     var _S109 : f32 = _S108 - _S100;
     if(_S102)
     {
-        _S100 = 2.0f * _S101 + _S100 - cell_5.half_width_1;
+        _S100 = 2.0f * _S101 + _S100 - cell_6.half_width_1;
     }
     else
     {
@@ -1942,7 +1963,7 @@ fn crossing_at_0( _S312 : u32,  _S313 : f32,  _S314 : f32,  _S315 : bool) -> Cro
     var crossing_2 : Crossing_0;
     crossing_2.warp_1 = locate_0(fabrics_0[_S312].warp_0, _S313);
     crossing_2.weft_1 = locate_0(fabrics_0[_S312].weft_0, _S314);
-    var _S316 : u32 = fabrics_0[_S312].run_words_0 + u32(2) * (crossing_2.weft_1.thread_1 * fabrics_0[_S312].ends_1 + crossing_2.warp_1.thread_1);
+    var _S316 : u32 = fabrics_0[_S312].run_words_0 + u32(2) * (crossing_2.weft_1.thread_2 * fabrics_0[_S312].ends_1 + crossing_2.warp_1.thread_2);
     var _S317 : u32 = words_0[_S316];
     crossing_2.warp_word_0 = _S317;
     crossing_2.weft_word_0 = words_0[_S316 + u32(1)];
@@ -1977,7 +1998,7 @@ fn sample_at_0( _S318 : u32,  _S319 : f32,  _S320 : f32,  _S321 : bool) -> Sampl
     }
     var _S326 : Cell_0 = select_cell_0(_S323.is_warp_0, sample_1.crossing_1.warp_1, sample_1.crossing_1.weft_1);
     var _S327 : Cell_0 = select_cell_0(_S323.is_warp_0, sample_1.crossing_1.weft_1, sample_1.crossing_1.warp_1);
-    var _S328 : Run_0 = unpack_0(_S324, _S325, _S326.thread_1, _S327, _S323.word_0);
+    var _S328 : Run_0 = unpack_0(_S324, _S325, _S326.thread_2, _S327, _S323.word_0);
     var _S329 : Section_0 = section_at_0(_S326);
     var _S330 : bool;
     if(_S323.on_top_0)
@@ -2067,7 +2088,7 @@ fn sample_at_0( _S318 : u32,  _S319 : f32,  _S320 : f32,  _S321 : bool) -> Sampl
         _S334 = 0.0f;
     }
     sample_1.slope_along_0 = _S334;
-    var _S344 : Family_std430_0 = families_0[_S324];
+    var _S344 : f32 = families_0[_S324].height_scale_0;
     var _S345 : vec2<f32> = dive_0(_S325, _S323, _S328, _S327);
     if(_S328.straight_0)
     {
@@ -2075,11 +2096,11 @@ fn sample_at_0( _S318 : u32,  _S319 : f32,  _S320 : f32,  _S321 : bool) -> Sampl
     }
     else
     {
-        _S332 = _S344.height_scale_0 * _S332;
+        _S332 = _S344 * _S332;
     }
-    sample_1.height_5 = _S332 * (_S333 * _S328.bend_1.half_tangent_0 - _S339) - _S344.height_scale_0 * _S329.drop_0 - _S345.x;
-    var _S346 : f32 = _S344.height_scale_0 * sample_1.slope_across_0;
-    var _S347 : f32 = _S344.height_scale_0 * sample_1.slope_along_0 - _S345.y;
+    sample_1.height_5 = _S332 * (_S333 * _S328.bend_1.half_tangent_0 - _S339) - _S344 * _S329.drop_0 - _S345.x;
+    var _S346 : f32 = _S344 * sample_1.slope_across_0;
+    var _S347 : f32 = _S344 * sample_1.slope_along_0 - _S345.y;
     if(_S323.is_warp_0)
     {
         _S332 = _S346;
@@ -2142,11 +2163,11 @@ fn probe_0( _S355 : u32,  _S356 : f32,  _S357 : f32,  _S358 : bool,  _S359 : boo
     var _S362 : u32;
     if(_S361.shown_3.is_warp_0)
     {
-        _S362 = _S361.crossing_1.warp_1.thread_1 * u32(2) + u32(1);
+        _S362 = _S361.crossing_1.warp_1.thread_2 * u32(2) + u32(1);
     }
     else
     {
-        _S362 = _S361.crossing_1.weft_1.thread_1 * u32(2);
+        _S362 = _S361.crossing_1.weft_1.thread_2 * u32(2);
     }
     probe_1.yarn_1 = _S362;
     probe_1.cell_max_0 = cell_maximum_0(_S355, _S361.crossing_1);
@@ -2308,8 +2329,8 @@ struct ViewRayEnd_0
 
 fn max_height_along_0( _S394 : u32,  _S395 : f32,  _S396 : f32,  _S397 : f32,  _S398 : vec3<f32>,  _S399 : bool) -> f32
 {
-    var _S400 : u32 = locate_0(fabrics_0[_S394].warp_0, _S395).thread_1 / u32(2);
-    var _S401 : u32 = locate_0(fabrics_0[_S394].weft_0, _S396).thread_1 / u32(2);
+    var _S400 : u32 = locate_0(fabrics_0[_S394].warp_0, _S395).thread_2 / u32(2);
+    var _S401 : u32 = locate_0(fabrics_0[_S394].weft_0, _S396).thread_2 / u32(2);
     var _S402 : f32 = _S398.x;
     var _S403 : u32;
     if(_S402 > 0.0f)

@@ -170,6 +170,7 @@ struct Fabric_std430_0
     @align(4) seed_0 : u32,
     @align(4) layer_bound_0 : f32,
     @align(4) fibre_size_0 : f32,
+    @align(4) has_detail_0 : u32,
     @align(4) uv_width_0 : f32,
     @align(4) uv_height_0 : f32,
     @align(4) is_open_0 : u32,
@@ -249,6 +250,16 @@ struct Family_std430_0
     @align(4) colour_areas_0 : u32,
     @align(4) area_unit_0 : f32,
     @align(4) crossing_area_0 : f32,
+    @align(4) has_plies_0 : f32,
+    @align(4) plies_per_mm_0 : f32,
+    @align(4) ply_sine_0 : f32,
+    @align(4) ply_cosine_0 : f32,
+    @align(4) fibre_tilt_0 : f32,
+    @align(4) fibre_tone_0 : f32,
+    @align(4) slub_0 : f32,
+    @align(4) slubs_per_mm_0 : f32,
+    @align(4) per_half_width_0 : f32,
+    @align(4) hairiness_0 : f32,
 };
 
 @binding(1) @group(0) var<storage, read> families_0 : array<Family_std430_0>;
@@ -391,16 +402,26 @@ fn scramble_0( value_0 : u32) -> u32
     return (((_S26 >> (u32(22)))) ^ (_S26));
 }
 
-fn uniform_hash_0( thread_0 : u32,  cell_0 : u32,  stream_0 : u32) -> f32
+fn hash_key_0( thread_0 : u32,  stream_0 : u32) -> u32
 {
-    return (f32(((scramble_0(cell_0 + scramble_0(thread_0 + scramble_0(stream_0)))) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
+    return scramble_0(thread_0 + scramble_0(stream_0));
 }
 
-fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_1 : u32,  stream_1 : u32) -> vec2<f32>
+fn hash_bits_0( key_0 : u32,  cell_0 : u32) -> u32
+{
+    return scramble_0(cell_0 + key_0);
+}
+
+fn uniform_hash_0( thread_1 : u32,  cell_1 : u32,  stream_1 : u32) -> f32
+{
+    return (f32(((hash_bits_0(hash_key_0(thread_1, stream_1), cell_1)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
+}
+
+fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_1 : u32,  stream_2 : u32) -> vec2<f32>
 {
     var _S27 : u32 = pixel_0.x;
     var _S28 : u32 = pixel_0.y;
-    return fract(vec2<f32>(uniform_hash_0(_S27, _S28, stream_1), uniform_hash_0(_S27, _S28, stream_1 + u32(1))) + vec2<f32>(f32((index_1 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    return fract(vec2<f32>(uniform_hash_0(_S27, _S28, stream_2), uniform_hash_0(_S27, _S28, stream_2 + u32(1))) + vec2<f32>(f32((index_1 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
 }
 
 fn scene_number_0( index_2 : u32) -> f32
@@ -631,7 +652,7 @@ fn turns_and_remainder_0( family_0 : u32,  index_4 : f32) -> vec2<f32>
 
 struct Cell_0
 {
-     thread_1 : u32,
+     thread_2 : u32,
      across_2 : f32,
      half_width_1 : f32,
      below_0 : f32,
@@ -641,14 +662,14 @@ struct Cell_0
 fn locate_alike_0( family_1 : u32,  position_1 : f32) -> Cell_0
 {
     var _S51 : f32 = floor(position_1 * families_0[family_1].inverse_size_0);
-    var cell_1 : Cell_0;
+    var cell_2 : Cell_0;
     var _S52 : f32 = fma(- _S51, families_0[family_1].size_0, position_1);
-    cell_1.below_0 = _S52;
-    cell_1.above_0 = families_0[family_1].size_0 - _S52;
-    cell_1.across_2 = _S52 - 0.5f * families_0[family_1].size_0;
-    cell_1.half_width_1 = families_0[family_1].half_width_0;
-    cell_1.thread_1 = u32(clamp(turns_and_remainder_0(family_1, _S51).y, 0.0f, families_0[family_1].count_0 - 1.0f));
-    return cell_1;
+    cell_2.below_0 = _S52;
+    cell_2.above_0 = families_0[family_1].size_0 - _S52;
+    cell_2.across_2 = _S52 - 0.5f * families_0[family_1].size_0;
+    cell_2.half_width_1 = families_0[family_1].half_width_0;
+    cell_2.thread_2 = u32(clamp(turns_and_remainder_0(family_1, _S51).y, 0.0f, families_0[family_1].count_0 - 1.0f));
+    return cell_2;
 }
 
 fn table_number_0( index_5 : u32) -> f32
@@ -661,9 +682,9 @@ fn locate_varied_0( family_2 : u32,  position_2 : f32) -> Cell_0
     var turns_0 : f32 = (position_2 - families_0[family_2].start_0) * families_0[family_2].inverse_period_0;
     var turns_1 : f32 = turns_0 - floor(turns_0);
     var _S53 : f32 = turns_1 * families_0[family_2].period_0;
-    var thread_2 : u32 = words_0[families_0[family_2].first_thread_table_0 + u32(clamp(turns_1 * families_0[family_2].bins_0, 0.0f, families_0[family_2].bins_0 - 1.0f))];
+    var thread_3 : u32 = words_0[families_0[family_2].first_thread_table_0 + u32(clamp(turns_1 * families_0[family_2].bins_0, 0.0f, families_0[family_2].bins_0 - 1.0f))];
     var _S54 : u32;
-    if(_S53 >= (table_number_0(families_0[family_2].place_table_0 + thread_2 * u32(4) + u32(1))))
+    if(_S53 >= (table_number_0(families_0[family_2].place_table_0 + thread_3 * u32(4) + u32(1))))
     {
         _S54 = u32(1);
     }
@@ -671,15 +692,15 @@ fn locate_varied_0( family_2 : u32,  position_2 : f32) -> Cell_0
     {
         _S54 = u32(0);
     }
-    var _S55 : u32 = min(thread_2 + _S54, u32(families_0[family_2].count_0) - u32(1));
+    var _S55 : u32 = min(thread_3 + _S54, u32(families_0[family_2].count_0) - u32(1));
     var _S56 : u32 = families_0[family_2].place_table_0 + _S55 * u32(4);
-    var cell_2 : Cell_0;
-    cell_2.thread_1 = _S55;
-    cell_2.below_0 = _S53 - table_number_0(_S56);
-    cell_2.above_0 = table_number_0(_S56 + u32(1)) - _S53;
-    cell_2.across_2 = _S53 - table_number_0(_S56 + u32(2));
-    cell_2.half_width_1 = table_number_0(_S56 + u32(3));
-    return cell_2;
+    var cell_3 : Cell_0;
+    cell_3.thread_2 = _S55;
+    cell_3.below_0 = _S53 - table_number_0(_S56);
+    cell_3.above_0 = table_number_0(_S56 + u32(1)) - _S53;
+    cell_3.across_2 = _S53 - table_number_0(_S56 + u32(2));
+    cell_3.half_width_1 = table_number_0(_S56 + u32(3));
+    return cell_3;
 }
 
 fn locate_0( family_3 : u32,  position_3 : f32) -> Cell_0
@@ -755,17 +776,17 @@ fn shown_at_0( crossing_0 : Crossing_0,  back_3 : bool) -> Shown_0
 
 fn select_cell_0( is_first_0 : bool,  first_1 : Cell_0,  second_0 : Cell_0) -> Cell_0
 {
-    var cell_3 : Cell_0;
+    var cell_4 : Cell_0;
     var _S61 : u32;
     if(is_first_0)
     {
-        _S61 = first_1.thread_1;
+        _S61 = first_1.thread_2;
     }
     else
     {
-        _S61 = second_0.thread_1;
+        _S61 = second_0.thread_2;
     }
-    cell_3.thread_1 = _S61;
+    cell_4.thread_2 = _S61;
     var _S62 : f32;
     if(is_first_0)
     {
@@ -775,7 +796,7 @@ fn select_cell_0( is_first_0 : bool,  first_1 : Cell_0,  second_0 : Cell_0) -> C
     {
         _S62 = second_0.across_2;
     }
-    cell_3.across_2 = _S62;
+    cell_4.across_2 = _S62;
     if(is_first_0)
     {
         _S62 = first_1.half_width_1;
@@ -784,7 +805,7 @@ fn select_cell_0( is_first_0 : bool,  first_1 : Cell_0,  second_0 : Cell_0) -> C
     {
         _S62 = second_0.half_width_1;
     }
-    cell_3.half_width_1 = _S62;
+    cell_4.half_width_1 = _S62;
     if(is_first_0)
     {
         _S62 = first_1.below_0;
@@ -793,7 +814,7 @@ fn select_cell_0( is_first_0 : bool,  first_1 : Cell_0,  second_0 : Cell_0) -> C
     {
         _S62 = second_0.below_0;
     }
-    cell_3.below_0 = _S62;
+    cell_4.below_0 = _S62;
     if(is_first_0)
     {
         _S62 = first_1.above_0;
@@ -802,23 +823,23 @@ fn select_cell_0( is_first_0 : bool,  first_1 : Cell_0,  second_0 : Cell_0) -> C
     {
         _S62 = second_0.above_0;
     }
-    cell_3.above_0 = _S62;
-    return cell_3;
+    cell_4.above_0 = _S62;
+    return cell_4;
 }
 
-fn boundary_0( family_4 : u32,  thread_3 : u32,  step_0 : i32) -> f32
+fn boundary_0( family_4 : u32,  thread_4 : u32,  step_0 : i32) -> f32
 {
-    var _S63 : vec2<f32> = turns_and_remainder_0(family_4, f32(i32(thread_3) + step_0));
+    var _S63 : vec2<f32> = turns_and_remainder_0(family_4, f32(i32(thread_4) + step_0));
     return fma(_S63.x, families_0[family_4].period_0, table_number_0(families_0[family_4].place_table_0 + u32(_S63.y) * u32(4)));
 }
 
-fn span_0( family_5 : u32,  thread_4 : u32,  first_2 : i32,  last_0 : i32) -> f32
+fn span_0( family_5 : u32,  thread_5 : u32,  first_2 : i32,  last_0 : i32) -> f32
 {
     if((families_0[family_5].is_alike_0) != u32(0))
     {
         return f32(last_0 - first_2) * families_0[family_5].size_0;
     }
-    return boundary_0(family_5, thread_4, last_0) - boundary_0(family_5, thread_4, first_2);
+    return boundary_0(family_5, thread_5, last_0) - boundary_0(family_5, thread_5, first_2);
 }
 
 struct Bend_0
@@ -828,9 +849,9 @@ struct Bend_0
      arc_0 : f32,
 };
 
-fn bend_of_0( family_6 : u32,  thread_5 : u32) -> Bend_0
+fn bend_of_0( family_6 : u32,  thread_6 : u32) -> Bend_0
 {
-    var _S64 : Family_std430_0 = families_0[family_6];
+    var _S64 : u32 = families_0[family_6].bend_table_0;
     var _S65 : u32;
     if((families_0[family_6].is_alike_0) != u32(0))
     {
@@ -838,9 +859,9 @@ fn bend_of_0( family_6 : u32,  thread_5 : u32) -> Bend_0
     }
     else
     {
-        _S65 = thread_5 * u32(4);
+        _S65 = thread_6 * u32(4);
     }
-    var _S66 : u32 = _S64.bend_table_0 + _S65;
+    var _S66 : u32 = _S64 + _S65;
     var bend_0 : Bend_0;
     bend_0.sine_0 = table_number_0(_S66);
     bend_0.half_tangent_0 = table_number_0(_S66 + u32(1));
@@ -862,7 +883,7 @@ struct Run_0
      last_crossing_0 : bool,
 };
 
-fn unpack_0( own_0 : u32,  other_0 : u32,  thread_6 : u32,  crossed_0 : Cell_0,  word_1 : u32) -> Run_0
+fn unpack_0( own_0 : u32,  other_0 : u32,  thread_7 : u32,  crossed_0 : Cell_0,  word_1 : u32) -> Run_0
 {
     var _S67 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
     var _S68 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
@@ -871,10 +892,10 @@ fn unpack_0( own_0 : u32,  other_0 : u32,  thread_6 : u32,  crossed_0 : Cell_0, 
     var run_0 : Run_0;
     run_0.straight_0 = ((((word_1 >> (u32(27)))) & (u32(1)))) == u32(1);
     var _S71 : i32 = - _S67;
-    var _S72 : f32 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_1, _S71, i32(0));
+    var _S72 : f32 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_2, _S71, i32(0));
     run_0.from_start_0 = _S72;
     var _S73 : i32 = _S68 + i32(1);
-    var _S74 : f32 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_1, i32(1), _S73);
+    var _S74 : f32 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_2, i32(1), _S73);
     run_0.to_end_0 = _S74;
     var _S75 : bool = _S72 < _S74;
     run_0.near_start_0 = _S75;
@@ -896,7 +917,7 @@ fn unpack_0( own_0 : u32,  other_0 : u32,  thread_6 : u32,  crossed_0 : Cell_0, 
     {
         _S77 = _S73 + _S70;
     }
-    run_0.bend_1 = bend_of_0(own_0, thread_6);
+    run_0.bend_1 = bend_of_0(own_0, thread_7);
     var _S78 : f32;
     if(run_0.straight_0)
     {
@@ -908,7 +929,7 @@ fn unpack_0( own_0 : u32,  other_0 : u32,  thread_6 : u32,  crossed_0 : Cell_0, 
     }
     run_0.distance_0 = _S78;
     run_0.reach_0 = min(0.5f * (run_0.from_start_0 + run_0.to_end_0), run_0.bend_1.arc_0);
-    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_1, _S76, _S77), run_0.bend_1.arc_0);
+    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_2, _S76, _S77), run_0.bend_1.arc_0);
     run_0.first_crossing_0 = _S67 == i32(0);
     run_0.last_crossing_0 = _S68 == i32(0);
     return run_0;
@@ -921,11 +942,11 @@ struct Section_0
      slope_0 : f32,
 };
 
-fn section_at_0( cell_4 : Cell_0) -> Section_0
+fn section_at_0( cell_5 : Cell_0) -> Section_0
 {
-    var _S79 : f32 = cell_4.half_width_1 * 1.0154266357421875f;
+    var _S79 : f32 = cell_5.half_width_1 * 1.0154266357421875f;
     var section_0 : Section_0;
-    var _S80 : f32 = clamp(cell_4.across_2, - cell_4.half_width_1, cell_4.half_width_1);
+    var _S80 : f32 = clamp(cell_5.across_2, - cell_5.half_width_1, cell_5.half_width_1);
     section_0.across_3 = _S80;
     var _S81 : f32 = _S79 * _S79 - square_1(_S80);
     var _S82 : f32 = rsqrt_0(_S81);
@@ -934,13 +955,13 @@ fn section_at_0( cell_4 : Cell_0) -> Section_0
     return section_0;
 }
 
-fn edge_drop_0( family_7 : u32,  thread_7 : u32,  step_1 : i32) -> f32
+fn edge_drop_0( family_7 : u32,  thread_8 : u32,  step_1 : i32) -> f32
 {
     if((families_0[family_7].is_alike_0) != u32(0))
     {
         return table_number_0(families_0[family_7].bend_table_0 + u32(3));
     }
-    return table_number_0(families_0[family_7].bend_table_0 + u32(turns_and_remainder_0(family_7, f32(i32(thread_7) + step_1)).y) * u32(4) + u32(3));
+    return table_number_0(families_0[family_7].bend_table_0 + u32(turns_and_remainder_0(family_7, f32(i32(thread_8) + step_1)).y) * u32(4) + u32(3));
 }
 
 fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_0) -> vec2<f32>
@@ -972,7 +993,7 @@ fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_
     }
     else
     {
-        _S85 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, i32(0));
+        _S85 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, i32(0));
     }
     var _S88 : f32;
     if((shown_1.on_top_0) != _S87)
@@ -981,7 +1002,7 @@ fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_
     }
     else
     {
-        var _S89 : Family_std430_0 = families_0[other_1];
+        var _S89 : f32 = families_0[other_1].height_scale_0;
         var _S90 : i32;
         if(_S83)
         {
@@ -991,7 +1012,7 @@ fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_
         {
             _S90 = i32(1);
         }
-        _S88 = _S89.height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, _S90);
+        _S88 = _S89 * edge_drop_0(other_1, crossed_1.thread_2, _S90);
     }
     var _S91 : f32 = 1.0f / max(2.0f * _S86, 9.999999960041972e-13f);
     var _S92 : f32 = clamp((_S86 - _S84) * _S91, 0.0f, 1.0f);
@@ -1050,25 +1071,25 @@ fn no_previous_sample_0() -> PreviousSample_0
     return previous_0;
 }
 
-fn outline_distance_0( cell_5 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  lengthwise_0 : bool,  forwards_0 : bool) -> f32
+fn outline_distance_0( cell_6 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  lengthwise_0 : bool,  forwards_0 : bool) -> f32
 {
     var _S97 : f32;
     if(forwards_0)
     {
-        _S97 = cell_5.across_2;
+        _S97 = cell_6.across_2;
     }
     else
     {
-        _S97 = - cell_5.across_2;
+        _S97 = - cell_6.across_2;
     }
     var _S98 : f32;
     if(forwards_0)
     {
-        _S98 = cell_5.above_0;
+        _S98 = cell_6.above_0;
     }
     else
     {
-        _S98 = cell_5.below_0;
+        _S98 = cell_6.below_0;
     }
     var _S99 : bool;
     if(forwards_0)
@@ -1088,9 +1109,9 @@ fn outline_distance_0( cell_5 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  len
     {
         _S100 = run_2.last_crossing_0;
     }
-    var _S101 : f32 = - cell_5.half_width_1;
+    var _S101 : f32 = - cell_6.half_width_1;
     var _S102 : bool = _S97 < _S101;
-    var _S103 : bool = _S97 >= (cell_5.half_width_1);
+    var _S103 : bool = _S97 >= (cell_6.half_width_1);
     if(lengthwise_0)
     {
         _S99 = !_S99;
@@ -1154,12 +1175,12 @@ fn outline_distance_0( cell_5 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  len
     }
     else
     {
-        _S105 = cell_5.half_width_1;
+        _S105 = cell_6.half_width_1;
     }
     var _S106 : f32 = _S105 - _S97;
     if(_S99)
     {
-        _S97 = 2.0f * _S98 + _S97 - cell_5.half_width_1;
+        _S97 = 2.0f * _S98 + _S97 - cell_6.half_width_1;
     }
     else
     {
@@ -1444,6 +1465,32 @@ fn arc_sine_0( x_8 : f32) -> f32
     return _S132;
 }
 
+struct Hair_0
+{
+     cover_0 : f32,
+     normal_3 : vec3<f32>,
+     tangent_2 : vec3<f32>,
+};
+
+fn Hair_x24init_0( cover_1 : f32,  normal_4 : vec3<f32>,  tangent_3 : vec3<f32>) -> Hair_0
+{
+    var _S135 : Hair_0;
+    _S135.cover_0 = cover_1;
+    _S135.normal_3 = normal_4;
+    _S135.tangent_2 = tangent_3;
+    return _S135;
+}
+
+fn fade_0( size_1 : f32,  period_1 : f32) -> f32
+{
+    return clamp((1.0f - size_1 / period_1) * 1.33333337306976318f, 0.0f, 1.0f);
+}
+
+fn share_of_0( bits_0 : u32) -> f32
+{
+    return (f32((bits_0 & (u32(1023)))) + 0.5f) * 0.0009765625f;
+}
+
 fn table_colour_0( index_6 : u32) -> vec3<f32>
 {
     return vec3<f32>(table_number_0(index_6), table_number_0(index_6 + u32(1)), table_number_0(index_6 + u32(2)));
@@ -1467,41 +1514,132 @@ fn table_albedos_0( row_0 : u32) -> Albedos_0
     return albedos_0;
 }
 
-fn albedos_of_0( family_8 : u32,  thread_8 : u32) -> Albedos_0
+fn albedos_of_0( family_8 : u32,  thread_9 : u32) -> Albedos_0
 {
-    return table_albedos_0(families_0[family_8].albedo_table_0 + families_0[family_8].albedo_stride_0 * thread_8);
+    return table_albedos_0(families_0[family_8].albedo_table_0 + families_0[family_8].albedo_stride_0 * thread_9);
 }
 
-fn thread_gain_0( thread_9 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
+fn fibre_cell_0( across_4 : f32,  along_0 : f32,  width_2 : f32) -> vec3<f32>
 {
-    return amount_0 * (2.0f * uniform_hash_0(thread_9, u32(0), (seed_1 ^ (u32(2135587861)))) - 1.0f) + 1.0f;
+    var _S136 : f32 = floor(across_4 / width_2);
+    return vec3<f32>(_S136, along_0 / (width_2 * 40.0f) + 0.61799997091293335f * _S136, 2.0f * (across_4 / width_2 - _S136) - 1.0f);
+}
+
+fn ply_offset_0( family_9 : u32,  point_1 : SurfacePoint_0,  back_4 : bool) -> f32
+{
+    var _S137 : f32;
+    if(back_4)
+    {
+        _S137 = - families_0[family_9].ply_sine_0;
+    }
+    else
+    {
+        _S137 = families_0[family_9].ply_sine_0;
+    }
+    var _S138 : f32 = (point_1.fibre_across_0 * families_0[family_9].ply_cosine_0 + point_1.fibre_along_0 * _S137) * families_0[family_9].plies_per_mm_0;
+    return 2.0f * (_S138 - floor(_S138)) - 1.0f;
+}
+
+fn signed_noise_0( bits_1 : u32) -> f32
+{
+    return (f32((bits_1 & (u32(65535)))) + 0.5f) * 0.000030517578125f - 1.0f;
+}
+
+fn smooth_share_0( share_2 : f32) -> f32
+{
+    return share_2 * share_2 * (3.0f - 2.0f * share_2);
+}
+
+fn wave_noise_0( key_1 : u32,  position_4 : f32) -> vec2<f32>
+{
+    var _S139 : f32 = floor(position_4);
+    var _S140 : f32 = position_4 - _S139;
+    var _S141 : u32 = u32(i32(_S139));
+    var _S142 : f32 = signed_noise_0(hash_bits_0(key_1, _S141));
+    var _S143 : f32 = signed_noise_0(hash_bits_0(key_1, _S141 + u32(1)));
+    return vec2<f32>(mix(_S142, _S143, smooth_share_0(_S140)), 6.0f * _S140 * (1.0f - _S140) * (_S143 - _S142));
+}
+
+fn cell_noise_0( key_2 : u32,  cell_7 : vec3<f32>) -> vec2<f32>
+{
+    var _S144 : f32 = cell_7.y;
+    var _S145 : f32 = floor(_S144);
+    var _S146 : u32 = u32(i32(cell_7.x)) * u32(65536) + u32(i32(_S145));
+    var _S147 : u32 = hash_bits_0(key_2, _S146);
+    var _S148 : u32 = hash_bits_0(key_2, _S146 + u32(1));
+    return mix(vec2<f32>(signed_noise_0(_S147), signed_noise_0((_S147 >> (u32(16))))), vec2<f32>(signed_noise_0(_S148), signed_noise_0((_S148 >> (u32(16))))), vec2<f32>(smooth_share_0(_S144 - _S145)));
+}
+
+fn thread_gain_0( thread_10 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
+{
+    return amount_0 * (2.0f * uniform_hash_0(thread_10, u32(0), (seed_1 ^ (u32(2135587861)))) - 1.0f) + 1.0f;
 }
 
 fn bounded_gain_0( gain_1 : f32,  albedo_1 : vec3<f32>,  room_0 : vec3<f32>) -> f32
 {
-    var _S135 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
-    return min(gain_1, max(min(min(_S135.x, _S135.y), _S135.z), 0.0f));
+    var _S149 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
+    return min(gain_1, max(min(min(_S149.x, _S149.y), _S149.z), 0.0f));
 }
 
-fn fibre_gain_0( thread_10 : u32,  cell_6 : u32,  amount_1 : f32,  seed_2 : u32) -> f32
+fn flattened_0( largest_0 : f32,  albedo_2 : vec3<f32>,  room_1 : vec3<f32>) -> f32
 {
-    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_10, cell_6, (seed_2 ^ (u32(2654435769))))), 10.0f) - 1.0f) + 1.0f;
+    var _S150 : vec3<f32> = room_1 / max(albedo_2, vec3<f32>(9.99999997475242708e-07f)) - vec3<f32>(1.0f);
+    return min(max(min(min(_S150.x, _S150.y), _S150.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
 }
 
-fn diffuse_reflection_0( light_0 : vec3<f32>,  normal_3 : vec3<f32>,  blend_0 : f32) -> f32
+fn fibre_gain_0( thread_11 : u32,  cell_8 : u32,  amount_1 : f32,  seed_2 : u32) -> f32
 {
-    var _S136 : f32 = light_0.z;
-    if(_S136 <= 0.0f)
+    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_8, (seed_2 ^ (u32(2654435769))))), 10.0f) - 1.0f) + 1.0f;
+}
+
+struct YarnFrame_0
+{
+     normal_5 : vec3<f32>,
+     tangent_4 : vec3<f32>,
+     loss_0 : f32,
+};
+
+fn under_hair_0( frame_0 : YarnFrame_0,  hair_0 : Hair_0) -> YarnFrame_0
+{
+    var _S151 : vec3<f32>;
+    if((dot(frame_0.tangent_4, hair_0.tangent_2)) < 0.0f)
+    {
+        _S151 = (vec3<f32>(0) - hair_0.tangent_2);
+    }
+    else
+    {
+        _S151 = hair_0.tangent_2;
+    }
+    var blended_0 : YarnFrame_0;
+    var _S152 : vec3<f32> = vec3<f32>(hair_0.cover_0);
+    var _S153 : vec3<f32> = normalize(mix(frame_0.normal_5, hair_0.normal_3, _S152));
+    blended_0.normal_5 = _S153;
+    var _S154 : vec3<f32> = mix(frame_0.tangent_4, _S151, _S152);
+    var _S155 : vec3<f32> = _S154 - vec3<f32>(dot(_S154, _S153)) * _S153;
+    blended_0.tangent_4 = _S155 * vec3<f32>(rsqrt_0(max(dot(_S155, _S155), 9.999999960041972e-13f)));
+    blended_0.loss_0 = frame_0.loss_0 * (1.0f - hair_0.cover_0);
+    return blended_0;
+}
+
+fn diffuse_gain_0( frame_1 : YarnFrame_0,  blend_0 : f32) -> f32
+{
+    return min(0.85000002384185791f * blend_0 * frame_1.loss_0 + 1.0f, 1.0f / (0.5f * blend_0 * (frame_1.normal_5.z - 1.0f) + 1.0f));
+}
+
+fn diffuse_reflection_0( light_0 : vec3<f32>,  normal_6 : vec3<f32>,  blend_1 : f32) -> f32
+{
+    var _S156 : f32 = light_0.z;
+    if(_S156 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * mix(max(_S136, 0.0f), max(dot(light_0, normal_3), 0.0f), blend_0);
+    return 0.31830987334251404f * mix(max(_S156, 0.0f), max(dot(light_0, normal_6), 0.0f), blend_1);
 }
 
-fn projected_area_1( direction_3 : vec3<f32>,  tangent_2 : vec3<f32>,  roughness_1 : f32) -> f32
+fn projected_area_1( direction_3 : vec3<f32>,  tangent_5 : vec3<f32>,  roughness_1 : f32) -> f32
 {
-    var _S137 : f32 = dot(direction_3, tangent_2);
-    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S137 * _S137 + 1.0f, roughness_1 * roughness_1));
+    var _S157 : f32 = dot(direction_3, tangent_5);
+    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S157 * _S157 + 1.0f, roughness_1 * roughness_1));
 }
 
 fn mean_attenuation_0( depth_0 : f32) -> f32
@@ -1515,62 +1653,62 @@ fn mean_attenuation_0( depth_0 : f32) -> f32
 
 fn flake_density_0( squared_along_0 : f32,  roughness_2 : f32) -> f32
 {
-    var _S138 : f32 = roughness_2 * roughness_2;
-    var _S139 : f32 = squared_along_0 * (1.0f - _S138) + _S138;
-    return 0.31830987334251404f * _S138 * roughness_2 / (_S139 * _S139);
+    var _S158 : f32 = roughness_2 * roughness_2;
+    var _S159 : f32 = squared_along_0 * (1.0f - _S158) + _S158;
+    return 0.31830987334251404f * _S158 * roughness_2 / (_S159 * _S159);
 }
 
-fn density_between_0( light_1 : vec3<f32>,  view_1 : vec3<f32>,  tangent_3 : vec3<f32>,  roughness_3 : f32) -> f32
+fn density_between_0( light_1 : vec3<f32>,  view_1 : vec3<f32>,  tangent_6 : vec3<f32>,  roughness_3 : f32) -> f32
 {
-    var _S140 : vec3<f32> = light_1 + view_1;
-    var _S141 : f32 = dot(_S140, tangent_3);
-    return flake_density_0(min(_S141 * _S141 / max(square_0(_S140), 9.999999960041972e-13f), 1.0f), roughness_3);
+    var _S160 : vec3<f32> = light_1 + view_1;
+    var _S161 : f32 = dot(_S160, tangent_6);
+    return flake_density_0(min(_S161 * _S161 / max(square_0(_S160), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
-fn transmission_1( light_2 : vec3<f32>,  view_2 : vec3<f32>,  normal_4 : vec3<f32>,  tangent_4 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
+fn transmission_1( light_2 : vec3<f32>,  view_2 : vec3<f32>,  normal_7 : vec3<f32>,  tangent_7 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
 {
-    var _S142 : f32 = - dot(light_2, normal_4);
-    var _S143 : f32 = dot(view_2, normal_4);
-    var _S144 : bool;
-    if(_S142 <= 0.0f)
+    var _S162 : f32 = - dot(light_2, normal_7);
+    var _S163 : f32 = dot(view_2, normal_7);
+    var _S164 : bool;
+    if(_S162 <= 0.0f)
     {
-        _S144 = true;
+        _S164 = true;
     }
     else
     {
-        _S144 = _S143 <= 0.0f;
+        _S164 = _S163 <= 0.0f;
     }
-    if(_S144)
+    if(_S164)
     {
         return 0.0f;
     }
-    var _S145 : f32 = 1.0f / max(_S143, 9.99999997475242708e-07f);
-    var _S146 : f32 = projected_area_1(light_2, tangent_4, roughness_4) / max(_S142, 9.99999997475242708e-07f);
-    var _S147 : f32 = projected_area_1(view_2, tangent_4, roughness_4) * _S145;
-    return density_between_0(light_2, view_2, tangent_4, roughness_4) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S146, _S147)) * mean_attenuation_0(optical_depth_1 * abs(_S146 - _S147)) * _S145;
+    var _S165 : f32 = 1.0f / max(_S163, 9.99999997475242708e-07f);
+    var _S166 : f32 = projected_area_1(light_2, tangent_7, roughness_4) / max(_S162, 9.99999997475242708e-07f);
+    var _S167 : f32 = projected_area_1(view_2, tangent_7, roughness_4) * _S165;
+    return density_between_0(light_2, view_2, tangent_7, roughness_4) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S166, _S167)) * mean_attenuation_0(optical_depth_1 * abs(_S166 - _S167)) * _S165;
 }
 
-fn reflection_0( light_3 : vec3<f32>,  view_3 : vec3<f32>,  normal_5 : vec3<f32>,  tangent_5 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
+fn reflection_0( light_3 : vec3<f32>,  view_3 : vec3<f32>,  normal_8 : vec3<f32>,  tangent_8 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
 {
-    var _S148 : f32 = dot(light_3, normal_5);
-    var _S149 : bool;
-    if(_S148 <= 0.0f)
+    var _S168 : f32 = dot(light_3, normal_8);
+    var _S169 : bool;
+    if(_S168 <= 0.0f)
     {
-        _S149 = true;
+        _S169 = true;
     }
     else
     {
-        _S149 = (dot(view_3, normal_5)) <= 0.0f;
+        _S169 = (dot(view_3, normal_8)) <= 0.0f;
     }
-    if(_S149)
+    if(_S169)
     {
         return 0.0f;
     }
-    var _S150 : f32 = max(_S148, 9.99999997475242708e-07f);
-    var _S151 : f32 = max(dot(view_3, normal_5), 9.99999997475242708e-07f);
-    var _S152 : f32 = projected_area_1(light_3, tangent_5, roughness_5) * _S151 + projected_area_1(view_3, tangent_5, roughness_5) * _S150;
-    var _S153 : f32 = optical_depth_2 * _S152 / (_S150 * _S151);
-    return 0.25f * density_between_0(light_3, view_3, tangent_5, roughness_5) * (_S153 * mean_attenuation_0(_S153)) * _S150 / _S152;
+    var _S170 : f32 = max(_S168, 9.99999997475242708e-07f);
+    var _S171 : f32 = max(dot(view_3, normal_8), 9.99999997475242708e-07f);
+    var _S172 : f32 = projected_area_1(light_3, tangent_8, roughness_5) * _S171 + projected_area_1(view_3, tangent_8, roughness_5) * _S170;
+    var _S173 : f32 = optical_depth_2 * _S172 / (_S170 * _S171);
+    return 0.25f * density_between_0(light_3, view_3, tangent_8, roughness_5) * (_S173 * mean_attenuation_0(_S173)) * _S170 / _S172;
 }
 
 fn with_added_0( sums_0 : Components_0,  more_0 : Components_0,  weight_1 : f32) -> Components_0
@@ -1585,18 +1723,18 @@ fn with_added_0( sums_0 : Components_0,  more_0 : Components_0,  weight_1 : f32)
     return result_0;
 }
 
-fn scaled_0( blocked_0 : Blocked_0,  share_2 : f32) -> Blocked_0
+fn scaled_0( blocked_0 : Blocked_0,  share_3 : f32) -> Blocked_0
 {
     var result_1 : Blocked_0;
-    result_1.by_warp_0 = share_2 * blocked_0.by_warp_0;
-    result_1.by_weft_0 = share_2 * blocked_0.by_weft_0;
-    result_1.far_0 = share_2 * blocked_0.far_0;
+    result_1.by_warp_0 = share_3 * blocked_0.by_warp_0;
+    result_1.by_weft_0 = share_3 * blocked_0.by_weft_0;
+    result_1.far_0 = share_3 * blocked_0.far_0;
     return result_1;
 }
 
-fn wrapped_cell_0( position_4 : f32,  count_2 : f32) -> f32
+fn wrapped_cell_0( position_5 : f32,  count_2 : f32) -> f32
 {
-    return min(floor((position_4 - floor(position_4)) * count_2), count_2 - 1.0f);
+    return min(floor((position_5 - floor(position_5)) * count_2), count_2 - 1.0f);
 }
 
 fn arc_tangent_quotient_0( x_9 : f32,  y_2 : f32) -> f32
@@ -1611,11 +1749,11 @@ fn arc_tangent_of_ratio_0( ratio_0 : f32) -> f32
 
 fn arc_tangent_0( y_3 : f32,  x_10 : f32) -> f32
 {
-    var _S154 : f32 = abs(x_10);
-    var _S155 : f32 = abs(y_3);
-    var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S154, _S155) / max(max(_S154, _S155), 1.00000000317107685e-30f));
+    var _S174 : f32 = abs(x_10);
+    var _S175 : f32 = abs(y_3);
+    var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S174, _S175) / max(max(_S174, _S175), 1.00000000317107685e-30f));
     var angle_1 : f32;
-    if(_S155 > _S154)
+    if(_S175 > _S174)
     {
         angle_1 = 1.57079637050628662f - angle_0;
     }
@@ -1643,43 +1781,43 @@ struct NodeTaps_0
 
 fn node_taps_0( direction_4 : vec3<f32>) -> NodeTaps_0
 {
-    var _S156 : f32 = arc_tangent_0(direction_4.y, direction_4.x) * 5.09295797348022461f;
-    var _S157 : f32 = floor(_S156);
-    var _S158 : f32 = _S156 - _S157;
-    var _S159 : f32 = sqrt(clamp((1.0f - abs(direction_4.z)) / 0.97000002861022949f, 0.0f, 1.0f));
-    var _S160 : f32 = 7.0f * _S159 * sqrt(_S159);
-    var _S161 : f32 = min(floor(_S160), 6.0f);
-    var _S162 : f32 = _S160 - _S161;
-    var _S163 : u32 = u32(i32(_S157) + i32(32)) % u32(32);
-    var _S164 : u32 = u32(_S161);
-    var _S165 : u32 = _S163 * u32(8) + _S164;
-    var _S166 : u32 = (_S163 + u32(1)) % u32(32) * u32(8) + _S164;
+    var _S176 : f32 = arc_tangent_0(direction_4.y, direction_4.x) * 5.09295797348022461f;
+    var _S177 : f32 = floor(_S176);
+    var _S178 : f32 = _S176 - _S177;
+    var _S179 : f32 = sqrt(clamp((1.0f - abs(direction_4.z)) / 0.97000002861022949f, 0.0f, 1.0f));
+    var _S180 : f32 = 7.0f * _S179 * sqrt(_S179);
+    var _S181 : f32 = min(floor(_S180), 6.0f);
+    var _S182 : f32 = _S180 - _S181;
+    var _S183 : u32 = u32(i32(_S177) + i32(32)) % u32(32);
+    var _S184 : u32 = u32(_S181);
+    var _S185 : u32 = _S183 * u32(8) + _S184;
+    var _S186 : u32 = (_S183 + u32(1)) % u32(32) * u32(8) + _S184;
     var taps_0 : NodeTaps_0;
-    taps_0.nodes_0 = vec4<u32>(_S165, _S165 + u32(1), _S166, _S166 + u32(1));
-    var _S167 : f32 = 1.0f - _S158;
-    var _S168 : f32 = 1.0f - _S162;
-    var _S169 : vec4<u32> = vec4<u32>(vec4<f32>(_S167 * _S168, _S167 * _S162, _S158 * _S168, _S158 * _S162) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
-    taps_0.weights_0 = _S169;
-    taps_0.inverse_sum_0 = 1.0f / f32(_S169.x + _S169.y + _S169.z + _S169.w);
+    taps_0.nodes_0 = vec4<u32>(_S185, _S185 + u32(1), _S186, _S186 + u32(1));
+    var _S187 : f32 = 1.0f - _S178;
+    var _S188 : f32 = 1.0f - _S182;
+    var _S189 : vec4<u32> = vec4<u32>(vec4<f32>(_S187 * _S188, _S187 * _S182, _S178 * _S188, _S178 * _S182) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
+    taps_0.weights_0 = _S189;
+    taps_0.inverse_sum_0 = 1.0f / f32(_S189.x + _S189.y + _S189.z + _S189.w);
     return taps_0;
 }
 
 fn half_vector_0( light_4 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S170 : vec3<f32> = light_4 + view_4;
-    return _S170 * vec3<f32>(rsqrt_0(max(square_0(_S170), 9.999999960041972e-13f)));
+    var _S190 : vec3<f32> = light_4 + view_4;
+    return _S190 * vec3<f32>(rsqrt_0(max(square_0(_S190), 9.999999960041972e-13f)));
 }
 
 fn shadow_correlation_0( light_5 : vec3<f32>,  view_5 : vec3<f32>) -> vec3<f32>
 {
-    var _S171 : vec2<f32> = light_5.xy;
-    var _S172 : vec2<f32> = view_5.xy;
-    var _S173 : f32 = dot(_S171, _S172) / max(sqrt(dot(_S171, _S171) * dot(_S172, _S172)), 9.99999997475242708e-07f);
+    var _S191 : vec2<f32> = light_5.xy;
+    var _S192 : vec2<f32> = view_5.xy;
+    var _S193 : f32 = dot(_S191, _S192) / max(sqrt(dot(_S191, _S191) * dot(_S192, _S192)), 9.99999997475242708e-07f);
     if((light_5.z) < 0.0f)
     {
-        return vec3<f32>(vec2<f32>((-0.09000000357627869f + -0.07999999821186066f * _S173)), 0.0f);
+        return vec3<f32>(vec2<f32>((-0.09000000357627869f + -0.07999999821186066f * _S193)), 0.0f);
     }
-    return vec3<f32>(min(0.62000000476837158f + 0.62999999523162842f * _S173, 1.20000004768371582f), 0.62000000476837158f, 0.37000000476837158f);
+    return vec3<f32>(min(0.62000000476837158f + 0.62999999523162842f * _S193, 1.20000004768371582f), 0.62000000476837158f, 0.37000000476837158f);
 }
 
 fn bytes_of_sums_0( even_0 : u32,  odd_0 : u32) -> vec4<f32>
@@ -1689,23 +1827,23 @@ fn bytes_of_sums_0( even_0 : u32,  odd_0 : u32) -> vec4<f32>
 
 fn interpolate_0( taps_1 : NodeTaps_0,  packs_1 : vec4<u32>) -> vec4<f32>
 {
-    var _S174 : vec4<u32> = vec4<u32>(u32(16711935));
-    var _S175 : vec4<u32> = ((packs_1 & (_S174))) * taps_1.weights_0;
-    var _S176 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S174))) * taps_1.weights_0;
-    return bytes_of_sums_0(_S175.x + _S175.y + _S175.z + _S175.w, _S176.x + _S176.y + _S176.z + _S176.w) * vec4<f32>(taps_1.inverse_sum_0);
+    var _S194 : vec4<u32> = vec4<u32>(u32(16711935));
+    var _S195 : vec4<u32> = ((packs_1 & (_S194))) * taps_1.weights_0;
+    var _S196 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S194))) * taps_1.weights_0;
+    return bytes_of_sums_0(_S195.x + _S195.y + _S195.z + _S195.w, _S196.x + _S196.y + _S196.z + _S196.w) * vec4<f32>(taps_1.inverse_sum_0);
 }
 
 fn interpolate_table_0( taps_2 : NodeTaps_0,  table_1 : u32,  stride_0 : u32) -> vec4<f32>
 {
-    var _S177 : vec4<u32> = vec4<u32>(table_1) + taps_2.nodes_0 * vec4<u32>(stride_0);
-    return interpolate_0(taps_2, vec4<u32>(words_0[_S177.x], words_0[_S177.y], words_0[_S177.z], words_0[_S177.w]));
+    var _S197 : vec4<u32> = vec4<u32>(table_1) + taps_2.nodes_0 * vec4<u32>(stride_0);
+    return interpolate_0(taps_2, vec4<u32>(words_0[_S197.x], words_0[_S197.y], words_0[_S197.z], words_0[_S197.w]));
 }
 
 struct Group_0
 {
-     normal_6 : vec3<f32>,
+     normal_9 : vec3<f32>,
      weight_2 : f32,
-     tangent_6 : vec3<f32>,
+     tangent_9 : vec3<f32>,
      variance_0 : vec3<f32>,
      covariance_0 : vec3<f32>,
      roughness_6 : f32,
@@ -1714,13 +1852,13 @@ struct Group_0
 fn group_at_0( row_1 : u32,  roughness_7 : f32) -> Group_0
 {
     var group_0 : Group_0;
-    group_0.normal_6 = vec3<f32>(table_number_0(row_1), table_number_0(row_1 + u32(1)), table_number_0(row_1 + u32(2)));
+    group_0.normal_9 = vec3<f32>(table_number_0(row_1), table_number_0(row_1 + u32(1)), table_number_0(row_1 + u32(2)));
     group_0.weight_2 = table_number_0(row_1 + u32(3));
-    var _S178 : vec3<f32> = vec3<f32>(table_number_0(row_1 + u32(4)), table_number_0(row_1 + u32(5)), table_number_0(row_1 + u32(6)));
-    group_0.tangent_6 = _S178;
-    var _S179 : f32 = table_number_0(row_1 + u32(7));
-    var _S180 : f32 = table_number_0(row_1 + u32(8));
-    group_0.variance_0 = vec3<f32>(_S179, _S180, 1.0f - square_0(_S178) - _S179 - _S180);
+    var _S198 : vec3<f32> = vec3<f32>(table_number_0(row_1 + u32(4)), table_number_0(row_1 + u32(5)), table_number_0(row_1 + u32(6)));
+    group_0.tangent_9 = _S198;
+    var _S199 : f32 = table_number_0(row_1 + u32(7));
+    var _S200 : f32 = table_number_0(row_1 + u32(8));
+    group_0.variance_0 = vec3<f32>(_S199, _S200, 1.0f - square_0(_S198) - _S199 - _S200);
     group_0.covariance_0 = vec3<f32>(table_number_0(row_1 + u32(9)), table_number_0(row_1 + u32(10)), table_number_0(row_1 + u32(11)));
     group_0.roughness_6 = roughness_7;
     return group_0;
@@ -1733,100 +1871,100 @@ fn visibility_gain_0( correlations_0 : vec3<f32>,  from_light_0 : f32,  from_vie
 
 fn Group_variance_along_0( this_5 : Group_0,  direction_5 : vec3<f32>) -> f32
 {
-    var _S181 : f32 = direction_5.x;
-    var _S182 : f32 = direction_5.y;
-    var _S183 : f32 = direction_5.z;
-    return max(dot(this_5.variance_0, direction_5 * direction_5) + 2.0f * dot(this_5.covariance_0, vec3<f32>(_S181 * _S182, _S181 * _S183, _S182 * _S183)), 0.0f);
+    var _S201 : f32 = direction_5.x;
+    var _S202 : f32 = direction_5.y;
+    var _S203 : f32 = direction_5.z;
+    return max(dot(this_5.variance_0, direction_5 * direction_5) + 2.0f * dot(this_5.covariance_0, vec3<f32>(_S201 * _S202, _S201 * _S203, _S202 * _S203)), 0.0f);
 }
 
 fn mean_area_0( group_1 : Group_0,  direction_6 : vec3<f32>) -> f32
 {
-    var _S184 : f32 = dot(direction_6, group_1.tangent_6);
-    var _S185 : f32 = group_1.roughness_6;
-    var _S186 : f32 = _S185 * _S185;
-    return sqrt(max((_S186 - 1.0f) * (_S184 * _S184 + Group_variance_along_0(group_1, direction_6)) + 1.0f, _S186));
+    var _S204 : f32 = dot(direction_6, group_1.tangent_9);
+    var _S205 : f32 = group_1.roughness_6;
+    var _S206 : f32 = _S205 * _S205;
+    return sqrt(max((_S206 - 1.0f) * (_S204 * _S204 + Group_variance_along_0(group_1, direction_6)) + 1.0f, _S206));
 }
 
 fn mean_density_0( group_2 : Group_0,  half_0 : vec3<f32>) -> f32
 {
-    var _S187 : f32 = group_2.roughness_6;
-    var _S188 : f32 = max(sqrt(max(1.0f - _S187 * _S187, 0.0f)) / group_2.roughness_6, 0.00100000004749745f);
-    var _S189 : f32 = max(sqrt(3.0f * Group_variance_along_0(group_2, half_0)), group_2.roughness_6 * 0.01999999955296516f + 0.00009999999747379f);
-    var _S190 : f32 = dot(half_0, group_2.tangent_6);
-    var _S191 : f32 = _S188 * (_S190 - _S189);
-    var _S192 : f32 = _S188 * (_S190 + _S189);
-    var _S193 : f32 = _S191 * _S192;
-    var _S194 : f32 = 2.0f * _S189 * _S188;
-    return 0.15915493667125702f / group_2.roughness_6 * ((1.0f - _S193) / ((_S191 * _S191 + 1.0f) * (_S192 * _S192 + 1.0f)) + arc_tangent_0(_S194, 1.0f + _S193) / _S194);
+    var _S207 : f32 = group_2.roughness_6;
+    var _S208 : f32 = max(sqrt(max(1.0f - _S207 * _S207, 0.0f)) / group_2.roughness_6, 0.00100000004749745f);
+    var _S209 : f32 = max(sqrt(3.0f * Group_variance_along_0(group_2, half_0)), group_2.roughness_6 * 0.01999999955296516f + 0.00009999999747379f);
+    var _S210 : f32 = dot(half_0, group_2.tangent_9);
+    var _S211 : f32 = _S208 * (_S210 - _S209);
+    var _S212 : f32 = _S208 * (_S210 + _S209);
+    var _S213 : f32 = _S211 * _S212;
+    var _S214 : f32 = 2.0f * _S209 * _S208;
+    return 0.15915493667125702f / group_2.roughness_6 * ((1.0f - _S213) / ((_S211 * _S211 + 1.0f) * (_S212 * _S212 + 1.0f)) + arc_tangent_0(_S214, 1.0f + _S213) / _S214);
 }
 
 fn layer_value_0( group_3 : Group_0,  half_1 : vec3<f32>,  light_6 : vec3<f32>,  view_6 : vec3<f32>,  optical_depth_3 : f32) -> f32
 {
-    var _S195 : bool = (light_6.z) < 0.0f;
-    var _S196 : f32 = dot(light_6, group_3.normal_6);
-    var _S197 : f32;
-    if(_S195)
+    var _S215 : bool = (light_6.z) < 0.0f;
+    var _S216 : f32 = dot(light_6, group_3.normal_9);
+    var _S217 : f32;
+    if(_S215)
     {
-        _S197 = - _S196;
+        _S217 = - _S216;
     }
     else
     {
-        _S197 = _S196;
+        _S217 = _S216;
     }
-    var _S198 : f32 = max(dot(view_6, group_3.normal_6), 0.01999999955296516f);
-    var _S199 : f32 = mean_area_0(group_3, light_6) / max(_S197, 0.01999999955296516f);
-    var _S200 : f32 = mean_area_0(group_3, view_6) / _S198;
-    if(_S195)
+    var _S218 : f32 = max(dot(view_6, group_3.normal_9), 0.01999999955296516f);
+    var _S219 : f32 = mean_area_0(group_3, light_6) / max(_S217, 0.01999999955296516f);
+    var _S220 : f32 = mean_area_0(group_3, view_6) / _S218;
+    if(_S215)
     {
-        _S197 = abs(_S199 - _S200);
+        _S217 = abs(_S219 - _S220);
     }
     else
     {
-        _S197 = _S199 + _S200;
+        _S217 = _S219 + _S220;
     }
-    var _S201 : f32 = optical_depth_3 * max(_S197, 0.00100000004749745f);
-    if(_S195)
+    var _S221 : f32 = optical_depth_3 * max(_S217, 0.00100000004749745f);
+    if(_S215)
     {
-        _S197 = exponential_0(- optical_depth_3 * min(_S199, _S200));
+        _S217 = exponential_0(- optical_depth_3 * min(_S219, _S220));
     }
     else
     {
-        _S197 = 1.0f;
+        _S217 = 1.0f;
     }
-    var _S202 : f32 = optical_depth_3 * _S197 * (1.0f - exponential_0(- _S201)) / _S201 / _S198;
-    if(_S195)
+    var _S222 : f32 = optical_depth_3 * _S217 * (1.0f - exponential_0(- _S221)) / _S221 / _S218;
+    if(_S215)
     {
-        _S197 = 1.0f;
+        _S217 = 1.0f;
     }
     else
     {
-        _S197 = 1.0f - 0.34999999403953552f * (1.0f - square_0(group_3.normal_6));
+        _S217 = 1.0f - 0.34999999403953552f * (1.0f - square_0(group_3.normal_9));
     }
-    return 0.25f * mean_density_0(group_3, half_1) * _S197 * _S202;
+    return 0.25f * mean_density_0(group_3, half_1) * _S217 * _S222;
 }
 
 struct Bound_0
 {
-     thread_11 : u32,
+     thread_12 : u32,
      turns_2 : f32,
-     cell_7 : f32,
+     cell_9 : f32,
      visible_0 : f32,
-     width_2 : f32,
+     width_3 : f32,
      gap_0 : f32,
 };
 
-fn bound_at_0( family_9 : u32,  position_5 : f32) -> Bound_0
+fn bound_at_0( family_10 : u32,  position_6 : f32) -> Bound_0
 {
-    var _S203 : Cell_0 = locate_0(family_9, position_5);
-    var _S204 : f32 = table_number_0(families_0[family_9].before_0 + u32(2) * _S203.thread_1 + u32(1));
+    var _S223 : Cell_0 = locate_0(family_10, position_6);
+    var _S224 : f32 = table_number_0(families_0[family_10].before_0 + u32(2) * _S223.thread_2 + u32(1));
     var bound_0 : Bound_0;
-    bound_0.thread_11 = _S203.thread_1;
-    bound_0.turns_2 = round((position_5 - families_0[family_9].start_0 - _S204 - _S203.below_0) * families_0[family_9].inverse_period_0);
-    bound_0.cell_7 = _S203.below_0;
-    var _S205 : f32 = 2.0f * _S203.half_width_1;
-    bound_0.width_2 = _S205;
-    bound_0.visible_0 = clamp((_S203.across_2 + _S203.half_width_1) / _S205, 0.0f, 1.0f);
-    bound_0.gap_0 = min(_S203.below_0, _S203.below_0 - _S203.across_2 - _S203.half_width_1) + max(_S203.across_2 - _S203.half_width_1, 0.0f);
+    bound_0.thread_12 = _S223.thread_2;
+    bound_0.turns_2 = round((position_6 - families_0[family_10].start_0 - _S224 - _S223.below_0) * families_0[family_10].inverse_period_0);
+    bound_0.cell_9 = _S223.below_0;
+    var _S225 : f32 = 2.0f * _S223.half_width_1;
+    bound_0.width_3 = _S225;
+    bound_0.visible_0 = clamp((_S223.across_2 + _S223.half_width_1) / _S225, 0.0f, 1.0f);
+    bound_0.gap_0 = min(_S223.below_0, _S223.below_0 - _S223.across_2 - _S223.half_width_1) + max(_S223.across_2 - _S223.half_width_1, 0.0f);
     return bound_0;
 }
 
@@ -1836,13 +1974,13 @@ struct Stretch_0
      high_1 : Bound_0,
 };
 
-fn stretch_of_0( family_10 : u32,  centre_1 : f32,  size_1 : f32) -> Stretch_0
+fn stretch_of_0( family_11 : u32,  centre_1 : f32,  size_2 : f32) -> Stretch_0
 {
-    var _S206 : f32 = centre_1 - floor((centre_1 - families_0[family_10].start_0) * families_0[family_10].inverse_period_0) * families_0[family_10].period_0;
-    var _S207 : f32 = 0.5f * max(size_1, families_0[family_10].smallest_box_0);
+    var _S226 : f32 = centre_1 - floor((centre_1 - families_0[family_11].start_0) * families_0[family_11].inverse_period_0) * families_0[family_11].period_0;
+    var _S227 : f32 = 0.5f * max(size_2, families_0[family_11].smallest_box_0);
     var stretch_0 : Stretch_0;
-    stretch_0.low_1 = bound_at_0(family_10, _S206 - _S207);
-    stretch_0.high_1 = bound_at_0(family_10, _S206 + _S207);
+    stretch_0.low_1 = bound_at_0(family_11, _S226 - _S227);
+    stretch_0.high_1 = bound_at_0(family_11, _S226 + _S227);
     return stretch_0;
 }
 
@@ -1851,167 +1989,166 @@ fn Stretch_turns_0( this_6 : Stretch_0) -> f32
     return this_6.high_1.turns_2 - this_6.low_1.turns_2;
 }
 
-fn lengths_0( family_11 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
+fn lengths_0( family_12 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
 {
-    var _S208 : f32 = Stretch_turns_0(stretch_1);
-    var _S209 : u32 = families_0[family_11].before_0 + u32(2) * stretch_1.low_1.thread_11;
-    var _S210 : u32 = families_0[family_11].before_0 + u32(2) * stretch_1.high_1.thread_11;
-    var _S211 : f32 = table_number_0(_S210) - table_number_0(_S209);
-    var _S212 : f32 = table_number_0(_S210 + u32(1)) - table_number_0(_S209 + u32(1));
-    return vec3<f32>(_S211 + stretch_1.high_1.visible_0 * stretch_1.high_1.width_2 - stretch_1.low_1.visible_0 * stretch_1.low_1.width_2 + _S208 * families_0[family_11].visible_total_0, _S212 - _S211 + stretch_1.high_1.gap_0 - stretch_1.low_1.gap_0 + _S208 * (families_0[family_11].period_0 - families_0[family_11].visible_total_0), _S212 + stretch_1.high_1.cell_7 - stretch_1.low_1.cell_7 + _S208 * families_0[family_11].period_0);
+    var _S228 : f32 = Stretch_turns_0(stretch_1);
+    var _S229 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.low_1.thread_12;
+    var _S230 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.high_1.thread_12;
+    var _S231 : f32 = table_number_0(_S230) - table_number_0(_S229);
+    var _S232 : f32 = table_number_0(_S230 + u32(1)) - table_number_0(_S229 + u32(1));
+    return vec3<f32>(_S231 + stretch_1.high_1.visible_0 * stretch_1.high_1.width_3 - stretch_1.low_1.visible_0 * stretch_1.low_1.width_3 + _S228 * families_0[family_12].visible_total_0, _S232 - _S231 + stretch_1.high_1.gap_0 - stretch_1.low_1.gap_0 + _S228 * (families_0[family_12].period_0 - families_0[family_12].visible_total_0), _S232 + stretch_1.high_1.cell_9 - stretch_1.low_1.cell_9 + _S228 * families_0[family_12].period_0);
 }
 
-fn integrals_along_0( family_12 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
+fn integrals_along_0( family_13 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
 {
-    var _S213 : Family_std430_0 = families_0[family_12];
-    var _S214 : u32 = u32(3) * _S213.quantities_0;
-    var _S215 : u32 = families_0[family_12].colour_threads_0 + _S214 * stretch_2.low_1.thread_11 + quantity_0;
-    var _S216 : u32 = families_0[family_12].colour_threads_0 + _S214 * stretch_2.high_1.thread_11 + quantity_0;
-    var _S217 : u32 = families_0[family_12].colour_threads_0 + _S214 * u32(families_0[family_12].count_0) + quantity_0;
-    var _S218 : f32 = table_number_0(_S215);
-    var _S219 : f32 = table_number_0(_S216);
-    var _S220 : f32 = Stretch_turns_0(stretch_2);
-    var _S221 : u32 = u32(2) * _S213.quantities_0;
-    return vec2<f32>(table_number_0(_S216 + _S213.quantities_0) - table_number_0(_S215 + _S213.quantities_0) + _S219 * stretch_2.high_1.visible_0 * stretch_2.high_1.width_2 - _S218 * stretch_2.low_1.visible_0 * stretch_2.low_1.width_2 + _S220 * table_number_0(_S217 + _S213.quantities_0), table_number_0(_S216 + _S221) - table_number_0(_S215 + _S221) + _S219 * stretch_2.high_1.cell_7 - _S218 * stretch_2.low_1.cell_7 + _S220 * table_number_0(_S217 + _S221));
+    var _S233 : u32 = u32(3) * families_0[family_13].quantities_0;
+    var _S234 : u32 = families_0[family_13].colour_threads_0 + _S233 * stretch_2.low_1.thread_12 + quantity_0;
+    var _S235 : u32 = families_0[family_13].colour_threads_0 + _S233 * stretch_2.high_1.thread_12 + quantity_0;
+    var _S236 : u32 = families_0[family_13].colour_threads_0 + _S233 * u32(families_0[family_13].count_0) + quantity_0;
+    var _S237 : f32 = table_number_0(_S234);
+    var _S238 : f32 = table_number_0(_S235);
+    var _S239 : f32 = Stretch_turns_0(stretch_2);
+    var _S240 : u32 = u32(2) * families_0[family_13].quantities_0;
+    return vec2<f32>(table_number_0(_S235 + families_0[family_13].quantities_0) - table_number_0(_S234 + families_0[family_13].quantities_0) + _S238 * stretch_2.high_1.visible_0 * stretch_2.high_1.width_3 - _S237 * stretch_2.low_1.visible_0 * stretch_2.low_1.width_3 + _S239 * table_number_0(_S236 + families_0[family_13].quantities_0), table_number_0(_S235 + _S240) - table_number_0(_S234 + _S240) + _S238 * stretch_2.high_1.cell_9 - _S237 * stretch_2.low_1.cell_9 + _S239 * table_number_0(_S236 + _S240));
 }
 
 fn Stretch_wraps_0( this_7 : Stretch_0) -> bool
 {
-    return (this_7.high_1.thread_11) < (this_7.low_1.thread_11);
+    return (this_7.high_1.thread_12) < (this_7.low_1.thread_12);
 }
 
 fn Stretch_differences_0( this_8 : Stretch_0,  entries_0 : vec4<u32>,  whole_0 : u32) -> vec4<u32>
 {
-    var _S222 : u32 = entries_0.z;
-    var _S223 : u32 = entries_0.x;
-    var _S224 : u32 = _S222 - _S223;
-    var _S225 : u32;
+    var _S241 : u32 = entries_0.z;
+    var _S242 : u32 = entries_0.x;
+    var _S243 : u32 = _S241 - _S242;
+    var _S244 : u32;
     if(Stretch_wraps_0(this_8))
     {
-        _S225 = whole_0;
+        _S244 = whole_0;
     }
     else
     {
-        _S225 = u32(0);
+        _S244 = u32(0);
     }
-    return vec4<u32>(_S224 + _S225, entries_0.w - _S222, entries_0.y - _S223, whole_0);
+    return vec4<u32>(_S243 + _S244, entries_0.w - _S241, entries_0.y - _S242, whole_0);
 }
 
-fn row_differences_0( across_4 : Stretch_0,  row_2 : u32,  count_3 : u32,  quantities_1 : u32) -> vec4<u32>
+fn row_differences_0( across_5 : Stretch_0,  row_2 : u32,  count_3 : u32,  quantities_1 : u32) -> vec4<u32>
 {
-    var _S226 : u32 = row_2 + across_4.low_1.thread_11 * quantities_1;
-    var _S227 : u32 = row_2 + across_4.high_1.thread_11 * quantities_1;
-    return Stretch_differences_0(across_4, vec4<u32>(words_0[_S226], words_0[_S226 + quantities_1], words_0[_S227], words_0[_S227 + quantities_1]), words_0[row_2 + count_3 * quantities_1]);
+    var _S245 : u32 = row_2 + across_5.low_1.thread_12 * quantities_1;
+    var _S246 : u32 = row_2 + across_5.high_1.thread_12 * quantities_1;
+    return Stretch_differences_0(across_5, vec4<u32>(words_0[_S245], words_0[_S245 + quantities_1], words_0[_S246], words_0[_S246 + quantities_1]), words_0[row_2 + count_3 * quantities_1]);
 }
 
 fn Stretch_weights_0( this_9 : Stretch_0) -> vec4<f32>
 {
-    var _S228 : f32 = - this_9.low_1.visible_0;
-    var _S229 : f32 = Stretch_turns_0(this_9);
-    var _S230 : f32;
+    var _S247 : f32 = - this_9.low_1.visible_0;
+    var _S248 : f32 = Stretch_turns_0(this_9);
+    var _S249 : f32;
     if(Stretch_wraps_0(this_9))
     {
-        _S230 = 1.0f;
+        _S249 = 1.0f;
     }
     else
     {
-        _S230 = 0.0f;
+        _S249 = 0.0f;
     }
-    return vec4<f32>(1.0f, this_9.high_1.visible_0, _S228, _S229 - _S230);
+    return vec4<f32>(1.0f, this_9.high_1.visible_0, _S247, _S248 - _S249);
 }
 
-fn integral_on_top_0( family_13 : u32,  across_5 : Stretch_0,  along_0 : Stretch_0,  crossing_count_0 : u32,  quantity_1 : u32) -> f32
+fn integral_on_top_0( family_14 : u32,  across_6 : Stretch_0,  along_1 : Stretch_0,  crossing_count_0 : u32,  quantity_1 : u32) -> f32
 {
-    var _S231 : u32 = u32(families_0[family_13].count_0);
-    var _S232 : u32 = (_S231 + u32(1)) * families_0[family_13].quantities_0;
-    var _S233 : u32 = families_0[family_13].colour_areas_0 + quantity_1;
-    var _S234 : vec4<u32> = row_differences_0(across_5, _S233 + along_0.low_1.thread_11 * _S232, _S231, families_0[family_13].quantities_0);
-    var _S235 : vec4<u32> = row_differences_0(across_5, _S233 + (along_0.low_1.thread_11 + u32(1)) * _S232, _S231, families_0[family_13].quantities_0);
-    var _S236 : vec4<u32> = row_differences_0(across_5, _S233 + along_0.high_1.thread_11 * _S232, _S231, families_0[family_13].quantities_0);
-    var _S237 : vec4<u32> = row_differences_0(across_5, _S233 + (along_0.high_1.thread_11 + u32(1)) * _S232, _S231, families_0[family_13].quantities_0);
-    var _S238 : vec4<u32> = row_differences_0(across_5, _S233 + crossing_count_0 * _S232, _S231, families_0[family_13].quantities_0);
-    var _S239 : vec4<u32> = _S236 - _S234;
-    var _S240 : vec4<u32>;
-    if(Stretch_wraps_0(along_0))
+    var _S250 : u32 = u32(families_0[family_14].count_0);
+    var _S251 : u32 = (_S250 + u32(1)) * families_0[family_14].quantities_0;
+    var _S252 : u32 = families_0[family_14].colour_areas_0 + quantity_1;
+    var _S253 : vec4<u32> = row_differences_0(across_6, _S252 + along_1.low_1.thread_12 * _S251, _S250, families_0[family_14].quantities_0);
+    var _S254 : vec4<u32> = row_differences_0(across_6, _S252 + (along_1.low_1.thread_12 + u32(1)) * _S251, _S250, families_0[family_14].quantities_0);
+    var _S255 : vec4<u32> = row_differences_0(across_6, _S252 + along_1.high_1.thread_12 * _S251, _S250, families_0[family_14].quantities_0);
+    var _S256 : vec4<u32> = row_differences_0(across_6, _S252 + (along_1.high_1.thread_12 + u32(1)) * _S251, _S250, families_0[family_14].quantities_0);
+    var _S257 : vec4<u32> = row_differences_0(across_6, _S252 + crossing_count_0 * _S251, _S250, families_0[family_14].quantities_0);
+    var _S258 : vec4<u32> = _S255 - _S253;
+    var _S259 : vec4<u32>;
+    if(Stretch_wraps_0(along_1))
     {
-        _S240 = _S238;
+        _S259 = _S257;
     }
     else
     {
-        _S240 = vec4<u32>(vec4<i32>(i32(0)));
+        _S259 = vec4<u32>(vec4<i32>(i32(0)));
     }
-    var _S241 : vec4<f32> = Stretch_weights_0(across_5);
-    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S239 + _S240)), _S241), dot(vec4<f32>(vec4<i32>(_S237 - _S236)), _S241), dot(vec4<f32>(vec4<i32>(_S235 - _S234)), _S241), dot(vec4<f32>(vec4<i32>(_S238)), _S241)), Stretch_weights_0(along_0)) * families_0[family_13].area_unit_0;
+    var _S260 : vec4<f32> = Stretch_weights_0(across_6);
+    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S258 + _S259)), _S260), dot(vec4<f32>(vec4<i32>(_S256 - _S255)), _S260), dot(vec4<f32>(vec4<i32>(_S254 - _S253)), _S260), dot(vec4<f32>(vec4<i32>(_S257)), _S260)), Stretch_weights_0(along_1)) * families_0[family_14].area_unit_0;
 }
 
 fn with_added_albedos_0( albedos_1 : Albedos_0,  weight_3 : f32,  row_3 : u32) -> Albedos_0
 {
-    var _S242 : Albedos_0 = table_albedos_0(row_3);
+    var _S261 : Albedos_0 = table_albedos_0(row_3);
     var sum_0 : Albedos_0;
-    var _S243 : vec3<f32> = vec3<f32>(weight_3);
-    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S243 * _S242.diffuse_reflect_0;
-    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S243 * _S242.diffuse_transmit_0;
-    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S243 * _S242.specular_reflect_0;
-    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S243 * _S242.specular_transmit_0;
+    var _S262 : vec3<f32> = vec3<f32>(weight_3);
+    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S262 * _S261.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S262 * _S261.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S262 * _S261.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S262 * _S261.specular_transmit_0;
     return sum_0;
 }
 
-fn mean_albedos_0( family_14 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  other_2 : Stretch_0,  back_4 : bool) -> Albedos_0
+fn mean_albedos_0( family_15 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  other_2 : Stretch_0,  back_5 : bool) -> Albedos_0
 {
-    var albedos_2 : Albedos_0 = table_albedos_0(families_0[family_14].colour_mean_0);
-    if((families_0[family_14].quantities_0) == u32(1))
+    var albedos_2 : Albedos_0 = table_albedos_0(families_0[family_15].colour_mean_0);
+    if((families_0[family_15].quantities_0) == u32(1))
     {
         return albedos_2;
     }
-    var _S244 : vec3<f32> = lengths_0(crossing_1, other_2);
+    var _S263 : vec3<f32> = lengths_0(crossing_1, other_2);
     var is_exposed_0 : bool = false;
     var weight_4 : f32 = 0.0f;
     var quantity_2 : u32 = u32(0);
     for(;;)
     {
-        if(quantity_2 < (families_0[family_14].quantities_0))
+        if(quantity_2 < (families_0[family_15].quantities_0))
         {
         }
         else
         {
             break;
         }
-        var _S245 : vec2<f32> = integrals_along_0(family_14, own_1, quantity_2);
-        var _S246 : f32 = integral_on_top_0(family_14, own_1, other_2, u32(families_0[crossing_1].count_0), quantity_2);
-        var _S247 : f32 = _S245.x;
-        var _S248 : f32 = _S247 * _S244.x;
-        var _S249 : f32;
-        if(back_4)
+        var _S264 : vec2<f32> = integrals_along_0(family_15, own_1, quantity_2);
+        var _S265 : f32 = integral_on_top_0(family_15, own_1, other_2, u32(families_0[crossing_1].count_0), quantity_2);
+        var _S266 : f32 = _S264.x;
+        var _S267 : f32 = _S266 * _S263.x;
+        var _S268 : f32;
+        if(back_5)
         {
-            _S249 = _S248 - _S246;
+            _S268 = _S267 - _S265;
         }
         else
         {
-            _S249 = _S246;
+            _S268 = _S265;
         }
-        var _S250 : bool = quantity_2 == u32(0);
-        if(_S250)
+        var _S269 : bool = quantity_2 == u32(0);
+        if(_S269)
         {
-            is_exposed_0 = _S249 > (16.0f * families_0[family_14].area_unit_0 * min(_S248 / families_0[family_14].crossing_area_0, 1.0f) + 0.00000999999974738f * _S248);
+            is_exposed_0 = _S268 > (16.0f * families_0[family_15].area_unit_0 * min(_S267 / families_0[family_15].crossing_area_0, 1.0f) + 0.00000999999974738f * _S267);
         }
-        var _S251 : f32 = _S247 * _S244.y;
-        var _S252 : f32;
+        var _S270 : f32 = _S266 * _S263.y;
+        var _S271 : f32;
         if(is_exposed_0)
         {
-            _S252 = _S249;
+            _S271 = _S268;
         }
         else
         {
-            _S252 = 0.0f;
+            _S271 = 0.0f;
         }
-        var _S253 : f32 = _S251 + _S252 + 0.000244140625f * _S244.z * _S245.y;
-        if(_S250)
+        var _S272 : f32 = _S270 + _S271 + 0.000244140625f * _S263.z * _S264.y;
+        if(_S269)
         {
-            weight_4 = 1.0f / max(_S253, 9.99999968265522539e-21f);
+            weight_4 = 1.0f / max(_S272, 9.99999968265522539e-21f);
         }
         else
         {
-            albedos_2 = with_added_albedos_0(albedos_2, _S253 * weight_4, families_0[family_14].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
+            albedos_2 = with_added_albedos_0(albedos_2, _S272 * weight_4, families_0[family_15].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
         }
         quantity_2 = quantity_2 + u32(1);
     }
@@ -2025,11 +2162,11 @@ fn mean_albedos_0( family_14 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  othe
 fn lerp_albedos_0( first_3 : Albedos_0,  second_1 : Albedos_0,  weight_5 : f32) -> Albedos_0
 {
     var albedos_3 : Albedos_0;
-    var _S254 : vec3<f32> = vec3<f32>(weight_5);
-    albedos_3.diffuse_reflect_0 = mix(first_3.diffuse_reflect_0, second_1.diffuse_reflect_0, _S254);
-    albedos_3.diffuse_transmit_0 = mix(first_3.diffuse_transmit_0, second_1.diffuse_transmit_0, _S254);
-    albedos_3.specular_reflect_0 = mix(first_3.specular_reflect_0, second_1.specular_reflect_0, _S254);
-    albedos_3.specular_transmit_0 = mix(first_3.specular_transmit_0, second_1.specular_transmit_0, _S254);
+    var _S273 : vec3<f32> = vec3<f32>(weight_5);
+    albedos_3.diffuse_reflect_0 = mix(first_3.diffuse_reflect_0, second_1.diffuse_reflect_0, _S273);
+    albedos_3.diffuse_transmit_0 = mix(first_3.diffuse_transmit_0, second_1.diffuse_transmit_0, _S273);
+    albedos_3.specular_reflect_0 = mix(first_3.specular_reflect_0, second_1.specular_reflect_0, _S273);
+    albedos_3.specular_transmit_0 = mix(first_3.specular_transmit_0, second_1.specular_transmit_0, _S273);
     return albedos_3;
 }
 
@@ -2062,47 +2199,47 @@ struct FaceSends_0
 
 fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S255 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
+    var _S274 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
     var found_0 : FaceRadiance_0;
-    var _S256 : vec3<f32> = sends_0.sky_warp_0 + _S255 * sends_0.crossing_warp_0;
-    found_0.warp_3 = _S256;
-    var _S257 : vec3<f32> = sends_0.sky_weft_0 + _S255 * sends_0.crossing_weft_0;
-    found_0.weft_3 = _S257;
-    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S256 + vec3<f32>(sends_0.blocks_weft_0) * _S257;
+    var _S275 : vec3<f32> = sends_0.sky_warp_0 + _S274 * sends_0.crossing_warp_0;
+    found_0.warp_3 = _S275;
+    var _S276 : vec3<f32> = sends_0.sky_weft_0 + _S274 * sends_0.crossing_weft_0;
+    found_0.weft_3 = _S276;
+    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S275 + vec3<f32>(sends_0.blocks_weft_0) * _S276;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
 fn view_terms_0( view_7 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S258 : f32 = 1.0f - view_7.z;
-    var _S259 : f32 = _S258 * _S258;
+    var _S277 : f32 = 1.0f - view_7.z;
+    var _S278 : f32 = _S277 * _S277;
     (*terms_0)[i32(0)] = 1.0f;
-    var _S260 : f32 = view_7.x;
-    var _S261 : f32 = _S260 * _S260;
-    var _S262 : f32 = view_7.y;
-    var _S263 : f32 = _S262 * _S262;
-    (*terms_0)[i32(1)] = sqrt(max(_S261 + _S263, 9.999999960041972e-13f));
-    (*terms_0)[i32(2)] = _S259;
-    (*terms_0)[i32(3)] = _S259 * _S259;
-    (*terms_0)[i32(4)] = _S261 - _S263;
+    var _S279 : f32 = view_7.x;
+    var _S280 : f32 = _S279 * _S279;
+    var _S281 : f32 = view_7.y;
+    var _S282 : f32 = _S281 * _S281;
+    (*terms_0)[i32(1)] = sqrt(max(_S280 + _S282, 9.999999960041972e-13f));
+    (*terms_0)[i32(2)] = _S278;
+    (*terms_0)[i32(3)] = _S278 * _S278;
+    (*terms_0)[i32(4)] = _S280 - _S282;
     (*terms_0)[i32(5)] = 0.0f;
     return;
 }
 
 fn view_terms_1( view_8 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S264 : f32 = 1.0f - view_8.z;
-    var _S265 : f32 = _S264 * _S264;
+    var _S283 : f32 = 1.0f - view_8.z;
+    var _S284 : f32 = _S283 * _S283;
     (*terms_1)[i32(0)] = 1.0f;
-    var _S266 : f32 = view_8.x;
-    var _S267 : f32 = _S266 * _S266;
-    var _S268 : f32 = view_8.y;
-    var _S269 : f32 = _S268 * _S268;
-    (*terms_1)[i32(1)] = sqrt(max(_S267 + _S269, 9.999999960041972e-13f));
-    (*terms_1)[i32(2)] = _S265;
-    (*terms_1)[i32(3)] = _S265 * _S265;
-    (*terms_1)[i32(4)] = _S267 - _S269;
+    var _S285 : f32 = view_8.x;
+    var _S286 : f32 = _S285 * _S285;
+    var _S287 : f32 = view_8.y;
+    var _S288 : f32 = _S287 * _S287;
+    (*terms_1)[i32(1)] = sqrt(max(_S286 + _S288, 9.999999960041972e-13f));
+    (*terms_1)[i32(2)] = _S284;
+    (*terms_1)[i32(3)] = _S284 * _S284;
+    (*terms_1)[i32(4)] = _S286 - _S288;
     (*terms_1)[i32(5)] = 0.0f;
     return;
 }
@@ -2115,7 +2252,7 @@ struct Bounced_0
 
 struct Scattered_0
 {
-     back_5 : vec3<f32>,
+     back_6 : vec3<f32>,
      through_0 : vec3<f32>,
 };
 
@@ -2130,11 +2267,11 @@ struct Interior_0
 
 fn bounced_by_0( blocked_1 : Blocked_0,  yarn_2 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S270 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
-    var _S271 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
+    var _S289 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
+    var _S290 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_0 = yarn_2.back_5 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_4 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_4) + _S271 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S271 * interior_0.far_1 + yarn_2.back_5 * _S270;
+    bounced_0.reflected_0 = yarn_2.back_6 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_4 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_4) + _S290 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S290 * interior_0.far_1 + yarn_2.back_6 * _S289;
     return bounced_0;
 }
 
@@ -2148,17 +2285,17 @@ fn sum_of_0( first_4 : Bounced_0,  second_2 : Bounced_0) -> Bounced_0
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_7 : vec3<f32>,  view_9 : vec3<f32>) -> vec3<f32>
 {
-    var _S272 : f32 = light_7.z;
-    var _S273 : vec3<f32>;
-    if((_S272 * view_9.z) < 0.0f)
+    var _S291 : f32 = light_7.z;
+    var _S292 : vec3<f32>;
+    if((_S291 * view_9.z) < 0.0f)
     {
-        _S273 = bounced_1.transmitted_0;
+        _S292 = bounced_1.transmitted_0;
     }
     else
     {
-        _S273 = bounced_1.reflected_0;
+        _S292 = bounced_1.reflected_0;
     }
-    return _S273 * vec3<f32>((abs(_S272) * 0.31830987334251404f));
+    return _S292 * vec3<f32>((abs(_S291) * 0.31830987334251404f));
 }
 
 fn sheen_scale_0( x_11 : f32,  y_4 : f32) -> f32
@@ -2178,244 +2315,244 @@ fn sheen_reflectance_0( x_13 : f32,  y_6 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_8 : f32) -> vec3<f32>
 {
-    var _S274 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S275 : f32 = 2.0f * sqrt(_S274) - 1.0f;
-    var _S276 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_8, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S275, _S276), 0.00999999977648258f, 1.0f), clamp((1.0f - _S274) * sheen_shear_0(_S275, _S276), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S275, _S276), -60.0f, 60.0f))));
+    var _S293 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S294 : f32 = 2.0f * sqrt(_S293) - 1.0f;
+    var _S295 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_8, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S294, _S295), 0.00999999977648258f, 1.0f), clamp((1.0f - _S293) * sheen_shear_0(_S294, _S295), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S294, _S295), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_8 : vec3<f32>,  view_10 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S277 : f32 = light_8.z;
-    var _S278 : bool;
-    if(_S277 <= 0.0f)
+    var _S296 : f32 = light_8.z;
+    var _S297 : bool;
+    if(_S296 <= 0.0f)
     {
-        _S278 = true;
+        _S297 = true;
     }
     else
     {
-        _S278 = (view_10.z) <= 0.0f;
+        _S297 = (view_10.z) <= 0.0f;
     }
-    if(_S278)
+    if(_S297)
     {
         return 0.0f;
     }
-    var _S279 : vec2<f32> = view_10.xy;
-    var _S280 : f32 = dot(_S279, _S279);
-    var _S281 : vec2<f32>;
-    if(_S280 > 9.99999968265522539e-21f)
+    var _S298 : vec2<f32> = view_10.xy;
+    var _S299 : f32 = dot(_S298, _S298);
+    var _S300 : vec2<f32>;
+    if(_S299 > 9.99999968265522539e-21f)
     {
-        _S281 = _S279 * vec2<f32>(rsqrt_0(_S280));
+        _S300 = _S298 * vec2<f32>(rsqrt_0(_S299));
     }
     else
     {
-        _S281 = vec2<f32>(1.0f, 0.0f);
+        _S300 = vec2<f32>(1.0f, 0.0f);
     }
-    var _S282 : f32 = scale_0 * dot(light_8.xy, _S281) + shear_0 * _S277;
-    var _S283 : f32 = scale_0 * (light_8.y * _S281.x - light_8.x * _S281.y);
-    var _S284 : f32 = _S282 * _S282 + _S283 * _S283 + _S277 * _S277;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S277 / max(_S284 * _S284, 9.99999968265522539e-21f);
+    var _S301 : f32 = scale_0 * dot(light_8.xy, _S300) + shear_0 * _S296;
+    var _S302 : f32 = scale_0 * (light_8.y * _S300.x - light_8.x * _S300.y);
+    var _S303 : f32 = _S301 * _S301 + _S302 * _S302 + _S296 * _S296;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S296 / max(_S303 * _S303, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_9 : vec3<f32>,  view_11 : vec3<f32>,  strength_0 : f32,  roughness_9 : f32) -> vec2<f32>
 {
-    var _S285 : vec3<f32> = sheen_lobe_0(view_11.z, roughness_9);
-    var _S286 : f32 = strength_0 * _S285.z;
-    return vec2<f32>(_S286 * transformed_cosine_0(light_9, view_11, _S285.x, _S285.y), 1.0f - _S286);
+    var _S304 : vec3<f32> = sheen_lobe_0(view_11.z, roughness_9);
+    var _S305 : f32 = strength_0 * _S304.z;
+    return vec2<f32>(_S305 * transformed_cosine_0(light_9, view_11, _S304.x, _S304.y), 1.0f - _S305);
 }
 
 fn accumulate_0( index_7 : u32,  light_10 : vec4<f32>)
 {
-    var _S287 : f32 = layers_0[index_7].share_0;
+    var _S306 : f32 = layers_0[index_7].share_0;
     radiance_0[index_7] = radiance_0[index_7] + vec4<f32>(layers_0[index_7].share_0) * light_10;
-    layers_0[index_7].share_0 = _S287 * (1.0f - light_10.w);
+    layers_0[index_7].share_0 = _S306 * (1.0f - light_10.w);
     return;
 }
 
-fn camera_right_0( _S288 : i32) -> vec3<f32>
+fn camera_right_0( _S307 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S288].right_x_0, frames_0[_S288].right_y_0, frames_0[_S288].right_z_0);
+    return vec3<f32>(frames_0[_S307].right_x_0, frames_0[_S307].right_y_0, frames_0[_S307].right_z_0);
 }
 
-fn camera_up_0( _S289 : i32) -> vec3<f32>
+fn camera_up_0( _S308 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S289].up_x_0, frames_0[_S289].up_y_0, frames_0[_S289].up_z_0);
+    return vec3<f32>(frames_0[_S308].up_x_0, frames_0[_S308].up_y_0, frames_0[_S308].up_z_0);
 }
 
-fn camera_forward_0( _S290 : i32) -> vec3<f32>
+fn camera_forward_0( _S309 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S290].forward_x_0, frames_0[_S290].forward_y_0, frames_0[_S290].forward_z_0);
+    return vec3<f32>(frames_0[_S309].forward_x_0, frames_0[_S309].forward_y_0, frames_0[_S309].forward_z_0);
 }
 
-fn camera_origin_0( _S291 : i32) -> vec3<f32>
+fn camera_origin_0( _S310 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S291].origin_x_0, frames_0[_S291].origin_y_0, frames_0[_S291].origin_z_0);
+    return vec3<f32>(frames_0[_S310].origin_x_0, frames_0[_S310].origin_y_0, frames_0[_S310].origin_z_0);
 }
 
-fn face_point_0( _S292 : u32,  _S293 : u32,  _S294 : f32,  _S295 : f32) -> VisiblePoint_0
+fn face_point_0( _S311 : u32,  _S312 : u32,  _S313 : f32,  _S314 : f32) -> VisiblePoint_0
 {
-    var _S296 : u32 = u32(3) * _S293;
-    var _S297 : Vertex_std430_0 = vertices_0[corners_0[_S296]];
-    var _S298 : Vertex_std430_0 = vertices_0[corners_0[_S296 + u32(1)]];
-    var _S299 : Vertex_std430_0 = vertices_0[corners_0[_S296 + u32(2)]];
-    var _S300 : vec3<f32> = position_of_0(&(_S298));
-    var _S301 : vec3<f32> = position_of_0(&(_S297));
-    var _S302 : vec3<f32> = _S300 - _S301;
-    var _S303 : vec3<f32> = position_of_0(&(_S299));
-    var _S304 : vec3<f32> = _S303 - _S301;
-    var _S305 : f32 = _S297.u_0;
-    var _S306 : f32 = _S298.u_0 - _S297.u_0;
-    var _S307 : f32 = _S297.v_0;
-    var _S308 : f32 = _S298.v_0 - _S297.v_0;
-    var _S309 : vec2<f32> = vec2<f32>(_S306, _S308);
-    var _S310 : f32 = _S299.u_0 - _S297.u_0;
-    var _S311 : f32 = _S299.v_0 - _S297.v_0;
-    var _S312 : vec2<f32> = vec2<f32>(_S310, _S311);
-    var _S313 : f32;
-    if((_S306 * _S311 - _S308 * _S310) < 0.0f)
+    var _S315 : u32 = u32(3) * _S312;
+    var _S316 : Vertex_std430_0 = vertices_0[corners_0[_S315]];
+    var _S317 : Vertex_std430_0 = vertices_0[corners_0[_S315 + u32(1)]];
+    var _S318 : Vertex_std430_0 = vertices_0[corners_0[_S315 + u32(2)]];
+    var _S319 : vec3<f32> = position_of_0(&(_S317));
+    var _S320 : vec3<f32> = position_of_0(&(_S316));
+    var _S321 : vec3<f32> = _S319 - _S320;
+    var _S322 : vec3<f32> = position_of_0(&(_S318));
+    var _S323 : vec3<f32> = _S322 - _S320;
+    var _S324 : f32 = _S316.u_0;
+    var _S325 : f32 = _S317.u_0 - _S316.u_0;
+    var _S326 : f32 = _S316.v_0;
+    var _S327 : f32 = _S317.v_0 - _S316.v_0;
+    var _S328 : vec2<f32> = vec2<f32>(_S325, _S327);
+    var _S329 : f32 = _S318.u_0 - _S316.u_0;
+    var _S330 : f32 = _S318.v_0 - _S316.v_0;
+    var _S331 : vec2<f32> = vec2<f32>(_S329, _S330);
+    var _S332 : f32;
+    if((_S325 * _S330 - _S327 * _S329) < 0.0f)
     {
-        _S313 = -1.0f;
+        _S332 = -1.0f;
     }
     else
     {
-        _S313 = 1.0f;
+        _S332 = 1.0f;
     }
-    var _S314 : vec3<f32> = vec3<f32>(_S313) * (vec3<f32>(_S311) * _S302 - vec3<f32>(_S308) * _S304);
-    var _S315 : vec3<f32> = vec3<f32>(_S313) * (vec3<f32>(_S306) * _S304 - vec3<f32>(_S310) * _S302);
-    var point_1 : VisiblePoint_0;
-    var _S316 : f32 = 1.0f - _S294 - _S295;
-    var _S317 : vec3<f32> = normal_of_0(&(_S297));
-    var _S318 : vec3<f32> = vec3<f32>(_S316) * _S317;
-    var _S319 : vec3<f32> = normal_of_0(&(_S298));
-    var _S320 : vec3<f32> = vec3<f32>(_S294);
-    var _S321 : vec3<f32> = _S318 + _S320 * _S319;
-    var _S322 : vec3<f32> = normal_of_0(&(_S299));
-    var _S323 : vec3<f32> = vec3<f32>(_S295);
-    var _S324 : vec3<f32> = normalize(_S321 + _S323 * _S322);
-    point_1.normal_0 = _S324;
-    var _S325 : vec3<f32> = normalize(_S314 - _S324 * vec3<f32>(dot(_S324, _S314)));
-    point_1.axis_x_0 = _S325;
-    point_1.axis_y_0 = cross(_S324, _S325);
-    var _S326 : vec3<f32> = normalize(cross(_S302, _S304));
-    var _S327 : vec3<f32>;
-    if((dot(_S326, _S324)) < 0.0f)
+    var _S333 : vec3<f32> = vec3<f32>(_S332) * (vec3<f32>(_S330) * _S321 - vec3<f32>(_S327) * _S323);
+    var _S334 : vec3<f32> = vec3<f32>(_S332) * (vec3<f32>(_S325) * _S323 - vec3<f32>(_S329) * _S321);
+    var point_2 : VisiblePoint_0;
+    var _S335 : f32 = 1.0f - _S313 - _S314;
+    var _S336 : vec3<f32> = normal_of_0(&(_S316));
+    var _S337 : vec3<f32> = vec3<f32>(_S335) * _S336;
+    var _S338 : vec3<f32> = normal_of_0(&(_S317));
+    var _S339 : vec3<f32> = vec3<f32>(_S313);
+    var _S340 : vec3<f32> = _S337 + _S339 * _S338;
+    var _S341 : vec3<f32> = normal_of_0(&(_S318));
+    var _S342 : vec3<f32> = vec3<f32>(_S314);
+    var _S343 : vec3<f32> = normalize(_S340 + _S342 * _S341);
+    point_2.normal_0 = _S343;
+    var _S344 : vec3<f32> = normalize(_S333 - _S343 * vec3<f32>(dot(_S343, _S333)));
+    point_2.axis_x_0 = _S344;
+    point_2.axis_y_0 = cross(_S343, _S344);
+    var _S345 : vec3<f32> = normalize(cross(_S321, _S323));
+    var _S346 : vec3<f32>;
+    if((dot(_S345, _S343)) < 0.0f)
     {
-        _S327 = (vec3<f32>(0) - _S326);
+        _S346 = (vec3<f32>(0) - _S345);
     }
     else
     {
-        _S327 = _S326;
+        _S346 = _S345;
     }
-    point_1.face_normal_0 = _S327;
-    point_1.position_0 = _S301 + _S320 * _S302 + _S323 * _S304;
-    point_1.view_0 = point_1.normal_0;
-    point_1.uv_1 = vec2<f32>(_S305, _S307) + vec2<f32>(_S294) * _S309 + vec2<f32>(_S295) * _S312;
-    var _S328 : bool = (dot(cross(_S314, _S315), point_1.normal_0)) < 0.0f;
-    var _S329 : f32 = fabrics_0[_S292].uv_width_0;
-    if(_S328)
+    point_2.face_normal_0 = _S346;
+    point_2.position_0 = _S320 + _S339 * _S321 + _S342 * _S323;
+    point_2.view_0 = point_2.normal_0;
+    point_2.uv_1 = vec2<f32>(_S324, _S326) + vec2<f32>(_S313) * _S328 + vec2<f32>(_S314) * _S331;
+    var _S347 : bool = (dot(cross(_S333, _S334), point_2.normal_0)) < 0.0f;
+    var _S348 : f32 = fabrics_0[_S311].uv_width_0;
+    if(_S347)
     {
-        _S313 = - fabrics_0[_S292].uv_height_0;
+        _S332 = - fabrics_0[_S311].uv_height_0;
     }
     else
     {
-        _S313 = fabrics_0[_S292].uv_height_0;
+        _S332 = fabrics_0[_S311].uv_height_0;
     }
-    var _S330 : vec2<f32> = vec2<f32>(_S329, _S313);
-    point_1.draft_per_uv_0 = _S330;
-    var _S331 : vec2<f32> = point_1.uv_1 * _S330;
-    if(_S328)
+    var _S349 : vec2<f32> = vec2<f32>(_S348, _S332);
+    point_2.draft_per_uv_0 = _S349;
+    var _S350 : vec2<f32> = point_2.uv_1 * _S349;
+    if(_S347)
     {
-        _S313 = fabrics_0[_S292].uv_height_0;
+        _S332 = fabrics_0[_S311].uv_height_0;
     }
     else
     {
-        _S313 = 0.0f;
+        _S332 = 0.0f;
     }
-    point_1.draft_0 = _S331 + vec2<f32>(0.0f, _S313);
-    var _S332 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S332;
-    point_1.draft_dy_0 = _S332;
-    return point_1;
-}
-
-fn visible_point_0( _S333 : i32,  _S334 : u32,  _S335 : u32,  _S336 : vec2<u32>) -> VisiblePoint_0
-{
-    var _S337 : u32 = u32(3) * _S335;
-    var _S338 : Vertex_std430_0 = vertices_0[corners_0[_S337]];
-    var _S339 : Vertex_std430_0 = vertices_0[corners_0[_S337 + u32(1)]];
-    var _S340 : Vertex_std430_0 = vertices_0[corners_0[_S337 + u32(2)]];
-    var _S341 : vec3<f32> = position_of_1(&(_S339));
-    var _S342 : vec3<f32> = position_of_1(&(_S338));
-    var _S343 : vec3<f32> = _S341 - _S342;
-    var _S344 : vec3<f32> = position_of_1(&(_S340));
-    var _S345 : vec3<f32> = _S344 - _S342;
-    var _S346 : vec3<f32> = cross(_S343, _S345);
-    var _S347 : f32 = 1.0f / max(square_0(_S346), 1.00000000317107685e-30f);
-    var _S348 : f32 = f32(frames_0[_S333].width_0);
-    var _S349 : vec3<f32> = camera_right_0(_S333) * vec3<f32>((2.0f / _S348));
-    var _S350 : f32 = f32(frames_0[_S333].height_0);
-    var _S351 : vec3<f32> = camera_up_0(_S333) * vec3<f32>((-2.0f / _S350));
-    var _S352 : vec3<f32> = camera_forward_0(_S333) + vec3<f32>((f32(_S336.x) + 0.5f - 0.5f * _S348)) * _S349 + vec3<f32>((f32(_S336.y) + 0.5f - 0.5f * _S350)) * _S351;
-    var _S353 : f32 = dot(_S352, _S346);
-    var _S354 : f32;
-    if((abs(_S353)) > 1.00000000317107685e-30f)
-    {
-        _S354 = _S353;
-    }
-    else
-    {
-        _S354 = 1.00000000317107685e-30f;
-    }
-    var _S355 : f32 = 1.0f / _S354;
-    var _S356 : vec3<f32> = _S342 - camera_origin_0(_S333);
-    var _S357 : vec3<f32> = vec3<f32>((dot(_S356, _S346) * _S355));
-    var _S358 : vec3<f32> = _S352 * _S357 - _S356;
-    var _S359 : vec3<f32> = _S357 * (_S349 - _S352 * vec3<f32>((dot(_S349, _S346) * _S355)));
-    var _S360 : vec3<f32> = _S357 * (_S351 - _S352 * vec3<f32>((dot(_S351, _S346) * _S355)));
-    var _S361 : vec3<f32> = vec3<f32>(_S347);
-    var _S362 : vec3<f32> = cross(_S345, _S346) * _S361;
-    var _S363 : vec3<f32> = cross(_S346, _S343) * _S361;
-    var _S364 : vec2<f32> = vec2<f32>(_S339.u_0 - _S338.u_0, _S339.v_0 - _S338.v_0);
-    var _S365 : vec2<f32> = vec2<f32>(_S340.u_0 - _S338.u_0, _S340.v_0 - _S338.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S334, _S335, dot(_S358, _S362), dot(_S358, _S363));
-    point_2.position_0 = _S342 + _S358;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S352));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S359, _S362)) * _S364 + vec2<f32>(dot(_S359, _S363)) * _S365) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S360, _S362)) * _S364 + vec2<f32>(dot(_S360, _S363)) * _S365) * point_2.draft_per_uv_0;
+    point_2.draft_0 = _S350 + vec2<f32>(0.0f, _S332);
+    var _S351 : vec2<f32> = vec2<f32>(0.0f);
+    point_2.draft_dx_0 = _S351;
+    point_2.draft_dy_0 = _S351;
     return point_2;
 }
 
-fn filtered_albedo_0( _S366 : u32,  _S367 : VisiblePoint_0) -> vec3<f32>
+fn visible_point_0( _S352 : i32,  _S353 : u32,  _S354 : u32,  _S355 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S368 : u32 = fabrics_0[_S366].albedo_map_levels_0;
-    if((fabrics_0[_S366].albedo_map_levels_0) == u32(0))
+    var _S356 : u32 = u32(3) * _S354;
+    var _S357 : Vertex_std430_0 = vertices_0[corners_0[_S356]];
+    var _S358 : Vertex_std430_0 = vertices_0[corners_0[_S356 + u32(1)]];
+    var _S359 : Vertex_std430_0 = vertices_0[corners_0[_S356 + u32(2)]];
+    var _S360 : vec3<f32> = position_of_1(&(_S358));
+    var _S361 : vec3<f32> = position_of_1(&(_S357));
+    var _S362 : vec3<f32> = _S360 - _S361;
+    var _S363 : vec3<f32> = position_of_1(&(_S359));
+    var _S364 : vec3<f32> = _S363 - _S361;
+    var _S365 : vec3<f32> = cross(_S362, _S364);
+    var _S366 : f32 = 1.0f / max(square_0(_S365), 1.00000000317107685e-30f);
+    var _S367 : f32 = f32(frames_0[_S352].width_0);
+    var _S368 : vec3<f32> = camera_right_0(_S352) * vec3<f32>((2.0f / _S367));
+    var _S369 : f32 = f32(frames_0[_S352].height_0);
+    var _S370 : vec3<f32> = camera_up_0(_S352) * vec3<f32>((-2.0f / _S369));
+    var _S371 : vec3<f32> = camera_forward_0(_S352) + vec3<f32>((f32(_S355.x) + 0.5f - 0.5f * _S367)) * _S368 + vec3<f32>((f32(_S355.y) + 0.5f - 0.5f * _S369)) * _S370;
+    var _S372 : f32 = dot(_S371, _S365);
+    var _S373 : f32;
+    if((abs(_S372)) > 1.00000000317107685e-30f)
+    {
+        _S373 = _S372;
+    }
+    else
+    {
+        _S373 = 1.00000000317107685e-30f;
+    }
+    var _S374 : f32 = 1.0f / _S373;
+    var _S375 : vec3<f32> = _S361 - camera_origin_0(_S352);
+    var _S376 : vec3<f32> = vec3<f32>((dot(_S375, _S365) * _S374));
+    var _S377 : vec3<f32> = _S371 * _S376 - _S375;
+    var _S378 : vec3<f32> = _S376 * (_S368 - _S371 * vec3<f32>((dot(_S368, _S365) * _S374)));
+    var _S379 : vec3<f32> = _S376 * (_S370 - _S371 * vec3<f32>((dot(_S370, _S365) * _S374)));
+    var _S380 : vec3<f32> = vec3<f32>(_S366);
+    var _S381 : vec3<f32> = cross(_S364, _S365) * _S380;
+    var _S382 : vec3<f32> = cross(_S365, _S362) * _S380;
+    var _S383 : vec2<f32> = vec2<f32>(_S358.u_0 - _S357.u_0, _S358.v_0 - _S357.v_0);
+    var _S384 : vec2<f32> = vec2<f32>(_S359.u_0 - _S357.u_0, _S359.v_0 - _S357.v_0);
+    var point_3 : VisiblePoint_0 = face_point_0(_S353, _S354, dot(_S377, _S381), dot(_S377, _S382));
+    point_3.position_0 = _S361 + _S377;
+    point_3.view_0 = (vec3<f32>(0) - normalize(_S371));
+    point_3.draft_dx_0 = (vec2<f32>(dot(_S378, _S381)) * _S383 + vec2<f32>(dot(_S378, _S382)) * _S384) * point_3.draft_per_uv_0;
+    point_3.draft_dy_0 = (vec2<f32>(dot(_S379, _S381)) * _S383 + vec2<f32>(dot(_S379, _S382)) * _S384) * point_3.draft_per_uv_0;
+    return point_3;
+}
+
+fn filtered_albedo_0( _S385 : u32,  _S386 : VisiblePoint_0) -> vec3<f32>
+{
+    var _S387 : u32 = fabrics_0[_S385].albedo_map_levels_0;
+    if((fabrics_0[_S385].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S369 : vec2<f32> = vec2<f32>(fabrics_0[_S366].uv_width_0, fabrics_0[_S366].uv_height_0);
-    var _S370 : vec2<f32> = _S367.draft_dx_0 / _S369;
-    var _S371 : vec2<f32> = _S367.draft_dy_0 / _S369;
-    var _S372 : u32 = _S368 - u32(1);
-    var _S373 : u32 = (u32(1) << (_S372));
-    var _S374 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S370.x * _S371.y - _S370.y * _S371.x), 9.99999968265522539e-21f) * (square_1(f32(_S373)) / 3.0f)), 0.0f, f32(_S368) - 1.0f);
-    var _S375 : u32 = min(u32(_S374), max(_S368, u32(2)) - u32(2));
-    var _S376 : u32 = min(_S375 + u32(1), _S372);
-    var _S377 : u32 = (u32(1) << ((u32(2) * _S368)));
-    return mix(map_level_0(fabrics_0[_S366].albedo_map_0 + (_S377 - ((_S377 >> ((u32(2) * _S375))))) / u32(3), (_S373 >> (_S375)), _S367.uv_1), map_level_0(fabrics_0[_S366].albedo_map_0 + (_S377 - ((_S377 >> ((u32(2) * _S376))))) / u32(3), (_S373 >> (_S376)), _S367.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S374 - f32(_S375))) - 1.0f) / 3.0f)));
+    var _S388 : vec2<f32> = vec2<f32>(fabrics_0[_S385].uv_width_0, fabrics_0[_S385].uv_height_0);
+    var _S389 : vec2<f32> = _S386.draft_dx_0 / _S388;
+    var _S390 : vec2<f32> = _S386.draft_dy_0 / _S388;
+    var _S391 : u32 = _S387 - u32(1);
+    var _S392 : u32 = (u32(1) << (_S391));
+    var _S393 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S389.x * _S390.y - _S389.y * _S390.x), 9.99999968265522539e-21f) * (square_1(f32(_S392)) / 3.0f)), 0.0f, f32(_S387) - 1.0f);
+    var _S394 : u32 = min(u32(_S393), max(_S387, u32(2)) - u32(2));
+    var _S395 : u32 = min(_S394 + u32(1), _S391);
+    var _S396 : u32 = (u32(1) << ((u32(2) * _S387)));
+    return mix(map_level_0(fabrics_0[_S385].albedo_map_0 + (_S396 - ((_S396 >> ((u32(2) * _S394))))) / u32(3), (_S392 >> (_S394)), _S386.uv_1), map_level_0(fabrics_0[_S385].albedo_map_0 + (_S396 - ((_S396 >> ((u32(2) * _S395))))) / u32(3), (_S392 >> (_S395)), _S386.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S393 - f32(_S394))) - 1.0f) / 3.0f)));
 }
 
-fn light_sample_count_0( _S378 : i32) -> u32
+fn light_sample_count_0( _S397 : i32) -> u32
 {
-    return frames_0[_S378].lights_0 + frames_0[_S378].environment_samples_0;
+    return frames_0[_S397].lights_0 + frames_0[_S397].environment_samples_0;
 }
 
-fn visibility_at_0( _S379 : i32,  _S380 : u32,  _S381 : vec2<u32>) -> f32
+fn visibility_at_0( _S398 : i32,  _S399 : u32,  _S400 : vec2<u32>) -> f32
 {
-    if((frames_0[_S379].casts_shadows_0) == u32(0))
+    if((frames_0[_S398].casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S380 * frames_0[_S379].height_0 + _S381.y) * frames_0[_S379].width_0 + _S381.x];
+    return visibilities_0[(_S399 * frames_0[_S398].height_0 + _S400.y) * frames_0[_S398].width_0 + _S400.x];
 }
 
 struct LightSample_0
@@ -2425,52 +2562,52 @@ struct LightSample_0
      distance_1 : f32,
 };
 
-fn environment_texel_0( _S382 : i32,  _S383 : u32,  _S384 : u32) -> vec3<f32>
+fn environment_texel_0( _S401 : i32,  _S402 : u32,  _S403 : u32) -> vec3<f32>
 {
-    var _S385 : u32 = frames_0[_S382].environment_table_0 + frames_0[_S382].environment_rows_0 + u32(1) + frames_0[_S382].environment_rows_0 * (frames_0[_S382].environment_columns_0 + u32(1)) + u32(3) * (_S383 * frames_0[_S382].environment_columns_0 + _S384);
-    return vec3<f32>(scene_number_0(_S385), scene_number_0(_S385 + u32(1)), scene_number_0(_S385 + u32(2)));
+    var _S404 : u32 = frames_0[_S401].environment_table_0 + frames_0[_S401].environment_rows_0 + u32(1) + frames_0[_S401].environment_rows_0 * (frames_0[_S401].environment_columns_0 + u32(1)) + u32(3) * (_S402 * frames_0[_S401].environment_columns_0 + _S403);
+    return vec3<f32>(scene_number_0(_S404), scene_number_0(_S404 + u32(1)), scene_number_0(_S404 + u32(2)));
 }
 
-fn sample_environment_0( _S386 : i32,  _S387 : vec2<f32>,  _S388 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S405 : i32,  _S406 : vec2<f32>,  _S407 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S389 : u32 = frames_0[_S386].environment_rows_0;
-    var _S390 : Choice_0 = choose_0(frames_0[_S386].environment_table_0, frames_0[_S386].environment_rows_0, _S387.y);
-    var _S391 : u32 = frames_0[_S386].environment_columns_0;
-    var _S392 : Choice_0 = choose_0(frames_0[_S386].environment_table_0 + frames_0[_S386].environment_rows_0 + u32(1) + _S390.index_3 * (frames_0[_S386].environment_columns_0 + u32(1)), frames_0[_S386].environment_columns_0, _S387.x);
-    var _S393 : vec3<f32> = environment_texel_0(_S386, _S390.index_3, _S392.index_3);
-    (*_S388) = _S393 * vec3<f32>((frames_0[_S386].environment_total_0 / max(mean_0(_S393), 9.99999968265522539e-21f)));
-    var _S394 : f32 = 3.14159274101257324f / f32(_S389);
-    var _S395 : f32 = mix(sine_cosine_0(f32(_S390.index_3) * _S394).y, sine_cosine_0(f32(_S390.index_3 + u32(1)) * _S394).y, _S390.remainder_0);
-    var _S396 : f32 = sqrt(max(1.0f - _S395 * _S395, 0.0f));
-    var _S397 : vec2<f32> = sine_cosine_0((f32(_S392.index_3) + _S392.remainder_0) * (6.28318548202514648f / f32(_S391)));
-    var _S398 : f32 = _S396 * _S397.x;
-    var _S399 : f32 = - _S396 * _S397.y;
-    return vec3<f32>(frames_0[_S386].environment_cosine_0 * _S398 + frames_0[_S386].environment_sine_0 * _S399, _S395, frames_0[_S386].environment_cosine_0 * _S399 - frames_0[_S386].environment_sine_0 * _S398);
+    var _S408 : u32 = frames_0[_S405].environment_rows_0;
+    var _S409 : Choice_0 = choose_0(frames_0[_S405].environment_table_0, frames_0[_S405].environment_rows_0, _S406.y);
+    var _S410 : u32 = frames_0[_S405].environment_columns_0;
+    var _S411 : Choice_0 = choose_0(frames_0[_S405].environment_table_0 + frames_0[_S405].environment_rows_0 + u32(1) + _S409.index_3 * (frames_0[_S405].environment_columns_0 + u32(1)), frames_0[_S405].environment_columns_0, _S406.x);
+    var _S412 : vec3<f32> = environment_texel_0(_S405, _S409.index_3, _S411.index_3);
+    (*_S407) = _S412 * vec3<f32>((frames_0[_S405].environment_total_0 / max(mean_0(_S412), 9.99999968265522539e-21f)));
+    var _S413 : f32 = 3.14159274101257324f / f32(_S408);
+    var _S414 : f32 = mix(sine_cosine_0(f32(_S409.index_3) * _S413).y, sine_cosine_0(f32(_S409.index_3 + u32(1)) * _S413).y, _S409.remainder_0);
+    var _S415 : f32 = sqrt(max(1.0f - _S414 * _S414, 0.0f));
+    var _S416 : vec2<f32> = sine_cosine_0((f32(_S411.index_3) + _S411.remainder_0) * (6.28318548202514648f / f32(_S410)));
+    var _S417 : f32 = _S415 * _S416.x;
+    var _S418 : f32 = - _S415 * _S416.y;
+    return vec3<f32>(frames_0[_S405].environment_cosine_0 * _S417 + frames_0[_S405].environment_sine_0 * _S418, _S414, frames_0[_S405].environment_cosine_0 * _S418 - frames_0[_S405].environment_sine_0 * _S417);
 }
 
-fn light_sample_0( _S400 : i32,  _S401 : u32,  _S402 : vec2<u32>,  _S403 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S419 : i32,  _S420 : u32,  _S421 : vec2<u32>,  _S422 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_1 = 1.00000001504746622e+30f;
-    var _S404 : u32 = frames_0[_S400].lights_0;
-    if(_S401 >= (frames_0[_S400].lights_0))
+    var _S423 : u32 = frames_0[_S419].lights_0;
+    if(_S420 >= (frames_0[_S419].lights_0))
     {
         var weight_6 : vec3<f32>;
-        var _S405 : vec3<f32> = sample_environment_0(_S400, pixel_sequence_0(_S402, frames_0[_S400].pass_number_0 * frames_0[_S400].environment_samples_0 + (_S401 - _S404), u32(3)), &(weight_6));
-        sample_0.towards_0 = _S405;
-        sample_0.irradiance_1 = weight_6 / vec3<f32>(f32(frames_0[_S400].environment_samples_0));
+        var _S424 : vec3<f32> = sample_environment_0(_S419, pixel_sequence_0(_S421, frames_0[_S419].pass_number_0 * frames_0[_S419].environment_samples_0 + (_S420 - _S423), u32(3)), &(weight_6));
+        sample_0.towards_0 = _S424;
+        sample_0.irradiance_1 = weight_6 / vec3<f32>(f32(frames_0[_S419].environment_samples_0));
         return sample_0;
     }
-    var _S406 : Light_std430_0 = lights_1[_S401];
-    sample_0.irradiance_1 = vec3<f32>(_S406.red_0, _S406.green_0, _S406.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S406.x_1, _S406.y_1, _S406.z_1);
-    if((_S406.is_point_0) != u32(0))
+    var _S425 : Light_std430_0 = lights_1[_S420];
+    sample_0.irradiance_1 = vec3<f32>(_S425.red_0, _S425.green_0, _S425.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S425.x_1, _S425.y_1, _S425.z_1);
+    if((_S425.is_point_0) != u32(0))
     {
-        var _S407 : vec3<f32> = sample_0.towards_0 - _S403;
-        var _S408 : f32 = max(square_0(_S407), 9.999999960041972e-13f);
-        sample_0.distance_1 = sqrt(_S408);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S408);
-        sample_0.towards_0 = normalize(_S407);
+        var _S426 : vec3<f32> = sample_0.towards_0 - _S422;
+        var _S427 : f32 = max(square_0(_S426), 9.999999960041972e-13f);
+        sample_0.distance_1 = sqrt(_S427);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S427);
+        sample_0.towards_0 = normalize(_S426);
     }
     return sample_0;
 }
@@ -2495,26 +2632,55 @@ struct Regime_0
      points_0 : f32,
 };
 
-fn regime_of_0( _S409 : u32,  _S410 : Footprint_0,  _S411 : f32) -> Regime_0
+fn regime_of_0( _S428 : u32,  _S429 : Footprint_0,  _S430 : f32) -> Regime_0
 {
-    var _S412 : f32 = Footprint_spread_side_0(_S410);
-    var _S413 : f32 = clamp((binary_logarithm_0(max(_S412, 9.99999971718068537e-10f)) - fabrics_0[_S409].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
+    var _S431 : f32 = Footprint_spread_side_0(_S429);
+    var _S432 : f32 = clamp((binary_logarithm_0(max(_S431, 9.99999971718068537e-10f)) - fabrics_0[_S428].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
     var regime_0 : Regime_0;
-    var _S414 : f32 = _S413 * _S413 * (3.0f - 2.0f * _S413);
-    regime_0.prefiltered_0 = _S414;
-    regime_0.threads_1 = _S412 * fabrics_0[_S409].lobes_0.threads_per_mm_0;
-    var _S415 : f32 = mix(max(8.0f / _S411, 1.0f), 1.0f, _S414);
-    var _S416 : f32;
-    if(_S414 < 1.0f)
+    var _S433 : f32 = _S432 * _S432 * (3.0f - 2.0f * _S432);
+    regime_0.prefiltered_0 = _S433;
+    regime_0.threads_1 = _S431 * fabrics_0[_S428].lobes_0.threads_per_mm_0;
+    var _S434 : f32 = mix(max(8.0f / _S430, 1.0f), 1.0f, _S433);
+    var _S435 : f32;
+    if(_S433 < 1.0f)
     {
-        _S416 = clamp(regime_0.threads_1 * 12.0f, 1.0f, _S415);
+        _S435 = clamp(regime_0.threads_1 * 12.0f, 1.0f, _S434);
     }
     else
     {
-        _S416 = 0.0f;
+        _S435 = 0.0f;
     }
-    regime_0.points_0 = _S416;
+    regime_0.points_0 = _S435;
     return regime_0;
+}
+
+fn varies_at_0( _S436 : u32,  _S437 : f32) -> bool
+{
+    var _S438 : bool;
+    if((fabrics_0[_S436].fibre_noise_0) > 0.0f)
+    {
+        _S438 = true;
+    }
+    else
+    {
+        _S438 = (fabrics_0[_S436].colour_noise_0) > 0.0f;
+    }
+    if(_S438)
+    {
+        _S438 = true;
+    }
+    else
+    {
+        if((fabrics_0[_S436].has_detail_0) != u32(0))
+        {
+            _S438 = _S437 >= 0.0f;
+        }
+        else
+        {
+            _S438 = false;
+        }
+    }
+    return _S438;
 }
 
 struct Hit_0
@@ -2538,314 +2704,314 @@ struct Sample_0
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S417 : u32,  _S418 : f32,  _S419 : f32,  _S420 : bool) -> Crossing_0
+fn crossing_at_0( _S439 : u32,  _S440 : f32,  _S441 : f32,  _S442 : bool) -> Crossing_0
 {
     var crossing_3 : Crossing_0;
-    crossing_3.warp_2 = locate_0(fabrics_0[_S417].warp_0, _S418);
-    crossing_3.weft_2 = locate_0(fabrics_0[_S417].weft_0, _S419);
-    var _S421 : u32 = fabrics_0[_S417].run_words_0 + u32(2) * (crossing_3.weft_2.thread_1 * fabrics_0[_S417].ends_1 + crossing_3.warp_2.thread_1);
-    var _S422 : u32 = words_0[_S421];
-    crossing_3.warp_word_0 = _S422;
-    crossing_3.weft_word_0 = words_0[_S421 + u32(1)];
-    crossing_3.warp_above_0 = (((_S422 & (u32(1)))) == u32(1)) != _S420;
+    crossing_3.warp_2 = locate_0(fabrics_0[_S439].warp_0, _S440);
+    crossing_3.weft_2 = locate_0(fabrics_0[_S439].weft_0, _S441);
+    var _S443 : u32 = fabrics_0[_S439].run_words_0 + u32(2) * (crossing_3.weft_2.thread_2 * fabrics_0[_S439].ends_1 + crossing_3.warp_2.thread_2);
+    var _S444 : u32 = words_0[_S443];
+    crossing_3.warp_word_0 = _S444;
+    crossing_3.weft_word_0 = words_0[_S443 + u32(1)];
+    crossing_3.warp_above_0 = (((_S444 & (u32(1)))) == u32(1)) != _S442;
     return crossing_3;
 }
 
-fn sample_at_0( _S423 : u32,  _S424 : f32,  _S425 : f32,  _S426 : bool) -> Sample_0
+fn sample_at_0( _S445 : u32,  _S446 : f32,  _S447 : f32,  _S448 : bool) -> Sample_0
 {
     var sample_1 : Sample_0;
-    var _S427 : Crossing_0 = crossing_at_0(_S423, _S424, _S425, _S426);
-    sample_1.crossing_2 = _S427;
-    var _S428 : Shown_0 = shown_at_0(_S427, _S426);
-    sample_1.shown_3 = _S428;
-    var _S429 : u32;
-    if(_S428.is_warp_2)
+    var _S449 : Crossing_0 = crossing_at_0(_S445, _S446, _S447, _S448);
+    sample_1.crossing_2 = _S449;
+    var _S450 : Shown_0 = shown_at_0(_S449, _S448);
+    sample_1.shown_3 = _S450;
+    var _S451 : u32;
+    if(_S450.is_warp_2)
     {
-        _S429 = fabrics_0[_S423].warp_0;
+        _S451 = fabrics_0[_S445].warp_0;
     }
     else
     {
-        _S429 = fabrics_0[_S423].weft_0;
+        _S451 = fabrics_0[_S445].weft_0;
     }
-    var _S430 : u32;
-    if(_S428.is_warp_2)
+    var _S452 : u32;
+    if(_S450.is_warp_2)
     {
-        _S430 = fabrics_0[_S423].weft_0;
+        _S452 = fabrics_0[_S445].weft_0;
     }
     else
     {
-        _S430 = fabrics_0[_S423].warp_0;
+        _S452 = fabrics_0[_S445].warp_0;
     }
-    var _S431 : Cell_0 = select_cell_0(_S428.is_warp_2, sample_1.crossing_2.warp_2, sample_1.crossing_2.weft_2);
-    var _S432 : Cell_0 = select_cell_0(_S428.is_warp_2, sample_1.crossing_2.weft_2, sample_1.crossing_2.warp_2);
-    var _S433 : Run_0 = unpack_0(_S429, _S430, _S431.thread_1, _S432, _S428.word_0);
-    var _S434 : Section_0 = section_at_0(_S431);
-    var _S435 : bool;
-    if(_S428.on_top_0)
+    var _S453 : Cell_0 = select_cell_0(_S450.is_warp_2, sample_1.crossing_2.warp_2, sample_1.crossing_2.weft_2);
+    var _S454 : Cell_0 = select_cell_0(_S450.is_warp_2, sample_1.crossing_2.weft_2, sample_1.crossing_2.warp_2);
+    var _S455 : Run_0 = unpack_0(_S451, _S452, _S453.thread_2, _S454, _S450.word_0);
+    var _S456 : Section_0 = section_at_0(_S453);
+    var _S457 : bool;
+    if(_S450.on_top_0)
     {
-        _S435 = (_S433.distance_0) < (_S434.drop_0 * _S433.bend_1.sine_0);
+        _S457 = (_S455.distance_0) < (_S456.drop_0 * _S455.bend_1.sine_0);
     }
     else
     {
-        _S435 = false;
+        _S457 = false;
     }
-    var _S436 : bool;
-    if(_S428.on_top_0)
+    var _S458 : bool;
+    if(_S450.on_top_0)
     {
-        _S436 = !_S435;
+        _S458 = !_S457;
     }
     else
     {
-        _S436 = false;
+        _S458 = false;
     }
-    var _S437 : f32;
-    if(_S436)
+    var _S459 : f32;
+    if(_S458)
     {
-        _S437 = 1.0f;
+        _S459 = 1.0f;
     }
     else
     {
-        _S437 = -1.0f;
+        _S459 = -1.0f;
     }
-    var _S438 : f32;
-    if(_S435)
+    var _S460 : f32;
+    if(_S457)
     {
-        _S438 = _S433.other_reach_0;
+        _S460 = _S455.other_reach_0;
     }
     else
     {
-        _S438 = _S433.reach_0;
+        _S460 = _S455.reach_0;
     }
-    var _S439 : f32;
-    if(_S435)
+    var _S461 : f32;
+    if(_S457)
     {
-        _S439 = _S438 + _S433.distance_0;
+        _S461 = _S460 + _S455.distance_0;
     }
     else
     {
-        _S439 = max(_S438 - _S433.distance_0, 0.0f);
+        _S461 = max(_S460 - _S455.distance_0, 0.0f);
     }
-    var _S440 : f32 = _S438 / _S433.bend_1.sine_0 - _S437 * _S434.drop_0;
-    var _S441 : f32 = _S439 * _S439;
-    var _S442 : f32 = max(_S440 * _S440 - _S441, 9.99999968265522539e-21f);
-    var _S443 : f32 = rsqrt_0(_S442);
-    var _S444 : f32 = _S441 / (_S442 * _S443 + _S440);
-    var _S445 : bool = _S439 > 0.0f;
-    var _S446 : f32;
-    if(_S428.on_top_0)
+    var _S462 : f32 = _S460 / _S455.bend_1.sine_0 - _S459 * _S456.drop_0;
+    var _S463 : f32 = _S461 * _S461;
+    var _S464 : f32 = max(_S462 * _S462 - _S463, 9.99999968265522539e-21f);
+    var _S465 : f32 = rsqrt_0(_S464);
+    var _S466 : f32 = _S463 / (_S464 * _S465 + _S462);
+    var _S467 : bool = _S461 > 0.0f;
+    var _S468 : f32;
+    if(_S450.on_top_0)
     {
-        _S446 = 1.0f;
+        _S468 = 1.0f;
     }
     else
     {
-        _S446 = -1.0f;
+        _S468 = -1.0f;
     }
-    var _S447 : f32;
-    if(_S433.near_start_0)
+    var _S469 : f32;
+    if(_S455.near_start_0)
     {
-        _S447 = 1.0f;
+        _S469 = 1.0f;
     }
     else
     {
-        _S447 = -1.0f;
+        _S469 = -1.0f;
     }
-    var _S448 : f32 = _S446 * _S447;
-    if(_S445)
+    var _S470 : f32 = _S468 * _S469;
+    if(_S467)
     {
-        _S446 = _S440 * _S443;
+        _S468 = _S462 * _S465;
     }
     else
     {
-        _S446 = 1.0f;
+        _S468 = 1.0f;
     }
-    sample_1.slope_across_0 = _S434.slope_0 * _S446;
-    if(_S445)
+    sample_1.slope_across_0 = _S456.slope_0 * _S468;
+    if(_S467)
     {
-        _S439 = _S448 * _S439 * _S443;
+        _S461 = _S470 * _S461 * _S465;
     }
     else
     {
-        _S439 = 0.0f;
+        _S461 = 0.0f;
     }
-    sample_1.slope_along_0 = _S439;
-    var _S449 : Family_std430_0 = families_0[_S429];
-    var _S450 : vec2<f32> = dive_0(_S430, _S428, _S433, _S432);
-    if(_S433.straight_0)
+    sample_1.slope_along_0 = _S461;
+    var _S471 : f32 = families_0[_S451].height_scale_0;
+    var _S472 : vec2<f32> = dive_0(_S452, _S450, _S455, _S454);
+    if(_S455.straight_0)
     {
-        _S437 = 0.0f;
+        _S459 = 0.0f;
     }
     else
     {
-        _S437 = _S449.height_scale_0 * _S437;
+        _S459 = _S471 * _S459;
     }
-    sample_1.height_7 = _S437 * (_S438 * _S433.bend_1.half_tangent_0 - _S444) - _S449.height_scale_0 * _S434.drop_0 - _S450.x;
-    var _S451 : f32 = _S449.height_scale_0 * sample_1.slope_across_0;
-    var _S452 : f32 = _S449.height_scale_0 * sample_1.slope_along_0 - _S450.y;
-    if(_S428.is_warp_2)
+    sample_1.height_7 = _S459 * (_S460 * _S455.bend_1.half_tangent_0 - _S466) - _S471 * _S456.drop_0 - _S472.x;
+    var _S473 : f32 = _S471 * sample_1.slope_across_0;
+    var _S474 : f32 = _S471 * sample_1.slope_along_0 - _S472.y;
+    if(_S450.is_warp_2)
     {
-        _S437 = _S451;
+        _S459 = _S473;
     }
     else
     {
-        _S437 = _S452;
+        _S459 = _S474;
     }
-    sample_1.slope_x_1 = _S437;
-    if(_S428.is_warp_2)
+    sample_1.slope_x_1 = _S459;
+    if(_S450.is_warp_2)
     {
-        _S437 = _S452;
+        _S459 = _S474;
     }
     else
     {
-        _S437 = _S451;
+        _S459 = _S473;
     }
-    sample_1.slope_y_1 = _S437;
-    sample_1.run_3 = _S433;
-    sample_1.section_1 = _S434;
+    sample_1.slope_y_1 = _S459;
+    sample_1.run_3 = _S455;
+    sample_1.section_1 = _S456;
     return sample_1;
 }
 
-fn steps_per_length_0( _S453 : u32,  _S454 : SearchQuality_0,  _S455 : vec3<f32>) -> f32
+fn steps_per_length_0( _S475 : u32,  _S476 : SearchQuality_0,  _S477 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S455.x) * fabrics_0[_S453].threads_per_x_0, abs(_S455.y) * fabrics_0[_S453].threads_per_y_0) * _S454.steps_per_thread_0, abs(_S455.z) * fabrics_0[_S453].per_relief_0 * _S454.steps_per_relief_0);
+    return max(max(abs(_S477.x) * fabrics_0[_S475].threads_per_x_0, abs(_S477.y) * fabrics_0[_S475].threads_per_y_0) * _S476.steps_per_thread_0, abs(_S477.z) * fabrics_0[_S475].per_relief_0 * _S476.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S456 : u32,  _S457 : Crossing_0) -> f32
+fn cell_maximum_0( _S478 : u32,  _S479 : Crossing_0) -> f32
 {
-    var _S458 : u32;
-    if(_S457.warp_above_0)
+    var _S480 : u32;
+    if(_S479.warp_above_0)
     {
-        _S458 = fabrics_0[_S456].warp_0;
+        _S480 = fabrics_0[_S478].warp_0;
     }
     else
     {
-        _S458 = fabrics_0[_S456].weft_0;
+        _S480 = fabrics_0[_S478].weft_0;
     }
-    var _S459 : u32;
-    if(_S457.warp_above_0)
+    var _S481 : u32;
+    if(_S479.warp_above_0)
     {
-        _S459 = _S457.warp_word_0;
+        _S481 = _S479.warp_word_0;
     }
     else
     {
-        _S459 = _S457.weft_word_0;
+        _S481 = _S479.weft_word_0;
     }
-    return f32((_S459 >> (u32(28)))) * families_0[_S458].height_scale_0 * families_0[_S458].level_0;
+    return f32((_S481 >> (u32(28)))) * families_0[_S480].height_scale_0 * families_0[_S480].level_0;
 }
 
-fn probe_0( _S460 : u32,  _S461 : f32,  _S462 : f32,  _S463 : bool,  _S464 : bool,  _S465 : bool) -> Probe_0
+fn probe_0( _S482 : u32,  _S483 : f32,  _S484 : f32,  _S485 : bool,  _S486 : bool,  _S487 : bool) -> Probe_0
 {
-    var _S466 : Sample_0 = sample_at_0(_S460, _S461, _S462, _S463);
+    var _S488 : Sample_0 = sample_at_0(_S482, _S483, _S484, _S485);
     var probe_1 : Probe_0;
-    probe_1.height_4 = _S466.height_7;
-    probe_1.hole_4 = _S466.shown_3.hole_3;
-    probe_1.slope_x_0 = _S466.slope_x_1;
-    probe_1.slope_y_0 = _S466.slope_y_1;
-    var _S467 : u32;
-    if(_S466.shown_3.is_warp_2)
+    probe_1.height_4 = _S488.height_7;
+    probe_1.hole_4 = _S488.shown_3.hole_3;
+    probe_1.slope_x_0 = _S488.slope_x_1;
+    probe_1.slope_y_0 = _S488.slope_y_1;
+    var _S489 : u32;
+    if(_S488.shown_3.is_warp_2)
     {
-        _S467 = _S466.crossing_2.warp_2.thread_1 * u32(2) + u32(1);
+        _S489 = _S488.crossing_2.warp_2.thread_2 * u32(2) + u32(1);
     }
     else
     {
-        _S467 = _S466.crossing_2.weft_2.thread_1 * u32(2);
+        _S489 = _S488.crossing_2.weft_2.thread_2 * u32(2);
     }
-    probe_1.yarn_1 = _S467;
-    probe_1.cell_max_0 = cell_maximum_0(_S460, _S466.crossing_2);
-    var _S468 : f32;
-    if(_S464)
+    probe_1.yarn_1 = _S489;
+    probe_1.cell_max_0 = cell_maximum_0(_S482, _S488.crossing_2);
+    var _S490 : f32;
+    if(_S486)
     {
-        _S468 = _S466.crossing_2.warp_2.above_0;
+        _S490 = _S488.crossing_2.warp_2.above_0;
     }
     else
     {
-        _S468 = _S466.crossing_2.warp_2.below_0;
+        _S490 = _S488.crossing_2.warp_2.below_0;
     }
-    probe_1.side_x_0 = _S468;
-    if(_S465)
+    probe_1.side_x_0 = _S490;
+    if(_S487)
     {
-        _S468 = _S466.crossing_2.weft_2.above_0;
+        _S490 = _S488.crossing_2.weft_2.above_0;
     }
     else
     {
-        _S468 = _S466.crossing_2.weft_2.below_0;
+        _S490 = _S488.crossing_2.weft_2.below_0;
     }
-    probe_1.side_y_0 = _S468;
-    probe_1.edge_x_0 = outline_distance_0(_S466.crossing_2.warp_2, _S466.shown_3, _S466.run_3, !_S466.shown_3.is_warp_2, _S464);
-    probe_1.edge_y_0 = outline_distance_0(_S466.crossing_2.weft_2, _S466.shown_3, _S466.run_3, _S466.shown_3.is_warp_2, _S465);
+    probe_1.side_y_0 = _S490;
+    probe_1.edge_x_0 = outline_distance_0(_S488.crossing_2.warp_2, _S488.shown_3, _S488.run_3, !_S488.shown_3.is_warp_2, _S486);
+    probe_1.edge_y_0 = outline_distance_0(_S488.crossing_2.weft_2, _S488.shown_3, _S488.run_3, _S488.shown_3.is_warp_2, _S487);
     return probe_1;
 }
 
-fn is_free_0( _S469 : u32,  _S470 : SearchQuality_0,  _S471 : vec3<f32>,  _S472 : vec3<f32>,  _S473 : bool,  _S474 : f32) -> bool
+fn is_free_0( _S491 : u32,  _S492 : SearchQuality_0,  _S493 : vec3<f32>,  _S494 : vec3<f32>,  _S495 : bool,  _S496 : f32) -> bool
 {
-    var _S475 : f32 = _S472.z;
-    if(_S475 <= 0.0f)
+    var _S497 : f32 = _S494.z;
+    if(_S497 <= 0.0f)
     {
         return false;
     }
-    var _S476 : f32 = 1.0f / max(_S470.shadow_share_0 * steps_per_length_0(_S469, _S470, _S472), 9.99999971718068537e-10f);
-    var _S477 : StepControl_0 = step_control_0(_S472.xy, _S476);
+    var _S498 : f32 = 1.0f / max(_S492.shadow_share_0 * steps_per_length_0(_S491, _S492, _S494), 9.99999971718068537e-10f);
+    var _S499 : StepControl_0 = step_control_0(_S494.xy, _S498);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_4 : u32 = u32(0);
     var distance_2 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S478 : bool;
+        var _S500 : bool;
         if(count_4 < u32(1024))
         {
-            _S478 = (_S471.z + _S475 * distance_2) < _S474;
+            _S500 = (_S493.z + _S497 * distance_2) < _S496;
         }
         else
         {
-            _S478 = false;
+            _S500 = false;
         }
-        if(_S478)
+        if(_S500)
         {
         }
         else
         {
             break;
         }
-        var _S479 : vec3<f32> = _S471 + _S472 * vec3<f32>(distance_2);
-        var _S480 : Probe_0 = probe_0(_S469, _S479.x, _S479.y, _S473, _S477.right_0, _S477.up_0);
-        var _S481 : f32 = _S479.z;
-        var _S482 : f32 = _S481 - _S480.height_4;
-        var _S483 : f32 = _S475 - _S480.slope_x_0 * _S472.x - _S480.slope_y_0 * _S472.y;
-        var _S484 : bool;
-        if(!_S480.hole_4)
+        var _S501 : vec3<f32> = _S493 + _S494 * vec3<f32>(distance_2);
+        var _S502 : Probe_0 = probe_0(_S491, _S501.x, _S501.y, _S495, _S499.right_0, _S499.up_0);
+        var _S503 : f32 = _S501.z;
+        var _S504 : f32 = _S503 - _S502.height_4;
+        var _S505 : f32 = _S497 - _S502.slope_x_0 * _S494.x - _S502.slope_y_0 * _S494.y;
+        var _S506 : bool;
+        if(!_S502.hole_4)
         {
-            _S484 = _S482 < 0.0f;
+            _S506 = _S504 < 0.0f;
         }
         else
         {
-            _S484 = false;
+            _S506 = false;
         }
-        if(_S484)
+        if(_S506)
         {
             return false;
         }
-        var _S485 : f32 = way_back_to_dip_0(previous_3, _S482, _S483, last_step_0, _S480);
-        if(_S485 >= 0.0f)
+        var _S507 : f32 = way_back_to_dip_0(previous_3, _S504, _S505, last_step_0, _S502);
+        if(_S507 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S485;
-            distance_2 = distance_2 - _S485;
+            var last_step_1 : f32 = last_step_0 - _S507;
+            distance_2 = distance_2 - _S507;
             last_step_0 = last_step_1;
             count_4 = count_4 + u32(1);
             continue;
         }
-        var _S486 : bool = _S481 > (_S480.cell_max_0);
-        var _S487 : PreviousSample_0 = after_sample_0(_S482, _S483, _S480, _S486);
+        var _S508 : bool = _S503 > (_S502.cell_max_0);
+        var _S509 : PreviousSample_0 = after_sample_0(_S504, _S505, _S502, _S508);
         var last_step_2 : f32;
-        if(_S486)
+        if(_S508)
         {
-            last_step_2 = max(StepControl_to_cell_exit_0(_S477, _S480.side_x_0, _S480.side_y_0), _S476);
+            last_step_2 = max(StepControl_to_cell_exit_0(_S499, _S502.side_x_0, _S502.side_y_0), _S498);
         }
         else
         {
-            last_step_2 = StepControl_to_next_sample_0(_S477, _S480, _S482, _S483);
+            last_step_2 = StepControl_to_next_sample_0(_S499, _S502, _S504, _S505);
         }
         var distance_3 : f32 = distance_2 + last_step_2;
-        previous_3 = _S487;
+        previous_3 = _S509;
         distance_2 = distance_3;
         last_step_0 = last_step_2;
         count_4 = count_4 + u32(1);
@@ -2853,46 +3019,46 @@ fn is_free_0( _S469 : u32,  _S470 : SearchQuality_0,  _S471 : vec3<f32>,  _S472 
     return true;
 }
 
-fn passes_through_0( _S488 : u32,  _S489 : SearchQuality_0,  _S490 : f32,  _S491 : f32,  _S492 : vec3<f32>,  _S493 : bool) -> bool
+fn passes_through_0( _S510 : u32,  _S511 : SearchQuality_0,  _S512 : f32,  _S513 : f32,  _S514 : vec3<f32>,  _S515 : bool) -> bool
 {
-    if(!sample_at_0(_S488, _S490, _S491, _S493).shown_3.hole_3)
+    if(!sample_at_0(_S510, _S512, _S513, _S515).shown_3.hole_3)
     {
         return false;
     }
-    var _S494 : vec3<f32> = vec3<f32>(_S490, _S491, 0.0f);
+    var _S516 : vec3<f32> = vec3<f32>(_S512, _S513, 0.0f);
     var passes_0 : bool = true;
     var side_1 : u32 = u32(0);
     for(;;)
     {
-        var _S495 : bool;
+        var _S517 : bool;
         if(side_1 < u32(2))
         {
-            _S495 = passes_0;
+            _S517 = passes_0;
         }
         else
         {
-            _S495 = false;
+            _S517 = false;
         }
-        if(_S495)
+        if(_S517)
         {
         }
         else
         {
             break;
         }
-        var _S496 : vec3<f32>;
+        var _S518 : vec3<f32>;
         if(side_1 == u32(0))
         {
-            _S496 = _S492;
+            _S518 = _S514;
         }
         else
         {
-            _S496 = vec3<f32>(- _S492.x, - _S492.y, _S492.z);
+            _S518 = vec3<f32>(- _S514.x, - _S514.y, _S514.z);
         }
-        var _S497 : bool = is_free_0(_S488, _S489, _S494, _S496, _S493 != (side_1 == u32(1)), fabrics_0[_S488].height_high_0);
-        var _S498 : u32 = side_1 + u32(1);
-        passes_0 = _S497;
-        side_1 = _S498;
+        var _S519 : bool = is_free_0(_S510, _S511, _S516, _S518, _S515 != (side_1 == u32(1)), fabrics_0[_S510].height_high_0);
+        var _S520 : u32 = side_1 + u32(1);
+        passes_0 = _S519;
+        side_1 = _S520;
     }
     return passes_0;
 }
@@ -2907,33 +3073,33 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S499 : u32,  _S500 : f32,  _S501 : f32,  _S502 : f32,  _S503 : vec3<f32>,  _S504 : bool) -> f32
+fn max_height_along_0( _S521 : u32,  _S522 : f32,  _S523 : f32,  _S524 : f32,  _S525 : vec3<f32>,  _S526 : bool) -> f32
 {
-    var _S505 : u32 = locate_0(fabrics_0[_S499].warp_0, _S500).thread_1 / u32(2);
-    var _S506 : u32 = locate_0(fabrics_0[_S499].weft_0, _S501).thread_1 / u32(2);
-    var _S507 : f32 = _S503.x;
-    var _S508 : u32;
-    if(_S507 > 0.0f)
+    var _S527 : u32 = locate_0(fabrics_0[_S521].warp_0, _S522).thread_2 / u32(2);
+    var _S528 : u32 = locate_0(fabrics_0[_S521].weft_0, _S523).thread_2 / u32(2);
+    var _S529 : f32 = _S525.x;
+    var _S530 : u32;
+    if(_S529 > 0.0f)
     {
-        _S508 = u32(1);
+        _S530 = u32(1);
     }
     else
     {
-        _S508 = u32(0);
+        _S530 = u32(0);
     }
-    var _S509 : f32 = _S503.y;
-    var _S510 : u32;
-    if(_S509 > 0.0f)
+    var _S531 : f32 = _S525.y;
+    var _S532 : u32;
+    if(_S531 > 0.0f)
     {
-        _S510 = u32(2);
+        _S532 = u32(2);
     }
     else
     {
-        _S510 = u32(0);
+        _S532 = u32(0);
     }
-    var _S511 : u32 = words_0[fabrics_0[_S499].max_heights_0 + u32(4) * (_S506 * fabrics_0[_S499].max_height_columns_0 + _S505) + (_S508 + _S510)];
+    var _S533 : u32 = words_0[fabrics_0[_S521].max_heights_0 + u32(4) * (_S528 * fabrics_0[_S521].max_height_columns_0 + _S527) + (_S530 + _S532)];
     var number_1 : i32;
-    if(_S504)
+    if(_S526)
     {
         number_1 = i32(4);
     }
@@ -2941,10 +3107,10 @@ fn max_height_along_0( _S499 : u32,  _S500 : f32,  _S501 : f32,  _S502 : f32,  _
     {
         number_1 = i32(0);
     }
-    var _S512 : u32 = (_S511 >> (u32(number_1)));
-    var _S513 : f32 = max(abs(_S507) * fabrics_0[_S499].threads_per_x_0, abs(_S509) * fabrics_0[_S499].threads_per_y_0) / _S503.z;
-    var _S514 : f32 = fabrics_0[_S499].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S499].height_high_0;
+    var _S534 : u32 = (_S533 >> (u32(number_1)));
+    var _S535 : f32 = max(abs(_S529) * fabrics_0[_S521].threads_per_x_0, abs(_S531) * fabrics_0[_S521].threads_per_y_0) / _S525.z;
+    var _S536 : f32 = fabrics_0[_S521].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S521].height_high_0;
     number_1 = i32(3);
     for(;;)
     {
@@ -2955,45 +3121,45 @@ fn max_height_along_0( _S499 : u32,  _S500 : f32,  _S501 : f32,  _S502 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S502) * _S513) <= (PYRAMID_RADII_0[number_1]))
+        if(((max_height_0 - _S524) * _S535) <= (PYRAMID_RADII_0[number_1]))
         {
-            max_height_0 = min(max_height_0, f32((((_S512 >> (u32(i32(8) * number_1)))) & (u32(15)))) * 0.06666667014360428f * _S514);
+            max_height_0 = min(max_height_0, f32((((_S534 >> (u32(i32(8) * number_1)))) & (u32(15)))) * 0.06666667014360428f * _S536);
         }
         number_1 = number_1 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S515 : u32,  _S516 : f32,  _S517 : f32,  _S518 : bool,  _S519 : bool,  _S520 : bool) -> vec3<f32>
+fn cell_bounds_0( _S537 : u32,  _S538 : f32,  _S539 : f32,  _S540 : bool,  _S541 : bool,  _S542 : bool) -> vec3<f32>
 {
-    var _S521 : Crossing_0 = crossing_at_0(_S515, _S516, _S517, _S518);
-    var _S522 : f32 = cell_maximum_0(_S515, _S521);
-    var _S523 : f32;
-    if(_S519)
+    var _S543 : Crossing_0 = crossing_at_0(_S537, _S538, _S539, _S540);
+    var _S544 : f32 = cell_maximum_0(_S537, _S543);
+    var _S545 : f32;
+    if(_S541)
     {
-        _S523 = _S521.warp_2.above_0;
+        _S545 = _S543.warp_2.above_0;
     }
     else
     {
-        _S523 = _S521.warp_2.below_0;
+        _S545 = _S543.warp_2.below_0;
     }
-    var _S524 : f32;
-    if(_S520)
+    var _S546 : f32;
+    if(_S542)
     {
-        _S524 = _S521.weft_2.above_0;
+        _S546 = _S543.weft_2.above_0;
     }
     else
     {
-        _S524 = _S521.weft_2.below_0;
+        _S546 = _S543.weft_2.below_0;
     }
-    return vec3<f32>(_S522, _S523, _S524);
+    return vec3<f32>(_S544, _S545, _S546);
 }
 
-fn first_sample_height_0( _S525 : u32,  _S526 : ViewRay_0,  _S527 : StepControl_0,  _S528 : bool) -> f32
+fn first_sample_height_0( _S547 : u32,  _S548 : ViewRay_0,  _S549 : StepControl_0,  _S550 : bool) -> f32
 {
-    var _S529 : f32 = max_height_along_0(_S525, _S526.origin_0.x, _S526.origin_0.y, 0.0f, vec3<f32>(_S526.slope_1, 1.0f), _S528);
+    var _S551 : f32 = max_height_along_0(_S547, _S548.origin_0.x, _S548.origin_0.y, 0.0f, vec3<f32>(_S548.slope_1, 1.0f), _S550);
     var count_5 : u32 = u32(0);
-    var height_9 : f32 = _S529;
+    var height_9 : f32 = _S551;
     for(;;)
     {
         if(count_5 < u32(1024))
@@ -3003,12 +3169,12 @@ fn first_sample_height_0( _S525 : u32,  _S526 : ViewRay_0,  _S527 : StepControl_
         {
             break;
         }
-        var _S530 : vec2<f32> = ViewRay_at_0(_S526, height_9);
-        var _S531 : vec3<f32> = cell_bounds_0(_S525, _S530.x, _S530.y, _S528, _S527.right_0, _S527.up_0);
-        var _S532 : f32 = height_9 - _S531.x;
-        var _S533 : f32 = StepControl_to_cell_exit_0(_S527, _S531.y, _S531.z);
-        var height_10 : f32 = height_9 - clamp(_S532, 0.0f, _S533);
-        if(_S532 <= _S533)
+        var _S552 : vec2<f32> = ViewRay_at_0(_S548, height_9);
+        var _S553 : vec3<f32> = cell_bounds_0(_S547, _S552.x, _S552.y, _S550, _S549.right_0, _S549.up_0);
+        var _S554 : f32 = height_9 - _S553.x;
+        var _S555 : f32 = StepControl_to_cell_exit_0(_S549, _S553.y, _S553.z);
+        var height_10 : f32 = height_9 - clamp(_S554, 0.0f, _S555);
+        if(_S554 <= _S555)
         {
             height_9 = height_10;
             break;
@@ -3019,12 +3185,12 @@ fn first_sample_height_0( _S525 : u32,  _S526 : ViewRay_0,  _S527 : StepControl_
     return height_9;
 }
 
-fn search_down_0( _S534 : u32,  _S535 : ViewRay_0,  _S536 : StepControl_0,  _S537 : bool) -> ViewRayEnd_0
+fn search_down_0( _S556 : u32,  _S557 : ViewRay_0,  _S558 : StepControl_0,  _S559 : bool) -> ViewRayEnd_0
 {
-    var _S538 : f32 = fabrics_0[_S534].height_low_0 - (fabrics_0[_S534].height_high_0 - fabrics_0[_S534].height_low_0);
+    var _S560 : f32 = fabrics_0[_S556].height_low_0 - (fabrics_0[_S556].height_high_0 - fabrics_0[_S556].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_8 = first_sample_height_0(_S534, _S535, _S536, _S537);
-    end_1.last_step_3 = _S536.epsilon_0;
+    end_1.height_8 = first_sample_height_0(_S556, _S557, _S558, _S559);
+    end_1.last_step_3 = _S558.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_1 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -3039,150 +3205,150 @@ fn search_down_0( _S534 : u32,  _S535 : ViewRay_0,  _S536 : StepControl_0,  _S53
         {
             break;
         }
-        var _S539 : vec2<f32> = ViewRay_at_0(_S535, end_1.height_8);
-        var _S540 : Probe_0 = probe_0(_S534, _S539.x, _S539.y, _S537, _S536.right_0, _S536.up_0);
-        var _S541 : f32 = end_1.height_8 - _S540.height_4;
-        var _S542 : f32 = ViewRay_rate_0(_S535, _S540);
-        end_1.depth_1 = - _S541;
-        end_1.rate_4 = _S542;
-        var _S543 : bool;
+        var _S561 : vec2<f32> = ViewRay_at_0(_S557, end_1.height_8);
+        var _S562 : Probe_0 = probe_0(_S556, _S561.x, _S561.y, _S559, _S558.right_0, _S558.up_0);
+        var _S563 : f32 = end_1.height_8 - _S562.height_4;
+        var _S564 : f32 = ViewRay_rate_0(_S557, _S562);
+        end_1.depth_1 = - _S563;
+        end_1.rate_4 = _S564;
+        var _S565 : bool;
         if(end_1.previous_4.known_0)
         {
-            _S543 = !_S540.hole_4;
+            _S565 = !_S562.hole_4;
         }
         else
         {
-            _S543 = false;
+            _S565 = false;
         }
-        var _S544 : bool;
-        if(_S543)
+        var _S566 : bool;
+        if(_S565)
         {
-            _S544 = (end_1.previous_4.yarn_0) == (_S540.yarn_1);
+            _S566 = (end_1.previous_4.yarn_0) == (_S562.yarn_1);
         }
         else
         {
-            _S544 = false;
+            _S566 = false;
         }
-        end_1.smooth_0 = _S544;
-        var _S545 : bool;
-        if(!_S540.hole_4)
+        end_1.smooth_0 = _S566;
+        var _S567 : bool;
+        if(!_S562.hole_4)
         {
-            _S545 = _S541 <= 0.0f;
+            _S567 = _S563 <= 0.0f;
         }
         else
         {
-            _S545 = false;
+            _S567 = false;
         }
-        var _S546 : bool;
-        if(_S545)
+        var _S568 : bool;
+        if(_S567)
         {
-            _S546 = true;
+            _S568 = true;
         }
         else
         {
-            _S546 = (end_1.height_8) <= _S538;
+            _S568 = (end_1.height_8) <= _S560;
         }
-        if(_S546)
+        if(_S568)
         {
             break;
         }
-        var _S547 : f32 = way_back_to_dip_0(end_1.previous_4, _S541, _S542, end_1.last_step_3, _S540);
-        if(_S547 >= 0.0f)
+        var _S569 : f32 = way_back_to_dip_0(end_1.previous_4, _S563, _S564, end_1.last_step_3, _S562);
+        if(_S569 >= 0.0f)
         {
-            end_1.height_8 = end_1.height_8 + _S547;
-            end_1.last_step_3 = end_1.last_step_3 - _S547;
+            end_1.height_8 = end_1.height_8 + _S569;
+            end_1.last_step_3 = end_1.last_step_3 - _S569;
             count_6 = count_6 + u32(1);
             continue;
         }
-        var _S548 : f32 = min(StepControl_to_cell_exit_0(_S536, _S540.side_x_0, _S540.side_y_0), end_1.height_8 - _S540.cell_max_0);
-        var _S549 : f32 = StepControl_to_next_sample_0(_S536, _S540, _S541, _S542);
-        end_1.previous_4 = after_sample_0(_S541, _S542, _S540, _S548 > _S549);
-        var _S550 : f32 = max(_S548, _S549);
-        end_1.last_step_3 = _S550;
-        end_1.height_8 = end_1.height_8 - _S550;
+        var _S570 : f32 = min(StepControl_to_cell_exit_0(_S558, _S562.side_x_0, _S562.side_y_0), end_1.height_8 - _S562.cell_max_0);
+        var _S571 : f32 = StepControl_to_next_sample_0(_S558, _S562, _S563, _S564);
+        end_1.previous_4 = after_sample_0(_S563, _S564, _S562, _S570 > _S571);
+        var _S572 : f32 = max(_S570, _S571);
+        end_1.last_step_3 = _S572;
+        end_1.height_8 = end_1.height_8 - _S572;
         count_6 = count_6 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S551 : u32,  _S552 : ViewRay_0,  _S553 : StepControl_0,  _S554 : bool,  _S555 : ViewRayEnd_0,  _S556 : u32) -> f32
+fn refined_height_0( _S573 : u32,  _S574 : ViewRay_0,  _S575 : StepControl_0,  _S576 : bool,  _S577 : ViewRayEnd_0,  _S578 : u32) -> f32
 {
-    var _S557 : f32 = fabrics_0[_S551].height_high_0 - fabrics_0[_S551].height_low_0;
-    var above_2 : f32 = _S555.height_8 + _S555.last_step_3;
-    var above_gap_1 : f32 = clamp(_S555.previous_4.clearance_0, 0.0f, _S557);
-    var under_gap_1 : f32 = clamp(_S555.depth_1, 0.0f, _S557);
-    var _S558 : f32 = cubic_root_0(above_gap_1, - under_gap_1, _S555.previous_4.rate_0 * _S555.last_step_3, _S555.rate_4 * _S555.last_step_3);
+    var _S579 : f32 = fabrics_0[_S573].height_high_0 - fabrics_0[_S573].height_low_0;
+    var above_2 : f32 = _S577.height_8 + _S577.last_step_3;
+    var above_gap_1 : f32 = clamp(_S577.previous_4.clearance_0, 0.0f, _S579);
+    var under_gap_1 : f32 = clamp(_S577.depth_1, 0.0f, _S579);
+    var _S580 : f32 = cubic_root_0(above_gap_1, - under_gap_1, _S577.previous_4.rate_0 * _S577.last_step_3, _S577.rate_4 * _S577.last_step_3);
     var middle_0 : f32;
-    if(_S555.smooth_0)
+    if(_S577.smooth_0)
     {
-        middle_0 = above_2 - _S558 * _S555.last_step_3;
+        middle_0 = above_2 - _S580 * _S577.last_step_3;
     }
     else
     {
-        middle_0 = between_0(above_2, _S555.height_8, above_gap_1, under_gap_1);
+        middle_0 = between_0(above_2, _S577.height_8, above_gap_1, under_gap_1);
     }
     var side_2 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S555.height_8;
+    var under_1 : f32 = _S577.height_8;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S556)
+        if(i_1 < _S578)
         {
         }
         else
         {
             break;
         }
-        var _S559 : vec2<f32> = ViewRay_at_0(_S552, middle_0);
-        var _S560 : Probe_0 = probe_0(_S551, _S559.x, _S559.y, _S554, _S553.right_0, _S553.up_0);
-        var _S561 : f32;
-        if(_S560.hole_4)
+        var _S581 : vec2<f32> = ViewRay_at_0(_S574, middle_0);
+        var _S582 : Probe_0 = probe_0(_S573, _S581.x, _S581.y, _S576, _S575.right_0, _S575.up_0);
+        var _S583 : f32;
+        if(_S582.hole_4)
         {
-            _S561 = -1.0e+09f;
+            _S583 = -1.0e+09f;
         }
         else
         {
-            _S561 = _S560.height_4;
+            _S583 = _S582.height_4;
         }
-        var _S562 : f32 = clamp(middle_0 - _S561, - _S557, _S557);
-        var _S563 : f32;
-        if(_S562 <= 0.0f)
+        var _S584 : f32 = clamp(middle_0 - _S583, - _S579, _S579);
+        var _S585 : f32;
+        if(_S584 <= 0.0f)
         {
             if(side_2 > 0.0f)
             {
-                _S563 = 0.5f * above_gap_2;
+                _S585 = 0.5f * above_gap_2;
             }
             else
             {
-                _S563 = above_gap_2;
+                _S585 = above_gap_2;
             }
-            var _S564 : f32 = - _S562;
+            var _S586 : f32 = - _S584;
             under_1 = middle_0;
-            above_gap_2 = _S563;
-            under_gap_2 = _S564;
+            above_gap_2 = _S585;
+            under_gap_2 = _S586;
             side_2 = 1.0f;
         }
         else
         {
             if(side_2 < 0.0f)
             {
-                _S563 = 0.5f * under_gap_2;
+                _S585 = 0.5f * under_gap_2;
             }
             else
             {
-                _S563 = under_gap_2;
+                _S585 = under_gap_2;
             }
             above_3 = middle_0;
-            above_gap_2 = _S562;
-            under_gap_2 = _S563;
+            above_gap_2 = _S584;
+            under_gap_2 = _S585;
             side_2 = -1.0f;
         }
-        if(_S555.smooth_0)
+        if(_S577.smooth_0)
         {
-            middle_0 = clamp(middle_0 + _S562 / min(ViewRay_rate_0(_S552, _S560), -9.99999997475242708e-07f), under_1, above_3);
+            middle_0 = clamp(middle_0 + _S584 / min(ViewRay_rate_0(_S574, _S582), -9.99999997475242708e-07f), under_1, above_3);
         }
         else
         {
@@ -3190,7 +3356,7 @@ fn refined_height_0( _S551 : u32,  _S552 : ViewRay_0,  _S553 : StepControl_0,  _
         }
         i_1 = i_1 + u32(1);
     }
-    if(_S555.smooth_0)
+    if(_S577.smooth_0)
     {
     }
     else
@@ -3200,420 +3366,722 @@ fn refined_height_0( _S551 : u32,  _S552 : ViewRay_0,  _S553 : StepControl_0,  _
     return middle_0;
 }
 
-fn first_hit_of_yarn_0( _S565 : u32,  _S566 : SearchQuality_0,  _S567 : f32,  _S568 : f32,  _S569 : vec3<f32>,  _S570 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S587 : u32,  _S588 : SearchQuality_0,  _S589 : f32,  _S590 : f32,  _S591 : vec3<f32>,  _S592 : bool) -> Hit_0
 {
-    var _S571 : f32 = max(_S569.z, 0.00009999999747379f);
+    var _S593 : f32 = max(_S591.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S567, _S568);
-    var _S572 : vec2<f32> = _S569.xy / vec2<f32>(_S571);
-    ray_0.slope_1 = _S572;
-    var _S573 : StepControl_0 = step_control_0((vec2<f32>(0) - _S572), 1.0f / max(steps_per_length_0(_S565, _S566, _S569) / _S571, 9.99999971718068537e-10f));
-    var _S574 : ViewRayEnd_0 = search_down_0(_S565, ray_0, _S573, _S570);
+    ray_0.origin_0 = vec2<f32>(_S589, _S590);
+    var _S594 : vec2<f32> = _S591.xy / vec2<f32>(_S593);
+    ray_0.slope_1 = _S594;
+    var _S595 : StepControl_0 = step_control_0((vec2<f32>(0) - _S594), 1.0f / max(steps_per_length_0(_S587, _S588, _S591) / _S593, 9.99999971718068537e-10f));
+    var _S596 : ViewRayEnd_0 = search_down_0(_S587, ray_0, _S595, _S592);
     var hit_0 : Hit_0;
     hit_0.hole_5 = false;
-    var _S575 : f32 = refined_height_0(_S565, ray_0, _S573, _S570, _S574, _S566.refinements_0);
-    hit_0.height_6 = _S575;
-    var _S576 : vec2<f32> = ViewRay_at_0(ray_0, _S575);
-    hit_0.x_14 = _S576.x;
-    hit_0.y_7 = _S576.y;
+    var _S597 : f32 = refined_height_0(_S587, ray_0, _S595, _S592, _S596, _S588.refinements_0);
+    hit_0.height_6 = _S597;
+    var _S598 : vec2<f32> = ViewRay_at_0(ray_0, _S597);
+    hit_0.x_14 = _S598.x;
+    hit_0.y_7 = _S598.y;
     return hit_0;
 }
 
-fn first_hit_0( _S577 : u32,  _S578 : SearchQuality_0,  _S579 : f32,  _S580 : f32,  _S581 : vec3<f32>,  _S582 : bool) -> Hit_0
+fn first_hit_0( _S599 : u32,  _S600 : SearchQuality_0,  _S601 : f32,  _S602 : f32,  _S603 : vec3<f32>,  _S604 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S577, _S578, _S579, _S580, _S581, _S582))
+    if(!passes_through_0(_S599, _S600, _S601, _S602, _S603, _S604))
     {
-        return first_hit_of_yarn_0(_S577, _S578, _S579, _S580, _S581, _S582);
+        return first_hit_of_yarn_0(_S599, _S600, _S601, _S602, _S603, _S604);
     }
     var hit_1 : Hit_0;
-    hit_1.x_14 = _S579;
-    hit_1.y_7 = _S580;
+    hit_1.x_14 = _S601;
+    hit_1.y_7 = _S602;
     hit_1.height_6 = 0.0f;
     hit_1.hole_5 = true;
     return hit_1;
 }
 
-fn surface_at_0( _S583 : u32,  _S584 : f32,  _S585 : f32,  _S586 : bool) -> SurfacePoint_0
+fn surface_at_0( _S605 : u32,  _S606 : f32,  _S607 : f32,  _S608 : bool) -> SurfacePoint_0
 {
-    var _S587 : Sample_0 = sample_at_0(_S583, _S584, _S585, _S586);
-    var _S588 : f32;
-    if(_S587.shown_3.is_warp_2)
+    var _S609 : Sample_0 = sample_at_0(_S605, _S606, _S607, _S608);
+    var _S610 : f32;
+    if(_S609.shown_3.is_warp_2)
     {
-        _S588 = _S587.crossing_2.warp_2.half_width_1;
+        _S610 = _S609.crossing_2.warp_2.half_width_1;
     }
     else
     {
-        _S588 = _S587.crossing_2.weft_2.half_width_1;
+        _S610 = _S609.crossing_2.weft_2.half_width_1;
     }
-    var _S589 : u32;
-    if(_S587.shown_3.is_warp_2)
+    var _S611 : u32;
+    if(_S609.shown_3.is_warp_2)
     {
-        _S589 = fabrics_0[_S583].warp_0;
+        _S611 = fabrics_0[_S605].warp_0;
     }
     else
     {
-        _S589 = fabrics_0[_S583].weft_0;
+        _S611 = fabrics_0[_S605].weft_0;
     }
-    var _S590 : Family_std430_0 = families_0[_S589];
-    var _S591 : f32;
-    if(_S586)
+    var _S612 : f32 = families_0[_S611].twist_sine_0;
+    var _S613 : f32;
+    if(_S608)
     {
-        _S591 = -1.0f;
+        _S613 = -1.0f;
     }
     else
     {
-        _S591 = 1.0f;
+        _S613 = 1.0f;
     }
-    var _S592 : f32 = _S590.twist_sine_0 * _S591;
-    var _S593 : Family_std430_0 = families_0[_S589];
-    if(_S587.shown_3.is_warp_2)
+    var _S614 : f32 = _S612 * _S613;
+    var _S615 : f32 = families_0[_S611].twist_cosine_0;
+    if(_S609.shown_3.is_warp_2)
     {
-        _S591 = 1.0f;
+        _S613 = 1.0f;
     }
     else
     {
-        _S591 = -1.0f;
+        _S613 = -1.0f;
     }
-    var _S594 : vec2<f32> = fibre_direction_0(_S587.slope_across_0, _S591 * _S587.slope_along_0, _S592, _S593.twist_cosine_0);
-    var _S595 : f32;
-    if(_S587.shown_3.is_warp_2)
+    var _S616 : vec2<f32> = fibre_direction_0(_S609.slope_across_0, _S613 * _S609.slope_along_0, _S614, _S615);
+    var _S617 : f32;
+    if(_S609.shown_3.is_warp_2)
     {
-        _S595 = _S587.slope_x_1;
+        _S617 = _S609.slope_x_1;
     }
     else
     {
-        _S595 = _S587.slope_y_1;
+        _S617 = _S609.slope_y_1;
     }
-    var _S596 : f32;
-    if(_S587.shown_3.is_warp_2)
+    var _S618 : f32;
+    if(_S609.shown_3.is_warp_2)
     {
-        _S596 = _S587.slope_y_1;
+        _S618 = _S609.slope_y_1;
     }
     else
     {
-        _S596 = _S587.slope_x_1;
+        _S618 = _S609.slope_x_1;
     }
-    var _S597 : f32 = _S594.x;
-    var _S598 : f32 = _S594.y;
-    var _S599 : f32 = _S595 * _S597 + _S591 * _S596 * _S598;
-    var _S600 : f32 = _S588 * 1.0154266357421875f;
-    var _S601 : f32 = _S600 * arc_sine_0(clamp(_S587.section_1.across_3 / _S600, -1.0f, 1.0f));
-    if(_S587.shown_3.is_warp_2)
+    var _S619 : f32 = _S616.x;
+    var _S620 : f32 = _S616.y;
+    var _S621 : f32 = _S617 * _S619 + _S613 * _S618 * _S620;
+    var _S622 : f32 = _S610 * 1.0154266357421875f;
+    var _S623 : f32 = _S622 * arc_sine_0(clamp(_S609.section_1.across_3 / _S622, -1.0f, 1.0f));
+    if(_S609.shown_3.is_warp_2)
     {
-        _S588 = _S585;
+        _S610 = _S607;
     }
     else
     {
-        _S588 = - _S584;
+        _S610 = - _S606;
     }
-    var point_3 : SurfacePoint_0;
-    point_3.hole_0 = _S587.shown_3.hole_3;
-    point_3.is_warp_0 = _S587.shown_3.is_warp_2;
-    point_3.warp_thread_0 = _S587.crossing_2.warp_2.thread_1;
-    point_3.weft_thread_0 = _S587.crossing_2.weft_2.thread_1;
-    point_3.height_2 = _S587.height_7;
-    point_3.normal_1 = normalize(vec3<f32>(- _S587.slope_x_1, - _S587.slope_y_1, 1.0f));
-    var _S602 : vec3<f32>;
-    if(_S587.shown_3.is_warp_2)
+    var point_4 : SurfacePoint_0;
+    point_4.hole_0 = _S609.shown_3.hole_3;
+    point_4.is_warp_0 = _S609.shown_3.is_warp_2;
+    point_4.warp_thread_0 = _S609.crossing_2.warp_2.thread_2;
+    point_4.weft_thread_0 = _S609.crossing_2.weft_2.thread_2;
+    point_4.height_2 = _S609.height_7;
+    point_4.normal_1 = normalize(vec3<f32>(- _S609.slope_x_1, - _S609.slope_y_1, 1.0f));
+    var _S624 : vec3<f32>;
+    if(_S609.shown_3.is_warp_2)
     {
-        _S602 = vec3<f32>(_S597, _S598, _S599);
+        _S624 = vec3<f32>(_S619, _S620, _S621);
     }
     else
     {
-        _S602 = vec3<f32>(- _S598, _S597, _S599);
+        _S624 = vec3<f32>(- _S620, _S619, _S621);
     }
-    point_3.tangent_0 = normalize(_S602);
-    point_3.across_0 = _S587.section_1.across_3;
-    point_3.fibre_across_0 = _S601 * _S593.twist_cosine_0 + _S588 * _S592;
-    point_3.fibre_along_0 = _S588 * _S593.twist_cosine_0 - _S601 * _S592;
-    return point_3;
+    point_4.tangent_0 = normalize(_S624);
+    point_4.across_0 = _S609.section_1.across_3;
+    point_4.fibre_across_0 = _S623 * _S615 + _S610 * _S614;
+    point_4.fibre_along_0 = _S610 * _S615 - _S623 * _S614;
+    return point_4;
 }
 
 struct YarnPoint_0
 {
-     back_6 : bool,
+     back_7 : bool,
      hole_6 : bool,
      is_warp_3 : bool,
      x_15 : f32,
      y_8 : f32,
      height_11 : f32,
-     normal_7 : vec3<f32>,
-     tangent_7 : vec3<f32>,
+     normal_10 : vec3<f32>,
+     tangent_10 : vec3<f32>,
+     surface_normal_0 : vec3<f32>,
+     diffuse_gain_1 : f32,
      roughness_10 : f32,
      albedos_6 : Albedos_0,
 };
 
-fn vary_albedos_0( _S603 : u32,  _S604 : Albedos_0,  _S605 : u32,  _S606 : u32) -> Albedos_0
+fn has_hairs_0( _S625 : u32) -> bool
 {
-    var _S607 : vec3<f32> = max(_S604.specular_reflect_0, _S604.specular_transmit_0);
-    var _S608 : vec3<f32> = _S604.diffuse_reflect_0 + _S604.diffuse_transmit_0;
-    var _S609 : vec3<f32> = vec3<f32>(fabrics_0[_S603].layer_bound_0);
-    var _S610 : vec3<f32> = vec3<f32>(1.0f);
-    var _S611 : vec3<f32> = vec3<f32>(bounded_gain_0(thread_gain_0(_S605, fabrics_0[_S603].colour_noise_0, fabrics_0[_S603].seed_0), _S608, _S610 - _S609 * _S607));
-    var _S612 : f32 = bounded_gain_0(fibre_gain_0(_S605, _S606, fabrics_0[_S603].fibre_noise_0, fabrics_0[_S603].seed_0), _S607, min((_S610 - _S611 * _S608) / _S609, vec3<f32>(1.0f)));
-    var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S611 * _S604.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S611 * _S604.diffuse_transmit_0;
-    var _S613 : vec3<f32> = vec3<f32>(_S612);
-    varied_0.specular_reflect_0 = _S613 * _S604.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S613 * _S604.specular_transmit_0;
-    return varied_0;
+    var _S626 : bool;
+    if((families_0[fabrics_0[_S625].warp_0].hairiness_0) > 0.0f)
+    {
+        _S626 = true;
+    }
+    else
+    {
+        _S626 = (families_0[fabrics_0[_S625].weft_0].hairiness_0) > 0.0f;
+    }
+    return _S626;
 }
 
-fn varied_at_0( _S614 : u32,  _S615 : SurfacePoint_0,  _S616 : Albedos_0,  _S617 : f32,  _S618 : f32) -> Albedos_0
+fn hair_at_0( _S627 : u32,  _S628 : vec2<f32>,  _S629 : bool,  _S630 : f32) -> Hair_0
 {
-    var _S619 : f32;
-    if(_S615.is_warp_0)
+    var _S631 : f32 = fabrics_0[_S627].fibre_size_0;
+    var _S632 : f32 = 17.0f * fabrics_0[_S627].fibre_size_0;
+    var _S633 : f32 = fade_0(_S630, _S632);
+    var _S634 : vec2<f32> = _S628 / vec2<f32>(_S632);
+    var number_2 : u32;
+    if(_S629)
     {
-        _S619 = _S617;
+        number_2 = u32(1);
     }
     else
     {
-        _S619 = _S618;
+        number_2 = u32(0);
     }
-    var _S620 : f32 = _S619 - _S615.across_0;
-    var _S621 : u32;
-    if(_S615.is_warp_0)
-    {
-        _S621 = fabrics_0[_S614].warp_0;
-    }
-    else
-    {
-        _S621 = fabrics_0[_S614].weft_0;
-    }
-    var _S622 : Family_std430_0 = families_0[_S621];
-    var _S623 : i32 = i32(families_0[_S621].count_0);
-    if(_S615.is_warp_0)
-    {
-        _S621 = _S615.warp_thread_0;
-    }
-    else
-    {
-        _S621 = _S615.weft_thread_0;
-    }
-    var _S624 : u32 = u32(i32(floor(_S620 / _S622.period_0)) * _S623 + i32(_S621)) * u32(2);
-    if(_S615.is_warp_0)
-    {
-        _S621 = u32(1);
-    }
-    else
-    {
-        _S621 = u32(0);
-    }
-    var _S625 : f32 = floor(_S615.fibre_across_0 / fabrics_0[_S614].fibre_size_0);
-    return vary_albedos_0(_S614, _S616, _S624 + _S621, u32(i32(_S625)) * u32(65536) + u32(i32(floor(_S615.fibre_along_0 / (fabrics_0[_S614].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S625))));
-}
-
-fn yarn_point_of_0( _S626 : u32,  _S627 : SurfacePoint_0,  _S628 : f32,  _S629 : f32,  _S630 : bool,  _S631 : bool) -> YarnPoint_0
-{
-    var _S632 : u32;
-    if(_S627.is_warp_0)
-    {
-        _S632 = fabrics_0[_S626].warp_0;
-    }
-    else
-    {
-        _S632 = fabrics_0[_S626].weft_0;
-    }
-    var _S633 : u32;
-    if(_S627.is_warp_0)
-    {
-        _S633 = _S627.warp_thread_0;
-    }
-    else
-    {
-        _S633 = _S627.weft_thread_0;
-    }
-    var albedos_7 : Albedos_0 = albedos_of_0(_S632, _S633);
-    var _S634 : bool;
-    if((fabrics_0[_S626].fibre_noise_0) > 0.0f)
-    {
-        _S634 = true;
-    }
-    else
-    {
-        _S634 = (fabrics_0[_S626].colour_noise_0) > 0.0f;
-    }
-    var albedos_8 : Albedos_0;
-    if(_S634)
-    {
-        albedos_8 = varied_at_0(_S626, _S627, albedos_7, _S628, _S629);
-    }
-    else
-    {
-        albedos_8 = albedos_7;
-    }
-    var point_4 : YarnPoint_0;
-    point_4.back_6 = _S630;
-    point_4.hole_6 = _S631;
-    point_4.is_warp_3 = _S627.is_warp_0;
-    point_4.x_15 = _S628;
-    point_4.y_8 = _S629;
-    point_4.height_11 = _S627.height_2;
-    point_4.normal_7 = _S627.normal_1;
-    point_4.tangent_7 = _S627.tangent_0;
-    point_4.roughness_10 = families_0[_S632].roughness_0;
-    point_4.albedos_6 = albedos_8;
-    return point_4;
-}
-
-fn unoccluded_0( _S635 : u32,  _S636 : SearchQuality_0,  _S637 : f32,  _S638 : f32,  _S639 : f32,  _S640 : vec3<f32>,  _S641 : bool) -> bool
-{
-    if((_S640.z) <= 0.0f)
-    {
-        return false;
-    }
-    return is_free_0(_S635, _S636, vec3<f32>(_S637, _S638, _S639 + fabrics_0[_S635].lift_0), _S640, _S641, max_height_along_0(_S635, _S637, _S638, _S639, _S640, _S641));
-}
-
-fn is_lit_0( _S642 : u32,  _S643 : SearchQuality_0,  _S644 : YarnPoint_0,  _S645 : vec3<f32>) -> bool
-{
-    if(_S644.hole_6)
-    {
-        return true;
-    }
-    var _S646 : vec3<f32> = to_face_frame_0(_S645, _S644.back_6);
-    var _S647 : f32 = _S646.z;
-    var _S648 : bool = _S647 < 0.0f;
-    var normal_8 : vec3<f32>;
-    var height_12 : f32;
-    if(_S648)
-    {
-        var _S649 : SurfacePoint_0 = surface_at_0(_S642, _S644.x_15, _S644.y_8, !_S644.back_6);
-        normal_8 = _S649.normal_1;
-        height_12 = _S649.height_2;
-    }
-    else
-    {
-        normal_8 = _S644.normal_7;
-        height_12 = _S644.height_11;
-    }
-    var _S650 : vec3<f32> = vec3<f32>(_S646.xy, abs(_S647));
-    if((dot(normal_8, _S650)) <= 0.0f)
-    {
-        return false;
-    }
-    return unoccluded_0(_S642, _S643, _S644.x_15, _S644.y_8, height_12, _S650, (_S644.back_6) != _S648);
-}
-
-fn components_of_point_0( _S651 : u32,  _S652 : SearchQuality_0,  _S653 : YarnPoint_0,  _S654 : vec3<f32>,  _S655 : vec3<f32>) -> Components_0
-{
-    var result_3 : Components_0 = no_components_0();
-    var _S656 : f32;
-    if(_S653.hole_6)
-    {
-        _S656 = 1.0f;
-    }
-    else
-    {
-        _S656 = 0.0f;
-    }
-    result_3.hole_2 = _S656;
-    var _S657 : bool;
-    if(_S653.hole_6)
-    {
-        _S657 = true;
-    }
-    else
-    {
-        _S657 = !is_lit_0(_S651, _S652, _S653, _S654);
-    }
-    if(_S657)
-    {
-        return result_3;
-    }
-    var _S658 : vec3<f32> = to_face_frame_0(_S654, _S653.back_6);
-    var _S659 : vec3<f32> = to_face_frame_0(_S655, _S653.back_6);
-    var _S660 : bool = (_S658.z) < 0.0f;
-    var _S661 : vec3<f32>;
-    if(_S660)
-    {
-        _S661 = (vec3<f32>(0) - _S658);
-    }
-    else
-    {
-        _S661 = _S658;
-    }
-    var _S662 : f32 = diffuse_reflection_0(_S661, _S653.normal_7, fabrics_0[_S651].diffuse_blend_0);
-    if(_S660)
-    {
-        _S656 = transmission_1(_S658, _S659, _S653.normal_7, _S653.tangent_7, _S653.roughness_10, fabrics_0[_S651].optical_depth_0);
-    }
-    else
-    {
-        _S656 = reflection_0(_S658, _S659, _S653.normal_7, _S653.tangent_7, _S653.roughness_10, fabrics_0[_S651].optical_depth_0);
-    }
-    var _S663 : f32;
-    if(_S653.is_warp_3)
-    {
-        _S663 = _S662;
-    }
-    else
-    {
-        _S663 = 0.0f;
-    }
-    result_3.diffuse_warp_0 = _S663;
-    if(_S653.is_warp_3)
-    {
-        _S663 = 0.0f;
-    }
-    else
-    {
-        _S663 = _S662;
-    }
-    result_3.diffuse_weft_0 = _S663;
-    if(_S653.is_warp_3)
-    {
-        _S663 = _S656;
-    }
-    else
-    {
-        _S663 = 0.0f;
-    }
-    result_3.specular_warp_0 = _S663;
-    if(_S653.is_warp_3)
-    {
-        _S656 = 0.0f;
-    }
-    result_3.specular_weft_0 = _S656;
-    result_3.light_visibility_1 = 1.0f;
-    return result_3;
-}
-
-fn openness_number_0( _S664 : u32,  _S665 : u32) -> f32
-{
-    return table_number_0(fabrics_0[_S664].openness_0 + _S665);
-}
-
-fn blocked_of_terms_0( _S666 : u32,  _S667 : u32,  _S668 : array<f32, i32(6)>,  _S669 : u32) -> Blocked_0
-{
-    var shares_0 : array<f32, i32(3)>;
-    var share_3 : u32 = u32(0);
+    var _S635 : u32 = hash_key_0(number_2, ((fabrics_0[_S627].seed_0) ^ (u32(1013904242))));
+    var _S636 : f32 = 1.0f / max(_S630, 0.07999999821186066f * _S631);
+    var _S637 : f32 = min(0.63999998569488525f * _S631 * _S636, 1.0f);
+    const _S638 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
+    var cover_2 : f32 = 0.0f;
+    var hair_away_0 : f32 = 0.0f;
+    var hair_across_0 : vec2<f32> = _S638;
+    number_2 = u32(0);
     for(;;)
     {
-        if(share_3 < u32(3))
+        var _S639 : bool;
+        if(_S633 > 0.0f)
+        {
+            _S639 = number_2 < u32(18);
+        }
+        else
+        {
+            _S639 = false;
+        }
+        if(_S639)
         {
         }
         else
         {
             break;
         }
-        shares_0[share_3] = 0.0f;
+        var _S640 : u32 = number_2 / u32(9);
+        var _S641 : u32 = number_2 / u32(3) - u32(3) * _S640;
+        var _S642 : vec2<f32> = floor(_S634) + vec2<f32>(f32(number_2 - u32(3) * _S641 - u32(9) * _S640), f32(_S641)) - vec2<f32>(1.0f);
+        var _S643 : u32 = hash_bits_0(_S635 + _S640, u32(i32(_S642.x)) * u32(65536) + u32(i32(_S642.y)));
+        var _S644 : u32 = hash_bits_0(_S635, _S643);
+        var _S645 : vec2<f32> = _S634 - _S642 - vec2<f32>(share_of_0(_S643), share_of_0((_S643 >> (u32(10)))));
+        var _S646 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S643 >> (u32(20)))));
+        var _S647 : f32 = mix(5.0f, 16.0f, share_of_0((_S644 >> (u32(10))))) / 17.0f;
+        var _S648 : f32 = _S645.x;
+        var _S649 : f32 = _S646.y;
+        var _S650 : f32 = _S645.y;
+        var _S651 : f32 = _S646.x;
+        var _S652 : f32 = (_S648 * _S649 + _S650 * _S651) / _S647;
+        var _S653 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S644 >> (u32(20)))) - 1.0f);
+        var _S654 : f32 = 2.0f * _S653 * _S652;
+        var _S655 : f32 = rsqrt_0(_S654 * _S654 + 1.0f);
+        var _S656 : f32 = (_S650 * _S649 - _S648 * _S651 - _S653 * _S647 * _S652 * _S652) * _S655 * 17.0f;
+        var _S657 : f32 = clamp((0.31999999284744263f - abs(_S656)) * _S631 * _S636 + 0.5f, 0.0f, _S637);
+        var _S658 : u32;
+        if(((((_S644 >> (u32(30)))) & (u32(1)))) == u32(1))
+        {
+            _S658 = fabrics_0[_S627].warp_0;
+        }
+        else
+        {
+            _S658 = fabrics_0[_S627].weft_0;
+        }
+        var _S659 : bool;
+        if((share_of_0(_S644)) < (families_0[_S658].hairiness_0))
+        {
+            _S659 = (abs(_S652)) < 1.0f;
+        }
+        else
+        {
+            _S659 = false;
+        }
+        var _S660 : bool;
+        if(_S659)
+        {
+            _S660 = _S657 > cover_2;
+        }
+        else
+        {
+            _S660 = false;
+        }
+        if(_S660)
+        {
+            var _S661 : vec2<f32> = vec2<f32>(- _S651 - _S654 * _S649, _S649 - _S654 * _S651) * vec2<f32>(_S655);
+            cover_2 = _S657;
+            hair_away_0 = _S656;
+            hair_across_0 = _S661;
+        }
+        number_2 = number_2 + u32(1);
+    }
+    var _S662 : f32 = clamp(hair_away_0 * 2.5f, -0.80000001192092896f, 0.80000001192092896f);
+    var hair_1 : Hair_0;
+    hair_1.cover_0 = _S633 * cover_2;
+    hair_1.normal_3 = vec3<f32>(vec2<f32>(_S662) * hair_across_0, sqrt(1.0f - _S662 * _S662));
+    hair_1.tangent_2 = vec3<f32>(hair_across_0.y, - hair_across_0.x, 0.0f);
+    return hair_1;
+}
+
+fn thread_number_0( _S663 : u32,  _S664 : SurfacePoint_0,  _S665 : f32,  _S666 : f32) -> u32
+{
+    var _S667 : f32;
+    if(_S664.is_warp_0)
+    {
+        _S667 = _S665;
+    }
+    else
+    {
+        _S667 = _S666;
+    }
+    var _S668 : f32 = _S667 - _S664.across_0;
+    var _S669 : u32;
+    if(_S664.is_warp_0)
+    {
+        _S669 = fabrics_0[_S663].warp_0;
+    }
+    else
+    {
+        _S669 = fabrics_0[_S663].weft_0;
+    }
+    var _S670 : f32 = families_0[_S669].period_0;
+    var _S671 : i32 = i32(families_0[_S669].count_0);
+    if(_S664.is_warp_0)
+    {
+        _S669 = _S664.warp_thread_0;
+    }
+    else
+    {
+        _S669 = _S664.weft_thread_0;
+    }
+    var _S672 : u32 = u32(i32(floor(_S668 / _S670)) * _S671 + i32(_S669)) * u32(2);
+    if(_S664.is_warp_0)
+    {
+        _S669 = u32(1);
+    }
+    else
+    {
+        _S669 = u32(0);
+    }
+    return _S672 + _S669;
+}
+
+struct FibreNoise_0
+{
+     bundle_0 : vec2<f32>,
+     bundle_weight_0 : f32,
+     fibre_0 : vec2<f32>,
+     fibre_weight_0 : f32,
+     offset_1 : f32,
+     slope_2 : f32,
+};
+
+fn fibre_noise_at_0( _S673 : u32,  _S674 : u32,  _S675 : SurfacePoint_0,  _S676 : u32,  _S677 : f32) -> FibreNoise_0
+{
+    var _S678 : f32 = 5.0f * fabrics_0[_S673].fibre_size_0;
+    var _S679 : vec2<f32> = wave_noise_0(hash_key_0(_S676, ((fabrics_0[_S673].seed_0) ^ (u32(458671337)))), _S675.fibre_along_0 / (25.0f * fabrics_0[_S673].fibre_size_0));
+    var _S680 : f32 = _S675.fibre_across_0 + families_0[_S674].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S673].fibre_size_0 * _S679.x;
+    var _S681 : vec3<f32> = fibre_cell_0(_S680, _S675.fibre_along_0, fabrics_0[_S673].fibre_size_0);
+    var noise_0 : FibreNoise_0;
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S676, ((fabrics_0[_S673].seed_0) ^ (u32(1757159915)))), fibre_cell_0(_S680, _S675.fibre_along_0, _S678));
+    noise_0.bundle_weight_0 = fade_0(_S677, _S678);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S676, ((fabrics_0[_S673].seed_0) ^ (u32(48610963)))), _S681);
+    noise_0.fibre_weight_0 = fade_0(_S677, fabrics_0[_S673].fibre_size_0);
+    noise_0.offset_1 = _S681.z;
+    noise_0.slope_2 = 0.5f * _S679.y;
+    return noise_0;
+}
+
+fn detail_gain_0( _S682 : u32,  _S683 : u32,  _S684 : SurfacePoint_0,  _S685 : vec2<f32>,  _S686 : bool,  _S687 : u32,  _S688 : f32) -> vec2<f32>
+{
+    var _S689 : vec2<f32> = vec2<f32>(0.0f);
+    var gain_2 : vec2<f32>;
+    if((families_0[_S683].has_plies_0) > 0.0f)
+    {
+        gain_2 = vec2<f32>((0.60000002384185791f * fade_0(_S688, 1.0f / families_0[_S683].plies_per_mm_0))) * vec2<f32>(0.20000000298023224f - square_1(square_1(ply_offset_0(_S683, _S684, _S686))), 0.20000000298023224f);
+    }
+    else
+    {
+        gain_2 = _S689;
+    }
+    if((families_0[_S683].fibre_tone_0) > 0.0f)
+    {
+        var _S690 : FibreNoise_0 = fibre_noise_at_0(_S682, _S683, _S684, _S687, _S688);
+        gain_2 = gain_2 + vec2<f32>(families_0[_S683].fibre_tone_0) * vec2<f32>(_S690.bundle_weight_0 * _S690.bundle_0.y + _S690.fibre_weight_0 * _S690.fibre_0.y, _S690.bundle_weight_0 + _S690.fibre_weight_0);
+    }
+    if((families_0[_S683].slub_0) > 0.0f)
+    {
+        var _S691 : f32 = 0.25f * families_0[_S683].slub_0 * fade_0(_S688, 1.0f / families_0[_S683].slubs_per_mm_0);
+        var _S692 : f32;
+        if(_S684.is_warp_0)
+        {
+            _S692 = _S685.y;
+        }
+        else
+        {
+            _S692 = - _S685.x;
+        }
+        gain_2 = gain_2 + vec2<f32>(_S691) * vec2<f32>(wave_noise_0(hash_key_0(_S687, ((fabrics_0[_S682].seed_0) ^ (u32(1373058189)))), _S692 * families_0[_S683].slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_1(_S684.across_0 * families_0[_S683].per_half_width_0), 1.0f)), 1.0f);
+    }
+    return gain_2;
+}
+
+fn vary_albedos_0( _S693 : u32,  _S694 : Albedos_0,  _S695 : u32,  _S696 : u32,  _S697 : vec2<f32>) -> Albedos_0
+{
+    var _S698 : vec3<f32> = max(_S694.specular_reflect_0, _S694.specular_transmit_0);
+    var _S699 : vec3<f32> = _S694.diffuse_reflect_0 + _S694.diffuse_transmit_0;
+    var _S700 : vec3<f32> = vec3<f32>(fabrics_0[_S693].layer_bound_0);
+    var _S701 : vec3<f32> = vec3<f32>(1.0f);
+    var _S702 : vec3<f32> = _S701 - _S700 * _S698;
+    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S695, fabrics_0[_S693].colour_noise_0, fabrics_0[_S693].seed_0), _S699, _S702);
+    var _S703 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S697.y, vec3<f32>(colour_1) * _S699, _S702) * _S697.x)));
+    var _S704 : f32 = bounded_gain_0(fibre_gain_0(_S695, _S696, fabrics_0[_S693].fibre_noise_0, fabrics_0[_S693].seed_0), _S698, min((_S701 - _S703 * _S699) / _S700, vec3<f32>(1.0f)));
+    var varied_0 : Albedos_0;
+    varied_0.diffuse_reflect_0 = _S703 * _S694.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S703 * _S694.diffuse_transmit_0;
+    var _S705 : vec3<f32> = vec3<f32>(_S704);
+    varied_0.specular_reflect_0 = _S705 * _S694.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S705 * _S694.specular_transmit_0;
+    return varied_0;
+}
+
+fn varied_at_0( _S706 : u32,  _S707 : SurfacePoint_0,  _S708 : Albedos_0,  _S709 : f32,  _S710 : f32,  _S711 : bool,  _S712 : f32,  _S713 : f32) -> Albedos_0
+{
+    var _S714 : u32 = thread_number_0(_S706, _S707, _S709, _S710);
+    var _S715 : vec3<f32> = fibre_cell_0(_S707.fibre_across_0, _S707.fibre_along_0, fabrics_0[_S706].fibre_size_0);
+    var _S716 : vec2<f32> = vec2<f32>(0.0f);
+    var _S717 : bool;
+    if((fabrics_0[_S706].has_detail_0) != u32(0))
+    {
+        _S717 = _S712 >= 0.0f;
+    }
+    else
+    {
+        _S717 = false;
+    }
+    var gain_3 : vec2<f32>;
+    if(_S717)
+    {
+        var _S718 : u32;
+        if(_S707.is_warp_0)
+        {
+            _S718 = fabrics_0[_S706].warp_0;
+        }
+        else
+        {
+            _S718 = fabrics_0[_S706].weft_0;
+        }
+        gain_3 = detail_gain_0(_S706, _S718, _S707, vec2<f32>(_S709, _S710), _S711, _S714, _S712) * vec2<f32>(1.0f - _S713, 1.0f);
+    }
+    else
+    {
+        gain_3 = _S716;
+    }
+    return vary_albedos_0(_S706, _S708, _S714, u32(i32(_S715.x)) * u32(65536) + u32(i32(floor(_S715.y))), gain_3);
+}
+
+fn turned_frame_0( _S719 : u32,  _S720 : u32,  _S721 : SurfacePoint_0,  _S722 : bool,  _S723 : u32,  _S724 : f32) -> YarnFrame_0
+{
+    var frame_2 : YarnFrame_0;
+    frame_2.normal_5 = _S721.normal_1;
+    frame_2.tangent_4 = _S721.tangent_0;
+    frame_2.loss_0 = 0.0f;
+    if((families_0[_S720].has_plies_0) > 0.0f)
+    {
+        var _S725 : f32 = fade_0(_S724, 1.0f / families_0[_S720].plies_per_mm_0);
+        var _S726 : f32 = _S725 * 0.41999998688697815f * ply_offset_0(_S720, _S721, _S722);
+        var _S727 : f32 = sqrt(1.0f - _S726 * _S726);
+        var _S728 : f32;
+        if(_S722)
+        {
+            _S728 = - families_0[_S720].ply_sine_0;
+        }
+        else
+        {
+            _S728 = families_0[_S720].ply_sine_0;
+        }
+        var _S729 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
+        var _S730 : vec3<f32> = vec3<f32>(families_0[_S720].ply_cosine_0);
+        var _S731 : vec3<f32> = _S730 * _S729 + vec3<f32>(_S728) * frame_2.tangent_4;
+        var _S732 : vec3<f32> = vec3<f32>(_S727);
+        var _S733 : vec3<f32> = vec3<f32>(_S726);
+        frame_2.tangent_4 = _S730 * (_S730 * frame_2.tangent_4 - vec3<f32>(_S728) * _S729) + vec3<f32>(_S728) * (_S732 * _S731 - _S733 * frame_2.normal_5);
+        frame_2.normal_5 = _S732 * frame_2.normal_5 + _S733 * _S731;
+        frame_2.loss_0 = _S725 * _S725 * 0.41999998688697815f * 0.41999998688697815f / 6.0f;
+    }
+    var _S734 : f32 = families_0[_S720].fibre_tilt_0;
+    if((families_0[_S720].fibre_tilt_0) > 0.0f)
+    {
+        var _S735 : FibreNoise_0 = fibre_noise_at_0(_S719, _S720, _S721, _S723, _S724);
+        var _S736 : f32 = 1.09858846664428711f * _S734 * (_S735.bundle_weight_0 * _S735.bundle_0.x + _S735.fibre_weight_0 * (_S735.fibre_0.x + _S735.offset_1));
+        var _S737 : f32 = _S734 * (1.42099642753601074f * (_S735.bundle_weight_0 * _S735.bundle_0.y + _S735.fibre_weight_0 * _S735.fibre_0.y) - _S735.bundle_weight_0 * _S735.slope_2);
+        var _S738 : f32 = square_1(_S735.fibre_weight_0);
+        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S734 * _S734 * ((0.24761904776096344f * (square_1(_S735.bundle_weight_0) + _S738) + _S738 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
+        var _S739 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
+        var _S740 : vec2<f32> = sine_cosine_0(_S736);
+        var _S741 : vec2<f32> = sine_cosine_0(_S737);
+        var _S742 : vec3<f32> = vec3<f32>(_S740.y);
+        var _S743 : vec3<f32> = vec3<f32>(_S740.x);
+        var _S744 : vec3<f32> = _S742 * _S739 - _S743 * frame_2.normal_5;
+        frame_2.normal_5 = _S742 * frame_2.normal_5 + _S743 * _S739;
+        frame_2.tangent_4 = vec3<f32>(_S741.y) * frame_2.tangent_4 + vec3<f32>(_S741.x) * _S744;
+    }
+    return frame_2;
+}
+
+fn yarn_point_of_0( _S745 : u32,  _S746 : SurfacePoint_0,  _S747 : f32,  _S748 : f32,  _S749 : bool,  _S750 : bool,  _S751 : f32) -> YarnPoint_0
+{
+    var _S752 : u32;
+    if(_S746.is_warp_0)
+    {
+        _S752 = fabrics_0[_S745].warp_0;
+    }
+    else
+    {
+        _S752 = fabrics_0[_S745].weft_0;
+    }
+    var _S753 : bool;
+    if((fabrics_0[_S745].has_detail_0) != u32(0))
+    {
+        _S753 = _S751 >= 0.0f;
+    }
+    else
+    {
+        _S753 = false;
+    }
+    var _S754 : vec3<f32> = vec3<f32>(0.0f);
+    var _S755 : Hair_0 = Hair_x24init_0(0.0f, _S754, _S754);
+    var _S756 : bool;
+    if(_S753)
+    {
+        _S756 = has_hairs_0(_S745);
+    }
+    else
+    {
+        _S756 = false;
+    }
+    var hair_2 : Hair_0;
+    if(_S756)
+    {
+        hair_2 = hair_at_0(_S745, vec2<f32>(_S747, _S748), _S749, _S751);
+    }
+    else
+    {
+        hair_2 = _S755;
+    }
+    var _S757 : u32;
+    if(_S746.is_warp_0)
+    {
+        _S757 = _S746.warp_thread_0;
+    }
+    else
+    {
+        _S757 = _S746.weft_thread_0;
+    }
+    var albedos_7 : Albedos_0 = albedos_of_0(_S752, _S757);
+    var albedos_8 : Albedos_0;
+    if(varies_at_0(_S745, _S751))
+    {
+        albedos_8 = varied_at_0(_S745, _S746, albedos_7, _S747, _S748, _S749, _S751, hair_2.cover_0);
+    }
+    else
+    {
+        albedos_8 = albedos_7;
+    }
+    var point_5 : YarnPoint_0;
+    point_5.back_7 = _S749;
+    point_5.hole_6 = _S750;
+    point_5.is_warp_3 = _S746.is_warp_0;
+    point_5.x_15 = _S747;
+    point_5.y_8 = _S748;
+    point_5.height_11 = _S746.height_2;
+    point_5.normal_10 = _S746.normal_1;
+    point_5.tangent_10 = _S746.tangent_0;
+    point_5.surface_normal_0 = _S746.normal_1;
+    point_5.diffuse_gain_1 = 1.0f;
+    if(_S753)
+    {
+        var _S758 : YarnFrame_0 = turned_frame_0(_S745, _S752, _S746, _S749, thread_number_0(_S745, _S746, _S747, _S748), _S751);
+        var frame_3 : YarnFrame_0;
+        if(has_hairs_0(_S745))
+        {
+            frame_3 = under_hair_0(_S758, hair_2);
+        }
+        else
+        {
+            frame_3 = _S758;
+        }
+        point_5.normal_10 = frame_3.normal_5;
+        point_5.tangent_10 = frame_3.tangent_4;
+        point_5.diffuse_gain_1 = diffuse_gain_0(frame_3, fabrics_0[_S745].diffuse_blend_0);
+    }
+    point_5.roughness_10 = families_0[_S752].roughness_0;
+    point_5.albedos_6 = albedos_8;
+    return point_5;
+}
+
+fn unoccluded_0( _S759 : u32,  _S760 : SearchQuality_0,  _S761 : f32,  _S762 : f32,  _S763 : f32,  _S764 : vec3<f32>,  _S765 : bool) -> bool
+{
+    if((_S764.z) <= 0.0f)
+    {
+        return false;
+    }
+    return is_free_0(_S759, _S760, vec3<f32>(_S761, _S762, _S763 + fabrics_0[_S759].lift_0), _S764, _S765, max_height_along_0(_S759, _S761, _S762, _S763, _S764, _S765));
+}
+
+fn is_lit_0( _S766 : u32,  _S767 : SearchQuality_0,  _S768 : YarnPoint_0,  _S769 : vec3<f32>) -> bool
+{
+    if(_S768.hole_6)
+    {
+        return true;
+    }
+    var _S770 : vec3<f32> = to_face_frame_0(_S769, _S768.back_7);
+    var _S771 : f32 = _S770.z;
+    var _S772 : bool = _S771 < 0.0f;
+    var normal_11 : vec3<f32>;
+    var height_12 : f32;
+    if(_S772)
+    {
+        var _S773 : SurfacePoint_0 = surface_at_0(_S766, _S768.x_15, _S768.y_8, !_S768.back_7);
+        normal_11 = _S773.normal_1;
+        height_12 = _S773.height_2;
+    }
+    else
+    {
+        normal_11 = _S768.surface_normal_0;
+        height_12 = _S768.height_11;
+    }
+    var _S774 : vec3<f32> = vec3<f32>(_S770.xy, abs(_S771));
+    if((dot(normal_11, _S774)) <= 0.0f)
+    {
+        return false;
+    }
+    return unoccluded_0(_S766, _S767, _S768.x_15, _S768.y_8, height_12, _S774, (_S768.back_7) != _S772);
+}
+
+fn components_of_point_0( _S775 : u32,  _S776 : SearchQuality_0,  _S777 : YarnPoint_0,  _S778 : vec3<f32>,  _S779 : vec3<f32>) -> Components_0
+{
+    var result_3 : Components_0 = no_components_0();
+    var _S780 : f32;
+    if(_S777.hole_6)
+    {
+        _S780 = 1.0f;
+    }
+    else
+    {
+        _S780 = 0.0f;
+    }
+    result_3.hole_2 = _S780;
+    var _S781 : bool;
+    if(_S777.hole_6)
+    {
+        _S781 = true;
+    }
+    else
+    {
+        _S781 = !is_lit_0(_S775, _S776, _S777, _S778);
+    }
+    if(_S781)
+    {
+        return result_3;
+    }
+    var _S782 : vec3<f32> = to_face_frame_0(_S778, _S777.back_7);
+    var _S783 : vec3<f32> = to_face_frame_0(_S779, _S777.back_7);
+    var _S784 : bool = (_S782.z) < 0.0f;
+    var _S785 : vec3<f32>;
+    if(_S784)
+    {
+        _S785 = (vec3<f32>(0) - _S782);
+    }
+    else
+    {
+        _S785 = _S782;
+    }
+    var _S786 : f32 = _S777.diffuse_gain_1 * diffuse_reflection_0(_S785, _S777.normal_10, fabrics_0[_S775].diffuse_blend_0);
+    if(_S784)
+    {
+        _S780 = transmission_1(_S782, _S783, _S777.normal_10, _S777.tangent_10, _S777.roughness_10, fabrics_0[_S775].optical_depth_0);
+    }
+    else
+    {
+        _S780 = reflection_0(_S782, _S783, _S777.normal_10, _S777.tangent_10, _S777.roughness_10, fabrics_0[_S775].optical_depth_0);
+    }
+    var _S787 : f32;
+    if(_S777.is_warp_3)
+    {
+        _S787 = _S786;
+    }
+    else
+    {
+        _S787 = 0.0f;
+    }
+    result_3.diffuse_warp_0 = _S787;
+    if(_S777.is_warp_3)
+    {
+        _S787 = 0.0f;
+    }
+    else
+    {
+        _S787 = _S786;
+    }
+    result_3.diffuse_weft_0 = _S787;
+    if(_S777.is_warp_3)
+    {
+        _S787 = _S780;
+    }
+    else
+    {
+        _S787 = 0.0f;
+    }
+    result_3.specular_warp_0 = _S787;
+    if(_S777.is_warp_3)
+    {
+        _S780 = 0.0f;
+    }
+    result_3.specular_weft_0 = _S780;
+    result_3.light_visibility_1 = 1.0f;
+    return result_3;
+}
+
+fn openness_number_0( _S788 : u32,  _S789 : u32) -> f32
+{
+    return table_number_0(fabrics_0[_S788].openness_0 + _S789);
+}
+
+fn blocked_of_terms_0( _S790 : u32,  _S791 : u32,  _S792 : array<f32, i32(6)>,  _S793 : u32) -> Blocked_0
+{
+    var shares_0 : array<f32, i32(3)>;
+    var share_4 : u32 = u32(0);
+    for(;;)
+    {
+        if(share_4 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        shares_0[share_4] = 0.0f;
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S669)
+            if(term_0 < _S793)
             {
             }
             else
             {
                 break;
             }
-            shares_0[share_3] = shares_0[share_3] + openness_number_0(_S666, _S667 + share_3 * _S669 + term_0) * _S668[term_0];
+            shares_0[share_4] = shares_0[share_4] + openness_number_0(_S790, _S791 + share_4 * _S793 + term_0) * _S792[term_0];
             term_0 = term_0 + u32(1);
         }
-        shares_0[share_3] = saturate(shares_0[share_3]);
-        share_3 = share_3 + u32(1);
+        shares_0[share_4] = saturate(shares_0[share_4]);
+        share_4 = share_4 + u32(1);
     }
     var blocked_2 : Blocked_0;
     blocked_2.by_warp_0 = shares_0[i32(0)] * shares_0[i32(2)];
@@ -3622,51 +4090,51 @@ fn blocked_of_terms_0( _S666 : u32,  _S667 : u32,  _S668 : array<f32, i32(6)>,  
     return blocked_2;
 }
 
-fn blocked_at_0( _S670 : u32,  _S671 : bool,  _S672 : bool,  _S673 : f32,  _S674 : f32) -> Blocked_0
+fn blocked_at_0( _S794 : u32,  _S795 : bool,  _S796 : bool,  _S797 : f32,  _S798 : f32) -> Blocked_0
 {
-    var _S675 : f32 = _S674 * openness_number_0(_S670, u32(158));
-    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S673, _S675, _S673 * _S673, _S673 * _S675, _S675 * _S675 );
-    var _S676 : u32;
-    if(_S672)
+    var _S799 : f32 = _S798 * openness_number_0(_S794, u32(158));
+    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S797, _S799, _S797 * _S797, _S797 * _S799, _S799 * _S799 );
+    var _S800 : u32;
+    if(_S796)
     {
-        _S676 = u32(2);
+        _S800 = u32(2);
     }
     else
     {
-        _S676 = u32(0);
+        _S800 = u32(0);
     }
-    var _S677 : u32;
-    if(_S671)
+    var _S801 : u32;
+    if(_S795)
     {
-        _S677 = u32(0);
+        _S801 = u32(0);
     }
     else
     {
-        _S677 = u32(1);
+        _S801 = u32(1);
     }
-    return blocked_of_terms_0(_S670, u32(60) + (_S676 + _S677) * u32(18), terms_2, u32(6));
+    return blocked_of_terms_0(_S794, u32(60) + (_S800 + _S801) * u32(18), terms_2, u32(6));
 }
 
-fn with_blocked_0( _S678 : u32,  _S679 : Blocked_0,  _S680 : YarnPoint_0,  _S681 : bool,  _S682 : f32) -> Blocked_0
+fn with_blocked_0( _S802 : u32,  _S803 : Blocked_0,  _S804 : YarnPoint_0,  _S805 : bool,  _S806 : f32) -> Blocked_0
 {
-    var _S683 : bool;
-    if(_S680.hole_6)
+    var _S807 : bool;
+    if(_S804.hole_6)
     {
-        _S683 = true;
+        _S807 = true;
     }
     else
     {
-        _S683 = (_S680.is_warp_3) != _S681;
+        _S807 = (_S804.is_warp_3) != _S805;
     }
-    if(_S683)
+    if(_S807)
     {
-        return _S679;
+        return _S803;
     }
-    var _S684 : Blocked_0 = blocked_at_0(_S678, _S681, _S680.back_6, _S680.normal_7.z, _S680.height_11);
+    var _S808 : Blocked_0 = blocked_at_0(_S802, _S805, _S804.back_7, _S804.normal_10.z, _S804.height_11);
     var result_4 : Blocked_0;
-    result_4.by_warp_0 = _S679.by_warp_0 + _S682 * _S684.by_warp_0;
-    result_4.by_weft_0 = _S679.by_weft_0 + _S682 * _S684.by_weft_0;
-    result_4.far_0 = _S679.far_0 + _S682 * _S684.far_0;
+    result_4.by_warp_0 = _S803.by_warp_0 + _S806 * _S808.by_warp_0;
+    result_4.by_weft_0 = _S803.by_weft_0 + _S806 * _S808.by_weft_0;
+    result_4.far_0 = _S803.far_0 + _S806 * _S808.far_0;
     return result_4;
 }
 
@@ -3675,58 +4143,25 @@ struct CoverageTaps_0
      nodes_1 : array<u32, i32(9)>,
 };
 
-fn pyramid_level_0( _S685 : u32,  _S686 : f32) -> vec3<f32>
+fn pyramid_level_0( _S809 : u32,  _S810 : f32) -> vec3<f32>
 {
-    var _S687 : u32 = fabrics_0[_S685].lobes_0.levels_0 + u32(4) * u32(min(_S686, fabrics_0[_S685].lobes_0.last_level_0));
-    return vec3<f32>(table_number_0(_S687), table_number_0(_S687 + u32(1)), table_number_0(_S687 + u32(2)));
+    var _S811 : u32 = fabrics_0[_S809].lobes_0.levels_0 + u32(4) * u32(min(_S810, fabrics_0[_S809].lobes_0.last_level_0));
+    return vec3<f32>(table_number_0(_S811), table_number_0(_S811 + u32(1)), table_number_0(_S811 + u32(2)));
 }
 
-fn coverage_taps_0( _S688 : u32,  _S689 : Footprint_0,  _S690 : bool) -> CoverageTaps_0
+fn coverage_taps_0( _S812 : u32,  _S813 : Footprint_0,  _S814 : bool) -> CoverageTaps_0
 {
-    var _S691 : Lobes_std430_0 = fabrics_0[_S688].lobes_0;
-    var _S692 : f32 = Footprint_spread_side_0(_S689) * fabrics_0[_S688].lobes_0.inverse_base_size_0;
-    var _S693 : vec3<f32> = pyramid_level_0(_S688, floor(binary_logarithm_0(max(0.68000000715255737f * _S692, 1.0f))));
-    var _S694 : f32 = 1.0f / max(_S692, 9.99999997475242708e-07f);
-    var _S695 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S688].warp_0].inverse_period_0, families_0[fabrics_0[_S688].weft_0].inverse_period_0);
-    var _S696 : vec2<f32> = _S689.centre_0 * _S695;
-    var _S697 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S694 * _S694), 0.0f, 1.0f)), 0.3333333432674408f * _S694), 1.0f));
-    var _S698 : vec2<f32> = _S689.dx_0 * _S695 * _S697;
-    var _S699 : vec2<f32> = _S689.dy_0 * _S695 * _S697;
+    var _S815 : Lobes_std430_0 = fabrics_0[_S812].lobes_0;
+    var _S816 : f32 = Footprint_spread_side_0(_S813) * fabrics_0[_S812].lobes_0.inverse_base_size_0;
+    var _S817 : vec3<f32> = pyramid_level_0(_S812, floor(binary_logarithm_0(max(0.68000000715255737f * _S816, 1.0f))));
+    var _S818 : f32 = 1.0f / max(_S816, 9.99999997475242708e-07f);
+    var _S819 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S812].warp_0].inverse_period_0, families_0[fabrics_0[_S812].weft_0].inverse_period_0);
+    var _S820 : vec2<f32> = _S813.centre_0 * _S819;
+    var _S821 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S818 * _S818), 0.0f, 1.0f)), 0.3333333432674408f * _S818), 1.0f));
+    var _S822 : vec2<f32> = _S813.dx_0 * _S819 * _S821;
+    var _S823 : vec2<f32> = _S813.dy_0 * _S819 * _S821;
     var taps_3 : CoverageTaps_0;
-    var number_2 : u32 = u32(0);
-    for(;;)
-    {
-        if(number_2 < u32(9))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S700 : vec2<f32> = _S696 + vec2<f32>(TAP_OFFSETS_0[number_2].x) * _S698 + vec2<f32>(TAP_OFFSETS_0[number_2].y) * _S699;
-        var _S701 : f32 = _S693.y;
-        var _S702 : f32 = wrapped_cell_0(_S700.x, _S701);
-        var _S703 : f32 = wrapped_cell_0(_S700.y, _S693.z);
-        var _S704 : u32;
-        if(_S690)
-        {
-            _S704 = _S691.face_nodes_0;
-        }
-        else
-        {
-            _S704 = u32(0);
-        }
-        taps_3.nodes_1[number_2] = _S704 + u32(_S703 * _S701 + _S702 + _S693.x);
-        number_2 = number_2 + u32(1);
-    }
-    return taps_3;
-}
-
-fn coverage_of_pack_0( _S705 : u32,  _S706 : CoverageTaps_0,  _S707 : u32) -> vec4<f32>
-{
     var number_3 : u32 = u32(0);
-    var even_1 : u32 = u32(0);
-    var odd_1 : u32 = u32(0);
     for(;;)
     {
         if(number_3 < u32(9))
@@ -3736,20 +4171,30 @@ fn coverage_of_pack_0( _S705 : u32,  _S706 : CoverageTaps_0,  _S707 : u32) -> ve
         {
             break;
         }
-        var _S708 : u32 = words_0[fabrics_0[_S705].lobes_0.coverage_0 + _S706.nodes_1[number_3] * fabrics_0[_S705].lobes_0.packs_0 + _S707];
-        var even_2 : u32 = even_1 + ((_S708 & (u32(16711935))));
-        var odd_2 : u32 = odd_1 + ((((_S708 >> (u32(8)))) & (u32(16711935))));
+        var _S824 : vec2<f32> = _S820 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S822 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S823;
+        var _S825 : f32 = _S817.y;
+        var _S826 : f32 = wrapped_cell_0(_S824.x, _S825);
+        var _S827 : f32 = wrapped_cell_0(_S824.y, _S817.z);
+        var _S828 : u32;
+        if(_S814)
+        {
+            _S828 = _S815.face_nodes_0;
+        }
+        else
+        {
+            _S828 = u32(0);
+        }
+        taps_3.nodes_1[number_3] = _S828 + u32(_S827 * _S825 + _S826 + _S817.x);
         number_3 = number_3 + u32(1);
-        even_1 = even_2;
-        odd_1 = odd_2;
     }
-    return bytes_of_sums_0(even_1, odd_1) / vec4<f32>(9.0f);
+    return taps_3;
 }
 
-fn coverage_of_holes_0( _S709 : u32,  _S710 : CoverageTaps_0) -> f32
+fn coverage_of_pack_0( _S829 : u32,  _S830 : CoverageTaps_0,  _S831 : u32) -> vec4<f32>
 {
     var number_4 : u32 = u32(0);
-    var total_0 : u32 = u32(0);
+    var even_1 : u32 = u32(0);
+    var odd_1 : u32 = u32(0);
     for(;;)
     {
         if(number_4 < u32(9))
@@ -3759,67 +4204,90 @@ fn coverage_of_holes_0( _S709 : u32,  _S710 : CoverageTaps_0) -> f32
         {
             break;
         }
-        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S709].lobes_0.coverage_holes_0 + _S710.nodes_1[number_4] / u32(4)] >> ((u32(8) * (_S710.nodes_1[number_4] % u32(4)))))) & (u32(255))));
+        var _S832 : u32 = words_0[fabrics_0[_S829].lobes_0.coverage_0 + _S830.nodes_1[number_4] * fabrics_0[_S829].lobes_0.packs_0 + _S831];
+        var even_2 : u32 = even_1 + ((_S832 & (u32(16711935))));
+        var odd_2 : u32 = odd_1 + ((((_S832 >> (u32(8)))) & (u32(16711935))));
         number_4 = number_4 + u32(1);
+        even_1 = even_2;
+        odd_1 = odd_2;
+    }
+    return bytes_of_sums_0(even_1, odd_1) / vec4<f32>(9.0f);
+}
+
+fn coverage_of_holes_0( _S833 : u32,  _S834 : CoverageTaps_0) -> f32
+{
+    var number_5 : u32 = u32(0);
+    var total_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(number_5 < u32(9))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S833].lobes_0.coverage_holes_0 + _S834.nodes_1[number_5] / u32(4)] >> ((u32(8) * (_S834.nodes_1[number_5] % u32(4)))))) & (u32(255))));
+        number_5 = number_5 + u32(1);
         total_0 = total_1;
     }
     return f32(total_0) / 9.0f;
 }
 
-fn prefiltered_hole_0( _S711 : u32,  _S712 : CoverageTaps_0,  _S713 : NodeTaps_0,  _S714 : bool) -> f32
+fn prefiltered_hole_0( _S835 : u32,  _S836 : CoverageTaps_0,  _S837 : NodeTaps_0,  _S838 : bool) -> f32
 {
-    var _S715 : Lobes_std430_0 = fabrics_0[_S711].lobes_0;
-    var _S716 : f32 = interpolate_table_0(_S713, fabrics_0[_S711].lobes_0.projected_area_0 + fabrics_0[_S711].lobes_0.packs_0, fabrics_0[_S711].lobes_0.packs_0 + u32(1)).x;
-    var _S717 : f32;
-    if(_S714)
+    var _S839 : Lobes_std430_0 = fabrics_0[_S835].lobes_0;
+    var _S840 : f32 = interpolate_table_0(_S837, fabrics_0[_S835].lobes_0.projected_area_0 + fabrics_0[_S835].lobes_0.packs_0, fabrics_0[_S835].lobes_0.packs_0 + u32(1)).x;
+    var _S841 : f32;
+    if(_S838)
     {
-        _S717 = _S715.back_hole_weight_0;
+        _S841 = _S839.back_hole_weight_0;
     }
     else
     {
-        _S717 = _S715.front_hole_weight_0;
+        _S841 = _S839.front_hole_weight_0;
     }
-    return min(coverage_of_holes_0(_S711, _S712) * _S716 * _S716 * _S717, 1.0f);
+    return min(coverage_of_holes_0(_S835, _S836) * _S840 * _S840 * _S841, 1.0f);
 }
 
-fn prefiltered_components_0( _S718 : u32,  _S719 : Footprint_0,  _S720 : vec3<f32>,  _S721 : vec3<f32>,  _S722 : bool) -> Components_0
+fn prefiltered_components_0( _S842 : u32,  _S843 : Footprint_0,  _S844 : vec3<f32>,  _S845 : vec3<f32>,  _S846 : bool) -> Components_0
 {
-    var _S723 : CoverageTaps_0 = coverage_taps_0(_S718, _S719, _S722);
-    var _S724 : NodeTaps_0 = node_taps_0(_S721);
-    var view_nodes_0 : NodeTaps_0 = _S724;
-    var light_nodes_0 : NodeTaps_0 = node_taps_0(_S720);
-    var seen_nodes_0 : NodeTaps_0 = _S724;
-    var _S725 : u32;
-    if(_S722)
+    var _S847 : CoverageTaps_0 = coverage_taps_0(_S842, _S843, _S846);
+    var _S848 : NodeTaps_0 = node_taps_0(_S845);
+    var view_nodes_0 : NodeTaps_0 = _S848;
+    var light_nodes_0 : NodeTaps_0 = node_taps_0(_S844);
+    var seen_nodes_0 : NodeTaps_0 = _S848;
+    var _S849 : u32;
+    if(_S846)
     {
-        _S725 = u32(1);
+        _S849 = u32(1);
     }
     else
     {
-        _S725 = u32(0);
+        _S849 = u32(0);
     }
-    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S725 * u32(256)));
-    var _S726 : u32 = u32(2) * _S725;
-    seen_nodes_0.nodes_0 = seen_nodes_0.nodes_0 + vec4<u32>((_S726 * u32(256)));
-    var _S727 : u32;
-    if((_S720.z) < 0.0f)
+    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S849 * u32(256)));
+    var _S850 : u32 = u32(2) * _S849;
+    seen_nodes_0.nodes_0 = seen_nodes_0.nodes_0 + vec4<u32>((_S850 * u32(256)));
+    var _S851 : u32;
+    if((_S844.z) < 0.0f)
     {
-        _S727 = u32(1);
-    }
-    else
-    {
-        _S727 = u32(0);
-    }
-    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((_S726 + _S727) * u32(256)));
-    var _S728 : vec3<f32> = half_vector_0(_S720, _S721);
-    var _S729 : vec3<f32> = shadow_correlation_0(_S720, _S721);
-    if(_S722)
-    {
-        _S727 = fabrics_0[_S718].lobes_0.back_warp_packs_0;
+        _S851 = u32(1);
     }
     else
     {
-        _S727 = fabrics_0[_S718].lobes_0.front_warp_packs_0;
+        _S851 = u32(0);
+    }
+    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((_S850 + _S851) * u32(256)));
+    var _S852 : vec3<f32> = half_vector_0(_S844, _S845);
+    var _S853 : vec3<f32> = shadow_correlation_0(_S844, _S845);
+    if(_S846)
+    {
+        _S851 = fabrics_0[_S842].lobes_0.back_warp_packs_0;
+    }
+    else
+    {
+        _S851 = fabrics_0[_S842].lobes_0.front_warp_packs_0;
     }
     var sums_1 : Components_0;
     sums_1.diffuse_warp_0 = 0.0f;
@@ -3831,428 +4299,437 @@ fn prefiltered_components_0( _S718 : u32,  _S719 : Footprint_0,  _S720 : vec3<f3
     var total_2 : f32 = 0.0f;
     for(;;)
     {
-        var _S730 : Lobes_std430_0 = fabrics_0[_S718].lobes_0;
-        if(pack_0 < (fabrics_0[_S718].lobes_0.packs_0))
+        var _S854 : Lobes_std430_0 = fabrics_0[_S842].lobes_0;
+        if(pack_0 < (fabrics_0[_S842].lobes_0.packs_0))
         {
         }
         else
         {
             break;
         }
-        var _S731 : vec4<f32> = coverage_of_pack_0(_S718, _S723, pack_0);
-        var _S732 : vec4<f32> = interpolate_table_0(view_nodes_0, _S730.projected_area_0 + pack_0, _S730.packs_0 + u32(1));
-        var _S733 : u32 = _S730.light_visibility_0 + pack_0;
-        var _S734 : vec4<f32> = vec4<f32>(255.0f);
-        var _S735 : vec4<f32> = interpolate_table_0(seen_nodes_0, _S733, _S730.packs_0) / _S734;
-        var _S736 : vec4<f32> = interpolate_table_0(light_nodes_0, _S733, _S730.packs_0) / _S734;
-        var _S737 : vec4<f32> = interpolate_table_0(light_nodes_0, _S730.irradiance_0 + pack_0, _S730.packs_0) * vec4<f32>(0.00124827399849892f);
-        var _S738 : bool = pack_0 < _S727;
-        var _S739 : u32;
-        if(_S738)
+        var _S855 : vec4<f32> = coverage_of_pack_0(_S842, _S847, pack_0);
+        var _S856 : vec4<f32> = interpolate_table_0(view_nodes_0, _S854.projected_area_0 + pack_0, _S854.packs_0 + u32(1));
+        var _S857 : u32 = _S854.light_visibility_0 + pack_0;
+        var _S858 : vec4<f32> = vec4<f32>(255.0f);
+        var _S859 : vec4<f32> = interpolate_table_0(seen_nodes_0, _S857, _S854.packs_0) / _S858;
+        var _S860 : vec4<f32> = interpolate_table_0(light_nodes_0, _S857, _S854.packs_0) / _S858;
+        var _S861 : vec4<f32> = interpolate_table_0(light_nodes_0, _S854.irradiance_0 + pack_0, _S854.packs_0) * vec4<f32>(0.00124827399849892f);
+        var _S862 : bool = pack_0 < _S851;
+        var _S863 : u32;
+        if(_S862)
         {
-            _S739 = fabrics_0[_S718].warp_0;
+            _S863 = fabrics_0[_S842].warp_0;
         }
         else
         {
-            _S739 = fabrics_0[_S718].weft_0;
+            _S863 = fabrics_0[_S842].weft_0;
         }
-        var _S740 : Family_std430_0 = families_0[_S739];
-        var number_5 : u32 = u32(0);
+        var _S864 : f32 = families_0[_S863].roughness_0;
+        var number_6 : u32 = u32(0);
         var diffuse_0 : f32 = 0.0f;
         var specular_0 : f32 = 0.0f;
         for(;;)
         {
-            if(number_5 < u32(4))
+            if(number_6 < u32(4))
             {
             }
             else
             {
                 break;
             }
-            var _S741 : Group_0 = group_at_0(_S730.moments_0 + u32(12) * (u32(4) * (_S725 * _S730.packs_0 + pack_0) + number_5), _S740.roughness_0);
-            var _S742 : f32 = _S731[number_5] * _S732[number_5] * _S732[number_5] * _S741.weight_2;
-            var _S743 : vec2<f32> = visibility_gain_0(_S729, _S736[number_5], _S735[number_5]);
-            var _S744 : f32 = _S743.x;
-            var diffuse_1 : f32 = diffuse_0 + _S742 * _S737[number_5] * _S744;
-            var specular_1 : f32 = specular_0 + _S742 * layer_value_0(_S741, _S728, _S720, _S721, fabrics_0[_S718].optical_depth_0) * _S736[number_5] * _S743.y;
-            sums_1.light_visibility_1 = sums_1.light_visibility_1 + _S742 * _S736[number_5] * _S744;
-            var total_3 : f32 = total_2 + _S742;
-            number_5 = number_5 + u32(1);
+            var _S865 : Group_0 = group_at_0(_S854.moments_0 + u32(12) * (u32(4) * (_S849 * _S854.packs_0 + pack_0) + number_6), _S864);
+            var _S866 : f32 = _S855[number_6] * _S856[number_6] * _S856[number_6] * _S865.weight_2;
+            var _S867 : vec2<f32> = visibility_gain_0(_S853, _S860[number_6], _S859[number_6]);
+            var _S868 : f32 = _S867.x;
+            var diffuse_1 : f32 = diffuse_0 + _S866 * _S861[number_6] * _S868;
+            var specular_1 : f32 = specular_0 + _S866 * layer_value_0(_S865, _S852, _S844, _S845, fabrics_0[_S842].optical_depth_0) * _S860[number_6] * _S867.y;
+            sums_1.light_visibility_1 = sums_1.light_visibility_1 + _S866 * _S860[number_6] * _S868;
+            var total_3 : f32 = total_2 + _S866;
+            number_6 = number_6 + u32(1);
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             total_2 = total_3;
         }
-        var _S745 : f32;
-        if(_S738)
+        var _S869 : f32;
+        if(_S862)
         {
-            _S745 = diffuse_0;
+            _S869 = diffuse_0;
         }
         else
         {
-            _S745 = 0.0f;
+            _S869 = 0.0f;
         }
-        sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 + _S745;
-        var _S746 : f32;
-        if(_S738)
+        sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 + _S869;
+        var _S870 : f32;
+        if(_S862)
         {
-            _S746 = 0.0f;
+            _S870 = 0.0f;
         }
         else
         {
-            _S746 = diffuse_0;
+            _S870 = diffuse_0;
         }
-        sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 + _S746;
-        var _S747 : f32;
-        if(_S738)
+        sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 + _S870;
+        var _S871 : f32;
+        if(_S862)
         {
-            _S747 = specular_0;
+            _S871 = specular_0;
         }
         else
         {
-            _S747 = 0.0f;
+            _S871 = 0.0f;
         }
-        sums_1.specular_warp_0 = sums_1.specular_warp_0 + _S747;
-        var _S748 : f32;
-        if(_S738)
+        sums_1.specular_warp_0 = sums_1.specular_warp_0 + _S871;
+        var _S872 : f32;
+        if(_S862)
         {
-            _S748 = 0.0f;
+            _S872 = 0.0f;
         }
         else
         {
-            _S748 = specular_0;
+            _S872 = specular_0;
         }
-        sums_1.specular_weft_0 = sums_1.specular_weft_0 + _S748;
+        sums_1.specular_weft_0 = sums_1.specular_weft_0 + _S872;
         pack_0 = pack_0 + u32(1);
     }
-    var _S749 : f32 = prefiltered_hole_0(_S718, _S723, view_nodes_0, _S722);
-    sums_1.hole_2 = _S749;
-    var _S750 : f32 = (1.0f - _S749) / max(total_2, 9.999999960041972e-13f);
-    sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 * _S750;
-    sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 * _S750;
-    sums_1.specular_warp_0 = sums_1.specular_warp_0 * _S750;
-    sums_1.specular_weft_0 = sums_1.specular_weft_0 * _S750;
-    sums_1.light_visibility_1 = sums_1.light_visibility_1 * _S750;
+    var _S873 : f32 = prefiltered_hole_0(_S842, _S847, view_nodes_0, _S846);
+    sums_1.hole_2 = _S873;
+    var _S874 : f32 = (1.0f - _S873) / max(total_2, 9.999999960041972e-13f);
+    sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 * _S874;
+    sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 * _S874;
+    sums_1.specular_warp_0 = sums_1.specular_warp_0 * _S874;
+    sums_1.specular_weft_0 = sums_1.specular_weft_0 * _S874;
+    sums_1.light_visibility_1 = sums_1.light_visibility_1 * _S874;
     return sums_1;
 }
 
-fn albedos_over_0( _S751 : u32,  _S752 : Footprint_0,  _S753 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S875 : u32,  _S876 : Footprint_0,  _S877 : bool) -> FamilyAlbedos_0
 {
-    var _S754 : vec2<f32> = _S752.dx_0;
-    var _S755 : vec2<f32> = _S752.dy_0;
-    var _S756 : vec2<f32> = sqrt(_S754 * _S754 + _S755 * _S755);
-    var _S757 : Stretch_0 = stretch_of_0(fabrics_0[_S751].warp_0, _S752.centre_0.x, _S756.x);
-    var _S758 : Stretch_0 = stretch_of_0(fabrics_0[_S751].weft_0, _S752.centre_0.y, _S756.y);
+    var _S878 : vec2<f32> = _S876.dx_0;
+    var _S879 : vec2<f32> = _S876.dy_0;
+    var _S880 : vec2<f32> = sqrt(_S878 * _S878 + _S879 * _S879);
+    var _S881 : Stretch_0 = stretch_of_0(fabrics_0[_S875].warp_0, _S876.centre_0.x, _S880.x);
+    var _S882 : Stretch_0 = stretch_of_0(fabrics_0[_S875].weft_0, _S876.centre_0.y, _S880.y);
     var albedos_9 : FamilyAlbedos_0;
-    albedos_9.warp_5 = mean_albedos_0(fabrics_0[_S751].warp_0, fabrics_0[_S751].weft_0, _S757, _S758, _S753);
-    albedos_9.weft_5 = mean_albedos_0(fabrics_0[_S751].weft_0, fabrics_0[_S751].warp_0, _S758, _S757, _S753);
+    albedos_9.warp_5 = mean_albedos_0(fabrics_0[_S875].warp_0, fabrics_0[_S875].weft_0, _S881, _S882, _S877);
+    albedos_9.weft_5 = mean_albedos_0(fabrics_0[_S875].weft_0, fabrics_0[_S875].warp_0, _S882, _S881, _S877);
     return albedos_9;
 }
 
-fn lobes_estimate_of_pass_0( _S759 : u32,  _S760 : Footprint_0,  _S761 : f32,  _S762 : vec2<f32>,  _S763 : vec3<f32>,  _S764 : vec3<f32>) -> Estimate_0
+fn lobes_estimate_of_pass_0( _S883 : u32,  _S884 : Footprint_0,  _S885 : f32,  _S886 : vec2<f32>,  _S887 : vec3<f32>,  _S888 : vec3<f32>) -> Estimate_0
 {
-    var _S765 : f32;
-    var _S766 : Regime_0 = regime_of_0(_S759, _S760, _S761);
-    var _S767 : bool = (_S764.z) < 0.0f;
-    var _S768 : vec3<f32> = to_face_frame_0(_S764, _S767);
-    var _S769 : bool;
-    if((fabrics_0[_S759].fibre_noise_0) > 0.0f)
+    var _S889 : f32;
+    var _S890 : f32;
+    var _S891 : Regime_0 = regime_of_0(_S883, _S884, _S885);
+    var _S892 : bool = (_S888.z) < 0.0f;
+    var _S893 : vec3<f32> = to_face_frame_0(_S888, _S892);
+    var _S894 : f32 = Footprint_spread_side_0(_S884);
+    var _S895 : bool = varies_at_0(_S883, _S894);
+    var _S896 : bool;
+    if((families_0[fabrics_0[_S883].warp_0].quantities_0) > u32(1))
     {
-        _S769 = true;
+        _S896 = true;
     }
     else
     {
-        _S769 = (fabrics_0[_S759].colour_noise_0) > 0.0f;
+        _S896 = (families_0[fabrics_0[_S883].weft_0].quantities_0) > u32(1);
     }
-    var _S770 : bool;
-    if((families_0[fabrics_0[_S759].warp_0].quantities_0) > u32(1))
+    var _S897 : f32 = 1.0f - _S891.prefiltered_0;
+    if(_S897 > 0.0f)
     {
-        _S770 = true;
-    }
-    else
-    {
-        _S770 = (families_0[fabrics_0[_S759].weft_0].quantities_0) > u32(1);
-    }
-    var _S771 : f32 = 1.0f - _S766.prefiltered_0;
-    if(_S771 > 0.0f)
-    {
-        if(_S769)
+        if(_S895)
         {
-            _S770 = true;
+            _S896 = true;
         }
     }
     else
     {
-        _S770 = false;
+        _S896 = false;
     }
-    var box_0 : Footprint_0 = _S760;
-    var _S772 : vec3<f32> = vec3<f32>(0.0f);
-    var _S773 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S772, _S772, 0.0f, 0.0f, 0.0f);
-    var _S774 : Components_0 = no_components_0();
+    var box_0 : Footprint_0 = _S884;
+    var _S898 : vec3<f32> = vec3<f32>(0.0f);
+    var _S899 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S898, _S898, 0.0f, 0.0f, 0.0f);
+    var _S900 : Components_0 = no_components_0();
     var close_1 : CloseUp_0 = no_close_up_0();
-    var _S775 : i32;
-    if(_S770)
+    var _S901 : i32;
+    if(_S896)
     {
-        _S775 = i32(0);
+        _S901 = i32(0);
     }
     else
     {
-        _S775 = i32(1);
+        _S901 = i32(1);
     }
-    var _S776 : u32 = u32(_S775);
-    var points_1 : Components_0 = _S774;
+    var _S902 : u32 = u32(_S901);
+    var points_1 : Components_0 = _S900;
     var central_weight_0 : f32 = 0.0f;
-    var central_0 : SurfacePoint_0 = _S773;
-    var central_place_0 : vec2<f32> = _S760.centre_0;
-    var number_6 : u32 = _S776;
+    var central_0 : SurfacePoint_0 = _S899;
+    var central_place_0 : vec2<f32> = _S884.centre_0;
+    var number_7 : u32 = _S902;
     for(;;)
     {
-        var _S777 : f32 = f32(number_6);
-        _S765 = _S766.points_0;
-        if(_S777 < (_S766.points_0 + 1.0f))
+        var _S903 : f32 = f32(number_7);
+        _S889 = _S891.points_0;
+        if(_S903 < (_S891.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        var _S778 : bool = number_6 == u32(0);
-        var _S779 : u32;
-        if(_S778)
+        var _S904 : bool = number_7 == u32(0);
+        var _S905 : u32;
+        if(_S904)
         {
-            _S779 = u32(0);
+            _S905 = u32(0);
         }
         else
         {
-            _S779 = number_6 - u32(1);
+            _S905 = number_7 - u32(1);
         }
-        var _S780 : vec2<f32> = POINT_OFFSETS_0[_S779] + _S762;
-        var _S781 : vec2<f32>;
-        if(_S778)
+        var _S906 : vec2<f32> = POINT_OFFSETS_0[_S905] + _S886;
+        var _S907 : vec2<f32>;
+        if(_S904)
         {
-            _S781 = vec2<f32>(0.0f);
+            _S907 = vec2<f32>(0.0f);
         }
         else
         {
-            _S781 = _S780 - round(_S780);
+            _S907 = _S906 - round(_S906);
         }
-        var _S782 : vec2<f32> = _S760.centre_0 + vec2<f32>(_S781.x) * _S760.dx_0 + vec2<f32>(_S781.y) * _S760.dy_0;
-        var _S783 : f32;
-        if(_S778)
+        var _S908 : vec2<f32> = _S884.centre_0 + vec2<f32>(_S907.x) * _S884.dx_0 + vec2<f32>(_S907.y) * _S884.dy_0;
+        if(_S904)
         {
-            _S783 = 0.0f;
+            _S890 = 0.0f;
         }
         else
         {
-            _S783 = _S766.threads_1;
+            _S890 = _S891.threads_1;
         }
-        var _S784 : SearchQuality_0 = quality_of_0(_S783);
-        var _S785 : Hit_0 = first_hit_0(_S759, _S784, _S782.x, _S782.y, _S768, _S767);
-        var _S786 : SurfacePoint_0 = surface_at_0(_S759, _S785.x_14, _S785.y_7, _S767);
-        if(_S778)
+        var _S909 : SearchQuality_0 = quality_of_0(_S890);
+        var _S910 : Hit_0 = first_hit_0(_S883, _S909, _S908.x, _S908.y, _S893, _S892);
+        var _S911 : SurfacePoint_0 = surface_at_0(_S883, _S910.x_14, _S910.y_7, _S892);
+        if(_S904)
         {
             var central_weight_1 : f32;
-            if(_S785.hole_5)
+            if(_S910.hole_5)
             {
                 central_weight_1 = 0.0f;
             }
             else
             {
-                central_weight_1 = _S771;
+                central_weight_1 = _S897;
             }
-            var central_place_1 : vec2<f32> = vec2<f32>(_S785.x_14, _S785.y_7);
-            box_0.centre_0 = mix(_S760.centre_0, central_place_1, vec2<f32>(central_weight_1));
+            var central_place_1 : vec2<f32> = vec2<f32>(_S910.x_14, _S910.y_7);
+            box_0.centre_0 = mix(_S884.centre_0, central_place_1, vec2<f32>(central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S786;
+            central_0 = _S911;
             central_place_0 = central_place_1;
-            number_6 = number_6 + u32(1);
+            number_7 = number_7 + u32(1);
             continue;
         }
-        var _S787 : YarnPoint_0 = yarn_point_of_0(_S759, _S786, _S785.x_14, _S785.y_7, _S767, _S785.hole_5);
-        var _S788 : f32 = min(_S766.points_0 - f32(number_6 - u32(1)), 1.0f);
-        var _S789 : Components_0 = with_added_0(points_1, components_of_point_0(_S759, _S784, _S787, _S763, _S764), _S788);
-        if((fabrics_0[_S759].openness_0) != u32(4294967295))
+        var _S912 : YarnPoint_0 = yarn_point_of_0(_S883, _S911, _S910.x_14, _S910.y_7, _S892, _S910.hole_5, _S894);
+        var _S913 : f32 = min(_S891.points_0 - f32(number_7 - u32(1)), 1.0f);
+        var _S914 : Components_0 = with_added_0(points_1, components_of_point_0(_S883, _S909, _S912, _S887, _S888), _S913);
+        if((fabrics_0[_S883].openness_0) != u32(4294967295))
         {
-            close_1.warp_1 = with_blocked_0(_S759, close_1.warp_1, _S787, true, _S788);
-            close_1.weft_1 = with_blocked_0(_S759, close_1.weft_1, _S787, false, _S788);
+            close_1.warp_1 = with_blocked_0(_S883, close_1.warp_1, _S912, true, _S913);
+            close_1.weft_1 = with_blocked_0(_S883, close_1.weft_1, _S912, false, _S913);
         }
-        points_1 = _S789;
-        number_6 = number_6 + u32(1);
+        points_1 = _S914;
+        number_7 = number_7 + u32(1);
     }
-    close_1.weight_0 = _S771;
-    var _S790 : f32 = max(_S765, 1.0f);
-    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S790);
-    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S790);
+    close_1.weight_0 = _S897;
+    var _S915 : f32 = max(_S889, 1.0f);
+    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S915);
+    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S915);
     var estimate_0 : Estimate_0;
     estimate_0.close_0 = close_1;
-    estimate_0.components_0 = with_added_0(_S774, points_1, _S771 / _S790);
-    if((_S766.prefiltered_0) > 0.0f)
+    estimate_0.components_0 = with_added_0(_S900, points_1, _S897 / _S915);
+    if((_S891.prefiltered_0) > 0.0f)
     {
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, prefiltered_components_0(_S759, _S760, to_face_frame_0(_S763, _S767), _S768, _S767), _S766.prefiltered_0);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, prefiltered_components_0(_S883, _S884, to_face_frame_0(_S887, _S892), _S893, _S892), _S891.prefiltered_0);
     }
-    estimate_0.albedos_5 = albedos_over_0(_S759, box_0, _S767);
-    if(_S769)
+    estimate_0.albedos_5 = albedos_over_0(_S883, box_0, _S892);
+    if(_S895)
     {
-        _S769 = central_weight_0 > 0.0f;
+        _S896 = central_weight_0 > 0.0f;
     }
     else
     {
-        _S769 = false;
+        _S896 = false;
     }
-    if(_S769)
+    if(_S896)
     {
-        var _S791 : SurfacePoint_0 = central_0;
-        var _S792 : Albedos_0;
+        var _S916 : SurfacePoint_0 = central_0;
+        var _S917 : Albedos_0;
         if(central_0.is_warp_0)
         {
-            _S792 = estimate_0.albedos_5.warp_5;
+            _S917 = estimate_0.albedos_5.warp_5;
         }
         else
         {
-            _S792 = estimate_0.albedos_5.weft_5;
+            _S917 = estimate_0.albedos_5.weft_5;
         }
-        var _S793 : Albedos_0 = lerp_albedos_0(_S792, varied_at_0(_S759, central_0, _S792, central_place_0.x, central_place_0.y), central_weight_0);
-        if(_S791.is_warp_0)
+        if((fabrics_0[_S883].has_detail_0) != u32(0))
         {
-            estimate_0.albedos_5.warp_5 = _S793;
+            _S896 = has_hairs_0(_S883);
         }
         else
         {
-            estimate_0.albedos_5.weft_5 = _S793;
+            _S896 = false;
+        }
+        if(_S896)
+        {
+            _S890 = hair_at_0(_S883, central_place_0, _S892, _S894).cover_0;
+        }
+        else
+        {
+            _S890 = 0.0f;
+        }
+        var _S918 : Albedos_0 = lerp_albedos_0(_S917, varied_at_0(_S883, central_0, _S917, central_place_0.x, central_place_0.y, _S892, _S894, _S890), central_weight_0);
+        if(_S916.is_warp_0)
+        {
+            estimate_0.albedos_5.warp_5 = _S918;
+        }
+        else
+        {
+            estimate_0.albedos_5.weft_5 = _S918;
         }
     }
     return estimate_0;
 }
 
-fn scattered_by_0( _S794 : u32,  _S795 : Albedos_0,  _S796 : u32,  _S797 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S919 : u32,  _S920 : Albedos_0,  _S921 : u32,  _S922 : vec3<f32>) -> Scattered_0
 {
-    var _S798 : u32 = u32(159) + u32(2) * _S796;
+    var _S923 : u32 = u32(159) + u32(2) * _S921;
     var yarn_3 : Scattered_0;
-    yarn_3.back_5 = _S797 * _S795.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S794, _S798)) * _S795.specular_reflect_0;
-    yarn_3.through_0 = _S797 * _S795.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S794, _S798 + u32(1))) * _S795.specular_transmit_0;
+    yarn_3.back_6 = _S922 * _S920.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S919, _S923)) * _S920.specular_reflect_0;
+    yarn_3.through_0 = _S922 * _S920.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S919, _S923 + u32(1))) * _S920.specular_transmit_0;
     return yarn_3;
 }
 
-fn sent_0( _S799 : u32,  _S800 : u32,  _S801 : vec3<f32>,  _S802 : vec3<f32>,  _S803 : vec3<f32>,  _S804 : vec3<f32>,  _S805 : ptr<function, vec3<f32>>,  _S806 : ptr<function, vec3<f32>>)
+fn sent_0( _S924 : u32,  _S925 : u32,  _S926 : vec3<f32>,  _S927 : vec3<f32>,  _S928 : vec3<f32>,  _S929 : vec3<f32>,  _S930 : ptr<function, vec3<f32>>,  _S931 : ptr<function, vec3<f32>>)
 {
-    var _S807 : u32 = u32(146) + u32(4) * _S800;
-    var _S808 : f32 = openness_number_0(_S799, _S807 + u32(1));
-    var _S809 : f32 = openness_number_0(_S799, _S807 + u32(2));
-    var _S810 : vec3<f32> = vec3<f32>(1.0f);
-    var _S811 : vec3<f32> = _S810 - _S803 * vec3<f32>(openness_number_0(_S799, _S807));
-    var _S812 : vec3<f32> = _S810 - _S804 * vec3<f32>(openness_number_0(_S799, _S807 + u32(3)));
-    var _S813 : vec3<f32> = _S810 / (_S811 * _S812 - _S803 * _S804 * vec3<f32>((_S808 * _S809)));
-    (*_S805) = (_S801 * _S812 + _S803 * vec3<f32>(_S808) * _S802) * _S813;
-    (*_S806) = (_S802 * _S811 + _S804 * vec3<f32>(_S809) * _S801) * _S813;
+    var _S932 : u32 = u32(146) + u32(4) * _S925;
+    var _S933 : f32 = openness_number_0(_S924, _S932 + u32(1));
+    var _S934 : f32 = openness_number_0(_S924, _S932 + u32(2));
+    var _S935 : vec3<f32> = vec3<f32>(1.0f);
+    var _S936 : vec3<f32> = _S935 - _S928 * vec3<f32>(openness_number_0(_S924, _S932));
+    var _S937 : vec3<f32> = _S935 - _S929 * vec3<f32>(openness_number_0(_S924, _S932 + u32(3)));
+    var _S938 : vec3<f32> = _S935 / (_S936 * _S937 - _S928 * _S929 * vec3<f32>((_S933 * _S934)));
+    (*_S930) = (_S926 * _S937 + _S928 * vec3<f32>(_S933) * _S927) * _S938;
+    (*_S931) = (_S927 * _S936 + _S929 * vec3<f32>(_S934) * _S926) * _S938;
     return;
 }
 
-fn face_sends_0( _S814 : u32,  _S815 : u32,  _S816 : Scattered_0,  _S817 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S939 : u32,  _S940 : u32,  _S941 : Scattered_0,  _S942 : Scattered_0) -> FaceSends_0
 {
-    var _S818 : u32 = u32(2) * _S815;
-    var _S819 : u32 = u32(142) + _S818;
-    var _S820 : f32 = openness_number_0(_S814, _S819);
-    var _S821 : f32 = openness_number_0(_S814, _S819 + u32(1));
-    var _S822 : vec3<f32> = vec3<f32>((1.0f - _S820)) * _S816.back_5;
-    var _S823 : vec3<f32> = vec3<f32>((1.0f - _S821)) * _S817.back_5;
+    var _S943 : u32 = u32(2) * _S940;
+    var _S944 : u32 = u32(142) + _S943;
+    var _S945 : f32 = openness_number_0(_S939, _S944);
+    var _S946 : f32 = openness_number_0(_S939, _S944 + u32(1));
+    var _S947 : vec3<f32> = vec3<f32>((1.0f - _S945)) * _S941.back_6;
+    var _S948 : vec3<f32> = vec3<f32>((1.0f - _S946)) * _S942.back_6;
     var sends_1 : FaceSends_0;
-    var _S824 : u32 = u32(154) + _S818;
-    var _S825 : f32 = openness_number_0(_S814, _S824);
-    sends_1.blocks_warp_0 = _S825;
-    var _S826 : f32 = openness_number_0(_S814, _S824 + u32(1));
-    sends_1.blocks_weft_0 = _S826;
-    sends_1.open_0 = _S825 * _S820 + _S826 * _S821;
-    var _S827 : vec3<f32> = vec3<f32>(_S820) * _S816.back_5;
-    var _S828 : vec3<f32> = vec3<f32>(_S821) * _S817.back_5;
-    var _S829 : vec3<f32> = sends_1.sky_warp_0;
-    var _S830 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S814, _S815, _S827, _S828, _S822, _S823, &(_S829), &(_S830));
-    sends_1.sky_warp_0 = _S829;
-    sends_1.sky_weft_0 = _S830;
-    var _S831 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S832 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S814, _S815, _S816.through_0, _S817.through_0, _S822, _S823, &(_S831), &(_S832));
-    sends_1.crossing_warp_0 = _S831;
-    sends_1.crossing_weft_0 = _S832;
+    var _S949 : u32 = u32(154) + _S943;
+    var _S950 : f32 = openness_number_0(_S939, _S949);
+    sends_1.blocks_warp_0 = _S950;
+    var _S951 : f32 = openness_number_0(_S939, _S949 + u32(1));
+    sends_1.blocks_weft_0 = _S951;
+    sends_1.open_0 = _S950 * _S945 + _S951 * _S946;
+    var _S952 : vec3<f32> = vec3<f32>(_S945) * _S941.back_6;
+    var _S953 : vec3<f32> = vec3<f32>(_S946) * _S942.back_6;
+    var _S954 : vec3<f32> = sends_1.sky_warp_0;
+    var _S955 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S939, _S940, _S952, _S953, _S947, _S948, &(_S954), &(_S955));
+    sends_1.sky_warp_0 = _S954;
+    sends_1.sky_weft_0 = _S955;
+    var _S956 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S957 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S939, _S940, _S941.through_0, _S942.through_0, _S947, _S948, &(_S956), &(_S957));
+    sends_1.crossing_warp_0 = _S956;
+    sends_1.crossing_weft_0 = _S957;
     return sends_1;
 }
 
-fn interior_of_0( _S833 : u32,  _S834 : vec3<f32>,  _S835 : bool) -> Interior_0
+fn interior_of_0( _S958 : u32,  _S959 : vec3<f32>,  _S960 : bool) -> Interior_0
 {
-    var _S836 : Scattered_0 = scattered_by_0(_S833, table_albedos_0(families_0[fabrics_0[_S833].warp_0].colour_mean_0), u32(0), _S834);
-    var _S837 : Scattered_0 = scattered_by_0(_S833, table_albedos_0(families_0[fabrics_0[_S833].weft_0].colour_mean_0), u32(1), _S834);
-    var _S838 : u32;
-    if(_S835)
+    var _S961 : Scattered_0 = scattered_by_0(_S958, table_albedos_0(families_0[fabrics_0[_S958].warp_0].colour_mean_0), u32(0), _S959);
+    var _S962 : Scattered_0 = scattered_by_0(_S958, table_albedos_0(families_0[fabrics_0[_S958].weft_0].colour_mean_0), u32(1), _S959);
+    var _S963 : u32;
+    if(_S960)
     {
-        _S838 = u32(1);
+        _S963 = u32(1);
     }
     else
     {
-        _S838 = u32(0);
+        _S963 = u32(0);
     }
-    var _S839 : FaceSends_0 = face_sends_0(_S833, _S838, _S836, _S837);
-    if(_S835)
+    var _S964 : FaceSends_0 = face_sends_0(_S958, _S963, _S961, _S962);
+    if(_S960)
     {
-        _S838 = u32(0);
+        _S963 = u32(0);
     }
     else
     {
-        _S838 = u32(1);
+        _S963 = u32(1);
     }
-    var _S840 : FaceSends_0 = face_sends_0(_S833, _S838, _S836, _S837);
-    var _S841 : vec3<f32> = vec3<f32>(_S839.blocks_warp_0);
-    var _S842 : vec3<f32> = vec3<f32>(_S839.blocks_weft_0);
-    var _S843 : vec3<f32> = _S841 * _S839.crossing_warp_0 + _S842 * _S839.crossing_weft_0;
-    var _S844 : vec3<f32> = vec3<f32>(_S840.blocks_warp_0);
-    var _S845 : vec3<f32> = vec3<f32>(_S840.blocks_weft_0);
-    var _S846 : vec3<f32> = _S844 * _S840.crossing_warp_0 + _S845 * _S840.crossing_weft_0;
-    var _S847 : f32 = 1.0f - _S839.open_0;
-    var _S848 : f32 = 1.0f - _S840.open_0;
-    var _S849 : vec3<f32> = vec3<f32>(1.0f);
-    var _S850 : vec3<f32> = _S849 / (_S849 - _S843 * _S846 * vec3<f32>((_S847 * _S848)));
-    var _S851 : vec3<f32> = _S846 * (vec3<f32>(_S839.open_0) + vec3<f32>(_S847) * (_S841 * _S839.sky_warp_0 + _S842 * _S839.sky_weft_0)) * _S850;
-    var _S852 : vec3<f32> = _S843 * (vec3<f32>(_S840.open_0) + vec3<f32>(_S848) * (_S844 * _S840.sky_warp_0 + _S845 * _S840.sky_weft_0)) * _S850;
-    var _S853 : FaceRadiance_0 = face_radiance_0(_S839, _S840.open_0, _S851, _S852);
-    var _S854 : FaceRadiance_0 = face_radiance_0(_S840, _S839.open_0, _S852, _S851);
+    var _S965 : FaceSends_0 = face_sends_0(_S958, _S963, _S961, _S962);
+    var _S966 : vec3<f32> = vec3<f32>(_S964.blocks_warp_0);
+    var _S967 : vec3<f32> = vec3<f32>(_S964.blocks_weft_0);
+    var _S968 : vec3<f32> = _S966 * _S964.crossing_warp_0 + _S967 * _S964.crossing_weft_0;
+    var _S969 : vec3<f32> = vec3<f32>(_S965.blocks_warp_0);
+    var _S970 : vec3<f32> = vec3<f32>(_S965.blocks_weft_0);
+    var _S971 : vec3<f32> = _S969 * _S965.crossing_warp_0 + _S970 * _S965.crossing_weft_0;
+    var _S972 : f32 = 1.0f - _S964.open_0;
+    var _S973 : f32 = 1.0f - _S965.open_0;
+    var _S974 : vec3<f32> = vec3<f32>(1.0f);
+    var _S975 : vec3<f32> = _S974 / (_S974 - _S968 * _S971 * vec3<f32>((_S972 * _S973)));
+    var _S976 : vec3<f32> = _S971 * (vec3<f32>(_S964.open_0) + vec3<f32>(_S972) * (_S966 * _S964.sky_warp_0 + _S967 * _S964.sky_weft_0)) * _S975;
+    var _S977 : vec3<f32> = _S968 * (vec3<f32>(_S965.open_0) + vec3<f32>(_S973) * (_S969 * _S965.sky_warp_0 + _S970 * _S965.sky_weft_0)) * _S975;
+    var _S978 : FaceRadiance_0 = face_radiance_0(_S964, _S965.open_0, _S976, _S977);
+    var _S979 : FaceRadiance_0 = face_radiance_0(_S965, _S964.open_0, _S977, _S976);
     var interior_1 : Interior_0;
-    interior_1.warp_4 = _S853.warp_3;
-    interior_1.weft_4 = _S853.weft_3;
-    interior_1.leaked_1 = _S853.leaked_0;
-    interior_1.far_1 = _S854.mean_1;
-    interior_1.far_leaked_0 = _S854.leaked_0;
+    interior_1.warp_4 = _S978.warp_3;
+    interior_1.weft_4 = _S978.weft_3;
+    interior_1.leaked_1 = _S978.leaked_0;
+    interior_1.far_1 = _S979.mean_1;
+    interior_1.far_leaked_0 = _S979.leaked_0;
     return interior_1;
 }
 
-fn blocked_from_0( _S855 : u32,  _S856 : vec3<f32>,  _S857 : bool,  _S858 : bool) -> Blocked_0
+fn blocked_from_0( _S980 : u32,  _S981 : vec3<f32>,  _S982 : bool,  _S983 : bool) -> Blocked_0
 {
     var terms_3 : array<f32, i32(6)>;
-    view_terms_0(_S856, &(terms_3));
-    var _S859 : u32;
-    if(_S858)
+    view_terms_0(_S981, &(terms_3));
+    var _S984 : u32;
+    if(_S983)
     {
-        _S859 = u32(2);
+        _S984 = u32(2);
     }
     else
     {
-        _S859 = u32(0);
+        _S984 = u32(0);
     }
-    var _S860 : u32;
-    if(_S857)
+    var _S985 : u32;
+    if(_S982)
     {
-        _S860 = u32(0);
+        _S985 = u32(0);
     }
     else
     {
-        _S860 = u32(1);
+        _S985 = u32(1);
     }
-    return blocked_of_terms_0(_S855, (_S859 + _S860) * u32(15), terms_3, u32(5));
+    return blocked_of_terms_0(_S980, (_S984 + _S985) * u32(15), terms_3, u32(5));
 }
 
-fn warp_seen_from_0( _S861 : u32,  _S862 : vec3<f32>,  _S863 : bool) -> f32
+fn warp_seen_from_0( _S986 : u32,  _S987 : vec3<f32>,  _S988 : bool) -> f32
 {
     var terms_4 : array<f32, i32(6)>;
-    view_terms_1(_S862, &(terms_4));
+    view_terms_1(_S987, &(terms_4));
     var term_1 : u32 = u32(0);
-    var share_4 : f32 = 0.0f;
+    var share_5 : f32 = 0.0f;
     for(;;)
     {
         if(term_1 < u32(5))
@@ -4262,141 +4739,141 @@ fn warp_seen_from_0( _S861 : u32,  _S862 : vec3<f32>,  _S863 : bool) -> f32
         {
             break;
         }
-        var _S864 : u32;
-        if(_S863)
+        var _S989 : u32;
+        if(_S988)
         {
-            _S864 = u32(5);
+            _S989 = u32(5);
         }
         else
         {
-            _S864 = u32(0);
+            _S989 = u32(0);
         }
-        var share_5 : f32 = share_4 + openness_number_0(_S861, u32(132) + _S864 + term_1) * terms_4[term_1];
+        var share_6 : f32 = share_5 + openness_number_0(_S986, u32(132) + _S989 + term_1) * terms_4[term_1];
         term_1 = term_1 + u32(1);
-        share_4 = share_5;
+        share_5 = share_6;
     }
-    return saturate(share_4);
+    return saturate(share_5);
 }
 
-fn bounced_of_families_0( _S865 : u32,  _S866 : FamilyAlbedos_0,  _S867 : vec3<f32>,  _S868 : Interior_0,  _S869 : Blocked_0,  _S870 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S990 : u32,  _S991 : FamilyAlbedos_0,  _S992 : vec3<f32>,  _S993 : Interior_0,  _S994 : Blocked_0,  _S995 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S869, scattered_by_0(_S865, _S866.warp_5, u32(0), _S867), _S868), bounced_by_0(_S870, scattered_by_0(_S865, _S866.weft_5, u32(1), _S867), _S868));
+    return sum_of_0(bounced_by_0(_S994, scattered_by_0(_S990, _S991.warp_5, u32(0), _S992), _S993), bounced_by_0(_S995, scattered_by_0(_S990, _S991.weft_5, u32(1), _S992), _S993));
 }
 
-fn bounced_far_0( _S871 : u32,  _S872 : FamilyAlbedos_0,  _S873 : vec3<f32>,  _S874 : Interior_0,  _S875 : vec3<f32>,  _S876 : bool,  _S877 : f32,  _S878 : f32,  _S879 : f32) -> Bounced_0
+fn bounced_far_0( _S996 : u32,  _S997 : FamilyAlbedos_0,  _S998 : vec3<f32>,  _S999 : Interior_0,  _S1000 : vec3<f32>,  _S1001 : bool,  _S1002 : f32,  _S1003 : f32,  _S1004 : f32) -> Bounced_0
 {
-    var _S880 : Blocked_0 = blocked_from_0(_S871, _S875, true, _S876);
-    var _S881 : Blocked_0 = blocked_from_0(_S871, _S875, false, _S876);
-    var _S882 : f32 = _S877 / max(1.0f - _S880.by_warp_0 - _S880.by_weft_0, 0.10000000149011612f);
-    var _S883 : f32 = (0.0020000000949949f * warp_seen_from_0(_S871, _S875, _S876) + _S882) / (_S882 + _S878 / max(1.0f - _S881.by_warp_0 - _S881.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S884 : f32 = 1.0f - _S879;
-    return bounced_of_families_0(_S871, _S872, _S873, _S874, scaled_0(_S880, _S883 * _S884), scaled_0(_S881, (1.0f - _S883) * _S884));
+    var _S1005 : Blocked_0 = blocked_from_0(_S996, _S1000, true, _S1001);
+    var _S1006 : Blocked_0 = blocked_from_0(_S996, _S1000, false, _S1001);
+    var _S1007 : f32 = _S1002 / max(1.0f - _S1005.by_warp_0 - _S1005.by_weft_0, 0.10000000149011612f);
+    var _S1008 : f32 = (0.0020000000949949f * warp_seen_from_0(_S996, _S1000, _S1001) + _S1007) / (_S1007 + _S1003 / max(1.0f - _S1006.by_warp_0 - _S1006.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S1009 : f32 = 1.0f - _S1004;
+    return bounced_of_families_0(_S996, _S997, _S998, _S999, scaled_0(_S1005, _S1008 * _S1009), scaled_0(_S1006, (1.0f - _S1008) * _S1009));
 }
 
-fn bounced_over_0( _S885 : u32,  _S886 : Components_0,  _S887 : CloseUp_0,  _S888 : FamilyAlbedos_0,  _S889 : vec3<f32>,  _S890 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S1010 : u32,  _S1011 : Components_0,  _S1012 : CloseUp_0,  _S1013 : FamilyAlbedos_0,  _S1014 : vec3<f32>,  _S1015 : vec3<f32>) -> Bounced_0
 {
-    var _S891 : bool = (_S890.z) < 0.0f;
-    var _S892 : Interior_0 = interior_of_0(_S885, _S889, _S891);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S885, _S888, _S889, _S892, to_face_frame_0(_S890, _S891), _S891, _S886.diffuse_warp_0, _S886.diffuse_weft_0, _S886.hole_2);
-    if((_S887.weight_0) > 0.0f)
+    var _S1016 : bool = (_S1015.z) < 0.0f;
+    var _S1017 : Interior_0 = interior_of_0(_S1010, _S1014, _S1016);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S1010, _S1013, _S1014, _S1017, to_face_frame_0(_S1015, _S1016), _S1016, _S1011.diffuse_warp_0, _S1011.diffuse_weft_0, _S1011.hole_2);
+    if((_S1012.weight_0) > 0.0f)
     {
-        var _S893 : Bounced_0 = bounced_of_families_0(_S885, _S888, _S889, _S892, _S887.warp_1, _S887.weft_1);
-        var _S894 : vec3<f32> = vec3<f32>(_S887.weight_0);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S893.reflected_0, _S894);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S893.transmitted_0, _S894);
+        var _S1018 : Bounced_0 = bounced_of_families_0(_S1010, _S1013, _S1014, _S1017, _S1012.warp_1, _S1012.weft_1);
+        var _S1019 : vec3<f32> = vec3<f32>(_S1012.weight_0);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S1018.reflected_0, _S1019);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S1018.transmitted_0, _S1019);
     }
     return bounced_2;
 }
 
-fn composed_0( _S895 : u32,  _S896 : Components_0,  _S897 : CloseUp_0,  _S898 : FamilyAlbedos_0,  _S899 : vec3<f32>,  _S900 : vec3<f32>,  _S901 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S1020 : u32,  _S1021 : Components_0,  _S1022 : CloseUp_0,  _S1023 : FamilyAlbedos_0,  _S1024 : vec3<f32>,  _S1025 : vec3<f32>,  _S1026 : vec3<f32>) -> vec3<f32>
 {
-    var _S902 : Albedos_0 = tinted_0(_S898.warp_5, _S899);
-    var _S903 : Albedos_0 = tinted_0(_S898.weft_5, _S899);
-    var _S904 : vec3<f32> = vec3<f32>(_S896.diffuse_warp_0);
-    var _S905 : vec3<f32> = vec3<f32>(_S896.diffuse_weft_0);
-    var _S906 : vec3<f32> = vec3<f32>(_S896.specular_warp_0);
-    var _S907 : vec3<f32> = vec3<f32>(_S896.specular_weft_0);
-    var _S908 : vec3<f32> = _S902.diffuse_reflect_0 * _S904 + _S903.diffuse_reflect_0 * _S905 + _S902.specular_reflect_0 * _S906 + _S903.specular_reflect_0 * _S907;
-    var _S909 : f32 = _S901.z;
+    var _S1027 : Albedos_0 = tinted_0(_S1023.warp_5, _S1024);
+    var _S1028 : Albedos_0 = tinted_0(_S1023.weft_5, _S1024);
+    var _S1029 : vec3<f32> = vec3<f32>(_S1021.diffuse_warp_0);
+    var _S1030 : vec3<f32> = vec3<f32>(_S1021.diffuse_weft_0);
+    var _S1031 : vec3<f32> = vec3<f32>(_S1021.specular_warp_0);
+    var _S1032 : vec3<f32> = vec3<f32>(_S1021.specular_weft_0);
+    var _S1033 : vec3<f32> = _S1027.diffuse_reflect_0 * _S1029 + _S1028.diffuse_reflect_0 * _S1030 + _S1027.specular_reflect_0 * _S1031 + _S1028.specular_reflect_0 * _S1032;
+    var _S1034 : f32 = _S1026.z;
     var body_0 : vec3<f32>;
-    if((_S900.z * _S909) < 0.0f)
+    if((_S1025.z * _S1034) < 0.0f)
     {
-        body_0 = _S902.diffuse_transmit_0 * _S904 + _S903.diffuse_transmit_0 * _S905 + _S902.specular_transmit_0 * _S906 + _S903.specular_transmit_0 * _S907;
+        body_0 = _S1027.diffuse_transmit_0 * _S1029 + _S1028.diffuse_transmit_0 * _S1030 + _S1027.specular_transmit_0 * _S1031 + _S1028.specular_transmit_0 * _S1032;
     }
     else
     {
-        body_0 = _S908;
+        body_0 = _S1033;
     }
-    if((fabrics_0[_S895].openness_0) != u32(4294967295))
+    if((fabrics_0[_S1020].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S895, _S896, _S897, _S898, _S899, _S901), _S900, _S901);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S1020, _S1021, _S1022, _S1023, _S1024, _S1026), _S1025, _S1026);
     }
-    var _S910 : f32 = fabrics_0[_S895].sheen_strength_0;
-    if((fabrics_0[_S895].sheen_strength_0) <= 0.0f)
+    var _S1035 : f32 = fabrics_0[_S1020].sheen_strength_0;
+    if((fabrics_0[_S1020].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S911 : bool = _S909 < 0.0f;
-    var _S912 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S900, _S911), to_face_frame_0(_S901, _S911), _S910, fabrics_0[_S895].sheen_roughness_0);
-    return vec3<f32>(_S912.y) * body_0 + vec3<f32>(((_S896.light_visibility_1 + _S896.hole_2) * _S912.x));
+    var _S1036 : bool = _S1034 < 0.0f;
+    var _S1037 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S1025, _S1036), to_face_frame_0(_S1026, _S1036), _S1035, fabrics_0[_S1020].sheen_roughness_0);
+    return vec3<f32>(_S1037.y) * body_0 + vec3<f32>(((_S1021.light_visibility_1 + _S1021.hole_2) * _S1037.x));
 }
 
-fn light_of_footprint_0( _S913 : i32,  _S914 : u32,  _S915 : VisiblePoint_0,  _S916 : vec2<u32>,  _S917 : vec3<f32>) -> vec4<f32>
+fn light_of_footprint_0( _S1038 : i32,  _S1039 : u32,  _S1040 : VisiblePoint_0,  _S1041 : vec2<u32>,  _S1042 : vec3<f32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S915.draft_0;
-    footprint_0.dx_0 = _S915.draft_dx_0;
-    footprint_0.dy_0 = _S915.draft_dy_0;
-    var _S918 : vec2<f32> = fract(vec2<f32>(f32(((frames_0[_S913].pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
-    var _S919 : vec3<f32> = to_local_0(_S915, _S915.view_0);
-    var _S920 : u32 = light_sample_count_0(_S913);
-    var _S921 : vec3<f32> = vec3<f32>(0.0f);
-    var number_7 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S921;
+    footprint_0.centre_0 = _S1040.draft_0;
+    footprint_0.dx_0 = _S1040.draft_dx_0;
+    footprint_0.dy_0 = _S1040.draft_dy_0;
+    var _S1043 : vec2<f32> = fract(vec2<f32>(f32(((frames_0[_S1038].pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S1044 : vec3<f32> = to_local_0(_S1040, _S1040.view_0);
+    var _S1045 : u32 = light_sample_count_0(_S1038);
+    var _S1046 : vec3<f32> = vec3<f32>(0.0f);
+    var number_8 : u32 = u32(0);
+    var radiance_1 : vec3<f32> = _S1046;
     var hole_7 : f32 = 0.0f;
     for(;;)
     {
-        if(number_7 < (max(_S920, u32(1))))
+        if(number_8 < (max(_S1045, u32(1))))
         {
         }
         else
         {
             break;
         }
-        var _S922 : f32;
-        if(number_7 < _S920)
+        var _S1047 : f32;
+        if(number_8 < _S1045)
         {
-            _S922 = visibility_at_0(_S913, number_7, _S916);
+            _S1047 = visibility_at_0(_S1038, number_8, _S1041);
         }
         else
         {
-            _S922 = 0.0f;
+            _S1047 = 0.0f;
         }
-        var _S923 : bool;
-        if(_S922 <= 0.0f)
+        var _S1048 : bool;
+        if(_S1047 <= 0.0f)
         {
-            _S923 = number_7 > u32(0);
+            _S1048 = number_8 > u32(0);
         }
         else
         {
-            _S923 = false;
+            _S1048 = false;
         }
-        if(_S923)
+        if(_S1048)
         {
-            number_7 = number_7 + u32(1);
+            number_8 = number_8 + u32(1);
             continue;
         }
-        var _S924 : LightSample_0 = light_sample_0(_S913, number_7, _S916, _S915.position_0);
-        var _S925 : vec3<f32> = to_local_0(_S915, _S924.towards_0);
-        var _S926 : Estimate_0 = lobes_estimate_of_pass_0(_S914, footprint_0, 1.0f, _S918, _S925, _S919);
-        radiance_1 = radiance_1 + vec3<f32>(_S922) * _S924.irradiance_1 * composed_0(_S914, _S926.components_0, _S926.close_0, _S926.albedos_5, _S917, _S925, _S919);
-        hole_7 = _S926.components_0.hole_2;
-        number_7 = number_7 + u32(1);
+        var _S1049 : LightSample_0 = light_sample_0(_S1038, number_8, _S1041, _S1040.position_0);
+        var _S1050 : vec3<f32> = to_local_0(_S1040, _S1049.towards_0);
+        var _S1051 : Estimate_0 = lobes_estimate_of_pass_0(_S1039, footprint_0, 1.0f, _S1043, _S1050, _S1044);
+        radiance_1 = radiance_1 + vec3<f32>(_S1047) * _S1049.irradiance_1 * composed_0(_S1039, _S1051.components_0, _S1051.close_0, _S1051.albedos_5, _S1042, _S1050, _S1044);
+        hole_7 = _S1051.components_0.hole_2;
+        number_8 = number_8 + u32(1);
     }
-    var _S927 : f32 = fabrics_0[_S914].sheen_strength_0;
-    if((fabrics_0[_S914].sheen_strength_0) > 0.0f)
+    var _S1052 : f32 = fabrics_0[_S1039].sheen_strength_0;
+    if((fabrics_0[_S1039].sheen_strength_0) > 0.0f)
     {
-        hole_7 = hole_7 * (1.0f - _S927 * sheen_lobe_0(abs(_S919.z), fabrics_0[_S914].sheen_roughness_0).z);
+        hole_7 = hole_7 * (1.0f - _S1052 * sheen_lobe_0(abs(_S1044.z), fabrics_0[_S1039].sheen_roughness_0).z);
     }
     return vec4<f32>(radiance_1, 1.0f - hole_7);
 }
@@ -4405,32 +4882,32 @@ fn light_of_footprint_0( _S913 : i32,  _S914 : u32,  _S915 : VisiblePoint_0,  _S
 @workgroup_size(8, 8, 1)
 fn shade_lobes(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S928 : u32 = id_0.x;
-    var _S929 : u32 = frames_0[i32(0)].width_0;
-    var _S930 : bool;
-    if(_S928 >= (frames_0[i32(0)].width_0))
+    var _S1053 : u32 = id_0.x;
+    var _S1054 : u32 = frames_0[i32(0)].width_0;
+    var _S1055 : bool;
+    if(_S1053 >= (frames_0[i32(0)].width_0))
     {
-        _S930 = true;
+        _S1055 = true;
     }
     else
     {
-        _S930 = (id_0.y) >= (frames_0[i32(0)].height_0);
+        _S1055 = (id_0.y) >= (frames_0[i32(0)].height_0);
     }
-    if(_S930)
+    if(_S1055)
     {
         return;
     }
-    var _S931 : u32 = id_0.y * _S929 + _S928;
-    var _S932 : u32 = layers_0[_S931].face_0;
-    if((layers_0[_S931].face_0) == u32(0))
+    var _S1056 : u32 = id_0.y * _S1054 + _S1053;
+    var _S1057 : u32 = layers_0[_S1056].face_0;
+    if((layers_0[_S1056].face_0) == u32(0))
     {
         return;
     }
-    var _S933 : u32 = _S932 - u32(1);
-    var _S934 : u32 = face_fabrics_0[_S933];
-    var _S935 : vec2<u32> = id_0.xy;
-    var _S936 : VisiblePoint_0 = visible_point_0(i32(0), _S934, _S933, _S935);
-    accumulate_0(_S931, light_of_footprint_0(i32(0), _S934, _S936, _S935, filtered_albedo_0(_S934, _S936)));
+    var _S1058 : u32 = _S1057 - u32(1);
+    var _S1059 : u32 = face_fabrics_0[_S1058];
+    var _S1060 : vec2<u32> = id_0.xy;
+    var _S1061 : VisiblePoint_0 = visible_point_0(i32(0), _S1059, _S1058, _S1060);
+    accumulate_0(_S1056, light_of_footprint_0(i32(0), _S1059, _S1061, _S1060, filtered_albedo_0(_S1059, _S1061)));
     return;
 }
 

@@ -170,6 +170,7 @@ struct Fabric_std430_0
     @align(4) seed_0 : u32,
     @align(4) layer_bound_0 : f32,
     @align(4) fibre_size_0 : f32,
+    @align(4) has_detail_0 : u32,
     @align(4) uv_width_0 : f32,
     @align(4) uv_height_0 : f32,
     @align(4) is_open_0 : u32,
@@ -1590,16 +1591,26 @@ fn scramble_0( value_0 : u32) -> u32
     return (((_S175 >> (u32(22)))) ^ (_S175));
 }
 
-fn uniform_hash_0( thread_0 : u32,  cell_0 : u32,  stream_0 : u32) -> f32
+fn hash_key_0( thread_0 : u32,  stream_0 : u32) -> u32
 {
-    return (f32(((scramble_0(cell_0 + scramble_0(thread_0 + scramble_0(stream_0)))) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
+    return scramble_0(thread_0 + scramble_0(stream_0));
 }
 
-fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_0 : u32,  stream_1 : u32) -> vec2<f32>
+fn hash_bits_0( key_0 : u32,  cell_0 : u32) -> u32
+{
+    return scramble_0(cell_0 + key_0);
+}
+
+fn uniform_hash_0( thread_1 : u32,  cell_1 : u32,  stream_1 : u32) -> f32
+{
+    return (f32(((hash_bits_0(hash_key_0(thread_1, stream_1), cell_1)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
+}
+
+fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_0 : u32,  stream_2 : u32) -> vec2<f32>
 {
     var _S176 : u32 = pixel_0.x;
     var _S177 : u32 = pixel_0.y;
-    return fract(vec2<f32>(uniform_hash_0(_S176, _S177, stream_1), uniform_hash_0(_S176, _S177, stream_1 + u32(1))) + vec2<f32>(f32((index_0 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    return fract(vec2<f32>(uniform_hash_0(_S176, _S177, stream_2), uniform_hash_0(_S176, _S177, stream_2 + u32(1))) + vec2<f32>(f32((index_0 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
 }
 
 fn scene_number_0( index_1 : u32) -> f32

@@ -170,6 +170,7 @@ struct Fabric_std430_0
     @align(4) seed_0 : u32,
     @align(4) layer_bound_0 : f32,
     @align(4) fibre_size_0 : f32,
+    @align(4) has_detail_0 : u32,
     @align(4) uv_width_0 : f32,
     @align(4) uv_height_0 : f32,
     @align(4) is_open_0 : u32,
@@ -238,6 +239,16 @@ struct Family_std430_0
     @align(4) colour_areas_0 : u32,
     @align(4) area_unit_0 : f32,
     @align(4) crossing_area_0 : f32,
+    @align(4) has_plies_0 : f32,
+    @align(4) plies_per_mm_0 : f32,
+    @align(4) ply_sine_0 : f32,
+    @align(4) ply_cosine_0 : f32,
+    @align(4) fibre_tilt_0 : f32,
+    @align(4) fibre_tone_0 : f32,
+    @align(4) slub_0 : f32,
+    @align(4) slubs_per_mm_0 : f32,
+    @align(4) per_half_width_0 : f32,
+    @align(4) hairiness_0 : f32,
 };
 
 @binding(1) @group(0) var<storage, read> families_0 : array<Family_std430_0>;
@@ -1771,16 +1782,15 @@ fn lengths_0( family_6 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
 
 fn integrals_along_0( family_7 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
 {
-    var _S225 : Family_std430_0 = families_0[family_7];
-    var _S226 : u32 = u32(3) * _S225.quantities_0;
-    var _S227 : u32 = families_0[family_7].colour_threads_0 + _S226 * stretch_2.low_7.thread_2 + quantity_0;
-    var _S228 : u32 = families_0[family_7].colour_threads_0 + _S226 * stretch_2.high_7.thread_2 + quantity_0;
-    var _S229 : u32 = families_0[family_7].colour_threads_0 + _S226 * u32(families_0[family_7].count_0) + quantity_0;
+    var _S225 : u32 = u32(3) * families_0[family_7].quantities_0;
+    var _S226 : u32 = families_0[family_7].colour_threads_0 + _S225 * stretch_2.low_7.thread_2 + quantity_0;
+    var _S227 : u32 = families_0[family_7].colour_threads_0 + _S225 * stretch_2.high_7.thread_2 + quantity_0;
+    var _S228 : u32 = families_0[family_7].colour_threads_0 + _S225 * u32(families_0[family_7].count_0) + quantity_0;
+    var _S229 : f32 = table_number_0(_S226);
     var _S230 : f32 = table_number_0(_S227);
-    var _S231 : f32 = table_number_0(_S228);
-    var _S232 : f32 = Stretch_turns_0(stretch_2);
-    var _S233 : u32 = u32(2) * _S225.quantities_0;
-    return vec2<f32>(table_number_0(_S228 + _S225.quantities_0) - table_number_0(_S227 + _S225.quantities_0) + _S231 * stretch_2.high_7.visible_0 * stretch_2.high_7.width_2 - _S230 * stretch_2.low_7.visible_0 * stretch_2.low_7.width_2 + _S232 * table_number_0(_S229 + _S225.quantities_0), table_number_0(_S228 + _S233) - table_number_0(_S227 + _S233) + _S231 * stretch_2.high_7.cell_2 - _S230 * stretch_2.low_7.cell_2 + _S232 * table_number_0(_S229 + _S233));
+    var _S231 : f32 = Stretch_turns_0(stretch_2);
+    var _S232 : u32 = u32(2) * families_0[family_7].quantities_0;
+    return vec2<f32>(table_number_0(_S227 + families_0[family_7].quantities_0) - table_number_0(_S226 + families_0[family_7].quantities_0) + _S230 * stretch_2.high_7.visible_0 * stretch_2.high_7.width_2 - _S229 * stretch_2.low_7.visible_0 * stretch_2.low_7.width_2 + _S231 * table_number_0(_S228 + families_0[family_7].quantities_0), table_number_0(_S227 + _S232) - table_number_0(_S226 + _S232) + _S230 * stretch_2.high_7.cell_2 - _S229 * stretch_2.low_7.cell_2 + _S231 * table_number_0(_S228 + _S232));
 }
 
 fn Stretch_wraps_0( this_6 : Stretch_0) -> bool
@@ -1790,77 +1800,77 @@ fn Stretch_wraps_0( this_6 : Stretch_0) -> bool
 
 fn Stretch_differences_0( this_7 : Stretch_0,  entries_0 : vec4<u32>,  whole_0 : u32) -> vec4<u32>
 {
-    var _S234 : u32 = entries_0.z;
-    var _S235 : u32 = entries_0.x;
-    var _S236 : u32 = _S234 - _S235;
-    var _S237 : u32;
+    var _S233 : u32 = entries_0.z;
+    var _S234 : u32 = entries_0.x;
+    var _S235 : u32 = _S233 - _S234;
+    var _S236 : u32;
     if(Stretch_wraps_0(this_7))
     {
-        _S237 = whole_0;
+        _S236 = whole_0;
     }
     else
     {
-        _S237 = u32(0);
+        _S236 = u32(0);
     }
-    return vec4<u32>(_S236 + _S237, entries_0.w - _S234, entries_0.y - _S235, whole_0);
+    return vec4<u32>(_S235 + _S236, entries_0.w - _S233, entries_0.y - _S234, whole_0);
 }
 
 fn row_differences_0( across_1 : Stretch_0,  row_7 : u32,  count_2 : u32,  quantities_1 : u32) -> vec4<u32>
 {
-    var _S238 : u32 = row_7 + across_1.low_7.thread_2 * quantities_1;
-    var _S239 : u32 = row_7 + across_1.high_7.thread_2 * quantities_1;
-    return Stretch_differences_0(across_1, vec4<u32>(words_0[_S238], words_0[_S238 + quantities_1], words_0[_S239], words_0[_S239 + quantities_1]), words_0[row_7 + count_2 * quantities_1]);
+    var _S237 : u32 = row_7 + across_1.low_7.thread_2 * quantities_1;
+    var _S238 : u32 = row_7 + across_1.high_7.thread_2 * quantities_1;
+    return Stretch_differences_0(across_1, vec4<u32>(words_0[_S237], words_0[_S237 + quantities_1], words_0[_S238], words_0[_S238 + quantities_1]), words_0[row_7 + count_2 * quantities_1]);
 }
 
 fn Stretch_weights_0( this_8 : Stretch_0) -> vec4<f32>
 {
-    var _S240 : f32 = - this_8.low_7.visible_0;
-    var _S241 : f32 = Stretch_turns_0(this_8);
-    var _S242 : f32;
+    var _S239 : f32 = - this_8.low_7.visible_0;
+    var _S240 : f32 = Stretch_turns_0(this_8);
+    var _S241 : f32;
     if(Stretch_wraps_0(this_8))
     {
-        _S242 = 1.0f;
+        _S241 = 1.0f;
     }
     else
     {
-        _S242 = 0.0f;
+        _S241 = 0.0f;
     }
-    return vec4<f32>(1.0f, this_8.high_7.visible_0, _S240, _S241 - _S242);
+    return vec4<f32>(1.0f, this_8.high_7.visible_0, _S239, _S240 - _S241);
 }
 
 fn integral_on_top_0( family_8 : u32,  across_2 : Stretch_0,  along_0 : Stretch_0,  crossing_count_0 : u32,  quantity_1 : u32) -> f32
 {
-    var _S243 : u32 = u32(families_0[family_8].count_0);
-    var _S244 : u32 = (_S243 + u32(1)) * families_0[family_8].quantities_0;
-    var _S245 : u32 = families_0[family_8].colour_areas_0 + quantity_1;
-    var _S246 : vec4<u32> = row_differences_0(across_2, _S245 + along_0.low_7.thread_2 * _S244, _S243, families_0[family_8].quantities_0);
-    var _S247 : vec4<u32> = row_differences_0(across_2, _S245 + (along_0.low_7.thread_2 + u32(1)) * _S244, _S243, families_0[family_8].quantities_0);
-    var _S248 : vec4<u32> = row_differences_0(across_2, _S245 + along_0.high_7.thread_2 * _S244, _S243, families_0[family_8].quantities_0);
-    var _S249 : vec4<u32> = row_differences_0(across_2, _S245 + (along_0.high_7.thread_2 + u32(1)) * _S244, _S243, families_0[family_8].quantities_0);
-    var _S250 : vec4<u32> = row_differences_0(across_2, _S245 + crossing_count_0 * _S244, _S243, families_0[family_8].quantities_0);
-    var _S251 : vec4<u32> = _S248 - _S246;
-    var _S252 : vec4<u32>;
+    var _S242 : u32 = u32(families_0[family_8].count_0);
+    var _S243 : u32 = (_S242 + u32(1)) * families_0[family_8].quantities_0;
+    var _S244 : u32 = families_0[family_8].colour_areas_0 + quantity_1;
+    var _S245 : vec4<u32> = row_differences_0(across_2, _S244 + along_0.low_7.thread_2 * _S243, _S242, families_0[family_8].quantities_0);
+    var _S246 : vec4<u32> = row_differences_0(across_2, _S244 + (along_0.low_7.thread_2 + u32(1)) * _S243, _S242, families_0[family_8].quantities_0);
+    var _S247 : vec4<u32> = row_differences_0(across_2, _S244 + along_0.high_7.thread_2 * _S243, _S242, families_0[family_8].quantities_0);
+    var _S248 : vec4<u32> = row_differences_0(across_2, _S244 + (along_0.high_7.thread_2 + u32(1)) * _S243, _S242, families_0[family_8].quantities_0);
+    var _S249 : vec4<u32> = row_differences_0(across_2, _S244 + crossing_count_0 * _S243, _S242, families_0[family_8].quantities_0);
+    var _S250 : vec4<u32> = _S247 - _S245;
+    var _S251 : vec4<u32>;
     if(Stretch_wraps_0(along_0))
     {
-        _S252 = _S250;
+        _S251 = _S249;
     }
     else
     {
-        _S252 = vec4<u32>(vec4<i32>(i32(0)));
+        _S251 = vec4<u32>(vec4<i32>(i32(0)));
     }
-    var _S253 : vec4<f32> = Stretch_weights_0(across_2);
-    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S251 + _S252)), _S253), dot(vec4<f32>(vec4<i32>(_S249 - _S248)), _S253), dot(vec4<f32>(vec4<i32>(_S247 - _S246)), _S253), dot(vec4<f32>(vec4<i32>(_S250)), _S253)), Stretch_weights_0(along_0)) * families_0[family_8].area_unit_0;
+    var _S252 : vec4<f32> = Stretch_weights_0(across_2);
+    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S250 + _S251)), _S252), dot(vec4<f32>(vec4<i32>(_S248 - _S247)), _S252), dot(vec4<f32>(vec4<i32>(_S246 - _S245)), _S252), dot(vec4<f32>(vec4<i32>(_S249)), _S252)), Stretch_weights_0(along_0)) * families_0[family_8].area_unit_0;
 }
 
 fn with_added_albedos_0( albedos_1 : Albedos_0,  weight_0 : f32,  row_8 : u32) -> Albedos_0
 {
-    var _S254 : Albedos_0 = table_albedos_0(row_8);
+    var _S253 : Albedos_0 = table_albedos_0(row_8);
     var sum_0 : Albedos_0;
-    var _S255 : vec3<f32> = vec3<f32>(weight_0);
-    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S255 * _S254.diffuse_reflect_0;
-    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S255 * _S254.diffuse_transmit_0;
-    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S255 * _S254.specular_reflect_0;
-    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S255 * _S254.specular_transmit_0;
+    var _S254 : vec3<f32> = vec3<f32>(weight_0);
+    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S254 * _S253.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S254 * _S253.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S254 * _S253.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S254 * _S253.specular_transmit_0;
     return sum_0;
 }
 
@@ -1871,7 +1881,7 @@ fn mean_albedos_0( family_9 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other
     {
         return albedos_2;
     }
-    var _S256 : vec3<f32> = lengths_0(crossing_0, other_0);
+    var _S255 : vec3<f32> = lengths_0(crossing_0, other_0);
     var is_exposed_0 : bool = false;
     var weight_1 : f32 = 0.0f;
     var quantity_2 : u32 = u32(0);
@@ -1884,42 +1894,42 @@ fn mean_albedos_0( family_9 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other
         {
             break;
         }
-        var _S257 : vec2<f32> = integrals_along_0(family_9, own_0, quantity_2);
-        var _S258 : f32 = integral_on_top_0(family_9, own_0, other_0, u32(families_0[crossing_0].count_0), quantity_2);
-        var _S259 : f32 = _S257.x;
-        var _S260 : f32 = _S259 * _S256.x;
-        var _S261 : f32;
+        var _S256 : vec2<f32> = integrals_along_0(family_9, own_0, quantity_2);
+        var _S257 : f32 = integral_on_top_0(family_9, own_0, other_0, u32(families_0[crossing_0].count_0), quantity_2);
+        var _S258 : f32 = _S256.x;
+        var _S259 : f32 = _S258 * _S255.x;
+        var _S260 : f32;
         if(back_3)
         {
-            _S261 = _S260 - _S258;
+            _S260 = _S259 - _S257;
         }
         else
         {
-            _S261 = _S258;
+            _S260 = _S257;
         }
-        var _S262 : bool = quantity_2 == u32(0);
-        if(_S262)
+        var _S261 : bool = quantity_2 == u32(0);
+        if(_S261)
         {
-            is_exposed_0 = _S261 > (16.0f * families_0[family_9].area_unit_0 * min(_S260 / families_0[family_9].crossing_area_0, 1.0f) + 0.00000999999974738f * _S260);
+            is_exposed_0 = _S260 > (16.0f * families_0[family_9].area_unit_0 * min(_S259 / families_0[family_9].crossing_area_0, 1.0f) + 0.00000999999974738f * _S259);
         }
-        var _S263 : f32 = _S259 * _S256.y;
-        var _S264 : f32;
+        var _S262 : f32 = _S258 * _S255.y;
+        var _S263 : f32;
         if(is_exposed_0)
         {
-            _S264 = _S261;
+            _S263 = _S260;
         }
         else
         {
-            _S264 = 0.0f;
+            _S263 = 0.0f;
         }
-        var _S265 : f32 = _S263 + _S264 + 0.000244140625f * _S256.z * _S257.y;
-        if(_S262)
+        var _S264 : f32 = _S262 + _S263 + 0.000244140625f * _S255.z * _S256.y;
+        if(_S261)
         {
-            weight_1 = 1.0f / max(_S265, 9.99999968265522539e-21f);
+            weight_1 = 1.0f / max(_S264, 9.99999968265522539e-21f);
         }
         else
         {
-            albedos_2 = with_added_albedos_0(albedos_2, _S265 * weight_1, families_0[family_9].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
+            albedos_2 = with_added_albedos_0(albedos_2, _S264 * weight_1, families_0[family_9].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
         }
         quantity_2 = quantity_2 + u32(1);
     }
@@ -1932,21 +1942,31 @@ fn mean_albedos_0( family_9 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other
 
 fn scramble_0( value_0 : u32) -> u32
 {
-    var _S266 : u32 = value_0 * u32(747796405) + u32(2891336453);
-    var _S267 : u32 = ((((_S266 >> ((((_S266 >> (u32(28)))) + u32(4))))) ^ (_S266))) * u32(277803737);
-    return (((_S267 >> (u32(22)))) ^ (_S267));
+    var _S265 : u32 = value_0 * u32(747796405) + u32(2891336453);
+    var _S266 : u32 = ((((_S265 >> ((((_S265 >> (u32(28)))) + u32(4))))) ^ (_S265))) * u32(277803737);
+    return (((_S266 >> (u32(22)))) ^ (_S266));
 }
 
-fn uniform_hash_0( thread_3 : u32,  cell_3 : u32,  stream_0 : u32) -> f32
+fn hash_key_0( thread_3 : u32,  stream_0 : u32) -> u32
 {
-    return (f32(((scramble_0(cell_3 + scramble_0(thread_3 + scramble_0(stream_0)))) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
+    return scramble_0(thread_3 + scramble_0(stream_0));
 }
 
-fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_5 : u32,  stream_1 : u32) -> vec2<f32>
+fn hash_bits_0( key_0 : u32,  cell_3 : u32) -> u32
 {
-    var _S268 : u32 = pixel_0.x;
-    var _S269 : u32 = pixel_0.y;
-    return fract(vec2<f32>(uniform_hash_0(_S268, _S269, stream_1), uniform_hash_0(_S268, _S269, stream_1 + u32(1))) + vec2<f32>(f32((index_5 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    return scramble_0(cell_3 + key_0);
+}
+
+fn uniform_hash_0( thread_4 : u32,  cell_4 : u32,  stream_1 : u32) -> f32
+{
+    return (f32(((hash_bits_0(hash_key_0(thread_4, stream_1), cell_4)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
+}
+
+fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_5 : u32,  stream_2 : u32) -> vec2<f32>
+{
+    var _S267 : u32 = pixel_0.x;
+    var _S268 : u32 = pixel_0.y;
+    return fract(vec2<f32>(uniform_hash_0(_S267, _S268, stream_2), uniform_hash_0(_S267, _S268, stream_2 + u32(1))) + vec2<f32>(f32((index_5 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
 }
 
 fn scene_number_0( index_6 : u32) -> f32
@@ -1973,22 +1993,22 @@ fn choose_0( table_0 : u32,  count_3 : u32,  number_1 : f32) -> Choice_0
         {
             break;
         }
-        var _S270 : u32 = (low_8 + high_8) / u32(2);
-        if((scene_number_0(table_0 + _S270)) <= number_1)
+        var _S269 : u32 = (low_8 + high_8) / u32(2);
+        if((scene_number_0(table_0 + _S269)) <= number_1)
         {
-            low_8 = _S270;
+            low_8 = _S269;
         }
         else
         {
-            high_8 = _S270;
+            high_8 = _S269;
         }
     }
-    var _S271 : u32 = table_0 + low_8;
-    var _S272 : f32 = scene_number_0(_S271);
-    var _S273 : f32 = scene_number_0(_S271 + u32(1));
+    var _S270 : u32 = table_0 + low_8;
+    var _S271 : f32 = scene_number_0(_S270);
+    var _S272 : f32 = scene_number_0(_S270 + u32(1));
     var choice_0 : Choice_0;
     choice_0.index_7 = low_8;
-    choice_0.remainder_0 = saturate((number_1 - _S272) / max(_S273 - _S272, 9.999999960041972e-13f));
+    choice_0.remainder_0 = saturate((number_1 - _S271) / max(_S272 - _S271, 9.999999960041972e-13f));
     return choice_0;
 }
 
@@ -1999,40 +2019,40 @@ fn mean_0( colour_0 : vec3<f32>) -> f32
 
 fn sine_cosine_0( x_9 : f32) -> vec2<f32>
 {
-    var _S274 : f32 = floor(x_9 * 0.63661974668502808f + 0.5f);
-    var _S275 : f32 = x_9 - _S274 * 1.5703125f - _S274 * 0.00048375129699707f - _S274 * 7.54979012640433211e-08f;
-    var _S276 : f32 = _S275 * _S275;
-    var _S277 : f32 = ((-0.00019515295571182f * _S276 + 0.00833216123282909f) * _S276 - 0.16666655242443085f) * _S276 * _S275 + _S275;
-    var _S278 : f32 = ((0.00002443315679557f * _S276 - 0.00138873164542019f) * _S276 + 0.04166664555668831f) * _S276 * _S276 - 0.5f * _S276 + 1.0f;
-    var _S279 : u32 = (u32(i32(_S274)) & (u32(3)));
-    var _S280 : vec2<f32>;
-    if(((_S279 & (u32(1)))) != u32(0))
+    var _S273 : f32 = floor(x_9 * 0.63661974668502808f + 0.5f);
+    var _S274 : f32 = x_9 - _S273 * 1.5703125f - _S273 * 0.00048375129699707f - _S273 * 7.54979012640433211e-08f;
+    var _S275 : f32 = _S274 * _S274;
+    var _S276 : f32 = ((-0.00019515295571182f * _S275 + 0.00833216123282909f) * _S275 - 0.16666655242443085f) * _S275 * _S274 + _S274;
+    var _S277 : f32 = ((0.00002443315679557f * _S275 - 0.00138873164542019f) * _S275 + 0.04166664555668831f) * _S275 * _S275 - 0.5f * _S275 + 1.0f;
+    var _S278 : u32 = (u32(i32(_S273)) & (u32(3)));
+    var _S279 : vec2<f32>;
+    if(((_S278 & (u32(1)))) != u32(0))
     {
-        _S280 = vec2<f32>(_S278, _S277);
+        _S279 = vec2<f32>(_S277, _S276);
     }
     else
     {
-        _S280 = vec2<f32>(_S277, _S278);
+        _S279 = vec2<f32>(_S276, _S277);
+    }
+    var _S280 : f32;
+    if(((_S278 & (u32(2)))) != u32(0))
+    {
+        _S280 = - _S279.x;
+    }
+    else
+    {
+        _S280 = _S279.x;
     }
     var _S281 : f32;
-    if(((_S279 & (u32(2)))) != u32(0))
+    if((((_S278 + u32(1)) & (u32(2)))) != u32(0))
     {
-        _S281 = - _S280.x;
+        _S281 = - _S279.y;
     }
     else
     {
-        _S281 = _S280.x;
+        _S281 = _S279.y;
     }
-    var _S282 : f32;
-    if((((_S279 + u32(1)) & (u32(2)))) != u32(0))
-    {
-        _S282 = - _S280.y;
-    }
-    else
-    {
-        _S282 = _S280.y;
-    }
-    return vec2<f32>(_S281, _S282);
+    return vec2<f32>(_S280, _S281);
 }
 
 fn unmapped_0( output_9 : f32,  scale_0 : f32) -> f32
@@ -2042,25 +2062,25 @@ fn unmapped_0( output_9 : f32,  scale_0 : f32) -> f32
 
 fn mirrored_bundle_0( bundle_0 : u32) -> u32
 {
-    var _S283 : u32 = bundle_0 / u32(3);
-    var _S284 : u32 = bundle_0 % u32(3);
-    var _S285 : u32;
+    var _S282 : u32 = bundle_0 / u32(3);
+    var _S283 : u32 = bundle_0 % u32(3);
+    var _S284 : u32;
     if(bundle_0 == u32(24))
     {
-        _S285 = bundle_0;
+        _S284 = bundle_0;
     }
     else
     {
-        _S285 = _S283 * u32(3) + u32(3) - u32(1) - _S284;
+        _S284 = _S282 * u32(3) + u32(3) - u32(1) - _S283;
     }
-    return _S285;
+    return _S284;
 }
 
 fn light_visibility_of_0( diffuse_0 : f32,  light_0 : vec3<f32>,  view_1 : vec3<f32>,  blend_0 : f32) -> f32
 {
-    var _S286 : f32 = max(abs(light_0.z), 0.00100000004749745f);
-    var _S287 : vec2<f32> = light_0.xy;
-    return 3.14159274101257324f * max(diffuse_0, 0.0f) / mix(_S286, (0.59700000286102295f * _S286 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S287, view_1.xy) * rsqrt_0(max(dot(_S287, _S287), 9.99999997475242708e-07f))) + 1.0f), blend_0);
+    var _S285 : f32 = max(abs(light_0.z), 0.00100000004749745f);
+    var _S286 : vec2<f32> = light_0.xy;
+    return 3.14159274101257324f * max(diffuse_0, 0.0f) / mix(_S285, (0.59700000286102295f * _S285 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S286, view_1.xy) * rsqrt_0(max(dot(_S286, _S286), 9.99999997475242708e-07f))) + 1.0f), blend_0);
 }
 
 struct Blocked_0
@@ -2090,9 +2110,9 @@ fn no_close_up_0() -> CloseUp_0
 {
     var nothing_1 : CloseUp_0;
     nothing_1.weight_2 = 0.0f;
-    var _S288 : Blocked_0 = no_blocked_0();
-    nothing_1.warp_1 = _S288;
-    nothing_1.weft_1 = _S288;
+    var _S287 : Blocked_0 = no_blocked_0();
+    nothing_1.warp_1 = _S287;
+    nothing_1.weft_1 = _S287;
     return nothing_1;
 }
 
@@ -2125,47 +2145,47 @@ struct FaceSends_0
 
 fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S289 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
+    var _S288 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
     var found_0 : FaceRadiance_0;
-    var _S290 : vec3<f32> = sends_0.sky_warp_0 + _S289 * sends_0.crossing_warp_0;
-    found_0.warp_2 = _S290;
-    var _S291 : vec3<f32> = sends_0.sky_weft_0 + _S289 * sends_0.crossing_weft_0;
-    found_0.weft_2 = _S291;
-    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S290 + vec3<f32>(sends_0.blocks_weft_0) * _S291;
+    var _S289 : vec3<f32> = sends_0.sky_warp_0 + _S288 * sends_0.crossing_warp_0;
+    found_0.warp_2 = _S289;
+    var _S290 : vec3<f32> = sends_0.sky_weft_0 + _S288 * sends_0.crossing_weft_0;
+    found_0.weft_2 = _S290;
+    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S289 + vec3<f32>(sends_0.blocks_weft_0) * _S290;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
 fn view_terms_0( view_2 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S292 : f32 = 1.0f - view_2.z;
-    var _S293 : f32 = _S292 * _S292;
+    var _S291 : f32 = 1.0f - view_2.z;
+    var _S292 : f32 = _S291 * _S291;
     (*terms_0)[i32(0)] = 1.0f;
-    var _S294 : f32 = view_2.x;
-    var _S295 : f32 = _S294 * _S294;
-    var _S296 : f32 = view_2.y;
-    var _S297 : f32 = _S296 * _S296;
-    (*terms_0)[i32(1)] = sqrt(max(_S295 + _S297, 9.999999960041972e-13f));
-    (*terms_0)[i32(2)] = _S293;
-    (*terms_0)[i32(3)] = _S293 * _S293;
-    (*terms_0)[i32(4)] = _S295 - _S297;
+    var _S293 : f32 = view_2.x;
+    var _S294 : f32 = _S293 * _S293;
+    var _S295 : f32 = view_2.y;
+    var _S296 : f32 = _S295 * _S295;
+    (*terms_0)[i32(1)] = sqrt(max(_S294 + _S296, 9.999999960041972e-13f));
+    (*terms_0)[i32(2)] = _S292;
+    (*terms_0)[i32(3)] = _S292 * _S292;
+    (*terms_0)[i32(4)] = _S294 - _S296;
     (*terms_0)[i32(5)] = 0.0f;
     return;
 }
 
 fn view_terms_1( view_3 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S298 : f32 = 1.0f - view_3.z;
-    var _S299 : f32 = _S298 * _S298;
+    var _S297 : f32 = 1.0f - view_3.z;
+    var _S298 : f32 = _S297 * _S297;
     (*terms_1)[i32(0)] = 1.0f;
-    var _S300 : f32 = view_3.x;
-    var _S301 : f32 = _S300 * _S300;
-    var _S302 : f32 = view_3.y;
-    var _S303 : f32 = _S302 * _S302;
-    (*terms_1)[i32(1)] = sqrt(max(_S301 + _S303, 9.999999960041972e-13f));
-    (*terms_1)[i32(2)] = _S299;
-    (*terms_1)[i32(3)] = _S299 * _S299;
-    (*terms_1)[i32(4)] = _S301 - _S303;
+    var _S299 : f32 = view_3.x;
+    var _S300 : f32 = _S299 * _S299;
+    var _S301 : f32 = view_3.y;
+    var _S302 : f32 = _S301 * _S301;
+    (*terms_1)[i32(1)] = sqrt(max(_S300 + _S302, 9.999999960041972e-13f));
+    (*terms_1)[i32(2)] = _S298;
+    (*terms_1)[i32(3)] = _S298 * _S298;
+    (*terms_1)[i32(4)] = _S300 - _S302;
     (*terms_1)[i32(5)] = 0.0f;
     return;
 }
@@ -2202,11 +2222,11 @@ struct Interior_0
 
 fn bounced_by_0( blocked_1 : Blocked_0,  yarn_0 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S304 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
-    var _S305 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_0.through_0;
+    var _S303 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
+    var _S304 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_0.through_0;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_0 = yarn_0.back_4 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_3 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_3) + _S305 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S305 * interior_0.far_1 + yarn_0.back_4 * _S304;
+    bounced_0.reflected_0 = yarn_0.back_4 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_3 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_3) + _S304 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S304 * interior_0.far_1 + yarn_0.back_4 * _S303;
     return bounced_0;
 }
 
@@ -2220,17 +2240,17 @@ fn sum_of_0( first_21 : Bounced_0,  second_1 : Bounced_0) -> Bounced_0
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_1 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S306 : f32 = light_1.z;
-    var _S307 : vec3<f32>;
-    if((_S306 * view_4.z) < 0.0f)
+    var _S305 : f32 = light_1.z;
+    var _S306 : vec3<f32>;
+    if((_S305 * view_4.z) < 0.0f)
     {
-        _S307 = bounced_1.transmitted_0;
+        _S306 = bounced_1.transmitted_0;
     }
     else
     {
-        _S307 = bounced_1.reflected_0;
+        _S306 = bounced_1.reflected_0;
     }
-    return _S307 * vec3<f32>((abs(_S306) * 0.31830987334251404f));
+    return _S306 * vec3<f32>((abs(_S305) * 0.31830987334251404f));
 }
 
 fn sheen_scale_0( x_10 : f32,  y_2 : f32) -> f32
@@ -2250,230 +2270,230 @@ fn sheen_reflectance_0( x_12 : f32,  y_4 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_1 : f32) -> vec3<f32>
 {
-    var _S308 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S309 : f32 = 2.0f * sqrt(_S308) - 1.0f;
-    var _S310 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S309, _S310), 0.00999999977648258f, 1.0f), clamp((1.0f - _S308) * sheen_shear_0(_S309, _S310), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S309, _S310), -60.0f, 60.0f))));
+    var _S307 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S308 : f32 = 2.0f * sqrt(_S307) - 1.0f;
+    var _S309 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S308, _S309), 0.00999999977648258f, 1.0f), clamp((1.0f - _S307) * sheen_shear_0(_S308, _S309), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S308, _S309), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_2 : vec3<f32>,  view_5 : vec3<f32>,  scale_1 : f32,  shear_0 : f32) -> f32
 {
-    var _S311 : f32 = light_2.z;
-    var _S312 : bool;
-    if(_S311 <= 0.0f)
+    var _S310 : f32 = light_2.z;
+    var _S311 : bool;
+    if(_S310 <= 0.0f)
     {
-        _S312 = true;
+        _S311 = true;
     }
     else
     {
-        _S312 = (view_5.z) <= 0.0f;
+        _S311 = (view_5.z) <= 0.0f;
     }
-    if(_S312)
+    if(_S311)
     {
         return 0.0f;
     }
-    var _S313 : vec2<f32> = view_5.xy;
-    var _S314 : f32 = dot(_S313, _S313);
-    var _S315 : vec2<f32>;
-    if(_S314 > 9.99999968265522539e-21f)
+    var _S312 : vec2<f32> = view_5.xy;
+    var _S313 : f32 = dot(_S312, _S312);
+    var _S314 : vec2<f32>;
+    if(_S313 > 9.99999968265522539e-21f)
     {
-        _S315 = _S313 * vec2<f32>(rsqrt_0(_S314));
+        _S314 = _S312 * vec2<f32>(rsqrt_0(_S313));
     }
     else
     {
-        _S315 = vec2<f32>(1.0f, 0.0f);
+        _S314 = vec2<f32>(1.0f, 0.0f);
     }
-    var _S316 : f32 = scale_1 * dot(light_2.xy, _S315) + shear_0 * _S311;
-    var _S317 : f32 = scale_1 * (light_2.y * _S315.x - light_2.x * _S315.y);
-    var _S318 : f32 = _S316 * _S316 + _S317 * _S317 + _S311 * _S311;
-    return 0.31830987334251404f * scale_1 * scale_1 * _S311 / max(_S318 * _S318, 9.99999968265522539e-21f);
+    var _S315 : f32 = scale_1 * dot(light_2.xy, _S314) + shear_0 * _S310;
+    var _S316 : f32 = scale_1 * (light_2.y * _S314.x - light_2.x * _S314.y);
+    var _S317 : f32 = _S315 * _S315 + _S316 * _S316 + _S310 * _S310;
+    return 0.31830987334251404f * scale_1 * scale_1 * _S310 / max(_S317 * _S317, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_3 : vec3<f32>,  view_6 : vec3<f32>,  strength_0 : f32,  roughness_2 : f32) -> vec2<f32>
 {
-    var _S319 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_2);
-    var _S320 : f32 = strength_0 * _S319.z;
-    return vec2<f32>(_S320 * transformed_cosine_0(light_3, view_6, _S319.x, _S319.y), 1.0f - _S320);
+    var _S318 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_2);
+    var _S319 : f32 = strength_0 * _S318.z;
+    return vec2<f32>(_S319 * transformed_cosine_0(light_3, view_6, _S318.x, _S318.y), 1.0f - _S319);
 }
 
 fn accumulate_0( index_8 : u32,  light_4 : vec4<f32>)
 {
-    var _S321 : f32 = layers_0[index_8].share_0;
+    var _S320 : f32 = layers_0[index_8].share_0;
     radiance_0[index_8] = radiance_0[index_8] + vec4<f32>(layers_0[index_8].share_0) * light_4;
-    layers_0[index_8].share_0 = _S321 * (1.0f - light_4.w);
+    layers_0[index_8].share_0 = _S320 * (1.0f - light_4.w);
     return;
 }
 
-fn camera_right_0( _S322 : i32) -> vec3<f32>
+fn camera_right_0( _S321 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S322].right_x_0, frames_0[_S322].right_y_0, frames_0[_S322].right_z_0);
+    return vec3<f32>(frames_0[_S321].right_x_0, frames_0[_S321].right_y_0, frames_0[_S321].right_z_0);
 }
 
-fn camera_up_0( _S323 : i32) -> vec3<f32>
+fn camera_up_0( _S322 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S323].up_x_0, frames_0[_S323].up_y_0, frames_0[_S323].up_z_0);
+    return vec3<f32>(frames_0[_S322].up_x_0, frames_0[_S322].up_y_0, frames_0[_S322].up_z_0);
 }
 
-fn camera_forward_0( _S324 : i32) -> vec3<f32>
+fn camera_forward_0( _S323 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S324].forward_x_0, frames_0[_S324].forward_y_0, frames_0[_S324].forward_z_0);
+    return vec3<f32>(frames_0[_S323].forward_x_0, frames_0[_S323].forward_y_0, frames_0[_S323].forward_z_0);
 }
 
-fn camera_origin_0( _S325 : i32) -> vec3<f32>
+fn camera_origin_0( _S324 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S325].origin_x_0, frames_0[_S325].origin_y_0, frames_0[_S325].origin_z_0);
+    return vec3<f32>(frames_0[_S324].origin_x_0, frames_0[_S324].origin_y_0, frames_0[_S324].origin_z_0);
 }
 
-fn face_point_0( _S326 : u32,  _S327 : u32,  _S328 : f32,  _S329 : f32) -> VisiblePoint_0
+fn face_point_0( _S325 : u32,  _S326 : u32,  _S327 : f32,  _S328 : f32) -> VisiblePoint_0
 {
-    var _S330 : u32 = u32(3) * _S327;
-    var _S331 : Vertex_std430_0 = vertices_0[corners_0[_S330]];
-    var _S332 : Vertex_std430_0 = vertices_0[corners_0[_S330 + u32(1)]];
-    var _S333 : Vertex_std430_0 = vertices_0[corners_0[_S330 + u32(2)]];
-    var _S334 : vec3<f32> = position_of_0(&(_S332));
-    var _S335 : vec3<f32> = position_of_0(&(_S331));
-    var _S336 : vec3<f32> = _S334 - _S335;
-    var _S337 : vec3<f32> = position_of_0(&(_S333));
-    var _S338 : vec3<f32> = _S337 - _S335;
-    var _S339 : f32 = _S331.u_0;
-    var _S340 : f32 = _S332.u_0 - _S331.u_0;
-    var _S341 : f32 = _S331.v_0;
-    var _S342 : f32 = _S332.v_0 - _S331.v_0;
-    var _S343 : vec2<f32> = vec2<f32>(_S340, _S342);
-    var _S344 : f32 = _S333.u_0 - _S331.u_0;
-    var _S345 : f32 = _S333.v_0 - _S331.v_0;
-    var _S346 : vec2<f32> = vec2<f32>(_S344, _S345);
-    var _S347 : f32;
-    if((_S340 * _S345 - _S342 * _S344) < 0.0f)
+    var _S329 : u32 = u32(3) * _S326;
+    var _S330 : Vertex_std430_0 = vertices_0[corners_0[_S329]];
+    var _S331 : Vertex_std430_0 = vertices_0[corners_0[_S329 + u32(1)]];
+    var _S332 : Vertex_std430_0 = vertices_0[corners_0[_S329 + u32(2)]];
+    var _S333 : vec3<f32> = position_of_0(&(_S331));
+    var _S334 : vec3<f32> = position_of_0(&(_S330));
+    var _S335 : vec3<f32> = _S333 - _S334;
+    var _S336 : vec3<f32> = position_of_0(&(_S332));
+    var _S337 : vec3<f32> = _S336 - _S334;
+    var _S338 : f32 = _S330.u_0;
+    var _S339 : f32 = _S331.u_0 - _S330.u_0;
+    var _S340 : f32 = _S330.v_0;
+    var _S341 : f32 = _S331.v_0 - _S330.v_0;
+    var _S342 : vec2<f32> = vec2<f32>(_S339, _S341);
+    var _S343 : f32 = _S332.u_0 - _S330.u_0;
+    var _S344 : f32 = _S332.v_0 - _S330.v_0;
+    var _S345 : vec2<f32> = vec2<f32>(_S343, _S344);
+    var _S346 : f32;
+    if((_S339 * _S344 - _S341 * _S343) < 0.0f)
     {
-        _S347 = -1.0f;
+        _S346 = -1.0f;
     }
     else
     {
-        _S347 = 1.0f;
+        _S346 = 1.0f;
     }
-    var _S348 : vec3<f32> = vec3<f32>(_S347) * (vec3<f32>(_S345) * _S336 - vec3<f32>(_S342) * _S338);
-    var _S349 : vec3<f32> = vec3<f32>(_S347) * (vec3<f32>(_S340) * _S338 - vec3<f32>(_S344) * _S336);
+    var _S347 : vec3<f32> = vec3<f32>(_S346) * (vec3<f32>(_S344) * _S335 - vec3<f32>(_S341) * _S337);
+    var _S348 : vec3<f32> = vec3<f32>(_S346) * (vec3<f32>(_S339) * _S337 - vec3<f32>(_S343) * _S335);
     var point_1 : VisiblePoint_0;
-    var _S350 : f32 = 1.0f - _S328 - _S329;
-    var _S351 : vec3<f32> = normal_of_0(&(_S331));
-    var _S352 : vec3<f32> = vec3<f32>(_S350) * _S351;
-    var _S353 : vec3<f32> = normal_of_0(&(_S332));
-    var _S354 : vec3<f32> = vec3<f32>(_S328);
-    var _S355 : vec3<f32> = _S352 + _S354 * _S353;
-    var _S356 : vec3<f32> = normal_of_0(&(_S333));
-    var _S357 : vec3<f32> = vec3<f32>(_S329);
-    var _S358 : vec3<f32> = normalize(_S355 + _S357 * _S356);
-    point_1.normal_0 = _S358;
-    var _S359 : vec3<f32> = normalize(_S348 - _S358 * vec3<f32>(dot(_S358, _S348)));
-    point_1.axis_x_0 = _S359;
-    point_1.axis_y_0 = cross(_S358, _S359);
-    var _S360 : vec3<f32> = normalize(cross(_S336, _S338));
-    var _S361 : vec3<f32>;
-    if((dot(_S360, _S358)) < 0.0f)
+    var _S349 : f32 = 1.0f - _S327 - _S328;
+    var _S350 : vec3<f32> = normal_of_0(&(_S330));
+    var _S351 : vec3<f32> = vec3<f32>(_S349) * _S350;
+    var _S352 : vec3<f32> = normal_of_0(&(_S331));
+    var _S353 : vec3<f32> = vec3<f32>(_S327);
+    var _S354 : vec3<f32> = _S351 + _S353 * _S352;
+    var _S355 : vec3<f32> = normal_of_0(&(_S332));
+    var _S356 : vec3<f32> = vec3<f32>(_S328);
+    var _S357 : vec3<f32> = normalize(_S354 + _S356 * _S355);
+    point_1.normal_0 = _S357;
+    var _S358 : vec3<f32> = normalize(_S347 - _S357 * vec3<f32>(dot(_S357, _S347)));
+    point_1.axis_x_0 = _S358;
+    point_1.axis_y_0 = cross(_S357, _S358);
+    var _S359 : vec3<f32> = normalize(cross(_S335, _S337));
+    var _S360 : vec3<f32>;
+    if((dot(_S359, _S357)) < 0.0f)
     {
-        _S361 = (vec3<f32>(0) - _S360);
+        _S360 = (vec3<f32>(0) - _S359);
     }
     else
     {
-        _S361 = _S360;
+        _S360 = _S359;
     }
-    point_1.face_normal_0 = _S361;
-    point_1.position_0 = _S335 + _S354 * _S336 + _S357 * _S338;
+    point_1.face_normal_0 = _S360;
+    point_1.position_0 = _S334 + _S353 * _S335 + _S356 * _S337;
     point_1.view_0 = point_1.normal_0;
-    point_1.uv_1 = vec2<f32>(_S339, _S341) + vec2<f32>(_S328) * _S343 + vec2<f32>(_S329) * _S346;
-    var _S362 : bool = (dot(cross(_S348, _S349), point_1.normal_0)) < 0.0f;
-    var _S363 : f32 = fabrics_0[_S326].uv_width_0;
-    if(_S362)
+    point_1.uv_1 = vec2<f32>(_S338, _S340) + vec2<f32>(_S327) * _S342 + vec2<f32>(_S328) * _S345;
+    var _S361 : bool = (dot(cross(_S347, _S348), point_1.normal_0)) < 0.0f;
+    var _S362 : f32 = fabrics_0[_S325].uv_width_0;
+    if(_S361)
     {
-        _S347 = - fabrics_0[_S326].uv_height_0;
+        _S346 = - fabrics_0[_S325].uv_height_0;
     }
     else
     {
-        _S347 = fabrics_0[_S326].uv_height_0;
+        _S346 = fabrics_0[_S325].uv_height_0;
     }
-    var _S364 : vec2<f32> = vec2<f32>(_S363, _S347);
-    point_1.draft_per_uv_0 = _S364;
-    var _S365 : vec2<f32> = point_1.uv_1 * _S364;
-    if(_S362)
+    var _S363 : vec2<f32> = vec2<f32>(_S362, _S346);
+    point_1.draft_per_uv_0 = _S363;
+    var _S364 : vec2<f32> = point_1.uv_1 * _S363;
+    if(_S361)
     {
-        _S347 = fabrics_0[_S326].uv_height_0;
+        _S346 = fabrics_0[_S325].uv_height_0;
     }
     else
     {
-        _S347 = 0.0f;
+        _S346 = 0.0f;
     }
-    point_1.draft_0 = _S365 + vec2<f32>(0.0f, _S347);
-    var _S366 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S366;
-    point_1.draft_dy_0 = _S366;
+    point_1.draft_0 = _S364 + vec2<f32>(0.0f, _S346);
+    var _S365 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S365;
+    point_1.draft_dy_0 = _S365;
     return point_1;
 }
 
-fn visible_point_0( _S367 : i32,  _S368 : u32,  _S369 : u32,  _S370 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S366 : i32,  _S367 : u32,  _S368 : u32,  _S369 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S371 : u32 = u32(3) * _S369;
-    var _S372 : Vertex_std430_0 = vertices_0[corners_0[_S371]];
-    var _S373 : Vertex_std430_0 = vertices_0[corners_0[_S371 + u32(1)]];
-    var _S374 : Vertex_std430_0 = vertices_0[corners_0[_S371 + u32(2)]];
-    var _S375 : vec3<f32> = position_of_1(&(_S373));
-    var _S376 : vec3<f32> = position_of_1(&(_S372));
-    var _S377 : vec3<f32> = _S375 - _S376;
-    var _S378 : vec3<f32> = position_of_1(&(_S374));
-    var _S379 : vec3<f32> = _S378 - _S376;
-    var _S380 : vec3<f32> = cross(_S377, _S379);
-    var _S381 : f32 = 1.0f / max(square_0(_S380), 1.00000000317107685e-30f);
-    var _S382 : f32 = f32(frames_0[_S367].width_0);
-    var _S383 : vec3<f32> = camera_right_0(_S367) * vec3<f32>((2.0f / _S382));
-    var _S384 : f32 = f32(frames_0[_S367].height_0);
-    var _S385 : vec3<f32> = camera_up_0(_S367) * vec3<f32>((-2.0f / _S384));
-    var _S386 : vec3<f32> = camera_forward_0(_S367) + vec3<f32>((f32(_S370.x) + 0.5f - 0.5f * _S382)) * _S383 + vec3<f32>((f32(_S370.y) + 0.5f - 0.5f * _S384)) * _S385;
-    var _S387 : f32 = dot(_S386, _S380);
-    var _S388 : f32;
-    if((abs(_S387)) > 1.00000000317107685e-30f)
+    var _S370 : u32 = u32(3) * _S368;
+    var _S371 : Vertex_std430_0 = vertices_0[corners_0[_S370]];
+    var _S372 : Vertex_std430_0 = vertices_0[corners_0[_S370 + u32(1)]];
+    var _S373 : Vertex_std430_0 = vertices_0[corners_0[_S370 + u32(2)]];
+    var _S374 : vec3<f32> = position_of_1(&(_S372));
+    var _S375 : vec3<f32> = position_of_1(&(_S371));
+    var _S376 : vec3<f32> = _S374 - _S375;
+    var _S377 : vec3<f32> = position_of_1(&(_S373));
+    var _S378 : vec3<f32> = _S377 - _S375;
+    var _S379 : vec3<f32> = cross(_S376, _S378);
+    var _S380 : f32 = 1.0f / max(square_0(_S379), 1.00000000317107685e-30f);
+    var _S381 : f32 = f32(frames_0[_S366].width_0);
+    var _S382 : vec3<f32> = camera_right_0(_S366) * vec3<f32>((2.0f / _S381));
+    var _S383 : f32 = f32(frames_0[_S366].height_0);
+    var _S384 : vec3<f32> = camera_up_0(_S366) * vec3<f32>((-2.0f / _S383));
+    var _S385 : vec3<f32> = camera_forward_0(_S366) + vec3<f32>((f32(_S369.x) + 0.5f - 0.5f * _S381)) * _S382 + vec3<f32>((f32(_S369.y) + 0.5f - 0.5f * _S383)) * _S384;
+    var _S386 : f32 = dot(_S385, _S379);
+    var _S387 : f32;
+    if((abs(_S386)) > 1.00000000317107685e-30f)
     {
-        _S388 = _S387;
+        _S387 = _S386;
     }
     else
     {
-        _S388 = 1.00000000317107685e-30f;
+        _S387 = 1.00000000317107685e-30f;
     }
-    var _S389 : f32 = 1.0f / _S388;
-    var _S390 : vec3<f32> = _S376 - camera_origin_0(_S367);
-    var _S391 : vec3<f32> = vec3<f32>((dot(_S390, _S380) * _S389));
-    var _S392 : vec3<f32> = _S386 * _S391 - _S390;
-    var _S393 : vec3<f32> = _S391 * (_S383 - _S386 * vec3<f32>((dot(_S383, _S380) * _S389)));
-    var _S394 : vec3<f32> = _S391 * (_S385 - _S386 * vec3<f32>((dot(_S385, _S380) * _S389)));
-    var _S395 : vec3<f32> = vec3<f32>(_S381);
-    var _S396 : vec3<f32> = cross(_S379, _S380) * _S395;
-    var _S397 : vec3<f32> = cross(_S380, _S377) * _S395;
-    var _S398 : vec2<f32> = vec2<f32>(_S373.u_0 - _S372.u_0, _S373.v_0 - _S372.v_0);
-    var _S399 : vec2<f32> = vec2<f32>(_S374.u_0 - _S372.u_0, _S374.v_0 - _S372.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S368, _S369, dot(_S392, _S396), dot(_S392, _S397));
-    point_2.position_0 = _S376 + _S392;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S386));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S393, _S396)) * _S398 + vec2<f32>(dot(_S393, _S397)) * _S399) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S394, _S396)) * _S398 + vec2<f32>(dot(_S394, _S397)) * _S399) * point_2.draft_per_uv_0;
+    var _S388 : f32 = 1.0f / _S387;
+    var _S389 : vec3<f32> = _S375 - camera_origin_0(_S366);
+    var _S390 : vec3<f32> = vec3<f32>((dot(_S389, _S379) * _S388));
+    var _S391 : vec3<f32> = _S385 * _S390 - _S389;
+    var _S392 : vec3<f32> = _S390 * (_S382 - _S385 * vec3<f32>((dot(_S382, _S379) * _S388)));
+    var _S393 : vec3<f32> = _S390 * (_S384 - _S385 * vec3<f32>((dot(_S384, _S379) * _S388)));
+    var _S394 : vec3<f32> = vec3<f32>(_S380);
+    var _S395 : vec3<f32> = cross(_S378, _S379) * _S394;
+    var _S396 : vec3<f32> = cross(_S379, _S376) * _S394;
+    var _S397 : vec2<f32> = vec2<f32>(_S372.u_0 - _S371.u_0, _S372.v_0 - _S371.v_0);
+    var _S398 : vec2<f32> = vec2<f32>(_S373.u_0 - _S371.u_0, _S373.v_0 - _S371.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S367, _S368, dot(_S391, _S395), dot(_S391, _S396));
+    point_2.position_0 = _S375 + _S391;
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S385));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S392, _S395)) * _S397 + vec2<f32>(dot(_S392, _S396)) * _S398) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S393, _S395)) * _S397 + vec2<f32>(dot(_S393, _S396)) * _S398) * point_2.draft_per_uv_0;
     return point_2;
 }
 
-fn filtered_albedo_0( _S400 : u32,  _S401 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S399 : u32,  _S400 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S402 : u32 = fabrics_0[_S400].albedo_map_levels_0;
-    if((fabrics_0[_S400].albedo_map_levels_0) == u32(0))
+    var _S401 : u32 = fabrics_0[_S399].albedo_map_levels_0;
+    if((fabrics_0[_S399].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S403 : vec2<f32> = vec2<f32>(fabrics_0[_S400].uv_width_0, fabrics_0[_S400].uv_height_0);
-    var _S404 : vec2<f32> = _S401.draft_dx_0 / _S403;
-    var _S405 : vec2<f32> = _S401.draft_dy_0 / _S403;
-    var _S406 : u32 = _S402 - u32(1);
-    var _S407 : u32 = (u32(1) << (_S406));
-    var _S408 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S404.x * _S405.y - _S404.y * _S405.x), 9.99999968265522539e-21f) * (square_1(f32(_S407)) / 3.0f)), 0.0f, f32(_S402) - 1.0f);
-    var _S409 : u32 = min(u32(_S408), max(_S402, u32(2)) - u32(2));
-    var _S410 : u32 = min(_S409 + u32(1), _S406);
-    var _S411 : u32 = (u32(1) << ((u32(2) * _S402)));
-    return mix(map_level_0(fabrics_0[_S400].albedo_map_0 + (_S411 - ((_S411 >> ((u32(2) * _S409))))) / u32(3), (_S407 >> (_S409)), _S401.uv_1), map_level_0(fabrics_0[_S400].albedo_map_0 + (_S411 - ((_S411 >> ((u32(2) * _S410))))) / u32(3), (_S407 >> (_S410)), _S401.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S408 - f32(_S409))) - 1.0f) / 3.0f)));
+    var _S402 : vec2<f32> = vec2<f32>(fabrics_0[_S399].uv_width_0, fabrics_0[_S399].uv_height_0);
+    var _S403 : vec2<f32> = _S400.draft_dx_0 / _S402;
+    var _S404 : vec2<f32> = _S400.draft_dy_0 / _S402;
+    var _S405 : u32 = _S401 - u32(1);
+    var _S406 : u32 = (u32(1) << (_S405));
+    var _S407 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S403.x * _S404.y - _S403.y * _S404.x), 9.99999968265522539e-21f) * (square_1(f32(_S406)) / 3.0f)), 0.0f, f32(_S401) - 1.0f);
+    var _S408 : u32 = min(u32(_S407), max(_S401, u32(2)) - u32(2));
+    var _S409 : u32 = min(_S408 + u32(1), _S405);
+    var _S410 : u32 = (u32(1) << ((u32(2) * _S401)));
+    return mix(map_level_0(fabrics_0[_S399].albedo_map_0 + (_S410 - ((_S410 >> ((u32(2) * _S408))))) / u32(3), (_S406 >> (_S408)), _S400.uv_1), map_level_0(fabrics_0[_S399].albedo_map_0 + (_S410 - ((_S410 >> ((u32(2) * _S409))))) / u32(3), (_S406 >> (_S409)), _S400.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S407 - f32(_S408))) - 1.0f) / 3.0f)));
 }
 
 struct WovenView_0
@@ -2485,62 +2505,62 @@ struct WovenView_0
      back_5 : bool,
 };
 
-fn anisotropic_taps_0( _S412 : u32,  _S413 : Footprint_0) -> AnisotropicTaps_0
+fn anisotropic_taps_0( _S411 : u32,  _S412 : Footprint_0) -> AnisotropicTaps_0
 {
-    var _S414 : vec3<f32> = row_of_taps_0(_S413);
-    var _S415 : vec2<f32> = _S413.dx_0;
-    var _S416 : vec2<f32> = _S413.dy_0;
-    var _S417 : f32 = dot(_S415, _S415) + dot(_S416, _S416);
-    var _S418 : f32 = _S413.dx_0.x * _S413.dy_0.y - _S413.dx_0.y * _S413.dy_0.x;
-    var _S419 : f32 = 0.5f * (_S417 + sqrt(max(_S417 * _S417 - 4.0f * _S418 * _S418, 0.0f)));
-    var _S420 : Woven_std430_0 = fabrics_0[_S412].woven_0;
-    var _S421 : bool;
-    if(_S419 < (5.5f * (_S417 - _S419)))
+    var _S413 : vec3<f32> = row_of_taps_0(_S412);
+    var _S414 : vec2<f32> = _S412.dx_0;
+    var _S415 : vec2<f32> = _S412.dy_0;
+    var _S416 : f32 = dot(_S414, _S414) + dot(_S415, _S415);
+    var _S417 : f32 = _S412.dx_0.x * _S412.dy_0.y - _S412.dx_0.y * _S412.dy_0.x;
+    var _S418 : f32 = 0.5f * (_S416 + sqrt(max(_S416 * _S416 - 4.0f * _S417 * _S417, 0.0f)));
+    var _S419 : Woven_std430_0 = fabrics_0[_S411].woven_0;
+    var _S420 : bool;
+    if(_S418 < (5.5f * (_S416 - _S418)))
     {
-        _S421 = _S417 > (8.0f * _S420.pitch_0 * _S420.pitch_0);
+        _S420 = _S416 > (8.0f * _S419.pitch_0 * _S419.pitch_0);
     }
     else
     {
-        _S421 = false;
+        _S420 = false;
     }
-    var _S422 : vec2<f32> = vec2<f32>(_S420.ends_per_mm_0, _S420.picks_per_mm_0);
+    var _S421 : vec2<f32> = vec2<f32>(_S419.ends_per_mm_0, _S419.picks_per_mm_0);
     var taps_1 : AnisotropicTaps_0;
-    taps_1.centre_1 = _S413.centre_0 * _S422;
-    var _S423 : f32;
-    if(_S421)
+    taps_1.centre_1 = _S412.centre_0 * _S421;
+    var _S422 : f32;
+    if(_S420)
     {
-        _S423 = sqrt(0.125f * _S417);
+        _S422 = sqrt(0.125f * _S416);
     }
     else
     {
-        _S423 = _S414.x;
+        _S422 = _S413.x;
     }
-    taps_1.side_1 = _S423 / _S420.pitch_0;
-    var _S424 : vec2<f32>;
-    if(_S421)
+    taps_1.side_1 = _S422 / _S419.pitch_0;
+    var _S423 : vec2<f32>;
+    if(_S420)
     {
-        _S424 = vec2<f32>(0.25f) * _S413.dx_0;
+        _S423 = vec2<f32>(0.25f) * _S412.dx_0;
     }
     else
     {
-        _S424 = _S414.yz;
+        _S423 = _S413.yz;
     }
-    taps_1.first_20 = _S424 * _S422;
-    if(_S421)
+    taps_1.first_20 = _S423 * _S421;
+    if(_S420)
     {
-        _S424 = vec2<f32>(0.25f) * _S413.dy_0;
+        _S423 = vec2<f32>(0.25f) * _S412.dy_0;
     }
     else
     {
-        _S424 = vec2<f32>(0.5f) * _S414.yz;
+        _S423 = vec2<f32>(0.5f) * _S413.yz;
     }
-    taps_1.second_0 = _S424 * _S422;
+    taps_1.second_0 = _S423 * _S421;
     return taps_1;
 }
 
-fn add_texel_0( _S425 : u32,  _S426 : u32,  _S427 : f32,  _S428 : ptr<function, array<f32, i32(88)>>)
+fn add_texel_0( _S424 : u32,  _S425 : u32,  _S426 : f32,  _S427 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S429 : u32 = fabrics_0[_S425].woven_0.latents_0 + _S426 * u32(8);
+    var _S428 : u32 = fabrics_0[_S424].woven_0.latents_0 + _S425 * u32(8);
     var part_0 : u32 = u32(0);
     for(;;)
     {
@@ -2551,53 +2571,53 @@ fn add_texel_0( _S425 : u32,  _S426 : u32,  _S427 : f32,  _S428 : ptr<function, 
         {
             break;
         }
-        var _S430 : Eight_0 = eight_halves_0(packed_numbers_0[_S429 + part_0]);
-        var _S431 : i32 = i32(u32(8) * part_0);
-        (*_S428)[_S431] = (*_S428)[_S431] + _S427 * _S430.low_0[i32(0)];
-        (*_S428)[_S431 + i32(4)] = (*_S428)[_S431 + i32(4)] + _S427 * _S430.high_0[i32(0)];
-        var _S432 : i32 = _S431 + i32(1);
-        (*_S428)[_S432] = (*_S428)[_S432] + _S427 * _S430.low_0[i32(1)];
-        (*_S428)[_S432 + i32(4)] = (*_S428)[_S432 + i32(4)] + _S427 * _S430.high_0[i32(1)];
-        var _S433 : i32 = _S431 + i32(2);
-        (*_S428)[_S433] = (*_S428)[_S433] + _S427 * _S430.low_0[i32(2)];
-        (*_S428)[_S433 + i32(4)] = (*_S428)[_S433 + i32(4)] + _S427 * _S430.high_0[i32(2)];
-        var _S434 : i32 = _S431 + i32(3);
-        (*_S428)[_S434] = (*_S428)[_S434] + _S427 * _S430.low_0[i32(3)];
-        (*_S428)[_S434 + i32(4)] = (*_S428)[_S434 + i32(4)] + _S427 * _S430.high_0[i32(3)];
+        var _S429 : Eight_0 = eight_halves_0(packed_numbers_0[_S428 + part_0]);
+        var _S430 : i32 = i32(u32(8) * part_0);
+        (*_S427)[_S430] = (*_S427)[_S430] + _S426 * _S429.low_0[i32(0)];
+        (*_S427)[_S430 + i32(4)] = (*_S427)[_S430 + i32(4)] + _S426 * _S429.high_0[i32(0)];
+        var _S431 : i32 = _S430 + i32(1);
+        (*_S427)[_S431] = (*_S427)[_S431] + _S426 * _S429.low_0[i32(1)];
+        (*_S427)[_S431 + i32(4)] = (*_S427)[_S431 + i32(4)] + _S426 * _S429.high_0[i32(1)];
+        var _S432 : i32 = _S430 + i32(2);
+        (*_S427)[_S432] = (*_S427)[_S432] + _S426 * _S429.low_0[i32(2)];
+        (*_S427)[_S432 + i32(4)] = (*_S427)[_S432 + i32(4)] + _S426 * _S429.high_0[i32(2)];
+        var _S433 : i32 = _S430 + i32(3);
+        (*_S427)[_S433] = (*_S427)[_S433] + _S426 * _S429.low_0[i32(3)];
+        (*_S427)[_S433 + i32(4)] = (*_S427)[_S433 + i32(4)] + _S426 * _S429.high_0[i32(3)];
         part_0 = part_0 + u32(1);
     }
     return;
 }
 
-fn add_level_0( _S435 : u32,  _S436 : u32,  _S437 : bool,  _S438 : vec2<f32>,  _S439 : f32,  _S440 : ptr<function, array<f32, i32(88)>>)
+fn add_level_0( _S434 : u32,  _S435 : u32,  _S436 : bool,  _S437 : vec2<f32>,  _S438 : f32,  _S439 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S441 : Woven_std430_0 = fabrics_0[_S435].woven_0;
-    var _S442 : u32 = fabrics_0[_S435].woven_0.levels_1 + u32(4) * _S436;
-    var _S443 : f32 = table_number_0(_S442);
-    var _S444 : f32 = table_number_0(_S442 + u32(1));
-    var _S445 : f32 = table_number_0(_S442 + u32(2));
-    var _S446 : bool;
-    if(_S436 > u32(3))
+    var _S440 : Woven_std430_0 = fabrics_0[_S434].woven_0;
+    var _S441 : u32 = fabrics_0[_S434].woven_0.levels_1 + u32(4) * _S435;
+    var _S442 : f32 = table_number_0(_S441);
+    var _S443 : f32 = table_number_0(_S441 + u32(1));
+    var _S444 : f32 = table_number_0(_S441 + u32(2));
+    var _S445 : bool;
+    if(_S435 > u32(3))
     {
-        _S446 = _S436 < (_S441.top_level_0);
+        _S445 = _S435 < (_S440.top_level_0);
     }
     else
     {
-        _S446 = false;
+        _S445 = false;
     }
-    var _S447 : vec2<f32> = _S438 * vec2<f32>(table_number_0(_S442 + u32(3)));
-    var _S448 : f32;
-    if(_S446)
+    var _S446 : vec2<f32> = _S437 * vec2<f32>(table_number_0(_S441 + u32(3)));
+    var _S447 : f32;
+    if(_S445)
     {
-        _S448 = 1.0f;
+        _S447 = 1.0f;
     }
     else
     {
-        _S448 = 0.5f;
+        _S447 = 0.5f;
     }
-    var _S449 : vec2<f32> = _S447 - vec2<f32>(_S448);
-    var _S450 : vec2<f32> = floor(_S449);
-    var _S451 : vec2<f32> = _S449 - _S450;
+    var _S448 : vec2<f32> = _S446 - vec2<f32>(_S447);
+    var _S449 : vec2<f32> = floor(_S448);
+    var _S450 : vec2<f32> = _S448 - _S449;
     var corner_0 : u32 = u32(0);
     for(;;)
     {
@@ -2608,26 +2628,26 @@ fn add_level_0( _S435 : u32,  _S436 : u32,  _S437 : bool,  _S438 : vec2<f32>,  _
         {
             break;
         }
-        var _S452 : f32 = f32((corner_0 & (u32(1))));
-        var _S453 : f32 = f32((corner_0 >> (u32(1))));
-        var _S454 : vec2<f32> = mix(vec2<f32>(1.0f) - _S451, _S451, vec2<f32>(_S452, _S453));
-        var _S455 : u32 = u32(_S443 + wrapped_0(_S450.y + _S453, _S445) * _S444 + wrapped_0(_S450.x + _S452, _S444));
-        var _S456 : u32;
-        if(_S437)
+        var _S451 : f32 = f32((corner_0 & (u32(1))));
+        var _S452 : f32 = f32((corner_0 >> (u32(1))));
+        var _S453 : vec2<f32> = mix(vec2<f32>(1.0f) - _S450, _S450, vec2<f32>(_S451, _S452));
+        var _S454 : u32 = u32(_S442 + wrapped_0(_S449.y + _S452, _S444) * _S443 + wrapped_0(_S449.x + _S451, _S443));
+        var _S455 : u32;
+        if(_S436)
         {
-            _S456 = _S441.texels_0;
+            _S455 = _S440.texels_0;
         }
         else
         {
-            _S456 = u32(0);
+            _S455 = u32(0);
         }
-        add_texel_0(_S435, _S455 + _S456, _S439 * _S454.x * _S454.y, &((*_S440)));
+        add_texel_0(_S434, _S454 + _S455, _S438 * _S453.x * _S453.y, &((*_S439)));
         corner_0 = corner_0 + u32(1);
     }
     return;
 }
 
-fn code_footprint_0( _S457 : u32,  _S458 : AnisotropicTaps_0,  _S459 : vec3<f32>,  _S460 : bool,  _S461 : ptr<function, array<f32, i32(88)>>)
+fn code_footprint_0( _S456 : u32,  _S457 : AnisotropicTaps_0,  _S458 : vec3<f32>,  _S459 : bool,  _S460 : ptr<function, array<f32, i32(88)>>)
 {
     var offset_1 : f32;
     var k_0 : i32 = i32(0);
@@ -2640,55 +2660,55 @@ fn code_footprint_0( _S457 : u32,  _S458 : AnisotropicTaps_0,  _S459 : vec3<f32>
         {
             break;
         }
-        (*_S461)[k_0] = 0.0f;
+        (*_S460)[k_0] = 0.0f;
         k_0 = k_0 + i32(1);
     }
-    var _S462 : vec2<f32> = vec2<f32>(fabrics_0[_S457].woven_0.ends_0, fabrics_0[_S457].woven_0.picks_0);
-    var _S463 : f32 = f32(fabrics_0[_S457].woven_0.top_level_0);
-    var _S464 : f32 = clamp(binary_logarithm_0(max(_S458.side_1, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S463);
-    var _S465 : f32 = min(floor(_S464), _S463 - 1.0f);
-    var _S466 : u32;
-    if(AnisotropicTaps_has_steps_0(_S458))
+    var _S461 : vec2<f32> = vec2<f32>(fabrics_0[_S456].woven_0.ends_0, fabrics_0[_S456].woven_0.picks_0);
+    var _S462 : f32 = f32(fabrics_0[_S456].woven_0.top_level_0);
+    var _S463 : f32 = clamp(binary_logarithm_0(max(_S457.side_1, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S462);
+    var _S464 : f32 = min(floor(_S463), _S462 - 1.0f);
+    var _S465 : u32;
+    if(AnisotropicTaps_has_steps_0(_S457))
     {
-        _S466 = u32(4);
+        _S465 = u32(4);
     }
     else
     {
-        _S466 = u32(1);
+        _S465 = u32(1);
     }
     var number_2 : u32 = u32(0);
     for(;;)
     {
-        if(number_2 < (u32(2) * _S466))
+        if(number_2 < (u32(2) * _S465))
         {
         }
         else
         {
             break;
         }
-        var _S467 : vec2<f32> = AnisotropicTaps_place_0(_S458, (number_2 >> (u32(1))));
-        var _S468 : vec2<f32> = clamp(_S467 - _S462 * floor(_S467 / _S462), vec2<f32>(0.0f), _S462);
-        var _S469 : bool = ((number_2 & (u32(1)))) != u32(0);
-        if(_S469)
+        var _S466 : vec2<f32> = AnisotropicTaps_place_0(_S457, (number_2 >> (u32(1))));
+        var _S467 : vec2<f32> = clamp(_S466 - _S461 * floor(_S466 / _S461), vec2<f32>(0.0f), _S461);
+        var _S468 : bool = ((number_2 & (u32(1)))) != u32(0);
+        if(_S468)
         {
-            offset_1 = _S464 - _S465;
+            offset_1 = _S463 - _S464;
         }
         else
         {
-            offset_1 = 1.0f - (_S464 - _S465);
+            offset_1 = 1.0f - (_S463 - _S464);
         }
-        var _S470 : f32 = offset_1 / f32(_S466);
-        var _S471 : u32 = u32(_S465);
-        var _S472 : u32;
-        if(_S469)
+        var _S469 : f32 = offset_1 / f32(_S465);
+        var _S470 : u32 = u32(_S464);
+        var _S471 : u32;
+        if(_S468)
         {
-            _S472 = u32(1);
+            _S471 = u32(1);
         }
         else
         {
-            _S472 = u32(0);
+            _S471 = u32(0);
         }
-        add_level_0(_S457, _S471 + _S472, _S460, _S468, _S470, &((*_S461)));
+        add_level_0(_S456, _S470 + _S471, _S459, _S467, _S469, &((*_S460)));
         number_2 = number_2 + u32(1);
     }
     var number_3 : i32 = i32(0);
@@ -2711,7 +2731,7 @@ fn code_footprint_0( _S457 : u32,  _S458 : AnisotropicTaps_0,  _S459 : vec3<f32>
             {
                 break;
             }
-            var offset_2 : f32 = _S459[number_3] - (f32(bin_0) + 0.5f) / 8.0f;
+            var offset_2 : f32 = _S458[number_3] - (f32(bin_0) + 0.5f) / 8.0f;
             if(number_3 < i32(2))
             {
                 offset_1 = offset_2 - round(offset_2);
@@ -2720,7 +2740,7 @@ fn code_footprint_0( _S457 : u32,  _S458 : AnisotropicTaps_0,  _S459 : vec3<f32>
             {
                 offset_1 = offset_2;
             }
-            (*_S461)[i32(64) + number_3 * i32(8) + bin_0] = bump_0(offset_1 * 3.20000004768371582f);
+            (*_S460)[i32(64) + number_3 * i32(8) + bin_0] = bump_0(offset_1 * 3.20000004768371582f);
             bin_0 = bin_0 + i32(1);
         }
         number_3 = number_3 + i32(1);
@@ -2728,63 +2748,63 @@ fn code_footprint_0( _S457 : u32,  _S458 : AnisotropicTaps_0,  _S459 : vec3<f32>
     return;
 }
 
-fn crown_fibres_0( _S473 : u32,  _S474 : bool,  _S475 : bool) -> vec3<f32>
+fn crown_fibres_0( _S472 : u32,  _S473 : bool,  _S474 : bool) -> vec3<f32>
 {
-    var _S476 : f32;
-    if(_S474)
+    var _S475 : f32;
+    if(_S473)
     {
-        if(_S475)
+        if(_S474)
         {
-            _S476 = - fabrics_0[_S473].woven_0.warp_x_0;
+            _S475 = - fabrics_0[_S472].woven_0.warp_x_0;
         }
         else
         {
-            _S476 = fabrics_0[_S473].woven_0.warp_x_0;
+            _S475 = fabrics_0[_S472].woven_0.warp_x_0;
         }
-        return vec3<f32>(_S476, fabrics_0[_S473].woven_0.warp_y_0, fabrics_0[_S473].woven_0.warp_roughness_0);
+        return vec3<f32>(_S475, fabrics_0[_S472].woven_0.warp_y_0, fabrics_0[_S472].woven_0.warp_roughness_0);
     }
-    var _S477 : Woven_std430_0 = fabrics_0[_S473].woven_0;
-    if(_S475)
+    var _S476 : Woven_std430_0 = fabrics_0[_S472].woven_0;
+    if(_S474)
     {
-        _S476 = - _S477.weft_y_0;
+        _S475 = - _S476.weft_y_0;
     }
     else
     {
-        _S476 = _S477.weft_y_0;
+        _S475 = _S476.weft_y_0;
     }
-    return vec3<f32>(_S477.weft_x_0, _S476, _S477.weft_roughness_0);
+    return vec3<f32>(_S476.weft_x_0, _S475, _S476.weft_roughness_0);
 }
 
-fn woven_view_0( _S478 : u32,  _S479 : Footprint_0,  _S480 : vec3<f32>,  _S481 : ptr<function, WovenView_0>)
+fn woven_view_0( _S477 : u32,  _S478 : Footprint_0,  _S479 : vec3<f32>,  _S480 : ptr<function, WovenView_0>)
 {
-    var _S482 : bool = (_S480.z) < 0.0f;
-    var _S483 : AnisotropicTaps_0 = anisotropic_taps_0(_S478, _S479);
-    var _S484 : vec3<f32> = footprint_coordinates_0(_S483);
-    var _S485 : vec3<f32> = to_face_frame_0(_S480, _S482);
+    var _S481 : bool = (_S479.z) < 0.0f;
+    var _S482 : AnisotropicTaps_0 = anisotropic_taps_0(_S477, _S478);
+    var _S483 : vec3<f32> = footprint_coordinates_0(_S482);
+    var _S484 : vec3<f32> = to_face_frame_0(_S479, _S481);
     var weights_23 : HalfWeights_0;
-    weights_23.first_2 = fabrics_0[_S478].woven_0.network_0;
+    weights_23.first_2 = fabrics_0[_S477].woven_0.network_0;
     var inputs_23 : array<f32, i32(88)>;
-    code_footprint_0(_S478, _S483, _S484, _S482, &(inputs_23));
+    code_footprint_0(_S477, _S482, _S483, _S481, &(inputs_23));
     var hidden_1 : array<f32, i32(96)>;
     dense_7(weights_23, u32(0), false, &(inputs_23), &(hidden_1));
     var fused_0 : array<f32, i32(100)>;
     dense_part_8(weights_23, u32(1068), false, &(hidden_1), &(fused_0));
-    fused_0[i32(96)] = _S485.x;
-    fused_0[i32(97)] = _S485.y;
-    var _S486 : vec2<f32> = _S485.xy;
-    fused_0[i32(98)] = dot(crown_fibres_0(_S478, true, _S482).xy, _S486);
-    fused_0[i32(99)] = dot(crown_fibres_0(_S478, false, _S482).xy, _S486);
+    fused_0[i32(96)] = _S484.x;
+    fused_0[i32(97)] = _S484.y;
+    var _S485 : vec2<f32> = _S484.xy;
+    fused_0[i32(98)] = dot(crown_fibres_0(_S477, true, _S481).xy, _S485);
+    fused_0[i32(99)] = dot(crown_fibres_0(_S477, false, _S481).xy, _S485);
     var of_hole_0 : array<f32, i32(16)>;
     dense_6(weights_23, u32(2232), false, &(fused_0), &(of_hole_0));
     var hole_1 : array<f32, i32(1)>;
     dense_5(weights_23, u32(2444), false, &(of_hole_0), &(hole_1));
-    var _S487 : array<f32, i32(96)> = (*_S481).sums_6;
-    dense_4(weights_23, u32(2456), false, &(fused_0), &(_S487));
-    (*_S481).sums_6 = _S487;
-    (*_S481).hole_0 = clamp(hole_1[i32(0)], 0.0f, 1.0f);
-    (*_S481).correction_weight_0 = correction_weight_of_0(_S484.z);
-    (*_S481).view_7 = _S485;
-    (*_S481).back_5 = _S482;
+    var _S486 : array<f32, i32(96)> = (*_S480).sums_6;
+    dense_4(weights_23, u32(2456), false, &(fused_0), &(_S486));
+    (*_S480).sums_6 = _S486;
+    (*_S480).hole_0 = clamp(hole_1[i32(0)], 0.0f, 1.0f);
+    (*_S480).correction_weight_0 = correction_weight_of_0(_S483.z);
+    (*_S480).view_7 = _S484;
+    (*_S480).back_5 = _S481;
     return;
 }
 
@@ -2794,31 +2814,31 @@ struct FamilyAlbedos_0
      weft_4 : Albedos_0,
 };
 
-fn albedos_over_0( _S488 : u32,  _S489 : Footprint_0,  _S490 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S487 : u32,  _S488 : Footprint_0,  _S489 : bool) -> FamilyAlbedos_0
 {
-    var _S491 : vec2<f32> = _S489.dx_0;
-    var _S492 : vec2<f32> = _S489.dy_0;
-    var _S493 : vec2<f32> = sqrt(_S491 * _S491 + _S492 * _S492);
-    var _S494 : Stretch_0 = stretch_of_0(fabrics_0[_S488].warp_0, _S489.centre_0.x, _S493.x);
-    var _S495 : Stretch_0 = stretch_of_0(fabrics_0[_S488].weft_0, _S489.centre_0.y, _S493.y);
+    var _S490 : vec2<f32> = _S488.dx_0;
+    var _S491 : vec2<f32> = _S488.dy_0;
+    var _S492 : vec2<f32> = sqrt(_S490 * _S490 + _S491 * _S491);
+    var _S493 : Stretch_0 = stretch_of_0(fabrics_0[_S487].warp_0, _S488.centre_0.x, _S492.x);
+    var _S494 : Stretch_0 = stretch_of_0(fabrics_0[_S487].weft_0, _S488.centre_0.y, _S492.y);
     var albedos_4 : FamilyAlbedos_0;
-    albedos_4.warp_4 = mean_albedos_0(fabrics_0[_S488].warp_0, fabrics_0[_S488].weft_0, _S494, _S495, _S490);
-    albedos_4.weft_4 = mean_albedos_0(fabrics_0[_S488].weft_0, fabrics_0[_S488].warp_0, _S495, _S494, _S490);
+    albedos_4.warp_4 = mean_albedos_0(fabrics_0[_S487].warp_0, fabrics_0[_S487].weft_0, _S493, _S494, _S489);
+    albedos_4.weft_4 = mean_albedos_0(fabrics_0[_S487].weft_0, fabrics_0[_S487].warp_0, _S494, _S493, _S489);
     return albedos_4;
 }
 
-fn light_sample_count_0( _S496 : i32) -> u32
+fn light_sample_count_0( _S495 : i32) -> u32
 {
-    return frames_0[_S496].lights_0 + frames_0[_S496].environment_samples_0;
+    return frames_0[_S495].lights_0 + frames_0[_S495].environment_samples_0;
 }
 
-fn visibility_at_0( _S497 : i32,  _S498 : u32,  _S499 : vec2<u32>) -> f32
+fn visibility_at_0( _S496 : i32,  _S497 : u32,  _S498 : vec2<u32>) -> f32
 {
-    if((frames_0[_S497].casts_shadows_0) == u32(0))
+    if((frames_0[_S496].casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S498 * frames_0[_S497].height_0 + _S499.y) * frames_0[_S497].width_0 + _S499.x];
+    return visibilities_0[(_S497 * frames_0[_S496].height_0 + _S498.y) * frames_0[_S496].width_0 + _S498.x];
 }
 
 struct LightSample_0
@@ -2828,52 +2848,52 @@ struct LightSample_0
      distance_1 : f32,
 };
 
-fn environment_texel_0( _S500 : i32,  _S501 : u32,  _S502 : u32) -> vec3<f32>
+fn environment_texel_0( _S499 : i32,  _S500 : u32,  _S501 : u32) -> vec3<f32>
 {
-    var _S503 : u32 = frames_0[_S500].environment_table_0 + frames_0[_S500].environment_rows_0 + u32(1) + frames_0[_S500].environment_rows_0 * (frames_0[_S500].environment_columns_0 + u32(1)) + u32(3) * (_S501 * frames_0[_S500].environment_columns_0 + _S502);
-    return vec3<f32>(scene_number_0(_S503), scene_number_0(_S503 + u32(1)), scene_number_0(_S503 + u32(2)));
+    var _S502 : u32 = frames_0[_S499].environment_table_0 + frames_0[_S499].environment_rows_0 + u32(1) + frames_0[_S499].environment_rows_0 * (frames_0[_S499].environment_columns_0 + u32(1)) + u32(3) * (_S500 * frames_0[_S499].environment_columns_0 + _S501);
+    return vec3<f32>(scene_number_0(_S502), scene_number_0(_S502 + u32(1)), scene_number_0(_S502 + u32(2)));
 }
 
-fn sample_environment_0( _S504 : i32,  _S505 : vec2<f32>,  _S506 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S503 : i32,  _S504 : vec2<f32>,  _S505 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S507 : u32 = frames_0[_S504].environment_rows_0;
-    var _S508 : Choice_0 = choose_0(frames_0[_S504].environment_table_0, frames_0[_S504].environment_rows_0, _S505.y);
-    var _S509 : u32 = frames_0[_S504].environment_columns_0;
-    var _S510 : Choice_0 = choose_0(frames_0[_S504].environment_table_0 + frames_0[_S504].environment_rows_0 + u32(1) + _S508.index_7 * (frames_0[_S504].environment_columns_0 + u32(1)), frames_0[_S504].environment_columns_0, _S505.x);
-    var _S511 : vec3<f32> = environment_texel_0(_S504, _S508.index_7, _S510.index_7);
-    (*_S506) = _S511 * vec3<f32>((frames_0[_S504].environment_total_0 / max(mean_0(_S511), 9.99999968265522539e-21f)));
-    var _S512 : f32 = 3.14159274101257324f / f32(_S507);
-    var _S513 : f32 = mix(sine_cosine_0(f32(_S508.index_7) * _S512).y, sine_cosine_0(f32(_S508.index_7 + u32(1)) * _S512).y, _S508.remainder_0);
-    var _S514 : f32 = sqrt(max(1.0f - _S513 * _S513, 0.0f));
-    var _S515 : vec2<f32> = sine_cosine_0((f32(_S510.index_7) + _S510.remainder_0) * (6.28318548202514648f / f32(_S509)));
-    var _S516 : f32 = _S514 * _S515.x;
-    var _S517 : f32 = - _S514 * _S515.y;
-    return vec3<f32>(frames_0[_S504].environment_cosine_0 * _S516 + frames_0[_S504].environment_sine_0 * _S517, _S513, frames_0[_S504].environment_cosine_0 * _S517 - frames_0[_S504].environment_sine_0 * _S516);
+    var _S506 : u32 = frames_0[_S503].environment_rows_0;
+    var _S507 : Choice_0 = choose_0(frames_0[_S503].environment_table_0, frames_0[_S503].environment_rows_0, _S504.y);
+    var _S508 : u32 = frames_0[_S503].environment_columns_0;
+    var _S509 : Choice_0 = choose_0(frames_0[_S503].environment_table_0 + frames_0[_S503].environment_rows_0 + u32(1) + _S507.index_7 * (frames_0[_S503].environment_columns_0 + u32(1)), frames_0[_S503].environment_columns_0, _S504.x);
+    var _S510 : vec3<f32> = environment_texel_0(_S503, _S507.index_7, _S509.index_7);
+    (*_S505) = _S510 * vec3<f32>((frames_0[_S503].environment_total_0 / max(mean_0(_S510), 9.99999968265522539e-21f)));
+    var _S511 : f32 = 3.14159274101257324f / f32(_S506);
+    var _S512 : f32 = mix(sine_cosine_0(f32(_S507.index_7) * _S511).y, sine_cosine_0(f32(_S507.index_7 + u32(1)) * _S511).y, _S507.remainder_0);
+    var _S513 : f32 = sqrt(max(1.0f - _S512 * _S512, 0.0f));
+    var _S514 : vec2<f32> = sine_cosine_0((f32(_S509.index_7) + _S509.remainder_0) * (6.28318548202514648f / f32(_S508)));
+    var _S515 : f32 = _S513 * _S514.x;
+    var _S516 : f32 = - _S513 * _S514.y;
+    return vec3<f32>(frames_0[_S503].environment_cosine_0 * _S515 + frames_0[_S503].environment_sine_0 * _S516, _S512, frames_0[_S503].environment_cosine_0 * _S516 - frames_0[_S503].environment_sine_0 * _S515);
 }
 
-fn light_sample_0( _S518 : i32,  _S519 : u32,  _S520 : vec2<u32>,  _S521 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S517 : i32,  _S518 : u32,  _S519 : vec2<u32>,  _S520 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_1 = 1.00000001504746622e+30f;
-    var _S522 : u32 = frames_0[_S518].lights_0;
-    if(_S519 >= (frames_0[_S518].lights_0))
+    var _S521 : u32 = frames_0[_S517].lights_0;
+    if(_S518 >= (frames_0[_S517].lights_0))
     {
         var weight_3 : vec3<f32>;
-        var _S523 : vec3<f32> = sample_environment_0(_S518, pixel_sequence_0(_S520, frames_0[_S518].pass_number_0 * frames_0[_S518].environment_samples_0 + (_S519 - _S522), u32(3)), &(weight_3));
-        sample_0.towards_0 = _S523;
-        sample_0.irradiance_1 = weight_3 / vec3<f32>(f32(frames_0[_S518].environment_samples_0));
+        var _S522 : vec3<f32> = sample_environment_0(_S517, pixel_sequence_0(_S519, frames_0[_S517].pass_number_0 * frames_0[_S517].environment_samples_0 + (_S518 - _S521), u32(3)), &(weight_3));
+        sample_0.towards_0 = _S522;
+        sample_0.irradiance_1 = weight_3 / vec3<f32>(f32(frames_0[_S517].environment_samples_0));
         return sample_0;
     }
-    var _S524 : Light_std430_0 = lights_1[_S519];
-    sample_0.irradiance_1 = vec3<f32>(_S524.red_0, _S524.green_0, _S524.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S524.x_1, _S524.y_1, _S524.z_1);
-    if((_S524.is_point_0) != u32(0))
+    var _S523 : Light_std430_0 = lights_1[_S518];
+    sample_0.irradiance_1 = vec3<f32>(_S523.red_0, _S523.green_0, _S523.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S523.x_1, _S523.y_1, _S523.z_1);
+    if((_S523.is_point_0) != u32(0))
     {
-        var _S525 : vec3<f32> = sample_0.towards_0 - _S521;
-        var _S526 : f32 = max(square_0(_S525), 9.999999960041972e-13f);
-        sample_0.distance_1 = sqrt(_S526);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S526);
-        sample_0.towards_0 = normalize(_S525);
+        var _S524 : vec3<f32> = sample_0.towards_0 - _S520;
+        var _S525 : f32 = max(square_0(_S524), 9.999999960041972e-13f);
+        sample_0.distance_1 = sqrt(_S525);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S525);
+        sample_0.towards_0 = normalize(_S524);
     }
     return sample_0;
 }
@@ -2888,16 +2908,16 @@ struct Components_0
      hole_2 : f32,
 };
 
-fn code_light_0( _S527 : u32,  _S528 : vec3<f32>,  _S529 : vec3<f32>,  _S530 : bool,  _S531 : ptr<function, array<f32, i32(39)>>)
+fn code_light_0( _S526 : u32,  _S527 : vec3<f32>,  _S528 : vec3<f32>,  _S529 : bool,  _S530 : ptr<function, array<f32, i32(39)>>)
 {
-    (*_S531)[i32(0)] = _S528.x;
-    (*_S531)[i32(1)] = _S528.y;
-    (*_S531)[i32(2)] = _S528.z;
-    var _S532 : vec3<f32> = _S528 + _S529;
-    var _S533 : f32 = _S532.z;
-    var _S534 : f32 = _S533 * _S533 + 0.00009999999747379f;
-    var _S535 : vec2<f32> = _S532.xy;
-    var _S536 : f32 = 1.0f / (dot(_S535, _S535) + _S534);
+    (*_S530)[i32(0)] = _S527.x;
+    (*_S530)[i32(1)] = _S527.y;
+    (*_S530)[i32(2)] = _S527.z;
+    var _S531 : vec3<f32> = _S527 + _S528;
+    var _S532 : f32 = _S531.z;
+    var _S533 : f32 = _S532 * _S532 + 0.00009999999747379f;
+    var _S534 : vec2<f32> = _S531.xy;
+    var _S535 : f32 = 1.0f / (dot(_S534, _S534) + _S533);
     var family_10 : i32 = i32(0);
     for(;;)
     {
@@ -2908,12 +2928,12 @@ fn code_light_0( _S527 : u32,  _S528 : vec3<f32>,  _S529 : vec3<f32>,  _S530 : b
         {
             break;
         }
-        var _S537 : vec3<f32> = crown_fibres_0(_S527, family_10 == i32(0), _S530);
-        var _S538 : vec2<f32> = _S537.xy;
-        (*_S531)[i32(3) + family_10] = dot(_S538, _S528.xy);
-        var _S539 : f32 = dot(_S538, _S535);
-        var _S540 : f32 = _S539 * _S539;
-        var _S541 : f32 = (0.75f * _S539 / (0.5f * sqrt(_S540 + _S534) + abs(_S539)) + 0.5f) * 8.0f;
+        var _S536 : vec3<f32> = crown_fibres_0(_S526, family_10 == i32(0), _S529);
+        var _S537 : vec2<f32> = _S536.xy;
+        (*_S530)[i32(3) + family_10] = dot(_S537, _S527.xy);
+        var _S538 : f32 = dot(_S537, _S534);
+        var _S539 : f32 = _S538 * _S538;
+        var _S540 : f32 = (0.75f * _S538 / (0.5f * sqrt(_S539 + _S533) + abs(_S538)) + 0.5f) * 8.0f;
         var bin_1 : i32 = i32(0);
         for(;;)
         {
@@ -2924,56 +2944,56 @@ fn code_light_0( _S527 : u32,  _S528 : vec3<f32>,  _S529 : vec3<f32>,  _S530 : b
             {
                 break;
             }
-            (*_S531)[i32(5) + family_10 * i32(16) + bin_1] = bump_0(_S541 - (f32(bin_1) + 0.5f) / 2.0f);
+            (*_S530)[i32(5) + family_10 * i32(16) + bin_1] = bump_0(_S540 - (f32(bin_1) + 0.5f) / 2.0f);
             bin_1 = bin_1 + i32(1);
         }
-        var _S542 : f32 = _S537.z;
-        var _S543 : f32 = _S542 * _S542;
-        var _S544 : f32 = _S540 * _S536 * (1.0f - _S543) + _S543;
-        (*_S531)[i32(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S543 * _S542 / (_S544 * _S544));
+        var _S541 : f32 = _S536.z;
+        var _S542 : f32 = _S541 * _S541;
+        var _S543 : f32 = _S539 * _S535 * (1.0f - _S542) + _S542;
+        (*_S530)[i32(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S542 * _S541 / (_S543 * _S543));
         family_10 = family_10 + i32(1);
     }
     return;
 }
 
-fn mixed_bundles_0( _S545 : u32,  _S546 : u32,  _S547 : u32,  _S548 : vec3<f32>,  _S549 : vec3<f32>,  _S550 : bool,  _S551 : ptr<function, array<f32, i32(52)>>) -> f32
+fn mixed_bundles_0( _S544 : u32,  _S545 : u32,  _S546 : u32,  _S547 : vec3<f32>,  _S548 : vec3<f32>,  _S549 : bool,  _S550 : ptr<function, array<f32, i32(52)>>) -> f32
 {
-    var _S552 : vec3<f32> = _S548 + _S549;
-    var _S553 : f32 = 1.0f / (square_0(_S552) + 0.00009999999747379f);
-    var _S554 : bool;
-    if(_S546 == u32(0))
+    var _S551 : vec3<f32> = _S547 + _S548;
+    var _S552 : f32 = 1.0f / (square_0(_S551) + 0.00009999999747379f);
+    var _S553 : bool;
+    if(_S545 == u32(0))
     {
-        _S554 = _S550;
+        _S553 = _S549;
     }
     else
     {
-        _S554 = false;
+        _S553 = false;
+    }
+    var _S554 : f32;
+    if(_S553)
+    {
+        _S554 = - _S551.x;
+    }
+    else
+    {
+        _S554 = _S551.x;
+    }
+    if(_S545 == u32(1))
+    {
+        _S553 = _S549;
+    }
+    else
+    {
+        _S553 = false;
     }
     var _S555 : f32;
-    if(_S554)
+    if(_S553)
     {
-        _S555 = - _S552.x;
+        _S555 = - _S551.y;
     }
     else
     {
-        _S555 = _S552.x;
-    }
-    if(_S546 == u32(1))
-    {
-        _S554 = _S550;
-    }
-    else
-    {
-        _S554 = false;
-    }
-    var _S556 : f32;
-    if(_S554)
-    {
-        _S556 = - _S552.y;
-    }
-    else
-    {
-        _S556 = _S552.y;
+        _S555 = _S551.y;
     }
     var bundle_1 : u32 = u32(0);
     var sum_2 : f32 = 0.0f;
@@ -2986,38 +3006,38 @@ fn mixed_bundles_0( _S545 : u32,  _S546 : u32,  _S547 : u32,  _S548 : vec3<f32>,
         {
             break;
         }
-        var _S557 : u32 = _S546 * u32(25);
-        var _S558 : u32 = fabrics_0[_S545].woven_0.bundles_0 + u32(4) * (_S557 + bundle_1);
-        var _S559 : f32 = dot(vec3<f32>(table_number_0(_S558), table_number_0(_S558 + u32(1)), table_number_0(_S558 + u32(2))), vec3<f32>(_S555, _S556, _S552.z));
-        var _S560 : f32 = _S559 * _S559 * _S553 + table_number_0(_S558 + u32(3));
-        var _S561 : u32 = _S547 + _S557;
-        var _S562 : u32;
-        if(_S550)
+        var _S556 : u32 = _S545 * u32(25);
+        var _S557 : u32 = fabrics_0[_S544].woven_0.bundles_0 + u32(4) * (_S556 + bundle_1);
+        var _S558 : f32 = dot(vec3<f32>(table_number_0(_S557), table_number_0(_S557 + u32(1)), table_number_0(_S557 + u32(2))), vec3<f32>(_S554, _S555, _S551.z));
+        var _S559 : f32 = _S558 * _S558 * _S552 + table_number_0(_S557 + u32(3));
+        var _S560 : u32 = _S546 + _S556;
+        var _S561 : u32;
+        if(_S549)
         {
-            _S562 = mirrored_bundle_0(bundle_1);
+            _S561 = mirrored_bundle_0(bundle_1);
         }
         else
         {
-            _S562 = bundle_1;
+            _S561 = bundle_1;
         }
-        var sum_3 : f32 = sum_2 + max((*_S551)[_S561 + _S562], (*_S551)[_S561 + _S562] * 0.00999999977648258f) / (_S560 * _S560);
+        var sum_3 : f32 = sum_2 + max((*_S550)[_S560 + _S561], (*_S550)[_S560 + _S561] * 0.00999999977648258f) / (_S559 * _S559);
         bundle_1 = bundle_1 + u32(1);
         sum_2 = sum_3;
     }
     return 0.01999999955296516f * sum_2;
 }
 
-fn woven_components_0( _S563 : u32,  _S564 : ptr<function, WovenView_0>,  _S565 : vec3<f32>) -> Components_0
+fn woven_components_0( _S562 : u32,  _S563 : ptr<function, WovenView_0>,  _S564 : vec3<f32>) -> Components_0
 {
-    var _S566 : f32;
-    var _S567 : bool = (*_S564).back_5;
-    var _S568 : vec3<f32> = to_face_frame_0(_S565, (*_S564).back_5);
-    var _S569 : vec3<f32> = (*_S564).view_7;
+    var _S565 : f32;
+    var _S566 : bool = (*_S563).back_5;
+    var _S567 : vec3<f32> = to_face_frame_0(_S564, (*_S563).back_5);
+    var _S568 : vec3<f32> = (*_S563).view_7;
     var weights_24 : HalfWeights_0;
-    var _S570 : Woven_std430_0 = fabrics_0[_S563].woven_0;
-    weights_24.first_2 = fabrics_0[_S563].woven_0.network_0;
+    var _S569 : Woven_std430_0 = fabrics_0[_S562].woven_0;
+    weights_24.first_2 = fabrics_0[_S562].woven_0.network_0;
     var directions_0 : array<f32, i32(39)>;
-    code_light_0(_S563, _S568, (*_S564).view_7, (*_S564).back_5, &(directions_0));
+    code_light_0(_S562, _S567, (*_S563).view_7, (*_S563).back_5, &(directions_0));
     var skip_0 : array<f32, i32(96)>;
     var k_1 : i32 = i32(0);
     for(;;)
@@ -3029,7 +3049,7 @@ fn woven_components_0( _S563 : u32,  _S564 : ptr<function, WovenView_0>,  _S565 
         {
             break;
         }
-        skip_0[k_1] = (*_S564).sums_6[k_1];
+        skip_0[k_1] = (*_S563).sums_6[k_1];
         k_1 = k_1 + i32(1);
     }
     dense_3(weights_24, u32(3716), true, &(directions_0), &(skip_0));
@@ -3070,13 +3090,13 @@ fn woven_components_0( _S563 : u32,  _S564 : ptr<function, WovenView_0>,  _S565 
             }
             if(layer_0 == u32(1))
             {
-                _S566 = skip_0[k_1];
+                _S565 = skip_0[k_1];
             }
             else
             {
-                _S566 = 0.0f;
+                _S565 = 0.0f;
             }
-            next_0[k_1] = _S566;
+            next_0[k_1] = _S565;
             k_1 = k_1 + i32(1);
         }
         dense_2(weights_24, u32(4208) + layer_0 * u32(1164), true, &(hidden_2), &(next_0));
@@ -3097,27 +3117,27 @@ fn woven_components_0( _S563 : u32,  _S564 : ptr<function, WovenView_0>,  _S565 
     }
     var outputs_17 : array<f32, i32(52)>;
     dense_1(weights_24, u32(7700), false, &(hidden_2), &(outputs_17));
-    var _S571 : bool;
-    if((_S570.is_corrected_0) != u32(0))
+    var _S570 : bool;
+    if((_S569.is_corrected_0) != u32(0))
     {
-        _S571 = (_S568.z) > 0.0f;
+        _S570 = (_S567.z) > 0.0f;
     }
     else
     {
-        _S571 = false;
+        _S570 = false;
     }
-    if(_S571)
+    if(_S570)
     {
-        _S571 = ((*_S564).correction_weight_0) > 0.0f;
+        _S570 = ((*_S563).correction_weight_0) > 0.0f;
     }
     else
     {
-        _S571 = false;
+        _S570 = false;
     }
-    if(_S571)
+    if(_S570)
     {
         var fitted_0 : FloatWeights_0;
-        fitted_0.first_0 = _S570.correction_0;
+        fitted_0.first_0 = _S569.correction_0;
         var change_0 : array<f32, i32(50)>;
         dense_0(fitted_0, u32(0), false, &(hidden_2), &(change_0));
         k_1 = i32(0);
@@ -3130,138 +3150,138 @@ fn woven_components_0( _S563 : u32,  _S564 : ptr<function, WovenView_0>,  _S565 
             {
                 break;
             }
-            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S564).correction_weight_0 * change_0[k_1];
+            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S563).correction_weight_0 * change_0[k_1];
             k_1 = k_1 + i32(1);
         }
     }
-    if((_S568.z) > 0.0f)
+    if((_S567.z) > 0.0f)
     {
-        _S566 = 0.00999999977648258f;
+        _S565 = 0.00999999977648258f;
     }
     else
     {
-        _S566 = 0.00100000004749745f;
+        _S565 = 0.00100000004749745f;
     }
     var result_2 : Components_0;
-    var _S572 : f32 = unmapped_0(outputs_17[i32(0)], _S566);
-    result_2.diffuse_warp_0 = _S572;
-    var _S573 : f32 = unmapped_0(outputs_17[i32(1)], _S566);
-    result_2.diffuse_weft_0 = _S573;
-    var _S574 : f32 = 2979.9580078125f * _S566;
-    var _S575 : f32 = mixed_bundles_0(_S563, u32(0), u32(2), _S568, _S569, _S567, &(outputs_17));
-    result_2.specular_warp_0 = clamp(_S575, 0.0f, _S574);
-    var _S576 : f32 = mixed_bundles_0(_S563, u32(1), u32(2), _S568, _S569, _S567, &(outputs_17));
-    result_2.specular_weft_0 = clamp(_S576, 0.0f, _S574);
-    result_2.hole_2 = (*_S564).hole_0;
-    result_2.light_visibility_1 = min(light_visibility_of_0(_S572 + _S573, _S568, _S569, fabrics_0[_S563].diffuse_blend_0), 1.0f - (*_S564).hole_0);
+    var _S571 : f32 = unmapped_0(outputs_17[i32(0)], _S565);
+    result_2.diffuse_warp_0 = _S571;
+    var _S572 : f32 = unmapped_0(outputs_17[i32(1)], _S565);
+    result_2.diffuse_weft_0 = _S572;
+    var _S573 : f32 = 2979.9580078125f * _S565;
+    var _S574 : f32 = mixed_bundles_0(_S562, u32(0), u32(2), _S567, _S568, _S566, &(outputs_17));
+    result_2.specular_warp_0 = clamp(_S574, 0.0f, _S573);
+    var _S575 : f32 = mixed_bundles_0(_S562, u32(1), u32(2), _S567, _S568, _S566, &(outputs_17));
+    result_2.specular_weft_0 = clamp(_S575, 0.0f, _S573);
+    result_2.hole_2 = (*_S563).hole_0;
+    result_2.light_visibility_1 = min(light_visibility_of_0(_S571 + _S572, _S567, _S568, fabrics_0[_S562].diffuse_blend_0), 1.0f - (*_S563).hole_0);
     return result_2;
 }
 
-fn openness_number_0( _S577 : u32,  _S578 : u32) -> f32
+fn openness_number_0( _S576 : u32,  _S577 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S577].openness_0 + _S578);
+    return table_number_0(fabrics_0[_S576].openness_0 + _S577);
 }
 
-fn scattered_by_0( _S579 : u32,  _S580 : Albedos_0,  _S581 : u32,  _S582 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S578 : u32,  _S579 : Albedos_0,  _S580 : u32,  _S581 : vec3<f32>) -> Scattered_0
 {
-    var _S583 : u32 = u32(159) + u32(2) * _S581;
+    var _S582 : u32 = u32(159) + u32(2) * _S580;
     var yarn_1 : Scattered_0;
-    yarn_1.back_4 = _S582 * _S580.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S579, _S583)) * _S580.specular_reflect_0;
-    yarn_1.through_0 = _S582 * _S580.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S579, _S583 + u32(1))) * _S580.specular_transmit_0;
+    yarn_1.back_4 = _S581 * _S579.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S578, _S582)) * _S579.specular_reflect_0;
+    yarn_1.through_0 = _S581 * _S579.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S578, _S582 + u32(1))) * _S579.specular_transmit_0;
     return yarn_1;
 }
 
-fn sent_0( _S584 : u32,  _S585 : u32,  _S586 : vec3<f32>,  _S587 : vec3<f32>,  _S588 : vec3<f32>,  _S589 : vec3<f32>,  _S590 : ptr<function, vec3<f32>>,  _S591 : ptr<function, vec3<f32>>)
+fn sent_0( _S583 : u32,  _S584 : u32,  _S585 : vec3<f32>,  _S586 : vec3<f32>,  _S587 : vec3<f32>,  _S588 : vec3<f32>,  _S589 : ptr<function, vec3<f32>>,  _S590 : ptr<function, vec3<f32>>)
 {
-    var _S592 : u32 = u32(146) + u32(4) * _S585;
-    var _S593 : f32 = openness_number_0(_S584, _S592 + u32(1));
-    var _S594 : f32 = openness_number_0(_S584, _S592 + u32(2));
-    var _S595 : vec3<f32> = vec3<f32>(1.0f);
-    var _S596 : vec3<f32> = _S595 - _S588 * vec3<f32>(openness_number_0(_S584, _S592));
-    var _S597 : vec3<f32> = _S595 - _S589 * vec3<f32>(openness_number_0(_S584, _S592 + u32(3)));
-    var _S598 : vec3<f32> = _S595 / (_S596 * _S597 - _S588 * _S589 * vec3<f32>((_S593 * _S594)));
-    (*_S590) = (_S586 * _S597 + _S588 * vec3<f32>(_S593) * _S587) * _S598;
-    (*_S591) = (_S587 * _S596 + _S589 * vec3<f32>(_S594) * _S586) * _S598;
+    var _S591 : u32 = u32(146) + u32(4) * _S584;
+    var _S592 : f32 = openness_number_0(_S583, _S591 + u32(1));
+    var _S593 : f32 = openness_number_0(_S583, _S591 + u32(2));
+    var _S594 : vec3<f32> = vec3<f32>(1.0f);
+    var _S595 : vec3<f32> = _S594 - _S587 * vec3<f32>(openness_number_0(_S583, _S591));
+    var _S596 : vec3<f32> = _S594 - _S588 * vec3<f32>(openness_number_0(_S583, _S591 + u32(3)));
+    var _S597 : vec3<f32> = _S594 / (_S595 * _S596 - _S587 * _S588 * vec3<f32>((_S592 * _S593)));
+    (*_S589) = (_S585 * _S596 + _S587 * vec3<f32>(_S592) * _S586) * _S597;
+    (*_S590) = (_S586 * _S595 + _S588 * vec3<f32>(_S593) * _S585) * _S597;
     return;
 }
 
-fn face_sends_0( _S599 : u32,  _S600 : u32,  _S601 : Scattered_0,  _S602 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S598 : u32,  _S599 : u32,  _S600 : Scattered_0,  _S601 : Scattered_0) -> FaceSends_0
 {
-    var _S603 : u32 = u32(2) * _S600;
-    var _S604 : u32 = u32(142) + _S603;
-    var _S605 : f32 = openness_number_0(_S599, _S604);
-    var _S606 : f32 = openness_number_0(_S599, _S604 + u32(1));
+    var _S602 : u32 = u32(2) * _S599;
+    var _S603 : u32 = u32(142) + _S602;
+    var _S604 : f32 = openness_number_0(_S598, _S603);
+    var _S605 : f32 = openness_number_0(_S598, _S603 + u32(1));
+    var _S606 : vec3<f32> = vec3<f32>((1.0f - _S604)) * _S600.back_4;
     var _S607 : vec3<f32> = vec3<f32>((1.0f - _S605)) * _S601.back_4;
-    var _S608 : vec3<f32> = vec3<f32>((1.0f - _S606)) * _S602.back_4;
     var sends_1 : FaceSends_0;
-    var _S609 : u32 = u32(154) + _S603;
-    var _S610 : f32 = openness_number_0(_S599, _S609);
-    sends_1.blocks_warp_0 = _S610;
-    var _S611 : f32 = openness_number_0(_S599, _S609 + u32(1));
-    sends_1.blocks_weft_0 = _S611;
-    sends_1.open_0 = _S610 * _S605 + _S611 * _S606;
+    var _S608 : u32 = u32(154) + _S602;
+    var _S609 : f32 = openness_number_0(_S598, _S608);
+    sends_1.blocks_warp_0 = _S609;
+    var _S610 : f32 = openness_number_0(_S598, _S608 + u32(1));
+    sends_1.blocks_weft_0 = _S610;
+    sends_1.open_0 = _S609 * _S604 + _S610 * _S605;
+    var _S611 : vec3<f32> = vec3<f32>(_S604) * _S600.back_4;
     var _S612 : vec3<f32> = vec3<f32>(_S605) * _S601.back_4;
-    var _S613 : vec3<f32> = vec3<f32>(_S606) * _S602.back_4;
-    var _S614 : vec3<f32> = sends_1.sky_warp_0;
-    var _S615 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S599, _S600, _S612, _S613, _S607, _S608, &(_S614), &(_S615));
-    sends_1.sky_warp_0 = _S614;
-    sends_1.sky_weft_0 = _S615;
-    var _S616 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S617 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S599, _S600, _S601.through_0, _S602.through_0, _S607, _S608, &(_S616), &(_S617));
-    sends_1.crossing_warp_0 = _S616;
-    sends_1.crossing_weft_0 = _S617;
+    var _S613 : vec3<f32> = sends_1.sky_warp_0;
+    var _S614 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S598, _S599, _S611, _S612, _S606, _S607, &(_S613), &(_S614));
+    sends_1.sky_warp_0 = _S613;
+    sends_1.sky_weft_0 = _S614;
+    var _S615 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S616 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S598, _S599, _S600.through_0, _S601.through_0, _S606, _S607, &(_S615), &(_S616));
+    sends_1.crossing_warp_0 = _S615;
+    sends_1.crossing_weft_0 = _S616;
     return sends_1;
 }
 
-fn interior_of_0( _S618 : u32,  _S619 : vec3<f32>,  _S620 : bool) -> Interior_0
+fn interior_of_0( _S617 : u32,  _S618 : vec3<f32>,  _S619 : bool) -> Interior_0
 {
-    var _S621 : Scattered_0 = scattered_by_0(_S618, table_albedos_0(families_0[fabrics_0[_S618].warp_0].colour_mean_0), u32(0), _S619);
-    var _S622 : Scattered_0 = scattered_by_0(_S618, table_albedos_0(families_0[fabrics_0[_S618].weft_0].colour_mean_0), u32(1), _S619);
-    var _S623 : u32;
-    if(_S620)
+    var _S620 : Scattered_0 = scattered_by_0(_S617, table_albedos_0(families_0[fabrics_0[_S617].warp_0].colour_mean_0), u32(0), _S618);
+    var _S621 : Scattered_0 = scattered_by_0(_S617, table_albedos_0(families_0[fabrics_0[_S617].weft_0].colour_mean_0), u32(1), _S618);
+    var _S622 : u32;
+    if(_S619)
     {
-        _S623 = u32(1);
+        _S622 = u32(1);
     }
     else
     {
-        _S623 = u32(0);
+        _S622 = u32(0);
     }
-    var _S624 : FaceSends_0 = face_sends_0(_S618, _S623, _S621, _S622);
-    if(_S620)
+    var _S623 : FaceSends_0 = face_sends_0(_S617, _S622, _S620, _S621);
+    if(_S619)
     {
-        _S623 = u32(0);
+        _S622 = u32(0);
     }
     else
     {
-        _S623 = u32(1);
+        _S622 = u32(1);
     }
-    var _S625 : FaceSends_0 = face_sends_0(_S618, _S623, _S621, _S622);
-    var _S626 : vec3<f32> = vec3<f32>(_S624.blocks_warp_0);
-    var _S627 : vec3<f32> = vec3<f32>(_S624.blocks_weft_0);
-    var _S628 : vec3<f32> = _S626 * _S624.crossing_warp_0 + _S627 * _S624.crossing_weft_0;
-    var _S629 : vec3<f32> = vec3<f32>(_S625.blocks_warp_0);
-    var _S630 : vec3<f32> = vec3<f32>(_S625.blocks_weft_0);
-    var _S631 : vec3<f32> = _S629 * _S625.crossing_warp_0 + _S630 * _S625.crossing_weft_0;
+    var _S624 : FaceSends_0 = face_sends_0(_S617, _S622, _S620, _S621);
+    var _S625 : vec3<f32> = vec3<f32>(_S623.blocks_warp_0);
+    var _S626 : vec3<f32> = vec3<f32>(_S623.blocks_weft_0);
+    var _S627 : vec3<f32> = _S625 * _S623.crossing_warp_0 + _S626 * _S623.crossing_weft_0;
+    var _S628 : vec3<f32> = vec3<f32>(_S624.blocks_warp_0);
+    var _S629 : vec3<f32> = vec3<f32>(_S624.blocks_weft_0);
+    var _S630 : vec3<f32> = _S628 * _S624.crossing_warp_0 + _S629 * _S624.crossing_weft_0;
+    var _S631 : f32 = 1.0f - _S623.open_0;
     var _S632 : f32 = 1.0f - _S624.open_0;
-    var _S633 : f32 = 1.0f - _S625.open_0;
-    var _S634 : vec3<f32> = vec3<f32>(1.0f);
-    var _S635 : vec3<f32> = _S634 / (_S634 - _S628 * _S631 * vec3<f32>((_S632 * _S633)));
-    var _S636 : vec3<f32> = _S631 * (vec3<f32>(_S624.open_0) + vec3<f32>(_S632) * (_S626 * _S624.sky_warp_0 + _S627 * _S624.sky_weft_0)) * _S635;
-    var _S637 : vec3<f32> = _S628 * (vec3<f32>(_S625.open_0) + vec3<f32>(_S633) * (_S629 * _S625.sky_warp_0 + _S630 * _S625.sky_weft_0)) * _S635;
-    var _S638 : FaceRadiance_0 = face_radiance_0(_S624, _S625.open_0, _S636, _S637);
-    var _S639 : FaceRadiance_0 = face_radiance_0(_S625, _S624.open_0, _S637, _S636);
+    var _S633 : vec3<f32> = vec3<f32>(1.0f);
+    var _S634 : vec3<f32> = _S633 / (_S633 - _S627 * _S630 * vec3<f32>((_S631 * _S632)));
+    var _S635 : vec3<f32> = _S630 * (vec3<f32>(_S623.open_0) + vec3<f32>(_S631) * (_S625 * _S623.sky_warp_0 + _S626 * _S623.sky_weft_0)) * _S634;
+    var _S636 : vec3<f32> = _S627 * (vec3<f32>(_S624.open_0) + vec3<f32>(_S632) * (_S628 * _S624.sky_warp_0 + _S629 * _S624.sky_weft_0)) * _S634;
+    var _S637 : FaceRadiance_0 = face_radiance_0(_S623, _S624.open_0, _S635, _S636);
+    var _S638 : FaceRadiance_0 = face_radiance_0(_S624, _S623.open_0, _S636, _S635);
     var interior_1 : Interior_0;
-    interior_1.warp_3 = _S638.warp_2;
-    interior_1.weft_3 = _S638.weft_2;
-    interior_1.leaked_1 = _S638.leaked_0;
-    interior_1.far_1 = _S639.mean_1;
-    interior_1.far_leaked_0 = _S639.leaked_0;
+    interior_1.warp_3 = _S637.warp_2;
+    interior_1.weft_3 = _S637.weft_2;
+    interior_1.leaked_1 = _S637.leaked_0;
+    interior_1.far_1 = _S638.mean_1;
+    interior_1.far_leaked_0 = _S638.leaked_0;
     return interior_1;
 }
 
-fn blocked_of_terms_0( _S640 : u32,  _S641 : u32,  _S642 : array<f32, i32(6)>,  _S643 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S639 : u32,  _S640 : u32,  _S641 : array<f32, i32(6)>,  _S642 : u32) -> Blocked_0
 {
     var shares_0 : array<f32, i32(3)>;
     var share_2 : u32 = u32(0);
@@ -3278,14 +3298,14 @@ fn blocked_of_terms_0( _S640 : u32,  _S641 : u32,  _S642 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S643)
+            if(term_0 < _S642)
             {
             }
             else
             {
                 break;
             }
-            shares_0[share_2] = shares_0[share_2] + openness_number_0(_S640, _S641 + share_2 * _S643 + term_0) * _S642[term_0];
+            shares_0[share_2] = shares_0[share_2] + openness_number_0(_S639, _S640 + share_2 * _S642 + term_0) * _S641[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_0[share_2] = saturate(shares_0[share_2]);
@@ -3298,35 +3318,35 @@ fn blocked_of_terms_0( _S640 : u32,  _S641 : u32,  _S642 : array<f32, i32(6)>,  
     return blocked_2;
 }
 
-fn blocked_from_0( _S644 : u32,  _S645 : vec3<f32>,  _S646 : bool,  _S647 : bool) -> Blocked_0
+fn blocked_from_0( _S643 : u32,  _S644 : vec3<f32>,  _S645 : bool,  _S646 : bool) -> Blocked_0
 {
     var terms_2 : array<f32, i32(6)>;
-    view_terms_0(_S645, &(terms_2));
-    var _S648 : u32;
-    if(_S647)
+    view_terms_0(_S644, &(terms_2));
+    var _S647 : u32;
+    if(_S646)
     {
-        _S648 = u32(2);
+        _S647 = u32(2);
     }
     else
+    {
+        _S647 = u32(0);
+    }
+    var _S648 : u32;
+    if(_S645)
     {
         _S648 = u32(0);
     }
-    var _S649 : u32;
-    if(_S646)
-    {
-        _S649 = u32(0);
-    }
     else
     {
-        _S649 = u32(1);
+        _S648 = u32(1);
     }
-    return blocked_of_terms_0(_S644, (_S648 + _S649) * u32(15), terms_2, u32(5));
+    return blocked_of_terms_0(_S643, (_S647 + _S648) * u32(15), terms_2, u32(5));
 }
 
-fn warp_seen_from_0( _S650 : u32,  _S651 : vec3<f32>,  _S652 : bool) -> f32
+fn warp_seen_from_0( _S649 : u32,  _S650 : vec3<f32>,  _S651 : bool) -> f32
 {
     var terms_3 : array<f32, i32(6)>;
-    view_terms_1(_S651, &(terms_3));
+    view_terms_1(_S650, &(terms_3));
     var term_1 : u32 = u32(0);
     var share_3 : f32 = 0.0f;
     for(;;)
@@ -3338,126 +3358,126 @@ fn warp_seen_from_0( _S650 : u32,  _S651 : vec3<f32>,  _S652 : bool) -> f32
         {
             break;
         }
-        var _S653 : u32;
-        if(_S652)
+        var _S652 : u32;
+        if(_S651)
         {
-            _S653 = u32(5);
+            _S652 = u32(5);
         }
         else
         {
-            _S653 = u32(0);
+            _S652 = u32(0);
         }
-        var share_4 : f32 = share_3 + openness_number_0(_S650, u32(132) + _S653 + term_1) * terms_3[term_1];
+        var share_4 : f32 = share_3 + openness_number_0(_S649, u32(132) + _S652 + term_1) * terms_3[term_1];
         term_1 = term_1 + u32(1);
         share_3 = share_4;
     }
     return saturate(share_3);
 }
 
-fn bounced_of_families_0( _S654 : u32,  _S655 : FamilyAlbedos_0,  _S656 : vec3<f32>,  _S657 : Interior_0,  _S658 : Blocked_0,  _S659 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S653 : u32,  _S654 : FamilyAlbedos_0,  _S655 : vec3<f32>,  _S656 : Interior_0,  _S657 : Blocked_0,  _S658 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S658, scattered_by_0(_S654, _S655.warp_4, u32(0), _S656), _S657), bounced_by_0(_S659, scattered_by_0(_S654, _S655.weft_4, u32(1), _S656), _S657));
+    return sum_of_0(bounced_by_0(_S657, scattered_by_0(_S653, _S654.warp_4, u32(0), _S655), _S656), bounced_by_0(_S658, scattered_by_0(_S653, _S654.weft_4, u32(1), _S655), _S656));
 }
 
-fn bounced_far_0( _S660 : u32,  _S661 : FamilyAlbedos_0,  _S662 : vec3<f32>,  _S663 : Interior_0,  _S664 : vec3<f32>,  _S665 : bool,  _S666 : f32,  _S667 : f32,  _S668 : f32) -> Bounced_0
+fn bounced_far_0( _S659 : u32,  _S660 : FamilyAlbedos_0,  _S661 : vec3<f32>,  _S662 : Interior_0,  _S663 : vec3<f32>,  _S664 : bool,  _S665 : f32,  _S666 : f32,  _S667 : f32) -> Bounced_0
 {
-    var _S669 : Blocked_0 = blocked_from_0(_S660, _S664, true, _S665);
-    var _S670 : Blocked_0 = blocked_from_0(_S660, _S664, false, _S665);
-    var _S671 : f32 = _S666 / max(1.0f - _S669.by_warp_0 - _S669.by_weft_0, 0.10000000149011612f);
-    var _S672 : f32 = (0.0020000000949949f * warp_seen_from_0(_S660, _S664, _S665) + _S671) / (_S671 + _S667 / max(1.0f - _S670.by_warp_0 - _S670.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S673 : f32 = 1.0f - _S668;
-    return bounced_of_families_0(_S660, _S661, _S662, _S663, scaled_0(_S669, _S672 * _S673), scaled_0(_S670, (1.0f - _S672) * _S673));
+    var _S668 : Blocked_0 = blocked_from_0(_S659, _S663, true, _S664);
+    var _S669 : Blocked_0 = blocked_from_0(_S659, _S663, false, _S664);
+    var _S670 : f32 = _S665 / max(1.0f - _S668.by_warp_0 - _S668.by_weft_0, 0.10000000149011612f);
+    var _S671 : f32 = (0.0020000000949949f * warp_seen_from_0(_S659, _S663, _S664) + _S670) / (_S670 + _S666 / max(1.0f - _S669.by_warp_0 - _S669.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S672 : f32 = 1.0f - _S667;
+    return bounced_of_families_0(_S659, _S660, _S661, _S662, scaled_0(_S668, _S671 * _S672), scaled_0(_S669, (1.0f - _S671) * _S672));
 }
 
-fn bounced_over_0( _S674 : u32,  _S675 : Components_0,  _S676 : CloseUp_0,  _S677 : FamilyAlbedos_0,  _S678 : vec3<f32>,  _S679 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S673 : u32,  _S674 : Components_0,  _S675 : CloseUp_0,  _S676 : FamilyAlbedos_0,  _S677 : vec3<f32>,  _S678 : vec3<f32>) -> Bounced_0
 {
-    var _S680 : bool = (_S679.z) < 0.0f;
-    var _S681 : Interior_0 = interior_of_0(_S674, _S678, _S680);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S674, _S677, _S678, _S681, to_face_frame_0(_S679, _S680), _S680, _S675.diffuse_warp_0, _S675.diffuse_weft_0, _S675.hole_2);
-    if((_S676.weight_2) > 0.0f)
+    var _S679 : bool = (_S678.z) < 0.0f;
+    var _S680 : Interior_0 = interior_of_0(_S673, _S677, _S679);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S673, _S676, _S677, _S680, to_face_frame_0(_S678, _S679), _S679, _S674.diffuse_warp_0, _S674.diffuse_weft_0, _S674.hole_2);
+    if((_S675.weight_2) > 0.0f)
     {
-        var _S682 : Bounced_0 = bounced_of_families_0(_S674, _S677, _S678, _S681, _S676.warp_1, _S676.weft_1);
-        var _S683 : vec3<f32> = vec3<f32>(_S676.weight_2);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S682.reflected_0, _S683);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S682.transmitted_0, _S683);
+        var _S681 : Bounced_0 = bounced_of_families_0(_S673, _S676, _S677, _S680, _S675.warp_1, _S675.weft_1);
+        var _S682 : vec3<f32> = vec3<f32>(_S675.weight_2);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S681.reflected_0, _S682);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S681.transmitted_0, _S682);
     }
     return bounced_2;
 }
 
-fn composed_0( _S684 : u32,  _S685 : Components_0,  _S686 : CloseUp_0,  _S687 : FamilyAlbedos_0,  _S688 : vec3<f32>,  _S689 : vec3<f32>,  _S690 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S683 : u32,  _S684 : Components_0,  _S685 : CloseUp_0,  _S686 : FamilyAlbedos_0,  _S687 : vec3<f32>,  _S688 : vec3<f32>,  _S689 : vec3<f32>) -> vec3<f32>
 {
-    var _S691 : Albedos_0 = tinted_0(_S687.warp_4, _S688);
-    var _S692 : Albedos_0 = tinted_0(_S687.weft_4, _S688);
-    var _S693 : vec3<f32> = vec3<f32>(_S685.diffuse_warp_0);
-    var _S694 : vec3<f32> = vec3<f32>(_S685.diffuse_weft_0);
-    var _S695 : vec3<f32> = vec3<f32>(_S685.specular_warp_0);
-    var _S696 : vec3<f32> = vec3<f32>(_S685.specular_weft_0);
-    var _S697 : vec3<f32> = _S691.diffuse_reflect_0 * _S693 + _S692.diffuse_reflect_0 * _S694 + _S691.specular_reflect_0 * _S695 + _S692.specular_reflect_0 * _S696;
-    var _S698 : f32 = _S690.z;
+    var _S690 : Albedos_0 = tinted_0(_S686.warp_4, _S687);
+    var _S691 : Albedos_0 = tinted_0(_S686.weft_4, _S687);
+    var _S692 : vec3<f32> = vec3<f32>(_S684.diffuse_warp_0);
+    var _S693 : vec3<f32> = vec3<f32>(_S684.diffuse_weft_0);
+    var _S694 : vec3<f32> = vec3<f32>(_S684.specular_warp_0);
+    var _S695 : vec3<f32> = vec3<f32>(_S684.specular_weft_0);
+    var _S696 : vec3<f32> = _S690.diffuse_reflect_0 * _S692 + _S691.diffuse_reflect_0 * _S693 + _S690.specular_reflect_0 * _S694 + _S691.specular_reflect_0 * _S695;
+    var _S697 : f32 = _S689.z;
     var body_0 : vec3<f32>;
-    if((_S689.z * _S698) < 0.0f)
+    if((_S688.z * _S697) < 0.0f)
     {
-        body_0 = _S691.diffuse_transmit_0 * _S693 + _S692.diffuse_transmit_0 * _S694 + _S691.specular_transmit_0 * _S695 + _S692.specular_transmit_0 * _S696;
+        body_0 = _S690.diffuse_transmit_0 * _S692 + _S691.diffuse_transmit_0 * _S693 + _S690.specular_transmit_0 * _S694 + _S691.specular_transmit_0 * _S695;
     }
     else
     {
-        body_0 = _S697;
+        body_0 = _S696;
     }
-    if((fabrics_0[_S684].openness_0) != u32(4294967295))
+    if((fabrics_0[_S683].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S684, _S685, _S686, _S687, _S688, _S690), _S689, _S690);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S683, _S684, _S685, _S686, _S687, _S689), _S688, _S689);
     }
-    var _S699 : f32 = fabrics_0[_S684].sheen_strength_0;
-    if((fabrics_0[_S684].sheen_strength_0) <= 0.0f)
+    var _S698 : f32 = fabrics_0[_S683].sheen_strength_0;
+    if((fabrics_0[_S683].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S700 : bool = _S698 < 0.0f;
-    var _S701 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S689, _S700), to_face_frame_0(_S690, _S700), _S699, fabrics_0[_S684].sheen_roughness_0);
-    return vec3<f32>(_S701.y) * body_0 + vec3<f32>(((_S685.light_visibility_1 + _S685.hole_2) * _S701.x));
+    var _S699 : bool = _S697 < 0.0f;
+    var _S700 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S688, _S699), to_face_frame_0(_S689, _S699), _S698, fabrics_0[_S683].sheen_roughness_0);
+    return vec3<f32>(_S700.y) * body_0 + vec3<f32>(((_S684.light_visibility_1 + _S684.hole_2) * _S700.x));
 }
 
-fn light_of_woven_0( _S702 : i32,  _S703 : u32,  _S704 : VisiblePoint_0,  _S705 : vec2<u32>,  _S706 : vec3<f32>) -> vec4<f32>
+fn light_of_woven_0( _S701 : i32,  _S702 : u32,  _S703 : VisiblePoint_0,  _S704 : vec2<u32>,  _S705 : vec3<f32>) -> vec4<f32>
 {
     var footprint_1 : Footprint_0;
-    footprint_1.centre_0 = _S704.draft_0;
-    footprint_1.dx_0 = _S704.draft_dx_0;
-    footprint_1.dy_0 = _S704.draft_dy_0;
-    var _S707 : vec3<f32> = to_local_0(_S704, _S704.view_0);
+    footprint_1.centre_0 = _S703.draft_0;
+    footprint_1.dx_0 = _S703.draft_dx_0;
+    footprint_1.dy_0 = _S703.draft_dy_0;
+    var _S706 : vec3<f32> = to_local_0(_S703, _S703.view_0);
     var activations_0 : WovenView_0;
-    woven_view_0(_S703, footprint_1, _S707, &(activations_0));
-    var _S708 : f32 = _S707.z;
-    var _S709 : FamilyAlbedos_0 = albedos_over_0(_S703, footprint_1, _S708 < 0.0f);
-    var _S710 : vec3<f32> = vec3<f32>(0.0f);
+    woven_view_0(_S702, footprint_1, _S706, &(activations_0));
+    var _S707 : f32 = _S706.z;
+    var _S708 : FamilyAlbedos_0 = albedos_over_0(_S702, footprint_1, _S707 < 0.0f);
+    var _S709 : vec3<f32> = vec3<f32>(0.0f);
     var number_4 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S710;
+    var radiance_1 : vec3<f32> = _S709;
     for(;;)
     {
-        if(number_4 < (light_sample_count_0(_S702)))
+        if(number_4 < (light_sample_count_0(_S701)))
         {
         }
         else
         {
             break;
         }
-        var _S711 : f32 = visibility_at_0(_S702, number_4, _S705);
-        if(_S711 <= 0.0f)
+        var _S710 : f32 = visibility_at_0(_S701, number_4, _S704);
+        if(_S710 <= 0.0f)
         {
             number_4 = number_4 + u32(1);
             continue;
         }
-        var _S712 : LightSample_0 = light_sample_0(_S702, number_4, _S705, _S704.position_0);
-        var _S713 : vec3<f32> = to_local_0(_S704, _S712.towards_0);
-        var _S714 : Components_0 = woven_components_0(_S703, &(activations_0), _S713);
-        radiance_1 = radiance_1 + vec3<f32>(_S711) * _S712.irradiance_1 * composed_0(_S703, _S714, no_close_up_0(), _S709, _S706, _S713, _S707);
+        var _S711 : LightSample_0 = light_sample_0(_S701, number_4, _S704, _S703.position_0);
+        var _S712 : vec3<f32> = to_local_0(_S703, _S711.towards_0);
+        var _S713 : Components_0 = woven_components_0(_S702, &(activations_0), _S712);
+        radiance_1 = radiance_1 + vec3<f32>(_S710) * _S711.irradiance_1 * composed_0(_S702, _S713, no_close_up_0(), _S708, _S705, _S712, _S706);
         number_4 = number_4 + u32(1);
     }
     var hole_3 : f32 = activations_0.hole_0;
-    var _S715 : f32 = fabrics_0[_S703].sheen_strength_0;
+    var _S714 : f32 = fabrics_0[_S702].sheen_strength_0;
     var hole_4 : f32;
-    if((fabrics_0[_S703].sheen_strength_0) > 0.0f)
+    if((fabrics_0[_S702].sheen_strength_0) > 0.0f)
     {
-        hole_4 = hole_3 * (1.0f - _S715 * sheen_lobe_0(abs(_S708), fabrics_0[_S703].sheen_roughness_0).z);
+        hole_4 = hole_3 * (1.0f - _S714 * sheen_lobe_0(abs(_S707), fabrics_0[_S702].sheen_roughness_0).z);
     }
     else
     {
@@ -3470,32 +3490,32 @@ fn light_of_woven_0( _S702 : i32,  _S703 : u32,  _S704 : VisiblePoint_0,  _S705 
 @workgroup_size(8, 8, 1)
 fn shade_woven(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S716 : u32 = id_0.x;
-    var _S717 : u32 = frames_0[i32(0)].width_0;
-    var _S718 : bool;
-    if(_S716 >= (frames_0[i32(0)].width_0))
+    var _S715 : u32 = id_0.x;
+    var _S716 : u32 = frames_0[i32(0)].width_0;
+    var _S717 : bool;
+    if(_S715 >= (frames_0[i32(0)].width_0))
     {
-        _S718 = true;
+        _S717 = true;
     }
     else
     {
-        _S718 = (id_0.y) >= (frames_0[i32(0)].height_0);
+        _S717 = (id_0.y) >= (frames_0[i32(0)].height_0);
     }
-    if(_S718)
+    if(_S717)
     {
         return;
     }
-    var _S719 : u32 = id_0.y * _S717 + _S716;
-    var _S720 : u32 = layers_0[_S719].face_0;
-    if((layers_0[_S719].face_0) == u32(0))
+    var _S718 : u32 = id_0.y * _S716 + _S715;
+    var _S719 : u32 = layers_0[_S718].face_0;
+    if((layers_0[_S718].face_0) == u32(0))
     {
         return;
     }
-    var _S721 : u32 = _S720 - u32(1);
-    var _S722 : u32 = face_fabrics_0[_S721];
-    var _S723 : vec2<u32> = id_0.xy;
-    var _S724 : VisiblePoint_0 = visible_point_0(i32(0), _S722, _S721, _S723);
-    accumulate_0(_S719, light_of_woven_0(i32(0), _S722, _S724, _S723, filtered_albedo_0(_S722, _S724)));
+    var _S720 : u32 = _S719 - u32(1);
+    var _S721 : u32 = face_fabrics_0[_S720];
+    var _S722 : vec2<u32> = id_0.xy;
+    var _S723 : VisiblePoint_0 = visible_point_0(i32(0), _S721, _S720, _S722);
+    accumulate_0(_S718, light_of_woven_0(i32(0), _S721, _S723, _S722, filtered_albedo_0(_S721, _S723)));
     return;
 }
 

@@ -141,6 +141,7 @@ struct Fabric_std430_0
     @align(4) seed_0 : u32,
     @align(4) layer_bound_0 : f32,
     @align(4) fibre_size_0 : f32,
+    @align(4) has_detail_0 : u32,
     @align(4) uv_width_0 : f32,
     @align(4) uv_height_0 : f32,
     @align(4) is_open_0 : u32,
@@ -191,6 +192,16 @@ struct Family_std430_0
     @align(4) colour_areas_0 : u32,
     @align(4) area_unit_0 : f32,
     @align(4) crossing_area_0 : f32,
+    @align(4) has_plies_0 : f32,
+    @align(4) plies_per_mm_0 : f32,
+    @align(4) ply_sine_0 : f32,
+    @align(4) ply_cosine_0 : f32,
+    @align(4) fibre_tilt_0 : f32,
+    @align(4) fibre_tone_0 : f32,
+    @align(4) slub_0 : f32,
+    @align(4) slubs_per_mm_0 : f32,
+    @align(4) per_half_width_0 : f32,
+    @align(4) hairiness_0 : f32,
 };
 
 @binding(1) @group(0) var<storage, read> families_0 : array<Family_std430_0>;
@@ -1673,16 +1684,15 @@ fn lengths_0( family_6 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
 
 fn integrals_along_0( family_7 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
 {
-    var _S213 : Family_std430_0 = families_0[family_7];
-    var _S214 : u32 = u32(3) * _S213.quantities_0;
-    var _S215 : u32 = families_0[family_7].colour_threads_0 + _S214 * stretch_2.low_7.thread_2 + quantity_0;
-    var _S216 : u32 = families_0[family_7].colour_threads_0 + _S214 * stretch_2.high_7.thread_2 + quantity_0;
-    var _S217 : u32 = families_0[family_7].colour_threads_0 + _S214 * u32(families_0[family_7].count_0) + quantity_0;
+    var _S213 : u32 = u32(3) * families_0[family_7].quantities_0;
+    var _S214 : u32 = families_0[family_7].colour_threads_0 + _S213 * stretch_2.low_7.thread_2 + quantity_0;
+    var _S215 : u32 = families_0[family_7].colour_threads_0 + _S213 * stretch_2.high_7.thread_2 + quantity_0;
+    var _S216 : u32 = families_0[family_7].colour_threads_0 + _S213 * u32(families_0[family_7].count_0) + quantity_0;
+    var _S217 : f32 = table_number_0(_S214);
     var _S218 : f32 = table_number_0(_S215);
-    var _S219 : f32 = table_number_0(_S216);
-    var _S220 : f32 = Stretch_turns_0(stretch_2);
-    var _S221 : u32 = u32(2) * _S213.quantities_0;
-    return vec2<f32>(table_number_0(_S216 + _S213.quantities_0) - table_number_0(_S215 + _S213.quantities_0) + _S219 * stretch_2.high_7.visible_0 * stretch_2.high_7.width_1 - _S218 * stretch_2.low_7.visible_0 * stretch_2.low_7.width_1 + _S220 * table_number_0(_S217 + _S213.quantities_0), table_number_0(_S216 + _S221) - table_number_0(_S215 + _S221) + _S219 * stretch_2.high_7.cell_2 - _S218 * stretch_2.low_7.cell_2 + _S220 * table_number_0(_S217 + _S221));
+    var _S219 : f32 = Stretch_turns_0(stretch_2);
+    var _S220 : u32 = u32(2) * families_0[family_7].quantities_0;
+    return vec2<f32>(table_number_0(_S215 + families_0[family_7].quantities_0) - table_number_0(_S214 + families_0[family_7].quantities_0) + _S218 * stretch_2.high_7.visible_0 * stretch_2.high_7.width_1 - _S217 * stretch_2.low_7.visible_0 * stretch_2.low_7.width_1 + _S219 * table_number_0(_S216 + families_0[family_7].quantities_0), table_number_0(_S215 + _S220) - table_number_0(_S214 + _S220) + _S218 * stretch_2.high_7.cell_2 - _S217 * stretch_2.low_7.cell_2 + _S219 * table_number_0(_S216 + _S220));
 }
 
 fn Stretch_wraps_0( this_6 : Stretch_0) -> bool
@@ -1692,77 +1702,77 @@ fn Stretch_wraps_0( this_6 : Stretch_0) -> bool
 
 fn Stretch_differences_0( this_7 : Stretch_0,  entries_0 : vec4<u32>,  whole_0 : u32) -> vec4<u32>
 {
-    var _S222 : u32 = entries_0.z;
-    var _S223 : u32 = entries_0.x;
-    var _S224 : u32 = _S222 - _S223;
-    var _S225 : u32;
+    var _S221 : u32 = entries_0.z;
+    var _S222 : u32 = entries_0.x;
+    var _S223 : u32 = _S221 - _S222;
+    var _S224 : u32;
     if(Stretch_wraps_0(this_7))
     {
-        _S225 = whole_0;
+        _S224 = whole_0;
     }
     else
     {
-        _S225 = u32(0);
+        _S224 = u32(0);
     }
-    return vec4<u32>(_S224 + _S225, entries_0.w - _S222, entries_0.y - _S223, whole_0);
+    return vec4<u32>(_S223 + _S224, entries_0.w - _S221, entries_0.y - _S222, whole_0);
 }
 
 fn row_differences_0( across_1 : Stretch_0,  row_7 : u32,  count_2 : u32,  quantities_1 : u32) -> vec4<u32>
 {
-    var _S226 : u32 = row_7 + across_1.low_7.thread_2 * quantities_1;
-    var _S227 : u32 = row_7 + across_1.high_7.thread_2 * quantities_1;
-    return Stretch_differences_0(across_1, vec4<u32>(words_0[_S226], words_0[_S226 + quantities_1], words_0[_S227], words_0[_S227 + quantities_1]), words_0[row_7 + count_2 * quantities_1]);
+    var _S225 : u32 = row_7 + across_1.low_7.thread_2 * quantities_1;
+    var _S226 : u32 = row_7 + across_1.high_7.thread_2 * quantities_1;
+    return Stretch_differences_0(across_1, vec4<u32>(words_0[_S225], words_0[_S225 + quantities_1], words_0[_S226], words_0[_S226 + quantities_1]), words_0[row_7 + count_2 * quantities_1]);
 }
 
 fn Stretch_weights_0( this_8 : Stretch_0) -> vec4<f32>
 {
-    var _S228 : f32 = - this_8.low_7.visible_0;
-    var _S229 : f32 = Stretch_turns_0(this_8);
-    var _S230 : f32;
+    var _S227 : f32 = - this_8.low_7.visible_0;
+    var _S228 : f32 = Stretch_turns_0(this_8);
+    var _S229 : f32;
     if(Stretch_wraps_0(this_8))
     {
-        _S230 = 1.0f;
+        _S229 = 1.0f;
     }
     else
     {
-        _S230 = 0.0f;
+        _S229 = 0.0f;
     }
-    return vec4<f32>(1.0f, this_8.high_7.visible_0, _S228, _S229 - _S230);
+    return vec4<f32>(1.0f, this_8.high_7.visible_0, _S227, _S228 - _S229);
 }
 
 fn integral_on_top_0( family_8 : u32,  across_2 : Stretch_0,  along_0 : Stretch_0,  crossing_count_0 : u32,  quantity_1 : u32) -> f32
 {
-    var _S231 : u32 = u32(families_0[family_8].count_0);
-    var _S232 : u32 = (_S231 + u32(1)) * families_0[family_8].quantities_0;
-    var _S233 : u32 = families_0[family_8].colour_areas_0 + quantity_1;
-    var _S234 : vec4<u32> = row_differences_0(across_2, _S233 + along_0.low_7.thread_2 * _S232, _S231, families_0[family_8].quantities_0);
-    var _S235 : vec4<u32> = row_differences_0(across_2, _S233 + (along_0.low_7.thread_2 + u32(1)) * _S232, _S231, families_0[family_8].quantities_0);
-    var _S236 : vec4<u32> = row_differences_0(across_2, _S233 + along_0.high_7.thread_2 * _S232, _S231, families_0[family_8].quantities_0);
-    var _S237 : vec4<u32> = row_differences_0(across_2, _S233 + (along_0.high_7.thread_2 + u32(1)) * _S232, _S231, families_0[family_8].quantities_0);
-    var _S238 : vec4<u32> = row_differences_0(across_2, _S233 + crossing_count_0 * _S232, _S231, families_0[family_8].quantities_0);
-    var _S239 : vec4<u32> = _S236 - _S234;
-    var _S240 : vec4<u32>;
+    var _S230 : u32 = u32(families_0[family_8].count_0);
+    var _S231 : u32 = (_S230 + u32(1)) * families_0[family_8].quantities_0;
+    var _S232 : u32 = families_0[family_8].colour_areas_0 + quantity_1;
+    var _S233 : vec4<u32> = row_differences_0(across_2, _S232 + along_0.low_7.thread_2 * _S231, _S230, families_0[family_8].quantities_0);
+    var _S234 : vec4<u32> = row_differences_0(across_2, _S232 + (along_0.low_7.thread_2 + u32(1)) * _S231, _S230, families_0[family_8].quantities_0);
+    var _S235 : vec4<u32> = row_differences_0(across_2, _S232 + along_0.high_7.thread_2 * _S231, _S230, families_0[family_8].quantities_0);
+    var _S236 : vec4<u32> = row_differences_0(across_2, _S232 + (along_0.high_7.thread_2 + u32(1)) * _S231, _S230, families_0[family_8].quantities_0);
+    var _S237 : vec4<u32> = row_differences_0(across_2, _S232 + crossing_count_0 * _S231, _S230, families_0[family_8].quantities_0);
+    var _S238 : vec4<u32> = _S235 - _S233;
+    var _S239 : vec4<u32>;
     if(Stretch_wraps_0(along_0))
     {
-        _S240 = _S238;
+        _S239 = _S237;
     }
     else
     {
-        _S240 = vec4<u32>(vec4<i32>(i32(0)));
+        _S239 = vec4<u32>(vec4<i32>(i32(0)));
     }
-    var _S241 : vec4<f32> = Stretch_weights_0(across_2);
-    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S239 + _S240)), _S241), dot(vec4<f32>(vec4<i32>(_S237 - _S236)), _S241), dot(vec4<f32>(vec4<i32>(_S235 - _S234)), _S241), dot(vec4<f32>(vec4<i32>(_S238)), _S241)), Stretch_weights_0(along_0)) * families_0[family_8].area_unit_0;
+    var _S240 : vec4<f32> = Stretch_weights_0(across_2);
+    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S238 + _S239)), _S240), dot(vec4<f32>(vec4<i32>(_S236 - _S235)), _S240), dot(vec4<f32>(vec4<i32>(_S234 - _S233)), _S240), dot(vec4<f32>(vec4<i32>(_S237)), _S240)), Stretch_weights_0(along_0)) * families_0[family_8].area_unit_0;
 }
 
 fn with_added_albedos_0( albedos_1 : Albedos_0,  weight_0 : f32,  row_8 : u32) -> Albedos_0
 {
-    var _S242 : Albedos_0 = table_albedos_0(row_8);
+    var _S241 : Albedos_0 = table_albedos_0(row_8);
     var sum_0 : Albedos_0;
-    var _S243 : vec3<f32> = vec3<f32>(weight_0);
-    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S243 * _S242.diffuse_reflect_0;
-    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S243 * _S242.diffuse_transmit_0;
-    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S243 * _S242.specular_reflect_0;
-    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S243 * _S242.specular_transmit_0;
+    var _S242 : vec3<f32> = vec3<f32>(weight_0);
+    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S242 * _S241.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S242 * _S241.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S242 * _S241.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S242 * _S241.specular_transmit_0;
     return sum_0;
 }
 
@@ -1773,7 +1783,7 @@ fn mean_albedos_0( family_9 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other
     {
         return albedos_2;
     }
-    var _S244 : vec3<f32> = lengths_0(crossing_0, other_0);
+    var _S243 : vec3<f32> = lengths_0(crossing_0, other_0);
     var is_exposed_0 : bool = false;
     var weight_1 : f32 = 0.0f;
     var quantity_2 : u32 = u32(0);
@@ -1786,42 +1796,42 @@ fn mean_albedos_0( family_9 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other
         {
             break;
         }
-        var _S245 : vec2<f32> = integrals_along_0(family_9, own_0, quantity_2);
-        var _S246 : f32 = integral_on_top_0(family_9, own_0, other_0, u32(families_0[crossing_0].count_0), quantity_2);
-        var _S247 : f32 = _S245.x;
-        var _S248 : f32 = _S247 * _S244.x;
-        var _S249 : f32;
+        var _S244 : vec2<f32> = integrals_along_0(family_9, own_0, quantity_2);
+        var _S245 : f32 = integral_on_top_0(family_9, own_0, other_0, u32(families_0[crossing_0].count_0), quantity_2);
+        var _S246 : f32 = _S244.x;
+        var _S247 : f32 = _S246 * _S243.x;
+        var _S248 : f32;
         if(back_3)
         {
-            _S249 = _S248 - _S246;
+            _S248 = _S247 - _S245;
         }
         else
         {
-            _S249 = _S246;
+            _S248 = _S245;
         }
-        var _S250 : bool = quantity_2 == u32(0);
-        if(_S250)
+        var _S249 : bool = quantity_2 == u32(0);
+        if(_S249)
         {
-            is_exposed_0 = _S249 > (16.0f * families_0[family_9].area_unit_0 * min(_S248 / families_0[family_9].crossing_area_0, 1.0f) + 0.00000999999974738f * _S248);
+            is_exposed_0 = _S248 > (16.0f * families_0[family_9].area_unit_0 * min(_S247 / families_0[family_9].crossing_area_0, 1.0f) + 0.00000999999974738f * _S247);
         }
-        var _S251 : f32 = _S247 * _S244.y;
-        var _S252 : f32;
+        var _S250 : f32 = _S246 * _S243.y;
+        var _S251 : f32;
         if(is_exposed_0)
         {
-            _S252 = _S249;
+            _S251 = _S248;
         }
         else
         {
-            _S252 = 0.0f;
+            _S251 = 0.0f;
         }
-        var _S253 : f32 = _S251 + _S252 + 0.000244140625f * _S244.z * _S245.y;
-        if(_S250)
+        var _S252 : f32 = _S250 + _S251 + 0.000244140625f * _S243.z * _S244.y;
+        if(_S249)
         {
-            weight_1 = 1.0f / max(_S253, 9.99999968265522539e-21f);
+            weight_1 = 1.0f / max(_S252, 9.99999968265522539e-21f);
         }
         else
         {
-            albedos_2 = with_added_albedos_0(albedos_2, _S253 * weight_1, families_0[family_9].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
+            albedos_2 = with_added_albedos_0(albedos_2, _S252 * weight_1, families_0[family_9].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
         }
         quantity_2 = quantity_2 + u32(1);
     }
@@ -1859,9 +1869,9 @@ fn no_close_up_0() -> CloseUp_0
 {
     var nothing_1 : CloseUp_0;
     nothing_1.weight_2 = 0.0f;
-    var _S254 : Blocked_0 = no_blocked_0();
-    nothing_1.warp_1 = _S254;
-    nothing_1.weft_1 = _S254;
+    var _S253 : Blocked_0 = no_blocked_0();
+    nothing_1.warp_1 = _S253;
+    nothing_1.weft_1 = _S253;
     return nothing_1;
 }
 
@@ -1894,47 +1904,47 @@ struct FaceSends_0
 
 fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S255 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
+    var _S254 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
     var found_0 : FaceRadiance_0;
-    var _S256 : vec3<f32> = sends_0.sky_warp_0 + _S255 * sends_0.crossing_warp_0;
-    found_0.warp_2 = _S256;
-    var _S257 : vec3<f32> = sends_0.sky_weft_0 + _S255 * sends_0.crossing_weft_0;
-    found_0.weft_2 = _S257;
-    found_0.mean_0 = vec3<f32>(sends_0.blocks_warp_0) * _S256 + vec3<f32>(sends_0.blocks_weft_0) * _S257;
+    var _S255 : vec3<f32> = sends_0.sky_warp_0 + _S254 * sends_0.crossing_warp_0;
+    found_0.warp_2 = _S255;
+    var _S256 : vec3<f32> = sends_0.sky_weft_0 + _S254 * sends_0.crossing_weft_0;
+    found_0.weft_2 = _S256;
+    found_0.mean_0 = vec3<f32>(sends_0.blocks_warp_0) * _S255 + vec3<f32>(sends_0.blocks_weft_0) * _S256;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
 fn view_terms_0( view_1 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S258 : f32 = 1.0f - view_1.z;
-    var _S259 : f32 = _S258 * _S258;
+    var _S257 : f32 = 1.0f - view_1.z;
+    var _S258 : f32 = _S257 * _S257;
     (*terms_0)[i32(0)] = 1.0f;
-    var _S260 : f32 = view_1.x;
-    var _S261 : f32 = _S260 * _S260;
-    var _S262 : f32 = view_1.y;
-    var _S263 : f32 = _S262 * _S262;
-    (*terms_0)[i32(1)] = sqrt(max(_S261 + _S263, 9.999999960041972e-13f));
-    (*terms_0)[i32(2)] = _S259;
-    (*terms_0)[i32(3)] = _S259 * _S259;
-    (*terms_0)[i32(4)] = _S261 - _S263;
+    var _S259 : f32 = view_1.x;
+    var _S260 : f32 = _S259 * _S259;
+    var _S261 : f32 = view_1.y;
+    var _S262 : f32 = _S261 * _S261;
+    (*terms_0)[i32(1)] = sqrt(max(_S260 + _S262, 9.999999960041972e-13f));
+    (*terms_0)[i32(2)] = _S258;
+    (*terms_0)[i32(3)] = _S258 * _S258;
+    (*terms_0)[i32(4)] = _S260 - _S262;
     (*terms_0)[i32(5)] = 0.0f;
     return;
 }
 
 fn view_terms_1( view_2 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S264 : f32 = 1.0f - view_2.z;
-    var _S265 : f32 = _S264 * _S264;
+    var _S263 : f32 = 1.0f - view_2.z;
+    var _S264 : f32 = _S263 * _S263;
     (*terms_1)[i32(0)] = 1.0f;
-    var _S266 : f32 = view_2.x;
-    var _S267 : f32 = _S266 * _S266;
-    var _S268 : f32 = view_2.y;
-    var _S269 : f32 = _S268 * _S268;
-    (*terms_1)[i32(1)] = sqrt(max(_S267 + _S269, 9.999999960041972e-13f));
-    (*terms_1)[i32(2)] = _S265;
-    (*terms_1)[i32(3)] = _S265 * _S265;
-    (*terms_1)[i32(4)] = _S267 - _S269;
+    var _S265 : f32 = view_2.x;
+    var _S266 : f32 = _S265 * _S265;
+    var _S267 : f32 = view_2.y;
+    var _S268 : f32 = _S267 * _S267;
+    (*terms_1)[i32(1)] = sqrt(max(_S266 + _S268, 9.999999960041972e-13f));
+    (*terms_1)[i32(2)] = _S264;
+    (*terms_1)[i32(3)] = _S264 * _S264;
+    (*terms_1)[i32(4)] = _S266 - _S268;
     (*terms_1)[i32(5)] = 0.0f;
     return;
 }
@@ -1971,11 +1981,11 @@ struct Interior_0
 
 fn bounced_by_0( blocked_1 : Blocked_0,  yarn_0 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S270 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
-    var _S271 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_0.through_0;
+    var _S269 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
+    var _S270 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_0.through_0;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_0 = yarn_0.back_4 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_3 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_3) + _S271 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S271 * interior_0.far_1 + yarn_0.back_4 * _S270;
+    bounced_0.reflected_0 = yarn_0.back_4 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_3 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_3) + _S270 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S270 * interior_0.far_1 + yarn_0.back_4 * _S269;
     return bounced_0;
 }
 
@@ -1989,17 +1999,17 @@ fn sum_of_0( first_20 : Bounced_0,  second_1 : Bounced_0) -> Bounced_0
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_1 : vec3<f32>,  view_3 : vec3<f32>) -> vec3<f32>
 {
-    var _S272 : f32 = light_1.z;
-    var _S273 : vec3<f32>;
-    if((_S272 * view_3.z) < 0.0f)
+    var _S271 : f32 = light_1.z;
+    var _S272 : vec3<f32>;
+    if((_S271 * view_3.z) < 0.0f)
     {
-        _S273 = bounced_1.transmitted_0;
+        _S272 = bounced_1.transmitted_0;
     }
     else
     {
-        _S273 = bounced_1.reflected_0;
+        _S272 = bounced_1.reflected_0;
     }
-    return _S273 * vec3<f32>((abs(_S272) * 0.31830987334251404f));
+    return _S272 * vec3<f32>((abs(_S271) * 0.31830987334251404f));
 }
 
 fn sheen_scale_0( x_7 : f32,  y_0 : f32) -> f32
@@ -2019,50 +2029,50 @@ fn sheen_reflectance_0( x_9 : f32,  y_2 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_1 : f32) -> vec3<f32>
 {
-    var _S274 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S275 : f32 = 2.0f * sqrt(_S274) - 1.0f;
-    var _S276 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S275, _S276), 0.00999999977648258f, 1.0f), clamp((1.0f - _S274) * sheen_shear_0(_S275, _S276), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S275, _S276), -60.0f, 60.0f))));
+    var _S273 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S274 : f32 = 2.0f * sqrt(_S273) - 1.0f;
+    var _S275 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S274, _S275), 0.00999999977648258f, 1.0f), clamp((1.0f - _S273) * sheen_shear_0(_S274, _S275), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S274, _S275), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_2 : vec3<f32>,  view_4 : vec3<f32>,  scale_1 : f32,  shear_0 : f32) -> f32
 {
-    var _S277 : f32 = light_2.z;
-    var _S278 : bool;
-    if(_S277 <= 0.0f)
+    var _S276 : f32 = light_2.z;
+    var _S277 : bool;
+    if(_S276 <= 0.0f)
     {
-        _S278 = true;
+        _S277 = true;
     }
     else
     {
-        _S278 = (view_4.z) <= 0.0f;
+        _S277 = (view_4.z) <= 0.0f;
     }
-    if(_S278)
+    if(_S277)
     {
         return 0.0f;
     }
-    var _S279 : vec2<f32> = view_4.xy;
-    var _S280 : f32 = dot(_S279, _S279);
-    var _S281 : vec2<f32>;
-    if(_S280 > 9.99999968265522539e-21f)
+    var _S278 : vec2<f32> = view_4.xy;
+    var _S279 : f32 = dot(_S278, _S278);
+    var _S280 : vec2<f32>;
+    if(_S279 > 9.99999968265522539e-21f)
     {
-        _S281 = _S279 * vec2<f32>(rsqrt_0(_S280));
+        _S280 = _S278 * vec2<f32>(rsqrt_0(_S279));
     }
     else
     {
-        _S281 = vec2<f32>(1.0f, 0.0f);
+        _S280 = vec2<f32>(1.0f, 0.0f);
     }
-    var _S282 : f32 = scale_1 * dot(light_2.xy, _S281) + shear_0 * _S277;
-    var _S283 : f32 = scale_1 * (light_2.y * _S281.x - light_2.x * _S281.y);
-    var _S284 : f32 = _S282 * _S282 + _S283 * _S283 + _S277 * _S277;
-    return 0.31830987334251404f * scale_1 * scale_1 * _S277 / max(_S284 * _S284, 9.99999968265522539e-21f);
+    var _S281 : f32 = scale_1 * dot(light_2.xy, _S280) + shear_0 * _S276;
+    var _S282 : f32 = scale_1 * (light_2.y * _S280.x - light_2.x * _S280.y);
+    var _S283 : f32 = _S281 * _S281 + _S282 * _S282 + _S276 * _S276;
+    return 0.31830987334251404f * scale_1 * scale_1 * _S276 / max(_S283 * _S283, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_3 : vec3<f32>,  view_5 : vec3<f32>,  strength_0 : f32,  roughness_2 : f32) -> vec2<f32>
 {
-    var _S285 : vec3<f32> = sheen_lobe_0(view_5.z, roughness_2);
-    var _S286 : f32 = strength_0 * _S285.z;
-    return vec2<f32>(_S286 * transformed_cosine_0(light_3, view_5, _S285.x, _S285.y), 1.0f - _S286);
+    var _S284 : vec3<f32> = sheen_lobe_0(view_5.z, roughness_2);
+    var _S285 : f32 = strength_0 * _S284.z;
+    return vec2<f32>(_S285 * transformed_cosine_0(light_3, view_5, _S284.x, _S284.y), 1.0f - _S285);
 }
 
 struct WovenView_0
@@ -2074,62 +2084,62 @@ struct WovenView_0
      back_5 : bool,
 };
 
-fn anisotropic_taps_0( _S287 : u32,  _S288 : Footprint_0) -> AnisotropicTaps_0
+fn anisotropic_taps_0( _S286 : u32,  _S287 : Footprint_0) -> AnisotropicTaps_0
 {
-    var _S289 : vec3<f32> = row_of_taps_0(_S288);
-    var _S290 : vec2<f32> = _S288.dx_0;
-    var _S291 : vec2<f32> = _S288.dy_0;
-    var _S292 : f32 = dot(_S290, _S290) + dot(_S291, _S291);
-    var _S293 : f32 = _S288.dx_0.x * _S288.dy_0.y - _S288.dx_0.y * _S288.dy_0.x;
-    var _S294 : f32 = 0.5f * (_S292 + sqrt(max(_S292 * _S292 - 4.0f * _S293 * _S293, 0.0f)));
-    var _S295 : Woven_std430_0 = fabrics_0[_S287].woven_0;
-    var _S296 : bool;
-    if(_S294 < (5.5f * (_S292 - _S294)))
+    var _S288 : vec3<f32> = row_of_taps_0(_S287);
+    var _S289 : vec2<f32> = _S287.dx_0;
+    var _S290 : vec2<f32> = _S287.dy_0;
+    var _S291 : f32 = dot(_S289, _S289) + dot(_S290, _S290);
+    var _S292 : f32 = _S287.dx_0.x * _S287.dy_0.y - _S287.dx_0.y * _S287.dy_0.x;
+    var _S293 : f32 = 0.5f * (_S291 + sqrt(max(_S291 * _S291 - 4.0f * _S292 * _S292, 0.0f)));
+    var _S294 : Woven_std430_0 = fabrics_0[_S286].woven_0;
+    var _S295 : bool;
+    if(_S293 < (5.5f * (_S291 - _S293)))
     {
-        _S296 = _S292 > (8.0f * _S295.pitch_0 * _S295.pitch_0);
+        _S295 = _S291 > (8.0f * _S294.pitch_0 * _S294.pitch_0);
     }
     else
     {
-        _S296 = false;
+        _S295 = false;
     }
-    var _S297 : vec2<f32> = vec2<f32>(_S295.ends_per_mm_0, _S295.picks_per_mm_0);
+    var _S296 : vec2<f32> = vec2<f32>(_S294.ends_per_mm_0, _S294.picks_per_mm_0);
     var taps_1 : AnisotropicTaps_0;
-    taps_1.centre_1 = _S288.centre_0 * _S297;
-    var _S298 : f32;
-    if(_S296)
+    taps_1.centre_1 = _S287.centre_0 * _S296;
+    var _S297 : f32;
+    if(_S295)
     {
-        _S298 = sqrt(0.125f * _S292);
+        _S297 = sqrt(0.125f * _S291);
     }
     else
     {
-        _S298 = _S289.x;
+        _S297 = _S288.x;
     }
-    taps_1.side_0 = _S298 / _S295.pitch_0;
-    var _S299 : vec2<f32>;
-    if(_S296)
+    taps_1.side_0 = _S297 / _S294.pitch_0;
+    var _S298 : vec2<f32>;
+    if(_S295)
     {
-        _S299 = vec2<f32>(0.25f) * _S288.dx_0;
+        _S298 = vec2<f32>(0.25f) * _S287.dx_0;
     }
     else
     {
-        _S299 = _S289.yz;
+        _S298 = _S288.yz;
     }
-    taps_1.first_19 = _S299 * _S297;
-    if(_S296)
+    taps_1.first_19 = _S298 * _S296;
+    if(_S295)
     {
-        _S299 = vec2<f32>(0.25f) * _S288.dy_0;
+        _S298 = vec2<f32>(0.25f) * _S287.dy_0;
     }
     else
     {
-        _S299 = vec2<f32>(0.5f) * _S289.yz;
+        _S298 = vec2<f32>(0.5f) * _S288.yz;
     }
-    taps_1.second_0 = _S299 * _S297;
+    taps_1.second_0 = _S298 * _S296;
     return taps_1;
 }
 
-fn add_texel_0( _S300 : u32,  _S301 : u32,  _S302 : f32,  _S303 : ptr<function, array<f32, i32(88)>>)
+fn add_texel_0( _S299 : u32,  _S300 : u32,  _S301 : f32,  _S302 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S304 : u32 = fabrics_0[_S300].woven_0.latents_0 + _S301 * u32(8);
+    var _S303 : u32 = fabrics_0[_S299].woven_0.latents_0 + _S300 * u32(8);
     var part_0 : u32 = u32(0);
     for(;;)
     {
@@ -2140,53 +2150,53 @@ fn add_texel_0( _S300 : u32,  _S301 : u32,  _S302 : f32,  _S303 : ptr<function, 
         {
             break;
         }
-        var _S305 : Eight_0 = eight_halves_0(packed_numbers_0[_S304 + part_0]);
-        var _S306 : i32 = i32(u32(8) * part_0);
-        (*_S303)[_S306] = (*_S303)[_S306] + _S302 * _S305.low_0[i32(0)];
-        (*_S303)[_S306 + i32(4)] = (*_S303)[_S306 + i32(4)] + _S302 * _S305.high_0[i32(0)];
-        var _S307 : i32 = _S306 + i32(1);
-        (*_S303)[_S307] = (*_S303)[_S307] + _S302 * _S305.low_0[i32(1)];
-        (*_S303)[_S307 + i32(4)] = (*_S303)[_S307 + i32(4)] + _S302 * _S305.high_0[i32(1)];
-        var _S308 : i32 = _S306 + i32(2);
-        (*_S303)[_S308] = (*_S303)[_S308] + _S302 * _S305.low_0[i32(2)];
-        (*_S303)[_S308 + i32(4)] = (*_S303)[_S308 + i32(4)] + _S302 * _S305.high_0[i32(2)];
-        var _S309 : i32 = _S306 + i32(3);
-        (*_S303)[_S309] = (*_S303)[_S309] + _S302 * _S305.low_0[i32(3)];
-        (*_S303)[_S309 + i32(4)] = (*_S303)[_S309 + i32(4)] + _S302 * _S305.high_0[i32(3)];
+        var _S304 : Eight_0 = eight_halves_0(packed_numbers_0[_S303 + part_0]);
+        var _S305 : i32 = i32(u32(8) * part_0);
+        (*_S302)[_S305] = (*_S302)[_S305] + _S301 * _S304.low_0[i32(0)];
+        (*_S302)[_S305 + i32(4)] = (*_S302)[_S305 + i32(4)] + _S301 * _S304.high_0[i32(0)];
+        var _S306 : i32 = _S305 + i32(1);
+        (*_S302)[_S306] = (*_S302)[_S306] + _S301 * _S304.low_0[i32(1)];
+        (*_S302)[_S306 + i32(4)] = (*_S302)[_S306 + i32(4)] + _S301 * _S304.high_0[i32(1)];
+        var _S307 : i32 = _S305 + i32(2);
+        (*_S302)[_S307] = (*_S302)[_S307] + _S301 * _S304.low_0[i32(2)];
+        (*_S302)[_S307 + i32(4)] = (*_S302)[_S307 + i32(4)] + _S301 * _S304.high_0[i32(2)];
+        var _S308 : i32 = _S305 + i32(3);
+        (*_S302)[_S308] = (*_S302)[_S308] + _S301 * _S304.low_0[i32(3)];
+        (*_S302)[_S308 + i32(4)] = (*_S302)[_S308 + i32(4)] + _S301 * _S304.high_0[i32(3)];
         part_0 = part_0 + u32(1);
     }
     return;
 }
 
-fn add_level_0( _S310 : u32,  _S311 : u32,  _S312 : bool,  _S313 : vec2<f32>,  _S314 : f32,  _S315 : ptr<function, array<f32, i32(88)>>)
+fn add_level_0( _S309 : u32,  _S310 : u32,  _S311 : bool,  _S312 : vec2<f32>,  _S313 : f32,  _S314 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S316 : Woven_std430_0 = fabrics_0[_S310].woven_0;
-    var _S317 : u32 = fabrics_0[_S310].woven_0.levels_1 + u32(4) * _S311;
-    var _S318 : f32 = table_number_0(_S317);
-    var _S319 : f32 = table_number_0(_S317 + u32(1));
-    var _S320 : f32 = table_number_0(_S317 + u32(2));
-    var _S321 : bool;
-    if(_S311 > u32(3))
+    var _S315 : Woven_std430_0 = fabrics_0[_S309].woven_0;
+    var _S316 : u32 = fabrics_0[_S309].woven_0.levels_1 + u32(4) * _S310;
+    var _S317 : f32 = table_number_0(_S316);
+    var _S318 : f32 = table_number_0(_S316 + u32(1));
+    var _S319 : f32 = table_number_0(_S316 + u32(2));
+    var _S320 : bool;
+    if(_S310 > u32(3))
     {
-        _S321 = _S311 < (_S316.top_level_0);
+        _S320 = _S310 < (_S315.top_level_0);
     }
     else
     {
-        _S321 = false;
+        _S320 = false;
     }
-    var _S322 : vec2<f32> = _S313 * vec2<f32>(table_number_0(_S317 + u32(3)));
-    var _S323 : f32;
-    if(_S321)
+    var _S321 : vec2<f32> = _S312 * vec2<f32>(table_number_0(_S316 + u32(3)));
+    var _S322 : f32;
+    if(_S320)
     {
-        _S323 = 1.0f;
+        _S322 = 1.0f;
     }
     else
     {
-        _S323 = 0.5f;
+        _S322 = 0.5f;
     }
-    var _S324 : vec2<f32> = _S322 - vec2<f32>(_S323);
-    var _S325 : vec2<f32> = floor(_S324);
-    var _S326 : vec2<f32> = _S324 - _S325;
+    var _S323 : vec2<f32> = _S321 - vec2<f32>(_S322);
+    var _S324 : vec2<f32> = floor(_S323);
+    var _S325 : vec2<f32> = _S323 - _S324;
     var corner_0 : u32 = u32(0);
     for(;;)
     {
@@ -2197,26 +2207,26 @@ fn add_level_0( _S310 : u32,  _S311 : u32,  _S312 : bool,  _S313 : vec2<f32>,  _
         {
             break;
         }
-        var _S327 : f32 = f32((corner_0 & (u32(1))));
-        var _S328 : f32 = f32((corner_0 >> (u32(1))));
-        var _S329 : vec2<f32> = mix(vec2<f32>(1.0f) - _S326, _S326, vec2<f32>(_S327, _S328));
-        var _S330 : u32 = u32(_S318 + wrapped_0(_S325.y + _S328, _S320) * _S319 + wrapped_0(_S325.x + _S327, _S319));
-        var _S331 : u32;
-        if(_S312)
+        var _S326 : f32 = f32((corner_0 & (u32(1))));
+        var _S327 : f32 = f32((corner_0 >> (u32(1))));
+        var _S328 : vec2<f32> = mix(vec2<f32>(1.0f) - _S325, _S325, vec2<f32>(_S326, _S327));
+        var _S329 : u32 = u32(_S317 + wrapped_0(_S324.y + _S327, _S319) * _S318 + wrapped_0(_S324.x + _S326, _S318));
+        var _S330 : u32;
+        if(_S311)
         {
-            _S331 = _S316.texels_0;
+            _S330 = _S315.texels_0;
         }
         else
         {
-            _S331 = u32(0);
+            _S330 = u32(0);
         }
-        add_texel_0(_S310, _S330 + _S331, _S314 * _S329.x * _S329.y, &((*_S315)));
+        add_texel_0(_S309, _S329 + _S330, _S313 * _S328.x * _S328.y, &((*_S314)));
         corner_0 = corner_0 + u32(1);
     }
     return;
 }
 
-fn code_footprint_0( _S332 : u32,  _S333 : AnisotropicTaps_0,  _S334 : vec3<f32>,  _S335 : bool,  _S336 : ptr<function, array<f32, i32(88)>>)
+fn code_footprint_0( _S331 : u32,  _S332 : AnisotropicTaps_0,  _S333 : vec3<f32>,  _S334 : bool,  _S335 : ptr<function, array<f32, i32(88)>>)
 {
     var offset_1 : f32;
     var k_0 : i32 = i32(0);
@@ -2229,55 +2239,55 @@ fn code_footprint_0( _S332 : u32,  _S333 : AnisotropicTaps_0,  _S334 : vec3<f32>
         {
             break;
         }
-        (*_S336)[k_0] = 0.0f;
+        (*_S335)[k_0] = 0.0f;
         k_0 = k_0 + i32(1);
     }
-    var _S337 : vec2<f32> = vec2<f32>(fabrics_0[_S332].woven_0.ends_0, fabrics_0[_S332].woven_0.picks_0);
-    var _S338 : f32 = f32(fabrics_0[_S332].woven_0.top_level_0);
-    var _S339 : f32 = clamp(binary_logarithm_0(max(_S333.side_0, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S338);
-    var _S340 : f32 = min(floor(_S339), _S338 - 1.0f);
-    var _S341 : u32;
-    if(AnisotropicTaps_has_steps_0(_S333))
+    var _S336 : vec2<f32> = vec2<f32>(fabrics_0[_S331].woven_0.ends_0, fabrics_0[_S331].woven_0.picks_0);
+    var _S337 : f32 = f32(fabrics_0[_S331].woven_0.top_level_0);
+    var _S338 : f32 = clamp(binary_logarithm_0(max(_S332.side_0, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S337);
+    var _S339 : f32 = min(floor(_S338), _S337 - 1.0f);
+    var _S340 : u32;
+    if(AnisotropicTaps_has_steps_0(_S332))
     {
-        _S341 = u32(4);
+        _S340 = u32(4);
     }
     else
     {
-        _S341 = u32(1);
+        _S340 = u32(1);
     }
     var number_1 : u32 = u32(0);
     for(;;)
     {
-        if(number_1 < (u32(2) * _S341))
+        if(number_1 < (u32(2) * _S340))
         {
         }
         else
         {
             break;
         }
-        var _S342 : vec2<f32> = AnisotropicTaps_place_0(_S333, (number_1 >> (u32(1))));
-        var _S343 : vec2<f32> = clamp(_S342 - _S337 * floor(_S342 / _S337), vec2<f32>(0.0f), _S337);
-        var _S344 : bool = ((number_1 & (u32(1)))) != u32(0);
-        if(_S344)
+        var _S341 : vec2<f32> = AnisotropicTaps_place_0(_S332, (number_1 >> (u32(1))));
+        var _S342 : vec2<f32> = clamp(_S341 - _S336 * floor(_S341 / _S336), vec2<f32>(0.0f), _S336);
+        var _S343 : bool = ((number_1 & (u32(1)))) != u32(0);
+        if(_S343)
         {
-            offset_1 = _S339 - _S340;
+            offset_1 = _S338 - _S339;
         }
         else
         {
-            offset_1 = 1.0f - (_S339 - _S340);
+            offset_1 = 1.0f - (_S338 - _S339);
         }
-        var _S345 : f32 = offset_1 / f32(_S341);
-        var _S346 : u32 = u32(_S340);
-        var _S347 : u32;
-        if(_S344)
+        var _S344 : f32 = offset_1 / f32(_S340);
+        var _S345 : u32 = u32(_S339);
+        var _S346 : u32;
+        if(_S343)
         {
-            _S347 = u32(1);
+            _S346 = u32(1);
         }
         else
         {
-            _S347 = u32(0);
+            _S346 = u32(0);
         }
-        add_level_0(_S332, _S346 + _S347, _S335, _S343, _S345, &((*_S336)));
+        add_level_0(_S331, _S345 + _S346, _S334, _S342, _S344, &((*_S335)));
         number_1 = number_1 + u32(1);
     }
     var number_2 : i32 = i32(0);
@@ -2300,7 +2310,7 @@ fn code_footprint_0( _S332 : u32,  _S333 : AnisotropicTaps_0,  _S334 : vec3<f32>
             {
                 break;
             }
-            var offset_2 : f32 = _S334[number_2] - (f32(bin_0) + 0.5f) / 8.0f;
+            var offset_2 : f32 = _S333[number_2] - (f32(bin_0) + 0.5f) / 8.0f;
             if(number_2 < i32(2))
             {
                 offset_1 = offset_2 - round(offset_2);
@@ -2309,7 +2319,7 @@ fn code_footprint_0( _S332 : u32,  _S333 : AnisotropicTaps_0,  _S334 : vec3<f32>
             {
                 offset_1 = offset_2;
             }
-            (*_S336)[i32(64) + number_2 * i32(8) + bin_0] = bump_0(offset_1 * 3.20000004768371582f);
+            (*_S335)[i32(64) + number_2 * i32(8) + bin_0] = bump_0(offset_1 * 3.20000004768371582f);
             bin_0 = bin_0 + i32(1);
         }
         number_2 = number_2 + i32(1);
@@ -2317,63 +2327,63 @@ fn code_footprint_0( _S332 : u32,  _S333 : AnisotropicTaps_0,  _S334 : vec3<f32>
     return;
 }
 
-fn crown_fibres_0( _S348 : u32,  _S349 : bool,  _S350 : bool) -> vec3<f32>
+fn crown_fibres_0( _S347 : u32,  _S348 : bool,  _S349 : bool) -> vec3<f32>
 {
-    var _S351 : f32;
-    if(_S349)
+    var _S350 : f32;
+    if(_S348)
     {
-        if(_S350)
+        if(_S349)
         {
-            _S351 = - fabrics_0[_S348].woven_0.warp_x_0;
+            _S350 = - fabrics_0[_S347].woven_0.warp_x_0;
         }
         else
         {
-            _S351 = fabrics_0[_S348].woven_0.warp_x_0;
+            _S350 = fabrics_0[_S347].woven_0.warp_x_0;
         }
-        return vec3<f32>(_S351, fabrics_0[_S348].woven_0.warp_y_0, fabrics_0[_S348].woven_0.warp_roughness_0);
+        return vec3<f32>(_S350, fabrics_0[_S347].woven_0.warp_y_0, fabrics_0[_S347].woven_0.warp_roughness_0);
     }
-    var _S352 : Woven_std430_0 = fabrics_0[_S348].woven_0;
-    if(_S350)
+    var _S351 : Woven_std430_0 = fabrics_0[_S347].woven_0;
+    if(_S349)
     {
-        _S351 = - _S352.weft_y_0;
+        _S350 = - _S351.weft_y_0;
     }
     else
     {
-        _S351 = _S352.weft_y_0;
+        _S350 = _S351.weft_y_0;
     }
-    return vec3<f32>(_S352.weft_x_0, _S351, _S352.weft_roughness_0);
+    return vec3<f32>(_S351.weft_x_0, _S350, _S351.weft_roughness_0);
 }
 
-fn woven_view_0( _S353 : u32,  _S354 : Footprint_0,  _S355 : vec3<f32>,  _S356 : ptr<function, WovenView_0>)
+fn woven_view_0( _S352 : u32,  _S353 : Footprint_0,  _S354 : vec3<f32>,  _S355 : ptr<function, WovenView_0>)
 {
-    var _S357 : bool = (_S355.z) < 0.0f;
-    var _S358 : AnisotropicTaps_0 = anisotropic_taps_0(_S353, _S354);
-    var _S359 : vec3<f32> = footprint_coordinates_0(_S358);
-    var _S360 : vec3<f32> = to_face_frame_0(_S355, _S357);
+    var _S356 : bool = (_S354.z) < 0.0f;
+    var _S357 : AnisotropicTaps_0 = anisotropic_taps_0(_S352, _S353);
+    var _S358 : vec3<f32> = footprint_coordinates_0(_S357);
+    var _S359 : vec3<f32> = to_face_frame_0(_S354, _S356);
     var weights_23 : HalfWeights_0;
-    weights_23.first_2 = fabrics_0[_S353].woven_0.network_0;
+    weights_23.first_2 = fabrics_0[_S352].woven_0.network_0;
     var inputs_23 : array<f32, i32(88)>;
-    code_footprint_0(_S353, _S358, _S359, _S357, &(inputs_23));
+    code_footprint_0(_S352, _S357, _S358, _S356, &(inputs_23));
     var hidden_1 : array<f32, i32(96)>;
     dense_7(weights_23, u32(0), false, &(inputs_23), &(hidden_1));
     var fused_0 : array<f32, i32(100)>;
     dense_part_8(weights_23, u32(1068), false, &(hidden_1), &(fused_0));
-    fused_0[i32(96)] = _S360.x;
-    fused_0[i32(97)] = _S360.y;
-    var _S361 : vec2<f32> = _S360.xy;
-    fused_0[i32(98)] = dot(crown_fibres_0(_S353, true, _S357).xy, _S361);
-    fused_0[i32(99)] = dot(crown_fibres_0(_S353, false, _S357).xy, _S361);
+    fused_0[i32(96)] = _S359.x;
+    fused_0[i32(97)] = _S359.y;
+    var _S360 : vec2<f32> = _S359.xy;
+    fused_0[i32(98)] = dot(crown_fibres_0(_S352, true, _S356).xy, _S360);
+    fused_0[i32(99)] = dot(crown_fibres_0(_S352, false, _S356).xy, _S360);
     var of_hole_0 : array<f32, i32(16)>;
     dense_6(weights_23, u32(2232), false, &(fused_0), &(of_hole_0));
     var hole_1 : array<f32, i32(1)>;
     dense_5(weights_23, u32(2444), false, &(of_hole_0), &(hole_1));
-    var _S362 : array<f32, i32(96)> = (*_S356).sums_6;
-    dense_4(weights_23, u32(2456), false, &(fused_0), &(_S362));
-    (*_S356).sums_6 = _S362;
-    (*_S356).hole_0 = clamp(hole_1[i32(0)], 0.0f, 1.0f);
-    (*_S356).correction_weight_0 = correction_weight_of_0(_S359.z);
-    (*_S356).view_6 = _S360;
-    (*_S356).back_5 = _S357;
+    var _S361 : array<f32, i32(96)> = (*_S355).sums_6;
+    dense_4(weights_23, u32(2456), false, &(fused_0), &(_S361));
+    (*_S355).sums_6 = _S361;
+    (*_S355).hole_0 = clamp(hole_1[i32(0)], 0.0f, 1.0f);
+    (*_S355).correction_weight_0 = correction_weight_of_0(_S358.z);
+    (*_S355).view_6 = _S359;
+    (*_S355).back_5 = _S356;
     return;
 }
 
@@ -2387,16 +2397,16 @@ struct Components_0
      hole_2 : f32,
 };
 
-fn code_light_0( _S363 : u32,  _S364 : vec3<f32>,  _S365 : vec3<f32>,  _S366 : bool,  _S367 : ptr<function, array<f32, i32(39)>>)
+fn code_light_0( _S362 : u32,  _S363 : vec3<f32>,  _S364 : vec3<f32>,  _S365 : bool,  _S366 : ptr<function, array<f32, i32(39)>>)
 {
-    (*_S367)[i32(0)] = _S364.x;
-    (*_S367)[i32(1)] = _S364.y;
-    (*_S367)[i32(2)] = _S364.z;
-    var _S368 : vec3<f32> = _S364 + _S365;
-    var _S369 : f32 = _S368.z;
-    var _S370 : f32 = _S369 * _S369 + 0.00009999999747379f;
-    var _S371 : vec2<f32> = _S368.xy;
-    var _S372 : f32 = 1.0f / (dot(_S371, _S371) + _S370);
+    (*_S366)[i32(0)] = _S363.x;
+    (*_S366)[i32(1)] = _S363.y;
+    (*_S366)[i32(2)] = _S363.z;
+    var _S367 : vec3<f32> = _S363 + _S364;
+    var _S368 : f32 = _S367.z;
+    var _S369 : f32 = _S368 * _S368 + 0.00009999999747379f;
+    var _S370 : vec2<f32> = _S367.xy;
+    var _S371 : f32 = 1.0f / (dot(_S370, _S370) + _S369);
     var family_10 : i32 = i32(0);
     for(;;)
     {
@@ -2407,12 +2417,12 @@ fn code_light_0( _S363 : u32,  _S364 : vec3<f32>,  _S365 : vec3<f32>,  _S366 : b
         {
             break;
         }
-        var _S373 : vec3<f32> = crown_fibres_0(_S363, family_10 == i32(0), _S366);
-        var _S374 : vec2<f32> = _S373.xy;
-        (*_S367)[i32(3) + family_10] = dot(_S374, _S364.xy);
-        var _S375 : f32 = dot(_S374, _S371);
-        var _S376 : f32 = _S375 * _S375;
-        var _S377 : f32 = (0.75f * _S375 / (0.5f * sqrt(_S376 + _S370) + abs(_S375)) + 0.5f) * 8.0f;
+        var _S372 : vec3<f32> = crown_fibres_0(_S362, family_10 == i32(0), _S365);
+        var _S373 : vec2<f32> = _S372.xy;
+        (*_S366)[i32(3) + family_10] = dot(_S373, _S363.xy);
+        var _S374 : f32 = dot(_S373, _S370);
+        var _S375 : f32 = _S374 * _S374;
+        var _S376 : f32 = (0.75f * _S374 / (0.5f * sqrt(_S375 + _S369) + abs(_S374)) + 0.5f) * 8.0f;
         var bin_1 : i32 = i32(0);
         for(;;)
         {
@@ -2423,56 +2433,56 @@ fn code_light_0( _S363 : u32,  _S364 : vec3<f32>,  _S365 : vec3<f32>,  _S366 : b
             {
                 break;
             }
-            (*_S367)[i32(5) + family_10 * i32(16) + bin_1] = bump_0(_S377 - (f32(bin_1) + 0.5f) / 2.0f);
+            (*_S366)[i32(5) + family_10 * i32(16) + bin_1] = bump_0(_S376 - (f32(bin_1) + 0.5f) / 2.0f);
             bin_1 = bin_1 + i32(1);
         }
-        var _S378 : f32 = _S373.z;
-        var _S379 : f32 = _S378 * _S378;
-        var _S380 : f32 = _S376 * _S372 * (1.0f - _S379) + _S379;
-        (*_S367)[i32(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S379 * _S378 / (_S380 * _S380));
+        var _S377 : f32 = _S372.z;
+        var _S378 : f32 = _S377 * _S377;
+        var _S379 : f32 = _S375 * _S371 * (1.0f - _S378) + _S378;
+        (*_S366)[i32(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S378 * _S377 / (_S379 * _S379));
         family_10 = family_10 + i32(1);
     }
     return;
 }
 
-fn mixed_bundles_0( _S381 : u32,  _S382 : u32,  _S383 : u32,  _S384 : vec3<f32>,  _S385 : vec3<f32>,  _S386 : bool,  _S387 : ptr<function, array<f32, i32(52)>>) -> f32
+fn mixed_bundles_0( _S380 : u32,  _S381 : u32,  _S382 : u32,  _S383 : vec3<f32>,  _S384 : vec3<f32>,  _S385 : bool,  _S386 : ptr<function, array<f32, i32(52)>>) -> f32
 {
-    var _S388 : vec3<f32> = _S384 + _S385;
-    var _S389 : f32 = 1.0f / (square_1(_S388) + 0.00009999999747379f);
-    var _S390 : bool;
-    if(_S382 == u32(0))
+    var _S387 : vec3<f32> = _S383 + _S384;
+    var _S388 : f32 = 1.0f / (square_1(_S387) + 0.00009999999747379f);
+    var _S389 : bool;
+    if(_S381 == u32(0))
     {
-        _S390 = _S386;
+        _S389 = _S385;
     }
     else
     {
-        _S390 = false;
+        _S389 = false;
+    }
+    var _S390 : f32;
+    if(_S389)
+    {
+        _S390 = - _S387.x;
+    }
+    else
+    {
+        _S390 = _S387.x;
+    }
+    if(_S381 == u32(1))
+    {
+        _S389 = _S385;
+    }
+    else
+    {
+        _S389 = false;
     }
     var _S391 : f32;
-    if(_S390)
+    if(_S389)
     {
-        _S391 = - _S388.x;
+        _S391 = - _S387.y;
     }
     else
     {
-        _S391 = _S388.x;
-    }
-    if(_S382 == u32(1))
-    {
-        _S390 = _S386;
-    }
-    else
-    {
-        _S390 = false;
-    }
-    var _S392 : f32;
-    if(_S390)
-    {
-        _S392 = - _S388.y;
-    }
-    else
-    {
-        _S392 = _S388.y;
+        _S391 = _S387.y;
     }
     var bundle_1 : u32 = u32(0);
     var sum_2 : f32 = 0.0f;
@@ -2485,38 +2495,38 @@ fn mixed_bundles_0( _S381 : u32,  _S382 : u32,  _S383 : u32,  _S384 : vec3<f32>,
         {
             break;
         }
-        var _S393 : u32 = _S382 * u32(25);
-        var _S394 : u32 = fabrics_0[_S381].woven_0.bundles_0 + u32(4) * (_S393 + bundle_1);
-        var _S395 : f32 = dot(vec3<f32>(table_number_0(_S394), table_number_0(_S394 + u32(1)), table_number_0(_S394 + u32(2))), vec3<f32>(_S391, _S392, _S388.z));
-        var _S396 : f32 = _S395 * _S395 * _S389 + table_number_0(_S394 + u32(3));
-        var _S397 : u32 = _S383 + _S393;
-        var _S398 : u32;
-        if(_S386)
+        var _S392 : u32 = _S381 * u32(25);
+        var _S393 : u32 = fabrics_0[_S380].woven_0.bundles_0 + u32(4) * (_S392 + bundle_1);
+        var _S394 : f32 = dot(vec3<f32>(table_number_0(_S393), table_number_0(_S393 + u32(1)), table_number_0(_S393 + u32(2))), vec3<f32>(_S390, _S391, _S387.z));
+        var _S395 : f32 = _S394 * _S394 * _S388 + table_number_0(_S393 + u32(3));
+        var _S396 : u32 = _S382 + _S392;
+        var _S397 : u32;
+        if(_S385)
         {
-            _S398 = mirrored_bundle_0(bundle_1);
+            _S397 = mirrored_bundle_0(bundle_1);
         }
         else
         {
-            _S398 = bundle_1;
+            _S397 = bundle_1;
         }
-        var sum_3 : f32 = sum_2 + max((*_S387)[_S397 + _S398], (*_S387)[_S397 + _S398] * 0.00999999977648258f) / (_S396 * _S396);
+        var sum_3 : f32 = sum_2 + max((*_S386)[_S396 + _S397], (*_S386)[_S396 + _S397] * 0.00999999977648258f) / (_S395 * _S395);
         bundle_1 = bundle_1 + u32(1);
         sum_2 = sum_3;
     }
     return 0.01999999955296516f * sum_2;
 }
 
-fn woven_components_0( _S399 : u32,  _S400 : ptr<function, WovenView_0>,  _S401 : vec3<f32>) -> Components_0
+fn woven_components_0( _S398 : u32,  _S399 : ptr<function, WovenView_0>,  _S400 : vec3<f32>) -> Components_0
 {
-    var _S402 : f32;
-    var _S403 : bool = (*_S400).back_5;
-    var _S404 : vec3<f32> = to_face_frame_0(_S401, (*_S400).back_5);
-    var _S405 : vec3<f32> = (*_S400).view_6;
+    var _S401 : f32;
+    var _S402 : bool = (*_S399).back_5;
+    var _S403 : vec3<f32> = to_face_frame_0(_S400, (*_S399).back_5);
+    var _S404 : vec3<f32> = (*_S399).view_6;
     var weights_24 : HalfWeights_0;
-    var _S406 : Woven_std430_0 = fabrics_0[_S399].woven_0;
-    weights_24.first_2 = fabrics_0[_S399].woven_0.network_0;
+    var _S405 : Woven_std430_0 = fabrics_0[_S398].woven_0;
+    weights_24.first_2 = fabrics_0[_S398].woven_0.network_0;
     var directions_0 : array<f32, i32(39)>;
-    code_light_0(_S399, _S404, (*_S400).view_6, (*_S400).back_5, &(directions_0));
+    code_light_0(_S398, _S403, (*_S399).view_6, (*_S399).back_5, &(directions_0));
     var skip_0 : array<f32, i32(96)>;
     var k_1 : i32 = i32(0);
     for(;;)
@@ -2528,7 +2538,7 @@ fn woven_components_0( _S399 : u32,  _S400 : ptr<function, WovenView_0>,  _S401 
         {
             break;
         }
-        skip_0[k_1] = (*_S400).sums_6[k_1];
+        skip_0[k_1] = (*_S399).sums_6[k_1];
         k_1 = k_1 + i32(1);
     }
     dense_3(weights_24, u32(3716), true, &(directions_0), &(skip_0));
@@ -2569,13 +2579,13 @@ fn woven_components_0( _S399 : u32,  _S400 : ptr<function, WovenView_0>,  _S401 
             }
             if(layer_0 == u32(1))
             {
-                _S402 = skip_0[k_1];
+                _S401 = skip_0[k_1];
             }
             else
             {
-                _S402 = 0.0f;
+                _S401 = 0.0f;
             }
-            next_0[k_1] = _S402;
+            next_0[k_1] = _S401;
             k_1 = k_1 + i32(1);
         }
         dense_2(weights_24, u32(4208) + layer_0 * u32(1164), true, &(hidden_2), &(next_0));
@@ -2596,27 +2606,27 @@ fn woven_components_0( _S399 : u32,  _S400 : ptr<function, WovenView_0>,  _S401 
     }
     var outputs_17 : array<f32, i32(52)>;
     dense_1(weights_24, u32(7700), false, &(hidden_2), &(outputs_17));
-    var _S407 : bool;
-    if((_S406.is_corrected_0) != u32(0))
+    var _S406 : bool;
+    if((_S405.is_corrected_0) != u32(0))
     {
-        _S407 = (_S404.z) > 0.0f;
+        _S406 = (_S403.z) > 0.0f;
     }
     else
     {
-        _S407 = false;
+        _S406 = false;
     }
-    if(_S407)
+    if(_S406)
     {
-        _S407 = ((*_S400).correction_weight_0) > 0.0f;
+        _S406 = ((*_S399).correction_weight_0) > 0.0f;
     }
     else
     {
-        _S407 = false;
+        _S406 = false;
     }
-    if(_S407)
+    if(_S406)
     {
         var fitted_0 : FloatWeights_0;
-        fitted_0.first_0 = _S406.correction_0;
+        fitted_0.first_0 = _S405.correction_0;
         var change_0 : array<f32, i32(50)>;
         dense_0(fitted_0, u32(0), false, &(hidden_2), &(change_0));
         k_1 = i32(0);
@@ -2629,30 +2639,30 @@ fn woven_components_0( _S399 : u32,  _S400 : ptr<function, WovenView_0>,  _S401 
             {
                 break;
             }
-            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S400).correction_weight_0 * change_0[k_1];
+            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S399).correction_weight_0 * change_0[k_1];
             k_1 = k_1 + i32(1);
         }
     }
-    if((_S404.z) > 0.0f)
+    if((_S403.z) > 0.0f)
     {
-        _S402 = 0.00999999977648258f;
+        _S401 = 0.00999999977648258f;
     }
     else
     {
-        _S402 = 0.00100000004749745f;
+        _S401 = 0.00100000004749745f;
     }
     var result_2 : Components_0;
-    var _S408 : f32 = unmapped_0(outputs_17[i32(0)], _S402);
-    result_2.diffuse_warp_0 = _S408;
-    var _S409 : f32 = unmapped_0(outputs_17[i32(1)], _S402);
-    result_2.diffuse_weft_0 = _S409;
-    var _S410 : f32 = 2979.9580078125f * _S402;
-    var _S411 : f32 = mixed_bundles_0(_S399, u32(0), u32(2), _S404, _S405, _S403, &(outputs_17));
-    result_2.specular_warp_0 = clamp(_S411, 0.0f, _S410);
-    var _S412 : f32 = mixed_bundles_0(_S399, u32(1), u32(2), _S404, _S405, _S403, &(outputs_17));
-    result_2.specular_weft_0 = clamp(_S412, 0.0f, _S410);
-    result_2.hole_2 = (*_S400).hole_0;
-    result_2.light_visibility_1 = min(light_visibility_of_0(_S408 + _S409, _S404, _S405, fabrics_0[_S399].diffuse_blend_0), 1.0f - (*_S400).hole_0);
+    var _S407 : f32 = unmapped_0(outputs_17[i32(0)], _S401);
+    result_2.diffuse_warp_0 = _S407;
+    var _S408 : f32 = unmapped_0(outputs_17[i32(1)], _S401);
+    result_2.diffuse_weft_0 = _S408;
+    var _S409 : f32 = 2979.9580078125f * _S401;
+    var _S410 : f32 = mixed_bundles_0(_S398, u32(0), u32(2), _S403, _S404, _S402, &(outputs_17));
+    result_2.specular_warp_0 = clamp(_S410, 0.0f, _S409);
+    var _S411 : f32 = mixed_bundles_0(_S398, u32(1), u32(2), _S403, _S404, _S402, &(outputs_17));
+    result_2.specular_weft_0 = clamp(_S411, 0.0f, _S409);
+    result_2.hole_2 = (*_S399).hole_0;
+    result_2.light_visibility_1 = min(light_visibility_of_0(_S407 + _S408, _S403, _S404, fabrics_0[_S398].diffuse_blend_0), 1.0f - (*_S399).hole_0);
     return result_2;
 }
 
@@ -2662,124 +2672,124 @@ struct FamilyAlbedos_0
      weft_4 : Albedos_0,
 };
 
-fn albedos_over_0( _S413 : u32,  _S414 : Footprint_0,  _S415 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S412 : u32,  _S413 : Footprint_0,  _S414 : bool) -> FamilyAlbedos_0
 {
-    var _S416 : vec2<f32> = _S414.dx_0;
-    var _S417 : vec2<f32> = _S414.dy_0;
-    var _S418 : vec2<f32> = sqrt(_S416 * _S416 + _S417 * _S417);
-    var _S419 : Stretch_0 = stretch_of_0(fabrics_0[_S413].warp_0, _S414.centre_0.x, _S418.x);
-    var _S420 : Stretch_0 = stretch_of_0(fabrics_0[_S413].weft_0, _S414.centre_0.y, _S418.y);
+    var _S415 : vec2<f32> = _S413.dx_0;
+    var _S416 : vec2<f32> = _S413.dy_0;
+    var _S417 : vec2<f32> = sqrt(_S415 * _S415 + _S416 * _S416);
+    var _S418 : Stretch_0 = stretch_of_0(fabrics_0[_S412].warp_0, _S413.centre_0.x, _S417.x);
+    var _S419 : Stretch_0 = stretch_of_0(fabrics_0[_S412].weft_0, _S413.centre_0.y, _S417.y);
     var albedos_4 : FamilyAlbedos_0;
-    albedos_4.warp_4 = mean_albedos_0(fabrics_0[_S413].warp_0, fabrics_0[_S413].weft_0, _S419, _S420, _S415);
-    albedos_4.weft_4 = mean_albedos_0(fabrics_0[_S413].weft_0, fabrics_0[_S413].warp_0, _S420, _S419, _S415);
+    albedos_4.warp_4 = mean_albedos_0(fabrics_0[_S412].warp_0, fabrics_0[_S412].weft_0, _S418, _S419, _S414);
+    albedos_4.weft_4 = mean_albedos_0(fabrics_0[_S412].weft_0, fabrics_0[_S412].warp_0, _S419, _S418, _S414);
     return albedos_4;
 }
 
-fn openness_number_0( _S421 : u32,  _S422 : u32) -> f32
+fn openness_number_0( _S420 : u32,  _S421 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S421].openness_0 + _S422);
+    return table_number_0(fabrics_0[_S420].openness_0 + _S421);
 }
 
-fn scattered_by_0( _S423 : u32,  _S424 : Albedos_0,  _S425 : u32,  _S426 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S422 : u32,  _S423 : Albedos_0,  _S424 : u32,  _S425 : vec3<f32>) -> Scattered_0
 {
-    var _S427 : u32 = u32(159) + u32(2) * _S425;
+    var _S426 : u32 = u32(159) + u32(2) * _S424;
     var yarn_1 : Scattered_0;
-    yarn_1.back_4 = _S426 * _S424.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S423, _S427)) * _S424.specular_reflect_0;
-    yarn_1.through_0 = _S426 * _S424.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S423, _S427 + u32(1))) * _S424.specular_transmit_0;
+    yarn_1.back_4 = _S425 * _S423.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S422, _S426)) * _S423.specular_reflect_0;
+    yarn_1.through_0 = _S425 * _S423.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S422, _S426 + u32(1))) * _S423.specular_transmit_0;
     return yarn_1;
 }
 
-fn sent_0( _S428 : u32,  _S429 : u32,  _S430 : vec3<f32>,  _S431 : vec3<f32>,  _S432 : vec3<f32>,  _S433 : vec3<f32>,  _S434 : ptr<function, vec3<f32>>,  _S435 : ptr<function, vec3<f32>>)
+fn sent_0( _S427 : u32,  _S428 : u32,  _S429 : vec3<f32>,  _S430 : vec3<f32>,  _S431 : vec3<f32>,  _S432 : vec3<f32>,  _S433 : ptr<function, vec3<f32>>,  _S434 : ptr<function, vec3<f32>>)
 {
-    var _S436 : u32 = u32(146) + u32(4) * _S429;
-    var _S437 : f32 = openness_number_0(_S428, _S436 + u32(1));
-    var _S438 : f32 = openness_number_0(_S428, _S436 + u32(2));
-    var _S439 : vec3<f32> = vec3<f32>(1.0f);
-    var _S440 : vec3<f32> = _S439 - _S432 * vec3<f32>(openness_number_0(_S428, _S436));
-    var _S441 : vec3<f32> = _S439 - _S433 * vec3<f32>(openness_number_0(_S428, _S436 + u32(3)));
-    var _S442 : vec3<f32> = _S439 / (_S440 * _S441 - _S432 * _S433 * vec3<f32>((_S437 * _S438)));
-    (*_S434) = (_S430 * _S441 + _S432 * vec3<f32>(_S437) * _S431) * _S442;
-    (*_S435) = (_S431 * _S440 + _S433 * vec3<f32>(_S438) * _S430) * _S442;
+    var _S435 : u32 = u32(146) + u32(4) * _S428;
+    var _S436 : f32 = openness_number_0(_S427, _S435 + u32(1));
+    var _S437 : f32 = openness_number_0(_S427, _S435 + u32(2));
+    var _S438 : vec3<f32> = vec3<f32>(1.0f);
+    var _S439 : vec3<f32> = _S438 - _S431 * vec3<f32>(openness_number_0(_S427, _S435));
+    var _S440 : vec3<f32> = _S438 - _S432 * vec3<f32>(openness_number_0(_S427, _S435 + u32(3)));
+    var _S441 : vec3<f32> = _S438 / (_S439 * _S440 - _S431 * _S432 * vec3<f32>((_S436 * _S437)));
+    (*_S433) = (_S429 * _S440 + _S431 * vec3<f32>(_S436) * _S430) * _S441;
+    (*_S434) = (_S430 * _S439 + _S432 * vec3<f32>(_S437) * _S429) * _S441;
     return;
 }
 
-fn face_sends_0( _S443 : u32,  _S444 : u32,  _S445 : Scattered_0,  _S446 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S442 : u32,  _S443 : u32,  _S444 : Scattered_0,  _S445 : Scattered_0) -> FaceSends_0
 {
-    var _S447 : u32 = u32(2) * _S444;
-    var _S448 : u32 = u32(142) + _S447;
-    var _S449 : f32 = openness_number_0(_S443, _S448);
-    var _S450 : f32 = openness_number_0(_S443, _S448 + u32(1));
+    var _S446 : u32 = u32(2) * _S443;
+    var _S447 : u32 = u32(142) + _S446;
+    var _S448 : f32 = openness_number_0(_S442, _S447);
+    var _S449 : f32 = openness_number_0(_S442, _S447 + u32(1));
+    var _S450 : vec3<f32> = vec3<f32>((1.0f - _S448)) * _S444.back_4;
     var _S451 : vec3<f32> = vec3<f32>((1.0f - _S449)) * _S445.back_4;
-    var _S452 : vec3<f32> = vec3<f32>((1.0f - _S450)) * _S446.back_4;
     var sends_1 : FaceSends_0;
-    var _S453 : u32 = u32(154) + _S447;
-    var _S454 : f32 = openness_number_0(_S443, _S453);
-    sends_1.blocks_warp_0 = _S454;
-    var _S455 : f32 = openness_number_0(_S443, _S453 + u32(1));
-    sends_1.blocks_weft_0 = _S455;
-    sends_1.open_0 = _S454 * _S449 + _S455 * _S450;
+    var _S452 : u32 = u32(154) + _S446;
+    var _S453 : f32 = openness_number_0(_S442, _S452);
+    sends_1.blocks_warp_0 = _S453;
+    var _S454 : f32 = openness_number_0(_S442, _S452 + u32(1));
+    sends_1.blocks_weft_0 = _S454;
+    sends_1.open_0 = _S453 * _S448 + _S454 * _S449;
+    var _S455 : vec3<f32> = vec3<f32>(_S448) * _S444.back_4;
     var _S456 : vec3<f32> = vec3<f32>(_S449) * _S445.back_4;
-    var _S457 : vec3<f32> = vec3<f32>(_S450) * _S446.back_4;
-    var _S458 : vec3<f32> = sends_1.sky_warp_0;
-    var _S459 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S443, _S444, _S456, _S457, _S451, _S452, &(_S458), &(_S459));
-    sends_1.sky_warp_0 = _S458;
-    sends_1.sky_weft_0 = _S459;
-    var _S460 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S461 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S443, _S444, _S445.through_0, _S446.through_0, _S451, _S452, &(_S460), &(_S461));
-    sends_1.crossing_warp_0 = _S460;
-    sends_1.crossing_weft_0 = _S461;
+    var _S457 : vec3<f32> = sends_1.sky_warp_0;
+    var _S458 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S442, _S443, _S455, _S456, _S450, _S451, &(_S457), &(_S458));
+    sends_1.sky_warp_0 = _S457;
+    sends_1.sky_weft_0 = _S458;
+    var _S459 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S460 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S442, _S443, _S444.through_0, _S445.through_0, _S450, _S451, &(_S459), &(_S460));
+    sends_1.crossing_warp_0 = _S459;
+    sends_1.crossing_weft_0 = _S460;
     return sends_1;
 }
 
-fn interior_of_0( _S462 : u32,  _S463 : vec3<f32>,  _S464 : bool) -> Interior_0
+fn interior_of_0( _S461 : u32,  _S462 : vec3<f32>,  _S463 : bool) -> Interior_0
 {
-    var _S465 : Scattered_0 = scattered_by_0(_S462, table_albedos_0(families_0[fabrics_0[_S462].warp_0].colour_mean_0), u32(0), _S463);
-    var _S466 : Scattered_0 = scattered_by_0(_S462, table_albedos_0(families_0[fabrics_0[_S462].weft_0].colour_mean_0), u32(1), _S463);
-    var _S467 : u32;
-    if(_S464)
+    var _S464 : Scattered_0 = scattered_by_0(_S461, table_albedos_0(families_0[fabrics_0[_S461].warp_0].colour_mean_0), u32(0), _S462);
+    var _S465 : Scattered_0 = scattered_by_0(_S461, table_albedos_0(families_0[fabrics_0[_S461].weft_0].colour_mean_0), u32(1), _S462);
+    var _S466 : u32;
+    if(_S463)
     {
-        _S467 = u32(1);
+        _S466 = u32(1);
     }
     else
     {
-        _S467 = u32(0);
+        _S466 = u32(0);
     }
-    var _S468 : FaceSends_0 = face_sends_0(_S462, _S467, _S465, _S466);
-    if(_S464)
+    var _S467 : FaceSends_0 = face_sends_0(_S461, _S466, _S464, _S465);
+    if(_S463)
     {
-        _S467 = u32(0);
+        _S466 = u32(0);
     }
     else
     {
-        _S467 = u32(1);
+        _S466 = u32(1);
     }
-    var _S469 : FaceSends_0 = face_sends_0(_S462, _S467, _S465, _S466);
-    var _S470 : vec3<f32> = vec3<f32>(_S468.blocks_warp_0);
-    var _S471 : vec3<f32> = vec3<f32>(_S468.blocks_weft_0);
-    var _S472 : vec3<f32> = _S470 * _S468.crossing_warp_0 + _S471 * _S468.crossing_weft_0;
-    var _S473 : vec3<f32> = vec3<f32>(_S469.blocks_warp_0);
-    var _S474 : vec3<f32> = vec3<f32>(_S469.blocks_weft_0);
-    var _S475 : vec3<f32> = _S473 * _S469.crossing_warp_0 + _S474 * _S469.crossing_weft_0;
+    var _S468 : FaceSends_0 = face_sends_0(_S461, _S466, _S464, _S465);
+    var _S469 : vec3<f32> = vec3<f32>(_S467.blocks_warp_0);
+    var _S470 : vec3<f32> = vec3<f32>(_S467.blocks_weft_0);
+    var _S471 : vec3<f32> = _S469 * _S467.crossing_warp_0 + _S470 * _S467.crossing_weft_0;
+    var _S472 : vec3<f32> = vec3<f32>(_S468.blocks_warp_0);
+    var _S473 : vec3<f32> = vec3<f32>(_S468.blocks_weft_0);
+    var _S474 : vec3<f32> = _S472 * _S468.crossing_warp_0 + _S473 * _S468.crossing_weft_0;
+    var _S475 : f32 = 1.0f - _S467.open_0;
     var _S476 : f32 = 1.0f - _S468.open_0;
-    var _S477 : f32 = 1.0f - _S469.open_0;
-    var _S478 : vec3<f32> = vec3<f32>(1.0f);
-    var _S479 : vec3<f32> = _S478 / (_S478 - _S472 * _S475 * vec3<f32>((_S476 * _S477)));
-    var _S480 : vec3<f32> = _S475 * (vec3<f32>(_S468.open_0) + vec3<f32>(_S476) * (_S470 * _S468.sky_warp_0 + _S471 * _S468.sky_weft_0)) * _S479;
-    var _S481 : vec3<f32> = _S472 * (vec3<f32>(_S469.open_0) + vec3<f32>(_S477) * (_S473 * _S469.sky_warp_0 + _S474 * _S469.sky_weft_0)) * _S479;
-    var _S482 : FaceRadiance_0 = face_radiance_0(_S468, _S469.open_0, _S480, _S481);
-    var _S483 : FaceRadiance_0 = face_radiance_0(_S469, _S468.open_0, _S481, _S480);
+    var _S477 : vec3<f32> = vec3<f32>(1.0f);
+    var _S478 : vec3<f32> = _S477 / (_S477 - _S471 * _S474 * vec3<f32>((_S475 * _S476)));
+    var _S479 : vec3<f32> = _S474 * (vec3<f32>(_S467.open_0) + vec3<f32>(_S475) * (_S469 * _S467.sky_warp_0 + _S470 * _S467.sky_weft_0)) * _S478;
+    var _S480 : vec3<f32> = _S471 * (vec3<f32>(_S468.open_0) + vec3<f32>(_S476) * (_S472 * _S468.sky_warp_0 + _S473 * _S468.sky_weft_0)) * _S478;
+    var _S481 : FaceRadiance_0 = face_radiance_0(_S467, _S468.open_0, _S479, _S480);
+    var _S482 : FaceRadiance_0 = face_radiance_0(_S468, _S467.open_0, _S480, _S479);
     var interior_1 : Interior_0;
-    interior_1.warp_3 = _S482.warp_2;
-    interior_1.weft_3 = _S482.weft_2;
-    interior_1.leaked_1 = _S482.leaked_0;
-    interior_1.far_1 = _S483.mean_0;
-    interior_1.far_leaked_0 = _S483.leaked_0;
+    interior_1.warp_3 = _S481.warp_2;
+    interior_1.weft_3 = _S481.weft_2;
+    interior_1.leaked_1 = _S481.leaked_0;
+    interior_1.far_1 = _S482.mean_0;
+    interior_1.far_leaked_0 = _S482.leaked_0;
     return interior_1;
 }
 
-fn blocked_of_terms_0( _S484 : u32,  _S485 : u32,  _S486 : array<f32, i32(6)>,  _S487 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S483 : u32,  _S484 : u32,  _S485 : array<f32, i32(6)>,  _S486 : u32) -> Blocked_0
 {
     var shares_0 : array<f32, i32(3)>;
     var share_1 : u32 = u32(0);
@@ -2796,14 +2806,14 @@ fn blocked_of_terms_0( _S484 : u32,  _S485 : u32,  _S486 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S487)
+            if(term_0 < _S486)
             {
             }
             else
             {
                 break;
             }
-            shares_0[share_1] = shares_0[share_1] + openness_number_0(_S484, _S485 + share_1 * _S487 + term_0) * _S486[term_0];
+            shares_0[share_1] = shares_0[share_1] + openness_number_0(_S483, _S484 + share_1 * _S486 + term_0) * _S485[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_0[share_1] = saturate(shares_0[share_1]);
@@ -2816,35 +2826,35 @@ fn blocked_of_terms_0( _S484 : u32,  _S485 : u32,  _S486 : array<f32, i32(6)>,  
     return blocked_2;
 }
 
-fn blocked_from_0( _S488 : u32,  _S489 : vec3<f32>,  _S490 : bool,  _S491 : bool) -> Blocked_0
+fn blocked_from_0( _S487 : u32,  _S488 : vec3<f32>,  _S489 : bool,  _S490 : bool) -> Blocked_0
 {
     var terms_2 : array<f32, i32(6)>;
-    view_terms_0(_S489, &(terms_2));
-    var _S492 : u32;
-    if(_S491)
+    view_terms_0(_S488, &(terms_2));
+    var _S491 : u32;
+    if(_S490)
     {
-        _S492 = u32(2);
+        _S491 = u32(2);
     }
     else
+    {
+        _S491 = u32(0);
+    }
+    var _S492 : u32;
+    if(_S489)
     {
         _S492 = u32(0);
     }
-    var _S493 : u32;
-    if(_S490)
-    {
-        _S493 = u32(0);
-    }
     else
     {
-        _S493 = u32(1);
+        _S492 = u32(1);
     }
-    return blocked_of_terms_0(_S488, (_S492 + _S493) * u32(15), terms_2, u32(5));
+    return blocked_of_terms_0(_S487, (_S491 + _S492) * u32(15), terms_2, u32(5));
 }
 
-fn warp_seen_from_0( _S494 : u32,  _S495 : vec3<f32>,  _S496 : bool) -> f32
+fn warp_seen_from_0( _S493 : u32,  _S494 : vec3<f32>,  _S495 : bool) -> f32
 {
     var terms_3 : array<f32, i32(6)>;
-    view_terms_1(_S495, &(terms_3));
+    view_terms_1(_S494, &(terms_3));
     var term_1 : u32 = u32(0);
     var share_2 : f32 = 0.0f;
     for(;;)
@@ -2856,83 +2866,83 @@ fn warp_seen_from_0( _S494 : u32,  _S495 : vec3<f32>,  _S496 : bool) -> f32
         {
             break;
         }
-        var _S497 : u32;
-        if(_S496)
+        var _S496 : u32;
+        if(_S495)
         {
-            _S497 = u32(5);
+            _S496 = u32(5);
         }
         else
         {
-            _S497 = u32(0);
+            _S496 = u32(0);
         }
-        var share_3 : f32 = share_2 + openness_number_0(_S494, u32(132) + _S497 + term_1) * terms_3[term_1];
+        var share_3 : f32 = share_2 + openness_number_0(_S493, u32(132) + _S496 + term_1) * terms_3[term_1];
         term_1 = term_1 + u32(1);
         share_2 = share_3;
     }
     return saturate(share_2);
 }
 
-fn bounced_of_families_0( _S498 : u32,  _S499 : FamilyAlbedos_0,  _S500 : vec3<f32>,  _S501 : Interior_0,  _S502 : Blocked_0,  _S503 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S497 : u32,  _S498 : FamilyAlbedos_0,  _S499 : vec3<f32>,  _S500 : Interior_0,  _S501 : Blocked_0,  _S502 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S502, scattered_by_0(_S498, _S499.warp_4, u32(0), _S500), _S501), bounced_by_0(_S503, scattered_by_0(_S498, _S499.weft_4, u32(1), _S500), _S501));
+    return sum_of_0(bounced_by_0(_S501, scattered_by_0(_S497, _S498.warp_4, u32(0), _S499), _S500), bounced_by_0(_S502, scattered_by_0(_S497, _S498.weft_4, u32(1), _S499), _S500));
 }
 
-fn bounced_far_0( _S504 : u32,  _S505 : FamilyAlbedos_0,  _S506 : vec3<f32>,  _S507 : Interior_0,  _S508 : vec3<f32>,  _S509 : bool,  _S510 : f32,  _S511 : f32,  _S512 : f32) -> Bounced_0
+fn bounced_far_0( _S503 : u32,  _S504 : FamilyAlbedos_0,  _S505 : vec3<f32>,  _S506 : Interior_0,  _S507 : vec3<f32>,  _S508 : bool,  _S509 : f32,  _S510 : f32,  _S511 : f32) -> Bounced_0
 {
-    var _S513 : Blocked_0 = blocked_from_0(_S504, _S508, true, _S509);
-    var _S514 : Blocked_0 = blocked_from_0(_S504, _S508, false, _S509);
-    var _S515 : f32 = _S510 / max(1.0f - _S513.by_warp_0 - _S513.by_weft_0, 0.10000000149011612f);
-    var _S516 : f32 = (0.0020000000949949f * warp_seen_from_0(_S504, _S508, _S509) + _S515) / (_S515 + _S511 / max(1.0f - _S514.by_warp_0 - _S514.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S517 : f32 = 1.0f - _S512;
-    return bounced_of_families_0(_S504, _S505, _S506, _S507, scaled_0(_S513, _S516 * _S517), scaled_0(_S514, (1.0f - _S516) * _S517));
+    var _S512 : Blocked_0 = blocked_from_0(_S503, _S507, true, _S508);
+    var _S513 : Blocked_0 = blocked_from_0(_S503, _S507, false, _S508);
+    var _S514 : f32 = _S509 / max(1.0f - _S512.by_warp_0 - _S512.by_weft_0, 0.10000000149011612f);
+    var _S515 : f32 = (0.0020000000949949f * warp_seen_from_0(_S503, _S507, _S508) + _S514) / (_S514 + _S510 / max(1.0f - _S513.by_warp_0 - _S513.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S516 : f32 = 1.0f - _S511;
+    return bounced_of_families_0(_S503, _S504, _S505, _S506, scaled_0(_S512, _S515 * _S516), scaled_0(_S513, (1.0f - _S515) * _S516));
 }
 
-fn bounced_over_0( _S518 : u32,  _S519 : Components_0,  _S520 : CloseUp_0,  _S521 : FamilyAlbedos_0,  _S522 : vec3<f32>,  _S523 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S517 : u32,  _S518 : Components_0,  _S519 : CloseUp_0,  _S520 : FamilyAlbedos_0,  _S521 : vec3<f32>,  _S522 : vec3<f32>) -> Bounced_0
 {
-    var _S524 : bool = (_S523.z) < 0.0f;
-    var _S525 : Interior_0 = interior_of_0(_S518, _S522, _S524);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S518, _S521, _S522, _S525, to_face_frame_0(_S523, _S524), _S524, _S519.diffuse_warp_0, _S519.diffuse_weft_0, _S519.hole_2);
-    if((_S520.weight_2) > 0.0f)
+    var _S523 : bool = (_S522.z) < 0.0f;
+    var _S524 : Interior_0 = interior_of_0(_S517, _S521, _S523);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S517, _S520, _S521, _S524, to_face_frame_0(_S522, _S523), _S523, _S518.diffuse_warp_0, _S518.diffuse_weft_0, _S518.hole_2);
+    if((_S519.weight_2) > 0.0f)
     {
-        var _S526 : Bounced_0 = bounced_of_families_0(_S518, _S521, _S522, _S525, _S520.warp_1, _S520.weft_1);
-        var _S527 : vec3<f32> = vec3<f32>(_S520.weight_2);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S526.reflected_0, _S527);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S526.transmitted_0, _S527);
+        var _S525 : Bounced_0 = bounced_of_families_0(_S517, _S520, _S521, _S524, _S519.warp_1, _S519.weft_1);
+        var _S526 : vec3<f32> = vec3<f32>(_S519.weight_2);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S525.reflected_0, _S526);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S525.transmitted_0, _S526);
     }
     return bounced_2;
 }
 
-fn composed_0( _S528 : u32,  _S529 : Components_0,  _S530 : CloseUp_0,  _S531 : FamilyAlbedos_0,  _S532 : vec3<f32>,  _S533 : vec3<f32>,  _S534 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S527 : u32,  _S528 : Components_0,  _S529 : CloseUp_0,  _S530 : FamilyAlbedos_0,  _S531 : vec3<f32>,  _S532 : vec3<f32>,  _S533 : vec3<f32>) -> vec3<f32>
 {
-    var _S535 : Albedos_0 = tinted_0(_S531.warp_4, _S532);
-    var _S536 : Albedos_0 = tinted_0(_S531.weft_4, _S532);
-    var _S537 : vec3<f32> = vec3<f32>(_S529.diffuse_warp_0);
-    var _S538 : vec3<f32> = vec3<f32>(_S529.diffuse_weft_0);
-    var _S539 : vec3<f32> = vec3<f32>(_S529.specular_warp_0);
-    var _S540 : vec3<f32> = vec3<f32>(_S529.specular_weft_0);
-    var _S541 : vec3<f32> = _S535.diffuse_reflect_0 * _S537 + _S536.diffuse_reflect_0 * _S538 + _S535.specular_reflect_0 * _S539 + _S536.specular_reflect_0 * _S540;
-    var _S542 : f32 = _S534.z;
+    var _S534 : Albedos_0 = tinted_0(_S530.warp_4, _S531);
+    var _S535 : Albedos_0 = tinted_0(_S530.weft_4, _S531);
+    var _S536 : vec3<f32> = vec3<f32>(_S528.diffuse_warp_0);
+    var _S537 : vec3<f32> = vec3<f32>(_S528.diffuse_weft_0);
+    var _S538 : vec3<f32> = vec3<f32>(_S528.specular_warp_0);
+    var _S539 : vec3<f32> = vec3<f32>(_S528.specular_weft_0);
+    var _S540 : vec3<f32> = _S534.diffuse_reflect_0 * _S536 + _S535.diffuse_reflect_0 * _S537 + _S534.specular_reflect_0 * _S538 + _S535.specular_reflect_0 * _S539;
+    var _S541 : f32 = _S533.z;
     var body_0 : vec3<f32>;
-    if((_S533.z * _S542) < 0.0f)
+    if((_S532.z * _S541) < 0.0f)
     {
-        body_0 = _S535.diffuse_transmit_0 * _S537 + _S536.diffuse_transmit_0 * _S538 + _S535.specular_transmit_0 * _S539 + _S536.specular_transmit_0 * _S540;
+        body_0 = _S534.diffuse_transmit_0 * _S536 + _S535.diffuse_transmit_0 * _S537 + _S534.specular_transmit_0 * _S538 + _S535.specular_transmit_0 * _S539;
     }
     else
     {
-        body_0 = _S541;
+        body_0 = _S540;
     }
-    if((fabrics_0[_S528].openness_0) != u32(4294967295))
+    if((fabrics_0[_S527].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S528, _S529, _S530, _S531, _S532, _S534), _S533, _S534);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S527, _S528, _S529, _S530, _S531, _S533), _S532, _S533);
     }
-    var _S543 : f32 = fabrics_0[_S528].sheen_strength_0;
-    if((fabrics_0[_S528].sheen_strength_0) <= 0.0f)
+    var _S542 : f32 = fabrics_0[_S527].sheen_strength_0;
+    if((fabrics_0[_S527].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S544 : bool = _S542 < 0.0f;
-    var _S545 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S533, _S544), to_face_frame_0(_S534, _S544), _S543, fabrics_0[_S528].sheen_roughness_0);
-    return vec3<f32>(_S545.y) * body_0 + vec3<f32>(((_S529.light_visibility_1 + _S529.hole_2) * _S545.x));
+    var _S543 : bool = _S541 < 0.0f;
+    var _S544 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S532, _S543), to_face_frame_0(_S533, _S543), _S542, fabrics_0[_S527].sheen_roughness_0);
+    return vec3<f32>(_S544.y) * body_0 + vec3<f32>(((_S528.light_visibility_1 + _S528.hole_2) * _S544.x));
 }
 
 fn cloth_value_0( fabric_1 : u32,  centre_3 : vec2<f32>,  dx_1 : vec2<f32>,  dy_1 : vec2<f32>,  light_4 : vec3<f32>,  view_7 : vec3<f32>) -> vec4<f32>
@@ -2943,33 +2953,33 @@ fn cloth_value_0( fabric_1 : u32,  centre_3 : vec2<f32>,  dx_1 : vec2<f32>,  dy_
     footprint_1.dy_0 = dy_1;
     var activations_0 : WovenView_0;
     woven_view_0(fabric_1, footprint_1, view_7, &(activations_0));
-    var _S546 : Components_0 = woven_components_0(fabric_1, &(activations_0), light_4);
-    var _S547 : f32 = view_7.z;
-    var _S548 : vec3<f32> = composed_0(fabric_1, _S546, no_close_up_0(), albedos_over_0(fabric_1, footprint_1, _S547 < 0.0f), vec3<f32>(1.0f), light_4, view_7);
+    var _S545 : Components_0 = woven_components_0(fabric_1, &(activations_0), light_4);
+    var _S546 : f32 = view_7.z;
+    var _S547 : vec3<f32> = composed_0(fabric_1, _S545, no_close_up_0(), albedos_over_0(fabric_1, footprint_1, _S546 < 0.0f), vec3<f32>(1.0f), light_4, view_7);
     var through_1 : f32 = activations_0.hole_0;
     var through_2 : f32;
     if((fabrics_0[fabric_1].sheen_strength_0) > 0.0f)
     {
-        through_2 = through_1 * (1.0f - fabrics_0[fabric_1].sheen_strength_0 * sheen_lobe_0(abs(_S547), fabrics_0[fabric_1].sheen_roughness_0).z);
+        through_2 = through_1 * (1.0f - fabrics_0[fabric_1].sheen_strength_0 * sheen_lobe_0(abs(_S546), fabrics_0[fabric_1].sheen_roughness_0).z);
     }
     else
     {
         through_2 = through_1;
     }
-    return vec4<f32>(_S548, through_2);
+    return vec4<f32>(_S547, through_2);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn woven_queries(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S549 : u32 = id_0.x;
-    if(_S549 >= query_count_0[i32(0)])
+    var _S548 : u32 = id_0.x;
+    if(_S548 >= query_count_0[i32(0)])
     {
         return;
     }
-    var _S550 : Query_std430_0 = queries_0[_S549];
-    answers_0[_S549] = cloth_value_0(_S550.fabric_0, vec2<f32>(_S550.centre_x_0, _S550.centre_y_0), vec2<f32>(_S550.dx_x_0, _S550.dx_y_0), vec2<f32>(_S550.dy_x_0, _S550.dy_y_0), vec3<f32>(_S550.light_x_0, _S550.light_y_0, _S550.light_z_0), vec3<f32>(_S550.view_x_0, _S550.view_y_0, _S550.view_z_0));
+    var _S549 : Query_std430_0 = queries_0[_S548];
+    answers_0[_S548] = cloth_value_0(_S549.fabric_0, vec2<f32>(_S549.centre_x_0, _S549.centre_y_0), vec2<f32>(_S549.dx_x_0, _S549.dx_y_0), vec2<f32>(_S549.dy_x_0, _S549.dy_y_0), vec3<f32>(_S549.light_x_0, _S549.light_y_0, _S549.light_z_0), vec3<f32>(_S549.view_x_0, _S549.view_y_0, _S549.view_z_0));
     return;
 }
 
