@@ -10,6 +10,9 @@ const PICTURE_SIDE = 1200;
 /** Screen pixels a thread: of the farthest and the closest view. */
 const FARTHEST = 1.5;
 const CLOSEST = 90;
+/** At first a thread has so many pixels, in wide repeats fewer: those are seen as figures. */
+const FIRST = 12;
+const FIGURE_WIDTH = 960;
 
 export class CanvasView implements ClothView {
   readonly kind = "canvas";
@@ -22,7 +25,7 @@ export class CanvasView implements ClothView {
   private frames = 0;
   private frameMs = 0;
   /** Screen pixels a thread, in CSS pixels, and where the pattern begins. */
-  private scale = 12;
+  private scale = FIRST;
   private offset = { x: 0, y: 0 };
 
   constructor(host: HTMLElement) {
@@ -38,7 +41,9 @@ export class CanvasView implements ClothView {
   }
 
   show(shown: Shown): void {
+    const before = this.shown === null ? 0 : woven(this.shown.fabric).ends;
     this.shown = shown;
+    if (firstScale(before) !== firstScale(woven(shown.fabric).ends)) this.frameWhole();
     this.canvas.setAttribute("aria-label", `The cloth, flat: ${woven(shown.fabric).ends} ends and ${woven(shown.fabric).picks} picks a repeat`);
     this.isStale = true;
   }
@@ -60,7 +65,7 @@ export class CanvasView implements ClothView {
   }
 
   frameWhole(): void {
-    this.scale = 12;
+    this.scale = firstScale(this.shown === null ? 0 : woven(this.shown.fabric).ends);
     this.offset = { x: 0, y: 0 };
     this.isStale = true;
   }
@@ -122,7 +127,7 @@ export class CanvasView implements ClothView {
     const draft = woven(fabric);
     const ratio = this.canvas.width / Math.max(1, this.canvas.clientWidth);
     const levels = this.picturesOf(fabric);
-    const wanted = (this.scale * ratio * draft.ends) / 1;
+    const wanted = this.scale * ratio * draft.ends;
     const level = levels.findLast((picture) => picture.width >= wanted) ?? levels[0]!;
     const pattern = context.createPattern(level, "repeat")!;
     const across = wanted / level.width;
@@ -186,6 +191,10 @@ export class CanvasView implements ClothView {
       if (event.key === "-") this.zoom = Math.max(this.zoom - 0.05, 0);
     });
   }
+}
+
+function firstScale(ends: number): number {
+  return Math.min(FIRST, Math.max(2, FIGURE_WIDTH / Math.max(ends, 1)));
 }
 
 function canvasOf(width: number, height: number): HTMLCanvasElement {
