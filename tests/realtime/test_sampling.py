@@ -94,7 +94,7 @@ LOBES_BODY = (
     "let d = lobes_pdf(fabric, p, a, hole, light, view);"
     "let l = to_face_frame(s.light, back);"
     "let c = prefiltered_components(fabric, p, l, to_face_frame(view, back), back);"
-    "let f = composed(fabric, c, a, s.light, view);"
+    "let f = composed(fabric, c, no_close_up(), a, float3(1.0), s.light, view);"
 )
 LOBES_MODULES = "lobes_sampling lobe_sampling prefiltered separable albedos point footprint"
 

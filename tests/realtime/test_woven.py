@@ -60,7 +60,8 @@ def test_queries_of_woven(name: str) -> None:
     body = (
         "Footprint p; p.centre = float2(x, y); p.dx = dx; p.dy = dy;"
         "WovenView w; woven_view(fabric, p, view, w); let c = woven_components(fabric, w, light);"
-        "let f = composed(fabric, c, no_close_up(), albedos_over(fabric, p, view.z < 0.0), float3(1.0), light, view);"
+        "let a = albedos_over(fabric, p, view.z < 0.0);"
+        "let f = composed(fabric, c, no_close_up(), a, float3(1.0), light, view);"
     )
     found = mapped(
         "woven footprint separable albedos",
