@@ -92,8 +92,8 @@ class _Setup:
     backdrop: float | None = None
 
 
-# As catalogues show cloth: on white paper, in a studio whose light is neutral. A flat piece, a ball and a roll
-# lie on it, seen from above; the paper is some millimetres behind, so that it cuts none.
+# As catalogues show cloth: on white paper, in a studio whose light is neutral. A flat piece, a ball and a
+# roll lie on it, seen from above; the paper is some millimetres behind, so that it cuts none.
 _SETUPS = {
     "flat": _Setup(cloth_shapes.flat, (0, 0, 1), "studio", (-0.5, 0.6, 0.8), backdrop=-0.004),
     "sphere": _Setup(
