@@ -1,7 +1,7 @@
 """The model clustered in Slang against Dr.Jit: base and residual of whole queries, and the mean of frames.
 
-The bar is that of `queries.py`. Footprints end at whole texels, and points of the residual meet edges of yarns:
-rounding decides a few queries otherwise.
+The bar is that of `queries.py`. Footprints end at whole texels, and points of the residual meet edges of
+yarns: rounding decides a few queries otherwise.
 
 Covers: realtime/clustered_tables.py
 """
@@ -86,7 +86,7 @@ def test_queries_of_clustered(rank: int, samples: int) -> None:
     assert value.max() > 0.1
     body = (
         "Footprint p; p.centre = centre; p.dx = dx; p.dy = dy;"
-        f"let f = clustered_value(fabric, p, light, view, seed, number);"
+        "let f = clustered_value(fabric, p, light, view, seed, number);"
     )
     arguments = rows | {"number": np.full(COUNT, samples, np.uint32)}
     found = mapped("clustered footprint", body, "f.x; f.y; f.z; f.w", arguments, packed(model))

@@ -199,7 +199,9 @@ def number_text(value: float) -> str:
 
 def slang_constants() -> str:
     """Slang declarations of all constants, and the polynomials of the sheen."""
-    floats = _FLOATS | woven_floats() | neumip_floats() | latent_floats() | clustered_floats() | openness_floats()
+    floats = (
+        _FLOATS | woven_floats() | neumip_floats() | latent_floats() | clustered_floats() | openness_floats()
+    )
     uints = _UINTS | woven_uints() | neumip_uints() | latent_uints() | clustered_uints() | openness_uints()
     lines = [f"static const float {name} = {number_text(value)};" for name, value in floats.items()]
     lines += [f"static const uint {name} = {value}u;" for name, value in uints.items()]

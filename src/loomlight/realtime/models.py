@@ -131,8 +131,8 @@ REALTIME_MODELS: dict[str, RealtimeModel] = {
     "clustered": RealtimeModel(
         "shade_clustered",
         _TABLES,
-        "the base over the footprint of a pixel, without noise; `cloth_estimate`, with another `seed` for every "
-        "pixel and frame as its last argument, adds exact points to it: its mean is unbiased",
+        "the base over the footprint of a pixel, without noise; `cloth_estimate`, with another `seed` for "
+        "every pixel and frame as its last argument, adds exact points to it: its mean is unbiased",
         "About 2,000 floating-point operations for the base of a pixel and light.",
         _made("clustered"),
         has_estimate=True,
