@@ -33,7 +33,7 @@ def session(fabric: Fabric | str | None, *, has_python: bool, token: str | None 
         InputError: no such file, or no fabric.
     """
     if fabric is None:
-        shown = load_fabric(_gallery_files()[_FIRST])
+        shown = load_fabric(gallery_files()[_FIRST])
     else:
         shown = fabric if isinstance(fabric, Fabric) else fabric_of_path(fabric)
     return {
@@ -53,7 +53,7 @@ def gallery() -> list[dict[str, Any]]:
     A picture is a place relative to the page; it is null where there is none.
     """
     entries = []
-    for name, file in sorted(_gallery_files().items()):
+    for name, file in sorted(gallery_files().items()):
         fabric = load_fabric(file)
         picture = f"gallery/{name}.webp"
         facts = {
@@ -70,5 +70,6 @@ def gallery_pictures() -> Path:
     return _PACKAGE / "gallery"
 
 
-def _gallery_files() -> dict[str, Path]:
+def gallery_files() -> dict[str, Path]:
+    """The files of the gallery by their names."""
     return {file.stem: file for folder in _FOLDERS for file in folder.glob("*.toml")}

@@ -1,0 +1,27 @@
+"""Makes the pictures of the editor's gallery: each of its fabrics on the draped cloth.
+
+python -m tools.make_gallery_pictures
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from PIL import Image
+
+from loomlight.core.colour import linear_to_srgb
+from loomlight.mitsuba import render_fabric
+from loomlight.viewer.session import gallery_files, gallery_pictures
+
+SIDE, ZOOM, SAMPLES, QUALITY = 320, 2.5, 24, 80
+
+
+def main() -> None:
+    """Renders and writes a picture beside each fabric of the gallery."""
+    for name, file in gallery_files().items():
+        picture = render_fabric(file, "drape", spp=SAMPLES, zoom=ZOOM, size=(SIDE, SIDE), inset=False)
+        pixels = np.rint(linear_to_srgb(picture[..., :3]) * 255).astype(np.uint8)
+        Image.fromarray(pixels).save(gallery_pictures() / f"{name}.webp", quality=QUALITY)
+
+
+if __name__ == "__main__":
+    main()
