@@ -1,4 +1,4 @@
-"""Models that are trained for one source, with random numbers in place of trained ones: what they cost is the same."""
+"""Models that are trained for one source, with random numbers for trained ones: they cost the same."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.latent import networks as latent
@@ -28,10 +29,11 @@ def random_neumip(fabric: Fabric) -> NeumipModel:
     shape = NeumipShape.of(fabric.repeat_mm, _NEUMIP_TEXELS, 2)
     layers = {name: _layers(widths, rng) for name, widths in neumip.NETWORKS.items()}
     features, offset = (
-        np.float32(rng.normal(0, 0.5, (2 * count, CHANNELS)))
-        for count in (shape.texels, shape.columns * shape.rows)
+        _normal(rng, 0.5, (2 * count, CHANNELS)) for count in (shape.texels, shape.columns * shape.rows)
     )
-    return NeumipModel(fabric, neumip.Weights(shape, features, offset, layers, np.full((2, 3), 0.5, np.float32)))
+    return NeumipModel(
+        fabric, neumip.Weights(shape, features, offset, layers, np.full((2, 3), 0.5, np.float32))
+    )
 
 
 def random_latent(fabric: Fabric, decoder: str) -> LatentModel:
@@ -45,8 +47,8 @@ def random_latent(fabric: Fabric, decoder: str) -> LatentModel:
     }
     weights = latent.Weights(
         shape,
-        np.float32(rng.normal(0, 0.5, (2 * shape.texels, latent.CHANNELS))),
-        np.float32(rng.normal(0, 0.3, (6 * latent.FRAMES, latent.CHANNELS))),
+        _normal(rng, 0.5, (2 * shape.texels, latent.CHANNELS)),
+        _normal(rng, 0.3, (6 * latent.FRAMES, latent.CHANNELS)),
         {name: _layers(each, rng) for name, each in widths.items()},
         np.full((2, 3), 0.5, np.float32),
     )
@@ -55,6 +57,10 @@ def random_latent(fabric: Fabric, decoder: str) -> LatentModel:
 
 def _layers(widths: Sequence[int], rng: np.random.Generator) -> Layers:
     return [
-        (np.float32(rng.normal(0, before**-0.5, (after, before))), np.zeros(after, np.float32))
+        (_normal(rng, before**-0.5, (after, before)), np.zeros(after, np.float32))
         for before, after in pairwise(widths)
     ]
+
+
+def _normal(rng: np.random.Generator, scale: float, shape: tuple[int, ...]) -> NDArray[np.float32]:
+    return rng.normal(0, scale, shape).astype(np.float32)

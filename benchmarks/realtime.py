@@ -11,11 +11,11 @@ Counts are of the exported CUDA library, which slangc makes of the same Slang: i
 with numbers that count every operation that is executed (`realtime_counts.cpp`), and runs the footprints
 and directions of such frames. Networks that are trained for one source have random weights, of which counts
 do not depend: `neumip` with textures of 64 texels and all of its networks, `latent` with 128 texels and each
-decoder. `clustered, 2 points` is `cloth_estimate`. Integer operations are not counted. Bytes are those of tables: loaded, and of
-the 32-byte sectors that a workgroup of 8 × 8 pixels touches, which caches deliver; memory delivers each
-table once a frame, as all tables fit into a cache of some megabytes, and 24 bytes a pixel. From the counts
-follow what 60 frames a second take, and the time on an RTX 4090's published peaks (82.6 TFLOP/s, 1008
-GB/s), a bound from below that no program reaches.
+decoder. `clustered, 2 points` is `cloth_estimate`. Integer operations are not counted. Bytes are those of
+tables: loaded, and of the 32-byte sectors that a workgroup of 8 × 8 pixels touches, which caches deliver;
+memory delivers each table once a frame, as all tables fit into a cache of some megabytes, and 24 bytes a
+pixel. From the counts follow what 60 frames a second take, and the time on an RTX 4090's published peaks
+(82.6 TFLOP/s, 1008 GB/s), a bound from below that no program reaches.
 """
 
 from __future__ import annotations
@@ -47,7 +47,12 @@ FRAMES_PER_SECOND = 60
 PEAK_FLOPS, PEAK_BYTES = 82.6e12, 1008e9
 # Milliseconds that others publish: a neural material without geometry, zeltner2024's shading, zhu2024's at 2
 # samples, chen2024's frame.
-PUBLISHED = {"neural material": 0.18, "zeltner2024 shading": 1.54, "zhu2024, 2 samples": 8.3, "chen2024 frame": 16.7}
+PUBLISHED = {
+    "neural material": 0.18,
+    "zeltner2024 shading": 1.54,
+    "zhu2024, 2 samples": 8.3,
+    "chen2024 frame": 16.7,
+}
 _GROUPS = 24
 # A pixel reads the number of its face, and writes 16 bytes of radiance and 4 of colour.
 _PIXEL_BYTES = 24

@@ -35,7 +35,7 @@ def exported_means(library: CountedLibrary, cases: Cases, frames: int, seed: int
     """Means of so many answers a case."""
     rng = np.random.default_rng(seed)
     parts = (cases.centres, cases.edges[:, 0], cases.edges[:, 1], cases.lights, cases.views)
-    asked = queries_of(*(np.float32(np.repeat(part, frames, axis=0)) for part in parts))
+    asked = queries_of(*(np.repeat(part, frames, axis=0).astype(np.float32) for part in parts))
     asked["seed"] = rng.integers(1, 2**32, len(asked), dtype=np.uint32)
     found = library.answers(asked)[0].reshape(len(cases.lights), frames, 4)[..., :3].astype(np.float64)
     return Means(found.mean(axis=1), found.var(axis=1) / frames)

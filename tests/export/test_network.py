@@ -136,7 +136,9 @@ def test_the_decoder_computes_what_latent_computes(frames: bool, tmp_path: Path)
     footprint = Footprint(*(test_latent.pairs(rows[name]) for name in ("centre", "dx", "dy")))
     light, view = (Array3f(*np.ascontiguousarray(rows[name].T)) for name in ("light", "view"))
     at = model.at(view, footprint)
-    facing = {name: rows[name] * np.where(rows["view"][:, 2:] < 0, [1, 1, -1], 1) for name in ("light", "view")}
+    facing = {
+        name: rows[name] * np.where(rows["view"][:, 2:] < 0, [1, 1, -1], 1) for name in ("light", "view")
+    }
     session = onnxruntime.InferenceSession(folder / "decoder.onnx")
     asked = {"latent": np.array(at._latent).T, **facing}
     (found,) = session.run(None, {name: np.float32(values) for name, values in asked.items()})

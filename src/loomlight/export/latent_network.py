@@ -61,7 +61,7 @@ def write_latent_onnx(
 
 
 def latent_decoder(weights: Weights) -> bytes:
-    """The graph: latent [n, 8], light and view [n, 3] in the frame of the face that is seen → value [n, 3], 1/sr.
+    """The graph: latent [n, 8], light and view [n, 3] in the frame of the face → value [n, 3], 1/sr.
 
     Raises:
         MissingDependencyError: the package onnx is missing.
@@ -118,7 +118,7 @@ class _Graph:
     def axis(self, sums: str, first: int, offset: tuple[float, ...]) -> str:
         """The unit vector of three columns plus an offset."""
         moved = self.add(
-            "Add", self.columns(sums, range(first, first + 3)), self.constant(np.float32([offset]))
+            "Add", self.columns(sums, range(first, first + 3)), self.constant(np.array([offset], np.float32))
         )
         return self.add("Div", moved, self.add("ReduceL2", moved, axes=[1], keepdims=1))
 
