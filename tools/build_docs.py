@@ -38,6 +38,7 @@ _FIRST = {
         "fabric-files",
         "rendering",
         "realtime",
+        "realtime-shaders",
         "materials",
         "export",
         "maps",
