@@ -47,6 +47,9 @@ class Counts:
 class CountedLibrary:
     """The library of a material and a model.
 
+    Args:
+        estimates: of `cloth_estimate`, else of `cloth_value`.
+
     Attributes:
         table_bytes: of all buffers.
 
@@ -54,7 +57,7 @@ class CountedLibrary:
         RuntimeError: g++ is missing.
     """
 
-    def __init__(self, material: Material, model: str) -> None:
+    def __init__(self, material: Material, model: str, estimates: bool = False) -> None:
         compiler = shutil.which("g++")
         if compiler is None:
             raise RuntimeError("Counting needs g++ (Debian, Ubuntu: apt install g++).")
@@ -62,7 +65,18 @@ class CountedLibrary:
             folder = Path(name) / "cuda"
             export(material, "cuda", folder, model)
             library = folder / "counted.so"
-            options = ["-std=c++17", "-O1", "-w", "-ffp-contract=off", "-shared", "-fPIC", "-I", str(folder)]
+            function = ["-DCLOTH_ESTIMATE"] if estimates else []
+            options = [
+                *function,
+                "-std=c++17",
+                "-O1",
+                "-w",
+                "-ffp-contract=off",
+                "-shared",
+                "-fPIC",
+                "-I",
+                str(folder),
+            ]
             subprocess.run([compiler, *options, str(_SOURCE), "-o", str(library)], check=True)
             self._run = ctypes.CDLL(str(library)).run
             # Of buffers that a model does not read there is no file.

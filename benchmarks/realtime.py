@@ -9,11 +9,13 @@ pixels. On a software adapter they say little.
 
 Counts are of the exported CUDA library, which slangc makes of the same Slang: it is compiled for the CPU
 with numbers that count every operation that is executed (`realtime_counts.cpp`), and runs the footprints
-and directions of such frames. Integer operations are not counted. Bytes are those of tables: loaded, and of
-the 32-byte sectors that a workgroup of 8 × 8 pixels touches, which caches deliver; memory delivers each
-table once a frame, as all tables fit into a cache of some megabytes, and 24 bytes a pixel. From the counts
-follow what 60 frames a second take, and the time on an RTX 4090's published peaks (82.6 TFLOP/s, 1008
-GB/s), a bound from below that no program reaches.
+and directions of such frames. Networks that are trained for one source have random weights, of which counts
+do not depend: `neumip` with textures of 64 texels and all of its networks, `latent` with 128 texels and each
+decoder. `clustered, 2 points` is `cloth_estimate`. Integer operations are not counted. Bytes are those of
+tables: loaded, and of the 32-byte sectors that a workgroup of 8 × 8 pixels touches, which caches deliver;
+memory delivers each table once a frame, as all tables fit into a cache of some megabytes, and 24 bytes a
+pixel. From the counts follow what 60 frames a second take, and the time on an RTX 4090's published peaks
+(82.6 TFLOP/s, 1008 GB/s), a bound from below that no program reaches.
 """
 
 from __future__ import annotations
@@ -28,21 +30,29 @@ from numpy.typing import NDArray
 
 from benchmarks.counted_library import CountedLibrary, Counts, queries_of
 from benchmarks.harness import Figures, run
+from benchmarks.random_networks import random_latent, random_neumip
 from loomlight.cli.values import parse_size
 from loomlight.fabric import load_fabric
 from loomlight.fabric.fabric import Fabric
+from loomlight.models.clustered.model import ClusteredModel
+from loomlight.models.latent.settings import DECODERS
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
+from loomlight.realtime.models import Material
 
 FABRICS = ("examples/denim.toml", "examples/silk-satin.toml")
-MODELS = ("lobes", "point")
 # Pixels a thread.
 DISTANCES = {"near": 20.0, "middle": 2.0, "far": 0.2}
 PIXELS = 1920 * 1080
 FRAMES_PER_SECOND = 60
 PEAK_FLOPS, PEAK_BYTES = 82.6e12, 1008e9
-# Milliseconds that others publish: a neural material without geometry, zeltner2024's shading, chen2024's
-# frame.
-PUBLISHED = {"neural material": 0.18, "zeltner2024 shading": 1.54, "chen2024 frame": 16.7}
+# Milliseconds that others publish: a neural material without geometry, zeltner2024's shading, zhu2024's at 2
+# samples, chen2024's frame.
+PUBLISHED = {
+    "neural material": 0.18,
+    "zeltner2024 shading": 1.54,
+    "zhu2024, 2 samples": 8.3,
+    "chen2024 frame": 16.7,
+}
 _GROUPS = 24
 # A pixel reads the number of its face, and writes 16 bytes of radiance and 4 of colour.
 _PIXEL_BYTES = 24
@@ -54,11 +64,11 @@ def measure(options: Namespace) -> Figures:
     rows = []
     for path in FABRICS:
         fabric = load_fabric(path)
-        for model in MODELS:
-            library = CountedLibrary(fabric, model)
+        for name, (model, material, estimates) in _materials(fabric).items():
+            library = CountedLibrary(material, model, estimates)
             for distance, pixels in DISTANCES.items():
                 counts = library.answers(_queries(fabric, pixels))[1]
-                row = {"fabric": fabric.name, "model": model, "distance": distance}
+                row = {"fabric": fabric.name, "model": name, "distance": distance}
                 rows.append(row | _budget(counts, library.table_bytes))
     figures: Figures = {"counts": rows, "published_ms": PUBLISHED}
     if not options.counts_only:
@@ -66,6 +76,20 @@ def measure(options: Namespace) -> Figures:
             _frame_times(load_fabric(FABRICS[0]), model, width, height) for model in options.models.split(",")
         ]
     return figures
+
+
+def _materials(fabric: Fabric) -> dict[str, tuple[str, Material, bool]]:
+    """Model, what is exported, and whether estimates are counted, by the name of a row."""
+    clustered = ClusteredModel.for_source(fabric)
+    return {
+        "lobes": ("lobes", fabric, False),
+        "point": ("point", fabric, False),
+        "woven": ("woven", fabric, False),
+        "clustered": ("clustered", clustered, False),
+        "clustered, 2 points": ("clustered", clustered, True),
+        "neumip": ("neumip", random_neumip(fabric), False),
+        **{f"latent {name}": ("latent", random_latent(fabric, name), False) for name in DECODERS},
+    }
 
 
 def _queries(fabric: Fabric, pixels: float) -> NDArray[np.void]:
@@ -83,7 +107,9 @@ def _queries(fabric: Fabric, pixels: float) -> NDArray[np.void]:
     light = np.array([0.5, 0.3, 0.8]) / np.linalg.norm([0.5, 0.3, 0.8])
     view = np.array([0.0, -np.sin(angle), np.cos(angle)])
     everywhere = (np.tile(vector, (len(centre), 1)) for vector in (right, down, light, view))
-    return queries_of(centre, *everywhere)
+    queries = queries_of(centre, *everywhere)
+    queries["seed"] = rng.integers(1, 2**32, len(queries), dtype=np.uint32)
+    return queries
 
 
 def _budget(counts: Counts, table_bytes: int) -> Figures:

@@ -88,7 +88,16 @@ static inline Counted U32_asfloat(unsigned int a)
 #include "cloth.cu"
 #undef float
 
-/// Answers [count, 4] to queries [count, 13], and totals: simple operations, divisions, roots, loads of words, and 32-byte
+// Of a library with `cloth_estimate` either function is counted.
+#ifdef CLOTH_ESTIMATE
+#define CLOTH_FUNCTION cloth_estimate
+#define CLOTH_SEED , queries[14 * i + 13]
+#else
+#define CLOTH_FUNCTION cloth_value
+#define CLOTH_SEED
+#endif
+
+/// Answers [count, 4] to queries [count, 14], and totals: simple operations, divisions, roots, loads of words, and 32-byte
 /// sectors of words, each once for 64 queries one behind the other.
 extern "C" void run(void* fabrics, void* families, unsigned int* words, unsigned long word_count, unsigned int* numbers,
                     unsigned long number_count, const unsigned int* queries, unsigned int count, float* answers,
@@ -106,16 +115,16 @@ extern "C" void run(void* fabrics, void* families, unsigned int* words, unsigned
     unsigned long long sectors = 0;
     for (unsigned int i = 0; i < count; i++)
     {
-        float q[13];
-        memcpy(q, queries + 13 * i, sizeof q);
+        float q[14];
+        memcpy(q, queries + 14 * i, sizeof q);
         // Workgroups of 64 pixels share what they fetch.
         if (i % 64 == 0)
         {
             sectors += counts.sectors.size();
             counts.sectors.clear();
         }
-        float4 a = cloth_value(queries[13 * i], make_float2(q[1], q[2]), make_float2(q[3], q[4]), make_float2(q[5], q[6]),
-                               make_float3(q[7], q[8], q[9]), make_float3(q[10], q[11], q[12]));
+        float4 a = CLOTH_FUNCTION(queries[14 * i], make_float2(q[1], q[2]), make_float2(q[3], q[4]), make_float2(q[5], q[6]),
+                               make_float3(q[7], q[8], q[9]), make_float3(q[10], q[11], q[12]) CLOTH_SEED);
         answers[4 * i] = a.x.v;
         answers[4 * i + 1] = a.y.v;
         answers[4 * i + 2] = a.z.v;

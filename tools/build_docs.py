@@ -38,12 +38,13 @@ _FIRST = {
         "fabric-files",
         "rendering",
         "realtime",
+        "realtime-shaders",
         "materials",
         "export",
         "maps",
         "comparison",
     ),
-    HOW: ("notation", "scattering", "aggregation"),
+    HOW: ("notation", "scattering", "light-between-yarns", "aggregation"),
     FIGURES: ("figures", "figures-baked", "reproduce", "evaluation"),
     TRIED: (),
 }
@@ -86,10 +87,18 @@ def read_pages(root: Path) -> list[Page]:
     return pages
 
 
+def short_title(page: Page) -> str:
+    """A page's title in the navigation: what stands before the colon, or after "Figures:" and "Notes on"."""
+    title = re.sub(r"^(Figures: |Figures of |Notes on (the )?)", "", page.title).partition(":")[0]
+    return title[:1].upper() + title[1:] if page.reader in (USE, FIGURES) else title
+
+
 def _reader(root: Path, file: Path) -> str:
     folder = file.relative_to(root / "docs").parts[0]
     if folder == "notes":
         return TRIED
+    if file.stem.startswith("figures"):
+        return FIGURES
     if folder == "models" or file.stem in _FIRST[HOW]:
         return HOW
     return FIGURES if file.stem in _FIRST[FIGURES] else USE

@@ -7,8 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from loomlight.assets.loom_file import write_loom
 from loomlight.cli.main import run
 from loomlight.core.images import read_picture, write_image
+from loomlight.fabric import load_fabric
+from loomlight.models.registry import make_model
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -23,6 +26,18 @@ def test_a_frame_is_written_off_screen(tmp_path: Path, capsys: pytest.CaptureFix
     pixels = read_picture(picture)
     assert pixels.shape == (16, 24, 3)
     assert pixels[8, 12, 2] > pixels[8, 12, 0] > 0  # blue cloth
+
+
+def test_a_loom_is_shown_with_the_model_that_it_holds(tmp_path: Path) -> None:
+    fabric = load_fabric(EXAMPLES / "denim.toml")
+    write_loom(tmp_path / "denim.loom", make_model("point", fabric).to_loom())
+    options = ["--scene", "flat", "--size", "16x12", "--passes", "1"]
+    pictures = []
+    for name, more in (("denim.loom", []), ("denim.toml", ["--model", "point"])):
+        path = tmp_path / name if name.endswith(".loom") else EXAMPLES / name
+        assert run(["play", str(path), *more, *options, "-o", str(tmp_path / "a.png")]) == 0
+        pictures.append(read_picture(tmp_path / "a.png"))
+    np.testing.assert_array_equal(*pictures)
 
 
 def test_no_display_is_one_sentence(

@@ -195,6 +195,7 @@ def test_maps(tmp_path: Path) -> None:
     height = channels["height"].pixels
     assert height.shape == (16, 32)
     assert height.max() > 0 > height.min()
+    assert {"color.R", "color.G", "color.B", "opacity", "roughness"} <= set(channels)
 
 
 def test_the_demo_is_composed_of_a_frame_an_inset_and_a_mark() -> None:

@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from loomlight.core.colour import linear_to_srgb, parse_colour, srgb_to_linear, to_hex
+from loomlight.core.colour_difference import lab_of_linear
 from loomlight.core.errors import InputError
 
 bytes_of_colour = st.tuples(*[st.integers(0, 255)] * 3)
@@ -81,3 +82,12 @@ def test_what_is_no_colour_is_refused_by_name(value: object) -> None:
     assert str(caught.value).startswith("warp.color = ")
     assert str(caught.value).endswith(".")
     assert "\n" not in str(caught.value)
+
+
+def test_lab_is_a_colour() -> None:
+    linear = parse_colour("lab(52 -10 30)", "warp.color")
+    assert lab_of_linear(linear) == pytest.approx([52, -10, 30])
+    assert parse_colour(" LAB( 52, -10, 30 ) ", "warp.color") == pytest.approx(linear)
+    for text in ("lab(52 -10)", "lab(152 0 0)", "lab(50 x 0)", "lab(50 nan 0)"):
+        with pytest.raises(InputError, match=r"warp\.color"):
+            parse_colour(text, "warp.color")

@@ -1,6 +1,6 @@
-"""The exported decoder computes what `woven` computes.
+"""The exported decoders compute what `woven` and `latent` compute.
 
-Covers: models/woven/training/export_decoder.py
+Covers: models/woven/training/export_decoder.py, export/latent_network.py
 """
 
 from __future__ import annotations
@@ -23,7 +23,8 @@ from loomlight.models.woven import model as model_module
 from loomlight.models.woven.footprint_coding import Level, taps
 from loomlight.models.woven.training.export_decoder import decoder_model
 from loomlight.models.woven.weights import shipped_decoder, shipped_weights
-from tests.realtime.queries import directions
+from tests.realtime import test_latent
+from tests.realtime.queries import directions, share_beyond
 
 require_llvm()
 FABRIC = fabric_from_text('weave = "twill 2/1"\nends_per_cm = 14\npicks_per_cm = 11\n')
@@ -124,3 +125,26 @@ def test_the_shipped_decoder_is_exported_from_the_shipped_weights() -> None:
         rng = np.random.default_rng(3)
     for first, second in zip(*answers, strict=True):
         np.testing.assert_allclose(first, second, rtol=1e-4, atol=1e-6)
+
+
+@pytest.mark.parametrize("frames", [True, False])
+def test_the_decoder_computes_what_latent_computes(frames: bool, tmp_path: Path) -> None:
+    """On the query set of the shaders' parity, whose bar this is too."""
+    model = test_latent.random_model(frames=frames)
+    folder = export(model, "onnx", tmp_path / "onnx")
+    rows = test_latent.queries()
+    footprint = Footprint(*(test_latent.pairs(rows[name]) for name in ("centre", "dx", "dy")))
+    light, view = (Array3f(*np.ascontiguousarray(rows[name].T)) for name in ("light", "view"))
+    at = model.at(view, footprint)
+    facing = {
+        name: rows[name] * np.where(rows["view"][:, 2:] < 0, [1, 1, -1], 1) for name in ("light", "view")
+    }
+    session = onnxruntime.InferenceSession(folder / "decoder.onnx")
+    asked = {"latent": np.array(at._latent).T, **facing}
+    (found,) = session.run(None, {name: np.float32(values) for name, values in asked.items()})
+    assert share_beyond(found, np.array(at.value(light)).T) == 0
+    latents = load_file(folder / "latents.safetensors")["latents"]
+    manifest = json.loads((folder / "manifest.json").read_text())
+    assert manifest["model"] == "latent"
+    last = manifest["levels"][-1]
+    assert latents.shape == (2, last["first"] + 1, 8)

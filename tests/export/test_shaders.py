@@ -31,7 +31,7 @@ from loomlight.realtime.device import default_adapter
 from loomlight.realtime.layout import numpy_type
 from loomlight.realtime.models import REALTIME_MODELS, Material
 from loomlight.realtime.slangc import compile_shader
-from tests.realtime import test_latent, test_neumip
+from tests.realtime import test_clustered, test_latent, test_neumip
 from tests.realtime.queries import directions, share_beyond
 
 require_llvm()
@@ -44,6 +44,7 @@ MATERIALS: dict[str, Material] = {
     "lobes": FABRIC,
     "point": FABRIC,
     "woven": WovenModel.for_source(FABRIC, refined=False),
+    "clustered": test_clustered.model_of(1).with_samples(0),
     "neumip": test_neumip.random_model(half=True),
     "latent": test_latent.random_model(),
 }
@@ -129,11 +130,37 @@ def test_cuda_text_computes_what_the_model_computes(model: str) -> None:
     assert 0 < counts.loaded_bytes < 20 * counts.operations
 
 
+def test_estimates_of_clustered_are_unbiased() -> None:
+    """Means of exported estimates of a few footprints, against means of exact points of them."""
+    model = test_clustered.model_of(1)
+    rng = np.random.default_rng(6)
+    count, seeds = 6, 4000
+    centre, side = np.float32(rng.uniform(-3, 3, (count, 2))), np.float32(10 ** rng.uniform(-1, 0.5, count))
+    zero = np.zeros_like(side)
+    # Along the threads the footprint of the model is the pixel's.
+    dx, dy = np.stack([side, zero], axis=-1), np.stack([zero, 0.7 * side], axis=-1)
+    light, view = directions(rng, count), directions(rng, count)
+    rows = [np.repeat(part, seeds, axis=0) for part in (centre, dx, dy, light, view)]
+    asked = queries_of(*rows)
+    asked["seed"] = rng.integers(1, 2**32, len(asked), dtype=np.uint32)
+    library = CountedLibrary(model, "clustered", estimates=True)
+    found = library.answers(asked)[0].reshape(count, seeds, 4)
+    places = rng.uniform(-0.5, 0.5, (count * seeds, 2))
+    rows[0] = np.float32(rows[0] + places[:, :1] * rows[1] + places[:, 1:] * rows[2])
+    of_points = Footprint(*(Array2f(*np.ascontiguousarray(part.T)) for part in rows[:3]))
+    at = make_model("point", model.fabric).at(Array3f(*np.ascontiguousarray(rows[4].T)), of_points)
+    exact = np.array(at.value(Array3f(*np.ascontiguousarray(rows[3].T)))).T.reshape(count, seeds, 3)
+    error = np.sqrt(exact.var(axis=1) + found[..., :3].var(axis=1)) / np.sqrt(seeds)
+    z = (found[..., :3].mean(axis=1) - exact.mean(axis=1)) / np.maximum(error, 1e-7)
+    assert np.abs(z).max() < 4  # of 18, three times in 1000
+
+
 def test_libraries_have_no_kernel() -> None:
     for language in LANGUAGES:
         text = library(language, "point")
         assert "cloth_value(" in text
         assert "queries" not in text
+        assert "cloth_estimate(" in library(language, "clustered")
 
 
 def test_manifest_describes_the_buffers(exported: Path) -> None:

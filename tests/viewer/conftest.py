@@ -5,7 +5,7 @@ from __future__ import annotations
 import http.client
 import threading
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Generator, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -51,7 +51,7 @@ def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-def serving(page: Path, access: Access) -> Iterator[Served]:
+def serving(page: Path, access: Access) -> Generator[Served, None, None]:
     """Serves until the generator is closed."""
     config = uvicorn.Config(
         editor_app(page, "twill 3/1", access), host="127.0.0.1", port=0, log_level="critical"
@@ -62,9 +62,11 @@ def serving(page: Path, access: Access) -> Iterator[Served]:
     while not server.started:
         assert thread.is_alive()
         time.sleep(0.01)
-    yield Served(server.servers[0].sockets[0].getsockname()[1])
-    server.should_exit = True
-    thread.join()
+    try:
+        yield Served(server.servers[0].sockets[0].getsockname()[1])
+    finally:
+        server.should_exit = True
+        thread.join()
 
 
 @pytest.fixture(scope="module")

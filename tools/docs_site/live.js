@@ -12,7 +12,7 @@ async function hasGraphics() {
 function enliven(figure) {
   const frame = document.createElement("iframe");
   frame.src = figure.dataset.live;
-  frame.title = `${figure.querySelector("strong").textContent} Live cloth: drag to turn, scroll to come closer.`;
+  frame.title = `${figure.querySelector("strong").textContent}, live: drag to turn, scroll to come closer.`;
   frame.addEventListener("load", () => frame.classList.add("ready"));
   figure.querySelector(".stage").append(frame);
 }
@@ -27,4 +27,9 @@ if (figures.length > 0 && (await hasGraphics())) {
     }
   });
   figures.forEach((figure) => observer.observe(figure));
+}
+
+// On a phone the text comes first.
+if (matchMedia("(max-width: 52rem)").matches) {
+  document.querySelectorAll("nav details[open]").forEach((group) => (group.open = false));
 }

@@ -70,7 +70,7 @@ def _live(cloth: Cloth, up: str) -> str:
     picture, shown = f"{up}live/gallery/{name}.webp", html.escape(about)
     return f"""<figure class="live" data-live="{place}&amp;embed=1">
 <div class="stage"><img src="{picture}" alt="{shown}" width="320" height="320" loading="lazy"></div>
-<figcaption><strong>{html.escape(title)}.</strong> {shown}
+<figcaption><strong>{html.escape(title)}</strong> {shown}
 <a href="{place}">Open it in the editor</a></figcaption>
 </figure>
 """

@@ -35,7 +35,7 @@ def bake_maps(
     ] = None,
     back: Annotated[bool, typer.Option("--back", help="The back face, as seen from behind.")] = False,
 ) -> None:
-    """Writes height, normal, tangent, family and holes of a fabric's yarns as textures of one repeat."""
+    """Writes height, normal, fibres, family, holes, colour, opacity and roughness of a fabric as textures."""
     check_output(output, (".exr", ".png"))
     columns_and_rows = parse_size(resolution, "--resolution")
     corner = None
@@ -52,9 +52,10 @@ def bake_maps(
     require_llvm()
     from drjit.llvm import Float
 
+    from loomlight.fabric.material_maps import material_maps
     from loomlight.yarn.geometry import YarnGeometry
     from loomlight.yarn.maps import bake_maps, write_maps
 
     maps = bake_maps(YarnGeometry(cloth.layout()), columns_and_rows, Float, corner, back)
-    for path in write_maps(maps, output):
+    for path in write_maps(maps, output, material_maps(cloth, maps)):
         done(path)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from loomlight.cli.outputs import check_output, done
+from loomlight.cli.render_options import WhiteBalanceOption
 from loomlight.cli.values import parse_size, require_within
 from loomlight.core.errors import MissingDependencyError
 
@@ -48,6 +49,7 @@ def play(
     size: Annotated[str | None, typer.Option(metavar="WxH", help="Pixels of the window; 960x720.")] = None,
     zoom: Annotated[float, typer.Option(help="1 frames the whole object, 10 is ten times closer.")] = 1.0,
     exposure: Annotated[float, typer.Option(help="Stops; the keys + and - change it.")] = 0.0,
+    white_balance: WhiteBalanceOption = None,
     output: Annotated[
         Path | None,
         typer.Option("--output", "-o", help="Write a frame as .png or .exr, off screen, and open no window."),
@@ -61,6 +63,7 @@ def play(
     """
     require_within("--zoom", zoom, 1e-3, 1e3)
     require_within("--exposure", exposure, -30, 30)
+    require_within("--white-balance", 6500 if white_balance is None else white_balance, 1667, 25000)
     require_within("--env-turn", environment_turn, -360, 360)
     require_within("--metres-per-unit", metres_per_unit, 1e-6, 1e6)
     require_within("--passes", passes, 1, 100_000)
@@ -69,7 +72,17 @@ def play(
         check_output(output, (".png", ".exr"))
     canvas = None if output is not None else _window(pixels)
     viewer = _viewer(
-        fabric, scene, mesh, metres_per_unit, model, environment, environment_turn, pixels, zoom, exposure
+        fabric,
+        scene,
+        mesh,
+        metres_per_unit,
+        model,
+        environment,
+        environment_turn,
+        pixels,
+        zoom,
+        exposure,
+        white_balance,
     )
     if output is not None:
         _write(viewer, output, passes, exposure)
@@ -89,7 +102,11 @@ def _viewer(
     size: tuple[int, int],
     zoom: float,
     exposure: float,
+    white_balance: float | None,
 ) -> Viewer:
+    import numpy as np
+
+    from loomlight.core.white_balance import white_balance as white_balance_gains
     from loomlight.mitsuba.camera import framing
     from loomlight.mitsuba.lights import studio_radiance
     from loomlight.mitsuba.meshes import uv_size
@@ -109,16 +126,24 @@ def _viewer(
         material,
         uv_size(cloth),
     )
+    # Light and colours multiply channel by channel: balanced light is a balanced picture.
+    gains = np.ones(3) if white_balance is None else white_balance_gains(white_balance)
     towards = towards_light / (towards_light @ towards_light) ** 0.5
-    places = {"studio": Environment(studio_radiance(towards))}
+    places = {"studio": Environment(studio_radiance(towards) * gains)}
     if environment is not None:
-        places[environment.name] = Environment.read(environment, environment_turn)
+        read = Environment.read(environment, environment_turn)
+        places[environment.name] = Environment(read.radiance * gains, read.turn)
     around = [
-        Lighting(name, (), {"environment": place, "background": (0.18,) * 3 if name == "studio" else None})
+        Lighting(
+            name, (), {"environment": place, "background": tuple(0.18 * gains) if name == "studio" else None}
+        )
         for name, place in places.items()
     ]
     # What the user named comes first.
-    lightings = [*around[::-1], Lighting("directional", [DirectionalLight(towards_light)])]
+    lightings = [
+        *around[::-1],
+        Lighting("directional", [DirectionalLight(towards_light, tuple(np.pi * gains))]),
+    ]
     renderer = Renderer([piece], size, model)
     view = framing(cloth.positions, towards_camera, size)
     orbit = Orbit.between(view.origin, view.target)

@@ -45,6 +45,7 @@ def render(
     zoom: option.ZoomOption = 1.0,
     depth: option.DepthOption = None,
     exposure: option.ExposureOption = 0.0,
+    white_balance: option.WhiteBalanceOption = None,
     inset: option.InsetOption = None,
     color: option.ColorOption = None,
     cloth: option.ClothOption = None,
@@ -65,6 +66,7 @@ def render(
     shown = _shown(scene, mesh)
     towards_light = None if light_from is None else _direction(light_from)
     require_within("--exposure", exposure, -30, 30)
+    require_within("--white-balance", 6500 if white_balance is None else white_balance, 1667, 25000)
     require_within("--seed", seed, 0, 2**32 - 1)
     require_within("--max-depth", 8 if depth is None else depth, 1, 1000)
     require_within("--env-turn", environment_turn, -360, 360)
@@ -103,6 +105,7 @@ def render(
                 spp=samples,
                 seed=seed,
                 exposure=exposure,
+                white_balance=white_balance,
                 variant=variant,
                 **setting,
             )
@@ -116,6 +119,7 @@ def render(
             spp=samples,
             seed=seed,
             exposure=exposure,
+            white_balance=white_balance,
             inset=inset,
             variant=variant,
             colors=colors,

@@ -61,6 +61,10 @@ DepthOption = Annotated[
     typer.Option("--max-depth", help="Longest light path, in segments; 8, or a scene file's own."),
 ]
 ExposureOption = Annotated[float, typer.Option(help="Stops; +1 is twice as bright.")]
+WhiteBalanceOption = Annotated[
+    float | None,
+    typer.Option(metavar="KELVIN", help="Colour temperature of the light that is shown as white; 6500."),
+]
 InsetOption = Annotated[
     bool | None,
     typer.Option(

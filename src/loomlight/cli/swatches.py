@@ -12,6 +12,7 @@ from loomlight.cli.fleet import ExecutorName, SlurmSettings, Workers, executor_o
 from loomlight.cli.interruption import note_left
 from loomlight.cli.outputs import check_output, done, require_not_read
 from loomlight.cli.progress import progress
+from loomlight.cli.render_options import WhiteBalanceOption
 from loomlight.cli.values import require_within
 
 EXAMPLE = "Example: loomlight swatches examples/*.toml -o sheet.png"
@@ -29,6 +30,7 @@ def swatches(
     side: Annotated[int, typer.Option("--size", metavar="PIXELS", help="Side of each picture.")] = 240,
     samples: Annotated[int, typer.Option("--spp", help="Samples a pixel.")] = 9,
     title: Annotated[str, typer.Option(help="Heading of a page.")] = "Fabrics",
+    white_balance: WhiteBalanceOption = None,
     variant: Annotated[str | None, typer.Option(help="llvm_ad_rgb (default) or cuda_ad_rgb.")] = None,
     workers: Workers = 1,
     executor: ExecutorName = "local",
@@ -41,6 +43,7 @@ def swatches(
     check_output(output, (".png", ".html"))
     require_within("--size", side, 32, 2048)
     require_within("--spp", samples, 1, 100_000)
+    require_within("--white-balance", 6500 if white_balance is None else white_balance, 1667, 25000)
     chosen = executor_of(executor, workers, slurm)
     require_not_read(output, fabrics)
     from loomlight.core.contact_sheet import sheet_page, sheet_picture
@@ -51,7 +54,7 @@ def swatches(
     from loomlight.models.registry import require_model_name
 
     require_model_name(model)
-    settings = CardSettings(side, model, samples, choose_variant(variant))
+    settings = CardSettings(side, model, samples, choose_variant(variant), white_balance)
     parts = work_folder_of(output)
     note_left(f"{parts} keeps the fabrics that are rendered: the same command goes on from there.")
     with progress("swatches") as report:

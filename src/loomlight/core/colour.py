@@ -8,8 +8,10 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from loomlight.core.colour_difference import linear_of_lab
 from loomlight.core.errors import InputError
 
+_LAB = re.compile(r"lab\(\s*([^\s,]+)[\s,]+([^\s,]+)[\s,]+([^\s,)]+)\s*\)", re.IGNORECASE)
 _HEX = re.compile(r"#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})")
 
 
@@ -26,12 +28,17 @@ def linear_to_srgb(linear: ArrayLike) -> NDArray[np.float64]:
 
 
 def parse_colour(value: object, field: str) -> NDArray[np.float64]:
-    """Linear RGB [3] of ``"#rrggbb"`` (sRGB) or of a linear triple in [0, 1].
+    """Linear RGB [3] of ``"#rrggbb"`` (sRGB), of ``"lab(52 -10 30)"`` (D65), or of a linear triple in [0, 1].
+
+    A Lab colour outside the gamut of BT.709 becomes the nearest in each channel.
 
     Raises:
         InputError: anything else, a component outside [0, 1] or NaN; the message names `field`.
     """
     if isinstance(value, str):
+        lab = _LAB.fullmatch(value.strip())
+        if lab is not None:
+            return np.clip(linear_of_lab(_lab_numbers(lab, field)), 0, 1)
         match = _HEX.fullmatch(value.strip())
         if match is None:
             raise InputError(f'{field} = "{value}" is no colour: write sRGB hex such as "#20305c".')
@@ -49,6 +56,25 @@ def parse_colour(value: object, field: str) -> NDArray[np.float64]:
             raise InputError(f"{field} = {list(value)} is out of gamut: linear RGB lies between 0 and 1.")
         return triple
     raise InputError(f'{field} = {value!r} is no colour: write "#rrggbb" or a linear RGB triple.')
+
+
+def lab_of_text(value: object, field: str) -> NDArray[np.float64] | None:
+    """L*, a*, b* [3] of a colour that is written as ``"lab(52 -10 30)"``; None of others."""
+    match = _LAB.fullmatch(value.strip()) if isinstance(value, str) else None
+    return None if match is None else _lab_numbers(match, field)
+
+
+def _lab_numbers(match: re.Match[str], field: str) -> NDArray[np.float64]:
+    try:
+        lightness, a, b = (float(part.rstrip("%")) for part in match.groups())
+    except ValueError:
+        lightness, a, b = float("nan"), 0.0, 0.0
+    if not (0 <= lightness <= 100 and abs(a) <= 150 and abs(b) <= 150):
+        raise InputError(
+            f'{field} = "{match.group(0)}" is no colour: write lab(L a b) with L from 0 to 100, a and b from '
+            "-150 to 150."
+        )
+    return np.array([lightness, a, b])
 
 
 def to_hex(linear: ArrayLike) -> str:

@@ -31,8 +31,17 @@ def linear_of_lab(lab: ArrayLike) -> NDArray[np.float64]:
     lightness, a, b = np.moveaxis(np.asarray(lab, np.float64), -1, 0)
     y = (lightness + 16) / 116
     root = np.stack([y + a / 500, y, y - b / 200], axis=-1)
-    ratio = np.where(root > _EDGE, root**3, 3 * _EDGE**2 * (root - 4 / 29))
-    return np.asarray((ratio * _WHITE) @ np.linalg.inv(_XYZ_OF_RGB).T)
+    return linear_of_xyz_ratio(np.where(root > _EDGE, root**3, 3 * _EDGE**2 * (root - 4 / 29)))
+
+
+def linear_of_xyz_ratio(ratio: ArrayLike) -> NDArray[np.float64]:
+    """Linear RGB [..., 3] of XYZ over the XYZ of white [..., 3]."""
+    return np.asarray((np.asarray(ratio, np.float64) * _WHITE) @ np.linalg.inv(_XYZ_OF_RGB).T)
+
+
+def xyz_white() -> NDArray[np.float64]:
+    """XYZ [3] of D65, its luminance 1."""
+    return _WHITE / _WHITE[1]
 
 
 def delta_e_2000(first: ArrayLike, second: ArrayLike) -> NDArray[np.float64]:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 from loomlight.realtime.layout import BUFFERS, QUERY, RECORDS, Fields
+from loomlight.realtime.models import RealtimeModel
 
 _WGSL_TYPES = {"float": "f32", "uint": "u32"}
 # Arguments of `cloth_value` from a query, with two and three numbers a vector.
@@ -18,9 +19,24 @@ _ARGUMENTS = (
 )
 
 
-def _arguments(two: str, three: str, indent: str = "        ") -> str:
+def _answer(model: RealtimeModel, answer: str, two: str, three: str, last: str = "") -> str:
+    """The statements that store an answer: of `cloth_value`, or with a seed of `cloth_estimate`.
+
+    Args:
+        answer: where it is stored.
+        two, three: names of vectors.
+        last: a further argument of the functions.
+    """
     parts = [part.replace("{2}", two).replace("{3}", three) for part in _ARGUMENTS]
-    return (",\n" + indent).join(parts)
+
+    def call(function: str, *more: str) -> str:
+        arguments = (",\n" + " " * 8).join([*parts, *more, *([last] if last else [])])
+        return f"{answer} = {function}(\n        {arguments});"
+
+    if not model.has_estimate:
+        return call("cloth_value")
+    estimate = call("cloth_estimate", "query.seed")
+    return f"{call('cloth_value')}\n    if (query.seed != 0u) {{\n        {estimate}\n    }}"
 
 
 def c_struct(name: str, fields: Fields) -> str:
@@ -34,8 +50,7 @@ def _wgsl_struct(name: str, fields: Fields) -> str:
     return "\n".join([f"struct {name}", "{", *lines, "}", ""])
 
 
-def _wgsl(buffers: Sequence[str]) -> str:
-    del buffers  # they are declared in the library
+def _wgsl(model: RealtimeModel) -> str:
     return f"""// To be put behind cloth.wgsl.
 // An answer (red, green, blue, share that passes through) for each query.
 {_wgsl_struct("Query", QUERY)}
@@ -47,14 +62,12 @@ fn cloth_queries(@builtin(global_invocation_id) id: vec3<u32>)
 {{
     if (id.x >= arrayLength(&queries)) {{ return; }}
     let query = queries[id.x];
-    answers[id.x] = cloth_value(
-        {_arguments("vec2<f32>", "vec3<f32>")});
+    {_answer(model, "answers[id.x]", "vec2<f32>", "vec3<f32>")}
 }}
 """
 
 
-def _hlsl(buffers: Sequence[str]) -> str:
-    del buffers  # they are declared in the library
+def _hlsl(model: RealtimeModel) -> str:
     return f"""// An answer (red, green, blue, share that passes through) for each query.
 #include "cloth.hlsl"
 
@@ -70,14 +83,12 @@ void cloth_queries(uint3 id : SV_DispatchThreadID)
     if (id.x >= count)
         return;
     Query query = queries[id.x];
-    answers[id.x] = cloth_value(
-        {_arguments("float2", "float3")});
+    {_answer(model, "answers[id.x]", "float2", "float3")}
 }}
 """
 
 
-def _glsl(buffers: Sequence[str]) -> str:
-    del buffers  # they are declared in the library
+def _glsl(model: RealtimeModel) -> str:
     return f"""#version 450
 #extension GL_GOOGLE_include_directive : require
 // An answer (red, green, blue, share that passes through) for each query.
@@ -93,18 +104,17 @@ void main()
     if (gl_GlobalInvocationID.x >= queries.length())
         return;
     Query query = queries[gl_GlobalInvocationID.x];
-    answers[gl_GlobalInvocationID.x] = cloth_value(
-        {_arguments("vec2", "vec3")});
+    {_answer(model, "answers[gl_GlobalInvocationID.x]", "vec2", "vec3")}
 }}
 """
 
 
-def _metal(buffers: Sequence[str]) -> str:
-    parameters = [f"device {_element(name, 'metal')}* {name}" for name in buffers]
+def _metal(model: RealtimeModel) -> str:
+    parameters = [f"device {_element(name, 'metal')}* {name}" for name in model.buffers]
     parameters += ["device const Query* queries", "constant uint& count", "device float4* answers"]
     bound = [f"{parameter} [[buffer({n})]]" for n, parameter in enumerate(parameters)]
     lines = (",\n" + " " * 26).join([*bound, "uint id [[thread_position_in_grid]]"])
-    assignments = "\n".join(f"    buffers.{name} = {name};" for name in buffers)
+    assignments = "\n".join(f"    buffers.{name} = {name};" for name in model.buffers)
     return f"""// An answer (red, green, blue, share that passes through) for each query.
 #include "cloth.metal"
 
@@ -116,16 +126,14 @@ kernel void cloth_queries({lines})
     thread ClothBuffers buffers;
 {assignments}
     Query query = queries[id];
-    answers[id] = cloth_value(
-        {_arguments("float2", "float3")},
-        &buffers);
+    {_answer(model, "answers[id]", "float2", "float3", "&buffers")}
 }}
 """
 
 
-def _cuda(buffers: Sequence[str]) -> str:
-    parameters = ", ".join(f"{_element(name, 'cuda')}* {name}" for name in buffers)
-    assignments = "\n".join(f"    buffers.{name}.data = {name};" for name in buffers)
+def _cuda(model: RealtimeModel) -> str:
+    parameters = ", ".join(f"{_element(name, 'cuda')}* {name}" for name in model.buffers)
+    assignments = "\n".join(f"    buffers.{name}.data = {name};" for name in model.buffers)
     return f"""// An answer (red, green, blue, share that passes through) for each query.
 #include "cloth.cu"
 
@@ -136,8 +144,7 @@ extern "C" __global__ void cloth_queries(const Query* queries, uint count, float
     if (id >= count)
         return;
     Query query = queries[id];
-    answers[id] = cloth_value(
-        {_arguments("make_float2", "make_float3")});
+    {_answer(model, "answers[id]", "make_float2", "make_float3")}
 }}
 
 // Host: pointers to copies of the files .bin of these names on the device, before the first launch.
@@ -164,8 +171,7 @@ def _element(buffer: str, language: str) -> str:
     return f"packed_{kind}" if language == "metal" and kind == "uint4" else kind
 
 
-# From the buffers that the library reads to the text.
-KERNELS: dict[str, Callable[[Sequence[str]], str]] = {
+KERNELS: dict[str, Callable[[RealtimeModel], str]] = {
     "wgsl": _wgsl,
     "hlsl": _hlsl,
     "glsl": _glsl,

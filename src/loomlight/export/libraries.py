@@ -14,7 +14,7 @@ from loomlight.core.errors import LoomlightError
 from loomlight.realtime.slangc import SHADERS
 
 # What an engine calls and binds.
-_PUBLIC = ("cloth_value", "fabrics", "families", "words", "packed_numbers")
+_PUBLIC = ("cloth_value", "cloth_estimate", "fabrics", "families", "words", "packed_numbers")
 _QUERY_BUFFERS = "queries|query_count|answers"
 
 

@@ -62,7 +62,7 @@ def _write_text(folder: Path, model: str, language: str) -> list[str]:
         text = '#include "cloth_prelude.h"\n' + text
         names.append("cloth_prelude.h")
     (folder / names[0]).write_text(text, encoding="utf-8")
-    (folder / names[1]).write_text(KERNELS[language](REALTIME_MODELS[model].buffers), encoding="utf-8")
+    (folder / names[1]).write_text(KERNELS[language](REALTIME_MODELS[model]), encoding="utf-8")
     if language == "wgsl":
         names += ["sample.wgsl", "sample.py"]
     for name in names[2:]:

@@ -30,7 +30,7 @@ def family_appearance(
 
     Args:
         shown_by: the cloth's openness and the number of the family, by which colours are those that cloth
-            shows (`authored_colour.py`); None makes albedos of the colours as they are.
+            shows (`authored_colour.py`), unless the file gives albedos; None makes albedos of them.
 
     Raises:
         InputError: explicit albedos that together send back more light than arrives.
@@ -38,7 +38,7 @@ def family_appearance(
     specular = SPECULAR if table.specular is None else table.specular
     translucency = TRANSLUCENCY if table.translucency is None else table.translucency
     roughness = ROUGHNESS if table.roughness is None else table.roughness
-    if shown_by is not None:
+    if shown_by is not None and table.albedo is None:
         from loomlight.fabric.authored_colour import colour_for
 
         openness, number = shown_by

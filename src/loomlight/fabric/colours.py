@@ -40,10 +40,12 @@ def _with_roles(threads: Threads, listed: NDArray[np.float64] | None) -> Threads
 
 def _colours(table: YarnTable, name: str, threads: Threads) -> NDArray[np.float64] | None:
     """The list of colours [k, 3] to apply; None leaves the draft's own."""
-    given = table.color
+    given = table.albedo if table.color is None else table.color
     if given is None:
         if threads.colors is not None:
             return None
         given = WARP_COLOUR if name == "warp" else WEFT_COLOUR
     listed = [given] if is_one_colour(given) else given
-    return np.array([parse_colour(colour, f"{name}.color") for colour in listed])
+    return np.array(
+        [parse_colour(colour, f"{name}.{'albedo' if table.color is None else 'color'}") for colour in listed]
+    )

@@ -68,6 +68,7 @@ class Fabric:
         if not self.fields.interreflection:
             return own
         # Rays need Dr.Jit, which fabrics without them do not load.
+        from loomlight.fabric.gamut import warn_of_colours_out_of_reach
         from loomlight.scattering.openness import openness_of
 
         roughness = own.warp.roughness, own.weft.roughness
@@ -85,6 +86,7 @@ class Fabric:
                 )
             )
         )
+        warn_of_colours_out_of_reach(fields, own.optical_depth, openness)
         return replace(own, warp=warp, weft=weft, openness=openness)
 
     @property

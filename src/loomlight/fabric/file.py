@@ -13,12 +13,15 @@ from pydantic_core import PydanticCustomError
 
 from loomlight.core.colour import parse_colour
 from loomlight.core.errors import InputError
+from loomlight.core.spectra import is_spectrum
 
 # Stands in a message for the field's name, which only the translation into a sentence knows.
 FIELD = "\0"
 
 
 def _colour(value: object) -> object:
+    if is_spectrum(value):
+        return value
     try:
         parse_colour(value, FIELD)
     except InputError as error:
@@ -75,6 +78,7 @@ class YarnTable(Table):
 
     yarn: YarnName | None = None
     color: Colours | None = None
+    albedo: Colours | None = None
     specular: Fraction | None = None
     specular_tint: Colour | None = None
     translucency: Fraction | None = None

@@ -13,6 +13,7 @@ from loomlight.core.errors import InputError
 from loomlight.fabric.drafts import draft_of
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.file import FabricFile
+from loomlight.fabric.measured_colours import with_measured_colours
 from loomlight.fabric.plausibility import require_interlacing, warn_of_slips
 from loomlight.fabric.reading import (
     one_line,
@@ -108,6 +109,7 @@ def edited_fabric(fabric: Fabric, fields: Mapping[str, Any]) -> Fabric:
         valid = validate_fields(_merged(fabric.fields.model_dump(exclude_none=True), fields))
         if any(name in fields for name in _DRAFTS):
             return _made(valid, fabric.folder, "fabric", "the fabric")
+        valid = with_measured_colours(valid, fabric.folder)
         return make_fabric(valid, fabric.named_draft, valid.name or fabric.name, fabric.folder)
 
 
@@ -136,6 +138,7 @@ def _only(**field: str) -> FabricFile:
 
 def _made(fields: FabricFile, folder: str, fallback_name: str, source: str) -> Fabric:
     with speaking_of(source):
+        fields = with_measured_colours(fields, folder)
         draft = draft_of(fields, folder)
         require_interlacing(draft)
         name = fields.name or draft.title or fields.weave or fallback_name

@@ -15,6 +15,7 @@ from loomlight.assets.load import load_source
 from loomlight.assets.loom_file import LOOM_SUFFIX, is_loom, read_loom
 from loomlight.assets.sources import Source, kind_of_file
 from loomlight.core.errors import InputError, LoomlightWarning
+from loomlight.core.white_balance import white_balance as white_balance_gains
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.load import FABRIC_SUFFIX, edited_fabric
 from loomlight.mitsuba.inset import SMALLEST_PICTURE, Inset, composed, resized
@@ -55,6 +56,7 @@ def render_fabric(
     spp: int = DEFAULT_SAMPLES,
     seed: int = 0,
     exposure: float = 0.0,
+    white_balance: float | None = None,
     inset: bool | None = None,
     variant: str | None = None,
     colors: Mapping[str, Any] | None = None,
@@ -75,6 +77,8 @@ def render_fabric(
         spp: samples a pixel, ≥ 1.
         seed: any 32-bit number; the same seed gives the same picture, but for rounding.
         exposure: stops, −30 to 30; colours are multiplied by 2**exposure.
+        white_balance: colour temperature of the light that is shown as white, 1667 to 25000 K; None leaves
+            colours as they are, relative to daylight of 6500 K.
         inset: a close-up in the upper left corner, in which the weave can be read; by default where `fabric`
             is a weave's name or a draft and the whole drape is shown, at 160 pixels or more each way.
         variant: llvm_ad_rgb or cuda_ad_rgb; by default the one that is set, else llvm_ad_rgb.
@@ -94,6 +98,8 @@ def render_fabric(
             f"exposure = {exposure:g} is out of range: it lies between -{_LARGEST_EXPOSURE} and "
             f"{_LARGEST_EXPOSURE} stops."
         )
+    if white_balance is not None:
+        white_balance_gains(white_balance)
     if model is not None:
         require_model_name(model)
     if str(scene) not in SCENES and inset:
@@ -102,7 +108,9 @@ def render_fabric(
         _warn_of_override(fabric, model)
     bare = _is_bare(fabric)
     material = recoloured(fabric, model, colors) if colors else fabric
-    wanted = _Wanted(material, scene, model, spp, seed, exposure, inset, bare, cloths or {}, setting)
+    wanted = _Wanted(
+        material, scene, model, spp, seed, (exposure, white_balance), inset, bare, cloths or {}, setting
+    )
     loops = compile_ahead(wanted.model)
     estimate = TimeEstimate(wanted.seconds(partial is not None), progress)
     with estimate.step("start"):
@@ -149,7 +157,7 @@ class _Wanted:
         model: str | None,
         spp: int,
         seed: int,
-        exposure: float,
+        development: tuple[float, float | None],
         inset: bool | None,
         bare: bool,
         cloths: Mapping[str, Source | str | os.PathLike[str]],
@@ -158,7 +166,8 @@ class _Wanted:
         self._fabric = fabric
         self._scene = scene
         self._given_model = model
-        self._spp, self._exposure, self._seed = spp, exposure, seed
+        self._spp, self._seed = spp, seed
+        self._exposure, self._white_balance = development
         self._setting = setting
         self._cloths = cloths
         self._own_scene = str(scene) not in SCENES
@@ -289,6 +298,7 @@ class _Wanted:
             take=take,
             seed=self._seed,
             exposure=self._exposure,
+            white_balance=self._white_balance,
             integrator=shown.integrator,
             progress=progress,
             partial=partial,

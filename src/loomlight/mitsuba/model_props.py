@@ -167,7 +167,7 @@ def _value(name: str, value: Any) -> Any:
     if isinstance(value, str):
         # One colour is for every thread; commas make a list in thread order.
         parts = [part.strip() for part in value.split(",")]
-        return parts if len(parts) > 1 and name.endswith(".color") else value
+        return parts if len(parts) > 1 and name.endswith((".color", ".albedo")) else value
     try:
         return [float(part) for part in np.array(value, dtype=np.float64).ravel()]
     except (TypeError, ValueError) as error:

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
+from loomlight.core.white_balance import white_balance as white_balance_gains
 from loomlight.mitsuba.integrator import bypass_film, footprint_integrator
 from loomlight.mitsuba.scene_traits import is_symbolic
 from loomlight.mitsuba.variants import choose_variant
@@ -40,6 +41,7 @@ def render(
     sensor: Any = 0,
     integrator: Any = None,
     exposure: float = 0.0,
+    white_balance: float | None = None,
     progress: Progress | None = None,
     partial: PartialPicture | None = None,
 ) -> NDArray[np.float32]:
@@ -55,12 +57,14 @@ def render(
         sensor: a sensor or its index.
         integrator: by default the scene's own if it is a `footprint_path`, otherwise a new one.
         exposure: stops; colours are multiplied by 2**exposure.
+        white_balance: colour temperature of the light that is shown as white, kelvin; None leaves colours.
         progress: called with (samples done, samples in all) after every pass.
         partial: called with the picture so far after every pass but the last.
 
     Raises:
-        InputError: spp < 1.
+        InputError: spp < 1, or a colour temperature out of range.
     """
+    gains = 2.0**exposure * (1.0 if white_balance is None else white_balance_gains(white_balance))
     if spp < 1:
         raise InputError(f"spp = {spp} is too small: a pixel needs at least 1 sample.")
     sensor = scene.sensors()[sensor] if isinstance(sensor, int) else sensor
@@ -80,13 +84,15 @@ def render(
         if progress is not None:
             progress(min(in_all, done), in_all)
         if partial is not None and number + 1 < len(taken):
-            partial(_exposed(total, done, exposure))
-    return _exposed(total, done, exposure)
+            partial(_exposed(total, done, gains))
+    return _exposed(total, done, gains)
 
 
-def _exposed(total: NDArray[np.float64] | float, samples: int, exposure: float) -> NDArray[np.float32]:
+def _exposed(
+    total: NDArray[np.float64] | float, samples: int, gains: NDArray[np.float64] | float
+) -> NDArray[np.float32]:
     linear = np.asarray(total, dtype=np.float64) / samples
-    linear[..., :3] *= 2.0**exposure
+    linear[..., :3] *= gains
     return linear.astype(np.float32)
 
 

@@ -1,4 +1,4 @@
-"""What stands beside cloth in built-in scenes: a ground, and the ball that cloth is draped over."""
+"""What stands beside cloth in built-in scenes: paper below or behind it, and the ball under draped cloth."""
 
 from __future__ import annotations
 
@@ -10,16 +10,24 @@ from numpy.typing import NDArray
 
 from loomlight.mitsuba import cloth_shapes
 
+# White paper, as catalogues show cloth on: it lights folds from below and takes a soft shadow.
+_PAPER = {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.8}}
+
 
 def ground(centre: NDArray[np.float64], radius: float, height: float) -> dict[str, Any]:
-    """A wide grey disc just below `height`, around an object of `radius`."""
+    """A wide sheet of paper just below `height`, around an object of `radius`."""
     transform = mi.ScalarTransform4f().translate([centre[0], height - 1e-3 * radius, centre[2]])
     return {
         "type": "disk",
         "to_world": transform.rotate([1, 0, 0], -90).scale(60 * radius),
-        # Grey card: darker than most cloth, which stands out from it.
-        "bsdf": {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.18}},
+        "bsdf": _PAPER,
     }
+
+
+def backdrop(centre: NDArray[np.float64], radius: float, depth: float) -> dict[str, Any]:
+    """A wide sheet of paper at z = `depth` behind an object of `radius` that faces +z."""
+    transform = mi.ScalarTransform4f().translate([centre[0], centre[1], depth])
+    return {"type": "disk", "to_world": transform.scale(60 * radius), "bsdf": _PAPER}
 
 
 def ball() -> dict[str, Any]:

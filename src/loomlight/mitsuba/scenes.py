@@ -22,7 +22,7 @@ from loomlight.mitsuba.lights import direction_of, environment_dict, light_dicts
 from loomlight.mitsuba.mesh_arrays import set_uv
 from loomlight.mitsuba.meshes import ClothMesh, from_shape, joined, read_mesh, to_shape
 from loomlight.mitsuba.placement import Placement, placed
-from loomlight.mitsuba.scene_props import ball, ground
+from loomlight.mitsuba.scene_props import backdrop, ball, ground
 
 # The BSDF of a user's scene file that is replaced by the fabric.
 FABRIC_ID = "fabric"
@@ -89,14 +89,27 @@ class _Setup:
     light: str
     towards_light: tuple[float, float, float]
     ground: bool = False
+    backdrop: float | None = None
 
 
-# After the controlled set-ups of zhu2024, section 6: cloth over a sphere under a point light, cloth around a
-# cylinder lit from near the camera; and a flat piece and a draped one in a studio, whose light is neutral.
+# As catalogues show cloth: on white paper, in a studio whose light is neutral. A flat piece, a ball and a
+# roll lie on it, seen from above; the paper is some millimetres behind, so that it cuts none.
 _SETUPS = {
-    "flat": _Setup(cloth_shapes.flat, (0, 0, 1), "studio", (-0.5, 0.6, 0.8)),
-    "sphere": _Setup(cloth_shapes.sphere, (0, 0, 1), "point", (-0.45, 0.6, 0.75)),
-    "cylinder": _Setup(cloth_shapes.cylinder, (0, 0, 1), "point", (-0.1, 0.45, 1)),
+    "flat": _Setup(cloth_shapes.flat, (0, 0, 1), "studio", (-0.5, 0.6, 0.8), backdrop=-0.004),
+    "sphere": _Setup(
+        cloth_shapes.sphere,
+        (0, 0, 1),
+        "studio",
+        (-0.45, 0.6, 0.75),
+        backdrop=-cloth_shapes.SPHERE_RADIUS - 0.001,
+    ),
+    "cylinder": _Setup(
+        cloth_shapes.cylinder,
+        (0, 0, 1),
+        "studio",
+        (-0.3, 0.6, 0.8),
+        backdrop=-cloth_shapes.CYLINDER_RADIUS - 0.001,
+    ),
     "drape": _Setup(cloth_shapes.drape, (0.35, 0.55, 1), "studio", (-0.6, 0.75, 0.6), ground=True),
 }
 _MESH = _Setup(cloth_shapes.drape, (0.3, 0.35, 1), "studio", (-0.6, 0.75, 0.6), ground=True)
@@ -190,8 +203,8 @@ def build_scene(
         parts["ground"] = ground(centre, radius, float(cloth.positions[:, 1].min()))
     if mesh is None and name == "drape":
         parts["ball"] = ball()
-    if mesh is None and name == "flat":
-        parts["wall"] = _wall(centre, radius)
+    if setup.backdrop is not None:
+        parts["backdrop"] = backdrop(centre, radius, setup.backdrop)
     point = _facing_point(cloth, view)
     view = view.closer(zoom, point)
     parts["sensor"] = perspective(view, size)
@@ -264,16 +277,6 @@ def _loaded(parts: dict[str, Any]) -> Any:
 def _bounds(cloth: ClothMesh) -> tuple[NDArray[np.float64], float]:
     low, high = cloth.positions.min(axis=0), cloth.positions.max(axis=0)
     return (low + high) / 2, float(np.linalg.norm(high - low)) / 2
-
-
-def _wall(centre: NDArray[np.float64], radius: float) -> dict[str, Any]:
-    """A matte wall half a radius behind a piece that faces +z: what shows through its holes."""
-    transform = mi.ScalarTransform4f().translate([centre[0], centre[1], centre[2] - 0.5 * radius])
-    return {
-        "type": "disk",
-        "to_world": transform.scale(60 * radius),
-        "bsdf": {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.5}},
-    }
 
 
 def _facing_point(cloth: ClothMesh, view: View) -> NDArray[np.float64]:

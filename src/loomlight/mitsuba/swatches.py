@@ -48,12 +48,14 @@ class CardSettings:
         model: by which they are rendered.
         spp: samples a pixel.
         variant: of Mitsuba.
+        white_balance: colour temperature of the light that is shown as white, kelvin; None leaves colours.
     """
 
     side: int
     model: str
     spp: int
     variant: str
+    white_balance: float | None = None
 
 
 def work_folder_of(sheet: Path) -> Path:
@@ -109,16 +111,26 @@ def fabric_cards(
 
 def _card(settings: CardSettings, fabric: str) -> bytes:
     choose_variant(settings.variant)
-    return card_to_bytes(fabric_card(fabric, settings.side, model=settings.model, spp=settings.spp))
+    card = fabric_card(
+        fabric,
+        settings.side,
+        model=settings.model,
+        spp=settings.spp,
+        white_balance=settings.white_balance,
+    )
+    return card_to_bytes(card)
 
 
-def fabric_card(path: str | os.PathLike[str], side: int, *, model: str, spp: int) -> Card:
+def fabric_card(
+    path: str | os.PathLike[str], side: int, *, model: str, spp: int, white_balance: float | None = None
+) -> Card:
     """The card of a fabric file, a draft, a `.loom` or a weave's name; a variant must be set.
 
     Args:
         side: of each picture, pixels.
         model: by which it is rendered.
         spp: samples a pixel.
+        white_balance: see `render`.
 
     Raises:
         InputError: no fabric, or one that the model cannot handle.
@@ -128,7 +140,8 @@ def fabric_card(path: str | os.PathLike[str], side: int, *, model: str, spp: int
 
     def picture(scene: str, zoom: float) -> Pixels:
         shown = build_scene(scene, material_bsdf(made), size=(side, side), zoom=zoom)
-        return encoded(render(shown.scene, spp=spp, integrator=shown.integrator))
+        linear = render(shown.scene, spp=spp, integrator=shown.integrator, white_balance=white_balance)
+        return encoded(linear)
 
     pictures = {
         "drawdown": _drawdown(fabric.draft, side),

@@ -35,6 +35,7 @@ def turn_of_fabric(
     spp: int = 9,
     seed: int = 0,
     exposure: float = 0.0,
+    white_balance: float | None = None,
     variant: str | None = None,
     **setting: Unpack[SceneOptions],
 ) -> Iterator[NDArray[np.float32]]:
@@ -50,7 +51,7 @@ def turn_of_fabric(
     whole: SceneOptions = {**setting, "zoom": 1.0}
     shown = build_scene(scene, material_bsdf(material, model), **whole)
     turning = Turntable(shown, setting.get("zoom", 1.0), about_middle=setting.get("mesh") is not None)
-    yield from turning.pictures(count, spp=spp, seed=seed, exposure=exposure)
+    yield from turning.pictures(count, spp=spp, seed=seed, exposure=exposure, white_balance=white_balance)
 
 
 class Turntable:
@@ -78,7 +79,7 @@ class Turntable:
         """`count` pictures of one turn, linear RGB [height, width, 3]; the first as the scene has the cloth.
 
         Args:
-            options: of `render`: spp, seed, exposure.
+            options: of `render`: spp, seed, exposure, white_balance.
         """
         for number in range(count):
             self._turn(360 * number / count)

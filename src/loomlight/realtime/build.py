@@ -76,6 +76,7 @@ HOST_ENTRIES = {
         "tone_map": "compute",
     },
     "frame_woven": {"shade_woven": "compute"},
+    "frame_clustered": {"shade_clustered": "compute"},
     "frame_neumip": {"shade_neumip": "compute"},
     "frame_latent": {"shade_latent": "compute"},
     "layers": {"first_layer": "compute", "next_layer": "compute", "add_background": "compute"},

@@ -31,6 +31,7 @@ from loomlight.models.lobes import (
 from loomlight.models.lobes import bsdf as lobe_bsdf
 from loomlight.models.lobes import proposal as lobe_proposal
 from loomlight.models.lobes import tables as lobe_tables
+from loomlight.realtime.clustered_tables import clustered_floats, clustered_uints
 from loomlight.realtime.latent_tables import latent_floats, latent_uints
 from loomlight.realtime.neumip_tables import neumip_floats, neumip_uints
 from loomlight.realtime.openness_tables import openness_floats, openness_uints
@@ -198,8 +199,10 @@ def number_text(value: float) -> str:
 
 def slang_constants() -> str:
     """Slang declarations of all constants, and the polynomials of the sheen."""
-    floats = _FLOATS | woven_floats() | neumip_floats() | latent_floats() | openness_floats()
-    uints = _UINTS | woven_uints() | neumip_uints() | latent_uints() | openness_uints()
+    floats = (
+        _FLOATS | woven_floats() | neumip_floats() | latent_floats() | clustered_floats() | openness_floats()
+    )
+    uints = _UINTS | woven_uints() | neumip_uints() | latent_uints() | clustered_uints() | openness_uints()
     lines = [f"static const float {name} = {number_text(value)};" for name, value in floats.items()]
     lines += [f"static const uint {name} = {value}u;" for name, value in uints.items()]
     for name, numbers in _FLOAT_ARRAYS.items():

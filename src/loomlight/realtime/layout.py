@@ -155,6 +155,27 @@ LATENT: Fields = (
     ("is_trilinear", "uint", "1 where levels are interpolated, 0 where one of two is chosen at random"),
 )
 
+CLUSTERED: Fields = (
+    ("is_baked", "uint", "0 where the fabric has no tables of clusters"),
+    ("clusters", "uint", "of a face; the first half is the warp's"),
+    ("rank", "uint", "principal components of the densities of a cluster"),
+    ("channels", "uint", "clusters · (1 + rank)"),
+    ("columns", "uint", "texels of the repeat"),
+    ("rows", "uint", ""),
+    ("texel_width", "float", "millimetres"),
+    ("texel_height", "float", ""),
+    ("samples", "uint", "points of the residual of a footprint"),
+    ("sums", "uint", "summed areas, signed [2 faces, rows + 1, columns + 1, channels]"),
+    ("labels", "uint", "bytes: cluster of each texel [2 faces, rows, columns]; 255 in holes"),
+    ("coefficients", "uint", "signed bytes [2 faces, rows, columns, rank]"),
+    ("basis", "uint", "means and components of densities [2 faces, bins, 1 + rank, clusters]"),
+    ("moments", "uint", "numbers of each cluster [2 faces, clusters, 8]"),
+    ("light", "uint", "shares that light reaches, and with cosine [2 faces, 2 sides, bins, 2, clusters]"),
+    ("view", "uint", "shares of views over shares of texels [2 faces, view bins, clusters]"),
+    ("offset", "uint", "mean offset of parallax, millimetres [2 faces, view bins, 2]"),
+    ("trust", "uint", "coefficients of the base beside points [2 faces, view bins, 2]"),
+)
+
 FABRIC: Fields = (
     ("warp", "uint", "index of the record of the warp, threads along y"),
     ("weft", "uint", "index of the record of the weft, threads along x"),
@@ -198,6 +219,7 @@ FABRIC: Fields = (
     ("has_yarns", "uint", "1 where the yarns are here too: records of families, run words, heights"),
     ("mean_hole", "float", "share of light that passes straight through cloth without yarns here"),
     ("latent", "Latent", "latents of the model latent"),
+    ("clustered", "Clustered", "tables of the model clustered"),
 )
 
 LIGHT: Fields = (
@@ -339,6 +361,7 @@ QUERY: Fields = (
     ("view_x", "float", "unit vector towards the eye"),
     ("view_y", "float", ""),
     ("view_z", "float", ""),
+    ("seed", "uint", "random number of an unbiased estimate, where the model has one; 0 asks for its value"),
 )
 
 RECORDS: dict[str, Fields] = {
@@ -347,6 +370,7 @@ RECORDS: dict[str, Fields] = {
     "Woven": WOVEN,
     "Neumip": NEUMIP,
     "Latent": LATENT,
+    "Clustered": CLUSTERED,
     "Fabric": FABRIC,
     "Light": LIGHT,
     "Frame": FRAME,

@@ -6,6 +6,7 @@ For other tools and for the models that learn from textures. The renderer does n
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -17,6 +18,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.arrays import FloatType
 from loomlight.core.backend import array_types
+from loomlight.core.colour import linear_to_srgb
 from loomlight.core.errors import InputError
 from loomlight.core.images import write_channels, write_pngs
 from loomlight.yarn.search import Surface
@@ -43,6 +45,7 @@ class SurfaceMaps:
         warp: whether the warp shows, bool.
         hole: whether neither family is there, bool.
         size: width and height of the window, millimetres.
+        thread: index of the thread that shows, among its family's in the repeat; None of maps from files.
     """
 
     height: NDArray[np.float32]
@@ -51,6 +54,7 @@ class SurfaceMaps:
     warp: NDArray[np.bool_]
     hole: NDArray[np.bool_]
     size: tuple[float, float]
+    thread: NDArray[np.int32] | None = None
 
 
 def bake_maps(
@@ -82,7 +86,7 @@ def bake_maps(
         for first in range(0, columns * rows, _BATCH)
     ]
     joined = [np.concatenate(parts, axis=-1) for parts in zip(*batches, strict=True)]
-    level, normal, tangent, warp, hole = joined
+    level, normal, tangent, warp, hole, thread = joined
 
     def grid(values: NDArray[Any]) -> NDArray[Any]:
         return np.moveaxis(values.reshape(*values.shape[:-1], rows, columns), 0, -1)
@@ -94,6 +98,7 @@ def bake_maps(
         warp=warp.reshape(rows, columns).astype(bool),
         hole=hole.reshape(rows, columns).astype(bool),
         size=(width, height),
+        thread=thread.reshape(rows, columns).astype(np.int32),
     )
 
 
@@ -116,17 +121,23 @@ def _sample(
     y = bottom + (types.Float(row) + 0.5) * (height / rows)
     point = surface.surface(x, y, dr.full(types.Bool, back, count))
     level = dr.select(point.hole, 0, point.height)
-    dr.eval(level, point.normal, point.tangent, point.is_warp, point.hole)
-    return tuple(
-        np.asarray(value.numpy()) for value in (level, point.normal, point.tangent, point.is_warp, point.hole)
-    )
+    thread = dr.select(point.is_warp, types.UInt32(point.warp_thread), types.UInt32(point.weft_thread))
+    found = (level, point.normal, point.tangent, point.is_warp, point.hole, thread)
+    dr.eval(found)
+    return tuple(np.asarray(value.numpy()) for value in found)
 
 
-def write_maps(maps: SurfaceMaps, path: str | os.PathLike[str]) -> list[Path]:
-    """Writes the maps and returns the files: one EXR with named channels, or five PNGs beside `path`.
+def write_maps(
+    maps: SurfaceMaps, path: str | os.PathLike[str], material: Mapping[str, NDArray[np.float32]] | None = None
+) -> list[Path]:
+    """Writes the maps and returns the files: one EXR with named channels, or a PNG a map beside `path`.
 
-    Pictures have row 0 at the top, so the window's upper edge comes first. In PNGs vectors are (v + 1)/2
-    and the height spans 0 to 1 from its lowest to its highest, 8 bits; EXR holds the values themselves.
+    Pictures have row 0 at the top, so the window's upper edge comes first. In PNGs vectors are (v + 1)/2,
+    colours sRGB, and the height spans 0 to 1 from its lowest to its highest, 8 bits; EXR holds the values
+    themselves.
+
+    Args:
+        material: further maps by name, [rows, columns] of 0 to 1, or [rows, columns, 3] of linear RGB.
 
     Raises:
         InputError: another suffix, or a path that cannot be written; then no file is written.
@@ -135,6 +146,7 @@ def write_maps(maps: SurfaceMaps, path: str | os.PathLike[str]) -> list[Path]:
     planes: dict[str, NDArray[np.float32]] = {
         name: np.flipud(np.asarray(getattr(maps, name), np.float32)) for name in _CHANNELS
     }
+    extra = {name: np.flipud(plane) for name, plane in (material or {}).items()}
     if target.suffix.lower() == ".exr":
         channels = {
             channel: plane if len(names) == 1 else plane[..., index]
@@ -142,6 +154,10 @@ def write_maps(maps: SurfaceMaps, path: str | os.PathLike[str]) -> list[Path]:
             for index, channel in enumerate(names)
             for plane in (planes[name],)
         }
+        for name, plane in extra.items():
+            parts = [plane] if plane.ndim == 2 else np.moveaxis(plane, -1, 0)
+            names = [name] if plane.ndim == 2 else [f"{name}.{letter}" for letter in "RGB"]
+            channels |= dict(zip(names, parts, strict=True))
         channels["size.X"] = np.full_like(planes["height"], maps.size[0])
         channels["size.Y"] = np.full_like(planes["height"], maps.size[1])
         write_channels(target, channels)
@@ -152,6 +168,8 @@ def write_maps(maps: SurfaceMaps, path: str | os.PathLike[str]) -> list[Path]:
     planes["height"] = ((planes["height"] - low) / max(high - low, 1e-12)).astype(np.float32)
     for name in ("normal", "tangent"):
         planes[name] = (0.5 * planes[name] + 0.5).astype(np.float32)
+    for name, plane in extra.items():
+        planes[name] = plane if plane.ndim == 2 else linear_to_srgb(plane).astype(np.float32)
     pictures = {
         target.with_name(f"{target.stem}_{name}.png"): np.rint(np.clip(plane, 0, 1) * 255).astype(np.uint8)
         for name, plane in planes.items()

@@ -124,3 +124,12 @@ def visiting(browser: Any, **options: Any) -> Iterator[Visit]:
         yield one
     finally:
         context.close()
+
+
+def wait_until(page: Any, condition: str, seconds: float = 15) -> None:
+    """Waits for a condition in the page; its content policy forbids Playwright's own way."""
+    for _ in range(int(seconds * 20)):
+        if page.evaluate(condition):
+            return
+        page.wait_for_timeout(50)
+    raise AssertionError(f"{condition} did not become true")

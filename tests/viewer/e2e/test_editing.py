@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from tests.viewer.conftest import Served
-from tests.viewer.e2e.conftest import AXE, Visit, visiting
+from tests.viewer.e2e.conftest import AXE, Visit, visiting, wait_until
 
 FIXTURES = Path(__file__).parents[2] / "weave" / "fixtures"
 SIZES = {"desk": (1440, 900), "small": (1024, 768), "phone": (390, 844)}
@@ -26,15 +26,6 @@ def editor(served: Served, visit: Visit) -> Iterator[Any]:
 def open_editor(served: Served, visit: Visit, after: str = "") -> None:
     visit.page.goto(f"http://127.0.0.1:{served.port}/{after}")
     wait_until(visit.page, "window.loomlight?.statistics()?.frames > 0")
-
-
-def wait_until(page: Any, condition: str, seconds: float = 15) -> None:
-    """Waits for a condition in the page; its content policy forbids Playwright's own way."""
-    for _ in range(int(seconds * 20)):
-        if page.evaluate(condition):
-            return
-        page.wait_for_timeout(50)
-    raise AssertionError(f"{condition} did not become true")
 
 
 def fabric_of(page: Any) -> dict[str, Any]:

@@ -11,10 +11,12 @@ from pathlib import Path
 
 import pytest
 
+from loomlight.viewer.access import Access
 from loomlight.viewer.site import export_site
-from tests.viewer.conftest import Served
-from tests.viewer.e2e.conftest import AXE, Visit
+from tests.viewer.conftest import Served, serving
+from tests.viewer.e2e.conftest import AXE, Visit, wait_until
 
+FIXTURES = Path(__file__).parents[2] / "weave" / "fixtures"
 # Of everything that the page may load, compressed as web servers do.
 LARGEST_BUNDLE = 3 << 20
 
@@ -53,7 +55,35 @@ def test_static_folder_needs_no_python(plain_server: str, visit: Visit) -> None:
     visit.page.wait_for_load_state("networkidle")
     assert visit.outside(plain_server) == []
     assert not any("/api/" in url for url in visit.requests)
+    visit.page.get_by_test_id("files").set_input_files(FIXTURES / "sinking-liftplan.wif")
+    wait_until(visit.page, "window.loomlight.fabric().fields.draft === 'sinking-liftplan.wif'")
+    visit.page.get_by_test_id("save").click()
+    visit.page.get_by_test_id("save-loom").click()
+    assert "Python" in visit.page.get_by_test_id("notice-fault").inner_text()
     assert visit.complaints == []
+
+
+def test_address_names_a_fabric_of_the_gallery_and_a_frame_shows_the_cloth_alone(
+    served: Served, visit: Visit
+) -> None:
+    visit.page.goto(f"http://127.0.0.1:{served.port}/?fabric=denim&embed=1")
+    wait_until(visit.page, "window.loomlight?.fabric().fields.name === 'Denim'")
+    assert not visit.page.get_by_test_id("tab-weave").is_visible()
+    assert visit.page.evaluate("[localStorage.length, sessionStorage.length]") == [0, 0]
+    assert visit.complaints == []
+
+
+def test_edits_go_on_without_the_server_and_nothing_is_lost(client: Path, visit: Visit) -> None:
+    running = serving(client, Access.for_host("127.0.0.1"))
+    visit.page.goto(f"http://127.0.0.1:{next(running).port}/")
+    wait_until(visit.page, "window.loomlight?.statistics()?.frames > 0")
+    running.close()  # as when the terminal is closed
+    visit.page.get_by_test_id("tab-yarns").click()
+    visit.page.get_by_test_id("field-both.roughness").press("End")
+    visit.page.get_by_test_id("save").click()
+    visit.page.get_by_test_id("save-loom").click()
+    assert "does not answer" in visit.page.get_by_test_id("notice-fault").inner_text()
+    assert visit.page.evaluate("window.loomlight.fabric().fields.warp.roughness") == 1
 
 
 @pytest.mark.skipif(not AXE.is_file(), reason="axe-core is not installed: npm install in web/")

@@ -5,6 +5,7 @@ import { render } from "preact";
 import { Server } from "./api.ts";
 import { App } from "./App.tsx";
 import { keep, restore } from "./autosave.ts";
+import { fabricOfGallery, isEmbedded } from "./embedding.ts";
 import { fabricOfLink, linkOf } from "./link.ts";
 import { firstState, type Fabric, type State } from "./state/document.ts";
 import { fabricFromJson } from "./state/fabric_json.ts";
@@ -21,7 +22,8 @@ async function start(): Promise<void> {
   const store = new Store(state);
   if (problem !== null) store.dispatch({ type: "notice/add", kind: "warning", text: problem });
   if (notice !== null) store.dispatch({ type: "notice/add", kind: "fault", text: notice });
-  keepChanges(store);
+  if (isEmbedded(location.search)) document.body.classList.add("is-embedded");
+  else keepChanges(store);
   const handle = exposeForTests(store);
   const root = document.getElementById("app")!;
   root.replaceChildren();
@@ -44,6 +46,8 @@ async function initial(server: Server | null): Promise<{ state: State; notice: s
   } catch {
     notice = "The page's address carries a fabric that cannot be read: it may have been cut. Another one is shown.";
   }
+  const named = fabricOfGallery(location.search, server?.session ?? null);
+  if (named !== null) return { state: firstState(named), notice };
   const given = server === null ? null : fabricFromJson(server.session.fabric);
   const kept = restore();
   const opened = sessionStorage.getItem(OPENED);

@@ -2,11 +2,12 @@
 import { InputError } from "./errors.ts";
 import { rint } from "./numbers.ts";
 
-/** A colour as a fabric file has it: "#rrggbb" (sRGB) or a linear RGB triple in [0, 1]. */
+/** A colour as a fabric file has it: "#rrggbb" (sRGB), "lab(52 -10 30)" (D65), or a linear RGB triple in [0, 1]. */
 export type Colour = string | readonly [number, number, number];
 /** Linear RGB, each in [0, 1]. */
 export type Rgb = [number, number, number];
 
+const LAB = /^lab\(\s*([^\s,]+)[\s,]+([^\s,]+)[\s,]+([^\s,)]+)\s*\)$/i;
 const HEX = /^#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})$/;
 
 /** Linear value of an sRGB-encoded one, both in [0, 1] (IEC 61966-2-1). */
@@ -27,6 +28,8 @@ export function linearToSrgb(linear: number): number {
  */
 export function parseColour(value: unknown, field: string): Rgb {
   if (typeof value === "string") {
+    const lab = LAB.exec(value.trim());
+    if (lab !== null) return linearOfLab(lab.slice(1).map((part) => Number(part.replace(/%$/, ""))), value, field);
     const digits = HEX.exec(value.trim())?.[1];
     if (digits === undefined)
       throw new InputError(`${field} = "${value}" is no colour: write sRGB hex such as "#20305c".`);
@@ -41,6 +44,26 @@ export function parseColour(value: unknown, field: string): Rgb {
     return [...value] as Rgb;
   }
   throw new InputError(`${field} = ${String(value)} is no colour: write "#rrggbb" or a linear RGB triple.`);
+}
+
+/** Linear RGB of L*, a*, b* relative to D65; outside the gamut the nearest in each channel. */
+function linearOfLab(lab: readonly number[], text: string, field: string): Rgb {
+  const [lightness = NaN, a = NaN, b = NaN] = lab;
+  if (!(lightness >= 0 && lightness <= 100 && Math.abs(a) <= 150 && Math.abs(b) <= 150))
+    throw new InputError(
+      `${field} = "${text.trim()}" is no colour: write lab(L a b) with L from 0 to 100, a and b from -150 to 150.`,
+    );
+  const middle = (lightness + 16) / 116;
+  const edge = 6 / 29;
+  const ratio = (root: number): number => (root > edge ? root ** 3 : 3 * edge ** 2 * (root - 4 / 29));
+  const x = ratio(middle + a / 500) * 0.95045593;
+  const y = ratio(middle);
+  const z = ratio(middle - b / 200) * 1.08905775;
+  return [
+    3.24096994 * x - 1.53738318 * y - 0.49861076 * z,
+    -0.96924364 * x + 1.8759675 * y + 0.04155506 * z,
+    0.05563008 * x - 0.20397696 * y + 1.05697151 * z,
+  ].map((channel) => Math.min(Math.max(channel, 0), 1)) as Rgb;
 }
 
 /** sRGB hex of linear RGB, rounded to 8 bits. */

@@ -37,7 +37,7 @@ function withRoles(threads: Threads, colours: readonly Rgb[] | null): Threads {
 
 /** The colours to apply; null leaves the draft's own. */
 function listed(fields: FabricFields, family: FamilyName, threads: Threads): Rgb[] | null {
-  const given = fields[family]?.color;
+  const given = fields[family]?.color ?? fields[family]?.albedo;
   if (given === undefined && threads.colors !== null) return null;
   const stated = given ?? (family === "warp" ? WARP_COLOUR : WEFT_COLOUR);
   const list: readonly Colour[] = isOneColour(stated) ? [stated] : stated;

@@ -10,6 +10,7 @@ import type { Colour } from "./colour.ts";
 export interface YarnFields {
   readonly yarn?: string;
   readonly color?: Colour | readonly Colour[];
+  readonly albedo?: Colour | readonly Colour[];
   readonly specular?: number;
   readonly specular_tint?: Colour;
   readonly translucency?: number;
@@ -77,6 +78,7 @@ const yarn: FieldKind = { kind: "yarn" };
 export const YARN: FieldTable = {
   yarn,
   color: { kind: "colours" },
+  albedo: { kind: "colours" },
   specular: fraction,
   specular_tint: colour,
   translucency: fraction,

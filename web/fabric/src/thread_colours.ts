@@ -19,7 +19,7 @@ export function withThreadHexes(
   family: FamilyName,
   hexes: readonly string[],
 ): FabricFields {
-  return { ...fields, [family]: { ...fields[family], color: colourList(named, family, hexes) } };
+  return { ...fields, [family]: { ...withoutColour(fields[family]), color: colourList(named, family, hexes) } };
 }
 
 /** The shortest list that gives each thread its colour: one colour, one a role, or one a thread of a period. */
@@ -88,8 +88,10 @@ export function withColoursInDraft(
   };
 }
 
-function withoutColour<T extends { readonly color?: unknown }>(table: T | undefined): Omit<T, "color"> {
-  const { color: _, ...rest } = table ?? ({} as T);
+function withoutColour<T extends { readonly color?: unknown; readonly albedo?: unknown }>(
+  table: T | undefined,
+): Omit<T, "color" | "albedo"> {
+  const { color: _color, albedo: _albedo, ...rest } = table ?? ({} as T);
   return rest;
 }
 

@@ -20,7 +20,7 @@ export const YARN_PRESETS: readonly YarnPreset[] = [
   },
   {
     name: "mercerised cotton",
-    fields: { specular: 0.5, translucency: 0.1, roughness: 0.2, twist_deg: -4.0, plies: 2, ply_twist_deg: 26.0, fibre_tilt_deg: 6.0, slub: 0.05, hairiness: 0.06 },
+    fields: { specular: 0.45, translucency: 0.1, roughness: 0.24, twist_deg: -4.0, plies: 2, ply_twist_deg: 26.0, fibre_tilt_deg: 5.0, slub: 0.05, hairiness: 0.06 },
     density: 1.52,
     packing: 0.65,
   },

@@ -20,7 +20,7 @@ import drjit as dr
 from loomlight.aggregate.components import components, light_visibility
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.core.arrays import Color3, Float, Mask, UInt, Vec2, Vec3
-from loomlight.core.backend import array_types, maximum
+from loomlight.core.backend import array_types, clip, maximum
 from loomlight.core.footprint import Footprint
 from loomlight.models.between_yarns import BetweenYarns, Bounced
 from loomlight.models.clustered.base import DeviceTables, LightTaps
@@ -143,12 +143,20 @@ class ClusteredBsdf(SeparableBsdf):
 
     @cached_property
     def hole(self) -> Float:
-        """Share of the residual's points that are holes: unbiased, 0 to 1."""
+        """Share of the residual's points that are holes: unbiased, 0 to 1.
+
+        Without points the share of the base's texels.
+        """
         types = array_types(self.view.x)
+        if not self._samples:
+            covered = types.Float(0)
+            for packet in self._means[: self._tables.clusters // 4]:
+                covered += packet.x + packet.y + packet.z + packet.w
+            return clip(1 - covered, 0, 1)
         total = types.Float(0)
         for sample in self._points:
             total += dr.select(sample.point.hole, types.Float(1), 0)
-        return total * (1 / max(self._samples, 1))
+        return total * (1 / self._samples)
 
     @cached_property
     def albedos(self) -> FamilyAlbedos:

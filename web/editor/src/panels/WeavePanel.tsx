@@ -130,11 +130,20 @@ function css(colors: Float64Array, thread: number): string {
 }
 
 function FabricTile({ entry, onChoose }: { entry: GalleryEntry; onChoose: (fabric: Fabric) => void }) {
-  const canvas = useRef<HTMLCanvasElement>(null);
   const fabric = useMemo(() => fabricFromJson({ fields: entry.fields, draft: entry.draft }), [entry]);
+  return (
+    <button type="button" class="tile" title={entry.description} data-testid={`fabric-${entry.id}`} onClick={() => onChoose(fabric)}>
+      {entry.picture === null ? <DrawnCloth fabric={fabric} /> : <img src={entry.picture} alt="" width={160} height={100} />}
+      <span>{entry.name}</span>
+    </button>
+  );
+}
+
+/** Its threads drawn flat; of figured cloth a corner, as the whole of it would be dots. */
+function DrawnCloth({ fabric }: { fabric: Fabric }) {
+  const canvas = useRef<HTMLCanvasElement>(null);
   useEffect(() => {
     const draft = woven(fabric);
-    // A corner of figured cloth: the whole of it would be dots.
     const side = Math.min(draft.ends, 16);
     const corner = cropped(draft, side, Math.min(draft.picks, 12));
     const picture = clothPicture(corner, { pixels: Math.min(Math.max(4, Math.round(128 / side)), 13), gap: { warp: 0.06, weft: 0.06 } });
@@ -143,16 +152,10 @@ function FabricTile({ entry, onChoose }: { entry: GalleryEntry; onChoose: (fabri
     tile.height = picture.height;
     tile.getContext("2d")!.putImageData(new ImageData(picture.rgba, picture.width, picture.height), 0, 0);
     const context = canvas.current!.getContext("2d")!;
-    const pattern = context.createPattern(tile, "repeat")!;
-    context.fillStyle = pattern;
+    context.fillStyle = context.createPattern(tile, "repeat")!;
     context.fillRect(0, 0, canvas.current!.width, canvas.current!.height);
   }, [fabric]);
-  return (
-    <button type="button" class="tile" title={entry.description} data-testid={`fabric-${entry.id}`} onClick={() => onChoose(fabric)}>
-      <canvas ref={canvas} width={160} height={100} aria-hidden="true" />
-      <span>{entry.name}</span>
-    </button>
-  );
+  return <canvas ref={canvas} width={160} height={100} aria-hidden="true" />;
 }
 
 function cropped(draft: Draft, ends: number, picks: number): Draft {

@@ -93,6 +93,28 @@ struct Latent_0
     uint is_trilinear_0;
 };
 
+struct Clustered_0
+{
+    uint is_baked_1;
+    uint clusters_0;
+    uint rank_0;
+    uint channels_0;
+    uint columns_0;
+    uint rows_0;
+    float texel_width_0;
+    float texel_height_0;
+    uint samples_0;
+    uint sums_0;
+    uint labels_0;
+    uint coefficients_0;
+    uint basis_0;
+    uint moments_1;
+    uint light_0;
+    uint view_0;
+    uint offset_1;
+    uint trust_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
@@ -129,6 +151,7 @@ struct Fabric_0
     uint has_yarns_0;
     float mean_hole_0;
     Latent_0 latent_0;
+    Clustered_0 clustered_0;
 };
 
 struct Family_0
@@ -192,7 +215,7 @@ struct Frame_0
     uint width_1;
     uint height_1;
     uint lights_0;
-    uint samples_0;
+    uint samples_1;
     uint pass_number_0;
     uint environment_samples_0;
     uint environment_columns_0;
@@ -256,8 +279,8 @@ struct Bake_0
     float picks_1;
     float spacing_x_0;
     float spacing_y_0;
-    uint columns_0;
-    uint rows_0;
+    uint columns_1;
+    uint rows_1;
     uint face_nodes_1;
     uint texels_across_0;
     uint texels_along_0;
@@ -273,7 +296,7 @@ struct Bake_0
     uint lit_0;
     uint lists_0;
     uint points_0;
-    uint clusters_0;
+    uint clusters_1;
     uint cluster_means_0;
     uint cluster_errors_0;
     uint centroids_0;
@@ -317,6 +340,7 @@ struct Query_0
     float view_x_0;
     float view_y_0;
     float view_z_0;
+    uint seed_1;
 };
 
 struct GlobalParams_0
@@ -420,7 +444,7 @@ __device__ float dot_0(float4  x_4, float4  y_3)
 
 __device__ float4  tile_product_0(FloatWeights_0 * weights_0, uint row_0, FixedArray<float, 64>  * inputs_0)
 {
-    float4  sums_0 = make_float4 (0.0f);
+    float4  sums_1 = make_float4 (0.0f);
     uint column_0 = 0U;
     for(;;)
     {
@@ -446,16 +470,16 @@ __device__ float4  tile_product_0(FloatWeights_0 * weights_0, uint row_0, FixedA
         *&((&low_1)->w) = (*inputs_0)[_S7];
         *&((&high_1)->w) = (*inputs_0)[_S7 + int(4)];
         Eight_0 _S8 = FloatWeights_eight_0(weights_0, row_0 + column_0);
-        *&((&sums_0)->x) = *&((&sums_0)->x) + (dot_0(_S8.low_0, low_1) + dot_0(_S8.high_0, high_1));
+        *&((&sums_1)->x) = *&((&sums_1)->x) + (dot_0(_S8.low_0, low_1) + dot_0(_S8.high_0, high_1));
         Eight_0 _S9 = FloatWeights_eight_0(weights_0, row_0 + 8U + column_0);
-        *&((&sums_0)->y) = *&((&sums_0)->y) + (dot_0(_S9.low_0, low_1) + dot_0(_S9.high_0, high_1));
+        *&((&sums_1)->y) = *&((&sums_1)->y) + (dot_0(_S9.low_0, low_1) + dot_0(_S9.high_0, high_1));
         Eight_0 _S10 = FloatWeights_eight_0(weights_0, row_0 + 16U + column_0);
-        *&((&sums_0)->z) = *&((&sums_0)->z) + (dot_0(_S10.low_0, low_1) + dot_0(_S10.high_0, high_1));
+        *&((&sums_1)->z) = *&((&sums_1)->z) + (dot_0(_S10.low_0, low_1) + dot_0(_S10.high_0, high_1));
         Eight_0 _S11 = FloatWeights_eight_0(weights_0, row_0 + 24U + column_0);
-        *&((&sums_0)->w) = *&((&sums_0)->w) + (dot_0(_S11.low_0, low_1) + dot_0(_S11.high_0, high_1));
+        *&((&sums_1)->w) = *&((&sums_1)->w) + (dot_0(_S11.low_0, low_1) + dot_0(_S11.high_0, high_1));
         column_0 = column_0 + 1U;
     }
-    return sums_0;
+    return sums_1;
 }
 
 __device__ float Relu_apply_0(float x_5)
@@ -638,7 +662,7 @@ __device__ void dense_part_1(FloatWeights_0 * weights_2, uint first_2, bool adds
 
 __device__ float4  tile_product_1(FloatWeights_0 * weights_3, uint row_1, FixedArray<float, 20>  * inputs_3)
 {
-    float4  sums_1 = make_float4 (0.0f);
+    float4  sums_2 = make_float4 (0.0f);
     uint column_1 = 0U;
     for(;;)
     {
@@ -664,16 +688,16 @@ __device__ float4  tile_product_1(FloatWeights_0 * weights_3, uint row_1, FixedA
         *&((&low_2)->w) = (*inputs_3)[(I32_min((_S37), (int(19))))];
         *&((&high_2)->w) = (*inputs_3)[(I32_min((_S37 + int(4)), (int(19))))];
         Eight_0 _S38 = FloatWeights_eight_0(weights_3, row_1 + column_1);
-        *&((&sums_1)->x) = *&((&sums_1)->x) + (dot_0(_S38.low_0, low_2) + dot_0(_S38.high_0, high_2));
+        *&((&sums_2)->x) = *&((&sums_2)->x) + (dot_0(_S38.low_0, low_2) + dot_0(_S38.high_0, high_2));
         Eight_0 _S39 = FloatWeights_eight_0(weights_3, row_1 + 3U + column_1);
-        *&((&sums_1)->y) = *&((&sums_1)->y) + (dot_0(_S39.low_0, low_2) + dot_0(_S39.high_0, high_2));
+        *&((&sums_2)->y) = *&((&sums_2)->y) + (dot_0(_S39.low_0, low_2) + dot_0(_S39.high_0, high_2));
         Eight_0 _S40 = FloatWeights_eight_0(weights_3, row_1 + 6U + column_1);
-        *&((&sums_1)->z) = *&((&sums_1)->z) + (dot_0(_S40.low_0, low_2) + dot_0(_S40.high_0, high_2));
+        *&((&sums_2)->z) = *&((&sums_2)->z) + (dot_0(_S40.low_0, low_2) + dot_0(_S40.high_0, high_2));
         Eight_0 _S41 = FloatWeights_eight_0(weights_3, row_1 + 9U + column_1);
-        *&((&sums_1)->w) = *&((&sums_1)->w) + (dot_0(_S41.low_0, low_2) + dot_0(_S41.high_0, high_2));
+        *&((&sums_2)->w) = *&((&sums_2)->w) + (dot_0(_S41.low_0, low_2) + dot_0(_S41.high_0, high_2));
         column_1 = column_1 + 1U;
     }
-    return sums_1;
+    return sums_2;
 }
 
 __device__ void dense_part_2(FloatWeights_0 * weights_4, uint first_3, bool adds_2, FixedArray<float, 20>  * inputs_4, FixedArray<float, 64>  * outputs_2)
@@ -819,7 +843,7 @@ __device__ void MLP_evaluate_0(MLP_0 * this_1, FixedArray<float, 20>  * inputs_9
 
 __device__ float4  tile_product_2(FloatWeights_0 * weights_9, uint row_2, FixedArray<float, 32>  * inputs_10)
 {
-    float4  sums_2 = make_float4 (0.0f);
+    float4  sums_3 = make_float4 (0.0f);
     uint column_2 = 0U;
     for(;;)
     {
@@ -845,16 +869,16 @@ __device__ float4  tile_product_2(FloatWeights_0 * weights_9, uint row_2, FixedA
         *&((&low_3)->w) = (*inputs_10)[_S59];
         *&((&high_3)->w) = (*inputs_10)[_S59 + int(4)];
         Eight_0 _S60 = FloatWeights_eight_0(weights_9, row_2 + column_2);
-        *&((&sums_2)->x) = *&((&sums_2)->x) + (dot_0(_S60.low_0, low_3) + dot_0(_S60.high_0, high_3));
+        *&((&sums_3)->x) = *&((&sums_3)->x) + (dot_0(_S60.low_0, low_3) + dot_0(_S60.high_0, high_3));
         Eight_0 _S61 = FloatWeights_eight_0(weights_9, row_2 + 4U + column_2);
-        *&((&sums_2)->y) = *&((&sums_2)->y) + (dot_0(_S61.low_0, low_3) + dot_0(_S61.high_0, high_3));
+        *&((&sums_3)->y) = *&((&sums_3)->y) + (dot_0(_S61.low_0, low_3) + dot_0(_S61.high_0, high_3));
         Eight_0 _S62 = FloatWeights_eight_0(weights_9, row_2 + 8U + column_2);
-        *&((&sums_2)->z) = *&((&sums_2)->z) + (dot_0(_S62.low_0, low_3) + dot_0(_S62.high_0, high_3));
+        *&((&sums_3)->z) = *&((&sums_3)->z) + (dot_0(_S62.low_0, low_3) + dot_0(_S62.high_0, high_3));
         Eight_0 _S63 = FloatWeights_eight_0(weights_9, row_2 + 12U + column_2);
-        *&((&sums_2)->w) = *&((&sums_2)->w) + (dot_0(_S63.low_0, low_3) + dot_0(_S63.high_0, high_3));
+        *&((&sums_3)->w) = *&((&sums_3)->w) + (dot_0(_S63.low_0, low_3) + dot_0(_S63.high_0, high_3));
         column_2 = column_2 + 1U;
     }
-    return sums_2;
+    return sums_3;
 }
 
 __device__ void dense_part_3(FloatWeights_0 * weights_10, uint first_7, bool adds_6, FixedArray<float, 32>  * inputs_11, FixedArray<float, 32>  * outputs_8)
@@ -1158,7 +1182,7 @@ __device__ void MLP_evaluate_1(MLP_0 * this_2, FixedArray<float, 20>  * inputs_1
 
 __device__ float4  tile_product_3(FloatWeights_0 * weights_16, uint row_3, FixedArray<float, 16>  * inputs_18)
 {
-    float4  sums_3 = make_float4 (0.0f);
+    float4  sums_4 = make_float4 (0.0f);
     uint column_3 = 0U;
     for(;;)
     {
@@ -1184,16 +1208,16 @@ __device__ float4  tile_product_3(FloatWeights_0 * weights_16, uint row_3, Fixed
         *&((&low_4)->w) = (*inputs_18)[_S103];
         *&((&high_4)->w) = (*inputs_18)[_S103 + int(4)];
         Eight_0 _S104 = FloatWeights_eight_0(weights_16, row_3 + column_3);
-        *&((&sums_3)->x) = *&((&sums_3)->x) + (dot_0(_S104.low_0, low_4) + dot_0(_S104.high_0, high_4));
+        *&((&sums_4)->x) = *&((&sums_4)->x) + (dot_0(_S104.low_0, low_4) + dot_0(_S104.high_0, high_4));
         Eight_0 _S105 = FloatWeights_eight_0(weights_16, row_3 + 2U + column_3);
-        *&((&sums_3)->y) = *&((&sums_3)->y) + (dot_0(_S105.low_0, low_4) + dot_0(_S105.high_0, high_4));
+        *&((&sums_4)->y) = *&((&sums_4)->y) + (dot_0(_S105.low_0, low_4) + dot_0(_S105.high_0, high_4));
         Eight_0 _S106 = FloatWeights_eight_0(weights_16, row_3 + 4U + column_3);
-        *&((&sums_3)->z) = *&((&sums_3)->z) + (dot_0(_S106.low_0, low_4) + dot_0(_S106.high_0, high_4));
+        *&((&sums_4)->z) = *&((&sums_4)->z) + (dot_0(_S106.low_0, low_4) + dot_0(_S106.high_0, high_4));
         Eight_0 _S107 = FloatWeights_eight_0(weights_16, row_3 + 6U + column_3);
-        *&((&sums_3)->w) = *&((&sums_3)->w) + (dot_0(_S107.low_0, low_4) + dot_0(_S107.high_0, high_4));
+        *&((&sums_4)->w) = *&((&sums_4)->w) + (dot_0(_S107.low_0, low_4) + dot_0(_S107.high_0, high_4));
         column_3 = column_3 + 1U;
     }
-    return sums_3;
+    return sums_4;
 }
 
 __device__ void dense_part_6(FloatWeights_0 * weights_17, uint first_13, bool adds_12, FixedArray<float, 16>  * inputs_19, FixedArray<float, 16>  * outputs_15)
@@ -1522,7 +1546,7 @@ __device__ float length_0(float3  x_8)
 
 __device__ float4  tile_product_4(FloatWeights_0 * weights_23, uint row_4, FixedArray<float, 8>  * inputs_26)
 {
-    float4  sums_4 = make_float4 (0.0f);
+    float4  sums_5 = make_float4 (0.0f);
     uint column_4 = 0U;
     for(;;)
     {
@@ -1548,16 +1572,16 @@ __device__ float4  tile_product_4(FloatWeights_0 * weights_23, uint row_4, Fixed
         *&((&low_5)->w) = (*inputs_26)[_S147];
         *&((&high_5)->w) = (*inputs_26)[_S147 + int(4)];
         Eight_0 _S148 = FloatWeights_eight_0(weights_23, row_4 + column_4);
-        *&((&sums_4)->x) = *&((&sums_4)->x) + (dot_0(_S148.low_0, low_5) + dot_0(_S148.high_0, high_5));
+        *&((&sums_5)->x) = *&((&sums_5)->x) + (dot_0(_S148.low_0, low_5) + dot_0(_S148.high_0, high_5));
         Eight_0 _S149 = FloatWeights_eight_0(weights_23, row_4 + 1U + column_4);
-        *&((&sums_4)->y) = *&((&sums_4)->y) + (dot_0(_S149.low_0, low_5) + dot_0(_S149.high_0, high_5));
+        *&((&sums_5)->y) = *&((&sums_5)->y) + (dot_0(_S149.low_0, low_5) + dot_0(_S149.high_0, high_5));
         Eight_0 _S150 = FloatWeights_eight_0(weights_23, row_4 + 2U + column_4);
-        *&((&sums_4)->z) = *&((&sums_4)->z) + (dot_0(_S150.low_0, low_5) + dot_0(_S150.high_0, high_5));
+        *&((&sums_5)->z) = *&((&sums_5)->z) + (dot_0(_S150.low_0, low_5) + dot_0(_S150.high_0, high_5));
         Eight_0 _S151 = FloatWeights_eight_0(weights_23, row_4 + 3U + column_4);
-        *&((&sums_4)->w) = *&((&sums_4)->w) + (dot_0(_S151.low_0, low_5) + dot_0(_S151.high_0, high_5));
+        *&((&sums_5)->w) = *&((&sums_5)->w) + (dot_0(_S151.low_0, low_5) + dot_0(_S151.high_0, high_5));
         column_4 = column_4 + 1U;
     }
-    return sums_4;
+    return sums_5;
 }
 
 __device__ void dense_part_9(FloatWeights_0 * weights_24, uint first_19, bool adds_18, FixedArray<float, 8>  * inputs_27, FixedArray<float, 12>  * outputs_22)
@@ -1813,32 +1837,33 @@ __device__ Query_0 slang_ldg_0(Query_0 * ptr_0)
     float _S182 = __ldg(&ptr_0->view_x_0);
     float _S183 = __ldg(&ptr_0->view_y_0);
     float _S184 = __ldg(&ptr_0->view_z_0);
-    Query_0 _S185 = { _S172, _S173, _S174, _S175, _S176, _S177, _S178, _S179, _S180, _S181, _S182, _S183, _S184 };
-    return _S185;
+    uint _S185 = __ldg(&ptr_0->seed_1);
+    Query_0 _S186 = { _S172, _S173, _S174, _S175, _S176, _S177, _S178, _S179, _S180, _S181, _S182, _S183, _S184, _S185 };
+    return _S186;
 }
 
 __device__ Latent_0 slang_ldg_1(Latent_0 * ptr_1)
 {
-    uint _S186 = __ldg(&ptr_1->is_trained_1);
-    uint _S187 = __ldg(&ptr_1->decoder_1);
-    uint _S188 = __ldg(&ptr_1->hidden_0);
-    uint _S189 = __ldg(&ptr_1->frames_0);
-    uint _S190 = __ldg(&ptr_1->sampler_0);
-    uint _S191 = __ldg(&ptr_1->albedo_0);
-    uint _S192 = __ldg(&ptr_1->texels_1);
-    uint _S193 = __ldg(&ptr_1->texel_elements_1);
-    uint _S194 = __ldg(&ptr_1->levels_3);
-    float _S195 = __ldg(&ptr_1->last_level_2);
-    uint _S196 = __ldg(&ptr_1->face_texels_1);
-    uint _S197 = __ldg(&ptr_1->back_1);
-    float _S198 = __ldg(&ptr_1->repeats_per_x_1);
-    float _S199 = __ldg(&ptr_1->repeats_per_y_1);
-    float _S200 = __ldg(&ptr_1->texels_per_mm_1);
-    float _S201 = __ldg(&ptr_1->width_0);
-    float _S202 = __ldg(&ptr_1->height_0);
-    uint _S203 = __ldg(&ptr_1->is_trilinear_0);
-    Latent_0 _S204 = { _S186, _S187, _S188, _S189, _S190, _S191, _S192, _S193, _S194, _S195, _S196, _S197, _S198, _S199, _S200, _S201, _S202, _S203 };
-    return _S204;
+    uint _S187 = __ldg(&ptr_1->is_trained_1);
+    uint _S188 = __ldg(&ptr_1->decoder_1);
+    uint _S189 = __ldg(&ptr_1->hidden_0);
+    uint _S190 = __ldg(&ptr_1->frames_0);
+    uint _S191 = __ldg(&ptr_1->sampler_0);
+    uint _S192 = __ldg(&ptr_1->albedo_0);
+    uint _S193 = __ldg(&ptr_1->texels_1);
+    uint _S194 = __ldg(&ptr_1->texel_elements_1);
+    uint _S195 = __ldg(&ptr_1->levels_3);
+    float _S196 = __ldg(&ptr_1->last_level_2);
+    uint _S197 = __ldg(&ptr_1->face_texels_1);
+    uint _S198 = __ldg(&ptr_1->back_1);
+    float _S199 = __ldg(&ptr_1->repeats_per_x_1);
+    float _S200 = __ldg(&ptr_1->repeats_per_y_1);
+    float _S201 = __ldg(&ptr_1->texels_per_mm_1);
+    float _S202 = __ldg(&ptr_1->width_0);
+    float _S203 = __ldg(&ptr_1->height_0);
+    uint _S204 = __ldg(&ptr_1->is_trilinear_0);
+    Latent_0 _S205 = { _S187, _S188, _S189, _S190, _S191, _S192, _S193, _S194, _S195, _S196, _S197, _S198, _S199, _S200, _S201, _S202, _S203, _S204 };
+    return _S205;
 }
 
 __device__ uint mixed_0(uint number_0)
@@ -1850,16 +1875,16 @@ __device__ uint mixed_0(uint number_0)
 
 __device__ uint with_number_0(uint hash_0, float number_1)
 {
-    uint _S205;
+    uint _S206;
     if(number_1 == 0.0f)
     {
-        _S205 = 0U;
+        _S206 = 0U;
     }
     else
     {
-        _S205 = (F32_asuint((number_1)));
+        _S206 = (F32_asuint((number_1)));
     }
-    return mixed_0(hash_0 ^ _S205);
+    return mixed_0(hash_0 ^ _S206);
 }
 
 struct Footprint_0
@@ -1869,7 +1894,7 @@ struct Footprint_0
     float2  dy_0;
 };
 
-__device__ uint hashed_0(Footprint_0 * footprint_0, float3  view_0, float2  size_1)
+__device__ uint hashed_0(Footprint_0 * footprint_0, float3  view_1, float2  size_1)
 {
     uint hash_1 = 2654435769U;
     uint axis_0 = 0U;
@@ -1882,11 +1907,11 @@ __device__ uint hashed_0(Footprint_0 * footprint_0, float3  view_0, float2  size
         {
             break;
         }
-        float _S206 = *_slang_vector_get_element_ptr(&footprint_0->centre_0, axis_0) / _slang_vector_get_element(size_1, axis_0);
-        uint _S207 = mixed_0(hash_1 ^ uint((_S206 - (F32_floor((_S206)))) * 4096.0f));
-        uint _S208 = axis_0 + 1U;
-        hash_1 = _S207;
-        axis_0 = _S208;
+        float _S207 = *_slang_vector_get_element_ptr(&footprint_0->centre_0, axis_0) / _slang_vector_get_element(size_1, axis_0);
+        uint _S208 = mixed_0(hash_1 ^ uint((_S207 - (F32_floor((_S207)))) * 4096.0f));
+        uint _S209 = axis_0 + 1U;
+        hash_1 = _S208;
+        axis_0 = _S209;
     }
     axis_0 = 0U;
     for(;;)
@@ -1898,39 +1923,39 @@ __device__ uint hashed_0(Footprint_0 * footprint_0, float3  view_0, float2  size
         {
             break;
         }
-        uint _S209 = with_number_0(hash_1, _slang_vector_get_element(view_0, axis_0));
-        uint _S210 = axis_0 + 1U;
-        hash_1 = _S209;
-        axis_0 = _S210;
+        uint _S210 = with_number_0(hash_1, _slang_vector_get_element(view_1, axis_0));
+        uint _S211 = axis_0 + 1U;
+        hash_1 = _S210;
+        axis_0 = _S211;
     }
     return with_number_0(with_number_0(with_number_0(with_number_0(hash_1, footprint_0->dx_0.x), footprint_0->dx_0.y), footprint_0->dy_0.x), footprint_0->dy_0.y);
 }
 
-__device__ float uniform_of_0(uint seed_1, uint dimension_0)
+__device__ float uniform_of_0(uint seed_2, uint dimension_0)
 {
-    return float((mixed_0(seed_1 + (dimension_0 + 1U) * 2654435769U)) >> int(8)) * 5.9604644775390625e-08f;
+    return float((mixed_0(seed_2 + (dimension_0 + 1U) * 2654435769U)) >> int(8)) * 5.9604644775390625e-08f;
 }
 
 __device__ float3  to_face_frame_0(float3  direction_0, bool back_2)
 {
-    float2  _S211 = float2 {direction_0.x, direction_0.y};
-    float _S212;
+    float2  _S212 = float2 {direction_0.x, direction_0.y};
+    float _S213;
     if(back_2)
     {
-        _S212 = - direction_0.z;
+        _S213 = - direction_0.z;
     }
     else
     {
-        _S212 = direction_0.z;
+        _S213 = direction_0.z;
     }
-    return make_float3 (_S211.x, _S211.y, _S212);
+    return make_float3 (_S212.x, _S212.y, _S213);
 }
 
 __device__ float natural_logarithm_0(float x_16)
 {
-    uint _S213 = (F32_asuint((x_16)));
-    float exponent_0 = float(int(_S213 >> int(23)) - int(126));
-    float m_0 = (U32_asfloat(((_S213 & 8388607U) | 1056964608U)));
+    uint _S214 = (F32_asuint((x_16)));
+    float exponent_0 = float(int(_S214 >> int(23)) - int(126));
+    float m_0 = (U32_asfloat(((_S214 & 8388607U) | 1056964608U)));
     float m_1;
     float exponent_1;
     if(m_0 < 0.70710676908493042f)
@@ -1945,8 +1970,8 @@ __device__ float natural_logarithm_0(float x_16)
         exponent_1 = exponent_0;
     }
     float m_2 = m_1 - 1.0f;
-    float _S214 = m_2 * m_2;
-    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S214 - exponent_1 * 0.00021219444170129f - 0.5f * _S214) + exponent_1 * 0.693359375f;
+    float _S215 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S215 - exponent_1 * 0.00021219444170129f - 0.5f * _S215) + exponent_1 * 0.693359375f;
 }
 
 __device__ float binary_logarithm_0(float x_17)
@@ -1957,9 +1982,9 @@ __device__ float binary_logarithm_0(float x_17)
 __device__ Eight_0 no_numbers_0()
 {
     Eight_0 numbers_1;
-    float4  _S215 = make_float4 (0.0f);
-    (&numbers_1)->low_0 = _S215;
-    (&numbers_1)->high_0 = _S215;
+    float4  _S216 = make_float4 (0.0f);
+    (&numbers_1)->low_0 = _S216;
+    (&numbers_1)->high_0 = _S216;
     return numbers_1;
 }
 
@@ -1971,37 +1996,37 @@ __device__ float2  within_repeat_0(float2  uv_0)
 __device__ Eight_0 eight_halves_0(uint4  packed_0)
 {
     Eight_0 numbers_2;
-    uint _S216 = packed_0.x;
-    uint _S217 = packed_0.y;
-    (&numbers_2)->low_0 = make_float4 (f16tof32_0(make_uint2 (_S216 & 65535U, _S216 >> 16U)).x, f16tof32_0(make_uint2 (_S216 & 65535U, _S216 >> 16U)).y, f16tof32_0(make_uint2 (_S217 & 65535U, _S217 >> 16U)).x, f16tof32_0(make_uint2 (_S217 & 65535U, _S217 >> 16U)).y);
-    uint _S218 = packed_0.z;
-    uint _S219 = packed_0.w;
-    (&numbers_2)->high_0 = make_float4 (f16tof32_0(make_uint2 (_S218 & 65535U, _S218 >> 16U)).x, f16tof32_0(make_uint2 (_S218 & 65535U, _S218 >> 16U)).y, f16tof32_0(make_uint2 (_S219 & 65535U, _S219 >> 16U)).x, f16tof32_0(make_uint2 (_S219 & 65535U, _S219 >> 16U)).y);
+    uint _S217 = packed_0.x;
+    uint _S218 = packed_0.y;
+    (&numbers_2)->low_0 = make_float4 (f16tof32_0(make_uint2 (_S217 & 65535U, _S217 >> 16U)).x, f16tof32_0(make_uint2 (_S217 & 65535U, _S217 >> 16U)).y, f16tof32_0(make_uint2 (_S218 & 65535U, _S218 >> 16U)).x, f16tof32_0(make_uint2 (_S218 & 65535U, _S218 >> 16U)).y);
+    uint _S219 = packed_0.z;
+    uint _S220 = packed_0.w;
+    (&numbers_2)->high_0 = make_float4 (f16tof32_0(make_uint2 (_S219 & 65535U, _S219 >> 16U)).x, f16tof32_0(make_uint2 (_S219 & 65535U, _S219 >> 16U)).y, f16tof32_0(make_uint2 (_S220 & 65535U, _S220 >> 16U)).x, f16tof32_0(make_uint2 (_S220 & 65535U, _S220 >> 16U)).y);
     return numbers_2;
 }
 
 __device__ Eight_0 texel_numbers_0(uint first_24, uint elements_1, uint texel_0)
 {
-    uint _S220 = first_24 + texel_0 * elements_1;
-    uint4  _S221 = __ldg((&(globalParams_0->packed_numbers_0)[_S220]));
+    uint _S221 = first_24 + texel_0 * elements_1;
+    uint4  _S222 = __ldg((&(globalParams_0->packed_numbers_0)[_S221]));
     if(elements_1 == 1U)
     {
-        return eight_halves_0(_S221);
+        return eight_halves_0(_S222);
     }
     Eight_0 numbers_3;
-    (&numbers_3)->low_0 = asfloat_0(_S221);
-    uint4  _S222 = __ldg((&(globalParams_0->packed_numbers_0)[_S220 + 1U]));
-    (&numbers_3)->high_0 = asfloat_0(_S222);
+    (&numbers_3)->low_0 = asfloat_0(_S222);
+    uint4  _S223 = __ldg((&(globalParams_0->packed_numbers_0)[_S221 + 1U]));
+    (&numbers_3)->high_0 = asfloat_0(_S223);
     return numbers_3;
 }
 
-__device__ void add_bilinear_0(uint first_25, uint elements_2, uint start_1, uint columns_1, uint rows_1, float2  uv_1, float weight_0, Eight_0 * sums_5)
+__device__ void add_bilinear_0(uint first_25, uint elements_2, uint start_1, uint columns_2, uint rows_2, float2  uv_1, float weight_0, Eight_0 * sums_6)
 {
-    float2  _S223 = uv_1 * make_float2 (float(columns_1), float(rows_1)) - make_float2 (0.5f);
-    float2  _S224 = floor_0(_S223);
-    float2  _S225 = _S223 - _S224;
-    int _S226 = int(_S224.x);
-    int _S227 = int(_S224.y);
+    float2  _S224 = uv_1 * make_float2 (float(columns_2), float(rows_2)) - make_float2 (0.5f);
+    float2  _S225 = floor_0(_S224);
+    float2  _S226 = _S224 - _S225;
+    int _S227 = int(_S225.x);
+    int _S228 = int(_S225.y);
     uint tap_0 = 0U;
     for(;;)
     {
@@ -2012,30 +2037,30 @@ __device__ void add_bilinear_0(uint first_25, uint elements_2, uint start_1, uin
         {
             break;
         }
-        uint _S228 = tap_0 & 1U;
-        uint _S229 = tap_0 >> int(1);
-        Eight_0 _S230 = texel_numbers_0(first_25, elements_2, start_1 + (uint(_S227 + int(_S229)) & (rows_1 - 1U)) * columns_1 + (uint(_S226 + int(_S228)) & (columns_1 - 1U)));
-        float _S231;
+        uint _S229 = tap_0 & 1U;
+        uint _S230 = tap_0 >> int(1);
+        Eight_0 _S231 = texel_numbers_0(first_25, elements_2, start_1 + (uint(_S228 + int(_S230)) & (rows_2 - 1U)) * columns_2 + (uint(_S227 + int(_S229)) & (columns_2 - 1U)));
+        float _S232;
+        if(_S230 != 0U)
+        {
+            _S232 = _S226.y;
+        }
+        else
+        {
+            _S232 = 1.0f - _S226.y;
+        }
+        float _S233;
         if(_S229 != 0U)
         {
-            _S231 = _S225.y;
+            _S233 = _S226.x;
         }
         else
         {
-            _S231 = 1.0f - _S225.y;
+            _S233 = 1.0f - _S226.x;
         }
-        float _S232;
-        if(_S228 != 0U)
-        {
-            _S232 = _S225.x;
-        }
-        else
-        {
-            _S232 = 1.0f - _S225.x;
-        }
-        float _S233 = _S231 * _S232 * weight_0;
-        sums_5->low_0 = sums_5->low_0 + make_float4 (_S233) * _S230.low_0;
-        sums_5->high_0 = sums_5->high_0 + make_float4 (_S233) * _S230.high_0;
+        float _S234 = _S232 * _S233 * weight_0;
+        sums_6->low_0 = sums_6->low_0 + make_float4 (_S234) * _S231.low_0;
+        sums_6->high_0 = sums_6->high_0 + make_float4 (_S234) * _S231.high_0;
         tap_0 = tap_0 + 1U;
     }
     return;
@@ -2050,51 +2075,51 @@ struct TexelPyramid_0
     uint face_texels_2;
 };
 
-__device__ void TexelPyramid_add_level_0(TexelPyramid_0 * this_4, float2  place_0, uint level_1, uint face_1, float weight_1, Eight_0 * sums_6)
+__device__ void TexelPyramid_add_level_0(TexelPyramid_0 * this_4, float2  place_0, uint level_1, uint face_1, float weight_1, Eight_0 * sums_7)
 {
-    uint _S234 = this_4->levels_4 + 3U * level_1;
-    uint _S235 = this_4->first_26;
-    uint _S236 = this_4->elements_3;
-    uint _S237 = face_1 * this_4->face_texels_2;
-    uint _S238 = __ldg((&(globalParams_0->words_0)[_S234]));
-    uint _S239 = _S237 + _S238;
-    uint _S240 = __ldg((&(globalParams_0->words_0)[_S234 + 1U]));
-    uint _S241 = __ldg((&(globalParams_0->words_0)[_S234 + 2U]));
-    add_bilinear_0(_S235, _S236, _S239, _S240, _S241, place_0, weight_1, sums_6);
+    uint _S235 = this_4->levels_4 + 3U * level_1;
+    uint _S236 = this_4->first_26;
+    uint _S237 = this_4->elements_3;
+    uint _S238 = face_1 * this_4->face_texels_2;
+    uint _S239 = __ldg((&(globalParams_0->words_0)[_S235]));
+    uint _S240 = _S238 + _S239;
+    uint _S241 = __ldg((&(globalParams_0->words_0)[_S235 + 1U]));
+    uint _S242 = __ldg((&(globalParams_0->words_0)[_S235 + 2U]));
+    add_bilinear_0(_S236, _S237, _S240, _S241, _S242, place_0, weight_1, sums_7);
     return;
 }
 
 __device__ Eight_0 TexelPyramid_between_levels_0(TexelPyramid_0 * this_5, float2  uv_2, float level_2, uint face_2)
 {
-    float _S242 = clamp_0(level_2, 0.0f, this_5->last_level_3);
-    float _S243 = clamp_0((F32_floor((_S242))), 0.0f, (F32_max((this_5->last_level_3 - 1.0f), (0.0f))));
-    float _S244 = _S242 - _S243;
-    float2  _S245 = within_repeat_0(uv_2);
+    float _S243 = clamp_0(level_2, 0.0f, this_5->last_level_3);
+    float _S244 = clamp_0((F32_floor((_S243))), 0.0f, (F32_max((this_5->last_level_3 - 1.0f), (0.0f))));
+    float _S245 = _S243 - _S244;
+    float2  _S246 = within_repeat_0(uv_2);
     Eight_0 texel_1 = no_numbers_0();
-    uint offset_1 = 0U;
+    uint offset_2 = 0U;
     for(;;)
     {
-        if(offset_1 < 2U)
+        if(offset_2 < 2U)
         {
         }
         else
         {
             break;
         }
-        float _S246;
-        if(offset_1 == 0U)
+        float _S247;
+        if(offset_2 == 0U)
         {
-            _S246 = 1.0f - _S244;
+            _S247 = 1.0f - _S245;
         }
         else
         {
-            _S246 = _S244;
+            _S247 = _S245;
         }
-        if(_S246 > 0.0f)
+        if(_S247 > 0.0f)
         {
-            TexelPyramid_add_level_0(this_5, _S245, uint(_S243) + offset_1, face_2, _S246, &texel_1);
+            TexelPyramid_add_level_0(this_5, _S246, uint(_S244) + offset_2, face_2, _S247, &texel_1);
         }
-        offset_1 = offset_1 + 1U;
+        offset_2 = offset_2 + 1U;
     }
     return texel_1;
 }
@@ -2108,16 +2133,16 @@ __device__ Eight_0 TexelPyramid_of_level_0(TexelPyramid_0 * this_6, float2  uv_3
 
 __device__ float channel_0(Eight_0 * numbers_4, int k_0)
 {
-    float _S247;
+    float _S248;
     if(k_0 < int(4))
     {
-        _S247 = *_slang_vector_get_element_ptr(&numbers_4->low_0, k_0);
+        _S248 = *_slang_vector_get_element_ptr(&numbers_4->low_0, k_0);
     }
     else
     {
-        _S247 = *_slang_vector_get_element_ptr(&numbers_4->high_0, k_0 - int(4));
+        _S248 = *_slang_vector_get_element_ptr(&numbers_4->high_0, k_0 - int(4));
     }
-    return _S247;
+    return _S248;
 }
 
 struct LatentFrame_0
@@ -2130,11 +2155,11 @@ struct LatentFrame_0
 __device__ LatentFrame_0 frame_of_0(float3  normal_1, float3  tangent_1)
 {
     LatentFrame_0 result_10;
-    float3  _S248 = normalize_0(normal_1 + make_float3 (0.0f, 0.0f, 1.0f));
-    (&result_10)->normal_0 = _S248;
-    float3  _S249 = normalize_0(tangent_1 + make_float3 (1.0f, 0.0f, 0.0f));
-    (&result_10)->tangent_0 = _S249;
-    (&result_10)->bitangent_0 = cross_0(_S248, _S249);
+    float3  _S249 = normalize_0(normal_1 + make_float3 (0.0f, 0.0f, 1.0f));
+    (&result_10)->normal_0 = _S249;
+    float3  _S250 = normalize_0(tangent_1 + make_float3 (1.0f, 0.0f, 0.0f));
+    (&result_10)->tangent_0 = _S250;
+    (&result_10)->bitangent_0 = cross_0(_S249, _S250);
     return result_10;
 }
 
@@ -2145,21 +2170,21 @@ __device__ float3  LatentFrame_coordinates_0(LatentFrame_0 * this_7, float3  dir
 
 __device__ float exponential_0(float x_18)
 {
-    float _S250 = clamp_0(x_18, -87.0f, 88.0f);
-    float _S251 = (F32_floor((_S250 * 1.4426950216293335f + 0.5f)));
-    float _S252 = _S250 - _S251 * 0.693359375f + _S251 * 0.00021219444170129f;
-    float p_0 = ((((0.00019875691214111f * _S252 + 0.00139819993637502f) * _S252 + 0.00833345204591751f) * _S252 + 0.04166579619050026f) * _S252 + 0.1666666567325592f) * _S252 + 0.5f;
-    float _S253 = (U32_asfloat((uint(int(_S251) + int(127)) << int(23))));
-    float _S254;
+    float _S251 = clamp_0(x_18, -87.0f, 88.0f);
+    float _S252 = (F32_floor((_S251 * 1.4426950216293335f + 0.5f)));
+    float _S253 = _S251 - _S252 * 0.693359375f + _S252 * 0.00021219444170129f;
+    float p_0 = ((((0.00019875691214111f * _S253 + 0.00139819993637502f) * _S253 + 0.00833345204591751f) * _S253 + 0.04166579619050026f) * _S253 + 0.1666666567325592f) * _S253 + 0.5f;
+    float _S254 = (U32_asfloat((uint(int(_S252) + int(127)) << int(23))));
+    float _S255;
     if(x_18 < -87.0f)
     {
-        _S254 = 0.0f;
+        _S255 = 0.0f;
     }
     else
     {
-        _S254 = (p_0 * _S252 * _S252 + _S252 + 1.0f) * _S253;
+        _S255 = (p_0 * _S253 * _S253 + _S253 + 1.0f) * _S254;
     }
-    return _S254;
+    return _S255;
 }
 
 __device__ float bounded_exponential_0(float exponent_3)
@@ -2172,57 +2197,57 @@ struct LatentView_0
     FixedArray<float, 8>  latent_1;
     LatentFrame_0 first_27;
     LatentFrame_0 second_0;
-    float3  view_1;
+    float3  view_2;
     bool back_3;
 };
 
-__device__ void latent_view_0(uint _S255, Footprint_0 * _S256, float3  _S257, float _S258, LatentView_0 * _S259)
+__device__ void latent_view_0(uint _S256, Footprint_0 * _S257, float3  _S258, float _S259, LatentView_0 * _S260)
 {
-    Latent_0 _S260 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[_S255])->latent_0);
-    bool _S261 = (_S257.z) < 0.0f;
-    _S259->back_3 = _S261;
-    _S259->view_1 = to_face_frame_0(_S257, _S261);
-    uint _S262;
-    if(_S261)
+    Latent_0 _S261 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[_S256])->latent_0);
+    bool _S262 = (_S258.z) < 0.0f;
+    _S260->back_3 = _S262;
+    _S260->view_2 = to_face_frame_0(_S258, _S262);
+    uint _S263;
+    if(_S262)
     {
-        _S262 = _S260.back_1;
+        _S263 = _S261.back_1;
     }
     else
     {
-        _S262 = 0U;
+        _S263 = 0U;
     }
-    float2  _S263 = _S256->centre_0 * make_float2 (_S260.repeats_per_x_1, _S260.repeats_per_y_1);
-    float _S264 = clamp_0(binary_logarithm_0((F32_max(((F32_sqrt(((F32_abs((_S256->dx_0.x * _S256->dy_0.y - _S256->dx_0.y * _S256->dy_0.x)))))) * _S260.texels_per_mm_1), (9.99999971718068537e-10f)))), 0.0f, _S260.last_level_2);
+    float2  _S264 = _S257->centre_0 * make_float2 (_S261.repeats_per_x_1, _S261.repeats_per_y_1);
+    float _S265 = clamp_0(binary_logarithm_0((F32_max(((F32_sqrt(((F32_abs((_S257->dx_0.x * _S257->dy_0.y - _S257->dx_0.y * _S257->dy_0.x)))))) * _S261.texels_per_mm_1), (9.99999971718068537e-10f)))), 0.0f, _S261.last_level_2);
     TexelPyramid_0 pyramid_0;
-    (&pyramid_0)->first_26 = _S260.texels_1;
-    (&pyramid_0)->elements_3 = _S260.texel_elements_1;
-    (&pyramid_0)->levels_4 = _S260.levels_3;
-    (&pyramid_0)->last_level_3 = _S260.last_level_2;
-    (&pyramid_0)->face_texels_2 = _S260.face_texels_1;
+    (&pyramid_0)->first_26 = _S261.texels_1;
+    (&pyramid_0)->elements_3 = _S261.texel_elements_1;
+    (&pyramid_0)->levels_4 = _S261.levels_3;
+    (&pyramid_0)->last_level_3 = _S261.last_level_2;
+    (&pyramid_0)->face_texels_2 = _S261.face_texels_1;
     Eight_0 texel_3;
-    if((_S260.is_trilinear_0) != 0U)
+    if((_S261.is_trilinear_0) != 0U)
     {
-        TexelPyramid_0 _S265 = pyramid_0;
-        Eight_0 _S266 = TexelPyramid_between_levels_0(&_S265, _S263, _S264, _S262);
-        texel_3 = _S266;
+        TexelPyramid_0 _S266 = pyramid_0;
+        Eight_0 _S267 = TexelPyramid_between_levels_0(&_S266, _S264, _S265, _S263);
+        texel_3 = _S267;
     }
     else
     {
-        TexelPyramid_0 _S267 = pyramid_0;
-        uint _S268 = uint(_S264);
-        uint _S269;
-        if(_S258 < (_S264 - (F32_floor((_S264)))))
+        TexelPyramid_0 _S268 = pyramid_0;
+        uint _S269 = uint(_S265);
+        uint _S270;
+        if(_S259 < (_S265 - (F32_floor((_S265)))))
         {
-            _S269 = 1U;
+            _S270 = 1U;
         }
         else
         {
-            _S269 = 0U;
+            _S270 = 0U;
         }
-        uint _S270 = _S268 + _S269;
-        TexelPyramid_0 _S271 = _S267;
-        Eight_0 _S272 = TexelPyramid_of_level_0(&_S271, _S263, _S270, _S262);
-        texel_3 = _S272;
+        uint _S271 = _S269 + _S270;
+        TexelPyramid_0 _S272 = _S268;
+        Eight_0 _S273 = TexelPyramid_of_level_0(&_S272, _S264, _S271, _S263);
+        texel_3 = _S273;
     }
     int k_1 = int(0);
     for(;;)
@@ -2234,38 +2259,38 @@ __device__ void latent_view_0(uint _S255, Footprint_0 * _S256, float3  _S257, fl
         {
             break;
         }
-        Eight_0 _S273 = texel_3;
-        float _S274 = channel_0(&_S273, k_1);
-        _S259->latent_1[k_1] = _S274;
+        Eight_0 _S274 = texel_3;
+        float _S275 = channel_0(&_S274, k_1);
+        _S260->latent_1[k_1] = _S275;
         k_1 = k_1 + int(1);
     }
     FloatWeights_0 weights_26;
-    (&weights_26)->first_0 = _S260.frames_0;
-    FloatWeights_0 _S275 = weights_26;
-    FixedArray<float, 12>  sums_7;
-    dense_9(&_S275, 0U, false, &_S259->latent_1, &sums_7);
-    _S259->first_27 = frame_of_0(make_float3 (sums_7[int(0)], sums_7[int(1)], sums_7[int(2)]), make_float3 (sums_7[int(3)], sums_7[int(4)], sums_7[int(5)]));
-    _S259->second_0 = frame_of_0(make_float3 (sums_7[int(6)], sums_7[int(7)], sums_7[int(8)]), make_float3 (sums_7[int(9)], sums_7[int(10)], sums_7[int(11)]));
+    (&weights_26)->first_0 = _S261.frames_0;
+    FloatWeights_0 _S276 = weights_26;
+    FixedArray<float, 12>  sums_8;
+    dense_9(&_S276, 0U, false, &_S260->latent_1, &sums_8);
+    _S260->first_27 = frame_of_0(make_float3 (sums_8[int(0)], sums_8[int(1)], sums_8[int(2)]), make_float3 (sums_8[int(3)], sums_8[int(4)], sums_8[int(5)]));
+    _S260->second_0 = frame_of_0(make_float3 (sums_8[int(6)], sums_8[int(7)], sums_8[int(8)]), make_float3 (sums_8[int(9)], sums_8[int(10)], sums_8[int(11)]));
     return;
 }
 
-__device__ float3  latent_value_0(uint _S276, LatentView_0 * _S277, float3  _S278)
+__device__ float3  latent_value_0(uint _S277, LatentView_0 * _S278, float3  _S279)
 {
-    Fabric_0 * _S279 = (&(globalParams_0->fabrics_0)[_S276]);
-    float3  _S280 = to_face_frame_0(_S278, _S277->back_3);
-    if((_S280.z) <= 0.0f)
+    Fabric_0 * _S280 = (&(globalParams_0->fabrics_0)[_S277]);
+    float3  _S281 = to_face_frame_0(_S279, _S278->back_3);
+    if((_S281.z) <= 0.0f)
     {
         return make_float3 (0.0f);
     }
     FixedArray<float, 20>  inputs_32;
-    LatentFrame_0 _S281 = _S277->first_27;
-    float3  _S282 = LatentFrame_coordinates_0(&_S281, _S277->view_1);
-    LatentFrame_0 _S283 = _S277->first_27;
-    float3  _S284 = LatentFrame_coordinates_0(&_S283, _S280);
-    LatentFrame_0 _S285 = _S277->second_0;
-    float3  _S286 = LatentFrame_coordinates_0(&_S285, _S277->view_1);
-    LatentFrame_0 _S287 = _S277->second_0;
-    float3  _S288 = LatentFrame_coordinates_0(&_S287, _S280);
+    LatentFrame_0 _S282 = _S278->first_27;
+    float3  _S283 = LatentFrame_coordinates_0(&_S282, _S278->view_2);
+    LatentFrame_0 _S284 = _S278->first_27;
+    float3  _S285 = LatentFrame_coordinates_0(&_S284, _S281);
+    LatentFrame_0 _S286 = _S278->second_0;
+    float3  _S287 = LatentFrame_coordinates_0(&_S286, _S278->view_2);
+    LatentFrame_0 _S288 = _S278->second_0;
+    float3  _S289 = LatentFrame_coordinates_0(&_S288, _S281);
     int axis_1 = int(0);
     for(;;)
     {
@@ -2276,10 +2301,10 @@ __device__ float3  latent_value_0(uint _S276, LatentView_0 * _S277, float3  _S27
         {
             break;
         }
-        inputs_32[axis_1] = _slang_vector_get_element(_S282, axis_1);
-        inputs_32[int(3) + axis_1] = _slang_vector_get_element(_S284, axis_1);
-        inputs_32[int(6) + axis_1] = _slang_vector_get_element(_S286, axis_1);
-        inputs_32[int(9) + axis_1] = _slang_vector_get_element(_S288, axis_1);
+        inputs_32[axis_1] = _slang_vector_get_element(_S283, axis_1);
+        inputs_32[int(3) + axis_1] = _slang_vector_get_element(_S285, axis_1);
+        inputs_32[int(6) + axis_1] = _slang_vector_get_element(_S287, axis_1);
+        inputs_32[int(9) + axis_1] = _slang_vector_get_element(_S289, axis_1);
         axis_1 = axis_1 + int(1);
     }
     int k_2 = int(0);
@@ -2292,58 +2317,58 @@ __device__ float3  latent_value_0(uint _S276, LatentView_0 * _S277, float3  _S27
         {
             break;
         }
-        inputs_32[int(12) + k_2] = _S277->latent_1[k_2];
+        inputs_32[int(12) + k_2] = _S278->latent_1[k_2];
         k_2 = k_2 + int(1);
     }
     FixedArray<float, 3>  outputs_27;
-    Latent_0 _S289 = slang_ldg_1(&_S279->latent_0);
-    if((_S289.hidden_0) == 16U)
+    Latent_0 _S290 = slang_ldg_1(&_S280->latent_0);
+    if((_S290.hidden_0) == 16U)
     {
-        decode_2(_S289.decoder_1, &inputs_32, &outputs_27);
+        decode_2(_S290.decoder_1, &inputs_32, &outputs_27);
     }
     else
     {
-        if((_S289.hidden_0) == 32U)
+        if((_S290.hidden_0) == 32U)
         {
-            decode_1(_S289.decoder_1, &inputs_32, &outputs_27);
+            decode_1(_S290.decoder_1, &inputs_32, &outputs_27);
         }
         else
         {
-            decode_0(_S289.decoder_1, &inputs_32, &outputs_27);
+            decode_0(_S290.decoder_1, &inputs_32, &outputs_27);
         }
     }
     return make_float3 (bounded_exponential_0(outputs_27[int(0)] - 3.0f), bounded_exponential_0(outputs_27[int(1)] - 3.0f), bounded_exponential_0(outputs_27[int(2)] - 3.0f));
 }
 
-__device__ float4  cloth_value_0(uint fabric_2, float2  centre_1, float2  dx_1, float2  dy_1, float3  light_0, float3  view_2)
+__device__ float4  cloth_value_0(uint fabric_2, float2  centre_1, float2  dx_1, float2  dy_1, float3  light_1, float3  view_3)
 {
     Footprint_0 footprint_1;
     (&footprint_1)->centre_0 = centre_1;
     (&footprint_1)->dx_0 = dx_1;
     (&footprint_1)->dy_0 = dy_1;
-    Latent_0 _S290 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[fabric_2])->latent_0);
     Latent_0 _S291 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[fabric_2])->latent_0);
-    float2  _S292 = make_float2 (_S290.width_0, _S291.height_0);
-    Footprint_0 _S293 = footprint_1;
-    uint _S294 = hashed_0(&_S293, view_2, _S292);
-    float _S295 = uniform_of_0(_S294, 0U);
-    Footprint_0 _S296 = footprint_1;
+    Latent_0 _S292 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[fabric_2])->latent_0);
+    float2  _S293 = make_float2 (_S291.width_0, _S292.height_0);
+    Footprint_0 _S294 = footprint_1;
+    uint _S295 = hashed_0(&_S294, view_3, _S293);
+    float _S296 = uniform_of_0(_S295, 0U);
+    Footprint_0 _S297 = footprint_1;
     LatentView_0 seen_0;
-    latent_view_0(fabric_2, &_S296, view_2, _S295, &seen_0);
-    float3  _S297 = latent_value_0(fabric_2, &seen_0, light_0);
-    return make_float4 (_S297.x, _S297.y, _S297.z, 0.0f);
+    latent_view_0(fabric_2, &_S297, view_3, _S296, &seen_0);
+    float3  _S298 = latent_value_0(fabric_2, &seen_0, light_1);
+    return make_float4 (_S298.x, _S298.y, _S298.z, 0.0f);
 }
 
 extern "C" __global__ void latent_queries()
 {
-    uint _S298 = (blockIdx * blockDim + threadIdx).x;
-    uint _S299 = __ldg((&(globalParams_0->query_count_0)[int(0)]));
-    if(_S298 >= _S299)
+    uint _S299 = (blockIdx * blockDim + threadIdx).x;
+    uint _S300 = __ldg((&(globalParams_0->query_count_0)[int(0)]));
+    if(_S299 >= _S300)
     {
         return;
     }
-    Query_0 _S300 = slang_ldg_0((&(globalParams_0->queries_0)[_S298]));
-    *(&(globalParams_0->answers_0)[_S298]) = cloth_value_0(_S300.fabric_1, make_float2 (_S300.centre_x_0, _S300.centre_y_0), make_float2 (_S300.dx_x_0, _S300.dx_y_0), make_float2 (_S300.dy_x_0, _S300.dy_y_0), make_float3 (_S300.light_x_0, _S300.light_y_0, _S300.light_z_0), make_float3 (_S300.view_x_0, _S300.view_y_0, _S300.view_z_0));
+    Query_0 _S301 = slang_ldg_0((&(globalParams_0->queries_0)[_S299]));
+    *(&(globalParams_0->answers_0)[_S299]) = cloth_value_0(_S301.fabric_1, make_float2 (_S301.centre_x_0, _S301.centre_y_0), make_float2 (_S301.dx_x_0, _S301.dx_y_0), make_float2 (_S301.dy_x_0, _S301.dy_y_0), make_float3 (_S301.light_x_0, _S301.light_y_0, _S301.light_z_0), make_float3 (_S301.view_x_0, _S301.view_y_0, _S301.view_z_0));
     return;
 }
 

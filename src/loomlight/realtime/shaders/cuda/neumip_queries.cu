@@ -93,6 +93,28 @@ struct Latent_0
     uint is_trilinear_0;
 };
 
+struct Clustered_0
+{
+    uint is_baked_1;
+    uint clusters_0;
+    uint rank_0;
+    uint channels_0;
+    uint columns_0;
+    uint rows_0;
+    float texel_width_0;
+    float texel_height_0;
+    uint samples_0;
+    uint sums_0;
+    uint labels_0;
+    uint coefficients_0;
+    uint basis_0;
+    uint moments_1;
+    uint light_0;
+    uint view_0;
+    uint offset_1;
+    uint trust_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
@@ -129,6 +151,7 @@ struct Fabric_0
     uint has_yarns_0;
     float mean_hole_0;
     Latent_0 latent_0;
+    Clustered_0 clustered_0;
 };
 
 struct Family_0
@@ -192,7 +215,7 @@ struct Frame_0
     uint width_1;
     uint height_1;
     uint lights_0;
-    uint samples_0;
+    uint samples_1;
     uint pass_number_0;
     uint environment_samples_0;
     uint environment_columns_0;
@@ -256,8 +279,8 @@ struct Bake_0
     float picks_1;
     float spacing_x_0;
     float spacing_y_0;
-    uint columns_0;
-    uint rows_0;
+    uint columns_1;
+    uint rows_1;
     uint face_nodes_1;
     uint texels_across_0;
     uint texels_along_0;
@@ -273,7 +296,7 @@ struct Bake_0
     uint lit_0;
     uint lists_0;
     uint points_0;
-    uint clusters_0;
+    uint clusters_1;
     uint cluster_means_0;
     uint cluster_errors_0;
     uint centroids_0;
@@ -317,6 +340,7 @@ struct Query_0
     float view_x_0;
     float view_y_0;
     float view_z_0;
+    uint seed_1;
 };
 
 struct GlobalParams_0
@@ -458,7 +482,7 @@ __device__ float dot_0(float4  x_6, float4  y_5)
 
 __device__ float4  tile_product_0(FloatWeights_0 * weights_0, uint row_0, FixedArray<float, 25>  * inputs_0)
 {
-    float4  sums_0 = make_float4 (0.0f);
+    float4  sums_1 = make_float4 (0.0f);
     uint column_0 = 0U;
     for(;;)
     {
@@ -484,16 +508,16 @@ __device__ float4  tile_product_0(FloatWeights_0 * weights_0, uint row_0, FixedA
         *&((&low_1)->w) = (*inputs_0)[(I32_min((_S7), (int(24))))];
         *&((&high_1)->w) = (*inputs_0)[(I32_min((_S7 + int(4)), (int(24))))];
         Eight_0 _S8 = FloatWeights_eight_0(weights_0, row_0 + column_0);
-        *&((&sums_0)->x) = *&((&sums_0)->x) + (dot_0(_S8.low_0, low_1) + dot_0(_S8.high_0, high_1));
+        *&((&sums_1)->x) = *&((&sums_1)->x) + (dot_0(_S8.low_0, low_1) + dot_0(_S8.high_0, high_1));
         Eight_0 _S9 = FloatWeights_eight_0(weights_0, row_0 + 4U + column_0);
-        *&((&sums_0)->y) = *&((&sums_0)->y) + (dot_0(_S9.low_0, low_1) + dot_0(_S9.high_0, high_1));
+        *&((&sums_1)->y) = *&((&sums_1)->y) + (dot_0(_S9.low_0, low_1) + dot_0(_S9.high_0, high_1));
         Eight_0 _S10 = FloatWeights_eight_0(weights_0, row_0 + 8U + column_0);
-        *&((&sums_0)->z) = *&((&sums_0)->z) + (dot_0(_S10.low_0, low_1) + dot_0(_S10.high_0, high_1));
+        *&((&sums_1)->z) = *&((&sums_1)->z) + (dot_0(_S10.low_0, low_1) + dot_0(_S10.high_0, high_1));
         Eight_0 _S11 = FloatWeights_eight_0(weights_0, row_0 + 12U + column_0);
-        *&((&sums_0)->w) = *&((&sums_0)->w) + (dot_0(_S11.low_0, low_1) + dot_0(_S11.high_0, high_1));
+        *&((&sums_1)->w) = *&((&sums_1)->w) + (dot_0(_S11.low_0, low_1) + dot_0(_S11.high_0, high_1));
         column_0 = column_0 + 1U;
     }
-    return sums_0;
+    return sums_1;
 }
 
 __device__ float Identity_apply_0(float x_7)
@@ -587,7 +611,7 @@ __device__ void dense_part_0(FloatWeights_0 * weights_1, uint first_1, bool adds
 
 __device__ float4  tile_product_1(FloatWeights_0 * weights_2, uint row_1, FixedArray<float, 11>  * inputs_2)
 {
-    float4  sums_1 = make_float4 (0.0f);
+    float4  sums_2 = make_float4 (0.0f);
     uint column_1 = 0U;
     for(;;)
     {
@@ -613,16 +637,16 @@ __device__ float4  tile_product_1(FloatWeights_0 * weights_2, uint row_1, FixedA
         *&((&low_2)->w) = (*inputs_2)[(I32_min((_S26), (int(10))))];
         *&((&high_2)->w) = (*inputs_2)[(I32_min((_S26 + int(4)), (int(10))))];
         Eight_0 _S27 = FloatWeights_eight_0(weights_2, row_1 + column_1);
-        *&((&sums_1)->x) = *&((&sums_1)->x) + (dot_0(_S27.low_0, low_2) + dot_0(_S27.high_0, high_2));
+        *&((&sums_2)->x) = *&((&sums_2)->x) + (dot_0(_S27.low_0, low_2) + dot_0(_S27.high_0, high_2));
         Eight_0 _S28 = FloatWeights_eight_0(weights_2, row_1 + 2U + column_1);
-        *&((&sums_1)->y) = *&((&sums_1)->y) + (dot_0(_S28.low_0, low_2) + dot_0(_S28.high_0, high_2));
+        *&((&sums_2)->y) = *&((&sums_2)->y) + (dot_0(_S28.low_0, low_2) + dot_0(_S28.high_0, high_2));
         Eight_0 _S29 = FloatWeights_eight_0(weights_2, row_1 + 4U + column_1);
-        *&((&sums_1)->z) = *&((&sums_1)->z) + (dot_0(_S29.low_0, low_2) + dot_0(_S29.high_0, high_2));
+        *&((&sums_2)->z) = *&((&sums_2)->z) + (dot_0(_S29.low_0, low_2) + dot_0(_S29.high_0, high_2));
         Eight_0 _S30 = FloatWeights_eight_0(weights_2, row_1 + 6U + column_1);
-        *&((&sums_1)->w) = *&((&sums_1)->w) + (dot_0(_S30.low_0, low_2) + dot_0(_S30.high_0, high_2));
+        *&((&sums_2)->w) = *&((&sums_2)->w) + (dot_0(_S30.low_0, low_2) + dot_0(_S30.high_0, high_2));
         column_1 = column_1 + 1U;
     }
-    return sums_1;
+    return sums_2;
 }
 
 __device__ float Relu_apply_0(float x_8)
@@ -728,7 +752,7 @@ __device__ void dense_1(FloatWeights_0 * weights_5, uint first_4, bool adds_3, F
 
 __device__ float4  tile_product_2(FloatWeights_0 * weights_6, uint row_2, FixedArray<float, 16>  * inputs_6)
 {
-    float4  sums_2 = make_float4 (0.0f);
+    float4  sums_3 = make_float4 (0.0f);
     uint column_2 = 0U;
     for(;;)
     {
@@ -754,16 +778,16 @@ __device__ float4  tile_product_2(FloatWeights_0 * weights_6, uint row_2, FixedA
         *&((&low_3)->w) = (*inputs_6)[_S45];
         *&((&high_3)->w) = (*inputs_6)[_S45 + int(4)];
         Eight_0 _S46 = FloatWeights_eight_0(weights_6, row_2 + column_2);
-        *&((&sums_2)->x) = *&((&sums_2)->x) + (dot_0(_S46.low_0, low_3) + dot_0(_S46.high_0, high_3));
+        *&((&sums_3)->x) = *&((&sums_3)->x) + (dot_0(_S46.low_0, low_3) + dot_0(_S46.high_0, high_3));
         Eight_0 _S47 = FloatWeights_eight_0(weights_6, row_2 + 2U + column_2);
-        *&((&sums_2)->y) = *&((&sums_2)->y) + (dot_0(_S47.low_0, low_3) + dot_0(_S47.high_0, high_3));
+        *&((&sums_3)->y) = *&((&sums_3)->y) + (dot_0(_S47.low_0, low_3) + dot_0(_S47.high_0, high_3));
         Eight_0 _S48 = FloatWeights_eight_0(weights_6, row_2 + 4U + column_2);
-        *&((&sums_2)->z) = *&((&sums_2)->z) + (dot_0(_S48.low_0, low_3) + dot_0(_S48.high_0, high_3));
+        *&((&sums_3)->z) = *&((&sums_3)->z) + (dot_0(_S48.low_0, low_3) + dot_0(_S48.high_0, high_3));
         Eight_0 _S49 = FloatWeights_eight_0(weights_6, row_2 + 6U + column_2);
-        *&((&sums_2)->w) = *&((&sums_2)->w) + (dot_0(_S49.low_0, low_3) + dot_0(_S49.high_0, high_3));
+        *&((&sums_3)->w) = *&((&sums_3)->w) + (dot_0(_S49.low_0, low_3) + dot_0(_S49.high_0, high_3));
         column_2 = column_2 + 1U;
     }
-    return sums_2;
+    return sums_3;
 }
 
 __device__ void dense_part_2(FloatWeights_0 * weights_7, uint first_5, bool adds_4, FixedArray<float, 16>  * inputs_7, FixedArray<float, 16>  * outputs_4)
@@ -936,7 +960,7 @@ __device__ void dense_part_3(FloatWeights_0 * weights_8, uint first_6, bool adds
 
 __device__ float4  tile_product_3(FloatWeights_0 * weights_9, uint row_3, FixedArray<float, 9>  * inputs_9)
 {
-    float4  sums_3 = make_float4 (0.0f);
+    float4  sums_4 = make_float4 (0.0f);
     uint column_3 = 0U;
     for(;;)
     {
@@ -962,16 +986,16 @@ __device__ float4  tile_product_3(FloatWeights_0 * weights_9, uint row_3, FixedA
         *&((&low_4)->w) = (*inputs_9)[(I32_min((_S75), (int(8))))];
         *&((&high_4)->w) = (*inputs_9)[(I32_min((_S75 + int(4)), (int(8))))];
         Eight_0 _S76 = FloatWeights_eight_0(weights_9, row_3 + column_3);
-        *&((&sums_3)->x) = *&((&sums_3)->x) + (dot_0(_S76.low_0, low_4) + dot_0(_S76.high_0, high_4));
+        *&((&sums_4)->x) = *&((&sums_4)->x) + (dot_0(_S76.low_0, low_4) + dot_0(_S76.high_0, high_4));
         Eight_0 _S77 = FloatWeights_eight_0(weights_9, row_3 + 2U + column_3);
-        *&((&sums_3)->y) = *&((&sums_3)->y) + (dot_0(_S77.low_0, low_4) + dot_0(_S77.high_0, high_4));
+        *&((&sums_4)->y) = *&((&sums_4)->y) + (dot_0(_S77.low_0, low_4) + dot_0(_S77.high_0, high_4));
         Eight_0 _S78 = FloatWeights_eight_0(weights_9, row_3 + 4U + column_3);
-        *&((&sums_3)->z) = *&((&sums_3)->z) + (dot_0(_S78.low_0, low_4) + dot_0(_S78.high_0, high_4));
+        *&((&sums_4)->z) = *&((&sums_4)->z) + (dot_0(_S78.low_0, low_4) + dot_0(_S78.high_0, high_4));
         Eight_0 _S79 = FloatWeights_eight_0(weights_9, row_3 + 6U + column_3);
-        *&((&sums_3)->w) = *&((&sums_3)->w) + (dot_0(_S79.low_0, low_4) + dot_0(_S79.high_0, high_4));
+        *&((&sums_4)->w) = *&((&sums_4)->w) + (dot_0(_S79.low_0, low_4) + dot_0(_S79.high_0, high_4));
         column_3 = column_3 + 1U;
     }
-    return sums_3;
+    return sums_4;
 }
 
 __device__ void dense_part_4(FloatWeights_0 * weights_10, uint first_7, bool adds_6, FixedArray<float, 9>  * inputs_10, FixedArray<float, 16>  * outputs_6)
@@ -1544,94 +1568,95 @@ __device__ Query_0 slang_ldg_0(Query_0 * ptr_0)
     float _S143 = __ldg(&ptr_0->view_x_0);
     float _S144 = __ldg(&ptr_0->view_y_0);
     float _S145 = __ldg(&ptr_0->view_z_0);
-    Query_0 _S146 = { _S133, _S134, _S135, _S136, _S137, _S138, _S139, _S140, _S141, _S142, _S143, _S144, _S145 };
-    return _S146;
+    uint _S146 = __ldg(&ptr_0->seed_1);
+    Query_0 _S147 = { _S133, _S134, _S135, _S136, _S137, _S138, _S139, _S140, _S141, _S142, _S143, _S144, _S145, _S146 };
+    return _S147;
 }
 
 __device__ Neumip_0 slang_ldg_1(Neumip_0 * ptr_1)
 {
-    uint _S147 = __ldg(&ptr_1->is_trained_0);
-    uint _S148 = __ldg(&ptr_1->decoder_0);
-    uint _S149 = __ldg(&ptr_1->has_offset_0);
-    uint _S150 = __ldg(&ptr_1->offset_0);
-    uint _S151 = __ldg(&ptr_1->offset_texels_0);
-    uint _S152 = __ldg(&ptr_1->features_0);
-    uint _S153 = __ldg(&ptr_1->texel_elements_0);
-    uint _S154 = __ldg(&ptr_1->levels_2);
-    float _S155 = __ldg(&ptr_1->last_level_1);
-    uint _S156 = __ldg(&ptr_1->face_texels_0);
-    uint _S157 = __ldg(&ptr_1->back_0);
-    float _S158 = __ldg(&ptr_1->repeats_per_x_0);
-    float _S159 = __ldg(&ptr_1->repeats_per_y_0);
-    float _S160 = __ldg(&ptr_1->texels_per_mm_0);
-    float _S161 = __ldg(&ptr_1->unit_x_0);
-    float _S162 = __ldg(&ptr_1->unit_y_0);
-    uint _S163 = __ldg(&ptr_1->transmits_0);
-    uint _S164 = __ldg(&ptr_1->transmission_0);
-    uint _S165 = __ldg(&ptr_1->has_holes_0);
-    uint _S166 = __ldg(&ptr_1->opacity_0);
-    Neumip_0 _S167 = { _S147, _S148, _S149, _S150, _S151, _S152, _S153, _S154, _S155, _S156, _S157, _S158, _S159, _S160, _S161, _S162, _S163, _S164, _S165, _S166 };
-    return _S167;
+    uint _S148 = __ldg(&ptr_1->is_trained_0);
+    uint _S149 = __ldg(&ptr_1->decoder_0);
+    uint _S150 = __ldg(&ptr_1->has_offset_0);
+    uint _S151 = __ldg(&ptr_1->offset_0);
+    uint _S152 = __ldg(&ptr_1->offset_texels_0);
+    uint _S153 = __ldg(&ptr_1->features_0);
+    uint _S154 = __ldg(&ptr_1->texel_elements_0);
+    uint _S155 = __ldg(&ptr_1->levels_2);
+    float _S156 = __ldg(&ptr_1->last_level_1);
+    uint _S157 = __ldg(&ptr_1->face_texels_0);
+    uint _S158 = __ldg(&ptr_1->back_0);
+    float _S159 = __ldg(&ptr_1->repeats_per_x_0);
+    float _S160 = __ldg(&ptr_1->repeats_per_y_0);
+    float _S161 = __ldg(&ptr_1->texels_per_mm_0);
+    float _S162 = __ldg(&ptr_1->unit_x_0);
+    float _S163 = __ldg(&ptr_1->unit_y_0);
+    uint _S164 = __ldg(&ptr_1->transmits_0);
+    uint _S165 = __ldg(&ptr_1->transmission_0);
+    uint _S166 = __ldg(&ptr_1->has_holes_0);
+    uint _S167 = __ldg(&ptr_1->opacity_0);
+    Neumip_0 _S168 = { _S148, _S149, _S150, _S151, _S152, _S153, _S154, _S155, _S156, _S157, _S158, _S159, _S160, _S161, _S162, _S163, _S164, _S165, _S166, _S167 };
+    return _S168;
 }
 
 __device__ float3  to_face_frame_0(float3  direction_0, bool back_2)
 {
-    float2  _S168 = float2 {direction_0.x, direction_0.y};
-    float _S169;
+    float2  _S169 = float2 {direction_0.x, direction_0.y};
+    float _S170;
     if(back_2)
     {
-        _S169 = - direction_0.z;
+        _S170 = - direction_0.z;
     }
     else
     {
-        _S169 = direction_0.z;
+        _S170 = direction_0.z;
     }
-    return make_float3 (_S168.x, _S168.y, _S169);
+    return make_float3 (_S169.x, _S169.y, _S170);
 }
 
 __device__ Eight_0 no_numbers_0()
 {
     Eight_0 numbers_1;
-    float4  _S170 = make_float4 (0.0f);
-    (&numbers_1)->low_0 = _S170;
-    (&numbers_1)->high_0 = _S170;
+    float4  _S171 = make_float4 (0.0f);
+    (&numbers_1)->low_0 = _S171;
+    (&numbers_1)->high_0 = _S171;
     return numbers_1;
 }
 
 __device__ Eight_0 eight_halves_0(uint4  packed_0)
 {
     Eight_0 numbers_2;
-    uint _S171 = packed_0.x;
-    uint _S172 = packed_0.y;
-    (&numbers_2)->low_0 = make_float4 (f16tof32_0(make_uint2 (_S171 & 65535U, _S171 >> 16U)).x, f16tof32_0(make_uint2 (_S171 & 65535U, _S171 >> 16U)).y, f16tof32_0(make_uint2 (_S172 & 65535U, _S172 >> 16U)).x, f16tof32_0(make_uint2 (_S172 & 65535U, _S172 >> 16U)).y);
-    uint _S173 = packed_0.z;
-    uint _S174 = packed_0.w;
-    (&numbers_2)->high_0 = make_float4 (f16tof32_0(make_uint2 (_S173 & 65535U, _S173 >> 16U)).x, f16tof32_0(make_uint2 (_S173 & 65535U, _S173 >> 16U)).y, f16tof32_0(make_uint2 (_S174 & 65535U, _S174 >> 16U)).x, f16tof32_0(make_uint2 (_S174 & 65535U, _S174 >> 16U)).y);
+    uint _S172 = packed_0.x;
+    uint _S173 = packed_0.y;
+    (&numbers_2)->low_0 = make_float4 (f16tof32_0(make_uint2 (_S172 & 65535U, _S172 >> 16U)).x, f16tof32_0(make_uint2 (_S172 & 65535U, _S172 >> 16U)).y, f16tof32_0(make_uint2 (_S173 & 65535U, _S173 >> 16U)).x, f16tof32_0(make_uint2 (_S173 & 65535U, _S173 >> 16U)).y);
+    uint _S174 = packed_0.z;
+    uint _S175 = packed_0.w;
+    (&numbers_2)->high_0 = make_float4 (f16tof32_0(make_uint2 (_S174 & 65535U, _S174 >> 16U)).x, f16tof32_0(make_uint2 (_S174 & 65535U, _S174 >> 16U)).y, f16tof32_0(make_uint2 (_S175 & 65535U, _S175 >> 16U)).x, f16tof32_0(make_uint2 (_S175 & 65535U, _S175 >> 16U)).y);
     return numbers_2;
 }
 
 __device__ Eight_0 texel_numbers_0(uint first_17, uint elements_1, uint texel_0)
 {
-    uint _S175 = first_17 + texel_0 * elements_1;
-    uint4  _S176 = __ldg((&(globalParams_0->packed_numbers_0)[_S175]));
+    uint _S176 = first_17 + texel_0 * elements_1;
+    uint4  _S177 = __ldg((&(globalParams_0->packed_numbers_0)[_S176]));
     if(elements_1 == 1U)
     {
-        return eight_halves_0(_S176);
+        return eight_halves_0(_S177);
     }
     Eight_0 numbers_3;
-    (&numbers_3)->low_0 = asfloat_0(_S176);
-    uint4  _S177 = __ldg((&(globalParams_0->packed_numbers_0)[_S175 + 1U]));
-    (&numbers_3)->high_0 = asfloat_0(_S177);
+    (&numbers_3)->low_0 = asfloat_0(_S177);
+    uint4  _S178 = __ldg((&(globalParams_0->packed_numbers_0)[_S176 + 1U]));
+    (&numbers_3)->high_0 = asfloat_0(_S178);
     return numbers_3;
 }
 
-__device__ void add_bilinear_0(uint first_18, uint elements_2, uint start_1, uint columns_1, uint rows_1, float2  uv_0, float weight_0, Eight_0 * sums_4)
+__device__ void add_bilinear_0(uint first_18, uint elements_2, uint start_1, uint columns_2, uint rows_2, float2  uv_0, float weight_0, Eight_0 * sums_5)
 {
-    float2  _S178 = uv_0 * make_float2 (float(columns_1), float(rows_1)) - make_float2 (0.5f);
-    float2  _S179 = floor_0(_S178);
-    float2  _S180 = _S178 - _S179;
-    int _S181 = int(_S179.x);
-    int _S182 = int(_S179.y);
+    float2  _S179 = uv_0 * make_float2 (float(columns_2), float(rows_2)) - make_float2 (0.5f);
+    float2  _S180 = floor_0(_S179);
+    float2  _S181 = _S179 - _S180;
+    int _S182 = int(_S180.x);
+    int _S183 = int(_S180.y);
     uint tap_0 = 0U;
     for(;;)
     {
@@ -1642,30 +1667,30 @@ __device__ void add_bilinear_0(uint first_18, uint elements_2, uint start_1, uin
         {
             break;
         }
-        uint _S183 = tap_0 & 1U;
-        uint _S184 = tap_0 >> int(1);
-        Eight_0 _S185 = texel_numbers_0(first_18, elements_2, start_1 + (uint(_S182 + int(_S184)) & (rows_1 - 1U)) * columns_1 + (uint(_S181 + int(_S183)) & (columns_1 - 1U)));
-        float _S186;
+        uint _S184 = tap_0 & 1U;
+        uint _S185 = tap_0 >> int(1);
+        Eight_0 _S186 = texel_numbers_0(first_18, elements_2, start_1 + (uint(_S183 + int(_S185)) & (rows_2 - 1U)) * columns_2 + (uint(_S182 + int(_S184)) & (columns_2 - 1U)));
+        float _S187;
+        if(_S185 != 0U)
+        {
+            _S187 = _S181.y;
+        }
+        else
+        {
+            _S187 = 1.0f - _S181.y;
+        }
+        float _S188;
         if(_S184 != 0U)
         {
-            _S186 = _S180.y;
+            _S188 = _S181.x;
         }
         else
         {
-            _S186 = 1.0f - _S180.y;
+            _S188 = 1.0f - _S181.x;
         }
-        float _S187;
-        if(_S183 != 0U)
-        {
-            _S187 = _S180.x;
-        }
-        else
-        {
-            _S187 = 1.0f - _S180.x;
-        }
-        float _S188 = _S186 * _S187 * weight_0;
-        sums_4->low_0 = sums_4->low_0 + make_float4 (_S188) * _S185.low_0;
-        sums_4->high_0 = sums_4->high_0 + make_float4 (_S188) * _S185.high_0;
+        float _S189 = _S187 * _S188 * weight_0;
+        sums_5->low_0 = sums_5->low_0 + make_float4 (_S189) * _S186.low_0;
+        sums_5->high_0 = sums_5->high_0 + make_float4 (_S189) * _S186.high_0;
         tap_0 = tap_0 + 1U;
     }
     return;
@@ -1673,25 +1698,25 @@ __device__ void add_bilinear_0(uint first_18, uint elements_2, uint start_1, uin
 
 __device__ float channel_0(Eight_0 * numbers_4, int k_0)
 {
-    float _S189;
+    float _S190;
     if(k_0 < int(4))
     {
-        _S189 = *_slang_vector_get_element_ptr(&numbers_4->low_0, k_0);
+        _S190 = *_slang_vector_get_element_ptr(&numbers_4->low_0, k_0);
     }
     else
     {
-        _S189 = *_slang_vector_get_element_ptr(&numbers_4->high_0, k_0 - int(4));
+        _S190 = *_slang_vector_get_element_ptr(&numbers_4->high_0, k_0 - int(4));
     }
-    return _S189;
+    return _S190;
 }
 
-__device__ float neumip_depth_0(Neumip_0 * model_0, float2  uv_1, float2  view_0, uint face_1)
+__device__ float neumip_depth_0(Neumip_0 * model_0, float2  uv_1, float2  view_1, uint face_1)
 {
-    uint _S190 = model_0->levels_2;
-    uint _S191 = __ldg((&(globalParams_0->words_0)[model_0->levels_2 + 1U]));
-    uint _S192 = __ldg((&(globalParams_0->words_0)[_S190 + 2U]));
+    uint _S191 = model_0->levels_2;
+    uint _S192 = __ldg((&(globalParams_0->words_0)[model_0->levels_2 + 1U]));
+    uint _S193 = __ldg((&(globalParams_0->words_0)[_S191 + 2U]));
     Eight_0 texel_1 = no_numbers_0();
-    add_bilinear_0(model_0->offset_texels_0, model_0->texel_elements_0, face_1 * _S191 * _S192, _S191, _S192, frac_0(uv_1), 1.0f, &texel_1);
+    add_bilinear_0(model_0->offset_texels_0, model_0->texel_elements_0, face_1 * _S192 * _S193, _S192, _S193, frac_0(uv_1), 1.0f, &texel_1);
     FixedArray<float, 9>  inputs_24;
     int k_1 = int(0);
     for(;;)
@@ -1703,26 +1728,26 @@ __device__ float neumip_depth_0(Neumip_0 * model_0, float2  uv_1, float2  view_0
         {
             break;
         }
-        Eight_0 _S193 = texel_1;
-        float _S194 = channel_0(&_S193, k_1);
-        inputs_24[k_1] = _S194;
+        Eight_0 _S194 = texel_1;
+        float _S195 = channel_0(&_S194, k_1);
+        inputs_24[k_1] = _S195;
         k_1 = k_1 + int(1);
     }
-    inputs_24[int(7)] = view_0.x;
-    inputs_24[int(8)] = view_0.y;
+    inputs_24[int(7)] = view_1.x;
+    inputs_24[int(8)] = view_1.y;
     MLP_0 network_1;
     (&(&network_1)->weights_20)->first_0 = model_0->offset_0;
-    MLP_0 _S195 = network_1;
+    MLP_0 _S196 = network_1;
     FixedArray<float, 1>  depth_0;
-    MLP_evaluate_2(&_S195, &inputs_24, &depth_0);
+    MLP_evaluate_2(&_S196, &inputs_24, &depth_0);
     return depth_0[int(0)];
 }
 
 __device__ float natural_logarithm_0(float x_14)
 {
-    uint _S196 = (F32_asuint((x_14)));
-    float exponent_0 = float(int(_S196 >> int(23)) - int(126));
-    float m_0 = (U32_asfloat(((_S196 & 8388607U) | 1056964608U)));
+    uint _S197 = (F32_asuint((x_14)));
+    float exponent_0 = float(int(_S197 >> int(23)) - int(126));
+    float m_0 = (U32_asfloat(((_S197 & 8388607U) | 1056964608U)));
     float m_1;
     float exponent_1;
     if(m_0 < 0.70710676908493042f)
@@ -1737,8 +1762,8 @@ __device__ float natural_logarithm_0(float x_14)
         exponent_1 = exponent_0;
     }
     float m_2 = m_1 - 1.0f;
-    float _S197 = m_2 * m_2;
-    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S197 - exponent_1 * 0.00021219444170129f - 0.5f * _S197) + exponent_1 * 0.693359375f;
+    float _S198 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S198 - exponent_1 * 0.00021219444170129f - 0.5f * _S198) + exponent_1 * 0.693359375f;
 }
 
 __device__ float binary_logarithm_0(float x_15)
@@ -1760,75 +1785,75 @@ struct TexelPyramid_0
     uint face_texels_2;
 };
 
-__device__ void TexelPyramid_add_level_0(TexelPyramid_0 * this_4, float2  place_0, uint level_1, uint face_2, float weight_1, Eight_0 * sums_5)
+__device__ void TexelPyramid_add_level_0(TexelPyramid_0 * this_4, float2  place_0, uint level_1, uint face_2, float weight_1, Eight_0 * sums_6)
 {
-    uint _S198 = this_4->levels_4 + 3U * level_1;
-    uint _S199 = this_4->first_19;
-    uint _S200 = this_4->elements_3;
-    uint _S201 = face_2 * this_4->face_texels_2;
-    uint _S202 = __ldg((&(globalParams_0->words_0)[_S198]));
-    uint _S203 = _S201 + _S202;
-    uint _S204 = __ldg((&(globalParams_0->words_0)[_S198 + 1U]));
-    uint _S205 = __ldg((&(globalParams_0->words_0)[_S198 + 2U]));
-    add_bilinear_0(_S199, _S200, _S203, _S204, _S205, place_0, weight_1, sums_5);
+    uint _S199 = this_4->levels_4 + 3U * level_1;
+    uint _S200 = this_4->first_19;
+    uint _S201 = this_4->elements_3;
+    uint _S202 = face_2 * this_4->face_texels_2;
+    uint _S203 = __ldg((&(globalParams_0->words_0)[_S199]));
+    uint _S204 = _S202 + _S203;
+    uint _S205 = __ldg((&(globalParams_0->words_0)[_S199 + 1U]));
+    uint _S206 = __ldg((&(globalParams_0->words_0)[_S199 + 2U]));
+    add_bilinear_0(_S200, _S201, _S204, _S205, _S206, place_0, weight_1, sums_6);
     return;
 }
 
 __device__ Eight_0 TexelPyramid_between_levels_0(TexelPyramid_0 * this_5, float2  uv_3, float level_2, uint face_3)
 {
-    float _S206 = clamp_0(level_2, 0.0f, this_5->last_level_3);
-    float _S207 = clamp_0((F32_floor((_S206))), 0.0f, (F32_max((this_5->last_level_3 - 1.0f), (0.0f))));
-    float _S208 = _S206 - _S207;
-    float2  _S209 = within_repeat_0(uv_3);
+    float _S207 = clamp_0(level_2, 0.0f, this_5->last_level_3);
+    float _S208 = clamp_0((F32_floor((_S207))), 0.0f, (F32_max((this_5->last_level_3 - 1.0f), (0.0f))));
+    float _S209 = _S207 - _S208;
+    float2  _S210 = within_repeat_0(uv_3);
     Eight_0 texel_2 = no_numbers_0();
-    uint offset_1 = 0U;
+    uint offset_2 = 0U;
     for(;;)
     {
-        if(offset_1 < 2U)
+        if(offset_2 < 2U)
         {
         }
         else
         {
             break;
         }
-        float _S210;
-        if(offset_1 == 0U)
+        float _S211;
+        if(offset_2 == 0U)
         {
-            _S210 = 1.0f - _S208;
+            _S211 = 1.0f - _S209;
         }
         else
         {
-            _S210 = _S208;
+            _S211 = _S209;
         }
-        if(_S210 > 0.0f)
+        if(_S211 > 0.0f)
         {
-            TexelPyramid_add_level_0(this_5, _S209, uint(_S207) + offset_1, face_3, _S210, &texel_2);
+            TexelPyramid_add_level_0(this_5, _S210, uint(_S208) + offset_2, face_3, _S211, &texel_2);
         }
-        offset_1 = offset_1 + 1U;
+        offset_2 = offset_2 + 1U;
     }
     return texel_2;
 }
 
 __device__ float exponential_0(float x_16)
 {
-    float _S211 = clamp_0(x_16, -87.0f, 88.0f);
-    float _S212 = (F32_floor((_S211 * 1.4426950216293335f + 0.5f)));
-    float _S213 = _S211 - _S212 * 0.693359375f + _S212 * 0.00021219444170129f;
-    float p_0 = ((((0.00019875691214111f * _S213 + 0.00139819993637502f) * _S213 + 0.00833345204591751f) * _S213 + 0.04166579619050026f) * _S213 + 0.1666666567325592f) * _S213 + 0.5f;
-    float _S214 = (U32_asfloat((uint(int(_S212) + int(127)) << int(23))));
-    float _S215;
+    float _S212 = clamp_0(x_16, -87.0f, 88.0f);
+    float _S213 = (F32_floor((_S212 * 1.4426950216293335f + 0.5f)));
+    float _S214 = _S212 - _S213 * 0.693359375f + _S213 * 0.00021219444170129f;
+    float p_0 = ((((0.00019875691214111f * _S214 + 0.00139819993637502f) * _S214 + 0.00833345204591751f) * _S214 + 0.04166579619050026f) * _S214 + 0.1666666567325592f) * _S214 + 0.5f;
+    float _S215 = (U32_asfloat((uint(int(_S213) + int(127)) << int(23))));
+    float _S216;
     if(x_16 < -87.0f)
     {
-        _S215 = 0.0f;
+        _S216 = 0.0f;
     }
     else
     {
-        _S215 = (p_0 * _S213 * _S213 + _S213 + 1.0f) * _S214;
+        _S216 = (p_0 * _S214 * _S214 + _S214 + 1.0f) * _S215;
     }
-    return _S215;
+    return _S216;
 }
 
-__device__ float neumip_hole_0(Neumip_0 * model_1, Eight_0 * texel_3, float2  view_1)
+__device__ float neumip_hole_0(Neumip_0 * model_1, Eight_0 * texel_3, float2  view_2)
 {
     FixedArray<float, 9>  inputs_25;
     int k_2 = int(0);
@@ -1841,17 +1866,17 @@ __device__ float neumip_hole_0(Neumip_0 * model_1, Eight_0 * texel_3, float2  vi
         {
             break;
         }
-        float _S216 = channel_0(texel_3, k_2);
-        inputs_25[k_2] = _S216;
+        float _S217 = channel_0(texel_3, k_2);
+        inputs_25[k_2] = _S217;
         k_2 = k_2 + int(1);
     }
-    inputs_25[int(7)] = view_1.x;
-    inputs_25[int(8)] = view_1.y;
+    inputs_25[int(7)] = view_2.x;
+    inputs_25[int(8)] = view_2.y;
     MLP_0 network_2;
     (&(&network_2)->weights_20)->first_0 = model_1->opacity_0;
-    MLP_0 _S217 = network_2;
+    MLP_0 _S218 = network_2;
     FixedArray<float, 1>  opening_0;
-    MLP_evaluate_1(&_S217, &inputs_25, &opening_0);
+    MLP_evaluate_1(&_S218, &inputs_25, &opening_0);
     return 1.0f / (1.0f + exponential_0(- clamp_0(opening_0[int(0)], -30.0f, 30.0f)));
 }
 
@@ -1865,48 +1890,48 @@ struct Footprint_0
 struct NeumipView_0
 {
     FixedArray<float, 7>  latent_1;
-    float2  view_2;
+    float2  view_3;
     bool back_3;
     float hole_0;
 };
 
-__device__ void neumip_view_0(uint _S218, Footprint_0 * _S219, float3  _S220, NeumipView_0 * _S221)
+__device__ void neumip_view_0(uint _S219, Footprint_0 * _S220, float3  _S221, NeumipView_0 * _S222)
 {
-    Neumip_0 _S222 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[_S218])->neumip_0);
-    bool _S223 = (_S220.z) < 0.0f;
-    uint _S224;
-    if(_S223)
+    Neumip_0 _S223 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[_S219])->neumip_0);
+    bool _S224 = (_S221.z) < 0.0f;
+    uint _S225;
+    if(_S224)
     {
-        _S224 = _S222.back_0;
+        _S225 = _S223.back_0;
     }
     else
     {
-        _S224 = 0U;
+        _S225 = 0U;
     }
-    float3  _S225 = to_face_frame_0(_S220, _S223);
-    float2  uv_4 = _S219->centre_0 * make_float2 (_S222.repeats_per_x_0, _S222.repeats_per_y_0);
+    float3  _S226 = to_face_frame_0(_S221, _S224);
+    float2  uv_4 = _S220->centre_0 * make_float2 (_S223.repeats_per_x_0, _S223.repeats_per_y_0);
     float2  uv_5;
-    if((_S222.has_offset_0) != 0U)
+    if((_S223.has_offset_0) != 0U)
     {
-        float2  _S226 = float2 {_S225.x, _S225.y};
-        Neumip_0 _S227 = _S222;
-        float _S228 = neumip_depth_0(&_S227, uv_4, _S226, _S224);
-        uv_5 = uv_4 + make_float2 (_S228 / (F32_max((_S225.z), (0.60000002384185791f)))) * _S226 * make_float2 (_S222.unit_x_0, _S222.unit_y_0);
+        float2  _S227 = float2 {_S226.x, _S226.y};
+        Neumip_0 _S228 = _S223;
+        float _S229 = neumip_depth_0(&_S228, uv_4, _S227, _S225);
+        uv_5 = uv_4 + make_float2 (_S229 / (F32_max((_S226.z), (0.60000002384185791f)))) * _S227 * make_float2 (_S223.unit_x_0, _S223.unit_y_0);
     }
     else
     {
         uv_5 = uv_4;
     }
-    float _S229 = (F32_sqrt(((F32_abs((_S219->dx_0.x * _S219->dy_0.y - _S219->dx_0.y * _S219->dy_0.x)))))) * _S222.texels_per_mm_0;
+    float _S230 = (F32_sqrt(((F32_abs((_S220->dx_0.x * _S220->dy_0.y - _S220->dx_0.y * _S220->dy_0.x)))))) * _S223.texels_per_mm_0;
     TexelPyramid_0 pyramid_0;
-    (&pyramid_0)->first_19 = _S222.features_0;
-    (&pyramid_0)->elements_3 = _S222.texel_elements_0;
-    (&pyramid_0)->levels_4 = _S222.levels_2;
-    (&pyramid_0)->last_level_3 = _S222.last_level_1;
-    (&pyramid_0)->face_texels_2 = _S222.face_texels_0;
-    float _S230 = binary_logarithm_0((F32_max((_S229), (9.99999971718068537e-10f))));
-    TexelPyramid_0 _S231 = pyramid_0;
-    Eight_0 _S232 = TexelPyramid_between_levels_0(&_S231, uv_5, _S230, _S224);
+    (&pyramid_0)->first_19 = _S223.features_0;
+    (&pyramid_0)->elements_3 = _S223.texel_elements_0;
+    (&pyramid_0)->levels_4 = _S223.levels_2;
+    (&pyramid_0)->last_level_3 = _S223.last_level_1;
+    (&pyramid_0)->face_texels_2 = _S223.face_texels_0;
+    float _S231 = binary_logarithm_0((F32_max((_S230), (9.99999971718068537e-10f))));
+    TexelPyramid_0 _S232 = pyramid_0;
+    Eight_0 _S233 = TexelPyramid_between_levels_0(&_S232, uv_5, _S231, _S225);
     int k_3 = int(0);
     for(;;)
     {
@@ -1917,55 +1942,55 @@ __device__ void neumip_view_0(uint _S218, Footprint_0 * _S219, float3  _S220, Ne
         {
             break;
         }
-        Eight_0 _S233 = _S232;
-        float _S234 = channel_0(&_S233, k_3);
-        _S221->latent_1[k_3] = _S234;
+        Eight_0 _S234 = _S233;
+        float _S235 = channel_0(&_S234, k_3);
+        _S222->latent_1[k_3] = _S235;
         k_3 = k_3 + int(1);
     }
-    float2  _S235 = float2 {_S225.x, _S225.y};
-    _S221->view_2 = _S235;
-    _S221->back_3 = _S223;
-    float _S236;
-    if((_S222.has_holes_0) != 0U)
+    float2  _S236 = float2 {_S226.x, _S226.y};
+    _S222->view_3 = _S236;
+    _S222->back_3 = _S224;
+    float _S237;
+    if((_S223.has_holes_0) != 0U)
     {
-        Neumip_0 _S237 = _S222;
-        Eight_0 _S238 = _S232;
-        float _S239 = neumip_hole_0(&_S237, &_S238, _S235);
-        _S236 = _S239;
+        Neumip_0 _S238 = _S223;
+        Eight_0 _S239 = _S233;
+        float _S240 = neumip_hole_0(&_S238, &_S239, _S236);
+        _S237 = _S240;
     }
     else
     {
-        _S236 = 0.0f;
+        _S237 = 0.0f;
     }
-    _S221->hole_0 = _S236;
+    _S222->hole_0 = _S237;
     return;
 }
 
-__device__ float3  neumip_value_0(uint _S240, NeumipView_0 * _S241, float3  _S242)
+__device__ float3  neumip_value_0(uint _S241, NeumipView_0 * _S242, float3  _S243)
 {
-    Fabric_0 * _S243 = (&(globalParams_0->fabrics_0)[_S240]);
-    float3  _S244 = to_face_frame_0(_S242, _S241->back_3);
-    float _S245 = _S244.z;
-    bool _S246;
-    if(_S245 < 0.0f)
+    Fabric_0 * _S244 = (&(globalParams_0->fabrics_0)[_S241]);
+    float3  _S245 = to_face_frame_0(_S243, _S242->back_3);
+    float _S246 = _S245.z;
+    bool _S247;
+    if(_S246 < 0.0f)
     {
-        Neumip_0 _S247 = slang_ldg_1(&_S243->neumip_0);
-        _S246 = (_S247.transmits_0) != 0U;
+        Neumip_0 _S248 = slang_ldg_1(&_S244->neumip_0);
+        _S247 = (_S248.transmits_0) != 0U;
     }
     else
     {
-        _S246 = false;
+        _S247 = false;
     }
-    bool _S248;
-    if(_S245 <= 0.0f)
+    bool _S249;
+    if(_S246 <= 0.0f)
     {
-        _S248 = !_S246;
+        _S249 = !_S247;
     }
     else
     {
-        _S248 = false;
+        _S249 = false;
     }
-    if(_S248)
+    if(_S249)
     {
         return make_float3 (0.0f);
     }
@@ -1980,55 +2005,55 @@ __device__ float3  neumip_value_0(uint _S240, NeumipView_0 * _S241, float3  _S24
         {
             break;
         }
-        inputs_26[k_4] = _S241->latent_1[k_4];
+        inputs_26[k_4] = _S242->latent_1[k_4];
         k_4 = k_4 + int(1);
     }
-    inputs_26[int(7)] = _S244.x;
-    inputs_26[int(8)] = _S244.y;
-    inputs_26[int(9)] = _S241->view_2.x;
-    inputs_26[int(10)] = _S241->view_2.y;
+    inputs_26[int(7)] = _S245.x;
+    inputs_26[int(8)] = _S245.y;
+    inputs_26[int(9)] = _S242->view_3.x;
+    inputs_26[int(10)] = _S242->view_3.y;
     FixedArray<float, 3>  outputs_20;
     MLP_0 network_3;
-    uint _S249;
-    if(_S246)
+    uint _S250;
+    if(_S247)
     {
-        Neumip_0 _S250 = slang_ldg_1(&_S243->neumip_0);
-        _S249 = _S250.transmission_0;
+        Neumip_0 _S251 = slang_ldg_1(&_S244->neumip_0);
+        _S250 = _S251.transmission_0;
     }
     else
     {
-        Neumip_0 _S251 = slang_ldg_1(&_S243->neumip_0);
-        _S249 = _S251.decoder_0;
+        Neumip_0 _S252 = slang_ldg_1(&_S244->neumip_0);
+        _S250 = _S252.decoder_0;
     }
-    (&(&network_3)->weights_20)->first_0 = _S249;
-    MLP_0 _S252 = network_3;
-    MLP_evaluate_0(&_S252, &inputs_26, &outputs_20);
+    (&(&network_3)->weights_20)->first_0 = _S250;
+    MLP_0 _S253 = network_3;
+    MLP_evaluate_0(&_S253, &inputs_26, &outputs_20);
     return max_1(make_float3 (outputs_20[int(0)], outputs_20[int(1)], outputs_20[int(2)]), make_float3 (0.0f)) * make_float3 (0.31830987334251404f);
 }
 
-__device__ float4  cloth_value_0(uint fabric_2, float2  centre_1, float2  dx_1, float2  dy_1, float3  light_0, float3  view_3)
+__device__ float4  cloth_value_0(uint fabric_2, float2  centre_1, float2  dx_1, float2  dy_1, float3  light_1, float3  view_4)
 {
     Footprint_0 footprint_0;
     (&footprint_0)->centre_0 = centre_1;
     (&footprint_0)->dx_0 = dx_1;
     (&footprint_0)->dy_0 = dy_1;
-    Footprint_0 _S253 = footprint_0;
+    Footprint_0 _S254 = footprint_0;
     NeumipView_0 seen_0;
-    neumip_view_0(fabric_2, &_S253, view_3, &seen_0);
-    float3  _S254 = neumip_value_0(fabric_2, &seen_0, light_0);
-    return make_float4 (_S254.x, _S254.y, _S254.z, (&seen_0)->hole_0);
+    neumip_view_0(fabric_2, &_S254, view_4, &seen_0);
+    float3  _S255 = neumip_value_0(fabric_2, &seen_0, light_1);
+    return make_float4 (_S255.x, _S255.y, _S255.z, (&seen_0)->hole_0);
 }
 
 extern "C" __global__ void neumip_queries()
 {
-    uint _S255 = (blockIdx * blockDim + threadIdx).x;
-    uint _S256 = __ldg((&(globalParams_0->query_count_0)[int(0)]));
-    if(_S255 >= _S256)
+    uint _S256 = (blockIdx * blockDim + threadIdx).x;
+    uint _S257 = __ldg((&(globalParams_0->query_count_0)[int(0)]));
+    if(_S256 >= _S257)
     {
         return;
     }
-    Query_0 _S257 = slang_ldg_0((&(globalParams_0->queries_0)[_S255]));
-    *(&(globalParams_0->answers_0)[_S255]) = cloth_value_0(_S257.fabric_1, make_float2 (_S257.centre_x_0, _S257.centre_y_0), make_float2 (_S257.dx_x_0, _S257.dx_y_0), make_float2 (_S257.dy_x_0, _S257.dy_y_0), make_float3 (_S257.light_x_0, _S257.light_y_0, _S257.light_z_0), make_float3 (_S257.view_x_0, _S257.view_y_0, _S257.view_z_0));
+    Query_0 _S258 = slang_ldg_0((&(globalParams_0->queries_0)[_S256]));
+    *(&(globalParams_0->answers_0)[_S256]) = cloth_value_0(_S258.fabric_1, make_float2 (_S258.centre_x_0, _S258.centre_y_0), make_float2 (_S258.dx_x_0, _S258.dx_y_0), make_float2 (_S258.dy_x_0, _S258.dy_y_0), make_float3 (_S258.light_x_0, _S258.light_y_0, _S258.light_z_0), make_float3 (_S258.view_x_0, _S258.view_y_0, _S258.view_z_0));
     return;
 }
 

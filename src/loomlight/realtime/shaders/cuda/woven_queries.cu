@@ -93,6 +93,28 @@ struct Latent_0
     uint is_trilinear_0;
 };
 
+struct Clustered_0
+{
+    uint is_baked_1;
+    uint clusters_0;
+    uint rank_0;
+    uint channels_0;
+    uint columns_0;
+    uint rows_0;
+    float texel_width_0;
+    float texel_height_0;
+    uint samples_0;
+    uint sums_0;
+    uint labels_0;
+    uint coefficients_0;
+    uint basis_0;
+    uint moments_1;
+    uint light_0;
+    uint view_0;
+    uint offset_1;
+    uint trust_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
@@ -129,6 +151,7 @@ struct Fabric_0
     uint has_yarns_0;
     float mean_hole_0;
     Latent_0 latent_0;
+    Clustered_0 clustered_0;
 };
 
 struct Family_0
@@ -192,7 +215,7 @@ struct Frame_0
     uint width_1;
     uint height_1;
     uint lights_0;
-    uint samples_0;
+    uint samples_1;
     uint pass_number_0;
     uint environment_samples_0;
     uint environment_columns_0;
@@ -256,8 +279,8 @@ struct Bake_0
     float picks_1;
     float spacing_x_0;
     float spacing_y_0;
-    uint columns_0;
-    uint rows_0;
+    uint columns_1;
+    uint rows_1;
     uint face_nodes_1;
     uint texels_across_0;
     uint texels_along_0;
@@ -273,7 +296,7 @@ struct Bake_0
     uint lit_0;
     uint lists_0;
     uint points_0;
-    uint clusters_0;
+    uint clusters_1;
     uint cluster_means_0;
     uint cluster_errors_0;
     uint centroids_0;
@@ -317,6 +340,7 @@ struct Query_0
     float view_x_0;
     float view_y_0;
     float view_z_0;
+    uint seed_1;
 };
 
 struct GlobalParams_0
@@ -458,7 +482,7 @@ __device__ float dot_0(float4  x_7, float4  y_5)
 
 __device__ float4  tile_product_0(FloatWeights_0 * weights_0, uint row_0, FixedArray<float, 96>  * inputs_0)
 {
-    float4  sums_0 = make_float4 (0.0f);
+    float4  sums_1 = make_float4 (0.0f);
     uint column_0 = 0U;
     for(;;)
     {
@@ -484,16 +508,16 @@ __device__ float4  tile_product_0(FloatWeights_0 * weights_0, uint row_0, FixedA
         *&((&low_1)->w) = (*inputs_0)[_S7];
         *&((&high_1)->w) = (*inputs_0)[_S7 + int(4)];
         Eight_0 _S8 = FloatWeights_eight_0(weights_0, row_0 + column_0);
-        *&((&sums_0)->x) = *&((&sums_0)->x) + (dot_0(_S8.low_0, low_1) + dot_0(_S8.high_0, high_1));
+        *&((&sums_1)->x) = *&((&sums_1)->x) + (dot_0(_S8.low_0, low_1) + dot_0(_S8.high_0, high_1));
         Eight_0 _S9 = FloatWeights_eight_0(weights_0, row_0 + 12U + column_0);
-        *&((&sums_0)->y) = *&((&sums_0)->y) + (dot_0(_S9.low_0, low_1) + dot_0(_S9.high_0, high_1));
+        *&((&sums_1)->y) = *&((&sums_1)->y) + (dot_0(_S9.low_0, low_1) + dot_0(_S9.high_0, high_1));
         Eight_0 _S10 = FloatWeights_eight_0(weights_0, row_0 + 24U + column_0);
-        *&((&sums_0)->z) = *&((&sums_0)->z) + (dot_0(_S10.low_0, low_1) + dot_0(_S10.high_0, high_1));
+        *&((&sums_1)->z) = *&((&sums_1)->z) + (dot_0(_S10.low_0, low_1) + dot_0(_S10.high_0, high_1));
         Eight_0 _S11 = FloatWeights_eight_0(weights_0, row_0 + 36U + column_0);
-        *&((&sums_0)->w) = *&((&sums_0)->w) + (dot_0(_S11.low_0, low_1) + dot_0(_S11.high_0, high_1));
+        *&((&sums_1)->w) = *&((&sums_1)->w) + (dot_0(_S11.low_0, low_1) + dot_0(_S11.high_0, high_1));
         column_0 = column_0 + 1U;
     }
-    return sums_0;
+    return sums_1;
 }
 
 __device__ int whole_parts_0(int elements_0)
@@ -634,7 +658,7 @@ __device__ Eight_0 HalfWeights_eight_0(HalfWeights_0 * this_1, uint element_1)
 
 __device__ float4  tile_product_1(HalfWeights_0 * weights_2, uint row_1, FixedArray<float, 96>  * inputs_2)
 {
-    float4  sums_1 = make_float4 (0.0f);
+    float4  sums_2 = make_float4 (0.0f);
     uint column_1 = 0U;
     for(;;)
     {
@@ -660,16 +684,16 @@ __device__ float4  tile_product_1(HalfWeights_0 * weights_2, uint row_1, FixedAr
         *&((&low_2)->w) = (*inputs_2)[_S31];
         *&((&high_2)->w) = (*inputs_2)[_S31 + int(4)];
         Eight_0 _S32 = HalfWeights_eight_0(weights_2, row_1 + column_1);
-        *&((&sums_1)->x) = *&((&sums_1)->x) + (dot_0(_S32.low_0, low_2) + dot_0(_S32.high_0, high_2));
+        *&((&sums_2)->x) = *&((&sums_2)->x) + (dot_0(_S32.low_0, low_2) + dot_0(_S32.high_0, high_2));
         Eight_0 _S33 = HalfWeights_eight_0(weights_2, row_1 + 12U + column_1);
-        *&((&sums_1)->y) = *&((&sums_1)->y) + (dot_0(_S33.low_0, low_2) + dot_0(_S33.high_0, high_2));
+        *&((&sums_2)->y) = *&((&sums_2)->y) + (dot_0(_S33.low_0, low_2) + dot_0(_S33.high_0, high_2));
         Eight_0 _S34 = HalfWeights_eight_0(weights_2, row_1 + 24U + column_1);
-        *&((&sums_1)->z) = *&((&sums_1)->z) + (dot_0(_S34.low_0, low_2) + dot_0(_S34.high_0, high_2));
+        *&((&sums_2)->z) = *&((&sums_2)->z) + (dot_0(_S34.low_0, low_2) + dot_0(_S34.high_0, high_2));
         Eight_0 _S35 = HalfWeights_eight_0(weights_2, row_1 + 36U + column_1);
-        *&((&sums_1)->w) = *&((&sums_1)->w) + (dot_0(_S35.low_0, low_2) + dot_0(_S35.high_0, high_2));
+        *&((&sums_2)->w) = *&((&sums_2)->w) + (dot_0(_S35.low_0, low_2) + dot_0(_S35.high_0, high_2));
         column_1 = column_1 + 1U;
     }
-    return sums_1;
+    return sums_2;
 }
 
 __device__ void dense_part_1(HalfWeights_0 * weights_3, uint first_3, bool adds_1, FixedArray<float, 96>  * inputs_3, FixedArray<float, 52>  * outputs_1)
@@ -758,7 +782,7 @@ __device__ void dense_part_1(HalfWeights_0 * weights_3, uint first_3, bool adds_
 
 __device__ float4  tile_product_2(HalfWeights_0 * weights_4, uint row_2, FixedArray<float, 39>  * inputs_4)
 {
-    float4  sums_2 = make_float4 (0.0f);
+    float4  sums_3 = make_float4 (0.0f);
     uint column_2 = 0U;
     for(;;)
     {
@@ -784,16 +808,16 @@ __device__ float4  tile_product_2(HalfWeights_0 * weights_4, uint row_2, FixedAr
         *&((&low_3)->w) = (*inputs_4)[(I32_min((_S50), (int(38))))];
         *&((&high_3)->w) = (*inputs_4)[(I32_min((_S50 + int(4)), (int(38))))];
         Eight_0 _S51 = HalfWeights_eight_0(weights_4, row_2 + column_2);
-        *&((&sums_2)->x) = *&((&sums_2)->x) + (dot_0(_S51.low_0, low_3) + dot_0(_S51.high_0, high_3));
+        *&((&sums_3)->x) = *&((&sums_3)->x) + (dot_0(_S51.low_0, low_3) + dot_0(_S51.high_0, high_3));
         Eight_0 _S52 = HalfWeights_eight_0(weights_4, row_2 + 5U + column_2);
-        *&((&sums_2)->y) = *&((&sums_2)->y) + (dot_0(_S52.low_0, low_3) + dot_0(_S52.high_0, high_3));
+        *&((&sums_3)->y) = *&((&sums_3)->y) + (dot_0(_S52.low_0, low_3) + dot_0(_S52.high_0, high_3));
         Eight_0 _S53 = HalfWeights_eight_0(weights_4, row_2 + 10U + column_2);
-        *&((&sums_2)->z) = *&((&sums_2)->z) + (dot_0(_S53.low_0, low_3) + dot_0(_S53.high_0, high_3));
+        *&((&sums_3)->z) = *&((&sums_3)->z) + (dot_0(_S53.low_0, low_3) + dot_0(_S53.high_0, high_3));
         Eight_0 _S54 = HalfWeights_eight_0(weights_4, row_2 + 15U + column_2);
-        *&((&sums_2)->w) = *&((&sums_2)->w) + (dot_0(_S54.low_0, low_3) + dot_0(_S54.high_0, high_3));
+        *&((&sums_3)->w) = *&((&sums_3)->w) + (dot_0(_S54.low_0, low_3) + dot_0(_S54.high_0, high_3));
         column_2 = column_2 + 1U;
     }
-    return sums_2;
+    return sums_3;
 }
 
 __device__ void dense_part_2(HalfWeights_0 * weights_5, uint first_4, bool adds_2, FixedArray<float, 39>  * inputs_5, FixedArray<float, 96>  * outputs_2)
@@ -882,7 +906,7 @@ __device__ void dense_part_2(HalfWeights_0 * weights_5, uint first_4, bool adds_
 
 __device__ float4  tile_product_3(HalfWeights_0 * weights_6, uint row_3, FixedArray<float, 100>  * inputs_6)
 {
-    float4  sums_3 = make_float4 (0.0f);
+    float4  sums_4 = make_float4 (0.0f);
     uint column_3 = 0U;
     for(;;)
     {
@@ -908,16 +932,16 @@ __device__ float4  tile_product_3(HalfWeights_0 * weights_6, uint row_3, FixedAr
         *&((&low_4)->w) = (*inputs_6)[(I32_min((_S69), (int(99))))];
         *&((&high_4)->w) = (*inputs_6)[(I32_min((_S69 + int(4)), (int(99))))];
         Eight_0 _S70 = HalfWeights_eight_0(weights_6, row_3 + column_3);
-        *&((&sums_3)->x) = *&((&sums_3)->x) + (dot_0(_S70.low_0, low_4) + dot_0(_S70.high_0, high_4));
+        *&((&sums_4)->x) = *&((&sums_4)->x) + (dot_0(_S70.low_0, low_4) + dot_0(_S70.high_0, high_4));
         Eight_0 _S71 = HalfWeights_eight_0(weights_6, row_3 + 13U + column_3);
-        *&((&sums_3)->y) = *&((&sums_3)->y) + (dot_0(_S71.low_0, low_4) + dot_0(_S71.high_0, high_4));
+        *&((&sums_4)->y) = *&((&sums_4)->y) + (dot_0(_S71.low_0, low_4) + dot_0(_S71.high_0, high_4));
         Eight_0 _S72 = HalfWeights_eight_0(weights_6, row_3 + 26U + column_3);
-        *&((&sums_3)->z) = *&((&sums_3)->z) + (dot_0(_S72.low_0, low_4) + dot_0(_S72.high_0, high_4));
+        *&((&sums_4)->z) = *&((&sums_4)->z) + (dot_0(_S72.low_0, low_4) + dot_0(_S72.high_0, high_4));
         Eight_0 _S73 = HalfWeights_eight_0(weights_6, row_3 + 39U + column_3);
-        *&((&sums_3)->w) = *&((&sums_3)->w) + (dot_0(_S73.low_0, low_4) + dot_0(_S73.high_0, high_4));
+        *&((&sums_4)->w) = *&((&sums_4)->w) + (dot_0(_S73.low_0, low_4) + dot_0(_S73.high_0, high_4));
         column_3 = column_3 + 1U;
     }
-    return sums_3;
+    return sums_4;
 }
 
 __device__ void dense_part_3(HalfWeights_0 * weights_7, uint first_5, bool adds_3, FixedArray<float, 100>  * inputs_7, FixedArray<float, 96>  * outputs_3)
@@ -1006,7 +1030,7 @@ __device__ void dense_part_3(HalfWeights_0 * weights_7, uint first_5, bool adds_
 
 __device__ float4  tile_product_4(HalfWeights_0 * weights_8, uint row_4, FixedArray<float, 16>  * inputs_8)
 {
-    float4  sums_4 = make_float4 (0.0f);
+    float4  sums_5 = make_float4 (0.0f);
     uint column_4 = 0U;
     for(;;)
     {
@@ -1032,16 +1056,16 @@ __device__ float4  tile_product_4(HalfWeights_0 * weights_8, uint row_4, FixedAr
         *&((&low_5)->w) = (*inputs_8)[_S88];
         *&((&high_5)->w) = (*inputs_8)[_S88 + int(4)];
         Eight_0 _S89 = HalfWeights_eight_0(weights_8, row_4 + column_4);
-        *&((&sums_4)->x) = *&((&sums_4)->x) + (dot_0(_S89.low_0, low_5) + dot_0(_S89.high_0, high_5));
+        *&((&sums_5)->x) = *&((&sums_5)->x) + (dot_0(_S89.low_0, low_5) + dot_0(_S89.high_0, high_5));
         Eight_0 _S90 = HalfWeights_eight_0(weights_8, row_4 + 2U + column_4);
-        *&((&sums_4)->y) = *&((&sums_4)->y) + (dot_0(_S90.low_0, low_5) + dot_0(_S90.high_0, high_5));
+        *&((&sums_5)->y) = *&((&sums_5)->y) + (dot_0(_S90.low_0, low_5) + dot_0(_S90.high_0, high_5));
         Eight_0 _S91 = HalfWeights_eight_0(weights_8, row_4 + 4U + column_4);
-        *&((&sums_4)->z) = *&((&sums_4)->z) + (dot_0(_S91.low_0, low_5) + dot_0(_S91.high_0, high_5));
+        *&((&sums_5)->z) = *&((&sums_5)->z) + (dot_0(_S91.low_0, low_5) + dot_0(_S91.high_0, high_5));
         Eight_0 _S92 = HalfWeights_eight_0(weights_8, row_4 + 6U + column_4);
-        *&((&sums_4)->w) = *&((&sums_4)->w) + (dot_0(_S92.low_0, low_5) + dot_0(_S92.high_0, high_5));
+        *&((&sums_5)->w) = *&((&sums_5)->w) + (dot_0(_S92.low_0, low_5) + dot_0(_S92.high_0, high_5));
         column_4 = column_4 + 1U;
     }
-    return sums_4;
+    return sums_5;
 }
 
 __device__ void dense_part_4(HalfWeights_0 * weights_9, uint first_6, bool adds_4, FixedArray<float, 16>  * inputs_9, FixedArray<float, 1>  * outputs_4)
@@ -1303,7 +1327,7 @@ __device__ void dense_part_6(HalfWeights_0 * weights_11, uint first_8, bool adds
 
 __device__ float4  tile_product_5(HalfWeights_0 * weights_12, uint row_5, FixedArray<float, 88>  * inputs_12)
 {
-    float4  sums_5 = make_float4 (0.0f);
+    float4  sums_6 = make_float4 (0.0f);
     uint column_5 = 0U;
     for(;;)
     {
@@ -1329,16 +1353,16 @@ __device__ float4  tile_product_5(HalfWeights_0 * weights_12, uint row_5, FixedA
         *&((&low_6)->w) = (*inputs_12)[_S129];
         *&((&high_6)->w) = (*inputs_12)[_S129 + int(4)];
         Eight_0 _S130 = HalfWeights_eight_0(weights_12, row_5 + column_5);
-        *&((&sums_5)->x) = *&((&sums_5)->x) + (dot_0(_S130.low_0, low_6) + dot_0(_S130.high_0, high_6));
+        *&((&sums_6)->x) = *&((&sums_6)->x) + (dot_0(_S130.low_0, low_6) + dot_0(_S130.high_0, high_6));
         Eight_0 _S131 = HalfWeights_eight_0(weights_12, row_5 + 11U + column_5);
-        *&((&sums_5)->y) = *&((&sums_5)->y) + (dot_0(_S131.low_0, low_6) + dot_0(_S131.high_0, high_6));
+        *&((&sums_6)->y) = *&((&sums_6)->y) + (dot_0(_S131.low_0, low_6) + dot_0(_S131.high_0, high_6));
         Eight_0 _S132 = HalfWeights_eight_0(weights_12, row_5 + 22U + column_5);
-        *&((&sums_5)->z) = *&((&sums_5)->z) + (dot_0(_S132.low_0, low_6) + dot_0(_S132.high_0, high_6));
+        *&((&sums_6)->z) = *&((&sums_6)->z) + (dot_0(_S132.low_0, low_6) + dot_0(_S132.high_0, high_6));
         Eight_0 _S133 = HalfWeights_eight_0(weights_12, row_5 + 33U + column_5);
-        *&((&sums_5)->w) = *&((&sums_5)->w) + (dot_0(_S133.low_0, low_6) + dot_0(_S133.high_0, high_6));
+        *&((&sums_6)->w) = *&((&sums_6)->w) + (dot_0(_S133.low_0, low_6) + dot_0(_S133.high_0, high_6));
         column_5 = column_5 + 1U;
     }
-    return sums_5;
+    return sums_6;
 }
 
 __device__ void dense_part_7(HalfWeights_0 * weights_13, uint first_9, bool adds_7, FixedArray<float, 88>  * inputs_13, FixedArray<float, 96>  * outputs_7)
@@ -1723,36 +1747,37 @@ __device__ Query_0 slang_ldg_0(Query_0 * ptr_0)
     float _S166 = __ldg(&ptr_0->view_x_0);
     float _S167 = __ldg(&ptr_0->view_y_0);
     float _S168 = __ldg(&ptr_0->view_z_0);
-    Query_0 _S169 = { _S156, _S157, _S158, _S159, _S160, _S161, _S162, _S163, _S164, _S165, _S166, _S167, _S168 };
-    return _S169;
+    uint _S169 = __ldg(&ptr_0->seed_1);
+    Query_0 _S170 = { _S156, _S157, _S158, _S159, _S160, _S161, _S162, _S163, _S164, _S165, _S166, _S167, _S168, _S169 };
+    return _S170;
 }
 
 __device__ Woven_0 slang_ldg_1(Woven_0 * ptr_1)
 {
-    uint _S170 = __ldg(&ptr_1->is_encoded_0);
-    uint _S171 = __ldg(&ptr_1->network_0);
-    uint _S172 = __ldg(&ptr_1->latents_0);
-    uint _S173 = __ldg(&ptr_1->texels_0);
-    uint _S174 = __ldg(&ptr_1->levels_1);
-    uint _S175 = __ldg(&ptr_1->top_level_0);
-    float _S176 = __ldg(&ptr_1->ends_0);
-    float _S177 = __ldg(&ptr_1->picks_0);
-    float _S178 = __ldg(&ptr_1->ends_per_mm_0);
-    float _S179 = __ldg(&ptr_1->picks_per_mm_0);
-    float _S180 = __ldg(&ptr_1->pitch_0);
-    float _S181 = __ldg(&ptr_1->warp_x_0);
-    float _S182 = __ldg(&ptr_1->warp_y_0);
-    float _S183 = __ldg(&ptr_1->warp_roughness_0);
-    float _S184 = __ldg(&ptr_1->weft_x_0);
-    float _S185 = __ldg(&ptr_1->weft_y_0);
-    float _S186 = __ldg(&ptr_1->weft_roughness_0);
-    float _S187 = __ldg(&ptr_1->warp_lobe_roughness_0);
-    float _S188 = __ldg(&ptr_1->weft_lobe_roughness_0);
-    uint _S189 = __ldg(&ptr_1->bundles_0);
-    uint _S190 = __ldg(&ptr_1->is_corrected_0);
-    uint _S191 = __ldg(&ptr_1->correction_0);
-    Woven_0 _S192 = { _S170, _S171, _S172, _S173, _S174, _S175, _S176, _S177, _S178, _S179, _S180, _S181, _S182, _S183, _S184, _S185, _S186, _S187, _S188, _S189, _S190, _S191 };
-    return _S192;
+    uint _S171 = __ldg(&ptr_1->is_encoded_0);
+    uint _S172 = __ldg(&ptr_1->network_0);
+    uint _S173 = __ldg(&ptr_1->latents_0);
+    uint _S174 = __ldg(&ptr_1->texels_0);
+    uint _S175 = __ldg(&ptr_1->levels_1);
+    uint _S176 = __ldg(&ptr_1->top_level_0);
+    float _S177 = __ldg(&ptr_1->ends_0);
+    float _S178 = __ldg(&ptr_1->picks_0);
+    float _S179 = __ldg(&ptr_1->ends_per_mm_0);
+    float _S180 = __ldg(&ptr_1->picks_per_mm_0);
+    float _S181 = __ldg(&ptr_1->pitch_0);
+    float _S182 = __ldg(&ptr_1->warp_x_0);
+    float _S183 = __ldg(&ptr_1->warp_y_0);
+    float _S184 = __ldg(&ptr_1->warp_roughness_0);
+    float _S185 = __ldg(&ptr_1->weft_x_0);
+    float _S186 = __ldg(&ptr_1->weft_y_0);
+    float _S187 = __ldg(&ptr_1->weft_roughness_0);
+    float _S188 = __ldg(&ptr_1->warp_lobe_roughness_0);
+    float _S189 = __ldg(&ptr_1->weft_lobe_roughness_0);
+    uint _S190 = __ldg(&ptr_1->bundles_0);
+    uint _S191 = __ldg(&ptr_1->is_corrected_0);
+    uint _S192 = __ldg(&ptr_1->correction_0);
+    Woven_0 _S193 = { _S171, _S172, _S173, _S174, _S175, _S176, _S177, _S178, _S179, _S180, _S181, _S182, _S183, _S184, _S185, _S186, _S187, _S188, _S189, _S190, _S191, _S192 };
+    return _S193;
 }
 
 __device__ float square_0(float x_23)
@@ -1769,35 +1794,35 @@ struct Footprint_0
 
 __device__ float3  row_of_taps_0(Footprint_0 * footprint_0)
 {
-    float _S193 = footprint_0->dx_0.x;
-    float _S194 = footprint_0->dy_0.x;
-    float _S195 = _S193 * _S193 + _S194 * _S194;
-    float _S196 = footprint_0->dx_0.y;
-    float _S197 = footprint_0->dy_0.y;
-    float _S198 = _S196 * _S196 + _S197 * _S197;
-    float _S199 = _S193 * _S196 + _S194 * _S197;
-    float _S200 = 0.5f * (_S195 - _S198);
-    float _S201 = 0.5f * (_S195 + _S198);
-    float _S202 = (F32_sqrt((_S200 * _S200 + _S199 * _S199)));
-    float _S203 = _S201 + _S202;
-    float _S204 = (F32_max((_S203 - 1.5f * (F32_max((_S201 - _S202), (0.0f)))), (0.0f)));
-    float _S205 = square_0(4.0f);
-    float _S206 = (F32_max((_S201 - 0.5f * _S204), (_S203 / _S205)));
-    float _S207 = (F32_sqrt(((F32_max(((F32_min((_S204), (_S203 - _S206)))), (0.0f))) / (_S205 - 1.0f))));
-    float _S208 = _S200 / (F32_max((_S202), (1.00000000317107685e-30f)));
-    float _S209 = (F32_sqrt(((F32_max((0.5f * (1.0f - _S208)), (0.0f))))));
-    float _S210 = (F32_sqrt((_S206)));
-    float _S211 = _S207 * (F32_sqrt(((F32_max((0.5f * (1.0f + _S208)), (0.0f))))));
-    float _S212;
-    if(_S199 < 0.0f)
+    float _S194 = footprint_0->dx_0.x;
+    float _S195 = footprint_0->dy_0.x;
+    float _S196 = _S194 * _S194 + _S195 * _S195;
+    float _S197 = footprint_0->dx_0.y;
+    float _S198 = footprint_0->dy_0.y;
+    float _S199 = _S197 * _S197 + _S198 * _S198;
+    float _S200 = _S194 * _S197 + _S195 * _S198;
+    float _S201 = 0.5f * (_S196 - _S199);
+    float _S202 = 0.5f * (_S196 + _S199);
+    float _S203 = (F32_sqrt((_S201 * _S201 + _S200 * _S200)));
+    float _S204 = _S202 + _S203;
+    float _S205 = (F32_max((_S204 - 1.5f * (F32_max((_S202 - _S203), (0.0f)))), (0.0f)));
+    float _S206 = square_0(4.0f);
+    float _S207 = (F32_max((_S202 - 0.5f * _S205), (_S204 / _S206)));
+    float _S208 = (F32_sqrt(((F32_max(((F32_min((_S205), (_S204 - _S207)))), (0.0f))) / (_S206 - 1.0f))));
+    float _S209 = _S201 / (F32_max((_S203), (1.00000000317107685e-30f)));
+    float _S210 = (F32_sqrt(((F32_max((0.5f * (1.0f - _S209)), (0.0f))))));
+    float _S211 = (F32_sqrt((_S207)));
+    float _S212 = _S208 * (F32_sqrt(((F32_max((0.5f * (1.0f + _S209)), (0.0f))))));
+    float _S213;
+    if(_S200 < 0.0f)
     {
-        _S212 = - _S207 * _S209;
+        _S213 = - _S208 * _S210;
     }
     else
     {
-        _S212 = _S207 * _S209;
+        _S213 = _S208 * _S210;
     }
-    return make_float3 (_S210, _S211, _S212);
+    return make_float3 (_S211, _S212, _S213);
 }
 
 struct AnisotropicTaps_0
@@ -1810,20 +1835,20 @@ struct AnisotropicTaps_0
 
 __device__ float AnisotropicTaps_size_0(AnisotropicTaps_0 * this_2)
 {
-    float _S213 = this_2->first_19.x;
-    float _S214 = this_2->second_0.x;
-    float _S215 = this_2->side_0 * this_2->side_0;
-    float _S216 = this_2->first_19.y;
-    float _S217 = this_2->second_0.y;
-    float _S218 = 12.0f * (_S213 * _S216 + _S214 * _S217);
-    return (F32_sqrt(((F32_sqrt(((F32_max(((12.0f * (_S213 * _S213 + _S214 * _S214) + _S215) * (12.0f * (_S216 * _S216 + _S217 * _S217) + _S215) - _S218 * _S218), (square_0(_S215))))))))));
+    float _S214 = this_2->first_19.x;
+    float _S215 = this_2->second_0.x;
+    float _S216 = this_2->side_0 * this_2->side_0;
+    float _S217 = this_2->first_19.y;
+    float _S218 = this_2->second_0.y;
+    float _S219 = 12.0f * (_S214 * _S217 + _S215 * _S218);
+    return (F32_sqrt(((F32_sqrt(((F32_max(((12.0f * (_S214 * _S214 + _S215 * _S215) + _S216) * (12.0f * (_S217 * _S217 + _S218 * _S218) + _S216) - _S219 * _S219), (square_0(_S216))))))))));
 }
 
 __device__ float natural_logarithm_0(float x_24)
 {
-    uint _S219 = (F32_asuint((x_24)));
-    float exponent_0 = float(int(_S219 >> int(23)) - int(126));
-    float m_0 = (U32_asfloat(((_S219 & 8388607U) | 1056964608U)));
+    uint _S220 = (F32_asuint((x_24)));
+    float exponent_0 = float(int(_S220 >> int(23)) - int(126));
+    float m_0 = (U32_asfloat(((_S220 & 8388607U) | 1056964608U)));
     float m_1;
     float exponent_1;
     if(m_0 < 0.70710676908493042f)
@@ -1838,56 +1863,56 @@ __device__ float natural_logarithm_0(float x_24)
         exponent_1 = exponent_0;
     }
     float m_2 = m_1 - 1.0f;
-    float _S220 = m_2 * m_2;
-    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S220 - exponent_1 * 0.00021219444170129f - 0.5f * _S220) + exponent_1 * 0.693359375f;
+    float _S221 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S221 - exponent_1 * 0.00021219444170129f - 0.5f * _S221) + exponent_1 * 0.693359375f;
 }
 
 __device__ float3  footprint_coordinates_0(AnisotropicTaps_0 * taps_0)
 {
-    float _S221 = AnisotropicTaps_size_0(taps_0);
-    return make_float3 ((taps_0->centre_1 - floor_0(taps_0->centre_1)).x, (taps_0->centre_1 - floor_0(taps_0->centre_1)).y, clamp_1(natural_logarithm_0((F32_max((_S221), (9.99999997475242708e-07f))) / 0.015625f) * 0.11708354949951172f, 0.0f, 1.0f));
+    float _S222 = AnisotropicTaps_size_0(taps_0);
+    return make_float3 ((taps_0->centre_1 - floor_0(taps_0->centre_1)).x, (taps_0->centre_1 - floor_0(taps_0->centre_1)).y, clamp_1(natural_logarithm_0((F32_max((_S222), (9.99999997475242708e-07f))) / 0.015625f) * 0.11708354949951172f, 0.0f, 1.0f));
 }
 
 __device__ float3  to_face_frame_0(float3  direction_0, bool back_2)
 {
-    float2  _S222 = float2 {direction_0.x, direction_0.y};
-    float _S223;
+    float2  _S223 = float2 {direction_0.x, direction_0.y};
+    float _S224;
     if(back_2)
     {
-        _S223 = - direction_0.z;
+        _S224 = - direction_0.z;
     }
     else
     {
-        _S223 = direction_0.z;
+        _S224 = direction_0.z;
     }
-    return make_float3 (_S222.x, _S222.y, _S223);
+    return make_float3 (_S223.x, _S223.y, _S224);
 }
 
 __device__ float table_number_0(uint index_0)
 {
-    uint _S224 = __ldg((&(globalParams_0->words_0)[index_0]));
-    return (U32_asfloat((_S224)));
+    uint _S225 = __ldg((&(globalParams_0->words_0)[index_0]));
+    return (U32_asfloat((_S225)));
 }
 
 __device__ float wrapped_0(float index_1, float count_1)
 {
-    float _S225;
+    float _S226;
     if(index_1 < 0.0f)
     {
-        _S225 = index_1 + count_1;
+        _S226 = index_1 + count_1;
     }
     else
     {
         if(index_1 >= count_1)
         {
-            _S225 = index_1 - count_1;
+            _S226 = index_1 - count_1;
         }
         else
         {
-            _S225 = index_1;
+            _S226 = index_1;
         }
     }
-    return _S225;
+    return _S226;
 }
 
 __device__ float binary_logarithm_0(float x_25)
@@ -1902,17 +1927,8 @@ __device__ bool AnisotropicTaps_has_steps_0(AnisotropicTaps_0 * this_3)
 
 __device__ float2  AnisotropicTaps_place_0(AnisotropicTaps_0 * this_4, uint number_0)
 {
-    float _S226;
-    if(number_0 >= 2U)
-    {
-        _S226 = 1.0f;
-    }
-    else
-    {
-        _S226 = -1.0f;
-    }
     float _S227;
-    if((number_0 & 1U) != 0U)
+    if(number_0 >= 2U)
     {
         _S227 = 1.0f;
     }
@@ -1920,13 +1936,22 @@ __device__ float2  AnisotropicTaps_place_0(AnisotropicTaps_0 * this_4, uint numb
     {
         _S227 = -1.0f;
     }
-    return this_4->centre_1 + make_float2 (_S226) * this_4->first_19 + make_float2 (_S227) * this_4->second_0;
+    float _S228;
+    if((number_0 & 1U) != 0U)
+    {
+        _S228 = 1.0f;
+    }
+    else
+    {
+        _S228 = -1.0f;
+    }
+    return this_4->centre_1 + make_float2 (_S227) * this_4->first_19 + make_float2 (_S228) * this_4->second_0;
 }
 
 __device__ float bump_0(float distance_0)
 {
-    float _S228 = (F32_max((1.0f - distance_0 * distance_0), (0.0f)));
-    return _S228 * _S228;
+    float _S229 = (F32_max((1.0f - distance_0 * distance_0), (0.0f)));
+    return _S229 * _S229;
 }
 
 __device__ float correction_weight_of_0(float coded_size_0)
@@ -1936,21 +1961,21 @@ __device__ float correction_weight_of_0(float coded_size_0)
 
 __device__ float exponential_0(float x_26)
 {
-    float _S229 = clamp_1(x_26, -87.0f, 88.0f);
-    float _S230 = (F32_floor((_S229 * 1.4426950216293335f + 0.5f)));
-    float _S231 = _S229 - _S230 * 0.693359375f + _S230 * 0.00021219444170129f;
-    float p_0 = ((((0.00019875691214111f * _S231 + 0.00139819993637502f) * _S231 + 0.00833345204591751f) * _S231 + 0.04166579619050026f) * _S231 + 0.1666666567325592f) * _S231 + 0.5f;
-    float _S232 = (U32_asfloat((uint(int(_S230) + int(127)) << int(23))));
-    float _S233;
+    float _S230 = clamp_1(x_26, -87.0f, 88.0f);
+    float _S231 = (F32_floor((_S230 * 1.4426950216293335f + 0.5f)));
+    float _S232 = _S230 - _S231 * 0.693359375f + _S231 * 0.00021219444170129f;
+    float p_0 = ((((0.00019875691214111f * _S232 + 0.00139819993637502f) * _S232 + 0.00833345204591751f) * _S232 + 0.04166579619050026f) * _S232 + 0.1666666567325592f) * _S232 + 0.5f;
+    float _S233 = (U32_asfloat((uint(int(_S231) + int(127)) << int(23))));
+    float _S234;
     if(x_26 < -87.0f)
     {
-        _S233 = 0.0f;
+        _S234 = 0.0f;
     }
     else
     {
-        _S233 = (p_0 * _S231 * _S231 + _S231 + 1.0f) * _S232;
+        _S234 = (p_0 * _S232 * _S232 + _S232 + 1.0f) * _S233;
     }
-    return _S233;
+    return _S234;
 }
 
 __device__ float unmapped_0(float output_9, float scale_0)
@@ -1965,35 +1990,35 @@ __device__ float square_1(float3  v_1)
 
 __device__ uint mirrored_bundle_0(uint bundle_0)
 {
-    uint _S234 = bundle_0 / 3U;
-    uint _S235 = bundle_0 % 3U;
-    uint _S236;
+    uint _S235 = bundle_0 / 3U;
+    uint _S236 = bundle_0 % 3U;
+    uint _S237;
     if(bundle_0 == 24U)
     {
-        _S236 = bundle_0;
+        _S237 = bundle_0;
     }
     else
     {
-        _S236 = _S234 * 3U + 3U - 1U - _S235;
+        _S237 = _S235 * 3U + 3U - 1U - _S236;
     }
-    return _S236;
+    return _S237;
 }
 
-__device__ float light_visibility_of_0(float diffuse_0, float3  light_0, float3  view_0, float blend_0)
+__device__ float light_visibility_of_0(float diffuse_0, float3  light_1, float3  view_1, float blend_0)
 {
-    float _S237 = (F32_max(((F32_abs((light_0.z)))), (0.00100000004749745f)));
-    float2  _S238 = float2 {light_0.x, light_0.y};
-    return 3.14159274101257324f * (F32_max((diffuse_0), (0.0f))) / lerp_1(_S237, (0.59700000286102295f * _S237 + 0.16599999368190765f) * (0.21600000560283661f * (dot_1(_S238, float2 {view_0.x, view_0.y}) * (F32_rsqrt(((F32_max((dot_1(_S238, _S238)), (9.99999997475242708e-07f))))))) + 1.0f), blend_0);
+    float _S238 = (F32_max(((F32_abs((light_1.z)))), (0.00100000004749745f)));
+    float2  _S239 = float2 {light_1.x, light_1.y};
+    return 3.14159274101257324f * (F32_max((diffuse_0), (0.0f))) / lerp_1(_S238, (0.59700000286102295f * _S238 + 0.16599999368190765f) * (0.21600000560283661f * (dot_1(_S239, float2 {view_1.x, view_1.y}) * (F32_rsqrt(((F32_max((dot_1(_S239, _S239)), (9.99999997475242708e-07f))))))) + 1.0f), blend_0);
 }
 
 __device__ float2  turns_and_remainder_0(uint family_0, float index_2)
 {
-    float _S239 = __ldg(&(&(globalParams_0->families_0)[family_0])->inverse_count_0);
-    float _S240 = __ldg(&(&(globalParams_0->families_0)[family_0])->half_inverse_count_0);
-    float _S241 = (F32_floor(((F32_fma((index_2), (_S239), (_S240))))));
-    float _S242 = - _S241;
-    float _S243 = __ldg(&(&(globalParams_0->families_0)[family_0])->count_0);
-    return make_float2 (_S241, (F32_fma((_S242), (_S243), (index_2))));
+    float _S240 = __ldg(&(&(globalParams_0->families_0)[family_0])->inverse_count_0);
+    float _S241 = __ldg(&(&(globalParams_0->families_0)[family_0])->half_inverse_count_0);
+    float _S242 = (F32_floor(((F32_fma((index_2), (_S240), (_S241))))));
+    float _S243 = - _S242;
+    float _S244 = __ldg(&(&(globalParams_0->families_0)[family_0])->count_0);
+    return make_float2 (_S242, (F32_fma((_S243), (_S244), (index_2))));
 }
 
 struct Cell_0
@@ -2007,68 +2032,68 @@ struct Cell_0
 
 __device__ Cell_0 locate_alike_0(uint family_1, float position_0)
 {
-    float _S244 = __ldg(&(&(globalParams_0->families_0)[family_1])->inverse_size_0);
-    float _S245 = (F32_floor((position_0 * _S244)));
+    float _S245 = __ldg(&(&(globalParams_0->families_0)[family_1])->inverse_size_0);
+    float _S246 = (F32_floor((position_0 * _S245)));
     Cell_0 cell_0;
-    float _S246 = - _S245;
-    float _S247 = __ldg(&(&(globalParams_0->families_0)[family_1])->size_0);
-    float _S248 = (F32_fma((_S246), (_S247), (position_0)));
-    (&cell_0)->below_0 = _S248;
-    float _S249 = __ldg(&(&(globalParams_0->families_0)[family_1])->size_0);
-    (&cell_0)->above_0 = _S249 - _S248;
+    float _S247 = - _S246;
+    float _S248 = __ldg(&(&(globalParams_0->families_0)[family_1])->size_0);
+    float _S249 = (F32_fma((_S247), (_S248), (position_0)));
+    (&cell_0)->below_0 = _S249;
     float _S250 = __ldg(&(&(globalParams_0->families_0)[family_1])->size_0);
-    (&cell_0)->across_0 = _S248 - 0.5f * _S250;
-    float _S251 = __ldg(&(&(globalParams_0->families_0)[family_1])->half_width_0);
-    (&cell_0)->half_width_1 = _S251;
-    float _S252 = turns_and_remainder_0(family_1, _S245).y;
-    float _S253 = __ldg(&(&(globalParams_0->families_0)[family_1])->count_0);
-    (&cell_0)->thread_0 = uint(clamp_1(_S252, 0.0f, _S253 - 1.0f));
+    (&cell_0)->above_0 = _S250 - _S249;
+    float _S251 = __ldg(&(&(globalParams_0->families_0)[family_1])->size_0);
+    (&cell_0)->across_0 = _S249 - 0.5f * _S251;
+    float _S252 = __ldg(&(&(globalParams_0->families_0)[family_1])->half_width_0);
+    (&cell_0)->half_width_1 = _S252;
+    float _S253 = turns_and_remainder_0(family_1, _S246).y;
+    float _S254 = __ldg(&(&(globalParams_0->families_0)[family_1])->count_0);
+    (&cell_0)->thread_0 = uint(clamp_1(_S253, 0.0f, _S254 - 1.0f));
     return cell_0;
 }
 
 __device__ Cell_0 locate_varied_0(uint family_2, float position_1)
 {
-    float _S254 = __ldg(&(&(globalParams_0->families_0)[family_2])->start_0);
-    float _S255 = position_1 - _S254;
-    float _S256 = __ldg(&(&(globalParams_0->families_0)[family_2])->inverse_period_0);
-    float turns_0 = _S255 * _S256;
+    float _S255 = __ldg(&(&(globalParams_0->families_0)[family_2])->start_0);
+    float _S256 = position_1 - _S255;
+    float _S257 = __ldg(&(&(globalParams_0->families_0)[family_2])->inverse_period_0);
+    float turns_0 = _S256 * _S257;
     float turns_1 = turns_0 - (F32_floor((turns_0)));
-    float _S257 = __ldg(&(&(globalParams_0->families_0)[family_2])->period_0);
-    float _S258 = turns_1 * _S257;
-    float _S259 = __ldg(&(&(globalParams_0->families_0)[family_2])->bins_0);
-    float _S260 = turns_1 * _S259;
-    float _S261 = __ldg(&(&(globalParams_0->families_0)[family_2])->bins_0);
-    uint _S262 = uint(clamp_1(_S260, 0.0f, _S261 - 1.0f));
-    uint _S263 = __ldg(&(&(globalParams_0->families_0)[family_2])->first_thread_table_0);
-    uint _S264 = __ldg((&(globalParams_0->words_0)[_S263 + _S262]));
-    uint _S265 = __ldg(&(&(globalParams_0->families_0)[family_2])->place_table_0);
-    uint _S266;
-    if(_S258 >= (table_number_0(_S265 + _S264 * 4U + 1U)))
+    float _S258 = __ldg(&(&(globalParams_0->families_0)[family_2])->period_0);
+    float _S259 = turns_1 * _S258;
+    float _S260 = __ldg(&(&(globalParams_0->families_0)[family_2])->bins_0);
+    float _S261 = turns_1 * _S260;
+    float _S262 = __ldg(&(&(globalParams_0->families_0)[family_2])->bins_0);
+    uint _S263 = uint(clamp_1(_S261, 0.0f, _S262 - 1.0f));
+    uint _S264 = __ldg(&(&(globalParams_0->families_0)[family_2])->first_thread_table_0);
+    uint _S265 = __ldg((&(globalParams_0->words_0)[_S264 + _S263]));
+    uint _S266 = __ldg(&(&(globalParams_0->families_0)[family_2])->place_table_0);
+    uint _S267;
+    if(_S259 >= (table_number_0(_S266 + _S265 * 4U + 1U)))
     {
-        _S266 = 1U;
+        _S267 = 1U;
     }
     else
     {
-        _S266 = 0U;
+        _S267 = 0U;
     }
-    uint _S267 = _S264 + _S266;
-    float _S268 = __ldg(&(&(globalParams_0->families_0)[family_2])->count_0);
-    uint _S269 = (U32_min((_S267), (uint(_S268) - 1U)));
-    uint _S270 = __ldg(&(&(globalParams_0->families_0)[family_2])->place_table_0);
-    uint _S271 = _S270 + _S269 * 4U;
+    uint _S268 = _S265 + _S267;
+    float _S269 = __ldg(&(&(globalParams_0->families_0)[family_2])->count_0);
+    uint _S270 = (U32_min((_S268), (uint(_S269) - 1U)));
+    uint _S271 = __ldg(&(&(globalParams_0->families_0)[family_2])->place_table_0);
+    uint _S272 = _S271 + _S270 * 4U;
     Cell_0 cell_1;
-    (&cell_1)->thread_0 = _S269;
-    (&cell_1)->below_0 = _S258 - table_number_0(_S271);
-    (&cell_1)->above_0 = table_number_0(_S271 + 1U) - _S258;
-    (&cell_1)->across_0 = _S258 - table_number_0(_S271 + 2U);
-    (&cell_1)->half_width_1 = table_number_0(_S271 + 3U);
+    (&cell_1)->thread_0 = _S270;
+    (&cell_1)->below_0 = _S259 - table_number_0(_S272);
+    (&cell_1)->above_0 = table_number_0(_S272 + 1U) - _S259;
+    (&cell_1)->across_0 = _S259 - table_number_0(_S272 + 2U);
+    (&cell_1)->half_width_1 = table_number_0(_S272 + 3U);
     return cell_1;
 }
 
 __device__ Cell_0 locate_0(uint family_3, float position_2)
 {
-    uint _S272 = __ldg(&(&(globalParams_0->families_0)[family_3])->is_alike_0);
-    if(_S272 != 0U)
+    uint _S273 = __ldg(&(&(globalParams_0->families_0)[family_3])->is_alike_0);
+    if(_S273 != 0U)
     {
         return locate_alike_0(family_3, position_2);
     }
@@ -2087,20 +2112,20 @@ struct Bound_0
 
 __device__ Bound_0 bound_at_0(uint family_4, float position_3)
 {
-    Cell_0 _S273 = locate_0(family_4, position_3);
-    uint _S274 = __ldg(&(&(globalParams_0->families_0)[family_4])->before_0);
-    float _S275 = table_number_0(_S274 + 2U * _S273.thread_0 + 1U);
+    Cell_0 _S274 = locate_0(family_4, position_3);
+    uint _S275 = __ldg(&(&(globalParams_0->families_0)[family_4])->before_0);
+    float _S276 = table_number_0(_S275 + 2U * _S274.thread_0 + 1U);
     Bound_0 bound_0;
-    (&bound_0)->thread_1 = _S273.thread_0;
-    float _S276 = __ldg(&(&(globalParams_0->families_0)[family_4])->start_0);
-    float _S277 = position_3 - _S276 - _S275 - _S273.below_0;
-    float _S278 = __ldg(&(&(globalParams_0->families_0)[family_4])->inverse_period_0);
-    (&bound_0)->turns_2 = (F32_round((_S277 * _S278)));
-    (&bound_0)->cell_2 = _S273.below_0;
-    float _S279 = 2.0f * _S273.half_width_1;
-    (&bound_0)->width_2 = _S279;
-    (&bound_0)->visible_0 = clamp_1((_S273.across_0 + _S273.half_width_1) / _S279, 0.0f, 1.0f);
-    (&bound_0)->gap_0 = (F32_min((_S273.below_0), (_S273.below_0 - _S273.across_0 - _S273.half_width_1))) + (F32_max((_S273.across_0 - _S273.half_width_1), (0.0f)));
+    (&bound_0)->thread_1 = _S274.thread_0;
+    float _S277 = __ldg(&(&(globalParams_0->families_0)[family_4])->start_0);
+    float _S278 = position_3 - _S277 - _S276 - _S274.below_0;
+    float _S279 = __ldg(&(&(globalParams_0->families_0)[family_4])->inverse_period_0);
+    (&bound_0)->turns_2 = (F32_round((_S278 * _S279)));
+    (&bound_0)->cell_2 = _S274.below_0;
+    float _S280 = 2.0f * _S274.half_width_1;
+    (&bound_0)->width_2 = _S280;
+    (&bound_0)->visible_0 = clamp_1((_S274.across_0 + _S274.half_width_1) / _S280, 0.0f, 1.0f);
+    (&bound_0)->gap_0 = (F32_min((_S274.below_0), (_S274.below_0 - _S274.across_0 - _S274.half_width_1))) + (F32_max((_S274.across_0 - _S274.half_width_1), (0.0f)));
     return bound_0;
 }
 
@@ -2112,17 +2137,17 @@ struct Stretch_0
 
 __device__ Stretch_0 stretch_of_0(uint family_5, float centre_2, float size_1)
 {
-    float _S280 = __ldg(&(&(globalParams_0->families_0)[family_5])->start_0);
-    float _S281 = centre_2 - _S280;
-    float _S282 = __ldg(&(&(globalParams_0->families_0)[family_5])->inverse_period_0);
-    float _S283 = (F32_floor((_S281 * _S282)));
-    float _S284 = __ldg(&(&(globalParams_0->families_0)[family_5])->period_0);
-    float _S285 = centre_2 - _S283 * _S284;
-    float _S286 = __ldg(&(&(globalParams_0->families_0)[family_5])->smallest_box_0);
-    float _S287 = 0.5f * (F32_max((size_1), (_S286)));
+    float _S281 = __ldg(&(&(globalParams_0->families_0)[family_5])->start_0);
+    float _S282 = centre_2 - _S281;
+    float _S283 = __ldg(&(&(globalParams_0->families_0)[family_5])->inverse_period_0);
+    float _S284 = (F32_floor((_S282 * _S283)));
+    float _S285 = __ldg(&(&(globalParams_0->families_0)[family_5])->period_0);
+    float _S286 = centre_2 - _S284 * _S285;
+    float _S287 = __ldg(&(&(globalParams_0->families_0)[family_5])->smallest_box_0);
+    float _S288 = 0.5f * (F32_max((size_1), (_S287)));
     Stretch_0 stretch_0;
-    (&stretch_0)->low_7 = bound_at_0(family_5, _S285 - _S287);
-    (&stretch_0)->high_7 = bound_at_0(family_5, _S285 + _S287);
+    (&stretch_0)->low_7 = bound_at_0(family_5, _S286 - _S288);
+    (&stretch_0)->high_7 = bound_at_0(family_5, _S286 + _S288);
     return stretch_0;
 }
 
@@ -2156,41 +2181,41 @@ __device__ float Stretch_turns_0(Stretch_0 * this_5)
 
 __device__ float3  lengths_0(uint family_6, Stretch_0 * stretch_1)
 {
-    float _S288 = Stretch_turns_0(stretch_1);
-    uint _S289 = __ldg(&(&(globalParams_0->families_0)[family_6])->before_0);
-    uint _S290 = _S289 + 2U * (&stretch_1->low_7)->thread_1;
-    uint _S291 = __ldg(&(&(globalParams_0->families_0)[family_6])->before_0);
-    uint _S292 = _S291 + 2U * (&stretch_1->high_7)->thread_1;
-    float _S293 = table_number_0(_S292) - table_number_0(_S290);
-    float _S294 = table_number_0(_S292 + 1U) - table_number_0(_S290 + 1U);
-    float _S295 = _S293 + (&stretch_1->high_7)->visible_0 * (&stretch_1->high_7)->width_2 - (&stretch_1->low_7)->visible_0 * (&stretch_1->low_7)->width_2;
-    float _S296 = __ldg(&(&(globalParams_0->families_0)[family_6])->visible_total_0);
-    float _S297 = _S295 + _S288 * _S296;
-    float _S298 = _S294 - _S293 + (&stretch_1->high_7)->gap_0 - (&stretch_1->low_7)->gap_0;
-    float _S299 = __ldg(&(&(globalParams_0->families_0)[family_6])->period_0);
-    float _S300 = __ldg(&(&(globalParams_0->families_0)[family_6])->visible_total_0);
-    float _S301 = _S298 + _S288 * (_S299 - _S300);
-    float _S302 = _S294 + (&stretch_1->high_7)->cell_2 - (&stretch_1->low_7)->cell_2;
-    float _S303 = __ldg(&(&(globalParams_0->families_0)[family_6])->period_0);
-    return make_float3 (_S297, _S301, _S302 + _S288 * _S303);
+    float _S289 = Stretch_turns_0(stretch_1);
+    uint _S290 = __ldg(&(&(globalParams_0->families_0)[family_6])->before_0);
+    uint _S291 = _S290 + 2U * (&stretch_1->low_7)->thread_1;
+    uint _S292 = __ldg(&(&(globalParams_0->families_0)[family_6])->before_0);
+    uint _S293 = _S292 + 2U * (&stretch_1->high_7)->thread_1;
+    float _S294 = table_number_0(_S293) - table_number_0(_S291);
+    float _S295 = table_number_0(_S293 + 1U) - table_number_0(_S291 + 1U);
+    float _S296 = _S294 + (&stretch_1->high_7)->visible_0 * (&stretch_1->high_7)->width_2 - (&stretch_1->low_7)->visible_0 * (&stretch_1->low_7)->width_2;
+    float _S297 = __ldg(&(&(globalParams_0->families_0)[family_6])->visible_total_0);
+    float _S298 = _S296 + _S289 * _S297;
+    float _S299 = _S295 - _S294 + (&stretch_1->high_7)->gap_0 - (&stretch_1->low_7)->gap_0;
+    float _S300 = __ldg(&(&(globalParams_0->families_0)[family_6])->period_0);
+    float _S301 = __ldg(&(&(globalParams_0->families_0)[family_6])->visible_total_0);
+    float _S302 = _S299 + _S289 * (_S300 - _S301);
+    float _S303 = _S295 + (&stretch_1->high_7)->cell_2 - (&stretch_1->low_7)->cell_2;
+    float _S304 = __ldg(&(&(globalParams_0->families_0)[family_6])->period_0);
+    return make_float3 (_S298, _S302, _S303 + _S289 * _S304);
 }
 
 __device__ float2  integrals_along_0(uint family_7, Stretch_0 * stretch_2, uint quantity_0)
 {
-    uint _S304 = __ldg(&(&(globalParams_0->families_0)[family_7])->quantities_0);
-    uint _S305 = __ldg(&(&(globalParams_0->families_0)[family_7])->colour_threads_0);
-    uint _S306 = 3U * _S304;
-    uint _S307 = _S305 + _S306 * (&stretch_2->low_7)->thread_1 + quantity_0;
-    uint _S308 = __ldg(&(&(globalParams_0->families_0)[family_7])->colour_threads_0);
-    uint _S309 = _S308 + _S306 * (&stretch_2->high_7)->thread_1 + quantity_0;
-    uint _S310 = __ldg(&(&(globalParams_0->families_0)[family_7])->colour_threads_0);
-    float _S311 = __ldg(&(&(globalParams_0->families_0)[family_7])->count_0);
-    uint _S312 = _S310 + _S306 * uint(_S311) + quantity_0;
-    float _S313 = table_number_0(_S307);
-    float _S314 = table_number_0(_S309);
-    float _S315 = Stretch_turns_0(stretch_2);
-    uint _S316 = 2U * _S304;
-    return make_float2 (table_number_0(_S309 + _S304) - table_number_0(_S307 + _S304) + _S314 * (&stretch_2->high_7)->visible_0 * (&stretch_2->high_7)->width_2 - _S313 * (&stretch_2->low_7)->visible_0 * (&stretch_2->low_7)->width_2 + _S315 * table_number_0(_S312 + _S304), table_number_0(_S309 + _S316) - table_number_0(_S307 + _S316) + _S314 * (&stretch_2->high_7)->cell_2 - _S313 * (&stretch_2->low_7)->cell_2 + _S315 * table_number_0(_S312 + _S316));
+    uint _S305 = __ldg(&(&(globalParams_0->families_0)[family_7])->quantities_0);
+    uint _S306 = __ldg(&(&(globalParams_0->families_0)[family_7])->colour_threads_0);
+    uint _S307 = 3U * _S305;
+    uint _S308 = _S306 + _S307 * (&stretch_2->low_7)->thread_1 + quantity_0;
+    uint _S309 = __ldg(&(&(globalParams_0->families_0)[family_7])->colour_threads_0);
+    uint _S310 = _S309 + _S307 * (&stretch_2->high_7)->thread_1 + quantity_0;
+    uint _S311 = __ldg(&(&(globalParams_0->families_0)[family_7])->colour_threads_0);
+    float _S312 = __ldg(&(&(globalParams_0->families_0)[family_7])->count_0);
+    uint _S313 = _S311 + _S307 * uint(_S312) + quantity_0;
+    float _S314 = table_number_0(_S308);
+    float _S315 = table_number_0(_S310);
+    float _S316 = Stretch_turns_0(stretch_2);
+    uint _S317 = 2U * _S305;
+    return make_float2 (table_number_0(_S310 + _S305) - table_number_0(_S308 + _S305) + _S315 * (&stretch_2->high_7)->visible_0 * (&stretch_2->high_7)->width_2 - _S314 * (&stretch_2->low_7)->visible_0 * (&stretch_2->low_7)->width_2 + _S316 * table_number_0(_S313 + _S305), table_number_0(_S310 + _S317) - table_number_0(_S308 + _S317) + _S315 * (&stretch_2->high_7)->cell_2 - _S314 * (&stretch_2->low_7)->cell_2 + _S316 * table_number_0(_S313 + _S317));
 }
 
 __device__ bool Stretch_wraps_0(Stretch_0 * this_6)
@@ -2200,191 +2225,191 @@ __device__ bool Stretch_wraps_0(Stretch_0 * this_6)
 
 __device__ uint4  Stretch_differences_0(Stretch_0 * this_7, uint4  entries_0, uint whole_0)
 {
-    uint _S317 = entries_0.z;
-    uint _S318 = entries_0.x;
-    uint _S319 = _S317 - _S318;
-    bool _S320 = Stretch_wraps_0(this_7);
-    uint _S321;
-    if(_S320)
+    uint _S318 = entries_0.z;
+    uint _S319 = entries_0.x;
+    uint _S320 = _S318 - _S319;
+    bool _S321 = Stretch_wraps_0(this_7);
+    uint _S322;
+    if(_S321)
     {
-        _S321 = whole_0;
+        _S322 = whole_0;
     }
     else
     {
-        _S321 = 0U;
+        _S322 = 0U;
     }
-    return make_uint4 (_S319 + _S321, entries_0.w - _S317, entries_0.y - _S318, whole_0);
+    return make_uint4 (_S320 + _S322, entries_0.w - _S318, entries_0.y - _S319, whole_0);
 }
 
 __device__ uint4  row_differences_0(Stretch_0 * across_1, uint row_7, uint count_2, uint quantities_1)
 {
-    uint _S322 = row_7 + (&across_1->low_7)->thread_1 * quantities_1;
-    uint _S323 = row_7 + (&across_1->high_7)->thread_1 * quantities_1;
-    uint _S324 = __ldg((&(globalParams_0->words_0)[_S322]));
-    uint _S325 = __ldg((&(globalParams_0->words_0)[_S322 + quantities_1]));
-    uint _S326 = __ldg((&(globalParams_0->words_0)[_S323]));
-    uint _S327 = __ldg((&(globalParams_0->words_0)[_S323 + quantities_1]));
-    uint4  _S328 = make_uint4 (_S324, _S325, _S326, _S327);
-    uint _S329 = __ldg((&(globalParams_0->words_0)[row_7 + count_2 * quantities_1]));
-    uint4  _S330 = Stretch_differences_0(across_1, _S328, _S329);
-    return _S330;
+    uint _S323 = row_7 + (&across_1->low_7)->thread_1 * quantities_1;
+    uint _S324 = row_7 + (&across_1->high_7)->thread_1 * quantities_1;
+    uint _S325 = __ldg((&(globalParams_0->words_0)[_S323]));
+    uint _S326 = __ldg((&(globalParams_0->words_0)[_S323 + quantities_1]));
+    uint _S327 = __ldg((&(globalParams_0->words_0)[_S324]));
+    uint _S328 = __ldg((&(globalParams_0->words_0)[_S324 + quantities_1]));
+    uint4  _S329 = make_uint4 (_S325, _S326, _S327, _S328);
+    uint _S330 = __ldg((&(globalParams_0->words_0)[row_7 + count_2 * quantities_1]));
+    uint4  _S331 = Stretch_differences_0(across_1, _S329, _S330);
+    return _S331;
 }
 
 __device__ float4  Stretch_weights_0(Stretch_0 * this_8)
 {
-    float _S331 = (&this_8->high_7)->visible_0;
-    float _S332 = - (&this_8->low_7)->visible_0;
-    float _S333 = Stretch_turns_0(this_8);
-    bool _S334 = Stretch_wraps_0(this_8);
-    float _S335;
-    if(_S334)
+    float _S332 = (&this_8->high_7)->visible_0;
+    float _S333 = - (&this_8->low_7)->visible_0;
+    float _S334 = Stretch_turns_0(this_8);
+    bool _S335 = Stretch_wraps_0(this_8);
+    float _S336;
+    if(_S335)
     {
-        _S335 = 1.0f;
+        _S336 = 1.0f;
     }
     else
     {
-        _S335 = 0.0f;
+        _S336 = 0.0f;
     }
-    return make_float4 (1.0f, _S331, _S332, _S333 - _S335);
+    return make_float4 (1.0f, _S332, _S333, _S334 - _S336);
 }
 
 __device__ float integral_on_top_0(uint family_8, Stretch_0 * across_2, Stretch_0 * along_0, uint crossing_count_0, uint quantity_1)
 {
-    float _S336 = __ldg(&(&(globalParams_0->families_0)[family_8])->count_0);
-    uint _S337 = uint(_S336);
-    uint _S338 = _S337 + 1U;
-    uint _S339 = __ldg(&(&(globalParams_0->families_0)[family_8])->quantities_0);
-    uint _S340 = _S338 * _S339;
-    uint _S341 = __ldg(&(&(globalParams_0->families_0)[family_8])->colour_areas_0);
-    uint _S342 = _S341 + quantity_1;
-    uint _S343 = (&along_0->low_7)->thread_1;
-    uint _S344 = _S342 + (&along_0->low_7)->thread_1 * _S340;
-    uint _S345 = __ldg(&(&(globalParams_0->families_0)[family_8])->quantities_0);
-    uint4  _S346 = row_differences_0(across_2, _S344, _S337, _S345);
-    uint _S347 = _S342 + (_S343 + 1U) * _S340;
-    uint _S348 = __ldg(&(&(globalParams_0->families_0)[family_8])->quantities_0);
-    uint4  _S349 = row_differences_0(across_2, _S347, _S337, _S348);
-    uint _S350 = (&along_0->high_7)->thread_1;
-    uint _S351 = _S342 + (&along_0->high_7)->thread_1 * _S340;
-    uint _S352 = __ldg(&(&(globalParams_0->families_0)[family_8])->quantities_0);
-    uint4  _S353 = row_differences_0(across_2, _S351, _S337, _S352);
-    uint _S354 = _S342 + (_S350 + 1U) * _S340;
-    uint _S355 = __ldg(&(&(globalParams_0->families_0)[family_8])->quantities_0);
-    uint4  _S356 = row_differences_0(across_2, _S354, _S337, _S355);
-    uint _S357 = _S342 + crossing_count_0 * _S340;
-    uint _S358 = __ldg(&(&(globalParams_0->families_0)[family_8])->quantities_0);
-    uint4  _S359 = row_differences_0(across_2, _S357, _S337, _S358);
-    uint4  _S360 = _S353 - _S346;
-    bool _S361 = Stretch_wraps_0(along_0);
-    uint4  _S362;
-    if(_S361)
+    float _S337 = __ldg(&(&(globalParams_0->families_0)[family_8])->count_0);
+    uint _S338 = uint(_S337);
+    uint _S339 = _S338 + 1U;
+    uint _S340 = __ldg(&(&(globalParams_0->families_0)[family_8])->quantities_0);
+    uint _S341 = _S339 * _S340;
+    uint _S342 = __ldg(&(&(globalParams_0->families_0)[family_8])->colour_areas_0);
+    uint _S343 = _S342 + quantity_1;
+    uint _S344 = (&along_0->low_7)->thread_1;
+    uint _S345 = _S343 + (&along_0->low_7)->thread_1 * _S341;
+    uint _S346 = __ldg(&(&(globalParams_0->families_0)[family_8])->quantities_0);
+    uint4  _S347 = row_differences_0(across_2, _S345, _S338, _S346);
+    uint _S348 = _S343 + (_S344 + 1U) * _S341;
+    uint _S349 = __ldg(&(&(globalParams_0->families_0)[family_8])->quantities_0);
+    uint4  _S350 = row_differences_0(across_2, _S348, _S338, _S349);
+    uint _S351 = (&along_0->high_7)->thread_1;
+    uint _S352 = _S343 + (&along_0->high_7)->thread_1 * _S341;
+    uint _S353 = __ldg(&(&(globalParams_0->families_0)[family_8])->quantities_0);
+    uint4  _S354 = row_differences_0(across_2, _S352, _S338, _S353);
+    uint _S355 = _S343 + (_S351 + 1U) * _S341;
+    uint _S356 = __ldg(&(&(globalParams_0->families_0)[family_8])->quantities_0);
+    uint4  _S357 = row_differences_0(across_2, _S355, _S338, _S356);
+    uint _S358 = _S343 + crossing_count_0 * _S341;
+    uint _S359 = __ldg(&(&(globalParams_0->families_0)[family_8])->quantities_0);
+    uint4  _S360 = row_differences_0(across_2, _S358, _S338, _S359);
+    uint4  _S361 = _S354 - _S347;
+    bool _S362 = Stretch_wraps_0(along_0);
+    uint4  _S363;
+    if(_S362)
     {
-        _S362 = _S359;
+        _S363 = _S360;
     }
     else
     {
-        int4  _S363 = make_int4 (int(0));
-        uint4  _S364 = make_uint4 ((uint)_S363.x, (uint)_S363.y, (uint)_S363.z, (uint)_S363.w);
-        _S362 = _S364;
+        int4  _S364 = make_int4 (int(0));
+        uint4  _S365 = make_uint4 ((uint)_S364.x, (uint)_S364.y, (uint)_S364.z, (uint)_S364.w);
+        _S363 = _S365;
     }
-    uint4  _S365 = _S360 + _S362;
-    float4  _S366 = Stretch_weights_0(across_2);
-    float4  _S367 = Stretch_weights_0(along_0);
-    int4  _S368 = make_int4 ((int)_S365.x, (int)_S365.y, (int)_S365.z, (int)_S365.w);
-    float4  _S369 = make_float4 ((float)_S368.x, (float)_S368.y, (float)_S368.z, (float)_S368.w);
-    uint4  _S370 = _S356 - _S353;
-    int4  _S371 = make_int4 ((int)_S370.x, (int)_S370.y, (int)_S370.z, (int)_S370.w);
-    float4  _S372 = make_float4 ((float)_S371.x, (float)_S371.y, (float)_S371.z, (float)_S371.w);
-    uint4  _S373 = _S349 - _S346;
-    int4  _S374 = make_int4 ((int)_S373.x, (int)_S373.y, (int)_S373.z, (int)_S373.w);
-    float4  _S375 = make_float4 ((float)_S374.x, (float)_S374.y, (float)_S374.z, (float)_S374.w);
-    int4  _S376 = make_int4 ((int)_S359.x, (int)_S359.y, (int)_S359.z, (int)_S359.w);
-    float4  _S377 = make_float4 ((float)_S376.x, (float)_S376.y, (float)_S376.z, (float)_S376.w);
-    float _S378 = dot_0(make_float4 (dot_0(_S369, _S366), dot_0(_S372, _S366), dot_0(_S375, _S366), dot_0(_S377, _S366)), _S367);
-    float _S379 = __ldg(&(&(globalParams_0->families_0)[family_8])->area_unit_0);
-    return _S378 * _S379;
+    uint4  _S366 = _S361 + _S363;
+    float4  _S367 = Stretch_weights_0(across_2);
+    float4  _S368 = Stretch_weights_0(along_0);
+    int4  _S369 = make_int4 ((int)_S366.x, (int)_S366.y, (int)_S366.z, (int)_S366.w);
+    float4  _S370 = make_float4 ((float)_S369.x, (float)_S369.y, (float)_S369.z, (float)_S369.w);
+    uint4  _S371 = _S357 - _S354;
+    int4  _S372 = make_int4 ((int)_S371.x, (int)_S371.y, (int)_S371.z, (int)_S371.w);
+    float4  _S373 = make_float4 ((float)_S372.x, (float)_S372.y, (float)_S372.z, (float)_S372.w);
+    uint4  _S374 = _S350 - _S347;
+    int4  _S375 = make_int4 ((int)_S374.x, (int)_S374.y, (int)_S374.z, (int)_S374.w);
+    float4  _S376 = make_float4 ((float)_S375.x, (float)_S375.y, (float)_S375.z, (float)_S375.w);
+    int4  _S377 = make_int4 ((int)_S360.x, (int)_S360.y, (int)_S360.z, (int)_S360.w);
+    float4  _S378 = make_float4 ((float)_S377.x, (float)_S377.y, (float)_S377.z, (float)_S377.w);
+    float _S379 = dot_0(make_float4 (dot_0(_S370, _S367), dot_0(_S373, _S367), dot_0(_S376, _S367), dot_0(_S378, _S367)), _S368);
+    float _S380 = __ldg(&(&(globalParams_0->families_0)[family_8])->area_unit_0);
+    return _S379 * _S380;
 }
 
 __device__ Albedos_0 with_added_albedos_0(Albedos_0 * albedos_1, float weight_0, uint row_8)
 {
-    Albedos_0 _S380 = table_albedos_0(row_8);
+    Albedos_0 _S381 = table_albedos_0(row_8);
     Albedos_0 sum_0;
-    (&sum_0)->diffuse_reflect_0 = albedos_1->diffuse_reflect_0 + make_float3 (weight_0) * _S380.diffuse_reflect_0;
-    (&sum_0)->diffuse_transmit_0 = albedos_1->diffuse_transmit_0 + make_float3 (weight_0) * _S380.diffuse_transmit_0;
-    (&sum_0)->specular_reflect_0 = albedos_1->specular_reflect_0 + make_float3 (weight_0) * _S380.specular_reflect_0;
-    (&sum_0)->specular_transmit_0 = albedos_1->specular_transmit_0 + make_float3 (weight_0) * _S380.specular_transmit_0;
+    (&sum_0)->diffuse_reflect_0 = albedos_1->diffuse_reflect_0 + make_float3 (weight_0) * _S381.diffuse_reflect_0;
+    (&sum_0)->diffuse_transmit_0 = albedos_1->diffuse_transmit_0 + make_float3 (weight_0) * _S381.diffuse_transmit_0;
+    (&sum_0)->specular_reflect_0 = albedos_1->specular_reflect_0 + make_float3 (weight_0) * _S381.specular_reflect_0;
+    (&sum_0)->specular_transmit_0 = albedos_1->specular_transmit_0 + make_float3 (weight_0) * _S381.specular_transmit_0;
     return sum_0;
 }
 
 __device__ Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, Stretch_0 * own_0, Stretch_0 * other_0, bool back_3)
 {
-    uint _S381 = __ldg(&(&(globalParams_0->families_0)[family_9])->colour_mean_0);
-    Albedos_0 albedos_2 = table_albedos_0(_S381);
-    uint _S382 = __ldg(&(&(globalParams_0->families_0)[family_9])->quantities_0);
-    if(_S382 == 1U)
+    uint _S382 = __ldg(&(&(globalParams_0->families_0)[family_9])->colour_mean_0);
+    Albedos_0 albedos_2 = table_albedos_0(_S382);
+    uint _S383 = __ldg(&(&(globalParams_0->families_0)[family_9])->quantities_0);
+    if(_S383 == 1U)
     {
         return albedos_2;
     }
-    float3  _S383 = lengths_0(crossing_0, other_0);
+    float3  _S384 = lengths_0(crossing_0, other_0);
     bool is_exposed_0 = false;
     float weight_1 = 0.0f;
     uint quantity_2 = 0U;
     for(;;)
     {
-        uint _S384 = __ldg(&(&(globalParams_0->families_0)[family_9])->quantities_0);
-        if(quantity_2 < _S384)
+        uint _S385 = __ldg(&(&(globalParams_0->families_0)[family_9])->quantities_0);
+        if(quantity_2 < _S385)
         {
         }
         else
         {
             break;
         }
-        float2  _S385 = integrals_along_0(family_9, own_0, quantity_2);
-        float _S386 = __ldg(&(&(globalParams_0->families_0)[crossing_0])->count_0);
-        float _S387 = integral_on_top_0(family_9, own_0, other_0, uint(_S386), quantity_2);
-        float _S388 = _S385.x;
-        float _S389 = _S388 * _S383.x;
-        float _S390;
+        float2  _S386 = integrals_along_0(family_9, own_0, quantity_2);
+        float _S387 = __ldg(&(&(globalParams_0->families_0)[crossing_0])->count_0);
+        float _S388 = integral_on_top_0(family_9, own_0, other_0, uint(_S387), quantity_2);
+        float _S389 = _S386.x;
+        float _S390 = _S389 * _S384.x;
+        float _S391;
         if(back_3)
         {
-            _S390 = _S389 - _S387;
+            _S391 = _S390 - _S388;
         }
         else
         {
-            _S390 = _S387;
+            _S391 = _S388;
         }
-        bool _S391 = quantity_2 == 0U;
-        if(_S391)
+        bool _S392 = quantity_2 == 0U;
+        if(_S392)
         {
-            float _S392 = __ldg(&(&(globalParams_0->families_0)[family_9])->area_unit_0);
-            float _S393 = 16.0f * _S392;
-            float _S394 = __ldg(&(&(globalParams_0->families_0)[family_9])->crossing_area_0);
-            is_exposed_0 = _S390 > (_S393 * (F32_min((_S389 / _S394), (1.0f))) + 0.00000999999974738f * _S389);
+            float _S393 = __ldg(&(&(globalParams_0->families_0)[family_9])->area_unit_0);
+            float _S394 = 16.0f * _S393;
+            float _S395 = __ldg(&(&(globalParams_0->families_0)[family_9])->crossing_area_0);
+            is_exposed_0 = _S391 > (_S394 * (F32_min((_S390 / _S395), (1.0f))) + 0.00000999999974738f * _S390);
         }
-        float _S395 = _S388 * _S383.y;
-        float _S396;
+        float _S396 = _S389 * _S384.y;
+        float _S397;
         if(is_exposed_0)
         {
-            _S396 = _S390;
+            _S397 = _S391;
         }
         else
         {
-            _S396 = 0.0f;
+            _S397 = 0.0f;
         }
-        float _S397 = _S395 + _S396 + 0.000244140625f * _S383.z * _S385.y;
-        if(_S391)
+        float _S398 = _S396 + _S397 + 0.000244140625f * _S384.z * _S386.y;
+        if(_S392)
         {
-            weight_1 = 1.0f / (F32_max((_S397), (9.99999968265522539e-21f)));
+            weight_1 = 1.0f / (F32_max((_S398), (9.99999968265522539e-21f)));
         }
         else
         {
-            Albedos_0 _S398 = albedos_2;
-            float _S399 = _S397 * weight_1;
-            uint _S400 = __ldg(&(&(globalParams_0->families_0)[family_9])->colour_axes_0);
-            uint _S401 = _S400 + 12U * (quantity_2 - 1U);
-            Albedos_0 _S402 = _S398;
-            Albedos_0 _S403 = with_added_albedos_0(&_S402, _S399, _S401);
-            albedos_2 = _S403;
+            Albedos_0 _S399 = albedos_2;
+            float _S400 = _S398 * weight_1;
+            uint _S401 = __ldg(&(&(globalParams_0->families_0)[family_9])->colour_axes_0);
+            uint _S402 = _S401 + 12U * (quantity_2 - 1U);
+            Albedos_0 _S403 = _S399;
+            Albedos_0 _S404 = with_added_albedos_0(&_S403, _S400, _S402);
+            albedos_2 = _S404;
         }
         quantity_2 = quantity_2 + 1U;
     }
@@ -2422,9 +2447,9 @@ __device__ CloseUp_0 no_close_up_0()
 {
     CloseUp_0 nothing_1;
     (&nothing_1)->weight_2 = 0.0f;
-    Blocked_0 _S404 = no_blocked_0();
-    (&nothing_1)->warp_1 = _S404;
-    (&nothing_1)->weft_1 = _S404;
+    Blocked_0 _S405 = no_blocked_0();
+    (&nothing_1)->warp_1 = _S405;
+    (&nothing_1)->weft_1 = _S405;
     return nothing_1;
 }
 
@@ -2457,30 +2482,30 @@ struct FaceSends_0
 
 __device__ FaceRadiance_0 face_radiance_0(FaceSends_0 * sends_0, float open_of_other_0, float3  passed_0, float3  from_other_0)
 {
-    float3  _S405 = make_float3 (1.0f - open_of_other_0) * passed_0;
+    float3  _S406 = make_float3 (1.0f - open_of_other_0) * passed_0;
     FaceRadiance_0 found_0;
-    float3  _S406 = sends_0->sky_warp_0 + _S405 * sends_0->crossing_warp_0;
-    (&found_0)->warp_2 = _S406;
-    float3  _S407 = sends_0->sky_weft_0 + _S405 * sends_0->crossing_weft_0;
-    (&found_0)->weft_2 = _S407;
-    (&found_0)->mean_0 = make_float3 (sends_0->blocks_warp_0) * _S406 + make_float3 (sends_0->blocks_weft_0) * _S407;
+    float3  _S407 = sends_0->sky_warp_0 + _S406 * sends_0->crossing_warp_0;
+    (&found_0)->warp_2 = _S407;
+    float3  _S408 = sends_0->sky_weft_0 + _S406 * sends_0->crossing_weft_0;
+    (&found_0)->weft_2 = _S408;
+    (&found_0)->mean_0 = make_float3 (sends_0->blocks_warp_0) * _S407 + make_float3 (sends_0->blocks_weft_0) * _S408;
     (&found_0)->leaked_0 = from_other_0;
     return found_0;
 }
 
-__device__ void view_terms_0(float3  view_1, FixedArray<float, 6>  * terms_0)
+__device__ void view_terms_0(float3  view_2, FixedArray<float, 6>  * terms_0)
 {
-    float _S408 = 1.0f - view_1.z;
-    float _S409 = _S408 * _S408;
+    float _S409 = 1.0f - view_2.z;
+    float _S410 = _S409 * _S409;
     (*terms_0)[int(0)] = 1.0f;
-    float _S410 = view_1.x;
-    float _S411 = _S410 * _S410;
-    float _S412 = view_1.y;
-    float _S413 = _S412 * _S412;
-    (*terms_0)[int(1)] = (F32_sqrt(((F32_max((_S411 + _S413), (9.999999960041972e-13f))))));
-    (*terms_0)[int(2)] = _S409;
-    (*terms_0)[int(3)] = _S409 * _S409;
-    (*terms_0)[int(4)] = _S411 - _S413;
+    float _S411 = view_2.x;
+    float _S412 = _S411 * _S411;
+    float _S413 = view_2.y;
+    float _S414 = _S413 * _S413;
+    (*terms_0)[int(1)] = (F32_sqrt(((F32_max((_S412 + _S414), (9.999999960041972e-13f))))));
+    (*terms_0)[int(2)] = _S410;
+    (*terms_0)[int(3)] = _S410 * _S410;
+    (*terms_0)[int(4)] = _S412 - _S414;
     (*terms_0)[int(5)] = 0.0f;
     return;
 }
@@ -2517,11 +2542,11 @@ struct Interior_0
 
 __device__ Bounced_0 bounced_by_0(Blocked_0 * blocked_1, Scattered_0 * yarn_0, Interior_0 * interior_0)
 {
-    float3  _S414 = make_float3 (blocked_1->by_warp_0 + blocked_1->by_weft_0) * interior_0->leaked_1;
-    float3  _S415 = make_float3 (blocked_1->far_0) * yarn_0->through_0;
+    float3  _S415 = make_float3 (blocked_1->by_warp_0 + blocked_1->by_weft_0) * interior_0->leaked_1;
+    float3  _S416 = make_float3 (blocked_1->far_0) * yarn_0->through_0;
     Bounced_0 bounced_0;
-    (&bounced_0)->reflected_0 = yarn_0->back_4 * (make_float3 (blocked_1->by_warp_0) * interior_0->warp_3 + make_float3 (blocked_1->by_weft_0) * interior_0->weft_3) + _S415 * interior_0->far_leaked_0;
-    (&bounced_0)->transmitted_0 = _S415 * interior_0->far_1 + yarn_0->back_4 * _S414;
+    (&bounced_0)->reflected_0 = yarn_0->back_4 * (make_float3 (blocked_1->by_warp_0) * interior_0->warp_3 + make_float3 (blocked_1->by_weft_0) * interior_0->weft_3) + _S416 * interior_0->far_leaked_0;
+    (&bounced_0)->transmitted_0 = _S416 * interior_0->far_1 + yarn_0->back_4 * _S415;
     return bounced_0;
 }
 
@@ -2533,19 +2558,19 @@ __device__ Bounced_0 sum_of_0(Bounced_0 * first_20, Bounced_0 * second_1)
     return sum_1;
 }
 
-__device__ float3  bounced_value_0(Bounced_0 * bounced_1, float3  light_1, float3  view_2)
+__device__ float3  bounced_value_0(Bounced_0 * bounced_1, float3  light_2, float3  view_3)
 {
-    float _S416 = light_1.z;
-    float3  _S417;
-    if((_S416 * view_2.z) < 0.0f)
+    float _S417 = light_2.z;
+    float3  _S418;
+    if((_S417 * view_3.z) < 0.0f)
     {
-        _S417 = bounced_1->transmitted_0;
+        _S418 = bounced_1->transmitted_0;
     }
     else
     {
-        _S417 = bounced_1->reflected_0;
+        _S418 = bounced_1->reflected_0;
     }
-    return _S417 * make_float3 ((F32_abs((_S416))) * 0.31830987334251404f);
+    return _S418 * make_float3 ((F32_abs((_S417))) * 0.31830987334251404f);
 }
 
 __device__ float sheen_scale_0(float x_27, float y_13)
@@ -2565,119 +2590,119 @@ __device__ float sheen_reflectance_0(float x_29, float y_15)
 
 __device__ float3  sheen_lobe_0(float cos_view_0, float roughness_1)
 {
-    float _S418 = clamp_1(cos_view_0, 0.00999999977648258f, 1.0f);
-    float _S419 = 2.0f * (F32_sqrt((_S418))) - 1.0f;
-    float _S420 = 3.0f * (F32_sqrt(((F32_sqrt((clamp_1(roughness_1, 0.00999999977648258f, 1.0f))))))) - 2.0f;
-    return make_float3 (clamp_1(sheen_scale_0(_S419, _S420), 0.00999999977648258f, 1.0f), clamp_1((1.0f - _S418) * sheen_shear_0(_S419, _S420), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp_1(sheen_reflectance_0(_S419, _S420), -60.0f, 60.0f))));
+    float _S419 = clamp_1(cos_view_0, 0.00999999977648258f, 1.0f);
+    float _S420 = 2.0f * (F32_sqrt((_S419))) - 1.0f;
+    float _S421 = 3.0f * (F32_sqrt(((F32_sqrt((clamp_1(roughness_1, 0.00999999977648258f, 1.0f))))))) - 2.0f;
+    return make_float3 (clamp_1(sheen_scale_0(_S420, _S421), 0.00999999977648258f, 1.0f), clamp_1((1.0f - _S419) * sheen_shear_0(_S420, _S421), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp_1(sheen_reflectance_0(_S420, _S421), -60.0f, 60.0f))));
 }
 
-__device__ float transformed_cosine_0(float3  light_2, float3  view_3, float scale_1, float shear_0)
+__device__ float transformed_cosine_0(float3  light_3, float3  view_4, float scale_1, float shear_0)
 {
-    float _S421 = light_2.z;
-    bool _S422;
-    if(_S421 <= 0.0f)
+    float _S422 = light_3.z;
+    bool _S423;
+    if(_S422 <= 0.0f)
     {
-        _S422 = true;
+        _S423 = true;
     }
     else
     {
-        _S422 = (view_3.z) <= 0.0f;
+        _S423 = (view_4.z) <= 0.0f;
     }
-    if(_S422)
+    if(_S423)
     {
         return 0.0f;
     }
-    float2  _S423 = float2 {view_3.x, view_3.y};
-    float _S424 = dot_1(_S423, _S423);
-    float2  _S425;
-    if(_S424 > 9.99999968265522539e-21f)
+    float2  _S424 = float2 {view_4.x, view_4.y};
+    float _S425 = dot_1(_S424, _S424);
+    float2  _S426;
+    if(_S425 > 9.99999968265522539e-21f)
     {
-        _S425 = _S423 * make_float2 ((F32_rsqrt((_S424))));
+        _S426 = _S424 * make_float2 ((F32_rsqrt((_S425))));
     }
     else
     {
-        _S425 = make_float2 (1.0f, 0.0f);
+        _S426 = make_float2 (1.0f, 0.0f);
     }
-    float _S426 = scale_1 * dot_1(float2 {light_2.x, light_2.y}, _S425) + shear_0 * _S421;
-    float _S427 = scale_1 * (light_2.y * _S425.x - light_2.x * _S425.y);
-    float _S428 = _S426 * _S426 + _S427 * _S427 + _S421 * _S421;
-    return 0.31830987334251404f * scale_1 * scale_1 * _S421 / (F32_max((_S428 * _S428), (9.99999968265522539e-21f)));
+    float _S427 = scale_1 * dot_1(float2 {light_3.x, light_3.y}, _S426) + shear_0 * _S422;
+    float _S428 = scale_1 * (light_3.y * _S426.x - light_3.x * _S426.y);
+    float _S429 = _S427 * _S427 + _S428 * _S428 + _S422 * _S422;
+    return 0.31830987334251404f * scale_1 * scale_1 * _S422 / (F32_max((_S429 * _S429), (9.99999968265522539e-21f)));
 }
 
-__device__ float2  sheen_with_transmittance_0(float3  light_3, float3  view_4, float strength_0, float roughness_2)
+__device__ float2  sheen_with_transmittance_0(float3  light_4, float3  view_5, float strength_0, float roughness_2)
 {
-    float3  _S429 = sheen_lobe_0(view_4.z, roughness_2);
-    float _S430 = strength_0 * _S429.z;
-    return make_float2 (_S430 * transformed_cosine_0(light_3, view_4, _S429.x, _S429.y), 1.0f - _S430);
+    float3  _S430 = sheen_lobe_0(view_5.z, roughness_2);
+    float _S431 = strength_0 * _S430.z;
+    return make_float2 (_S431 * transformed_cosine_0(light_4, view_5, _S430.x, _S430.y), 1.0f - _S431);
 }
 
 struct WovenView_0
 {
-    FixedArray<float, 96>  sums_6;
+    FixedArray<float, 96>  sums_7;
     float hole_0;
     float correction_weight_0;
-    float3  view_5;
+    float3  view_6;
     bool back_5;
 };
 
-__device__ AnisotropicTaps_0 anisotropic_taps_0(uint _S431, Footprint_0 * _S432)
+__device__ AnisotropicTaps_0 anisotropic_taps_0(uint _S432, Footprint_0 * _S433)
 {
-    Fabric_0 * _S433 = (&(globalParams_0->fabrics_0)[_S431]);
-    float3  _S434 = row_of_taps_0(_S432);
-    float2  _S435 = _S432->dx_0;
-    float2  _S436 = _S432->dy_0;
-    float _S437 = dot_1(_S432->dx_0, _S432->dx_0) + dot_1(_S432->dy_0, _S432->dy_0);
-    float _S438 = _S432->dx_0.x * _S432->dy_0.y - _S432->dx_0.y * _S432->dy_0.x;
-    float _S439 = 0.5f * (_S437 + (F32_sqrt(((F32_max((_S437 * _S437 - 4.0f * _S438 * _S438), (0.0f)))))));
-    Woven_0 _S440 = slang_ldg_1(&_S433->woven_0);
-    bool _S441;
-    if(_S439 < (5.5f * (_S437 - _S439)))
+    Fabric_0 * _S434 = (&(globalParams_0->fabrics_0)[_S432]);
+    float3  _S435 = row_of_taps_0(_S433);
+    float2  _S436 = _S433->dx_0;
+    float2  _S437 = _S433->dy_0;
+    float _S438 = dot_1(_S433->dx_0, _S433->dx_0) + dot_1(_S433->dy_0, _S433->dy_0);
+    float _S439 = _S433->dx_0.x * _S433->dy_0.y - _S433->dx_0.y * _S433->dy_0.x;
+    float _S440 = 0.5f * (_S438 + (F32_sqrt(((F32_max((_S438 * _S438 - 4.0f * _S439 * _S439), (0.0f)))))));
+    Woven_0 _S441 = slang_ldg_1(&_S434->woven_0);
+    bool _S442;
+    if(_S440 < (5.5f * (_S438 - _S440)))
     {
-        _S441 = _S437 > (8.0f * _S440.pitch_0 * _S440.pitch_0);
+        _S442 = _S438 > (8.0f * _S441.pitch_0 * _S441.pitch_0);
     }
     else
     {
-        _S441 = false;
+        _S442 = false;
     }
-    float2  _S442 = make_float2 (_S440.ends_per_mm_0, _S440.picks_per_mm_0);
+    float2  _S443 = make_float2 (_S441.ends_per_mm_0, _S441.picks_per_mm_0);
     AnisotropicTaps_0 taps_1;
-    (&taps_1)->centre_1 = _S432->centre_0 * _S442;
-    float _S443;
-    if(_S441)
+    (&taps_1)->centre_1 = _S433->centre_0 * _S443;
+    float _S444;
+    if(_S442)
     {
-        _S443 = (F32_sqrt((0.125f * _S437)));
+        _S444 = (F32_sqrt((0.125f * _S438)));
     }
     else
     {
-        _S443 = _S434.x;
+        _S444 = _S435.x;
     }
-    (&taps_1)->side_0 = _S443 / _S440.pitch_0;
-    float2  _S444;
-    if(_S441)
+    (&taps_1)->side_0 = _S444 / _S441.pitch_0;
+    float2  _S445;
+    if(_S442)
     {
-        _S444 = make_float2 (0.25f) * _S435;
+        _S445 = make_float2 (0.25f) * _S436;
     }
     else
     {
-        _S444 = float2 {_S434.y, _S434.z};
+        _S445 = float2 {_S435.y, _S435.z};
     }
-    (&taps_1)->first_19 = _S444 * _S442;
-    if(_S441)
+    (&taps_1)->first_19 = _S445 * _S443;
+    if(_S442)
     {
-        _S444 = make_float2 (0.25f) * _S436;
+        _S445 = make_float2 (0.25f) * _S437;
     }
     else
     {
-        _S444 = make_float2 (0.5f) * float2 {_S434.y, _S434.z};
+        _S445 = make_float2 (0.5f) * float2 {_S435.y, _S435.z};
     }
-    (&taps_1)->second_0 = _S444 * _S442;
+    (&taps_1)->second_0 = _S445 * _S443;
     return taps_1;
 }
 
-__device__ void add_texel_0(uint _S445, uint _S446, float _S447, FixedArray<float, 88>  * _S448)
+__device__ void add_texel_0(uint _S446, uint _S447, float _S448, FixedArray<float, 88>  * _S449)
 {
-    Woven_0 _S449 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[_S445])->woven_0);
-    uint _S450 = _S449.latents_0 + _S446 * 8U;
+    Woven_0 _S450 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[_S446])->woven_0);
+    uint _S451 = _S450.latents_0 + _S447 * 8U;
     uint part_0 = 0U;
     for(;;)
     {
@@ -2688,54 +2713,54 @@ __device__ void add_texel_0(uint _S445, uint _S446, float _S447, FixedArray<floa
         {
             break;
         }
-        uint4  _S451 = __ldg((&(globalParams_0->packed_numbers_0)[_S450 + part_0]));
-        Eight_0 _S452 = eight_halves_0(_S451);
-        int _S453 = int(8U * part_0);
-        (*_S448)[_S453] = (*_S448)[_S453] + _S447 * _S452.low_0.x;
-        (*_S448)[_S453 + int(4)] = (*_S448)[_S453 + int(4)] + _S447 * _S452.high_0.x;
-        int _S454 = _S453 + int(1);
-        (*_S448)[_S454] = (*_S448)[_S454] + _S447 * _S452.low_0.y;
-        (*_S448)[_S454 + int(4)] = (*_S448)[_S454 + int(4)] + _S447 * _S452.high_0.y;
-        int _S455 = _S453 + int(2);
-        (*_S448)[_S455] = (*_S448)[_S455] + _S447 * _S452.low_0.z;
-        (*_S448)[_S455 + int(4)] = (*_S448)[_S455 + int(4)] + _S447 * _S452.high_0.z;
-        int _S456 = _S453 + int(3);
-        (*_S448)[_S456] = (*_S448)[_S456] + _S447 * _S452.low_0.w;
-        (*_S448)[_S456 + int(4)] = (*_S448)[_S456 + int(4)] + _S447 * _S452.high_0.w;
+        uint4  _S452 = __ldg((&(globalParams_0->packed_numbers_0)[_S451 + part_0]));
+        Eight_0 _S453 = eight_halves_0(_S452);
+        int _S454 = int(8U * part_0);
+        (*_S449)[_S454] = (*_S449)[_S454] + _S448 * _S453.low_0.x;
+        (*_S449)[_S454 + int(4)] = (*_S449)[_S454 + int(4)] + _S448 * _S453.high_0.x;
+        int _S455 = _S454 + int(1);
+        (*_S449)[_S455] = (*_S449)[_S455] + _S448 * _S453.low_0.y;
+        (*_S449)[_S455 + int(4)] = (*_S449)[_S455 + int(4)] + _S448 * _S453.high_0.y;
+        int _S456 = _S454 + int(2);
+        (*_S449)[_S456] = (*_S449)[_S456] + _S448 * _S453.low_0.z;
+        (*_S449)[_S456 + int(4)] = (*_S449)[_S456 + int(4)] + _S448 * _S453.high_0.z;
+        int _S457 = _S454 + int(3);
+        (*_S449)[_S457] = (*_S449)[_S457] + _S448 * _S453.low_0.w;
+        (*_S449)[_S457 + int(4)] = (*_S449)[_S457 + int(4)] + _S448 * _S453.high_0.w;
         part_0 = part_0 + 1U;
     }
     return;
 }
 
-__device__ void add_level_0(uint _S457, uint _S458, bool _S459, float2  _S460, float _S461, FixedArray<float, 88>  * _S462)
+__device__ void add_level_0(uint _S458, uint _S459, bool _S460, float2  _S461, float _S462, FixedArray<float, 88>  * _S463)
 {
-    Woven_0 _S463 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[_S457])->woven_0);
-    uint _S464 = _S463.levels_1 + 4U * _S458;
-    float _S465 = table_number_0(_S464);
-    float _S466 = table_number_0(_S464 + 1U);
-    float _S467 = table_number_0(_S464 + 2U);
-    bool _S468;
-    if(_S458 > 3U)
+    Woven_0 _S464 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[_S458])->woven_0);
+    uint _S465 = _S464.levels_1 + 4U * _S459;
+    float _S466 = table_number_0(_S465);
+    float _S467 = table_number_0(_S465 + 1U);
+    float _S468 = table_number_0(_S465 + 2U);
+    bool _S469;
+    if(_S459 > 3U)
     {
-        _S468 = _S458 < (_S463.top_level_0);
+        _S469 = _S459 < (_S464.top_level_0);
     }
     else
     {
-        _S468 = false;
+        _S469 = false;
     }
-    float2  _S469 = _S460 * make_float2 (table_number_0(_S464 + 3U));
-    float _S470;
-    if(_S468)
+    float2  _S470 = _S461 * make_float2 (table_number_0(_S465 + 3U));
+    float _S471;
+    if(_S469)
     {
-        _S470 = 1.0f;
+        _S471 = 1.0f;
     }
     else
     {
-        _S470 = 0.5f;
+        _S471 = 0.5f;
     }
-    float2  _S471 = _S469 - make_float2 (_S470);
-    float2  _S472 = floor_0(_S471);
-    float2  _S473 = _S471 - _S472;
+    float2  _S472 = _S470 - make_float2 (_S471);
+    float2  _S473 = floor_0(_S472);
+    float2  _S474 = _S472 - _S473;
     uint corner_0 = 0U;
     for(;;)
     {
@@ -2746,29 +2771,29 @@ __device__ void add_level_0(uint _S457, uint _S458, bool _S459, float2  _S460, f
         {
             break;
         }
-        float _S474 = float(corner_0 & 1U);
-        float _S475 = float(corner_0 >> int(1));
-        float2  _S476 = lerp_2(make_float2 (1.0f) - _S473, _S473, make_float2 (_S474, _S475));
-        uint _S477 = uint(_S465 + wrapped_0(_S472.y + _S475, _S467) * _S466 + wrapped_0(_S472.x + _S474, _S466));
-        uint _S478;
-        if(_S459)
+        float _S475 = float(corner_0 & 1U);
+        float _S476 = float(corner_0 >> int(1));
+        float2  _S477 = lerp_2(make_float2 (1.0f) - _S474, _S474, make_float2 (_S475, _S476));
+        uint _S478 = uint(_S466 + wrapped_0(_S473.y + _S476, _S468) * _S467 + wrapped_0(_S473.x + _S475, _S467));
+        uint _S479;
+        if(_S460)
         {
-            _S478 = _S463.texels_0;
+            _S479 = _S464.texels_0;
         }
         else
         {
-            _S478 = 0U;
+            _S479 = 0U;
         }
-        add_texel_0(_S457, _S477 + _S478, _S461 * _S476.x * _S476.y, _S462);
+        add_texel_0(_S458, _S478 + _S479, _S462 * _S477.x * _S477.y, _S463);
         corner_0 = corner_0 + 1U;
     }
     return;
 }
 
-__device__ void code_footprint_0(uint _S479, AnisotropicTaps_0 * _S480, float3  _S481, bool _S482, FixedArray<float, 88>  * _S483)
+__device__ void code_footprint_0(uint _S480, AnisotropicTaps_0 * _S481, float3  _S482, bool _S483, FixedArray<float, 88>  * _S484)
 {
-    float offset_1;
-    Fabric_0 * _S484 = (&(globalParams_0->fabrics_0)[_S479]);
+    float offset_2;
+    Fabric_0 * _S485 = (&(globalParams_0->fabrics_0)[_S480]);
     int k_0 = int(0);
     for(;;)
     {
@@ -2779,57 +2804,57 @@ __device__ void code_footprint_0(uint _S479, AnisotropicTaps_0 * _S480, float3  
         {
             break;
         }
-        (*_S483)[k_0] = 0.0f;
+        (*_S484)[k_0] = 0.0f;
         k_0 = k_0 + int(1);
     }
-    Woven_0 _S485 = slang_ldg_1(&_S484->woven_0);
-    float2  _S486 = make_float2 (_S485.ends_0, _S485.picks_0);
-    float _S487 = float(_S485.top_level_0);
-    float _S488 = clamp_1(binary_logarithm_0((F32_max((_S480->side_0), (9.99999997475242708e-07f)))) + 3.0f, 0.0f, _S487);
-    float _S489 = (F32_min(((F32_floor((_S488)))), (_S487 - 1.0f)));
-    bool _S490 = AnisotropicTaps_has_steps_0(_S480);
-    uint _S491;
-    if(_S490)
+    Woven_0 _S486 = slang_ldg_1(&_S485->woven_0);
+    float2  _S487 = make_float2 (_S486.ends_0, _S486.picks_0);
+    float _S488 = float(_S486.top_level_0);
+    float _S489 = clamp_1(binary_logarithm_0((F32_max((_S481->side_0), (9.99999997475242708e-07f)))) + 3.0f, 0.0f, _S488);
+    float _S490 = (F32_min(((F32_floor((_S489)))), (_S488 - 1.0f)));
+    bool _S491 = AnisotropicTaps_has_steps_0(_S481);
+    uint _S492;
+    if(_S491)
     {
-        _S491 = 4U;
+        _S492 = 4U;
     }
     else
     {
-        _S491 = 1U;
+        _S492 = 1U;
     }
     uint number_1 = 0U;
     for(;;)
     {
-        if(number_1 < (2U * _S491))
+        if(number_1 < (2U * _S492))
         {
         }
         else
         {
             break;
         }
-        float2  _S492 = AnisotropicTaps_place_0(_S480, number_1 >> int(1));
-        float2  _S493 = clamp_2(_S492 - _S486 * floor_0(_S492 / _S486), make_float2 (0.0f), _S486);
-        bool _S494 = (number_1 & 1U) != 0U;
-        if(_S494)
+        float2  _S493 = AnisotropicTaps_place_0(_S481, number_1 >> int(1));
+        float2  _S494 = clamp_2(_S493 - _S487 * floor_0(_S493 / _S487), make_float2 (0.0f), _S487);
+        bool _S495 = (number_1 & 1U) != 0U;
+        if(_S495)
         {
-            offset_1 = _S488 - _S489;
+            offset_2 = _S489 - _S490;
         }
         else
         {
-            offset_1 = 1.0f - (_S488 - _S489);
+            offset_2 = 1.0f - (_S489 - _S490);
         }
-        float _S495 = offset_1 / float(_S491);
-        uint _S496 = uint(_S489);
-        uint _S497;
-        if(_S494)
+        float _S496 = offset_2 / float(_S492);
+        uint _S497 = uint(_S490);
+        uint _S498;
+        if(_S495)
         {
-            _S497 = 1U;
+            _S498 = 1U;
         }
         else
         {
-            _S497 = 0U;
+            _S498 = 0U;
         }
-        add_level_0(_S479, _S496 + _S497, _S482, _S493, _S495, _S483);
+        add_level_0(_S480, _S497 + _S498, _S483, _S494, _S496, _S484);
         number_1 = number_1 + 1U;
     }
     int number_2 = int(0);
@@ -2852,16 +2877,16 @@ __device__ void code_footprint_0(uint _S479, AnisotropicTaps_0 * _S480, float3  
             {
                 break;
             }
-            float offset_2 = _slang_vector_get_element(_S481, number_2) - (float(bin_0) + 0.5f) / 8.0f;
+            float offset_3 = _slang_vector_get_element(_S482, number_2) - (float(bin_0) + 0.5f) / 8.0f;
             if(number_2 < int(2))
             {
-                offset_1 = offset_2 - (F32_round((offset_2)));
+                offset_2 = offset_3 - (F32_round((offset_3)));
             }
             else
             {
-                offset_1 = offset_2;
+                offset_2 = offset_3;
             }
-            (*_S483)[int(64) + number_2 * int(8) + bin_0] = bump_0(offset_1 * 3.20000004768371582f);
+            (*_S484)[int(64) + number_2 * int(8) + bin_0] = bump_0(offset_2 * 3.20000004768371582f);
             bin_0 = bin_0 + int(1);
         }
         number_2 = number_2 + int(1);
@@ -2869,76 +2894,76 @@ __device__ void code_footprint_0(uint _S479, AnisotropicTaps_0 * _S480, float3  
     return;
 }
 
-__device__ float3  crown_fibres_0(uint _S498, bool _S499, bool _S500)
+__device__ float3  crown_fibres_0(uint _S499, bool _S500, bool _S501)
 {
-    Fabric_0 * _S501 = (&(globalParams_0->fabrics_0)[_S498]);
-    float _S502;
-    if(_S499)
+    Fabric_0 * _S502 = (&(globalParams_0->fabrics_0)[_S499]);
+    float _S503;
+    if(_S500)
     {
-        if(_S500)
+        if(_S501)
         {
-            Woven_0 _S503 = slang_ldg_1(&_S501->woven_0);
-            _S502 = - _S503.warp_x_0;
+            Woven_0 _S504 = slang_ldg_1(&_S502->woven_0);
+            _S503 = - _S504.warp_x_0;
         }
         else
         {
-            Woven_0 _S504 = slang_ldg_1(&_S501->woven_0);
-            _S502 = _S504.warp_x_0;
+            Woven_0 _S505 = slang_ldg_1(&_S502->woven_0);
+            _S503 = _S505.warp_x_0;
         }
-        Woven_0 _S505 = slang_ldg_1(&_S501->woven_0);
-        return make_float3 (_S502, _S505.warp_y_0, _S505.warp_roughness_0);
+        Woven_0 _S506 = slang_ldg_1(&_S502->woven_0);
+        return make_float3 (_S503, _S506.warp_y_0, _S506.warp_roughness_0);
     }
-    Woven_0 _S506 = slang_ldg_1(&_S501->woven_0);
-    if(_S500)
+    Woven_0 _S507 = slang_ldg_1(&_S502->woven_0);
+    if(_S501)
     {
-        _S502 = - _S506.weft_y_0;
+        _S503 = - _S507.weft_y_0;
     }
     else
     {
-        _S502 = _S506.weft_y_0;
+        _S503 = _S507.weft_y_0;
     }
-    return make_float3 (_S506.weft_x_0, _S502, _S506.weft_roughness_0);
+    return make_float3 (_S507.weft_x_0, _S503, _S507.weft_roughness_0);
 }
 
-__device__ void woven_view_0(uint _S507, Footprint_0 * _S508, float3  _S509, WovenView_0 * _S510)
+__device__ void woven_view_0(uint _S508, Footprint_0 * _S509, float3  _S510, WovenView_0 * _S511)
 {
-    Fabric_0 * _S511 = (&(globalParams_0->fabrics_0)[_S507]);
-    bool _S512 = (_S509.z) < 0.0f;
-    AnisotropicTaps_0 _S513 = anisotropic_taps_0(_S507, _S508);
-    AnisotropicTaps_0 _S514 = _S513;
-    float3  _S515 = footprint_coordinates_0(&_S514);
-    float3  _S516 = to_face_frame_0(_S509, _S512);
+    Fabric_0 * _S512 = (&(globalParams_0->fabrics_0)[_S508]);
+    bool _S513 = (_S510.z) < 0.0f;
+    AnisotropicTaps_0 _S514 = anisotropic_taps_0(_S508, _S509);
+    AnisotropicTaps_0 _S515 = _S514;
+    float3  _S516 = footprint_coordinates_0(&_S515);
+    float3  _S517 = to_face_frame_0(_S510, _S513);
     HalfWeights_0 weights_23;
-    Woven_0 _S517 = slang_ldg_1(&_S511->woven_0);
-    (&weights_23)->first_2 = _S517.network_0;
-    AnisotropicTaps_0 _S518 = _S513;
+    Woven_0 _S518 = slang_ldg_1(&_S512->woven_0);
+    (&weights_23)->first_2 = _S518.network_0;
+    AnisotropicTaps_0 _S519 = _S514;
     FixedArray<float, 88>  inputs_23;
-    code_footprint_0(_S507, &_S518, _S515, _S512, &inputs_23);
-    HalfWeights_0 _S519 = weights_23;
-    FixedArray<float, 96>  hidden_1;
-    dense_7(&_S519, 0U, false, &inputs_23, &hidden_1);
+    code_footprint_0(_S508, &_S519, _S516, _S513, &inputs_23);
     HalfWeights_0 _S520 = weights_23;
+    FixedArray<float, 96>  hidden_1;
+    dense_7(&_S520, 0U, false, &inputs_23, &hidden_1);
+    HalfWeights_0 _S521 = weights_23;
     FixedArray<float, 100>  fused_0;
-    dense_part_8(&_S520, 1068U, false, &hidden_1, &fused_0);
-    fused_0[int(96)] = _S516.x;
-    fused_0[int(97)] = _S516.y;
-    float3  _S521 = crown_fibres_0(_S507, true, _S512);
-    float2  _S522 = float2 {_S516.x, _S516.y};
-    fused_0[int(98)] = dot_1(float2 {_S521.x, _S521.y}, _S522);
-    float3  _S523 = crown_fibres_0(_S507, false, _S512);
-    fused_0[int(99)] = dot_1(float2 {_S523.x, _S523.y}, _S522);
-    HalfWeights_0 _S524 = weights_23;
-    FixedArray<float, 16>  of_hole_0;
-    dense_6(&_S524, 2232U, false, &fused_0, &of_hole_0);
+    dense_part_8(&_S521, 1068U, false, &hidden_1, &fused_0);
+    fused_0[int(96)] = _S517.x;
+    fused_0[int(97)] = _S517.y;
+    float3  _S522 = crown_fibres_0(_S508, true, _S513);
+    float2  _S523 = float2 {_S517.x, _S517.y};
+    fused_0[int(98)] = dot_1(float2 {_S522.x, _S522.y}, _S523);
+    float3  _S524 = crown_fibres_0(_S508, false, _S513);
+    fused_0[int(99)] = dot_1(float2 {_S524.x, _S524.y}, _S523);
     HalfWeights_0 _S525 = weights_23;
-    FixedArray<float, 1>  hole_1;
-    dense_5(&_S525, 2444U, false, &of_hole_0, &hole_1);
+    FixedArray<float, 16>  of_hole_0;
+    dense_6(&_S525, 2232U, false, &fused_0, &of_hole_0);
     HalfWeights_0 _S526 = weights_23;
-    dense_4(&_S526, 2456U, false, &fused_0, &_S510->sums_6);
-    _S510->hole_0 = clamp_1(hole_1[int(0)], 0.0f, 1.0f);
-    _S510->correction_weight_0 = correction_weight_of_0(_S515.z);
-    _S510->view_5 = _S516;
-    _S510->back_5 = _S512;
+    FixedArray<float, 1>  hole_1;
+    dense_5(&_S526, 2444U, false, &of_hole_0, &hole_1);
+    HalfWeights_0 _S527 = weights_23;
+    dense_4(&_S527, 2456U, false, &fused_0, &_S511->sums_7);
+    _S511->hole_0 = clamp_1(hole_1[int(0)], 0.0f, 1.0f);
+    _S511->correction_weight_0 = correction_weight_of_0(_S516.z);
+    _S511->view_6 = _S517;
+    _S511->back_5 = _S513;
     return;
 }
 
@@ -2952,16 +2977,16 @@ struct Components_0
     float hole_2;
 };
 
-__device__ void code_light_0(uint _S527, float3  _S528, float3  _S529, bool _S530, FixedArray<float, 39>  * _S531)
+__device__ void code_light_0(uint _S528, float3  _S529, float3  _S530, bool _S531, FixedArray<float, 39>  * _S532)
 {
-    (*_S531)[int(0)] = _S528.x;
-    (*_S531)[int(1)] = _S528.y;
-    (*_S531)[int(2)] = _S528.z;
-    float3  _S532 = _S528 + _S529;
-    float _S533 = _S532.z;
-    float _S534 = _S533 * _S533 + 0.00009999999747379f;
-    float2  _S535 = float2 {_S532.x, _S532.y};
-    float _S536 = 1.0f / (dot_1(_S535, _S535) + _S534);
+    (*_S532)[int(0)] = _S529.x;
+    (*_S532)[int(1)] = _S529.y;
+    (*_S532)[int(2)] = _S529.z;
+    float3  _S533 = _S529 + _S530;
+    float _S534 = _S533.z;
+    float _S535 = _S534 * _S534 + 0.00009999999747379f;
+    float2  _S536 = float2 {_S533.x, _S533.y};
+    float _S537 = 1.0f / (dot_1(_S536, _S536) + _S535);
     int family_10 = int(0);
     for(;;)
     {
@@ -2972,12 +2997,12 @@ __device__ void code_light_0(uint _S527, float3  _S528, float3  _S529, bool _S53
         {
             break;
         }
-        float3  _S537 = crown_fibres_0(_S527, family_10 == int(0), _S530);
-        float2  _S538 = float2 {_S537.x, _S537.y};
-        (*_S531)[int(3) + family_10] = dot_1(_S538, float2 {_S528.x, _S528.y});
-        float _S539 = dot_1(_S538, _S535);
-        float _S540 = _S539 * _S539;
-        float _S541 = (0.75f * _S539 / (0.5f * (F32_sqrt((_S540 + _S534))) + (F32_abs((_S539)))) + 0.5f) * 8.0f;
+        float3  _S538 = crown_fibres_0(_S528, family_10 == int(0), _S531);
+        float2  _S539 = float2 {_S538.x, _S538.y};
+        (*_S532)[int(3) + family_10] = dot_1(_S539, float2 {_S529.x, _S529.y});
+        float _S540 = dot_1(_S539, _S536);
+        float _S541 = _S540 * _S540;
+        float _S542 = (0.75f * _S540 / (0.5f * (F32_sqrt((_S541 + _S535))) + (F32_abs((_S540)))) + 0.5f) * 8.0f;
         int bin_1 = int(0);
         for(;;)
         {
@@ -2988,57 +3013,57 @@ __device__ void code_light_0(uint _S527, float3  _S528, float3  _S529, bool _S53
             {
                 break;
             }
-            (*_S531)[int(5) + family_10 * int(16) + bin_1] = bump_0(_S541 - (float(bin_1) + 0.5f) / 2.0f);
+            (*_S532)[int(5) + family_10 * int(16) + bin_1] = bump_0(_S542 - (float(bin_1) + 0.5f) / 2.0f);
             bin_1 = bin_1 + int(1);
         }
-        float _S542 = _S537.z;
-        float _S543 = _S542 * _S542;
-        float _S544 = _S540 * _S536 * (1.0f - _S543) + _S543;
-        (*_S531)[int(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S543 * _S542 / (_S544 * _S544));
+        float _S543 = _S538.z;
+        float _S544 = _S543 * _S543;
+        float _S545 = _S541 * _S537 * (1.0f - _S544) + _S544;
+        (*_S532)[int(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S544 * _S543 / (_S545 * _S545));
         family_10 = family_10 + int(1);
     }
     return;
 }
 
-__device__ float mixed_bundles_0(uint _S545, uint _S546, uint _S547, float3  _S548, float3  _S549, bool _S550, FixedArray<float, 52>  * _S551)
+__device__ float mixed_bundles_0(uint _S546, uint _S547, uint _S548, float3  _S549, float3  _S550, bool _S551, FixedArray<float, 52>  * _S552)
 {
-    Fabric_0 * _S552 = (&(globalParams_0->fabrics_0)[_S545]);
-    float3  _S553 = _S548 + _S549;
-    float _S554 = 1.0f / (square_1(_S553) + 0.00009999999747379f);
-    bool _S555;
-    if(_S546 == 0U)
+    Fabric_0 * _S553 = (&(globalParams_0->fabrics_0)[_S546]);
+    float3  _S554 = _S549 + _S550;
+    float _S555 = 1.0f / (square_1(_S554) + 0.00009999999747379f);
+    bool _S556;
+    if(_S547 == 0U)
     {
-        _S555 = _S550;
+        _S556 = _S551;
     }
     else
     {
-        _S555 = false;
-    }
-    float _S556;
-    if(_S555)
-    {
-        _S556 = - _S553.x;
-    }
-    else
-    {
-        _S556 = _S553.x;
-    }
-    if(_S546 == 1U)
-    {
-        _S555 = _S550;
-    }
-    else
-    {
-        _S555 = false;
+        _S556 = false;
     }
     float _S557;
-    if(_S555)
+    if(_S556)
     {
-        _S557 = - _S553.y;
+        _S557 = - _S554.x;
     }
     else
     {
-        _S557 = _S553.y;
+        _S557 = _S554.x;
+    }
+    if(_S547 == 1U)
+    {
+        _S556 = _S551;
+    }
+    else
+    {
+        _S556 = false;
+    }
+    float _S558;
+    if(_S556)
+    {
+        _S558 = - _S554.y;
+    }
+    else
+    {
+        _S558 = _S554.y;
     }
     uint bundle_1 = 0U;
     float sum_2 = 0.0f;
@@ -3051,40 +3076,40 @@ __device__ float mixed_bundles_0(uint _S545, uint _S546, uint _S547, float3  _S5
         {
             break;
         }
-        Woven_0 _S558 = slang_ldg_1(&_S552->woven_0);
-        uint _S559 = _S546 * 25U;
-        uint _S560 = _S558.bundles_0 + 4U * (_S559 + bundle_1);
-        float _S561 = dot_2(make_float3 (table_number_0(_S560), table_number_0(_S560 + 1U), table_number_0(_S560 + 2U)), make_float3 (_S556, _S557, _S553.z));
-        float _S562 = _S561 * _S561 * _S554 + table_number_0(_S560 + 3U);
-        uint _S563 = _S547 + _S559;
-        uint _S564;
-        if(_S550)
+        Woven_0 _S559 = slang_ldg_1(&_S553->woven_0);
+        uint _S560 = _S547 * 25U;
+        uint _S561 = _S559.bundles_0 + 4U * (_S560 + bundle_1);
+        float _S562 = dot_2(make_float3 (table_number_0(_S561), table_number_0(_S561 + 1U), table_number_0(_S561 + 2U)), make_float3 (_S557, _S558, _S554.z));
+        float _S563 = _S562 * _S562 * _S555 + table_number_0(_S561 + 3U);
+        uint _S564 = _S548 + _S560;
+        uint _S565;
+        if(_S551)
         {
-            _S564 = mirrored_bundle_0(bundle_1);
+            _S565 = mirrored_bundle_0(bundle_1);
         }
         else
         {
-            _S564 = bundle_1;
+            _S565 = bundle_1;
         }
-        float sum_3 = sum_2 + (F32_max(((*_S551)[_S563 + _S564]), ((*_S551)[_S563 + _S564] * 0.00999999977648258f))) / (_S562 * _S562);
+        float sum_3 = sum_2 + (F32_max(((*_S552)[_S564 + _S565]), ((*_S552)[_S564 + _S565] * 0.00999999977648258f))) / (_S563 * _S563);
         bundle_1 = bundle_1 + 1U;
         sum_2 = sum_3;
     }
     return 0.01999999955296516f * sum_2;
 }
 
-__device__ Components_0 woven_components_0(uint _S565, WovenView_0 * _S566, float3  _S567)
+__device__ Components_0 woven_components_0(uint _S566, WovenView_0 * _S567, float3  _S568)
 {
-    float _S568;
-    Fabric_0 * _S569 = (&(globalParams_0->fabrics_0)[_S565]);
-    bool _S570 = _S566->back_5;
-    float3  _S571 = to_face_frame_0(_S567, _S566->back_5);
-    float3  _S572 = _S566->view_5;
+    float _S569;
+    Fabric_0 * _S570 = (&(globalParams_0->fabrics_0)[_S566]);
+    bool _S571 = _S567->back_5;
+    float3  _S572 = to_face_frame_0(_S568, _S567->back_5);
+    float3  _S573 = _S567->view_6;
     HalfWeights_0 weights_24;
-    Woven_0 _S573 = slang_ldg_1(&_S569->woven_0);
-    (&weights_24)->first_2 = _S573.network_0;
+    Woven_0 _S574 = slang_ldg_1(&_S570->woven_0);
+    (&weights_24)->first_2 = _S574.network_0;
     FixedArray<float, 39>  directions_0;
-    code_light_0(_S565, _S571, _S572, _S570, &directions_0);
+    code_light_0(_S566, _S572, _S573, _S571, &directions_0);
     FixedArray<float, 96>  skip_0;
     int k_1 = int(0);
     for(;;)
@@ -3096,11 +3121,11 @@ __device__ Components_0 woven_components_0(uint _S565, WovenView_0 * _S566, floa
         {
             break;
         }
-        skip_0[k_1] = _S566->sums_6[k_1];
+        skip_0[k_1] = _S567->sums_7[k_1];
         k_1 = k_1 + int(1);
     }
-    HalfWeights_0 _S574 = weights_24;
-    dense_3(&_S574, 3716U, true, &directions_0, &skip_0);
+    HalfWeights_0 _S575 = weights_24;
+    dense_3(&_S575, 3716U, true, &directions_0, &skip_0);
     FixedArray<float, 96>  hidden_2;
     FixedArray<float, 96>  next_0;
     k_1 = int(0);
@@ -3138,18 +3163,18 @@ __device__ Components_0 woven_components_0(uint _S565, WovenView_0 * _S566, floa
             }
             if(layer_0 == 1U)
             {
-                _S568 = skip_0[k_1];
+                _S569 = skip_0[k_1];
             }
             else
             {
-                _S568 = 0.0f;
+                _S569 = 0.0f;
             }
-            next_0[k_1] = _S568;
+            next_0[k_1] = _S569;
             k_1 = k_1 + int(1);
         }
-        uint _S575 = 4208U + layer_0 * 1164U;
-        HalfWeights_0 _S576 = weights_24;
-        dense_2(&_S576, _S575, true, &hidden_2, &next_0);
+        uint _S576 = 4208U + layer_0 * 1164U;
+        HalfWeights_0 _S577 = weights_24;
+        dense_2(&_S577, _S576, true, &hidden_2, &next_0);
         int k_2 = int(0);
         for(;;)
         {
@@ -3165,33 +3190,33 @@ __device__ Components_0 woven_components_0(uint _S565, WovenView_0 * _S566, floa
         }
         layer_0 = layer_0 + 1U;
     }
-    HalfWeights_0 _S577 = weights_24;
+    HalfWeights_0 _S578 = weights_24;
     FixedArray<float, 52>  outputs_17;
-    dense_1(&_S577, 7700U, false, &hidden_2, &outputs_17);
-    bool _S578;
-    if((_S573.is_corrected_0) != 0U)
+    dense_1(&_S578, 7700U, false, &hidden_2, &outputs_17);
+    bool _S579;
+    if((_S574.is_corrected_0) != 0U)
     {
-        _S578 = (_S571.z) > 0.0f;
+        _S579 = (_S572.z) > 0.0f;
     }
     else
     {
-        _S578 = false;
+        _S579 = false;
     }
-    if(_S578)
+    if(_S579)
     {
-        _S578 = (_S566->correction_weight_0) > 0.0f;
+        _S579 = (_S567->correction_weight_0) > 0.0f;
     }
     else
     {
-        _S578 = false;
+        _S579 = false;
     }
-    if(_S578)
+    if(_S579)
     {
         FloatWeights_0 fitted_0;
-        (&fitted_0)->first_0 = _S573.correction_0;
-        FloatWeights_0 _S579 = fitted_0;
+        (&fitted_0)->first_0 = _S574.correction_0;
+        FloatWeights_0 _S580 = fitted_0;
         FixedArray<float, 50>  change_0;
-        dense_0(&_S579, 0U, false, &hidden_2, &change_0);
+        dense_0(&_S580, 0U, false, &hidden_2, &change_0);
         k_1 = int(0);
         for(;;)
         {
@@ -3202,33 +3227,33 @@ __device__ Components_0 woven_components_0(uint _S565, WovenView_0 * _S566, floa
             {
                 break;
             }
-            outputs_17[k_1 + int(2)] = outputs_17[k_1 + int(2)] + _S566->correction_weight_0 * change_0[k_1];
+            outputs_17[k_1 + int(2)] = outputs_17[k_1 + int(2)] + _S567->correction_weight_0 * change_0[k_1];
             k_1 = k_1 + int(1);
         }
     }
-    if((_S571.z) > 0.0f)
+    if((_S572.z) > 0.0f)
     {
-        _S568 = 0.00999999977648258f;
+        _S569 = 0.00999999977648258f;
     }
     else
     {
-        _S568 = 0.00100000004749745f;
+        _S569 = 0.00100000004749745f;
     }
     Components_0 result_16;
-    float _S580 = unmapped_0(outputs_17[int(0)], _S568);
-    (&result_16)->diffuse_warp_0 = _S580;
-    float _S581 = unmapped_0(outputs_17[int(1)], _S568);
-    (&result_16)->diffuse_weft_0 = _S581;
-    float _S582 = 2979.9580078125f * _S568;
-    float _S583 = mixed_bundles_0(_S565, 0U, 2U, _S571, _S572, _S570, &outputs_17);
-    (&result_16)->specular_warp_0 = clamp_1(_S583, 0.0f, _S582);
-    float _S584 = mixed_bundles_0(_S565, 1U, 2U, _S571, _S572, _S570, &outputs_17);
-    (&result_16)->specular_weft_0 = clamp_1(_S584, 0.0f, _S582);
-    float _S585 = _S566->hole_0;
-    (&result_16)->hole_2 = _S566->hole_0;
-    float _S586 = _S580 + _S581;
-    float _S587 = __ldg(&_S569->diffuse_blend_0);
-    (&result_16)->light_visibility_1 = (F32_min((light_visibility_of_0(_S586, _S571, _S572, _S587)), (1.0f - _S585)));
+    float _S581 = unmapped_0(outputs_17[int(0)], _S569);
+    (&result_16)->diffuse_warp_0 = _S581;
+    float _S582 = unmapped_0(outputs_17[int(1)], _S569);
+    (&result_16)->diffuse_weft_0 = _S582;
+    float _S583 = 2979.9580078125f * _S569;
+    float _S584 = mixed_bundles_0(_S566, 0U, 2U, _S572, _S573, _S571, &outputs_17);
+    (&result_16)->specular_warp_0 = clamp_1(_S584, 0.0f, _S583);
+    float _S585 = mixed_bundles_0(_S566, 1U, 2U, _S572, _S573, _S571, &outputs_17);
+    (&result_16)->specular_weft_0 = clamp_1(_S585, 0.0f, _S583);
+    float _S586 = _S567->hole_0;
+    (&result_16)->hole_2 = _S567->hole_0;
+    float _S587 = _S581 + _S582;
+    float _S588 = __ldg(&_S570->diffuse_blend_0);
+    (&result_16)->light_visibility_1 = (F32_min((light_visibility_of_0(_S587, _S572, _S573, _S588)), (1.0f - _S586)));
     return result_16;
 }
 
@@ -3238,136 +3263,136 @@ struct FamilyAlbedos_0
     Albedos_0 weft_4;
 };
 
-__device__ FamilyAlbedos_0 albedos_over_0(uint _S588, Footprint_0 * _S589, bool _S590)
+__device__ FamilyAlbedos_0 albedos_over_0(uint _S589, Footprint_0 * _S590, bool _S591)
 {
-    Fabric_0 * _S591 = (&(globalParams_0->fabrics_0)[_S588]);
-    float2  _S592 = sqrt_0(_S589->dx_0 * _S589->dx_0 + _S589->dy_0 * _S589->dy_0);
-    uint _S593 = __ldg(&_S591->warp_0);
-    float2  _S594 = _S589->centre_0;
-    Stretch_0 _S595 = stretch_of_0(_S593, _S589->centre_0.x, _S592.x);
-    uint _S596 = __ldg(&_S591->weft_0);
-    Stretch_0 _S597 = stretch_of_0(_S596, _S594.y, _S592.y);
+    Fabric_0 * _S592 = (&(globalParams_0->fabrics_0)[_S589]);
+    float2  _S593 = sqrt_0(_S590->dx_0 * _S590->dx_0 + _S590->dy_0 * _S590->dy_0);
+    uint _S594 = __ldg(&_S592->warp_0);
+    float2  _S595 = _S590->centre_0;
+    Stretch_0 _S596 = stretch_of_0(_S594, _S590->centre_0.x, _S593.x);
+    uint _S597 = __ldg(&_S592->weft_0);
+    Stretch_0 _S598 = stretch_of_0(_S597, _S595.y, _S593.y);
     FamilyAlbedos_0 albedos_4;
-    Stretch_0 _S598 = _S595;
-    Stretch_0 _S599 = _S597;
-    Albedos_0 _S600 = mean_albedos_0(_S593, _S596, &_S598, &_S599, _S590);
-    (&albedos_4)->warp_4 = _S600;
-    Stretch_0 _S601 = _S597;
-    Stretch_0 _S602 = _S595;
-    Albedos_0 _S603 = mean_albedos_0(_S596, _S593, &_S601, &_S602, _S590);
-    (&albedos_4)->weft_4 = _S603;
+    Stretch_0 _S599 = _S596;
+    Stretch_0 _S600 = _S598;
+    Albedos_0 _S601 = mean_albedos_0(_S594, _S597, &_S599, &_S600, _S591);
+    (&albedos_4)->warp_4 = _S601;
+    Stretch_0 _S602 = _S598;
+    Stretch_0 _S603 = _S596;
+    Albedos_0 _S604 = mean_albedos_0(_S597, _S594, &_S602, &_S603, _S591);
+    (&albedos_4)->weft_4 = _S604;
     return albedos_4;
 }
 
-__device__ float openness_number_0(uint _S604, uint _S605)
+__device__ float openness_number_0(uint _S605, uint _S606)
 {
-    uint _S606 = __ldg(&(&(globalParams_0->fabrics_0)[_S604])->openness_0);
-    return table_number_0(_S606 + _S605);
+    uint _S607 = __ldg(&(&(globalParams_0->fabrics_0)[_S605])->openness_0);
+    return table_number_0(_S607 + _S606);
 }
 
-__device__ Scattered_0 scattered_by_0(uint _S607, Albedos_0 * _S608, uint _S609, float3  _S610)
+__device__ Scattered_0 scattered_by_0(uint _S608, Albedos_0 * _S609, uint _S610, float3  _S611)
 {
-    uint _S611 = 159U + 2U * _S609;
+    uint _S612 = 159U + 2U * _S610;
     Scattered_0 yarn_1;
-    float3  _S612 = _S610 * _S608->diffuse_reflect_0;
-    float _S613 = openness_number_0(_S607, _S611);
-    (&yarn_1)->back_4 = _S612 + make_float3 (_S613) * _S608->specular_reflect_0;
-    float3  _S614 = _S610 * _S608->diffuse_transmit_0;
-    float _S615 = openness_number_0(_S607, _S611 + 1U);
-    (&yarn_1)->through_0 = _S614 + make_float3 (_S615) * _S608->specular_transmit_0;
+    float3  _S613 = _S611 * _S609->diffuse_reflect_0;
+    float _S614 = openness_number_0(_S608, _S612);
+    (&yarn_1)->back_4 = _S613 + make_float3 (_S614) * _S609->specular_reflect_0;
+    float3  _S615 = _S611 * _S609->diffuse_transmit_0;
+    float _S616 = openness_number_0(_S608, _S612 + 1U);
+    (&yarn_1)->through_0 = _S615 + make_float3 (_S616) * _S609->specular_transmit_0;
     return yarn_1;
 }
 
-__device__ void sent_0(uint _S616, uint _S617, float3  _S618, float3  _S619, float3  _S620, float3  _S621, float3  * _S622, float3  * _S623)
+__device__ void sent_0(uint _S617, uint _S618, float3  _S619, float3  _S620, float3  _S621, float3  _S622, float3  * _S623, float3  * _S624)
 {
-    uint _S624 = 146U + 4U * _S617;
-    float _S625 = openness_number_0(_S616, _S624);
-    float _S626 = openness_number_0(_S616, _S624 + 1U);
-    float _S627 = openness_number_0(_S616, _S624 + 2U);
-    float _S628 = openness_number_0(_S616, _S624 + 3U);
-    float3  _S629 = make_float3 (1.0f) - _S620 * make_float3 (_S625);
-    float3  _S630 = make_float3 (1.0f) - _S621 * make_float3 (_S628);
-    float3  _S631 = make_float3 (1.0f) / (_S629 * _S630 - _S620 * _S621 * make_float3 (_S626 * _S627));
-    *_S622 = (_S618 * _S630 + _S620 * make_float3 (_S626) * _S619) * _S631;
-    *_S623 = (_S619 * _S629 + _S621 * make_float3 (_S627) * _S618) * _S631;
+    uint _S625 = 146U + 4U * _S618;
+    float _S626 = openness_number_0(_S617, _S625);
+    float _S627 = openness_number_0(_S617, _S625 + 1U);
+    float _S628 = openness_number_0(_S617, _S625 + 2U);
+    float _S629 = openness_number_0(_S617, _S625 + 3U);
+    float3  _S630 = make_float3 (1.0f) - _S621 * make_float3 (_S626);
+    float3  _S631 = make_float3 (1.0f) - _S622 * make_float3 (_S629);
+    float3  _S632 = make_float3 (1.0f) / (_S630 * _S631 - _S621 * _S622 * make_float3 (_S627 * _S628));
+    *_S623 = (_S619 * _S631 + _S621 * make_float3 (_S627) * _S620) * _S632;
+    *_S624 = (_S620 * _S630 + _S622 * make_float3 (_S628) * _S619) * _S632;
     return;
 }
 
-__device__ FaceSends_0 face_sends_0(uint _S632, uint _S633, Scattered_0 * _S634, Scattered_0 * _S635)
+__device__ FaceSends_0 face_sends_0(uint _S633, uint _S634, Scattered_0 * _S635, Scattered_0 * _S636)
 {
-    uint _S636 = 2U * _S633;
-    uint _S637 = 142U + _S636;
-    float _S638 = openness_number_0(_S632, _S637);
-    float _S639 = openness_number_0(_S632, _S637 + 1U);
-    float3  _S640 = make_float3 (1.0f - _S638) * _S634->back_4;
+    uint _S637 = 2U * _S634;
+    uint _S638 = 142U + _S637;
+    float _S639 = openness_number_0(_S633, _S638);
+    float _S640 = openness_number_0(_S633, _S638 + 1U);
     float3  _S641 = make_float3 (1.0f - _S639) * _S635->back_4;
+    float3  _S642 = make_float3 (1.0f - _S640) * _S636->back_4;
     FaceSends_0 sends_1;
-    uint _S642 = 154U + _S636;
-    float _S643 = openness_number_0(_S632, _S642);
-    (&sends_1)->blocks_warp_0 = _S643;
-    float _S644 = openness_number_0(_S632, _S642 + 1U);
-    (&sends_1)->blocks_weft_0 = _S644;
-    (&sends_1)->open_0 = _S643 * _S638 + _S644 * _S639;
-    sent_0(_S632, _S633, make_float3 (_S638) * _S634->back_4, make_float3 (_S639) * _S635->back_4, _S640, _S641, &(&sends_1)->sky_warp_0, &(&sends_1)->sky_weft_0);
-    sent_0(_S632, _S633, _S634->through_0, _S635->through_0, _S640, _S641, &(&sends_1)->crossing_warp_0, &(&sends_1)->crossing_weft_0);
+    uint _S643 = 154U + _S637;
+    float _S644 = openness_number_0(_S633, _S643);
+    (&sends_1)->blocks_warp_0 = _S644;
+    float _S645 = openness_number_0(_S633, _S643 + 1U);
+    (&sends_1)->blocks_weft_0 = _S645;
+    (&sends_1)->open_0 = _S644 * _S639 + _S645 * _S640;
+    sent_0(_S633, _S634, make_float3 (_S639) * _S635->back_4, make_float3 (_S640) * _S636->back_4, _S641, _S642, &(&sends_1)->sky_warp_0, &(&sends_1)->sky_weft_0);
+    sent_0(_S633, _S634, _S635->through_0, _S636->through_0, _S641, _S642, &(&sends_1)->crossing_warp_0, &(&sends_1)->crossing_weft_0);
     return sends_1;
 }
 
-__device__ Interior_0 interior_of_0(uint _S645, float3  _S646, bool _S647)
+__device__ Interior_0 interior_of_0(uint _S646, float3  _S647, bool _S648)
 {
-    Fabric_0 * _S648 = (&(globalParams_0->fabrics_0)[_S645]);
-    uint _S649 = __ldg(&_S648->warp_0);
-    uint _S650 = __ldg(&(&(globalParams_0->families_0)[_S649])->colour_mean_0);
-    Albedos_0 _S651 = table_albedos_0(_S650);
-    Scattered_0 _S652 = scattered_by_0(_S645, &_S651, 0U, _S646);
-    uint _S653 = __ldg(&_S648->weft_0);
-    uint _S654 = __ldg(&(&(globalParams_0->families_0)[_S653])->colour_mean_0);
-    Albedos_0 _S655 = table_albedos_0(_S654);
-    Scattered_0 _S656 = scattered_by_0(_S645, &_S655, 1U, _S646);
-    uint _S657;
-    if(_S647)
+    Fabric_0 * _S649 = (&(globalParams_0->fabrics_0)[_S646]);
+    uint _S650 = __ldg(&_S649->warp_0);
+    uint _S651 = __ldg(&(&(globalParams_0->families_0)[_S650])->colour_mean_0);
+    Albedos_0 _S652 = table_albedos_0(_S651);
+    Scattered_0 _S653 = scattered_by_0(_S646, &_S652, 0U, _S647);
+    uint _S654 = __ldg(&_S649->weft_0);
+    uint _S655 = __ldg(&(&(globalParams_0->families_0)[_S654])->colour_mean_0);
+    Albedos_0 _S656 = table_albedos_0(_S655);
+    Scattered_0 _S657 = scattered_by_0(_S646, &_S656, 1U, _S647);
+    uint _S658;
+    if(_S648)
     {
-        _S657 = 1U;
+        _S658 = 1U;
     }
     else
     {
-        _S657 = 0U;
+        _S658 = 0U;
     }
-    Scattered_0 _S658 = _S652;
-    Scattered_0 _S659 = _S656;
-    FaceSends_0 _S660 = face_sends_0(_S645, _S657, &_S658, &_S659);
-    if(_S647)
+    Scattered_0 _S659 = _S653;
+    Scattered_0 _S660 = _S657;
+    FaceSends_0 _S661 = face_sends_0(_S646, _S658, &_S659, &_S660);
+    if(_S648)
     {
-        _S657 = 0U;
+        _S658 = 0U;
     }
     else
     {
-        _S657 = 1U;
+        _S658 = 1U;
     }
-    Scattered_0 _S661 = _S652;
-    Scattered_0 _S662 = _S656;
-    FaceSends_0 _S663 = face_sends_0(_S645, _S657, &_S661, &_S662);
-    float3  _S664 = make_float3 (_S660.blocks_warp_0) * _S660.crossing_warp_0 + make_float3 (_S660.blocks_weft_0) * _S660.crossing_weft_0;
-    float3  _S665 = make_float3 (_S663.blocks_warp_0) * _S663.crossing_warp_0 + make_float3 (_S663.blocks_weft_0) * _S663.crossing_weft_0;
-    float _S666 = 1.0f - _S660.open_0;
-    float _S667 = 1.0f - _S663.open_0;
-    float3  _S668 = make_float3 (1.0f) / (make_float3 (1.0f) - _S664 * _S665 * make_float3 (_S666 * _S667));
-    float3  _S669 = _S665 * (make_float3 (_S660.open_0) + make_float3 (_S666) * (make_float3 (_S660.blocks_warp_0) * _S660.sky_warp_0 + make_float3 (_S660.blocks_weft_0) * _S660.sky_weft_0)) * _S668;
-    float3  _S670 = _S664 * (make_float3 (_S663.open_0) + make_float3 (_S667) * (make_float3 (_S663.blocks_warp_0) * _S663.sky_warp_0 + make_float3 (_S663.blocks_weft_0) * _S663.sky_weft_0)) * _S668;
-    FaceSends_0 _S671 = _S660;
-    FaceRadiance_0 _S672 = face_radiance_0(&_S671, _S663.open_0, _S669, _S670);
-    FaceSends_0 _S673 = _S663;
-    FaceRadiance_0 _S674 = face_radiance_0(&_S673, _S660.open_0, _S670, _S669);
+    Scattered_0 _S662 = _S653;
+    Scattered_0 _S663 = _S657;
+    FaceSends_0 _S664 = face_sends_0(_S646, _S658, &_S662, &_S663);
+    float3  _S665 = make_float3 (_S661.blocks_warp_0) * _S661.crossing_warp_0 + make_float3 (_S661.blocks_weft_0) * _S661.crossing_weft_0;
+    float3  _S666 = make_float3 (_S664.blocks_warp_0) * _S664.crossing_warp_0 + make_float3 (_S664.blocks_weft_0) * _S664.crossing_weft_0;
+    float _S667 = 1.0f - _S661.open_0;
+    float _S668 = 1.0f - _S664.open_0;
+    float3  _S669 = make_float3 (1.0f) / (make_float3 (1.0f) - _S665 * _S666 * make_float3 (_S667 * _S668));
+    float3  _S670 = _S666 * (make_float3 (_S661.open_0) + make_float3 (_S667) * (make_float3 (_S661.blocks_warp_0) * _S661.sky_warp_0 + make_float3 (_S661.blocks_weft_0) * _S661.sky_weft_0)) * _S669;
+    float3  _S671 = _S665 * (make_float3 (_S664.open_0) + make_float3 (_S668) * (make_float3 (_S664.blocks_warp_0) * _S664.sky_warp_0 + make_float3 (_S664.blocks_weft_0) * _S664.sky_weft_0)) * _S669;
+    FaceSends_0 _S672 = _S661;
+    FaceRadiance_0 _S673 = face_radiance_0(&_S672, _S664.open_0, _S670, _S671);
+    FaceSends_0 _S674 = _S664;
+    FaceRadiance_0 _S675 = face_radiance_0(&_S674, _S661.open_0, _S671, _S670);
     Interior_0 interior_1;
-    (&interior_1)->warp_3 = _S672.warp_2;
-    (&interior_1)->weft_3 = _S672.weft_2;
-    (&interior_1)->leaked_1 = _S672.leaked_0;
-    (&interior_1)->far_1 = _S674.mean_0;
-    (&interior_1)->far_leaked_0 = _S674.leaked_0;
+    (&interior_1)->warp_3 = _S673.warp_2;
+    (&interior_1)->weft_3 = _S673.weft_2;
+    (&interior_1)->leaked_1 = _S673.leaked_0;
+    (&interior_1)->far_1 = _S675.mean_0;
+    (&interior_1)->far_leaked_0 = _S675.leaked_0;
     return interior_1;
 }
 
-__device__ Blocked_0 blocked_of_terms_0(uint _S675, uint _S676, FixedArray<float, 6>  * _S677, uint _S678)
+__device__ Blocked_0 blocked_of_terms_0(uint _S676, uint _S677, FixedArray<float, 6>  * _S678, uint _S679)
 {
     FixedArray<float, 3>  shares_0;
     uint share_2 = 0U;
@@ -3384,15 +3409,15 @@ __device__ Blocked_0 blocked_of_terms_0(uint _S675, uint _S676, FixedArray<float
         uint term_0 = 0U;
         for(;;)
         {
-            if(term_0 < _S678)
+            if(term_0 < _S679)
             {
             }
             else
             {
                 break;
             }
-            float _S679 = openness_number_0(_S675, _S676 + share_2 * _S678 + term_0);
-            shares_0[share_2] = shares_0[share_2] + _S679 * (*_S677)[term_0];
+            float _S680 = openness_number_0(_S676, _S677 + share_2 * _S679 + term_0);
+            shares_0[share_2] = shares_0[share_2] + _S680 * (*_S678)[term_0];
             term_0 = term_0 + 1U;
         }
         shares_0[share_2] = saturate_0(shares_0[share_2]);
@@ -3405,38 +3430,38 @@ __device__ Blocked_0 blocked_of_terms_0(uint _S675, uint _S676, FixedArray<float
     return blocked_2;
 }
 
-__device__ Blocked_0 blocked_from_0(uint _S680, float3  _S681, bool _S682, bool _S683)
+__device__ Blocked_0 blocked_from_0(uint _S681, float3  _S682, bool _S683, bool _S684)
 {
     FixedArray<float, 6>  terms_1;
-    view_terms_0(_S681, &terms_1);
-    uint _S684;
-    if(_S683)
+    view_terms_0(_S682, &terms_1);
+    uint _S685;
+    if(_S684)
     {
-        _S684 = 2U;
+        _S685 = 2U;
     }
     else
-    {
-        _S684 = 0U;
-    }
-    uint _S685;
-    if(_S682)
     {
         _S685 = 0U;
     }
+    uint _S686;
+    if(_S683)
+    {
+        _S686 = 0U;
+    }
     else
     {
-        _S685 = 1U;
+        _S686 = 1U;
     }
-    uint _S686 = (_S684 + _S685) * 15U;
-    FixedArray<float, 6>  _S687 = terms_1;
-    Blocked_0 _S688 = blocked_of_terms_0(_S680, _S686, &_S687, 5U);
-    return _S688;
+    uint _S687 = (_S685 + _S686) * 15U;
+    FixedArray<float, 6>  _S688 = terms_1;
+    Blocked_0 _S689 = blocked_of_terms_0(_S681, _S687, &_S688, 5U);
+    return _S689;
 }
 
-__device__ float warp_seen_from_0(uint _S689, float3  _S690, bool _S691)
+__device__ float warp_seen_from_0(uint _S690, float3  _S691, bool _S692)
 {
     FixedArray<float, 6>  terms_2;
-    view_terms_0(_S690, &terms_2);
+    view_terms_0(_S691, &terms_2);
     uint term_1 = 0U;
     float share_3 = 0.0f;
     for(;;)
@@ -3448,166 +3473,166 @@ __device__ float warp_seen_from_0(uint _S689, float3  _S690, bool _S691)
         {
             break;
         }
-        uint _S692;
-        if(_S691)
+        uint _S693;
+        if(_S692)
         {
-            _S692 = 5U;
+            _S693 = 5U;
         }
         else
         {
-            _S692 = 0U;
+            _S693 = 0U;
         }
-        float _S693 = openness_number_0(_S689, 132U + _S692 + term_1);
-        float share_4 = share_3 + _S693 * terms_2[term_1];
+        float _S694 = openness_number_0(_S690, 132U + _S693 + term_1);
+        float share_4 = share_3 + _S694 * terms_2[term_1];
         term_1 = term_1 + 1U;
         share_3 = share_4;
     }
     return saturate_0(share_3);
 }
 
-__device__ Bounced_0 bounced_of_families_0(uint _S694, FamilyAlbedos_0 * _S695, float3  _S696, Interior_0 * _S697, Blocked_0 * _S698, Blocked_0 * _S699)
+__device__ Bounced_0 bounced_of_families_0(uint _S695, FamilyAlbedos_0 * _S696, float3  _S697, Interior_0 * _S698, Blocked_0 * _S699, Blocked_0 * _S700)
 {
-    Scattered_0 _S700 = scattered_by_0(_S694, &_S695->warp_4, 0U, _S696);
-    Scattered_0 _S701 = _S700;
-    Bounced_0 _S702 = bounced_by_0(_S698, &_S701, _S697);
-    Scattered_0 _S703 = scattered_by_0(_S694, &_S695->weft_4, 1U, _S696);
-    Scattered_0 _S704 = _S703;
-    Bounced_0 _S705 = bounced_by_0(_S699, &_S704, _S697);
-    Bounced_0 _S706 = _S702;
-    Bounced_0 _S707 = _S705;
-    Bounced_0 _S708 = sum_of_0(&_S706, &_S707);
-    return _S708;
+    Scattered_0 _S701 = scattered_by_0(_S695, &_S696->warp_4, 0U, _S697);
+    Scattered_0 _S702 = _S701;
+    Bounced_0 _S703 = bounced_by_0(_S699, &_S702, _S698);
+    Scattered_0 _S704 = scattered_by_0(_S695, &_S696->weft_4, 1U, _S697);
+    Scattered_0 _S705 = _S704;
+    Bounced_0 _S706 = bounced_by_0(_S700, &_S705, _S698);
+    Bounced_0 _S707 = _S703;
+    Bounced_0 _S708 = _S706;
+    Bounced_0 _S709 = sum_of_0(&_S707, &_S708);
+    return _S709;
 }
 
-__device__ Bounced_0 bounced_far_0(uint _S709, FamilyAlbedos_0 * _S710, float3  _S711, Interior_0 * _S712, float3  _S713, bool _S714, float _S715, float _S716, float _S717)
+__device__ Bounced_0 bounced_far_0(uint _S710, FamilyAlbedos_0 * _S711, float3  _S712, Interior_0 * _S713, float3  _S714, bool _S715, float _S716, float _S717, float _S718)
 {
-    Blocked_0 _S718 = blocked_from_0(_S709, _S713, true, _S714);
-    Blocked_0 _S719 = blocked_from_0(_S709, _S713, false, _S714);
-    float _S720 = _S715 / (F32_max((1.0f - _S718.by_warp_0 - _S718.by_weft_0), (0.10000000149011612f)));
+    Blocked_0 _S719 = blocked_from_0(_S710, _S714, true, _S715);
+    Blocked_0 _S720 = blocked_from_0(_S710, _S714, false, _S715);
     float _S721 = _S716 / (F32_max((1.0f - _S719.by_warp_0 - _S719.by_weft_0), (0.10000000149011612f)));
-    float _S722 = warp_seen_from_0(_S709, _S713, _S714);
-    float _S723 = (0.0020000000949949f * _S722 + _S720) / (_S720 + _S721 + 0.0020000000949949f);
-    float _S724 = 1.0f - _S717;
-    float _S725 = _S723 * _S724;
-    Blocked_0 _S726 = _S718;
-    Blocked_0 _S727 = scaled_0(&_S726, _S725);
-    float _S728 = (1.0f - _S723) * _S724;
-    Blocked_0 _S729 = _S719;
-    Blocked_0 _S730 = scaled_0(&_S729, _S728);
-    Blocked_0 _S731 = _S727;
-    Blocked_0 _S732 = _S730;
-    Bounced_0 _S733 = bounced_of_families_0(_S709, _S710, _S711, _S712, &_S731, &_S732);
-    return _S733;
+    float _S722 = _S717 / (F32_max((1.0f - _S720.by_warp_0 - _S720.by_weft_0), (0.10000000149011612f)));
+    float _S723 = warp_seen_from_0(_S710, _S714, _S715);
+    float _S724 = (0.0020000000949949f * _S723 + _S721) / (_S721 + _S722 + 0.0020000000949949f);
+    float _S725 = 1.0f - _S718;
+    float _S726 = _S724 * _S725;
+    Blocked_0 _S727 = _S719;
+    Blocked_0 _S728 = scaled_0(&_S727, _S726);
+    float _S729 = (1.0f - _S724) * _S725;
+    Blocked_0 _S730 = _S720;
+    Blocked_0 _S731 = scaled_0(&_S730, _S729);
+    Blocked_0 _S732 = _S728;
+    Blocked_0 _S733 = _S731;
+    Bounced_0 _S734 = bounced_of_families_0(_S710, _S711, _S712, _S713, &_S732, &_S733);
+    return _S734;
 }
 
-__device__ Bounced_0 bounced_over_0(uint _S734, Components_0 * _S735, CloseUp_0 * _S736, FamilyAlbedos_0 * _S737, float3  _S738, float3  _S739)
+__device__ Bounced_0 bounced_over_0(uint _S735, Components_0 * _S736, CloseUp_0 * _S737, FamilyAlbedos_0 * _S738, float3  _S739, float3  _S740)
 {
-    bool _S740 = (_S739.z) < 0.0f;
-    Interior_0 _S741 = interior_of_0(_S734, _S738, _S740);
-    float3  _S742 = to_face_frame_0(_S739, _S740);
-    Interior_0 _S743 = _S741;
-    Bounced_0 _S744 = bounced_far_0(_S734, _S737, _S738, &_S743, _S742, _S740, _S735->diffuse_warp_0, _S735->diffuse_weft_0, _S735->hole_2);
-    Bounced_0 bounced_2 = _S744;
-    float _S745 = _S736->weight_2;
-    if((_S736->weight_2) > 0.0f)
+    bool _S741 = (_S740.z) < 0.0f;
+    Interior_0 _S742 = interior_of_0(_S735, _S739, _S741);
+    float3  _S743 = to_face_frame_0(_S740, _S741);
+    Interior_0 _S744 = _S742;
+    Bounced_0 _S745 = bounced_far_0(_S735, _S738, _S739, &_S744, _S743, _S741, _S736->diffuse_warp_0, _S736->diffuse_weft_0, _S736->hole_2);
+    Bounced_0 bounced_2 = _S745;
+    float _S746 = _S737->weight_2;
+    if((_S737->weight_2) > 0.0f)
     {
-        Interior_0 _S746 = _S741;
-        Bounced_0 _S747 = bounced_of_families_0(_S734, _S737, _S738, &_S746, &_S736->warp_1, &_S736->weft_1);
-        float3  _S748 = make_float3 (_S745);
-        (&bounced_2)->reflected_0 = lerp_0((&bounced_2)->reflected_0, _S747.reflected_0, _S748);
-        (&bounced_2)->transmitted_0 = lerp_0((&bounced_2)->transmitted_0, _S747.transmitted_0, _S748);
+        Interior_0 _S747 = _S742;
+        Bounced_0 _S748 = bounced_of_families_0(_S735, _S738, _S739, &_S747, &_S737->warp_1, &_S737->weft_1);
+        float3  _S749 = make_float3 (_S746);
+        (&bounced_2)->reflected_0 = lerp_0((&bounced_2)->reflected_0, _S748.reflected_0, _S749);
+        (&bounced_2)->transmitted_0 = lerp_0((&bounced_2)->transmitted_0, _S748.transmitted_0, _S749);
     }
     return bounced_2;
 }
 
-__device__ float3  composed_0(uint _S749, Components_0 * _S750, CloseUp_0 * _S751, FamilyAlbedos_0 * _S752, float3  _S753, float3  _S754, float3  _S755)
+__device__ float3  composed_0(uint _S750, Components_0 * _S751, CloseUp_0 * _S752, FamilyAlbedos_0 * _S753, float3  _S754, float3  _S755, float3  _S756)
 {
-    Fabric_0 * _S756 = (&(globalParams_0->fabrics_0)[_S749]);
-    Albedos_0 _S757 = tinted_0(&_S752->warp_4, _S753);
-    Albedos_0 _S758 = tinted_0(&_S752->weft_4, _S753);
-    float _S759 = _S750->diffuse_warp_0;
-    float _S760 = _S750->diffuse_weft_0;
-    float _S761 = _S750->specular_warp_0;
-    float _S762 = _S750->specular_weft_0;
-    float3  _S763 = _S757.diffuse_reflect_0 * make_float3 (_S750->diffuse_warp_0) + _S758.diffuse_reflect_0 * make_float3 (_S750->diffuse_weft_0) + _S757.specular_reflect_0 * make_float3 (_S750->specular_warp_0) + _S758.specular_reflect_0 * make_float3 (_S750->specular_weft_0);
-    float _S764 = _S755.z;
+    Fabric_0 * _S757 = (&(globalParams_0->fabrics_0)[_S750]);
+    Albedos_0 _S758 = tinted_0(&_S753->warp_4, _S754);
+    Albedos_0 _S759 = tinted_0(&_S753->weft_4, _S754);
+    float _S760 = _S751->diffuse_warp_0;
+    float _S761 = _S751->diffuse_weft_0;
+    float _S762 = _S751->specular_warp_0;
+    float _S763 = _S751->specular_weft_0;
+    float3  _S764 = _S758.diffuse_reflect_0 * make_float3 (_S751->diffuse_warp_0) + _S759.diffuse_reflect_0 * make_float3 (_S751->diffuse_weft_0) + _S758.specular_reflect_0 * make_float3 (_S751->specular_warp_0) + _S759.specular_reflect_0 * make_float3 (_S751->specular_weft_0);
+    float _S765 = _S756.z;
     float3  body_0;
-    if((_S754.z * _S764) < 0.0f)
+    if((_S755.z * _S765) < 0.0f)
     {
-        body_0 = _S757.diffuse_transmit_0 * make_float3 (_S759) + _S758.diffuse_transmit_0 * make_float3 (_S760) + _S757.specular_transmit_0 * make_float3 (_S761) + _S758.specular_transmit_0 * make_float3 (_S762);
+        body_0 = _S758.diffuse_transmit_0 * make_float3 (_S760) + _S759.diffuse_transmit_0 * make_float3 (_S761) + _S758.specular_transmit_0 * make_float3 (_S762) + _S759.specular_transmit_0 * make_float3 (_S763);
     }
     else
     {
-        body_0 = _S763;
+        body_0 = _S764;
     }
-    uint _S765 = __ldg(&_S756->openness_0);
-    if(_S765 != 4294967295U)
+    uint _S766 = __ldg(&_S757->openness_0);
+    if(_S766 != 4294967295U)
     {
-        Bounced_0 _S766 = bounced_over_0(_S749, _S750, _S751, _S752, _S753, _S755);
-        Bounced_0 _S767 = _S766;
-        float3  _S768 = bounced_value_0(&_S767, _S754, _S755);
-        body_0 = body_0 + _S768;
+        Bounced_0 _S767 = bounced_over_0(_S750, _S751, _S752, _S753, _S754, _S756);
+        Bounced_0 _S768 = _S767;
+        float3  _S769 = bounced_value_0(&_S768, _S755, _S756);
+        body_0 = body_0 + _S769;
     }
-    float _S769 = __ldg(&_S756->sheen_strength_0);
-    if(_S769 <= 0.0f)
+    float _S770 = __ldg(&_S757->sheen_strength_0);
+    if(_S770 <= 0.0f)
     {
         return body_0;
     }
-    bool _S770 = _S764 < 0.0f;
-    float3  _S771 = to_face_frame_0(_S754, _S770);
-    float3  _S772 = to_face_frame_0(_S755, _S770);
-    float _S773 = __ldg(&_S756->sheen_roughness_0);
-    float2  _S774 = sheen_with_transmittance_0(_S771, _S772, _S769, _S773);
-    return make_float3 (_S774.y) * body_0 + make_float3 ((_S750->light_visibility_1 + _S750->hole_2) * _S774.x);
+    bool _S771 = _S765 < 0.0f;
+    float3  _S772 = to_face_frame_0(_S755, _S771);
+    float3  _S773 = to_face_frame_0(_S756, _S771);
+    float _S774 = __ldg(&_S757->sheen_roughness_0);
+    float2  _S775 = sheen_with_transmittance_0(_S772, _S773, _S770, _S774);
+    return make_float3 (_S775.y) * body_0 + make_float3 ((_S751->light_visibility_1 + _S751->hole_2) * _S775.x);
 }
 
-__device__ float4  cloth_value_0(uint fabric_2, float2  centre_3, float2  dx_1, float2  dy_1, float3  light_4, float3  view_6)
+__device__ float4  cloth_value_0(uint fabric_2, float2  centre_3, float2  dx_1, float2  dy_1, float3  light_5, float3  view_7)
 {
     Footprint_0 footprint_1;
     (&footprint_1)->centre_0 = centre_3;
     (&footprint_1)->dx_0 = dx_1;
     (&footprint_1)->dy_0 = dy_1;
-    Footprint_0 _S775 = footprint_1;
+    Footprint_0 _S776 = footprint_1;
     WovenView_0 activations_0;
-    woven_view_0(fabric_2, &_S775, view_6, &activations_0);
-    Components_0 _S776 = woven_components_0(fabric_2, &activations_0, light_4);
-    float _S777 = view_6.z;
-    bool _S778 = _S777 < 0.0f;
-    Footprint_0 _S779 = footprint_1;
-    FamilyAlbedos_0 _S780 = albedos_over_0(fabric_2, &_S779, _S778);
-    CloseUp_0 _S781 = no_close_up_0();
-    float3  _S782 = make_float3 (1.0f);
-    Components_0 _S783 = _S776;
-    CloseUp_0 _S784 = _S781;
-    FamilyAlbedos_0 _S785 = _S780;
-    float3  _S786 = composed_0(fabric_2, &_S783, &_S784, &_S785, _S782, light_4, view_6);
+    woven_view_0(fabric_2, &_S776, view_7, &activations_0);
+    Components_0 _S777 = woven_components_0(fabric_2, &activations_0, light_5);
+    float _S778 = view_7.z;
+    bool _S779 = _S778 < 0.0f;
+    Footprint_0 _S780 = footprint_1;
+    FamilyAlbedos_0 _S781 = albedos_over_0(fabric_2, &_S780, _S779);
+    CloseUp_0 _S782 = no_close_up_0();
+    float3  _S783 = make_float3 (1.0f);
+    Components_0 _S784 = _S777;
+    CloseUp_0 _S785 = _S782;
+    FamilyAlbedos_0 _S786 = _S781;
+    float3  _S787 = composed_0(fabric_2, &_S784, &_S785, &_S786, _S783, light_5, view_7);
     float through_1 = (&activations_0)->hole_0;
-    float _S787 = __ldg(&(&(globalParams_0->fabrics_0)[fabric_2])->sheen_strength_0);
+    float _S788 = __ldg(&(&(globalParams_0->fabrics_0)[fabric_2])->sheen_strength_0);
     float through_2;
-    if(_S787 > 0.0f)
+    if(_S788 > 0.0f)
     {
-        float _S788 = __ldg(&(&(globalParams_0->fabrics_0)[fabric_2])->sheen_strength_0);
-        float _S789 = (F32_abs((_S777)));
-        float _S790 = __ldg(&(&(globalParams_0->fabrics_0)[fabric_2])->sheen_roughness_0);
-        through_2 = through_1 * (1.0f - _S788 * sheen_lobe_0(_S789, _S790).z);
+        float _S789 = __ldg(&(&(globalParams_0->fabrics_0)[fabric_2])->sheen_strength_0);
+        float _S790 = (F32_abs((_S778)));
+        float _S791 = __ldg(&(&(globalParams_0->fabrics_0)[fabric_2])->sheen_roughness_0);
+        through_2 = through_1 * (1.0f - _S789 * sheen_lobe_0(_S790, _S791).z);
     }
     else
     {
         through_2 = through_1;
     }
-    return make_float4 (_S786.x, _S786.y, _S786.z, through_2);
+    return make_float4 (_S787.x, _S787.y, _S787.z, through_2);
 }
 
 extern "C" __global__ void woven_queries()
 {
-    uint _S791 = (blockIdx * blockDim + threadIdx).x;
-    uint _S792 = __ldg((&(globalParams_0->query_count_0)[int(0)]));
-    if(_S791 >= _S792)
+    uint _S792 = (blockIdx * blockDim + threadIdx).x;
+    uint _S793 = __ldg((&(globalParams_0->query_count_0)[int(0)]));
+    if(_S792 >= _S793)
     {
         return;
     }
-    Query_0 _S793 = slang_ldg_0((&(globalParams_0->queries_0)[_S791]));
-    *(&(globalParams_0->answers_0)[_S791]) = cloth_value_0(_S793.fabric_1, make_float2 (_S793.centre_x_0, _S793.centre_y_0), make_float2 (_S793.dx_x_0, _S793.dx_y_0), make_float2 (_S793.dy_x_0, _S793.dy_y_0), make_float3 (_S793.light_x_0, _S793.light_y_0, _S793.light_z_0), make_float3 (_S793.view_x_0, _S793.view_y_0, _S793.view_z_0));
+    Query_0 _S794 = slang_ldg_0((&(globalParams_0->queries_0)[_S792]));
+    *(&(globalParams_0->answers_0)[_S792]) = cloth_value_0(_S794.fabric_1, make_float2 (_S794.centre_x_0, _S794.centre_y_0), make_float2 (_S794.dx_x_0, _S794.dx_y_0), make_float2 (_S794.dy_x_0, _S794.dy_y_0), make_float3 (_S794.light_x_0, _S794.light_y_0, _S794.light_z_0), make_float3 (_S794.view_x_0, _S794.view_y_0, _S794.view_z_0));
     return;
 }
 

@@ -19,6 +19,7 @@ struct Query_0
     float view_x_0;
     float view_y_0;
     float view_z_0;
+    uint seed_0;
 };
 
 layout(std430, binding = 0, set = 1) readonly buffer StructuredBuffer_Query_t_0 {
@@ -121,6 +122,28 @@ struct Latent_0
     uint is_trilinear_0;
 };
 
+struct Clustered_0
+{
+    uint is_baked_1;
+    uint clusters_0;
+    uint rank_0;
+    uint channels_0;
+    uint columns_0;
+    uint rows_0;
+    float texel_width_0;
+    float texel_height_0;
+    uint samples_0;
+    uint sums_0;
+    uint labels_0;
+    uint coefficients_0;
+    uint basis_0;
+    uint moments_1;
+    uint light_0;
+    uint view_0;
+    uint offset_1;
+    uint trust_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
@@ -144,7 +167,7 @@ struct Fabric_0
     float sheen_roughness_0;
     float fibre_noise_0;
     float colour_noise_0;
-    uint seed_0;
+    uint seed_1;
     float layer_bound_0;
     float fibre_size_0;
     uint has_detail_0;
@@ -157,6 +180,7 @@ struct Fabric_0
     uint has_yarns_0;
     float mean_hole_0;
     Latent_0 latent_0;
+    Clustered_0 clustered_0;
 };
 
 layout(std430, binding = 0) readonly buffer StructuredBuffer_Fabric_t_0 {
@@ -195,7 +219,7 @@ Eight_0 FloatWeights_eight_0(FloatWeights_0 this_0, uint element_0)
 
 vec4 tile_product_0(FloatWeights_0 weights_0, uint row_0, inout float  inputs_0[64])
 {
-    vec4 sums_0 = vec4(0.0);
+    vec4 sums_1 = vec4(0.0);
     uint column_0 = 0U;
     for(;;)
     {
@@ -221,16 +245,16 @@ vec4 tile_product_0(FloatWeights_0 weights_0, uint row_0, inout float  inputs_0[
         low_1[3] = inputs_0[_S5];
         high_1[3] = inputs_0[_S5 + 4];
         Eight_0 _S6 = FloatWeights_eight_0(weights_0, row_0 + column_0);
-        sums_0[0] = sums_0[0] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
+        sums_1[0] = sums_1[0] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
         Eight_0 _S7 = FloatWeights_eight_0(weights_0, row_0 + 8U + column_0);
-        sums_0[1] = sums_0[1] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
+        sums_1[1] = sums_1[1] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
         Eight_0 _S8 = FloatWeights_eight_0(weights_0, row_0 + 16U + column_0);
-        sums_0[2] = sums_0[2] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
+        sums_1[2] = sums_1[2] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
         Eight_0 _S9 = FloatWeights_eight_0(weights_0, row_0 + 24U + column_0);
-        sums_0[3] = sums_0[3] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
+        sums_1[3] = sums_1[3] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
         column_0 = column_0 + 1U;
     }
-    return sums_0;
+    return sums_1;
 }
 
 float Relu_apply_0(float x_0)
@@ -413,7 +437,7 @@ void dense_part_1(FloatWeights_0 weights_2, uint first_2, bool adds_1, inout flo
 
 vec4 tile_product_1(FloatWeights_0 weights_3, uint row_1, inout float  inputs_3[20])
 {
-    vec4 sums_1 = vec4(0.0);
+    vec4 sums_2 = vec4(0.0);
     uint column_1 = 0U;
     for(;;)
     {
@@ -439,16 +463,16 @@ vec4 tile_product_1(FloatWeights_0 weights_3, uint row_1, inout float  inputs_3[
         low_2[3] = inputs_3[min(_S35, 19)];
         high_2[3] = inputs_3[min(_S35 + 4, 19)];
         Eight_0 _S36 = FloatWeights_eight_0(weights_3, row_1 + column_1);
-        sums_1[0] = sums_1[0] + (dot(_S36.low_0, low_2) + dot(_S36.high_0, high_2));
+        sums_2[0] = sums_2[0] + (dot(_S36.low_0, low_2) + dot(_S36.high_0, high_2));
         Eight_0 _S37 = FloatWeights_eight_0(weights_3, row_1 + 3U + column_1);
-        sums_1[1] = sums_1[1] + (dot(_S37.low_0, low_2) + dot(_S37.high_0, high_2));
+        sums_2[1] = sums_2[1] + (dot(_S37.low_0, low_2) + dot(_S37.high_0, high_2));
         Eight_0 _S38 = FloatWeights_eight_0(weights_3, row_1 + 6U + column_1);
-        sums_1[2] = sums_1[2] + (dot(_S38.low_0, low_2) + dot(_S38.high_0, high_2));
+        sums_2[2] = sums_2[2] + (dot(_S38.low_0, low_2) + dot(_S38.high_0, high_2));
         Eight_0 _S39 = FloatWeights_eight_0(weights_3, row_1 + 9U + column_1);
-        sums_1[3] = sums_1[3] + (dot(_S39.low_0, low_2) + dot(_S39.high_0, high_2));
+        sums_2[3] = sums_2[3] + (dot(_S39.low_0, low_2) + dot(_S39.high_0, high_2));
         column_1 = column_1 + 1U;
     }
-    return sums_1;
+    return sums_2;
 }
 
 void dense_part_2(FloatWeights_0 weights_4, uint first_3, bool adds_2, inout float  inputs_4[20], inout float  outputs_2[64])
@@ -594,7 +618,7 @@ void MLP_evaluate_0(MLP_0 this_1, inout float  inputs_9[20], inout float  output
 
 vec4 tile_product_2(FloatWeights_0 weights_9, uint row_2, inout float  inputs_10[32])
 {
-    vec4 sums_2 = vec4(0.0);
+    vec4 sums_3 = vec4(0.0);
     uint column_2 = 0U;
     for(;;)
     {
@@ -620,16 +644,16 @@ vec4 tile_product_2(FloatWeights_0 weights_9, uint row_2, inout float  inputs_10
         low_3[3] = inputs_10[_S57];
         high_3[3] = inputs_10[_S57 + 4];
         Eight_0 _S58 = FloatWeights_eight_0(weights_9, row_2 + column_2);
-        sums_2[0] = sums_2[0] + (dot(_S58.low_0, low_3) + dot(_S58.high_0, high_3));
+        sums_3[0] = sums_3[0] + (dot(_S58.low_0, low_3) + dot(_S58.high_0, high_3));
         Eight_0 _S59 = FloatWeights_eight_0(weights_9, row_2 + 4U + column_2);
-        sums_2[1] = sums_2[1] + (dot(_S59.low_0, low_3) + dot(_S59.high_0, high_3));
+        sums_3[1] = sums_3[1] + (dot(_S59.low_0, low_3) + dot(_S59.high_0, high_3));
         Eight_0 _S60 = FloatWeights_eight_0(weights_9, row_2 + 8U + column_2);
-        sums_2[2] = sums_2[2] + (dot(_S60.low_0, low_3) + dot(_S60.high_0, high_3));
+        sums_3[2] = sums_3[2] + (dot(_S60.low_0, low_3) + dot(_S60.high_0, high_3));
         Eight_0 _S61 = FloatWeights_eight_0(weights_9, row_2 + 12U + column_2);
-        sums_2[3] = sums_2[3] + (dot(_S61.low_0, low_3) + dot(_S61.high_0, high_3));
+        sums_3[3] = sums_3[3] + (dot(_S61.low_0, low_3) + dot(_S61.high_0, high_3));
         column_2 = column_2 + 1U;
     }
-    return sums_2;
+    return sums_3;
 }
 
 void dense_part_3(FloatWeights_0 weights_10, uint first_7, bool adds_6, inout float  inputs_11[32], inout float  outputs_8[32])
@@ -933,7 +957,7 @@ void MLP_evaluate_1(MLP_0 this_2, inout float  inputs_17[20], inout float  outpu
 
 vec4 tile_product_3(FloatWeights_0 weights_16, uint row_3, inout float  inputs_18[16])
 {
-    vec4 sums_3 = vec4(0.0);
+    vec4 sums_4 = vec4(0.0);
     uint column_3 = 0U;
     for(;;)
     {
@@ -959,16 +983,16 @@ vec4 tile_product_3(FloatWeights_0 weights_16, uint row_3, inout float  inputs_1
         low_4[3] = inputs_18[_S101];
         high_4[3] = inputs_18[_S101 + 4];
         Eight_0 _S102 = FloatWeights_eight_0(weights_16, row_3 + column_3);
-        sums_3[0] = sums_3[0] + (dot(_S102.low_0, low_4) + dot(_S102.high_0, high_4));
+        sums_4[0] = sums_4[0] + (dot(_S102.low_0, low_4) + dot(_S102.high_0, high_4));
         Eight_0 _S103 = FloatWeights_eight_0(weights_16, row_3 + 2U + column_3);
-        sums_3[1] = sums_3[1] + (dot(_S103.low_0, low_4) + dot(_S103.high_0, high_4));
+        sums_4[1] = sums_4[1] + (dot(_S103.low_0, low_4) + dot(_S103.high_0, high_4));
         Eight_0 _S104 = FloatWeights_eight_0(weights_16, row_3 + 4U + column_3);
-        sums_3[2] = sums_3[2] + (dot(_S104.low_0, low_4) + dot(_S104.high_0, high_4));
+        sums_4[2] = sums_4[2] + (dot(_S104.low_0, low_4) + dot(_S104.high_0, high_4));
         Eight_0 _S105 = FloatWeights_eight_0(weights_16, row_3 + 6U + column_3);
-        sums_3[3] = sums_3[3] + (dot(_S105.low_0, low_4) + dot(_S105.high_0, high_4));
+        sums_4[3] = sums_4[3] + (dot(_S105.low_0, low_4) + dot(_S105.high_0, high_4));
         column_3 = column_3 + 1U;
     }
-    return sums_3;
+    return sums_4;
 }
 
 void dense_part_6(FloatWeights_0 weights_17, uint first_13, bool adds_12, inout float  inputs_19[16], inout float  outputs_15[16])
@@ -1272,7 +1296,7 @@ void MLP_evaluate_2(MLP_0 this_3, inout float  inputs_25[20], inout float  outpu
 
 vec4 tile_product_4(FloatWeights_0 weights_23, uint row_4, inout float  inputs_26[8])
 {
-    vec4 sums_4 = vec4(0.0);
+    vec4 sums_5 = vec4(0.0);
     uint column_4 = 0U;
     for(;;)
     {
@@ -1298,16 +1322,16 @@ vec4 tile_product_4(FloatWeights_0 weights_23, uint row_4, inout float  inputs_2
         low_5[3] = inputs_26[_S145];
         high_5[3] = inputs_26[_S145 + 4];
         Eight_0 _S146 = FloatWeights_eight_0(weights_23, row_4 + column_4);
-        sums_4[0] = sums_4[0] + (dot(_S146.low_0, low_5) + dot(_S146.high_0, high_5));
+        sums_5[0] = sums_5[0] + (dot(_S146.low_0, low_5) + dot(_S146.high_0, high_5));
         Eight_0 _S147 = FloatWeights_eight_0(weights_23, row_4 + 1U + column_4);
-        sums_4[1] = sums_4[1] + (dot(_S147.low_0, low_5) + dot(_S147.high_0, high_5));
+        sums_5[1] = sums_5[1] + (dot(_S147.low_0, low_5) + dot(_S147.high_0, high_5));
         Eight_0 _S148 = FloatWeights_eight_0(weights_23, row_4 + 2U + column_4);
-        sums_4[2] = sums_4[2] + (dot(_S148.low_0, low_5) + dot(_S148.high_0, high_5));
+        sums_5[2] = sums_5[2] + (dot(_S148.low_0, low_5) + dot(_S148.high_0, high_5));
         Eight_0 _S149 = FloatWeights_eight_0(weights_23, row_4 + 3U + column_4);
-        sums_4[3] = sums_4[3] + (dot(_S149.low_0, low_5) + dot(_S149.high_0, high_5));
+        sums_5[3] = sums_5[3] + (dot(_S149.low_0, low_5) + dot(_S149.high_0, high_5));
         column_4 = column_4 + 1U;
     }
-    return sums_4;
+    return sums_5;
 }
 
 void dense_part_9(FloatWeights_0 weights_24, uint first_19, bool adds_18, inout float  inputs_27[8], inout float  outputs_22[12])
@@ -1452,7 +1476,7 @@ struct Footprint_0
     vec2 dy_0;
 };
 
-uint hashed_0(Footprint_0 footprint_0, vec3 view_0, vec2 size_0)
+uint hashed_0(Footprint_0 footprint_0, vec3 view_1, vec2 size_0)
 {
     uint hash_1 = 2654435769U;
     uint axis_0 = 0U;
@@ -1481,7 +1505,7 @@ uint hashed_0(Footprint_0 footprint_0, vec3 view_0, vec2 size_0)
         {
             break;
         }
-        uint _S165 = with_number_0(hash_1, view_0[axis_0]);
+        uint _S165 = with_number_0(hash_1, view_1[axis_0]);
         uint _S166 = axis_0 + 1U;
         hash_1 = _S165;
         axis_0 = _S166;
@@ -1489,9 +1513,9 @@ uint hashed_0(Footprint_0 footprint_0, vec3 view_0, vec2 size_0)
     return with_number_0(with_number_0(with_number_0(with_number_0(hash_1, footprint_0.dx_0.x), footprint_0.dx_0.y), footprint_0.dy_0.x), footprint_0.dy_0.y);
 }
 
-float uniform_of_0(uint seed_1, uint dimension_0)
+float uniform_of_0(uint seed_2, uint dimension_0)
 {
-    return float((mixed_0(seed_1 + (dimension_0 + 1U) * 2654435769U)) >> 8) * 5.9604644775390625e-08;
+    return float((mixed_0(seed_2 + (dimension_0 + 1U) * 2654435769U)) >> 8) * 5.9604644775390625e-08;
 }
 
 vec3 to_face_frame_0(vec3 direction_0, bool back_2)
@@ -1573,9 +1597,9 @@ Eight_0 texel_numbers_0(uint first_24, uint elements_1, uint texel_0)
     return numbers_3;
 }
 
-void add_bilinear_0(uint first_25, uint elements_2, uint start_0, uint columns_0, uint rows_0, vec2 uv_1, float weight_0, inout Eight_0 sums_5)
+void add_bilinear_0(uint first_25, uint elements_2, uint start_0, uint columns_1, uint rows_1, vec2 uv_1, float weight_0, inout Eight_0 sums_6)
 {
-    vec2 _S174 = uv_1 * vec2(float(columns_0), float(rows_0)) - 0.5;
+    vec2 _S174 = uv_1 * vec2(float(columns_1), float(rows_1)) - 0.5;
     vec2 _S175 = floor(_S174);
     vec2 _S176 = _S174 - _S175;
     int _S177 = int(_S175.x);
@@ -1592,7 +1616,7 @@ void add_bilinear_0(uint first_25, uint elements_2, uint start_0, uint columns_0
         }
         uint _S179 = tap_0 & 1U;
         uint _S180 = tap_0 >> 1;
-        Eight_0 _S181 = texel_numbers_0(first_25, elements_2, start_0 + (uint(_S178 + int(_S180)) & (rows_0 - 1U)) * columns_0 + (uint(_S177 + int(_S179)) & (columns_0 - 1U)));
+        Eight_0 _S181 = texel_numbers_0(first_25, elements_2, start_0 + (uint(_S178 + int(_S180)) & (rows_1 - 1U)) * columns_1 + (uint(_S177 + int(_S179)) & (columns_1 - 1U)));
         float _S182;
         if(_S180 != 0U)
         {
@@ -1612,8 +1636,8 @@ void add_bilinear_0(uint first_25, uint elements_2, uint start_0, uint columns_0
             _S183 = 1.0 - _S176.x;
         }
         float _S184 = _S182 * _S183 * weight_0;
-        sums_5.low_0 = sums_5.low_0 + _S184 * _S181.low_0;
-        sums_5.high_0 = sums_5.high_0 + _S184 * _S181.high_0;
+        sums_6.low_0 = sums_6.low_0 + _S184 * _S181.low_0;
+        sums_6.high_0 = sums_6.high_0 + _S184 * _S181.high_0;
         tap_0 = tap_0 + 1U;
     }
     return;
@@ -1628,10 +1652,10 @@ struct TexelPyramid_0
     uint face_texels_2;
 };
 
-void TexelPyramid_add_level_0(TexelPyramid_0 this_4, vec2 place_0, uint level_0, uint face_0, float weight_1, inout Eight_0 sums_6)
+void TexelPyramid_add_level_0(TexelPyramid_0 this_4, vec2 place_0, uint level_0, uint face_0, float weight_1, inout Eight_0 sums_7)
 {
     uint _S185 = this_4.levels_4 + 3U * level_0;
-    add_bilinear_0(this_4.first_26, this_4.elements_3, face_0 * this_4.face_texels_2 + words_0._data[uint(_S185)], words_0._data[uint(_S185 + 1U)], words_0._data[uint(_S185 + 2U)], place_0, weight_1, sums_6);
+    add_bilinear_0(this_4.first_26, this_4.elements_3, face_0 * this_4.face_texels_2 + words_0._data[uint(_S185)], words_0._data[uint(_S185 + 1U)], words_0._data[uint(_S185 + 2U)], place_0, weight_1, sums_7);
     return;
 }
 
@@ -1642,10 +1666,10 @@ Eight_0 TexelPyramid_between_levels_0(TexelPyramid_0 this_5, vec2 uv_2, float le
     float _S188 = _S186 - _S187;
     vec2 _S189 = within_repeat_0(uv_2);
     Eight_0 texel_1 = no_numbers_0();
-    uint offset_1 = 0U;
+    uint offset_2 = 0U;
     for(;;)
     {
-        if(offset_1 < 2U)
+        if(offset_2 < 2U)
         {
         }
         else
@@ -1653,7 +1677,7 @@ Eight_0 TexelPyramid_between_levels_0(TexelPyramid_0 this_5, vec2 uv_2, float le
             break;
         }
         float _S190;
-        if(offset_1 == 0U)
+        if(offset_2 == 0U)
         {
             _S190 = 1.0 - _S188;
         }
@@ -1663,9 +1687,9 @@ Eight_0 TexelPyramid_between_levels_0(TexelPyramid_0 this_5, vec2 uv_2, float le
         }
         if(_S190 > 0.0)
         {
-            TexelPyramid_add_level_0(this_5, _S189, uint(_S187) + offset_1, face_1, _S190, texel_1);
+            TexelPyramid_add_level_0(this_5, _S189, uint(_S187) + offset_2, face_1, _S190, texel_1);
         }
-        offset_1 = offset_1 + 1U;
+        offset_2 = offset_2 + 1U;
     }
     return texel_1;
 }
@@ -1743,7 +1767,7 @@ struct LatentView_0
     float  latent_1[8];
     LatentFrame_0 first_27;
     LatentFrame_0 second_0;
-    vec3 view_1;
+    vec3 view_2;
     bool back_3;
 };
 
@@ -1752,7 +1776,7 @@ void latent_view_0(uint _S199, Footprint_0 _S200, vec3 _S201, float _S202, inout
     Latent_0 _S204 = fabrics_0._data[uint(_S199)].latent_0;
     bool _S205 = (_S201.z) < 0.0;
     _S203.back_3 = _S205;
-    _S203.view_1 = to_face_frame_0(_S201, _S205);
+    _S203.view_2 = to_face_frame_0(_S201, _S205);
     uint _S206;
     if(_S205)
     {
@@ -1805,10 +1829,10 @@ void latent_view_0(uint _S199, Footprint_0 _S200, vec3 _S201, float _S202, inout
     }
     FloatWeights_0 weights_26;
     weights_26.first_0 = _S204.frames_0;
-    float  sums_7[12];
-    dense_9(weights_26, 0U, false, _S203.latent_1, sums_7);
-    _S203.first_27 = frame_of_0(vec3(sums_7[0], sums_7[1], sums_7[2]), vec3(sums_7[3], sums_7[4], sums_7[5]));
-    _S203.second_0 = frame_of_0(vec3(sums_7[6], sums_7[7], sums_7[8]), vec3(sums_7[9], sums_7[10], sums_7[11]));
+    float  sums_8[12];
+    dense_9(weights_26, 0U, false, _S203.latent_1, sums_8);
+    _S203.first_27 = frame_of_0(vec3(sums_8[0], sums_8[1], sums_8[2]), vec3(sums_8[3], sums_8[4], sums_8[5]));
+    _S203.second_0 = frame_of_0(vec3(sums_8[6], sums_8[7], sums_8[8]), vec3(sums_8[9], sums_8[10], sums_8[11]));
     return;
 }
 
@@ -1820,9 +1844,9 @@ vec3 latent_value_0(uint _S212, inout LatentView_0 _S213, vec3 _S214)
         return vec3(0.0);
     }
     float  inputs_32[20];
-    vec3 _S216 = LatentFrame_coordinates_0(_S213.first_27, _S213.view_1);
+    vec3 _S216 = LatentFrame_coordinates_0(_S213.first_27, _S213.view_2);
     vec3 _S217 = LatentFrame_coordinates_0(_S213.first_27, _S215);
-    vec3 _S218 = LatentFrame_coordinates_0(_S213.second_0, _S213.view_1);
+    vec3 _S218 = LatentFrame_coordinates_0(_S213.second_0, _S213.view_2);
     vec3 _S219 = LatentFrame_coordinates_0(_S213.second_0, _S215);
     int axis_1 = 0;
     for(;;)
@@ -1873,15 +1897,15 @@ vec3 latent_value_0(uint _S212, inout LatentView_0 _S213, vec3 _S214)
     return vec3(bounded_exponential_0(outputs_27[0] - 3.0), bounded_exponential_0(outputs_27[1] - 3.0), bounded_exponential_0(outputs_27[2] - 3.0));
 }
 
-vec4 cloth_value_0(uint fabric_1, vec2 centre_1, vec2 dx_1, vec2 dy_1, vec3 light_0, vec3 view_2)
+vec4 cloth_value_0(uint fabric_1, vec2 centre_1, vec2 dx_1, vec2 dy_1, vec3 light_1, vec3 view_3)
 {
     Footprint_0 footprint_1;
     footprint_1.centre_0 = centre_1;
     footprint_1.dx_0 = dx_1;
     footprint_1.dy_0 = dy_1;
     LatentView_0 seen_0;
-    latent_view_0(fabric_1, footprint_1, view_2, uniform_of_0(hashed_0(footprint_1, view_2, vec2(fabrics_0._data[uint(fabric_1)].latent_0.width_0, fabrics_0._data[uint(fabric_1)].latent_0.height_0)), 0U), seen_0);
-    vec3 _S221 = latent_value_0(fabric_1, seen_0, light_0);
+    latent_view_0(fabric_1, footprint_1, view_3, uniform_of_0(hashed_0(footprint_1, view_3, vec2(fabrics_0._data[uint(fabric_1)].latent_0.width_0, fabrics_0._data[uint(fabric_1)].latent_0.height_0)), 0U), seen_0);
+    vec3 _S221 = latent_value_0(fabric_1, seen_0, light_1);
     return vec4(_S221, 0.0);
 }
 

@@ -19,6 +19,7 @@ struct Query_0
     float view_x_0;
     float view_y_0;
     float view_z_0;
+    uint seed_0;
 };
 
 layout(std430, binding = 0, set = 1) readonly buffer StructuredBuffer_Query_t_0 {
@@ -121,6 +122,28 @@ struct Latent_0
     uint is_trilinear_0;
 };
 
+struct Clustered_0
+{
+    uint is_baked_1;
+    uint clusters_0;
+    uint rank_0;
+    uint channels_0;
+    uint columns_0;
+    uint rows_0;
+    float texel_width_0;
+    float texel_height_0;
+    uint samples_0;
+    uint sums_0;
+    uint labels_0;
+    uint coefficients_0;
+    uint basis_0;
+    uint moments_1;
+    uint light_0;
+    uint view_0;
+    uint offset_1;
+    uint trust_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
@@ -144,7 +167,7 @@ struct Fabric_0
     float sheen_roughness_0;
     float fibre_noise_0;
     float colour_noise_0;
-    uint seed_0;
+    uint seed_1;
     float layer_bound_0;
     float fibre_size_0;
     uint has_detail_0;
@@ -157,6 +180,7 @@ struct Fabric_0
     uint has_yarns_0;
     float mean_hole_0;
     Latent_0 latent_0;
+    Clustered_0 clustered_0;
 };
 
 layout(std430, binding = 0) readonly buffer StructuredBuffer_Fabric_t_0 {
@@ -195,7 +219,7 @@ Eight_0 FloatWeights_eight_0(FloatWeights_0 this_0, uint element_0)
 
 vec4 tile_product_0(FloatWeights_0 weights_0, uint row_0, inout float  inputs_0[25])
 {
-    vec4 sums_0 = vec4(0.0);
+    vec4 sums_1 = vec4(0.0);
     uint column_0 = 0U;
     for(;;)
     {
@@ -221,16 +245,16 @@ vec4 tile_product_0(FloatWeights_0 weights_0, uint row_0, inout float  inputs_0[
         low_1[3] = inputs_0[min(_S5, 24)];
         high_1[3] = inputs_0[min(_S5 + 4, 24)];
         Eight_0 _S6 = FloatWeights_eight_0(weights_0, row_0 + column_0);
-        sums_0[0] = sums_0[0] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
+        sums_1[0] = sums_1[0] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
         Eight_0 _S7 = FloatWeights_eight_0(weights_0, row_0 + 4U + column_0);
-        sums_0[1] = sums_0[1] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
+        sums_1[1] = sums_1[1] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
         Eight_0 _S8 = FloatWeights_eight_0(weights_0, row_0 + 8U + column_0);
-        sums_0[2] = sums_0[2] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
+        sums_1[2] = sums_1[2] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
         Eight_0 _S9 = FloatWeights_eight_0(weights_0, row_0 + 12U + column_0);
-        sums_0[3] = sums_0[3] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
+        sums_1[3] = sums_1[3] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
         column_0 = column_0 + 1U;
     }
-    return sums_0;
+    return sums_1;
 }
 
 float Identity_apply_0(float x_0)
@@ -324,7 +348,7 @@ void dense_part_0(FloatWeights_0 weights_1, uint first_1, bool adds_0, inout flo
 
 vec4 tile_product_1(FloatWeights_0 weights_2, uint row_1, inout float  inputs_2[11])
 {
-    vec4 sums_1 = vec4(0.0);
+    vec4 sums_2 = vec4(0.0);
     uint column_1 = 0U;
     for(;;)
     {
@@ -350,16 +374,16 @@ vec4 tile_product_1(FloatWeights_0 weights_2, uint row_1, inout float  inputs_2[
         low_2[3] = inputs_2[min(_S24, 10)];
         high_2[3] = inputs_2[min(_S24 + 4, 10)];
         Eight_0 _S25 = FloatWeights_eight_0(weights_2, row_1 + column_1);
-        sums_1[0] = sums_1[0] + (dot(_S25.low_0, low_2) + dot(_S25.high_0, high_2));
+        sums_2[0] = sums_2[0] + (dot(_S25.low_0, low_2) + dot(_S25.high_0, high_2));
         Eight_0 _S26 = FloatWeights_eight_0(weights_2, row_1 + 2U + column_1);
-        sums_1[1] = sums_1[1] + (dot(_S26.low_0, low_2) + dot(_S26.high_0, high_2));
+        sums_2[1] = sums_2[1] + (dot(_S26.low_0, low_2) + dot(_S26.high_0, high_2));
         Eight_0 _S27 = FloatWeights_eight_0(weights_2, row_1 + 4U + column_1);
-        sums_1[2] = sums_1[2] + (dot(_S27.low_0, low_2) + dot(_S27.high_0, high_2));
+        sums_2[2] = sums_2[2] + (dot(_S27.low_0, low_2) + dot(_S27.high_0, high_2));
         Eight_0 _S28 = FloatWeights_eight_0(weights_2, row_1 + 6U + column_1);
-        sums_1[3] = sums_1[3] + (dot(_S28.low_0, low_2) + dot(_S28.high_0, high_2));
+        sums_2[3] = sums_2[3] + (dot(_S28.low_0, low_2) + dot(_S28.high_0, high_2));
         column_1 = column_1 + 1U;
     }
-    return sums_1;
+    return sums_2;
 }
 
 float Relu_apply_0(float x_1)
@@ -465,7 +489,7 @@ void dense_1(FloatWeights_0 weights_5, uint first_4, bool adds_3, inout float  i
 
 vec4 tile_product_2(FloatWeights_0 weights_6, uint row_2, inout float  inputs_6[16])
 {
-    vec4 sums_2 = vec4(0.0);
+    vec4 sums_3 = vec4(0.0);
     uint column_2 = 0U;
     for(;;)
     {
@@ -491,16 +515,16 @@ vec4 tile_product_2(FloatWeights_0 weights_6, uint row_2, inout float  inputs_6[
         low_3[3] = inputs_6[_S43];
         high_3[3] = inputs_6[_S43 + 4];
         Eight_0 _S44 = FloatWeights_eight_0(weights_6, row_2 + column_2);
-        sums_2[0] = sums_2[0] + (dot(_S44.low_0, low_3) + dot(_S44.high_0, high_3));
+        sums_3[0] = sums_3[0] + (dot(_S44.low_0, low_3) + dot(_S44.high_0, high_3));
         Eight_0 _S45 = FloatWeights_eight_0(weights_6, row_2 + 2U + column_2);
-        sums_2[1] = sums_2[1] + (dot(_S45.low_0, low_3) + dot(_S45.high_0, high_3));
+        sums_3[1] = sums_3[1] + (dot(_S45.low_0, low_3) + dot(_S45.high_0, high_3));
         Eight_0 _S46 = FloatWeights_eight_0(weights_6, row_2 + 4U + column_2);
-        sums_2[2] = sums_2[2] + (dot(_S46.low_0, low_3) + dot(_S46.high_0, high_3));
+        sums_3[2] = sums_3[2] + (dot(_S46.low_0, low_3) + dot(_S46.high_0, high_3));
         Eight_0 _S47 = FloatWeights_eight_0(weights_6, row_2 + 6U + column_2);
-        sums_2[3] = sums_2[3] + (dot(_S47.low_0, low_3) + dot(_S47.high_0, high_3));
+        sums_3[3] = sums_3[3] + (dot(_S47.low_0, low_3) + dot(_S47.high_0, high_3));
         column_2 = column_2 + 1U;
     }
-    return sums_2;
+    return sums_3;
 }
 
 void dense_part_2(FloatWeights_0 weights_7, uint first_5, bool adds_4, inout float  inputs_7[16], inout float  outputs_4[16])
@@ -673,7 +697,7 @@ void dense_part_3(FloatWeights_0 weights_8, uint first_6, bool adds_5, inout flo
 
 vec4 tile_product_3(FloatWeights_0 weights_9, uint row_3, inout float  inputs_9[9])
 {
-    vec4 sums_3 = vec4(0.0);
+    vec4 sums_4 = vec4(0.0);
     uint column_3 = 0U;
     for(;;)
     {
@@ -699,16 +723,16 @@ vec4 tile_product_3(FloatWeights_0 weights_9, uint row_3, inout float  inputs_9[
         low_4[3] = inputs_9[min(_S73, 8)];
         high_4[3] = inputs_9[min(_S73 + 4, 8)];
         Eight_0 _S74 = FloatWeights_eight_0(weights_9, row_3 + column_3);
-        sums_3[0] = sums_3[0] + (dot(_S74.low_0, low_4) + dot(_S74.high_0, high_4));
+        sums_4[0] = sums_4[0] + (dot(_S74.low_0, low_4) + dot(_S74.high_0, high_4));
         Eight_0 _S75 = FloatWeights_eight_0(weights_9, row_3 + 2U + column_3);
-        sums_3[1] = sums_3[1] + (dot(_S75.low_0, low_4) + dot(_S75.high_0, high_4));
+        sums_4[1] = sums_4[1] + (dot(_S75.low_0, low_4) + dot(_S75.high_0, high_4));
         Eight_0 _S76 = FloatWeights_eight_0(weights_9, row_3 + 4U + column_3);
-        sums_3[2] = sums_3[2] + (dot(_S76.low_0, low_4) + dot(_S76.high_0, high_4));
+        sums_4[2] = sums_4[2] + (dot(_S76.low_0, low_4) + dot(_S76.high_0, high_4));
         Eight_0 _S77 = FloatWeights_eight_0(weights_9, row_3 + 6U + column_3);
-        sums_3[3] = sums_3[3] + (dot(_S77.low_0, low_4) + dot(_S77.high_0, high_4));
+        sums_4[3] = sums_4[3] + (dot(_S77.low_0, low_4) + dot(_S77.high_0, high_4));
         column_3 = column_3 + 1U;
     }
-    return sums_3;
+    return sums_4;
 }
 
 void dense_part_4(FloatWeights_0 weights_10, uint first_7, bool adds_6, inout float  inputs_10[9], inout float  outputs_6[16])
@@ -1226,9 +1250,9 @@ Eight_0 texel_numbers_0(uint first_17, uint elements_1, uint texel_0)
     return numbers_3;
 }
 
-void add_bilinear_0(uint first_18, uint elements_2, uint start_0, uint columns_0, uint rows_0, vec2 uv_0, float weight_0, inout Eight_0 sums_4)
+void add_bilinear_0(uint first_18, uint elements_2, uint start_0, uint columns_1, uint rows_1, vec2 uv_0, float weight_0, inout Eight_0 sums_5)
 {
-    vec2 _S136 = uv_0 * vec2(float(columns_0), float(rows_0)) - 0.5;
+    vec2 _S136 = uv_0 * vec2(float(columns_1), float(rows_1)) - 0.5;
     vec2 _S137 = floor(_S136);
     vec2 _S138 = _S136 - _S137;
     int _S139 = int(_S137.x);
@@ -1245,7 +1269,7 @@ void add_bilinear_0(uint first_18, uint elements_2, uint start_0, uint columns_0
         }
         uint _S141 = tap_0 & 1U;
         uint _S142 = tap_0 >> 1;
-        Eight_0 _S143 = texel_numbers_0(first_18, elements_2, start_0 + (uint(_S140 + int(_S142)) & (rows_0 - 1U)) * columns_0 + (uint(_S139 + int(_S141)) & (columns_0 - 1U)));
+        Eight_0 _S143 = texel_numbers_0(first_18, elements_2, start_0 + (uint(_S140 + int(_S142)) & (rows_1 - 1U)) * columns_1 + (uint(_S139 + int(_S141)) & (columns_1 - 1U)));
         float _S144;
         if(_S142 != 0U)
         {
@@ -1265,8 +1289,8 @@ void add_bilinear_0(uint first_18, uint elements_2, uint start_0, uint columns_0
             _S145 = 1.0 - _S138.x;
         }
         float _S146 = _S144 * _S145 * weight_0;
-        sums_4.low_0 = sums_4.low_0 + _S146 * _S143.low_0;
-        sums_4.high_0 = sums_4.high_0 + _S146 * _S143.high_0;
+        sums_5.low_0 = sums_5.low_0 + _S146 * _S143.low_0;
+        sums_5.high_0 = sums_5.high_0 + _S146 * _S143.high_0;
         tap_0 = tap_0 + 1U;
     }
     return;
@@ -1286,7 +1310,7 @@ float channel_0(Eight_0 numbers_4, int k_0)
     return _S147;
 }
 
-float neumip_depth_0(Neumip_0 model_0, vec2 uv_1, vec2 view_0, uint face_0)
+float neumip_depth_0(Neumip_0 model_0, vec2 uv_1, vec2 view_1, uint face_0)
 {
     uint _S148 = words_0._data[uint(model_0.levels_2 + 1U)];
     uint _S149 = words_0._data[uint(model_0.levels_2 + 2U)];
@@ -1306,8 +1330,8 @@ float neumip_depth_0(Neumip_0 model_0, vec2 uv_1, vec2 view_0, uint face_0)
         inputs_24[k_1] = channel_0(texel_1, k_1);
         k_1 = k_1 + 1;
     }
-    inputs_24[7] = view_0.x;
-    inputs_24[8] = view_0.y;
+    inputs_24[7] = view_1.x;
+    inputs_24[8] = view_1.y;
     MLP_0 network_1;
     network_1.weights_20.first_0 = model_0.offset_0;
     float  depth_0[1];
@@ -1357,10 +1381,10 @@ struct TexelPyramid_0
     uint face_texels_2;
 };
 
-void TexelPyramid_add_level_0(TexelPyramid_0 this_4, vec2 place_0, uint level_0, uint face_1, float weight_1, inout Eight_0 sums_5)
+void TexelPyramid_add_level_0(TexelPyramid_0 this_4, vec2 place_0, uint level_0, uint face_1, float weight_1, inout Eight_0 sums_6)
 {
     uint _S152 = this_4.levels_4 + 3U * level_0;
-    add_bilinear_0(this_4.first_19, this_4.elements_3, face_1 * this_4.face_texels_2 + words_0._data[uint(_S152)], words_0._data[uint(_S152 + 1U)], words_0._data[uint(_S152 + 2U)], place_0, weight_1, sums_5);
+    add_bilinear_0(this_4.first_19, this_4.elements_3, face_1 * this_4.face_texels_2 + words_0._data[uint(_S152)], words_0._data[uint(_S152 + 1U)], words_0._data[uint(_S152 + 2U)], place_0, weight_1, sums_6);
     return;
 }
 
@@ -1371,10 +1395,10 @@ Eight_0 TexelPyramid_between_levels_0(TexelPyramid_0 this_5, vec2 uv_3, float le
     float _S155 = _S153 - _S154;
     vec2 _S156 = within_repeat_0(uv_3);
     Eight_0 texel_2 = no_numbers_0();
-    uint offset_1 = 0U;
+    uint offset_2 = 0U;
     for(;;)
     {
-        if(offset_1 < 2U)
+        if(offset_2 < 2U)
         {
         }
         else
@@ -1382,7 +1406,7 @@ Eight_0 TexelPyramid_between_levels_0(TexelPyramid_0 this_5, vec2 uv_3, float le
             break;
         }
         float _S157;
-        if(offset_1 == 0U)
+        if(offset_2 == 0U)
         {
             _S157 = 1.0 - _S155;
         }
@@ -1392,9 +1416,9 @@ Eight_0 TexelPyramid_between_levels_0(TexelPyramid_0 this_5, vec2 uv_3, float le
         }
         if(_S157 > 0.0)
         {
-            TexelPyramid_add_level_0(this_5, _S156, uint(_S154) + offset_1, face_2, _S157, texel_2);
+            TexelPyramid_add_level_0(this_5, _S156, uint(_S154) + offset_2, face_2, _S157, texel_2);
         }
-        offset_1 = offset_1 + 1U;
+        offset_2 = offset_2 + 1U;
     }
     return texel_2;
 }
@@ -1418,7 +1442,7 @@ float exponential_0(float x_4)
     return _S162;
 }
 
-float neumip_hole_0(Neumip_0 model_1, Eight_0 texel_3, vec2 view_1)
+float neumip_hole_0(Neumip_0 model_1, Eight_0 texel_3, vec2 view_2)
 {
     float  inputs_25[9];
     int k_2 = 0;
@@ -1434,8 +1458,8 @@ float neumip_hole_0(Neumip_0 model_1, Eight_0 texel_3, vec2 view_1)
         inputs_25[k_2] = channel_0(texel_3, k_2);
         k_2 = k_2 + 1;
     }
-    inputs_25[7] = view_1.x;
-    inputs_25[8] = view_1.y;
+    inputs_25[7] = view_2.x;
+    inputs_25[8] = view_2.y;
     MLP_0 network_2;
     network_2.weights_20.first_0 = model_1.opacity_0;
     float  opening_0[1];
@@ -1453,7 +1477,7 @@ struct Footprint_0
 struct NeumipView_0
 {
     float  latent_1[7];
-    vec2 view_2;
+    vec2 view_3;
     bool back_3;
     float hole_0;
 };
@@ -1505,7 +1529,7 @@ void neumip_view_0(uint _S163, Footprint_0 _S164, vec3 _S165, inout NeumipView_0
         k_3 = k_3 + 1;
     }
     vec2 _S174 = _S170.xy;
-    _S166.view_2 = _S174;
+    _S166.view_3 = _S174;
     _S166.back_3 = _S168;
     float _S175;
     if((_S167.has_holes_0) != 0U)
@@ -1562,8 +1586,8 @@ vec3 neumip_value_0(uint _S176, inout NeumipView_0 _S177, vec3 _S178)
     }
     inputs_26[7] = _S179.x;
     inputs_26[8] = _S179.y;
-    inputs_26[9] = _S177.view_2.x;
-    inputs_26[10] = _S177.view_2.y;
+    inputs_26[9] = _S177.view_3.x;
+    inputs_26[10] = _S177.view_3.y;
     float  outputs_20[3];
     MLP_0 network_3;
     uint _S183;
@@ -1580,15 +1604,15 @@ vec3 neumip_value_0(uint _S176, inout NeumipView_0 _S177, vec3 _S178)
     return max(vec3(outputs_20[0], outputs_20[1], outputs_20[2]), vec3(0.0)) * 0.31830987334251404;
 }
 
-vec4 cloth_value_0(uint fabric_1, vec2 centre_1, vec2 dx_1, vec2 dy_1, vec3 light_0, vec3 view_3)
+vec4 cloth_value_0(uint fabric_1, vec2 centre_1, vec2 dx_1, vec2 dy_1, vec3 light_1, vec3 view_4)
 {
     Footprint_0 footprint_0;
     footprint_0.centre_0 = centre_1;
     footprint_0.dx_0 = dx_1;
     footprint_0.dy_0 = dy_1;
     NeumipView_0 seen_0;
-    neumip_view_0(fabric_1, footprint_0, view_3, seen_0);
-    vec3 _S184 = neumip_value_0(fabric_1, seen_0, light_0);
+    neumip_view_0(fabric_1, footprint_0, view_4, seen_0);
+    vec3 _S184 = neumip_value_0(fabric_1, seen_0, light_1);
     return vec4(_S184, seen_0.hole_0);
 }
 

@@ -19,6 +19,7 @@ struct Query_0
     float view_x_0;
     float view_y_0;
     float view_z_0;
+    uint seed_0;
 };
 
 layout(std430, binding = 0, set = 1) readonly buffer StructuredBuffer_Query_t_0 {
@@ -121,6 +122,28 @@ struct Latent_0
     uint is_trilinear_0;
 };
 
+struct Clustered_0
+{
+    uint is_baked_1;
+    uint clusters_0;
+    uint rank_0;
+    uint channels_0;
+    uint columns_0;
+    uint rows_0;
+    float texel_width_0;
+    float texel_height_0;
+    uint samples_0;
+    uint sums_0;
+    uint labels_0;
+    uint coefficients_0;
+    uint basis_0;
+    uint moments_1;
+    uint light_0;
+    uint view_0;
+    uint offset_1;
+    uint trust_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
@@ -144,7 +167,7 @@ struct Fabric_0
     float sheen_roughness_0;
     float fibre_noise_0;
     float colour_noise_0;
-    uint seed_0;
+    uint seed_1;
     float layer_bound_0;
     float fibre_size_0;
     uint has_detail_0;
@@ -157,6 +180,7 @@ struct Fabric_0
     uint has_yarns_0;
     float mean_hole_0;
     Latent_0 latent_0;
+    Clustered_0 clustered_0;
 };
 
 layout(std430, binding = 0) readonly buffer StructuredBuffer_Fabric_t_0 {
@@ -1271,9 +1295,9 @@ float uniform_hash_0(uint thread_9, uint cell_7, uint stream_1)
     return (float((hash_bits_0(hash_key_0(thread_9, stream_1), cell_7)) >> 9) + 0.5) * 1.1920928955078125e-07;
 }
 
-float thread_gain_0(uint thread_10, float amount_0, uint seed_1)
+float thread_gain_0(uint thread_10, float amount_0, uint seed_2)
 {
-    return amount_0 * (2.0 * uniform_hash_0(thread_10, 0U, seed_1 ^ 2135587861U) - 1.0) + 1.0;
+    return amount_0 * (2.0 * uniform_hash_0(thread_10, 0U, seed_2 ^ 2135587861U) - 1.0) + 1.0;
 }
 
 float bounded_gain_0(float gain_0, vec3 albedo_1, vec3 room_0)
@@ -1311,9 +1335,9 @@ float natural_logarithm_0(float x_4)
     return m_2 + (((((((((0.07037683576345444 * m_2 - 0.11514610052108765) * m_2 + 0.11676998436450958) * m_2 - 0.12420140951871872) * m_2 + 0.14249323308467865) * m_2 - 0.16668057441711426) * m_2 + 0.20000714063644409) * m_2 - 0.24999994039535522) * m_2 + 0.33333331346511841) * m_2 * _S118 - exponent_1 * 0.00021219444170129 - 0.5 * _S118) + exponent_1 * 0.693359375;
 }
 
-float fibre_gain_0(uint thread_11, uint cell_8, float amount_1, uint seed_2)
+float fibre_gain_0(uint thread_11, uint cell_8, float amount_1, uint seed_3)
 {
-    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_8, seed_2 ^ 2654435769U)), 10.0) - 1.0) + 1.0;
+    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_8, seed_3 ^ 2654435769U)), 10.0) - 1.0) + 1.0;
 }
 
 struct YarnFrame_0
@@ -1420,14 +1444,14 @@ Bounced_0 bounced_by_0(Blocked_0 blocked_0, Scattered_0 yarn_2, Interior_0 inter
     return bounced_0;
 }
 
-float diffuse_reflection_0(vec3 light_0, vec3 normal_4, float blend_1)
+float diffuse_reflection_0(vec3 light_1, vec3 normal_4, float blend_1)
 {
-    float _S129 = light_0.z;
+    float _S129 = light_1.z;
     if(_S129 <= 0.0)
     {
         return 0.0;
     }
-    return 0.31830987334251404 * mix(max(_S129, 0.0), max(dot(light_0, normal_4), 0.0), blend_1);
+    return 0.31830987334251404 * mix(max(_S129, 0.0), max(dot(light_1, normal_4), 0.0), blend_1);
 }
 
 float projected_area_1(vec3 direction_2, vec3 tangent_4, float roughness_1)
@@ -1476,16 +1500,16 @@ float flake_density_0(float squared_along_0, float roughness_2)
     return 0.31830987334251404 * _S136 * roughness_2 / (_S137 * _S137);
 }
 
-float density_between_0(vec3 light_1, vec3 view_0, vec3 tangent_5, float roughness_3)
+float density_between_0(vec3 light_2, vec3 view_1, vec3 tangent_5, float roughness_3)
 {
-    vec3 _S138 = light_1 + view_0;
+    vec3 _S138 = light_2 + view_1;
     float _S139 = dot(_S138, tangent_5);
     return flake_density_0(min(_S139 * _S139 / max(square_1(_S138), 9.999999960041972e-13), 1.0), roughness_3);
 }
 
-float reflection_0(vec3 light_2, vec3 view_1, vec3 normal_5, vec3 tangent_6, float roughness_4, float optical_depth_1)
+float reflection_0(vec3 light_3, vec3 view_2, vec3 normal_5, vec3 tangent_6, float roughness_4, float optical_depth_1)
 {
-    float _S140 = dot(light_2, normal_5);
+    float _S140 = dot(light_3, normal_5);
     bool _S141;
     if(_S140 <= 0.0)
     {
@@ -1493,23 +1517,23 @@ float reflection_0(vec3 light_2, vec3 view_1, vec3 normal_5, vec3 tangent_6, flo
     }
     else
     {
-        _S141 = (dot(view_1, normal_5)) <= 0.0;
+        _S141 = (dot(view_2, normal_5)) <= 0.0;
     }
     if(_S141)
     {
         return 0.0;
     }
     float _S142 = max(_S140, 9.99999997475242708e-07);
-    float _S143 = max(dot(view_1, normal_5), 9.99999997475242708e-07);
-    float _S144 = projected_area_1(light_2, tangent_6, roughness_4) * _S143 + projected_area_1(view_1, tangent_6, roughness_4) * _S142;
+    float _S143 = max(dot(view_2, normal_5), 9.99999997475242708e-07);
+    float _S144 = projected_area_1(light_3, tangent_6, roughness_4) * _S143 + projected_area_1(view_2, tangent_6, roughness_4) * _S142;
     float _S145 = optical_depth_1 * _S144 / (_S142 * _S143);
-    return 0.25 * density_between_0(light_2, view_1, tangent_6, roughness_4) * (_S145 * mean_attenuation_0(_S145)) * _S142 / _S144;
+    return 0.25 * density_between_0(light_3, view_2, tangent_6, roughness_4) * (_S145 * mean_attenuation_0(_S145)) * _S142 / _S144;
 }
 
-float transmission_1(vec3 light_3, vec3 view_2, vec3 normal_6, vec3 tangent_7, float roughness_5, float optical_depth_2)
+float transmission_1(vec3 light_4, vec3 view_3, vec3 normal_6, vec3 tangent_7, float roughness_5, float optical_depth_2)
 {
-    float _S146 = - dot(light_3, normal_6);
-    float _S147 = dot(view_2, normal_6);
+    float _S146 = - dot(light_4, normal_6);
+    float _S147 = dot(view_3, normal_6);
     bool _S148;
     if(_S146 <= 0.0)
     {
@@ -1524,9 +1548,9 @@ float transmission_1(vec3 light_3, vec3 view_2, vec3 normal_6, vec3 tangent_7, f
         return 0.0;
     }
     float _S149 = 1.0 / max(_S147, 9.99999997475242708e-07);
-    float _S150 = projected_area_1(light_3, tangent_7, roughness_5) / max(_S146, 9.99999997475242708e-07);
-    float _S151 = projected_area_1(view_2, tangent_7, roughness_5) * _S149;
-    return density_between_0(light_3, view_2, tangent_7, roughness_5) * 0.25 * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S150, _S151)) * mean_attenuation_0(optical_depth_2 * abs(_S150 - _S151)) * _S149;
+    float _S150 = projected_area_1(light_4, tangent_7, roughness_5) / max(_S146, 9.99999997475242708e-07);
+    float _S151 = projected_area_1(view_3, tangent_7, roughness_5) * _S149;
+    return density_between_0(light_4, view_3, tangent_7, roughness_5) * 0.25 * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S150, _S151)) * mean_attenuation_0(optical_depth_2 * abs(_S150 - _S151)) * _S149;
 }
 
 float sheen_scale_0(float x_6, float y_0)
@@ -1552,9 +1576,9 @@ vec3 sheen_lobe_0(float cos_view_0, float roughness_6)
     return vec3(clamp(sheen_scale_0(_S153, _S154), 0.00999999977648258, 1.0), clamp((1.0 - _S152) * sheen_shear_0(_S153, _S154), -0.25, 0.0), 0.80000001192092896 / (1.0 + exponential_0(- clamp(sheen_reflectance_0(_S153, _S154), -60.0, 60.0))));
 }
 
-float transformed_cosine_0(vec3 light_4, vec3 view_3, float scale_0, float shear_0)
+float transformed_cosine_0(vec3 light_5, vec3 view_4, float scale_0, float shear_0)
 {
-    float _S155 = light_4.z;
+    float _S155 = light_5.z;
     bool _S156;
     if(_S155 <= 0.0)
     {
@@ -1562,13 +1586,13 @@ float transformed_cosine_0(vec3 light_4, vec3 view_3, float scale_0, float shear
     }
     else
     {
-        _S156 = (view_3.z) <= 0.0;
+        _S156 = (view_4.z) <= 0.0;
     }
     if(_S156)
     {
         return 0.0;
     }
-    vec2 _S157 = view_3.xy;
+    vec2 _S157 = view_4.xy;
     float _S158 = dot(_S157, _S157);
     vec2 _S159;
     if(_S158 > 9.99999968265522539e-21)
@@ -1579,24 +1603,24 @@ float transformed_cosine_0(vec3 light_4, vec3 view_3, float scale_0, float shear
     {
         _S159 = vec2(1.0, 0.0);
     }
-    float _S160 = scale_0 * dot(light_4.xy, _S159) + shear_0 * _S155;
-    float _S161 = scale_0 * (light_4.y * _S159.x - light_4.x * _S159.y);
+    float _S160 = scale_0 * dot(light_5.xy, _S159) + shear_0 * _S155;
+    float _S161 = scale_0 * (light_5.y * _S159.x - light_5.x * _S159.y);
     float _S162 = _S160 * _S160 + _S161 * _S161 + _S155 * _S155;
     return 0.31830987334251404 * scale_0 * scale_0 * _S155 / max(_S162 * _S162, 9.99999968265522539e-21);
 }
 
-vec2 sheen_with_transmittance_0(vec3 light_5, vec3 view_4, float strength_0, float roughness_7)
+vec2 sheen_with_transmittance_0(vec3 light_6, vec3 view_5, float strength_0, float roughness_7)
 {
-    vec3 _S163 = sheen_lobe_0(view_4.z, roughness_7);
+    vec3 _S163 = sheen_lobe_0(view_5.z, roughness_7);
     float _S164 = strength_0 * _S163.z;
-    return vec2(_S164 * transformed_cosine_0(light_5, view_4, _S163.x, _S163.y), 1.0 - _S164);
+    return vec2(_S164 * transformed_cosine_0(light_6, view_5, _S163.x, _S163.y), 1.0 - _S164);
 }
 
-vec3 bounced_value_0(Bounced_0 bounced_1, vec3 light_6, vec3 view_5)
+vec3 bounced_value_0(Bounced_0 bounced_1, vec3 light_7, vec3 view_6)
 {
-    float _S165 = light_6.z;
+    float _S165 = light_7.z;
     vec3 _S166;
-    if((_S165 * view_5.z) < 0.0)
+    if((_S165 * view_6.z) < 0.0)
     {
         _S166 = bounced_1.transmitted_0;
     }
@@ -2464,7 +2488,7 @@ Hair_0 hair_at_0(uint _S355, vec2 _S356, bool _S357, float _S358)
     {
         number_1 = 0U;
     }
-    uint _S363 = hash_key_0(number_1, (fabrics_0._data[uint(_S355)].seed_0) ^ 1013904242U);
+    uint _S363 = hash_key_0(number_1, (fabrics_0._data[uint(_S355)].seed_1) ^ 1013904242U);
     float _S364 = 1.0 / max(_S358, 0.07999999821186066 * _S359);
     float _S365 = min(0.63999998569488525 * _S359 * _S364, 1.0);
     const vec2 _S366 = vec2(0.0, 1.0);
@@ -2630,22 +2654,22 @@ struct FibreNoise_0
     float bundle_weight_0;
     vec2 fibre_0;
     float fibre_weight_0;
-    float offset_1;
+    float offset_2;
     float slope_2;
 };
 
 FibreNoise_0 fibre_noise_at_0(uint _S404, uint _S405, SurfacePoint_0 _S406, uint _S407, float _S408)
 {
     float _S409 = 5.0 * fabrics_0._data[uint(_S404)].fibre_size_0;
-    vec2 _S410 = wave_noise_0(hash_key_0(_S407, (fabrics_0._data[uint(_S404)].seed_0) ^ 458671337U), _S406.fibre_along_0 / (25.0 * fabrics_0._data[uint(_S404)].fibre_size_0));
+    vec2 _S410 = wave_noise_0(hash_key_0(_S407, (fabrics_0._data[uint(_S404)].seed_1) ^ 458671337U), _S406.fibre_along_0 / (25.0 * fabrics_0._data[uint(_S404)].fibre_size_0));
     float _S411 = _S406.fibre_across_0 + families_0._data[uint(_S405)].fibre_tilt_0 * 0.5 * 25.0 * fabrics_0._data[uint(_S404)].fibre_size_0 * _S410.x;
     vec3 _S412 = fibre_cell_0(_S411, _S406.fibre_along_0, fabrics_0._data[uint(_S404)].fibre_size_0);
     FibreNoise_0 noise_0;
-    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S407, (fabrics_0._data[uint(_S404)].seed_0) ^ 1757159915U), fibre_cell_0(_S411, _S406.fibre_along_0, _S409));
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S407, (fabrics_0._data[uint(_S404)].seed_1) ^ 1757159915U), fibre_cell_0(_S411, _S406.fibre_along_0, _S409));
     noise_0.bundle_weight_0 = fade_0(_S408, _S409);
-    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S407, (fabrics_0._data[uint(_S404)].seed_0) ^ 48610963U), _S412);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S407, (fabrics_0._data[uint(_S404)].seed_1) ^ 48610963U), _S412);
     noise_0.fibre_weight_0 = fade_0(_S408, fabrics_0._data[uint(_S404)].fibre_size_0);
-    noise_0.offset_1 = _S412.z;
+    noise_0.offset_2 = _S412.z;
     noise_0.slope_2 = 0.5 * _S410.y;
     return noise_0;
 }
@@ -2679,7 +2703,7 @@ vec2 detail_gain_0(uint _S413, uint _S414, SurfacePoint_0 _S415, vec2 _S416, boo
         {
             _S423 = - _S416.x;
         }
-        gain_1 = gain_1 + _S422 * vec2(wave_noise_0(hash_key_0(_S418, (fabrics_0._data[uint(_S413)].seed_0) ^ 1373058189U), _S423 * families_0._data[uint(_S414)].slubs_per_mm_0).x * mix(0.40000000596046448, 1.0, min(square_0(_S415.across_3 * families_0._data[uint(_S414)].per_half_width_0), 1.0)), 1.0);
+        gain_1 = gain_1 + _S422 * vec2(wave_noise_0(hash_key_0(_S418, (fabrics_0._data[uint(_S413)].seed_1) ^ 1373058189U), _S423 * families_0._data[uint(_S414)].slubs_per_mm_0).x * mix(0.40000000596046448, 1.0, min(square_0(_S415.across_3 * families_0._data[uint(_S414)].per_half_width_0), 1.0)), 1.0);
     }
     return gain_1;
 }
@@ -2689,9 +2713,9 @@ Albedos_0 vary_albedos_0(uint _S424, Albedos_0 _S425, uint _S426, uint _S427, ve
     vec3 _S429 = max(_S425.specular_reflect_0, _S425.specular_transmit_0);
     vec3 _S430 = _S425.diffuse_reflect_0 + _S425.diffuse_transmit_0;
     vec3 _S431 = 1.0 - fabrics_0._data[uint(_S424)].layer_bound_0 * _S429;
-    float colour_0 = bounded_gain_0(thread_gain_0(_S426, fabrics_0._data[uint(_S424)].colour_noise_0, fabrics_0._data[uint(_S424)].seed_0), _S430, _S431);
+    float colour_0 = bounded_gain_0(thread_gain_0(_S426, fabrics_0._data[uint(_S424)].colour_noise_0, fabrics_0._data[uint(_S424)].seed_1), _S430, _S431);
     float colour_1 = colour_0 * (1.0 + flattened_0(_S428.y, colour_0 * _S430, _S431) * _S428.x);
-    float _S432 = bounded_gain_0(fibre_gain_0(_S426, _S427, fabrics_0._data[uint(_S424)].fibre_noise_0, fabrics_0._data[uint(_S424)].seed_0), _S429, min((1.0 - colour_1 * _S430) / fabrics_0._data[uint(_S424)].layer_bound_0, vec3(1.0)));
+    float _S432 = bounded_gain_0(fibre_gain_0(_S426, _S427, fabrics_0._data[uint(_S424)].fibre_noise_0, fabrics_0._data[uint(_S424)].seed_1), _S429, min((1.0 - colour_1 * _S430) / fabrics_0._data[uint(_S424)].layer_bound_0, vec3(1.0)));
     Albedos_0 varied_0;
     varied_0.diffuse_reflect_0 = colour_1 * _S425.diffuse_reflect_0;
     varied_0.diffuse_transmit_0 = colour_1 * _S425.diffuse_transmit_0;
@@ -2765,7 +2789,7 @@ YarnFrame_0 turned_frame_0(uint _S446, uint _S447, SurfacePoint_0 _S448, bool _S
     if((families_0._data[uint(_S447)].fibre_tilt_0) > 0.0)
     {
         FibreNoise_0 _S459 = fibre_noise_at_0(_S446, _S447, _S448, _S450, _S451);
-        float _S460 = 1.09858846664428711 * _S458 * (_S459.bundle_weight_0 * _S459.bundle_0.x + _S459.fibre_weight_0 * (_S459.fibre_0.x + _S459.offset_1));
+        float _S460 = 1.09858846664428711 * _S458 * (_S459.bundle_weight_0 * _S459.bundle_0.x + _S459.fibre_weight_0 * (_S459.fibre_0.x + _S459.offset_2));
         float _S461 = _S458 * (1.42099642753601074 * (_S459.bundle_weight_0 * _S459.bundle_0.y + _S459.fibre_weight_0 * _S459.fibre_0.y) - _S459.bundle_weight_0 * _S459.slope_2);
         float _S462 = square_0(_S459.fibre_weight_0);
         frame_2.loss_0 = frame_2.loss_0 + 0.5 * _S458 * _S458 * ((0.24761904776096344 * (square_0(_S459.bundle_weight_0) + _S462) + _S462 / 3.0) * 1.09858846664428711 * 1.09858846664428711);
@@ -3201,15 +3225,15 @@ float straight_through_0(uint _S601, YarnPoint_0 _S602, vec3 _S603)
     return 1.0 - _S604 * sheen_lobe_0(abs(_S603.z), fabrics_0._data[uint(_S601)].sheen_roughness_0).z;
 }
 
-vec4 cloth_value_0(uint fabric_1, vec2 centre_1, vec2 dx_1, vec2 dy_1, vec3 light_7, vec3 view_6)
+vec4 cloth_value_0(uint fabric_1, vec2 centre_1, vec2 dx_1, vec2 dy_1, vec3 light_8, vec3 view_7)
 {
     SearchQuality_0 _S605 = default_quality_0();
     Footprint_0 footprint_0;
     footprint_0.centre_0 = centre_1;
     footprint_0.dx_0 = dx_1;
     footprint_0.dy_0 = dy_1;
-    YarnPoint_0 _S606 = locate_yarn_0(fabric_1, _S605, centre_1.x, centre_1.y, view_6, Footprint_spread_side_0(footprint_0));
-    return vec4(evaluate_0(fabric_1, _S605, _S606, light_7, view_6), straight_through_0(fabric_1, _S606, view_6));
+    YarnPoint_0 _S606 = locate_yarn_0(fabric_1, _S605, centre_1.x, centre_1.y, view_7, Footprint_spread_side_0(footprint_0));
+    return vec4(evaluate_0(fabric_1, _S605, _S606, light_8, view_7), straight_through_0(fabric_1, _S606, view_7));
 }
 
 layout(local_size_x = 64, local_size_y = 1, local_size_z = 1) in;

@@ -19,6 +19,7 @@ struct Query_0
     float view_x_0;
     float view_y_0;
     float view_z_0;
+    uint seed_0;
 };
 
 layout(std430, binding = 0, set = 1) readonly buffer StructuredBuffer_Query_t_0 {
@@ -121,6 +122,28 @@ struct Latent_0
     uint is_trilinear_0;
 };
 
+struct Clustered_0
+{
+    uint is_baked_1;
+    uint clusters_0;
+    uint rank_0;
+    uint channels_0;
+    uint columns_0;
+    uint rows_0;
+    float texel_width_0;
+    float texel_height_0;
+    uint samples_0;
+    uint sums_0;
+    uint labels_0;
+    uint coefficients_0;
+    uint basis_0;
+    uint moments_1;
+    uint light_0;
+    uint view_0;
+    uint offset_1;
+    uint trust_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
@@ -144,7 +167,7 @@ struct Fabric_0
     float sheen_roughness_0;
     float fibre_noise_0;
     float colour_noise_0;
-    uint seed_0;
+    uint seed_1;
     float layer_bound_0;
     float fibre_size_0;
     uint has_detail_0;
@@ -157,6 +180,7 @@ struct Fabric_0
     uint has_yarns_0;
     float mean_hole_0;
     Latent_0 latent_0;
+    Clustered_0 clustered_0;
 };
 
 layout(std430, binding = 0) readonly buffer StructuredBuffer_Fabric_t_0 {
@@ -238,7 +262,7 @@ Eight_0 FloatWeights_eight_0(FloatWeights_0 this_0, uint element_0)
 
 vec4 tile_product_0(FloatWeights_0 weights_0, uint row_0, inout float  inputs_0[96])
 {
-    vec4 sums_0 = vec4(0.0);
+    vec4 sums_1 = vec4(0.0);
     uint column_0 = 0U;
     for(;;)
     {
@@ -264,16 +288,16 @@ vec4 tile_product_0(FloatWeights_0 weights_0, uint row_0, inout float  inputs_0[
         low_1[3] = inputs_0[_S5];
         high_1[3] = inputs_0[_S5 + 4];
         Eight_0 _S6 = FloatWeights_eight_0(weights_0, row_0 + column_0);
-        sums_0[0] = sums_0[0] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
+        sums_1[0] = sums_1[0] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
         Eight_0 _S7 = FloatWeights_eight_0(weights_0, row_0 + 12U + column_0);
-        sums_0[1] = sums_0[1] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
+        sums_1[1] = sums_1[1] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
         Eight_0 _S8 = FloatWeights_eight_0(weights_0, row_0 + 24U + column_0);
-        sums_0[2] = sums_0[2] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
+        sums_1[2] = sums_1[2] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
         Eight_0 _S9 = FloatWeights_eight_0(weights_0, row_0 + 36U + column_0);
-        sums_0[3] = sums_0[3] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
+        sums_1[3] = sums_1[3] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
         column_0 = column_0 + 1U;
     }
-    return sums_0;
+    return sums_1;
 }
 
 int whole_parts_0(int elements_0)
@@ -390,7 +414,7 @@ Eight_0 HalfWeights_eight_0(HalfWeights_0 this_1, uint element_1)
 
 vec4 tile_product_1(HalfWeights_0 weights_2, uint row_1, inout float  inputs_2[96])
 {
-    vec4 sums_1 = vec4(0.0);
+    vec4 sums_2 = vec4(0.0);
     uint column_1 = 0U;
     for(;;)
     {
@@ -416,16 +440,16 @@ vec4 tile_product_1(HalfWeights_0 weights_2, uint row_1, inout float  inputs_2[9
         low_2[3] = inputs_2[_S24];
         high_2[3] = inputs_2[_S24 + 4];
         Eight_0 _S25 = HalfWeights_eight_0(weights_2, row_1 + column_1);
-        sums_1[0] = sums_1[0] + (dot(_S25.low_0, low_2) + dot(_S25.high_0, high_2));
+        sums_2[0] = sums_2[0] + (dot(_S25.low_0, low_2) + dot(_S25.high_0, high_2));
         Eight_0 _S26 = HalfWeights_eight_0(weights_2, row_1 + 12U + column_1);
-        sums_1[1] = sums_1[1] + (dot(_S26.low_0, low_2) + dot(_S26.high_0, high_2));
+        sums_2[1] = sums_2[1] + (dot(_S26.low_0, low_2) + dot(_S26.high_0, high_2));
         Eight_0 _S27 = HalfWeights_eight_0(weights_2, row_1 + 24U + column_1);
-        sums_1[2] = sums_1[2] + (dot(_S27.low_0, low_2) + dot(_S27.high_0, high_2));
+        sums_2[2] = sums_2[2] + (dot(_S27.low_0, low_2) + dot(_S27.high_0, high_2));
         Eight_0 _S28 = HalfWeights_eight_0(weights_2, row_1 + 36U + column_1);
-        sums_1[3] = sums_1[3] + (dot(_S28.low_0, low_2) + dot(_S28.high_0, high_2));
+        sums_2[3] = sums_2[3] + (dot(_S28.low_0, low_2) + dot(_S28.high_0, high_2));
         column_1 = column_1 + 1U;
     }
-    return sums_1;
+    return sums_2;
 }
 
 void dense_part_1(HalfWeights_0 weights_3, uint first_3, bool adds_1, inout float  inputs_3[96], inout float  outputs_1[52])
@@ -514,7 +538,7 @@ void dense_part_1(HalfWeights_0 weights_3, uint first_3, bool adds_1, inout floa
 
 vec4 tile_product_2(HalfWeights_0 weights_4, uint row_2, inout float  inputs_4[39])
 {
-    vec4 sums_2 = vec4(0.0);
+    vec4 sums_3 = vec4(0.0);
     uint column_2 = 0U;
     for(;;)
     {
@@ -540,16 +564,16 @@ vec4 tile_product_2(HalfWeights_0 weights_4, uint row_2, inout float  inputs_4[3
         low_3[3] = inputs_4[min(_S43, 38)];
         high_3[3] = inputs_4[min(_S43 + 4, 38)];
         Eight_0 _S44 = HalfWeights_eight_0(weights_4, row_2 + column_2);
-        sums_2[0] = sums_2[0] + (dot(_S44.low_0, low_3) + dot(_S44.high_0, high_3));
+        sums_3[0] = sums_3[0] + (dot(_S44.low_0, low_3) + dot(_S44.high_0, high_3));
         Eight_0 _S45 = HalfWeights_eight_0(weights_4, row_2 + 5U + column_2);
-        sums_2[1] = sums_2[1] + (dot(_S45.low_0, low_3) + dot(_S45.high_0, high_3));
+        sums_3[1] = sums_3[1] + (dot(_S45.low_0, low_3) + dot(_S45.high_0, high_3));
         Eight_0 _S46 = HalfWeights_eight_0(weights_4, row_2 + 10U + column_2);
-        sums_2[2] = sums_2[2] + (dot(_S46.low_0, low_3) + dot(_S46.high_0, high_3));
+        sums_3[2] = sums_3[2] + (dot(_S46.low_0, low_3) + dot(_S46.high_0, high_3));
         Eight_0 _S47 = HalfWeights_eight_0(weights_4, row_2 + 15U + column_2);
-        sums_2[3] = sums_2[3] + (dot(_S47.low_0, low_3) + dot(_S47.high_0, high_3));
+        sums_3[3] = sums_3[3] + (dot(_S47.low_0, low_3) + dot(_S47.high_0, high_3));
         column_2 = column_2 + 1U;
     }
-    return sums_2;
+    return sums_3;
 }
 
 void dense_part_2(HalfWeights_0 weights_5, uint first_4, bool adds_2, inout float  inputs_5[39], inout float  outputs_2[96])
@@ -638,7 +662,7 @@ void dense_part_2(HalfWeights_0 weights_5, uint first_4, bool adds_2, inout floa
 
 vec4 tile_product_3(HalfWeights_0 weights_6, uint row_3, inout float  inputs_6[100])
 {
-    vec4 sums_3 = vec4(0.0);
+    vec4 sums_4 = vec4(0.0);
     uint column_3 = 0U;
     for(;;)
     {
@@ -664,16 +688,16 @@ vec4 tile_product_3(HalfWeights_0 weights_6, uint row_3, inout float  inputs_6[1
         low_4[3] = inputs_6[min(_S62, 99)];
         high_4[3] = inputs_6[min(_S62 + 4, 99)];
         Eight_0 _S63 = HalfWeights_eight_0(weights_6, row_3 + column_3);
-        sums_3[0] = sums_3[0] + (dot(_S63.low_0, low_4) + dot(_S63.high_0, high_4));
+        sums_4[0] = sums_4[0] + (dot(_S63.low_0, low_4) + dot(_S63.high_0, high_4));
         Eight_0 _S64 = HalfWeights_eight_0(weights_6, row_3 + 13U + column_3);
-        sums_3[1] = sums_3[1] + (dot(_S64.low_0, low_4) + dot(_S64.high_0, high_4));
+        sums_4[1] = sums_4[1] + (dot(_S64.low_0, low_4) + dot(_S64.high_0, high_4));
         Eight_0 _S65 = HalfWeights_eight_0(weights_6, row_3 + 26U + column_3);
-        sums_3[2] = sums_3[2] + (dot(_S65.low_0, low_4) + dot(_S65.high_0, high_4));
+        sums_4[2] = sums_4[2] + (dot(_S65.low_0, low_4) + dot(_S65.high_0, high_4));
         Eight_0 _S66 = HalfWeights_eight_0(weights_6, row_3 + 39U + column_3);
-        sums_3[3] = sums_3[3] + (dot(_S66.low_0, low_4) + dot(_S66.high_0, high_4));
+        sums_4[3] = sums_4[3] + (dot(_S66.low_0, low_4) + dot(_S66.high_0, high_4));
         column_3 = column_3 + 1U;
     }
-    return sums_3;
+    return sums_4;
 }
 
 void dense_part_3(HalfWeights_0 weights_7, uint first_5, bool adds_3, inout float  inputs_7[100], inout float  outputs_3[96])
@@ -762,7 +786,7 @@ void dense_part_3(HalfWeights_0 weights_7, uint first_5, bool adds_3, inout floa
 
 vec4 tile_product_4(HalfWeights_0 weights_8, uint row_4, inout float  inputs_8[16])
 {
-    vec4 sums_4 = vec4(0.0);
+    vec4 sums_5 = vec4(0.0);
     uint column_4 = 0U;
     for(;;)
     {
@@ -788,16 +812,16 @@ vec4 tile_product_4(HalfWeights_0 weights_8, uint row_4, inout float  inputs_8[1
         low_5[3] = inputs_8[_S81];
         high_5[3] = inputs_8[_S81 + 4];
         Eight_0 _S82 = HalfWeights_eight_0(weights_8, row_4 + column_4);
-        sums_4[0] = sums_4[0] + (dot(_S82.low_0, low_5) + dot(_S82.high_0, high_5));
+        sums_5[0] = sums_5[0] + (dot(_S82.low_0, low_5) + dot(_S82.high_0, high_5));
         Eight_0 _S83 = HalfWeights_eight_0(weights_8, row_4 + 2U + column_4);
-        sums_4[1] = sums_4[1] + (dot(_S83.low_0, low_5) + dot(_S83.high_0, high_5));
+        sums_5[1] = sums_5[1] + (dot(_S83.low_0, low_5) + dot(_S83.high_0, high_5));
         Eight_0 _S84 = HalfWeights_eight_0(weights_8, row_4 + 4U + column_4);
-        sums_4[2] = sums_4[2] + (dot(_S84.low_0, low_5) + dot(_S84.high_0, high_5));
+        sums_5[2] = sums_5[2] + (dot(_S84.low_0, low_5) + dot(_S84.high_0, high_5));
         Eight_0 _S85 = HalfWeights_eight_0(weights_8, row_4 + 6U + column_4);
-        sums_4[3] = sums_4[3] + (dot(_S85.low_0, low_5) + dot(_S85.high_0, high_5));
+        sums_5[3] = sums_5[3] + (dot(_S85.low_0, low_5) + dot(_S85.high_0, high_5));
         column_4 = column_4 + 1U;
     }
-    return sums_4;
+    return sums_5;
 }
 
 void dense_part_4(HalfWeights_0 weights_9, uint first_6, bool adds_4, inout float  inputs_9[16], inout float  outputs_4[1])
@@ -1059,7 +1083,7 @@ void dense_part_6(HalfWeights_0 weights_11, uint first_8, bool adds_6, inout flo
 
 vec4 tile_product_5(HalfWeights_0 weights_12, uint row_5, inout float  inputs_12[88])
 {
-    vec4 sums_5 = vec4(0.0);
+    vec4 sums_6 = vec4(0.0);
     uint column_5 = 0U;
     for(;;)
     {
@@ -1085,16 +1109,16 @@ vec4 tile_product_5(HalfWeights_0 weights_12, uint row_5, inout float  inputs_12
         low_6[3] = inputs_12[_S122];
         high_6[3] = inputs_12[_S122 + 4];
         Eight_0 _S123 = HalfWeights_eight_0(weights_12, row_5 + column_5);
-        sums_5[0] = sums_5[0] + (dot(_S123.low_0, low_6) + dot(_S123.high_0, high_6));
+        sums_6[0] = sums_6[0] + (dot(_S123.low_0, low_6) + dot(_S123.high_0, high_6));
         Eight_0 _S124 = HalfWeights_eight_0(weights_12, row_5 + 11U + column_5);
-        sums_5[1] = sums_5[1] + (dot(_S124.low_0, low_6) + dot(_S124.high_0, high_6));
+        sums_6[1] = sums_6[1] + (dot(_S124.low_0, low_6) + dot(_S124.high_0, high_6));
         Eight_0 _S125 = HalfWeights_eight_0(weights_12, row_5 + 22U + column_5);
-        sums_5[2] = sums_5[2] + (dot(_S125.low_0, low_6) + dot(_S125.high_0, high_6));
+        sums_6[2] = sums_6[2] + (dot(_S125.low_0, low_6) + dot(_S125.high_0, high_6));
         Eight_0 _S126 = HalfWeights_eight_0(weights_12, row_5 + 33U + column_5);
-        sums_5[3] = sums_5[3] + (dot(_S126.low_0, low_6) + dot(_S126.high_0, high_6));
+        sums_6[3] = sums_6[3] + (dot(_S126.low_0, low_6) + dot(_S126.high_0, high_6));
         column_5 = column_5 + 1U;
     }
-    return sums_5;
+    return sums_6;
 }
 
 void dense_part_7(HalfWeights_0 weights_13, uint first_9, bool adds_7, inout float  inputs_13[88], inout float  outputs_7[96])
@@ -1548,11 +1572,11 @@ uint mirrored_bundle_0(uint bundle_0)
     return _S193;
 }
 
-float light_visibility_of_0(float diffuse_0, vec3 light_0, vec3 view_0, float blend_0)
+float light_visibility_of_0(float diffuse_0, vec3 light_1, vec3 view_1, float blend_0)
 {
-    float _S194 = max(abs(light_0.z), 0.00100000004749745);
-    vec2 _S195 = light_0.xy;
-    return 3.14159274101257324 * max(diffuse_0, 0.0) / mix(_S194, (0.59700000286102295 * _S194 + 0.16599999368190765) * (0.21600000560283661 * (dot(_S195, view_0.xy) * (inversesqrt((max(dot(_S195, _S195), 9.99999997475242708e-07))))) + 1.0), blend_0);
+    float _S194 = max(abs(light_1.z), 0.00100000004749745);
+    vec2 _S195 = light_1.xy;
+    return 3.14159274101257324 * max(diffuse_0, 0.0) / mix(_S194, (0.59700000286102295 * _S194 + 0.16599999368190765) * (0.21600000560283661 * (dot(_S195, view_1.xy) * (inversesqrt((max(dot(_S195, _S195), 9.99999997475242708e-07))))) + 1.0), blend_0);
 }
 
 vec2 turns_and_remainder_0(uint family_0, float index_2)
@@ -1929,14 +1953,14 @@ FaceRadiance_0 face_radiance_0(FaceSends_0 sends_0, float open_of_other_0, vec3 
     return found_0;
 }
 
-void view_terms_0(vec3 view_1, out float  terms_0[6])
+void view_terms_0(vec3 view_2, out float  terms_0[6])
 {
-    float _S256 = 1.0 - view_1.z;
+    float _S256 = 1.0 - view_2.z;
     float _S257 = _S256 * _S256;
     terms_0[0] = 1.0;
-    float _S258 = view_1.x;
+    float _S258 = view_2.x;
     float _S259 = _S258 * _S258;
-    float _S260 = view_1.y;
+    float _S260 = view_2.y;
     float _S261 = _S260 * _S260;
     terms_0[1] = sqrt(max(_S259 + _S261, 9.999999960041972e-13));
     terms_0[2] = _S257;
@@ -1994,11 +2018,11 @@ Bounced_0 sum_of_0(Bounced_0 first_20, Bounced_0 second_1)
     return sum_1;
 }
 
-vec3 bounced_value_0(Bounced_0 bounced_1, vec3 light_1, vec3 view_2)
+vec3 bounced_value_0(Bounced_0 bounced_1, vec3 light_2, vec3 view_3)
 {
-    float _S264 = light_1.z;
+    float _S264 = light_2.z;
     vec3 _S265;
-    if((_S264 * view_2.z) < 0.0)
+    if((_S264 * view_3.z) < 0.0)
     {
         _S265 = bounced_1.transmitted_0;
     }
@@ -2032,9 +2056,9 @@ vec3 sheen_lobe_0(float cos_view_0, float roughness_1)
     return vec3(clamp(sheen_scale_0(_S267, _S268), 0.00999999977648258, 1.0), clamp((1.0 - _S266) * sheen_shear_0(_S267, _S268), -0.25, 0.0), 0.80000001192092896 / (1.0 + exponential_0(- clamp(sheen_reflectance_0(_S267, _S268), -60.0, 60.0))));
 }
 
-float transformed_cosine_0(vec3 light_2, vec3 view_3, float scale_1, float shear_0)
+float transformed_cosine_0(vec3 light_3, vec3 view_4, float scale_1, float shear_0)
 {
-    float _S269 = light_2.z;
+    float _S269 = light_3.z;
     bool _S270;
     if(_S269 <= 0.0)
     {
@@ -2042,13 +2066,13 @@ float transformed_cosine_0(vec3 light_2, vec3 view_3, float scale_1, float shear
     }
     else
     {
-        _S270 = (view_3.z) <= 0.0;
+        _S270 = (view_4.z) <= 0.0;
     }
     if(_S270)
     {
         return 0.0;
     }
-    vec2 _S271 = view_3.xy;
+    vec2 _S271 = view_4.xy;
     float _S272 = dot(_S271, _S271);
     vec2 _S273;
     if(_S272 > 9.99999968265522539e-21)
@@ -2059,25 +2083,25 @@ float transformed_cosine_0(vec3 light_2, vec3 view_3, float scale_1, float shear
     {
         _S273 = vec2(1.0, 0.0);
     }
-    float _S274 = scale_1 * dot(light_2.xy, _S273) + shear_0 * _S269;
-    float _S275 = scale_1 * (light_2.y * _S273.x - light_2.x * _S273.y);
+    float _S274 = scale_1 * dot(light_3.xy, _S273) + shear_0 * _S269;
+    float _S275 = scale_1 * (light_3.y * _S273.x - light_3.x * _S273.y);
     float _S276 = _S274 * _S274 + _S275 * _S275 + _S269 * _S269;
     return 0.31830987334251404 * scale_1 * scale_1 * _S269 / max(_S276 * _S276, 9.99999968265522539e-21);
 }
 
-vec2 sheen_with_transmittance_0(vec3 light_3, vec3 view_4, float strength_0, float roughness_2)
+vec2 sheen_with_transmittance_0(vec3 light_4, vec3 view_5, float strength_0, float roughness_2)
 {
-    vec3 _S277 = sheen_lobe_0(view_4.z, roughness_2);
+    vec3 _S277 = sheen_lobe_0(view_5.z, roughness_2);
     float _S278 = strength_0 * _S277.z;
-    return vec2(_S278 * transformed_cosine_0(light_3, view_4, _S277.x, _S277.y), 1.0 - _S278);
+    return vec2(_S278 * transformed_cosine_0(light_4, view_5, _S277.x, _S277.y), 1.0 - _S278);
 }
 
 struct WovenView_0
 {
-    float  sums_6[96];
+    float  sums_7[96];
     float hole_0;
     float correction_weight_0;
-    vec3 view_5;
+    vec3 view_6;
     bool back_5;
 };
 
@@ -2225,7 +2249,7 @@ void add_level_0(uint _S302, uint _S303, bool _S304, vec2 _S305, float _S306, in
 
 void code_footprint_0(uint _S324, AnisotropicTaps_0 _S325, vec3 _S326, bool _S327, inout float  _S328[88])
 {
-    float offset_1;
+    float offset_2;
     int k_0 = 0;
     for(;;)
     {
@@ -2267,13 +2291,13 @@ void code_footprint_0(uint _S324, AnisotropicTaps_0 _S325, vec3 _S326, bool _S32
         bool _S336 = (number_1 & 1U) != 0U;
         if(_S336)
         {
-            offset_1 = _S331 - _S332;
+            offset_2 = _S331 - _S332;
         }
         else
         {
-            offset_1 = 1.0 - (_S331 - _S332);
+            offset_2 = 1.0 - (_S331 - _S332);
         }
-        float _S337 = offset_1 / float(_S333);
+        float _S337 = offset_2 / float(_S333);
         uint _S338 = uint(_S332);
         uint _S339;
         if(_S336)
@@ -2307,16 +2331,16 @@ void code_footprint_0(uint _S324, AnisotropicTaps_0 _S325, vec3 _S326, bool _S32
             {
                 break;
             }
-            float offset_2 = _S326[number_2] - (float(bin_0) + 0.5) / 8.0;
+            float offset_3 = _S326[number_2] - (float(bin_0) + 0.5) / 8.0;
             if(number_2 < 2)
             {
-                offset_1 = offset_2 - round(offset_2);
+                offset_2 = offset_3 - round(offset_3);
             }
             else
             {
-                offset_1 = offset_2;
+                offset_2 = offset_3;
             }
-            _S328[64 + number_2 * 8 + bin_0] = bump_0(offset_1 * 3.20000004768371582);
+            _S328[64 + number_2 * 8 + bin_0] = bump_0(offset_2 * 3.20000004768371582);
             bin_0 = bin_0 + 1;
         }
         number_2 = number_2 + 1;
@@ -2374,10 +2398,10 @@ void woven_view_0(uint _S345, Footprint_0 _S346, vec3 _S347, inout WovenView_0 _
     dense_6(weights_23, 2232U, false, fused_0, of_hole_0);
     float  hole_1[1];
     dense_5(weights_23, 2444U, false, of_hole_0, hole_1);
-    dense_4(weights_23, 2456U, false, fused_0, _S348.sums_6);
+    dense_4(weights_23, 2456U, false, fused_0, _S348.sums_7);
     _S348.hole_0 = clamp(hole_1[0], 0.0, 1.0);
     _S348.correction_weight_0 = correction_weight_of_0(_S351.z);
-    _S348.view_5 = _S352;
+    _S348.view_6 = _S352;
     _S348.back_5 = _S349;
     return;
 }
@@ -2516,12 +2540,12 @@ Components_0 woven_components_0(uint _S390, inout WovenView_0 _S391, vec3 _S392)
     float _S393;
     bool _S394 = _S391.back_5;
     vec3 _S395 = to_face_frame_0(_S392, _S391.back_5);
-    vec3 _S396 = _S391.view_5;
+    vec3 _S396 = _S391.view_6;
     HalfWeights_0 weights_24;
     Woven_0 _S397 = fabrics_0._data[uint(_S390)].woven_0;
     weights_24.first_2 = fabrics_0._data[uint(_S390)].woven_0.network_0;
     float  directions_0[39];
-    code_light_0(_S390, _S395, _S391.view_5, _S391.back_5, directions_0);
+    code_light_0(_S390, _S395, _S391.view_6, _S391.back_5, directions_0);
     float  skip_0[96];
     int k_1 = 0;
     for(;;)
@@ -2533,7 +2557,7 @@ Components_0 woven_components_0(uint _S390, inout WovenView_0 _S391, vec3 _S392)
         {
             break;
         }
-        skip_0[k_1] = _S391.sums_6[k_1];
+        skip_0[k_1] = _S391.sums_7[k_1];
         k_1 = k_1 + 1;
     }
     dense_3(weights_24, 3716U, true, directions_0, skip_0);
@@ -2920,17 +2944,17 @@ vec3 composed_0(uint _S507, Components_0 _S508, CloseUp_0 _S509, FamilyAlbedos_0
     return _S520.y * body_0 + (_S508.light_visibility_1 + _S508.hole_2) * _S520.x;
 }
 
-vec4 cloth_value_0(uint fabric_1, vec2 centre_3, vec2 dx_1, vec2 dy_1, vec3 light_4, vec3 view_6)
+vec4 cloth_value_0(uint fabric_1, vec2 centre_3, vec2 dx_1, vec2 dy_1, vec3 light_5, vec3 view_7)
 {
     Footprint_0 footprint_1;
     footprint_1.centre_0 = centre_3;
     footprint_1.dx_0 = dx_1;
     footprint_1.dy_0 = dy_1;
     WovenView_0 activations_0;
-    woven_view_0(fabric_1, footprint_1, view_6, activations_0);
-    Components_0 _S521 = woven_components_0(fabric_1, activations_0, light_4);
-    float _S522 = view_6.z;
-    vec3 _S523 = composed_0(fabric_1, _S521, no_close_up_0(), albedos_over_0(fabric_1, footprint_1, _S522 < 0.0), vec3(1.0), light_4, view_6);
+    woven_view_0(fabric_1, footprint_1, view_7, activations_0);
+    Components_0 _S521 = woven_components_0(fabric_1, activations_0, light_5);
+    float _S522 = view_7.z;
+    vec3 _S523 = composed_0(fabric_1, _S521, no_close_up_0(), albedos_over_0(fabric_1, footprint_1, _S522 < 0.0), vec3(1.0), light_5, view_7);
     float through_1 = activations_0.hole_0;
     float through_2;
     if((fabrics_0._data[uint(fabric_1)].sheen_strength_0) > 0.0)

@@ -25,6 +25,7 @@ struct Query_0
     float view_x_0;
     float view_y_0;
     float view_z_0;
+    uint seed_0;
 };
 
 StructuredBuffer<Query_0 > queries_0 : register(t14);
@@ -125,6 +126,28 @@ struct Latent_0
     uint is_trilinear_0;
 };
 
+struct Clustered_0
+{
+    uint is_baked_1;
+    uint clusters_0;
+    uint rank_0;
+    uint channels_0;
+    uint columns_0;
+    uint rows_0;
+    float texel_width_0;
+    float texel_height_0;
+    uint samples_0;
+    uint sums_0;
+    uint labels_0;
+    uint coefficients_0;
+    uint basis_0;
+    uint moments_1;
+    uint light_0;
+    uint view_0;
+    uint offset_1;
+    uint trust_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
@@ -148,7 +171,7 @@ struct Fabric_0
     float sheen_roughness_0;
     float fibre_noise_0;
     float colour_noise_0;
-    uint seed_0;
+    uint seed_1;
     float layer_bound_0;
     float fibre_size_0;
     uint has_detail_0;
@@ -161,6 +184,7 @@ struct Fabric_0
     uint has_yarns_0;
     float mean_hole_0;
     Latent_0 latent_0;
+    Clustered_0 clustered_0;
 };
 
 StructuredBuffer<Fabric_0 > fabrics_0 : register(t0);
@@ -196,7 +220,7 @@ Eight_0 FloatWeights_eight_0(FloatWeights_0 this_0, uint element_0)
 
 float4 tile_product_0(FloatWeights_0 weights_0, uint row_0, inout float  inputs_0[int(64)])
 {
-    float4 sums_0 = (float4)0.0f;
+    float4 sums_1 = (float4)0.0f;
     uint column_0 = 0U;
     for(;;)
     {
@@ -222,16 +246,16 @@ float4 tile_product_0(FloatWeights_0 weights_0, uint row_0, inout float  inputs_
         low_1[int(3)] = inputs_0[_S5];
         high_1[int(3)] = inputs_0[_S5 + int(4)];
         Eight_0 _S6 = FloatWeights_eight_0(weights_0, row_0 + column_0);
-        sums_0[int(0)] = sums_0[int(0)] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
+        sums_1[int(0)] = sums_1[int(0)] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
         Eight_0 _S7 = FloatWeights_eight_0(weights_0, row_0 + 8U + column_0);
-        sums_0[int(1)] = sums_0[int(1)] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
+        sums_1[int(1)] = sums_1[int(1)] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
         Eight_0 _S8 = FloatWeights_eight_0(weights_0, row_0 + 16U + column_0);
-        sums_0[int(2)] = sums_0[int(2)] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
+        sums_1[int(2)] = sums_1[int(2)] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
         Eight_0 _S9 = FloatWeights_eight_0(weights_0, row_0 + 24U + column_0);
-        sums_0[int(3)] = sums_0[int(3)] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
+        sums_1[int(3)] = sums_1[int(3)] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
         column_0 = column_0 + 1U;
     }
-    return sums_0;
+    return sums_1;
 }
 
 float Relu_apply_0(float x_0)
@@ -414,7 +438,7 @@ void dense_part_1(FloatWeights_0 weights_2, uint first_2, bool adds_1, inout flo
 
 float4 tile_product_1(FloatWeights_0 weights_3, uint row_1, inout float  inputs_3[int(20)])
 {
-    float4 sums_1 = (float4)0.0f;
+    float4 sums_2 = (float4)0.0f;
     uint column_1 = 0U;
     for(;;)
     {
@@ -440,16 +464,16 @@ float4 tile_product_1(FloatWeights_0 weights_3, uint row_1, inout float  inputs_
         low_2[int(3)] = inputs_3[min(_S35, int(19))];
         high_2[int(3)] = inputs_3[min(_S35 + int(4), int(19))];
         Eight_0 _S36 = FloatWeights_eight_0(weights_3, row_1 + column_1);
-        sums_1[int(0)] = sums_1[int(0)] + (dot(_S36.low_0, low_2) + dot(_S36.high_0, high_2));
+        sums_2[int(0)] = sums_2[int(0)] + (dot(_S36.low_0, low_2) + dot(_S36.high_0, high_2));
         Eight_0 _S37 = FloatWeights_eight_0(weights_3, row_1 + 3U + column_1);
-        sums_1[int(1)] = sums_1[int(1)] + (dot(_S37.low_0, low_2) + dot(_S37.high_0, high_2));
+        sums_2[int(1)] = sums_2[int(1)] + (dot(_S37.low_0, low_2) + dot(_S37.high_0, high_2));
         Eight_0 _S38 = FloatWeights_eight_0(weights_3, row_1 + 6U + column_1);
-        sums_1[int(2)] = sums_1[int(2)] + (dot(_S38.low_0, low_2) + dot(_S38.high_0, high_2));
+        sums_2[int(2)] = sums_2[int(2)] + (dot(_S38.low_0, low_2) + dot(_S38.high_0, high_2));
         Eight_0 _S39 = FloatWeights_eight_0(weights_3, row_1 + 9U + column_1);
-        sums_1[int(3)] = sums_1[int(3)] + (dot(_S39.low_0, low_2) + dot(_S39.high_0, high_2));
+        sums_2[int(3)] = sums_2[int(3)] + (dot(_S39.low_0, low_2) + dot(_S39.high_0, high_2));
         column_1 = column_1 + 1U;
     }
-    return sums_1;
+    return sums_2;
 }
 
 void dense_part_2(FloatWeights_0 weights_4, uint first_3, bool adds_2, inout float  inputs_4[int(20)], inout float  outputs_2[int(64)])
@@ -595,7 +619,7 @@ void MLP_evaluate_0(MLP_0 this_1, inout float  inputs_9[int(20)], inout float  o
 
 float4 tile_product_2(FloatWeights_0 weights_9, uint row_2, inout float  inputs_10[int(32)])
 {
-    float4 sums_2 = (float4)0.0f;
+    float4 sums_3 = (float4)0.0f;
     uint column_2 = 0U;
     for(;;)
     {
@@ -621,16 +645,16 @@ float4 tile_product_2(FloatWeights_0 weights_9, uint row_2, inout float  inputs_
         low_3[int(3)] = inputs_10[_S57];
         high_3[int(3)] = inputs_10[_S57 + int(4)];
         Eight_0 _S58 = FloatWeights_eight_0(weights_9, row_2 + column_2);
-        sums_2[int(0)] = sums_2[int(0)] + (dot(_S58.low_0, low_3) + dot(_S58.high_0, high_3));
+        sums_3[int(0)] = sums_3[int(0)] + (dot(_S58.low_0, low_3) + dot(_S58.high_0, high_3));
         Eight_0 _S59 = FloatWeights_eight_0(weights_9, row_2 + 4U + column_2);
-        sums_2[int(1)] = sums_2[int(1)] + (dot(_S59.low_0, low_3) + dot(_S59.high_0, high_3));
+        sums_3[int(1)] = sums_3[int(1)] + (dot(_S59.low_0, low_3) + dot(_S59.high_0, high_3));
         Eight_0 _S60 = FloatWeights_eight_0(weights_9, row_2 + 8U + column_2);
-        sums_2[int(2)] = sums_2[int(2)] + (dot(_S60.low_0, low_3) + dot(_S60.high_0, high_3));
+        sums_3[int(2)] = sums_3[int(2)] + (dot(_S60.low_0, low_3) + dot(_S60.high_0, high_3));
         Eight_0 _S61 = FloatWeights_eight_0(weights_9, row_2 + 12U + column_2);
-        sums_2[int(3)] = sums_2[int(3)] + (dot(_S61.low_0, low_3) + dot(_S61.high_0, high_3));
+        sums_3[int(3)] = sums_3[int(3)] + (dot(_S61.low_0, low_3) + dot(_S61.high_0, high_3));
         column_2 = column_2 + 1U;
     }
-    return sums_2;
+    return sums_3;
 }
 
 void dense_part_3(FloatWeights_0 weights_10, uint first_7, bool adds_6, inout float  inputs_11[int(32)], inout float  outputs_8[int(32)])
@@ -934,7 +958,7 @@ void MLP_evaluate_1(MLP_0 this_2, inout float  inputs_17[int(20)], inout float  
 
 float4 tile_product_3(FloatWeights_0 weights_16, uint row_3, inout float  inputs_18[int(16)])
 {
-    float4 sums_3 = (float4)0.0f;
+    float4 sums_4 = (float4)0.0f;
     uint column_3 = 0U;
     for(;;)
     {
@@ -960,16 +984,16 @@ float4 tile_product_3(FloatWeights_0 weights_16, uint row_3, inout float  inputs
         low_4[int(3)] = inputs_18[_S101];
         high_4[int(3)] = inputs_18[_S101 + int(4)];
         Eight_0 _S102 = FloatWeights_eight_0(weights_16, row_3 + column_3);
-        sums_3[int(0)] = sums_3[int(0)] + (dot(_S102.low_0, low_4) + dot(_S102.high_0, high_4));
+        sums_4[int(0)] = sums_4[int(0)] + (dot(_S102.low_0, low_4) + dot(_S102.high_0, high_4));
         Eight_0 _S103 = FloatWeights_eight_0(weights_16, row_3 + 2U + column_3);
-        sums_3[int(1)] = sums_3[int(1)] + (dot(_S103.low_0, low_4) + dot(_S103.high_0, high_4));
+        sums_4[int(1)] = sums_4[int(1)] + (dot(_S103.low_0, low_4) + dot(_S103.high_0, high_4));
         Eight_0 _S104 = FloatWeights_eight_0(weights_16, row_3 + 4U + column_3);
-        sums_3[int(2)] = sums_3[int(2)] + (dot(_S104.low_0, low_4) + dot(_S104.high_0, high_4));
+        sums_4[int(2)] = sums_4[int(2)] + (dot(_S104.low_0, low_4) + dot(_S104.high_0, high_4));
         Eight_0 _S105 = FloatWeights_eight_0(weights_16, row_3 + 6U + column_3);
-        sums_3[int(3)] = sums_3[int(3)] + (dot(_S105.low_0, low_4) + dot(_S105.high_0, high_4));
+        sums_4[int(3)] = sums_4[int(3)] + (dot(_S105.low_0, low_4) + dot(_S105.high_0, high_4));
         column_3 = column_3 + 1U;
     }
-    return sums_3;
+    return sums_4;
 }
 
 void dense_part_6(FloatWeights_0 weights_17, uint first_13, bool adds_12, inout float  inputs_19[int(16)], inout float  outputs_15[int(16)])
@@ -1273,7 +1297,7 @@ void MLP_evaluate_2(MLP_0 this_3, inout float  inputs_25[int(20)], inout float  
 
 float4 tile_product_4(FloatWeights_0 weights_23, uint row_4, inout float  inputs_26[int(8)])
 {
-    float4 sums_4 = (float4)0.0f;
+    float4 sums_5 = (float4)0.0f;
     uint column_4 = 0U;
     for(;;)
     {
@@ -1299,16 +1323,16 @@ float4 tile_product_4(FloatWeights_0 weights_23, uint row_4, inout float  inputs
         low_5[int(3)] = inputs_26[_S145];
         high_5[int(3)] = inputs_26[_S145 + int(4)];
         Eight_0 _S146 = FloatWeights_eight_0(weights_23, row_4 + column_4);
-        sums_4[int(0)] = sums_4[int(0)] + (dot(_S146.low_0, low_5) + dot(_S146.high_0, high_5));
+        sums_5[int(0)] = sums_5[int(0)] + (dot(_S146.low_0, low_5) + dot(_S146.high_0, high_5));
         Eight_0 _S147 = FloatWeights_eight_0(weights_23, row_4 + 1U + column_4);
-        sums_4[int(1)] = sums_4[int(1)] + (dot(_S147.low_0, low_5) + dot(_S147.high_0, high_5));
+        sums_5[int(1)] = sums_5[int(1)] + (dot(_S147.low_0, low_5) + dot(_S147.high_0, high_5));
         Eight_0 _S148 = FloatWeights_eight_0(weights_23, row_4 + 2U + column_4);
-        sums_4[int(2)] = sums_4[int(2)] + (dot(_S148.low_0, low_5) + dot(_S148.high_0, high_5));
+        sums_5[int(2)] = sums_5[int(2)] + (dot(_S148.low_0, low_5) + dot(_S148.high_0, high_5));
         Eight_0 _S149 = FloatWeights_eight_0(weights_23, row_4 + 3U + column_4);
-        sums_4[int(3)] = sums_4[int(3)] + (dot(_S149.low_0, low_5) + dot(_S149.high_0, high_5));
+        sums_5[int(3)] = sums_5[int(3)] + (dot(_S149.low_0, low_5) + dot(_S149.high_0, high_5));
         column_4 = column_4 + 1U;
     }
-    return sums_4;
+    return sums_5;
 }
 
 void dense_part_9(FloatWeights_0 weights_24, uint first_19, bool adds_18, inout float  inputs_27[int(8)], inout float  outputs_22[int(12)])
@@ -1453,7 +1477,7 @@ struct Footprint_0
     float2 dy_0;
 };
 
-uint hashed_0(Footprint_0 footprint_0, float3 view_0, float2 size_0)
+uint hashed_0(Footprint_0 footprint_0, float3 view_1, float2 size_0)
 {
     uint hash_1 = 2654435769U;
     uint axis_0 = 0U;
@@ -1482,7 +1506,7 @@ uint hashed_0(Footprint_0 footprint_0, float3 view_0, float2 size_0)
         {
             break;
         }
-        uint _S165 = with_number_0(hash_1, view_0[axis_0]);
+        uint _S165 = with_number_0(hash_1, view_1[axis_0]);
         uint _S166 = axis_0 + 1U;
         hash_1 = _S165;
         axis_0 = _S166;
@@ -1490,9 +1514,9 @@ uint hashed_0(Footprint_0 footprint_0, float3 view_0, float2 size_0)
     return with_number_0(with_number_0(with_number_0(with_number_0(hash_1, footprint_0.dx_0.x), footprint_0.dx_0.y), footprint_0.dy_0.x), footprint_0.dy_0.y);
 }
 
-float uniform_of_0(uint seed_1, uint dimension_0)
+float uniform_of_0(uint seed_2, uint dimension_0)
 {
-    return float((mixed_0(seed_1 + (dimension_0 + 1U) * 2654435769U)) >> int(8)) * 5.9604644775390625e-08f;
+    return float((mixed_0(seed_2 + (dimension_0 + 1U) * 2654435769U)) >> int(8)) * 5.9604644775390625e-08f;
 }
 
 float3 to_face_frame_0(float3 direction_0, bool back_2)
@@ -1578,9 +1602,9 @@ Eight_0 texel_numbers_0(uint first_24, uint elements_1, uint texel_0)
     return numbers_3;
 }
 
-void add_bilinear_0(uint first_25, uint elements_2, uint start_0, uint columns_0, uint rows_0, float2 uv_1, float weight_0, inout Eight_0 sums_5)
+void add_bilinear_0(uint first_25, uint elements_2, uint start_0, uint columns_1, uint rows_1, float2 uv_1, float weight_0, inout Eight_0 sums_6)
 {
-    float2 _S178 = uv_1 * float2(float(columns_0), float(rows_0)) - 0.5f;
+    float2 _S178 = uv_1 * float2(float(columns_1), float(rows_1)) - 0.5f;
     float2 _S179 = floor(_S178);
     float2 _S180 = _S178 - _S179;
     int _S181 = int(_S179.x);
@@ -1597,7 +1621,7 @@ void add_bilinear_0(uint first_25, uint elements_2, uint start_0, uint columns_0
         }
         uint _S183 = tap_0 & 1U;
         uint _S184 = tap_0 >> int(1);
-        Eight_0 _S185 = texel_numbers_0(first_25, elements_2, start_0 + (uint(_S182 + int(_S184)) & (rows_0 - 1U)) * columns_0 + (uint(_S181 + int(_S183)) & (columns_0 - 1U)));
+        Eight_0 _S185 = texel_numbers_0(first_25, elements_2, start_0 + (uint(_S182 + int(_S184)) & (rows_1 - 1U)) * columns_1 + (uint(_S181 + int(_S183)) & (columns_1 - 1U)));
         float _S186;
         if(_S184 != 0U)
         {
@@ -1617,8 +1641,8 @@ void add_bilinear_0(uint first_25, uint elements_2, uint start_0, uint columns_0
             _S187 = 1.0f - _S180.x;
         }
         float _S188 = _S186 * _S187 * weight_0;
-        sums_5.low_0 = sums_5.low_0 + _S188 * _S185.low_0;
-        sums_5.high_0 = sums_5.high_0 + _S188 * _S185.high_0;
+        sums_6.low_0 = sums_6.low_0 + _S188 * _S185.low_0;
+        sums_6.high_0 = sums_6.high_0 + _S188 * _S185.high_0;
         tap_0 = tap_0 + 1U;
     }
     return;
@@ -1633,10 +1657,10 @@ struct TexelPyramid_0
     uint face_texels_2;
 };
 
-void TexelPyramid_add_level_0(TexelPyramid_0 this_4, float2 place_0, uint level_0, uint face_0, float weight_1, inout Eight_0 sums_6)
+void TexelPyramid_add_level_0(TexelPyramid_0 this_4, float2 place_0, uint level_0, uint face_0, float weight_1, inout Eight_0 sums_7)
 {
     uint _S189 = this_4.levels_4 + 3U * level_0;
-    add_bilinear_0(this_4.first_26, this_4.elements_3, face_0 * this_4.face_texels_2 + words_0.Load(_S189), words_0.Load(_S189 + 1U), words_0.Load(_S189 + 2U), place_0, weight_1, sums_6);
+    add_bilinear_0(this_4.first_26, this_4.elements_3, face_0 * this_4.face_texels_2 + words_0.Load(_S189), words_0.Load(_S189 + 1U), words_0.Load(_S189 + 2U), place_0, weight_1, sums_7);
     return;
 }
 
@@ -1647,10 +1671,10 @@ Eight_0 TexelPyramid_between_levels_0(TexelPyramid_0 this_5, float2 uv_2, float 
     float _S192 = _S190 - _S191;
     float2 _S193 = within_repeat_0(uv_2);
     Eight_0 texel_1 = no_numbers_0();
-    uint offset_1 = 0U;
+    uint offset_2 = 0U;
     for(;;)
     {
-        if(offset_1 < 2U)
+        if(offset_2 < 2U)
         {
         }
         else
@@ -1658,7 +1682,7 @@ Eight_0 TexelPyramid_between_levels_0(TexelPyramid_0 this_5, float2 uv_2, float 
             break;
         }
         float _S194;
-        if(offset_1 == 0U)
+        if(offset_2 == 0U)
         {
             _S194 = 1.0f - _S192;
         }
@@ -1668,9 +1692,9 @@ Eight_0 TexelPyramid_between_levels_0(TexelPyramid_0 this_5, float2 uv_2, float 
         }
         if(_S194 > 0.0f)
         {
-            TexelPyramid_add_level_0(this_5, _S193, uint(_S191) + offset_1, face_1, _S194, texel_1);
+            TexelPyramid_add_level_0(this_5, _S193, uint(_S191) + offset_2, face_1, _S194, texel_1);
         }
-        offset_1 = offset_1 + 1U;
+        offset_2 = offset_2 + 1U;
     }
     return texel_1;
 }
@@ -1748,7 +1772,7 @@ struct LatentView_0
     float  latent_1[int(8)];
     LatentFrame_0 first_27;
     LatentFrame_0 second_0;
-    float3 view_1;
+    float3 view_2;
     bool back_3;
 };
 
@@ -1757,7 +1781,7 @@ void latent_view_0(uint _S203, Footprint_0 _S204, float3 _S205, float _S206, ino
     Latent_0 _S208 = fabrics_0[_S203].latent_0;
     bool _S209 = (_S205.z) < 0.0f;
     _S207.back_3 = _S209;
-    _S207.view_1 = to_face_frame_0(_S205, _S209);
+    _S207.view_2 = to_face_frame_0(_S205, _S209);
     uint _S210;
     if(_S209)
     {
@@ -1810,10 +1834,10 @@ void latent_view_0(uint _S203, Footprint_0 _S204, float3 _S205, float _S206, ino
     }
     FloatWeights_0 weights_26;
     weights_26.first_0 = _S208.frames_0;
-    float  sums_7[int(12)];
-    dense_9(weights_26, 0U, false, _S207.latent_1, sums_7);
-    _S207.first_27 = frame_of_0(float3(sums_7[int(0)], sums_7[int(1)], sums_7[int(2)]), float3(sums_7[int(3)], sums_7[int(4)], sums_7[int(5)]));
-    _S207.second_0 = frame_of_0(float3(sums_7[int(6)], sums_7[int(7)], sums_7[int(8)]), float3(sums_7[int(9)], sums_7[int(10)], sums_7[int(11)]));
+    float  sums_8[int(12)];
+    dense_9(weights_26, 0U, false, _S207.latent_1, sums_8);
+    _S207.first_27 = frame_of_0(float3(sums_8[int(0)], sums_8[int(1)], sums_8[int(2)]), float3(sums_8[int(3)], sums_8[int(4)], sums_8[int(5)]));
+    _S207.second_0 = frame_of_0(float3(sums_8[int(6)], sums_8[int(7)], sums_8[int(8)]), float3(sums_8[int(9)], sums_8[int(10)], sums_8[int(11)]));
     return;
 }
 
@@ -1825,9 +1849,9 @@ float3 latent_value_0(uint _S216, inout LatentView_0 _S217, float3 _S218)
         return (float3)0.0f;
     }
     float  inputs_32[int(20)];
-    float3 _S220 = LatentFrame_coordinates_0(_S217.first_27, _S217.view_1);
+    float3 _S220 = LatentFrame_coordinates_0(_S217.first_27, _S217.view_2);
     float3 _S221 = LatentFrame_coordinates_0(_S217.first_27, _S219);
-    float3 _S222 = LatentFrame_coordinates_0(_S217.second_0, _S217.view_1);
+    float3 _S222 = LatentFrame_coordinates_0(_S217.second_0, _S217.view_2);
     float3 _S223 = LatentFrame_coordinates_0(_S217.second_0, _S219);
     int axis_1 = int(0);
     for(;;)
@@ -1878,15 +1902,15 @@ float3 latent_value_0(uint _S216, inout LatentView_0 _S217, float3 _S218)
     return float3(bounded_exponential_0(outputs_27[int(0)] - 3.0f), bounded_exponential_0(outputs_27[int(1)] - 3.0f), bounded_exponential_0(outputs_27[int(2)] - 3.0f));
 }
 
-float4 cloth_value_0(uint fabric_1, float2 centre_1, float2 dx_1, float2 dy_1, float3 light_0, float3 view_2)
+float4 cloth_value_0(uint fabric_1, float2 centre_1, float2 dx_1, float2 dy_1, float3 light_1, float3 view_3)
 {
     Footprint_0 footprint_1;
     footprint_1.centre_0 = centre_1;
     footprint_1.dx_0 = dx_1;
     footprint_1.dy_0 = dy_1;
     LatentView_0 seen_0;
-    latent_view_0(fabric_1, footprint_1, view_2, uniform_of_0(hashed_0(footprint_1, view_2, float2(fabrics_0[fabric_1].latent_0.width_0, fabrics_0[fabric_1].latent_0.height_0)), 0U), seen_0);
-    float3 _S225 = latent_value_0(fabric_1, seen_0, light_0);
+    latent_view_0(fabric_1, footprint_1, view_3, uniform_of_0(hashed_0(footprint_1, view_3, float2(fabrics_0[fabric_1].latent_0.width_0, fabrics_0[fabric_1].latent_0.height_0)), 0U), seen_0);
+    float3 _S225 = latent_value_0(fabric_1, seen_0, light_1);
     return float4(_S225, 0.0f);
 }
 

@@ -25,6 +25,7 @@ struct Query_0
     float view_x_0;
     float view_y_0;
     float view_z_0;
+    uint seed_0;
 };
 
 StructuredBuffer<Query_0 > queries_0 : register(t14);
@@ -125,6 +126,28 @@ struct Latent_0
     uint is_trilinear_0;
 };
 
+struct Clustered_0
+{
+    uint is_baked_1;
+    uint clusters_0;
+    uint rank_0;
+    uint channels_0;
+    uint columns_0;
+    uint rows_0;
+    float texel_width_0;
+    float texel_height_0;
+    uint samples_0;
+    uint sums_0;
+    uint labels_0;
+    uint coefficients_0;
+    uint basis_0;
+    uint moments_1;
+    uint light_0;
+    uint view_0;
+    uint offset_1;
+    uint trust_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
@@ -148,7 +171,7 @@ struct Fabric_0
     float sheen_roughness_0;
     float fibre_noise_0;
     float colour_noise_0;
-    uint seed_0;
+    uint seed_1;
     float layer_bound_0;
     float fibre_size_0;
     uint has_detail_0;
@@ -161,6 +184,7 @@ struct Fabric_0
     uint has_yarns_0;
     float mean_hole_0;
     Latent_0 latent_0;
+    Clustered_0 clustered_0;
 };
 
 StructuredBuffer<Fabric_0 > fabrics_0 : register(t0);
@@ -1370,9 +1394,9 @@ float uniform_hash_0(uint thread_9, uint cell_7, uint stream_1)
     return (float((hash_bits_0(hash_key_0(thread_9, stream_1), cell_7)) >> int(9)) + 0.5f) * 1.1920928955078125e-07f;
 }
 
-float thread_gain_0(uint thread_10, float amount_0, uint seed_1)
+float thread_gain_0(uint thread_10, float amount_0, uint seed_2)
 {
-    return amount_0 * (2.0f * uniform_hash_0(thread_10, 0U, seed_1 ^ 2135587861U) - 1.0f) + 1.0f;
+    return amount_0 * (2.0f * uniform_hash_0(thread_10, 0U, seed_2 ^ 2135587861U) - 1.0f) + 1.0f;
 }
 
 float bounded_gain_0(float gain_0, float3 albedo_1, float3 room_0)
@@ -1387,9 +1411,9 @@ float flattened_0(float largest_0, float3 albedo_2, float3 room_1)
     return min(max(min(min(_S122.x, _S122.y), _S122.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
 }
 
-float fibre_gain_0(uint thread_11, uint cell_8, float amount_1, uint seed_2)
+float fibre_gain_0(uint thread_11, uint cell_8, float amount_1, uint seed_3)
 {
-    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_8, seed_2 ^ 2654435769U)), 10.0f) - 1.0f) + 1.0f;
+    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_8, seed_3 ^ 2654435769U)), 10.0f) - 1.0f) + 1.0f;
 }
 
 struct YarnFrame_0
@@ -1426,14 +1450,14 @@ float diffuse_gain_0(YarnFrame_0 frame_1, float blend_0)
     return min(0.85000002384185791f * blend_0 * frame_1.loss_0 + 1.0f, 1.0f / (0.5f * blend_0 * (frame_1.normal_4.z - 1.0f) + 1.0f));
 }
 
-float diffuse_reflection_0(float3 light_0, float3 normal_5, float blend_1)
+float diffuse_reflection_0(float3 light_1, float3 normal_5, float blend_1)
 {
-    float _S128 = light_0.z;
+    float _S128 = light_1.z;
     if(_S128 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * lerp(max(_S128, 0.0f), max(dot(light_0, normal_5), 0.0f), blend_1);
+    return 0.31830987334251404f * lerp(max(_S128, 0.0f), max(dot(light_1, normal_5), 0.0f), blend_1);
 }
 
 float projected_area_1(float3 direction_2, float3 tangent_5, float roughness_1)
@@ -1482,17 +1506,17 @@ float flake_density_0(float squared_along_0, float roughness_2)
     return 0.31830987334251404f * _S135 * roughness_2 / (_S136 * _S136);
 }
 
-float density_between_0(float3 light_1, float3 view_0, float3 tangent_6, float roughness_3)
+float density_between_0(float3 light_2, float3 view_1, float3 tangent_6, float roughness_3)
 {
-    float3 _S137 = light_1 + view_0;
+    float3 _S137 = light_2 + view_1;
     float _S138 = dot(_S137, tangent_6);
     return flake_density_0(min(_S138 * _S138 / max(square_1(_S137), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
-float transmission_1(float3 light_2, float3 view_1, float3 normal_6, float3 tangent_7, float roughness_4, float optical_depth_1)
+float transmission_1(float3 light_3, float3 view_2, float3 normal_6, float3 tangent_7, float roughness_4, float optical_depth_1)
 {
-    float _S139 = - dot(light_2, normal_6);
-    float _S140 = dot(view_1, normal_6);
+    float _S139 = - dot(light_3, normal_6);
+    float _S140 = dot(view_2, normal_6);
     bool _S141;
     if(_S139 <= 0.0f)
     {
@@ -1507,14 +1531,14 @@ float transmission_1(float3 light_2, float3 view_1, float3 normal_6, float3 tang
         return 0.0f;
     }
     float _S142 = 1.0f / max(_S140, 9.99999997475242708e-07f);
-    float _S143 = projected_area_1(light_2, tangent_7, roughness_4) / max(_S139, 9.99999997475242708e-07f);
-    float _S144 = projected_area_1(view_1, tangent_7, roughness_4) * _S142;
-    return density_between_0(light_2, view_1, tangent_7, roughness_4) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S143, _S144)) * mean_attenuation_0(optical_depth_1 * abs(_S143 - _S144)) * _S142;
+    float _S143 = projected_area_1(light_3, tangent_7, roughness_4) / max(_S139, 9.99999997475242708e-07f);
+    float _S144 = projected_area_1(view_2, tangent_7, roughness_4) * _S142;
+    return density_between_0(light_3, view_2, tangent_7, roughness_4) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S143, _S144)) * mean_attenuation_0(optical_depth_1 * abs(_S143 - _S144)) * _S142;
 }
 
-float reflection_0(float3 light_3, float3 view_2, float3 normal_7, float3 tangent_8, float roughness_5, float optical_depth_2)
+float reflection_0(float3 light_4, float3 view_3, float3 normal_7, float3 tangent_8, float roughness_5, float optical_depth_2)
 {
-    float _S145 = dot(light_3, normal_7);
+    float _S145 = dot(light_4, normal_7);
     bool _S146;
     if(_S145 <= 0.0f)
     {
@@ -1522,28 +1546,28 @@ float reflection_0(float3 light_3, float3 view_2, float3 normal_7, float3 tangen
     }
     else
     {
-        _S146 = (dot(view_2, normal_7)) <= 0.0f;
+        _S146 = (dot(view_3, normal_7)) <= 0.0f;
     }
     if(_S146)
     {
         return 0.0f;
     }
     float _S147 = max(_S145, 9.99999997475242708e-07f);
-    float _S148 = max(dot(view_2, normal_7), 9.99999997475242708e-07f);
-    float _S149 = projected_area_1(light_3, tangent_8, roughness_5) * _S148 + projected_area_1(view_2, tangent_8, roughness_5) * _S147;
+    float _S148 = max(dot(view_3, normal_7), 9.99999997475242708e-07f);
+    float _S149 = projected_area_1(light_4, tangent_8, roughness_5) * _S148 + projected_area_1(view_3, tangent_8, roughness_5) * _S147;
     float _S150 = optical_depth_2 * _S149 / (_S147 * _S148);
-    return 0.25f * density_between_0(light_3, view_2, tangent_8, roughness_5) * (_S150 * mean_attenuation_0(_S150)) * _S147 / _S149;
+    return 0.25f * density_between_0(light_4, view_3, tangent_8, roughness_5) * (_S150 * mean_attenuation_0(_S150)) * _S147 / _S149;
 }
 
-Components_0 with_added_0(Components_0 sums_0, Components_0 more_0, float weight_1)
+Components_0 with_added_0(Components_0 sums_1, Components_0 more_0, float weight_1)
 {
     Components_0 result_0;
-    result_0.diffuse_warp_0 = sums_0.diffuse_warp_0 + weight_1 * more_0.diffuse_warp_0;
-    result_0.diffuse_weft_0 = sums_0.diffuse_weft_0 + weight_1 * more_0.diffuse_weft_0;
-    result_0.specular_warp_0 = sums_0.specular_warp_0 + weight_1 * more_0.specular_warp_0;
-    result_0.specular_weft_0 = sums_0.specular_weft_0 + weight_1 * more_0.specular_weft_0;
-    result_0.light_visibility_1 = sums_0.light_visibility_1 + weight_1 * more_0.light_visibility_1;
-    result_0.hole_2 = sums_0.hole_2 + weight_1 * more_0.hole_2;
+    result_0.diffuse_warp_0 = sums_1.diffuse_warp_0 + weight_1 * more_0.diffuse_warp_0;
+    result_0.diffuse_weft_0 = sums_1.diffuse_weft_0 + weight_1 * more_0.diffuse_weft_0;
+    result_0.specular_warp_0 = sums_1.specular_warp_0 + weight_1 * more_0.specular_warp_0;
+    result_0.specular_weft_0 = sums_1.specular_weft_0 + weight_1 * more_0.specular_weft_0;
+    result_0.light_visibility_1 = sums_1.light_visibility_1 + weight_1 * more_0.light_visibility_1;
+    result_0.hole_2 = sums_1.hole_2 + weight_1 * more_0.hole_2;
     return result_0;
 }
 
@@ -1626,18 +1650,18 @@ NodeTaps_0 node_taps_0(float3 direction_3)
     return taps_0;
 }
 
-float3 half_vector_0(float3 light_4, float3 view_3)
+float3 half_vector_0(float3 light_5, float3 view_4)
 {
-    float3 _S167 = light_4 + view_3;
+    float3 _S167 = light_5 + view_4;
     return _S167 * rsqrt(max(square_1(_S167), 9.999999960041972e-13f));
 }
 
-float3 shadow_correlation_0(float3 light_5, float3 view_4)
+float3 shadow_correlation_0(float3 light_6, float3 view_5)
 {
-    float2 _S168 = light_5.xy;
-    float2 _S169 = view_4.xy;
+    float2 _S168 = light_6.xy;
+    float2 _S169 = view_5.xy;
     float _S170 = dot(_S168, _S169) / max(sqrt(dot(_S168, _S168) * dot(_S169, _S169)), 9.99999997475242708e-07f);
-    if((light_5.z) < 0.0f)
+    if((light_6.z) < 0.0f)
     {
         return float3((float2)(-0.09000000357627869f + -0.07999999821186066f * _S170), 0.0f);
     }
@@ -1721,10 +1745,10 @@ float mean_density_0(Group_0 group_2, float3 half_0)
     return 0.15915493667125702f / group_2.roughness_6 * ((1.0f - _S189) / ((_S187 * _S187 + 1.0f) * (_S188 * _S188 + 1.0f)) + arc_tangent_0(_S190, 1.0f + _S189) / _S190);
 }
 
-float layer_value_0(Group_0 group_3, float3 half_1, float3 light_6, float3 view_5, float optical_depth_3)
+float layer_value_0(Group_0 group_3, float3 half_1, float3 light_7, float3 view_6, float optical_depth_3)
 {
-    bool _S191 = (light_6.z) < 0.0f;
-    float _S192 = dot(light_6, group_3.normal_8);
+    bool _S191 = (light_7.z) < 0.0f;
+    float _S192 = dot(light_7, group_3.normal_8);
     float _S193;
     if(_S191)
     {
@@ -1734,9 +1758,9 @@ float layer_value_0(Group_0 group_3, float3 half_1, float3 light_6, float3 view_
     {
         _S193 = _S192;
     }
-    float _S194 = max(dot(view_5, group_3.normal_8), 0.01999999955296516f);
-    float _S195 = mean_area_0(group_3, light_6) / max(_S193, 0.01999999955296516f);
-    float _S196 = mean_area_0(group_3, view_5) / _S194;
+    float _S194 = max(dot(view_6, group_3.normal_8), 0.01999999955296516f);
+    float _S195 = mean_area_0(group_3, light_7) / max(_S193, 0.01999999955296516f);
+    float _S196 = mean_area_0(group_3, view_6) / _S194;
     if(_S191)
     {
         _S193 = abs(_S195 - _S196);
@@ -2032,14 +2056,14 @@ FaceRadiance_0 face_radiance_0(FaceSends_0 sends_0, float open_of_other_0, float
     return found_0;
 }
 
-void view_terms_0(float3 view_6, out float  terms_0[int(6)])
+void view_terms_0(float3 view_7, out float  terms_0[int(6)])
 {
-    float _S252 = 1.0f - view_6.z;
+    float _S252 = 1.0f - view_7.z;
     float _S253 = _S252 * _S252;
     terms_0[int(0)] = 1.0f;
-    float _S254 = view_6.x;
+    float _S254 = view_7.x;
     float _S255 = _S254 * _S254;
-    float _S256 = view_6.y;
+    float _S256 = view_7.y;
     float _S257 = _S256 * _S256;
     terms_0[int(1)] = sqrt(max(_S255 + _S257, 9.999999960041972e-13f));
     terms_0[int(2)] = _S253;
@@ -2088,11 +2112,11 @@ Bounced_0 sum_of_0(Bounced_0 first_3, Bounced_0 second_2)
     return sum_1;
 }
 
-float3 bounced_value_0(Bounced_0 bounced_1, float3 light_7, float3 view_7)
+float3 bounced_value_0(Bounced_0 bounced_1, float3 light_8, float3 view_8)
 {
-    float _S260 = light_7.z;
+    float _S260 = light_8.z;
     float3 _S261;
-    if((_S260 * view_7.z) < 0.0f)
+    if((_S260 * view_8.z) < 0.0f)
     {
         _S261 = bounced_1.transmitted_0;
     }
@@ -2126,9 +2150,9 @@ float3 sheen_lobe_0(float cos_view_0, float roughness_8)
     return float3(clamp(sheen_scale_0(_S263, _S264), 0.00999999977648258f, 1.0f), clamp((1.0f - _S262) * sheen_shear_0(_S263, _S264), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S263, _S264), -60.0f, 60.0f))));
 }
 
-float transformed_cosine_0(float3 light_8, float3 view_8, float scale_0, float shear_0)
+float transformed_cosine_0(float3 light_9, float3 view_9, float scale_0, float shear_0)
 {
-    float _S265 = light_8.z;
+    float _S265 = light_9.z;
     bool _S266;
     if(_S265 <= 0.0f)
     {
@@ -2136,13 +2160,13 @@ float transformed_cosine_0(float3 light_8, float3 view_8, float scale_0, float s
     }
     else
     {
-        _S266 = (view_8.z) <= 0.0f;
+        _S266 = (view_9.z) <= 0.0f;
     }
     if(_S266)
     {
         return 0.0f;
     }
-    float2 _S267 = view_8.xy;
+    float2 _S267 = view_9.xy;
     float _S268 = dot(_S267, _S267);
     float2 _S269;
     if(_S268 > 9.99999968265522539e-21f)
@@ -2153,17 +2177,17 @@ float transformed_cosine_0(float3 light_8, float3 view_8, float scale_0, float s
     {
         _S269 = float2(1.0f, 0.0f);
     }
-    float _S270 = scale_0 * dot(light_8.xy, _S269) + shear_0 * _S265;
-    float _S271 = scale_0 * (light_8.y * _S269.x - light_8.x * _S269.y);
+    float _S270 = scale_0 * dot(light_9.xy, _S269) + shear_0 * _S265;
+    float _S271 = scale_0 * (light_9.y * _S269.x - light_9.x * _S269.y);
     float _S272 = _S270 * _S270 + _S271 * _S271 + _S265 * _S265;
     return 0.31830987334251404f * scale_0 * scale_0 * _S265 / max(_S272 * _S272, 9.99999968265522539e-21f);
 }
 
-float2 sheen_with_transmittance_0(float3 light_9, float3 view_9, float strength_0, float roughness_9)
+float2 sheen_with_transmittance_0(float3 light_10, float3 view_10, float strength_0, float roughness_9)
 {
-    float3 _S273 = sheen_lobe_0(view_9.z, roughness_9);
+    float3 _S273 = sheen_lobe_0(view_10.z, roughness_9);
     float _S274 = strength_0 * _S273.z;
-    return float2(_S274 * transformed_cosine_0(light_9, view_9, _S273.x, _S273.y), 1.0f - _S274);
+    return float2(_S274 * transformed_cosine_0(light_10, view_10, _S273.x, _S273.y), 1.0f - _S274);
 }
 
 struct FamilyAlbedos_0
@@ -3094,7 +3118,7 @@ Hair_0 hair_at_0(uint _S474, float2 _S475, bool _S476, float _S477)
     {
         number_1 = 0U;
     }
-    uint _S482 = hash_key_0(number_1, (fabrics_0[_S474].seed_0) ^ 1013904242U);
+    uint _S482 = hash_key_0(number_1, (fabrics_0[_S474].seed_1) ^ 1013904242U);
     float _S483 = 1.0f / max(_S477, 0.07999999821186066f * _S478);
     float _S484 = min(0.63999998569488525f * _S478 * _S483, 1.0f);
     float2 _S485 = float2(0.0f, 1.0f);
@@ -3231,22 +3255,22 @@ struct FibreNoise_0
     float bundle_weight_0;
     float2 fibre_0;
     float fibre_weight_0;
-    float offset_1;
+    float offset_2;
     float slope_2;
 };
 
 FibreNoise_0 fibre_noise_at_0(uint _S520, uint _S521, SurfacePoint_0 _S522, uint _S523, float _S524)
 {
     float _S525 = 5.0f * fabrics_0[_S520].fibre_size_0;
-    float2 _S526 = wave_noise_0(hash_key_0(_S523, (fabrics_0[_S520].seed_0) ^ 458671337U), _S522.fibre_along_0 / (25.0f * fabrics_0[_S520].fibre_size_0));
+    float2 _S526 = wave_noise_0(hash_key_0(_S523, (fabrics_0[_S520].seed_1) ^ 458671337U), _S522.fibre_along_0 / (25.0f * fabrics_0[_S520].fibre_size_0));
     float _S527 = _S522.fibre_across_0 + families_0[_S521].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S520].fibre_size_0 * _S526.x;
     float3 _S528 = fibre_cell_0(_S527, _S522.fibre_along_0, fabrics_0[_S520].fibre_size_0);
     FibreNoise_0 noise_0;
-    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S523, (fabrics_0[_S520].seed_0) ^ 1757159915U), fibre_cell_0(_S527, _S522.fibre_along_0, _S525));
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S523, (fabrics_0[_S520].seed_1) ^ 1757159915U), fibre_cell_0(_S527, _S522.fibre_along_0, _S525));
     noise_0.bundle_weight_0 = fade_0(_S524, _S525);
-    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S523, (fabrics_0[_S520].seed_0) ^ 48610963U), _S528);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S523, (fabrics_0[_S520].seed_1) ^ 48610963U), _S528);
     noise_0.fibre_weight_0 = fade_0(_S524, fabrics_0[_S520].fibre_size_0);
-    noise_0.offset_1 = _S528.z;
+    noise_0.offset_2 = _S528.z;
     noise_0.slope_2 = 0.5f * _S526.y;
     return noise_0;
 }
@@ -3280,7 +3304,7 @@ float2 detail_gain_0(uint _S529, uint _S530, SurfacePoint_0 _S531, float2 _S532,
         {
             _S539 = - _S532.x;
         }
-        gain_1 = gain_1 + _S538 * float2(wave_noise_0(hash_key_0(_S534, (fabrics_0[_S529].seed_0) ^ 1373058189U), _S539 * families_0[_S530].slubs_per_mm_0).x * lerp(0.40000000596046448f, 1.0f, min(square_0(_S531.across_0 * families_0[_S530].per_half_width_0), 1.0f)), 1.0f);
+        gain_1 = gain_1 + _S538 * float2(wave_noise_0(hash_key_0(_S534, (fabrics_0[_S529].seed_1) ^ 1373058189U), _S539 * families_0[_S530].slubs_per_mm_0).x * lerp(0.40000000596046448f, 1.0f, min(square_0(_S531.across_0 * families_0[_S530].per_half_width_0), 1.0f)), 1.0f);
     }
     return gain_1;
 }
@@ -3290,9 +3314,9 @@ Albedos_0 vary_albedos_0(uint _S540, Albedos_0 _S541, uint _S542, uint _S543, fl
     float3 _S545 = max(_S541.specular_reflect_0, _S541.specular_transmit_0);
     float3 _S546 = _S541.diffuse_reflect_0 + _S541.diffuse_transmit_0;
     float3 _S547 = 1.0f - fabrics_0[_S540].layer_bound_0 * _S545;
-    float colour_0 = bounded_gain_0(thread_gain_0(_S542, fabrics_0[_S540].colour_noise_0, fabrics_0[_S540].seed_0), _S546, _S547);
+    float colour_0 = bounded_gain_0(thread_gain_0(_S542, fabrics_0[_S540].colour_noise_0, fabrics_0[_S540].seed_1), _S546, _S547);
     float colour_1 = colour_0 * (1.0f + flattened_0(_S544.y, colour_0 * _S546, _S547) * _S544.x);
-    float _S548 = bounded_gain_0(fibre_gain_0(_S542, _S543, fabrics_0[_S540].fibre_noise_0, fabrics_0[_S540].seed_0), _S545, min((1.0f - colour_1 * _S546) / fabrics_0[_S540].layer_bound_0, (float3)1.0f));
+    float _S548 = bounded_gain_0(fibre_gain_0(_S542, _S543, fabrics_0[_S540].fibre_noise_0, fabrics_0[_S540].seed_1), _S545, min((1.0f - colour_1 * _S546) / fabrics_0[_S540].layer_bound_0, (float3)1.0f));
     Albedos_0 varied_0;
     varied_0.diffuse_reflect_0 = colour_1 * _S541.diffuse_reflect_0;
     varied_0.diffuse_transmit_0 = colour_1 * _S541.diffuse_transmit_0;
@@ -3366,7 +3390,7 @@ YarnFrame_0 turned_frame_0(uint _S562, uint _S563, SurfacePoint_0 _S564, bool _S
     if((families_0[_S563].fibre_tilt_0) > 0.0f)
     {
         FibreNoise_0 _S575 = fibre_noise_at_0(_S562, _S563, _S564, _S566, _S567);
-        float _S576 = 1.09858846664428711f * _S574 * (_S575.bundle_weight_0 * _S575.bundle_0.x + _S575.fibre_weight_0 * (_S575.fibre_0.x + _S575.offset_1));
+        float _S576 = 1.09858846664428711f * _S574 * (_S575.bundle_weight_0 * _S575.bundle_0.x + _S575.fibre_weight_0 * (_S575.fibre_0.x + _S575.offset_2));
         float _S577 = _S574 * (1.42099642753601074f * (_S575.bundle_weight_0 * _S575.bundle_0.y + _S575.fibre_weight_0 * _S575.fibre_0.y) - _S575.bundle_weight_0 * _S575.slope_2);
         float _S578 = square_0(_S575.fibre_weight_0);
         frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S574 * _S574 * ((0.24761904776096344f * (square_0(_S575.bundle_weight_0) + _S578) + _S578 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
@@ -3837,12 +3861,12 @@ Components_0 prefiltered_components_0(uint _S682, Footprint_0 _S683, float3 _S68
     {
         _S691 = fabrics_0[_S682].lobes_0.front_warp_packs_0;
     }
-    Components_0 sums_1;
-    sums_1.diffuse_warp_0 = 0.0f;
-    sums_1.diffuse_weft_0 = 0.0f;
-    sums_1.specular_warp_0 = 0.0f;
-    sums_1.specular_weft_0 = 0.0f;
-    sums_1.light_visibility_1 = 0.0f;
+    Components_0 sums_2;
+    sums_2.diffuse_warp_0 = 0.0f;
+    sums_2.diffuse_weft_0 = 0.0f;
+    sums_2.specular_warp_0 = 0.0f;
+    sums_2.specular_weft_0 = 0.0f;
+    sums_2.light_visibility_1 = 0.0f;
     uint pack_0 = 0U;
     float total_2 = 0.0f;
     for(;;)
@@ -3890,7 +3914,7 @@ Components_0 prefiltered_components_0(uint _S682, Footprint_0 _S683, float3 _S68
             float _S707 = _S706.x;
             float diffuse_1 = diffuse_0 + _S705 * _S700[number_5] * _S707;
             float specular_1 = specular_0 + _S705 * layer_value_0(_S704, _S692, _S684, _S685, fabrics_0[_S682].optical_depth_0) * _S699[number_5] * _S706.y;
-            sums_1.light_visibility_1 = sums_1.light_visibility_1 + _S705 * _S699[number_5] * _S707;
+            sums_2.light_visibility_1 = sums_2.light_visibility_1 + _S705 * _S699[number_5] * _S707;
             float total_3 = total_2 + _S705;
             number_5 = number_5 + 1U;
             diffuse_0 = diffuse_1;
@@ -3906,7 +3930,7 @@ Components_0 prefiltered_components_0(uint _S682, Footprint_0 _S683, float3 _S68
         {
             _S708 = 0.0f;
         }
-        sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 + _S708;
+        sums_2.diffuse_warp_0 = sums_2.diffuse_warp_0 + _S708;
         float _S709;
         if(_S701)
         {
@@ -3916,7 +3940,7 @@ Components_0 prefiltered_components_0(uint _S682, Footprint_0 _S683, float3 _S68
         {
             _S709 = diffuse_0;
         }
-        sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 + _S709;
+        sums_2.diffuse_weft_0 = sums_2.diffuse_weft_0 + _S709;
         float _S710;
         if(_S701)
         {
@@ -3926,7 +3950,7 @@ Components_0 prefiltered_components_0(uint _S682, Footprint_0 _S683, float3 _S68
         {
             _S710 = 0.0f;
         }
-        sums_1.specular_warp_0 = sums_1.specular_warp_0 + _S710;
+        sums_2.specular_warp_0 = sums_2.specular_warp_0 + _S710;
         float _S711;
         if(_S701)
         {
@@ -3936,18 +3960,18 @@ Components_0 prefiltered_components_0(uint _S682, Footprint_0 _S683, float3 _S68
         {
             _S711 = specular_0;
         }
-        sums_1.specular_weft_0 = sums_1.specular_weft_0 + _S711;
+        sums_2.specular_weft_0 = sums_2.specular_weft_0 + _S711;
         pack_0 = pack_0 + 1U;
     }
     float _S712 = prefiltered_hole_0(_S682, _S687, view_nodes_0, _S686);
-    sums_1.hole_2 = _S712;
+    sums_2.hole_2 = _S712;
     float _S713 = (1.0f - _S712) / max(total_2, 9.999999960041972e-13f);
-    sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 * _S713;
-    sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 * _S713;
-    sums_1.specular_warp_0 = sums_1.specular_warp_0 * _S713;
-    sums_1.specular_weft_0 = sums_1.specular_weft_0 * _S713;
-    sums_1.light_visibility_1 = sums_1.light_visibility_1 * _S713;
-    return sums_1;
+    sums_2.diffuse_warp_0 = sums_2.diffuse_warp_0 * _S713;
+    sums_2.diffuse_weft_0 = sums_2.diffuse_weft_0 * _S713;
+    sums_2.specular_warp_0 = sums_2.specular_warp_0 * _S713;
+    sums_2.specular_weft_0 = sums_2.specular_weft_0 * _S713;
+    sums_2.light_visibility_1 = sums_2.light_visibility_1 * _S713;
+    return sums_2;
 }
 
 FamilyAlbedos_0 albedos_over_0(uint _S714, Footprint_0 _S715, bool _S716)
@@ -4350,18 +4374,18 @@ float3 composed_0(uint _S852, Components_0 _S853, CloseUp_0 _S854, FamilyAlbedos
     return _S865.y * body_0 + (_S853.light_visibility_1 + _S853.hole_2) * _S865.x;
 }
 
-float4 cloth_value_0(uint fabric_1, float2 centre_2, float2 dx_1, float2 dy_1, float3 light_10, float3 view_10)
+float4 cloth_value_0(uint fabric_1, float2 centre_2, float2 dx_1, float2 dy_1, float3 light_11, float3 view_11)
 {
     Footprint_0 footprint_0;
     footprint_0.centre_0 = centre_2;
     footprint_0.dx_0 = dx_1;
     footprint_0.dy_0 = dy_1;
-    Estimate_0 _S866 = lobes_estimate_0(fabric_1, footprint_0, 1.0f, light_10, view_10);
-    float3 _S867 = composed_0(fabric_1, _S866.components_0, _S866.close_0, _S866.albedos_5, (float3)1.0f, light_10, view_10);
+    Estimate_0 _S866 = lobes_estimate_0(fabric_1, footprint_0, 1.0f, light_11, view_11);
+    float3 _S867 = composed_0(fabric_1, _S866.components_0, _S866.close_0, _S866.albedos_5, (float3)1.0f, light_11, view_11);
     float through_1;
     if((fabrics_0[fabric_1].sheen_strength_0) > 0.0f)
     {
-        through_1 = _S866.components_0.hole_2 * (1.0f - fabrics_0[fabric_1].sheen_strength_0 * sheen_lobe_0(abs(view_10.z), fabrics_0[fabric_1].sheen_roughness_0).z);
+        through_1 = _S866.components_0.hole_2 * (1.0f - fabrics_0[fabric_1].sheen_strength_0 * sheen_lobe_0(abs(view_11.z), fabrics_0[fabric_1].sheen_roughness_0).z);
     }
     else
     {

@@ -25,6 +25,7 @@ struct Query_0
     float view_x_0;
     float view_y_0;
     float view_z_0;
+    uint seed_0;
 };
 
 StructuredBuffer<Query_0 > queries_0 : register(t14);
@@ -125,6 +126,28 @@ struct Latent_0
     uint is_trilinear_0;
 };
 
+struct Clustered_0
+{
+    uint is_baked_1;
+    uint clusters_0;
+    uint rank_0;
+    uint channels_0;
+    uint columns_0;
+    uint rows_0;
+    float texel_width_0;
+    float texel_height_0;
+    uint samples_0;
+    uint sums_0;
+    uint labels_0;
+    uint coefficients_0;
+    uint basis_0;
+    uint moments_1;
+    uint light_0;
+    uint view_0;
+    uint offset_1;
+    uint trust_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
@@ -148,7 +171,7 @@ struct Fabric_0
     float sheen_roughness_0;
     float fibre_noise_0;
     float colour_noise_0;
-    uint seed_0;
+    uint seed_1;
     float layer_bound_0;
     float fibre_size_0;
     uint has_detail_0;
@@ -161,6 +184,7 @@ struct Fabric_0
     uint has_yarns_0;
     float mean_hole_0;
     Latent_0 latent_0;
+    Clustered_0 clustered_0;
 };
 
 StructuredBuffer<Fabric_0 > fabrics_0 : register(t0);
@@ -196,7 +220,7 @@ Eight_0 FloatWeights_eight_0(FloatWeights_0 this_0, uint element_0)
 
 float4 tile_product_0(FloatWeights_0 weights_0, uint row_0, inout float  inputs_0[int(25)])
 {
-    float4 sums_0 = (float4)0.0f;
+    float4 sums_1 = (float4)0.0f;
     uint column_0 = 0U;
     for(;;)
     {
@@ -222,16 +246,16 @@ float4 tile_product_0(FloatWeights_0 weights_0, uint row_0, inout float  inputs_
         low_1[int(3)] = inputs_0[min(_S5, int(24))];
         high_1[int(3)] = inputs_0[min(_S5 + int(4), int(24))];
         Eight_0 _S6 = FloatWeights_eight_0(weights_0, row_0 + column_0);
-        sums_0[int(0)] = sums_0[int(0)] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
+        sums_1[int(0)] = sums_1[int(0)] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
         Eight_0 _S7 = FloatWeights_eight_0(weights_0, row_0 + 4U + column_0);
-        sums_0[int(1)] = sums_0[int(1)] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
+        sums_1[int(1)] = sums_1[int(1)] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
         Eight_0 _S8 = FloatWeights_eight_0(weights_0, row_0 + 8U + column_0);
-        sums_0[int(2)] = sums_0[int(2)] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
+        sums_1[int(2)] = sums_1[int(2)] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
         Eight_0 _S9 = FloatWeights_eight_0(weights_0, row_0 + 12U + column_0);
-        sums_0[int(3)] = sums_0[int(3)] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
+        sums_1[int(3)] = sums_1[int(3)] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
         column_0 = column_0 + 1U;
     }
-    return sums_0;
+    return sums_1;
 }
 
 float Identity_apply_0(float x_0)
@@ -325,7 +349,7 @@ void dense_part_0(FloatWeights_0 weights_1, uint first_1, bool adds_0, inout flo
 
 float4 tile_product_1(FloatWeights_0 weights_2, uint row_1, inout float  inputs_2[int(11)])
 {
-    float4 sums_1 = (float4)0.0f;
+    float4 sums_2 = (float4)0.0f;
     uint column_1 = 0U;
     for(;;)
     {
@@ -351,16 +375,16 @@ float4 tile_product_1(FloatWeights_0 weights_2, uint row_1, inout float  inputs_
         low_2[int(3)] = inputs_2[min(_S24, int(10))];
         high_2[int(3)] = inputs_2[min(_S24 + int(4), int(10))];
         Eight_0 _S25 = FloatWeights_eight_0(weights_2, row_1 + column_1);
-        sums_1[int(0)] = sums_1[int(0)] + (dot(_S25.low_0, low_2) + dot(_S25.high_0, high_2));
+        sums_2[int(0)] = sums_2[int(0)] + (dot(_S25.low_0, low_2) + dot(_S25.high_0, high_2));
         Eight_0 _S26 = FloatWeights_eight_0(weights_2, row_1 + 2U + column_1);
-        sums_1[int(1)] = sums_1[int(1)] + (dot(_S26.low_0, low_2) + dot(_S26.high_0, high_2));
+        sums_2[int(1)] = sums_2[int(1)] + (dot(_S26.low_0, low_2) + dot(_S26.high_0, high_2));
         Eight_0 _S27 = FloatWeights_eight_0(weights_2, row_1 + 4U + column_1);
-        sums_1[int(2)] = sums_1[int(2)] + (dot(_S27.low_0, low_2) + dot(_S27.high_0, high_2));
+        sums_2[int(2)] = sums_2[int(2)] + (dot(_S27.low_0, low_2) + dot(_S27.high_0, high_2));
         Eight_0 _S28 = FloatWeights_eight_0(weights_2, row_1 + 6U + column_1);
-        sums_1[int(3)] = sums_1[int(3)] + (dot(_S28.low_0, low_2) + dot(_S28.high_0, high_2));
+        sums_2[int(3)] = sums_2[int(3)] + (dot(_S28.low_0, low_2) + dot(_S28.high_0, high_2));
         column_1 = column_1 + 1U;
     }
-    return sums_1;
+    return sums_2;
 }
 
 float Relu_apply_0(float x_1)
@@ -466,7 +490,7 @@ void dense_1(FloatWeights_0 weights_5, uint first_4, bool adds_3, inout float  i
 
 float4 tile_product_2(FloatWeights_0 weights_6, uint row_2, inout float  inputs_6[int(16)])
 {
-    float4 sums_2 = (float4)0.0f;
+    float4 sums_3 = (float4)0.0f;
     uint column_2 = 0U;
     for(;;)
     {
@@ -492,16 +516,16 @@ float4 tile_product_2(FloatWeights_0 weights_6, uint row_2, inout float  inputs_
         low_3[int(3)] = inputs_6[_S43];
         high_3[int(3)] = inputs_6[_S43 + int(4)];
         Eight_0 _S44 = FloatWeights_eight_0(weights_6, row_2 + column_2);
-        sums_2[int(0)] = sums_2[int(0)] + (dot(_S44.low_0, low_3) + dot(_S44.high_0, high_3));
+        sums_3[int(0)] = sums_3[int(0)] + (dot(_S44.low_0, low_3) + dot(_S44.high_0, high_3));
         Eight_0 _S45 = FloatWeights_eight_0(weights_6, row_2 + 2U + column_2);
-        sums_2[int(1)] = sums_2[int(1)] + (dot(_S45.low_0, low_3) + dot(_S45.high_0, high_3));
+        sums_3[int(1)] = sums_3[int(1)] + (dot(_S45.low_0, low_3) + dot(_S45.high_0, high_3));
         Eight_0 _S46 = FloatWeights_eight_0(weights_6, row_2 + 4U + column_2);
-        sums_2[int(2)] = sums_2[int(2)] + (dot(_S46.low_0, low_3) + dot(_S46.high_0, high_3));
+        sums_3[int(2)] = sums_3[int(2)] + (dot(_S46.low_0, low_3) + dot(_S46.high_0, high_3));
         Eight_0 _S47 = FloatWeights_eight_0(weights_6, row_2 + 6U + column_2);
-        sums_2[int(3)] = sums_2[int(3)] + (dot(_S47.low_0, low_3) + dot(_S47.high_0, high_3));
+        sums_3[int(3)] = sums_3[int(3)] + (dot(_S47.low_0, low_3) + dot(_S47.high_0, high_3));
         column_2 = column_2 + 1U;
     }
-    return sums_2;
+    return sums_3;
 }
 
 void dense_part_2(FloatWeights_0 weights_7, uint first_5, bool adds_4, inout float  inputs_7[int(16)], inout float  outputs_4[int(16)])
@@ -674,7 +698,7 @@ void dense_part_3(FloatWeights_0 weights_8, uint first_6, bool adds_5, inout flo
 
 float4 tile_product_3(FloatWeights_0 weights_9, uint row_3, inout float  inputs_9[int(9)])
 {
-    float4 sums_3 = (float4)0.0f;
+    float4 sums_4 = (float4)0.0f;
     uint column_3 = 0U;
     for(;;)
     {
@@ -700,16 +724,16 @@ float4 tile_product_3(FloatWeights_0 weights_9, uint row_3, inout float  inputs_
         low_4[int(3)] = inputs_9[min(_S73, int(8))];
         high_4[int(3)] = inputs_9[min(_S73 + int(4), int(8))];
         Eight_0 _S74 = FloatWeights_eight_0(weights_9, row_3 + column_3);
-        sums_3[int(0)] = sums_3[int(0)] + (dot(_S74.low_0, low_4) + dot(_S74.high_0, high_4));
+        sums_4[int(0)] = sums_4[int(0)] + (dot(_S74.low_0, low_4) + dot(_S74.high_0, high_4));
         Eight_0 _S75 = FloatWeights_eight_0(weights_9, row_3 + 2U + column_3);
-        sums_3[int(1)] = sums_3[int(1)] + (dot(_S75.low_0, low_4) + dot(_S75.high_0, high_4));
+        sums_4[int(1)] = sums_4[int(1)] + (dot(_S75.low_0, low_4) + dot(_S75.high_0, high_4));
         Eight_0 _S76 = FloatWeights_eight_0(weights_9, row_3 + 4U + column_3);
-        sums_3[int(2)] = sums_3[int(2)] + (dot(_S76.low_0, low_4) + dot(_S76.high_0, high_4));
+        sums_4[int(2)] = sums_4[int(2)] + (dot(_S76.low_0, low_4) + dot(_S76.high_0, high_4));
         Eight_0 _S77 = FloatWeights_eight_0(weights_9, row_3 + 6U + column_3);
-        sums_3[int(3)] = sums_3[int(3)] + (dot(_S77.low_0, low_4) + dot(_S77.high_0, high_4));
+        sums_4[int(3)] = sums_4[int(3)] + (dot(_S77.low_0, low_4) + dot(_S77.high_0, high_4));
         column_3 = column_3 + 1U;
     }
-    return sums_3;
+    return sums_4;
 }
 
 void dense_part_4(FloatWeights_0 weights_10, uint first_7, bool adds_6, inout float  inputs_10[int(9)], inout float  outputs_6[int(16)])
@@ -1231,9 +1255,9 @@ Eight_0 texel_numbers_0(uint first_17, uint elements_1, uint texel_0)
     return numbers_3;
 }
 
-void add_bilinear_0(uint first_18, uint elements_2, uint start_0, uint columns_0, uint rows_0, float2 uv_0, float weight_0, inout Eight_0 sums_4)
+void add_bilinear_0(uint first_18, uint elements_2, uint start_0, uint columns_1, uint rows_1, float2 uv_0, float weight_0, inout Eight_0 sums_5)
 {
-    float2 _S140 = uv_0 * float2(float(columns_0), float(rows_0)) - 0.5f;
+    float2 _S140 = uv_0 * float2(float(columns_1), float(rows_1)) - 0.5f;
     float2 _S141 = floor(_S140);
     float2 _S142 = _S140 - _S141;
     int _S143 = int(_S141.x);
@@ -1250,7 +1274,7 @@ void add_bilinear_0(uint first_18, uint elements_2, uint start_0, uint columns_0
         }
         uint _S145 = tap_0 & 1U;
         uint _S146 = tap_0 >> int(1);
-        Eight_0 _S147 = texel_numbers_0(first_18, elements_2, start_0 + (uint(_S144 + int(_S146)) & (rows_0 - 1U)) * columns_0 + (uint(_S143 + int(_S145)) & (columns_0 - 1U)));
+        Eight_0 _S147 = texel_numbers_0(first_18, elements_2, start_0 + (uint(_S144 + int(_S146)) & (rows_1 - 1U)) * columns_1 + (uint(_S143 + int(_S145)) & (columns_1 - 1U)));
         float _S148;
         if(_S146 != 0U)
         {
@@ -1270,8 +1294,8 @@ void add_bilinear_0(uint first_18, uint elements_2, uint start_0, uint columns_0
             _S149 = 1.0f - _S142.x;
         }
         float _S150 = _S148 * _S149 * weight_0;
-        sums_4.low_0 = sums_4.low_0 + _S150 * _S147.low_0;
-        sums_4.high_0 = sums_4.high_0 + _S150 * _S147.high_0;
+        sums_5.low_0 = sums_5.low_0 + _S150 * _S147.low_0;
+        sums_5.high_0 = sums_5.high_0 + _S150 * _S147.high_0;
         tap_0 = tap_0 + 1U;
     }
     return;
@@ -1291,7 +1315,7 @@ float channel_0(Eight_0 numbers_4, int k_0)
     return _S151;
 }
 
-float neumip_depth_0(Neumip_0 model_0, float2 uv_1, float2 view_0, uint face_0)
+float neumip_depth_0(Neumip_0 model_0, float2 uv_1, float2 view_1, uint face_0)
 {
     uint _S152 = words_0.Load(model_0.levels_2 + 1U);
     uint _S153 = words_0.Load(model_0.levels_2 + 2U);
@@ -1311,8 +1335,8 @@ float neumip_depth_0(Neumip_0 model_0, float2 uv_1, float2 view_0, uint face_0)
         inputs_24[k_1] = channel_0(texel_1, k_1);
         k_1 = k_1 + int(1);
     }
-    inputs_24[int(7)] = view_0.x;
-    inputs_24[int(8)] = view_0.y;
+    inputs_24[int(7)] = view_1.x;
+    inputs_24[int(8)] = view_1.y;
     MLP_0 network_1;
     network_1.weights_20.first_0 = model_0.offset_0;
     float  depth_0[int(1)];
@@ -1362,10 +1386,10 @@ struct TexelPyramid_0
     uint face_texels_2;
 };
 
-void TexelPyramid_add_level_0(TexelPyramid_0 this_4, float2 place_0, uint level_0, uint face_1, float weight_1, inout Eight_0 sums_5)
+void TexelPyramid_add_level_0(TexelPyramid_0 this_4, float2 place_0, uint level_0, uint face_1, float weight_1, inout Eight_0 sums_6)
 {
     uint _S156 = this_4.levels_4 + 3U * level_0;
-    add_bilinear_0(this_4.first_19, this_4.elements_3, face_1 * this_4.face_texels_2 + words_0.Load(_S156), words_0.Load(_S156 + 1U), words_0.Load(_S156 + 2U), place_0, weight_1, sums_5);
+    add_bilinear_0(this_4.first_19, this_4.elements_3, face_1 * this_4.face_texels_2 + words_0.Load(_S156), words_0.Load(_S156 + 1U), words_0.Load(_S156 + 2U), place_0, weight_1, sums_6);
     return;
 }
 
@@ -1376,10 +1400,10 @@ Eight_0 TexelPyramid_between_levels_0(TexelPyramid_0 this_5, float2 uv_3, float 
     float _S159 = _S157 - _S158;
     float2 _S160 = within_repeat_0(uv_3);
     Eight_0 texel_2 = no_numbers_0();
-    uint offset_1 = 0U;
+    uint offset_2 = 0U;
     for(;;)
     {
-        if(offset_1 < 2U)
+        if(offset_2 < 2U)
         {
         }
         else
@@ -1387,7 +1411,7 @@ Eight_0 TexelPyramid_between_levels_0(TexelPyramid_0 this_5, float2 uv_3, float 
             break;
         }
         float _S161;
-        if(offset_1 == 0U)
+        if(offset_2 == 0U)
         {
             _S161 = 1.0f - _S159;
         }
@@ -1397,9 +1421,9 @@ Eight_0 TexelPyramid_between_levels_0(TexelPyramid_0 this_5, float2 uv_3, float 
         }
         if(_S161 > 0.0f)
         {
-            TexelPyramid_add_level_0(this_5, _S160, uint(_S158) + offset_1, face_2, _S161, texel_2);
+            TexelPyramid_add_level_0(this_5, _S160, uint(_S158) + offset_2, face_2, _S161, texel_2);
         }
-        offset_1 = offset_1 + 1U;
+        offset_2 = offset_2 + 1U;
     }
     return texel_2;
 }
@@ -1423,7 +1447,7 @@ float exponential_0(float x_4)
     return _S166;
 }
 
-float neumip_hole_0(Neumip_0 model_1, Eight_0 texel_3, float2 view_1)
+float neumip_hole_0(Neumip_0 model_1, Eight_0 texel_3, float2 view_2)
 {
     float  inputs_25[int(9)];
     int k_2 = int(0);
@@ -1439,8 +1463,8 @@ float neumip_hole_0(Neumip_0 model_1, Eight_0 texel_3, float2 view_1)
         inputs_25[k_2] = channel_0(texel_3, k_2);
         k_2 = k_2 + int(1);
     }
-    inputs_25[int(7)] = view_1.x;
-    inputs_25[int(8)] = view_1.y;
+    inputs_25[int(7)] = view_2.x;
+    inputs_25[int(8)] = view_2.y;
     MLP_0 network_2;
     network_2.weights_20.first_0 = model_1.opacity_0;
     float  opening_0[int(1)];
@@ -1458,7 +1482,7 @@ struct Footprint_0
 struct NeumipView_0
 {
     float  latent_1[int(7)];
-    float2 view_2;
+    float2 view_3;
     bool back_3;
     float hole_0;
 };
@@ -1510,7 +1534,7 @@ void neumip_view_0(uint _S167, Footprint_0 _S168, float3 _S169, inout NeumipView
         k_3 = k_3 + int(1);
     }
     float2 _S178 = _S174.xy;
-    _S170.view_2 = _S178;
+    _S170.view_3 = _S178;
     _S170.back_3 = _S172;
     float _S179;
     if((_S171.has_holes_0) != 0U)
@@ -1567,8 +1591,8 @@ float3 neumip_value_0(uint _S180, inout NeumipView_0 _S181, float3 _S182)
     }
     inputs_26[int(7)] = _S183.x;
     inputs_26[int(8)] = _S183.y;
-    inputs_26[int(9)] = _S181.view_2.x;
-    inputs_26[int(10)] = _S181.view_2.y;
+    inputs_26[int(9)] = _S181.view_3.x;
+    inputs_26[int(10)] = _S181.view_3.y;
     float  outputs_20[int(3)];
     MLP_0 network_3;
     uint _S187;
@@ -1585,15 +1609,15 @@ float3 neumip_value_0(uint _S180, inout NeumipView_0 _S181, float3 _S182)
     return max(float3(outputs_20[int(0)], outputs_20[int(1)], outputs_20[int(2)]), (float3)0.0f) * 0.31830987334251404f;
 }
 
-float4 cloth_value_0(uint fabric_1, float2 centre_1, float2 dx_1, float2 dy_1, float3 light_0, float3 view_3)
+float4 cloth_value_0(uint fabric_1, float2 centre_1, float2 dx_1, float2 dy_1, float3 light_1, float3 view_4)
 {
     Footprint_0 footprint_0;
     footprint_0.centre_0 = centre_1;
     footprint_0.dx_0 = dx_1;
     footprint_0.dy_0 = dy_1;
     NeumipView_0 seen_0;
-    neumip_view_0(fabric_1, footprint_0, view_3, seen_0);
-    float3 _S188 = neumip_value_0(fabric_1, seen_0, light_0);
+    neumip_view_0(fabric_1, footprint_0, view_4, seen_0);
+    float3 _S188 = neumip_value_0(fabric_1, seen_0, light_1);
     return float4(_S188, seen_0.hole_0);
 }
 

@@ -25,6 +25,7 @@ struct Query_0
     float view_x_0;
     float view_y_0;
     float view_z_0;
+    uint seed_0;
 };
 
 StructuredBuffer<Query_0 > queries_0 : register(t14);
@@ -125,6 +126,28 @@ struct Latent_0
     uint is_trilinear_0;
 };
 
+struct Clustered_0
+{
+    uint is_baked_1;
+    uint clusters_0;
+    uint rank_0;
+    uint channels_0;
+    uint columns_0;
+    uint rows_0;
+    float texel_width_0;
+    float texel_height_0;
+    uint samples_0;
+    uint sums_0;
+    uint labels_0;
+    uint coefficients_0;
+    uint basis_0;
+    uint moments_1;
+    uint light_0;
+    uint view_0;
+    uint offset_1;
+    uint trust_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
@@ -148,7 +171,7 @@ struct Fabric_0
     float sheen_roughness_0;
     float fibre_noise_0;
     float colour_noise_0;
-    uint seed_0;
+    uint seed_1;
     float layer_bound_0;
     float fibre_size_0;
     uint has_detail_0;
@@ -161,6 +184,7 @@ struct Fabric_0
     uint has_yarns_0;
     float mean_hole_0;
     Latent_0 latent_0;
+    Clustered_0 clustered_0;
 };
 
 StructuredBuffer<Fabric_0 > fabrics_0 : register(t0);
@@ -1267,9 +1291,9 @@ float uniform_hash_0(uint thread_9, uint cell_7, uint stream_1)
     return (float((hash_bits_0(hash_key_0(thread_9, stream_1), cell_7)) >> int(9)) + 0.5f) * 1.1920928955078125e-07f;
 }
 
-float thread_gain_0(uint thread_10, float amount_0, uint seed_1)
+float thread_gain_0(uint thread_10, float amount_0, uint seed_2)
 {
-    return amount_0 * (2.0f * uniform_hash_0(thread_10, 0U, seed_1 ^ 2135587861U) - 1.0f) + 1.0f;
+    return amount_0 * (2.0f * uniform_hash_0(thread_10, 0U, seed_2 ^ 2135587861U) - 1.0f) + 1.0f;
 }
 
 float bounded_gain_0(float gain_0, float3 albedo_1, float3 room_0)
@@ -1307,9 +1331,9 @@ float natural_logarithm_0(float x_3)
     return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S118 - exponent_1 * 0.00021219444170129f - 0.5f * _S118) + exponent_1 * 0.693359375f;
 }
 
-float fibre_gain_0(uint thread_11, uint cell_8, float amount_1, uint seed_2)
+float fibre_gain_0(uint thread_11, uint cell_8, float amount_1, uint seed_3)
 {
-    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_8, seed_2 ^ 2654435769U)), 10.0f) - 1.0f) + 1.0f;
+    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_8, seed_3 ^ 2654435769U)), 10.0f) - 1.0f) + 1.0f;
 }
 
 struct YarnFrame_0
@@ -1416,14 +1440,14 @@ Bounced_0 bounced_by_0(Blocked_0 blocked_0, Scattered_0 yarn_2, Interior_0 inter
     return bounced_0;
 }
 
-float diffuse_reflection_0(float3 light_0, float3 normal_4, float blend_1)
+float diffuse_reflection_0(float3 light_1, float3 normal_4, float blend_1)
 {
-    float _S129 = light_0.z;
+    float _S129 = light_1.z;
     if(_S129 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * lerp(max(_S129, 0.0f), max(dot(light_0, normal_4), 0.0f), blend_1);
+    return 0.31830987334251404f * lerp(max(_S129, 0.0f), max(dot(light_1, normal_4), 0.0f), blend_1);
 }
 
 float projected_area_1(float3 direction_2, float3 tangent_4, float roughness_1)
@@ -1472,16 +1496,16 @@ float flake_density_0(float squared_along_0, float roughness_2)
     return 0.31830987334251404f * _S136 * roughness_2 / (_S137 * _S137);
 }
 
-float density_between_0(float3 light_1, float3 view_0, float3 tangent_5, float roughness_3)
+float density_between_0(float3 light_2, float3 view_1, float3 tangent_5, float roughness_3)
 {
-    float3 _S138 = light_1 + view_0;
+    float3 _S138 = light_2 + view_1;
     float _S139 = dot(_S138, tangent_5);
     return flake_density_0(min(_S139 * _S139 / max(square_1(_S138), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
-float reflection_0(float3 light_2, float3 view_1, float3 normal_5, float3 tangent_6, float roughness_4, float optical_depth_1)
+float reflection_0(float3 light_3, float3 view_2, float3 normal_5, float3 tangent_6, float roughness_4, float optical_depth_1)
 {
-    float _S140 = dot(light_2, normal_5);
+    float _S140 = dot(light_3, normal_5);
     bool _S141;
     if(_S140 <= 0.0f)
     {
@@ -1489,23 +1513,23 @@ float reflection_0(float3 light_2, float3 view_1, float3 normal_5, float3 tangen
     }
     else
     {
-        _S141 = (dot(view_1, normal_5)) <= 0.0f;
+        _S141 = (dot(view_2, normal_5)) <= 0.0f;
     }
     if(_S141)
     {
         return 0.0f;
     }
     float _S142 = max(_S140, 9.99999997475242708e-07f);
-    float _S143 = max(dot(view_1, normal_5), 9.99999997475242708e-07f);
-    float _S144 = projected_area_1(light_2, tangent_6, roughness_4) * _S143 + projected_area_1(view_1, tangent_6, roughness_4) * _S142;
+    float _S143 = max(dot(view_2, normal_5), 9.99999997475242708e-07f);
+    float _S144 = projected_area_1(light_3, tangent_6, roughness_4) * _S143 + projected_area_1(view_2, tangent_6, roughness_4) * _S142;
     float _S145 = optical_depth_1 * _S144 / (_S142 * _S143);
-    return 0.25f * density_between_0(light_2, view_1, tangent_6, roughness_4) * (_S145 * mean_attenuation_0(_S145)) * _S142 / _S144;
+    return 0.25f * density_between_0(light_3, view_2, tangent_6, roughness_4) * (_S145 * mean_attenuation_0(_S145)) * _S142 / _S144;
 }
 
-float transmission_1(float3 light_3, float3 view_2, float3 normal_6, float3 tangent_7, float roughness_5, float optical_depth_2)
+float transmission_1(float3 light_4, float3 view_3, float3 normal_6, float3 tangent_7, float roughness_5, float optical_depth_2)
 {
-    float _S146 = - dot(light_3, normal_6);
-    float _S147 = dot(view_2, normal_6);
+    float _S146 = - dot(light_4, normal_6);
+    float _S147 = dot(view_3, normal_6);
     bool _S148;
     if(_S146 <= 0.0f)
     {
@@ -1520,9 +1544,9 @@ float transmission_1(float3 light_3, float3 view_2, float3 normal_6, float3 tang
         return 0.0f;
     }
     float _S149 = 1.0f / max(_S147, 9.99999997475242708e-07f);
-    float _S150 = projected_area_1(light_3, tangent_7, roughness_5) / max(_S146, 9.99999997475242708e-07f);
-    float _S151 = projected_area_1(view_2, tangent_7, roughness_5) * _S149;
-    return density_between_0(light_3, view_2, tangent_7, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S150, _S151)) * mean_attenuation_0(optical_depth_2 * abs(_S150 - _S151)) * _S149;
+    float _S150 = projected_area_1(light_4, tangent_7, roughness_5) / max(_S146, 9.99999997475242708e-07f);
+    float _S151 = projected_area_1(view_3, tangent_7, roughness_5) * _S149;
+    return density_between_0(light_4, view_3, tangent_7, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S150, _S151)) * mean_attenuation_0(optical_depth_2 * abs(_S150 - _S151)) * _S149;
 }
 
 float sheen_scale_0(float x_5, float y_0)
@@ -1548,9 +1572,9 @@ float3 sheen_lobe_0(float cos_view_0, float roughness_6)
     return float3(clamp(sheen_scale_0(_S153, _S154), 0.00999999977648258f, 1.0f), clamp((1.0f - _S152) * sheen_shear_0(_S153, _S154), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S153, _S154), -60.0f, 60.0f))));
 }
 
-float transformed_cosine_0(float3 light_4, float3 view_3, float scale_0, float shear_0)
+float transformed_cosine_0(float3 light_5, float3 view_4, float scale_0, float shear_0)
 {
-    float _S155 = light_4.z;
+    float _S155 = light_5.z;
     bool _S156;
     if(_S155 <= 0.0f)
     {
@@ -1558,13 +1582,13 @@ float transformed_cosine_0(float3 light_4, float3 view_3, float scale_0, float s
     }
     else
     {
-        _S156 = (view_3.z) <= 0.0f;
+        _S156 = (view_4.z) <= 0.0f;
     }
     if(_S156)
     {
         return 0.0f;
     }
-    float2 _S157 = view_3.xy;
+    float2 _S157 = view_4.xy;
     float _S158 = dot(_S157, _S157);
     float2 _S159;
     if(_S158 > 9.99999968265522539e-21f)
@@ -1575,24 +1599,24 @@ float transformed_cosine_0(float3 light_4, float3 view_3, float scale_0, float s
     {
         _S159 = float2(1.0f, 0.0f);
     }
-    float _S160 = scale_0 * dot(light_4.xy, _S159) + shear_0 * _S155;
-    float _S161 = scale_0 * (light_4.y * _S159.x - light_4.x * _S159.y);
+    float _S160 = scale_0 * dot(light_5.xy, _S159) + shear_0 * _S155;
+    float _S161 = scale_0 * (light_5.y * _S159.x - light_5.x * _S159.y);
     float _S162 = _S160 * _S160 + _S161 * _S161 + _S155 * _S155;
     return 0.31830987334251404f * scale_0 * scale_0 * _S155 / max(_S162 * _S162, 9.99999968265522539e-21f);
 }
 
-float2 sheen_with_transmittance_0(float3 light_5, float3 view_4, float strength_0, float roughness_7)
+float2 sheen_with_transmittance_0(float3 light_6, float3 view_5, float strength_0, float roughness_7)
 {
-    float3 _S163 = sheen_lobe_0(view_4.z, roughness_7);
+    float3 _S163 = sheen_lobe_0(view_5.z, roughness_7);
     float _S164 = strength_0 * _S163.z;
-    return float2(_S164 * transformed_cosine_0(light_5, view_4, _S163.x, _S163.y), 1.0f - _S164);
+    return float2(_S164 * transformed_cosine_0(light_6, view_5, _S163.x, _S163.y), 1.0f - _S164);
 }
 
-float3 bounced_value_0(Bounced_0 bounced_1, float3 light_6, float3 view_5)
+float3 bounced_value_0(Bounced_0 bounced_1, float3 light_7, float3 view_6)
 {
-    float _S165 = light_6.z;
+    float _S165 = light_7.z;
     float3 _S166;
-    if((_S165 * view_5.z) < 0.0f)
+    if((_S165 * view_6.z) < 0.0f)
     {
         _S166 = bounced_1.transmitted_0;
     }
@@ -2460,7 +2484,7 @@ Hair_0 hair_at_0(uint _S355, float2 _S356, bool _S357, float _S358)
     {
         number_1 = 0U;
     }
-    uint _S363 = hash_key_0(number_1, (fabrics_0[_S355].seed_0) ^ 1013904242U);
+    uint _S363 = hash_key_0(number_1, (fabrics_0[_S355].seed_1) ^ 1013904242U);
     float _S364 = 1.0f / max(_S358, 0.07999999821186066f * _S359);
     float _S365 = min(0.63999998569488525f * _S359 * _S364, 1.0f);
     float2 _S366 = float2(0.0f, 1.0f);
@@ -2626,22 +2650,22 @@ struct FibreNoise_0
     float bundle_weight_0;
     float2 fibre_0;
     float fibre_weight_0;
-    float offset_1;
+    float offset_2;
     float slope_2;
 };
 
 FibreNoise_0 fibre_noise_at_0(uint _S404, uint _S405, SurfacePoint_0 _S406, uint _S407, float _S408)
 {
     float _S409 = 5.0f * fabrics_0[_S404].fibre_size_0;
-    float2 _S410 = wave_noise_0(hash_key_0(_S407, (fabrics_0[_S404].seed_0) ^ 458671337U), _S406.fibre_along_0 / (25.0f * fabrics_0[_S404].fibre_size_0));
+    float2 _S410 = wave_noise_0(hash_key_0(_S407, (fabrics_0[_S404].seed_1) ^ 458671337U), _S406.fibre_along_0 / (25.0f * fabrics_0[_S404].fibre_size_0));
     float _S411 = _S406.fibre_across_0 + families_0[_S405].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S404].fibre_size_0 * _S410.x;
     float3 _S412 = fibre_cell_0(_S411, _S406.fibre_along_0, fabrics_0[_S404].fibre_size_0);
     FibreNoise_0 noise_0;
-    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S407, (fabrics_0[_S404].seed_0) ^ 1757159915U), fibre_cell_0(_S411, _S406.fibre_along_0, _S409));
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S407, (fabrics_0[_S404].seed_1) ^ 1757159915U), fibre_cell_0(_S411, _S406.fibre_along_0, _S409));
     noise_0.bundle_weight_0 = fade_0(_S408, _S409);
-    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S407, (fabrics_0[_S404].seed_0) ^ 48610963U), _S412);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S407, (fabrics_0[_S404].seed_1) ^ 48610963U), _S412);
     noise_0.fibre_weight_0 = fade_0(_S408, fabrics_0[_S404].fibre_size_0);
-    noise_0.offset_1 = _S412.z;
+    noise_0.offset_2 = _S412.z;
     noise_0.slope_2 = 0.5f * _S410.y;
     return noise_0;
 }
@@ -2675,7 +2699,7 @@ float2 detail_gain_0(uint _S413, uint _S414, SurfacePoint_0 _S415, float2 _S416,
         {
             _S423 = - _S416.x;
         }
-        gain_1 = gain_1 + _S422 * float2(wave_noise_0(hash_key_0(_S418, (fabrics_0[_S413].seed_0) ^ 1373058189U), _S423 * families_0[_S414].slubs_per_mm_0).x * lerp(0.40000000596046448f, 1.0f, min(square_0(_S415.across_3 * families_0[_S414].per_half_width_0), 1.0f)), 1.0f);
+        gain_1 = gain_1 + _S422 * float2(wave_noise_0(hash_key_0(_S418, (fabrics_0[_S413].seed_1) ^ 1373058189U), _S423 * families_0[_S414].slubs_per_mm_0).x * lerp(0.40000000596046448f, 1.0f, min(square_0(_S415.across_3 * families_0[_S414].per_half_width_0), 1.0f)), 1.0f);
     }
     return gain_1;
 }
@@ -2685,9 +2709,9 @@ Albedos_0 vary_albedos_0(uint _S424, Albedos_0 _S425, uint _S426, uint _S427, fl
     float3 _S429 = max(_S425.specular_reflect_0, _S425.specular_transmit_0);
     float3 _S430 = _S425.diffuse_reflect_0 + _S425.diffuse_transmit_0;
     float3 _S431 = 1.0f - fabrics_0[_S424].layer_bound_0 * _S429;
-    float colour_0 = bounded_gain_0(thread_gain_0(_S426, fabrics_0[_S424].colour_noise_0, fabrics_0[_S424].seed_0), _S430, _S431);
+    float colour_0 = bounded_gain_0(thread_gain_0(_S426, fabrics_0[_S424].colour_noise_0, fabrics_0[_S424].seed_1), _S430, _S431);
     float colour_1 = colour_0 * (1.0f + flattened_0(_S428.y, colour_0 * _S430, _S431) * _S428.x);
-    float _S432 = bounded_gain_0(fibre_gain_0(_S426, _S427, fabrics_0[_S424].fibre_noise_0, fabrics_0[_S424].seed_0), _S429, min((1.0f - colour_1 * _S430) / fabrics_0[_S424].layer_bound_0, (float3)1.0f));
+    float _S432 = bounded_gain_0(fibre_gain_0(_S426, _S427, fabrics_0[_S424].fibre_noise_0, fabrics_0[_S424].seed_1), _S429, min((1.0f - colour_1 * _S430) / fabrics_0[_S424].layer_bound_0, (float3)1.0f));
     Albedos_0 varied_0;
     varied_0.diffuse_reflect_0 = colour_1 * _S425.diffuse_reflect_0;
     varied_0.diffuse_transmit_0 = colour_1 * _S425.diffuse_transmit_0;
@@ -2761,7 +2785,7 @@ YarnFrame_0 turned_frame_0(uint _S446, uint _S447, SurfacePoint_0 _S448, bool _S
     if((families_0[_S447].fibre_tilt_0) > 0.0f)
     {
         FibreNoise_0 _S459 = fibre_noise_at_0(_S446, _S447, _S448, _S450, _S451);
-        float _S460 = 1.09858846664428711f * _S458 * (_S459.bundle_weight_0 * _S459.bundle_0.x + _S459.fibre_weight_0 * (_S459.fibre_0.x + _S459.offset_1));
+        float _S460 = 1.09858846664428711f * _S458 * (_S459.bundle_weight_0 * _S459.bundle_0.x + _S459.fibre_weight_0 * (_S459.fibre_0.x + _S459.offset_2));
         float _S461 = _S458 * (1.42099642753601074f * (_S459.bundle_weight_0 * _S459.bundle_0.y + _S459.fibre_weight_0 * _S459.fibre_0.y) - _S459.bundle_weight_0 * _S459.slope_2);
         float _S462 = square_0(_S459.fibre_weight_0);
         frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S458 * _S458 * ((0.24761904776096344f * (square_0(_S459.bundle_weight_0) + _S462) + _S462 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
@@ -3197,15 +3221,15 @@ float straight_through_0(uint _S601, YarnPoint_0 _S602, float3 _S603)
     return 1.0f - _S604 * sheen_lobe_0(abs(_S603.z), fabrics_0[_S601].sheen_roughness_0).z;
 }
 
-float4 cloth_value_0(uint fabric_1, float2 centre_1, float2 dx_1, float2 dy_1, float3 light_7, float3 view_6)
+float4 cloth_value_0(uint fabric_1, float2 centre_1, float2 dx_1, float2 dy_1, float3 light_8, float3 view_7)
 {
     SearchQuality_0 _S605 = default_quality_0();
     Footprint_0 footprint_0;
     footprint_0.centre_0 = centre_1;
     footprint_0.dx_0 = dx_1;
     footprint_0.dy_0 = dy_1;
-    YarnPoint_0 _S606 = locate_yarn_0(fabric_1, _S605, centre_1.x, centre_1.y, view_6, Footprint_spread_side_0(footprint_0));
-    return float4(evaluate_0(fabric_1, _S605, _S606, light_7, view_6), straight_through_0(fabric_1, _S606, view_6));
+    YarnPoint_0 _S606 = locate_yarn_0(fabric_1, _S605, centre_1.x, centre_1.y, view_7, Footprint_spread_side_0(footprint_0));
+    return float4(evaluate_0(fabric_1, _S605, _S606, light_8, view_7), straight_through_0(fabric_1, _S606, view_7));
 }
 
 [numthreads(64, 1, 1)]

@@ -25,6 +25,7 @@ struct Query_0
     float view_x_0;
     float view_y_0;
     float view_z_0;
+    uint seed_0;
 };
 
 StructuredBuffer<Query_0 > queries_0 : register(t14);
@@ -125,6 +126,28 @@ struct Latent_0
     uint is_trilinear_0;
 };
 
+struct Clustered_0
+{
+    uint is_baked_1;
+    uint clusters_0;
+    uint rank_0;
+    uint channels_0;
+    uint columns_0;
+    uint rows_0;
+    float texel_width_0;
+    float texel_height_0;
+    uint samples_0;
+    uint sums_0;
+    uint labels_0;
+    uint coefficients_0;
+    uint basis_0;
+    uint moments_1;
+    uint light_0;
+    uint view_0;
+    uint offset_1;
+    uint trust_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
@@ -148,7 +171,7 @@ struct Fabric_0
     float sheen_roughness_0;
     float fibre_noise_0;
     float colour_noise_0;
-    uint seed_0;
+    uint seed_1;
     float layer_bound_0;
     float fibre_size_0;
     uint has_detail_0;
@@ -161,6 +184,7 @@ struct Fabric_0
     uint has_yarns_0;
     float mean_hole_0;
     Latent_0 latent_0;
+    Clustered_0 clustered_0;
 };
 
 StructuredBuffer<Fabric_0 > fabrics_0 : register(t0);
@@ -238,7 +262,7 @@ Eight_0 FloatWeights_eight_0(FloatWeights_0 this_0, uint element_0)
 
 float4 tile_product_0(FloatWeights_0 weights_0, uint row_0, inout float  inputs_0[int(96)])
 {
-    float4 sums_0 = (float4)0.0f;
+    float4 sums_1 = (float4)0.0f;
     uint column_0 = 0U;
     for(;;)
     {
@@ -264,16 +288,16 @@ float4 tile_product_0(FloatWeights_0 weights_0, uint row_0, inout float  inputs_
         low_1[int(3)] = inputs_0[_S5];
         high_1[int(3)] = inputs_0[_S5 + int(4)];
         Eight_0 _S6 = FloatWeights_eight_0(weights_0, row_0 + column_0);
-        sums_0[int(0)] = sums_0[int(0)] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
+        sums_1[int(0)] = sums_1[int(0)] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
         Eight_0 _S7 = FloatWeights_eight_0(weights_0, row_0 + 12U + column_0);
-        sums_0[int(1)] = sums_0[int(1)] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
+        sums_1[int(1)] = sums_1[int(1)] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
         Eight_0 _S8 = FloatWeights_eight_0(weights_0, row_0 + 24U + column_0);
-        sums_0[int(2)] = sums_0[int(2)] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
+        sums_1[int(2)] = sums_1[int(2)] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
         Eight_0 _S9 = FloatWeights_eight_0(weights_0, row_0 + 36U + column_0);
-        sums_0[int(3)] = sums_0[int(3)] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
+        sums_1[int(3)] = sums_1[int(3)] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
         column_0 = column_0 + 1U;
     }
-    return sums_0;
+    return sums_1;
 }
 
 int whole_parts_0(int elements_0)
@@ -394,7 +418,7 @@ Eight_0 HalfWeights_eight_0(HalfWeights_0 this_1, uint element_1)
 
 float4 tile_product_1(HalfWeights_0 weights_2, uint row_1, inout float  inputs_2[int(96)])
 {
-    float4 sums_1 = (float4)0.0f;
+    float4 sums_2 = (float4)0.0f;
     uint column_1 = 0U;
     for(;;)
     {
@@ -420,16 +444,16 @@ float4 tile_product_1(HalfWeights_0 weights_2, uint row_1, inout float  inputs_2
         low_2[int(3)] = inputs_2[_S28];
         high_2[int(3)] = inputs_2[_S28 + int(4)];
         Eight_0 _S29 = HalfWeights_eight_0(weights_2, row_1 + column_1);
-        sums_1[int(0)] = sums_1[int(0)] + (dot(_S29.low_0, low_2) + dot(_S29.high_0, high_2));
+        sums_2[int(0)] = sums_2[int(0)] + (dot(_S29.low_0, low_2) + dot(_S29.high_0, high_2));
         Eight_0 _S30 = HalfWeights_eight_0(weights_2, row_1 + 12U + column_1);
-        sums_1[int(1)] = sums_1[int(1)] + (dot(_S30.low_0, low_2) + dot(_S30.high_0, high_2));
+        sums_2[int(1)] = sums_2[int(1)] + (dot(_S30.low_0, low_2) + dot(_S30.high_0, high_2));
         Eight_0 _S31 = HalfWeights_eight_0(weights_2, row_1 + 24U + column_1);
-        sums_1[int(2)] = sums_1[int(2)] + (dot(_S31.low_0, low_2) + dot(_S31.high_0, high_2));
+        sums_2[int(2)] = sums_2[int(2)] + (dot(_S31.low_0, low_2) + dot(_S31.high_0, high_2));
         Eight_0 _S32 = HalfWeights_eight_0(weights_2, row_1 + 36U + column_1);
-        sums_1[int(3)] = sums_1[int(3)] + (dot(_S32.low_0, low_2) + dot(_S32.high_0, high_2));
+        sums_2[int(3)] = sums_2[int(3)] + (dot(_S32.low_0, low_2) + dot(_S32.high_0, high_2));
         column_1 = column_1 + 1U;
     }
-    return sums_1;
+    return sums_2;
 }
 
 void dense_part_1(HalfWeights_0 weights_3, uint first_3, bool adds_1, inout float  inputs_3[int(96)], inout float  outputs_1[int(52)])
@@ -518,7 +542,7 @@ void dense_part_1(HalfWeights_0 weights_3, uint first_3, bool adds_1, inout floa
 
 float4 tile_product_2(HalfWeights_0 weights_4, uint row_2, inout float  inputs_4[int(39)])
 {
-    float4 sums_2 = (float4)0.0f;
+    float4 sums_3 = (float4)0.0f;
     uint column_2 = 0U;
     for(;;)
     {
@@ -544,16 +568,16 @@ float4 tile_product_2(HalfWeights_0 weights_4, uint row_2, inout float  inputs_4
         low_3[int(3)] = inputs_4[min(_S47, int(38))];
         high_3[int(3)] = inputs_4[min(_S47 + int(4), int(38))];
         Eight_0 _S48 = HalfWeights_eight_0(weights_4, row_2 + column_2);
-        sums_2[int(0)] = sums_2[int(0)] + (dot(_S48.low_0, low_3) + dot(_S48.high_0, high_3));
+        sums_3[int(0)] = sums_3[int(0)] + (dot(_S48.low_0, low_3) + dot(_S48.high_0, high_3));
         Eight_0 _S49 = HalfWeights_eight_0(weights_4, row_2 + 5U + column_2);
-        sums_2[int(1)] = sums_2[int(1)] + (dot(_S49.low_0, low_3) + dot(_S49.high_0, high_3));
+        sums_3[int(1)] = sums_3[int(1)] + (dot(_S49.low_0, low_3) + dot(_S49.high_0, high_3));
         Eight_0 _S50 = HalfWeights_eight_0(weights_4, row_2 + 10U + column_2);
-        sums_2[int(2)] = sums_2[int(2)] + (dot(_S50.low_0, low_3) + dot(_S50.high_0, high_3));
+        sums_3[int(2)] = sums_3[int(2)] + (dot(_S50.low_0, low_3) + dot(_S50.high_0, high_3));
         Eight_0 _S51 = HalfWeights_eight_0(weights_4, row_2 + 15U + column_2);
-        sums_2[int(3)] = sums_2[int(3)] + (dot(_S51.low_0, low_3) + dot(_S51.high_0, high_3));
+        sums_3[int(3)] = sums_3[int(3)] + (dot(_S51.low_0, low_3) + dot(_S51.high_0, high_3));
         column_2 = column_2 + 1U;
     }
-    return sums_2;
+    return sums_3;
 }
 
 void dense_part_2(HalfWeights_0 weights_5, uint first_4, bool adds_2, inout float  inputs_5[int(39)], inout float  outputs_2[int(96)])
@@ -642,7 +666,7 @@ void dense_part_2(HalfWeights_0 weights_5, uint first_4, bool adds_2, inout floa
 
 float4 tile_product_3(HalfWeights_0 weights_6, uint row_3, inout float  inputs_6[int(100)])
 {
-    float4 sums_3 = (float4)0.0f;
+    float4 sums_4 = (float4)0.0f;
     uint column_3 = 0U;
     for(;;)
     {
@@ -668,16 +692,16 @@ float4 tile_product_3(HalfWeights_0 weights_6, uint row_3, inout float  inputs_6
         low_4[int(3)] = inputs_6[min(_S66, int(99))];
         high_4[int(3)] = inputs_6[min(_S66 + int(4), int(99))];
         Eight_0 _S67 = HalfWeights_eight_0(weights_6, row_3 + column_3);
-        sums_3[int(0)] = sums_3[int(0)] + (dot(_S67.low_0, low_4) + dot(_S67.high_0, high_4));
+        sums_4[int(0)] = sums_4[int(0)] + (dot(_S67.low_0, low_4) + dot(_S67.high_0, high_4));
         Eight_0 _S68 = HalfWeights_eight_0(weights_6, row_3 + 13U + column_3);
-        sums_3[int(1)] = sums_3[int(1)] + (dot(_S68.low_0, low_4) + dot(_S68.high_0, high_4));
+        sums_4[int(1)] = sums_4[int(1)] + (dot(_S68.low_0, low_4) + dot(_S68.high_0, high_4));
         Eight_0 _S69 = HalfWeights_eight_0(weights_6, row_3 + 26U + column_3);
-        sums_3[int(2)] = sums_3[int(2)] + (dot(_S69.low_0, low_4) + dot(_S69.high_0, high_4));
+        sums_4[int(2)] = sums_4[int(2)] + (dot(_S69.low_0, low_4) + dot(_S69.high_0, high_4));
         Eight_0 _S70 = HalfWeights_eight_0(weights_6, row_3 + 39U + column_3);
-        sums_3[int(3)] = sums_3[int(3)] + (dot(_S70.low_0, low_4) + dot(_S70.high_0, high_4));
+        sums_4[int(3)] = sums_4[int(3)] + (dot(_S70.low_0, low_4) + dot(_S70.high_0, high_4));
         column_3 = column_3 + 1U;
     }
-    return sums_3;
+    return sums_4;
 }
 
 void dense_part_3(HalfWeights_0 weights_7, uint first_5, bool adds_3, inout float  inputs_7[int(100)], inout float  outputs_3[int(96)])
@@ -766,7 +790,7 @@ void dense_part_3(HalfWeights_0 weights_7, uint first_5, bool adds_3, inout floa
 
 float4 tile_product_4(HalfWeights_0 weights_8, uint row_4, inout float  inputs_8[int(16)])
 {
-    float4 sums_4 = (float4)0.0f;
+    float4 sums_5 = (float4)0.0f;
     uint column_4 = 0U;
     for(;;)
     {
@@ -792,16 +816,16 @@ float4 tile_product_4(HalfWeights_0 weights_8, uint row_4, inout float  inputs_8
         low_5[int(3)] = inputs_8[_S85];
         high_5[int(3)] = inputs_8[_S85 + int(4)];
         Eight_0 _S86 = HalfWeights_eight_0(weights_8, row_4 + column_4);
-        sums_4[int(0)] = sums_4[int(0)] + (dot(_S86.low_0, low_5) + dot(_S86.high_0, high_5));
+        sums_5[int(0)] = sums_5[int(0)] + (dot(_S86.low_0, low_5) + dot(_S86.high_0, high_5));
         Eight_0 _S87 = HalfWeights_eight_0(weights_8, row_4 + 2U + column_4);
-        sums_4[int(1)] = sums_4[int(1)] + (dot(_S87.low_0, low_5) + dot(_S87.high_0, high_5));
+        sums_5[int(1)] = sums_5[int(1)] + (dot(_S87.low_0, low_5) + dot(_S87.high_0, high_5));
         Eight_0 _S88 = HalfWeights_eight_0(weights_8, row_4 + 4U + column_4);
-        sums_4[int(2)] = sums_4[int(2)] + (dot(_S88.low_0, low_5) + dot(_S88.high_0, high_5));
+        sums_5[int(2)] = sums_5[int(2)] + (dot(_S88.low_0, low_5) + dot(_S88.high_0, high_5));
         Eight_0 _S89 = HalfWeights_eight_0(weights_8, row_4 + 6U + column_4);
-        sums_4[int(3)] = sums_4[int(3)] + (dot(_S89.low_0, low_5) + dot(_S89.high_0, high_5));
+        sums_5[int(3)] = sums_5[int(3)] + (dot(_S89.low_0, low_5) + dot(_S89.high_0, high_5));
         column_4 = column_4 + 1U;
     }
-    return sums_4;
+    return sums_5;
 }
 
 void dense_part_4(HalfWeights_0 weights_9, uint first_6, bool adds_4, inout float  inputs_9[int(16)], inout float  outputs_4[int(1)])
@@ -1063,7 +1087,7 @@ void dense_part_6(HalfWeights_0 weights_11, uint first_8, bool adds_6, inout flo
 
 float4 tile_product_5(HalfWeights_0 weights_12, uint row_5, inout float  inputs_12[int(88)])
 {
-    float4 sums_5 = (float4)0.0f;
+    float4 sums_6 = (float4)0.0f;
     uint column_5 = 0U;
     for(;;)
     {
@@ -1089,16 +1113,16 @@ float4 tile_product_5(HalfWeights_0 weights_12, uint row_5, inout float  inputs_
         low_6[int(3)] = inputs_12[_S126];
         high_6[int(3)] = inputs_12[_S126 + int(4)];
         Eight_0 _S127 = HalfWeights_eight_0(weights_12, row_5 + column_5);
-        sums_5[int(0)] = sums_5[int(0)] + (dot(_S127.low_0, low_6) + dot(_S127.high_0, high_6));
+        sums_6[int(0)] = sums_6[int(0)] + (dot(_S127.low_0, low_6) + dot(_S127.high_0, high_6));
         Eight_0 _S128 = HalfWeights_eight_0(weights_12, row_5 + 11U + column_5);
-        sums_5[int(1)] = sums_5[int(1)] + (dot(_S128.low_0, low_6) + dot(_S128.high_0, high_6));
+        sums_6[int(1)] = sums_6[int(1)] + (dot(_S128.low_0, low_6) + dot(_S128.high_0, high_6));
         Eight_0 _S129 = HalfWeights_eight_0(weights_12, row_5 + 22U + column_5);
-        sums_5[int(2)] = sums_5[int(2)] + (dot(_S129.low_0, low_6) + dot(_S129.high_0, high_6));
+        sums_6[int(2)] = sums_6[int(2)] + (dot(_S129.low_0, low_6) + dot(_S129.high_0, high_6));
         Eight_0 _S130 = HalfWeights_eight_0(weights_12, row_5 + 33U + column_5);
-        sums_5[int(3)] = sums_5[int(3)] + (dot(_S130.low_0, low_6) + dot(_S130.high_0, high_6));
+        sums_6[int(3)] = sums_6[int(3)] + (dot(_S130.low_0, low_6) + dot(_S130.high_0, high_6));
         column_5 = column_5 + 1U;
     }
-    return sums_5;
+    return sums_6;
 }
 
 void dense_part_7(HalfWeights_0 weights_13, uint first_9, bool adds_7, inout float  inputs_13[int(88)], inout float  outputs_7[int(96)])
@@ -1542,11 +1566,11 @@ uint mirrored_bundle_0(uint bundle_0)
     return _S197;
 }
 
-float light_visibility_of_0(float diffuse_0, float3 light_0, float3 view_0, float blend_0)
+float light_visibility_of_0(float diffuse_0, float3 light_1, float3 view_1, float blend_0)
 {
-    float _S198 = max(abs(light_0.z), 0.00100000004749745f);
-    float2 _S199 = light_0.xy;
-    return 3.14159274101257324f * max(diffuse_0, 0.0f) / lerp(_S198, (0.59700000286102295f * _S198 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S199, view_0.xy) * rsqrt(max(dot(_S199, _S199), 9.99999997475242708e-07f))) + 1.0f), blend_0);
+    float _S198 = max(abs(light_1.z), 0.00100000004749745f);
+    float2 _S199 = light_1.xy;
+    return 3.14159274101257324f * max(diffuse_0, 0.0f) / lerp(_S198, (0.59700000286102295f * _S198 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S199, view_1.xy) * rsqrt(max(dot(_S199, _S199), 9.99999997475242708e-07f))) + 1.0f), blend_0);
 }
 
 float2 turns_and_remainder_0(uint family_0, float index_2)
@@ -1923,14 +1947,14 @@ FaceRadiance_0 face_radiance_0(FaceSends_0 sends_0, float open_of_other_0, float
     return found_0;
 }
 
-void view_terms_0(float3 view_1, out float  terms_0[int(6)])
+void view_terms_0(float3 view_2, out float  terms_0[int(6)])
 {
-    float _S260 = 1.0f - view_1.z;
+    float _S260 = 1.0f - view_2.z;
     float _S261 = _S260 * _S260;
     terms_0[int(0)] = 1.0f;
-    float _S262 = view_1.x;
+    float _S262 = view_2.x;
     float _S263 = _S262 * _S262;
-    float _S264 = view_1.y;
+    float _S264 = view_2.y;
     float _S265 = _S264 * _S264;
     terms_0[int(1)] = sqrt(max(_S263 + _S265, 9.999999960041972e-13f));
     terms_0[int(2)] = _S261;
@@ -1988,11 +2012,11 @@ Bounced_0 sum_of_0(Bounced_0 first_20, Bounced_0 second_1)
     return sum_1;
 }
 
-float3 bounced_value_0(Bounced_0 bounced_1, float3 light_1, float3 view_2)
+float3 bounced_value_0(Bounced_0 bounced_1, float3 light_2, float3 view_3)
 {
-    float _S268 = light_1.z;
+    float _S268 = light_2.z;
     float3 _S269;
-    if((_S268 * view_2.z) < 0.0f)
+    if((_S268 * view_3.z) < 0.0f)
     {
         _S269 = bounced_1.transmitted_0;
     }
@@ -2026,9 +2050,9 @@ float3 sheen_lobe_0(float cos_view_0, float roughness_1)
     return float3(clamp(sheen_scale_0(_S271, _S272), 0.00999999977648258f, 1.0f), clamp((1.0f - _S270) * sheen_shear_0(_S271, _S272), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S271, _S272), -60.0f, 60.0f))));
 }
 
-float transformed_cosine_0(float3 light_2, float3 view_3, float scale_1, float shear_0)
+float transformed_cosine_0(float3 light_3, float3 view_4, float scale_1, float shear_0)
 {
-    float _S273 = light_2.z;
+    float _S273 = light_3.z;
     bool _S274;
     if(_S273 <= 0.0f)
     {
@@ -2036,13 +2060,13 @@ float transformed_cosine_0(float3 light_2, float3 view_3, float scale_1, float s
     }
     else
     {
-        _S274 = (view_3.z) <= 0.0f;
+        _S274 = (view_4.z) <= 0.0f;
     }
     if(_S274)
     {
         return 0.0f;
     }
-    float2 _S275 = view_3.xy;
+    float2 _S275 = view_4.xy;
     float _S276 = dot(_S275, _S275);
     float2 _S277;
     if(_S276 > 9.99999968265522539e-21f)
@@ -2053,25 +2077,25 @@ float transformed_cosine_0(float3 light_2, float3 view_3, float scale_1, float s
     {
         _S277 = float2(1.0f, 0.0f);
     }
-    float _S278 = scale_1 * dot(light_2.xy, _S277) + shear_0 * _S273;
-    float _S279 = scale_1 * (light_2.y * _S277.x - light_2.x * _S277.y);
+    float _S278 = scale_1 * dot(light_3.xy, _S277) + shear_0 * _S273;
+    float _S279 = scale_1 * (light_3.y * _S277.x - light_3.x * _S277.y);
     float _S280 = _S278 * _S278 + _S279 * _S279 + _S273 * _S273;
     return 0.31830987334251404f * scale_1 * scale_1 * _S273 / max(_S280 * _S280, 9.99999968265522539e-21f);
 }
 
-float2 sheen_with_transmittance_0(float3 light_3, float3 view_4, float strength_0, float roughness_2)
+float2 sheen_with_transmittance_0(float3 light_4, float3 view_5, float strength_0, float roughness_2)
 {
-    float3 _S281 = sheen_lobe_0(view_4.z, roughness_2);
+    float3 _S281 = sheen_lobe_0(view_5.z, roughness_2);
     float _S282 = strength_0 * _S281.z;
-    return float2(_S282 * transformed_cosine_0(light_3, view_4, _S281.x, _S281.y), 1.0f - _S282);
+    return float2(_S282 * transformed_cosine_0(light_4, view_5, _S281.x, _S281.y), 1.0f - _S282);
 }
 
 struct WovenView_0
 {
-    float  sums_6[int(96)];
+    float  sums_7[int(96)];
     float hole_0;
     float correction_weight_0;
-    float3 view_5;
+    float3 view_6;
     bool back_5;
 };
 
@@ -2219,7 +2243,7 @@ void add_level_0(uint _S306, uint _S307, bool _S308, float2 _S309, float _S310, 
 
 void code_footprint_0(uint _S328, AnisotropicTaps_0 _S329, float3 _S330, bool _S331, inout float  _S332[int(88)])
 {
-    float offset_1;
+    float offset_2;
     int k_0 = int(0);
     for(;;)
     {
@@ -2261,13 +2285,13 @@ void code_footprint_0(uint _S328, AnisotropicTaps_0 _S329, float3 _S330, bool _S
         bool _S340 = (number_1 & 1U) != 0U;
         if(_S340)
         {
-            offset_1 = _S335 - _S336;
+            offset_2 = _S335 - _S336;
         }
         else
         {
-            offset_1 = 1.0f - (_S335 - _S336);
+            offset_2 = 1.0f - (_S335 - _S336);
         }
-        float _S341 = offset_1 / float(_S337);
+        float _S341 = offset_2 / float(_S337);
         uint _S342 = uint(_S336);
         uint _S343;
         if(_S340)
@@ -2301,16 +2325,16 @@ void code_footprint_0(uint _S328, AnisotropicTaps_0 _S329, float3 _S330, bool _S
             {
                 break;
             }
-            float offset_2 = _S330[number_2] - (float(bin_0) + 0.5f) / 8.0f;
+            float offset_3 = _S330[number_2] - (float(bin_0) + 0.5f) / 8.0f;
             if(number_2 < int(2))
             {
-                offset_1 = offset_2 - round(offset_2);
+                offset_2 = offset_3 - round(offset_3);
             }
             else
             {
-                offset_1 = offset_2;
+                offset_2 = offset_3;
             }
-            _S332[int(64) + number_2 * int(8) + bin_0] = bump_0(offset_1 * 3.20000004768371582f);
+            _S332[int(64) + number_2 * int(8) + bin_0] = bump_0(offset_2 * 3.20000004768371582f);
             bin_0 = bin_0 + int(1);
         }
         number_2 = number_2 + int(1);
@@ -2368,10 +2392,10 @@ void woven_view_0(uint _S349, Footprint_0 _S350, float3 _S351, inout WovenView_0
     dense_6(weights_23, 2232U, false, fused_0, of_hole_0);
     float  hole_1[int(1)];
     dense_5(weights_23, 2444U, false, of_hole_0, hole_1);
-    dense_4(weights_23, 2456U, false, fused_0, _S352.sums_6);
+    dense_4(weights_23, 2456U, false, fused_0, _S352.sums_7);
     _S352.hole_0 = clamp(hole_1[int(0)], 0.0f, 1.0f);
     _S352.correction_weight_0 = correction_weight_of_0(_S355.z);
-    _S352.view_5 = _S356;
+    _S352.view_6 = _S356;
     _S352.back_5 = _S353;
     return;
 }
@@ -2510,12 +2534,12 @@ Components_0 woven_components_0(uint _S394, inout WovenView_0 _S395, float3 _S39
     float _S397;
     bool _S398 = _S395.back_5;
     float3 _S399 = to_face_frame_0(_S396, _S395.back_5);
-    float3 _S400 = _S395.view_5;
+    float3 _S400 = _S395.view_6;
     HalfWeights_0 weights_24;
     Woven_0 _S401 = fabrics_0[_S394].woven_0;
     weights_24.first_2 = fabrics_0[_S394].woven_0.network_0;
     float  directions_0[int(39)];
-    code_light_0(_S394, _S399, _S395.view_5, _S395.back_5, directions_0);
+    code_light_0(_S394, _S399, _S395.view_6, _S395.back_5, directions_0);
     float  skip_0[int(96)];
     int k_1 = int(0);
     for(;;)
@@ -2527,7 +2551,7 @@ Components_0 woven_components_0(uint _S394, inout WovenView_0 _S395, float3 _S39
         {
             break;
         }
-        skip_0[k_1] = _S395.sums_6[k_1];
+        skip_0[k_1] = _S395.sums_7[k_1];
         k_1 = k_1 + int(1);
     }
     dense_3(weights_24, 3716U, true, directions_0, skip_0);
@@ -2914,17 +2938,17 @@ float3 composed_0(uint _S511, Components_0 _S512, CloseUp_0 _S513, FamilyAlbedos
     return _S524.y * body_0 + (_S512.light_visibility_1 + _S512.hole_2) * _S524.x;
 }
 
-float4 cloth_value_0(uint fabric_1, float2 centre_3, float2 dx_1, float2 dy_1, float3 light_4, float3 view_6)
+float4 cloth_value_0(uint fabric_1, float2 centre_3, float2 dx_1, float2 dy_1, float3 light_5, float3 view_7)
 {
     Footprint_0 footprint_1;
     footprint_1.centre_0 = centre_3;
     footprint_1.dx_0 = dx_1;
     footprint_1.dy_0 = dy_1;
     WovenView_0 activations_0;
-    woven_view_0(fabric_1, footprint_1, view_6, activations_0);
-    Components_0 _S525 = woven_components_0(fabric_1, activations_0, light_4);
-    float _S526 = view_6.z;
-    float3 _S527 = composed_0(fabric_1, _S525, no_close_up_0(), albedos_over_0(fabric_1, footprint_1, _S526 < 0.0f), (float3)1.0f, light_4, view_6);
+    woven_view_0(fabric_1, footprint_1, view_7, activations_0);
+    Components_0 _S525 = woven_components_0(fabric_1, activations_0, light_5);
+    float _S526 = view_7.z;
+    float3 _S527 = composed_0(fabric_1, _S525, no_close_up_0(), albedos_over_0(fabric_1, footprint_1, _S526 < 0.0f), (float3)1.0f, light_5, view_7);
     float through_1 = activations_0.hole_0;
     float through_2;
     if((fabrics_0[fabric_1].sheen_strength_0) > 0.0f)

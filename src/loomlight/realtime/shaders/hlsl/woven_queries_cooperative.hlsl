@@ -98,6 +98,7 @@ struct Query_0
     float view_x_0;
     float view_y_0;
     float view_z_0;
+    uint seed_0;
 };
 
 StructuredBuffer<Query_0 > queries_0 : register(t14);
@@ -198,6 +199,28 @@ struct Latent_0
     uint is_trilinear_0;
 };
 
+struct Clustered_0
+{
+    uint is_baked_1;
+    uint clusters_0;
+    uint rank_0;
+    uint channels_0;
+    uint columns_0;
+    uint rows_0;
+    float texel_width_0;
+    float texel_height_0;
+    uint samples_0;
+    uint sums_0;
+    uint labels_0;
+    uint coefficients_0;
+    uint basis_0;
+    uint moments_1;
+    uint light_0;
+    uint view_0;
+    uint offset_1;
+    uint trust_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
@@ -221,7 +244,7 @@ struct Fabric_0
     float sheen_roughness_0;
     float fibre_noise_0;
     float colour_noise_0;
-    uint seed_0;
+    uint seed_1;
     float layer_bound_0;
     float fibre_size_0;
     uint has_detail_0;
@@ -234,6 +257,7 @@ struct Fabric_0
     uint has_yarns_0;
     float mean_hole_0;
     Latent_0 latent_0;
+    Clustered_0 clustered_0;
 };
 
 StructuredBuffer<Fabric_0 > fabrics_0 : register(t0);
@@ -313,7 +337,7 @@ Eight_0 FloatWeights_eight_0(FloatWeights_0 this_0, uint element_0)
 
 float4 tile_product_0(FloatWeights_0 weights_0, uint row_0, inout float  inputs_0[int(96)])
 {
-    float4 sums_0 = (float4)0.0f;
+    float4 sums_1 = (float4)0.0f;
     uint column_0 = 0U;
     for(;;)
     {
@@ -339,16 +363,16 @@ float4 tile_product_0(FloatWeights_0 weights_0, uint row_0, inout float  inputs_
         low_1[int(3)] = inputs_0[_S5];
         high_1[int(3)] = inputs_0[_S5 + int(4)];
         Eight_0 _S6 = FloatWeights_eight_0(weights_0, row_0 + column_0);
-        sums_0[int(0)] = sums_0[int(0)] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
+        sums_1[int(0)] = sums_1[int(0)] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
         Eight_0 _S7 = FloatWeights_eight_0(weights_0, row_0 + 12U + column_0);
-        sums_0[int(1)] = sums_0[int(1)] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
+        sums_1[int(1)] = sums_1[int(1)] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
         Eight_0 _S8 = FloatWeights_eight_0(weights_0, row_0 + 24U + column_0);
-        sums_0[int(2)] = sums_0[int(2)] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
+        sums_1[int(2)] = sums_1[int(2)] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
         Eight_0 _S9 = FloatWeights_eight_0(weights_0, row_0 + 36U + column_0);
-        sums_0[int(3)] = sums_0[int(3)] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
+        sums_1[int(3)] = sums_1[int(3)] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
         column_0 = column_0 + 1U;
     }
-    return sums_0;
+    return sums_1;
 }
 
 int whole_parts_0(int elements_0)
@@ -7002,11 +7026,11 @@ uint mirrored_bundle_0(uint bundle_0)
     return _S642;
 }
 
-float light_visibility_of_0(float diffuse_0, float3 light_0, float3 view_0, float blend_0)
+float light_visibility_of_0(float diffuse_0, float3 light_1, float3 view_1, float blend_0)
 {
-    float _S643 = max(abs(light_0.z), 0.00100000004749745f);
-    float2 _S644 = light_0.xy;
-    return 3.14159274101257324f * max(diffuse_0, 0.0f) / lerp(_S643, (0.59700000286102295f * _S643 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S644, view_0.xy) * rsqrt(max(dot(_S644, _S644), 9.99999997475242708e-07f))) + 1.0f), blend_0);
+    float _S643 = max(abs(light_1.z), 0.00100000004749745f);
+    float2 _S644 = light_1.xy;
+    return 3.14159274101257324f * max(diffuse_0, 0.0f) / lerp(_S643, (0.59700000286102295f * _S643 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S644, view_1.xy) * rsqrt(max(dot(_S644, _S644), 9.99999997475242708e-07f))) + 1.0f), blend_0);
 }
 
 float2 turns_and_remainder_0(uint family_0, float index_2)
@@ -7383,14 +7407,14 @@ FaceRadiance_0 face_radiance_0(FaceSends_0 sends_0, float open_of_other_0, float
     return found_0;
 }
 
-void view_terms_0(float3 view_1, out float  terms_0[int(6)])
+void view_terms_0(float3 view_2, out float  terms_0[int(6)])
 {
-    float _S705 = 1.0f - view_1.z;
+    float _S705 = 1.0f - view_2.z;
     float _S706 = _S705 * _S705;
     terms_0[int(0)] = 1.0f;
-    float _S707 = view_1.x;
+    float _S707 = view_2.x;
     float _S708 = _S707 * _S707;
-    float _S709 = view_1.y;
+    float _S709 = view_2.y;
     float _S710 = _S709 * _S709;
     terms_0[int(1)] = sqrt(max(_S708 + _S710, 9.999999960041972e-13f));
     terms_0[int(2)] = _S706;
@@ -7448,11 +7472,11 @@ Bounced_0 sum_of_0(Bounced_0 first_28, Bounced_0 second_1)
     return sum_1;
 }
 
-float3 bounced_value_0(Bounced_0 bounced_1, float3 light_1, float3 view_2)
+float3 bounced_value_0(Bounced_0 bounced_1, float3 light_2, float3 view_3)
 {
-    float _S713 = light_1.z;
+    float _S713 = light_2.z;
     float3 _S714;
-    if((_S713 * view_2.z) < 0.0f)
+    if((_S713 * view_3.z) < 0.0f)
     {
         _S714 = bounced_1.transmitted_0;
     }
@@ -7486,9 +7510,9 @@ float3 sheen_lobe_0(float cos_view_0, float roughness_1)
     return float3(clamp(sheen_scale_0(_S716, _S717), 0.00999999977648258f, 1.0f), clamp((1.0f - _S715) * sheen_shear_0(_S716, _S717), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S716, _S717), -60.0f, 60.0f))));
 }
 
-float transformed_cosine_0(float3 light_2, float3 view_3, float scale_1, float shear_0)
+float transformed_cosine_0(float3 light_3, float3 view_4, float scale_1, float shear_0)
 {
-    float _S718 = light_2.z;
+    float _S718 = light_3.z;
     bool _S719;
     if(_S718 <= 0.0f)
     {
@@ -7496,13 +7520,13 @@ float transformed_cosine_0(float3 light_2, float3 view_3, float scale_1, float s
     }
     else
     {
-        _S719 = (view_3.z) <= 0.0f;
+        _S719 = (view_4.z) <= 0.0f;
     }
     if(_S719)
     {
         return 0.0f;
     }
-    float2 _S720 = view_3.xy;
+    float2 _S720 = view_4.xy;
     float _S721 = dot(_S720, _S720);
     float2 _S722;
     if(_S721 > 9.99999968265522539e-21f)
@@ -7513,25 +7537,25 @@ float transformed_cosine_0(float3 light_2, float3 view_3, float scale_1, float s
     {
         _S722 = float2(1.0f, 0.0f);
     }
-    float _S723 = scale_1 * dot(light_2.xy, _S722) + shear_0 * _S718;
-    float _S724 = scale_1 * (light_2.y * _S722.x - light_2.x * _S722.y);
+    float _S723 = scale_1 * dot(light_3.xy, _S722) + shear_0 * _S718;
+    float _S724 = scale_1 * (light_3.y * _S722.x - light_3.x * _S722.y);
     float _S725 = _S723 * _S723 + _S724 * _S724 + _S718 * _S718;
     return 0.31830987334251404f * scale_1 * scale_1 * _S718 / max(_S725 * _S725, 9.99999968265522539e-21f);
 }
 
-float2 sheen_with_transmittance_0(float3 light_3, float3 view_4, float strength_0, float roughness_2)
+float2 sheen_with_transmittance_0(float3 light_4, float3 view_5, float strength_0, float roughness_2)
 {
-    float3 _S726 = sheen_lobe_0(view_4.z, roughness_2);
+    float3 _S726 = sheen_lobe_0(view_5.z, roughness_2);
     float _S727 = strength_0 * _S726.z;
-    return float2(_S727 * transformed_cosine_0(light_3, view_4, _S726.x, _S726.y), 1.0f - _S727);
+    return float2(_S727 * transformed_cosine_0(light_4, view_5, _S726.x, _S726.y), 1.0f - _S727);
 }
 
 struct WovenView_0
 {
-    float  sums_1[int(96)];
+    float  sums_2[int(96)];
     float hole_0;
     float correction_weight_0;
-    float3 view_5;
+    float3 view_6;
     bool back_5;
 };
 
@@ -7679,7 +7703,7 @@ void add_level_0(uint _S751, uint _S752, bool _S753, float2 _S754, float _S755, 
 
 void code_footprint_0(uint _S773, AnisotropicTaps_0 _S774, float3 _S775, bool _S776, inout float  _S777[int(88)])
 {
-    float offset_1;
+    float offset_2;
     int k_0 = int(0);
     for(;;)
     {
@@ -7721,13 +7745,13 @@ void code_footprint_0(uint _S773, AnisotropicTaps_0 _S774, float3 _S775, bool _S
         bool _S785 = (number_1 & 1U) != 0U;
         if(_S785)
         {
-            offset_1 = _S780 - _S781;
+            offset_2 = _S780 - _S781;
         }
         else
         {
-            offset_1 = 1.0f - (_S780 - _S781);
+            offset_2 = 1.0f - (_S780 - _S781);
         }
-        float _S786 = offset_1 / float(_S782);
+        float _S786 = offset_2 / float(_S782);
         uint _S787 = uint(_S781);
         uint _S788;
         if(_S785)
@@ -7761,16 +7785,16 @@ void code_footprint_0(uint _S773, AnisotropicTaps_0 _S774, float3 _S775, bool _S
             {
                 break;
             }
-            float offset_2 = _S775[number_2] - (float(bin_0) + 0.5f) / 8.0f;
+            float offset_3 = _S775[number_2] - (float(bin_0) + 0.5f) / 8.0f;
             if(number_2 < int(2))
             {
-                offset_1 = offset_2 - round(offset_2);
+                offset_2 = offset_3 - round(offset_3);
             }
             else
             {
-                offset_1 = offset_2;
+                offset_2 = offset_3;
             }
-            _S777[int(64) + number_2 * int(8) + bin_0] = bump_0(offset_1 * 3.20000004768371582f);
+            _S777[int(64) + number_2 * int(8) + bin_0] = bump_0(offset_2 * 3.20000004768371582f);
             bin_0 = bin_0 + int(1);
         }
         number_2 = number_2 + int(1);
@@ -7828,10 +7852,10 @@ void woven_view_0(uint _S794, Footprint_0 _S795, float3 _S796, inout WovenView_0
     dense_6(weights_26, 2232U, false, fused_0, of_hole_0);
     float  hole_1[int(1)];
     dense_5(weights_26, 2444U, false, of_hole_0, hole_1);
-    dense_4(weights_26, 2456U, false, fused_0, _S797.sums_1);
+    dense_4(weights_26, 2456U, false, fused_0, _S797.sums_2);
     _S797.hole_0 = clamp(hole_1[int(0)], 0.0f, 1.0f);
     _S797.correction_weight_0 = correction_weight_of_0(_S800.z);
-    _S797.view_5 = _S801;
+    _S797.view_6 = _S801;
     _S797.back_5 = _S798;
     return;
 }
@@ -7970,12 +7994,12 @@ Components_0 woven_components_0(uint _S839, inout WovenView_0 _S840, float3 _S84
     float _S842;
     bool _S843 = _S840.back_5;
     float3 _S844 = to_face_frame_0(_S841, _S840.back_5);
-    float3 _S845 = _S840.view_5;
+    float3 _S845 = _S840.view_6;
     HalfWeights_0 weights_27;
     Woven_0 _S846 = fabrics_0[_S839].woven_0;
     weights_27.first_2 = fabrics_0[_S839].woven_0.network_0;
     float  directions_0[int(39)];
-    code_light_0(_S839, _S844, _S840.view_5, _S840.back_5, directions_0);
+    code_light_0(_S839, _S844, _S840.view_6, _S840.back_5, directions_0);
     float  skip_0[int(96)];
     int k_1 = int(0);
     for(;;)
@@ -7987,7 +8011,7 @@ Components_0 woven_components_0(uint _S839, inout WovenView_0 _S840, float3 _S84
         {
             break;
         }
-        skip_0[k_1] = _S840.sums_1[k_1];
+        skip_0[k_1] = _S840.sums_2[k_1];
         k_1 = k_1 + int(1);
     }
     dense_3(weights_27, 3716U, true, directions_0, skip_0);
@@ -8374,17 +8398,17 @@ float3 composed_0(uint _S956, Components_0 _S957, CloseUp_0 _S958, FamilyAlbedos
     return _S969.y * body_0 + (_S957.light_visibility_1 + _S957.hole_2) * _S969.x;
 }
 
-float4 cloth_value_0(uint fabric_1, float2 centre_3, float2 dx_1, float2 dy_1, float3 light_4, float3 view_6)
+float4 cloth_value_0(uint fabric_1, float2 centre_3, float2 dx_1, float2 dy_1, float3 light_5, float3 view_7)
 {
     Footprint_0 footprint_1;
     footprint_1.centre_0 = centre_3;
     footprint_1.dx_0 = dx_1;
     footprint_1.dy_0 = dy_1;
     WovenView_0 activations_0;
-    woven_view_0(fabric_1, footprint_1, view_6, activations_0);
-    Components_0 _S970 = woven_components_0(fabric_1, activations_0, light_4);
-    float _S971 = view_6.z;
-    float3 _S972 = composed_0(fabric_1, _S970, no_close_up_0(), albedos_over_0(fabric_1, footprint_1, _S971 < 0.0f), (float3)1.0f, light_4, view_6);
+    woven_view_0(fabric_1, footprint_1, view_7, activations_0);
+    Components_0 _S970 = woven_components_0(fabric_1, activations_0, light_5);
+    float _S971 = view_7.z;
+    float3 _S972 = composed_0(fabric_1, _S970, no_close_up_0(), albedos_over_0(fabric_1, footprint_1, _S971 < 0.0f), (float3)1.0f, light_5, view_7);
     float through_1 = activations_0.hole_0;
     float through_2;
     if((fabrics_0[fabric_1].sheen_strength_0) > 0.0f)

@@ -22,6 +22,7 @@ struct Query_0
     float view_x_0;
     float view_y_0;
     float view_z_0;
+    uint seed_0;
 };
 
 struct Lobes_0
@@ -118,6 +119,28 @@ struct Latent_0
     uint is_trilinear_0;
 };
 
+struct Clustered_0
+{
+    uint is_baked_1;
+    uint clusters_0;
+    uint rank_0;
+    uint channels_0;
+    uint columns_0;
+    uint rows_0;
+    float texel_width_0;
+    float texel_height_0;
+    uint samples_0;
+    uint sums_0;
+    uint labels_0;
+    uint coefficients_0;
+    uint basis_0;
+    uint moments_1;
+    uint light_0;
+    uint view_0;
+    uint offset_1;
+    uint trust_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
@@ -141,7 +164,7 @@ struct Fabric_0
     float sheen_roughness_0;
     float fibre_noise_0;
     float colour_noise_0;
-    uint seed_0;
+    uint seed_1;
     float layer_bound_0;
     float fibre_size_0;
     uint has_detail_0;
@@ -154,6 +177,7 @@ struct Fabric_0
     uint has_yarns_0;
     float mean_hole_0;
     Latent_0 latent_0;
+    Clustered_0 clustered_0;
 };
 
 struct KernelContext_0
@@ -188,7 +212,7 @@ Eight_0 FloatWeights_eight_0(const FloatWeights_0 thread* this_0, uint element_0
 
 float4 tile_product_0(const FloatWeights_0 thread* weights_0, uint row_0, array<float, int(64)> thread* inputs_0, KernelContext_0 thread* kernelContext_1)
 {
-    thread float4 sums_0 = float4(0.0f) ;
+    thread float4 sums_1 = float4(0.0f) ;
     uint column_0 = 0U;
     for(;;)
     {
@@ -214,16 +238,16 @@ float4 tile_product_0(const FloatWeights_0 thread* weights_0, uint row_0, array<
         low_1.w = (*inputs_0)[_S5];
         high_1.w = (*inputs_0)[_S5 + int(4)];
         Eight_0 _S6 = FloatWeights_eight_0(weights_0, row_0 + column_0, kernelContext_1);
-        sums_0.x = sums_0.x + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
+        sums_1.x = sums_1.x + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
         Eight_0 _S7 = FloatWeights_eight_0(weights_0, row_0 + 8U + column_0, kernelContext_1);
-        sums_0.y = sums_0.y + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
+        sums_1.y = sums_1.y + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
         Eight_0 _S8 = FloatWeights_eight_0(weights_0, row_0 + 16U + column_0, kernelContext_1);
-        sums_0.z = sums_0.z + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
+        sums_1.z = sums_1.z + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
         Eight_0 _S9 = FloatWeights_eight_0(weights_0, row_0 + 24U + column_0, kernelContext_1);
-        sums_0.w = sums_0.w + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
+        sums_1.w = sums_1.w + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
         column_0 = column_0 + 1U;
     }
-    return sums_0;
+    return sums_1;
 }
 
 float Relu_apply_0(float x_0)
@@ -406,7 +430,7 @@ void dense_part_1(const FloatWeights_0 thread* weights_2, uint first_2, bool add
 
 float4 tile_product_1(const FloatWeights_0 thread* weights_3, uint row_1, array<float, int(20)> thread* inputs_3, KernelContext_0 thread* kernelContext_4)
 {
-    thread float4 sums_1 = float4(0.0f) ;
+    thread float4 sums_2 = float4(0.0f) ;
     uint column_1 = 0U;
     for(;;)
     {
@@ -432,16 +456,16 @@ float4 tile_product_1(const FloatWeights_0 thread* weights_3, uint row_1, array<
         low_2.w = (*inputs_3)[min(_S35, int(19))];
         high_2.w = (*inputs_3)[min(_S35 + int(4), int(19))];
         Eight_0 _S36 = FloatWeights_eight_0(weights_3, row_1 + column_1, kernelContext_4);
-        sums_1.x = sums_1.x + (dot(_S36.low_0, low_2) + dot(_S36.high_0, high_2));
+        sums_2.x = sums_2.x + (dot(_S36.low_0, low_2) + dot(_S36.high_0, high_2));
         Eight_0 _S37 = FloatWeights_eight_0(weights_3, row_1 + 3U + column_1, kernelContext_4);
-        sums_1.y = sums_1.y + (dot(_S37.low_0, low_2) + dot(_S37.high_0, high_2));
+        sums_2.y = sums_2.y + (dot(_S37.low_0, low_2) + dot(_S37.high_0, high_2));
         Eight_0 _S38 = FloatWeights_eight_0(weights_3, row_1 + 6U + column_1, kernelContext_4);
-        sums_1.z = sums_1.z + (dot(_S38.low_0, low_2) + dot(_S38.high_0, high_2));
+        sums_2.z = sums_2.z + (dot(_S38.low_0, low_2) + dot(_S38.high_0, high_2));
         Eight_0 _S39 = FloatWeights_eight_0(weights_3, row_1 + 9U + column_1, kernelContext_4);
-        sums_1.w = sums_1.w + (dot(_S39.low_0, low_2) + dot(_S39.high_0, high_2));
+        sums_2.w = sums_2.w + (dot(_S39.low_0, low_2) + dot(_S39.high_0, high_2));
         column_1 = column_1 + 1U;
     }
-    return sums_1;
+    return sums_2;
 }
 
 void dense_part_2(const FloatWeights_0 thread* weights_4, uint first_3, bool adds_2, array<float, int(20)> thread* inputs_4, array<float, int(64)> thread* outputs_2, KernelContext_0 thread* kernelContext_5)
@@ -587,7 +611,7 @@ void MLP_evaluate_0(const MLP_0 thread* this_1, array<float, int(20)> thread* in
 
 float4 tile_product_2(const FloatWeights_0 thread* weights_9, uint row_2, array<float, int(32)> thread* inputs_10, KernelContext_0 thread* kernelContext_10)
 {
-    thread float4 sums_2 = float4(0.0f) ;
+    thread float4 sums_3 = float4(0.0f) ;
     uint column_2 = 0U;
     for(;;)
     {
@@ -613,16 +637,16 @@ float4 tile_product_2(const FloatWeights_0 thread* weights_9, uint row_2, array<
         low_3.w = (*inputs_10)[_S57];
         high_3.w = (*inputs_10)[_S57 + int(4)];
         Eight_0 _S58 = FloatWeights_eight_0(weights_9, row_2 + column_2, kernelContext_10);
-        sums_2.x = sums_2.x + (dot(_S58.low_0, low_3) + dot(_S58.high_0, high_3));
+        sums_3.x = sums_3.x + (dot(_S58.low_0, low_3) + dot(_S58.high_0, high_3));
         Eight_0 _S59 = FloatWeights_eight_0(weights_9, row_2 + 4U + column_2, kernelContext_10);
-        sums_2.y = sums_2.y + (dot(_S59.low_0, low_3) + dot(_S59.high_0, high_3));
+        sums_3.y = sums_3.y + (dot(_S59.low_0, low_3) + dot(_S59.high_0, high_3));
         Eight_0 _S60 = FloatWeights_eight_0(weights_9, row_2 + 8U + column_2, kernelContext_10);
-        sums_2.z = sums_2.z + (dot(_S60.low_0, low_3) + dot(_S60.high_0, high_3));
+        sums_3.z = sums_3.z + (dot(_S60.low_0, low_3) + dot(_S60.high_0, high_3));
         Eight_0 _S61 = FloatWeights_eight_0(weights_9, row_2 + 12U + column_2, kernelContext_10);
-        sums_2.w = sums_2.w + (dot(_S61.low_0, low_3) + dot(_S61.high_0, high_3));
+        sums_3.w = sums_3.w + (dot(_S61.low_0, low_3) + dot(_S61.high_0, high_3));
         column_2 = column_2 + 1U;
     }
-    return sums_2;
+    return sums_3;
 }
 
 void dense_part_3(const FloatWeights_0 thread* weights_10, uint first_7, bool adds_6, array<float, int(32)> thread* inputs_11, array<float, int(32)> thread* outputs_8, KernelContext_0 thread* kernelContext_11)
@@ -926,7 +950,7 @@ void MLP_evaluate_1(const MLP_0 thread* this_2, array<float, int(20)> thread* in
 
 float4 tile_product_3(const FloatWeights_0 thread* weights_16, uint row_3, array<float, int(16)> thread* inputs_18, KernelContext_0 thread* kernelContext_18)
 {
-    thread float4 sums_3 = float4(0.0f) ;
+    thread float4 sums_4 = float4(0.0f) ;
     uint column_3 = 0U;
     for(;;)
     {
@@ -952,16 +976,16 @@ float4 tile_product_3(const FloatWeights_0 thread* weights_16, uint row_3, array
         low_4.w = (*inputs_18)[_S101];
         high_4.w = (*inputs_18)[_S101 + int(4)];
         Eight_0 _S102 = FloatWeights_eight_0(weights_16, row_3 + column_3, kernelContext_18);
-        sums_3.x = sums_3.x + (dot(_S102.low_0, low_4) + dot(_S102.high_0, high_4));
+        sums_4.x = sums_4.x + (dot(_S102.low_0, low_4) + dot(_S102.high_0, high_4));
         Eight_0 _S103 = FloatWeights_eight_0(weights_16, row_3 + 2U + column_3, kernelContext_18);
-        sums_3.y = sums_3.y + (dot(_S103.low_0, low_4) + dot(_S103.high_0, high_4));
+        sums_4.y = sums_4.y + (dot(_S103.low_0, low_4) + dot(_S103.high_0, high_4));
         Eight_0 _S104 = FloatWeights_eight_0(weights_16, row_3 + 4U + column_3, kernelContext_18);
-        sums_3.z = sums_3.z + (dot(_S104.low_0, low_4) + dot(_S104.high_0, high_4));
+        sums_4.z = sums_4.z + (dot(_S104.low_0, low_4) + dot(_S104.high_0, high_4));
         Eight_0 _S105 = FloatWeights_eight_0(weights_16, row_3 + 6U + column_3, kernelContext_18);
-        sums_3.w = sums_3.w + (dot(_S105.low_0, low_4) + dot(_S105.high_0, high_4));
+        sums_4.w = sums_4.w + (dot(_S105.low_0, low_4) + dot(_S105.high_0, high_4));
         column_3 = column_3 + 1U;
     }
-    return sums_3;
+    return sums_4;
 }
 
 void dense_part_6(const FloatWeights_0 thread* weights_17, uint first_13, bool adds_12, array<float, int(16)> thread* inputs_19, array<float, int(16)> thread* outputs_15, KernelContext_0 thread* kernelContext_19)
@@ -1265,7 +1289,7 @@ void MLP_evaluate_2(const MLP_0 thread* this_3, array<float, int(20)> thread* in
 
 float4 tile_product_4(const FloatWeights_0 thread* weights_23, uint row_4, array<float, int(8)> thread* inputs_26, KernelContext_0 thread* kernelContext_26)
 {
-    thread float4 sums_4 = float4(0.0f) ;
+    thread float4 sums_5 = float4(0.0f) ;
     uint column_4 = 0U;
     for(;;)
     {
@@ -1291,16 +1315,16 @@ float4 tile_product_4(const FloatWeights_0 thread* weights_23, uint row_4, array
         low_5.w = (*inputs_26)[_S145];
         high_5.w = (*inputs_26)[_S145 + int(4)];
         Eight_0 _S146 = FloatWeights_eight_0(weights_23, row_4 + column_4, kernelContext_26);
-        sums_4.x = sums_4.x + (dot(_S146.low_0, low_5) + dot(_S146.high_0, high_5));
+        sums_5.x = sums_5.x + (dot(_S146.low_0, low_5) + dot(_S146.high_0, high_5));
         Eight_0 _S147 = FloatWeights_eight_0(weights_23, row_4 + 1U + column_4, kernelContext_26);
-        sums_4.y = sums_4.y + (dot(_S147.low_0, low_5) + dot(_S147.high_0, high_5));
+        sums_5.y = sums_5.y + (dot(_S147.low_0, low_5) + dot(_S147.high_0, high_5));
         Eight_0 _S148 = FloatWeights_eight_0(weights_23, row_4 + 2U + column_4, kernelContext_26);
-        sums_4.z = sums_4.z + (dot(_S148.low_0, low_5) + dot(_S148.high_0, high_5));
+        sums_5.z = sums_5.z + (dot(_S148.low_0, low_5) + dot(_S148.high_0, high_5));
         Eight_0 _S149 = FloatWeights_eight_0(weights_23, row_4 + 3U + column_4, kernelContext_26);
-        sums_4.w = sums_4.w + (dot(_S149.low_0, low_5) + dot(_S149.high_0, high_5));
+        sums_5.w = sums_5.w + (dot(_S149.low_0, low_5) + dot(_S149.high_0, high_5));
         column_4 = column_4 + 1U;
     }
-    return sums_4;
+    return sums_5;
 }
 
 void dense_part_9(const FloatWeights_0 thread* weights_24, uint first_19, bool adds_18, array<float, int(8)> thread* inputs_27, array<float, int(12)> thread* outputs_22, KernelContext_0 thread* kernelContext_27)
@@ -1467,7 +1491,7 @@ struct Footprint_0
     float2 dy_0;
 };
 
-uint hashed_0(const Footprint_0 thread* footprint_0, float3 view_0, float2 size_0)
+uint hashed_0(const Footprint_0 thread* footprint_0, float3 view_1, float2 size_0)
 {
     uint hash_1 = 2654435769U;
     uint axis_0 = 0U;
@@ -1496,7 +1520,7 @@ uint hashed_0(const Footprint_0 thread* footprint_0, float3 view_0, float2 size_
         {
             break;
         }
-        uint _S168 = with_number_0(hash_1, view_0[axis_0]);
+        uint _S168 = with_number_0(hash_1, view_1[axis_0]);
         uint _S169 = axis_0 + 1U;
         hash_1 = _S168;
         axis_0 = _S169;
@@ -1504,9 +1528,9 @@ uint hashed_0(const Footprint_0 thread* footprint_0, float3 view_0, float2 size_
     return with_number_0(with_number_0(with_number_0(with_number_0(hash_1, footprint_0->dx_0.x), footprint_0->dx_0.y), footprint_0->dy_0.x), footprint_0->dy_0.y);
 }
 
-float uniform_of_0(uint seed_1, uint dimension_0)
+float uniform_of_0(uint seed_2, uint dimension_0)
 {
-    return float((mixed_0(seed_1 + (dimension_0 + 1U) * 2654435769U)) >> 8U) * 5.9604644775390625e-08f;
+    return float((mixed_0(seed_2 + (dimension_0 + 1U) * 2654435769U)) >> 8U) * 5.9604644775390625e-08f;
 }
 
 float3 to_face_frame_0(float3 direction_0, bool back_2)
@@ -1592,9 +1616,9 @@ Eight_0 texel_numbers_0(uint first_24, uint elements_1, uint texel_0, KernelCont
     return numbers_3;
 }
 
-void add_bilinear_0(uint first_25, uint elements_2, uint start_0, uint columns_0, uint rows_0, float2 uv_1, float weight_0, Eight_0 thread* sums_5, KernelContext_0 thread* kernelContext_33)
+void add_bilinear_0(uint first_25, uint elements_2, uint start_0, uint columns_1, uint rows_1, float2 uv_1, float weight_0, Eight_0 thread* sums_6, KernelContext_0 thread* kernelContext_33)
 {
-    float2 _S181 = uv_1 * float2(float(columns_0), float(rows_0)) - float2(0.5f) ;
+    float2 _S181 = uv_1 * float2(float(columns_1), float(rows_1)) - float2(0.5f) ;
     float2 _S182 = floor(_S181);
     float2 _S183 = _S181 - _S182;
     int _S184 = int(_S182.x);
@@ -1611,7 +1635,7 @@ void add_bilinear_0(uint first_25, uint elements_2, uint start_0, uint columns_0
         }
         uint _S186 = tap_0 & 1U;
         uint _S187 = tap_0 >> 1U;
-        Eight_0 _S188 = texel_numbers_0(first_25, elements_2, start_0 + (uint(_S185 + int(_S187)) & (rows_0 - 1U)) * columns_0 + (uint(_S184 + int(_S186)) & (columns_0 - 1U)), kernelContext_33);
+        Eight_0 _S188 = texel_numbers_0(first_25, elements_2, start_0 + (uint(_S185 + int(_S187)) & (rows_1 - 1U)) * columns_1 + (uint(_S184 + int(_S186)) & (columns_1 - 1U)), kernelContext_33);
         float _S189;
         if(_S187 != 0U)
         {
@@ -1631,8 +1655,8 @@ void add_bilinear_0(uint first_25, uint elements_2, uint start_0, uint columns_0
             _S190 = 1.0f - _S183.x;
         }
         float4 _S191 = float4((_S189 * _S190 * weight_0)) ;
-        sums_5->low_0 = sums_5->low_0 + _S191 * _S188.low_0;
-        sums_5->high_0 = sums_5->high_0 + _S191 * _S188.high_0;
+        sums_6->low_0 = sums_6->low_0 + _S191 * _S188.low_0;
+        sums_6->high_0 = sums_6->high_0 + _S191 * _S188.high_0;
         tap_0 = tap_0 + 1U;
     }
     return;
@@ -1647,10 +1671,10 @@ struct TexelPyramid_0
     uint face_texels_2;
 };
 
-void TexelPyramid_add_level_0(const TexelPyramid_0 thread* this_4, float2 place_0, uint level_0, uint face_0, float weight_1, Eight_0 thread* sums_6, KernelContext_0 thread* kernelContext_34)
+void TexelPyramid_add_level_0(const TexelPyramid_0 thread* this_4, float2 place_0, uint level_0, uint face_0, float weight_1, Eight_0 thread* sums_7, KernelContext_0 thread* kernelContext_34)
 {
     uint _S192 = this_4->levels_4 + 3U * level_0;
-    add_bilinear_0(this_4->first_26, this_4->elements_3, face_0 * this_4->face_texels_2 + kernelContext_34->words_0[_S192], kernelContext_34->words_0[_S192 + 1U], kernelContext_34->words_0[_S192 + 2U], place_0, weight_1, sums_6, kernelContext_34);
+    add_bilinear_0(this_4->first_26, this_4->elements_3, face_0 * this_4->face_texels_2 + kernelContext_34->words_0[_S192], kernelContext_34->words_0[_S192 + 1U], kernelContext_34->words_0[_S192 + 2U], place_0, weight_1, sums_7, kernelContext_34);
     return;
 }
 
@@ -1661,10 +1685,10 @@ Eight_0 TexelPyramid_between_levels_0(const TexelPyramid_0 thread* this_5, float
     float _S195 = _S193 - _S194;
     float2 _S196 = within_repeat_0(uv_2);
     thread Eight_0 texel_1 = no_numbers_0();
-    uint offset_1 = 0U;
+    uint offset_2 = 0U;
     for(;;)
     {
-        if(offset_1 < 2U)
+        if(offset_2 < 2U)
         {
         }
         else
@@ -1672,7 +1696,7 @@ Eight_0 TexelPyramid_between_levels_0(const TexelPyramid_0 thread* this_5, float
             break;
         }
         float _S197;
-        if(offset_1 == 0U)
+        if(offset_2 == 0U)
         {
             _S197 = 1.0f - _S195;
         }
@@ -1682,9 +1706,9 @@ Eight_0 TexelPyramid_between_levels_0(const TexelPyramid_0 thread* this_5, float
         }
         if(_S197 > 0.0f)
         {
-            TexelPyramid_add_level_0(this_5, _S196, uint(_S194) + offset_1, face_1, _S197, &texel_1, kernelContext_35);
+            TexelPyramid_add_level_0(this_5, _S196, uint(_S194) + offset_2, face_1, _S197, &texel_1, kernelContext_35);
         }
-        offset_1 = offset_1 + 1U;
+        offset_2 = offset_2 + 1U;
     }
     return texel_1;
 }
@@ -1762,7 +1786,7 @@ struct LatentView_0
     array<float, int(8)> latent_1;
     LatentFrame_0 first_27;
     LatentFrame_0 second_0;
-    float3 view_1;
+    float3 view_2;
     bool back_3;
 };
 
@@ -1771,7 +1795,7 @@ void latent_view_0(uint _S206, const Footprint_0 thread* _S207, float3 _S208, fl
     Latent_0 _S211 = (kernelContext_37->fabrics_0+_S206)->latent_0;
     bool _S212 = (_S208.z) < 0.0f;
     _S210->back_3 = _S212;
-    _S210->view_1 = to_face_frame_0(_S208, _S212);
+    _S210->view_2 = to_face_frame_0(_S208, _S212);
     uint _S213;
     if(_S212)
     {
@@ -1832,10 +1856,10 @@ void latent_view_0(uint _S206, const Footprint_0 thread* _S207, float3 _S208, fl
     thread FloatWeights_0 weights_26;
     (&weights_26)->first_0 = _S211.frames_0;
     thread FloatWeights_0 _S226 = weights_26;
-    thread array<float, int(12)> sums_7;
-    dense_9(&_S226, 0U, false, &_S210->latent_1, &sums_7, kernelContext_37);
-    _S210->first_27 = frame_of_0(float3(sums_7[int(0)], sums_7[int(1)], sums_7[int(2)]), float3(sums_7[int(3)], sums_7[int(4)], sums_7[int(5)]));
-    _S210->second_0 = frame_of_0(float3(sums_7[int(6)], sums_7[int(7)], sums_7[int(8)]), float3(sums_7[int(9)], sums_7[int(10)], sums_7[int(11)]));
+    thread array<float, int(12)> sums_8;
+    dense_9(&_S226, 0U, false, &_S210->latent_1, &sums_8, kernelContext_37);
+    _S210->first_27 = frame_of_0(float3(sums_8[int(0)], sums_8[int(1)], sums_8[int(2)]), float3(sums_8[int(3)], sums_8[int(4)], sums_8[int(5)]));
+    _S210->second_0 = frame_of_0(float3(sums_8[int(6)], sums_8[int(7)], sums_8[int(8)]), float3(sums_8[int(9)], sums_8[int(10)], sums_8[int(11)]));
     return;
 }
 
@@ -1849,11 +1873,11 @@ float3 latent_value_0(uint _S227, LatentView_0 thread* _S228, float3 _S229, Kern
     }
     thread array<float, int(20)> inputs_32;
     thread LatentFrame_0 _S232 = _S228->first_27;
-    float3 _S233 = LatentFrame_coordinates_0(&_S232, _S228->view_1);
+    float3 _S233 = LatentFrame_coordinates_0(&_S232, _S228->view_2);
     thread LatentFrame_0 _S234 = _S228->first_27;
     float3 _S235 = LatentFrame_coordinates_0(&_S234, _S231);
     thread LatentFrame_0 _S236 = _S228->second_0;
-    float3 _S237 = LatentFrame_coordinates_0(&_S236, _S228->view_1);
+    float3 _S237 = LatentFrame_coordinates_0(&_S236, _S228->view_2);
     thread LatentFrame_0 _S238 = _S228->second_0;
     float3 _S239 = LatentFrame_coordinates_0(&_S238, _S231);
     int axis_1 = int(0);
@@ -1905,7 +1929,7 @@ float3 latent_value_0(uint _S227, LatentView_0 thread* _S228, float3 _S229, Kern
     return float3(bounded_exponential_0(outputs_27[int(0)] - 3.0f), bounded_exponential_0(outputs_27[int(1)] - 3.0f), bounded_exponential_0(outputs_27[int(2)] - 3.0f));
 }
 
-float4 cloth_value_0(uint fabric_1, float2 centre_1, float2 dx_1, float2 dy_1, float3 light_0, float3 view_2, KernelContext_0 thread* kernelContext_39)
+float4 cloth_value_0(uint fabric_1, float2 centre_1, float2 dx_1, float2 dy_1, float3 light_1, float3 view_3, KernelContext_0 thread* kernelContext_39)
 {
     thread Footprint_0 footprint_1;
     (&footprint_1)->centre_0 = centre_1;
@@ -1913,12 +1937,12 @@ float4 cloth_value_0(uint fabric_1, float2 centre_1, float2 dx_1, float2 dy_1, f
     (&footprint_1)->dy_0 = dy_1;
     float2 _S241 = float2((kernelContext_39->fabrics_0+fabric_1)->latent_0.width_0, (kernelContext_39->fabrics_0+fabric_1)->latent_0.height_0);
     thread Footprint_0 _S242 = footprint_1;
-    uint _S243 = hashed_0(&_S242, view_2, _S241);
+    uint _S243 = hashed_0(&_S242, view_3, _S241);
     float _S244 = uniform_of_0(_S243, 0U);
     thread Footprint_0 _S245 = footprint_1;
     thread LatentView_0 seen_0;
-    latent_view_0(fabric_1, &_S245, view_2, _S244, &seen_0, kernelContext_39);
-    float3 _S246 = latent_value_0(fabric_1, &seen_0, light_0, kernelContext_39);
+    latent_view_0(fabric_1, &_S245, view_3, _S244, &seen_0, kernelContext_39);
+    float3 _S246 = latent_value_0(fabric_1, &seen_0, light_1, kernelContext_39);
     return float4(_S246, 0.0f);
 }
 

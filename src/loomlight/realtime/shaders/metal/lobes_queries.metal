@@ -180,6 +180,7 @@ struct Query_0
     float view_x_0;
     float view_y_0;
     float view_z_0;
+    uint seed_0;
 };
 
 struct Lobes_0
@@ -276,6 +277,28 @@ struct Latent_0
     uint is_trilinear_0;
 };
 
+struct Clustered_0
+{
+    uint is_baked_1;
+    uint clusters_0;
+    uint rank_0;
+    uint channels_0;
+    uint columns_0;
+    uint rows_0;
+    float texel_width_0;
+    float texel_height_0;
+    uint samples_0;
+    uint sums_0;
+    uint labels_0;
+    uint coefficients_0;
+    uint basis_0;
+    uint moments_1;
+    uint light_0;
+    uint view_0;
+    uint offset_1;
+    uint trust_0;
+};
+
 struct Fabric_0
 {
     uint warp_1;
@@ -299,7 +322,7 @@ struct Fabric_0
     float sheen_roughness_0;
     float fibre_noise_0;
     float colour_noise_0;
-    uint seed_0;
+    uint seed_1;
     float layer_bound_0;
     float fibre_size_0;
     uint has_detail_0;
@@ -312,6 +335,7 @@ struct Fabric_0
     uint has_yarns_0;
     float mean_hole_0;
     Latent_0 latent_0;
+    Clustered_0 clustered_0;
 };
 
 struct Family_0
@@ -1412,9 +1436,9 @@ float uniform_hash_0(uint thread_9, uint cell_7, uint stream_1)
     return (float((hash_bits_0(hash_key_0(thread_9, stream_1), cell_7)) >> 9U) + 0.5f) * 1.1920928955078125e-07f;
 }
 
-float thread_gain_0(uint thread_10, float amount_0, uint seed_1)
+float thread_gain_0(uint thread_10, float amount_0, uint seed_2)
 {
-    return amount_0 * (2.0f * uniform_hash_0(thread_10, 0U, seed_1 ^ 2135587861U) - 1.0f) + 1.0f;
+    return amount_0 * (2.0f * uniform_hash_0(thread_10, 0U, seed_2 ^ 2135587861U) - 1.0f) + 1.0f;
 }
 
 float bounded_gain_0(float gain_0, float3 albedo_1, float3 room_0)
@@ -1429,9 +1453,9 @@ float flattened_0(float largest_0, float3 albedo_2, float3 room_1)
     return min(max(min(min(_S167.x, _S167.y), _S167.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
 }
 
-float fibre_gain_0(uint thread_11, uint cell_8, float amount_1, uint seed_2)
+float fibre_gain_0(uint thread_11, uint cell_8, float amount_1, uint seed_3)
 {
-    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_8, seed_2 ^ 2654435769U)), 10.0f) - 1.0f) + 1.0f;
+    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_8, seed_3 ^ 2654435769U)), 10.0f) - 1.0f) + 1.0f;
 }
 
 struct YarnFrame_0
@@ -1470,14 +1494,14 @@ float diffuse_gain_0(const YarnFrame_0 thread* frame_1, float blend_0)
     return min(0.85000002384185791f * blend_0 * frame_1->loss_0 + 1.0f, 1.0f / (0.5f * blend_0 * (frame_1->normal_4.z - 1.0f) + 1.0f));
 }
 
-float diffuse_reflection_0(float3 light_0, float3 normal_5, float blend_1)
+float diffuse_reflection_0(float3 light_1, float3 normal_5, float blend_1)
 {
-    float _S175 = light_0.z;
+    float _S175 = light_1.z;
     if(_S175 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * mix(max(_S175, 0.0f), max(dot(light_0, normal_5), 0.0f), blend_1);
+    return 0.31830987334251404f * mix(max(_S175, 0.0f), max(dot(light_1, normal_5), 0.0f), blend_1);
 }
 
 float projected_area_1(float3 direction_2, float3 tangent_5, float roughness_1)
@@ -1526,17 +1550,17 @@ float flake_density_0(float squared_along_0, float roughness_2)
     return 0.31830987334251404f * _S182 * roughness_2 / (_S183 * _S183);
 }
 
-float density_between_0(float3 light_1, float3 view_0, float3 tangent_6, float roughness_3)
+float density_between_0(float3 light_2, float3 view_1, float3 tangent_6, float roughness_3)
 {
-    float3 _S184 = light_1 + view_0;
+    float3 _S184 = light_2 + view_1;
     float _S185 = dot(_S184, tangent_6);
     return flake_density_0(min(_S185 * _S185 / max(square_1(_S184), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
-float transmission_1(float3 light_2, float3 view_1, float3 normal_6, float3 tangent_7, float roughness_4, float optical_depth_1)
+float transmission_1(float3 light_3, float3 view_2, float3 normal_6, float3 tangent_7, float roughness_4, float optical_depth_1)
 {
-    float _S186 = - dot(light_2, normal_6);
-    float _S187 = dot(view_1, normal_6);
+    float _S186 = - dot(light_3, normal_6);
+    float _S187 = dot(view_2, normal_6);
     bool _S188;
     if(_S186 <= 0.0f)
     {
@@ -1551,14 +1575,14 @@ float transmission_1(float3 light_2, float3 view_1, float3 normal_6, float3 tang
         return 0.0f;
     }
     float _S189 = 1.0f / max(_S187, 9.99999997475242708e-07f);
-    float _S190 = projected_area_1(light_2, tangent_7, roughness_4) / max(_S186, 9.99999997475242708e-07f);
-    float _S191 = projected_area_1(view_1, tangent_7, roughness_4) * _S189;
-    return density_between_0(light_2, view_1, tangent_7, roughness_4) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S190, _S191)) * mean_attenuation_0(optical_depth_1 * abs(_S190 - _S191)) * _S189;
+    float _S190 = projected_area_1(light_3, tangent_7, roughness_4) / max(_S186, 9.99999997475242708e-07f);
+    float _S191 = projected_area_1(view_2, tangent_7, roughness_4) * _S189;
+    return density_between_0(light_3, view_2, tangent_7, roughness_4) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S190, _S191)) * mean_attenuation_0(optical_depth_1 * abs(_S190 - _S191)) * _S189;
 }
 
-float reflection_0(float3 light_3, float3 view_2, float3 normal_7, float3 tangent_8, float roughness_5, float optical_depth_2)
+float reflection_0(float3 light_4, float3 view_3, float3 normal_7, float3 tangent_8, float roughness_5, float optical_depth_2)
 {
-    float _S192 = dot(light_3, normal_7);
+    float _S192 = dot(light_4, normal_7);
     bool _S193;
     if(_S192 <= 0.0f)
     {
@@ -1566,28 +1590,28 @@ float reflection_0(float3 light_3, float3 view_2, float3 normal_7, float3 tangen
     }
     else
     {
-        _S193 = (dot(view_2, normal_7)) <= 0.0f;
+        _S193 = (dot(view_3, normal_7)) <= 0.0f;
     }
     if(_S193)
     {
         return 0.0f;
     }
     float _S194 = max(_S192, 9.99999997475242708e-07f);
-    float _S195 = max(dot(view_2, normal_7), 9.99999997475242708e-07f);
-    float _S196 = projected_area_1(light_3, tangent_8, roughness_5) * _S195 + projected_area_1(view_2, tangent_8, roughness_5) * _S194;
+    float _S195 = max(dot(view_3, normal_7), 9.99999997475242708e-07f);
+    float _S196 = projected_area_1(light_4, tangent_8, roughness_5) * _S195 + projected_area_1(view_3, tangent_8, roughness_5) * _S194;
     float _S197 = optical_depth_2 * _S196 / (_S194 * _S195);
-    return 0.25f * density_between_0(light_3, view_2, tangent_8, roughness_5) * (_S197 * mean_attenuation_0(_S197)) * _S194 / _S196;
+    return 0.25f * density_between_0(light_4, view_3, tangent_8, roughness_5) * (_S197 * mean_attenuation_0(_S197)) * _S194 / _S196;
 }
 
-Components_0 with_added_0(const Components_0 thread* sums_0, const Components_0 thread* more_0, float weight_1)
+Components_0 with_added_0(const Components_0 thread* sums_1, const Components_0 thread* more_0, float weight_1)
 {
     thread Components_0 result_0;
-    (&result_0)->diffuse_warp_0 = sums_0->diffuse_warp_0 + weight_1 * more_0->diffuse_warp_0;
-    (&result_0)->diffuse_weft_0 = sums_0->diffuse_weft_0 + weight_1 * more_0->diffuse_weft_0;
-    (&result_0)->specular_warp_0 = sums_0->specular_warp_0 + weight_1 * more_0->specular_warp_0;
-    (&result_0)->specular_weft_0 = sums_0->specular_weft_0 + weight_1 * more_0->specular_weft_0;
-    (&result_0)->light_visibility_0 = sums_0->light_visibility_0 + weight_1 * more_0->light_visibility_0;
-    (&result_0)->hole_2 = sums_0->hole_2 + weight_1 * more_0->hole_2;
+    (&result_0)->diffuse_warp_0 = sums_1->diffuse_warp_0 + weight_1 * more_0->diffuse_warp_0;
+    (&result_0)->diffuse_weft_0 = sums_1->diffuse_weft_0 + weight_1 * more_0->diffuse_weft_0;
+    (&result_0)->specular_warp_0 = sums_1->specular_warp_0 + weight_1 * more_0->specular_warp_0;
+    (&result_0)->specular_weft_0 = sums_1->specular_weft_0 + weight_1 * more_0->specular_weft_0;
+    (&result_0)->light_visibility_0 = sums_1->light_visibility_0 + weight_1 * more_0->light_visibility_0;
+    (&result_0)->hole_2 = sums_1->hole_2 + weight_1 * more_0->hole_2;
     return result_0;
 }
 
@@ -1670,18 +1694,18 @@ NodeTaps_0 node_taps_0(float3 direction_3)
     return taps_0;
 }
 
-float3 half_vector_0(float3 light_4, float3 view_3)
+float3 half_vector_0(float3 light_5, float3 view_4)
 {
-    float3 _S214 = light_4 + view_3;
+    float3 _S214 = light_5 + view_4;
     return _S214 * float3(rsqrt(max(square_1(_S214), 9.999999960041972e-13f))) ;
 }
 
-float3 shadow_correlation_0(float3 light_5, float3 view_4)
+float3 shadow_correlation_0(float3 light_6, float3 view_5)
 {
-    float2 _S215 = light_5.xy;
-    float2 _S216 = view_4.xy;
+    float2 _S215 = light_6.xy;
+    float2 _S216 = view_5.xy;
     float _S217 = dot(_S215, _S216) / max(sqrt(dot(_S215, _S215) * dot(_S216, _S216)), 9.99999997475242708e-07f);
-    if((light_5.z) < 0.0f)
+    if((light_6.z) < 0.0f)
     {
         return float3(float2((-0.09000000357627869f + -0.07999999821186066f * _S217)) , 0.0f);
     }
@@ -1779,11 +1803,11 @@ float mean_density_0(const Group_0 thread* group_2, float3 half_0)
     return 0.15915493667125702f / _S243 * ((1.0f - _S250) / ((_S248 * _S248 + 1.0f) * (_S249 * _S249 + 1.0f)) + arc_tangent_0(_S251, 1.0f + _S250) / _S251);
 }
 
-float layer_value_0(const Group_0 thread* group_3, float3 half_1, float3 light_6, float3 view_5, float optical_depth_3)
+float layer_value_0(const Group_0 thread* group_3, float3 half_1, float3 light_7, float3 view_6, float optical_depth_3)
 {
-    bool _S252 = (light_6.z) < 0.0f;
+    bool _S252 = (light_7.z) < 0.0f;
     float3 _S253 = group_3->normal_8;
-    float _S254 = dot(light_6, group_3->normal_8);
+    float _S254 = dot(light_7, group_3->normal_8);
     float _S255;
     if(_S252)
     {
@@ -1794,10 +1818,10 @@ float layer_value_0(const Group_0 thread* group_3, float3 half_1, float3 light_6
         _S255 = _S254;
     }
     float _S256 = max(_S255, 0.01999999955296516f);
-    float _S257 = max(dot(view_5, _S253), 0.01999999955296516f);
-    float _S258 = mean_area_0(group_3, light_6);
+    float _S257 = max(dot(view_6, _S253), 0.01999999955296516f);
+    float _S258 = mean_area_0(group_3, light_7);
     float _S259 = _S258 / _S256;
-    float _S260 = mean_area_0(group_3, view_5);
+    float _S260 = mean_area_0(group_3, view_6);
     float _S261 = _S260 / _S257;
     if(_S252)
     {
@@ -2131,14 +2155,14 @@ FaceRadiance_0 face_radiance_0(const FaceSends_0 thread* sends_0, float open_of_
     return found_0;
 }
 
-void view_terms_0(float3 view_6, array<float, int(6)> thread* terms_0)
+void view_terms_0(float3 view_7, array<float, int(6)> thread* terms_0)
 {
-    float _S349 = 1.0f - view_6.z;
+    float _S349 = 1.0f - view_7.z;
     float _S350 = _S349 * _S349;
     (*terms_0)[int(0)] = 1.0f;
-    float _S351 = view_6.x;
+    float _S351 = view_7.x;
     float _S352 = _S351 * _S351;
-    float _S353 = view_6.y;
+    float _S353 = view_7.y;
     float _S354 = _S353 * _S353;
     (*terms_0)[int(1)] = sqrt(max(_S352 + _S354, 9.999999960041972e-13f));
     (*terms_0)[int(2)] = _S350;
@@ -2187,11 +2211,11 @@ Bounced_0 sum_of_0(const Bounced_0 thread* first_3, const Bounced_0 thread* seco
     return sum_1;
 }
 
-float3 bounced_value_0(const Bounced_0 thread* bounced_1, float3 light_7, float3 view_7)
+float3 bounced_value_0(const Bounced_0 thread* bounced_1, float3 light_8, float3 view_8)
 {
-    float _S357 = light_7.z;
+    float _S357 = light_8.z;
     float3 _S358;
-    if((_S357 * view_7.z) < 0.0f)
+    if((_S357 * view_8.z) < 0.0f)
     {
         _S358 = bounced_1->transmitted_0;
     }
@@ -2225,9 +2249,9 @@ float3 sheen_lobe_0(float cos_view_0, float roughness_8)
     return float3(clamp(sheen_scale_0(_S360, _S361), 0.00999999977648258f, 1.0f), clamp((1.0f - _S359) * sheen_shear_0(_S360, _S361), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S360, _S361), -60.0f, 60.0f))));
 }
 
-float transformed_cosine_0(float3 light_8, float3 view_8, float scale_0, float shear_0)
+float transformed_cosine_0(float3 light_9, float3 view_9, float scale_0, float shear_0)
 {
-    float _S362 = light_8.z;
+    float _S362 = light_9.z;
     bool _S363;
     if(_S362 <= 0.0f)
     {
@@ -2235,13 +2259,13 @@ float transformed_cosine_0(float3 light_8, float3 view_8, float scale_0, float s
     }
     else
     {
-        _S363 = (view_8.z) <= 0.0f;
+        _S363 = (view_9.z) <= 0.0f;
     }
     if(_S363)
     {
         return 0.0f;
     }
-    float2 _S364 = view_8.xy;
+    float2 _S364 = view_9.xy;
     float _S365 = dot(_S364, _S364);
     float2 _S366;
     if(_S365 > 9.99999968265522539e-21f)
@@ -2252,17 +2276,17 @@ float transformed_cosine_0(float3 light_8, float3 view_8, float scale_0, float s
     {
         _S366 = float2(1.0f, 0.0f);
     }
-    float _S367 = scale_0 * dot(light_8.xy, _S366) + shear_0 * _S362;
-    float _S368 = scale_0 * (light_8.y * _S366.x - light_8.x * _S366.y);
+    float _S367 = scale_0 * dot(light_9.xy, _S366) + shear_0 * _S362;
+    float _S368 = scale_0 * (light_9.y * _S366.x - light_9.x * _S366.y);
     float _S369 = _S367 * _S367 + _S368 * _S368 + _S362 * _S362;
     return 0.31830987334251404f * scale_0 * scale_0 * _S362 / max(_S369 * _S369, 9.99999968265522539e-21f);
 }
 
-float2 sheen_with_transmittance_0(float3 light_9, float3 view_9, float strength_0, float roughness_9)
+float2 sheen_with_transmittance_0(float3 light_10, float3 view_10, float strength_0, float roughness_9)
 {
-    float3 _S370 = sheen_lobe_0(view_9.z, roughness_9);
+    float3 _S370 = sheen_lobe_0(view_10.z, roughness_9);
     float _S371 = strength_0 * _S370.z;
-    return float2(_S371 * transformed_cosine_0(light_9, view_9, _S370.x, _S370.y), 1.0f - _S371);
+    return float2(_S371 * transformed_cosine_0(light_10, view_10, _S370.x, _S370.y), 1.0f - _S371);
 }
 
 struct FamilyAlbedos_0
@@ -3268,7 +3292,7 @@ Hair_0 hair_at_0(uint _S645, float2 _S646, bool _S647, float _S648, KernelContex
     {
         number_1 = 0U;
     }
-    uint _S654 = hash_key_0(number_1, (_S649->seed_0) ^ 1013904242U);
+    uint _S654 = hash_key_0(number_1, (_S649->seed_1) ^ 1013904242U);
     float _S655 = 1.0f / max(_S648, 0.07999999821186066f * _S650);
     float _S656 = min(0.63999998569488525f * _S650 * _S655, 1.0f);
     float2 _S657 = float2(0.0f, 1.0f);
@@ -3407,7 +3431,7 @@ struct FibreNoise_0
     float bundle_weight_0;
     float2 fibre_0;
     float fibre_weight_0;
-    float offset_1;
+    float offset_2;
     float slope_2;
 };
 
@@ -3415,15 +3439,15 @@ FibreNoise_0 fibre_noise_at_0(uint _S694, uint _S695, const SurfacePoint_0 threa
 {
     Fabric_0 device* _S699 = kernelContext_46->fabrics_0+_S694;
     float _S700 = 5.0f * _S699->fibre_size_0;
-    float2 _S701 = wave_noise_0(hash_key_0(_S697, (_S699->seed_0) ^ 458671337U), _S696->fibre_along_0 / (25.0f * _S699->fibre_size_0));
+    float2 _S701 = wave_noise_0(hash_key_0(_S697, (_S699->seed_1) ^ 458671337U), _S696->fibre_along_0 / (25.0f * _S699->fibre_size_0));
     float _S702 = _S696->fibre_across_0 + (kernelContext_46->families_0+_S695)->fibre_tilt_0 * 0.5f * 25.0f * _S699->fibre_size_0 * _S701.x;
     float3 _S703 = fibre_cell_0(_S702, _S696->fibre_along_0, _S699->fibre_size_0);
     thread FibreNoise_0 noise_0;
-    (&noise_0)->bundle_0 = cell_noise_0(hash_key_0(_S697, (_S699->seed_0) ^ 1757159915U), fibre_cell_0(_S702, _S696->fibre_along_0, _S700));
+    (&noise_0)->bundle_0 = cell_noise_0(hash_key_0(_S697, (_S699->seed_1) ^ 1757159915U), fibre_cell_0(_S702, _S696->fibre_along_0, _S700));
     (&noise_0)->bundle_weight_0 = fade_0(_S698, _S700);
-    (&noise_0)->fibre_0 = cell_noise_0(hash_key_0(_S697, (_S699->seed_0) ^ 48610963U), _S703);
+    (&noise_0)->fibre_0 = cell_noise_0(hash_key_0(_S697, (_S699->seed_1) ^ 48610963U), _S703);
     (&noise_0)->fibre_weight_0 = fade_0(_S698, _S699->fibre_size_0);
-    (&noise_0)->offset_1 = _S703.z;
+    (&noise_0)->offset_2 = _S703.z;
     (&noise_0)->slope_2 = 0.5f * _S701.y;
     return noise_0;
 }
@@ -3460,7 +3484,7 @@ float2 detail_gain_0(uint _S704, uint _S705, const SurfacePoint_0 thread* _S706,
         {
             _S717 = - _S707.x;
         }
-        gain_1 = gain_1 + float2(_S716)  * float2(wave_noise_0(hash_key_0(_S709, (_S711->seed_0) ^ 1373058189U), _S717 * (kernelContext_47->families_0+_S705)->slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_0(_S706->across_0 * (kernelContext_47->families_0+_S705)->per_half_width_0), 1.0f)), 1.0f);
+        gain_1 = gain_1 + float2(_S716)  * float2(wave_noise_0(hash_key_0(_S709, (_S711->seed_1) ^ 1373058189U), _S717 * (kernelContext_47->families_0+_S705)->slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_0(_S706->across_0 * (kernelContext_47->families_0+_S705)->per_half_width_0), 1.0f)), 1.0f);
     }
     return gain_1;
 }
@@ -3473,9 +3497,9 @@ Albedos_0 vary_albedos_0(uint _S718, const Albedos_0 thread* _S719, uint _S720, 
     float3 _S726 = float3(_S723->layer_bound_0) ;
     float3 _S727 = float3(1.0f) ;
     float3 _S728 = _S727 - _S726 * _S724;
-    float colour_0 = bounded_gain_0(thread_gain_0(_S720, _S723->colour_noise_0, _S723->seed_0), _S725, _S728);
+    float colour_0 = bounded_gain_0(thread_gain_0(_S720, _S723->colour_noise_0, _S723->seed_1), _S725, _S728);
     float3 _S729 = float3((colour_0 * (1.0f + flattened_0(_S722.y, float3(colour_0)  * _S725, _S728) * _S722.x))) ;
-    float _S730 = bounded_gain_0(fibre_gain_0(_S720, _S721, _S723->fibre_noise_0, _S723->seed_0), _S724, min((_S727 - _S729 * _S725) / _S726, float3(1.0f) ));
+    float _S730 = bounded_gain_0(fibre_gain_0(_S720, _S721, _S723->fibre_noise_0, _S723->seed_1), _S724, min((_S727 - _S729 * _S725) / _S726, float3(1.0f) ));
     thread Albedos_0 varied_0;
     (&varied_0)->diffuse_reflect_0 = _S729 * _S719->diffuse_reflect_0;
     (&varied_0)->diffuse_transmit_0 = _S729 * _S719->diffuse_transmit_0;
@@ -3558,7 +3582,7 @@ YarnFrame_0 turned_frame_0(uint _S748, uint _S749, const SurfacePoint_0 thread* 
     if(((kernelContext_50->families_0+_S749)->fibre_tilt_0) > 0.0f)
     {
         FibreNoise_0 _S766 = fibre_noise_at_0(_S748, _S749, _S750, _S752, _S753, kernelContext_50);
-        float _S767 = 1.09858846664428711f * _S765 * (_S766.bundle_weight_0 * _S766.bundle_0.x + _S766.fibre_weight_0 * (_S766.fibre_0.x + _S766.offset_1));
+        float _S767 = 1.09858846664428711f * _S765 * (_S766.bundle_weight_0 * _S766.bundle_0.x + _S766.fibre_weight_0 * (_S766.fibre_0.x + _S766.offset_2));
         float _S768 = _S765 * (1.42099642753601074f * (_S766.bundle_weight_0 * _S766.bundle_0.y + _S766.fibre_weight_0 * _S766.fibre_0.y) - _S766.bundle_weight_0 * _S766.slope_2);
         float _S769 = square_0(_S766.fibre_weight_0);
         (&frame_2)->loss_0 = (&frame_2)->loss_0 + 0.5f * _S765 * _S765 * ((0.24761904776096344f * (square_0(_S766.bundle_weight_0) + _S769) + _S769 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
@@ -4080,12 +4104,12 @@ Components_0 prefiltered_components_0(uint _S919, const Footprint_0 thread* _S92
     {
         _S929 = _S924->lobes_0.front_warp_packs_0;
     }
-    thread Components_0 sums_1;
-    (&sums_1)->diffuse_warp_0 = 0.0f;
-    (&sums_1)->diffuse_weft_0 = 0.0f;
-    (&sums_1)->specular_warp_0 = 0.0f;
-    (&sums_1)->specular_weft_0 = 0.0f;
-    (&sums_1)->light_visibility_0 = 0.0f;
+    thread Components_0 sums_2;
+    (&sums_2)->diffuse_warp_0 = 0.0f;
+    (&sums_2)->diffuse_weft_0 = 0.0f;
+    (&sums_2)->specular_warp_0 = 0.0f;
+    (&sums_2)->specular_weft_0 = 0.0f;
+    (&sums_2)->light_visibility_0 = 0.0f;
     uint pack_0 = 0U;
     float total_2 = 0.0f;
     for(;;)
@@ -4147,7 +4171,7 @@ Components_0 prefiltered_components_0(uint _S919, const Footprint_0 thread* _S92
             float _S959 = _S956.x;
             float diffuse_1 = diffuse_0 + _S955 * _S950[number_5] * _S959;
             float specular_1 = specular_0 + _S955 * _S958 * _S946[number_5] * _S956.y;
-            (&sums_1)->light_visibility_0 = (&sums_1)->light_visibility_0 + _S955 * _S946[number_5] * _S959;
+            (&sums_2)->light_visibility_0 = (&sums_2)->light_visibility_0 + _S955 * _S946[number_5] * _S959;
             float total_3 = total_2 + _S955;
             number_5 = number_5 + 1U;
             diffuse_0 = diffuse_1;
@@ -4163,7 +4187,7 @@ Components_0 prefiltered_components_0(uint _S919, const Footprint_0 thread* _S92
         {
             _S960 = 0.0f;
         }
-        (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 + _S960;
+        (&sums_2)->diffuse_warp_0 = (&sums_2)->diffuse_warp_0 + _S960;
         float _S961;
         if(_S951)
         {
@@ -4173,7 +4197,7 @@ Components_0 prefiltered_components_0(uint _S919, const Footprint_0 thread* _S92
         {
             _S961 = diffuse_0;
         }
-        (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 + _S961;
+        (&sums_2)->diffuse_weft_0 = (&sums_2)->diffuse_weft_0 + _S961;
         float _S962;
         if(_S951)
         {
@@ -4183,7 +4207,7 @@ Components_0 prefiltered_components_0(uint _S919, const Footprint_0 thread* _S92
         {
             _S962 = 0.0f;
         }
-        (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 + _S962;
+        (&sums_2)->specular_warp_0 = (&sums_2)->specular_warp_0 + _S962;
         float _S963;
         if(_S951)
         {
@@ -4193,20 +4217,20 @@ Components_0 prefiltered_components_0(uint _S919, const Footprint_0 thread* _S92
         {
             _S963 = specular_0;
         }
-        (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 + _S963;
+        (&sums_2)->specular_weft_0 = (&sums_2)->specular_weft_0 + _S963;
         pack_0 = pack_0 + 1U;
     }
     thread CoverageTaps_0 _S964 = _S925;
     thread NodeTaps_0 _S965 = view_nodes_0;
     float _S966 = prefiltered_hole_0(_S919, &_S964, &_S965, _S923, kernelContext_64);
-    (&sums_1)->hole_2 = _S966;
+    (&sums_2)->hole_2 = _S966;
     float _S967 = (1.0f - _S966) / max(total_2, 9.999999960041972e-13f);
-    (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 * _S967;
-    (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 * _S967;
-    (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 * _S967;
-    (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 * _S967;
-    (&sums_1)->light_visibility_0 = (&sums_1)->light_visibility_0 * _S967;
-    return sums_1;
+    (&sums_2)->diffuse_warp_0 = (&sums_2)->diffuse_warp_0 * _S967;
+    (&sums_2)->diffuse_weft_0 = (&sums_2)->diffuse_weft_0 * _S967;
+    (&sums_2)->specular_warp_0 = (&sums_2)->specular_warp_0 * _S967;
+    (&sums_2)->specular_weft_0 = (&sums_2)->specular_weft_0 * _S967;
+    (&sums_2)->light_visibility_0 = (&sums_2)->light_visibility_0 * _S967;
+    return sums_2;
 }
 
 FamilyAlbedos_0 albedos_over_0(uint _S968, const Footprint_0 thread* _S969, bool _S970, KernelContext_0 thread* kernelContext_65)
@@ -4728,23 +4752,23 @@ float3 composed_0(uint _S1214, const Components_0 thread* _S1215, const CloseUp_
     return float3(_S1235.y)  * body_0 + float3(((_S1215->light_visibility_0 + _S1215->hole_2) * _S1235.x)) ;
 }
 
-float4 cloth_value_0(uint fabric_1, float2 centre_2, float2 dx_1, float2 dy_1, float3 light_10, float3 view_10, KernelContext_0 thread* kernelContext_79)
+float4 cloth_value_0(uint fabric_1, float2 centre_2, float2 dx_1, float2 dy_1, float3 light_11, float3 view_11, KernelContext_0 thread* kernelContext_79)
 {
     thread Footprint_0 footprint_0;
     (&footprint_0)->centre_0 = centre_2;
     (&footprint_0)->dx_0 = dx_1;
     (&footprint_0)->dy_0 = dy_1;
     thread Footprint_0 _S1236 = footprint_0;
-    Estimate_0 _S1237 = lobes_estimate_0(fabric_1, &_S1236, 1.0f, light_10, view_10, kernelContext_79);
+    Estimate_0 _S1237 = lobes_estimate_0(fabric_1, &_S1236, 1.0f, light_11, view_11, kernelContext_79);
     float3 _S1238 = float3(1.0f) ;
     thread Components_0 _S1239 = _S1237.components_0;
     thread CloseUp_0 _S1240 = _S1237.close_0;
     thread FamilyAlbedos_0 _S1241 = _S1237.albedos_5;
-    float3 _S1242 = composed_0(fabric_1, &_S1239, &_S1240, &_S1241, _S1238, light_10, view_10, kernelContext_79);
+    float3 _S1242 = composed_0(fabric_1, &_S1239, &_S1240, &_S1241, _S1238, light_11, view_11, kernelContext_79);
     float through_1;
     if(((kernelContext_79->fabrics_0+fabric_1)->sheen_strength_0) > 0.0f)
     {
-        through_1 = _S1237.components_0.hole_2 * (1.0f - (kernelContext_79->fabrics_0+fabric_1)->sheen_strength_0 * sheen_lobe_0(abs(view_10.z), (kernelContext_79->fabrics_0+fabric_1)->sheen_roughness_0).z);
+        through_1 = _S1237.components_0.hole_2 * (1.0f - (kernelContext_79->fabrics_0+fabric_1)->sheen_strength_0 * sheen_lobe_0(abs(view_11.z), (kernelContext_79->fabrics_0+fabric_1)->sheen_roughness_0).z);
     }
     else
     {

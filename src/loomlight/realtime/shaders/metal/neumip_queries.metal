@@ -22,6 +22,7 @@ struct Query_0
     float view_x_0;
     float view_y_0;
     float view_z_0;
+    uint seed_0;
 };
 
 struct Lobes_0
@@ -118,6 +119,28 @@ struct Latent_0
     uint is_trilinear_0;
 };
 
+struct Clustered_0
+{
+    uint is_baked_1;
+    uint clusters_0;
+    uint rank_0;
+    uint channels_0;
+    uint columns_0;
+    uint rows_0;
+    float texel_width_0;
+    float texel_height_0;
+    uint samples_0;
+    uint sums_0;
+    uint labels_0;
+    uint coefficients_0;
+    uint basis_0;
+    uint moments_1;
+    uint light_0;
+    uint view_0;
+    uint offset_1;
+    uint trust_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
@@ -141,7 +164,7 @@ struct Fabric_0
     float sheen_roughness_0;
     float fibre_noise_0;
     float colour_noise_0;
-    uint seed_0;
+    uint seed_1;
     float layer_bound_0;
     float fibre_size_0;
     uint has_detail_0;
@@ -154,6 +177,7 @@ struct Fabric_0
     uint has_yarns_0;
     float mean_hole_0;
     Latent_0 latent_0;
+    Clustered_0 clustered_0;
 };
 
 struct KernelContext_0
@@ -188,7 +212,7 @@ Eight_0 FloatWeights_eight_0(const FloatWeights_0 thread* this_0, uint element_0
 
 float4 tile_product_0(const FloatWeights_0 thread* weights_0, uint row_0, array<float, int(25)> thread* inputs_0, KernelContext_0 thread* kernelContext_1)
 {
-    thread float4 sums_0 = float4(0.0f) ;
+    thread float4 sums_1 = float4(0.0f) ;
     uint column_0 = 0U;
     for(;;)
     {
@@ -214,16 +238,16 @@ float4 tile_product_0(const FloatWeights_0 thread* weights_0, uint row_0, array<
         low_1.w = (*inputs_0)[min(_S5, int(24))];
         high_1.w = (*inputs_0)[min(_S5 + int(4), int(24))];
         Eight_0 _S6 = FloatWeights_eight_0(weights_0, row_0 + column_0, kernelContext_1);
-        sums_0.x = sums_0.x + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
+        sums_1.x = sums_1.x + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
         Eight_0 _S7 = FloatWeights_eight_0(weights_0, row_0 + 4U + column_0, kernelContext_1);
-        sums_0.y = sums_0.y + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
+        sums_1.y = sums_1.y + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
         Eight_0 _S8 = FloatWeights_eight_0(weights_0, row_0 + 8U + column_0, kernelContext_1);
-        sums_0.z = sums_0.z + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
+        sums_1.z = sums_1.z + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
         Eight_0 _S9 = FloatWeights_eight_0(weights_0, row_0 + 12U + column_0, kernelContext_1);
-        sums_0.w = sums_0.w + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
+        sums_1.w = sums_1.w + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
         column_0 = column_0 + 1U;
     }
-    return sums_0;
+    return sums_1;
 }
 
 float Identity_apply_0(float x_0)
@@ -317,7 +341,7 @@ void dense_part_0(const FloatWeights_0 thread* weights_1, uint first_1, bool add
 
 float4 tile_product_1(const FloatWeights_0 thread* weights_2, uint row_1, array<float, int(11)> thread* inputs_2, KernelContext_0 thread* kernelContext_3)
 {
-    thread float4 sums_1 = float4(0.0f) ;
+    thread float4 sums_2 = float4(0.0f) ;
     uint column_1 = 0U;
     for(;;)
     {
@@ -343,16 +367,16 @@ float4 tile_product_1(const FloatWeights_0 thread* weights_2, uint row_1, array<
         low_2.w = (*inputs_2)[min(_S24, int(10))];
         high_2.w = (*inputs_2)[min(_S24 + int(4), int(10))];
         Eight_0 _S25 = FloatWeights_eight_0(weights_2, row_1 + column_1, kernelContext_3);
-        sums_1.x = sums_1.x + (dot(_S25.low_0, low_2) + dot(_S25.high_0, high_2));
+        sums_2.x = sums_2.x + (dot(_S25.low_0, low_2) + dot(_S25.high_0, high_2));
         Eight_0 _S26 = FloatWeights_eight_0(weights_2, row_1 + 2U + column_1, kernelContext_3);
-        sums_1.y = sums_1.y + (dot(_S26.low_0, low_2) + dot(_S26.high_0, high_2));
+        sums_2.y = sums_2.y + (dot(_S26.low_0, low_2) + dot(_S26.high_0, high_2));
         Eight_0 _S27 = FloatWeights_eight_0(weights_2, row_1 + 4U + column_1, kernelContext_3);
-        sums_1.z = sums_1.z + (dot(_S27.low_0, low_2) + dot(_S27.high_0, high_2));
+        sums_2.z = sums_2.z + (dot(_S27.low_0, low_2) + dot(_S27.high_0, high_2));
         Eight_0 _S28 = FloatWeights_eight_0(weights_2, row_1 + 6U + column_1, kernelContext_3);
-        sums_1.w = sums_1.w + (dot(_S28.low_0, low_2) + dot(_S28.high_0, high_2));
+        sums_2.w = sums_2.w + (dot(_S28.low_0, low_2) + dot(_S28.high_0, high_2));
         column_1 = column_1 + 1U;
     }
-    return sums_1;
+    return sums_2;
 }
 
 float Relu_apply_0(float x_1)
@@ -458,7 +482,7 @@ void dense_1(const FloatWeights_0 thread* weights_5, uint first_4, bool adds_3, 
 
 float4 tile_product_2(const FloatWeights_0 thread* weights_6, uint row_2, array<float, int(16)> thread* inputs_6, KernelContext_0 thread* kernelContext_7)
 {
-    thread float4 sums_2 = float4(0.0f) ;
+    thread float4 sums_3 = float4(0.0f) ;
     uint column_2 = 0U;
     for(;;)
     {
@@ -484,16 +508,16 @@ float4 tile_product_2(const FloatWeights_0 thread* weights_6, uint row_2, array<
         low_3.w = (*inputs_6)[_S43];
         high_3.w = (*inputs_6)[_S43 + int(4)];
         Eight_0 _S44 = FloatWeights_eight_0(weights_6, row_2 + column_2, kernelContext_7);
-        sums_2.x = sums_2.x + (dot(_S44.low_0, low_3) + dot(_S44.high_0, high_3));
+        sums_3.x = sums_3.x + (dot(_S44.low_0, low_3) + dot(_S44.high_0, high_3));
         Eight_0 _S45 = FloatWeights_eight_0(weights_6, row_2 + 2U + column_2, kernelContext_7);
-        sums_2.y = sums_2.y + (dot(_S45.low_0, low_3) + dot(_S45.high_0, high_3));
+        sums_3.y = sums_3.y + (dot(_S45.low_0, low_3) + dot(_S45.high_0, high_3));
         Eight_0 _S46 = FloatWeights_eight_0(weights_6, row_2 + 4U + column_2, kernelContext_7);
-        sums_2.z = sums_2.z + (dot(_S46.low_0, low_3) + dot(_S46.high_0, high_3));
+        sums_3.z = sums_3.z + (dot(_S46.low_0, low_3) + dot(_S46.high_0, high_3));
         Eight_0 _S47 = FloatWeights_eight_0(weights_6, row_2 + 6U + column_2, kernelContext_7);
-        sums_2.w = sums_2.w + (dot(_S47.low_0, low_3) + dot(_S47.high_0, high_3));
+        sums_3.w = sums_3.w + (dot(_S47.low_0, low_3) + dot(_S47.high_0, high_3));
         column_2 = column_2 + 1U;
     }
-    return sums_2;
+    return sums_3;
 }
 
 void dense_part_2(const FloatWeights_0 thread* weights_7, uint first_5, bool adds_4, array<float, int(16)> thread* inputs_7, array<float, int(16)> thread* outputs_4, KernelContext_0 thread* kernelContext_8)
@@ -666,7 +690,7 @@ void dense_part_3(const FloatWeights_0 thread* weights_8, uint first_6, bool add
 
 float4 tile_product_3(const FloatWeights_0 thread* weights_9, uint row_3, array<float, int(9)> thread* inputs_9, KernelContext_0 thread* kernelContext_10)
 {
-    thread float4 sums_3 = float4(0.0f) ;
+    thread float4 sums_4 = float4(0.0f) ;
     uint column_3 = 0U;
     for(;;)
     {
@@ -692,16 +716,16 @@ float4 tile_product_3(const FloatWeights_0 thread* weights_9, uint row_3, array<
         low_4.w = (*inputs_9)[min(_S73, int(8))];
         high_4.w = (*inputs_9)[min(_S73 + int(4), int(8))];
         Eight_0 _S74 = FloatWeights_eight_0(weights_9, row_3 + column_3, kernelContext_10);
-        sums_3.x = sums_3.x + (dot(_S74.low_0, low_4) + dot(_S74.high_0, high_4));
+        sums_4.x = sums_4.x + (dot(_S74.low_0, low_4) + dot(_S74.high_0, high_4));
         Eight_0 _S75 = FloatWeights_eight_0(weights_9, row_3 + 2U + column_3, kernelContext_10);
-        sums_3.y = sums_3.y + (dot(_S75.low_0, low_4) + dot(_S75.high_0, high_4));
+        sums_4.y = sums_4.y + (dot(_S75.low_0, low_4) + dot(_S75.high_0, high_4));
         Eight_0 _S76 = FloatWeights_eight_0(weights_9, row_3 + 4U + column_3, kernelContext_10);
-        sums_3.z = sums_3.z + (dot(_S76.low_0, low_4) + dot(_S76.high_0, high_4));
+        sums_4.z = sums_4.z + (dot(_S76.low_0, low_4) + dot(_S76.high_0, high_4));
         Eight_0 _S77 = FloatWeights_eight_0(weights_9, row_3 + 6U + column_3, kernelContext_10);
-        sums_3.w = sums_3.w + (dot(_S77.low_0, low_4) + dot(_S77.high_0, high_4));
+        sums_4.w = sums_4.w + (dot(_S77.low_0, low_4) + dot(_S77.high_0, high_4));
         column_3 = column_3 + 1U;
     }
-    return sums_3;
+    return sums_4;
 }
 
 void dense_part_4(const FloatWeights_0 thread* weights_10, uint first_7, bool adds_6, array<float, int(9)> thread* inputs_10, array<float, int(16)> thread* outputs_6, KernelContext_0 thread* kernelContext_11)
@@ -1242,9 +1266,9 @@ Eight_0 texel_numbers_0(uint first_17, uint elements_1, uint texel_0, KernelCont
     return numbers_3;
 }
 
-void add_bilinear_0(uint first_18, uint elements_2, uint start_0, uint columns_0, uint rows_0, float2 uv_0, float weight_0, Eight_0 thread* sums_4, KernelContext_0 thread* kernelContext_25)
+void add_bilinear_0(uint first_18, uint elements_2, uint start_0, uint columns_1, uint rows_1, float2 uv_0, float weight_0, Eight_0 thread* sums_5, KernelContext_0 thread* kernelContext_25)
 {
-    float2 _S140 = uv_0 * float2(float(columns_0), float(rows_0)) - float2(0.5f) ;
+    float2 _S140 = uv_0 * float2(float(columns_1), float(rows_1)) - float2(0.5f) ;
     float2 _S141 = floor(_S140);
     float2 _S142 = _S140 - _S141;
     int _S143 = int(_S141.x);
@@ -1261,7 +1285,7 @@ void add_bilinear_0(uint first_18, uint elements_2, uint start_0, uint columns_0
         }
         uint _S145 = tap_0 & 1U;
         uint _S146 = tap_0 >> 1U;
-        Eight_0 _S147 = texel_numbers_0(first_18, elements_2, start_0 + (uint(_S144 + int(_S146)) & (rows_0 - 1U)) * columns_0 + (uint(_S143 + int(_S145)) & (columns_0 - 1U)), kernelContext_25);
+        Eight_0 _S147 = texel_numbers_0(first_18, elements_2, start_0 + (uint(_S144 + int(_S146)) & (rows_1 - 1U)) * columns_1 + (uint(_S143 + int(_S145)) & (columns_1 - 1U)), kernelContext_25);
         float _S148;
         if(_S146 != 0U)
         {
@@ -1281,8 +1305,8 @@ void add_bilinear_0(uint first_18, uint elements_2, uint start_0, uint columns_0
             _S149 = 1.0f - _S142.x;
         }
         float4 _S150 = float4((_S148 * _S149 * weight_0)) ;
-        sums_4->low_0 = sums_4->low_0 + _S150 * _S147.low_0;
-        sums_4->high_0 = sums_4->high_0 + _S150 * _S147.high_0;
+        sums_5->low_0 = sums_5->low_0 + _S150 * _S147.low_0;
+        sums_5->high_0 = sums_5->high_0 + _S150 * _S147.high_0;
         tap_0 = tap_0 + 1U;
     }
     return;
@@ -1302,7 +1326,7 @@ float channel_0(const Eight_0 thread* numbers_4, int k_0)
     return _S151;
 }
 
-float neumip_depth_0(const Neumip_0 thread* model_0, float2 uv_1, float2 view_0, uint face_0, KernelContext_0 thread* kernelContext_26)
+float neumip_depth_0(const Neumip_0 thread* model_0, float2 uv_1, float2 view_1, uint face_0, KernelContext_0 thread* kernelContext_26)
 {
     uint _S152 = kernelContext_26->words_0[model_0->levels_2 + 1U];
     uint _S153 = kernelContext_26->words_0[model_0->levels_2 + 2U];
@@ -1324,8 +1348,8 @@ float neumip_depth_0(const Neumip_0 thread* model_0, float2 uv_1, float2 view_0,
         inputs_24[k_1] = _S155;
         k_1 = k_1 + int(1);
     }
-    inputs_24[int(7)] = view_0.x;
-    inputs_24[int(8)] = view_0.y;
+    inputs_24[int(7)] = view_1.x;
+    inputs_24[int(8)] = view_1.y;
     thread MLP_0 network_1;
     (&(&network_1)->weights_20)->first_0 = model_0->offset_0;
     thread MLP_0 _S156 = network_1;
@@ -1376,10 +1400,10 @@ struct TexelPyramid_0
     uint face_texels_2;
 };
 
-void TexelPyramid_add_level_0(const TexelPyramid_0 thread* this_4, float2 place_0, uint level_0, uint face_1, float weight_1, Eight_0 thread* sums_5, KernelContext_0 thread* kernelContext_27)
+void TexelPyramid_add_level_0(const TexelPyramid_0 thread* this_4, float2 place_0, uint level_0, uint face_1, float weight_1, Eight_0 thread* sums_6, KernelContext_0 thread* kernelContext_27)
 {
     uint _S159 = this_4->levels_4 + 3U * level_0;
-    add_bilinear_0(this_4->first_19, this_4->elements_3, face_1 * this_4->face_texels_2 + kernelContext_27->words_0[_S159], kernelContext_27->words_0[_S159 + 1U], kernelContext_27->words_0[_S159 + 2U], place_0, weight_1, sums_5, kernelContext_27);
+    add_bilinear_0(this_4->first_19, this_4->elements_3, face_1 * this_4->face_texels_2 + kernelContext_27->words_0[_S159], kernelContext_27->words_0[_S159 + 1U], kernelContext_27->words_0[_S159 + 2U], place_0, weight_1, sums_6, kernelContext_27);
     return;
 }
 
@@ -1390,10 +1414,10 @@ Eight_0 TexelPyramid_between_levels_0(const TexelPyramid_0 thread* this_5, float
     float _S162 = _S160 - _S161;
     float2 _S163 = within_repeat_0(uv_3);
     thread Eight_0 texel_2 = no_numbers_0();
-    uint offset_1 = 0U;
+    uint offset_2 = 0U;
     for(;;)
     {
-        if(offset_1 < 2U)
+        if(offset_2 < 2U)
         {
         }
         else
@@ -1401,7 +1425,7 @@ Eight_0 TexelPyramid_between_levels_0(const TexelPyramid_0 thread* this_5, float
             break;
         }
         float _S164;
-        if(offset_1 == 0U)
+        if(offset_2 == 0U)
         {
             _S164 = 1.0f - _S162;
         }
@@ -1411,9 +1435,9 @@ Eight_0 TexelPyramid_between_levels_0(const TexelPyramid_0 thread* this_5, float
         }
         if(_S164 > 0.0f)
         {
-            TexelPyramid_add_level_0(this_5, _S163, uint(_S161) + offset_1, face_2, _S164, &texel_2, kernelContext_28);
+            TexelPyramid_add_level_0(this_5, _S163, uint(_S161) + offset_2, face_2, _S164, &texel_2, kernelContext_28);
         }
-        offset_1 = offset_1 + 1U;
+        offset_2 = offset_2 + 1U;
     }
     return texel_2;
 }
@@ -1437,7 +1461,7 @@ float exponential_0(float x_4)
     return _S169;
 }
 
-float neumip_hole_0(const Neumip_0 thread* model_1, const Eight_0 thread* texel_3, float2 view_1, KernelContext_0 thread* kernelContext_29)
+float neumip_hole_0(const Neumip_0 thread* model_1, const Eight_0 thread* texel_3, float2 view_2, KernelContext_0 thread* kernelContext_29)
 {
     thread array<float, int(9)> inputs_25;
     int k_2 = int(0);
@@ -1454,8 +1478,8 @@ float neumip_hole_0(const Neumip_0 thread* model_1, const Eight_0 thread* texel_
         inputs_25[k_2] = _S170;
         k_2 = k_2 + int(1);
     }
-    inputs_25[int(7)] = view_1.x;
-    inputs_25[int(8)] = view_1.y;
+    inputs_25[int(7)] = view_2.x;
+    inputs_25[int(8)] = view_2.y;
     thread MLP_0 network_2;
     (&(&network_2)->weights_20)->first_0 = model_1->opacity_0;
     thread MLP_0 _S171 = network_2;
@@ -1474,7 +1498,7 @@ struct Footprint_0
 struct NeumipView_0
 {
     array<float, int(7)> latent_1;
-    float2 view_2;
+    float2 view_3;
     bool back_3;
     float hole_0;
 };
@@ -1532,7 +1556,7 @@ void neumip_view_0(uint _S172, const Footprint_0 thread* _S173, float3 _S174, Ne
         k_3 = k_3 + int(1);
     }
     float2 _S189 = _S179.xy;
-    _S175->view_2 = _S189;
+    _S175->view_3 = _S189;
     _S175->back_3 = _S177;
     float _S190;
     if((_S176.has_holes_0) != 0U)
@@ -1593,8 +1617,8 @@ float3 neumip_value_0(uint _S194, NeumipView_0 thread* _S195, float3 _S196, Kern
     }
     inputs_26[int(7)] = _S198.x;
     inputs_26[int(8)] = _S198.y;
-    inputs_26[int(9)] = _S195->view_2.x;
-    inputs_26[int(10)] = _S195->view_2.y;
+    inputs_26[int(9)] = _S195->view_3.x;
+    inputs_26[int(10)] = _S195->view_3.y;
     thread array<float, int(3)> outputs_20;
     thread MLP_0 network_3;
     uint _S202;
@@ -1612,7 +1636,7 @@ float3 neumip_value_0(uint _S194, NeumipView_0 thread* _S195, float3 _S196, Kern
     return max(float3(outputs_20[int(0)], outputs_20[int(1)], outputs_20[int(2)]), float3(0.0f) ) * float3(0.31830987334251404f) ;
 }
 
-float4 cloth_value_0(uint fabric_1, float2 centre_1, float2 dx_1, float2 dy_1, float3 light_0, float3 view_3, KernelContext_0 thread* kernelContext_32)
+float4 cloth_value_0(uint fabric_1, float2 centre_1, float2 dx_1, float2 dy_1, float3 light_1, float3 view_4, KernelContext_0 thread* kernelContext_32)
 {
     thread Footprint_0 footprint_0;
     (&footprint_0)->centre_0 = centre_1;
@@ -1620,8 +1644,8 @@ float4 cloth_value_0(uint fabric_1, float2 centre_1, float2 dx_1, float2 dy_1, f
     (&footprint_0)->dy_0 = dy_1;
     thread Footprint_0 _S204 = footprint_0;
     thread NeumipView_0 seen_0;
-    neumip_view_0(fabric_1, &_S204, view_3, &seen_0, kernelContext_32);
-    float3 _S205 = neumip_value_0(fabric_1, &seen_0, light_0, kernelContext_32);
+    neumip_view_0(fabric_1, &_S204, view_4, &seen_0, kernelContext_32);
+    float3 _S205 = neumip_value_0(fabric_1, &seen_0, light_1, kernelContext_32);
     return float4(_S205, (&seen_0)->hole_0);
 }
 

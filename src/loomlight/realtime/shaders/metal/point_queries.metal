@@ -63,6 +63,7 @@ struct Query_0
     float view_x_0;
     float view_y_0;
     float view_z_0;
+    uint seed_0;
 };
 
 struct Lobes_0
@@ -159,6 +160,28 @@ struct Latent_0
     uint is_trilinear_0;
 };
 
+struct Clustered_0
+{
+    uint is_baked_1;
+    uint clusters_0;
+    uint rank_0;
+    uint channels_0;
+    uint columns_0;
+    uint rows_0;
+    float texel_width_0;
+    float texel_height_0;
+    uint samples_0;
+    uint sums_0;
+    uint labels_0;
+    uint coefficients_0;
+    uint basis_0;
+    uint moments_1;
+    uint light_0;
+    uint view_0;
+    uint offset_1;
+    uint trust_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
@@ -182,7 +205,7 @@ struct Fabric_0
     float sheen_roughness_0;
     float fibre_noise_0;
     float colour_noise_0;
-    uint seed_0;
+    uint seed_1;
     float layer_bound_0;
     float fibre_size_0;
     uint has_detail_0;
@@ -195,6 +218,7 @@ struct Fabric_0
     uint has_yarns_0;
     float mean_hole_0;
     Latent_0 latent_0;
+    Clustered_0 clustered_0;
 };
 
 struct Family_0
@@ -1309,9 +1333,9 @@ float uniform_hash_0(uint thread_9, uint cell_7, uint stream_1)
     return (float((hash_bits_0(hash_key_0(thread_9, stream_1), cell_7)) >> 9U) + 0.5f) * 1.1920928955078125e-07f;
 }
 
-float thread_gain_0(uint thread_10, float amount_0, uint seed_1)
+float thread_gain_0(uint thread_10, float amount_0, uint seed_2)
 {
-    return amount_0 * (2.0f * uniform_hash_0(thread_10, 0U, seed_1 ^ 2135587861U) - 1.0f) + 1.0f;
+    return amount_0 * (2.0f * uniform_hash_0(thread_10, 0U, seed_2 ^ 2135587861U) - 1.0f) + 1.0f;
 }
 
 float bounded_gain_0(float gain_0, float3 albedo_1, float3 room_0)
@@ -1349,9 +1373,9 @@ float natural_logarithm_0(float x_3)
     return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S163 - exponent_1 * 0.00021219444170129f - 0.5f * _S163) + exponent_1 * 0.693359375f;
 }
 
-float fibre_gain_0(uint thread_11, uint cell_8, float amount_1, uint seed_2)
+float fibre_gain_0(uint thread_11, uint cell_8, float amount_1, uint seed_3)
 {
-    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_8, seed_2 ^ 2654435769U)), 10.0f) - 1.0f) + 1.0f;
+    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_8, seed_3 ^ 2654435769U)), 10.0f) - 1.0f) + 1.0f;
 }
 
 struct YarnFrame_0
@@ -1460,14 +1484,14 @@ Bounced_0 bounced_by_0(const Blocked_0 thread* blocked_0, const Scattered_0 thre
     return bounced_0;
 }
 
-float diffuse_reflection_0(float3 light_0, float3 normal_4, float blend_1)
+float diffuse_reflection_0(float3 light_1, float3 normal_4, float blend_1)
 {
-    float _S176 = light_0.z;
+    float _S176 = light_1.z;
     if(_S176 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * mix(max(_S176, 0.0f), max(dot(light_0, normal_4), 0.0f), blend_1);
+    return 0.31830987334251404f * mix(max(_S176, 0.0f), max(dot(light_1, normal_4), 0.0f), blend_1);
 }
 
 float projected_area_1(float3 direction_2, float3 tangent_4, float roughness_1)
@@ -1516,16 +1540,16 @@ float flake_density_0(float squared_along_0, float roughness_2)
     return 0.31830987334251404f * _S183 * roughness_2 / (_S184 * _S184);
 }
 
-float density_between_0(float3 light_1, float3 view_0, float3 tangent_5, float roughness_3)
+float density_between_0(float3 light_2, float3 view_1, float3 tangent_5, float roughness_3)
 {
-    float3 _S185 = light_1 + view_0;
+    float3 _S185 = light_2 + view_1;
     float _S186 = dot(_S185, tangent_5);
     return flake_density_0(min(_S186 * _S186 / max(square_1(_S185), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
-float reflection_0(float3 light_2, float3 view_1, float3 normal_5, float3 tangent_6, float roughness_4, float optical_depth_1)
+float reflection_0(float3 light_3, float3 view_2, float3 normal_5, float3 tangent_6, float roughness_4, float optical_depth_1)
 {
-    float _S187 = dot(light_2, normal_5);
+    float _S187 = dot(light_3, normal_5);
     bool _S188;
     if(_S187 <= 0.0f)
     {
@@ -1533,23 +1557,23 @@ float reflection_0(float3 light_2, float3 view_1, float3 normal_5, float3 tangen
     }
     else
     {
-        _S188 = (dot(view_1, normal_5)) <= 0.0f;
+        _S188 = (dot(view_2, normal_5)) <= 0.0f;
     }
     if(_S188)
     {
         return 0.0f;
     }
     float _S189 = max(_S187, 9.99999997475242708e-07f);
-    float _S190 = max(dot(view_1, normal_5), 9.99999997475242708e-07f);
-    float _S191 = projected_area_1(light_2, tangent_6, roughness_4) * _S190 + projected_area_1(view_1, tangent_6, roughness_4) * _S189;
+    float _S190 = max(dot(view_2, normal_5), 9.99999997475242708e-07f);
+    float _S191 = projected_area_1(light_3, tangent_6, roughness_4) * _S190 + projected_area_1(view_2, tangent_6, roughness_4) * _S189;
     float _S192 = optical_depth_1 * _S191 / (_S189 * _S190);
-    return 0.25f * density_between_0(light_2, view_1, tangent_6, roughness_4) * (_S192 * mean_attenuation_0(_S192)) * _S189 / _S191;
+    return 0.25f * density_between_0(light_3, view_2, tangent_6, roughness_4) * (_S192 * mean_attenuation_0(_S192)) * _S189 / _S191;
 }
 
-float transmission_1(float3 light_3, float3 view_2, float3 normal_6, float3 tangent_7, float roughness_5, float optical_depth_2)
+float transmission_1(float3 light_4, float3 view_3, float3 normal_6, float3 tangent_7, float roughness_5, float optical_depth_2)
 {
-    float _S193 = - dot(light_3, normal_6);
-    float _S194 = dot(view_2, normal_6);
+    float _S193 = - dot(light_4, normal_6);
+    float _S194 = dot(view_3, normal_6);
     bool _S195;
     if(_S193 <= 0.0f)
     {
@@ -1564,9 +1588,9 @@ float transmission_1(float3 light_3, float3 view_2, float3 normal_6, float3 tang
         return 0.0f;
     }
     float _S196 = 1.0f / max(_S194, 9.99999997475242708e-07f);
-    float _S197 = projected_area_1(light_3, tangent_7, roughness_5) / max(_S193, 9.99999997475242708e-07f);
-    float _S198 = projected_area_1(view_2, tangent_7, roughness_5) * _S196;
-    return density_between_0(light_3, view_2, tangent_7, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S197, _S198)) * mean_attenuation_0(optical_depth_2 * abs(_S197 - _S198)) * _S196;
+    float _S197 = projected_area_1(light_4, tangent_7, roughness_5) / max(_S193, 9.99999997475242708e-07f);
+    float _S198 = projected_area_1(view_3, tangent_7, roughness_5) * _S196;
+    return density_between_0(light_4, view_3, tangent_7, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S197, _S198)) * mean_attenuation_0(optical_depth_2 * abs(_S197 - _S198)) * _S196;
 }
 
 float sheen_scale_0(float x_5, float y_0)
@@ -1592,9 +1616,9 @@ float3 sheen_lobe_0(float cos_view_0, float roughness_6)
     return float3(clamp(sheen_scale_0(_S200, _S201), 0.00999999977648258f, 1.0f), clamp((1.0f - _S199) * sheen_shear_0(_S200, _S201), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S200, _S201), -60.0f, 60.0f))));
 }
 
-float transformed_cosine_0(float3 light_4, float3 view_3, float scale_0, float shear_0)
+float transformed_cosine_0(float3 light_5, float3 view_4, float scale_0, float shear_0)
 {
-    float _S202 = light_4.z;
+    float _S202 = light_5.z;
     bool _S203;
     if(_S202 <= 0.0f)
     {
@@ -1602,13 +1626,13 @@ float transformed_cosine_0(float3 light_4, float3 view_3, float scale_0, float s
     }
     else
     {
-        _S203 = (view_3.z) <= 0.0f;
+        _S203 = (view_4.z) <= 0.0f;
     }
     if(_S203)
     {
         return 0.0f;
     }
-    float2 _S204 = view_3.xy;
+    float2 _S204 = view_4.xy;
     float _S205 = dot(_S204, _S204);
     float2 _S206;
     if(_S205 > 9.99999968265522539e-21f)
@@ -1619,24 +1643,24 @@ float transformed_cosine_0(float3 light_4, float3 view_3, float scale_0, float s
     {
         _S206 = float2(1.0f, 0.0f);
     }
-    float _S207 = scale_0 * dot(light_4.xy, _S206) + shear_0 * _S202;
-    float _S208 = scale_0 * (light_4.y * _S206.x - light_4.x * _S206.y);
+    float _S207 = scale_0 * dot(light_5.xy, _S206) + shear_0 * _S202;
+    float _S208 = scale_0 * (light_5.y * _S206.x - light_5.x * _S206.y);
     float _S209 = _S207 * _S207 + _S208 * _S208 + _S202 * _S202;
     return 0.31830987334251404f * scale_0 * scale_0 * _S202 / max(_S209 * _S209, 9.99999968265522539e-21f);
 }
 
-float2 sheen_with_transmittance_0(float3 light_5, float3 view_4, float strength_0, float roughness_7)
+float2 sheen_with_transmittance_0(float3 light_6, float3 view_5, float strength_0, float roughness_7)
 {
-    float3 _S210 = sheen_lobe_0(view_4.z, roughness_7);
+    float3 _S210 = sheen_lobe_0(view_5.z, roughness_7);
     float _S211 = strength_0 * _S210.z;
-    return float2(_S211 * transformed_cosine_0(light_5, view_4, _S210.x, _S210.y), 1.0f - _S211);
+    return float2(_S211 * transformed_cosine_0(light_6, view_5, _S210.x, _S210.y), 1.0f - _S211);
 }
 
-float3 bounced_value_0(const Bounced_0 thread* bounced_1, float3 light_6, float3 view_5)
+float3 bounced_value_0(const Bounced_0 thread* bounced_1, float3 light_7, float3 view_6)
 {
-    float _S212 = light_6.z;
+    float _S212 = light_7.z;
     float3 _S213;
-    if((_S212 * view_5.z) < 0.0f)
+    if((_S212 * view_6.z) < 0.0f)
     {
         _S213 = bounced_1->transmitted_0;
     }
@@ -2577,7 +2601,7 @@ Hair_0 hair_at_0(uint _S474, float2 _S475, bool _S476, float _S477, KernelContex
     {
         number_1 = 0U;
     }
-    uint _S483 = hash_key_0(number_1, (_S478->seed_0) ^ 1013904242U);
+    uint _S483 = hash_key_0(number_1, (_S478->seed_1) ^ 1013904242U);
     float _S484 = 1.0f / max(_S477, 0.07999999821186066f * _S479);
     float _S485 = min(0.63999998569488525f * _S479 * _S484, 1.0f);
     float2 _S486 = float2(0.0f, 1.0f);
@@ -2746,7 +2770,7 @@ struct FibreNoise_0
     float bundle_weight_0;
     float2 fibre_0;
     float fibre_weight_0;
-    float offset_1;
+    float offset_2;
     float slope_2;
 };
 
@@ -2754,15 +2778,15 @@ FibreNoise_0 fibre_noise_at_0(uint _S527, uint _S528, const SurfacePoint_0 threa
 {
     Fabric_0 device* _S532 = kernelContext_35->fabrics_0+_S527;
     float _S533 = 5.0f * _S532->fibre_size_0;
-    float2 _S534 = wave_noise_0(hash_key_0(_S530, (_S532->seed_0) ^ 458671337U), _S529->fibre_along_0 / (25.0f * _S532->fibre_size_0));
+    float2 _S534 = wave_noise_0(hash_key_0(_S530, (_S532->seed_1) ^ 458671337U), _S529->fibre_along_0 / (25.0f * _S532->fibre_size_0));
     float _S535 = _S529->fibre_across_0 + (kernelContext_35->families_0+_S528)->fibre_tilt_0 * 0.5f * 25.0f * _S532->fibre_size_0 * _S534.x;
     float3 _S536 = fibre_cell_0(_S535, _S529->fibre_along_0, _S532->fibre_size_0);
     thread FibreNoise_0 noise_0;
-    (&noise_0)->bundle_0 = cell_noise_0(hash_key_0(_S530, (_S532->seed_0) ^ 1757159915U), fibre_cell_0(_S535, _S529->fibre_along_0, _S533));
+    (&noise_0)->bundle_0 = cell_noise_0(hash_key_0(_S530, (_S532->seed_1) ^ 1757159915U), fibre_cell_0(_S535, _S529->fibre_along_0, _S533));
     (&noise_0)->bundle_weight_0 = fade_0(_S531, _S533);
-    (&noise_0)->fibre_0 = cell_noise_0(hash_key_0(_S530, (_S532->seed_0) ^ 48610963U), _S536);
+    (&noise_0)->fibre_0 = cell_noise_0(hash_key_0(_S530, (_S532->seed_1) ^ 48610963U), _S536);
     (&noise_0)->fibre_weight_0 = fade_0(_S531, _S532->fibre_size_0);
-    (&noise_0)->offset_1 = _S536.z;
+    (&noise_0)->offset_2 = _S536.z;
     (&noise_0)->slope_2 = 0.5f * _S534.y;
     return noise_0;
 }
@@ -2799,7 +2823,7 @@ float2 detail_gain_0(uint _S537, uint _S538, const SurfacePoint_0 thread* _S539,
         {
             _S550 = - _S540.x;
         }
-        gain_1 = gain_1 + float2(_S549)  * float2(wave_noise_0(hash_key_0(_S542, (_S544->seed_0) ^ 1373058189U), _S550 * (kernelContext_36->families_0+_S538)->slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_0(_S539->across_3 * (kernelContext_36->families_0+_S538)->per_half_width_0), 1.0f)), 1.0f);
+        gain_1 = gain_1 + float2(_S549)  * float2(wave_noise_0(hash_key_0(_S542, (_S544->seed_1) ^ 1373058189U), _S550 * (kernelContext_36->families_0+_S538)->slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_0(_S539->across_3 * (kernelContext_36->families_0+_S538)->per_half_width_0), 1.0f)), 1.0f);
     }
     return gain_1;
 }
@@ -2812,9 +2836,9 @@ Albedos_0 vary_albedos_0(uint _S551, const Albedos_0 thread* _S552, uint _S553, 
     float3 _S559 = float3(_S556->layer_bound_0) ;
     float3 _S560 = float3(1.0f) ;
     float3 _S561 = _S560 - _S559 * _S557;
-    float colour_0 = bounded_gain_0(thread_gain_0(_S553, _S556->colour_noise_0, _S556->seed_0), _S558, _S561);
+    float colour_0 = bounded_gain_0(thread_gain_0(_S553, _S556->colour_noise_0, _S556->seed_1), _S558, _S561);
     float3 _S562 = float3((colour_0 * (1.0f + flattened_0(_S555.y, float3(colour_0)  * _S558, _S561) * _S555.x))) ;
-    float _S563 = bounded_gain_0(fibre_gain_0(_S553, _S554, _S556->fibre_noise_0, _S556->seed_0), _S557, min((_S560 - _S562 * _S558) / _S559, float3(1.0f) ));
+    float _S563 = bounded_gain_0(fibre_gain_0(_S553, _S554, _S556->fibre_noise_0, _S556->seed_1), _S557, min((_S560 - _S562 * _S558) / _S559, float3(1.0f) ));
     thread Albedos_0 varied_0;
     (&varied_0)->diffuse_reflect_0 = _S562 * _S552->diffuse_reflect_0;
     (&varied_0)->diffuse_transmit_0 = _S562 * _S552->diffuse_transmit_0;
@@ -2897,7 +2921,7 @@ YarnFrame_0 turned_frame_0(uint _S581, uint _S582, const SurfacePoint_0 thread* 
     if(((kernelContext_39->families_0+_S582)->fibre_tilt_0) > 0.0f)
     {
         FibreNoise_0 _S599 = fibre_noise_at_0(_S581, _S582, _S583, _S585, _S586, kernelContext_39);
-        float _S600 = 1.09858846664428711f * _S598 * (_S599.bundle_weight_0 * _S599.bundle_0.x + _S599.fibre_weight_0 * (_S599.fibre_0.x + _S599.offset_1));
+        float _S600 = 1.09858846664428711f * _S598 * (_S599.bundle_weight_0 * _S599.bundle_0.x + _S599.fibre_weight_0 * (_S599.fibre_0.x + _S599.offset_2));
         float _S601 = _S598 * (1.42099642753601074f * (_S599.bundle_weight_0 * _S599.bundle_0.y + _S599.fibre_weight_0 * _S599.fibre_0.y) - _S599.bundle_weight_0 * _S599.slope_2);
         float _S602 = square_0(_S599.fibre_weight_0);
         (&frame_2)->loss_0 = (&frame_2)->loss_0 + 0.5f * _S598 * _S598 * ((0.24761904776096344f * (square_0(_S599.bundle_weight_0) + _S602) + _S602 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
@@ -3418,7 +3442,7 @@ float straight_through_0(uint _S819, const YarnPoint_0 thread* _S820, float3 _S8
     return 1.0f - _S823 * sheen_lobe_0(abs(_S821.z), _S822->sheen_roughness_0).z;
 }
 
-float4 cloth_value_0(uint fabric_1, float2 centre_1, float2 dx_1, float2 dy_1, float3 light_7, float3 view_6, KernelContext_0 thread* kernelContext_57)
+float4 cloth_value_0(uint fabric_1, float2 centre_1, float2 dx_1, float2 dy_1, float3 light_8, float3 view_7, KernelContext_0 thread* kernelContext_57)
 {
     SearchQuality_0 _S824 = default_quality_0();
     thread Footprint_0 footprint_0;
@@ -3430,12 +3454,12 @@ float4 cloth_value_0(uint fabric_1, float2 centre_1, float2 dx_1, float2 dy_1, f
     thread Footprint_0 _S827 = footprint_0;
     float _S828 = Footprint_spread_side_0(&_S827);
     thread SearchQuality_0 _S829 = _S824;
-    YarnPoint_0 _S830 = locate_yarn_0(fabric_1, &_S829, _S825, _S826, view_6, _S828, kernelContext_57);
+    YarnPoint_0 _S830 = locate_yarn_0(fabric_1, &_S829, _S825, _S826, view_7, _S828, kernelContext_57);
     thread SearchQuality_0 _S831 = _S824;
     thread YarnPoint_0 _S832 = _S830;
-    float3 _S833 = evaluate_0(fabric_1, &_S831, &_S832, light_7, view_6, kernelContext_57);
+    float3 _S833 = evaluate_0(fabric_1, &_S831, &_S832, light_8, view_7, kernelContext_57);
     thread YarnPoint_0 _S834 = _S830;
-    float _S835 = straight_through_0(fabric_1, &_S834, view_6, kernelContext_57);
+    float _S835 = straight_through_0(fabric_1, &_S834, view_7, kernelContext_57);
     return float4(_S833, _S835);
 }
 

@@ -22,6 +22,7 @@ struct Query_0
     float view_x_0;
     float view_y_0;
     float view_z_0;
+    uint seed_0;
 };
 
 struct Lobes_0
@@ -118,6 +119,28 @@ struct Latent_0
     uint is_trilinear_0;
 };
 
+struct Clustered_0
+{
+    uint is_baked_1;
+    uint clusters_0;
+    uint rank_0;
+    uint channels_0;
+    uint columns_0;
+    uint rows_0;
+    float texel_width_0;
+    float texel_height_0;
+    uint samples_0;
+    uint sums_0;
+    uint labels_0;
+    uint coefficients_0;
+    uint basis_0;
+    uint moments_1;
+    uint light_0;
+    uint view_0;
+    uint offset_1;
+    uint trust_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
@@ -141,7 +164,7 @@ struct Fabric_0
     float sheen_roughness_0;
     float fibre_noise_0;
     float colour_noise_0;
-    uint seed_0;
+    uint seed_1;
     float layer_bound_0;
     float fibre_size_0;
     uint has_detail_0;
@@ -154,6 +177,7 @@ struct Fabric_0
     uint has_yarns_0;
     float mean_hole_0;
     Latent_0 latent_0;
+    Clustered_0 clustered_0;
 };
 
 struct Family_0
@@ -229,7 +253,7 @@ Eight_0 FloatWeights_eight_0(const FloatWeights_0 thread* this_0, uint element_0
 
 float4 tile_product_0(const FloatWeights_0 thread* weights_0, uint row_0, array<float, int(96)> thread* inputs_0, KernelContext_0 thread* kernelContext_1)
 {
-    thread float4 sums_0 = float4(0.0f) ;
+    thread float4 sums_1 = float4(0.0f) ;
     uint column_0 = 0U;
     for(;;)
     {
@@ -255,16 +279,16 @@ float4 tile_product_0(const FloatWeights_0 thread* weights_0, uint row_0, array<
         low_1.w = (*inputs_0)[_S5];
         high_1.w = (*inputs_0)[_S5 + int(4)];
         Eight_0 _S6 = FloatWeights_eight_0(weights_0, row_0 + column_0, kernelContext_1);
-        sums_0.x = sums_0.x + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
+        sums_1.x = sums_1.x + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
         Eight_0 _S7 = FloatWeights_eight_0(weights_0, row_0 + 12U + column_0, kernelContext_1);
-        sums_0.y = sums_0.y + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
+        sums_1.y = sums_1.y + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
         Eight_0 _S8 = FloatWeights_eight_0(weights_0, row_0 + 24U + column_0, kernelContext_1);
-        sums_0.z = sums_0.z + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
+        sums_1.z = sums_1.z + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
         Eight_0 _S9 = FloatWeights_eight_0(weights_0, row_0 + 36U + column_0, kernelContext_1);
-        sums_0.w = sums_0.w + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
+        sums_1.w = sums_1.w + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
         column_0 = column_0 + 1U;
     }
-    return sums_0;
+    return sums_1;
 }
 
 int whole_parts_0(int elements_0)
@@ -404,7 +428,7 @@ Eight_0 HalfWeights_eight_0(const HalfWeights_0 thread* this_1, uint element_1, 
 
 float4 tile_product_1(const HalfWeights_0 thread* weights_2, uint row_1, array<float, int(96)> thread* inputs_2, KernelContext_0 thread* kernelContext_4)
 {
-    thread float4 sums_1 = float4(0.0f) ;
+    thread float4 sums_2 = float4(0.0f) ;
     uint column_1 = 0U;
     for(;;)
     {
@@ -430,16 +454,16 @@ float4 tile_product_1(const HalfWeights_0 thread* weights_2, uint row_1, array<f
         low_2.w = (*inputs_2)[_S28];
         high_2.w = (*inputs_2)[_S28 + int(4)];
         Eight_0 _S29 = HalfWeights_eight_0(weights_2, row_1 + column_1, kernelContext_4);
-        sums_1.x = sums_1.x + (dot(_S29.low_0, low_2) + dot(_S29.high_0, high_2));
+        sums_2.x = sums_2.x + (dot(_S29.low_0, low_2) + dot(_S29.high_0, high_2));
         Eight_0 _S30 = HalfWeights_eight_0(weights_2, row_1 + 12U + column_1, kernelContext_4);
-        sums_1.y = sums_1.y + (dot(_S30.low_0, low_2) + dot(_S30.high_0, high_2));
+        sums_2.y = sums_2.y + (dot(_S30.low_0, low_2) + dot(_S30.high_0, high_2));
         Eight_0 _S31 = HalfWeights_eight_0(weights_2, row_1 + 24U + column_1, kernelContext_4);
-        sums_1.z = sums_1.z + (dot(_S31.low_0, low_2) + dot(_S31.high_0, high_2));
+        sums_2.z = sums_2.z + (dot(_S31.low_0, low_2) + dot(_S31.high_0, high_2));
         Eight_0 _S32 = HalfWeights_eight_0(weights_2, row_1 + 36U + column_1, kernelContext_4);
-        sums_1.w = sums_1.w + (dot(_S32.low_0, low_2) + dot(_S32.high_0, high_2));
+        sums_2.w = sums_2.w + (dot(_S32.low_0, low_2) + dot(_S32.high_0, high_2));
         column_1 = column_1 + 1U;
     }
-    return sums_1;
+    return sums_2;
 }
 
 void dense_part_1(const HalfWeights_0 thread* weights_3, uint first_3, bool adds_1, array<float, int(96)> thread* inputs_3, array<float, int(52)> thread* outputs_1, KernelContext_0 thread* kernelContext_5)
@@ -528,7 +552,7 @@ void dense_part_1(const HalfWeights_0 thread* weights_3, uint first_3, bool adds
 
 float4 tile_product_2(const HalfWeights_0 thread* weights_4, uint row_2, array<float, int(39)> thread* inputs_4, KernelContext_0 thread* kernelContext_6)
 {
-    thread float4 sums_2 = float4(0.0f) ;
+    thread float4 sums_3 = float4(0.0f) ;
     uint column_2 = 0U;
     for(;;)
     {
@@ -554,16 +578,16 @@ float4 tile_product_2(const HalfWeights_0 thread* weights_4, uint row_2, array<f
         low_3.w = (*inputs_4)[min(_S47, int(38))];
         high_3.w = (*inputs_4)[min(_S47 + int(4), int(38))];
         Eight_0 _S48 = HalfWeights_eight_0(weights_4, row_2 + column_2, kernelContext_6);
-        sums_2.x = sums_2.x + (dot(_S48.low_0, low_3) + dot(_S48.high_0, high_3));
+        sums_3.x = sums_3.x + (dot(_S48.low_0, low_3) + dot(_S48.high_0, high_3));
         Eight_0 _S49 = HalfWeights_eight_0(weights_4, row_2 + 5U + column_2, kernelContext_6);
-        sums_2.y = sums_2.y + (dot(_S49.low_0, low_3) + dot(_S49.high_0, high_3));
+        sums_3.y = sums_3.y + (dot(_S49.low_0, low_3) + dot(_S49.high_0, high_3));
         Eight_0 _S50 = HalfWeights_eight_0(weights_4, row_2 + 10U + column_2, kernelContext_6);
-        sums_2.z = sums_2.z + (dot(_S50.low_0, low_3) + dot(_S50.high_0, high_3));
+        sums_3.z = sums_3.z + (dot(_S50.low_0, low_3) + dot(_S50.high_0, high_3));
         Eight_0 _S51 = HalfWeights_eight_0(weights_4, row_2 + 15U + column_2, kernelContext_6);
-        sums_2.w = sums_2.w + (dot(_S51.low_0, low_3) + dot(_S51.high_0, high_3));
+        sums_3.w = sums_3.w + (dot(_S51.low_0, low_3) + dot(_S51.high_0, high_3));
         column_2 = column_2 + 1U;
     }
-    return sums_2;
+    return sums_3;
 }
 
 void dense_part_2(const HalfWeights_0 thread* weights_5, uint first_4, bool adds_2, array<float, int(39)> thread* inputs_5, array<float, int(96)> thread* outputs_2, KernelContext_0 thread* kernelContext_7)
@@ -652,7 +676,7 @@ void dense_part_2(const HalfWeights_0 thread* weights_5, uint first_4, bool adds
 
 float4 tile_product_3(const HalfWeights_0 thread* weights_6, uint row_3, array<float, int(100)> thread* inputs_6, KernelContext_0 thread* kernelContext_8)
 {
-    thread float4 sums_3 = float4(0.0f) ;
+    thread float4 sums_4 = float4(0.0f) ;
     uint column_3 = 0U;
     for(;;)
     {
@@ -678,16 +702,16 @@ float4 tile_product_3(const HalfWeights_0 thread* weights_6, uint row_3, array<f
         low_4.w = (*inputs_6)[min(_S66, int(99))];
         high_4.w = (*inputs_6)[min(_S66 + int(4), int(99))];
         Eight_0 _S67 = HalfWeights_eight_0(weights_6, row_3 + column_3, kernelContext_8);
-        sums_3.x = sums_3.x + (dot(_S67.low_0, low_4) + dot(_S67.high_0, high_4));
+        sums_4.x = sums_4.x + (dot(_S67.low_0, low_4) + dot(_S67.high_0, high_4));
         Eight_0 _S68 = HalfWeights_eight_0(weights_6, row_3 + 13U + column_3, kernelContext_8);
-        sums_3.y = sums_3.y + (dot(_S68.low_0, low_4) + dot(_S68.high_0, high_4));
+        sums_4.y = sums_4.y + (dot(_S68.low_0, low_4) + dot(_S68.high_0, high_4));
         Eight_0 _S69 = HalfWeights_eight_0(weights_6, row_3 + 26U + column_3, kernelContext_8);
-        sums_3.z = sums_3.z + (dot(_S69.low_0, low_4) + dot(_S69.high_0, high_4));
+        sums_4.z = sums_4.z + (dot(_S69.low_0, low_4) + dot(_S69.high_0, high_4));
         Eight_0 _S70 = HalfWeights_eight_0(weights_6, row_3 + 39U + column_3, kernelContext_8);
-        sums_3.w = sums_3.w + (dot(_S70.low_0, low_4) + dot(_S70.high_0, high_4));
+        sums_4.w = sums_4.w + (dot(_S70.low_0, low_4) + dot(_S70.high_0, high_4));
         column_3 = column_3 + 1U;
     }
-    return sums_3;
+    return sums_4;
 }
 
 void dense_part_3(const HalfWeights_0 thread* weights_7, uint first_5, bool adds_3, array<float, int(100)> thread* inputs_7, array<float, int(96)> thread* outputs_3, KernelContext_0 thread* kernelContext_9)
@@ -776,7 +800,7 @@ void dense_part_3(const HalfWeights_0 thread* weights_7, uint first_5, bool adds
 
 float4 tile_product_4(const HalfWeights_0 thread* weights_8, uint row_4, array<float, int(16)> thread* inputs_8, KernelContext_0 thread* kernelContext_10)
 {
-    thread float4 sums_4 = float4(0.0f) ;
+    thread float4 sums_5 = float4(0.0f) ;
     uint column_4 = 0U;
     for(;;)
     {
@@ -802,16 +826,16 @@ float4 tile_product_4(const HalfWeights_0 thread* weights_8, uint row_4, array<f
         low_5.w = (*inputs_8)[_S85];
         high_5.w = (*inputs_8)[_S85 + int(4)];
         Eight_0 _S86 = HalfWeights_eight_0(weights_8, row_4 + column_4, kernelContext_10);
-        sums_4.x = sums_4.x + (dot(_S86.low_0, low_5) + dot(_S86.high_0, high_5));
+        sums_5.x = sums_5.x + (dot(_S86.low_0, low_5) + dot(_S86.high_0, high_5));
         Eight_0 _S87 = HalfWeights_eight_0(weights_8, row_4 + 2U + column_4, kernelContext_10);
-        sums_4.y = sums_4.y + (dot(_S87.low_0, low_5) + dot(_S87.high_0, high_5));
+        sums_5.y = sums_5.y + (dot(_S87.low_0, low_5) + dot(_S87.high_0, high_5));
         Eight_0 _S88 = HalfWeights_eight_0(weights_8, row_4 + 4U + column_4, kernelContext_10);
-        sums_4.z = sums_4.z + (dot(_S88.low_0, low_5) + dot(_S88.high_0, high_5));
+        sums_5.z = sums_5.z + (dot(_S88.low_0, low_5) + dot(_S88.high_0, high_5));
         Eight_0 _S89 = HalfWeights_eight_0(weights_8, row_4 + 6U + column_4, kernelContext_10);
-        sums_4.w = sums_4.w + (dot(_S89.low_0, low_5) + dot(_S89.high_0, high_5));
+        sums_5.w = sums_5.w + (dot(_S89.low_0, low_5) + dot(_S89.high_0, high_5));
         column_4 = column_4 + 1U;
     }
-    return sums_4;
+    return sums_5;
 }
 
 void dense_part_4(const HalfWeights_0 thread* weights_9, uint first_6, bool adds_4, array<float, int(16)> thread* inputs_9, array<float, int(1)> thread* outputs_4, KernelContext_0 thread* kernelContext_11)
@@ -1073,7 +1097,7 @@ void dense_part_6(const HalfWeights_0 thread* weights_11, uint first_8, bool add
 
 float4 tile_product_5(const HalfWeights_0 thread* weights_12, uint row_5, array<float, int(88)> thread* inputs_12, KernelContext_0 thread* kernelContext_14)
 {
-    thread float4 sums_5 = float4(0.0f) ;
+    thread float4 sums_6 = float4(0.0f) ;
     uint column_5 = 0U;
     for(;;)
     {
@@ -1099,16 +1123,16 @@ float4 tile_product_5(const HalfWeights_0 thread* weights_12, uint row_5, array<
         low_6.w = (*inputs_12)[_S126];
         high_6.w = (*inputs_12)[_S126 + int(4)];
         Eight_0 _S127 = HalfWeights_eight_0(weights_12, row_5 + column_5, kernelContext_14);
-        sums_5.x = sums_5.x + (dot(_S127.low_0, low_6) + dot(_S127.high_0, high_6));
+        sums_6.x = sums_6.x + (dot(_S127.low_0, low_6) + dot(_S127.high_0, high_6));
         Eight_0 _S128 = HalfWeights_eight_0(weights_12, row_5 + 11U + column_5, kernelContext_14);
-        sums_5.y = sums_5.y + (dot(_S128.low_0, low_6) + dot(_S128.high_0, high_6));
+        sums_6.y = sums_6.y + (dot(_S128.low_0, low_6) + dot(_S128.high_0, high_6));
         Eight_0 _S129 = HalfWeights_eight_0(weights_12, row_5 + 22U + column_5, kernelContext_14);
-        sums_5.z = sums_5.z + (dot(_S129.low_0, low_6) + dot(_S129.high_0, high_6));
+        sums_6.z = sums_6.z + (dot(_S129.low_0, low_6) + dot(_S129.high_0, high_6));
         Eight_0 _S130 = HalfWeights_eight_0(weights_12, row_5 + 33U + column_5, kernelContext_14);
-        sums_5.w = sums_5.w + (dot(_S130.low_0, low_6) + dot(_S130.high_0, high_6));
+        sums_6.w = sums_6.w + (dot(_S130.low_0, low_6) + dot(_S130.high_0, high_6));
         column_5 = column_5 + 1U;
     }
-    return sums_5;
+    return sums_6;
 }
 
 void dense_part_7(const HalfWeights_0 thread* weights_13, uint first_9, bool adds_7, array<float, int(88)> thread* inputs_13, array<float, int(96)> thread* outputs_7, KernelContext_0 thread* kernelContext_15)
@@ -1555,11 +1579,11 @@ uint mirrored_bundle_0(uint bundle_0)
     return _S195;
 }
 
-float light_visibility_of_0(float diffuse_0, float3 light_0, float3 view_0, float blend_0)
+float light_visibility_of_0(float diffuse_0, float3 light_1, float3 view_1, float blend_0)
 {
-    float _S196 = max(abs(light_0.z), 0.00100000004749745f);
-    float2 _S197 = light_0.xy;
-    return 3.14159274101257324f * max(diffuse_0, 0.0f) / mix(_S196, (0.59700000286102295f * _S196 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S197, view_0.xy) * rsqrt(max(dot(_S197, _S197), 9.99999997475242708e-07f))) + 1.0f), blend_0);
+    float _S196 = max(abs(light_1.z), 0.00100000004749745f);
+    float2 _S197 = light_1.xy;
+    return 3.14159274101257324f * max(diffuse_0, 0.0f) / mix(_S196, (0.59700000286102295f * _S196 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S197, view_1.xy) * rsqrt(max(dot(_S197, _S197), 9.99999997475242708e-07f))) + 1.0f), blend_0);
 }
 
 float2 turns_and_remainder_0(uint family_0, float index_3, KernelContext_0 thread* kernelContext_27)
@@ -1987,14 +2011,14 @@ FaceRadiance_0 face_radiance_0(const FaceSends_0 thread* sends_0, float open_of_
     return found_0;
 }
 
-void view_terms_0(float3 view_1, array<float, int(6)> thread* terms_0)
+void view_terms_0(float3 view_2, array<float, int(6)> thread* terms_0)
 {
-    float _S304 = 1.0f - view_1.z;
+    float _S304 = 1.0f - view_2.z;
     float _S305 = _S304 * _S304;
     (*terms_0)[int(0)] = 1.0f;
-    float _S306 = view_1.x;
+    float _S306 = view_2.x;
     float _S307 = _S306 * _S306;
-    float _S308 = view_1.y;
+    float _S308 = view_2.y;
     float _S309 = _S308 * _S308;
     (*terms_0)[int(1)] = sqrt(max(_S307 + _S309, 9.999999960041972e-13f));
     (*terms_0)[int(2)] = _S305;
@@ -2052,11 +2076,11 @@ Bounced_0 sum_of_0(const Bounced_0 thread* first_20, const Bounced_0 thread* sec
     return sum_1;
 }
 
-float3 bounced_value_0(const Bounced_0 thread* bounced_1, float3 light_1, float3 view_2)
+float3 bounced_value_0(const Bounced_0 thread* bounced_1, float3 light_2, float3 view_3)
 {
-    float _S312 = light_1.z;
+    float _S312 = light_2.z;
     float3 _S313;
-    if((_S312 * view_2.z) < 0.0f)
+    if((_S312 * view_3.z) < 0.0f)
     {
         _S313 = bounced_1->transmitted_0;
     }
@@ -2090,9 +2114,9 @@ float3 sheen_lobe_0(float cos_view_0, float roughness_1)
     return float3(clamp(sheen_scale_0(_S315, _S316), 0.00999999977648258f, 1.0f), clamp((1.0f - _S314) * sheen_shear_0(_S315, _S316), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S315, _S316), -60.0f, 60.0f))));
 }
 
-float transformed_cosine_0(float3 light_2, float3 view_3, float scale_1, float shear_0)
+float transformed_cosine_0(float3 light_3, float3 view_4, float scale_1, float shear_0)
 {
-    float _S317 = light_2.z;
+    float _S317 = light_3.z;
     bool _S318;
     if(_S317 <= 0.0f)
     {
@@ -2100,13 +2124,13 @@ float transformed_cosine_0(float3 light_2, float3 view_3, float scale_1, float s
     }
     else
     {
-        _S318 = (view_3.z) <= 0.0f;
+        _S318 = (view_4.z) <= 0.0f;
     }
     if(_S318)
     {
         return 0.0f;
     }
-    float2 _S319 = view_3.xy;
+    float2 _S319 = view_4.xy;
     float _S320 = dot(_S319, _S319);
     float2 _S321;
     if(_S320 > 9.99999968265522539e-21f)
@@ -2117,25 +2141,25 @@ float transformed_cosine_0(float3 light_2, float3 view_3, float scale_1, float s
     {
         _S321 = float2(1.0f, 0.0f);
     }
-    float _S322 = scale_1 * dot(light_2.xy, _S321) + shear_0 * _S317;
-    float _S323 = scale_1 * (light_2.y * _S321.x - light_2.x * _S321.y);
+    float _S322 = scale_1 * dot(light_3.xy, _S321) + shear_0 * _S317;
+    float _S323 = scale_1 * (light_3.y * _S321.x - light_3.x * _S321.y);
     float _S324 = _S322 * _S322 + _S323 * _S323 + _S317 * _S317;
     return 0.31830987334251404f * scale_1 * scale_1 * _S317 / max(_S324 * _S324, 9.99999968265522539e-21f);
 }
 
-float2 sheen_with_transmittance_0(float3 light_3, float3 view_4, float strength_0, float roughness_2)
+float2 sheen_with_transmittance_0(float3 light_4, float3 view_5, float strength_0, float roughness_2)
 {
-    float3 _S325 = sheen_lobe_0(view_4.z, roughness_2);
+    float3 _S325 = sheen_lobe_0(view_5.z, roughness_2);
     float _S326 = strength_0 * _S325.z;
-    return float2(_S326 * transformed_cosine_0(light_3, view_4, _S325.x, _S325.y), 1.0f - _S326);
+    return float2(_S326 * transformed_cosine_0(light_4, view_5, _S325.x, _S325.y), 1.0f - _S326);
 }
 
 struct WovenView_0
 {
-    array<float, int(96)> sums_6;
+    array<float, int(96)> sums_7;
     float hole_0;
     float correction_weight_0;
-    float3 view_5;
+    float3 view_6;
     bool back_5;
 };
 
@@ -2285,7 +2309,7 @@ void add_level_0(uint _S351, uint _S352, bool _S353, float2 _S354, float _S355, 
 
 void code_footprint_0(uint _S374, const AnisotropicTaps_0 thread* _S375, float3 _S376, bool _S377, array<float, int(88)> thread* _S378, KernelContext_0 thread* kernelContext_44)
 {
-    float offset_1;
+    float offset_2;
     Fabric_0 device* _S379 = kernelContext_44->fabrics_0+_S374;
     int k_0 = int(0);
     for(;;)
@@ -2329,13 +2353,13 @@ void code_footprint_0(uint _S374, const AnisotropicTaps_0 thread* _S375, float3 
         bool _S388 = (number_1 & 1U) != 0U;
         if(_S388)
         {
-            offset_1 = _S382 - _S383;
+            offset_2 = _S382 - _S383;
         }
         else
         {
-            offset_1 = 1.0f - (_S382 - _S383);
+            offset_2 = 1.0f - (_S382 - _S383);
         }
-        float _S389 = offset_1 / float(_S385);
+        float _S389 = offset_2 / float(_S385);
         uint _S390 = uint(_S383);
         uint _S391;
         if(_S388)
@@ -2369,16 +2393,16 @@ void code_footprint_0(uint _S374, const AnisotropicTaps_0 thread* _S375, float3 
             {
                 break;
             }
-            float offset_2 = _S376[number_2] - (float(bin_0) + 0.5f) / 8.0f;
+            float offset_3 = _S376[number_2] - (float(bin_0) + 0.5f) / 8.0f;
             if(number_2 < int(2))
             {
-                offset_1 = offset_2 - round(offset_2);
+                offset_2 = offset_3 - round(offset_3);
             }
             else
             {
-                offset_1 = offset_2;
+                offset_2 = offset_3;
             }
-            (*_S378)[int(64) + number_2 * int(8) + bin_0] = bump_0(offset_1 * 3.20000004768371582f);
+            (*_S378)[int(64) + number_2 * int(8) + bin_0] = bump_0(offset_2 * 3.20000004768371582f);
             bin_0 = bin_0 + int(1);
         }
         number_2 = number_2 + int(1);
@@ -2447,10 +2471,10 @@ void woven_view_0(uint _S398, const Footprint_0 thread* _S399, float3 _S400, Wov
     thread array<float, int(1)> hole_1;
     dense_5(&_S415, 2444U, false, &of_hole_0, &hole_1, kernelContext_46);
     thread HalfWeights_0 _S416 = weights_23;
-    dense_4(&_S416, 2456U, false, &fused_0, &_S401->sums_6, kernelContext_46);
+    dense_4(&_S416, 2456U, false, &fused_0, &_S401->sums_7, kernelContext_46);
     _S401->hole_0 = clamp(hole_1[int(0)], 0.0f, 1.0f);
     _S401->correction_weight_0 = correction_weight_of_0(_S406.z);
-    _S401->view_5 = _S407;
+    _S401->view_6 = _S407;
     _S401->back_5 = _S403;
     return;
 }
@@ -2596,12 +2620,12 @@ Components_0 woven_components_0(uint _S459, WovenView_0 thread* _S460, float3 _S
     Fabric_0 device* _S463 = kernelContext_49->fabrics_0+_S459;
     bool _S464 = _S460->back_5;
     float3 _S465 = to_face_frame_0(_S461, _S460->back_5);
-    float3 _S466 = _S460->view_5;
+    float3 _S466 = _S460->view_6;
     thread HalfWeights_0 weights_24;
     Woven_0 _S467 = _S463->woven_0;
     (&weights_24)->first_2 = _S463->woven_0.network_0;
     thread array<float, int(39)> directions_0;
-    code_light_0(_S459, _S465, _S460->view_5, _S460->back_5, &directions_0, kernelContext_49);
+    code_light_0(_S459, _S465, _S460->view_6, _S460->back_5, &directions_0, kernelContext_49);
     thread array<float, int(96)> skip_0;
     int k_1 = int(0);
     for(;;)
@@ -2613,7 +2637,7 @@ Components_0 woven_components_0(uint _S459, WovenView_0 thread* _S460, float3 _S
         {
             break;
         }
-        skip_0[k_1] = _S460->sums_6[k_1];
+        skip_0[k_1] = _S460->sums_7[k_1];
         k_1 = k_1 + int(1);
     }
     thread HalfWeights_0 _S468 = weights_24;
@@ -3083,7 +3107,7 @@ float3 composed_0(uint _S649, const Components_0 thread* _S650, const CloseUp_0 
     return float3(_S670.y)  * body_0 + float3(((_S650->light_visibility_1 + _S650->hole_2) * _S670.x)) ;
 }
 
-float4 cloth_value_0(uint fabric_1, float2 centre_3, float2 dx_1, float2 dy_1, float3 light_4, float3 view_6, KernelContext_0 thread* kernelContext_64)
+float4 cloth_value_0(uint fabric_1, float2 centre_3, float2 dx_1, float2 dy_1, float3 light_5, float3 view_7, KernelContext_0 thread* kernelContext_64)
 {
     thread Footprint_0 footprint_1;
     (&footprint_1)->centre_0 = centre_3;
@@ -3091,9 +3115,9 @@ float4 cloth_value_0(uint fabric_1, float2 centre_3, float2 dx_1, float2 dy_1, f
     (&footprint_1)->dy_0 = dy_1;
     thread Footprint_0 _S671 = footprint_1;
     thread WovenView_0 activations_0;
-    woven_view_0(fabric_1, &_S671, view_6, &activations_0, kernelContext_64);
-    Components_0 _S672 = woven_components_0(fabric_1, &activations_0, light_4, kernelContext_64);
-    float _S673 = view_6.z;
+    woven_view_0(fabric_1, &_S671, view_7, &activations_0, kernelContext_64);
+    Components_0 _S672 = woven_components_0(fabric_1, &activations_0, light_5, kernelContext_64);
+    float _S673 = view_7.z;
     bool _S674 = _S673 < 0.0f;
     thread Footprint_0 _S675 = footprint_1;
     FamilyAlbedos_0 _S676 = albedos_over_0(fabric_1, &_S675, _S674, kernelContext_64);
@@ -3102,7 +3126,7 @@ float4 cloth_value_0(uint fabric_1, float2 centre_3, float2 dx_1, float2 dy_1, f
     thread Components_0 _S679 = _S672;
     thread CloseUp_0 _S680 = _S677;
     thread FamilyAlbedos_0 _S681 = _S676;
-    float3 _S682 = composed_0(fabric_1, &_S679, &_S680, &_S681, _S678, light_4, view_6, kernelContext_64);
+    float3 _S682 = composed_0(fabric_1, &_S679, &_S680, &_S681, _S678, light_5, view_7, kernelContext_64);
     float through_1 = (&activations_0)->hole_0;
     float through_2;
     if(((kernelContext_64->fabrics_0+fabric_1)->sheen_strength_0) > 0.0f)

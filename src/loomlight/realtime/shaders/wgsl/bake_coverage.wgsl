@@ -146,6 +146,28 @@ struct Latent_std430_0
     @align(4) is_trilinear_0 : u32,
 };
 
+struct Clustered_std430_0
+{
+    @align(4) is_baked_1 : u32,
+    @align(4) clusters_1 : u32,
+    @align(4) rank_0 : u32,
+    @align(4) channels_0 : u32,
+    @align(4) columns_1 : u32,
+    @align(4) rows_1 : u32,
+    @align(4) texel_width_0 : f32,
+    @align(4) texel_height_0 : f32,
+    @align(4) samples_0 : u32,
+    @align(4) sums_0 : u32,
+    @align(4) labels_0 : u32,
+    @align(4) coefficients_0 : u32,
+    @align(4) basis_0 : u32,
+    @align(4) moments_1 : u32,
+    @align(4) light_0 : u32,
+    @align(4) view_0 : u32,
+    @align(4) offset_1 : u32,
+    @align(4) trust_0 : u32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
@@ -182,6 +204,7 @@ struct Fabric_std430_0
     @align(4) has_yarns_0 : u32,
     @align(4) mean_hole_0 : f32,
     @align(4) latent_0 : Latent_std430_0,
+    @align(4) clustered_0 : Clustered_std430_0,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -197,8 +220,8 @@ struct Level_0
 {
      face_0 : u32,
      first_0 : u32,
-     columns_1 : u32,
-     rows_1 : u32,
+     columns_2 : u32,
+     rows_2 : u32,
      below_first_0 : u32,
      below_columns_0 : u32,
      below_rows_0 : u32,
@@ -209,8 +232,8 @@ fn this_level_0() -> Level_0
     var level_0 : Level_0;
     level_0.face_0 = steps_0[i32(0)];
     level_0.first_0 = steps_0[i32(1)];
-    level_0.columns_1 = steps_0[i32(2)];
-    level_0.rows_1 = steps_0[i32(3)];
+    level_0.columns_2 = steps_0[i32(2)];
+    level_0.rows_2 = steps_0[i32(3)];
     level_0.below_first_0 = steps_0[i32(4)];
     level_0.below_columns_0 = steps_0[i32(5)];
     level_0.below_rows_0 = steps_0[i32(6)];
@@ -229,20 +252,20 @@ fn bake_first_level(@builtin(global_invocation_id) id_1 : vec3<u32>)
     var _S1 : u32 = thread_index_0(id_1);
     var _S2 : u32 = bakes_0[i32(0)].packs_0 + u32(1);
     var _S3 : Level_0 = this_level_0();
-    if(_S1 >= (_S3.columns_1 * _S3.rows_1 * _S2))
+    if(_S1 >= (_S3.columns_2 * _S3.rows_2 * _S2))
     {
         return;
     }
     var _S4 : u32 = _S1 % _S2;
     var _S5 : u32 = _S1 / _S2;
-    var _S6 : u32 = _S5 % _S3.columns_1;
+    var _S6 : u32 = _S5 % _S3.columns_2;
     var _S7 : i32 = i32(_S6);
     var _S8 : u32 = _S1 / _S2;
-    var _S9 : u32 = _S8 / _S3.columns_1;
+    var _S9 : u32 = _S8 / _S3.columns_2;
     var _S10 : i32 = i32(_S9);
     var _S11 : i32 = i32(steps_0[i32(7)]);
     var _S12 : i32 = i32(steps_0[i32(8)]);
-    var _S13 : u32 = _S3.face_0 * _S3.columns_1 * _S3.rows_1;
+    var _S13 : u32 = _S3.face_0 * _S3.columns_2 * _S3.rows_2;
     const _S14 : vec4<f32> = vec4<f32>(0.0f, 0.0f, 0.0f, 0.0f);
     var j_0 : i32 = - _S12;
     var mean_0 : vec4<f32> = _S14;
@@ -255,8 +278,8 @@ fn bake_first_level(@builtin(global_invocation_id) id_1 : vec3<u32>)
         {
             break;
         }
-        var _S15 : u32 = u32(_S10 + j_0 + i32(u32(16) * _S3.rows_1)) % _S3.rows_1;
-        var _S16 : u32 = _S13 + _S15 * _S3.columns_1;
+        var _S15 : u32 = u32(_S10 + j_0 + i32(u32(16) * _S3.rows_2)) % _S3.rows_2;
+        var _S16 : u32 = _S13 + _S15 * _S3.columns_2;
         var i_0 : i32 = - _S11;
         var part_0 : vec4<f32> = _S14;
         for(;;)
@@ -268,7 +291,7 @@ fn bake_first_level(@builtin(global_invocation_id) id_1 : vec3<u32>)
             {
                 break;
             }
-            var _S17 : u32 = u32(_S7 + i_0 + i32(u32(16) * _S3.columns_1)) % _S3.columns_1;
+            var _S17 : u32 = u32(_S7 + i_0 + i32(u32(16) * _S3.columns_2)) % _S3.columns_2;
             var part_1 : vec4<f32> = part_0 + vec4<f32>((bitcast<f32>((steps_0[u32(16) + u32(abs(i_0))])))) * bytes_of_0(texel_counts_0[(_S16 + _S17) * _S2 + _S4]);
             i_0 = i_0 + i32(1);
             part_0 = part_1;
@@ -288,7 +311,7 @@ fn bake_row_totals(@builtin(global_invocation_id) id_2 : vec3<u32>)
     var _S18 : u32 = thread_index_0(id_2);
     var _S19 : u32 = bakes_0[i32(0)].packs_0 + u32(1);
     var _S20 : Level_0 = this_level_0();
-    if(_S18 >= (_S20.rows_1 * _S19))
+    if(_S18 >= (_S20.rows_2 * _S19))
     {
         return;
     }
@@ -299,17 +322,17 @@ fn bake_row_totals(@builtin(global_invocation_id) id_2 : vec3<u32>)
     var total_0 : vec4<u32> = _S22;
     for(;;)
     {
-        if(column_0 < (_S20.columns_1))
+        if(column_0 < (_S20.columns_2))
         {
         }
         else
         {
             break;
         }
-        var _S23 : u32 = (_S21 * _S20.columns_1 + column_0) * _S19;
+        var _S23 : u32 = (_S21 * _S20.columns_2 + column_0) * _S19;
         var _S24 : u32 = _S18 % _S19;
         var _S25 : u32 = _S23 + _S24;
-        var total_1 : vec4<u32> = total_0 + vec4<u32>(bytes_of_0(texel_counts_0[_S20.face_0 * _S20.columns_1 * _S20.rows_1 * _S19 + _S25]));
+        var total_1 : vec4<u32> = total_0 + vec4<u32>(bytes_of_0(texel_counts_0[_S20.face_0 * _S20.columns_2 * _S20.rows_2 * _S19 + _S25]));
         var _S26 : vec4<f32> = max(largest_0, coverage_pyramid_0[_S25]);
         var _S27 : u32 = column_0 + u32(1);
         largest_0 = _S26;
@@ -356,8 +379,8 @@ fn bake_coverage_scales(@builtin(global_invocation_id) id_3 : vec3<u32>)
     var total_2 : u32 = u32(0);
     for(;;)
     {
-        _S29 = _S32.rows_1;
-        if(row_0 < (_S32.rows_1))
+        _S29 = _S32.rows_2;
+        if(row_0 < (_S32.rows_2))
         {
         }
         else
@@ -373,7 +396,7 @@ fn bake_coverage_scales(@builtin(global_invocation_id) id_3 : vec3<u32>)
         total_2 = total_3;
     }
     var _S36 : u32 = _S32.face_0 * _S31;
-    scratch_0[bakes_0[i32(0)].coverage_means_0 + _S36 + _S30] = (bitcast<u32>((f32(total_2) / (f32(_S32.columns_1 * _S29) * f32(bakes_0[i32(0)].texels_across_0 * bakes_0[i32(0)].texels_along_0)))));
+    scratch_0[bakes_0[i32(0)].coverage_means_0 + _S36 + _S30] = (bitcast<u32>((f32(total_2) / (f32(_S32.columns_2 * _S29) * f32(bakes_0[i32(0)].texels_across_0 * bakes_0[i32(0)].texels_along_0)))));
     scratch_0[bakes_0[i32(0)].coverage_scales_0 + _S36 + _S30] = (bitcast<u32>((largest_1)));
     return;
 }
@@ -442,17 +465,17 @@ fn bake_downsample(@builtin(global_invocation_id) id_4 : vec3<u32>)
     var _S50 : u32 = thread_index_0(id_4);
     var _S51 : u32 = bakes_0[i32(0)].packs_0 + u32(1);
     var _S52 : Level_0 = this_level_0();
-    if(_S50 >= (_S52.columns_1 * _S52.rows_1 * _S51))
+    if(_S50 >= (_S52.columns_2 * _S52.rows_2 * _S51))
     {
         return;
     }
     var _S53 : u32 = _S50 / _S51;
-    var _S54 : u32 = _S53 % _S52.columns_1;
+    var _S54 : u32 = _S53 % _S52.columns_2;
     var _S55 : f32 = bakes_0[i32(0)].far_weight_0;
-    var _S56 : Taps_0 = taps_of_0(_S54, _S52.columns_1, _S52.below_columns_0, bakes_0[i32(0)].far_weight_0);
+    var _S56 : Taps_0 = taps_of_0(_S54, _S52.columns_2, _S52.below_columns_0, bakes_0[i32(0)].far_weight_0);
     var _S57 : u32 = _S50 / _S51;
-    var _S58 : u32 = _S57 / _S52.columns_1;
-    var _S59 : Taps_0 = taps_of_0(_S58, _S52.rows_1, _S52.below_rows_0, _S55);
+    var _S58 : u32 = _S57 / _S52.columns_2;
+    var _S59 : Taps_0 = taps_of_0(_S58, _S52.rows_2, _S52.below_rows_0, _S55);
     const _S60 : vec4<f32> = vec4<f32>(0.0f, 0.0f, 0.0f, 0.0f);
     var j_1 : u32 = u32(0);
     var mean_2 : vec4<f32> = _S60;

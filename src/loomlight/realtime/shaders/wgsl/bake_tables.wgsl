@@ -155,6 +155,28 @@ struct Latent_std430_0
     @align(4) is_trilinear_0 : u32,
 };
 
+struct Clustered_std430_0
+{
+    @align(4) is_baked_1 : u32,
+    @align(4) clusters_1 : u32,
+    @align(4) rank_0 : u32,
+    @align(4) channels_0 : u32,
+    @align(4) columns_1 : u32,
+    @align(4) rows_1 : u32,
+    @align(4) texel_width_0 : f32,
+    @align(4) texel_height_0 : f32,
+    @align(4) samples_0 : u32,
+    @align(4) sums_0 : u32,
+    @align(4) labels_0 : u32,
+    @align(4) coefficients_0 : u32,
+    @align(4) basis_0 : u32,
+    @align(4) moments_1 : u32,
+    @align(4) light_0 : u32,
+    @align(4) view_0 : u32,
+    @align(4) offset_1 : u32,
+    @align(4) trust_0 : u32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
@@ -191,6 +213,7 @@ struct Fabric_std430_0
     @align(4) has_yarns_0 : u32,
     @align(4) mean_hole_0 : f32,
     @align(4) latent_0 : Latent_std430_0,
+    @align(4) clustered_0 : Clustered_std430_0,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -509,7 +532,7 @@ fn bake_moments(@builtin(global_invocation_id) id_4 : vec3<u32>)
     var _S64 : u32 = u32(2) * _S63;
     var _S65 : u32 = _S62 / _S64;
     var _S66 : u32 = _S62 % _S64;
-    var sums_0 : array<f32, i32(13)>;
+    var sums_1 : array<f32, i32(13)>;
     var sum_0 : u32 = u32(0);
     for(;;)
     {
@@ -520,7 +543,7 @@ fn bake_moments(@builtin(global_invocation_id) id_4 : vec3<u32>)
         {
             break;
         }
-        sums_0[sum_0] = 0.0f;
+        sums_1[sum_0] = 0.0f;
         azimuth_1 = u32(0);
         for(;;)
         {
@@ -546,27 +569,27 @@ fn bake_moments(@builtin(global_invocation_id) id_4 : vec3<u32>)
                 ring_0 = ring_0 + u32(1);
                 total_2 = total_3;
             }
-            sums_0[sum_0] = sums_0[sum_0] + total_2;
+            sums_1[sum_0] = sums_1[sum_0] + total_2;
             azimuth_1 = azimuth_1 + u32(1);
         }
         sum_0 = sum_0 + u32(1);
     }
-    var _S67 : f32 = max(sums_0[i32(0)], 1.0f);
+    var _S67 : f32 = max(sums_1[i32(0)], 1.0f);
     var _S68 : u32 = bakes_0[i32(0)].centroids_0 + _S62 * u32(6);
     var _S69 : vec3<f32> = vec3<f32>(_S67);
-    var _S70 : vec3<f32> = vec3<f32>(sums_0[i32(1)], sums_0[i32(2)], sums_0[i32(3)]) / _S69;
-    var t_0 : vec3<f32> = vec3<f32>(sums_0[i32(4)], sums_0[i32(5)], sums_0[i32(6)]) / _S69;
+    var _S70 : vec3<f32> = vec3<f32>(sums_1[i32(1)], sums_1[i32(2)], sums_1[i32(3)]) / _S69;
+    var t_0 : vec3<f32> = vec3<f32>(sums_1[i32(4)], sums_1[i32(5)], sums_1[i32(6)]) / _S69;
     var _S71 : vec2<f32> = t_0.xy;
-    var _S72 : vec2<f32> = vec2<f32>(sums_0[i32(7)], sums_0[i32(10)]) / vec2<f32>(_S67) - _S71 * _S71;
+    var _S72 : vec2<f32> = vec2<f32>(sums_1[i32(7)], sums_1[i32(10)]) / vec2<f32>(_S67) - _S71 * _S71;
     var _S73 : f32 = t_0.x;
     var _S74 : f32 = t_0.y;
     var _S75 : f32 = t_0.z;
-    var _S76 : vec3<f32> = vec3<f32>(sums_0[i32(8)], sums_0[i32(9)], sums_0[i32(11)]) / _S69 - vec3<f32>(_S73 * _S74, _S73 * _S75, _S74 * _S75);
+    var _S76 : vec3<f32> = vec3<f32>(sums_1[i32(8)], sums_1[i32(9)], sums_1[i32(11)]) / _S69 - vec3<f32>(_S73 * _S74, _S73 * _S75, _S74 * _S75);
     var normal_2 : vec3<f32>;
     var t_1 : vec3<f32>;
     var mixed_0 : vec3<f32>;
     var variance_0 : vec2<f32>;
-    if((sums_0[i32(0)]) < 8.0f)
+    if((sums_1[i32(0)]) < 8.0f)
     {
         var t_2 : vec3<f32> = vec3<f32>(scratch_number_0(_S68 + u32(3)), scratch_number_0(_S68 + u32(4)), scratch_number_0(_S68 + u32(5)));
         var _S77 : vec2<f32> = vec2<f32>((max(1.0f - square_0(t_2), 0.0f) / 3.0f));

@@ -144,6 +144,28 @@ struct Latent_std430_0
     @align(4) is_trilinear_0 : u32,
 };
 
+struct Clustered_std430_0
+{
+    @align(4) is_baked_1 : u32,
+    @align(4) clusters_0 : u32,
+    @align(4) rank_0 : u32,
+    @align(4) channels_0 : u32,
+    @align(4) columns_0 : u32,
+    @align(4) rows_0 : u32,
+    @align(4) texel_width_0 : f32,
+    @align(4) texel_height_0 : f32,
+    @align(4) samples_1 : u32,
+    @align(4) sums_0 : u32,
+    @align(4) labels_0 : u32,
+    @align(4) coefficients_0 : u32,
+    @align(4) basis_0 : u32,
+    @align(4) moments_1 : u32,
+    @align(4) light_0 : u32,
+    @align(4) view_0 : u32,
+    @align(4) offset_1 : u32,
+    @align(4) trust_0 : u32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
@@ -180,6 +202,7 @@ struct Fabric_std430_0
     @align(4) has_yarns_0 : u32,
     @align(4) mean_hole_0 : f32,
     @align(4) latent_0 : Latent_std430_0,
+    @align(4) clustered_0 : Clustered_std430_0,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -544,7 +567,7 @@ fn meet_face_0( face_2 : u32,  origin_1 : vec3<f32>,  direction_0 : vec3<f32>) -
 struct VisiblePoint_0
 {
      position_0 : vec3<f32>,
-     view_0 : vec3<f32>,
+     view_1 : vec3<f32>,
      axis_x_0 : vec3<f32>,
      axis_y_0 : vec3<f32>,
      normal_0 : vec3<f32>,
@@ -1623,7 +1646,7 @@ fn face_point_0( _S162 : u32,  _S163 : u32,  _S164 : f32,  _S165 : f32) -> Visib
     }
     point_1.face_normal_0 = _S197;
     point_1.position_0 = _S171 + _S190 * _S172 + _S193 * _S174;
-    point_1.view_0 = point_1.normal_0;
+    point_1.view_1 = point_1.normal_0;
     point_1.uv_0 = vec2<f32>(_S175, _S177) + vec2<f32>(_S164) * _S179 + vec2<f32>(_S165) * _S182;
     var _S198 : bool = (dot(cross(_S184, _S185), point_1.normal_0)) < 0.0f;
     var _S199 : f32 = fabrics_0[_S162].uv_width_0;
@@ -1694,7 +1717,7 @@ fn visible_point_0( _S203 : i32,  _S204 : u32,  _S205 : u32,  _S206 : vec2<u32>)
     var _S235 : vec2<f32> = vec2<f32>(_S210.u_0 - _S208.u_0, _S210.v_0 - _S208.v_0);
     var point_2 : VisiblePoint_0 = face_point_0(_S204, _S205, dot(_S228, _S232), dot(_S228, _S233));
     point_2.position_0 = _S212 + _S228;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S222));
+    point_2.view_1 = (vec3<f32>(0) - normalize(_S222));
     point_2.draft_dx_0 = (vec2<f32>(dot(_S229, _S232)) * _S234 + vec2<f32>(dot(_S229, _S233)) * _S235) * point_2.draft_per_uv_0;
     point_2.draft_dy_0 = (vec2<f32>(dot(_S230, _S232)) * _S234 + vec2<f32>(dot(_S230, _S233)) * _S235) * point_2.draft_per_uv_0;
     return point_2;

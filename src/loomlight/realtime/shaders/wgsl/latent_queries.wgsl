@@ -15,6 +15,7 @@ struct Query_std430_0
     @align(4) view_x_0 : f32,
     @align(4) view_y_0 : f32,
     @align(4) view_z_0 : f32,
+    @align(4) seed_0 : u32,
 };
 
 @binding(0) @group(1) var<storage, read> queries_0 : array<Query_std430_0>;
@@ -115,6 +116,28 @@ struct Latent_std430_0
     @align(4) is_trilinear_0 : u32,
 };
 
+struct Clustered_std430_0
+{
+    @align(4) is_baked_1 : u32,
+    @align(4) clusters_0 : u32,
+    @align(4) rank_0 : u32,
+    @align(4) channels_0 : u32,
+    @align(4) columns_0 : u32,
+    @align(4) rows_0 : u32,
+    @align(4) texel_width_0 : f32,
+    @align(4) texel_height_0 : f32,
+    @align(4) samples_0 : u32,
+    @align(4) sums_0 : u32,
+    @align(4) labels_0 : u32,
+    @align(4) coefficients_0 : u32,
+    @align(4) basis_0 : u32,
+    @align(4) moments_1 : u32,
+    @align(4) light_0 : u32,
+    @align(4) view_0 : u32,
+    @align(4) offset_1 : u32,
+    @align(4) trust_0 : u32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
@@ -138,7 +161,7 @@ struct Fabric_std430_0
     @align(4) sheen_roughness_0 : f32,
     @align(4) fibre_noise_0 : f32,
     @align(4) colour_noise_0 : f32,
-    @align(4) seed_0 : u32,
+    @align(4) seed_1 : u32,
     @align(4) layer_bound_0 : f32,
     @align(4) fibre_size_0 : f32,
     @align(4) has_detail_0 : u32,
@@ -151,6 +174,7 @@ struct Fabric_std430_0
     @align(4) has_yarns_0 : u32,
     @align(4) mean_hole_0 : f32,
     @align(4) latent_0 : Latent_std430_0,
+    @align(4) clustered_0 : Clustered_std430_0,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -186,7 +210,7 @@ fn FloatWeights_eight_0( this_0 : FloatWeights_0,  element_0 : u32) -> Eight_0
 
 fn tile_product_0( weights_0 : FloatWeights_0,  row_0 : u32,  inputs_0 : ptr<function, array<f32, i32(64)>>) -> vec4<f32>
 {
-    var sums_0 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_1 : vec4<f32> = vec4<f32>(0.0f);
     var column_0 : u32 = u32(0);
     for(;;)
     {
@@ -212,16 +236,16 @@ fn tile_product_0( weights_0 : FloatWeights_0,  row_0 : u32,  inputs_0 : ptr<fun
         low_1[i32(3)] = (*inputs_0)[_S5];
         high_1[i32(3)] = (*inputs_0)[_S5 + i32(4)];
         var _S6 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + column_0);
-        sums_0[i32(0)] = sums_0[i32(0)] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
+        sums_1[i32(0)] = sums_1[i32(0)] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
         var _S7 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + u32(8) + column_0);
-        sums_0[i32(1)] = sums_0[i32(1)] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
+        sums_1[i32(1)] = sums_1[i32(1)] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
         var _S8 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + u32(16) + column_0);
-        sums_0[i32(2)] = sums_0[i32(2)] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
+        sums_1[i32(2)] = sums_1[i32(2)] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
         var _S9 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + u32(24) + column_0);
-        sums_0[i32(3)] = sums_0[i32(3)] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
+        sums_1[i32(3)] = sums_1[i32(3)] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
         column_0 = column_0 + u32(1);
     }
-    return sums_0;
+    return sums_1;
 }
 
 fn Relu_apply_0( x_0 : f32) -> f32
@@ -404,7 +428,7 @@ fn dense_part_1( weights_2 : FloatWeights_0,  first_2 : u32,  adds_1 : bool,  in
 
 fn tile_product_1( weights_3 : FloatWeights_0,  row_1 : u32,  inputs_3 : ptr<function, array<f32, i32(20)>>) -> vec4<f32>
 {
-    var sums_1 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_2 : vec4<f32> = vec4<f32>(0.0f);
     var column_1 : u32 = u32(0);
     for(;;)
     {
@@ -430,16 +454,16 @@ fn tile_product_1( weights_3 : FloatWeights_0,  row_1 : u32,  inputs_3 : ptr<fun
         low_2[i32(3)] = (*inputs_3)[min(_S35, i32(19))];
         high_2[i32(3)] = (*inputs_3)[min(_S35 + i32(4), i32(19))];
         var _S36 : Eight_0 = FloatWeights_eight_0(weights_3, row_1 + column_1);
-        sums_1[i32(0)] = sums_1[i32(0)] + (dot(_S36.low_0, low_2) + dot(_S36.high_0, high_2));
+        sums_2[i32(0)] = sums_2[i32(0)] + (dot(_S36.low_0, low_2) + dot(_S36.high_0, high_2));
         var _S37 : Eight_0 = FloatWeights_eight_0(weights_3, row_1 + u32(3) + column_1);
-        sums_1[i32(1)] = sums_1[i32(1)] + (dot(_S37.low_0, low_2) + dot(_S37.high_0, high_2));
+        sums_2[i32(1)] = sums_2[i32(1)] + (dot(_S37.low_0, low_2) + dot(_S37.high_0, high_2));
         var _S38 : Eight_0 = FloatWeights_eight_0(weights_3, row_1 + u32(6) + column_1);
-        sums_1[i32(2)] = sums_1[i32(2)] + (dot(_S38.low_0, low_2) + dot(_S38.high_0, high_2));
+        sums_2[i32(2)] = sums_2[i32(2)] + (dot(_S38.low_0, low_2) + dot(_S38.high_0, high_2));
         var _S39 : Eight_0 = FloatWeights_eight_0(weights_3, row_1 + u32(9) + column_1);
-        sums_1[i32(3)] = sums_1[i32(3)] + (dot(_S39.low_0, low_2) + dot(_S39.high_0, high_2));
+        sums_2[i32(3)] = sums_2[i32(3)] + (dot(_S39.low_0, low_2) + dot(_S39.high_0, high_2));
         column_1 = column_1 + u32(1);
     }
-    return sums_1;
+    return sums_2;
 }
 
 fn dense_part_2( weights_4 : FloatWeights_0,  first_3 : u32,  adds_2 : bool,  inputs_4 : ptr<function, array<f32, i32(20)>>,  outputs_2 : ptr<function, array<f32, i32(64)>>)
@@ -585,7 +609,7 @@ fn MLP_evaluate_0( this_1 : MLP_0,  inputs_9 : ptr<function, array<f32, i32(20)>
 
 fn tile_product_2( weights_9 : FloatWeights_0,  row_2 : u32,  inputs_10 : ptr<function, array<f32, i32(32)>>) -> vec4<f32>
 {
-    var sums_2 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_3 : vec4<f32> = vec4<f32>(0.0f);
     var column_2 : u32 = u32(0);
     for(;;)
     {
@@ -611,16 +635,16 @@ fn tile_product_2( weights_9 : FloatWeights_0,  row_2 : u32,  inputs_10 : ptr<fu
         low_3[i32(3)] = (*inputs_10)[_S57];
         high_3[i32(3)] = (*inputs_10)[_S57 + i32(4)];
         var _S58 : Eight_0 = FloatWeights_eight_0(weights_9, row_2 + column_2);
-        sums_2[i32(0)] = sums_2[i32(0)] + (dot(_S58.low_0, low_3) + dot(_S58.high_0, high_3));
+        sums_3[i32(0)] = sums_3[i32(0)] + (dot(_S58.low_0, low_3) + dot(_S58.high_0, high_3));
         var _S59 : Eight_0 = FloatWeights_eight_0(weights_9, row_2 + u32(4) + column_2);
-        sums_2[i32(1)] = sums_2[i32(1)] + (dot(_S59.low_0, low_3) + dot(_S59.high_0, high_3));
+        sums_3[i32(1)] = sums_3[i32(1)] + (dot(_S59.low_0, low_3) + dot(_S59.high_0, high_3));
         var _S60 : Eight_0 = FloatWeights_eight_0(weights_9, row_2 + u32(8) + column_2);
-        sums_2[i32(2)] = sums_2[i32(2)] + (dot(_S60.low_0, low_3) + dot(_S60.high_0, high_3));
+        sums_3[i32(2)] = sums_3[i32(2)] + (dot(_S60.low_0, low_3) + dot(_S60.high_0, high_3));
         var _S61 : Eight_0 = FloatWeights_eight_0(weights_9, row_2 + u32(12) + column_2);
-        sums_2[i32(3)] = sums_2[i32(3)] + (dot(_S61.low_0, low_3) + dot(_S61.high_0, high_3));
+        sums_3[i32(3)] = sums_3[i32(3)] + (dot(_S61.low_0, low_3) + dot(_S61.high_0, high_3));
         column_2 = column_2 + u32(1);
     }
-    return sums_2;
+    return sums_3;
 }
 
 fn dense_part_3( weights_10 : FloatWeights_0,  first_7 : u32,  adds_6 : bool,  inputs_11 : ptr<function, array<f32, i32(32)>>,  outputs_8 : ptr<function, array<f32, i32(32)>>)
@@ -924,7 +948,7 @@ fn MLP_evaluate_1( this_2 : MLP_0,  inputs_17 : ptr<function, array<f32, i32(20)
 
 fn tile_product_3( weights_16 : FloatWeights_0,  row_3 : u32,  inputs_18 : ptr<function, array<f32, i32(16)>>) -> vec4<f32>
 {
-    var sums_3 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_4 : vec4<f32> = vec4<f32>(0.0f);
     var column_3 : u32 = u32(0);
     for(;;)
     {
@@ -950,16 +974,16 @@ fn tile_product_3( weights_16 : FloatWeights_0,  row_3 : u32,  inputs_18 : ptr<f
         low_4[i32(3)] = (*inputs_18)[_S101];
         high_4[i32(3)] = (*inputs_18)[_S101 + i32(4)];
         var _S102 : Eight_0 = FloatWeights_eight_0(weights_16, row_3 + column_3);
-        sums_3[i32(0)] = sums_3[i32(0)] + (dot(_S102.low_0, low_4) + dot(_S102.high_0, high_4));
+        sums_4[i32(0)] = sums_4[i32(0)] + (dot(_S102.low_0, low_4) + dot(_S102.high_0, high_4));
         var _S103 : Eight_0 = FloatWeights_eight_0(weights_16, row_3 + u32(2) + column_3);
-        sums_3[i32(1)] = sums_3[i32(1)] + (dot(_S103.low_0, low_4) + dot(_S103.high_0, high_4));
+        sums_4[i32(1)] = sums_4[i32(1)] + (dot(_S103.low_0, low_4) + dot(_S103.high_0, high_4));
         var _S104 : Eight_0 = FloatWeights_eight_0(weights_16, row_3 + u32(4) + column_3);
-        sums_3[i32(2)] = sums_3[i32(2)] + (dot(_S104.low_0, low_4) + dot(_S104.high_0, high_4));
+        sums_4[i32(2)] = sums_4[i32(2)] + (dot(_S104.low_0, low_4) + dot(_S104.high_0, high_4));
         var _S105 : Eight_0 = FloatWeights_eight_0(weights_16, row_3 + u32(6) + column_3);
-        sums_3[i32(3)] = sums_3[i32(3)] + (dot(_S105.low_0, low_4) + dot(_S105.high_0, high_4));
+        sums_4[i32(3)] = sums_4[i32(3)] + (dot(_S105.low_0, low_4) + dot(_S105.high_0, high_4));
         column_3 = column_3 + u32(1);
     }
-    return sums_3;
+    return sums_4;
 }
 
 fn dense_part_6( weights_17 : FloatWeights_0,  first_13 : u32,  adds_12 : bool,  inputs_19 : ptr<function, array<f32, i32(16)>>,  outputs_15 : ptr<function, array<f32, i32(16)>>)
@@ -1263,7 +1287,7 @@ fn MLP_evaluate_2( this_3 : MLP_0,  inputs_25 : ptr<function, array<f32, i32(20)
 
 fn tile_product_4( weights_23 : FloatWeights_0,  row_4 : u32,  inputs_26 : ptr<function, array<f32, i32(8)>>) -> vec4<f32>
 {
-    var sums_4 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_5 : vec4<f32> = vec4<f32>(0.0f);
     var column_4 : u32 = u32(0);
     for(;;)
     {
@@ -1289,16 +1313,16 @@ fn tile_product_4( weights_23 : FloatWeights_0,  row_4 : u32,  inputs_26 : ptr<f
         low_5[i32(3)] = (*inputs_26)[_S145];
         high_5[i32(3)] = (*inputs_26)[_S145 + i32(4)];
         var _S146 : Eight_0 = FloatWeights_eight_0(weights_23, row_4 + column_4);
-        sums_4[i32(0)] = sums_4[i32(0)] + (dot(_S146.low_0, low_5) + dot(_S146.high_0, high_5));
+        sums_5[i32(0)] = sums_5[i32(0)] + (dot(_S146.low_0, low_5) + dot(_S146.high_0, high_5));
         var _S147 : Eight_0 = FloatWeights_eight_0(weights_23, row_4 + u32(1) + column_4);
-        sums_4[i32(1)] = sums_4[i32(1)] + (dot(_S147.low_0, low_5) + dot(_S147.high_0, high_5));
+        sums_5[i32(1)] = sums_5[i32(1)] + (dot(_S147.low_0, low_5) + dot(_S147.high_0, high_5));
         var _S148 : Eight_0 = FloatWeights_eight_0(weights_23, row_4 + u32(2) + column_4);
-        sums_4[i32(2)] = sums_4[i32(2)] + (dot(_S148.low_0, low_5) + dot(_S148.high_0, high_5));
+        sums_5[i32(2)] = sums_5[i32(2)] + (dot(_S148.low_0, low_5) + dot(_S148.high_0, high_5));
         var _S149 : Eight_0 = FloatWeights_eight_0(weights_23, row_4 + u32(3) + column_4);
-        sums_4[i32(3)] = sums_4[i32(3)] + (dot(_S149.low_0, low_5) + dot(_S149.high_0, high_5));
+        sums_5[i32(3)] = sums_5[i32(3)] + (dot(_S149.low_0, low_5) + dot(_S149.high_0, high_5));
         column_4 = column_4 + u32(1);
     }
-    return sums_4;
+    return sums_5;
 }
 
 fn dense_part_9( weights_24 : FloatWeights_0,  first_19 : u32,  adds_18 : bool,  inputs_27 : ptr<function, array<f32, i32(8)>>,  outputs_22 : ptr<function, array<f32, i32(12)>>)
@@ -1443,7 +1467,7 @@ struct Footprint_0
      dy_0 : vec2<f32>,
 };
 
-fn hashed_0( footprint_0 : Footprint_0,  view_0 : vec3<f32>,  size_0 : vec2<f32>) -> u32
+fn hashed_0( footprint_0 : Footprint_0,  view_1 : vec3<f32>,  size_0 : vec2<f32>) -> u32
 {
     var hash_1 : u32 = u32(2654435769);
     var axis_0 : u32 = u32(0);
@@ -1472,7 +1496,7 @@ fn hashed_0( footprint_0 : Footprint_0,  view_0 : vec3<f32>,  size_0 : vec2<f32>
         {
             break;
         }
-        var _S165 : u32 = with_number_0(hash_1, view_0[axis_0]);
+        var _S165 : u32 = with_number_0(hash_1, view_1[axis_0]);
         var _S166 : u32 = axis_0 + u32(1);
         hash_1 = _S165;
         axis_0 = _S166;
@@ -1480,9 +1504,9 @@ fn hashed_0( footprint_0 : Footprint_0,  view_0 : vec3<f32>,  size_0 : vec2<f32>
     return with_number_0(with_number_0(with_number_0(with_number_0(hash_1, footprint_0.dx_0.x), footprint_0.dx_0.y), footprint_0.dy_0.x), footprint_0.dy_0.y);
 }
 
-fn uniform_of_0( seed_1 : u32,  dimension_0 : u32) -> f32
+fn uniform_of_0( seed_2 : u32,  dimension_0 : u32) -> f32
 {
-    return f32(((mixed_0(seed_1 + (dimension_0 + u32(1)) * u32(2654435769))) >> (u32(8)))) * 5.9604644775390625e-08f;
+    return f32(((mixed_0(seed_2 + (dimension_0 + u32(1)) * u32(2654435769))) >> (u32(8)))) * 5.9604644775390625e-08f;
 }
 
 fn to_face_frame_0( direction_0 : vec3<f32>,  back_2 : bool) -> vec3<f32>
@@ -1564,9 +1588,9 @@ fn texel_numbers_0( first_24 : u32,  elements_1 : u32,  texel_0 : u32) -> Eight_
     return numbers_3;
 }
 
-fn add_bilinear_0( first_25 : u32,  elements_2 : u32,  start_0 : u32,  columns_0 : u32,  rows_0 : u32,  uv_1 : vec2<f32>,  weight_0 : f32,  sums_5 : ptr<function, Eight_0>)
+fn add_bilinear_0( first_25 : u32,  elements_2 : u32,  start_0 : u32,  columns_1 : u32,  rows_1 : u32,  uv_1 : vec2<f32>,  weight_0 : f32,  sums_6 : ptr<function, Eight_0>)
 {
-    var _S174 : vec2<f32> = uv_1 * vec2<f32>(f32(columns_0), f32(rows_0)) - vec2<f32>(0.5f);
+    var _S174 : vec2<f32> = uv_1 * vec2<f32>(f32(columns_1), f32(rows_1)) - vec2<f32>(0.5f);
     var _S175 : vec2<f32> = floor(_S174);
     var _S176 : vec2<f32> = _S174 - _S175;
     var _S177 : i32 = i32(_S175.x);
@@ -1583,7 +1607,7 @@ fn add_bilinear_0( first_25 : u32,  elements_2 : u32,  start_0 : u32,  columns_0
         }
         var _S179 : u32 = (tap_0 & (u32(1)));
         var _S180 : u32 = (tap_0 >> (u32(1)));
-        var _S181 : Eight_0 = texel_numbers_0(first_25, elements_2, start_0 + ((u32(_S178 + i32(_S180)) & ((rows_0 - u32(1))))) * columns_0 + ((u32(_S177 + i32(_S179)) & ((columns_0 - u32(1))))));
+        var _S181 : Eight_0 = texel_numbers_0(first_25, elements_2, start_0 + ((u32(_S178 + i32(_S180)) & ((rows_1 - u32(1))))) * columns_1 + ((u32(_S177 + i32(_S179)) & ((columns_1 - u32(1))))));
         var _S182 : f32;
         if(_S180 != u32(0))
         {
@@ -1603,8 +1627,8 @@ fn add_bilinear_0( first_25 : u32,  elements_2 : u32,  start_0 : u32,  columns_0
             _S183 = 1.0f - _S176.x;
         }
         var _S184 : vec4<f32> = vec4<f32>((_S182 * _S183 * weight_0));
-        (*sums_5).low_0 = (*sums_5).low_0 + _S184 * _S181.low_0;
-        (*sums_5).high_0 = (*sums_5).high_0 + _S184 * _S181.high_0;
+        (*sums_6).low_0 = (*sums_6).low_0 + _S184 * _S181.low_0;
+        (*sums_6).high_0 = (*sums_6).high_0 + _S184 * _S181.high_0;
         tap_0 = tap_0 + u32(1);
     }
     return;
@@ -1619,10 +1643,10 @@ struct TexelPyramid_0
      face_texels_2 : u32,
 };
 
-fn TexelPyramid_add_level_0( this_4 : TexelPyramid_0,  place_0 : vec2<f32>,  level_0 : u32,  face_0 : u32,  weight_1 : f32,  sums_6 : ptr<function, Eight_0>)
+fn TexelPyramid_add_level_0( this_4 : TexelPyramid_0,  place_0 : vec2<f32>,  level_0 : u32,  face_0 : u32,  weight_1 : f32,  sums_7 : ptr<function, Eight_0>)
 {
     var _S185 : u32 = this_4.levels_4 + u32(3) * level_0;
-    add_bilinear_0(this_4.first_26, this_4.elements_3, face_0 * this_4.face_texels_2 + words_0[_S185], words_0[_S185 + u32(1)], words_0[_S185 + u32(2)], place_0, weight_1, &((*sums_6)));
+    add_bilinear_0(this_4.first_26, this_4.elements_3, face_0 * this_4.face_texels_2 + words_0[_S185], words_0[_S185 + u32(1)], words_0[_S185 + u32(2)], place_0, weight_1, &((*sums_7)));
     return;
 }
 
@@ -1633,10 +1657,10 @@ fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_2 : vec2<f32>,  l
     var _S188 : f32 = _S186 - _S187;
     var _S189 : vec2<f32> = within_repeat_0(uv_2);
     var texel_1 : Eight_0 = no_numbers_0();
-    var offset_1 : u32 = u32(0);
+    var offset_2 : u32 = u32(0);
     for(;;)
     {
-        if(offset_1 < u32(2))
+        if(offset_2 < u32(2))
         {
         }
         else
@@ -1644,7 +1668,7 @@ fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_2 : vec2<f32>,  l
             break;
         }
         var _S190 : f32;
-        if(offset_1 == u32(0))
+        if(offset_2 == u32(0))
         {
             _S190 = 1.0f - _S188;
         }
@@ -1654,9 +1678,9 @@ fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_2 : vec2<f32>,  l
         }
         if(_S190 > 0.0f)
         {
-            TexelPyramid_add_level_0(this_5, _S189, u32(_S187) + offset_1, face_1, _S190, &(texel_1));
+            TexelPyramid_add_level_0(this_5, _S189, u32(_S187) + offset_2, face_1, _S190, &(texel_1));
         }
-        offset_1 = offset_1 + u32(1);
+        offset_2 = offset_2 + u32(1);
     }
     return texel_1;
 }
@@ -1734,7 +1758,7 @@ struct LatentView_0
      latent_1 : array<f32, i32(8)>,
      first_27 : LatentFrame_0,
      second_0 : LatentFrame_0,
-     view_1 : vec3<f32>,
+     view_2 : vec3<f32>,
      back_3 : bool,
 };
 
@@ -1743,7 +1767,7 @@ fn latent_view_0( _S199 : u32,  _S200 : Footprint_0,  _S201 : vec3<f32>,  _S202 
     var _S204 : Latent_std430_0 = fabrics_0[_S199].latent_0;
     var _S205 : bool = (_S201.z) < 0.0f;
     (*_S203).back_3 = _S205;
-    (*_S203).view_1 = to_face_frame_0(_S201, _S205);
+    (*_S203).view_2 = to_face_frame_0(_S201, _S205);
     var _S206 : u32;
     if(_S205)
     {
@@ -1797,11 +1821,11 @@ fn latent_view_0( _S199 : u32,  _S200 : Footprint_0,  _S201 : vec3<f32>,  _S202 
     var weights_26 : FloatWeights_0;
     weights_26.first_0 = _S204.frames_0;
     var _S212 : array<f32, i32(8)> = (*_S203).latent_1;
-    var sums_7 : array<f32, i32(12)>;
-    dense_9(weights_26, u32(0), false, &(_S212), &(sums_7));
+    var sums_8 : array<f32, i32(12)>;
+    dense_9(weights_26, u32(0), false, &(_S212), &(sums_8));
     (*_S203).latent_1 = _S212;
-    (*_S203).first_27 = frame_of_0(vec3<f32>(sums_7[i32(0)], sums_7[i32(1)], sums_7[i32(2)]), vec3<f32>(sums_7[i32(3)], sums_7[i32(4)], sums_7[i32(5)]));
-    (*_S203).second_0 = frame_of_0(vec3<f32>(sums_7[i32(6)], sums_7[i32(7)], sums_7[i32(8)]), vec3<f32>(sums_7[i32(9)], sums_7[i32(10)], sums_7[i32(11)]));
+    (*_S203).first_27 = frame_of_0(vec3<f32>(sums_8[i32(0)], sums_8[i32(1)], sums_8[i32(2)]), vec3<f32>(sums_8[i32(3)], sums_8[i32(4)], sums_8[i32(5)]));
+    (*_S203).second_0 = frame_of_0(vec3<f32>(sums_8[i32(6)], sums_8[i32(7)], sums_8[i32(8)]), vec3<f32>(sums_8[i32(9)], sums_8[i32(10)], sums_8[i32(11)]));
     return;
 }
 
@@ -1813,9 +1837,9 @@ fn latent_value_0( _S213 : u32,  _S214 : ptr<function, LatentView_0>,  _S215 : v
         return vec3<f32>(0.0f);
     }
     var inputs_32 : array<f32, i32(20)>;
-    var _S217 : vec3<f32> = LatentFrame_coordinates_0((*_S214).first_27, (*_S214).view_1);
+    var _S217 : vec3<f32> = LatentFrame_coordinates_0((*_S214).first_27, (*_S214).view_2);
     var _S218 : vec3<f32> = LatentFrame_coordinates_0((*_S214).first_27, _S216);
-    var _S219 : vec3<f32> = LatentFrame_coordinates_0((*_S214).second_0, (*_S214).view_1);
+    var _S219 : vec3<f32> = LatentFrame_coordinates_0((*_S214).second_0, (*_S214).view_2);
     var _S220 : vec3<f32> = LatentFrame_coordinates_0((*_S214).second_0, _S216);
     var axis_1 : i32 = i32(0);
     for(;;)
@@ -1866,15 +1890,15 @@ fn latent_value_0( _S213 : u32,  _S214 : ptr<function, LatentView_0>,  _S215 : v
     return vec3<f32>(bounded_exponential_0(outputs_27[i32(0)] - 3.0f), bounded_exponential_0(outputs_27[i32(1)] - 3.0f), bounded_exponential_0(outputs_27[i32(2)] - 3.0f));
 }
 
-fn cloth_value_0( fabric_1 : u32,  centre_1 : vec2<f32>,  dx_1 : vec2<f32>,  dy_1 : vec2<f32>,  light_0 : vec3<f32>,  view_2 : vec3<f32>) -> vec4<f32>
+fn cloth_value_0( fabric_1 : u32,  centre_1 : vec2<f32>,  dx_1 : vec2<f32>,  dy_1 : vec2<f32>,  light_1 : vec3<f32>,  view_3 : vec3<f32>) -> vec4<f32>
 {
     var footprint_1 : Footprint_0;
     footprint_1.centre_0 = centre_1;
     footprint_1.dx_0 = dx_1;
     footprint_1.dy_0 = dy_1;
     var seen_0 : LatentView_0;
-    latent_view_0(fabric_1, footprint_1, view_2, uniform_of_0(hashed_0(footprint_1, view_2, vec2<f32>(fabrics_0[fabric_1].latent_0.width_0, fabrics_0[fabric_1].latent_0.height_0)), u32(0)), &(seen_0));
-    var _S222 : vec3<f32> = latent_value_0(fabric_1, &(seen_0), light_0);
+    latent_view_0(fabric_1, footprint_1, view_3, uniform_of_0(hashed_0(footprint_1, view_3, vec2<f32>(fabrics_0[fabric_1].latent_0.width_0, fabrics_0[fabric_1].latent_0.height_0)), u32(0)), &(seen_0));
+    var _S222 : vec3<f32> = latent_value_0(fabric_1, &(seen_0), light_1);
     return vec4<f32>(_S222, 0.0f);
 }
 

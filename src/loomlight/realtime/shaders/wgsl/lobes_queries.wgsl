@@ -15,6 +15,7 @@ struct Query_std430_0
     @align(4) view_x_0 : f32,
     @align(4) view_y_0 : f32,
     @align(4) view_z_0 : f32,
+    @align(4) seed_0 : u32,
 };
 
 @binding(0) @group(1) var<storage, read> queries_0 : array<Query_std430_0>;
@@ -115,6 +116,28 @@ struct Latent_std430_0
     @align(4) is_trilinear_0 : u32,
 };
 
+struct Clustered_std430_0
+{
+    @align(4) is_baked_1 : u32,
+    @align(4) clusters_0 : u32,
+    @align(4) rank_0 : u32,
+    @align(4) channels_0 : u32,
+    @align(4) columns_0 : u32,
+    @align(4) rows_0 : u32,
+    @align(4) texel_width_0 : f32,
+    @align(4) texel_height_0 : f32,
+    @align(4) samples_0 : u32,
+    @align(4) sums_0 : u32,
+    @align(4) labels_0 : u32,
+    @align(4) coefficients_0 : u32,
+    @align(4) basis_0 : u32,
+    @align(4) moments_1 : u32,
+    @align(4) light_0 : u32,
+    @align(4) view_0 : u32,
+    @align(4) offset_1 : u32,
+    @align(4) trust_0 : u32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
@@ -138,7 +161,7 @@ struct Fabric_std430_0
     @align(4) sheen_roughness_0 : f32,
     @align(4) fibre_noise_0 : f32,
     @align(4) colour_noise_0 : f32,
-    @align(4) seed_0 : u32,
+    @align(4) seed_1 : u32,
     @align(4) layer_bound_0 : f32,
     @align(4) fibre_size_0 : f32,
     @align(4) has_detail_0 : u32,
@@ -151,6 +174,7 @@ struct Fabric_std430_0
     @align(4) has_yarns_0 : u32,
     @align(4) mean_hole_0 : f32,
     @align(4) latent_0 : Latent_std430_0,
+    @align(4) clustered_0 : Clustered_std430_0,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -1365,9 +1389,9 @@ fn uniform_hash_0( thread_9 : u32,  cell_7 : u32,  stream_1 : u32) -> f32
     return (f32(((hash_bits_0(hash_key_0(thread_9, stream_1), cell_7)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
 }
 
-fn thread_gain_0( thread_10 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
+fn thread_gain_0( thread_10 : u32,  amount_0 : f32,  seed_2 : u32) -> f32
 {
-    return amount_0 * (2.0f * uniform_hash_0(thread_10, u32(0), (seed_1 ^ (u32(2135587861)))) - 1.0f) + 1.0f;
+    return amount_0 * (2.0f * uniform_hash_0(thread_10, u32(0), (seed_2 ^ (u32(2135587861)))) - 1.0f) + 1.0f;
 }
 
 fn bounded_gain_0( gain_0 : f32,  albedo_1 : vec3<f32>,  room_0 : vec3<f32>) -> f32
@@ -1382,9 +1406,9 @@ fn flattened_0( largest_0 : f32,  albedo_2 : vec3<f32>,  room_1 : vec3<f32>) -> 
     return min(max(min(min(_S122.x, _S122.y), _S122.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
 }
 
-fn fibre_gain_0( thread_11 : u32,  cell_8 : u32,  amount_1 : f32,  seed_2 : u32) -> f32
+fn fibre_gain_0( thread_11 : u32,  cell_8 : u32,  amount_1 : f32,  seed_3 : u32) -> f32
 {
-    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_8, (seed_2 ^ (u32(2654435769))))), 10.0f) - 1.0f) + 1.0f;
+    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_8, (seed_3 ^ (u32(2654435769))))), 10.0f) - 1.0f) + 1.0f;
 }
 
 struct YarnFrame_0
@@ -1421,14 +1445,14 @@ fn diffuse_gain_0( frame_1 : YarnFrame_0,  blend_0 : f32) -> f32
     return min(0.85000002384185791f * blend_0 * frame_1.loss_0 + 1.0f, 1.0f / (0.5f * blend_0 * (frame_1.normal_4.z - 1.0f) + 1.0f));
 }
 
-fn diffuse_reflection_0( light_0 : vec3<f32>,  normal_5 : vec3<f32>,  blend_1 : f32) -> f32
+fn diffuse_reflection_0( light_1 : vec3<f32>,  normal_5 : vec3<f32>,  blend_1 : f32) -> f32
 {
-    var _S128 : f32 = light_0.z;
+    var _S128 : f32 = light_1.z;
     if(_S128 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * mix(max(_S128, 0.0f), max(dot(light_0, normal_5), 0.0f), blend_1);
+    return 0.31830987334251404f * mix(max(_S128, 0.0f), max(dot(light_1, normal_5), 0.0f), blend_1);
 }
 
 fn projected_area_1( direction_2 : vec3<f32>,  tangent_5 : vec3<f32>,  roughness_1 : f32) -> f32
@@ -1477,17 +1501,17 @@ fn flake_density_0( squared_along_0 : f32,  roughness_2 : f32) -> f32
     return 0.31830987334251404f * _S135 * roughness_2 / (_S136 * _S136);
 }
 
-fn density_between_0( light_1 : vec3<f32>,  view_0 : vec3<f32>,  tangent_6 : vec3<f32>,  roughness_3 : f32) -> f32
+fn density_between_0( light_2 : vec3<f32>,  view_1 : vec3<f32>,  tangent_6 : vec3<f32>,  roughness_3 : f32) -> f32
 {
-    var _S137 : vec3<f32> = light_1 + view_0;
+    var _S137 : vec3<f32> = light_2 + view_1;
     var _S138 : f32 = dot(_S137, tangent_6);
     return flake_density_0(min(_S138 * _S138 / max(square_1(_S137), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
-fn transmission_1( light_2 : vec3<f32>,  view_1 : vec3<f32>,  normal_6 : vec3<f32>,  tangent_7 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
+fn transmission_1( light_3 : vec3<f32>,  view_2 : vec3<f32>,  normal_6 : vec3<f32>,  tangent_7 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
 {
-    var _S139 : f32 = - dot(light_2, normal_6);
-    var _S140 : f32 = dot(view_1, normal_6);
+    var _S139 : f32 = - dot(light_3, normal_6);
+    var _S140 : f32 = dot(view_2, normal_6);
     var _S141 : bool;
     if(_S139 <= 0.0f)
     {
@@ -1502,14 +1526,14 @@ fn transmission_1( light_2 : vec3<f32>,  view_1 : vec3<f32>,  normal_6 : vec3<f3
         return 0.0f;
     }
     var _S142 : f32 = 1.0f / max(_S140, 9.99999997475242708e-07f);
-    var _S143 : f32 = projected_area_1(light_2, tangent_7, roughness_4) / max(_S139, 9.99999997475242708e-07f);
-    var _S144 : f32 = projected_area_1(view_1, tangent_7, roughness_4) * _S142;
-    return density_between_0(light_2, view_1, tangent_7, roughness_4) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S143, _S144)) * mean_attenuation_0(optical_depth_1 * abs(_S143 - _S144)) * _S142;
+    var _S143 : f32 = projected_area_1(light_3, tangent_7, roughness_4) / max(_S139, 9.99999997475242708e-07f);
+    var _S144 : f32 = projected_area_1(view_2, tangent_7, roughness_4) * _S142;
+    return density_between_0(light_3, view_2, tangent_7, roughness_4) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S143, _S144)) * mean_attenuation_0(optical_depth_1 * abs(_S143 - _S144)) * _S142;
 }
 
-fn reflection_0( light_3 : vec3<f32>,  view_2 : vec3<f32>,  normal_7 : vec3<f32>,  tangent_8 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
+fn reflection_0( light_4 : vec3<f32>,  view_3 : vec3<f32>,  normal_7 : vec3<f32>,  tangent_8 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
 {
-    var _S145 : f32 = dot(light_3, normal_7);
+    var _S145 : f32 = dot(light_4, normal_7);
     var _S146 : bool;
     if(_S145 <= 0.0f)
     {
@@ -1517,28 +1541,28 @@ fn reflection_0( light_3 : vec3<f32>,  view_2 : vec3<f32>,  normal_7 : vec3<f32>
     }
     else
     {
-        _S146 = (dot(view_2, normal_7)) <= 0.0f;
+        _S146 = (dot(view_3, normal_7)) <= 0.0f;
     }
     if(_S146)
     {
         return 0.0f;
     }
     var _S147 : f32 = max(_S145, 9.99999997475242708e-07f);
-    var _S148 : f32 = max(dot(view_2, normal_7), 9.99999997475242708e-07f);
-    var _S149 : f32 = projected_area_1(light_3, tangent_8, roughness_5) * _S148 + projected_area_1(view_2, tangent_8, roughness_5) * _S147;
+    var _S148 : f32 = max(dot(view_3, normal_7), 9.99999997475242708e-07f);
+    var _S149 : f32 = projected_area_1(light_4, tangent_8, roughness_5) * _S148 + projected_area_1(view_3, tangent_8, roughness_5) * _S147;
     var _S150 : f32 = optical_depth_2 * _S149 / (_S147 * _S148);
-    return 0.25f * density_between_0(light_3, view_2, tangent_8, roughness_5) * (_S150 * mean_attenuation_0(_S150)) * _S147 / _S149;
+    return 0.25f * density_between_0(light_4, view_3, tangent_8, roughness_5) * (_S150 * mean_attenuation_0(_S150)) * _S147 / _S149;
 }
 
-fn with_added_0( sums_0 : Components_0,  more_0 : Components_0,  weight_1 : f32) -> Components_0
+fn with_added_0( sums_1 : Components_0,  more_0 : Components_0,  weight_1 : f32) -> Components_0
 {
     var result_0 : Components_0;
-    result_0.diffuse_warp_0 = sums_0.diffuse_warp_0 + weight_1 * more_0.diffuse_warp_0;
-    result_0.diffuse_weft_0 = sums_0.diffuse_weft_0 + weight_1 * more_0.diffuse_weft_0;
-    result_0.specular_warp_0 = sums_0.specular_warp_0 + weight_1 * more_0.specular_warp_0;
-    result_0.specular_weft_0 = sums_0.specular_weft_0 + weight_1 * more_0.specular_weft_0;
-    result_0.light_visibility_1 = sums_0.light_visibility_1 + weight_1 * more_0.light_visibility_1;
-    result_0.hole_2 = sums_0.hole_2 + weight_1 * more_0.hole_2;
+    result_0.diffuse_warp_0 = sums_1.diffuse_warp_0 + weight_1 * more_0.diffuse_warp_0;
+    result_0.diffuse_weft_0 = sums_1.diffuse_weft_0 + weight_1 * more_0.diffuse_weft_0;
+    result_0.specular_warp_0 = sums_1.specular_warp_0 + weight_1 * more_0.specular_warp_0;
+    result_0.specular_weft_0 = sums_1.specular_weft_0 + weight_1 * more_0.specular_weft_0;
+    result_0.light_visibility_1 = sums_1.light_visibility_1 + weight_1 * more_0.light_visibility_1;
+    result_0.hole_2 = sums_1.hole_2 + weight_1 * more_0.hole_2;
     return result_0;
 }
 
@@ -1621,18 +1645,18 @@ fn node_taps_0( direction_3 : vec3<f32>) -> NodeTaps_0
     return taps_0;
 }
 
-fn half_vector_0( light_4 : vec3<f32>,  view_3 : vec3<f32>) -> vec3<f32>
+fn half_vector_0( light_5 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S167 : vec3<f32> = light_4 + view_3;
+    var _S167 : vec3<f32> = light_5 + view_4;
     return _S167 * vec3<f32>(rsqrt_0(max(square_1(_S167), 9.999999960041972e-13f)));
 }
 
-fn shadow_correlation_0( light_5 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
+fn shadow_correlation_0( light_6 : vec3<f32>,  view_5 : vec3<f32>) -> vec3<f32>
 {
-    var _S168 : vec2<f32> = light_5.xy;
-    var _S169 : vec2<f32> = view_4.xy;
+    var _S168 : vec2<f32> = light_6.xy;
+    var _S169 : vec2<f32> = view_5.xy;
     var _S170 : f32 = dot(_S168, _S169) / max(sqrt(dot(_S168, _S168) * dot(_S169, _S169)), 9.99999997475242708e-07f);
-    if((light_5.z) < 0.0f)
+    if((light_6.z) < 0.0f)
     {
         return vec3<f32>(vec2<f32>((-0.09000000357627869f + -0.07999999821186066f * _S170)), 0.0f);
     }
@@ -1717,10 +1741,10 @@ fn mean_density_0( group_2 : Group_0,  half_0 : vec3<f32>) -> f32
     return 0.15915493667125702f / group_2.roughness_6 * ((1.0f - _S190) / ((_S188 * _S188 + 1.0f) * (_S189 * _S189 + 1.0f)) + arc_tangent_0(_S191, 1.0f + _S190) / _S191);
 }
 
-fn layer_value_0( group_3 : Group_0,  half_1 : vec3<f32>,  light_6 : vec3<f32>,  view_5 : vec3<f32>,  optical_depth_3 : f32) -> f32
+fn layer_value_0( group_3 : Group_0,  half_1 : vec3<f32>,  light_7 : vec3<f32>,  view_6 : vec3<f32>,  optical_depth_3 : f32) -> f32
 {
-    var _S192 : bool = (light_6.z) < 0.0f;
-    var _S193 : f32 = dot(light_6, group_3.normal_8);
+    var _S192 : bool = (light_7.z) < 0.0f;
+    var _S193 : f32 = dot(light_7, group_3.normal_8);
     var _S194 : f32;
     if(_S192)
     {
@@ -1730,9 +1754,9 @@ fn layer_value_0( group_3 : Group_0,  half_1 : vec3<f32>,  light_6 : vec3<f32>, 
     {
         _S194 = _S193;
     }
-    var _S195 : f32 = max(dot(view_5, group_3.normal_8), 0.01999999955296516f);
-    var _S196 : f32 = mean_area_0(group_3, light_6) / max(_S194, 0.01999999955296516f);
-    var _S197 : f32 = mean_area_0(group_3, view_5) / _S195;
+    var _S195 : f32 = max(dot(view_6, group_3.normal_8), 0.01999999955296516f);
+    var _S196 : f32 = mean_area_0(group_3, light_7) / max(_S194, 0.01999999955296516f);
+    var _S197 : f32 = mean_area_0(group_3, view_6) / _S195;
     if(_S192)
     {
         _S194 = abs(_S196 - _S197);
@@ -2029,14 +2053,14 @@ fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : v
     return found_0;
 }
 
-fn view_terms_0( view_6 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
+fn view_terms_0( view_7 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S254 : f32 = 1.0f - view_6.z;
+    var _S254 : f32 = 1.0f - view_7.z;
     var _S255 : f32 = _S254 * _S254;
     (*terms_0)[i32(0)] = 1.0f;
-    var _S256 : f32 = view_6.x;
+    var _S256 : f32 = view_7.x;
     var _S257 : f32 = _S256 * _S256;
-    var _S258 : f32 = view_6.y;
+    var _S258 : f32 = view_7.y;
     var _S259 : f32 = _S258 * _S258;
     (*terms_0)[i32(1)] = sqrt(max(_S257 + _S259, 9.999999960041972e-13f));
     (*terms_0)[i32(2)] = _S255;
@@ -2046,14 +2070,14 @@ fn view_terms_0( view_6 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>
     return;
 }
 
-fn view_terms_1( view_7 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
+fn view_terms_1( view_8 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S260 : f32 = 1.0f - view_7.z;
+    var _S260 : f32 = 1.0f - view_8.z;
     var _S261 : f32 = _S260 * _S260;
     (*terms_1)[i32(0)] = 1.0f;
-    var _S262 : f32 = view_7.x;
+    var _S262 : f32 = view_8.x;
     var _S263 : f32 = _S262 * _S262;
-    var _S264 : f32 = view_7.y;
+    var _S264 : f32 = view_8.y;
     var _S265 : f32 = _S264 * _S264;
     (*terms_1)[i32(1)] = sqrt(max(_S263 + _S265, 9.999999960041972e-13f));
     (*terms_1)[i32(2)] = _S261;
@@ -2102,11 +2126,11 @@ fn sum_of_0( first_3 : Bounced_0,  second_2 : Bounced_0) -> Bounced_0
     return sum_1;
 }
 
-fn bounced_value_0( bounced_1 : Bounced_0,  light_7 : vec3<f32>,  view_8 : vec3<f32>) -> vec3<f32>
+fn bounced_value_0( bounced_1 : Bounced_0,  light_8 : vec3<f32>,  view_9 : vec3<f32>) -> vec3<f32>
 {
-    var _S268 : f32 = light_7.z;
+    var _S268 : f32 = light_8.z;
     var _S269 : vec3<f32>;
-    if((_S268 * view_8.z) < 0.0f)
+    if((_S268 * view_9.z) < 0.0f)
     {
         _S269 = bounced_1.transmitted_0;
     }
@@ -2140,9 +2164,9 @@ fn sheen_lobe_0( cos_view_0 : f32,  roughness_8 : f32) -> vec3<f32>
     return vec3<f32>(clamp(sheen_scale_0(_S271, _S272), 0.00999999977648258f, 1.0f), clamp((1.0f - _S270) * sheen_shear_0(_S271, _S272), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S271, _S272), -60.0f, 60.0f))));
 }
 
-fn transformed_cosine_0( light_8 : vec3<f32>,  view_9 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
+fn transformed_cosine_0( light_9 : vec3<f32>,  view_10 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S273 : f32 = light_8.z;
+    var _S273 : f32 = light_9.z;
     var _S274 : bool;
     if(_S273 <= 0.0f)
     {
@@ -2150,13 +2174,13 @@ fn transformed_cosine_0( light_8 : vec3<f32>,  view_9 : vec3<f32>,  scale_0 : f3
     }
     else
     {
-        _S274 = (view_9.z) <= 0.0f;
+        _S274 = (view_10.z) <= 0.0f;
     }
     if(_S274)
     {
         return 0.0f;
     }
-    var _S275 : vec2<f32> = view_9.xy;
+    var _S275 : vec2<f32> = view_10.xy;
     var _S276 : f32 = dot(_S275, _S275);
     var _S277 : vec2<f32>;
     if(_S276 > 9.99999968265522539e-21f)
@@ -2167,17 +2191,17 @@ fn transformed_cosine_0( light_8 : vec3<f32>,  view_9 : vec3<f32>,  scale_0 : f3
     {
         _S277 = vec2<f32>(1.0f, 0.0f);
     }
-    var _S278 : f32 = scale_0 * dot(light_8.xy, _S277) + shear_0 * _S273;
-    var _S279 : f32 = scale_0 * (light_8.y * _S277.x - light_8.x * _S277.y);
+    var _S278 : f32 = scale_0 * dot(light_9.xy, _S277) + shear_0 * _S273;
+    var _S279 : f32 = scale_0 * (light_9.y * _S277.x - light_9.x * _S277.y);
     var _S280 : f32 = _S278 * _S278 + _S279 * _S279 + _S273 * _S273;
     return 0.31830987334251404f * scale_0 * scale_0 * _S273 / max(_S280 * _S280, 9.99999968265522539e-21f);
 }
 
-fn sheen_with_transmittance_0( light_9 : vec3<f32>,  view_10 : vec3<f32>,  strength_0 : f32,  roughness_9 : f32) -> vec2<f32>
+fn sheen_with_transmittance_0( light_10 : vec3<f32>,  view_11 : vec3<f32>,  strength_0 : f32,  roughness_9 : f32) -> vec2<f32>
 {
-    var _S281 : vec3<f32> = sheen_lobe_0(view_10.z, roughness_9);
+    var _S281 : vec3<f32> = sheen_lobe_0(view_11.z, roughness_9);
     var _S282 : f32 = strength_0 * _S281.z;
-    return vec2<f32>(_S282 * transformed_cosine_0(light_9, view_10, _S281.x, _S281.y), 1.0f - _S282);
+    return vec2<f32>(_S282 * transformed_cosine_0(light_10, view_11, _S281.x, _S281.y), 1.0f - _S282);
 }
 
 struct FamilyAlbedos_0
@@ -3108,7 +3132,7 @@ fn hair_at_0( _S482 : u32,  _S483 : vec2<f32>,  _S484 : bool,  _S485 : f32) -> H
     {
         number_1 = u32(0);
     }
-    var _S490 : u32 = hash_key_0(number_1, ((fabrics_0[_S482].seed_0) ^ (u32(1013904242))));
+    var _S490 : u32 = hash_key_0(number_1, ((fabrics_0[_S482].seed_1) ^ (u32(1013904242))));
     var _S491 : f32 = 1.0f / max(_S485, 0.07999999821186066f * _S486);
     var _S492 : f32 = min(0.63999998569488525f * _S486 * _S491, 1.0f);
     const _S493 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
@@ -3245,22 +3269,22 @@ struct FibreNoise_0
      bundle_weight_0 : f32,
      fibre_0 : vec2<f32>,
      fibre_weight_0 : f32,
-     offset_1 : f32,
+     offset_2 : f32,
      slope_2 : f32,
 };
 
 fn fibre_noise_at_0( _S528 : u32,  _S529 : u32,  _S530 : SurfacePoint_0,  _S531 : u32,  _S532 : f32) -> FibreNoise_0
 {
     var _S533 : f32 = 5.0f * fabrics_0[_S528].fibre_size_0;
-    var _S534 : vec2<f32> = wave_noise_0(hash_key_0(_S531, ((fabrics_0[_S528].seed_0) ^ (u32(458671337)))), _S530.fibre_along_0 / (25.0f * fabrics_0[_S528].fibre_size_0));
+    var _S534 : vec2<f32> = wave_noise_0(hash_key_0(_S531, ((fabrics_0[_S528].seed_1) ^ (u32(458671337)))), _S530.fibre_along_0 / (25.0f * fabrics_0[_S528].fibre_size_0));
     var _S535 : f32 = _S530.fibre_across_0 + families_0[_S529].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S528].fibre_size_0 * _S534.x;
     var _S536 : vec3<f32> = fibre_cell_0(_S535, _S530.fibre_along_0, fabrics_0[_S528].fibre_size_0);
     var noise_0 : FibreNoise_0;
-    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S531, ((fabrics_0[_S528].seed_0) ^ (u32(1757159915)))), fibre_cell_0(_S535, _S530.fibre_along_0, _S533));
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S531, ((fabrics_0[_S528].seed_1) ^ (u32(1757159915)))), fibre_cell_0(_S535, _S530.fibre_along_0, _S533));
     noise_0.bundle_weight_0 = fade_0(_S532, _S533);
-    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S531, ((fabrics_0[_S528].seed_0) ^ (u32(48610963)))), _S536);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S531, ((fabrics_0[_S528].seed_1) ^ (u32(48610963)))), _S536);
     noise_0.fibre_weight_0 = fade_0(_S532, fabrics_0[_S528].fibre_size_0);
-    noise_0.offset_1 = _S536.z;
+    noise_0.offset_2 = _S536.z;
     noise_0.slope_2 = 0.5f * _S534.y;
     return noise_0;
 }
@@ -3294,7 +3318,7 @@ fn detail_gain_0( _S537 : u32,  _S538 : u32,  _S539 : SurfacePoint_0,  _S540 : v
         {
             _S547 = - _S540.x;
         }
-        gain_1 = gain_1 + vec2<f32>(_S546) * vec2<f32>(wave_noise_0(hash_key_0(_S542, ((fabrics_0[_S537].seed_0) ^ (u32(1373058189)))), _S547 * families_0[_S538].slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_0(_S539.across_0 * families_0[_S538].per_half_width_0), 1.0f)), 1.0f);
+        gain_1 = gain_1 + vec2<f32>(_S546) * vec2<f32>(wave_noise_0(hash_key_0(_S542, ((fabrics_0[_S537].seed_1) ^ (u32(1373058189)))), _S547 * families_0[_S538].slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_0(_S539.across_0 * families_0[_S538].per_half_width_0), 1.0f)), 1.0f);
     }
     return gain_1;
 }
@@ -3306,9 +3330,9 @@ fn vary_albedos_0( _S548 : u32,  _S549 : Albedos_0,  _S550 : u32,  _S551 : u32, 
     var _S555 : vec3<f32> = vec3<f32>(fabrics_0[_S548].layer_bound_0);
     var _S556 : vec3<f32> = vec3<f32>(1.0f);
     var _S557 : vec3<f32> = _S556 - _S555 * _S553;
-    var colour_0 : f32 = bounded_gain_0(thread_gain_0(_S550, fabrics_0[_S548].colour_noise_0, fabrics_0[_S548].seed_0), _S554, _S557);
+    var colour_0 : f32 = bounded_gain_0(thread_gain_0(_S550, fabrics_0[_S548].colour_noise_0, fabrics_0[_S548].seed_1), _S554, _S557);
     var _S558 : vec3<f32> = vec3<f32>((colour_0 * (1.0f + flattened_0(_S552.y, vec3<f32>(colour_0) * _S554, _S557) * _S552.x)));
-    var _S559 : f32 = bounded_gain_0(fibre_gain_0(_S550, _S551, fabrics_0[_S548].fibre_noise_0, fabrics_0[_S548].seed_0), _S553, min((_S556 - _S558 * _S554) / _S555, vec3<f32>(1.0f)));
+    var _S559 : f32 = bounded_gain_0(fibre_gain_0(_S550, _S551, fabrics_0[_S548].fibre_noise_0, fabrics_0[_S548].seed_1), _S553, min((_S556 - _S558 * _S554) / _S555, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
     varied_0.diffuse_reflect_0 = _S558 * _S549.diffuse_reflect_0;
     varied_0.diffuse_transmit_0 = _S558 * _S549.diffuse_transmit_0;
@@ -3386,7 +3410,7 @@ fn turned_frame_0( _S574 : u32,  _S575 : u32,  _S576 : SurfacePoint_0,  _S577 : 
     if((families_0[_S575].fibre_tilt_0) > 0.0f)
     {
         var _S590 : FibreNoise_0 = fibre_noise_at_0(_S574, _S575, _S576, _S578, _S579);
-        var _S591 : f32 = 1.09858846664428711f * _S589 * (_S590.bundle_weight_0 * _S590.bundle_0.x + _S590.fibre_weight_0 * (_S590.fibre_0.x + _S590.offset_1));
+        var _S591 : f32 = 1.09858846664428711f * _S589 * (_S590.bundle_weight_0 * _S590.bundle_0.x + _S590.fibre_weight_0 * (_S590.fibre_0.x + _S590.offset_2));
         var _S592 : f32 = _S589 * (1.42099642753601074f * (_S590.bundle_weight_0 * _S590.bundle_0.y + _S590.fibre_weight_0 * _S590.fibre_0.y) - _S590.bundle_weight_0 * _S590.slope_2);
         var _S593 : f32 = square_0(_S590.fibre_weight_0);
         frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S589 * _S589 * ((0.24761904776096344f * (square_0(_S590.bundle_weight_0) + _S593) + _S593 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
@@ -3857,12 +3881,12 @@ fn prefiltered_components_0( _S697 : u32,  _S698 : Footprint_0,  _S699 : vec3<f3
     {
         _S706 = fabrics_0[_S697].lobes_0.front_warp_packs_0;
     }
-    var sums_1 : Components_0;
-    sums_1.diffuse_warp_0 = 0.0f;
-    sums_1.diffuse_weft_0 = 0.0f;
-    sums_1.specular_warp_0 = 0.0f;
-    sums_1.specular_weft_0 = 0.0f;
-    sums_1.light_visibility_1 = 0.0f;
+    var sums_2 : Components_0;
+    sums_2.diffuse_warp_0 = 0.0f;
+    sums_2.diffuse_weft_0 = 0.0f;
+    sums_2.specular_warp_0 = 0.0f;
+    sums_2.specular_weft_0 = 0.0f;
+    sums_2.light_visibility_1 = 0.0f;
     var pack_0 : u32 = u32(0);
     var total_2 : f32 = 0.0f;
     for(;;)
@@ -3911,7 +3935,7 @@ fn prefiltered_components_0( _S697 : u32,  _S698 : Footprint_0,  _S699 : vec3<f3
             var _S723 : f32 = _S722.x;
             var diffuse_1 : f32 = diffuse_0 + _S721 * _S716[number_5] * _S723;
             var specular_1 : f32 = specular_0 + _S721 * layer_value_0(_S720, _S707, _S699, _S700, fabrics_0[_S697].optical_depth_0) * _S715[number_5] * _S722.y;
-            sums_1.light_visibility_1 = sums_1.light_visibility_1 + _S721 * _S715[number_5] * _S723;
+            sums_2.light_visibility_1 = sums_2.light_visibility_1 + _S721 * _S715[number_5] * _S723;
             var total_3 : f32 = total_2 + _S721;
             number_5 = number_5 + u32(1);
             diffuse_0 = diffuse_1;
@@ -3927,7 +3951,7 @@ fn prefiltered_components_0( _S697 : u32,  _S698 : Footprint_0,  _S699 : vec3<f3
         {
             _S724 = 0.0f;
         }
-        sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 + _S724;
+        sums_2.diffuse_warp_0 = sums_2.diffuse_warp_0 + _S724;
         var _S725 : f32;
         if(_S717)
         {
@@ -3937,7 +3961,7 @@ fn prefiltered_components_0( _S697 : u32,  _S698 : Footprint_0,  _S699 : vec3<f3
         {
             _S725 = diffuse_0;
         }
-        sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 + _S725;
+        sums_2.diffuse_weft_0 = sums_2.diffuse_weft_0 + _S725;
         var _S726 : f32;
         if(_S717)
         {
@@ -3947,7 +3971,7 @@ fn prefiltered_components_0( _S697 : u32,  _S698 : Footprint_0,  _S699 : vec3<f3
         {
             _S726 = 0.0f;
         }
-        sums_1.specular_warp_0 = sums_1.specular_warp_0 + _S726;
+        sums_2.specular_warp_0 = sums_2.specular_warp_0 + _S726;
         var _S727 : f32;
         if(_S717)
         {
@@ -3957,18 +3981,18 @@ fn prefiltered_components_0( _S697 : u32,  _S698 : Footprint_0,  _S699 : vec3<f3
         {
             _S727 = specular_0;
         }
-        sums_1.specular_weft_0 = sums_1.specular_weft_0 + _S727;
+        sums_2.specular_weft_0 = sums_2.specular_weft_0 + _S727;
         pack_0 = pack_0 + u32(1);
     }
     var _S728 : f32 = prefiltered_hole_0(_S697, _S702, view_nodes_0, _S701);
-    sums_1.hole_2 = _S728;
+    sums_2.hole_2 = _S728;
     var _S729 : f32 = (1.0f - _S728) / max(total_2, 9.999999960041972e-13f);
-    sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 * _S729;
-    sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 * _S729;
-    sums_1.specular_warp_0 = sums_1.specular_warp_0 * _S729;
-    sums_1.specular_weft_0 = sums_1.specular_weft_0 * _S729;
-    sums_1.light_visibility_1 = sums_1.light_visibility_1 * _S729;
-    return sums_1;
+    sums_2.diffuse_warp_0 = sums_2.diffuse_warp_0 * _S729;
+    sums_2.diffuse_weft_0 = sums_2.diffuse_weft_0 * _S729;
+    sums_2.specular_warp_0 = sums_2.specular_warp_0 * _S729;
+    sums_2.specular_weft_0 = sums_2.specular_weft_0 * _S729;
+    sums_2.light_visibility_1 = sums_2.light_visibility_1 * _S729;
+    return sums_2;
 }
 
 fn albedos_over_0( _S730 : u32,  _S731 : Footprint_0,  _S732 : bool) -> FamilyAlbedos_0
@@ -4391,18 +4415,18 @@ fn composed_0( _S880 : u32,  _S881 : Components_0,  _S882 : CloseUp_0,  _S883 : 
     return vec3<f32>(_S897.y) * body_0 + vec3<f32>(((_S881.light_visibility_1 + _S881.hole_2) * _S897.x));
 }
 
-fn cloth_value_0( fabric_1 : u32,  centre_2 : vec2<f32>,  dx_1 : vec2<f32>,  dy_1 : vec2<f32>,  light_10 : vec3<f32>,  view_11 : vec3<f32>) -> vec4<f32>
+fn cloth_value_0( fabric_1 : u32,  centre_2 : vec2<f32>,  dx_1 : vec2<f32>,  dy_1 : vec2<f32>,  light_11 : vec3<f32>,  view_12 : vec3<f32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
     footprint_0.centre_0 = centre_2;
     footprint_0.dx_0 = dx_1;
     footprint_0.dy_0 = dy_1;
-    var _S898 : Estimate_0 = lobes_estimate_0(fabric_1, footprint_0, 1.0f, light_10, view_11);
-    var _S899 : vec3<f32> = composed_0(fabric_1, _S898.components_0, _S898.close_0, _S898.albedos_5, vec3<f32>(1.0f), light_10, view_11);
+    var _S898 : Estimate_0 = lobes_estimate_0(fabric_1, footprint_0, 1.0f, light_11, view_12);
+    var _S899 : vec3<f32> = composed_0(fabric_1, _S898.components_0, _S898.close_0, _S898.albedos_5, vec3<f32>(1.0f), light_11, view_12);
     var through_1 : f32;
     if((fabrics_0[fabric_1].sheen_strength_0) > 0.0f)
     {
-        through_1 = _S898.components_0.hole_2 * (1.0f - fabrics_0[fabric_1].sheen_strength_0 * sheen_lobe_0(abs(view_11.z), fabrics_0[fabric_1].sheen_roughness_0).z);
+        through_1 = _S898.components_0.hole_2 * (1.0f - fabrics_0[fabric_1].sheen_strength_0 * sheen_lobe_0(abs(view_12.z), fabrics_0[fabric_1].sheen_roughness_0).z);
     }
     else
     {

@@ -15,6 +15,7 @@ struct Query_std430_0
     @align(4) view_x_0 : f32,
     @align(4) view_y_0 : f32,
     @align(4) view_z_0 : f32,
+    @align(4) seed_0 : u32,
 };
 
 @binding(0) @group(1) var<storage, read> queries_0 : array<Query_std430_0>;
@@ -115,6 +116,28 @@ struct Latent_std430_0
     @align(4) is_trilinear_0 : u32,
 };
 
+struct Clustered_std430_0
+{
+    @align(4) is_baked_1 : u32,
+    @align(4) clusters_0 : u32,
+    @align(4) rank_0 : u32,
+    @align(4) channels_0 : u32,
+    @align(4) columns_0 : u32,
+    @align(4) rows_0 : u32,
+    @align(4) texel_width_0 : f32,
+    @align(4) texel_height_0 : f32,
+    @align(4) samples_0 : u32,
+    @align(4) sums_0 : u32,
+    @align(4) labels_0 : u32,
+    @align(4) coefficients_0 : u32,
+    @align(4) basis_0 : u32,
+    @align(4) moments_1 : u32,
+    @align(4) light_0 : u32,
+    @align(4) view_0 : u32,
+    @align(4) offset_1 : u32,
+    @align(4) trust_0 : u32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
@@ -138,7 +161,7 @@ struct Fabric_std430_0
     @align(4) sheen_roughness_0 : f32,
     @align(4) fibre_noise_0 : f32,
     @align(4) colour_noise_0 : f32,
-    @align(4) seed_0 : u32,
+    @align(4) seed_1 : u32,
     @align(4) layer_bound_0 : f32,
     @align(4) fibre_size_0 : f32,
     @align(4) has_detail_0 : u32,
@@ -151,6 +174,7 @@ struct Fabric_std430_0
     @align(4) has_yarns_0 : u32,
     @align(4) mean_hole_0 : f32,
     @align(4) latent_0 : Latent_std430_0,
+    @align(4) clustered_0 : Clustered_std430_0,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -186,7 +210,7 @@ fn FloatWeights_eight_0( this_0 : FloatWeights_0,  element_0 : u32) -> Eight_0
 
 fn tile_product_0( weights_0 : FloatWeights_0,  row_0 : u32,  inputs_0 : ptr<function, array<f32, i32(25)>>) -> vec4<f32>
 {
-    var sums_0 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_1 : vec4<f32> = vec4<f32>(0.0f);
     var column_0 : u32 = u32(0);
     for(;;)
     {
@@ -212,16 +236,16 @@ fn tile_product_0( weights_0 : FloatWeights_0,  row_0 : u32,  inputs_0 : ptr<fun
         low_1[i32(3)] = (*inputs_0)[min(_S5, i32(24))];
         high_1[i32(3)] = (*inputs_0)[min(_S5 + i32(4), i32(24))];
         var _S6 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + column_0);
-        sums_0[i32(0)] = sums_0[i32(0)] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
+        sums_1[i32(0)] = sums_1[i32(0)] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
         var _S7 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + u32(4) + column_0);
-        sums_0[i32(1)] = sums_0[i32(1)] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
+        sums_1[i32(1)] = sums_1[i32(1)] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
         var _S8 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + u32(8) + column_0);
-        sums_0[i32(2)] = sums_0[i32(2)] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
+        sums_1[i32(2)] = sums_1[i32(2)] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
         var _S9 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + u32(12) + column_0);
-        sums_0[i32(3)] = sums_0[i32(3)] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
+        sums_1[i32(3)] = sums_1[i32(3)] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
         column_0 = column_0 + u32(1);
     }
-    return sums_0;
+    return sums_1;
 }
 
 fn Identity_apply_0( x_0 : f32) -> f32
@@ -315,7 +339,7 @@ fn dense_part_0( weights_1 : FloatWeights_0,  first_1 : u32,  adds_0 : bool,  in
 
 fn tile_product_1( weights_2 : FloatWeights_0,  row_1 : u32,  inputs_2 : ptr<function, array<f32, i32(11)>>) -> vec4<f32>
 {
-    var sums_1 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_2 : vec4<f32> = vec4<f32>(0.0f);
     var column_1 : u32 = u32(0);
     for(;;)
     {
@@ -341,16 +365,16 @@ fn tile_product_1( weights_2 : FloatWeights_0,  row_1 : u32,  inputs_2 : ptr<fun
         low_2[i32(3)] = (*inputs_2)[min(_S24, i32(10))];
         high_2[i32(3)] = (*inputs_2)[min(_S24 + i32(4), i32(10))];
         var _S25 : Eight_0 = FloatWeights_eight_0(weights_2, row_1 + column_1);
-        sums_1[i32(0)] = sums_1[i32(0)] + (dot(_S25.low_0, low_2) + dot(_S25.high_0, high_2));
+        sums_2[i32(0)] = sums_2[i32(0)] + (dot(_S25.low_0, low_2) + dot(_S25.high_0, high_2));
         var _S26 : Eight_0 = FloatWeights_eight_0(weights_2, row_1 + u32(2) + column_1);
-        sums_1[i32(1)] = sums_1[i32(1)] + (dot(_S26.low_0, low_2) + dot(_S26.high_0, high_2));
+        sums_2[i32(1)] = sums_2[i32(1)] + (dot(_S26.low_0, low_2) + dot(_S26.high_0, high_2));
         var _S27 : Eight_0 = FloatWeights_eight_0(weights_2, row_1 + u32(4) + column_1);
-        sums_1[i32(2)] = sums_1[i32(2)] + (dot(_S27.low_0, low_2) + dot(_S27.high_0, high_2));
+        sums_2[i32(2)] = sums_2[i32(2)] + (dot(_S27.low_0, low_2) + dot(_S27.high_0, high_2));
         var _S28 : Eight_0 = FloatWeights_eight_0(weights_2, row_1 + u32(6) + column_1);
-        sums_1[i32(3)] = sums_1[i32(3)] + (dot(_S28.low_0, low_2) + dot(_S28.high_0, high_2));
+        sums_2[i32(3)] = sums_2[i32(3)] + (dot(_S28.low_0, low_2) + dot(_S28.high_0, high_2));
         column_1 = column_1 + u32(1);
     }
-    return sums_1;
+    return sums_2;
 }
 
 fn Relu_apply_0( x_1 : f32) -> f32
@@ -456,7 +480,7 @@ fn dense_1( weights_5 : FloatWeights_0,  first_4 : u32,  adds_3 : bool,  inputs_
 
 fn tile_product_2( weights_6 : FloatWeights_0,  row_2 : u32,  inputs_6 : ptr<function, array<f32, i32(16)>>) -> vec4<f32>
 {
-    var sums_2 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_3 : vec4<f32> = vec4<f32>(0.0f);
     var column_2 : u32 = u32(0);
     for(;;)
     {
@@ -482,16 +506,16 @@ fn tile_product_2( weights_6 : FloatWeights_0,  row_2 : u32,  inputs_6 : ptr<fun
         low_3[i32(3)] = (*inputs_6)[_S43];
         high_3[i32(3)] = (*inputs_6)[_S43 + i32(4)];
         var _S44 : Eight_0 = FloatWeights_eight_0(weights_6, row_2 + column_2);
-        sums_2[i32(0)] = sums_2[i32(0)] + (dot(_S44.low_0, low_3) + dot(_S44.high_0, high_3));
+        sums_3[i32(0)] = sums_3[i32(0)] + (dot(_S44.low_0, low_3) + dot(_S44.high_0, high_3));
         var _S45 : Eight_0 = FloatWeights_eight_0(weights_6, row_2 + u32(2) + column_2);
-        sums_2[i32(1)] = sums_2[i32(1)] + (dot(_S45.low_0, low_3) + dot(_S45.high_0, high_3));
+        sums_3[i32(1)] = sums_3[i32(1)] + (dot(_S45.low_0, low_3) + dot(_S45.high_0, high_3));
         var _S46 : Eight_0 = FloatWeights_eight_0(weights_6, row_2 + u32(4) + column_2);
-        sums_2[i32(2)] = sums_2[i32(2)] + (dot(_S46.low_0, low_3) + dot(_S46.high_0, high_3));
+        sums_3[i32(2)] = sums_3[i32(2)] + (dot(_S46.low_0, low_3) + dot(_S46.high_0, high_3));
         var _S47 : Eight_0 = FloatWeights_eight_0(weights_6, row_2 + u32(6) + column_2);
-        sums_2[i32(3)] = sums_2[i32(3)] + (dot(_S47.low_0, low_3) + dot(_S47.high_0, high_3));
+        sums_3[i32(3)] = sums_3[i32(3)] + (dot(_S47.low_0, low_3) + dot(_S47.high_0, high_3));
         column_2 = column_2 + u32(1);
     }
-    return sums_2;
+    return sums_3;
 }
 
 fn dense_part_2( weights_7 : FloatWeights_0,  first_5 : u32,  adds_4 : bool,  inputs_7 : ptr<function, array<f32, i32(16)>>,  outputs_4 : ptr<function, array<f32, i32(16)>>)
@@ -664,7 +688,7 @@ fn dense_part_3( weights_8 : FloatWeights_0,  first_6 : u32,  adds_5 : bool,  in
 
 fn tile_product_3( weights_9 : FloatWeights_0,  row_3 : u32,  inputs_9 : ptr<function, array<f32, i32(9)>>) -> vec4<f32>
 {
-    var sums_3 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_4 : vec4<f32> = vec4<f32>(0.0f);
     var column_3 : u32 = u32(0);
     for(;;)
     {
@@ -690,16 +714,16 @@ fn tile_product_3( weights_9 : FloatWeights_0,  row_3 : u32,  inputs_9 : ptr<fun
         low_4[i32(3)] = (*inputs_9)[min(_S73, i32(8))];
         high_4[i32(3)] = (*inputs_9)[min(_S73 + i32(4), i32(8))];
         var _S74 : Eight_0 = FloatWeights_eight_0(weights_9, row_3 + column_3);
-        sums_3[i32(0)] = sums_3[i32(0)] + (dot(_S74.low_0, low_4) + dot(_S74.high_0, high_4));
+        sums_4[i32(0)] = sums_4[i32(0)] + (dot(_S74.low_0, low_4) + dot(_S74.high_0, high_4));
         var _S75 : Eight_0 = FloatWeights_eight_0(weights_9, row_3 + u32(2) + column_3);
-        sums_3[i32(1)] = sums_3[i32(1)] + (dot(_S75.low_0, low_4) + dot(_S75.high_0, high_4));
+        sums_4[i32(1)] = sums_4[i32(1)] + (dot(_S75.low_0, low_4) + dot(_S75.high_0, high_4));
         var _S76 : Eight_0 = FloatWeights_eight_0(weights_9, row_3 + u32(4) + column_3);
-        sums_3[i32(2)] = sums_3[i32(2)] + (dot(_S76.low_0, low_4) + dot(_S76.high_0, high_4));
+        sums_4[i32(2)] = sums_4[i32(2)] + (dot(_S76.low_0, low_4) + dot(_S76.high_0, high_4));
         var _S77 : Eight_0 = FloatWeights_eight_0(weights_9, row_3 + u32(6) + column_3);
-        sums_3[i32(3)] = sums_3[i32(3)] + (dot(_S77.low_0, low_4) + dot(_S77.high_0, high_4));
+        sums_4[i32(3)] = sums_4[i32(3)] + (dot(_S77.low_0, low_4) + dot(_S77.high_0, high_4));
         column_3 = column_3 + u32(1);
     }
-    return sums_3;
+    return sums_4;
 }
 
 fn dense_part_4( weights_10 : FloatWeights_0,  first_7 : u32,  adds_6 : bool,  inputs_10 : ptr<function, array<f32, i32(9)>>,  outputs_6 : ptr<function, array<f32, i32(16)>>)
@@ -1217,9 +1241,9 @@ fn texel_numbers_0( first_17 : u32,  elements_1 : u32,  texel_0 : u32) -> Eight_
     return numbers_3;
 }
 
-fn add_bilinear_0( first_18 : u32,  elements_2 : u32,  start_0 : u32,  columns_0 : u32,  rows_0 : u32,  uv_0 : vec2<f32>,  weight_0 : f32,  sums_4 : ptr<function, Eight_0>)
+fn add_bilinear_0( first_18 : u32,  elements_2 : u32,  start_0 : u32,  columns_1 : u32,  rows_1 : u32,  uv_0 : vec2<f32>,  weight_0 : f32,  sums_5 : ptr<function, Eight_0>)
 {
-    var _S136 : vec2<f32> = uv_0 * vec2<f32>(f32(columns_0), f32(rows_0)) - vec2<f32>(0.5f);
+    var _S136 : vec2<f32> = uv_0 * vec2<f32>(f32(columns_1), f32(rows_1)) - vec2<f32>(0.5f);
     var _S137 : vec2<f32> = floor(_S136);
     var _S138 : vec2<f32> = _S136 - _S137;
     var _S139 : i32 = i32(_S137.x);
@@ -1236,7 +1260,7 @@ fn add_bilinear_0( first_18 : u32,  elements_2 : u32,  start_0 : u32,  columns_0
         }
         var _S141 : u32 = (tap_0 & (u32(1)));
         var _S142 : u32 = (tap_0 >> (u32(1)));
-        var _S143 : Eight_0 = texel_numbers_0(first_18, elements_2, start_0 + ((u32(_S140 + i32(_S142)) & ((rows_0 - u32(1))))) * columns_0 + ((u32(_S139 + i32(_S141)) & ((columns_0 - u32(1))))));
+        var _S143 : Eight_0 = texel_numbers_0(first_18, elements_2, start_0 + ((u32(_S140 + i32(_S142)) & ((rows_1 - u32(1))))) * columns_1 + ((u32(_S139 + i32(_S141)) & ((columns_1 - u32(1))))));
         var _S144 : f32;
         if(_S142 != u32(0))
         {
@@ -1256,16 +1280,16 @@ fn add_bilinear_0( first_18 : u32,  elements_2 : u32,  start_0 : u32,  columns_0
             _S145 = 1.0f - _S138.x;
         }
         var _S146 : vec4<f32> = vec4<f32>((_S144 * _S145 * weight_0));
-        (*sums_4).low_0 = (*sums_4).low_0 + _S146 * _S143.low_0;
-        (*sums_4).high_0 = (*sums_4).high_0 + _S146 * _S143.high_0;
+        (*sums_5).low_0 = (*sums_5).low_0 + _S146 * _S143.low_0;
+        (*sums_5).high_0 = (*sums_5).high_0 + _S146 * _S143.high_0;
         tap_0 = tap_0 + u32(1);
     }
     return;
 }
 
-fn add_bilinear_1( first_19 : u32,  elements_3 : u32,  start_1 : u32,  columns_1 : u32,  rows_1 : u32,  uv_1 : vec2<f32>,  weight_1 : f32,  sums_5 : ptr<function, Eight_0>)
+fn add_bilinear_1( first_19 : u32,  elements_3 : u32,  start_1 : u32,  columns_2 : u32,  rows_2 : u32,  uv_1 : vec2<f32>,  weight_1 : f32,  sums_6 : ptr<function, Eight_0>)
 {
-    var _S147 : vec2<f32> = uv_1 * vec2<f32>(f32(columns_1), f32(rows_1)) - vec2<f32>(0.5f);
+    var _S147 : vec2<f32> = uv_1 * vec2<f32>(f32(columns_2), f32(rows_2)) - vec2<f32>(0.5f);
     var _S148 : vec2<f32> = floor(_S147);
     var _S149 : vec2<f32> = _S147 - _S148;
     var _S150 : i32 = i32(_S148.x);
@@ -1282,7 +1306,7 @@ fn add_bilinear_1( first_19 : u32,  elements_3 : u32,  start_1 : u32,  columns_1
         }
         var _S152 : u32 = (tap_1 & (u32(1)));
         var _S153 : u32 = (tap_1 >> (u32(1)));
-        var _S154 : Eight_0 = texel_numbers_0(first_19, elements_3, start_1 + ((u32(_S151 + i32(_S153)) & ((rows_1 - u32(1))))) * columns_1 + ((u32(_S150 + i32(_S152)) & ((columns_1 - u32(1))))));
+        var _S154 : Eight_0 = texel_numbers_0(first_19, elements_3, start_1 + ((u32(_S151 + i32(_S153)) & ((rows_2 - u32(1))))) * columns_2 + ((u32(_S150 + i32(_S152)) & ((columns_2 - u32(1))))));
         var _S155 : f32;
         if(_S153 != u32(0))
         {
@@ -1302,8 +1326,8 @@ fn add_bilinear_1( first_19 : u32,  elements_3 : u32,  start_1 : u32,  columns_1
             _S156 = 1.0f - _S149.x;
         }
         var _S157 : vec4<f32> = vec4<f32>((_S155 * _S156 * weight_1));
-        (*sums_5).low_0 = (*sums_5).low_0 + _S157 * _S154.low_0;
-        (*sums_5).high_0 = (*sums_5).high_0 + _S157 * _S154.high_0;
+        (*sums_6).low_0 = (*sums_6).low_0 + _S157 * _S154.low_0;
+        (*sums_6).high_0 = (*sums_6).high_0 + _S157 * _S154.high_0;
         tap_1 = tap_1 + u32(1);
     }
     return;
@@ -1323,7 +1347,7 @@ fn channel_0( numbers_4 : Eight_0,  k_0 : i32) -> f32
     return _S158;
 }
 
-fn neumip_depth_0( model_0 : ptr<function, Neumip_std430_0>,  uv_2 : vec2<f32>,  view_0 : vec2<f32>,  face_0 : u32) -> f32
+fn neumip_depth_0( model_0 : ptr<function, Neumip_std430_0>,  uv_2 : vec2<f32>,  view_1 : vec2<f32>,  face_0 : u32) -> f32
 {
     var _S159 : u32 = words_0[(*model_0).levels_2 + u32(1)];
     var _S160 : u32 = words_0[(*model_0).levels_2 + u32(2)];
@@ -1343,8 +1367,8 @@ fn neumip_depth_0( model_0 : ptr<function, Neumip_std430_0>,  uv_2 : vec2<f32>, 
         inputs_24[k_1] = channel_0(texel_1, k_1);
         k_1 = k_1 + i32(1);
     }
-    inputs_24[i32(7)] = view_0.x;
-    inputs_24[i32(8)] = view_0.y;
+    inputs_24[i32(7)] = view_1.x;
+    inputs_24[i32(8)] = view_1.y;
     var network_1 : MLP_0;
     network_1.weights_20.first_0 = (*model_0).offset_0;
     var depth_0 : array<f32, i32(1)>;
@@ -1394,10 +1418,10 @@ struct TexelPyramid_0
      face_texels_2 : u32,
 };
 
-fn TexelPyramid_add_level_0( this_4 : TexelPyramid_0,  place_0 : vec2<f32>,  level_0 : u32,  face_1 : u32,  weight_2 : f32,  sums_6 : ptr<function, Eight_0>)
+fn TexelPyramid_add_level_0( this_4 : TexelPyramid_0,  place_0 : vec2<f32>,  level_0 : u32,  face_1 : u32,  weight_2 : f32,  sums_7 : ptr<function, Eight_0>)
 {
     var _S163 : u32 = this_4.levels_4 + u32(3) * level_0;
-    add_bilinear_1(this_4.first_20, this_4.elements_4, face_1 * this_4.face_texels_2 + words_0[_S163], words_0[_S163 + u32(1)], words_0[_S163 + u32(2)], place_0, weight_2, &((*sums_6)));
+    add_bilinear_1(this_4.first_20, this_4.elements_4, face_1 * this_4.face_texels_2 + words_0[_S163], words_0[_S163 + u32(1)], words_0[_S163 + u32(2)], place_0, weight_2, &((*sums_7)));
     return;
 }
 
@@ -1408,10 +1432,10 @@ fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_4 : vec2<f32>,  l
     var _S166 : f32 = _S164 - _S165;
     var _S167 : vec2<f32> = within_repeat_0(uv_4);
     var texel_2 : Eight_0 = no_numbers_0();
-    var offset_1 : u32 = u32(0);
+    var offset_2 : u32 = u32(0);
     for(;;)
     {
-        if(offset_1 < u32(2))
+        if(offset_2 < u32(2))
         {
         }
         else
@@ -1419,7 +1443,7 @@ fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_4 : vec2<f32>,  l
             break;
         }
         var _S168 : f32;
-        if(offset_1 == u32(0))
+        if(offset_2 == u32(0))
         {
             _S168 = 1.0f - _S166;
         }
@@ -1429,9 +1453,9 @@ fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_4 : vec2<f32>,  l
         }
         if(_S168 > 0.0f)
         {
-            TexelPyramid_add_level_0(this_5, _S167, u32(_S165) + offset_1, face_2, _S168, &(texel_2));
+            TexelPyramid_add_level_0(this_5, _S167, u32(_S165) + offset_2, face_2, _S168, &(texel_2));
         }
-        offset_1 = offset_1 + u32(1);
+        offset_2 = offset_2 + u32(1);
     }
     return texel_2;
 }
@@ -1455,7 +1479,7 @@ fn exponential_0( x_4 : f32) -> f32
     return _S173;
 }
 
-fn neumip_hole_0( model_1 : ptr<function, Neumip_std430_0>,  texel_3 : Eight_0,  view_1 : vec2<f32>) -> f32
+fn neumip_hole_0( model_1 : ptr<function, Neumip_std430_0>,  texel_3 : Eight_0,  view_2 : vec2<f32>) -> f32
 {
     var inputs_25 : array<f32, i32(9)>;
     var k_2 : i32 = i32(0);
@@ -1471,8 +1495,8 @@ fn neumip_hole_0( model_1 : ptr<function, Neumip_std430_0>,  texel_3 : Eight_0, 
         inputs_25[k_2] = channel_0(texel_3, k_2);
         k_2 = k_2 + i32(1);
     }
-    inputs_25[i32(7)] = view_1.x;
-    inputs_25[i32(8)] = view_1.y;
+    inputs_25[i32(7)] = view_2.x;
+    inputs_25[i32(8)] = view_2.y;
     var network_2 : MLP_0;
     network_2.weights_20.first_0 = (*model_1).opacity_0;
     var opening_0 : array<f32, i32(1)>;
@@ -1490,7 +1514,7 @@ struct Footprint_0
 struct NeumipView_0
 {
      latent_1 : array<f32, i32(7)>,
-     view_2 : vec2<f32>,
+     view_3 : vec2<f32>,
      back_3 : bool,
      hole_0 : f32,
 };
@@ -1543,7 +1567,7 @@ fn neumip_view_0( _S174 : u32,  _S175 : Footprint_0,  _S176 : vec3<f32>,  _S177 
         k_3 = k_3 + i32(1);
     }
     var _S186 : vec2<f32> = _S181.xy;
-    (*_S177).view_2 = _S186;
+    (*_S177).view_3 = _S186;
     (*_S177).back_3 = _S179;
     var _S187 : f32;
     if((_S178.has_holes_0) != u32(0))
@@ -1601,8 +1625,8 @@ fn neumip_value_0( _S189 : u32,  _S190 : ptr<function, NeumipView_0>,  _S191 : v
     }
     inputs_26[i32(7)] = _S192.x;
     inputs_26[i32(8)] = _S192.y;
-    inputs_26[i32(9)] = (*_S190).view_2.x;
-    inputs_26[i32(10)] = (*_S190).view_2.y;
+    inputs_26[i32(9)] = (*_S190).view_3.x;
+    inputs_26[i32(10)] = (*_S190).view_3.y;
     var outputs_20 : array<f32, i32(3)>;
     var network_3 : MLP_0;
     var _S196 : u32;
@@ -1619,15 +1643,15 @@ fn neumip_value_0( _S189 : u32,  _S190 : ptr<function, NeumipView_0>,  _S191 : v
     return max(vec3<f32>(outputs_20[i32(0)], outputs_20[i32(1)], outputs_20[i32(2)]), vec3<f32>(0.0f)) * vec3<f32>(0.31830987334251404f);
 }
 
-fn cloth_value_0( fabric_1 : u32,  centre_1 : vec2<f32>,  dx_1 : vec2<f32>,  dy_1 : vec2<f32>,  light_0 : vec3<f32>,  view_3 : vec3<f32>) -> vec4<f32>
+fn cloth_value_0( fabric_1 : u32,  centre_1 : vec2<f32>,  dx_1 : vec2<f32>,  dy_1 : vec2<f32>,  light_1 : vec3<f32>,  view_4 : vec3<f32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
     footprint_0.centre_0 = centre_1;
     footprint_0.dx_0 = dx_1;
     footprint_0.dy_0 = dy_1;
     var seen_0 : NeumipView_0;
-    neumip_view_0(fabric_1, footprint_0, view_3, &(seen_0));
-    var _S197 : vec3<f32> = neumip_value_0(fabric_1, &(seen_0), light_0);
+    neumip_view_0(fabric_1, footprint_0, view_4, &(seen_0));
+    var _S197 : vec3<f32> = neumip_value_0(fabric_1, &(seen_0), light_1);
     return vec4<f32>(_S197, seen_0.hole_0);
 }
 

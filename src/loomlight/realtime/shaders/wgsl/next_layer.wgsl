@@ -162,6 +162,28 @@ struct Latent_std430_0
     @align(4) is_trilinear_0 : u32,
 };
 
+struct Clustered_std430_0
+{
+    @align(4) is_baked_1 : u32,
+    @align(4) clusters_0 : u32,
+    @align(4) rank_0 : u32,
+    @align(4) channels_0 : u32,
+    @align(4) columns_0 : u32,
+    @align(4) rows_0 : u32,
+    @align(4) texel_width_0 : f32,
+    @align(4) texel_height_0 : f32,
+    @align(4) samples_1 : u32,
+    @align(4) sums_0 : u32,
+    @align(4) labels_0 : u32,
+    @align(4) coefficients_0 : u32,
+    @align(4) basis_0 : u32,
+    @align(4) moments_1 : u32,
+    @align(4) light_0 : u32,
+    @align(4) view_0 : u32,
+    @align(4) offset_1 : u32,
+    @align(4) trust_0 : u32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
@@ -198,6 +220,7 @@ struct Fabric_std430_0
     @align(4) has_yarns_0 : u32,
     @align(4) mean_hole_0 : f32,
     @align(4) latent_0 : Latent_std430_0,
+    @align(4) clustered_0 : Clustered_std430_0,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;

@@ -15,6 +15,7 @@ struct Query_std430_0
     @align(4) view_x_0 : f32,
     @align(4) view_y_0 : f32,
     @align(4) view_z_0 : f32,
+    @align(4) seed_0 : u32,
 };
 
 @binding(0) @group(1) var<storage, read> queries_0 : array<Query_std430_0>;
@@ -115,6 +116,28 @@ struct Latent_std430_0
     @align(4) is_trilinear_0 : u32,
 };
 
+struct Clustered_std430_0
+{
+    @align(4) is_baked_1 : u32,
+    @align(4) clusters_0 : u32,
+    @align(4) rank_0 : u32,
+    @align(4) channels_0 : u32,
+    @align(4) columns_0 : u32,
+    @align(4) rows_0 : u32,
+    @align(4) texel_width_0 : f32,
+    @align(4) texel_height_0 : f32,
+    @align(4) samples_0 : u32,
+    @align(4) sums_0 : u32,
+    @align(4) labels_0 : u32,
+    @align(4) coefficients_0 : u32,
+    @align(4) basis_0 : u32,
+    @align(4) moments_1 : u32,
+    @align(4) light_0 : u32,
+    @align(4) view_0 : u32,
+    @align(4) offset_1 : u32,
+    @align(4) trust_0 : u32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
@@ -138,7 +161,7 @@ struct Fabric_std430_0
     @align(4) sheen_roughness_0 : f32,
     @align(4) fibre_noise_0 : f32,
     @align(4) colour_noise_0 : f32,
-    @align(4) seed_0 : u32,
+    @align(4) seed_1 : u32,
     @align(4) layer_bound_0 : f32,
     @align(4) fibre_size_0 : f32,
     @align(4) has_detail_0 : u32,
@@ -151,6 +174,7 @@ struct Fabric_std430_0
     @align(4) has_yarns_0 : u32,
     @align(4) mean_hole_0 : f32,
     @align(4) latent_0 : Latent_std430_0,
+    @align(4) clustered_0 : Clustered_std430_0,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -1262,9 +1286,9 @@ fn uniform_hash_0( thread_9 : u32,  cell_7 : u32,  stream_1 : u32) -> f32
     return (f32(((hash_bits_0(hash_key_0(thread_9, stream_1), cell_7)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
 }
 
-fn thread_gain_0( thread_10 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
+fn thread_gain_0( thread_10 : u32,  amount_0 : f32,  seed_2 : u32) -> f32
 {
-    return amount_0 * (2.0f * uniform_hash_0(thread_10, u32(0), (seed_1 ^ (u32(2135587861)))) - 1.0f) + 1.0f;
+    return amount_0 * (2.0f * uniform_hash_0(thread_10, u32(0), (seed_2 ^ (u32(2135587861)))) - 1.0f) + 1.0f;
 }
 
 fn bounded_gain_0( gain_0 : f32,  albedo_1 : vec3<f32>,  room_0 : vec3<f32>) -> f32
@@ -1302,9 +1326,9 @@ fn natural_logarithm_0( x_4 : f32) -> f32
     return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S118 - exponent_1 * 0.00021219444170129f - 0.5f * _S118) + exponent_1 * 0.693359375f;
 }
 
-fn fibre_gain_0( thread_11 : u32,  cell_8 : u32,  amount_1 : f32,  seed_2 : u32) -> f32
+fn fibre_gain_0( thread_11 : u32,  cell_8 : u32,  amount_1 : f32,  seed_3 : u32) -> f32
 {
-    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_8, (seed_2 ^ (u32(2654435769))))), 10.0f) - 1.0f) + 1.0f;
+    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_8, (seed_3 ^ (u32(2654435769))))), 10.0f) - 1.0f) + 1.0f;
 }
 
 struct YarnFrame_0
@@ -1411,14 +1435,14 @@ fn bounced_by_0( blocked_0 : Blocked_0,  yarn_2 : Scattered_0,  interior_0 : Int
     return bounced_0;
 }
 
-fn diffuse_reflection_0( light_0 : vec3<f32>,  normal_4 : vec3<f32>,  blend_1 : f32) -> f32
+fn diffuse_reflection_0( light_1 : vec3<f32>,  normal_4 : vec3<f32>,  blend_1 : f32) -> f32
 {
-    var _S129 : f32 = light_0.z;
+    var _S129 : f32 = light_1.z;
     if(_S129 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * mix(max(_S129, 0.0f), max(dot(light_0, normal_4), 0.0f), blend_1);
+    return 0.31830987334251404f * mix(max(_S129, 0.0f), max(dot(light_1, normal_4), 0.0f), blend_1);
 }
 
 fn projected_area_1( direction_2 : vec3<f32>,  tangent_4 : vec3<f32>,  roughness_1 : f32) -> f32
@@ -1467,16 +1491,16 @@ fn flake_density_0( squared_along_0 : f32,  roughness_2 : f32) -> f32
     return 0.31830987334251404f * _S136 * roughness_2 / (_S137 * _S137);
 }
 
-fn density_between_0( light_1 : vec3<f32>,  view_0 : vec3<f32>,  tangent_5 : vec3<f32>,  roughness_3 : f32) -> f32
+fn density_between_0( light_2 : vec3<f32>,  view_1 : vec3<f32>,  tangent_5 : vec3<f32>,  roughness_3 : f32) -> f32
 {
-    var _S138 : vec3<f32> = light_1 + view_0;
+    var _S138 : vec3<f32> = light_2 + view_1;
     var _S139 : f32 = dot(_S138, tangent_5);
     return flake_density_0(min(_S139 * _S139 / max(square_1(_S138), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
-fn reflection_0( light_2 : vec3<f32>,  view_1 : vec3<f32>,  normal_5 : vec3<f32>,  tangent_6 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
+fn reflection_0( light_3 : vec3<f32>,  view_2 : vec3<f32>,  normal_5 : vec3<f32>,  tangent_6 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
 {
-    var _S140 : f32 = dot(light_2, normal_5);
+    var _S140 : f32 = dot(light_3, normal_5);
     var _S141 : bool;
     if(_S140 <= 0.0f)
     {
@@ -1484,23 +1508,23 @@ fn reflection_0( light_2 : vec3<f32>,  view_1 : vec3<f32>,  normal_5 : vec3<f32>
     }
     else
     {
-        _S141 = (dot(view_1, normal_5)) <= 0.0f;
+        _S141 = (dot(view_2, normal_5)) <= 0.0f;
     }
     if(_S141)
     {
         return 0.0f;
     }
     var _S142 : f32 = max(_S140, 9.99999997475242708e-07f);
-    var _S143 : f32 = max(dot(view_1, normal_5), 9.99999997475242708e-07f);
-    var _S144 : f32 = projected_area_1(light_2, tangent_6, roughness_4) * _S143 + projected_area_1(view_1, tangent_6, roughness_4) * _S142;
+    var _S143 : f32 = max(dot(view_2, normal_5), 9.99999997475242708e-07f);
+    var _S144 : f32 = projected_area_1(light_3, tangent_6, roughness_4) * _S143 + projected_area_1(view_2, tangent_6, roughness_4) * _S142;
     var _S145 : f32 = optical_depth_1 * _S144 / (_S142 * _S143);
-    return 0.25f * density_between_0(light_2, view_1, tangent_6, roughness_4) * (_S145 * mean_attenuation_0(_S145)) * _S142 / _S144;
+    return 0.25f * density_between_0(light_3, view_2, tangent_6, roughness_4) * (_S145 * mean_attenuation_0(_S145)) * _S142 / _S144;
 }
 
-fn transmission_1( light_3 : vec3<f32>,  view_2 : vec3<f32>,  normal_6 : vec3<f32>,  tangent_7 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
+fn transmission_1( light_4 : vec3<f32>,  view_3 : vec3<f32>,  normal_6 : vec3<f32>,  tangent_7 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
 {
-    var _S146 : f32 = - dot(light_3, normal_6);
-    var _S147 : f32 = dot(view_2, normal_6);
+    var _S146 : f32 = - dot(light_4, normal_6);
+    var _S147 : f32 = dot(view_3, normal_6);
     var _S148 : bool;
     if(_S146 <= 0.0f)
     {
@@ -1515,9 +1539,9 @@ fn transmission_1( light_3 : vec3<f32>,  view_2 : vec3<f32>,  normal_6 : vec3<f3
         return 0.0f;
     }
     var _S149 : f32 = 1.0f / max(_S147, 9.99999997475242708e-07f);
-    var _S150 : f32 = projected_area_1(light_3, tangent_7, roughness_5) / max(_S146, 9.99999997475242708e-07f);
-    var _S151 : f32 = projected_area_1(view_2, tangent_7, roughness_5) * _S149;
-    return density_between_0(light_3, view_2, tangent_7, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S150, _S151)) * mean_attenuation_0(optical_depth_2 * abs(_S150 - _S151)) * _S149;
+    var _S150 : f32 = projected_area_1(light_4, tangent_7, roughness_5) / max(_S146, 9.99999997475242708e-07f);
+    var _S151 : f32 = projected_area_1(view_3, tangent_7, roughness_5) * _S149;
+    return density_between_0(light_4, view_3, tangent_7, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S150, _S151)) * mean_attenuation_0(optical_depth_2 * abs(_S150 - _S151)) * _S149;
 }
 
 fn sheen_scale_0( x_6 : f32,  y_0 : f32) -> f32
@@ -1543,9 +1567,9 @@ fn sheen_lobe_0( cos_view_0 : f32,  roughness_6 : f32) -> vec3<f32>
     return vec3<f32>(clamp(sheen_scale_0(_S153, _S154), 0.00999999977648258f, 1.0f), clamp((1.0f - _S152) * sheen_shear_0(_S153, _S154), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S153, _S154), -60.0f, 60.0f))));
 }
 
-fn transformed_cosine_0( light_4 : vec3<f32>,  view_3 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
+fn transformed_cosine_0( light_5 : vec3<f32>,  view_4 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S155 : f32 = light_4.z;
+    var _S155 : f32 = light_5.z;
     var _S156 : bool;
     if(_S155 <= 0.0f)
     {
@@ -1553,13 +1577,13 @@ fn transformed_cosine_0( light_4 : vec3<f32>,  view_3 : vec3<f32>,  scale_0 : f3
     }
     else
     {
-        _S156 = (view_3.z) <= 0.0f;
+        _S156 = (view_4.z) <= 0.0f;
     }
     if(_S156)
     {
         return 0.0f;
     }
-    var _S157 : vec2<f32> = view_3.xy;
+    var _S157 : vec2<f32> = view_4.xy;
     var _S158 : f32 = dot(_S157, _S157);
     var _S159 : vec2<f32>;
     if(_S158 > 9.99999968265522539e-21f)
@@ -1570,24 +1594,24 @@ fn transformed_cosine_0( light_4 : vec3<f32>,  view_3 : vec3<f32>,  scale_0 : f3
     {
         _S159 = vec2<f32>(1.0f, 0.0f);
     }
-    var _S160 : f32 = scale_0 * dot(light_4.xy, _S159) + shear_0 * _S155;
-    var _S161 : f32 = scale_0 * (light_4.y * _S159.x - light_4.x * _S159.y);
+    var _S160 : f32 = scale_0 * dot(light_5.xy, _S159) + shear_0 * _S155;
+    var _S161 : f32 = scale_0 * (light_5.y * _S159.x - light_5.x * _S159.y);
     var _S162 : f32 = _S160 * _S160 + _S161 * _S161 + _S155 * _S155;
     return 0.31830987334251404f * scale_0 * scale_0 * _S155 / max(_S162 * _S162, 9.99999968265522539e-21f);
 }
 
-fn sheen_with_transmittance_0( light_5 : vec3<f32>,  view_4 : vec3<f32>,  strength_0 : f32,  roughness_7 : f32) -> vec2<f32>
+fn sheen_with_transmittance_0( light_6 : vec3<f32>,  view_5 : vec3<f32>,  strength_0 : f32,  roughness_7 : f32) -> vec2<f32>
 {
-    var _S163 : vec3<f32> = sheen_lobe_0(view_4.z, roughness_7);
+    var _S163 : vec3<f32> = sheen_lobe_0(view_5.z, roughness_7);
     var _S164 : f32 = strength_0 * _S163.z;
-    return vec2<f32>(_S164 * transformed_cosine_0(light_5, view_4, _S163.x, _S163.y), 1.0f - _S164);
+    return vec2<f32>(_S164 * transformed_cosine_0(light_6, view_5, _S163.x, _S163.y), 1.0f - _S164);
 }
 
-fn bounced_value_0( bounced_1 : Bounced_0,  light_6 : vec3<f32>,  view_5 : vec3<f32>) -> vec3<f32>
+fn bounced_value_0( bounced_1 : Bounced_0,  light_7 : vec3<f32>,  view_6 : vec3<f32>) -> vec3<f32>
 {
-    var _S165 : f32 = light_6.z;
+    var _S165 : f32 = light_7.z;
     var _S166 : vec3<f32>;
-    if((_S165 * view_5.z) < 0.0f)
+    if((_S165 * view_6.z) < 0.0f)
     {
         _S166 = bounced_1.transmitted_0;
     }
@@ -2455,7 +2479,7 @@ fn hair_at_0( _S355 : u32,  _S356 : vec2<f32>,  _S357 : bool,  _S358 : f32) -> H
     {
         number_1 = u32(0);
     }
-    var _S363 : u32 = hash_key_0(number_1, ((fabrics_0[_S355].seed_0) ^ (u32(1013904242))));
+    var _S363 : u32 = hash_key_0(number_1, ((fabrics_0[_S355].seed_1) ^ (u32(1013904242))));
     var _S364 : f32 = 1.0f / max(_S358, 0.07999999821186066f * _S359);
     var _S365 : f32 = min(0.63999998569488525f * _S359 * _S364, 1.0f);
     const _S366 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
@@ -2621,22 +2645,22 @@ struct FibreNoise_0
      bundle_weight_0 : f32,
      fibre_0 : vec2<f32>,
      fibre_weight_0 : f32,
-     offset_1 : f32,
+     offset_2 : f32,
      slope_2 : f32,
 };
 
 fn fibre_noise_at_0( _S404 : u32,  _S405 : u32,  _S406 : SurfacePoint_0,  _S407 : u32,  _S408 : f32) -> FibreNoise_0
 {
     var _S409 : f32 = 5.0f * fabrics_0[_S404].fibre_size_0;
-    var _S410 : vec2<f32> = wave_noise_0(hash_key_0(_S407, ((fabrics_0[_S404].seed_0) ^ (u32(458671337)))), _S406.fibre_along_0 / (25.0f * fabrics_0[_S404].fibre_size_0));
+    var _S410 : vec2<f32> = wave_noise_0(hash_key_0(_S407, ((fabrics_0[_S404].seed_1) ^ (u32(458671337)))), _S406.fibre_along_0 / (25.0f * fabrics_0[_S404].fibre_size_0));
     var _S411 : f32 = _S406.fibre_across_0 + families_0[_S405].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S404].fibre_size_0 * _S410.x;
     var _S412 : vec3<f32> = fibre_cell_0(_S411, _S406.fibre_along_0, fabrics_0[_S404].fibre_size_0);
     var noise_0 : FibreNoise_0;
-    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S407, ((fabrics_0[_S404].seed_0) ^ (u32(1757159915)))), fibre_cell_0(_S411, _S406.fibre_along_0, _S409));
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S407, ((fabrics_0[_S404].seed_1) ^ (u32(1757159915)))), fibre_cell_0(_S411, _S406.fibre_along_0, _S409));
     noise_0.bundle_weight_0 = fade_0(_S408, _S409);
-    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S407, ((fabrics_0[_S404].seed_0) ^ (u32(48610963)))), _S412);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S407, ((fabrics_0[_S404].seed_1) ^ (u32(48610963)))), _S412);
     noise_0.fibre_weight_0 = fade_0(_S408, fabrics_0[_S404].fibre_size_0);
-    noise_0.offset_1 = _S412.z;
+    noise_0.offset_2 = _S412.z;
     noise_0.slope_2 = 0.5f * _S410.y;
     return noise_0;
 }
@@ -2670,7 +2694,7 @@ fn detail_gain_0( _S413 : u32,  _S414 : u32,  _S415 : SurfacePoint_0,  _S416 : v
         {
             _S423 = - _S416.x;
         }
-        gain_1 = gain_1 + vec2<f32>(_S422) * vec2<f32>(wave_noise_0(hash_key_0(_S418, ((fabrics_0[_S413].seed_0) ^ (u32(1373058189)))), _S423 * families_0[_S414].slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_0(_S415.across_3 * families_0[_S414].per_half_width_0), 1.0f)), 1.0f);
+        gain_1 = gain_1 + vec2<f32>(_S422) * vec2<f32>(wave_noise_0(hash_key_0(_S418, ((fabrics_0[_S413].seed_1) ^ (u32(1373058189)))), _S423 * families_0[_S414].slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_0(_S415.across_3 * families_0[_S414].per_half_width_0), 1.0f)), 1.0f);
     }
     return gain_1;
 }
@@ -2682,9 +2706,9 @@ fn vary_albedos_0( _S424 : u32,  _S425 : Albedos_0,  _S426 : u32,  _S427 : u32, 
     var _S431 : vec3<f32> = vec3<f32>(fabrics_0[_S424].layer_bound_0);
     var _S432 : vec3<f32> = vec3<f32>(1.0f);
     var _S433 : vec3<f32> = _S432 - _S431 * _S429;
-    var colour_0 : f32 = bounded_gain_0(thread_gain_0(_S426, fabrics_0[_S424].colour_noise_0, fabrics_0[_S424].seed_0), _S430, _S433);
+    var colour_0 : f32 = bounded_gain_0(thread_gain_0(_S426, fabrics_0[_S424].colour_noise_0, fabrics_0[_S424].seed_1), _S430, _S433);
     var _S434 : vec3<f32> = vec3<f32>((colour_0 * (1.0f + flattened_0(_S428.y, vec3<f32>(colour_0) * _S430, _S433) * _S428.x)));
-    var _S435 : f32 = bounded_gain_0(fibre_gain_0(_S426, _S427, fabrics_0[_S424].fibre_noise_0, fabrics_0[_S424].seed_0), _S429, min((_S432 - _S434 * _S430) / _S431, vec3<f32>(1.0f)));
+    var _S435 : f32 = bounded_gain_0(fibre_gain_0(_S426, _S427, fabrics_0[_S424].fibre_noise_0, fabrics_0[_S424].seed_1), _S429, min((_S432 - _S434 * _S430) / _S431, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
     varied_0.diffuse_reflect_0 = _S434 * _S425.diffuse_reflect_0;
     varied_0.diffuse_transmit_0 = _S434 * _S425.diffuse_transmit_0;
@@ -2762,7 +2786,7 @@ fn turned_frame_0( _S450 : u32,  _S451 : u32,  _S452 : SurfacePoint_0,  _S453 : 
     if((families_0[_S451].fibre_tilt_0) > 0.0f)
     {
         var _S466 : FibreNoise_0 = fibre_noise_at_0(_S450, _S451, _S452, _S454, _S455);
-        var _S467 : f32 = 1.09858846664428711f * _S465 * (_S466.bundle_weight_0 * _S466.bundle_0.x + _S466.fibre_weight_0 * (_S466.fibre_0.x + _S466.offset_1));
+        var _S467 : f32 = 1.09858846664428711f * _S465 * (_S466.bundle_weight_0 * _S466.bundle_0.x + _S466.fibre_weight_0 * (_S466.fibre_0.x + _S466.offset_2));
         var _S468 : f32 = _S465 * (1.42099642753601074f * (_S466.bundle_weight_0 * _S466.bundle_0.y + _S466.fibre_weight_0 * _S466.fibre_0.y) - _S466.bundle_weight_0 * _S466.slope_2);
         var _S469 : f32 = square_0(_S466.fibre_weight_0);
         frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S465 * _S465 * ((0.24761904776096344f * (square_0(_S466.bundle_weight_0) + _S469) + _S469 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
@@ -3214,15 +3238,15 @@ fn straight_through_0( _S620 : u32,  _S621 : YarnPoint_0,  _S622 : vec3<f32>) ->
     return 1.0f - _S623 * sheen_lobe_0(abs(_S622.z), fabrics_0[_S620].sheen_roughness_0).z;
 }
 
-fn cloth_value_0( fabric_1 : u32,  centre_1 : vec2<f32>,  dx_1 : vec2<f32>,  dy_1 : vec2<f32>,  light_7 : vec3<f32>,  view_6 : vec3<f32>) -> vec4<f32>
+fn cloth_value_0( fabric_1 : u32,  centre_1 : vec2<f32>,  dx_1 : vec2<f32>,  dy_1 : vec2<f32>,  light_8 : vec3<f32>,  view_7 : vec3<f32>) -> vec4<f32>
 {
     var _S624 : SearchQuality_0 = default_quality_0();
     var footprint_0 : Footprint_0;
     footprint_0.centre_0 = centre_1;
     footprint_0.dx_0 = dx_1;
     footprint_0.dy_0 = dy_1;
-    var _S625 : YarnPoint_0 = locate_yarn_0(fabric_1, _S624, centre_1.x, centre_1.y, view_6, Footprint_spread_side_0(footprint_0));
-    return vec4<f32>(evaluate_0(fabric_1, _S624, _S625, light_7, view_6), straight_through_0(fabric_1, _S625, view_6));
+    var _S625 : YarnPoint_0 = locate_yarn_0(fabric_1, _S624, centre_1.x, centre_1.y, view_7, Footprint_spread_side_0(footprint_0));
+    return vec4<f32>(evaluate_0(fabric_1, _S624, _S625, light_8, view_7), straight_through_0(fabric_1, _S625, view_7));
 }
 
 @compute

@@ -144,6 +144,28 @@ struct Latent_std430_0
     @align(4) is_trilinear_0 : u32,
 };
 
+struct Clustered_std430_0
+{
+    @align(4) is_baked_1 : u32,
+    @align(4) clusters_0 : u32,
+    @align(4) rank_0 : u32,
+    @align(4) channels_0 : u32,
+    @align(4) columns_0 : u32,
+    @align(4) rows_0 : u32,
+    @align(4) texel_width_0 : f32,
+    @align(4) texel_height_0 : f32,
+    @align(4) samples_1 : u32,
+    @align(4) sums_0 : u32,
+    @align(4) labels_0 : u32,
+    @align(4) coefficients_0 : u32,
+    @align(4) basis_0 : u32,
+    @align(4) moments_1 : u32,
+    @align(4) light_0 : u32,
+    @align(4) view_0 : u32,
+    @align(4) offset_1 : u32,
+    @align(4) trust_0 : u32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
@@ -180,6 +202,7 @@ struct Fabric_std430_0
     @align(4) has_yarns_0 : u32,
     @align(4) mean_hole_0 : f32,
     @align(4) latent_0 : Latent_std430_0,
+    @align(4) clustered_0 : Clustered_std430_0,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -250,7 +273,7 @@ fn FloatWeights_eight_0( this_0 : FloatWeights_0,  element_0 : u32) -> Eight_0
 
 fn tile_product_0( weights_0 : FloatWeights_0,  row_0 : u32,  inputs_0 : ptr<function, array<f32, i32(64)>>) -> vec4<f32>
 {
-    var sums_0 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_1 : vec4<f32> = vec4<f32>(0.0f);
     var column_0 : u32 = u32(0);
     for(;;)
     {
@@ -276,16 +299,16 @@ fn tile_product_0( weights_0 : FloatWeights_0,  row_0 : u32,  inputs_0 : ptr<fun
         low_1[i32(3)] = (*inputs_0)[_S5];
         high_1[i32(3)] = (*inputs_0)[_S5 + i32(4)];
         var _S6 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + column_0);
-        sums_0[i32(0)] = sums_0[i32(0)] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
+        sums_1[i32(0)] = sums_1[i32(0)] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
         var _S7 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + u32(8) + column_0);
-        sums_0[i32(1)] = sums_0[i32(1)] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
+        sums_1[i32(1)] = sums_1[i32(1)] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
         var _S8 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + u32(16) + column_0);
-        sums_0[i32(2)] = sums_0[i32(2)] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
+        sums_1[i32(2)] = sums_1[i32(2)] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
         var _S9 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + u32(24) + column_0);
-        sums_0[i32(3)] = sums_0[i32(3)] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
+        sums_1[i32(3)] = sums_1[i32(3)] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
         column_0 = column_0 + u32(1);
     }
-    return sums_0;
+    return sums_1;
 }
 
 fn Relu_apply_0( x_2 : f32) -> f32
@@ -468,7 +491,7 @@ fn dense_part_1( weights_2 : FloatWeights_0,  first_2 : u32,  adds_1 : bool,  in
 
 fn tile_product_1( weights_3 : FloatWeights_0,  row_1 : u32,  inputs_3 : ptr<function, array<f32, i32(20)>>) -> vec4<f32>
 {
-    var sums_1 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_2 : vec4<f32> = vec4<f32>(0.0f);
     var column_1 : u32 = u32(0);
     for(;;)
     {
@@ -494,16 +517,16 @@ fn tile_product_1( weights_3 : FloatWeights_0,  row_1 : u32,  inputs_3 : ptr<fun
         low_2[i32(3)] = (*inputs_3)[min(_S35, i32(19))];
         high_2[i32(3)] = (*inputs_3)[min(_S35 + i32(4), i32(19))];
         var _S36 : Eight_0 = FloatWeights_eight_0(weights_3, row_1 + column_1);
-        sums_1[i32(0)] = sums_1[i32(0)] + (dot(_S36.low_0, low_2) + dot(_S36.high_0, high_2));
+        sums_2[i32(0)] = sums_2[i32(0)] + (dot(_S36.low_0, low_2) + dot(_S36.high_0, high_2));
         var _S37 : Eight_0 = FloatWeights_eight_0(weights_3, row_1 + u32(3) + column_1);
-        sums_1[i32(1)] = sums_1[i32(1)] + (dot(_S37.low_0, low_2) + dot(_S37.high_0, high_2));
+        sums_2[i32(1)] = sums_2[i32(1)] + (dot(_S37.low_0, low_2) + dot(_S37.high_0, high_2));
         var _S38 : Eight_0 = FloatWeights_eight_0(weights_3, row_1 + u32(6) + column_1);
-        sums_1[i32(2)] = sums_1[i32(2)] + (dot(_S38.low_0, low_2) + dot(_S38.high_0, high_2));
+        sums_2[i32(2)] = sums_2[i32(2)] + (dot(_S38.low_0, low_2) + dot(_S38.high_0, high_2));
         var _S39 : Eight_0 = FloatWeights_eight_0(weights_3, row_1 + u32(9) + column_1);
-        sums_1[i32(3)] = sums_1[i32(3)] + (dot(_S39.low_0, low_2) + dot(_S39.high_0, high_2));
+        sums_2[i32(3)] = sums_2[i32(3)] + (dot(_S39.low_0, low_2) + dot(_S39.high_0, high_2));
         column_1 = column_1 + u32(1);
     }
-    return sums_1;
+    return sums_2;
 }
 
 fn dense_part_2( weights_4 : FloatWeights_0,  first_3 : u32,  adds_2 : bool,  inputs_4 : ptr<function, array<f32, i32(20)>>,  outputs_2 : ptr<function, array<f32, i32(64)>>)
@@ -649,7 +672,7 @@ fn MLP_evaluate_0( this_1 : MLP_0,  inputs_9 : ptr<function, array<f32, i32(20)>
 
 fn tile_product_2( weights_9 : FloatWeights_0,  row_2 : u32,  inputs_10 : ptr<function, array<f32, i32(32)>>) -> vec4<f32>
 {
-    var sums_2 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_3 : vec4<f32> = vec4<f32>(0.0f);
     var column_2 : u32 = u32(0);
     for(;;)
     {
@@ -675,16 +698,16 @@ fn tile_product_2( weights_9 : FloatWeights_0,  row_2 : u32,  inputs_10 : ptr<fu
         low_3[i32(3)] = (*inputs_10)[_S57];
         high_3[i32(3)] = (*inputs_10)[_S57 + i32(4)];
         var _S58 : Eight_0 = FloatWeights_eight_0(weights_9, row_2 + column_2);
-        sums_2[i32(0)] = sums_2[i32(0)] + (dot(_S58.low_0, low_3) + dot(_S58.high_0, high_3));
+        sums_3[i32(0)] = sums_3[i32(0)] + (dot(_S58.low_0, low_3) + dot(_S58.high_0, high_3));
         var _S59 : Eight_0 = FloatWeights_eight_0(weights_9, row_2 + u32(4) + column_2);
-        sums_2[i32(1)] = sums_2[i32(1)] + (dot(_S59.low_0, low_3) + dot(_S59.high_0, high_3));
+        sums_3[i32(1)] = sums_3[i32(1)] + (dot(_S59.low_0, low_3) + dot(_S59.high_0, high_3));
         var _S60 : Eight_0 = FloatWeights_eight_0(weights_9, row_2 + u32(8) + column_2);
-        sums_2[i32(2)] = sums_2[i32(2)] + (dot(_S60.low_0, low_3) + dot(_S60.high_0, high_3));
+        sums_3[i32(2)] = sums_3[i32(2)] + (dot(_S60.low_0, low_3) + dot(_S60.high_0, high_3));
         var _S61 : Eight_0 = FloatWeights_eight_0(weights_9, row_2 + u32(12) + column_2);
-        sums_2[i32(3)] = sums_2[i32(3)] + (dot(_S61.low_0, low_3) + dot(_S61.high_0, high_3));
+        sums_3[i32(3)] = sums_3[i32(3)] + (dot(_S61.low_0, low_3) + dot(_S61.high_0, high_3));
         column_2 = column_2 + u32(1);
     }
-    return sums_2;
+    return sums_3;
 }
 
 fn dense_part_3( weights_10 : FloatWeights_0,  first_7 : u32,  adds_6 : bool,  inputs_11 : ptr<function, array<f32, i32(32)>>,  outputs_8 : ptr<function, array<f32, i32(32)>>)
@@ -988,7 +1011,7 @@ fn MLP_evaluate_1( this_2 : MLP_0,  inputs_17 : ptr<function, array<f32, i32(20)
 
 fn tile_product_3( weights_16 : FloatWeights_0,  row_3 : u32,  inputs_18 : ptr<function, array<f32, i32(16)>>) -> vec4<f32>
 {
-    var sums_3 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_4 : vec4<f32> = vec4<f32>(0.0f);
     var column_3 : u32 = u32(0);
     for(;;)
     {
@@ -1014,16 +1037,16 @@ fn tile_product_3( weights_16 : FloatWeights_0,  row_3 : u32,  inputs_18 : ptr<f
         low_4[i32(3)] = (*inputs_18)[_S101];
         high_4[i32(3)] = (*inputs_18)[_S101 + i32(4)];
         var _S102 : Eight_0 = FloatWeights_eight_0(weights_16, row_3 + column_3);
-        sums_3[i32(0)] = sums_3[i32(0)] + (dot(_S102.low_0, low_4) + dot(_S102.high_0, high_4));
+        sums_4[i32(0)] = sums_4[i32(0)] + (dot(_S102.low_0, low_4) + dot(_S102.high_0, high_4));
         var _S103 : Eight_0 = FloatWeights_eight_0(weights_16, row_3 + u32(2) + column_3);
-        sums_3[i32(1)] = sums_3[i32(1)] + (dot(_S103.low_0, low_4) + dot(_S103.high_0, high_4));
+        sums_4[i32(1)] = sums_4[i32(1)] + (dot(_S103.low_0, low_4) + dot(_S103.high_0, high_4));
         var _S104 : Eight_0 = FloatWeights_eight_0(weights_16, row_3 + u32(4) + column_3);
-        sums_3[i32(2)] = sums_3[i32(2)] + (dot(_S104.low_0, low_4) + dot(_S104.high_0, high_4));
+        sums_4[i32(2)] = sums_4[i32(2)] + (dot(_S104.low_0, low_4) + dot(_S104.high_0, high_4));
         var _S105 : Eight_0 = FloatWeights_eight_0(weights_16, row_3 + u32(6) + column_3);
-        sums_3[i32(3)] = sums_3[i32(3)] + (dot(_S105.low_0, low_4) + dot(_S105.high_0, high_4));
+        sums_4[i32(3)] = sums_4[i32(3)] + (dot(_S105.low_0, low_4) + dot(_S105.high_0, high_4));
         column_3 = column_3 + u32(1);
     }
-    return sums_3;
+    return sums_4;
 }
 
 fn dense_part_6( weights_17 : FloatWeights_0,  first_13 : u32,  adds_12 : bool,  inputs_19 : ptr<function, array<f32, i32(16)>>,  outputs_15 : ptr<function, array<f32, i32(16)>>)
@@ -1327,7 +1350,7 @@ fn MLP_evaluate_2( this_3 : MLP_0,  inputs_25 : ptr<function, array<f32, i32(20)
 
 fn tile_product_4( weights_23 : FloatWeights_0,  row_4 : u32,  inputs_26 : ptr<function, array<f32, i32(8)>>) -> vec4<f32>
 {
-    var sums_4 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_5 : vec4<f32> = vec4<f32>(0.0f);
     var column_4 : u32 = u32(0);
     for(;;)
     {
@@ -1353,16 +1376,16 @@ fn tile_product_4( weights_23 : FloatWeights_0,  row_4 : u32,  inputs_26 : ptr<f
         low_5[i32(3)] = (*inputs_26)[_S145];
         high_5[i32(3)] = (*inputs_26)[_S145 + i32(4)];
         var _S146 : Eight_0 = FloatWeights_eight_0(weights_23, row_4 + column_4);
-        sums_4[i32(0)] = sums_4[i32(0)] + (dot(_S146.low_0, low_5) + dot(_S146.high_0, high_5));
+        sums_5[i32(0)] = sums_5[i32(0)] + (dot(_S146.low_0, low_5) + dot(_S146.high_0, high_5));
         var _S147 : Eight_0 = FloatWeights_eight_0(weights_23, row_4 + u32(1) + column_4);
-        sums_4[i32(1)] = sums_4[i32(1)] + (dot(_S147.low_0, low_5) + dot(_S147.high_0, high_5));
+        sums_5[i32(1)] = sums_5[i32(1)] + (dot(_S147.low_0, low_5) + dot(_S147.high_0, high_5));
         var _S148 : Eight_0 = FloatWeights_eight_0(weights_23, row_4 + u32(2) + column_4);
-        sums_4[i32(2)] = sums_4[i32(2)] + (dot(_S148.low_0, low_5) + dot(_S148.high_0, high_5));
+        sums_5[i32(2)] = sums_5[i32(2)] + (dot(_S148.low_0, low_5) + dot(_S148.high_0, high_5));
         var _S149 : Eight_0 = FloatWeights_eight_0(weights_23, row_4 + u32(3) + column_4);
-        sums_4[i32(3)] = sums_4[i32(3)] + (dot(_S149.low_0, low_5) + dot(_S149.high_0, high_5));
+        sums_5[i32(3)] = sums_5[i32(3)] + (dot(_S149.low_0, low_5) + dot(_S149.high_0, high_5));
         column_4 = column_4 + u32(1);
     }
-    return sums_4;
+    return sums_5;
 }
 
 fn dense_part_9( weights_24 : FloatWeights_0,  first_19 : u32,  adds_18 : bool,  inputs_27 : ptr<function, array<f32, i32(8)>>,  outputs_22 : ptr<function, array<f32, i32(12)>>)
@@ -1502,7 +1525,7 @@ fn normal_of_0( vertex_2 : ptr<function, Vertex_std430_0>) -> vec3<f32>
 struct VisiblePoint_0
 {
      position_0 : vec3<f32>,
-     view_0 : vec3<f32>,
+     view_1 : vec3<f32>,
      axis_x_0 : vec3<f32>,
      axis_y_0 : vec3<f32>,
      normal_0 : vec3<f32>,
@@ -1627,9 +1650,9 @@ fn texel_numbers_0( first_24 : u32,  elements_1 : u32,  texel_0 : u32) -> Eight_
     return numbers_3;
 }
 
-fn add_bilinear_0( first_25 : u32,  elements_2 : u32,  start_0 : u32,  columns_0 : u32,  rows_0 : u32,  uv_2 : vec2<f32>,  weight_0 : f32,  sums_5 : ptr<function, Eight_0>)
+fn add_bilinear_0( first_25 : u32,  elements_2 : u32,  start_0 : u32,  columns_1 : u32,  rows_1 : u32,  uv_2 : vec2<f32>,  weight_0 : f32,  sums_6 : ptr<function, Eight_0>)
 {
-    var _S172 : vec2<f32> = uv_2 * vec2<f32>(f32(columns_0), f32(rows_0)) - vec2<f32>(0.5f);
+    var _S172 : vec2<f32> = uv_2 * vec2<f32>(f32(columns_1), f32(rows_1)) - vec2<f32>(0.5f);
     var _S173 : vec2<f32> = floor(_S172);
     var _S174 : vec2<f32> = _S172 - _S173;
     var _S175 : i32 = i32(_S173.x);
@@ -1646,7 +1669,7 @@ fn add_bilinear_0( first_25 : u32,  elements_2 : u32,  start_0 : u32,  columns_0
         }
         var _S177 : u32 = (tap_0 & (u32(1)));
         var _S178 : u32 = (tap_0 >> (u32(1)));
-        var _S179 : Eight_0 = texel_numbers_0(first_25, elements_2, start_0 + ((u32(_S176 + i32(_S178)) & ((rows_0 - u32(1))))) * columns_0 + ((u32(_S175 + i32(_S177)) & ((columns_0 - u32(1))))));
+        var _S179 : Eight_0 = texel_numbers_0(first_25, elements_2, start_0 + ((u32(_S176 + i32(_S178)) & ((rows_1 - u32(1))))) * columns_1 + ((u32(_S175 + i32(_S177)) & ((columns_1 - u32(1))))));
         var _S180 : f32;
         if(_S178 != u32(0))
         {
@@ -1666,8 +1689,8 @@ fn add_bilinear_0( first_25 : u32,  elements_2 : u32,  start_0 : u32,  columns_0
             _S181 = 1.0f - _S174.x;
         }
         var _S182 : vec4<f32> = vec4<f32>((_S180 * _S181 * weight_0));
-        (*sums_5).low_0 = (*sums_5).low_0 + _S182 * _S179.low_0;
-        (*sums_5).high_0 = (*sums_5).high_0 + _S182 * _S179.high_0;
+        (*sums_6).low_0 = (*sums_6).low_0 + _S182 * _S179.low_0;
+        (*sums_6).high_0 = (*sums_6).high_0 + _S182 * _S179.high_0;
         tap_0 = tap_0 + u32(1);
     }
     return;
@@ -1682,10 +1705,10 @@ struct TexelPyramid_0
      face_texels_2 : u32,
 };
 
-fn TexelPyramid_add_level_0( this_4 : TexelPyramid_0,  place_0 : vec2<f32>,  level_0 : u32,  face_1 : u32,  weight_1 : f32,  sums_6 : ptr<function, Eight_0>)
+fn TexelPyramid_add_level_0( this_4 : TexelPyramid_0,  place_0 : vec2<f32>,  level_0 : u32,  face_1 : u32,  weight_1 : f32,  sums_7 : ptr<function, Eight_0>)
 {
     var _S183 : u32 = this_4.levels_4 + u32(3) * level_0;
-    add_bilinear_0(this_4.first_26, this_4.elements_3, face_1 * this_4.face_texels_2 + words_0[_S183], words_0[_S183 + u32(1)], words_0[_S183 + u32(2)], place_0, weight_1, &((*sums_6)));
+    add_bilinear_0(this_4.first_26, this_4.elements_3, face_1 * this_4.face_texels_2 + words_0[_S183], words_0[_S183 + u32(1)], words_0[_S183 + u32(2)], place_0, weight_1, &((*sums_7)));
     return;
 }
 
@@ -1696,10 +1719,10 @@ fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_3 : vec2<f32>,  l
     var _S186 : f32 = _S184 - _S185;
     var _S187 : vec2<f32> = within_repeat_0(uv_3);
     var texel_1 : Eight_0 = no_numbers_0();
-    var offset_1 : u32 = u32(0);
+    var offset_2 : u32 = u32(0);
     for(;;)
     {
-        if(offset_1 < u32(2))
+        if(offset_2 < u32(2))
         {
         }
         else
@@ -1707,7 +1730,7 @@ fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_3 : vec2<f32>,  l
             break;
         }
         var _S188 : f32;
-        if(offset_1 == u32(0))
+        if(offset_2 == u32(0))
         {
             _S188 = 1.0f - _S186;
         }
@@ -1717,9 +1740,9 @@ fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_3 : vec2<f32>,  l
         }
         if(_S188 > 0.0f)
         {
-            TexelPyramid_add_level_0(this_5, _S187, u32(_S185) + offset_1, face_2, _S188, &(texel_1));
+            TexelPyramid_add_level_0(this_5, _S187, u32(_S185) + offset_2, face_2, _S188, &(texel_1));
         }
-        offset_1 = offset_1 + u32(1);
+        offset_2 = offset_2 + u32(1);
     }
     return texel_1;
 }
@@ -1878,11 +1901,11 @@ fn bounded_exponential_0( exponent_3 : f32) -> f32
     return exponential_0(min(exponent_3, 12.0f));
 }
 
-fn accumulate_0( index_3 : u32,  light_0 : vec4<f32>)
+fn accumulate_0( index_3 : u32,  light_1 : vec4<f32>)
 {
     var _S210 : f32 = layers_0[index_3].share_0;
-    radiance_0[index_3] = radiance_0[index_3] + vec4<f32>(layers_0[index_3].share_0) * light_0;
-    layers_0[index_3].share_0 = _S210 * (1.0f - light_0.w);
+    radiance_0[index_3] = radiance_0[index_3] + vec4<f32>(layers_0[index_3].share_0) * light_1;
+    layers_0[index_3].share_0 = _S210 * (1.0f - light_1.w);
     return;
 }
 
@@ -1962,7 +1985,7 @@ fn face_point_0( _S215 : u32,  _S216 : u32,  _S217 : f32,  _S218 : f32) -> Visib
     }
     point_1.face_normal_0 = _S250;
     point_1.position_0 = _S224 + _S243 * _S225 + _S246 * _S227;
-    point_1.view_0 = point_1.normal_0;
+    point_1.view_1 = point_1.normal_0;
     point_1.uv_0 = vec2<f32>(_S228, _S230) + vec2<f32>(_S217) * _S232 + vec2<f32>(_S218) * _S235;
     var _S251 : bool = (dot(cross(_S237, _S238), point_1.normal_0)) < 0.0f;
     var _S252 : f32 = fabrics_0[_S215].uv_width_0;
@@ -2033,7 +2056,7 @@ fn visible_point_0( _S256 : i32,  _S257 : u32,  _S258 : u32,  _S259 : vec2<u32>)
     var _S288 : vec2<f32> = vec2<f32>(_S263.u_0 - _S261.u_0, _S263.v_0 - _S261.v_0);
     var point_2 : VisiblePoint_0 = face_point_0(_S257, _S258, dot(_S281, _S285), dot(_S281, _S286));
     point_2.position_0 = _S265 + _S281;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S275));
+    point_2.view_1 = (vec3<f32>(0) - normalize(_S275));
     point_2.draft_dx_0 = (vec2<f32>(dot(_S282, _S285)) * _S287 + vec2<f32>(dot(_S282, _S286)) * _S288) * point_2.draft_per_uv_0;
     point_2.draft_dy_0 = (vec2<f32>(dot(_S283, _S285)) * _S287 + vec2<f32>(dot(_S283, _S286)) * _S288) * point_2.draft_per_uv_0;
     return point_2;
@@ -2051,7 +2074,7 @@ struct LatentView_0
      latent_1 : array<f32, i32(8)>,
      first_27 : LatentFrame_0,
      second_0 : LatentFrame_0,
-     view_1 : vec3<f32>,
+     view_2 : vec3<f32>,
      back_3 : bool,
 };
 
@@ -2060,7 +2083,7 @@ fn latent_view_0( _S289 : u32,  _S290 : Footprint_0,  _S291 : vec3<f32>,  _S292 
     var _S294 : Latent_std430_0 = fabrics_0[_S289].latent_0;
     var _S295 : bool = (_S291.z) < 0.0f;
     (*_S293).back_3 = _S295;
-    (*_S293).view_1 = to_face_frame_0(_S291, _S295);
+    (*_S293).view_2 = to_face_frame_0(_S291, _S295);
     var _S296 : u32;
     if(_S295)
     {
@@ -2114,11 +2137,11 @@ fn latent_view_0( _S289 : u32,  _S290 : Footprint_0,  _S291 : vec3<f32>,  _S292 
     var weights_26 : FloatWeights_0;
     weights_26.first_0 = _S294.frames_1;
     var _S302 : array<f32, i32(8)> = (*_S293).latent_1;
-    var sums_7 : array<f32, i32(12)>;
-    dense_9(weights_26, u32(0), false, &(_S302), &(sums_7));
+    var sums_8 : array<f32, i32(12)>;
+    dense_9(weights_26, u32(0), false, &(_S302), &(sums_8));
     (*_S293).latent_1 = _S302;
-    (*_S293).first_27 = frame_of_0(vec3<f32>(sums_7[i32(0)], sums_7[i32(1)], sums_7[i32(2)]), vec3<f32>(sums_7[i32(3)], sums_7[i32(4)], sums_7[i32(5)]));
-    (*_S293).second_0 = frame_of_0(vec3<f32>(sums_7[i32(6)], sums_7[i32(7)], sums_7[i32(8)]), vec3<f32>(sums_7[i32(9)], sums_7[i32(10)], sums_7[i32(11)]));
+    (*_S293).first_27 = frame_of_0(vec3<f32>(sums_8[i32(0)], sums_8[i32(1)], sums_8[i32(2)]), vec3<f32>(sums_8[i32(3)], sums_8[i32(4)], sums_8[i32(5)]));
+    (*_S293).second_0 = frame_of_0(vec3<f32>(sums_8[i32(6)], sums_8[i32(7)], sums_8[i32(8)]), vec3<f32>(sums_8[i32(9)], sums_8[i32(10)], sums_8[i32(11)]));
     return;
 }
 
@@ -2201,9 +2224,9 @@ fn latent_value_0( _S334 : u32,  _S335 : ptr<function, LatentView_0>,  _S336 : v
         return vec3<f32>(0.0f);
     }
     var inputs_32 : array<f32, i32(20)>;
-    var _S338 : vec3<f32> = LatentFrame_coordinates_0((*_S335).first_27, (*_S335).view_1);
+    var _S338 : vec3<f32> = LatentFrame_coordinates_0((*_S335).first_27, (*_S335).view_2);
     var _S339 : vec3<f32> = LatentFrame_coordinates_0((*_S335).first_27, _S337);
-    var _S340 : vec3<f32> = LatentFrame_coordinates_0((*_S335).second_0, (*_S335).view_1);
+    var _S340 : vec3<f32> = LatentFrame_coordinates_0((*_S335).second_0, (*_S335).view_2);
     var _S341 : vec3<f32> = LatentFrame_coordinates_0((*_S335).second_0, _S337);
     var axis_0 : i32 = i32(0);
     for(;;)
@@ -2261,7 +2284,7 @@ fn light_of_latent_0( _S343 : i32,  _S344 : u32,  _S345 : VisiblePoint_0,  _S346
     footprint_0.dx_0 = _S345.draft_dx_0;
     footprint_0.dy_0 = _S345.draft_dy_0;
     var seen_0 : LatentView_0;
-    latent_view_0(_S344, footprint_0, to_local_0(_S345, _S345.view_0), pixel_sequence_0(_S346, frames_0[_S343].pass_number_0, u32(1)).x, &(seen_0));
+    latent_view_0(_S344, footprint_0, to_local_0(_S345, _S345.view_1), pixel_sequence_0(_S346, frames_0[_S343].pass_number_0, u32(1)).x, &(seen_0));
     var _S347 : vec3<f32> = vec3<f32>(0.0f);
     var number_1 : u32 = u32(0);
     var radiance_1 : vec3<f32> = _S347;

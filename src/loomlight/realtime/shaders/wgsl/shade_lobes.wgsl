@@ -144,6 +144,28 @@ struct Latent_std430_0
     @align(4) is_trilinear_0 : u32,
 };
 
+struct Clustered_std430_0
+{
+    @align(4) is_baked_1 : u32,
+    @align(4) clusters_0 : u32,
+    @align(4) rank_0 : u32,
+    @align(4) channels_0 : u32,
+    @align(4) columns_0 : u32,
+    @align(4) rows_0 : u32,
+    @align(4) texel_width_0 : f32,
+    @align(4) texel_height_0 : f32,
+    @align(4) samples_1 : u32,
+    @align(4) sums_0 : u32,
+    @align(4) labels_0 : u32,
+    @align(4) coefficients_0 : u32,
+    @align(4) basis_0 : u32,
+    @align(4) moments_1 : u32,
+    @align(4) light_0 : u32,
+    @align(4) view_0 : u32,
+    @align(4) offset_1 : u32,
+    @align(4) trust_0 : u32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
@@ -180,6 +202,7 @@ struct Fabric_std430_0
     @align(4) has_yarns_0 : u32,
     @align(4) mean_hole_0 : f32,
     @align(4) latent_0 : Latent_std430_0,
+    @align(4) clustered_0 : Clustered_std430_0,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -378,7 +401,7 @@ fn map_level_0( first_0 : u32,  side_0 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
 struct VisiblePoint_0
 {
      position_0 : vec3<f32>,
-     view_0 : vec3<f32>,
+     view_1 : vec3<f32>,
      axis_x_0 : vec3<f32>,
      axis_y_0 : vec3<f32>,
      normal_0 : vec3<f32>,
@@ -1626,14 +1649,14 @@ fn diffuse_gain_0( frame_1 : YarnFrame_0,  blend_0 : f32) -> f32
     return min(0.85000002384185791f * blend_0 * frame_1.loss_0 + 1.0f, 1.0f / (0.5f * blend_0 * (frame_1.normal_5.z - 1.0f) + 1.0f));
 }
 
-fn diffuse_reflection_0( light_0 : vec3<f32>,  normal_6 : vec3<f32>,  blend_1 : f32) -> f32
+fn diffuse_reflection_0( light_1 : vec3<f32>,  normal_6 : vec3<f32>,  blend_1 : f32) -> f32
 {
-    var _S156 : f32 = light_0.z;
+    var _S156 : f32 = light_1.z;
     if(_S156 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * mix(max(_S156, 0.0f), max(dot(light_0, normal_6), 0.0f), blend_1);
+    return 0.31830987334251404f * mix(max(_S156, 0.0f), max(dot(light_1, normal_6), 0.0f), blend_1);
 }
 
 fn projected_area_1( direction_3 : vec3<f32>,  tangent_5 : vec3<f32>,  roughness_1 : f32) -> f32
@@ -1658,17 +1681,17 @@ fn flake_density_0( squared_along_0 : f32,  roughness_2 : f32) -> f32
     return 0.31830987334251404f * _S158 * roughness_2 / (_S159 * _S159);
 }
 
-fn density_between_0( light_1 : vec3<f32>,  view_1 : vec3<f32>,  tangent_6 : vec3<f32>,  roughness_3 : f32) -> f32
+fn density_between_0( light_2 : vec3<f32>,  view_2 : vec3<f32>,  tangent_6 : vec3<f32>,  roughness_3 : f32) -> f32
 {
-    var _S160 : vec3<f32> = light_1 + view_1;
+    var _S160 : vec3<f32> = light_2 + view_2;
     var _S161 : f32 = dot(_S160, tangent_6);
     return flake_density_0(min(_S161 * _S161 / max(square_0(_S160), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
-fn transmission_1( light_2 : vec3<f32>,  view_2 : vec3<f32>,  normal_7 : vec3<f32>,  tangent_7 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
+fn transmission_1( light_3 : vec3<f32>,  view_3 : vec3<f32>,  normal_7 : vec3<f32>,  tangent_7 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
 {
-    var _S162 : f32 = - dot(light_2, normal_7);
-    var _S163 : f32 = dot(view_2, normal_7);
+    var _S162 : f32 = - dot(light_3, normal_7);
+    var _S163 : f32 = dot(view_3, normal_7);
     var _S164 : bool;
     if(_S162 <= 0.0f)
     {
@@ -1683,14 +1706,14 @@ fn transmission_1( light_2 : vec3<f32>,  view_2 : vec3<f32>,  normal_7 : vec3<f3
         return 0.0f;
     }
     var _S165 : f32 = 1.0f / max(_S163, 9.99999997475242708e-07f);
-    var _S166 : f32 = projected_area_1(light_2, tangent_7, roughness_4) / max(_S162, 9.99999997475242708e-07f);
-    var _S167 : f32 = projected_area_1(view_2, tangent_7, roughness_4) * _S165;
-    return density_between_0(light_2, view_2, tangent_7, roughness_4) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S166, _S167)) * mean_attenuation_0(optical_depth_1 * abs(_S166 - _S167)) * _S165;
+    var _S166 : f32 = projected_area_1(light_3, tangent_7, roughness_4) / max(_S162, 9.99999997475242708e-07f);
+    var _S167 : f32 = projected_area_1(view_3, tangent_7, roughness_4) * _S165;
+    return density_between_0(light_3, view_3, tangent_7, roughness_4) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S166, _S167)) * mean_attenuation_0(optical_depth_1 * abs(_S166 - _S167)) * _S165;
 }
 
-fn reflection_0( light_3 : vec3<f32>,  view_3 : vec3<f32>,  normal_8 : vec3<f32>,  tangent_8 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
+fn reflection_0( light_4 : vec3<f32>,  view_4 : vec3<f32>,  normal_8 : vec3<f32>,  tangent_8 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
 {
-    var _S168 : f32 = dot(light_3, normal_8);
+    var _S168 : f32 = dot(light_4, normal_8);
     var _S169 : bool;
     if(_S168 <= 0.0f)
     {
@@ -1698,28 +1721,28 @@ fn reflection_0( light_3 : vec3<f32>,  view_3 : vec3<f32>,  normal_8 : vec3<f32>
     }
     else
     {
-        _S169 = (dot(view_3, normal_8)) <= 0.0f;
+        _S169 = (dot(view_4, normal_8)) <= 0.0f;
     }
     if(_S169)
     {
         return 0.0f;
     }
     var _S170 : f32 = max(_S168, 9.99999997475242708e-07f);
-    var _S171 : f32 = max(dot(view_3, normal_8), 9.99999997475242708e-07f);
-    var _S172 : f32 = projected_area_1(light_3, tangent_8, roughness_5) * _S171 + projected_area_1(view_3, tangent_8, roughness_5) * _S170;
+    var _S171 : f32 = max(dot(view_4, normal_8), 9.99999997475242708e-07f);
+    var _S172 : f32 = projected_area_1(light_4, tangent_8, roughness_5) * _S171 + projected_area_1(view_4, tangent_8, roughness_5) * _S170;
     var _S173 : f32 = optical_depth_2 * _S172 / (_S170 * _S171);
-    return 0.25f * density_between_0(light_3, view_3, tangent_8, roughness_5) * (_S173 * mean_attenuation_0(_S173)) * _S170 / _S172;
+    return 0.25f * density_between_0(light_4, view_4, tangent_8, roughness_5) * (_S173 * mean_attenuation_0(_S173)) * _S170 / _S172;
 }
 
-fn with_added_0( sums_0 : Components_0,  more_0 : Components_0,  weight_1 : f32) -> Components_0
+fn with_added_0( sums_1 : Components_0,  more_0 : Components_0,  weight_1 : f32) -> Components_0
 {
     var result_0 : Components_0;
-    result_0.diffuse_warp_0 = sums_0.diffuse_warp_0 + weight_1 * more_0.diffuse_warp_0;
-    result_0.diffuse_weft_0 = sums_0.diffuse_weft_0 + weight_1 * more_0.diffuse_weft_0;
-    result_0.specular_warp_0 = sums_0.specular_warp_0 + weight_1 * more_0.specular_warp_0;
-    result_0.specular_weft_0 = sums_0.specular_weft_0 + weight_1 * more_0.specular_weft_0;
-    result_0.light_visibility_1 = sums_0.light_visibility_1 + weight_1 * more_0.light_visibility_1;
-    result_0.hole_2 = sums_0.hole_2 + weight_1 * more_0.hole_2;
+    result_0.diffuse_warp_0 = sums_1.diffuse_warp_0 + weight_1 * more_0.diffuse_warp_0;
+    result_0.diffuse_weft_0 = sums_1.diffuse_weft_0 + weight_1 * more_0.diffuse_weft_0;
+    result_0.specular_warp_0 = sums_1.specular_warp_0 + weight_1 * more_0.specular_warp_0;
+    result_0.specular_weft_0 = sums_1.specular_weft_0 + weight_1 * more_0.specular_weft_0;
+    result_0.light_visibility_1 = sums_1.light_visibility_1 + weight_1 * more_0.light_visibility_1;
+    result_0.hole_2 = sums_1.hole_2 + weight_1 * more_0.hole_2;
     return result_0;
 }
 
@@ -1802,18 +1825,18 @@ fn node_taps_0( direction_4 : vec3<f32>) -> NodeTaps_0
     return taps_0;
 }
 
-fn half_vector_0( light_4 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
+fn half_vector_0( light_5 : vec3<f32>,  view_5 : vec3<f32>) -> vec3<f32>
 {
-    var _S190 : vec3<f32> = light_4 + view_4;
+    var _S190 : vec3<f32> = light_5 + view_5;
     return _S190 * vec3<f32>(rsqrt_0(max(square_0(_S190), 9.999999960041972e-13f)));
 }
 
-fn shadow_correlation_0( light_5 : vec3<f32>,  view_5 : vec3<f32>) -> vec3<f32>
+fn shadow_correlation_0( light_6 : vec3<f32>,  view_6 : vec3<f32>) -> vec3<f32>
 {
-    var _S191 : vec2<f32> = light_5.xy;
-    var _S192 : vec2<f32> = view_5.xy;
+    var _S191 : vec2<f32> = light_6.xy;
+    var _S192 : vec2<f32> = view_6.xy;
     var _S193 : f32 = dot(_S191, _S192) / max(sqrt(dot(_S191, _S191) * dot(_S192, _S192)), 9.99999997475242708e-07f);
-    if((light_5.z) < 0.0f)
+    if((light_6.z) < 0.0f)
     {
         return vec3<f32>(vec2<f32>((-0.09000000357627869f + -0.07999999821186066f * _S193)), 0.0f);
     }
@@ -1898,10 +1921,10 @@ fn mean_density_0( group_2 : Group_0,  half_0 : vec3<f32>) -> f32
     return 0.15915493667125702f / group_2.roughness_6 * ((1.0f - _S213) / ((_S211 * _S211 + 1.0f) * (_S212 * _S212 + 1.0f)) + arc_tangent_0(_S214, 1.0f + _S213) / _S214);
 }
 
-fn layer_value_0( group_3 : Group_0,  half_1 : vec3<f32>,  light_6 : vec3<f32>,  view_6 : vec3<f32>,  optical_depth_3 : f32) -> f32
+fn layer_value_0( group_3 : Group_0,  half_1 : vec3<f32>,  light_7 : vec3<f32>,  view_7 : vec3<f32>,  optical_depth_3 : f32) -> f32
 {
-    var _S215 : bool = (light_6.z) < 0.0f;
-    var _S216 : f32 = dot(light_6, group_3.normal_9);
+    var _S215 : bool = (light_7.z) < 0.0f;
+    var _S216 : f32 = dot(light_7, group_3.normal_9);
     var _S217 : f32;
     if(_S215)
     {
@@ -1911,9 +1934,9 @@ fn layer_value_0( group_3 : Group_0,  half_1 : vec3<f32>,  light_6 : vec3<f32>, 
     {
         _S217 = _S216;
     }
-    var _S218 : f32 = max(dot(view_6, group_3.normal_9), 0.01999999955296516f);
-    var _S219 : f32 = mean_area_0(group_3, light_6) / max(_S217, 0.01999999955296516f);
-    var _S220 : f32 = mean_area_0(group_3, view_6) / _S218;
+    var _S218 : f32 = max(dot(view_7, group_3.normal_9), 0.01999999955296516f);
+    var _S219 : f32 = mean_area_0(group_3, light_7) / max(_S217, 0.01999999955296516f);
+    var _S220 : f32 = mean_area_0(group_3, view_7) / _S218;
     if(_S215)
     {
         _S217 = abs(_S219 - _S220);
@@ -2210,14 +2233,14 @@ fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : v
     return found_0;
 }
 
-fn view_terms_0( view_7 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
+fn view_terms_0( view_8 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S277 : f32 = 1.0f - view_7.z;
+    var _S277 : f32 = 1.0f - view_8.z;
     var _S278 : f32 = _S277 * _S277;
     (*terms_0)[i32(0)] = 1.0f;
-    var _S279 : f32 = view_7.x;
+    var _S279 : f32 = view_8.x;
     var _S280 : f32 = _S279 * _S279;
-    var _S281 : f32 = view_7.y;
+    var _S281 : f32 = view_8.y;
     var _S282 : f32 = _S281 * _S281;
     (*terms_0)[i32(1)] = sqrt(max(_S280 + _S282, 9.999999960041972e-13f));
     (*terms_0)[i32(2)] = _S278;
@@ -2227,14 +2250,14 @@ fn view_terms_0( view_7 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>
     return;
 }
 
-fn view_terms_1( view_8 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
+fn view_terms_1( view_9 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S283 : f32 = 1.0f - view_8.z;
+    var _S283 : f32 = 1.0f - view_9.z;
     var _S284 : f32 = _S283 * _S283;
     (*terms_1)[i32(0)] = 1.0f;
-    var _S285 : f32 = view_8.x;
+    var _S285 : f32 = view_9.x;
     var _S286 : f32 = _S285 * _S285;
-    var _S287 : f32 = view_8.y;
+    var _S287 : f32 = view_9.y;
     var _S288 : f32 = _S287 * _S287;
     (*terms_1)[i32(1)] = sqrt(max(_S286 + _S288, 9.999999960041972e-13f));
     (*terms_1)[i32(2)] = _S284;
@@ -2283,11 +2306,11 @@ fn sum_of_0( first_4 : Bounced_0,  second_2 : Bounced_0) -> Bounced_0
     return sum_1;
 }
 
-fn bounced_value_0( bounced_1 : Bounced_0,  light_7 : vec3<f32>,  view_9 : vec3<f32>) -> vec3<f32>
+fn bounced_value_0( bounced_1 : Bounced_0,  light_8 : vec3<f32>,  view_10 : vec3<f32>) -> vec3<f32>
 {
-    var _S291 : f32 = light_7.z;
+    var _S291 : f32 = light_8.z;
     var _S292 : vec3<f32>;
-    if((_S291 * view_9.z) < 0.0f)
+    if((_S291 * view_10.z) < 0.0f)
     {
         _S292 = bounced_1.transmitted_0;
     }
@@ -2321,9 +2344,9 @@ fn sheen_lobe_0( cos_view_0 : f32,  roughness_8 : f32) -> vec3<f32>
     return vec3<f32>(clamp(sheen_scale_0(_S294, _S295), 0.00999999977648258f, 1.0f), clamp((1.0f - _S293) * sheen_shear_0(_S294, _S295), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S294, _S295), -60.0f, 60.0f))));
 }
 
-fn transformed_cosine_0( light_8 : vec3<f32>,  view_10 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
+fn transformed_cosine_0( light_9 : vec3<f32>,  view_11 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S296 : f32 = light_8.z;
+    var _S296 : f32 = light_9.z;
     var _S297 : bool;
     if(_S296 <= 0.0f)
     {
@@ -2331,13 +2354,13 @@ fn transformed_cosine_0( light_8 : vec3<f32>,  view_10 : vec3<f32>,  scale_0 : f
     }
     else
     {
-        _S297 = (view_10.z) <= 0.0f;
+        _S297 = (view_11.z) <= 0.0f;
     }
     if(_S297)
     {
         return 0.0f;
     }
-    var _S298 : vec2<f32> = view_10.xy;
+    var _S298 : vec2<f32> = view_11.xy;
     var _S299 : f32 = dot(_S298, _S298);
     var _S300 : vec2<f32>;
     if(_S299 > 9.99999968265522539e-21f)
@@ -2348,24 +2371,24 @@ fn transformed_cosine_0( light_8 : vec3<f32>,  view_10 : vec3<f32>,  scale_0 : f
     {
         _S300 = vec2<f32>(1.0f, 0.0f);
     }
-    var _S301 : f32 = scale_0 * dot(light_8.xy, _S300) + shear_0 * _S296;
-    var _S302 : f32 = scale_0 * (light_8.y * _S300.x - light_8.x * _S300.y);
+    var _S301 : f32 = scale_0 * dot(light_9.xy, _S300) + shear_0 * _S296;
+    var _S302 : f32 = scale_0 * (light_9.y * _S300.x - light_9.x * _S300.y);
     var _S303 : f32 = _S301 * _S301 + _S302 * _S302 + _S296 * _S296;
     return 0.31830987334251404f * scale_0 * scale_0 * _S296 / max(_S303 * _S303, 9.99999968265522539e-21f);
 }
 
-fn sheen_with_transmittance_0( light_9 : vec3<f32>,  view_11 : vec3<f32>,  strength_0 : f32,  roughness_9 : f32) -> vec2<f32>
+fn sheen_with_transmittance_0( light_10 : vec3<f32>,  view_12 : vec3<f32>,  strength_0 : f32,  roughness_9 : f32) -> vec2<f32>
 {
-    var _S304 : vec3<f32> = sheen_lobe_0(view_11.z, roughness_9);
+    var _S304 : vec3<f32> = sheen_lobe_0(view_12.z, roughness_9);
     var _S305 : f32 = strength_0 * _S304.z;
-    return vec2<f32>(_S305 * transformed_cosine_0(light_9, view_11, _S304.x, _S304.y), 1.0f - _S305);
+    return vec2<f32>(_S305 * transformed_cosine_0(light_10, view_12, _S304.x, _S304.y), 1.0f - _S305);
 }
 
-fn accumulate_0( index_7 : u32,  light_10 : vec4<f32>)
+fn accumulate_0( index_7 : u32,  light_11 : vec4<f32>)
 {
     var _S306 : f32 = layers_0[index_7].share_0;
-    radiance_0[index_7] = radiance_0[index_7] + vec4<f32>(layers_0[index_7].share_0) * light_10;
-    layers_0[index_7].share_0 = _S306 * (1.0f - light_10.w);
+    radiance_0[index_7] = radiance_0[index_7] + vec4<f32>(layers_0[index_7].share_0) * light_11;
+    layers_0[index_7].share_0 = _S306 * (1.0f - light_11.w);
     return;
 }
 
@@ -2445,7 +2468,7 @@ fn face_point_0( _S311 : u32,  _S312 : u32,  _S313 : f32,  _S314 : f32) -> Visib
     }
     point_2.face_normal_0 = _S346;
     point_2.position_0 = _S320 + _S339 * _S321 + _S342 * _S323;
-    point_2.view_0 = point_2.normal_0;
+    point_2.view_1 = point_2.normal_0;
     point_2.uv_1 = vec2<f32>(_S324, _S326) + vec2<f32>(_S313) * _S328 + vec2<f32>(_S314) * _S331;
     var _S347 : bool = (dot(cross(_S333, _S334), point_2.normal_0)) < 0.0f;
     var _S348 : f32 = fabrics_0[_S311].uv_width_0;
@@ -2516,7 +2539,7 @@ fn visible_point_0( _S352 : i32,  _S353 : u32,  _S354 : u32,  _S355 : vec2<u32>)
     var _S384 : vec2<f32> = vec2<f32>(_S359.u_0 - _S357.u_0, _S359.v_0 - _S357.v_0);
     var point_3 : VisiblePoint_0 = face_point_0(_S353, _S354, dot(_S377, _S381), dot(_S377, _S382));
     point_3.position_0 = _S361 + _S377;
-    point_3.view_0 = (vec3<f32>(0) - normalize(_S371));
+    point_3.view_1 = (vec3<f32>(0) - normalize(_S371));
     point_3.draft_dx_0 = (vec2<f32>(dot(_S378, _S381)) * _S383 + vec2<f32>(dot(_S378, _S382)) * _S384) * point_3.draft_per_uv_0;
     point_3.draft_dy_0 = (vec2<f32>(dot(_S379, _S381)) * _S383 + vec2<f32>(dot(_S379, _S382)) * _S384) * point_3.draft_per_uv_0;
     return point_3;
@@ -3677,7 +3700,7 @@ struct FibreNoise_0
      bundle_weight_0 : f32,
      fibre_0 : vec2<f32>,
      fibre_weight_0 : f32,
-     offset_1 : f32,
+     offset_2 : f32,
      slope_2 : f32,
 };
 
@@ -3692,7 +3715,7 @@ fn fibre_noise_at_0( _S673 : u32,  _S674 : u32,  _S675 : SurfacePoint_0,  _S676 
     noise_0.bundle_weight_0 = fade_0(_S677, _S678);
     noise_0.fibre_0 = cell_noise_0(hash_key_0(_S676, ((fabrics_0[_S673].seed_0) ^ (u32(48610963)))), _S681);
     noise_0.fibre_weight_0 = fade_0(_S677, fabrics_0[_S673].fibre_size_0);
-    noise_0.offset_1 = _S681.z;
+    noise_0.offset_2 = _S681.z;
     noise_0.slope_2 = 0.5f * _S679.y;
     return noise_0;
 }
@@ -3818,7 +3841,7 @@ fn turned_frame_0( _S719 : u32,  _S720 : u32,  _S721 : SurfacePoint_0,  _S722 : 
     if((families_0[_S720].fibre_tilt_0) > 0.0f)
     {
         var _S735 : FibreNoise_0 = fibre_noise_at_0(_S719, _S720, _S721, _S723, _S724);
-        var _S736 : f32 = 1.09858846664428711f * _S734 * (_S735.bundle_weight_0 * _S735.bundle_0.x + _S735.fibre_weight_0 * (_S735.fibre_0.x + _S735.offset_1));
+        var _S736 : f32 = 1.09858846664428711f * _S734 * (_S735.bundle_weight_0 * _S735.bundle_0.x + _S735.fibre_weight_0 * (_S735.fibre_0.x + _S735.offset_2));
         var _S737 : f32 = _S734 * (1.42099642753601074f * (_S735.bundle_weight_0 * _S735.bundle_0.y + _S735.fibre_weight_0 * _S735.fibre_0.y) - _S735.bundle_weight_0 * _S735.slope_2);
         var _S738 : f32 = square_1(_S735.fibre_weight_0);
         frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S734 * _S734 * ((0.24761904776096344f * (square_1(_S735.bundle_weight_0) + _S738) + _S738 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
@@ -4289,12 +4312,12 @@ fn prefiltered_components_0( _S842 : u32,  _S843 : Footprint_0,  _S844 : vec3<f3
     {
         _S851 = fabrics_0[_S842].lobes_0.front_warp_packs_0;
     }
-    var sums_1 : Components_0;
-    sums_1.diffuse_warp_0 = 0.0f;
-    sums_1.diffuse_weft_0 = 0.0f;
-    sums_1.specular_warp_0 = 0.0f;
-    sums_1.specular_weft_0 = 0.0f;
-    sums_1.light_visibility_1 = 0.0f;
+    var sums_2 : Components_0;
+    sums_2.diffuse_warp_0 = 0.0f;
+    sums_2.diffuse_weft_0 = 0.0f;
+    sums_2.specular_warp_0 = 0.0f;
+    sums_2.specular_weft_0 = 0.0f;
+    sums_2.light_visibility_1 = 0.0f;
     var pack_0 : u32 = u32(0);
     var total_2 : f32 = 0.0f;
     for(;;)
@@ -4343,7 +4366,7 @@ fn prefiltered_components_0( _S842 : u32,  _S843 : Footprint_0,  _S844 : vec3<f3
             var _S868 : f32 = _S867.x;
             var diffuse_1 : f32 = diffuse_0 + _S866 * _S861[number_6] * _S868;
             var specular_1 : f32 = specular_0 + _S866 * layer_value_0(_S865, _S852, _S844, _S845, fabrics_0[_S842].optical_depth_0) * _S860[number_6] * _S867.y;
-            sums_1.light_visibility_1 = sums_1.light_visibility_1 + _S866 * _S860[number_6] * _S868;
+            sums_2.light_visibility_1 = sums_2.light_visibility_1 + _S866 * _S860[number_6] * _S868;
             var total_3 : f32 = total_2 + _S866;
             number_6 = number_6 + u32(1);
             diffuse_0 = diffuse_1;
@@ -4359,7 +4382,7 @@ fn prefiltered_components_0( _S842 : u32,  _S843 : Footprint_0,  _S844 : vec3<f3
         {
             _S869 = 0.0f;
         }
-        sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 + _S869;
+        sums_2.diffuse_warp_0 = sums_2.diffuse_warp_0 + _S869;
         var _S870 : f32;
         if(_S862)
         {
@@ -4369,7 +4392,7 @@ fn prefiltered_components_0( _S842 : u32,  _S843 : Footprint_0,  _S844 : vec3<f3
         {
             _S870 = diffuse_0;
         }
-        sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 + _S870;
+        sums_2.diffuse_weft_0 = sums_2.diffuse_weft_0 + _S870;
         var _S871 : f32;
         if(_S862)
         {
@@ -4379,7 +4402,7 @@ fn prefiltered_components_0( _S842 : u32,  _S843 : Footprint_0,  _S844 : vec3<f3
         {
             _S871 = 0.0f;
         }
-        sums_1.specular_warp_0 = sums_1.specular_warp_0 + _S871;
+        sums_2.specular_warp_0 = sums_2.specular_warp_0 + _S871;
         var _S872 : f32;
         if(_S862)
         {
@@ -4389,18 +4412,18 @@ fn prefiltered_components_0( _S842 : u32,  _S843 : Footprint_0,  _S844 : vec3<f3
         {
             _S872 = specular_0;
         }
-        sums_1.specular_weft_0 = sums_1.specular_weft_0 + _S872;
+        sums_2.specular_weft_0 = sums_2.specular_weft_0 + _S872;
         pack_0 = pack_0 + u32(1);
     }
     var _S873 : f32 = prefiltered_hole_0(_S842, _S847, view_nodes_0, _S846);
-    sums_1.hole_2 = _S873;
+    sums_2.hole_2 = _S873;
     var _S874 : f32 = (1.0f - _S873) / max(total_2, 9.999999960041972e-13f);
-    sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 * _S874;
-    sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 * _S874;
-    sums_1.specular_warp_0 = sums_1.specular_warp_0 * _S874;
-    sums_1.specular_weft_0 = sums_1.specular_weft_0 * _S874;
-    sums_1.light_visibility_1 = sums_1.light_visibility_1 * _S874;
-    return sums_1;
+    sums_2.diffuse_warp_0 = sums_2.diffuse_warp_0 * _S874;
+    sums_2.diffuse_weft_0 = sums_2.diffuse_weft_0 * _S874;
+    sums_2.specular_warp_0 = sums_2.specular_warp_0 * _S874;
+    sums_2.specular_weft_0 = sums_2.specular_weft_0 * _S874;
+    sums_2.light_visibility_1 = sums_2.light_visibility_1 * _S874;
+    return sums_2;
 }
 
 fn albedos_over_0( _S875 : u32,  _S876 : Footprint_0,  _S877 : bool) -> FamilyAlbedos_0
@@ -4825,7 +4848,7 @@ fn light_of_footprint_0( _S1038 : i32,  _S1039 : u32,  _S1040 : VisiblePoint_0, 
     footprint_0.dx_0 = _S1040.draft_dx_0;
     footprint_0.dy_0 = _S1040.draft_dy_0;
     var _S1043 : vec2<f32> = fract(vec2<f32>(f32(((frames_0[_S1038].pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
-    var _S1044 : vec3<f32> = to_local_0(_S1040, _S1040.view_0);
+    var _S1044 : vec3<f32> = to_local_0(_S1040, _S1040.view_1);
     var _S1045 : u32 = light_sample_count_0(_S1038);
     var _S1046 : vec3<f32> = vec3<f32>(0.0f);
     var number_8 : u32 = u32(0);

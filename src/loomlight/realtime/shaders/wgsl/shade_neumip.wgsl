@@ -144,6 +144,28 @@ struct Latent_std430_0
     @align(4) is_trilinear_0 : u32,
 };
 
+struct Clustered_std430_0
+{
+    @align(4) is_baked_1 : u32,
+    @align(4) clusters_0 : u32,
+    @align(4) rank_0 : u32,
+    @align(4) channels_0 : u32,
+    @align(4) columns_0 : u32,
+    @align(4) rows_0 : u32,
+    @align(4) texel_width_0 : f32,
+    @align(4) texel_height_0 : f32,
+    @align(4) samples_1 : u32,
+    @align(4) sums_0 : u32,
+    @align(4) labels_0 : u32,
+    @align(4) coefficients_0 : u32,
+    @align(4) basis_0 : u32,
+    @align(4) moments_1 : u32,
+    @align(4) light_0 : u32,
+    @align(4) view_0 : u32,
+    @align(4) offset_1 : u32,
+    @align(4) trust_0 : u32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
@@ -180,6 +202,7 @@ struct Fabric_std430_0
     @align(4) has_yarns_0 : u32,
     @align(4) mean_hole_0 : f32,
     @align(4) latent_0 : Latent_std430_0,
+    @align(4) clustered_0 : Clustered_std430_0,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -250,7 +273,7 @@ fn FloatWeights_eight_0( this_0 : FloatWeights_0,  element_0 : u32) -> Eight_0
 
 fn tile_product_0( weights_0 : FloatWeights_0,  row_0 : u32,  inputs_0 : ptr<function, array<f32, i32(25)>>) -> vec4<f32>
 {
-    var sums_0 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_1 : vec4<f32> = vec4<f32>(0.0f);
     var column_0 : u32 = u32(0);
     for(;;)
     {
@@ -276,16 +299,16 @@ fn tile_product_0( weights_0 : FloatWeights_0,  row_0 : u32,  inputs_0 : ptr<fun
         low_1[i32(3)] = (*inputs_0)[min(_S5, i32(24))];
         high_1[i32(3)] = (*inputs_0)[min(_S5 + i32(4), i32(24))];
         var _S6 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + column_0);
-        sums_0[i32(0)] = sums_0[i32(0)] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
+        sums_1[i32(0)] = sums_1[i32(0)] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
         var _S7 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + u32(4) + column_0);
-        sums_0[i32(1)] = sums_0[i32(1)] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
+        sums_1[i32(1)] = sums_1[i32(1)] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
         var _S8 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + u32(8) + column_0);
-        sums_0[i32(2)] = sums_0[i32(2)] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
+        sums_1[i32(2)] = sums_1[i32(2)] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
         var _S9 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + u32(12) + column_0);
-        sums_0[i32(3)] = sums_0[i32(3)] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
+        sums_1[i32(3)] = sums_1[i32(3)] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
         column_0 = column_0 + u32(1);
     }
-    return sums_0;
+    return sums_1;
 }
 
 fn Identity_apply_0( x_2 : f32) -> f32
@@ -379,7 +402,7 @@ fn dense_part_0( weights_1 : FloatWeights_0,  first_1 : u32,  adds_0 : bool,  in
 
 fn tile_product_1( weights_2 : FloatWeights_0,  row_1 : u32,  inputs_2 : ptr<function, array<f32, i32(11)>>) -> vec4<f32>
 {
-    var sums_1 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_2 : vec4<f32> = vec4<f32>(0.0f);
     var column_1 : u32 = u32(0);
     for(;;)
     {
@@ -405,16 +428,16 @@ fn tile_product_1( weights_2 : FloatWeights_0,  row_1 : u32,  inputs_2 : ptr<fun
         low_2[i32(3)] = (*inputs_2)[min(_S24, i32(10))];
         high_2[i32(3)] = (*inputs_2)[min(_S24 + i32(4), i32(10))];
         var _S25 : Eight_0 = FloatWeights_eight_0(weights_2, row_1 + column_1);
-        sums_1[i32(0)] = sums_1[i32(0)] + (dot(_S25.low_0, low_2) + dot(_S25.high_0, high_2));
+        sums_2[i32(0)] = sums_2[i32(0)] + (dot(_S25.low_0, low_2) + dot(_S25.high_0, high_2));
         var _S26 : Eight_0 = FloatWeights_eight_0(weights_2, row_1 + u32(2) + column_1);
-        sums_1[i32(1)] = sums_1[i32(1)] + (dot(_S26.low_0, low_2) + dot(_S26.high_0, high_2));
+        sums_2[i32(1)] = sums_2[i32(1)] + (dot(_S26.low_0, low_2) + dot(_S26.high_0, high_2));
         var _S27 : Eight_0 = FloatWeights_eight_0(weights_2, row_1 + u32(4) + column_1);
-        sums_1[i32(2)] = sums_1[i32(2)] + (dot(_S27.low_0, low_2) + dot(_S27.high_0, high_2));
+        sums_2[i32(2)] = sums_2[i32(2)] + (dot(_S27.low_0, low_2) + dot(_S27.high_0, high_2));
         var _S28 : Eight_0 = FloatWeights_eight_0(weights_2, row_1 + u32(6) + column_1);
-        sums_1[i32(3)] = sums_1[i32(3)] + (dot(_S28.low_0, low_2) + dot(_S28.high_0, high_2));
+        sums_2[i32(3)] = sums_2[i32(3)] + (dot(_S28.low_0, low_2) + dot(_S28.high_0, high_2));
         column_1 = column_1 + u32(1);
     }
-    return sums_1;
+    return sums_2;
 }
 
 fn Relu_apply_0( x_3 : f32) -> f32
@@ -520,7 +543,7 @@ fn dense_1( weights_5 : FloatWeights_0,  first_4 : u32,  adds_3 : bool,  inputs_
 
 fn tile_product_2( weights_6 : FloatWeights_0,  row_2 : u32,  inputs_6 : ptr<function, array<f32, i32(16)>>) -> vec4<f32>
 {
-    var sums_2 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_3 : vec4<f32> = vec4<f32>(0.0f);
     var column_2 : u32 = u32(0);
     for(;;)
     {
@@ -546,16 +569,16 @@ fn tile_product_2( weights_6 : FloatWeights_0,  row_2 : u32,  inputs_6 : ptr<fun
         low_3[i32(3)] = (*inputs_6)[_S43];
         high_3[i32(3)] = (*inputs_6)[_S43 + i32(4)];
         var _S44 : Eight_0 = FloatWeights_eight_0(weights_6, row_2 + column_2);
-        sums_2[i32(0)] = sums_2[i32(0)] + (dot(_S44.low_0, low_3) + dot(_S44.high_0, high_3));
+        sums_3[i32(0)] = sums_3[i32(0)] + (dot(_S44.low_0, low_3) + dot(_S44.high_0, high_3));
         var _S45 : Eight_0 = FloatWeights_eight_0(weights_6, row_2 + u32(2) + column_2);
-        sums_2[i32(1)] = sums_2[i32(1)] + (dot(_S45.low_0, low_3) + dot(_S45.high_0, high_3));
+        sums_3[i32(1)] = sums_3[i32(1)] + (dot(_S45.low_0, low_3) + dot(_S45.high_0, high_3));
         var _S46 : Eight_0 = FloatWeights_eight_0(weights_6, row_2 + u32(4) + column_2);
-        sums_2[i32(2)] = sums_2[i32(2)] + (dot(_S46.low_0, low_3) + dot(_S46.high_0, high_3));
+        sums_3[i32(2)] = sums_3[i32(2)] + (dot(_S46.low_0, low_3) + dot(_S46.high_0, high_3));
         var _S47 : Eight_0 = FloatWeights_eight_0(weights_6, row_2 + u32(6) + column_2);
-        sums_2[i32(3)] = sums_2[i32(3)] + (dot(_S47.low_0, low_3) + dot(_S47.high_0, high_3));
+        sums_3[i32(3)] = sums_3[i32(3)] + (dot(_S47.low_0, low_3) + dot(_S47.high_0, high_3));
         column_2 = column_2 + u32(1);
     }
-    return sums_2;
+    return sums_3;
 }
 
 fn dense_part_2( weights_7 : FloatWeights_0,  first_5 : u32,  adds_4 : bool,  inputs_7 : ptr<function, array<f32, i32(16)>>,  outputs_4 : ptr<function, array<f32, i32(16)>>)
@@ -728,7 +751,7 @@ fn dense_part_3( weights_8 : FloatWeights_0,  first_6 : u32,  adds_5 : bool,  in
 
 fn tile_product_3( weights_9 : FloatWeights_0,  row_3 : u32,  inputs_9 : ptr<function, array<f32, i32(9)>>) -> vec4<f32>
 {
-    var sums_3 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_4 : vec4<f32> = vec4<f32>(0.0f);
     var column_3 : u32 = u32(0);
     for(;;)
     {
@@ -754,16 +777,16 @@ fn tile_product_3( weights_9 : FloatWeights_0,  row_3 : u32,  inputs_9 : ptr<fun
         low_4[i32(3)] = (*inputs_9)[min(_S73, i32(8))];
         high_4[i32(3)] = (*inputs_9)[min(_S73 + i32(4), i32(8))];
         var _S74 : Eight_0 = FloatWeights_eight_0(weights_9, row_3 + column_3);
-        sums_3[i32(0)] = sums_3[i32(0)] + (dot(_S74.low_0, low_4) + dot(_S74.high_0, high_4));
+        sums_4[i32(0)] = sums_4[i32(0)] + (dot(_S74.low_0, low_4) + dot(_S74.high_0, high_4));
         var _S75 : Eight_0 = FloatWeights_eight_0(weights_9, row_3 + u32(2) + column_3);
-        sums_3[i32(1)] = sums_3[i32(1)] + (dot(_S75.low_0, low_4) + dot(_S75.high_0, high_4));
+        sums_4[i32(1)] = sums_4[i32(1)] + (dot(_S75.low_0, low_4) + dot(_S75.high_0, high_4));
         var _S76 : Eight_0 = FloatWeights_eight_0(weights_9, row_3 + u32(4) + column_3);
-        sums_3[i32(2)] = sums_3[i32(2)] + (dot(_S76.low_0, low_4) + dot(_S76.high_0, high_4));
+        sums_4[i32(2)] = sums_4[i32(2)] + (dot(_S76.low_0, low_4) + dot(_S76.high_0, high_4));
         var _S77 : Eight_0 = FloatWeights_eight_0(weights_9, row_3 + u32(6) + column_3);
-        sums_3[i32(3)] = sums_3[i32(3)] + (dot(_S77.low_0, low_4) + dot(_S77.high_0, high_4));
+        sums_4[i32(3)] = sums_4[i32(3)] + (dot(_S77.low_0, low_4) + dot(_S77.high_0, high_4));
         column_3 = column_3 + u32(1);
     }
-    return sums_3;
+    return sums_4;
 }
 
 fn dense_part_4( weights_10 : FloatWeights_0,  first_7 : u32,  adds_6 : bool,  inputs_10 : ptr<function, array<f32, i32(9)>>,  outputs_6 : ptr<function, array<f32, i32(16)>>)
@@ -1258,7 +1281,7 @@ fn normal_of_0( vertex_2 : ptr<function, Vertex_std430_0>) -> vec3<f32>
 struct VisiblePoint_0
 {
      position_0 : vec3<f32>,
-     view_0 : vec3<f32>,
+     view_1 : vec3<f32>,
      axis_x_0 : vec3<f32>,
      axis_y_0 : vec3<f32>,
      normal_0 : vec3<f32>,
@@ -1321,9 +1344,9 @@ fn texel_numbers_0( first_17 : u32,  elements_1 : u32,  texel_0 : u32) -> Eight_
     return numbers_3;
 }
 
-fn add_bilinear_0( first_18 : u32,  elements_2 : u32,  start_0 : u32,  columns_0 : u32,  rows_0 : u32,  uv_1 : vec2<f32>,  weight_0 : f32,  sums_4 : ptr<function, Eight_0>)
+fn add_bilinear_0( first_18 : u32,  elements_2 : u32,  start_0 : u32,  columns_1 : u32,  rows_1 : u32,  uv_1 : vec2<f32>,  weight_0 : f32,  sums_5 : ptr<function, Eight_0>)
 {
-    var _S136 : vec2<f32> = uv_1 * vec2<f32>(f32(columns_0), f32(rows_0)) - vec2<f32>(0.5f);
+    var _S136 : vec2<f32> = uv_1 * vec2<f32>(f32(columns_1), f32(rows_1)) - vec2<f32>(0.5f);
     var _S137 : vec2<f32> = floor(_S136);
     var _S138 : vec2<f32> = _S136 - _S137;
     var _S139 : i32 = i32(_S137.x);
@@ -1340,7 +1363,7 @@ fn add_bilinear_0( first_18 : u32,  elements_2 : u32,  start_0 : u32,  columns_0
         }
         var _S141 : u32 = (tap_0 & (u32(1)));
         var _S142 : u32 = (tap_0 >> (u32(1)));
-        var _S143 : Eight_0 = texel_numbers_0(first_18, elements_2, start_0 + ((u32(_S140 + i32(_S142)) & ((rows_0 - u32(1))))) * columns_0 + ((u32(_S139 + i32(_S141)) & ((columns_0 - u32(1))))));
+        var _S143 : Eight_0 = texel_numbers_0(first_18, elements_2, start_0 + ((u32(_S140 + i32(_S142)) & ((rows_1 - u32(1))))) * columns_1 + ((u32(_S139 + i32(_S141)) & ((columns_1 - u32(1))))));
         var _S144 : f32;
         if(_S142 != u32(0))
         {
@@ -1360,16 +1383,16 @@ fn add_bilinear_0( first_18 : u32,  elements_2 : u32,  start_0 : u32,  columns_0
             _S145 = 1.0f - _S138.x;
         }
         var _S146 : vec4<f32> = vec4<f32>((_S144 * _S145 * weight_0));
-        (*sums_4).low_0 = (*sums_4).low_0 + _S146 * _S143.low_0;
-        (*sums_4).high_0 = (*sums_4).high_0 + _S146 * _S143.high_0;
+        (*sums_5).low_0 = (*sums_5).low_0 + _S146 * _S143.low_0;
+        (*sums_5).high_0 = (*sums_5).high_0 + _S146 * _S143.high_0;
         tap_0 = tap_0 + u32(1);
     }
     return;
 }
 
-fn add_bilinear_1( first_19 : u32,  elements_3 : u32,  start_1 : u32,  columns_1 : u32,  rows_1 : u32,  uv_2 : vec2<f32>,  weight_1 : f32,  sums_5 : ptr<function, Eight_0>)
+fn add_bilinear_1( first_19 : u32,  elements_3 : u32,  start_1 : u32,  columns_2 : u32,  rows_2 : u32,  uv_2 : vec2<f32>,  weight_1 : f32,  sums_6 : ptr<function, Eight_0>)
 {
-    var _S147 : vec2<f32> = uv_2 * vec2<f32>(f32(columns_1), f32(rows_1)) - vec2<f32>(0.5f);
+    var _S147 : vec2<f32> = uv_2 * vec2<f32>(f32(columns_2), f32(rows_2)) - vec2<f32>(0.5f);
     var _S148 : vec2<f32> = floor(_S147);
     var _S149 : vec2<f32> = _S147 - _S148;
     var _S150 : i32 = i32(_S148.x);
@@ -1386,7 +1409,7 @@ fn add_bilinear_1( first_19 : u32,  elements_3 : u32,  start_1 : u32,  columns_1
         }
         var _S152 : u32 = (tap_1 & (u32(1)));
         var _S153 : u32 = (tap_1 >> (u32(1)));
-        var _S154 : Eight_0 = texel_numbers_0(first_19, elements_3, start_1 + ((u32(_S151 + i32(_S153)) & ((rows_1 - u32(1))))) * columns_1 + ((u32(_S150 + i32(_S152)) & ((columns_1 - u32(1))))));
+        var _S154 : Eight_0 = texel_numbers_0(first_19, elements_3, start_1 + ((u32(_S151 + i32(_S153)) & ((rows_2 - u32(1))))) * columns_2 + ((u32(_S150 + i32(_S152)) & ((columns_2 - u32(1))))));
         var _S155 : f32;
         if(_S153 != u32(0))
         {
@@ -1406,8 +1429,8 @@ fn add_bilinear_1( first_19 : u32,  elements_3 : u32,  start_1 : u32,  columns_1
             _S156 = 1.0f - _S149.x;
         }
         var _S157 : vec4<f32> = vec4<f32>((_S155 * _S156 * weight_1));
-        (*sums_5).low_0 = (*sums_5).low_0 + _S157 * _S154.low_0;
-        (*sums_5).high_0 = (*sums_5).high_0 + _S157 * _S154.high_0;
+        (*sums_6).low_0 = (*sums_6).low_0 + _S157 * _S154.low_0;
+        (*sums_6).high_0 = (*sums_6).high_0 + _S157 * _S154.high_0;
         tap_1 = tap_1 + u32(1);
     }
     return;
@@ -1427,7 +1450,7 @@ fn channel_0( numbers_4 : Eight_0,  k_0 : i32) -> f32
     return _S158;
 }
 
-fn neumip_depth_0( model_0 : ptr<function, Neumip_std430_0>,  uv_3 : vec2<f32>,  view_1 : vec2<f32>,  face_1 : u32) -> f32
+fn neumip_depth_0( model_0 : ptr<function, Neumip_std430_0>,  uv_3 : vec2<f32>,  view_2 : vec2<f32>,  face_1 : u32) -> f32
 {
     var _S159 : u32 = words_0[(*model_0).levels_2 + u32(1)];
     var _S160 : u32 = words_0[(*model_0).levels_2 + u32(2)];
@@ -1447,8 +1470,8 @@ fn neumip_depth_0( model_0 : ptr<function, Neumip_std430_0>,  uv_3 : vec2<f32>, 
         inputs_24[k_1] = channel_0(texel_1, k_1);
         k_1 = k_1 + i32(1);
     }
-    inputs_24[i32(7)] = view_1.x;
-    inputs_24[i32(8)] = view_1.y;
+    inputs_24[i32(7)] = view_2.x;
+    inputs_24[i32(8)] = view_2.y;
     var network_1 : MLP_0;
     network_1.weights_20.first_0 = (*model_0).offset_0;
     var depth_0 : array<f32, i32(1)>;
@@ -1498,10 +1521,10 @@ struct TexelPyramid_0
      face_texels_2 : u32,
 };
 
-fn TexelPyramid_add_level_0( this_4 : TexelPyramid_0,  place_0 : vec2<f32>,  level_0 : u32,  face_2 : u32,  weight_2 : f32,  sums_6 : ptr<function, Eight_0>)
+fn TexelPyramid_add_level_0( this_4 : TexelPyramid_0,  place_0 : vec2<f32>,  level_0 : u32,  face_2 : u32,  weight_2 : f32,  sums_7 : ptr<function, Eight_0>)
 {
     var _S163 : u32 = this_4.levels_4 + u32(3) * level_0;
-    add_bilinear_1(this_4.first_20, this_4.elements_4, face_2 * this_4.face_texels_2 + words_0[_S163], words_0[_S163 + u32(1)], words_0[_S163 + u32(2)], place_0, weight_2, &((*sums_6)));
+    add_bilinear_1(this_4.first_20, this_4.elements_4, face_2 * this_4.face_texels_2 + words_0[_S163], words_0[_S163 + u32(1)], words_0[_S163 + u32(2)], place_0, weight_2, &((*sums_7)));
     return;
 }
 
@@ -1512,10 +1535,10 @@ fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_5 : vec2<f32>,  l
     var _S166 : f32 = _S164 - _S165;
     var _S167 : vec2<f32> = within_repeat_0(uv_5);
     var texel_2 : Eight_0 = no_numbers_0();
-    var offset_1 : u32 = u32(0);
+    var offset_2 : u32 = u32(0);
     for(;;)
     {
-        if(offset_1 < u32(2))
+        if(offset_2 < u32(2))
         {
         }
         else
@@ -1523,7 +1546,7 @@ fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_5 : vec2<f32>,  l
             break;
         }
         var _S168 : f32;
-        if(offset_1 == u32(0))
+        if(offset_2 == u32(0))
         {
             _S168 = 1.0f - _S166;
         }
@@ -1533,9 +1556,9 @@ fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_5 : vec2<f32>,  l
         }
         if(_S168 > 0.0f)
         {
-            TexelPyramid_add_level_0(this_5, _S167, u32(_S165) + offset_1, face_3, _S168, &(texel_2));
+            TexelPyramid_add_level_0(this_5, _S167, u32(_S165) + offset_2, face_3, _S168, &(texel_2));
         }
-        offset_1 = offset_1 + u32(1);
+        offset_2 = offset_2 + u32(1);
     }
     return texel_2;
 }
@@ -1559,7 +1582,7 @@ fn exponential_0( x_6 : f32) -> f32
     return _S173;
 }
 
-fn neumip_hole_0( model_1 : ptr<function, Neumip_std430_0>,  texel_3 : Eight_0,  view_2 : vec2<f32>) -> f32
+fn neumip_hole_0( model_1 : ptr<function, Neumip_std430_0>,  texel_3 : Eight_0,  view_3 : vec2<f32>) -> f32
 {
     var inputs_25 : array<f32, i32(9)>;
     var k_2 : i32 = i32(0);
@@ -1575,8 +1598,8 @@ fn neumip_hole_0( model_1 : ptr<function, Neumip_std430_0>,  texel_3 : Eight_0, 
         inputs_25[k_2] = channel_0(texel_3, k_2);
         k_2 = k_2 + i32(1);
     }
-    inputs_25[i32(7)] = view_2.x;
-    inputs_25[i32(8)] = view_2.y;
+    inputs_25[i32(7)] = view_3.x;
+    inputs_25[i32(8)] = view_3.y;
     var network_2 : MLP_0;
     network_2.weights_20.first_0 = (*model_1).opacity_0;
     var opening_0 : array<f32, i32(1)>;
@@ -1699,11 +1722,11 @@ fn sine_cosine_0( x_7 : f32) -> vec2<f32>
     return vec2<f32>(_S189, _S190);
 }
 
-fn accumulate_0( index_3 : u32,  light_0 : vec4<f32>)
+fn accumulate_0( index_3 : u32,  light_1 : vec4<f32>)
 {
     var _S191 : f32 = layers_0[index_3].share_0;
-    radiance_0[index_3] = radiance_0[index_3] + vec4<f32>(layers_0[index_3].share_0) * light_0;
-    layers_0[index_3].share_0 = _S191 * (1.0f - light_0.w);
+    radiance_0[index_3] = radiance_0[index_3] + vec4<f32>(layers_0[index_3].share_0) * light_1;
+    layers_0[index_3].share_0 = _S191 * (1.0f - light_1.w);
     return;
 }
 
@@ -1783,7 +1806,7 @@ fn face_point_0( _S196 : u32,  _S197 : u32,  _S198 : f32,  _S199 : f32) -> Visib
     }
     point_1.face_normal_0 = _S231;
     point_1.position_0 = _S205 + _S224 * _S206 + _S227 * _S208;
-    point_1.view_0 = point_1.normal_0;
+    point_1.view_1 = point_1.normal_0;
     point_1.uv_0 = vec2<f32>(_S209, _S211) + vec2<f32>(_S198) * _S213 + vec2<f32>(_S199) * _S216;
     var _S232 : bool = (dot(cross(_S218, _S219), point_1.normal_0)) < 0.0f;
     var _S233 : f32 = fabrics_0[_S196].uv_width_0;
@@ -1854,7 +1877,7 @@ fn visible_point_0( _S237 : i32,  _S238 : u32,  _S239 : u32,  _S240 : vec2<u32>)
     var _S269 : vec2<f32> = vec2<f32>(_S244.u_0 - _S242.u_0, _S244.v_0 - _S242.v_0);
     var point_2 : VisiblePoint_0 = face_point_0(_S238, _S239, dot(_S262, _S266), dot(_S262, _S267));
     point_2.position_0 = _S246 + _S262;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S256));
+    point_2.view_1 = (vec3<f32>(0) - normalize(_S256));
     point_2.draft_dx_0 = (vec2<f32>(dot(_S263, _S266)) * _S268 + vec2<f32>(dot(_S263, _S267)) * _S269) * point_2.draft_per_uv_0;
     point_2.draft_dy_0 = (vec2<f32>(dot(_S264, _S266)) * _S268 + vec2<f32>(dot(_S264, _S267)) * _S269) * point_2.draft_per_uv_0;
     return point_2;
@@ -1870,7 +1893,7 @@ struct Footprint_0
 struct NeumipView_0
 {
      latent_1 : array<f32, i32(7)>,
-     view_3 : vec2<f32>,
+     view_4 : vec2<f32>,
      back_3 : bool,
      hole_0 : f32,
 };
@@ -1923,7 +1946,7 @@ fn neumip_view_0( _S270 : u32,  _S271 : Footprint_0,  _S272 : vec3<f32>,  _S273 
         k_3 = k_3 + i32(1);
     }
     var _S282 : vec2<f32> = _S277.xy;
-    (*_S273).view_3 = _S282;
+    (*_S273).view_4 = _S282;
     (*_S273).back_3 = _S275;
     var _S283 : f32;
     if((_S274.has_holes_0) != u32(0))
@@ -2052,8 +2075,8 @@ fn neumip_value_0( _S316 : u32,  _S317 : ptr<function, NeumipView_0>,  _S318 : v
     }
     inputs_26[i32(7)] = _S319.x;
     inputs_26[i32(8)] = _S319.y;
-    inputs_26[i32(9)] = (*_S317).view_3.x;
-    inputs_26[i32(10)] = (*_S317).view_3.y;
+    inputs_26[i32(9)] = (*_S317).view_4.x;
+    inputs_26[i32(10)] = (*_S317).view_4.y;
     var outputs_20 : array<f32, i32(3)>;
     var network_3 : MLP_0;
     var _S323 : u32;
@@ -2077,7 +2100,7 @@ fn light_of_neumip_0( _S324 : i32,  _S325 : u32,  _S326 : VisiblePoint_0,  _S327
     footprint_0.dx_0 = _S326.draft_dx_0;
     footprint_0.dy_0 = _S326.draft_dy_0;
     var seen_0 : NeumipView_0;
-    neumip_view_0(_S325, footprint_0, to_local_0(_S326, _S326.view_0), &(seen_0));
+    neumip_view_0(_S325, footprint_0, to_local_0(_S326, _S326.view_1), &(seen_0));
     var _S328 : vec3<f32> = vec3<f32>(0.0f);
     var number_1 : u32 = u32(0);
     var radiance_1 : vec3<f32> = _S328;

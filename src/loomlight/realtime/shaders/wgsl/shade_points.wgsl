@@ -144,6 +144,28 @@ struct Latent_std430_0
     @align(4) is_trilinear_0 : u32,
 };
 
+struct Clustered_std430_0
+{
+    @align(4) is_baked_1 : u32,
+    @align(4) clusters_0 : u32,
+    @align(4) rank_0 : u32,
+    @align(4) channels_0 : u32,
+    @align(4) columns_0 : u32,
+    @align(4) rows_0 : u32,
+    @align(4) texel_width_0 : f32,
+    @align(4) texel_height_0 : f32,
+    @align(4) samples_1 : u32,
+    @align(4) sums_0 : u32,
+    @align(4) labels_0 : u32,
+    @align(4) coefficients_0 : u32,
+    @align(4) basis_0 : u32,
+    @align(4) moments_1 : u32,
+    @align(4) light_0 : u32,
+    @align(4) view_0 : u32,
+    @align(4) offset_1 : u32,
+    @align(4) trust_0 : u32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
@@ -180,6 +202,7 @@ struct Fabric_std430_0
     @align(4) has_yarns_0 : u32,
     @align(4) mean_hole_0 : f32,
     @align(4) latent_0 : Latent_std430_0,
+    @align(4) clustered_0 : Clustered_std430_0,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -423,7 +446,7 @@ fn default_quality_0() -> SearchQuality_0
 struct VisiblePoint_0
 {
      position_0 : vec3<f32>,
-     view_0 : vec3<f32>,
+     view_1 : vec3<f32>,
      axis_x_0 : vec3<f32>,
      axis_y_0 : vec3<f32>,
      normal_0 : vec3<f32>,
@@ -1629,14 +1652,14 @@ fn mean_1( colour_0 : vec3<f32>) -> f32
     return (colour_0.x + colour_0.y + colour_0.z) / 3.0f;
 }
 
-fn diffuse_reflection_0( light_0 : vec3<f32>,  normal_5 : vec3<f32>,  blend_1 : f32) -> f32
+fn diffuse_reflection_0( light_1 : vec3<f32>,  normal_5 : vec3<f32>,  blend_1 : f32) -> f32
 {
-    var _S157 : f32 = light_0.z;
+    var _S157 : f32 = light_1.z;
     if(_S157 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * mix(max(_S157, 0.0f), max(dot(light_0, normal_5), 0.0f), blend_1);
+    return 0.31830987334251404f * mix(max(_S157, 0.0f), max(dot(light_1, normal_5), 0.0f), blend_1);
 }
 
 fn projected_area_1( direction_3 : vec3<f32>,  tangent_4 : vec3<f32>,  roughness_1 : f32) -> f32
@@ -1661,16 +1684,16 @@ fn flake_density_0( squared_along_0 : f32,  roughness_2 : f32) -> f32
     return 0.31830987334251404f * _S159 * roughness_2 / (_S160 * _S160);
 }
 
-fn density_between_0( light_1 : vec3<f32>,  view_1 : vec3<f32>,  tangent_5 : vec3<f32>,  roughness_3 : f32) -> f32
+fn density_between_0( light_2 : vec3<f32>,  view_2 : vec3<f32>,  tangent_5 : vec3<f32>,  roughness_3 : f32) -> f32
 {
-    var _S161 : vec3<f32> = light_1 + view_1;
+    var _S161 : vec3<f32> = light_2 + view_2;
     var _S162 : f32 = dot(_S161, tangent_5);
     return flake_density_0(min(_S162 * _S162 / max(square_0(_S161), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
-fn reflection_0( light_2 : vec3<f32>,  view_2 : vec3<f32>,  normal_6 : vec3<f32>,  tangent_6 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
+fn reflection_0( light_3 : vec3<f32>,  view_3 : vec3<f32>,  normal_6 : vec3<f32>,  tangent_6 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
 {
-    var _S163 : f32 = dot(light_2, normal_6);
+    var _S163 : f32 = dot(light_3, normal_6);
     var _S164 : bool;
     if(_S163 <= 0.0f)
     {
@@ -1678,23 +1701,23 @@ fn reflection_0( light_2 : vec3<f32>,  view_2 : vec3<f32>,  normal_6 : vec3<f32>
     }
     else
     {
-        _S164 = (dot(view_2, normal_6)) <= 0.0f;
+        _S164 = (dot(view_3, normal_6)) <= 0.0f;
     }
     if(_S164)
     {
         return 0.0f;
     }
     var _S165 : f32 = max(_S163, 9.99999997475242708e-07f);
-    var _S166 : f32 = max(dot(view_2, normal_6), 9.99999997475242708e-07f);
-    var _S167 : f32 = projected_area_1(light_2, tangent_6, roughness_4) * _S166 + projected_area_1(view_2, tangent_6, roughness_4) * _S165;
+    var _S166 : f32 = max(dot(view_3, normal_6), 9.99999997475242708e-07f);
+    var _S167 : f32 = projected_area_1(light_3, tangent_6, roughness_4) * _S166 + projected_area_1(view_3, tangent_6, roughness_4) * _S165;
     var _S168 : f32 = optical_depth_1 * _S167 / (_S165 * _S166);
-    return 0.25f * density_between_0(light_2, view_2, tangent_6, roughness_4) * (_S168 * mean_attenuation_0(_S168)) * _S165 / _S167;
+    return 0.25f * density_between_0(light_3, view_3, tangent_6, roughness_4) * (_S168 * mean_attenuation_0(_S168)) * _S165 / _S167;
 }
 
-fn transmission_1( light_3 : vec3<f32>,  view_3 : vec3<f32>,  normal_7 : vec3<f32>,  tangent_7 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
+fn transmission_1( light_4 : vec3<f32>,  view_4 : vec3<f32>,  normal_7 : vec3<f32>,  tangent_7 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
 {
-    var _S169 : f32 = - dot(light_3, normal_7);
-    var _S170 : f32 = dot(view_3, normal_7);
+    var _S169 : f32 = - dot(light_4, normal_7);
+    var _S170 : f32 = dot(view_4, normal_7);
     var _S171 : bool;
     if(_S169 <= 0.0f)
     {
@@ -1709,9 +1732,9 @@ fn transmission_1( light_3 : vec3<f32>,  view_3 : vec3<f32>,  normal_7 : vec3<f3
         return 0.0f;
     }
     var _S172 : f32 = 1.0f / max(_S170, 9.99999997475242708e-07f);
-    var _S173 : f32 = projected_area_1(light_3, tangent_7, roughness_5) / max(_S169, 9.99999997475242708e-07f);
-    var _S174 : f32 = projected_area_1(view_3, tangent_7, roughness_5) * _S172;
-    return density_between_0(light_3, view_3, tangent_7, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S173, _S174)) * mean_attenuation_0(optical_depth_2 * abs(_S173 - _S174)) * _S172;
+    var _S173 : f32 = projected_area_1(light_4, tangent_7, roughness_5) / max(_S169, 9.99999997475242708e-07f);
+    var _S174 : f32 = projected_area_1(view_4, tangent_7, roughness_5) * _S172;
+    return density_between_0(light_4, view_4, tangent_7, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S173, _S174)) * mean_attenuation_0(optical_depth_2 * abs(_S173 - _S174)) * _S172;
 }
 
 fn sheen_scale_0( x_9 : f32,  y_2 : f32) -> f32
@@ -1737,9 +1760,9 @@ fn sheen_lobe_0( cos_view_0 : f32,  roughness_6 : f32) -> vec3<f32>
     return vec3<f32>(clamp(sheen_scale_0(_S176, _S177), 0.00999999977648258f, 1.0f), clamp((1.0f - _S175) * sheen_shear_0(_S176, _S177), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S176, _S177), -60.0f, 60.0f))));
 }
 
-fn transformed_cosine_0( light_4 : vec3<f32>,  view_4 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
+fn transformed_cosine_0( light_5 : vec3<f32>,  view_5 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S178 : f32 = light_4.z;
+    var _S178 : f32 = light_5.z;
     var _S179 : bool;
     if(_S178 <= 0.0f)
     {
@@ -1747,13 +1770,13 @@ fn transformed_cosine_0( light_4 : vec3<f32>,  view_4 : vec3<f32>,  scale_0 : f3
     }
     else
     {
-        _S179 = (view_4.z) <= 0.0f;
+        _S179 = (view_5.z) <= 0.0f;
     }
     if(_S179)
     {
         return 0.0f;
     }
-    var _S180 : vec2<f32> = view_4.xy;
+    var _S180 : vec2<f32> = view_5.xy;
     var _S181 : f32 = dot(_S180, _S180);
     var _S182 : vec2<f32>;
     if(_S181 > 9.99999968265522539e-21f)
@@ -1764,24 +1787,24 @@ fn transformed_cosine_0( light_4 : vec3<f32>,  view_4 : vec3<f32>,  scale_0 : f3
     {
         _S182 = vec2<f32>(1.0f, 0.0f);
     }
-    var _S183 : f32 = scale_0 * dot(light_4.xy, _S182) + shear_0 * _S178;
-    var _S184 : f32 = scale_0 * (light_4.y * _S182.x - light_4.x * _S182.y);
+    var _S183 : f32 = scale_0 * dot(light_5.xy, _S182) + shear_0 * _S178;
+    var _S184 : f32 = scale_0 * (light_5.y * _S182.x - light_5.x * _S182.y);
     var _S185 : f32 = _S183 * _S183 + _S184 * _S184 + _S178 * _S178;
     return 0.31830987334251404f * scale_0 * scale_0 * _S178 / max(_S185 * _S185, 9.99999968265522539e-21f);
 }
 
-fn sheen_with_transmittance_0( light_5 : vec3<f32>,  view_5 : vec3<f32>,  strength_0 : f32,  roughness_7 : f32) -> vec2<f32>
+fn sheen_with_transmittance_0( light_6 : vec3<f32>,  view_6 : vec3<f32>,  strength_0 : f32,  roughness_7 : f32) -> vec2<f32>
 {
-    var _S186 : vec3<f32> = sheen_lobe_0(view_5.z, roughness_7);
+    var _S186 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_7);
     var _S187 : f32 = strength_0 * _S186.z;
-    return vec2<f32>(_S187 * transformed_cosine_0(light_5, view_5, _S186.x, _S186.y), 1.0f - _S187);
+    return vec2<f32>(_S187 * transformed_cosine_0(light_6, view_6, _S186.x, _S186.y), 1.0f - _S187);
 }
 
-fn bounced_value_0( bounced_1 : Bounced_0,  light_6 : vec3<f32>,  view_6 : vec3<f32>) -> vec3<f32>
+fn bounced_value_0( bounced_1 : Bounced_0,  light_7 : vec3<f32>,  view_7 : vec3<f32>) -> vec3<f32>
 {
-    var _S188 : f32 = light_6.z;
+    var _S188 : f32 = light_7.z;
     var _S189 : vec3<f32>;
-    if((_S188 * view_6.z) < 0.0f)
+    if((_S188 * view_7.z) < 0.0f)
     {
         _S189 = bounced_1.transmitted_0;
     }
@@ -1792,11 +1815,11 @@ fn bounced_value_0( bounced_1 : Bounced_0,  light_6 : vec3<f32>,  view_6 : vec3<
     return _S189 * vec3<f32>((abs(_S188) * 0.31830987334251404f));
 }
 
-fn accumulate_0( index_7 : u32,  light_7 : vec4<f32>)
+fn accumulate_0( index_7 : u32,  light_8 : vec4<f32>)
 {
     var _S190 : f32 = layers_0[index_7].share_0;
-    radiance_0[index_7] = radiance_0[index_7] + vec4<f32>(layers_0[index_7].share_0) * light_7;
-    layers_0[index_7].share_0 = _S190 * (1.0f - light_7.w);
+    radiance_0[index_7] = radiance_0[index_7] + vec4<f32>(layers_0[index_7].share_0) * light_8;
+    layers_0[index_7].share_0 = _S190 * (1.0f - light_8.w);
     return;
 }
 
@@ -1876,7 +1899,7 @@ fn face_point_0( _S195 : u32,  _S196 : u32,  _S197 : f32,  _S198 : f32) -> Visib
     }
     point_2.face_normal_0 = _S230;
     point_2.position_0 = _S204 + _S223 * _S205 + _S226 * _S207;
-    point_2.view_0 = point_2.normal_0;
+    point_2.view_1 = point_2.normal_0;
     point_2.uv_1 = vec2<f32>(_S208, _S210) + vec2<f32>(_S197) * _S212 + vec2<f32>(_S198) * _S215;
     var _S231 : bool = (dot(cross(_S217, _S218), point_2.normal_0)) < 0.0f;
     var _S232 : f32 = fabrics_0[_S195].uv_width_0;
@@ -1947,7 +1970,7 @@ fn visible_point_0( _S236 : i32,  _S237 : u32,  _S238 : u32,  _S239 : vec2<u32>)
     var _S268 : vec2<f32> = vec2<f32>(_S243.u_0 - _S241.u_0, _S243.v_0 - _S241.v_0);
     var point_3 : VisiblePoint_0 = face_point_0(_S237, _S238, dot(_S261, _S265), dot(_S261, _S266));
     point_3.position_0 = _S245 + _S261;
-    point_3.view_0 = (vec3<f32>(0) - normalize(_S255));
+    point_3.view_1 = (vec3<f32>(0) - normalize(_S255));
     point_3.draft_dx_0 = (vec2<f32>(dot(_S262, _S265)) * _S267 + vec2<f32>(dot(_S262, _S266)) * _S268) * point_3.draft_per_uv_0;
     point_3.draft_dy_0 = (vec2<f32>(dot(_S263, _S265)) * _S267 + vec2<f32>(dot(_S263, _S266)) * _S268) * point_3.draft_per_uv_0;
     return point_3;
@@ -2995,7 +3018,7 @@ struct FibreNoise_0
      bundle_weight_0 : f32,
      fibre_0 : vec2<f32>,
      fibre_weight_0 : f32,
-     offset_1 : f32,
+     offset_2 : f32,
      slope_2 : f32,
 };
 
@@ -3010,7 +3033,7 @@ fn fibre_noise_at_0( _S518 : u32,  _S519 : u32,  _S520 : SurfacePoint_0,  _S521 
     noise_0.bundle_weight_0 = fade_0(_S522, _S523);
     noise_0.fibre_0 = cell_noise_0(hash_key_0(_S521, ((fabrics_0[_S518].seed_0) ^ (u32(48610963)))), _S526);
     noise_0.fibre_weight_0 = fade_0(_S522, fabrics_0[_S518].fibre_size_0);
-    noise_0.offset_1 = _S526.z;
+    noise_0.offset_2 = _S526.z;
     noise_0.slope_2 = 0.5f * _S524.y;
     return noise_0;
 }
@@ -3136,7 +3159,7 @@ fn turned_frame_0( _S564 : u32,  _S565 : u32,  _S566 : SurfacePoint_0,  _S567 : 
     if((families_0[_S565].fibre_tilt_0) > 0.0f)
     {
         var _S580 : FibreNoise_0 = fibre_noise_at_0(_S564, _S565, _S566, _S568, _S569);
-        var _S581 : f32 = 1.09858846664428711f * _S579 * (_S580.bundle_weight_0 * _S580.bundle_0.x + _S580.fibre_weight_0 * (_S580.fibre_0.x + _S580.offset_1));
+        var _S581 : f32 = 1.09858846664428711f * _S579 * (_S580.bundle_weight_0 * _S580.bundle_0.x + _S580.fibre_weight_0 * (_S580.fibre_0.x + _S580.offset_2));
         var _S582 : f32 = _S579 * (1.42099642753601074f * (_S580.bundle_weight_0 * _S580.bundle_0.y + _S580.fibre_weight_0 * _S580.fibre_0.y) - _S580.bundle_weight_0 * _S580.slope_2);
         var _S583 : f32 = square_1(_S580.fibre_weight_0);
         frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S579 * _S579 * ((0.24761904776096344f * (square_1(_S580.bundle_weight_0) + _S583) + _S583 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
@@ -3657,7 +3680,7 @@ fn straight_through_0( _S760 : u32,  _S761 : YarnPoint_0,  _S762 : vec3<f32>) ->
 fn light_of_point_0( _S764 : i32,  _S765 : u32,  _S766 : VisiblePoint_0,  _S767 : vec2<u32>,  _S768 : vec3<f32>,  _S769 : vec2<f32>) -> vec4<f32>
 {
     var _S770 : SearchQuality_0 = default_quality_0();
-    var _S771 : vec3<f32> = to_local_0(_S766, _S766.view_0);
+    var _S771 : vec3<f32> = to_local_0(_S766, _S766.view_1);
     var footprint_0 : Footprint_0;
     footprint_0.centre_0 = _S769;
     footprint_0.dx_0 = _S766.draft_dx_0;

@@ -144,6 +144,28 @@ struct Latent_std430_0
     @align(4) is_trilinear_0 : u32,
 };
 
+struct Clustered_std430_0
+{
+    @align(4) is_baked_1 : u32,
+    @align(4) clusters_0 : u32,
+    @align(4) rank_0 : u32,
+    @align(4) channels_0 : u32,
+    @align(4) columns_0 : u32,
+    @align(4) rows_0 : u32,
+    @align(4) texel_width_0 : f32,
+    @align(4) texel_height_0 : f32,
+    @align(4) samples_1 : u32,
+    @align(4) sums_0 : u32,
+    @align(4) labels_0 : u32,
+    @align(4) coefficients_0 : u32,
+    @align(4) basis_0 : u32,
+    @align(4) moments_1 : u32,
+    @align(4) light_0 : u32,
+    @align(4) view_0 : u32,
+    @align(4) offset_1 : u32,
+    @align(4) trust_0 : u32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
@@ -180,6 +202,7 @@ struct Fabric_std430_0
     @align(4) has_yarns_0 : u32,
     @align(4) mean_hole_0 : f32,
     @align(4) latent_0 : Latent_std430_0,
+    @align(4) clustered_0 : Clustered_std430_0,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -292,7 +315,7 @@ fn FloatWeights_eight_0( this_0 : FloatWeights_0,  element_0 : u32) -> Eight_0
 
 fn tile_product_0( weights_0 : FloatWeights_0,  row_0 : u32,  inputs_0 : ptr<function, array<f32, i32(96)>>) -> vec4<f32>
 {
-    var sums_0 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_1 : vec4<f32> = vec4<f32>(0.0f);
     var column_0 : u32 = u32(0);
     for(;;)
     {
@@ -318,16 +341,16 @@ fn tile_product_0( weights_0 : FloatWeights_0,  row_0 : u32,  inputs_0 : ptr<fun
         low_1[i32(3)] = (*inputs_0)[_S5];
         high_1[i32(3)] = (*inputs_0)[_S5 + i32(4)];
         var _S6 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + column_0);
-        sums_0[i32(0)] = sums_0[i32(0)] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
+        sums_1[i32(0)] = sums_1[i32(0)] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
         var _S7 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + u32(12) + column_0);
-        sums_0[i32(1)] = sums_0[i32(1)] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
+        sums_1[i32(1)] = sums_1[i32(1)] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
         var _S8 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + u32(24) + column_0);
-        sums_0[i32(2)] = sums_0[i32(2)] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
+        sums_1[i32(2)] = sums_1[i32(2)] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
         var _S9 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + u32(36) + column_0);
-        sums_0[i32(3)] = sums_0[i32(3)] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
+        sums_1[i32(3)] = sums_1[i32(3)] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
         column_0 = column_0 + u32(1);
     }
-    return sums_0;
+    return sums_1;
 }
 
 fn whole_parts_0( elements_0 : i32) -> i32
@@ -444,7 +467,7 @@ fn HalfWeights_eight_0( this_1 : HalfWeights_0,  element_1 : u32) -> Eight_0
 
 fn tile_product_1( weights_2 : HalfWeights_0,  row_1 : u32,  inputs_2 : ptr<function, array<f32, i32(96)>>) -> vec4<f32>
 {
-    var sums_1 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_2 : vec4<f32> = vec4<f32>(0.0f);
     var column_1 : u32 = u32(0);
     for(;;)
     {
@@ -470,16 +493,16 @@ fn tile_product_1( weights_2 : HalfWeights_0,  row_1 : u32,  inputs_2 : ptr<func
         low_2[i32(3)] = (*inputs_2)[_S24];
         high_2[i32(3)] = (*inputs_2)[_S24 + i32(4)];
         var _S25 : Eight_0 = HalfWeights_eight_0(weights_2, row_1 + column_1);
-        sums_1[i32(0)] = sums_1[i32(0)] + (dot(_S25.low_0, low_2) + dot(_S25.high_0, high_2));
+        sums_2[i32(0)] = sums_2[i32(0)] + (dot(_S25.low_0, low_2) + dot(_S25.high_0, high_2));
         var _S26 : Eight_0 = HalfWeights_eight_0(weights_2, row_1 + u32(12) + column_1);
-        sums_1[i32(1)] = sums_1[i32(1)] + (dot(_S26.low_0, low_2) + dot(_S26.high_0, high_2));
+        sums_2[i32(1)] = sums_2[i32(1)] + (dot(_S26.low_0, low_2) + dot(_S26.high_0, high_2));
         var _S27 : Eight_0 = HalfWeights_eight_0(weights_2, row_1 + u32(24) + column_1);
-        sums_1[i32(2)] = sums_1[i32(2)] + (dot(_S27.low_0, low_2) + dot(_S27.high_0, high_2));
+        sums_2[i32(2)] = sums_2[i32(2)] + (dot(_S27.low_0, low_2) + dot(_S27.high_0, high_2));
         var _S28 : Eight_0 = HalfWeights_eight_0(weights_2, row_1 + u32(36) + column_1);
-        sums_1[i32(3)] = sums_1[i32(3)] + (dot(_S28.low_0, low_2) + dot(_S28.high_0, high_2));
+        sums_2[i32(3)] = sums_2[i32(3)] + (dot(_S28.low_0, low_2) + dot(_S28.high_0, high_2));
         column_1 = column_1 + u32(1);
     }
-    return sums_1;
+    return sums_2;
 }
 
 fn dense_part_1( weights_3 : HalfWeights_0,  first_3 : u32,  adds_1 : bool,  inputs_3 : ptr<function, array<f32, i32(96)>>,  outputs_1 : ptr<function, array<f32, i32(52)>>)
@@ -568,7 +591,7 @@ fn dense_part_1( weights_3 : HalfWeights_0,  first_3 : u32,  adds_1 : bool,  inp
 
 fn tile_product_2( weights_4 : HalfWeights_0,  row_2 : u32,  inputs_4 : ptr<function, array<f32, i32(39)>>) -> vec4<f32>
 {
-    var sums_2 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_3 : vec4<f32> = vec4<f32>(0.0f);
     var column_2 : u32 = u32(0);
     for(;;)
     {
@@ -594,16 +617,16 @@ fn tile_product_2( weights_4 : HalfWeights_0,  row_2 : u32,  inputs_4 : ptr<func
         low_3[i32(3)] = (*inputs_4)[min(_S43, i32(38))];
         high_3[i32(3)] = (*inputs_4)[min(_S43 + i32(4), i32(38))];
         var _S44 : Eight_0 = HalfWeights_eight_0(weights_4, row_2 + column_2);
-        sums_2[i32(0)] = sums_2[i32(0)] + (dot(_S44.low_0, low_3) + dot(_S44.high_0, high_3));
+        sums_3[i32(0)] = sums_3[i32(0)] + (dot(_S44.low_0, low_3) + dot(_S44.high_0, high_3));
         var _S45 : Eight_0 = HalfWeights_eight_0(weights_4, row_2 + u32(5) + column_2);
-        sums_2[i32(1)] = sums_2[i32(1)] + (dot(_S45.low_0, low_3) + dot(_S45.high_0, high_3));
+        sums_3[i32(1)] = sums_3[i32(1)] + (dot(_S45.low_0, low_3) + dot(_S45.high_0, high_3));
         var _S46 : Eight_0 = HalfWeights_eight_0(weights_4, row_2 + u32(10) + column_2);
-        sums_2[i32(2)] = sums_2[i32(2)] + (dot(_S46.low_0, low_3) + dot(_S46.high_0, high_3));
+        sums_3[i32(2)] = sums_3[i32(2)] + (dot(_S46.low_0, low_3) + dot(_S46.high_0, high_3));
         var _S47 : Eight_0 = HalfWeights_eight_0(weights_4, row_2 + u32(15) + column_2);
-        sums_2[i32(3)] = sums_2[i32(3)] + (dot(_S47.low_0, low_3) + dot(_S47.high_0, high_3));
+        sums_3[i32(3)] = sums_3[i32(3)] + (dot(_S47.low_0, low_3) + dot(_S47.high_0, high_3));
         column_2 = column_2 + u32(1);
     }
-    return sums_2;
+    return sums_3;
 }
 
 fn dense_part_2( weights_5 : HalfWeights_0,  first_4 : u32,  adds_2 : bool,  inputs_5 : ptr<function, array<f32, i32(39)>>,  outputs_2 : ptr<function, array<f32, i32(96)>>)
@@ -692,7 +715,7 @@ fn dense_part_2( weights_5 : HalfWeights_0,  first_4 : u32,  adds_2 : bool,  inp
 
 fn tile_product_3( weights_6 : HalfWeights_0,  row_3 : u32,  inputs_6 : ptr<function, array<f32, i32(100)>>) -> vec4<f32>
 {
-    var sums_3 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_4 : vec4<f32> = vec4<f32>(0.0f);
     var column_3 : u32 = u32(0);
     for(;;)
     {
@@ -718,16 +741,16 @@ fn tile_product_3( weights_6 : HalfWeights_0,  row_3 : u32,  inputs_6 : ptr<func
         low_4[i32(3)] = (*inputs_6)[min(_S62, i32(99))];
         high_4[i32(3)] = (*inputs_6)[min(_S62 + i32(4), i32(99))];
         var _S63 : Eight_0 = HalfWeights_eight_0(weights_6, row_3 + column_3);
-        sums_3[i32(0)] = sums_3[i32(0)] + (dot(_S63.low_0, low_4) + dot(_S63.high_0, high_4));
+        sums_4[i32(0)] = sums_4[i32(0)] + (dot(_S63.low_0, low_4) + dot(_S63.high_0, high_4));
         var _S64 : Eight_0 = HalfWeights_eight_0(weights_6, row_3 + u32(13) + column_3);
-        sums_3[i32(1)] = sums_3[i32(1)] + (dot(_S64.low_0, low_4) + dot(_S64.high_0, high_4));
+        sums_4[i32(1)] = sums_4[i32(1)] + (dot(_S64.low_0, low_4) + dot(_S64.high_0, high_4));
         var _S65 : Eight_0 = HalfWeights_eight_0(weights_6, row_3 + u32(26) + column_3);
-        sums_3[i32(2)] = sums_3[i32(2)] + (dot(_S65.low_0, low_4) + dot(_S65.high_0, high_4));
+        sums_4[i32(2)] = sums_4[i32(2)] + (dot(_S65.low_0, low_4) + dot(_S65.high_0, high_4));
         var _S66 : Eight_0 = HalfWeights_eight_0(weights_6, row_3 + u32(39) + column_3);
-        sums_3[i32(3)] = sums_3[i32(3)] + (dot(_S66.low_0, low_4) + dot(_S66.high_0, high_4));
+        sums_4[i32(3)] = sums_4[i32(3)] + (dot(_S66.low_0, low_4) + dot(_S66.high_0, high_4));
         column_3 = column_3 + u32(1);
     }
-    return sums_3;
+    return sums_4;
 }
 
 fn dense_part_3( weights_7 : HalfWeights_0,  first_5 : u32,  adds_3 : bool,  inputs_7 : ptr<function, array<f32, i32(100)>>,  outputs_3 : ptr<function, array<f32, i32(96)>>)
@@ -816,7 +839,7 @@ fn dense_part_3( weights_7 : HalfWeights_0,  first_5 : u32,  adds_3 : bool,  inp
 
 fn tile_product_4( weights_8 : HalfWeights_0,  row_4 : u32,  inputs_8 : ptr<function, array<f32, i32(16)>>) -> vec4<f32>
 {
-    var sums_4 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_5 : vec4<f32> = vec4<f32>(0.0f);
     var column_4 : u32 = u32(0);
     for(;;)
     {
@@ -842,16 +865,16 @@ fn tile_product_4( weights_8 : HalfWeights_0,  row_4 : u32,  inputs_8 : ptr<func
         low_5[i32(3)] = (*inputs_8)[_S81];
         high_5[i32(3)] = (*inputs_8)[_S81 + i32(4)];
         var _S82 : Eight_0 = HalfWeights_eight_0(weights_8, row_4 + column_4);
-        sums_4[i32(0)] = sums_4[i32(0)] + (dot(_S82.low_0, low_5) + dot(_S82.high_0, high_5));
+        sums_5[i32(0)] = sums_5[i32(0)] + (dot(_S82.low_0, low_5) + dot(_S82.high_0, high_5));
         var _S83 : Eight_0 = HalfWeights_eight_0(weights_8, row_4 + u32(2) + column_4);
-        sums_4[i32(1)] = sums_4[i32(1)] + (dot(_S83.low_0, low_5) + dot(_S83.high_0, high_5));
+        sums_5[i32(1)] = sums_5[i32(1)] + (dot(_S83.low_0, low_5) + dot(_S83.high_0, high_5));
         var _S84 : Eight_0 = HalfWeights_eight_0(weights_8, row_4 + u32(4) + column_4);
-        sums_4[i32(2)] = sums_4[i32(2)] + (dot(_S84.low_0, low_5) + dot(_S84.high_0, high_5));
+        sums_5[i32(2)] = sums_5[i32(2)] + (dot(_S84.low_0, low_5) + dot(_S84.high_0, high_5));
         var _S85 : Eight_0 = HalfWeights_eight_0(weights_8, row_4 + u32(6) + column_4);
-        sums_4[i32(3)] = sums_4[i32(3)] + (dot(_S85.low_0, low_5) + dot(_S85.high_0, high_5));
+        sums_5[i32(3)] = sums_5[i32(3)] + (dot(_S85.low_0, low_5) + dot(_S85.high_0, high_5));
         column_4 = column_4 + u32(1);
     }
-    return sums_4;
+    return sums_5;
 }
 
 fn dense_part_4( weights_9 : HalfWeights_0,  first_6 : u32,  adds_4 : bool,  inputs_9 : ptr<function, array<f32, i32(16)>>,  outputs_4 : ptr<function, array<f32, i32(1)>>)
@@ -1113,7 +1136,7 @@ fn dense_part_6( weights_11 : HalfWeights_0,  first_8 : u32,  adds_6 : bool,  in
 
 fn tile_product_5( weights_12 : HalfWeights_0,  row_5 : u32,  inputs_12 : ptr<function, array<f32, i32(88)>>) -> vec4<f32>
 {
-    var sums_5 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_6 : vec4<f32> = vec4<f32>(0.0f);
     var column_5 : u32 = u32(0);
     for(;;)
     {
@@ -1139,16 +1162,16 @@ fn tile_product_5( weights_12 : HalfWeights_0,  row_5 : u32,  inputs_12 : ptr<fu
         low_6[i32(3)] = (*inputs_12)[_S122];
         high_6[i32(3)] = (*inputs_12)[_S122 + i32(4)];
         var _S123 : Eight_0 = HalfWeights_eight_0(weights_12, row_5 + column_5);
-        sums_5[i32(0)] = sums_5[i32(0)] + (dot(_S123.low_0, low_6) + dot(_S123.high_0, high_6));
+        sums_6[i32(0)] = sums_6[i32(0)] + (dot(_S123.low_0, low_6) + dot(_S123.high_0, high_6));
         var _S124 : Eight_0 = HalfWeights_eight_0(weights_12, row_5 + u32(11) + column_5);
-        sums_5[i32(1)] = sums_5[i32(1)] + (dot(_S124.low_0, low_6) + dot(_S124.high_0, high_6));
+        sums_6[i32(1)] = sums_6[i32(1)] + (dot(_S124.low_0, low_6) + dot(_S124.high_0, high_6));
         var _S125 : Eight_0 = HalfWeights_eight_0(weights_12, row_5 + u32(22) + column_5);
-        sums_5[i32(2)] = sums_5[i32(2)] + (dot(_S125.low_0, low_6) + dot(_S125.high_0, high_6));
+        sums_6[i32(2)] = sums_6[i32(2)] + (dot(_S125.low_0, low_6) + dot(_S125.high_0, high_6));
         var _S126 : Eight_0 = HalfWeights_eight_0(weights_12, row_5 + u32(33) + column_5);
-        sums_5[i32(3)] = sums_5[i32(3)] + (dot(_S126.low_0, low_6) + dot(_S126.high_0, high_6));
+        sums_6[i32(3)] = sums_6[i32(3)] + (dot(_S126.low_0, low_6) + dot(_S126.high_0, high_6));
         column_5 = column_5 + u32(1);
     }
-    return sums_5;
+    return sums_6;
 }
 
 fn dense_part_7( weights_13 : HalfWeights_0,  first_9 : u32,  adds_7 : bool,  inputs_13 : ptr<function, array<f32, i32(88)>>,  outputs_7 : ptr<function, array<f32, i32(96)>>)
@@ -1474,7 +1497,7 @@ fn map_level_0( first_19 : u32,  side_0 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
 struct VisiblePoint_0
 {
      position_0 : vec3<f32>,
-     view_0 : vec3<f32>,
+     view_1 : vec3<f32>,
      axis_x_0 : vec3<f32>,
      axis_y_0 : vec3<f32>,
      normal_0 : vec3<f32>,
@@ -2076,11 +2099,11 @@ fn mirrored_bundle_0( bundle_0 : u32) -> u32
     return _S284;
 }
 
-fn light_visibility_of_0( diffuse_0 : f32,  light_0 : vec3<f32>,  view_1 : vec3<f32>,  blend_0 : f32) -> f32
+fn light_visibility_of_0( diffuse_0 : f32,  light_1 : vec3<f32>,  view_2 : vec3<f32>,  blend_0 : f32) -> f32
 {
-    var _S285 : f32 = max(abs(light_0.z), 0.00100000004749745f);
-    var _S286 : vec2<f32> = light_0.xy;
-    return 3.14159274101257324f * max(diffuse_0, 0.0f) / mix(_S285, (0.59700000286102295f * _S285 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S286, view_1.xy) * rsqrt_0(max(dot(_S286, _S286), 9.99999997475242708e-07f))) + 1.0f), blend_0);
+    var _S285 : f32 = max(abs(light_1.z), 0.00100000004749745f);
+    var _S286 : vec2<f32> = light_1.xy;
+    return 3.14159274101257324f * max(diffuse_0, 0.0f) / mix(_S285, (0.59700000286102295f * _S285 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S286, view_2.xy) * rsqrt_0(max(dot(_S286, _S286), 9.99999997475242708e-07f))) + 1.0f), blend_0);
 }
 
 struct Blocked_0
@@ -2156,14 +2179,14 @@ fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : v
     return found_0;
 }
 
-fn view_terms_0( view_2 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
+fn view_terms_0( view_3 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S291 : f32 = 1.0f - view_2.z;
+    var _S291 : f32 = 1.0f - view_3.z;
     var _S292 : f32 = _S291 * _S291;
     (*terms_0)[i32(0)] = 1.0f;
-    var _S293 : f32 = view_2.x;
+    var _S293 : f32 = view_3.x;
     var _S294 : f32 = _S293 * _S293;
-    var _S295 : f32 = view_2.y;
+    var _S295 : f32 = view_3.y;
     var _S296 : f32 = _S295 * _S295;
     (*terms_0)[i32(1)] = sqrt(max(_S294 + _S296, 9.999999960041972e-13f));
     (*terms_0)[i32(2)] = _S292;
@@ -2173,14 +2196,14 @@ fn view_terms_0( view_2 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>
     return;
 }
 
-fn view_terms_1( view_3 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
+fn view_terms_1( view_4 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S297 : f32 = 1.0f - view_3.z;
+    var _S297 : f32 = 1.0f - view_4.z;
     var _S298 : f32 = _S297 * _S297;
     (*terms_1)[i32(0)] = 1.0f;
-    var _S299 : f32 = view_3.x;
+    var _S299 : f32 = view_4.x;
     var _S300 : f32 = _S299 * _S299;
-    var _S301 : f32 = view_3.y;
+    var _S301 : f32 = view_4.y;
     var _S302 : f32 = _S301 * _S301;
     (*terms_1)[i32(1)] = sqrt(max(_S300 + _S302, 9.999999960041972e-13f));
     (*terms_1)[i32(2)] = _S298;
@@ -2238,11 +2261,11 @@ fn sum_of_0( first_21 : Bounced_0,  second_1 : Bounced_0) -> Bounced_0
     return sum_1;
 }
 
-fn bounced_value_0( bounced_1 : Bounced_0,  light_1 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
+fn bounced_value_0( bounced_1 : Bounced_0,  light_2 : vec3<f32>,  view_5 : vec3<f32>) -> vec3<f32>
 {
-    var _S305 : f32 = light_1.z;
+    var _S305 : f32 = light_2.z;
     var _S306 : vec3<f32>;
-    if((_S305 * view_4.z) < 0.0f)
+    if((_S305 * view_5.z) < 0.0f)
     {
         _S306 = bounced_1.transmitted_0;
     }
@@ -2276,9 +2299,9 @@ fn sheen_lobe_0( cos_view_0 : f32,  roughness_1 : f32) -> vec3<f32>
     return vec3<f32>(clamp(sheen_scale_0(_S308, _S309), 0.00999999977648258f, 1.0f), clamp((1.0f - _S307) * sheen_shear_0(_S308, _S309), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S308, _S309), -60.0f, 60.0f))));
 }
 
-fn transformed_cosine_0( light_2 : vec3<f32>,  view_5 : vec3<f32>,  scale_1 : f32,  shear_0 : f32) -> f32
+fn transformed_cosine_0( light_3 : vec3<f32>,  view_6 : vec3<f32>,  scale_1 : f32,  shear_0 : f32) -> f32
 {
-    var _S310 : f32 = light_2.z;
+    var _S310 : f32 = light_3.z;
     var _S311 : bool;
     if(_S310 <= 0.0f)
     {
@@ -2286,13 +2309,13 @@ fn transformed_cosine_0( light_2 : vec3<f32>,  view_5 : vec3<f32>,  scale_1 : f3
     }
     else
     {
-        _S311 = (view_5.z) <= 0.0f;
+        _S311 = (view_6.z) <= 0.0f;
     }
     if(_S311)
     {
         return 0.0f;
     }
-    var _S312 : vec2<f32> = view_5.xy;
+    var _S312 : vec2<f32> = view_6.xy;
     var _S313 : f32 = dot(_S312, _S312);
     var _S314 : vec2<f32>;
     if(_S313 > 9.99999968265522539e-21f)
@@ -2303,24 +2326,24 @@ fn transformed_cosine_0( light_2 : vec3<f32>,  view_5 : vec3<f32>,  scale_1 : f3
     {
         _S314 = vec2<f32>(1.0f, 0.0f);
     }
-    var _S315 : f32 = scale_1 * dot(light_2.xy, _S314) + shear_0 * _S310;
-    var _S316 : f32 = scale_1 * (light_2.y * _S314.x - light_2.x * _S314.y);
+    var _S315 : f32 = scale_1 * dot(light_3.xy, _S314) + shear_0 * _S310;
+    var _S316 : f32 = scale_1 * (light_3.y * _S314.x - light_3.x * _S314.y);
     var _S317 : f32 = _S315 * _S315 + _S316 * _S316 + _S310 * _S310;
     return 0.31830987334251404f * scale_1 * scale_1 * _S310 / max(_S317 * _S317, 9.99999968265522539e-21f);
 }
 
-fn sheen_with_transmittance_0( light_3 : vec3<f32>,  view_6 : vec3<f32>,  strength_0 : f32,  roughness_2 : f32) -> vec2<f32>
+fn sheen_with_transmittance_0( light_4 : vec3<f32>,  view_7 : vec3<f32>,  strength_0 : f32,  roughness_2 : f32) -> vec2<f32>
 {
-    var _S318 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_2);
+    var _S318 : vec3<f32> = sheen_lobe_0(view_7.z, roughness_2);
     var _S319 : f32 = strength_0 * _S318.z;
-    return vec2<f32>(_S319 * transformed_cosine_0(light_3, view_6, _S318.x, _S318.y), 1.0f - _S319);
+    return vec2<f32>(_S319 * transformed_cosine_0(light_4, view_7, _S318.x, _S318.y), 1.0f - _S319);
 }
 
-fn accumulate_0( index_8 : u32,  light_4 : vec4<f32>)
+fn accumulate_0( index_8 : u32,  light_5 : vec4<f32>)
 {
     var _S320 : f32 = layers_0[index_8].share_0;
-    radiance_0[index_8] = radiance_0[index_8] + vec4<f32>(layers_0[index_8].share_0) * light_4;
-    layers_0[index_8].share_0 = _S320 * (1.0f - light_4.w);
+    radiance_0[index_8] = radiance_0[index_8] + vec4<f32>(layers_0[index_8].share_0) * light_5;
+    layers_0[index_8].share_0 = _S320 * (1.0f - light_5.w);
     return;
 }
 
@@ -2400,7 +2423,7 @@ fn face_point_0( _S325 : u32,  _S326 : u32,  _S327 : f32,  _S328 : f32) -> Visib
     }
     point_1.face_normal_0 = _S360;
     point_1.position_0 = _S334 + _S353 * _S335 + _S356 * _S337;
-    point_1.view_0 = point_1.normal_0;
+    point_1.view_1 = point_1.normal_0;
     point_1.uv_1 = vec2<f32>(_S338, _S340) + vec2<f32>(_S327) * _S342 + vec2<f32>(_S328) * _S345;
     var _S361 : bool = (dot(cross(_S347, _S348), point_1.normal_0)) < 0.0f;
     var _S362 : f32 = fabrics_0[_S325].uv_width_0;
@@ -2471,7 +2494,7 @@ fn visible_point_0( _S366 : i32,  _S367 : u32,  _S368 : u32,  _S369 : vec2<u32>)
     var _S398 : vec2<f32> = vec2<f32>(_S373.u_0 - _S371.u_0, _S373.v_0 - _S371.v_0);
     var point_2 : VisiblePoint_0 = face_point_0(_S367, _S368, dot(_S391, _S395), dot(_S391, _S396));
     point_2.position_0 = _S375 + _S391;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S385));
+    point_2.view_1 = (vec3<f32>(0) - normalize(_S385));
     point_2.draft_dx_0 = (vec2<f32>(dot(_S392, _S395)) * _S397 + vec2<f32>(dot(_S392, _S396)) * _S398) * point_2.draft_per_uv_0;
     point_2.draft_dy_0 = (vec2<f32>(dot(_S393, _S395)) * _S397 + vec2<f32>(dot(_S393, _S396)) * _S398) * point_2.draft_per_uv_0;
     return point_2;
@@ -2498,10 +2521,10 @@ fn filtered_albedo_0( _S399 : u32,  _S400 : VisiblePoint_0) -> vec3<f32>
 
 struct WovenView_0
 {
-     sums_6 : array<f32, i32(96)>,
+     sums_7 : array<f32, i32(96)>,
      hole_0 : f32,
      correction_weight_0 : f32,
-     view_7 : vec3<f32>,
+     view_8 : vec3<f32>,
      back_5 : bool,
 };
 
@@ -2649,7 +2672,7 @@ fn add_level_0( _S434 : u32,  _S435 : u32,  _S436 : bool,  _S437 : vec2<f32>,  _
 
 fn code_footprint_0( _S456 : u32,  _S457 : AnisotropicTaps_0,  _S458 : vec3<f32>,  _S459 : bool,  _S460 : ptr<function, array<f32, i32(88)>>)
 {
-    var offset_1 : f32;
+    var offset_2 : f32;
     var k_0 : i32 = i32(0);
     for(;;)
     {
@@ -2691,13 +2714,13 @@ fn code_footprint_0( _S456 : u32,  _S457 : AnisotropicTaps_0,  _S458 : vec3<f32>
         var _S468 : bool = ((number_2 & (u32(1)))) != u32(0);
         if(_S468)
         {
-            offset_1 = _S463 - _S464;
+            offset_2 = _S463 - _S464;
         }
         else
         {
-            offset_1 = 1.0f - (_S463 - _S464);
+            offset_2 = 1.0f - (_S463 - _S464);
         }
-        var _S469 : f32 = offset_1 / f32(_S465);
+        var _S469 : f32 = offset_2 / f32(_S465);
         var _S470 : u32 = u32(_S464);
         var _S471 : u32;
         if(_S468)
@@ -2731,16 +2754,16 @@ fn code_footprint_0( _S456 : u32,  _S457 : AnisotropicTaps_0,  _S458 : vec3<f32>
             {
                 break;
             }
-            var offset_2 : f32 = _S458[number_3] - (f32(bin_0) + 0.5f) / 8.0f;
+            var offset_3 : f32 = _S458[number_3] - (f32(bin_0) + 0.5f) / 8.0f;
             if(number_3 < i32(2))
             {
-                offset_1 = offset_2 - round(offset_2);
+                offset_2 = offset_3 - round(offset_3);
             }
             else
             {
-                offset_1 = offset_2;
+                offset_2 = offset_3;
             }
-            (*_S460)[i32(64) + number_3 * i32(8) + bin_0] = bump_0(offset_1 * 3.20000004768371582f);
+            (*_S460)[i32(64) + number_3 * i32(8) + bin_0] = bump_0(offset_2 * 3.20000004768371582f);
             bin_0 = bin_0 + i32(1);
         }
         number_3 = number_3 + i32(1);
@@ -2798,12 +2821,12 @@ fn woven_view_0( _S477 : u32,  _S478 : Footprint_0,  _S479 : vec3<f32>,  _S480 :
     dense_6(weights_23, u32(2232), false, &(fused_0), &(of_hole_0));
     var hole_1 : array<f32, i32(1)>;
     dense_5(weights_23, u32(2444), false, &(of_hole_0), &(hole_1));
-    var _S486 : array<f32, i32(96)> = (*_S480).sums_6;
+    var _S486 : array<f32, i32(96)> = (*_S480).sums_7;
     dense_4(weights_23, u32(2456), false, &(fused_0), &(_S486));
-    (*_S480).sums_6 = _S486;
+    (*_S480).sums_7 = _S486;
     (*_S480).hole_0 = clamp(hole_1[i32(0)], 0.0f, 1.0f);
     (*_S480).correction_weight_0 = correction_weight_of_0(_S483.z);
-    (*_S480).view_7 = _S484;
+    (*_S480).view_8 = _S484;
     (*_S480).back_5 = _S481;
     return;
 }
@@ -3032,12 +3055,12 @@ fn woven_components_0( _S562 : u32,  _S563 : ptr<function, WovenView_0>,  _S564 
     var _S565 : f32;
     var _S566 : bool = (*_S563).back_5;
     var _S567 : vec3<f32> = to_face_frame_0(_S564, (*_S563).back_5);
-    var _S568 : vec3<f32> = (*_S563).view_7;
+    var _S568 : vec3<f32> = (*_S563).view_8;
     var weights_24 : HalfWeights_0;
     var _S569 : Woven_std430_0 = fabrics_0[_S562].woven_0;
     weights_24.first_2 = fabrics_0[_S562].woven_0.network_0;
     var directions_0 : array<f32, i32(39)>;
-    code_light_0(_S562, _S567, (*_S563).view_7, (*_S563).back_5, &(directions_0));
+    code_light_0(_S562, _S567, (*_S563).view_8, (*_S563).back_5, &(directions_0));
     var skip_0 : array<f32, i32(96)>;
     var k_1 : i32 = i32(0);
     for(;;)
@@ -3049,7 +3072,7 @@ fn woven_components_0( _S562 : u32,  _S563 : ptr<function, WovenView_0>,  _S564 
         {
             break;
         }
-        skip_0[k_1] = (*_S563).sums_6[k_1];
+        skip_0[k_1] = (*_S563).sums_7[k_1];
         k_1 = k_1 + i32(1);
     }
     dense_3(weights_24, u32(3716), true, &(directions_0), &(skip_0));
@@ -3443,7 +3466,7 @@ fn light_of_woven_0( _S701 : i32,  _S702 : u32,  _S703 : VisiblePoint_0,  _S704 
     footprint_1.centre_0 = _S703.draft_0;
     footprint_1.dx_0 = _S703.draft_dx_0;
     footprint_1.dy_0 = _S703.draft_dy_0;
-    var _S706 : vec3<f32> = to_local_0(_S703, _S703.view_0);
+    var _S706 : vec3<f32> = to_local_0(_S703, _S703.view_1);
     var activations_0 : WovenView_0;
     woven_view_0(_S702, footprint_1, _S706, &(activations_0));
     var _S707 : f32 = _S706.z;

@@ -15,6 +15,7 @@ struct Query_std430_0
     @align(4) view_x_0 : f32,
     @align(4) view_y_0 : f32,
     @align(4) view_z_0 : f32,
+    @align(4) seed_0 : u32,
 };
 
 @binding(0) @group(1) var<storage, read> queries_0 : array<Query_std430_0>;
@@ -115,6 +116,28 @@ struct Latent_std430_0
     @align(4) is_trilinear_0 : u32,
 };
 
+struct Clustered_std430_0
+{
+    @align(4) is_baked_1 : u32,
+    @align(4) clusters_0 : u32,
+    @align(4) rank_0 : u32,
+    @align(4) channels_0 : u32,
+    @align(4) columns_0 : u32,
+    @align(4) rows_0 : u32,
+    @align(4) texel_width_0 : f32,
+    @align(4) texel_height_0 : f32,
+    @align(4) samples_0 : u32,
+    @align(4) sums_0 : u32,
+    @align(4) labels_0 : u32,
+    @align(4) coefficients_0 : u32,
+    @align(4) basis_0 : u32,
+    @align(4) moments_1 : u32,
+    @align(4) light_0 : u32,
+    @align(4) view_0 : u32,
+    @align(4) offset_1 : u32,
+    @align(4) trust_0 : u32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
@@ -138,7 +161,7 @@ struct Fabric_std430_0
     @align(4) sheen_roughness_0 : f32,
     @align(4) fibre_noise_0 : f32,
     @align(4) colour_noise_0 : f32,
-    @align(4) seed_0 : u32,
+    @align(4) seed_1 : u32,
     @align(4) layer_bound_0 : f32,
     @align(4) fibre_size_0 : f32,
     @align(4) has_detail_0 : u32,
@@ -151,6 +174,7 @@ struct Fabric_std430_0
     @align(4) has_yarns_0 : u32,
     @align(4) mean_hole_0 : f32,
     @align(4) latent_0 : Latent_std430_0,
+    @align(4) clustered_0 : Clustered_std430_0,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -228,7 +252,7 @@ fn FloatWeights_eight_0( this_0 : FloatWeights_0,  element_0 : u32) -> Eight_0
 
 fn tile_product_0( weights_0 : FloatWeights_0,  row_0 : u32,  inputs_0 : ptr<function, array<f32, i32(96)>>) -> vec4<f32>
 {
-    var sums_0 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_1 : vec4<f32> = vec4<f32>(0.0f);
     var column_0 : u32 = u32(0);
     for(;;)
     {
@@ -254,16 +278,16 @@ fn tile_product_0( weights_0 : FloatWeights_0,  row_0 : u32,  inputs_0 : ptr<fun
         low_1[i32(3)] = (*inputs_0)[_S5];
         high_1[i32(3)] = (*inputs_0)[_S5 + i32(4)];
         var _S6 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + column_0);
-        sums_0[i32(0)] = sums_0[i32(0)] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
+        sums_1[i32(0)] = sums_1[i32(0)] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
         var _S7 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + u32(12) + column_0);
-        sums_0[i32(1)] = sums_0[i32(1)] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
+        sums_1[i32(1)] = sums_1[i32(1)] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
         var _S8 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + u32(24) + column_0);
-        sums_0[i32(2)] = sums_0[i32(2)] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
+        sums_1[i32(2)] = sums_1[i32(2)] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
         var _S9 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + u32(36) + column_0);
-        sums_0[i32(3)] = sums_0[i32(3)] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
+        sums_1[i32(3)] = sums_1[i32(3)] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
         column_0 = column_0 + u32(1);
     }
-    return sums_0;
+    return sums_1;
 }
 
 fn whole_parts_0( elements_0 : i32) -> i32
@@ -380,7 +404,7 @@ fn HalfWeights_eight_0( this_1 : HalfWeights_0,  element_1 : u32) -> Eight_0
 
 fn tile_product_1( weights_2 : HalfWeights_0,  row_1 : u32,  inputs_2 : ptr<function, array<f32, i32(96)>>) -> vec4<f32>
 {
-    var sums_1 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_2 : vec4<f32> = vec4<f32>(0.0f);
     var column_1 : u32 = u32(0);
     for(;;)
     {
@@ -406,16 +430,16 @@ fn tile_product_1( weights_2 : HalfWeights_0,  row_1 : u32,  inputs_2 : ptr<func
         low_2[i32(3)] = (*inputs_2)[_S24];
         high_2[i32(3)] = (*inputs_2)[_S24 + i32(4)];
         var _S25 : Eight_0 = HalfWeights_eight_0(weights_2, row_1 + column_1);
-        sums_1[i32(0)] = sums_1[i32(0)] + (dot(_S25.low_0, low_2) + dot(_S25.high_0, high_2));
+        sums_2[i32(0)] = sums_2[i32(0)] + (dot(_S25.low_0, low_2) + dot(_S25.high_0, high_2));
         var _S26 : Eight_0 = HalfWeights_eight_0(weights_2, row_1 + u32(12) + column_1);
-        sums_1[i32(1)] = sums_1[i32(1)] + (dot(_S26.low_0, low_2) + dot(_S26.high_0, high_2));
+        sums_2[i32(1)] = sums_2[i32(1)] + (dot(_S26.low_0, low_2) + dot(_S26.high_0, high_2));
         var _S27 : Eight_0 = HalfWeights_eight_0(weights_2, row_1 + u32(24) + column_1);
-        sums_1[i32(2)] = sums_1[i32(2)] + (dot(_S27.low_0, low_2) + dot(_S27.high_0, high_2));
+        sums_2[i32(2)] = sums_2[i32(2)] + (dot(_S27.low_0, low_2) + dot(_S27.high_0, high_2));
         var _S28 : Eight_0 = HalfWeights_eight_0(weights_2, row_1 + u32(36) + column_1);
-        sums_1[i32(3)] = sums_1[i32(3)] + (dot(_S28.low_0, low_2) + dot(_S28.high_0, high_2));
+        sums_2[i32(3)] = sums_2[i32(3)] + (dot(_S28.low_0, low_2) + dot(_S28.high_0, high_2));
         column_1 = column_1 + u32(1);
     }
-    return sums_1;
+    return sums_2;
 }
 
 fn dense_part_1( weights_3 : HalfWeights_0,  first_3 : u32,  adds_1 : bool,  inputs_3 : ptr<function, array<f32, i32(96)>>,  outputs_1 : ptr<function, array<f32, i32(52)>>)
@@ -504,7 +528,7 @@ fn dense_part_1( weights_3 : HalfWeights_0,  first_3 : u32,  adds_1 : bool,  inp
 
 fn tile_product_2( weights_4 : HalfWeights_0,  row_2 : u32,  inputs_4 : ptr<function, array<f32, i32(39)>>) -> vec4<f32>
 {
-    var sums_2 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_3 : vec4<f32> = vec4<f32>(0.0f);
     var column_2 : u32 = u32(0);
     for(;;)
     {
@@ -530,16 +554,16 @@ fn tile_product_2( weights_4 : HalfWeights_0,  row_2 : u32,  inputs_4 : ptr<func
         low_3[i32(3)] = (*inputs_4)[min(_S43, i32(38))];
         high_3[i32(3)] = (*inputs_4)[min(_S43 + i32(4), i32(38))];
         var _S44 : Eight_0 = HalfWeights_eight_0(weights_4, row_2 + column_2);
-        sums_2[i32(0)] = sums_2[i32(0)] + (dot(_S44.low_0, low_3) + dot(_S44.high_0, high_3));
+        sums_3[i32(0)] = sums_3[i32(0)] + (dot(_S44.low_0, low_3) + dot(_S44.high_0, high_3));
         var _S45 : Eight_0 = HalfWeights_eight_0(weights_4, row_2 + u32(5) + column_2);
-        sums_2[i32(1)] = sums_2[i32(1)] + (dot(_S45.low_0, low_3) + dot(_S45.high_0, high_3));
+        sums_3[i32(1)] = sums_3[i32(1)] + (dot(_S45.low_0, low_3) + dot(_S45.high_0, high_3));
         var _S46 : Eight_0 = HalfWeights_eight_0(weights_4, row_2 + u32(10) + column_2);
-        sums_2[i32(2)] = sums_2[i32(2)] + (dot(_S46.low_0, low_3) + dot(_S46.high_0, high_3));
+        sums_3[i32(2)] = sums_3[i32(2)] + (dot(_S46.low_0, low_3) + dot(_S46.high_0, high_3));
         var _S47 : Eight_0 = HalfWeights_eight_0(weights_4, row_2 + u32(15) + column_2);
-        sums_2[i32(3)] = sums_2[i32(3)] + (dot(_S47.low_0, low_3) + dot(_S47.high_0, high_3));
+        sums_3[i32(3)] = sums_3[i32(3)] + (dot(_S47.low_0, low_3) + dot(_S47.high_0, high_3));
         column_2 = column_2 + u32(1);
     }
-    return sums_2;
+    return sums_3;
 }
 
 fn dense_part_2( weights_5 : HalfWeights_0,  first_4 : u32,  adds_2 : bool,  inputs_5 : ptr<function, array<f32, i32(39)>>,  outputs_2 : ptr<function, array<f32, i32(96)>>)
@@ -628,7 +652,7 @@ fn dense_part_2( weights_5 : HalfWeights_0,  first_4 : u32,  adds_2 : bool,  inp
 
 fn tile_product_3( weights_6 : HalfWeights_0,  row_3 : u32,  inputs_6 : ptr<function, array<f32, i32(100)>>) -> vec4<f32>
 {
-    var sums_3 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_4 : vec4<f32> = vec4<f32>(0.0f);
     var column_3 : u32 = u32(0);
     for(;;)
     {
@@ -654,16 +678,16 @@ fn tile_product_3( weights_6 : HalfWeights_0,  row_3 : u32,  inputs_6 : ptr<func
         low_4[i32(3)] = (*inputs_6)[min(_S62, i32(99))];
         high_4[i32(3)] = (*inputs_6)[min(_S62 + i32(4), i32(99))];
         var _S63 : Eight_0 = HalfWeights_eight_0(weights_6, row_3 + column_3);
-        sums_3[i32(0)] = sums_3[i32(0)] + (dot(_S63.low_0, low_4) + dot(_S63.high_0, high_4));
+        sums_4[i32(0)] = sums_4[i32(0)] + (dot(_S63.low_0, low_4) + dot(_S63.high_0, high_4));
         var _S64 : Eight_0 = HalfWeights_eight_0(weights_6, row_3 + u32(13) + column_3);
-        sums_3[i32(1)] = sums_3[i32(1)] + (dot(_S64.low_0, low_4) + dot(_S64.high_0, high_4));
+        sums_4[i32(1)] = sums_4[i32(1)] + (dot(_S64.low_0, low_4) + dot(_S64.high_0, high_4));
         var _S65 : Eight_0 = HalfWeights_eight_0(weights_6, row_3 + u32(26) + column_3);
-        sums_3[i32(2)] = sums_3[i32(2)] + (dot(_S65.low_0, low_4) + dot(_S65.high_0, high_4));
+        sums_4[i32(2)] = sums_4[i32(2)] + (dot(_S65.low_0, low_4) + dot(_S65.high_0, high_4));
         var _S66 : Eight_0 = HalfWeights_eight_0(weights_6, row_3 + u32(39) + column_3);
-        sums_3[i32(3)] = sums_3[i32(3)] + (dot(_S66.low_0, low_4) + dot(_S66.high_0, high_4));
+        sums_4[i32(3)] = sums_4[i32(3)] + (dot(_S66.low_0, low_4) + dot(_S66.high_0, high_4));
         column_3 = column_3 + u32(1);
     }
-    return sums_3;
+    return sums_4;
 }
 
 fn dense_part_3( weights_7 : HalfWeights_0,  first_5 : u32,  adds_3 : bool,  inputs_7 : ptr<function, array<f32, i32(100)>>,  outputs_3 : ptr<function, array<f32, i32(96)>>)
@@ -752,7 +776,7 @@ fn dense_part_3( weights_7 : HalfWeights_0,  first_5 : u32,  adds_3 : bool,  inp
 
 fn tile_product_4( weights_8 : HalfWeights_0,  row_4 : u32,  inputs_8 : ptr<function, array<f32, i32(16)>>) -> vec4<f32>
 {
-    var sums_4 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_5 : vec4<f32> = vec4<f32>(0.0f);
     var column_4 : u32 = u32(0);
     for(;;)
     {
@@ -778,16 +802,16 @@ fn tile_product_4( weights_8 : HalfWeights_0,  row_4 : u32,  inputs_8 : ptr<func
         low_5[i32(3)] = (*inputs_8)[_S81];
         high_5[i32(3)] = (*inputs_8)[_S81 + i32(4)];
         var _S82 : Eight_0 = HalfWeights_eight_0(weights_8, row_4 + column_4);
-        sums_4[i32(0)] = sums_4[i32(0)] + (dot(_S82.low_0, low_5) + dot(_S82.high_0, high_5));
+        sums_5[i32(0)] = sums_5[i32(0)] + (dot(_S82.low_0, low_5) + dot(_S82.high_0, high_5));
         var _S83 : Eight_0 = HalfWeights_eight_0(weights_8, row_4 + u32(2) + column_4);
-        sums_4[i32(1)] = sums_4[i32(1)] + (dot(_S83.low_0, low_5) + dot(_S83.high_0, high_5));
+        sums_5[i32(1)] = sums_5[i32(1)] + (dot(_S83.low_0, low_5) + dot(_S83.high_0, high_5));
         var _S84 : Eight_0 = HalfWeights_eight_0(weights_8, row_4 + u32(4) + column_4);
-        sums_4[i32(2)] = sums_4[i32(2)] + (dot(_S84.low_0, low_5) + dot(_S84.high_0, high_5));
+        sums_5[i32(2)] = sums_5[i32(2)] + (dot(_S84.low_0, low_5) + dot(_S84.high_0, high_5));
         var _S85 : Eight_0 = HalfWeights_eight_0(weights_8, row_4 + u32(6) + column_4);
-        sums_4[i32(3)] = sums_4[i32(3)] + (dot(_S85.low_0, low_5) + dot(_S85.high_0, high_5));
+        sums_5[i32(3)] = sums_5[i32(3)] + (dot(_S85.low_0, low_5) + dot(_S85.high_0, high_5));
         column_4 = column_4 + u32(1);
     }
-    return sums_4;
+    return sums_5;
 }
 
 fn dense_part_4( weights_9 : HalfWeights_0,  first_6 : u32,  adds_4 : bool,  inputs_9 : ptr<function, array<f32, i32(16)>>,  outputs_4 : ptr<function, array<f32, i32(1)>>)
@@ -1049,7 +1073,7 @@ fn dense_part_6( weights_11 : HalfWeights_0,  first_8 : u32,  adds_6 : bool,  in
 
 fn tile_product_5( weights_12 : HalfWeights_0,  row_5 : u32,  inputs_12 : ptr<function, array<f32, i32(88)>>) -> vec4<f32>
 {
-    var sums_5 : vec4<f32> = vec4<f32>(0.0f);
+    var sums_6 : vec4<f32> = vec4<f32>(0.0f);
     var column_5 : u32 = u32(0);
     for(;;)
     {
@@ -1075,16 +1099,16 @@ fn tile_product_5( weights_12 : HalfWeights_0,  row_5 : u32,  inputs_12 : ptr<fu
         low_6[i32(3)] = (*inputs_12)[_S122];
         high_6[i32(3)] = (*inputs_12)[_S122 + i32(4)];
         var _S123 : Eight_0 = HalfWeights_eight_0(weights_12, row_5 + column_5);
-        sums_5[i32(0)] = sums_5[i32(0)] + (dot(_S123.low_0, low_6) + dot(_S123.high_0, high_6));
+        sums_6[i32(0)] = sums_6[i32(0)] + (dot(_S123.low_0, low_6) + dot(_S123.high_0, high_6));
         var _S124 : Eight_0 = HalfWeights_eight_0(weights_12, row_5 + u32(11) + column_5);
-        sums_5[i32(1)] = sums_5[i32(1)] + (dot(_S124.low_0, low_6) + dot(_S124.high_0, high_6));
+        sums_6[i32(1)] = sums_6[i32(1)] + (dot(_S124.low_0, low_6) + dot(_S124.high_0, high_6));
         var _S125 : Eight_0 = HalfWeights_eight_0(weights_12, row_5 + u32(22) + column_5);
-        sums_5[i32(2)] = sums_5[i32(2)] + (dot(_S125.low_0, low_6) + dot(_S125.high_0, high_6));
+        sums_6[i32(2)] = sums_6[i32(2)] + (dot(_S125.low_0, low_6) + dot(_S125.high_0, high_6));
         var _S126 : Eight_0 = HalfWeights_eight_0(weights_12, row_5 + u32(33) + column_5);
-        sums_5[i32(3)] = sums_5[i32(3)] + (dot(_S126.low_0, low_6) + dot(_S126.high_0, high_6));
+        sums_6[i32(3)] = sums_6[i32(3)] + (dot(_S126.low_0, low_6) + dot(_S126.high_0, high_6));
         column_5 = column_5 + u32(1);
     }
-    return sums_5;
+    return sums_6;
 }
 
 fn dense_part_7( weights_13 : HalfWeights_0,  first_9 : u32,  adds_7 : bool,  inputs_13 : ptr<function, array<f32, i32(88)>>,  outputs_7 : ptr<function, array<f32, i32(96)>>)
@@ -1533,11 +1557,11 @@ fn mirrored_bundle_0( bundle_0 : u32) -> u32
     return _S193;
 }
 
-fn light_visibility_of_0( diffuse_0 : f32,  light_0 : vec3<f32>,  view_0 : vec3<f32>,  blend_0 : f32) -> f32
+fn light_visibility_of_0( diffuse_0 : f32,  light_1 : vec3<f32>,  view_1 : vec3<f32>,  blend_0 : f32) -> f32
 {
-    var _S194 : f32 = max(abs(light_0.z), 0.00100000004749745f);
-    var _S195 : vec2<f32> = light_0.xy;
-    return 3.14159274101257324f * max(diffuse_0, 0.0f) / mix(_S194, (0.59700000286102295f * _S194 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S195, view_0.xy) * rsqrt_0(max(dot(_S195, _S195), 9.99999997475242708e-07f))) + 1.0f), blend_0);
+    var _S194 : f32 = max(abs(light_1.z), 0.00100000004749745f);
+    var _S195 : vec2<f32> = light_1.xy;
+    return 3.14159274101257324f * max(diffuse_0, 0.0f) / mix(_S194, (0.59700000286102295f * _S194 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S195, view_1.xy) * rsqrt_0(max(dot(_S195, _S195), 9.99999997475242708e-07f))) + 1.0f), blend_0);
 }
 
 fn turns_and_remainder_0( family_0 : u32,  index_2 : f32) -> vec2<f32>
@@ -1915,14 +1939,14 @@ fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : v
     return found_0;
 }
 
-fn view_terms_0( view_1 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
+fn view_terms_0( view_2 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S257 : f32 = 1.0f - view_1.z;
+    var _S257 : f32 = 1.0f - view_2.z;
     var _S258 : f32 = _S257 * _S257;
     (*terms_0)[i32(0)] = 1.0f;
-    var _S259 : f32 = view_1.x;
+    var _S259 : f32 = view_2.x;
     var _S260 : f32 = _S259 * _S259;
-    var _S261 : f32 = view_1.y;
+    var _S261 : f32 = view_2.y;
     var _S262 : f32 = _S261 * _S261;
     (*terms_0)[i32(1)] = sqrt(max(_S260 + _S262, 9.999999960041972e-13f));
     (*terms_0)[i32(2)] = _S258;
@@ -1932,14 +1956,14 @@ fn view_terms_0( view_1 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>
     return;
 }
 
-fn view_terms_1( view_2 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
+fn view_terms_1( view_3 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S263 : f32 = 1.0f - view_2.z;
+    var _S263 : f32 = 1.0f - view_3.z;
     var _S264 : f32 = _S263 * _S263;
     (*terms_1)[i32(0)] = 1.0f;
-    var _S265 : f32 = view_2.x;
+    var _S265 : f32 = view_3.x;
     var _S266 : f32 = _S265 * _S265;
-    var _S267 : f32 = view_2.y;
+    var _S267 : f32 = view_3.y;
     var _S268 : f32 = _S267 * _S267;
     (*terms_1)[i32(1)] = sqrt(max(_S266 + _S268, 9.999999960041972e-13f));
     (*terms_1)[i32(2)] = _S264;
@@ -1997,11 +2021,11 @@ fn sum_of_0( first_20 : Bounced_0,  second_1 : Bounced_0) -> Bounced_0
     return sum_1;
 }
 
-fn bounced_value_0( bounced_1 : Bounced_0,  light_1 : vec3<f32>,  view_3 : vec3<f32>) -> vec3<f32>
+fn bounced_value_0( bounced_1 : Bounced_0,  light_2 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S271 : f32 = light_1.z;
+    var _S271 : f32 = light_2.z;
     var _S272 : vec3<f32>;
-    if((_S271 * view_3.z) < 0.0f)
+    if((_S271 * view_4.z) < 0.0f)
     {
         _S272 = bounced_1.transmitted_0;
     }
@@ -2035,9 +2059,9 @@ fn sheen_lobe_0( cos_view_0 : f32,  roughness_1 : f32) -> vec3<f32>
     return vec3<f32>(clamp(sheen_scale_0(_S274, _S275), 0.00999999977648258f, 1.0f), clamp((1.0f - _S273) * sheen_shear_0(_S274, _S275), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S274, _S275), -60.0f, 60.0f))));
 }
 
-fn transformed_cosine_0( light_2 : vec3<f32>,  view_4 : vec3<f32>,  scale_1 : f32,  shear_0 : f32) -> f32
+fn transformed_cosine_0( light_3 : vec3<f32>,  view_5 : vec3<f32>,  scale_1 : f32,  shear_0 : f32) -> f32
 {
-    var _S276 : f32 = light_2.z;
+    var _S276 : f32 = light_3.z;
     var _S277 : bool;
     if(_S276 <= 0.0f)
     {
@@ -2045,13 +2069,13 @@ fn transformed_cosine_0( light_2 : vec3<f32>,  view_4 : vec3<f32>,  scale_1 : f3
     }
     else
     {
-        _S277 = (view_4.z) <= 0.0f;
+        _S277 = (view_5.z) <= 0.0f;
     }
     if(_S277)
     {
         return 0.0f;
     }
-    var _S278 : vec2<f32> = view_4.xy;
+    var _S278 : vec2<f32> = view_5.xy;
     var _S279 : f32 = dot(_S278, _S278);
     var _S280 : vec2<f32>;
     if(_S279 > 9.99999968265522539e-21f)
@@ -2062,25 +2086,25 @@ fn transformed_cosine_0( light_2 : vec3<f32>,  view_4 : vec3<f32>,  scale_1 : f3
     {
         _S280 = vec2<f32>(1.0f, 0.0f);
     }
-    var _S281 : f32 = scale_1 * dot(light_2.xy, _S280) + shear_0 * _S276;
-    var _S282 : f32 = scale_1 * (light_2.y * _S280.x - light_2.x * _S280.y);
+    var _S281 : f32 = scale_1 * dot(light_3.xy, _S280) + shear_0 * _S276;
+    var _S282 : f32 = scale_1 * (light_3.y * _S280.x - light_3.x * _S280.y);
     var _S283 : f32 = _S281 * _S281 + _S282 * _S282 + _S276 * _S276;
     return 0.31830987334251404f * scale_1 * scale_1 * _S276 / max(_S283 * _S283, 9.99999968265522539e-21f);
 }
 
-fn sheen_with_transmittance_0( light_3 : vec3<f32>,  view_5 : vec3<f32>,  strength_0 : f32,  roughness_2 : f32) -> vec2<f32>
+fn sheen_with_transmittance_0( light_4 : vec3<f32>,  view_6 : vec3<f32>,  strength_0 : f32,  roughness_2 : f32) -> vec2<f32>
 {
-    var _S284 : vec3<f32> = sheen_lobe_0(view_5.z, roughness_2);
+    var _S284 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_2);
     var _S285 : f32 = strength_0 * _S284.z;
-    return vec2<f32>(_S285 * transformed_cosine_0(light_3, view_5, _S284.x, _S284.y), 1.0f - _S285);
+    return vec2<f32>(_S285 * transformed_cosine_0(light_4, view_6, _S284.x, _S284.y), 1.0f - _S285);
 }
 
 struct WovenView_0
 {
-     sums_6 : array<f32, i32(96)>,
+     sums_7 : array<f32, i32(96)>,
      hole_0 : f32,
      correction_weight_0 : f32,
-     view_6 : vec3<f32>,
+     view_7 : vec3<f32>,
      back_5 : bool,
 };
 
@@ -2228,7 +2252,7 @@ fn add_level_0( _S309 : u32,  _S310 : u32,  _S311 : bool,  _S312 : vec2<f32>,  _
 
 fn code_footprint_0( _S331 : u32,  _S332 : AnisotropicTaps_0,  _S333 : vec3<f32>,  _S334 : bool,  _S335 : ptr<function, array<f32, i32(88)>>)
 {
-    var offset_1 : f32;
+    var offset_2 : f32;
     var k_0 : i32 = i32(0);
     for(;;)
     {
@@ -2270,13 +2294,13 @@ fn code_footprint_0( _S331 : u32,  _S332 : AnisotropicTaps_0,  _S333 : vec3<f32>
         var _S343 : bool = ((number_1 & (u32(1)))) != u32(0);
         if(_S343)
         {
-            offset_1 = _S338 - _S339;
+            offset_2 = _S338 - _S339;
         }
         else
         {
-            offset_1 = 1.0f - (_S338 - _S339);
+            offset_2 = 1.0f - (_S338 - _S339);
         }
-        var _S344 : f32 = offset_1 / f32(_S340);
+        var _S344 : f32 = offset_2 / f32(_S340);
         var _S345 : u32 = u32(_S339);
         var _S346 : u32;
         if(_S343)
@@ -2310,16 +2334,16 @@ fn code_footprint_0( _S331 : u32,  _S332 : AnisotropicTaps_0,  _S333 : vec3<f32>
             {
                 break;
             }
-            var offset_2 : f32 = _S333[number_2] - (f32(bin_0) + 0.5f) / 8.0f;
+            var offset_3 : f32 = _S333[number_2] - (f32(bin_0) + 0.5f) / 8.0f;
             if(number_2 < i32(2))
             {
-                offset_1 = offset_2 - round(offset_2);
+                offset_2 = offset_3 - round(offset_3);
             }
             else
             {
-                offset_1 = offset_2;
+                offset_2 = offset_3;
             }
-            (*_S335)[i32(64) + number_2 * i32(8) + bin_0] = bump_0(offset_1 * 3.20000004768371582f);
+            (*_S335)[i32(64) + number_2 * i32(8) + bin_0] = bump_0(offset_2 * 3.20000004768371582f);
             bin_0 = bin_0 + i32(1);
         }
         number_2 = number_2 + i32(1);
@@ -2377,12 +2401,12 @@ fn woven_view_0( _S352 : u32,  _S353 : Footprint_0,  _S354 : vec3<f32>,  _S355 :
     dense_6(weights_23, u32(2232), false, &(fused_0), &(of_hole_0));
     var hole_1 : array<f32, i32(1)>;
     dense_5(weights_23, u32(2444), false, &(of_hole_0), &(hole_1));
-    var _S361 : array<f32, i32(96)> = (*_S355).sums_6;
+    var _S361 : array<f32, i32(96)> = (*_S355).sums_7;
     dense_4(weights_23, u32(2456), false, &(fused_0), &(_S361));
-    (*_S355).sums_6 = _S361;
+    (*_S355).sums_7 = _S361;
     (*_S355).hole_0 = clamp(hole_1[i32(0)], 0.0f, 1.0f);
     (*_S355).correction_weight_0 = correction_weight_of_0(_S358.z);
-    (*_S355).view_6 = _S359;
+    (*_S355).view_7 = _S359;
     (*_S355).back_5 = _S356;
     return;
 }
@@ -2521,12 +2545,12 @@ fn woven_components_0( _S398 : u32,  _S399 : ptr<function, WovenView_0>,  _S400 
     var _S401 : f32;
     var _S402 : bool = (*_S399).back_5;
     var _S403 : vec3<f32> = to_face_frame_0(_S400, (*_S399).back_5);
-    var _S404 : vec3<f32> = (*_S399).view_6;
+    var _S404 : vec3<f32> = (*_S399).view_7;
     var weights_24 : HalfWeights_0;
     var _S405 : Woven_std430_0 = fabrics_0[_S398].woven_0;
     weights_24.first_2 = fabrics_0[_S398].woven_0.network_0;
     var directions_0 : array<f32, i32(39)>;
-    code_light_0(_S398, _S403, (*_S399).view_6, (*_S399).back_5, &(directions_0));
+    code_light_0(_S398, _S403, (*_S399).view_7, (*_S399).back_5, &(directions_0));
     var skip_0 : array<f32, i32(96)>;
     var k_1 : i32 = i32(0);
     for(;;)
@@ -2538,7 +2562,7 @@ fn woven_components_0( _S398 : u32,  _S399 : ptr<function, WovenView_0>,  _S400 
         {
             break;
         }
-        skip_0[k_1] = (*_S399).sums_6[k_1];
+        skip_0[k_1] = (*_S399).sums_7[k_1];
         k_1 = k_1 + i32(1);
     }
     dense_3(weights_24, u32(3716), true, &(directions_0), &(skip_0));
@@ -2945,17 +2969,17 @@ fn composed_0( _S527 : u32,  _S528 : Components_0,  _S529 : CloseUp_0,  _S530 : 
     return vec3<f32>(_S544.y) * body_0 + vec3<f32>(((_S528.light_visibility_1 + _S528.hole_2) * _S544.x));
 }
 
-fn cloth_value_0( fabric_1 : u32,  centre_3 : vec2<f32>,  dx_1 : vec2<f32>,  dy_1 : vec2<f32>,  light_4 : vec3<f32>,  view_7 : vec3<f32>) -> vec4<f32>
+fn cloth_value_0( fabric_1 : u32,  centre_3 : vec2<f32>,  dx_1 : vec2<f32>,  dy_1 : vec2<f32>,  light_5 : vec3<f32>,  view_8 : vec3<f32>) -> vec4<f32>
 {
     var footprint_1 : Footprint_0;
     footprint_1.centre_0 = centre_3;
     footprint_1.dx_0 = dx_1;
     footprint_1.dy_0 = dy_1;
     var activations_0 : WovenView_0;
-    woven_view_0(fabric_1, footprint_1, view_7, &(activations_0));
-    var _S545 : Components_0 = woven_components_0(fabric_1, &(activations_0), light_4);
-    var _S546 : f32 = view_7.z;
-    var _S547 : vec3<f32> = composed_0(fabric_1, _S545, no_close_up_0(), albedos_over_0(fabric_1, footprint_1, _S546 < 0.0f), vec3<f32>(1.0f), light_4, view_7);
+    woven_view_0(fabric_1, footprint_1, view_8, &(activations_0));
+    var _S545 : Components_0 = woven_components_0(fabric_1, &(activations_0), light_5);
+    var _S546 : f32 = view_8.z;
+    var _S547 : vec3<f32> = composed_0(fabric_1, _S545, no_close_up_0(), albedos_over_0(fabric_1, footprint_1, _S546 < 0.0f), vec3<f32>(1.0f), light_5, view_8);
     var through_1 : f32 = activations_0.hole_0;
     var through_2 : f32;
     if((fabrics_0[fabric_1].sheen_strength_0) > 0.0f)

@@ -1,0 +1,80 @@
+"""The model clustered as shaders read it: summed-area tables, and tables of clusters by direction.
+
+Summed-area tables hold the coefficients of compressed densities, whose sums they are too; uncompressed ones
+of every half vector would take gigabytes.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.models.clustered import base, bsdf, square_map, visibility_tables
+from loomlight.models.clustered.footprint_sums import summed_areas
+from loomlight.models.clustered.model import ClusteredModel
+from loomlight.models.clustered.tables import NUMBERS
+from loomlight.realtime.word_table import Tables, fill
+from loomlight.yarn.layout import ClothLayout
+
+
+def clustered_uints() -> dict[str, int]:
+    """Constants of `clustered.slang` that are whole numbers."""
+    return {
+        "CLUSTERED_BINS": square_map.BINS,
+        "CLUSTERED_VIEW_BINS": visibility_tables.VIEW_BINS,
+        "CLUSTER_NUMBERS": NUMBERS,
+        "CLUSTERED_POINT": bsdf._POINT,
+    }
+
+
+def clustered_floats() -> dict[str, float]:
+    """Constants of `clustered.slang` that are numbers."""
+    return {
+        "CLUSTERED_SMALLEST_COSINE": base._SMALLEST_COSINE,
+        "CLUSTERED_SMALLEST_DEPTH": base._SMALLEST_DEPTH,
+    }
+
+
+def pack_clustered(
+    record: np.void, model: ClusteredModel, layout: ClothLayout | None, tables: Tables
+) -> None:
+    """Appends the tables of a fabric.
+
+    Args:
+        record: of the fabric.
+    """
+    del layout
+    baked, words = model.tables, tables.words
+    columns, rows = baked.counts
+    width, height = model.source.repeat_mm
+    sums = [
+        summed_areas(labels, coefficients, baked.clusters)
+        for labels, coefficients in zip(baked.labels, baked.coefficients, strict=True)
+    ]
+    values: dict[str, float] = {
+        "is_baked": 1,
+        "clusters": baked.clusters,
+        "rank": baked.rank,
+        "channels": baked.clusters * (1 + baked.rank),
+        "columns": columns,
+        "rows": rows,
+        "texel_width": width / columns,
+        "texel_height": height / rows,
+        "samples": model.samples,
+        "sums": words.add(np.stack(sums).view(np.uint32)),
+        "labels": words.add(_bytes(baked.labels)),
+        "coefficients": words.add(_bytes(baked.coefficients)),
+        "basis": words.add(baked.basis),
+        "moments": words.add(baked.moments),
+        "light": words.add(baked.light),
+        "view": words.add(baked.view),
+        "offset": words.add(baked.offset),
+        "trust": words.add(baked.trust),
+    }
+    fill(record["clustered"], values)
+
+
+def _bytes(values: NDArray[np.generic]) -> NDArray[np.uint32]:
+    """Bytes as little-endian words, filled up with zeros at the end; at least one word."""
+    flat = np.ascontiguousarray(values).ravel().view(np.uint8)
+    return np.pad(flat, (0, -flat.size % 4 or 4 * (flat.size == 0))).view("<u4").astype(np.uint32)

@@ -1,0 +1,111 @@
+"""The model clustered in Slang against Dr.Jit: base and residual of whole queries, and the mean of frames.
+
+The bar is that of `queries.py`. Footprints end at whole texels, and points of the residual meet edges of
+yarns: rounding decides a few queries otherwise.
+
+Covers: realtime/clustered_tables.py
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+from drjit.llvm import Array2f, UInt
+from numpy.typing import NDArray
+
+from loomlight.core.footprint import Footprint
+from loomlight.core.llvm import llvm_float, require_llvm
+from loomlight.fabric import fabric_from_text
+from loomlight.models.clustered.model import ClusteredModel
+from loomlight.models.clustered.tables import bake_tables
+from loomlight.models.samples import FootprintSamples
+from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
+from loomlight.realtime.tables import Packed, pack_fabrics
+from loomlight.yarn.geometry import YarnGeometry
+from tests.realtime.mapped import mapped
+from tests.realtime.queries import directions, share_beyond, vectors
+
+require_llvm()
+COUNT = 4096
+# Of two points and a box: each may fall on another side of an edge.
+MOST_FLIPS = 4e-3
+# Open cloth, whose threads differ in tone, under a sheen.
+FABRIC = fabric_from_text(
+    'weave = "twill 2/1"\nends_per_cm = 14\npicks_per_cm = 11\n[warp]\ncolor = "#2a4680"\nwidth_mm = 0.5\n'
+    "[sheen]\nstrength = 0.3\n[variation]\ncolour_noise = 0.4\n"
+)
+
+
+@cache
+def model_of(rank: int) -> ClusteredModel:
+    """Small tables, with random trust in place of what views would find."""
+    fabric = FABRIC
+    appearance = fabric.appearance()
+    roughness = appearance.warp.roughness, appearance.weft.roughness
+    tables = bake_tables(YarnGeometry(fabric.layout()), roughness, 8, rank, llvm_float(), 32)
+    trust = np.random.default_rng(1).uniform(0.5, 1, tables.trust.shape)
+    return ClusteredModel(fabric, replace(tables, trust=np.float32(trust)), 2, 0, 32)
+
+
+def packed(model: ClusteredModel) -> Packed:
+    return pack_fabrics([(FABRIC.layout(), FABRIC.appearance())], None, [model])
+
+
+def pairs(rows: NDArray[np.float32]) -> Array2f:
+    return Array2f(*(np.ascontiguousarray(column) for column in rows.T))
+
+
+def queries() -> dict[str, NDArray[np.generic]]:
+    """Footprints of 10 µm to 10 mm, elongated and turned, views and lights all over the sphere."""
+    rng = np.random.default_rng(5)
+    side = np.exp(rng.uniform(np.log(0.01), np.log(10), COUNT))
+    angle, ratio = rng.uniform(0, 2 * np.pi, COUNT), rng.uniform(0.1, 1, COUNT)
+    cosine, sine = side * np.cos(angle), side * np.sin(angle)
+    return {
+        "centre": np.float32(rng.uniform(-5, 5, (COUNT, 2))),
+        "dx": np.float32(np.stack([cosine, sine], axis=1)),
+        "dy": np.float32(np.stack([-ratio * sine, ratio * cosine], axis=1)),
+        "light": directions(rng, COUNT),
+        "view": directions(rng, COUNT),
+        "seed": rng.integers(1, 2**32, COUNT, dtype=np.uint32),
+    }
+
+
+@pytest.mark.parametrize(("rank", "samples"), [(0, 0), (1, 0), (3, 0), (1, 2)])
+def test_queries_of_clustered(rank: int, samples: int) -> None:
+    """The base alone, its densities compressed to several ranks, and with two points of the residual."""
+    model = model_of(rank).with_samples(samples)
+    rows = queries()
+    footprint = Footprint(*(pairs(rows[name]) for name in ("centre", "dx", "dy")))
+    at = model.at(vectors(rows["view"]), footprint, seed=UInt(rows["seed"]))
+    value = np.array(at.value(vectors(rows["light"]))).T
+    expected = np.concatenate([value, np.array(at.null_transmission)[:, None]], axis=1)
+    assert value.max() > 0.1
+    body = (
+        "Footprint p; p.centre = centre; p.dx = dx; p.dy = dy;"
+        "let f = clustered_value(fabric, p, light, view, seed, number);"
+    )
+    arguments = rows | {"number": np.full(COUNT, samples, np.uint32)}
+    found = mapped("clustered footprint", body, "f.x; f.y; f.z; f.w", arguments, packed(model))
+    assert share_beyond(found, expected) <= (MOST_FLIPS if samples else 1e-3)
+
+
+def test_passes_of_a_frame_tend_to_the_point_model() -> None:
+    """A pixel of a millimetre from above, in which light and view are those of the frame."""
+    towards = np.float32([0.5, 0.3, 0.8]) / np.linalg.norm([0.5, 0.3, 0.8])
+    field = 2 * np.degrees(np.arctan(0.5 * 1e-3 / 0.02))
+    renderer = Renderer([Cloth(rectangle(0.1, 0.1), model_of(1))], (1, 1))
+    assert renderer.model == "clustered"
+    light = DirectionalLight(towards, (1.0, 1.0, 1.0))
+    camera = Camera((0, 0, 0.02), field_of_view=float(field))
+    found = renderer.render(camera, [light], passes=512, background=(0, 0, 0)).linear[0, 0]
+    edges = pairs(np.float32([[1, 0]])), pairs(np.float32([[0, 1]]))
+    footprint = Footprint(pairs(np.float32([[50, 50]])), *edges)
+    at = FootprintSamples.for_source(FABRIC, 4096).at(vectors(np.float32([[0, 0, 1]])), footprint)
+    expected = np.array(at.value(vectors(towards[None])))[:, 0]
+    # Means of 1024 points, whose spread the base takes in part.
+    np.testing.assert_allclose(found[:3], expected, rtol=0.05)
+    assert found[3] == pytest.approx(1 - float(np.array(at.null_transmission)[0]), abs=0.02)
