@@ -2,7 +2,7 @@
 import { InputError, type Draft, type FabricFields } from "loomlight-fabric";
 
 import { lookOf } from "./fabric/look.ts";
-import { DEFAULT_ENVIRONMENT_SAMPLES, DEFAULT_SAMPLES, GOLDEN, MOST_LAYERS } from "./generated.ts";
+import { DEFAULT_ENVIRONMENT_SAMPLES, DEFAULT_SAMPLES, MOST_LAYERS } from "./generated.ts";
 import { Device, type DeviceOptions } from "./gpu/device.ts";
 import { FabricBuffers, type Dressing } from "./gpu/fabric_buffers.ts";
 import { Presenter, type Source } from "./gpu/present.ts";
@@ -11,12 +11,12 @@ import { SceneBuffers } from "./gpu/scene_buffers.ts";
 import type { ShaderName } from "./gpu/shaders.ts";
 import { Targets } from "./gpu/targets.ts";
 import { BUDGET, Pace, type Budget } from "./pace.ts";
-import { RecordArray } from "./records.ts";
+import type { RecordArray } from "./records.ts";
 import { cameraValues, lightRecords } from "./scene/camera.ts";
 import { environmentTables } from "./scene/environment.ts";
 import { requireMesh } from "./scene/mesh.ts";
-import type { Camera, Environment, FrameReport, Light, ModelName, Piece, Statistics, Vector3 } from "./types.ts";
-import type { View } from "./view.ts";
+import type { Camera, Environment, FrameReport, Light, Mesh, ModelName, Piece, Statistics, Vector3 } from "./types.ts";
+import { frameRecord, keyOfView, type View } from "./view.ts";
 
 const ENTRIES: Readonly<Record<ModelName, ShaderName>> = { lobes: "shade_lobes", point: "shade_points" };
 const UV_SIZE_MM = [100, 100] as const;
@@ -129,11 +129,7 @@ export class ClothRenderer {
     if (pieces.length === 0) throw new InputError("A renderer needs at least one piece of cloth.");
     pieces.forEach(({ mesh }) => requireMesh(mesh));
     const looks = pieces.map(({ fields, draft }) => lookOf(fields, draft));
-    const scene = new SceneBuffers(
-      this.device,
-      pieces.map(({ mesh }) => mesh),
-      pieces.map(({ albedo }) => albedo ?? null),
-    );
+    const scene = sceneOf(this.device, pieces);
     const dressings = pieces.map(
       ({ uvSizeMm }, number): Dressing => ({
         look: looks[number]!,
@@ -146,6 +142,23 @@ export class ClothRenderer {
     this.scene?.destroy();
     this.fabrics?.destroy();
     [this.pieces, this.scene, this.fabrics] = [[...pieces], scene, fabrics];
+    this.shown = "";
+  }
+
+  /**
+   * Other meshes for the pieces, one each; nothing is baked.
+   *
+   * @throws InputError a mesh without uv, or another number of meshes.
+   */
+  setMeshes(meshes: readonly Mesh[]): void {
+    if (this.fabrics === null || meshes.length !== this.pieces.length)
+      throw new InputError(`${meshes.length} meshes were given for ${this.pieces.length} pieces of cloth.`);
+    meshes.forEach(requireMesh);
+    const pieces = this.pieces.map((piece, number) => ({ ...piece, mesh: meshes[number]! }));
+    const scene = sceneOf(this.device, pieces);
+    this.scene?.destroy();
+    [this.pieces, this.scene] = [pieces, scene];
+    this.fabrics.describe(scene.maps);
     this.shown = "";
   }
 
@@ -402,16 +415,15 @@ export class ClothRenderer {
     this.store("lights", lightRecords(view.lights), GPUBufferUsage.STORAGE);
   }
 
-  /** What sums depend on; the exposure is none of it. */
   private keyOf(view: View): string {
-    const { environment, exposure: _, ...rest } = view;
-    return JSON.stringify([rest, environment === null ? null : identity(environment), this.model, this.samples, this.mostPasses]);
+    return keyOfView(view, [this.model, this.samples, this.mostPasses]);
   }
 
   private addPass(view: View): void {
     const [width, height] = this.frameSize;
     const castsShadows = this.castsShadows(view);
-    const frame = this.frameRecord(view, width, height, castsShadows);
+    const scene = this.scene!.frameValues(view.turn, view.environmentSamples);
+    const frame = frameRecord(view, scene, { width, height, passes: this.passes, samples: this.samples, castsShadows });
     this.targets.makeRoom(castsShadows ? view.lights.length + frame.get(0, "environment_samples") : 1);
     this.store("frames", frame, GPUBufferUsage.UNIFORM);
     const resources = this.resources();
@@ -427,31 +439,6 @@ export class ClothRenderer {
     this.compute("tone_map", [Math.ceil((width * height) / 64), 1], resources);
     this.passes++;
     this.done.passes++;
-  }
-
-  private frameRecord(view: View, width: number, height: number, castsShadows: boolean): RecordArray {
-    const frame = new RecordArray("Frame", 1);
-    // Passes 0 and following of the R2 sequence, about the middle of the pixel.
-    const jitter = GOLDEN.map((step) => ((0.5 + this.passes * step) % 1) - 0.5) as [number, number];
-    const background = view.background ?? [0, 0, 0];
-    frame.set(0, {
-      width,
-      height,
-      lights: view.lights.length,
-      samples: this.samples,
-      pass_number: this.passes,
-      jitter_x: jitter[0],
-      jitter_y: jitter[1],
-      gain: 2 ** view.exposure / (this.passes + 1),
-      casts_shadows: castsShadows ? 1 : 0,
-      ...this.scene!.frameValues(view.turn, view.environmentSamples),
-      ...cameraValues(view.camera, width, height),
-      background_red: background[0],
-      background_green: background[1],
-      background_blue: background[2],
-      shows_environment: view.environment !== null && view.background === null ? 1 : 0,
-    });
-    return frame;
   }
 
   private resources(): Record<string, GPUBuffer | GPUTextureView> {
@@ -518,13 +505,13 @@ export class ClothRenderer {
   }
 }
 
-const identities = new WeakMap<object, number>();
-let identified = 0;
-
-/** A number that no other object has. */
-function identity(object: object): number {
-  if (!identities.has(object)) identities.set(object, ++identified);
-  return identities.get(object)!;
+/** Buffers of the meshes and albedo maps of pieces. */
+function sceneOf(device: Device, pieces: readonly Piece[]): SceneBuffers {
+  return new SceneBuffers(
+    device,
+    pieces.map(({ mesh }) => mesh),
+    pieces.map(({ albedo }) => albedo ?? null),
+  );
 }
 
 function requireSize(width: number, height: number): void {

@@ -99,6 +99,16 @@ export class FabricBuffers {
     this.rewrite("families", this.packed.families.words, old.families.words, 1);
   }
 
+  /** What the scene adds to the record of each fabric. */
+  describe(extras: readonly Values[]): void {
+    const old = this.packed.fabrics.words.slice();
+    extras.forEach((extra, number) => {
+      this.dressings[number] = { ...this.dressings[number]!, extra };
+      this.packed.fabrics.set(number, extra);
+    });
+    this.rewrite("fabrics", this.packed.fabrics.words, old, 1);
+  }
+
   destroy(): void {
     Object.values(this.buffers).forEach((buffer) => buffer.destroy());
     this.baker.destroy();
