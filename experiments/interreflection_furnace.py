@@ -2,10 +2,10 @@
 
     python -m experiments.interreflection_furnace [--fabrics N] [--seed N] [--output FILE.json]
 
-White cloth of three weaves, by how strongly its yarns shine, is seen from six views. Random fabrics are those of
-`experiments.white_furnace`: all parameter ranges, limits included. Reflectance is the mean weight of the point model's sampler over places
-of the repeat, light through holes included: 1 if nothing is lost. The bars are 0.95 to 1 for the
-whitest cloth, and 1.02 for all.
+White cloth of three weaves, by how strongly its yarns shine, is seen from six views. Random fabrics are those
+of `experiments.white_furnace`: all parameter ranges, limits included. Reflectance is the mean weight of the
+point model's sampler over places of the repeat, light through holes included: 1 if nothing is lost. The bars
+are 0.95 to 1 for the whitest cloth, and 1.02 for all.
 """
 
 from __future__ import annotations

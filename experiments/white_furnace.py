@@ -76,9 +76,7 @@ def family_layout(rng: Generator, count: int) -> FamilyLayout:
     )
 
 
-def family_appearance(
-    rng: Generator, count: int, depth: float, between_yarns: bool
-) -> FamilyAppearance:
+def family_appearance(rng: Generator, count: int, depth: float, between_yarns: bool) -> FamilyAppearance:
     """White threads, or explicit albedos that use the energy bound up; as a fabric file admits them."""
     rows = (count, 3) if rng.random() < 0.5 else (1, 3)
     kind = rng.integers(3)

@@ -7,9 +7,9 @@ The fibre layer returns at most a share κ of the light when its albedo is 1, so
 keeps every direction below 1 (docs/scattering.md has the reasoning and the scan). κ holds for tangents
 perpendicular to the yarn's normal, which every source of geometry provides.
 
-Cloth with light between its yarns loses nothing but what κ takes, and white yarns with a highlight would be grey: seen
-from above, the layer returns half of κ. There κ is a bound of what views of the *cloth* meet, whose yarns
-lean to all sides; it is measured (docs/light-between-yarns.md).
+Cloth with light between its yarns loses nothing but what κ takes, and white yarns with a highlight would be
+grey: seen from above, the layer returns half of κ. There κ is a bound of what views of the *cloth* meet,
+whose yarns lean to all sides; it is measured (docs/light-between-yarns.md).
 """
 
 from __future__ import annotations
