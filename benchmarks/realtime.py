@@ -172,7 +172,9 @@ def _frame_times(fabric: Fabric, model: str, width: int, height: int) -> Figures
 
 def _options(parser: ArgumentParser) -> None:
     parser.add_argument("--size", default="64x64", help="pixels of measured frames")
-    parser.add_argument("--models", default="lobes,point,clustered,woven", help="models whose frames are measured")
+    parser.add_argument(
+        "--models", default="lobes,point,clustered,woven", help="models whose frames are measured"
+    )
     parser.add_argument("--counts-only", action="store_true", help="no frames: no adapter is needed")
 
 
