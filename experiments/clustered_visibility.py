@@ -1,6 +1,6 @@
 """What clusters of visibility can take of the noise of points, by how visibility is described.
 
-    python -m experiments.clustered_visibility [--texels 64] [--pairs 24]
+    python -m experiments.clustered_visibility [--texels 64] [--pairs 96]
         [--output experiments/results/clustered_visibility.json]
 
 zhu2024's control variate at its best: f of every texel of a repeat is known without error, and so is its
@@ -128,7 +128,6 @@ def less_noise(shading: Array, visible: Array, labels: NDArray[np.intp]) -> floa
     """Var(f·v) over Var(f·(v − v̄)), v̄ the mean visibility of a cluster for this light."""
     counts = np.maximum(np.bincount(labels), 1)
     means = np.bincount(labels, visible) / counts
-    # The base is exact: the residual varies within the picture of one cluster and between them alike.
     left = np.var(shading * (visible - means[labels]))
     return float(np.var(shading * visible) / max(left, 1e-12))
 
@@ -180,7 +179,7 @@ def measure(options: Namespace) -> Figures:
 
 def _add_options(parser: ArgumentParser) -> None:
     parser.add_argument("--texels", type=int, default=64, help="a side of the repeat")
-    parser.add_argument("--pairs", type=int, default=24, help="random pairs of light and view")
+    parser.add_argument("--pairs", type=int, default=96, help="random pairs of light and view")
 
 
 if __name__ == "__main__":

@@ -17,12 +17,10 @@ from loomlight.models.neumip.settings import QUALITIES
 os.environ.setdefault("MKL_CBWR", "AUTO,STRICT")
 
 # Mesa's software driver takes most of the time of shader tests to compile them. What it compiled stays where
-# it does for any program, so that all workers, subprocesses and later runs share it; unoptimised code takes a
-# third less time to make, and runs long enough in no test to matter.
+# it does for any program, so that all workers, subprocesses and later runs share it.
 os.environ.setdefault(
     "MESA_SHADER_CACHE_DIR", os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
 )
-os.environ.setdefault("GALLIVM_PERF", "nopt")
 
 # Seconds that an example takes say how busy a machine is, not what is wrong.
 settings.register_profile("busy machines", deadline=None, suppress_health_check=[HealthCheck.too_slow])

@@ -188,7 +188,7 @@ def stored_files() -> list[Path]:
 def digests() -> dict[str, str]:
     """SHA-256 of what shaders are generated of, and of the stored ones: whether they are in step.
 
-    Compiling all of them takes more than a minute, so a test compares these with the record of the last build.
+    Compiling all takes more than a minute, so a test compares these with the record of the last build.
     """
     sources = {path.name: path.read_bytes() for path in SHADERS.glob("*.slang")}
     jobs = {str(path): repr(job).encode() for path, job in _jobs().items()}
