@@ -76,17 +76,18 @@ def family_layout(rng: Generator, count: int) -> FamilyLayout:
     )
 
 
-def family_appearance(rng: Generator, count: int, depth: float) -> FamilyAppearance:
+def family_appearance(rng: Generator, count: int, depth: float, between_yarns: bool) -> FamilyAppearance:
     """White threads, or explicit albedos that use the energy bound up; as a fabric file admits them."""
     rows = (count, 3) if rng.random() < 0.5 else (1, 3)
     kind = rng.integers(3)
     if kind == 0:
-        albedos = albedos_from_colour(np.ones((count, 3)), within(rng, 0, 1), within(rng, 0, 1), depth)
+        strength, translucency = within(rng, 0, 1), within(rng, 0, 1)
+        albedos = albedos_from_colour(np.ones((count, 3)), strength, translucency, depth, between_yarns)
     else:
         maximum = np.ones(rows) if rng.random() < 0.2 else rng.random(rows)
         minimum = maximum * within(rng, 0, 1)
         reflects = kind == 1
-        diffuse = 1 - layer_albedo_bound(depth) * maximum
+        diffuse = 1 - layer_albedo_bound(depth, between_yarns) * maximum
         fraction = within(rng, 0, 1)
         values = (
             diffuse * fraction,
@@ -94,12 +95,12 @@ def family_appearance(rng: Generator, count: int, depth: float) -> FamilyAppeara
             *((maximum, minimum) if reflects else (minimum, maximum)),
         )
         albedos = Albedos(*(np.broadcast_to(value, (count, 3)).copy() for value in values))
-    check_albedos(albedos, "warp or weft", depth)
+    check_albedos(albedos, "warp or weft", depth, between_yarns)
     return FamilyAppearance(**albedos._asdict(), roughness=within(rng, 0.01, 1, True))
 
 
-def fabric(rng: Generator) -> tuple[YarnGeometry, Appearance]:
-    """A random fabric of all parameter ranges."""
+def fabric(rng: Generator, between_yarns: bool = False) -> tuple[YarnGeometry, Appearance]:
+    """A random fabric of all parameter ranges, within the energy bound of `layer_albedo_bound`."""
     while True:
         picks, ends = (int(number) for number in rng.integers(1, 13, 2))
         drawdown = rng.random((picks, ends)) < rng.uniform(0.1, 0.9)
@@ -112,8 +113,8 @@ def fabric(rng: Generator) -> tuple[YarnGeometry, Appearance]:
         break
     depth = within(rng, 0.01, 100, True)
     appearance = Appearance(
-        family_appearance(rng, ends, depth),
-        family_appearance(rng, picks, depth),
+        family_appearance(rng, ends, depth, between_yarns),
+        family_appearance(rng, picks, depth, between_yarns),
         sheen=Sheen(within(rng, 0, 1), within(rng, 0, 1)) if rng.random() < 0.6 else Sheen(),
         variation=Variation(within(rng, 0, 1), within(rng, 0, 1), int(rng.integers(2**32)))
         if rng.random() < 0.5

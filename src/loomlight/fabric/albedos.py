@@ -43,7 +43,8 @@ def family_appearance(
 
         openness, number = shown_by
         colours = colour_for(colours, specular, translucency, openness, number, roughness, optical_depth)
-    albedos = albedos_from_colour(colours, specular, translucency, optical_depth)
+    between_yarns = shown_by is not None
+    albedos = albedos_from_colour(colours, specular, translucency, optical_depth, between_yarns)
     if table.specular_tint is not None:
         tint = parse_colour(table.specular_tint, f"{name}.specular_tint")
         albedos = albedos._replace(
@@ -51,7 +52,7 @@ def family_appearance(
             specular_transmit=albedos.specular_transmit * tint,
         )
     albedos = _with_explicit(albedos, table, name)
-    check_albedos(albedos, name, optical_depth)
+    check_albedos(albedos, name, optical_depth, between_yarns)
     return FamilyAppearance(**albedos._asdict(), roughness=roughness)
 
 

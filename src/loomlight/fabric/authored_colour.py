@@ -38,7 +38,7 @@ def shown_colour(
         roughness: α of the yarn.
         optical_depth: Tρ of its fibre layer.
     """
-    albedos = albedos_from_colour(colour, specular, translucency, optical_depth)
+    albedos = albedos_from_colour(colour, specular, translucency, optical_depth, between_yarns=True)
     shares = tuple(float(share) for share in mean_layer_shares(roughness, optical_depth))
     yarn = scattered(*albedos, shares)
     front, behind = solved_interior(yarn, yarn, openness.interior, openness.meets, openness.blocks)

@@ -6,6 +6,10 @@ The fibre layer returns at most a share κ of the light when its albedo is 1, so
 
 keeps every direction below 1 (docs/scattering.md has the reasoning and the scan). κ holds for tangents
 perpendicular to the yarn's normal, which every source of geometry provides.
+
+Cloth with light between its yarns loses nothing but what κ takes, and white yarns with a highlight would be
+grey: seen from above, the layer returns half of κ. There κ is a bound of what views of the *cloth* meet,
+whose yarns lean to all sides; it is measured (docs/light-between-yarns.md).
 """
 
 from __future__ import annotations
@@ -34,12 +38,19 @@ class Albedos(NamedTuple):
     specular_transmit: NDArray[np.float64]
 
 
-def layer_albedo_bound(optical_depth: float) -> float:
-    """κ = (1 + e^{−Tρ})/2: no direction gets more than this share back from a layer of albedo 1, both sides.
+def layer_albedo_bound(optical_depth: float, between_yarns: bool = False) -> float:
+    """κ: no direction gets more than this share back from a layer of albedo 1, both sides.
 
-    Tangent and normal are perpendicular. Half of what scatters at once leaves upwards; the other half
-    crosses a depth of at least Tρ, since σ(ω) ≥ |ω·n_p| there.
+    A yarn alone has κ = (1 + e^{−Tρ})/2. Tangent and normal are perpendicular. Half of what scatters at once
+    leaves upwards; the other half crosses a depth of at least Tρ, since σ(ω) ≥ |ω·n_p| there.
+
+    Args:
+        between_yarns: κ = 0.34 + 0.66e^{−3Tρ}, for cloth with light between its yarns: with it white cloth of
+            all parameters returns at most what arrives, up to views 75° from the normal
+            (`experiments.interreflection_furnace`).
     """
+    if between_yarns:
+        return 0.34 + 0.66 * math.exp(-3 * optical_depth)
     return 0.5 * (1 + math.exp(-optical_depth))
 
 
@@ -53,7 +64,11 @@ def strongest_highlight(optical_depth: float) -> float:
 
 
 def albedos_from_colour(
-    colour: ArrayLike, specular: ArrayLike, translucency: ArrayLike, optical_depth: float = 2.0
+    colour: ArrayLike,
+    specular: ArrayLike,
+    translucency: ArrayLike,
+    optical_depth: float = 2.0,
+    between_yarns: bool = False,
 ) -> Albedos:
     """Albedos of threads from a colour, how strongly their fibres shine and how much light they let through.
 
@@ -68,17 +83,20 @@ def albedos_from_colour(
         specular: [n] or a number, 0 to 1.
         translucency: [n] or a number, 0 to 1: share of the diffuse light that leaves on the far side.
         optical_depth: Tρ > 0.
+        between_yarns: see `layer_albedo_bound`.
     """
     colour = np.atleast_2d(np.asarray(colour, dtype=np.float64))
     strength = np.asarray(specular, dtype=np.float64).reshape(-1, 1)
     share = np.asarray(translucency, dtype=np.float64).reshape(-1, 1)
     strength = strength * strongest_highlight(optical_depth)
     highlight = strength * (WHITE_SHARE + (1 - WHITE_SHARE) * colour)
-    diffuse = colour * (1 - layer_albedo_bound(optical_depth) * highlight)
+    diffuse = colour * (1 - layer_albedo_bound(optical_depth, between_yarns) * highlight)
     return Albedos((1 - share) * diffuse, share * diffuse, highlight, share * highlight)
 
 
-def check_albedos(albedos: Albedos, family: str, optical_depth: float = 2.0) -> None:
+def check_albedos(
+    albedos: Albedos, family: str, optical_depth: float = 2.0, between_yarns: bool = False
+) -> None:
     """Raises InputError unless the albedos are numbers from 0 to 1 within the energy bound.
 
     The message names `family`, the field, its thread and value, and the bound.
@@ -91,7 +109,7 @@ def check_albedos(albedos: Albedos, family: str, optical_depth: float = 2.0) -> 
                 f"{family}.{name} of thread {thread + 1} is {values[thread, channel]:.6g} in "
                 f"{'RGB'[channel]}: an albedo lies between 0 and 1."
             )
-    bound = layer_albedo_bound(optical_depth)
+    bound = layer_albedo_bound(optical_depth, between_yarns)
     highlight = np.maximum(albedos.specular_reflect, albedos.specular_transmit)
     diffuse = albedos.diffuse_reflect + albedos.diffuse_transmit
     total = diffuse + bound * highlight

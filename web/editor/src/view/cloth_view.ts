@@ -1,6 +1,7 @@
 /** What shows the cloth: by WebGPU, or where that is missing as a flat picture of its yarns. */
 import type { Comparison, Fabric, Scene } from "../state/document.ts";
 import type { ClothShape } from "./meshes.ts";
+import type { TableSource } from "./served_models.ts";
 
 /** What a view shows. */
 export interface Shown {
@@ -63,8 +64,12 @@ export interface Made {
   readonly reason: string | null;
 }
 
-/** Makes the best view that the browser has. */
-export async function makeView(host: HTMLElement): Promise<Made> {
+/** Makes the best view that the browser has; `onFault` is told why tables do not come. */
+export async function makeView(
+  host: HTMLElement,
+  tables: TableSource,
+  onFault: (sentence: string) => void,
+): Promise<Made> {
   const { CanvasView } = await import("./canvas_view.ts");
   if (!("gpu" in navigator))
     return {
@@ -73,7 +78,7 @@ export async function makeView(host: HTMLElement): Promise<Made> {
     };
   try {
     const { WebGpuView } = await import("./webgpu_view.ts");
-    return { view: await WebGpuView.create(host), reason: null };
+    return { view: await WebGpuView.create(host, tables, onFault), reason: null };
   } catch (error) {
     return {
       view: new CanvasView(host),
