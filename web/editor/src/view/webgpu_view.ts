@@ -2,7 +2,7 @@
 import { ClothRenderer, type Vector3 } from "loomlight-web";
 
 import { woven, type Fabric, type Model, type Scene } from "../state/document.ts";
-import type { ClothView, Pixels, Shown, ViewStatistics } from "./cloth_view.ts";
+import type { ClothView, Pixels, Print, Shown, ViewStatistics } from "./cloth_view.ts";
 import type { ClothShape } from "./meshes.ts";
 import { OrbitControl } from "./orbit_control.ts";
 import { LAMP_IRRADIANCE, surroundingsOf } from "./surroundings.ts";
@@ -23,6 +23,7 @@ const MODELS: Readonly<Record<Model, readonly ["lobes" | "point", number, number
 interface Given {
   shape: ClothShape | null;
   fabric: Fabric | null;
+  print: Print | null;
 }
 
 export class WebGpuView implements ClothView {
@@ -157,11 +158,13 @@ export class WebGpuView implements ClothView {
 
   /** Gives a renderer its piece, fabric and model, as far as they are new. */
   private dress(renderer: ClothRenderer, shape: ClothShape, fabric: Fabric, model: Model): void {
-    const given = this.given.get(renderer) ?? { shape: null, fabric: null };
+    const given = this.given.get(renderer) ?? { shape: null, fabric: null, print: null };
     const { fields, draft } = fabric;
-    if (given.shape !== shape) renderer.setPieces([{ mesh: shape.mesh, uvSizeMm: shape.uvSizeMm, fields, draft }]);
+    const print = this.shown?.print ?? null;
+    if (given.shape !== shape || given.print !== print)
+      renderer.setPieces([{ mesh: shape.mesh, uvSizeMm: shape.uvSizeMm, fields, draft, albedo: print?.picture ?? null }]);
     else if (given.fabric !== fabric) renderer.setFabric(0, fields, draft);
-    this.given.set(renderer, { shape, fabric });
+    this.given.set(renderer, { shape, fabric, print });
     const [name, samples, passes] = MODELS[model];
     renderer.setModel(name, { samples, passes });
   }
