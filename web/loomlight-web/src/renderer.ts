@@ -1,6 +1,7 @@
 /** Renders meshes of cloth on WebGPU; see `realtime/renderer.py`, whose frames it makes. */
 import { InputError, type Draft, type FabricFields } from "loomlight-fabric";
 
+import type { Openness } from "./fabric/between_yarns.ts";
 import { lookOf } from "./fabric/look.ts";
 import { DEFAULT_ENVIRONMENT_SAMPLES, DEFAULT_SAMPLES, MOST_LAYERS } from "./generated.ts";
 import { Device, type DeviceOptions } from "./gpu/device.ts";
@@ -128,7 +129,7 @@ export class ClothRenderer {
   setPieces(pieces: readonly Piece[]): void {
     if (pieces.length === 0) throw new InputError("A renderer needs at least one piece of cloth.");
     pieces.forEach(({ mesh }) => requireMesh(mesh));
-    const looks = pieces.map(({ fields, draft }) => lookOf(fields, draft));
+    const looks = pieces.map(({ fields, draft, openness }) => lookOf(fields, draft, openness));
     const scene = sceneOf(this.device, pieces);
     const dressings = pieces.map(
       ({ uvSizeMm }, number): Dressing => ({
@@ -166,15 +167,16 @@ export class ClothRenderer {
    * Another fabric, or an edit of it, for piece `number`: only what changes is written, and only tables that change
    * are baked.
    *
+   * @param openness what light between yarns needs; see `Piece`.
    * @throws InputError a fabric that cannot be; the picture stays as it is.
    */
-  setFabric(number: number, fields: FabricFields, draft: Draft): void {
+  setFabric(number: number, fields: FabricFields, draft: Draft, openness: Openness | null = null): void {
     const piece = this.pieces[number];
     if (piece === undefined || this.fabrics === null)
       throw new InputError(`piece = ${number} is none of the ${this.pieces.length} pieces of cloth.`);
     const begin = performance.now();
-    this.fabrics.setFabric(number, lookOf(fields, draft));
-    this.pieces = this.pieces.map((other, index) => (index === number ? { ...piece, fields, draft } : other));
+    this.fabrics.setFabric(number, lookOf(fields, draft, openness));
+    this.pieces = this.pieces.map((other, index) => (index === number ? { ...piece, fields, draft, openness } : other));
     this.done.editMs = performance.now() - begin;
     this.shown = "";
   }

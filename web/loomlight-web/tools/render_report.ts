@@ -9,13 +9,15 @@ import { join } from "node:path";
 import process from "node:process";
 import { pathToFileURL } from "node:url";
 
-import type { Camera, ClothRenderer, Environment, FrameReport, Light, Mesh, ModelName, Statistics } from "../src/index.ts";
+import type { Camera, ClothRenderer, Environment, FrameReport, Light, Mesh, ModelName, Openness, Statistics } from "../src/index.ts";
 
 /** What is set anew before a picture; what is missing stays as it was. */
 interface Step {
   readonly pieces?: readonly { readonly mesh: Mesh; readonly fabric: string; readonly uvSizeMm: [number, number] }[];
   /** The text of a fabric file for the first piece, as an edit. */
   readonly fabric?: string;
+  /** Of that fabric. */
+  readonly openness?: Openness | null;
   readonly model?: readonly [ModelName, samples: number];
   readonly lights?: readonly Light[];
   readonly environment?: Environment | null;
@@ -67,7 +69,7 @@ async function take(renderer: ClothRenderer, step: Step): Promise<void> {
     );
   if (step.fabric !== undefined) {
     const { fields, draft } = web.fabricOf(step.fabric);
-    renderer.setFabric(0, fields, draft);
+    renderer.setFabric(0, fields, draft, step.openness);
   }
   if (step.lights) renderer.setLights(step.lights);
   if (step.environment !== undefined) {
