@@ -19,6 +19,7 @@ from loomlight.core.errors import MissingDependencyError
 from loomlight.fabric import fabric_from_text
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Environment, PointLight, Renderer, rectangle
 from loomlight.realtime.device import default_adapter
+from loomlight.viewer.openness_json import openness_json
 
 WEB = Path(__file__).parents[2] / "web"
 SIZE = (48, 40)
@@ -34,6 +35,9 @@ PALE = TWILL + '[warp]\ncolor = "#d0d4e4"\n'
 DULL = TWILL + '[warp]\ncolor = "#20305c"\nspecular = 0\n'
 FLAT = TWILL + '[warp]\ncolor = "#20305c"\nheight_scale = 0.1\n[weft]\nheight_scale = 0.1\n'
 OPEN = TWILL + 'gap = 0.6\n[warp]\ncolor = "#20305c"\n'
+PLAIN = 'weave = "plain"\nends_per_cm = 22\npicks_per_cm = 20\n[warp]\ncolor = "#e0c060"\n'
+BETWEEN = "interreflection = true\n" + PLAIN
+REDDER = BETWEEN.replace("#e0c060", "#e06040")
 SKY = np.linspace(0.1, 1.0, 8 * 16 * 3).reshape(8, 16, 3)
 
 Step = dict[str, Any]
@@ -96,8 +100,25 @@ STEPS: list[Step] = [
         "environmentSamples": 4,
         "passes": 2,
     },
+    {"fabric": PLAIN, "passes": 2},
+    {"fabric": BETWEEN, "passes": 2},
+    {"fabric": REDDER, "passes": 2},
+    {"fabric": DARK, "passes": 2},
 ]
-DRAWN, BRIGHTER, WITHOUT_SHINE, FLATTER, OPENER, BY_LAMP, BY_SKY = range(len(STEPS))
+(
+    DRAWN,
+    BRIGHTER,
+    WITHOUT_SHINE,
+    FLATTER,
+    OPENER,
+    BY_LAMP,
+    BY_SKY,
+    ALONE,
+    BETWEEN_YARNS,
+    IN_RED,
+    _,
+) = range(len(STEPS))
+LIT_BY_YARNS = (BETWEEN_YARNS, IN_RED)
 
 
 @dataclass(frozen=True)
@@ -118,7 +139,12 @@ def drawn(tmp_path_factory: pytest.TempPathFactory) -> Drawn:
         pytest.skip(str(error))
     folder, deno = tmp_path_factory.mktemp("frames"), _deno()
     module = _module(folder / "module")
-    (folder / "scenes.json").write_text(json.dumps([{"size": SIZE, "steps": STEPS}]))
+    # What the editor's server answers; it is the same for all colours.
+    openness = openness_json(fabric_from_text(BETWEEN))
+    steps = [
+        step | ({"openness": openness} if number in LIT_BY_YARNS else {}) for number, step in enumerate(STEPS)
+    ]
+    (folder / "scenes.json").write_text(json.dumps([{"size": SIZE, "steps": steps}]))
     script = WEB / "loomlight-web" / "tools" / "render_report.ts"
     command = [
         deno,
@@ -151,6 +177,8 @@ def test_frames_are_those_of_python(drawn: Drawn) -> None:
         (OPENER, OPEN, [SUN], {}),
         (BY_LAMP, DARK, [LAMP], {}),
         (BY_SKY, DARK, [], sky),
+        (BETWEEN_YARNS, BETWEEN, [], sky),
+        (IN_RED, REDDER, [], sky),
     ):
         renderer.set_fabric(0, fabric_from_text(text))
         ours = renderer.render(CAMERA, lights, passes=2, samples=4, **options).linear
@@ -179,10 +207,18 @@ def test_controls_change_the_picture_as_they_say(drawn: Drawn) -> None:
 
 def test_colours_bake_nothing(drawn: Drawn) -> None:
     statistics = drawn.report["statistics"][0]
-    for number in (BRIGHTER, WITHOUT_SHINE):
+    for number in (BRIGHTER, WITHOUT_SHINE, BETWEEN_YARNS, IN_RED):
         assert statistics[number]["bakeKernels"] == 0, number
     assert statistics[BY_LAMP]["bakes"] <= 1
     assert drawn.report["complaints"] == []
+
+
+def test_light_between_yarns_brings_colours_back(drawn: Drawn) -> None:
+    """A pale yellow warp is brighter by what yarns send each other, in red more than in blue."""
+    alone, between = (drawn.pictures[number][..., :3].mean((0, 1)) for number in (ALONE, BETWEEN_YARNS))
+    gain = between / alone
+    assert (gain > 1.02).all()
+    assert drawn.pictures[IN_RED][..., 2].mean() < between[2]
 
 
 def test_a_slow_adapter_draws_fewer_pixels_while_the_camera_moves(drawn: Drawn) -> None:

@@ -24,9 +24,7 @@ def openness_json(fabric: Fabric) -> dict[str, list[float]]:
     openness = appearance.openness
     if openness is None:
         roughness = appearance.warp.roughness, appearance.weft.roughness
-        openness = openness_of(
-            fabric.layout(), appearance.diffuse_blend, roughness, appearance.optical_depth
-        )
+        openness = openness_of(fabric.layout(), appearance.diffuse_blend, roughness, appearance.optical_depth)
     parts = {name.lower(): part for name, part in openness_parts(openness, appearance).items()}
     facing = {"facing": openness.facing, "facing_layer": openness.facing_layer}
     return {name: part.ravel().tolist() for name, part in (parts | facing).items()}

@@ -1,11 +1,12 @@
 /** The whole page. */
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 
 import type { Server } from "./api.ts";
 import { ServerError } from "./api.ts";
 import { Icon } from "./controls/Icon.tsx";
 import { ACCEPTED, download, fabricFiles, MESHES, openFabric, stemOf, wifFile } from "./files.ts";
 import { linkOf } from "./link.ts";
+import { OpennessSource } from "./openness.ts";
 import { ColourPanel } from "./panels/ColourPanel.tsx";
 import { DraftPanel } from "./panels/DraftPanel.tsx";
 import { FinishPanel } from "./panels/FinishPanel.tsx";
@@ -49,6 +50,16 @@ export function App({ store, server, onView }: Props) {
   useEffect(() => store.subscribe(setState), [store]);
 
   const tell = (kind: Notice["kind"], text: string): void => dispatch({ type: "notice/add", kind, text });
+
+  const [answers, setAnswers] = useState(0);
+  const openness = useMemo(() => {
+    if (server === null || !server.hasPython) return null;
+    return new OpennessSource(
+      (fabric) => server.openness(fabricForServer(fabric)),
+      () => setAnswers((count) => count + 1),
+      (sentence) => tell("warning", `Light between yarns is not up to date. ${sentence}`),
+    );
+  }, [server]);
 
   /** Runs what may fail with a sentence for the user. */
   const attempt = async (act: () => Promise<void>): Promise<void> => {
@@ -139,7 +150,7 @@ export function App({ store, server, onView }: Props) {
     draft: () => <DraftPanel fabric={state.fabric} dispatch={dispatch} />,
     colour: () => <ColourPanel fabric={state.fabric} dispatch={dispatch} />,
     yarns: () => <YarnsPanel fabric={state.fabric} dispatch={dispatch} />,
-    finish: () => <FinishPanel fabric={state.fabric} dispatch={dispatch} />,
+    finish: () => <FinishPanel fabric={state.fabric} dispatch={dispatch} hasPython={server?.hasPython ?? false} />,
     light: () => <LightPanel scene={state.scene} dispatch={dispatch} onPicture={() => choose(".hdr")} />,
   };
   return (
@@ -162,6 +173,8 @@ export function App({ store, server, onView }: Props) {
         dispatch={dispatch}
         ownMesh={ownMesh}
         surroundings={surroundings}
+        openness={openness}
+        answers={answers}
         onMesh={() => choose(".obj,.glb,.gltf")}
         onView={(made) => {
           view.current = made;

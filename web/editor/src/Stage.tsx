@@ -2,7 +2,8 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 
 import { Icon } from "./controls/Icon.tsx";
-import { MODELS, nameOf, type Comparison, type Model, type Shape, type State } from "./state/document.ts";
+import type { OpennessSource } from "./openness.ts";
+import { MODELS, nameOf, type Comparison, type Fabric, type Model, type Shape, type State } from "./state/document.ts";
 import type { Dispatch } from "./state/store.ts";
 import { makeView, type ClothView, type SurroundingsPicture } from "./view/cloth_view.ts";
 import { builtInShape, type ClothShape } from "./view/meshes.ts";
@@ -12,6 +13,10 @@ interface Props {
   readonly dispatch: Dispatch;
   readonly ownMesh: ClothShape | null;
   readonly surroundings: SurroundingsPicture | null;
+  /** Where openness of yarns comes from; null without Python. */
+  readonly openness: OpennessSource | null;
+  /** How often it has answered so far. */
+  readonly answers: number;
   /** Chooses a mesh file. */
   readonly onMesh: () => void;
   readonly onView: (view: ClothView | null) => void;
@@ -34,7 +39,7 @@ export const MODEL_NAMES: Readonly<Record<Model, readonly [string, string]>> = {
   "point-256": ["256 samples", "point: 256 samples a pixel"],
 };
 
-export function Stage({ state, dispatch, ownMesh, surroundings, onMesh, onView }: Props) {
+export function Stage({ state, dispatch, ownMesh, surroundings, openness, answers, onMesh, onView }: Props) {
   const host = useRef<HTMLDivElement>(null);
   const [view, setView] = useState<ClothView | null>(null);
   const [reason, setReason] = useState<string | null>(null);
@@ -78,11 +83,13 @@ export function Stage({ state, dispatch, ownMesh, surroundings, onMesh, onView }
   useEffect(() => {
     if (view === null || lost !== null) return;
     try {
-      view.show({ fabric, scene, comparison, piece, surroundings });
+      const opennessOf = (of: Fabric) => openness?.of(of) ?? null;
+      view.show({ fabric, scene, comparison, piece, surroundings, opennessOf });
+      if (view.kind === "webgpu") openness?.show(comparison.before === null ? [fabric] : [fabric, comparison.before]);
     } catch (error) {
       dispatch({ type: "notice/add", kind: "fault", text: error instanceof Error ? error.message : String(error) });
     }
-  }, [view, fabric, scene, comparison, piece, surroundings]);
+  }, [view, fabric, scene, comparison, piece, surroundings, answers]);
 
   useEffect(() => {
     if (view === null || lost !== null) return;

@@ -1,4 +1,5 @@
 /** The finish of the whole cloth: nap, unevenness, and how the shade falls. */
+import { Segmented } from "../controls/Segmented.tsx";
 import { Slider } from "../controls/Slider.tsx";
 import { CLOTH_QUANTITIES } from "../controls/symbols.ts";
 import type { Fabric } from "../state/document.ts";
@@ -7,9 +8,11 @@ import type { Dispatch } from "../state/store.ts";
 interface Props {
   readonly fabric: Fabric;
   readonly dispatch: Dispatch;
+  /** Whether a server finds how open yarns are. */
+  readonly hasPython: boolean;
 }
 
-export function FinishPanel({ fabric, dispatch }: Props) {
+export function FinishPanel({ fabric, dispatch, hasPython }: Props) {
   const slider = (field: string) => {
     const own = valueAt(fabric, field);
     const quantity = CLOTH_QUANTITIES[field]!;
@@ -50,6 +53,27 @@ export function FinishPanel({ fabric, dispatch }: Props) {
             Cut another piece
           </button>
         </div>
+      </section>
+      <section class="group">
+        <h2>Light between yarns</h2>
+        <Segmented
+          label="Light between yarns"
+          testid="between-yarns"
+          choices={[
+            ["off", "Off"],
+            ["on", "On"],
+          ]}
+          value={fabric.fields.interreflection === true ? "on" : "off"}
+          isDisabled={!hasPython}
+          onChoose={(chosen) =>
+            dispatch({ type: "field/set", field: "interreflection", value: chosen === "on" ? true : undefined })
+          }
+        />
+        <p class="note">
+          {hasPython
+            ? "Yarns light each other, and a colour is what flat cloth of that yarn shows."
+            : "This page shows direct light alone: light between yarns takes Python, so run loomlight view for it."}
+        </p>
       </section>
       <section class="group">
         <h2>Depth</h2>

@@ -1,4 +1,6 @@
 /** What shows the cloth: by WebGPU, or where that is missing as a flat picture of its yarns. */
+import type { Openness } from "loomlight-web";
+
 import type { Comparison, Fabric, Scene } from "../state/document.ts";
 import type { ClothShape } from "./meshes.ts";
 
@@ -11,6 +13,8 @@ export interface Shown {
   readonly piece: ClothShape | null;
   /** The user's own surroundings, if the scene asks for them. */
   readonly surroundings: SurroundingsPicture | null;
+  /** How open the yarns of a fabric are, for light between them, as far as it is known. */
+  readonly opennessOf: (fabric: Fabric) => Openness | null;
 }
 
 /** An equirectangular picture: linear RGB [height·width·3], the top row first. */

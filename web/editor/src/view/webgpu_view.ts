@@ -1,5 +1,5 @@
 /** The cloth on WebGPU: lit, draped, from the whole piece to a single yarn; two fabrics or models side by side. */
-import { ClothRenderer, type Vector3 } from "loomlight-web";
+import { ClothRenderer, type Openness, type Vector3 } from "loomlight-web";
 
 import { woven, type Fabric, type Model, type Scene } from "../state/document.ts";
 import type { ClothView, Pixels, Shown, ViewStatistics } from "./cloth_view.ts";
@@ -23,6 +23,7 @@ const MODELS: Readonly<Record<Model, readonly ["lobes" | "point", number, number
 interface Given {
   shape: ClothShape | null;
   fabric: Fabric | null;
+  openness: Openness | null;
 }
 
 export class WebGpuView implements ClothView {
@@ -157,11 +158,13 @@ export class WebGpuView implements ClothView {
 
   /** Gives a renderer its piece, fabric and model, as far as they are new. */
   private dress(renderer: ClothRenderer, shape: ClothShape, fabric: Fabric, model: Model): void {
-    const given = this.given.get(renderer) ?? { shape: null, fabric: null };
+    const given = this.given.get(renderer) ?? { shape: null, fabric: null, openness: null };
     const { fields, draft } = fabric;
-    if (given.shape !== shape) renderer.setPieces([{ mesh: shape.mesh, uvSizeMm: shape.uvSizeMm, fields, draft }]);
-    else if (given.fabric !== fabric) renderer.setFabric(0, fields, draft);
-    this.given.set(renderer, { shape, fabric });
+    const openness = this.shown?.opennessOf(fabric) ?? null;
+    if (given.shape !== shape)
+      renderer.setPieces([{ mesh: shape.mesh, uvSizeMm: shape.uvSizeMm, fields, draft, openness }]);
+    else if (given.fabric !== fabric || given.openness !== openness) renderer.setFabric(0, fields, draft, openness);
+    this.given.set(renderer, { shape, fabric, openness });
     const [name, samples, passes] = MODELS[model];
     renderer.setModel(name, { samples, passes });
   }
