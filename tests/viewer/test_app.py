@@ -1,7 +1,7 @@
 """The server as a browser, and as somebody who is up to no good, meets it.
 
-Covers: viewer/app.py, viewer/access.py, viewer/uploads.py, viewer/session.py, viewer/saving.py,
-    viewer/openness_json.py
+Covers: viewer/app.py, viewer/access.py, viewer/uploads.py, viewer/session.py, viewer/saving.py
+Covers: viewer/openness_json.py
 """
 
 from __future__ import annotations
