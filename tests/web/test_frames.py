@@ -34,6 +34,7 @@ from loomlight.realtime import (
 )
 from loomlight.realtime.device import default_adapter
 from loomlight.viewer.openness_json import openness_json
+from loomlight.viewer.saving import tables_of
 
 ROOT = Path(__file__).parents[2]
 WEB = ROOT / "web"
@@ -43,8 +44,8 @@ ORGANZA = (ROOT / "examples" / "organza.toml").read_text()
 PLAIN = (
     'weave = "twill 2/2"\nends_per_cm = 20\nwarp.color = "{}"\nweft.color = "#d0c8b8"\nwarp.roughness = {}\n'
 )
-# Tables are baked from words that are equal but for the last bits (test_pack_parity.py), by the same kernels;
-# a compiler may join products and sums in another way.
+# Tables are baked from words that are equal but for the last bits (test_pack_parity.py) by the same kernels,
+# where a compiler may join products and sums in another way.
 CLOSE = 2e-3
 # Of the pixels: a ray that grazes a yarn, or the edge of a triangle, may fall to the other side.
 MOST_BEYOND = 5e-3
@@ -161,6 +162,7 @@ def _light(light: DirectionalLight | PointLight) -> dict[str, Any]:
     return {"kind": "directional", "towards": light.towards, "irradiance": light.irradiance}
 
 
+MODELS = ("lobes", "point", "woven")
 LAMP = DirectionalLight((0.5, 0.3, 0.8))
 SCENES = {
     "flat": Scene(
@@ -193,8 +195,8 @@ SCENES = {
     ),
 }
 FLAT = SCENES["flat"].size
-# Of the flat cloth: by lobes, by points, and by lobes once more with one pass.
-UNEDITED, FIRST_EDIT = 2, 3
+# Of the flat cloth: by lobes, points, the server's tables of woven, and by lobes once more with one pass.
+UNEDITED, FIRST_EDIT = 3, 4
 # Edits of the flat cloth by lobes, one after the other: what each changes, as a step of the page.
 PRESSED = PLAIN.format("#a04040", 0.9) + "warp.height_scale = 0.3\nweft.height_scale = 0.3\n"
 EDITS: dict[str, dict[str, Any]] = {
@@ -228,7 +230,9 @@ def drawn(tmp_path_factory: pytest.TempPathFactory) -> Drawn:
     subprocess.run([*vite, "--outDir", str(folder), "--logLevel", "error"], cwd=WEB, check=True, timeout=120)
     points = {"model": ["point", 4], "passes": 2}
     scenes = [{"size": scene.size, "steps": [scene.page_step(), points]} for scene in SCENES.values()]
-    scenes[0]["steps"] += [{"model": ["lobes", 1]}, *EDITS.values()]
+    (folder / "woven").write_bytes(tables_of(fabric_from_text(SCENES["flat"].fabric), "woven"))
+    tables = {"tables": ["woven", "woven"], "passes": 2}
+    scenes[0]["steps"] += [tables, {"model": ["lobes", 1]}, *EDITS.values()]
     scenes[0]["steps"][-1]["openness"] = _openness(EDITS["by yarns"]["fabric"])
     (folder / "scenes.json").write_text(json.dumps(scenes))
     script = WEB / "loomlight-web" / "tools" / "render_report.ts"
@@ -253,12 +257,13 @@ def relief(picture: NDArray[np.float32]) -> float:
     return float(np.abs(np.diff(picture, axis=0)).mean() / picture.mean())
 
 
-@pytest.mark.parametrize("name", SCENES)
-@pytest.mark.parametrize("model", ["lobes", "point"])
+@pytest.mark.parametrize(
+    ("name", "model"), [*((name, model) for name in SCENES for model in MODELS[:2]), ("flat", "woven")]
+)
 def test_frames_are_those_of_python(drawn: Drawn, name: str, model: str) -> None:
     """A shadow through holes and several layers are in the sphere's, which is of open cloth."""
     number, scene = list(SCENES).index(name), SCENES[name]
-    found = drawn.linear(f"{number}.{int(model == 'point')}", scene.size)
+    found = drawn.linear(f"{number}.{MODELS.index(model)}", scene.size)
     expected = scene.frame(model)
     assert expected[..., :3].std() > 0.02
     differences = np.abs(found - expected)
