@@ -12,13 +12,14 @@ import { FinishPanel } from "./panels/FinishPanel.tsx";
 import { LightPanel } from "./panels/LightPanel.tsx";
 import { WeavePanel } from "./panels/WeavePanel.tsx";
 import { YarnsPanel } from "./panels/YarnsPanel.tsx";
-import { Stage } from "./Stage.tsx";
+import { MODEL_NAMES, Stage } from "./Stage.tsx";
 import { TABS, type Notice, type Tab } from "./state/document.ts";
 import { fabricForServer } from "./state/fabric_json.ts";
 import type { Store } from "./state/store.ts";
 import { TopBar, type SaveFormat } from "./TopBar.tsx";
 import type { ClothView, Print, SurroundingsPicture } from "./view/cloth_view.ts";
 import type { ClothShape } from "./view/meshes.ts";
+import type { TableSource } from "./view/served_models.ts";
 
 interface Props {
   readonly store: Store;
@@ -51,6 +52,12 @@ export function App({ store, server, onView }: Props) {
   useEffect(() => store.subscribe(setState), [store]);
 
   const tell = (kind: Notice["kind"], text: string): void => dispatch({ type: "notice/add", kind, text });
+
+  const tables: TableSource = async (model, fabric) => {
+    if (server === null || !server.hasPython)
+      throw new ServerError(`The model ${MODEL_NAMES[model][0]} is baked by Python, and this page runs without it: start \`loomlight view\`.`);
+    return server.tables(model, fabricForServer(fabric));
+  };
 
   /** Runs what may fail with a sentence for the user. */
   const attempt = async (act: () => Promise<void>): Promise<void> => {
@@ -176,6 +183,7 @@ export function App({ store, server, onView }: Props) {
     >
       <TopBar state={state} dispatch={dispatch} hasPython={server?.hasPython ?? false} isFlat={isFlat} onOpen={() => choose(ACCEPTED)} onSave={(format) => void save(format)} onLink={() => void copyLink()} />
       <Stage
+        tables={tables}
         state={state}
         dispatch={dispatch}
         ownMesh={ownMesh}

@@ -7,8 +7,11 @@ import { MODELS, nameOf, type Comparison, type Model, type Shape, type State } f
 import type { Dispatch } from "./state/store.ts";
 import { makeView, type ClothView, type Print, type SurroundingsPicture } from "./view/cloth_view.ts";
 import { builtInShape, type ClothShape } from "./view/meshes.ts";
+import type { TableSource } from "./view/served_models.ts";
 
 interface Props {
+  /** Makes tables of models that the page does not bake itself. */
+  readonly tables: TableSource;
   readonly state: State;
   readonly dispatch: Dispatch;
   readonly ownMesh: ClothShape | null;
@@ -39,9 +42,11 @@ export const MODEL_NAMES: Readonly<Record<Model, readonly [string, string]>> = {
   "point-1": ["1 sample", "point: one sample a pixel"],
   "point-3": ["3 samples", "point: three samples a pixel"],
   "point-256": ["256 samples", "point: 256 samples a pixel"],
+  woven: ["Network", "woven: a network trained on all fabrics, averaged over the footprint; baked by Python"],
+  clustered: ["Clusters", "clustered: normals in clusters, averaged over the footprint; baked by Python"],
 };
 
-export function Stage({ state, dispatch, ownMesh, surroundings, print, onMesh, onView, children }: Props) {
+export function Stage({ tables, state, dispatch, ownMesh, surroundings, print, onMesh, onView, children }: Props) {
   const host = useRef<HTMLDivElement>(null);
   const [view, setView] = useState<ClothView | null>(null);
   const [reason, setReason] = useState<string | null>(null);
@@ -53,10 +58,12 @@ export function Stage({ state, dispatch, ownMesh, surroundings, print, onMesh, o
   const [isDrawn, setDrawn] = useState(false);
   const { fabric, scene, comparison } = state;
 
+  const onFault = (text: string): void => dispatch({ type: "notice/add", kind: "fault", text });
+
   useEffect(() => {
     let made: ClothView | null = null;
     let isGone = false;
-    void makeView(host.current!).then(({ view: next, reason: why }) => {
+    void makeView(host.current!, tables, onFault).then(({ view: next, reason: why }) => {
       if (isGone) return next.dispose();
       made = next;
       setView(next);

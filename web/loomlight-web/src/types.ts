@@ -74,8 +74,8 @@ export interface Camera {
   readonly near?: number;
 }
 
-/** `lobes` averages over the footprint of a pixel, `point` samples it. */
-export type ModelName = "lobes" | "point";
+/** `point` samples the footprint of a pixel, the others average over it; Python makes the tables of the last two. */
+export type ModelName = "lobes" | "point" | "woven" | "clustered";
 
 /** What a renderer did since it was made; bytes are those that the page sent to the adapter. */
 export interface Statistics {

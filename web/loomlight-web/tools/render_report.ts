@@ -17,6 +17,8 @@ interface Step {
   /** The text of a fabric file for the first piece, as an edit. */
   readonly fabric?: string;
   readonly model?: readonly [ModelName, samples: number];
+  /** A model whose tables Python packed, and the file of them in the folder. */
+  readonly tables?: readonly [ModelName, file: string];
   readonly lights?: readonly Light[];
   readonly environment?: Environment | null;
   readonly environmentSamples?: number;
@@ -69,6 +71,7 @@ async function take(renderer: ClothRenderer, step: Step): Promise<void> {
     const { fields, draft } = web.fabricOf(step.fabric);
     renderer.setFabric(0, fields, draft);
   }
+  if (step.tables) renderer.setTables(step.tables[0], readFileSync(join(folder, step.tables[1])));
   if (step.lights) renderer.setLights(step.lights);
   if (step.environment !== undefined) {
     const samples = step.environmentSamples;

@@ -3,6 +3,7 @@ import type { LinearPicture } from "loomlight-web";
 
 import type { Comparison, Fabric, Scene } from "../state/document.ts";
 import type { ClothShape } from "./meshes.ts";
+import type { TableSource } from "./served_models.ts";
 
 /** What a view shows. */
 export interface Shown {
@@ -74,8 +75,12 @@ export interface Made {
   readonly reason: string | null;
 }
 
-/** Makes the best view that the browser has. */
-export async function makeView(host: HTMLElement): Promise<Made> {
+/** Makes the best view that the browser has; `onFault` is told why tables do not come. */
+export async function makeView(
+  host: HTMLElement,
+  tables: TableSource,
+  onFault: (sentence: string) => void,
+): Promise<Made> {
   const { CanvasView } = await import("./canvas_view.ts");
   if (!("gpu" in navigator))
     return {
@@ -84,7 +89,7 @@ export async function makeView(host: HTMLElement): Promise<Made> {
     };
   try {
     const { WebGpuView } = await import("./webgpu_view.ts");
-    return { view: await WebGpuView.create(host), reason: null };
+    return { view: await WebGpuView.create(host, tables, onFault), reason: null };
   } catch (error) {
     return {
       view: new CanvasView(host),

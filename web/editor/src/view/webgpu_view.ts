@@ -5,6 +5,7 @@ import { woven, type Fabric, type Model, type Scene } from "../state/document.ts
 import type { ClothView, Pixels, Print, Shown, ViewStatistics } from "./cloth_view.ts";
 import type { ClothShape } from "./meshes.ts";
 import { OrbitControl } from "./orbit_control.ts";
+import { isServed, ServedModels, type ServedModel, type TableSource } from "./served_models.ts";
 import { LAMP_IRRADIANCE, surroundingsOf } from "./surroundings.ts";
 
 /** Linear radiance of the paper behind the cloth, as style.css has it. */
@@ -12,7 +13,7 @@ const PAPER: Vector3 = [0.913, 0.88, 0.807];
 const MOST_DEVICE_PIXELS = 2;
 
 /** The renderer's model, points a pass, and passes that add up, for each of the page's models. */
-const MODELS: Readonly<Record<Model, readonly ["lobes" | "point", number, number]>> = {
+const MODELS: Readonly<Record<Exclude<Model, ServedModel>, readonly ["lobes" | "point", number, number]>> = {
   lobes: ["lobes", 1, 256],
   "point-1": ["point", 1, 1],
   "point-3": ["point", 3, 1],
@@ -24,6 +25,9 @@ interface Given {
   shape: ClothShape | null;
   fabric: Fabric | null;
   print: Print | null;
+  model: Model | null;
+  /** Of a model that Python bakes, which is shown. */
+  tables: Uint8Array | null;
 }
 
 export class WebGpuView implements ClothView {
@@ -33,6 +37,7 @@ export class WebGpuView implements ClothView {
   private readonly renderer: ClothRenderer;
   private readonly control: OrbitControl;
   private readonly resizing: ResizeObserver;
+  private readonly served: ServedModels;
   private readonly given = new Map<ClothRenderer, Given>();
   private other: ClothRenderer | null = null;
   private isMakingOther = false;
@@ -41,9 +46,16 @@ export class WebGpuView implements ClothView {
   private frames = 0;
   private isComplete = false;
 
-  private constructor(host: HTMLElement, canvas: HTMLCanvasElement, renderer: ClothRenderer) {
+  private constructor(
+    host: HTMLElement,
+    canvas: HTMLCanvasElement,
+    renderer: ClothRenderer,
+    tables: TableSource,
+    onFault: (sentence: string) => void,
+  ) {
     [this.canvas, this.renderer] = [canvas, renderer];
     this.lost = renderer.lost;
+    this.served = new ServedModels(tables, () => this.shown && this.show(this.shown), onFault);
     this.control = new OrbitControl(canvas);
     this.resizing = new ResizeObserver(() => this.resize());
     this.resizing.observe(host);
@@ -56,7 +68,11 @@ export class WebGpuView implements ClothView {
    *
    * @throws InputError no graphics adapter, or one whose limits are too small.
    */
-  static async create(host: HTMLElement): Promise<WebGpuView> {
+  static async create(
+    host: HTMLElement,
+    tables: TableSource,
+    onFault: (sentence: string) => void,
+  ): Promise<WebGpuView> {
     const canvas = document.createElement("canvas");
     canvas.className = "cloth-canvas";
     canvas.tabIndex = 0;
@@ -64,7 +80,7 @@ export class WebGpuView implements ClothView {
     canvas.dataset["testid"] = "cloth";
     const renderer = await ClothRenderer.create({ canvas, transparent: true });
     host.append(canvas);
-    return new WebGpuView(host, canvas, renderer);
+    return new WebGpuView(host, canvas, renderer, tables, onFault);
   }
 
   show(shown: Shown): void {
@@ -158,15 +174,22 @@ export class WebGpuView implements ClothView {
 
   /** Gives a renderer its piece, fabric and model, as far as they are new. */
   private dress(renderer: ClothRenderer, shape: ClothShape, fabric: Fabric, model: Model): void {
-    const given = this.given.get(renderer) ?? { shape: null, fabric: null, print: null };
+    const given = this.given.get(renderer) ?? { shape: null, fabric: null, print: null, model: null, tables: null };
     const { fields, draft } = fabric;
     const print = this.shown?.print ?? null;
     if (given.shape !== shape || given.print !== print)
       renderer.setPieces([{ mesh: shape.mesh, uvSizeMm: shape.uvSizeMm, fields, draft, albedo: print?.picture ?? null }]);
     else if (given.fabric !== fabric) renderer.setFabric(0, fields, draft);
-    this.given.set(renderer, { shape, fabric, print });
-    const [name, samples, passes] = MODELS[model];
-    renderer.setModel(name, { samples, passes });
+    const tables = isServed(model) ? this.served.tables(model, fabric) : null;
+    const isShown = given.shape === shape && given.print === print && given.model === model && given.tables === tables;
+    // Until its tables are here, a model of Python's gives way to the page's own.
+    if (isServed(model) && tables !== null) {
+      if (!isShown) renderer.setTables(model, tables);
+    } else {
+      const [name, samples, passes] = MODELS[isServed(model) ? "lobes" : model];
+      renderer.setModel(name, { samples, passes });
+    }
+    this.given.set(renderer, { shape, fabric, print, model, tables });
   }
 
   private light({ scene, surroundings }: Shown): void {
