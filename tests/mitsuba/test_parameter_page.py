@@ -1,4 +1,4 @@
-"""docs/mitsuba-parameters.md and mitsuba-edits.md against the code: ranges, defaults, live, differentiable.
+"""docs/mitsuba-parameters.md and docs/mitsuba-edits.md: names, ranges, defaults; what is live or has gradients.
 
 Covers: mitsuba/model_props.py
 """

@@ -1,11 +1,12 @@
 /** The whole page. */
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 
 import type { Server } from "./api.ts";
 import { ServerError } from "./api.ts";
 import { Icon } from "./controls/Icon.tsx";
 import { ACCEPTED, download, fabricFiles, MESHES, openFabric, stemOf, wifFile } from "./files.ts";
 import { linkOf } from "./link.ts";
+import { OpennessSource } from "./openness.ts";
 import { ColourPanel } from "./panels/ColourPanel.tsx";
 import { DraftPanel } from "./panels/DraftPanel.tsx";
 import { FinishPanel } from "./panels/FinishPanel.tsx";
@@ -52,6 +53,16 @@ export function App({ store, server, onView }: Props) {
   useEffect(() => store.subscribe(setState), [store]);
 
   const tell = (kind: Notice["kind"], text: string): void => dispatch({ type: "notice/add", kind, text });
+
+  const [answers, setAnswers] = useState(0);
+  const openness = useMemo(() => {
+    if (server === null || !server.hasPython) return null;
+    return new OpennessSource(
+      (fabric) => server.openness(fabricForServer(fabric)),
+      () => setAnswers((count) => count + 1),
+      (sentence) => tell("warning", `Light between yarns is not up to date. ${sentence}`),
+    );
+  }, [server]);
 
   const tables: TableSource = async (model, fabric) => {
     if (server === null || !server.hasPython)
@@ -161,6 +172,7 @@ export function App({ store, server, onView }: Props) {
         dispatch={dispatch}
         print={print}
         isFlat={isFlat}
+        hasPython={server?.hasPython ?? false}
         onPrint={(file) => void openPrint(file)}
         onPrintOff={() => setPrint(null)}
       />
@@ -189,6 +201,8 @@ export function App({ store, server, onView }: Props) {
         ownMesh={ownMesh}
         surroundings={surroundings}
         print={print}
+        openness={openness}
+        answers={answers}
         onMesh={() => choose(".obj,.ply,.glb,.gltf")}
         onView={(made) => {
           view.current = made;

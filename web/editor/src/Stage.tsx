@@ -3,7 +3,8 @@ import type { ComponentChildren } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 
 import { Icon } from "./controls/Icon.tsx";
-import { MODELS, nameOf, type Comparison, type Model, type Shape, type State } from "./state/document.ts";
+import type { OpennessSource } from "./openness.ts";
+import { MODELS, nameOf, type Comparison, type Fabric, type Model, type Shape, type State } from "./state/document.ts";
 import type { Dispatch } from "./state/store.ts";
 import { makeView, type ClothView, type Print, type SurroundingsPicture } from "./view/cloth_view.ts";
 import { builtInShape, type ClothShape } from "./view/meshes.ts";
@@ -16,6 +17,10 @@ interface Props {
   readonly dispatch: Dispatch;
   readonly ownMesh: ClothShape | null;
   readonly surroundings: SurroundingsPicture | null;
+  /** Where openness of yarns comes from; null without Python. */
+  readonly openness: OpennessSource | null;
+  /** How often it has answered so far. */
+  readonly answers: number;
   readonly print: Print | null;
   /** Chooses a mesh file. */
   readonly onMesh: () => void;
@@ -46,7 +51,8 @@ export const MODEL_NAMES: Readonly<Record<Model, readonly [string, string]>> = {
   clustered: ["Clusters", "clustered: normals in clusters, averaged over the footprint; baked by Python"],
 };
 
-export function Stage({ tables, state, dispatch, ownMesh, surroundings, print, onMesh, onView, children }: Props) {
+export function Stage(props: Props) {
+  const { tables, state, dispatch, ownMesh, surroundings, print, openness, answers, onMesh, onView, children } = props;
   const host = useRef<HTMLDivElement>(null);
   const [view, setView] = useState<ClothView | null>(null);
   const [reason, setReason] = useState<string | null>(null);
@@ -92,11 +98,13 @@ export function Stage({ tables, state, dispatch, ownMesh, surroundings, print, o
   useEffect(() => {
     if (view === null || lost !== null) return;
     try {
-      view.show({ fabric, scene, comparison, piece, surroundings, print });
+      const opennessOf = (of: Fabric) => openness?.of(of) ?? null;
+      view.show({ fabric, scene, comparison, piece, surroundings, print, opennessOf });
+      if (view.kind === "webgpu") openness?.show(comparison.before === null ? [fabric] : [fabric, comparison.before]);
     } catch (error) {
       dispatch({ type: "notice/add", kind: "fault", text: error instanceof Error ? error.message : String(error) });
     }
-  }, [view, fabric, scene, comparison, piece, surroundings, print]);
+  }, [view, fabric, scene, comparison, piece, surroundings, print, answers]);
 
   useEffect(() => {
     if (view === null || lost !== null) return;

@@ -1,6 +1,7 @@
 /** The finish of the whole cloth: print, nap, unevenness, and how the shade falls. */
 import { useEffect, useRef } from "preact/hooks";
 
+import { Segmented } from "../controls/Segmented.tsx";
 import { Slider } from "../controls/Slider.tsx";
 import { CLOTH_QUANTITIES } from "../controls/symbols.ts";
 import type { Fabric } from "../state/document.ts";
@@ -13,11 +14,13 @@ interface Props {
   readonly print: Print | null;
   /** Whether the cloth is shown flat, without light. */
   readonly isFlat: boolean;
+  /** Whether a server finds how open yarns are. */
+  readonly hasPython: boolean;
   readonly onPrint: (file: File | undefined) => void;
   readonly onPrintOff: () => void;
 }
 
-export function FinishPanel({ fabric, dispatch, print, isFlat, onPrint, onPrintOff }: Props) {
+export function FinishPanel({ fabric, dispatch, print, isFlat, hasPython, onPrint, onPrintOff }: Props) {
   const slider = (field: string) => {
     const own = valueAt(fabric, field);
     const quantity = CLOTH_QUANTITIES[field]!;
@@ -36,7 +39,7 @@ export function FinishPanel({ fabric, dispatch, print, isFlat, onPrint, onPrintO
   const seed = fabric.fields.variation?.seed ?? 0;
   return (
     <>
-      {isFlat && <p class="note is-flat">Here the cloth is shown flat: the print shows; nap, sparkle and depth need WebGPU.</p>}
+      {isFlat && <p class="note is-flat">Here the cloth is shown flat: the print shows; nap, sparkle, light between yarns and depth need WebGPU.</p>}
       <section class="group">
         <h2>Print</h2>
         <p class="note">A picture over the cloth, as a printer lays it on. It is not part of the fabric file.</p>
@@ -86,6 +89,27 @@ export function FinishPanel({ fabric, dispatch, print, isFlat, onPrint, onPrintO
             Cut another piece
           </button>
         </div>
+      </section>
+      <section class="group">
+        <h2>Light between yarns</h2>
+        <Segmented
+          label="Light between yarns"
+          testid="between-yarns"
+          choices={[
+            ["off", "Off"],
+            ["on", "On"],
+          ]}
+          value={fabric.fields.interreflection === true ? "on" : "off"}
+          isDisabled={!hasPython}
+          onChoose={(chosen) =>
+            dispatch({ type: "field/set", field: "interreflection", value: chosen === "on" ? true : undefined })
+          }
+        />
+        <p class="note">
+          {hasPython
+            ? "Yarns light each other, and a colour is what flat cloth of that yarn shows."
+            : "This page shows direct light alone: light between yarns takes Python, so run loomlight view for it."}
+        </p>
       </section>
       <section class="group">
         <h2>Depth</h2>

@@ -1,5 +1,5 @@
 /** What shows the cloth: by WebGPU, or where that is missing as a flat picture of its yarns. */
-import type { LinearPicture } from "loomlight-web";
+import type { LinearPicture, Openness } from "loomlight-web";
 
 import type { Comparison, Fabric, Scene } from "../state/document.ts";
 import type { ClothShape } from "./meshes.ts";
@@ -14,6 +14,8 @@ export interface Shown {
   readonly piece: ClothShape | null;
   /** The user's own surroundings, if the scene asks for them. */
   readonly surroundings: SurroundingsPicture | null;
+  /** How open the yarns of a fabric are, for light between them, as far as it is known. */
+  readonly opennessOf: (fabric: Fabric) => Openness | null;
   /** What is printed on the cloth. */
   readonly print: Print | null;
 }

@@ -1,5 +1,5 @@
 /** The cloth on WebGPU: lit, draped, from the whole piece to a single yarn; two fabrics or models side by side. */
-import { ClothRenderer, type Vector3 } from "loomlight-web";
+import { ClothRenderer, type Openness, type Vector3 } from "loomlight-web";
 
 import { woven, type Fabric, type Model, type Scene } from "../state/document.ts";
 import type { ClothView, Pixels, Print, Shown, ViewStatistics } from "./cloth_view.ts";
@@ -24,6 +24,7 @@ const MODELS: Readonly<Record<Exclude<Model, ServedModel>, readonly ["lobes" | "
 interface Given {
   shape: ClothShape | null;
   fabric: Fabric | null;
+  openness: Openness | null;
   print: Print | null;
   model: Model | null;
   /** Of a model that Python bakes, which is shown. */
@@ -174,12 +175,16 @@ export class WebGpuView implements ClothView {
 
   /** Gives a renderer its piece, fabric and model, as far as they are new. */
   private dress(renderer: ClothRenderer, shape: ClothShape, fabric: Fabric, model: Model): void {
-    const given = this.given.get(renderer) ?? { shape: null, fabric: null, print: null, model: null, tables: null };
+    const empty: Given = { shape: null, fabric: null, openness: null, print: null, model: null, tables: null };
+    const given = this.given.get(renderer) ?? empty;
     const { fields, draft } = fabric;
+    const openness = this.shown?.opennessOf(fabric) ?? null;
     const print = this.shown?.print ?? null;
     if (given.shape !== shape || given.print !== print)
-      renderer.setPieces([{ mesh: shape.mesh, uvSizeMm: shape.uvSizeMm, fields, draft, albedo: print?.picture ?? null }]);
-    else if (given.fabric !== fabric) renderer.setFabric(0, fields, draft);
+      renderer.setPieces([
+        { mesh: shape.mesh, uvSizeMm: shape.uvSizeMm, fields, draft, openness, albedo: print?.picture ?? null },
+      ]);
+    else if (given.fabric !== fabric || given.openness !== openness) renderer.setFabric(0, fields, draft, openness);
     const tables = isServed(model) ? this.served.tables(model, fabric) : null;
     const isShown = given.shape === shape && given.print === print && given.model === model && given.tables === tables;
     // Until its tables are here, a model of Python's gives way to the page's own.
@@ -189,7 +194,7 @@ export class WebGpuView implements ClothView {
       const [name, samples, passes] = MODELS[isServed(model) ? "lobes" : model];
       renderer.setModel(name, { samples, passes });
     }
-    this.given.set(renderer, { shape, fabric, print, model, tables });
+    this.given.set(renderer, { shape, fabric, openness, print, model, tables });
   }
 
   private light({ scene, surroundings }: Shown): void {
