@@ -1,6 +1,7 @@
 /** Pieces of cloth in an adapter's buffers: their meshes, their fabrics, and tables that Python packed. */
 import { InputError, type Draft, type FabricFields } from "loomlight-fabric";
 
+import type { Openness } from "../fabric/between_yarns.ts";
 import { lookOf } from "../fabric/look.ts";
 import { MOST_LAYERS } from "../generated.ts";
 import { requireMesh } from "../scene/mesh.ts";
@@ -24,7 +25,7 @@ export class ClothBuffers {
   constructor(device: Device, pieces: readonly Piece[]) {
     if (pieces.length === 0) throw new InputError("A renderer needs at least one piece of cloth.");
     pieces.forEach(({ mesh }) => requireMesh(mesh));
-    const looks = pieces.map(({ fields, draft }) => lookOf(fields, draft));
+    const looks = pieces.map(({ fields, draft, openness }) => lookOf(fields, draft, openness));
     this.device = device;
     this.pieces = [...pieces];
     this.scene = sceneOf(device, pieces);
@@ -67,12 +68,12 @@ export class ClothBuffers {
   }
 
   /** @throws InputError no such piece, or a fabric that cannot be; nothing changes then. */
-  setFabric(number: number, fields: FabricFields, draft: Draft): void {
+  setFabric(number: number, fields: FabricFields, draft: Draft, openness: Openness | null): void {
     const piece = this.pieces[number];
     if (piece === undefined)
       throw new InputError(`piece = ${number} is none of the ${this.pieces.length} pieces of cloth.`);
-    this.fabrics.setFabric(number, lookOf(fields, draft));
-    this.pieces = this.pieces.map((other, index) => (index === number ? { ...piece, fields, draft } : other));
+    this.fabrics.setFabric(number, lookOf(fields, draft, openness));
+    this.pieces = this.pieces.map((other, index) => (index === number ? { ...piece, fields, draft, openness } : other));
   }
 
   /** @throws InputError content that is no tables, or several pieces. */
