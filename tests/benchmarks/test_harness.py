@@ -11,11 +11,12 @@ import pytest
 
 from benchmarks import harness
 
+LIBRARIES = "__init__", "harness", "machine", "counted_library", "random_networks", "cloth_paths"
 SCRIPTS = sorted(
     f"{folder.replace('/', '.')}.{file.stem}"
     for folder in ("benchmarks", "experiments", "tools/fits")
     for file in (harness.REPOSITORY / folder).glob("*.py")
-    if file.stem not in ("__init__", "harness", "machine", "counted_library", "random_networks", "cloth_paths")
+    if file.stem not in LIBRARIES
 )
 
 

@@ -106,8 +106,8 @@ def test_pictures_of_it_are_those_of_mitsubas_diffuse() -> None:
         pictures.append(render(shown.scene, spp=1024, integrator=shown.integrator))
     # At the film's border Mitsuba's filter is cut off, and that of cloth that filters is not.
     found, wanted = (np.asarray(picture)[2:-2, 2:-2] for picture in pictures)
-    # Camera rays of cloth that filters are others. Two seeds of either picture differ by 0.8 % of the mean at a pixel:
-    # five of these at each, and four times what is left of it in the mean of 400 pixels.
+    # Camera rays of cloth that filters are others. Two seeds of either picture differ by 0.8 % of the mean at
+    # a pixel: five of these at each, and four times what is left of it in the mean of 400 pixels.
     np.testing.assert_allclose(found, wanted, rtol=0.02, atol=0.04 * wanted.mean())
     assert abs((found - wanted).mean()) < 0.002 * wanted.mean()
 

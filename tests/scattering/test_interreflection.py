@@ -11,12 +11,15 @@ import pytest
 
 from experiments.cloth_paths import radiance
 from experiments.interreflection import direction, fabric_text, sky_value
+from experiments.interreflection_furnace import returned
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.fabric.authored_colour import colour_for, shown_colour
 from loomlight.models.registry import make_model
 from loomlight.scattering.interreflection import Scattered, solved_interior
 from loomlight.scattering.openness import Openness
+from loomlight.scattering.point import PointModel
+from loomlight.yarn.geometry import YarnGeometry
 
 require_llvm()
 COLOURS = ("#c03030", "#3050c0")
@@ -100,6 +103,18 @@ def test_colours_are_those_that_cloth_shows() -> None:
     np.testing.assert_allclose(shown_colour(found, *of_yarn), authored, atol=2e-6)
     brighter = colour_for(np.ones((1, 3)), *of_yarn)
     np.testing.assert_allclose(brighter, 1, atol=2e-6)
+
+
+@pytest.mark.parametrize(("specular", "least"), [(0.0, 0.985), (0.4, 0.96), (1.0, 0.9)])
+def test_white_cloth_is_white_and_makes_no_light(specular: float, least: float) -> None:
+    """The brightest that a fabric file admits, seen from above and at 75°."""
+    yarn = f'albedo = "#fff"\nspecular = {specular}\n'
+    fabric = fabric_from_text(f'weave = "satin 5"\ninterreflection = true\n[warp]\n{yarn}[weft]\n{yarn}')
+    model = PointModel(YarnGeometry(fabric.layout()), fabric.appearance())
+    above, grazing = (returned(model, fabric.repeat_mm, direction(angle, 25), 6) for angle in (0, 75))
+    # 0.01 is four standard errors of 2^15 samples, and what the fit of openness adds: docs/figures-light.md.
+    assert least < above < 1.01
+    assert grazing < 1.02
 
 
 def test_it_is_off_unless_a_file_asks_for_it() -> None:

@@ -3,12 +3,18 @@ import { defineConfig } from "vite";
 
 import { alias } from "../vite.shared.ts";
 
-// The module for pages without a bundler: one file, with shaders in it and three.js left outside.
+const source = (name: string): string => fileURLToPath(new URL(`src/${name}.ts`, import.meta.url));
+
+// The module for pages without a bundler, with shaders in it and three.js left outside.
 export default defineConfig({
   resolve: { alias },
   build: {
     lib: {
-      entry: { "loomlight-web": fileURLToPath(new URL("src/index.ts", import.meta.url)) },
+      entry: {
+        "loomlight-web": source("index"),
+        "loomlight-web-three": source("three/webgl"),
+        "loomlight-web-three-webgpu": source("three/webgpu"),
+      },
       formats: ["es"],
     },
     outDir: "dist",

@@ -17,7 +17,6 @@ from loomlight.realtime.models import Prepared, pack_model
 from loomlight.realtime.networks import Elements
 from loomlight.realtime.openness_tables import NO_OPENNESS, pack_openness
 from loomlight.realtime.word_table import Tables, Words, WordTable, fill
-from loomlight.scattering.albedo import layer_albedo_bound
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
 from loomlight.scattering.detail import family_numbers
 from loomlight.scattering.variation import FIBRES_ACROSS
@@ -127,7 +126,7 @@ def _pack_fabric(
         "fibre_noise": variation.fibre_noise,
         "colour_noise": variation.colour_noise,
         "seed": variation.seed & 0xFFFFFFFF,
-        "layer_bound": layer_albedo_bound(appearance.optical_depth),
+        "layer_bound": appearance.layer_bound,
         "fibre_size": min(fine_x, fine_y) / FIBRES_ACROSS,
         "has_yarns": 1,
         "openness": pack_openness(table, appearance),

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.scattering.albedo import layer_albedo_bound
+
 if TYPE_CHECKING:  # it needs Dr.Jit, and appearances do not
     from loomlight.scattering.openness import Openness
 
@@ -104,3 +106,12 @@ class Appearance:
     diffuse_blend: float = 0.5
     optical_depth: float = 2.0
     openness: Openness | None = None
+
+    @property
+    def layer_bound(self) -> float:
+        """κ of the energy bound that the albedos keep, of the larger highlight (`albedo.LayerBound`)."""
+        if self.openness is None:
+            return layer_albedo_bound(self.optical_depth)
+        from loomlight.scattering.cloth_layer_bound import bound_in_use
+
+        return max(bound_in_use(family, self.optical_depth) for family in (self.warp, self.weft))

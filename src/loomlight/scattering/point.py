@@ -14,7 +14,6 @@ import drjit as dr
 
 from loomlight.core.arrays import Color3, Float, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, channel_mean, maximum
-from loomlight.scattering.albedo import layer_albedo_bound
 from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.detail import (
     DetailNumbers,
@@ -313,7 +312,7 @@ class PointModel:
             types.Float(variation.fibre_noise),
             types.Float(variation.colour_noise),
             variation.seed,
-            layer_albedo_bound(self.appearance.optical_depth),
+            self.appearance.layer_bound,
             gain,
         )
         return Albedos(*varied)

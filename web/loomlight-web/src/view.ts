@@ -1,4 +1,7 @@
 /** What a renderer shows its cloth by: camera, lights, environment, exposure. */
+import { GOLDEN } from "./generated.ts";
+import { RecordArray, type Values } from "./records.ts";
+import { cameraValues } from "./scene/camera.ts";
 import type { EnvironmentTables } from "./scene/environment.ts";
 import type { Camera, Light, Vector3 } from "./types.ts";
 
@@ -14,4 +17,55 @@ export interface View {
   readonly shadows: boolean;
   /** Stops. */
   readonly exposure: number;
+}
+
+/** What a pass takes beside the view. */
+export interface Pass {
+  readonly width: number;
+  readonly height: number;
+  /** Passes before this one. */
+  readonly passes: number;
+  readonly samples: number;
+  readonly castsShadows: boolean;
+}
+
+/** The record of the frame of one pass; `scene` are the fields that the scene's buffers say. */
+export function frameRecord(view: View, scene: Values, pass: Pass): RecordArray {
+  const frame = new RecordArray("Frame", 1);
+  // Passes 0 and following of the R2 sequence, about the middle of the pixel.
+  const jitter = GOLDEN.map((step) => ((0.5 + pass.passes * step) % 1) - 0.5) as [number, number];
+  const background = view.background ?? [0, 0, 0];
+  frame.set(0, {
+    width: pass.width,
+    height: pass.height,
+    lights: view.lights.length,
+    samples: pass.samples,
+    pass_number: pass.passes,
+    jitter_x: jitter[0],
+    jitter_y: jitter[1],
+    gain: 2 ** view.exposure / (pass.passes + 1),
+    casts_shadows: pass.castsShadows ? 1 : 0,
+    ...scene,
+    ...cameraValues(view.camera, pass.width, pass.height),
+    background_red: background[0],
+    background_green: background[1],
+    background_blue: background[2],
+    shows_environment: view.environment !== null && view.background === null ? 1 : 0,
+  });
+  return frame;
+}
+
+/** What sums over passes depend on, as a text; the exposure is none of it. */
+export function keyOfView(view: View, more: readonly unknown[]): string {
+  const { environment, exposure: _, ...rest } = view;
+  return JSON.stringify([rest, environment === null ? null : identity(environment), more]);
+}
+
+const identities = new WeakMap<object, number>();
+let identified = 0;
+
+/** A number that no other object has. */
+function identity(object: object): number {
+  if (!identities.has(object)) identities.set(object, ++identified);
+  return identities.get(object)!;
 }

@@ -41,7 +41,6 @@ from loomlight.models.woven.light_visibility import light_visibility_of
 from loomlight.models.woven.proposal import Proposal, proposal_of
 from loomlight.models.woven.sampler_network import sampler_layers, sampler_of, woven_proposal
 from loomlight.models.woven.weights import Weights, read_weights, shipped_weights
-from loomlight.scattering.albedo import layer_albedo_bound
 from loomlight.scattering.yarn_point import DirectionSample, to_face_frame
 
 _NETWORK = "woven"
@@ -150,7 +149,7 @@ class WovenBsdf(SeparableBsdf):
         if self._sampler is not None:
             angular = dr.detach(self._activations.angular)
             return woven_proposal(self._sampler, angular, albedos, null, self.sheen, view, fibres)
-        layer = layer_albedo_bound(self._model.fabric.appearance().optical_depth)
+        layer = self._model.fabric.appearance().layer_bound
         return proposal_of(
             albedos, null, self.sheen.strength, layer, view, fibres, self._table.lobe_roughness
         )

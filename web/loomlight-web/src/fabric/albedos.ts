@@ -11,6 +11,7 @@ import {
 } from "loomlight-fabric";
 
 import { ALBEDO_TOLERANCE, WHITE_SHARE } from "../generated.ts";
+import { coloursFor, type ChannelAlbedos, type Openness } from "./between_yarns.ts";
 import { detailOf, type YarnDetail } from "./detail.ts";
 
 /** The order of a thread's albedos, red, green and blue of each. */
@@ -27,14 +28,19 @@ export interface FamilyAppearance {
   readonly detail: YarnDetail;
 }
 
-/** κ = (1 + e^{−Tρ})/2: no direction gets more than this share back from a fibre layer of albedo 1. */
-export function layerAlbedoBound(opticalDepth: number): number {
+/**
+ * κ: no direction gets more than this share back from a fibre layer of albedo 1; with light between yarns, no view of
+ * the cloth; see `scattering/albedo.py`.
+ */
+export function layerAlbedoBound(opticalDepth: number, betweenYarns = false): number {
+  if (betweenYarns) return 0.34 + 0.66 * Math.exp(-3 * opticalDepth);
   return 0.5 * (1 + Math.exp(-opticalDepth));
 }
 
 /**
  * The appearance of a family whose threads have the colours of a coloured draft; see `fabric/albedos.py`.
  *
+ * @param openness of cloth with light between its yarns: colours are then those that cloth shows.
  * @throws InputError explicit albedos that together send back more light than arrives.
  */
 export function familyAppearance(
@@ -42,11 +48,16 @@ export function familyAppearance(
   family: FamilyName,
   draft: Draft,
   opticalDepth: number,
+  openness: Openness | null = null,
 ): FamilyAppearance {
   const table = fields[family] ?? {};
-  const colours = draft[family].colors ?? new Float64Array(0);
   const strength = (table.specular ?? SPECULAR) * strongestHighlight(opticalDepth);
-  const albedos = albedosFromColour(colours, strength, table.translucency ?? TRANSLUCENCY, opticalDepth);
+  const bound = layerAlbedoBound(opticalDepth, openness !== null);
+  const albedosOf = (colour: number) => channelAlbedos(colour, strength, table.translucency ?? TRANSLUCENCY, bound);
+  let colours = draft[family].colors ?? new Float64Array(0);
+  if (openness !== null && table.albedo === undefined)
+    colours = coloursFor(colours, openness, family === "warp" ? 0 : 1, albedosOf);
+  const albedos = albedosFromColours(colours, albedosOf);
   if (table.specular_tint !== undefined) {
     const tint = parseColour(table.specular_tint, `${family}.specular_tint`);
     for (let i = 0; i < albedos.length; i++) if (i % ALBEDO_NUMBERS >= 6) albedos[i]! *= tint[i % 3]!;
@@ -57,7 +68,7 @@ export function familyAppearance(
     const colour = parseColour(given, `${family}.${name}`);
     for (let i = 3 * number; i < albedos.length; i += ALBEDO_NUMBERS) albedos.set(colour, i);
   });
-  checkAlbedos(albedos, family, opticalDepth);
+  checkAlbedos(albedos, family, bound);
   return { albedos, roughness: table.roughness ?? ROUGHNESS, detail: detailOf(table) };
 }
 
@@ -66,30 +77,26 @@ function strongestHighlight(opticalDepth: number): number {
   return Math.min(1, 1 / ((2 - WHITE_SHARE) * layerAlbedoBound(opticalDepth)));
 }
 
-/** Albedos of threads from linear RGB [n·3], the highlight's strength and the share of light that passes. */
-function albedosFromColour(
-  colours: Float64Array,
-  strength: number,
-  translucency: number,
-  opticalDepth: number,
-): Float64Array {
-  const bound = layerAlbedoBound(opticalDepth);
+/** Albedos of one channel of a colour, by the highlight's strength and the share of light that passes. */
+function channelAlbedos(colour: number, strength: number, translucency: number, bound: number): ChannelAlbedos {
+  const highlight = strength * (WHITE_SHARE + (1 - WHITE_SHARE) * colour);
+  const diffuse = colour * (1 - bound * highlight);
+  return [(1 - translucency) * diffuse, translucency * diffuse, highlight, translucency * highlight];
+}
+
+/** Albedos of threads from linear RGB [n·3]. */
+function albedosFromColours(colours: Float64Array, albedosOf: (colour: number) => ChannelAlbedos): Float64Array {
   const albedos = new Float64Array((colours.length / 3) * ALBEDO_NUMBERS);
   for (let i = 0; i < colours.length; i++) {
-    const colour = colours[i]!;
-    const highlight = strength * (WHITE_SHARE + (1 - WHITE_SHARE) * colour);
-    const diffuse = colour * (1 - bound * highlight);
     const at = Math.floor(i / 3) * ALBEDO_NUMBERS + (i % 3);
-    albedos[at] = (1 - translucency) * diffuse;
-    albedos[at + 3] = translucency * diffuse;
-    albedos[at + 6] = highlight;
-    albedos[at + 9] = translucency * highlight;
+    albedosOf(colours[i]!).forEach((albedo, number) => {
+      albedos[at + 3 * number] = albedo;
+    });
   }
   return albedos;
 }
 
-function checkAlbedos(albedos: Float64Array, family: FamilyName, opticalDepth: number): void {
-  const bound = layerAlbedoBound(opticalDepth);
+function checkAlbedos(albedos: Float64Array, family: FamilyName, bound: number): void {
   for (let first = 0; first < albedos.length; first += ALBEDO_NUMBERS)
     for (let channel = 0; channel < 3; channel++) {
       const [reflect, transmit, shine, through] = [0, 3, 6, 9].map((at) => albedos[first + at + channel]!) as [
