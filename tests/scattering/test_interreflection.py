@@ -2,6 +2,7 @@
 
 Covers: scattering/interreflection.py, scattering/openness.py, scattering/family_parameters.py
 Covers: models/between_yarns.py, fabric/authored_colour.py, scattering/yarn_point.py
+Covers: scattering/cloth_layer_bound.py
 """
 
 from __future__ import annotations

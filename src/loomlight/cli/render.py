@@ -96,41 +96,23 @@ def render(
         max_depth=depth,
         placement=Placement(turn, (across, up), scale),
     )
+    picture: dict[str, Any] = {
+        "model": model,
+        "colors": colors,
+        "spp": samples,
+        "seed": seed,
+        "exposure": exposure,
+        "white_balance": white_balance,
+        "variant": variant,
+        **setting,
+    }
+    chosen = {name: values[-1] for name, values in cloths.items()}
     for fabric, path in zip(fabrics, outputs, strict=True):
         what = f"{fabric}, {shown if mesh is None else mesh.name}"
-        if turntable is not None:
-            write_turn(
-                what,
-                fabric,
-                shown,
-                path,
-                turntable,
-                model=model,
-                colors=colors,
-                spp=samples,
-                seed=seed,
-                exposure=exposure,
-                white_balance=white_balance,
-                variant=variant,
-                **setting,
-            )
-            continue
-        _write_picture(
-            what,
-            fabric,
-            shown,
-            path,
-            model=model,
-            spp=samples,
-            seed=seed,
-            exposure=exposure,
-            white_balance=white_balance,
-            inset=inset,
-            variant=variant,
-            colors=colors,
-            cloths={name: values[-1] for name, values in cloths.items()},
-            **setting,
-        )
+        if turntable is None:
+            _write_picture(what, fabric, shown, path, inset=inset, cloths=chosen, **picture)
+        else:
+            write_turn(what, fabric, shown, path, turntable, **picture)
 
 
 def _write_picture(what: str, fabric: str, shown: str, path: Path, **options: Any) -> None:
