@@ -1,4 +1,4 @@
-"""docs/mitsuba-parameters.md and docs/mitsuba-edits.md against the code: names, ranges, live or not.
+"""docs/mitsuba-parameters.md and mitsuba-edits.md against the code: ranges, defaults, live, differentiable.
 
 Covers: mitsuba/model_props.py
 """
