@@ -1,4 +1,4 @@
-"""docs/mitsuba-parameters.md and docs/mitsuba-edits.md: names, ranges, defaults; what is live or has gradients.
+"""docs/mitsuba-parameters.md and docs/mitsuba-edits.md against the code: names, ranges, live or not.
 
 Covers: mitsuba/model_props.py
 """

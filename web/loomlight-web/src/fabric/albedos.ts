@@ -13,6 +13,7 @@ import {
 import { ALBEDO_TOLERANCE, WHITE_SHARE } from "../generated.ts";
 import { coloursFor, type ChannelAlbedos, type Openness } from "./between_yarns.ts";
 import { detailOf, type YarnDetail } from "./detail.ts";
+import { boundInUse, clothBound, taken, yarnBound, type LayerBound } from "./layer_bound.ts";
 
 /** The order of a thread's albedos, red, green and blue of each. */
 export const ALBEDOS = ["diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit"] as const;
@@ -24,17 +25,10 @@ export interface FamilyAppearance {
   readonly albedos: Float64Array;
   /** α of the fibre distribution. */
   readonly roughness: number;
+  /** κ of the energy bound that the albedos keep, of the larger highlight. */
+  readonly layerBound: number;
   /** What the yarns show close up. */
   readonly detail: YarnDetail;
-}
-
-/**
- * κ: no direction gets more than this share back from a fibre layer of albedo 1; with light between yarns, no view of
- * the cloth; see `scattering/albedo.py`.
- */
-export function layerAlbedoBound(opticalDepth: number, betweenYarns = false): number {
-  if (betweenYarns) return 0.34 + 0.66 * Math.exp(-3 * opticalDepth);
-  return 0.5 * (1 + Math.exp(-opticalDepth));
 }
 
 /**
@@ -52,11 +46,16 @@ export function familyAppearance(
 ): FamilyAppearance {
   const table = fields[family] ?? {};
   const strength = (table.specular ?? SPECULAR) * strongestHighlight(opticalDepth);
-  const bound = layerAlbedoBound(opticalDepth, openness !== null);
+  const roughness = table.roughness ?? ROUGHNESS;
+  const number = family === "warp" ? 0 : 1;
+  const bound =
+    openness === null
+      ? yarnBound(opticalDepth)
+      : clothBound(roughness, opticalDepth, openness.layers.slice(2 * number, 2 * number + 2));
   const albedosOf = (colour: number) => channelAlbedos(colour, strength, table.translucency ?? TRANSLUCENCY, bound);
   let colours = draft[family].colors ?? new Float64Array(0);
   if (openness !== null && table.albedo === undefined)
-    colours = coloursFor(colours, openness, family === "warp" ? 0 : 1, albedosOf);
+    colours = coloursFor(colours, openness, number, albedosOf);
   const albedos = albedosFromColours(colours, albedosOf);
   if (table.specular_tint !== undefined) {
     const tint = parseColour(table.specular_tint, `${family}.specular_tint`);
@@ -69,18 +68,19 @@ export function familyAppearance(
     for (let i = 3 * number; i < albedos.length; i += ALBEDO_NUMBERS) albedos.set(colour, i);
   });
   checkAlbedos(albedos, family, bound);
-  return { albedos, roughness: table.roughness ?? ROUGHNESS, detail: detailOf(table) };
+  const layerBound = boundInUse(bound, highlightsOf(albedos));
+  return { albedos, roughness, layerBound, detail: detailOf(table) };
 }
 
 /** Albedo of the highlight of white threads at specular 1; see `scattering/albedo.py`. */
 function strongestHighlight(opticalDepth: number): number {
-  return Math.min(1, 1 / ((2 - WHITE_SHARE) * layerAlbedoBound(opticalDepth)));
+  return Math.min(1, 1 / ((2 - WHITE_SHARE) * yarnBound(opticalDepth).larger));
 }
 
 /** Albedos of one channel of a colour, by the highlight's strength and the share of light that passes. */
-function channelAlbedos(colour: number, strength: number, translucency: number, bound: number): ChannelAlbedos {
+function channelAlbedos(colour: number, strength: number, translucency: number, bound: LayerBound): ChannelAlbedos {
   const highlight = strength * (WHITE_SHARE + (1 - WHITE_SHARE) * colour);
-  const diffuse = colour * (1 - bound * highlight);
+  const diffuse = colour * (1 - taken(bound, highlight, translucency * highlight));
   return [(1 - translucency) * diffuse, translucency * diffuse, highlight, translucency * highlight];
 }
 
@@ -96,7 +96,14 @@ function albedosFromColours(colours: Float64Array, albedosOf: (colour: number) =
   return albedos;
 }
 
-function checkAlbedos(albedos: Float64Array, family: FamilyName, bound: number): void {
+/** Reflected and transmitted highlight of each thread and channel. */
+function* highlightsOf(albedos: Float64Array): Generator<[number, number]> {
+  for (let first = 0; first < albedos.length; first += ALBEDO_NUMBERS)
+    for (let channel = 0; channel < 3; channel++)
+      yield [albedos[first + 6 + channel]!, albedos[first + 9 + channel]!];
+}
+
+function checkAlbedos(albedos: Float64Array, family: FamilyName, bound: LayerBound): void {
   for (let first = 0; first < albedos.length; first += ALBEDO_NUMBERS)
     for (let channel = 0; channel < 3; channel++) {
       const [reflect, transmit, shine, through] = [0, 3, 6, 9].map((at) => albedos[first + at + channel]!) as [
@@ -106,12 +113,16 @@ function checkAlbedos(albedos: Float64Array, family: FamilyName, bound: number):
         number,
       ];
       const diffuse = reflect + transmit;
-      const highlight = Math.max(shine, through);
-      if (diffuse + bound * highlight <= 1 + ALBEDO_TOLERANCE) continue;
+      const total = diffuse + taken(bound, shine, through);
+      if (total <= 1 + ALBEDO_TOLERANCE) continue;
+      const larger = bound.larger.toFixed(3);
+      const ofSmaller = (what: string) => (bound.smaller > 0 ? ` + ${bound.smaller.toFixed(3)} × ${what}` : "");
+      const names = ofSmaller("the smaller");
+      const numbers = ofSmaller(short(Math.min(shine, through)));
       throw new InputError(
-        `${family}: diffuse_reflect + diffuse_transmit + ${bound.toFixed(3)} × the larger of specular_reflect and ` +
-          `specular_transmit of thread ${first / ALBEDO_NUMBERS + 1} is ${short(diffuse)} + ${bound.toFixed(3)} × ` +
-          `${short(highlight)} = ${short(diffuse + bound * highlight)} in ${"RGB"[channel]}, and more than 1 would ` +
+        `${family}: diffuse_reflect + diffuse_transmit + ${larger} × the larger of specular_reflect and ` +
+          `specular_transmit${names} of thread ${first / ALBEDO_NUMBERS + 1} is ${short(diffuse)} + ${larger} × ` +
+          `${short(Math.max(shine, through))}${numbers} = ${short(total)} in ${"RGB"[channel]}, and more than 1 would ` +
           "create light.",
       );
     }
