@@ -76,11 +76,8 @@ def render(
     across, up = parse_numbers("--shift", shift, 2, "5,-2.5")
     colors = _colors(color)
     cloths = parse_named("--cloth", cloth or [], "lining=satin")
-    written = outputs
-    if turntable is not None:
-        written = [frame for path in outputs for frame in turn_paths(path, turntable)]
     further = [name for names in cloths.values() for name in names]
-    require_not_read(written, [*fabrics, scene, mesh, environment, *further])
+    require_not_read(_written(outputs, turntable), [*fabrics, scene, mesh, environment, *further])
     from loomlight.mitsuba.placement import Placement
     from loomlight.mitsuba.scenes import SceneOptions
 
@@ -139,11 +136,18 @@ def _outputs(fabrics: list[str], output: str, turntable: int | None) -> list[Pat
     paths = [Path(output.replace("{name}", _file_name(fabric))) for fabric in fabrics]
     for path, fabric in zip(paths, fabrics, strict=True):
         check_output(path, suffixes)
-        for frame in () if turntable is None else turn_paths(path, turntable):
-            check_output(frame, suffixes)
         if paths.count(path) > 1:
             raise InputError(f"{path} would be the picture of {fabric} and of another fabric: rename one.")
+    for path in _written(paths, turntable):
+        check_output(path, suffixes)
     return paths
+
+
+def _written(outputs: list[Path], turntable: int | None) -> list[Path]:
+    """The files of all pictures: numbered ones of each output if it is a turn."""
+    if turntable is None:
+        return outputs
+    return [picture for path in outputs for picture in turn_paths(path, turntable)]
 
 
 def _file_name(fabric: str) -> str:
