@@ -2,8 +2,8 @@
 
     python -m benchmarks.realtime [--size 64x64] [--output benchmarks/results/realtime.json]
 
-Times are of frames in which all pixels are cloth under one directional light, one pass, split into the
-submissions of the raster pass, shading, and the rest (tone mapping and reading back); the first frame, in
+Times are of frames in which all pixels are cloth under one directional light, one pass, split into the raster
+pass, the layers of what it saw, shading, and the rest (tone mapping and reading back); the first frame, in
 which the driver compiles, is left out. They are scaled from `--size` to 1920 × 1080 by the number of
 pixels. On a software adapter they say little.
 
@@ -22,6 +22,7 @@ from __future__ import annotations
 
 import time
 from argparse import ArgumentParser, Namespace
+from collections.abc import Callable
 from dataclasses import asdict
 from unittest.mock import patch
 
@@ -54,6 +55,9 @@ PUBLISHED = {
     "chen2024 frame": 16.7,
 }
 _GROUPS = 24
+_ROUNDS = 5
+# Parts of a frame, and how the names of their kernels begin.
+_KERNELS = {"raster": "raster", "layers": "first_layer", "shading": "shade_"}
 # A pixel reads the number of its face, and writes 16 bytes of radiance and 4 of colour.
 _PIXEL_BYTES = 24
 
@@ -132,33 +136,29 @@ def _frame_times(fabric: Fabric, model: str, width: int, height: int) -> Figures
     )
     camera, lights = Camera(origin=(0, -0.1, 0.17)), [DirectionalLight(towards=(0.5, 0.3, 0.8))]
     renderer.render(camera, lights, samples=1, passes=1)
-    queue = renderer.adapter.device.queue
-    submit = queue.submit
-    times: list[float] = []
-    is_waiting: list[bool] = []
+    spent = dict.fromkeys(_KERNELS, 0.0)
 
-    def timed_submit(buffers: object) -> None:
-        if is_waiting:
-            submit(buffers)
-            return
-        is_waiting.append(True)
-        start = time.perf_counter()
-        submit(buffers)
-        # Reading waits for the work; it submits a copy itself.
-        renderer.adapter.read(renderer._resources["pixels"], np.uint32, 1)
-        times.append(1e3 * (time.perf_counter() - start))
-        is_waiting.clear()
+    def timed(launch: Callable[..., None]) -> Callable[..., None]:
+        def launch_and_wait(entry: str = "raster", *arguments: object) -> None:
+            start = time.perf_counter()
+            launch(*(() if entry == "raster" else (entry, *arguments)))
+            # Reading waits for the work.
+            renderer.adapter.read(renderer._resources["pixels"], np.uint32, 1)
+            part = next((name for name, prefix in _KERNELS.items() if entry.startswith(prefix)), None)
+            if part is not None:
+                spent[part] += 1e3 * (time.perf_counter() - start) / _ROUNDS
 
-    rounds = 5
+        return launch_and_wait
+
     start = time.perf_counter()
-    with patch.object(queue, "submit", timed_submit):
-        for _ in range(rounds):
+    with (
+        patch.object(renderer, "_draw", timed(renderer._draw)),
+        patch.object(renderer, "_compute", timed(renderer._compute)),
+    ):
+        for _ in range(_ROUNDS):
             renderer.render(camera, lights, samples=1, passes=1)
-    total = 1e3 * (time.perf_counter() - start) / rounds
-    each = len(times) // rounds
-    # Submissions of a frame: the raster pass, shading, tone mapping.
-    parts = {name: sum(times[k::each]) / rounds for k, name in enumerate(("raster", "shading"))}
-    parts["rest"] = total - sum(parts.values())
+    total = 1e3 * (time.perf_counter() - start) / _ROUNDS
+    parts = spent | {"rest": total - sum(spent.values())}
     scale = PIXELS / (width * height)
     return {
         "adapter": renderer.adapter.name,
@@ -172,7 +172,9 @@ def _frame_times(fabric: Fabric, model: str, width: int, height: int) -> Figures
 
 def _options(parser: ArgumentParser) -> None:
     parser.add_argument("--size", default="64x64", help="pixels of measured frames")
-    parser.add_argument("--models", default="lobes,point", help="models whose frames are measured")
+    parser.add_argument(
+        "--models", default="lobes,point,clustered,woven", help="models whose frames are measured"
+    )
     parser.add_argument("--counts-only", action="store_true", help="no frames: no adapter is needed")
 
 

@@ -28,7 +28,7 @@ from loomlight.realtime.scene import Light
 EXAMPLES = REPOSITORY / "examples"
 FABRICS = ("denim", "wool-houndstooth", "silk-satin", "linen", "organza", "damask")
 DISTANCES = (0.01, 0.05, 0.2)  # metres
-SIDE, SIZE, SAMPLES = 0.1, 32, 512
+SIDE, SIZE, SAMPLES = 0.1, 32, 2048
 TOWARDS = (0.5, 0.3, 0.8)
 
 

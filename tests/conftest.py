@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
@@ -14,6 +15,12 @@ from loomlight.models.neumip.settings import QUALITIES
 
 # Before torch is loaded: MKL's sums otherwise depend on where arrays lie, and trainings repeat bit for bit.
 os.environ.setdefault("MKL_CBWR", "AUTO,STRICT")
+
+# Mesa's software driver takes most of the time of shader tests to compile them. What it compiled stays where
+# it does for any program, so that all workers, subprocesses and later runs share it.
+os.environ.setdefault(
+    "MESA_SHADER_CACHE_DIR", os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
+)
 
 # Seconds that an example takes say how busy a machine is, not what is wrong.
 settings.register_profile("busy machines", deadline=None, suppress_health_check=[HealthCheck.too_slow])

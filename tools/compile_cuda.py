@@ -1,6 +1,6 @@
 """Compiles the CUDA export of each model by nvcc: `make test` does without it, as it takes 320 MB.
 
-    pip install nvidia-cuda-nvcc nvidia-cuda-crt nvidia-nvvm nvidia-cuda-runtime
+    pip install nvidia-cuda-nvcc nvidia-cuda-crt nvidia-nvvm nvidia-cuda-runtime nvidia-cuda-cccl
     python -m tools.compile_cuda [--nvcc FILE] [--architecture sm_90]
 
 No graphics card is needed. Prints the registers that ptxas gives each kernel.
@@ -16,10 +16,13 @@ import tempfile
 from argparse import ArgumentParser
 from pathlib import Path
 
+from benchmarks.random_networks import random_latent, random_neumip
 from loomlight.export import export
 from loomlight.fabric import fabric_from_text
+from loomlight.realtime.models import REALTIME_MODELS, Material
 
-MODELS = ("lobes", "point")
+# Trained models have random numbers: the text is the same.
+_TRAINED = {"neumip": random_neumip, "latent": lambda fabric: random_latent(fabric, "3x64")}
 
 
 def found_nvcc() -> Path | None:
@@ -36,7 +39,9 @@ def compiled(nvcc: Path, model: str, architecture: str, folder: Path) -> str:
     Raises:
         subprocess.CalledProcessError: nvcc refuses the text; its message is printed.
     """
-    export(fabric_from_text("twill 2/1"), "cuda", folder, model)
+    fabric = fabric_from_text("twill 2/1")
+    material: Material = _TRAINED[model](fabric) if model in _TRAINED else fabric
+    export(material, "cuda", folder, model)
     command = [
         str(nvcc),
         f"-arch={architecture}",
@@ -62,7 +67,7 @@ def main() -> None:
     options = parser.parse_args()
     if options.nvcc is None:
         sys.exit("nvcc is not installed: give its path as --nvcc, or install the packages named in --help.")
-    for model in MODELS:
+    for model in REALTIME_MODELS:
         with tempfile.TemporaryDirectory() as folder:
             print(model, compiled(options.nvcc, model, options.architecture, Path(folder) / "export"))
 

@@ -12,6 +12,8 @@ from loomlight.scattering.appearance import Appearance, FamilyAppearance, Sheen,
 from loomlight.yarn.layout import ClothLayout
 
 ABSOLUTE, RELATIVE = 1e-5, 1e-3
+# Slang: the footprint of the arguments x, y, dx, dy.
+FOOTPRINT = "Footprint p; p.centre = float2(x, y); p.dx = dx; p.dy = dy; let back = view.z < 0.0;"
 
 
 def share_beyond(found: ArrayLike, expected: ArrayLike) -> float:

@@ -18,9 +18,9 @@ from loomlight.core.backend import array_types
 from loomlight.fabric import fabric_from_text
 from loomlight.models.registry import model_of
 from loomlight.realtime.openness_tables import PARTS, openness_uints
-from tests.realtime.mapped import mapped
 from tests.realtime.queries import share_beyond, vectors
-from tests.realtime.test_lobes import FOOTPRINT, MOST_FLIPS, Queries
+from tests.realtime.test_lobes import MOST_FLIPS, Queries
+from tests.realtime.whole_queries import lobes_values, point_values
 
 TINT = (0.9, 0.5, 0.2)
 FABRIC = """
@@ -46,20 +46,10 @@ def test_values_with_light_between_yarns(name: str) -> None:
     model = model_of(fabric_from_text(FABRIC), "lobes")
     queries = Queries(model)
     if name == "lobes":
-        body = (
-            FOOTPRINT + "let e = lobes_estimate(fabric, p, 1.0, light, view);"
-            f"let v = composed(fabric, e.components, e.close, e.albedos, float3{TINT}, light, view);"
-        )
+        found = lobes_values(queries.arguments, queries.looks, TINT)
     else:
         model = model_of(model.fabric, "point")
-        body = (
-            "let point = locate_yarn(fabric, default_quality(), x, y, view);"
-            f"let bounced = bounced_at(fabric, point, float3{TINT}); var tinted_point = point;"
-            f"tinted_point.albedos = tinted(point.albedos, float3{TINT});"
-            "let v = evaluate_with(fabric, default_quality(), tinted_point, bounced, light, view);"
-        )
-    modules = "lobes footprint point search separable"
-    found = mapped(modules, body, "v.x; v.y; v.z", queries.arguments, queries.looks)
+        found = point_values(queries.arguments, queries.looks, TINT)[:, :3]
     at = model.at(vectors(queries.view), queries.footprint, tint=tint())
     value = np.array(at.value(vectors(queries.light)))
     assert share_beyond(found.T, value) <= 2 * MOST_FLIPS

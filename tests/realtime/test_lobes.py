@@ -19,12 +19,12 @@ from loomlight.models.lobes.model import LobesModel
 from loomlight.models.registry import model_of
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
 from tests.realtime.mapped import mapped
-from tests.realtime.queries import directions, places, share_beyond, vectors
+from tests.realtime.queries import FOOTPRINT, directions, places, share_beyond, vectors
+from tests.realtime.whole_queries import lobes_values
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 COUNT = 20_000
 MOST_FLIPS = 1e-3
-FOOTPRINT = "Footprint p; p.centre = float2(x, y); p.dx = dx; p.dy = dy; let back = view.z < 0.0;"
 fabrics = pytest.mark.parametrize("name", ["denim", "damask", "silk-satin"])
 
 
@@ -115,8 +115,7 @@ def test_mean_albedos_of_coloured_threads() -> None:
 def test_queries_of_lobes(name: str) -> None:
     model = lobes_of(name)
     queries = Queries(model)
-    body = FOOTPRINT + "let v = lobes_value(fabric, p, 1.0, light, view);"
-    found = mapped("lobes footprint", body, "v.x; v.y; v.z", queries.arguments, queries.looks)
+    found = lobes_values(queries.arguments, queries.looks)
     value = np.array(model.at(vectors(queries.view), queries.footprint).value(vectors(queries.light)))
     assert value.max() > 0.1
     assert share_beyond(found.T, value) <= MOST_FLIPS

@@ -21,6 +21,7 @@ from loomlight.yarn.layout import ClothLayout
 from loomlight.yarn.visibility import first_hit, unoccluded
 from tests.realtime.mapped import mapped
 from tests.realtime.queries import appearance, directions, places, share_beyond, vectors
+from tests.realtime.whole_queries import point_values
 from tests.yarn.layouts import PLAIN, SATIN, TWILL, even_layout, random_layout
 
 COUNT = 20_000
@@ -147,13 +148,8 @@ def test_queries_of_the_point_model(layout: ClothLayout, varied: bool) -> None:
     at = places(rng, layout, COUNT)
     light, view = directions(rng, COUNT), directions(rng, COUNT)
     looks = appearance(rng, layout, sheen=varied, varies=varied)
-    body = (
-        "let q = default_quality(); let p = locate_yarn(fabric, q, x, y, view);"
-        "let f = evaluate(fabric, q, p, light, view);"
-    )
-    results = "f.x; f.y; f.z; straight_through(fabric, p, view)"
     arguments = {"x": at.x, "y": at.y, "light": light, "view": view}
-    found = mapped("point search", body, results, arguments, (layout, looks))
+    found = point_values(arguments, (layout, looks))
     model = PointModel(YarnGeometry(layout), looks)
     x, y, _ = at.arrays()
     point = model.locate(x, y, vectors(view))
@@ -184,13 +180,8 @@ def test_queries_of_yarns_close_up() -> None:
     at = places(rng, layout, COUNT)
     light, view = directions(rng, COUNT), directions(rng, COUNT)
     side = np.float32(float(layout.warp.spacing.mean()) * np.exp(rng.uniform(np.log(5e-4), np.log(2), COUNT)))
-    body = (
-        "let q = default_quality(); let p = locate_yarn(fabric, q, x, y, view, side);"
-        "let f = evaluate(fabric, q, p, light, view);"
-    )
-    results = "f.x; f.y; f.z; p.normal.x; p.normal.y; p.tangent.x; p.albedos.diffuse_reflect.x"
     arguments = {"x": at.x, "y": at.y, "light": light, "view": view, "side": side}
-    found = mapped("point search", body, results, arguments, (layout, looks))
+    found = np.delete(point_values(arguments, (layout, looks)), 3, axis=1)
     model = PointModel(YarnGeometry(layout), looks)
     x, y, _ = at.arrays()
     point = model.locate(x, y, vectors(view), size=Float(side))

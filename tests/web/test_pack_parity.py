@@ -18,6 +18,7 @@ from loomlight.models.lobes.model import DEFAULT_GROUPS
 from loomlight.realtime.bake import BakePlan, _bake_record, _steps, plan_bake
 from loomlight.realtime.layout import numpy_type
 from loomlight.realtime.tables import Packed, pack_fabrics
+from loomlight.viewer.openness_json import openness_json
 from loomlight.weave.draft import Draft, Threads
 
 ROOT = Path(__file__).parents[2]
@@ -33,6 +34,9 @@ TEXTS = [
     'weave = "satin 16/5"\nepi = 90\nppi = 60\nwarp.specular = 1\nweft.count = "Ne 30/2"',
     'weave = "basket 3"\ngap = 0.6\nwarp.inclination_deg = 70\nwarp.height_scale = 1.7\nweft.gap = 0',
     'weave = "plain"\nyarn = "wool"\nweft.plies = 3\nweft.ply_twist_deg = -20\nweft.hairiness = 0.2',
+    'weave = "satin 5"\ninterreflection = true\nwarp.color = "#e0c060"\nweft.albedo = "#405060"',
+    'weave = "gingham 8"\ninterreflection = true\noptical_depth = 0.6\nwarp.color = ["#fff", "#102"]\n'
+    "weft.roughness = 0.2\nweft.translucency = 0.4\nweft.specular = 1\ngap = 0.4",
     'weave = "damask 160"\nwarp.color = ["#111", "#777", "#eee", "#900", "#070"]',
 ]
 # Both compute in double precision, where sums differ in their last bits, and round to single precision.
@@ -71,6 +75,7 @@ def _question(fabric: Fabric) -> dict[str, Any]:
         "warp": _threads(draft.warp),
         "weft": _threads(draft.weft),
         "uvSizeMm": UV_SIZE_MM,
+        "openness": openness_json(fabric) if fabric.fields.interreflection else None,
     }
 
 

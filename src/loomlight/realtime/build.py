@@ -1,4 +1,4 @@
-"""Writes what is generated: `generated.slang`, and the shaders of every shading language.
+"""Writes what is generated: `generated.slang`, the shaders of every shading language, and digests.
 
     python -m loomlight.realtime.build [FILE ...]
 
@@ -8,11 +8,13 @@ checkout it also writes the constants of the web client, and with `--web` these 
 
 from __future__ import annotations
 
+import json
 import sys
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from functools import cache, partial
+from functools import cache
+from hashlib import sha256
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -44,6 +46,16 @@ class Target:
     options: tuple[str, ...] = ()
 
 
+@dataclass(frozen=True)
+class _Job:
+    """One run of the compiler: entry points of a file for one language."""
+
+    target: Target
+    module: str
+    entries: tuple[str, ...]
+    options: tuple[str, ...]
+
+
 TARGETS = (
     Target("wgsl", "wgsl"),
     Target("hlsl", "hlsl", ("-profile", "sm_6_0")),
@@ -60,6 +72,8 @@ COOPERATIVE_TARGETS = (
     Target("spirv", "spv", ("-profile", "spirv_1_6", "-O0", "-skip-spirv-validation")),
 )
 COOPERATIVE_LIBRARY = "woven"
+# What the last build of all shaders was made of.
+DIGESTS = SHADERS / "digests.json"
 # Line numbers would name files of the machine that built it.
 _OPTIONS = ("-line-directive-mode", "none")
 # Compilers that run at a time.
@@ -137,12 +151,19 @@ def generated_files(modules: Collection[str] = ()) -> dict[Path, bytes]:
         MissingDependencyError: slangc is missing.
         ShaderError: a source does not compile.
     """
-    jobs: dict[Path, Callable[[], bytes]] = {}
+    jobs = {path: job for path, job in _jobs().items() if not modules or job.module in modules}
+    # Threads wait for the compiler's processes.
+    with ThreadPoolExecutor(_PROCESSES) as pool:
+        return dict(zip(jobs, pool.map(_compiled, jobs.values()), strict=True))
+
+
+def _jobs() -> dict[Path, _Job]:
+    """All shaders that are generated, by path relative to the folder of shaders."""
+    jobs: dict[Path, _Job] = {}
 
     def add(name: str, target: Target, module: str, entries: Sequence[str], *options: str) -> None:
-        if not modules or module in modules:
-            path = Path(target.name) / f"{name}.{target.suffix}"
-            jobs[path] = partial(_compiled, target, module, entries, options)
+        path = Path(target.name) / f"{name}.{target.suffix}"
+        jobs[path] = _Job(target, module, tuple(entries), options)
 
     wgsl = TARGETS[0]
     for module, stages in HOST_ENTRIES.items():
@@ -156,10 +177,7 @@ def generated_files(modules: Collection[str] = ()) -> dict[Path, bytes]:
         if module == f"cloth_{COOPERATIVE_LIBRARY}":
             for target in COOPERATIVE_TARGETS:
                 add(f"{entry}_cooperative", target, module, [entry], "-DCOOPERATIVE")
-    # Threads wait for the compiler's processes.
-    with ThreadPoolExecutor(_PROCESSES) as pool:
-        contents = pool.map(lambda job: job(), jobs.values())
-        return dict(zip(jobs, contents, strict=True))
+    return jobs
 
 
 def stored_files() -> list[Path]:
@@ -167,12 +185,30 @@ def stored_files() -> list[Path]:
     return [path.relative_to(SHADERS) for target in TARGETS for path in (SHADERS / target.name).iterdir()]
 
 
-def _compiled(target: Target, module: str, entries: Sequence[str], options: Sequence[str]) -> bytes:
-    all_options = (*_OPTIONS, *target.options, *options)
-    text = compile_shader(SHADERS / f"{module}.slang", target.name, entries, all_options)
-    if target.name == "cuda":
+def digests() -> dict[str, str]:
+    """SHA-256 of what shaders are generated of, and of the stored ones: whether they are in step.
+
+    Compiling all takes more than a minute, so a test compares these with the record of the last build.
+    """
+    sources = {path.name: path.read_bytes() for path in SHADERS.glob("*.slang")}
+    jobs = {str(path): repr(job).encode() for path, job in _jobs().items()}
+    stored = {path.as_posix(): (SHADERS / path).read_bytes() for path in stored_files()}
+    return {"sources": _digest(sources | jobs), "shaders": _digest(stored)}
+
+
+def _digest(contents: Mapping[str, bytes]) -> str:
+    found = sha256()
+    for name in sorted(contents):
+        found.update(f"{name} {len(contents[name])}\n".encode() + contents[name])
+    return found.hexdigest()
+
+
+def _compiled(job: _Job) -> bytes:
+    options = (*_OPTIONS, *job.target.options, *job.options)
+    text = compile_shader(SHADERS / f"{job.module}.slang", job.target.name, job.entries, options)
+    if job.target.name == "cuda":
         return b"#include <slang-cuda-prelude.h>\n" + text.removeprefix(_cuda_prelude())
-    return without_debug_names(text) if target.name == "spirv" else text
+    return without_debug_names(text) if job.target.name == "spirv" else text
 
 
 def without_debug_names(module: bytes) -> bytes:
@@ -221,6 +257,7 @@ def main(arguments: Sequence[str] = ()) -> None:
         for path in stored_files():
             if path not in files:
                 (SHADERS / path).unlink()
+        _write(DIGESTS, (json.dumps(digests(), indent=2) + "\n").encode())
     _write(SHADERS / "bake.json", manifest().encode())  # reads the shaders
 
 

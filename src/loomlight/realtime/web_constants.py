@@ -8,11 +8,14 @@ The generated shaders and `bake.json` are imported by the page as they are.
 
 from __future__ import annotations
 
+import json
+import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TypeAlias
 
 from loomlight.aggregate import footprint_albedos
+from loomlight.fabric import authored_colour
 from loomlight.fabric.defaults import PLY_TWIST_DEG
 from loomlight.fabric.fabric import MAXIMUM_CROSSINGS
 from loomlight.fabric.yarns import PRESETS
@@ -22,9 +25,9 @@ from loomlight.models.lobes.model import DEFAULT_GROUPS
 from loomlight.models.lobes.tables import MOMENTS
 from loomlight.realtime import albedo_map, bake, bvh, environment, orbit, renderer, scene_words, tables
 from loomlight.realtime.layout import RECORDS, numpy_type
-from loomlight.realtime.openness_tables import NO_OPENNESS
+from loomlight.realtime.openness_tables import NO_OPENNESS, PARTS
 from loomlight.realtime.slangc import SHADERS
-from loomlight.scattering import albedo, detail
+from loomlight.scattering import albedo, cloth_layer_bound, detail
 from loomlight.scattering.variation import FIBRES_ACROSS
 from loomlight.yarn import layout, max_heights, runs, search, threads
 
@@ -60,12 +63,18 @@ CONSTANTS: dict[str, dict[str, Value]] = {
         "ALBEDO_TOLERANCE": albedo._TOLERANCE,
         "FIBRES_ACROSS": FIBRES_ACROSS,
     },
+    "scattering/cloth_layer_bound.py": {
+        "DEEP_MARGIN": cloth_layer_bound._DEEP,
+        "THIN_MARGIN": cloth_layer_bound._THIN,
+        "MARGIN_FADE": cloth_layer_bound._FADE,
+    },
     "scattering/detail.py, fabric/defaults.py": {
         "SLUB_LENGTH": detail.SLUB_LENGTH,
         "TONE_OF_TILT": detail.TONE_OF_TILT,
         "MOST_TONE": detail.MOST_TONE,
         "PLY_TWIST_DEG": PLY_TWIST_DEG,
     },
+    "fabric/authored_colour.py": {"HALVINGS": authored_colour._HALVINGS},
     "fabric/fabric.py": {"MAXIMUM_CROSSINGS": MAXIMUM_CROSSINGS},
     "aggregate/footprint_albedos.py": {
         "MOST_ENTRIES": footprint_albedos._MOST_ENTRIES,
@@ -96,6 +105,8 @@ CONSTANTS: dict[str, dict[str, Value]] = {
     },
     "realtime/tables.py, openness_tables.py, bake.py": {
         "NO_OPENNESS": NO_OPENNESS,
+        # Numbers of each part, in the order in which a fabric has them.
+        "OPENNESS_PARTS": [[name.lower(), math.prod(shape)] for name, shape in PARTS.items()],
         "SMALLEST_OPEN_SHARE": tables._SMALLEST_OPEN_SHARE,
         "FIRST_WEIGHT": bake._WEIGHTS,
     },
@@ -191,4 +202,4 @@ def flat_fields(record: str, prefix: str = "") -> list[tuple[str, str]]:
 def _literal(value: Value) -> str:
     if isinstance(value, Sequence) and not isinstance(value, str):
         return f"[{', '.join(_literal(part) for part in value)}] as const"
-    return repr(value)
+    return json.dumps(value) if isinstance(value, str) else repr(value)

@@ -4,20 +4,19 @@ from __future__ import annotations
 
 import tempfile
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.bake import bake
-from loomlight.models.registry import make_model, model_class
+from loomlight.models.registry import model_class
 from loomlight.weave.wif_writer import wif_text_of
 
 # Media types of the files, by their suffix.
 FORMATS = {"toml": "application/toml", "loom": "application/octet-stream", "wif": "text/plain; charset=utf-8"}
 # Models whose tables the page does not bake itself.
-TABLES = ("woven",)
+TABLES = ("woven", "clustered")
 
 
 def saved(fabric: Fabric, form: str, model: str) -> bytes:
@@ -56,11 +55,11 @@ def tables_of(fabric: Fabric, model: str) -> bytes:
     from safetensors.numpy import save
 
     from loomlight.core.llvm import require_llvm
+    from loomlight.realtime.models import prepared_for
     from loomlight.realtime.tables import pack_fabrics
 
     require_llvm()
-    baked: Any = make_model(model, fabric)
-    packed = pack_fabrics([(fabric.layout(), fabric.appearance())], prepared=[baked])
+    packed = pack_fabrics([(fabric.layout(), fabric.appearance())], prepared=[prepared_for(fabric, model)])
     return bytes(
         save({name: np.frombuffer(values.tobytes(), np.uint8) for name, values in packed.buffers().items()})
     )

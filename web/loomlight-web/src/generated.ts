@@ -324,11 +324,19 @@ export const WHITE_SHARE = 0.3;
 export const ALBEDO_TOLERANCE = 1e-05;
 export const FIBRES_ACROSS = 30;
 
+// scattering/cloth_layer_bound.py
+export const DEEP_MARGIN = [1.1, 0.08] as const;
+export const THIN_MARGIN = [0.6, 1.0] as const;
+export const MARGIN_FADE = 2.0;
+
 // scattering/detail.py, fabric/defaults.py
 export const SLUB_LENGTH = 9.0;
 export const TONE_OF_TILT = 0.5;
 export const MOST_TONE = 0.15;
 export const PLY_TWIST_DEG = 24.0;
+
+// fabric/authored_colour.py
+export const HALVINGS = 20;
 
 // fabric/fabric.py
 export const MAXIMUM_CROSSINGS = 67108864;
@@ -362,6 +370,7 @@ export const MAX_PYRAMID_BYTES = 58720256;
 
 // realtime/tables.py, openness_tables.py, bake.py
 export const NO_OPENNESS = 4294967295;
+export const OPENNESS_PARTS = [["by_view", 60] as const, ["by_point", 72] as const, ["warp_seen", 10] as const, ["interior", 4] as const, ["meets", 8] as const, ["blocks", 4] as const, ["per_relief", 1] as const, ["layers", 4] as const] as const;
 export const SMALLEST_OPEN_SHARE = 0.001;
 export const FIRST_WEIGHT = 16;
 

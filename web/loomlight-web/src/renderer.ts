@@ -1,28 +1,30 @@
 /** Renders meshes of cloth on WebGPU; see `realtime/renderer.py`, whose frames it makes. */
 import { InputError, type Draft, type FabricFields } from "loomlight-fabric";
 
-import { lookOf } from "./fabric/look.ts";
-import { DEFAULT_ENVIRONMENT_SAMPLES, DEFAULT_SAMPLES, MOST_LAYERS } from "./generated.ts";
+import type { Openness } from "./fabric/between_yarns.ts";
+import { DEFAULT_ENVIRONMENT_SAMPLES, DEFAULT_SAMPLES } from "./generated.ts";
+import { ClothBuffers } from "./gpu/cloth_buffers.ts";
 import { Device, type DeviceOptions } from "./gpu/device.ts";
-import { FabricBuffers, type Dressing } from "./gpu/fabric_buffers.ts";
 import { Presenter, type Source } from "./gpu/present.ts";
 import { Raster } from "./gpu/raster.ts";
-import { SceneBuffers } from "./gpu/scene_buffers.ts";
 import type { ShaderName } from "./gpu/shaders.ts";
-import { Targets } from "./gpu/targets.ts";
+import { Targets, requireSize } from "./gpu/targets.ts";
 import { BUDGET, Pace, type Budget } from "./pace.ts";
 import type { RecordArray } from "./records.ts";
 import { cameraValues, lightRecords } from "./scene/camera.ts";
 import { environmentTables } from "./scene/environment.ts";
-import { requireMesh } from "./scene/mesh.ts";
 import type { Camera, Environment, FrameReport, Light, Mesh, ModelName, Piece, Statistics, Vector3 } from "./types.ts";
 import { frameRecord, keyOfView, type View } from "./view.ts";
 
-const ENTRIES: Readonly<Record<ModelName, ShaderName>> = { lobes: "shade_lobes", point: "shade_points" };
-const UV_SIZE_MM = [100, 100] as const;
+const ENTRIES: Readonly<Record<ModelName, ShaderName>> = {
+  lobes: "shade_lobes",
+  point: "shade_points",
+  woven: "shade_woven",
+  clustered: "shade_clustered",
+};
+const OWN_MODELS: readonly ModelName[] = ["lobes", "point"];
 // A picture that is the mean of so many passes changes no more to the eye.
 const MOST_PASSES = 256;
-const LARGEST_SIDE = 8192;
 
 /** How a renderer is made. */
 export interface RendererOptions extends DeviceOptions {
@@ -57,9 +59,7 @@ export class ClothRenderer {
   private mostPasses = MOST_PASSES;
   private width: number;
   private height: number;
-  private pieces: readonly Piece[] = [];
-  private scene: SceneBuffers | null = null;
-  private fabrics: FabricBuffers | null = null;
+  private cloth: ClothBuffers | null = null;
   private targets: Targets;
   private raster: Raster;
   private presenter: Presenter | null = null;
@@ -108,7 +108,8 @@ export class ClothRenderer {
 
   /** What was done so far, in kernels, bytes and milliseconds. */
   get statistics(): Statistics {
-    const { fabrics, done } = this;
+    const { done } = this;
+    const fabrics = this.cloth?.fabrics;
     return {
       bakeKernels: done.bakeKernels + (fabrics?.bakeKernels ?? 0),
       bakes: done.bakes + (fabrics?.bakes ?? 0),
@@ -121,27 +122,17 @@ export class ClothRenderer {
   }
 
   /**
-   * The cloth to show: meshes and fabrics.
+   * The cloth to show: meshes and fabrics; a model whose tables came from Python gives way to `lobes`.
    *
    * @throws InputError a mesh without uv, a fabric that cannot be, or tables beyond the adapter's limits.
    */
   setPieces(pieces: readonly Piece[]): void {
-    if (pieces.length === 0) throw new InputError("A renderer needs at least one piece of cloth.");
-    pieces.forEach(({ mesh }) => requireMesh(mesh));
-    const looks = pieces.map(({ fields, draft }) => lookOf(fields, draft));
-    const scene = sceneOf(this.device, pieces);
-    const dressings = pieces.map(
-      ({ uvSizeMm }, number): Dressing => ({
-        look: looks[number]!,
-        uvSizeMm: uvSizeMm ?? UV_SIZE_MM,
-        extra: scene.maps[number]!,
-      }),
-    );
-    const fabrics = new FabricBuffers(this.device, dressings);
+    const cloth = new ClothBuffers(this.device, pieces);
     this.keepCounts();
-    this.scene?.destroy();
-    this.fabrics?.destroy();
-    [this.pieces, this.scene, this.fabrics] = [[...pieces], scene, fabrics];
+    this.leaveTables();
+    cloth.fabrics.useTables(this.model === "lobes");
+    this.cloth?.destroy();
+    this.cloth = cloth;
     this.shown = "";
   }
 
@@ -151,52 +142,63 @@ export class ClothRenderer {
    * @throws InputError a mesh without uv, or another number of meshes.
    */
   setMeshes(meshes: readonly Mesh[]): void {
-    if (this.fabrics === null || meshes.length !== this.pieces.length)
-      throw new InputError(`${meshes.length} meshes were given for ${this.pieces.length} pieces of cloth.`);
-    meshes.forEach(requireMesh);
-    const pieces = this.pieces.map((piece, number) => ({ ...piece, mesh: meshes[number]! }));
-    const scene = sceneOf(this.device, pieces);
-    this.scene?.destroy();
-    [this.pieces, this.scene] = [pieces, scene];
-    this.fabrics.describe(scene.maps);
+    this.require().setMeshes(meshes);
     this.shown = "";
   }
 
   /**
    * Another fabric, or an edit of it, for piece `number`: only what changes is written, and only tables that change
-   * are baked.
+   * are baked. Where tables from Python are shown, the picture changes with the next `setTables`.
    *
+   * @param openness what light between yarns needs; see `Piece`.
    * @throws InputError a fabric that cannot be; the picture stays as it is.
    */
-  setFabric(number: number, fields: FabricFields, draft: Draft): void {
-    const piece = this.pieces[number];
-    if (piece === undefined || this.fabrics === null)
-      throw new InputError(`piece = ${number} is none of the ${this.pieces.length} pieces of cloth.`);
+  setFabric(number: number, fields: FabricFields, draft: Draft, openness: Openness | null = null): void {
+    const cloth = this.require();
     const begin = performance.now();
-    this.fabrics.setFabric(number, lookOf(fields, draft));
-    this.pieces = this.pieces.map((other, index) => (index === number ? { ...piece, fields, draft } : other));
+    cloth.setFabric(number, fields, draft, openness);
     this.done.editMs = performance.now() - begin;
     this.shown = "";
   }
 
   /**
-   * The model of the next frames; `samples` are points of a pixel's footprint that one pass of `point` takes, and
-   * `passes` how many passes add up at rest, 256 by default.
+   * The model of the next frames, `lobes` or `point`, whose tables the page makes; `samples` are points of a pixel's
+   * footprint that one pass of `point` takes, and `passes` how many passes add up at rest, 256 by default.
    *
    * @throws InputError no such model, no sample, or no pass.
    */
   setModel(model: ModelName, options: { readonly samples?: number; readonly passes?: number } = {}): void {
     const samples = options.samples ?? DEFAULT_SAMPLES;
     const passes = options.passes ?? MOST_PASSES;
-    if (!Object.hasOwn(ENTRIES, model))
-      throw new InputError(`model = "${model}" is unknown here: use ${Object.keys(ENTRIES).join(" or ")}.`);
+    if (!OWN_MODELS.includes(model))
+      throw new InputError(
+        Object.hasOwn(ENTRIES, model)
+          ? `model = "${model}" has tables that Python makes: give them by setTables.`
+          : `model = "${model}" is unknown here: use ${OWN_MODELS.join(" or ")}.`,
+      );
     if (!(Number.isInteger(samples) && samples >= 1))
       throw new InputError(`samples = ${samples}: it is a whole number of at least 1.`);
     if (!(Number.isInteger(passes) && passes >= 1))
       throw new InputError(`passes = ${passes}: it is a whole number of at least 1.`);
+    this.leaveTables();
     this.model = model;
     this.samples = samples;
     this.mostPasses = passes;
+    this.cloth?.fabrics.useTables(model === "lobes");
+  }
+
+  /**
+   * Shows the only piece by `woven` or `clustered`, whose tables Python packs: `content` is the answer of
+   * `/api/tables` of `loomlight view`.
+   *
+   * @throws InputError another model, content that is no tables, or several pieces.
+   */
+  setTables(model: ModelName, content: Uint8Array): void {
+    if (OWN_MODELS.includes(model) || !Object.hasOwn(ENTRIES, model))
+      throw new InputError(`model = "${model}" takes no tables: use woven or clustered.`);
+    this.require().setTables(model, content);
+    this.model = model;
+    [this.samples, this.mostPasses, this.shown] = [DEFAULT_SAMPLES, MOST_PASSES, ""];
   }
 
   /** Directional and point lights, which are exact. */
@@ -338,8 +340,12 @@ export class ClothRenderer {
     if (canvas) this.presenter = new Presenter(this.device, canvas, transparent ?? false);
     this.own = {};
     this.keepCounts();
-    [this.scene, this.fabrics, this.isPending] = [null, null, false];
-    if (this.pieces.length > 0) this.setPieces(this.pieces);
+    const { model, cloth } = this;
+    [this.cloth, this.isPending] = [null, false];
+    if (cloth !== null) {
+      this.setPieces(cloth.pieces);
+      if (cloth.servedContent !== null) this.setTables(model, cloth.servedContent);
+    }
     this.shown = "";
   }
 
@@ -349,20 +355,19 @@ export class ClothRenderer {
       this.device.destroy();
       return;
     }
-    this.scene?.destroy();
-    this.fabrics?.destroy();
+    this.cloth?.destroy();
     this.targets.destroy();
     Object.values(this.own).forEach((buffer) => buffer.destroy());
   }
 
   /** Whether all kernels of the next frame are compiled, and tables baked; begins what is missing. */
   private prepare(): boolean {
-    if (this.scene === null || this.fabrics === null) throw new InputError("A renderer needs at least one piece of cloth.");
+    const { fabrics, layers } = this.require();
     const names: ShaderName[] = ["first_layer", ENTRIES[this.model], "add_background", "tone_map"];
-    if (this.layers() > 1) names.push("next_layer");
+    if (layers > 1) names.push("next_layer");
     if (this.castsShadows(this.view)) names.push("cast_shadows");
     const kernels = names.map((name) => this.device.kernel(name, name));
-    const isBaked = this.model !== "lobes" || this.fabrics.bake();
+    const isBaked = this.model !== "lobes" || fabrics.bake();
     return isBaked && this.raster.isReady && kernels.every((kernel) => kernel !== undefined);
   }
 
@@ -411,7 +416,7 @@ export class ClothRenderer {
     this.shown = key;
     this.passes = 0;
     this.frameSize = [width, height];
-    this.scene!.setEnvironment(view.environment);
+    this.cloth!.scene.setEnvironment(view.environment);
     this.store("lights", lightRecords(view.lights), GPUBufferUsage.STORAGE);
   }
 
@@ -422,58 +427,36 @@ export class ClothRenderer {
   private addPass(view: View): void {
     const [width, height] = this.frameSize;
     const castsShadows = this.castsShadows(view);
-    const scene = this.scene!.frameValues(view.turn, view.environmentSamples);
+    const scene = this.cloth!.scene.frameValues(view.turn, view.environmentSamples);
     const frame = frameRecord(view, scene, { width, height, passes: this.passes, samples: this.samples, castsShadows });
     this.targets.makeRoom(castsShadows ? view.lights.length + frame.get(0, "environment_samples") : 1);
     this.store("frames", frame, GPUBufferUsage.UNIFORM);
     const resources = this.resources();
-    this.raster.draw(this.targets, resources, this.scene!.faces, width, height);
+    this.raster.draw(this.targets, resources, this.cloth!.scene.faces, width, height);
     const tiles = [Math.ceil(width / 8), Math.ceil(height / 8)] as const;
     // A dispatch a submission: software adapters take seconds for all of them.
-    for (let layer = 0; layer < this.layers(); layer++) {
-      this.compute(layer === 0 ? "first_layer" : "next_layer", tiles, resources);
-      if (castsShadows) this.compute("cast_shadows", tiles, resources);
-      this.compute(ENTRIES[this.model], tiles, resources);
+    for (let layer = 0; layer < this.cloth!.layers; layer++) {
+      this.device.dispatch(layer === 0 ? "first_layer" : "next_layer", tiles, resources);
+      if (castsShadows) this.device.dispatch("cast_shadows", tiles, resources);
+      this.device.dispatch(ENTRIES[this.model], tiles, resources);
     }
-    this.compute("add_background", tiles, resources);
-    this.compute("tone_map", [Math.ceil((width * height) / 64), 1], resources);
+    this.device.dispatch("add_background", tiles, resources);
+    this.device.dispatch("tone_map", [Math.ceil((width * height) / 64), 1], resources);
     this.passes++;
     this.done.passes++;
   }
 
   private resources(): Record<string, GPUBuffer | GPUTextureView> {
     return {
-      ...this.scene!.buffers,
-      ...this.fabrics!.buffers,
+      ...this.cloth!.buffers,
       ...this.targets.buffers,
       ...this.own,
       visible_faces: this.targets.faces,
     };
   }
 
-  private compute(
-    name: ShaderName,
-    groups: readonly [number, number],
-    resources: Readonly<Record<string, GPUBuffer | GPUTextureView>>,
-  ): void {
-    const kernel = this.device.kernel(name, name);
-    if (kernel === undefined) throw new Error(`${name} is not compiled yet`);
-    const encoder = this.device.gpu.createCommandEncoder();
-    const pass = encoder.beginComputePass();
-    pass.setPipeline(kernel.pipeline);
-    pass.setBindGroup(0, this.device.bind(kernel, resources));
-    pass.dispatchWorkgroups(groups[0], groups[1]);
-    pass.end();
-    this.device.gpu.queue.submit([encoder.finish()]);
-  }
-
-  /** Layers of cloth that a pixel can see. */
-  private layers(): number {
-    return this.fabrics!.isOpen && !this.scene!.isFlat ? MOST_LAYERS : 1;
-  }
-
   private castsShadows(view: View): boolean {
-    return view.shadows && !this.scene!.isFlat;
+    return view.shadows && !this.cloth!.scene.isFlat;
   }
 
   private show(): void {
@@ -498,24 +481,22 @@ export class ClothRenderer {
     this.device.write(this.own[name], words);
   }
 
+  /** @throws InputError no cloth was given yet. */
+  private require(): ClothBuffers {
+    if (this.cloth === null) throw new InputError("A renderer needs at least one piece of cloth.");
+    return this.cloth;
+  }
+
+  /** Goes back from tables that Python packed to `lobes`. */
+  private leaveTables(): void {
+    if (this.cloth === null || this.cloth.servedContent === null) return;
+    this.cloth.leaveTables();
+    [this.model, this.shown] = ["lobes", ""];
+  }
+
   /** Adds what buffers of fabrics counted, which are about to be replaced, to the counts. */
   private keepCounts(): void {
     const { bakeKernels, bakes, writes, writtenBytes } = this.statistics;
     Object.assign(this.done, { bakeKernels, bakes, writes, writtenBytes });
   }
-}
-
-/** Buffers of the meshes and albedo maps of pieces. */
-function sceneOf(device: Device, pieces: readonly Piece[]): SceneBuffers {
-  return new SceneBuffers(
-    device,
-    pieces.map(({ mesh }) => mesh),
-    pieces.map(({ albedo }) => albedo ?? null),
-  );
-}
-
-function requireSize(width: number, height: number): void {
-  const isSide = (side: number): boolean => Number.isInteger(side) && side >= 1 && side <= LARGEST_SIDE;
-  if (!isSide(width) || !isSide(height))
-    throw new InputError(`size = ${width} × ${height} is out of range: 1 to ${LARGEST_SIDE} pixels each way.`);
 }

@@ -1,6 +1,8 @@
 /** What a renderer shows and what it tells. Lengths are metres but for `uvSizeMm`; colours are linear RGB. */
 import type { Draft, FabricFields } from "loomlight-fabric";
 
+import type { Openness } from "./fabric/between_yarns.ts";
+
 export type Vector3 = readonly [number, number, number];
 
 /** Triangles with normals and uv, as flat arrays. */
@@ -30,6 +32,8 @@ export interface Piece {
   readonly fields: FabricFields;
   /** The draft that the fields name, as `loadDraft` returns it. */
   readonly draft: Draft;
+  /** What light between yarns needs, where the fields say `interreflection`; without it there is direct light alone. */
+  readonly openness?: Openness | null;
   /** Millimetres per unit of u and of v; 100 by default. */
   readonly uvSizeMm?: readonly [number, number];
   /** Diffuse albedos are multiplied by this picture, 0 to 1, over the unit of uv, which repeats; v runs down. */
@@ -74,8 +78,8 @@ export interface Camera {
   readonly near?: number;
 }
 
-/** `lobes` averages over the footprint of a pixel, `point` samples it. */
-export type ModelName = "lobes" | "point";
+/** `point` samples the footprint of a pixel, the others average over it; Python makes the tables of the last two. */
+export type ModelName = "lobes" | "point" | "woven" | "clustered";
 
 /** What a renderer did since it was made; bytes are those that the page sent to the adapter. */
 export interface Statistics {

@@ -2,6 +2,7 @@
 import type { Draft, FabricFields, Threads } from "loomlight-fabric";
 
 import { planBake } from "../src/fabric/bake_plan.ts";
+import type { Openness } from "../src/fabric/between_yarns.ts";
 import { lookOf } from "../src/fabric/look.ts";
 import { packFabrics, prepare } from "../src/fabric/pack.ts";
 import { DEFAULT_GROUPS } from "../src/generated.ts";
@@ -22,11 +23,12 @@ export interface FabricQuestion {
   readonly warp: ThreadsQuestion;
   readonly weft: ThreadsQuestion;
   readonly uvSizeMm: [number, number];
+  readonly openness: Openness | null;
 }
 
 /** Bytes of the buffers of a fabric with room for baked tables, and of what its bake is told. */
 export function report(question: FabricQuestion): Record<string, Uint8Array> {
-  const look = lookOf(question.fields, draftOf(question));
+  const look = lookOf(question.fields, draftOf(question), question.openness);
   const plan = planBake(look.layout, DEFAULT_GROUPS);
   const packed = packFabrics([prepare(look, question.uvSizeMm, plan)]);
   const parts = {

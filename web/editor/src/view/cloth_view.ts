@@ -1,6 +1,9 @@
 /** What shows the cloth: by WebGPU, or where that is missing as a flat picture of its yarns. */
+import type { LinearPicture, Openness } from "loomlight-web";
+
 import type { Comparison, Fabric, Scene } from "../state/document.ts";
 import type { ClothShape } from "./meshes.ts";
+import type { TableSource } from "./served_models.ts";
 
 /** What a view shows. */
 export interface Shown {
@@ -11,6 +14,17 @@ export interface Shown {
   readonly piece: ClothShape | null;
   /** The user's own surroundings, if the scene asks for them. */
   readonly surroundings: SurroundingsPicture | null;
+  /** How open the yarns of a fabric are, for light between them, as far as it is known. */
+  readonly opennessOf: (fabric: Fabric) => Openness | null;
+  /** What is printed on the cloth. */
+  readonly print: Print | null;
+}
+
+/** A picture on the cloth: albedos are multiplied by it, over the unit of uv, which repeats. */
+export interface Print {
+  readonly name: string;
+  readonly canvas: HTMLCanvasElement;
+  readonly picture: LinearPicture;
 }
 
 /** An equirectangular picture: linear RGB [height·width·3], the top row first. */
@@ -63,21 +77,25 @@ export interface Made {
   readonly reason: string | null;
 }
 
-/** Makes the best view that the browser has. */
-export async function makeView(host: HTMLElement): Promise<Made> {
+/** Makes the best view that the browser has; `onFault` is told why tables do not come. */
+export async function makeView(
+  host: HTMLElement,
+  tables: TableSource,
+  onFault: (sentence: string) => void,
+): Promise<Made> {
   const { CanvasView } = await import("./canvas_view.ts");
   if (!("gpu" in navigator))
     return {
       view: new CanvasView(host),
-      reason: "This browser has no WebGPU, so the cloth is shown flat, without light.",
+      reason: "This browser has no WebGPU.",
     };
   try {
     const { WebGpuView } = await import("./webgpu_view.ts");
-    return { view: await WebGpuView.create(host), reason: null };
+    return { view: await WebGpuView.create(host, tables, onFault), reason: null };
   } catch (error) {
     return {
       view: new CanvasView(host),
-      reason: `WebGPU does not start here, so the cloth is shown flat, without light. ${reasonOf(error)}`,
+      reason: `WebGPU does not start here. ${reasonOf(error)}`,
     };
   }
 }

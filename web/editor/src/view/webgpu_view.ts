@@ -1,10 +1,11 @@
 /** The cloth on WebGPU: lit, draped, from the whole piece to a single yarn; two fabrics or models side by side. */
-import { ClothRenderer, type Vector3 } from "loomlight-web";
+import { ClothRenderer, type Openness, type Vector3 } from "loomlight-web";
 
 import { woven, type Fabric, type Model, type Scene } from "../state/document.ts";
-import type { ClothView, Pixels, Shown, ViewStatistics } from "./cloth_view.ts";
+import type { ClothView, Pixels, Print, Shown, ViewStatistics } from "./cloth_view.ts";
 import type { ClothShape } from "./meshes.ts";
 import { OrbitControl } from "./orbit_control.ts";
+import { isServed, ServedModels, type ServedModel, type TableSource } from "./served_models.ts";
 import { LAMP_IRRADIANCE, surroundingsOf } from "./surroundings.ts";
 
 /** Linear radiance of the paper behind the cloth, as style.css has it. */
@@ -12,7 +13,7 @@ const PAPER: Vector3 = [0.913, 0.88, 0.807];
 const MOST_DEVICE_PIXELS = 2;
 
 /** The renderer's model, points a pass, and passes that add up, for each of the page's models. */
-const MODELS: Readonly<Record<Model, readonly ["lobes" | "point", number, number]>> = {
+const MODELS: Readonly<Record<Exclude<Model, ServedModel>, readonly ["lobes" | "point", number, number]>> = {
   lobes: ["lobes", 1, 256],
   "point-1": ["point", 1, 1],
   "point-3": ["point", 3, 1],
@@ -23,6 +24,11 @@ const MODELS: Readonly<Record<Model, readonly ["lobes" | "point", number, number
 interface Given {
   shape: ClothShape | null;
   fabric: Fabric | null;
+  openness: Openness | null;
+  print: Print | null;
+  model: Model | null;
+  /** Of a model that Python bakes, which is shown. */
+  tables: Uint8Array | null;
 }
 
 export class WebGpuView implements ClothView {
@@ -32,6 +38,7 @@ export class WebGpuView implements ClothView {
   private readonly renderer: ClothRenderer;
   private readonly control: OrbitControl;
   private readonly resizing: ResizeObserver;
+  private readonly served: ServedModels;
   private readonly given = new Map<ClothRenderer, Given>();
   private other: ClothRenderer | null = null;
   private isMakingOther = false;
@@ -40,9 +47,16 @@ export class WebGpuView implements ClothView {
   private frames = 0;
   private isComplete = false;
 
-  private constructor(host: HTMLElement, canvas: HTMLCanvasElement, renderer: ClothRenderer) {
+  private constructor(
+    host: HTMLElement,
+    canvas: HTMLCanvasElement,
+    renderer: ClothRenderer,
+    tables: TableSource,
+    onFault: (sentence: string) => void,
+  ) {
     [this.canvas, this.renderer] = [canvas, renderer];
     this.lost = renderer.lost;
+    this.served = new ServedModels(tables, () => this.shown && this.show(this.shown), onFault);
     this.control = new OrbitControl(canvas);
     this.resizing = new ResizeObserver(() => this.resize());
     this.resizing.observe(host);
@@ -55,7 +69,11 @@ export class WebGpuView implements ClothView {
    *
    * @throws InputError no graphics adapter, or one whose limits are too small.
    */
-  static async create(host: HTMLElement): Promise<WebGpuView> {
+  static async create(
+    host: HTMLElement,
+    tables: TableSource,
+    onFault: (sentence: string) => void,
+  ): Promise<WebGpuView> {
     const canvas = document.createElement("canvas");
     canvas.className = "cloth-canvas";
     canvas.tabIndex = 0;
@@ -63,7 +81,7 @@ export class WebGpuView implements ClothView {
     canvas.dataset["testid"] = "cloth";
     const renderer = await ClothRenderer.create({ canvas, transparent: true });
     host.append(canvas);
-    return new WebGpuView(host, canvas, renderer);
+    return new WebGpuView(host, canvas, renderer, tables, onFault);
   }
 
   show(shown: Shown): void {
@@ -157,13 +175,26 @@ export class WebGpuView implements ClothView {
 
   /** Gives a renderer its piece, fabric and model, as far as they are new. */
   private dress(renderer: ClothRenderer, shape: ClothShape, fabric: Fabric, model: Model): void {
-    const given = this.given.get(renderer) ?? { shape: null, fabric: null };
+    const empty: Given = { shape: null, fabric: null, openness: null, print: null, model: null, tables: null };
+    const given = this.given.get(renderer) ?? empty;
     const { fields, draft } = fabric;
-    if (given.shape !== shape) renderer.setPieces([{ mesh: shape.mesh, uvSizeMm: shape.uvSizeMm, fields, draft }]);
-    else if (given.fabric !== fabric) renderer.setFabric(0, fields, draft);
-    this.given.set(renderer, { shape, fabric });
-    const [name, samples, passes] = MODELS[model];
-    renderer.setModel(name, { samples, passes });
+    const openness = this.shown?.opennessOf(fabric) ?? null;
+    const print = this.shown?.print ?? null;
+    if (given.shape !== shape || given.print !== print)
+      renderer.setPieces([
+        { mesh: shape.mesh, uvSizeMm: shape.uvSizeMm, fields, draft, openness, albedo: print?.picture ?? null },
+      ]);
+    else if (given.fabric !== fabric || given.openness !== openness) renderer.setFabric(0, fields, draft, openness);
+    const tables = isServed(model) ? this.served.tables(model, fabric) : null;
+    const isShown = given.shape === shape && given.print === print && given.model === model && given.tables === tables;
+    // Until its tables are here, a model of Python's gives way to the page's own.
+    if (isServed(model) && tables !== null) {
+      if (!isShown) renderer.setTables(model, tables);
+    } else {
+      const [name, samples, passes] = MODELS[isServed(model) ? "lobes" : model];
+      renderer.setModel(name, { samples, passes });
+    }
+    this.given.set(renderer, { shape, fabric, openness, print, model, tables });
   }
 
   private light({ scene, surroundings }: Shown): void {

@@ -9,7 +9,8 @@ import {
   SQUARE_SCALE,
 } from "../generated.ts";
 import { RecordArray, WordTable, type Values } from "../records.ts";
-import { ALBEDO_NUMBERS, layerAlbedoBound, type FamilyAppearance } from "./albedos.ts";
+import { ALBEDO_NUMBERS, type FamilyAppearance } from "./albedos.ts";
+import { packOpenness } from "./between_yarns.ts";
 import type { BakePlan } from "./bake_plan.ts";
 import { detailNumbers, isDetailed } from "./detail.ts";
 import { colourTables, type ColourTables } from "./footprint_albedos.ts";
@@ -140,11 +141,11 @@ function packFabric(
     fibre_noise: appearance.fibreNoise,
     colour_noise: appearance.colourNoise,
     seed: appearance.seed,
-    layer_bound: layerAlbedoBound(appearance.opticalDepth),
+    layer_bound: Math.max(appearance.warp.layerBound, appearance.weft.layerBound),
     fibre_size: Math.min(fineX, fineY) / FIBRES_ACROSS,
     has_yarns: 1,
     has_detail: isDetailed(appearance.warp.detail) || isDetailed(appearance.weft.detail) ? 1 : 0,
-    openness: NO_OPENNESS,
+    openness: appearance.openness === null ? NO_OPENNESS : packOpenness(table, appearance.openness),
     is_open: openShare(warp) * openShare(weft) > SMALLEST_OPEN_SHARE ? 1 : 0,
   });
 }

@@ -40,6 +40,7 @@ export class FabricBuffers {
   private readonly dressings: Dressing[];
   private readonly ingredients: Ingredients[];
   private packed: Packed;
+  private usesTables = true;
   private readonly unbaked = new Set<number>();
 
   constructor(device: Device, dressings: readonly Dressing[]) {
@@ -47,7 +48,7 @@ export class FabricBuffers {
     this.baker = new Baker(device);
     this.dressings = [...dressings];
     this.ingredients = dressings.map((dressing) => ingredientsOf(dressing, null));
-    this.packed = packed(this.ingredients, this.dressings);
+    this.packed = this.pack();
     dressings.forEach((_, number) => this.unbaked.add(number));
     this.upload();
   }
@@ -81,7 +82,7 @@ export class FabricBuffers {
     const dressing = { ...this.dressings[number]!, look };
     this.ingredients[number] = ingredientsOf(dressing, before);
     this.dressings[number] = dressing;
-    this.packed = packed(this.ingredients, this.dressings);
+    this.packed = this.pack();
     const isSame =
       sameLayout(before.look.layout, look.layout) &&
       before.look.appearance.diffuseBlend === look.appearance.diffuseBlend;
@@ -99,6 +100,18 @@ export class FabricBuffers {
     this.rewrite("families", this.packed.families.words, old.families.words, 1);
   }
 
+  /**
+   * Whether shadows may read the tables of `lobes`. Those of `point` fall through single points of holes: they need no
+   * tables, and none are baked for it.
+   */
+  useTables(usesTables: boolean): void {
+    if (usesTables === this.usesTables) return;
+    const old = this.packed.fabrics.words;
+    this.usesTables = usesTables;
+    this.packed = this.pack();
+    this.rewrite("fabrics", this.packed.fabrics.words, old, 1);
+  }
+
   /** What the scene adds to the record of each fabric. */
   describe(extras: readonly Values[]): void {
     const old = this.packed.fabrics.words.slice();
@@ -112,6 +125,14 @@ export class FabricBuffers {
   destroy(): void {
     Object.values(this.buffers).forEach((buffer) => buffer.destroy());
     this.baker.destroy();
+  }
+
+  private pack(): Packed {
+    const result = packFabrics(this.ingredients);
+    this.dressings.forEach(({ extra }, number) => {
+      result.fabrics.set(number, { ...extra, "lobes.is_baked": this.usesTables ? 1 : 0 });
+    });
+    return result;
   }
 
   private upload(): void {
@@ -160,12 +181,6 @@ export class FabricBuffers {
 function ingredientsOf(dressing: Dressing, before: Ingredients | null): Ingredients {
   const plan = planBake(dressing.look.layout, DEFAULT_GROUPS);
   return prepare(dressing.look, dressing.uvSizeMm, plan, before);
-}
-
-function packed(ingredients: readonly Ingredients[], dressings: readonly Dressing[]): Packed {
-  const result = packFabrics(ingredients);
-  dressings.forEach(({ extra }, number) => result.fabrics.set(number, extra));
-  return result;
 }
 
 /** Whether all tables are at the same places: the fields that say so are whole numbers. */

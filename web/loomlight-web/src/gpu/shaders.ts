@@ -10,8 +10,10 @@ import firstLayer from "@shaders/wgsl/first_layer.wgsl?raw";
 import nextLayer from "@shaders/wgsl/next_layer.wgsl?raw";
 import rasterFragment from "@shaders/wgsl/raster_fragment.wgsl?raw";
 import rasterVertex from "@shaders/wgsl/raster_vertex.wgsl?raw";
+import shadeClustered from "@shaders/wgsl/shade_clustered.wgsl?raw";
 import shadeLobes from "@shaders/wgsl/shade_lobes.wgsl?raw";
 import shadePoints from "@shaders/wgsl/shade_points.wgsl?raw";
+import shadeWoven from "@shaders/wgsl/shade_woven.wgsl?raw";
 import toneMap from "@shaders/wgsl/tone_map.wgsl?raw";
 
 import { withFewerBuffers } from "./bindings.ts";
@@ -28,8 +30,10 @@ const TEXTS = {
   next_layer: nextLayer,
   raster_fragment: rasterFragment,
   raster_vertex: rasterVertex,
+  shade_clustered: shadeClustered,
   shade_lobes: shadeLobes,
   shade_points: shadePoints,
+  shade_woven: shadeWoven,
   tone_map: toneMap,
 } as const;
 

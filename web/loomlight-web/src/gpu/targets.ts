@@ -1,5 +1,9 @@
 /** What a frame is drawn into, for pictures of at most one size. */
+import { InputError } from "loomlight-fabric";
+
 import type { Device } from "./device.ts";
+
+const LARGEST_SIDE = 8192;
 
 export class Targets {
   readonly width: number;
@@ -41,4 +45,11 @@ export class Targets {
     Object.values(this.buffers).forEach((buffer) => buffer.destroy());
     this.textures.forEach((texture) => texture.destroy());
   }
+}
+
+/** @throws InputError a size out of range, pixels. */
+export function requireSize(width: number, height: number): void {
+  const isSide = (side: number): boolean => Number.isInteger(side) && side >= 1 && side <= LARGEST_SIDE;
+  if (!isSide(width) || !isSide(height))
+    throw new InputError(`size = ${width} × ${height} is out of range: 1 to ${LARGEST_SIDE} pixels each way.`);
 }

@@ -1,0 +1,64 @@
+/** Models whose tables Python makes: asked of the server, one request at a time, for the newest fabric. */
+import type { Fabric, Model } from "../state/document.ts";
+
+export const SERVED_MODELS = ["woven", "clustered"] as const satisfies readonly Model[];
+export type ServedModel = (typeof SERVED_MODELS)[number];
+
+export function isServed(model: Model): model is ServedModel {
+  return (SERVED_MODELS as readonly Model[]).includes(model);
+}
+
+/** The tables of a model for a fabric, as the server's answer. */
+export type TableSource = (model: ServedModel, fabric: Fabric) => Promise<Uint8Array>;
+
+interface Tables {
+  readonly fabric: Fabric;
+  readonly content: Uint8Array;
+}
+
+export class ServedModels {
+  private readonly source: TableSource;
+  private readonly onArrival: () => void;
+  private readonly onFault: (sentence: string) => void;
+  private readonly found = new Map<ServedModel, Tables>();
+  private readonly wanted = new Map<ServedModel, Fabric>();
+  private readonly busy = new Set<ServedModel>();
+  /** What was said last, so that each edit does not say it again. */
+  private readonly said = new Map<ServedModel, string>();
+
+  constructor(source: TableSource, onArrival: () => void, onFault: (sentence: string) => void) {
+    [this.source, this.onArrival, this.onFault] = [source, onArrival, onFault];
+  }
+
+  /** The newest tables that are here, maybe of an older fabric; those of this one are asked for. Null for none yet. */
+  tables(model: ServedModel, fabric: Fabric): Uint8Array | null {
+    const found = this.found.get(model);
+    if (found?.fabric !== fabric && this.wanted.get(model) !== fabric) {
+      this.wanted.set(model, fabric);
+      void this.ask(model);
+    }
+    return found?.content ?? null;
+  }
+
+  private async ask(model: ServedModel): Promise<void> {
+    if (this.busy.has(model)) return;
+    this.busy.add(model);
+    for (let asked: Fabric | undefined; asked !== this.wanted.get(model); ) {
+      asked = this.wanted.get(model)!;
+      try {
+        this.found.set(model, { fabric: asked, content: await this.source(model, asked) });
+        this.said.delete(model);
+        this.onArrival();
+      } catch (error) {
+        this.say(model, error instanceof Error ? error.message : String(error));
+      }
+    }
+    this.busy.delete(model);
+  }
+
+  private say(model: ServedModel, sentence: string): void {
+    if (this.said.get(model) === sentence) return;
+    this.said.set(model, sentence);
+    this.onFault(sentence);
+  }
+}
