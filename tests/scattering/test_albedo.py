@@ -1,4 +1,7 @@
-"""Albedos: the bound that keeps cloth from creating light, the map into it, the refusals."""
+"""Albedos: the bound that keeps cloth from creating light, the map into it, the refusals.
+
+Covers: scattering/cloth_layer_bound.py
+"""
 
 from __future__ import annotations
 
@@ -12,6 +15,8 @@ from loomlight.core.colour import parse_colour
 from loomlight.core.errors import InputError
 from loomlight.scattering import fibre
 from loomlight.scattering.albedo import Albedos, albedos_from_colour, check_albedos, layer_albedo_bound
+from loomlight.scattering.appearance import FamilyAppearance
+from loomlight.scattering.cloth_layer_bound import bound_in_use, cloth_layer_bound
 from loomlight.scattering.diffuse import diffuse_reflection, diffuse_transmission, sample_diffuse
 from loomlight.scattering.sheen import sheen_lobe
 
@@ -193,3 +198,18 @@ def test_explicit_albedos_outside_the_bound_are_refused() -> None:
         check_albedos(Albedos(0 * rows, 0 * rows, rows, 0 * rows), "weft")
     with pytest.raises(InputError, match="nan in B"):
         check_albedos(good._replace(diffuse_transmit=np.array([[0, 0, np.nan]])), "warp")
+
+
+@pytest.mark.parametrize("translucency", [0.0, 0.3, 1.0])
+def test_in_cloth_both_sides_of_the_layer_have_their_own_bound(translucency: float) -> None:
+    """White threads use it up, whatever goes through; it leaves more than the bound of a yarn alone."""
+    bound = cloth_layer_bound(0.3, 2.0)
+    white = albedos_from_colour(np.ones(3), 0.8, translucency, 2.0, bound)
+    check_albedos(white, "warp", 2.0, bound)
+    diffuse = white.diffuse_reflect + white.diffuse_transmit
+    alone = albedos_from_colour(np.ones(3), 0.8, translucency)
+    assert (diffuse > alone.diffuse_reflect + alone.diffuse_transmit + 0.1).all()
+    in_use = bound_in_use(FamilyAppearance(*white, roughness=0.3), 2.0)
+    np.testing.assert_allclose(diffuse + in_use * white.specular_reflect, 1)
+    with pytest.raises(InputError, match=r"the smaller of thread 1 is .*in R, and more than 1"):
+        check_albedos(white._replace(diffuse_reflect=white.diffuse_reflect + 0.01), "warp", 2.0, bound)

@@ -22,7 +22,7 @@ from loomlight.scattering.appearance import FamilyAppearance
 from loomlight.scattering.fibre import mean_layer_shares
 
 # m = _DEEP[0] + _DEEP[1] α + (_THIN[0] + _THIN[1] α) e^{−_FADE Tρ}.
-_DEEP, _THIN, _FADE = (1.1, 0.08), (0.6, 1.0), 2.0
+_DEEP, _THIN, _FADE = (1.15, 0.05), (0.6, 1.0), 2.0
 
 
 def cloth_layer_bound(roughness: float, optical_depth: float) -> LayerBound:

@@ -325,7 +325,7 @@ export const ALBEDO_TOLERANCE = 1e-05;
 export const FIBRES_ACROSS = 30;
 
 // scattering/cloth_layer_bound.py
-export const DEEP_MARGIN = [1.1, 0.08] as const;
+export const DEEP_MARGIN = [1.15, 0.05] as const;
 export const THIN_MARGIN = [0.6, 1.0] as const;
 export const MARGIN_FADE = 2.0;
 
