@@ -132,7 +132,10 @@ def check_albedos(
         larger, smaller = max(reflect[place], transmit[place]), min(reflect[place], transmit[place])
         names, numbers = "", ""
         if layer.smaller > 0:
-            names, numbers = f" + {layer.smaller:.3f} × the smaller", f" + {layer.smaller:.3f} × {smaller:.6g}"
+            names, numbers = (
+                f" + {layer.smaller:.3f} × the smaller",
+                f" + {layer.smaller:.3f} × {smaller:.6g}",
+            )
         raise InputError(
             f"{family}: diffuse_reflect + diffuse_transmit + {layer.larger:.3f} × the larger of "
             f"specular_reflect and specular_transmit{names} of thread {thread + 1} is {diffuse[place]:.6g} + "

@@ -28,13 +28,44 @@ export interface FamilyAppearance {
   readonly detail: YarnDetail;
 }
 
-/**
- * κ: no direction gets more than this share back from a fibre layer of albedo 1; with light between yarns, no view of
- * the cloth; see `scattering/albedo.py`.
- */
-export function layerAlbedoBound(opticalDepth: number, betweenYarns = false): number {
-  if (betweenYarns) return 0.34 + 0.66 * Math.exp(-3 * opticalDepth);
+/** Shares of the light that a fibre layer may return: of the larger and of the smaller of its two albedos. */
+type LayerBound = readonly [larger: number, smaller: number];
+
+/** κ = (1 + e^{−Tρ})/2: no direction gets more than this share back from a fibre layer of albedo 1. */
+function layerAlbedoBound(opticalDepth: number): number {
   return 0.5 * (1 + Math.exp(-opticalDepth));
+}
+
+/**
+ * The bound as a factor of the larger of a thread's two highlights; with light between yarns the largest over threads,
+ * see `scattering/cloth_layer_bound.py`.
+ */
+export function boundInUse(
+  families: readonly FamilyAppearance[],
+  opticalDepth: number,
+  openness: Openness | null,
+): number {
+  if (openness === null) return layerAlbedoBound(opticalDepth);
+  let most = 0;
+  families.forEach(({ albedos }, family) => {
+    const bound = boundOf(openness, family);
+    most = Math.max(most, bound[0]);
+    for (let first = 0; first < albedos.length; first += ALBEDO_NUMBERS)
+      for (let channel = first; channel < first + 3; channel++) {
+        const [reflect, transmit] = [albedos[channel + 6]!, albedos[channel + 9]!];
+        most = Math.max(most, taken(bound, reflect, transmit) / Math.max(reflect, transmit, 1e-9));
+      }
+  });
+  return most;
+}
+
+function boundOf(openness: Openness, family: number): LayerBound {
+  return [openness.bounds[2 * family]!, openness.bounds[2 * family + 1]!];
+}
+
+/** What a layer of these albedos, in any order, takes of what diffuse terms may return. */
+function taken([larger, smaller]: LayerBound, first: number, second: number): number {
+  return larger * Math.max(first, second) + smaller * Math.min(first, second);
 }
 
 /**
@@ -51,25 +82,40 @@ export function familyAppearance(
   openness: Openness | null = null,
 ): FamilyAppearance {
   const table = fields[family] ?? {};
+  const bound = layerAlbedoBound(opticalDepth);
+  let albedos = albedosOfFamily(fields, family, draft, opticalDepth, null);
+  // Explicit albedos keep the bound of a yarn alone, which is larger than that of cloth.
+  checkAlbedos(albedos, family, bound);
+  if (openness !== null) albedos = albedosOfFamily(fields, family, draft, opticalDepth, openness);
+  return { albedos, roughness: table.roughness ?? ROUGHNESS, detail: detailOf(table) };
+}
+
+function albedosOfFamily(
+  fields: FabricFields,
+  family: FamilyName,
+  draft: Draft,
+  opticalDepth: number,
+  openness: Openness | null,
+): Float64Array {
+  const table = fields[family] ?? {};
+  const number = family === "warp" ? 0 : 1;
   const strength = (table.specular ?? SPECULAR) * strongestHighlight(opticalDepth);
-  const bound = layerAlbedoBound(opticalDepth, openness !== null);
+  const bound = openness === null ? ([layerAlbedoBound(opticalDepth), 0] as const) : boundOf(openness, number);
   const albedosOf = (colour: number) => channelAlbedos(colour, strength, table.translucency ?? TRANSLUCENCY, bound);
   let colours = draft[family].colors ?? new Float64Array(0);
-  if (openness !== null && table.albedo === undefined)
-    colours = coloursFor(colours, openness, family === "warp" ? 0 : 1, albedosOf);
+  if (openness !== null && table.albedo === undefined) colours = coloursFor(colours, openness, number, albedosOf);
   const albedos = albedosFromColours(colours, albedosOf);
   if (table.specular_tint !== undefined) {
     const tint = parseColour(table.specular_tint, `${family}.specular_tint`);
     for (let i = 0; i < albedos.length; i++) if (i % ALBEDO_NUMBERS >= 6) albedos[i]! *= tint[i % 3]!;
   }
-  ALBEDOS.forEach((name, number) => {
+  ALBEDOS.forEach((name, place) => {
     const given = table[name];
     if (given === undefined) return;
     const colour = parseColour(given, `${family}.${name}`);
-    for (let i = 3 * number; i < albedos.length; i += ALBEDO_NUMBERS) albedos.set(colour, i);
+    for (let i = 3 * place; i < albedos.length; i += ALBEDO_NUMBERS) albedos.set(colour, i);
   });
-  checkAlbedos(albedos, family, bound);
-  return { albedos, roughness: table.roughness ?? ROUGHNESS, detail: detailOf(table) };
+  return albedos;
 }
 
 /** Albedo of the highlight of white threads at specular 1; see `scattering/albedo.py`. */
@@ -78,9 +124,9 @@ function strongestHighlight(opticalDepth: number): number {
 }
 
 /** Albedos of one channel of a colour, by the highlight's strength and the share of light that passes. */
-function channelAlbedos(colour: number, strength: number, translucency: number, bound: number): ChannelAlbedos {
+function channelAlbedos(colour: number, strength: number, translucency: number, bound: LayerBound): ChannelAlbedos {
   const highlight = strength * (WHITE_SHARE + (1 - WHITE_SHARE) * colour);
-  const diffuse = colour * (1 - bound * highlight);
+  const diffuse = colour * (1 - taken(bound, highlight, translucency * highlight));
   return [(1 - translucency) * diffuse, translucency * diffuse, highlight, translucency * highlight];
 }
 
