@@ -1,4 +1,4 @@
-"""docs/mitsuba-parameters.md and docs/mitsuba-edits.md: names, ranges, defaults; what is live or has gradients.
+"""docs/mitsuba-parameters.md and docs/mitsuba-edits.md against the code: names, ranges, live or not.
 
 Covers: mitsuba/model_props.py
 """
@@ -108,8 +108,11 @@ def bsdfs_of(plugin: str) -> list[Any]:
     """BSDFs that show every parameter among them."""
     texture = {"type": "bitmap", "bitmap": mi.Bitmap(np.full((4, 4, 3), 0.5, np.float32)), "raw": True}
     cloth: dict[str, Any] = {"type": plugin, "weave": "plain", "sheen_strength": 0.3, "albedo": texture}
+    # The cheapest bakes: parameters are the same.
     if plugin == "woven_samples":
         cloth["points"] = 2
+    if plugin == "woven_clustered":
+        cloth |= {"clusters": 4, "texels": 32}
     if plugin == "woven_neural":
         cloth |= {"other": "twill 2/1", "refined": False}
     return [mi.load_dict(cloth), mi.load_dict(cloth | {"warp_color": "#ff0000,#00ff00"})]

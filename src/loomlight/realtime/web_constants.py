@@ -27,7 +27,7 @@ from loomlight.realtime import albedo_map, bake, bvh, environment, orbit, render
 from loomlight.realtime.layout import RECORDS, numpy_type
 from loomlight.realtime.openness_tables import NO_OPENNESS, PARTS
 from loomlight.realtime.slangc import SHADERS
-from loomlight.scattering import albedo, detail
+from loomlight.scattering import albedo, cloth_layer_bound, detail
 from loomlight.scattering.variation import FIBRES_ACROSS
 from loomlight.yarn import layout, max_heights, runs, search, threads
 
@@ -62,6 +62,11 @@ CONSTANTS: dict[str, dict[str, Value]] = {
         "WHITE_SHARE": albedo.WHITE_SHARE,
         "ALBEDO_TOLERANCE": albedo._TOLERANCE,
         "FIBRES_ACROSS": FIBRES_ACROSS,
+    },
+    "scattering/cloth_layer_bound.py": {
+        "DEEP_MARGIN": cloth_layer_bound._DEEP,
+        "THIN_MARGIN": cloth_layer_bound._THIN,
+        "MARGIN_FADE": cloth_layer_bound._FADE,
     },
     "scattering/detail.py, fabric/defaults.py": {
         "SLUB_LENGTH": detail.SLUB_LENGTH,

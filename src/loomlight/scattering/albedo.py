@@ -49,7 +49,7 @@ class LayerBound(NamedTuple):
     smaller: float = 0.0
 
     def taken(self, first: NDArray[np.float64], second: NDArray[np.float64]) -> NDArray[np.float64]:
-        """What a layer of these albedos, reflected and transmitted in any order, takes: an array like them."""
+        """What a layer of these albedos, reflected and transmitted in any order, takes; arrays alike."""
         taken: NDArray[np.float64] = self.larger * np.maximum(first, second)
         return taken + self.smaller * np.minimum(first, second)
 
@@ -132,10 +132,8 @@ def check_albedos(
         larger, smaller = max(reflect[place], transmit[place]), min(reflect[place], transmit[place])
         names, numbers = "", ""
         if layer.smaller > 0:
-            names, numbers = (
-                f" + {layer.smaller:.3f} × the smaller",
-                f" + {layer.smaller:.3f} × {smaller:.6g}",
-            )
+            names = f" + {layer.smaller:.3f} × the smaller"
+            numbers = f" + {layer.smaller:.3f} × {smaller:.6g}"
         raise InputError(
             f"{family}: diffuse_reflect + diffuse_transmit + {layer.larger:.3f} × the larger of "
             f"specular_reflect and specular_transmit{names} of thread {thread + 1} is {diffuse[place]:.6g} + "

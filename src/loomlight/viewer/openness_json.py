@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric.fabric import Fabric
 
@@ -13,15 +11,13 @@ def openness_json(fabric: Fabric) -> dict[str, list[float]]:
 
     They depend on where yarns lie, on roughness, optical depth and the diffuse blend alone, whatever the
     colours are and whether or not the fields ask for light between yarns. Parts are those of
-    `realtime.openness_tables.PARTS`, others those of `Openness`, and "bounds" has the `LayerBound` of warp
-    and of weft.
+    `realtime.openness_tables.PARTS`, others those of `Openness`.
 
     Raises:
         MissingDependencyError: no usable LLVM library.
     """
     require_llvm()
     from loomlight.realtime.openness_tables import openness_parts
-    from loomlight.scattering.cloth_layer_bound import cloth_layer_bound
     from loomlight.scattering.openness import openness_of
 
     appearance = fabric.appearance()
@@ -30,10 +26,5 @@ def openness_json(fabric: Fabric) -> dict[str, list[float]]:
         roughness = appearance.warp.roughness, appearance.weft.roughness
         openness = openness_of(fabric.layout(), appearance.diffuse_blend, roughness, appearance.optical_depth)
     parts = {name.lower(): part for name, part in openness_parts(openness, appearance).items()}
-    families = (appearance.warp, appearance.weft)
-    others = {
-        "facing": openness.facing,
-        "facing_layer": openness.facing_layer,
-        "bounds": np.array([cloth_layer_bound(of.roughness, appearance.optical_depth) for of in families]),
-    }
-    return {name: part.ravel().tolist() for name, part in (parts | others).items()}
+    facing = {"facing": openness.facing, "facing_layer": openness.facing_layer}
+    return {name: part.ravel().tolist() for name, part in (parts | facing).items()}

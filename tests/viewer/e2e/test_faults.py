@@ -65,7 +65,8 @@ def page(opened: Any) -> Iterator[Any]:
         ("cut.toml", 'weave = "plain', "cut.toml"),
         ("alone.toml", 'draft = "a.wif"', "alone.toml needs its draft, a.wif: open both files together"),
         ("measured.toml", 'weave = "plain"\nwarp.color = "navy.csv"', "which a page cannot read"),
-        ("cut.hdr", "#?RADIANCE\n", "cut.hdr is damaged or no Radiance picture"),
+        ("cut.exr", "v/1", "cut.exr is damaged or no picture of surroundings"),
+        ("cut.hdr", "#?RADIANCE\n", "cut.hdr is damaged or no picture of surroundings"),
     ],
 )
 def test_a_useless_file_is_told(page: Any, tmp_path: Path, name: str, text: str, said: str) -> None:

@@ -37,7 +37,7 @@ const TAB_NAMES: Readonly<Record<Tab, string>> = {
   light: "Light",
 };
 /** Pictures of surroundings. */
-const SURROUNDINGS = /\.hdr$/i;
+const SURROUNDINGS = /\.(hdr|exr)$/i;
 
 export function App({ store, server, onView }: Props) {
   const [state, setState] = useState(store.state);
@@ -177,7 +177,7 @@ export function App({ store, server, onView }: Props) {
         onPrintOff={() => setPrint(null)}
       />
     ),
-    light: () => <LightPanel scene={state.scene} dispatch={dispatch} isFlat={isFlat} onPicture={() => choose(".hdr")} />,
+    light: () => <LightPanel scene={state.scene} dispatch={dispatch} isFlat={isFlat} onPicture={() => choose(".hdr,.exr")} />,
   };
   return (
     <div

@@ -324,6 +324,11 @@ export const WHITE_SHARE = 0.3;
 export const ALBEDO_TOLERANCE = 1e-05;
 export const FIBRES_ACROSS = 30;
 
+// scattering/cloth_layer_bound.py
+export const DEEP_MARGIN = [1.1, 0.08] as const;
+export const THIN_MARGIN = [0.6, 1.0] as const;
+export const MARGIN_FADE = 2.0;
+
 // scattering/detail.py, fabric/defaults.py
 export const SLUB_LENGTH = 9.0;
 export const TONE_OF_TILT = 0.5;

@@ -30,8 +30,8 @@ export function Slider({ field, quantity, value, isOwn, onValue, onReset }: Prop
   const { label, tip, low, high, step, unit, ends } = quantity;
   const bounded = Math.min(Math.max(value, low), high);
   const share = ((bounded - low) / (high - low)) * 100;
-  // Where both directions are possible the bar grows from zero.
-  const origin = low < 0 ? (-low / (high - low)) * 100 : 0;
+  // Where both directions matter the bar grows from zero.
+  const origin = -low > high / 2 ? (-low / (high - low)) * 100 : 0;
   const enter = (text: string): void => {
     const number = Number(text.replace(",", ".").replace(MINUS, "-"));
     if (text.trim() !== "" && Number.isFinite(number)) onValue(number, newStroke());

@@ -30,8 +30,6 @@ export interface Openness {
   readonly facing: readonly number[];
   /** Mean value of the fibre layer at albedo 1 there [family, side]. */
   readonly facing_layer: readonly number[];
-  /** Share of the light that the fibre layer may return in cloth, of its larger and its smaller albedo [family, 2]. */
-  readonly bounds: readonly number[];
 }
 
 /** Albedos of one colour channel, in the order of `ALBEDOS`. */
@@ -42,7 +40,7 @@ export type ChannelAlbedos = readonly [
   specularTransmit: number,
 ];
 
-const SIZES: readonly (readonly [keyof Openness, number])[] = [...OPENNESS_PARTS, ["facing", 2], ["facing_layer", 4], ["bounds", 4]];
+const SIZES: readonly (readonly [keyof Openness, number])[] = [...OPENNESS_PARTS, ["facing", 2], ["facing_layer", 4]];
 
 /** @throws InputError lists that are missing, or of another length, or not of finite numbers. */
 export function requireOpenness(openness: Openness): void {

@@ -9,7 +9,7 @@ import {
   SQUARE_SCALE,
 } from "../generated.ts";
 import { RecordArray, WordTable, type Values } from "../records.ts";
-import { ALBEDO_NUMBERS, boundInUse, type FamilyAppearance } from "./albedos.ts";
+import { ALBEDO_NUMBERS, type FamilyAppearance } from "./albedos.ts";
 import { packOpenness } from "./between_yarns.ts";
 import type { BakePlan } from "./bake_plan.ts";
 import { detailNumbers, isDetailed } from "./detail.ts";
@@ -141,7 +141,7 @@ function packFabric(
     fibre_noise: appearance.fibreNoise,
     colour_noise: appearance.colourNoise,
     seed: appearance.seed,
-    layer_bound: boundInUse([appearance.warp, appearance.weft], appearance.opticalDepth, appearance.openness),
+    layer_bound: Math.max(appearance.warp.layerBound, appearance.weft.layerBound),
     fibre_size: Math.min(fineX, fineY) / FIBRES_ACROSS,
     has_yarns: 1,
     has_detail: isDetailed(appearance.warp.detail) || isDetailed(appearance.weft.detail) ? 1 : 0,
