@@ -37,6 +37,8 @@ TEXTS = [
     'weave = "satin 5"\ninterreflection = true\nwarp.color = "#e0c060"\nweft.albedo = "#405060"',
     'weave = "gingham 8"\ninterreflection = true\noptical_depth = 0.6\nwarp.color = ["#fff", "#102"]\n'
     "weft.roughness = 0.2\nweft.translucency = 0.4\nweft.specular = 1\ngap = 0.4",
+    'weave = "plain"\nyarn = "silk"\ninterreflection = true\nwarp.specular_transmit = "#123"\n'
+    'warp.specular_tint = "#fc8"',
     'weave = "damask 160"\nwarp.color = ["#111", "#777", "#eee", "#900", "#070"]',
 ]
 # Both compute in double precision, where sums differ in their last bits, and round to single precision.
