@@ -3,6 +3,7 @@ import { InputError } from "loomlight-fabric";
 
 import { RECORDS } from "../generated.ts";
 import { RecordArray, type Values } from "../records.ts";
+import { numbersAndWords } from "./bindings.ts";
 import type { Device } from "./device.ts";
 
 /** The buffers of `realtime.tables.Packed` by name, as their words. */
@@ -31,7 +32,8 @@ export function readTables(content: Uint8Array): ServedTables {
   const words = (name: string): Uint32Array<ArrayBuffer> => {
     const [start, stop] = header[name]?.data_offsets ?? [0, 0];
     if (stop <= start || first + stop > content.byteLength) throw fault("are incomplete");
-    return new Uint32Array(content.slice(first + start, first + stop).buffer);
+    // A copy, whose words are aligned; `slice` copies nothing of a Buffer of Node.
+    return new Uint32Array(new Uint8Array(content.subarray(first + start, first + stop)).buffer);
   };
   const tables = Object.fromEntries(NAMES.map((name) => [name, words(name)])) as unknown as ServedTables;
   if (tables.fabrics.length !== RECORDS.Fabric.words || tables.families.length !== 2 * RECORDS.Family.words)
@@ -48,7 +50,8 @@ export class ServedBuffers {
     this.device = device;
     this.record.words.set(tables.fabrics);
     this.record.set(0, { uv_width: uvSizeMm[0], uv_height: uvSizeMm[1], ...extra });
-    for (const [name, words] of Object.entries({ ...tables, fabrics: this.record.words })) {
+    const packed_numbers = numbersAndWords(tables.packed_numbers, tables.words);
+    for (const [name, words] of Object.entries({ ...tables, fabrics: this.record.words, packed_numbers })) {
       this.buffers[name] = device.buffer(words.byteLength);
       device.write(this.buffers[name], words);
     }
