@@ -15,7 +15,6 @@ from loomlight.core.colour import parse_colour
 from loomlight.core.errors import InputError
 from loomlight.scattering import fibre
 from loomlight.scattering.albedo import Albedos, albedos_from_colour, check_albedos, layer_albedo_bound
-from loomlight.scattering.appearance import FamilyAppearance
 from loomlight.scattering.cloth_layer_bound import bound_in_use, cloth_layer_bound
 from loomlight.scattering.diffuse import diffuse_reflection, diffuse_transmission, sample_diffuse
 from loomlight.scattering.sheen import sheen_lobe
@@ -209,7 +208,7 @@ def test_in_cloth_both_sides_of_the_layer_have_their_own_bound(translucency: flo
     diffuse = white.diffuse_reflect + white.diffuse_transmit
     alone = albedos_from_colour(np.ones(3), 0.8, translucency)
     assert (diffuse > alone.diffuse_reflect + alone.diffuse_transmit + 0.1).all()
-    in_use = bound_in_use(FamilyAppearance(*white, roughness=0.3), 2.0)
+    in_use = bound_in_use(cloth_layer_bound(0.3, 2.0), white.specular_reflect, white.specular_transmit)
     np.testing.assert_allclose(diffuse + in_use * white.specular_reflect, 1)
     with pytest.raises(InputError, match=r"the smaller of thread 1 is .*in R, and more than 1"):
         check_albedos(white._replace(diffuse_reflect=white.diffuse_reflect + 0.01), "warp", 2.0, bound)

@@ -17,6 +17,8 @@ import pytest
 from safetensors.numpy import load
 
 from loomlight.fabric import fabric_from_text
+from loomlight.realtime.models import prepared_for
+from loomlight.realtime.tables import pack_fabrics
 from loomlight.viewer.access import Access, is_loopback
 from loomlight.viewer.wif_worker import LARGEST_UPLOAD
 from tests.viewer.conftest import Served
@@ -159,7 +161,14 @@ def test_tables_of_a_model(local: Served) -> None:
     asked = {"model": "woven", **fabric_of(local)}
     status, _, body = local.ask("POST", "/api/tables", json.dumps(asked).encode())
     assert status == 200
-    assert set(load(body)) == {"fabrics", "families", "words", "packed_numbers"}
+    tables = load(body)
+    # What the Python renderer uploads for the same fabric.
+    fabric = fabric_from_text('weave = "twill 3/1"')
+    look = fabric.layout(), fabric.appearance()
+    packed = pack_fabrics([look], prepared=[prepared_for(fabric, "woven")]).buffers()
+    assert {name: part.tobytes() for name, part in tables.items()} == {
+        name: values.tobytes() for name, values in packed.items()
+    }
 
 
 def test_openness_of_yarns(local: Served) -> None:

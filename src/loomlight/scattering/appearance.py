@@ -112,6 +112,14 @@ class Appearance:
         """κ of the energy bound that the albedos keep, of the larger highlight (`albedo.LayerBound`)."""
         if self.openness is None:
             return layer_albedo_bound(self.optical_depth)
-        from loomlight.scattering.cloth_layer_bound import bound_in_use
+        # It needs Dr.Jit, and appearances do not.
+        from loomlight.scattering.cloth_layer_bound import bound_in_use, cloth_layer_bound
 
-        return max(bound_in_use(family, self.optical_depth) for family in (self.warp, self.weft))
+        return max(
+            bound_in_use(
+                cloth_layer_bound(family.roughness, self.optical_depth),
+                family.specular_reflect,
+                family.specular_transmit,
+            )
+            for family in (self.warp, self.weft)
+        )

@@ -16,9 +16,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from numpy.typing import NDArray
 
 from loomlight.scattering.albedo import LayerBound
-from loomlight.scattering.appearance import FamilyAppearance
 from loomlight.scattering.fibre import mean_layer_shares
 
 # m = _DEEP[0] + _DEEP[1] α + (_THIN[0] + _THIN[1] α) e^{−_FADE Tρ}.
@@ -33,10 +33,8 @@ def cloth_layer_bound(roughness: float, optical_depth: float) -> LayerBound:
     return LayerBound(max(shares), min(shares))
 
 
-def bound_in_use(family: FamilyAppearance, optical_depth: float) -> float:
-    """The bound as a factor of the larger of a thread's two highlights, the largest over threads."""
-    bound = cloth_layer_bound(family.roughness, optical_depth)
-    reflect, transmit = family.specular_reflect, family.specular_transmit
+def bound_in_use(bound: LayerBound, reflect: NDArray[np.float64], transmit: NDArray[np.float64]) -> float:
+    """The bound as a factor of the larger of a thread's two highlights [n, 3], the largest over threads."""
     larger = np.maximum(reflect, transmit)
     # Where there is no highlight any factor serves.
     return float((bound.taken(reflect, transmit) / np.maximum(larger, 1e-9)).max(initial=bound.larger))

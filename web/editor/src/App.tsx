@@ -196,6 +196,7 @@ export function App({ store, server, onView }: Props) {
       <TopBar state={state} dispatch={dispatch} hasPython={server?.hasPython ?? false} isFlat={isFlat} onOpen={() => choose(ACCEPTED)} onSave={(format) => void save(format)} onLink={() => void copyLink()} />
       <Stage
         tables={tables}
+        hasPython={server?.hasPython ?? false}
         state={state}
         dispatch={dispatch}
         ownMesh={ownMesh}

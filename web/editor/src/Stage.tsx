@@ -8,11 +8,13 @@ import { MODELS, nameOf, type Comparison, type Fabric, type Model, type Shape, t
 import type { Dispatch } from "./state/store.ts";
 import { makeView, type ClothView, type Print, type SurroundingsPicture } from "./view/cloth_view.ts";
 import { builtInShape, type ClothShape } from "./view/meshes.ts";
-import type { TableSource } from "./view/served_models.ts";
+import { isServed, type TableSource } from "./view/served_models.ts";
 
 interface Props {
   /** Makes tables of models that the page does not bake itself. */
   readonly tables: TableSource;
+  /** Whether there is Python to make them. */
+  readonly hasPython: boolean;
   readonly state: State;
   readonly dispatch: Dispatch;
   readonly ownMesh: ClothShape | null;
@@ -51,8 +53,10 @@ export const MODEL_NAMES: Readonly<Record<Model, readonly [string, string]>> = {
   clustered: ["Clusters", "clustered: normals in clusters, averaged over the footprint; baked by Python"],
 };
 
+const NEEDS_PYTHON = "Python makes the tables of this model, and this page runs without it: start loomlight view.";
+
 export function Stage(props: Props) {
-  const { tables, state, dispatch, ownMesh, surroundings, print, openness, answers, onMesh, onView, children } = props;
+  const { tables, hasPython, state, dispatch, ownMesh, surroundings, print, openness, answers, onMesh, onView, children } = props;
   const host = useRef<HTMLDivElement>(null);
   const [view, setView] = useState<ClothView | null>(null);
   const [reason, setReason] = useState<string | null>(null);
@@ -130,7 +134,7 @@ export function Stage(props: Props) {
     <section class="stage" aria-label="Cloth">
       <div class="stage-view" ref={host} onPointerDown={() => setTouched(true)} onWheel={() => setTouched(true)} />
       {children}
-      {isWiping && <Wipe comparison={comparison} dispatch={dispatch} right={nameOf(fabric)} />}
+      {isWiping && <Wipe comparison={comparison} dispatch={dispatch} right={nameOf(fabric)} hasPython={hasPython} />}
       {lost !== null && <Lost text={lost} />}
       {reason !== null && lost === null && (
         <div class="stage-reason" role="status" data-testid="no-webgpu">
@@ -199,7 +203,14 @@ export function Stage(props: Props) {
   );
 }
 
-function Wipe({ comparison, dispatch, right }: { comparison: Comparison; dispatch: Dispatch; right: string }) {
+interface WipeProps {
+  readonly comparison: Comparison;
+  readonly dispatch: Dispatch;
+  readonly right: string;
+  readonly hasPython: boolean;
+}
+
+function Wipe({ comparison, dispatch, right, hasPython }: WipeProps) {
   const frame = useRef<HTMLDivElement>(null);
   const move = (event: PointerEvent): void => {
     if (event.buttons === 0) return;
@@ -231,13 +242,14 @@ function Wipe({ comparison, dispatch, right }: { comparison: Comparison; dispatc
           dispatch({ type: "comparison/set", comparison: { position } });
         }}
       />
-      <span class="wipe-name wipe-left">{isModels ? <ModelChoice side="left" comparison={comparison} dispatch={dispatch} /> : `Before: ${left}`}</span>
-      <span class="wipe-name wipe-right">{isModels ? <ModelChoice side="right" comparison={comparison} dispatch={dispatch} /> : `After: ${right}`}</span>
+      <span class="wipe-name wipe-left">{isModels ? <ModelChoice side="left" comparison={comparison} dispatch={dispatch} hasPython={hasPython} /> : `Before: ${left}`}</span>
+      <span class="wipe-name wipe-right">{isModels ? <ModelChoice side="right" comparison={comparison} dispatch={dispatch} hasPython={hasPython} /> : `After: ${right}`}</span>
     </div>
   );
 }
 
-function ModelChoice({ side, comparison, dispatch }: { side: "left" | "right"; comparison: Comparison; dispatch: Dispatch }) {
+function ModelChoice({ side, comparison, dispatch, hasPython }: Omit<WipeProps, "right"> & { readonly side: "left" | "right" }) {
+  const isOff = (model: Model): boolean => isServed(model) && !hasPython;
   return (
     <select
       aria-label={`Model on the ${side}`}
@@ -247,8 +259,9 @@ function ModelChoice({ side, comparison, dispatch }: { side: "left" | "right"; c
       onChange={(event) => dispatch({ type: "comparison/set", comparison: { [side]: event.currentTarget.value as Model } })}
     >
       {MODELS.map((model) => (
-        <option key={model} value={model}>
+        <option key={model} value={model} disabled={isOff(model)} title={isOff(model) ? NEEDS_PYTHON : MODEL_NAMES[model][1]}>
           {MODEL_NAMES[model][0]}
+          {isOff(model) && " (needs loomlight view)"}
         </option>
       ))}
     </select>

@@ -1,44 +1,59 @@
+import { loadDraft } from "loomlight-fabric";
 import { expect, test } from "vitest";
 
 import type { Fabric } from "../src/state/document.ts";
-import { ServedModels } from "../src/view/served_models.ts";
+import { isServed, ServedModels } from "../src/view/served_models.ts";
 
-const fabric = (): Fabric => ({ fields: {}, draft: {} }) as unknown as Fabric;
-const settled = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 0));
+const fabric = (roughness: number): Fabric => {
+  const fields = { weave: "plain", warp: { roughness } };
+  return { fields, draft: loadDraft(fields) };
+};
+/** Lets what was answered arrive. */
+const settle = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 
-test("asks one at a time, for the newest fabric, and shows older tables meanwhile", async () => {
+test("tables are asked for one at a time, and then for the latest edit", async () => {
   const asked: Fabric[] = [];
   const answers: ((content: Uint8Array) => void)[] = [];
   let arrivals = 0;
-  const served = new ServedModels(
-    (_, about) => {
-      asked.push(about);
-      return new Promise((resolve) => answers.push(resolve));
-    },
-    () => arrivals++,
-    () => undefined,
-  );
-  const [first, second, third] = [fabric(), fabric(), fabric()];
-  expect(served.tables("woven", first)).toBeNull();
-  expect(served.tables("woven", second)).toBeNull();
-  expect(served.tables("woven", third)).toBeNull();
+  const source = (_: string, one: Fabric): Promise<Uint8Array> => {
+    asked.push(one);
+    return new Promise((resolve) => answers.push(resolve));
+  };
+  const served = new ServedModels(source, () => arrivals++, () => {});
+  const [first, second, third] = [fabric(0.1), fabric(0.2), fabric(0.3)];
+  for (const one of [first, first, second, third]) expect(served.tables("woven", one)).toBe(null);
+  expect(asked).toEqual([first]);
   answers[0]!(Uint8Array.of(1));
-  await settled();
+  await settle();
+  // Older tables are shown until the latest are here.
   expect(served.tables("woven", third)).toEqual(Uint8Array.of(1));
   expect(asked).toEqual([first, third]);
-  answers[1]!(Uint8Array.of(3));
-  await settled();
-  expect(served.tables("woven", third)).toEqual(Uint8Array.of(3));
+  answers[1]!(Uint8Array.of(2));
+  await settle();
+  expect(served.tables("woven", third)).toEqual(Uint8Array.of(2));
   expect([asked.length, arrivals]).toEqual([2, 2]);
 });
 
-test("says a fault once, not at each edit", async () => {
-  const said: string[] = [];
-  const refuse = (): Promise<Uint8Array> => Promise.reject(new Error("There is no Python here."));
-  const served = new ServedModels(refuse, () => undefined, (sentence) => said.push(sentence));
-  for (const edit of [fabric(), fabric()]) {
-    expect(served.tables("clustered", edit)).toBeNull();
-    await settled();
+test("a refusal is told once, and the next edit is asked for again", async () => {
+  let isGone = true;
+  const told: string[] = [];
+  const source = async (): Promise<Uint8Array> => {
+    if (isGone) throw new Error("The server does not answer.");
+    return Uint8Array.of(3);
+  };
+  const served = new ServedModels(source, () => {}, (sentence) => told.push(sentence));
+  for (const roughness of [0.1, 0.2]) {
+    expect(served.tables("woven", fabric(roughness))).toBe(null);
+    await settle();
   }
-  expect(said).toEqual(["There is no Python here."]);
+  expect(told).toEqual(["The server does not answer."]);
+  isGone = false;
+  const last = fabric(0.3);
+  served.tables("woven", last);
+  await settle();
+  expect(served.tables("woven", last)).toEqual(Uint8Array.of(3));
+});
+
+test("the page bakes lobes itself", () => {
+  expect([isServed("woven"), isServed("clustered"), isServed("lobes")]).toEqual([true, true, false]);
 });
