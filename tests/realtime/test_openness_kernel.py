@@ -1,9 +1,11 @@
 """The openness of yarns by the kernel `bake_openness`, which pages run, against the one by Dr.Jit's rays.
 
 Both cast the same view rays from the same places. Lights are turned by numbers of up to 12,000 in single
-precision, which the two round differently in their last bits, and a ray that grazes an edge may take the other
-side: a few thousandths of the rays. Means over a thousand rays or more agree by 0.003 then, and coefficients by
-what they make of their terms.
+precision, which the two round differently in their last bits, and a ray that grazes an edge may take the
+other side: a few thousandths of the rays. Means over a thousand rays or more agree by 0.003 then, and
+coefficients by what they make of their terms.
+
+Covers: scattering/openness.py
 """
 
 from __future__ import annotations
@@ -75,18 +77,14 @@ def test_openness_of_the_kernel_is_that_of_rays(text: str) -> None:
     wanted = openness_of(layout, look.diffuse_blend, roughness, look.optical_depth)
     assert found.relief == wanted.relief
     for name in ("interior", "meets", "blocks", "facing", "facing_layer"):
-        np.testing.assert_allclose(
-            getattr(found, name), getattr(wanted, name), atol=TOLERANCE, err_msg=name
-        )
+        np.testing.assert_allclose(getattr(found, name), getattr(wanted, name), atol=TOLERANCE, err_msg=name)
     # Coefficients of terms that go together are not unique; what they say of views and points is.
     x, y, z = view_rays()[1]
     cosines, heights = met.normal_cosines, met.heights / found.relief
     seen = met.is_yarn
     terms = np.stack(np.broadcast_arrays(1.0, np.hypot(x, y), (1 - z) ** 2, (1 - z) ** 4, x * x - y * y))
     of_point = np.stack(
-        np.broadcast_arrays(
-            1.0, cosines, heights, cosines * cosines, cosines * heights, heights * heights
-        )
+        np.broadcast_arrays(1.0, cosines, heights, cosines * cosines, cosines * heights, heights * heights)
     )[:, seen]
     difference = (found.by_view - wanted.by_view) @ terms
     assert np.sqrt((difference**2).mean(axis=-1)).max() < 3 * TOLERANCE

@@ -11,7 +11,7 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -42,8 +42,14 @@ ORGANZA = (ROOT / "examples" / "organza.toml").read_text()
 PLAIN = (
     'weave = "twill 2/2"\nends_per_cm = 20\nwarp.color = "{}"\nweft.color = "#d0c8b8"\nwarp.roughness = {}\n'
 )
-# Tables are baked from words that are equal but for the last bits (test_pack_parity.py), by the same kernels; a
-# compiler may join products and sums in another way.
+BETWEEN = 'weave = "satin 5"\ninterreflection = true\nwarp.color = "#e0c060"\nweft.color = "#c8c8c8"\n'
+# Its first edit is of a colour, its second of the yarns.
+BETWEEN_EDITS: list[dict[str, Any]] = [
+    {"fabric": BETWEEN.replace("#e0c060", "#4080a0"), "passes": 2},
+    {"fabric": "gap = 0.4\n" + BETWEEN, "passes": 2},
+]
+# Tables are baked from words that are equal but for the last bits (test_pack_parity.py), by the same kernels;
+# a compiler may join products and sums in another way.
 CLOSE = 2e-3
 # Of the pixels: a ray that grazes a yarn, or the edge of a triangle, may fall to the other side.
 MOST_BEYOND = 5e-3
@@ -176,6 +182,7 @@ SCENES = {
         (40, 40),
     ),
 }
+SCENES["light between yarns"] = replace(SCENES["flat"], fabric=BETWEEN, mesh=rectangle(0.02, 0.02))
 FLAT = SCENES["flat"].size
 # Of the flat cloth: by lobes, by points, and by lobes once more with one pass.
 UNEDITED, FIRST_EDIT = 2, 3
@@ -212,6 +219,7 @@ def drawn(tmp_path_factory: pytest.TempPathFactory) -> Drawn:
     subprocess.run([*vite, "--outDir", str(folder), "--logLevel", "error"], cwd=WEB, check=True, timeout=120)
     points = {"model": ["point", 4], "passes": 2}
     scenes = [{"size": scene.size, "steps": [scene.page_step(), points]} for scene in SCENES.values()]
+    scenes[-1]["steps"] += BETWEEN_EDITS
     scenes[0]["steps"] += [{"model": ["lobes", 1]}, *EDITS.values()]
     (folder / "scenes.json").write_text(json.dumps(scenes))
     script = WEB / "loomlight-web" / "tools" / "render_report.ts"
@@ -296,3 +304,17 @@ def test_a_lost_device_is_told_and_drawing_goes_on(drawn: Drawn) -> None:
     np.testing.assert_array_equal(
         drawn.linear("rebuilt", FLAT), drawn.linear(f"0.{step_of('by the sky')}", FLAT)
     )
+
+
+def test_light_between_yarns_follows_edits(drawn: Drawn) -> None:
+    """A colour finds no openness anew and bakes nothing; wider gaps do, and the picture is Python's."""
+    number, scene = list(SCENES).index("light between yarns"), SCENES["light between yarns"]
+    first = drawn.linear(f"{number}.1", scene.size)
+    dark = replace(scene, fabric=BETWEEN.replace("interreflection = true\n", "")).frame("point")
+    assert first[..., :3].mean() > 1.1 * dark[..., :3].mean()
+    bluer, wider = drawn.report["statistics"][number][2:]
+    assert (bluer["bakes"], bluer["openings"]) == (0, 0)
+    assert wider["openings"] == 1
+    expected = replace(scene, fabric=BETWEEN_EDITS[1]["fabric"]).frame("point")
+    differences = np.abs(drawn.linear(f"{number}.3", scene.size) - expected)
+    assert differences.mean() <= MOST_BEYOND * expected.mean()

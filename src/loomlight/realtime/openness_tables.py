@@ -9,9 +9,9 @@ import numpy as np
 
 from loomlight.models import between_yarns
 from loomlight.realtime.word_table import WordTable
+from loomlight.scattering import openness as openness_rays
 from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.fibre import mean_layer_shares
-from loomlight.scattering import openness as openness_rays
 from loomlight.scattering.openness import POINT_TERMS, VIEW_TERMS
 
 NO_OPENNESS = 0xFFFFFFFF

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TypeAlias
 
 from loomlight.aggregate import footprint_albedos
+from loomlight.fabric import authored_colour
 from loomlight.fabric.defaults import PLY_TWIST_DEG
 from loomlight.fabric.fabric import MAXIMUM_CROSSINGS
 from loomlight.fabric.yarns import PRESETS
@@ -22,9 +23,9 @@ from loomlight.models.lobes.model import DEFAULT_GROUPS
 from loomlight.models.lobes.tables import MOMENTS
 from loomlight.realtime import albedo_map, bake, bvh, environment, orbit, renderer, scene_words, tables
 from loomlight.realtime.layout import RECORDS, numpy_type
-from loomlight.realtime.openness_tables import NO_OPENNESS
+from loomlight.realtime.openness_tables import NO_OPENNESS, RAY_RESULTS
 from loomlight.realtime.slangc import SHADERS
-from loomlight.scattering import albedo, detail
+from loomlight.scattering import albedo, detail, fibre, openness
 from loomlight.scattering.variation import FIBRES_ACROSS
 from loomlight.yarn import layout, max_heights, runs, search, threads
 
@@ -98,6 +99,17 @@ CONSTANTS: dict[str, dict[str, Value]] = {
         "NO_OPENNESS": NO_OPENNESS,
         "SMALLEST_OPEN_SHARE": tables._SMALLEST_OPEN_SHARE,
         "FIRST_WEIGHT": bake._WEIGHTS,
+    },
+    "scattering/openness.py, fibre.py, fabric/authored_colour.py": {
+        "OBLIQUE_RAYS": openness._VIEWS,
+        "FACING_RAYS": openness._FACING,
+        "FACING_COSINE": openness.FACING_COSINE,
+        "SMALLEST_VIEW_COSINE": openness._SMALLEST_COSINE,
+        "SMALLEST_OPENNESS_SHARE": openness._SMALLEST,
+        "OPENNESS_NUMBERS": RAY_RESULTS,
+        "MEAN_TURNED": fibre._MEAN_TURNED,
+        "MEAN_THROUGH": fibre._MEAN_THROUGH,
+        "COLOUR_HALVINGS": authored_colour._HALVINGS,
     },
     "realtime/bvh.py, scene_words.py, albedo_map.py, environment.py": {
         "FACES_A_LEAF": bvh.FACES_A_LEAF,

@@ -97,7 +97,9 @@ def openness_of(
     if key in _kept:
         _kept.move_to_end(key)
         return _kept[key]
-    found = _baked(YarnGeometry(layout), diffuse_blend, roughness, optical_depth)
+    geometry = YarnGeometry(layout)
+    met = ray_shares(geometry, diffuse_blend, roughness, optical_depth)
+    found = openness_of_rays(met, geometry.height_bounds[1])
     _kept[key] = found
     if len(_kept) > _MOST_KEPT:
         _kept.popitem(last=False)
@@ -170,14 +172,15 @@ def view_rays() -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     return np.stack([across, along]), views
 
 
-def _baked(
+def ray_shares(
     geometry: YarnGeometry, blend: float, roughness: tuple[float, float], optical_depth: float
-) -> Openness:
+) -> RayShares:
+    """What the rays of `openness_of` meet; other arguments are its own."""
     rays = _Rays(geometry, array_types(llvm_float()))
     shares, layers = rays.shares(blend, roughness, optical_depth)
     is_warp, yarn = rays.hits()
     is_blocked, meets_warp = rays.first_blocks(blend)
-    met = RayShares(
+    return RayShares(
         is_warp,
         yarn,
         is_blocked,
@@ -188,7 +191,6 @@ def _baked(
         shares[1].mean(axis=1),
         layers.mean(axis=3),
     )
-    return openness_of_rays(met, geometry.height_bounds[1])
 
 
 def openness_of_rays(met: RayShares, highest: float) -> Openness:

@@ -365,6 +365,17 @@ export const NO_OPENNESS = 4294967295;
 export const SMALLEST_OPEN_SHARE = 0.001;
 export const FIRST_WEIGHT = 16;
 
+// scattering/openness.py, fibre.py, fabric/authored_colour.py
+export const OBLIQUE_RAYS = 6144;
+export const FACING_RAYS = 2048;
+export const FACING_COSINE = 0.9902680687415704;
+export const SMALLEST_VIEW_COSINE = 0.03;
+export const SMALLEST_OPENNESS_SHARE = 0.05;
+export const OPENNESS_NUMBERS = 10;
+export const MEAN_TURNED = [0.297, -0.086, -3.12] as const;
+export const MEAN_THROUGH = [0.579, 0.31, -2.014, 0.786] as const;
+export const COLOUR_HALVINGS = 20;
+
 // realtime/bvh.py, scene_words.py, albedo_map.py, environment.py
 export const FACES_A_LEAF = 4;
 export const NO_FACE = 4294967295;

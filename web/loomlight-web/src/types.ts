@@ -82,6 +82,8 @@ export interface Statistics {
   /** Kernels of baking that were launched, and bakes of a fabric. */
   readonly bakeKernels: number;
   readonly bakes: number;
+  /** Times that the openness of a fabric was found, for light between its yarns. */
+  readonly openings: number;
   /** Buffers, or parts of them, that were written for fabrics, and their bytes. */
   readonly writes: number;
   readonly writtenBytes: number;

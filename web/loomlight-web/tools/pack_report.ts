@@ -2,7 +2,9 @@
 import type { Draft, FabricFields, Threads } from "loomlight-fabric";
 
 import { planBake } from "../src/fabric/bake_plan.ts";
+import { geometryOf, heightBounds } from "../src/fabric/geometry.ts";
 import { lookOf } from "../src/fabric/look.ts";
+import { opennessOf } from "../src/fabric/openness.ts";
 import { packFabrics, prepare } from "../src/fabric/pack.ts";
 import { DEFAULT_GROUPS } from "../src/generated.ts";
 import { bakeRecord, bakeSteps } from "../src/gpu/bake_records.ts";
@@ -22,11 +24,18 @@ export interface FabricQuestion {
   readonly warp: ThreadsQuestion;
   readonly weft: ThreadsQuestion;
   readonly uvSizeMm: [number, number];
+  /** Words that the kernel `bake_openness` would write, where light goes between yarns. */
+  readonly rays?: number[];
 }
 
 /** Bytes of the buffers of a fabric with room for baked tables, and of what its bake is told. */
 export function report(question: FabricQuestion): Record<string, Uint8Array> {
-  const look = lookOf(question.fields, draftOf(question));
+  const draft = draftOf(question);
+  const { layout } = lookOf(question.fields, draft);
+  const openness = question.rays
+    ? opennessOf(Uint32Array.from(question.rays), heightBounds(geometryOf(layout), layout)[1])
+    : null;
+  const look = lookOf(question.fields, draft, openness);
   const plan = planBake(look.layout, DEFAULT_GROUPS);
   const packed = packFabrics([prepare(look, question.uvSizeMm, plan)]);
   const parts = {

@@ -1,4 +1,5 @@
 /** The finish of the whole cloth: nap, unevenness, and how the shade falls. */
+import { Segmented } from "../controls/Segmented.tsx";
 import { Slider } from "../controls/Slider.tsx";
 import { CLOTH_QUANTITIES } from "../controls/symbols.ts";
 import type { Fabric } from "../state/document.ts";
@@ -25,6 +26,7 @@ export function FinishPanel({ fabric, dispatch }: Props) {
       />
     );
   };
+  const isBetween = fabric.fields.interreflection === true;
   const seed = fabric.fields.variation?.seed ?? 0;
   return (
     <>
@@ -53,6 +55,21 @@ export function FinishPanel({ fabric, dispatch }: Props) {
       </section>
       <section class="group">
         <h2>Depth</h2>
+        <p class="tip" data-tip="Light that goes from yarn to yarn: white cloth is white, and colours are those that flat cloth shows">
+          Light between yarns
+        </p>
+        <Segmented
+          label="Light between yarns"
+          testid="between-yarns"
+          choices={[
+            ["off", "Off"],
+            ["on", "On"],
+          ]}
+          value={isBetween ? "on" : "off"}
+          onChoose={(choice) =>
+            dispatch({ type: "field/set", field: "interreflection", value: choice === "on" ? true : undefined })
+          }
+        />
         {slider("diffuse_blend")}
         {slider("optical_depth")}
       </section>

@@ -11,7 +11,9 @@ import {
 } from "loomlight-fabric";
 
 import { ALBEDO_TOLERANCE, WHITE_SHARE } from "../generated.ts";
+import { colourFor, type YarnOfCloth } from "./authored_colour.ts";
 import { detailOf, type YarnDetail } from "./detail.ts";
+import type { Openness } from "./openness.ts";
 
 /** The order of a thread's albedos, red, green and blue of each. */
 export const ALBEDOS = ["diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit"] as const;
@@ -27,14 +29,16 @@ export interface FamilyAppearance {
   readonly detail: YarnDetail;
 }
 
-/** κ = (1 + e^{−Tρ})/2: no direction gets more than this share back from a fibre layer of albedo 1. */
-export function layerAlbedoBound(opticalDepth: number): number {
+/** κ: no direction gets more than this share back from a fibre layer of albedo 1; see `scattering/albedo.py`. */
+export function layerAlbedoBound(opticalDepth: number, betweenYarns = false): number {
+  if (betweenYarns) return 0.34 + 0.66 * Math.exp(-3 * opticalDepth);
   return 0.5 * (1 + Math.exp(-opticalDepth));
 }
 
 /**
  * The appearance of a family whose threads have the colours of a coloured draft; see `fabric/albedos.py`.
  *
+ * @param openness of the cloth, by which colours are those that cloth shows; null makes albedos of them.
  * @throws InputError explicit albedos that together send back more light than arrives.
  */
 export function familyAppearance(
@@ -42,11 +46,16 @@ export function familyAppearance(
   family: FamilyName,
   draft: Draft,
   opticalDepth: number,
+  openness: Openness | null = null,
 ): FamilyAppearance {
   const table = fields[family] ?? {};
-  const colours = draft[family].colors ?? new Float64Array(0);
-  const strength = (table.specular ?? SPECULAR) * strongestHighlight(opticalDepth);
-  const albedos = albedosFromColour(colours, strength, table.translucency ?? TRANSLUCENCY, opticalDepth);
+  const [specular, translucency] = [table.specular ?? SPECULAR, table.translucency ?? TRANSLUCENCY];
+  const roughness = table.roughness ?? ROUGHNESS;
+  const betweenYarns = openness !== null;
+  let colours = draft[family].colors ?? new Float64Array(0);
+  if (betweenYarns && table.albedo === undefined)
+    colours = shownBy(colours, { specular, translucency, openness, family: family === "warp" ? 0 : 1, roughness, opticalDepth });
+  const albedos = albedosFromColour(colours, specular, translucency, opticalDepth, betweenYarns);
   if (table.specular_tint !== undefined) {
     const tint = parseColour(table.specular_tint, `${family}.specular_tint`);
     for (let i = 0; i < albedos.length; i++) if (i % ALBEDO_NUMBERS >= 6) albedos[i]! *= tint[i % 3]!;
@@ -57,8 +66,8 @@ export function familyAppearance(
     const colour = parseColour(given, `${family}.${name}`);
     for (let i = 3 * number; i < albedos.length; i += ALBEDO_NUMBERS) albedos.set(colour, i);
   });
-  checkAlbedos(albedos, family, opticalDepth);
-  return { albedos, roughness: table.roughness ?? ROUGHNESS, detail: detailOf(table) };
+  checkAlbedos(albedos, family, opticalDepth, betweenYarns);
+  return { albedos, roughness, detail: detailOf(table) };
 }
 
 /** Albedo of the highlight of white threads at specular 1; see `scattering/albedo.py`. */
@@ -66,30 +75,49 @@ function strongestHighlight(opticalDepth: number): number {
   return Math.min(1, 1 / ((2 - WHITE_SHARE) * layerAlbedoBound(opticalDepth)));
 }
 
-/** Albedos of threads from linear RGB [n·3], the highlight's strength and the share of light that passes. */
+/** Colours that albedos are made of so that cloth shows these, linear RGB [n·3]. */
+function shownBy(colours: Float64Array, yarn: YarnOfCloth): Float64Array {
+  const found = new Map<number, number>();
+  return colours.map((colour) => {
+    if (!found.has(colour)) found.set(colour, colourFor(colour, yarn));
+    return found.get(colour)!;
+  });
+}
+
+/** Albedos of threads from linear RGB [n·3]; see `scattering/albedo.py`. */
 function albedosFromColour(
   colours: Float64Array,
-  strength: number,
+  specular: number,
   translucency: number,
   opticalDepth: number,
+  betweenYarns: boolean,
 ): Float64Array {
-  const bound = layerAlbedoBound(opticalDepth);
   const albedos = new Float64Array((colours.length / 3) * ALBEDO_NUMBERS);
   for (let i = 0; i < colours.length; i++) {
-    const colour = colours[i]!;
-    const highlight = strength * (WHITE_SHARE + (1 - WHITE_SHARE) * colour);
-    const diffuse = colour * (1 - bound * highlight);
     const at = Math.floor(i / 3) * ALBEDO_NUMBERS + (i % 3);
-    albedos[at] = (1 - translucency) * diffuse;
-    albedos[at + 3] = translucency * diffuse;
-    albedos[at + 6] = highlight;
-    albedos[at + 9] = translucency * highlight;
+    channelAlbedos(colours[i]!, specular, translucency, opticalDepth, betweenYarns).forEach((albedo, number) => {
+      albedos[at + 3 * number] = albedo;
+    });
   }
   return albedos;
 }
 
-function checkAlbedos(albedos: Float64Array, family: FamilyName, opticalDepth: number): void {
-  const bound = layerAlbedoBound(opticalDepth);
+/** The four albedos of one channel, in the order of `ALBEDOS`. */
+export function channelAlbedos(
+  colour: number,
+  specular: number,
+  translucency: number,
+  opticalDepth: number,
+  betweenYarns: boolean,
+): [number, number, number, number] {
+  const strength = specular * strongestHighlight(opticalDepth);
+  const highlight = strength * (WHITE_SHARE + (1 - WHITE_SHARE) * colour);
+  const diffuse = colour * (1 - layerAlbedoBound(opticalDepth, betweenYarns) * highlight);
+  return [(1 - translucency) * diffuse, translucency * diffuse, highlight, translucency * highlight];
+}
+
+function checkAlbedos(albedos: Float64Array, family: FamilyName, opticalDepth: number, betweenYarns: boolean): void {
+  const bound = layerAlbedoBound(opticalDepth, betweenYarns);
   for (let first = 0; first < albedos.length; first += ALBEDO_NUMBERS)
     for (let channel = 0; channel < 3; channel++) {
       const [reflect, transmit, shine, through] = [0, 3, 6, 9].map((at) => albedos[first + at + channel]!) as [

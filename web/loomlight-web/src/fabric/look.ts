@@ -19,6 +19,7 @@ import {
 
 import { MAXIMUM_CROSSINGS, SMALLEST_GAP } from "../generated.ts";
 import { familyAppearance, type FamilyAppearance } from "./albedos.ts";
+import type { Openness } from "./openness.ts";
 import { pairwiseSum } from "./sums.ts";
 
 /** The threads of one family, in thread order. */
@@ -57,6 +58,8 @@ export interface Appearance {
   readonly diffuseBlend: number;
   /** Tρ of the fibre layer. */
   readonly opticalDepth: number;
+  /** Of the cloth's yarns, for light between them; null scatters light of the sky once. */
+  readonly openness: Openness | null;
 }
 
 export interface Look {
@@ -69,9 +72,10 @@ const RADIANS = Math.PI / 180;
 /**
  * The look of a fabric's fields and of the draft that they name.
  *
+ * @param openness of that cloth, where light goes between its yarns.
  * @throws InputError fields that contradict the draft, albedos that exceed the light, or too many crossings.
  */
-export function lookOf(given: FabricFields, draft: Draft): Look {
+export function lookOf(given: FabricFields, draft: Draft, openness: Openness | null = null): Look {
   const fields = withYarns(given);
   const coloured = colouredDraft(draft, fields);
   const crossings = coloured.ends * coloured.picks;
@@ -91,8 +95,8 @@ export function lookOf(given: FabricFields, draft: Draft): Look {
       weft: familyLayout(fields, "weft", coloured, bends.weft),
     },
     appearance: {
-      warp: familyAppearance(fields, "warp", coloured, opticalDepth),
-      weft: familyAppearance(fields, "weft", coloured, opticalDepth),
+      warp: familyAppearance(fields, "warp", coloured, opticalDepth, openness),
+      weft: familyAppearance(fields, "weft", coloured, opticalDepth, openness),
       sheenStrength: fields.sheen?.strength ?? SHEEN_STRENGTH,
       sheenRoughness: fields.sheen?.roughness ?? SHEEN_ROUGHNESS,
       fibreNoise: fields.variation?.fibre_noise ?? 0,
@@ -100,6 +104,7 @@ export function lookOf(given: FabricFields, draft: Draft): Look {
       seed: fields.variation?.seed ?? 0,
       diffuseBlend: fields.diffuse_blend ?? DIFFUSE_BLEND,
       opticalDepth,
+      openness,
     },
   };
 }
