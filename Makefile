@@ -9,7 +9,7 @@ demo: setup
 	$(RUN)/loomlight demo -o demo.png
 
 test: lint
-	$(RUN)/python -m pytest -n 2
+	$(RUN)/python -m pytest -n 2 --dist worksteal # neighbours share fixtures, so a process keeps a run of them
 
 lint: setup
 	$(RUN)/ruff check src tests tools benchmarks experiments

@@ -53,10 +53,10 @@ class Texels:
         width, height = fabric.repeat_mm
         y, x = (part.ravel() for part in np.meshgrid(line * height, line * width, indexing="ij"))
         self.count = texels**2
-        places = [self._types.Float(part.astype(np.float32)) for part in (x, y)]
+        place_x, place_y = (self._types.Float(part.astype(np.float32)) for part in (x, y))
         front = self._types.Bool(False)
-        _, hole = self._model.surface.height(*places, front)
-        self.point: YarnPoint = self._model.at(*places, front, hole)
+        _, hole = self._model.surface.height(place_x, place_y, front)
+        self.point: YarnPoint = self._model.at(place_x, place_y, front, hole)
 
     def visible(self, light: Array) -> Array:
         """1 where the light is seen [texels]."""
@@ -65,8 +65,9 @@ class Texels:
 
     def shading(self, light: Array, view: Array) -> Array:
         """f·cos without shadow, green [texels]."""
-        directions = (self._types.Vector3(*map(float, part)) for part in (light, view))
-        found = colours(self._model.appearance, self.point, *directions, self._types.Bool(True))
+        towards_light, towards_view = (self._types.Vector3(*map(float, part)) for part in (light, view))
+        always = self._types.Bool(True)
+        found = colours(self._model.appearance, self.point, towards_light, towards_view, always)
         return np.broadcast_to(np.float64(found.y.numpy()), (self.count,))
 
 
@@ -128,8 +129,8 @@ def less_noise(shading: Array, visible: Array, labels: NDArray[np.intp]) -> floa
     """Var(f·v) over Var(f·(v − v̄)), v̄ the mean visibility of a cluster for this light."""
     counts = np.maximum(np.bincount(labels), 1)
     means = np.bincount(labels, visible) / counts
-    left = np.var(shading * (visible - means[labels]))
-    return float(np.var(shading * visible) / max(left, 1e-12))
+    left = float(np.var(shading * (visible - means[labels])))
+    return float(np.var(shading * visible)) / max(left, 1e-12)
 
 
 def row_of(fabric: Fabric, texels: int, pairs: int) -> Figures:

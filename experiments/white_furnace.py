@@ -31,8 +31,15 @@ from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
 from loomlight.evaluation.table import write_json
 from loomlight.evaluation.timing import timed
-from loomlight.scattering.albedo import Albedos, albedos_from_colour, check_albedos, layer_albedo_bound
+from loomlight.scattering.albedo import (
+    Albedos,
+    LayerBound,
+    albedos_from_colour,
+    check_albedos,
+    layer_albedo_bound,
+)
 from loomlight.scattering.appearance import Appearance, FamilyAppearance, Sheen, Variation
+from loomlight.scattering.cloth_layer_bound import cloth_layer_bound
 from loomlight.scattering.point import PointModel
 from loomlight.scattering.yarn_point import YarnPoint
 from loomlight.yarn.geometry import YarnGeometry
@@ -82,25 +89,30 @@ def family_appearance(rng: Generator, count: int, depth: float, between_yarns: b
     kind = rng.integers(3)
     if kind == 0:
         strength, translucency = within(rng, 0, 1), within(rng, 0, 1)
-        albedos = albedos_from_colour(np.ones((count, 3)), strength, translucency, depth, between_yarns)
     else:
         maximum = np.ones(rows) if rng.random() < 0.2 else rng.random(rows)
         minimum = maximum * within(rng, 0, 1)
-        reflects = kind == 1
-        diffuse = 1 - layer_albedo_bound(depth, between_yarns) * maximum
         fraction = within(rng, 0, 1)
+    roughness = within(rng, 0.01, 1, True)
+    bound = LayerBound(layer_albedo_bound(depth))
+    if between_yarns:
+        bound = cloth_layer_bound(roughness, depth)
+    if kind == 0:
+        albedos = albedos_from_colour(np.ones((count, 3)), strength, translucency, depth, bound)
+    else:
+        diffuse = 1 - bound.taken(maximum, minimum)
         values = (
             diffuse * fraction,
             diffuse * (1 - fraction),
-            *((maximum, minimum) if reflects else (minimum, maximum)),
+            *((maximum, minimum) if kind == 1 else (minimum, maximum)),
         )
         albedos = Albedos(*(np.broadcast_to(value, (count, 3)).copy() for value in values))
-    check_albedos(albedos, "warp or weft", depth, between_yarns)
-    return FamilyAppearance(**albedos._asdict(), roughness=within(rng, 0.01, 1, True))
+    check_albedos(albedos, "warp or weft", depth, bound)
+    return FamilyAppearance(**albedos._asdict(), roughness=roughness)
 
 
 def fabric(rng: Generator, between_yarns: bool = False) -> tuple[YarnGeometry, Appearance]:
-    """A random fabric of all parameter ranges, within the energy bound of `layer_albedo_bound`."""
+    """A random fabric of all parameter ranges, within the energy bound."""
     while True:
         picks, ends = (int(number) for number in rng.integers(1, 13, 2))
         drawdown = rng.random((picks, ends)) < rng.uniform(0.1, 0.9)

@@ -35,6 +35,7 @@ _FIRST = {
     USE: (
         "editor",
         "drafts",
+        "large-drafts",
         "fabric-files",
         "rendering",
         "realtime",
@@ -45,7 +46,7 @@ _FIRST = {
         "comparison",
     ),
     HOW: ("notation", "scattering", "light-between-yarns", "aggregation"),
-    FIGURES: ("figures", "figures-baked", "reproduce", "evaluation"),
+    FIGURES: ("figures", "figures-baked", "figures-latent", "reproduce", "reproduce-more", "evaluation"),
     TRIED: (),
 }
 _PICTURES = {".png", ".jpg", ".jpeg", ".webp", ".gif", ".svg"}

@@ -1,7 +1,14 @@
-/** Places that every build of `web/` shares: imports of generated shaders go by the alias `@shaders`. */
+/** Places that every build of `web/` shares: generated shaders are `@shaders`, and `loomlight-web` is its source. */
 import { fileURLToPath } from "node:url";
 
 export const PACKAGE = fileURLToPath(new URL("../src/loomlight/", import.meta.url));
 export const SHADERS = `${PACKAGE}realtime/shaders`;
 export const CLIENT = `${PACKAGE}viewer/static`;
-export const alias = { "@shaders": SHADERS };
+const source = (name: string): string => fileURLToPath(new URL(`loomlight-web/src/${name}.ts`, import.meta.url));
+// The first that begins an import is taken, so the longest come first.
+export const alias = {
+  "@shaders": SHADERS,
+  "loomlight-web/three-webgpu": source("three/webgpu"),
+  "loomlight-web/three": source("three/webgl"),
+  "loomlight-web": source("index"),
+};

@@ -25,7 +25,9 @@ _LONGEST = 2.0
 
 
 def started(code: str) -> subprocess.Popen[str]:
-    program = f"import sys, time\nfrom loomlight.cli import interruption\n{code}"
+    # Python's own handler: what a background job of a shell starts ignores SIGINT otherwise.
+    heard = "import signal, sys, time\nsignal.signal(signal.SIGINT, signal.default_int_handler)"
+    program = f"{heard}\nfrom loomlight.cli import interruption\n{code}"
     return subprocess.Popen(
         [sys.executable, "-c", program],
         stdout=subprocess.PIPE,
@@ -46,6 +48,13 @@ def work():
     while time.monotonic() < end: time.sleep(0.01)
     return 0
 sys.exit(interruption.supervised(work))
+"""
+# The command, with Python's own handler as in `started`.
+HEARING = """
+import signal
+signal.signal(signal.SIGINT, signal.default_int_handler)
+from loomlight.__main__ import main
+main()
 """
 LISTENING = """
 def work():
@@ -118,7 +127,7 @@ def test_an_interrupted_render_keeps_a_whole_picture(tmp_path: Path) -> None:
     picture = tmp_path / "plain.png"
     options = ["--model", "point", "--size", "640x480", "--spp", "4096"]
     process = subprocess.Popen(
-        [sys.executable, "-m", "loomlight", "render", "plain", "-o", str(picture), *options],
+        [sys.executable, "-c", HEARING, "render", "plain", "-o", str(picture), *options],
         stderr=subprocess.PIPE,
         text=True,
         start_new_session=True,

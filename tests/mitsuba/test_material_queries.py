@@ -86,6 +86,9 @@ def test_what_cannot_be_learned_is_said() -> None:
         material_bsdf_of(material('<bsdf type="conductor"/>'))
     with pytest.raises(InputError, match="test cannot be used: "):
         material_bsdf_of(material('<bsdf type="no-such-plugin"/>'))
+    checkers = '<texture type="checkerboard" name="normalmap"/><bsdf type="diffuse"/>'
+    with pytest.raises(InputError, match="normalmap: a texture of type checkerboard holds no normal map"):
+        MaterialReflectance(material(f'<bsdf type="normalmap">{checkers}</bsdf>'), 8)
     with pytest.warns(LoomlightWarning, match="its mirror reflection is left out"):
         reflectance = MaterialReflectance(material('<bsdf type="plastic"/>'), 8)
     assert reflectance.inputs == ("constant",)

@@ -1,4 +1,4 @@
-"""docs/mitsuba-parameters.md against the code: names, ranges, defaults, and what is live or differentiable.
+"""docs/mitsuba-parameters.md and mitsuba-edits.md against the code: ranges, defaults, live, differentiable.
 
 Covers: mitsuba/model_props.py
 """
@@ -26,7 +26,8 @@ from loomlight.models.woven.latent_cache import clear_encodings
 
 from ..models.woven.networks import network, weights_of
 
-PAGE = Path(__file__).parents[2] / "docs" / "mitsuba-parameters.md"
+DOCS = Path(__file__).parents[2] / "docs"
+PAGES = (DOCS / "mitsuba-parameters.md", DOCS / "mitsuba-edits.md")
 TABLES = ("warp", "weft", "sheen", "variation")
 _RANGE = re.compile(r"(-?[\d.]+) – (-?[\d.]+)")
 
@@ -41,9 +42,9 @@ def _narrow_network(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
 
 @cache
 def rows(first_header: str) -> list[dict[str, str]]:
-    """Rows of all tables of the page whose first column has this header."""
+    """Rows of all tables of the pages whose first column has this header."""
     found, header = [], None
-    for line in PAGE.read_text().splitlines():
+    for line in (line for page in PAGES for line in page.read_text().splitlines()):
         if not line.startswith("|"):
             header = None
             continue
@@ -107,8 +108,11 @@ def bsdfs_of(plugin: str) -> list[Any]:
     """BSDFs that show every parameter among them."""
     texture = {"type": "bitmap", "bitmap": mi.Bitmap(np.full((4, 4, 3), 0.5, np.float32)), "raw": True}
     cloth: dict[str, Any] = {"type": plugin, "weave": "plain", "sheen_strength": 0.3, "albedo": texture}
+    # The cheapest bakes: parameters are the same.
     if plugin == "woven_samples":
         cloth["points"] = 2
+    if plugin == "woven_clustered":
+        cloth |= {"clusters": 4, "texels": 32}
     if plugin == "woven_neural":
         cloth |= {"other": "twill 2/1", "refined": False}
     return [mi.load_dict(cloth), mi.load_dict(cloth | {"warp_color": "#ff0000,#00ff00"})]
@@ -129,7 +133,7 @@ def test_every_scene_parameter_stands_on_the_page(plugin: str) -> None:
             name = key.replace("weft.", "warp.")
             if name.startswith("albedo.") and name != "albedo.data":
                 continue  # "the texture's own parameters"
-            assert name in wanted, f"{key} of {plugin} does not stand on {PAGE.name}"
+            assert name in wanted, f"{key} of {plugin} does not stand on {PAGES[1].name}"
             seen.add(name)
             fixed = params.flags(key) & mi.ParamFlags.NonDifferentiable.value
             assert (wanted[name][f"`{plugin}`"] == "gradient") == (not fixed), key

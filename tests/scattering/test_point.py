@@ -67,27 +67,32 @@ def random_model(seed: int, white: bool = False) -> PointModel:
         _family_appearance(rng, picks, white, depth),
         sheen=Sheen(rng.random() * (seed % 2), rng.random()),
         variation=Variation(rng.random(), rng.random(), seed) if seed % 3 == 0 else Variation(),
-        diffuse_blend=rng.random(),
-        optical_depth=depth,
+        # Data of kernels instead of constants in them: fabrics with the same lobes share kernels.
+        diffuse_blend=dr.opaque(mi.Float, rng.random()),
+        # The bound on varied albedos is computed from the depth in Python.
+        optical_depth=depth if seed % 3 == 0 else dr.opaque(mi.Float, depth),
     )
-    return PointModel(YarnGeometry(layout), appearance)
+    model = PointModel(YarnGeometry(layout), appearance)
+    if model.sheen is not None:
+        model.sheen = dr.opaque(mi.Float, model.sheen[0]), dr.opaque(mi.Float, model.sheen[1])
+    return model
 
 
-def _view(degrees: float, azimuth: float) -> list[float]:
+def _view(degrees: float, azimuth: float) -> mi.Vector3f:
     angle = math.radians(degrees)
-    return [
-        math.sin(angle) * math.cos(azimuth),
-        math.sin(angle) * math.sin(azimuth),
-        math.cos(angle),
-    ]
+    # Opaque, as the numbers of fabrics.
+    return dr.opaque(
+        mi.Vector3f,
+        [math.sin(angle) * math.cos(azimuth), math.sin(angle) * math.sin(azimuth), math.cos(angle)],
+    )
 
 
-def _points(model: PointModel, view: list[float], count: int, seed: int) -> tuple[YarnPoint, mi.Vector3f]:
+def _points(model: PointModel, view: mi.Vector3f, count: int, seed: int) -> tuple[YarnPoint, mi.Vector3f]:
     # Its own stream: places must not correlate with the numbers that directions are drawn from.
     rng = np.random.default_rng([seed, 77])
     width, height = model.surface.size
     x, y = mi.Float(rng.uniform(0, width, count)), mi.Float(rng.uniform(0, height, count))
-    direction = mi.Vector3f(*view) + dr.zeros(mi.Vector3f, count)
+    direction = view + dr.zeros(mi.Vector3f, count)
     point = model.locate(x, y, direction)
     dr.eval(point)
     return point, direction
@@ -106,18 +111,18 @@ def test_directions_are_distributed_by_their_density(seed: int, degrees: float) 
     # A yarn point that is no hole; the test is about its directions, so it is one for all samples.
     candidates, _ = _points(model, view, 64, seed)
     chosen = int(np.argmin(candidates.hole.numpy()))
-    x, y = float(candidates.x[chosen]), float(candidates.y[chosen])
-    back = bool(candidates.back[chosen])
+    x, y = (dr.opaque(mi.Float, float(each[chosen])) for each in (candidates.x, candidates.y))
+    back = dr.opaque(mi.Bool, bool(candidates.back[chosen]))
 
     def point_for(count: int) -> tuple[YarnPoint, mi.Vector3f]:
         # Shadows scale the weight alone, not the density: their search is left out here.
         point = model.at(
-            dr.full(mi.Float, x, count),
-            dr.full(mi.Float, y, count),
-            dr.full(mi.Bool, back, count),
+            x + dr.zeros(mi.Float, count),
+            y + dr.zeros(mi.Float, count),
+            back | dr.full(mi.Bool, False, count),
             dr.full(mi.Bool, False, count),
         )
-        return point, mi.Vector3f(*view) + dr.zeros(mi.Vector3f, count)
+        return point, view + dr.zeros(mi.Vector3f, count)
 
     def sample(numbers: mi.Vector3f) -> tuple[mi.Vector3f, mi.Float]:
         point, direction = point_for(dr.width(numbers))
@@ -183,7 +188,7 @@ def test_cloth_never_sends_back_more_than_it_gets(batch: int) -> None:
             dr.gather(mi.Bool, spots.hole, index),
         )
         numbers = [mi.Float(rng.random(places * each)) for _ in range(3)]
-        direction = mi.Vector3f(*view) + dr.zeros(mi.Vector3f, places * each)
+        direction = view + dr.zeros(mi.Vector3f, places * each)
         drawn = model.sample(point, direction, numbers[0], mi.Vector2f(numbers[1], numbers[2]))
         weight = drawn.weight.numpy().reshape(3, places, each)
         assert np.isfinite(weight).all()
@@ -218,7 +223,7 @@ def test_holes_pass_light_straight_through() -> None:
     plain = np.array([[True, False], [False, True]])
     bare = Appearance(threads, threads)
     model = PointModel(YarnGeometry(ClothLayout(plain, family, family)), bare)
-    point, view = _points(model, [0.0, 0.0, 1.0], 100_000, 1)
+    point, view = _points(model, _view(0.0, 0.0), 100_000, 1)
     numbers = [mi.Float(rng.random(100_000)) for _ in range(3)]
     drawn = model.sample(point, view, numbers[0], mi.Vector2f(numbers[1], numbers[2]))
     passes = drawn.is_null.numpy()

@@ -1,6 +1,7 @@
 """The server as a browser, and as somebody who is up to no good, meets it.
 
 Covers: viewer/app.py, viewer/access.py, viewer/uploads.py, viewer/session.py, viewer/saving.py
+Covers: viewer/openness_json.py
 """
 
 from __future__ import annotations
@@ -159,6 +160,24 @@ def test_tables_of_a_model(local: Served) -> None:
     status, _, body = local.ask("POST", "/api/tables", json.dumps(asked).encode())
     assert status == 200
     assert set(load(body)) == {"fabrics", "families", "words", "packed_numbers"}
+
+
+def test_openness_of_yarns(local: Served) -> None:
+    """Numbers of Python, whatever the colours are; a fabric that cannot be is told so."""
+    fabric = fabric_of(local)
+    asked = [fabric | {"fields": fabric["fields"] | more} for more in ({}, {"warp": {"color": "#102030"}})]
+    answers = [local.ask("POST", "/api/openness", json.dumps(each).encode()) for each in asked]
+    assert [answer[0] for answer in answers] == [200, 200]
+    first, second = (json.loads(answer[2]) for answer in answers)
+    assert first == second
+    known = fabric_from_text('weave = "twill 3/1"\ninterreflection = true').appearance().openness
+    assert known is not None
+    for name in ("by_view", "interior", "facing", "facing_layer"):
+        assert first[name] == getattr(known, name).ravel().tolist(), name
+    assert [len(first[name]) for name in ("by_point", "per_relief", "layers")] == [72, 1, 4]
+    wide = fabric | {"fields": fabric["fields"] | {"gap": 2}}
+    answer = local.ask("POST", "/api/openness", json.dumps(wide).encode())
+    assert (answer[0], "gap" in error_of(answer)) == (422, True)
 
 
 def test_pages_of_other_sites_are_refused(local: Served) -> None:

@@ -33,6 +33,8 @@ from loomlight.realtime import (
     rectangle,
 )
 from loomlight.realtime.device import default_adapter
+from loomlight.viewer.openness_json import openness_json
+from loomlight.viewer.saving import tables_of
 
 ROOT = Path(__file__).parents[2]
 WEB = ROOT / "web"
@@ -42,14 +44,8 @@ ORGANZA = (ROOT / "examples" / "organza.toml").read_text()
 PLAIN = (
     'weave = "twill 2/2"\nends_per_cm = 20\nwarp.color = "{}"\nweft.color = "#d0c8b8"\nwarp.roughness = {}\n'
 )
-BETWEEN = 'weave = "satin 5"\ninterreflection = true\nwarp.color = "#e0c060"\nweft.color = "#c8c8c8"\n'
-# Its first edit is of a colour, its second of the yarns.
-BETWEEN_EDITS: list[dict[str, Any]] = [
-    {"fabric": BETWEEN.replace("#e0c060", "#4080a0"), "passes": 2},
-    {"fabric": "gap = 0.4\n" + BETWEEN, "passes": 2},
-]
-# Tables are baked from words that are equal but for the last bits (test_pack_parity.py), by the same kernels;
-# a compiler may join products and sums in another way.
+# Tables are baked from words that are equal but for the last bits (test_pack_parity.py) by the same kernels,
+# where a compiler may join products and sums in another way.
 CLOSE = 2e-3
 # Of the pixels: a ray that grazes a yarn, or the edge of a triangle, may fall to the other side.
 MOST_BEYOND = 5e-3
@@ -130,6 +126,7 @@ class Scene:
             "mesh": {name: np.ravel(values).tolist() for name, values in arrays.items()},
             "fabric": self.fabric,
             "uvSizeMm": self.uv_size_mm,
+            "openness": _openness(self.fabric),
         }
         step: dict[str, Any] = {
             "pieces": [piece],
@@ -154,12 +151,18 @@ class Scene:
         return renderer.render(self.camera, self.lights, passes=2, **options).linear
 
 
+def _openness(fabric: str) -> dict[str, list[float]] | None:
+    """What the page's server answers for a fabric with light between its yarns."""
+    return openness_json(fabric_from_text(fabric)) if "interreflection" in fabric else None
+
+
 def _light(light: DirectionalLight | PointLight) -> dict[str, Any]:
     if isinstance(light, PointLight):
         return {"kind": "point", "position": light.position, "intensity": light.intensity}
     return {"kind": "directional", "towards": light.towards, "irradiance": light.irradiance}
 
 
+MODELS = ("lobes", "point", "woven")
 LAMP = DirectionalLight((0.5, 0.3, 0.8))
 SCENES = {
     "flat": Scene(
@@ -181,25 +184,40 @@ SCENES = {
         sky(),
         (40, 40),
     ),
+    "light between yarns": Scene(
+        rectangle(0.03, 0.03),
+        'weave = "plain"\ninterreflection = true\nwarp.color = "#e0c060"\nweft.color = "#e8e4e0"\n',
+        (30, 30),
+        Camera((0, -0.02, 0.06)),
+        (LAMP,),
+        sky(),
+        (32, 32),
+    ),
 }
-SCENES["light between yarns"] = replace(SCENES["flat"], fabric=BETWEEN, mesh=rectangle(0.02, 0.02))
 FLAT = SCENES["flat"].size
-# Of the flat cloth: by lobes, by points, and by lobes once more with one pass.
-UNEDITED, FIRST_EDIT = 2, 3
+# Of the flat cloth: by lobes, points, the server's tables of woven, and by lobes once more with one pass.
+UNEDITED, FIRST_EDIT = 3, 4
 # Edits of the flat cloth by lobes, one after the other: what each changes, as a step of the page.
+PRESSED = PLAIN.format("#a04040", 0.9) + "warp.height_scale = 0.3\nweft.height_scale = 0.3\n"
 EDITS: dict[str, dict[str, Any]] = {
     "redder": {"fabric": PLAIN.format("#a04040", 0.3)},
     "rougher": {"fabric": PLAIN.format("#a04040", 0.9)},
-    "pressed": {
-        "fabric": PLAIN.format("#a04040", 0.9) + "warp.height_scale = 0.3\nweft.height_scale = 0.3\n"
-    },
+    "pressed": {"fabric": PRESSED},
     "brighter": {"exposure": 1.0},
     "grazing": {"exposure": 0.0, "lights": [_light(DirectionalLight((0.95, 0.1, 0.2)))]},
     "by the sky": {
         "lights": [],
         "environment": {"picture": {"width": 1, "height": 2, "pixels": [0, 0, 1, 0, 0, 1]}},
     },
+    "by yarns": {"fabric": "interreflection = true\n" + PRESSED},
 }
+# Of the cloth with light between its yarns, whose openness the page then finds itself.
+BETWEEN = SCENES["light between yarns"].fabric
+YARN_EDITS: list[dict[str, Any]] = [
+    {"fabric": BETWEEN, "passes": 2},
+    {"fabric": BETWEEN.replace("#e0c060", "#4080a0"), "passes": 2},
+    {"fabric": "gap = 0.4\n" + BETWEEN, "passes": 2},
+]
 
 
 @pytest.fixture(scope="module")
@@ -219,8 +237,11 @@ def drawn(tmp_path_factory: pytest.TempPathFactory) -> Drawn:
     subprocess.run([*vite, "--outDir", str(folder), "--logLevel", "error"], cwd=WEB, check=True, timeout=120)
     points = {"model": ["point", 4], "passes": 2}
     scenes = [{"size": scene.size, "steps": [scene.page_step(), points]} for scene in SCENES.values()]
-    scenes[-1]["steps"] += BETWEEN_EDITS
-    scenes[0]["steps"] += [{"model": ["lobes", 1]}, *EDITS.values()]
+    (folder / "woven").write_bytes(tables_of(fabric_from_text(SCENES["flat"].fabric), "woven"))
+    tables = {"tables": ["woven", "woven"], "passes": 2}
+    scenes[-1]["steps"] += YARN_EDITS
+    scenes[0]["steps"] += [tables, {"model": ["lobes", 1]}, *EDITS.values()]
+    scenes[0]["steps"][-1]["openness"] = _openness(EDITS["by yarns"]["fabric"])
     (folder / "scenes.json").write_text(json.dumps(scenes))
     script = WEB / "loomlight-web" / "tools" / "render_report.ts"
     command = [deno, "run", "--no-config", "--allow-all", "--unstable-webgpu", str(script)]
@@ -244,12 +265,13 @@ def relief(picture: NDArray[np.float32]) -> float:
     return float(np.abs(np.diff(picture, axis=0)).mean() / picture.mean())
 
 
-@pytest.mark.parametrize("name", SCENES)
-@pytest.mark.parametrize("model", ["lobes", "point"])
+@pytest.mark.parametrize(
+    ("name", "model"), [*((name, model) for name in SCENES for model in MODELS[:2]), ("flat", "woven")]
+)
 def test_frames_are_those_of_python(drawn: Drawn, name: str, model: str) -> None:
     """A shadow through holes and several layers are in the sphere's, which is of open cloth."""
     number, scene = list(SCENES).index(name), SCENES[name]
-    found = drawn.linear(f"{number}.{int(model == 'point')}", scene.size)
+    found = drawn.linear(f"{number}.{MODELS.index(model)}", scene.size)
     expected = scene.frame(model)
     assert expected[..., :3].std() > 0.02
     differences = np.abs(found - expected)
@@ -275,6 +297,8 @@ def test_controls_change_the_picture_as_they_say(drawn: Drawn) -> None:
     assert relief(edited(drawn, "pressed")) < 0.9 * relief(edited(drawn, "rougher"))
     assert means["grazing"].mean() < 0.6 * means["pressed"].mean()
     assert means["by the sky"][2] > 5 * means["by the sky"][0]
+    # Yarns that light each other show the colour that they were given.
+    assert means["by yarns"][2] > 1.05 * means["by the sky"][2]
     exposed = drawn.srgb(f"0.{step_of('brighter')}", FLAT)[..., :3]
     assert np.abs(exposed - 255 * linear_to_srgb(2 * edited(drawn, "pressed"))).max() <= 0.51
 
@@ -302,19 +326,17 @@ def test_a_lost_device_is_told_and_drawing_goes_on(drawn: Drawn) -> None:
     assert re.fullmatch(r"The graphics adapter .* was lost.*: the picture is begun again\.", loss["sentence"])
     assert all(not frame["isComplete"] for frame in loss["framesWhileLost"])
     np.testing.assert_array_equal(
-        drawn.linear("rebuilt", FLAT), drawn.linear(f"0.{step_of('by the sky')}", FLAT)
+        drawn.linear("rebuilt", FLAT), drawn.linear(f"0.{step_of('by yarns')}", FLAT)
     )
 
 
-def test_light_between_yarns_follows_edits(drawn: Drawn) -> None:
-    """A colour finds no openness anew and bakes nothing; wider gaps do, and the picture is Python's."""
+def test_the_page_finds_openness_itself(drawn: Drawn) -> None:
+    """Without Python's numbers a kernel casts the rays, after edits of yarns and not after one of a colour."""
     number, scene = list(SCENES).index("light between yarns"), SCENES["light between yarns"]
-    first = drawn.linear(f"{number}.1", scene.size)
-    dark = replace(scene, fabric=BETWEEN.replace("interreflection = true\n", "")).frame("point")
-    assert first[..., :3].mean() > 1.1 * dark[..., :3].mean()
-    bluer, wider = drawn.report["statistics"][number][2:]
-    assert (bluer["bakes"], bluer["openings"]) == (0, 0)
-    assert wider["openings"] == 1
-    expected = replace(scene, fabric=BETWEEN_EDITS[1]["fabric"]).frame("point")
-    differences = np.abs(drawn.linear(f"{number}.3", scene.size) - expected)
-    assert differences.mean() <= MOST_BEYOND * expected.mean()
+    statistics = drawn.report["statistics"][number][2:]
+    assert [step["openings"] for step in statistics] == [1, 0, 1]
+    assert statistics[1]["bakes"] == 0
+    for step, edit in enumerate(YARN_EDITS, 2):
+        expected = replace(scene, fabric=edit["fabric"]).frame("point")
+        differences = np.abs(drawn.linear(f"{number}.{step}", scene.size) - expected)
+        assert differences.mean() <= MOST_BEYOND * expected.mean()

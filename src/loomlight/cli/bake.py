@@ -9,7 +9,7 @@ import typer
 
 from loomlight.cli.fleet import ExecutorName, SlurmSettings, Workers, executor_of
 from loomlight.cli.interruption import note_left
-from loomlight.cli.outputs import check_output, done, require_not_read
+from loomlight.cli.outputs import check_output, done
 from loomlight.cli.progress import progress
 from loomlight.core.errors import InputError
 from loomlight.core.executors import Executor
@@ -48,8 +48,7 @@ def bake(
         _bake_into_folder(sources, model, output, options or [], chosen_executor)
         return
     fabric = sources[0]
-    check_output(output, (".loom",))
-    require_not_read(output, sources)
+    check_output(output, (".loom",), sources)
 
     from loomlight.models.bake import bake as run
     from loomlight.models.option_values import parse_options

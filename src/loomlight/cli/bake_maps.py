@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import glob
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from loomlight.cli.outputs import check_output, done
+from loomlight.cli.outputs import check_output, done, require_not_read
 from loomlight.cli.values import parse_numbers, parse_size, require_within
 
 EXAMPLE = 'Example: loomlight bake-maps "twill 3/1" -o maps.exr --resolution 1024'
@@ -37,6 +38,9 @@ def bake_maps(
 ) -> None:
     """Writes height, normal, fibres, family, holes, colour, opacity and roughness of a fabric as textures."""
     check_output(output, (".exr", ".png"))
+    # One picture a map, or one file of all.
+    pictures = output.parent.glob(f"{glob.escape(output.stem)}_*.png")
+    require_not_read([output] if output.suffix.lower() == ".exr" else pictures, [fabric])
     columns_and_rows = parse_size(resolution, "--resolution")
     corner = None
     if window is not None:

@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from loomlight.cli.outputs import done
+from loomlight.cli.outputs import done, require_not_read
 from loomlight.cli.progress import progress
 from loomlight.cli.values import parse_size, require_within
 from loomlight.core.errors import LoomlightWarning
@@ -41,6 +41,7 @@ def compare(
     pixels = None if size is None else parse_size(size)
     require_within("--spp", 1 if samples is None else samples, 1, 1_000_000)
     names = _listed(models)
+    require_not_read([output / name for name in ("index.html", "table.json", "pictures")], [fabric])
 
     from loomlight.assets.load import fabric_of_path
     from loomlight.assets.loom_file import is_loom, read_loom

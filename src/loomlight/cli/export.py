@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from loomlight.cli.outputs import done
+from loomlight.cli.outputs import done, require_not_read
 
 EXAMPLE = "Example: loomlight export examples/denim.toml --to wgsl -o denim-wgsl"
 
@@ -35,6 +35,7 @@ def export(
     ] = None,
 ) -> None:
     """Writes a fabric for another program: shader code, a network or a textured material; docs/export.md."""
+    require_not_read([output], [fabric])
     from loomlight.export import export as run
 
     done(run(fabric, to, output, model, distance))

@@ -3,14 +3,26 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable, Sequence
+from itertools import chain
 from pathlib import Path
 
 from loomlight.core.errors import InputError
 
+# Files whose quoted texts may be paths of further files: fabrics, scenes, meshes.
+_NAMES_FILES = (".toml", ".xml", ".gltf", ".json")
+_QUOTED = re.compile(r"\"([^\"\n]{1,4096})\"|'([^'\n]{1,4096})'")
+# Characters of such a file that are looked through.
+_LONGEST = 1 << 22
 
-def check_output(path: Path, suffixes: Sequence[str]) -> None:
-    """Raises InputError unless a file with one of the `suffixes` can be written at `path`."""
+
+def check_output(path: Path, suffixes: Sequence[str], reads: Iterable[str | Path | None] = ()) -> None:
+    """Raises InputError unless a file with one of the `suffixes` can be written at `path`.
+
+    Args:
+        reads: see `require_not_read`.
+    """
     allowed = " or ".join(suffixes)
     if path.suffix.lower() not in suffixes:
         raise InputError(f"{path} has no suffix that says what to write: it must end in {allowed}.")
@@ -23,21 +35,59 @@ def check_output(path: Path, suffixes: Sequence[str]) -> None:
         raise InputError(f"{str(path)[:80]!r} is no path of a file that can be written: {error}.") from error
     if not os.access(path.parent, os.W_OK):
         raise InputError(f"{path}: the folder {path.parent} cannot be written to.")
+    require_not_read([path], reads)
 
 
-def require_not_read(path: Path, reads: Iterable[str | Path | None]) -> None:
-    """Raises InputError if `path` is one of the files that the command reads.
+def require_not_read(outputs: Iterable[Path], reads: Iterable[str | Path | None]) -> None:
+    """Raises InputError if an output is a file that the command reads, or a folder that holds one.
 
     Args:
-        reads: paths, or what may be one, such as the name of a weave.
+        reads: paths, or what may be one, such as the name of a weave. Files that a fabric file, a scene file
+            or a glTF file names are read as well.
     """
-    for read in reads:
-        try:
-            same = read is not None and path.exists() and os.path.samefile(path, read)
-        except (OSError, ValueError):
-            continue  # a name, or a file that is not there
-        if same:
-            raise InputError(f"{path} is read by this command: give another name to write to.")
+    written = [path for path in outputs if _exists(path)]
+    if not written:
+        return
+    for read in chain.from_iterable(map(_files_of, reads)):
+        for path in written:
+            if path.is_dir() and path.resolve() in read.resolve().parents:
+                raise InputError(f"{path} holds {read}, which is read by this command: give another folder.")
+            if not path.is_dir() and os.path.samefile(path, read):
+                raise InputError(f"{path} is read by this command: give another name to write to.")
+
+
+def _files_of(argument: str | Path | None) -> list[Path]:
+    """The file that an argument names, if it names one, and those that this file names, and so on."""
+    found: list[Path] = []
+    left = [] if argument is None else [Path(argument)]
+    while left:
+        path = left.pop()
+        if _is_file(path) and path not in found:
+            found.append(path)
+            left += [path.parent / name for name in _names_in(path)]
+    return found
+
+
+def _names_in(path: Path) -> list[str]:
+    """Quoted texts of a file that may name others."""
+    if path.suffix.lower() not in _NAMES_FILES:
+        return []
+    try:
+        with path.open(encoding="utf-8", errors="replace") as stream:
+            return [one or other for one, other in _QUOTED.findall(stream.read(_LONGEST))]
+    except OSError:
+        return []  # whoever reads it says so
+
+
+def _exists(path: Path) -> bool:
+    try:
+        return path.exists()
+    except (OSError, ValueError):
+        return False  # too long a name, a NUL
+
+
+def _is_file(path: Path) -> bool:
+    return _exists(path) and path.is_file()
 
 
 def done(path: Path) -> None:

@@ -69,7 +69,7 @@ def play(
     require_within("--passes", passes, 1, 100_000)
     pixels = _SIZE if size is None else parse_size(size)
     if output is not None:
-        check_output(output, (".png", ".exr"))
+        check_output(output, (".png", ".exr"), [fabric, mesh, environment])
     canvas = None if output is not None else _window(pixels)
     viewer = _viewer(
         fabric,

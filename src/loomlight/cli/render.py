@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 from loomlight.cli import render_options as option
 from loomlight.cli.interruption import note_left, was_interrupted
-from loomlight.cli.outputs import check_output, done
+from loomlight.cli.outputs import check_output, done, require_not_read
 from loomlight.cli.progress import progress
-from loomlight.cli.turntable import ANIMATION_SUFFIXES, write_turn
+from loomlight.cli.turntable import ANIMATION_SUFFIXES, turn_paths, write_turn
 from loomlight.cli.values import parse_named, parse_numbers, parse_size, require_within
 from loomlight.core.errors import InputError
 from loomlight.core.files import replacing
@@ -76,6 +76,11 @@ def render(
     across, up = parse_numbers("--shift", shift, 2, "5,-2.5")
     colors = _colors(color)
     cloths = parse_named("--cloth", cloth or [], "lining=satin")
+    written = outputs
+    if turntable is not None:
+        written = [frame for path in outputs for frame in turn_paths(path, turntable)]
+    further = [name for names in cloths.values() for name in names]
+    require_not_read(written, [*fabrics, scene, mesh, environment, *further])
     from loomlight.mitsuba.placement import Placement
     from loomlight.mitsuba.scenes import SceneOptions
 
@@ -91,41 +96,23 @@ def render(
         max_depth=depth,
         placement=Placement(turn, (across, up), scale),
     )
+    picture: dict[str, Any] = {
+        "model": model,
+        "colors": colors,
+        "spp": samples,
+        "seed": seed,
+        "exposure": exposure,
+        "white_balance": white_balance,
+        "variant": variant,
+        **setting,
+    }
+    chosen = {name: values[-1] for name, values in cloths.items()}
     for fabric, path in zip(fabrics, outputs, strict=True):
         what = f"{fabric}, {shown if mesh is None else mesh.name}"
-        if turntable is not None:
-            write_turn(
-                what,
-                fabric,
-                shown,
-                path,
-                turntable,
-                model=model,
-                colors=colors,
-                spp=samples,
-                seed=seed,
-                exposure=exposure,
-                white_balance=white_balance,
-                variant=variant,
-                **setting,
-            )
-            continue
-        _write_picture(
-            what,
-            fabric,
-            shown,
-            path,
-            model=model,
-            spp=samples,
-            seed=seed,
-            exposure=exposure,
-            white_balance=white_balance,
-            inset=inset,
-            variant=variant,
-            colors=colors,
-            cloths={name: values[-1] for name, values in cloths.items()},
-            **setting,
-        )
+        if turntable is None:
+            _write_picture(what, fabric, shown, path, inset=inset, cloths=chosen, **picture)
+        else:
+            write_turn(what, fabric, shown, path, turntable, **picture)
 
 
 def _write_picture(what: str, fabric: str, shown: str, path: Path, **options: Any) -> None:
@@ -152,6 +139,8 @@ def _outputs(fabrics: list[str], output: str, turntable: int | None) -> list[Pat
     paths = [Path(output.replace("{name}", _file_name(fabric))) for fabric in fabrics]
     for path, fabric in zip(paths, fabrics, strict=True):
         check_output(path, suffixes)
+        for frame in () if turntable is None else turn_paths(path, turntable):
+            check_output(frame, suffixes)
         if paths.count(path) > 1:
             raise InputError(f"{path} would be the picture of {fabric} and of another fabric: rename one.")
     return paths

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from loomlight.cli.interruption import note_left
-from loomlight.cli.outputs import done
+from loomlight.cli.outputs import done, require_not_read
 from loomlight.cli.progress import progress
 from loomlight.cli.values import parse_size, require_within
 from loomlight.core.errors import InputError
@@ -77,6 +77,8 @@ def reproduce(
     from loomlight.evaluation.reproduce.setting import SIZE, WOVEN
 
     chosen = [find_item(name) for name in names]
+    pictures = [output / f"{item.stem}.png" for item in chosen]
+    require_not_read([*pictures, output / "table.json", output / "pictures"], [weights, environment])
     for item in chosen:
         with progress(item.name) as report:
             setting = Setting(

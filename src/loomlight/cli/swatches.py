@@ -10,7 +10,7 @@ import typer
 
 from loomlight.cli.fleet import ExecutorName, SlurmSettings, Workers, executor_of
 from loomlight.cli.interruption import note_left
-from loomlight.cli.outputs import check_output, done, require_not_read
+from loomlight.cli.outputs import check_output, done
 from loomlight.cli.progress import progress
 from loomlight.cli.render_options import WhiteBalanceOption
 from loomlight.cli.values import require_within
@@ -40,12 +40,11 @@ def swatches(
 
     A file that cannot be used is left out with a warning.
     """
-    check_output(output, (".png", ".html"))
+    check_output(output, (".png", ".html"), fabrics)
     require_within("--size", side, 32, 2048)
     require_within("--spp", samples, 1, 100_000)
     require_within("--white-balance", 6500 if white_balance is None else white_balance, 1667, 25000)
     chosen = executor_of(executor, workers, slurm)
-    require_not_read(output, fabrics)
     from loomlight.core.contact_sheet import sheet_page, sheet_picture
     from loomlight.core.files import replacing
     from loomlight.core.images import write_png

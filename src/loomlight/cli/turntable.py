@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from loomlight.cli.outputs import check_output, done
+from loomlight.cli.outputs import done
 from loomlight.cli.progress import progress
 
 ANIMATION_SUFFIXES = (".webp", ".gif")
@@ -13,16 +13,25 @@ ANIMATION_SUFFIXES = (".webp", ".gif")
 _SECONDS = 6.0
 
 
+def turn_paths(path: Path, count: int) -> list[Path]:
+    """The files of `count` pictures of one turn: `path` if it is an animation, else numbered from 000."""
+    if _is_animated(path):
+        return [path]
+    return [path.with_stem(f"{path.stem}-{number:03}") for number in range(count)]
+
+
+def _is_animated(path: Path) -> bool:
+    return path.suffix.lower() in ANIMATION_SUFFIXES
+
+
 def write_turn(what: str, fabric: str, scene: str, path: Path, count: int, **options: Any) -> None:
-    """Writes `count` pictures of one turn: `path` itself if it is an animation, else numbered from 000.
+    """Writes `count` pictures of one turn to `turn_paths`.
 
     Args:
         options: of `turn_of_fabric`.
     """
-    animated = path.suffix.lower() in ANIMATION_SUFFIXES
-    paths = [path] if animated else [path.with_stem(f"{path.stem}-{number:03}") for number in range(count)]
-    for each in paths:
-        check_output(each, (path.suffix.lower(),))
+    animated = _is_animated(path)
+    paths = turn_paths(path, count)
     from loomlight.core.images import encoded, write_animation, write_image
     from loomlight.mitsuba.turntable import turn_of_fabric
 

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from loomlight.cli.interruption import note_left
-from loomlight.cli.outputs import done
+from loomlight.cli.outputs import done, require_not_read
 from loomlight.core.errors import InputError
 
 EXAMPLE = "Example: loomlight view examples/denim.toml"
@@ -38,6 +38,7 @@ def view(
     if export is not None:
         if host != "127.0.0.1" or port != 8377:
             raise InputError("--export writes a folder and listens nowhere: leave out --host and --port.")
+        require_not_read([export], [fabric])
         done(export_site(export, fabric))
         return
     note_left("The server has ended.")

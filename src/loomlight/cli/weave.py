@@ -50,7 +50,7 @@ def show(
     from loomlight.core.images import write_png
     from loomlight.weave.drawing import draw_draft, draw_drawdown
 
-    check_output(output, (".png",))
+    check_output(output, (".png",), [draft])
     shown = draft_from(draft)
     if drawdown:
         times = 1 if repeats is None else repeats
@@ -69,7 +69,7 @@ def convert(
     """Writes a draft as a weaving information file (WIF 1.1)."""
     from loomlight.weave.wif_writer import write_wif
 
-    check_output(output, (".wif",))
+    check_output(output, (".wif",), [draft])
     write_wif(draft_from(draft), output)
     done(output)
 

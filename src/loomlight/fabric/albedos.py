@@ -38,13 +38,16 @@ def family_appearance(
     specular = SPECULAR if table.specular is None else table.specular
     translucency = TRANSLUCENCY if table.translucency is None else table.translucency
     roughness = ROUGHNESS if table.roughness is None else table.roughness
-    if shown_by is not None and table.albedo is None:
+    bound = None
+    if shown_by is not None:
         from loomlight.fabric.authored_colour import colour_for
+        from loomlight.scattering.cloth_layer_bound import cloth_layer_bound
 
-        openness, number = shown_by
-        colours = colour_for(colours, specular, translucency, openness, number, roughness, optical_depth)
-    between_yarns = shown_by is not None
-    albedos = albedos_from_colour(colours, specular, translucency, optical_depth, between_yarns)
+        bound = cloth_layer_bound(roughness, optical_depth)
+        if table.albedo is None:
+            openness, number = shown_by
+            colours = colour_for(colours, specular, translucency, openness, number, roughness, optical_depth)
+    albedos = albedos_from_colour(colours, specular, translucency, optical_depth, bound)
     if table.specular_tint is not None:
         tint = parse_colour(table.specular_tint, f"{name}.specular_tint")
         albedos = albedos._replace(
@@ -52,7 +55,7 @@ def family_appearance(
             specular_transmit=albedos.specular_transmit * tint,
         )
     albedos = _with_explicit(albedos, table, name)
-    check_albedos(albedos, name, optical_depth, between_yarns)
+    check_albedos(albedos, name, optical_depth, bound)
     return FamilyAppearance(**albedos._asdict(), roughness=roughness)
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.scattering.albedo import albedos_from_colour
+from loomlight.scattering.cloth_layer_bound import cloth_layer_bound
 from loomlight.scattering.fibre import mean_layer_shares
 from loomlight.scattering.interreflection import scattered, solved_interior
 from loomlight.scattering.openness import Openness
@@ -38,7 +39,8 @@ def shown_colour(
         roughness: α of the yarn.
         optical_depth: Tρ of its fibre layer.
     """
-    albedos = albedos_from_colour(colour, specular, translucency, optical_depth, between_yarns=True)
+    bound = cloth_layer_bound(roughness, optical_depth)
+    albedos = albedos_from_colour(colour, specular, translucency, optical_depth, bound)
     shares = tuple(float(share) for share in mean_layer_shares(roughness, optical_depth))
     yarn = scattered(*albedos, shares)
     front, behind = solved_interior(yarn, yarn, openness.interior, openness.meets, openness.blocks)

@@ -207,9 +207,22 @@ def _textures(root: ElementTree.Element, material: str) -> dict[str, _Texture]:
                 scale = next((float(v.get("value", 1)) for v in bsdf if v.get("name") == "scale"), 1.0)
                 texture = _loaded(child, f"{material}, {path}{name}")
                 found[f"{path}{name}"] = _Texture(texture, role, scale, _texels(texture))
+                _require_slopes(found[f"{path}{name}"], f"{material}, {path}{name}", child.get("type", ""))
 
     visit(root, "")
     return found
+
+
+def _require_slopes(texture: _Texture, what: str, kind: str) -> None:
+    """Raises InputError if a texture is a normal or bump map, and of a kind that Mitsuba takes none from."""
+    if not texture.role:
+        return
+    try:
+        _evaluated(texture, np.zeros((1, 2), np.float32))
+    except RuntimeError as error:  # procedural textures give colours alone
+        raise InputError(
+            f"{what}: a texture of type {kind} holds no {texture.role} map; give a bitmap."
+        ) from error
 
 
 def _texels(texture: Any) -> tuple[float, float]:

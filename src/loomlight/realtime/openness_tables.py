@@ -6,13 +6,14 @@ import math
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from loomlight.models import between_yarns
 from loomlight.realtime.word_table import WordTable
 from loomlight.scattering import openness as openness_rays
 from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.fibre import mean_layer_shares
-from loomlight.scattering.openness import POINT_TERMS, VIEW_TERMS
+from loomlight.scattering.openness import POINT_TERMS, VIEW_TERMS, Openness
 
 NO_OPENNESS = 0xFFFFFFFF
 # Words that the kernel `bake_openness` writes for each ray; `bake_openness.slang` has their order.
@@ -58,11 +59,8 @@ def openness_floats() -> dict[str, float]:
     }
 
 
-def pack_openness(table: WordTable, appearance: Appearance) -> int:
-    """Appends the numbers of a fabric; the first word, or `NO_OPENNESS` without light between yarns."""
-    openness = appearance.openness
-    if openness is None:
-        return NO_OPENNESS
+def openness_parts(openness: Openness, appearance: Appearance) -> dict[str, NDArray[np.float64]]:
+    """Numbers of a fabric by the names of `PARTS`, in their order and shapes."""
     layers = [
         [float(share) for share in mean_layer_shares(family.roughness, appearance.optical_depth)]
         for family in (appearance.warp, appearance.weft)
@@ -77,5 +75,15 @@ def pack_openness(table: WordTable, appearance: Appearance) -> int:
         1 / openness.relief,
         layers,
     )
-    arrays = [np.broadcast_to(part, shape) for part, shape in zip(parts, PARTS.values(), strict=True)]
-    return table.add(np.concatenate([array.ravel() for array in arrays]))
+    return {
+        name: np.broadcast_to(np.asarray(part, np.float64), shape)
+        for (name, shape), part in zip(PARTS.items(), parts, strict=True)
+    }
+
+
+def pack_openness(table: WordTable, appearance: Appearance) -> int:
+    """Appends the numbers of a fabric; the first word, or `NO_OPENNESS` without light between yarns."""
+    if appearance.openness is None:
+        return NO_OPENNESS
+    parts = openness_parts(appearance.openness, appearance)
+    return table.add(np.concatenate([part.ravel() for part in parts.values()]))

@@ -8,6 +8,8 @@ The generated shaders and `bake.json` are imported by the page as they are.
 
 from __future__ import annotations
 
+import json
+import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TypeAlias
@@ -23,9 +25,9 @@ from loomlight.models.lobes.model import DEFAULT_GROUPS
 from loomlight.models.lobes.tables import MOMENTS
 from loomlight.realtime import albedo_map, bake, bvh, environment, orbit, renderer, scene_words, tables
 from loomlight.realtime.layout import RECORDS, numpy_type
-from loomlight.realtime.openness_tables import NO_OPENNESS, RAY_RESULTS
+from loomlight.realtime.openness_tables import NO_OPENNESS, PARTS, RAY_RESULTS
 from loomlight.realtime.slangc import SHADERS
-from loomlight.scattering import albedo, detail, fibre, openness
+from loomlight.scattering import albedo, cloth_layer_bound, detail, fibre, openness
 from loomlight.scattering.variation import FIBRES_ACROSS
 from loomlight.yarn import layout, max_heights, runs, search, threads
 
@@ -61,11 +63,27 @@ CONSTANTS: dict[str, dict[str, Value]] = {
         "ALBEDO_TOLERANCE": albedo._TOLERANCE,
         "FIBRES_ACROSS": FIBRES_ACROSS,
     },
+    "scattering/cloth_layer_bound.py": {
+        "DEEP_MARGIN": cloth_layer_bound._DEEP,
+        "THIN_MARGIN": cloth_layer_bound._THIN,
+        "MARGIN_FADE": cloth_layer_bound._FADE,
+    },
     "scattering/detail.py, fabric/defaults.py": {
         "SLUB_LENGTH": detail.SLUB_LENGTH,
         "TONE_OF_TILT": detail.TONE_OF_TILT,
         "MOST_TONE": detail.MOST_TONE,
         "PLY_TWIST_DEG": PLY_TWIST_DEG,
+    },
+    "fabric/authored_colour.py": {"HALVINGS": authored_colour._HALVINGS},
+    "scattering/openness.py, fibre.py": {
+        "OBLIQUE_RAYS": openness._VIEWS,
+        "FACING_RAYS": openness._FACING,
+        "FACING_COSINE": openness.FACING_COSINE,
+        "SMALLEST_VIEW_COSINE": openness._SMALLEST_COSINE,
+        "SMALLEST_OPENNESS_SHARE": openness._SMALLEST,
+        "OPENNESS_NUMBERS": RAY_RESULTS,
+        "MEAN_TURNED": fibre._MEAN_TURNED,
+        "MEAN_THROUGH": fibre._MEAN_THROUGH,
     },
     "fabric/fabric.py": {"MAXIMUM_CROSSINGS": MAXIMUM_CROSSINGS},
     "aggregate/footprint_albedos.py": {
@@ -97,19 +115,10 @@ CONSTANTS: dict[str, dict[str, Value]] = {
     },
     "realtime/tables.py, openness_tables.py, bake.py": {
         "NO_OPENNESS": NO_OPENNESS,
+        # Numbers of each part, in the order in which a fabric has them.
+        "OPENNESS_PARTS": [[name.lower(), math.prod(shape)] for name, shape in PARTS.items()],
         "SMALLEST_OPEN_SHARE": tables._SMALLEST_OPEN_SHARE,
         "FIRST_WEIGHT": bake._WEIGHTS,
-    },
-    "scattering/openness.py, fibre.py, fabric/authored_colour.py": {
-        "OBLIQUE_RAYS": openness._VIEWS,
-        "FACING_RAYS": openness._FACING,
-        "FACING_COSINE": openness.FACING_COSINE,
-        "SMALLEST_VIEW_COSINE": openness._SMALLEST_COSINE,
-        "SMALLEST_OPENNESS_SHARE": openness._SMALLEST,
-        "OPENNESS_NUMBERS": RAY_RESULTS,
-        "MEAN_TURNED": fibre._MEAN_TURNED,
-        "MEAN_THROUGH": fibre._MEAN_THROUGH,
-        "COLOUR_HALVINGS": authored_colour._HALVINGS,
     },
     "realtime/bvh.py, scene_words.py, albedo_map.py, environment.py": {
         "FACES_A_LEAF": bvh.FACES_A_LEAF,
@@ -203,4 +212,4 @@ def flat_fields(record: str, prefix: str = "") -> list[tuple[str, str]]:
 def _literal(value: Value) -> str:
     if isinstance(value, Sequence) and not isinstance(value, str):
         return f"[{', '.join(_literal(part) for part in value)}] as const"
-    return repr(value)
+    return json.dumps(value) if isinstance(value, str) else repr(value)

@@ -8,8 +8,8 @@ keeps every direction below 1 (docs/scattering.md has the reasoning and the scan
 perpendicular to the yarn's normal, which every source of geometry provides.
 
 Cloth with light between its yarns loses nothing but what κ takes, and white yarns with a highlight would be
-grey: seen from above, the layer returns half of κ. There κ is a bound of what views of the *cloth* meet,
-whose yarns lean to all sides; it is measured (docs/light-between-yarns.md).
+grey: seen from above, the layer returns half of κ. There the means of the layer bound what views of whole
+cloth meet, whose yarns lean to all sides (`cloth_layer_bound.py`).
 """
 
 from __future__ import annotations
@@ -38,19 +38,28 @@ class Albedos(NamedTuple):
     specular_transmit: NDArray[np.float64]
 
 
-def layer_albedo_bound(optical_depth: float, between_yarns: bool = False) -> float:
-    """κ: no direction gets more than this share back from a layer of albedo 1, both sides.
+class LayerBound(NamedTuple):
+    """Shares of the light that a fibre layer may return: of the larger and of the smaller of its two albedos.
 
-    A yarn alone has κ = (1 + e^{−Tρ})/2. Tangent and normal are perpendicular. Half of what scatters at once
-    leaves upwards; the other half crosses a depth of at least Tρ, since σ(ω) ≥ |ω·n_p| there.
-
-    Args:
-        between_yarns: κ = 0.34 + 0.66e^{−3Tρ}, for cloth with light between its yarns: with it white cloth of
-            all parameters returns at most what arrives, up to views 75° from the normal
-            (`experiments.interreflection_furnace`).
+    The layer takes larger·max(k_s_reflect, k_s_transmit) + smaller·min(k_s_reflect, k_s_transmit) of what
+    diffuse terms may return.
     """
-    if between_yarns:
-        return 0.34 + 0.66 * math.exp(-3 * optical_depth)
+
+    larger: float
+    smaller: float = 0.0
+
+    def taken(self, first: NDArray[np.float64], second: NDArray[np.float64]) -> NDArray[np.float64]:
+        """What a layer of these albedos, reflected and transmitted in any order, takes; arrays alike."""
+        taken: NDArray[np.float64] = self.larger * np.maximum(first, second)
+        return taken + self.smaller * np.minimum(first, second)
+
+
+def layer_albedo_bound(optical_depth: float) -> float:
+    """κ = (1 + e^{−Tρ})/2: no direction gets more than this share back from a layer of albedo 1, both sides.
+
+    Tangent and normal are perpendicular. Half of what scatters at once leaves upwards; the other half
+    crosses a depth of at least Tρ, since σ(ω) ≥ |ω·n_p| there.
+    """
     return 0.5 * (1 + math.exp(-optical_depth))
 
 
@@ -68,7 +77,7 @@ def albedos_from_colour(
     specular: ArrayLike,
     translucency: ArrayLike,
     optical_depth: float = 2.0,
-    between_yarns: bool = False,
+    bound: LayerBound | None = None,
 ) -> Albedos:
     """Albedos of threads from a colour, how strongly their fibres shine and how much light they let through.
 
@@ -83,23 +92,27 @@ def albedos_from_colour(
         specular: [n] or a number, 0 to 1.
         translucency: [n] or a number, 0 to 1: share of the diffuse light that leaves on the far side.
         optical_depth: Tρ > 0.
-        between_yarns: see `layer_albedo_bound`.
+        bound: of the layer; None is that of a yarn alone, `layer_albedo_bound`.
     """
     colour = np.atleast_2d(np.asarray(colour, dtype=np.float64))
     strength = np.asarray(specular, dtype=np.float64).reshape(-1, 1)
     share = np.asarray(translucency, dtype=np.float64).reshape(-1, 1)
     strength = strength * strongest_highlight(optical_depth)
     highlight = strength * (WHITE_SHARE + (1 - WHITE_SHARE) * colour)
-    diffuse = colour * (1 - layer_albedo_bound(optical_depth, between_yarns) * highlight)
+    layer = bound or LayerBound(layer_albedo_bound(optical_depth))
+    diffuse = colour * (1 - layer.taken(highlight, share * highlight))
     return Albedos((1 - share) * diffuse, share * diffuse, highlight, share * highlight)
 
 
 def check_albedos(
-    albedos: Albedos, family: str, optical_depth: float = 2.0, between_yarns: bool = False
+    albedos: Albedos, family: str, optical_depth: float = 2.0, bound: LayerBound | None = None
 ) -> None:
     """Raises InputError unless the albedos are numbers from 0 to 1 within the energy bound.
 
     The message names `family`, the field, its thread and value, and the bound.
+
+    Args:
+        bound: see `albedos_from_colour`.
     """
     for name, values in albedos._asdict().items():
         good = (values >= 0) & (values <= 1)
@@ -109,15 +122,21 @@ def check_albedos(
                 f"{family}.{name} of thread {thread + 1} is {values[thread, channel]:.6g} in "
                 f"{'RGB'[channel]}: an albedo lies between 0 and 1."
             )
-    bound = layer_albedo_bound(optical_depth, between_yarns)
-    highlight = np.maximum(albedos.specular_reflect, albedos.specular_transmit)
+    layer = bound or LayerBound(layer_albedo_bound(optical_depth))
+    reflect, transmit = albedos.specular_reflect, albedos.specular_transmit
     diffuse = albedos.diffuse_reflect + albedos.diffuse_transmit
-    total = diffuse + bound * highlight
-    thread, channel = np.unravel_index(np.argmax(total), total.shape)
-    if total[thread, channel] > 1 + _TOLERANCE:
+    total = diffuse + layer.taken(reflect, transmit)
+    place = np.unravel_index(np.argmax(total), total.shape)
+    if total[place] > 1 + _TOLERANCE:
+        thread, channel = place
+        larger, smaller = max(reflect[place], transmit[place]), min(reflect[place], transmit[place])
+        names, numbers = "", ""
+        if layer.smaller > 0:
+            names = f" + {layer.smaller:.3f} × the smaller"
+            numbers = f" + {layer.smaller:.3f} × {smaller:.6g}"
         raise InputError(
-            f"{family}: diffuse_reflect + diffuse_transmit + {bound:.3f} × the larger of specular_reflect "
-            f"and specular_transmit of thread {thread + 1} is {diffuse[thread, channel]:.6g} + {bound:.3f} × "
-            f"{highlight[thread, channel]:.6g} = {total[thread, channel]:.6g} in {'RGB'[channel]}, and more "
+            f"{family}: diffuse_reflect + diffuse_transmit + {layer.larger:.3f} × the larger of "
+            f"specular_reflect and specular_transmit{names} of thread {thread + 1} is {diffuse[place]:.6g} + "
+            f"{layer.larger:.3f} × {larger:.6g}{numbers} = {total[place]:.6g} in {'RGB'[channel]}, and more "
             "than 1 would create light."
         )

@@ -109,5 +109,9 @@ class Appearance:
 
     @property
     def layer_bound(self) -> float:
-        """κ of the energy bound that the albedos keep (`albedo.layer_albedo_bound`)."""
-        return layer_albedo_bound(self.optical_depth, self.openness is not None)
+        """κ of the energy bound that the albedos keep, of the larger highlight (`albedo.LayerBound`)."""
+        if self.openness is None:
+            return layer_albedo_bound(self.optical_depth)
+        from loomlight.scattering.cloth_layer_bound import bound_in_use
+
+        return max(bound_in_use(family, self.optical_depth) for family in (self.warp, self.weft))

@@ -8,7 +8,7 @@ import re
 import warnings
 from collections.abc import Awaitable, Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 from urllib.parse import quote
 
 import anyio
@@ -25,6 +25,7 @@ from loomlight.core.errors import LoomlightError, LoomlightWarning
 from loomlight.fabric.fabric import Fabric
 from loomlight.viewer.access import Access, Guard
 from loomlight.viewer.fabric_json import fabric_of_json
+from loomlight.viewer.openness_json import openness_json
 from loomlight.viewer.saving import FORMATS, saved, tables_of
 from loomlight.viewer.session import gallery_pictures, session
 from loomlight.viewer.uploads import TooLargeResponse, UploadTooLargeError, read_body
@@ -35,6 +36,7 @@ _LARGEST_FABRIC = 64 << 20
 # Drafts that are read at once: each may take the memory that `wif_worker` allows.
 _READERS = 2
 
+Answer = TypeVar("Answer")
 Endpoint = Callable[[Request], Awaitable[Response]]
 
 
@@ -75,12 +77,17 @@ def editor_app(client: Path, fabric: Fabric | str | None, access: Access) -> Sta
         content = await anyio.to_thread.run_sync(_tables, asked, limiter=bakery)
         return Response(content, media_type="application/octet-stream")
 
+    async def openness(request: Request) -> Response:
+        asked = await _json_object(request)
+        return JSONResponse(await anyio.to_thread.run_sync(_openness, asked, limiter=bakery))
+
     return Starlette(
         routes=[
             Route("/api/session", _answered(get_session)),
             Route("/api/wif", _answered(read_draft), methods=["POST"]),
             Route("/api/save", _answered(save), methods=["POST"]),
             Route("/api/tables", _answered(tables), methods=["POST"]),
+            Route("/api/openness", _answered(openness), methods=["POST"]),
             Route("/api/{rest:path}", _answered(_unknown), methods=["GET", "POST"]),
             Mount("/gallery", StaticFiles(directory=gallery_pictures())),
             Mount("/", StaticFiles(directory=client, html=True)),
@@ -137,7 +144,11 @@ def _tables(asked: dict[str, Any]) -> bytes:
     return _quietly(lambda: tables_of(fabric_of_json(asked), str(asked.get("model"))))
 
 
-def _quietly(work: Callable[[], bytes]) -> bytes:
+def _openness(asked: dict[str, Any]) -> dict[str, list[float]]:
+    return _quietly(lambda: openness_json(fabric_of_json(asked)))
+
+
+def _quietly(work: Callable[[], Answer]) -> Answer:
     """Work without warnings about the fabric: the page shows its own while the user edits."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", LoomlightWarning)

@@ -75,6 +75,14 @@ def test_a_click_brings_the_other_thread_on_top_and_undo_takes_it_back(editor: A
     assert fabric_of(editor)["draft"]["drawdown"] == after["draft"]["drawdown"]
 
 
+def test_light_between_yarns_is_a_switch_of_the_fabric(editor: Any) -> None:
+    by_id(editor, "tab-finish").click()
+    by_id(editor, "between-yarns-on").check()
+    assert fabric_of(editor)["fields"]["interreflection"] is True
+    editor.keyboard.press("Control+z")
+    assert "interreflection" not in fabric_of(editor)["fields"]
+
+
 def test_keys_edit_the_draft(editor: Any) -> None:
     before = fabric_of(editor)
     by_id(editor, "tab-draft").click()

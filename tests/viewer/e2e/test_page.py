@@ -57,6 +57,8 @@ def test_static_folder_needs_no_python(plain_server: str, visit: Visit) -> None:
     assert not any("/api/" in url for url in visit.requests)
     visit.page.get_by_test_id("files").set_input_files(FIXTURES / "sinking-liftplan.wif")
     wait_until(visit.page, "window.loomlight.fabric().fields.draft === 'sinking-liftplan.wif'")
+    visit.page.get_by_test_id("tab-finish").click()
+    assert visit.page.get_by_test_id("between-yarns-on").is_enabled()
     visit.page.get_by_test_id("save").click()
     visit.page.get_by_test_id("save-loom").click()
     assert "Python" in visit.page.get_by_test_id("notice-fault").inner_text()

@@ -1,11 +1,12 @@
 /** The whole page. */
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 
 import type { Server } from "./api.ts";
 import { ServerError } from "./api.ts";
 import { Icon } from "./controls/Icon.tsx";
 import { ACCEPTED, download, fabricFiles, MESHES, openFabric, stemOf, wifFile } from "./files.ts";
 import { linkOf } from "./link.ts";
+import { OpennessSource } from "./openness.ts";
 import { ColourPanel } from "./panels/ColourPanel.tsx";
 import { DraftPanel } from "./panels/DraftPanel.tsx";
 import { FinishPanel } from "./panels/FinishPanel.tsx";
@@ -17,7 +18,7 @@ import { TABS, type Notice, type Tab } from "./state/document.ts";
 import { fabricForServer } from "./state/fabric_json.ts";
 import type { Store } from "./state/store.ts";
 import { TopBar, type SaveFormat } from "./TopBar.tsx";
-import type { ClothView, SurroundingsPicture } from "./view/cloth_view.ts";
+import type { ClothView, Print, SurroundingsPicture } from "./view/cloth_view.ts";
 import type { ClothShape } from "./view/meshes.ts";
 import type { TableSource } from "./view/served_models.ts";
 
@@ -36,13 +37,15 @@ const TAB_NAMES: Readonly<Record<Tab, string>> = {
   light: "Light",
 };
 /** Pictures of surroundings. */
-const SURROUNDINGS = /\.hdr$/i;
+const SURROUNDINGS = /\.(hdr|exr)$/i;
 
 export function App({ store, server, onView }: Props) {
   const [state, setState] = useState(store.state);
   const [ownMesh, setOwnMesh] = useState<ClothShape | null>(null);
   const [surroundings, setSurroundings] = useState<SurroundingsPicture | null>(null);
+  const [print, setPrint] = useState<Print | null>(null);
   const [isDropping, setDropping] = useState(false);
+  const [isFlat, setFlat] = useState(false);
   const view = useRef<ClothView | null>(null);
   const chooser = useRef<HTMLInputElement>(null);
   const { dispatch } = store;
@@ -50,6 +53,16 @@ export function App({ store, server, onView }: Props) {
   useEffect(() => store.subscribe(setState), [store]);
 
   const tell = (kind: Notice["kind"], text: string): void => dispatch({ type: "notice/add", kind, text });
+
+  const [answers, setAnswers] = useState(0);
+  const openness = useMemo(() => {
+    if (server === null || !server.hasPython) return null;
+    return new OpennessSource(
+      (fabric) => server.openness(fabricForServer(fabric)),
+      () => setAnswers((count) => count + 1),
+      (sentence) => tell("warning", `Light between yarns is not up to date. ${sentence}`),
+    );
+  }, [server]);
 
   const tables: TableSource = async (model, fabric) => {
     if (server === null || !server.hasPython)
@@ -93,6 +106,13 @@ export function App({ store, server, onView }: Props) {
     input.value = "";
     input.click();
   };
+
+  const openPrint = (file: File | undefined): Promise<void> =>
+    attempt(async () => {
+      if (file === undefined) return;
+      const { readPrint } = await import("./view/print_file.ts");
+      setPrint(await readPrint(file));
+    });
 
   const save = (format: SaveFormat): Promise<void> =>
     attempt(async () => {
@@ -142,12 +162,21 @@ export function App({ store, server, onView }: Props) {
   }, []);
 
   const panels: Readonly<Record<Tab, () => preact.ComponentChildren>> = {
-    weave: () => <WeavePanel fabric={state.fabric} gallery={server?.session.gallery ?? []} dispatch={dispatch} />,
+    weave: () => <WeavePanel fabric={state.fabric} gallery={server?.session.gallery ?? []} dispatch={dispatch} onOpen={() => choose(ACCEPTED)} />,
     draft: () => <DraftPanel fabric={state.fabric} dispatch={dispatch} />,
     colour: () => <ColourPanel fabric={state.fabric} dispatch={dispatch} />,
-    yarns: () => <YarnsPanel fabric={state.fabric} dispatch={dispatch} />,
-    finish: () => <FinishPanel fabric={state.fabric} dispatch={dispatch} />,
-    light: () => <LightPanel scene={state.scene} dispatch={dispatch} onPicture={() => choose(".hdr")} />,
+    yarns: () => <YarnsPanel fabric={state.fabric} dispatch={dispatch} isFlat={isFlat} />,
+    finish: () => (
+      <FinishPanel
+        fabric={state.fabric}
+        dispatch={dispatch}
+        print={print}
+        isFlat={isFlat}
+        onPrint={(file) => void openPrint(file)}
+        onPrintOff={() => setPrint(null)}
+      />
+    ),
+    light: () => <LightPanel scene={state.scene} dispatch={dispatch} isFlat={isFlat} onPicture={() => choose(".hdr,.exr")} />,
   };
   return (
     <div
@@ -163,26 +192,31 @@ export function App({ store, server, onView }: Props) {
         void open([...(event.dataTransfer?.files ?? [])]);
       }}
     >
-      <TopBar state={state} dispatch={dispatch} hasPython={server?.hasPython ?? false} onOpen={() => choose(ACCEPTED)} onSave={(format) => void save(format)} onLink={() => void copyLink()} />
+      <TopBar state={state} dispatch={dispatch} hasPython={server?.hasPython ?? false} isFlat={isFlat} onOpen={() => choose(ACCEPTED)} onSave={(format) => void save(format)} onLink={() => void copyLink()} />
       <Stage
         tables={tables}
         state={state}
         dispatch={dispatch}
         ownMesh={ownMesh}
         surroundings={surroundings}
-        onMesh={() => choose(".obj,.glb,.gltf")}
+        print={print}
+        openness={openness}
+        answers={answers}
+        onMesh={() => choose(".obj,.ply,.glb,.gltf")}
         onView={(made) => {
           view.current = made;
+          setFlat(made?.kind === "canvas");
           onView(made);
         }}
-      />
+      >
+        <Notices notices={state.notices} onDismiss={(id) => dispatch({ type: "notice/dismiss", id })} />
+      </Stage>
       <aside class="panel" aria-label="Fabric">
         <Tabs tab={state.tab} onTab={(tab) => dispatch({ type: "tab/show", tab })} />
         <div class="panel-body" role="tabpanel" id="panel" aria-labelledby={`tab-${state.tab}`} tabIndex={-1}>
           {panels[state.tab]()}
         </div>
       </aside>
-      <Notices notices={state.notices} onDismiss={(id) => dispatch({ type: "notice/dismiss", id })} />
       <input
         ref={chooser}
         type="file"

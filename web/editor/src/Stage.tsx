@@ -1,10 +1,12 @@
 /** The cloth, with what belongs to looking at it: shapes, distance, the wipe, the frame time. */
+import type { ComponentChildren } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 
 import { Icon } from "./controls/Icon.tsx";
-import { MODELS, nameOf, type Comparison, type Model, type Shape, type State } from "./state/document.ts";
+import type { OpennessSource } from "./openness.ts";
+import { MODELS, nameOf, type Comparison, type Fabric, type Model, type Shape, type State } from "./state/document.ts";
 import type { Dispatch } from "./state/store.ts";
-import { makeView, type ClothView, type SurroundingsPicture } from "./view/cloth_view.ts";
+import { makeView, type ClothView, type Print, type SurroundingsPicture } from "./view/cloth_view.ts";
 import { builtInShape, type ClothShape } from "./view/meshes.ts";
 import type { TableSource } from "./view/served_models.ts";
 
@@ -15,9 +17,16 @@ interface Props {
   readonly dispatch: Dispatch;
   readonly ownMesh: ClothShape | null;
   readonly surroundings: SurroundingsPicture | null;
+  /** Where openness of yarns comes from; null without Python. */
+  readonly openness: OpennessSource | null;
+  /** How often it has answered so far. */
+  readonly answers: number;
+  readonly print: Print | null;
   /** Chooses a mesh file. */
   readonly onMesh: () => void;
   readonly onView: (view: ClothView | null) => void;
+  /** What lies over the foot of the cloth. */
+  readonly children?: ComponentChildren;
 }
 
 const SHAPE_NAMES: readonly (readonly [Shape, string])[] = [
@@ -29,6 +38,9 @@ const SHAPE_NAMES: readonly (readonly [Shape, string])[] = [
   ["mesh", "Yours"],
 ];
 
+/** By mouse or by two fingers. */
+const CLOSER = matchMedia("(pointer: coarse)").matches ? "pinch to come closer" : "scroll to come closer";
+
 /** What each model is called, and what it is for the tooltip. */
 export const MODEL_NAMES: Readonly<Record<Model, readonly [string, string]>> = {
   lobes: ["Filtered", "lobes: averaged over the footprint of each pixel"],
@@ -39,7 +51,8 @@ export const MODEL_NAMES: Readonly<Record<Model, readonly [string, string]>> = {
   clustered: ["Clusters", "clustered: normals in clusters, averaged over the footprint; baked by Python"],
 };
 
-export function Stage({ tables, state, dispatch, ownMesh, surroundings, onMesh, onView }: Props) {
+export function Stage(props: Props) {
+  const { tables, state, dispatch, ownMesh, surroundings, print, openness, answers, onMesh, onView, children } = props;
   const host = useRef<HTMLDivElement>(null);
   const [view, setView] = useState<ClothView | null>(null);
   const [reason, setReason] = useState<string | null>(null);
@@ -85,11 +98,14 @@ export function Stage({ tables, state, dispatch, ownMesh, surroundings, onMesh, 
   useEffect(() => {
     if (view === null || lost !== null) return;
     try {
-      view.show({ fabric, scene, comparison, piece, surroundings });
+      // Without Python the renderer finds it.
+      const opennessOf = (of: Fabric) => openness?.of(of);
+      view.show({ fabric, scene, comparison, piece, surroundings, print, opennessOf });
+      if (view.kind === "webgpu") openness?.show(comparison.before === null ? [fabric] : [fabric, comparison.before]);
     } catch (error) {
       dispatch({ type: "notice/add", kind: "fault", text: error instanceof Error ? error.message : String(error) });
     }
-  }, [view, fabric, scene, comparison, piece, surroundings]);
+  }, [view, fabric, scene, comparison, piece, surroundings, print, answers]);
 
   useEffect(() => {
     if (view === null || lost !== null) return;
@@ -110,19 +126,25 @@ export function Stage({ tables, state, dispatch, ownMesh, surroundings, onMesh, 
     return () => cancelAnimationFrame(handle);
   }, [view, lost]);
 
-  const isWiping = comparison.mode !== "off" && (comparison.mode === "models" || comparison.before !== null);
+  const isWiping = comparison.mode === "models" ? view?.kind !== "canvas" : comparison.mode === "fabrics" && comparison.before !== null;
   return (
     <section class="stage" aria-label="Cloth">
       <div class="stage-view" ref={host} onPointerDown={() => setTouched(true)} onWheel={() => setTouched(true)} />
+      {children}
       {isWiping && <Wipe comparison={comparison} dispatch={dispatch} right={nameOf(fabric)} />}
       {lost !== null && <Lost text={lost} />}
       {reason !== null && lost === null && (
-        <p class="stage-reason" role="status" data-testid="no-webgpu">
-          {reason} Drafts, colours and saving work as ever.{" "}
-          <a href="https://caniuse.com/webgpu" rel="noreferrer">
-            Browsers that have it
-          </a>
-        </p>
+        <div class="stage-reason" role="status" data-testid="no-webgpu">
+          <details>
+            <summary>The cloth is shown flat, without light.</summary>
+            <p>
+              {reason} Drafts, colours and saving work as ever.{" "}
+              <a href="https://caniuse.com/webgpu" rel="noreferrer">
+                Browsers that have it
+              </a>
+            </p>
+          </details>
+        </div>
       )}
       <div class="stage-bar">
         {view?.kind !== "canvas" && <div class="shapes" role="radiogroup" aria-label="Shape of the cloth">
@@ -171,7 +193,9 @@ export function Stage({ tables, state, dispatch, ownMesh, surroundings, onMesh, 
           Preparing the light …
         </p>
       )}
-      {isDrawn && !isTouched && view?.kind === "webgpu" && lost === null && <p class="stage-hint">Drag to turn · scroll to come closer</p>}
+      {isDrawn && !isTouched && !isWiping && view !== null && lost === null && (
+        <p class="stage-hint">{view.kind === "webgpu" ? `Drag to turn · ${CLOSER}` : `Drag to move · ${CLOSER}`}</p>
+      )}
     </section>
   );
 }

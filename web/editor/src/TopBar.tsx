@@ -12,6 +12,8 @@ interface Props {
   readonly state: State;
   readonly dispatch: Dispatch;
   readonly hasPython: boolean;
+  /** Whether the cloth is shown flat: models then make no difference. */
+  readonly isFlat: boolean;
   readonly onOpen: () => void;
   readonly onSave: (format: SaveFormat) => void;
   readonly onLink: () => void;
@@ -24,7 +26,7 @@ const FORMATS: readonly (readonly [SaveFormat, string, string])[] = [
   ["loom", "Material", "baked, for renderers (.loom)"],
 ];
 
-export function TopBar({ state, dispatch, hasPython, onOpen, onSave, onLink }: Props) {
+export function TopBar({ state, dispatch, hasPython, isFlat, onOpen, onSave, onLink }: Props) {
   const { past, future } = state.history;
   const name = nameOf(state.fabric);
   return (
@@ -52,7 +54,7 @@ export function TopBar({ state, dispatch, hasPython, onOpen, onSave, onLink }: P
           <Icon name="open" />
           <span>Open</span>
         </button>
-        <CompareMenu state={state} dispatch={dispatch} />
+        <CompareMenu state={state} dispatch={dispatch} isFlat={isFlat} />
         <button type="button" class="button" data-testid="link" onClick={onLink} title="Copy a link that carries this fabric">
           <Icon name="link" />
           <span>Link</span>
@@ -89,7 +91,7 @@ function IconButton(props: { icon: IconName; label: string; keys: string; testid
   );
 }
 
-function CompareMenu({ state, dispatch }: { state: State; dispatch: Dispatch }) {
+function CompareMenu({ state, dispatch, isFlat }: { state: State; dispatch: Dispatch; isFlat: boolean }) {
   const { mode, before } = state.comparison;
   const item = (testid: string, title: string, hint: string, onChoose: () => void, close: () => void, isOff = false) => (
     <button
@@ -111,7 +113,7 @@ function CompareMenu({ state, dispatch }: { state: State; dispatch: Dispatch }) 
       {(close) => [
         item("compare-keep", "Keep this as “before”", "then change the cloth and wipe between both", () => dispatch({ type: "comparison/keep" }), close),
         item("compare-exchange", "Exchange before and after", "go back to the kept one, keep this", () => dispatch({ type: "comparison/exchange" }), close, before === null),
-        item("compare-models", "Two ways of rendering", "filtered against samples of points", () => dispatch({ type: "comparison/set", comparison: { mode: "models" } }), close),
+        item("compare-models", "Two ways of rendering", isFlat ? "needs a browser with WebGPU" : "filtered against samples of points", () => dispatch({ type: "comparison/set", comparison: { mode: "models" } }), close, isFlat),
         item("compare-off", "Stop comparing", "", () => dispatch({ type: "comparison/set", comparison: { mode: "off" } }), close, mode === "off"),
       ]}
     </Menu>

@@ -1,10 +1,12 @@
 /**
- * What the page asks of its server: the session, WIF files, materials and tables of models.
+ * What the page asks of its server: the session, WIF files, materials, tables of models and openness of yarns.
  *
  * `loomlight view` serves `api/session`. A static export names `session.json` instead (the `meta` element
  * `loomlight-session` of the page), and has no Python behind it: `hasPython` is false, and what needs the server
  * says so. Draft JSON is what `src/loomlight/viewer/draft_json.py` reads and writes.
  */
+
+import type { Openness } from "loomlight-web";
 
 /** Draft as JSON; `drawdown` is base64 of its bits, row by row without padding, the first bit highest. */
 export interface DraftJson {
@@ -108,6 +110,12 @@ export class Server {
   async tables(model: string, fabric: FabricJson): Promise<Uint8Array<ArrayBuffer>> {
     const response = await this.post("api/tables", JSON.stringify({ model, ...fabric }));
     return new Uint8Array(await response.arrayBuffer());
+  }
+
+  /** How much of the sky a fabric's yarns see. */
+  async openness(fabric: FabricJson): Promise<Openness> {
+    const response = await this.post("api/openness", JSON.stringify(fabric));
+    return (await response.json()) as Openness;
   }
 
   private async post(place: string, body: BodyInit): Promise<Response> {

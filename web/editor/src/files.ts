@@ -26,7 +26,7 @@ const LARGEST = 64 * 2 ** 20;
 /** A file that is a mesh. */
 export const MESHES = /\.(obj|glb|gltf|ply)$/i;
 /** What the dialogue offers. */
-export const ACCEPTED = ".toml,.wif,.dtx,.wpo,.twa,.png,.obj,.glb,.hdr";
+export const ACCEPTED = ".toml,.wif,.dtx,.wpo,.twa,.png,.obj,.ply,.glb,.hdr,.exr";
 
 export interface Opened {
   readonly fabric: Fabric;

@@ -9,6 +9,8 @@ export type Rgb = [number, number, number];
 
 const LAB = /^lab\(\s*([^\s,]+)[\s,]+([^\s,]+)[\s,]+([^\s,)]+)\s*\)$/i;
 const HEX = /^#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})$/;
+/** A colour in a measurement file, which only Python reads. */
+const MEASURED = /\.(csv|cxf|xml)(#.*)?$/i;
 
 /** Linear value of an sRGB-encoded one, both in [0, 1] (IEC 61966-2-1). */
 export function srgbToLinear(encoded: number): number {
@@ -31,6 +33,11 @@ export function parseColour(value: unknown, field: string): Rgb {
     const lab = LAB.exec(value.trim());
     if (lab !== null) return linearOfLab(lab.slice(1).map((part) => Number(part.replace(/%$/, ""))), value, field);
     const digits = HEX.exec(value.trim())?.[1];
+    if (digits === undefined && MEASURED.test(value.trim()))
+      throw new InputError(
+        `${field} = "${value}" is a measured colour in a file beside the fabric, which a page cannot read: ` +
+          "open the fabric by `loomlight view`, or write lab(L a b).",
+      );
     if (digits === undefined)
       throw new InputError(`${field} = "${value}" is no colour: write sRGB hex such as "#20305c".`);
     const pairs = digits.length === 3 ? [...digits].map((digit) => digit + digit) : (digits.match(/../g) ?? []);

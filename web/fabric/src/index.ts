@@ -6,6 +6,7 @@ export * from "./defaults.ts";
 export * from "./draft.ts";
 export * from "./edit.ts";
 export * from "./errors.ts";
+export * from "./facts.ts";
 export * from "./fields.ts";
 export * from "./json.ts";
 export * from "./load.ts";

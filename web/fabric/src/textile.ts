@@ -61,3 +61,11 @@ export function yarnDiameterMm(
 ): number {
   return Math.sqrt((4 * yarnTex(count)) / (Math.PI * 1000 * density * packing));
 }
+
+/** Linear density in tex of a round yarn of that diameter in millimetres: see `yarnDiameterMm`. */
+export function texOfDiameter(
+  diameterMm: number,
+  { density, packing } = { density: COTTON_DENSITY, packing: DEFAULT_PACKING },
+): number {
+  return diameterMm ** 2 * ((Math.PI / 4) * 1000 * density * packing);
+}

@@ -3,6 +3,7 @@ import { describe, expect, it } from "vitest";
 import {
   asLiftplan,
   asTreadling,
+  clothFacts,
   colouredDraft,
   deriveLoomPlan,
   draftFromJson,
@@ -13,6 +14,7 @@ import {
   planDrawdown,
   readToml,
   readWif,
+  settsOfWeight,
   threadHexes,
   turnedOver,
   weaveNames,
@@ -23,6 +25,7 @@ import {
   withSize,
   withThreadHexes,
   writeToml,
+  type FabricFields,
   writeWif,
   type Draft,
 } from "../src/index.ts";
@@ -120,5 +123,29 @@ describe("drafts in files", () => {
       expect(wif.drawdown).toEqual(draft.drawdown);
       expect(threadHexes(wif, "weft")).toEqual(threadHexes(draft, "weft"));
     }
+  });
+});
+
+describe("the weight of cloth", () => {
+  const counted = (sett: number): FabricFields => ({
+    weave: "twill 2/2",
+    ends_per_cm: sett,
+    picks_per_cm: sett,
+    warp: { count: "30 tex" },
+    weft: { count: "Nm 28" },
+  });
+
+  it("finds the sett that it came from", () => {
+    const draft = loadDraft(counted(18));
+    const { weight } = clothFacts(counted(18), draft);
+    const setts = settsOfWeight(counted(30), draft, weight);
+    expect(setts.warp).toBeCloseTo(18, 2);
+    expect(setts.weft).toBeCloseTo(18, 2);
+  });
+
+  it("is refused where no sett or no count gives it", () => {
+    const draft = loadDraft(counted(18));
+    expect(() => settsOfWeight(counted(18), draft, -1)).toThrow(/weight = -1 g\/m² is none of cloth of these yarns/);
+    expect(() => settsOfWeight({ weave: "plain" }, draft, 200)).toThrow(/counts of both families/);
   });
 });

@@ -2,6 +2,7 @@
 import {
   bendsOf,
   bitsToText,
+  clothFacts,
   colouredDraft,
   FABRIC,
   familySpacing,
@@ -66,7 +67,7 @@ function fabric(fields: FabricFields, named: Draft): object {
     const spacing = familySpacing(fields, family, draft);
     return [...spacing, ...familyWidth(fields, family, draft, spacing)];
   };
-  return { ...described(draft), bends: [warp, weft], lengths: { warp: widths("warp"), weft: widths("weft") } };
+  return { ...described(draft), bends: [warp, weft], weight: clothFacts(fields, draft).weight, lengths: { warp: widths("warp"), weft: widths("weft") } };
 }
 
 function described(draft: Draft): object {

@@ -324,11 +324,29 @@ export const WHITE_SHARE = 0.3;
 export const ALBEDO_TOLERANCE = 1e-05;
 export const FIBRES_ACROSS = 30;
 
+// scattering/cloth_layer_bound.py
+export const DEEP_MARGIN = [1.1, 0.08] as const;
+export const THIN_MARGIN = [0.6, 1.0] as const;
+export const MARGIN_FADE = 2.0;
+
 // scattering/detail.py, fabric/defaults.py
 export const SLUB_LENGTH = 9.0;
 export const TONE_OF_TILT = 0.5;
 export const MOST_TONE = 0.15;
 export const PLY_TWIST_DEG = 24.0;
+
+// fabric/authored_colour.py
+export const HALVINGS = 20;
+
+// scattering/openness.py, fibre.py
+export const OBLIQUE_RAYS = 6144;
+export const FACING_RAYS = 2048;
+export const FACING_COSINE = 0.9902680687415704;
+export const SMALLEST_VIEW_COSINE = 0.03;
+export const SMALLEST_OPENNESS_SHARE = 0.05;
+export const OPENNESS_NUMBERS = 10;
+export const MEAN_TURNED = [0.297, -0.086, -3.12] as const;
+export const MEAN_THROUGH = [0.579, 0.31, -2.014, 0.786] as const;
 
 // fabric/fabric.py
 export const MAXIMUM_CROSSINGS = 67108864;
@@ -362,19 +380,9 @@ export const MAX_PYRAMID_BYTES = 58720256;
 
 // realtime/tables.py, openness_tables.py, bake.py
 export const NO_OPENNESS = 4294967295;
+export const OPENNESS_PARTS = [["by_view", 60] as const, ["by_point", 72] as const, ["warp_seen", 10] as const, ["interior", 4] as const, ["meets", 8] as const, ["blocks", 4] as const, ["per_relief", 1] as const, ["layers", 4] as const] as const;
 export const SMALLEST_OPEN_SHARE = 0.001;
 export const FIRST_WEIGHT = 16;
-
-// scattering/openness.py, fibre.py, fabric/authored_colour.py
-export const OBLIQUE_RAYS = 6144;
-export const FACING_RAYS = 2048;
-export const FACING_COSINE = 0.9902680687415704;
-export const SMALLEST_VIEW_COSINE = 0.03;
-export const SMALLEST_OPENNESS_SHARE = 0.05;
-export const OPENNESS_NUMBERS = 10;
-export const MEAN_TURNED = [0.297, -0.086, -3.12] as const;
-export const MEAN_THROUGH = [0.579, 0.31, -2.014, 0.786] as const;
-export const COLOUR_HALVINGS = 20;
 
 // realtime/bvh.py, scene_words.py, albedo_map.py, environment.py
 export const FACES_A_LEAF = 4;

@@ -1,4 +1,5 @@
 /** Woven cloth on WebGPU: bakes fabrics in the page and renders meshes of cloth. */
+export type { Openness } from "./fabric/between_yarns.ts";
 export { lookOf, type Appearance, type ClothLayout, type FamilyLayout, type Look } from "./fabric/look.ts";
 export { NO_ADAPTER, NO_WEBGPU } from "./gpu/device.ts";
 export { BUDGET, type Budget } from "./pace.ts";

@@ -1,6 +1,7 @@
 /** Renders meshes of cloth on WebGPU; see `realtime/renderer.py`, whose frames it makes. */
 import { InputError, type Draft, type FabricFields } from "loomlight-fabric";
 
+import type { Openness } from "./fabric/between_yarns.ts";
 import { DEFAULT_ENVIRONMENT_SAMPLES, DEFAULT_SAMPLES } from "./generated.ts";
 import { ClothBuffers } from "./gpu/cloth_buffers.ts";
 import { Device, type DeviceOptions } from "./gpu/device.ts";
@@ -150,12 +151,13 @@ export class ClothRenderer {
    * Another fabric, or an edit of it, for piece `number`: only what changes is written, and only tables that change
    * are baked. Where tables from Python are shown, the picture changes with the next `setTables`.
    *
+   * @param openness what light between yarns needs; see `Piece`.
    * @throws InputError a fabric that cannot be; the picture stays as it is.
    */
-  setFabric(number: number, fields: FabricFields, draft: Draft): void {
+  setFabric(number: number, fields: FabricFields, draft: Draft, openness?: Openness | null): void {
     const cloth = this.require();
     const begin = performance.now();
-    cloth.setFabric(number, fields, draft);
+    cloth.setFabric(number, fields, draft, openness);
     this.done.editMs = performance.now() - begin;
     this.shown = "";
   }

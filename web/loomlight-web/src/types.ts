@@ -1,6 +1,8 @@
 /** What a renderer shows and what it tells. Lengths are metres but for `uvSizeMm`; colours are linear RGB. */
 import type { Draft, FabricFields } from "loomlight-fabric";
 
+import type { Openness } from "./fabric/between_yarns.ts";
+
 export type Vector3 = readonly [number, number, number];
 
 /** Triangles with normals and uv, as flat arrays. */
@@ -30,6 +32,11 @@ export interface Piece {
   readonly fields: FabricFields;
   /** The draft that the fields name, as `loadDraft` returns it. */
   readonly draft: Draft;
+  /**
+   * What light between yarns needs, where the fields say `interreflection`: the numbers that Python found, or null for
+   * direct light alone. Without it the renderer finds them by rays on the adapter.
+   */
+  readonly openness?: Openness | null;
   /** Millimetres per unit of u and of v; 100 by default. */
   readonly uvSizeMm?: readonly [number, number];
   /** Diffuse albedos are multiplied by this picture, 0 to 1, over the unit of uv, which repeats; v runs down. */

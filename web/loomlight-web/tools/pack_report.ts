@@ -2,8 +2,9 @@
 import type { Draft, FabricFields, Threads } from "loomlight-fabric";
 
 import { planBake } from "../src/fabric/bake_plan.ts";
+import type { Openness } from "../src/fabric/between_yarns.ts";
 import { geometryOf, heightBounds } from "../src/fabric/geometry.ts";
-import { lookOf } from "../src/fabric/look.ts";
+import { lookOf, type Look } from "../src/fabric/look.ts";
 import { opennessOf } from "../src/fabric/openness.ts";
 import { packFabrics, prepare } from "../src/fabric/pack.ts";
 import { DEFAULT_GROUPS } from "../src/generated.ts";
@@ -24,18 +25,16 @@ export interface FabricQuestion {
   readonly warp: ThreadsQuestion;
   readonly weft: ThreadsQuestion;
   readonly uvSizeMm: [number, number];
-  /** Words that the kernel `bake_openness` would write, where light goes between yarns. */
-  readonly rays?: number[];
+  readonly openness: Openness | null;
+  /** What the kernel `bake_openness` would write of that fabric, in place of `openness`. */
+  readonly rays?: readonly number[];
 }
 
 /** Bytes of the buffers of a fabric with room for baked tables, and of what its bake is told. */
 export function report(question: FabricQuestion): Record<string, Uint8Array> {
   const draft = draftOf(question);
-  const { layout } = lookOf(question.fields, draft);
-  const openness = question.rays
-    ? opennessOf(Uint32Array.from(question.rays), heightBounds(geometryOf(layout), layout)[1])
-    : null;
-  const look = lookOf(question.fields, draft, openness);
+  const given = lookOf(question.fields, draft, question.openness);
+  const look = question.rays === undefined ? given : lookOf(question.fields, draft, opennessFrom(question.rays, given));
   const plan = planBake(look.layout, DEFAULT_GROUPS);
   const packed = packFabrics([prepare(look, question.uvSizeMm, plan)]);
   const parts = {
@@ -46,6 +45,12 @@ export function report(question: FabricQuestion): Record<string, Uint8Array> {
     steps: bakeSteps(plan),
   };
   return Object.fromEntries(Object.entries(parts).map(([name, words]) => [name, new Uint8Array(words.buffer)]));
+}
+
+function opennessFrom(rays: readonly number[], { layout, appearance }: Look): Openness {
+  const { warp, weft, opticalDepth } = appearance;
+  const highest = heightBounds(geometryOf(layout), layout)[1];
+  return opennessOf(Uint32Array.from(rays), highest, [warp.roughness, weft.roughness], opticalDepth);
 }
 
 function draftOf(question: FabricQuestion): Draft {

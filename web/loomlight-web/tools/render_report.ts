@@ -9,13 +9,20 @@ import { join } from "node:path";
 import process from "node:process";
 import { pathToFileURL } from "node:url";
 
-import type { Camera, ClothRenderer, Environment, FrameReport, Light, Mesh, ModelName, Statistics } from "../src/index.ts";
+import type { Camera, ClothRenderer, Environment, FrameReport, Light, Mesh, ModelName, Openness, Statistics } from "../src/index.ts";
 
 /** What is set anew before a picture; what is missing stays as it was. */
 interface Step {
-  readonly pieces?: readonly { readonly mesh: Mesh; readonly fabric: string; readonly uvSizeMm: [number, number] }[];
+  readonly pieces?: readonly {
+    readonly mesh: Mesh;
+    readonly fabric: string;
+    readonly uvSizeMm: [number, number];
+    readonly openness: Openness | null;
+  }[];
   /** The text of a fabric file for the first piece, as an edit. */
   readonly fabric?: string;
+  /** Of that fabric. */
+  readonly openness?: Openness | null;
   readonly model?: readonly [ModelName, samples: number];
   /** A model whose tables Python packed, and the file of them in the folder. */
   readonly tables?: readonly [ModelName, file: string];
@@ -65,11 +72,11 @@ async function take(renderer: ClothRenderer, step: Step): Promise<void> {
   if (step.model) renderer.setModel(step.model[0], { samples: step.model[1] });
   if (step.pieces)
     renderer.setPieces(
-      step.pieces.map(({ mesh, fabric, uvSizeMm }) => ({ mesh, uvSizeMm, ...web.fabricOf(fabric) })),
+      step.pieces.map(({ mesh, fabric, uvSizeMm, openness }) => ({ mesh, uvSizeMm, openness, ...web.fabricOf(fabric) })),
     );
   if (step.fabric !== undefined) {
     const { fields, draft } = web.fabricOf(step.fabric);
-    renderer.setFabric(0, fields, draft);
+    renderer.setFabric(0, fields, draft, step.openness);
   }
   if (step.tables) renderer.setTables(step.tables[0], readFileSync(join(folder, step.tables[1])));
   if (step.lights) renderer.setLights(step.lights);

@@ -5,9 +5,10 @@ interface Props<T extends string> {
   readonly value: T;
   readonly onChoose: (value: T) => void;
   readonly testid: string;
+  readonly isDisabled?: boolean;
 }
 
-export function Segmented<T extends string>({ label, choices, value, onChoose, testid }: Props<T>) {
+export function Segmented<T extends string>({ label, choices, value, onChoose, testid, isDisabled = false }: Props<T>) {
   return (
     <div class="segmented" role="radiogroup" aria-label={label}>
       {choices.map(([choice, text]) => (
@@ -16,6 +17,7 @@ export function Segmented<T extends string>({ label, choices, value, onChoose, t
             type="radio"
             name={testid}
             checked={choice === value}
+            disabled={isDisabled}
             data-testid={`${testid}-${choice}`}
             onChange={() => onChoose(choice)}
           />

@@ -15,6 +15,7 @@ interface Props {
   readonly onReset?: () => void;
 }
 
+const MINUS = "\u2212";
 let strokes = 0;
 
 /** A name that no other gesture has. */
@@ -29,8 +30,10 @@ export function Slider({ field, quantity, value, isOwn, onValue, onReset }: Prop
   const { label, tip, low, high, step, unit, ends } = quantity;
   const bounded = Math.min(Math.max(value, low), high);
   const share = ((bounded - low) / (high - low)) * 100;
+  // Where both directions matter the bar grows from zero.
+  const origin = -low > high / 2 ? (-low / (high - low)) * 100 : 0;
   const enter = (text: string): void => {
-    const number = Number(text.replace(",", "."));
+    const number = Number(text.replace(",", ".").replace(MINUS, "-"));
     if (text.trim() !== "" && Number.isFinite(number)) onValue(number, newStroke());
   };
   return (
@@ -66,7 +69,7 @@ export function Slider({ field, quantity, value, isOwn, onValue, onReset }: Prop
         title={tip}
         aria-description={tip}
         data-testid={`field-${field}`}
-        style={{ "--share": `${share}%` }}
+        style={{ "--from": `${Math.min(share, origin)}%`, "--to": `${Math.max(share, origin)}%` }}
         onPointerDown={() => (stroke.current = newStroke())}
         onKeyDown={() => (stroke.current = `key-${field}`)}
         onInput={(event) => onValue(event.currentTarget.valueAsNumber, stroke.current)}
@@ -83,5 +86,5 @@ export function Slider({ field, quantity, value, isOwn, onValue, onReset }: Prop
 
 function shownNumber(value: number, step: number): string {
   const digits = step >= 1 ? (Number.isInteger(value) ? 0 : 1) : step >= 0.1 ? 1 : 2;
-  return value.toFixed(digits);
+  return value.toFixed(digits).replace(/^-(?=.*[1-9])/, MINUS).replace(/^-/, "");
 }

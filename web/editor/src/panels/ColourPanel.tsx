@@ -2,6 +2,7 @@
 import { coloursInUse, FAMILIES, InputError, threadHexes, type FamilyName } from "loomlight-fabric";
 import { useEffect, useRef, useState } from "preact/hooks";
 
+import { ColourText } from "../controls/ColourText.tsx";
 import { newStroke } from "../controls/Slider.tsx";
 import { woven, type Fabric } from "../state/document.ts";
 import type { Dispatch } from "../state/store.ts";
@@ -24,6 +25,7 @@ export function ColourPanel({ fabric, dispatch }: Props) {
   return (
     <>
       <Brush fabric={fabric} value={colour} onValue={setBrush} />
+      <p class="note">Each colour can be written: #30497a, or lab(31 6 -32) as a spectrophotometer says it (D65).</p>
       {FAMILIES.map((family) => (
         <Family key={family} family={family} hexes={hexes[family]} brush={colour} fabric={fabric} dispatch={dispatch} />
       ))}
@@ -60,22 +62,28 @@ function Family({ family, hexes, brush, dispatch }: FamilyProps) {
       <ul class="palette">
         {used.slice(0, MOST_LISTED).map(({ hex, count }, index) => (
           <li key={index}>
-            <label>
-              <input
-                type="color"
-                value={hex}
-                aria-label={`${TITLES[family]} colour ${index + 1}`}
-                data-testid={`colour-${family}-${index}`}
-                onPointerDown={() => (stroke.current = newStroke())}
-                onInput={(event) =>
-                  dispatch({ type: "colour/swap", family, from: hex, to: event.currentTarget.value, stroke: stroke.current })
-                }
-              />
-              <code>{hex}</code>
-            </label>
-            <span class="hint">
-              {count} {count === 1 ? "thread" : "threads"}
-            </span>
+            <input
+              type="color"
+              value={hex}
+              aria-label={`${TITLES[family]} colour ${index + 1}`}
+              data-testid={`colour-${family}-${index}`}
+              onPointerDown={() => (stroke.current = newStroke())}
+              onInput={(event) =>
+                dispatch({ type: "colour/swap", family, from: hex, to: event.currentTarget.value, stroke: stroke.current })
+              }
+            />
+            <ColourText
+              hex={hex}
+              label={`${TITLES[family]} colour ${index + 1}, written`}
+              field={`${family} colour ${index + 1}`}
+              testid={`written-${family}-${index}`}
+              onHex={(to) => dispatch({ type: "colour/swap", family, from: hex, to, stroke: newStroke() })}
+              after={
+                <span class="hint">
+                  {count} {count === 1 ? "thread" : "threads"}
+                </span>
+              }
+            />
           </li>
         ))}
         {used.length > MOST_LISTED && <li class="hint">and {used.length - MOST_LISTED} more</li>}

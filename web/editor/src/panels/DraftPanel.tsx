@@ -23,7 +23,7 @@ export function DraftPanel({ fabric, dispatch }: Props) {
   const firstEnd = Math.min(page.end, Math.floor((draft.ends - 1) / WINDOW) * WINDOW);
   const firstPick = Math.min(page.pick, Math.floor((draft.picks - 1) / WINDOW) * WINDOW);
   const shown = Math.min(Math.max(draft.ends, draft.picks), WINDOW) + Math.min(loom.shafts, 40);
-  const cell = shown <= 18 ? 18 : shown <= 26 ? 14 : shown <= 40 ? 11 : 8;
+  const cell = shown <= 8 ? 26 : shown <= 10 ? 22 : shown <= 18 ? 18 : shown <= 26 ? 14 : shown <= 40 ? 11 : 8;
   const colour = brush ?? threadHexes(draft, "weft")[0] ?? "#ffffff";
   const isLiftplan = loom.tieup === null;
   return (

@@ -12,6 +12,8 @@ interface Props {
   readonly dispatch: Dispatch;
   /** Opens a picture of surroundings of the user's own. */
   readonly onPicture: () => void;
+  /** Whether the cloth is shown flat, without light. */
+  readonly isFlat: boolean;
 }
 
 const quantity = (label: string, tip: string, low: number, high: number, step: number, rest: Partial<Quantity> = {}): Quantity => ({
@@ -24,12 +26,12 @@ const quantity = (label: string, tip: string, low: number, high: number, step: n
   ...rest,
 });
 
-const LAMP_STRENGTH = quantity("Lamp", "Irradiance of the lamp, times that as designed", 0, 3, 0.05);
-const SURROUNDINGS = quantity("Surroundings", "Radiance of the surroundings, times that as designed", 0, 3, 0.05);
+const LAMP_STRENGTH = quantity("Brightness", "Irradiance of the lamp, times that as designed", 0, 3, 0.05);
+const SURROUNDINGS = quantity("Brightness of the room", "Radiance of the surroundings, times that as designed", 0, 3, 0.05);
 const TURN = quantity("Turn the room", "Turns the surroundings about the vertical", -180, 180, 1, { unit: "°" });
 const EXPOSURE = quantity("Exposure", "Stops: each doubles the light", -4, 4, 0.1, { ends: ["darker", "brighter"] });
-const AZIMUTH = quantity("Lamp, round", "Azimuth of the lamp: 0 in front, 90 to the right", -180, 180, 1, { unit: "°" });
-const ELEVATION = quantity("Lamp, up", "Elevation of the lamp above the horizon", -10, 90, 1, { unit: "°" });
+const AZIMUTH = quantity("Around the cloth", "Azimuth of the lamp: 0 in front, 90 to the right", -180, 180, 1, { unit: "°" });
+const ELEVATION = quantity("Height", "Elevation of the lamp above the horizon", -10, 90, 1, { unit: "°" });
 
 const CHOICES: readonly (readonly [Surroundings, string])[] = [
   ["studio", "Studio"],
@@ -39,7 +41,7 @@ const CHOICES: readonly (readonly [Surroundings, string])[] = [
   ["picture", "Yours"],
 ];
 
-export function LightPanel({ scene, dispatch, onPicture }: Props) {
+export function LightPanel({ scene, dispatch, onPicture, isFlat }: Props) {
   const slider = (field: keyof Scene, about: Quantity) => (
     <Slider
       field={`scene.${field}`}
@@ -51,6 +53,7 @@ export function LightPanel({ scene, dispatch, onPicture }: Props) {
   );
   return (
     <>
+      {isFlat && <p class="note is-flat">Here the cloth is shown flat: light needs a browser with WebGPU.</p>}
       <section class="group">
         <h2>Lamp</h2>
         <LampDial scene={scene} dispatch={dispatch} />
@@ -79,7 +82,7 @@ export function LightPanel({ scene, dispatch, onPicture }: Props) {
 }
 
 /** The lamp over the cloth, seen from the front: drag it. */
-function LampDial({ scene, dispatch }: Omit<Props, "onPicture">) {
+function LampDial({ scene, dispatch }: Pick<Props, "scene" | "dispatch">) {
   const dial = useRef<SVGSVGElement>(null);
   const around = (scene.lampAzimuth * Math.PI) / 180;
   const reach = 1 - Math.max(scene.lampElevation, 0) / 90;

@@ -12,6 +12,8 @@ interface Props {
   readonly fabric: Fabric;
   readonly gallery: readonly GalleryEntry[];
   readonly dispatch: Dispatch;
+  /** Chooses files to open. */
+  readonly onOpen: () => void;
 }
 
 const GROUPS: readonly (readonly [string, readonly string[]])[] = [
@@ -25,20 +27,22 @@ const GROUPS: readonly (readonly [string, readonly string[]])[] = [
 const TILE_THREADS = 24;
 const TILE_SIDE = 96;
 
-export function WeavePanel({ fabric, gallery, dispatch }: Props) {
+export function WeavePanel({ fabric, gallery, dispatch, onOpen }: Props) {
   const current = fabric.fields.weave ?? "";
   const [name, setName] = useState(current);
   useEffect(() => setName(current), [current]);
   return (
     <>
-      <section class="group">
-        <h2>Fabrics</h2>
-        <div class="tiles tiles-wide">
-          {gallery.map((entry) => (
-            <FabricTile key={entry.id} entry={entry} onChoose={(opened) => dispatch({ type: "fabric/open", fabric: opened })} />
-          ))}
-        </div>
-      </section>
+      {gallery.length > 0 && (
+        <section class="group">
+          <h2>Fabrics</h2>
+          <div class="tiles tiles-wide">
+            {gallery.map((entry) => (
+              <FabricTile key={entry.id} entry={entry} current={fabric} onChoose={(opened) => dispatch({ type: "fabric/open", fabric: opened })} />
+            ))}
+          </div>
+        </section>
+      )}
       <section class="group">
         <h2>Weaves</h2>
         <form
@@ -64,6 +68,13 @@ export function WeavePanel({ fabric, gallery, dispatch }: Props) {
             Weave
           </button>
         </form>
+        <p class="note">
+          Or your own: drop a draft (.wif), a picture of a drawdown or a fabric on the page, or{" "}
+          <button type="button" class="text-button" data-testid="open-own" onClick={onOpen}>
+            choose a file
+          </button>
+          .
+        </p>
         {GROUPS.map(([title, weaves]) => (
           <div key={title}>
             <h3>{title}</h3>
@@ -129,10 +140,10 @@ function css(colors: Float64Array, thread: number): string {
   return `rgb(${encoded.join(" ")})`;
 }
 
-function FabricTile({ entry, onChoose }: { entry: GalleryEntry; onChoose: (fabric: Fabric) => void }) {
+function FabricTile({ entry, current, onChoose }: { entry: GalleryEntry; current: Fabric; onChoose: (fabric: Fabric) => void }) {
   const fabric = useMemo(() => fabricFromJson({ fields: entry.fields, draft: entry.draft }), [entry]);
   return (
-    <button type="button" class="tile" title={entry.description} data-testid={`fabric-${entry.id}`} onClick={() => onChoose(fabric)}>
+    <button type="button" class={`tile${fabric === current ? " is-chosen" : ""}`} aria-pressed={fabric === current} title={entry.description} data-testid={`fabric-${entry.id}`} onClick={() => onChoose(fabric)}>
       {entry.picture === null ? <DrawnCloth fabric={fabric} /> : <img src={entry.picture} alt="" width={160} height={100} />}
       <span>{entry.name}</span>
     </button>

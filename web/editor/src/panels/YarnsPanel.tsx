@@ -1,9 +1,24 @@
 /** Warp and weft yarns: how they shine, how they lie, how thick they are. */
-import { bendsOf, familySpacing, familyWidth, FAMILIES, threadsPerCm, withYarns, yarnTex, YARN_PRESETS, type FamilyName } from "loomlight-fabric";
-import { useState } from "preact/hooks";
+import {
+  bendsOf,
+  clothFacts,
+  familySpacing,
+  familyWidth,
+  FAMILIES,
+  InputError,
+  parseColour,
+  settsOfWeight,
+  threadsPerCm,
+  toHex,
+  withYarns,
+  yarnTex,
+  YARN_PRESETS,
+  type FamilyName,
+} from "loomlight-fabric";
+import { useRef, useState } from "preact/hooks";
 
 import { Segmented } from "../controls/Segmented.tsx";
-import { Slider } from "../controls/Slider.tsx";
+import { newStroke, Slider } from "../controls/Slider.tsx";
 import { CLOTH_QUANTITIES, YARN_QUANTITIES } from "../controls/symbols.ts";
 import { woven, type Fabric } from "../state/document.ts";
 import type { Dispatch } from "../state/store.ts";
@@ -13,9 +28,14 @@ interface Props {
   readonly dispatch: Dispatch;
 }
 
+interface PanelProps extends Props {
+  /** Whether the cloth is shown flat, without light. */
+  readonly isFlat: boolean;
+}
+
 type Choice = FamilyName | "both";
 
-export function YarnsPanel({ fabric, dispatch }: Props) {
+export function YarnsPanel({ fabric, dispatch, isFlat }: PanelProps) {
   const [choice, choose] = useState<Choice>("both");
   const families = choice === "both" ? FAMILIES : [choice];
   return (
@@ -31,10 +51,12 @@ export function YarnsPanel({ fabric, dispatch }: Props) {
         value={choice}
         onChoose={choose}
       />
+      {isFlat && <p class="note is-flat">Here the cloth is shown flat: sett, openness and count show; lustre, twist and relief need WebGPU.</p>}
       <section class="group">
         <h2>Sett</h2>
         {choice !== "weft" && <SettSlider fabric={fabric} dispatch={dispatch} family="warp" />}
         {choice !== "warp" && <SettSlider fabric={fabric} dispatch={dispatch} family="weft" />}
+        <WeightField fabric={fabric} dispatch={dispatch} />
       </section>
       <section class="group">
         <h2>Yarn</h2>
@@ -43,6 +65,7 @@ export function YarnsPanel({ fabric, dispatch }: Props) {
         {["gap", "specular", "roughness", "translucency"].map((key) => (
           <YarnSlider key={key} fabric={fabric} dispatch={dispatch} families={families} name={key} />
         ))}
+        <TintField fabric={fabric} dispatch={dispatch} families={families} />
       </section>
       <section class="group">
         <h2>How it is spun</h2>
@@ -126,7 +149,7 @@ function KindField({ fabric, dispatch, families }: FamiliesProps) {
   const kind = kinds.every((each) => each === kinds[0]) ? kinds[0]! : "mixed";
   const label = families.length === 2 ? "both" : families[0]!;
   return (
-    <div class="row">
+    <div class="row is-field">
       <label class="tip" data-tip="Other defaults of gloss, roughness, translucency and twist (yarn)" for={`kind-${label}`}>
         Kind of yarn
       </label>
@@ -157,8 +180,8 @@ function CountField({ fabric, dispatch, families }: FamiliesProps) {
   const tex = count === "" ? null : `${Math.round(yarnTex(count))} tex`;
   const label = families.length === 2 ? "both" : families[0]!;
   return (
-    <div class="row">
-      <label class="tip" data-tip="Gives the width of a cotton yarn of that count, in place of the openness" for={`count-${label}`}>
+    <div class="row is-field">
+      <label class="tip" data-tip="Gives the width of a round yarn of that count and kind, in place of the openness" for={`count-${label}`}>
         Yarn count
       </label>
       <input
@@ -175,6 +198,77 @@ function CountField({ fabric, dispatch, families }: FamiliesProps) {
         }}
       />
       {tex !== null && <span class="hint">{tex}</span>}
+    </div>
+  );
+}
+
+/** What a square metre weighs; with counts of both yarns it can be set, and the sett follows. */
+function WeightField({ fabric, dispatch }: Props) {
+  const { weight, isCounted } = clothFacts(fabric.fields, woven(fabric));
+  const [fault, setFault] = useState("");
+  const apply = (text: string): void => {
+    try {
+      const setts = settsOfWeight(fabric.fields, woven(fabric), Number(text.replace(",", ".")));
+      const stroke = newStroke();
+      dispatch({ type: "field/set", field: "ends_per_cm", value: setts.warp, stroke });
+      dispatch({ type: "field/set", field: "picks_per_cm", value: setts.weft, stroke });
+      setFault("");
+    } catch (error) {
+      if (!(error instanceof InputError)) throw error;
+      setFault(error.message);
+    }
+  };
+  return (
+    <div class="row is-field">
+      <label class="tip" for="weight" data-tip="Threads per metre times their tex and crimp (Peirce 1937). Give both yarns a count, and you can set it: the sett follows">
+        Weight
+      </label>
+      {isCounted ? (
+        <>
+          <input id="weight" class="text" type="text" inputMode="decimal" value={weight.toFixed(0)} aria-invalid={fault !== ""} data-testid="weight" onChange={(event) => apply(event.currentTarget.value)} />
+          <span class="hint">g/m²</span>
+        </>
+      ) : (
+        <output id="weight" class="hint" data-testid="weight">
+          at most {weight.toFixed(0)} g/m², without counts
+        </output>
+      )}
+      {fault !== "" && (
+        <span class="fault" role="alert">
+          {fault}
+        </span>
+      )}
+    </div>
+  );
+}
+
+/** The colour of the highlight: that of dyed fibres' surface is white, of metal thread its own. */
+function TintField({ fabric, dispatch, families }: FamiliesProps) {
+  const label = families.length === 2 ? "both" : families[0]!;
+  const own = fabric.fields[families[0]!]?.specular_tint;
+  const hex = own === undefined ? "#ffffff" : toHex(parseColour(own, "specular_tint"));
+  const stroke = useRef(newStroke());
+  const set = (value: string | undefined): void => {
+    for (const family of families) dispatch({ type: "field/set", field: `${family}.specular_tint`, value, stroke: stroke.current });
+  };
+  return (
+    <div class="row">
+      <label class="tip" for={`tint-${label}`} data-tip="Multiplies the fibres' highlight: white but for metal threads (specular_tint)">
+        Colour of the lustre
+      </label>
+      <input
+        id={`tint-${label}`}
+        type="color"
+        value={hex}
+        data-testid={`field-${label}.specular_tint`}
+        onPointerDown={() => (stroke.current = newStroke())}
+        onInput={(event) => set(event.currentTarget.value)}
+      />
+      {own !== undefined && (
+        <button type="button" class="reset" onClick={() => set(undefined)} aria-label="Colour of the lustre: back to white" title="Back to white">
+          ↺
+        </button>
+      )}
     </div>
   );
 }

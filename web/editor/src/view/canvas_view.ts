@@ -7,6 +7,10 @@ import type { ClothView, Pixels, Shown, ViewStatistics } from "./cloth_view.ts";
 
 /** Pixels of the picture of one repeat along its longer side, about. */
 const PICTURE_SIDE = 1200;
+/** CSS pixels of an arrow key. */
+const KEY_STEP = 24;
+/** Side of a print, as on the swatch of the lit view. */
+const PRINT_MM = 100;
 /** Screen pixels a thread: of the farthest and the closest view. */
 const FARTHEST = 1.5;
 const CLOSEST = 90;
@@ -22,6 +26,7 @@ export class CanvasView implements ClothView {
   private readonly resizing: ResizeObserver;
   private shown: Shown | null = null;
   private isStale = true;
+  private readonly pointers = new Map<number, { x: number; y: number }>();
   private frames = 0;
   private frameMs = 0;
   /** Screen pixels a thread, in CSS pixels, and where the pattern begins. */
@@ -139,6 +144,17 @@ export class CanvasView implements ClothView {
     context.imageSmoothingQuality = "high";
     context.fillStyle = pattern;
     context.fillRect(x, y, width, height);
+    const print = this.shown?.print?.canvas;
+    if (print === undefined) return;
+    // Encoded values of a power law multiply as linear ones do.
+    const printed = context.createPattern(print, "repeat")!;
+    const side = (PRINT_MM * this.scale * ratio) / warp;
+    const [u, v] = [side / print.width, side / print.height];
+    printed.setTransform(new DOMMatrix([u, 0, 0, v, this.offset.x * ratio, bottom + this.offset.y * ratio]));
+    context.globalCompositeOperation = "multiply";
+    context.fillStyle = printed;
+    context.fillRect(x, y, width, height);
+    context.globalCompositeOperation = "source-over";
   }
 
   /** The picture of one repeat and its halves, finest first. */
@@ -180,16 +196,40 @@ export class CanvasView implements ClothView {
       },
       { passive: false },
     );
-    this.canvas.addEventListener("pointerdown", (event) => this.canvas.setPointerCapture(event.pointerId));
-    this.canvas.addEventListener("pointermove", (event) => {
-      if (event.buttons === 0) return;
-      this.offset = { x: this.offset.x + event.movementX, y: this.offset.y + event.movementY };
-      this.isStale = true;
+    this.canvas.addEventListener("pointerdown", (event) => {
+      this.canvas.setPointerCapture(event.pointerId);
+      this.pointers.set(event.pointerId, { x: event.offsetX, y: event.offsetY });
     });
+    for (const end of ["pointerup", "pointercancel"] as const)
+      this.canvas.addEventListener(end, (event) => this.pointers.delete(event.pointerId));
+    this.canvas.addEventListener("pointermove", (event) => this.drag(event));
     this.canvas.addEventListener("keydown", (event) => {
-      if (event.key === "+" || event.key === "=") this.zoom = Math.min(this.zoom + 0.05, 1);
-      if (event.key === "-") this.zoom = Math.max(this.zoom - 0.05, 0);
+      const step = { ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+      if (step !== undefined) this.move(step[0]! * KEY_STEP, step[1]! * KEY_STEP);
+      else if (event.key === "+" || event.key === "=") this.zoom = Math.min(this.zoom + 0.05, 1);
+      else if (event.key === "-") this.zoom = Math.max(this.zoom - 0.05, 0);
+      else if (event.key === "0") this.frameWhole();
+      else return;
+      event.preventDefault();
     });
+  }
+
+  /** One pointer moves the cloth; two also bring it closer. */
+  private drag(event: PointerEvent): void {
+    const before = this.pointers.get(event.pointerId);
+    if (before === undefined) return;
+    const now = { x: event.offsetX, y: event.offsetY };
+    this.pointers.set(event.pointerId, now);
+    const other = [...this.pointers].find(([id]) => id !== event.pointerId)?.[1];
+    if (other === undefined) return this.move(now.x - before.x, now.y - before.y);
+    const apart = (point: { x: number; y: number }): number => Math.max(Math.hypot(point.x - other.x, point.y - other.y), 1);
+    this.move((now.x - before.x) / 2, (now.y - before.y) / 2);
+    this.zoomTo((this.scale * apart(now)) / apart(before), (now.x + other.x) / 2, (now.y + other.y) / 2);
+  }
+
+  private move(right: number, down: number): void {
+    this.offset = { x: this.offset.x + right, y: this.offset.y + down };
+    this.isStale = true;
   }
 }
 

@@ -1,4 +1,6 @@
 /** What shows the cloth: by WebGPU, or where that is missing as a flat picture of its yarns. */
+import type { LinearPicture, Openness } from "loomlight-web";
+
 import type { Comparison, Fabric, Scene } from "../state/document.ts";
 import type { ClothShape } from "./meshes.ts";
 import type { TableSource } from "./served_models.ts";
@@ -12,6 +14,17 @@ export interface Shown {
   readonly piece: ClothShape | null;
   /** The user's own surroundings, if the scene asks for them. */
   readonly surroundings: SurroundingsPicture | null;
+  /** How open the yarns of a fabric are, for light between them, as far as it is known. */
+  readonly opennessOf: (fabric: Fabric) => Openness | null | undefined;
+  /** What is printed on the cloth. */
+  readonly print: Print | null;
+}
+
+/** A picture on the cloth: albedos are multiplied by it, over the unit of uv, which repeats. */
+export interface Print {
+  readonly name: string;
+  readonly canvas: HTMLCanvasElement;
+  readonly picture: LinearPicture;
 }
 
 /** An equirectangular picture: linear RGB [height·width·3], the top row first. */
@@ -74,7 +87,7 @@ export async function makeView(
   if (!("gpu" in navigator))
     return {
       view: new CanvasView(host),
-      reason: "This browser has no WebGPU, so the cloth is shown flat, without light.",
+      reason: "This browser has no WebGPU.",
     };
   try {
     const { WebGpuView } = await import("./webgpu_view.ts");
@@ -82,7 +95,7 @@ export async function makeView(
   } catch (error) {
     return {
       view: new CanvasView(host),
-      reason: `WebGPU does not start here, so the cloth is shown flat, without light. ${reasonOf(error)}`,
+      reason: `WebGPU does not start here. ${reasonOf(error)}`,
     };
   }
 }

@@ -1,4 +1,4 @@
-/** A mesh of the user's own: OBJ, GLB and glTF by three.js' loaders, which are fetched when one is opened. */
+/** A mesh of the user's own: OBJ, PLY, GLB and glTF by three.js' loaders, which are fetched when one is opened. */
 import { InputError } from "loomlight-fabric";
 import type { Mesh } from "loomlight-web";
 
@@ -7,12 +7,17 @@ import { ownShape, type ClothShape } from "./meshes.ts";
 /** The side, in millimetres, that a mesh is taken to have where its unit is unlikely to be the metre. */
 const LIKELY_MM = 600;
 
+/** Larger meshes take minutes to read here, and their triangles are smaller than pixels. */
+const LARGEST = 64 * 2 ** 20;
+
 /**
  * The mesh in a file, all its parts as one piece of cloth.
  *
- * @throws InputError no mesh, one without triangles, or one without uv, which place the weave.
+ * @throws InputError a file that is too large, no mesh, one without triangles, or one without uv, which place the weave.
  */
 export async function readOwnMesh(file: File): Promise<ClothShape> {
+  if (file.size > LARGEST)
+    throw new InputError(`${file.name} has ${Math.round(file.size / 2 ** 20)} MiB; meshes of up to ${LARGEST >> 20} MiB are read: simplify it.`);
   const mesh = merged(await geometriesOf(file), file.name);
   return scaled(mesh);
 }
@@ -51,11 +56,16 @@ async function loaded(file: File): Promise<Node> {
       const { OBJLoader } = await import("three/addons/loaders/OBJLoader.js");
       return new OBJLoader().parse(await file.text());
     }
+    if (/\.ply$/i.test(file.name)) {
+      const { PLYLoader } = await import("three/addons/loaders/PLYLoader.js");
+      const { Mesh: Part } = await import("three");
+      return new Part(new PLYLoader().parse(await file.arrayBuffer())) as unknown as Node;
+    }
     const { GLTFLoader } = await import("three/addons/loaders/GLTFLoader.js");
     const scene = await new GLTFLoader().parseAsync(await file.arrayBuffer(), "");
     return scene.scene;
   } catch {
-    throw new InputError(`${file.name} is damaged or no mesh: OBJ and GLB are read.`);
+    throw new InputError(`${file.name} is damaged or no mesh: OBJ, PLY and GLB are read.`);
   }
 }
 

@@ -1,8 +1,8 @@
 /** The cloth on WebGPU: lit, draped, from the whole piece to a single yarn; two fabrics or models side by side. */
-import { ClothRenderer, type Vector3 } from "loomlight-web";
+import { ClothRenderer, type Openness, type Vector3 } from "loomlight-web";
 
 import { woven, type Fabric, type Model, type Scene } from "../state/document.ts";
-import type { ClothView, Pixels, Shown, ViewStatistics } from "./cloth_view.ts";
+import type { ClothView, Pixels, Print, Shown, ViewStatistics } from "./cloth_view.ts";
 import type { ClothShape } from "./meshes.ts";
 import { OrbitControl } from "./orbit_control.ts";
 import { isServed, ServedModels, type ServedModel, type TableSource } from "./served_models.ts";
@@ -24,6 +24,8 @@ const MODELS: Readonly<Record<Exclude<Model, ServedModel>, readonly ["lobes" | "
 interface Given {
   shape: ClothShape | null;
   fabric: Fabric | null;
+  openness: Openness | null | undefined;
+  print: Print | null;
   model: Model | null;
   /** Of a model that Python bakes, which is shown. */
   tables: Uint8Array | null;
@@ -173,12 +175,18 @@ export class WebGpuView implements ClothView {
 
   /** Gives a renderer its piece, fabric and model, as far as they are new. */
   private dress(renderer: ClothRenderer, shape: ClothShape, fabric: Fabric, model: Model): void {
-    const given = this.given.get(renderer) ?? { shape: null, fabric: null, model: null, tables: null };
+    const empty: Given = { shape: null, fabric: null, openness: null, print: null, model: null, tables: null };
+    const given = this.given.get(renderer) ?? empty;
     const { fields, draft } = fabric;
-    if (given.shape !== shape) renderer.setPieces([{ mesh: shape.mesh, uvSizeMm: shape.uvSizeMm, fields, draft }]);
-    else if (given.fabric !== fabric) renderer.setFabric(0, fields, draft);
+    const openness = this.shown?.opennessOf(fabric);
+    const print = this.shown?.print ?? null;
+    if (given.shape !== shape || given.print !== print)
+      renderer.setPieces([
+        { mesh: shape.mesh, uvSizeMm: shape.uvSizeMm, fields, draft, ...(openness === undefined ? {} : { openness }), albedo: print?.picture ?? null },
+      ]);
+    else if (given.fabric !== fabric || given.openness !== openness) renderer.setFabric(0, fields, draft, openness);
     const tables = isServed(model) ? this.served.tables(model, fabric) : null;
-    const isShown = given.shape === shape && given.model === model && given.tables === tables;
+    const isShown = given.shape === shape && given.print === print && given.model === model && given.tables === tables;
     // Until its tables are here, a model of Python's gives way to the page's own.
     if (isServed(model) && tables !== null) {
       if (!isShown) renderer.setTables(model, tables);
@@ -186,7 +194,7 @@ export class WebGpuView implements ClothView {
       const [name, samples, passes] = MODELS[isServed(model) ? "lobes" : model];
       renderer.setModel(name, { samples, passes });
     }
-    this.given.set(renderer, { shape, fabric, model, tables });
+    this.given.set(renderer, { shape, fabric, openness, print, model, tables });
   }
 
   private light({ scene, surroundings }: Shown): void {

@@ -11,9 +11,9 @@ import {
 } from "loomlight-fabric";
 
 import { ALBEDO_TOLERANCE, WHITE_SHARE } from "../generated.ts";
-import { colourFor, type YarnOfCloth } from "./authored_colour.ts";
+import { coloursFor, type ChannelAlbedos, type Openness } from "./between_yarns.ts";
 import { detailOf, type YarnDetail } from "./detail.ts";
-import type { Openness } from "./openness.ts";
+import { boundInUse, clothBound, taken, yarnBound, type LayerBound } from "./layer_bound.ts";
 
 /** The order of a thread's albedos, red, green and blue of each. */
 export const ALBEDOS = ["diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit"] as const;
@@ -25,20 +25,16 @@ export interface FamilyAppearance {
   readonly albedos: Float64Array;
   /** α of the fibre distribution. */
   readonly roughness: number;
+  /** κ of the energy bound that the albedos keep, of the larger highlight. */
+  readonly layerBound: number;
   /** What the yarns show close up. */
   readonly detail: YarnDetail;
-}
-
-/** κ: no direction gets more than this share back from a fibre layer of albedo 1; see `scattering/albedo.py`. */
-export function layerAlbedoBound(opticalDepth: number, betweenYarns = false): number {
-  if (betweenYarns) return 0.34 + 0.66 * Math.exp(-3 * opticalDepth);
-  return 0.5 * (1 + Math.exp(-opticalDepth));
 }
 
 /**
  * The appearance of a family whose threads have the colours of a coloured draft; see `fabric/albedos.py`.
  *
- * @param openness of the cloth, by which colours are those that cloth shows; null makes albedos of them.
+ * @param openness of cloth with light between its yarns: colours are then those that cloth shows.
  * @throws InputError explicit albedos that together send back more light than arrives.
  */
 export function familyAppearance(
@@ -49,13 +45,18 @@ export function familyAppearance(
   openness: Openness | null = null,
 ): FamilyAppearance {
   const table = fields[family] ?? {};
-  const [specular, translucency] = [table.specular ?? SPECULAR, table.translucency ?? TRANSLUCENCY];
+  const strength = (table.specular ?? SPECULAR) * strongestHighlight(opticalDepth);
   const roughness = table.roughness ?? ROUGHNESS;
-  const betweenYarns = openness !== null;
+  const number = family === "warp" ? 0 : 1;
+  const bound =
+    openness === null
+      ? yarnBound(opticalDepth)
+      : clothBound(roughness, opticalDepth, openness.layers.slice(2 * number, 2 * number + 2));
+  const albedosOf = (colour: number) => channelAlbedos(colour, strength, table.translucency ?? TRANSLUCENCY, bound);
   let colours = draft[family].colors ?? new Float64Array(0);
-  if (betweenYarns && table.albedo === undefined)
-    colours = shownBy(colours, { specular, translucency, openness, family: family === "warp" ? 0 : 1, roughness, opticalDepth });
-  const albedos = albedosFromColour(colours, specular, translucency, opticalDepth, betweenYarns);
+  if (openness !== null && table.albedo === undefined)
+    colours = coloursFor(colours, openness, number, albedosOf);
+  const albedos = albedosFromColours(colours, albedosOf);
   if (table.specular_tint !== undefined) {
     const tint = parseColour(table.specular_tint, `${family}.specular_tint`);
     for (let i = 0; i < albedos.length; i++) if (i % ALBEDO_NUMBERS >= 6) albedos[i]! *= tint[i % 3]!;
@@ -66,58 +67,43 @@ export function familyAppearance(
     const colour = parseColour(given, `${family}.${name}`);
     for (let i = 3 * number; i < albedos.length; i += ALBEDO_NUMBERS) albedos.set(colour, i);
   });
-  checkAlbedos(albedos, family, opticalDepth, betweenYarns);
-  return { albedos, roughness, detail: detailOf(table) };
+  checkAlbedos(albedos, family, bound);
+  const layerBound = boundInUse(bound, highlightsOf(albedos));
+  return { albedos, roughness, layerBound, detail: detailOf(table) };
 }
 
 /** Albedo of the highlight of white threads at specular 1; see `scattering/albedo.py`. */
 function strongestHighlight(opticalDepth: number): number {
-  return Math.min(1, 1 / ((2 - WHITE_SHARE) * layerAlbedoBound(opticalDepth)));
+  return Math.min(1, 1 / ((2 - WHITE_SHARE) * yarnBound(opticalDepth).larger));
 }
 
-/** Colours that albedos are made of so that cloth shows these, linear RGB [n·3]. */
-function shownBy(colours: Float64Array, yarn: YarnOfCloth): Float64Array {
-  const found = new Map<number, number>();
-  return colours.map((colour) => {
-    if (!found.has(colour)) found.set(colour, colourFor(colour, yarn));
-    return found.get(colour)!;
-  });
+/** Albedos of one channel of a colour, by the highlight's strength and the share of light that passes. */
+function channelAlbedos(colour: number, strength: number, translucency: number, bound: LayerBound): ChannelAlbedos {
+  const highlight = strength * (WHITE_SHARE + (1 - WHITE_SHARE) * colour);
+  const diffuse = colour * (1 - taken(bound, highlight, translucency * highlight));
+  return [(1 - translucency) * diffuse, translucency * diffuse, highlight, translucency * highlight];
 }
 
-/** Albedos of threads from linear RGB [n·3]; see `scattering/albedo.py`. */
-function albedosFromColour(
-  colours: Float64Array,
-  specular: number,
-  translucency: number,
-  opticalDepth: number,
-  betweenYarns: boolean,
-): Float64Array {
+/** Albedos of threads from linear RGB [n·3]. */
+function albedosFromColours(colours: Float64Array, albedosOf: (colour: number) => ChannelAlbedos): Float64Array {
   const albedos = new Float64Array((colours.length / 3) * ALBEDO_NUMBERS);
   for (let i = 0; i < colours.length; i++) {
     const at = Math.floor(i / 3) * ALBEDO_NUMBERS + (i % 3);
-    channelAlbedos(colours[i]!, specular, translucency, opticalDepth, betweenYarns).forEach((albedo, number) => {
+    albedosOf(colours[i]!).forEach((albedo, number) => {
       albedos[at + 3 * number] = albedo;
     });
   }
   return albedos;
 }
 
-/** The four albedos of one channel, in the order of `ALBEDOS`. */
-export function channelAlbedos(
-  colour: number,
-  specular: number,
-  translucency: number,
-  opticalDepth: number,
-  betweenYarns: boolean,
-): [number, number, number, number] {
-  const strength = specular * strongestHighlight(opticalDepth);
-  const highlight = strength * (WHITE_SHARE + (1 - WHITE_SHARE) * colour);
-  const diffuse = colour * (1 - layerAlbedoBound(opticalDepth, betweenYarns) * highlight);
-  return [(1 - translucency) * diffuse, translucency * diffuse, highlight, translucency * highlight];
+/** Reflected and transmitted highlight of each thread and channel. */
+function* highlightsOf(albedos: Float64Array): Generator<[number, number]> {
+  for (let first = 0; first < albedos.length; first += ALBEDO_NUMBERS)
+    for (let channel = 0; channel < 3; channel++)
+      yield [albedos[first + 6 + channel]!, albedos[first + 9 + channel]!];
 }
 
-function checkAlbedos(albedos: Float64Array, family: FamilyName, opticalDepth: number, betweenYarns: boolean): void {
-  const bound = layerAlbedoBound(opticalDepth, betweenYarns);
+function checkAlbedos(albedos: Float64Array, family: FamilyName, bound: LayerBound): void {
   for (let first = 0; first < albedos.length; first += ALBEDO_NUMBERS)
     for (let channel = 0; channel < 3; channel++) {
       const [reflect, transmit, shine, through] = [0, 3, 6, 9].map((at) => albedos[first + at + channel]!) as [
@@ -127,12 +113,16 @@ function checkAlbedos(albedos: Float64Array, family: FamilyName, opticalDepth: n
         number,
       ];
       const diffuse = reflect + transmit;
-      const highlight = Math.max(shine, through);
-      if (diffuse + bound * highlight <= 1 + ALBEDO_TOLERANCE) continue;
+      const total = diffuse + taken(bound, shine, through);
+      if (total <= 1 + ALBEDO_TOLERANCE) continue;
+      const larger = bound.larger.toFixed(3);
+      const ofSmaller = (what: string) => (bound.smaller > 0 ? ` + ${bound.smaller.toFixed(3)} × ${what}` : "");
+      const names = ofSmaller("the smaller");
+      const numbers = ofSmaller(short(Math.min(shine, through)));
       throw new InputError(
-        `${family}: diffuse_reflect + diffuse_transmit + ${bound.toFixed(3)} × the larger of specular_reflect and ` +
-          `specular_transmit of thread ${first / ALBEDO_NUMBERS + 1} is ${short(diffuse)} + ${bound.toFixed(3)} × ` +
-          `${short(highlight)} = ${short(diffuse + bound * highlight)} in ${"RGB"[channel]}, and more than 1 would ` +
+        `${family}: diffuse_reflect + diffuse_transmit + ${larger} × the larger of specular_reflect and ` +
+          `specular_transmit${names} of thread ${first / ALBEDO_NUMBERS + 1} is ${short(diffuse)} + ${larger} × ` +
+          `${short(Math.max(shine, through))}${numbers} = ${short(total)} in ${"RGB"[channel]}, and more than 1 would ` +
           "create light.",
       );
     }

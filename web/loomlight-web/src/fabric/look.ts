@@ -19,7 +19,7 @@ import {
 
 import { MAXIMUM_CROSSINGS, SMALLEST_GAP } from "../generated.ts";
 import { familyAppearance, type FamilyAppearance } from "./albedos.ts";
-import type { Openness } from "./openness.ts";
+import { requireOpenness, type Openness } from "./between_yarns.ts";
 import { pairwiseSum } from "./sums.ts";
 
 /** The threads of one family, in thread order. */
@@ -58,7 +58,7 @@ export interface Appearance {
   readonly diffuseBlend: number;
   /** Tρ of the fibre layer. */
   readonly opticalDepth: number;
-  /** Of the cloth's yarns, for light between them; null scatters light of the sky once. */
+  /** What light between yarns follows from; null for direct light alone. */
   readonly openness: Openness | null;
 }
 
@@ -72,10 +72,10 @@ const RADIANS = Math.PI / 180;
 /**
  * The look of a fabric's fields and of the draft that they name.
  *
- * @param openness of that cloth, where light goes between its yarns.
+ * @param known the openness of its yarns, where it is known: it counts if the fields say `interreflection`.
  * @throws InputError fields that contradict the draft, albedos that exceed the light, or too many crossings.
  */
-export function lookOf(given: FabricFields, draft: Draft, openness: Openness | null = null): Look {
+export function lookOf(given: FabricFields, draft: Draft, known: Openness | null = null): Look {
   const fields = withYarns(given);
   const coloured = colouredDraft(draft, fields);
   const crossings = coloured.ends * coloured.picks;
@@ -85,6 +85,8 @@ export function lookOf(given: FabricFields, draft: Draft, openness: Openness | n
         `crossings, and at most ${(MAXIMUM_CROSSINGS / 1e6).toFixed(0)} million can be rendered: render a part of it.`,
     );
   const opticalDepth = fields.optical_depth ?? OPTICAL_DEPTH;
+  const openness = fields.interreflection === true ? known : null;
+  if (openness !== null) requireOpenness(openness);
   const bends = bendsOf(coloured);
   return {
     layout: {

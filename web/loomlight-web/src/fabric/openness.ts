@@ -6,36 +6,16 @@
 import {
   FACING_COSINE,
   FACING_RAYS,
+  MEAN_THROUGH,
+  MEAN_TURNED,
   OBLIQUE_RAYS,
   OPENNESS_NUMBERS,
   SMALLEST_OPENNESS_SHARE,
   SMALLEST_VIEW_COSINE,
 } from "../generated.ts";
-import type { WordTable } from "../records.ts";
+import type { Openness } from "./between_yarns.ts";
 
-/** Numbers of `Openness` of Python, flat in the order of its axes. */
-export interface Openness {
-  /** [face, family, 3, VIEW_TERMS]. */
-  readonly byView: Float64Array;
-  /** [face, family, 3, POINT_TERMS]. */
-  readonly byPoint: Float64Array;
-  /** [face, VIEW_TERMS]. */
-  readonly warpSeen: Float64Array;
-  /** Millimetres. */
-  readonly relief: number;
-  /** [face][family]. */
-  readonly interior: readonly [Pair, Pair];
-  /** [face][from][to]. */
-  readonly meets: readonly [readonly [Pair, Pair], readonly [Pair, Pair]];
-  /** [face][family]. */
-  readonly blocks: readonly [Pair, Pair];
-  /** By side. */
-  readonly facing: Pair;
-  /** [family][side]. */
-  readonly facingLayer: readonly [Pair, Pair];
-}
-
-export type Pair = readonly [number, number];
+type Pair = readonly [number, number];
 
 /** Rays of a face. */
 export const RAYS = OBLIQUE_RAYS + FACING_RAYS;
@@ -60,8 +40,18 @@ export function viewRays([width, height]: readonly [number, number]): Float64Arr
   return rays;
 }
 
-/** The openness that the kernel's words say [2·RAYS·OPENNESS_NUMBERS], front first; `highest` yarn, millimetres. */
-export function opennessOf(words: Uint32Array, highest: number): Openness {
+/**
+ * The openness that the kernel's words say [2·RAYS·OPENNESS_NUMBERS], front first.
+ *
+ * @param highest height of the highest yarn, millimetres.
+ * @param roughness α of warp and weft.
+ */
+export function opennessOf(
+  words: Uint32Array,
+  highest: number,
+  roughness: readonly [number, number],
+  opticalDepth: number,
+): Openness {
   const numbers = new Float32Array(words.buffer, words.byteOffset, words.length);
   const of = (ray: number, field: number): number => numbers[ray * OPENNESS_NUMBERS + field]!;
   const bits = (ray: number): number => words[ray * OPENNESS_NUMBERS]!;
@@ -119,33 +109,27 @@ export function opennessOf(words: Uint32Array, highest: number): Openness {
   const mean = (value: (ray: number) => number): number => sum(facing, value) / facing.length;
   const field = (number: number) => mean((ray) => of(ray, number));
   return {
-    byView: Float64Array.from(byView),
-    byPoint: Float64Array.from(byPoint),
-    warpSeen: Float64Array.from(warpSeen),
-    relief,
-    interior: [interior[0]!, interior[1]!],
-    meets: [meets[0]!, meets[1]!],
-    blocks: [blocks[0]!, blocks[1]!],
+    by_view: byView,
+    by_point: byPoint,
+    warp_seen: warpSeen,
+    interior: interior.flat(),
+    meets: meets.flat(2),
+    blocks: blocks.flat(),
+    per_relief: [1 / relief],
+    layers: roughness.flatMap((alpha) => meanLayerShares(alpha, opticalDepth)),
     facing: [mean(near), field(5)],
-    facingLayer: [
-      [field(6), field(7)],
-      [field(8), field(9)],
-    ],
+    facing_layer: [field(6), field(7), field(8), field(9)],
   };
 }
 
-/** Appends the numbers to a table as shaders read them (`openness_tables.py`); the first word. */
-export function packOpenness(table: WordTable, openness: Openness, layers: readonly [Pair, Pair]): number {
-  return table.addNumbers([
-    ...openness.byView,
-    ...openness.byPoint,
-    ...openness.warpSeen,
-    ...openness.interior.flat(),
-    ...openness.meets.flat(2),
-    ...openness.blocks.flat(),
-    1 / openness.relief,
-    ...layers.flat(),
-  ]);
+/** Shares of diffuse light that a fibre layer of albedo 1 scatters back and through; see `scattering/fibre.py`. */
+export function meanLayerShares(roughness: number, opticalDepth: number): Pair {
+  const turned = MEAN_TURNED[0] + MEAN_TURNED[1] * roughness;
+  const through = MEAN_THROUGH[0] + MEAN_THROUGH[1] * roughness;
+  return [
+    turned * (1 - Math.exp(MEAN_TURNED[2] * opticalDepth)),
+    through * opticalDepth * Math.exp(MEAN_THROUGH[2] * opticalDepth ** MEAN_THROUGH[3]),
+  ];
 }
 
 function sum(rays: readonly number[], value: (ray: number) => number): number {

@@ -9,14 +9,13 @@ import {
   SQUARE_SCALE,
 } from "../generated.ts";
 import { RecordArray, WordTable, type Values } from "../records.ts";
-import { ALBEDO_NUMBERS, layerAlbedoBound, type FamilyAppearance } from "./albedos.ts";
-import { meanLayerShares } from "./authored_colour.ts";
+import { ALBEDO_NUMBERS, type FamilyAppearance } from "./albedos.ts";
+import { packOpenness } from "./between_yarns.ts";
 import type { BakePlan } from "./bake_plan.ts";
 import { detailNumbers, isDetailed } from "./detail.ts";
 import { colourTables, type ColourTables } from "./footprint_albedos.ts";
 import { geometryOf, heightBounds, type Geometry } from "./geometry.ts";
-import { halfWidth, sizeOf, type Appearance, type ClothLayout, type FamilyLayout, type Look } from "./look.ts";
-import { packOpenness } from "./openness.ts";
+import { halfWidth, sizeOf, type ClothLayout, type FamilyLayout, type Look } from "./look.ts";
 import { pairwiseSum } from "./sums.ts";
 import { areAlike, finestOf, type FamilyTables } from "./threads.ts";
 
@@ -142,19 +141,13 @@ function packFabric(
     fibre_noise: appearance.fibreNoise,
     colour_noise: appearance.colourNoise,
     seed: appearance.seed,
-    layer_bound: layerAlbedoBound(appearance.opticalDepth, appearance.openness !== null),
+    layer_bound: Math.max(appearance.warp.layerBound, appearance.weft.layerBound),
     fibre_size: Math.min(fineX, fineY) / FIBRES_ACROSS,
     has_yarns: 1,
     has_detail: isDetailed(appearance.warp.detail) || isDetailed(appearance.weft.detail) ? 1 : 0,
-    openness: opennessTable(table, appearance),
+    openness: appearance.openness === null ? NO_OPENNESS : packOpenness(table, appearance.openness),
     is_open: openShare(warp) * openShare(weft) > SMALLEST_OPEN_SHARE ? 1 : 0,
   });
-}
-
-function opennessTable(table: WordTable, { openness, warp, weft, opticalDepth }: Appearance): number {
-  if (openness === null) return NO_OPENNESS;
-  const [ofWarp, ofWeft] = [warp, weft].map(({ roughness }) => meanLayerShares(roughness, opticalDepth));
-  return packOpenness(table, openness, [ofWarp!, ofWeft!]);
 }
 
 /** Share of the repeat that no thread of a family covers, seen along the normal. */

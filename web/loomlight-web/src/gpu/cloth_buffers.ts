@@ -1,11 +1,11 @@
 /** Pieces of cloth in an adapter's buffers: their meshes, their fabrics, and tables that Python packed. */
 import { InputError, type Draft, type FabricFields } from "loomlight-fabric";
 
+import type { Openness } from "../fabric/between_yarns.ts";
 import { lookOf, type Look } from "../fabric/look.ts";
 import { MOST_LAYERS } from "../generated.ts";
 import { requireMesh } from "../scene/mesh.ts";
 import type { Mesh, ModelName, Piece } from "../types.ts";
-import type { Openness } from "../fabric/openness.ts";
 import type { Device } from "./device.ts";
 import { FabricBuffers, type Dressing } from "./fabric_buffers.ts";
 import { bakeOpenness, isAsOpen } from "./openness_baker.ts";
@@ -14,7 +14,7 @@ import { ServedBuffers, readTables } from "./served_buffers.ts";
 
 const UV_SIZE_MM = [100, 100] as const;
 
-/** What is known of how open a piece of cloth is, and the look that it was found of. */
+/** What was found of how open a piece of cloth is, and the look that it was found of. */
 interface KnownOpenness {
   readonly look: Look;
   readonly openness: Openness;
@@ -27,7 +27,7 @@ export class ClothBuffers {
   /** What Python packed for `model`, and the bytes that it sent. */
   private served: { readonly buffers: ServedBuffers; readonly content: Uint8Array } | null = null;
   private readonly device: Device;
-  /** How often the openness of a fabric was found. */
+  /** How often the openness of a fabric was found here. */
   openings = 0;
   /** By the number of the piece. */
   private readonly known = new Map<number, KnownOpenness>();
@@ -40,7 +40,7 @@ export class ClothBuffers {
   constructor(device: Device, pieces: readonly Piece[]) {
     if (pieces.length === 0) throw new InputError("A renderer needs at least one piece of cloth.");
     pieces.forEach(({ mesh }) => requireMesh(mesh));
-    const looks = pieces.map(({ fields, draft }) => lookOf(fields, draft));
+    const looks = pieces.map(({ fields, draft, openness }) => lookOf(fields, draft, openness));
     this.device = device;
     this.pieces = [...pieces];
     this.scene = sceneOf(device, pieces);
@@ -66,18 +66,18 @@ export class ClothBuffers {
 
   /** Whether the openness of all pieces that need it is that of their yarns. */
   get isSettled(): boolean {
-    return this.isUnknowable || this.pieces.every((_, number) => this.isFound(number));
+    return this.isUnknowable || this.served !== null || this.pieces.every((_, number) => this.isFound(number));
   }
 
   /**
-   * Looks for the openness of pieces with light between their yarns. Until it is there, a piece that was edited keeps
-   * the one that it had.
+   * Looks for the openness of pieces with light between their yarns that came without it. Until it is there, a piece
+   * that was edited keeps the one that it had.
    *
    * @param onFound is called when the cloth has become another.
    * @returns false while a piece has none.
    */
   findOpenness(onFound: () => void): boolean {
-    if (this.isUnknowable) return true;
+    if (this.isUnknowable || this.served !== null) return true;
     this.pieces.forEach((_, number) => {
       if (this.isFound(number) || this.finding.has(number)) return;
       const { look, highest } = this.fabrics.lookAt(number);
@@ -87,16 +87,14 @@ export class ClothBuffers {
         .then((value) => this.keepOpenness(number, { look, openness: value }))
         .catch(() => {
           this.isUnknowable = true;
-        });
-      this.finding.set(
-        number,
-        found.then(() => {
+        })
+        .then(() => {
           this.finding.delete(number);
           if (!this.isDestroyed) onFound();
-        }),
-      );
+        });
+      this.finding.set(number, found);
     });
-    return this.pieces.every(({ fields }, number) => fields.interreflection !== true || this.known.has(number));
+    return this.pieces.every((piece, number) => !looksForOpenness(piece) || this.known.has(number));
   }
 
   /** Resolves when what is being looked for is found. */
@@ -123,13 +121,15 @@ export class ClothBuffers {
   }
 
   /** @throws InputError no such piece, or a fabric that cannot be; nothing changes then. */
-  setFabric(number: number, fields: FabricFields, draft: Draft): void {
+  setFabric(number: number, fields: FabricFields, draft: Draft, openness: Openness | null | undefined): void {
     const piece = this.pieces[number];
     if (piece === undefined)
       throw new InputError(`piece = ${number} is none of the ${this.pieces.length} pieces of cloth.`);
-    const openness = fields.interreflection === true ? (this.known.get(number)?.openness ?? null) : null;
-    this.fabrics.setFabric(number, lookOf(fields, draft, openness));
-    this.pieces = this.pieces.map((other, index) => (index === number ? { ...piece, fields, draft } : other));
+    const known = openness === undefined ? this.known.get(number)?.openness : openness;
+    this.fabrics.setFabric(number, lookOf(fields, draft, known));
+    const { openness: _, ...rest } = piece;
+    const edited = openness === undefined ? { ...rest, fields, draft } : { ...rest, fields, draft, openness };
+    this.pieces = this.pieces.map((other, index) => (index === number ? edited : other));
   }
 
   /** @throws InputError content that is no tables, or several pieces. */
@@ -156,7 +156,7 @@ export class ClothBuffers {
   }
 
   private isFound(number: number): boolean {
-    if (this.pieces[number]!.fields.interreflection !== true) return true;
+    if (!looksForOpenness(this.pieces[number]!)) return true;
     const known = this.known.get(number);
     return known !== undefined && isAsOpen(known.look, this.fabrics.lookAt(number).look);
   }
@@ -165,13 +165,18 @@ export class ClothBuffers {
     if (this.isDestroyed) return;
     this.known.set(number, found);
     this.openings++;
-    const { fields, draft } = this.pieces[number]!;
-    this.setFabric(number, fields, draft);
+    const { fields, draft, openness } = this.pieces[number]!;
+    this.setFabric(number, fields, draft, openness);
   }
 
   private get shownFabrics(): FabricBuffers | ServedBuffers {
     return this.served?.buffers ?? this.fabrics;
   }
+}
+
+/** Whether the openness of a piece is to be found here: its maker may know it, or want direct light alone. */
+function looksForOpenness({ fields, openness }: Piece): boolean {
+  return fields.interreflection === true && openness === undefined;
 }
 
 /** Buffers of the meshes and albedo maps of pieces. */

@@ -1,6 +1,7 @@
 /** Casts the rays that find how open cloth is, by the kernel `bake_openness`, and reads back what they meet. */
-import { opennessOf, RAYS, viewRays, type Openness } from "../fabric/openness.ts";
+import type { Openness } from "../fabric/between_yarns.ts";
 import { sizeOf, type Look } from "../fabric/look.ts";
+import { opennessOf, RAYS, viewRays } from "../fabric/openness.ts";
 import { sameLayout } from "../fabric/pack.ts";
 import { OPENNESS_NUMBERS } from "../generated.ts";
 import { BAKE } from "./bake_records.ts";
@@ -52,6 +53,7 @@ export function bakeOpenness(
   return device.read(scratch, size).then((bytes) => {
     steps.destroy();
     scratch.destroy();
-    return opennessOf(new Uint32Array(bytes), highest);
+    const { warp, weft, opticalDepth } = look.appearance;
+    return opennessOf(new Uint32Array(bytes), highest, [warp.roughness, weft.roughness], opticalDepth);
   });
 }

@@ -31,7 +31,8 @@ export function readTables(content: Uint8Array): ServedTables {
   const words = (name: string): Uint32Array<ArrayBuffer> => {
     const [start, stop] = header[name]?.data_offsets ?? [0, 0];
     if (stop <= start || first + stop > content.byteLength) throw fault("are incomplete");
-    return new Uint32Array(content.slice(first + start, first + stop).buffer);
+    // A copy, as words begin at multiples of four bytes; `slice` of Node's Buffer makes none.
+    return new Uint32Array(new Uint8Array(content.subarray(first + start, first + stop)).buffer);
   };
   const tables = Object.fromEntries(NAMES.map((name) => [name, words(name)])) as unknown as ServedTables;
   if (tables.fabrics.length !== RECORDS.Fabric.words || tables.families.length !== 2 * RECORDS.Family.words)

@@ -1,0 +1,42 @@
+"""What the fibre layers of whole cloth return with light between the yarns: the energy bound of its albedos.
+
+White yarn of diffuse albedos k_d and a layer of albedos k_s returns to a view v of cloth, by eq. 1 and 2 of
+`interreflection.py` with L = 1,
+
+    k_d + k_s (F(v) + (1 − D(v)) F̄),
+
+F(v) being the mean of the layer where v meets yarn, under the sky that this yarn sees, and F̄ the layer's mean
+for diffuse light (`fibre.mean_layer_shares`). Yarns lean to all sides, so the bracket hardly depends on the
+view: it is 0.8 to 1 of F̄ from above, and at most m(α, Tρ) of it up to 75° from the normal, on 70 random
+cloths of all parameter ranges. Thin layers, of α near 1 above all, are brightest at grazing angles.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from loomlight.scattering.albedo import LayerBound
+from loomlight.scattering.appearance import FamilyAppearance
+from loomlight.scattering.fibre import mean_layer_shares
+
+# m = _DEEP[0] + _DEEP[1] α + (_THIN[0] + _THIN[1] α) e^{−_FADE Tρ}.
+_DEEP, _THIN, _FADE = (1.1, 0.08), (0.6, 1.0), 2.0
+
+
+def cloth_layer_bound(roughness: float, optical_depth: float) -> LayerBound:
+    """The bound for layers of roughness α and depth Tρ in cloth with light between its yarns."""
+    thin = math.exp(-_FADE * optical_depth)
+    margin = _DEEP[0] + _DEEP[1] * roughness + (_THIN[0] + _THIN[1] * roughness) * thin
+    shares = [margin * float(share) for share in mean_layer_shares(roughness, optical_depth)]
+    return LayerBound(max(shares), min(shares))
+
+
+def bound_in_use(family: FamilyAppearance, optical_depth: float) -> float:
+    """The bound as a factor of the larger of a thread's two highlights, the largest over threads."""
+    bound = cloth_layer_bound(family.roughness, optical_depth)
+    reflect, transmit = family.specular_reflect, family.specular_transmit
+    larger = np.maximum(reflect, transmit)
+    # Where there is no highlight any factor serves.
+    return float((bound.taken(reflect, transmit) / np.maximum(larger, 1e-9)).max(initial=bound.larger))
