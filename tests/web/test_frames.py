@@ -11,7 +11,7 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -211,6 +211,13 @@ EDITS: dict[str, dict[str, Any]] = {
     },
     "by yarns": {"fabric": "interreflection = true\n" + PRESSED},
 }
+# Of the cloth with light between its yarns, whose openness the page then finds itself.
+BETWEEN = SCENES["light between yarns"].fabric
+YARN_EDITS: list[dict[str, Any]] = [
+    {"fabric": BETWEEN, "passes": 2},
+    {"fabric": BETWEEN.replace("#e0c060", "#4080a0"), "passes": 2},
+    {"fabric": "gap = 0.4\n" + BETWEEN, "passes": 2},
+]
 
 
 @pytest.fixture(scope="module")
@@ -232,6 +239,7 @@ def drawn(tmp_path_factory: pytest.TempPathFactory) -> Drawn:
     scenes = [{"size": scene.size, "steps": [scene.page_step(), points]} for scene in SCENES.values()]
     (folder / "woven").write_bytes(tables_of(fabric_from_text(SCENES["flat"].fabric), "woven"))
     tables = {"tables": ["woven", "woven"], "passes": 2}
+    scenes[-1]["steps"] += YARN_EDITS
     scenes[0]["steps"] += [tables, {"model": ["lobes", 1]}, *EDITS.values()]
     scenes[0]["steps"][-1]["openness"] = _openness(EDITS["by yarns"]["fabric"])
     (folder / "scenes.json").write_text(json.dumps(scenes))
@@ -320,3 +328,15 @@ def test_a_lost_device_is_told_and_drawing_goes_on(drawn: Drawn) -> None:
     np.testing.assert_array_equal(
         drawn.linear("rebuilt", FLAT), drawn.linear(f"0.{step_of('by yarns')}", FLAT)
     )
+
+
+def test_the_page_finds_openness_itself(drawn: Drawn) -> None:
+    """Without Python's numbers a kernel casts the rays, after edits of yarns and not after one of a colour."""
+    number, scene = list(SCENES).index("light between yarns"), SCENES["light between yarns"]
+    statistics = drawn.report["statistics"][number][2:]
+    assert [step["openings"] for step in statistics] == [1, 0, 1]
+    assert statistics[1]["bakes"] == 0
+    for step, edit in enumerate(YARN_EDITS, 2):
+        expected = replace(scene, fabric=edit["fabric"]).frame("point")
+        differences = np.abs(drawn.linear(f"{number}.{step}", scene.size) - expected)
+        assert differences.mean() <= MOST_BEYOND * expected.mean()

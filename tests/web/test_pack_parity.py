@@ -17,9 +17,12 @@ from loomlight.fabric import Fabric, fabric_from_text, load_fabric
 from loomlight.models.lobes.model import DEFAULT_GROUPS
 from loomlight.realtime.bake import BakePlan, _bake_record, _steps, plan_bake
 from loomlight.realtime.layout import numpy_type
+from loomlight.realtime.openness_tables import PARTS
 from loomlight.realtime.tables import Packed, pack_fabrics
+from loomlight.scattering.openness import ray_shares
 from loomlight.viewer.openness_json import openness_json
 from loomlight.weave.draft import Draft, Threads
+from loomlight.yarn.geometry import YarnGeometry
 
 ROOT = Path(__file__).parents[2]
 WEB = ROOT / "web"
@@ -41,6 +44,11 @@ TEXTS = [
     'warp.specular_tint = "#fc8"',
     'weave = "damask 160"\nwarp.color = ["#111", "#777", "#eee", "#900", "#070"]',
 ]
+# Whose openness the page fits to rays itself.
+FOUND = (
+    'weave = "satin 5"\ninterreflection = true\nweft.color = "#b05040"\nweft.roughness = 0.5\n'
+    'warp.color = ["#e0c060", "#506070", "#d0d0d0"]\nwarp.specular = 0.6\nwarp.translucency = 0.2'
+)
 # Both compute in double precision, where sums differ in their last bits, and round to single precision.
 ROUNDING = 3e-7
 UV_SIZE_MM = (90.0, 110.0)
@@ -81,14 +89,33 @@ def _question(fabric: Fabric) -> dict[str, Any]:
     }
 
 
+def _ray_words(fabric: Fabric) -> NDArray[np.uint32]:
+    """What the kernel `bake_openness` would write of the rays that Python casts."""
+    look = fabric.appearance()
+    met = ray_shares(
+        YarnGeometry(fabric.layout()),
+        look.diffuse_blend,
+        (look.warp.roughness, look.weft.roughness),
+        look.optical_depth,
+    )
+    flags = np.stack([met.is_warp, ~met.is_yarn, met.is_blocked, met.meets_warp]).astype(np.uint32)
+    bits = (flags << np.arange(4, dtype=np.uint32)[:, None]).sum(axis=0, dtype=np.uint32)
+    layers = met.layers.reshape(4, -1)
+    numbers = np.stack([met.normal_cosines, met.heights, *met.halves, met.far, *layers], axis=1)
+    words = np.ascontiguousarray(numbers, np.float32).view(np.uint32)
+    return np.concatenate([bits[:, None], words], axis=1)
+
+
 @pytest.fixture(scope="module")
 def pairs(tmp_path_factory: pytest.TempPathFactory) -> list[Pair]:
     node = shutil.which("node")
     if node is None or not (WEB / "node_modules").is_dir():
         pytest.skip("needs Node, and `npm install` in web/: scripts/setup.sh does both")
-    fabrics = [*map(load_fabric, EXAMPLES), *map(fabric_from_text, TEXTS)]
+    fabrics = [*map(load_fabric, EXAMPLES), *map(fabric_from_text, [*TEXTS, FOUND])]
     folder = tmp_path_factory.mktemp("packed")
-    (folder / "questions.json").write_text(json.dumps([_question(fabric) for fabric in fabrics]))
+    questions = [_question(fabric) for fabric in fabrics]
+    questions[-1] |= {"openness": None, "rays": _ray_words(fabrics[-1]).ravel().tolist()}
+    (folder / "questions.json").write_text(json.dumps(questions))
     command = [node, "loomlight-web/tools/pack_report.mjs", str(folder / "questions.json"), str(folder)]
     subprocess.run(command, cwd=WEB, check=True, timeout=120)
     result = []
@@ -190,3 +217,21 @@ def test_bakes_are_told_what_python_tells_them(pairs: list[Pair], number: int) -
     steps, their_steps = _steps(pair.plan).ravel(), np.frombuffer(pair.page["steps"], np.uint32)
     same = steps == their_steps
     assert (same | np.isclose(steps.view(np.float32), their_steps.view(np.float32), rtol=ROUNDING)).all()
+
+
+def test_openness_is_fitted_as_python_fits_it(pairs: list[Pair]) -> None:
+    """The fit, and the colours that follow, of the same rays in single precision."""
+    packed, page = pairs[-1].packed, pairs[-1].page
+    theirs = np.frombuffer(page["fabrics"], packed.fabrics.dtype)[0]
+    ours = packed.fabrics[0]
+    assert theirs["openness"] == ours["openness"]
+    size = sum(int(np.prod(shape)) for shape in PARTS.values())
+    words = (packed.words, np.frombuffer(page["words"], np.uint32))
+    numbers, found = (array.view(np.float32)[int(ours["openness"]) :][:size] for array in words)
+    # Rays that are rounded to single precision move coefficients of terms that go together by 1e-5 at most.
+    np.testing.assert_allclose(found, numbers, atol=1e-4)
+    for family, threads in zip(packed.families, (3, 1), strict=True):
+        first = int(family["albedo_table"])
+        albedos = [array.view(np.float32)[first:][: 12 * threads] for array in words]
+        # Halvings stop at 1e-6; openness that differs by 1e-7 may decide the last of them otherwise.
+        np.testing.assert_allclose(albedos[1], albedos[0], atol=4e-6)

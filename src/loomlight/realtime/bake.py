@@ -132,6 +132,8 @@ BUFFER_BYTES: dict[str, Size] = {
     "texel_counts": ((4, 2, "columns", "rows", "width"),),
     "coverage_pyramid": ((16, "face_nodes", "width"),),
 }
+# The kernel of the openness of yarns, which runs on its own, and the file that it is in.
+OPENNESS_KERNEL = "bake_openness"
 # Names that kernels have for buffers which they write and others read.
 ALIASES = {"texel_counters": "texel_counts", "tables": "words", "record_words": "fabrics"}
 
@@ -395,6 +397,7 @@ def manifest() -> str:
         "scratch_words": SCRATCH,
         "buffer_bytes": BUFFER_BYTES,
         "aliases": ALIASES,
+        "openness": {"group": 64, "bindings": _bindings_of(OPENNESS_KERNEL, OPENNESS_KERNEL)},
     }
     return json.dumps(content, indent=1) + "\n"
 

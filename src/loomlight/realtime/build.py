@@ -126,6 +126,7 @@ BAKE_ENTRIES = {
         "bake_pack_coverage",
         "bake_pack_holes",
     ),
+    "bake_openness": ("bake_openness",),
 }
 # Instructions of SPIR-V that name things for debuggers: OpSourceContinued to OpMemberName, OpString, OpLine.
 _DEBUG_OPCODES = (2, 3, 4, 5, 6, 7, 8, 317, 330)

@@ -10,11 +10,14 @@ from numpy.typing import NDArray
 
 from loomlight.models import between_yarns
 from loomlight.realtime.word_table import WordTable
+from loomlight.scattering import openness as openness_rays
 from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.fibre import mean_layer_shares
 from loomlight.scattering.openness import POINT_TERMS, VIEW_TERMS, Openness
 
 NO_OPENNESS = 0xFFFFFFFF
+# Words that the kernel `bake_openness` writes for each ray; `bake_openness.slang` has their order.
+RAY_RESULTS = 10
 # Shapes by name, in order: numbers of `Openness`, 1/relief, and what fibre layers of warp and weft send back
 # and let through at albedo 1.
 PARTS: dict[str, tuple[int, ...]] = {
@@ -34,7 +37,15 @@ def openness_uints() -> dict[str, int]:
     sizes = [math.prod(shape) for shape in PARTS.values()]
     starts = [sum(sizes[:number]) for number in range(len(sizes))]
     offsets = {f"OPENNESS_{name}": start for name, start in zip(PARTS, starts, strict=True)}
-    return offsets | {"VIEW_TERMS": VIEW_TERMS, "POINT_TERMS": POINT_TERMS}
+    return offsets | {
+        "VIEW_TERMS": VIEW_TERMS,
+        "POINT_TERMS": POINT_TERMS,
+        "OPENNESS_NUMBERS": RAY_RESULTS,
+        "OPENNESS_LIGHTS": openness_rays._LIGHTS,
+        "OPENNESS_REFINEMENTS": int(openness_rays._QUALITY.refinements),
+        "MET_STEPS": openness_rays._STEPS,
+        "MOST_MET_STEPS": openness_rays._MOST_STEPS,
+    }
 
 
 def openness_floats() -> dict[str, float]:
@@ -42,6 +53,9 @@ def openness_floats() -> dict[str, float]:
     return {
         "SMALLEST_OPENNESS": between_yarns._SMALLEST_OPENNESS,
         "WEIGHT_OF_CLOTH": between_yarns._WEIGHT_OF_CLOTH,
+        "OPENNESS_STEPS_PER_THREAD": openness_rays._QUALITY.steps_per_thread,
+        "OPENNESS_STEPS_PER_RELIEF": openness_rays._QUALITY.steps_per_relief,
+        "OPENNESS_SHADOW_SHARE": openness_rays._QUALITY.shadow_share,
     }
 
 

@@ -25,9 +25,9 @@ from loomlight.models.lobes.model import DEFAULT_GROUPS
 from loomlight.models.lobes.tables import MOMENTS
 from loomlight.realtime import albedo_map, bake, bvh, environment, orbit, renderer, scene_words, tables
 from loomlight.realtime.layout import RECORDS, numpy_type
-from loomlight.realtime.openness_tables import NO_OPENNESS, PARTS
+from loomlight.realtime.openness_tables import NO_OPENNESS, PARTS, RAY_RESULTS
 from loomlight.realtime.slangc import SHADERS
-from loomlight.scattering import albedo, cloth_layer_bound, detail
+from loomlight.scattering import albedo, cloth_layer_bound, detail, fibre, openness
 from loomlight.scattering.variation import FIBRES_ACROSS
 from loomlight.yarn import layout, max_heights, runs, search, threads
 
@@ -75,6 +75,16 @@ CONSTANTS: dict[str, dict[str, Value]] = {
         "PLY_TWIST_DEG": PLY_TWIST_DEG,
     },
     "fabric/authored_colour.py": {"HALVINGS": authored_colour._HALVINGS},
+    "scattering/openness.py, fibre.py": {
+        "OBLIQUE_RAYS": openness._VIEWS,
+        "FACING_RAYS": openness._FACING,
+        "FACING_COSINE": openness.FACING_COSINE,
+        "SMALLEST_VIEW_COSINE": openness._SMALLEST_COSINE,
+        "SMALLEST_OPENNESS_SHARE": openness._SMALLEST,
+        "OPENNESS_NUMBERS": RAY_RESULTS,
+        "MEAN_TURNED": fibre._MEAN_TURNED,
+        "MEAN_THROUGH": fibre._MEAN_THROUGH,
+    },
     "fabric/fabric.py": {"MAXIMUM_CROSSINGS": MAXIMUM_CROSSINGS},
     "aggregate/footprint_albedos.py": {
         "MOST_ENTRIES": footprint_albedos._MOST_ENTRIES,

@@ -97,7 +97,9 @@ def openness_of(
     if key in _kept:
         _kept.move_to_end(key)
         return _kept[key]
-    found = _baked(YarnGeometry(layout), diffuse_blend, roughness, optical_depth)
+    geometry = YarnGeometry(layout)
+    met = ray_shares(geometry, diffuse_blend, roughness, optical_depth)
+    found = openness_of_rays(met, geometry.height_bounds[1])
     _kept[key] = found
     if len(_kept) > _MOST_KEPT:
         _kept.popitem(last=False)
@@ -128,26 +130,87 @@ def point_terms(cosine: Any, height: Any) -> tuple[Any, ...]:
     return 1.0, cosine, height, cosine * cosine, cosine * height, height * height
 
 
-def _baked(
+@dataclass(frozen=True, eq=False)
+class RayShares:
+    """What the view rays of both faces meet, front first, and what is seen of the sky from there.
+
+    Attributes:
+        is_warp, is_yarn: of the yarn that a ray meets, and whether it meets any [n].
+        is_blocked, meets_warp: whether yarn blocks one diffuse direction there, and whether that is warp [n].
+        normal_cosines: between the yarns' normals and the cloth's [n].
+        heights: of the yarn points on their face [n], millimetres.
+        halves: D by every other light of the side of the view [2, n].
+        far: D of the other side [n].
+        layers: value of the fibre layer at albedo 1 [family, side, n].
+    """
+
+    is_warp: NDArray[np.bool_]
+    is_yarn: NDArray[np.bool_]
+    is_blocked: NDArray[np.bool_]
+    meets_warp: NDArray[np.bool_]
+    normal_cosines: NDArray[np.float64]
+    heights: NDArray[np.float64]
+    halves: NDArray[np.float64]
+    far: NDArray[np.float64]
+    layers: NDArray[np.float64]
+
+
+def view_rays() -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """View rays of a face, evenly spread by additive recurrences (Roberts 2018).
+
+    Returns:
+        where they cross the plane z = 0, in repeats [2, n]; unit vectors [3, n] in the frame of the face.
+    """
+    number = np.arange(_VIEWS + _FACING)
+    across, along, tilt, turn = (
+        (number * share + 0.5) % 1
+        for share in (0.8566748838545029, 0.733891856627126, 0.6287067210378087, 0.5385972572236101)
+    )
+    cosine = np.where(number < _VIEWS, 1 - (1 - _SMALLEST_COSINE) * tilt, FACING_COSINE)
+    sine = np.sqrt(1 - cosine**2)
+    views = np.stack([sine * np.cos(2 * np.pi * turn), sine * np.sin(2 * np.pi * turn), cosine])
+    return np.stack([across, along]), views
+
+
+def ray_shares(
     geometry: YarnGeometry, blend: float, roughness: tuple[float, float], optical_depth: float
-) -> Openness:
+) -> RayShares:
+    """What the rays of `openness_of` meet; other arguments are its own."""
     rays = _Rays(geometry, array_types(llvm_float()))
     shares, layers = rays.shares(blend, roughness, optical_depth)
-    x, y, z = rays.views
-    relief = max(geometry.height_bounds[1], 1e-6)
-    of_view = _matrix(view_terms(x, y, z, np.sqrt(x * x + y * y)))
-    of_point = _matrix(point_terms(rays.normal_cosines(), rays.heights() / relief))
     is_warp, yarn = rays.hits()
+    is_blocked, meets_warp = rays.first_blocks(blend)
+    return RayShares(
+        is_warp,
+        yarn,
+        is_blocked,
+        meets_warp,
+        rays.normal_cosines(),
+        rays.heights(),
+        np.stack([shares[0, :, half::2].mean(axis=1) for half in (0, 1)]),
+        shares[1].mean(axis=1),
+        layers.mean(axis=3),
+    )
+
+
+def openness_of_rays(met: RayShares, highest: float) -> Openness:
+    """The openness of cloth whose highest yarn is `highest` millimetres above the middle."""
+    x, y, z = np.tile(view_rays()[1], 2)
+    faces = np.repeat([0, 1], z.size // 2)
+    relief = max(highest, 1e-6)
+    of_view = _matrix(view_terms(x, y, z, np.sqrt(x * x + y * y)))
+    of_point = _matrix(point_terms(met.normal_cosines, met.heights / relief))
+    is_warp, yarn = met.is_warp, met.is_yarn
     is_oblique = z != FACING_COSINE
     by_view, by_point = np.zeros((2, 2, 3, VIEW_TERMS)), np.zeros((2, 2, 3, POINT_TERMS))
     interior, blocks = np.zeros((2, 2)), np.zeros((2, 2))
     meets = np.zeros((2, 2, 2))
-    means = shares.mean(axis=2)
-    is_blocked, meets_warp = rays.first_blocks(blend)
+    means = np.stack([met.halves.mean(axis=0), met.far])
+    meets_warp = met.meets_warp
     for face in (0, 1):
         for family, of_family in enumerate((is_warp, ~is_warp)):
-            seen = yarn & of_family & (rays.face == face)
-            meeting = seen & is_blocked
+            seen = yarn & of_family & (faces == face)
+            meeting = seen & met.is_blocked
             for table, terms in ((by_view, of_view), (by_point, of_point)):
                 table[face, family, :2] = _fitted(terms[seen], 1 - means[:, seen])
                 table[face, family, 2:] = _fitted(terms[meeting], meets_warp[None, meeting])
@@ -155,15 +218,15 @@ def _baked(
             share = float((z[meeting] * meets_warp[meeting]).sum()) / max(float(z[meeting].sum()), 1e-9)
             meets[face, family] = share, 1 - share
             # Two halves of the lights: their errors are independent, so the mean of the product is unbiased.
-            first, second = (shares[0, seen, half::2].mean(axis=1) for half in (0, 1))
+            first, second = met.halves[:, seen]
             # Yarn that blocks light is met in proportion to how much of its own sky is blocked.
             blocked = z[seen] * (1 - first)
             blocks[face, family] = max(float(blocked.sum()), 0)
             interior[face, family] = (blocked * second).sum() / max(float(blocked.sum()), 1e-9)
     blocks /= np.maximum(blocks.sum(axis=1, keepdims=True), 1e-9)
-    facing = yarn & ~is_oblique & (rays.face == 0)
+    facing = yarn & ~is_oblique & (faces == 0)
     warp_seen = [
-        _fitted(of_view[seen], is_warp[None, seen])[0] for seen in (yarn & (rays.face == f) for f in (0, 1))
+        _fitted(of_view[seen], is_warp[None, seen])[0] for seen in (yarn & (faces == f) for f in (0, 1))
     ]
     return Openness(
         by_view,
@@ -174,7 +237,7 @@ def _baked(
         meets,
         blocks,
         means[:, facing].mean(axis=1),
-        layers[:, :, facing].mean(axis=(2, 3)),
+        met.layers[:, :, facing].mean(axis=2),
     )
 
 
@@ -195,7 +258,7 @@ def _fitted(terms: NDArray[np.float64], shares: NDArray[Any]) -> NDArray[np.floa
 
 
 class _Rays:
-    """View rays of both faces and their lights, evenly spread by additive recurrences (Roberts 2018).
+    """View rays of both faces and their lights.
 
     Attributes:
         views: unit vectors [3, n] in the frame of their face.
@@ -204,17 +267,9 @@ class _Rays:
 
     def __init__(self, surface: Surface, types: ArrayTypes) -> None:
         self._surface, self._types = surface, types
-        count = _VIEWS + _FACING
-        number = np.arange(count)
-        across, along, tilt, turn = (
-            (number * share + 0.5) % 1
-            for share in (0.8566748838545029, 0.733891856627126, 0.6287067210378087, 0.5385972572236101)
-        )
-        cosine = np.where(number < _VIEWS, 1 - (1 - _SMALLEST_COSINE) * tilt, FACING_COSINE)
-        sine = np.sqrt(1 - cosine**2)
-        views = np.stack([sine * np.cos(2 * np.pi * turn), sine * np.sin(2 * np.pi * turn), cosine])
+        (across, along), views = view_rays()
         self.views = np.tile(views, 2)
-        self.face = np.repeat([0, 1], count)
+        self.face = np.repeat([0, 1], len(across))
         width, height = surface.size
         view = types.Vector3(*(upload(types.Float, part) for part in self.views))
         back = types.Bool(upload(types.UInt32, self.face) == 1)

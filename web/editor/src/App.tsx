@@ -172,7 +172,6 @@ export function App({ store, server, onView }: Props) {
         dispatch={dispatch}
         print={print}
         isFlat={isFlat}
-        hasPython={server?.hasPython ?? false}
         onPrint={(file) => void openPrint(file)}
         onPrintOff={() => setPrint(null)}
       />

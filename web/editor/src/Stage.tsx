@@ -102,7 +102,8 @@ export function Stage(props: Props) {
   useEffect(() => {
     if (view === null || lost !== null) return;
     try {
-      const opennessOf = (of: Fabric) => openness?.of(of) ?? null;
+      // Without Python the renderer finds it.
+      const opennessOf = (of: Fabric) => openness?.of(of);
       view.show({ fabric, scene, comparison, piece, surroundings, print, opennessOf });
       if (view.kind === "webgpu") openness?.show(comparison.before === null ? [fabric] : [fabric, comparison.before]);
     } catch (error) {

@@ -338,6 +338,16 @@ export const PLY_TWIST_DEG = 24.0;
 // fabric/authored_colour.py
 export const HALVINGS = 20;
 
+// scattering/openness.py, fibre.py
+export const OBLIQUE_RAYS = 6144;
+export const FACING_RAYS = 2048;
+export const FACING_COSINE = 0.9902680687415704;
+export const SMALLEST_VIEW_COSINE = 0.03;
+export const SMALLEST_OPENNESS_SHARE = 0.05;
+export const OPENNESS_NUMBERS = 10;
+export const MEAN_TURNED = [0.297, -0.086, -3.12] as const;
+export const MEAN_THROUGH = [0.579, 0.31, -2.014, 0.786] as const;
+
 // fabric/fabric.py
 export const MAXIMUM_CROSSINGS = 67108864;
 

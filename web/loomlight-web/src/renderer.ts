@@ -72,7 +72,7 @@ export class ClothRenderer {
   private frameSize: readonly [number, number] = [1, 1];
   private isPending = false;
   private other: { readonly renderer: ClothRenderer; readonly split: number } | null = null;
-  private done = { passes: 0, frameMs: 0, editMs: 0, bakeKernels: 0, bakes: 0, writes: 0, writtenBytes: 0 };
+  private done = { passes: 0, frameMs: 0, editMs: 0, bakeKernels: 0, bakes: 0, openings: 0, writes: 0, writtenBytes: 0 };
 
   private constructor(options: RendererOptions, device: Device) {
     this.options = options;
@@ -113,6 +113,7 @@ export class ClothRenderer {
     return {
       bakeKernels: done.bakeKernels + (fabrics?.bakeKernels ?? 0),
       bakes: done.bakes + (fabrics?.bakes ?? 0),
+      openings: done.openings + (this.cloth?.openings ?? 0),
       writes: done.writes + (fabrics?.writes ?? 0),
       writtenBytes: done.writtenBytes + (fabrics?.writtenBytes ?? 0),
       passes: done.passes,
@@ -153,7 +154,7 @@ export class ClothRenderer {
    * @param openness what light between yarns needs; see `Piece`.
    * @throws InputError a fabric that cannot be; the picture stays as it is.
    */
-  setFabric(number: number, fields: FabricFields, draft: Draft, openness: Openness | null = null): void {
+  setFabric(number: number, fields: FabricFields, draft: Draft, openness?: Openness | null): void {
     const cloth = this.require();
     const begin = performance.now();
     cloth.setFabric(number, fields, draft, openness);
@@ -312,8 +313,8 @@ export class ClothRenderer {
 
   /** Resolves when everything that the next frame needs is compiled and baked. */
   async ready(): Promise<void> {
-    while (!this.prepare()) {
-      await Promise.all([this.raster.compiled, this.device.compiled()]);
+    while (!this.prepare() || !this.require().isSettled) {
+      await Promise.all([this.raster.compiled, this.device.compiled(), this.require().found()]);
     }
   }
 
@@ -362,13 +363,15 @@ export class ClothRenderer {
 
   /** Whether all kernels of the next frame are compiled, and tables baked; begins what is missing. */
   private prepare(): boolean {
-    const { fabrics, layers } = this.require();
+    const cloth = this.require();
+    const { fabrics, layers } = cloth;
+    const isOpen = cloth.findOpenness(() => (this.shown = ""));
     const names: ShaderName[] = ["first_layer", ENTRIES[this.model], "add_background", "tone_map"];
     if (layers > 1) names.push("next_layer");
     if (this.castsShadows(this.view)) names.push("cast_shadows");
     const kernels = names.map((name) => this.device.kernel(name, name));
     const isBaked = this.model !== "lobes" || fabrics.bake();
-    return isBaked && this.raster.isReady && kernels.every((kernel) => kernel !== undefined);
+    return isOpen && isBaked && this.raster.isReady && kernels.every((kernel) => kernel !== undefined);
   }
 
   private advance(view: View): FrameReport {
@@ -496,7 +499,7 @@ export class ClothRenderer {
 
   /** Adds what buffers of fabrics counted, which are about to be replaced, to the counts. */
   private keepCounts(): void {
-    const { bakeKernels, bakes, writes, writtenBytes } = this.statistics;
-    Object.assign(this.done, { bakeKernels, bakes, writes, writtenBytes });
+    const { bakeKernels, bakes, openings, writes, writtenBytes } = this.statistics;
+    Object.assign(this.done, { bakeKernels, bakes, openings, writes, writtenBytes });
   }
 }

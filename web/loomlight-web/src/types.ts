@@ -32,7 +32,10 @@ export interface Piece {
   readonly fields: FabricFields;
   /** The draft that the fields name, as `loadDraft` returns it. */
   readonly draft: Draft;
-  /** What light between yarns needs, where the fields say `interreflection`; without it there is direct light alone. */
+  /**
+   * What light between yarns needs, where the fields say `interreflection`: the numbers that Python found, or null for
+   * direct light alone. Without it the renderer finds them by rays on the adapter.
+   */
   readonly openness?: Openness | null;
   /** Millimetres per unit of u and of v; 100 by default. */
   readonly uvSizeMm?: readonly [number, number];
@@ -86,6 +89,8 @@ export interface Statistics {
   /** Kernels of baking that were launched, and bakes of a fabric. */
   readonly bakeKernels: number;
   readonly bakes: number;
+  /** Times that the openness of a fabric was found, for light between its yarns. */
+  readonly openings: number;
   /** Buffers, or parts of them, that were written for fabrics, and their bytes. */
   readonly writes: number;
   readonly writtenBytes: number;

@@ -3,7 +3,9 @@ import type { Draft, FabricFields, Threads } from "loomlight-fabric";
 
 import { planBake } from "../src/fabric/bake_plan.ts";
 import type { Openness } from "../src/fabric/between_yarns.ts";
-import { lookOf } from "../src/fabric/look.ts";
+import { geometryOf, heightBounds } from "../src/fabric/geometry.ts";
+import { lookOf, type Look } from "../src/fabric/look.ts";
+import { opennessOf } from "../src/fabric/openness.ts";
 import { packFabrics, prepare } from "../src/fabric/pack.ts";
 import { DEFAULT_GROUPS } from "../src/generated.ts";
 import { bakeRecord, bakeSteps } from "../src/gpu/bake_records.ts";
@@ -24,11 +26,15 @@ export interface FabricQuestion {
   readonly weft: ThreadsQuestion;
   readonly uvSizeMm: [number, number];
   readonly openness: Openness | null;
+  /** What the kernel `bake_openness` would write of that fabric, in place of `openness`. */
+  readonly rays?: readonly number[];
 }
 
 /** Bytes of the buffers of a fabric with room for baked tables, and of what its bake is told. */
 export function report(question: FabricQuestion): Record<string, Uint8Array> {
-  const look = lookOf(question.fields, draftOf(question), question.openness);
+  const draft = draftOf(question);
+  const given = lookOf(question.fields, draft, question.openness);
+  const look = question.rays === undefined ? given : lookOf(question.fields, draft, opennessFrom(question.rays, given));
   const plan = planBake(look.layout, DEFAULT_GROUPS);
   const packed = packFabrics([prepare(look, question.uvSizeMm, plan)]);
   const parts = {
@@ -39,6 +45,12 @@ export function report(question: FabricQuestion): Record<string, Uint8Array> {
     steps: bakeSteps(plan),
   };
   return Object.fromEntries(Object.entries(parts).map(([name, words]) => [name, new Uint8Array(words.buffer)]));
+}
+
+function opennessFrom(rays: readonly number[], { layout, appearance }: Look): Openness {
+  const { warp, weft, opticalDepth } = appearance;
+  const highest = heightBounds(geometryOf(layout), layout)[1];
+  return opennessOf(Uint32Array.from(rays), highest, [warp.roughness, weft.roughness], opticalDepth);
 }
 
 function draftOf(question: FabricQuestion): Draft {

@@ -97,7 +97,7 @@ async function store(renderer: ClothRenderer, name: string): Promise<void> {
 }
 
 function difference(after: Statistics, before: Statistics): Statistics {
-  const counts = ["bakeKernels", "bakes", "writes", "writtenBytes", "passes"] as const;
+  const counts = ["bakeKernels", "bakes", "openings", "writes", "writtenBytes", "passes"] as const;
   return { ...after, ...Object.fromEntries(counts.map((name) => [name, after[name] - before[name]])) };
 }
 

@@ -14,13 +14,11 @@ interface Props {
   readonly print: Print | null;
   /** Whether the cloth is shown flat, without light. */
   readonly isFlat: boolean;
-  /** Whether a server finds how open yarns are. */
-  readonly hasPython: boolean;
   readonly onPrint: (file: File | undefined) => void;
   readonly onPrintOff: () => void;
 }
 
-export function FinishPanel({ fabric, dispatch, print, isFlat, hasPython, onPrint, onPrintOff }: Props) {
+export function FinishPanel({ fabric, dispatch, print, isFlat, onPrint, onPrintOff }: Props) {
   const slider = (field: string) => {
     const own = valueAt(fabric, field);
     const quantity = CLOTH_QUANTITIES[field]!;
@@ -100,15 +98,12 @@ export function FinishPanel({ fabric, dispatch, print, isFlat, hasPython, onPrin
             ["on", "On"],
           ]}
           value={fabric.fields.interreflection === true ? "on" : "off"}
-          isDisabled={!hasPython}
           onChoose={(chosen) =>
             dispatch({ type: "field/set", field: "interreflection", value: chosen === "on" ? true : undefined })
           }
         />
         <p class="note">
-          {hasPython
-            ? "Yarns light each other, and a colour is what flat cloth of that yarn shows."
-            : "This page shows direct light alone: light between yarns takes Python, so run loomlight view for it."}
+          Yarns light each other, and a colour is what flat cloth of that yarn shows.
         </p>
       </section>
       <section class="group">

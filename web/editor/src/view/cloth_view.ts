@@ -15,7 +15,7 @@ export interface Shown {
   /** The user's own surroundings, if the scene asks for them. */
   readonly surroundings: SurroundingsPicture | null;
   /** How open the yarns of a fabric are, for light between them, as far as it is known. */
-  readonly opennessOf: (fabric: Fabric) => Openness | null;
+  readonly opennessOf: (fabric: Fabric) => Openness | null | undefined;
   /** What is printed on the cloth. */
   readonly print: Print | null;
 }

@@ -24,7 +24,7 @@ const MODELS: Readonly<Record<Exclude<Model, ServedModel>, readonly ["lobes" | "
 interface Given {
   shape: ClothShape | null;
   fabric: Fabric | null;
-  openness: Openness | null;
+  openness: Openness | null | undefined;
   print: Print | null;
   model: Model | null;
   /** Of a model that Python bakes, which is shown. */
@@ -178,11 +178,11 @@ export class WebGpuView implements ClothView {
     const empty: Given = { shape: null, fabric: null, openness: null, print: null, model: null, tables: null };
     const given = this.given.get(renderer) ?? empty;
     const { fields, draft } = fabric;
-    const openness = this.shown?.opennessOf(fabric) ?? null;
+    const openness = this.shown?.opennessOf(fabric);
     const print = this.shown?.print ?? null;
     if (given.shape !== shape || given.print !== print)
       renderer.setPieces([
-        { mesh: shape.mesh, uvSizeMm: shape.uvSizeMm, fields, draft, openness, albedo: print?.picture ?? null },
+        { mesh: shape.mesh, uvSizeMm: shape.uvSizeMm, fields, draft, ...(openness === undefined ? {} : { openness }), albedo: print?.picture ?? null },
       ]);
     else if (given.fabric !== fabric || given.openness !== openness) renderer.setFabric(0, fields, draft, openness);
     const tables = isServed(model) ? this.served.tables(model, fabric) : null;

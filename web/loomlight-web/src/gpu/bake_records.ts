@@ -30,6 +30,8 @@ export interface BakeList {
   readonly scratch_words: Readonly<Record<string, Size>>;
   readonly buffer_bytes: Readonly<Record<string, Size>>;
   readonly aliases: Readonly<Record<string, string>>;
+  /** The kernel of the openness of yarns: threads of a workgroup, and bindings by the name of the buffer. */
+  readonly openness: { readonly group: number; readonly bindings: Readonly<Record<string, number>> };
 }
 
 export const BAKE = bakeList as unknown as BakeList;

@@ -2,16 +2,23 @@
 import { InputError, type Draft, type FabricFields } from "loomlight-fabric";
 
 import type { Openness } from "../fabric/between_yarns.ts";
-import { lookOf } from "../fabric/look.ts";
+import { lookOf, type Look } from "../fabric/look.ts";
 import { MOST_LAYERS } from "../generated.ts";
 import { requireMesh } from "../scene/mesh.ts";
 import type { Mesh, ModelName, Piece } from "../types.ts";
 import type { Device } from "./device.ts";
 import { FabricBuffers, type Dressing } from "./fabric_buffers.ts";
+import { bakeOpenness, isAsOpen } from "./openness_baker.ts";
 import { SceneBuffers } from "./scene_buffers.ts";
 import { ServedBuffers, readTables } from "./served_buffers.ts";
 
 const UV_SIZE_MM = [100, 100] as const;
+
+/** What was found of how open a piece of cloth is, and the look that it was found of. */
+interface KnownOpenness {
+  readonly look: Look;
+  readonly openness: Openness;
+}
 
 export class ClothBuffers {
   readonly fabrics: FabricBuffers;
@@ -20,6 +27,14 @@ export class ClothBuffers {
   /** What Python packed for `model`, and the bytes that it sent. */
   private served: { readonly buffers: ServedBuffers; readonly content: Uint8Array } | null = null;
   private readonly device: Device;
+  /** How often the openness of a fabric was found here. */
+  openings = 0;
+  /** By the number of the piece. */
+  private readonly known = new Map<number, KnownOpenness>();
+  private readonly finding = new Map<number, Promise<void>>();
+  private isDestroyed = false;
+  /** Whether rays came back from no adapter: cloth is then shown by direct light. */
+  private isUnknowable = false;
 
   /** @throws InputError no piece, a mesh without uv, a fabric that cannot be, or tables beyond the adapter's limits. */
   constructor(device: Device, pieces: readonly Piece[]) {
@@ -49,6 +64,44 @@ export class ClothBuffers {
     return this.shownFabrics.isOpen && !this.scene.isFlat ? MOST_LAYERS : 1;
   }
 
+  /** Whether the openness of all pieces that need it is that of their yarns. */
+  get isSettled(): boolean {
+    return this.isUnknowable || this.served !== null || this.pieces.every((_, number) => this.isFound(number));
+  }
+
+  /**
+   * Looks for the openness of pieces with light between their yarns that came without it. Until it is there, a piece
+   * that was edited keeps the one that it had.
+   *
+   * @param onFound is called when the cloth has become another.
+   * @returns false while a piece has none.
+   */
+  findOpenness(onFound: () => void): boolean {
+    if (this.isUnknowable || this.served !== null) return true;
+    this.pieces.forEach((_, number) => {
+      if (this.isFound(number) || this.finding.has(number)) return;
+      const { look, highest } = this.fabrics.lookAt(number);
+      const openness = bakeOpenness(this.device, this.fabrics.buffers, number, look, highest);
+      if (openness === undefined) return;
+      const found = openness
+        .then((value) => this.keepOpenness(number, { look, openness: value }))
+        .catch(() => {
+          this.isUnknowable = true;
+        })
+        .then(() => {
+          this.finding.delete(number);
+          if (!this.isDestroyed) onFound();
+        });
+      this.finding.set(number, found);
+    });
+    return this.pieces.every((piece, number) => !looksForOpenness(piece) || this.known.has(number));
+  }
+
+  /** Resolves when what is being looked for is found. */
+  async found(): Promise<void> {
+    await Promise.all(this.finding.values());
+  }
+
   /** The tables that Python packed, where they are shown. */
   get servedContent(): Uint8Array | null {
     return this.served?.content ?? null;
@@ -68,12 +121,15 @@ export class ClothBuffers {
   }
 
   /** @throws InputError no such piece, or a fabric that cannot be; nothing changes then. */
-  setFabric(number: number, fields: FabricFields, draft: Draft, openness: Openness | null): void {
+  setFabric(number: number, fields: FabricFields, draft: Draft, openness: Openness | null | undefined): void {
     const piece = this.pieces[number];
     if (piece === undefined)
       throw new InputError(`piece = ${number} is none of the ${this.pieces.length} pieces of cloth.`);
-    this.fabrics.setFabric(number, lookOf(fields, draft, openness));
-    this.pieces = this.pieces.map((other, index) => (index === number ? { ...piece, fields, draft, openness } : other));
+    const known = openness === undefined ? this.known.get(number)?.openness : openness;
+    this.fabrics.setFabric(number, lookOf(fields, draft, known));
+    const { openness: _, ...rest } = piece;
+    const edited = openness === undefined ? { ...rest, fields, draft } : { ...rest, fields, draft, openness };
+    this.pieces = this.pieces.map((other, index) => (index === number ? edited : other));
   }
 
   /** @throws InputError content that is no tables, or several pieces. */
@@ -93,14 +149,34 @@ export class ClothBuffers {
   }
 
   destroy(): void {
+    this.isDestroyed = true;
     this.leaveTables();
     this.scene.destroy();
     this.fabrics.destroy();
   }
 
+  private isFound(number: number): boolean {
+    if (!looksForOpenness(this.pieces[number]!)) return true;
+    const known = this.known.get(number);
+    return known !== undefined && isAsOpen(known.look, this.fabrics.lookAt(number).look);
+  }
+
+  private keepOpenness(number: number, found: KnownOpenness): void {
+    if (this.isDestroyed) return;
+    this.known.set(number, found);
+    this.openings++;
+    const { fields, draft, openness } = this.pieces[number]!;
+    this.setFabric(number, fields, draft, openness);
+  }
+
   private get shownFabrics(): FabricBuffers | ServedBuffers {
     return this.served?.buffers ?? this.fabrics;
   }
+}
+
+/** Whether the openness of a piece is to be found here: its maker may know it, or want direct light alone. */
+function looksForOpenness({ fields, openness }: Piece): boolean {
+  return fields.interreflection === true && openness === undefined;
 }
 
 /** Buffers of the meshes and albedo maps of pieces. */

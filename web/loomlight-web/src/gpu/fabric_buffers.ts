@@ -63,6 +63,11 @@ export class FabricBuffers {
     return this.dressings.some((_, number) => this.packed.fabrics.get(number, "is_open") === 1);
   }
 
+  /** The look of a fabric, and its highest yarn, millimetres. */
+  lookAt(number: number): { readonly look: Look; readonly highest: number } {
+    return { look: this.dressings[number]!.look, highest: this.packed.fabrics.get(number, "height_high") };
+  }
+
   /** Bakes what is not baked yet; false while kernels compile. */
   bake(): boolean {
     if (this.unbaked.size === 0) return true;

@@ -2,6 +2,7 @@
 import addBackground from "@shaders/wgsl/add_background.wgsl?raw";
 import bakeCoverage from "@shaders/wgsl/bake_coverage.wgsl?raw";
 import bakeGroups from "@shaders/wgsl/bake_groups.wgsl?raw";
+import bakeOpenness from "@shaders/wgsl/bake_openness.wgsl?raw";
 import bakePoints from "@shaders/wgsl/bake_points.wgsl?raw";
 import bakeRays from "@shaders/wgsl/bake_rays.wgsl?raw";
 import bakeTables from "@shaders/wgsl/bake_tables.wgsl?raw";
@@ -22,6 +23,7 @@ const TEXTS = {
   add_background: addBackground,
   bake_coverage: bakeCoverage,
   bake_groups: bakeGroups,
+  bake_openness: bakeOpenness,
   bake_points: bakePoints,
   bake_rays: bakeRays,
   bake_tables: bakeTables,
