@@ -331,7 +331,7 @@ def test_a_lost_device_is_told_and_drawing_goes_on(drawn: Drawn) -> None:
 
 
 def test_the_page_finds_openness_itself(drawn: Drawn) -> None:
-    """Without Python's numbers a kernel casts the rays, after edits of yarns and not after one of a colour."""
+    """Without Python's numbers a kernel casts the rays: after edits of yarns, not of a colour."""
     number, scene = list(SCENES).index("light between yarns"), SCENES["light between yarns"]
     statistics = drawn.report["statistics"][number][2:]
     assert [step["openings"] for step in statistics] == [1, 0, 1]
