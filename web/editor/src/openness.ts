@@ -1,5 +1,6 @@
 /**
- * How open the yarns of fabrics are, which light between yarns needs and Python finds.
+ * How open the yarns of fabrics are, which light between yarns needs: of Python, where there is a server; else the
+ * renderer's kernel finds it.
  *
  * It follows from the geometry, so the server is asked only for a geometry that is new; while its answer is on the
  * way, the last one serves. An edit of colours asks nothing.
