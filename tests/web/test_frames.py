@@ -246,7 +246,7 @@ def drawn(tmp_path_factory: pytest.TempPathFactory) -> Drawn:
     script = WEB / "loomlight-web" / "tools" / "render_report.ts"
     command = [deno, "run", "--no-config", "--allow-all", "--unstable-webgpu", str(script)]
     arguments = [str(folder / "loomlight-web.js"), str(folder / "scenes.json"), str(folder)]
-    subprocess.run([*command, *arguments], check=True, timeout=300)
+    subprocess.run([*command, *arguments], check=True, timeout=900)
     return Drawn(folder, json.loads((folder / "report.json").read_text()))
 
 
