@@ -7,7 +7,7 @@ import math
 import pytest
 
 from loomlight.cli.main import run
-from loomlight.fabric.facts import cloth_facts, facts_text
+from loomlight.fabric.facts import cloth_facts, facts_text, three_digits
 from loomlight.fabric.load import fabric_from_text
 from loomlight.weave.textile import yarn_diameter_mm
 
@@ -78,3 +78,10 @@ def test_denim_weighs_what_its_file_says(capsys: pytest.CaptureFixture[str]) -> 
 def test_a_weave_without_cloth_has_no_weight(capsys: pytest.CaptureFixture[str]) -> None:
     assert run(["weave", "info", "twill 2/2"]) == 0
     assert "weight" not in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("value", "text"), [(2056.2, "2060"), (82.06, "82.1"), (0.4333, "0.433"), (12.0, "12")]
+)
+def test_numbers_have_three_digits_and_no_exponent(value: float, text: str) -> None:
+    assert three_digits(value) == text

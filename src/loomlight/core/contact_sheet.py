@@ -6,6 +6,7 @@ import base64
 import html
 import io
 import json
+import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -128,7 +129,9 @@ def _columns(count: int, width: int, height: int) -> int:
 
 def _fitting(text: str, font: ImageFont.FreeTypeFont | ImageFont.ImageFont, width: int) -> str:
     """The text in characters that Pillow's own font has, cut at its end where it is wider than its place."""
-    text = text.translate(_PLAIN)
+    # It has no letters with accents: they lose these.
+    letters = unicodedata.normalize("NFKD", text.translate(_PLAIN))
+    text = "".join(letter for letter in letters if not unicodedata.combining(letter))
     if font.getlength(text) <= width:
         return text
     while text and font.getlength(f"{text}…") > width:

@@ -95,6 +95,11 @@ def cloth_facts(fabric: Fabric) -> ClothFacts:
     )
 
 
+def three_digits(value: float) -> str:
+    """A number by its first three digits, without an exponent: 2060, 82.1 or 0.43."""
+    return f"{float(f'{value:.3g}'):g}"
+
+
 def facts_text(facts: ClothFacts) -> str:
     """The facts in a few lines for a person."""
 
@@ -105,7 +110,7 @@ def facts_text(facts: ClothFacts) -> str:
     about = "about" if facts.counted else "at most"
     text = (
         f"cover: warp {cover[0]:.2f}, weft {cover[1]:.2f}, together {facts.cover:.3g}\n"
-        f"yarn: warp {tex[0]:.3g} tex, weft {tex[1]:.3g} tex; "
+        f"yarn: warp {three_digits(tex[0])} tex, weft {three_digits(tex[1])} tex; "
         f"crimp {100 * crimp[0]:.2g} % and {100 * crimp[1]:.2g} %\n"
         f"weight: {about} {facts.weight:.0f} g/m²; thickness: {about} {facts.thickness_mm:.2g} mm"
     )

@@ -23,7 +23,7 @@ from loomlight.core.images import encoded
 from loomlight.core.shards import Outcome, Shard
 from loomlight.core.work_map import work_map
 from loomlight.fabric.fabric import Fabric
-from loomlight.fabric.facts import cloth_facts
+from loomlight.fabric.facts import cloth_facts, three_digits
 from loomlight.mitsuba.material import material_bsdf
 from loomlight.mitsuba.rendering import render
 from loomlight.mitsuba.scenes import build_scene
@@ -159,8 +159,8 @@ def fact_lines(fabric: Fabric) -> list[str]:
     about = "about" if facts.counted else "at most"
     return [
         f"{weave}; {draft.ends} ends and {draft.picks} picks, {width:.3g} × {height:.3g} mm a repeat",
-        f"{facts.warp.per_cm:.3g} ends/cm of {facts.warp.tex:.3g} tex, "
-        f"{facts.weft.per_cm:.3g} picks/cm of {facts.weft.tex:.3g} tex",
+        f"{facts.warp.per_cm:.3g} ends/cm of {three_digits(facts.warp.tex)} tex, "
+        f"{facts.weft.per_cm:.3g} picks/cm of {three_digits(facts.weft.tex)} tex",
         f"covers {100 * facts.cover:.0f} %, {about} {facts.weight:.0f} g/m², "
         f"{facts.thickness_mm:.2g} mm thick",
     ]
