@@ -1,4 +1,4 @@
-"""A real Chromium draws lit cloth as the Python host does: in software, by the model of the smallest shader."""
+"""A real Chromium draws lit cloth as the Python host does: in software, by the smallest shader."""
 
 from __future__ import annotations
 
