@@ -70,27 +70,33 @@ def client() -> Path:
 
 
 @pytest.fixture(scope="session")
-def browser(client: Path) -> Iterator[Any]:
+def playwright() -> Iterator[Any]:
+    """Drives browsers; a process has one."""
+    sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+    with sync_api.sync_playwright() as started:
+        yield started
+
+
+@pytest.fixture(scope="session")
+def browser(client: Path, playwright: Any) -> Iterator[Any]:
     """Chromium without a graphics device: what a page does by itself."""
-    with launched(()) as started:
+    with launched(playwright, ()) as started:
         yield started
 
 
 @contextmanager
-def launched(options: tuple[str, ...], headless: bool = True) -> Iterator[Any]:
-    """Chromium with further options; skips the test where it or Playwright is missing."""
-    sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+def launched(playwright: Any, options: tuple[str, ...]) -> Iterator[Any]:
+    """Chromium with further options; skips the test where it is missing."""
     program = _chromium()
     if program is None:
         pytest.skip("chromium is not installed: apt-get install chromium")
-    with sync_api.sync_playwright() as playwright:
-        started = playwright.chromium.launch(
-            executable_path=program, headless=headless, args=[*_QUIET, *options], env=dict(os.environ)
-        )
-        try:
-            yield started
-        finally:
-            started.close()
+    started = playwright.chromium.launch(
+        executable_path=program, args=[*_QUIET, *options], env=dict(os.environ)
+    )
+    try:
+        yield started
+    finally:
+        started.close()
 
 
 @pytest.fixture(scope="module")

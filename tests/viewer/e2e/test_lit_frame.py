@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -59,12 +60,12 @@ def address(tmp_path: Path) -> Iterator[str]:
     server.shutdown()
 
 
-def test_chromium_draws_what_the_python_host_draws(address: str) -> None:
+def test_chromium_draws_what_the_python_host_draws(address: str, playwright: Any) -> None:
     try:
         default_adapter()
     except MissingDependencyError as error:
         pytest.skip(str(error))
-    with launched(SWIFTSHADER) as browser, visiting(browser) as visit:
+    with launched(playwright, SWIFTSHADER) as browser, visiting(browser) as visit:
         visit.page.goto(address)
         wait_until(visit.page, "window.web !== undefined")
         if not visit.page.evaluate("async () => (await navigator.gpu?.requestAdapter()) != null"):
