@@ -31,8 +31,8 @@ from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.llvm import require_llvm
 from loomlight.evaluation.timing import launched_kernels, timed
 from loomlight.fabric import Fabric
-from loomlight.models.woven.training.materials import MATERIALS, paper_material
-from loomlight.models.woven.training.queries import material_queries, slice_means
+from loomlight.models.neural.training.materials import MATERIALS, paper_material
+from loomlight.models.neural.training.queries import material_queries, slice_means
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
 

@@ -88,7 +88,7 @@ def _materials(fabric: Fabric) -> dict[str, tuple[str, Material, bool]]:
     return {
         "lobes": ("lobes", fabric, False),
         "point": ("point", fabric, False),
-        "woven": ("woven", fabric, False),
+        "neural": ("neural", fabric, False),
         "clustered": ("clustered", clustered, False),
         "clustered, 2 points": ("clustered", clustered, True),
         "neumip": ("neumip", random_neumip(fabric), False),
@@ -173,7 +173,7 @@ def _frame_times(fabric: Fabric, model: str, width: int, height: int) -> Figures
 def _options(parser: ArgumentParser) -> None:
     parser.add_argument("--size", default="64x64", help="pixels of measured frames")
     parser.add_argument(
-        "--models", default="lobes,point,clustered,woven", help="models whose frames are measured"
+        "--models", default="lobes,point,clustered,neural", help="models whose frames are measured"
     )
     parser.add_argument("--counts-only", action="store_true", help="no frames: no adapter is needed")
 

@@ -31,8 +31,8 @@ from loomlight.evaluation.query_benchmark import run_query_benchmark
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.file import FabricFile
 from loomlight.models.lobes.model import LobesModel
-from loomlight.models.woven.parameter_ranges import ParameterRanges
-from loomlight.models.woven.training.random_fabrics import random_fabric
+from loomlight.models.neural.parameter_ranges import ParameterRanges
+from loomlight.models.neural.training.random_fabrics import random_fabric
 from loomlight.scattering.point import PointModel
 from loomlight.weave.draft import Draft
 from loomlight.weave.named import named_weave

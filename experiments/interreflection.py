@@ -1,6 +1,6 @@
 """Light between yarns: models with its closed form against paths through the cloth, under a white sky.
 
-    python -m experiments.interreflection [--models point,lobes,woven] [--paths N] [--samples N] [--output F]
+    python -m experiments.interreflection [--models point,lobes,neural] [--paths N] [--samples N] [--output F]
 
 Twelve pairs of weave and colours, six views each. Cloth that scatters like the point model is traced by
 `cloth_paths.py`; a model's reflectance is the mean of its values over lights of the whole sphere and places

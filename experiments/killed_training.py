@@ -63,13 +63,13 @@ def measure(options: Namespace) -> Figures:
     return {"kills": kills, "same_weights": same, "missed": missed, "config": CONFIG.strip()}
 
 
-# What `loomlight train woven` runs, with a checkpoint twice a second in place of one a minute.
+# What `loomlight train neural` runs, with a checkpoint twice a second in place of one a minute.
 _TRAINING = """
 import sys
 from pathlib import Path
-from loomlight.models.woven.training.config import read_config
-from loomlight.models.woven.training.train import train_woven
-train_woven(read_config(sys.argv[1]), Path(sys.argv[2]), keep_every=0.5)
+from loomlight.models.neural.training.config import read_config
+from loomlight.models.neural.training.train import train_neural
+train_neural(read_config(sys.argv[1]), Path(sys.argv[2]), keep_every=0.5)
 """
 
 
@@ -79,7 +79,7 @@ def _command(config: Path, folder: Path) -> list[str]:
 
 def _trained(config: Path, folder: Path) -> dict[str, np.ndarray]:
     subprocess.run(_command(config, folder), check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    return load_file(folder / "woven.safetensors")
+    return load_file(folder / "neural.safetensors")
 
 
 def _killed(config: Path, folder: Path, seconds: float) -> dict[str, float | int | bool]:

@@ -1,8 +1,8 @@
 """The query benchmark of all models on the 24 held-out fabrics: the figures that recipes are chosen by.
 
-    python -m experiments.query_benchmark --models point,woven --output query_benchmark.json
-    python -m experiments.query_benchmark --models woven --weights runs/a/woven.safetensors
-    python -m experiments.query_benchmark --models woven --fabrics 8 --pairs 40 --footprints 40     (a minute)
+    python -m experiments.query_benchmark --models point,neural --output query_benchmark.json
+    python -m experiments.query_benchmark --models neural --weights runs/a/neural.safetensors
+    python -m experiments.query_benchmark --models neural --fabrics 8 --pairs 40 --footprints 40    (a minute)
 
 The protocol is docs/evaluation.md: 25 600 queries a fabric against slices on the reference plane, with 1, 3
 and 16 Monte Carlo samples beside the models. The truths are cached on disk: the first run takes minutes,
@@ -24,25 +24,25 @@ from benchmarks.harness import Figures, run
 from loomlight.evaluation.held_out import held_out_fabrics
 from loomlight.evaluation.predictions import Predictor, model_predictor
 from loomlight.evaluation.query_benchmark import SEED, run_query_benchmark
-from loomlight.evaluation.reproduce.setting import woven_predictor
+from loomlight.evaluation.reproduce.setting import neural_predictor
 from loomlight.evaluation.truth import FOOTPRINTS, PAIRS
+from loomlight.models.neural.parameter_ranges import LAYOUT_RANGES, PARAMETER_RANGES
+from loomlight.models.neural.weights import read_weights
 from loomlight.models.registry import make_model
-from loomlight.models.woven.parameter_ranges import LAYOUT_RANGES, PARAMETER_RANGES
-from loomlight.models.woven.weights import read_weights
 
 
 def predictors(names: list[str], files: list[Path]) -> dict[str, Predictor]:
-    """A predictor for each model by its name, and one for each file of weights of the woven network."""
+    """A predictor for each model by its name, and one for each file of weights of the neural network."""
     predictors_by_name = {name: model_predictor(partial(make_model, name)) for name in names}
     for file in files:
-        predictors_by_name[f"woven {file.stem}"] = woven_predictor(read_weights(file))
+        predictors_by_name[f"neural {file.stem}"] = neural_predictor(read_weights(file))
     return predictors_by_name
 
 
 def add_options(parser: ArgumentParser) -> None:
     """Which models, on what."""
     parser.add_argument("--models", default="", help="names, with commas between them")
-    parser.add_argument("--weights", type=Path, action="append", default=[], help="weights of woven")
+    parser.add_argument("--weights", type=Path, action="append", default=[], help="weights of neural")
     parser.add_argument("--fabrics", type=int, default=None, help="only so many, of every kind")
     parser.add_argument("--varied-layouts", action="store_true", help="gaps and setts other than chen2024's")
     parser.add_argument("--pairs", type=int, default=PAIRS)

@@ -174,7 +174,7 @@ def _by_cosine(at: FootprintBsdf, rng: np.random.Generator, side: int) -> tuple[
 
 def _add_options(parser: ArgumentParser) -> None:
     parser.add_argument("sources", nargs="+", type=Path, help="fabrics, or .loom files")
-    parser.add_argument("--model", default="woven", help="of fabrics")
+    parser.add_argument("--model", default="neural", help="of fabrics")
     parser.add_argument("--set", action="append", default=[], help="an option of the model: name=value")
     parser.add_argument("--environment", type=Path, help="a picture of a sky")
     parser.add_argument("--places", type=int, default=2000)

@@ -145,10 +145,10 @@ def test_fields_can_be_edited_without_the_drafts_file(tmp_path: Path) -> None:
 def test_what_a_model_stores_comes_back(tmp_path: Path) -> None:
     path = tmp_path / "cloth.loom"
     settings = {"points": 16, "gain": 0.1, "fine": True, "note": "été"}
-    loom = LoomFile("woven", fabric_from_text("plain"), TENSORS, settings, {"encoder": "ab" * 32})
+    loom = LoomFile("neural", fabric_from_text("plain"), TENSORS, settings, {"encoder": "ab" * 32})
     write_loom(path, loom)
     actual = read_loom(path)
-    assert actual.model == "woven"
+    assert actual.model == "neural"
     assert actual.settings == settings
     assert actual.networks == {"encoder": "ab" * 32}
     assert actual.file == str(path)
@@ -159,7 +159,14 @@ def test_what_a_model_stores_comes_back(tmp_path: Path) -> None:
     assert actual.setting("points", int) == 16
     assert actual.setting("note", str) == "été"
     actual.require_network("encoder", "ab" * 32)
-    actual.require_model("woven")
+    actual.require_model("neural")
+
+
+def test_the_former_name_of_the_network_is_read(tmp_path: Path) -> None:
+    path = tmp_path / "cloth.loom"
+    write_loom(path, LoomFile("woven", fabric_from_text("plain"), networks={"woven": "ab" * 32}))
+    actual = read_loom(path)
+    assert (actual.model, dict(actual.networks)) == ("neural", {"neural": "ab" * 32})
 
 
 def test_views_of_arrays_are_written_as_they_read(tmp_path: Path) -> None:
@@ -202,7 +209,7 @@ def test_asking_for_what_is_not_there() -> None:
         (lambda: loom.setting("other", int), "other is missing: it should be of type int"),
         (lambda: loom.setting("fine", int), "fine is true: it should be of type int"),
         (lambda: loom.require_network("encoder", "ab" * 32), "does not say which, .* abab.* bake it again"),
-        (lambda: loom.require_model("woven"), '"m", not "woven"'),
+        (lambda: loom.require_model("neural"), '"m", not "neural"'),
     ]
     for ask, says in queries:
         with pytest.raises(InputError, match=rf"^a\.loom: .*{says}"):

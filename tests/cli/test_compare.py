@@ -89,7 +89,7 @@ def test_trained_models_are_made_once(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize(
     ("options", "expected"),
     [
-        (["plain", "--models", "wovne"], 'model "wovne" does not exist: did you mean woven?'),
+        (["plain", "--models", "nerual"], 'model "nerual" does not exist: did you mean neural?'),
         (["plain", "--models", ","], "No model is given"),
         (["plain", "--models", "point", "--scenes", "moon"], 'scene = "moon"'),
         (["plain", "--models", "point", "--size", "big"], "960x540"),

@@ -110,8 +110,8 @@ def test_work_that_goes_on_later_says_so(
     def interrupted(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("loomlight.models.woven.training.dataset_store.make_store", interrupted)
-    assert run(["data", "woven", "-o", str(tmp_path / "a.zarr")]) == 130
+    monkeypatch.setattr("loomlight.models.neural.training.dataset_store.make_store", interrupted)
+    assert run(["data", "neural", "-o", str(tmp_path / "a.zarr")]) == 130
     assert "a.zarr keeps the materials that are finished" in capsys.readouterr().err
 
 

@@ -57,7 +57,7 @@ def test_no_display_is_one_sentence(
     ("arguments", "message"),
     [
         (["--scene", "table"], 'scene = "table" is unknown'),
-        (["--model", "woven!"], 'model = "woven!" is unknown here'),
+        (["--model", "neural!"], 'model = "neural!" is unknown here'),
         (["--env", "none.exr"], "none.exr does not exist"),
         (["--passes", "0"], "--passes 0 is out of range"),
     ],

@@ -8,8 +8,8 @@ import pytest
 from loomlight.aggregate.queries import admits_transmission
 from loomlight.core.errors import InputError
 from loomlight.evaluation.held_out import HeldOut, held_out_fabrics
-from loomlight.models.woven.parameter_ranges import PARAMETER_RANGES
-from loomlight.models.woven.training.weaves import HELD_OUT_WEAVES, PAPER_WEAVES, paper_draft
+from loomlight.models.neural.parameter_ranges import PARAMETER_RANGES
+from loomlight.models.neural.training.weaves import HELD_OUT_WEAVES, PAPER_WEAVES, paper_draft
 
 
 @pytest.fixture(scope="module")

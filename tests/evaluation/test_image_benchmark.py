@@ -128,4 +128,4 @@ def test_faults(fabrics: list[Fabric]) -> None:
         shots_of(["wovne"])
     assert len(MEASURED_SCENES) == 8
     assert not Shot("point", 1).pixel_centres
-    assert Shot("woven", 1).pixel_centres
+    assert Shot("neural", 1).pixel_centres

@@ -54,13 +54,13 @@ def test_classes_part_the_queries() -> None:
 
 
 def test_a_table_in_both_forms(tmp_path: Path) -> None:
-    table = Table("Errors", ["nMAE", "MSE", "n"], {"woven": [0.12345, math.nan, 3]}, note="Of all.")
+    table = Table("Errors", ["nMAE", "MSE", "n"], {"neural": [0.12345, math.nan, 3]}, note="Of all.")
     assert table.to_markdown() == (
-        "### Errors\n\nOf all.\n\n|  | nMAE | MSE | n |\n|---|---:|---:|---:|\n| woven | 0.123 | – | 3 |\n"
+        "### Errors\n\nOf all.\n\n|  | nMAE | MSE | n |\n|---|---:|---:|---:|\n| neural | 0.123 | – | 3 |\n"
     )
     write_json(tmp_path / "t.json", table.to_dict())
     read = json.loads((tmp_path / "t.json").read_text())
-    assert read["rows"] == {"woven": {"nMAE": 0.12345, "MSE": None, "n": 3}}
+    assert read["rows"] == {"neural": {"nMAE": 0.12345, "MSE": None, "n": 3}}
 
 
 def test_json_keeps_as_many_digits_as_asked_for(tmp_path: Path) -> None:

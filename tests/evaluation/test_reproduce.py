@@ -32,11 +32,11 @@ from loomlight.evaluation.reproduce.sheet import Row, Tile, contact_sheet
 from loomlight.evaluation.reproduce.shots import DRAPE
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.scene_edits import SceneEdits
-from loomlight.models.woven.training.config import read_config
-from loomlight.models.woven.training.weaves import HELD_OUT_WEAVES, paper_draft
+from loomlight.models.neural.training.config import read_config
+from loomlight.models.neural.training.weaves import HELD_OUT_WEAVES, paper_draft
 from loomlight.weave.named import named_weave
 
-from ..models.woven.networks import network, written
+from ..models.neural.networks import network, written
 
 EXPERIMENTS = Path(__file__).parents[2] / "experiments"
 
@@ -102,7 +102,7 @@ def test_one_comparison(setting: Setting) -> None:
     actual = compared("title", setting, DRAPE, [("plain", [paper_fabric("plain")])])
     tables = {table.title: table for table in actual.tables}
     columns = tables["MSE"].columns
-    assert columns == ["point, 1 spp", "point, 3 spp", "point, equal time", "woven, 1 spp"]
+    assert columns == ["point, 1 spp", "point, 3 spp", "point, equal time", "neural, 1 spp"]
     (mse,), (samples,) = tables["MSE"].rows.values(), tables["samples"].rows.values()
     assert samples[0] == 1
     assert samples[1] == 3
@@ -116,7 +116,7 @@ def test_one_comparison(setting: Setting) -> None:
 
 def test_edits_name_parameters_and_are_taken_back(setting: Setting) -> None:
     fabric = paper_fabric("plain")
-    scene = Stage(setting, DRAPE, fabric).woven_scene()
+    scene = Stage(setting, DRAPE, fabric).neural_scene()
     edits, parameters = SceneEdits(scene.scene), mi.traverse(scene.scene)
     before = {key: np.array(value) for key, value in parameters.items() if key.startswith("cloth0.bsdf")}
     picture = one_picture(scene, 1)
@@ -134,7 +134,7 @@ def test_edits_name_parameters_and_are_taken_back(setting: Setting) -> None:
 
 
 def test_another_networks_weights_are_used(setting: Setting) -> None:
-    bsdf = cloth_bsdf(paper_fabric("plain"), "woven", setting.weights)((10.0, 10.0))
+    bsdf = cloth_bsdf(paper_fabric("plain"), "neural", setting.weights)((10.0, 10.0))
     assert bsdf.model.weights.tensor("decoder.angular.0.weight").shape[0] == 16
     assert cloth_bsdf(paper_fabric("plain"), "point", setting.weights)((10.0, 10.0)).model.name == "point"
 
@@ -160,11 +160,11 @@ def test_ablations_differ_in_what_they_leave_out() -> None:
 
 def test_missing_trainings_are_named_with_their_commands(tmp_path: Path) -> None:
     (tmp_path / "ablation_both").mkdir()
-    (tmp_path / "ablation_both" / "woven.safetensors").write_bytes(b"")
+    (tmp_path / "ablation_both" / "neural.safetensors").write_bytes(b"")
     with pytest.raises(InputError) as fault:
         weights_files(tmp_path)
     message = str(fault.value)
-    assert "loomlight train woven experiments/ablation_one_blob.toml" in message
+    assert "loomlight train neural experiments/ablation_one_blob.toml" in message
     assert "experiments/ablation_fusion.toml" in message
     assert "ablation_both.toml" not in message
     assert all((EXPERIMENTS / f"{name}.toml").is_file() for name in NETWORKS.values())
@@ -215,7 +215,7 @@ def test_the_list(capsys: pytest.CaptureFixture[str]) -> None:
         (["chen2024/fig4", "-o", "out", "--weights", "none.safetensors"], "none.safetensors does not exist"),
         (
             ["chen2024/fig7", "-o", "out", "--runs", "none"],
-            "loomlight train woven experiments/ablation_both.toml",
+            "loomlight train neural experiments/ablation_both.toml",
         ),
         (["chen2024/fig4", "-o", "other"], "not written by `loomlight reproduce`"),
     ],

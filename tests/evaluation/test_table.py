@@ -13,27 +13,27 @@ from loomlight.evaluation.table import Table, write_json
 
 
 def table() -> Table:
-    rows = {"woven": [0.123456, math.nan, 3, None, "text"], "point": [0.0, 1.5e-7, 12345678, None, ""]}
+    rows = {"neural": [0.123456, math.nan, 3, None, "text"], "point": [0.0, 1.5e-7, 12345678, None, ""]}
     return Table("Errors", ["a", "b", "c", "d", "e"], rows, note="Of all.")
 
 
 def test_markdown_rounds_to_significant_digits() -> None:
     lines = table().to_markdown().splitlines()
     assert lines[:3] == ["### Errors", "", "Of all."]
-    assert "| woven | 0.123 | – | 3 | – | text |" in lines
+    assert "| neural | 0.123 | – | 3 | – | text |" in lines
     assert "| point | 0 | 1.50e-07 | 12345678 | – |  |" in lines
 
 
 def test_rows_of_another_length_are_refused() -> None:
     with pytest.raises(ValueError):
-        Table("Errors", ["a"], {"woven": [1.0, 2.0]}).to_dict()
+        Table("Errors", ["a"], {"neural": [1.0, 2.0]}).to_dict()
 
 
 def test_json_knows_no_nan(tmp_path: Path) -> None:
     file = tmp_path / "new" / "table.json"
     write_json(file, table().to_dict())
     rows = json.loads(file.read_text())["rows"]
-    assert rows["woven"] == {"a": 0.123456, "b": None, "c": 3, "d": None, "e": "text"}
+    assert rows["neural"] == {"a": 0.123456, "b": None, "c": 3, "d": None, "e": "text"}
 
 
 def test_digits_are_kept_as_asked_for(tmp_path: Path) -> None:

@@ -1,6 +1,6 @@
-"""The exported decoders compute what `woven` and `latent` compute.
+"""The exported decoders compute what `neural` and `latent` compute.
 
-Covers: models/woven/training/export_decoder.py, export/latent_network.py
+Covers: models/neural/training/export_decoder.py, export/latent_network.py
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.export import export
 from loomlight.fabric import fabric_from_text
+from loomlight.models.neural import model as model_module
+from loomlight.models.neural.footprint_coding import Level, taps
+from loomlight.models.neural.training.export_decoder import decoder_model
+from loomlight.models.neural.weights import shipped_decoder, shipped_weights
 from loomlight.models.registry import make_model
-from loomlight.models.woven import model as model_module
-from loomlight.models.woven.footprint_coding import Level, taps
-from loomlight.models.woven.training.export_decoder import decoder_model
-from loomlight.models.woven.weights import shipped_decoder, shipped_weights
 from tests.realtime import test_latent
 from tests.realtime.queries import directions, share_beyond
 
@@ -36,7 +36,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return export(FABRIC, "onnx", tmp_path_factory.mktemp("exports") / "onnx")
 
 
-def test_the_decoder_computes_what_woven_computes(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_decoder_computes_what_neural_computes(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     nothing = Array2f(0, 0)
     # One tap a footprint, as the page of instructions has it.
     monkeypatch.setattr(model_module, "taps_of_footprint", lambda f, _: (f.spread_side, nothing, nothing))
@@ -49,7 +49,7 @@ def test_the_decoder_computes_what_woven_computes(folder: Path, monkeypatch: pyt
     zero = np.zeros(COUNT, np.float32)
     footprint = Footprint(Array2f(x, y), Array2f(size, zero), Array2f(zero, size))
     to_vector = [Array3f(*np.ascontiguousarray(rows.T)) for rows in (view, light)]
-    at = make_model("woven", FABRIC).at(to_vector[0], footprint)
+    at = make_model("neural", FABRIC).at(to_vector[0], footprint)
     found = at.components(to_vector[1])
     names = ("diffuse_warp", "diffuse_weft", "specular_warp", "specular_weft")
     expected = np.stack([getattr(found, name).numpy() for name in names], axis=-1)

@@ -25,8 +25,8 @@ from loomlight.export import buffers, export
 from loomlight.export.libraries import LANGUAGES, library
 from loomlight.fabric import fabric_from_text
 from loomlight.models.interface import Model
+from loomlight.models.neural.model import NeuralModel
 from loomlight.models.registry import make_model
-from loomlight.models.woven.model import WovenModel
 from loomlight.realtime.device import default_adapter
 from loomlight.realtime.layout import numpy_type
 from loomlight.realtime.models import REALTIME_MODELS, Material
@@ -43,7 +43,7 @@ FABRIC = fabric_from_text(
 MATERIALS: dict[str, Material] = {
     "lobes": FABRIC,
     "point": FABRIC,
-    "woven": WovenModel.for_source(FABRIC, refined=False),
+    "neural": NeuralModel.for_source(FABRIC, refined=False),
     "clustered": test_clustered.model_of(1).with_samples(0),
     "neumip": test_neumip.random_model(half=True),
     "latent": test_latent.random_model(),
@@ -126,7 +126,7 @@ def test_cuda_text_computes_what_the_model_computes(model: str) -> None:
     # Rays of a few queries meet another edge, as rounding decides there; g++ rounds unlike LLVM.
     assert share_beyond(found[:, :3], value) <= 2e-3
     assert share_beyond(found[:, 3], through) <= 2e-3
-    assert 500 < counts.operations < (20_000 if model != "woven" else 250_000)
+    assert 500 < counts.operations < (20_000 if model != "neural" else 250_000)
     assert 0 < counts.loaded_bytes < 20 * counts.operations
 
 

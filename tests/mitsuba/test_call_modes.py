@@ -12,10 +12,10 @@ import pytest
 
 from loomlight.core.errors import LoomlightWarning
 from loomlight.mitsuba import call_modes, render
-from loomlight.models.woven import model as woven_model
-from loomlight.models.woven.latent_cache import clear_encodings
+from loomlight.models.neural import model as neural_model
+from loomlight.models.neural.latent_cache import clear_encodings
 
-from ..models.woven.networks import network, weights_of
+from ..models.neural.networks import network, weights_of
 
 
 def write_triangle(file: Path, with_uv: bool) -> None:
@@ -75,7 +75,7 @@ def test_a_mesh_without_uv_is_named_once(integrator: str, tmp_path: Path) -> Non
 @pytest.fixture
 def _narrow_network(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     weights = weights_of(network("field", hidden=16), tmp_path)
-    monkeypatch.setattr(woven_model, "shipped_weights", lambda: weights)
+    monkeypatch.setattr(neural_model, "shipped_weights", lambda: weights)
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     clear_encodings()
 

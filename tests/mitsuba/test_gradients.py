@@ -14,10 +14,10 @@ import mitsuba as mi
 import numpy as np
 import pytest
 
-from loomlight.models.woven import model as woven_model
-from loomlight.models.woven.latent_cache import clear_encodings
+from loomlight.models.neural import model as neural_model
+from loomlight.models.neural.latent_cache import clear_encodings
 
-from ..models.woven.networks import network, weights_of
+from ..models.neural.networks import network, weights_of
 from .footprints import random_interactions
 
 CLOTH = {
@@ -41,7 +41,7 @@ ALBEDOS = [
 @pytest.fixture(autouse=True)
 def _narrow_network(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     weights = weights_of(network("field", hidden=16), tmp_path)
-    monkeypatch.setattr(woven_model, "shipped_weights", lambda: weights)
+    monkeypatch.setattr(neural_model, "shipped_weights", lambda: weights)
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     clear_encodings()
 

@@ -14,11 +14,11 @@ from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.load import edited_fabric
 from loomlight.models.fabric_model import parameter_of
+from loomlight.models.neural import model as neural_model
+from loomlight.models.neural.latent_cache import clear_encodings
 from loomlight.models.registry import MODELS
-from loomlight.models.woven import model as woven_model
-from loomlight.models.woven.latent_cache import clear_encodings
 
-from ..models.woven.networks import network, weights_of
+from ..models.neural.networks import network, weights_of
 from .footprints import mean_value, side_by_side
 
 PLUGINS = [entry.plugin for entry in MODELS.values()]
@@ -31,7 +31,7 @@ OTHER = {"weave": "plain", "uv_size": "4,4", "warp_color": "#c08040,#4060c0", "i
 @pytest.fixture(autouse=True)
 def _narrow_network(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     weights = weights_of(network("field", hidden=16), tmp_path)
-    monkeypatch.setattr(woven_model, "shipped_weights", lambda: weights)
+    monkeypatch.setattr(neural_model, "shipped_weights", lambda: weights)
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     clear_encodings()
 

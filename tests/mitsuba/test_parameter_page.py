@@ -20,11 +20,11 @@ from loomlight.fabric.file import FabricFile
 from loomlight.fabric.load import edited_fabric
 from loomlight.mitsuba.model_props import _field
 from loomlight.models.bake import bake
+from loomlight.models.neural import model as neural_model
+from loomlight.models.neural.latent_cache import clear_encodings
 from loomlight.models.registry import MODELS, model_class
-from loomlight.models.woven import model as woven_model
-from loomlight.models.woven.latent_cache import clear_encodings
 
-from ..models.woven.networks import network, weights_of
+from ..models.neural.networks import network, weights_of
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGES = (DOCS / "mitsuba-parameters.md", DOCS / "mitsuba-edits.md")
@@ -35,7 +35,7 @@ _RANGE = re.compile(r"(-?[\d.]+) – (-?[\d.]+)")
 @pytest.fixture(autouse=True)
 def _narrow_network(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     weights = weights_of(network("field", hidden=16), tmp_path)
-    monkeypatch.setattr(woven_model, "shipped_weights", lambda: weights)
+    monkeypatch.setattr(neural_model, "shipped_weights", lambda: weights)
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     clear_encodings()
 

@@ -17,13 +17,13 @@ from loomlight.core.errors import InputError
 from loomlight.mitsuba import build_scene, material_bsdf, render
 from loomlight.mitsuba.filtered_texture import FilteredTexture
 from loomlight.mitsuba.integrator import symbolic_mode
-from loomlight.models.woven import encoding
-from loomlight.models.woven import model as woven_model
-from loomlight.models.woven.latent_cache import clear_encodings
-from loomlight.models.woven.weights import Weights
+from loomlight.models.neural import encoding
+from loomlight.models.neural import model as neural_model
+from loomlight.models.neural.latent_cache import clear_encodings
+from loomlight.models.neural.weights import Weights
 
-from ..models.woven.networks import network, weights_of
-from ..models.woven.reference import responses
+from ..models.neural.networks import network, weights_of
+from ..models.neural.reference import responses
 from .footprints import (
     assert_all_at_once_is_each_alone,
     assert_each_shows_its_own,
@@ -56,7 +56,7 @@ def weights(tmp_path_factory: pytest.TempPathFactory) -> Weights:
 @pytest.fixture(autouse=True)
 def runs(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, weights: Weights) -> list[str]:
     """Names of the fabrics that the encoder was run for, with empty caches."""
-    monkeypatch.setattr(woven_model, "shipped_weights", lambda: weights)
+    monkeypatch.setattr(neural_model, "shipped_weights", lambda: weights)
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     clear_encodings()
     found: list[str] = []
@@ -77,7 +77,7 @@ def woven(**parameters: Any) -> Any:
 def test_values_are_those_of_torch(monkeypatch: pytest.MonkeyPatch) -> None:
     # The reference takes one square.
     nothing = mi.Vector2f(0)
-    monkeypatch.setattr(woven_model, "taps_of_footprint", lambda f, _: (f.spread_side, nothing, nothing))
+    monkeypatch.setattr(neural_model, "taps_of_footprint", lambda f, _: (f.spread_side, nothing, nothing))
     bsdf, count, made = woven(), 2000, network("field", hidden=16)
     si, uv, views, sides = random_interactions(count)
     lights = unit(np.random.default_rng(1), count)
@@ -272,7 +272,7 @@ def test_flags_are_left_as_they_were() -> None:
 
 
 def test_a_scene_of_loomlight_renders_with_it() -> None:
-    scene = build_scene("flat", material_bsdf("twill 2/1", "woven"), size=(24, 24), max_depth=2)
+    scene = build_scene("flat", material_bsdf("twill 2/1", "neural"), size=(24, 24), max_depth=2)
     picture = render(scene.scene, spp=1, integrator=scene.integrator)
     assert np.isfinite(picture).all()
     assert picture.mean() > 0

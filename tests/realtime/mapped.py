@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.models.woven.model import WovenModel
+from loomlight.models.neural.model import NeuralModel
 from loomlight.realtime.device import default_adapter
 from loomlight.realtime.layout import BUFFERS
 from loomlight.realtime.slangc import compile_shader
@@ -28,7 +28,7 @@ def mapped(
     results: str,
     arguments: Mapping[str, NDArray[Any]],
     fabric: tuple[Any, ...] | Packed | None = None,
-    woven: WovenModel | None = None,
+    neural: NeuralModel | None = None,
     buffers: Mapping[str, NDArray[Any]] | None = None,
     declarations: str = "",
     prologue: str = "",
@@ -42,7 +42,7 @@ def mapped(
         arguments: float [n] or [n, 2 or 3], or bool or unsigned [n].
         fabric: layout, appearance, and tables of lobes where the lines need them; or packed fabrics, of which
             the first is meant.
-        woven: the model of that fabric whose latents the lines need.
+        neural: the model of that fabric whose latents the lines need.
         buffers: contents of further buffers that the modules read.
         declarations: before the entry point.
         prologue: statements that threads without a row run too, such as barriers.
@@ -82,7 +82,7 @@ def mapped(
     }
     resources |= {name: adapter.storage(values) for name, values in (buffers or {}).items()}
     if fabric is not None:
-        packed = fabric if isinstance(fabric, Packed) else _pack(*fabric, woven=woven)
+        packed = fabric if isinstance(fabric, Packed) else _pack(*fabric, neural=neural)
         resources |= {name: adapter.storage(values) for name, values in packed.buffers().items()}
     pipeline = adapter.pipeline(wgsl, "map_rows")
     group = adapter.bindings(pipeline, wgsl, resources)
@@ -96,8 +96,8 @@ def mapped(
     return adapter.read(resources["results"], np.float32, count * len(outputs)).reshape(count, len(outputs))
 
 
-def _pack(layout: Any, appearance: Any, *lobes: Any, woven: WovenModel | None) -> Packed:
-    return pack_fabrics([(layout, appearance)], None, [lobes[0] if lobes else woven])
+def _pack(layout: Any, appearance: Any, *lobes: Any, neural: NeuralModel | None) -> Packed:
+    return pack_fabrics([(layout, appearance)], None, [lobes[0] if lobes else neural])
 
 
 def _argument(values: NDArray[Any], column: int) -> tuple[str, list[NDArray[np.uint32]]]:

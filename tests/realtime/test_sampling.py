@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from loomlight.core.footprint import Footprint
 from loomlight.fabric import fabric_from_text, load_fabric
 from loomlight.models.lobes.model import LobesModel
+from loomlight.models.neural.model import NeuralModel
 from loomlight.models.registry import model_of
-from loomlight.models.woven.model import WovenModel
 from loomlight.scattering.point import PointModel
 from loomlight.scattering.yarn_point import DirectionSample
 from loomlight.yarn.geometry import YarnGeometry
@@ -150,9 +150,9 @@ def test_lobes_are_drawn_with_their_density() -> None:
     assert p_value(cell_counts(drawn), expected * len(found)) > 1e-3
 
 
-def test_sampling_of_woven() -> None:
+def test_sampling_of_neural() -> None:
     """Hole and albedos are given: parity of the network has tests of its own."""
-    model = WovenModel.for_source(fabric_from_text(OPEN), refined=False, sampler="lobes")
+    model = NeuralModel.for_source(fabric_from_text(OPEN), refined=False, sampler="lobes")
     rng = np.random.default_rng(4)
     at = places(rng, model.fabric.layout(), COUNT)
     light, view = directions(rng, COUNT), directions(rng, COUNT)
@@ -165,11 +165,11 @@ def test_sampling_of_woven() -> None:
     hole = np.array(bsdf.hole)
     body = FOOTPRINT + (
         "let a = albedos_over(fabric, p, view.z < 0.0);"
-        "let s = sample_woven(fabric, a, hole, view, choice, u);"
-        "let d = woven_pdf(fabric, a, hole, light, view); let f = float3(0.0);"
+        "let s = sample_neural(fabric, a, hole, view, choice, u);"
+        "let d = neural_pdf(fabric, a, hole, light, view); let f = float3(0.0);"
     )
     arguments = {"x": at.x, "y": at.y, "side": side, "light": light, "view": view, "hole": hole} | numbers
     looks = (model.fabric.layout(), model.fabric.appearance())
-    found = mapped("woven_sampling lobe_sampling albedos footprint", body, RESULTS, arguments, looks, model)
+    found = mapped("neural_sampling lobe_sampling albedos footprint", body, RESULTS, arguments, looks, model)
     require_same(found, sample)
     assert share_beyond(found[:, 8], np.array(bsdf.pdf(vectors(light)))) <= MOST_FLIPS

@@ -40,7 +40,7 @@ decoder_steps = 2
 def test_two_processes_train_what_one_trains(tmp_path: Path) -> None:
     config = tmp_path / "tiny.toml"
     config.write_text(CONFIG)
-    train = ["-m", "loomlight", "train", "woven", str(config), "-o"]
+    train = ["-m", "loomlight", "train", "neural", str(config), "-o"]
     starter = ["-m", "torch.distributed.run", "--standalone", "--nproc-per-node", "2"]
     environment = os.environ | {"OMP_NUM_THREADS": "1"}
     for command in ([*train, str(tmp_path / "one")], [*starter, *train, str(tmp_path / "two")]):
@@ -49,8 +49,8 @@ def test_two_processes_train_what_one_trains(tmp_path: Path) -> None:
         )
         assert done.returncode == 0, done.stderr
         # One process speaks for all.
-        assert done.stdout.count("woven.safetensors") == 1
-    one, two = (load_file(tmp_path / name / "woven.safetensors") for name in ("one", "two"))
+        assert done.stdout.count("neural.safetensors") == 1
+    one, two = (load_file(tmp_path / name / "neural.safetensors") for name in ("one", "two"))
     assert one.keys() == two.keys()
     for name in one:
         # Sums of two gradients in another order: a rounding of float32 each step, which Adam's division by

@@ -158,14 +158,14 @@ def test_unknown_formats_and_models_are_told_so(local: Served) -> None:
 
 
 def test_tables_of_a_model(local: Served) -> None:
-    asked = {"model": "woven", **fabric_of(local)}
+    asked = {"model": "neural", **fabric_of(local)}
     status, _, body = local.ask("POST", "/api/tables", json.dumps(asked).encode())
     assert status == 200
     tables = load(body)
     # What the Python renderer uploads for the same fabric.
     fabric = fabric_from_text('weave = "twill 3/1"')
     look = fabric.layout(), fabric.appearance()
-    packed = pack_fabrics([look], prepared=[prepared_for(fabric, "woven")]).buffers()
+    packed = pack_fabrics([look], prepared=[prepared_for(fabric, "neural")]).buffers()
     assert {name: part.tobytes() for name, part in tables.items()} == {
         name: values.tobytes() for name, values in packed.items()
     }

@@ -162,7 +162,7 @@ def _light(light: DirectionalLight | PointLight) -> dict[str, Any]:
     return {"kind": "directional", "towards": light.towards, "irradiance": light.irradiance}
 
 
-MODELS = ("lobes", "point", "woven")
+MODELS = ("lobes", "point", "neural")
 LAMP = DirectionalLight((0.5, 0.3, 0.8))
 SCENES = {
     "flat": Scene(
@@ -195,7 +195,7 @@ SCENES = {
     ),
 }
 FLAT = SCENES["flat"].size
-# Of the flat cloth: by lobes, points, the server's tables of woven, and by lobes once more with one pass.
+# Of the flat cloth: by lobes, points, the server's tables of neural, and by lobes once more with one pass.
 UNEDITED, FIRST_EDIT = 3, 4
 # Edits of the flat cloth by lobes, one after the other: what each changes, as a step of the page.
 PRESSED = PLAIN.format("#a04040", 0.9) + "warp.height_scale = 0.3\nweft.height_scale = 0.3\n"
@@ -237,8 +237,8 @@ def drawn(tmp_path_factory: pytest.TempPathFactory) -> Drawn:
     subprocess.run([*vite, "--outDir", str(folder), "--logLevel", "error"], cwd=WEB, check=True, timeout=120)
     points = {"model": ["point", 4], "passes": 2}
     scenes = [{"size": scene.size, "steps": [scene.page_step(), points]} for scene in SCENES.values()]
-    (folder / "woven").write_bytes(tables_of(fabric_from_text(SCENES["flat"].fabric), "woven"))
-    tables = {"tables": ["woven", "woven"], "passes": 2}
+    (folder / "neural").write_bytes(tables_of(fabric_from_text(SCENES["flat"].fabric), "neural"))
+    tables = {"tables": ["neural", "neural"], "passes": 2}
     scenes[-1]["steps"] += YARN_EDITS
     scenes[0]["steps"] += [tables, {"model": ["lobes", 1]}, *EDITS.values()]
     scenes[0]["steps"][-1]["openness"] = _openness(EDITS["by yarns"]["fabric"])
@@ -266,7 +266,7 @@ def relief(picture: NDArray[np.float32]) -> float:
 
 
 @pytest.mark.parametrize(
-    ("name", "model"), [*((name, model) for name in SCENES for model in MODELS[:2]), ("flat", "woven")]
+    ("name", "model"), [*((name, model) for name in SCENES for model in MODELS[:2]), ("flat", "neural")]
 )
 def test_frames_are_those_of_python(drawn: Drawn, name: str, model: str) -> None:
     """A shadow through holes and several layers are in the sphere's, which is of open cloth."""

@@ -1,4 +1,4 @@
-"""Fits the constants of `models/woven/light_visibility.py` to slices of held-out fabrics.
+"""Fits the constants of `models/neural/light_visibility.py` to slices of held-out fabrics.
 
     python -m tools.fits.light_visibility [--fabrics 12]
 
@@ -23,7 +23,7 @@ from loomlight.core.llvm import llvm_float, require_llvm
 from loomlight.evaluation.held_out import held_out_fabrics
 from loomlight.evaluation.truth import reference_model
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.woven.light_visibility import FACING
+from loomlight.models.neural.light_visibility import FACING
 
 PAIRS, FOOTPRINTS, TEXELS_PER_THREAD = 48, 24, 24
 _SMALLEST_COSINE = 1e-3

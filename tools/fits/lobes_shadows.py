@@ -3,7 +3,7 @@
     python -m tools.fits.lobes_shadows [--output tools/fits/results/lobes_shadows.json]
 
 For named weaves and irregular ones at the defaults of fabric files, irregular weaves with gaps to 0.6, and
-fabrics from the training distribution of `woven`, rays give the components over a whole repeat for random
+fabrics from the training distribution of `neural`, rays give the components over a whole repeat for random
 pairs of directions. Groups give a + κ b − c d: a for independent visibility, b for what full correlation
 adds, d for 1 − V(light). For diffuse and specular terms, in reflection and transmission, this prints nMAE and
 bias without correlation and with the shipped one, the bias of each fabric, and the fit of c and of
@@ -40,9 +40,9 @@ from loomlight.models.lobes.reference import (
     on_seen_face,
     shadow_correlation,
 )
-from loomlight.models.woven.training.config import DataTable
-from loomlight.models.woven.training.dataset import dataset_fabric
-from loomlight.models.woven.training.random_fabrics import random_fabric
+from loomlight.models.neural.training.config import DataTable
+from loomlight.models.neural.training.dataset import dataset_fabric
+from loomlight.models.neural.training.random_fabrics import random_fabric
 from loomlight.scattering.point import PointModel
 from loomlight.weave.named import named_weave
 from loomlight.yarn.geometry import YarnGeometry

@@ -286,6 +286,8 @@ def _parsed(header: str, tensors: dict[str, Tensor]) -> tuple[_Material, dict[st
         raise InputError("its content does not fit its checksum, so it is damaged: bake the file again.")
     if schema == 1:
         raw, tensors = _of_first_schema(raw, tensors)
+    if raw.get("model") == "woven":  # the former name of the network of chen2024, and of its file of weights
+        raw = raw | {"model": "neural", "networks": {"neural": (raw.get("networks") or {}).get("woven", "")}}
     try:
         material = _Material.model_validate(raw)
     except (ValidationError, RecursionError) as error:

@@ -14,7 +14,7 @@ from loomlight.cli.progress import progress
 from loomlight.core.errors import InputError
 from loomlight.core.executors import Executor
 
-EXAMPLE = "Example: loomlight bake examples/denim.toml --model woven -o denim.loom"
+EXAMPLE = "Example: loomlight bake examples/denim.toml --model neural -o denim.loom"
 
 
 def bake(

@@ -23,7 +23,7 @@ def compare(
     output: Annotated[
         Path, typer.Option("--output", "-o", metavar="DIR", help="The folder for index.html and table.json.")
     ],
-    models: Annotated[str, typer.Option(help="Models, with commas between them.")] = "lobes,point,woven",
+    models: Annotated[str, typer.Option(help="Models, with commas between them.")] = "lobes,point,neural",
     full: Annotated[
         bool, typer.Option("--full", help="The whole protocol of docs/evaluation.md: hours on a CPU.")
     ] = False,

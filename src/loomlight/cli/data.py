@@ -19,14 +19,14 @@ from loomlight.core.errors import InputError
 
 app = typer.Typer(cls=WholeSentences, help="Training data.", no_args_is_help=True, rich_markup_mode=None)
 
-EXAMPLE = "Example: loomlight data woven -o queries.zarr --materials 0:100"
+EXAMPLE = "Example: loomlight data neural -o queries.zarr --materials 0:100"
 
 MATERIALS = 465
 DEFAULT_QUERIES = 200_000
 
 
-@app.command("woven", epilog=EXAMPLE)
-def woven(
+@app.command("neural", epilog=EXAMPLE)
+def neural(
     output: Annotated[
         Path,
         typer.Option("--output", "-o", help="The Zarr store to write, or to go on with: a folder .zarr."),
@@ -64,10 +64,10 @@ def woven(
     require_llvm()
     from drjit.llvm.ad import Float
 
-    from loomlight.models.woven.training.dataset_store import StoreSettings, make_store
+    from loomlight.models.neural.training.dataset_store import StoreSettings, make_store
 
     settings = StoreSettings(seed, wanted)
-    command = shlex.join(["loomlight", "data", "woven", "--queries", str(wanted), "--seed", str(seed)])
+    command = shlex.join(["loomlight", "data", "neural", "--queries", str(wanted), "--seed", str(seed)])
     note_left(f"{output} keeps the materials that are finished: the same command goes on from there.")
     with progress(f"materials {materials}") as report:
         make_store(output, range(first, end), settings, Float, command, report, chosen)
@@ -87,7 +87,7 @@ def _range_of(text: str) -> tuple[int, int]:
 
 
 def _queries_of(text: str) -> int:
-    from loomlight.models.woven.training.queries import FEWEST_QUERIES, FULL_QUERIES
+    from loomlight.models.neural.training.queries import FEWEST_QUERIES, FULL_QUERIES
 
     if text.strip() == "full":
         return FULL_QUERIES

@@ -34,7 +34,7 @@ PACKAGES = (
 )
 # By package: the extra that installs it, and what it is for.
 EXTRAS = {
-    "onnxruntime": ("woven", "to encode fabrics for the network"),
+    "onnxruntime": ("neural", "to encode fabrics for the network"),
     "zarr": ("data", "to write data sets"),
     "torch": ("train", "to train the network"),
     "wgpu": ("realtime", "to render in real time"),

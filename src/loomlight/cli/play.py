@@ -37,7 +37,7 @@ def play(
     model: Annotated[
         str | None,
         typer.Option(
-            help="lobes, point, woven, clustered, neumip or latent; by default that of the .loom, else lobes."
+            help="lobes, point, neural, clustered, neumip or latent; by default as in the .loom, else lobes."
         ),
     ] = None,
     environment: Annotated[

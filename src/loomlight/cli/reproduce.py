@@ -37,7 +37,7 @@ def reproduce(
         typer.Option("--spp", help="Samples a pixel of references; 256, of zhu2024/table1 and fig5 1024."),
     ] = None,
     weights: Annotated[
-        Path | None, typer.Option(help="A weights file of woven; by default the one that comes along.")
+        Path | None, typer.Option(help="A weights file of neural; by default the one that comes along.")
     ] = None,
     runs: Annotated[Path, typer.Option(metavar="DIR", help="Trainings that ablations are read from.")] = Path(
         "runs"
@@ -74,7 +74,7 @@ def reproduce(
     pixels = None if size is None else parse_size(size)
 
     from loomlight.evaluation.reproduce import Setting, find_item, reproduce
-    from loomlight.evaluation.reproduce.setting import SIZE, WOVEN
+    from loomlight.evaluation.reproduce.setting import NEURAL, SIZE
 
     chosen = [find_item(name) for name in names]
     pictures = [output / f"{item.stem}.png" for item in chosen]
@@ -87,7 +87,7 @@ def reproduce(
                 weights,
                 runs,
                 report,
-                WOVEN if item.model is None else model or item.model,
+                NEURAL if item.model is None else model or item.model,
                 environment,
                 quality,
                 steps,

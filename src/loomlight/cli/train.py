@@ -15,7 +15,7 @@ from loomlight.cli.interruption import note_left
 from loomlight.cli.outputs import done
 from loomlight.core.errors import MissingDependencyError
 
-EXAMPLE = "Example: loomlight train woven experiments/chen2024.toml -o runs/chen2024"
+EXAMPLE = "Example: loomlight train neural experiments/chen2024.toml -o runs/chen2024"
 
 app = typer.Typer(cls=WholeSentences, help="Trains models.", no_args_is_help=True, rich_markup_mode=None)
 
@@ -23,8 +23,8 @@ app = typer.Typer(cls=WholeSentences, help="Trains models.", no_args_is_help=Tru
 _LINE_EVERY = 30.0
 
 
-@app.command("woven", epilog=EXAMPLE)
-def woven(
+@app.command("neural", epilog=EXAMPLE)
+def neural(
     config: Annotated[Path, typer.Argument(metavar="CONFIG", help="A TOML file; see experiments/.")],
     output: Annotated[
         Path | None,
@@ -35,7 +35,7 @@ def woven(
     device: Annotated[str, typer.Option(help="cpu or cuda.")] = "cpu",
 ) -> None:
     """Trains the universal network from nothing, data included; run again, it goes on from where it was."""
-    from loomlight.models.woven.training.config import read_config
+    from loomlight.models.neural.training.config import read_config
 
     recipe = read_config(config)
     # On shared cores threads that spin while they wait make small batches many times slower.
@@ -43,7 +43,7 @@ def woven(
     # MKL's sums otherwise depend on where arrays lie in memory, and a resumed training on that.
     os.environ.setdefault("MKL_CBWR", "AUTO,STRICT")
     try:
-        from loomlight.models.woven.training.train import train_woven
+        from loomlight.models.neural.training.train import train_neural
         from loomlight.training.processes import process_group, process_number
     except ModuleNotFoundError as error:
         raise MissingDependencyError("Training needs PyTorch: pip install 'loomlight[train]'.") from error
@@ -52,7 +52,7 @@ def woven(
     with process_group():
         speaks = process_number() == 0
         data, training = (_Lines("data"), _Lines("training")) if speaks else (None, None)
-        weights = train_woven(recipe, folder, data, training, device)
+        weights = train_neural(recipe, folder, data, training, device)
     if speaks:
         done(weights)
 

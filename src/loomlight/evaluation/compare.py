@@ -79,7 +79,7 @@ def compare(
 
     Args:
         fabric: a fabric, or an argument of `load_fabric`.
-        models: names, such as "point" and "woven".
+        models: names, such as "point" and "neural".
         full: the whole protocol: 960×540 against 1 024 samples, the query benchmark on the 24 held-out
             fabrics besides this one, and the dolly. It takes hours on a CPU; without it, minutes.
         scenes: some of `loomlight.mitsuba.measured_scenes.MEASURED_SCENES`.

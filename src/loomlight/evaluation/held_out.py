@@ -2,7 +2,7 @@
 
 Half are weaves that are in no training set, half the paper's seven weaves with random parameters. Every
 second one transmits light, a quarter have threads of several colours. Parameters are drawn from the ranges of
-`models/woven/parameter_ranges.py` independently for each family, except roughness: that of the smoother
+`models/neural/parameter_ranges.py` independently for each family, except roughness: that of the smoother
 family is uniform within its class (under 0.15, to 0.4, above), six to nine fabrics each, and the other
 family's is uniform between that and the largest of the range.
 """
@@ -17,9 +17,9 @@ import numpy as np
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.file import YarnTable
-from loomlight.models.woven.parameter_ranges import PARAMETER_RANGES, ParameterRanges
-from loomlight.models.woven.training.random_fabrics import random_fabric
-from loomlight.models.woven.training.weaves import PAPER_WEAVES, paper_draft
+from loomlight.models.neural.parameter_ranges import PARAMETER_RANGES, ParameterRanges
+from loomlight.models.neural.training.random_fabrics import random_fabric
+from loomlight.models.neural.training.weaves import PAPER_WEAVES, paper_draft
 from loomlight.weave.named import named_weave
 
 _SEED = 20240727

@@ -45,7 +45,7 @@ class Shot:
 
     @property
     def name(self) -> str:
-        """Such as "woven, 1 spp"."""
+        """Such as "neural, 1 spp"."""
         return f"{self.model}, {self.samples} spp"
 
     @property

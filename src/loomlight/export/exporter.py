@@ -56,7 +56,7 @@ def _of_fabric(write: Callable[[Path, Fabric, str, float | None], dict[str, obje
     )
 
 
-_ONNX: dict[str, Writer] = {"woven": _of_fabric(write_onnx), "latent": write_latent_onnx}
+_ONNX: dict[str, Writer] = {"neural": _of_fabric(write_onnx), "latent": write_latent_onnx}
 
 
 def _write_onnx(folder: Path, material: Material, model: str, distance: float | None) -> dict[str, object]:

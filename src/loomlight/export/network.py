@@ -1,4 +1,4 @@
-"""Export of `woven`: its decoder as ONNX, with the latents and fibres of a fabric as tensors."""
+"""Export of `neural`: its decoder as ONNX, with the latents and fibres of a fabric as tensors."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from safetensors.numpy import save
 
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
+from loomlight.models.neural.architecture import BUNDLES
+from loomlight.models.neural.footprint_coding import mean_pitch
+from loomlight.models.neural.model import NeuralModel
+from loomlight.models.neural.weights import shipped_decoder
 from loomlight.models.registry import make_model
-from loomlight.models.woven.architecture import BUNDLES
-from loomlight.models.woven.footprint_coding import mean_pitch
-from loomlight.models.woven.model import WovenModel
-from loomlight.models.woven.weights import shipped_decoder
 
 _PAGE = Path(__file__).parent / "languages" / "network.md"
 _OF_FACES = ("front", "back")
@@ -32,7 +32,7 @@ def write_onnx(folder: Path, fabric: Fabric, model: str, _distance: float | None
 
     require_llvm()
     made = make_model(model, fabric)
-    if not isinstance(made, WovenModel):
+    if not isinstance(made, NeuralModel):
         raise InputError(f"{model} is no network.")
     encoded = made.encoded
     (folder / "decoder.onnx").write_bytes(shipped_decoder())

@@ -72,8 +72,8 @@ def render_fabric(
             name, such as "twill 3/1".
         scene: flat, sphere, cylinder, drape, or the path of a Mitsuba scene, FILE.xml.
         model: "lobes", which averages over footprints and needs few samples; "point", exact at every point;
-            "woven", the network that averages over footprints; "samples", the mean of many points; by default
-            the one that a `.loom` holds, else "lobes". A warning says so if a `.loom` holds another one.
+            "neural", the network that averages over footprints; "samples", the mean of many points; by
+            default the one that a `.loom` holds, else "lobes". A warning says so if a `.loom` holds another.
         spp: samples a pixel, ≥ 1.
         seed: any 32-bit number; the same seed gives the same picture, but for rounding.
         exposure: stops, −30 to 30; colours are multiplied by 2**exposure.

@@ -30,7 +30,7 @@ class ModelSeconds:
 MODEL_SECONDS = {
     "lobes": ModelSeconds(bake=0.7, compile=2.5, million=2.0),
     "point": ModelSeconds(compile=1.1, million=0.9),
-    "woven": ModelSeconds(bake=1.5, compile=3.0, million=4.0),
+    "neural": ModelSeconds(bake=1.5, compile=3.0, million=4.0),
     "samples": ModelSeconds(compile=2.5, million=8.0),
 }
 # Of setting Mitsuba's variant, which loads LLVM.

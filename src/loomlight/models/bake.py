@@ -26,7 +26,7 @@ def bake(
     Args:
         source: a fabric or another source; or the path of one, a `.loom` whose source it is, or a weave's
             name.
-        model: "point", "woven", …: see `loomlight.models.registry.model_names`.
+        model: "point", "neural", …: see `loomlight.models.registry.model_names`.
         path: the `.loom` file.
         report: called with (done, in all) by models that are trained.
         options: of the model; see `Model.options`.

@@ -55,9 +55,9 @@ MODELS: dict[str, ModelEntry] = {
         "woven_samples",
         "means of 32 points of the pixel each: slow, to compare with",
     ),
-    "woven": ModelEntry(
-        "loomlight.models.woven.model",
-        "WovenModel",
+    "neural": ModelEntry(
+        "loomlight.models.neural.model",
+        "NeuralModel",
         "woven_neural",
         "the network of Chen et al. 2024, for repeats of up to 64 threads",
     ),

@@ -71,7 +71,7 @@ COOPERATIVE_TARGETS = (
     Target("hlsl", "hlsl", ("-profile", "sm_6_9")),
     Target("spirv", "spv", ("-profile", "spirv_1_6", "-O0", "-skip-spirv-validation")),
 )
-COOPERATIVE_LIBRARY = "woven"
+COOPERATIVE_LIBRARY = "neural"
 # What the last build of all shaders was made of.
 DIGESTS = SHADERS / "digests.json"
 # Line numbers would name files of the machine that built it.
@@ -89,7 +89,7 @@ HOST_ENTRIES = {
         "shade_lobes": "compute",
         "tone_map": "compute",
     },
-    "frame_woven": {"shade_woven": "compute"},
+    "frame_neural": {"shade_neural": "compute"},
     "frame_clustered": {"shade_clustered": "compute"},
     "frame_neumip": {"shade_neumip": "compute"},
     "frame_latent": {"shade_latent": "compute"},

@@ -34,8 +34,8 @@ from loomlight.models.lobes import tables as lobe_tables
 from loomlight.realtime.clustered_tables import clustered_floats, clustered_uints
 from loomlight.realtime.latent_tables import latent_floats, latent_uints
 from loomlight.realtime.neumip_tables import neumip_floats, neumip_uints
+from loomlight.realtime.neural_tables import neural_floats, neural_uints
 from loomlight.realtime.openness_tables import openness_floats, openness_uints
-from loomlight.realtime.woven_tables import woven_floats, woven_uints
 from loomlight.scattering import detail, directions, fibre, sheen, sheen_coefficients, variation
 from loomlight.yarn import max_heights, rays, runs, search, threads
 
@@ -200,9 +200,9 @@ def number_text(value: float) -> str:
 def slang_constants() -> str:
     """Slang declarations of all constants, and the polynomials of the sheen."""
     floats = (
-        _FLOATS | woven_floats() | neumip_floats() | latent_floats() | clustered_floats() | openness_floats()
+        _FLOATS | neural_floats() | neumip_floats() | latent_floats() | clustered_floats() | openness_floats()
     )
-    uints = _UINTS | woven_uints() | neumip_uints() | latent_uints() | clustered_uints() | openness_uints()
+    uints = _UINTS | neural_uints() | neumip_uints() | latent_uints() | clustered_uints() | openness_uints()
     lines = [f"static const float {name} = {number_text(value)};" for name, value in floats.items()]
     lines += [f"static const uint {name} = {value}u;" for name, value in uints.items()]
     for name, numbers in _FLOAT_ARRAYS.items():

@@ -86,10 +86,10 @@ LOBES: Fields = (
     ("unit_level", "float", "log₂ of the length that separates the regimes"),
 )
 
-WOVEN: Fields = (
+NEURAL: Fields = (
     ("is_encoded", "uint", "0 where the fabric has no latents"),
     ("network", "uint", "first element of the layers in packed_numbers"),
-    ("latents", "uint", "first element of the latents [2 faces, texels, WOVEN_LATENT], halves"),
+    ("latents", "uint", "first element of the latents [2 faces, texels, NEURAL_LATENT], halves"),
     ("texels", "uint", "of one face"),
     ("levels", "uint", "first texel, columns, rows, texels a thread of each level, four numbers each"),
     ("top_level", "uint", "the mean of the repeat"),
@@ -180,7 +180,7 @@ FABRIC: Fields = (
     ("warp", "uint", "index of the record of the warp, threads along y"),
     ("weft", "uint", "index of the record of the weft, threads along x"),
     ("lobes", "Lobes", "tables of the model lobes"),
-    ("woven", "Woven", "latents of the model woven"),
+    ("neural", "Neural", "latents of the model neural"),
     ("neumip", "Neumip", "textures of the model neumip"),
     ("run_words", "uint", "words of warp and weft at each crossing [picks, ends, 2]"),
     ("ends", "uint", "threads of the warp in the repeat"),
@@ -367,7 +367,7 @@ QUERY: Fields = (
 RECORDS: dict[str, Fields] = {
     "Family": FAMILY,
     "Lobes": LOBES,
-    "Woven": WOVEN,
+    "Neural": NEURAL,
     "Neumip": NEUMIP,
     "Latent": LATENT,
     "Clustered": CLUSTERED,

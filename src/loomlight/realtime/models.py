@@ -25,26 +25,26 @@ from loomlight.models.latent.model import LatentModel
 from loomlight.models.lobes.model import DEFAULT_GROUPS, LobesModel, tables_of
 from loomlight.models.lobes.tables import LobeTables
 from loomlight.models.neumip.model import NeumipModel
+from loomlight.models.neural.model import NeuralModel
 from loomlight.models.registry import make_model, model_class, model_of_loom
-from loomlight.models.woven.model import WovenModel
 from loomlight.realtime.bake import BakePlan
 from loomlight.realtime.clustered_tables import pack_clustered
 from loomlight.realtime.latent_tables import pack_latent
 from loomlight.realtime.lobes_tables import pack_lobes, reserve_lobes
 from loomlight.realtime.neumip_tables import pack_neumip
+from loomlight.realtime.neural_tables import pack_neural
 from loomlight.realtime.word_table import Tables
-from loomlight.realtime.woven_tables import pack_woven
 from loomlight.yarn.layout import ClothLayout
 
 Material: TypeAlias = Fabric | Model
-Prepared: TypeAlias = LobeTables | BakePlan | WovenModel | NeumipModel | LatentModel | ClusteredModel | None
+Prepared: TypeAlias = LobeTables | BakePlan | NeuralModel | NeumipModel | LatentModel | ClusteredModel | None
 """What a model's shaders need beside a fabric's yarns."""
 Packer: TypeAlias = Callable[[np.void, Any, ClothLayout | None, Tables], None]
 
 _PACKERS: dict[type, Packer] = {
     LobeTables: pack_lobes,
     BakePlan: reserve_lobes,
-    WovenModel: pack_woven,
+    NeuralModel: pack_neural,
     ClusteredModel: pack_clustered,
     NeumipModel: pack_neumip,
     LatentModel: pack_latent,
@@ -120,13 +120,13 @@ REALTIME_MODELS: dict[str, RealtimeModel] = {
         "About 1,800 floating-point operations for each point of a pixel and light.",
         lambda material: None,
     ),
-    "woven": RealtimeModel(
-        "shade_woven",
+    "neural": RealtimeModel(
+        "shade_neural",
         (*_TABLES, "packed_numbers"),
         _FOOTPRINT,
         "About 170,000 floating-point operations a pixel, 34,000 for each further light of a pixel where the "
         "part that depends on the view alone is kept.",
-        _made("woven"),
+        _made("neural"),
     ),
     "clustered": RealtimeModel(
         "shade_clustered",

@@ -74,7 +74,7 @@ def pack_fabrics(
         half: texels of networks in half precision, else in single precision.
 
     Raises:
-        InputError: a network of woven of another shape than that of the shaders.
+        InputError: a network of the model neural of another shape than that of the shaders.
     """
     tables = Tables(half=half)
     records = np.zeros(len(fabrics), numpy_type("Fabric"))

@@ -16,7 +16,7 @@ from loomlight.weave.wif_writer import wif_text_of
 # Media types of the files, by their suffix.
 FORMATS = {"toml": "application/toml", "loom": "application/octet-stream", "wif": "text/plain; charset=utf-8"}
 # Models whose tables the page does not bake itself.
-TABLES = ("woven", "clustered")
+TABLES = ("neural", "clustered")
 
 
 def saved(fabric: Fabric, form: str, model: str) -> bytes:

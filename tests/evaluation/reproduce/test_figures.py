@@ -14,7 +14,7 @@ from loomlight.evaluation.reproduce import Setting, ablation, cost, editing, lat
 from loomlight.evaluation.reproduce.evidence import Evidence
 from loomlight.mitsuba import choose_variant
 
-from ...models.woven.networks import network, written
+from ...models.neural.networks import network, written
 
 
 @pytest.fixture
@@ -75,7 +75,7 @@ def test_networks_without_a_part_stand_beside_each_other(
 ) -> None:
     for run in ablation.NETWORKS.values():
         (setting.runs / run).mkdir(parents=True)
-        written(network("field", hidden=16), setting.runs / run / "woven.safetensors")
+        written(network("field", hidden=16), setting.runs / run / "neural.safetensors")
     monkeypatch.setattr(ablation, "_SCENES", dict(list(ablation._SCENES.items())[1:2]))
     for name, count in (("_FABRICS", 1), ("_PAIRS", 4), ("_FOOTPRINTS", 4)):
         monkeypatch.setattr(ablation, name, count)

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from loomlight.aggregate.components import COMPONENTS
 from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.models.lobes.model import LobesModel
-from loomlight.models.woven.parameter_ranges import TRAINING_RANGES
-from loomlight.models.woven.training.random_fabrics import random_fabric
-from loomlight.models.woven.training.weaves import PAPER_WEAVES, paper_draft
+from loomlight.models.neural.parameter_ranges import TRAINING_RANGES
+from loomlight.models.neural.training.random_fabrics import random_fabric
+from loomlight.models.neural.training.weaves import PAPER_WEAVES, paper_draft
 from loomlight.scattering.albedo import layer_albedo_bound
 
 from .cloths import FootprintQueries, directions, floats, prefiltered_parts

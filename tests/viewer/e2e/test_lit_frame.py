@@ -30,7 +30,7 @@ PAGE = """<!doctype html><meta charset="utf-8"><link rel="icon" href="data:,">
 DRAW = """async ({ fabric, size }) => {
   const renderer = await web.ClothRenderer.create({ size: [size, size], budget: null });
   renderer.setPieces([{ mesh: web.rectangle(0.02, 0.02), ...web.fabricOf(fabric), uvSizeMm: [20, 20] }]);
-  renderer.setTables("woven", new Uint8Array(await (await fetch("woven.tables")).arrayBuffer()));
+  renderer.setTables("neural", new Uint8Array(await (await fetch("neural.tables")).arrayBuffer()));
   renderer.setLights([{ kind: "directional", towards: [0.5, 0.3, 0.8] }]);
   renderer.setCamera({ origin: [0, -0.01, 0.03], target: [0, 0, 0] });
   await renderer.render(1);
@@ -53,7 +53,7 @@ def address(tmp_path: Path) -> Iterator[str]:
     build = [npx, "vite", "build", "--config", "loomlight-web/vite.config.ts", "--logLevel", "error"]
     subprocess.run([*build, "--outDir", str(tmp_path / "module")], cwd=ROOT / "web", check=True, timeout=120)
     (tmp_path / "index.html").write_text(PAGE)
-    (tmp_path / "woven.tables").write_bytes(tables_of(fabric_from_text(FABRIC), "woven"))
+    (tmp_path / "neural.tables").write_bytes(tables_of(fabric_from_text(FABRIC), "neural"))
     server = ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=str(tmp_path)))
     threading.Thread(target=server.serve_forever, daemon=True).start()
     yield f"http://127.0.0.1:{server.server_port}/"
@@ -75,7 +75,7 @@ def test_chromium_draws_what_the_python_host_draws(address: str, playwright: Any
     theirs = np.frombuffer(drawn, np.float32).reshape(SIZE, SIZE, 4)
     cloth = Cloth(rectangle(0.02, 0.02), fabric_from_text(FABRIC), (20.0, 20.0))
     light = DirectionalLight((0.5, 0.3, 0.8))
-    ours = Renderer([cloth], (SIZE, SIZE), "woven").render(Camera((0, -0.01, 0.03)), [light]).linear
+    ours = Renderer([cloth], (SIZE, SIZE), "neural").render(Camera((0, -0.01, 0.03)), [light]).linear
     # Other compilers join products and sums in other ways: the bar of shaders' parity.
     np.testing.assert_allclose(theirs, ours, rtol=1e-3, atol=1e-5)
     assert theirs[..., :3].std() > 0.05

@@ -49,7 +49,7 @@ export const MODEL_NAMES: Readonly<Record<Model, readonly [string, string]>> = {
   "point-1": ["1 sample", "point: one sample a pixel"],
   "point-3": ["3 samples", "point: three samples a pixel"],
   "point-256": ["256 samples", "point: 256 samples a pixel"],
-  woven: ["Network", "woven: a network trained on all fabrics, averaged over the footprint; baked by Python"],
+  neural: ["Network", "neural: a network trained on all fabrics, averaged over the footprint; baked by Python"],
   clustered: ["Clusters", "clustered: normals in clusters, averaged over the footprint; baked by Python"],
 };
 

@@ -106,7 +106,7 @@ export class Server {
     return new Uint8Array(await response.arrayBuffer());
   }
 
-  /** Tables that Python bakes, as the bytes of a safetensors file; `model` is "woven" or "clustered". */
+  /** Tables that Python bakes, as the bytes of a safetensors file; `model` is "neural" or "clustered". */
   async tables(model: string, fabric: FabricJson): Promise<Uint8Array<ArrayBuffer>> {
     const response = await this.post("api/tables", JSON.stringify({ model, ...fabric }));
     return new Uint8Array(await response.arrayBuffer());

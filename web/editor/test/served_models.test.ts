@@ -21,16 +21,16 @@ test("tables are asked for one at a time, and then for the latest edit", async (
   };
   const served = new ServedModels(source, () => arrivals++, () => {});
   const [first, second, third] = [fabric(0.1), fabric(0.2), fabric(0.3)];
-  for (const one of [first, first, second, third]) expect(served.tables("woven", one)).toBe(null);
+  for (const one of [first, first, second, third]) expect(served.tables("neural", one)).toBe(null);
   expect(asked).toEqual([first]);
   answers[0]!(Uint8Array.of(1));
   await settle();
   // Older tables are shown until the latest are here.
-  expect(served.tables("woven", third)).toEqual(Uint8Array.of(1));
+  expect(served.tables("neural", third)).toEqual(Uint8Array.of(1));
   expect(asked).toEqual([first, third]);
   answers[1]!(Uint8Array.of(2));
   await settle();
-  expect(served.tables("woven", third)).toEqual(Uint8Array.of(2));
+  expect(served.tables("neural", third)).toEqual(Uint8Array.of(2));
   expect([asked.length, arrivals]).toEqual([2, 2]);
 });
 
@@ -43,17 +43,17 @@ test("a refusal is told once, and the next edit is asked for again", async () =>
   };
   const served = new ServedModels(source, () => {}, (sentence) => told.push(sentence));
   for (const roughness of [0.1, 0.2]) {
-    expect(served.tables("woven", fabric(roughness))).toBe(null);
+    expect(served.tables("neural", fabric(roughness))).toBe(null);
     await settle();
   }
   expect(told).toEqual(["The server does not answer."]);
   isGone = false;
   const last = fabric(0.3);
-  served.tables("woven", last);
+  served.tables("neural", last);
   await settle();
-  expect(served.tables("woven", last)).toEqual(Uint8Array.of(3));
+  expect(served.tables("neural", last)).toEqual(Uint8Array.of(3));
 });
 
 test("the page bakes lobes itself", () => {
-  expect([isServed("woven"), isServed("clustered"), isServed("lobes")]).toEqual([true, true, false]);
+  expect([isServed("neural"), isServed("clustered"), isServed("lobes")]).toEqual([true, true, false]);
 });

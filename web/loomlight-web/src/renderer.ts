@@ -19,7 +19,7 @@ import { frameRecord, keyOfView, type View } from "./view.ts";
 const ENTRIES: Readonly<Record<ModelName, ShaderName>> = {
   lobes: "shade_lobes",
   point: "shade_points",
-  woven: "shade_woven",
+  neural: "shade_neural",
   clustered: "shade_clustered",
 };
 const OWN_MODELS: readonly ModelName[] = ["lobes", "point"];
@@ -189,14 +189,14 @@ export class ClothRenderer {
   }
 
   /**
-   * Shows the only piece by `woven` or `clustered`, whose tables Python packs: `content` is the answer of
+   * Shows the only piece by `neural` or `clustered`, whose tables Python packs: `content` is the answer of
    * `/api/tables` of `loomlight view`.
    *
    * @throws InputError another model, content that is no tables, or several pieces.
    */
   setTables(model: ModelName, content: Uint8Array): void {
     if (OWN_MODELS.includes(model) || !Object.hasOwn(ENTRIES, model))
-      throw new InputError(`model = "${model}" takes no tables: use woven or clustered.`);
+      throw new InputError(`model = "${model}" takes no tables: use neural or clustered.`);
     this.require().setTables(model, content);
     this.model = model;
     [this.samples, this.mostPasses, this.shown] = [DEFAULT_SAMPLES, MOST_PASSES, ""];

@@ -82,7 +82,7 @@ export interface Camera {
 }
 
 /** `point` samples the footprint of a pixel, the others average over it; Python makes the tables of the last two. */
-export type ModelName = "lobes" | "point" | "woven" | "clustered";
+export type ModelName = "lobes" | "point" | "neural" | "clustered";
 
 /** What a renderer did since it was made; bytes are those that the page sent to the adapter. */
 export interface Statistics {

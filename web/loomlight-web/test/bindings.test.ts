@@ -4,7 +4,7 @@ import { bindingsOf, numbersAndWords, withFewerBuffers } from "../src/gpu/bindin
 import { shaderText } from "../src/gpu/shaders.ts";
 
 test("shaders bind no more storage buffers than browsers allow", () => {
-  for (const name of ["shade_woven", "shade_clustered", "shade_lobes", "shade_points", "cast_shadows"] as const) {
+  for (const name of ["shade_neural", "shade_clustered", "shade_lobes", "shade_points", "cast_shadows"] as const) {
     const text = shaderText(name);
     expect([...text.matchAll(/var<storage/g)].length, name).toBeLessThanOrEqual(10);
     expect(bindingsOf(text)).not.toHaveProperty("face_fabrics");

@@ -141,7 +141,7 @@ def _optimise(text: str, machine: Any) -> bytes:
     return code
 
 
-# The decoder of `woven` takes a second to compile, so object files are kept.
+# The decoder of `neural` takes a second to compile, so object files are kept.
 
 
 def _read_cached(key: str) -> bytes | None:

@@ -14,11 +14,11 @@ from loomlight.evaluation.query_benchmark import run_query_benchmark
 from loomlight.evaluation.reproduce.evidence import Evidence, error_caption, on_display
 from loomlight.evaluation.reproduce.fabrics import paper_fabric
 from loomlight.evaluation.reproduce.renders import Stage, one_picture
-from loomlight.evaluation.reproduce.setting import WOVEN, Setting, cloth_bsdf, woven_predictor
+from loomlight.evaluation.reproduce.setting import NEURAL, Setting, cloth_bsdf, neural_predictor
 from loomlight.evaluation.reproduce.sheet import Row, Tile, contact_sheet
 from loomlight.evaluation.reproduce.shots import CLOSE, CYLINDER, DRAPE
 from loomlight.evaluation.table import Table
-from loomlight.models.woven.weights import Weights, read_weights
+from loomlight.models.neural.weights import Weights, read_weights
 
 # By heading: the configuration in experiments/.
 NETWORKS = {
@@ -50,7 +50,7 @@ def ablated(setting: Setting) -> Evidence:
         stage = Stage(setting, shot, fabric)
         reference = stage.reference().linear
         shown = {
-            name: one_picture(stage.woven_scene(cloth_bsdf(fabric, WOVEN, file)), 1)
+            name: one_picture(stage.neural_scene(cloth_bsdf(fabric, NEURAL, file)), 1)
             for name, file in files.items()
         }
         errors = {name: picture_error(picture, reference, stage.counted) for name, picture in shown.items()}
@@ -64,7 +64,7 @@ def ablated(setting: Setting) -> Evidence:
         tables[1].rows[label] = [error.flip for error in errors.values()]
         setting.step(number + 1, len(_SCENES) + 1)
     test = run_query_benchmark(
-        {name: woven_predictor(network) for name, network in networks.items()},
+        {name: neural_predictor(network) for name, network in networks.items()},
         held_out_fabrics(_FABRICS),
         pairs=_PAIRS,
         footprints=_FOOTPRINTS,
@@ -90,11 +90,11 @@ def weights_files(runs: Path) -> dict[str, Path]:
     Raises:
         InputError: one is missing.
     """
-    files = {name: runs / run / "woven.safetensors" for name, run in NETWORKS.items()}
+    files = {name: runs / run / "neural.safetensors" for name, run in NETWORKS.items()}
     missing = [NETWORKS[name] for name, file in files.items() if not file.is_file()]
     if missing:
         commands = "; ".join(
-            f"loomlight train woven experiments/{run}.toml -o {runs / run}" for run in missing
+            f"loomlight train neural experiments/{run}.toml -o {runs / run}" for run in missing
         )
         raise InputError(
             f"chen2024/fig7 shows trainings that are not in the folder {runs}: make them with {commands}."

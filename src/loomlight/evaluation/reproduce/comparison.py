@@ -20,7 +20,7 @@ from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.measured_scenes import MeasuredShot
 
-_COLUMNS = ("point, 1 spp", "point, 3 spp", "point, equal time", "woven, 1 spp", "reference")
+_COLUMNS = ("point, 1 spp", "point, 3 spp", "point, equal time", "neural, 1 spp", "reference")
 _METRICS = ("MSE", "FLIP", "seconds", "samples")
 _TRANSLUCENT = Look(("#f0d9a8", "#f6efe0"), (0.35, 0.35), (0.6, 0.6), translucency=0.6)
 
@@ -107,12 +107,12 @@ def compared(
 
 def _measure(stage: Stage) -> dict[str, _Measured]:
     reference = stage.reference()
-    woven, as_long = stage.equal_time()
+    neural, as_long = stage.equal_time()
     pictures = {
         "point, 1 spp": stage.point(1),
         "point, 3 spp": stage.point(3),
         "point, equal time": as_long,
-        "woven, 1 spp": woven,
+        "neural, 1 spp": neural,
     }
     measured = {
         name: _Measured(picture, picture_error(picture.linear, reference.linear, stage.counted))

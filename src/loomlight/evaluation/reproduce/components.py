@@ -15,7 +15,7 @@ from loomlight.evaluation.metrics import error_sums
 from loomlight.evaluation.predictions import Prediction, monte_carlo_predictor
 from loomlight.evaluation.reproduce.evidence import Evidence, Pixels, on_display
 from loomlight.evaluation.reproduce.fabrics import Look, paper_fabric
-from loomlight.evaluation.reproduce.setting import Setting, woven_predictor
+from loomlight.evaluation.reproduce.setting import Setting, neural_predictor
 from loomlight.evaluation.reproduce.sheet import Row, Tile, contact_sheet
 from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
@@ -33,7 +33,7 @@ def separated(setting: Setting) -> Evidence:
     """Figure 2: the BSDF of plain white cloth and its four components, reflection and transmission."""
     fabric = paper_fabric("plain", _WHITE)
     truth = monte_carlo_predictor(setting.samples)
-    woven = woven_predictor(setting.network())
+    neural = neural_predictor(setting.network())
     grid = max(4, round(setting.size[1] * _SIDE_OF_HEIGHT))
     rows: list[Row] = []
     pictures: dict[str, Pixels] = {}
@@ -41,9 +41,9 @@ def separated(setting: Setting) -> Evidence:
     for number, (side, sign) in enumerate(_SIDES.items()):
         queries = direction_grid(fabric, grid, sign)
         count = len(queries.views)
-        right, guess = (_matrices(predict(fabric, queries), count) for predict in (truth, woven))
+        right, guess = (_matrices(predict(fabric, queries), count) for predict in (truth, neural))
         whites = np.quantile(right, 0.99, axis=(1, 2))
-        for name, prediction in (("sampled", right), ("woven", guess)):
+        for name, prediction in (("sampled", right), ("neural", guess)):
             shown = [_picture(values, white) for values, white in zip(prediction, whites, strict=True)]
             rows.append(Row(f"{side}, {name}", [Tile(pixels) for pixels in shown]))
             pictures |= {

@@ -24,8 +24,8 @@ from loomlight.evaluation.table import Table
 from loomlight.evaluation.timing import launched_kernels, timed
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.measured_scenes import MeasuredShot
-from loomlight.models.woven.compiled import CompiledDecoder
-from loomlight.models.woven.encoding import encode
+from loomlight.models.neural.compiled import CompiledDecoder
+from loomlight.models.neural.encoding import encode
 
 _TIMES = 3
 
@@ -73,7 +73,7 @@ def split(setting: Setting) -> Evidence:
     tiles, pictures = [], {}
     scenes = _scenes()
     for number, (name, (shot, fabric)) in enumerate(scenes.items()):
-        scene = Stage(setting, shot, fabric).woven_scene()
+        scene = Stage(setting, shot, fabric).neural_scene()
         picture = on_display(one_picture(scene, 1))
         spent = min(
             (network_time(partial(one_picture, scene, 1)) for _ in range(_TIMES)),

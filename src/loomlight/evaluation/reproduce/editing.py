@@ -17,7 +17,7 @@ from loomlight.evaluation.reproduce.cache import without_cached_latents
 from loomlight.evaluation.reproduce.evidence import Evidence, Pixels, on_display
 from loomlight.evaluation.reproduce.fabrics import Look, paper_fabric
 from loomlight.evaluation.reproduce.renders import Stage, fastest_picture, one_picture
-from loomlight.evaluation.reproduce.setting import WOVEN, Setting, cloth_bsdf
+from loomlight.evaluation.reproduce.setting import NEURAL, Setting, cloth_bsdf
 from loomlight.evaluation.reproduce.sheet import Tile, contact_sheet, in_two_rows
 from loomlight.evaluation.reproduce.shots import DRAPE
 from loomlight.evaluation.table import Table
@@ -93,14 +93,14 @@ def edited(setting: Setting) -> Evidence:
 
 def _strip(setting: Setting) -> Iterator[_Shown]:
     fabric, other = paper_fabric(_PATTERN, _LOOK), paper_fabric(_OTHER_PATTERN, _LOOK)
-    scene, seconds = timed(lambda: Stage(setting, DRAPE, fabric).woven_scene())
+    scene, seconds = timed(lambda: Stage(setting, DRAPE, fabric).neural_scene())
     yield _pictured("the fabric, encoded", scene, seconds)
     edits = SceneEdits(scene.scene)
     for edit in EDITS:
         before, seconds = timed(partial(edits.apply, edit.values))
         yield _pictured(edit.label, scene, seconds)
         edits.apply(before)
-    scene, seconds = timed(lambda: Stage(setting, DRAPE, other).woven_scene())
+    scene, seconds = timed(lambda: Stage(setting, DRAPE, other).neural_scene())
     yield _pictured(f"pattern {_OTHER_PATTERN}", scene, seconds)
     scene, seconds = timed(lambda: _mapped_scene(setting, fabric))
     yield _pictured("albedo map", scene, seconds)
@@ -109,8 +109,8 @@ def _strip(setting: Setting) -> Iterator[_Shown]:
 def _mapped_scene(setting: Setting, fabric: Fabric) -> MeasuredScene:
     """The fabric with the colours of a map."""
     albedo = bitmap_texture(albedo_map(_MAP_SIDE))
-    bsdf = cloth_bsdf(fabric, WOVEN, setting.weights, albedo=albedo)
-    return Stage(setting, DRAPE, fabric).woven_scene(bsdf)
+    bsdf = cloth_bsdf(fabric, NEURAL, setting.weights, albedo=albedo)
+    return Stage(setting, DRAPE, fabric).neural_scene(bsdf)
 
 
 def _pictured(label: str, scene: MeasuredScene, edit: float) -> _Shown:

@@ -11,8 +11,8 @@ from importlib.resources import files
 
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.woven.parameter_ranges import PARAMETER_RANGES
-from loomlight.models.woven.training.weaves import PAPER_WEAVES
+from loomlight.models.neural.parameter_ranges import PARAMETER_RANGES
+from loomlight.models.neural.training.weaves import PAPER_WEAVES
 
 # The one pattern of the paper that is no named weave.
 _DRAFTS = {"satin 5×10": "satin-5x10.wif"}

@@ -16,7 +16,7 @@ from loomlight.evaluation.pictures import picture_error
 from loomlight.evaluation.reproduce.evidence import Evidence, Pixels, on_display
 from loomlight.evaluation.reproduce.fabrics import Look, paper_fabric
 from loomlight.evaluation.reproduce.renders import Stage, one_picture
-from loomlight.evaluation.reproduce.setting import WOVEN, Setting, cloth_bsdf
+from loomlight.evaluation.reproduce.setting import NEURAL, Setting, cloth_bsdf
 from loomlight.evaluation.reproduce.sheet import Row, Tile, contact_sheet
 from loomlight.evaluation.reproduce.shots import BALL
 from loomlight.evaluation.table import Table
@@ -64,7 +64,7 @@ def interpolated(setting: Setting) -> Evidence:
         stages = [Stage(setting, BALL, parameter.fabric(value)) for value in _VALUES]
         pictures_of = {
             "reference": [stage.reference().linear for stage in stages],
-            "encoded": [one_picture(stage.woven_scene(), 1) for stage in stages],
+            "encoded": [one_picture(stage.neural_scene(), 1) for stage in stages],
             "mixed": _mixed(stages[0], parameter),
         }
         counted = stages[0].counted
@@ -113,7 +113,7 @@ def _captions(kind: str, tables: dict[str, Table], name: str) -> list[str]:
 def _mixed(stage: Stage, parameter: _Parameter) -> list[NDArray[np.float32]]:
     """Pictures of one scene over values of its parameter `blend`."""
     (first,), second = stage.fabrics, parameter.fabric(_SECOND)
-    scene = stage.woven_scene(cloth_bsdf(first, WOVEN, stage.setting.weights, other=second, blend=0.0))
+    scene = stage.neural_scene(cloth_bsdf(first, NEURAL, stage.setting.weights, other=second, blend=0.0))
     edits = SceneEdits(scene.scene)
     pictures = []
     for value in _VALUES:

@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.evaluation.reproduce.setting import POINT, WOVEN, Setting, cloth_bsdf
+from loomlight.evaluation.reproduce.setting import NEURAL, POINT, Setting, cloth_bsdf
 from loomlight.evaluation.timing import timed
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba import choose_variant, render
@@ -71,23 +71,23 @@ class Stage:
         Both are timed one after the other and again with a better count, since other work on the machine
         comes and goes.
         """
-        network, scene = self.woven_scene(), self._point_scene
+        network, scene = self.neural_scene(), self._point_scene
         few, some = (fastest_picture(scene, samples).seconds for samples in (_FEW, _SOME))
         slope = max((some - few) / (_SOME - _FEW), 1e-6)
-        woven = fastest_picture(network, 1)
-        pairs = [(woven, fastest_picture(scene, grid_near(_FEW + (woven.seconds - few) / slope)))]
+        neural = fastest_picture(network, 1)
+        pairs = [(neural, fastest_picture(scene, grid_near(_FEW + (neural.seconds - few) / slope)))]
         for _ in range(_CORRECTIONS):
-            woven, point = pairs[-1]
-            better = grid_near(point.samples * woven.seconds / point.seconds)
+            neural, point = pairs[-1]
+            better = grid_near(point.samples * neural.seconds / point.seconds)
             if better == point.samples:
                 break
             pairs.append((fastest_picture(network, 1), fastest_picture(scene, better)))
         return min(pairs, key=lambda pair: abs(math.log(pair[0].seconds / pair[1].seconds)))
 
-    def woven_scene(self, *bsdfs: BsdfFactory) -> MeasuredScene:
+    def neural_scene(self, *bsdfs: BsdfFactory) -> MeasuredScene:
         """The scene of the network, for one sample a pixel; `bsdfs` replace the fabrics'."""
         weights = self.setting.weights
-        return self._scene(bsdfs or [cloth_bsdf(fabric, WOVEN, weights) for fabric in self.fabrics], True)
+        return self._scene(bsdfs or [cloth_bsdf(fabric, NEURAL, weights) for fabric in self.fabrics], True)
 
     @cached_property
     def _point_scene(self) -> MeasuredScene:

@@ -15,7 +15,7 @@ from loomlight.core.provenance import provenance
 from loomlight.evaluation.compare import prepared_folder
 from loomlight.evaluation.reproduce.catalogue import find_item
 from loomlight.evaluation.reproduce.evidence import Evidence, Item
-from loomlight.evaluation.reproduce.setting import WOVEN, Setting
+from loomlight.evaluation.reproduce.setting import NEURAL, Setting
 from loomlight.evaluation.table import write_json
 from loomlight.models.registry import require_model_name
 
@@ -42,7 +42,7 @@ def reproduce(
         InputError: an unknown name or model, weights that cannot be used, or a folder that cannot be written.
     """
     item = find_item(name)
-    chosen = setting or Setting(samples=item.samples, model=item.model or WOVEN)
+    chosen = setting or Setting(samples=item.samples, model=item.model or NEURAL)
     if item.model is None:
         chosen.network()
     else:

@@ -12,13 +12,13 @@ from loomlight.evaluation.predictions import Predictor, model_predictor
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba import material_bsdf
 from loomlight.mitsuba.scenes import BsdfFactory
-from loomlight.models.woven.encoding import encode
-from loomlight.models.woven.model import WovenModel
-from loomlight.models.woven.weights import Weights, read_weights, shipped_weights
+from loomlight.models.neural.encoding import encode
+from loomlight.models.neural.model import NeuralModel
+from loomlight.models.neural.weights import Weights, read_weights, shipped_weights
 
 SIZE, SAMPLES = (384, 216), 256
 RUNS = Path("runs")
-POINT, LOBES, WOVEN, CLUSTERED, LATENT = "point", "lobes", "woven", "clustered", "latent"
+POINT, LOBES, NEURAL, CLUSTERED, LATENT = "point", "lobes", "neural", "clustered", "latent"
 NEUMIP = "neumip"
 
 # Called with (steps done, steps in all).
@@ -47,7 +47,7 @@ class Setting:
     weights: Path | None = None
     runs: Path = RUNS
     progress: Progress | None = None
-    model: str = WOVEN
+    model: str = NEURAL
     environment: Path | None = None
     quality: str = "preview"
     steps: int | None = None
@@ -69,11 +69,11 @@ class Setting:
 
 def cloth_bsdf(fabric: Fabric, model: str, weights: Path | None = None, **options: Any) -> BsdfFactory:
     """`material_bsdf` with the network of a weights file, and with other options of the model."""
-    if weights is not None and model == WOVEN:
+    if weights is not None and model == NEURAL:
         options["weights"] = str(weights)
     return material_bsdf(fabric, model, **options)
 
 
-def woven_predictor(weights: Weights) -> Predictor:
+def neural_predictor(weights: Weights) -> Predictor:
     """A predictor with the network of these weights, which encodes each fabric."""
-    return model_predictor(lambda fabric: WovenModel(fabric, encode(fabric, weights, llvm_float()), weights))
+    return model_predictor(lambda fabric: NeuralModel(fabric, encode(fabric, weights, llvm_float()), weights))

@@ -30,7 +30,7 @@ export interface Scene {
 }
 
 /** How colours are computed: filtered over each pixel, or by so many samples of points in it; Python bakes the last two. */
-export const MODELS = ["lobes", "point-1", "point-3", "point-256", "woven", "clustered"] as const;
+export const MODELS = ["lobes", "point-1", "point-3", "point-256", "neural", "clustered"] as const;
 export type Model = (typeof MODELS)[number];
 
 export interface Comparison {

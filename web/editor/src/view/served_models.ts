@@ -1,7 +1,7 @@
 /** Models whose tables Python makes: asked of the server, one request at a time, for the newest fabric. */
 import type { Fabric, Model } from "../state/document.ts";
 
-export const SERVED_MODELS = ["woven", "clustered"] as const satisfies readonly Model[];
+export const SERVED_MODELS = ["neural", "clustered"] as const satisfies readonly Model[];
 export type ServedModel = (typeof SERVED_MODELS)[number];
 
 export function isServed(model: Model): model is ServedModel {

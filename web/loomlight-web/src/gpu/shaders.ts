@@ -14,7 +14,7 @@ import rasterVertex from "@shaders/wgsl/raster_vertex.wgsl?raw";
 import shadeClustered from "@shaders/wgsl/shade_clustered.wgsl?raw";
 import shadeLobes from "@shaders/wgsl/shade_lobes.wgsl?raw";
 import shadePoints from "@shaders/wgsl/shade_points.wgsl?raw";
-import shadeWoven from "@shaders/wgsl/shade_woven.wgsl?raw";
+import shadeNeural from "@shaders/wgsl/shade_neural.wgsl?raw";
 import toneMap from "@shaders/wgsl/tone_map.wgsl?raw";
 
 import { withFewerBuffers } from "./bindings.ts";
@@ -35,7 +35,7 @@ const TEXTS = {
   shade_clustered: shadeClustered,
   shade_lobes: shadeLobes,
   shade_points: shadePoints,
-  shade_woven: shadeWoven,
+  shade_neural: shadeNeural,
   tone_map: toneMap,
 } as const;
 

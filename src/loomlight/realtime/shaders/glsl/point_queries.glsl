@@ -50,7 +50,7 @@ struct Lobes_0
     float unit_level_0;
 };
 
-struct Woven_0
+struct Neural_0
 {
     uint is_encoded_0;
     uint network_0;
@@ -149,7 +149,7 @@ struct Fabric_0
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
-    Woven_0 woven_0;
+    Neural_0 neural_0;
     Neumip_0 neumip_0;
     uint run_words_0;
     uint ends_1;

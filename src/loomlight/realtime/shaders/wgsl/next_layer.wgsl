@@ -90,7 +90,7 @@ struct Lobes_std430_0
     @align(4) unit_level_0 : f32,
 };
 
-struct Woven_std430_0
+struct Neural_std430_0
 {
     @align(4) is_encoded_0 : u32,
     @align(4) network_0 : u32,
@@ -189,7 +189,7 @@ struct Fabric_std430_0
     @align(4) warp_0 : u32,
     @align(4) weft_0 : u32,
     @align(4) lobes_0 : Lobes_std430_0,
-    @align(4) woven_0 : Woven_std430_0,
+    @align(4) neural_0 : Neural_std430_0,
     @align(4) neumip_0 : Neumip_std430_0,
     @align(4) run_words_0 : u32,
     @align(4) ends_1 : u32,

@@ -1,0 +1,260 @@
+"""The decoder for Dr.Jit arrays, on any backend.
+
+Layers that do not depend on the light (latents, fusion, the view's part of the first angular layer, holes)
+are evaluated once a footprint and view (`Decoder.view_activations`), the others for every light
+(`Decoder.components`). The first layer is linear, so latents are multiplied by its weights beforehand and
+interpolated afterwards.
+
+On CPUs a SIMD kernel evaluates queries (`compiled`); on GPUs, for derivatives, and in symbolic calls and
+loops cooperative vectors do. On CPUs these are four times slower, in symbolic calls seventy times, as Dr.Jit
+then passes weights lane by lane: evaluate outside symbolic calls.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import drjit as dr
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.backend import array_types, clip
+from loomlight.core.simd import call_kernel, can_use_kernel
+from loomlight.models.neural.architecture import BUNDLES, VIEW_FEATURES
+from loomlight.models.neural.codings import (
+    DIFFUSE,
+    fibre_features,
+    mixed_bundles,
+    one_blob,
+    unmapped,
+)
+from loomlight.models.neural.compiled import compiled_decoder
+from loomlight.models.neural.decoder_kernel import EntryPoint
+from loomlight.models.neural.footprint_coding import (
+    AnisotropicTaps,
+    fine_tuning_weight,
+    footprint_coordinates,
+)
+from loomlight.models.neural.latent_table import LatentTable
+from loomlight.models.neural.layers import CooperativeLayers
+from loomlight.models.neural.weights import Weights
+
+
+@dataclass
+class ViewActivations:
+    """The part of the decoder's activations that depends on footprint and view, not on the light.
+
+    Attributes:
+        angular: the first angular layer without the light's part, one Float a channel.
+        hole: fraction of the view rays that pass through, 0 to 1.
+        correction_weight: weight of the fabric's correction of the last layer, 0 to 1.
+        view: unit vector [3] in the frame of the face that is seen.
+        back: the back is seen.
+        table: the fabric's latents.
+    """
+
+    angular: list[Any]
+    hole: Any
+    correction_weight: Any
+    view: Any
+    back: Any
+    table: LatentTable
+
+
+class Decoder:
+    """The network of some weights on one backend."""
+
+    def __init__(self, weights: Weights, float_type: type) -> None:
+        self.weights = weights
+        self._types = array_types(float_type)
+        self._count = weights.layers("decoder.angular")
+        self._layers = CooperativeLayers(_matrices(weights), float_type)
+
+    def view_activations(
+        self, table: LatentTable, taps: AnisotropicTaps, view: Any, back: Any
+    ) -> ViewActivations:
+        """Activations of footprints and views, for any number of lights.
+
+        Args:
+            view: unit vector [3] in the frame of the face that is seen, z > 0.
+            back: whether that face is the back.
+        """
+        inputs = *taps.numbers(), view, back
+        if self.uses_kernel(inputs):
+            angular = self.weights.table.hidden
+            *outputs, hole, correction_weight = self._call_kernel("view", table, inputs, angular + 2)
+            return ViewActivations(outputs, hole, correction_weight, view, back, table)
+        spatial, cosines = self._spatial(table, taps, back), self._view_cosines(table, view, back)
+        angular = self._layers.product("spatial", spatial, "0 bias")
+        angular = self._layers.added(angular, self._layers.product("view", [view.x, view.y, *cosines]))
+        correction_weight = fine_tuning_weight(self._coordinates(table, taps)[2], dr)
+        return ViewActivations([*angular], self._hole(spatial, view), correction_weight, view, back, table)
+
+    def hole(self, table: LatentTable, taps: AnisotropicTaps, view: Any, back: Any) -> Any:
+        """The hole of `view_activations` alone."""
+        inputs = *taps.numbers(), view, back
+        if self.uses_kernel(inputs):
+            (hole,) = self._call_kernel("hole", table, inputs, 1)
+            return hole
+        return self._hole(self._spatial(table, taps, back), view)
+
+    def components(self, activations: ViewActivations, light: Any) -> list[Any]:
+        """The four components, 1/sr, ≥ 0, for a light in the frame of the face that is seen."""
+        inputs = activations.angular, activations.correction_weight, activations.view, activations.back, light
+        if self.uses_kernel(inputs):
+            return self._call_kernel("components", activations.table, inputs, DIFFUSE + 2)
+        return self._components(activations, light)
+
+    def components_and_hole(
+        self, table: LatentTable, light: Any, taps: AnisotropicTaps, view: Any, back: Any
+    ) -> list[Any]:
+        """The four components for one light, and the hole, in one pass."""
+        inputs = *taps.numbers(), view, back, light
+        if self.uses_kernel(inputs):
+            return self._call_kernel("components_and_hole", table, inputs, DIFFUSE + 3)
+        activations = self.view_activations(table, taps, view, back)
+        return [*self._components(activations, light), activations.hole]
+
+    def uses_kernel(self, inputs: Sequence[Any]) -> bool:
+        """Whether a SIMD kernel evaluates these queries."""
+        return can_use_kernel(self._types.Float, inputs)
+
+    def _call_kernel(self, entry_point: EntryPoint, table: LatentTable, inputs: Any, count: int) -> list[Any]:
+        """The `count` outputs of an entry point of the kernel."""
+        decoder = compiled_decoder(self.weights)
+        return call_kernel(
+            self._types.Float,
+            inputs,
+            count,
+            lambda kernel_inputs, outputs: decoder.run(entry_point, table, kernel_inputs, outputs),
+        )
+
+    def _coordinates(self, table: LatentTable, taps: AnisotropicTaps) -> tuple[Any, Any, Any]:
+        size = taps.size(dr)
+        return footprint_coordinates(self.weights.table, table.picks, table.ends, taps.x, taps.y, size, dr)
+
+    def _view_cosines(self, table: LatentTable, view: Any, back: Any) -> list[Any]:
+        fibres = table.fibres(back) if self.weights.table.fibres else ()
+        return [fibre.cosine(view.x, view.y) for fibre in fibres]
+
+    def _spatial(self, table: LatentTable, taps: AnisotropicTaps, back: Any) -> Any:
+        """Latent and footprint, fused."""
+        coordinates = self._coordinates(table, taps)
+        coded = one_blob(coordinates, dr) if self.weights.table.position == "one_blob" else list(coordinates)
+        fetched, layers = table.at(taps, back), self._layers
+        if not self.weights.table.fusion:
+            return [*fetched, *coded]
+        hidden = layers.leaky(layers.added(layers.product("coordinates", coded), fetched))
+        return layers.leaky(layers.product("fusion", hidden, "fusion bias"))
+
+    def _hole(self, spatial: Any, view: Any) -> Any:
+        layers = self._layers
+        hidden = layers.added(
+            layers.product("hole spatial", spatial, "hole bias"),
+            layers.product("hole view", [view.x, view.y]),
+        )
+        (hole,) = layers.product("hole last", layers.leaky(hidden), "hole last bias")
+        return clip(hole, 0, 1)
+
+    def _components(self, activations: ViewActivations, light: Any) -> list[Any]:
+        layers, table, weights = self._layers, activations.table, self.weights
+        directions = [light.x, light.y, light.z]
+        if weights.table.fibres:
+            directions += fibre_features(light, activations.view, table.fibres(activations.back), dr)
+        skip = layers.added(activations.angular, layers.product("light", directions))
+        hidden = last_inputs = layers.leaky(skip)
+        for number in range(1, self._count):
+            last_inputs = hidden
+            hidden = layers.product(f"{number}", hidden, f"{number} bias")
+            if number == 2:
+                hidden = layers.added(hidden, skip)
+            if number + 1 < self._count:
+                hidden = layers.leaky(hidden)
+        outputs, specular = [*hidden], None
+        if weights.table.bundles:
+            correction_weight = dr.select(light.z > 0, activations.correction_weight, self._types.Float(0))
+            lobe_weights = table.corrected(outputs[DIFFUSE:], [*last_inputs], correction_weight)
+            outputs = outputs[:DIFFUSE]
+            specular = mixed_bundles(
+                lobe_weights, light, activations.view, table.bundles, activations.back, dr
+            )
+        return unmapped(outputs, specular, light.z, weights.linear_diffuse, dr)
+
+
+def _matrices(weights: Weights) -> dict[str, NDArray[np.float32]]:
+    """Weights and biases, split by the layers' inputs."""
+    table = weights.table
+    parts: dict[str, NDArray[np.float32]] = {}
+    if table.fusion:
+        parts["coordinates"] = weights.tensor("decoder.fusion.0.weight")[:, table.latent_size :]
+        parts["fusion"] = weights.tensor("decoder.fusion.1.weight")
+        parts["fusion bias"] = weights.tensor("decoder.fusion.1.bias")
+    first, hole = weights.tensor("decoder.angular.0.weight"), weights.tensor("decoder.hole.0.weight")
+    spatial = hole.shape[1] - 2
+    parts["spatial"], light, view, fibres = np.split(first, [spatial, spatial + 3, spatial + 5], axis=1)
+    of_views, of_lights = np.split(fibres, [VIEW_FEATURES], axis=1)
+    parts["view"] = np.concatenate([view, of_views], axis=1)
+    parts["light"] = np.concatenate([light, of_lights], axis=1)
+    parts["0 bias"] = weights.tensor("decoder.angular.0.bias")
+    for number in range(1, weights.layers("decoder.angular")):
+        parts[f"{number}"] = weights.tensor(f"decoder.angular.{number}.weight")
+        parts[f"{number} bias"] = weights.tensor(f"decoder.angular.{number}.bias")
+    parts["hole spatial"], parts["hole view"] = hole[:, :spatial], hole[:, spatial:]
+    parts["hole bias"] = weights.tensor("decoder.hole.0.bias")
+    parts["hole last"] = weights.tensor("decoder.hole.1.weight")
+    parts["hole last bias"] = weights.tensor("decoder.hole.1.bias")
+    return parts
+
+
+@dataclass(frozen=True)
+class DecoderCost:
+    """Cost of a query in multiply-adds of layers and bytes fetched, without encodings and activations.
+
+    Attributes:
+        per_view: multiply-adds of a footprint and view, once for all lights.
+        per_light: multiply-adds of each light.
+        bytes_fetched: of latents.
+    """
+
+    per_view: int
+    per_light: int
+    bytes_fetched: int
+
+
+def decoder_cost(weights: Weights, corrected: bool) -> DecoderCost:
+    """The cost of a query of the network.
+
+    Args:
+        corrected: whether the fabric has a correction of the last layer.
+    """
+    sizes = {name: values.size for name, values in weights.tensors.items() if name.endswith("weight")}
+
+    def layers(prefix: str) -> int:
+        return sum(size for name, size in sizes.items() if name.startswith(f"decoder.{prefix}."))
+
+    latent = weights.table.latent_size
+    fetched, multiplied = latent, 0
+    if weights.table.fusion:
+        # The latent's part of the first layer is multiplied beforehand; its results are fetched.
+        fetched = weights.tensor("decoder.fusion.0.bias").size
+        multiplied = fetched * latent
+    # Two levels, four texels each.
+    taps = 8 if weights.table.latent == "field" else 1
+    hidden, directions = weights.tensor("decoder.angular.0.weight").shape
+    spatial = weights.tensor("decoder.hole.0.weight").shape[1] - 2
+    angular = hidden * directions
+    light = angular - hidden * (spatial + 2)
+    per_light = light + layers("angular") - angular
+    if corrected:
+        per_light += 2 * BUNDLES * weights.table.hidden
+    per_view = layers("fusion") - multiplied + angular - light + layers("hole") + taps * fetched
+    return DecoderCost(per_view, per_light, 4 * taps * fetched)
+
+
+@cache
+def decoder_of(weights: Weights, float_type: type) -> Decoder:
+    """The decoder of some weights on one backend; all fabrics share it."""
+    return Decoder(weights, float_type)

@@ -1,0 +1,405 @@
+"""The universal network as a multi-scale model: latents of one fabric, and a network shared by all."""
+
+from __future__ import annotations
+
+import os
+from functools import cache, cached_property
+from typing import Any, Self, final
+
+import drjit as dr
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.assets.loom_file import LoomFile
+from loomlight.assets.sources import Source
+from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
+from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum
+from loomlight.core.errors import InputError
+from loomlight.core.files import require_file
+from loomlight.core.footprint import Footprint
+from loomlight.core.llvm import llvm_float
+from loomlight.fabric.fabric import Fabric
+from loomlight.models.between_yarns import BetweenYarns
+from loomlight.models.fabric_model import FilteredFabricModel, fabric_in_loom, fabric_source, number_of
+from loomlight.models.interface import Option, Parameter, Values
+from loomlight.models.learned_proposal import LearnedProposal
+from loomlight.models.neural.decoder import Decoder, ViewActivations, decoder_cost, decoder_of
+from loomlight.models.neural.encoded_fabric import EncodedFabric
+from loomlight.models.neural.encoder import repeat_threads
+from loomlight.models.neural.encoding import encode, encode_pair
+from loomlight.models.neural.fibres import Fibres
+from loomlight.models.neural.footprint_coding import (
+    AnisotropicTaps,
+    levels_of,
+    mean_pitch,
+    taps_of_footprint,
+)
+from loomlight.models.neural.latent_table import LatentTable
+from loomlight.models.neural.light_visibility import light_visibility_of
+from loomlight.models.neural.proposal import Proposal, proposal_of
+from loomlight.models.neural.sampler_network import neural_proposal, sampler_layers, sampler_of
+from loomlight.models.neural.weights import Weights, read_weights, shipped_weights
+from loomlight.models.relu_network import ReluNetwork
+from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf, tinted
+from loomlight.scattering.yarn_point import DirectionSample, to_face_frame
+
+_NETWORK = "neural"
+# By one network for all fabrics, or by lobes about the fibres.
+SAMPLERS = ("learned", "lobes")
+# Scene parameters of a family that the encoder sees.
+_ENCODED = ("roughness", "height_scale", "inclination", "twist")
+
+
+@final
+class NeuralBsdf(SeparableBsdf):
+    """The BSDF of footprints for one view: the decoder's activations that do not depend on the light."""
+
+    def __init__(self, model: NeuralModel, view: Vec3, footprint: Footprint, tint: Color3 | None) -> None:
+        super().__init__(view, footprint, model.fabric.appearance().sheen)
+        self._model = model
+        self._tint = tint
+        types = array_types(view.x)
+        self._back = types.Bool(view.z < 0)
+        self._decoder = decoder_of(model.weights, types.Float)
+        self._query = model.query(view, footprint)
+
+    @property
+    def _table(self) -> LatentTable:
+        return self._model.table(array_types(self.view.x).Float)
+
+    @cached_property
+    def _activations(self) -> ViewActivations:
+        return self._decoder.view_activations(self._table, *self._query)
+
+    @cached_property
+    def hole(self) -> Float:
+        """Fraction of the view rays that pass through holes, 0 to 1."""
+        if "_activations" in self.__dict__:
+            return self._activations.hole
+        return self._decoder.hole(self._table, *self._query)
+
+    @cached_property
+    def albedos(self) -> FamilyAlbedos:
+        """Mean albedos of the threads over footprints, without parallax."""
+        return tinted(FamilyAlbedos(*self._model.means.over(self.footprint, self._back)), self._tint)
+
+    @cached_property
+    def between(self) -> BetweenYarns | None:
+        """Light between yarns; None without."""
+        albedos, seen = self.albedos, to_face_frame(self.view, self._back)
+        return BetweenYarns.of(self._model.means, (albedos.warp, albedos.weft), self._tint, seen, self._back)
+
+    def components(self, light: Vec3, active: Mask = True) -> Components:
+        """Components for a light; the hole comes with those of the first one."""
+        facing = to_face_frame(light, self._back)
+        if "_activations" in self.__dict__ or "hole" in self.__dict__:
+            decoded = list(self._decoder.components(self._activations, facing))
+        else:
+            *decoded, hole = self._decoder.components_and_hole(self._table, facing, *self._query)
+            self.__dict__["hole"] = hole
+        blend = self._model.fabric.appearance().diffuse_blend
+        lit = light_visibility_of(decoded[0] + decoded[1], light, self.view, blend)
+        return Components.of(decoded, minimum(lit, 1 - self.hole))
+
+    def pdf(self, light: Vec3) -> Float:
+        """Density of `sample` per solid angle, without delta, 1/sr."""
+        return self._proposal.density(to_face_frame(light, self._back))
+
+    def sample(self, choice: Float, u: Vec2) -> DirectionSample:
+        """Null transmission through holes, else a direction of the proposal."""
+        self._activate_first()
+        facing, is_null = self._proposal.draw(choice, u)
+        light = to_face_frame(facing, self._back)
+        pdf = dr.select(is_null, self._proposal.null, self._proposal.density(facing))
+        value = self.value(light)
+        # Null transmission is drawn with the probability of its transmittance.
+        weight = dr.select(is_null, 1, dr.select(pdf > 0, value / maximum(pdf, 1e-30), 0))
+        return DirectionSample(light=light, pdf=pdf, weight=weight, is_null=is_null)
+
+    def value_pdf_and_sample(
+        self, light: Vec3, choice: Float, u: Vec2
+    ) -> tuple[Color3, Float, DirectionSample]:
+        """All three, of one run of the part that no light changes."""
+        self._activate_first()
+        return super().value_pdf_and_sample(light, choice, u)
+
+    def value_and_pdf(self, light: Vec3, active: Mask = True) -> tuple[Color3, Float]:
+        """Both, of one run of the part that no light changes, which the learned sampler sees too."""
+        if self._sampler is not None:
+            self._activate_first()
+        return super().value_and_pdf(light, active)
+
+    @cached_property
+    def _sampler(self) -> ReluNetwork | None:
+        if self._model.sampler != SAMPLERS[0]:
+            return None
+        return sampler_of(self._model.weights, array_types(self.view.x).Float)
+
+    def _activate_first(self) -> None:
+        """Runs the part that no light changes by itself: several lights follow, and the hole is wanted."""
+        self.__dict__.setdefault("hole", self._activations.hole)
+
+    @cached_property
+    def _proposal(self) -> Proposal | LearnedProposal:
+        """The mixture that directions are drawn from; densities carry no derivatives."""
+        if self._sampler is not None:
+            self._activate_first()
+        albedos, null = dr.detach(self.albedos), dr.detach(self.null_transmission)
+        view, fibres = to_face_frame(self.view, self._back), self._table.fibres(self._back)
+        if self._sampler is not None:
+            angular = dr.detach(self._activations.angular)
+            return neural_proposal(self._sampler, angular, albedos, null, self.sheen, view, fibres)
+        layer = self._model.fabric.appearance().layer_bound
+        return proposal_of(
+            albedos, null, self.sheen.strength, layer, view, fibres, self._table.lobe_roughness
+        )
+
+
+@final
+class NeuralModel(FilteredFabricModel):
+    """chen2024: an encoder once a fabric, a small decoder a query.
+
+    Edits of a family's threads run the encoder, and fit the last layer where it is refined; other edits need
+    neither. With two fabrics, ``blend`` is a scene parameter too.
+
+    Attributes:
+        weights: the shared network.
+        sampler: what directions are drawn by, of `SAMPLERS`.
+        encoded: latents of both faces; of a mixture, the interpolated latents.
+        multiply_adds: of one query.
+        bytes_fetched: by one query.
+    """
+
+    name = "neural"
+    conserves_energy = False
+    symbolic = False
+    options = (
+        # The last layer is fitted to the fabric: most of a second, and half the error of highlights.
+        Option("refined", bool, "true or false"),
+        # A weights file written by `loomlight train neural`; by default that of the package.
+        Option("weights", str, "the path of a weights file"),
+        # Directions are drawn by a network for all fabrics, or by lobes about the fibres.
+        Option("sampler", str, f"one of {', '.join(SAMPLERS)}"),
+        # A second fabric to interpolate latents with; colours are those of the first.
+        Option("other", Source, "the path of a second fabric, or a weave's name"),
+        # Weight of the other fabric: 0 is this one, 1 the other; other values extrapolate.
+        Option("blend", float, "a number, such as 0.5"),
+    )
+
+    def __init__(
+        self,
+        fabric: Fabric,
+        encoded: EncodedFabric,
+        weights: Weights,
+        *,
+        refined: bool = True,
+        other: Fabric | None = None,
+        blend: float = 0.0,
+        endpoints: tuple[EncodedFabric, EncodedFabric] | None = None,
+        sampler: str | None = None,
+    ) -> None:
+        """A model of encoded latents; see `for_source` to encode them.
+
+        Args:
+            sampler: by default the learned one, or lobes where the network is not the package's.
+            other, blend: the fabric that the latents were interpolated with, and its weight.
+            endpoints: latents of this fabric and of the other one, before interpolation.
+        """
+        super().__init__(fabric)
+        self.encoded = encoded
+        self.weights = weights
+        learned = sampler_layers(weights) is not None
+        self.sampler = sampler or SAMPLERS[0 if learned else 1]
+        if self.sampler not in SAMPLERS:
+            raise InputError(f'sampler = "{self.sampler}" is wrong: give {" or ".join(SAMPLERS)}.')
+        if self.sampler == SAMPLERS[0] and not learned:
+            raise InputError(
+                'sampler = "learned" is of the package\'s network alone, '
+                f'and {weights.source} is another one: give "lobes".'
+            )
+        self._refined, self._other, self._blend, self._endpoints = refined, other, blend, endpoints
+        layout = fabric.layout()
+        picks, count = layout.warp_on_top.shape
+        width, height = layout.size
+        self._threads_per_mm = count / width, picks / height
+        self._pitch = mean_pitch(layout)
+        self._tables: dict[type, LatentTable] = {}
+        cost = decoder_cost(weights, encoded.correction is not None)
+        self.multiply_adds = cost.per_view + cost.per_light
+        self.bytes_fetched = cost.bytes_fetched
+
+    @classmethod
+    def for_source(
+        cls,
+        source: Source,
+        refined: bool = True,
+        weights: str | os.PathLike[str] | Weights | None = None,
+        other: Source | None = None,
+        blend: float = 0.0,
+        sampler: str | None = None,
+    ) -> Self:
+        """The model of a fabric, from the cache or by the encoder; see `options`.
+
+        Raises:
+            InputError: no fabric, a repeat of more than 64 threads a side, or weights that cannot be read.
+        """
+        fabric = fabric_source(source, cls.name)
+        network = weights if isinstance(weights, Weights) else _network(weights)
+        if other is None:
+            encoded = encode(fabric, network, llvm_float(), refined=refined)
+            return cls(fabric, encoded, network, refined=refined, sampler=sampler)
+        second = fabric_source(other, cls.name)
+        endpoints = encode_pair(fabric, second, network, llvm_float(), refined)
+        mixed = endpoints[0].mixed(endpoints[1], blend)
+        return cls(
+            fabric,
+            mixed,
+            network,
+            refined=refined,
+            other=second,
+            blend=blend,
+            endpoints=endpoints,
+            sampler=sampler,
+        )
+
+    def with_source(self, source: Source) -> Self:
+        """The model of another fabric by the same network, mixed with the same second fabric."""
+        return type(self).for_source(
+            source, self._refined, self.weights, self._other, self._blend, self.sampler
+        )
+
+    def with_fabric(self, fabric: Fabric, edits: frozenset[str]) -> Self:
+        """The model of an edited fabric; the encoder runs if its inputs change."""
+        if any(name.endswith(_ENCODED) for name in edits):
+            return self.with_source(fabric)
+        return type(self)(
+            fabric,
+            self.encoded,
+            self.weights,
+            refined=self._refined,
+            other=self._other,
+            blend=self._blend,
+            endpoints=self._endpoints,
+            sampler=self.sampler,
+        )
+
+    def parameters(self, types: ArrayTypes) -> Values:
+        """Numbers and albedos of the fabric, and ``blend`` where it is mixed with another."""
+        values = dict(super().parameters(types))
+        if self._other is not None:
+            values["blend"] = Parameter(types.Float(self._blend))
+        return values
+
+    def updated(self, values: Values, changed: frozenset[str]) -> Self:
+        """The model after an edit."""
+        model = super().updated(values, changed)
+        if model._endpoints is None or number_of(values["blend"]) == model._blend:
+            return model
+        blend = number_of(values["blend"])
+        mixed = type(self)(
+            model.fabric,
+            model._endpoints[0].mixed(model._endpoints[1], blend),
+            model.weights,
+            refined=model._refined,
+            other=model._other,
+            blend=blend,
+            endpoints=model._endpoints,
+            sampler=model.sampler,
+        )
+        mixed.means = model.means
+        return mixed
+
+    def upload(self, types: ArrayTypes) -> None:
+        """Uploads albedos and latents to a backend."""
+        super().upload(types)
+        self.table(types.Float)
+
+    def to_loom(self) -> LoomFile:
+        """A file of latents, fibres and correction, with the checksum of the network that decodes them."""
+        front, back = self.encoded.faces
+        tensors: dict[str, NDArray[Any]] = {
+            "front": front,
+            "back": back,
+            "fibres": self.encoded.fibres.array(),
+        }
+        if self.encoded.correction is not None:
+            tensors["correction"] = self.encoded.correction
+        return LoomFile(
+            model=self.name,
+            source=self.fabric,
+            tensors=tensors,
+            settings={"sampler": self.sampler},
+            networks={_NETWORK: self.weights.sha256},
+        )
+
+    @classmethod
+    def from_loom(cls, loom: LoomFile) -> Self:
+        """The model of latents in a file.
+
+        Raises:
+            InputError: another model's file, another network's latents, or latents of another fabric.
+        """
+        fabric = fabric_in_loom(loom, cls.name)
+        weights = shipped_weights()
+        loom.require_network(_NETWORK, weights.sha256)
+        picks, ends = repeat_threads(fabric)
+        texels = levels_of(picks, ends)[-1].first + 1 if weights.table.latent == "field" else 1
+        front, back = (
+            loom.tensor(side, (texels, weights.table.latent_size), np.float16) for side in ("front", "back")
+        )
+        fibres = Fibres.from_array(loom.tensor("fibres", (4, 2), np.float32))
+        error = fibres.validation_error()
+        if error is not None:
+            raise InputError(f"{loom.file}: of the tensor model.fibres the {error}. Bake it again.")
+        correction = None
+        if "correction" in loom.tensors:
+            correction = loom.tensor("correction", weights.table.corrected_shape, np.float32)
+        # Files of the first versions do not say what draws directions.
+        sampler = loom.setting("sampler", str) if "sampler" in loom.settings else None
+        encoded = EncodedFabric(picks, ends, (front, back), fibres, correction)
+        return cls(fabric, encoded, weights, sampler=sampler)
+
+    def at(
+        self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True
+    ) -> NeuralBsdf:
+        """The BSDF of footprints for one view each."""
+        del active
+        return NeuralBsdf(self, view, footprint, tint)
+
+    def query(self, view: Vec3, footprint: Footprint) -> tuple[AnisotropicTaps, Vec3, Mask]:
+        """Anisotropic taps in threads, the view in the frame of the face seen, and whether it is the back."""
+        types = array_types(view.x)
+        back = types.Bool(view.z < 0)
+        across, along = self._threads_per_mm
+        x, y = footprint.centre.x * across, footprint.centre.y * along
+        side, first, second = taps_of_footprint(footprint, self._pitch)
+        steps = first.x * across, first.y * along, second.x * across, second.y * along
+        taps = AnisotropicTaps(x, y, side * (1 / self._pitch), *steps)
+        return taps, to_face_frame(view, back), back
+
+    def decoder(self, float_type: type) -> Decoder:
+        """The network on one backend; all fabrics share it."""
+        return decoder_of(self.weights, float_type)
+
+    def table(self, float_type: type) -> LatentTable:
+        """The latents on one backend, uploaded once."""
+        if float_type not in self._tables:
+            self._tables[float_type] = LatentTable(self.weights, self.encoded, float_type)
+        return self._tables[float_type]
+
+    def own_facts(self) -> dict[str, str]:
+        """The fabric that latents are interpolated with."""
+        return {"other": "none" if self._other is None else f'"{self._other.name}", blend = {self._blend:g}'}
+
+
+def _network(path: str | os.PathLike[str] | None) -> Weights:
+    """The network in a file, or that of the package: one object a file, so that fabrics share its kernels."""
+    if path is None:
+        return shipped_weights()
+    require_file(path)
+    return _read_once(str(path), os.stat(path).st_mtime_ns)
+
+
+@cache
+def _read_once(path: str, _modified: int) -> Weights:
+    return read_weights(path)

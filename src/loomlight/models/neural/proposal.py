@@ -1,0 +1,179 @@
+"""Sampling of directions: a mixture of five lobes, and its exact density.
+
+The network's highlights lie about its lobe basis, so each family has a fibre lobe (Heitz et al. 2015): the
+fibres on a yarn's crown, with a roughness that covers the spread of the basis. A fibre in free space scatters
+to both sides alike; cloth does not, so that directions of this lobe are mirrored to a side that is drawn in
+proportion to the albedos of both. The cone of a fibre along the surface is its own mirror image. The rest is
+drawn by the cosine on either side, in proportion to albedos. The network does not know that f·cos is 0 at the
+horizon, where the density of the cosine is: a uniform lobe on either side bounds value over density there.
+The normal of the reflected cosine turns towards the view, as what is seen of yarns does.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import drjit as dr
+
+from loomlight.core.arrays import Float, Mask, Vec2, Vec3
+from loomlight.core.backend import array_types, channel_mean, clip, maximum
+from loomlight.models.neural.codings import Fibre
+from loomlight.models.separable import FamilyAlbedos
+from loomlight.scattering.directions import cosine_about, uniform_on_sphere
+from loomlight.scattering.fibre import pdf_specular, sample_specular
+
+# Probability of the uniform lobe, given neither null transmission nor a fibre lobe: weights are bounded by
+# 2π/0.1 times the value on the side that is drawn.
+_UNIFORM_PROBABILITY = 0.1
+# Largest probability of the fibre lobes: half of the directions are drawn by lobes that cover all.
+_MOST_FIBRES = 0.5
+# Slope of the diffuse lobe's normal over the sine of the view's angle.
+_TILT = 0.2
+# Smallest probability of a side, given a fibre lobe.
+_LEAST_SIDE = 0.02
+# Not 0/0: black cloth reflects nothing, but a direction has to be drawn.
+_MIN_WEIGHT = 1e-6
+
+
+@dataclass
+class Proposal:
+    """The mixture of a footprint and a view, in the frame of the face that is seen.
+
+    Attributes:
+        null: probability of null transmission.
+        warp, weft: probabilities of the families' fibre lobes, given no null transmission.
+        fibres_reflect: probability of the side of the view, given a family's fibre lobe.
+        reflect: probability of the side of the view, given one of the other lobes.
+        view: unit vector [3], z > 0.
+        tangents: unit fibre directions [3] of both families.
+        roughness: α of their lobes.
+    """
+
+    null: Float
+    warp: Float
+    weft: Float
+    fibres_reflect: tuple[Float, Float]
+    reflect: Float
+    view: Vec3
+    tangents: tuple[Vec3, Vec3]
+    roughness: tuple[Float, Float]
+
+    def density(self, light: Vec3) -> Float:
+        """Density of `draw` per solid angle, without delta, 1/sr.
+
+        Args:
+            light: unit vector [3] in the frame of the face that is seen.
+        """
+        mirrored = array_types(self.view.x).Vector3(light.x, light.y, -light.z)
+        fibres = [
+            probability
+            * dr.select(light.z > 0, to_view, 1 - to_view)
+            * sum(pdf_specular(either, self.view, tangent, roughness) for either in (light, mirrored))
+            for probability, to_view, tangent, roughness in zip(
+                (self.warp, self.weft), self.fibres_reflect, self.tangents, self.roughness, strict=True
+            )
+        ]
+        side = dr.select(light.z > 0, self.reflect, 1 - self.reflect)
+        normal = self._diffuse_normal
+        cosine = maximum(dr.dot(light, normal), 0) + maximum(dr.dot(mirrored, normal), 0)
+        cosine = dr.select(light.z > 0, cosine, -light.z)
+        over_side = dr.lerp(cosine * dr.inv_pi, 0.5 * dr.inv_pi, _UNIFORM_PROBABILITY)
+        return (1 - self.null) * (sum(fibres) + (1 - self.warp - self.weft) * side * over_side)
+
+    def draw(self, choice: Float, u: Vec2) -> tuple[Vec3, Mask]:
+        """A light direction [3] in the frame of the face that is seen, and whether it is null transmission.
+
+        Args:
+            choice: uniform number in [0, 1) that chooses the lobe.
+            u: uniform numbers in [0, 1).
+        """
+        types = array_types(self.view.x)
+        is_null = types.Bool(choice < self.null)
+        rest = (choice - self.null) * dr.rcp(maximum(1 - self.null, _MIN_WEIGHT))
+        is_warp, fibres = rest < self.warp, self.warp + self.weft
+        # Given the family, the number is uniform again, and chooses the side.
+        share_of_family = dr.select(
+            is_warp,
+            rest * dr.rcp(maximum(self.warp, _MIN_WEIGHT)),
+            (rest - self.warp) * dr.rcp(maximum(self.weft, _MIN_WEIGHT)),
+        )
+        warp, weft = (
+            sample_specular(self.view, tangent, roughness, u)
+            for tangent, roughness in zip(self.tangents, self.roughness, strict=True)
+        )
+        by_fibres = dr.select(is_warp, warp, weft)
+        height = dr.abs(by_fibres.z)
+        to_view = share_of_family < dr.select(is_warp, *self.fibres_reflect)
+        by_fibres = types.Vector3(by_fibres.x, by_fibres.y, dr.select(to_view, height, -height))
+        over = (rest - fibres) * dr.rcp(maximum(1 - fibres, _MIN_WEIGHT))
+        reflects = over < self.reflect
+        # Given the side, the number is uniform again.
+        share = dr.select(
+            reflects,
+            over * dr.rcp(maximum(self.reflect, _MIN_WEIGHT)),
+            (over - self.reflect) * dr.rcp(maximum(1 - self.reflect, _MIN_WEIGHT)),
+        )
+        up = types.Vector3(0, 0, 1)
+        cosine, uniform = cosine_about(dr.select(reflects, self._diffuse_normal, up), u), uniform_on_sphere(u)
+        light = dr.select(share < _UNIFORM_PROBABILITY, uniform, cosine)
+        light.z = dr.abs(light.z)
+        light = dr.select(reflects, light, types.Vector3(light.x, light.y, -light.z))
+        light = dr.select(rest < fibres, by_fibres, light)
+        return dr.select(is_null, -self.view, light), is_null
+
+    @property
+    def _diffuse_normal(self) -> Vec3:
+        """The mean normal of what is seen of yarns, which turns towards the view."""
+        types = array_types(self.view.x)
+        return dr.normalize(types.Vector3(_TILT * self.view.x, _TILT * self.view.y, 1))
+
+
+def proposal_of(
+    albedos: FamilyAlbedos,
+    null: Float,
+    sheen: float,
+    layer_albedo: float,
+    view: Vec3,
+    fibres: tuple[Fibre, Fibre],
+    roughness: tuple[Float, Float],
+) -> Proposal:
+    """The mixture of a footprint and a view.
+
+    Args:
+        albedos: means over the footprint.
+        null: null transmission, 0 to 1, which is also the probability of drawing it.
+        sheen: its strength, 0 to 1.
+        layer_albedo: largest share of the light that a fibre layer of albedo 1 returns.
+        view: unit vector [3] in the frame of the face that is seen.
+        fibres: on the crowns of both families, in that frame.
+        roughness: α of the families' fibre lobes.
+    """
+    types = array_types(view.x)
+
+    def sums(term: str) -> Float:
+        return channel_mean(getattr(albedos.warp, term)) + channel_mean(getattr(albedos.weft, term))
+
+    reflects = [channel_mean(family.specular_reflect) for family in (albedos.warp, albedos.weft)]
+    both = [
+        one + channel_mean(family.specular_transmit)
+        for one, family in zip(reflects, (albedos.warp, albedos.weft), strict=True)
+    ]
+    warp, weft = (layer_albedo * sum_of_sides for sum_of_sides in both)
+    first, second = (
+        # Neither side is left out: the network may say something of it.
+        clip(one * dr.rcp(sum_of_sides + _MIN_WEIGHT), _LEAST_SIDE, 1 - _LEAST_SIDE)
+        for one, sum_of_sides in zip(reflects, both, strict=True)
+    )
+    up = sums("diffuse_reflect") + layer_albedo * sums("specular_reflect") + sheen
+    down = sums("diffuse_transmit") + layer_albedo * sums("specular_transmit")
+    scale = _MOST_FIBRES * dr.rcp(up + down + _MIN_WEIGHT)
+    return Proposal(
+        null,
+        warp * scale,
+        weft * scale,
+        (first, second),
+        (up + _MIN_WEIGHT) * dr.rcp(up + down + _MIN_WEIGHT),
+        view,
+        tuple(types.Vector3(fibre.x, fibre.y, 0) for fibre in fibres),
+        roughness,
+    )

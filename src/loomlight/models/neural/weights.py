@@ -1,0 +1,292 @@
+"""The weights file of the universal network, and the exported encoder beside it.
+
+The weights file holds tensors, the network's shape, how it was trained, and a checksum.
+
+It is one safetensors file. The metadata has one entry, `neural`, whose JSON is
+
+    {"checksum": SHA-256 of the rest, "network": {"schema", "shape", "linear_diffuse", "trained", "recipe",
+                                                  "provenance"}}
+
+Tensors have the names of the torch module's (`training/network.py`) and lie in half precision; reading needs
+no torch. The encoder is an ONNX model of the same name with the suffix .onnx, exported by torch
+(`training/export.py`). Two metadata entries end it: `weights`, the checksum of the weights that it was
+exported from, and `checksum`, SHA-256 of all bytes before them.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cache
+from importlib.resources import as_file, files
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from safetensors import SafetensorError, safe_open
+from safetensors.numpy import save
+
+from loomlight.assets.loom_file import checksum
+from loomlight.core.errors import InputError
+from loomlight.core.files import replacing, require_file
+from loomlight.models.neural.architecture import BINS, LIGHT_FEATURES, VIEW_FEATURES, NetworkTable
+
+# 2: roughness enters the encoder as its logarithm. 3: directions along the fibres are inputs. 4: the lobe
+# basis.
+SCHEMA = 4
+_ENTRY = "neural"
+
+
+class _Header(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
+
+    schema_version: int = Field(alias="schema")
+    shape: NetworkTable
+    linear_diffuse: bool
+    trained: bool
+    recipe: dict[str, Any]
+    provenance: dict[str, Any]
+
+
+@dataclass(frozen=True, eq=False)
+class Weights:
+    """A network ready for inference.
+
+    Attributes:
+        table: its shape.
+        tensors: weights by name, float32.
+        linear_diffuse: diffuse outputs are linear, as published, else logarithmic.
+        trained: false for random weights.
+        recipe: the configuration that it was trained with.
+        provenance: when and on what it was trained.
+        sha256: of the whole content, hexadecimal; identifies the network in materials.
+        source: name of the file in messages.
+        encoder: the exported encoder, an ONNX model.
+    """
+
+    table: NetworkTable
+    tensors: Mapping[str, NDArray[np.float32]]
+    linear_diffuse: bool
+    trained: bool
+    recipe: Mapping[str, Any]
+    provenance: Mapping[str, Any]
+    sha256: str
+    source: str
+    encoder: bytes = b""
+
+    def layers(self, name: str) -> int:
+        """Number of layers in the list `name`."""
+        count = 0
+        while f"{name}.{count}.weight" in self.tensors:
+            count += 1
+        return count
+
+    def tensor(self, name: str) -> NDArray[np.float32]:
+        """The tensor `name`.
+
+        Raises:
+            InputError: there is none.
+        """
+        if name not in self.tensors:
+            raise InputError(f"{self.source}: the tensor {name} is missing: {_REMEDY}.")
+        return self.tensors[name]
+
+
+_REMEDY = "`loomlight train neural` writes a weights file"
+
+
+def write_weights(
+    path: str | os.PathLike[str],
+    table: NetworkTable,
+    tensors: Mapping[str, NDArray[Any]],
+    *,
+    linear_diffuse: bool,
+    recipe: Mapping[str, Any],
+    provenance: Mapping[str, Any],
+    trained: bool = True,
+    half: bool = True,
+) -> None:
+    """Writes a weights file, whole or not at all.
+
+    Args:
+        tensors: by the names of the torch module's state.
+        half: in half precision, otherwise in single precision.
+
+    Raises:
+        InputError: a place that cannot be written to.
+        ValueError: a weight that is not finite, or too large for half precision.
+    """
+    kept = {}
+    for name, values in tensors.items():
+        with np.errstate(over="ignore"):
+            kept[name] = np.ascontiguousarray(values, np.float16 if half else np.float32)
+        if not np.isfinite(kept[name]).all():
+            raise ValueError(f"the weights {name} hold numbers that {kept[name].dtype} cannot")
+    header = _Header(
+        schema=SCHEMA,
+        shape=table,
+        linear_diffuse=linear_diffuse,
+        trained=trained,
+        recipe=dict(recipe),
+        provenance=dict(provenance),
+    )
+    content = json.loads(header.model_dump_json(by_alias=True))
+    entry = json.dumps({"checksum": checksum(content, kept), "network": content}, sort_keys=True)
+    with replacing(path) as temporary:
+        temporary.write_bytes(save(kept, {_ENTRY: entry}))
+
+
+def write_encoder(weights_path: str | os.PathLike[str], model: bytes, sha256: str) -> Path:
+    """Writes an exported encoder beside its weights, whole or not at all; returns its path.
+
+    Args:
+        model: the ONNX model.
+        sha256: of the weights that it was exported from; see `Weights`.
+
+    Raises:
+        InputError: a place that cannot be written to.
+    """
+    path = encoder_path(weights_path)
+    with replacing(path) as temporary:
+        temporary.write_bytes(model + _encoder_metadata(model, sha256))
+    return path
+
+
+def encoder_path(weights_path: str | os.PathLike[str]) -> Path:
+    """The file of the encoder beside a weights file."""
+    return Path(weights_path).with_suffix(".onnx")
+
+
+def read_weights(path: str | os.PathLike[str]) -> Weights:
+    """The network in a weights file and the exported encoder beside it.
+
+    Raises:
+        InputError: see `read_weights_alone`; no encoder beside it, one of other weights, or one that is
+            damaged.
+    """
+    weights = read_weights_alone(path)
+    return replace(weights, encoder=_read_encoder(path, weights.sha256))
+
+
+def _read_encoder(weights_path: str | os.PathLike[str], sha256: str) -> bytes:
+    path = encoder_path(weights_path)
+    remedy = f"`python -m loomlight.models.neural.training.export {weights_path}` writes it"
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise InputError(f"{weights_path}: its encoder {path.name} is not beside it: {remedy}.") from error
+    model = data[: -len(_encoder_metadata(b"", sha256))]
+    metadata = data[len(model) :]
+    if metadata == _encoder_metadata(model, sha256):
+        return data
+    if metadata.endswith(_metadata_entry("checksum", hashlib.sha256(model).hexdigest())):
+        raise InputError(f"{path}: it was exported from other weights than {weights_path}: {remedy} again.")
+    raise InputError(f"{path}: it is no exported encoder, or damaged: {remedy} again.")
+
+
+def _encoder_metadata(model: bytes, sha256: str) -> bytes:
+    """The metadata entries that end the file of an encoder."""
+    entries = {"weights": sha256, "checksum": hashlib.sha256(model).hexdigest()}
+    return b"".join(_metadata_entry(key, value) for key, value in entries.items())
+
+
+def _metadata_entry(key: str, value: str) -> bytes:
+    """An entry of `metadata_props` as protobuf, which may be appended to an ONNX model as it is.
+
+    Field 14 of ModelProto, of the fields 1, key, and 2, value; all are shorter than 128 bytes.
+    """
+    entry = b"".join(bytes([tag, len(text)]) + text.encode() for tag, text in ((0x0A, key), (0x12, value)))
+    return bytes([0x72, len(entry)]) + entry
+
+
+def read_weights_alone(path: str | os.PathLike[str]) -> Weights:
+    """The network in a weights file without the encoder beside it, which is to be exported.
+
+    Raises:
+        InputError: no such file, no weights file, one of another version, or one that is damaged or whose
+            decoder is not the one that its header describes.
+    """
+    require_file(path)
+    source = str(path)
+    try:
+        with safe_open(source, framework="numpy") as file:
+            entry = (file.metadata() or {}).get(_ENTRY)
+            kept = {name: file.get_tensor(name) for name in file.keys()}  # noqa: SIM118 (no mapping)
+    except (SafetensorError, OSError, ValueError, OverflowError, MemoryError, TypeError) as error:
+        raise InputError(f"{source}: it is no weights file, or damaged: {_REMEDY}.") from error
+    if entry is None:
+        raise InputError(f"{source}: it is a safetensors file without the entry {_ENTRY}: {_REMEDY}.")
+    content = _content(source, entry)
+    schema = content["network"].get("schema")
+    if schema != SCHEMA:
+        advice = "install a newer loomlight" if isinstance(schema, int) and schema > SCHEMA else "train again"
+        raise InputError(f"{source}: its schema is {schema!r}, and this loomlight reads {SCHEMA}: {advice}.")
+    found = checksum(content["network"], kept)
+    if content.get("checksum") != found:
+        raise InputError(f"{source}: its content does not fit its checksum, so it is damaged: {_REMEDY}.")
+    try:
+        header = _Header.model_validate(content["network"])
+    except (ValidationError, RecursionError) as error:
+        raise InputError(f"{source}: its header does not describe a network: {_REMEDY}.") from error
+    for name, shape in decoder_shapes(header.shape).items():
+        if name not in kept or kept[name].shape != shape:
+            raise InputError(f"{source}: its tensors are not those of the network in its header: {_REMEDY}.")
+    return Weights(
+        table=header.shape,
+        tensors={name: values.astype(np.float32) for name, values in kept.items()},
+        linear_diffuse=header.linear_diffuse,
+        trained=header.trained,
+        recipe=header.recipe,
+        provenance=header.provenance,
+        sha256=found,
+        source=source,
+    )
+
+
+def decoder_shapes(table: NetworkTable) -> dict[str, tuple[int, ...]]:
+    """Shapes of the decoder's weights [outputs, inputs] and biases [outputs]; see `network.Decoder`."""
+    hidden = table.hidden
+    spatial = table.latent_size + (3 * BINS if table.position == "one_blob" else 3)
+    fused = hidden if table.fusion else spatial
+    directions = 5 + (LIGHT_FEATURES + VIEW_FEATURES if table.fibres else 0)
+    widths = {
+        "angular": [fused + directions, *[hidden] * (4 if table.fusion else 6), table.outputs],
+        "hole": [fused + 2, 16, 1],
+    }
+    if table.fusion:
+        widths["fusion"] = [spatial, hidden, hidden]
+    shapes: dict[str, tuple[int, ...]] = {}
+    for part, sizes in widths.items():
+        for number, (before, after) in enumerate(pairwise(sizes)):
+            shapes[f"decoder.{part}.{number}.weight"] = after, before
+            shapes[f"decoder.{part}.{number}.bias"] = (after,)
+    return shapes
+
+
+@cache
+def shipped_weights() -> Weights:
+    """The network that comes with the package."""
+    with as_file(files("loomlight.models.neural") / "weights" / "neural.safetensors") as path:
+        return read_weights(path)
+
+
+@cache
+def shipped_decoder() -> bytes:
+    """The decoder of `shipped_weights` as an ONNX model, see `training/export_decoder.py`."""
+    return (files("loomlight.models.neural") / "weights" / "neural_decoder.onnx").read_bytes()
+
+
+def _content(source: str, entry: str) -> dict[str, Any]:
+    try:
+        content = json.loads(entry)
+    except (ValueError, RecursionError):
+        content = None
+    if not isinstance(content, dict) or not isinstance(content.get("network"), dict):
+        raise InputError(f"{source}: its header is damaged: {_REMEDY}.")
+    return content

@@ -1,0 +1,177 @@
+"""The model neural as shaders read it: the network once, and latents, fibres and corrections of each fabric.
+
+Shaders are compiled for the shape of the network that comes with the package; other weights of that shape
+serve as well.
+"""
+
+from __future__ import annotations
+
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.errors import InputError
+from loomlight.models.neural import architecture, footprint_coding, light_visibility, proposal
+from loomlight.models.neural.decoder import _matrices
+from loomlight.models.neural.footprint_coding import mean_pitch
+from loomlight.models.neural.model import NeuralModel
+from loomlight.models.neural.weights import Weights, shipped_weights
+from loomlight.realtime.networks import layer_size, layer_starts, packed_layer, packed_numbers
+from loomlight.realtime.word_table import Tables, fill
+from loomlight.yarn.layout import ClothLayout
+
+# Layers in the order of memory; see `neural_layers`.
+_LAYERS = ("FUSION_0", "FUSION_1", "HOLE_0", "HOLE_1", "VIEW", "LIGHT")
+_ANGULAR = ("ANGULAR", "ANGULAR_2", "ANGULAR_3")
+_LAST = "LAST"
+Numbers: TypeAlias = NDArray[np.float32]
+Layer: TypeAlias = tuple[Numbers, Numbers | None]
+
+
+def neural_layers(weights: Weights) -> dict[str, Layer]:
+    """Weights and biases of the decoder's layers, split by their inputs as `neural.slang` evaluates them.
+
+    The hole reads the inputs of the view's layer, whose last ones it does not use.
+    """
+    parts = _matrices(weights)
+    hole = np.concatenate([parts["hole spatial"], parts["hole view"]], axis=1)
+    view = np.concatenate([parts["spatial"], parts["view"]], axis=1)
+    hole = np.pad(hole, ((0, 0), (0, view.shape[1] - hole.shape[1])))
+    layers: list[Layer] = [
+        (weights.tensor("decoder.fusion.0.weight"), weights.tensor("decoder.fusion.0.bias")),
+        (parts["fusion"], parts["fusion bias"]),
+        (hole, parts["hole bias"]),
+        (parts["hole last"], parts["hole last bias"]),
+        (view, parts["0 bias"]),
+        (parts["light"], None),
+        *((parts[f"{number}"], parts[f"{number} bias"]) for number in range(1, len(_ANGULAR) + 2)),
+    ]
+    return dict(zip((*_LAYERS, *_ANGULAR, _LAST), layers, strict=True))
+
+
+def neural_uints() -> dict[str, int]:
+    """Constants of `neural.slang` that are whole numbers: widths, and where layers begin."""
+    weights = shipped_weights()
+    table = weights.table
+    layers = neural_layers(weights)
+    starts = layer_starts([(weight.shape[1], weight.shape[0]) for weight, _ in layers.values()])
+    at = dict(zip(layers, starts, strict=False))
+    return {
+        "NEURAL_HIDDEN": table.hidden,
+        "NEURAL_LATENT": table.latent_size,
+        "NEURAL_HOLE_HIDDEN": layers["HOLE_0"][0].shape[0],
+        "NEURAL_BINS": architecture.BINS,
+        "NEURAL_INCLINATION_BINS": architecture.INCLINATION_BINS,
+        "NEURAL_LIGHT_INPUTS": 3 + architecture.LIGHT_FEATURES,
+        "NEURAL_VIEW_INPUTS": table.hidden + 2 + architecture.VIEW_FEATURES,
+        "BUNDLES": architecture.BUNDLES,
+        "BUNDLE_POSITIONS": architecture.BUNDLE_POSITIONS,
+        "FINEST_LEVEL": footprint_coding.FINEST,
+        "NEURAL_ANGULAR_LAYERS": len(_ANGULAR),
+        "NEURAL_ANGULAR_SIZE": layer_size(table.hidden, table.hidden),
+        **{f"NEURAL_{name}": at[name] for name in (*_LAYERS, _ANGULAR[0], _LAST)},
+    }
+
+
+def neural_floats() -> dict[str, float]:
+    """Constants of `neural.slang` and of its sampling that are numbers."""
+    smallest, largest = footprint_coding._FIELD_SIZES
+    first, full = (
+        float(footprint_coding.log_fraction(np.float64(threads), smallest, largest))
+        for threads in footprint_coding._CORRECTED
+    )
+    return {
+        "LEAKY_SLOPE": architecture.SLOPE,
+        "BLOB_RADIUS": architecture.BLOB_RADIUS,
+        "INCLINATION_RADIUS": architecture.INCLINATION_RADIUS,
+        "INCLINATION_CROWDING": architecture.INCLINATION_CROWDING,
+        "DENSITY_GAIN": architecture.DENSITY_GAIN,
+        "DENSITY_SCALE": architecture.DENSITY_SCALE,
+        "OPPOSITE": architecture.OPPOSITE,
+        "BUNDLE_UNIT": architecture.BUNDLE_UNIT,
+        "REFLECTION_SCALE": 1 / architecture.REFLECTION_GAIN,
+        "TRANSMISSION_SCALE": 1 / architecture.TRANSMISSION_GAIN,
+        "LARGEST_OUTPUT": architecture.LARGEST_OUTPUT,
+        "LARGEST_COMPONENT": float(np.expm1(architecture.LARGEST_OUTPUT)),
+        "MOST_COMPACT": footprint_coding._MOST_COMPACT,
+        "SMALLEST_CODED_SIZE": smallest,
+        "PER_LOG_SIZE": 1 / float(np.log(largest / smallest)),
+        "CORRECTED_FROM": first,
+        "PER_CORRECTED_SPAN": 1 / (full - first),
+        "FACING_CONSTANT": light_visibility.FACING[0],
+        "FACING_BY_COSINE": light_visibility.FACING[1],
+        "FACING_BY_AZIMUTH": light_visibility.FACING[2],
+        "FACING_SMALLEST_COSINE": light_visibility._SMALLEST_COSINE,
+        "NEURAL_UNIFORM_PROBABILITY": proposal._UNIFORM_PROBABILITY,
+        "NEURAL_MOST_FIBRES": proposal._MOST_FIBRES,
+        "NEURAL_TILT": proposal._TILT,
+        "NEURAL_LEAST_SIDE": proposal._LEAST_SIDE,
+        "NEURAL_MIN_WEIGHT": proposal._MIN_WEIGHT,
+    }
+
+
+def pack_neural(record: np.void, model: NeuralModel, layout: ClothLayout | None, tables: Tables) -> None:
+    """Appends latents and correction of a fabric, and its network unless it is there.
+
+    Args:
+        record: of the fabric.
+
+    Raises:
+        InputError: a network of another shape than that of the shaders.
+    """
+    del layout  # the model's own has the repeat that the encoder saw
+    encoded, cloth, table = model.encoded, model.fabric.layout(), tables.numbers
+    picks, ends = cloth.warp_on_top.shape
+    width, height = cloth.size
+    warp, weft = encoded.fibres.face(False)
+    lobe_warp, lobe_weft = encoded.fibres.lobe_roughness()
+    values: dict[str, float] = {
+        "is_encoded": 1,
+        "network": _network(model.weights, tables),
+        "latents": table.add(packed_numbers(np.concatenate(encoded.faces))),
+        "texels": len(encoded.faces[0]),
+        "top_level": len(encoded.levels) - 1,
+        "ends": encoded.ends,
+        "picks": encoded.picks,
+        "ends_per_mm": ends / width,
+        "picks_per_mm": picks / height,
+        "pitch": mean_pitch(cloth),
+        "warp_x": warp[0],
+        "warp_y": warp[1],
+        "warp_roughness": warp[2],
+        "weft_x": weft[0],
+        "weft_y": weft[1],
+        "weft_roughness": weft[2],
+        "warp_lobe_roughness": lobe_warp,
+        "weft_lobe_roughness": lobe_weft,
+    }
+    if encoded.correction is not None:
+        # In single precision, as in files: halves would round it.
+        layer = packed_layer(encoded.correction[:, :-1], encoded.correction[:, -1], half=False)
+        values |= {"is_corrected": 1, "correction": table.add(layer)}
+    levels = [(level.first, level.columns, level.rows, level.per_thread) for level in encoded.levels]
+    values["levels"] = tables.words.add(np.array(levels, np.float32))
+    values["bundles"] = tables.words.add(encoded.fibres.bundles(False))
+    fill(record["neural"], values)
+
+
+def _network(weights: Weights, tables: Tables) -> int:
+    """The first element of a network."""
+    if weights.sha256 not in tables.networks:
+        _require_shape(weights)
+        layers = neural_layers(weights).values()
+        elements = np.concatenate([packed_layer(weight, bias) for weight, bias in layers])
+        tables.networks[weights.sha256] = tables.numbers.add(elements)
+    return tables.networks[weights.sha256]
+
+
+def _require_shape(weights: Weights) -> None:
+    shipped = shipped_weights()
+    if weights.table.model_copy(update={"width": shipped.table.width}) != shipped.table or (
+        weights.linear_diffuse != shipped.linear_diffuse
+    ):
+        raise InputError(
+            f"{weights.source}: real-time shaders are compiled for networks of the shape of the shipped one, "
+            f"of width {shipped.table.hidden}: train such a network, or leave weights away."
+        )
