@@ -1,30 +1,39 @@
-# Two commands: `make demo` ends with a picture, `make test` runs every check. Both set up all they need.
+# `make demo` ends with a picture, `make test` runs the checks of every change, `make test-all` the slow ones too.
+# Each sets up what it needs.
 PYTHON ?= python3
 VENV := .venv
 RUN := $(VENV)/bin
+# Neighbours share fixtures, so a process keeps a run of them.
+PYTEST := $(RUN)/python -m pytest -n 2 --dist worksteal
 
-.PHONY: demo test setup lint benchmark clean
+.PHONY: demo test test-all lint benchmark clean
 
-demo: setup
+demo: $(VENV)/.demo
 	$(RUN)/loomlight demo -o demo.png
 
 test: lint
-	$(RUN)/python -m pytest -n 2 --dist worksteal # neighbours share fixtures, so a process keeps a run of them
+	$(PYTEST)
 
-lint: setup
+test-all: lint
+	$(PYTEST) -m ""
+
+lint: $(VENV)/.test
 	$(RUN)/ruff check src tests tools benchmarks experiments
 	$(RUN)/ruff format --check src tests tools benchmarks experiments
 	$(RUN)/mypy
 	$(RUN)/lint-imports
 
-setup: $(VENV)/.installed
+benchmark: $(VENV)/.test
+	$(RUN)/python -m benchmarks.point
 
-$(VENV)/.installed: pyproject.toml constraints.txt scripts/setup.sh $(wildcard web/package.json web/*/package.json)
-	bash scripts/setup.sh "$(PYTHON)" "$(VENV)"
+# What a picture needs, and what tests need beside it.
+$(VENV)/.demo: pyproject.toml constraints.txt scripts/setup.sh
+	bash scripts/setup.sh demo "$(PYTHON)" "$(VENV)"
 	touch $@
 
-benchmark: setup
-	$(RUN)/python -m benchmarks.point
+$(VENV)/.test: $(VENV)/.demo $(wildcard web/package.json web/*/package.json)
+	bash scripts/setup.sh test "$(PYTHON)" "$(VENV)"
+	touch $@
 
 clean:
 	rm -rf $(VENV) .pytest_cache .mypy_cache .ruff_cache demo.png

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Makes the virtual environment and sees to LLVM and a software Vulkan driver; called by make, safe to call again.
+# Makes the virtual environment with what a picture needs (demo), or what the tests need beside it (test).
+# Called by make, safe to call again.
 set -euo pipefail
-python=$1 venv=$2
+task=$1 python=$2 venv=$3
 
 as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo -n "$@"; fi; }
 may_install() { command -v apt-get >/dev/null && { [ "$(id -u)" = 0 ] || sudo -n true 2>/dev/null; }; }
@@ -9,28 +10,33 @@ apt_install() { # one name at a time: whichever the distribution has
   as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq "$1" >/dev/null 2>&1
 }
 
-if ! "$python" -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null; then
-  echo "loomlight needs Python 3.11 or newer; $python is not. Name one: make PYTHON=python3.12" >&2
-  exit 1
-fi
-if [ ! -x "$venv/bin/python" ] && ! "$python" -m venv "$venv" >/dev/null 2>&1; then
-  rm -rf "$venv"
-  version=$("$python" -c 'import sys; print("%d.%d" % sys.version_info[:2])')
-  if may_install; then
-    as_root apt-get update -qq
-    apt_install "python$version-venv" || apt_install python3-venv || true
+if [ "$task" = demo ]; then
+  if ! "$python" -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null; then
+    echo "loomlight needs Python 3.11 or newer; $python is not. Name one: make PYTHON=python3.12" >&2
+    exit 1
   fi
-  "$python" -m venv "$venv" || { echo "Install the package python$version-venv, then run make again." >&2; exit 1; }
-fi
-"$venv/bin/python" -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev]'
+  if [ ! -x "$venv/bin/python" ] && ! "$python" -m venv "$venv" >/dev/null 2>&1; then
+    rm -rf "$venv"
+    version=$("$python" -c 'import sys; print("%d.%d" % sys.version_info[:2])')
+    if may_install; then
+      as_root apt-get update -qq
+      apt_install "python$version-venv" || apt_install python3-venv || true
+    fi
+    "$python" -m venv "$venv" || { echo "Install the package python$version-venv, then run make again." >&2; exit 1; }
+  fi
+  "$venv/bin/python" -m pip install --quiet --disable-pip-version-check -c constraints.txt -e .
 
-if ! "$venv/bin/python" -m loomlight.core.llvm >/dev/null 2>&1; then
-  if may_install; then
-    as_root apt-get update -qq || true
-    apt_install libllvm19 || apt_install libllvm18 || apt_install libllvm17t64 || true
+  if ! "$venv/bin/python" -m loomlight.core.llvm >/dev/null 2>&1; then
+    if may_install; then
+      as_root apt-get update -qq || true
+      apt_install libllvm19 || apt_install libllvm18 || apt_install libllvm17t64 || true
+    fi
   fi
+  "$venv/bin/python" -m loomlight.core.llvm
+  exit
 fi
-"$venv/bin/python" -m loomlight.core.llvm
+
+"$venv/bin/python" -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev]'
 
 # What the tests of real-time rendering need: a software Vulkan driver, and validators of shaders.
 if may_install && ! { ls /usr/share/vulkan/icd.d/lvp_icd.*json && command -v glslangValidator && command -v spirv-val && command -v g++; } >/dev/null 2>&1; then

@@ -1,17 +1,15 @@
-"""What all tests share: a cache of their own, and short trainings."""
+"""Caches of their own for all tests, short trainings, and the number of slow tests left out."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, settings
-
-from loomlight.models.latent.settings import QUALITIES as LATENT_QUALITIES
-from loomlight.models.neumip.settings import QUALITIES
 
 # Before torch is loaded: MKL's sums otherwise depend on where arrays lie, and trainings repeat bit for bit.
 os.environ.setdefault("MKL_CBWR", "AUTO,STRICT")
@@ -22,9 +20,35 @@ os.environ.setdefault(
     "MESA_SHADER_CACHE_DIR", os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
 )
 
+# Numba reads this when it is imported. Workers, subprocesses and later runs share what it compiled.
+os.environ.setdefault("NUMBA_CACHE_DIR", str(Path(__file__).parents[1] / ".pytest_cache" / "numba"))
+
 # Seconds that an example takes say how busy a machine is, not what is wrong.
 settings.register_profile("busy machines", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("busy machines")
+
+LEFT_OUT = pytest.StashKey[int]()
+
+
+def pytest_deselected(items: Sequence[pytest.Item]) -> None:
+    slow = sum(item.get_closest_marker("slow") is not None for item in items)
+    items[0].config.stash[LEFT_OUT] = slow
+
+
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    """A worker of pytest-xdist tells the first process, as it alone knows."""
+    if hasattr(session.config, "workeroutput"):
+        session.config.workeroutput["left_out"] = session.config.stash.get(LEFT_OUT, 0)
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_testnodedown(node: Any) -> None:
+    node.config.stash[LEFT_OUT] = getattr(node, "workeroutput", {}).get("left_out", 0)
+
+
+def pytest_terminal_summary(terminalreporter: Any, config: pytest.Config) -> None:
+    if left_out := config.stash.get(LEFT_OUT, 0):
+        terminalreporter.write_line(f"Slow tests left out: {left_out}; make test-all runs them.")
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -38,6 +62,9 @@ def own_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
 @pytest.fixture(scope="session", autouse=True)
 def short_training() -> Iterator[None]:
     """Trainings of `neumip` and `latent` take a second instead of minutes: enough to know what it is of."""
+    from loomlight.models.latent.settings import QUALITIES as LATENT_QUALITIES
+    from loomlight.models.neumip.settings import QUALITIES
+
     short = replace(
         QUALITIES["preview"], resolution=16, queries=100, samples=4, steps=120, batch=1 << 11, rate=5e-3
     )

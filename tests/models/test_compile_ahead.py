@@ -10,6 +10,7 @@ import pytest
 from loomlight.models.compile_ahead import compile_ahead, loops_are_compiled, wait_for_loops
 
 
+@pytest.mark.slow
 def test_a_fresh_cache_is_filled_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("NUMBA_CACHE_DIR", raising=False)
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
