@@ -1,45 +1,71 @@
-"""Builds the editor's page into the wheel and the source archive; where Node is missing, says so and goes on.
+"""Builds the editor's page and the shader libraries into the wheel and the source archive.
 
-`LOOMLIGHT_REQUIRE_PAGE=1` makes that an error, as a release should.
+Where Node or slangc is missing, it says so and goes on. `LOOMLIGHT_REQUIRE_PAGE=1` and
+`LOOMLIGHT_REQUIRE_SHADERS=1` make that an error, as a release should.
 """
 
 from __future__ import annotations
 
 import importlib.util
 import os
+import sys
 from pathlib import Path
 from typing import Any
 
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
 
-class PageHook(BuildHookInterface):  # type: ignore[type-arg]
-    """Runs `loomlight.viewer.client_build`, which imports nothing but the standard library."""
+class GeneratedFilesHook(BuildHookInterface):  # type: ignore[type-arg]
+    """Runs `viewer/client_build.py` and `realtime/slangc.py`, which import the standard library alone, and of
+    this package nothing but errors and files."""
 
     PLUGIN_NAME = "custom"
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
-        """Builds the page where its sources are newer; an editable installation does so on first use."""
+        """Builds what is older than its sources; an editable installation does so on first use."""
         if version == "editable":
             return
-        checkout = Path(self.root)
-        package = checkout / "src" / "loomlight" / "viewer"
+        sources = Path(self.root) / "src"
+        sys.path.insert(0, str(sources))
+        try:
+            self._build_page(sources / "loomlight" / "viewer")
+            self._compile_libraries(sources / "loomlight" / "realtime")
+        finally:
+            sys.path.remove(str(sources))
+
+    def _build_page(self, package: Path) -> None:
         builder = _load(package / "client_build.py")
+        checkout = Path(self.root)
         if builder.is_current(package, checkout):
             return
         try:
             builder.build(package, checkout)
         except builder.BuildError as error:
-            if os.environ.get("LOOMLIGHT_REQUIRE_PAGE") == "1":
-                raise
             kept = "an older one is packed" if builder.is_built(package) else "`loomlight view` will not work"
-            self.app.display_warning(f"The editor's page is not built: {error}; {kept}.")
+            self._warn("PAGE", f"The editor's page is not built: {error}; {kept}.", error)
+
+    def _compile_libraries(self, package: Path) -> None:
+        compiler = _load(package / "slangc.py")
+        if compiler.has_libraries():
+            return
+        try:
+            compiler.write_libraries()
+        except compiler.LoomlightError as error:
+            lost = "`loomlight export` will need slangc for shader code"
+            self._warn("SHADERS", f"The shader libraries are not compiled: {lost}. {error}", error)
+
+    def _warn(self, requirement: str, message: str, error: Exception) -> None:
+        """Shows a warning; raises `error` where LOOMLIGHT_REQUIRE_… is 1."""
+        if os.environ.get(f"LOOMLIGHT_REQUIRE_{requirement}") == "1":
+            raise error
+        self.app.display_warning(message)
 
 
 def _load(file: Path) -> Any:
-    specification = importlib.util.spec_from_file_location("client_build", file)
+    specification = importlib.util.spec_from_file_location(file.stem, file)
     if specification is None or specification.loader is None:
         raise ImportError(f"{file} cannot be imported")
     module = importlib.util.module_from_spec(specification)
+    sys.modules[file.stem] = module  # dataclasses look their module up
     specification.loader.exec_module(module)
     return module

@@ -14,23 +14,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from loomlight.realtime.build import (
-    COOPERATIVE_LIBRARY,
-    DIGESTS,
-    HOST_ENTRIES,
-    TARGETS,
-    digests,
-    generated_files,
-    generated_slang,
-    library_entries,
-)
+from loomlight.realtime import build
+from loomlight.realtime.build import DIGESTS, WGSL, digests, generated_files, generated_slang
 from loomlight.realtime.constants import number_text
 from loomlight.realtime.device import default_adapter
-from loomlight.realtime.slangc import SHADERS
+from loomlight.realtime.models import REALTIME_MODELS
+from loomlight.realtime.slangc import SHADERS, TARGETS, compile_shader, library_code, library_models
 
-# Kernels of libraries, in every language; frames are WGSL alone.
-LIBRARIES = tuple(library_entries().values())
-WGSL = (*LIBRARIES, *(entry for stages in HOST_ENTRIES.values() for entry in stages))
 COOPERATIVE_MULTIPLY_ADD = 5292  # OpCooperativeVectorMatrixMulAddNV
 
 
@@ -44,21 +34,26 @@ def test_generated_shaders_are_in_step() -> None:
 
 
 def test_shaders_come_out_again() -> None:
-    """One library in every language: all take more than a minute."""
-    generated = generated_files(["cloth_point"])
-    assert len(generated) == len(TARGETS)
-    assert [path for path in generated if (SHADERS / path).read_bytes() != generated[path]] == []
+    """Those of one Slang file: all take half a minute."""
+    generated = generated_files(["layers"])
+    assert len(generated) == 3
+    assert [name for name in generated if (WGSL / name).read_bytes() != generated[name]] == []
 
 
 def test_generated_text_names_no_file_of_a_machine() -> None:
-    for target in TARGETS:
-        for path in (SHADERS / target.name).iterdir():
-            assert b".slang" not in path.read_bytes(), path
+    for path in WGSL.iterdir():
+        assert b".slang" not in path.read_bytes(), path
+    for language in TARGETS:
+        assert b".slang" not in library_code(language, "point"), language
 
 
 def test_shaders_need_neither_wide_numbers_nor_halves() -> None:
-    for path in (SHADERS / "wgsl").iterdir():
+    for path in WGSL.iterdir():
         assert not re.search(r"\b(f64|i64|u64|f16)\b|enable ", path.read_text(encoding="utf-8")), path
+
+
+def test_every_model_has_a_library() -> None:
+    assert library_models() == sorted(REALTIME_MODELS)
 
 
 def run(*command: str | Path) -> None:
@@ -69,43 +64,27 @@ def run(*command: str | Path) -> None:
     assert done.returncode == 0, done.stdout + done.stderr
 
 
-@pytest.mark.parametrize("entry", LIBRARIES)
-def test_glslang_compiles_glsl(entry: str, tmp_path: Path) -> None:
-    source = SHADERS / "glsl" / f"{entry}.glsl"
-    run("glslangValidator", "-V", "-S", "comp", "-o", tmp_path / "out.spv", source)
+@pytest.mark.parametrize("model", REALTIME_MODELS)
+def test_spirv_is_valid(model: str, tmp_path: Path) -> None:
+    (tmp_path / "library.spv").write_bytes(library_code("spirv", model))
+    run("spirv-val", "--target-env", "vulkan1.1", tmp_path / "library.spv")
 
 
-@pytest.mark.parametrize("entry", LIBRARIES)
-def test_glslang_compiles_hlsl(entry: str, tmp_path: Path) -> None:
-    source = SHADERS / "hlsl" / f"{entry}.hlsl"
-    run("glslangValidator", "-D", "-V", "-S", "comp", "-e", entry, "-o", tmp_path / "out.spv", source)
-
-
-@pytest.mark.parametrize("entry", LIBRARIES)
-def test_spirv_is_valid(entry: str, tmp_path: Path) -> None:
-    run("spirv-val", "--target-env", "vulkan1.1", SHADERS / "spirv" / f"{entry}.spv")
-
-
-def test_cooperative_variants_use_cooperative_vectors() -> None:
+def test_networks_compile_to_cooperative_vectors() -> None:
     """Debian's validator is older than the extension: `docs/notes/realtime.md` says what checked them."""
-    name = f"{COOPERATIVE_LIBRARY}_queries_cooperative"
-    words = np.fromfile(SHADERS / "spirv" / f"{name}.spv", np.uint32)
+    options = ("-DCOOPERATIVE", "-profile", "spirv_1_6", "-O0", "-skip-spirv-validation")
+    code = compile_shader(SHADERS / "cloth_neural.slang", "spirv", ["neural_queries"], options)
+    words = np.frombuffer(code, np.uint32)
     found, at = set(), 5
     while at < words.size:
         found.add(int(words[at] & 0xFFFF))
         at += int(words[at] >> 16)
     assert COOPERATIVE_MULTIPLY_ADD in found
-    hlsl = (SHADERS / "hlsl" / f"{name}.hlsl").read_text(encoding="utf-8")
-    assert "dx/linalg.h" in hlsl
-    # None is required: the ordinary shaders know nothing of them.
-    for path in SHADERS.glob("*/*_queries.*"):
-        if path.suffix not in (".spv", ".cu"):
-            assert "linalg" not in path.read_text(encoding="utf-8"), path
 
 
-@pytest.mark.parametrize("entry", WGSL)
+@pytest.mark.parametrize("entry", [name for names in build.FRAME_ENTRIES.values() for name in names])
 def test_naga_compiles_wgsl(entry: str) -> None:
-    code = (SHADERS / "wgsl" / f"{entry}.wgsl").read_text(encoding="utf-8")
+    code = (WGSL / f"{entry}.wgsl").read_text(encoding="utf-8")
     assert default_adapter().device.create_shader_module(code=code) is not None
 
 

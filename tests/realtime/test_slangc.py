@@ -44,3 +44,31 @@ def test_no_compiler_is_one_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyP
     monkeypatch.setattr(slangc, "find_slangc", lambda: tmp_path / "gone")
     with pytest.raises(MissingDependencyError, match="cannot be run"):
         compile_shader(source(tmp_path), "wgsl", ["nothing"])
+
+
+def test_libraries_are_compiled_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(slangc, "LIBRARIES", tmp_path / "none")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    code = slangc.library_code("glsl", "point")
+    assert b"void main" in code
+    assert [path.name for path in tmp_path.glob("cache/loomlight/shaders/*/glsl/*")] == ["point_queries.glsl"]
+    monkeypatch.setattr(slangc, "compile_shader", lambda *_: pytest.fail("compiled again"))
+    assert slangc.library_code("glsl", "point") == code
+
+
+def test_libraries_of_the_package_need_no_compiler(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As wheels hold them; where the Slang sources have changed since, they are compiled anew."""
+    monkeypatch.setattr(slangc, "LIBRARIES", tmp_path / "libraries")
+    monkeypatch.setattr(slangc, "_compiled_library", lambda language, model: f"{model}.{language}".encode())
+    monkeypatch.setattr(slangc, "find_slangc", lambda: None)
+    with pytest.raises(MissingDependencyError, match="LOOMLIGHT_SLANGC"):
+        slangc.library_code("glsl", "point")
+    monkeypatch.setattr(slangc, "SHADERS", tmp_path)
+    for name in ("cloth_point", "cloth_lobes"):
+        (tmp_path / f"{name}.slang").write_text("", encoding="utf-8")
+    slangc.write_libraries()
+    assert len(list((tmp_path / "libraries").glob("*/*"))) == 2 * len(slangc.TARGETS)
+    assert slangc.library_code("cuda", "lobes") == b"lobes.cuda"
+    (tmp_path / "cloth_point.slang").write_text("// edited", encoding="utf-8")
+    with pytest.raises(MissingDependencyError):
+        slangc.library_code("cuda", "lobes")

@@ -1,7 +1,7 @@
 """Libraries in every shading language: `cloth_value` without an entry point, cut out of what slangc emits.
 
-The generated files hold a kernel behind the library. Everything before the kernel is the library, apart
-from the buffers of the kernel's queries; the names that an engine uses lose the numbers that slangc appends.
+Its code holds a kernel behind the library. Everything before the kernel is the library, apart from the
+buffers of the kernel's queries; the names that an engine uses lose the numbers that slangc appends.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import cache
 
 from loomlight.core.errors import LoomlightError
-from loomlight.realtime.slangc import SHADERS
+from loomlight.realtime.slangc import library_code
 
 # What an engine calls and binds.
 _PUBLIC = ("cloth_value", "cloth_estimate", "fabrics", "families", "words", "packed_numbers")
@@ -20,18 +20,14 @@ _QUERY_BUFFERS = "queries|query_count|answers"
 
 @dataclass(frozen=True)
 class Language:
-    """How slangc writes a language.
+    """The form of slangc's code in a language.
 
     Attributes:
-        name: of its folder of generated shaders.
-        suffix: of its files.
         kernel: where the kernel begins, a pattern.
         removed: declarations of the kernel alone, patterns.
         renamed: further names.
     """
 
-    name: str
-    suffix: str
     kernel: str
     removed: tuple[str, ...]
     renamed: tuple[tuple[str, str], ...] = ()
@@ -39,18 +35,12 @@ class Language:
 
 _QUERY_STRUCT = r"struct Query(?:_std430)?_\d+\n\{[^}]*\};\n+"
 LANGUAGES = {
-    "wgsl": Language(
-        "wgsl", "wgsl", r"@compute\n", (r"@binding\(\d+\) @group\(1\) var<[^;]*;\n+", _QUERY_STRUCT)
-    ),
+    "wgsl": Language(r"@compute\n", (r"@binding\(\d+\) @group\(1\) var<[^;]*;\n+", _QUERY_STRUCT)),
     "hlsl": Language(
-        "hlsl",
-        "hlsl",
         r"\[numthreads",
         (rf"(?:RW)?StructuredBuffer<[^;]*> (?:{_QUERY_BUFFERS})_\d+ : register[^;]*;\n+", _QUERY_STRUCT),
     ),
     "glsl": Language(
-        "glsl",
-        "glsl",
         r"layout\(local_size_x",
         (
             rf"layout\(std430, binding = \d+, set = 1\)[^}}]*\}} (?:{_QUERY_BUFFERS})_\d+;\n",
@@ -59,15 +49,11 @@ LANGUAGES = {
         ),
     ),
     "metal": Language(
-        "metal",
-        "metal",
         r"\[\[kernel\]\]",
         (rf"    \w+ device\* (?:{_QUERY_BUFFERS})_\d+;\n", _QUERY_STRUCT),
         (("KernelContext_0", "ClothBuffers"),),
     ),
     "cuda": Language(
-        "cuda",
-        "cu",
         r'extern "C" __global__',
         (
             # Of all global buffers a library reads four at most.
@@ -91,20 +77,22 @@ def library(language: str, model: str) -> str:
     """The text of the library of a model in a language of `LANGUAGES`: everything that `cloth_value` needs.
 
     Raises:
-        LoomlightError: the generated file is not of the form expected, after an edit of the build.
+        MissingDependencyError: it would have to be compiled, and there is no compiler.
+        LoomlightError: the code is not of the form expected, after an edit of the build.
     """
     rules = LANGUAGES[language]
-    file = SHADERS / rules.name / f"{model}_queries.{rules.suffix}"
-    text = file.read_text(encoding="utf-8")
+    text = library_code(language, model).decode()
     start = re.search(rules.kernel, text)
     if start is None:
-        raise LoomlightError(f"{file.name} has no kernel: run python -m loomlight.realtime.build.")
+        raise LoomlightError(f"The code of {model} in {language} has no kernel.")
     text = text[: start.start()]
     for pattern in rules.removed:
         text = re.sub(pattern, "", text, flags=re.DOTALL)
     left = re.search(rf"\b(?:{_QUERY_BUFFERS})_\d+\b|\bQuery(?:_std430)?_\d+\b", text)
     if left is not None:
-        raise LoomlightError(f"{file.name} reads {left[0]} in its library: a query belongs to the kernel.")
+        raise LoomlightError(
+            f"The library of {model} reads {left[0]} in {language}: a query belongs to the kernel."
+        )
     for name in _PUBLIC:
         text = re.sub(rf"\b{name}_0\b", name, text)
     for before, after in rules.renamed:

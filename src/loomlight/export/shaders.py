@@ -9,9 +9,9 @@ from pathlib import Path
 from loomlight.export.buffers import described_records, write_buffers
 from loomlight.export.instructions import shader_instructions
 from loomlight.export.kernels import KERNELS, c_header
-from loomlight.export.libraries import LANGUAGES, library
+from loomlight.export.libraries import library
 from loomlight.realtime.models import REALTIME_MODELS, Material, source_of
-from loomlight.realtime.slangc import SHADERS
+from loomlight.realtime.slangc import SHADERS, TARGETS, library_code
 
 _OWN = Path(__file__).parent / "languages"
 _IMPORT = re.compile(r"^import (\w+);", re.MULTILINE)
@@ -22,10 +22,11 @@ def write_shaders(folder: Path, material: Material, model: str, language: str) -
 
     Args:
         model: a name of `REALTIME_MODELS`.
-        language: slang, spirv, or a name of `LANGUAGES`.
+        language: slang, spirv, or a name of `libraries.LANGUAGES`.
 
     Raises:
         InputError: the model does not take the material.
+        MissingDependencyError: the code would have to be compiled, and there is no compiler.
     """
     from loomlight.core.llvm import require_llvm
 
@@ -33,7 +34,7 @@ def write_shaders(folder: Path, material: Material, model: str, language: str) -
     if language == "slang":
         code = _write_modules(folder, model)
     elif language == "spirv":
-        shutil.copyfile(SHADERS / "spirv" / f"{model}_queries.spv", folder / "cloth_queries.spv")
+        (folder / "cloth_queries.spv").write_bytes(library_code("spirv", model))
         code = ["cloth_queries.spv"]
     else:
         code = _write_text(folder, model, language)
@@ -55,7 +56,7 @@ def write_shaders(folder: Path, material: Material, model: str, language: str) -
 
 
 def _write_text(folder: Path, model: str, language: str) -> list[str]:
-    suffix = LANGUAGES[language].suffix
+    suffix = TARGETS[language].suffix
     text = library(language, model)
     names = [f"cloth.{suffix}", f"cloth_queries.{suffix}"]
     if language == "cuda":
