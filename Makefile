@@ -18,8 +18,8 @@ test-all: lint
 	$(PYTEST) -m ""
 
 lint: $(VENV)/.test
-	$(RUN)/ruff check src tests tools benchmarks experiments
-	$(RUN)/ruff format --check src tests tools benchmarks experiments
+	$(RUN)/ruff check src papers tests tools benchmarks experiments
+	$(RUN)/ruff format --check src papers tests tools benchmarks experiments
 	$(RUN)/mypy
 	$(RUN)/lint-imports
 

@@ -26,12 +26,12 @@ import numpy as np
 from benchmarks.harness import REPOSITORY, Figures, run
 from loomlight.evaluation.equal_error import samples_for
 from loomlight.evaluation.pictures import PictureError, picture_error
-from loomlight.evaluation.reproduce.renders import one_picture
 from loomlight.evaluation.timing import timed
 from loomlight.fabric import Fabric, load_fabric
 from loomlight.mitsuba import build_scene, choose_variant, material_bsdf
 from loomlight.mitsuba.live import LivePicture
 from loomlight.mitsuba.measured_scenes import MeasuredScene, measured_scene
+from papers.renders import one_picture
 
 SCENE, SIZE, REFERENCE_SAMPLES = "drape far", (960, 540), 1024
 POINT_SAMPLES = (1, 4, 16, 64, 256)

@@ -26,7 +26,6 @@ from benchmarks.harness import Figures, run
 from benchmarks.machine import fma_peak, median_seconds
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
-from loomlight.evaluation.reproduce.cost import network_time
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, choose_variant, material_bsdf, render
 from loomlight.models.neural.compiled import decode
@@ -36,6 +35,7 @@ from loomlight.models.neural.fine_tuning import fitted_correction
 from loomlight.models.neural.footprint_coding import footprints_in_threads
 from loomlight.models.neural.model import NeuralModel
 from loomlight.yarn.geometry import YarnGeometry
+from papers.chen2024.cost import network_time
 
 FABRIC = "satin 8/3"
 COUNT = 1 << 18

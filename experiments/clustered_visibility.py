@@ -27,11 +27,11 @@ from benchmarks.harness import Figures, run
 from loomlight.aggregate.components import colours
 from loomlight.core.backend import array_types
 from loomlight.core.llvm import llvm_float
-from loomlight.evaluation.reproduce.zhu2024_scenes import table_fabric
 from loomlight.fabric.fabric import Fabric
 from loomlight.scattering.point import PointModel
 from loomlight.scattering.yarn_point import YarnPoint
 from loomlight.yarn.geometry import YarnGeometry
+from papers.zhu2024.scenes import table_fabric
 
 FABRICS = ("drape satin", "cylinder twill", "plain")
 CLUSTERS = (8, 16, 64)

@@ -23,11 +23,13 @@ from benchmarks.harness import Figures, run
 from loomlight.cli.values import parse_size
 from loomlight.core.images import write_png
 from loomlight.core.llvm import require_llvm
-from loomlight.evaluation.reproduce.evidence import on_display
-from loomlight.evaluation.reproduce.layered_materials import LAYERED
-from loomlight.evaluation.reproduce.setting import LATENT, Setting
-from loomlight.evaluation.reproduce.sheet import Row, Tile, contact_sheet
-from loomlight.evaluation.reproduce.zeltner2024_stage import (
+from loomlight.mitsuba import choose_variant
+from loomlight.models.option_values import parse_options
+from papers.figure import on_display
+from papers.setting import LATENT, Setting
+from papers.sheet import Row, Tile, contact_sheet
+from papers.zeltner2024.layered_materials import LAYERED
+from papers.zeltner2024.stage import (
     METRICS,
     model_factory,
     reference_factory,
@@ -37,8 +39,6 @@ from loomlight.evaluation.reproduce.zeltner2024_stage import (
     stage_scene,
     trained,
 )
-from loomlight.mitsuba import choose_variant
-from loomlight.models.option_values import parse_options
 
 
 def measure(options: Namespace) -> Figures:

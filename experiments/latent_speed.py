@@ -14,8 +14,8 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from benchmarks.harness import Figures, run
-from loomlight.evaluation.reproduce.setting import Setting
-from loomlight.evaluation.reproduce.zeltner2024_stage import (
+from papers.setting import Setting
+from papers.zeltner2024.stage import (
     model_factory,
     reference_factory,
     stage_material,

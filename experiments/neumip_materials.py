@@ -3,7 +3,7 @@
     python -m experiments.neumip_materials [--materials NAMES] [--runs DIR] [--folder DIR] [--size WxH]
         [--spp N] [--steps N] [--resolution N] [--quality NAME] [--output FILE]
 
-The tables are those of `loomlight reproduce kuznetsov2021/table2 kuznetsov2021/table3 kuznetsov2021/table4`,
+The tables are those of `python -m papers kuznetsov2021/table2 kuznetsov2021/table3 kuznetsov2021/table4`,
 which makes them of all five. Trainings stay in the folder of runs and are used again.
 """
 
@@ -17,9 +17,9 @@ from benchmarks.harness import Figures, run
 from loomlight.cli.values import parse_size
 from loomlight.core.images import write_png
 from loomlight.core.llvm import require_llvm
-from loomlight.evaluation.reproduce.kuznetsov2021_materials import RECIPES
-from loomlight.evaluation.reproduce.kuznetsov2021_tables import by_level, comparison, sizes
-from loomlight.evaluation.reproduce.setting import NEUMIP, Setting
+from papers.kuznetsov2021.materials import RECIPES
+from papers.kuznetsov2021.tables import by_level, comparison, sizes
+from papers.setting import NEUMIP, Setting
 
 
 def measure(options: Namespace) -> Figures:

@@ -4,9 +4,9 @@
     python -m experiments.query_benchmark --models neural --weights runs/a/neural.safetensors
     python -m experiments.query_benchmark --models neural --fabrics 8 --pairs 40 --footprints 40    (a minute)
 
-The protocol is docs/evaluation.md: 25 600 queries a fabric against slices on the reference plane, with 1, 3
-and 16 Monte Carlo samples beside the models. The truths are cached on disk: the first run takes minutes,
-later ones seconds. Tables are printed; `--output` writes every figure as JSON.
+The protocol is docs/research/evaluation.md: 25 600 queries a fabric against slices on the reference
+plane, with 1, 3 and 16 Monte Carlo samples beside the models. The truths are cached on disk: the first
+run takes minutes, later ones seconds. Tables are printed; `--output` writes every figure as JSON.
 
 From other code, `run_query_benchmark({"mine": predictor}, held_out_fabrics())` of `loomlight.evaluation`
 takes any function (fabric, queries) -> Prediction, and `query_truth(fabric, seed)` returns queries and truth
@@ -24,11 +24,11 @@ from benchmarks.harness import Figures, run
 from loomlight.evaluation.held_out import held_out_fabrics
 from loomlight.evaluation.predictions import Predictor, model_predictor
 from loomlight.evaluation.query_benchmark import SEED, run_query_benchmark
-from loomlight.evaluation.reproduce.setting import neural_predictor
 from loomlight.evaluation.truth import FOOTPRINTS, PAIRS
 from loomlight.models.neural.parameter_ranges import LAYOUT_RANGES, PARAMETER_RANGES
 from loomlight.models.neural.weights import read_weights
 from loomlight.models.registry import make_model
+from papers.setting import neural_predictor
 
 
 def predictors(names: list[str], files: list[Path]) -> dict[str, Predictor]:

@@ -50,7 +50,7 @@ _SHIFTS = 16
 _SCALES = 1e-5
 _SMALLEST, _LARGEST, _LONGEST = 0.25, 4.0, 3.0
 _LOWEST_COSINE = 0.1
-# Of the reference: searches of rays and rounding move means by about so much (docs/aggregation.md).
+# Of the reference: searches of rays and rounding move means by about so much (docs/research/aggregation.md).
 _ROUNDING = 1e-4
 
 Array = NDArray[np.float64]

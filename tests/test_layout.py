@@ -14,7 +14,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
 SOURCE = ROOT / "src" / "loomlight"
-FOLDERS = ("src", "tests", "benchmarks", "experiments", "tools")
+FOLDERS = ("src", "papers", "tests", "benchmarks", "experiments", "tools")
 MOST_LINES, MOST_LINES_OF_A_FUNCTION = 500, 100
 # Of the parameters that have an annotation, at most this share may say `Any` in it.
 MOST_ANY = 0.1
@@ -44,7 +44,7 @@ def _does_something(file: Path) -> bool:
 
 
 def _covered() -> dict[str, list[str]]:
-    """Tests by the sources that their "Covers:" lines name, as paths below src/loomlight."""
+    """Tests by the sources that their "Covers:" lines name."""
     found: dict[str, list[str]] = {}
     for test in _files(ROOT / "tests"):
         if test != Path(__file__).resolve():
@@ -55,19 +55,27 @@ def _covered() -> dict[str, list[str]]:
 
 
 def test_every_source_has_a_test() -> None:
-    """tests/a/test_b.py for src/loomlight/a/b.py, or a test that names a/b.py in a line "Covers: a/b.py"."""
+    """tests/a/test_b.py for src/loomlight/a/b.py, or a test that names a/b.py in a line "Covers: a/b.py".
+
+    Of papers likewise tests/papers/…, papers/….
+    """
     covered = _covered()
     missing = []
-    for file in filter(_does_something, _files(SOURCE)):
-        name = file.relative_to(SOURCE)
-        mirrored = ROOT / "tests" / name.parent / f"test_{file.name}"
-        if not mirrored.is_file() and str(name) not in covered:
-            missing.append(str(name))
+    for folder, root in ((SOURCE, SOURCE), (ROOT / "papers", ROOT)):
+        for file in filter(_does_something, _files(folder)):
+            name = file.relative_to(root)
+            mirrored = ROOT / "tests" / name.parent / f"test_{file.name}"
+            if not mirrored.is_file() and str(name) not in covered:
+                missing.append(str(name))
     assert missing == []
 
 
 def test_covered_sources_exist() -> None:
-    gone = {name: tests for name, tests in _covered().items() if not (SOURCE / name).is_file()}
+    gone = {
+        name: tests
+        for name, tests in _covered().items()
+        if not any((root / name).is_file() for root in (SOURCE, ROOT))
+    }
     assert gone == {}
 
 
@@ -124,7 +132,7 @@ def test_few_parameters_are_anything() -> None:
     assert share <= MOST_ANY, f"{sum(says_any)} of {len(says_any)} annotated parameters say Any: {share:.3f}"
 
 
-@pytest.mark.parametrize("folder", ["benchmarks", "experiments", "tools", "tools/fits"])
+@pytest.mark.parametrize("folder", ["papers", "benchmarks", "experiments", "tools", "tools/fits"])
 def test_scripts_are_packages(folder: str) -> None:
     assert (ROOT / folder / "__init__.py").is_file()
 

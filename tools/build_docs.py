@@ -30,7 +30,7 @@ from tools.docs_site.template import page_html
 ROOT = Path(__file__).resolve().parents[1]
 PARTS = ROOT / "tools" / "docs_site"
 # Readers, and which of their pages come first; a page that is named nowhere is for use.
-USE, HOW, FIGURES, TRIED = "Use", "How it works", "Figures", "What was tried"
+USE, HOW, FIGURES, PAPERS, TRIED = "Use", "How it works", "Figures", "Papers", "What was tried"
 _FIRST = {
     USE: (
         "editor",
@@ -46,7 +46,8 @@ _FIRST = {
         "comparison",
     ),
     HOW: ("notation", "scattering", "light-between-yarns", "aggregation"),
-    FIGURES: ("figures", "figures-baked", "figures-latent", "reproduce", "reproduce-more", "evaluation"),
+    FIGURES: ("figures", "figures-baked", "figures-sampling", "evaluation"),
+    PAPERS: ("papers",),
     TRIED: (),
 }
 _PICTURES = {".png", ".jpg", ".jpeg", ".webp", ".gif", ".svg"}
@@ -79,9 +80,9 @@ def read_pages(root: Path) -> list[Page]:
     """
     pages = [_page(root, root / "README.md", "index.html", "")]
     for reader in _FIRST:
-        files = [file for file in sorted((root / "docs").rglob("*.md")) if _reader(root, file) == reader]
+        files = [file for file in _files(root) if _reader(root, file) == reader]
         first = _FIRST[reader]
-        files.sort(key=lambda file: first.index(file.stem) if file.stem in first else len(first))
+        files.sort(key=lambda file: first.index(_name(file)) if _name(file) in first else len(first))
         pages += [_page(root, file, _target(root, file), reader) for file in files]
         if reader == HOW:
             pages.append(_page(root, root / "ARCHITECTURE.md", "architecture.html", HOW))
@@ -91,22 +92,35 @@ def read_pages(root: Path) -> list[Page]:
 def short_title(page: Page) -> str:
     """A page's title in the navigation: what stands before the colon, or after "Figures:" and "Notes on"."""
     title = re.sub(r"^(Figures: |Figures of |Notes on (the )?)", "", page.title).partition(":")[0]
-    return title[:1].upper() + title[1:] if page.reader in (USE, FIGURES) else title
+    return title[:1].upper() + title[1:] if page.reader in (USE, FIGURES, PAPERS) else title
+
+
+def _files(root: Path) -> list[Path]:
+    """The Markdown files below docs/ and papers/."""
+    return [file for folder in ("docs", "papers") for file in sorted((root / folder).rglob("*.md"))]
+
+
+def _name(file: Path) -> str:
+    """A page's name: its file's, or of a README its folder's."""
+    return file.parent.name if file.stem == "README" else file.stem
 
 
 def _reader(root: Path, file: Path) -> str:
-    folder = file.relative_to(root / "docs").parts[0]
-    if folder == "notes":
+    folders = file.relative_to(root).parts
+    if folders[0] == "papers":
+        return PAPERS
+    if "notes" in folders:
         return TRIED
-    if file.stem.startswith("figures"):
-        return FIGURES
-    if folder == "models" or file.stem in _FIRST[HOW]:
-        return HOW
-    return FIGURES if file.stem in _FIRST[FIGURES] else USE
+    if "research" in folders:
+        return FIGURES if file.stem.startswith("figures") or file.stem in _FIRST[FIGURES] else HOW
+    return HOW if "models" in folders or file.stem in _FIRST[HOW] else USE
 
 
 def _target(root: Path, file: Path) -> str:
-    return file.relative_to(root / "docs").with_suffix(".html").as_posix()
+    page = file.relative_to(root / "docs") if file.is_relative_to(root / "docs") else file.relative_to(root)
+    return (
+        page.parent.with_suffix(".html") if page.stem == "README" else page.with_suffix(".html")
+    ).as_posix()
 
 
 def _page(root: Path, file: Path, target: str, reader: str) -> Page:

@@ -17,7 +17,7 @@ from PIL import Image
 
 from loomlight.assets.heightfield import Heightfield
 from loomlight.core.colour import linear_to_srgb
-from loomlight.evaluation.reproduce.kuznetsov2021_materials import RECIPES, SIDE, paper_heightfield
+from papers.kuznetsov2021.materials import RECIPES, SIDE, paper_heightfield
 
 
 def write_heightfield(source: Heightfield, folder: Path) -> Path:

@@ -118,7 +118,7 @@ def test_no_view_gets_more_light_than_there_is(name: str, back: bool) -> None:
     parts = components(model.appearance, point, towards, eye, Bool(True))
     values = sum(part.numpy() for part in (*parts[:2],)), sum(part.numpy() for part in (*parts[2:],))
     hole = point.hole.numpy().reshape(12, -1).mean(axis=1)
-    # The bound: k_d_reflect + k_d_transmit + κ·k_s ≤ 1 with κ = (1 + e^{−2})/2 (docs/scattering.md).
+    # The bound: k_d_reflect + k_d_transmit + κ·k_s ≤ 1 with κ = (1 + e^{−2})/2 (docs/research/scattering.md).
     for diffuse, specular in ((1.0, 0.0), (0.43, 1.0), (0.5, 0.88)):
         weight = np.where((light * view)[:, 2] > 0, 0.5, 0.5) * diffuse
         samples = (4 * math.pi * (weight * values[0] + specular * values[1])).reshape(12, -1)

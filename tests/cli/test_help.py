@@ -7,7 +7,7 @@ import pytest
 from loomlight.cli.main import run
 from loomlight.models.registry import MODELS
 
-COMMANDS = ["render", "compare", "reproduce", "demo", "bake", "bake-maps", "doctor"]
+COMMANDS = ["render", "compare", "demo", "bake", "bake-maps", "doctor"]
 GROUPS: list[list[str]] = [[], ["weave"], ["train"], ["data"]]
 
 

@@ -55,8 +55,6 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         "weave convert plain.wif -o plain.wif",
         "bake-maps cloth_height.png -o cloth.png",
         "compare report/pictures/draft.png -o report",
-        "reproduce chen2024/fig4 -o report --weights report/table.json",
-        "reproduce zhu2024/table1 -o report --environment report/pictures/draft.png",
         "export exported/own.toml --to wgsl -o exported",
         "view exported/own.toml --export exported",
     ],

@@ -93,11 +93,11 @@ def test_holes_are_transparent(exported: Path) -> None:
 def test_khronos_validator_finds_no_fault(exported: Path) -> None:
     command = ["node", "-e", _VALIDATE, str(exported / "cloth.glb")]
     if shutil.which("node") is None:
-        pytest.skip("node is not installed; docs/notes/export.md has the validator's report.")
+        pytest.skip("node is not installed; docs/research/notes/export.md has the validator's report.")
     search = os.environ | {"NODE_PATH": str(Path(sys.prefix) / "node_modules")}
     done = subprocess.run(command, capture_output=True, text=True, timeout=60, env=search)
     if "Cannot find module" in done.stderr:
-        pytest.skip("npm install gltf-validator is missing; docs/notes/export.md has its report.")
+        pytest.skip("npm install gltf-validator is missing; docs/research/notes/export.md has its report.")
     issues = json.loads(done.stdout)
     assert (issues["numErrors"], issues["numWarnings"]) == (0, 0), issues["messages"]
 

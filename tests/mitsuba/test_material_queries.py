@@ -1,6 +1,6 @@
 """Queries of materials: Mitsuba's values, filtered inputs, and BSDFs that cannot be learned.
 
-Covers: evaluation/reproduce/layered_materials.py, evaluation/reproduce/layered_textures.py
+Covers: papers/zeltner2024/layered_materials.py, papers/zeltner2024/layered_textures.py
 """
 
 from __future__ import annotations
@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from loomlight.assets.material import Material, material_from_xml
 from loomlight.core.errors import InputError, LoomlightWarning
-from loomlight.evaluation.reproduce.layered_materials import LAYERED, layered_material
 from loomlight.mitsuba.material_queries import MaterialReflectance, material_bsdf_of
+from papers.zeltner2024.layered_materials import LAYERED, layered_material
 
 
 def material(body: str) -> Material:

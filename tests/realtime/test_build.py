@@ -71,7 +71,7 @@ def test_spirv_is_valid(model: str, tmp_path: Path) -> None:
 
 
 def test_networks_compile_to_cooperative_vectors() -> None:
-    """Debian's validator is older than the extension: `docs/notes/realtime.md` says what checked them."""
+    """Debian's validator is older than the extension; `docs/research/notes/realtime.md` has what did."""
     options = ("-DCOOPERATIVE", "-profile", "spirv_1_6", "-O0", "-skip-spirv-validation")
     code = compile_shader(SHADERS / "cloth_neural.slang", "spirv", ["neural_queries"], options)
     words = np.frombuffer(code, np.uint32)

@@ -87,7 +87,7 @@ def test_cloth_shines_as_paths_through_it_say(angle: float) -> None:
     truth = radiance(fabric.layout(), fabric.appearance(), view, 1 << 13, 4)
     expected = truth.reflected + truth.transmitted
     point, lobes = (sky_value(make_model(name, fabric), view, 1 << 15, 5) for name in ("point", "lobes"))
-    # Four standard errors of the paths, and 4 % for the closed form: docs/figures-light.md.
+    # Four standard errors of the paths, and 4 % for the closed form: docs/research/figures-light.md.
     bar = 4 * truth.error + 0.04 * expected
     assert (abs(point - expected) < bar).all()
     assert (abs(lobes - expected) < bar).all()
@@ -113,7 +113,7 @@ def test_white_cloth_is_white_and_makes_no_light(specular: float, least: float) 
     fabric = fabric_from_text(f'weave = "satin 5"\ninterreflection = true\n[warp]\n{yarn}[weft]\n{yarn}')
     model = PointModel(YarnGeometry(fabric.layout()), fabric.appearance())
     above, grazing = (returned(model, fabric.repeat_mm, direction(angle, 25), 6) for angle in (0, 75))
-    # 0.01 is four standard errors of 2^15 samples, and what the fit of openness adds: docs/figures-light.md.
+    # 0.01: four standard errors of 2^15 samples, and the fit of openness (docs/research/figures-light.md).
     assert least < above < 1.01
     assert grazing < 1.02
 

@@ -36,8 +36,13 @@ def test_every_page_of_the_project_is_there(site: Path) -> None:
         page = site / file.relative_to(ROOT / "docs").with_suffix(".html")
         heading = file.read_text(encoding="utf-8").splitlines()[0].removeprefix("# ").replace("`", "")
         assert heading.split()[0] in page.read_text(encoding="utf-8")
-    readers = {page.title: page.reader for page in read_pages(ROOT)}
-    assert readers["Fabric files"] == "Use"
+    assert (site / "papers.html").is_file()
+    assert (site / "papers" / "zhu2024.html").is_file()
+    readers = {page.source: page.reader for page in read_pages(ROOT)}
+    assert readers["docs/fabric-files.md"] == "Use"
+    assert readers["docs/research/figures.md"] == "Figures"
+    assert readers["docs/research/notes/simd.md"] == "What was tried"
+    assert readers["papers/chen2024/README.md"] == "Papers"
 
 
 def test_every_link_leads_somewhere(site: Path) -> None:

@@ -1,6 +1,6 @@
 """Height field files of the five materials are read back as what was written, and repeat.
 
-Covers: evaluation/reproduce/kuznetsov2021_materials.py
+Covers: papers/kuznetsov2021/materials.py
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from loomlight.assets.heightfield import load_heightfield
-from loomlight.evaluation.reproduce.kuznetsov2021_materials import RECIPES, paper_heightfield
+from papers.kuznetsov2021.materials import RECIPES, paper_heightfield
 from tools.make_heightfields import main
 
 

@@ -25,7 +25,7 @@ def compare(
     ],
     models: Annotated[str, typer.Option(help="Models, with commas between them.")] = "lobes,point,neural",
     full: Annotated[
-        bool, typer.Option("--full", help="The whole protocol of docs/evaluation.md: hours on a CPU.")
+        bool, typer.Option("--full", help="The whole protocol of the evaluation page: hours on a CPU.")
     ] = False,
     scenes: Annotated[
         str | None, typer.Option(help="Some of the eight scenes, with commas between them.")

@@ -21,7 +21,6 @@ from loomlight.cli import (
     export,
     play,
     render,
-    reproduce,
     swatches,
     train,
     view,
@@ -66,7 +65,6 @@ app.command("swatches", cls=ListsModels, epilog=swatches.EXAMPLE)(swatches.swatc
 app.command("play", epilog=play.EXAMPLE)(play.play)
 app.command("view", epilog=view.EXAMPLE)(view.view)
 app.command("compare", cls=ListsModels, epilog=compare.EXAMPLE)(compare.compare)
-app.command("reproduce", epilog=reproduce.EXAMPLE)(reproduce.reproduce)
 app.command("demo", epilog=demo.EXAMPLE)(demo.demo)
 app.command("bake", cls=ListsModels, epilog=bake.EXAMPLE)(bake.bake)
 app.command("bake-maps", epilog=bake_maps.EXAMPLE)(bake_maps.bake_maps)

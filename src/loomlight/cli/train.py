@@ -15,7 +15,7 @@ from loomlight.cli.interruption import note_left
 from loomlight.cli.outputs import done
 from loomlight.core.errors import MissingDependencyError
 
-EXAMPLE = "Example: loomlight train neural experiments/chen2024.toml -o runs/chen2024"
+EXAMPLE = "Example: loomlight train neural experiments/neural.toml -o runs/neural"
 
 app = typer.Typer(cls=WholeSentences, help="Trains models.", no_args_is_help=True, rich_markup_mode=None)
 

@@ -1,8 +1,8 @@
 """The image benchmark: eight scenes rendered with one sample a pixel, against the point model with many.
 
-One directional light, direct light only, box filter, exposure 0 (docs/evaluation.md). Models that filter are
-evaluated once a pixel, with the pixel as their footprint. Models of points are rendered with 1 and 3 samples
-a pixel from Mitsuba's sampler.
+One directional light, direct light only, box filter, exposure 0 (docs/research/evaluation.md). Models that
+filter are evaluated once a pixel, with the pixel as their footprint. Models of points are rendered with 1 and
+3 samples a pixel from Mitsuba's sampler.
 """
 
 from __future__ import annotations

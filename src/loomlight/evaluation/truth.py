@@ -1,7 +1,7 @@
 """The truth of the query benchmark: slices on the reference plane, searched finely and cached on disk.
 
 The grid has 64 rays a thread (32 for repeats beyond 16 threads), so that its own error is 1 % of the mean
-below a quarter yarn and 0.15 % above (docs/aggregation.md).
+below a quarter yarn and 0.15 % above (docs/research/aggregation.md).
 """
 
 from __future__ import annotations

@@ -4,8 +4,8 @@ The fibre layer returns at most a share κ of the light when its albedo is 1, so
 
     k_d_reflect + k_d_transmit + κ(Tρ)·max(k_s_reflect, k_s_transmit) ≤ 1    per channel
 
-keeps every direction below 1 (docs/scattering.md has the reasoning and the scan). κ holds for tangents
-perpendicular to the yarn's normal, which every source of geometry provides.
+keeps every direction below 1 (docs/research/scattering.md has the reasoning and the scan). κ holds for
+tangents perpendicular to the yarn's normal, which every source of geometry provides.
 
 Cloth with light between its yarns loses nothing but what κ takes, and white yarns with a highlight would be
 grey: seen from above, the layer returns half of κ. There the means of the layer bound what views of whole

@@ -75,7 +75,7 @@ def test_several_processes_write_the_same_bytes(made, tmp_path):
 
 
 def test_half_precision_changes_means_by_less_than_the_grid_does(made):
-    """0.03 % of the mean is the least error of the grid (docs/aggregation.md, b2 and b3 at 64 texels)."""
+    """The grid's least error is 0.03 % of the mean (docs/research/aggregation.md, b2 and b3 at 64 texels)."""
     queries = material_queries(81, SETTINGS.seed, SETTINGS.queries)
     truth = slice_means(paper_material(81, SETTINGS.seed), queries, Float).astype(np.float64)
     error = np.abs(QueryStore(made).material(81).truth() - truth)

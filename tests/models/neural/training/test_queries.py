@@ -95,7 +95,7 @@ def test_too_few_queries_are_refused():
 
 def test_means_are_the_truth():
     """Every mean is within Monte Carlo noise plus the error of mapped shadows: 1.7 % of the channel's
-    mean (docs/aggregation.md), threefold for single queries; the sums, which average that, within 1 %."""
+    mean (docs/research/aggregation.md), threefold for single queries; sums, which average it, within 1 %."""
     few = fabric_queries(FABRIC, [3], 20_000)
     actual = slice_means(FABRIC, few, Float)
     chosen = np.random.default_rng(0).choice(few.count, 192, replace=False)

@@ -1,0 +1,1 @@
+"""Chen, Wang and Wang 2024, "Real-time Neural Woven Fabric Rendering"."""

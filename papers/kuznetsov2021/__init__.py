@@ -1,0 +1,1 @@
+"""Kuznetsov et al. 2021, "NeuMIP: Multi-Resolution Neural Materials"."""

@@ -1,0 +1,203 @@
+"""Any `Design` as a torch module, trained on the queries of neumip by its loop: kuznetsov2021's baselines.
+
+Latents are found by descent, as in neumip; those of Rainer et al. are encoded (`encoded_textures.py`). All
+designs have the pyramid, the loss and the schedule of neumip, without which queries of all sizes would
+contradict one another.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor, nn
+from torch.nn import functional
+
+from loomlight.assets.sources import Source
+from loomlight.models.neumip.networks import EXPOSURE
+from loomlight.models.neumip.pyramid import (
+    SMALLEST_COSINE,
+    PyramidShape,
+    Taps,
+    bilinear_taps,
+    shifted,
+    trilinear_taps,
+)
+from loomlight.models.neumip.settings import NeumipSettings
+from loomlight.models.neumip.training.network import LEAST_OUTPUT, SLOPE, TorchFunctions, blurred
+from loomlight.models.neumip.training.train import (
+    Batches,
+    gains_of,
+    one_thread,
+    rate_factor,
+    shape_of,
+    taken_queries,
+)
+from loomlight.training.loop import Schedule, train
+from papers.kuznetsov2021.designs import Design
+
+_FUNCTIONS = TorchFunctions()
+# Of the first textures: deviation of latents, and mean and deviation of colours.
+_LATENTS, _COLOUR = 0.1, 0.3
+_CHUNK = 1 << 16
+
+# Called with (steps done, steps in all).
+Report = Callable[[int, int], None]
+
+
+class NeuralTextures(nn.Module):
+    """A pyramid of neural textures and its networks, of one face; light is reflected alone."""
+
+    def __init__(
+        self,
+        design: Design,
+        shape: PyramidShape,
+        scale: float = 1.0,
+        gains: tuple[float, float] = (1.0, 1.0),
+    ) -> None:
+        """
+        Args:
+            scale: textures learn so many times as fast as networks.
+            gains: see `gains_of`.
+        """
+        super().__init__()
+        self.design, self.shape, self.scale, self.gains = design, shape, scale, gains
+        self.features = self.first_textures()
+        self.decoder = perceptron(design.decoder_widths)
+        nn.init.constant_(self.decoder[-1].bias, 0 if design.whitened else _COLOUR)
+        self.offset_texture: nn.Parameter | None = None
+        self.offset: nn.Sequential | None = None
+        if design.offset:
+            self.offset_texture = nn.Parameter(torch.zeros(design.latent, shape.rows, shape.columns))
+            self.offset = perceptron(design.offset_widths)
+            nn.init.zeros_(self.offset[-1].bias)
+
+    def first_textures(self) -> nn.ParameterList:
+        """The textures of all levels [channels, rows, columns], as they begin."""
+        first = torch.zeros(self.design.pyramid_channels)
+        first[self.design.latent :] = _COLOUR / self.scale
+        return nn.ParameterList(
+            nn.Parameter(self._first(first, high, wide)) for wide, high in self.shape.sizes
+        )
+
+    def _first(self, first: Tensor, high: int, wide: int) -> Tensor:
+        texture = first[:, None, None].expand(-1, high, wide).clone()
+        texture[: self.design.latent] = _LATENTS / self.scale * torch.randn(self.design.latent, high, wide)
+        return texture
+
+    def forward(
+        self,
+        positions: Tensor,
+        levels: Tensor,
+        lights: Tensor,
+        views: Tensor,
+        faces: Tensor,
+        blur: float = 0.0,
+        offset_frozen: bool = False,
+        beyond: Tensor | None = None,
+    ) -> tuple[Tensor, None]:
+        """π f·cos of queries [n, 3]; arguments as of `NeumipNetwork.forward`."""
+        del beyond
+        shape, (u, v) = self.shape, positions.T
+        if self.offset is not None and self.offset_texture is not None:
+            texture = self.offset_texture.detach() if offset_frozen else self.offset_texture
+            taps = bilinear_taps(u, v, shape.columns, shape.rows, faces * 0, _FUNCTIONS)
+            texel = _fetched(self._rows([texture], blur), taps)
+            depth = self.offset(torch.cat([texel, views], dim=1))[:, 0]
+            cosine = torch.sqrt((1 - views.square().sum(1)).clamp(min=0))
+            slope = 1 / cosine.clamp(min=SMALLEST_COSINE)
+            u, v = shifted(shape, u, v, depth, views[:, 0], views[:, 1], slope)
+        taps = trilinear_taps(shape, u, v, levels, faces * 0, _FUNCTIONS)
+        texel = _fetched(self.rows(blur), taps)
+        latent, colours = texel[:, : self.design.latent], texel[:, self.design.latent :]
+        outputs = self.decoder(torch.cat([latent, lights, views], dim=1))
+        if self.design.whitened:
+            outputs = torch.addcmul(colours[:, :3], colours[:, 3:], outputs)
+        if self.training:
+            return functional.leaky_relu(outputs, SLOPE).clamp(min=LEAST_OUTPUT), None
+        return functional.relu(outputs), None
+
+    def rows(self, blur: float) -> Tensor:
+        """Texels of all levels [texels, channels], blurred."""
+        return self._rows(list(self.features), blur)
+
+    def _rows(self, textures: list[Tensor], blur: float) -> Tensor:
+        rows = [
+            (self.scale * blurred(texture, blur / 2**level)).permute(1, 2, 0).flatten(0, 1)
+            for level, texture in enumerate(textures)
+        ]
+        return torch.cat(rows)
+
+    @torch.no_grad()
+    def value(
+        self,
+        positions: NDArray[np.float32],
+        levels: NDArray[np.float32],
+        lights: NDArray[np.float32],
+        views: NDArray[np.float32],
+    ) -> NDArray[np.float32]:
+        """f·cos [n, 3], 1/sr, of positions in repeats, levels, and x and y of directions."""
+        self.eval()
+        arrays = [torch.from_numpy(np.ascontiguousarray(part)) for part in (positions, levels, lights, views)]
+        parts = []
+        for first in range(0, len(positions), _CHUNK):
+            u, level, light, view = (part[first : first + _CHUNK] for part in arrays)
+            face = torch.zeros(len(u), dtype=torch.int64)
+            parts.append(self(u - u.floor(), level, light, view, face)[0] / (EXPOSURE * self.gains[0]))
+        return torch.cat(parts).numpy()
+
+
+def trained_textures(
+    design: Design,
+    source: Source,
+    settings: NeumipSettings,
+    folder: Path,
+    queries_folder: Path,
+    report: Report | None = None,
+) -> NeuralTextures:
+    """A design trained for a source of one opaque face. A training that was stopped goes on.
+
+    Args:
+        settings: of queries and schedule; `settings.offset` is not read.
+        folder: holds the checkpoint.
+        queries_folder: holds the queries, which designs share.
+
+    Raises:
+        InputError: a damaged checkpoint, or one of another training.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    queries = taken_queries(source, settings, queries_folder, lambda done, total: None)
+    torch.manual_seed(settings.seed)
+    scale = settings.texture_rate / settings.rate
+    network = NeuralTextures(design, shape_of(source, settings), scale, gains_of(queries))
+    batches = Batches(network, queries, settings, "cpu")
+    optimiser = torch.optim.Adam(network.parameters(), settings.rate)
+    with one_thread():
+        train(
+            network,
+            optimiser,
+            batches.losses,
+            Schedule(settings.steps, lambda done: settings.rate * rate_factor(done)),
+            folder / "checkpoint.safetensors",
+            f"{design} {settings.identity(source)}",
+            None if report is None else lambda step, steps, _: report(step, steps),
+        )
+    return network
+
+
+def _fetched(rows: Tensor, taps: Taps) -> Tensor:
+    """Weighted sums of texels [n, channels]."""
+    texels, weights = torch.stack(taps.texels, dim=1), torch.stack(taps.weights, dim=1)
+    return functional.embedding_bag(texels, rows, per_sample_weights=weights, mode="sum")
+
+
+def perceptron(widths: tuple[int, ...]) -> nn.Sequential:
+    """Dense layers with ReLU between them."""
+    layers: list[nn.Module] = []
+    for inputs, outputs in pairwise(widths):
+        layers += [nn.Linear(inputs, outputs), nn.ReLU()]
+    return nn.Sequential(*layers[:-1])

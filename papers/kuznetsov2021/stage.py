@@ -1,0 +1,289 @@
+"""What the tables of kuznetsov2021 are made from: materials, trainings, a plane seen at 45°, and errors.
+
+The paper's height fields are of a library for sale: five formulas of their character stand for them
+(`materials.py`). Pictures are of a plane under a camera at 45° and one distant light from the
+left, as in the paper's Fig. 6. A pixel is one query of the size of its footprint on the plane; the truth
+averages paths over the same Gaussian, so that errors are the model's alone.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from hashlib import sha256
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from drjit.llvm.ad import Array2f, Array3f
+from numpy.typing import NDArray
+
+from loomlight.assets.heightfield import Heightfield
+from loomlight.assets.loom_file import write_loom
+from loomlight.core.extras import import_extra
+from loomlight.core.footprint import Box, box_footprint
+from loomlight.evaluation.pictures import PictureError, picture_error
+from loomlight.models.neumip.btf import btf_of
+from loomlight.models.neumip.model import NeumipModel
+from loomlight.models.neumip.pyramid import SIZE_OF_SIGMA, PyramidShape
+from loomlight.models.neumip.settings import QUALITIES, NeumipSettings, settings_of
+from loomlight.models.registry import model_from_loom
+from papers.kuznetsov2021.designs import DESIGNS, OURS, WITHOUT, Design
+from papers.kuznetsov2021.materials import paper_heightfield
+from papers.setting import Setting
+
+_Floats = NDArray[np.float32]
+# Trainings of `preview`, which are 20 or 30 for all tables: two cores take minutes for a material.
+PREVIEW = replace(QUALITIES["preview"], resolution=128, queries=100, steps=1000, batch=1 << 13)
+# Horizontal angle of view; the footprint of the nearest row is about two thirds of the farthest's.
+_VIEW_ANGLE = math.radians(20)
+_LIGHT = np.array([-0.45, 0.15, 1.0]) / np.linalg.norm([-0.45, 0.15, 1.0])
+_SEED = 41
+# Paths of one call: a picture's footprints are held in memory.
+_CHUNK = 1 << 21
+_BASELINES = "papers.kuznetsov2021.neural_textures"
+_ENCODINGS = "papers.kuznetsov2021.encoded_textures"
+
+# f·cos, linear RGB [n, 3], 1/sr, of the queries of a shot.
+Predict = Callable[["Shot"], _Floats]
+
+
+@dataclass(frozen=True, eq=False)
+class Shot:
+    """The queries of a picture.
+
+    Attributes:
+        size: width and height, pixels.
+        positions: on the reference plane [n, 2], millimetres.
+        sides: of the footprints [n], millimetres.
+        views: unit vectors [n, 3].
+        light: the unit vector of all pixels.
+    """
+
+    size: tuple[int, int]
+    positions: _Floats
+    sides: _Floats
+    views: _Floats
+    light: _Floats
+
+    @property
+    def lights(self) -> _Floats:
+        """The light of each pixel [n, 3]."""
+        return np.tile(self.light, (len(self.sides), 1))
+
+
+@dataclass(frozen=True, eq=False)
+class Truth:
+    """Two independent estimates of π f·cos of a picture [height, width, 3]."""
+
+    first: _Floats
+    second: _Floats
+
+    @property
+    def mean(self) -> _Floats:
+        """Of both."""
+        return 0.5 * (self.first + self.second)
+
+
+def stage_material(name: str) -> Heightfield:
+    """A material of Table 2, with 256 texels a side."""
+    return paper_heightfield(name)
+
+
+def stage_settings(setting: Setting, resolution: int | None = None) -> NeumipSettings:
+    """Settings of the trainings of a figure: its quality, `PREVIEW` for "preview".
+
+    Raises:
+        InputError: an unknown quality.
+    """
+    chosen = settings_of(setting.quality, steps=setting.steps)
+    if setting.quality == "preview":
+        chosen = PREVIEW if setting.steps is None else replace(PREVIEW, steps=setting.steps)
+    resolution = resolution or setting.resolution
+    return chosen if resolution is None else replace(chosen, resolution=resolution)
+
+
+def plane_shot(source: Heightfield, texel_mm: float, level: float, size: tuple[int, int]) -> Shot:
+    """A plane at 45°, whose middle pixel has a footprint of 2^level texels.
+
+    Args:
+        texel_mm: side of a texel of level 0.
+    """
+    width, _ = size
+    pitch = 2 * math.tan(0.5 * _VIEW_ANGLE) / width  # of pixels at distance 1
+    x, y = (np.arange(count) + 0.5 - 0.5 * count for count in size)
+    across, up = np.meshgrid(pitch * x, -pitch * y)
+    eye_direction = np.array([0, -1, 1]) / math.sqrt(2)  # from the plane to the camera
+    forward, upward = -eye_direction, np.array([0, 1, 1]) / math.sqrt(2)
+    rays = forward + across[..., None] * np.array([1.0, 0, 0]) + up[..., None] * upward
+    # A pixel's area on the plane, for a camera at height 1: solid angle · distance² / cosine.
+    area = pitch**2 / (-rays[..., 2]) ** 3
+    middle = pitch**2 * math.sqrt(2) ** 3
+    camera_height = texel_mm * 2**level / math.sqrt(middle)
+    distance = camera_height / -rays[..., 2]
+    hits = distance[..., None] * rays
+    # The middle of the picture shows the middle of a repeat.
+    centre = camera_height * np.array([0.0, 1.0])
+    positions = hits[..., :2] - centre + 0.5 * np.array(source.repeat_mm)
+    views = -rays / np.linalg.norm(rays, axis=-1, keepdims=True)
+    sides = camera_height * np.sqrt(area)
+    return Shot(
+        size,
+        # Within a repeat, where single precision suffices.
+        (positions % np.array(source.repeat_mm)).reshape(-1, 2).astype(np.float32),
+        sides.reshape(-1).astype(np.float32),
+        views.reshape(-1, 3).astype(np.float32),
+        _LIGHT.astype(np.float32),
+    )
+
+
+def traced(source: Heightfield, shot: Shot, samples: int) -> Truth:
+    """The truth of a picture.
+
+    Args:
+        samples: paths a pixel, half of them for each estimate.
+    """
+    btf, count, each = btf_of(source), len(shot.sides), max(1, samples // 2)
+    halves = []
+    for half in range(2):
+        rng = np.random.default_rng([_SEED, half])
+        parts = []
+        rows = max(1, _CHUNK // each)
+        for first in range(0, count, rows):
+            chosen = slice(first, min(first + rows, count))
+            number = chosen.stop - first
+            spread = rng.standard_normal((number, each, 2), np.float32)
+            sigma = (shot.sides[chosen] / SIZE_OF_SIGMA)[:, None, None]
+            points = (shot.positions[chosen, None] + sigma * spread).reshape(-1, 2)
+            lights, views = (np.repeat(part[chosen], each, axis=0) for part in (shot.lights, shot.views))
+            found = btf.values(points.astype(np.float32), lights, views, (_SEED, half, first))
+            parts.append(found.reshape(number, each, 3).mean(axis=1))
+        halves.append(_as_picture(np.concatenate(parts), shot))
+    return Truth(*halves)
+
+
+def model_picture(predict: Predict, shot: Shot) -> _Floats:
+    """π f·cos of a model [height, width, 3]."""
+    return _as_picture(predict(shot), shot)
+
+
+def stage_error(picture: _Floats, truth: Truth) -> PictureError:
+    """MSE of linear RGB without the noise of the truth, which two estimates cancel, and FLIP with it."""
+    found = picture_error(picture, truth.mean, np.ones(picture.shape[:2], bool))
+    first, second = (picture.astype(np.float64) - half for half in (truth.first, truth.second))
+    return replace(found, mse=float((first * second).mean()))
+
+
+def trained_model(
+    source: Heightfield,
+    setting: Setting,
+    name: str = OURS,
+    report: Callable[[int, int], None] | None = None,
+) -> NeumipModel:
+    """The model of a source, with or without the offset; a training is kept in the folder of runs.
+
+    Args:
+        name: `OURS` or `WITHOUT`.
+
+    Raises:
+        InputError: an unknown quality, or a folder that cannot be written to.
+        MissingDependencyError: PyTorch is missing, where there is a training to do.
+    """
+    settings = replace(stage_settings(setting), offset=name != WITHOUT)
+    place = _place(source, settings, setting, name)
+    file = place / "model.loom"
+    if file.exists():
+        model = model_from_loom(file)
+        if isinstance(model, NeumipModel):
+            return model
+    import_extra("torch", "train", "Training neumip")
+    training: Any = import_module("loomlight.models.neumip.training.train")
+    weights = training.train_neumip(source, settings, place, report, queries_folder=_queries(setting.runs))
+    model = NeumipModel(source, weights)
+    write_loom(file, model.to_loom())
+    return model
+
+
+def predictor(
+    source: Heightfield,
+    setting: Setting,
+    name: str,
+    design: Design | None = None,
+    resolution: int | None = None,
+    together: Sequence[str] = (),
+) -> Predict:
+    """The values of a trained design.
+
+    Args:
+        name: of `DESIGNS`, or of the design given.
+        design: any other, trained as a torch module.
+        resolution: of its textures, instead of `stage_settings`'.
+        together: names of the materials that share networks, of designs that share any.
+
+    Raises:
+        InputError: as of `trained_model`.
+    """
+    if design is None and name in (OURS, WITHOUT):
+        return model_predictor(trained_model(source, setting, name))
+    import_extra("torch", "train", "Training a baseline")
+    chosen, settings = design or DESIGNS[name], stage_settings(setting, resolution)
+    if chosen.encoded:
+        names = tuple(together) if chosen.together else (source.name,)
+        network = _encodings(chosen, names, settings, setting.runs)[names.index(source.name)]
+    else:
+        baselines: Any = import_module(_BASELINES)
+        place = _place(source, settings, setting, name)
+        network = baselines.trained_textures(chosen, source, settings, place, _queries(setting.runs))
+    shape: PyramidShape = network.shape
+
+    def predict(shot: Shot) -> _Floats:
+        repeats = (shot.positions / np.array(source.repeat_mm)).astype(np.float32)
+        found: _Floats = network.value(
+            repeats, np.log2(shot.sides / shape.texel_mm), shot.lights[:, :2], shot.views[:, :2]
+        )
+        return found
+
+    return predict
+
+
+@lru_cache(2)
+def _encodings(design: Design, names: tuple[str, ...], settings: NeumipSettings, runs: Path) -> Any:
+    """`trained_encodings` of materials, in the order of their names."""
+    encodings: Any = import_module(_ENCODINGS)
+    sources = [stage_material(name) for name in names]
+    digest = sha256(" ".join([repr(design), *map(settings.identity, sources)]).encode()).hexdigest()[:12]
+    place = Path(runs) / "kuznetsov2021" / f"encoded-{digest}"
+    return encodings.trained_encodings(design, sources, settings, place, _queries(runs))
+
+
+def model_predictor(model: NeumipModel) -> Predict:
+    """The values of a model of this package."""
+
+    def predict(shot: Shot) -> _Floats:
+        positions, lights, views = (
+            np.ascontiguousarray(part.T) for part in (shot.positions, shot.lights, shot.views)
+        )
+        box = Box(Array2f(positions), Array2f(shot.sides, shot.sides))
+        at = model.at(Array3f(views), box_footprint(box))
+        return np.asarray(at.value(Array3f(lights)).numpy().T, np.float32)
+
+    return predict
+
+
+def _as_picture(values: _Floats, shot: Shot) -> _Floats:
+    width, height = shot.size
+    return np.asarray(np.pi * values.reshape(height, width, 3), np.float32)
+
+
+def _place(source: Heightfield, settings: NeumipSettings, setting: Setting, name: str) -> Path:
+    identity = settings.identity(source)[:12]
+    return Path(setting.runs) / "kuznetsov2021" / f"{source.name}-{name}-{identity}".replace(" ", "-").lower()
+
+
+def _queries(runs: Path) -> Path:
+    folder = Path(runs) / "kuznetsov2021" / "queries"
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder

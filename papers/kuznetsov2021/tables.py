@@ -1,0 +1,170 @@
+"""kuznetsov2021: Table 2 with Fig. 6, Table 3 with Fig. 11, and Table 4."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from loomlight.evaluation.pictures import PictureError
+from loomlight.evaluation.table import Cell, Table
+from loomlight.models.neumip.pyramid import PyramidShape
+from papers.figure import Evidence, Pixels, error_caption, on_display
+from papers.kuznetsov2021.designs import DESIGNS, OURS, RAINER19, RAINER20, WITHOUT
+from papers.kuznetsov2021.materials import RECIPES
+from papers.kuznetsov2021.stage import (
+    model_picture,
+    plane_shot,
+    predictor,
+    stage_error,
+    stage_material,
+    stage_settings,
+    traced,
+)
+from papers.setting import Setting
+from papers.sheet import Row, Tile, contact_sheet
+
+# Levels of Table 3.
+LEVELS = range(8)
+# MSE times 1000 of Table 2, in the order of `DESIGNS`: without the offset, ours, Rainer19, Rainer20.
+_PAPER_TABLE2 = {
+    "twisted wool": (11.31, 3.98, 12.79, 19.03),
+    "straight wool": (1.04, 0.39, 2.30, 1.92),
+    "turtle shell": (3.35, 1.31, 2.83, 4.84),
+    "cliff rock": (6.00, 2.00, 7.89, 10.26),
+    "insulation foam": (9.18, 3.90, 10.04, 21.75),
+}
+# MSE times 1000 of Table 3 by level.
+_PAPER_TABLE3 = {
+    "twisted wool": (3.98, 2.10, 1.47, 1.07, 0.74, 1.16, 1.17, 1.08),
+    "straight wool": (0.39, 0.16, 0.11, 0.08, 0.09, 0.05, 0.03, 0.10),
+    "turtle shell": (1.31, 0.92, 0.70, 0.67, 0.88, 0.82, 0.55, 0.48),
+    "cliff rock": (2.00, 0.87, 0.63, 0.51, 0.42, 0.32, 0.24, 0.10),
+    "insulation foam": (3.90, 1.64, 1.20, 0.86, 0.76, 0.55, 0.57, 0.49),
+}
+# Weights and texture channels of Table 4, in the order of its columns.
+_PAPER_TABLE4 = {OURS: (3332, 14), RAINER19: (35725, 14), RAINER20: (38269, 38)}
+
+
+def comparison(setting: Setting, materials: Sequence[str] | None = None) -> Evidence:
+    """Table 2 and Fig. 6: ours, ours without offset, and Rainer et al. with their encoders.
+
+    Args:
+        materials: some of `RECIPES`; all by default.
+    """
+    names = list(materials or RECIPES)
+    columns = list(DESIGNS)
+    squared, flip = Table("MSE × 1000, of π f·cos", columns), Table("FLIP", columns)
+    rows: list[Row] = []
+    pictures: dict[str, Pixels] = {}
+    for number, name in enumerate(names):
+        source = stage_material(name)
+        shot = plane_shot(source, _texel_mm(setting), 0, setting.size)
+        truth = traced(source, shot, setting.samples)
+        errors: dict[str, PictureError] = {}
+        for design in columns:
+            picture = model_picture(predictor(source, setting, design, together=names), shot)
+            errors[design] = stage_error(picture, truth)
+            pictures[f"{name}-{design}"] = on_display(picture)
+        pictures[f"{name}-reference"] = on_display(truth.mean)
+        squared.rows[name] = [1e3 * error.mse for error in errors.values()]
+        flip.rows[name] = [error.flip for error in errors.values()]
+        tiles = [Tile(pictures[f"{name}-{design}"], error_caption(errors[design])) for design in columns]
+        rows.append(Row(name, [*tiles, Tile(pictures[f"{name}-reference"])]))
+        setting.step(number + 1, len(names))
+    ratios = _ratios("Ratios of MSE to ours", squared.rows)
+    paper = Table("MSE × 1000 in the paper", columns, {name: [*row] for name, row in _PAPER_TABLE2.items()})
+    note = _note(setting)
+    squared.note = note
+    tables = [squared, flip, ratios, paper, _ratios("Ratios in the paper", paper.rows)]
+    sheet = contact_sheet("kuznetsov2021 table 2 and figure 6", [*columns, "reference"], rows, note)
+    return Evidence(sheet, pictures, tables)
+
+
+def by_level(setting: Setting, materials: Sequence[str] | None = None) -> Evidence:
+    """Table 3: the error of ours over levels of detail; arguments as of `comparison`."""
+    return _zooms(setting, "kuznetsov2021 table 3: error by level", False, list(materials or RECIPES))
+
+
+def zooms(setting: Setting) -> Evidence:
+    """Fig. 11: the materials at eight levels of detail, ours above the reference."""
+    return _zooms(setting, "kuznetsov2021 figure 11: levels of detail", True, list(RECIPES))
+
+
+def _zooms(setting: Setting, title: str, with_reference: bool, names: list[str]) -> Evidence:
+    """Pictures of ours at all levels, over those of the reference if asked."""
+    columns = [str(level) for level in LEVELS]
+    squared, flip = Table("MSE × 1000 by level", columns), Table("FLIP by level", columns)
+    rows: list[Row] = []
+    pictures: dict[str, Pixels] = {}
+    done, total = 0, len(names) * len(LEVELS)
+    for name in names:
+        source = stage_material(name)
+        predict = predictor(source, setting, OURS)
+        tiles: list[Tile] = []
+        below: list[Tile] = []
+        errors: list[PictureError] = []
+        for level in LEVELS:
+            shot = plane_shot(source, _texel_mm(setting), level, setting.size)
+            picture, truth = model_picture(predict, shot), traced(source, shot, setting.samples)
+            errors.append(stage_error(picture, truth))
+            tiles.append(Tile(on_display(picture), error_caption(errors[-1])))
+            below.append(Tile(on_display(truth.mean)))
+            pictures[f"{name}-{level}"] = on_display(picture)
+            pictures[f"{name}-{level}-reference"] = on_display(truth.mean)
+            done += 1
+            setting.step(done, total)
+        squared.rows[name] = [1e3 * error.mse for error in errors]
+        flip.rows[name] = [error.flip for error in errors]
+        rows.append(Row(name, tiles))
+        if with_reference:
+            rows.append(Row(f"{name}, reference", below))
+    note = squared.note = _note(setting)
+    paper = Table("MSE × 1000 in the paper", columns, {name: [*row] for name, row in _PAPER_TABLE3.items()})
+    return Evidence(contact_sheet(title, columns, rows, note), pictures, [squared, flip, paper])
+
+
+def sizes(setting: Setting) -> Evidence:
+    """Table 4: weights of the networks and numbers of a texel; nothing is trained."""
+    columns = [name for name in DESIGNS if name != WITHOUT]
+    table = Table("Sizes", columns)
+    table.rows["weights"] = [DESIGNS[name].weights for name in columns]
+    table.rows["weights in the paper"] = [_PAPER_TABLE4[name][0] for name in columns]
+    table.rows["ratio to ours"] = [DESIGNS[name].weights / DESIGNS[OURS].weights for name in columns]
+    table.rows["channels of a texel"] = [DESIGNS[name].channels for name in columns]
+    table.rows["channels in the paper"] = [_PAPER_TABLE4[name][1] for name in columns]
+    lines = [
+        Row(f"{name}: {', '.join(table.shown(cell) for cell in cells)}", [Tile(None)])
+        for name, cells in table.rows.items()
+    ]
+    setting.step(1, 1)
+    return Evidence(contact_sheet("kuznetsov2021 table 4", [], lines, ", ".join(columns)), {}, [table])
+
+
+def _texel_mm(setting: Setting) -> float:
+    """Side of a texel of level 0 of the trainings, millimetres."""
+    source = stage_material(next(iter(RECIPES)))
+    return PyramidShape.of(source.repeat_mm, stage_settings(setting).resolution, 1).texel_mm
+
+
+def _ratios(title: str, squared: dict[str, list[Cell]]) -> Table:
+    """Errors of the others over those of ours, and their geometric means."""
+    names = list(DESIGNS)
+    ours = names.index(OURS)
+    others = [number for number in range(len(names)) if number != ours]
+    values = {name: np.array(row, float) for name, row in squared.items()}
+    ratios = {name: row[others] / row[ours] for name, row in values.items()}
+    ratios["geometric mean"] = np.exp(np.mean([np.log(row) for row in ratios.values()], axis=0))
+    return Table(
+        title, [names[k] for k in others], {name: [*map(float, row)] for name, row in ratios.items()}
+    )
+
+
+def _note(setting: Setting) -> str:
+    used = stage_settings(setting)
+    return (
+        f"Textures of {used.resolution} texels a side, {used.queries} queries a texel of {used.samples} "
+        f"paths, {used.steps} steps of {used.batch} queries (the paper: 512, 200 to 400 of 64, 30000 of "
+        f"2^20); references of {setting.samples} paths a pixel. All share queries, loop, loss and pyramid; "
+        "the encoders of Rainer et al. see 64 further queries of each texel, and 2020's is one for all."
+    )

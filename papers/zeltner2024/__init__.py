@@ -1,0 +1,1 @@
+"""Zeltner et al. 2024, "Real-Time Neural Appearance Models"."""

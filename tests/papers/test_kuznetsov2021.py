@@ -1,0 +1,79 @@
+"""The figures of kuznetsov2021, small: trainings of a few steps of one material.
+
+Covers: papers/kuznetsov2021/figures.py, papers/kuznetsov2021/stage.py
+Covers: papers/kuznetsov2021/tables.py
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from papers.kuznetsov2021 import figures, stage, tables
+from papers.kuznetsov2021.designs import DESIGNS
+from papers.kuznetsov2021.materials import paper_heightfield
+from papers.setting import NEUMIP, Setting
+
+MATERIAL = "turtle shell"
+
+
+@pytest.fixture
+def setting(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Setting:
+    """One material with few texels, and trainings that learn next to nothing."""
+    pytest.importorskip("torch", exc_type=ImportError)
+    tiny = replace(stage.PREVIEW, resolution=8, queries=8, samples=1, steps=3, batch=64)
+    monkeypatch.setattr(stage, "PREVIEW", tiny)
+    for module in (stage, tables, figures):
+        monkeypatch.setattr(module, "stage_material", lambda name: paper_heightfield(MATERIAL, 16))
+    monkeypatch.setattr(tables, "RECIPES", (MATERIAL,))
+    monkeypatch.setattr(tables, "LEVELS", range(2))
+    return Setting(size=(16, 9), samples=4, runs=tmp_path, model=NEUMIP)
+
+
+def test_table_2_has_every_design_and_keeps_its_trainings(setting: Setting) -> None:
+    actual = tables.comparison(setting)
+    squared, flip, ratios, paper, of_paper = actual.tables
+    assert squared.columns == flip.columns == paper.columns == list(DESIGNS)
+    assert np.isfinite(np.array(squared.rows[MATERIAL], float)).all()
+    assert set(ratios.rows) == {MATERIAL, "geometric mean"}
+    # 11.31, 12.79 and 19.03 over 3.98.
+    assert of_paper.rows["twisted wool"] == pytest.approx([2.842, 3.214, 4.781], abs=0.001)
+    places = list((setting.runs / "kuznetsov2021").iterdir())
+    before = {file: file.stat().st_mtime_ns for place in places for file in place.iterdir()}
+    again = tables.by_level(setting)
+    assert again.tables[0].rows[MATERIAL][0] == pytest.approx(squared.rows[MATERIAL][1], rel=1e-5)
+    assert before == {file: file.stat().st_mtime_ns for place in places for file in place.iterdir()}
+
+
+def test_figures_5_and_10(setting: Setting, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(figures, "ABLATION_RESOLUTION", 8)
+    monkeypatch.setattr(figures, "CHANNELS", (3, 7))
+    monkeypatch.setattr(figures, "LAYERS", (2,))
+    (table,) = figures.ablation(setting).tables
+    assert table.rows["7 channels"][0] == 1
+    assert table.rows["2 layers"][2] < table.rows["3 channels"][2]
+    figure = figures.offsets(setting)
+    assert set(figure.pictures) == {"height", "texture", *figure.tables[0].rows}
+
+
+def test_table_4_is_the_papers(setting: Setting) -> None:
+    (table,) = tables.sizes(setting).tables
+    assert table.rows["weights"][1:] == table.rows["weights in the paper"][1:]
+    assert table.rows["channels of a texel"] == table.rows["channels in the paper"]
+
+
+def test_footprints_of_a_shot_tile_the_plane() -> None:
+    source = paper_heightfield(MATERIAL, 16)
+    shot = stage.plane_shot(source, 0.1, 2, (31, 21))
+    middle = 10 * 31 + 15
+    assert shot.sides[middle] == pytest.approx(0.4, rel=1e-5)
+    np.testing.assert_allclose(shot.views[middle], [0, -(0.5**0.5), 0.5**0.5], atol=1e-6)
+    positions = shot.positions.reshape(21, 31, 2).astype(float)
+    half = np.array(source.repeat_mm) / 2
+    across = (positions[10, 16] - positions[10, 15] + half) % (2 * half) - half
+    up = (positions[9, 15] - positions[11, 15] + half) % (2 * half) - half
+    # The pixel's area is that of its footprint; differences over two rows are of the second order.
+    assert abs(across[0] * up[1] / 2) == pytest.approx(0.4**2, rel=2e-3)

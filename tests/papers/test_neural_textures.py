@@ -1,0 +1,106 @@
+"""Designs have the published sizes, and ours as a design is ours as a model.
+
+Covers: papers/kuznetsov2021/neural_textures.py
+Covers: papers/kuznetsov2021/designs.py, papers/kuznetsov2021/encoded_textures.py
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+torch = pytest.importorskip("torch", exc_type=ImportError)
+
+from loomlight.models.neumip.pyramid import PyramidShape  # noqa: E402
+from loomlight.models.neumip.settings import NeumipSettings  # noqa: E402
+from loomlight.models.neumip.training.network import NeumipNetwork  # noqa: E402
+from loomlight.models.neumip.training.train import taken_queries  # noqa: E402
+from papers.kuznetsov2021.designs import DESIGNS, OURS, RAINER19, RAINER20  # noqa: E402
+from papers.kuznetsov2021.encoded_textures import (  # noqa: E402
+    PAIRS,
+    EncodedTextures,
+    trained_encodings,
+)
+from papers.kuznetsov2021.materials import paper_heightfield  # noqa: E402
+from papers.kuznetsov2021.neural_textures import NeuralTextures  # noqa: E402
+
+SHAPE = PyramidShape(8, 8, 2.0, 2.0)
+
+
+@pytest.mark.parametrize(("name", "weights", "channels"), [(RAINER19, 35725, 14), (RAINER20, 38269, 38)])
+def test_sizes_are_those_of_table_4(name: str, weights: int, channels: int) -> None:
+    design = DESIGNS[name]
+    network = NeuralTextures(design, SHAPE)
+    counted = sum(p.numel() for part, p in network.named_parameters() if part.startswith("decoder"))
+    assert (design.weights, design.channels) == (weights, channels)
+    assert counted == weights
+    assert network.features[0].shape == (channels, 8, 8)
+
+
+def test_encoded_textures_are_those_of_their_apparent_brdfs() -> None:
+    """Two materials share networks; texels of coarse levels have the colours of means."""
+    rng = np.random.default_rng(1)
+    apparent = rng.random((2, 8, 8, PAIRS, 3), np.float32)
+    first = EncodedTextures(DESIGNS[RAINER19], SHAPE, apparent[0])
+    second = EncodedTextures(DESIGNS[RAINER19], SHAPE, apparent[1], networks=(first.encoder, first.decoder))
+    assert first.decoder is second.decoder
+    rows = first.rows(0.0).detach().numpy()
+    assert rows.shape == (SHAPE.texels, 14)
+    for level in range(SHAPE.levels):
+        found = rows[
+            SHAPE.starts[level] : SHAPE.starts[level] + SHAPE.sizes[level][0] * SHAPE.sizes[level][1]
+        ]
+        # Means of means over as many texels.
+        wanted = np.pi * apparent[0].mean(axis=(0, 1, 2))
+        np.testing.assert_allclose(found[:, 8:11].mean(axis=0), wanted, rtol=1e-4)
+    assert np.allclose(rows[:64, 8:11], np.pi * apparent[0].mean(axis=2).reshape(64, 3), rtol=1e-4)
+
+
+def test_encoders_learn_two_materials_at_once(tmp_path: Path) -> None:
+    """The error of both falls; the folder keeps what is measured, and the training."""
+    sources = [paper_heightfield(name, 16) for name in ("straight wool", "cliff rock")]
+    settings = replace(NeumipSettings(), resolution=8, queries=60, samples=2, batch=1024)
+    design = DESIGNS[RAINER20]
+    losses = []
+    for steps in (1, 60):
+        used = replace(settings, steps=steps)
+        trained = trained_encodings(design, sources, used, tmp_path / f"{steps}", tmp_path)
+        errors = []
+        for source, textures in zip(sources, trained, strict=True):
+            queries = taken_queries(source, used, tmp_path, lambda done, total: None)
+            shown = textures.value(queries.positions, queries.levels, queries.lights, queries.views)
+            errors.append(np.square(shown - queries.values).mean())
+        losses.append(errors)
+    assert (np.array(losses[1]) < 0.7 * np.array(losses[0])).all()
+    assert len(list(tmp_path.glob("apparent-*"))) == 2
+
+
+def test_ours_as_a_design_is_the_model() -> None:
+    torch.manual_seed(1)
+    model, network = NeumipNetwork(SHAPE, True, 2.0), NeuralTextures(DESIGNS[OURS], SHAPE, 2.0)
+    with torch.no_grad():
+        model.offset_texture.normal_()
+    state = {name: part[0] if part.ndim == 4 else part for name, part in model.state_dict().items()}
+    network.load_state_dict(state)
+    positions, levels = torch.rand(64, 2), 4 * torch.rand(64)
+    lights, views = (0.7 * (2 * torch.rand(64, 2) - 1) for _ in range(2))
+    faces = torch.zeros(64, dtype=torch.int64)
+    for blur in (0.0, 1.5):
+        expected, _ = model(positions, levels, lights, views, faces, blur)
+        actual, _ = network(positions, levels, lights, views, faces, blur)
+        # The same operations in the same order.
+        torch.testing.assert_close(actual, expected, rtol=1e-5, atol=1e-6)
+
+
+def test_whitened_outputs_are_means_and_deviations() -> None:
+    network = NeuralTextures(DESIGNS[RAINER19], SHAPE).eval()
+    with torch.no_grad():
+        for texture in network.features:
+            texture[8:11], texture[11:] = 0.4, 0.0
+    shown = network.value(
+        *(part.numpy() for part in (torch.rand(8, 2), torch.zeros(8), torch.zeros(8, 2), torch.zeros(8, 2)))
+    )
+    assert shown == pytest.approx(0.4 / torch.pi, rel=1e-5)

@@ -1,0 +1,105 @@
+"""The figures of zeltner2024, small: trainings of a few steps, three materials of four left out.
+
+Covers: papers/zeltner2024/analytic_baseline.py, papers/zeltner2024/polar.py
+Covers: papers/zeltner2024/sampling.py, papers/zeltner2024/stage.py
+Covers: papers/zeltner2024/tables.py
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from drjit.llvm.ad import Array2f, Array3f, Float
+
+from loomlight.core.footprint import Footprint
+from loomlight.mitsuba import choose_variant
+from loomlight.models.interface import Model
+from loomlight.models.latent.settings import QUALITIES, LatentSettings
+from papers.setting import LATENT, Setting
+from papers.zeltner2024 import analytic_baseline, polar, sampling, stage, tables
+
+
+@pytest.fixture
+def setting(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Setting:
+    """One material with few texels, and trainings that learn next to nothing."""
+    choose_variant()
+    monkeypatch.setitem(
+        QUALITIES, "tiny", LatentSettings(queries=1 << 12, samples=1, steps=4, batch=256, sampler_steps=4)
+    )
+    for module in (stage, tables, polar):
+        monkeypatch.setattr(module, "RESOLUTION", 16)
+    for module in (tables, sampling, polar):
+        monkeypatch.setattr(module, "LAYERED", ("rough-plastic",))
+    return Setting(size=(24, 16), samples=4, runs=tmp_path, model=LATENT, quality="tiny", steps=6)
+
+
+def tiny_model(setting: Setting) -> Model:
+    return stage.trained(stage.stage_material("rough-plastic"), setting)
+
+
+def test_ablation_has_six_metrics_of_each_rung(setting: Setting, monkeypatch: pytest.MonkeyPatch) -> None:
+    # Every rung compiles kernels of its own: the rung between is made of the same code.
+    monkeypatch.setattr(tables, "RUNGS", ("mlp", "frames"))
+    actual = tables.ablation(setting)
+    summary, paper, one = actual.tables
+    assert summary.columns == ["Vanilla MLP", "with frame transform"]
+    assert paper.rows["teapot ceramic"] == [0.3343, 0.2552, 0.1362]
+    assert list(one.rows) == list(stage.METRICS)
+    assert all(np.isfinite(cell) for row in one.rows.values() for cell in row)
+    # Trainings are kept.
+    assert len(list((setting.runs / "zeltner2024").glob("*.loom"))) == 2
+
+
+def test_six_errors_are_what_they_are_called() -> None:
+    reference = np.full((4, 4, 3), 0.5, np.float32)
+    picture = reference + np.float32(0.1)
+    actual = stage.six_errors(picture, reference, np.ones((4, 4), bool)).metrics
+    expected = (0.1, 0.01, 0.1 / 0.51, 0.01 / 0.26, 0.2 / 1.11)
+    assert actual[1:] == pytest.approx(expected, rel=1e-5)
+
+
+def test_sampler_is_compared_with_cosine_and_reference(setting: Setting) -> None:
+    actual = sampling.sampler_variance(setting)
+    alone, both, cost = actual.tables
+    assert alone.columns == ["cosine", "learned sampler", "reference's own", "gain"]
+    assert set(cost.rows) == set(both.rows) == {"rough-plastic"}
+    assert len(actual.pictures) == 6
+
+
+def test_cosine_directions_have_the_density_that_they_say(setting: Setting) -> None:
+    model = sampling.cosine_sampled(tiny_model(setting))
+    rng = np.random.default_rng(2)
+    count = 20000
+    nothing = Array2f(0)
+    view = Array3f(np.tile([[0.6], [0.0], [0.8]], count).astype(np.float32))
+    at = model.at(view, Footprint(Array2f(np.zeros((2, count), np.float32)), nothing, nothing))
+    drawn = at.sample(Float(0.5), Array2f(rng.random((2, count)).astype(np.float32)))
+    # The cosine's mean under its own density is 2/3; five standard errors.
+    assert abs(np.array(drawn.light.z).mean() - 2 / 3) < 5 * 0.24 / np.sqrt(count)
+    np.testing.assert_allclose(np.array(drawn.pdf), np.array(drawn.light.z) / np.pi, rtol=1e-4)
+    weight, value = np.array(drawn.weight), np.array(at.value(drawn.light))
+    np.testing.assert_allclose(weight * np.array(drawn.pdf), value, rtol=1e-3, atol=1e-6)
+
+
+def test_polar_plots_show_every_place(setting: Setting, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(polar, "PLACES", ((0.3, 0.4),))
+    monkeypatch.setattr(polar, "_REFERENCE_SAMPLES", 2)
+    actual = polar.polar_plots(setting)
+    assert set(actual.pictures) == {"rough-plastic-0.3, 0.4 at 15°", "rough-plastic-0.3, 0.4 at 60°"}
+    # Black, blue and orange lines on white.
+    assert len(np.unique(next(iter(actual.pictures.values())).reshape(-1, 3), axis=0)) >= 4
+
+
+def test_eight_channels_learn_a_diffuse_material(monkeypatch: pytest.MonkeyPatch) -> None:
+    from loomlight.assets.material import material_from_xml
+
+    choose_variant()
+    body = '<bsdf type="diffuse"><rgb name="reflectance" value="0.6 0.3 0.1"/></bsdf>'
+    source = material_from_xml(f'<scene version="3.0.0">{body}</scene>', ".", "red", (100, 100))
+    monkeypatch.setattr(analytic_baseline, "_BATCH", 1 << 10)
+    channels = analytic_baseline.fitted_channels(source, 16, 250)
+    assert channels.shape == (1, 1, 8)
+    colour = 1 / (1 + np.exp(-channels[0, 0, :3]))
+    np.testing.assert_allclose(colour, [0.6, 0.3, 0.1], atol=0.06)

@@ -1,0 +1,178 @@
+"""The figures of zhu2024, small: scenes, equal quality, sampling, parallax, sheen and the choice of α.
+
+Covers: papers/altered_models.py, papers/zhu2024/control.py
+Covers: papers/zhu2024/cylinder.py, papers/zhu2024/sampling.py
+Covers: papers/zhu2024/scenes.py, papers/zhu2024/sheen.py
+Covers: papers/zhu2024/table1.py
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import drjit as dr
+import numpy as np
+import pytest
+from drjit.llvm.ad import Array2f, Array3f, Float
+
+from loomlight.core.footprint import Footprint
+from loomlight.mitsuba import choose_variant
+from loomlight.models.point import PointFootprint
+from loomlight.models.registry import make_model
+from papers.altered_models import uniformly_sampled, without_parallax
+from papers.catalogue import CATALOGUE
+from papers.command import main
+from papers.setting import Setting
+from papers.zhu2024 import control, cylinder, sheen, table1
+from papers.zhu2024.scenes import FABRICS, SCENES, table_composition, table_fabric
+
+
+@pytest.fixture
+def setting() -> Setting:
+    """Small pictures with a model that is quick to compile."""
+    choose_variant()
+    return Setting(size=(24, 16), samples=16, model="lobes")
+
+
+def at_random(count: int) -> tuple[Footprint, Array3f, np.random.Generator]:
+    """Footprints on the diamond, and views of its front."""
+    rng = np.random.default_rng(3)
+    fabric = table_fabric("diamond")
+    place = (rng.random((2, count)) * np.array(fabric.repeat_mm)[:, None]).astype(np.float32)
+    view = rng.normal(size=(3, count))
+    view[2] = np.abs(view[2]) + 0.4
+    view /= np.linalg.norm(view, axis=0)
+    nothing = Array2f(0)
+    return Footprint(Array2f(place), nothing, nothing), Array3f(view.astype(np.float32)), rng
+
+
+def test_scenes_are_those_of_the_table() -> None:
+    choose_variant()
+    assert [scene.name for scene in SCENES.values()] == [
+        "Couch",
+        "Blouse",
+        "Evening gown",
+        "Cloth cylinder",
+        "Draping fabric",
+    ]
+    used = {fabric for scene in SCENES.values() for _, fabric in scene.pieces}
+    assert used == set(FABRICS)
+    assert table_fabric("sheer").layout().open_area > 0.3
+    for scene in SCENES.values():
+        with_cv, without = scene.paper.samples
+        assert 30 < without / with_cv < 100
+        assert len(table_composition(scene).pieces) == len(scene.pieces)
+
+
+def test_uniform_directions_have_the_models_mean() -> None:
+    """Mean weights of both samplers are the same albedo; values are the model's."""
+    count = 1 << 15
+    footprint, view, rng = at_random(count)
+    model = make_model("point", table_fabric("diamond"))
+    at, uniform = model.at(view, footprint), uniformly_sampled(model).at(view, footprint)
+    light = Array3f(rng.normal(size=(3, count)).astype(np.float32))
+    light = dr.normalize(light)
+    assert dr.all(dr.all(at.value(light) == uniform.value(light)))
+    numbers = [Float(rng.random(count, dtype=np.float32)) for _ in range(3)]
+    albedos = []
+    for bsdf in (at, uniform):
+        weight = bsdf.sample(numbers[0], Array2f(numbers[1], numbers[2])).weight.y.numpy()
+        albedos.append((weight.mean(), weight.std() / np.sqrt(count)))
+    (one, one_error), (other, other_error) = albedos
+    assert abs(one - other) < 4 * np.hypot(one_error, other_error)
+    assert other_error > one_error
+
+
+def test_without_parallax_hidden_points_are_dark() -> None:
+    footprint, view, rng = at_random(1 << 12)
+    model = make_model("point", table_fabric("diamond"))
+    assert isinstance(model, PointFootprint)
+    light = Array3f(0.0, 0.6, 0.8)
+    flat, right = without_parallax(model).at(view, footprint), model.at(view, footprint)
+    dark, lit = (np.mean((at.value(light).y == 0).numpy()) for at in (flat, right))
+    assert dark > lit + 0.05
+    numbers = [Float(rng.random(1 << 12, dtype=np.float32)) for _ in range(3)]
+    drawn = flat.sample(numbers[0], Array2f(numbers[1], numbers[2]))
+    assert np.isfinite(drawn.weight.numpy()).all()
+    # Straight from above nothing is hidden and nothing is moved.
+    above = Array3f(0.0, 0.0, 1.0)
+    same = [at.at(above, footprint).value(light).y.numpy() for at in (without_parallax(model), model)]
+    assert np.mean(np.abs(same[0] - same[1]) > 1e-4) < 0.01
+
+
+def test_errors_that_no_longer_fall_are_noise() -> None:
+    assert table1._falling({1: 1.0, 4: 0.25, 16: 0.3, 64: 0.01}) == {1: 1.0, 4: 0.25}
+    assert table1._falling({1: 1.0, 4: -0.1}) == {1: 1.0, 4: 0.25}
+
+
+def test_equal_quality_of_a_scene(setting: Setting, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(table1, "_TURNS", 1)
+    # Every count of samples is a kernel of its own.
+    monkeypatch.setattr(table1, "_POINT_SAMPLES", (1, 4, 16))
+    itself = replace(setting, size=(32, 20), samples=32, model="point")
+    result = table1.measured(SCENES["cylinder"], itself)
+    assert result.model.samples == 2
+    assert set(result.point_errors) == {1, 4, 16}
+    # The point model needs as many samples as it has; 600 pixels tell that to a third.
+    assert result.samples_ratio == pytest.approx(1, rel=0.35)
+    assert result.samples_ratio == pytest.approx(result.samples / 2)
+    assert min(result.seconds, result.cpu_seconds, result.model.spent.seconds) > 0
+    evidence = table1._evidence([result], itself)
+    assert evidence.tables[0].rows["Cloth cylinder"][4] == pytest.approx(32.5)
+    assert {"Cloth cylinder-point", "Cloth cylinder-lobes", "Cloth cylinder-truth"} <= set(evidence.pictures)
+
+
+def test_parallax_is_the_height_fields(setting: Setting, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cylinder, "_VERTICES_A_THREAD", 12)
+    monkeypatch.setattr(cylinder, "_VIEWS", cylinder._VIEWS[:1])
+    evidence = cylinder.parallax(setting)
+    ((flat, point, _),) = evidence.tables[0].rows.values()
+    assert 3 * point < flat
+    ((flat_light, point_light, _),) = evidence.tables[1].rows.values()
+    assert flat_light < 0.95
+    assert point_light == pytest.approx(1, abs=0.06)
+
+
+def test_the_better_alpha_the_smaller_the_error(setting: Setting, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(control, "_FABRICS", control._FABRICS[1:])
+    for name, number in (("_TEXELS", 64), ("_RINGS", 4), ("_SECTORS", 8)):
+        monkeypatch.setattr(control, name, number)
+    evidence = control.choice_of_alpha(replace(setting, size=(48, 32)))
+    one, mean, clusters = (row[2] for row in evidence.tables[0].rows.values())
+    # Base and residual add up to the picture whatever α is, with less noise than two samples of it.
+    assert min(one, mean, clusters) > 1.3
+    assert clusters > one
+
+
+def test_sheen_brightens_black_cloth_by_the_command(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    choose_variant()
+    monkeypatch.setattr(sheen, "_STRENGTHS", (0.0, 1.0))
+    out = tmp_path / "out"
+    options = ["-o", str(out), "--size", "16x12", "--spp", "4", "--model", "lobes"]
+    assert main(["zhu2024/fig7", *options]) == 0
+    assert (out / "zhu2024-fig7.png").is_file()
+    figure = json.loads((out / "table.json").read_text())["figures"]["zhu2024/fig7"]
+    assert figure["model"] == "lobes"
+    assert figure["command"] == "python -m papers zhu2024/fig7 --size 16x12 --spp 4 --model lobes"
+    without, with_sheen = figure["tables"][0]["rows"]["mean of the reference"].values()
+    assert with_sheen > 2 * without > 0
+    assert "MSE" in capsys.readouterr().out
+
+
+def test_an_unknown_model_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["zhu2024/fig7", "-o", str(tmp_path / "out"), "--model", "loobes"]) == 2
+    captured = capsys.readouterr()
+    assert "lobes" in captured.err
+    assert captured.err.count("\n") == 1
+    assert not (tmp_path / "out").exists()
+
+
+def test_all_figures_are_listed() -> None:
+    names = {"table1", "fig5", "fig6", "fig7", "fig8", "fig11"}
+    assert {f"zhu2024/{name}" for name in names} <= set(CATALOGUE)
+    stems = [item.stem for item in CATALOGUE.values()]
+    assert len(set(stems)) == len(stems)
