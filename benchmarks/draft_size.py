@@ -29,12 +29,13 @@ from typing import Any
 
 import numpy as np
 
+import loomlight
 from benchmarks.harness import REPOSITORY, Figures, outside_data, run
 from loomlight.core.images import write_png
 from loomlight.evaluation.timing import timed
 from loomlight.fabric import Fabric, fabric_from_text, load_fabric
 from loomlight.fabric.fabric import MAXIMUM_CROSSINGS
-from loomlight.mitsuba import build_scene, choose_variant, material_bsdf, render, render_fabric
+from loomlight.mitsuba import build_scene, choose_variant, material_bsdf, render
 from loomlight.weave import draw_draft, load_draft, summary
 
 SIDE, SAMPLES, TURNS = 256, 16, 15
@@ -49,8 +50,8 @@ STEPS: dict[str, Callable[[str], object]] = {
     "read": load_draft,
     "described": lambda file: summary(load_draft(file)),
     "drawn": lambda file: write_png(f"{file}.png", draw_draft(load_draft(file))),
-    "rendered by point": lambda file: render_fabric(file, model="point", size=(SIDE, SIDE), spp=SAMPLES),
-    "rendered by lobes": lambda file: render_fabric(file, model="lobes", size=(SIDE, SIDE), spp=SAMPLES),
+    "rendered by point": lambda file: loomlight.render(file, model="point", size=(SIDE, SIDE), spp=SAMPLES),
+    "rendered by lobes": lambda file: loomlight.render(file, model="lobes", size=(SIDE, SIDE), spp=SAMPLES),
 }
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from PIL import Image
 
 from loomlight.core.colour import linear_to_srgb
-from loomlight.mitsuba import render_fabric
+from loomlight.mitsuba.material_picture import render
 from loomlight.viewer.session import gallery_files, gallery_pictures
 
 SIDE, ZOOM, SAMPLES, QUALITY = 320, 2.5, 24, 80
@@ -18,7 +18,7 @@ SIDE, ZOOM, SAMPLES, QUALITY = 320, 2.5, 24, 80
 def main() -> None:
     """Renders and writes a picture beside each fabric of the gallery."""
     for name, file in gallery_files().items():
-        picture = render_fabric(file, "drape", spp=SAMPLES, zoom=ZOOM, size=(SIDE, SIDE), inset=False)
+        picture = render(file, "drape", spp=SAMPLES, zoom=ZOOM, size=(SIDE, SIDE), inset=False)
         pixels = np.rint(linear_to_srgb(picture[..., :3]) * 255).astype(np.uint8)
         Image.fromarray(pixels).save(gallery_pictures() / f"{name}.webp", quality=QUALITY)
 

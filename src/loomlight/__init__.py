@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from loomlight.evaluation.compare import compare
     from loomlight.fabric.fabric import Fabric
     from loomlight.fabric.load import fabric_from_text, load_fabric
-    from loomlight.mitsuba.material_picture import render_fabric
-    from loomlight.models.bake import bake
+    from loomlight.mitsuba.material_picture import RenderSettings, render
+    from loomlight.models.bake import bake, load, save
     from loomlight.models.registry import make_model, model_from_loom
     from loomlight.scattering.appearance import Appearance
     from loomlight.weave.draft import Draft
@@ -41,16 +41,19 @@ _HOMES = {
     "LoomlightError": "loomlight.core.errors",
     "LoomlightWarning": "loomlight.core.errors",
     "MissingDependencyError": "loomlight.core.errors",
+    "RenderSettings": "loomlight.mitsuba.material_picture",
     "bake": "loomlight.models.bake",
     "compare": "loomlight.evaluation.compare",
     "fabric_from_text": "loomlight.fabric.load",
+    "load": "loomlight.models.bake",
     "load_draft": "loomlight.weave.load",
     "load_fabric": "loomlight.fabric.load",
     "make_model": "loomlight.models.registry",
     "model_from_loom": "loomlight.models.registry",
     "named_weave": "loomlight.weave.named",
     "read_wif": "loomlight.weave.wif_reader",
-    "render_fabric": "loomlight.mitsuba.material_picture",
+    "render": "loomlight.mitsuba.material_picture",
+    "save": "loomlight.models.bake",
     "weave_names": "loomlight.weave.named",
     "write_wif": "loomlight.weave.wif_writer",
 }
@@ -64,16 +67,19 @@ __all__ = [
     "LoomlightError",
     "LoomlightWarning",
     "MissingDependencyError",
+    "RenderSettings",
     "bake",
     "compare",
     "fabric_from_text",
+    "load",
     "load_draft",
     "load_fabric",
     "make_model",
     "model_from_loom",
     "named_weave",
     "read_wif",
-    "render_fabric",
+    "render",
+    "save",
     "weave_names",
     "write_wif",
 ]

@@ -17,9 +17,9 @@ from loomlight.cli.demo import INSET, SIZE, compose
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError
 from loomlight.fabric import Fabric
-from loomlight.mitsuba.material_picture import recoloured
-from loomlight.models.bake import bake
+from loomlight.models.bake import bake, save
 from loomlight.models.interface import Model
+from loomlight.models.material_spec import resolve
 
 SMALL = ["--size", "24x16", "--spp", "2"]
 # A rectangle to clothe, and behind the camera one with a cloth of the scene's own.
@@ -148,7 +148,7 @@ def test_a_render_interrupted_early_leaves_nothing(
     def interrupted(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("loomlight.mitsuba.render_fabric", interrupted)
+    monkeypatch.setattr("loomlight.mitsuba.material_picture.render", interrupted)
     assert run(["render", "plain", "-o", str(tmp_path / "a.png"), *SMALL]) == 130
     assert capsys.readouterr() == ("", "loomlight: interrupted. Nothing was written.\n")
     assert list(tmp_path.iterdir()) == []
@@ -177,7 +177,7 @@ def test_a_render_that_cannot_be_finished_leaves_what_was_there(
             assert picture.size == (4, 4)
         raise error
 
-    monkeypatch.setattr("loomlight.mitsuba.render_fabric", fails)
+    monkeypatch.setattr("loomlight.mitsuba.material_picture.render", fails)
     assert run(["render", "plain", "-o", str(path), *SMALL]) == code
     text = capsys.readouterr().err
     if code == 130:
@@ -226,8 +226,8 @@ def test_several_fabrics_in_other_colours(tmp_path: Path, capsys: pytest.Capture
 
 def test_a_loom_in_other_colours_keeps_its_model(tmp_path: Path) -> None:
     loom = tmp_path / "a.loom"
-    bake("plain", "samples", loom)
-    model = recoloured(loom, None, {"warp": "#ff0000"})
+    save(bake("plain", "samples"), loom)
+    model = resolve(loom).recoloured({"warp": "#ff0000"}).model()
     assert isinstance(model, Model)
     assert model.name == "samples"
     assert isinstance(model.source, Fabric)

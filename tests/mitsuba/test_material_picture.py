@@ -1,4 +1,4 @@
-"""`render_fabric`: the same picture from a name, a file and a fabric, and from the command line."""
+"""`render`: the same picture from a name, a file and a fabric, and from the command line."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ SMALL = {"size": (12, 8), "spp": 2, "seed": 3}
 def test_a_name_a_file_and_a_fabric_give_the_picture_of_the_command_line(tmp_path: Path) -> None:
     file = tmp_path / "cloth.toml"
     file.write_text('weave = "twill 3/1"')
-    picture = loomlight.render_fabric("twill 3/1", "sphere", light_from=(20, 30), **SMALL)
+    picture = loomlight.render("twill 3/1", "sphere", light_from=(20, 30), **SMALL)
     assert picture.shape == (8, 12, 3)
     assert picture.std() > 0
     for fabric in (file, loomlight.load_fabric(file)):
-        again = loomlight.render_fabric(fabric, "sphere", light_from=(20, 30), **SMALL)
+        again = loomlight.render(fabric, "sphere", light_from=(20, 30), **SMALL)
         np.testing.assert_allclose(again, picture, rtol=1e-5, atol=1e-7)
     options = ["--size", "12x8", "--spp", "2", "--seed", "3", "--light-from", "20,30"]
     written = tmp_path / "a.exr"
@@ -37,7 +37,7 @@ def test_a_name_a_file_and_a_fabric_give_the_picture_of_the_command_line(tmp_pat
 @pytest.mark.parametrize("exposure", [float("nan"), 31, -1e9])
 def test_exposures_are_checked(exposure: float) -> None:
     with pytest.raises(InputError, match="exposure"):
-        loomlight.render_fabric("plain", exposure=exposure, **SMALL)
+        loomlight.render("plain", exposure=exposure, **SMALL)
 
 
 def test_a_texture_of_billions_of_pixels_is_refused_before_it_is_read(tmp_path: Path) -> None:
@@ -57,7 +57,7 @@ def test_the_picture_comes_coarse_then_refined_with_a_close_up() -> None:
     times: list[tuple[int, int]] = []
     size = (344, 258)
     options = {"size": size, "spp": 1, "seed": 3, "model": "point", "max_depth": 2}
-    picture = loomlight.render_fabric(
+    picture = loomlight.render(
         "twill 3/1", partial=seen.append, progress=lambda *numbers: times.append(numbers), **options
     )
     assert times[0][0] < 100 < times[0][1]
@@ -66,11 +66,11 @@ def test_the_picture_comes_coarse_then_refined_with_a_close_up() -> None:
     assert coarse.shape == picture.shape == (258, 344, 3)
     side, margin = int(0.37 * 258), round(0.025 * 258)
     corner = slice(margin + 2, margin + 2 + side)
-    without = loomlight.render_fabric("twill 3/1", inset=False, **options)
+    without = loomlight.render("twill 3/1", inset=False, **options)
     # The close-up shows cloth where the whole picture shows the ground; elsewhere the two are the same.
     assert np.abs(picture[corner, corner] - without[corner, corner]).mean() > 0.1
     np.testing.assert_allclose(picture[200:], without[200:], rtol=1e-4, atol=1e-5)
     for shown in (coarse, picture):
         np.testing.assert_allclose(shown.mean(), picture.mean(), rtol=0.05)
     bare = loomlight.load_fabric("twill 3/1")
-    np.testing.assert_allclose(loomlight.render_fabric(bare, **options), without, rtol=1e-4, atol=1e-5)
+    np.testing.assert_allclose(loomlight.render(bare, **options), without, rtol=1e-4, atol=1e-5)

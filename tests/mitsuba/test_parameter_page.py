@@ -19,7 +19,7 @@ from loomlight.fabric import fabric_from_text
 from loomlight.fabric.file import FabricFile
 from loomlight.fabric.load import edited_fabric
 from loomlight.mitsuba.model_props import _field
-from loomlight.models.bake import bake
+from loomlight.models.bake import bake, save
 from loomlight.models.neural import model as neural_model
 from loomlight.models.neural.latent_cache import clear_encodings
 from loomlight.models.registry import MODELS, model_class
@@ -205,7 +205,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     found = tmp_path_factory.mktemp("cloths")
     (found / "cloth.toml").write_text('weave = "satin 5"\n')
     (found / "scarf.wif").write_text(WIF)
-    bake(str(found / "cloth.toml"), "point", found / "cloth.loom")
+    save(bake(str(found / "cloth.toml"), "point"), found / "cloth.loom")
     return found
 
 

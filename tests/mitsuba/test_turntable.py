@@ -14,7 +14,8 @@ from PIL import Image
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError
 from loomlight.mitsuba import build_scene
-from loomlight.mitsuba.turntable import Turntable, turn_of_fabric
+from loomlight.mitsuba.material_picture import RenderSettings
+from loomlight.mitsuba.turntable import Turntable, turntable
 
 WHITE = {"type": "twosided", "inner": {"type": "diffuse", "reflectance": 0.8}}
 
@@ -40,7 +41,7 @@ def test_the_whole_turn_is_in_the_picture() -> None:
 
 def test_scene_files_do_not_turn() -> None:
     with pytest.raises(InputError, match="nothing in it turns"):
-        next(turn_of_fabric("plain", "own.xml", 4))
+        next(turntable("plain", "own.xml", 4, RenderSettings()))
 
 
 def test_numbered_pictures_and_animations(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

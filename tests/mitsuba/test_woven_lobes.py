@@ -21,7 +21,7 @@ from loomlight.core.footprint import Footprint
 from loomlight.core.pytree import named_leaves
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, material_bsdf, render
-from loomlight.models.bake import bake
+from loomlight.models.bake import bake, save
 from loomlight.models.lobes import model as lobes_model
 from loomlight.models.lobes.model import DEFAULT_GROUPS, LobesModel
 from loomlight.models.registry import make_model
@@ -181,7 +181,7 @@ def test_groups_are_checked_and_can_be_few(baked: list[int]) -> None:
 
 def test_a_baked_material_is_not_baked_again(tmp_path: Path, baked: list[int]) -> None:
     file = tmp_path / "twill.loom"
-    bake("twill 2/1", "lobes", file)
+    save(bake("twill 2/1", "lobes"), file)
     assert len(baked) == 1
     direct = mi.load_dict({"type": "woven_lobes", "fabric": str(file), "uv_size": "4,4"})
     built = material_bsdf(file, "lobes")((4.0, 4.0))

@@ -24,7 +24,7 @@ from loomlight.evaluation.query_benchmark import run_query_benchmark
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, choose_variant, material_bsdf, render
 from loomlight.mitsuba.plugins import register_plugins
-from loomlight.models.bake import bake
+from loomlight.models.bake import bake, save
 from loomlight.models.registry import MODELS, ModelEntry, make_model, model_from_loom
 
 from .toy import Paint, ToyModel
@@ -59,7 +59,7 @@ def value_of(bsdf: Any) -> Any:
 
 
 def test_a_source_that_is_no_fabric_goes_through_a_loom(tmp_path: Path) -> None:
-    bake(Paint("grey", 0.75), "toy", tmp_path / "grey.loom")
+    save(bake(Paint("grey", 0.75), "toy"), tmp_path / "grey.loom")
     actual = model_from_loom(tmp_path / "grey.loom")
     assert isinstance(actual, ToyModel)
     assert actual.source == Paint("grey", 0.75)
@@ -76,7 +76,7 @@ def test_a_source_that_is_no_fabric_goes_through_a_loom(tmp_path: Path) -> None:
 def test_a_model_says_what_it_does_not_take(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="grey is no fabric, and the model lobes takes nothing else"):
         make_model("lobes", Paint("grey", 0.5))
-    bake(Paint("grey", 0.5), "toy", tmp_path / "grey.loom")
+    save(bake(Paint("grey", 0.5), "toy"), tmp_path / "grey.loom")
     with pytest.raises((InputError, RuntimeError), match="grey is no fabric"):
         mi.load_dict({"type": "woven_point", "fabric": str(tmp_path / "grey.loom")})
     with pytest.raises((InputError, RuntimeError), match="source is missing"):

@@ -16,7 +16,7 @@ from drjit.llvm import Float
 
 from loomlight.core.backend import array_types
 from loomlight.fabric import fabric_from_text
-from loomlight.models.registry import model_of
+from loomlight.models.registry import make_model
 from loomlight.realtime.openness_tables import PARTS, openness_uints
 from tests.realtime.queries import share_beyond, vectors
 from tests.realtime.test_lobes import MOST_FLIPS, Queries
@@ -43,18 +43,18 @@ def tint() -> Any:
 
 @pytest.mark.parametrize("name", ["lobes", "point"])
 def test_values_with_light_between_yarns(name: str) -> None:
-    model = model_of(fabric_from_text(FABRIC), "lobes")
+    model = make_model("lobes", fabric_from_text(FABRIC))
     queries = Queries(model)
     if name == "lobes":
         found = lobes_values(queries.arguments, queries.looks, TINT)
     else:
-        model = model_of(model.fabric, "point")
+        model = make_model("point", model.fabric)
         found = point_values(queries.arguments, queries.looks, TINT)[:, :3]
     at = model.at(vectors(queries.view), queries.footprint, tint=tint())
     value = np.array(at.value(vectors(queries.light)))
     assert share_beyond(found.T, value) <= 2 * MOST_FLIPS
     # It is there to be seen: the same without it is darker by far more than the bar.
-    dark = model_of(fabric_from_text(FABRIC.replace("interreflection = true", "")), name)
+    dark = make_model(name, fabric_from_text(FABRIC.replace("interreflection = true", "")))
     assert (
         value.mean()
         > 1.02

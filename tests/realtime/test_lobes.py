@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from loomlight.core.footprint import Footprint
 from loomlight.fabric import load_fabric
 from loomlight.models.lobes.model import LobesModel
-from loomlight.models.registry import model_of
+from loomlight.models.registry import make_model
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
 from tests.realtime.mapped import mapped
 from tests.realtime.queries import FOOTPRINT, directions, places, share_beyond, vectors
@@ -29,7 +29,7 @@ fabrics = pytest.mark.parametrize("name", ["denim", "damask", "silk-satin"])
 
 
 def lobes_of(name: str) -> LobesModel:
-    return model_of(load_fabric(EXAMPLES / f"{name}.toml"), "lobes")
+    return make_model("lobes", load_fabric(EXAMPLES / f"{name}.toml"))
 
 
 class Queries:

@@ -15,7 +15,7 @@ from loomlight.core.footprint import Footprint
 from loomlight.fabric import fabric_from_text, load_fabric
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.neural.model import NeuralModel
-from loomlight.models.registry import model_of
+from loomlight.models.registry import make_model
 from loomlight.scattering.point import PointModel
 from loomlight.scattering.yarn_point import DirectionSample
 from loomlight.yarn.geometry import YarnGeometry
@@ -106,7 +106,7 @@ def lobes_rows(model: LobesModel, arguments: dict[str, NDArray[np.float32]]) -> 
 
 def test_sampling_of_lobes() -> None:
     """Footprints that groups alone answer."""
-    model = model_of(fabric_from_text(OPEN), "lobes")
+    model = make_model("lobes", fabric_from_text(OPEN))
     assert isinstance(model, LobesModel)
     rng = np.random.default_rng(4)
     at = places(rng, model.fabric.layout(), COUNT)
@@ -127,7 +127,7 @@ def test_sampling_of_lobes() -> None:
 
 def test_lobes_are_drawn_with_their_density() -> None:
     """Chi-square of directions and density, both of Slang, for one footprint and a slanted view."""
-    model = model_of(load_fabric(EXAMPLES / "silk-satin.toml"), "lobes")
+    model = make_model("lobes", load_fabric(EXAMPLES / "silk-satin.toml"))
     assert isinstance(model, LobesModel)
     view = np.float32([0.5, -0.3, np.sqrt(1 - 0.34)])
     rng = np.random.default_rng(8)

@@ -51,16 +51,17 @@ def bake(
     check_output(output, (".loom",), sources)
 
     from loomlight.models.bake import bake as run
+    from loomlight.models.bake import save
     from loomlight.models.option_values import parse_options
     from loomlight.models.registry import model_class
 
     chosen = parse_options(model, options or [])
     if not model_class(model).trains:
-        run(fabric, model, output, **chosen)
+        save(run(fabric, model, **chosen), output)
     else:
         note_left("The training is kept: the same command goes on from there.")
         with progress(f"{fabric}, {model}") as report:
-            run(fabric, model, output, report=report, **chosen)
+            save(run(fabric, model, report=report, **chosen), output)
     done(output)
 
 

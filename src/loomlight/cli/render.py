@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from loomlight.mitsuba import RenderSettings
+
 EXAMPLE = "Example: loomlight render examples/denim.toml -o denim.png --scene drape --size 960x720 --spp 64"
 DEFAULT_SCENE = "drape"
 # Seconds between refined pictures: writing one takes a tenth of a second.
@@ -78,47 +80,45 @@ def render(
     cloths = parse_named("--cloth", cloth or [], "lining=satin")
     further = [name for names in cloths.values() for name in names]
     require_not_read(_written(outputs, turntable), [*fabrics, scene, mesh, environment, *further])
+    from loomlight.mitsuba import RenderSettings
     from loomlight.mitsuba.placement import Placement
-    from loomlight.mitsuba.scenes import SceneOptions
 
-    setting = SceneOptions(
+    settings = RenderSettings(
+        model=model,
+        size=pixels,
+        spp=samples,
+        zoom=zoom,
         mesh=mesh,
         metres_per_unit=metres_per_unit,
         environment=environment,
         environment_turn=environment_turn,
         light=light,
         light_from=towards_light,
-        zoom=zoom,
-        size=pixels,
         max_depth=depth,
         placement=Placement(turn, (across, up), scale),
+        exposure=exposure,
+        white_balance=white_balance,
+        inset=inset if turntable is None else None,
+        colors=colors,
+        cloths={name: values[-1] for name, values in cloths.items()} if turntable is None else {},
+        seed=seed,
+        variant=variant,
     )
-    picture: dict[str, Any] = {
-        "model": model,
-        "colors": colors,
-        "spp": samples,
-        "seed": seed,
-        "exposure": exposure,
-        "white_balance": white_balance,
-        "variant": variant,
-        **setting,
-    }
-    chosen = {name: values[-1] for name, values in cloths.items()}
     for fabric, path in zip(fabrics, outputs, strict=True):
         what = f"{fabric}, {shown if mesh is None else mesh.name}"
         if turntable is None:
-            _write_picture(what, fabric, shown, path, inset=inset, cloths=chosen, **picture)
+            _write_picture(what, fabric, shown, path, settings)
         else:
-            write_turn(what, fabric, shown, path, turntable, **picture)
+            write_turn(what, fabric, shown, path, turntable, settings)
 
 
-def _write_picture(what: str, fabric: str, shown: str, path: Path, **options: Any) -> None:
+def _write_picture(what: str, fabric: str, shown: str, path: Path, settings: RenderSettings) -> None:
     from loomlight.core.images import write_image
-    from loomlight.mitsuba import render_fabric
+    from loomlight.mitsuba import material_picture
 
     written = _Written(path)
     with progress(what, milliseconds=True) as report, written.restored_on_faults():
-        picture = render_fabric(fabric, shown, progress=report, partial=written.refine, **options)
+        picture = material_picture.render(fabric, shown, settings, progress=report, partial=written.refine)
         write_image(path, picture)
     done(path)
 

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 from loomlight.cli.outputs import done
 from loomlight.cli.progress import progress
+
+if TYPE_CHECKING:
+    from loomlight.mitsuba import RenderSettings
 
 ANIMATION_SUFFIXES = (".webp", ".gif")
 # Of one turn of an animation.
@@ -24,20 +27,16 @@ def _is_animated(path: Path) -> bool:
     return path.suffix.lower() in ANIMATION_SUFFIXES
 
 
-def write_turn(what: str, fabric: str, scene: str, path: Path, count: int, **options: Any) -> None:
-    """Writes `count` pictures of one turn to `turn_paths`.
-
-    Args:
-        options: of `turn_of_fabric`.
-    """
+def write_turn(what: str, fabric: str, scene: str, path: Path, count: int, settings: RenderSettings) -> None:
+    """Writes `count` pictures of one turn to `turn_paths`."""
     animated = _is_animated(path)
     paths = turn_paths(path, count)
     from loomlight.core.images import encoded, write_animation, write_image
-    from loomlight.mitsuba.turntable import turn_of_fabric
+    from loomlight.mitsuba.turntable import turntable
 
     frames = []
     with progress(what) as report:
-        for number, picture in enumerate(turn_of_fabric(fabric, scene, count, **options)):
+        for number, picture in enumerate(turntable(fabric, scene, count, settings)):
             if animated:
                 frames.append(encoded(picture))
             else:

@@ -89,6 +89,10 @@ class Fabric:
         warn_of_colours_out_of_reach(fields, own.optical_depth, openness)
         return replace(own, warp=warp, weft=weft, openness=openness)
 
+    def _repr_png_(self) -> bytes:
+        """The drawdown in the yarns' colours as PNG, which notebooks display."""
+        return self.draft._repr_png_()
+
     @property
     def default_uv_size_mm(self) -> tuple[float, float]:
         """Default millimetres per unit of u and of v: 100, for any repeat."""

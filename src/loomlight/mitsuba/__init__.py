@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from loomlight.mitsuba.lights import LIGHTS
 from loomlight.mitsuba.material import material_bsdf
-from loomlight.mitsuba.material_picture import render_fabric
+from loomlight.mitsuba.material_picture import RenderSettings
 from loomlight.mitsuba.meshes import ClothMesh, read_mesh, to_shape, uv_size
 from loomlight.mitsuba.plugins import register_plugins
 from loomlight.mitsuba.rendering import render
@@ -21,12 +21,12 @@ __all__ = [
     "SUPPORTED_VARIANTS",
     "ClothMesh",
     "ClothScene",
+    "RenderSettings",
     "build_scene",
     "choose_variant",
     "material_bsdf",
     "read_mesh",
     "render",
-    "render_fabric",
     "to_shape",
     "uv_size",
 ]

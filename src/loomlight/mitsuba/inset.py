@@ -17,7 +17,7 @@ Picture = NDArray[np.float32]
 # Of the picture's shorter side: the close-up's side, and its distance from the edges.
 _SIDE, _MARGIN = 0.37, 0.025
 # Pixels of the picture's shorter side below which a close-up is too small to read.
-SMALLEST_PICTURE = 160
+MIN_PICTURE = 160
 # Threads across: so many repeats, but enough to see a cloth and few enough to tell them apart.
 _REPEATS, _FEWEST_THREADS, _MOST_THREADS = 2.5, 18, 36
 # Widths of lines in pixels, and their radiance.

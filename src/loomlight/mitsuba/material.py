@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from typing import Any
 
-from loomlight.assets.sources import Source
 from loomlight.mitsuba.plugins import make_bsdf
-from loomlight.models.interface import Model
-from loomlight.models.registry import model_of
+from loomlight.models.material_spec import Material, resolve
 
 
 def material_bsdf(
-    material: Source | Model | str | os.PathLike[str],
+    material: Material,
     model: str | None = None,
     *,
     albedo: dict[str, Any] | None = None,
@@ -34,10 +31,10 @@ def material_bsdf(
     Raises:
         InputError: an unknown model, or a material that cannot be read or that the model does not take.
     """
-    first = [model_of(material, model, **options)]
+    spec = resolve(material, model, **options)
+    first = [spec.model()]
 
     def to_scale(uv_size_mm: tuple[float, float]) -> Any:
-        made = first.pop() if first else model_of(material, model, **options)
-        return make_bsdf(made, uv_size_mm, albedo)
+        return make_bsdf(first.pop() if first else spec.model(), uv_size_mm, albedo)
 
     return to_scale

@@ -1,26 +1,27 @@
-"""A picture of a fabric in one call: what `loomlight render` does, without writing a file."""
+"""A picture of a material in one call: what `loomlight render` does, without writing a file."""
 
 from __future__ import annotations
 
 import os
 import warnings
 from collections.abc import Mapping
-from pathlib import Path
-from typing import Any, Unpack
+from dataclasses import dataclass, field, fields, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.assets.load import load_source
-from loomlight.assets.loom_file import LOOM_SUFFIX, is_loom, read_loom
-from loomlight.assets.sources import Source, kind_of_file
 from loomlight.core.errors import InputError, LoomlightWarning
+from loomlight.core.picture import Picture
 from loomlight.core.white_balance import white_balance as white_balance_gains
 from loomlight.fabric.fabric import Fabric
-from loomlight.fabric.load import FABRIC_SUFFIX, edited_fabric
-from loomlight.mitsuba.inset import SMALLEST_PICTURE, Inset, composed, resized
+from loomlight.fabric.sentences import closest
+from loomlight.fabric.sentences import shown as quoted
+from loomlight.mitsuba.inset import MIN_PICTURE, Inset, composed, resized
 from loomlight.mitsuba.material import material_bsdf
-from loomlight.mitsuba.rendering import PartialPicture, Progress, filling_grid, render
+from loomlight.mitsuba.placement import Placement
+from loomlight.mitsuba.rendering import PartialPicture, Progress, filling_grid
+from loomlight.mitsuba.rendering import render as render_scene
 from loomlight.mitsuba.scenes import DEFAULT_SIZE, SCENES, ClothScene, SceneOptions, build_scene
 from loomlight.mitsuba.time_estimate import (
     LOOPS_SECONDS,
@@ -33,174 +34,213 @@ from loomlight.mitsuba.time_estimate import (
 )
 from loomlight.mitsuba.variants import choose_variant
 from loomlight.models.compile_ahead import compile_ahead, loops_are_compiled, wait_for_loops
-from loomlight.models.interface import Model
-from loomlight.models.registry import DEFAULT_MODEL, REFERENCE_MODEL, model_of, require_model_name
+from loomlight.models.material_spec import Material, MaterialSpec, resolve
+from loomlight.models.registry import DEFAULT_MODEL, REFERENCE_MODEL
 
 DEFAULT_SAMPLES = 9
 # Of a pixel of the close-up's film, which has seven for each pixel that is shown.
 _INSET_SAMPLES = 2
-_LARGEST_EXPOSURE = 30
+_MAX_EXPOSURE = 30
 # The first picture: at so many times fewer pixels each way, so many samples of each.
 _COARSE_SCALE, _COARSE_SAMPLES = 2, 4
 # Shorter sides below that are no more coarse than needed.
-_SMALLEST_COARSE = 128
-
-Picture = NDArray[np.float32]
+_MIN_COARSE = 128
 
 
-def render_fabric(
-    fabric: Source | str | os.PathLike[str],
-    scene: str | os.PathLike[str] = "drape",
-    *,
-    model: str | None = None,
-    spp: int = DEFAULT_SAMPLES,
-    seed: int = 0,
-    exposure: float = 0.0,
-    white_balance: float | None = None,
-    inset: bool | None = None,
-    variant: str | None = None,
-    colors: Mapping[str, Any] | None = None,
-    cloths: Mapping[str, Source | str | os.PathLike[str]] | None = None,
-    progress: Progress | None = None,
-    partial: PartialPicture | None = None,
-    **setting: Unpack[SceneOptions],
-) -> Picture:
-    """Linear RGB [height, width, 3] of a fabric on a piece of cloth, a mesh, or the marked shapes of a scene.
+@dataclass(frozen=True, kw_only=True)
+class RenderSettings:
+    """How a material is shown; `render` takes the same names as keywords.
 
-    Args:
-        fabric: a fabric or another source; or the path of a fabric file, a draft or a `.loom`; or a weave's
-            name, such as "twill 3/1".
-        scene: flat, sphere, cylinder, drape, or the path of a Mitsuba scene, FILE.xml.
+    Attributes:
         model: "lobes", which averages over footprints and needs few samples; "point", exact at every point;
             "neural", the network that averages over footprints; "samples", the mean of many points; by
-            default the one that a `.loom` holds, else "lobes". A warning says so if a `.loom` holds another.
+            default the one that a `.loom` or a model is, else "lobes". A warning says so if it is another.
+        size: width and height, pixels; by default 640 × 480, or what a scene file says.
         spp: samples a pixel, ≥ 1.
-        seed: any 32-bit number; the same seed gives the same picture, but for rounding.
+        zoom: how many times closer the camera is than where it sees the whole cloth, ≥ 1.
+        mesh: a mesh file (.obj, .ply, .gltf, .glb) that is clothed in place of the scene's cloth.
+        metres_per_unit: of the mesh's coordinates.
+        environment: a picture of the surroundings (.exr, .hdr) that lights the scene.
+        environment_turn: degrees about the vertical.
+        light: a name of `LIGHTS`; by default as the scene has it.
+        light_from: azimuth and elevation of the main light, degrees.
+        max_depth: of light paths, surfaces.
+        placement: turn, shift and scale of the pattern on the cloth.
         exposure: stops, −30 to 30; colours are multiplied by 2**exposure.
         white_balance: colour temperature of the light that is shown as white, 1667 to 25000 K; None leaves
             colours as they are, relative to daylight of 6500 K.
-        inset: a close-up in the upper left corner, in which the weave can be read; by default where `fabric`
-            is a weave's name or a draft and the whole drape is shown, at 160 pixels or more each way.
-        variant: llvm_ad_rgb or cuda_ad_rgb; by default the one that is set, else llvm_ad_rgb.
+        inset: a close-up in the upper left corner, in which the weave can be read; by default where the
+            material is a weave's name or a draft and the whole drape is shown, at 160 pixels and more.
         colors: other colours of a fabric's yarns, by "warp" and "weft", each as a fabric file's `color`.
-        cloths: of a scene file, further fabrics by the id of the BSDF that each replaces.
-        progress: called with (milliseconds passed, milliseconds in all, as estimated), at first at once.
-        partial: called with whole pictures, coarse at first, that later ones refine.
-        setting: mesh, metres_per_unit, environment, environment_turn, light, light_from, zoom, size,
-            max_depth, placement: see `loomlight.mitsuba.build_scene`.
+        cloths: of a scene file, further materials by the id of the BSDF that each replaces.
+        seed: any 32-bit number; the same seed gives the same picture, but for rounding.
+        variant: llvm_ad_rgb or cuda_ad_rgb; by default the one that is set, else llvm_ad_rgb.
 
     Raises:
-        InputError: a fabric, file or value that cannot be used.
-        MissingDependencyError: no usable LLVM library, or no usable CUDA device.
+        InputError: an exposure or a colour temperature out of range.
     """
-    if not -_LARGEST_EXPOSURE <= exposure <= _LARGEST_EXPOSURE:
-        raise InputError(
-            f"exposure = {exposure:g} is out of range: it lies between -{_LARGEST_EXPOSURE} and "
-            f"{_LARGEST_EXPOSURE} stops."
-        )
-    if white_balance is not None:
-        white_balance_gains(white_balance)
-    if model is not None:
-        require_model_name(model)
-    if str(scene) not in SCENES and inset:
-        raise InputError(f"inset = {inset} does not go with the scene {scene}, whose camera is its own.")
-    if model is not None and _is_loom(fabric):
-        _warn_of_override(fabric, model)
-    bare = _is_bare(fabric)
-    material = recoloured(fabric, model, colors) if colors else fabric
-    wanted = _Wanted(
-        material, scene, model, spp, seed, (exposure, white_balance), inset, bare, cloths or {}, setting
-    )
-    loops = compile_ahead(wanted.model)
-    estimate = TimeEstimate(wanted.seconds(partial is not None), progress)
-    with estimate.step("start"):
-        choose_variant(variant)
-    if partial is not None and wanted.coarse_size is not None:
-        with estimate.step("coarse"):
-            partial(wanted.coarse_picture(wanted.coarse_size))
-    with estimate.step("bake"):
-        wait_for_loops(loops)
-        shown, close_up = wanted.scene_and_inset()
-    return wanted.refined_picture(shown, close_up, estimate, partial)
 
+    model: str | None = None
+    size: tuple[int, int] | None = None
+    spp: int = DEFAULT_SAMPLES
+    zoom: float = 1.0
+    mesh: str | os.PathLike[str] | None = None
+    metres_per_unit: float = 1.0
+    environment: str | os.PathLike[str] | None = None
+    environment_turn: float = 0.0
+    light: str | None = None
+    light_from: tuple[float, float] | None = None
+    max_depth: int | None = None
+    placement: Placement = field(default_factory=Placement)
+    exposure: float = 0.0
+    white_balance: float | None = None
+    inset: bool | None = None
+    colors: Mapping[str, Any] = field(default_factory=dict)
+    cloths: Mapping[str, Material] = field(default_factory=dict)
+    seed: int = 0
+    variant: str | None = None
 
-def recoloured(
-    fabric: Source | str | os.PathLike[str], model: str | None, colors: Mapping[str, Any]
-) -> Source | Model:
-    """A fabric, or the model that a `.loom` holds, in other colours.
-
-    Raises:
-        InputError: no fabric, a family that is neither warp nor weft, or what is no colour.
-    """
-    held = model_of(fabric) if _is_loom(fabric) and model is None else None
-    source = held.source if held is not None else _source(fabric)
-    if not isinstance(source, Fabric):
-        raise InputError(f"Colours of yarns go with fabrics, and {source.name} is none.")
-    for family in colors:
-        if family not in ("warp", "weft"):
-            raise InputError(f'There are no yarns "{family}": colours are of warp or of weft.')
-    edited = edited_fabric(source, {f"{family}.color": value for family, value in colors.items()})
-    return edited if held is None else held.with_source(edited)
-
-
-def _source(fabric: Source | str | os.PathLike[str]) -> Source:
-    return load_source(fabric) if isinstance(fabric, str | os.PathLike) else fabric
-
-
-class _Wanted:
-    """What `render_fabric` was asked for."""
-
-    def __init__(
-        self,
-        fabric: Source | Model | str | os.PathLike[str],
-        scene: str | os.PathLike[str],
-        model: str | None,
-        spp: int,
-        seed: int,
-        development: tuple[float, float | None],
-        inset: bool | None,
-        bare: bool,
-        cloths: Mapping[str, Source | str | os.PathLike[str]],
-        setting: SceneOptions,
-    ) -> None:
-        self._fabric = fabric
-        self._scene = scene
-        self._given_model = model
-        self._spp, self._seed = spp, seed
-        self._exposure, self._white_balance = development
-        self._setting = setting
-        self._cloths = cloths
-        self._own_scene = str(scene) not in SCENES
-        self._size = setting.get("size") or DEFAULT_SIZE
-        self._has_points = _is_fabric(fabric)
-        whole_drape = scene == "drape" and setting.get("mesh") is None and setting.get("zoom", 1.0) == 1
-        readable = min(self._size) >= SMALLEST_PICTURE
-        self._inset = whole_drape and readable and bare if inset is None else inset
+    def __post_init__(self) -> None:
+        if not -_MAX_EXPOSURE <= self.exposure <= _MAX_EXPOSURE:
+            raise InputError(
+                f"exposure = {self.exposure:g} is out of range: it lies between -{_MAX_EXPOSURE} and "
+                f"{_MAX_EXPOSURE} stops."
+            )
+        if self.white_balance is not None:
+            white_balance_gains(self.white_balance)
 
     @property
-    def model(self) -> str:
-        """The name of the model; of one that is used as it is, nothing is baked, and it is empty."""
-        is_baked = isinstance(self._fabric, Model) or _is_loom(self._fabric)
-        return self._given_model or ("" if is_baked else DEFAULT_MODEL)
+    def scene_options(self) -> SceneOptions:
+        """The keyword arguments of `build_scene`."""
+        return SceneOptions(
+            mesh=self.mesh,
+            metres_per_unit=self.metres_per_unit,
+            environment=self.environment,
+            environment_turn=self.environment_turn,
+            light=self.light,
+            light_from=self.light_from,
+            zoom=self.zoom,
+            size=self.size,
+            max_depth=self.max_depth,
+            placement=self.placement,
+        )
+
+    def changed(self, **changes: Any) -> RenderSettings:
+        """The settings with others of these names.
+
+        Raises:
+            InputError: a name that does not exist; the message names one like it.
+        """
+        known = [each.name for each in fields(self)]
+        for name in changes:
+            if name not in known:
+                raise InputError(f"{quoted(name)} is no setting of a picture: {closest(name, known)}")
+        return replace(self, **changes)
+
+
+def render(
+    material: Material,
+    scene: str | os.PathLike[str] = "drape",
+    settings: RenderSettings | None = None,
+    *,
+    progress: Progress | None = None,
+    partial: PartialPicture | None = None,
+    **changes: Any,
+) -> Picture:
+    """Linear RGB [height, width, 3] of a material on a piece of cloth, a mesh, or marked shapes of a scene.
+
+    Args:
+        material: a fabric or another source; a model; or the path of a fabric file, a draft or a `.loom`; or
+            a weave's name, such as "twill 3/1".
+        scene: flat, sphere, cylinder, drape, or the path of a Mitsuba scene, FILE.xml.
+        settings: by default those of `RenderSettings`.
+        progress: called with (milliseconds passed, milliseconds in all, as estimated), at first at once.
+        partial: called with whole pictures, coarse at first, that later ones refine.
+        changes: settings by name, such as `spp=64, size=(960, 540)`; see `RenderSettings`.
+
+    Raises:
+        InputError: an unknown setting, or a material, file or value that cannot be used.
+        MissingDependencyError: no usable LLVM library, or no usable CUDA device.
+    """
+    settings = (settings or RenderSettings()).changed(**changes)
+    if str(scene) not in SCENES and settings.inset:
+        raise InputError(
+            f"inset = {settings.inset} does not go with the scene {scene}, whose camera is its own."
+        )
+    job = RenderJob(shown_material(material, settings), scene, settings)
+    loops = compile_ahead("" if job.material.held else job.material.model_name)
+    estimate = TimeEstimate(job.seconds(partial is not None), progress)
+    with estimate.step("start"):
+        choose_variant(settings.variant)
+    if partial is not None and job.coarse_size is not None:
+        with estimate.step("coarse"):
+            partial(job.coarse_picture(job.coarse_size))
+    with estimate.step("bake"):
+        wait_for_loops(loops)
+        shown, close_up = job.scene_and_inset()
+    return job.refined_picture(shown, close_up, estimate, partial).view(Picture)
+
+
+def shown_material(material: Material, settings: RenderSettings) -> MaterialSpec:
+    """The material that a picture shows, in the model and the colours of its settings.
+
+    Raises:
+        InputError: an unknown model, a material that cannot be read, or colours that it does not take.
+    """
+    spec = resolve(material, settings.model)
+    if spec.replaces:
+        warnings.warn(
+            f"{material} holds the model {spec.replaces}; "
+            f"{spec.model_name} is baked from its fabric instead.",
+            LoomlightWarning,
+            stacklevel=3,
+        )
+    return spec.recoloured(settings.colors) if settings.colors else spec
+
+
+@dataclass
+class RenderJob:
+    """A picture to render: the material, the scene and its settings.
+
+    Attributes:
+        material: what is shown.
+        scene: the name or file of a scene.
+        settings: how it is shown.
+    """
+
+    material: MaterialSpec
+    scene: str | os.PathLike[str]
+    settings: RenderSettings
+
+    def __post_init__(self) -> None:
+        setting = self.settings
+        self._own_scene = str(self.scene) not in SCENES
+        self._size = setting.size or DEFAULT_SIZE
+        whole_drape = self.scene == "drape" and setting.mesh is None and setting.zoom == 1
+        readable = min(self._size) >= MIN_PICTURE
+        is_wanted = whole_drape and readable and self.material.is_bare
+        self._inset = is_wanted if setting.inset is None else setting.inset
 
     @property
     def coarse_size(self) -> tuple[int, int] | None:
-        """Of the first picture, by yarn points.
+        """Width and height of the first picture, by yarn points, pixels.
 
         None where there are none, where the scene takes time to build, or where the picture is small itself.
         """
-        slow = self._own_scene or self._setting.get("mesh") is not None
-        if slow or not self._has_points or min(self._size) < _COARSE_SCALE * _SMALLEST_COARSE:
+        slow = self._own_scene or self.settings.mesh is not None
+        is_small = min(self._size) < _COARSE_SCALE * _MIN_COARSE
+        if slow or is_small or not isinstance(self.material.source, Fabric):
             return None
         width, height = self._size
         return -(-width // _COARSE_SCALE), -(-height // _COARSE_SCALE)
 
     def seconds(self, partial: bool) -> dict[str, float]:
         """Predicted seconds of every step."""
-        cost = MODEL_SECONDS.get(self.model or DEFAULT_MODEL, ModelSeconds())
+        model, spp, is_baked = self.material.model_name, self.settings.spp, self.material.held is not None
+        cost = MODEL_SECONDS.get(model, ModelSeconds())
         pixels = self._size[0] * self._size[1]
-        steps = {"start": START_SECONDS, "bake": SCENE_SECONDS + (cost.bake if self.model else 0.0)}
-        if self.model == DEFAULT_MODEL and not loops_are_compiled():
+        steps = {"start": START_SECONDS, "bake": SCENE_SECONDS + (0.0 if is_baked else cost.bake)}
+        if model == DEFAULT_MODEL and not is_baked and not loops_are_compiled():
             steps["bake"] += LOOPS_SECONDS
         if partial and self.coarse_size is not None:
             samples = (1 + self._inset) * _COARSE_SAMPLES * self.coarse_size[0] * self.coarse_size[1]
@@ -210,18 +250,13 @@ class _Wanted:
                 + sample_seconds(REFERENCE_MODEL, samples)
             )
         if self._inset:
-            steps["inset"] = sample_seconds(self.model, min(self._spp, _INSET_SAMPLES) * pixels)
-        steps["whole"] = cost.compile + sample_seconds(self.model, filling_grid(max(self._spp, 1)) * pixels)
+            steps["inset"] = sample_seconds(model, min(spp, _INSET_SAMPLES) * pixels)
+        steps["whole"] = cost.compile + sample_seconds(model, filling_grid(max(spp, 1)) * pixels)
         return steps
 
-    def coarse_picture(self, size: tuple[int, int]) -> Picture:
+    def coarse_picture(self, size: tuple[int, int]) -> NDArray[np.float32]:
         """The picture by single yarn points, of fewer pixels: it needs no baking and no large kernel."""
-        fabric = self._fabric.source if isinstance(self._fabric, Model) else self._fabric
-        point = model_of(fabric, REFERENCE_MODEL)
-        if not isinstance(self._fabric, Model) and not _is_loom(self._fabric):
-            # Not read again: large drafts take a while.
-            self._fabric = point.source
-        shown, close_up = self._built(point, size)
+        shown, close_up = self._built(self.material.by(REFERENCE_MODEL), size)
         film = self._render(shown, _COARSE_SAMPLES)
         whole = resized(film, self._size)
         if close_up is None:
@@ -232,17 +267,18 @@ class _Wanted:
 
     def scene_and_inset(self) -> tuple[ClothScene, Inset | None]:
         """The scene, with the model baked, and what its close-up shows."""
+        cloths = self.settings.cloths
         if self._own_scene:
             # A scene file may hold several pieces of cloth, each with a model of its own.
-            bsdf = material_bsdf(self._fabric, self._given_model)
-            others = {name: material_bsdf(cloth) for name, cloth in self._cloths.items()}
-            return build_scene(self._scene, bsdf, others=others, **self._setting), None
-        if self._cloths:
+            bsdf = material_bsdf(self.material)
+            others = {name: material_bsdf(cloth) for name, cloth in cloths.items()}
+            return build_scene(self.scene, bsdf, others=others, **self.settings.scene_options), None
+        if cloths:
             raise InputError(
-                f"The cloth {next(iter(self._cloths))} needs a scene file whose BSDFs have names, and "
-                f"{self._scene} is none."
+                f"The cloth {next(iter(cloths))} needs a scene file whose BSDFs have names, and "
+                f"{self.scene} is none."
             )
-        return self._built(model_of(self._fabric, self._given_model), self._size)
+        return self._built(self.material, self._size)
 
     def refined_picture(
         self,
@@ -250,35 +286,37 @@ class _Wanted:
         close_up: Inset | None,
         estimate: TimeEstimate,
         partial: PartialPicture | None,
-    ) -> Picture:
+    ) -> NDArray[np.float32]:
         """The picture itself, close-up first; `partial` gets it after every pass."""
         if close_up is None:
             with estimate.step("whole") as progress:
-                return self._render(shown, self._spp, progress=progress, partial=partial)
+                return self._render(shown, self.settings.spp, progress=progress, partial=partial)
         shown.look_from(close_up.view)
         with estimate.step("inset") as progress:
-            film = self._render(shown, self._spp, take=min(self._spp, _INSET_SAMPLES), progress=progress)
+            film = self._render(
+                shown, self.settings.spp, take=min(self.settings.spp, _INSET_SAMPLES), progress=progress
+            )
         inset = close_up.cut(film)
         shown.look_from(shown.view)
 
-        def with_inset(whole: Picture) -> Picture:
+        def with_inset(whole: NDArray[np.float32]) -> NDArray[np.float32]:
             return composed(whole, inset, close_up.magnification, close_up.margin)
 
-        def show(whole: Picture) -> None:
+        def show(whole: NDArray[np.float32]) -> None:
             if partial is not None:
                 partial(with_inset(whole))
 
         with estimate.step("whole") as progress:
-            return with_inset(self._render(shown, self._spp, progress=progress, partial=show))
+            return with_inset(self._render(shown, self.settings.spp, progress=progress, partial=show))
 
-    def _built(self, model: Model, size: tuple[int, int]) -> tuple[ClothScene, Inset | None]:
-        setting: SceneOptions = {**self._setting, "size": size}
-        shown = build_scene(self._scene, material_bsdf(model), **setting)
+    def _built(self, material: MaterialSpec, size: tuple[int, int]) -> tuple[ClothScene, Inset | None]:
+        setting: SceneOptions = {**self.settings.scene_options, "size": size}
+        shown = build_scene(self.scene, material_bsdf(material), **setting)
         if not self._inset:
             return shown, None
-        if not isinstance(model.source, Fabric):
-            raise InputError(f"inset = {self._inset} needs a fabric, and {model.source.name} is none.")
-        close_up = Inset.of(model.source, shown, self._size)
+        if not isinstance(material.source, Fabric):
+            raise InputError(f"inset = {self._inset} needs a fabric, and {material.source.name} is none.")
+        close_up = Inset.of(material.source, shown, self._size)
         # From its own place, so that the close-up's kernels are those of the whole picture.
         shown.look_from(shown.view)
         return shown, close_up
@@ -291,47 +329,15 @@ class _Wanted:
         take: int | None = None,
         progress: Progress | None = None,
         partial: PartialPicture | None = None,
-    ) -> Picture:
-        return render(
+    ) -> NDArray[np.float32]:
+        return render_scene(
             shown.scene,
             spp=spp,
             take=take,
-            seed=self._seed,
-            exposure=self._exposure,
-            white_balance=self._white_balance,
+            seed=self.settings.seed,
+            exposure=self.settings.exposure,
+            white_balance=self.settings.white_balance,
             integrator=shown.integrator,
             progress=progress,
             partial=partial,
         )
-
-
-def _is_loom(fabric: Source | Model | str | os.PathLike[str]) -> bool:
-    return isinstance(fabric, str | os.PathLike) and is_loom(fabric)
-
-
-def _is_fabric(fabric: Source | Model | str | os.PathLike[str]) -> bool:
-    """Whether the source is a fabric, as far as can be said without reading a draft."""
-    if isinstance(fabric, Model):
-        return isinstance(fabric.source, Fabric)
-    if not isinstance(fabric, str | os.PathLike):
-        return isinstance(fabric, Fabric)
-    if is_loom(fabric):
-        return isinstance(read_loom(fabric).source, Fabric)
-    return kind_of_file(fabric, "fabric") == "fabric"
-
-
-def _warn_of_override(loom: Source | str | os.PathLike[str], model: str) -> None:
-    held = read_loom(str(loom)).model
-    if held != model:
-        warnings.warn(
-            f"{loom} holds the model {held}; {model} is baked from its fabric instead.",
-            LoomlightWarning,
-            stacklevel=3,
-        )
-
-
-def _is_bare(fabric: Source | str | os.PathLike[str]) -> bool:
-    """Whether it is a weave's name or a draft: nobody has said yet what cloth it makes."""
-    if not isinstance(fabric, str | os.PathLike):
-        return False
-    return Path(fabric).suffix.lower() not in (FABRIC_SUFFIX, LOOM_SUFFIX)

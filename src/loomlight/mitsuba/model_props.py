@@ -47,7 +47,7 @@ def model_of_props(props: Any, name: str) -> Model:
     options = {
         option.name: _option(props, option, kind.source_kind)
         for option in kind.options
-        if option.name in props
+        if option.name in props and not option.is_training
     }
     given = [key for key in _SOURCES if key in props]
     if len(given) == 2:

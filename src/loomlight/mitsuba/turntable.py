@@ -3,55 +3,52 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
-from typing import Any, Unpack
+from collections.abc import Iterator
+from typing import Any
 
 import drjit as dr
 import mitsuba as mi
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.assets.sources import Source
 from loomlight.core.errors import InputError
 from loomlight.mitsuba.camera import framing
 from loomlight.mitsuba.material import material_bsdf
-from loomlight.mitsuba.material_picture import recoloured
+from loomlight.mitsuba.material_picture import RenderSettings, shown_material
 from loomlight.mitsuba.rendering import render
 from loomlight.mitsuba.scenes import CLOTH_NAME, SCENES, ClothScene, SceneOptions, build_scene
 from loomlight.mitsuba.variants import choose_variant
+from loomlight.models.material_spec import Material
 
 # Degrees at which the whole cloth has to be in the picture.
 _ANGLES = tuple(float(angle) for angle in range(0, 360, 15))
 _UP = np.array([0.0, 1.0, 0.0])
 
 
-def turn_of_fabric(
-    fabric: Source | str | os.PathLike[str],
+def turntable(
+    material: Material,
     scene: str | os.PathLike[str],
     count: int,
-    *,
-    model: str | None = None,
-    colors: Mapping[str, Any] | None = None,
-    spp: int = 9,
-    seed: int = 0,
-    exposure: float = 0.0,
-    white_balance: float | None = None,
-    variant: str | None = None,
-    **setting: Unpack[SceneOptions],
+    settings: RenderSettings,
 ) -> Iterator[NDArray[np.float32]]:
-    """`count` pictures of one turn of a fabric on a built-in scene or a mesh; see `render_fabric`.
+    """`count` pictures of one turn of a material on a built-in scene or a mesh; see `render`.
 
     Raises:
-        InputError: a scene file, or a fabric or value that cannot be used.
+        InputError: a scene file, or a material or value that cannot be used.
     """
     if str(scene) not in SCENES:
         raise InputError(f"turntable = {count} does not go with the scene {scene}: nothing in it turns.")
-    choose_variant(variant)
-    material = recoloured(fabric, model, colors) if colors else fabric
-    whole: SceneOptions = {**setting, "zoom": 1.0}
-    shown = build_scene(scene, material_bsdf(material, model), **whole)
-    turning = Turntable(shown, setting.get("zoom", 1.0), about_middle=setting.get("mesh") is not None)
-    yield from turning.pictures(count, spp=spp, seed=seed, exposure=exposure, white_balance=white_balance)
+    choose_variant(settings.variant)
+    whole: SceneOptions = {**settings.scene_options, "zoom": 1.0}
+    shown = build_scene(scene, material_bsdf(shown_material(material, settings)), **whole)
+    turning = Turntable(shown, settings.zoom, about_middle=settings.mesh is not None)
+    yield from turning.pictures(
+        count,
+        spp=settings.spp,
+        seed=settings.seed,
+        exposure=settings.exposure,
+        white_balance=settings.white_balance,
+    )
 
 
 class Turntable:

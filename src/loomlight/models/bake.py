@@ -1,44 +1,97 @@
-"""Baking: a source and all that a model needs of it, as one `.loom` file."""
+"""Baking, and the files of what is baked: the verbs of the Python interface that need no renderer."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from loomlight.assets.load import load_source
-from loomlight.assets.loom_file import write_loom
-from loomlight.assets.sources import Source
+from loomlight.assets.loom_file import LOOM_SUFFIX, is_loom, write_loom
+from loomlight.assets.sources import Source, kind_of_file
+from loomlight.core.errors import InputError
+from loomlight.core.files import replacing
+from loomlight.core.images import write_image
 from loomlight.core.llvm import require_llvm
-from loomlight.models.registry import make_model, model_class
+from loomlight.fabric.fabric import Fabric
+from loomlight.fabric.load import FABRIC_SUFFIX
+from loomlight.models.interface import Model
+from loomlight.models.material_spec import Material, resolve
+from loomlight.models.registry import DEFAULT_MODEL, model_class, model_from_loom
+from loomlight.weave.draft import Draft
+from loomlight.weave.wif_writer import write_wif
+
+_PICTURES = (".png", ".exr")
+_WIF = ".wif"
 
 
 def bake(
-    source: Source | str | os.PathLike[str],
-    model: str,
-    path: str | os.PathLike[str],
+    material: Material,
+    model: str = DEFAULT_MODEL,
     *,
     report: Callable[[int, int], None] | None = None,
     **options: Any,
-) -> None:
-    """Writes the material of a source by a model, whole or not at all; `model_from_loom` reads it.
+) -> Model:
+    """The model of a fabric or another source; `save` writes it into a `.loom` file.
 
     Args:
-        source: a fabric or another source; or the path of one, a `.loom` whose source it is, or a weave's
+        material: a fabric or another source; or the path of one, a `.loom` whose source it is, or a weave's
             name.
-        model: "point", "neural", …: see `loomlight.models.registry.model_names`.
-        path: the `.loom` file.
-        report: called with (done, in all) by models that are trained.
+        model: "lobes", "point", "neural", …: see `loomlight.models.registry.model_names`.
+        report: called with (steps done, steps in all) by models that are trained.
         options: of the model; see `Model.options`.
 
     Raises:
-        InputError: no such model, a source that cannot be read or that the model does not take, or a place
-            that cannot be written to.
+        InputError: no such model or option, or a source that cannot be read or that the model does not take.
         MissingDependencyError: LLVM is missing.
     """
-    chosen = model_class(model)
-    held = load_source(source, chosen.source_kind) if isinstance(source, str | os.PathLike) else source
+    spec = resolve(material, model, **options)
     require_llvm()
-    if chosen.trains:
-        options["report"] = report
-    write_loom(path, make_model(model, held, **options).to_loom())
+    training = {"report": report} if model_class(model).trains else {}
+    return model_class(model).for_source(spec.source, **options, **training)
+
+
+def load(path: str | os.PathLike[str]) -> Model | Source:
+    """What a path or a name denotes: the model in a `.loom`, else a fabric or another source.
+
+    Args:
+        path: a `.loom`, a fabric file, a draft (WIF or picture), another source's file, or a weave's name.
+
+    Raises:
+        InputError: no such file, or one that this installation cannot read.
+    """
+    return model_from_loom(path) if is_loom(path) else load_source(path, kind_of_file(path, "fabric"))
+
+
+def save(what: Model | Fabric | Draft | np.ndarray[Any, Any], path: str | os.PathLike[str]) -> None:
+    """Writes a model as .loom, a fabric as .toml, a draft as .wif, or a picture as .png or .exr.
+
+    The file is written whole or not at all.
+
+    Raises:
+        InputError: a suffix that does not go with what is written, or a place that cannot be written to.
+    """
+    suffix = Path(path).suffix.lower()
+    kind, suffixes = next((name, right) for holds, name, right in _FILES if isinstance(what, holds))
+    if suffix not in suffixes:
+        raise InputError(f"{path}: a {kind} is written as {' or '.join(suffixes)}.")
+    if isinstance(what, Model):
+        write_loom(path, what.to_loom())
+    elif isinstance(what, Fabric):
+        with replacing(path) as temporary:
+            temporary.write_text(what.to_toml(), encoding="utf-8")
+    elif isinstance(what, Draft):
+        write_wif(what, path)
+    else:
+        write_image(path, what)
+
+
+_FILES: tuple[tuple[type, str, tuple[str, ...]], ...] = (
+    (Model, "model", (LOOM_SUFFIX,)),
+    (Fabric, "fabric", (FABRIC_SUFFIX,)),
+    (Draft, "draft", (_WIF,)),
+    (np.ndarray, "picture", _PICTURES),
+)

@@ -15,7 +15,7 @@ from loomlight.core.executors import Executor, Report
 from loomlight.core.files import remove_leftovers
 from loomlight.core.shards import Outcome, Shard, ShardFolder
 from loomlight.core.work_map import require_results, work_map
-from loomlight.models.bake import bake
+from loomlight.models.bake import bake, save
 from loomlight.models.registry import model_class
 
 # Claims and markers, in the folder of the results.
@@ -98,7 +98,7 @@ def bake_catalogue(
 
 def _bake_one(model: str, options: dict[str, Any], item: tuple[str, str]) -> bytes:
     source, path = item
-    bake(source, model, path, **options)
+    save(bake(source, model, **options), path)
     return b""
 
 

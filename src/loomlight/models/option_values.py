@@ -29,12 +29,18 @@ def parse_options(model: str, texts: Iterable[str]) -> dict[str, Any]:
         name, equals, value = text.partition("=")
         if not equals:
             raise InputError(f'{shown(text)} is no option: write its name, "=" and its value.')
-        if not known:
-            raise InputError(f"{shown(name)} is no option of {model}, which has none.")
-        if name not in known:
-            raise InputError(f"{shown(name)} is no option of {model}: {closest(name, known)}")
+        require_options(model, [name])
         found[name] = _value(known[name], value, kind.source_kind)
     return found
+
+
+def require_options(model: str, names: Iterable[str]) -> None:
+    """Raises InputError unless a model has options of these names; the message names one like it."""
+    known = [option.name for option in model_class(model).options]
+    for name in names:
+        if name not in known:
+            advice = f": {closest(name, known)}" if known else ", which has none."
+            raise InputError(f"{shown(name)} is no option of {model}{advice}")
 
 
 def _value(option: Option, text: str, source_kind: str) -> Any:

@@ -11,8 +11,7 @@ from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
 
-from loomlight.assets.load import load_source
-from loomlight.assets.loom_file import SCHEMA, LoomFile, is_loom, read_loom
+from loomlight.assets.loom_file import SCHEMA, LoomFile, read_loom
 from loomlight.assets.sources import Source
 from loomlight.core.errors import InputError
 from loomlight.fabric.reading import speaking_of
@@ -147,29 +146,3 @@ def model_from_loom(path: str | os.PathLike[str]) -> Model:
         InputError: no such file, no `.loom`, or one that this installation cannot use.
     """
     return model_of_loom(read_loom(path))
-
-
-def model_of(
-    material: Source | Model | str | os.PathLike[str], name: str | None = None, **options: Any
-) -> Model:
-    """The model of a material, which is baked unless a `.loom` holds it.
-
-    Args:
-        material: a model; a source; or a path: a `.loom`, or what the model's sources are read from.
-        name: of the model; by default the one that a `.loom` holds, else `DEFAULT_MODEL`.
-        options: of the model; with any, it is baked even where a `.loom` holds it.
-
-    Raises:
-        InputError: no such model, or a material that cannot be read or that the model does not take.
-    """
-    if isinstance(material, Model):
-        return material
-    if not isinstance(material, str | os.PathLike):
-        return make_model(name or DEFAULT_MODEL, material, **options)
-    if is_loom(material):
-        loom = read_loom(material)
-        if name in (None, loom.model) and not options:
-            return model_of_loom(loom)
-        return make_model(name or loom.model, loom.source, **options)
-    kind = model_class(name or DEFAULT_MODEL).source_kind
-    return make_model(name or DEFAULT_MODEL, load_source(material, kind), **options)

@@ -9,7 +9,7 @@ import numpy as np
 
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.bake import bake
+from loomlight.models.bake import bake, save
 from loomlight.models.registry import model_class
 from loomlight.weave.wif_writer import wif_text_of
 
@@ -38,7 +38,7 @@ def saved(fabric: Fabric, form: str, model: str) -> bytes:
         raise InputError(f"{model} is trained for minutes: use `loomlight bake` for it.")
     with tempfile.TemporaryDirectory(prefix="loomlight-") as folder:
         file = Path(folder) / "fabric.loom"
-        bake(fabric, model, file)
+        save(bake(fabric, model), file)
         return file.read_bytes()
 
 

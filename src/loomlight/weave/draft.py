@@ -96,6 +96,13 @@ class Draft:
                 f"The draft has {ends} ends and {picks} picks; at most {MAXIMUM_THREADS} of each can be used."
             )
 
+    def _repr_png_(self) -> bytes:
+        """The drawdown as PNG, which notebooks display."""
+        from loomlight.core.picture import png_bytes
+        from loomlight.weave.drawing import draw_drawdown
+
+        return png_bytes(draw_drawdown(self))
+
     @property
     def ends(self) -> int:
         """How many warp threads one repeat has."""

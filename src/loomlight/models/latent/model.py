@@ -162,18 +162,18 @@ class LatentModel(Model):
         Option("decoder", str, f"one of {', '.join(DECODERS)}"),
         Option("resolution", int, "a power of two from 8 to 1024", low=8, high=1024),
         # How levels are read; it changes no weight.
-        Option("mips", str, f"one of {', '.join(MIPS)}"),
+        Option("mips", str, f"one of {', '.join(MIPS)}", is_training=True),
         # Of the numbers in a file: half precision halves it.
-        Option("precision", str, f"one of {', '.join(PRECISIONS)}"),
+        Option("precision", str, f"one of {', '.join(PRECISIONS)}", is_training=True),
         # The rungs of the paper's ablation.
-        Option("rung", str, f"one of {', '.join(RUNGS)}"),
-        Option("loss", str, f"one of {', '.join(LOSSES)}"),
-        Option("optimiser", str, f"one of {', '.join(OPTIMISERS)}"),
-        Option("seed", int, "a whole number from 0", low=0, high=2**32 - 1),
-        Option("steps", int, "a whole number from 1", low=1, high=10**7),
+        Option("rung", str, f"one of {', '.join(RUNGS)}", is_training=True),
+        Option("loss", str, f"one of {', '.join(LOSSES)}", is_training=True),
+        Option("optimiser", str, f"one of {', '.join(OPTIMISERS)}", is_training=True),
+        Option("seed", int, "a whole number from 0", low=0, high=2**32 - 1, is_training=True),
+        Option("steps", int, "a whole number from 1", low=1, high=10**7, is_training=True),
         # Where queries and checkpoints stay; by default they are removed at the end.
-        Option("folder", str, "the path of a folder"),
-        Option("device", str, "cpu or cuda"),
+        Option("folder", str, "the path of a folder", is_training=True),
+        Option("device", str, "cpu or cuda", is_training=True),
     )
 
     def __init__(

@@ -173,13 +173,13 @@ class NeumipModel(Model):
         Option("resolution", int, "a power of two from 8 to 1024", low=8, high=1024),
         # Without it, the paper's baseline.
         Option("offset", bool, "true or false"),
-        Option("seed", int, "a whole number from 0", low=0, high=2**32 - 1),
-        Option("steps", int, "a whole number from 1", low=1, high=10**7),
+        Option("seed", int, "a whole number from 0", low=0, high=2**32 - 1, is_training=True),
+        Option("steps", int, "a whole number from 1", low=1, high=10**7, is_training=True),
         # Where queries and checkpoints stay; by default they are removed at the end.
-        Option("folder", str, "the path of a folder"),
+        Option("folder", str, "the path of a folder", is_training=True),
         # How queries are kept there; Zarr is for other programs.
-        Option("store", str, "files or zarr"),
-        Option("device", str, "cpu or cuda"),
+        Option("store", str, "files or zarr", is_training=True),
+        Option("device", str, "cpu or cuda", is_training=True),
         # Directions are drawn by a network, or by lobes that are fitted to texels.
         Option("sampler", str, f"one of {', '.join(SAMPLERS)}"),
     )

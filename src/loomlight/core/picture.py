@@ -1,0 +1,28 @@
+"""Pictures that show themselves in notebooks."""
+
+from __future__ import annotations
+
+import io
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from loomlight.core.images import encoded
+
+
+class Picture(np.ndarray[Any, np.dtype[np.float32]]):
+    """Linear RGB [height, width, 3], float32: a NumPy array that notebooks display."""
+
+    def _repr_png_(self) -> bytes | None:
+        """The picture in sRGB as PNG; None of what is sliced out of one and is no picture any more."""
+        is_picture = self.ndim == 3 and self.shape[2] == 3 and self.size > 0
+        return png_bytes(encoded(self)) if is_picture else None
+
+
+def png_bytes(pixels: NDArray[np.uint8]) -> bytes:
+    """8-bit pixels [height, width] or [height, width, 3] as the content of a PNG file."""
+    content = io.BytesIO()
+    Image.fromarray(pixels).save(content, format="PNG")
+    return content.getvalue()
