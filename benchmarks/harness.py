@@ -65,7 +65,7 @@ def run(
 
 
 def record(figures: Figures) -> Figures:
-    """The figures behind the command, commit and machine that they come from."""
+    """The figures behind the command, sources and machine that they come from."""
     return {**provenance(command(_module(), sys.argv[1:]), REPOSITORY), **figures}
 
 

@@ -32,7 +32,7 @@ def test_the_record_is_printed_and_written(
     run(monkeypatch, {"rate": 1 / 3}, "--output", str(file))
     written = json.loads(file.read_text())
     assert written["rate"] == 0.333333
-    assert list(written) == ["command", "commit", "machine", "rate"]
+    assert list(written) == ["command", "sources", "machine", "rate"]
     assert "--output" not in written["command"]
     assert json.loads(capsys.readouterr().out)["rate"] == 1 / 3
 

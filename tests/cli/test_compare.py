@@ -40,7 +40,7 @@ def test_the_table(report: Path) -> None:
     assert 'weave = "twill 2/1"' in table["fabric_file"]
     assert table["protocol"]["size"] == [32, 18]
     assert table["protocol"]["reference_samples"] == 8
-    assert set(table) >= {"commit", "machine", "command"}
+    assert set(table) >= {"sources", "machine", "command"}
     by_title = {part["title"]: part["rows"] for part in table["tables"]}
     flip = by_title["Mean FLIP"]["point, 1 spp"]
     assert list(flip) == ["flat near (0.25)", "sphere (3)"]

@@ -1,4 +1,4 @@
-"""Figures say which command, commit and machine they come from, and nothing about whose machine."""
+"""Figures say which command, sources and machine they come from, and nothing about whose machine."""
 
 from __future__ import annotations
 
@@ -14,20 +14,27 @@ def git(folder: Path, *arguments: str) -> None:
     subprocess.run(["git", "-C", str(folder), *identity, *arguments], check=True, capture_output=True)
 
 
-def test_commits_are_named_and_changes_marked(tmp_path: Path) -> None:
+def test_sources_outlive_their_commit_and_changes_are_marked(tmp_path: Path) -> None:
     git(tmp_path, "init", "-q")
-    (tmp_path / "a").write_text("1")
-    git(tmp_path, "add", "a")
+    (tmp_path / "src").mkdir()
+    (tmp_path / "results").mkdir()
+    source, result = tmp_path / "src" / "a", tmp_path / "results" / "a.json"
+    source.write_text("1")
+    result.write_text("1")
+    git(tmp_path, "add", ".")
     git(tmp_path, "commit", "-qm", "a")
-    clean = provenance("python a.py", tmp_path)
+    clean = provenance("python a.py", tmp_path / "src")
     assert clean["command"] == "python a.py"
-    assert 4 <= len(clean["commit"]) <= 40
-    (tmp_path / "a").write_text("2")
-    assert provenance("python a.py", tmp_path)["commit"] == clean["commit"] + "+"
+    assert len(clean["sources"]) == 12
+    git(tmp_path, "commit", "-q", "--amend", "-m", "another hash of the commit")
+    result.write_text("2")
+    assert provenance("python a.py", tmp_path)["sources"] == clean["sources"]
+    source.write_text("2")
+    assert provenance("python a.py", tmp_path)["sources"] == clean["sources"] + " dirty"
 
 
 def test_no_repository_and_no_host(tmp_path: Path) -> None:
     actual = provenance("python a.py", tmp_path / "none")
-    assert actual["commit"] == "unknown"
+    assert actual["sources"] == "unknown"
     assert platform.node() not in actual["machine"] or not platform.node()
     assert "cores" in actual["machine"]

@@ -183,7 +183,7 @@ def test_the_command_writes_and_adds(
         assert np.asarray(matrix).std() > 5
     written_down = json.loads((out / "table.json").read_text())
     figure = written_down["figures"]["chen2024/fig2"]
-    assert set(figure) >= {"command", "commit", "machine", "size", "weights", "tables"}
+    assert set(figure) >= {"command", "sources", "machine", "size", "weights", "tables"}
     assert figure["command"].startswith("python -m papers chen2024/fig2 --size 32x40 --spp 4")
     assert figure["tables"][0]["rows"]["reflection"]["BSDF"] > 0
     assert "nMAE" in capsys.readouterr().out

@@ -1,4 +1,4 @@
-"""What a measurement was made with, to stand beside its figures."""
+"""Provenance of a measurement, to stand beside its figures."""
 
 from __future__ import annotations
 
@@ -7,19 +7,26 @@ import platform
 import subprocess
 from pathlib import Path
 
+# Of a tree's hash, as much as is recorded.
+_DIGITS = 12
+# Changes of these make no source dirty: results that the command itself writes, and pages.
+_NO_SOURCES = (":(top,exclude,glob)**/results/**", ":(top,exclude,glob)**/*.md")
+
 
 def provenance(command: str, repository: str | os.PathLike[str]) -> dict[str, str]:
-    """`command`, the short hash of the commit of `repository` ("+" where files differ), and the machine.
+    """`command`, the sources that it ran with, and the machine.
 
-    The machine is its processor and number of cores, without a name.
+    Sources are the hash of the tree `src` in the repository's commit, which outlives squashed branches:
+    `git rev-parse COMMIT:src` gives it of any commit. "dirty" follows where the working tree differs. The
+    machine is its processor and number of cores, without a name.
     """
-    return {"command": command, "commit": _commit(repository), "machine": _machine()}
+    return {"command": command, "sources": _sources(repository), "machine": _machine()}
 
 
-def _commit(repository: str | os.PathLike[str]) -> str:
-    found = _git(repository, "rev-parse", "--short", "HEAD")
-    changed = _git(repository, "status", "--porcelain", "--untracked-files=no")
-    return f"{found}+" if found and changed else found or "unknown"
+def _sources(repository: str | os.PathLike[str]) -> str:
+    tree = _git(repository, "rev-parse", "--verify", "--quiet", "HEAD:src")[:_DIGITS]
+    changed = _git(repository, "status", "--porcelain", "--untracked-files=no", "--", ":(top)", *_NO_SOURCES)
+    return f"{tree} dirty" if tree and changed else tree or "unknown"
 
 
 def _git(repository: str | os.PathLike[str], *arguments: str) -> str:

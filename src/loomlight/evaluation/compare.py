@@ -228,7 +228,7 @@ def _write(
         "Repeat": "{:.3g} × {:.3g} mm".format(*cloth.repeat_mm),
         "Pictures": f"{size[0]} × {size[1]} pixels, reference {samples} samples a pixel",
         "Light": "one directional light, direct light only, box filter, exposure 0",
-        "Made with": f"{record['command']}, commit {record['commit']}, {record['machine']}",
+        "Made with": f"{record['command']}, sources {record['sources']}, {record['machine']}",
     }
     report = Report(cloth.name, facts, comparison.refused, comparison.tables, sections)
     with replacing(comparison.folder / "index.html") as temporary:

@@ -92,7 +92,7 @@ def test_what_the_store_says_of_itself(made):
     attributes = QueryStore(made).attributes
     assert attributes["version"] == 1
     assert attributes["ranges"]["height_scale"] == [0.2, 1.0]
-    assert {"command", "commit", "machine"} <= attributes["made_with"].keys()
+    assert {"command", "sources", "machine"} <= attributes["made_with"].keys()
     parameters = json.loads((made / "material_0081" / "zarr.json").read_text())["attributes"]
     assert parameters["weave"] == "twill 3×3"
     assert parameters["warp"]["roughness"] == paper_material(81, 3).fields.warp.roughness
