@@ -10,19 +10,15 @@ import subprocess
 import warnings
 from math import degrees
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
 
 import numpy as np
 import pytest
-from annotated_types import Ge, Le
 from numpy.typing import NDArray
-from pydantic import BaseModel
-from pydantic.fields import FieldInfo
 
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.fabric import Fabric, fabric_from_text, load_fabric
 from loomlight.fabric.facts import cloth_facts
-from loomlight.fabric.file import FabricFile
 from loomlight.weave import Draft, load_draft, named_weave
 from loomlight.weave.named import weave_names
 from loomlight.weave.wif_writer import wif_text_of
@@ -123,8 +119,8 @@ def _wif_files() -> list[Path]:
 @pytest.fixture(scope="module")
 def answers() -> Answers:
     """Answers of the web package by kind and text or path, all of one run of Node."""
-    questions: list[dict[str, str]] = [{"kind": "fields"}]
-    keys = [("fields", "")]
+    questions: list[dict[str, str]] = []
+    keys: list[tuple[str, str]] = []
     for text in (*WEAVES, *REFUSED_WEAVES):
         questions.append({"kind": "weave", "text": text})
         keys.append(("weave", text))
@@ -233,48 +229,3 @@ def _draft_or_refusal(file: Path) -> tuple[Draft | None, str]:
 
 def _lines(text: str) -> list[str]:
     return [line for line in text.split("\r\n") if not line.startswith("Source ")]
-
-
-def test_fields_and_ranges_are_those_of_the_fabric_file(
-    answers: Answers,
-) -> None:
-    assert answers["fields", ""] == _table(FabricFile)
-
-
-def _table(model: type[BaseModel]) -> dict[str, Any]:
-    return {name: _kind(field) for name, field in model.model_fields.items()}
-
-
-def _kind(field: FieldInfo) -> dict[str, Any]:
-    if isinstance(field.annotation, type) and issubclass(field.annotation, BaseModel):
-        return {"kind": "table", "fields": _table(field.annotation)}
-    types, notes = _parts(field.annotation)
-    names = {getattr(getattr(note, "func", None), "__name__", "") for note in notes}
-    if bool in types:
-        return {"kind": "boolean"}
-    if "_yarn" in names:
-        return {"kind": "yarn"}
-    low = next((note.ge for note in notes if isinstance(note, Ge)), None)
-    high = next((note.le for note in notes if isinstance(note, Le)), None)
-    if float in types or int in types:
-        return {"kind": "number" if float in types else "integer", "low": low, "high": high}
-    if str in types:
-        return {"kind": "text", "mayBeEmpty": not any(getattr(note, "min_length", 0) for note in notes)}
-    return {"kind": "colours" if "_colours" in names else "colour"}
-
-
-def _parts(annotation: object) -> tuple[set[type], list[Any]]:
-    if isinstance(annotation, type):
-        return {annotation}, []
-    types: set[type] = set()
-    notes: list[Any] = []
-    for part in get_args(annotation):
-        if isinstance(part, FieldInfo):
-            notes += part.metadata
-        elif isinstance(part, type):
-            types.add(part)
-        else:
-            inner, more = _parts(part)
-            types |= inner
-            notes += [part, *more]
-    return types, notes

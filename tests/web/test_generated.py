@@ -1,6 +1,6 @@
-"""What Python writes for the web client is in step with Python.
+"""Generated files of the web client are in step with Python.
 
-Covers: realtime/web_constants.py
+Covers: realtime/web_constants.py, realtime/web_fabric.py
 """
 
 from loomlight.realtime.web_constants import web_files

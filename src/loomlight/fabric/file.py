@@ -6,9 +6,10 @@ a file that is read and written again says no more than it did.
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Annotated, Any
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
 from loomlight.core.colour import parse_colour
@@ -60,9 +61,9 @@ def _yarn(value: str) -> str:
     return name
 
 
-Colour = Annotated[Any, AfterValidator(_colour)]
-Colours = Annotated[Any, AfterValidator(_colours)]
-YarnName = Annotated[str, AfterValidator(_yarn)]
+Colour = Annotated[Any, AfterValidator(_colour), WithJsonSchema({"type": "colour"})]
+Colours = Annotated[Any, AfterValidator(_colours), WithJsonSchema({"type": "colours"})]
+YarnName = Annotated[str, AfterValidator(_yarn), WithJsonSchema({"type": "yarn"})]
 Fraction = Annotated[float, Field(ge=0, le=1)]
 Gap = Annotated[float, Field(ge=0, le=0.95)]
 
@@ -140,3 +141,20 @@ class FabricFile(Table):
     weft: YarnTable = YarnTable()
     sheen: SheenTable = SheenTable()
     variation: VariationTable = VariationTable()
+
+
+@cache
+def field_schemas(table: type[Table]) -> dict[str, dict[str, Any]]:
+    """JSON schemas of a table's fields by their names, in the order of the file.
+
+    "type" may be "colour", "colours" or "yarn" too; numbers have "minimum" and "maximum", texts that may not
+    be empty "minLength"; a table has "$ref", which ends in the name of its class.
+    """
+    properties = table.model_json_schema()["properties"]
+    return {name: schema.get("anyOf", [schema])[0] for name, schema in properties.items()}
+
+
+def yarn_range(field: str) -> tuple[float, float]:
+    """Range of a number of `[warp]` and `[weft]`, in the unit of the file."""
+    schema = field_schemas(YarnTable)[field]
+    return float(schema["minimum"]), float(schema["maximum"])

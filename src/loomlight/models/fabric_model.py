@@ -19,6 +19,7 @@ from loomlight.assets.sources import Source
 from loomlight.core.backend import ArrayTypes
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
+from loomlight.fabric.file import yarn_range
 from loomlight.fabric.load import edited_fabric
 from loomlight.models.interface import Model, Parameter, Values
 from loomlight.models.live_albedos import LiveAlbedos
@@ -29,14 +30,11 @@ from loomlight.yarn.geometry import YarnGeometry
 FAMILIES = ("warp", "weft")
 ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")
 _YARN_NUMBERS = ("height_scale", "inclination", "twist")
-# Ranges of the fabric file's fields, angles in degrees as there; every other parameter is an albedo or sheen.
-_RANGES = {
-    "roughness": (0.01, 1.0),
-    "height_scale": (0.01, 2.0),
-    "inclination": (0.0, 80.0),
-    "twist": (-89.0, 89.0),
-}
+# Ranges of parameters of yarns as in the fabric file, angles in degrees; others are albedos or sheen.
 _ANGLES = ("inclination", "twist")
+_RANGES = {
+    name: yarn_range(f"{name}_deg" if name in _ANGLES else name) for name in ("roughness", *_YARN_NUMBERS)
+}
 # In single precision, and radians to degrees and back, the last digits move.
 _SAME = 1e-6
 

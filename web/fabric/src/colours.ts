@@ -1,7 +1,8 @@
 /** The colour of every thread: colours of the fields, in the order of the draft. */
 import { isOneColour, parseColour, type Colour, type Rgb } from "./colour.ts";
 import type { Draft, Threads } from "./draft.ts";
-import type { FabricFields, FamilyName } from "./fields.ts";
+import type { FamilyName } from "./fields.ts";
+import type { FabricFields } from "./generated.ts";
 import { WARP_COLOUR, WEFT_COLOUR, withPalette } from "./palette.ts";
 
 /**

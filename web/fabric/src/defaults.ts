@@ -1,20 +1,11 @@
 /**
- * What a fabric file need not say: values that depend on the weave, and values that do not.
+ * Bends of yarns that a fabric file need not say: they depend on the weave. `generated.ts` has the other defaults.
  *
  * Inclination and twist are those commonly suggested for the three basic weaves (Jin et al. 2022); to a draft that has
  * no name they apply by its structure.
  */
 import { isUp, type Structure } from "./draft.ts";
 
-export const GAP = 0.2;
-export const SPECULAR = 0.4;
-export const TRANSLUCENCY = 0.1;
-export const ROUGHNESS = 0.3;
-export const HEIGHT_SCALE = 1;
-export const DIFFUSE_BLEND = 0.5;
-export const OPTICAL_DEPTH = 2;
-export const SHEEN_STRENGTH = 0;
-export const SHEEN_ROUGHNESS = 0.4;
 
 /** Which basic weave a drawdown resembles most. */
 export type BasicWeave = "plain" | "twill" | "satin";

@@ -1,7 +1,8 @@
 /** What a square metre of cloth weighs, by Peirce's geometry of round yarns; see `src/loomlight/fabric/facts.py`. */
 import type { Draft } from "./draft.ts";
 import { InputError } from "./errors.ts";
-import { FABRIC, type FabricFields, type FamilyName } from "./fields.ts";
+import { type FamilyName } from "./fields.ts";
+import { FABRIC, type FabricFields } from "./generated.ts";
 import { general } from "./numbers.ts";
 import { familySpacing, familyWidth } from "./spacing.ts";
 import { texOfDiameter, yarnDiameterMm, yarnTex } from "./textile.ts";

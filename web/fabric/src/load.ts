@@ -1,7 +1,7 @@
 /** Fabrics from texts and files: which reader is for what. */
 import { requireInterlacing, type Draft } from "./draft.ts";
 import { InputError, type Warn } from "./errors.ts";
-import type { FabricFields } from "./fields.ts";
+import type { FabricFields } from "./generated.ts";
 import { namedWeave } from "./named.ts";
 import { readWif } from "./wif_reader.ts";
 

@@ -1,8 +1,8 @@
 /** Spacing and width of the threads of a fabric, from its fields or from the draft. */
-import { GAP } from "./defaults.ts";
+import { type FabricFields, GAP } from "./generated.ts";
 import type { Draft } from "./draft.ts";
 import { InputError } from "./errors.ts";
-import type { FabricFields, FamilyName } from "./fields.ts";
+import type { FamilyName } from "./fields.ts";
 import { CM_PER_INCH, DEFAULT_SETT_PER_CM, yarnDiameterMm } from "./textile.ts";
 import { yarnDensity } from "./yarns.ts";
 

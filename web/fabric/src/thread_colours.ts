@@ -2,7 +2,8 @@
 import { toHex, type Colour } from "./colour.ts";
 import { colouredDraft, usedRows } from "./colours.ts";
 import type { Draft } from "./draft.ts";
-import type { FabricFields, FamilyName } from "./fields.ts";
+import type { FamilyName } from "./fields.ts";
+import type { FabricFields } from "./generated.ts";
 
 /** sRGB hex of every thread of a family, as the fabric shows it. */
 export function threadHexes(coloured: Draft, family: FamilyName): string[] {

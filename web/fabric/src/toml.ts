@@ -2,7 +2,7 @@
 import { parse, TomlError } from "smol-toml";
 
 import { InputError } from "./errors.ts";
-import { FABRIC, type FabricFields } from "./fields.ts";
+import { FABRIC, type FabricFields } from "./generated.ts";
 import { validateFields } from "./validate.ts";
 
 /** Thread colours of the longest draft take some 100 kB; what is larger is not a fabric file. */

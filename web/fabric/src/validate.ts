@@ -2,9 +2,9 @@
 import { closeMatch } from "./close_match.ts";
 import { isOneColour, parseColour } from "./colour.ts";
 import { InputError } from "./errors.ts";
-import { FABRIC, FAMILIES, type FabricFields, type FieldKind, type FieldTable } from "./fields.ts";
+import { FAMILIES, type FieldKind, type FieldTable } from "./fields.ts";
+import { FABRIC, type FabricFields, YARN_PRESETS } from "./generated.ts";
 import { general } from "./numbers.ts";
-import { YARN_PRESETS } from "./yarn_presets.ts";
 
 type Plain = Record<string, unknown>;
 type IsWhole = (value: unknown) => boolean;

@@ -1,7 +1,7 @@
 /** Kinds of yarn by name: what a fabric file need not say of a yarn of that fibre and spinning. */
-import type { FabricFields, FamilyName, YarnFields } from "./fields.ts";
+import type { FamilyName } from "./fields.ts";
+import { type FabricFields, YARN_PRESETS, type YarnFields, type YarnPreset } from "./generated.ts";
 import { COTTON_DENSITY, DEFAULT_PACKING } from "./textile.ts";
-import { YARN_PRESETS, type YarnPreset } from "./yarn_presets.ts";
 
 /** Fields with what kinds of yarn say of the fields of [warp] and [weft] that the file omits. */
 export function withYarns(fields: FabricFields): FabricFields {

@@ -1,10 +1,9 @@
-/** What this package makes of weaves, files and fields, as JSON that a test compares with the Python package. */
+/** What this package makes of weaves and files, as JSON that a test compares with the Python package. */
 import {
   bendsOf,
   bitsToText,
   clothFacts,
   colouredDraft,
-  FABRIC,
   familySpacing,
   familyWidth,
   isInputError,
@@ -20,7 +19,6 @@ import {
 } from "../src/index.ts";
 
 export type Question =
-  | { kind: "fields" }
   | { kind: "weave"; text: string }
   | { kind: "wif"; name: string; base64: string }
   | { kind: "toml"; text: string };
@@ -30,8 +28,6 @@ export function report(question: Question): object {
   const warnings: string[] = [];
   try {
     switch (question.kind) {
-      case "fields":
-        return FABRIC;
       case "weave":
         return fabric({ weave: question.text }, loadDraft({ weave: question.text }));
       case "wif": {

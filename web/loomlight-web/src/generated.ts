@@ -329,11 +329,10 @@ export const DEEP_MARGIN = [1.15, 0.05] as const;
 export const THIN_MARGIN = [0.6, 1.0] as const;
 export const MARGIN_FADE = 2.0;
 
-// scattering/detail.py, fabric/defaults.py
+// scattering/detail.py
 export const SLUB_LENGTH = 9.0;
 export const TONE_OF_TILT = 0.5;
 export const MOST_TONE = 0.15;
-export const PLY_TWIST_DEG = 24.0;
 
 // fabric/authored_colour.py
 export const HALVINGS = 20;

@@ -10,10 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.fabric.fabric import Fabric
+from loomlight.fabric.file import yarn_range
 from loomlight.models.neural.architecture import BUNDLE_POSITIONS, BUNDLE_SLOPES
 
 # Valid ranges of parameters, to which mixtures are clipped; angles in radians.
-_LIMITS = {"roughness": (0.01, 1.0), "inclination": (0.0, math.radians(80)), "height_scale": (0.01, 2.0)}
+_LIMITS = {
+    "roughness": yarn_range("roughness"),
+    "inclination": (0.0, math.radians(yarn_range("inclination_deg")[1])),
+    "height_scale": yarn_range("height_scale"),
+}
 _ROUNDING = 1e-6
 # Slopes of bundles in units of the slope at the ends of floats, as yarns dive steeper between floats; and the
 # smallest largest slope.

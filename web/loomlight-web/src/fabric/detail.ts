@@ -1,6 +1,7 @@
 /** What yarns show close up, as numbers that shaders read; see `scattering/detail.py`. */
-import { MOST_TONE, PLY_TWIST_DEG, SECTION_ANGLE, SLUB_LENGTH, TONE_OF_TILT } from "../generated.ts";
-import type { YarnFields } from "loomlight-fabric";
+import { PLY_TWIST_DEG, type YarnFields } from "loomlight-fabric";
+
+import { MOST_TONE, SECTION_ANGLE, SLUB_LENGTH, TONE_OF_TILT } from "../generated.ts";
 
 const RADIANS = Math.PI / 180;
 
