@@ -25,6 +25,7 @@ from loomlight.core.errors import LoomlightError
 from loomlight.export.folder import replacing_folder, write_manifest
 from loomlight.viewer.session import session
 from loomlight.viewer.site import copy_client
+from tools.docs_site.api import TITLE, api_text
 from tools.docs_site.template import page_html
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -33,16 +34,19 @@ PARTS = ROOT / "tools" / "docs_site"
 USE, HOW, FIGURES, PAPERS, TRIED = "Use", "How it works", "Figures", "Papers", "What was tried"
 _FIRST = {
     USE: (
-        "editor",
+        "rendering",
+        "meshes",
+        "animation",
+        "fabric-files",
         "drafts",
         "large-drafts",
-        "fabric-files",
-        "rendering",
+        "editor",
         "realtime",
         "realtime-shaders",
         "materials",
         "export",
         "maps",
+        "models",
         "comparison",
     ),
     HOW: ("notation", "scattering", "light-between-yarns", "aggregation"),
@@ -84,6 +88,8 @@ def read_pages(root: Path) -> list[Page]:
         first = _FIRST[reader]
         files.sort(key=lambda file: first.index(_name(file)) if _name(file) in first else len(first))
         pages += [_page(root, file, _target(root, file), reader) for file in files]
+        if reader == USE:
+            pages.append(Page("the Python reference", "api.html", USE, TITLE, api_text()))
         if reader == HOW:
             pages.append(_page(root, root / "ARCHITECTURE.md", "architecture.html", HOW))
     return pages
@@ -113,7 +119,7 @@ def _reader(root: Path, file: Path) -> str:
         return TRIED
     if "research" in folders:
         return FIGURES if file.stem.startswith("figures") or file.stem in _FIRST[FIGURES] else HOW
-    return HOW if "models" in folders or file.stem in _FIRST[HOW] else USE
+    return USE
 
 
 def _target(root: Path, file: Path) -> str:

@@ -11,6 +11,7 @@ from urllib.parse import unquote, urlsplit
 
 import pytest
 
+import loomlight
 from loomlight.viewer import site as viewer_site
 from tools.build_docs import ROOT, Translator, build, main, read_pages
 
@@ -43,6 +44,14 @@ def test_every_page_of_the_project_is_there(site: Path) -> None:
     assert readers["docs/research/figures.md"] == "Figures"
     assert readers["docs/research/notes/simd.md"] == "What was tried"
     assert readers["papers/chen2024/README.md"] == "Papers"
+
+
+def test_the_python_reference_has_every_public_name(site: Path) -> None:
+    page = (site / "api.html").read_text(encoding="utf-8")
+    for name in loomlight.__all__:
+        assert f'id="{name.lower()}"' in page
+    assert "spp: int = 9" in page
+    assert "<code>settings</code>: by default those of" in page
 
 
 def test_every_link_leads_somewhere(site: Path) -> None:

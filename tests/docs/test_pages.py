@@ -1,0 +1,122 @@
+"""Every command and Python text of the pages works as it stands, beside a fresh copy of the examples."""
+
+from __future__ import annotations
+
+import glob
+import re
+import shlex
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+import typer
+
+from loomlight.cli.main import app, run
+from loomlight.models.registry import MODELS
+
+ROOT = Path(__file__).parents[2]
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+# Of research, the pages of models have commands too.
+WITH_COMMANDS = [*PAGES, *sorted((ROOT / "docs/research/models").glob("*.md"))]
+# What never ends, takes hours or needs other machines: its words are checked, and that its files exist.
+NOT_RUN = {
+    r"loomlight view(?!.*--export)": "a server runs until it is stopped",
+    r"loomlight play(?!.* -o )": "a window waits for its user",
+    r"loomlight play .* -o ": "software adapters take minutes",
+    r"loomlight (train|data) ": "trainings take hours",
+    r"loomlight bake .*--executor (slurm|joblib:ray|joblib:dask)": "it needs a cluster",
+}
+PYTHON_NOT_RUN = {
+    "rendercanvas": "a window waits for its user",
+    "Renderer(": "software adapters take minutes",
+}
+MAX_WORDS = 24_000
+
+
+def shell_lines(text: str) -> Iterator[str]:
+    """The commands of a page, continued lines joined, remarks left out."""
+    joined = re.sub(r" \\\n\s+", " ", text)
+    for line in re.findall(r"^(?:    |\t)?((?:loomlight|python -m) .*)$", joined, re.MULTILINE):
+        yield re.sub(r"(\s{2,}#?|\s#).*$", "", line).strip()
+
+
+def commands(page: Path) -> list[str]:
+    """The `loomlight` commands of a page; one with a word in capitals is a form, not a command."""
+    lines = shell_lines(page.read_text(encoding="utf-8"))
+    return [line for line in lines if line.startswith("loomlight ") and not re.search(r"\s[A-Z]{4,}\b", line)]
+
+
+def python_texts(page: Path) -> list[str]:
+    return re.findall(r"^```python\n(.*?)^```", page.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+
+
+def arguments_of(command: str) -> list[str]:
+    """The words of a command after its name, as a shell that expands `*` hands them over."""
+    words: list[str] = []
+    for word in shlex.split(command)[1:]:
+        words += sorted(glob.glob(word)) if "*" in word else [word]
+    return words
+
+
+def require_words(arguments: list[str]) -> None:
+    """Raises unless the command line takes these words; nothing is run."""
+    command, context = typer.main.get_command(app), None
+    while hasattr(command, "resolve_command"):
+        context = command.make_context("loomlight", arguments, parent=context)
+        _, command, arguments = command.resolve_command(context, [*context._protected_args, *context.args])
+    command.make_context("loomlight", arguments, parent=context)
+
+
+@pytest.fixture
+def clone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with what a fresh clone has beside the code."""
+    for folder in ("examples", "experiments"):
+        shutil.copytree(ROOT / folder, tmp_path / folder, ignore=shutil.ignore_patterns("*.py", "results"))
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("page", WITH_COMMANDS, ids=lambda page: page.stem)
+def test_every_command_works(page: Path, clone: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for command in commands(page):
+        arguments = arguments_of(command)
+        if any(re.search(pattern, command) for pattern in NOT_RUN):
+            require_words(arguments)
+        else:
+            assert run(arguments) == 0, f"{command}\n{capsys.readouterr().err}"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("page", WITH_COMMANDS, ids=lambda page: page.stem)
+def test_every_python_text_works(page: Path, clone: Path) -> None:
+    names: dict[str, object] = {}
+    for text in python_texts(page):
+        compile(text, page.name, "exec")
+        if not any(word in text for word in PYTHON_NOT_RUN):
+            exec(text, names)
+
+
+def test_words_of_commands_are_checked() -> None:
+    require_words(["render", "plain", "-o", "a.png", "--spp", "4"])
+    for wrong in (["rendr", "plain"], ["render", "plain", "--ssp", "4"], ["weave", "shows"]):
+        with pytest.raises(Exception, match=r"rendr|ssp|shows"):
+            require_words(wrong)
+
+
+def test_commands_are_found_in_pages() -> None:
+    assert sum(len(commands(page)) for page in WITH_COMMANDS) > 40
+
+
+def test_pages_for_users_stay_short() -> None:
+    """Issue: at most 24,000 words in all, and a page over 1,500 words is two pages (names.md)."""
+    words = {page: len(page.read_text(encoding="utf-8").split()) for page in PAGES}
+    assert sum(words.values()) <= MAX_WORDS
+    assert [page.name for page, count in words.items() if count > 1500] == []
+
+
+def test_the_one_table_of_models_lists_the_registry() -> None:
+    table = (ROOT / "docs" / "models.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| \[?`(\w+)`\]?\S* \| `(\w+)` \|", table, re.MULTILINE)
+    assert dict(rows) == {name: entry.plugin for name, entry in MODELS.items()}
