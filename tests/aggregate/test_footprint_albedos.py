@@ -14,7 +14,6 @@ from drjit.llvm.ad import Array2f, Bool, Float
 from numpy.typing import NDArray
 
 from loomlight.aggregate import footprint_albedos
-from loomlight.aggregate.colour_sums import ALBEDOS, ColourSums
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.core.footprint import Box, Footprint, box_footprint
 from loomlight.core.llvm import require_llvm
@@ -23,6 +22,7 @@ from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
 
+from .colour_sums import ALBEDOS, ColourSums
 from .fabrics import NAMES, woven
 
 require_llvm()

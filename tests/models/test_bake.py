@@ -1,4 +1,7 @@
-"""The verbs of Python, `bake`, `save` and `load`, and what a material resolves to."""
+"""The verbs of Python, `bake`, `save` and `load`, and what a material resolves to.
+
+Covers: core/picture.py, models/material_spec.py
+"""
 
 from __future__ import annotations
 
@@ -79,7 +82,7 @@ def test_a_material_resolves_once_to_source_and_model(tmp_path: Path) -> None:
 def test_fabrics_drafts_and_pictures_show_themselves() -> None:
     fabric = loomlight.load("twill 2/2")
     assert isinstance(fabric, loomlight.Fabric)
-    shown = Image.open(io.BytesIO(fabric._repr_png_()))
+    shown = Image.open(io.BytesIO(fabric._repr_png_() or b""))
     assert shown.size[0] >= 4 * 8
     assert len(shown.convert("RGB").getcolors() or []) >= 2
     picture = np.full((2, 3, 3), 0.5, np.float32).view(Picture)

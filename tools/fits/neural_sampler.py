@@ -11,8 +11,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from loomlight.core.llvm import require_llvm
-from loomlight.models.neural.training.sampler import SamplerSettings, train_sampler, write_sampler
 from loomlight.models.neural.weights import shipped_weights
+from tools.fits.neural_sampler_training import SamplerSettings, train_sampler, write_sampler
 
 _OUTPUT = Path(__file__).parents[2] / "src/loomlight/models/neural/weights/neural_sampler.safetensors"
 

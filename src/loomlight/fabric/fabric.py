@@ -89,7 +89,7 @@ class Fabric:
         warn_of_colours_out_of_reach(fields, own.optical_depth, openness)
         return replace(own, warp=warp, weft=weft, openness=openness)
 
-    def _repr_png_(self) -> bytes:
+    def _repr_png_(self) -> bytes | None:
         """The drawdown in the yarns' colours as PNG, which notebooks display."""
         return self.draft._repr_png_()
 

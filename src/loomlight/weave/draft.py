@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
+from loomlight.core.picture import drawn_png
 from loomlight.weave.wif_source import WifSource
 
 # Ends, and picks, of one repeat. Each crossing takes a byte here, and 12 bytes where it is rendered.
@@ -96,12 +97,9 @@ class Draft:
                 f"The draft has {ends} ends and {picks} picks; at most {MAXIMUM_THREADS} of each can be used."
             )
 
-    def _repr_png_(self) -> bytes:
+    def _repr_png_(self) -> bytes | None:
         """The drawdown as PNG, which notebooks display."""
-        from loomlight.core.picture import png_bytes
-        from loomlight.weave.drawing import draw_drawdown
-
-        return png_bytes(draw_drawdown(self))
+        return drawn_png(self)
 
     @property
     def ends(self) -> int:

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.colour import linear_to_srgb, parse_colour, srgb_to_linear
 from loomlight.core.errors import InputError, LoomlightWarning
+from loomlight.core.picture import draw_by
 from loomlight.weave.draft import Draft, LoomPlan, Threads
 from loomlight.weave.loom import derive_loom_plan, membership, moved_shafts
 from loomlight.weave.palette import WARP_COLOUR, WEFT_COLOUR
@@ -428,3 +429,6 @@ def _outline(canvas: Pixels, view: _View, top: int, left: int, cell: int) -> Non
     canvas[bottom : bottom + thick, x : right + thick] = _REPEAT_LINE
     canvas[y : bottom + thick, x : x + thick] = _REPEAT_LINE
     canvas[y : bottom + thick, right : right + thick] = _REPEAT_LINE
+
+
+draw_by(Draft, draw_drawdown)

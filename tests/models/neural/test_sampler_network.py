@@ -3,7 +3,7 @@
 That weights are value over density, and that drawn directions follow the density on examples, the contract
 suite tests with the shipped network.
 
-Covers: models/learned_proposal.py, models/neural/sampler_network.py, models/neural/training/sampler.py
+Covers: models/learned_proposal.py, models/neural/sampler_network.py
 Covers: scattering/two_sided_lobes.py
 """
 
@@ -23,7 +23,10 @@ from loomlight.fabric import fabric_from_text
 from loomlight.models.learned_proposal import LearnedProposal
 from loomlight.models.neural.model import NeuralModel
 from loomlight.models.neural.sampler_network import FURTHER_INPUTS, further_inputs, sampler_layers
-from loomlight.models.neural.training.sampler import (
+from loomlight.models.neural.weights import shipped_weights
+from loomlight.scattering.two_sided_lobes import OUTPUTS, TwoSidedLobes
+from loomlight.training.torch_functions import TORCH
+from tools.fits.neural_sampler_training import (
     SamplerNetwork,
     SamplerSettings,
     Scenes,
@@ -31,9 +34,6 @@ from loomlight.models.neural.training.sampler import (
     train_sampler,
     write_sampler,
 )
-from loomlight.models.neural.weights import shipped_weights
-from loomlight.scattering.two_sided_lobes import OUTPUTS, TwoSidedLobes
-from loomlight.training.torch_functions import TORCH
 
 from ..chi_square import cell_counts, cell_shares, p_value
 
