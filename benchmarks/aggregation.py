@@ -1,4 +1,4 @@
-"""Accuracy of the truth: slices against brute force, their grids, boxes for parallelograms, surface form.
+"""Accuracy of the truth: slices against brute force, their grids, boxes for parallelograms.
 
     python -m benchmarks.aggregation [--output benchmarks/results/aggregation.json]
 
@@ -7,9 +7,6 @@
 - `grid`: 32 and 64 rays a thread against 128, by band: bias and mean absolute error of f·cos at albedos 0.4
   and 0.6, shares of the mean.
 - `boxes`: the axis-aligned box for parallelograms, by how correlated they are, against the reference.
-- `surface_form`: surface form × continuous rays, fetched at the centre shifted by the mean parallax, against
-  the truth without walls and with them, by band; `unseen` is the fraction of
-  footprints without visible points.
 """
 
 from __future__ import annotations
@@ -18,26 +15,20 @@ from argparse import Namespace
 from itertools import pairwise
 from typing import Any
 
-import drjit as dr
 import numpy as np
-from drjit.llvm.ad import Array2f64, Float, UInt32
+from drjit.llvm.ad import Array2f64, Float
 from numpy.typing import NDArray
 from scipy import stats
 
 from benchmarks.harness import Figures, run
-from loomlight.aggregate.components import trace_views, without_sheen_and_variation
 from loomlight.aggregate.queries import BANDS, FabricScale, fabric_scale, query_set
 from loomlight.aggregate.reference import brute_force, reference
 from loomlight.aggregate.slices import FabricSlices
-from loomlight.aggregate.surface_form import surface_samples
-from loomlight.aggregate.tables import box_means, summed_areas, texel_boxes
-from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.search import REFERENCE_QUALITY
 
 WEAVES = ("plain", "twill 2/2", "twill 3/1", "twill 4/4", "satin 5/2", "satin 8/3", "basket 2/2")
 WEIGHTS = np.array([0.4, 0.4, 0.6, 0.6])
@@ -164,87 +155,6 @@ def boxes(count: int) -> dict[str, float]:
     }
 
 
-def compare_surface_form(pairs: int) -> dict[str, Any]:
-    """Surface form × continuous rays against the truth over boxes, by band."""
-    rows: list[NDArray[np.float64]] = []
-    for number, weave in enumerate(WEAVES[:5]):
-        coarse, scale = fabric(weave, 0.3)
-        model = PointModel(coarse.surface, coarse.appearance, REFERENCE_QUALITY)
-        queries = query_set(scale, pairs, 200, number, transmits=True)
-        slices = FabricSlices(model, Float)
-        for index, (light, view) in enumerate(queries.pairs):
-            one, other = queries.lights[light], queries.views[view]
-            rows.append(
-                _surface_form_rows(
-                    model, slices, one, other, queries.centres[index], queries.sizes[index], scale
-                )
-            )
-    table = np.concatenate(rows)
-    result = {}
-    for index, name in enumerate(BANDS):
-        part = table[table[:, 0] == index]
-        seen = part[np.isfinite(part[:, 1])]
-        result[name] = {
-            "nmae": round(float(np.abs(seen[:, 1] - seen[:, 2]).mean() / seen[:, 2].mean()), 4),
-            "nmae_with_walls": round(float(np.abs(seen[:, 3] - seen[:, 4]).mean() / seen[:, 4].mean()), 4),
-            "unseen": round(1 - len(seen) / len(part), 4),
-        }
-    return result
-
-
-def _surface_form_rows(
-    model: PointModel,
-    slices: FabricSlices,
-    light: NDArray[np.float64],
-    view: NDArray[np.float64],
-    centres: NDArray[np.float64],
-    sizes: NDArray[np.float64],
-    scale: FabricScale,
-) -> NDArray[np.float64]:
-    """Rows: band, form × continuous, truth without walls, form × (continuous + wall), truth."""
-    types, rays = array_types(Float), slices.grid
-    x, y = rays.points(types, dr.arange(types.UInt32, rays.texels))
-    samples = surface_samples(model, x, y, light, view)
-    met = trace_views(
-        without_sheen_and_variation(model),
-        x,
-        y,
-        types.Vector3(*view.tolist()) + dr.zeros(types.Vector3, rays.texels),
-    )
-    shown = ~samples.hole
-    columns = [
-        WEIGHTS @ samples.by_points * samples.area,
-        samples.area,
-        WEIGHTS @ samples.by_rays * samples.continuous,
-        samples.continuous,
-        WEIGHTS @ samples.by_rays,
-        shown,
-        (met.point.x - x).numpy() * shown,
-        (met.point.y - y).numpy() * shown,
-    ]
-    squares = np.stack([sizes, sizes], axis=1)
-
-    def means(chosen: list[int], middles: NDArray[np.float64]) -> NDArray[np.float64]:
-        found = texel_boxes(rays, middles, squares, Float)
-        return np.stack(
-            [
-                box_means(
-                    summed_areas(Float(np.asarray(columns[k], np.float32)), rays.columns, rays.rows),
-                    UInt32(0),
-                    rays,
-                    found,
-                ).numpy()
-                for k in chosen
-            ]
-        )
-
-    truth, continuous, with_walls, all_shown, move_x, move_y = means([2, 3, 4, 5, 6, 7], centres)
-    moved = centres + np.stack([move_x, move_y], axis=1) / np.maximum(all_shown, 1e-9)[:, None]
-    weighted, area = means([0, 1], moved)
-    form = np.where(area > 1e-6, weighted / np.maximum(area, 1e-6), np.nan)
-    return np.stack([scale.bands(sizes), form * continuous, truth, form * all_shown, with_walls], axis=1)
-
-
 def measure(_: Namespace) -> Figures:
     """Everything."""
     require_llvm()
@@ -252,7 +162,6 @@ def measure(_: Namespace) -> Figures:
         "scores": scores(40, 50),
         "grid": grid(32),
         "boxes": boxes(1500),
-        "surface_form": compare_surface_form(12),
     }
 
 

@@ -1,6 +1,6 @@
 """Tables of lobes baked by compute kernels beside those of the Python bake: error, equal bytes, time.
 
-    python -m benchmarks.bake [FABRIC.toml …] [--fabrics 18 --pairs 128 --output benchmarks/results/bake.json]
+    python -m benchmarks.bake [FABRIC.toml …] [--fabrics 18 --pairs 128] [--output FILE.json]
 
 Error is the query benchmark's nMAE of grey f·cos against its truth. Times are of bakes after the first,
 which compiles kernels: seconds until the tables are read back, and CPU seconds, in which a software adapter

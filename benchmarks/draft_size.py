@@ -1,6 +1,6 @@
 """What the size of a draft costs: large ones against a plain weave of the same sett, and one of 4096 × 4096.
 
-    LOOMLIGHT_DATA=folder python -m benchmarks.draft_size [--output benchmarks/results/draft_size.json]
+    LOOMLIGHT_DATA=folder python -m benchmarks.draft_size [--output FILE.json]
     python -m benchmarks.draft_size --steps [--output benchmarks/results/draft_size_steps.json]
 
 With --steps it is what the largest drafts cost step by step, each in a process of its own: a scarf of 641 ×

@@ -1,6 +1,6 @@
 """Queries of `neumip` a second, fetches and networks included, against torch and ONNX Runtime.
 
-    python -m benchmarks.neumip [--output benchmarks/results/neumip.json]
+    python -m benchmarks.neumip [--output FILE.json]
 
 A picture of 1920 × 1080 pixels, a query each, of a material with random textures of 512² texels and random
 networks: the time does not depend on the numbers. "whole" is the offset, the pyramid and the decoder; "second

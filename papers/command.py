@@ -62,6 +62,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument(
         "--quality", default="preview", metavar="NAME", help="of trainings: preview, full or published"
     )
+    parser.add_argument("--resolution", type=int, metavar="N", help="texels a side, of kuznetsov2021's")
     parser.add_argument("--steps", type=int, metavar="N", help="of each training; as the quality says")
     return parser
 
@@ -77,6 +78,8 @@ def _run(options: argparse.Namespace) -> None:
         raise InputError("No folder is given: write -o DIR for pictures and table.json.")
     if options.steps is not None:
         require_within("--steps", options.steps, 1, 10_000_000)
+    if options.resolution is not None:
+        require_within("--resolution", options.resolution, 8, 4096)
     if options.spp is not None:
         require_within("--spp", options.spp, 1, 1_000_000)
     size = SIZE if options.size is None else parse_size(options.size)
@@ -95,6 +98,7 @@ def _run(options: argparse.Namespace) -> None:
                 options.environment,
                 options.quality,
                 options.steps,
+                options.resolution,
             )
             found = make(item.name, output, setting, _command(item, setting))
         for table in found.tables:
@@ -110,7 +114,8 @@ def _command(item: Item, setting: Setting) -> str:
     options = {"weights": setting.weights, "environment": setting.environment}
     named = "".join(f" --{option} {file.name}" for option, file in options.items() if file is not None)
     model = "" if item.model is None else f" --model {setting.model}"
-    if item.name.startswith("zeltner2024"):
+    if item.name.startswith(("zeltner2024", "kuznetsov2021")):
         named += f" --quality {setting.quality}"
-        named += "" if setting.steps is None else f" --steps {setting.steps}"
+        numbers = {"steps": setting.steps, "resolution": setting.resolution}
+        named += "".join(f" --{option} {number}" for option, number in numbers.items() if number is not None)
     return f"{command}{model}{named}"

@@ -13,7 +13,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from hashlib import sha256
-from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -44,8 +43,6 @@ _LIGHT = np.array([-0.45, 0.15, 1.0]) / np.linalg.norm([-0.45, 0.15, 1.0])
 _SEED = 41
 # Paths of one call: a picture's footprints are held in memory.
 _CHUNK = 1 << 21
-_BASELINES = "papers.kuznetsov2021.neural_textures"
-_ENCODINGS = "papers.kuznetsov2021.encoded_textures"
 
 # f·cos, linear RGB [n, 3], 1/sr, of the queries of a shot.
 Predict = Callable[["Shot"], _Floats]
@@ -200,8 +197,9 @@ def trained_model(
         if isinstance(model, NeumipModel):
             return model
     import_extra("torch", "train", "Training neumip")
-    training: Any = import_module("loomlight.models.neumip.training.train")
-    weights = training.train_neumip(source, settings, place, report, queries_folder=_queries(setting.runs))
+    from loomlight.models.neumip.training.train import train_neumip
+
+    weights = train_neumip(source, settings, place, report, queries_folder=_queries(setting.runs))
     model = NeumipModel(source, weights)
     write_loom(file, model.to_loom())
     return model
@@ -234,9 +232,10 @@ def predictor(
         names = tuple(together) if chosen.together else (source.name,)
         network = _encodings(chosen, names, settings, setting.runs)[names.index(source.name)]
     else:
-        baselines: Any = import_module(_BASELINES)
+        from papers.kuznetsov2021.neural_textures import trained_textures
+
         place = _place(source, settings, setting, name)
-        network = baselines.trained_textures(chosen, source, settings, place, _queries(setting.runs))
+        network = trained_textures(chosen, source, settings, place, _queries(setting.runs))
     shape: PyramidShape = network.shape
 
     def predict(shot: Shot) -> _Floats:
@@ -252,11 +251,12 @@ def predictor(
 @lru_cache(2)
 def _encodings(design: Design, names: tuple[str, ...], settings: NeumipSettings, runs: Path) -> Any:
     """`trained_encodings` of materials, in the order of their names."""
-    encodings: Any = import_module(_ENCODINGS)
+    from papers.kuznetsov2021.encoded_textures import trained_encodings
+
     sources = [stage_material(name) for name in names]
     digest = sha256(" ".join([repr(design), *map(settings.identity, sources)]).encode()).hexdigest()[:12]
     place = Path(runs) / "kuznetsov2021" / f"encoded-{digest}"
-    return encodings.trained_encodings(design, sources, settings, place, _queries(runs))
+    return trained_encodings(design, sources, settings, place, _queries(runs))
 
 
 def model_predictor(model: NeumipModel) -> Predict:

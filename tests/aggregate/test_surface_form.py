@@ -7,12 +7,12 @@ from drjit.llvm.ad import Float
 from scipy import stats
 
 from loomlight.aggregate.grid import fabric_grid
-from loomlight.aggregate.surface_form import surface_form, surface_samples
 from loomlight.core.llvm import require_llvm
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.search import REFERENCE_QUALITY
 
 from .fabrics import NAMES, directions, woven
+from .surface_form import surface_form, surface_samples
 
 require_llvm()
 

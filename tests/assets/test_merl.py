@@ -25,8 +25,8 @@ from loomlight.assets.merl import (
 )
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError
-from loomlight.evaluation.analytic_brdfs import analytic_brdf, analytic_parameters
 from loomlight.models.latent.merl_queries import MerlReflectance
+from papers.zeltner2024.analytic_brdfs import analytic_brdf, analytic_parameters
 
 
 def directions(count: int, seed: int) -> NDArray[np.float32]:

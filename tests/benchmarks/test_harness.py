@@ -1,4 +1,7 @@
-"""Measuring scripts: what they record, where they write it, and how they end."""
+"""Measuring scripts: what they record, where they write it, and how they end.
+
+Covers: papers/zhu2024/storage.py, papers/zeltner2024/merl.py, papers/zeltner2024/speed.py
+"""
 
 from __future__ import annotations
 
@@ -13,10 +16,13 @@ from benchmarks import harness
 
 LIBRARIES = "__init__", "harness", "machine", "counted_library", "random_networks", "cloth_paths"
 SCRIPTS = sorted(
-    f"{folder.replace('/', '.')}.{file.stem}"
-    for folder in ("benchmarks", "experiments", "tools/fits")
-    for file in (harness.REPOSITORY / folder).glob("*.py")
-    if file.stem not in LIBRARIES
+    [
+        f"{folder.replace('/', '.')}.{file.stem}"
+        for folder in ("benchmarks", "experiments", "tools/fits")
+        for file in (harness.REPOSITORY / folder).glob("*.py")
+        if file.stem not in LIBRARIES
+    ]
+    + ["papers.zhu2024.storage", "papers.zeltner2024.merl", "papers.zeltner2024.speed"]
 )
 
 

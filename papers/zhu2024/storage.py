@@ -1,6 +1,6 @@
 """Size and error of compressed fibre densities by clusters and rank, and what taking out the mean does.
 
-    python -m experiments.clustered_storage [--output experiments/results/clustered_storage.json]
+    python -m papers.zhu2024.storage [--output papers/zhu2024/results/storage.json]
 
 The error is the mean squared difference of D from its compressed form over the mean of D², over texels of
 both faces and half vectors, of maps of 128 texels along the repeat. "without mean" spends one more

@@ -1,4 +1,7 @@
-"""The analytic library: its range, its energy, and that its files are MERL's."""
+"""The analytic library: its range, its energy, and that its files are MERL's.
+
+Covers: papers/zeltner2024/analytic_brdfs.py
+"""
 
 from __future__ import annotations
 
@@ -7,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from loomlight.assets.merl import load_merl
-from loomlight.evaluation.analytic_brdfs import (
+from papers.zeltner2024.analytic_brdfs import (
     analytic_brdf,
     analytic_library,
     analytic_parameters,

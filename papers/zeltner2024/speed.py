@@ -1,6 +1,6 @@
 """Is `latent` faster than the layered material that it stands for? CPU seconds of the same picture.
 
-    python -m experiments.latent_speed [--output experiments/results/latent_speed.json]
+    python -m papers.zeltner2024.speed [--output papers/zeltner2024/results/speed.json]
 
 The stage of zeltner2024's tables: the same sphere, light, samples and length of paths, rendered in turns with
 Mitsuba's own layers and with `latent` of each decoder. Kernels are compiled by a picture before. Weights

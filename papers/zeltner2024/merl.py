@@ -1,6 +1,6 @@
 """One network of `latent` for a library of MERL files: how exact is it of each BRDF?
 
-    python -m experiments.latent_merl --count 100 --output experiments/results/latent_merl.json
+    python -m papers.zeltner2024.merl --count 100 --steps 3000 --output papers/zeltner2024/results/merl.json
 
 Without `--library FOLDER`, `.binary` files of analytic BRDFs over the whole range of roughness are written to
 a temporary folder (35 MB each) and read again: they stand for measurements and are none. Every BRDF is asked
@@ -27,9 +27,9 @@ from benchmarks.harness import Figures, run
 from loomlight.assets.merl import SUFFIX, MerlLibrary, load_merl
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
-from loomlight.evaluation.analytic_brdfs import write_analytic_library
 from loomlight.models.latent.model import LatentModel
 from loomlight.models.latent.query_stream import draw_directions, draw_lights
+from papers.zeltner2024.analytic_brdfs import write_analytic_library
 
 _SEED = 999  # of no training
 _FLOOR = 1e-4
