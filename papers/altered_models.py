@@ -78,6 +78,10 @@ class AlteredModel(Model):
         """The model's."""
         return self._model.parameters(types)
 
+    def bound_to(self, values: Values) -> Self:
+        """The same alteration of the model that reads its parameters from arrays."""
+        return type(self)(self._model.bound_to(values), self._at)
+
     @property
     def open_area(self) -> float:
         """The model's."""

@@ -169,3 +169,10 @@ def test_explicit_albedos_cannot_create_energy() -> None:
     text = 'weave = "plain"\n[weft]\ndiffuse_reflect = [0.7, 0.7, 0.7]\nspecular_reflect = [0.1, 0.1, 0.9]'
     with pytest.raises(InputError, match="weft"):
         fabric_from_text(text)
+
+
+def test_switches_survive_writing() -> None:
+    """TOML writes true, not True."""
+    fabric = fabric_from_text('weave = "satin 5"\ninterreflection = true')
+    assert "interreflection = true" in fabric.to_toml()
+    assert fabric_from_text(fabric.to_toml()).fields == fabric.fields

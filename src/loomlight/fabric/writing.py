@@ -36,6 +36,8 @@ def _moved(path: str, read_from: str, written_to: str | os.PathLike[str]) -> str
 def _literal(value: object) -> str:
     if isinstance(value, str):
         return _quoted(value)
+    if isinstance(value, bool):
+        return "true" if value else "false"
     if isinstance(value, list | tuple):
         return "[" + ", ".join(_literal(part) for part in value) + "]"
     return repr(value)

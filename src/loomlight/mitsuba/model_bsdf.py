@@ -104,9 +104,9 @@ def model_bsdf_class() -> type:
             self._set_model(self.model.with_source(source))
 
         def _set_model(self, model: Model) -> None:
-            self.model = model
             self.symbolic_calls = model.symbolic
             self._parameters = dict(model.parameters(variant_types()))
+            self.model = model.bound_to(self._parameters)
             self._shown = {"uv_size": Parameter(self.uv_size, low=_SMALLEST_UV_SIZE, unit="mm")}
             self._shown |= self._parameters
             self._upload_parameters(model_changed=True)
@@ -212,23 +212,19 @@ def model_bsdf_class() -> type:
         def eval_pdf_sample(
             self, ctx: Any, si: Any, wo: Any, sample1: Any, sample2: Any, active: Mask = True
         ) -> Any:
-            return self._value_pdf_and_sample(self._at(si, active), si, wo, sample1, sample2, active)
+            return self.eval_pdf_sample_and_null_transmission(ctx, si, wo, sample1, sample2, active)[:-1]
 
         def eval_pdf_sample_and_null_transmission(
             self, ctx: Any, si: Any, wo: Any, sample1: Any, sample2: Any, active: Mask = True
         ) -> tuple[Any, ...]:
             """`eval_pdf_sample` and `eval_null_transmission`, for less than both."""
-            at = self._at(si, active)
-            results = self._value_pdf_and_sample(at, si, wo, sample1, sample2, active)
-            return *results, mi.Spectrum(dr.select(active, at.null_transmission, 0))
-
-        def _value_pdf_and_sample(
-            self, at: FootprintBsdf, si: Any, wo: Any, sample1: Any, sample2: Any, active: Mask
-        ) -> tuple[Any, ...]:
             u = variant_types().Vector2(sample2)
-            value, pdf, drawn = at.value_pdf_and_sample(plain(wo), sample1, u)
+            value, pdf, drawn, null_transmission = self._at(
+                si, active
+            ).value_pdf_sample_and_null_transmission(plain(wo), sample1, u)
             value = mi.Spectrum(dr.select(active, value, 0))
-            return value, dr.select(active, pdf, 0), *bsdf_sample(drawn, si, active)
+            null = mi.Spectrum(dr.select(active, null_transmission, 0))
+            return value, dr.select(active, pdf, 0), *bsdf_sample(drawn, si, active), null
 
         @nested
         def eval_and_null_transmission(
@@ -236,8 +232,9 @@ def model_bsdf_class() -> type:
         ) -> tuple[Any, Any]:
             """`eval` of active lanes and `eval_null_transmission` of entering ones, for less than both."""
             at = self._at(si, active | entering)
-            value = self._value(at, wo, active)
-            return value, mi.Spectrum(dr.select(entering, at.null_transmission, 0))
+            value, null_transmission = at.value_and_null_transmission(plain(wo), active)
+            value = mi.Spectrum(dr.select(active, value, 0))
+            return value, mi.Spectrum(dr.select(entering, null_transmission, 0))
 
         @nested
         def eval_null_transmission(self, si: Any, active: Mask = True) -> Any:

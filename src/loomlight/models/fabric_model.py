@@ -112,13 +112,22 @@ class FilteredFabricModel(FabricModel):
             for name, value in _numbers_of(self.fabric).items()
             if self.fabric.appearance().sheen.strength > 0 or not name.startswith("sheen.")
         }
-        appearance = self.fabric.appearance()
         for family in FAMILIES:
-            for name, value in _albedo_values(getattr(appearance, family), types).items():
+            values = _albedo_values(getattr(self.fabric.appearance(), family), types)
+            for name, value in values.items():
                 found[f"{family}.{name}"] = parameter_of(name, value, name in ALBEDOS)
-        shared = [_shared_albedos(family, found) for family in FAMILIES]
-        self.means = LiveAlbedos(YarnGeometry(self.fabric.layout()), appearance, *shared)
         return found
+
+    def bound_to(self, values: Values) -> Self:
+        """The model that reads albedos of families whose threads are alike from arrays, with derivatives."""
+        return self.with_means(_means_of(self.fabric, self.fabric.appearance(), values))
+
+    @final
+    def with_means(self, means: FootprintAlbedos) -> Self:
+        """The model with other mean albedos of threads; tables know nothing of albedos and are shared."""
+        model = copy(self)
+        model.means = means
+        return model
 
     def updated(self, values: Values, changed: frozenset[str]) -> Self:
         """The model after an edit: what a change of colours leaves alone is kept."""
@@ -132,11 +141,10 @@ class FilteredFabricModel(FabricModel):
         if edits:
             fabric = edited_fabric(self.fabric, dict(_field(*edit) for edit in edits.items()))
             model = self.with_fabric(fabric, frozenset(edits))
-            model.means = self.means.with_openness(fabric.appearance())
+            model = model.with_means(self.means.with_openness(fabric.appearance()))
         if any(_is_albedo(name) for name in changed) or not changed:
-            # Tables of this model know nothing of albedos, so a copy may share them.
-            model = copy(model)
-            model.means = _means_of(model.fabric, values)
+            appearance = appearance_of(model.fabric, values)
+            model = model.with_means(_means_of(model.fabric, appearance, values))
         return model
 
 
@@ -216,10 +224,10 @@ def _is_albedo(name: str) -> bool:
     return name.rpartition(".")[2] in (*ALBEDOS, "albedos")
 
 
-def _means_of(fabric: Fabric, values: Values) -> FootprintAlbedos:
-    """Mean albedos of a fabric with the albedos of its scene parameters."""
+def _means_of(fabric: Fabric, appearance: Appearance, values: Values) -> FootprintAlbedos:
+    """Mean albedos of a fabric; those of families whose threads are alike are the scene's arrays."""
     shared = [_shared_albedos(family, values) for family in FAMILIES]
-    return LiveAlbedos(YarnGeometry(fabric.layout()), appearance_of(fabric, values), *shared)
+    return LiveAlbedos(YarnGeometry(fabric.layout()), appearance, *shared)
 
 
 def appearance_of(fabric: Fabric, values: Values) -> Appearance:

@@ -5,7 +5,8 @@
     at.value(light)                           f(light, view)·|cos θ_light|, linear RGB, 1/sr
     at.pdf(light), at.value_and_pdf(light)
     at.sample(choice, u)
-    at.value_pdf_and_sample(light, choice, u)
+    at.value_and_null_transmission(light)
+    at.value_pdf_sample_and_null_transmission(light, choice, u)
 
 Arguments are Dr.Jit arrays of any backend: `light` and `view` unit vectors (z < 0 on the back), and a
 `Footprint` in millimetres of the source. A light on the other side than the view asks for transmission.
@@ -122,11 +123,15 @@ class FootprintBsdf(ABC):
         """Both; models for which that costs less than each alone override it."""
         return self.value(light, active), self.pdf(light)
 
-    def value_pdf_and_sample(
+    def value_and_null_transmission(self, light: Vec3, active: Mask = True) -> tuple[Color3, Float]:
+        """Both; models for which that costs less than each alone override it."""
+        return self.value(light, active), self.null_transmission
+
+    def value_pdf_sample_and_null_transmission(
         self, light: Vec3, choice: Float, u: Vec2
-    ) -> tuple[Color3, Float, DirectionSample]:
-        """`value_and_pdf` of a light, and a sample; models for which that costs less override it."""
-        return *self.value_and_pdf(light), self.sample(choice, u)
+    ) -> tuple[Color3, Float, DirectionSample, Float]:
+        """Value and density of a light, a sample, and null transmission; overridden where that costs less."""
+        return *self.value_and_pdf(light), self.sample(choice, u), self.null_transmission
 
     def to_seen_face(self, direction: Vec3) -> Vec3:
         """A direction in the frame of the face that the view sees: z is positive on its side."""
@@ -221,9 +226,18 @@ class Model(ABC):
         return 0.0
 
     def parameters(self, types: ArrayTypes) -> Values:
-        """What scenes show and set, by name, on one backend."""
+        """Numbers and colours that scenes show and set, by name: read by a model that is `bound_to` them."""
         del types
         return {}
+
+    def bound_to(self, values: Values) -> Self:
+        """The model that reads its parameters from arrays, which edits change in place.
+
+        Args:
+            values: from `parameters`.
+        """
+        del values
+        return self
 
     def updated(self, values: Values, changed: frozenset[str]) -> Self:
         """The model after an edit, baked anew as far as the edit asks for it.

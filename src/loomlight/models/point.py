@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from copy import copy
 from functools import cached_property
 from typing import Any, Self, final
 
@@ -24,7 +25,7 @@ from loomlight.models.fabric_model import (
     parameter_of,
 )
 from loomlight.models.interface import Values
-from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf
+from loomlight.models.separable import Components, Evaluation, FamilyAlbedos, SeparableBsdf
 from loomlight.scattering.point import PointModel
 from loomlight.scattering.yarn_point import Albedos, DirectionSample, YarnPoint, to_face_frame
 from loomlight.yarn.detached_surface import DetachedSurface
@@ -33,6 +34,7 @@ from loomlight.yarn.search import upload_extent
 from loomlight.yarn.visibility import first_hit
 
 _BENDS = ("height_scale", "twist")
+_SHEEN = ("sheen.strength", "sheen.roughness")
 
 
 @final
@@ -73,23 +75,28 @@ class PointBsdf(SeparableBsdf):
         """Albedos of the thread that shows; 0 for the other family."""
         return families_of(self.point)
 
-    def components(self, light: Vec3, active: Mask = True) -> Components:
+    def evaluate(self, light: Vec3, active: Mask = True) -> Evaluation:
         """Components of the yarn point, of one family."""
         visible = self._model.visibility(self.point, light, active)
-        return Components.of(
+        found = Components.of(
             components(self._model.appearance, self.point, light, self.view, visible),
             light_visibility(self.point, visible),
         )
+        return Evaluation(found, self.hole)
 
-    def bounced(self, components: Components) -> Bounced | None:
+    def bounced(self, evaluation: Evaluation) -> Bounced | None:
         """Albedos of light between yarns at the point."""
-        del components
+        del evaluation
         bounced: Bounced | None = self.point.bounced
         return bounced
 
     def value(self, light: Vec3, active: Mask = True) -> Color3:
         """f·cos with derivatives, 1/sr; 0 in lanes that are not active."""
         return self._model.evaluate(self.point, light, self.view, active)
+
+    def value_and_null_transmission(self, light: Vec3, active: Mask = True) -> tuple[Color3, Float]:
+        """Both."""
+        return self.value(light, active), self.null_transmission
 
     def pdf(self, light: Vec3) -> Float:
         """Density of `sample` per solid angle, without delta, 1/sr."""
@@ -130,8 +137,6 @@ class PointFootprint(FabricModel):
         super().__init__(fabric)
         self._geometry = YarnGeometry(fabric.layout())
         self.point_model = PointModel(DetachedSurface(self._geometry), fabric.appearance())
-        self._bends: dict[str, list[Any]] = {}
-        self._sheen: list[Any] | None = None
 
     @classmethod
     def for_source(cls, source: Source) -> Self:
@@ -169,41 +174,34 @@ class PointFootprint(FabricModel):
         self.point_model.detail(types)
 
     def parameters(self, types: ArrayTypes) -> Values:
-        """The model's own arrays: what is assigned to them shows at once, with derivatives."""
-        if not self._bends:
-            self._bends = {
-                name: [dr.opaque(types.Float, float(getattr(self._geometry, name)[k])) for k in (0, 1)]
-                for name in _BENDS
-            }
-            sheen = self.point_model.sheen
-            # Literals until they are edited: the sheen's closed form is cheaper with a literal roughness.
-            self._sheen = None if sheen is None else [types.Float(float(value)) for value in sheen]
-            self._link()
+        """Arrays of the model: with one that is `bound_to` them, edits show at once, with derivatives."""
         found: dict[str, Any] = {}
         families = self.point_model.parameters(types)
         for number, (name, family) in enumerate(zip(FAMILIES, families, strict=True)):
             found[f"{name}.roughness"] = family.roughness
-            found |= {f"{name}.{bend}": values[number] for bend, values in self._bends.items()}
+            for bend in _BENDS:
+                value = getattr(self._geometry, bend)[number]
+                found[f"{name}.{bend}"] = dr.opaque(types.Float, float(value))
             if family.table is not None:
                 found[f"{name}.albedos"] = family.table
             else:
                 found |= {f"{name}.{part}": value for part, value in zip(ALBEDOS, family.shared, strict=True)}
-        if self._sheen is not None:
-            found["sheen.strength"], found["sheen.roughness"] = self._sheen
+        if self.point_model.sheen is not None:
+            # Literals until they are edited: the sheen's closed form is cheaper with a literal roughness.
+            for name, value in zip(_SHEEN, self.point_model.sheen, strict=True):
+                found[name] = types.Float(float(value))
         return {name: parameter_of(name, value, differentiable=True) for name, value in found.items()}
 
-    def updated(self, values: Values, changed: frozenset[str]) -> Self:
-        """This model: its arrays were edited in place."""
-        del values, changed
-        self._link()
-        return self
-
-    def _link(self) -> None:
-        """Lets geometry and sheen read the parameters, whose derivatives may have been switched on."""
-        warp, weft = self._bends["height_scale"]
-        self._geometry.height_scale = (warp, weft)
-        warp, weft = self._bends["twist"]
-        self._geometry.twist = (warp, weft)
-        if self._sheen is not None:
-            strength, roughness = self._sheen
-            self.point_model.sheen = (strength, roughness)
+    def bound_to(self, values: Values) -> Self:
+        """The model that reads parameters from arrays; derivatives of these may be switched on later."""
+        bound, geometry, point_model = copy(self), copy(self._geometry), copy(self.point_model)
+        arrays = {name: parameter.value for name, parameter in values.items()}
+        geometry.height_scale, geometry.twist = (
+            (arrays[f"warp.{bend}"], arrays[f"weft.{bend}"]) for bend in _BENDS
+        )
+        point_model.surface = DetachedSurface(geometry)
+        if point_model.sheen is not None:
+            strength, roughness = (arrays[name] for name in _SHEEN)
+            point_model.sheen = strength, roughness
+        bound._geometry, bound.point_model = geometry, point_model
+        return bound

@@ -25,7 +25,7 @@ from loomlight.models.between_yarns import Bounced
 from loomlight.models.fabric_model import FabricModel, fabric_in_loom, fabric_source
 from loomlight.models.interface import Option
 from loomlight.models.point import families_of
-from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf
+from loomlight.models.separable import Components, Evaluation, FamilyAlbedos, SeparableBsdf
 from loomlight.scattering.point import PointModel
 from loomlight.scattering.yarn_point import Albedos, DirectionSample, YarnPoint
 from loomlight.yarn.geometry import YarnGeometry
@@ -101,15 +101,14 @@ class SamplesBsdf(SeparableBsdf):
             of_family(shown.albedos.warp, shown.warp_share), of_family(shown.albedos.weft, shown.weft_share)
         )
 
-    def bounced(self, components: Components) -> Bounced | None:
+    def bounced(self, evaluation: Evaluation) -> Bounced | None:
         """Mean albedos of light between yarns of the points."""
-        del components
+        del evaluation
         return self._shown.bounced
 
-    def components(self, light: Vec3, active: Mask = True) -> Components:
+    def evaluate(self, light: Vec3, active: Mask = True) -> Evaluation:
         """Mean components over the points."""
-        found: Components = self._mean(lambda point: self._components(point, light, active))
-        return found
+        return Evaluation(self._mean(lambda point: self._components(point, light, active)), self.hole)
 
     def pdf(self, light: Vec3) -> Float:
         """Density of `sample` per solid angle, without delta, 1/sr."""
@@ -123,7 +122,7 @@ class SamplesBsdf(SeparableBsdf):
                 self._model.pdf(point, light, self.view),
             )
         )
-        return self.composed(found, light), pdf
+        return self.composed(Evaluation(found, self.hole), light), pdf
 
     def sample(self, choice: Float, u: Vec2) -> DirectionSample:
         """A light direction at one of the points, straight through holes in proportion to them."""

@@ -15,6 +15,7 @@ from loomlight.core.footprint import Footprint
 from loomlight.models.between_yarns import BetweenYarns, Bounced
 from loomlight.models.interface import FootprintBsdf
 from loomlight.scattering.appearance import Sheen
+from loomlight.scattering.interreflection import Blocked
 from loomlight.scattering.sheen import sheen_transmittance, sheen_with_transmittance
 from loomlight.scattering.yarn_point import Albedos
 from loomlight.scattering.yarn_point import tinted as tinted_family
@@ -46,6 +47,22 @@ class Components:
 
 
 @dataclass
+class Evaluation:
+    """A footprint under one light: all that the search for its yarns finds.
+
+    Attributes:
+        components: for the light.
+        hole: share of the view rays that pass straight through, 0 to 1.
+        blocked: shares of the sky that yarn blocks at sampled points of warp and of weft; None without such
+            points, or without light between yarns.
+    """
+
+    components: Components
+    hole: Float
+    blocked: tuple[Blocked, Blocked] | None = None
+
+
+@dataclass
 class FamilyAlbedos:
     """Mean albedos of the threads that a footprint shows, a family each, linear RGB."""
 
@@ -70,31 +87,42 @@ class SeparableBsdf(FootprintBsdf):
         """Mean albedos as the view shows them, tinted."""
 
     @abstractmethod
+    def evaluate(self, light: Vec3, active: Mask = True) -> Evaluation:
+        """Components for a light and the hole; anything in lanes that are not active."""
+
+    @final
     def components(self, light: Vec3, active: Mask = True) -> Components:
         """Components for a light; anything in lanes that are not active."""
+        return self.evaluate(light, active).components
 
     @property
     def between(self) -> BetweenYarns | None:
         """Light between yarns; None without."""
         return None
 
-    def bounced(self, components: Components) -> Bounced | None:
+    def bounced(self, evaluation: Evaluation) -> Bounced | None:
         """Albedos of light between yarns, reflected and transmitted, over the footprint; None without.
 
         Args:
-            components: for the light; see `BetweenYarns.far`.
+            evaluation: of the light; see `BetweenYarns.far`.
         """
         if self.between is None:
             return None
-        return self.between.far(components.diffuse_warp, components.diffuse_weft, self.hole)
+        components = evaluation.components
+        return self.between.far(components.diffuse_warp, components.diffuse_weft, evaluation.hole)
 
     @property
     def null_transmission(self) -> Float:
         """Share of light that passes straight through: the hole, less what sheen takes."""
+        return self.null_transmission_of(self.hole)
+
+    @final
+    def null_transmission_of(self, hole: Float) -> Float:
+        """Share of light that passes straight through a hole, 0 to 1, and the sheen over it."""
         if self.sheen.strength <= 0:
-            return self.hole
+            return hole
         view = self.to_seen_face(self.view)
-        return self.hole * sheen_transmittance(view, self.sheen.strength, self.sheen.roughness)
+        return hole * sheen_transmittance(view, self.sheen.strength, self.sheen.roughness)
 
     @property
     def diffuse_reflectance(self) -> Color3:
@@ -104,26 +132,30 @@ class SeparableBsdf(FootprintBsdf):
 
     def value(self, light: Vec3, active: Mask = True) -> Color3:
         """f·cos with albedos and sheen, 1/sr; anything in lanes that are not active."""
-        return self.composed(self.components(light, active), light)
+        return self.composed(self.evaluate(light, active), light)
+
+    def value_and_null_transmission(self, light: Vec3, active: Mask = True) -> tuple[Color3, Float]:
+        """Both, of one evaluation."""
+        evaluation = self.evaluate(light, active)
+        return self.composed(evaluation, light), self.null_transmission_of(evaluation.hole)
 
     @final
-    def composed(self, components: Components, light: Vec3) -> Color3:
-        """`value` of components that are at hand, 1/sr."""
-        body = shade(components, self.albedos, light.z * self.view.z < 0)
-        body += self.bounced_value(components, light)
-        return self.under_sheen(body, components.light_visibility, light)
+    def composed(self, evaluation: Evaluation, light: Vec3) -> Color3:
+        """`value` of an evaluation that is at hand, 1/sr."""
+        body = shade(evaluation.components, self.albedos, light.z * self.view.z < 0)
+        return self.under_sheen(body + self.bounced_value(evaluation, light), evaluation, light)
 
     @final
-    def bounced_value(self, components: Components, light: Vec3) -> Color3:
+    def bounced_value(self, evaluation: Evaluation, light: Vec3) -> Color3:
         """f·cos of light between yarns, 1/sr: diffuse about the cloth's normal, and no shadow falls on it."""
-        bounced = self.bounced(components)
+        bounced = self.bounced(evaluation)
         if bounced is None:
             return array_types(light.x).Color3(0)
         reflected, transmitted = bounced
         return dr.select(light.z * self.view.z < 0, transmitted, reflected) * (abs(light.z) * dr.inv_pi)
 
     @final
-    def under_sheen(self, body: Color3, light_visibility: Float, light: Vec3) -> Color3:
+    def under_sheen(self, body: Color3, evaluation: Evaluation, light: Vec3) -> Color3:
         """f·cos of cloth whose yarns scatter `body` (1/sr), with the sheen over it, 1/sr."""
         if self.sheen.strength <= 0:
             return body
@@ -132,7 +164,8 @@ class SeparableBsdf(FootprintBsdf):
         lobe, transmittance = sheen_with_transmittance(
             self.to_seen_face(light), self.to_seen_face(self.view), self.sheen.strength, self.sheen.roughness
         )
-        return transmittance * body + (light_visibility + self.hole) * lobe
+        lit = evaluation.components.light_visibility + evaluation.hole
+        return transmittance * body + lit * lobe
 
 
 def shade(components: Components, albedos: FamilyAlbedos, is_transmission: Mask) -> Color3:

@@ -27,7 +27,14 @@ from loomlight.models.clustered.base import DeviceTables, LightTaps
 from loomlight.models.clustered.sampling import LobeSampler
 from loomlight.models.clustered.texels import TexelPoint
 from loomlight.models.random_numbers import uniform
-from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf, shade, tinted
+from loomlight.models.separable import (
+    Components,
+    Evaluation,
+    FamilyAlbedos,
+    SeparableBsdf,
+    shade,
+    tinted,
+)
 from loomlight.scattering.point import PointModel
 from loomlight.scattering.yarn_point import Albedos, DirectionSample, YarnPoint, to_face_frame
 
@@ -163,24 +170,27 @@ class ClusteredBsdf(SeparableBsdf):
         """Mean albedos of the threads over the footprint, which the base is multiplied by."""
         return tinted(self._mean_albedos, self._tint)
 
-    def bounced(self, components: Components) -> Bounced | None:
+    def bounced(self, evaluation: Evaluation) -> Bounced | None:
         """Albedos of light between yarns, with as much of either family as the whole cloth shows.
 
         Components are estimates of either sign, and say nothing of shares.
         """
-        del components
         albedos, seen = self.albedos, to_face_frame(self.view, self._back)
         between = BetweenYarns.of(
             self._albedos_of_cloth, (albedos.warp, albedos.weft), self._tint, seen, self._back
         )
-        return None if between is None else between.anywhere(self.hole)
+        return None if between is None else between.anywhere(evaluation.hole)
 
-    def components(self, light: Vec3, active: Mask = True) -> Components:
+    def evaluate(self, light: Vec3, active: Mask = True) -> Evaluation:
         """Base and residual of the components: unbiased estimates, of either sign."""
-        return self._estimate(light, active).components
+        return Evaluation(self._estimate(light, active).components, self.hole)
 
     def value(self, light: Vec3, active: Mask = True) -> Color3:
         """f·cos with the points' own albedos, 1/sr: an unbiased estimate, of either sign."""
+        return self.value_and_null_transmission(light, active)[0]
+
+    def value_and_null_transmission(self, light: Vec3, active: Mask = True) -> tuple[Color3, Float]:
+        """Both, of the same points."""
         found = self._estimate(light, active)
         through = light.z * self.view.z < 0
         # Of families whose threads are alike, mean albedos are the threads' own, and carry derivatives.
@@ -193,8 +203,9 @@ class ClusteredBsdf(SeparableBsdf):
             own.specular_weft if weft else rest.specular_weft,
             own.light_visibility,
         )
-        body = found.colour + shade(known, self.albedos, through) + self.bounced_value(own, light)
-        return self.under_sheen(body, found.components.light_visibility, light)
+        evaluation = Evaluation(own, self.hole)
+        body = found.colour + shade(known, self.albedos, through) + self.bounced_value(evaluation, light)
+        return self.under_sheen(body, evaluation, light), self.null_transmission
 
     def _estimate(self, light: Vec3, active: Mask) -> Estimate:
         """Base and both steps of the residual for one light."""

@@ -23,7 +23,7 @@ from loomlight.models.lobes.point_sampled import (
 from loomlight.models.lobes.prefiltered import PrefilteredLobes, TableLookup, half_vector
 from loomlight.models.lobes.proposal import Mixture, density, draw, mixture_of, packs_density, total_weight
 from loomlight.models.lobes.regimes import Regime
-from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf, tinted
+from loomlight.models.separable import Components, Evaluation, FamilyAlbedos, SeparableBsdf, tinted
 from loomlight.scattering.point import PointModel
 from loomlight.scattering.yarn_point import Albedos, DirectionSample, to_face_frame
 from loomlight.yarn.visibility import first_hit
@@ -147,19 +147,18 @@ class LobesBsdf(SeparableBsdf):
         albedos, seen = self.albedos, to_face_frame(self.view, self._back)
         return BetweenYarns.of(self._means, (albedos.warp, albedos.weft), self._tint, seen, self._back)
 
-    def bounced(self, components: Components) -> Bounced | None:
+    def bounced(self, evaluation: Evaluation) -> Bounced | None:
         """Albedos of light between yarns: of the points of close-ups, of the families' means farther away."""
-        far = super().bounced(components)
-        near = self.__dict__.get("_points_blocked")
-        if self.between is None or far is None or near is None:
+        far = super().bounced(evaluation)
+        if self.between is None or far is None or evaluation.blocked is None:
             return far
-        of_points = self.between.of_families(*near)
+        of_points = self.between.of_families(*evaluation.blocked)
         weight = self._regime.prefiltered
         return dr.lerp(of_points[0], far[0], weight), dr.lerp(of_points[1], far[1], weight)
 
-    def components(self, light: Vec3, active: Mask = True) -> Components:
-        """Components for a light, 1/sr; evaluates the hole as well."""
-        return self._evaluate([light], None, active)[0].components
+    def evaluate(self, light: Vec3, active: Mask = True) -> Evaluation:
+        """Components for a light, 1/sr, and the hole, in one pass over the groups."""
+        return self._evaluate([light], None, active)[0][0]
 
     def pdf(self, light: Vec3) -> Float:
         """Density of `sample` per solid angle, without delta, 1/sr."""
@@ -167,45 +166,46 @@ class LobesBsdf(SeparableBsdf):
 
     def value_and_pdf(self, light: Vec3, active: Mask = True) -> tuple[Color3, Float]:
         """Value and density of a light, in one pass over the groups."""
-        mixture = self.mixture
-        (result,) = self._evaluate([light], mixture)
-        return self.composed(result.components, light), self._density(mixture, result, light)
+        ((evaluation, sums),) = self._evaluate([light], self.mixture)
+        return self.composed(evaluation, light), self._density(sums, light)
 
     def sample(self, choice: Float, u: Vec2) -> DirectionSample:
         """A direction: null transmission through holes, else a direction from one of the lobes."""
         light, is_null = self._draw(choice, u)
         (result,) = self._evaluate([light], self.mixture)
-        return self._weighed(light, is_null, result)
+        return self._weighed(light, is_null, *result)
 
-    def value_pdf_and_sample(
+    def value_pdf_sample_and_null_transmission(
         self, light: Vec3, choice: Float, u: Vec2
-    ) -> tuple[Color3, Float, DirectionSample]:
-        """Value, density and a sample in two passes over the groups: one draws, one evaluates both lights."""
+    ) -> tuple[Color3, Float, DirectionSample, Float]:
+        """All four in two passes over the groups: one draws, one evaluates both lights."""
         drawn, is_null = self._draw(choice, u)
-        of_light, of_drawn = self._evaluate([light, drawn], self.mixture)
-        value = self.composed(of_light.components, light)
-        return value, self._density(self.mixture, of_light, light), self._weighed(drawn, is_null, of_drawn)
+        (evaluation, sums), of_drawn = self._evaluate([light, drawn], self.mixture)
+        value, sample = self.composed(evaluation, light), self._weighed(drawn, is_null, *of_drawn)
+        return value, self._density(sums, light), sample, self.null_transmission
 
     def _draw(self, choice: Float, u: Vec2) -> tuple[Vec3, Mask]:
         """A light direction, and whether it is null transmission."""
         facing, is_null = draw(self._lobes, self._at, self.mixture, self.sheen, choice, u)
         return to_face_frame(facing, self._back), is_null
 
-    def _weighed(self, light: Vec3, is_null: Mask, result: GroupSums) -> DirectionSample:
-        pdf = dr.select(is_null, self.mixture.null, self._density(self.mixture, result, light))
-        value = self.composed(result.components, light)
+    def _weighed(
+        self, light: Vec3, is_null: Mask, evaluation: Evaluation, sums: GroupSums
+    ) -> DirectionSample:
+        pdf = dr.select(is_null, self.mixture.null, self._density(sums, light))
+        value = self.composed(evaluation, light)
         # Null transmission is drawn with the probability of its transmittance.
         weight = dr.select(is_null, 1, dr.select(pdf > 0, value / maximum(pdf, 1e-30), 0))
         return DirectionSample(light=light, pdf=pdf, weight=weight, is_null=is_null)
 
-    def _density(self, mixture: Mixture, result: GroupSums, light: Vec3) -> Float:
+    def _density(self, sums: GroupSums, light: Vec3) -> Float:
         facing = to_face_frame(light, self._back)
-        return density(mixture, result.density, result.weight_sum, facing, self._at.view, self.sheen)
+        return density(self.mixture, sums.density, sums.weight_sum, facing, self._at.view, self.sheen)
 
     def _evaluate(
         self, lights: Sequence[Vec3], mixture: Mixture | None, active: Mask = True
-    ) -> list[GroupSums]:
-        """Components of both regimes for each light, and with a mixture the groups' part of its density.
+    ) -> list[tuple[Evaluation, GroupSums]]:
+        """Both regimes for each light, and the sums over the groups, with a mixture for its density.
 
         Args:
             active: lanes whose components are used; densities are computed in all lanes.
@@ -220,12 +220,10 @@ class LobesBsdf(SeparableBsdf):
             self.view,
             self.footprint,
         )
-        # The hole comes with the components, and what is blocked too; caching them saves a second search.
-        self.__dict__.setdefault("hole", dr.lerp(points.hole, hole, weight))
-        self.__dict__.setdefault("_points_blocked", points.blocked)
+        hole = dr.lerp(points.hole, hole, weight)
         return [
-            replace(result, components=_lerp_components(sampled, result.components, weight))
-            for sampled, result in zip(points.components, prefiltered, strict=True)
+            (Evaluation(_lerp_components(sampled, sums.components, weight), hole, points.blocked), sums)
+            for sampled, sums in zip(points.components, prefiltered, strict=True)
         ]
 
     def prefiltered(

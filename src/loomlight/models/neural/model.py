@@ -40,7 +40,7 @@ from loomlight.models.neural.proposal import Proposal, proposal_of
 from loomlight.models.neural.sampler_network import neural_proposal, sampler_layers, sampler_of
 from loomlight.models.neural.weights import Weights, read_weights, shipped_weights
 from loomlight.models.relu_network import ReluNetwork
-from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf, tinted
+from loomlight.models.separable import Components, Evaluation, FamilyAlbedos, SeparableBsdf, tinted
 from loomlight.scattering.yarn_point import DirectionSample, to_face_frame
 
 _NETWORK = "neural"
@@ -74,8 +74,6 @@ class NeuralBsdf(SeparableBsdf):
     @cached_property
     def hole(self) -> Float:
         """Fraction of the view rays that pass through holes, 0 to 1."""
-        if "_activations" in self.__dict__:
-            return self._activations.hole
         return self._decoder.hole(self._table, *self._query)
 
     @cached_property
@@ -89,17 +87,21 @@ class NeuralBsdf(SeparableBsdf):
         albedos, seen = self.albedos, to_face_frame(self.view, self._back)
         return BetweenYarns.of(self._model.means, (albedos.warp, albedos.weft), self._tint, seen, self._back)
 
-    def components(self, light: Vec3, active: Mask = True) -> Components:
-        """Components for a light; the hole comes with those of the first one."""
+    def evaluate(self, light: Vec3, active: Mask = True) -> Evaluation:
+        """Components for a light and the hole, in one run of the network."""
         facing = to_face_frame(light, self._back)
-        if "_activations" in self.__dict__ or "hole" in self.__dict__:
-            decoded = list(self._decoder.components(self._activations, facing))
-        else:
-            *decoded, hole = self._decoder.components_and_hole(self._table, facing, *self._query)
-            self.__dict__["hole"] = hole
+        *decoded, hole = self._decoder.components_and_hole(self._table, facing, *self._query)
+        return self._evaluation(decoded, hole, light)
+
+    def _evaluate_activated(self, light: Vec3) -> Evaluation:
+        """The same, of the part that no light changes: for what needs that part for more than one light."""
+        decoded = self._decoder.components(self._activations, to_face_frame(light, self._back))
+        return self._evaluation(decoded, self._activations.hole, light)
+
+    def _evaluation(self, decoded: list[Float], hole: Float, light: Vec3) -> Evaluation:
         blend = self._model.fabric.appearance().diffuse_blend
         lit = light_visibility_of(decoded[0] + decoded[1], light, self.view, blend)
-        return Components.of(decoded, minimum(lit, 1 - self.hole))
+        return Evaluation(Components.of(decoded, minimum(lit, 1 - hole)), hole)
 
     def pdf(self, light: Vec3) -> Float:
         """Density of `sample` per solid angle, without delta, 1/sr."""
@@ -107,27 +109,24 @@ class NeuralBsdf(SeparableBsdf):
 
     def sample(self, choice: Float, u: Vec2) -> DirectionSample:
         """Null transmission through holes, else a direction of the proposal."""
-        self._activate_first()
         facing, is_null = self._proposal.draw(choice, u)
         light = to_face_frame(facing, self._back)
         pdf = dr.select(is_null, self._proposal.null, self._proposal.density(facing))
-        value = self.value(light)
+        value = self.composed(self._evaluate_activated(light), light)
         # Null transmission is drawn with the probability of its transmittance.
         weight = dr.select(is_null, 1, dr.select(pdf > 0, value / maximum(pdf, 1e-30), 0))
         return DirectionSample(light=light, pdf=pdf, weight=weight, is_null=is_null)
 
-    def value_pdf_and_sample(
-        self, light: Vec3, choice: Float, u: Vec2
-    ) -> tuple[Color3, Float, DirectionSample]:
-        """All three, of one run of the part that no light changes."""
-        self._activate_first()
-        return super().value_pdf_and_sample(light, choice, u)
-
     def value_and_pdf(self, light: Vec3, active: Mask = True) -> tuple[Color3, Float]:
         """Both, of one run of the part that no light changes, which the learned sampler sees too."""
-        if self._sampler is not None:
-            self._activate_first()
-        return super().value_and_pdf(light, active)
+        return self.composed(self._evaluate_activated(light), light), self.pdf(light)
+
+    def value_pdf_sample_and_null_transmission(
+        self, light: Vec3, choice: Float, u: Vec2
+    ) -> tuple[Color3, Float, DirectionSample, Float]:
+        """All four, of one run of the part that no light changes."""
+        null_transmission = self.null_transmission_of(self._activations.hole)
+        return *self.value_and_pdf(light), self.sample(choice, u), null_transmission
 
     @cached_property
     def _sampler(self) -> ReluNetwork | None:
@@ -135,16 +134,11 @@ class NeuralBsdf(SeparableBsdf):
             return None
         return sampler_of(self._model.weights, array_types(self.view.x).Float)
 
-    def _activate_first(self) -> None:
-        """Runs the part that no light changes by itself: several lights follow, and the hole is wanted."""
-        self.__dict__.setdefault("hole", self._activations.hole)
-
     @cached_property
     def _proposal(self) -> Proposal | LearnedProposal:
         """The mixture that directions are drawn from; densities carry no derivatives."""
-        if self._sampler is not None:
-            self._activate_first()
-        albedos, null = dr.detach(self.albedos), dr.detach(self.null_transmission)
+        null = dr.detach(self.null_transmission_of(self._activations.hole))
+        albedos = dr.detach(self.albedos)
         view, fibres = to_face_frame(self.view, self._back), self._table.fibres(self._back)
         if self._sampler is not None:
             angular = dr.detach(self._activations.angular)
@@ -306,8 +300,7 @@ class NeuralModel(FilteredFabricModel):
             endpoints=model._endpoints,
             sampler=model.sampler,
         )
-        mixed.means = model.means
-        return mixed
+        return mixed.with_means(model.means)
 
     def upload(self, types: ArrayTypes) -> None:
         """Uploads albedos and latents to a backend."""
