@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from loomlight.yarn.runs import LONGEST_NEIGHBOUR, LONGEST_OFFSET, pack_runs
+from loomlight.yarn.runs import MAX_NEIGHBOUR, MAX_OFFSET, pack_runs
 
 
 def _walk(sides: NDArray[np.bool_], start: int, step: int) -> int:
@@ -33,7 +33,7 @@ def test_words_say_what_a_walk_along_the_thread_finds(shape: tuple[int, int]) ->
         previous = (crossing - behind - 1) % sides.size
         following = (crossing + ahead + 1) % sides.size
         assert word >> 27 == 0
-        assert (word >> 1) & 127 == min(behind, LONGEST_OFFSET)
-        assert (word >> 8) & 127 == min(ahead, LONGEST_OFFSET)
-        assert (word >> 15) & 63 == min(_walk(sides, previous, -1) + 1, LONGEST_NEIGHBOUR)
-        assert (word >> 21) & 63 == min(_walk(sides, following, 1) + 1, LONGEST_NEIGHBOUR)
+        assert (word >> 1) & 127 == min(behind, MAX_OFFSET)
+        assert (word >> 8) & 127 == min(ahead, MAX_OFFSET)
+        assert (word >> 15) & 63 == min(_walk(sides, previous, -1) + 1, MAX_NEIGHBOUR)
+        assert (word >> 21) & 63 == min(_walk(sides, following, 1) + 1, MAX_NEIGHBOUR)

@@ -30,7 +30,7 @@ from loomlight.core.llvm import require_llvm
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.file import FabricFile
 from loomlight.models.lobes.model import LobesModel
-from loomlight.models.lobes.prefiltered import DIFFUSE_LOSS, LARGEST_CORRELATION
+from loomlight.models.lobes.prefiltered import DIFFUSE_LOSS, MAX_CORRELATION
 from loomlight.models.lobes.reference import (
     LobesReference,
     Parallelogram,
@@ -160,7 +160,7 @@ def measured(fabric: Fabric, is_transmission: bool, seed: int) -> Pairs:
 
 def gain(pairs: Pairs, numbers: Floats) -> Floats:
     """P(lit given seen)/V(light) of each group [pairs, groups] for k₀, k₁ and, if given, the loss."""
-    kappa = np.minimum(numbers[0] + numbers[1] * pairs.cosine, LARGEST_CORRELATION)
+    kappa = np.minimum(numbers[0] + numbers[1] * pairs.cosine, MAX_CORRELATION)
     loss = numbers[2] if len(numbers) > 2 else 0.0
     return np.asarray(np.maximum(1 + kappa * pairs.full_gain - loss * pairs.light, 0))
 

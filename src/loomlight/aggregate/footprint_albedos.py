@@ -44,9 +44,9 @@ _ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular
 _NUMBERS = 3 * len(_ALBEDOS)
 # Entries of one family's table: 256 MB. Drafts of 4096 by 4096 threads keep three principal axes.
 # Four colours need no more; 4096 random ones are then up to 0.01 off at default shine, 0.03 at the most.
-_MOST_ENTRIES = 1 << 26
+MAX_ENTRIES = 1 << 26
 # Larger drafts keep as many: 16 bytes a crossing and family.
-_FEWEST_QUANTITIES = 4
+MIN_QUANTITIES = 4
 # Up to so many entries, each is stored together with its neighbour, so that both are read at once: 32 MB.
 _MOST_PAIRED = 1 << 22
 # Crossings whose sums are computed at once, within caches.
@@ -54,18 +54,18 @@ _CROSSINGS_AT_ONCE = 1 << 17
 # Numbers fetched at once.
 _WIDEST = 16
 # Principal axes that change no albedo by more than this are dropped.
-_SMALLEST_AXIS = 1e-6
+SMALLEST_AXIS = 1e-6
 # Least width of boxes in mean threads: float32 positions do not resolve less.
-_SMALLEST_BOX = 1 / 64
+SMALLEST_BOX = 1 / 64
 # Weight of hidden threads, which decides where no thread of a family is visible: an oblique view may see
 # them. It changes other means by at most this fraction.
-_HIDDEN = 2.0**-12
+HIDDEN_WEIGHT = 2.0**-12
 # Units in which table entries are counted; differences must stay within a signed 32-bit number.
-_UNITS = 0.99 * 2**31
+AREA_UNITS = 0.99 * 2**31
 # Visible areas below so many units, in proportion for boxes smaller than a crossing, and below this fraction
 # of the threads' area are rounding errors.
-_NOISE_UNITS = 16
-_NOISE_FRACTION = 1e-5
+NOISE_UNITS = 16.0
+NOISE_FRACTION = 1e-5
 
 
 class FootprintAlbedos:
@@ -164,7 +164,7 @@ def _family_tables(
 ) -> _FamilyTables:
     rows = np.concatenate([np.asarray(getattr(appearance, name), np.float64) for name in _ALBEDOS], axis=1)
     entries = (own.lower.size + 1) * (other.lower.size + 1)
-    most = max(_MOST_ENTRIES // entries, _FEWEST_QUANTITIES) - 1
+    most = max(MAX_ENTRIES // entries, MIN_QUANTITIES) - 1
     mean, coordinates, axes, truncation = _principal(rows, most)
     if not len(axes):
         nothing = np.zeros((0, 0, 0), np.uint32)
@@ -177,7 +177,7 @@ def _family_tables(
     threads[1:, 1] = np.cumsum(quantities * visible[:, None], axis=0)
     threads[1:, 2] = np.cumsum(quantities * cells[:, None], axis=0)
     area = float(visible.sum() * crossing.sum())
-    unit = area / _UNITS
+    unit = area / AREA_UNITS
     areas = np.zeros((other.lower.size + 1, own.lower.size + 1, _padded(quantities.shape[1])), np.uint32)
     for number, quantity in enumerate(quantities.T):
         for part, sums in _prefix_sums(on_top, crossing, quantity * visible):
@@ -210,7 +210,7 @@ def _principal(
     coordinates, axes = left * sizes, right
     largest = np.abs(coordinates).max(axis=0)
     # Sorted by the sum of squares, so the first ones suffice.
-    rank = min(int((largest > _SMALLEST_AXIS).sum()), max(most, 0))
+    rank = min(int((largest > SMALLEST_AXIS).sum()), max(most, 0))
     coordinates = coordinates[:, :rank] / largest[:rank]
     axes = axes[:rank] * largest[:rank, None]
     error = np.abs(rows - mean - coordinates @ axes).max()
@@ -256,7 +256,7 @@ class _Axis:
         self._family = upload_family(tables, types)
         self._start = dr.opaque(types.Float, float(tables.lower[0]))
         self._period = dr.opaque(types.Float, tables.period)
-        self._smallest = dr.opaque(types.Float, _SMALLEST_BOX * tables.period / tables.lower.size)
+        self._smallest = dr.opaque(types.Float, SMALLEST_BOX * tables.period / tables.lower.size)
         self.count = dr.opaque(types.UInt32, tables.lower.size)
         lengths = np.stack([2 * tables.half_width, tables.upper - tables.lower], axis=1)
         before = np.concatenate([np.zeros((1, 2)), np.cumsum(lengths, axis=0)])
@@ -361,9 +361,9 @@ class _Colours:
             for part, on_top in zip(visible, self._on_top(own, other), strict=True)
         ]
         area = visible[0] * crossing
-        noise = _NOISE_UNITS * self._unit * minimum(area / self._crossing, 1) + _NOISE_FRACTION * area
+        noise = NOISE_UNITS * self._unit * minimum(area / self._crossing, 1) + NOISE_FRACTION * area
         sums = [
-            part * gaps + dr.select(exposed[0] > noise, crossed, 0) + _HIDDEN * length * cell
+            part * gaps + dr.select(exposed[0] > noise, crossed, 0) + HIDDEN_WEIGHT * length * cell
             for part, crossed, cell in zip(visible, exposed, cells, strict=True)
         ]
         weight = dr.rcp(maximum(sums[0], 1e-20))

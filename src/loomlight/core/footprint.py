@@ -22,7 +22,7 @@ from loomlight.core.backend import array_types, maximum, minimum
 
 # Most anisotropic taps; and the ratio of squared length to squared width up to which one tap is enough.
 ANISOTROPIC_TAPS = 4
-_MAX_RATIO_OF_ONE_TAP = 1.5
+MAX_RATIO_OF_ONE_TAP = 1.5
 
 
 @dataclass
@@ -91,7 +91,7 @@ class Footprint:
         root = dr.sqrt(dr.square(half) + dr.square(covariance))
         # Squared length and width: twelve times the variances along the axes of the ellipse.
         long, wide = mean + root, maximum(mean - root, 0)
-        excess = maximum(long - _MAX_RATIO_OF_ONE_TAP * wide, 0)
+        excess = maximum(long - MAX_RATIO_OF_ONE_TAP * wide, 0)
         square = maximum(mean - 0.5 * excess, long * (1 / ANISOTROPIC_TAPS**2))
         # The variance of the taps' centres and that of a tap add up.
         step = dr.sqrt(maximum(minimum(excess, long - square), 0) * (1 / (ANISOTROPIC_TAPS**2 - 1)))

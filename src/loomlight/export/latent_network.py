@@ -15,7 +15,7 @@ from loomlight.models.latent.model import LatentModel
 from loomlight.models.latent.networks import (
     CHANNELS,
     FRAMES,
-    LARGEST_EXPONENT,
+    MAX_EXPONENT,
     VALUE_OFFSET,
     Weights,
 )
@@ -86,7 +86,7 @@ def latent_decoder(weights: Weights) -> bytes:
         if number + 1 < len(layers):
             values = graph.add("Relu", values)
     exponent = graph.add("Sub", values, graph.constant(np.float32(VALUE_OFFSET)))
-    bounded = graph.add("Min", exponent, graph.constant(np.float32(LARGEST_EXPONENT)))
+    bounded = graph.add("Min", exponent, graph.constant(np.float32(MAX_EXPONENT)))
     height = graph.add("Gather", "light", graph.constant(np.array([2])), axis=1)
     above = graph.add("Greater", height, graph.constant(np.float32(0)))
     graph.add("Where", above, graph.add("Exp", bounded), graph.constant(np.float32(0)), output="value")

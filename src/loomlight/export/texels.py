@@ -22,8 +22,8 @@ from loomlight.yarn.geometry import YarnGeometry
 Numbers = NDArray[np.float64]
 # Points across a texel, at least, and across the finest thread.
 _POINTS_PER_TEXEL, _POINTS_PER_THREAD = 4, 8
-_MOST_POINTS = 1 << 24
-_LARGEST_TEXTURE = 4096
+_MAX_POINTS = 1 << 24
+_MAX_TEXTURE = 4096
 # Slopes about the mean normal are at most this, or a few points at the outline of a yarn would outweigh all
 # others.
 _STEEPEST = 3.0
@@ -77,13 +77,13 @@ def texture_grid(fabric: Fabric, texel_mm: float | None) -> tuple[int, int]:
     width, height = layout.size
     if texel_mm is None:
         columns, rows = 8 * ends, 8 * picks
-        factor = max(1.0, max(columns, rows) / _LARGEST_TEXTURE)
+        factor = max(1.0, max(columns, rows) / _MAX_TEXTURE)
         columns, rows = int(columns / factor), int(rows / factor)
     else:
         columns, rows = (max(4, round(side / texel_mm)) for side in (width, height))
-    if max(columns, rows) > _LARGEST_TEXTURE:
+    if max(columns, rows) > _MAX_TEXTURE:
         raise InputError(
-            f"Textures of {columns} × {rows} texels are too large, at most {_LARGEST_TEXTURE} a side: "
+            f"Textures of {columns} × {rows} texels are too large, at most {_MAX_TEXTURE} a side: "
             "choose a larger distance."
         )
     return columns, rows
@@ -98,7 +98,7 @@ def texels_of(fabric: Fabric, columns: int, rows: int) -> Texels:
         max(_POINTS_PER_TEXEL, math.ceil(_POINTS_PER_THREAD * threads / texels))
         for threads, texels in ((ends, columns), (picks, rows))
     )
-    band = max(1, _MOST_POINTS // (columns * nx * ny))
+    band = max(1, _MAX_POINTS // (columns * nx * ny))
     parts = []
     for first in range(0, rows, band):
         count = min(band, rows - first)

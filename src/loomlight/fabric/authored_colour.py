@@ -18,7 +18,7 @@ from loomlight.scattering.interreflection import scattered, solved_interior
 from loomlight.scattering.openness import Openness
 
 # Halvings of [0, 1]: errors are below a step of 16-bit colours.
-_HALVINGS = 20
+HALVINGS = 20
 
 
 def shown_colour(
@@ -69,7 +69,7 @@ def colour_for(
     """
     distinct, places = np.unique(shown, axis=0, return_inverse=True)
     low, high = np.zeros_like(distinct), np.ones_like(distinct)
-    for _ in range(_HALVINGS):
+    for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
         is_dark = (
             shown_colour(middle, specular, translucency, openness, family, roughness, optical_depth)

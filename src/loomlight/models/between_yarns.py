@@ -85,10 +85,10 @@ class BetweenYarns:
             hole: share of the view rays that pass through.
         """
         warp, weft, is_warp = self.cloth.blocked_from(self.view, self.back)
-        of_warp = diffuse_warp * dr.rcp(maximum(1 - warp.by_warp - warp.by_weft, _SMALLEST_OPENNESS))
-        of_weft = diffuse_weft * dr.rcp(maximum(1 - weft.by_warp - weft.by_weft, _SMALLEST_OPENNESS))
+        of_warp = diffuse_warp * dr.rcp(maximum(1 - warp.by_warp - warp.by_weft, SMALLEST_OPENNESS))
+        of_weft = diffuse_weft * dr.rcp(maximum(1 - weft.by_warp - weft.by_weft, SMALLEST_OPENNESS))
         lit = of_warp + of_weft
-        share = dr.fma(_WEIGHT_OF_CLOTH, is_warp, of_warp) * dr.rcp(lit + _WEIGHT_OF_CLOTH)
+        share = dr.fma(WEIGHT_OF_CLOTH, is_warp, of_warp) * dr.rcp(lit + WEIGHT_OF_CLOTH)
         return self.of_families(_scaled(warp, share * (1 - hole)), _scaled(weft, (1 - share) * (1 - hole)))
 
     def anywhere(self, hole: Float) -> Bounced:
@@ -103,9 +103,9 @@ class BetweenYarns:
 
 
 # A family that is less open than this is hardly seen.
-_SMALLEST_OPENNESS = 0.1
+SMALLEST_OPENNESS = 0.1
 # Diffuse component, 1/sr, of which the mean of the cloth weighs as much as what the footprint shows.
-_WEIGHT_OF_CLOTH = 2e-3
+WEIGHT_OF_CLOTH = 2e-3
 
 
 def _scaled(blocked: Blocked, share: Float) -> Blocked:

@@ -14,7 +14,7 @@ from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
 
 # Positions are told apart in so many steps a repeat; rounding of float32 moves few to a neighbour.
-_STEPS = 4096
+HASH_STEPS = 4096.0
 # Of MurmurHash3's finalizer (Appleby 2011).
 _FIRST, _SECOND = 0x85EBCA6B, 0xC2B2AE35
 
@@ -29,7 +29,7 @@ def hashed(view: Vec3, footprint: Footprint, size: tuple[Float, Float]) -> UInt:
     found = types.UInt32(0x9E3779B9)
     for axis, extent in enumerate(size):
         turns = footprint.centre[axis] / extent
-        found = _mixed(found ^ types.UInt32((turns - dr.floor(turns)) * _STEPS))
+        found = _mixed(found ^ types.UInt32((turns - dr.floor(turns)) * HASH_STEPS))
     for number in (*view, *footprint.duv_dx, *footprint.duv_dy):
         # −0 and 0 are the same number.
         found = _mixed(found ^ dr.reinterpret_array(types.UInt32, types.Float(number) + 0.0))

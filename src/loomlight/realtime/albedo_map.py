@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-LARGEST_SIDE = 2048  # texels
-_STEPS = 1023  # ten bits
+MAX_SIDE = 2048  # texels
+ROOT_STEPS = 1023  # ten bits
 
 
 def map_words(texels: NDArray[np.floating]) -> tuple[NDArray[np.uint32], int]:
@@ -20,7 +20,7 @@ def map_words(texels: NDArray[np.floating]) -> tuple[NDArray[np.uint32], int]:
     Args:
         texels: linear RGB [rows, columns, 3], 0 to 1, the top row first.
     """
-    side = min(LARGEST_SIDE, 1 << math.ceil(math.log2(max(texels.shape[:2]))))
+    side = min(MAX_SIDE, 1 << math.ceil(math.log2(max(texels.shape[:2]))))
     level = _resized(np.clip(np.asarray(texels, np.float32), 0, 1), side)
     words = [_packed(level)]
     while len(level) > 1:
@@ -44,5 +44,5 @@ def _resized(texels: NDArray[np.float32], side: int) -> NDArray[np.float32]:
 
 
 def _packed(level: NDArray[np.float32]) -> NDArray[np.uint32]:
-    roots = np.rint(np.sqrt(level) * _STEPS).astype(np.uint32).reshape(-1, 3)
+    roots = np.rint(np.sqrt(level) * ROOT_STEPS).astype(np.uint32).reshape(-1, 3)
     return roots[:, 0] | (roots[:, 1] << np.uint32(10)) | (roots[:, 2] << np.uint32(20))

@@ -39,11 +39,11 @@ _ROW_OF_GROUPS = 32768
 # Slices of a storage buffer begin at multiples of so many bytes on every adapter.
 _STEP_BYTES = 256
 # Where weights begin among the words of a step, and their number along an axis; see `bake_coverage.slang`.
-_WEIGHTS = 16
+FIRST_WEIGHT = 16
 # As in `models.lobes.accumulation`, which would load Numba.
 _VIEW_SUMS, _LIGHT_SUMS = 13, 5
 _TOP_DOWN = cloth_samples.TOP_DOWN_SAMPLES
-_LIST = max(_TOP_DOWN, NODES * visibility_rays._SAMPLED_VIEWS)
+_LIST = max(_TOP_DOWN, NODES * visibility_rays.SAMPLED_VIEWS)
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ DISPATCHES: tuple[Dispatch, ...] = (
     Dispatch("bake_views", "bake_rays", _RAYS),
     Dispatch("bake_gap_starts", "bake_rays", _RAYS),
     Dispatch("bake_gaps", "bake_points", ((256,),), group=256),
-    Dispatch("bake_nulls", "bake_rays", (*_RAYS, (NODES, visibility_rays._MAX_GAP_RAYS))),
+    Dispatch("bake_nulls", "bake_rays", (*_RAYS, (NODES, visibility_rays.MAX_GAP_RAYS))),
     Dispatch("bake_shadows", "bake_rays", _RAYS),
     Dispatch("bake_points", "bake_points", ((4, 256),), group=256),
     Dispatch("bake_bisect", "bake_groups", ((4, 256),), group=256),
@@ -106,11 +106,11 @@ DISPATCHES: tuple[Dispatch, ...] = (
 # Words of the parts of `scratch`, whose beginnings are fields of the record `Bake`.
 SCRATCH: dict[str, Size] = {
     "facts": ((64,),),
-    "gaps": ((2, visibility_rays._MAX_GAP_RAYS),),
-    "gap_nulls": ((NODES, visibility_rays._MAX_GAP_RAYS),),
+    "gaps": ((2, visibility_rays.MAX_GAP_RAYS),),
+    "gap_nulls": ((NODES, visibility_rays.MAX_GAP_RAYS),),
     "lit": _RAYS,
     "lists": ((5, _LIST),),
-    "points": ((4, groups._CLUSTERED_SAMPLES, 6),),
+    "points": ((4, groups.CLUSTERED_SAMPLES, 6),),
     "clusters": ((4, "max_clusters", 32),),
     "cluster_means": ((4, "max_clusters", "max_clusters", 6),),
     "cluster_errors": ((4, "max_clusters"),),
@@ -187,7 +187,7 @@ def plan_bake(layout: ClothLayout, per_family: int) -> BakePlan:
     geometry = YarnGeometry(layout)
     spacing = coverage_pyramid.spacing_of(geometry, per_family)
     picks, ends = layout.warp_on_top.shape
-    columns, rows = (coverage_pyramid._nodes_along(side, spacing) for side in geometry.size)
+    columns, rows = (coverage_pyramid.nodes_along(side, spacing) for side in geometry.size)
     across, along = (
         coverage_pyramid.texels_along(threads, count) for threads, count in ((ends, columns), (picks, rows))
     )
@@ -198,7 +198,7 @@ def plan_bake(layout: ClothLayout, per_family: int) -> BakePlan:
         "groups": 2 * per_family,
         "packs": pack_count(per_family),
         "width": pack_count(per_family) + 1,
-        "max_clusters": max(per_family, 2 * per_family - groups._PACK),
+        "max_clusters": max(per_family, 2 * per_family - groups.GROUPS_PER_PACK),
         "rays": visibility_rays.ray_count(per_family),
         "columns": columns,
         "rows": rows,
@@ -220,7 +220,7 @@ def plan_bake(layout: ClothLayout, per_family: int) -> BakePlan:
         "far_weight": spacing.far_weight,
     }
     blur = tuple(
-        _tap_weights([float(w) for w in coverage_pyramid._blur_steps(spacing.base_size * count / side)])
+        _tap_weights([float(w) for w in coverage_pyramid.blur_steps(spacing.base_size * count / side)])
         for count, side in zip((columns, rows), geometry.size, strict=True)
     )
     return BakePlan(values, sizes, levels, spacing.base_size, (blur[0], blur[1]))
@@ -354,7 +354,7 @@ def _steps(plan: BakePlan) -> NDArray[np.uint32]:
     steps[:, :, 1:4] = plan.levels
     steps[:, 1:, 4:7] = plan.levels[:-1]
     for axis, weights in enumerate(plan.blur):
-        begin = _WEIGHTS * (axis + 1)
+        begin = FIRST_WEIGHT * (axis + 1)
         steps[:, :, 7 + axis] = len(weights) - 1
         steps[:, :, begin : begin + len(weights)] = np.array(weights, np.float32).view(np.uint32)
     return steps

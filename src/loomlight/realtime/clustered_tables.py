@@ -9,30 +9,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.models.clustered import base, bsdf, square_map, visibility_tables
 from loomlight.models.clustered.footprint_sums import summed_areas
 from loomlight.models.clustered.model import ClusteredModel
-from loomlight.models.clustered.tables import NUMBERS
 from loomlight.realtime.word_table import Tables, fill
 from loomlight.yarn.layout import ClothLayout
-
-
-def clustered_uints() -> dict[str, int]:
-    """Constants of `clustered.slang` that are whole numbers."""
-    return {
-        "CLUSTERED_BINS": square_map.BINS,
-        "CLUSTERED_VIEW_BINS": visibility_tables.VIEW_BINS,
-        "CLUSTER_NUMBERS": NUMBERS,
-        "CLUSTERED_POINT": bsdf._POINT,
-    }
-
-
-def clustered_floats() -> dict[str, float]:
-    """Constants of `clustered.slang` that are numbers."""
-    return {
-        "CLUSTERED_SMALLEST_COSINE": base._SMALLEST_COSINE,
-        "CLUSTERED_SMALLEST_DEPTH": base._SMALLEST_DEPTH,
-    }
 
 
 def pack_clustered(

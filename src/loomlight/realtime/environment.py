@@ -12,7 +12,7 @@ from loomlight.core.errors import InputError
 from loomlight.core.images import read_linear
 
 # Larger maps are averaged down: a texel of 0.35° is smaller than the sun.
-LARGEST_COLUMNS = 1024
+MAX_COLUMNS = 1024
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +44,7 @@ class Environment:
 
     def tables(self) -> EnvironmentTables:
         """Distributions for shaders, of a map of at most 1024 columns."""
-        radiance = _at_most(np.asarray(self.radiance, np.float64), LARGEST_COLUMNS)
+        radiance = _at_most(np.asarray(self.radiance, np.float64), MAX_COLUMNS)
         rows, columns = radiance.shape[:2]
         edges = np.cos(np.arange(rows + 1) / rows * np.pi)
         solid_angles = (edges[:-1] - edges[1:]) * (2 * np.pi / columns)

@@ -7,42 +7,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from loomlight.models import random_numbers
-from loomlight.models.latent import model as latent_model
-from loomlight.models.latent import networks
 from loomlight.models.latent.model import LatentModel
 from loomlight.models.latent.networks import CHANNELS, FRAMES
 from loomlight.models.relu_network import Layers
 from loomlight.realtime.networks import packed_layer, packed_mlp, packed_numbers
 from loomlight.realtime.word_table import Tables, fill
-from loomlight.scattering import lobe_mixture
 from loomlight.yarn.layout import ClothLayout
-
-
-def latent_uints() -> dict[str, int]:
-    """Constants of `latent.slang` and its sampling that are whole numbers."""
-    return {
-        "LATENT_CHANNELS": CHANNELS,
-        "LATENT_SAMPLER_HIDDEN": networks.SAMPLER_WIDTHS[1],
-        "LATENT_SAMPLER_OUTPUTS": networks.SAMPLER_WIDTHS[-1],
-        "LATENT_ALBEDO_HIDDEN": networks.ALBEDO_WIDTHS[1],
-    }
-
-
-def latent_floats() -> dict[str, float]:
-    """Constants of `latent.slang`, of its sampling and its random numbers that are numbers."""
-    return {
-        "HASH_STEPS": random_numbers._STEPS,
-        "LATENT_SMALLEST_SIZE": latent_model._SMALLEST_SIZE,
-        "LATENT_VALUE_OFFSET": networks.VALUE_OFFSET,
-        "LATENT_ALBEDO_OFFSET": networks.ALBEDO_OFFSET,
-        "LATENT_LARGEST_EXPONENT": networks.LARGEST_EXPONENT,
-        "MIXTURE_LARGEST_SLOPE": lobe_mixture._LARGEST_SLOPE_OUTPUT,
-        "MIXTURE_LARGEST_OUTPUT": lobe_mixture._LARGEST_OUTPUT,
-        "MIXTURE_LARGEST_RATIO": lobe_mixture._LARGEST_LOG_RATIO,
-        "MIXTURE_SMALLEST_ALPHA": lobe_mixture._SMALLEST_ALPHA,
-        "MIXTURE_SMALLEST_COSINE": lobe_mixture._SMALLEST_COSINE,
-    }
 
 
 def pack_latent(record: np.void, model: LatentModel, layout: ClothLayout | None, tables: Tables) -> None:

@@ -106,7 +106,7 @@ NEURAL: Fields = (
     ("weft_roughness", "float", ""),
     ("warp_lobe_roughness", "float", "α of the lobe that directions are sampled with"),
     ("weft_lobe_roughness", "float", ""),
-    ("bundles", "uint", "b and a of each lobe of the basis [2 families, BUNDLES, 4]"),
+    ("bundles", "uint", "b and a of each lobe of the basis [2 families, NEURAL_BUNDLES, 4]"),
     ("is_corrected", "uint", "1 where the last layer is fitted to the fabric"),
     ("correction", "uint", "first element of that layer in packed_numbers, singles"),
 )
@@ -328,7 +328,7 @@ BAKE: Fields = (
     ("gaps", "uint", "positions in gaps, two numbers each"),
     ("gap_nulls", "uint", "whether rays through gaps pass [nodes, MAX_GAP_RAYS]"),
     ("lit", "uint", "bits of each shadow ray [2 faces, nodes, rays]"),
-    ("lists", "uint", "samples of each family, and gaps [5, MOST_SAMPLES_OF_FACE]"),
+    ("lists", "uint", "samples of each family, and gaps [5, MAX_SAMPLES_OF_FACE]"),
     ("points", "uint", "points that are clustered [4, CLUSTERED_SAMPLES, 6]"),
     ("clusters", "uint", "clusters of the last split [4, max_clusters, 32]"),
     ("cluster_means", "uint", "means of k clusters [4, max_clusters, max_clusters, 6]"),

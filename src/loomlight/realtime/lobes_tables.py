@@ -61,7 +61,7 @@ def _common_fields(
         "face_nodes": int(pyramid[-1, 0]) + 1,
         "packs": packs,
         "threads_per_mm": 1 / thread,
-        "unit_level": math.log2(max(thread, regimes._SQUARE_SCALE * base_size)),
+        "unit_level": math.log2(max(thread, regimes.SQUARE_SCALE * base_size)),
     }
 
 

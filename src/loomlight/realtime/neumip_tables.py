@@ -9,30 +9,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.models.neumip import model as neumip_model
-from loomlight.models.neumip import networks, pyramid
 from loomlight.models.neumip.model import NeumipModel
 from loomlight.realtime.networks import EIGHT, packed_mlp, packed_numbers
 from loomlight.realtime.word_table import Tables, fill
 from loomlight.yarn.layout import ClothLayout
-
-
-def neumip_uints() -> dict[str, int]:
-    """Constants of `neumip.slang` that are whole numbers."""
-    return {
-        "NEUMIP_CHANNELS": pyramid.CHANNELS,
-        "NEUMIP_HIDDEN": networks._HIDDEN,
-        "NEUMIP_HOLE_HIDDEN": networks.OPACITY_WIDTHS[1],
-    }
-
-
-def neumip_floats() -> dict[str, float]:
-    """Constants of `neumip.slang` that are numbers."""
-    return {
-        "NEUMIP_SMALLEST_COSINE": pyramid.SMALLEST_COSINE,
-        "NEUMIP_SMALLEST_SIZE": neumip_model._SMALLEST_SIZE,
-        "NEUMIP_SCALE": 1 / networks.EXPOSURE,
-    }
 
 
 def pack_neumip(record: np.void, model: NeumipModel, layout: ClothLayout | None, tables: Tables) -> None:

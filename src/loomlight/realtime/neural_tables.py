@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.models.neural import architecture, footprint_coding, light_visibility, proposal
-from loomlight.models.neural.decoder import _matrices
+from loomlight.models.neural import architecture, footprint_coding, light_visibility
+from loomlight.models.neural.decoder import split_matrices
 from loomlight.models.neural.footprint_coding import mean_pitch
 from loomlight.models.neural.model import NeuralModel
 from loomlight.models.neural.weights import Weights, shipped_weights
@@ -34,7 +34,7 @@ def neural_layers(weights: Weights) -> dict[str, Layer]:
 
     The hole reads the inputs of the view's layer, whose last ones it does not use.
     """
-    parts = _matrices(weights)
+    parts = split_matrices(weights)
     hole = np.concatenate([parts["hole spatial"], parts["hole view"]], axis=1)
     view = np.concatenate([parts["spatial"], parts["view"]], axis=1)
     hole = np.pad(hole, ((0, 0), (0, view.shape[1] - hole.shape[1])))
@@ -50,51 +50,31 @@ def neural_layers(weights: Weights) -> dict[str, Layer]:
     return dict(zip((*_LAYERS, *_ANGULAR, _LAST), layers, strict=True))
 
 
-def neural_uints() -> dict[str, int]:
-    """Constants of `neural.slang` that are whole numbers: widths, and where layers begin."""
+def neural_constants() -> dict[str, float]:
+    """Constants of `neural.slang` that follow from the shipped network and from numbers of the model: widths,
+    where layers begin, and what shaders compute with in the place of those numbers."""
     weights = shipped_weights()
     table = weights.table
     layers = neural_layers(weights)
     starts = layer_starts([(weight.shape[1], weight.shape[0]) for weight, _ in layers.values()])
     at = dict(zip(layers, starts, strict=False))
+    smallest, largest = footprint_coding.FIELD_SIZES
+    first, full = (
+        float(footprint_coding.log_fraction(np.float64(threads), smallest, largest))
+        for threads in footprint_coding.CORRECTED_SIZES
+    )
     return {
         "NEURAL_HIDDEN": table.hidden,
         "NEURAL_LATENT": table.latent_size,
         "NEURAL_HOLE_HIDDEN": layers["HOLE_0"][0].shape[0],
-        "NEURAL_BINS": architecture.BINS,
-        "NEURAL_INCLINATION_BINS": architecture.INCLINATION_BINS,
         "NEURAL_LIGHT_INPUTS": 3 + architecture.LIGHT_FEATURES,
         "NEURAL_VIEW_INPUTS": table.hidden + 2 + architecture.VIEW_FEATURES,
-        "BUNDLES": architecture.BUNDLES,
-        "BUNDLE_POSITIONS": architecture.BUNDLE_POSITIONS,
-        "FINEST_LEVEL": footprint_coding.FINEST,
         "NEURAL_ANGULAR_LAYERS": len(_ANGULAR),
         "NEURAL_ANGULAR_SIZE": layer_size(table.hidden, table.hidden),
         **{f"NEURAL_{name}": at[name] for name in (*_LAYERS, _ANGULAR[0], _LAST)},
-    }
-
-
-def neural_floats() -> dict[str, float]:
-    """Constants of `neural.slang` and of its sampling that are numbers."""
-    smallest, largest = footprint_coding._FIELD_SIZES
-    first, full = (
-        float(footprint_coding.log_fraction(np.float64(threads), smallest, largest))
-        for threads in footprint_coding._CORRECTED
-    )
-    return {
-        "LEAKY_SLOPE": architecture.SLOPE,
-        "BLOB_RADIUS": architecture.BLOB_RADIUS,
-        "INCLINATION_RADIUS": architecture.INCLINATION_RADIUS,
-        "INCLINATION_CROWDING": architecture.INCLINATION_CROWDING,
-        "DENSITY_GAIN": architecture.DENSITY_GAIN,
-        "DENSITY_SCALE": architecture.DENSITY_SCALE,
-        "OPPOSITE": architecture.OPPOSITE,
-        "BUNDLE_UNIT": architecture.BUNDLE_UNIT,
         "REFLECTION_SCALE": 1 / architecture.REFLECTION_GAIN,
         "TRANSMISSION_SCALE": 1 / architecture.TRANSMISSION_GAIN,
-        "LARGEST_OUTPUT": architecture.LARGEST_OUTPUT,
-        "LARGEST_COMPONENT": float(np.expm1(architecture.LARGEST_OUTPUT)),
-        "MOST_COMPACT": footprint_coding._MOST_COMPACT,
+        "MAX_COMPONENT": float(np.expm1(architecture.MAX_OUTPUT)),
         "SMALLEST_CODED_SIZE": smallest,
         "PER_LOG_SIZE": 1 / float(np.log(largest / smallest)),
         "CORRECTED_FROM": first,
@@ -102,12 +82,6 @@ def neural_floats() -> dict[str, float]:
         "FACING_CONSTANT": light_visibility.FACING[0],
         "FACING_BY_COSINE": light_visibility.FACING[1],
         "FACING_BY_AZIMUTH": light_visibility.FACING[2],
-        "FACING_SMALLEST_COSINE": light_visibility._SMALLEST_COSINE,
-        "NEURAL_UNIFORM_PROBABILITY": proposal._UNIFORM_PROBABILITY,
-        "NEURAL_MOST_FIBRES": proposal._MOST_FIBRES,
-        "NEURAL_TILT": proposal._TILT,
-        "NEURAL_LEAST_SIDE": proposal._LEAST_SIDE,
-        "NEURAL_MIN_WEIGHT": proposal._MIN_WEIGHT,
     }
 
 

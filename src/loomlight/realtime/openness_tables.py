@@ -8,9 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.models import between_yarns
 from loomlight.realtime.word_table import WordTable
-from loomlight.scattering import openness as openness_rays
 from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.fibre import mean_layer_shares
 from loomlight.scattering.openness import POINT_TERMS, VIEW_TERMS, Openness
@@ -32,31 +30,10 @@ PARTS: dict[str, tuple[int, ...]] = {
 }
 
 
-def openness_uints() -> dict[str, int]:
-    """Constants for shaders: where each part begins, and numbers of terms."""
+def first_words() -> dict[str, int]:
+    """Constants for shaders: where each part begins."""
     sizes = [math.prod(shape) for shape in PARTS.values()]
-    starts = [sum(sizes[:number]) for number in range(len(sizes))]
-    offsets = {f"OPENNESS_{name}": start for name, start in zip(PARTS, starts, strict=True)}
-    return offsets | {
-        "VIEW_TERMS": VIEW_TERMS,
-        "POINT_TERMS": POINT_TERMS,
-        "OPENNESS_NUMBERS": RAY_RESULTS,
-        "OPENNESS_LIGHTS": openness_rays._LIGHTS,
-        "OPENNESS_REFINEMENTS": int(openness_rays._QUALITY.refinements),
-        "MET_STEPS": openness_rays._STEPS,
-        "MOST_MET_STEPS": openness_rays._MOST_STEPS,
-    }
-
-
-def openness_floats() -> dict[str, float]:
-    """Constants of `models/between_yarns.py` for shaders."""
-    return {
-        "SMALLEST_OPENNESS": between_yarns._SMALLEST_OPENNESS,
-        "WEIGHT_OF_CLOTH": between_yarns._WEIGHT_OF_CLOTH,
-        "OPENNESS_STEPS_PER_THREAD": openness_rays._QUALITY.steps_per_thread,
-        "OPENNESS_STEPS_PER_RELIEF": openness_rays._QUALITY.steps_per_relief,
-        "OPENNESS_SHADOW_SHARE": openness_rays._QUALITY.shadow_share,
-    }
+    return {f"OPENNESS_{name}": sum(sizes[:number]) for number, name in enumerate(PARTS)}
 
 
 def openness_parts(openness: Openness, appearance: Appearance) -> dict[str, NDArray[np.float64]]:

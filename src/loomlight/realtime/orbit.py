@@ -12,11 +12,11 @@ from loomlight.core.errors import InputError
 from loomlight.realtime.scene import Camera, Vector
 
 # Degrees that a drag over the picture's shorter side turns the camera by.
-_TURN = 180.0
+TURN_DEGREES = 180.0
 # Closer than that to the vertical the camera would have no up.
-_STEEPEST = 89.0
+STEEPEST_DEGREES = 89.0
 # Distances per notch of a wheel.
-_NOTCH = 1.15
+NOTCH = 1.15
 _UP = np.array([0.0, 1.0, 0.0])
 
 
@@ -55,7 +55,7 @@ class Orbit:
             raise InputError(f"The camera at {aim.tolist()} looks at the point where it stands.")
         elevation = math.degrees(math.asin(offset[1] / distance))
         azimuth = math.degrees(math.atan2(offset[0], offset[2]))
-        steepest = min(max(elevation, -_STEEPEST), _STEEPEST)
+        steepest = min(max(elevation, -STEEPEST_DEGREES), STEEPEST_DEGREES)
         return cls(aim, azimuth, steepest, distance, min(nearest, distance), 10 * distance)
 
     @property
@@ -77,8 +77,8 @@ class Orbit:
 
     def turned(self, right: float, down: float) -> Orbit:
         """After a drag, in shares of the picture's shorter side: the object follows the mouse."""
-        elevation = min(max(self.elevation + _TURN * down, -_STEEPEST), _STEEPEST)
-        return replace(self, azimuth=(self.azimuth - _TURN * right) % 360, elevation=elevation)
+        elevation = min(max(self.elevation + TURN_DEGREES * down, -STEEPEST_DEGREES), STEEPEST_DEGREES)
+        return replace(self, azimuth=(self.azimuth - TURN_DEGREES * right) % 360, elevation=elevation)
 
     def moved(self, right: float, down: float) -> Orbit:
         """After a drag that moves the object with the mouse, in shares of the picture's shorter side."""
@@ -90,7 +90,7 @@ class Orbit:
 
     def closer(self, notches: float) -> Orbit:
         """After so many notches of a wheel towards the cloth, within the bounds of the distance."""
-        return self.closer_by(_NOTCH**notches)
+        return self.closer_by(NOTCH**notches)
 
     def closer_by(self, ratio: float) -> Orbit:
         """So many times closer, within the bounds of the distance."""

@@ -29,8 +29,9 @@ from loomlight.realtime.slangc import SHADERS
 from loomlight.realtime.tables import pack_fabrics
 
 # Of open cloth, from the nearest on; what lies behind is taken for the background.
-_MOST_LAYERS = 4
-_GOLDEN = np.array([0.7548776662466927, 0.5698402909980532])  # of the R2 sequence
+MAX_LAYERS = 4
+# Steps of the R2 sequence along x and y (Roberts 2018).
+GOLDEN = (0.7548776662466927, 0.5698402909980532)
 
 
 class FrameOptions(TypedDict, total=False):
@@ -220,7 +221,7 @@ class Renderer:
 
     def _add_pass(self, frame: NDArray[np.void]) -> None:
         # Passes 0 and following of the R2 sequence, about the middle of the pixel.
-        jitter = (0.5 + self.passes * _GOLDEN) % 1 - 0.5
+        jitter = (0.5 + self.passes * np.array(GOLDEN)) % 1 - 0.5
         frame["pass_number"], frame["jitter_x"], frame["jitter_y"] = self.passes, *jitter
         self._store("frames", frame)
         self._draw()
@@ -246,7 +247,7 @@ class Renderer:
 
     def _layers(self) -> int:
         """Layers of cloth that a pixel can see."""
-        return _MOST_LAYERS if self._is_open and not self._scene.is_flat else 1
+        return MAX_LAYERS if self._is_open and not self._scene.is_flat else 1
 
     def _environment_tables(self, environment: Environment | None) -> EnvironmentTables | None:
         """Tables of an environment, kept for the next frame."""

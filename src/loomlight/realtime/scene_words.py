@@ -13,9 +13,9 @@ from loomlight.realtime.bvh import build_hierarchy
 from loomlight.realtime.environment import EnvironmentTables
 
 # Rays leave surfaces by so much of the scene's extent: coordinates in float32 are rounded by 6e-8 of it.
-_RAY_OFFSET = 2e-6
+RAY_OFFSET = 2e-6
 # Meshes that are thinner, relative to their extent, are flat.
-_FLAT = 1e-7
+FLAT = 1e-7
 
 
 class SceneWords:
@@ -53,9 +53,9 @@ class SceneWords:
         self._is_stored = False
         centred = positions - positions.mean(axis=0)
         extents = np.sqrt(np.maximum(np.linalg.eigvalsh(centred.T @ centred), 0))
-        self.is_flat = bool(extents[0] <= _FLAT * extents[2])
+        self.is_flat = bool(extents[0] <= FLAT * extents[2])
         largest = float(np.abs(positions).max(initial=0.0))
-        self._ray_offset = _RAY_OFFSET * max(largest, float(np.ptp(positions, axis=0).max()))
+        self._ray_offset = RAY_OFFSET * max(largest, float(np.ptp(positions, axis=0).max()))
 
     def describe(self, frame: NDArray[np.void]) -> None:
         """Writes into the record of a frame where the parts begin."""

@@ -29,7 +29,7 @@ from loomlight.yarn.threads import FamilyTables
 _ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")
 # Cloth with less open area casts the shadow of cloth without: a thousandth of the light is three steps of
 # 8-bit sRGB on white cloth.
-_SMALLEST_OPEN_SHARE = 1e-3
+SMALLEST_OPEN_SHARE = 1e-3
 Record = NDArray[np.void]
 
 
@@ -115,7 +115,7 @@ def _pack_fabric(
         "max_height_columns": max_heights.shape[1],
         "height_low": low,
         "height_high": high,
-        "lift": search._LIFT * min(fine_x, fine_y),
+        "lift": search.LIFT * min(fine_x, fine_y),
         "threads_per_x": 1 / fine_x,
         "threads_per_y": 1 / fine_y,
         "per_relief": 1 / max(high - low, 1e-6),
@@ -131,7 +131,7 @@ def _pack_fabric(
         "has_yarns": 1,
         "openness": pack_openness(table, appearance),
         "has_detail": int(appearance.warp.detail.is_on or appearance.weft.detail.is_on),
-        "is_open": int(_open_share(warp) * _open_share(weft) > _SMALLEST_OPEN_SHARE),
+        "is_open": int(_open_share(warp) * _open_share(weft) > SMALLEST_OPEN_SHARE),
     }
     fill(record, values)
 
@@ -206,7 +206,7 @@ def _pack_colours(
     values = {
         "before": table.add(before),
         "visible_total": before[-1, 0],
-        "smallest_box": footprint_albedos._SMALLEST_BOX * threads.period / threads.lower.size,
+        "smallest_box": footprint_albedos.SMALLEST_BOX * threads.period / threads.lower.size,
         "quantities": quantities,
         "colour_mean": table.add(colours.mean),
         "colour_axes": table.add(colours.axes),

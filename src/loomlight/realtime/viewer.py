@@ -12,7 +12,7 @@ from loomlight.realtime.renderer import FrameOptions, Picture, Renderer
 from loomlight.realtime.scene import Light
 
 # Passes after which a resting picture is left as it is.
-MOST_PASSES = 256
+MAX_PASSES = 256
 _PIXELS_A_NOTCH = 100.0  # that a wheel event tells
 _STOPS_A_KEY = 0.5
 _EVENTS = ("pointer_down", "pointer_move", "pointer_up", "wheel", "key_down", "resize")
@@ -135,7 +135,7 @@ class Viewer:
             picture = self.frame()
             context.set_bitmap(picture.srgb)
             canvas.set_title(self.title(time.perf_counter() - start))
-            if self._renderer.passes < MOST_PASSES:
+            if self._renderer.passes < MAX_PASSES:
                 canvas.request_draw()
 
         def on_event(event: dict[str, Any]) -> None:

@@ -26,7 +26,7 @@ from loomlight.core.errors import InputError
 # share of the highlight is white.
 WHITE_SHARE = 0.3
 # What rounding of linear RGB triples written with six digits may add up to.
-_TOLERANCE = 1e-5
+ALBEDO_TOLERANCE = 1e-5
 
 
 class Albedos(NamedTuple):
@@ -127,7 +127,7 @@ def check_albedos(
     diffuse = albedos.diffuse_reflect + albedos.diffuse_transmit
     total = diffuse + layer.taken(reflect, transmit)
     place = np.unravel_index(np.argmax(total), total.shape)
-    if total[place] > 1 + _TOLERANCE:
+    if total[place] > 1 + ALBEDO_TOLERANCE:
         thread, channel = place
         larger, smaller = max(reflect[place], transmit[place]), min(reflect[place], transmit[place])
         names, numbers = "", ""

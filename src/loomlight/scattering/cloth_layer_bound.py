@@ -21,14 +21,16 @@ from numpy.typing import NDArray
 from loomlight.scattering.albedo import LayerBound
 from loomlight.scattering.fibre import mean_layer_shares
 
-# m = _DEEP[0] + _DEEP[1] α + (_THIN[0] + _THIN[1] α) e^{−_FADE Tρ}.
-_DEEP, _THIN, _FADE = (1.15, 0.05), (0.6, 1.0), 2.0
+# m = DEEP_MARGIN[0] + DEEP_MARGIN[1] α + (THIN_MARGIN[0] + THIN_MARGIN[1] α) e^{−MARGIN_FADE Tρ}.
+DEEP_MARGIN, THIN_MARGIN, MARGIN_FADE = (1.15, 0.05), (0.6, 1.0), 2.0
 
 
 def cloth_layer_bound(roughness: float, optical_depth: float) -> LayerBound:
     """The bound for layers of roughness α and depth Tρ in cloth with light between its yarns."""
-    thin = math.exp(-_FADE * optical_depth)
-    margin = _DEEP[0] + _DEEP[1] * roughness + (_THIN[0] + _THIN[1] * roughness) * thin
+    thin = math.exp(-MARGIN_FADE * optical_depth)
+    margin = (
+        DEEP_MARGIN[0] + DEEP_MARGIN[1] * roughness + (THIN_MARGIN[0] + THIN_MARGIN[1] * roughness) * thin
+    )
     shares = [margin * float(share) for share in mean_layer_shares(roughness, optical_depth)]
     return LayerBound(max(shares), min(shares))
 

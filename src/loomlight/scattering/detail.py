@@ -38,7 +38,7 @@ PLY_EDGE_SINE = 0.42
 GROOVE_DEPTH = 0.6
 # Turned normals see less of a dome, as light from below the yarn's own surface is lost. How much more diffuse
 # light makes up for it, over the mean of 1 − cos of the turn (`experiments/yarn_detail.py`).
-DIFFUSE_LOSS = 0.85
+DIFFUSE_TURN_LOSS = 0.85
 # Fibres that stray together.
 BUNDLE_FIBRES = 5.0
 # Fibres wave along the yarn: the period in widths of a fibre, and the amplitude over period and stray.
@@ -47,7 +47,7 @@ WAVE_SHARE = 0.5
 # Period of slubs, in widths of the yarn.
 SLUB_LENGTH = 9.0
 # Share of the albedo that fibres vary by for each radian that they stray, and at most.
-TONE_OF_TILT, MOST_TONE = 0.5, 0.15
+TONE_OF_TILT, MAX_TONE = 0.5, 0.15
 # Hairs: grids of cells, a hair a cell; in widths of a fibre the side of cells, half the width of hairs, and
 # half their length from and to; and their largest sagitta over half the length.
 HAIR_LAYERS = 2
@@ -85,7 +85,7 @@ def family_numbers(detail: YarnDetail) -> dict[str, float]:
         "ply_sine": math.sin(lean),
         "ply_cosine": math.cos(lean),
         "fibre_tilt": detail.fibre_tilt,
-        "fibre_tone": min(TONE_OF_TILT * detail.fibre_tilt, MOST_TONE),
+        "fibre_tone": min(TONE_OF_TILT * detail.fibre_tilt, MAX_TONE),
         "slub": detail.slub,
         "slubs_per_mm": 1 / (SLUB_LENGTH * detail.width),
         "per_half_width": 2 / detail.width,
@@ -221,7 +221,7 @@ def diffuse_gain(frame: Frame, blend: Float) -> Float:
         blend: w, the weight of the yarn normal.
     """
     returned = dr.fma(0.5 * blend, frame.normal.z - 1, 1)
-    return minimum(dr.fma(DIFFUSE_LOSS * blend, frame.loss, 1), dr.rcp(returned))
+    return minimum(dr.fma(DIFFUSE_TURN_LOSS * blend, frame.loss, 1), dr.rcp(returned))
 
 
 @dataclass

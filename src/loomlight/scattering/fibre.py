@@ -16,19 +16,19 @@ from loomlight.scattering.directions import SMALLEST_SQUARED_LENGTH, uniform_on_
 
 # Cosines are kept above this before something is divided by them. Optical depths then reach 1e6 and their
 # exponentials vanish, while every product stays far from the limits of float32.
-_SMALLEST_COSINE = 1e-6
+SMALLEST_COSINE = 1e-6
 # Shorter sums light + view are rounding (each component carries 6e-8), not a half vector.
-_SMALLEST_SQUARED_SUM = 1e-12
+SMALLEST_SQUARED_SUM = 1e-12
 # Shares of the light that turn back and go through: at α = 0, and what α adds; least squares over random
 # views and tangents at Tρ = 2.
-_SHARE_TURNED = (0.57, -0.17)
-_SHARE_THROUGH = (0.27, 0.045)
+SHARE_TURNED = (0.57, -0.17)
+SHARE_THROUGH = (0.27, 0.045)
 # Mean shares over cosine-weighted views of a layer whose fibres lie in its plane, back and through:
 # least squares over α of 0.05 to 1 and Tρ of 0.1 to 10, largest errors 0.014 and 0.006.
-_MEAN_TURNED = (0.297, -0.086, -3.12)
-_MEAN_THROUGH = (0.579, 0.310, -2.014, 0.786)
+MEAN_TURNED = (0.297, -0.086, -3.12)
+MEAN_THROUGH = (0.579, 0.310, -2.014, 0.786)
 # Optical depth per Tρ of a light direction that stands for all of them: 1/cos 45°.
-_TYPICAL_DEPTH = 1.4
+TYPICAL_DEPTH = 1.4
 
 
 def projected_area(direction: Vec3, tangent: Vec3, roughness: Float) -> Float:
@@ -63,7 +63,7 @@ def _density_between(light: Vec3, view: Vec3, tangent: Vec3, roughness: Float) -
     """
     total = light + view
     along = dr.dot(total, tangent)
-    squared_along = along * along * dr.rcp(maximum(dr.squared_norm(total), _SMALLEST_SQUARED_SUM))
+    squared_along = along * along * dr.rcp(maximum(dr.squared_norm(total), SMALLEST_SQUARED_SUM))
     # (h·t)² ≤ 1 but for rounding.
     return _density(minimum(squared_along, 1), roughness)
 
@@ -88,8 +88,8 @@ def reflection(
     """
     cos_light, cos_view = dr.dot(light, normal), dr.dot(view, normal)
     visible = (cos_light > 0) & (cos_view > 0)
-    cos_light = maximum(cos_light, _SMALLEST_COSINE)
-    cos_view = maximum(cos_view, _SMALLEST_COSINE)
+    cos_light = maximum(cos_light, SMALLEST_COSINE)
+    cos_view = maximum(cos_view, SMALLEST_COSINE)
     area_light = projected_area(light, tangent, roughness)
     area_view = projected_area(view, tangent, roughness)
     crossed = dr.fma(area_light, cos_view, area_view * cos_light)
@@ -109,8 +109,8 @@ def transmission(
     """
     cos_light, cos_view = -dr.dot(light, normal), dr.dot(view, normal)
     visible = (cos_light > 0) & (cos_view > 0)
-    per_cos_view = dr.rcp(maximum(cos_view, _SMALLEST_COSINE))
-    slope_light = projected_area(light, tangent, roughness) * dr.rcp(maximum(cos_light, _SMALLEST_COSINE))
+    per_cos_view = dr.rcp(maximum(cos_view, SMALLEST_COSINE))
+    slope_light = projected_area(light, tangent, roughness) * dr.rcp(maximum(cos_light, SMALLEST_COSINE))
     slope_view = projected_area(view, tangent, roughness) * per_cos_view
     passed = dr.exp(-optical_depth * minimum(slope_light, slope_view))
     mean = _mean_attenuation(optical_depth * abs(slope_light - slope_view))
@@ -126,14 +126,14 @@ def layer_albedo_estimate(
     Every light direction is given the depth of one at 45°, and each side its mean share. Averaged over views
     they are within a quarter of the truth. Both are positive wherever their lobe is.
     """
-    cos_view = maximum(abs(dr.dot(view, normal)), _SMALLEST_COSINE)
+    cos_view = maximum(abs(dr.dot(view, normal)), SMALLEST_COSINE)
     slope = projected_area(view, tangent, roughness) * dr.rcp(cos_view)
-    turned = slope * dr.rcp(slope + _TYPICAL_DEPTH) * (1 - dr.exp(-optical_depth * (slope + _TYPICAL_DEPTH)))
-    passed = dr.exp(-optical_depth * minimum(slope, _TYPICAL_DEPTH))
-    through = optical_depth * slope * passed * _mean_attenuation(optical_depth * abs(slope - _TYPICAL_DEPTH))
+    turned = slope * dr.rcp(slope + TYPICAL_DEPTH) * (1 - dr.exp(-optical_depth * (slope + TYPICAL_DEPTH)))
+    passed = dr.exp(-optical_depth * minimum(slope, TYPICAL_DEPTH))
+    through = optical_depth * slope * passed * _mean_attenuation(optical_depth * abs(slope - TYPICAL_DEPTH))
     return (
-        dr.fma(_SHARE_TURNED[1], roughness, _SHARE_TURNED[0]) * turned,
-        dr.fma(_SHARE_THROUGH[1], roughness, _SHARE_THROUGH[0]) * through,
+        dr.fma(SHARE_TURNED[1], roughness, SHARE_TURNED[0]) * turned,
+        dr.fma(SHARE_THROUGH[1], roughness, SHARE_THROUGH[0]) * through,
     )
 
 
@@ -142,13 +142,13 @@ def mean_layer_shares(roughness: Float, optical_depth: Float) -> tuple[Float, Fl
 
     Light that meets no fibre is in neither.
     """
-    turned = dr.fma(_MEAN_TURNED[1], roughness, _MEAN_TURNED[0])
-    through = dr.fma(_MEAN_THROUGH[1], roughness, _MEAN_THROUGH[0])
+    turned = dr.fma(MEAN_TURNED[1], roughness, MEAN_TURNED[0])
+    through = dr.fma(MEAN_THROUGH[1], roughness, MEAN_THROUGH[0])
     # Tρ to a power: it is positive.
-    depth = dr.exp(_MEAN_THROUGH[3] * dr.log(optical_depth))
+    depth = dr.exp(MEAN_THROUGH[3] * dr.log(optical_depth))
     return (
-        turned * (1 - dr.exp(_MEAN_TURNED[2] * optical_depth)),
-        through * optical_depth * dr.exp(_MEAN_THROUGH[2] * depth),
+        turned * (1 - dr.exp(MEAN_TURNED[2] * optical_depth)),
+        through * optical_depth * dr.exp(MEAN_THROUGH[2] * depth),
     )
 
 

@@ -28,19 +28,19 @@ from loomlight.yarn.visibility import first_hit, unoccluded
 
 # View rays of each face: over the hemisphere, and of the instrument that measures colours. With half of them
 # means of plain weave are 2 % off, with these 1 %.
-_VIEWS, _FACING = 6144, 2048
+OBLIQUE_RAYS, FACING_RAYS = 6144, 2048
 # Lights of each view ray and side.
-_LIGHTS = 16
+LIGHTS = 16
 # Textile colours are measured at 8° from the normal under diffuse light (d/8°, CIE 15:2018).
 FACING_COSINE = float(np.cos(np.radians(8)))
 # Grazing views are left out: yarn that only they see decides nothing.
-_SMALLEST_COSINE = 0.03
+SMALLEST_VIEW_COSINE = 0.03
 # Shares are kept above this: a family that hardly any view sees says nothing of its openness.
-_SMALLEST = 0.05
-_QUALITY = SearchQuality(steps_per_thread=4, steps_per_relief=4, shadow_share=1.3, refinements=1)
+SMALLEST_SHARE = 0.05
+QUALITY = SearchQuality(steps_per_thread=4, steps_per_relief=4, shadow_share=1.3, refinements=1)
 # Samples of a ray that looks for the yarn that blocks it, while it crosses a thread or the relief; how
 # far above the yarn it starts, in threads; and most samples.
-_STEPS, _LIFT, _MOST_STEPS = 16, 2e-3, 2048
+MET_STEPS, _LIFT, MAX_MET_STEPS = 16, 2e-3, 2048
 # Layouts whose openness is kept.
 _MOST_KEPT = 64
 # Numbers of `view_terms` and of `point_terms`.
@@ -161,12 +161,12 @@ def view_rays() -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     Returns:
         where they cross the plane z = 0, in repeats [2, n]; unit vectors [3, n] in the frame of the face.
     """
-    number = np.arange(_VIEWS + _FACING)
+    number = np.arange(OBLIQUE_RAYS + FACING_RAYS)
     across, along, tilt, turn = (
         (number * share + 0.5) % 1
         for share in (0.8566748838545029, 0.733891856627126, 0.6287067210378087, 0.5385972572236101)
     )
-    cosine = np.where(number < _VIEWS, 1 - (1 - _SMALLEST_COSINE) * tilt, FACING_COSINE)
+    cosine = np.where(number < OBLIQUE_RAYS, 1 - (1 - SMALLEST_VIEW_COSINE) * tilt, FACING_COSINE)
     sine = np.sqrt(1 - cosine**2)
     views = np.stack([sine * np.cos(2 * np.pi * turn), sine * np.sin(2 * np.pi * turn), cosine])
     return np.stack([across, along]), views
@@ -233,7 +233,7 @@ def openness_of_rays(met: RayShares, highest: float) -> Openness:
         by_point,
         np.stack(warp_seen),
         relief,
-        np.clip(interior, _SMALLEST, 1),
+        np.clip(interior, SMALLEST_SHARE, 1),
         meets,
         blocks,
         means[:, facing].mean(axis=1),
@@ -274,7 +274,7 @@ class _Rays:
         view = types.Vector3(*(upload(types.Float, part) for part in self.views))
         back = types.Bool(upload(types.UInt32, self.face) == 1)
         x, y = (upload(types.Float, np.tile(part, 2)) for part in (across * width, along * height))
-        hit = first_hit(surface, x, y, view, back, quality=_QUALITY)
+        hit = first_hit(surface, x, y, view, back, quality=QUALITY)
         point = surface.surface(hit.x, hit.y, back)
         far = surface.surface(hit.x, hit.y, ~back)
         self._view, self._back, self._hole = view, back, hit.hole
@@ -324,10 +324,10 @@ class _Rays:
         """
         types = self._types
         rays = self.views.shape[1]
-        number = dr.arange(types.UInt32, rays * _LIGHTS)
-        ray, light = number // _LIGHTS, number % _LIGHTS
+        number = dr.arange(types.UInt32, rays * LIGHTS)
+        ray, light = number // LIGHTS, number % LIGHTS
         # Cosine-weighted, a stratum each, turned from ray to ray.
-        squared = (types.Float(light) + 0.5) / _LIGHTS
+        squared = (types.Float(light) + 0.5) / LIGHTS
         turn = types.Float(light) * 0.6180339887 + types.Float(ray) * 0.7548776662
         sine, cosine = dr.sincos(dr.two_pi * (turn - dr.floor(turn)))
         radius = dr.sqrt(squared)
@@ -347,7 +347,7 @@ class _Rays:
             height, facing = dr.gather(types.Float, height, ray), dr.gather(types.Vector3, facing, ray)
             searched = yarn & (dr.dot(facing, up) > 0)
             free = unoccluded(
-                self._surface, x, y, height, up, back if side == 0 else ~back, searched, _QUALITY
+                self._surface, x, y, height, up, back if side == 0 else ~back, searched, QUALITY
             )
             # The diffuse term of the far side is that of the opposite direction about the yarn's own normal.
             towards = up if side == 0 else types.Vector3(up.x, up.y, -up.z)
@@ -356,7 +356,7 @@ class _Rays:
             values += [diffuse, *(lobe(towards, view, normal, tangent, alpha, depth) for alpha in alphas)]
             values[-3:] = [dr.select(free, value * per_cosine, 0) for value in values[-3:]]
         dr.eval(values)
-        found = np.stack([value.numpy() for value in values]).astype(np.float64).reshape(2, 3, rays, _LIGHTS)
+        found = np.stack([value.numpy() for value in values]).astype(np.float64).reshape(2, 3, rays, LIGHTS)
         return found[:, 0], np.moveaxis(found[:, 1:], 0, 1)
 
 
@@ -368,8 +368,8 @@ def _met(
     fine = min(surface.finest)
     lift = dr.opaque(types.Float, _LIFT * fine)
     across = dr.sqrt(dr.square(direction.x) + dr.square(direction.y))
-    cell = dr.opaque(types.Float, fine / _STEPS)
-    fall = dr.opaque(types.Float, max(surface.height_bounds[1] - surface.height_bounds[0], 1e-6) / _STEPS)
+    cell = dr.opaque(types.Float, fine / MET_STEPS)
+    fall = dr.opaque(types.Float, max(surface.height_bounds[1] - surface.height_bounds[0], 1e-6) / MET_STEPS)
     step = direction * minimum(cell / maximum(across, 1e-6), fall / maximum(abs(direction.z), 1e-6))
     height, _ = surface.height(x, y, back)
 
@@ -377,7 +377,7 @@ def _met(
         place = place + step
         level, hole = surface.height(place.x, place.y, back)
         hit = searching & ~hole & (place.z < level)
-        inside = (place.z <= high) & (place.z >= low - (high - low)) & (count < _MOST_STEPS)
+        inside = (place.z <= high) & (place.z >= low - (high - low)) & (count < MAX_MET_STEPS)
         return place, searching & ~hit & inside, met | hit, count + 1
 
     start = types.Vector3(x, y, height + lift), types.Bool(active), types.Bool(False), types.UInt32(0)

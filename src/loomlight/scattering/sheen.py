@@ -18,11 +18,11 @@ from loomlight.scattering.directions import SMALLEST_SQUARED_LENGTH, cosine_abou
 from loomlight.scattering.sheen_coefficients import CEILING, REFLECTANCE, SCALE, SHEAR
 
 # The published tables hold 0.01 in the place of 0 on both axes; roots of 0 would have no derivative.
-_SMALLEST = 0.01
+SMALLEST = 0.01
 # A wider lobe than any the tables hold; keeps a² and 1/a finite.
-_SMALLEST_SCALE = 0.01
+SMALLEST_SCALE = 0.01
 # The tables' b lies between −0.18 and 0; here too where they say nothing.
-_LARGEST_SHEAR = -0.25
+MAX_SHEAR = -0.25
 
 
 def _powers(base: Float, largest: int) -> list[Float]:
@@ -46,12 +46,12 @@ def _polynomial(coefficients: Sequence[Sequence[float]], x: Float, y_powers: Seq
 def sheen_lobe(cos_view: Float, roughness: Float) -> tuple[Float, Float, Float]:
     """(a, b, R) of the lobe: a in 0.01 to 1, b in −0.25 to 0, R in 0 to 0.8; Floats."""
     types = array_types(cos_view)
-    cos_view = clip(cos_view, _SMALLEST, 1)
+    cos_view = clip(cos_view, SMALLEST, 1)
     x = dr.fma(2, dr.sqrt(cos_view), -1)
-    y = dr.fma(3, dr.sqrt(dr.sqrt(clip(types.Float(roughness), _SMALLEST, 1))), -2)
+    y = dr.fma(3, dr.sqrt(dr.sqrt(clip(types.Float(roughness), SMALLEST, 1))), -2)
     y_powers = _powers(y, 5)
-    scale = clip(_polynomial(SCALE, x, y_powers), _SMALLEST_SCALE, 1)
-    shear = clip((1 - cos_view) * _polynomial(SHEAR, x, y_powers), _LARGEST_SHEAR, 0)
+    scale = clip(_polynomial(SCALE, x, y_powers), SMALLEST_SCALE, 1)
+    shear = clip((1 - cos_view) * _polynomial(SHEAR, x, y_powers), MAX_SHEAR, 0)
     # Beyond ±60 the logistic is 0 or 1 in float32, and e^60 is still finite.
     exponent = clip(-_polynomial(REFLECTANCE, x, y_powers), -60, 60)
     return scale, shear, CEILING * dr.rcp(1 + dr.exp(exponent))

@@ -16,12 +16,12 @@ from loomlight.core.backend import array_types, maximum, minimum
 
 # Fibres side by side in the finest thread, each cell of their noise so many times as long as wide.
 FIBRES_ACROSS = 30
-FIBRE_CELL_LENGTH = 40
+FIBRE_CELL_LENGTH = 40.0
 # Jin et al. clamp the exponential noise here; one fibre in 22 000 is brighter.
-_LARGEST_FIBRE_GAIN = 10.0
+MAX_FIBRE_GAIN = 10.0
 # Two streams that share a seed and a thread must not share numbers.
-_FIBRE_STREAM = 0x9E3779B9
-_THREAD_STREAM = 0x7F4A7C15
+FIBRE_STREAM = 0x9E3779B9
+THREAD_STREAM = 0x7F4A7C15
 
 
 @dataclass
@@ -74,14 +74,14 @@ def fibre_gain(thread: UInt, cell: UInt, amount: Float, seed: UInt) -> Float:
         seed: any 32-bit number.
     """
     types = array_types(dr.float32_array_t(type(thread)))
-    number = uniform_hash(thread, cell, types.UInt32(seed) ^ _FIBRE_STREAM)
-    return dr.fma(amount, minimum(-dr.log(number), _LARGEST_FIBRE_GAIN) - 1, 1)
+    number = uniform_hash(thread, cell, types.UInt32(seed) ^ FIBRE_STREAM)
+    return dr.fma(amount, minimum(-dr.log(number), MAX_FIBRE_GAIN) - 1, 1)
 
 
 def thread_gain(thread: UInt, amount: Float, seed: UInt) -> Float:
     """Gain of one thread's albedo: uniform in 1 ± `amount` (`Variation.colour_noise`), mean 1; Float."""
     types = array_types(dr.float32_array_t(type(thread)))
-    number = uniform_hash(thread, types.UInt32(0), types.UInt32(seed) ^ _THREAD_STREAM)
+    number = uniform_hash(thread, types.UInt32(0), types.UInt32(seed) ^ THREAD_STREAM)
     return dr.fma(amount, dr.fma(2, number, -1), 1)
 
 

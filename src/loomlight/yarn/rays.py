@@ -29,8 +29,8 @@ from loomlight.yarn.search import (
 
 # Newton steps on the cubic whose root is the intersection, and the least slope they divide by, as a share of
 # the cubic's mean slope.
-_NEWTON_STEPS = 3
-_FLATTEST = 0.1
+NEWTON_STEPS = 3
+FLATTEST_SHARE = 0.1
 # Further bisections where the surface cannot tell where its outlines are.
 _OUTLINE_BISECTIONS = 3
 
@@ -330,9 +330,9 @@ def _cubic_root(start: Float, end: Float, start_rate: Float, end_rate: Float) ->
     cubic = start_rate + end_rate - 2 * gain
     bend = 3 * gain - 2 * start_rate - end_rate
     share = start * dr.rcp(maximum(-gain, 1e-20))
-    for _ in range(_NEWTON_STEPS):
+    for _ in range(NEWTON_STEPS):
         value = dr.fma(dr.fma(dr.fma(cubic, share, bend), share, start_rate), share, start)
         rate = dr.fma(dr.fma(3 * cubic, share, 2 * bend), share, start_rate)
         # The bound keeps steps short where the cubic is flat.
-        share = clip(share - value / minimum(rate, _FLATTEST * gain - 1e-20), 0, 1)
+        share = clip(share - value / minimum(rate, FLATTEST_SHARE * gain - 1e-20), 0, 1)
     return share

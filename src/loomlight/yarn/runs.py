@@ -12,7 +12,7 @@ draft of thousands of threads costs what a plain weave costs:
     bit  27      the thread never interlaces
     bits 28–31   the cell's maximum height, in 15ths of the family's highest (see `with_cell_maxima`)
 
-Counts saturate far beyond `LONGEST_ARC`, behind which a float is straight, so nothing is lost.
+Counts saturate far beyond `MAX_ARC`, behind which a float is straight, so nothing is lost.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-LONGEST_OFFSET = 127
-LONGEST_NEIGHBOUR = 63
+MAX_OFFSET = 127
+MAX_NEIGHBOUR = 63
 # Crossings that one bent end of a float may take up at most; see the saturation above.
-LONGEST_ARC = 28
+MAX_ARC = 28
 CELL_MAX_LEVELS = 15
 
 
@@ -75,16 +75,16 @@ def _pack_block(on_top: NDArray[np.bool_]) -> NDArray[np.uint32]:
     after = np.take_along_axis(length, np.minimum(following, crossings - 1), axis=1)
 
     word = on_top.astype(np.uint32)
-    word |= np.minimum(behind, LONGEST_OFFSET).astype(np.uint32) << np.uint32(1)
-    word |= np.minimum(ahead, LONGEST_OFFSET).astype(np.uint32) << np.uint32(8)
-    word |= np.minimum(before, LONGEST_NEIGHBOUR).astype(np.uint32) << np.uint32(15)
-    word |= np.minimum(after, LONGEST_NEIGHBOUR).astype(np.uint32) << np.uint32(21)
+    word |= np.minimum(behind, MAX_OFFSET).astype(np.uint32) << np.uint32(1)
+    word |= np.minimum(ahead, MAX_OFFSET).astype(np.uint32) << np.uint32(8)
+    word |= np.minimum(before, MAX_NEIGHBOUR).astype(np.uint32) << np.uint32(15)
+    word |= np.minimum(after, MAX_NEIGHBOUR).astype(np.uint32) << np.uint32(21)
     straight = (
         on_top.astype(np.uint32)
-        | np.uint32(LONGEST_OFFSET << 1)
-        | np.uint32(LONGEST_OFFSET << 8)
-        | np.uint32(LONGEST_NEIGHBOUR << 15)
-        | np.uint32(LONGEST_NEIGHBOUR << 21)
+        | np.uint32(MAX_OFFSET << 1)
+        | np.uint32(MAX_OFFSET << 8)
+        | np.uint32(MAX_NEIGHBOUR << 15)
+        | np.uint32(MAX_NEIGHBOUR << 21)
         | np.uint32(1 << 27)
     )
     return np.where(interlaces[:, None], word, straight)

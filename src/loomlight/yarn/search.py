@@ -13,11 +13,11 @@ from loomlight.core.masked_branch import masked_branch
 from loomlight.yarn.geometry import CellBounds, Probe, SurfacePoint
 
 # Rays start above the surface by this fraction of the finest thread, so that rounding does not shadow it.
-_LIFT = 2e-3
+LIFT = 2e-3
 # A dip closer to a sample than this fraction of the step is that sample.
-_NARROWEST = 0.02
+NARROWEST_DIP = 0.02
 # How far behind an outline the next sample is placed, in steps.
-_EPSILON = 5e-3
+OUTLINE_EPSILON = 5e-3
 
 
 class Surface(Protocol):
@@ -95,7 +95,7 @@ class Extent:
         self.lengths = lengths
         fine_x, fine_y, low, high = lengths
         self.low, self.high = dr.opaque(types.Float, low), dr.opaque(types.Float, high)
-        self.lift = dr.opaque(types.Float, _LIFT * min(fine_x, fine_y))
+        self.lift = dr.opaque(types.Float, LIFT * min(fine_x, fine_y))
         self._per_x, self._per_y = dr.opaque(types.Float, 1 / fine_x), dr.opaque(types.Float, 1 / fine_y)
         self._per_relief = dr.opaque(types.Float, 1 / max(high - low, 1e-6))
 
@@ -178,7 +178,7 @@ class PreviousSample:
             start = (self.clearance * dr.fma(2, share, 1) + fall * share) * dr.square(rest)
             end = (clearance * dr.fma(2, rest, 1) - rise * rest) * dr.square(share)
             # A minimum at an end of the step is a sample that was taken.
-            inside = (share > _NARROWEST) & (rest > _NARROWEST)
+            inside = (share > NARROWEST_DIP) & (rest > NARROWEST_DIP)
             return inside & (start + end < 0), rest * step
 
         # The branch skips a root and a quotient, a third of the cost of a sample.
@@ -215,7 +215,7 @@ class StepControl:
 
     def __init__(self, direction: Vec3, step: Float) -> None:
         self.step = step
-        self.epsilon = _EPSILON * step
+        self.epsilon = OUTLINE_EPSILON * step
         self._per_x = dr.rcp(maximum(abs(direction.x), 1e-9))
         self._per_y = dr.rcp(maximum(abs(direction.y), 1e-9))
         self.right, self.up = direction.x > 0, direction.y > 0

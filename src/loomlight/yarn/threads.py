@@ -17,20 +17,20 @@ from loomlight.core.errors import InputError
 from loomlight.yarn.layout import SMALLEST_GAP, FamilyLayout
 from loomlight.yarn.runs import (
     CELL_MAX_LEVELS,
-    LONGEST_ARC,
-    LONGEST_NEIGHBOUR,
-    LONGEST_OFFSET,
+    MAX_ARC,
+    MAX_NEIGHBOUR,
+    MAX_OFFSET,
     thread_blocks,
 )
 
 # The cross-section is an arc of ±80°: at 90° the variance of 1/n_z over it would be infinite.
 SECTION_ANGLE = math.radians(80.0)
 # Below this inclination (0.06°) an arc's radius outgrows float32; the thread is as good as straight.
-_SMALLEST_INCLINATION = 1e-3
+SMALLEST_INCLINATION = 1e-3
 # Share of the largest inclination a run can take that is used: its arc keeps a positive length.
-_STEEPEST_SHARE = 0.95
+STEEPEST_SHARE = 0.95
 # Threads finer than this share of the mean would need a finer index than is worth its memory.
-_FINEST_CELL = 1 / 64
+FINEST_CELL = 1 / 64
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,7 +90,7 @@ def _cells(family: FamilyLayout) -> tuple[NDArray[np.float64], ...]:
     previous_edge[0] -= period
     lower = (previous_edge + centre - half_width) / 2
     upper = np.append(lower[1:], lower[0] + period)
-    if (upper - lower).min() < _FINEST_CELL * period / lower.size:
+    if (upper - lower).min() < FINEST_CELL * period / lower.size:
         raise InputError(
             f"The finest thread takes up {1e3 * (upper - lower).min():.3g} µm, less than 1/64 of the mean of "
             f"{1e3 * period / lower.size:.3g} µm; give threads more even spacings."
@@ -115,12 +115,12 @@ def prepare_family(family: FamilyLayout, crossing: FamilyLayout, words: NDArray[
         length = _run_ends(words[rows], cross_lower, cross_upper, cross_period).length
         shortest[rows] = length.min(axis=1)
     # A run of length L leaves room for its arc while w·tan(v_max/2)·sin U < L.
-    steepest = np.arcsin(np.minimum(_STEEPEST_SHARE * shortest / (2 * section), 1.0))
-    inclination = np.clip(np.minimum(family.inclination, steepest), _SMALLEST_INCLINATION, None)
+    steepest = np.arcsin(np.minimum(STEEPEST_SHARE * shortest / (2 * section), 1.0))
+    inclination = np.clip(np.minimum(family.inclination, steepest), SMALLEST_INCLINATION, None)
 
     finest_crossing = float((cross_upper - cross_lower).min())
     # A float rises by one width at most, and its ends stay within what the run words can tell.
-    arc = np.minimum(2 * half_width / np.tan(inclination / 2), LONGEST_ARC * finest_crossing)
+    arc = np.minimum(2 * half_width / np.tan(inclination / 2), MAX_ARC * finest_crossing)
 
     lowest_edge = 1.0  # in units of the section's drop
     highest = 0.0
@@ -186,7 +186,7 @@ def _run_ends(
 ) -> _RunEnds:
     count = lower.size
     # Where cells begin, of all crossings that a word can tell of: one look-up each in place of a division.
-    farthest = LONGEST_OFFSET + LONGEST_NEIGHBOUR + 2
+    farthest = MAX_OFFSET + MAX_NEIGHBOUR + 2
     crossing = np.arange(-farthest, count + farthest)
     cell_starts = lower[crossing % count] + period * (crossing // count)
 

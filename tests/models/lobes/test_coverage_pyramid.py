@@ -67,11 +67,11 @@ def test_no_group_counts_less_than_nothing(text: str) -> None:
 def test_cells_of_many_threads_are_counted_by_fewer_texels(monkeypatch: pytest.MonkeyPatch) -> None:
     """As in drafts of millions of crossings: fifteen texels a side find the coverage of a node."""
     geometry = YarnGeometry(random_cloth(96, 96).layout())
-    monkeypatch.setattr(coverage_pyramid, "_MAX_BYTES", 20_000)
+    monkeypatch.setattr(coverage_pyramid, "MAX_PYRAMID_BYTES", 20_000)
     picks = geometry.layout.warp_on_top.shape[0]
     assert spacing_of(geometry, PER_FAMILY).base_size > 6 * geometry.size[1] / picks
     few = pyramid_of(geometry, PER_FAMILY)[1]
-    monkeypatch.setattr(coverage_pyramid, "_MOST_TEXELS_PER_NODE", 60)
+    monkeypatch.setattr(coverage_pyramid, "MAX_TEXELS_PER_NODE", 60)
     many = pyramid_of(geometry, PER_FAMILY)[1]
     assert few.bytes.shape == many.bytes.shape
     first, second = (part.bytes * part.scale[:, None] / 255 for part in (few, many))

@@ -16,7 +16,7 @@ from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
 from loomlight.fabric import fabric_from_text
 from loomlight.models.lobes.model import LobesModel
-from loomlight.models.lobes.point_sampled import MOST_POINTS, _offset
+from loomlight.models.lobes.point_sampled import MAX_POINTS, _offset
 from loomlight.models.lobes.regimes import RegimeScale
 
 from .cloths import FootprintQueries, directions
@@ -26,7 +26,7 @@ LINES = 4000
 
 def places() -> np.ndarray:
     """All offsets [n, 2], in units of a footprint's edges."""
-    actual = _offset(array_types(Float), UInt32(np.arange(MOST_POINTS, dtype=np.uint32)))
+    actual = _offset(array_types(Float), UInt32(np.arange(MAX_POINTS, dtype=np.uint32)))
     return np.stack([part.numpy() for part in actual], axis=1)
 
 
@@ -34,7 +34,7 @@ def test_the_first_point_is_the_middle_and_all_lie_within() -> None:
     actual = places()
     np.testing.assert_array_equal(actual[0], [0, 0])
     assert (np.abs(actual) < 0.5).all()
-    assert len(np.unique(actual, axis=0)) == MOST_POINTS
+    assert len(np.unique(actual, axis=0)) == MAX_POINTS
 
 
 # Errors of `tools/fits/near_points.py`, a tenth added; points by chance have 0.2, 0.14 and 0.1.
@@ -94,7 +94,7 @@ def test_regimes_blend_smoothly() -> None:
     assert np.diff(weight).max() < 0.06
     assert (points[weight == 1] == 0).all()
     assert (points[weight < 1] >= 1).all()
-    assert points.max() <= MOST_POINTS
+    assert points.max() <= MAX_POINTS
     # Squares of the pyramid that are wider than a thread move the blend to larger footprints.
     coarse = RegimeScale(layout, 10 * thread, array_types(Float)).of(footprint)
     assert (coarse.prefiltered.numpy() == 0).all()

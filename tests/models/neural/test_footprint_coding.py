@@ -8,7 +8,7 @@ from drjit.llvm.ad import Array2f
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.models.neural.footprint_coding import (
-    FINEST,
+    FINEST_LEVEL,
     AnisotropicTaps,
     levels_of,
     taps,
@@ -65,7 +65,7 @@ def test_running_means_of_a_wave_are_those_of_boxes(window: int) -> None:
         means = _wider(means, wide)
         wide *= 2
     levels = levels_of(4, ends)
-    level = levels[FINEST + window.bit_length() - 1]
+    level = levels[FINEST_LEVEL + window.bit_length() - 1]
     assert level.window == window
     table = np.zeros(levels[-1].first + 1, np.float32)
     table[level.first : level.first + level.columns * level.rows] = means.numpy().ravel()

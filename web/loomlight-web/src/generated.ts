@@ -302,101 +302,220 @@ export const RECORDS = {
   },
 } as const satisfies Record<string, { words: number; fields: Record<string, Field> }>;
 
-// yarn/layout.py, threads.py
+// yarn.layout
 export const SMALLEST_GAP = 0.02;
+
+// yarn.threads
 export const SECTION_ANGLE = 1.3962634015954636;
 export const SMALLEST_INCLINATION = 0.001;
 export const STEEPEST_SHARE = 0.95;
 export const FINEST_CELL = 0.015625;
 
-// yarn/runs.py, max_heights.py, search.py
-export const LONGEST_OFFSET = 127;
-export const LONGEST_NEIGHBOUR = 63;
-export const LONGEST_ARC = 28;
+// yarn.runs
+export const MAX_OFFSET = 127;
+export const MAX_NEIGHBOUR = 63;
+export const MAX_ARC = 28;
 export const CELL_MAX_LEVELS = 15;
+
+// yarn.max_heights
 export const PYRAMID_RADII = [1, 2, 4, 8] as const;
 export const TILE_CELLS = 2;
 export const QUADRANTS = 4;
-export const LIFT = 0.002;
 
-// scattering/albedo.py, point.py
+// yarn.search
+export const LIFT = 0.002;
+export const NARROWEST_DIP = 0.02;
+export const OUTLINE_EPSILON = 0.005;
+export const DEFAULT_STEPS_PER_THREAD = 5.0;
+export const DEFAULT_STEPS_PER_RELIEF = 8.0;
+export const DEFAULT_SHADOW_SHARE = 1.0;
+export const DEFAULT_REFINEMENTS = 2;
+export const DEFAULT_STEPS = 1024;
+export const REFERENCE_STEPS_PER_THREAD = 48.0;
+export const REFERENCE_STEPS_PER_RELIEF = 48.0;
+export const REFERENCE_SHADOW_SHARE = 1.0;
+export const REFERENCE_REFINEMENTS = 20;
+export const REFERENCE_STEPS = 16384;
+
+// scattering.albedo
 export const WHITE_SHARE = 0.3;
 export const ALBEDO_TOLERANCE = 1e-05;
-export const FIBRES_ACROSS = 30;
 
-// scattering/cloth_layer_bound.py
+// scattering.variation
+export const FIBRES_ACROSS = 30;
+export const FIBRE_CELL_LENGTH = 40.0;
+export const MAX_FIBRE_GAIN = 10.0;
+export const FIBRE_STREAM = 2654435769;
+export const THREAD_STREAM = 2135587861;
+
+// scattering.cloth_layer_bound
 export const DEEP_MARGIN = [1.15, 0.05] as const;
 export const THIN_MARGIN = [0.6, 1.0] as const;
 export const MARGIN_FADE = 2.0;
 
-// scattering/detail.py
+// scattering.detail
+export const PLY_EDGE_SINE = 0.42;
+export const GROOVE_DEPTH = 0.6;
+export const DIFFUSE_TURN_LOSS = 0.85;
+export const BUNDLE_FIBRES = 5.0;
+export const WAVE_LENGTH = 25.0;
+export const WAVE_SHARE = 0.5;
 export const SLUB_LENGTH = 9.0;
 export const TONE_OF_TILT = 0.5;
-export const MOST_TONE = 0.15;
+export const MAX_TONE = 0.15;
+export const HAIR_LAYERS = 2;
+export const HAIR_CELL = 17.0;
+export const HAIR_HALF_WIDTH = 0.32;
+export const HAIR_SHORTEST = 5.0;
+export const HAIR_LONGEST = 16.0;
+export const HAIR_CURL = 0.7;
+export const HAIR_EDGE_SINE = 0.8;
+export const SLUB_DEPTH = 0.25;
+export const SLUB_MIDDLE = 0.4;
+export const BUNDLE_STREAM = 1757159915;
+export const WAVE_STREAM = 458671337;
+export const TILT_STREAM = 48610963;
+export const SLUB_STREAM = 1373058189;
+export const HAIR_STREAM = 1013904242;
+export const NOISE_VARIANCE = 0.24761904761904763;
+export const TILT_SCALE = 1.0985884360051028;
+export const TURN_SCALE = 1.4209964001470128;
 
-// fabric/authored_colour.py
-export const HALVINGS = 20;
+// scattering.openness
+export const OPENNESS_OBLIQUE_RAYS = 6144;
+export const OPENNESS_FACING_RAYS = 2048;
+export const OPENNESS_LIGHTS = 16;
+export const OPENNESS_FACING_COSINE = 0.9902680687415704;
+export const OPENNESS_SMALLEST_VIEW_COSINE = 0.03;
+export const OPENNESS_SMALLEST_SHARE = 0.05;
+export const OPENNESS_STEPS_PER_THREAD = 4.0;
+export const OPENNESS_STEPS_PER_RELIEF = 4.0;
+export const OPENNESS_SHADOW_SHARE = 1.3;
+export const OPENNESS_REFINEMENTS = 1;
+export const OPENNESS_STEPS = 1024;
+export const OPENNESS_MET_STEPS = 16;
+export const OPENNESS_MAX_MET_STEPS = 2048;
+export const OPENNESS_VIEW_TERMS = 5;
+export const OPENNESS_POINT_TERMS = 6;
 
-// scattering/openness.py, fibre.py
-export const OBLIQUE_RAYS = 6144;
-export const FACING_RAYS = 2048;
-export const FACING_COSINE = 0.9902680687415704;
-export const SMALLEST_VIEW_COSINE = 0.03;
-export const SMALLEST_OPENNESS_SHARE = 0.05;
-export const OPENNESS_NUMBERS = 10;
+// scattering.fibre
+export const SMALLEST_COSINE = 1e-06;
+export const SMALLEST_SQUARED_SUM = 1e-12;
+export const SHARE_TURNED = [0.57, -0.17] as const;
+export const SHARE_THROUGH = [0.27, 0.045] as const;
 export const MEAN_TURNED = [0.297, -0.086, -3.12] as const;
 export const MEAN_THROUGH = [0.579, 0.31, -2.014, 0.786] as const;
+export const TYPICAL_DEPTH = 1.4;
 
-// fabric/fabric.py
+// fabric.authored_colour
+export const HALVINGS = 20;
+
+// fabric.fabric
 export const MAXIMUM_CROSSINGS = 67108864;
 
-// aggregate/footprint_albedos.py
-export const MOST_ENTRIES = 67108864;
-export const FEWEST_QUANTITIES = 4;
-export const SMALLEST_AXIS = 1e-06;
-export const SMALLEST_BOX = 0.015625;
-export const AREA_UNITS = 2126008811.52;
+// aggregate.footprint_albedos
+export const ALBEDO_MAX_ENTRIES = 67108864;
+export const ALBEDO_MIN_QUANTITIES = 4;
+export const ALBEDO_SMALLEST_AXIS = 1e-06;
+export const ALBEDO_SMALLEST_BOX = 0.015625;
+export const ALBEDO_HIDDEN_WEIGHT = 0.000244140625;
+export const ALBEDO_AREA_UNITS = 2126008811.52;
+export const ALBEDO_NOISE_UNITS = 16.0;
+export const ALBEDO_NOISE_FRACTION = 1e-05;
 
-// models/lobes
+// models.lobes.model
 export const DEFAULT_GROUPS = 8;
+export const MAX_GROUPS = 64;
+
+// models.lobes.hemisphere
+export const AZIMUTHS = 32;
+export const RINGS = 8;
 export const NODES = 256;
+export const MIN_NODE_COSINE = 0.03;
+
+// models.lobes.tables
 export const MOMENTS = 12;
+
+// models.lobes.groups
+export const NORMAL_WEIGHT = 0.5;
+export const CLUSTERED_SAMPLES = 2048;
+export const MIN_VIEW_SAMPLES = 64;
+export const MIN_VIEW_HITS = 8.0;
 export const GROUPS_PER_PACK = 4;
+export const GOLDEN_FRACTION = 2654435769;
+
+// models.lobes.visibility_rays
 export const MIN_RAYS = 512;
 export const RAYS_PER_GROUP = 32;
+export const MAX_GAP_RAYS = 128;
+export const SAMPLED_VIEWS = 32;
+export const VIEW_STEP = 37;
+export const BAKE_STEPS_PER_THREAD = 2.5;
+export const BAKE_STEPS_PER_RELIEF = 2.5;
+export const BAKE_SHADOW_SHARE = 1.6;
+export const BAKE_REFINEMENTS = 1;
+export const BAKE_STEPS = 1024;
+
+// models.lobes.regimes
+export const BLEND_RANGE = [0.6, 1.6] as const;
 export const SQUARE_SCALE = 0.8;
+export const SMALLEST_FOOTPRINT = 1e-09;
+
+// models.lobes.coverage_lookup
 export const TENT_VARIANCE = 1.3;
+export const TAP_OFFSETS = [[-0.3333333333333333, -0.3333333333333333] as const, [-0.3333333333333333, 0.0] as const, [-0.3333333333333333, 0.3333333333333333] as const, [0.0, -0.3333333333333333] as const, [0.0, 0.0] as const, [0.0, 0.3333333333333333] as const, [0.3333333333333333, -0.3333333333333333] as const, [0.3333333333333333, 0.0] as const, [0.3333333333333333, 0.3333333333333333] as const] as const;
+export const TAP_SIZE = 0.68;
+export const MIN_TAP_SPACING = 0.3333333333333333;
+export const MIN_FOOTPRINT = 1e-06;
+
+// models.lobes.coverage_pyramid
 export const MAX_BLUR = 0.4;
 export const MAX_BLUR_STEPS = 8;
 export const NODES_PER_SIDE = 3;
 export const FEWER_NODES = 2;
 export const TEXELS_PER_NODE = 4;
 export const TEXELS_PER_THREAD = 3;
-export const MOST_TEXELS_PER_NODE = 15;
+export const MAX_TEXELS_PER_NODE = 15;
 export const EVEN_FROM = 64;
 export const EVEN_STEP = 16;
 export const MAX_PYRAMID_BYTES = 58720256;
+export const TEXEL_JITTER_X = 3242174889;
+export const TEXEL_JITTER_Y = 2447445413;
 
-// realtime/tables.py, openness_tables.py, bake.py
+// realtime.openness_tables
 export const NO_OPENNESS = 4294967295;
-export const OPENNESS_PARTS = [["by_view", 60] as const, ["by_point", 72] as const, ["warp_seen", 10] as const, ["interior", 4] as const, ["meets", 8] as const, ["blocks", 4] as const, ["per_relief", 1] as const, ["layers", 4] as const] as const;
+export const RAY_RESULTS = 10;
+
+// realtime.tables
 export const SMALLEST_OPEN_SHARE = 0.001;
+
+// realtime.bake
 export const FIRST_WEIGHT = 16;
 
-// realtime/bvh.py, scene_words.py, albedo_map.py, environment.py
+// realtime.bvh
 export const FACES_A_LEAF = 4;
 export const NO_FACE = 4294967295;
+
+// realtime.scene_words
 export const RAY_OFFSET = 2e-06;
 export const FLAT = 1e-07;
-export const LARGEST_SIDE = 2048;
-export const ROOT_STEPS = 1023;
-export const LARGEST_COLUMNS = 1024;
 
-// realtime/renderer.py, orbit.py
-export const MOST_LAYERS = 4;
+// realtime.albedo_map
+export const MAX_SIDE = 2048;
+export const ROOT_STEPS = 1023;
+
+// realtime.environment
+export const MAX_COLUMNS = 1024;
+
+// realtime.renderer
+export const MAX_LAYERS = 4;
 export const GOLDEN = [0.7548776662466927, 0.5698402909980532] as const;
-export const DEFAULT_SAMPLES = 4;
-export const DEFAULT_ENVIRONMENT_SAMPLES = 8;
+
+// realtime.orbit
 export const TURN_DEGREES = 180.0;
 export const STEEPEST_DEGREES = 89.0;
 export const NOTCH = 1.15;
+
+export const OPENNESS_PARTS = [["by_view", 60] as const, ["by_point", 72] as const, ["warp_seen", 10] as const, ["interior", 4] as const, ["meets", 8] as const, ["blocks", 4] as const, ["per_relief", 1] as const, ["layers", 4] as const] as const;
+export const DEFAULT_SAMPLES = 4;
+export const DEFAULT_ENVIRONMENT_SAMPLES = 8;

@@ -39,7 +39,7 @@ from loomlight.scattering.point import PointModel
 from loomlight.scattering.yarn_point import Albedos, DirectionSample, YarnPoint, to_face_frame
 
 # Between seeds of points: odd, so that no two are the same.
-_POINT = 0x632BE5AB
+POINT_SEED_STEP = 0x632BE5AB
 
 
 @dataclass
@@ -128,7 +128,7 @@ class ClusteredBsdf(SeparableBsdf):
         Args:
             dimension: the first of its two random numbers.
         """
-        seed = self._seed + array_types(self.view.x).UInt32(number) * _POINT
+        seed = self._seed + array_types(self.view.x).UInt32(number) * POINT_SEED_STEP
         return uniform(seed, dimension), uniform(seed, dimension + 1)
 
     def _residual_point(self, number: int) -> ResidualPoint:

@@ -56,7 +56,7 @@ from loomlight.scattering.lobe_mixture import LobeMixture, mixture_density, samp
 from loomlight.scattering.yarn_point import DirectionSample, to_face_frame
 
 # Not log2(0): footprints of points.
-_SMALLEST_SIZE = 1e-9
+SMALLEST_SIZE = 1e-9
 _TRAINING = "loomlight.models.latent.training.train"
 MIPS = ("stochastic", "trilinear")
 PRECISIONS = ("float32", "float16")
@@ -99,7 +99,7 @@ class LatentBsdf(FootprintBsdf):
         faces = dr.select(self._back, types.UInt32(shape.faces - 1), types.UInt32(0))
         u = self.footprint.centre.x * (1 / shape.width_mm)
         v = self.footprint.centre.y * (1 / shape.height_mm)
-        side = maximum(self.footprint.square_side * (1 / shape.texel_mm), _SMALLEST_SIZE)
+        side = maximum(self.footprint.square_side * (1 / shape.texel_mm), SMALLEST_SIZE)
         level = clip(dr.log2(side), 0, shape.levels - 1)
         if self._model.mips == "trilinear":
             return self._device.latent(u, v, level, faces)

@@ -33,7 +33,7 @@ ALBEDO_WIDTHS = (3 + CHANNELS, 16, 3)
 # Offsets of the exponential outputs: of networks that begin near 0.
 VALUE_OFFSET, ALBEDO_OFFSET = 3.0, 1.0
 # Bound of an exponent: values stay finite, and no training reaches it.
-LARGEST_EXPONENT = 12.0
+MAX_EXPONENT = 12.0
 
 
 def decoder_widths(hidden: tuple[int, ...], with_frames: bool) -> tuple[int, ...]:
@@ -176,4 +176,4 @@ def _frame(vector: Any, sums: list[Float]) -> Frame:
 
 
 def _exponential(exponent: Float) -> Float:
-    return dr.exp(minimum(exponent, LARGEST_EXPONENT))
+    return dr.exp(minimum(exponent, MAX_EXPONENT))

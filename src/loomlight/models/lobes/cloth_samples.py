@@ -19,7 +19,7 @@ TOP_DOWN_SAMPLES = 1 << 13
 # The additive recurrence of Roberts (2018, "The Unreasonable Effectiveness of Quasirandom Sequences") in four
 # dimensions: powers of 1/φ₄, the root of x⁵ = x + 1, in units of 2⁻³², where products wrap around as
 # fractions.
-_RECURRENCE = [round(2**32 * 1.1673039782614187**-power) for power in range(1, 5)]
+RECURRENCE = [round(2**32 * 1.1673039782614187**-power) for power in range(1, 5)]
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,7 +83,7 @@ class SamplePositions:
         """
         unit = [
             self._types.Float((index * factor + factor // 2 + sequence * shift) >> 8) * 2**-24
-            for factor, shift in zip(_RECURRENCE, _RECURRENCE[::-1], strict=True)
+            for factor, shift in zip(RECURRENCE, RECURRENCE[::-1], strict=True)
         ]
         x, y = (
             (dr.floor(crossing * threads) + within) * spacing

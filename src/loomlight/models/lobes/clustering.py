@@ -21,9 +21,9 @@ FEATURES = 6
 # Points that agree in so many decimals are one, as those of a straight flat yarn are.
 _DECIMALS = 4
 # Steps of 2-means that place a boundary, and of k-means that refine all clusters.
-_BOUNDARY_STEPS, _REFINING_STEPS = 4, 2
+BOUNDARY_STEPS, REFINING_STEPS = 4, 2
 # Squarings of a covariance matrix: 2⁸ = 256 power iterations separate eigenvalues that differ by 2 %.
-_SQUARINGS = 8
+AXIS_SQUARINGS = 8
 
 
 class BisectingClusters:
@@ -131,7 +131,7 @@ def _principal_axis(matrix: Doubles, square: Doubles) -> Doubles:
 
     Repeated squaring leaves a multiple of its projector, of which the column with most is taken.
     """
-    for _ in range(_SQUARINGS):
+    for _ in range(AXIS_SQUARINGS):
         trace = 1e-30
         for k in range(FEATURES):
             trace += matrix[k, k]
@@ -164,7 +164,7 @@ def _split(points: Doubles, start: int, stop: int, mean: Doubles, axis: Doubles,
             own[point] += axis[k] * (column[point] - mean[k])
     total = own.sum()
     boundary = 0.0
-    for _ in range(_BOUNDARY_STEPS):
+    for _ in range(BOUNDARY_STEPS):
         size_beyond, total_beyond = 0, 0.0
         for offset in own:
             size_beyond += offset > boundary
@@ -192,7 +192,7 @@ def _refine(points: Doubles, means: Doubles) -> None:
     least = np.zeros(size)
     sums = np.zeros((len(means), FEATURES))
     sizes = np.zeros(len(means))
-    for _ in range(_REFINING_STEPS):
+    for _ in range(REFINING_STEPS):
         least[:] = np.inf
         for cluster in range(len(means)):
             for point in range(size):

@@ -35,7 +35,8 @@ TAP_OFFSETS = tuple((i / 3, j / 3) for i in (-1, 0, 1) for j in (-1, 0, 1))
 TAP_SIZE = 0.68
 # The least spacing of the taps, in units of `base_size`: that of the first level's nodes.
 MIN_TAP_SPACING = 1 / 3
-_MIN_SIZE = 1e-6
+# Smallest extent of a footprint that is divided by, in units of `base_size`.
+MIN_FOOTPRINT = 1e-6
 
 
 @dataclass
@@ -122,7 +123,7 @@ class CoverageLookup:
         relative = footprint.spread_side * self._inverse_size
         level: Float = dr.log2(maximum(TAP_SIZE * relative, 1))
         level = minimum(dr.floor(level), self._last_level)
-        inverse = dr.rcp(maximum(relative, _MIN_SIZE))
+        inverse = dr.rcp(maximum(relative, MIN_FOOTPRINT))
         spacing = dr.sqrt(clip(TENT_VARIANCE * (1 - dr.square(inverse)), 0, 1))
         return level, minimum(maximum(spacing, MIN_TAP_SPACING * inverse), 1)
 

@@ -30,25 +30,25 @@ from loomlight.yarn.geometry import YarnGeometry
 # Blur steps that make tents of cells: what each neighbour gives to a cell, at most (no weight may be
 # negative), and how many there may be. Repeats that need more have three nodes at most, and are uniform by
 # then.
-_MAX_BLUR, _MAX_BLUR_STEPS = 0.4, 8
+MAX_BLUR, MAX_BLUR_STEPS = 0.4, 8
 # Nodes along a square's side, and where the table would grow too large: estimates are 1 % worse then.
-_NODES_PER_SIDE, _FEWER_NODES = 3, 2
+NODES_PER_SIDE, FEWER_NODES = 3, 2
 # Texels between two nodes along each axis, and for each thread, at least.
-_TEXELS_PER_NODE = 4
-_TEXELS_PER_THREAD = 3
+TEXELS_PER_NODE = 4
+TEXELS_PER_THREAD = 3
 # Texels along a cell, at most: their counts fit a byte, and cells of many threads need no three a thread.
-_MOST_TEXELS_PER_NODE = 15
+MAX_TEXELS_PER_NODE = 15
 # Texels evaluated at once.
 _BATCH = 1 << 23
 # Numbers of the pyramid that are processed at once, to fit caches; and how many are worth a second thread.
 _BLOCK, _LARGE = 1 << 17, 1 << 22
 # Large levels are rounded up to even numbers of nodes, so that halving them is slicing.
-_EVEN_FROM, _EVEN_STEP = 64, 16
+EVEN_FROM, EVEN_STEP = 64, 16
 # Bytes of all levels of both faces; a third of it is levels beyond the first.
-_MAX_BYTES = 56 << 20
+MAX_PYRAMID_BYTES = 56 << 20
 _LARGEST = 255.0
 # Powers of the plastic number in units of 2⁻³²: products wrap around as fractions do (Roberts 2018).
-_ACROSS, _ALONG = 0xC13FA9A9, 0x91E10DA5
+TEXEL_JITTER_X, TEXEL_JITTER_Y = 0xC13FA9A9, 0x91E10DA5
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,8 +99,8 @@ def spacing_of(geometry: YarnGeometry, per_family: int) -> Spacing:
     picks, ends = geometry.layout.warp_on_top.shape
     thread = math.sqrt(width / ends * height / picks)
     row = 2 * 4 * (pack_count(per_family) + 1)
-    for nodes in (_NODES_PER_SIDE, _FEWER_NODES):
-        smallest = nodes * math.sqrt(width * height * row * 4 / 3 / _MAX_BYTES)
+    for nodes in (NODES_PER_SIDE, FEWER_NODES):
+        smallest = nodes * math.sqrt(width * height * row * 4 / 3 / MAX_PYRAMID_BYTES)
         if smallest <= thread:
             return Spacing(thread, nodes)
     return Spacing(smallest, nodes)
@@ -141,7 +141,7 @@ def count_cells(
     """Counts the texels of each group over the repeat; does not wait for the device where texels are few."""
     types, geometry = cloth.value.types, cloth.value.geometry
     spacing = spacing_of(geometry, per_family)
-    columns, rows = (_nodes_along(side, spacing) for side in geometry.size)
+    columns, rows = (nodes_along(side, spacing) for side in geometry.size)
     picks, ends = geometry.layout.warp_on_top.shape
     across, along = (texels_along(threads, count) for threads, count in ((ends, columns), (picks, rows)))
     texels = _Texels(types, geometry.size, (columns, rows), (across, along), per_family)
@@ -157,15 +157,15 @@ def count_cells(
     return CellCounts(geometry.size, spacing, shape, across * along, packed)
 
 
-def _nodes_along(side: float, spacing: Spacing) -> int:
+def nodes_along(side: float, spacing: Spacing) -> int:
     """Nodes of the first level along one side of the repeat."""
     count = max(1, math.ceil(spacing.nodes * side / spacing.base_size - 1e-6))
-    return count if count <= _EVEN_FROM else -(-count // _EVEN_STEP) * _EVEN_STEP
+    return count if count <= EVEN_FROM else -(-count // EVEN_STEP) * EVEN_STEP
 
 
 def texels_along(threads: int, nodes: int) -> int:
     """Texels of a cell along one axis of a repeat of so many threads."""
-    return max(_TEXELS_PER_NODE, min(math.ceil(_TEXELS_PER_THREAD * threads / nodes), _MOST_TEXELS_PER_NODE))
+    return max(TEXELS_PER_NODE, min(math.ceil(TEXELS_PER_THREAD * threads / nodes), MAX_TEXELS_PER_NODE))
 
 
 class _Texels:
@@ -217,8 +217,8 @@ class _Texels:
         back = lane >= face_size
         texel = dr.select(back, lane - face_size, lane)
         row, column = self._wide.divide(texel)
-        jitter_x = Float((texel * _ACROSS) >> 8) * 2**-24
-        jitter_y = Float((texel * _ALONG) >> 8) * 2**-24
+        jitter_x = Float((texel * TEXEL_JITTER_X) >> 8) * 2**-24
+        jitter_y = Float((texel * TEXEL_JITTER_Y) >> 8) * 2**-24
         point = cloth.geometry.surface(
             (Float(column) + jitter_x) * self._steps[0], (Float(row) + jitter_y) * self._steps[1], back
         )
@@ -279,7 +279,7 @@ def _first_level(
     """Tents over the cells of some faces, means of the repeat, and the largest value of any tent."""
     faces, rows, columns, groups = counts.shape
     sides = zip((rows, columns), cells.repeat[::-1], strict=True)
-    steps = [_blur_steps(cells.spacing.base_size * count / side) for count, side in sides]
+    steps = [blur_steps(cells.spacing.base_size * count / side) for count, side in sides]
     across = np.arange(-len(steps[1]), columns + len(steps[1])) % columns
     means = np.empty(counts.shape, np.float32)
     totals = np.zeros((faces, columns, groups))
@@ -299,7 +299,7 @@ def _first_level(
     return means, totals.sum(axis=1) * (1 / (rows * columns * cells.texels)), largest
 
 
-def _blur_steps(cells: float) -> list[np.float32]:
+def blur_steps(cells: float) -> list[np.float32]:
     """What each neighbour gives to a cell, step by step, so that cells become tents.
 
     With w of each neighbour a cell's variance of 1/12 becomes 1/12 + 2w, and interpolation adds 1/6. Wide
@@ -309,12 +309,12 @@ def _blur_steps(cells: float) -> list[np.float32]:
         cells: along the square's side.
     """
     missing = (TENT_VARIANCE * cells**2 - 3) / 12
-    steps = min(max(1, math.ceil(missing / (2 * _MAX_BLUR))), _MAX_BLUR_STEPS)
-    return [np.float32(min(missing / (2 * steps), _MAX_BLUR))] * steps
+    steps = min(max(1, math.ceil(missing / (2 * MAX_BLUR))), MAX_BLUR_STEPS)
+    return [np.float32(min(missing / (2 * steps), MAX_BLUR))] * steps
 
 
 def _blurred(means: NDArray[np.float32], axis: int, weight: np.float32) -> NDArray[np.float32]:
-    """One step of `_blur_steps` along an axis, which loses a cell at either end."""
+    """One step of `blur_steps` along an axis, which loses a cell at either end."""
     before, middle, after = (
         means[(slice(None),) * axis + (slice(start, stop),)] for start, stop in ((0, -2), (1, -1), (2, None))
     )

@@ -33,7 +33,7 @@ SPREAD_LOSS = 0.35
 # Shortest path x: below it, 1 − e^{−x} would cancel.
 SMALLEST_PATH = 1e-3
 # Coefficients of atan(x)/x in powers of x².
-_ARC_TANGENT = (
+ARC_TANGENT = (
     0.999999715,
     -0.33327976,
     0.198950258,
@@ -132,8 +132,8 @@ def _mean_density(interval: _Interval, reciprocal: Float) -> Float:
 def _arc_tangent(ratio: Float) -> Float:
     """atan of 0 to 1: a least-squares polynomial at Chebyshev nodes, off by 6e-7 at most."""
     square = dr.square(ratio)
-    value: Float = _ARC_TANGENT[-1]
-    for coefficient in reversed(_ARC_TANGENT[:-1]):
+    value: Float = ARC_TANGENT[-1]
+    for coefficient in reversed(ARC_TANGENT[:-1]):
         value = dr.fma(value, square, coefficient)
     return ratio * value
 

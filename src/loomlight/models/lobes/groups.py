@@ -26,17 +26,17 @@ if TYPE_CHECKING:
 # Weight of the normal beside the fibre direction in distances: highlights are narrow in the latter.
 NORMAL_WEIGHT = 0.5
 # Most samples that a family is clustered by.
-_CLUSTERED_SAMPLES = 1 << 11
+CLUSTERED_SAMPLES = 1 << 11
 # A family with fewer samples from views is clustered by its top-down samples.
-_MIN_VIEW_SAMPLES = 64
+MIN_VIEW_SAMPLES = 64
 # Groups that fewer views hit keep the moments of their centroid: a covariance of so few is unreliable.
-_MIN_VIEW_HITS = 8
+MIN_VIEW_HITS = 8.0
 # Families get groups in multiples of a pack, uint8x4.
-_PACK = 4
+GROUPS_PER_PACK = 4
 # Numbers of a centroid in memory, and a distance above all others.
 _ROW, _FAR = 8, 1e3
 # 2³²/φ: fractions of multiples of the golden ratio fill the unit interval evenly.
-_GOLDEN = 0x9E3779B9
+GOLDEN_FRACTION = 0x9E3779B9
 # Index pairs of the products of the fibre direction among sums over views; see `accumulation`.
 _PRODUCTS = (0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)
 
@@ -122,11 +122,11 @@ def find_groups(top_down: TopDownSamples, from_views: FaceSamples, per_family: i
     hits = [len(family) for family in view_families]
     points_of_family = [
         _features(from_views, hit)
-        if len(shown) and len(hit) >= _MIN_VIEW_SAMPLES
+        if len(shown) and len(hit) >= MIN_VIEW_SAMPLES
         else _features(top_down, shown)
         for shown, hit in zip(top_down_families, view_families, strict=True)
     ]
-    max_clusters = max(per_family, 2 * per_family - _PACK)
+    max_clusters = max(per_family, 2 * per_family - GROUPS_PER_PACK)
     clusters = parallel_map(lambda points: BisectingClusters(points, max_clusters), points_of_family)
     warp_count = [
         _best_warp_count(clusters[face : face + 2], hits[face : face + 2], per_family) for face in (0, 2)
@@ -159,10 +159,12 @@ def _features(samples: FaceSamples, chosen: NDArray[np.intp]) -> NDArray[np.floa
 
 
 def _thinned(indices: NDArray[np.intp]) -> NDArray[np.intp]:
-    """At most `_CLUSTERED_SAMPLES` of them, evenly: every k-th one would favour some positions."""
-    if len(indices) <= _CLUSTERED_SAMPLES:
+    """At most `CLUSTERED_SAMPLES` of them, evenly: every k-th one would favour some positions."""
+    if len(indices) <= CLUSTERED_SAMPLES:
         return indices
-    fractions = np.arange(_CLUSTERED_SAMPLES, dtype=np.uint64) * np.uint64(_GOLDEN) & np.uint64(0xFFFFFFFF)
+    fractions = np.arange(CLUSTERED_SAMPLES, dtype=np.uint64) * np.uint64(GOLDEN_FRACTION) & np.uint64(
+        0xFFFFFFFF
+    )
     return indices[(fractions * np.uint64(len(indices)) >> np.uint64(32)).astype(np.intp)]
 
 
@@ -174,7 +176,7 @@ def _best_warp_count(clusters: Sequence[BisectingClusters], hits: Sequence[int],
         hits: how often views hit either.
     """
     total = 2 * per_family
-    if total % (2 * _PACK) or not all(family.size for family in clusters):
+    if total % (2 * GROUPS_PER_PACK) or not all(family.size for family in clusters):
         return per_family
     warp, weft = clusters
 
@@ -182,7 +184,10 @@ def _best_warp_count(clusters: Sequence[BisectingClusters], hits: Sequence[int],
         return warp.error(warp_count) * hits[0] + weft.error(total - warp_count) * hits[1]
 
     # Of equal errors, the most even split.
-    return min(range(_PACK, total, _PACK), key=lambda count: (error(count), abs(count - per_family)))
+    return min(
+        range(GROUPS_PER_PACK, total, GROUPS_PER_PACK),
+        key=lambda count: (error(count), abs(count - per_family)),
+    )
 
 
 def with_view_moments(groups: Groups, sums: NDArray[np.float64]) -> Groups:
@@ -201,7 +206,7 @@ def with_view_moments(groups: Groups, sums: NDArray[np.float64]) -> Groups:
     for (i, j), product in zip(_PRODUCTS, np.moveaxis(means[..., 6:], -1, 0), strict=True):
         covariance[..., i, j] += product
         covariance[..., j, i] = covariance[..., i, j]
-    few = hits < _MIN_VIEW_HITS
+    few = hits < MIN_VIEW_HITS
     return replace(
         groups,
         normal=np.where(few, groups.normal, normal),

@@ -22,14 +22,14 @@ from loomlight.models.lobes.packed_uint8 import PackedWeights
 AZIMUTHS, RINGS = 32, 8
 NODES = AZIMUTHS * RINGS
 # cos θ of the last ring: more grazing rays through the plane z = 0 hit crests alone.
-MIN_COSINE = 0.03
+MIN_NODE_COSINE = 0.03
 
 
 @cache
 def node_directions() -> NDArray[np.float64]:
     """Unit vectors of all nodes [NODES, 3], azimuth by azimuth, z > 0; read-only."""
     azimuth = np.repeat(np.arange(AZIMUTHS) * (2 * math.pi / AZIMUTHS), RINGS)
-    z = np.tile(1 - (1 - MIN_COSINE) * (np.arange(RINGS) / (RINGS - 1)) ** (4 / 3), AZIMUTHS)
+    z = np.tile(1 - (1 - MIN_NODE_COSINE) * (np.arange(RINGS) / (RINGS - 1)) ** (4 / 3), AZIMUTHS)
     radius = np.sqrt(1 - z * z)
     directions = np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), z], axis=1)
     directions.flags.writeable = False
@@ -55,7 +55,7 @@ def node_taps(direction: Vec3) -> NodeTaps:
     turns = dr.atan2(direction.y, direction.x) * (0.5 * AZIMUTHS / math.pi)
     azimuth = dr.floor(turns)
     across = turns - azimuth
-    root = dr.sqrt(clip((1 - dr.abs(direction.z)) * (1 / (1 - MIN_COSINE)), 0, 1))
+    root = dr.sqrt(clip((1 - dr.abs(direction.z)) * (1 / (1 - MIN_NODE_COSINE)), 0, 1))
     ring = (RINGS - 1) * root * dr.sqrt(root)
     inner = minimum(dr.floor(ring), RINGS - 2)
     out = ring - inner

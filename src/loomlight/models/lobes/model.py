@@ -23,7 +23,7 @@ from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.search import upload_extent
 
 DEFAULT_GROUPS = 8
-MOST_GROUPS = 64
+MAX_GROUPS = 64
 # Of one group: 24 for interpolation, 27 for variances, 21 for cosines, 8 for areas, 25 for the density, 15
 # for attenuation.
 _MULTIPLY_ADDS = 120
@@ -50,7 +50,7 @@ class LobesModel(FilteredFabricModel):
 
     name = "lobes"
     conserves_energy = True
-    options = (Option("groups", int, f"a whole number from 1 to {MOST_GROUPS}", 1, MOST_GROUPS),)
+    options = (Option("groups", int, f"a whole number from 1 to {MAX_GROUPS}", 1, MAX_GROUPS),)
 
     def __init__(self, fabric: Fabric, tables: LobeTables, groups: int = DEFAULT_GROUPS) -> None:
         """A model of baked tables; see `for_source` to bake them."""
@@ -162,5 +162,5 @@ def tables_of(fabric: Fabric, groups: int) -> LobeTables:
 
 def _require_groups(groups: int) -> None:
     """Raises InputError unless a family may have so many groups."""
-    if not 1 <= groups <= MOST_GROUPS:
-        raise InputError(f"groups = {groups} is out of range: use 1 to {MOST_GROUPS}.")
+    if not 1 <= groups <= MAX_GROUPS:
+        raise InputError(f"groups = {groups} is out of range: use 1 to {MAX_GROUPS}.")

@@ -29,10 +29,10 @@ from loomlight.scattering.yarn_point import to_face_frame
 from loomlight.yarn.search import DEFAULT_QUALITY, SearchQuality
 from loomlight.yarn.visibility import passes_through
 
-MOST_POINTS = 8
+MAX_POINTS = 8
 # Points for every thread that a footprint is wide. With 16, errors of footprints under a thread are 6 to 15 %
 # lower, and rows of pixels over all sizes take a tenth longer.
-_POINTS_PER_THREAD = 12
+POINTS_PER_THREAD = 12.0
 POINT_OFFSETS = (
     (0.0, 0.0),
     (-0.2301, 0.3567),
@@ -44,40 +44,43 @@ POINT_OFFSETS = (
     (0.1071, 0.3288),
 )
 # Sides of footprints, in threads: below the first, yarns are searched as finely as by the point model; above
-# the second with `_COARSE`: nine hits in ten within 1/100 of a thread (median 1e-5), 99 in 100 within 1/20.
-# Shadow rays take smaller steps: with 0.95 plain weave and satin are up to 4 % too bright, with 1.6 1.5 %.
-_FINEST, _COARSEST = 1 / 32, 1 / 8
-_COARSE = SearchQuality(steps_per_thread=2.5, shadow_share=1.6, refinements=1)
+# the second with `COARSE_QUALITY`: nine hits in ten within 1/100 of a thread (median 1e-5), 99 in 100 within
+# 1/20. Shadow rays take smaller steps: with 0.95 plain weave and satin are up to 4 % too bright, with 1.6
+# 1.5 %.
+FINEST_FOOTPRINT, COARSEST_FOOTPRINT = 1 / 32, 1 / 8
+COARSE_QUALITY = SearchQuality(steps_per_thread=2.5, shadow_share=1.6, refinements=1)
 
 
 def points_of(threads: Float, prefiltered: Float, samples: Float) -> Float:
-    """Number of points that sample a footprint, 0 to `MOST_POINTS`; the last one is weighted by its fraction.
+    """Number of points that sample a footprint, 0 to `MAX_POINTS`; the last one is weighted by its fraction.
 
     Args:
         threads: side of the footprint, in threads.
         prefiltered: weight of the groups; the more they weigh, the fewer points are needed.
         samples: footprints averaged by a pixel, which divide its points among them.
     """
-    most = maximum(MOST_POINTS * dr.rcp(array_types(threads).Float(samples)), 1)
+    most = maximum(MAX_POINTS * dr.rcp(array_types(threads).Float(samples)), 1)
     most = dr.lerp(most, 1, prefiltered)
-    return dr.select(prefiltered < 1, clip(threads * _POINTS_PER_THREAD, 1, most), 0)
+    return dr.select(prefiltered < 1, clip(threads * POINTS_PER_THREAD, 1, most), 0)
 
 
 def quality_of(size: Float) -> SearchQuality:
     """Quality of the search of yarns for footprints of a side, in threads."""
     types = array_types(size)
-    detail = (math.log2(_COARSEST) - dr.log2(maximum(size, 1e-9))) * (1 / math.log2(_COARSEST / _FINEST))
+    detail = (math.log2(COARSEST_FOOTPRINT) - dr.log2(maximum(size, 1e-9))) * (
+        1 / math.log2(COARSEST_FOOTPRINT / FINEST_FOOTPRINT)
+    )
     detail = clip(detail, 0, 1)
 
     def between(coarse: float, fine: float) -> Any:
         return dr.fma(fine - coarse, detail, coarse)
 
-    steps = between(_COARSE.steps_per_thread, DEFAULT_QUALITY.steps_per_thread)
+    steps = between(COARSE_QUALITY.steps_per_thread, DEFAULT_QUALITY.steps_per_thread)
     return SearchQuality(
         steps,
         steps,
-        shadow_share=between(_COARSE.shadow_share, DEFAULT_QUALITY.shadow_share),
-        refinements=types.UInt32(between(_COARSE.refinements, DEFAULT_QUALITY.refinements) + 0.5),
+        shadow_share=between(COARSE_QUALITY.shadow_share, DEFAULT_QUALITY.shadow_share),
+        refinements=types.UInt32(between(COARSE_QUALITY.refinements, DEFAULT_QUALITY.refinements) + 0.5),
     )
 
 

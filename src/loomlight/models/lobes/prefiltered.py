@@ -31,7 +31,7 @@ from loomlight.models.lobes.tables import MOMENTS, LobeTables
 PER_BYTE = 1 / 255
 # κ. Pairs are (a, b) of a + b·cos Δφ, Δφ the angle between the azimuths of light and view.
 DIFFUSE_CORRELATION = 0.62, 0.63
-LARGEST_CORRELATION = 1.2
+MAX_CORRELATION = 1.2
 SPECULAR_CORRELATION = 0.62
 TRANSMISSION_CORRELATION = -0.09, -0.08
 # Factor of 1 − V(light) that is taken off the diffuse term in reflection.
@@ -242,7 +242,7 @@ def shadow_correlation(light: Vec3, view: Vec3, is_transmission: Mask) -> Shadow
     transmission = dr.fma(TRANSMISSION_CORRELATION[1], cosine, TRANSMISSION_CORRELATION[0])
     diffuse = dr.fma(DIFFUSE_CORRELATION[1], cosine, DIFFUSE_CORRELATION[0])
     return ShadowCorrelation(
-        dr.select(is_transmission, transmission, minimum(diffuse, LARGEST_CORRELATION)),
+        dr.select(is_transmission, transmission, minimum(diffuse, MAX_CORRELATION)),
         dr.select(is_transmission, transmission, SPECULAR_CORRELATION),
         dr.select(is_transmission, 0, array_types(cosine).Float(DIFFUSE_LOSS)),
     )

@@ -24,10 +24,11 @@ from loomlight.scattering.fibre import pdf_specular, sample_specular
 from loomlight.scattering.sheen import sample_sheen, sheen_pdf, sheen_transmittance
 
 # Mean fractions of the light that a fibre layer of albedo 1 reflects, and transmits by scattering.
-_LAYER_REFLECTS, _LAYER_TRANSMITS = 0.45, 0.25
+LAYER_REFLECTS, LAYER_TRANSMITS = 0.45, 0.25
 # Probability of the cosine lobe, which covers all directions; black cloth has this lobe alone.
-_COSINE_PROBABILITY = 0.05
-_MIN_WEIGHT = 1e-6
+COSINE_PROBABILITY = 0.05
+# Smallest sum of weights that is divided by: not 0/0 of black cloth.
+MIN_WEIGHT = 1e-6
 # Added to α for each unit of the group's standard deviation s: a uniform interval has half-width √3 s.
 SPREAD_WIDTH = 1.7
 
@@ -86,8 +87,8 @@ def mixture_of(albedos: FamilyAlbedos, null: Float, view: Vec3, sheen: Sheen, bl
     types = array_types(view.x)
 
     def lobe_weights(family: Any) -> LobeWeights:
-        specular = _LAYER_REFLECTS * channel_mean(family.specular_reflect)
-        specular += _LAYER_TRANSMITS * channel_mean(family.specular_transmit)
+        specular = LAYER_REFLECTS * channel_mean(family.specular_reflect)
+        specular += LAYER_TRANSMITS * channel_mean(family.specular_transmit)
         return LobeWeights(
             specular, channel_mean(family.diffuse_reflect), channel_mean(family.diffuse_transmit)
         )
@@ -96,7 +97,7 @@ def mixture_of(albedos: FamilyAlbedos, null: Float, view: Vec3, sheen: Sheen, bl
     sheen_probability = types.Float(0)
     if sheen.strength > 0:
         reflected = 1 - sheen_transmittance(view, sheen.strength, sheen.roughness)
-        sheen_probability = reflected * dr.rcp(reflected + 0.5 * (warp.total + weft.total) + _MIN_WEIGHT)
+        sheen_probability = reflected * dr.rcp(reflected + 0.5 * (warp.total + weft.total) + MIN_WEIGHT)
     transmit = dr.select(warp.transmit + weft.transmit > 0, types.Float(0.5), 0)
     return Mixture(null, sheen_probability, transmit, warp, weft, blend)
 
@@ -137,7 +138,7 @@ def density(
     """
     side = dr.select(light.z > 0, 1 - mixture.transmit, mixture.transmit)
     by_cosine = side * dr.abs(light.z) * dr.inv_pi
-    by_groups = groups * dr.rcp(maximum(weight_sum, _MIN_WEIGHT))
+    by_groups = groups * dr.rcp(maximum(weight_sum, MIN_WEIGHT))
     pdf = dr.lerp(by_groups, by_cosine, _cosine_probability(weight_sum))
     if sheen.strength > 0:
         pdf = dr.lerp(pdf, sheen_pdf(light, view, sheen.roughness), mixture.sheen)
@@ -160,10 +161,10 @@ def draw(
     is_sheen = rest < mixture.sheen
     rest = (rest - mixture.sheen) * dr.rcp(maximum(1 - mixture.sheen, 1e-6))
     # Where no group has weight, the cosine lobe is drawn in any case.
-    by_cosine = rest < _COSINE_PROBABILITY
-    to_groups = (rest - _COSINE_PROBABILITY) / (1 - _COSINE_PROBABILITY)
+    by_cosine = rest < COSINE_PROBABILITY
+    to_groups = (rest - COSINE_PROBABILITY) / (1 - COSINE_PROBABILITY)
     drawn = _draw_group(lobes, at, mixture, to_groups)
-    has_groups = drawn.weight_sum > _MIN_WEIGHT
+    has_groups = drawn.weight_sum > MIN_WEIGHT
     tangent, roughness, normal = _frame(drawn.frame)
     lobe_weights = mixture.family(drawn.is_warp)
     aim = drawn.rest * lobe_weights.total
@@ -173,7 +174,7 @@ def draw(
     light = dr.select(aim < lobe_weights.specular, light, dr.select(reflects, diffuse, -diffuse))
     cosine = sample_diffuse(types.Vector3(0, 0, 1), types.Float(0), u)
     # Given the cosine lobe, `rest` is uniform below its probability: rescaled, it chooses the side.
-    side = dr.select(has_groups, rest * (1 / _COSINE_PROBABILITY), rest)
+    side = dr.select(has_groups, rest * (1 / COSINE_PROBABILITY), rest)
     light = dr.select(by_cosine | ~has_groups, dr.select(side < mixture.transmit, -cosine, cosine), light)
     if sheen.strength > 0:
         light = dr.select(is_sheen, sample_sheen(view, sheen.roughness, u), light)
@@ -182,7 +183,7 @@ def draw(
 
 def _cosine_probability(weight_sum: Float) -> Float:
     """Probability of the cosine lobe: 1 where groups have no weight."""
-    return dr.select(weight_sum > _MIN_WEIGHT, array_types(weight_sum).Float(_COSINE_PROBABILITY), 1)
+    return dr.select(weight_sum > MIN_WEIGHT, array_types(weight_sum).Float(COSINE_PROBABILITY), 1)
 
 
 @dataclass

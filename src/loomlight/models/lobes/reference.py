@@ -29,12 +29,12 @@ from loomlight.models.lobes.density import (
     SMALLEST_STEEPNESS,
     SPREAD_LOSS,
 )
-from loomlight.models.lobes.hemisphere import AZIMUTHS, MIN_COSINE, RINGS
+from loomlight.models.lobes.hemisphere import AZIMUTHS, MIN_NODE_COSINE, RINGS
 from loomlight.models.lobes.packed_uint8 import WEIGHT_SUM
 from loomlight.models.lobes.prefiltered import (
     DIFFUSE_CORRELATION,
     DIFFUSE_LOSS,
-    LARGEST_CORRELATION,
+    MAX_CORRELATION,
     SPECULAR_CORRELATION,
     TRANSMISSION_CORRELATION,
 )
@@ -283,9 +283,9 @@ def on_seen_face(light: Numbers, view: Numbers) -> tuple[bool, Numbers, Numbers]
 def direction_nodes(direction: Numbers) -> Nodes:
     """Four nodes around a direction, by azimuth and |z|.
 
-    Nodes stand azimuth by azimuth; rings are even in (1 − z)^¾, the last at z = `MIN_COSINE`.
+    Nodes stand azimuth by azimuth; rings are even in (1 − z)^¾, the last at z = `MIN_NODE_COSINE`.
     """
-    ring = (RINGS - 1) * min(max(1 - abs(float(direction[2])), 0.0) / (1 - MIN_COSINE), 1.0) ** 0.75
+    ring = (RINGS - 1) * min(max(1 - abs(float(direction[2])), 0.0) / (1 - MIN_NODE_COSINE), 1.0) ** 0.75
     inner = min(int(ring), RINGS - 2)
     out = ring - inner
     turns = math.atan2(direction[1], direction[0]) / (2 * math.pi) * AZIMUTHS
@@ -304,7 +304,7 @@ def shadow_correlation(light: Numbers, view: Numbers, is_transmission: bool) -> 
         transmission = TRANSMISSION_CORRELATION[0] + TRANSMISSION_CORRELATION[1] * cosine
         return transmission, transmission
     diffuse = DIFFUSE_CORRELATION[0] + DIFFUSE_CORRELATION[1] * cosine
-    return min(diffuse, LARGEST_CORRELATION), SPECULAR_CORRELATION
+    return min(diffuse, MAX_CORRELATION), SPECULAR_CORRELATION
 
 
 def half_vector(light: Numbers, view: Numbers) -> Numbers:

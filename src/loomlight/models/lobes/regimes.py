@@ -19,9 +19,10 @@ from loomlight.yarn.layout import ClothLayout
 
 # Sides of footprints in threads: below the first, points alone are used; above the second, groups alone.
 # Where squares of the pyramid are wider than a thread, the unit is this fraction of their side instead.
-_BLEND_RANGE = 0.6, 1.6
-_SQUARE_SCALE = 0.8
-_NEAREST = 1e-9
+BLEND_RANGE = 0.6, 1.6
+SQUARE_SCALE = 0.8
+# Smallest side of a footprint, millimetres: not log₂ 0.
+SMALLEST_FOOTPRINT = 1e-9
 
 
 @dataclass
@@ -50,15 +51,15 @@ class RegimeScale:
         picks, ends = layout.warp_on_top.shape
         width, height = layout.size
         thread = math.sqrt(width / ends * height / picks)
-        unit = max(thread, _SQUARE_SCALE * square)
+        unit = max(thread, SQUARE_SCALE * square)
         self._threads_per_mm = dr.opaque(types.Float, 1 / thread)
         self._unit_level = dr.opaque(types.Float, math.log2(unit))
 
     def of(self, footprint: Footprint) -> Regime:
         """The regime of footprints: the weight is smooth in the logarithm of their side."""
         side = footprint.spread_side
-        low, high = (math.log2(bound) for bound in _BLEND_RANGE)
-        level = dr.log2(maximum(side, _NEAREST)) - self._unit_level
+        low, high = (math.log2(bound) for bound in BLEND_RANGE)
+        level = dr.log2(maximum(side, SMALLEST_FOOTPRINT)) - self._unit_level
         ramp = clip((level - low) * (1 / (high - low)), 0, 1)
         prefiltered = dr.square(ramp) * dr.fma(-2, ramp, 3)
         threads = array_types(side).Float(side * self._threads_per_mm)

@@ -28,17 +28,17 @@ from loomlight.yarn.visibility import first_hit, passes_through, unoccluded
 # Rays of a node and face, at least, and for each group of a family. With 256, the tables' noise shows as
 # blotches on a sphere (FLIP of denim 0.065 in place of 0.055); 1024 gain another 2 %. With 8 a group, errors
 # of 32 groups a family are 12 % larger.
-_MIN_RAYS, _RAYS_PER_GROUP = 512, 32
+MIN_RAYS, RAYS_PER_GROUP = 512, 32
 # Rays through gaps, at most so many a node.
-_MAX_GAP_RAYS = 128
+MAX_GAP_RAYS = 128
 # Views of each node and face that groups are clustered from.
-_SAMPLED_VIEWS = 32
+SAMPLED_VIEWS = 32
 # Shadow rays of neighbouring nodes start from views so many nodes apart; odd, so that all nodes occur.
-_VIEW_STEP = 37
+VIEW_STEP = 37
 assert NODES & (NODES - 1) == 0
 # Without refinement hits cost 6 % of the query benchmark's error. Shadow rays take smaller steps than view
 # rays: with equal ones they miss yarn, and cloth is 2 % too bright.
-_QUALITY = SearchQuality(steps_per_thread=2.5, steps_per_relief=2.5, shadow_share=1.6, refinements=1)
+BAKE_QUALITY = SearchQuality(steps_per_thread=2.5, steps_per_relief=2.5, shadow_share=1.6, refinements=1)
 
 
 @dataclass
@@ -100,7 +100,7 @@ class VisibilityRays:
 
 def ray_count(per_family: int) -> int:
     """Rays of each node and face, for so many groups of a family."""
-    return max(_MIN_RAYS, _RAYS_PER_GROUP * per_family)
+    return max(MIN_RAYS, RAYS_PER_GROUP * per_family)
 
 
 def start_of_shadow_ray(node: Any, ray: Any, rays: Any) -> Any:
@@ -109,7 +109,7 @@ def start_of_shadow_ray(node: Any, ray: Any, rays: Any) -> Any:
     Every hit is the start of one shadow ray, and a node's shadow rays start from hits of all views alike:
     what a group receives is the mean over its points as views see them, the sides of yarns included.
     """
-    return ((node * _VIEW_STEP + ray) & (NODES - 1)) * rays + ray
+    return ((node * VIEW_STEP + ray) & (NODES - 1)) * rays + ray
 
 
 def launch_views(cloth: FrozenArg[UploadedCloth], per_family: int) -> ViewRays:
@@ -129,7 +129,7 @@ def view_samples(views: ViewRays) -> FaceSamples:
     """Hits of a few views of every node; views that may pass through a gap count as holes."""
 
     def some(values: Float | Mask) -> NDArray[Any]:
-        return np.asarray(values.numpy().reshape(2 * NODES, views.rays)[:, :_SAMPLED_VIEWS].ravel())
+        return np.asarray(values.numpy().reshape(2 * NODES, views.rays)[:, :SAMPLED_VIEWS].ravel())
 
     hits = views.hits
     hole = some(hits.hole) | (some(views.below_plane) & some(views.starts_in_gap))
@@ -149,7 +149,7 @@ def launch_rays(cloth: FrozenArg[UploadedCloth], samples: TopDownSamples, views:
     # Few views start in gaps, but most SIMD packets have one: compaction saves time.
     from_gaps = np.flatnonzero(views.starts_in_gap.numpy())
     # Gaps are a few per cent of the cloth: uniform positions would hit them too seldom.
-    gaps = samples.gaps[:: max(1, len(samples.gaps) // _MAX_GAP_RAYS)][:_MAX_GAP_RAYS]
+    gaps = samples.gaps[:: max(1, len(samples.gaps) // MAX_GAP_RAYS)][:MAX_GAP_RAYS]
     # Uploads wait for kernels that run, so they come before the launches.
     lanes, starts = upload(UInt32, from_gaps.astype(np.uint32)), upload(Float, gaps)
     is_lit, is_lit_behind = _trace_shadows(cloth, directions, rays, views.x, views.y)
@@ -181,7 +181,7 @@ def _trace_shadows(
     def reaches(face: Mask) -> Mask:
         point = cloth.geometry.surface(x, y, face)
         faces_light = ~point.hole & (dr.dot(point.normal, light) > 0)
-        return unoccluded(cloth.geometry, x, y, point.height, light, face, faces_light, _QUALITY)
+        return unoccluded(cloth.geometry, x, y, point.height, light, face, faces_light, BAKE_QUALITY)
 
     return reaches(back), reaches(~back)
 
@@ -192,7 +192,7 @@ def _trace_views(
 ) -> tuple[SurfaceHits, Float, Float, Mask]:
     """First hits of views that do not pass through the cloth, their x and y, and whether they lie below 0."""
     back, x, y, view = _rays(cloth, directions, rays, dr.arange(cloth.types.UInt32, 2 * NODES * rays))
-    hit = first_hit(cloth.geometry, x, y, view, back, True, _QUALITY, passing=False)
+    hit = first_hit(cloth.geometry, x, y, view, back, True, BAKE_QUALITY, passing=False)
     point = cloth.geometry.surface(hit.x, hit.y, back)
     hits = SurfaceHits(point.is_warp, point.hole, point.normal, point.tangent)
     return hits, hit.x, hit.y, hit.height <= 0
@@ -205,7 +205,7 @@ def _trace_null(cloth: UploadedCloth, directions: Float, rays: int, lanes: UInt,
     # A view that hits yarn above the plane does not reach the gap.
     active = dr.gather(cloth.types.Bool, below_plane, lanes)
     is_null = dr.zeros(cloth.types.Bool, 2 * NODES * rays)
-    dr.scatter(is_null, passes_through(cloth.geometry, x, y, view, back, active, _QUALITY), lanes)
+    dr.scatter(is_null, passes_through(cloth.geometry, x, y, view, back, active, BAKE_QUALITY), lanes)
     return is_null
 
 
@@ -217,7 +217,7 @@ def _trace_gaps(cloth: UploadedCloth, directions: Float, starts: Float, count: i
     node, ray = InvariantDivider(count, types).divide(lane)
     x, y = dr.gather(types.Vector2, starts, ray)
     view = _direction(cloth, directions, node)
-    return passes_through(cloth.geometry, x, y, view, lane < 0, True, _QUALITY)
+    return passes_through(cloth.geometry, x, y, view, lane < 0, True, BAKE_QUALITY)
 
 
 def _rays(cloth: UploadedCloth, directions: Float, rays: int, lane: UInt) -> tuple[Mask, Float, Float, Vec3]:

@@ -52,7 +52,7 @@ from loomlight.models.neumip.settings import (
 from loomlight.scattering.yarn_point import DirectionSample, to_face_frame
 
 # Not log2(0): footprints of points.
-_SMALLEST_SIZE = 1e-9
+SMALLEST_SIZE = 1e-9
 _TRAINING = "loomlight.models.neumip.training.train"
 
 
@@ -94,7 +94,7 @@ class NeumipBsdf(FootprintBsdf):
         face = dr.select(self._back, types.UInt32(shape.faces - 1), types.UInt32(0))
         u = self.footprint.centre.x * (1 / shape.width_mm)
         v = self.footprint.centre.y * (1 / shape.height_mm)
-        side = maximum(self.footprint.square_side * (1 / shape.texel_mm), _SMALLEST_SIZE)
+        side = maximum(self.footprint.square_side * (1 / shape.texel_mm), SMALLEST_SIZE)
         return u, v, dr.log2(side), face
 
     @cached_property

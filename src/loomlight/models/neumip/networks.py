@@ -36,9 +36,10 @@ from loomlight.models.neumip.proposal import DeviceProposal, cosine_proposal
 from loomlight.models.neumip.pyramid import CHANNELS, PyramidShape, Taps, bilinear_taps, trilinear_taps
 from loomlight.scattering.two_sided_lobes import OPAQUE_OUTPUTS, OUTPUTS, TwoSidedLobes
 
-_HIDDEN = 25
-OFFSET_WIDTHS = (CHANNELS + 2, _HIDDEN, _HIDDEN, _HIDDEN, 1)
-DECODER_WIDTHS = (CHANNELS + 4, _HIDDEN, _HIDDEN, _HIDDEN, 3)
+# Width of the hidden layers of offset and decoder.
+HIDDEN = 25
+OFFSET_WIDTHS = (CHANNELS + 2, HIDDEN, HIDDEN, HIDDEN, 1)
+DECODER_WIDTHS = (CHANNELS + 4, HIDDEN, HIDDEN, HIDDEN, 3)
 OPACITY_WIDTHS = (CHANNELS + 2, 16, 16, 1)
 NETWORKS = {
     "offset": OFFSET_WIDTHS,

@@ -9,7 +9,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-SLOPE = 0.01  # of leaky ReLU
+LEAKY_SLOPE = 0.01  # of leaky ReLU
 BINS = 8  # of one-blob coding
 # Radius of a bin's kernel, in bins: neighbours overlap as Gaussians of σ = 1 bin do.
 BLOB_RADIUS = 2.5
@@ -40,9 +40,9 @@ FIELD_MAP = 16
 REFLECTION_GAIN = 100.0
 TRANSMISSION_GAIN = 1000.0
 # e^8 / 100 is brighter than any component.
-LARGEST_OUTPUT = 8.0
+MAX_OUTPUT = 8.0
 # Ends or picks of the largest repeat that the encoder takes.
-MOST_THREADS = 64
+MAX_THREADS = 64
 
 Count = Annotated[int, Field(ge=1)]
 

@@ -23,10 +23,10 @@ from loomlight.models.neural.architecture import (
     INCLINATION_BINS,
     INCLINATION_CROWDING,
     INCLINATION_RADIUS,
-    LARGEST_OUTPUT,
+    LEAKY_SLOPE,
+    MAX_OUTPUT,
     OPPOSITE,
     REFLECTION_GAIN,
-    SLOPE,
     TRANSMISSION_GAIN,
 )
 
@@ -139,7 +139,7 @@ def mixed_bundles(
             weight = family_weights[number]
             if mirrored != number:
                 weight = math.select(back, family_weights[mirrored], weight)
-            terms.append((math.maximum(weight, weight * SLOPE), math.square(root)))
+            terms.append((math.maximum(weight, weight * LEAKY_SLOPE), math.square(root)))
         mixed.append(BUNDLE_UNIT * _sum_of_fractions(terms, math))
     return mixed
 
@@ -183,7 +183,7 @@ def unmapped(
         if linear_diffuse and number < DIFFUSE:
             components.append(math.maximum(value, 0))
         else:
-            components.append((math.exp(math.clip(value, 0, LARGEST_OUTPUT)) - 1) * scale)
-    # The bound that `LARGEST_OUTPUT` sets to logarithms.
-    most = scalar.expm1(LARGEST_OUTPUT) * scale
+            components.append((math.exp(math.clip(value, 0, MAX_OUTPUT)) - 1) * scale)
+    # The bound that `MAX_OUTPUT` sets to logarithms.
+    most = scalar.expm1(MAX_OUTPUT) * scale
     return [*components, *(math.clip(component, 0, most) for component in specular or ())]

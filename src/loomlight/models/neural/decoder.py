@@ -71,7 +71,7 @@ class Decoder:
         self.weights = weights
         self._types = array_types(float_type)
         self._count = weights.layers("decoder.angular")
-        self._layers = CooperativeLayers(_matrices(weights), float_type)
+        self._layers = CooperativeLayers(split_matrices(weights), float_type)
 
     def view_activations(
         self, table: LatentTable, taps: AnisotropicTaps, view: Any, back: Any
@@ -184,7 +184,7 @@ class Decoder:
         return unmapped(outputs, specular, light.z, weights.linear_diffuse, dr)
 
 
-def _matrices(weights: Weights) -> dict[str, NDArray[np.float32]]:
+def split_matrices(weights: Weights) -> dict[str, NDArray[np.float32]]:
     """Weights and biases, split by the layers' inputs."""
     table = weights.table
     parts: dict[str, NDArray[np.float32]] = {}

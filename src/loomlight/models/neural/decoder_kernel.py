@@ -35,7 +35,7 @@ from loomlight.core.simd import (
     emit_activation,
     emit_dense,
 )
-from loomlight.models.neural.architecture import BINS, BUNDLES, SLOPE, VIEW_FEATURES
+from loomlight.models.neural.architecture import BINS, BUNDLES, LEAKY_SLOPE, VIEW_FEATURES
 from loomlight.models.neural.codings import (
     DIFFUSE,
     Direction,
@@ -46,7 +46,7 @@ from loomlight.models.neural.codings import (
     unmapped,
 )
 from loomlight.models.neural.footprint_coding import (
-    FINEST,
+    FINEST_LEVEL,
     PACKET,
     AnisotropicTaps,
     fine_tuning_weight,
@@ -205,7 +205,7 @@ class _DecoderEmitter:
             initial=initial,
             residual=residual,
             activation="leaky_relu" if leaky else "none",
-            slope=SLOPE,
+            slope=LEAKY_SLOPE,
         )
 
     def _buffer_for(self, name: str) -> BlockBuffer:
@@ -280,13 +280,13 @@ class _DecoderEmitter:
             math.clip(value - period * math.floor(value / period), 0, period)
             for value, period in ((x, ends), (y, picks))
         )
-        position = math.clip(math.log2(math.maximum(footprint.side, 1e-6)) + FINEST, 0, levels - 1)
+        position = math.clip(math.log2(math.maximum(footprint.side, 1e-6)) + FINEST_LEVEL, 0, levels - 1)
         lower = math.minimum(math.floor(position), levels - 2)
         blend, weight = position - lower, 1 / count
         for side, level_weight in enumerate(((1 - blend) * weight, blend * weight)):
             level = lower + side
             first, columns, rows, texels_per_thread = self._load_level(level)
-            is_running_mean = (level > FINEST) & (level < levels - 1)
+            is_running_mean = (level > FINEST_LEVEL) & (level < levels - 1)
             corner = math.select(is_running_mean, 1, 0.5)
             u, v = math.fma(x, texels_per_thread, -corner), math.fma(y, texels_per_thread, -corner)
             column, row = math.floor(u), math.floor(v)
@@ -398,7 +398,7 @@ class _DecoderEmitter:
                 directions[number] = value
         skip, hidden = self._buffer_for("light"), self._buffer_for("light")
         self._emit_layer("light", directions, skip, initial=view_sums)
-        emit_activation(kernel, skip, hidden, self._hidden, "leaky_relu", SLOPE)
+        emit_activation(kernel, skip, hidden, self._hidden, "leaky_relu", LEAKY_SLOPE)
         for number in range(1, self._layer_count - 1):
             outputs = self._buffer_for(f"{number}")
             # The second layer adds the first one's sums to its own.

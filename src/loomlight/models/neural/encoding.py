@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.neural.architecture import MOST_THREADS
+from loomlight.models.neural.architecture import MAX_THREADS
 from loomlight.models.neural.encoded_fabric import EncodedFabric
 from loomlight.models.neural.encoder import repeat_threads, run_encoder, shortest_repeat
 from loomlight.models.neural.fibres import Fibres
@@ -52,10 +52,10 @@ def encode(
 def require_encodable(fabric: Fabric) -> None:
     """Raises InputError unless the encoder takes the fabric: repeats of up to 64 threads a side."""
     picks, ends = repeat_threads(fabric)
-    if max(picks, ends) > MOST_THREADS:
+    if max(picks, ends) > MAX_THREADS:
         raise InputError(
             f"{fabric.name}: its repeat of {ends} ends × {picks} picks is too large for the model neural, "
-            f'which takes up to {MOST_THREADS} a side: use the model "point".'
+            f'which takes up to {MAX_THREADS} a side: use the model "point".'
         )
 
 
@@ -69,10 +69,10 @@ def encode_pair(
     """
     threads_of_first, threads_of_second = repeat_threads(first), repeat_threads(second)
     common = [math.lcm(a, b) for a, b in zip(threads_of_first, threads_of_second, strict=True)]
-    if max(common) > MOST_THREADS:
+    if max(common) > MAX_THREADS:
         raise InputError(
             f"{first.name} and {second.name} have a common repeat of {common[1]} ends × {common[0]} picks: "
-            f"latents are interpolated up to {MOST_THREADS} a side."
+            f"latents are interpolated up to {MAX_THREADS} a side."
         )
     one, other = (
         encode(fabric, weights, float_type, (common[0] // threads[0], common[1] // threads[1]), refined)

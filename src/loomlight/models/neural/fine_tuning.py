@@ -19,7 +19,7 @@ from threadpoolctl import threadpool_limits
 from loomlight.aggregate.queries import fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.neural.architecture import BUNDLE_UNIT, BUNDLES, OPPOSITE, SLOPE
+from loomlight.models.neural.architecture import BUNDLE_UNIT, BUNDLES, LEAKY_SLOPE, OPPOSITE
 from loomlight.models.neural.compiled import columns, compiled_decoder, kernel_table, one_square
 from loomlight.models.neural.encoded_fabric import EncodedFabric
 from loomlight.models.neural.footprint_coding import footprints_in_threads
@@ -102,14 +102,14 @@ def _fitted(
     def errors(rows: NDArray[np.float64]) -> NDArray[np.float64]:
         lobe_weights = inputs @ rows.T
         modelled = np.einsum(
-            "nb,nb->n", densities, np.where(lobe_weights > 0, lobe_weights, SLOPE * lobe_weights)
+            "nb,nb->n", densities, np.where(lobe_weights > 0, lobe_weights, LEAKY_SLOPE * lobe_weights)
         )
         return (truth - modelled) * importance
 
     error = errors(head)
     factor = np.empty_like(similarity)
     for _ in range(_STEPS):
-        slopes = densities * np.where(inputs @ head.T > 0, 1, SLOPE) * importance[:, None]
+        slopes = densities * np.where(inputs @ head.T > 0, 1, LEAKY_SLOPE) * importance[:, None]
         change = (slopes * _solution(slopes, similarity, error, factor)[:, None]).T @ inputs / scale
         # The model is linear only near the current weights: a line search over fractions of the step.
         candidates = [head + size * change for size in _STEP_SIZES]

@@ -22,10 +22,10 @@ from loomlight.core.footprint import Footprint
 from loomlight.models.neural.architecture import NetworkTable
 from loomlight.yarn.layout import ClothLayout
 
-FINEST = 3  # levels finer than one texel a thread
+FINEST_LEVEL = 3  # levels finer than one texel a thread
 PACKET = 16  # numbers of a texel that are loaded at once: a cache line
 # Ratio of squared length to squared width up to which taps lie along both edges.
-_MOST_COMPACT = 5.5
+MAX_COMPACTNESS = 5.5
 # Footprints of at least so many repeats read the mean of the repeat.
 WHOLE_REPEATS = 4
 
@@ -52,7 +52,7 @@ def levels_of(picks: int, ends: int) -> list[Level]:
     """The levels of a repeat."""
     levels: list[Any] = []
     first = 0
-    for finer in range(FINEST, -1, -1):
+    for finer in range(FINEST_LEVEL, -1, -1):
         per_thread = 1 << finer
         levels.append(Level(first, ends * per_thread, picks * per_thread, 1 / per_thread, per_thread))
         first += ends * picks * per_thread**2
@@ -75,7 +75,9 @@ def taps(
     per_thread = np.array([level.per_thread for level in levels], np.float32)
     # A texel of a running mean stands around its upper corner, other texels around their middle.
     corner = np.array([1.0 if level.window > 1 else 0.5 for level in levels], np.float32)
-    level_position = np.clip(np.log2(np.maximum(size, 1e-6)) + FINEST, 0, len(levels) - 1).astype(np.float32)
+    level_position = np.clip(np.log2(np.maximum(size, 1e-6)) + FINEST_LEVEL, 0, len(levels) - 1).astype(
+        np.float32
+    )
     lower = np.minimum(level_position.astype(np.int64), len(levels) - 2)
     blend = level_position - lower
     index = np.empty((len(x), 8), np.int64)
@@ -112,10 +114,10 @@ def log_fraction(size: Any, smallest: float, largest: float, arrays: Any = np) -
 
 # Smallest and largest footprint of "field", in threads; of "vector", in repeats, the smallest of at most
 # `_LONGEST` threads. They are those of the query benchmark.
-_FIELD_SIZES = 1 / 64, 80.0
+FIELD_SIZES = 1 / 64, 80.0
 _REPEATS = 1 / 128, 5.0
 # Sizes in threads at which the weight of a fabric's correction begins to rise from 0, and at which it is 1.
-_CORRECTED = 1.0, 4.0
+CORRECTED_SIZES = 1.0, 4.0
 _LONGEST = 8.0
 
 
@@ -184,7 +186,7 @@ def taps_of_footprint(footprint: Footprint, least: float) -> tuple[Float, Vec2, 
     total = dr.squared_norm(a) + dr.squared_norm(b)
     # Squared length and width, as in `Footprint.anisotropic_taps`: their sum and product.
     longest = 0.5 * (total + dr.sqrt(maximum(dr.square(total) - 4 * dr.square(footprint.area), 0)))
-    is_compact = (longest < _MOST_COMPACT * (total - longest)) & (total > 8 * least**2)
+    is_compact = (longest < MAX_COMPACTNESS * (total - longest)) & (total > 8 * least**2)
 
     def steps(edge: Vec2, share: float) -> Vec2:
         compact, row = 0.25 * edge, share * step
@@ -210,7 +212,7 @@ def footprint_coordinates(
     """
     size = arrays.maximum(size, 1e-6)
     if table.latent == "field":
-        return x - arrays.floor(x), y - arrays.floor(y), log_fraction(size, *_FIELD_SIZES, arrays)
+        return x - arrays.floor(x), y - arrays.floor(y), log_fraction(size, *FIELD_SIZES, arrays)
     repeat = math.sqrt(picks * ends)
     smallest, largest = min(repeat, _LONGEST) * _REPEATS[0], repeat * _REPEATS[1]
     u, v = x / ends, y / picks
@@ -223,7 +225,7 @@ def fine_tuning_weight(size: Any, arrays: Any = np) -> Any:
     Args:
         size: the last of `footprint_coordinates`.
     """
-    first, full = (float(log_fraction(threads, *_FIELD_SIZES)) for threads in _CORRECTED)
+    first, full = (float(log_fraction(threads, *FIELD_SIZES)) for threads in CORRECTED_SIZES)
     return arrays.clip((size - first) * (1 / (full - first)), 0, 1)
 
 

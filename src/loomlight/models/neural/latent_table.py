@@ -20,7 +20,7 @@ from loomlight.core.simd import aligned, host_target, is_host_type
 from loomlight.models.neural.codings import Fibre
 from loomlight.models.neural.decoder_kernel import correction_layers
 from loomlight.models.neural.encoded_fabric import EncodedFabric
-from loomlight.models.neural.footprint_coding import FINEST, PACKET, AnisotropicTaps
+from loomlight.models.neural.footprint_coding import FINEST_LEVEL, PACKET, AnisotropicTaps
 from loomlight.models.neural.weights import Weights
 
 
@@ -137,7 +137,7 @@ class LatentTable:
         if self.texels == 1:
             packets = [self._packet(face, number) for number in range(self._padded // PACKET)]
             return [value for packet in packets for value in packet][: self.channels]
-        position = clip(dr.log2(maximum(footprint.side, 1e-6)) + FINEST, 0, types.Float(self._top))
+        position = clip(dr.log2(maximum(footprint.side, 1e-6)) + FINEST_LEVEL, 0, types.Float(self._top))
         lower = minimum(types.UInt32(position), self._top - 1)
         blend = position - types.Float(lower)
         has_steps = (footprint.first_x != 0) | (footprint.first_y != 0)
@@ -180,7 +180,7 @@ class LatentTable:
         types = self._types
         numbers = dr.gather(types.Vector4, self._levels, level)
         first, columns, rows, per_thread = (numbers[k] for k in range(4))
-        corner = dr.select((level > FINEST) & (level < self._top), types.Float(1), 0.5)
+        corner = dr.select((level > FINEST_LEVEL) & (level < self._top), types.Float(1), 0.5)
         u, v = dr.fma(x, per_thread, -corner), dr.fma(y, per_thread, -corner)
         column, row = dr.floor(u), dr.floor(v)
         right, up = u - column, v - row

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.arrays import FloatType
 from loomlight.core.backend import maximum
-from loomlight.models.neural.architecture import SLOPE
+from loomlight.models.neural.architecture import LEAKY_SLOPE
 
 Matrices: TypeAlias = dict[str, NDArray[np.float32]]
 Vector: TypeAlias = Any
@@ -43,7 +43,7 @@ class CooperativeLayers:
 
     def leaky(self, vector: Vector) -> Vector:
         """Leaky ReLU of every number."""
-        return maximum(vector, vector * SLOPE)
+        return maximum(vector, vector * LEAKY_SLOPE)
 
 
 def _cooperative(vector: Vector) -> Vector:

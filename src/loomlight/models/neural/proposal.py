@@ -24,15 +24,15 @@ from loomlight.scattering.fibre import pdf_specular, sample_specular
 
 # Probability of the uniform lobe, given neither null transmission nor a fibre lobe: weights are bounded by
 # 2π/0.1 times the value on the side that is drawn.
-_UNIFORM_PROBABILITY = 0.1
+UNIFORM_PROBABILITY = 0.1
 # Largest probability of the fibre lobes: half of the directions are drawn by lobes that cover all.
-_MOST_FIBRES = 0.5
+MAX_FIBRE_PROBABILITY = 0.5
 # Slope of the diffuse lobe's normal over the sine of the view's angle.
-_TILT = 0.2
+DIFFUSE_TILT = 0.2
 # Smallest probability of a side, given a fibre lobe.
-_LEAST_SIDE = 0.02
+MIN_SIDE_PROBABILITY = 0.02
 # Not 0/0: black cloth reflects nothing, but a direction has to be drawn.
-_MIN_WEIGHT = 1e-6
+MIN_WEIGHT = 1e-6
 
 
 @dataclass
@@ -77,7 +77,7 @@ class Proposal:
         normal = self._diffuse_normal
         cosine = maximum(dr.dot(light, normal), 0) + maximum(dr.dot(mirrored, normal), 0)
         cosine = dr.select(light.z > 0, cosine, -light.z)
-        over_side = dr.lerp(cosine * dr.inv_pi, 0.5 * dr.inv_pi, _UNIFORM_PROBABILITY)
+        over_side = dr.lerp(cosine * dr.inv_pi, 0.5 * dr.inv_pi, UNIFORM_PROBABILITY)
         return (1 - self.null) * (sum(fibres) + (1 - self.warp - self.weft) * side * over_side)
 
     def draw(self, choice: Float, u: Vec2) -> tuple[Vec3, Mask]:
@@ -89,13 +89,13 @@ class Proposal:
         """
         types = array_types(self.view.x)
         is_null = types.Bool(choice < self.null)
-        rest = (choice - self.null) * dr.rcp(maximum(1 - self.null, _MIN_WEIGHT))
+        rest = (choice - self.null) * dr.rcp(maximum(1 - self.null, MIN_WEIGHT))
         is_warp, fibres = rest < self.warp, self.warp + self.weft
         # Given the family, the number is uniform again, and chooses the side.
         share_of_family = dr.select(
             is_warp,
-            rest * dr.rcp(maximum(self.warp, _MIN_WEIGHT)),
-            (rest - self.warp) * dr.rcp(maximum(self.weft, _MIN_WEIGHT)),
+            rest * dr.rcp(maximum(self.warp, MIN_WEIGHT)),
+            (rest - self.warp) * dr.rcp(maximum(self.weft, MIN_WEIGHT)),
         )
         warp, weft = (
             sample_specular(self.view, tangent, roughness, u)
@@ -105,17 +105,17 @@ class Proposal:
         height = dr.abs(by_fibres.z)
         to_view = share_of_family < dr.select(is_warp, *self.fibres_reflect)
         by_fibres = types.Vector3(by_fibres.x, by_fibres.y, dr.select(to_view, height, -height))
-        over = (rest - fibres) * dr.rcp(maximum(1 - fibres, _MIN_WEIGHT))
+        over = (rest - fibres) * dr.rcp(maximum(1 - fibres, MIN_WEIGHT))
         reflects = over < self.reflect
         # Given the side, the number is uniform again.
         share = dr.select(
             reflects,
-            over * dr.rcp(maximum(self.reflect, _MIN_WEIGHT)),
-            (over - self.reflect) * dr.rcp(maximum(1 - self.reflect, _MIN_WEIGHT)),
+            over * dr.rcp(maximum(self.reflect, MIN_WEIGHT)),
+            (over - self.reflect) * dr.rcp(maximum(1 - self.reflect, MIN_WEIGHT)),
         )
         up = types.Vector3(0, 0, 1)
         cosine, uniform = cosine_about(dr.select(reflects, self._diffuse_normal, up), u), uniform_on_sphere(u)
-        light = dr.select(share < _UNIFORM_PROBABILITY, uniform, cosine)
+        light = dr.select(share < UNIFORM_PROBABILITY, uniform, cosine)
         light.z = dr.abs(light.z)
         light = dr.select(reflects, light, types.Vector3(light.x, light.y, -light.z))
         light = dr.select(rest < fibres, by_fibres, light)
@@ -125,7 +125,7 @@ class Proposal:
     def _diffuse_normal(self) -> Vec3:
         """The mean normal of what is seen of yarns, which turns towards the view."""
         types = array_types(self.view.x)
-        return dr.normalize(types.Vector3(_TILT * self.view.x, _TILT * self.view.y, 1))
+        return dr.normalize(types.Vector3(DIFFUSE_TILT * self.view.x, DIFFUSE_TILT * self.view.y, 1))
 
 
 def proposal_of(
@@ -161,18 +161,18 @@ def proposal_of(
     warp, weft = (layer_albedo * sum_of_sides for sum_of_sides in both)
     first, second = (
         # Neither side is left out: the network may say something of it.
-        clip(one * dr.rcp(sum_of_sides + _MIN_WEIGHT), _LEAST_SIDE, 1 - _LEAST_SIDE)
+        clip(one * dr.rcp(sum_of_sides + MIN_WEIGHT), MIN_SIDE_PROBABILITY, 1 - MIN_SIDE_PROBABILITY)
         for one, sum_of_sides in zip(reflects, both, strict=True)
     )
     up = sums("diffuse_reflect") + layer_albedo * sums("specular_reflect") + sheen
     down = sums("diffuse_transmit") + layer_albedo * sums("specular_transmit")
-    scale = _MOST_FIBRES * dr.rcp(up + down + _MIN_WEIGHT)
+    scale = MAX_FIBRE_PROBABILITY * dr.rcp(up + down + MIN_WEIGHT)
     return Proposal(
         null,
         warp * scale,
         weft * scale,
         (first, second),
-        (up + _MIN_WEIGHT) * dr.rcp(up + down + _MIN_WEIGHT),
+        (up + MIN_WEIGHT) * dr.rcp(up + down + MIN_WEIGHT),
         view,
         tuple(types.Vector3(fibre.x, fibre.y, 0) for fibre in fibres),
         roughness,

@@ -9,7 +9,7 @@ import {
   MAX_PYRAMID_BYTES,
   MIN_RAYS,
   MOMENTS,
-  MOST_TEXELS_PER_NODE,
+  MAX_TEXELS_PER_NODE,
   NODES,
   NODES_PER_SIDE,
   RAYS_PER_GROUP,
@@ -121,7 +121,7 @@ function nodesAlong(side: number, baseSize: number, nodes: number): number {
 }
 
 function texelsAlong(threads: number, nodes: number): number {
-  return Math.max(TEXELS_PER_NODE, Math.min(Math.ceil((TEXELS_PER_THREAD * threads) / nodes), MOST_TEXELS_PER_NODE));
+  return Math.max(TEXELS_PER_NODE, Math.min(Math.ceil((TEXELS_PER_THREAD * threads) / nodes), MAX_TEXELS_PER_NODE));
 }
 
 function levelsOf(columns: number, rows: number): [number, number, number][] {

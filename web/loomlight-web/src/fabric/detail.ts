@@ -1,7 +1,7 @@
 /** What yarns show close up, as numbers that shaders read; see `scattering/detail.py`. */
 import { PLY_TWIST_DEG, type YarnFields } from "loomlight-fabric";
 
-import { MOST_TONE, SECTION_ANGLE, SLUB_LENGTH, TONE_OF_TILT } from "../generated.ts";
+import { MAX_TONE, SECTION_ANGLE, SLUB_LENGTH, TONE_OF_TILT } from "../generated.ts";
 
 const RADIANS = Math.PI / 180;
 
@@ -47,7 +47,7 @@ export function detailNumbers(detail: YarnDetail, width: number, twist: number):
     ply_sine: Math.sin(lean),
     ply_cosine: Math.cos(lean),
     fibre_tilt: detail.fibreTilt,
-    fibre_tone: Math.min(TONE_OF_TILT * detail.fibreTilt, MOST_TONE),
+    fibre_tone: Math.min(TONE_OF_TILT * detail.fibreTilt, MAX_TONE),
     slub: detail.slub,
     slubs_per_mm: 1 / (SLUB_LENGTH * width),
     per_half_width: 2 / width,

@@ -1,7 +1,7 @@
 /** Tables from which shaders read mean albedos over footprints; see `aggregate/footprint_albedos.py`. */
 import { rint } from "loomlight-fabric";
 
-import { AREA_UNITS, FEWEST_QUANTITIES, MOST_ENTRIES } from "../generated.ts";
+import { ALBEDO_AREA_UNITS, ALBEDO_MIN_QUANTITIES, ALBEDO_MAX_ENTRIES } from "../generated.ts";
 import { ALBEDO_NUMBERS } from "./albedos.ts";
 import { principalAxes } from "./principal_axes.ts";
 import { pairwiseSum } from "./sums.ts";
@@ -32,7 +32,7 @@ export function colourTables(
   const count = own.lower.length;
   const crossings = other.lower.length;
   const entries = (count + 1) * (crossings + 1);
-  const most = Math.max(Math.floor(MOST_ENTRIES / entries), FEWEST_QUANTITIES) - 1;
+  const most = Math.max(Math.floor(ALBEDO_MAX_ENTRIES / entries), ALBEDO_MIN_QUANTITIES) - 1;
   const { mean, axes, coordinates, count: rank } = principalAxes(albedos, ALBEDO_NUMBERS, most);
   const nothing = { mean, axes, quantities: 1, threads: new Float64Array(0), areas: new Uint32Array(0) };
   if (rank === 0) return { ...nothing, unit: 1, crossing: 1 };
@@ -55,7 +55,7 @@ export function colourTables(
     }
   }
   const area = pairwiseSum(visible) * pairwiseSum(lengths);
-  const unit = area / AREA_UNITS;
+  const unit = area / ALBEDO_AREA_UNITS;
   const areas = new Uint32Array(entries * quantities);
   const column = new Float64Array(count);
   for (let number = 0; number < quantities; number++) {

@@ -4,21 +4,21 @@
  * The twin of `scattering/openness.py`; a kernel casts the rays (`gpu/openness_baker.ts`).
  */
 import {
-  FACING_COSINE,
-  FACING_RAYS,
+  OPENNESS_FACING_COSINE,
+  OPENNESS_FACING_RAYS,
   MEAN_THROUGH,
   MEAN_TURNED,
-  OBLIQUE_RAYS,
-  OPENNESS_NUMBERS,
-  SMALLEST_OPENNESS_SHARE,
-  SMALLEST_VIEW_COSINE,
+  OPENNESS_OBLIQUE_RAYS,
+  RAY_RESULTS,
+  OPENNESS_SMALLEST_SHARE,
+  OPENNESS_SMALLEST_VIEW_COSINE,
 } from "../generated.ts";
 import type { Openness } from "./between_yarns.ts";
 
 type Pair = readonly [number, number];
 
 /** Rays of a face. */
-export const RAYS = OBLIQUE_RAYS + FACING_RAYS;
+export const RAYS = OPENNESS_OBLIQUE_RAYS + OPENNESS_FACING_RAYS;
 const RAY_NUMBERS = 5;
 const IS_WARP = 1;
 const IS_HOLE = 2;
@@ -32,7 +32,7 @@ export function viewRays([width, height]: readonly [number, number]): Float64Arr
     const [across, along, tilt, turn] = [
       0.8566748838545029, 0.733891856627126, 0.6287067210378087, 0.5385972572236101,
     ].map((share) => (number * share + 0.5) % 1) as [number, number, number, number];
-    const cosine = number < OBLIQUE_RAYS ? 1 - (1 - SMALLEST_VIEW_COSINE) * tilt : FACING_COSINE;
+    const cosine = number < OPENNESS_OBLIQUE_RAYS ? 1 - (1 - OPENNESS_SMALLEST_VIEW_COSINE) * tilt : OPENNESS_FACING_COSINE;
     const sine = Math.sqrt(1 - cosine ** 2);
     const azimuth = 2 * Math.PI * turn;
     rays.set([across * width, along * height, sine * Math.cos(azimuth), sine * Math.sin(azimuth), cosine], number * RAY_NUMBERS);
@@ -41,7 +41,7 @@ export function viewRays([width, height]: readonly [number, number]): Float64Arr
 }
 
 /**
- * The openness that the kernel's words say [2·RAYS·OPENNESS_NUMBERS], front first.
+ * The openness that the kernel's words say [2·RAYS·RAY_RESULTS], front first.
  *
  * @param highest height of the highest yarn, millimetres.
  * @param roughness α of warp and weft.
@@ -53,8 +53,8 @@ export function opennessOf(
   opticalDepth: number,
 ): Openness {
   const numbers = new Float32Array(words.buffer, words.byteOffset, words.length);
-  const of = (ray: number, field: number): number => numbers[ray * OPENNESS_NUMBERS + field]!;
-  const bits = (ray: number): number => words[ray * OPENNESS_NUMBERS]!;
+  const of = (ray: number, field: number): number => numbers[ray * RAY_RESULTS + field]!;
+  const bits = (ray: number): number => words[ray * RAY_RESULTS]!;
   const relief = Math.max(highest, 1e-6);
   const views = viewRays([1, 1]);
   const viewTerms = (ray: number): number[] => {
@@ -69,7 +69,7 @@ export function opennessOf(
   const near = (ray: number): number => (of(ray, 3) + of(ray, 4)) / 2;
   const cosineOf = (ray: number): number => views[(ray % RAYS) * RAY_NUMBERS + 4]!;
   const meetsWarp = (ray: number): number => (bits(ray) & MEETS_WARP ? 1 : 0);
-  const isOblique = (ray: number): boolean => ray % RAYS < OBLIQUE_RAYS;
+  const isOblique = (ray: number): boolean => ray % RAYS < OPENNESS_OBLIQUE_RAYS;
   const byView: number[] = [];
   const byPoint: number[] = [];
   const warpSeen: number[] = [];
@@ -101,11 +101,11 @@ export function opennessOf(
     }
     const all = Math.max(blocked[0]! + blocked[1]!, 1e-9);
     blocks.push([blocked[0]! / all, blocked[1]! / all]);
-    interior.push(open.map((share) => Math.min(Math.max(share, SMALLEST_OPENNESS_SHARE), 1)) as unknown as Pair);
+    interior.push(open.map((share) => Math.min(Math.max(share, OPENNESS_SMALLEST_SHARE), 1)) as unknown as Pair);
     meets.push([to[0]!, to[1]!]);
     warpSeen.push(...fitted(yarn, viewTerms, (ray) => (bits(ray) & IS_WARP ? 1 : 0)));
   }
-  const facing = Array.from({ length: FACING_RAYS }, (_, ray) => OBLIQUE_RAYS + ray).filter((ray) => !(bits(ray) & IS_HOLE));
+  const facing = Array.from({ length: OPENNESS_FACING_RAYS }, (_, ray) => OPENNESS_OBLIQUE_RAYS + ray).filter((ray) => !(bits(ray) & IS_HOLE));
   const mean = (value: (ray: number) => number): number => sum(facing, value) / facing.length;
   const field = (number: number) => mean((ray) => of(ray, number));
   return {

@@ -4,7 +4,7 @@ import {
   FIBRES_ACROSS,
   LIFT,
   NO_OPENNESS,
-  SMALLEST_BOX,
+  ALBEDO_SMALLEST_BOX,
   SMALLEST_OPEN_SHARE,
   SQUARE_SCALE,
 } from "../generated.ts";
@@ -241,7 +241,7 @@ function colourValues(table: WordTable, threads: FamilyTables, colours: ColourTa
   const values: Record<string, number> = {
     before: table.addNumbers(before),
     visible_total: before[2 * count]!,
-    smallest_box: (SMALLEST_BOX * threads.period) / count,
+    smallest_box: (ALBEDO_SMALLEST_BOX * threads.period) / count,
     quantities: colours.quantities,
     colour_mean: table.addNumbers(colours.mean),
     colour_axes: table.addNumbers(colours.axes),

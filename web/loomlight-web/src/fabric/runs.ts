@@ -4,11 +4,11 @@
  * The word of a crossing, as `yarn/runs.py` describes it: bit 0 on top, 1–7 crossings since the run began, 8–14 until
  * it ends, 15–20 length of the run before, 21–26 of the run after, 27 never interlaces, 28–31 the cell's maximum.
  */
-import { LONGEST_NEIGHBOUR, LONGEST_OFFSET } from "../generated.ts";
+import { MAX_NEIGHBOUR, MAX_OFFSET } from "../generated.ts";
 
 export const STRAIGHT_BIT = 1 << 27;
 const STRAIGHT =
-  (LONGEST_OFFSET << 1) | (LONGEST_OFFSET << 8) | (LONGEST_NEIGHBOUR << 15) | (LONGEST_NEIGHBOUR << 21) | STRAIGHT_BIT;
+  (MAX_OFFSET << 1) | (MAX_OFFSET << 8) | (MAX_NEIGHBOUR << 15) | (MAX_NEIGHBOUR << 21) | STRAIGHT_BIT;
 
 /** Words [threads·crossings] of a family, from whether each thread is on top at each crossing; both axes repeat. */
 export function packRuns(onTop: Uint8Array, threads: number, crossings: number): Uint32Array {
@@ -41,10 +41,10 @@ export function packRuns(onTop: Uint8Array, threads: number, crossings: number):
       const after = length[(begin + size) % crossings]!;
       words[thread * crossings + crossing] =
         row[crossing]! |
-        (Math.min(behind, LONGEST_OFFSET) << 1) |
-        (Math.min(size - 1 - behind, LONGEST_OFFSET) << 8) |
-        (Math.min(before, LONGEST_NEIGHBOUR) << 15) |
-        (Math.min(after, LONGEST_NEIGHBOUR) << 21);
+        (Math.min(behind, MAX_OFFSET) << 1) |
+        (Math.min(size - 1 - behind, MAX_OFFSET) << 8) |
+        (Math.min(before, MAX_NEIGHBOUR) << 15) |
+        (Math.min(after, MAX_NEIGHBOUR) << 21);
     }
   }
   return words;

@@ -9,9 +9,9 @@ import { InputError } from "loomlight-fabric";
 import {
   CELL_MAX_LEVELS,
   FINEST_CELL,
-  LONGEST_ARC,
-  LONGEST_NEIGHBOUR,
-  LONGEST_OFFSET,
+  MAX_ARC,
+  MAX_NEIGHBOUR,
+  MAX_OFFSET,
   SECTION_ANGLE,
   SMALLEST_INCLINATION,
   STEEPEST_SHARE,
@@ -76,7 +76,7 @@ export function prepareFamily(family: FamilyLayout, crossing: FamilyLayout, word
   const runs = new RunLengths(words, other);
   const inclination = new Float64Array(count);
   const arc = new Float64Array(count);
-  const longestArc = LONGEST_ARC * smallestStep(other.lower, other.upper);
+  const longestArc = MAX_ARC * smallestStep(other.lower, other.upper);
   for (let thread = 0; thread < count; thread++) {
     // A run of length L leaves room for its arc while w·tan(v_max/2)·sin U < L.
     const steepest = Math.asin(Math.min((STEEPEST_SHARE * runs.shortest(thread)) / (2 * section[thread]!), 1));
@@ -199,7 +199,7 @@ class RunLengths {
     fromStart: 0,
     toEnd: 0,
   };
-  private static readonly FARTHEST = LONGEST_OFFSET + LONGEST_NEIGHBOUR + 2;
+  private static readonly FARTHEST = MAX_OFFSET + MAX_NEIGHBOUR + 2;
 
   constructor(words: Uint32Array, cells: Cells) {
     const count = cells.lower.length;

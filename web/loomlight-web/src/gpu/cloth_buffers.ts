@@ -3,7 +3,7 @@ import { InputError, type Draft, type FabricFields } from "loomlight-fabric";
 
 import type { Openness } from "../fabric/between_yarns.ts";
 import { lookOf, type Look } from "../fabric/look.ts";
-import { MOST_LAYERS } from "../generated.ts";
+import { MAX_LAYERS } from "../generated.ts";
 import { requireMesh } from "../scene/mesh.ts";
 import type { Mesh, ModelName, Piece } from "../types.ts";
 import type { Device } from "./device.ts";
@@ -61,7 +61,7 @@ export class ClothBuffers {
 
   /** Layers of cloth that a pixel can see. */
   get layers(): number {
-    return this.shownFabrics.isOpen && !this.scene.isFlat ? MOST_LAYERS : 1;
+    return this.shownFabrics.isOpen && !this.scene.isFlat ? MAX_LAYERS : 1;
   }
 
   /** Whether the openness of all pieces that need it is that of their yarns. */

@@ -3,7 +3,7 @@ import type { Openness } from "../fabric/between_yarns.ts";
 import { sizeOf, type Look } from "../fabric/look.ts";
 import { opennessOf, RAYS, viewRays } from "../fabric/openness.ts";
 import { sameLayout } from "../fabric/pack.ts";
-import { OPENNESS_NUMBERS } from "../generated.ts";
+import { RAY_RESULTS } from "../generated.ts";
 import { BAKE } from "./bake_records.ts";
 import type { Device } from "./device.ts";
 
@@ -41,7 +41,7 @@ export function bakeOpenness(
   words.set(new Uint32Array(numbers.buffer), 2);
   const steps = device.buffer(words.byteLength);
   device.write(steps, words);
-  const size = 4 * 2 * RAYS * OPENNESS_NUMBERS;
+  const size = 4 * 2 * RAYS * RAY_RESULTS;
   const scratch = device.buffer(size);
   const encoder = device.gpu.createCommandEncoder();
   const pass = encoder.beginComputePass();

@@ -1,13 +1,13 @@
 /** Albedo maps for shaders: a pyramid of means of a picture, packed into words; see `realtime/albedo_map.py`. */
 import { InputError, rint } from "loomlight-fabric";
 
-import { LARGEST_SIDE, ROOT_STEPS } from "../generated.ts";
+import { MAX_SIDE, ROOT_STEPS } from "../generated.ts";
 import type { LinearPicture } from "../types.ts";
 
 /** Words of all levels, the finest first, and their number: square roots of red, green, blue in ten bits each. */
 export function mapWords(picture: LinearPicture): { words: Uint32Array; levels: number } {
   requirePicture(picture, "albedo");
-  const side = Math.min(LARGEST_SIDE, 2 ** Math.ceil(Math.log2(Math.max(picture.width, picture.height))));
+  const side = Math.min(MAX_SIDE, 2 ** Math.ceil(Math.log2(Math.max(picture.width, picture.height))));
   let level = resized(picture, side);
   const parts = [packed(level)];
   for (let size = side; size > 1; size /= 2) {

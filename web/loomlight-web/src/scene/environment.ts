@@ -1,7 +1,7 @@
 /** Environments: equirectangular radiance, and the tables by which shaders choose directions from it. */
 import { InputError } from "loomlight-fabric";
 
-import { LARGEST_COLUMNS } from "../generated.ts";
+import { MAX_COLUMNS } from "../generated.ts";
 import type { Environment, LinearPicture } from "../types.ts";
 import { requirePicture } from "./albedo_map.ts";
 
@@ -24,7 +24,7 @@ export function environmentTables({ picture }: Environment): EnvironmentTables {
   for (let i = 0; i < picture.pixels.length; i++)
     if (!(picture.pixels[i]! >= 0 && picture.pixels[i]! < Infinity))
       throw new InputError("The environment holds radiance that is negative or no finite number.");
-  const { width: columns, height: rows, pixels } = atMost(picture, LARGEST_COLUMNS);
+  const { width: columns, height: rows, pixels } = atMost(picture, MAX_COLUMNS);
   const byRow = new Float64Array(rows);
   const weights = new Float64Array(rows * columns);
   for (let row = 0; row < rows; row++) {

@@ -13,7 +13,7 @@ from loomlight.models.latent.networks import (
     ALBEDO_WIDTHS,
     CHANNELS,
     FRAMES,
-    LARGEST_EXPONENT,
+    MAX_EXPONENT,
     SAMPLER_WIDTHS,
     VALUE_OFFSET,
     Weights,
@@ -105,12 +105,12 @@ class LatentNetwork(nn.Module):
                     for direction in (views, lights)
                 ]
         exponent = self.decoder(torch.cat([*parts, latent], dim=-1)) - VALUE_OFFSET
-        return torch.exp(exponent.clamp(max=LARGEST_EXPONENT))
+        return torch.exp(exponent.clamp(max=MAX_EXPONENT))
 
     def sampler_outputs(self, latent: Tensor, views: Tensor) -> tuple[Tensor, Tensor]:
         """Outputs of the sampler [n, 9], and logarithms of albedos [n, 3]."""
         inputs = torch.cat([views, latent], dim=-1)
-        return self.sampler(inputs), (self.albedo(inputs) - ALBEDO_OFFSET).clamp(max=LARGEST_EXPONENT)
+        return self.sampler(inputs), (self.albedo(inputs) - ALBEDO_OFFSET).clamp(max=MAX_EXPONENT)
 
     def weights(self, reflectance: NDArray[np.float32]) -> Weights:
         """The trained numbers, for the renderer.

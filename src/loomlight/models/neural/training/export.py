@@ -23,9 +23,9 @@ from torch import Tensor, nn
 from torch.nn import functional
 from torch.nn.utils import parametrize
 
-from loomlight.models.neural.architecture import FIELD_MAP, MOST_THREADS, SLOPE, VECTOR_MAP
+from loomlight.models.neural.architecture import FIELD_MAP, LEAKY_SLOPE, MAX_THREADS, VECTOR_MAP
 from loomlight.models.neural.encoder import CHANNELS
-from loomlight.models.neural.footprint_coding import FINEST, WHOLE_REPEATS
+from loomlight.models.neural.footprint_coding import FINEST_LEVEL, WHOLE_REPEATS
 from loomlight.models.neural.training.network import (
     PARAMETERS,
     FieldEncoder,
@@ -110,7 +110,7 @@ class _VectorGraph(nn.Module):
 class _FieldGraph(nn.Module):
     """`FieldEncoder.forward` for repeats of any extent.
 
-    All running means that a repeat of `MOST_THREADS` has are computed, and those that this one has are kept.
+    All running means that a repeat of `MAX_THREADS` has are computed, and those that this one has are kept.
     """
 
     def __init__(self, encoder: FieldEncoder) -> None:
@@ -121,20 +121,20 @@ class _FieldGraph(nn.Module):
         """Latents [texels, latent_size] of maps [1, 7, 16·picks, 16·ends] and parameters [4]."""
         found = self.encoder.pyramid(maps)
         rows = [_rows(features, level / 8) for level, features in enumerate(found)]
-        shape = torch._shape_as_tensor(found[FINEST])
+        shape = torch._shape_as_tensor(found[FINEST_LEVEL])
         picks, ends = shape[_ROWS], shape[_COLUMNS]
         windows = _windows()
         levels = (torch.tensor(windows) <= WHOLE_REPEATS * torch.maximum(picks, ends)).sum()
-        means, wide = found[FINEST], []
-        for level, window in enumerate(windows, FINEST + 1):
+        means, wide = found[FINEST_LEVEL], []
+        for level, window in enumerate(windows, FINEST_LEVEL + 1):
             half = window // 2
             before, after = (0, -1) if half == 1 else (half // 2, -(half // 2))
             for axis, extent in ((_COLUMNS, ends), (_ROWS, picks)):
                 means = 0.5 * (_rolled(means, axis, extent, before) + _rolled(means, axis, extent, after))
             wide.append(_rows(means, level / 8))
         rows.append(torch.cat(wide)[: levels * picks * ends])
-        last = ((levels + FINEST + 1).float() / 8).reshape(1, 1)
-        rows.append(torch.cat([found[FINEST].mean((_ROWS, _COLUMNS)), last], 1))
+        last = ((levels + FINEST_LEVEL + 1).float() / 8).reshape(1, 1)
+        rows.append(torch.cat([found[FINEST_LEVEL].mean((_ROWS, _COLUMNS)), last], 1))
         return self._joined(torch.cat(rows), parameters)
 
     def _joined(self, rows: Tensor, parameters: Tensor) -> Tensor:
@@ -144,8 +144,8 @@ class _FieldGraph(nn.Module):
         features = weight.shape[1] - PARAMETERS
         bias = functional.linear(scaled_parameters(parameters[None]), weight[:, features:], join.first.bias)
         joined = functional.linear(rows, weight[:, :features], bias[0])
-        hidden = functional.leaky_relu(joined, SLOPE)
-        return join.last(functional.leaky_relu(joined + join.second(hidden), SLOPE))
+        hidden = functional.leaky_relu(joined, LEAKY_SLOPE)
+        return join.last(functional.leaky_relu(joined + join.second(hidden), LEAKY_SLOPE))
 
 
 def _rows(features: Tensor, level: float) -> Tensor:
@@ -162,9 +162,9 @@ def _rolled(maps: Tensor, axis: int, extent: Tensor, shift: int) -> Tensor:
 
 
 def _windows() -> list[int]:
-    """Threads across of every running mean that a repeat of `MOST_THREADS` has."""
+    """Threads across of every running mean that a repeat of `MAX_THREADS` has."""
     windows = [2]
-    while 2 * windows[-1] <= WHOLE_REPEATS * MOST_THREADS:
+    while 2 * windows[-1] <= WHOLE_REPEATS * MAX_THREADS:
         windows.append(2 * windows[-1])
     return windows
 

@@ -20,7 +20,7 @@ import torch
 from torch import Tensor, nn
 
 from loomlight.core.files import replacing
-from loomlight.models.neural.architecture import BUNDLES, LARGEST_OUTPUT
+from loomlight.models.neural.architecture import BUNDLES, MAX_OUTPUT
 from loomlight.models.neural.training.losses import gain
 from loomlight.models.neural.training.network import COMPONENTS, FAMILIES, Decoder
 from loomlight.models.neural.weights import Weights, read_weights_alone
@@ -112,7 +112,7 @@ class _DecoderGraph(nn.Module):
         assert outputs.shape[1] == COMPONENTS
         # ONNX has no expm1, which `losses.unmapped` takes.
         k = gain(light)
-        components = (torch.exp(torch.clamp(outputs, 0, LARGEST_OUTPUT)) - 1) / k
+        components = (torch.exp(torch.clamp(outputs, 0, MAX_OUTPUT)) - 1) / k
         if self.linear_diffuse:
             components = torch.cat([torch.clamp(outputs[:, :2], min=0), components[:, 2:]], 1)
         return components, torch.clamp(hole, 0, 1)

@@ -6,7 +6,7 @@ import torch
 from torch import Tensor
 from torch.nn import functional
 
-from loomlight.models.neural.architecture import LARGEST_OUTPUT, REFLECTION_GAIN, TRANSMISSION_GAIN
+from loomlight.models.neural.architecture import MAX_OUTPUT, REFLECTION_GAIN, TRANSMISSION_GAIN
 from loomlight.models.neural.training.config import TrainingTable
 
 # λ of specular and diffuse terms (chen2024 eq. 11).
@@ -38,7 +38,7 @@ def mapped(components: Tensor, light: Tensor, published: bool) -> Tensor:
 
 def unmapped(output: Tensor, light: Tensor, published: bool) -> Tensor:
     """Components [n, 4], 1/sr, from outputs of the network."""
-    linear = torch.expm1(torch.clamp(output, 0, LARGEST_OUTPUT)) / gain(light)
+    linear = torch.expm1(torch.clamp(output, 0, MAX_OUTPUT)) / gain(light)
     if published:
         return torch.cat([torch.clamp(output[:, :2], min=0), linear[:, 2:]], 1)
     return linear
@@ -60,7 +60,7 @@ def balanced_loss(output: Tensor, hole: Tensor, truth: Tensor, light: Tensor) ->
     """
     albedos = torch.tensor(_ALBEDOS, device=output.device)
     target = truth[:, :4]
-    bounded = torch.expm1(functional.leaky_relu(torch.clamp(output, max=LARGEST_OUTPUT), 0.1)) / gain(light)
+    bounded = torch.expm1(functional.leaky_relu(torch.clamp(output, max=MAX_OUTPUT), 0.1)) / gain(light)
     error = (bounded - target) * albedos
     linear = error.abs().sum(1).mean() + error.sum(1).abs().mean()
     # Absolute errors fit medians, which are darker than means where shadows are sharp: so means over groups
@@ -78,7 +78,7 @@ def faint_loss(output: Tensor, hole: Tensor, truth: Tensor, light: Tensor) -> Te
     Dark silk beside its highlights shows faint specular terms alone, which absolute errors neglect.
     """
     target = torch.log1p(_FAINT_GAIN * gain(light) * truth[:, 2:4])
-    specular = torch.clamp(output[:, 2:], max=LARGEST_OUTPUT)
+    specular = torch.clamp(output[:, 2:], max=MAX_OUTPUT)
     output_logarithms = torch.log1p(_FAINT_GAIN * torch.expm1(torch.clamp(specular, min=0)))
     # Outputs below 0 mean 0, and keep a constant gradient.
     output_logarithms = output_logarithms + _BELOW * torch.clamp(specular, max=0)

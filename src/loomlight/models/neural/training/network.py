@@ -33,16 +33,16 @@ from loomlight.models.neural.architecture import (
     INCLINATION_BINS,
     INCLINATION_CROWDING,
     INCLINATION_RADIUS,
+    LEAKY_SLOPE,
     LIGHT_FEATURES,
     LOG_ROUGHNESS,
     OPPOSITE,
-    SLOPE,
     VECTOR_MAP,
     VIEW_FEATURES,
     NetworkTable,
 )
 from loomlight.models.neural.encoder import CHANNELS
-from loomlight.models.neural.footprint_coding import FINEST, Level, fine_tuning_weight, levels_of
+from loomlight.models.neural.footprint_coding import FINEST_LEVEL, Level, fine_tuning_weight, levels_of
 from loomlight.models.neural.training.losses import gain
 
 PARAMETERS = 4
@@ -125,8 +125,8 @@ class _Join(nn.Module):
 
     def forward(self, features: Tensor, parameters: Tensor) -> Tensor:
         joined = self.first(torch.cat([features, scaled_parameters(parameters)], 1))
-        hidden = functional.leaky_relu(joined, SLOPE)
-        return self.last(functional.leaky_relu(joined + self.second(hidden), SLOPE))
+        hidden = functional.leaky_relu(joined, LEAKY_SLOPE)
+        return self.last(functional.leaky_relu(joined + self.second(hidden), LEAKY_SLOPE))
 
 
 def scaled_parameters(parameters: Tensor) -> Tensor:
@@ -161,7 +161,7 @@ class FieldEncoder(nn.Module):
             _convolution(channels, features, 1, 1) for channels in (width, width, 2 * width, 4 * width)
         )
         # None at the finest level, where it would cost as much as the trunk.
-        self.smooth = nn.ModuleList(_convolution(features, features, 3, 1) for _ in range(FINEST - 1))
+        self.smooth = nn.ModuleList(_convolution(features, features, 3, 1) for _ in range(FINEST_LEVEL - 1))
         self.join = _Join(features + 1, 64, table.latent_size)
 
     def forward(self, maps: Tensor, parameters: Tensor) -> tuple[Tensor, list[Level]]:
@@ -176,7 +176,7 @@ class FieldEncoder(nn.Module):
         levels = levels_of(picks, ends)
         while len(found) < len(levels) - 1:
             found.append(_wider(found[-1], int(levels[len(found)].window)))
-        found.append(found[FINEST].mean((2, 3), keepdim=True))
+        found.append(found[FINEST_LEVEL].mean((2, 3), keepdim=True))
         rows = []
         for number, features in enumerate(found):
             flat = features[0].flatten(1).T
@@ -188,7 +188,7 @@ class FieldEncoder(nn.Module):
         """Features of 8, 4, 2 and 1 texels a thread [1, latent_size, rows, columns] of maps [1, 7, …]."""
         stages = self.trunk(maps)
         found = [self.sideways[-1](stages[-1])]
-        for number in range(FINEST - 1, -1, -1):
+        for number in range(FINEST_LEVEL - 1, -1, -1):
             coarser = functional.interpolate(found[0], scale_factor=2, mode="nearest")
             joined = functional.relu(self.sideways[number](stages[number]) + coarser)
             found.insert(0, self.smooth[number - 1](joined) if number else joined)
@@ -246,7 +246,7 @@ class Decoder(nn.Module):
         coded = one_blob(coordinates) if self.table.position == "one_blob" else coordinates
         spatial = torch.cat([latent, coded], 1)
         for layer in self.fusion:
-            spatial = functional.leaky_relu(layer(spatial), SLOPE)
+            spatial = functional.leaky_relu(layer(spatial), LEAKY_SLOPE)
         directions = [light, view[:, :2]]
         if self.table.fibres:
             directions.append(fibre_features(light, view, fibres))
@@ -267,12 +267,12 @@ class Decoder(nn.Module):
             elif number == 2:
                 hidden = hidden + skip
             if not last:
-                hidden = functional.leaky_relu(hidden, SLOPE)
+                hidden = functional.leaky_relu(hidden, LEAKY_SLOPE)
         if bundles is not None and self.table.bundles:
             with torch.autocast(kind, enabled=False):
                 mixed = mixed_bundles(hidden[:, _DIFFUSE:], light + view, bundles)
                 hidden = torch.cat([hidden[:, :_DIFFUSE], _logarithmic(mixed * gain(light))], 1)
-        hole = functional.leaky_relu(self.hole[0](torch.cat([spatial, view[:, :2]], 1)), SLOPE)
+        hole = functional.leaky_relu(self.hole[0](torch.cat([spatial, view[:, :2]], 1)), LEAKY_SLOPE)
         return hidden, self.hole[1](hole)[:, 0]
 
 
@@ -321,7 +321,7 @@ def mixed_bundles(lobe_weights: Tensor, total: Tensor, bundles: Tensor) -> Tenso
     cosine = torch.einsum("gnc,gfbc->gnfb", total.view(groups, -1, 3), bundles[..., :3])
     width = bundles[:, None, :, :, 3].expand_as(cosine).reshape(count, FAMILIES, BUNDLES)
     root = width + cosine.reshape(count, FAMILIES, BUNDLES).square() * inverse[:, None, None]
-    weights = BUNDLE_UNIT * functional.leaky_relu(lobe_weights, SLOPE).view(count, FAMILIES, BUNDLES)
+    weights = BUNDLE_UNIT * functional.leaky_relu(lobe_weights, LEAKY_SLOPE).view(count, FAMILIES, BUNDLES)
     return (weights / root.square()).sum(2)
 
 
