@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import dataclasses
 import os
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import radians
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -171,16 +173,16 @@ def _bend(table: YarnTable, default: Bend) -> dict[str, float]:
 
 
 def _detail(table: YarnTable, layout: FamilyLayout) -> YarnDetail:
-    ply_twist = PLY_TWIST_DEG if table.ply_twist_deg is None else table.ply_twist_deg
-    return YarnDetail(
-        plies=table.plies or 1,
-        ply_twist=radians(ply_twist),
-        fibre_tilt=radians(table.fibre_tilt_deg or 0),
-        slub=table.slub or 0,
-        hairiness=table.hairiness or 0,
-        twist=layout.twist,
-        width=float(layout.visible_width.mean()),
-    )
+    """Numbers of the file by their names there, with angles in radians; twist and width are the layout's."""
+    given = table.model_dump(exclude_none=True)
+    numbers: dict[str, Any] = {"ply_twist": radians(PLY_TWIST_DEG)}
+    for name in (field.name for field in dataclasses.fields(YarnDetail)):
+        if name in given:
+            numbers[name] = given[name]
+        elif f"{name}_deg" in given:
+            numbers[name] = radians(given[f"{name}_deg"])
+    layouts = {"twist": layout.twist, "width": float(layout.visible_width.mean())}
+    return YarnDetail(**(numbers | layouts))
 
 
 def _sheen(fields: FabricFile) -> Sheen:

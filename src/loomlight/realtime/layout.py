@@ -10,6 +10,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from loomlight.scattering import detail
+
 # (name, type, meaning); a type is float, uint, or the name of a record above.
 Fields = Sequence[tuple[str, str, str]]
 
@@ -53,16 +55,7 @@ FAMILY: Fields = (
     ),
     ("area_unit", "float", "square millimetres that the integer 1 of these integrals stands for"),
     ("crossing_area", "float", "mean visible area of a crossing"),
-    ("has_plies", "float", "1 where yarns have two plies or more"),
-    ("plies_per_mm", "float", "across the plies"),
-    ("ply_sine", "float", "sine of the angle from fibres to plies"),
-    ("ply_cosine", "float", ""),
-    ("fibre_tilt", "float", "deviation of the angles by which fibres stray"),
-    ("fibre_tone", "float", "share of the albedo that fibres vary by"),
-    ("slub", "float", "0 to 1"),
-    ("slubs_per_mm", "float", "along the thread"),
-    ("per_half_width", "float", "2 / width of the yarn"),
-    ("hairiness", "float", "0 to 1"),
+    *((name, "float", meaning) for name, meaning in detail.FAMILY_NUMBERS.items()),
 )
 
 LOBES: Fields = (

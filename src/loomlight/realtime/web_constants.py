@@ -8,6 +8,7 @@ The generated shaders and `bake.json` are imported by the page as they are.
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import math
 from collections.abc import Sequence
@@ -15,6 +16,7 @@ from pathlib import Path
 
 from loomlight.aggregate import footprint_albedos
 from loomlight.fabric import authored_colour, fabric
+from loomlight.fabric.file import YarnTable
 from loomlight.models.lobes import (
     coverage_lookup,
     coverage_pyramid,
@@ -41,6 +43,7 @@ from loomlight.realtime.layout import RECORDS, numpy_type
 from loomlight.realtime.slangc import SHADERS
 from loomlight.realtime.web_fabric import fabric_typescript
 from loomlight.scattering import albedo, cloth_layer_bound, detail, fibre, openness, variation
+from loomlight.scattering.appearance import YarnDetail
 from loomlight.yarn import layout, max_heights, runs, search, threads
 
 # In a checkout; a wheel has the built client instead.
@@ -84,6 +87,13 @@ _MODULES = (
     orbit,
 )
 _FURTHER: dict[str, Value] = {
+    # Numbers of `YarnDetail` that fabric files have: name, field, unit of the field.
+    "DETAIL_FIELDS": [
+        [field.name, key, unit]
+        for field in dataclasses.fields(YarnDetail)
+        for key, unit in ((field.name, 1.0), (f"{field.name}_deg", math.radians(1)))
+        if key in YarnTable.model_fields and field.name != "twist"  # which is the layout's
+    ],
     # Numbers of each part of the openness of yarns, in the order in which a fabric has them.
     "OPENNESS_PARTS": [[name.lower(), math.prod(shape)] for name, shape in openness_tables.PARTS.items()],
     "DEFAULT_SAMPLES": renderer.DEFAULT_OPTIONS["samples"],

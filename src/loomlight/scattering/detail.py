@@ -75,8 +75,23 @@ TILT_SCALE = (2 * NOISE_VARIANCE + 1 / 3) ** -0.5
 TURN_SCALE = (2 * NOISE_VARIANCE) ** -0.5
 
 
+# Numbers of a family that points are computed with, by their names in records of shaders; what each is.
+FAMILY_NUMBERS = {
+    "has_plies": "1 where yarns have two plies or more",
+    "plies_per_mm": "across the plies",
+    "ply_sine": "sine of the angle from fibres to plies",
+    "ply_cosine": "",
+    "fibre_tilt": "deviation of the angles by which fibres stray",
+    "fibre_tone": "share of the albedo that fibres vary by",
+    "slub": "0 to 1",
+    "slubs_per_mm": "along the thread",
+    "per_half_width": "2 / width of the yarn",
+    "hairiness": "0 to 1",
+}
+
+
 def family_numbers(detail: YarnDetail) -> dict[str, float]:
-    """What points are computed with, by the name of the shaders' field (`realtime/layout.py`)."""
+    """The numbers of `FAMILY_NUMBERS`."""
     circumference = math.pi * detail.width / math.sin(SECTION_ANGLE)
     lean = detail.ply_twist - detail.twist
     return {

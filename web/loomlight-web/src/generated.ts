@@ -516,6 +516,7 @@ export const TURN_DEGREES = 180.0;
 export const STEEPEST_DEGREES = 89.0;
 export const NOTCH = 1.15;
 
+export const DETAIL_FIELDS = [["plies", "plies", 1.0] as const, ["ply_twist", "ply_twist_deg", 0.017453292519943295] as const, ["fibre_tilt", "fibre_tilt_deg", 0.017453292519943295] as const, ["slub", "slub", 1.0] as const, ["hairiness", "hairiness", 1.0] as const] as const;
 export const OPENNESS_PARTS = [["by_view", 60] as const, ["by_point", 72] as const, ["warp_seen", 10] as const, ["interior", 4] as const, ["meets", 8] as const, ["blocks", 4] as const, ["per_relief", 1] as const, ["layers", 4] as const] as const;
 export const DEFAULT_SAMPLES = 4;
 export const DEFAULT_ENVIRONMENT_SAMPLES = 8;

@@ -1,35 +1,26 @@
 /** What yarns show close up, as numbers that shaders read; see `scattering/detail.py`. */
 import { PLY_TWIST_DEG, type YarnFields } from "loomlight-fabric";
 
-import { MAX_TONE, SECTION_ANGLE, SLUB_LENGTH, TONE_OF_TILT } from "../generated.ts";
+import { DETAIL_FIELDS, MAX_TONE, RECORDS, SECTION_ANGLE, SLUB_LENGTH, TONE_OF_TILT } from "../generated.ts";
 
-const RADIANS = Math.PI / 180;
+type DetailName = (typeof DETAIL_FIELDS)[number][0];
 
-/** Plies, stray of fibres, slubs and hairs of one family. */
-export interface YarnDetail {
-  readonly plies: number;
-  /** Angle of the plies to the yarn, radians. */
-  readonly plyTwist: number;
-  /** Standard deviation of the angles by which fibres stray, radians. */
-  readonly fibreTilt: number;
-  readonly slub: number;
-  readonly hairiness: number;
-}
+/** Numbers of one family as in Python's `YarnDetail`: plies, stray of fibres, slubs, hairs …; angles in radians. */
+export type YarnDetail = Readonly<Record<DetailName, number>>;
+
+/** Numbers of a yarn whose fields are absent; others are 0. */
+const DEFAULTS: YarnFields = { plies: 1, ply_twist_deg: PLY_TWIST_DEG };
 
 /** The detail that the fields of [warp] or [weft] describe. */
 export function detailOf(table: YarnFields): YarnDetail {
-  return {
-    plies: table.plies ?? 1,
-    plyTwist: (table.ply_twist_deg ?? PLY_TWIST_DEG) * RADIANS,
-    fibreTilt: (table.fibre_tilt_deg ?? 0) * RADIANS,
-    slub: table.slub ?? 0,
-    hairiness: table.hairiness ?? 0,
-  };
+  return Object.fromEntries(
+    DETAIL_FIELDS.map(([name, key, unit]) => [name, (table[key] ?? (DEFAULTS[key] as number | undefined) ?? 0) * unit]),
+  ) as YarnDetail;
 }
 
 /** Whether the yarn shows anything beside its smooth surface. */
-export function isDetailed({ plies, fibreTilt, slub, hairiness }: YarnDetail): boolean {
-  return plies > 1 || Math.max(fibreTilt, slub, hairiness) > 0;
+export function isDetailed({ plies, ply_twist: _, ...amounts }: YarnDetail): boolean {
+  return plies > 1 || Math.max(...Object.values(amounts)) > 0;
 }
 
 /**
@@ -40,17 +31,15 @@ export function isDetailed({ plies, fibreTilt, slub, hairiness }: YarnDetail): b
  */
 export function detailNumbers(detail: YarnDetail, width: number, twist: number): Record<string, number> {
   const circumference = (Math.PI * width) / Math.sin(SECTION_ANGLE);
-  const lean = detail.plyTwist - twist;
+  const lean = detail.ply_twist - twist;
   return {
+    ...Object.fromEntries(Object.entries(detail).filter(([name]) => name in RECORDS.Family.fields)),
     has_plies: detail.plies > 1 ? 1 : 0,
-    plies_per_mm: detail.plies / (circumference * Math.cos(detail.plyTwist)),
+    plies_per_mm: detail.plies / (circumference * Math.cos(detail.ply_twist)),
     ply_sine: Math.sin(lean),
     ply_cosine: Math.cos(lean),
-    fibre_tilt: detail.fibreTilt,
-    fibre_tone: Math.min(TONE_OF_TILT * detail.fibreTilt, MAX_TONE),
-    slub: detail.slub,
+    fibre_tone: Math.min(TONE_OF_TILT * detail.fibre_tilt, MAX_TONE),
     slubs_per_mm: 1 / (SLUB_LENGTH * width),
     per_half_width: 2 / width,
-    hairiness: detail.hairiness,
   };
 }
