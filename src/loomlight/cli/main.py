@@ -144,7 +144,7 @@ def _sentence(error: Any) -> str:
 
 
 def _show_each_once() -> Callable[..., None]:
-    """What replaces `warnings.showwarning`: a file that is read twice is complained about once."""
+    """A replacement of `warnings.showwarning`: a file that is read twice is complained about once."""
     shown: set[str] = set()
 
     def show(

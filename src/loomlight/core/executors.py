@@ -35,7 +35,7 @@ Report = Callable[[int, int], None]
 
 
 class Shared(Protocol):
-    """What an executor knows of the work."""
+    """A work as executors see it."""
 
     @property
     def folder(self) -> Path:
@@ -46,7 +46,7 @@ class Shared(Protocol):
         """One for each shard."""
 
     def remaining(self) -> int:
-        """How many shards have no outcome."""
+        """Number of shards without an outcome."""
 
     def work_through(self, first: int, most: int | None, told: Callable[[], None]) -> None:
         """Works on shards from number `first` on, at most on so many; calls `told` after each."""
@@ -196,7 +196,7 @@ class _Crew:
 
 
 def _member(work: Shared, first: int, channel: connection.Connection, threads: int) -> None:
-    """What a process of a crew does: works, and says so; a sentence says why it cannot go on."""
+    """The loop of one process of a crew: works on shards and reports; a sentence says why it cannot go on."""
     threading.Thread(target=_end_with_parent, daemon=True).start()
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
     import drjit as dr

@@ -47,7 +47,7 @@ class Shard:
 
 @dataclass(frozen=True)
 class Outcome:
-    """How a shard ended.
+    """The end of a shard.
 
     Attributes:
         content: the result.

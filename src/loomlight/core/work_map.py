@@ -24,7 +24,7 @@ _Item = TypeVar("_Item")
 
 @dataclass(frozen=True)
 class Work(Generic[_Item]):
-    """What all processes are told; it is pickled.
+    """The settings that every process gets; they are pickled.
 
     Attributes:
         function: from an item to the result; a function of a module, or a `functools.partial` of one.
@@ -43,7 +43,7 @@ class Work(Generic[_Item]):
         return ShardFolder(self.folder, self.run)
 
     def remaining(self) -> int:
-        """How many shards have no outcome."""
+        """Number of shards without an outcome."""
         folder = self.shared()
         return sum(folder.outcome(shard) is None for shard, _ in self.items)
 
@@ -116,7 +116,7 @@ def work_map(
 
 
 def attempt(function: Callable[[_Item], bytes], item: _Item) -> Outcome:
-    """What becomes of an item: its result, or what is wrong with it."""
+    """The outcome of an item: its result, or its fault."""
     content, fault, defect = b"", None, None
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", LoomlightWarning)

@@ -1,4 +1,4 @@
-"""What a fabric file need not say: values that depend on the weave, and values that do not.
+"""Defaults of a fabric file: values that depend on the weave, and values that do not.
 
 Inclination and twist are those commonly suggested for the three basic weaves (Jin et al. 2022); to a draft
 that has no name they apply by its structure.
@@ -33,7 +33,7 @@ class Structure(Enum):
 
 @dataclass(frozen=True)
 class Bend:
-    """How one family lies: inclination of a float's ends and twist of the fibres, degrees."""
+    """Bend of one family: inclination of a float's ends and twist of the fibres, degrees."""
 
     inclination_deg: float
     twist_deg: float

@@ -61,7 +61,7 @@ class Fabric:
         return self._layout
 
     def appearance(self) -> Appearance:
-        """What scatters: albedos of every thread (linear RGB), roughness, sheen, variation, openness."""
+        """Scattering parameters: albedos a thread (linear RGB), roughness, sheen, variation, openness."""
         return self._appearance
 
     @cached_property

@@ -1,4 +1,4 @@
-"""What cloth is as a textile: cover, yarn, crimp, weight, thickness, by Peirce's geometry of round yarns.
+"""Textile facts of cloth: cover, yarn, crimp, weight, thickness, by Peirce's geometry of round yarns.
 
 The rendered surface has heights of its own, chosen for how yarns look (see docs/drafts.md); these are the
 numbers that a weaver would measure.

@@ -1,4 +1,4 @@
-"""What a fabric file or draft says that no cloth can be, and what is rather a slip than a wish."""
+"""Checks of fabric files and drafts: what no cloth can be, and what is rather a slip than a wish."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What BSDFs of models declare to Mitsuba, and their samples and vectors in Mitsuba's terms."""
+"""Flags, samples and vectors of models' BSDFs in Mitsuba's terms."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ FILTERS = 1 << 30
 MODEL_BSDFS: WeakSet[Any] = WeakSet()
 
 
-def declare_lobes(bsdf: Any, has_holes: bool, filters: bool) -> None:
+def declare_lobes(bsdf: mi.BSDF, has_holes: bool, filters: bool) -> None:
     """Sets components and flags: reflection and transmission, diffuse and glossy, and holes; both faces.
 
     Args:
@@ -54,7 +54,7 @@ def set_samples_per_pixel(samples: int) -> None:
             bsdf.pixel_samples = dr.opaque(type(bsdf.pixel_samples), samples)
 
 
-def bsdf_sample(drawn: DirectionSample, si: Any, active: Any) -> tuple[Any, Any]:
+def bsdf_sample(drawn: DirectionSample, si: mi.SurfaceInteraction3f, active: Any) -> tuple[Any, Any]:
     """A sampled direction as (BSDFSample3f, weight)."""
     bs: Any = dr.zeros(mi.BSDFSample3f)
     bs.wo = mi.Vector3f(drawn.light)

@@ -1,4 +1,4 @@
-"""How Dr.Jit traces the calls of a BSDF, and what is looked at while it does."""
+"""Modes in which Dr.Jit traces the calls of a BSDF, and what is looked at while it does."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def warn_of_slow_calls(plugin: str) -> None:
     )
 
 
-def warn_of_missing_uv(bsdf: Any, si: Any) -> None:
+def warn_of_missing_uv(bsdf: mi.BSDF, si: mi.SurfaceInteraction3f) -> None:
     """Warns of every mesh with this BSDF that has no uv coordinates.
 
     Mitsuba hands out the barycentric coordinates of each triangle for uv then. A BSDF does not know its

@@ -27,7 +27,7 @@ _LARGEST_STEP = 0.01
 
 @dataclass
 class HoleCrossing:
-    """How a surface lets the camera's ray pass.
+    """Transmission of the camera's ray by a surface.
 
     Attributes:
         straight: the ray beyond it.

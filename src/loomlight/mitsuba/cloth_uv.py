@@ -12,7 +12,7 @@ from loomlight.core.footprint import Footprint
 from loomlight.mitsuba.ray_cone import cone_partials
 
 
-def draft_position(si: Any, uv_size: Any) -> tuple[Any, Any]:
+def draft_position(si: mi.SurfaceInteraction3f, uv_size: Any) -> tuple[Any, Any]:
     """Draft coordinates x, y in millimetres of `si`, where `uv_size` is mm per unit of u and of v.
 
     The frame's y is n × x. Where dp/dv points against it (OBJ as Mitsuba loads it, glTF, mirrored islands)
@@ -22,7 +22,7 @@ def draft_position(si: Any, uv_size: Any) -> tuple[Any, Any]:
     return si.uv.x * mi.Float(uv_size[0]), v * mi.Float(uv_size[1])
 
 
-def draft_footprint(si: Any, uv_size: Any, uv_footprint: tuple[Any, Any]) -> Footprint:
+def draft_footprint(si: mi.SurfaceInteraction3f, uv_size: Any, uv_footprint: tuple[Any, Any]) -> Footprint:
     """A footprint in draft coordinates, millimetres; see `draft_position`.
 
     Args:
@@ -37,7 +37,7 @@ def draft_footprint(si: Any, uv_size: Any, uv_footprint: tuple[Any, Any]) -> Foo
     return Footprint(types.Vector2(*draft_position(si, uv_size)), *(step(edge) for edge in uv_footprint))
 
 
-def uv_footprint(si: Any, pixel_angle: float) -> tuple[Any, Any]:
+def uv_footprint(si: mi.SurfaceInteraction3f, pixel_angle: float) -> tuple[Any, Any]:
     """Edges of the footprint in uv, as the integrator sets them.
 
     Args:

@@ -1,4 +1,4 @@
-"""What other libraries say when they fail, as the end of a sentence for a person."""
+"""Messages of other libraries, as the end of a sentence for a person."""
 
 from __future__ import annotations
 

@@ -39,7 +39,7 @@ class FilteredTexture:
         self._levels = dr.opaque(mi.UInt32, len(self._first) - 1)
         dr.eval(self._planes, self._starts)
 
-    def over(self, si: Any, duv_dx: Any, duv_dy: Any, active: Any) -> Any:
+    def over(self, si: mi.SurfaceInteraction3f, duv_dx: Any, duv_dy: Any, active: Any) -> Any:
         """Mean about si.uv with the variance of the square of a footprint's area, side²/12: Color3f.
 
         Args:

@@ -27,7 +27,7 @@ _PAPER = 1.0
 
 @dataclass(frozen=True)
 class Inset:
-    """How a close-up is rendered: with the camera and the film of the whole picture, closer.
+    """Rendering of a close-up: with the camera and the film of the whole picture, closer.
 
     The same camera and film mean the same kernels. The middle square of the film is what is shown, at fewer
     pixels, each the mean of several.

@@ -100,7 +100,7 @@ def footprint_path_class() -> type:
             film.prepare(list(aovs))
             return sampler, spp
 
-        def sample_rays(self, scene: Any, sensor: Any, sampler: Any) -> tuple[Any, Any, Any]:
+        def sample_rays(self, scene: Any, sensor: Any, sampler: mi.Sampler) -> tuple[Any, Any, Any]:
             # With more samples footprints are as large as ever: each takes as many points as one would.
             set_samples_per_pixel(self._samples(sampler) if self._pixel_filter is None else 1)
             of_pass = sampler.sample_count() // self.passes
@@ -148,7 +148,13 @@ def footprint_path_class() -> type:
                 return super().render_forward(scene, params, camera, seed, spp)
 
         def render_backward(
-            self, scene: Any, params: Any, grad_in: Any, sensor: Any = 0, seed: Any = 0, spp: int = 0
+            self,
+            scene: Any,
+            params: Any,
+            grad_in: Any,
+            sensor: Any = 0,
+            seed: Any = 0,
+            spp: int = 0,
         ) -> None:
             with self._filtering(scene, sensor, replays=True) as camera:
                 super().render_backward(scene, params, grad_in, camera, seed, spp)
@@ -175,7 +181,7 @@ def footprint_path_class() -> type:
                 tensor: Any = mi.TensorXf
                 return tensor(dr.ravel(pixels), (height, width, len(pixels)))
 
-        def _samples(self, sampler: Any) -> int:
+        def _samples(self, sampler: mi.Sampler) -> int:
             return self.picture_samples or sampler.sample_count()
 
         @dr.syntax
@@ -183,8 +189,8 @@ def footprint_path_class() -> type:
             self,
             mode: Any,
             scene: Any,
-            sampler: Any,
-            ray: Any,
+            sampler: mi.Sampler,
+            ray: mi.Ray3f,
             δL: Any,
             state_in: Any,
             active: Any,
@@ -269,7 +275,7 @@ def footprint_path_class() -> type:
 
             return (L if primal else δL), visible, [], L
 
-        def _play_roulette(self, path: PathState, bounced: Any, sampler: Any) -> None:
+        def _play_roulette(self, path: PathState, bounced: Any, sampler: mi.Sampler) -> None:
             """Ends paths whose throughput is small, from `rr_depth` on."""
             # Unbiased estimates of a BSDF may be negative.
             β_max = dr.max(abs(path.β))
@@ -279,7 +285,7 @@ def footprint_path_class() -> type:
             path.β[plays] *= dr.rcp(survival)
             path.active &= ~plays | (sampler.next_1d() < survival)
 
-        def _beyond_emitters(self, scene: Any, ray: Any, pi: Any, active: Any) -> Any:
+        def _beyond_emitters(self, scene: Any, ray: mi.Ray3f, pi: Any, active: Any) -> Any:
             """The first intersection that is no area emitter."""
             emitter = active & pi.is_valid() & (pi.shape.emitter() != None)  # noqa: E711 (Dr.Jit pointer)
             si = pi.compute_surface_interaction(ray, mi.RayFlags.Minimal, emitter)
@@ -298,7 +304,7 @@ class _CameraSampler:
     """
 
     def __init__(
-        self, sampler: Any, of_pass: int, pixel_filter: PixelFilter | None, pixel_centres: bool
+        self, sampler: mi.Sampler, of_pass: int, pixel_filter: PixelFilter | None, pixel_centres: bool
     ) -> None:
         self._sampler = sampler
         self._of_pass = of_pass

@@ -30,7 +30,13 @@ class LivePicture:
     """
 
     def __init__(
-        self, scene: Any, *, spp: int = 1, sensor: int = 0, integrator: Any = None, records: bool = True
+        self,
+        scene: mi.Scene,
+        *,
+        spp: int = 1,
+        sensor: int = 0,
+        integrator: Any = None,
+        records: bool = True,
     ) -> None:
         """Takes the first pictures, which compile the kernels.
 
@@ -81,7 +87,7 @@ class LivePicture:
 def _renderer(camera: int, samples: int) -> Callable[[Any, Any, Any, list[Any]], Any]:
     """Renders a scene by an integrator; frozen functions look at what else its cloths hold."""
 
-    def rendered(scene: Any, integrator: Any, seed: Any, held: list[Any]) -> Any:
+    def rendered(scene: mi.Scene, integrator: Any, seed: Any, held: list[Any]) -> Any:
         del held
         with bypass_film(integrator):
             return mi.render(scene, sensor=camera, integrator=integrator, spp=samples, seed=seed)

@@ -91,7 +91,7 @@ def _require_valid(name: str, parameter: Parameter, kept: Any) -> None:
 
 
 def _range(parameter: Parameter) -> str:
-    """What would be right, the end of a sentence."""
+    """The expected value, the end of a sentence."""
     low, high = parameter.low, parameter.high
     if math.isinf(low) and math.isinf(high):
         return "a finite number"

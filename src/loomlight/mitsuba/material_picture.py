@@ -49,7 +49,7 @@ _MIN_COARSE = 128
 
 @dataclass(frozen=True, kw_only=True)
 class RenderSettings:
-    """How a material is shown; `render` takes the same names as keywords.
+    """Settings of a picture; `render` takes the same names as keywords.
 
     Attributes:
         model: "lobes", which averages over footprints and needs few samples; "point", exact at every point;

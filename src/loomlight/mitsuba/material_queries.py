@@ -150,7 +150,7 @@ def _loaded(element: ElementTree.Element, name: str) -> Any:
         raise InputError(f"{name} cannot be used: {reason_of(error)}") from error
 
 
-def _warn_of_losses(source: Material, bsdf: Any) -> None:
+def _warn_of_losses(source: Material, bsdf: mi.BSDF) -> None:
     """Says once what of a BSDF is left out."""
     flags: Any = mi.BSDFFlags
     lost = {
@@ -184,7 +184,7 @@ def _interaction(positions: _Floats, views: _Floats | None = None) -> Any:
 class _Texture:
     """A texture, what it is to its BSDF, and texels a side of uv."""
 
-    texture: Any
+    texture: mi.Texture
     role: str
     scale: float
     texels: tuple[float, float]
@@ -225,7 +225,7 @@ def _require_slopes(texture: _Texture, what: str, kind: str) -> None:
         ) from error
 
 
-def _texels(texture: Any) -> tuple[float, float]:
+def _texels(texture: mi.Texture) -> tuple[float, float]:
     """Texels of a texture along a unit of u and of v; those of procedural ones are infinitely small."""
     size = texture.resolution()
     if tuple(size) == (1, 1) and texture.is_spatially_varying():

@@ -36,7 +36,7 @@ _PLACES = (0.001, 0.5, 0.999)
 
 @dataclass(frozen=True)
 class MeasuredShot:
-    """What a scene shows; one directional light, direct light only.
+    """Contents of a scene; one directional light, direct light only.
 
     Attributes:
         pieces: makes the pieces of cloth, in the order of the fabrics.
@@ -91,15 +91,15 @@ class MeasuredScene:
         yarns_per_pixel: median over these, the side of the footprint in yarns.
     """
 
-    scene: Any
-    integrator: Any
+    scene: mi.Scene
+    integrator: mi.Integrator
     counted: NDArray[np.bool_]
     yarns_per_pixel: float
 
 
 @dataclass(frozen=True, eq=False)
 class _Measure:
-    """What a scene's camera sees, whatever the fabric.
+    """The view of a scene's camera, whatever the fabric.
 
     Attributes:
         piece: number of the piece that each pixel lies wholly on, −1 for none [height, width].
@@ -267,8 +267,8 @@ def _measured(shot: MeasuredShot, size: tuple[int, int]) -> _Measure:
     return _Measure(pieces.reshape(height, width), tuple(sides))
 
 
-def _seen(scene: Any, size: tuple[int, int], x: float, y: float) -> Any:
-    """What rays through one place of every pixel meet: the interaction and the piece's number, and where."""
+def _seen(scene: mi.Scene, size: tuple[int, int], x: float, y: float) -> Any:
+    """Hits of rays through one place of every pixel: interaction, number of the piece, place."""
     width, height = size
     index = dr.arange(mi.UInt32, width * height)
     row = index // width

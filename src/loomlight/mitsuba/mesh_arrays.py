@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True, eq=False)
 class MeshArrays:
-    """What a mesh consists of.
+    """The arrays of a mesh.
 
     Attributes:
         positions: [n, 3].

@@ -31,7 +31,7 @@ _SMALLEST_UV_SIZE = 1e-6
 
 @dataclass(frozen=True)
 class GivenModel:
-    """What a BSDF is made of.
+    """The parts of a BSDF.
 
     Attributes:
         model: what answers.
@@ -157,7 +157,7 @@ def model_bsdf_class() -> type:
 
         @property
         def label(self) -> str:
-            """How messages call it."""
+            """Its name in messages."""
             return str(self.id()) or MODELS[self.model.name].plugin
 
         def _require_no_albedo_derivatives(self) -> None:
@@ -172,8 +172,8 @@ def model_bsdf_class() -> type:
             filters = self.albedo is not None and self.model.filters
             self._texture = FilteredTexture(self.albedo) if filters else None
 
-        def _at(self, si: Any, active: Mask) -> FootprintBsdf:
-            """What the view sees: everything but the light."""
+        def _at(self, si: mi.SurfaceInteraction3f, active: Mask) -> FootprintBsdf:
+            """The query of the view: everything but the light."""
             if not self._was_traced:
                 self._was_traced = True
                 warn_of_missing_uv(self, si)
@@ -183,7 +183,7 @@ def model_bsdf_class() -> type:
             footprint = replace(draft_footprint(si, self.uv_size, edges), samples=self.pixel_samples)
             return self.model.at(plain(si.wi), footprint, self._tint(si, edges, active), active)
 
-        def _tint(self, si: Any, edges: tuple[Any, Any], active: Mask) -> Color3 | None:
+        def _tint(self, si: mi.SurfaceInteraction3f, edges: tuple[Any, Any], active: Mask) -> Color3 | None:
             if self.albedo is None:
                 return None
             if self._texture is not None:
@@ -191,31 +191,52 @@ def model_bsdf_class() -> type:
             return plain(clip(self.albedo.eval(si, active), 0, 1))
 
         @nested
-        def eval(self, ctx: Any, si: Any, wo: Any, active: Mask = True) -> Any:
+        def eval(self, ctx: mi.BSDFContext, si: mi.SurfaceInteraction3f, wo: Any, active: Mask = True) -> Any:
             return self._value(self._at(si, active), wo, active)
 
         @nested
-        def pdf(self, ctx: Any, si: Any, wo: Any, active: Mask = True) -> Any:
+        def pdf(self, ctx: mi.BSDFContext, si: mi.SurfaceInteraction3f, wo: Any, active: Mask = True) -> Any:
             return dr.select(active, self._at(si, active).pdf(plain(wo)), 0)
 
         @nested
-        def eval_pdf(self, ctx: Any, si: Any, wo: Any, active: Mask = True) -> Any:
+        def eval_pdf(
+            self, ctx: mi.BSDFContext, si: mi.SurfaceInteraction3f, wo: Any, active: Mask = True
+        ) -> Any:
             value, pdf = self._at(si, active).value_and_pdf(plain(wo), active)
             return mi.Spectrum(dr.select(active, value, 0)), dr.select(active, pdf, 0)
 
         @nested
-        def sample(self, ctx: Any, si: Any, sample1: Any, sample2: Any, active: Mask = True) -> Any:
+        def sample(
+            self,
+            ctx: mi.BSDFContext,
+            si: mi.SurfaceInteraction3f,
+            sample1: Any,
+            sample2: Any,
+            active: Mask = True,
+        ) -> Any:
             drawn = self._at(si, active).sample(sample1, variant_types().Vector2(sample2))
             return bsdf_sample(drawn, si, active)
 
         @nested
         def eval_pdf_sample(
-            self, ctx: Any, si: Any, wo: Any, sample1: Any, sample2: Any, active: Mask = True
+            self,
+            ctx: mi.BSDFContext,
+            si: mi.SurfaceInteraction3f,
+            wo: Any,
+            sample1: Any,
+            sample2: Any,
+            active: Mask = True,
         ) -> Any:
             return self.eval_pdf_sample_and_null_transmission(ctx, si, wo, sample1, sample2, active)[:-1]
 
         def eval_pdf_sample_and_null_transmission(
-            self, ctx: Any, si: Any, wo: Any, sample1: Any, sample2: Any, active: Mask = True
+            self,
+            ctx: mi.BSDFContext,
+            si: mi.SurfaceInteraction3f,
+            wo: Any,
+            sample1: Any,
+            sample2: Any,
+            active: Mask = True,
         ) -> tuple[Any, ...]:
             """`eval_pdf_sample` and `eval_null_transmission`, for less than both."""
             u = variant_types().Vector2(sample2)
@@ -228,7 +249,12 @@ def model_bsdf_class() -> type:
 
         @nested
         def eval_and_null_transmission(
-            self, ctx: Any, si: Any, wo: Any, active: Mask = True, entering: Mask = True
+            self,
+            ctx: mi.BSDFContext,
+            si: mi.SurfaceInteraction3f,
+            wo: Any,
+            active: Mask = True,
+            entering: Mask = True,
         ) -> tuple[Any, Any]:
             """`eval` of active lanes and `eval_null_transmission` of entering ones, for less than both."""
             at = self._at(si, active | entering)
@@ -237,11 +263,11 @@ def model_bsdf_class() -> type:
             return value, mi.Spectrum(dr.select(entering, null_transmission, 0))
 
         @nested
-        def eval_null_transmission(self, si: Any, active: Mask = True) -> Any:
+        def eval_null_transmission(self, si: mi.SurfaceInteraction3f, active: Mask = True) -> Any:
             return mi.Spectrum(dr.select(active, self._at(si, active).null_transmission, 0))
 
         @nested
-        def eval_diffuse_reflectance(self, si: Any, active: Mask = True) -> Any:
+        def eval_diffuse_reflectance(self, si: mi.SurfaceInteraction3f, active: Mask = True) -> Any:
             return mi.Spectrum(dr.select(active, self._at(si, active).diffuse_reflectance, 0))
 
         def _value(self, at: FootprintBsdf, wo: Any, active: Mask) -> Any:

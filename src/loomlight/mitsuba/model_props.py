@@ -91,18 +91,18 @@ def uv_size_of(props: Any, source: Source) -> tuple[float, float]:
     return (u, v) if given[0] == "uv_size" else (u * width, v * height)
 
 
-def number_of_props(props: Any, name: str, default: float, such_as: str, least: float = -math.inf) -> float:
+def number_of_props(props: Any, name: str, default: float, expected: str, least: float = -math.inf) -> float:
     """A single number of a plugin: a property that may be left out.
 
     Args:
-        such_as: what would be right, the end of a sentence: "an angle in radians, such as 0.001".
+        expected: what would be right, the end of a sentence: "an angle in radians, such as 0.001".
 
     Raises:
         InputError: what is given is no finite number of `least` and more.
     """
     value = props.get(name, default)
     if not _is_number(value) or not math.isfinite(value) or value < least:
-        raise InputError(f"{name} = {shown(value)} is wrong: give {such_as}.")
+        raise InputError(f"{name} = {shown(value)} is wrong: give {expected}.")
     return float(value)
 
 
@@ -113,7 +113,7 @@ def _option(props: Any, option: Option, source_kind: str) -> Any:
         InputError: a value of another type, or out of range.
     """
     value = props[option.name]
-    wrong = f"{option.name} = {shown(value)} is wrong: give {option.such_as}."
+    wrong = f"{option.name} = {shown(value)} is wrong: give {option.expected}."
     if option.type is bool:
         if not isinstance(value, bool):
             raise InputError(wrong)

@@ -28,7 +28,7 @@ class PathState:
             whether that was a delta: both strategies that reach an emitter start there.
     """
 
-    ray: Any
+    ray: mi.Ray3f
     active: Any
     β: Any
     η: Any
@@ -41,7 +41,7 @@ class PathState:
     vertex_delta: Any
 
     @classmethod
-    def begin(cls, ray: Any, active: Mask, width: Float, spread: Float) -> PathState:
+    def begin(cls, ray: mi.Ray3f, active: Mask, width: Float, spread: Float) -> PathState:
         """The camera's rays."""
         return cls(
             ray=mi.Ray3f(dr.detach(ray)),
@@ -57,7 +57,9 @@ class PathState:
             vertex_delta=mi.Bool(True),
         )
 
-    def scattered_by(self, si: Any, scattering: Any, bounced: Mask, passed: Mask, samples: int) -> PathState:
+    def scattered_by(
+        self, si: mi.SurfaceInteraction3f, scattering: Any, bounced: Mask, passed: Mask, samples: int
+    ) -> PathState:
         """The path beyond a surface.
 
         Args:

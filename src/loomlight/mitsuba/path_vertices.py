@@ -43,7 +43,7 @@ class LightSample:
 
 @dataclass
 class Scattering:
-    """What a BSDF does to a light sample, and the next direction of the path.
+    """A BSDF's response to a light sample, and the next direction of the path.
 
     Attributes:
         value: f·cos towards the light.
@@ -114,13 +114,13 @@ class PathVertices:
         self._blends = blends
         self._context = mi.BSDFContext()
 
-    def filters(self, si: Any) -> Mask:
+    def filters(self, si: mi.SurfaceInteraction3f) -> Mask:
         """Lanes whose BSDF averages over footprints."""
         if not self._traits.filters:
             return mi.Bool(False)
         return (si.bsdf().flags() & FILTERS) != 0
 
-    def set_footprint(self, si: Any, path: PathState, first: FirstFootprint) -> None:
+    def set_footprint(self, si: mi.SurfaceInteraction3f, path: PathState, first: FirstFootprint) -> None:
         """Sets the footprint in uv: of the camera's differentials, of a ray cone after the path scattered."""
         first.set_on(si, self.filters(si) & ~path.scattered)
         if not self._direct_only:
@@ -128,7 +128,7 @@ class PathVertices:
             si.duv_dx = dr.select(path.scattered, duv_dx, si.duv_dx)
             si.duv_dy = dr.select(path.scattered, duv_dy, si.duv_dy)
 
-    def emission(self, si: Any, path: PathState, shown: Mask, primal: bool) -> Color3:
+    def emission(self, si: mi.SurfaceInteraction3f, path: PathState, shown: Mask, primal: bool) -> Color3:
         """Emission of what the path has hit, weighted against light samples of the vertex before.
 
         Args:
@@ -143,7 +143,9 @@ class PathVertices:
         with dr.resume_grad(when=not primal):
             return power_heuristic(path.vertex_pdf, emitter_pdf) * ds.emitter.eval(si, shown)
 
-    def sample_light(self, si: Any, sampler: Any, path: PathState, active: Mask) -> LightSample:
+    def sample_light(
+        self, si: mi.SurfaceInteraction3f, sampler: mi.Sampler, path: PathState, active: Mask
+    ) -> LightSample:
         """A light sample, and what of it arrives."""
         lit = active & mi.has_flag(si.bsdf().flags(), mi.BSDFFlags.Smooth)
         ds, arriving = self._scene.sample_emitter_direction(si, sampler.next_2d(), False, lit)
@@ -159,14 +161,16 @@ class PathVertices:
             lit &= ~self._scene.ray_test(si.spawn_ray_to(ds.p), coherent, lit)
         return LightSample(ds, si.to_local(ds.d), arriving, lit)
 
-    def enters(self, si: Any, valid: Mask, bounces: Mask) -> Mask:
+    def enters(self, si: mi.SurfaceInteraction3f, valid: Mask, bounces: Mask) -> Mask:
         """Lanes whose BSDF is sampled: those that bounce, and those that may pass through a hole."""
         entering = mi.Bool(bounces)
         if self._traits.holes:
             entering |= valid & mi.has_flag(si.bsdf().flags(), mi.BSDFFlags.Null)
         return entering
 
-    def scatter(self, si: Any, sampler: Any, light: LightSample, enters: Mask, primal: bool) -> Scattering:
+    def scatter(
+        self, si: mi.SurfaceInteraction3f, sampler: mi.Sampler, light: LightSample, enters: Mask, primal: bool
+    ) -> Scattering:
         """The value for a light and a sampled direction, with derivatives unless `primal`."""
         bsdf, lobe, square = si.bsdf(), sampler.next_1d(), sampler.next_2d()
         if not primal:
@@ -180,7 +184,13 @@ class PathVertices:
         return Scattering(dr.select(light.lit, value, 0), pdf, sample, weight, through)
 
     def _scatter_with_gradients(
-        self, bsdf: Any, si: Any, lobe: Float, square: Any, light: LightSample, enters: Mask
+        self,
+        bsdf: Any,
+        si: mi.SurfaceInteraction3f,
+        lobe: Float,
+        square: Any,
+        light: LightSample,
+        enters: Mask,
     ) -> Scattering:
         """Derivatives of value, density and of the light that arrives; the sample has none."""
         if self._direct_only:
@@ -199,7 +209,7 @@ class PathVertices:
     def replay(
         self,
         mode: Any,
-        si: Any,
+        si: mi.SurfaceInteraction3f,
         sample: Any,
         active: Mask,
         parts: Sequence[Color3],
@@ -224,11 +234,19 @@ class PathVertices:
     # what the view sees. Within one call both come of the same.
 
     def _value_pdf_and_sample(
-        self, bsdf: Any, si: Any, light: LightSample, lobe: Float, square: Any, active: Mask
+        self,
+        bsdf: Any,
+        si: mi.SurfaceInteraction3f,
+        light: LightSample,
+        lobe: Float,
+        square: Any,
+        active: Mask,
     ) -> tuple[Any, Any, Any, Any, Any]:
         """`eval_pdf_sample` of BSDFs, their own where they have one, and what passes straight through."""
 
-        def call(one: Any, si: Any, to_light: Any, lobe: Any, square: Any, active: Any) -> Any:
+        def call(
+            one: Any, si: mi.SurfaceInteraction3f, to_light: Any, lobe: Any, square: Any, active: Any
+        ) -> Any:
             nothing = mi.Spectrum(0)
             if one is None:  # A scene without any BSDF.
                 return nothing, mi.Float(0), dr.zeros(mi.BSDFSample3f), nothing, nothing
@@ -245,13 +263,13 @@ class PathVertices:
         return results
 
     def _value_and_null_transmission(
-        self, bsdf: Any, si: Any, light: LightSample, enters: Mask
+        self, bsdf: Any, si: mi.SurfaceInteraction3f, light: LightSample, enters: Mask
     ) -> tuple[Any, Any]:
         """`eval` where a light counts, and `eval_null_transmission` where a ray goes on, of BSDFs."""
         if not self._traits.holes:
             return bsdf.eval(self._context, si, light.to_light, light.lit), mi.Spectrum(0)
 
-        def call(one: Any, si: Any, to_light: Any, lit: Any, enters: Any) -> Any:
+        def call(one: Any, si: mi.SurfaceInteraction3f, to_light: Any, lit: Any, enters: Any) -> Any:
             if one is None:
                 return mi.Spectrum(0), mi.Spectrum(0)
             if hasattr(one, "eval_and_null_transmission"):
@@ -272,7 +290,13 @@ def reflected(light: LightSample, scattering: Scattering, throughput: Color3) ->
 
 @dr.syntax
 def _transmittance(
-    scene: Any, si: Any, target: Vec3, width: Float, spread: Float, coherent: bool, active: Mask
+    scene: Any,
+    si: mi.SurfaceInteraction3f,
+    target: Vec3,
+    width: Float,
+    spread: Float,
+    coherent: bool,
+    active: Mask,
 ) -> Color3:
     """Share of the light [3] that gets from `target` to `si` through the holes between them.
 
@@ -304,7 +328,7 @@ def _transmittance(
     return through
 
 
-def _null_sample(si: Any, through: Any, choice: Any, active: Any) -> tuple[Any, Any]:
+def _null_sample(si: mi.SurfaceInteraction3f, through: Any, choice: Any, active: Any) -> tuple[Any, Any]:
     """A BSDF sample and its weight where only passing through holes leads to anything.
 
     Args:

@@ -122,7 +122,7 @@ class PeriodicPaths:
                 dr.eval(total, weight, ray, active, sampler)
         return total
 
-    def _shadowed(self, si: Any, direction: Vec3, active: Mask) -> Mask:
+    def _shadowed(self, si: mi.SurfaceInteraction3f, direction: Vec3, active: Mask) -> Mask:
         return self._tile.scene.ray_test(self._ray(self._lifted(si, direction), direction, active), active)
 
     def _ray(self, origin: Any, direction: Vec3, active: Mask) -> Any:
@@ -162,7 +162,7 @@ class PeriodicPaths:
             found = dr.minimum(found, dr.select(dr.abs(step) > 1e-9, (edge - place) / step, dr.inf))
         return found
 
-    def _lifted(self, si: Any, direction: Vec3) -> Any:
+    def _lifted(self, si: mi.SurfaceInteraction3f, direction: Vec3) -> Any:
         """The start of a ray from a surface, on the side that it leaves to."""
         side = dr.sign(dr.dot(si.n, direction))
         return si.p + mi.Vector3f(si.n) * (side * self._tile.epsilon)

@@ -49,7 +49,7 @@ class SamplePlaces:
 
 @dataclass(frozen=True)
 class PixelFilter:
-    """How the filter of a film is divided.
+    """The division of a film's filter.
 
     Attributes:
         name: class of the film's filter, such as "GaussianFilter".
@@ -62,7 +62,7 @@ class PixelFilter:
     centred: bool = False
 
     @classmethod
-    def of(cls, film: Any, centred: bool) -> PixelFilter | None:
+    def of(cls, film: mi.Film, centred: bool) -> PixelFilter | None:
         """The filter of a film, or None if it cannot be divided."""
         rfilter = film.rfilter()
         found = cls(rfilter.class_name(), float(rfilter.radius()), centred)
@@ -114,7 +114,7 @@ _FOOTPRINT_SHARES = {"BoxFilter": 1.0, "TentFilter": 0.5, "GaussianFilter": 1 - 
 class SplattingSensor:
     """A sensor whose film splats samples as `PixelFilter` says, as far as integrators ask for it."""
 
-    def __init__(self, sensor: Any, pixel_filter: PixelFilter) -> None:
+    def __init__(self, sensor: mi.Sensor, pixel_filter: PixelFilter) -> None:
         self._sensor = sensor
         self._film = _SplattingFilm(sensor.film(), pixel_filter.splat_deviation)
 
@@ -128,7 +128,7 @@ class SplattingSensor:
 class _SplattingFilm:
     """A film with a Gaussian filter in place of its own, or with the box filter of one pixel."""
 
-    def __init__(self, film: Any, deviation: float | None) -> None:
+    def __init__(self, film: mi.Film, deviation: float | None) -> None:
         self._film = film
         gaussian = {"type": "gaussian", "stddev": deviation}
         self._rfilter = mi.load_dict({"type": "box"} if deviation is None else gaussian)

@@ -1,4 +1,4 @@
-"""How cloth lies on a mesh: turned, shifted, larger or smaller than life."""
+"""Placement of cloth on a mesh: turn, shift and scale."""
 
 from __future__ import annotations
 

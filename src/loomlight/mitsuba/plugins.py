@@ -74,7 +74,7 @@ def _on_variant(_previous: str | None, variant: str | None) -> None:
         mi.register_bsdf(entry.plugin, _constructor(partial(_bsdf_class(variant), name=name)))
 
 
-def _refuse(_props: Any, plugin: str, variant: str) -> Any:
+def _refuse(_props: mi.Properties, plugin: str, variant: str) -> Any:
     """Instead of a plugin in variants where there is none.
 
     Raises:
@@ -93,7 +93,7 @@ def _bsdf_class(variant: str) -> type:
 
 
 def _constructor(plugin: Callable[[Any], Any]) -> Callable[[Any], Any]:
-    def make(props: Any) -> Any:
+    def make(props: mi.Properties) -> Any:
         with _MAKING:
             return plugin(props)
 

@@ -29,7 +29,7 @@ def pixel_cone(ray: Any) -> tuple[Any, Any]:
 
 
 def opening(pdf: Any, samples: int) -> Any:
-    """How much a scattered sample of density `pdf` (1/sr) opens the cone, radians.
+    """Angle by which a scattered sample of density `pdf` (1/sr) opens the cone, radians.
 
     One of `samples` samples stands for the solid angle 1/(samples·pdf); delta events do not open it.
     """
@@ -52,7 +52,7 @@ def cone_partials(si: Any, direction: Any, width: Any) -> tuple[Any, Any]:
     return _to_uv(si, along * (width * stretch)), _to_uv(si, across * width)
 
 
-def _to_uv(si: Any, step: Any) -> Any:
+def _to_uv(si: mi.SurfaceInteraction3f, step: Any) -> Any:
     # Least squares in the tangent plane; a surface without a usable uv gets no footprint.
     uu, uv, vv = dr.squared_norm(si.dp_du), dr.dot(si.dp_du, si.dp_dv), dr.squared_norm(si.dp_dv)
     u, v = dr.dot(step, si.dp_du), dr.dot(step, si.dp_dv)

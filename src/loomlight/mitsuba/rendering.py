@@ -33,7 +33,7 @@ PartialPicture = Callable[[NDArray[np.float32]], None]
 
 
 def render(
-    scene: Any,
+    scene: mi.Scene,
     *,
     spp: int = 64,
     take: int | None = None,

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 class SceneEdits:
     """Changes the parameters of a scene, and takes them back."""
 
-    def __init__(self, scene: Any) -> None:
+    def __init__(self, scene: mi.Scene) -> None:
         self._parameters = mi.traverse(scene)
 
     def apply(self, values: Mapping[str, Any]) -> dict[str, Any]:

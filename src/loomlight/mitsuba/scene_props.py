@@ -1,4 +1,4 @@
-"""What stands beside cloth in built-in scenes: paper below or behind it, and the ball under draped cloth."""
+"""Props of built-in scenes: paper below or behind it, and the ball under draped cloth."""
 
 from __future__ import annotations
 

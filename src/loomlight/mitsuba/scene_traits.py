@@ -1,9 +1,8 @@
-"""What an integrator has to know of a scene before it traces it."""
+"""Traits of a scene that an integrator needs before it traces it."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import mitsuba as mi
 
@@ -29,7 +28,7 @@ class SceneTraits:
     filtered_holes: bool
 
     @classmethod
-    def of(cls, scene: Any) -> SceneTraits:
+    def of(cls, scene: mi.Scene) -> SceneTraits:
         """The traits of a scene; instances count as surfaces with holes."""
         surfaces = [(shape.class_name() == "Instance", shape.bsdf()) for shape in scene.shapes()]
         return cls(
@@ -48,16 +47,16 @@ class SceneTraits:
         )
 
 
-def is_symbolic(scene: Any) -> bool:
+def is_symbolic(scene: mi.Scene) -> bool:
     """Whether Dr.Jit may trace every surface of the scene in symbolic calls; see `Model.symbolic`."""
     return all(
         shape.bsdf() is None or getattr(shape.bsdf(), "symbolic_calls", True) for shape in scene.shapes()
     )
 
 
-def _filters(bsdf: Any) -> bool:
+def _filters(bsdf: mi.BSDF) -> bool:
     return bsdf is not None and bool(bsdf.flags() & FILTERS)
 
 
-def _has_holes(bsdf: Any) -> bool:
+def _has_holes(bsdf: mi.BSDF) -> bool:
     return bsdf is not None and bool(mi.has_flag(bsdf.flags(), mi.BSDFFlags.Null))

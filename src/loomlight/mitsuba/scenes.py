@@ -64,8 +64,8 @@ class ClothScene:
         view: where the camera stands, at the zoom of the scene.
     """
 
-    scene: Any
-    integrator: Any
+    scene: mi.Scene
+    integrator: mi.Integrator
     uv_size_mm: tuple[float, float]
     point: tuple[float, float, float]
     view: View
@@ -82,7 +82,7 @@ class ClothScene:
 
 @dataclass(frozen=True)
 class _Setup:
-    """What a built-in scene is made of."""
+    """The parts of a built-in scene."""
 
     cloth: Callable[[], ClothMesh]
     towards_camera: tuple[float, float, float]
@@ -258,7 +258,7 @@ def _always(bsdf: dict[str, Any]) -> BsdfFactory:
     return lambda _millimetres: bsdf
 
 
-def loaded_bsdf(bsdf: Any) -> Any:
+def loaded_bsdf(bsdf: mi.BSDF) -> Any:
     """A BSDF, made of its dictionary where it is one.
 
     Raises:
@@ -351,7 +351,7 @@ def _from_file(
 
 
 def _move_camera(
-    scene: Any, cloth: ClothMesh, zoom: float, size: tuple[int, int] | None
+    scene: mi.Scene, cloth: ClothMesh, zoom: float, size: tuple[int, int] | None
 ) -> tuple[NDArray[np.float64], View]:
     """Brings the first sensor closer along its own axis and gives its film another size."""
     params = mi.traverse(scene.sensors()[0])

@@ -41,7 +41,7 @@ Pixels = NDArray[np.uint8]
 
 @dataclass(frozen=True)
 class CardSettings:
-    """How fabrics are rendered.
+    """Settings of the pictures on a card.
 
     Attributes:
         side: of each picture, pixels.
@@ -152,7 +152,7 @@ def fabric_card(
 
 
 def fact_lines(fabric: Fabric) -> list[str]:
-    """What a card says: structure, sett, cover, weight."""
+    """Text of a card: structure, sett, cover, weight."""
     facts, draft = cloth_facts(fabric), fabric.named_draft
     width, height = fabric.repeat_mm
     weave = fabric.fields.weave or draft.title or "draft"

@@ -1,4 +1,4 @@
-"""How long a picture takes: predicted from what is asked for, then corrected by what is measured."""
+"""Seconds of a picture: predicted from what is asked for, then corrected by what is measured."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from loomlight.mitsuba.rendering import Progress
 
 @dataclass(frozen=True)
 class ModelSeconds:
-    """What a model costs on two cores of a Zen 4 server, seconds.
+    """Cost of a model on two cores of a Zen 4 server, seconds.
 
     Attributes:
         bake: with compiled loops on disk.

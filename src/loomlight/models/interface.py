@@ -62,14 +62,14 @@ class Option:
     Attributes:
         name: as plugins and files call it.
         type: bool, int, float, str (a path), or Source (the path of a second source).
-        such_as: what is right, the end of a sentence: "a whole number from 1 to 64".
+        expected: what is right, the end of a sentence: "a whole number from 1 to 64".
         low, high: bounds of a number, both allowed.
         is_training: it says how the model is trained: no parameter of plugins.
     """
 
     name: str
     type: type
-    such_as: str
+    expected: str
     low: float = -math.inf
     high: float = math.inf
     is_training: bool = False

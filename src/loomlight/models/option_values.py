@@ -48,7 +48,7 @@ def _value(option: Option, text: str, source_kind: str) -> Any:
         return load_source(text, source_kind)
     if option.type is str:
         return text
-    wrong = InputError(f"{option.name} = {shown(text)} is wrong: give {option.such_as}.")
+    wrong = InputError(f"{option.name} = {shown(text)} is wrong: give {option.expected}.")
     if option.type is bool:
         if text not in _TRUTH:
             raise wrong

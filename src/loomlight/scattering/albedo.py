@@ -49,7 +49,7 @@ class LayerBound(NamedTuple):
     smaller: float = 0.0
 
     def taken(self, first: NDArray[np.float64], second: NDArray[np.float64]) -> NDArray[np.float64]:
-        """What a layer of these albedos, reflected and transmitted in any order, takes; arrays alike."""
+        """Energy that a layer of these albedos, reflected and transmitted in any order, takes; arrays too."""
         taken: NDArray[np.float64] = self.larger * np.maximum(first, second)
         return taken + self.smaller * np.minimum(first, second)
 

@@ -1,4 +1,4 @@
-"""What scatters: albedos a thread, roughness a family, sheen. The numbers the point model computes with."""
+"""Scattering parameters of the point model: albedos a thread, roughness a family, sheen."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the fibre layers of whole cloth return with light between the yarns: the energy bound of its albedos.
+"""The energy bound of albedos: what fibre layers of whole cloth return with light between the yarns.
 
 White yarn of diffuse albedos k_d and a layer of albedos k_s returns to a view v of cloth, by eq. 1 and 2 of
 `interreflection.py` with L = 1,

@@ -1,4 +1,4 @@
-"""How open cloth is: the share of the sky that yarn points see, by rays over one repeat.
+"""Openness of cloth: the share of the sky that yarn points see, by rays over one repeat.
 
 The diffuse term of a point under a sky of radiance 1 returns D = ∫ V(l) (w⟨l·n_p⟩ + (1 − w)⟨l·n_s⟩)/π dl of
 its albedo; the rest of its directions, 1 − D, meets other yarn. Light between yarns follows from D
@@ -49,7 +49,7 @@ VIEW_TERMS, POINT_TERMS = 5, 6
 
 @dataclass(frozen=True, eq=False)
 class Openness:
-    """What a cloth's yarns see of the sky, on each face (front, back), of each family (warp, weft).
+    """Share of the sky that a cloth's yarns see, on each face (front, back), of each family (warp, weft).
 
     Sides are those of the light: that of the view, and the other one.
 
@@ -132,7 +132,7 @@ def point_terms(cosine: Any, height: Any) -> tuple[Any, ...]:
 
 @dataclass(frozen=True, eq=False)
 class RayShares:
-    """What the view rays of both faces meet, front first, and what is seen of the sky from there.
+    """Hits of the view rays of both faces, front first, and the share of the sky that is seen there.
 
     Attributes:
         is_warp, is_yarn: of the yarn that a ray meets, and whether it meets any [n].
@@ -175,7 +175,7 @@ def view_rays() -> tuple[NDArray[np.float64], NDArray[np.float64]]:
 def ray_shares(
     geometry: YarnGeometry, blend: float, roughness: tuple[float, float], optical_depth: float
 ) -> RayShares:
-    """What the rays of `openness_of` meet; other arguments are its own."""
+    """Hits of the rays of `openness_of`; other arguments are its own."""
     rays = _Rays(geometry, array_types(llvm_float()))
     shares, layers = rays.shares(blend, roughness, optical_depth)
     is_warp, yarn = rays.hits()

@@ -486,7 +486,7 @@ class PointModel:
 
 
 def scattered_by(albedos: Albedos, roughness: Float, optical_depth: Float) -> Scattered:
-    """What yarn of these albedos sends back and lets through at one scattering."""
+    """Shares that yarn of these albedos reflects and transmits at one scattering."""
     return scattered(
         albedos.diffuse_reflect,
         albedos.diffuse_transmit,

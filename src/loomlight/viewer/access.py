@@ -45,7 +45,7 @@ def is_loopback(host: str) -> bool:
 
 @dataclass(frozen=True)
 class Access:
-    """What a server asks of requests.
+    """Rules of access to a server.
 
     Attributes:
         loopback: it answers this machine alone, and requests must name it as such.
@@ -62,7 +62,7 @@ class Access:
         return cls(loopback, None if loopback else secrets.token_urlsafe(32))
 
     def refusal(self, connection: HTTPConnection) -> Response | None:
-        """What a request is answered that may not be served; None where it may."""
+        """Error response to a request, or None if it is allowed."""
         host = connection.headers.get("host", "")
         if self.loopback and not is_loopback(urlsplit(f"//{host}").hostname or ""):
             return _refused(403, f"This server answers this machine alone, not requests for {host[:100]!r}.")

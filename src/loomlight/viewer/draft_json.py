@@ -29,7 +29,7 @@ JsonObject = dict[str, Any]
 
 
 class Json(BaseModel):
-    """What a page sends: unknown keys are passed over, NaN is an error."""
+    """Base of what a page sends: unknown keys are passed over, NaN is an error."""
 
     model_config = ConfigDict(extra="ignore", frozen=True, allow_inf_nan=False)
 
@@ -47,7 +47,7 @@ class ThreadsJson(Json):
 
 
 class LoomJson(Json):
-    """How a loom weaves the drawdown; see `LoomPlan`."""
+    """The loom plan; see `LoomPlan`."""
 
     shafts: Number
     treadles: Number = 0

@@ -1,4 +1,4 @@
-"""How open a fabric's yarns are, for a page that computes everything else of light between yarns itself."""
+"""Openness of a fabric's yarns, for a page that computes everything else of light between yarns itself."""
 
 from __future__ import annotations
 

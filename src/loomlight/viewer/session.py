@@ -1,4 +1,4 @@
-"""What the editor begins with: the fabric that it was opened for, and the gallery."""
+"""The first state of the editor: the fabric that it was opened for, and the gallery."""
 
 from __future__ import annotations
 

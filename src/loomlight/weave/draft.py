@@ -38,7 +38,7 @@ class Threads:
 
 @dataclass(frozen=True, eq=False)
 class LoomPlan:
-    """How a loom weaves the drawdown: what a draft drawing shows around it.
+    """The loom plan of a drawdown, which a draft drawing shows around it.
 
     Attributes:
         threading: shafts that carry each end, as sets of 1-based numbers (an empty set: on no shaft).
@@ -103,10 +103,10 @@ class Draft:
 
     @property
     def ends(self) -> int:
-        """How many warp threads one repeat has."""
+        """Number of warp threads of one repeat."""
         return int(self.drawdown.shape[1])
 
     @property
     def picks(self) -> int:
-        """How many weft threads one repeat has."""
+        """Number of weft threads of one repeat."""
         return int(self.drawdown.shape[0])

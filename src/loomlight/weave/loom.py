@@ -36,7 +36,7 @@ def moved_shafts(plan: LoomPlan) -> NDArray[np.bool_]:
 
 
 def plan_drawdown(plan: LoomPlan) -> NDArray[np.bool_]:
-    """What the plan weaves, bool [picks, ends], True where the warp is on top.
+    """The drawdown that the plan weaves, bool [picks, ends], True where the warp is on top.
 
     An end is up on a rising shed if any of its shafts is lifted, and on a sinking shed unless any of its
     shafts is lowered; an end on no shaft stays down on the former and up on the latter.

@@ -198,7 +198,7 @@ def repeat_size_cm(
 
 
 def summary(draft: Draft) -> str:
-    """What a draft is, in a few lines for a person: size, setts, floats, loom, colours."""
+    """A description of a draft in a few lines: size, setts, floats, loom, colours."""
     floats = longest_floats(draft)
     lines = [f"{draft.title or 'untitled'}: {draft.ends} ends, {draft.picks} picks"]
     ends_per_cm, picks_per_cm = sett_per_cm(draft.warp), sett_per_cm(draft.weft)

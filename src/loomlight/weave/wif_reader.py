@@ -453,7 +453,7 @@ def _notes(text: WifText) -> tuple[str, ...]:
 
 
 def _other_entries(text: WifText) -> tuple[tuple[str, Entries], ...]:
-    """What known sections hold besides what is interpreted."""
+    """Content of known sections that is not interpreted."""
     kept = []
     for name, keys in _INTERPRETED.items():
         if keys is None or name not in text.sections:

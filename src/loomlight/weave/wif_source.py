@@ -10,7 +10,7 @@ Entries = tuple[tuple[str, str | None], ...]
 
 @dataclass(frozen=True)
 class FamilyDefaults:
-    """What [WARP] or [WEFT] says for all of its threads.
+    """Values of [WARP] or [WEFT] for all of its threads.
 
     Attributes:
         threads: the number of threads that is declared; None if none is.

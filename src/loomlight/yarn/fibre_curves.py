@@ -33,7 +33,7 @@ _WANDERING = 0.06
 
 @dataclass(frozen=True)
 class FibreSettings:
-    """What yarns consist of.
+    """The make-up of yarns.
 
     Attributes:
         plies: of a yarn, 1 to 8.

@@ -38,7 +38,7 @@ from loomlight.yarn.threads import SECTION_ANGLE, FamilyTables
 
 @dataclass
 class SurfacePoint:
-    """What a point of the cloth is. Seen from behind, in the mirrored frame of the back face.
+    """A point of the cloth. Seen from behind, in the mirrored frame of the back face.
 
     Attributes:
         hole: neither family is here; nothing below then means anything.
@@ -457,7 +457,7 @@ def _edge(cell: Cell, shown: _Shown, run: _Run, lengthwise: Mask, forwards: Mask
 def _dive(
     types: ArrayTypes, tables: DeviceTables, shown: _Shown, run: _Run, crossed: Cell, other_beta: Float
 ) -> tuple[Float, Float]:
-    """How far the thread is pushed down here, and the slope of that along the thread's axis."""
+    """Depth by which the thread is pushed down here, and its slope along the thread's axis."""
     low_side = crossed.below < crossed.above
     distance = minimum(crossed.below, crossed.above)
     # A gap reaches equally far into both cells that share it.

@@ -1,4 +1,4 @@
-"""What searches along rays share: the surface they evaluate, their quality, and control of their steps."""
+"""Common parts of searches along rays: the surface, its quality, and control of steps."""
 
 from __future__ import annotations
 

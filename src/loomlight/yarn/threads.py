@@ -1,4 +1,4 @@
-"""What the geometry needs to know of each thread beyond its runs, worked out once in numpy.
+"""Properties of threads that the geometry needs beyond their runs, computed once in numpy.
 
 A thread's *cell* reaches from the middle of the gap before it to the middle of the gap after it; a run
 begins and ends in the middle of a gap. Positions are millimetres from the start of the repeat.
@@ -77,7 +77,7 @@ class FamilyTables:
 
 
 def section_drop(across: NDArray[np.float64], half_width: NDArray[np.float64]) -> NDArray[np.float64]:
-    """How far the circular cross-section lies below its crown, `across` from the middle (all mm)."""
+    """Depth of the circular cross-section below its crown, mm, at `across` mm from the middle."""
     radius = half_width / math.sin(SECTION_ANGLE)
     return across**2 / (radius + np.sqrt(np.maximum(radius**2 - across**2, 0)))
 

@@ -104,7 +104,7 @@ class PackedLayers:
 
 
 def tile_size(outputs: int, target: SimdTarget) -> int:
-    """How many outputs of a layer to compute at a time: few wasted ones against few loads."""
+    """Number of outputs of a layer computed at a time: few wasted ones against few loads."""
 
     def cost(tile: int) -> float:
         multiply_adds = max(tile * target.vectors_per_block, _PIPELINED)

@@ -24,7 +24,7 @@ _CACHE_LINE = 64  # bytes
 
 @dataclass(frozen=True)
 class SimdTarget:
-    """How kernels use the vector unit of a processor.
+    """The shape of kernels on the vector unit of a processor.
 
     Attributes:
         width: lanes of a vector.
