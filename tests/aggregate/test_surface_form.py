@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 from drjit.llvm.ad import Float
 from scipy import stats
 
@@ -26,6 +27,7 @@ def _fine(name: str, roughness: tuple[float, float]) -> PointModel:
     return PointModel(model.surface, model.appearance, REFERENCE_QUALITY)
 
 
+@pytest.mark.slow
 def test_surface_form_times_continuous_rays_is_the_truth_over_whole_repeats() -> None:
     rng = np.random.default_rng(0)
     scores, ratios = [], []

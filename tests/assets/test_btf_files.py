@@ -26,6 +26,7 @@ from loomlight.core.errors import InputError
 from loomlight.core.footprint import Box, box_footprint
 from loomlight.models.neumip.measured_btf import PictureBtf
 from loomlight.models.registry import model_from_loom
+from tests.marks import slow
 
 WIDTH, HEIGHT = 8, 6
 # Polar angles and azimuths in degrees.
@@ -145,7 +146,7 @@ def test_queries_are_of_measured_directions_and_pixels_lie_upright(tmp_path: Pat
     np.testing.assert_allclose(found, np.tile(2 * colours()[1, 1, 0, 3] / np.pi, (2, 1)), rtol=1e-4)
 
 
-@pytest.mark.parametrize("name", ["a.zip", "a.btf"])
+@pytest.mark.parametrize("name", [slow("a.zip"), "a.btf"])
 def test_it_is_fitted_and_rendered_without_the_measurement(name: str, tmp_path: Path) -> None:
     """The mean of what is learned is that of the pictures; only baking again needs the file."""
     (write_2003 if name.endswith("zip") else write_2014)(tmp_path / name)

@@ -17,11 +17,9 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from loomlight.cli import interruption
 from loomlight.cli.interruption import note_left, report_interruption, was_interrupted
 from loomlight.cli.main import run
-
-# Half a second each way beyond what the supervising process grants, for a machine with other work.
-_LONGEST = 2.0
 
 
 def started(code: str) -> subprocess.Popen[str]:
@@ -44,9 +42,7 @@ def work():
     signal.signal(signal.SIGINT, lambda *_: None)
     interruption.note_left("a.png holds a coarse picture.")
     print("begun", flush=True)
-    end = time.monotonic() + 120
-    while time.monotonic() < end: time.sleep(0.01)
-    return 0
+    while True: time.sleep(0.01)
 sys.exit(interruption.supervised(work))
 """
 # The command, with Python's own handler as in `started`.
@@ -60,7 +56,7 @@ LISTENING = """
 def work():
     try:
         print("begun", flush=True)
-        time.sleep(300)
+        while True: time.sleep(1)
     except KeyboardInterrupt:
         return interruption.report_interruption()
 sys.exit(interruption.supervised(work))
@@ -71,25 +67,25 @@ sys.exit(interruption.supervised(work))
 @pytest.mark.parametrize(
     ("code", "left"), [(DEAF, "a.png holds a coarse picture."), (LISTENING, "Nothing was written.")]
 )
-def test_it_ends_soon_and_says_what_is_left(code: str, left: str, send: Callable[[int, int], None]) -> None:
+def test_it_ends_and_says_what_is_left(code: str, left: str, send: Callable[[int, int], None]) -> None:
+    """Work that would go on for ever: that the process ends at all is by the interruption."""
+    assert interruption._END < 1
     process = started(code)
     assert process.stdout is not None
     assert process.stdout.readline() == "begun\n"
-    before = time.monotonic()
     send(process.pid, signal.SIGINT)
-    _, error = process.communicate(timeout=120)
-    assert time.monotonic() - before < _LONGEST
+    _, error = process.communicate()
     assert error == f"loomlight: interrupted. {left}\n"
     assert process.returncode == 130
 
 
 def test_exit_codes_pass_through() -> None:
     process = started("sys.exit(interruption.supervised(lambda: 7))")
-    assert process.wait(120) == 7
+    assert process.wait() == 7
     process = started(
         "import os, signal\nsys.exit(interruption.supervised(lambda: os.kill(os.getpid(), signal.SIGKILL)))"
     )
-    _, error = process.communicate(timeout=120)
+    _, error = process.communicate()
     assert process.returncode == 128 + signal.SIGKILL
     assert error == "loomlight: the work was ended by SIGKILL; was the memory full?\n"
 
@@ -132,13 +128,10 @@ def test_an_interrupted_render_keeps_a_whole_picture(tmp_path: Path) -> None:
         text=True,
         start_new_session=True,
     )
-    end = time.monotonic() + 120
-    while not picture.exists() and time.monotonic() < end:
+    while not picture.exists() and process.poll() is None:
         time.sleep(0.05)
-    before = time.monotonic()
     os.killpg(process.pid, signal.SIGINT)
-    _, error = process.communicate(timeout=120)
-    assert time.monotonic() - before < _LONGEST
+    _, error = process.communicate()
     assert error == f"loomlight: interrupted. {picture} holds the picture as far as it came.\n"
     assert process.returncode == 130
     assert [path.name for path in tmp_path.iterdir()] == ["plain.png"]

@@ -31,6 +31,7 @@ from loomlight.realtime.device import default_adapter
 from loomlight.realtime.layout import numpy_type
 from loomlight.realtime.models import REALTIME_MODELS, Material
 from loomlight.realtime.slangc import compile_shader
+from tests.marks import slow_among
 from tests.realtime import test_clustered, test_latent, test_neumip
 from tests.realtime.queries import directions, share_beyond
 
@@ -39,16 +40,21 @@ FABRIC = fabric_from_text(
     'weave = "twill 2/1"\nends_per_cm = 14\npicks_per_cm = 11\n[warp]\ncolor = "#2a4680"\nwidth_mm = 0.5\n'
     "[sheen]\nstrength = 0.3\n"
 )
-# What is exported of each model: trained ones have random numbers.
-MATERIALS: dict[str, Material] = {
-    "lobes": FABRIC,
-    "point": FABRIC,
-    "neural": NeuralModel.for_source(FABRIC, refined=False),
-    "clustered": test_clustered.model_of(1).with_samples(0),
-    "neumip": test_neumip.random_model(half=True),
-    "latent": test_latent.random_model(),
-}
 MODELS = tuple(REALTIME_MODELS)
+# Models of which a compiler takes seconds are slow; the code that all share is in the others.
+QUICK = slow_among(MODELS, ("neural", "clustered"))
+
+
+@cache
+def material_of(model: str) -> Material:
+    """What is exported of a model: trained ones have random numbers."""
+    if model == "neural":
+        return NeuralModel.for_source(FABRIC, refined=False)
+    if model == "clustered":
+        return test_clustered.model_of(1).with_samples(0)
+    if model == "neumip":
+        return test_neumip.random_model(half=True)
+    return test_latent.random_model() if model == "latent" else FABRIC
 
 
 def run(*command: str | Path, cwd: Path) -> None:
@@ -65,11 +71,11 @@ def exported(tmp_path_factory: pytest.TempPathFactory) -> Path:
     with patch.object(buffers, "prepared_for", cache(buffers.prepared_for)):
         for model in MODELS:
             for language in ("slang", "spirv", *LANGUAGES):
-                export(MATERIALS[model], language, folder / f"{language}-{model}", model)
+                export(material_of(model), language, folder / f"{language}-{model}", model)
     return folder
 
 
-@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("model", QUICK)
 def test_glslang_compiles_glsl_and_hlsl(exported: Path, model: str, tmp_path: Path) -> None:
     out = tmp_path / "out.spv"
     kernel = "cloth_queries"
@@ -104,7 +110,7 @@ def test_header_compiles_as_c(exported: Path, tmp_path: Path) -> None:
         run(compiler, f"-std={standard}", "-x", language, "-fsyntax-only", "-I", header, source, cwd=tmp_path)
 
 
-@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("model", QUICK)
 def test_cuda_text_computes_what_the_model_computes(model: str) -> None:
     """On a CPU: the export's prelude stands in for CUDA there. Bars as for WGSL, see docs/realtime.md."""
     rng = np.random.default_rng(5)
@@ -114,11 +120,11 @@ def test_cuda_text_computes_what_the_model_computes(model: str) -> None:
     zero = np.zeros_like(side)
     dx, dy = np.stack([side, 0.3 * side], axis=-1), np.stack([zero, 0.7 * side], axis=-1)
     light, view = directions(rng, count), directions(rng, count)
-    library = CountedLibrary(MATERIALS[model], model)
+    library = CountedLibrary(material_of(model), model)
     found, counts = library.answers(queries_of(centre, dx, dy, light, view))
     footprint = Footprint(*(Array2f(*np.ascontiguousarray(rows.T)) for rows in (centre, dx, dy)))
     directions_of = [Array3f(*np.ascontiguousarray(rows.T)) for rows in (light, view)]
-    material = MATERIALS[model]
+    material = material_of(model)
     made = material if isinstance(material, Model) else make_model(model, material)
     at = made.at(directions_of[1], footprint)
     value = np.stack([part.numpy() for part in at.value(directions_of[0])], axis=-1)
@@ -130,6 +136,7 @@ def test_cuda_text_computes_what_the_model_computes(model: str) -> None:
     assert 0 < counts.loaded_bytes < 20 * counts.operations
 
 
+@pytest.mark.slow
 def test_estimates_of_clustered_are_unbiased() -> None:
     """Means of exported estimates of a few footprints, against means of exact points of them."""
     model = test_clustered.model_of(1)
@@ -177,6 +184,7 @@ def test_manifest_describes_the_buffers(exported: Path) -> None:
     assert "operations" in readme
 
 
+@pytest.mark.slow
 def test_the_sample_draws_a_sphere(exported: Path) -> None:
     """With the model point, whose shader the software driver compiles in half the time."""
     sample = runpy.run_path(str(exported / "wgsl-point" / "sample.py"))

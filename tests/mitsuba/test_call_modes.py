@@ -80,6 +80,7 @@ def _narrow_network(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     clear_encodings()
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("_narrow_network")
 def test_networks_in_symbolic_calls_are_said_to_be_slow(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(call_modes, "_SLOW_TOLD", set())

@@ -16,11 +16,15 @@ from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba.live import LivePicture
 from loomlight.mitsuba.material import material_bsdf
 from loomlight.mitsuba.scene_traits import SceneTraits
+from tests.marks import slow
 
 DIFFUSE = {"type": "twosided", "inner": {"type": "diffuse", "reflectance": 0.7}}
 ROUGH = {"type": "twosided", "inner": {"type": "roughconductor", "alpha": 0.15}}
 MASK = {"type": "mask", "opacity": 0.4, "inner": DIFFUSE}
 GLASS_SHEET = {"type": "thindielectric"}
+
+# By name; those of which the lights' own sampling is compiled longest are slow.
+EMITTERS = ["area", "directional", slow("envmap"), slow("point"), slow("sunsky")]
 
 
 def emitters() -> dict[str, dict[str, Any]]:
@@ -88,7 +92,7 @@ def assert_same_expectation(ours: np.ndarray, theirs: np.ndarray) -> None:
     assert np.sqrt(np.mean(z**2)) < 1.25
 
 
-@pytest.mark.parametrize("emitter", ["envmap", "area", "point", "directional", "sunsky"])
+@pytest.mark.parametrize("emitter", EMITTERS)
 @pytest.mark.parametrize("bsdf", [DIFFUSE, ROUGH], ids=["diffuse", "rough"])
 def test_agrees_with_path_without_holes(bsdf: dict[str, Any], emitter: str) -> None:
     scene = table(bsdf, emitters()[emitter])
@@ -97,7 +101,7 @@ def test_agrees_with_path_without_holes(bsdf: dict[str, Any], emitter: str) -> N
     assert_same_expectation(ours, theirs)
 
 
-@pytest.mark.parametrize("emitter", ["envmap", "area", "point", "directional", "sunsky"])
+@pytest.mark.parametrize("emitter", EMITTERS)
 @pytest.mark.parametrize("bsdf", [MASK, GLASS_SHEET], ids=["mask", "sheet"])
 def test_agrees_with_volpath_through_holes(bsdf: dict[str, Any], emitter: str) -> None:
     scene = table(bsdf, emitters()[emitter])

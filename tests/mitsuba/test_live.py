@@ -21,6 +21,7 @@ from loomlight.mitsuba.bsdf_samples import MODEL_BSDFS
 from loomlight.mitsuba.integrator import samples_are_pixels
 from loomlight.mitsuba.live import LivePicture
 from loomlight.mitsuba.scene_edits import SceneEdits
+from tests.marks import slow
 
 SHEEN = 'weave = "twill 2/1"\n[sheen]\nstrength = 0.5\n'
 SHOWN: dict[str, Any] = {"size": (12, 12), "light": "directional", "max_depth": 2, "zoom": 3.0}
@@ -38,9 +39,10 @@ def traced_anew(shown: Any, seed: int) -> np.ndarray:
 
 
 records = pytest.mark.parametrize("recorded", [False, True])
+slow_unless_recorded = pytest.mark.parametrize("recorded", [slow(False), True])
 
 
-@records
+@slow_unless_recorded
 @pytest.mark.parametrize("model", ["lobes", "point"])
 def test_edits_show_as_if_the_picture_were_traced_anew(model: str, recorded: bool) -> None:
     cloth = fabric_from_text(SHEEN)
@@ -64,7 +66,7 @@ def test_edits_show_as_if_the_picture_were_traced_anew(model: str, recorded: boo
     assert live.recorded == recorded
 
 
-@records
+@slow_unless_recorded
 def test_another_weave_shows(recorded: bool) -> None:
     shown = build_scene("flat", material_bsdf("twill 2/1"), **SHOWN)
     live = LivePicture(shown.scene, integrator=shown.integrator, records=recorded)

@@ -17,11 +17,14 @@ from loomlight.models.fabric_model import parameter_of
 from loomlight.models.neural import model as neural_model
 from loomlight.models.neural.latent_cache import clear_encodings
 from loomlight.models.registry import MODELS
+from tests.marks import slow_among
 
 from ..models.neural.networks import network, weights_of
 from .footprints import mean_value, side_by_side
 
-PLUGINS = [entry.plugin for entry in MODELS.values()]
+# Refused by the same code for all: those that bake for seconds are slow.
+SLOW = ("woven_clustered", "woven_neural", "neumip", "latent")
+PLUGINS = slow_among((entry.plugin for entry in MODELS.values()), SLOW)
 CHEAPEST = {"woven_samples": {"points": 2}, "woven_clustered": {"clusters": 4, "texels": 32}}
 CLOTH = {"weave": "twill 2/1", "uv_size": "4,4", "sheen_strength": 0.3, "id": "mine"}
 # Two colours in the warp: its albedos are one table.

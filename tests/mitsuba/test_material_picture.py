@@ -15,7 +15,7 @@ from loomlight.mitsuba import material_bsdf
 
 from ..core.pictures import png_head
 
-SMALL = {"size": (12, 8), "spp": 2, "seed": 3}
+SMALL = {"size": (12, 8), "spp": 2, "seed": 3, "model": "point"}
 
 
 def test_a_name_a_file_and_a_fabric_give_the_picture_of_the_command_line(tmp_path: Path) -> None:
@@ -27,7 +27,7 @@ def test_a_name_a_file_and_a_fabric_give_the_picture_of_the_command_line(tmp_pat
     for fabric in (file, loomlight.load_fabric(file)):
         again = loomlight.render(fabric, "sphere", light_from=(20, 30), **SMALL)
         np.testing.assert_allclose(again, picture, rtol=1e-5, atol=1e-7)
-    options = ["--size", "12x8", "--spp", "2", "--seed", "3", "--light-from", "20,30"]
+    options = ["--size", "12x8", "--spp", "2", "--seed", "3", "--light-from", "20,30", "--model", "point"]
     written = tmp_path / "a.exr"
     assert run(["render", str(file), "-o", str(written), "--scene", "sphere", *options]) == 0
     pixels = OpenEXR.File(str(written)).channels()["RGB"].pixels

@@ -23,6 +23,7 @@ from loomlight.models.bake import bake, save
 from loomlight.models.neural import model as neural_model
 from loomlight.models.neural.latent_cache import clear_encodings
 from loomlight.models.registry import MODELS, model_class
+from tests.marks import slow_among
 
 from ..models.neural.networks import network, weights_of
 
@@ -118,7 +119,10 @@ def bsdfs_of(plugin: str) -> list[Any]:
     return [mi.load_dict(cloth), mi.load_dict(cloth | {"warp_color": "#ff0000,#00ff00"})]
 
 
-@pytest.mark.parametrize("plugin", [entry.plugin for entry in MODELS.values()])
+@pytest.mark.parametrize(
+    "plugin",
+    slow_among((entry.plugin for entry in MODELS.values()), ("woven_clustered", "neumip", "latent")),
+)
 def test_every_scene_parameter_stands_on_the_page(plugin: str) -> None:
     wanted = {
         name: row

@@ -11,6 +11,7 @@ import pytest
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import render
 from loomlight.mitsuba.material import material_bsdf
+from tests.marks import slow
 
 # Pixels of the picture, threads a pixel, and threads of a stripe.
 COLUMNS, ROWS, THREADS, STRIPE = 24, 48, 4, 40
@@ -51,7 +52,7 @@ def picture(model: str, spp: int, rfilter: str, seeds: range) -> np.ndarray:
     return np.asarray(np.mean(shown, axis=0)[..., :3].mean(axis=(0, 2)))
 
 
-@pytest.mark.parametrize("rfilter", ["gaussian", "box"])
+@pytest.mark.parametrize("rfilter", ["box", slow("gaussian")])
 def test_edges_of_stripes_are_those_of_many_point_samples(rfilter: str) -> None:
     truth = picture("point", 256, rfilter, range(4))
     step = truth.max() - truth.min()

@@ -210,6 +210,7 @@ def test_a_material_keeps_its_groups_when_it_is_edited(tmp_path: Path, baked: li
     assert baked == [GROUPS] * 3
 
 
+@pytest.mark.slow
 def test_two_fabrics_in_one_picture_are_each_its_own() -> None:
     """Side by side, in symbolic calls, both show what each shows alone."""
     other = TWILL | {"weave": "plain", "warp_color": "#ffffff", "weft_height_scale": 0.3}
@@ -245,6 +246,7 @@ def test_white_cloth_in_a_white_world(zoom: float) -> None:
     np.testing.assert_allclose(found.mean(), wanted.mean(), rtol=0.05)
 
 
+@pytest.mark.slow
 def test_from_afar_a_few_samples_are_the_point_models_many() -> None:
     denim = fabric_from_text(
         'weave = "twill 3/1"\nends_per_cm = 28\npicks_per_cm = 18\n[warp]\ncolor = "#2a4680"\n'

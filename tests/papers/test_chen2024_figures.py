@@ -31,6 +31,7 @@ def rows(actual: Evidence) -> dict[str, dict[str, list[object]]]:
     return {table.title: dict(table.rows) for table in actual.tables}
 
 
+@pytest.mark.slow
 def test_mixed_latents_are_the_encoded_ones_at_both_ends(
     setting: Setting, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -48,6 +49,7 @@ def test_mixed_latents_are_the_encoded_ones_at_both_ends(
     }
 
 
+@pytest.mark.slow
 def test_every_edit_is_timed_and_shown(setting: Setting, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(editing, "EDITS", editing.EDITS[-1:])
     actual = editing.edited(setting)
@@ -59,6 +61,7 @@ def test_every_edit_is_timed_and_shown(setting: Setting, monkeypatch: pytest.Mon
     assert table["albedo of the warp"][0] < table["the fabric, encoded"][0]
 
 
+@pytest.mark.slow
 def test_the_parts_of_a_pictures_time_are_its_sum(setting: Setting, monkeypatch: pytest.MonkeyPatch) -> None:
     scenes = cost._scenes()
     monkeypatch.setattr(cost, "_scenes", lambda: dict(list(scenes.items())[:2]))
@@ -71,6 +74,7 @@ def test_the_parts_of_a_pictures_time_are_its_sum(setting: Setting, monkeypatch:
         assert network_ms + others + host >= 0.999 * whole
 
 
+@pytest.mark.slow
 def test_networks_without_a_part_stand_beside_each_other(
     setting: Setting, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -33,6 +33,7 @@ def setting(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Setting:
     return Setting(size=(16, 9), samples=4, runs=tmp_path, model=NEUMIP)
 
 
+@pytest.mark.slow
 def test_table_2_has_every_design_and_keeps_its_trainings(setting: Setting) -> None:
     actual = tables.comparison(setting)
     squared, flip, ratios, paper, of_paper = actual.tables

@@ -59,6 +59,7 @@ def test_encoded_textures_are_those_of_their_apparent_brdfs() -> None:
     assert np.allclose(rows[:64, 8:11], np.pi * apparent[0].mean(axis=2).reshape(64, 3), rtol=1e-4)
 
 
+@pytest.mark.slow
 def test_encoders_learn_two_materials_at_once(tmp_path: Path) -> None:
     """The error of both falls; the folder keeps what is measured, and the training."""
     sources = [paper_heightfield(name, 16) for name in ("straight wool", "cliff rock")]

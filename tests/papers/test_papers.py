@@ -98,6 +98,7 @@ def test_directions_are_all_pairs_of_a_side() -> None:
     assert (queries.pairs[:count, 0] == np.arange(count)).all()
 
 
+@pytest.mark.slow
 def test_one_comparison(setting: Setting) -> None:
     actual = compared("title", setting, DRAPE, [("plain", [paper_fabric("plain")])])
     tables = {table.title: table for table in actual.tables}
@@ -114,6 +115,7 @@ def test_one_comparison(setting: Setting) -> None:
     assert actual.pictures["reference"].max() > 50
 
 
+@pytest.mark.slow
 def test_edits_name_parameters_and_are_taken_back(setting: Setting) -> None:
     fabric = paper_fabric("plain")
     scene = Stage(setting, DRAPE, fabric).neural_scene()

@@ -39,6 +39,7 @@ def tiny_model(setting: Setting) -> Model:
     return stage.trained(stage.stage_material("rough-plastic"), setting)
 
 
+@pytest.mark.slow
 def test_ablation_has_six_metrics_of_each_rung(setting: Setting, monkeypatch: pytest.MonkeyPatch) -> None:
     # Every rung compiles kernels of its own: the rung between is made of the same code.
     monkeypatch.setattr(tables, "RUNGS", ("mlp", "frames"))
@@ -60,6 +61,7 @@ def test_six_errors_are_what_they_are_called() -> None:
     assert actual[1:] == pytest.approx(expected, rel=1e-5)
 
 
+@pytest.mark.slow
 def test_sampler_is_compared_with_cosine_and_reference(setting: Setting) -> None:
     actual = sampling.sampler_variance(setting)
     alone, both, cost = actual.tables

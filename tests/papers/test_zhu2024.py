@@ -107,6 +107,7 @@ def test_errors_that_no_longer_fall_are_noise() -> None:
     assert table1._falling({1: 1.0, 4: -0.1}) == {1: 1.0, 4: 0.25}
 
 
+@pytest.mark.slow
 def test_equal_quality_of_a_scene(setting: Setting, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(table1, "_TURNS", 1)
     # Every count of samples is a kernel of its own.
@@ -124,6 +125,7 @@ def test_equal_quality_of_a_scene(setting: Setting, monkeypatch: pytest.MonkeyPa
     assert {"Cloth cylinder-point", "Cloth cylinder-lobes", "Cloth cylinder-truth"} <= set(evidence.pictures)
 
 
+@pytest.mark.slow
 def test_parallax_is_the_height_fields(setting: Setting, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cylinder, "_VERTICES_A_THREAD", 12)
     monkeypatch.setattr(cylinder, "_VIEWS", cylinder._VIEWS[:1])
@@ -135,6 +137,7 @@ def test_parallax_is_the_height_fields(setting: Setting, monkeypatch: pytest.Mon
     assert point_light == pytest.approx(1, abs=0.06)
 
 
+@pytest.mark.slow
 def test_the_better_alpha_the_smaller_the_error(setting: Setting, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(control, "_FABRICS", control._FABRICS[1:])
     for name, number in (("_TEXELS", 64), ("_RINGS", 4), ("_SECTORS", 8)):
@@ -146,6 +149,7 @@ def test_the_better_alpha_the_smaller_the_error(setting: Setting, monkeypatch: p
     assert clusters > one
 
 
+@pytest.mark.slow
 def test_sheen_brightens_black_cloth_by_the_command(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -41,6 +41,7 @@ def tint() -> Any:
     return array_types(Float).Color3(*TINT)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["lobes", "point"])
 def test_values_with_light_between_yarns(name: str) -> None:
     model = make_model("lobes", fabric_from_text(FABRIC))

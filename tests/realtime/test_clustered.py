@@ -74,6 +74,7 @@ def queries() -> dict[str, NDArray[np.generic]]:
     }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("rank", "samples"), [(0, 0), (1, 0), (3, 0), (1, 2)])
 def test_queries_of_clustered(rank: int, samples: int) -> None:
     """The base alone, its densities compressed to several ranks, and with two points of the residual."""
@@ -93,6 +94,7 @@ def test_queries_of_clustered(rank: int, samples: int) -> None:
     assert share_beyond(found, expected) <= (MOST_FLIPS if samples else 1e-3)
 
 
+@pytest.mark.slow
 def test_passes_of_a_frame_tend_to_the_point_model() -> None:
     """A pixel of a millimetre from above, in which light and view are those of the frame."""
     towards = np.float32([0.5, 0.3, 0.8]) / np.linalg.norm([0.5, 0.3, 0.8])

@@ -50,6 +50,7 @@ def test_a_black_map_gives_no_light() -> None:
     assert (picture.linear[..., :3] == 0).all()
 
 
+@pytest.mark.slow
 def test_light_and_background_are_those_of_mitsuba() -> None:
     """Two sheets, the upper one open, so that environment light is shadowed too.
 

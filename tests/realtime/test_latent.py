@@ -94,6 +94,7 @@ SEEN = (
 )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("decoder", "mips", "frames"),
     [
@@ -119,6 +120,7 @@ def test_queries_of_latent(decoder: str, mips: str, frames: bool) -> None:
     assert share_beyond(found, expected) <= (1e-3 if mips == "stochastic" else 0)
 
 
+@pytest.mark.slow
 def test_densities_and_samples_of_latent() -> None:
     model = random_model()
     packed = pack_fabrics([None], None, [model], half=False)
@@ -139,6 +141,7 @@ def test_densities_and_samples_of_latent() -> None:
     assert share_beyond(found[:, 1:], drawn) <= 1e-3
 
 
+@pytest.mark.slow
 def test_passes_of_a_frame_tend_to_the_mixture_of_levels() -> None:
     model = random_model(mips="stochastic")
     size_mm = FABRIC.repeat_mm

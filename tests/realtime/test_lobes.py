@@ -78,6 +78,7 @@ def test_estimate_over_groups(name: str) -> None:
         assert share_beyond(found[:, column], np.array(values)) <= MOST_FLIPS
 
 
+@pytest.mark.slow
 def test_a_frame_of_tables_baked_on_the_adapter_is_that_of_python() -> None:
     cloth = Cloth(rectangle(0.5, 0.5), load_fabric(EXAMPLES / "silk-satin.toml"))
     light = [DirectionalLight((0.5, 0.3, 0.8), (1, 1, 1))]

@@ -79,6 +79,7 @@ def pairs(rows: NDArray[np.float32]) -> Array2f:
     return Array2f(*(np.ascontiguousarray(column) for column in rows.T))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("faces", "offset"), [(2, True), (1, False)])
 def test_queries_of_neumip(faces: int, offset: bool) -> None:
     """Footprints of 10 µm to 10 mm, elongated and turned, views and lights all over the sphere."""
@@ -114,6 +115,7 @@ def test_queries_of_neumip(faces: int, offset: bool) -> None:
     assert np.sqrt(np.mean(np.square(halves - expected)[:, :3])) < 1e-3 * np.sqrt(np.mean(value**2))
 
 
+@pytest.mark.slow
 def test_frames_are_those_of_the_model() -> None:
     """A sheet from above: the middle pixel, in which light and view are those of the frame."""
     model = random_model()

@@ -45,6 +45,7 @@ def pairs(rows: NDArray[np.float32]) -> Array2f:
     return Array2f(*(np.ascontiguousarray(column) for column in rows.T))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["denim", "open"])
 def test_queries_of_neural(name: str) -> None:
     """Footprints of 10 µm to 10 mm, elongated and turned, views and lights all over the sphere."""
@@ -83,6 +84,7 @@ def test_queries_of_neural(name: str) -> None:
         assert share_beyond(found[:, column], np.array(values)) == 0, column
 
 
+@pytest.mark.slow
 def test_a_frame_shades_the_footprints_of_its_pixels() -> None:
     """Straight from above, footprints are squares of the pixels' size."""
     size, side, distance = 16, 0.1, 0.05

@@ -67,6 +67,7 @@ def rays_of_kernel(text: str) -> RayShares:
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("text", FABRICS)
 def test_openness_of_the_kernel_is_that_of_rays(text: str) -> None:
     fabric = fabric_from_text(text)

@@ -8,6 +8,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+import pytest
 from drjit.llvm import Array2f, Float
 from numpy.typing import NDArray
 
@@ -104,6 +105,7 @@ def lobes_rows(model: LobesModel, arguments: dict[str, NDArray[np.float32]]) -> 
     return mapped(LOBES_MODULES, FOOTPRINT + LOBES_BODY, RESULTS, arguments, looks)
 
 
+@pytest.mark.slow
 def test_sampling_of_lobes() -> None:
     """Footprints that groups alone answer."""
     model = make_model("lobes", fabric_from_text(OPEN))
@@ -150,6 +152,7 @@ def test_lobes_are_drawn_with_their_density() -> None:
     assert p_value(cell_counts(drawn), expected * len(found)) > 1e-3
 
 
+@pytest.mark.slow
 def test_sampling_of_neural() -> None:
     """Hole and albedos are given: parity of the network has tests of its own."""
     model = NeuralModel.for_source(fabric_from_text(OPEN), refined=False, sampler="lobes")

@@ -15,7 +15,7 @@ from functools import cache
 import drjit as dr
 import numpy as np
 import pytest
-from drjit.llvm.ad import Array2f, Array3f, Bool, Float, UInt32
+from drjit.llvm.ad import Array2f, Bool, Float, UInt32
 
 from loomlight.aggregate.reference import reference
 from loomlight.core.backend import array_types
@@ -215,13 +215,3 @@ def test_a_file_of_another_version_is_refused() -> None:
         ClusteredModel.from_loom(
             replace(loom, tensors={**loom.tensors, "labels": np.full_like(loom.tensors["labels"], 77)})
         )
-
-
-def test_directions_do_not_depend_on_array_literals() -> None:
-    """One lane answers as many do."""
-    made = model()
-    asked = queries(made.fabric, 8, seed=9)
-    value = made.at(asked.view, asked.footprint).value(asked.light).numpy()
-    one = asked[3:4]
-    alone = made.at(one.view, one.footprint).value(Array3f(one.light)).numpy()
-    np.testing.assert_allclose(alone[:, 0], value[:, 3], rtol=1e-4, atol=1e-6)

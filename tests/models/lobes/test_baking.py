@@ -12,6 +12,7 @@ from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.models.lobes import cloth_samples, coverage_pyramid, visibility_rays
 from loomlight.models.lobes.model import tables_of
 from loomlight.models.lobes.tables import LobeTables
+from tests.marks import slow
 
 from .cloths import random_cloth
 
@@ -59,13 +60,14 @@ def _assert_same(actual: LobeTables, expected: LobeTables) -> None:
         assert actual.arrays()[name].tobytes() == values.tobytes(), name
 
 
+@pytest.mark.slow
 def test_recordings_give_the_bytes_of_traces(monkeypatch: pytest.MonkeyPatch) -> None:
     for weave, scale, per_family in STEPS:
         fabric = _fabric_of(weave, scale)
         _assert_same(tables_of(fabric, per_family), _traced(fabric, per_family, monkeypatch))
 
 
-@pytest.mark.parametrize(("ends", "uneven"), [(12, True), (12, False), (641, True)])
+@pytest.mark.parametrize(("ends", "uneven"), [(12, True), (12, False), slow(641, True)])
 def test_uneven_and_large_drafts(ends: int, uneven: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     """Threads that differ are read from tables, and texels of large drafts are counted in batches."""
     cloth = random_cloth(ends, ends, uneven)

@@ -36,6 +36,7 @@ def test_repeats_of_sixteen_threads_are_small() -> None:
         assert LobesModel.for_source(random_cloth(16, 16), groups).tables.nbytes < 2_000_000
 
 
+@pytest.mark.slow
 def test_the_largest_drafts_stay_bounded() -> None:
     """641 × 641 crossings, all different."""
     cloth = random_cloth(641, 641)

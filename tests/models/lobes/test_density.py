@@ -36,8 +36,13 @@ def lobe_of(normals: NDArray[Any], tangents: NDArray[Any], roughness: float) -> 
         vectors(normals.mean(axis=1)),
         vectors(mean),
         *(floats(covariance[:, i, j]) for i, j in places),
-        Float(roughness),
+        opaque(roughness),
     )
+
+
+def opaque(number: float) -> Float:
+    """A number that is no literal: kernels are compiled once for all of them."""
+    return dr.opaque(Float, number)
 
 
 def units(vectors: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -93,7 +98,7 @@ def test_interval_moves_density_and_loses_none(roughness: float) -> None:
             vectors(np.outer(middle, [1, 0, 0])),
             Float(variance),
             *[none] * 5,
-            Float(roughness),
+            opaque(roughness),
         )
         actual = mean_density(Array3f(1, 0, 0), lobe).numpy().astype(np.float64)
         total = np.trapezoid(actual, middle)

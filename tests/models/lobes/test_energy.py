@@ -14,6 +14,7 @@ from loomlight.models.neural.parameter_ranges import TRAINING_RANGES
 from loomlight.models.neural.training.random_fabrics import random_fabric
 from loomlight.models.neural.training.weaves import PAPER_WEAVES, paper_draft
 from loomlight.scattering.albedo import layer_albedo_bound
+from tests.marks import slow
 
 from .cloths import FootprintQueries, directions, floats, prefiltered_parts
 
@@ -70,6 +71,7 @@ def largest_albedo(integrals: NDArray[np.float64], optical_depth: float) -> NDAr
     return total
 
 
+@pytest.mark.slow
 def test_no_fabric_of_the_ranges_makes_light() -> None:
     drafts = [paper_draft(name) for name in PAPER_WEAVES]
     albedos = []
@@ -107,7 +109,7 @@ PLACES, SAMPLES, AGAIN = 2048, 128, 1 << 15
 CLOSE_UP_BAR = 1.01
 
 
-@pytest.mark.parametrize("name", CLOSE_UPS)
+@pytest.mark.parametrize("name", ["open", slow("steep"), slow("thin")])
 def test_close_ups_and_holes_make_no_light(name: str) -> None:
     """Mean weights of the sampler, light straight through holes included, sides of 1/20 to 2 threads."""
     fabric = fabric_from_text(CLOSE_UPS[name])

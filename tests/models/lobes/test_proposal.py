@@ -102,6 +102,7 @@ def compared(case: Case, seed: int, label: str) -> float:
     return p_value(counts, shares * DRAWN)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FABRICS)
 def test_directions_are_distributed_by_their_density(name: str) -> None:
     values = []
@@ -118,6 +119,7 @@ def test_directions_are_distributed_by_their_density(name: str) -> None:
 
 # Fabric, view, how much wider, how many threads away and how many degrees turned: of all directions 5 to 13 %
 # would lie in other cells.
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "view", "wider", "away", "turned"),
     [

@@ -58,6 +58,7 @@ def errors(through: bool) -> NDArray[np.float64]:
     return np.asarray(np.mean(rows, axis=0))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("through", [False, True])
 def test_correlated_shadows_are_nearer_to_rays_than_independent_ones(
     through: bool, monkeypatch: pytest.MonkeyPatch

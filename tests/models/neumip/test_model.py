@@ -31,6 +31,7 @@ require_llvm()
 TWILL = fabric_from_text('weave = "twill 2/1"\n[warp]\ncolor = "#c04020"\n[weft]\ncolor = "#2040c0"')
 
 
+@pytest.mark.slow
 def test_means_of_the_whole_cloth_are_learned_on_both_faces() -> None:
     """The front shows more warp, the back more weft: red and blue."""
     model = make_model("neumip", TWILL, steps=400)
@@ -50,6 +51,7 @@ def test_means_of_the_whole_cloth_are_learned_on_both_faces() -> None:
         assert (actual[0] > actual[2]) == (truth[0] > truth[2])
 
 
+@pytest.mark.slow
 def test_holes_and_light_from_behind_are_learned() -> None:
     """Sheer cloth: the mean over the repeat, as slices have it."""
     sheer = fabric_from_text(

@@ -86,24 +86,28 @@ def view_tables(
     offset = np.zeros((2, len(directions), 2), np.float32)
     number = np.arange(_RAYS)
     # The plastic number's powers (Roberts 2018).
-    x = types.Float(((0.5 + 0.7548776662466927 * number) % 1 * width).astype(np.float32))
-    y = types.Float(((0.5 + 0.5698402909980532 * number) % 1 * height).astype(np.float32))
+    starts = [
+        ((0.5 + share * number) % 1 * side).astype(np.float32)
+        for share, side in ((0.7548776662466927, width), (0.5698402909980532, height))
+    ]
+    # All rays of a direction beside each other.
+    x, y = (types.Float(np.tile(start, len(directions))) for start in starts)
+    towards = types.Vector3(np.ascontiguousarray(np.repeat(directions, _RAYS, axis=0).T, np.float32))
     for face in (0, 1):
         share = np.bincount(labels[face].ravel(), minlength=256)[:clusters] / labels[face].size
-        for index, direction in enumerate(directions):
-            towards = types.Vector3(*(dr.opaque(types.Float, float(part)) for part in direction))
-            hit = first_hit(geometry, x, y, towards, dr.opaque(types.Bool, bool(face)))
-            dr.eval(hit)
-            met = ~hit.hole.numpy()
-            hit_x, hit_y = hit.x.numpy(), hit.y.numpy()
-            column = np.minimum(np.mod(hit_x / width, 1) * columns, columns - 1).astype(int)
-            row = np.minimum(np.mod(hit_y / height, 1) * rows, rows - 1).astype(int)
-            label = np.where(met, labels[face][row, column], NO_CLUSTER)
-            counts = np.bincount(label, minlength=256)[:clusters] / _RAYS
+        hit = first_hit(geometry, x, y, towards, dr.opaque(types.Bool, bool(face)))
+        dr.eval(hit)
+        met = ~hit.hole.numpy().reshape(-1, _RAYS)
+        hit_x, hit_y = (part.numpy().reshape(-1, _RAYS) for part in (hit.x, hit.y))
+        column = np.minimum(np.mod(hit_x / width, 1) * columns, columns - 1).astype(int)
+        row = np.minimum(np.mod(hit_y / height, 1) * rows, rows - 1).astype(int)
+        label = np.where(met, labels[face][row, column], NO_CLUSTER)
+        for index in range(len(directions)):
+            counts = np.bincount(label[index], minlength=256)[:clusters] / _RAYS
             view[face, index] = counts / np.maximum(share, 1e-6)
             offset[face, index] = [
-                np.where(met, after - before.numpy(), 0).sum() / max(met.sum(), 1)
-                for after, before in ((hit_x, x), (hit_y, y))
+                np.where(met[index], after[index] - before, 0).sum() / max(met[index].sum(), 1)
+                for after, before in zip((hit_x, hit_y), starts, strict=True)
             ]
     return view, offset
 

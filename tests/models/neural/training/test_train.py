@@ -15,6 +15,8 @@ import numpy as np
 import pytest
 from safetensors.numpy import load_file
 
+from tests.marks import slow
+
 # Nothing below can be imported without torch, which only training needs (hence E402).
 torch = pytest.importorskip("torch")
 
@@ -79,7 +81,7 @@ def _with_dataset(dataset: Path, folder: Path) -> Path:
     return folder
 
 
-@pytest.mark.parametrize("optimiser", ["adam", "soap"])
+@pytest.mark.parametrize("optimiser", [slow("adam"), "soap"])
 def test_training_learns(dataset: Path, tmp_path: Path, optimiser: str) -> None:
     losses: list[float] = []
     train_neural(
@@ -118,7 +120,7 @@ def test_half_precision_is_for_processors_that_compute_with_it(
         assert torch.is_autocast_enabled("cpu") == computed
 
 
-@pytest.mark.parametrize("optimiser", ["adam", "soap"])
+@pytest.mark.parametrize("optimiser", [slow("adam"), "soap"])
 def test_interrupted_training_ends_with_the_same_weights(
     dataset: Path, tmp_path: Path, optimiser: str
 ) -> None:
@@ -144,6 +146,7 @@ def _stop_at(step: int):
     return report
 
 
+@pytest.mark.slow
 def test_killed_training_goes_on(dataset: Path, tmp_path: Path) -> None:
     """kill −9 twice at moments that differ from run to run, by the command line; ten times: experiments/."""
     config = tmp_path / "tiny.toml"
