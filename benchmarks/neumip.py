@@ -29,8 +29,9 @@ from benchmarks.harness import Figures, run
 from benchmarks.machine import fma_peak, median_seconds
 from loomlight.core.footprint import Box, box_footprint
 from loomlight.core.llvm import require_llvm
+from loomlight.models.mip_pyramid import PyramidShape
 from loomlight.models.neumip.model import NeumipModel
-from loomlight.models.neumip.pyramid import CHANNELS, PyramidShape
+from loomlight.models.neumip.networks import CHANNELS
 from loomlight.models.neumip.training import network as reference
 from loomlight.models.neumip.training.network import NeumipNetwork
 from papers.kuznetsov2021.materials import paper_heightfield

@@ -13,10 +13,10 @@ from loomlight.models.latent import networks as latent
 from loomlight.models.latent.model import LatentModel
 from loomlight.models.latent.settings import DECODERS
 from loomlight.models.mip_pyramid import PyramidShape
+from loomlight.models.mip_pyramid import PyramidShape as NeumipShape
 from loomlight.models.neumip import networks as neumip
 from loomlight.models.neumip.model import NeumipModel
-from loomlight.models.neumip.pyramid import CHANNELS
-from loomlight.models.neumip.pyramid import PyramidShape as NeumipShape
+from loomlight.models.neumip.networks import CHANNELS
 from loomlight.models.relu_network import Layers
 
 # Texels along the longer side that a `preview` has.

@@ -14,15 +14,20 @@ import sys
 import sysconfig
 import tempfile
 from argparse import ArgumentParser
+from collections.abc import Callable
 from pathlib import Path
 
 from benchmarks.random_networks import random_latent, random_neumip
 from loomlight.export import export
-from loomlight.fabric import fabric_from_text
+from loomlight.fabric import Fabric, fabric_from_text
+from loomlight.models.interface import Model
 from loomlight.realtime.models import REALTIME_MODELS, Material
 
 # Trained models have random numbers: the text is the same.
-_TRAINED = {"neumip": random_neumip, "latent": lambda fabric: random_latent(fabric, "3x64")}
+_TRAINED: dict[str, Callable[[Fabric], Model]] = {
+    "neumip": random_neumip,
+    "latent": lambda fabric: random_latent(fabric, "3x64"),
+}
 
 
 def found_nvcc() -> Path | None:

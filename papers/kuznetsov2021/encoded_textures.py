@@ -24,9 +24,9 @@ from torch.nn import functional
 
 from loomlight.assets.sources import Source
 from loomlight.core.files import replacing
+from loomlight.models.mip_pyramid import SIZE_OF_SIGMA, PyramidShape
 from loomlight.models.neumip.btf import btf_of, draw_directions
 from loomlight.models.neumip.networks import EXPOSURE
-from loomlight.models.neumip.pyramid import SIZE_OF_SIGMA, PyramidShape
 from loomlight.models.neumip.settings import NeumipSettings
 from loomlight.models.neumip.training.train import (
     Batches,

@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from loomlight.core.llvm import require_llvm
 from loomlight.evaluation.table import Table
+from loomlight.models.mip_pyramid import PyramidShape
 from loomlight.models.neumip.model import NeumipModel
-from loomlight.models.neumip.pyramid import SMALLEST_COSINE, PyramidShape
+from loomlight.models.neumip.parallax import SMALLEST_COSINE
 from papers.figure import Evidence, Pixels
 from papers.kuznetsov2021.designs import DESIGNS, OURS, Design
 from papers.kuznetsov2021.stage import (

@@ -18,17 +18,11 @@ from torch import Tensor, nn
 from torch.nn import functional
 
 from loomlight.assets.sources import Source
+from loomlight.models.mip_pyramid import PyramidShape, Taps, bilinear_taps, trilinear_taps
 from loomlight.models.neumip.networks import EXPOSURE
-from loomlight.models.neumip.pyramid import (
-    SMALLEST_COSINE,
-    PyramidShape,
-    Taps,
-    bilinear_taps,
-    shifted,
-    trilinear_taps,
-)
+from loomlight.models.neumip.parallax import SMALLEST_COSINE, shifted
 from loomlight.models.neumip.settings import NeumipSettings
-from loomlight.models.neumip.training.network import LEAST_OUTPUT, SLOPE, TorchFunctions, blurred
+from loomlight.models.neumip.training.network import LEAST_OUTPUT, SLOPE, blurred
 from loomlight.models.neumip.training.train import (
     Batches,
     gains_of,
@@ -38,9 +32,10 @@ from loomlight.models.neumip.training.train import (
     taken_queries,
 )
 from loomlight.training.loop import Schedule, train
+from loomlight.training.torch_functions import TorchTextures
 from papers.kuznetsov2021.designs import Design
 
-_FUNCTIONS = TorchFunctions()
+_FUNCTIONS = TorchTextures()
 # Of the first textures: deviation of latents, and mean and deviation of colours.
 _LATENTS, _COLOUR = 0.1, 0.3
 _CHUNK = 1 << 16

@@ -25,9 +25,9 @@ from loomlight.assets.loom_file import write_loom
 from loomlight.core.extras import import_extra
 from loomlight.core.footprint import Box, box_footprint
 from loomlight.evaluation.pictures import PictureError, picture_error
+from loomlight.models.mip_pyramid import SIZE_OF_SIGMA, PyramidShape
 from loomlight.models.neumip.btf import btf_of
 from loomlight.models.neumip.model import NeumipModel
-from loomlight.models.neumip.pyramid import SIZE_OF_SIGMA, PyramidShape
 from loomlight.models.neumip.settings import QUALITIES, NeumipSettings, settings_of
 from loomlight.models.registry import model_from_loom
 from papers.kuznetsov2021.designs import DESIGNS, OURS, WITHOUT, Design

@@ -8,7 +8,7 @@ import numpy as np
 
 from loomlight.evaluation.pictures import PictureError
 from loomlight.evaluation.table import Cell, Table
-from loomlight.models.neumip.pyramid import PyramidShape
+from loomlight.models.mip_pyramid import PyramidShape
 from papers.figure import Evidence, Pixels, error_caption, on_display
 from papers.kuznetsov2021.designs import DESIGNS, OURS, RAINER19, RAINER20, WITHOUT
 from papers.kuznetsov2021.materials import RECIPES

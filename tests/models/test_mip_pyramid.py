@@ -66,3 +66,4 @@ def test_shapes() -> None:
     assert SHAPE.texels == 32 + 8 + 2 + 1
     assert PyramidShape.of((2.0, 1.1), 16, 1).sizes[0] == (16, 8)
     assert SHAPE.texel_mm == pytest.approx(0.25)
+    assert PyramidShape.of((1.0, 1e-4), 8, 1).sizes[-1] == (1, 1)

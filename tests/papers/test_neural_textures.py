@@ -14,7 +14,7 @@ import pytest
 
 torch = pytest.importorskip("torch", exc_type=ImportError)
 
-from loomlight.models.neumip.pyramid import PyramidShape  # noqa: E402
+from loomlight.models.mip_pyramid import PyramidShape  # noqa: E402
 from loomlight.models.neumip.settings import NeumipSettings  # noqa: E402
 from loomlight.models.neumip.training.network import NeumipNetwork  # noqa: E402
 from loomlight.models.neumip.training.train import taken_queries  # noqa: E402

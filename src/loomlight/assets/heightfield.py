@@ -17,21 +17,21 @@ Pictures are found beside the file. Maps are stored with their first row at y = 
 from __future__ import annotations
 
 import os
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ConfigDict, Field
 
+from loomlight.assets.toml_source import Lengths, SizedSource, SourceFields, has_field, read_fields
 from loomlight.core.colour import parse_colour, srgb_to_linear
 from loomlight.core.errors import InputError
 from loomlight.core.images import read_map
-from loomlight.fabric.reading import read_text, speaking_of
-from loomlight.fabric.sentences import closest, shown
+from loomlight.fabric.reading import speaking_of
+from loomlight.fabric.sentences import shown
 
 _Map = NDArray[np.float32]
 _FIELD = "height_map"
@@ -51,14 +51,22 @@ class _Record(BaseModel):
     specular: Annotated[float, Field(ge=0, le=1)]
 
 
-class _File(BaseModel):
+class _File(SourceFields):
     """The fields of a height field file."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+    noun = "a height field"
+    expected: ClassVar[Mapping[str, str]] = {
+        "height_map": "the name of a picture in quotes",
+        "size_mm": "two lengths above 0, such as [8.0, 8.0]",
+        "height_mm": "a length from 0, such as 0.8",
+        "roughness": "a number from 0.01 to 1, or the name of a picture",
+        "metallic": "a number from 0 to 1, or the name of a picture",
+        "specular": "a number from 0 to 1",
+        "normal_map": "the name of a picture in quotes",
+    }
 
-    name: str | None = None
     height_map: str
-    size_mm: list[Annotated[float, Field(ge=1e-3, le=1e6)]] = Field(min_length=2, max_length=2)
+    size_mm: Lengths
     height_mm: Annotated[float, Field(ge=0, le=1e6)]
     albedo: Any = 0.5
     roughness: Annotated[float, Field(ge=0.01, le=1)] | str = 0.6
@@ -67,20 +75,8 @@ class _File(BaseModel):
     normal_map: str | None = None
 
 
-_WANTED = {
-    "height_map": "the name of a picture in quotes",
-    "size_mm": "two lengths above 0, such as [8.0, 8.0]",
-    "height_mm": "a length from 0, such as 0.8",
-    "roughness": "a number from 0.01 to 1, or the name of a picture",
-    "metallic": "a number from 0 to 1, or the name of a picture",
-    "specular": "a number from 0 to 1",
-    "normal_map": "the name of a picture in quotes",
-    "name": "text in quotes",
-}
-
-
 @dataclass(frozen=True, eq=False)
-class Heightfield:
+class Heightfield(SizedSource):
     """A displaced plane that repeats.
 
     Attributes:
@@ -105,26 +101,10 @@ class Heightfield:
     metallic: _Map
     normal: _Map | None = None
 
-    @property
-    def repeat_mm(self) -> tuple[float, float]:
-        """Width and height of one repeat, millimetres."""
-        return self.size_mm
-
-    @property
-    def default_uv_size_mm(self) -> tuple[float, float]:
-        """A unit of u and v is 100 mm, as of fabrics."""
-        return 100.0, 100.0
-
 
 def is_heightfield_file(path: str | os.PathLike[str]) -> bool:
     """Whether a path is a TOML file that names a height map."""
-    file = Path(path)
-    if file.suffix.lower() != ".toml":
-        return False
-    try:
-        return _FIELD in tomllib.loads(read_text(file))
-    except (InputError, ValueError, RecursionError):
-        return False
+    return has_field(path, _FIELD)
 
 
 def load_heightfield(path: str | os.PathLike[str]) -> Heightfield:
@@ -135,12 +115,7 @@ def load_heightfield(path: str | os.PathLike[str]) -> Heightfield:
     """
     file = Path(path)
     with speaking_of(str(file)):
-        try:
-            fields = _File.model_validate(tomllib.loads(read_text(file)))
-        except ValidationError as error:
-            raise InputError(_sentence(error)) from error
-        except (ValueError, RecursionError) as error:
-            raise InputError(f"it is no valid TOML: {error}.") from error
+        fields = read_fields(file, _File)
         folder = file.parent
         height = _picture(folder, _FIELD, fields.height_map, 1)
         if max(height.shape[:2]) > _MOST_TEXELS:
@@ -161,17 +136,6 @@ def load_heightfield(path: str | os.PathLike[str]) -> Heightfield:
             _number_map(folder, "metallic", fields.metallic),
             None if normal is None else _picture(folder, "normal_map", normal, 3),
         )
-
-
-def _sentence(error: ValidationError) -> str:
-    fault = error.errors(include_url=False)[0]
-    field = str(fault["loc"][0])
-    if fault["type"] == "extra_forbidden":
-        return f"{shown(field)} is no field that a height field has: {closest(field, _File.model_fields)}"
-    wanted = _WANTED.get(field, "another value")
-    if fault["type"] == "missing":
-        return f"{field} is missing: write {wanted}."
-    return f"{field} = {shown(fault['input'])} cannot be used: write {wanted}."
 
 
 def _picture(folder: Path, field: str, name: str, channels: int) -> _Map:

@@ -17,17 +17,17 @@ from __future__ import annotations
 import copy
 import os
 import tempfile
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path, PurePath
-from typing import Annotated, Any
+from typing import Annotated, Any, ClassVar
 from xml.etree import ElementTree
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ConfigDict, Field
 
+from loomlight.assets.toml_source import SizedSource, SourceFields, has_field, read_fields
 from loomlight.core.errors import InputError
 from loomlight.core.images import PICTURE_SUFFIXES, read_map
 from loomlight.fabric.reading import read_text, speaking_of
@@ -58,12 +58,16 @@ class _Record(BaseModel):
     files: list[str]
 
 
-class _File(BaseModel):
+class _File(SourceFields):
     """The fields of a material's TOML file."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+    noun = "a material"
+    expected: ClassVar[Mapping[str, str]] = {
+        "material": 'the name of a Mitsuba file in quotes, such as "ceramic.xml"',
+        "size_mm": "two lengths above 0, such as [80.0, 80.0]",
+        "bsdf": "the id of a BSDF in quotes",
+    }
 
-    name: str | None = None
     material: str
     bsdf: str | None = None
     size_mm: list[Annotated[float, Field(ge=1e-3, le=1e6)]] = Field(
@@ -71,16 +75,8 @@ class _File(BaseModel):
     )
 
 
-_WANTED = {
-    "material": 'the name of a Mitsuba file in quotes, such as "ceramic.xml"',
-    "size_mm": "two lengths above 0, such as [80.0, 80.0]",
-    "bsdf": "the id of a BSDF in quotes",
-    "name": "text in quotes",
-}
-
-
 @dataclass(frozen=True, eq=False)
-class Material:
+class Material(SizedSource):
     """A BSDF of Mitsuba over a unit of u and of v, which repeats.
 
     Attributes:
@@ -94,11 +90,6 @@ class Material:
     size_mm: tuple[float, float]
     xml: str
     files: Mapping[str, Bytes]
-
-    @property
-    def repeat_mm(self) -> tuple[float, float]:
-        """Width and height of a unit of uv, millimetres."""
-        return self.size_mm
 
     @property
     def default_uv_size_mm(self) -> tuple[float, float]:
@@ -118,14 +109,7 @@ class Material:
 def is_material_file(path: str | os.PathLike[str]) -> bool:
     """Whether a path is a Mitsuba XML file, or a TOML file that names one."""
     file = Path(path)
-    if file.suffix.lower() == _SUFFIX:
-        return True
-    if file.suffix.lower() != ".toml":
-        return False
-    try:
-        return _FIELD in tomllib.loads(read_text(file))
-    except (InputError, ValueError, RecursionError):
-        return False
+    return file.suffix.lower() == _SUFFIX or has_field(path, _FIELD)
 
 
 def load_material(path: str | os.PathLike[str]) -> Material:
@@ -140,12 +124,7 @@ def load_material(path: str | os.PathLike[str]) -> Material:
         if file.suffix.lower() == _SUFFIX:
             size = (DEFAULT_SIZE_MM, DEFAULT_SIZE_MM)
             return material_from_xml(read_text(file), file.parent, file.stem, size)
-        try:
-            fields = _File.model_validate(tomllib.loads(read_text(file)))
-        except ValidationError as error:
-            raise InputError(_sentence(error)) from error
-        except (ValueError, RecursionError) as error:
-            raise InputError(f"it is no valid TOML: {error}.") from error
+        fields = read_fields(file, _File)
         xml = file.parent / fields.material
         width, height = fields.size_mm
         with speaking_of(f"material = {shown(fields.material)}"):
@@ -225,14 +204,6 @@ def material_from_record(
             raise InputError(f"its source names the file {shown(element.get('value'))}, which it lacks.")
     width, height = header.size_mm
     return Material(header.name, (width, height), header.xml, files)
-
-
-def _sentence(error: ValidationError) -> str:
-    fault = error.errors(include_url=False)[0]
-    field = str(fault["loc"][0])
-    if fault["type"] == "extra_forbidden":
-        return f"{shown(field)} is no field that a material has: {closest(field, _File.model_fields)}"
-    return f"{field} = {shown(fault['input'])} cannot be used: write {_WANTED.get(field, 'another value')}."
 
 
 def _parsed(text: str) -> ElementTree.Element:

@@ -15,24 +15,23 @@ from __future__ import annotations
 
 import hashlib
 import os
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path, PurePath
-from typing import Annotated, Any
+from typing import Annotated, Any, ClassVar
 
 from numpy.typing import NDArray
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ConfigDict, Field
 
 from loomlight.assets.btf_files import BtfPictures, read_btf
+from loomlight.assets.toml_source import Lengths, SizedSource, SourceFields, has_field, read_fields
 from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
-from loomlight.fabric.reading import read_text, speaking_of
-from loomlight.fabric.sentences import closest, shown
+from loomlight.fabric.reading import speaking_of
+from loomlight.fabric.sentences import shown
 
 _FIELD = "btf"
 
-_Length = Annotated[float, Field(ge=1e-3, le=1e6)]
 _Gain = Annotated[float, Field(gt=0, le=1e6)]
 
 
@@ -44,34 +43,30 @@ class _Record(BaseModel):
     name: str
     file: str
     sha256: Annotated[str, Field(pattern="^[0-9a-f]{64}$")]
-    size_mm: list[_Length] = Field(min_length=2, max_length=2)
+    size_mm: Lengths
     cosine_included: bool
     gain: _Gain
 
 
-class _File(BaseModel):
+class _File(SourceFields):
     """The fields of a BTF's description."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+    noun = "a BTF"
+    expected: ClassVar[Mapping[str, str]] = {
+        "btf": "the name of a .btf or .zip in quotes",
+        "size_mm": "two lengths above 0, such as [100.0, 100.0]",
+        "cosine_included": "true or false",
+        "gain": "a number above 0, such as 1.0",
+    }
 
-    name: str | None = None
     btf: str
-    size_mm: list[_Length] = Field(min_length=2, max_length=2)
+    size_mm: Lengths
     cosine_included: bool = True
     gain: _Gain = 1.0
 
 
-_WANTED = {
-    "btf": "the name of a .btf or .zip in quotes",
-    "size_mm": "two lengths above 0, such as [100.0, 100.0]",
-    "cosine_included": "true or false",
-    "gain": "a number above 0, such as 1.0",
-    "name": "text in quotes",
-}
-
-
 @dataclass(frozen=True, eq=False)
-class MeasuredBtf:
+class MeasuredBtf(SizedSource):
     """Pictures of a sample, in a file of their own.
 
     Attributes:
@@ -90,16 +85,6 @@ class MeasuredBtf:
     cosine_included: bool
     gain: float
 
-    @property
-    def repeat_mm(self) -> tuple[float, float]:
-        """Width and height of what the pictures show, millimetres."""
-        return self.size_mm
-
-    @property
-    def default_uv_size_mm(self) -> tuple[float, float]:
-        """A unit of u and v is 100 mm, as of fabrics."""
-        return 100.0, 100.0
-
     def pictures(self) -> BtfPictures:
         """The pictures.
 
@@ -114,13 +99,7 @@ class MeasuredBtf:
 
 def is_btf_description(path: str | os.PathLike[str]) -> bool:
     """Whether a path is a TOML file that names a BTF."""
-    file = Path(path)
-    if file.suffix.lower() != ".toml":
-        return False
-    try:
-        return _FIELD in tomllib.loads(read_text(file))
-    except (InputError, ValueError, RecursionError):
-        return False
+    return has_field(path, _FIELD)
 
 
 def load_measured_btf(path: str | os.PathLike[str]) -> MeasuredBtf:
@@ -131,12 +110,7 @@ def load_measured_btf(path: str | os.PathLike[str]) -> MeasuredBtf:
     """
     file = Path(path)
     with speaking_of(str(file)):
-        try:
-            fields = _File.model_validate(tomllib.loads(read_text(file)))
-        except ValidationError as error:
-            raise InputError(_sentence(error)) from error
-        except (ValueError, RecursionError) as error:
-            raise InputError(f"it is no valid TOML: {error}.") from error
+        fields = read_fields(file, _File)
         held = file.parent / fields.btf
         with speaking_of(f"btf = {shown(fields.btf)}"):
             require_file(held)
@@ -157,16 +131,6 @@ def _sha256(path: Path) -> str:
             return hashlib.file_digest(stream, "sha256").hexdigest()
     except OSError as error:
         raise InputError(f"{path} cannot be read: {error.strerror or error}.") from error
-
-
-def _sentence(error: ValidationError) -> str:
-    fault = error.errors(include_url=False)[0]
-    field = str(fault["loc"][0])
-    if fault["type"] == "extra_forbidden":
-        return f"{shown(field)} is no field that a BTF has: {closest(field, _File.model_fields)}"
-    if fault["type"] == "missing":
-        return f"{field} is missing: write {_WANTED[field]}."
-    return f"{field} = {shown(fault['input'])} cannot be used: write {_WANTED[field]}."
 
 
 def measured_btf_record(source: MeasuredBtf) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:

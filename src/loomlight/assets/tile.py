@@ -14,21 +14,21 @@ Files that the scene names lie in its folder or below it. They are parts of the 
 from __future__ import annotations
 
 import os
-import tomllib
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
-from typing import Annotated, Any
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ConfigDict, Field
 
+from loomlight.assets.toml_source import Lengths, SizedSource, SourceFields, has_field, read_fields
 from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
 from loomlight.fabric.reading import read_text, speaking_of
-from loomlight.fabric.sentences import closest, shown
+from loomlight.fabric.sentences import shown
 
 _FIELD = "tile"
 _MOST_BOUNCES = 64
@@ -36,7 +36,6 @@ _MOST_BOUNCES = 64
 _LARGEST_FILES = 1 << 28
 _FILE = "file."
 
-_Length = Annotated[float, Field(ge=1e-3, le=1e6)]
 _Height = Annotated[float, Field(ge=-1e6, le=1e6)]
 _Bounces = Annotated[int, Field(ge=1, le=_MOST_BOUNCES)]
 
@@ -48,37 +47,33 @@ class _Record(BaseModel):
 
     name: str
     scene: str
-    size_mm: list[_Length] = Field(min_length=2, max_length=2)
+    size_mm: Lengths
     reference_height_mm: _Height
     two_sided: bool
     bounces: _Bounces
 
 
-class _File(BaseModel):
+class _File(SourceFields):
     """The fields of a tile file."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+    noun = "a tile"
+    expected: ClassVar[Mapping[str, str]] = {
+        "tile": "the name of a Mitsuba scene in quotes",
+        "size_mm": "two lengths above 0, such as [2.0, 2.0]",
+        "reference_height_mm": "a height, such as 0.0",
+        "two_sided": "true or false",
+        "bounces": f"a whole number from 1 to {_MOST_BOUNCES}",
+    }
 
-    name: str | None = None
     tile: str
-    size_mm: list[_Length] = Field(min_length=2, max_length=2)
+    size_mm: Lengths
     reference_height_mm: _Height = 0.0
     two_sided: bool = False
     bounces: _Bounces = 8
 
 
-_WANTED = {
-    "tile": "the name of a Mitsuba scene in quotes",
-    "size_mm": "two lengths above 0, such as [2.0, 2.0]",
-    "reference_height_mm": "a height, such as 0.0",
-    "two_sided": "true or false",
-    "bounces": f"a whole number from 1 to {_MOST_BOUNCES}",
-    "name": "text in quotes",
-}
-
-
 @dataclass(frozen=True, eq=False)
-class TileScene:
+class TileScene(SizedSource):
     """A Mitsuba scene of one repeat.
 
     Attributes:
@@ -99,26 +94,10 @@ class TileScene:
     two_sided: bool
     bounces: int
 
-    @property
-    def repeat_mm(self) -> tuple[float, float]:
-        """Width and height of one repeat, millimetres."""
-        return self.size_mm
-
-    @property
-    def default_uv_size_mm(self) -> tuple[float, float]:
-        """A unit of u and v is 100 mm, as of fabrics."""
-        return 100.0, 100.0
-
 
 def is_tile_file(path: str | os.PathLike[str]) -> bool:
     """Whether a path is a TOML file that names a tile."""
-    file = Path(path)
-    if file.suffix.lower() != ".toml":
-        return False
-    try:
-        return _FIELD in tomllib.loads(read_text(file))
-    except (InputError, ValueError, RecursionError):
-        return False
+    return has_field(path, _FIELD)
 
 
 def load_tile(path: str | os.PathLike[str]) -> TileScene:
@@ -129,12 +108,7 @@ def load_tile(path: str | os.PathLike[str]) -> TileScene:
     """
     file = Path(path)
     with speaking_of(str(file)):
-        try:
-            fields = _File.model_validate(tomllib.loads(read_text(file)))
-        except ValidationError as error:
-            raise InputError(_sentence(error)) from error
-        except (ValueError, RecursionError) as error:
-            raise InputError(f"it is no valid TOML: {error}.") from error
+        fields = read_fields(file, _File)
         with speaking_of(f"tile = {shown(fields.tile)}"):
             scene_file = file.parent / fields.tile
             scene = read_text(scene_file)
@@ -184,16 +158,6 @@ def _require_inside(name: str) -> None:
     parts = PurePosixPath(name.replace("\\", "/"))
     if not name or parts.is_absolute() or ".." in parts.parts or ":" in name or "\0" in name:
         raise InputError(f"filename = {shown(name)} is wrong: files lie in the scene's folder or below it.")
-
-
-def _sentence(error: ValidationError) -> str:
-    fault = error.errors(include_url=False)[0]
-    field = str(fault["loc"][0])
-    if fault["type"] == "extra_forbidden":
-        return f"{shown(field)} is no field that a tile has: {closest(field, _File.model_fields)}"
-    if fault["type"] == "missing":
-        return f"{field} is missing: write {_WANTED[field]}."
-    return f"{field} = {shown(fault['input'])} cannot be used: write {_WANTED[field]}."
 
 
 def tile_record(source: TileScene) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:

@@ -24,7 +24,7 @@ SIZE_OF_SIGMA = math.sqrt(12)
 
 
 class ArrayFunctions(Protocol):
-    """What the formulas need of an array library."""
+    """Functions of an array library that the formulas call."""
 
     def floor(self, value: Float) -> Float: ...
     def clip(self, value: Float, low: float, high: float) -> Float: ...
@@ -35,7 +35,7 @@ class ArrayFunctions(Protocol):
 
 @dataclass(frozen=True)
 class PyramidShape:
-    """How many texels the levels of a repeat have.
+    """Numbers of texels of the levels of a repeat.
 
     Attributes:
         columns, rows: of level 0, powers of two.
@@ -89,6 +89,16 @@ class PyramidShape:
     def texel_mm(self) -> float:
         """Side of a texel of level 0: the geometric mean of both directions."""
         return math.sqrt(self.width_mm / self.columns * self.height_mm / self.rows)
+
+    @property
+    def length_mm(self) -> float:
+        """The unit of ray depths: the geometric mean of both sides of the repeat."""
+        return math.sqrt(self.width_mm * self.height_mm)
+
+    @property
+    def unit(self) -> tuple[float, float]:
+        """The unit of ray depths in repeats of x and of y."""
+        return self.length_mm / self.width_mm, self.length_mm / self.height_mm
 
 
 @dataclass
@@ -181,3 +191,19 @@ class DrjitFunctions:
     def wrap(self, index: Int, count: Any) -> Int:
         # Counts are powers of two, for which this holds of negative numbers too.
         return index & (count - 1)
+
+
+def fetch_texels(table: Float, taps: Taps, types: ArrayTypes) -> list[Float]:
+    """The interpolated texel of a table of eight channels a texel."""
+    sums = [types.Float(0)] * 8
+    for texel, weight in zip(taps.texels, taps.weights, strict=True):
+        # A texel is two loads of four numbers.
+        row = types.UInt32(texel) * 2
+        low, high = (dr.gather(types.Vector4, table, row + half) for half in (0, 1))
+        sums = [dr.fma(weight, value, total) for value, total in zip([*low, *high], sums, strict=True)]
+    return sums
+
+
+def wrapped(u: Float, v: Float) -> tuple[Float, Float]:
+    """A position in the first repeat, 0 to 1, for most digits; NaN becomes 0 before it is an index."""
+    return clip(u - dr.floor(u), 0, 1), clip(v - dr.floor(v), 0, 1)

@@ -17,13 +17,12 @@ import numpy as np
 
 from loomlight.aggregate import footprint_albedos
 from loomlight.core import footprint as core_footprint
-from loomlight.models import between_yarns, random_numbers
+from loomlight.models import between_yarns, random_numbers, textured_model
 from loomlight.models.clustered import base as cluster_base
 from loomlight.models.clustered import bsdf as cluster_bsdf
 from loomlight.models.clustered import square_map
 from loomlight.models.clustered import tables as cluster_tables
 from loomlight.models.clustered import visibility_tables as cluster_visibility
-from loomlight.models.latent import model as latent_model
 from loomlight.models.latent import networks as latent_networks
 from loomlight.models.lobes import (
     accumulation,
@@ -44,9 +43,8 @@ from loomlight.models.lobes import (
 from loomlight.models.lobes import bsdf as lobe_bsdf
 from loomlight.models.lobes import proposal as lobe_proposal
 from loomlight.models.lobes import tables as lobe_tables
-from loomlight.models.neumip import model as neumip_model
 from loomlight.models.neumip import networks as neumip_networks
-from loomlight.models.neumip import pyramid as neumip_pyramid
+from loomlight.models.neumip import parallax
 from loomlight.models.neural import architecture, footprint_coding, light_visibility
 from loomlight.models.neural import proposal as neural_proposal
 from loomlight.realtime import bake, bvh, openness_tables
@@ -102,9 +100,9 @@ _MODULES: dict[str, tuple[ModuleType, ...]] = {
     "ALBEDO_": (footprint_albedos,),
     "CLUSTERED_": (cluster_base, cluster_bsdf, cluster_tables, cluster_visibility, square_map),
     "GROUP_": (density,),
-    "LATENT_": (latent_model, latent_networks),
+    "LATENT_": (latent_networks,),
     "MIXTURE_": (lobe_mixture,),
-    "NEUMIP_": (neumip_model, neumip_networks, neumip_pyramid),
+    "NEUMIP_": (neumip_networks, parallax),
     "NEURAL_": (architecture, footprint_coding, light_visibility, neural_proposal),
     "OPENNESS_": (openness,),
     "PROPOSAL_": (lobe_proposal,),
@@ -134,10 +132,12 @@ _DERIVED: dict[str, Value] = {
     "FACT_GAP_RAYS": 9,
     "FACT_DISTINCT": 10,
     "FACT_WARP_COUNT": 14,
+    "LATENT_SMALLEST_SIZE": textured_model.SMALLEST_SIZE,
     "LATENT_SAMPLER_HIDDEN": latent_networks.SAMPLER_WIDTHS[1],
     "LATENT_SAMPLER_OUTPUTS": latent_networks.SAMPLER_WIDTHS[-1],
     "LATENT_ALBEDO_HIDDEN": latent_networks.ALBEDO_WIDTHS[1],
     "NEUMIP_HOLE_HIDDEN": neumip_networks.OPACITY_WIDTHS[1],
+    "NEUMIP_SMALLEST_SIZE": textured_model.SMALLEST_SIZE,
     "NEUMIP_SCALE": 1 / neumip_networks.EXPOSURE,
 }
 _FLOAT_ARRAYS: dict[str, Sequence[float]] = {

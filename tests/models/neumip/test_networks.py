@@ -12,8 +12,9 @@ import torch
 from drjit.llvm.ad import Float, UInt32
 
 from loomlight.core.llvm import require_llvm
+from loomlight.models.mip_pyramid import PyramidShape
 from loomlight.models.neumip.networks import DeviceWeights
-from loomlight.models.neumip.pyramid import SMALLEST_COSINE, PyramidShape, shifted
+from loomlight.models.neumip.parallax import SMALLEST_COSINE, shifted
 from loomlight.models.neumip.training.network import NeumipNetwork, blurred, loss_of
 
 require_llvm()

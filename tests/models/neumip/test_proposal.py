@@ -15,6 +15,7 @@ from drjit.llvm.ad import Array2f, Array3f, Float, UInt32
 from numpy.typing import NDArray
 
 from loomlight.core.llvm import require_llvm
+from loomlight.models.mip_pyramid import PyramidShape
 from loomlight.models.neumip.btf import QueryStream, light_density
 from loomlight.models.neumip.proposal import (
     PARAMETERS,
@@ -23,7 +24,6 @@ from loomlight.models.neumip.proposal import (
     halvings_of,
     proposal_shape,
 )
-from loomlight.models.neumip.pyramid import PyramidShape
 from loomlight.models.neumip.settings import NeumipSettings
 from loomlight.models.neumip.training.proposal_fit import density_of, fitted_proposal
 

@@ -23,11 +23,11 @@ from loomlight.core.errors import InputError
 from loomlight.core.footprint import Box, box_footprint
 from loomlight.core.llvm import llvm_float, require_llvm
 from loomlight.fabric import fabric_from_text
+from loomlight.models.mip_pyramid import PyramidShape
 from loomlight.models.neumip.btf import Queries, QueryStream, btf_of
 from loomlight.models.neumip.fabric_btf import FabricBtf
 from loomlight.models.neumip.model import NeumipModel
 from loomlight.models.neumip.networks import Weights, sampler_widths
-from loomlight.models.neumip.pyramid import PyramidShape
 from loomlight.models.neumip.settings import QUALITIES, SAMPLERS, NeumipSettings
 from loomlight.models.neumip.training.network import NeumipNetwork
 from loomlight.models.neumip.training.sampler_fit import sampler_divergence, trained_sampler

@@ -9,25 +9,18 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from functools import cached_property
-from importlib import import_module
-from itertools import pairwise
-from pathlib import Path
-from tempfile import TemporaryDirectory
-from typing import Any, Self, final
+from typing import Self, final
 
 import drjit as dr
 import numpy as np
-from numpy.typing import DTypeLike
 
 from loomlight.assets.loom_file import LoomFile
 from loomlight.assets.sources import Source
-from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
-from loomlight.core.backend import ArrayTypes, array_types, clip, maximum
+from loomlight.core.arrays import Color3, Float, FloatType, Mask, Vec2, Vec3
+from loomlight.core.backend import array_types, clip, maximum
 from loomlight.core.errors import InputError
-from loomlight.core.extras import import_extra
-from loomlight.core.files import cache_folder
 from loomlight.core.footprint import Footprint
-from loomlight.models.interface import FootprintBsdf, Model, Option
+from loomlight.models.interface import Option
 from loomlight.models.latent.networks import (
     ALBEDO_WIDTHS,
     CHANNELS,
@@ -49,43 +42,30 @@ from loomlight.models.latent.settings import (
     RUNGS,
     settings_of,
 )
-from loomlight.models.mip_pyramid import PyramidShape
 from loomlight.models.random_numbers import hashed, uniform
-from loomlight.models.relu_network import Layers
+from loomlight.models.textured_model import (
+    TexturedBsdf,
+    TexturedModel,
+    layers_of_loom,
+    run_training,
+    shape_of_loom,
+    tensors_of_layers,
+)
 from loomlight.scattering.lobe_mixture import LobeMixture, mixture_density, sample_mixture
 from loomlight.scattering.yarn_point import DirectionSample, to_face_frame
 
-# Not log2(0): footprints of points.
-SMALLEST_SIZE = 1e-9
-_TRAINING = "loomlight.models.latent.training.train"
 MIPS = ("stochastic", "trilinear")
 PRECISIONS = ("float32", "float16")
 
 
 @final
-class LatentBsdf(FootprintBsdf):
+class LatentBsdf(TexturedBsdf):
     """The BSDF of footprints for one view: latent, frames and lobes, which no light changes."""
 
     def __init__(self, model: LatentModel, view: Vec3, footprint: Footprint) -> None:
-        super().__init__(view, footprint)
+        super().__init__(model.weights, view, footprint)
         self._model = model
-        types = array_types(view.x)
-        self._back = types.Bool(view.z < 0)
-        self._facing = to_face_frame(view, self._back)
-        self._device = model.device_weights(types.Float)
-
-    @property
-    def hole(self) -> Float:
-        """0 in every lane; holes are part of the values, as black."""
-        return dr.select(self._back, array_types(self.view.x).Float(0), 0)
-
-    @property
-    def diffuse_reflectance(self) -> Color3:
-        """Mean albedo of the face that is seen, over all views."""
-        types = array_types(self.view.x)
-        reflectance = self._model.weights.reflectance
-        front, back = (types.Color3(*map(float, colour)) for colour in (reflectance[0], reflectance[-1]))
-        return dr.select(self._back, back, front)
+        self._device = model.device_weights(self._types.Float)
 
     @property
     def directional_albedo(self) -> Color3:
@@ -95,12 +75,9 @@ class LatentBsdf(FootprintBsdf):
 
     @cached_property
     def _latent(self) -> list[Float]:
-        types, shape = array_types(self.view.x), self._model.weights.shape
-        faces = dr.select(self._back, types.UInt32(shape.faces - 1), types.UInt32(0))
-        u = self.footprint.centre.x * (1 / shape.width_mm)
-        v = self.footprint.centre.y * (1 / shape.height_mm)
-        side = maximum(self.footprint.square_side * (1 / shape.texel_mm), SMALLEST_SIZE)
-        level = clip(dr.log2(side), 0, shape.levels - 1)
+        types, shape = self._types, self._model.weights.shape
+        u, v, size, faces = self._place()
+        level = clip(size, 0, shape.levels - 1)
         if self._model.mips == "trilinear":
             return self._device.latent(u, v, level, faces)
         # Listing 1: the nearer of two levels is the more probable one.
@@ -141,22 +118,16 @@ class LatentBsdf(FootprintBsdf):
 
 
 @final
-class LatentModel(Model):
-    """zeltner2024: latent textures and networks that are trained for one source.
+class LatentModel(TexturedModel[Weights, DeviceWeights]):
+    """zeltner2024: latent textures and networks that are trained for one source; see `TexturedModel`.
 
     Attributes:
-        weights: what was trained.
         mips: how levels are chosen, of `MIPS`.
         precision: of the numbers in a file, of `PRECISIONS`; they are computed with in float32.
-        multiply_adds: of one query of the decoder, texels and frames included.
-        bytes_fetched: by one query.
+        multiply_adds: of the decoder, texels and frames included.
     """
 
     name = "latent"
-    filters = True
-    conserves_energy = False
-    symbolic = False
-    trains = True
     options = (
         Option("quality", str, f"one of {', '.join(QUALITIES)}"),
         Option("decoder", str, f"one of {', '.join(DECODERS)}"),
@@ -179,10 +150,9 @@ class LatentModel(Model):
     def __init__(
         self, source: Source, weights: Weights, mips: str = MIPS[0], precision: str = PRECISIONS[0]
     ) -> None:
-        self.source, self.mips, self.precision = source, mips, precision
         # A model draws alike before it is stored and afterwards.
-        self.weights = weights.rounded(precision)
-        self._devices: dict[type, DeviceWeights] = {}
+        super().__init__(source, weights.rounded(precision))
+        self.mips, self.precision = mips, precision
         numbers = [matrix.size for matrix, _ in weights.layers["decoder"]]
         taps = 4 if mips == "stochastic" else 8
         # Sums of the frames, and both directions in them.
@@ -218,32 +188,15 @@ class LatentModel(Model):
             MissingDependencyError: PyTorch is missing.
         """
         settings = settings_of(quality, resolution, decoder, rung, loss, seed, steps, optimiser)
-        if device not in ("cpu", "cuda"):
-            raise InputError(f'device = "{device}" is wrong: give cpu or cuda.')
         if mips not in MIPS:
             raise InputError(f'mips = "{mips}" is wrong: give {" or ".join(MIPS)}.')
         if precision not in PRECISIONS:
             raise InputError(f'precision = "{precision}" is wrong: give {" or ".join(PRECISIONS)}.')
-        # On shared cores threads that spin while they wait make small batches many times slower.
-        os.environ.setdefault("OMP_WAIT_POLICY", "passive")
-        import_extra("torch", "train", "Training latent")
-        train: Any = import_module(_TRAINING).train_latent
-        if folder is not None:
-            return cls(source, train(source, settings, Path(folder), report, device), mips, precision)
-        place = cache_folder("latent") / settings.identity(source)[:16]
-        weights = train(source, settings, place, report, device)
-        _remove(place)
+        weights = run_training(cls.name, source, settings, folder, report, device)
         return cls(source, weights, mips, precision)
 
-    def device_weights(self, float_type: type) -> DeviceWeights:
-        """Textures and networks on one backend, uploaded once."""
-        if float_type not in self._devices:
-            self._devices[float_type] = DeviceWeights(self.weights, float_type)
-        return self._devices[float_type]
-
-    def upload(self, types: ArrayTypes) -> None:
-        """Puts textures and networks on a backend."""
-        self.device_weights(types.Float)
+    def _upload(self, float_type: FloatType) -> DeviceWeights:
+        return DeviceWeights(self.weights, float_type)
 
     def at(
         self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True
@@ -258,9 +211,7 @@ class LatentModel(Model):
         tensors = {"latents": weights.latents, "reflectance": weights.reflectance}
         if weights.frames is not None:
             tensors["frames"] = weights.frames
-        for name, layers in weights.layers.items():
-            for number, (matrix, bias) in enumerate(layers):
-                tensors |= {f"{name}.{number}.weight": matrix, f"{name}.{number}.bias": bias}
+        tensors |= tensors_of_layers(weights.layers)
         decoder = next(name for name, hidden in DECODERS.items() if hidden == weights.hidden)
         settings: dict[str, bool | int | float | str] = {
             "columns": shape.columns,
@@ -281,16 +232,15 @@ class LatentModel(Model):
             InputError: another model's file, or tensors that are missing or of another shape.
         """
         loom.require_model(cls.name)
-        columns, rows, faces = (_count(loom, name) for name in ("columns", "rows", "faces"))
+        shape = shape_of_loom(loom)
         decoder, mips = (
             _choice(loom, name, known) for name, known in (("decoder", tuple(DECODERS)), ("mips", MIPS))
         )
         # Files of the first versions hold float32 and do not say so.
         precision = _choice(loom, "precision", PRECISIONS) if "precision" in loom.settings else PRECISIONS[0]
         kind = np.dtype(precision)
-        shape = PyramidShape(columns, rows, *loom.source.repeat_mm, faces)
-        latents = loom.tensor("latents", (faces * shape.texels, CHANNELS), kind)
-        reflectance = loom.tensor("reflectance", (faces, 3), kind)
+        latents = loom.tensor("latents", (shape.faces * shape.texels, CHANNELS), kind)
+        reflectance = loom.tensor("reflectance", (shape.faces, 3), kind)
         frames = None
         if "frames" in loom.tensors:
             frames = loom.tensor("frames", (6 * FRAMES, CHANNELS), kind)
@@ -299,30 +249,12 @@ class LatentModel(Model):
             "sampler": SAMPLER_WIDTHS,
             "albedo": ALBEDO_WIDTHS,
         }
-        layers = {name: _layers(loom, name, each, kind) for name, each in widths.items()}
+        layers = {name: layers_of_loom(loom, name, each, kind) for name, each in widths.items()}
         return cls(loom.source, Weights(shape, latents, frames, layers, reflectance), mips, precision)
 
     def facts(self) -> dict[str, str]:
         """The source, and the size of textures and decoder."""
-        shape = self.weights.shape
-        textures = f"{shape.columns} × {shape.rows} texels, {shape.levels} levels"
-        decoder = " → ".join(str(width) for width in self.weights.hidden)
-        return {**super().facts(), "textures": textures, "decoder": decoder}
-
-
-def _layers(loom: LoomFile, name: str, widths: tuple[int, ...], kind: DTypeLike) -> Layers:
-    """Weights and biases of a network in a file.
-
-    Raises:
-        InputError: tensors that are missing or of another shape.
-    """
-    return [
-        (
-            loom.tensor(f"{name}.{number}.weight", (outputs, inputs), kind),
-            loom.tensor(f"{name}.{number}.bias", (outputs,), kind),
-        )
-        for number, (inputs, outputs) in enumerate(pairwise(widths))
-    ]
+        return {**super().facts(), "decoder": " → ".join(str(width) for width in self.weights.hidden)}
 
 
 def _choice(loom: LoomFile, name: str, known: tuple[str, ...]) -> str:
@@ -335,23 +267,3 @@ def _choice(loom: LoomFile, name: str, known: tuple[str, ...]) -> str:
     if value not in known:
         raise InputError(f'{loom.file}: {name} = "{value}" is wrong: it is one of {", ".join(known)}.')
     return value
-
-
-def _count(loom: LoomFile, name: str) -> int:
-    """A number of texels or faces: a small power of two.
-
-    Raises:
-        InputError: another number.
-    """
-    value = loom.setting(name, int)
-    most = 2 if name == "faces" else 4096
-    if not 1 <= value <= most or value & (value - 1):
-        raise InputError(f"{loom.file}: {name} = {value} is wrong: it is a power of two up to {most}.")
-    return value
-
-
-def _remove(folder: Path) -> None:
-    """Removes a folder of files."""
-    # What a temporary folder does at its end, which copes with files of other processes.
-    with TemporaryDirectory(dir=folder.parent) as temporary:
-        folder.rename(Path(temporary) / folder.name)

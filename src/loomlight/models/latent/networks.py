@@ -20,8 +20,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.arrays import Color3, Float, FloatType, Int, UInt, Vec3
-from loomlight.core.backend import array_types, clip, minimum, upload
-from loomlight.models.mip_pyramid import DrjitFunctions, PyramidShape, Taps, level_taps, trilinear_taps
+from loomlight.core.backend import array_types, minimum, upload
+from loomlight.models.mip_pyramid import (
+    DrjitFunctions,
+    PyramidShape,
+    fetch_texels,
+    level_taps,
+    trilinear_taps,
+    wrapped,
+)
 from loomlight.models.relu_network import Layers, ReluNetwork
 from loomlight.scattering.lobe_mixture import LOBE_OUTPUTS, LobeMixture, lobe_mixture
 
@@ -110,11 +117,13 @@ class DeviceWeights:
             level: a whole number.
             face: index of its textures.
         """
-        return self._fetched(level_taps(self._shape, *_wrapped(u, v), *self._place(level, face)))
+        taps = level_taps(self._shape, *wrapped(u, v), *self._place(level, face))
+        return fetch_texels(self._latents, taps, self._types)
 
     def latent(self, u: Float, v: Float, level: Float, face: UInt) -> list[Float]:
         """The latent between two levels; see `latent_of_level`."""
-        return self._fetched(trilinear_taps(self._shape, *_wrapped(u, v), *self._place(level, face)))
+        taps = trilinear_taps(self._shape, *wrapped(u, v), *self._place(level, face))
+        return fetch_texels(self._latents, taps, self._types)
 
     def frames(self, latent: Sequence[Float]) -> list[Frame]:
         """The learned frames (listing 2); empty without them."""
@@ -145,21 +154,6 @@ class DeviceWeights:
 
     def _place(self, level: Any, face: UInt) -> tuple[Any, Int, DrjitFunctions]:
         return level, self._types.Int32(face) * self._shape.texels, self._functions
-
-    def _fetched(self, taps: Taps) -> list[Float]:
-        types = self._types
-        sums = [types.Float(0)] * CHANNELS
-        for texel, weight in zip(taps.texels, taps.weights, strict=True):
-            # A texel is two loads of four numbers.
-            row = types.UInt32(texel) * 2
-            low, high = (dr.gather(types.Vector4, self._latents, row + half) for half in (0, 1))
-            sums = [dr.fma(weight, value, total) for value, total in zip([*low, *high], sums, strict=True)]
-        return sums
-
-
-def _wrapped(u: Float, v: Float) -> tuple[Float, Float]:
-    # Positions near the origin keep most digits, and NaN becomes 0 before it is an index.
-    return clip(u - dr.floor(u), 0, 1), clip(v - dr.floor(v), 0, 1)
 
 
 def _dot(row: list[float], latent: Sequence[Float]) -> Float:

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-import hashlib
 from dataclasses import asdict, dataclass, replace
 
-import numpy as np
-
-from loomlight.assets.sources import SOURCE_KINDS, Source, kind_of_source
+from loomlight.assets.sources import Source
 from loomlight.core.errors import InputError
 from loomlight.fabric.sentences import closest, shown
+from loomlight.models.textured_model import require_training, training_identity
 
 DEFAULT_QUALITY = "preview"
-# Texels a side; a power of two between these.
-SMALLEST_RESOLUTION, LARGEST_RESOLUTION = 8, 1024
 # Hidden layers of the decoder, by name.
 DECODERS = {"2x16": (16, 16), "2x32": (32, 32), "3x64": (64, 64, 64)}
 DEFAULT_DECODER = "2x32"
@@ -81,11 +77,7 @@ class LatentSettings:
 
     def identity(self, source: Source) -> str:
         """A hash of all that the weights depend on, for checkpoints and folders."""
-        record, tensors = SOURCE_KINDS[kind_of_source(source)].record(source)
-        digest = hashlib.sha256(repr((_VERSION, asdict(self), sorted(record.items()))).encode())
-        for name in sorted(tensors):
-            digest.update(name.encode() + np.ascontiguousarray(tensors[name]).tobytes())
-        return digest.hexdigest()
+        return training_identity(source, _VERSION, asdict(self))
 
 
 # The paper's schedule is 300 000 steps of 2 · 65 536 queries, of which it stores none: "published" reads its
@@ -144,16 +136,9 @@ def settings_of(
     if optimiser is not None and optimiser != chosen.optimiser:
         rate, texture_rate = _RATES[optimiser]
         chosen = replace(chosen, optimiser=optimiser, rate=rate, texture_rate=texture_rate)
+    require_training(resolution, steps)
     if resolution is not None:
-        fits = SMALLEST_RESOLUTION <= resolution <= LARGEST_RESOLUTION and resolution & (resolution - 1) == 0
-        if not fits:
-            raise InputError(
-                f"resolution = {resolution} is wrong: give a power of two from {SMALLEST_RESOLUTION} to "
-                f"{LARGEST_RESOLUTION}."
-            )
         chosen = replace(chosen, resolution=resolution)
     if steps is not None:
-        if steps < 1:
-            raise InputError(f"steps = {steps} is wrong: give a whole number from 1.")
         chosen = replace(chosen, steps=steps, sampler_steps=max(1, steps // 3))
     return chosen

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from loomlight.assets.sources import Source, kind_of_source
 from loomlight.core.errors import InputError
-from loomlight.models.neumip.pyramid import SIZE_OF_SIGMA, PyramidShape
+from loomlight.models.mip_pyramid import SIZE_OF_SIGMA, PyramidShape
 
 _Floats = NDArray[np.float32]
 # Queries of a part of the stream; a part is drawn, stored and counted as a whole.

@@ -10,37 +10,29 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from functools import cached_property
-from importlib import import_module
-from itertools import pairwise
-from pathlib import Path
-from tempfile import TemporaryDirectory
-from typing import Any, Self, final
+from typing import Self, final
 
 import drjit as dr
 import numpy as np
-from numpy.typing import NDArray
 
 from loomlight.assets.loom_file import LoomFile, Setting
 from loomlight.assets.sources import Source
-from loomlight.core.arrays import Color3, Float, Mask, UInt, Vec2, Vec3
-from loomlight.core.backend import ArrayTypes, array_types, maximum
+from loomlight.core.arrays import Color3, Float, FloatType, Mask, Vec2, Vec3
+from loomlight.core.backend import array_types, maximum
 from loomlight.core.errors import InputError
-from loomlight.core.extras import import_extra
-from loomlight.core.files import cache_folder
 from loomlight.core.footprint import Footprint
 from loomlight.fabric.sentences import shown
-from loomlight.models.interface import FootprintBsdf, Model, Option
+from loomlight.models.interface import Option
 from loomlight.models.learned_proposal import LearnedProposal
 from loomlight.models.neumip.networks import (
     CHANNELS,
     NETWORKS,
     DeviceWeights,
-    Layers,
     Weights,
     sampler_widths,
 )
+from loomlight.models.neumip.parallax import SMALLEST_COSINE, shifted
 from loomlight.models.neumip.proposal import PARAMETERS, Proposal, proposal_shape
-from loomlight.models.neumip.pyramid import SMALLEST_COSINE, PyramidShape, shifted
 from loomlight.models.neumip.settings import (
     DEFAULT_QUALITY,
     FILES,
@@ -49,57 +41,36 @@ from loomlight.models.neumip.settings import (
     STORES,
     settings_of,
 )
+from loomlight.models.textured_model import (
+    TexturedBsdf,
+    TexturedModel,
+    layers_of_loom,
+    run_training,
+    shape_of_loom,
+    tensors_of_layers,
+)
 from loomlight.scattering.yarn_point import DirectionSample, to_face_frame
-
-# Not log2(0): footprints of points.
-SMALLEST_SIZE = 1e-9
-_TRAINING = "loomlight.models.neumip.training.train"
 
 
 @final
-class NeumipBsdf(FootprintBsdf):
+class NeumipBsdf(TexturedBsdf):
     """The BSDF of footprints for one view: the latent of stage 1, which no light changes (section 6)."""
 
     def __init__(self, model: NeumipModel, view: Vec3, footprint: Footprint) -> None:
-        super().__init__(view, footprint)
+        super().__init__(model.weights, view, footprint)
         self._model = model
-        types = array_types(view.x)
-        self._back = types.Bool(view.z < 0)
-        self._facing = to_face_frame(view, self._back)
-        self._device = model.device_weights(types.Float)
+        self._device = model.device_weights(self._types.Float)
 
-    @property
+    @cached_property
     def hole(self) -> Float:
         """Share of the view rays that pass straight through, less what sheen over them takes, 0 to 1."""
-        return self._hole
-
-    @cached_property
-    def _hole(self) -> Float:
-        types = array_types(self.view.x)
         if not self._model.weights.has_holes:
-            return dr.select(self._back, types.Float(0), 0)
+            return super().hole
         return self._device.straight_through(self._latent, [self._facing.x, self._facing.y])
-
-    @property
-    def diffuse_reflectance(self) -> Color3:
-        """Mean albedo of the face that is seen, over all directions."""
-        types = array_types(self.view.x)
-        front, back = (types.Color3(*map(float, colour)) for colour in self._model.face_reflectances)
-        return dr.select(self._back, back, front)
-
-    @cached_property
-    def _place(self) -> tuple[Float, Float, Float, UInt]:
-        """Position in repeats, level, and face."""
-        types, shape = array_types(self.view.x), self._model.weights.shape
-        face = dr.select(self._back, types.UInt32(shape.faces - 1), types.UInt32(0))
-        u = self.footprint.centre.x * (1 / shape.width_mm)
-        v = self.footprint.centre.y * (1 / shape.height_mm)
-        side = maximum(self.footprint.square_side * (1 / shape.texel_mm), SMALLEST_SIZE)
-        return u, v, dr.log2(side), face
 
     @cached_property
     def _latent(self) -> list[Float]:
-        u, v, level, face = self._place
+        u, v, level, face = self._place()
         if self._device.has_offset:
             x, y = self._facing.x, self._facing.y
             depth = self._device.depth(u, v, [x, y], face)
@@ -109,7 +80,7 @@ class NeumipBsdf(FootprintBsdf):
 
     @cached_property
     def _proposal(self) -> Proposal:
-        return self._device.proposal.at(*self._place)
+        return self._device.proposal.at(*self._place())
 
     @cached_property
     def _learned(self) -> LearnedProposal | None:
@@ -153,21 +124,11 @@ class NeumipBsdf(FootprintBsdf):
 
 
 @final
-class NeumipModel(Model):
-    """kuznetsov2021: textures and networks that are trained for one source.
-
-    Attributes:
-        weights: what was trained.
-        multiply_adds: of one query.
-        bytes_fetched: by one query.
-    """
+class NeumipModel(TexturedModel[Weights, DeviceWeights]):
+    """kuznetsov2021: textures and networks that are trained for one source; see `TexturedModel`."""
 
     name = "neumip"
-    filters = True
-    conserves_energy = False
     has_holes = True
-    symbolic = False
-    trains = True
     options = (
         Option("quality", str, f"one of {', '.join(QUALITIES)}"),
         Option("resolution", int, "a power of two from 8 to 1024", low=8, high=1024),
@@ -185,8 +146,7 @@ class NeumipModel(Model):
     )
 
     def __init__(self, source: Source, weights: Weights) -> None:
-        self.source, self.weights = source, weights
-        self._devices: dict[type, DeviceWeights] = {}
+        super().__init__(source, weights)
         numbers = [w.size for layers in weights.layers.values() for w, _ in layers]
         offset_taps = 0 if weights.offset_texels is None else 4
         self.multiply_adds = sum(numbers) + (8 + offset_taps) * CHANNELS
@@ -217,40 +177,17 @@ class NeumipModel(Model):
             MissingDependencyError: PyTorch is missing.
         """
         settings = settings_of(quality, resolution, offset, seed, steps, sampler)
-        if device not in ("cpu", "cuda"):
-            raise InputError(f'device = "{device}" is wrong: give cpu or cuda.')
         if store not in STORES:
             raise InputError(f"store = {shown(store)} is wrong: give {' or '.join(STORES)}.")
-        # On shared cores threads that spin while they wait make small batches many times slower.
-        os.environ.setdefault("OMP_WAIT_POLICY", "passive")
-        import_extra("torch", "train", "Training neumip")
-        train: Any = import_module(_TRAINING).train_neumip
-        if folder is not None:
-            return cls(source, train(source, settings, Path(folder), report, device, store=store))
-        place = cache_folder("neumip") / settings.identity(source)[:16]
-        weights = train(source, settings, place, report, device, store=store)
-        _remove(place)
-        return cls(source, weights)
-
-    @property
-    def face_reflectances(self) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-        """Mean albedos of front and back [3]."""
-        return self.weights.reflectance[0], self.weights.reflectance[-1]
+        return cls(source, run_training(cls.name, source, settings, folder, report, device, store=store))
 
     @property
     def open_area(self) -> float:
         """Mean share of light that passes straight through, 0 to 1."""
         return self.weights.open_area
 
-    def device_weights(self, float_type: type) -> DeviceWeights:
-        """Textures and networks on one backend, uploaded once."""
-        if float_type not in self._devices:
-            self._devices[float_type] = DeviceWeights(self.weights, float_type)
-        return self._devices[float_type]
-
-    def upload(self, types: ArrayTypes) -> None:
-        """Puts textures and networks on a backend."""
-        self.device_weights(types.Float)
+    def _upload(self, float_type: FloatType) -> DeviceWeights:
+        return DeviceWeights(self.weights, float_type)
 
     def at(
         self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True
@@ -268,9 +205,7 @@ class NeumipModel(Model):
         if weights.offset_texels is not None:
             tensors["offset_texels"] = weights.offset_texels
         sampler = {} if weights.sampler is None else {"sampler": weights.sampler}
-        for name, layers in {**weights.layers, **sampler}.items():
-            for number, (matrix, bias) in enumerate(layers):
-                tensors |= {f"{name}.{number}.weight": matrix, f"{name}.{number}.bias": bias}
+        tensors |= tensors_of_layers({**weights.layers, **sampler})
         shape = weights.shape
         settings: dict[str, Setting] = {"columns": shape.columns, "rows": shape.rows, "faces": shape.faces}
         settings["open_area"] = weights.open_area
@@ -284,8 +219,8 @@ class NeumipModel(Model):
             InputError: another model's file, or tensors that are missing or of another shape.
         """
         loom.require_model(cls.name)
-        columns, rows, faces = (_count(loom, name) for name in ("columns", "rows", "faces"))
-        shape = PyramidShape(columns, rows, *loom.source.repeat_mm, faces)
+        shape = shape_of_loom(loom)
+        faces = shape.faces
         features = loom.tensor("features", (faces * shape.texels, CHANNELS), np.float32)
         reflectance = loom.tensor("reflectance", (faces, 3), np.float32)
         offset_texels = None
@@ -296,53 +231,16 @@ class NeumipModel(Model):
             small = proposal_shape(shape)
             proposal = loom.tensor("proposal", (faces * small.texels, PARAMETERS), np.float32)
         if "offset_texels" in loom.tensors:
-            offset_texels = loom.tensor("offset_texels", (faces * rows * columns, CHANNELS), np.float32)
+            offset_texels = loom.tensor("offset_texels", (faces * shape.starts[1], CHANNELS), np.float32)
             names.append("offset")
-        layers = {name: _layers(loom, name, NETWORKS[name]) for name in names}
+        layers = {name: layers_of_loom(loom, name, NETWORKS[name]) for name in names}
         sampler = None
         if "sampler.0.weight" in loom.tensors:
-            sampler = _layers(loom, "sampler", sampler_widths("transmission" in layers))
+            sampler = layers_of_loom(loom, "sampler", sampler_widths("transmission" in layers))
         open_area = loom.setting("open_area", float)
         weights = Weights(shape, features, offset_texels, layers, reflectance, open_area, proposal, sampler)
         return cls(loom.source, weights)
 
     def facts(self) -> dict[str, str]:
         """The source, and the size of textures and networks."""
-        shape = self.weights.shape
-        textures = f"{shape.columns} × {shape.rows} texels, {shape.levels} levels"
-        return {**super().facts(), "textures": textures, "weights": f"{self.weights.count}"}
-
-
-def _layers(loom: LoomFile, name: str, widths: tuple[int, ...]) -> Layers:
-    """Weights and biases of a network in a file.
-
-    Raises:
-        InputError: tensors that are missing or of another shape.
-    """
-    return [
-        (
-            loom.tensor(f"{name}.{number}.weight", (outputs, inputs), np.float32),
-            loom.tensor(f"{name}.{number}.bias", (outputs,), np.float32),
-        )
-        for number, (inputs, outputs) in enumerate(pairwise(widths))
-    ]
-
-
-def _count(loom: LoomFile, name: str) -> int:
-    """A number of texels or faces: a small power of two.
-
-    Raises:
-        InputError: another number.
-    """
-    value = loom.setting(name, int)
-    most = 2 if name == "faces" else 4096
-    if not 1 <= value <= most or value & (value - 1):
-        raise InputError(f"{loom.file}: {name} = {value} is wrong: it is a power of two up to {most}.")
-    return value
-
-
-def _remove(folder: Path) -> None:
-    """Removes a folder of files."""
-    # What a temporary folder does at its end, which copes with files of other processes.
-    with TemporaryDirectory(dir=folder.parent) as temporary:
-        folder.rename(Path(temporary) / folder.name)
+        return {**super().facts(), "weights": f"{self.weights.count}"}

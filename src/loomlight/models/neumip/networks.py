@@ -22,20 +22,28 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import drjit as dr
-import drjit.nn as nn
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.arrays import Float, FloatType, Int, UInt, Vec3
-from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, upload
-from loomlight.core.simd import DenseLayer, FusedMlp, can_use_kernel
+from loomlight.core.arrays import Float, FloatType, UInt, Vec3
+from loomlight.core.backend import array_types, clip, maximum, upload
+from loomlight.models.mip_pyramid import (
+    DrjitFunctions,
+    PyramidShape,
+    Taps,
+    bilinear_taps,
+    fetch_texels,
+    trilinear_taps,
+    wrapped,
+)
 from loomlight.models.neumip.proposal import DeviceProposal, cosine_proposal
-from loomlight.models.neumip.pyramid import CHANNELS, PyramidShape, Taps, bilinear_taps, trilinear_taps
+from loomlight.models.relu_network import Layers, ReluNetwork
 from loomlight.scattering.two_sided_lobes import OPAQUE_OUTPUTS, OUTPUTS, TwoSidedLobes
 
+# Channels of a texel of each of the two textures (Table 4).
+CHANNELS = 7
 # Width of the hidden layers of offset and decoder.
 HIDDEN = 25
 OFFSET_WIDTHS = (CHANNELS + 2, HIDDEN, HIDDEN, HIDDEN, 1)
@@ -52,8 +60,6 @@ SAMPLER_HIDDEN = (32, 32)
 EXPOSURE = math.pi
 # Texels are stored in rows of eight numbers, so that a row is two loads of four.
 _ROW = 8
-
-Layers = list[tuple[NDArray[np.float32], NDArray[np.float32]]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,32 +108,6 @@ def sampler_widths(transmits: bool) -> tuple[int, ...]:
     return CHANNELS + 3, *SAMPLER_HIDDEN, OUTPUTS if transmits else OPAQUE_OUTPUTS
 
 
-class DrjitFunctions:
-    """`ArrayFunctions` of one backend of Dr.Jit; its tables are small and become selects."""
-
-    def __init__(self, types: ArrayTypes) -> None:
-        self._types = types
-
-    def floor(self, value: Float) -> Float:
-        return dr.floor(value)
-
-    def clip(self, value: Float, low: float, high: float) -> Float:
-        return clip(value, low, high)
-
-    def to_index(self, value: Float) -> Int:
-        return self._types.Int32(value)
-
-    def gather(self, table: Sequence[int], index: Int) -> Int:
-        found = self._types.Int32(table[0])
-        for number, entry in enumerate(table[1:], 1):
-            found = dr.select(index >= number, self._types.Int32(entry), found)
-        return found
-
-    def wrap(self, index: Int, count: Any) -> Int:
-        # Counts are powers of two, for which this holds of negative numbers too.
-        return index & (count - 1)
-
-
 class DeviceWeights:
     """A trained material on one backend.
 
@@ -144,8 +124,8 @@ class DeviceWeights:
             self._offset_texels = upload(float_type, _padded(weights.offset_texels))
         proposal = cosine_proposal(weights.shape) if weights.proposal is None else weights.proposal
         self.proposal = DeviceProposal(proposal, weights.shape, float_type)
-        self._sampler = None if weights.sampler is None else _Network(weights.sampler, float_type)
-        self._networks = {name: _Network(layers, float_type) for name, layers in weights.layers.items()}
+        self._sampler = None if weights.sampler is None else ReluNetwork(weights.sampler, float_type)
+        self._networks = {name: ReluNetwork(layers, float_type) for name, layers in weights.layers.items()}
 
     @property
     def has_offset(self) -> bool:
@@ -164,7 +144,7 @@ class DeviceWeights:
         start = self._types.Int32(face) * (shape.columns * shape.rows)
         u, v = u - dr.floor(u), v - dr.floor(v)
         taps = bilinear_taps(u, v, shape.columns, shape.rows, start, self._functions)
-        (depth,) = self._networks["offset"]([*self._fetched(self._offset_texels, taps), *view])
+        (depth,) = self._networks["offset"]([*self._texel(self._offset_texels, taps), *view])
         return depth
 
     def latent(self, u: Float, v: Float, level: Float, face: UInt) -> list[Float]:
@@ -174,10 +154,8 @@ class DeviceWeights:
             level: log2 of the footprint's size in texels of level 0.
         """
         start = self._types.Int32(face) * self._shape.texels
-        # Positions near the origin keep most digits, and NaN becomes 0 before it is an index.
-        u, v = (clip(value - dr.floor(value), 0, 1) for value in (u, v))
-        taps = trilinear_taps(self._shape, u, v, level, start, self._functions)
-        return self._fetched(self._features, taps)
+        taps = trilinear_taps(self._shape, *wrapped(u, v), level, start, self._functions)
+        return self._texel(self._features, taps)
 
     def value(
         self,
@@ -198,45 +176,13 @@ class DeviceWeights:
         """What the sampler network describes, of a view in the frame of the face seen; None without one."""
         return None if self._sampler is None else TwoSidedLobes.of(self._sampler([*latent, *view]))
 
+    def _texel(self, table: Float, taps: Taps) -> list[Float]:
+        return fetch_texels(table, taps, self._types)[:CHANNELS]
+
     def straight_through(self, latent: Sequence[Float], view: Sequence[Float]) -> Float:
         """Share of light that passes straight through, 0 to 1."""
         (value,) = self._networks["opacity"]([*latent, *view])
         return dr.rcp(1 + dr.exp(-clip(value, -30, 30)))
-
-    def _fetched(self, table: Float, taps: Taps) -> list[Float]:
-        types = self._types
-        sums = [types.Float(0)] * CHANNELS
-        for texel, weight in zip(taps.texels, taps.weights, strict=True):
-            row = types.UInt32(texel) * 2
-            low, high = (dr.gather(types.Vector4, table, row + half) for half in (0, 1))
-            values = [*low, *high][:CHANNELS]
-            sums = [dr.fma(weight, value, total) for value, total in zip(values, sums, strict=True)]
-        return sums
-
-
-class _Network:
-    """Dense layers with ReLU between them, on one backend."""
-
-    def __init__(self, layers: Layers, float_type: FloatType) -> None:
-        self._types = array_types(float_type)
-        last = len(layers) - 1
-        self._mlp = FusedMlp(
-            [DenseLayer(w, b, "relu" if number < last else "none") for number, (w, b) in enumerate(layers)]
-        )
-        tensor: Any = dr.tensor_t(float_type)
-        numbers = [tensor(np.ascontiguousarray(part)) for layer in layers for part in layer]
-        views: Any = nn.pack(numbers, layout="inference")
-        self._layers = list(zip(views[::2], views[1::2], strict=True))
-
-    def __call__(self, inputs: Sequence[Float]) -> list[Float]:
-        if can_use_kernel(self._types.Float, list(inputs)):
-            return self._mlp.call(self._types.Float, list(inputs))
-        values: Any = nn.CoopVec(*inputs)
-        for number, (weight, bias) in enumerate(self._layers):
-            values = nn.matvec(weight, values, bias)
-            if number + 1 < len(self._layers):
-                values = maximum(values, 0)
-        return [*values]
 
 
 def _padded(texels: NDArray[np.float32]) -> NDArray[np.float32]:

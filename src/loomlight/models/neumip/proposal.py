@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import array_types, clip, maximum, upload
-from loomlight.models.neumip.pyramid import PyramidShape
+from loomlight.models.mip_pyramid import PyramidShape
 
 # Numbers of a texel: mean slopes, the matrix, the shares of the lobe and of the other side, and a 0.
 PARAMETERS = 8

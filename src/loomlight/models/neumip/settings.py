@@ -2,22 +2,17 @@
 
 from __future__ import annotations
 
-import hashlib
 from dataclasses import asdict, dataclass, replace
-from typing import Any
 
-import numpy as np
-
-from loomlight.assets.sources import SOURCE_KINDS, Source, kind_of_source
+from loomlight.assets.sources import Source
 from loomlight.core.errors import InputError
 from loomlight.fabric.sentences import closest, shown
+from loomlight.models.textured_model import require_training, training_identity
 
 # How queries are kept: a file a part, or a Zarr group.
 FILES, ZARR = "files", "zarr"
 STORES = (FILES, ZARR)
 DEFAULT_QUALITY = "preview"
-# Texels a side; a power of two between these.
-SMALLEST_RESOLUTION, LARGEST_RESOLUTION = 8, 1024
 # A network, trained after the others, or lobes that are fitted to texels.
 SAMPLERS = ("learned", "lobes")
 _MOST_SAMPLER_STEPS = 2000
@@ -63,23 +58,15 @@ class NeumipSettings:
 
     def identity(self, source: Source) -> str:
         """A hash of all that the weights depend on, for checkpoints and folders."""
-        return _digest(source, asdict(self))
+        return training_identity(source, _VERSION, asdict(self))
 
     def query_identity(self, source: Source) -> str:
         """A hash of all that the queries depend on: trainings that differ in the rest share them."""
-        return _digest(source, {name: getattr(self, name) for name in _OF_QUERIES})
+        return training_identity(source, _VERSION, {name: getattr(self, name) for name in _OF_QUERIES})
 
 
 # Settings that queries depend on.
 _OF_QUERIES = ("resolution", "queries", "samples", "seed")
-
-
-def _digest(source: Source, settings: dict[str, Any]) -> str:
-    record, tensors = SOURCE_KINDS[kind_of_source(source)].record(source)
-    digest = hashlib.sha256(repr((_VERSION, settings, sorted(record.items()))).encode())
-    for name in sorted(tensors):
-        digest.update(name.encode() + np.ascontiguousarray(tensors[name]).tobytes())
-    return digest.hexdigest()
 
 
 # The paper's schedule is 30 000 steps of 2^20 queries on a GPU: "published".
@@ -117,16 +104,9 @@ def settings_of(
     if sampler not in SAMPLERS:
         raise InputError(f"sampler = {shown(sampler)} is wrong: give {' or '.join(SAMPLERS)}.")
     chosen = replace(QUALITIES[quality], offset=offset, seed=seed, sampler=sampler)
+    require_training(resolution, steps)
     if resolution is not None:
-        fits = SMALLEST_RESOLUTION <= resolution <= LARGEST_RESOLUTION and resolution & (resolution - 1) == 0
-        if not fits:
-            raise InputError(
-                f"resolution = {resolution} is wrong: give a power of two from {SMALLEST_RESOLUTION} to "
-                f"{LARGEST_RESOLUTION}."
-            )
         chosen = replace(chosen, resolution=resolution)
     if steps is not None:
-        if steps < 1:
-            raise InputError(f"steps = {steps} is wrong: give a whole number from 1.")
         chosen = replace(chosen, steps=steps)
     return chosen

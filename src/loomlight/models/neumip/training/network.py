@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 import torch
@@ -12,7 +10,9 @@ from numpy.typing import NDArray
 from torch import Tensor, nn
 from torch.nn import functional
 
+from loomlight.models.mip_pyramid import PyramidShape, bilinear_taps, trilinear_taps
 from loomlight.models.neumip.networks import (
+    CHANNELS,
     DECODER_WIDTHS,
     EXPOSURE,
     OFFSET_WIDTHS,
@@ -20,14 +20,8 @@ from loomlight.models.neumip.networks import (
     Layers,
     Weights,
 )
-from loomlight.models.neumip.pyramid import (
-    CHANNELS,
-    SMALLEST_COSINE,
-    PyramidShape,
-    bilinear_taps,
-    shifted,
-    trilinear_taps,
-)
+from loomlight.models.neumip.parallax import SMALLEST_COSINE, shifted
+from loomlight.training.torch_functions import TorchTextures
 
 # The textures begin at zero and at 0.1 N(0, 1), as in the released code.
 _FEATURES = 0.1
@@ -41,26 +35,7 @@ _OPACITY_WEIGHT = 0.05
 _LEAST_BLUR = 0.05
 
 
-class TorchFunctions:
-    """`ArrayFunctions` of torch."""
-
-    def floor(self, value: Tensor) -> Tensor:
-        return torch.floor(value)
-
-    def clip(self, value: Tensor, low: float, high: float) -> Tensor:
-        return value.clamp(low, high)
-
-    def to_index(self, value: Tensor) -> Tensor:
-        return value.detach().long()
-
-    def gather(self, table: Sequence[int], index: Tensor) -> Tensor:
-        return torch.tensor(list(table), device=index.device)[index]
-
-    def wrap(self, index: Tensor, count: Any) -> Tensor:
-        return index % count
-
-
-_TORCH = TorchFunctions()
+_TEXTURES = TorchTextures()
 
 
 class NeumipNetwork(nn.Module):
@@ -149,7 +124,7 @@ class NeumipNetwork(nn.Module):
             texture = self.offset_texture.detach() if offset_frozen else self.offset_texture
             table = _texels(self.scale * blurred(texture, blur))
             start = faces * (shape.columns * shape.rows)
-            taps = bilinear_taps(u, v, shape.columns, shape.rows, start, _TORCH)
+            taps = bilinear_taps(u, v, shape.columns, shape.rows, start, _TEXTURES)
             depth = self.offset(torch.cat([_fetched(table, taps.texels, taps.weights), views], dim=1))[:, 0]
             cosine = torch.sqrt((1 - views.square().sum(1)).clamp(min=0))
             slope = 1 / cosine.clamp(min=SMALLEST_COSINE)
@@ -160,7 +135,7 @@ class NeumipNetwork(nn.Module):
             for level, texture in enumerate(self.features)
         ]
         table = torch.cat(parts, dim=1).reshape(-1, CHANNELS)
-        taps = trilinear_taps(shape, u, v, levels, faces * shape.texels, _TORCH)
+        taps = trilinear_taps(shape, u, v, levels, faces * shape.texels, _TEXTURES)
         return _fetched(table, taps.texels, taps.weights)
 
     def _decoded(self, inputs: Tensor, beyond: Tensor | None) -> Tensor:

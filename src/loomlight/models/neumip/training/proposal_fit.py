@@ -15,9 +15,9 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
+from loomlight.models.mip_pyramid import PyramidShape
 from loomlight.models.neumip.btf import BEYOND_SHARE, Queries
 from loomlight.models.neumip.proposal import LEAST_ROUGHNESS, halvings_of, proposal_shape
-from loomlight.models.neumip.pyramid import PyramidShape
 from loomlight.models.neumip.settings import NeumipSettings
 
 _STEPS, _BATCH, _RATE = 300, 1 << 14, 0.05

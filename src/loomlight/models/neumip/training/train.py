@@ -20,9 +20,9 @@ from numpy.typing import NDArray
 from torch import Tensor, nn
 
 from loomlight.assets.sources import Source
+from loomlight.models.mip_pyramid import PyramidShape
 from loomlight.models.neumip.btf import PART, Queries, QueryStream, btf_of, light_density
 from loomlight.models.neumip.networks import EXPOSURE, Weights
-from loomlight.models.neumip.pyramid import PyramidShape
 from loomlight.models.neumip.settings import FILES, NeumipSettings
 from loomlight.models.neumip.training.network import NeumipNetwork, loss_of, opacity_loss
 from loomlight.models.neumip.training.proposal_fit import fitted_proposal

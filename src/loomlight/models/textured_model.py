@@ -1,0 +1,245 @@
+"""Models of textures and networks that are trained for one source: what all of them share.
+
+Textures are pyramids of neural texels (`mip_pyramid.py`), networks small dense ones (`relu_network.py`).
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from abc import abstractmethod
+from collections.abc import Callable, Iterable, Mapping
+from importlib import import_module
+from itertools import pairwise
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any, ClassVar, Generic, Protocol, TypeVar, final
+
+import drjit as dr
+import numpy as np
+from numpy.typing import DTypeLike, NDArray
+
+from loomlight.assets.loom_file import LoomFile
+from loomlight.assets.sources import SOURCE_KINDS, Source, kind_of_source
+from loomlight.core.arrays import Color3, Float, FloatType, UInt, Vec3
+from loomlight.core.backend import ArrayTypes, array_types, maximum
+from loomlight.core.errors import InputError
+from loomlight.core.extras import import_extra
+from loomlight.core.files import cache_folder
+from loomlight.core.footprint import Footprint
+from loomlight.models.interface import FootprintBsdf, Model
+from loomlight.models.mip_pyramid import PyramidShape
+from loomlight.models.relu_network import Layers
+from loomlight.scattering.yarn_point import to_face_frame
+
+# Texels a side of textures; a power of two between these.
+MIN_RESOLUTION, MAX_RESOLUTION = 8, 1024
+DEVICES = ("cpu", "cuda")
+# Texels a side that a file may have.
+_MAX_TEXELS = 4096
+# Smallest side of a footprint in texels: log2(0) has no value.
+SMALLEST_SIZE = 1e-9
+
+
+class TexturedWeights(Protocol):
+    """Numbers of a trained source.
+
+    Attributes:
+        shape: of the textures.
+        reflectance: mean albedo of each face [faces, 3].
+    """
+
+    @property
+    def shape(self) -> PyramidShape: ...
+    @property
+    def reflectance(self) -> NDArray[np.float32]: ...
+
+
+WeightsT = TypeVar("WeightsT", bound=TexturedWeights)
+DeviceT = TypeVar("DeviceT")
+
+
+class TexturedBsdf(FootprintBsdf):
+    """The BSDF of footprints for one view: their place in the textures, and the face that is seen."""
+
+    def __init__(self, weights: TexturedWeights, view: Vec3, footprint: Footprint) -> None:
+        super().__init__(view, footprint)
+        self._weights = weights
+        self._types = array_types(view.x)
+        self._back = self._types.Bool(view.z < 0)
+        self._facing = to_face_frame(view, self._back)
+
+    @property
+    def hole(self) -> Float:
+        """0 in every lane: holes are part of the values, as black."""
+        return dr.select(self._back, self._types.Float(0), 0)
+
+    @property
+    def diffuse_reflectance(self) -> Color3:
+        """Mean albedo of the face that is seen, over all directions."""
+        reflectance = self._weights.reflectance
+        front, back = (self._types.Color3(*map(float, row)) for row in (reflectance[0], reflectance[-1]))
+        return dr.select(self._back, back, front)
+
+    @final
+    def _place(self) -> tuple[Float, Float, Float, UInt]:
+        """Position in repeats, log2 of the footprint's size in texels of the finest level, and face."""
+        types, shape = self._types, self._weights.shape
+        face = dr.select(self._back, types.UInt32(shape.faces - 1), types.UInt32(0))
+        u = self.footprint.centre.x * (1 / shape.width_mm)
+        v = self.footprint.centre.y * (1 / shape.height_mm)
+        side = maximum(self.footprint.square_side * (1 / shape.texel_mm), SMALLEST_SIZE)
+        return u, v, dr.log2(side), face
+
+
+class TexturedModel(Model, Generic[WeightsT, DeviceT]):
+    """Textures and networks that are trained for one source.
+
+    Attributes:
+        weights: what was trained.
+        multiply_adds: of one query.
+        bytes_fetched: by one query.
+    """
+
+    filters: ClassVar[bool] = True
+    conserves_energy: ClassVar[bool] = False
+    symbolic: ClassVar[bool] = False
+    trains: ClassVar[bool] = True
+    multiply_adds: int
+    bytes_fetched: int
+
+    def __init__(self, source: Source, weights: WeightsT) -> None:
+        self.source, self.weights = source, weights
+        self._devices: dict[type, DeviceT] = {}
+
+    @abstractmethod
+    def _upload(self, float_type: FloatType) -> DeviceT:
+        """Textures and networks on one backend."""
+
+    @final
+    def device_weights(self, float_type: FloatType) -> DeviceT:
+        """Textures and networks on one backend, uploaded once."""
+        if float_type not in self._devices:
+            self._devices[float_type] = self._upload(float_type)
+        return self._devices[float_type]
+
+    def upload(self, types: ArrayTypes) -> None:
+        """Puts textures and networks on a backend."""
+        self.device_weights(types.Float)
+
+    def facts(self) -> dict[str, str]:
+        """The source, and the size of textures."""
+        shape = self.weights.shape
+        return {
+            **super().facts(),
+            "textures": f"{shape.columns} × {shape.rows} texels, {shape.levels} levels",
+        }
+
+
+class Settings(Protocol):
+    """Settings of a training."""
+
+    def identity(self, source: Source) -> str:
+        """A hash of all that the weights depend on."""
+
+
+def run_training(
+    model: str,
+    source: Source,
+    settings: Settings,
+    folder: str | os.PathLike[str] | None,
+    report: Callable[[int, int], None] | None,
+    device: str,
+    **options: str,
+) -> Any:
+    """The weights that `train` of a model's folder `training` gives; one that was stopped goes on.
+
+    Args:
+        folder: of queries and checkpoints; None keeps them in the cache until the end.
+        options: further arguments of the training.
+
+    Raises:
+        InputError: a source of which no queries can be taken, or an unknown device.
+        MissingDependencyError: PyTorch is missing.
+    """
+    if device not in DEVICES:
+        raise InputError(f'device = "{device}" is wrong: give {" or ".join(DEVICES)}.')
+    # On shared cores threads that spin while they wait make small batches many times slower.
+    os.environ.setdefault("OMP_WAIT_POLICY", "passive")
+    import_extra("torch", "train", f"Training {model}")
+    # By name: only trainings need torch.
+    train = getattr(import_module(f"loomlight.models.{model}.training.train"), f"train_{model}")
+    if folder is not None:
+        return train(source, settings, Path(folder), report, device, **options)
+    place = cache_folder(model) / settings.identity(source)[:16]
+    weights = train(source, settings, place, report, device, **options)
+    # A temporary folder copes at its end with files of other processes.
+    with TemporaryDirectory(dir=place.parent) as temporary:
+        place.rename(Path(temporary) / place.name)
+    return weights
+
+
+def training_identity(source: Source, version: int, settings: Mapping[str, object]) -> str:
+    """A hash of a source, of settings and of what the same settings mean, for checkpoints and folders."""
+    record, tensors = SOURCE_KINDS[kind_of_source(source)].record(source)
+    digest = hashlib.sha256(repr((version, settings, sorted(record.items()))).encode())
+    for name in sorted(tensors):
+        digest.update(name.encode() + np.ascontiguousarray(tensors[name]).tobytes())
+    return digest.hexdigest()
+
+
+def require_training(resolution: int | None, steps: int | None) -> None:
+    """Raises InputError unless a training may have so many texels a side and steps; None leaves them open."""
+    if resolution is not None and not (
+        MIN_RESOLUTION <= resolution <= MAX_RESOLUTION and resolution & (resolution - 1) == 0
+    ):
+        raise InputError(
+            f"resolution = {resolution} is wrong: give a power of two from {MIN_RESOLUTION} to "
+            f"{MAX_RESOLUTION}."
+        )
+    if steps is not None and steps < 1:
+        raise InputError(f"steps = {steps} is wrong: give a whole number from 1.")
+
+
+def tensors_of_layers(networks: Mapping[str, Layers]) -> dict[str, NDArray[np.float32]]:
+    """Weights and biases of networks by the names that they have in a file."""
+    return {
+        f"{name}.{number}.{part}": values
+        for name, layers in networks.items()
+        for number, layer in enumerate(layers)
+        for part, values in zip(("weight", "bias"), layer, strict=True)
+    }
+
+
+def layers_of_loom(loom: LoomFile, name: str, widths: Iterable[int], kind: DTypeLike = np.float32) -> Layers:
+    """Weights and biases of a network in a file.
+
+    Args:
+        widths: of its layers, inputs first.
+
+    Raises:
+        InputError: tensors that are missing or of another shape.
+    """
+    return [
+        (
+            loom.tensor(f"{name}.{number}.weight", (outputs, inputs), kind),
+            loom.tensor(f"{name}.{number}.bias", (outputs,), kind),
+        )
+        for number, (inputs, outputs) in enumerate(pairwise(widths))
+    ]
+
+
+def shape_of_loom(loom: LoomFile) -> PyramidShape:
+    """The shape of the textures in a file: counts are powers of two.
+
+    Raises:
+        InputError: other counts.
+    """
+    counts = []
+    for name, most in (("columns", _MAX_TEXELS), ("rows", _MAX_TEXELS), ("faces", 2)):
+        value = loom.setting(name, int)
+        if not 1 <= value <= most or value & (value - 1):
+            raise InputError(f"{loom.file}: {name} = {value} is wrong: it is a power of two up to {most}.")
+        counts.append(value)
+    columns, rows, faces = counts
+    return PyramidShape(columns, rows, *loom.source.repeat_mm, faces)
