@@ -40,6 +40,7 @@ from loomlight.evaluation.held_out import held_out_fabrics
 from loomlight.evaluation.truth import reference_model
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import Model
+from loomlight.models.option_values import parse_options
 from loomlight.models.registry import make_model
 
 CASES, SAMPLES, REPEATS, SIGNIFICANCE = 72, 1 << 16, 256, 0.01
@@ -165,32 +166,12 @@ def holm(z: Array, significance: float) -> int:
     return int(kept[0]) if len(kept) else len(p)
 
 
-def parsed_options(text: str) -> dict[str, int | float | str | bool]:
-    """Options of a model from "points=64,fast=true"."""
-    found: dict[str, int | float | str | bool] = {}
-    for part in filter(None, text.split(",")):
-        name, _, value = part.partition("=")
-        found[name] = _value(value)
-    return found
-
-
-def _value(text: str) -> int | float | str | bool:
-    if text in ("true", "false"):
-        return text == "true"
-    for kind in (int, float):
-        try:
-            return kind(text)
-        except ValueError:
-            continue
-    return text
-
-
 def tested(name: str, made: list[tuple[Fabric, Cases, Means]], options: Namespace) -> Figures:
     """The tests of one model over all fabrics."""
     found, truths, refused, names = [], [], [], []
     for number, (fabric, cases, truth) in enumerate(made):
         try:
-            model = make_model(name, fabric, **parsed_options(options.options))
+            model = make_model(name, fabric, **parse_options(name, filter(None, options.options.split(","))))
         except InputError as fault:
             refused.append(str(fault))
             continue

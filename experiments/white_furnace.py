@@ -8,17 +8,13 @@ everywhere and seen from directions of their own, grazing ones among them; the a
 the model's sampler. Shadows only take light away: they are left out, so the bound that is tested is stronger.
 The brightest yarn point of each fabric is measured again with fresh numbers, since of many estimates the
 largest is too large. (Holes without sheen return exactly 1 and would always win.)
-
-The output is written every 25 fabrics, and a run with the same seed goes on where it ended.
 """
 
 from __future__ import annotations
 
-import json
 import math
+import time
 from argparse import ArgumentParser, Namespace
-from functools import partial
-from pathlib import Path
 from typing import Any
 
 import drjit as dr
@@ -26,11 +22,9 @@ import numpy as np
 from drjit.llvm import Array2f, Array3f, Bool, Float, UInt32
 from numpy.typing import NDArray
 
-from benchmarks.harness import REPOSITORY, Figures, record, run
+from benchmarks.harness import Figures, run
 from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
-from loomlight.evaluation.table import write_json
-from loomlight.evaluation.timing import timed
 from loomlight.scattering.albedo import (
     Albedos,
     LayerBound,
@@ -46,7 +40,6 @@ from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
 
 POSITIONS, SAMPLES, AGAIN = 96, 2048, 1 << 19
-SAVE_EVERY = 25
 # Largest of some 10⁶ normal deviations, and rounding of float32.
 SIGMAS, ROUNDING = 5.5, 1e-4
 
@@ -192,60 +185,31 @@ def add_options(parser: ArgumentParser) -> None:
     """How many fabrics, and which."""
     parser.add_argument("--fabrics", type=int, default=1200)
     parser.add_argument("--seed", type=int, default=0)
-    parser.set_defaults(output=REPOSITORY / "experiments/results/white_furnace.json")
 
 
 def measure(options: Namespace) -> Figures:
-    """Figures of all fabrics, earlier runs included."""
+    """The largest albedos, and those above the bar."""
     require_llvm()
-    result = started(options.output, options.seed)
-    while result["fabrics"] < options.fabrics:
-        end = min(result["fabrics"] + SAVE_EVERY, options.fabrics)
-        _, seconds = timed(partial(take_in, result, options.seed, end))
-        result["seconds"] = round(result["seconds"] + seconds, 1)
-        write_json(options.output, record(result), digits=None)
-        print(f"{result['fabrics']} fabrics, {result['seconds']} s, largest {result['largest']}", flush=True)
-    return result
-
-
-def take_in(result: Figures, seed: int, end: int) -> None:
-    """Measures fabrics up to number `end` and takes them into the running result."""
-    for number in range(result["fabrics"], end):
-        absorb(result, measured(seed, number))
-
-
-def started(output: Path, seed: int) -> Figures:
-    """The result of an earlier run with `seed`, or an empty one."""
-    if output.is_file():
-        earlier: Figures = json.loads(output.read_text())
-        if earlier["seed"] == seed:
-            return earlier
+    begun = time.perf_counter()
+    rows = [measured(options.seed, number) for number in range(options.fabrics)]
+    above = [row for row in rows if max(_excess(row), row["largest_excess_in_errors"]) > SIGMAS]
     return {
-        "seed": seed,
+        "seed": options.seed,
         "places": f"{POSITIONS} a fabric, {SAMPLES} samples each; the brightest again with {AGAIN}",
         "bar": f"none above 1 + {SIGMAS} standard errors + {ROUNDING}",
-        "fabrics": 0,
-        "seconds": 0.0,
-        "above": [],
-        "largest": {"albedo": 0.0},
-        "closest_to_the_bar": {"largest_excess_in_errors": -1e9},
-        "mean_albedo": 0.0,
+        "fabrics": len(rows),
+        "seconds": time.perf_counter() - begun,
+        "above": above,
+        "largest": max(rows, key=lambda row: row["albedo"]),
+        "closest_to_the_bar": max(rows, key=lambda row: row["largest_excess_in_errors"]),
+        "mean_albedo": float(np.mean([row["mean_albedo"] for row in rows])),
     }
 
 
-def absorb(result: Figures, entry: dict[str, float]) -> None:
-    """Adds one fabric to the running result."""
-    done = result["fabrics"]
-    result["mean_albedo"] = (result["mean_albedo"] * done + entry.pop("mean_albedo")) / (done + 1)
-    result["fabrics"] = done + 1
-    if entry["albedo"] > result["largest"]["albedo"]:
-        result["largest"] = entry
-    if entry["largest_excess_in_errors"] > result["closest_to_the_bar"]["largest_excess_in_errors"]:
-        result["closest_to_the_bar"] = entry
-    again = (entry["albedo"] - 1 - ROUNDING) / max(entry["error"], 1e-12)
-    if max(again, entry["largest_excess_in_errors"]) > SIGMAS:
-        result["above"].append(entry)
+def _excess(row: dict[str, float]) -> float:
+    """By how many errors the brightest place, measured again, exceeds 1."""
+    return (row["albedo"] - 1 - ROUNDING) / max(row["error"], 1e-12)
 
 
 if __name__ == "__main__":
-    run(measure, add_options, prints=False, digits=None)
+    run(measure, add_options)

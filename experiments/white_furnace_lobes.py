@@ -21,13 +21,12 @@ import numpy as np
 from drjit.llvm.ad import Array2f, Array3f, Float, UInt32
 from numpy.typing import NDArray
 
-from benchmarks.harness import REPOSITORY, Figures, record, run
+from benchmarks.harness import Figures, run
 from experiments.white_furnace import directions, fabric
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
-from loomlight.evaluation.table import write_json
 from loomlight.models.lobes.bsdf import LobesBsdf
 from loomlight.models.lobes.model import DEFAULT_GROUPS
 from loomlight.models.lobes.prefiltered import PrefilteredLobes
@@ -150,26 +149,15 @@ def add_options(parser: ArgumentParser) -> None:
     """How many fabrics, and which."""
     parser.add_argument("--fabrics", type=int, default=200)
     parser.add_argument("--seed", type=int, default=0)
-    parser.set_defaults(output=REPOSITORY / "experiments/results/white_furnace_lobes.json")
 
 
 def measure(options: Namespace) -> Figures:
-    """The largest albedos, and the fabrics above the bar; written every ten fabrics."""
+    """The largest albedos, and the fabrics above the bar."""
     require_llvm()
-    rows: list[dict[str, float]] = []
-    for number in range(options.fabrics):
-        rows.append(furnace(options.seed, number))
-        print(f"{number + 1} fabrics, largest {max(row['albedo'] for row in rows):.4f}", flush=True)
-        if number % 10 == 9:
-            write_json(options.output, record(summary(options.seed, rows)), digits=6)
-    return summary(options.seed, rows)
-
-
-def summary(seed: int, rows: list[dict[str, float]]) -> Figures:
-    """Figures of the fabrics measured so far."""
+    rows = [furnace(options.seed, number) for number in range(options.fabrics)]
     above = [row for row in rows if row["albedo"] - SIGMAS * row["error"] > BAR]
     return {
-        "seed": seed,
+        "seed": options.seed,
         "fabrics": len(rows),
         "footprints": f"{FOOTPRINTS} a fabric, {SAMPLES} samples each; {BRIGHTEST} again with {AGAIN}",
         "bar": f"{BAR} + {SIGMAS} standard errors",

@@ -95,12 +95,6 @@ def read_pages(root: Path) -> list[Page]:
     return pages
 
 
-def short_title(page: Page) -> str:
-    """A page's title in the navigation: what stands before the colon, or after "Figures:" and "Notes on"."""
-    title = re.sub(r"^(Figures: |Figures of |Notes on (the )?)", "", page.title).partition(":")[0]
-    return title[:1].upper() + title[1:] if page.reader in (USE, FIGURES, PAPERS) else title
-
-
 def _files(root: Path) -> list[Path]:
     """The Markdown files below docs/ and papers/."""
     return [file for folder in ("docs", "papers") for file in sorted((root / folder).rglob("*.md"))]

@@ -14,7 +14,15 @@ import pytest
 
 from benchmarks import harness
 
-LIBRARIES = "__init__", "harness", "machine", "counted_library", "random_networks", "cloth_paths"
+LIBRARIES = (
+    "__init__",
+    "harness",
+    "machine",
+    "counted_library",
+    "random_networks",
+    "cloth_paths",
+    "neural_sampler_training",
+)
 SCRIPTS = sorted(
     [
         f"{folder.replace('/', '.')}.{file.stem}"

@@ -12,7 +12,6 @@ from experiments.unbiased import (
     Means,
     holm,
     model_means,
-    parsed_options,
     random_cases,
     reference_means,
     scores,
@@ -29,16 +28,6 @@ def test_holm_rejects_step_by_step() -> None:
     assert holm(z, 0.01) == 2
     assert holm(np.array([2.8782, 0.5, 0.5, 0.5]), 0.01) == 0
     assert holm(np.array([9.0]), 0.01) == 1
-
-
-def test_options_of_models() -> None:
-    assert parsed_options("points=64,fast=true,share=0.5,kind=plain") == {
-        "points": 64,
-        "fast": True,
-        "share": 0.5,
-        "kind": "plain",
-    }
-    assert parsed_options("") == {}
 
 
 def test_rounding_is_an_error_of_its_own() -> None:

@@ -148,7 +148,7 @@ def _stop_at(step: int):
 
 @pytest.mark.slow
 def test_killed_training_goes_on(dataset: Path, tmp_path: Path) -> None:
-    """kill −9 twice at moments that differ from run to run, by the command line; ten times: experiments/."""
+    """kill −9 twice at moments that differ from run to run, by the command line."""
     config = tmp_path / "tiny.toml"
     config.write_text(TINY.format(steps=60, decoder_steps=60, decoder_hidden=24, optimiser="soap"))
     whole = load_file(train_neural(read_config(config), _with_dataset(dataset, tmp_path / "whole")))
