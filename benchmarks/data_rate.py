@@ -31,10 +31,10 @@ from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.llvm import require_llvm
 from loomlight.evaluation.timing import launched_kernels, timed
 from loomlight.fabric import Fabric
-from loomlight.models.neural.training.materials import MATERIALS, paper_material
-from loomlight.models.neural.training.queries import material_queries, slice_means
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
+from papers.chen2024.materials import MATERIALS, paper_material
+from papers.chen2024.queries import material_queries, slice_means
 
 FULL = 3.2e6
 TEXELS = 128  # a side of the repeat, in the small case

@@ -20,6 +20,7 @@ from PIL import Image
 from loomlight.cli import interruption
 from loomlight.cli.interruption import note_left, report_interruption, was_interrupted
 from loomlight.cli.main import run
+from papers.chen2024 import data
 
 
 def started(code: str) -> subprocess.Popen[str]:
@@ -106,8 +107,8 @@ def test_work_that_goes_on_later_says_so(
     def interrupted(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("loomlight.models.neural.training.dataset_store.make_store", interrupted)
-    assert run(["data", "neural", "-o", str(tmp_path / "a.zarr")]) == 130
+    monkeypatch.setattr("papers.chen2024.dataset_store.make_store", interrupted)
+    assert run(["-o", str(tmp_path / "a.zarr")], data.app) == 130
     assert "a.zarr keeps the materials that are finished" in capsys.readouterr().err
 
 

@@ -15,7 +15,6 @@ from loomlight.cli import (
     bake,
     bake_maps,
     compare,
-    data,
     demo,
     doctor,
     export,
@@ -59,7 +58,6 @@ def _options(
 
 app.add_typer(weave.app, name="weave")
 app.add_typer(train.app, name="train")
-app.add_typer(data.app, name="data")
 app.command("render", cls=ListsModels, epilog=render.EXAMPLE)(render.render)
 app.command("swatches", cls=ListsModels, epilog=swatches.EXAMPLE)(swatches.swatches)
 app.command("play", epilog=play.EXAMPLE)(play.play)
@@ -79,13 +77,19 @@ _UsageError: type[Exception] = typer.BadParameter.__mro__[1]
 BAD_INPUT = 2
 
 
-def run(arguments: list[str]) -> int:
-    """Runs the command line `arguments` and returns its exit code; prints what is wrong to stderr."""
+def run(arguments: list[str], commands: typer.Typer = app, name: str = "loomlight") -> int:
+    """Runs a command line and returns its exit code; prints what is wrong to stderr.
+
+    Args:
+        arguments: words after the name.
+        commands: what they are parsed by.
+        name: of the program.
+    """
     warnings.simplefilter("always", LoomlightWarning)
     warnings.showwarning = _show_each_once()
     note_left(None)
     try:
-        code = _invoke(arguments)
+        code = _invoke(arguments, commands, name)
         sys.stdout.flush()
         if code == INTERRUPTED:  # Typer, by version, returns it or raises
             return report_interruption()
@@ -106,9 +110,9 @@ def run(arguments: list[str]) -> int:
         return _reader_has_enough()
 
 
-def _invoke(arguments: list[str]) -> Any:
+def _invoke(arguments: list[str], commands: typer.Typer, name: str) -> Any:
     try:
-        return app(arguments, prog_name="loomlight", standalone_mode=False)
+        return commands(arguments, prog_name=name, standalone_mode=False)
     except _UsageError as error:
         if type(error).__name__ != "NoArgsIsHelpError":
             raise

@@ -1,23 +1,29 @@
-"""`loomlight data neural`: what it writes, and what it refuses in one sentence."""
+"""`python -m papers.chen2024.data`: what it writes, and what it refuses in one sentence.
+
+Covers: papers/chen2024/data.py
+"""
 
 import pytest
 
-from loomlight.cli.data import MATERIALS as OFFERED
 from loomlight.cli.main import run
-from loomlight.models.neural.training.dataset_store import QueryStore
-from loomlight.models.neural.training.materials import MATERIALS
+from papers.chen2024.data import MATERIALS as OFFERED
+from papers.chen2024.data import app
+from papers.chen2024.dataset_store import QueryStore
+from papers.chen2024.materials import MATERIALS
 
 
 def test_writes_a_store_and_goes_on_with_it(tmp_path, capsys):
     path = tmp_path / "queries.zarr"
-    common = ["data", "neural", "-o", str(path), "--queries", "2048", "--seed", "5"]
-    assert run([*common, "--materials", "7"]) == 0
-    assert run([*common, "--materials", "7:9"]) == 0
+    common = ["-o", str(path), "--queries", "2048", "--seed", "5"]
+    assert run([*common, "--materials", "7"], app) == 0
+    assert run([*common, "--materials", "7:9"], app) == 0
     assert capsys.readouterr().out.split() == [str(path)] * 2
     store = QueryStore(path)
     assert store.numbers == (7, 8)
     assert store.settings.seed == 5
-    assert store.attributes["made_with"]["command"] == "loomlight data neural --queries 2048 --seed 5"
+    assert (
+        store.attributes["made_with"]["command"] == "python -m papers.chen2024.data --queries 2048 --seed 5"
+    )
     assert store.material(8).queries.count == pytest.approx(2048, rel=0.1)
 
 
@@ -41,7 +47,7 @@ def test_faults_are_one_sentence(fault, tmp_path, monkeypatch, capsys):
     (tmp_path / "foreign.zarr").mkdir()
     (tmp_path / "foreign.zarr" / "a.txt").write_text("a")
     arguments, sentence = FAULTS[fault]
-    assert run(["data", "neural", *arguments]) == 2
+    assert run(arguments, app) == 2
     captured = capsys.readouterr()
     assert captured.out == ""
     assert sentence in captured.err

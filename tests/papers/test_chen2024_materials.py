@@ -1,4 +1,7 @@
-"""The paper's 465 materials: how many of each weave, in which ranges, and the same whenever they are made."""
+"""The paper's 465 materials: how many of each weave, in which ranges, and the same whenever they are made.
+
+Covers: papers/chen2024/materials.py
+"""
 
 from collections import Counter
 
@@ -7,7 +10,7 @@ import pytest
 
 from loomlight.core.errors import InputError
 from loomlight.models.neural.parameter_ranges import PARAMETER_RANGES
-from loomlight.models.neural.training.materials import MATERIALS, paper_material
+from papers.chen2024.materials import MATERIALS, paper_material
 
 # Ends and picks of one repeat that the paper names (its "5×10" is read as 5 ends by 10 picks).
 REPEATS = {

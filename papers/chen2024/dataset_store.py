@@ -41,8 +41,8 @@ from loomlight.core.provenance import provenance
 from loomlight.core.shards import Shard, ShardFolder
 from loomlight.core.work_map import require_results, work_map
 from loomlight.models.neural.parameter_ranges import PARAMETER_RANGES
-from loomlight.models.neural.training.materials import MATERIALS, paper_material
-from loomlight.models.neural.training.queries import (
+from papers.chen2024.materials import MATERIALS, paper_material
+from papers.chen2024.queries import (
     FEWEST_QUERIES,
     FULL_QUERIES,
     MaterialQueries,
@@ -145,7 +145,7 @@ class QueryStore:
         if not folder.is_dir():
             raise InputError(
                 f"{self.path} has no material {number}; it has {_listed(self.numbers)}: "
-                f"`loomlight data neural --materials {number}` adds it."
+                f"`python -m papers.chen2024.data --materials {number}` adds it."
             )
         try:
             group = _zarr().open_group(str(folder), mode="r")
@@ -300,7 +300,9 @@ def _prepare(store: Path, settings: StoreSettings, command: str) -> None:
 
 def _read_attributes(store: Path) -> dict[str, Any]:
     if not store.is_dir():
-        raise InputError(f"{store} is no folder; a store of queries is one, made by `loomlight data neural`.")
+        raise InputError(
+            f"{store} is no folder; a store of queries is one, made by `python -m papers.chen2024.data`."
+        )
     zarr = _zarr()
     try:
         attributes = dict(zarr.open_group(str(store), mode="r", zarr_format=3).attrs)
@@ -308,11 +310,13 @@ def _read_attributes(store: Path) -> dict[str, Any]:
     except Exception as error:
         raise InputError(f"{store} is no store of queries: its zarr.json is missing or damaged.") from error
     if attributes.get("format") != FORMAT:
-        raise InputError(f"{store} is a Zarr group, but no store of queries made by `loomlight data neural`.")
+        raise InputError(
+            f"{store} is a Zarr group, but no store of queries made by `python -m papers.chen2024.data`."
+        )
     if attributes.get("version") != VERSION:
         raise InputError(
             f"{store} has version {attributes.get('version')} of its format, and this program reads "
-            f"{VERSION}: make it again with `loomlight data neural`."
+            f"{VERSION}: make it again with `python -m papers.chen2024.data`."
         )
     expected = StoreSettings().attributes()
     for name, value in expected.items():

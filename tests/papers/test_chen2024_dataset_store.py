@@ -1,4 +1,7 @@
-"""The store of queries: what is read is what was computed, whatever happened to the program that wrote it."""
+"""The store of queries: what is read is what was computed, whatever happened to the program that wrote it.
+
+Covers: papers/chen2024/dataset_store.py
+"""
 
 import json
 import os
@@ -16,15 +19,15 @@ from drjit.llvm.ad import Float
 
 from loomlight.core.errors import InputError, LoomlightWarning, MissingDependencyError
 from loomlight.core.executors import Executor
-from loomlight.models.neural.training import dataset_store as store_module
-from loomlight.models.neural.training.dataset_store import (
+from papers.chen2024 import dataset_store as store_module
+from papers.chen2024.dataset_store import (
     BYTES_A_QUERY,
     QueryStore,
     StoreSettings,
     make_store,
 )
-from loomlight.models.neural.training.materials import paper_material
-from loomlight.models.neural.training.queries import material_queries, slice_means
+from papers.chen2024.materials import paper_material
+from papers.chen2024.queries import material_queries, slice_means
 
 SETTINGS = StoreSettings(seed=3, queries=4096)
 NUMBERS = (79, 80, 81)
@@ -114,7 +117,7 @@ def test_killed_at_any_moment_and_run_again_the_bytes_are_the_same(made, tmp_pat
     path = tmp_path / "killed.zarr"
     code = (
         "import sys; from drjit.llvm.ad import Float;"
-        "from loomlight.models.neural.training.dataset_store import *;"
+        "from papers.chen2024.dataset_store import *;"
         f"make_store(sys.argv[1], {NUMBERS}, StoreSettings(3, 4096), Float, 'killed')"
     )
     # The first is killed once a material is there, the second at once when it begins to write one.

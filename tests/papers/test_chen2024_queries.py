@@ -1,4 +1,7 @@
-"""The paper's sampling of queries, and means of slices against the Monte Carlo reference."""
+"""The paper's sampling of queries, and means of slices against the Monte Carlo reference.
+
+Covers: papers/chen2024/queries.py
+"""
 
 import numpy as np
 import pytest
@@ -8,15 +11,15 @@ from loomlight.aggregate.queries import fabric_scale
 from loomlight.aggregate.reference import reference
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
-from loomlight.models.neural.training.materials import paper_material
-from loomlight.models.neural.training.queries import (
+from loomlight.scattering.point import PointModel
+from loomlight.yarn.geometry import YarnGeometry
+from papers.chen2024.materials import paper_material
+from papers.chen2024.queries import (
     FULL_QUERIES,
     fabric_queries,
     material_queries,
     slice_means,
 )
-from loomlight.scattering.point import PointModel
-from loomlight.yarn.geometry import YarnGeometry
 
 NUMBER = 100
 FABRIC = paper_material(NUMBER)

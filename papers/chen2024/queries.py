@@ -21,9 +21,9 @@ from loomlight.aggregate.queries import LOWEST_COSINE, FabricScale, fabric_scale
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.neural.training.materials import paper_material
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
+from papers.chen2024.materials import paper_material
 
 _CELLS = 8
 _SIZES = 10  # in each of the two ranges

@@ -1,32 +1,32 @@
-"""`loomlight data`: training data on disk, for those who want the data and not the network."""
+"""The materials and queries of chen2024 on disk: `python -m papers.chen2024.data -o queries.zarr`."""
 
 from __future__ import annotations
 
 import re
-import shlex
+import sys
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from loomlight.cli.fleet import ExecutorName, SlurmSettings, Workers, executor_of
-from loomlight.cli.help import WholeSentences
-from loomlight.cli.interruption import note_left
+from loomlight.cli.interruption import note_left, supervised
+from loomlight.cli.main import run
 from loomlight.cli.outputs import done
 from loomlight.cli.progress import progress
 from loomlight.cli.values import require_within
 from loomlight.core.errors import InputError
 
-app = typer.Typer(cls=WholeSentences, help="Training data.", no_args_is_help=True, rich_markup_mode=None)
+app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 
-EXAMPLE = "Example: loomlight data neural -o queries.zarr --materials 0:100"
+EXAMPLE = "Example: python -m papers.chen2024.data -o queries.zarr --materials 0:100"
 
 MATERIALS = 465
 DEFAULT_QUERIES = 200_000
 
 
-@app.command("neural", epilog=EXAMPLE)
-def neural(
+@app.command(epilog=EXAMPLE)
+def data(
     output: Annotated[
         Path,
         typer.Option("--output", "-o", help="The Zarr store to write, or to go on with: a folder .zarr."),
@@ -64,10 +64,10 @@ def neural(
     require_llvm()
     from drjit.llvm.ad import Float
 
-    from loomlight.models.neural.training.dataset_store import StoreSettings, make_store
+    from papers.chen2024.dataset_store import StoreSettings, make_store
 
     settings = StoreSettings(seed, wanted)
-    command = shlex.join(["loomlight", "data", "neural", "--queries", str(wanted), "--seed", str(seed)])
+    command = f"python -m papers.chen2024.data --queries {wanted} --seed {seed}"
     note_left(f"{output} keeps the materials that are finished: the same command goes on from there.")
     with progress(f"materials {materials}") as report:
         make_store(output, range(first, end), settings, Float, command, report, chosen)
@@ -87,7 +87,7 @@ def _range_of(text: str) -> tuple[int, int]:
 
 
 def _queries_of(text: str) -> int:
-    from loomlight.models.neural.training.queries import FEWEST_QUERIES, FULL_QUERIES
+    from papers.chen2024.queries import FEWEST_QUERIES, FULL_QUERIES
 
     if text.strip() == "full":
         return FULL_QUERIES
@@ -97,3 +97,12 @@ def _queries_of(text: str) -> int:
         )
     require_within("--queries", int(text), FEWEST_QUERIES, FULL_QUERIES)
     return int(text)
+
+
+def main() -> None:
+    """Runs the command line in a forked process, which must load Dr.Jit itself; exits with its code."""
+    sys.exit(supervised(lambda: run(sys.argv[1:], app, "python -m papers.chen2024.data")))
+
+
+if __name__ == "__main__":
+    main()
