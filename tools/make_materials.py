@@ -1,4 +1,4 @@
-"""Makes examples/materials: the four layered materials as Mitsuba files with their textures.
+"""Makes textures of examples/materials, or copies of these materials with textures of another size.
 
     python -m tools.make_materials [FOLDER] [SIDE]
 

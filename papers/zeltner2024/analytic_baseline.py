@@ -16,10 +16,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.assets.material import Material
-from loomlight.core.arrays import Color3, Float, Mask, Vec3
+from loomlight.core.arrays import Color3, Float, Vec3
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.material_queries import MaterialReflectance
 from loomlight.models.latent.query_stream import draw_directions, draw_lights
+from papers.cosine_bsdf import cosine_bsdf
 
 CHANNELS = 8
 _STEPS = 1500
@@ -97,51 +98,14 @@ def analytic_factory(
     source: Material, resolution: int, steps: int | None = None
 ) -> Callable[[tuple[float, float]], Any]:
     """The BSDF of the fit; arguments as of `fitted_channels`."""
-    channels = fitted_channels(source, resolution, steps)
-    return lambda _size: _bsdf(channels)
+    texture_type: Any = mi.Texture2f
+    channels = mi.TensorXf(fitted_channels(source, resolution, steps))
+    texture = texture_type(channels, wrap_mode=dr.WrapMode.Repeat)
 
+    def value(si: Any, wo: Any) -> Any:
+        return analytic_value(texture.eval(si.uv), wo, si.wi)
 
-def _bsdf(channels: NDArray[np.float32]) -> Any:
-    base: Any = mi.BSDF
-
-    class AnalyticBsdf(base):
-        """The analytic BRDF of textures; directions are drawn by cosine."""
-
-        def __init__(self) -> None:
-            super().__init__(mi.Properties())
-            flags: Any = mi.BSDFFlags
-            lobe = flags.GlossyReflection | flags.FrontSide | flags.SpatiallyVarying
-            self.m_components = [lobe]
-            self.m_flags = lobe
-            texture_type: Any = mi.Texture2f
-            self._texture = texture_type(mi.TensorXf(channels), wrap_mode=dr.WrapMode.Repeat)
-
-        def eval(self, ctx: Any, si: Any, wo: Any, active: Mask = True) -> Any:
-            del ctx
-            value = analytic_value(self._texture.eval(si.uv, active), wo, si.wi)
-            return dr.select(active, value, 0)
-
-        def pdf(self, ctx: Any, si: Any, wo: Any, active: Mask = True) -> Any:
-            del ctx
-            above = active & (wo.z > 0) & (si.wi.z > 0)
-            return dr.select(above, mi.warp.square_to_cosine_hemisphere_pdf(wo), 0)
-
-        def eval_pdf(self, ctx: Any, si: Any, wo: Any, active: Mask = True) -> Any:
-            return self.eval(ctx, si, wo, active), self.pdf(ctx, si, wo, active)
-
-        def sample(self, ctx: Any, si: Any, sample1: Any, sample2: Any, active: Mask = True) -> Any:
-            bs: Any = dr.zeros(mi.BSDFSample3f)
-            bs.wo = mi.warp.square_to_cosine_hemisphere(sample2)
-            bs.pdf = self.pdf(ctx, si, bs.wo, active)
-            bs.eta = 1.0
-            bs.sampled_type = mi.UInt32(+mi.BSDFFlags.GlossyReflection)
-            value = self.eval(ctx, si, bs.wo, active)
-            return bs, dr.select(bs.pdf > 0, value / bs.pdf, 0)
-
-        def to_string(self) -> str:
-            return "AnalyticBsdf[]"
-
-    return AnalyticBsdf()
+    return lambda _size: cosine_bsdf(value)
 
 
 def _sigmoid(value: Float) -> Float:

@@ -1,7 +1,8 @@
 """Four layered materials of the character of zeltner2024's, as trees of Mitsuba's BSDFs.
 
 The paper's materials are not public. Like them these have several layers, each with procedural textures of
-its own: a coat over a base, dirt over the coat, and normals that differ between layers.
+its own: a coat over a base, dirt over the coat, and normals that differ between layers. Their trees are files
+of `examples/materials`, the textures are made here.
 
 - glazed ceramic: a painted body under a crackled clear glaze, fingerprints on the glaze and dust over all;
 - brushed metal: anisotropic steel with scratches along the brushing and greasy smudges;
@@ -13,6 +14,7 @@ from __future__ import annotations
 
 import io
 from collections.abc import Callable, Mapping
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,6 +33,7 @@ from papers.zeltner2024.layered_textures import (
     step,
 )
 
+EXAMPLES = Path(__file__).resolve().parents[2] / "examples" / "materials"
 Textures = Mapping[str, NDArray[np.float64]]
 SIZE_MM = (120.0, 120.0)
 SIDE = 256
@@ -141,99 +144,13 @@ def _patina(side: int) -> Textures:
     }
 
 
-def _bitmap(name: str, file: str) -> str:
-    """An element of a bitmap; colours are sRGB, all else is as it stands."""
-    raw = "" if _COLOUR in file else '<boolean name="raw" value="true"/>'
-    named = f' name="{name}"' if name else ""
-    return f'<texture type="bitmap"{named}><string name="filename" value="{file}.png"/>{raw}</texture>'
-
-
-def _scene(body: str) -> str:
-    return f'<scene version="3.0.0">\n{body}\n</scene>\n'
-
-
-_CERAMIC = _scene(f"""<bsdf type="blendbsdf" id="glazed-ceramic">
-  {_bitmap("weight", "dust")}
-  <bsdf type="normalmap">
-    {_bitmap("normalmap", "normal")}
-    <bsdf type="principled">
-      {_bitmap("base_color", "colour")}
-      {_bitmap("roughness", "roughness")}
-      <float name="specular" value="0.65"/>
-      <float name="clearcoat" value="1.0"/>
-      <float name="clearcoat_gloss" value="0.75"/>
-    </bsdf>
-  </bsdf>
-  <bsdf type="diffuse"><rgb name="reflectance" value="0.46 0.42 0.36"/></bsdf>
-</bsdf>""")
-
-_METAL = _scene(f"""<bsdf type="blendbsdf" id="brushed-metal">
-  {_bitmap("weight", "smudge")}
-  <bsdf type="normalmap">
-    {_bitmap("normalmap", "normal")}
-    <bsdf type="principled">
-      {_bitmap("base_color", "colour")}
-      {_bitmap("roughness", "roughness")}
-      <float name="metallic" value="1.0"/>
-      <float name="anisotropic" value="0.85"/>
-    </bsdf>
-  </bsdf>
-  <bsdf type="principled">
-    <rgb name="base_color" value="0.30 0.28 0.25"/>
-    <float name="metallic" value="0.7"/>
-    <float name="roughness" value="0.55"/>
-    <float name="clearcoat" value="0.5"/>
-    <float name="clearcoat_gloss" value="0.3"/>
-  </bsdf>
-</bsdf>""")
-
-_PLASTIC = _scene(f"""<bsdf type="blendbsdf" id="rough-plastic">
-  {_bitmap("weight", "lint")}
-  <bsdf type="blendbsdf">
-    {_bitmap("weight", "grease")}
-    <bsdf type="normalmap">
-      {_bitmap("normalmap", "normal")}
-      <bsdf type="principled">
-        {_bitmap("base_color", "colour")}
-        {_bitmap("roughness", "roughness")}
-        <float name="specular" value="0.5"/>
-      </bsdf>
-    </bsdf>
-    <bsdf type="principled">
-      <rgb name="base_color" value="0.22 0.03 0.022"/>
-      <float name="roughness" value="0.2"/>
-      <float name="specular" value="0.6"/>
-    </bsdf>
-  </bsdf>
-  <bsdf type="diffuse"><rgb name="reflectance" value="0.55 0.52 0.5"/></bsdf>
-</bsdf>""")
-
-_PATINA = _scene(f"""<bsdf type="normalmap" id="patinated-metal">
-  {_bitmap("normalmap", "normal")}
-  <bsdf type="blendbsdf">
-    {_bitmap("weight", "patina")}
-    <bsdf type="principled">
-      {_bitmap("base_color", "colour")}
-      {_bitmap("roughness", "roughness")}
-      <float name="metallic" value="1.0"/>
-      <float name="clearcoat" value="0.3"/>
-      <float name="clearcoat_gloss" value="0.8"/>
-    </bsdf>
-    <bsdf type="principled">
-      {_bitmap("base_color", "patina-colour")}
-      <float name="roughness" value="0.75"/>
-      <float name="specular" value="0.3"/>
-    </bsdf>
-  </bsdf>
-</bsdf>""")
-
-_MATERIALS: dict[str, tuple[str, Callable[[int], Textures]]] = {
-    "glazed-ceramic": (_CERAMIC, _ceramic),
-    "brushed-metal": (_METAL, _metal),
-    "rough-plastic": (_PLASTIC, _plastic),
-    "patinated-metal": (_PATINA, _patina),
+_TEXTURES: dict[str, Callable[[int], Textures]] = {
+    "glazed-ceramic": _ceramic,
+    "brushed-metal": _metal,
+    "rough-plastic": _plastic,
+    "patinated-metal": _patina,
 }
-LAYERED = tuple(_MATERIALS)
+LAYERED = tuple(_TEXTURES)
 
 
 def layered_parts(name: str, side: int = SIDE) -> tuple[str, dict[str, Bytes]]:
@@ -242,8 +159,8 @@ def layered_parts(name: str, side: int = SIDE) -> tuple[str, dict[str, Bytes]]:
     Args:
         side: texels of its textures.
     """
-    xml, textures = _MATERIALS[name]
-    return xml, {f"{file}.png": _png(file, values) for file, values in textures(side).items()}
+    xml = (EXAMPLES / name / f"{name}.xml").read_text(encoding="utf-8")
+    return xml, {f"{file}.png": _png(file, values) for file, values in _TEXTURES[name](side).items()}
 
 
 def layered_material(name: str, side: int = SIDE) -> Material:

@@ -16,7 +16,6 @@ import mitsuba as mi
 import numpy as np
 
 from loomlight.aggregate.components import colours
-from loomlight.core.arrays import Mask
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.bsdf_samples import plain, variant_types
 from loomlight.mitsuba.mesh_arrays import MeshArrays, make_shape
@@ -24,6 +23,7 @@ from loomlight.mitsuba.meshes import ClothMesh, uv_size
 from loomlight.scattering.point import PointModel
 from loomlight.scattering.sheen import sheen_with_transmittance
 from loomlight.yarn.geometry import YarnGeometry
+from papers.cosine_bsdf import cosine_bsdf
 
 
 def height_field_shape(piece: ClothMesh, fabric: Fabric) -> Any:
@@ -50,53 +50,22 @@ def height_field_shape(piece: ClothMesh, fabric: Fabric) -> Any:
 
 
 def _yarn_bsdf(model: PointModel, millimetres: tuple[float, float]) -> Any:
-    base: Any = mi.BSDF
+    """The local scattering of the yarn at a point of the surface: no shadow, no parallax."""
+    assert isinstance(model.surface, YarnGeometry)
+    model.surface.upload(variant_types())
+    model.parameters(variant_types())
 
-    class YarnBsdf(base):
-        """The local scattering of the yarn at a point of the surface: no shadow, no parallax."""
+    def value(si: Any, wo: Any) -> Any:
+        types = variant_types()
+        view, light = plain(si.wi), plain(wo)
+        x, y = (types.Float(part) * size for part, size in zip(si.uv, millimetres, strict=True))
+        point = model.at(x, y, types.Bool(False), types.Bool(False))
+        # A ray may leave a triangle backwards and find nothing in its way: the yarn itself is.
+        lit = dr.dot(point.normal, light) > 0
+        found = colours(model.appearance, point, light, view, lit)
+        if model.sheen is not None:
+            sheen, transmittance = sheen_with_transmittance(light, view, *model.sheen)
+            found = transmittance * found + dr.select(lit, sheen, 0)
+        return mi.Spectrum(dr.select((light.z > 0) & (view.z > 0), found, 0))
 
-        def __init__(self) -> None:
-            super().__init__(mi.Properties())
-            flags: Any = mi.BSDFFlags
-            lobe = flags.GlossyReflection | flags.FrontSide | flags.SpatiallyVarying | flags.Anisotropic
-            self.m_components = [lobe]
-            self.m_flags = lobe
-            surface = model.surface
-            assert isinstance(surface, YarnGeometry)
-            surface.upload(variant_types())
-            model.parameters(variant_types())
-
-        def eval(self, ctx: Any, si: Any, wo: Any, active: Mask = True) -> Any:
-            types = variant_types()
-            view, light = plain(si.wi), plain(wo)
-            x, y = (types.Float(part) * size for part, size in zip(si.uv, millimetres, strict=True))
-            point = model.at(x, y, types.Bool(False), types.Bool(False))
-            # A ray may leave a triangle backwards and find nothing in its way: the yarn itself is.
-            lit = dr.dot(point.normal, light) > 0
-            value = colours(model.appearance, point, light, view, lit)
-            if model.sheen is not None:
-                sheen, transmittance = sheen_with_transmittance(light, view, *model.sheen)
-                value = transmittance * value + dr.select(lit, sheen, 0)
-            shown = active & (light.z > 0) & (view.z > 0)
-            return mi.Spectrum(dr.select(shown, value, 0))
-
-        def pdf(self, ctx: Any, si: Any, wo: Any, active: Mask = True) -> Any:
-            above = active & (mi.Frame3f.cos_theta(wo) > 0)
-            return dr.select(above, mi.warp.square_to_cosine_hemisphere_pdf(wo), 0)
-
-        def eval_pdf(self, ctx: Any, si: Any, wo: Any, active: Mask = True) -> Any:
-            return self.eval(ctx, si, wo, active), self.pdf(ctx, si, wo, active)
-
-        def sample(self, ctx: Any, si: Any, sample1: Any, sample2: Any, active: Mask = True) -> Any:
-            bs: Any = dr.zeros(mi.BSDFSample3f)
-            bs.wo = mi.warp.square_to_cosine_hemisphere(sample2)
-            bs.pdf = self.pdf(ctx, si, bs.wo, active)
-            bs.eta = 1.0
-            bs.sampled_type = mi.UInt32(+mi.BSDFFlags.GlossyReflection)
-            value = self.eval(ctx, si, bs.wo, active)
-            return bs, dr.select(bs.pdf > 0, value / bs.pdf, 0)
-
-        def to_string(self) -> str:
-            return "YarnBsdf[]"
-
-    return YarnBsdf()
+    return cosine_bsdf(value, int(mi.BSDFFlags.Anisotropic))

@@ -1,6 +1,7 @@
 """Scenes of several pieces, and cloth as a ray-traced height field.
 
-Covers: papers/composed_scenes.py, papers/zhu2024/height_field.py, mitsuba/scene_props.py
+Covers: papers/composed_scenes.py, papers/cosine_bsdf.py, papers/zhu2024/height_field.py
+Covers: mitsuba/scene_props.py
 """
 
 from __future__ import annotations
