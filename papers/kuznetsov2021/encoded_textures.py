@@ -25,7 +25,7 @@ from torch.nn import functional
 from loomlight.assets.sources import Source
 from loomlight.core.files import replacing
 from loomlight.models.mip_pyramid import SIZE_OF_SIGMA, PyramidShape
-from loomlight.models.neumip.btf import btf_of, draw_directions
+from loomlight.models.neumip.btf import BTFS, draw_directions
 from loomlight.models.neumip.networks import EXPOSURE
 from loomlight.models.neumip.settings import NeumipSettings
 from loomlight.models.neumip.training.train import (
@@ -158,7 +158,7 @@ def apparent_brdfs(source: Source, settings: NeumipSettings, folder: Path) -> _F
         pass
     rng = np.random.default_rng([settings.seed, _APPARENT])
     lights, views = draw_directions(rng, PAIRS), draw_directions(rng, PAIRS)
-    btf, texels = btf_of(source), shape.rows * shape.columns
+    btf, texels = BTFS.of(source), shape.rows * shape.columns
     place = np.stack([np.arange(texels) % shape.columns, np.arange(texels) // shape.columns], axis=1) + 0.5
     place *= np.array([shape.width_mm / shape.columns, shape.height_mm / shape.rows])
     parts = []

@@ -26,7 +26,7 @@ from loomlight.core.extras import import_extra
 from loomlight.core.footprint import Box, box_footprint
 from loomlight.evaluation.pictures import PictureError, picture_error
 from loomlight.models.mip_pyramid import SIZE_OF_SIGMA, PyramidShape
-from loomlight.models.neumip.btf import btf_of
+from loomlight.models.neumip.btf import BTFS
 from loomlight.models.neumip.model import NeumipModel
 from loomlight.models.neumip.settings import QUALITIES, NeumipSettings, settings_of
 from loomlight.models.registry import model_from_loom
@@ -143,7 +143,7 @@ def traced(source: Heightfield, shot: Shot, samples: int) -> Truth:
     Args:
         samples: paths a pixel, half of them for each estimate.
     """
-    btf, count, each = btf_of(source), len(shot.sides), max(1, samples // 2)
+    btf, count, each = BTFS.of(source), len(shot.sides), max(1, samples // 2)
     halves = []
     for half in range(2):
         rng = np.random.default_rng([_SEED, half])

@@ -58,6 +58,8 @@ _HOMES = {
     "write_wif": "loomlight.weave.wif_writer",
 }
 
+_TRAINING = ("bake", "make_model")
+
 __all__ = [
     "Appearance",
     "ClothLayout",
@@ -89,6 +91,9 @@ def __getattr__(name: str) -> Any:
     home = _HOMES.get(name)
     if home is None:
         raise AttributeError(f"module 'loomlight' has no attribute '{name}'")
+    if name in _TRAINING:
+        # It answers for sources that have to be rendered to be learned.
+        import_module("loomlight.mitsuba")
     value = getattr(import_module(home), name)
     globals()[name] = value
     return value

@@ -1,4 +1,7 @@
-"""Height field files and their records; what is wrong is one sentence."""
+"""Height field files and their records; what is wrong is one sentence.
+
+Covers: assets/toml_source.py
+"""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """`loomlight bake`, and pictures of what it writes.
 
-Covers: models/bake.py, models/bake_catalogue.py, assets/source_identity.py, cli/fleet.py
+Covers: models/bake.py, cli/bake_catalogue.py, assets/source_identity.py, cli/fleet.py
 """
 
 from __future__ import annotations

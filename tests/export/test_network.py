@@ -1,6 +1,6 @@
 """The exported decoders compute what `neural` and `latent` compute.
 
-Covers: models/neural/training/export_decoder.py, export/latent_network.py
+Covers: export/latent_network.py
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ from loomlight.export import export
 from loomlight.fabric import fabric_from_text
 from loomlight.models.neural import model as model_module
 from loomlight.models.neural.footprint_coding import Level, taps
-from loomlight.models.neural.training.export_decoder import decoder_model
 from loomlight.models.neural.weights import shipped_decoder, shipped_weights
 from loomlight.models.registry import make_model
 from tests.realtime import test_latent
 from tests.realtime.queries import directions, share_beyond
+from tools.export_decoder import decoder_model
 
 require_llvm()
 FABRIC = fabric_from_text('weave = "twill 2/1"\nends_per_cm = 14\npicks_per_cm = 11\n')

@@ -31,7 +31,14 @@ from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.file import FabricFile
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.lobes.prefiltered import DIFFUSE_LOSS, MAX_CORRELATION
-from loomlight.models.lobes.reference import (
+from loomlight.models.neural.training.config import DataTable
+from loomlight.models.neural.training.dataset import dataset_fabric
+from loomlight.models.neural.training.random_fabrics import random_fabric
+from loomlight.scattering.point import PointModel
+from loomlight.weave.named import named_weave
+from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.search import SearchQuality
+from tests.models.lobes.reference import (
     LobesReference,
     Parallelogram,
     direction_nodes,
@@ -40,13 +47,6 @@ from loomlight.models.lobes.reference import (
     on_seen_face,
     shadow_correlation,
 )
-from loomlight.models.neural.training.config import DataTable
-from loomlight.models.neural.training.dataset import dataset_fabric
-from loomlight.models.neural.training.random_fabrics import random_fabric
-from loomlight.scattering.point import PointModel
-from loomlight.weave.named import named_weave
-from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.search import SearchQuality
 
 PAIRS, POINTS, SEED = 240, 2048, 77
 WEAVES = "plain", "twill 2/1", "twill 2/2", "twill 3/1", "satin 5/2", "satin 8/3", "basket 2/2"

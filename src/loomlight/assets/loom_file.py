@@ -231,12 +231,6 @@ def checksum(material: Mapping[str, object], tensors: Mapping[str, Tensor]) -> s
     return digest.hexdigest()
 
 
-def file_sha256(path: str | os.PathLike[str]) -> str:
-    """SHA-256 of a file, as `LoomFile.networks` holds it."""
-    with Path(path).open("rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
-
-
 def _plain(name: str, values: Tensor) -> Tensor:
     """Contiguous and little-endian, as safetensors writes arrays without asking."""
     if values.dtype.newbyteorder("=") not in {np.dtype(kind) for kind in _KINDS.values()}:

@@ -50,6 +50,8 @@ def bake(
     fabric = sources[0]
     check_output(output, (".loom",), sources)
 
+    # It answers for sources that have to be rendered to be learned.
+    import loomlight.mitsuba  # noqa: F401
     from loomlight.models.bake import bake as run
     from loomlight.models.bake import save
     from loomlight.models.option_values import parse_options
@@ -70,7 +72,7 @@ def _bake_into_folder(
 ) -> None:
     if folder.suffix or not folder.parent.is_dir() or (folder.exists() and not folder.is_dir()):
         raise InputError(f"{folder}: several sources are baked into a folder; give the name of one.")
-    from loomlight.models.bake_catalogue import bake_catalogue
+    from loomlight.cli.bake_catalogue import bake_catalogue
     from loomlight.models.option_values import parse_options
 
     chosen = parse_options(model, options)

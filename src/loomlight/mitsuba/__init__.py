@@ -1,7 +1,8 @@
 """Cloth in Mitsuba 3: plugins, the footprint integrator, meshes and scenes.
 
 Importing this package registers its plugins in every supported variant (`llvm_ad_rgb`, `cuda_ad_rgb`), now or
-as soon as one is set; it never sets one.
+as soon as one is set; it never sets one. It also answers the queries of trainings of tiles, height fields and
+materials.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from loomlight.mitsuba.material import material_bsdf
 from loomlight.mitsuba.material_picture import RenderSettings
 from loomlight.mitsuba.meshes import ClothMesh, read_mesh, to_shape, uv_size
 from loomlight.mitsuba.plugins import register_plugins
+from loomlight.mitsuba.query_sources import register_query_sources
 from loomlight.mitsuba.rendering import render
 from loomlight.mitsuba.scenes import SCENES, ClothScene, build_scene
 from loomlight.mitsuba.variants import SUPPORTED_VARIANTS, choose_variant
@@ -32,3 +34,4 @@ __all__ = [
 ]
 
 register_plugins()
+register_query_sources()

@@ -63,12 +63,6 @@ class LivePicture:
         for seed in range(2):
             self.take(seed)
 
-    @property
-    def recorded(self) -> bool:
-        """Whether pictures are launched from a recording; otherwise each is traced anew."""
-        launch: Any = self._launch
-        return bool(launch.n_cached_recordings > 0)
-
     def take(self, seed: int = 0) -> NDArray[np.float32]:
         """The picture as the scene is now: linear [height, width, channels of the film].
 

@@ -21,7 +21,7 @@ from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.latent.fabric_queries import FabricReflectance
 from loomlight.models.latent.networks import Weights
-from loomlight.models.latent.queries import reflectance_of
+from loomlight.models.latent.queries import REFLECTANCES
 from loomlight.models.latent.query_stream import PART, QueryStream, draw_lights
 from loomlight.models.latent.settings import QUALITIES, LatentSettings
 from loomlight.models.latent.training.train import cone_of, rate_factor, taken_queries, train_latent
@@ -92,7 +92,7 @@ def test_the_rungs_of_the_ablation(tmp_path: Path) -> None:
 
 def test_queries_are_means_over_footprints() -> None:
     """Against many points of the point model around the query's position, on the face that is seen."""
-    reflectance = reflectance_of(TWILL, 16)
+    reflectance = REFLECTANCES.of(TWILL, 16)
     stream = QueryStream(reflectance, 5, 256, seed=2)
     queries = stream.part(0, 40)
     assert np.array_equal(stream.part(0, 40).values, queries.values)
@@ -149,7 +149,7 @@ def test_mollification_and_rate_follow_the_supplemental(tmp_path: Path) -> None:
     assert rate_factor(0) == 1
     assert rate_factor(1) == pytest.approx(0.1)
     # Cones make values differ, and leave the centres of queries alone.
-    reflectance = reflectance_of(TWILL, 8)
+    reflectance = REFLECTANCES.of(TWILL, 8)
     sharp, blurred = (QueryStream(reflectance, 4, 4, 0, lambda _, a=a: a).part(0, 200) for a in (0.0, 0.17))
     assert np.array_equal(sharp.lights, blurred.lights)
     assert not np.array_equal(sharp.values, blurred.values)
@@ -194,4 +194,4 @@ def test_a_sampler_finds_an_off_centre_lobe() -> None:
 
 def test_a_source_without_queries_is_refused() -> None:
     with pytest.raises(TypeError, match="is no kind of source"):
-        reflectance_of(Path("a"), 8)  # type: ignore[arg-type]
+        REFLECTANCES.of(Path("a"), 8)  # type: ignore[arg-type]

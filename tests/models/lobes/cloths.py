@@ -22,11 +22,12 @@ from loomlight.models.lobes.cloth_samples import top_down_samples, upload_cloth
 from loomlight.models.lobes.coverage_pyramid import CoveragePyramid, build_pyramid, count_cells
 from loomlight.models.lobes.groups import Groups, NearestGroup, find_groups
 from loomlight.models.lobes.model import LobesModel
-from loomlight.models.lobes.reference import LobesReference
 from loomlight.models.lobes.visibility_rays import launch_views, view_samples
 from loomlight.models.separable import Components
 from loomlight.weave.draft import Draft, Threads
 from loomlight.yarn.geometry import YarnGeometry
+
+from .reference import LobesReference
 
 require_llvm()
 

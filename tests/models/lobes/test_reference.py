@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.lobes.proposal import LobeWeights
-from loomlight.models.lobes.reference import LobesReference, Parallelogram
 from loomlight.models.separable import Components
 
 from .cloths import TEXTS, FootprintQueries, model_of, prefiltered_parts, random_queries, reference_of
+from .reference import LobesReference, Parallelogram
 
 QUERIES = 250
 # Float32 against float64. Steep highlights (α = 0.1) magnify errors of the half vector, most of all where

@@ -1,6 +1,6 @@
 """The model of a fabric and its options; everything else is in the contract.
 
-Covers: models/neumip/settings.py, models/option_values.py
+Covers: models/neumip/settings.py, models/option_values.py, models/textured_model.py
 """
 
 from __future__ import annotations

@@ -24,7 +24,7 @@ from loomlight.core.footprint import Box, box_footprint
 from loomlight.core.llvm import llvm_float, require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.mip_pyramid import PyramidShape
-from loomlight.models.neumip.btf import Queries, QueryStream, btf_of
+from loomlight.models.neumip.btf import BTFS, Queries, QueryStream
 from loomlight.models.neumip.fabric_btf import FabricBtf
 from loomlight.models.neumip.model import NeumipModel
 from loomlight.models.neumip.networks import Weights, sampler_widths
@@ -129,7 +129,7 @@ def test_a_sampler_network_or_fitted_lobes(tmp_path: Path) -> None:
         again = model_from_loom(file).weights  # type: ignore[attr-defined]
         for one, other in zip(again.sampler or [], weights.sampler or [], strict=True):
             assert all(map(np.array_equal, one, other))
-    btf = btf_of(TWILL)
+    btf = BTFS.of(TWILL)
     network = NeumipNetwork(PyramidShape.of(TWILL.repeat_mm, 8, 2), True, 1.0, btf.transmits, btf.has_holes)
     untrained = relu_layers(sampler_widths(True))
     settings = replace(short(), steps=200)
@@ -215,4 +215,4 @@ def test_schedules() -> None:
 
 def test_a_source_without_queries_is_refused() -> None:
     with pytest.raises(TypeError, match="is no kind of source"):
-        btf_of(Path("a"))  # type: ignore[arg-type]
+        BTFS.of(Path("a"))  # type: ignore[arg-type]

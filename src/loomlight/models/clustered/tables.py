@@ -80,11 +80,6 @@ class ClusterTables:
         sums = 2 * (columns + 1) * (rows + 1) * self.clusters * (1 + self.rank) * 4
         return self.nbytes + sums + 3 * self.labels.nbytes + 3 * self.coefficients.nbytes
 
-    @property
-    def uncompressed_bytes(self) -> int:
-        """Size of the summed-area tables of D, of every cluster and half-vector bin."""
-        return self.labels.size * self.clusters * BINS * BINS * 4
-
     def arrays(self) -> dict[str, NDArray[np.generic]]:
         """The tables by name."""
         return {part.name: getattr(self, part.name) for part in fields(self)}

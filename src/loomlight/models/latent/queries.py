@@ -6,15 +6,15 @@ l is a Gaussian about a position, of deviation texel / `SIZE_OF_SIGMA` along eit
 
 from __future__ import annotations
 
-from importlib import import_module
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.assets.sources import Source, kind_of_source
-from loomlight.core.errors import InputError
+from loomlight.models.latent.fabric_queries import FabricReflectance
+from loomlight.models.latent.merl_queries import MerlReflectance
 from loomlight.models.mip_pyramid import SIZE_OF_SIGMA as SIZE_OF_SIGMA
+from loomlight.models.query_sources import QuerySources
 
 _Floats = NDArray[np.float32]
 
@@ -57,28 +57,6 @@ class Reflectance(Protocol):
         """
 
 
-# By kind of source: module and class, imported when it is asked for. Materials are evaluated by a renderer,
-# which models do not import.
-_REFLECTANCES = {
-    "fabric": ("loomlight.models.latent.fabric_queries", "FabricReflectance"),
-    "material": ("loomlight.mitsuba.material_queries", "MaterialReflectance"),
-    "merl": ("loomlight.models.latent.merl_queries", "MerlReflectance"),
-}
-
-
-def reflectance_of(source: Source, resolution: int) -> Reflectance:
-    """The reflectance of a source.
-
-    Args:
-        resolution: texels along the longer side of the repeat, a power of two. Sources whose textures have a
-            resolution of their own may answer with fewer.
-
-    Raises:
-        InputError: a kind of source that has none.
-    """
-    kind = kind_of_source(source)
-    if kind not in _REFLECTANCES:
-        raise InputError(f"{source.name} is a {kind}, of which latent can take no queries.")
-    module, name = _REFLECTANCES[kind]
-    reflectance: Reflectance = getattr(import_module(module), name)(source, resolution)
-    return reflectance
+# Made of a source and the texels along the longer side of its repeat, a power of two; sources whose textures
+# have a resolution of their own may answer with fewer. `loomlight.mitsuba` answers for materials.
+REFLECTANCES = QuerySources[Reflectance]("latent", {"fabric": FabricReflectance, "merl": MerlReflectance})

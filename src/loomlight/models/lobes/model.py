@@ -42,7 +42,7 @@ class LobesModel(FilteredFabricModel):
     Attributes:
         tables: the baked tables.
         groups: requested groups of each family, on average.
-        multiply_adds: of one prefiltered query, counted from the formulas of reference.py.
+        multiply_adds: of one prefiltered query, counted from its formulas.
         bytes_fetched: by one prefiltered query, from tables that depend on position or direction. The
             moments, 48 bytes a group, are the same for all queries of a face and not counted; neither are
             bytes loaded along with those of holes.

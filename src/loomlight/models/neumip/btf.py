@@ -9,17 +9,16 @@ texels.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass, fields
-from importlib import import_module
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.assets.sources import Source, kind_of_source
-from loomlight.core.errors import InputError
 from loomlight.models.mip_pyramid import SIZE_OF_SIGMA, PyramidShape
+from loomlight.models.neumip.fabric_btf import FabricBtf
+from loomlight.models.neumip.measured_btf import PictureBtf
+from loomlight.models.query_sources import QuerySources
 
 _Floats = NDArray[np.float32]
 # Queries of a part of the stream; a part is drawn, stored and counted as a whole.
@@ -34,9 +33,6 @@ _LEVELS_BEYOND = 1.0
 BEYOND_SHARE = 0.4
 # Keys that separate the random numbers of queries from those of batches.
 _STREAM = 3
-
-# Called with (queries done, queries in all).
-QueryReport = Callable[[int, int], None]
 
 
 class Btf(Protocol):
@@ -72,28 +68,8 @@ class Btf(Protocol):
         """Share of light that passes straight through towards views [n], 0 to 1; asked if `has_holes`."""
 
 
-# By kind of source: module and class, imported when it is asked for. Path tracing needs a renderer, which
-# models do not import.
-_BTFS = {
-    "fabric": ("loomlight.models.neumip.fabric_btf", "FabricBtf"),
-    "heightfield": ("loomlight.mitsuba.heightfield_btf", "HeightfieldBtf"),
-    "tile": ("loomlight.mitsuba.tile_btf", "TileBtf"),
-    "btf": ("loomlight.models.neumip.measured_btf", "PictureBtf"),
-}
-
-
-def btf_of(source: Source) -> Btf:
-    """The BTF of a source.
-
-    Raises:
-        InputError: a kind of source that has none.
-    """
-    kind = kind_of_source(source)
-    if kind not in _BTFS:
-        raise InputError(f"{source.name} is a {kind}, of which neumip can take no queries.")
-    module, name = _BTFS[kind]
-    btf: Btf = getattr(import_module(module), name)(source)
-    return btf
+# Of fabrics and pictures by this package; of what has to be path traced by `loomlight.mitsuba`.
+BTFS = QuerySources[Btf]("neumip", {"fabric": FabricBtf, "btf": PictureBtf})
 
 
 @dataclass(frozen=True, eq=False)

@@ -25,7 +25,7 @@ from torch import Tensor, nn
 from loomlight.assets.sources import Source, kind_of_source
 from loomlight.core.files import replacing
 from loomlight.models.latent.networks import Weights
-from loomlight.models.latent.queries import Reflectance, reflectance_of
+from loomlight.models.latent.queries import REFLECTANCES, Reflectance
 from loomlight.models.latent.query_stream import PART, Queries, QueryStream, draw_directions, draw_levels
 from loomlight.models.latent.settings import AUTO, DECODERS, LatentSettings, loss_of_kind
 from loomlight.models.latent.training.network import LatentNetwork, loss_of, texel_inputs
@@ -72,7 +72,7 @@ def train_latent(
     """
     report = progress or (lambda done, total: None)
     folder.mkdir(parents=True, exist_ok=True)
-    reflectance = reflectance_of(source, settings.resolution)
+    reflectance = REFLECTANCES.of(source, settings.resolution)
     shape = PyramidShape(*reflectance.resolution, *source.repeat_mm, reflectance.faces)
     queries = taken_queries(source, settings, reflectance, shape.levels, folder, report)
     torch.manual_seed(settings.seed)

@@ -21,7 +21,7 @@ from torch import Tensor, nn
 
 from loomlight.assets.sources import Source
 from loomlight.models.mip_pyramid import PyramidShape
-from loomlight.models.neumip.btf import PART, Queries, QueryStream, btf_of, light_density
+from loomlight.models.neumip.btf import BTFS, PART, Queries, QueryStream, light_density
 from loomlight.models.neumip.networks import EXPOSURE, Weights
 from loomlight.models.neumip.settings import FILES, NeumipSettings
 from loomlight.models.neumip.training.network import NeumipNetwork, loss_of, opacity_loss
@@ -75,7 +75,7 @@ def train_neumip(
     report = progress or (lambda done, total: None)
     folder.mkdir(parents=True, exist_ok=True)
     queries = taken_queries(source, settings, queries_folder or folder, report, store)
-    btf, shape = btf_of(source), shape_of(source, settings)
+    btf, shape = BTFS.of(source), shape_of(source, settings)
     torch.manual_seed(settings.seed)
     scale = settings.texture_rate / settings.rate
     gains = gains_of(queries)
@@ -115,7 +115,7 @@ def one_thread() -> Iterator[None]:
 
 def shape_of(source: Source, settings: NeumipSettings) -> PyramidShape:
     """The shape of the textures of a source."""
-    return PyramidShape.of(source.repeat_mm, settings.resolution, btf_of(source).faces)
+    return PyramidShape.of(source.repeat_mm, settings.resolution, BTFS.of(source).faces)
 
 
 def taken_queries(
@@ -128,7 +128,7 @@ def taken_queries(
     """
     shape = shape_of(source, settings)
     total = settings.queries * shape.columns * shape.rows * shape.faces
-    stream = QueryStream(btf_of(source), shape, settings.samples, settings.seed)
+    stream = QueryStream(BTFS.of(source), shape, settings.samples, settings.seed)
     kept = query_store(store, folder, settings.query_identity(source), total)
     sizes = [min(PART, total - first) for first in range(0, total, PART)]
     parts = []

@@ -14,7 +14,6 @@ from loomlight.core.files import require_file
 from loomlight.models.neural.architecture import ConfigTable, Count, NetworkTable
 
 Positive = Annotated[float, Field(gt=0)]
-Share = Annotated[float, Field(ge=0, le=1)]
 
 
 class DataTable(ConfigTable):

@@ -1,6 +1,6 @@
 """The decoder as an ONNX model, for programs that run networks: exported by torch from a weights file.
 
-    python -m loomlight.models.neural.training.export_decoder neural.safetensors      writes
+    python -m tools.export_decoder neural.safetensors      writes
     neural_decoder.onnx beside it
 
 Inputs are those of `network.Decoder.forward` for queries of one face, outputs components in 1/sr and the

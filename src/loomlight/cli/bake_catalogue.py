@@ -8,6 +8,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+# It answers in every process for sources that have to be rendered to be learned.
+import loomlight.mitsuba  # noqa: F401
 from loomlight.assets.load import load_source
 from loomlight.assets.source_identity import source_identity
 from loomlight.core.errors import InputError
