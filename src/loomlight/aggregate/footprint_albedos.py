@@ -69,13 +69,17 @@ NOISE_FRACTION = 1e-5
 
 
 class FootprintAlbedos:
-    """Mean albedos of warp and weft over footprints of one fabric, for any backend."""
+    """Mean albedos of warp and weft over footprints of one fabric, for any backend.
+
+    Attributes:
+        tables: colours of the warp and of the weft.
+    """
 
     def __init__(self, geometry: YarnGeometry, appearance: Appearance) -> None:
         """Computes the tables; families whose threads are all the same need none."""
         warp, weft = geometry.families
         on_top = geometry.layout.warp_on_top
-        self._tables = (
+        self.tables = (
             _family_tables(appearance.warp, warp, weft, on_top),
             _family_tables(appearance.weft, weft, warp, ~on_top.T),
         )
@@ -95,17 +99,17 @@ class FootprintAlbedos:
     @property
     def varied(self) -> bool:
         """Whether threads of a family differ, so that means depend on the position."""
-        return any(len(tables.axes) > 0 for tables in self._tables)
+        return any(len(tables.axes) > 0 for tables in self.tables)
 
     @property
     def bytes(self) -> int:
         """Size of the tables on a device."""
-        return sum(tables.areas.nbytes + tables.threads.nbytes for tables in self._tables)
+        return sum(tables.areas.nbytes + tables.threads.nbytes for tables in self.tables)
 
     @property
     def truncation(self) -> float:
         """Largest error of a thread's albedo, from principal axes that were dropped."""
-        return max(tables.truncation for tables in self._tables)
+        return max(tables.truncation for tables in self.tables)
 
     def over(self, footprint: Footprint, back: Mask) -> tuple[Albedos, Albedos]:
         """Mean albedos of (warp, weft) over footprints, as their axis-aligned boxes: Color3 each, 0 to 1.
@@ -120,7 +124,7 @@ class FootprintAlbedos:
     def upload(self, types: ArrayTypes) -> None:
         """Uploads the tables to a backend, which otherwise happens at first use."""
         if types.Float not in self._uploaded:
-            self._uploaded[types.Float] = _Uploaded(self._families, self._tables, types)
+            self._uploaded[types.Float] = _Uploaded(self._families, self.tables, types)
             if self.appearance.openness is not None:
                 self._between[types.Float] = Interreflection(self.appearance.openness, types)
 
@@ -136,7 +140,7 @@ class FootprintAlbedos:
 
 
 @dataclass(frozen=True, eq=False)
-class _FamilyTables:
+class FamilyColours:
     """One family's colours. Its quantities are 1 and r principal coordinates; r = 0 if all threads are equal.
 
     Attributes:
@@ -161,14 +165,14 @@ class _FamilyTables:
 
 def _family_tables(
     appearance: FamilyAppearance, own: FamilyTables, other: FamilyTables, on_top: NDArray[np.bool_]
-) -> _FamilyTables:
+) -> FamilyColours:
     rows = np.concatenate([np.asarray(getattr(appearance, name), np.float64) for name in _ALBEDOS], axis=1)
     entries = (own.lower.size + 1) * (other.lower.size + 1)
     most = max(MAX_ENTRIES // entries, MIN_QUANTITIES) - 1
     mean, coordinates, axes, truncation = _principal(rows, most)
     if not len(axes):
         nothing = np.zeros((0, 0, 0), np.uint32)
-        return _FamilyTables(mean, axes, np.zeros((0, 3, 1)), nothing, 1.0, 1.0, truncation)
+        return FamilyColours(mean, axes, np.zeros((0, 3, 1)), nothing, 1.0, 1.0, truncation)
     quantities = np.concatenate([np.ones((len(rows), 1)), coordinates], axis=1)
     visible, cells = 2 * own.half_width, own.upper - own.lower
     crossing = 2 * other.half_width
@@ -182,7 +186,7 @@ def _family_tables(
     for number, quantity in enumerate(quantities.T):
         for part, sums in _prefix_sums(on_top, crossing, quantity * visible):
             areas[1:, 1:, number][part] = np.rint(sums / unit).astype(np.int64).astype(np.uint32)
-    return _FamilyTables(mean, axes, threads, areas, unit, area / on_top.size, truncation)
+    return FamilyColours(mean, axes, threads, areas, unit, area / on_top.size, truncation)
 
 
 def _prefix_sums(
@@ -298,7 +302,7 @@ class _Uploaded:
     def __init__(
         self,
         families: tuple[FamilyTables, FamilyTables],
-        tables: tuple[_FamilyTables, _FamilyTables],
+        tables: tuple[FamilyColours, FamilyColours],
         types: ArrayTypes,
     ) -> None:
         self._axes = tuple(_Axis(family, types) for family in families)
@@ -329,7 +333,7 @@ _Stretch = tuple[_Axis, _Bound, _Bound]
 class _Colours:
     """One family's colours on one backend."""
 
-    def __init__(self, tables: _FamilyTables, types: ArrayTypes) -> None:
+    def __init__(self, tables: FamilyColours, types: ArrayTypes) -> None:
         self._types = types
         self.is_uniform = len(tables.axes) == 0
         self.uniform = _albedos(types, _opaque(types, tables.mean))

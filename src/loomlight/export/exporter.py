@@ -30,7 +30,7 @@ Writer = Callable[[Path, Material, str, float | None], dict[str, object]]
 
 @dataclass(frozen=True)
 class ExportTarget:
-    """What a fabric can be exported to.
+    """A target of exports.
 
     Attributes:
         summary: one line.

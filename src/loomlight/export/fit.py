@@ -79,7 +79,7 @@ def fit_material(fabric: Fabric, model: Model, columns: int, rows: int) -> Fitte
     at = texels.cover[queries.row, queries.column] > 0.02
     queries = _Queries(queries.row[at], queries.column[at], queries.light[at], queries.view[at])
     truth = truth[at]
-    picked = _picked(texels, queries.row, queries.column)
+    picked = texels.at(queries.row, queries.column)
     has_sheen = fabric.appearance().sheen.strength > 0
     # A display shows differences of square roots, roughly; the offset keeps noise in the dark from counting.
     offset = 0.05 * float(truth.mean())
@@ -170,43 +170,13 @@ def _answers(model: Model, texels: Texels, queries: _Queries) -> Numbers:
     return np.stack([np.asarray(part.numpy(), np.float64) for part in value], axis=-1)
 
 
-@dataclass(frozen=True, eq=False)
-class _Picked:
-    """Fields of `Texels` of n texels."""
-
-    cover: Numbers
-    share: Numbers
-    normal: Numbers
-    covariance: Numbers
-    direction: Numbers
-    diffuse: Numbers
-    transmit: Numbers
-    specular: Numbers
-    alpha: Numbers
-
-
-def _picked(texels: Texels, row: NDArray[np.int64], column: NDArray[np.int64]) -> _Picked:
-    """The texels at these rows and columns."""
-    return _Picked(
-        cover=texels.cover[row, column],
-        share=texels.share[row, column],
-        normal=texels.normal[row, column],
-        covariance=texels.covariance[row, column],
-        direction=texels.direction[row, column],
-        diffuse=texels.diffuse[row, column],
-        transmit=texels.transmit[row, column],
-        specular=texels.specular[row, column],
-        alpha=texels.alpha,
-    )
-
-
-def _flat(texels: Texels) -> _Picked:
+def _flat(texels: Texels) -> Texels:
     """All texels, row by row."""
     row, column = np.indices(texels.cover.shape)
-    return _picked(texels, row.ravel(), column.ravel())
+    return texels.at(row.ravel(), column.ravel())
 
 
-def _material(texels: _Picked, numbers: Numbers, has_sheen: bool) -> GltfMaterial:
+def _material(texels: Texels, numbers: Numbers, has_sheen: bool) -> GltfMaterial:
     """The material of texels for the numbers that are fitted.
 
     They are logarithms of factors of the families' diffuse albedos [2], specular albedos [2], transmission
@@ -245,7 +215,7 @@ def _material(texels: _Picked, numbers: Numbers, has_sheen: bool) -> GltfMateria
 
 
 def _roughness(
-    texels: _Picked, along: Numbers, across: Numbers, widening: float
+    texels: Texels, along: Numbers, across: Numbers, widening: float
 ) -> tuple[Numbers, Numbers, Numbers, Numbers]:
     """Axes of GGX and α along them: the families' fibres, widened by the slopes within the texel.
 

@@ -31,7 +31,7 @@ _EXTENSIONS = (
 
 def material_textures(material: FittedMaterial) -> dict[str, NDArray[np.uint8]]:
     """Textures by name [rows, columns, 3 or 4], 8 bits, row 0 at the upper edge, as glTF encodes them."""
-    peak = _peak(material.specular)
+    peak = peak_of(material.specular)
     roughness = np.sqrt(material.alpha)
     strength = np.sqrt(
         np.clip((material.alpha_across - material.alpha) / np.maximum(1 - material.alpha, 1e-6), 0, 1)
@@ -53,8 +53,8 @@ def material_textures(material: FittedMaterial) -> dict[str, NDArray[np.uint8]]:
     }
 
 
-def _peak(specular: Numbers) -> float:
-    """What the texture of specular colours is divided by."""
+def peak_of(specular: Numbers) -> float:
+    """Largest specular albedo, by which the texture of specular colours is divided."""
     return max(float(specular.max()), 1e-6)
 
 
@@ -154,7 +154,7 @@ def _material(name: str, material: FittedMaterial, names: list[str], scale: list
     extensions: dict[str, Any] = {
         "KHR_materials_specular": {
             "specularFactor": material.weight,
-            "specularColorFactor": [_peak(material.specular) / DIELECTRIC] * 3,
+            "specularColorFactor": [peak_of(material.specular) / DIELECTRIC] * 3,
             "specularColorTexture": texture("specular_color"),
         },
         "KHR_materials_anisotropy": {"anisotropyStrength": 1.0, "anisotropyTexture": texture("anisotropy")},

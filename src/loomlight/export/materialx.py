@@ -8,6 +8,7 @@ from typing import Any
 from loomlight.core.errors import LoomlightError
 from loomlight.core.extras import import_extra
 from loomlight.export.fit import FittedMaterial
+from loomlight.export.gltf import peak_of
 from loomlight.export.gltf_brdf import DIELECTRIC
 
 # Index of refraction whose reflectance at normal incidence is that of glTF's dielectric.
@@ -83,7 +84,9 @@ def write_document(path: Path, name: str, material: FittedMaterial) -> None:
         entry = shader.addInput(target, kind)
         entry.setNodeGraphString("cloth_textures")
         entry.setOutputString(source)
-    shader.setInputValue("specular_weight", material.weight * _peak(material) / DIELECTRIC, "float")
+    shader.setInputValue(
+        "specular_weight", material.weight * peak_of(material.specular) / DIELECTRIC, "float"
+    )
     shader.setInputValue("specular_ior", _IOR, "float")
     shader.setInputValue("geometry_thin_walled", True, "boolean")
     if material.sheen.max() > 0:
@@ -95,10 +98,6 @@ def write_document(path: Path, name: str, material: FittedMaterial) -> None:
     surface.addInput("surfaceshader", "surfaceshader").setConnectedNode(shader)
     _require_valid(mx, document)
     mx.writeToXmlFile(document, str(path))
-
-
-def _peak(material: FittedMaterial) -> float:
-    return max(float(material.specular.max()), 1e-6)
 
 
 def _require_valid(mx: Any, document: Any) -> None:

@@ -8,7 +8,7 @@ has the mean normal of its points and the covariance of their slopes about it, b
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import drjit as dr
 import numpy as np
@@ -27,6 +27,10 @@ _MAX_TEXTURE = 4096
 # Slopes about the mean normal are at most this, or a few points at the outline of a yarn would outweigh all
 # others.
 _STEEPEST = 3.0
+
+
+# Arrays of `Texels` with an element a texel.
+_OF_TEXELS = ("cover", "share", "normal", "covariance", "direction", "diffuse", "transmit", "specular")
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,6 +59,11 @@ class Texels:
     transmit: Numbers
     specular: Numbers
     alpha: Numbers
+
+    def at(self, row: NDArray[np.int64], column: NDArray[np.int64]) -> Texels:
+        """Some texels, by their rows and columns [n]: arrays [n, ...]."""
+        chosen = {name: getattr(self, name)[row, column] for name in _OF_TEXELS}
+        return replace(self, **chosen)
 
 
 def frames(normal: Numbers) -> tuple[Numbers, Numbers]:
@@ -103,28 +112,16 @@ def texels_of(fabric: Fabric, columns: int, rows: int) -> Texels:
     for first in range(0, rows, band):
         count = min(band, rows - first)
         parts.append(_points(fabric, (columns, nx), (first, count, ny), rows))
-    cover, share, normal, covariance, direction, diffuse, transmit, specular = (
-        np.concatenate(arrays) for arrays in zip(*parts, strict=True)
-    )
+    arrays = {name: np.concatenate(of_bands) for name, *of_bands in zip(_OF_TEXELS, *parts, strict=True)}
     families = (appearance.warp, appearance.weft)
-    return Texels(
-        size=(width, height),
-        cover=cover,
-        share=share,
-        normal=normal,
-        covariance=covariance,
-        direction=direction,
-        diffuse=diffuse,
-        transmit=transmit,
-        specular=specular,
-        alpha=np.array([family.roughness for family in families]),
-    )
+    alpha = np.array([family.roughness for family in families])
+    return Texels(size=(width, height), alpha=alpha, **arrays)
 
 
 def _points(
     fabric: Fabric, across: tuple[int, int], along: tuple[int, int, int], rows: int
 ) -> tuple[Numbers, ...]:
-    """Arrays of `Texels`, from cover to specular, of some rows."""
+    """The arrays `_OF_TEXELS` of some rows."""
     layout, appearance = fabric.layout(), fabric.appearance()
     width, height = layout.size
     (columns, nx), (first, count, ny) = across, along

@@ -140,7 +140,7 @@ ALIASES = {"texel_counters": "texel_counts", "tables": "words", "record_words": 
 
 @dataclass(frozen=True, eq=False)
 class BakePlan:
-    """What the bake of one fabric takes: all of it follows from the draft's size and the number of groups.
+    """Sizes of the bake of one fabric: all follow from the draft's size and the number of groups.
 
     Attributes:
         values: fields of the record `Bake` that depend on neither buffers nor other fabrics.
@@ -373,13 +373,13 @@ def declarations_of(module: str, entry: str) -> tuple[str, ...]:
     # Without declarations: they stand between functions.
     parts = _FUNCTION.split(_DECLARATION.sub("", text))
     words = {name: set(_WORD.findall(body)) for name, body in zip(parts[1::2], parts[2::2], strict=True)}
-    reached, waiting = set(), [entry]
+    called, waiting = set(), [entry]
     while waiting:
         name = waiting.pop()
-        if name not in reached:
-            reached.add(name)
+        if name not in called:
+            called.add(name)
             waiting += [other for other in words[name] if other in words]
-    used = set().union(*(words[name] for name in reached))
+    used = set().union(*(words[name] for name in called))
     return tuple(match[0] for match in _DECLARATION.finditer(text) if match[2] in used)
 
 

@@ -7,11 +7,10 @@ of every half vector would take gigabytes.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from loomlight.models.clustered.footprint_sums import summed_areas
 from loomlight.models.clustered.model import ClusteredModel
-from loomlight.realtime.word_table import Tables, fill
+from loomlight.realtime.word_table import Tables, fill, packed_bytes
 from loomlight.yarn.layout import ClothLayout
 
 
@@ -42,8 +41,8 @@ def pack_clustered(
         "texel_height": height / rows,
         "samples": model.samples,
         "sums": words.add(np.stack(sums).view(np.uint32)),
-        "labels": words.add(_bytes(baked.labels)),
-        "coefficients": words.add(_bytes(baked.coefficients)),
+        "labels": words.add(packed_bytes(baked.labels)),
+        "coefficients": words.add(packed_bytes(baked.coefficients)),
         "basis": words.add(baked.basis),
         "moments": words.add(baked.moments),
         "light": words.add(baked.light),
@@ -52,9 +51,3 @@ def pack_clustered(
         "trust": words.add(baked.trust),
     }
     fill(record["clustered"], values)
-
-
-def _bytes(values: NDArray[np.generic]) -> NDArray[np.uint32]:
-    """Bytes as little-endian words, filled up with zeros at the end; at least one word."""
-    flat = np.ascontiguousarray(values).ravel().view(np.uint8)
-    return np.pad(flat, (0, -flat.size % 4 or 4 * (flat.size == 0))).view("<u4").astype(np.uint32)

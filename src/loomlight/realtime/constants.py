@@ -64,7 +64,7 @@ from loomlight.yarn import max_heights, rays, runs, search, threads
 Value: TypeAlias = float | str | Sequence["Value"]
 
 # Modules by the prefix of their constants.
-_MODULES: dict[str, tuple[ModuleType, ...]] = {
+MODULES: dict[str, tuple[ModuleType, ...]] = {
     "": (
         accumulation,
         bake,
@@ -158,7 +158,7 @@ def prefixed_numbers(module: ModuleType) -> Iterator[tuple[str, Value]]:
 
     Names that it imports are another module's.
     """
-    prefix = next((prefix for prefix, modules in _MODULES.items() if module in modules), "")
+    prefix = next((prefix for prefix, modules in MODULES.items() if module in modules), "")
     for node in ast.parse(inspect.getsource(module)).body:
         targets = node.targets if isinstance(node, ast.Assign) else []
         for part in (part for target in targets for part in ast.walk(target)):
@@ -191,7 +191,7 @@ def shader_constants() -> dict[str, Value]:
         ValueError: two modules have a constant of one name.
     """
     constants: dict[str, Value] = {}
-    for module in (module for modules in _MODULES.values() for module in modules):
+    for module in (module for modules in MODULES.values() for module in modules):
         for name, value in prefixed_numbers(module):
             if name in constants:
                 raise ValueError(f"{module.__name__} has the second constant {name}")

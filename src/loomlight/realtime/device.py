@@ -127,7 +127,7 @@ class Adapter:
 
 
 def _tells_of_loss(message: str) -> bool:
-    """Whether a message of wgpu says that its device is gone."""
+    """True of a message of wgpu that its device is gone."""
     words = message.lower()
     return any(
         sign in words for sign in ("lost", "not enough memory", "out of memory", "is invalid", "destroyed")

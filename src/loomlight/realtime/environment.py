@@ -61,7 +61,7 @@ class Environment:
 
 @dataclass(frozen=True, eq=False)
 class EnvironmentTables:
-    """What shaders choose directions by.
+    """Distributions that shaders choose directions by.
 
     Attributes:
         rows: cumulative distribution of rows [rows + 1].

@@ -82,7 +82,7 @@ class FabricBuffers:
 
     @property
     def is_open(self) -> bool:
-        """Whether light passes through holes of any of the fabrics."""
+        """True if light passes through holes of any of the fabrics."""
         return bool(self._packed.fabrics["is_open"].any())
 
     def set_fabric(self, number: int, look: Look) -> None:
@@ -174,7 +174,7 @@ class FabricBuffers:
 
 
 def _same_tables(one: Packed, other: Packed) -> bool:
-    """Whether all tables are at the same places: the fields that say so are whole numbers."""
+    """True if all tables are at the same places: the fields that say so are whole numbers."""
 
     def places(records: NDArray[np.void]) -> list[NDArray[np.uint32]]:
         names = records.dtype.names or ()
@@ -190,7 +190,7 @@ def _same_tables(one: Packed, other: Packed) -> bool:
 
 
 def _changes_tables(before: Look, after: Look) -> bool:
-    """Whether tables of lobes differ: by the yarns' geometry, or by how the diffuse term blends normals."""
+    """True if tables of lobes differ: by the yarns' geometry, or by how the diffuse term blends normals."""
     (old, old_look), (new, new_look) = before, after
     return not (
         np.array_equal(old.warp_on_top, new.warp_on_top)

@@ -10,8 +10,8 @@ import numpy as np
 from loomlight.models.latent.model import LatentModel
 from loomlight.models.latent.networks import CHANNELS, FRAMES
 from loomlight.models.relu_network import Layers
-from loomlight.realtime.networks import packed_layer, packed_mlp, packed_numbers
-from loomlight.realtime.word_table import Tables, fill
+from loomlight.realtime.networks import packed_layer, packed_numbers
+from loomlight.realtime.word_table import Tables, fill, pyramid_fields
 from loomlight.yarn.layout import ClothLayout
 
 
@@ -24,33 +24,20 @@ def pack_latent(record: np.void, model: LatentModel, layout: ClothLayout | None,
     del layout
     weights, shape, table = model.weights, model.weights.shape, tables.numbers
 
-    def network(layers: Layers) -> int:
-        matrices, biases = zip(*layers, strict=True)
-        return table.add(packed_mlp(matrices, biases, half=False))
-
     # Without learned frames both are the axes: their weights are 0.
     frames = np.zeros((6 * FRAMES, CHANNELS), np.float32) if weights.frames is None else weights.frames
     decoder = weights.layers["decoder"]
     if weights.frames is None:
         decoder = _with_frames(decoder)
     is_half = tables.half or model.precision == "float16"
-    levels = [(start, *size) for start, size in zip(shape.starts, shape.sizes, strict=False)]
-    values: dict[str, float] = {
-        "is_trained": 1,
-        "decoder": network(decoder),
+    values: dict[str, float] = pyramid_fields(shape, tables) | {
+        "decoder": table.add_mlp(decoder),
         "hidden": weights.hidden[0],
         "frames": table.add(packed_layer(frames, half=False)),
-        "sampler": network(weights.layers["sampler"]),
-        "albedo": network(weights.layers["albedo"]),
+        "sampler": table.add_mlp(weights.layers["sampler"]),
+        "albedo": table.add_mlp(weights.layers["albedo"]),
         "texels": table.add(packed_numbers(weights.latents, is_half)),
         "texel_elements": 1 if is_half else 2,
-        "levels": tables.words.add(np.array(levels, np.uint32)),
-        "last_level": shape.levels - 1,
-        "face_texels": shape.texels,
-        "back": shape.faces - 1,
-        "repeats_per_x": 1 / shape.width_mm,
-        "repeats_per_y": 1 / shape.height_mm,
-        "texels_per_mm": 1 / shape.texel_mm,
         "width": shape.width_mm,
         "height": shape.height_mm,
         "is_trilinear": int(model.mips == "trilinear"),

@@ -15,6 +15,15 @@ from loomlight.scattering import detail
 # (name, type, meaning); a type is float, uint, or the name of a record above.
 Fields = Sequence[tuple[str, str, str]]
 
+
+def _vector(name: str, meaning: str, axes: Sequence[str] = ("x", "y", "z")) -> Fields:
+    """Numbers of a vector or a colour, NAME_x … or x …; the meaning stands at the first."""
+    names = [f"{name}_{axis}" if name else axis for axis in axes]
+    return [(field, "float", "" if number else meaning) for number, field in enumerate(names)]
+
+
+_PLANE, _COLOUR = ("x", "y"), ("red", "green", "blue")
+
 FAMILY: Fields = (
     ("is_alike", "uint", "1 where all threads are alike: arithmetic instead of tables"),
     ("count", "float", "threads in the repeat"),
@@ -217,12 +226,8 @@ FABRIC: Fields = (
 
 LIGHT: Fields = (
     ("is_point", "uint", "1 for a point light, 0 for a directional one"),
-    ("x", "float", "position, or unit direction towards the light"),
-    ("y", "float", ""),
-    ("z", "float", ""),
-    ("red", "float", "intensity, W/sr, or irradiance, W/m²"),
-    ("green", "float", ""),
-    ("blue", "float", ""),
+    *_vector("", "position, or unit direction towards the light"),
+    *_vector("", "intensity, W/sr, or irradiance, W/m²", _COLOUR),
 )
 
 FRAME: Fields = (
@@ -250,22 +255,12 @@ FRAME: Fields = (
     ("jitter_x", "float", "of the raster pass within the pixel, −0.5 to 0.5 pixels"),
     ("jitter_y", "float", ""),
     ("gain", "float", "2^exposure / passes so far"),
-    ("origin_x", "float", "of the camera"),
-    ("origin_y", "float", ""),
-    ("origin_z", "float", ""),
-    ("right_x", "float", "half the width of the picture at distance 1 from the camera, to its right"),
-    ("right_y", "float", ""),
-    ("right_z", "float", ""),
-    ("up_x", "float", "half its height, upwards"),
-    ("up_y", "float", ""),
-    ("up_z", "float", ""),
-    ("forward_x", "float", "unit vector"),
-    ("forward_y", "float", ""),
-    ("forward_z", "float", ""),
+    *_vector("origin", "of the camera"),
+    *_vector("right", "half the width of the picture at distance 1 from the camera, to its right"),
+    *_vector("up", "half its height, upwards"),
+    *_vector("forward", "unit vector"),
     ("near", "float", "nearest distance that is drawn"),
-    ("background_red", "float", "linear radiance where there is no cloth"),
-    ("background_green", "float", ""),
-    ("background_blue", "float", ""),
+    *_vector("background", "linear radiance where there is no cloth", _COLOUR),
 )
 
 LAYER: Fields = (
@@ -274,12 +269,8 @@ LAYER: Fields = (
 )
 
 VERTEX: Fields = (
-    ("x", "float", "position"),
-    ("y", "float", ""),
-    ("z", "float", ""),
-    ("normal_x", "float", "unit normal"),
-    ("normal_y", "float", ""),
-    ("normal_z", "float", ""),
+    *_vector("", "position"),
+    *_vector("normal", "unit normal"),
     ("u", "float", "uv"),
     ("v", "float", ""),
 )
@@ -288,12 +279,8 @@ SURFACE_HIT: Fields = (
     ("x", "float", "position on the cloth"),
     ("y", "float", ""),
     ("flags", "uint", "bits of `bake.slang`: family, hole, passing, group"),
-    ("normal_x", "float", "unit normal, in the frame of the face"),
-    ("normal_y", "float", ""),
-    ("normal_z", "float", ""),
-    ("tangent_x", "float", "unit fibre direction"),
-    ("tangent_y", "float", ""),
-    ("tangent_z", "float", ""),
+    *_vector("normal", "unit normal, in the frame of the face"),
+    *_vector("tangent", "unit fibre direction"),
 )
 
 BAKE: Fields = (
@@ -339,21 +326,16 @@ BAKE: Fields = (
     ("hole_bytes", "uint", "a word a node [2 faces, face_nodes]"),
 )
 
-# What an exported library is asked, `queries.slang`.
+# A query of an exported library, `queries.slang`.
 QUERY: Fields = (
     ("fabric", "uint", "index of the fabric"),
-    ("centre_x", "float", "of the footprint in draft coordinates, millimetres"),
-    ("centre_y", "float", ""),
+    *_vector("centre", "of the footprint in draft coordinates, millimetres", _PLANE),
     ("dx_x", "float", "edges of the footprint: steps to the next pixels, millimetres"),
     ("dx_y", "float", ""),
     ("dy_x", "float", ""),
     ("dy_y", "float", ""),
-    ("light_x", "float", "unit vector towards the light, in the frame of the cloth"),
-    ("light_y", "float", ""),
-    ("light_z", "float", ""),
-    ("view_x", "float", "unit vector towards the eye"),
-    ("view_y", "float", ""),
-    ("view_z", "float", ""),
+    *_vector("light", "unit vector towards the light, in the frame of the cloth"),
+    *_vector("view", "unit vector towards the eye"),
     ("seed", "uint", "random number of an unbiased estimate, where the model has one; 0 asks for its value"),
 )
 

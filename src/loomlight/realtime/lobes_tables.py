@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from loomlight.models.lobes import regimes
 from loomlight.models.lobes.tables import LobeTables
 from loomlight.realtime.bake import BakePlan
-from loomlight.realtime.word_table import Tables, Words, WordTable, fill
+from loomlight.realtime.word_table import Tables, WordTable, fill, packed_bytes
 from loomlight.yarn.layout import ClothLayout
 
 
@@ -22,11 +22,11 @@ def pack_lobes(record: np.void, lobes: LobeTables, layout: ClothLayout | None, t
     values = _common_fields(table, lobes.levels, lobes.base_size, packs, layout) | {
         "front_warp_packs": lobes.warp_packs[0],
         "back_warp_packs": lobes.warp_packs[1],
-        "coverage": table.add(_words_of(lobes.coverage[..., : 4 * packs])),
-        "coverage_holes": table.add(_words_of(lobes.coverage[..., 4 * packs].ravel())),
-        "projected_area": table.add(_words_of(lobes.projected_area)),
-        "light_visibility": table.add(_words_of(lobes.light_visibility)),
-        "irradiance": table.add(_words_of(lobes.irradiance)),
+        "coverage": table.add(packed_bytes(lobes.coverage[..., : 4 * packs])),
+        "coverage_holes": table.add(packed_bytes(lobes.coverage[..., 4 * packs])),
+        "projected_area": table.add(packed_bytes(lobes.projected_area)),
+        "light_visibility": table.add(packed_bytes(lobes.light_visibility)),
+        "irradiance": table.add(packed_bytes(lobes.irradiance)),
         "moments": table.add(lobes.moments),
         "front_hole_weight": lobes.hole_weight[0],
         "back_hole_weight": lobes.hole_weight[1],
@@ -63,9 +63,3 @@ def _common_fields(
         "threads_per_mm": 1 / thread,
         "unit_level": math.log2(max(thread, regimes.SQUARE_SCALE * base_size)),
     }
-
-
-def _words_of(values: NDArray[np.uint8]) -> Words:
-    """Bytes as little-endian words, filled up with zeros at the end."""
-    flat = np.ascontiguousarray(values).ravel()
-    return np.pad(flat, (0, -flat.size % 4)).view("<u4").astype(np.uint32)

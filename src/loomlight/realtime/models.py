@@ -38,7 +38,7 @@ from loomlight.yarn.layout import ClothLayout
 
 Material: TypeAlias = Fabric | Model
 Prepared: TypeAlias = LobeTables | BakePlan | NeuralModel | NeumipModel | LatentModel | ClusteredModel | None
-"""What a model's shaders need beside a fabric's yarns."""
+"""Data of a model that its shaders read beside a fabric's yarns."""
 Packer: TypeAlias = Callable[[np.void, Any, ClothLayout | None, Tables], None]
 
 _PACKERS: dict[type, Packer] = {
@@ -56,7 +56,7 @@ _FOOTPRINT = "the mean over the footprint of a pixel: one call a pixel and light
 
 @dataclass(frozen=True)
 class RealtimeModel:
-    """How a model is shaded with.
+    """Kernel, buffers and cost of a model's shaders.
 
     Attributes:
         kernel: entry point that shades the pixels of a frame; `cloth_NAME` is the library for engines.
@@ -165,7 +165,7 @@ def require_realtime_model(name: str) -> None:
 
 
 def material_of(material: Material | str | os.PathLike[str]) -> Material:
-    """What a path denotes: the model of a `.loom`, where there is one of it here, else the fabric.
+    """The material of a path: the model of a `.loom`, where there is one of it here, else the fabric.
 
     Raises:
         InputError: no such file, or neither.
@@ -219,7 +219,7 @@ def look_of(material: Material, name: str) -> tuple[Any, Any] | None:
 
 
 def prepared_for(material: Material, name: str) -> Prepared:
-    """What the model `name` needs of a material beside its yarns; some bake it for seconds.
+    """Data that the model `name` reads beside a material's yarns; some bake it for seconds.
 
     Raises:
         InputError: a material that the model does not take, or for which it would have to be trained.
@@ -238,7 +238,7 @@ def pack_model(record: np.void, prepared: Prepared, layout: ClothLayout | None, 
 
 
 def source_of(material: Material) -> Source:
-    """What a material represents: the fabric, or the source of the model."""
+    """The source of a material: the fabric, or the one that the model was made of."""
     return material.source if isinstance(material, Model) else material
 
 

@@ -13,6 +13,8 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.models.relu_network import Layers
+
 # Outputs that a shader sums at a time, and numbers that it reads at a time.
 TILE, EIGHT = 4, 8
 # Parts of a layer begin at multiples of so many elements of halves: 64 bytes.
@@ -33,7 +35,7 @@ def layer_size(inputs: int, outputs: int) -> int:
 
 
 def layer_starts(sizes: Sequence[tuple[int, int]]) -> list[int]:
-    """Where layers of (inputs, outputs) begin, one behind the other, and where the last one ends."""
+    """Beginnings of layers of (inputs, outputs), one behind the other, and the end of the last one."""
     starts = [0]
     for inputs, outputs in sizes:
         starts.append(starts[-1] + layer_size(inputs, outputs))
@@ -100,6 +102,11 @@ class NumberTable:
         self._parts.append(elements)
         self.size += len(elements)
         return first
+
+    def add_mlp(self, layers: Layers) -> int:
+        """Appends the layers of `MLP<…>` in single precision; the index of the first element."""
+        matrices, biases = zip(*layers, strict=True)
+        return self.add(packed_mlp(matrices, biases, half=False))
 
     def elements(self) -> Elements:
         """All of them; at least one, as no buffer is empty."""

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.models.neumip.model import NeumipModel
-from loomlight.realtime.networks import EIGHT, packed_mlp, packed_numbers
-from loomlight.realtime.word_table import Tables, fill
+from loomlight.realtime.networks import EIGHT, packed_numbers
+from loomlight.realtime.word_table import Tables, fill, pyramid_fields
 from loomlight.yarn.layout import ClothLayout
 
 
@@ -24,27 +24,17 @@ def pack_neumip(record: np.void, model: NeumipModel, layout: ClothLayout | None,
     weights, shape, table = model.weights, model.weights.shape, tables.numbers
 
     def network(name: str) -> int:
-        matrices, biases = zip(*weights.layers[name], strict=True)
-        return table.add(packed_mlp(matrices, biases, half=False))
+        return table.add_mlp(weights.layers[name])
 
     def texels(values: NDArray[np.float32]) -> int:
         padded = np.pad(values, ((0, 0), (0, EIGHT - values.shape[1])))
         return table.add(packed_numbers(padded, tables.half))
 
     unit_x, unit_y = shape.unit
-    levels = [(start, *size) for start, size in zip(shape.starts, shape.sizes, strict=False)]
-    values: dict[str, float] = {
-        "is_trained": 1,
+    values: dict[str, float] = pyramid_fields(shape, tables) | {
         "decoder": network("decoder"),
         "features": texels(weights.features),
         "texel_elements": 1 if tables.half else 2,
-        "levels": tables.words.add(np.array(levels, np.uint32)),
-        "last_level": shape.levels - 1,
-        "face_texels": shape.texels,
-        "back": shape.faces - 1,
-        "repeats_per_x": 1 / shape.width_mm,
-        "repeats_per_y": 1 / shape.height_mm,
-        "texels_per_mm": 1 / shape.texel_mm,
         "unit_x": unit_x,
         "unit_y": unit_y,
     }

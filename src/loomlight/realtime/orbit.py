@@ -22,7 +22,7 @@ _UP = np.array([0.0, 1.0, 0.0])
 
 @dataclass(frozen=True, eq=False)
 class Orbit:
-    """Where a camera stands, as seen from its target; +y is up.
+    """Position of a camera, as seen from its target; +y is up.
 
     Attributes:
         target: what it looks at, metres.

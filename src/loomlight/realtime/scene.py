@@ -1,4 +1,4 @@
-"""What a frame shows: meshes with a fabric each, lights and a camera. Lengths are metres."""
+"""The scene of a frame: meshes with a fabric each, lights and a camera. Lengths are metres."""
 
 from __future__ import annotations
 

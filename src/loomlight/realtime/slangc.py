@@ -213,7 +213,7 @@ def library_code(language: str, model: str) -> bytes:
 
 
 def has_libraries() -> bool:
-    """Whether the package holds the code of all libraries, made of the Slang sources that it has."""
+    """True if the package holds the code of all libraries, made of the Slang sources that it has."""
     try:
         return (LIBRARIES / _DIGEST).read_text(encoding="utf-8") == digest_of(slang_sources())
     except OSError:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from loomlight.aggregate import footprint_albedos
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
+from loomlight.models.fabric_model import ALBEDOS
 from loomlight.realtime.layout import numpy_type
 from loomlight.realtime.models import Prepared, pack_model
 from loomlight.realtime.networks import Elements
@@ -26,7 +27,6 @@ from loomlight.yarn.layout import ClothLayout, FamilyLayout
 from loomlight.yarn.runs import CELL_MAX_LEVELS
 from loomlight.yarn.threads import FamilyTables
 
-_ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")
 # Cloth with less open area casts the shadow of cloth without: a thousandth of the light is three steps of
 # 8-bit sRGB on white cloth.
 SMALLEST_OPEN_SHARE = 1e-3
@@ -102,7 +102,7 @@ def _pack_fabric(
     means = FootprintAlbedos(geometry, appearance)
     _pack_family(families[0], table, warp, layout.warp, appearance.warp)
     _pack_family(families[1], table, weft, layout.weft, appearance.weft)
-    for of_family, threads, colours in zip(families, (warp, weft), means._tables, strict=True):
+    for of_family, threads, colours in zip(families, (warp, weft), means.tables, strict=True):
         _pack_colours(of_family, table, threads, colours)
     run_words, max_heights = geometry.words
     fine_x, fine_y = geometry.finest
@@ -190,7 +190,7 @@ def _pack_family(
             np.stack([lower, upper, threads.centre - first, threads.half_width], axis=1)
         )
     values |= family_numbers(appearance.detail)
-    albedos = np.stack([np.asarray(getattr(appearance, name), np.float64) for name in _ALBEDOS], axis=1)
+    albedos = np.stack([np.asarray(getattr(appearance, name), np.float64) for name in ALBEDOS], axis=1)
     alike = bool(np.allclose(albedos, albedos[:1], rtol=0, atol=1e-12))
     values["albedo_table"] = table.add(albedos[:1] if alike else albedos)
     values["albedo_stride"] = 0 if alike else albedos[0].size
@@ -198,7 +198,7 @@ def _pack_family(
 
 
 def _pack_colours(
-    record: np.void, table: WordTable, threads: FamilyTables, colours: footprint_albedos._FamilyTables
+    record: np.void, table: WordTable, threads: FamilyTables, colours: footprint_albedos.FamilyColours
 ) -> None:
     lengths = np.stack([2 * threads.half_width, threads.upper - threads.lower], axis=1)
     before = np.concatenate([np.zeros((1, 2)), np.cumsum(lengths, axis=0)])

@@ -34,7 +34,7 @@ class Lighting:
 
 
 class Viewer:
-    """What a window shows, and how it answers to events; the canvas is any of rendercanvas'.
+    """State of a window, and its response to events; the canvas is any of rendercanvas'.
 
     Attributes:
         orbit: of the camera.

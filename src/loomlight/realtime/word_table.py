@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.models.mip_pyramid import PyramidShape
 from loomlight.realtime.networks import NumberTable
 
 Words = NDArray[np.uint32]
@@ -39,7 +40,7 @@ class WordTable:
 
 @dataclass
 class Tables:
-    """What fabrics append to.
+    """Tables that all fabrics append to.
 
     Attributes:
         words: tables of words.
@@ -52,6 +53,27 @@ class Tables:
     numbers: NumberTable = field(default_factory=NumberTable)
     networks: dict[str, int] = field(default_factory=dict)
     half: bool = True
+
+
+def pyramid_fields(shape: PyramidShape, tables: Tables) -> dict[str, float]:
+    """Fields of a trained source that describe its mip pyramid; appends the table of levels."""
+    levels = [(start, *size) for start, size in zip(shape.starts, shape.sizes, strict=False)]
+    return {
+        "is_trained": 1,
+        "levels": tables.words.add(np.array(levels, np.uint32)),
+        "last_level": shape.levels - 1,
+        "face_texels": shape.texels,
+        "back": shape.faces - 1,
+        "repeats_per_x": 1 / shape.width_mm,
+        "repeats_per_y": 1 / shape.height_mm,
+        "texels_per_mm": 1 / shape.texel_mm,
+    }
+
+
+def packed_bytes(values: NDArray[np.generic]) -> Words:
+    """Bytes as little-endian words, filled up with zeros at the end; at least one word."""
+    flat = np.ascontiguousarray(values).ravel().view(np.uint8)
+    return np.pad(flat, (0, -flat.size % 4 or 4 * (flat.size == 0))).view("<u4").astype(np.uint32)
 
 
 def fill(record: np.void, values: dict[str, float]) -> None:

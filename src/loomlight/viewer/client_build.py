@@ -26,12 +26,12 @@ class BuildError(Exception):
 
 
 def is_built(package: Path) -> bool:
-    """Whether the package's folder `viewer` holds a built page."""
+    """True if the package's folder `viewer` holds a built page."""
     return (package / STATIC / "index.html").is_file()
 
 
 def is_current(package: Path, checkout: Path) -> bool:
-    """Whether the built page is newer than every source of it in a checkout."""
+    """True if the built page is newer than every source of it in a checkout."""
     built = package / STATIC / "index.html"
     return built.is_file() and built.stat().st_mtime >= _newest(checkout)
 
@@ -101,7 +101,7 @@ def _npm() -> str:
 
 
 def _is_installed(web: Path) -> bool:
-    """Whether npm has installed the packages since the lists of them last changed."""
+    """True if npm has installed the packages since the lists of them last changed."""
     marker = web / "node_modules" / ".package-lock.json"
     lists = [web / "package.json", *web.glob("*/package.json")]
     return marker.is_file() and marker.stat().st_mtime >= max(each.stat().st_mtime for each in lists)

@@ -11,7 +11,7 @@ import type { Fabric } from "./state/document.ts";
 
 /** A new geometry is asked for once so many milliseconds passed without another. */
 const CALM_MS = 150;
-const MOST_KEPT = 32;
+const MAX_KEPT = 32;
 
 /** Fields that say nothing of the geometry, nor of roughness and depth. */
 const OTHERS = new Set(["name", "description", "interreflection", "sheen", "variation"]);
@@ -87,7 +87,7 @@ export class OpennessSource {
     this.last = openness;
     this.fault = "";
     const oldest = this.kept.keys().next().value;
-    if (this.kept.size > MOST_KEPT && oldest !== undefined) {
+    if (this.kept.size > MAX_KEPT && oldest !== undefined) {
       this.kept.delete(oldest);
       this.asked.delete(oldest);
     }

@@ -9,7 +9,7 @@ import { texOfDiameter, yarnDiameterMm, yarnTex } from "./textile.ts";
 import { yarnDensity } from "./yarns.ts";
 
 /** Yarn cannot be longer than that over the cloth: jammed plain weaves have crimps up to .3. */
-const LARGEST_CRIMP = 0.5;
+const MAX_CRIMP = 0.5;
 /** At least that share of a thread's spacing stays open, as `src/loomlight/yarn/layout.py` draws it. */
 const SMALLEST_GAP = 0.02;
 /** Steps of the search for a sett: twice as many as the digits that are shown need. */
@@ -103,7 +103,7 @@ function settOf(fields: FabricFields, family: FamilyName, draft: Draft): number 
 /** Mean crimp of `threads` threads that change face so often at each of those that they cross. */
 function crimp(crossed: Float64Array, changes: Float64Array, threads: number, height: number): number {
   const extra = crossed.map((spacing, at) => ((9 / 16) * height ** 2 * changes[at]!) / spacing);
-  return Math.min(sum(extra) / threads / sum(crossed), LARGEST_CRIMP);
+  return Math.min(sum(extra) / threads / sum(crossed), MAX_CRIMP);
 }
 
 interface Changes {

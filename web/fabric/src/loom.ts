@@ -64,7 +64,7 @@ export function planDrawdown(plan: LoomPlan): Structure {
 }
 
 /** Shafts named by a liftplan or a tie-up at most: beyond, a file of a draft grows past what is read again. */
-const MOST_LIFTS = 12_000_000;
+const MAX_LIFTS = 12_000_000;
 /** With more kinds of picks than both shafts and this, a treadling only repeats the liftplan at length. */
 const TREADLES_AT_HAND = 16;
 
@@ -92,10 +92,10 @@ export function deriveLoomPlan(structure: Structure): LoomPlan {
   const count = isLiftplan
     ? rows.kind.reduce((sum, kind) => sum + lifts[kind]!.length, 0)
     : lifts.reduce((sum, members) => sum + members.length, 0);
-  if (count > MOST_LIFTS)
+  if (count > MAX_LIFTS)
     throw new InputError(
       `The draft needs ${shafts} shafts and a plan of ${Math.round(count / 1e6)} million lifts; a weaving information ` +
-        `file that is read again has ${MOST_LIFTS / 1e6} million: keep it as a picture.`,
+        `file that is read again has ${MAX_LIFTS / 1e6} million: keep it as a picture.`,
     );
   const threading = columns.kind.map((kind) => [kind + 1]);
   if (isLiftplan) {

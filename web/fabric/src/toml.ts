@@ -6,7 +6,7 @@ import { FABRIC, type FabricFields } from "./generated.ts";
 import { validateFields } from "./validate.ts";
 
 /** Thread colours of the longest draft take some 100 kB; what is larger is not a fabric file. */
-const LARGEST_FILE = 4 * 2 ** 20;
+const MAX_FILE = 4 * 2 ** 20;
 
 /**
  * The fields of a fabric file's text.
@@ -14,8 +14,8 @@ const LARGEST_FILE = 4 * 2 ** 20;
  * @throws InputError no TOML, an unknown field, a value of another type or range, contradicting fields.
  */
 export function readToml(text: string): FabricFields {
-  if (text.length > LARGEST_FILE)
-    throw new InputError(`it is larger than ${LARGEST_FILE >> 20} MiB; it is no fabric file.`);
+  if (text.length > MAX_FILE)
+    throw new InputError(`it is larger than ${MAX_FILE >> 20} MiB; it is no fabric file.`);
   if (text.trim() === "") throw new InputError('it is empty: weave = "twill 3/1" alone would be a fabric.');
   return validateFields(parsed(text), (value) => typeof value === "bigint");
 }

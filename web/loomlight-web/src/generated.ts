@@ -302,56 +302,54 @@ export const RECORDS = {
   },
 } as const satisfies Record<string, { words: number; fields: Record<string, Field> }>;
 
-// yarn.layout
-export const SMALLEST_GAP = 0.02;
+// models.lobes.accumulation
+export const VIEW_SUMS = 13;
+export const LIGHT_SUMS = 5;
 
-// yarn.threads
-export const SECTION_ANGLE = 1.3962634015954636;
-export const SMALLEST_INCLINATION = 0.001;
-export const STEEPEST_SHARE = 0.95;
-export const FINEST_CELL = 0.015625;
+// realtime.bake
+export const FIRST_WEIGHT = 16;
 
-// yarn.runs
-export const MAX_OFFSET = 127;
-export const MAX_NEIGHBOUR = 63;
-export const MAX_ARC = 28;
-export const CELL_MAX_LEVELS = 15;
+// models.between_yarns
+export const SMALLEST_OPENNESS = 0.1;
+export const WEIGHT_OF_CLOTH = 0.002;
 
-// yarn.max_heights
-export const PYRAMID_RADII = [1, 2, 4, 8] as const;
-export const TILE_CELLS = 2;
-export const QUADRANTS = 4;
+// realtime.bvh
+export const FACES_A_LEAF = 4;
+export const NO_FACE = 4294967295;
 
-// yarn.search
-export const LIFT = 0.002;
-export const NARROWEST_DIP = 0.02;
-export const OUTLINE_EPSILON = 0.005;
-export const DEFAULT_STEPS_PER_THREAD = 5.0;
-export const DEFAULT_STEPS_PER_RELIEF = 8.0;
-export const DEFAULT_SHADOW_SHARE = 1.0;
-export const DEFAULT_REFINEMENTS = 2;
-export const DEFAULT_STEPS = 1024;
-export const REFERENCE_STEPS_PER_THREAD = 48.0;
-export const REFERENCE_STEPS_PER_RELIEF = 48.0;
-export const REFERENCE_SHADOW_SHARE = 1.0;
-export const REFERENCE_REFINEMENTS = 20;
-export const REFERENCE_STEPS = 16384;
+// models.lobes.cloth_samples
+export const TOP_DOWN_SAMPLES = 8192;
 
-// scattering.albedo
-export const WHITE_SHARE = 0.3;
-export const ALBEDO_TOLERANCE = 1e-05;
+// models.lobes.clustering
+export const FEATURES = 6;
+export const BOUNDARY_STEPS = 4;
+export const REFINING_STEPS = 2;
+export const AXIS_SQUARINGS = 8;
 
-// scattering.variation
-export const FIBRES_ACROSS = 30;
-export const FIBRE_CELL_LENGTH = 40.0;
-export const MAX_FIBRE_GAIN = 10.0;
-export const FIBRE_STREAM = 2654435769;
-export const THREAD_STREAM = 2135587861;
+// core.footprint
+export const ANISOTROPIC_TAPS = 4;
+export const MAX_RATIO_OF_ONE_TAP = 1.5;
 
-// scattering.cloth_layer_bound
-export const DEEP_MARGIN = [1.15, 0.05] as const;
-export const THIN_MARGIN = [0.6, 1.0] as const;
-export const MARGIN_FADE = 2.0;
+// models.lobes.coverage_lookup
+export const TENT_VARIANCE = 1.3;
+export const TAP_OFFSETS = [[-0.3333333333333333, -0.3333333333333333] as const, [-0.3333333333333333, 0.0] as const, [-0.3333333333333333, 0.3333333333333333] as const, [0.0, -0.3333333333333333] as const, [0.0, 0.0] as const, [0.0, 0.3333333333333333] as const, [0.3333333333333333, -0.3333333333333333] as const, [0.3333333333333333, 0.0] as const, [0.3333333333333333, 0.3333333333333333] as const] as const;
+export const TAP_SIZE = 0.68;
+export const MIN_TAP_SPACING = 0.3333333333333333;
+export const MIN_FOOTPRINT = 1e-06;
+
+// models.lobes.coverage_pyramid
+export const MAX_BLUR = 0.4;
+export const MAX_BLUR_STEPS = 8;
+export const NODES_PER_SIDE = 3;
+export const FEWER_NODES = 2;
+export const TEXELS_PER_NODE = 4;
+export const TEXELS_PER_THREAD = 3;
+export const MAX_TEXELS_PER_NODE = 15;
+export const EVEN_FROM = 64;
+export const EVEN_STEP = 16;
+export const MAX_PYRAMID_BYTES = 58720256;
+export const TEXEL_JITTER_X = 3242174889;
+export const TEXEL_JITTER_Y = 2447445413;
 
 // scattering.detail
 export const PLY_EDGE_SINE = 0.42;
@@ -381,6 +379,238 @@ export const NOISE_VARIANCE = 0.24761904761904763;
 export const TILT_SCALE = 1.0985884360051028;
 export const TURN_SCALE = 1.4209964001470128;
 
+// scattering.directions
+export const SMALLEST_SQUARED_LENGTH = 1e-20;
+
+// scattering.fibre
+export const SMALLEST_COSINE = 1e-06;
+export const SMALLEST_SQUARED_SUM = 1e-12;
+export const SHARE_TURNED = [0.57, -0.17] as const;
+export const SHARE_THROUGH = [0.27, 0.045] as const;
+export const MEAN_TURNED = [0.297, -0.086, -3.12] as const;
+export const MEAN_THROUGH = [0.579, 0.31, -2.014, 0.786] as const;
+export const TYPICAL_DEPTH = 1.4;
+
+// models.lobes.groups
+export const NORMAL_WEIGHT = 0.5;
+export const CLUSTERED_SAMPLES = 2048;
+export const MIN_VIEW_SAMPLES = 64;
+export const MIN_VIEW_HITS = 8.0;
+export const GROUPS_PER_PACK = 4;
+export const GOLDEN_FRACTION = 2654435769;
+
+// models.lobes.hemisphere
+export const AZIMUTHS = 32;
+export const RINGS = 8;
+export const NODES = 256;
+export const MIN_NODE_COSINE = 0.03;
+
+// models.lobes.bsdf
+export const SMALLEST_GROUP_WEIGHT = 1e-12;
+
+// models.lobes.tables
+export const MOMENTS = 12;
+
+// yarn.max_heights
+export const PYRAMID_RADII = [1, 2, 4, 8] as const;
+export const TILE_CELLS = 2;
+export const QUADRANTS = 4;
+
+// realtime.openness_tables
+export const NO_OPENNESS = 4294967295;
+export const RAY_RESULTS = 10;
+
+// models.lobes.packed_uint8
+export const WEIGHT_SUM = 252;
+
+// models.lobes.point_sampled
+export const MAX_POINTS = 8;
+export const POINTS_PER_THREAD = 12.0;
+export const POINT_OFFSETS = [[0.0, 0.0] as const, [-0.2301, 0.3567] as const, [0.3681, -0.2294] as const, [-0.2804, -0.344] as const, [0.3466, 0.2886] as const, [-0.3635, 0.0511] as const, [0.0993, -0.357] as const, [0.1071, 0.3288] as const] as const;
+export const FINEST_FOOTPRINT = 0.03125;
+export const COARSEST_FOOTPRINT = 0.125;
+export const COARSE_STEPS_PER_THREAD = 2.5;
+export const COARSE_STEPS_PER_RELIEF = 8.0;
+export const COARSE_SHADOW_SHARE = 1.6;
+export const COARSE_REFINEMENTS = 1;
+export const COARSE_STEPS = 1024;
+
+// models.lobes.prefiltered
+export const PER_BYTE = 0.00392156862745098;
+export const DIFFUSE_CORRELATION = [0.62, 0.63] as const;
+export const MAX_CORRELATION = 1.2;
+export const SPECULAR_CORRELATION = 0.62;
+export const TRANSMISSION_CORRELATION = [-0.09, -0.08] as const;
+export const DIFFUSE_LOSS = 0.37;
+
+// models.random_numbers
+export const HASH_STEPS = 4096.0;
+
+// yarn.rays
+export const NEWTON_STEPS = 3;
+export const FLATTEST_SHARE = 0.1;
+
+// models.lobes.regimes
+export const BLEND_RANGE = [0.6, 1.6] as const;
+export const SQUARE_SCALE = 0.8;
+export const SMALLEST_FOOTPRINT = 1e-09;
+
+// yarn.runs
+export const MAX_OFFSET = 127;
+export const MAX_NEIGHBOUR = 63;
+export const MAX_ARC = 28;
+export const CELL_MAX_LEVELS = 15;
+
+// yarn.search
+export const LIFT = 0.002;
+export const NARROWEST_DIP = 0.02;
+export const OUTLINE_EPSILON = 0.005;
+export const DEFAULT_STEPS_PER_THREAD = 5.0;
+export const DEFAULT_STEPS_PER_RELIEF = 8.0;
+export const DEFAULT_SHADOW_SHARE = 1.0;
+export const DEFAULT_REFINEMENTS = 2;
+export const DEFAULT_STEPS = 1024;
+export const REFERENCE_STEPS_PER_THREAD = 48.0;
+export const REFERENCE_STEPS_PER_RELIEF = 48.0;
+export const REFERENCE_SHADOW_SHARE = 1.0;
+export const REFERENCE_REFINEMENTS = 20;
+export const REFERENCE_STEPS = 16384;
+
+// yarn.threads
+export const SECTION_ANGLE = 1.3962634015954636;
+export const SMALLEST_INCLINATION = 0.001;
+export const STEEPEST_SHARE = 0.95;
+export const FINEST_CELL = 0.015625;
+
+// scattering.variation
+export const FIBRES_ACROSS = 30;
+export const FIBRE_CELL_LENGTH = 40.0;
+export const MAX_FIBRE_GAIN = 10.0;
+export const FIBRE_STREAM = 2654435769;
+export const THREAD_STREAM = 2135587861;
+
+// models.lobes.visibility_rays
+export const MIN_RAYS = 512;
+export const RAYS_PER_GROUP = 32;
+export const MAX_GAP_RAYS = 128;
+export const SAMPLED_VIEWS = 32;
+export const VIEW_STEP = 37;
+export const BAKE_STEPS_PER_THREAD = 2.5;
+export const BAKE_STEPS_PER_RELIEF = 2.5;
+export const BAKE_SHADOW_SHARE = 1.6;
+export const BAKE_REFINEMENTS = 1;
+export const BAKE_STEPS = 1024;
+
+// models.lobes.visibility_tables
+export const SMOOTHING_RAYS = 8.0;
+export const MIN_DIFFUSE = 0.02;
+
+// aggregate.footprint_albedos
+export const ALBEDO_MAX_ENTRIES = 67108864;
+export const ALBEDO_MIN_QUANTITIES = 4;
+export const ALBEDO_SMALLEST_AXIS = 1e-06;
+export const ALBEDO_SMALLEST_BOX = 0.015625;
+export const ALBEDO_HIDDEN_WEIGHT = 0.000244140625;
+export const ALBEDO_AREA_UNITS = 2126008811.52;
+export const ALBEDO_NOISE_UNITS = 16.0;
+export const ALBEDO_NOISE_FRACTION = 1e-05;
+
+// models.clustered.base
+export const CLUSTERED_SMALLEST_COSINE = 0.1;
+export const CLUSTERED_SMALLEST_DEPTH = 0.001;
+
+// models.clustered.bsdf
+export const CLUSTERED_POINT_SEED_STEP = 1663821227;
+
+// models.clustered.tables
+export const CLUSTERED_NUMBERS = 8;
+
+// models.clustered.visibility_tables
+export const CLUSTERED_VIEW_BINS = 16;
+
+// models.clustered.square_map
+export const CLUSTERED_BINS = 32;
+
+// models.lobes.density
+export const GROUP_NARROWEST = 0.02;
+export const GROUP_SMALLEST_STEEPNESS = 0.001;
+export const GROUP_SMALLEST_COSINE = 0.02;
+export const GROUP_SPREAD_LOSS = 0.35;
+export const GROUP_SMALLEST_PATH = 0.001;
+export const GROUP_ARC_TANGENT = [0.999999715, -0.33327976, 0.198950258, -0.135376751, 0.0847596977, -0.0377517076, 0.00809729493] as const;
+
+// models.latent.networks
+export const LATENT_CHANNELS = 8;
+export const LATENT_FRAMES = 2;
+export const LATENT_SAMPLER_WIDTHS = [11, 32, 32, 32, 9] as const;
+export const LATENT_ALBEDO_WIDTHS = [11, 16, 3] as const;
+export const LATENT_VALUE_OFFSET = 3.0;
+export const LATENT_ALBEDO_OFFSET = 1.0;
+export const LATENT_MAX_EXPONENT = 12.0;
+
+// scattering.lobe_mixture
+export const MIXTURE_LOBE_OUTPUTS = 9;
+export const MIXTURE_MAX_SLOPE_OUTPUT = 6.0;
+export const MIXTURE_MAX_OUTPUT = 50.0;
+export const MIXTURE_MAX_LOG_RATIO = 8.0;
+export const MIXTURE_SMALLEST_ALPHA = 0.0001;
+export const MIXTURE_SMALLEST_COSINE = 0.0001;
+
+// models.neumip.networks
+export const NEUMIP_CHANNELS = 7;
+export const NEUMIP_HIDDEN = 25;
+export const NEUMIP_OFFSET_WIDTHS = [9, 25, 25, 25, 1] as const;
+export const NEUMIP_DECODER_WIDTHS = [11, 25, 25, 25, 3] as const;
+export const NEUMIP_OPACITY_WIDTHS = [9, 16, 16, 1] as const;
+export const NEUMIP_SAMPLER_HIDDEN = [32, 32] as const;
+export const NEUMIP_EXPOSURE = 3.141592653589793;
+
+// models.neumip.parallax
+export const NEUMIP_SMALLEST_COSINE = 0.6;
+
+// models.neural.architecture
+export const NEURAL_LEAKY_SLOPE = 0.01;
+export const NEURAL_BINS = 8;
+export const NEURAL_BLOB_RADIUS = 2.5;
+export const NEURAL_INCLINATION_BINS = 16;
+export const NEURAL_INCLINATION_RADIUS = 2.0;
+export const NEURAL_INCLINATION_CROWDING = 0.5;
+export const NEURAL_DENSITY_GAIN = 30.0;
+export const NEURAL_DENSITY_SCALE = 0.25;
+export const NEURAL_LIGHT_FEATURES = 36;
+export const NEURAL_VIEW_FEATURES = 2;
+export const NEURAL_OPPOSITE = 0.0001;
+export const NEURAL_BUNDLE_SLOPES = 8;
+export const NEURAL_BUNDLE_POSITIONS = 3;
+export const NEURAL_BUNDLES = 25;
+export const NEURAL_BUNDLE_UNIT = 0.02;
+export const NEURAL_LOG_ROUGHNESS = 1.15;
+export const NEURAL_VECTOR_MAP = 128;
+export const NEURAL_FIELD_MAP = 16;
+export const NEURAL_REFLECTION_GAIN = 100.0;
+export const NEURAL_TRANSMISSION_GAIN = 1000.0;
+export const NEURAL_MAX_OUTPUT = 8.0;
+export const NEURAL_MAX_THREADS = 64;
+
+// models.neural.footprint_coding
+export const NEURAL_FINEST_LEVEL = 3;
+export const NEURAL_PACKET = 16;
+export const NEURAL_MAX_COMPACTNESS = 5.5;
+export const NEURAL_WHOLE_REPEATS = 4;
+export const NEURAL_FIELD_SIZES = [0.015625, 80.0] as const;
+export const NEURAL_CORRECTED_SIZES = [1.0, 4.0] as const;
+
+// models.neural.light_visibility
+export const NEURAL_FACING = [0.166, 0.597, 0.216] as const;
+export const NEURAL_FACING_SMALLEST_COSINE = 0.001;
+
+// models.neural.proposal
+export const NEURAL_UNIFORM_PROBABILITY = 0.1;
+export const NEURAL_MAX_FIBRE_PROBABILITY = 0.5;
+export const NEURAL_DIFFUSE_TILT = 0.2;
+export const NEURAL_MIN_SIDE_PROBABILITY = 0.02;
+export const NEURAL_MIN_WEIGHT = 1e-06;
+
 // scattering.openness
 export const OPENNESS_OBLIQUE_RAYS = 6144;
 export const OPENNESS_FACING_RAYS = 2048;
@@ -398,123 +628,62 @@ export const OPENNESS_MAX_MET_STEPS = 2048;
 export const OPENNESS_VIEW_TERMS = 5;
 export const OPENNESS_POINT_TERMS = 6;
 
-// scattering.fibre
-export const SMALLEST_COSINE = 1e-06;
-export const SMALLEST_SQUARED_SUM = 1e-12;
-export const SHARE_TURNED = [0.57, -0.17] as const;
-export const SHARE_THROUGH = [0.27, 0.045] as const;
-export const MEAN_TURNED = [0.297, -0.086, -3.12] as const;
-export const MEAN_THROUGH = [0.579, 0.31, -2.014, 0.786] as const;
-export const TYPICAL_DEPTH = 1.4;
+// models.lobes.proposal
+export const PROPOSAL_LAYER_REFLECTS = 0.45;
+export const PROPOSAL_LAYER_TRANSMITS = 0.25;
+export const PROPOSAL_COSINE_PROBABILITY = 0.05;
+export const PROPOSAL_MIN_WEIGHT = 1e-06;
+export const PROPOSAL_SPREAD_WIDTH = 1.7;
 
-// fabric.authored_colour
-export const HALVINGS = 20;
+// scattering.sheen
+export const SHEEN_SMALLEST = 0.01;
+export const SHEEN_SMALLEST_SCALE = 0.01;
+export const SHEEN_MAX_SHEAR = -0.25;
 
-// fabric.fabric
-export const MAXIMUM_CROSSINGS = 67108864;
-
-// aggregate.footprint_albedos
-export const ALBEDO_MAX_ENTRIES = 67108864;
-export const ALBEDO_MIN_QUANTITIES = 4;
-export const ALBEDO_SMALLEST_AXIS = 1e-06;
-export const ALBEDO_SMALLEST_BOX = 0.015625;
-export const ALBEDO_HIDDEN_WEIGHT = 0.000244140625;
-export const ALBEDO_AREA_UNITS = 2126008811.52;
-export const ALBEDO_NOISE_UNITS = 16.0;
-export const ALBEDO_NOISE_FRACTION = 1e-05;
-
-// models.lobes.model
-export const DEFAULT_GROUPS = 8;
-export const MAX_GROUPS = 64;
-
-// models.lobes.hemisphere
-export const AZIMUTHS = 32;
-export const RINGS = 8;
-export const NODES = 256;
-export const MIN_NODE_COSINE = 0.03;
-
-// models.lobes.tables
-export const MOMENTS = 12;
-
-// models.lobes.groups
-export const NORMAL_WEIGHT = 0.5;
-export const CLUSTERED_SAMPLES = 2048;
-export const MIN_VIEW_SAMPLES = 64;
-export const MIN_VIEW_HITS = 8.0;
-export const GROUPS_PER_PACK = 4;
-export const GOLDEN_FRACTION = 2654435769;
-
-// models.lobes.visibility_rays
-export const MIN_RAYS = 512;
-export const RAYS_PER_GROUP = 32;
-export const MAX_GAP_RAYS = 128;
-export const SAMPLED_VIEWS = 32;
-export const VIEW_STEP = 37;
-export const BAKE_STEPS_PER_THREAD = 2.5;
-export const BAKE_STEPS_PER_RELIEF = 2.5;
-export const BAKE_SHADOW_SHARE = 1.6;
-export const BAKE_REFINEMENTS = 1;
-export const BAKE_STEPS = 1024;
-
-// models.lobes.regimes
-export const BLEND_RANGE = [0.6, 1.6] as const;
-export const SQUARE_SCALE = 0.8;
-export const SMALLEST_FOOTPRINT = 1e-09;
-
-// models.lobes.coverage_lookup
-export const TENT_VARIANCE = 1.3;
-export const TAP_OFFSETS = [[-0.3333333333333333, -0.3333333333333333] as const, [-0.3333333333333333, 0.0] as const, [-0.3333333333333333, 0.3333333333333333] as const, [0.0, -0.3333333333333333] as const, [0.0, 0.0] as const, [0.0, 0.3333333333333333] as const, [0.3333333333333333, -0.3333333333333333] as const, [0.3333333333333333, 0.0] as const, [0.3333333333333333, 0.3333333333333333] as const] as const;
-export const TAP_SIZE = 0.68;
-export const MIN_TAP_SPACING = 0.3333333333333333;
-export const MIN_FOOTPRINT = 1e-06;
-
-// models.lobes.coverage_pyramid
-export const MAX_BLUR = 0.4;
-export const MAX_BLUR_STEPS = 8;
-export const NODES_PER_SIDE = 3;
-export const FEWER_NODES = 2;
-export const TEXELS_PER_NODE = 4;
-export const TEXELS_PER_THREAD = 3;
-export const MAX_TEXELS_PER_NODE = 15;
-export const EVEN_FROM = 64;
-export const EVEN_STEP = 16;
-export const MAX_PYRAMID_BYTES = 58720256;
-export const TEXEL_JITTER_X = 3242174889;
-export const TEXEL_JITTER_Y = 2447445413;
-
-// realtime.openness_tables
-export const NO_OPENNESS = 4294967295;
-export const RAY_RESULTS = 10;
-
-// realtime.tables
-export const SMALLEST_OPEN_SHARE = 0.001;
-
-// realtime.bake
-export const FIRST_WEIGHT = 16;
-
-// realtime.bvh
-export const FACES_A_LEAF = 4;
-export const NO_FACE = 4294967295;
-
-// realtime.scene_words
-export const RAY_OFFSET = 2e-06;
-export const FLAT = 1e-07;
+// scattering.albedo
+export const WHITE_SHARE = 0.3;
+export const ALBEDO_TOLERANCE = 1e-05;
 
 // realtime.albedo_map
 export const MAX_SIDE = 2048;
 export const ROOT_STEPS = 1023;
 
+// fabric.authored_colour
+export const HALVINGS = 20;
+
+// scattering.cloth_layer_bound
+export const DEEP_MARGIN = [1.15, 0.05] as const;
+export const THIN_MARGIN = [0.6, 1.0] as const;
+export const MARGIN_FADE = 2.0;
+
 // realtime.environment
 export const MAX_COLUMNS = 1024;
 
-// realtime.renderer
-export const MAX_LAYERS = 4;
-export const GOLDEN = [0.7548776662466927, 0.5698402909980532] as const;
+// fabric.fabric
+export const MAXIMUM_CROSSINGS = 67108864;
+
+// yarn.layout
+export const SMALLEST_GAP = 0.02;
+
+// models.lobes.model
+export const DEFAULT_GROUPS = 8;
+export const MAX_GROUPS = 64;
 
 // realtime.orbit
 export const TURN_DEGREES = 180.0;
 export const STEEPEST_DEGREES = 89.0;
 export const NOTCH = 1.15;
+
+// realtime.renderer
+export const MAX_LAYERS = 4;
+export const GOLDEN = [0.7548776662466927, 0.5698402909980532] as const;
+
+// realtime.scene_words
+export const RAY_OFFSET = 2e-06;
+export const FLAT = 1e-07;
+
+// realtime.tables
+export const SMALLEST_OPEN_SHARE = 0.001;
 
 export const DETAIL_FIELDS = [["plies", "plies", 1.0] as const, ["ply_twist", "ply_twist_deg", 0.017453292519943295] as const, ["fibre_tilt", "fibre_tilt_deg", 0.017453292519943295] as const, ["slub", "slub", 1.0] as const, ["hairiness", "hairiness", 1.0] as const] as const;
 export const OPENNESS_PARTS = [["by_view", 60] as const, ["by_point", 72] as const, ["warp_seen", 10] as const, ["interior", 4] as const, ["meets", 8] as const, ["blocks", 4] as const, ["per_relief", 1] as const, ["layers", 4] as const] as const;

@@ -24,7 +24,7 @@ const ENTRIES: Readonly<Record<ModelName, ShaderName>> = {
 };
 const OWN_MODELS: readonly ModelName[] = ["lobes", "point"];
 // A picture that is the mean of so many passes changes no more to the eye.
-const MOST_PASSES = 256;
+const MAX_PASSES = 256;
 
 /** How a renderer is made. */
 export interface RendererOptions extends DeviceOptions {
@@ -56,7 +56,7 @@ export class ClothRenderer {
   };
   private model: ModelName = "lobes";
   private samples = DEFAULT_SAMPLES;
-  private mostPasses = MOST_PASSES;
+  private mostPasses = MAX_PASSES;
   private width: number;
   private height: number;
   private cloth: ClothBuffers | null = null;
@@ -170,7 +170,7 @@ export class ClothRenderer {
    */
   setModel(model: ModelName, options: { readonly samples?: number; readonly passes?: number } = {}): void {
     const samples = options.samples ?? DEFAULT_SAMPLES;
-    const passes = options.passes ?? MOST_PASSES;
+    const passes = options.passes ?? MAX_PASSES;
     if (!OWN_MODELS.includes(model))
       throw new InputError(
         Object.hasOwn(ENTRIES, model)
@@ -199,7 +199,7 @@ export class ClothRenderer {
       throw new InputError(`model = "${model}" takes no tables: use neural or clustered.`);
     this.require().setTables(model, content);
     this.model = model;
-    [this.samples, this.mostPasses, this.shown] = [DEFAULT_SAMPLES, MOST_PASSES, ""];
+    [this.samples, this.mostPasses, this.shown] = [DEFAULT_SAMPLES, MAX_PASSES, ""];
   }
 
   /** Directional and point lights, which are exact. */

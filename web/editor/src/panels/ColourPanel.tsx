@@ -16,7 +16,7 @@ interface Props {
 
 const TITLES: Readonly<Record<FamilyName, string>> = { warp: "Warp", weft: "Weft" };
 /** Colours of a family that are listed one by one. */
-const MOST_LISTED = 16;
+const MAX_LISTED = 16;
 
 export function ColourPanel({ fabric, dispatch }: Props) {
   const [brush, setBrush] = useState<string | null>(null);
@@ -60,7 +60,7 @@ function Family({ family, hexes, brush, dispatch }: FamilyProps) {
       <h2>{TITLES[family]}</h2>
       <ThreadBar family={family} hexes={hexes} brush={brush} dispatch={dispatch} />
       <ul class="palette">
-        {used.slice(0, MOST_LISTED).map(({ hex, count }, index) => (
+        {used.slice(0, MAX_LISTED).map(({ hex, count }, index) => (
           <li key={index}>
             <input
               type="color"
@@ -86,7 +86,7 @@ function Family({ family, hexes, brush, dispatch }: FamilyProps) {
             />
           </li>
         ))}
-        {used.length > MOST_LISTED && <li class="hint">and {used.length - MOST_LISTED} more</li>}
+        {used.length > MAX_LISTED && <li class="hint">and {used.length - MAX_LISTED} more</li>}
       </ul>
       <Order family={family} hexes={hexes} brush={brush} dispatch={dispatch} />
     </section>

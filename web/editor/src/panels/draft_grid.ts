@@ -40,16 +40,16 @@ export interface Layout {
 /** Ends, and picks, that are drawn at once. */
 export const WINDOW = 64;
 /** Shafts and treadles beyond these are not drawn: such drafts are edited in the drawdown. */
-const MOST_SHAFTS = 40;
+const MAX_SHAFTS = 40;
 /** Cells between two parts. */
 const SPACE = 1;
 
 export function layoutOf(draft: Draft, loom: LoomPlan, firstEnd: number, firstPick: number): Layout {
   const ends = Math.min(WINDOW, draft.ends - firstEnd);
   const picks = Math.min(WINDOW, draft.picks - firstPick);
-  const shafts = loom.shafts <= MOST_SHAFTS ? loom.shafts : 0;
+  const shafts = loom.shafts <= MAX_SHAFTS ? loom.shafts : 0;
   const isLiftplan = loom.tieup === null;
-  const columns = shafts === 0 ? 0 : isLiftplan ? loom.shafts : loom.treadles <= MOST_SHAFTS ? loom.treadles : 0;
+  const columns = shafts === 0 ? 0 : isLiftplan ? loom.shafts : loom.treadles <= MAX_SHAFTS ? loom.treadles : 0;
   const top = 1 + SPACE + (shafts > 0 ? shafts + SPACE : 0);
   const right = ends + SPACE;
   const boxes: Box[] = [

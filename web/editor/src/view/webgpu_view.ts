@@ -10,7 +10,7 @@ import { LAMP_IRRADIANCE, surroundingsOf } from "./surroundings.ts";
 
 /** Linear radiance of the paper behind the cloth, as style.css has it. */
 const PAPER: Vector3 = [0.913, 0.88, 0.807];
-const MOST_DEVICE_PIXELS = 2;
+const MAX_DEVICE_PIXELS = 2;
 
 /** The renderer's model, points a pass, and passes that add up, for each of the page's models. */
 const MODELS: Readonly<Record<Exclude<Model, ServedModel>, readonly ["lobes" | "point", number, number]>> = {
@@ -109,7 +109,7 @@ export class WebGpuView implements ClothView {
   }
 
   resize(): void {
-    const ratio = Math.min(devicePixelRatio, MOST_DEVICE_PIXELS);
+    const ratio = Math.min(devicePixelRatio, MAX_DEVICE_PIXELS);
     const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
     const height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
     if (width === this.canvas.width && height === this.canvas.height) return;

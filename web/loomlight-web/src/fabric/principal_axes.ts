@@ -12,7 +12,7 @@ export interface PrincipalAxes {
   readonly count: number;
 }
 
-const MOST_SWEEPS = 60;
+const MAX_SWEEPS = 60;
 
 /**
  * Mean, and at most `most` axes, longest first, that change no number by less than 1e-6.
@@ -57,7 +57,7 @@ export function symmetricEigen(
   const v = new Float64Array(n * n);
   for (let i = 0; i < n; i++) v[i * n + i] = 1;
   const total = a.reduce((sum, value) => sum + value * value, 0);
-  for (let sweep = 0; sweep < MOST_SWEEPS; sweep++) {
+  for (let sweep = 0; sweep < MAX_SWEEPS; sweep++) {
     let outside = 0;
     for (let p = 0; p < n; p++)
       for (let q = p + 1; q < n; q++) {

@@ -3,7 +3,7 @@ import { InputError } from "loomlight-fabric";
 
 import type { Device } from "./device.ts";
 
-const LARGEST_SIDE = 8192;
+const MAX_TARGET_SIDE = 8192;
 
 export class Targets {
   readonly width: number;
@@ -49,7 +49,7 @@ export class Targets {
 
 /** @throws InputError a size out of range, pixels. */
 export function requireSize(width: number, height: number): void {
-  const isSide = (side: number): boolean => Number.isInteger(side) && side >= 1 && side <= LARGEST_SIDE;
+  const isSide = (side: number): boolean => Number.isInteger(side) && side >= 1 && side <= MAX_TARGET_SIDE;
   if (!isSide(width) || !isSide(height))
-    throw new InputError(`size = ${width} × ${height} is out of range: 1 to ${LARGEST_SIDE} pixels each way.`);
+    throw new InputError(`size = ${width} × ${height} is out of range: 1 to ${MAX_TARGET_SIDE} pixels each way.`);
 }
