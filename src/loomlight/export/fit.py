@@ -30,35 +30,21 @@ _SMALLEST_ALPHA = 0.02
 
 
 @dataclass(frozen=True, eq=False)
-class FittedMaterial:
+class FittedMaterial(GltfMaterial):
     """Textures [rows, columns, ...], linear, row 0 at the lower edge; and numbers for all texels.
 
     Attributes:
         size: of one repeat, millimetres.
-        base, transmit, specular: colours [..., 3]; specular is the reflectance at normal incidence.
-        transmission: factor of diffuse transmission.
         cover: opacity.
-        normal: [..., 3].
-        alpha: GGX roughness along the direction in which it is smallest; alpha_across: at right angles to it.
-        direction: unit vectors [..., 2] of `alpha_across` in the texel's tangent plane.
-        weight: specularFactor. sheen: colour [3]; sheen_roughness.
+        direction: unit vectors [..., 2] of `axis_x`, along which highlights are wide, in the texel's tangent
+            plane.
         error: root mean square of the difference of values, relative to the root mean square of the model's.
         brightness: mean of the material's values divided by the mean of the model's.
     """
 
     size: tuple[float, float]
-    base: Numbers
-    transmit: Numbers
-    specular: Numbers
-    transmission: Numbers
     cover: Numbers
-    normal: Numbers
-    alpha: Numbers
-    alpha_across: Numbers
     direction: Numbers
-    weight: float
-    sheen: Numbers
-    sheen_roughness: float
     error: float
     brightness: float
 
@@ -99,26 +85,12 @@ def fit_material(fabric: Fabric, model: Model, columns: int, rows: int) -> Fitte
     numbers = _with_mean_kept(values, numbers, truth, queries.light[:, 2] > 0)
     found = values(numbers)
     error = np.sqrt(np.mean((found - truth) ** 2) / np.mean(truth**2))
-    everywhere = _material(_flat(texels), numbers, has_sheen)
-    shape = (rows, columns)
-
-    def grid(array: Numbers) -> Numbers:
-        return array.reshape(*shape, *array.shape[1:])
-
+    everywhere = _material(texels, numbers, has_sheen)
     return FittedMaterial(
+        **vars(everywhere),
         size=texels.size,
-        base=grid(everywhere.base),
-        transmit=grid(everywhere.transmit),
-        specular=grid(everywhere.specular),
-        transmission=grid(everywhere.transmission),
         cover=texels.cover,
-        normal=texels.normal,
-        alpha=grid(everywhere.alpha_y),
-        alpha_across=grid(everywhere.alpha_x),
-        direction=grid(_in_plane(everywhere)),
-        weight=everywhere.weight,
-        sheen=everywhere.sheen,
-        sheen_roughness=everywhere.sheen_roughness,
+        direction=_in_plane(everywhere),
         error=float(error),
         brightness=float(found.mean() / truth.mean()),
     )
@@ -131,7 +103,7 @@ def _in_plane(material: GltfMaterial) -> Numbers:
     """
     x, y = frames(material.normal)
     direction = np.stack([(material.axis_x * axis).sum(-1) for axis in (x, y)], axis=-1)
-    larger = np.take_along_axis(direction, np.abs(direction).argmax(-1)[:, None], axis=-1)
+    larger = np.take_along_axis(direction, np.abs(direction).argmax(-1)[..., None], axis=-1)
     return direction * np.where(larger < 0, -1.0, 1.0)
 
 
@@ -170,12 +142,6 @@ def _answers(model: Model, texels: Texels, queries: _Queries) -> Numbers:
     return np.stack([np.asarray(part.numpy(), np.float64) for part in value], axis=-1)
 
 
-def _flat(texels: Texels) -> Texels:
-    """All texels, row by row."""
-    row, column = np.indices(texels.cover.shape)
-    return texels.at(row.ravel(), column.ravel())
-
-
 def _material(texels: Texels, numbers: Numbers, has_sheen: bool) -> GltfMaterial:
     """The material of texels for the numbers that are fitted.
 
@@ -199,9 +165,9 @@ def _material(texels: Texels, numbers: Numbers, has_sheen: bool) -> GltfMaterial
     )
     sheen = np.exp(numbers[10:13]) if has_sheen else np.zeros(3)
     return GltfMaterial(
-        base=np.minimum(reflected / np.maximum(1 - transmission, 1e-3)[:, None], 1),
+        base=np.minimum(reflected / np.maximum(1 - transmission, 1e-3)[..., None], 1),
         transmission=transmission,
-        transmit=np.minimum(passed / np.maximum(transmission, 1e-6)[:, None], 1),
+        transmit=np.minimum(passed / np.maximum(transmission, 1e-6)[..., None], 1),
         specular=np.minimum(mixed(texels.specular, specular), 1),
         weight=float(1 / (1 + np.exp(-numbers[14]))),
         alpha_x=alpha_x,
@@ -223,19 +189,19 @@ def _roughness(
     """
     total = texels.covariance * widening
     for family in range(2):
-        fibre = texels.direction[:, family]
-        side = np.stack([-fibre[:, 1], fibre[:, 0]], axis=-1)
+        fibre = texels.direction[..., family, :]
+        side = np.stack([-fibre[..., 1], fibre[..., 0]], axis=-1)
         alpha = np.minimum(texels.alpha[family] * along[family], 1)
         wide = np.minimum(alpha * across[family], 1)
         for vector, width in ((fibre, alpha), (side, wide)):
-            weight = texels.share[:, family, None, None] * (0.5 * width**2)
-            total += weight * vector[:, :, None] * vector[:, None, :]
+            weight = texels.share[..., family, None, None] * (0.5 * width**2)
+            total += weight * vector[..., :, None] * vector[..., None, :]
     variances, vectors = np.linalg.eigh(total)
     alphas = np.clip(np.sqrt(2 * np.maximum(variances, 0)), _SMALLEST_ALPHA, 1)
     x, y = frames(texels.normal)
-    widest = vectors[:, :, 1]
-    axis_x = widest[:, :1] * x + widest[:, 1:] * y
-    return axis_x, np.cross(texels.normal, axis_x), alphas[:, 1], alphas[:, 0]
+    widest = vectors[..., 1]
+    axis_x = widest[..., :1] * x + widest[..., 1:] * y
+    return axis_x, np.cross(texels.normal, axis_x), alphas[..., 1], alphas[..., 0]
 
 
 def _with_mean_kept(

@@ -32,10 +32,9 @@ _EXTENSIONS = (
 def material_textures(material: FittedMaterial) -> dict[str, NDArray[np.uint8]]:
     """Textures by name [rows, columns, 3 or 4], 8 bits, row 0 at the upper edge, as glTF encodes them."""
     peak = peak_of(material.specular)
-    roughness = np.sqrt(material.alpha)
-    strength = np.sqrt(
-        np.clip((material.alpha_across - material.alpha) / np.maximum(1 - material.alpha, 1e-6), 0, 1)
-    )
+    alpha = material.alpha_y
+    roughness = np.sqrt(alpha)
+    strength = np.sqrt(np.clip((material.alpha_x - alpha) / np.maximum(1 - alpha, 1e-6), 0, 1))
     zero = np.zeros_like(roughness)
     one = np.ones_like(roughness)
     direction = 0.5 + 0.5 * material.direction
