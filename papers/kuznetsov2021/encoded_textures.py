@@ -25,18 +25,18 @@ from torch.nn import functional
 from loomlight.assets.sources import Source
 from loomlight.core.files import replacing
 from loomlight.models.mip_pyramid import SIZE_OF_SIGMA, PyramidShape
-from loomlight.models.neumip.btf import BTFS, draw_directions
+from loomlight.models.neumip.btf import BTFS
 from loomlight.models.neumip.networks import EXPOSURE
 from loomlight.models.neumip.settings import NeumipSettings
 from loomlight.models.neumip.training.train import (
     Batches,
     gains_of,
-    one_thread,
     rate_factor,
     shape_of,
     taken_queries,
 )
-from loomlight.training.loop import Schedule, train
+from loomlight.models.query_parts import draw_directions
+from loomlight.training.loop import Schedule, one_thread, train
 from papers.kuznetsov2021.designs import Design
 from papers.kuznetsov2021.neural_textures import NeuralTextures, perceptron
 

@@ -26,12 +26,11 @@ from loomlight.models.neumip.training.network import LEAST_OUTPUT, SLOPE, blurre
 from loomlight.models.neumip.training.train import (
     Batches,
     gains_of,
-    one_thread,
     rate_factor,
     shape_of,
     taken_queries,
 )
-from loomlight.training.loop import Schedule, train
+from loomlight.training.loop import Schedule, one_thread, train
 from loomlight.training.torch_functions import TorchTextures
 from papers.kuznetsov2021.designs import Design
 
@@ -93,10 +92,10 @@ class NeuralTextures(nn.Module):
         faces: Tensor,
         blur: float = 0.0,
         offset_frozen: bool = False,
-        beyond: Tensor | None = None,
+        is_transmission: Tensor | None = None,
     ) -> tuple[Tensor, None]:
         """π f·cos of queries [n, 3]; arguments as of `NeumipNetwork.forward`."""
-        del beyond
+        del is_transmission
         shape, (u, v) = self.shape, positions.T
         if self.offset is not None and self.offset_texture is not None:
             texture = self.offset_texture.detach() if offset_frozen else self.offset_texture

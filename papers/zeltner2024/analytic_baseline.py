@@ -19,7 +19,8 @@ from loomlight.assets.material import Material
 from loomlight.core.arrays import Color3, Float, Vec3
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.material_queries import MaterialReflectance
-from loomlight.models.latent.query_stream import draw_directions, draw_lights
+from loomlight.models.latent.query_stream import draw_lights
+from loomlight.models.query_parts import draw_directions
 from papers.cosine_bsdf import cosine_bsdf
 
 CHANNELS = 8

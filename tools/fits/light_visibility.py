@@ -26,7 +26,7 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.models.neural.light_visibility import FACING
 
 PAIRS, FOOTPRINTS, TEXELS_PER_THREAD = 48, 24, 24
-_SMALLEST_COSINE = 1e-3
+_MIN_COSINE = 1e-3
 
 Floats = NDArray[np.float64]
 
@@ -60,7 +60,7 @@ def predicted(
 ) -> Floats:
     """`light_visibility_of` for arrays [n] and [n, 3], in NumPy."""
     constant, by_cosine, by_azimuth = constants
-    cos_light = np.maximum(np.abs(lights[:, 2]), _SMALLEST_COSINE)
+    cos_light = np.maximum(np.abs(lights[:, 2]), _MIN_COSINE)
     together = (lights[:, :2] * views[:, :2]).sum(axis=1)
     together = together / np.sqrt(np.maximum(np.square(lights[:, :2]).sum(axis=1), 1e-6))
     facing = (constant + by_cosine * cos_light) * (1 + by_azimuth * together)

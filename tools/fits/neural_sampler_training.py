@@ -39,7 +39,7 @@ from loomlight.training.torch_functions import TORCH
 _Floats = NDArray[np.float32]
 _HIDDEN = (40, 40)
 # Sides of footprints in threads, and the smallest cosine of a view.
-_SIDES, _LEAST_COSINE = (1 / 64, 32.0), 0.03
+_SIDES, _MIN_COSINE = (1 / 64, 32.0), 0.03
 # Shares of views whose albedos are the same in both families, and whose cloth is opaque.
 _ALIKE, _OPAQUE = 0.4, 0.4
 # Keys of random numbers: of fabrics, of steps, of the inputs' scale.
@@ -251,7 +251,7 @@ def write_sampler(path: Path, layers: Layers, weights: Weights) -> None:
 def _directions(rng: np.random.Generator, count: int) -> _Floats:
     """Unit vectors [count, 3] with z > 0, half uniform in solid angle, half on the projected disk."""
     u, azimuth = rng.random(count), 2 * math.pi * rng.random(count)
-    cosine = _LEAST_COSINE + (1 - _LEAST_COSINE) * np.where(rng.random(count) < 0.5, u, np.sqrt(u))
+    cosine = _MIN_COSINE + (1 - _MIN_COSINE) * np.where(rng.random(count) < 0.5, u, np.sqrt(u))
     sine = np.sqrt(1 - cosine**2)
     return np.stack([sine * np.cos(azimuth), sine * np.sin(azimuth), cosine], axis=1).astype(np.float32)
 

@@ -34,7 +34,7 @@ _NAME = re.compile(r"tl(\d{3}) pl(\d{3}) tv(\d{3}) pv(\d{3})\.jpe?g$", re.IGNORE
 _MAGIC = b"!DFMF08FC"
 # Size, version, three texts, pixels per millimetre, and a colour.
 _COMMON = struct.Struct("<II80s80s80sf3f")
-_MOST_DIRECTIONS, _MOST_SIDE, _MOST_TEXT = 4096, 8192, 1 << 24
+_MAX_DIRECTIONS, _MAX_SIDE, _MAX_TEXT = 4096, 8192, 1 << 24
 _RGB, _LOG_YUV = 0, 11
 _LOG_EPSILON = 1e-5
 _TO_RGB = np.array([[1, 0, 1.13983], [1, -0.39465, -0.5806], [1, 2.03211, 0]], np.float32)
@@ -189,18 +189,18 @@ class Ubo2014:
         if version > 1:
             self._number(stream)  # a flag for cosines, which no reader uses
         if version > 2:
-            self._skip(stream, self._number(stream, _MOST_TEXT))
+            self._skip(stream, self._number(stream, _MAX_TEXT))
         if version > 3:
             if self._number(stream) != 3:
                 self._refuse("it has other channels than red, green and blue")
             for _ in range(3):
-                self._skip(stream, self._number(stream, _MOST_TEXT))
+                self._skip(stream, self._number(stream, _MAX_TEXT))
         if stream.tell() - start != size:
             self._refuse("the length of its header is wrong")
         views, lights = self._angles(stream)
-        self.width, self.height = (self._number(stream, _MOST_SIDE) for _ in range(2))
+        self.width, self.height = (self._number(stream, _MAX_SIDE) for _ in range(2))
         if has_rotations:
-            self._skip(stream, 36 * self._number(stream, _MOST_DIRECTIONS))
+            self._skip(stream, 36 * self._number(stream, _MAX_DIRECTIONS))
         self._number(stream)  # components, again in each channel
         model = self._number(stream)
         if model not in (_RGB, _LOG_YUV):
@@ -220,10 +220,10 @@ class Ubo2014:
 
     def _angles(self, stream: BinaryIO) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
         """Unit vectors of all views, and of the lights of each [n, 3]."""
-        count, views, lights = self._number(stream, _MOST_DIRECTIONS), [], None
+        count, views, lights = self._number(stream, _MAX_DIRECTIONS), [], None
         for _ in range(count):
             views.append(self._unpack(stream, struct.Struct("<2f")))
-            held = self._number(stream, _MOST_DIRECTIONS)
+            held = self._number(stream, _MAX_DIRECTIONS)
             found = self._unpack(stream, struct.Struct(f"<{2 * held}f"))
             if lights is not None and found != lights:
                 self._refuse("its views have different lights")

@@ -31,7 +31,7 @@ _RANGES = {"colors": (0.0, 1.0), "spacing_mm": _LENGTHS_MM, "thickness_mm": _LEN
 
 
 class _FabricRecord(BaseModel):
-    """What a `.loom` file's header says of a fabric; the draft is in the tensors.
+    """The header of a fabric in a `.loom` file; the draft is in the tensors.
 
     Attributes:
         name: of the fabric.

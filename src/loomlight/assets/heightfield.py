@@ -37,11 +37,11 @@ _Map = NDArray[np.float32]
 _FIELD = "height_map"
 _MAPS = {"height": 1, "albedo": 3, "roughness": 1, "metallic": 1, "normal": 3}
 # Texels a side of a height map: nine copies of its triangles take a gigabyte.
-_MOST_TEXELS = 1024
+_MAX_TEXELS = 1024
 
 
 class _Record(BaseModel):
-    """What a `.loom` file's header says of a height field; its maps are tensors."""
+    """The header of a height field in a `.loom` file; its maps are tensors."""
 
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
 
@@ -118,10 +118,10 @@ def load_heightfield(path: str | os.PathLike[str]) -> Heightfield:
         fields = read_fields(file, _File)
         folder = file.parent
         height = _picture(folder, _FIELD, fields.height_map, 1)
-        if max(height.shape[:2]) > _MOST_TEXELS:
+        if max(height.shape[:2]) > _MAX_TEXELS:
             raise InputError(
                 f"height_map = {shown(fields.height_map)} has {height.shape[1]} × {height.shape[0]} pixels: "
-                f"at most {_MOST_TEXELS} a side can be traced."
+                f"at most {_MAX_TEXELS} a side can be traced."
             )
         width, length = fields.size_mm
         normal = fields.normal_map

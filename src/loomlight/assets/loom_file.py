@@ -63,7 +63,7 @@ _Kind = TypeVar("_Kind", bool, int, float, str)
 
 @dataclass(frozen=True, eq=False)
 class LoomFile:
-    """What a `.loom` holds.
+    """The contents of a `.loom` file.
 
     Attributes:
         model: name of the model, as `loomlight bake --model` calls it.

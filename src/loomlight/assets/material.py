@@ -39,16 +39,16 @@ _FIELD = "material"
 _SUFFIX = ".xml"
 DEFAULT_SIZE_MM = 100.0
 # Texels a side of a texture: the latents of a larger one would not fit into the memory of most machines.
-LARGEST_TEXTURE_SIDE = 4096
+MAX_TEXTURE_SIDE = 4096
 # A file's size in bytes; a measured BSDF has some 10 MB.
-_LARGEST_FILE = 1 << 28
+_MAX_FILE = 1 << 28
 _DEEPEST = 64
 _TENSOR = "file."
 _CIRCLE = "its references form a circle: a BSDF cannot be a part of itself."
 
 
 class _Record(BaseModel):
-    """What a `.loom` file's header says of a material; its files are tensors."""
+    """The header of a material in a `.loom` file; its files are tensors."""
 
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
 
@@ -277,15 +277,15 @@ def _content(file: Path) -> Bytes:
     with speaking_of(f"filename = {shown(file.name)}"):
         if not file.is_file():
             raise InputError(f"{file} does not exist.")
-        if file.stat().st_size > _LARGEST_FILE:
-            raise InputError(f"{file} is larger than {_LARGEST_FILE >> 20} MiB.")
+        if file.stat().st_size > _MAX_FILE:
+            raise InputError(f"{file} is larger than {_MAX_FILE >> 20} MiB.")
         suffix = file.suffix.lower()
         if suffix in (".exr", *PICTURE_SUFFIXES):
             pixels = read_map(file, 3)
             height, width = pixels.shape[:2]
-            if max(width, height) > LARGEST_TEXTURE_SIDE or min(width, height) < 1:
+            if max(width, height) > MAX_TEXTURE_SIDE or min(width, height) < 1:
                 raise InputError(
-                    f"the texture {file} has {width} × {height} texels: 1 to {LARGEST_TEXTURE_SIDE} a side "
+                    f"the texture {file} has {width} × {height} texels: 1 to {MAX_TEXTURE_SIDE} a side "
                     "can be learned."
                 )
             if not np.isfinite(pixels).all():

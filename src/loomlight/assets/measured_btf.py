@@ -36,7 +36,7 @@ _Gain = Annotated[float, Field(gt=0, le=1e6)]
 
 
 class _Record(BaseModel):
-    """What a `.loom` file's header says of a measured BTF."""
+    """The header of a measured BTF in a `.loom` file."""
 
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
 

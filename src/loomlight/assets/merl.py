@@ -36,21 +36,21 @@ BINS = (90, 90, 180)
 _COUNT = math.prod(BINS)
 _SCALES = np.array([1 / 1500, 1.15 / 1500, 1.66 / 1500])
 _BYTES = 12 + 3 * 8 * _COUNT
-MOST_BRDFS = 100
+MAX_BRDFS = 100
 # A `.loom` holds the values of so many; of a larger library, a gigabyte, the names and checksums alone.
-MOST_STORED = 8
+MAX_STORED = 8
 _CELL_MM = 25.0
-_LARGEST_HALF = 65504.0
-_SMALLEST_COSINE = 1e-4
+_MAX_HALF = 65504.0
+_MIN_COSINE = 1e-4
 
 
 class _Record(BaseModel):
-    """What a `.loom` file's header says of a library; values are tensors."""
+    """The header of a library in a `.loom` file; values are tensors."""
 
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
 
     name: str
-    names: Annotated[list[str], Field(min_length=1, max_length=MOST_BRDFS)]
+    names: Annotated[list[str], Field(min_length=1, max_length=MAX_BRDFS)]
     sha256: list[str]
 
 
@@ -136,11 +136,11 @@ def load_merl(path: str | os.PathLike[str]) -> MerlLibrary:
     files = sorted(file.glob(f"*{SUFFIX}")) if file.is_dir() else [file]
     if not files:
         raise InputError(f"{file} holds no {SUFFIX} file.")
-    if len(files) > MOST_BRDFS:
-        raise InputError(f"{file} holds {len(files)} {SUFFIX} files: a library has at most {MOST_BRDFS}.")
+    if len(files) > MAX_BRDFS:
+        raise InputError(f"{file} holds {len(files)} {SUFFIX} files: a library has at most {MAX_BRDFS}.")
     values = np.empty((len(files), *BINS, 3), np.float16)
     for number, each in enumerate(files):
-        values[number] = np.clip(read_merl(each), 0, _LARGEST_HALF)
+        values[number] = np.clip(read_merl(each), 0, _MAX_HALF)
     return library_of(file.stem, [each.stem for each in files], values)
 
 
@@ -206,7 +206,7 @@ def bin_directions() -> tuple[_Floats, _Floats]:
 def merl_record(source: MerlLibrary) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """The record of a library, as JSON, and its values where there are few."""
     record = _Record(name=source.name, names=list(source.names), sha256=list(source.sha256))
-    stored = source.values is not None and len(source.names) <= MOST_STORED
+    stored = source.values is not None and len(source.names) <= MAX_STORED
     return record.model_dump(), {"values": source.values} if stored and source.values is not None else {}
 
 
@@ -223,7 +223,7 @@ def merl_from_record(
     header = _Record.model_validate(record)
     values = tensors.get("values")
     wanted = (len(header.names), *BINS, 3)
-    if values is None and len(header.names) <= MOST_STORED:
+    if values is None and len(header.names) <= MAX_STORED:
         raise InputError("the tensor source.values is missing: bake the file again.")
     if values is not None and (values.dtype != np.float16 or values.shape != wanted):
         raise InputError(f"the tensor source.values must be {list(wanted)} float16.")
@@ -237,7 +237,7 @@ def _places(lights: _Floats, views: _Floats) -> tuple[_Place, _Place, _Place]:
     """Bins below and above each query along θ_h, θ_d and φ_d, and the share of the upper one."""
     light, view = lights.astype(np.float64), views.astype(np.float64)
     half = light + view
-    half /= np.maximum(np.linalg.norm(half, axis=1, keepdims=True), _SMALLEST_COSINE)
+    half /= np.maximum(np.linalg.norm(half, axis=1, keepdims=True), _MIN_COSINE)
     theta_h = np.arccos(np.clip(half[:, 2], -1, 1))
     azimuth = np.arctan2(half[:, 1], half[:, 0])
     x = np.cos(azimuth) * light[:, 0] + np.sin(azimuth) * light[:, 1]

@@ -1,4 +1,4 @@
-"""What identifies a source: a hash of all that a `.loom` would hold of it."""
+"""The identity of a source: a hash of all that a `.loom` would hold of it."""
 
 from __future__ import annotations
 

@@ -31,17 +31,17 @@ from loomlight.fabric.reading import read_text, speaking_of
 from loomlight.fabric.sentences import shown
 
 _FIELD = "tile"
-_MOST_BOUNCES = 64
+_MAX_BOUNCES = 64
 # Bytes of all files of a scene together.
-_LARGEST_FILES = 1 << 28
+_MAX_FILES = 1 << 28
 _FILE = "file."
 
 _Height = Annotated[float, Field(ge=-1e6, le=1e6)]
-_Bounces = Annotated[int, Field(ge=1, le=_MOST_BOUNCES)]
+_Bounces = Annotated[int, Field(ge=1, le=_MAX_BOUNCES)]
 
 
 class _Record(BaseModel):
-    """What a `.loom` file's header says of a tile; the files of its scene are tensors."""
+    """The header of a tile in a `.loom` file; the files of its scene are tensors."""
 
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
 
@@ -62,7 +62,7 @@ class _File(SourceFields):
         "size_mm": "two lengths above 0, such as [2.0, 2.0]",
         "reference_height_mm": "a height, such as 0.0",
         "two_sided": "true or false",
-        "bounces": f"a whole number from 1 to {_MOST_BOUNCES}",
+        "bounces": f"a whole number from 1 to {_MAX_BOUNCES}",
     }
 
     tile: str
@@ -149,8 +149,8 @@ def _files_of(scene: str, folder: Path) -> dict[str, bytes]:
         _require_inside(name)
         require_file(folder / name)
         files[name] = (folder / name).read_bytes()
-        if sum(map(len, files.values())) > _LARGEST_FILES:
-            raise InputError(f"its files are larger than {_LARGEST_FILES >> 20} MiB.")
+        if sum(map(len, files.values())) > _MAX_FILES:
+            raise InputError(f"its files are larger than {_MAX_FILES >> 20} MiB.")
     return files
 
 

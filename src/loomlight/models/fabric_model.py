@@ -71,7 +71,7 @@ class FabricModel(Model):
         }
 
     def own_facts(self) -> dict[str, str]:
-        """What to tell of this model beside its fabric."""
+        """Facts about this model beside those of its fabric."""
         return {}
 
 
@@ -231,7 +231,7 @@ def _means_of(fabric: Fabric, appearance: Appearance, values: Values) -> Footpri
 
 
 def appearance_of(fabric: Fabric, values: Values) -> Appearance:
-    """What a fabric scatters with the albedos of its scene parameters."""
+    """The appearance of a fabric with the albedos of its scene parameters."""
     held = fabric.appearance()
     warp, weft = (_with_albedos(getattr(held, family), family, values) for family in FAMILIES)
     return replace(held, warp=warp, weft=weft)

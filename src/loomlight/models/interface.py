@@ -76,7 +76,7 @@ class Option:
 
 
 class FootprintBsdf(ABC):
-    """What one view sees of footprints: whatever no light changes is computed once.
+    """The BSDF of footprints for one view: all that no light changes is computed once.
 
     Attributes:
         view: unit vectors [3].
@@ -182,7 +182,7 @@ class Model(ABC):
 
     @abstractmethod
     def to_loom(self) -> LoomFile:
-        """What a `.loom` file has to hold, so that `from_loom` gives the same numbers bit for bit."""
+        """The contents of a `.loom` file of which `from_loom` gives the same numbers bit for bit."""
 
     @classmethod
     @abstractmethod
@@ -257,6 +257,6 @@ class Model(ABC):
         return ()
 
     def facts(self) -> dict[str, str]:
-        """What to tell a reader of the scene about it, by name."""
+        """Facts about the model for readers of a scene, by name."""
         width, height = self.source.repeat_mm
         return {"source": f'"{self.source.name}"', "repeat": f"{width:.4g} × {height:.4g} mm"}

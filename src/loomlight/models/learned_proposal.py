@@ -30,7 +30,7 @@ _TINY = 1e-6
 
 @dataclass
 class LearnedProposal:
-    """What directions of a footprint and a view are drawn from, in the frame of the face that is seen.
+    """Density of directions of a footprint and a view, in the frame of the face that is seen.
 
     Attributes:
         null: probability of null transmission.

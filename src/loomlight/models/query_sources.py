@@ -32,7 +32,7 @@ class QuerySources(Generic[AnswersT]):
         self._makers[kind] = make
 
     def of(self, source: Source, *arguments: Any) -> AnswersT:
-        """What answers queries of a source.
+        """The object that answers queries of a source.
 
         Raises:
             InputError: a kind of source that nobody answers for.

@@ -32,14 +32,14 @@ from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.search import upload_extent
 
 DEFAULT_POINTS = 32
-MOST_POINTS = 1 << 16
+MAX_POINTS = 1 << 16
 # The plastic number's powers: points at multiples of these shares fill a square evenly (Roberts 2018).
 _ACROSS, _ALONG = 0.7548776662466927, 0.5698402909980532
 
 
 @dataclass
 class _Shown:
-    """What points show, whatever the light: means over the points.
+    """Means over the points of all that no light changes.
 
     Attributes:
         hole: share of points that are holes.
@@ -190,7 +190,7 @@ class FootprintSamples(FabricModel):
     name = "samples"
     filters = True
     conserves_energy = True
-    options = (Option("points", int, f"a whole number from 1 to {MOST_POINTS}", 1, MOST_POINTS),)
+    options = (Option("points", int, f"a whole number from 1 to {MAX_POINTS}", 1, MAX_POINTS),)
 
     def __init__(self, fabric: Fabric, points: int = DEFAULT_POINTS) -> None:
         """A model of `points` points, 1 to 65536.
@@ -199,8 +199,8 @@ class FootprintSamples(FabricModel):
             InputError: fewer or more points.
         """
         super().__init__(fabric)
-        if not 1 <= points <= MOST_POINTS:
-            raise InputError(f"points = {points} is out of range: use 1 to {MOST_POINTS}.")
+        if not 1 <= points <= MAX_POINTS:
+            raise InputError(f"points = {points} is out of range: use 1 to {MAX_POINTS}.")
         self.points = points
         self.point_model = PointModel(YarnGeometry(fabric.layout()), fabric.appearance())
 

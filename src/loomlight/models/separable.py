@@ -23,7 +23,7 @@ from loomlight.scattering.yarn_point import tinted as tinted_family
 
 @dataclass
 class Components:
-    """What a footprint does to light, free of albedos (chen2024 eq. 7): Float each, 1/sr but the last.
+    """Response of a footprint to light, free of albedos (chen2024 eq. 7): Float each, 1/sr but the last.
 
     Means over the view rays through the footprint, holes counted as 0, cosine and shadows included; of
     reflection or of transmission by the side of the light.

@@ -29,7 +29,7 @@ _MEMORY = 0.98  # of the mean loss
 
 @dataclass(frozen=True)
 class Schedule:
-    """How long, and how fast.
+    """Length and learning rates of a training.
 
     Attributes:
         steps: how many; with `seconds`, at most so many.
@@ -56,6 +56,17 @@ def _subnormals_flushed() -> Iterator[None]:
         yield
     finally:
         torch.set_flush_denormal(False)
+
+
+@contextmanager
+def one_thread() -> Iterator[None]:
+    """Operations of this thread use no others: an optimiser's are too small for that."""
+    threads = torch.get_num_threads()
+    torch.set_num_threads(1)
+    try:
+        yield
+    finally:
+        torch.set_num_threads(threads)
 
 
 @_subnormals_flushed()

@@ -15,6 +15,9 @@ from torch import Tensor, nn
 
 from loomlight.training.processes import own_share, sum_over_processes
 
+# Threads that share a batch, and the smallest shared one: of less, they wait longer than they compute.
+_PARTS, _MIN_SHARED_BATCH = 2, 1 << 13
+
 
 class SideBySide:
     """Computes losses and gradients of parts on a thread each.
@@ -30,6 +33,15 @@ class SideBySide:
         cores = max(1, torch.get_num_threads() // parts)
         self._threads = ThreadPoolExecutor(parts, initializer=_begin, initargs=(cores,))
         self.parts = parts
+
+    @classmethod
+    def for_batch(cls, device: str, size: int) -> SideBySide:
+        """Two threads on CPUs, of any machine, as weights depend on it, and one for small batches or GPUs.
+
+        Args:
+            device: of torch, "cpu" or "cuda".
+        """
+        return cls(_PARTS if device == "cpu" and size >= _MIN_SHARED_BATCH else 1)
 
     def loss(
         self, losses: Sequence[Callable[[], Tensor]], weights: Sequence[float], network: nn.Module

@@ -26,7 +26,7 @@ TORCH: Any = SimpleNamespace(
 
 
 class TorchTextures:
-    """What the formulas of mip pyramids need, for torch (`ArrayFunctions` of `models/mip_pyramid.py`)."""
+    """`ArrayFunctions` of `models/mip_pyramid.py` for torch."""
 
     def floor(self, value: Tensor) -> Tensor:
         return torch.floor(value)

@@ -25,7 +25,7 @@ from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.clustered.clusters import NO_CLUSTER
 from loomlight.models.clustered.density_tables import densities
-from loomlight.models.clustered.features import MOST_TEXELS, texel_counts
+from loomlight.models.clustered.features import MAX_TEXELS, texel_counts
 from loomlight.models.clustered.model import ClusteredModel
 from loomlight.models.clustered.square_map import BINS, bin_centres, bin_taps
 from loomlight.models.clustered.tables import bake_tables
@@ -192,7 +192,7 @@ def test_a_large_repeat_has_fewer_texels_a_thread_and_says_what_it_takes() -> No
     with pytest.warns(LoomlightWarning, match=r"across the finest thread instead of 6, take .* GB and"):
         columns, rows = texel_counts(geometry, 256)
     assert 2 <= columns * geometry.finest[0] / geometry.size[0] < 6
-    assert 0.98 * MOST_TEXELS < columns * rows <= MOST_TEXELS
+    assert 0.98 * MAX_TEXELS < columns * rows <= MAX_TEXELS
     too_large = YarnGeometry(fabric_from_text('weave = "satin 1001/300"').layout())
     with pytest.raises(InputError, match=r"texels, .* GB and about .* s to bake"):
         texel_counts(too_large, 256)

@@ -1,6 +1,7 @@
 """A training is the same however often it is stopped, and learns what it is shown.
 
 Covers: models/neumip/training/train.py, models/neumip/training/query_store.py, models/neumip/btf.py
+Covers: models/query_parts.py, models/fabric_points.py
 Covers: models/neumip/fabric_btf.py, models/neumip/training/sampler_fit.py
 """
 
@@ -92,7 +93,7 @@ def test_dark_cloth_is_not_black(tmp_path: Path) -> None:
     weights = train_neumip(cloth, settings, tmp_path)
     model = NeumipModel(cloth, weights)
     for beyond in (0, 1):
-        chosen = queries[np.flatnonzero(queries.beyond == beyond)]
+        chosen = queries[np.flatnonzero(queries.is_transmission == beyond)]
         values = shown(model, chosen)
         # Losses of logarithms learn less than means of noisy values; black is −1.
         assert abs(values.mean() / chosen.values.mean() - 1) < 0.3
@@ -103,7 +104,7 @@ def shown(model: NeumipModel, queries: Queries) -> NDArray[np.float32]:
     """The model's f·cos [n, 3] for queries."""
     shape = model.weights.shape
     front = np.where(queries.faces == 1, -1, 1)
-    turns = front * np.where(queries.beyond == 1, -1, 1), front
+    turns = front * np.where(queries.is_transmission == 1, -1, 1), front
     light, view = (
         Array3f(*np.ascontiguousarray(xy.T), Float(np.sqrt(1 - np.square(xy).sum(axis=1)) * turn))
         for xy, turn in zip((queries.lights, queries.views), turns, strict=True)
@@ -162,7 +163,7 @@ def test_queries_are_gaussian_means() -> None:
         light, view = (
             [*xy, sign * math.sqrt(max(0.0, 1 - float(np.square(xy).sum())))]
             for xy, sign in (
-                (queries.lights[k], -side if queries.beyond[k] else side),
+                (queries.lights[k], -side if queries.is_transmission[k] else side),
                 (queries.views[k], side),
             )
         )

@@ -50,7 +50,7 @@ class ClusterLobe:
 
 @dataclass
 class LightTaps:
-    """What the base of all clusters reads for one light.
+    """Table entries that the base of all clusters reads for one light.
 
     Attributes:
         facing: the light in the frame of the face that is seen [3].
@@ -98,7 +98,7 @@ class ViewedBase:
         ]
 
     def light_taps(self, light: Vec3) -> LightTaps:
-        """What a light in the frame of the face reads."""
+        """Table entries that a light in the frame of the face reads."""
         types = self._tables.types
         transmits = light.z < 0
         side = dr.select(transmits, types.UInt32(1), types.UInt32(0))

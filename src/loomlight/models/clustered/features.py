@@ -22,7 +22,7 @@ _Number = TypeVar("_Number", bound=np.generic)
 DEFAULT_TEXELS = 256
 _PER_THREAD, _FEWEST_PER_THREAD = 6, 2
 # Of one face: the bake stays under two minutes and 4 GB, summed-area tables on a device included.
-MOST_TEXELS = 1 << 21
+MAX_TEXELS = 1 << 21
 _BYTES_A_TEXEL, _SECONDS_A_TEXEL = 1000, 5e-5
 
 
@@ -66,17 +66,17 @@ def texel_counts(geometry: YarnGeometry, longest: int) -> tuple[int, int]:
         return columns, rows
 
     found = counts(_PER_THREAD)
-    if found[0] * found[1] <= MOST_TEXELS:
+    if found[0] * found[1] <= MAX_TEXELS:
         return found
     least = counts(_FEWEST_PER_THREAD)
-    if least[0] * least[1] > MOST_TEXELS:
+    if least[0] * least[1] > MAX_TEXELS:
         raise InputError(
             f"The repeat of {width:.4g} × {height:.4g} mm needs {least[0]} × {least[1]} texels, "
-            f"{_cost(least)} to bake: clustered takes up to {MOST_TEXELS / 1e6:.1f} million texels; "
+            f"{_cost(least)} to bake: clustered takes up to {MAX_TEXELS / 1e6:.1f} million texels; "
             "use lobes for this draft."
         )
     # Rounding up adds a column and a row.
-    per_thread = _PER_THREAD * math.sqrt(MOST_TEXELS / ((found[0] + 2) * (found[1] + 2)))
+    per_thread = _PER_THREAD * math.sqrt(MAX_TEXELS / ((found[0] + 2) * (found[1] + 2)))
     fewer = counts(max(per_thread, _FEWEST_PER_THREAD))
     warnings.warn(
         f"The repeat of {width:.4g} × {height:.4g} mm is large: {fewer[0]} × {fewer[1]} texels, "

@@ -32,7 +32,7 @@ DEFAULT_CLUSTERS, MOST_CLUSTERS = 16, 64
 DEFAULT_RANK, MOST_RANK = 1, 16
 DEFAULT_SAMPLES, MOST_SAMPLES = 2, 8
 DEFAULT_TEXEL_SAMPLES, MOST_TEXEL_SAMPLES = 16, 1024
-FEWEST_TEXELS, MOST_TEXELS = 16, 1024
+MIN_TEXELS, MAX_TEXELS = 16, 1024
 # What tables mean; to be raised when older ones no longer fit the formulas.
 _TABLES_VERSION = 2
 # Scene parameters of a family that tables depend on.
@@ -60,9 +60,7 @@ class ClusteredModel(FilteredFabricModel):
     options = (
         Option("clusters", int, f"a multiple of 4 from 4 to {MOST_CLUSTERS}", 4, MOST_CLUSTERS),
         Option("rank", int, f"a whole number from 0 to {MOST_RANK}", 0, MOST_RANK),
-        Option(
-            "texels", int, f"a whole number from {FEWEST_TEXELS} to {MOST_TEXELS}", FEWEST_TEXELS, MOST_TEXELS
-        ),
+        Option("texels", int, f"a whole number from {MIN_TEXELS} to {MAX_TEXELS}", MIN_TEXELS, MAX_TEXELS),
         Option("texel_samples", int, f"a whole number from 0 to {MOST_TEXEL_SAMPLES}", 0, MOST_TEXEL_SAMPLES),
         Option("samples", int, f"a whole number from 0 to {MOST_SAMPLES}", 0, MOST_SAMPLES),
     )
@@ -264,5 +262,5 @@ def _require_options(clusters: int, rank: int, samples: int, texel_samples: int,
         raise InputError(f"samples = {samples} is out of range: use 0 to {MOST_SAMPLES}.")
     if not 0 <= texel_samples <= MOST_TEXEL_SAMPLES:
         raise InputError(f"texel_samples = {texel_samples} is out of range: use 0 to {MOST_TEXEL_SAMPLES}.")
-    if not FEWEST_TEXELS <= texels <= MOST_TEXELS:
-        raise InputError(f"texels = {texels} is out of range: use {FEWEST_TEXELS} to {MOST_TEXELS}.")
+    if not MIN_TEXELS <= texels <= MAX_TEXELS:
+        raise InputError(f"texels = {texels} is out of range: use {MIN_TEXELS} to {MAX_TEXELS}.")

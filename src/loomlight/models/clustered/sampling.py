@@ -24,7 +24,7 @@ from loomlight.scattering.sheen import sample_sheen, sheen_pdf, sheen_transmitta
 # Weight of diffuse reflection beside the albedos, so that black cloth has a lobe as well.
 _SMALLEST = 1e-3
 # What passes straight on is drawn at most so often: a hole may be estimated to be 1 where light is scattered.
-_MOST_NULL = 0.95
+_MAX_NULL = 0.95
 
 
 @dataclass
@@ -85,7 +85,7 @@ class LobeSampler:
         if sheen.strength > 0:
             transmittance = sheen_transmittance(base.view, sheen.strength, sheen.roughness)
             from_sheen = (1 - transmittance) * dr.rcp(maximum(transmittance, 1e-3)) * maximum(scattered, 0.1)
-        null = minimum(hole, _MOST_NULL)
+        null = minimum(hole, _MAX_NULL)
         scale = (1 - null) * dr.rcp(scattered + from_sheen)
         self.probabilities = LobeProbabilities(
             [part * scale for part in specular], reflect * scale, transmit * scale, from_sheen * scale, null

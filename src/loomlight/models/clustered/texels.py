@@ -23,7 +23,7 @@ from loomlight.scattering.point import PointModel
 from loomlight.yarn.horizon import AZIMUTHS
 
 # Steps of a view ray through the relief of the cloth, and how often the hit is refined.
-_FEWEST_STEPS, _MOST_STEPS = 8, 64
+_MIN_STEPS, _MAX_STEPS = 8, 64
 # Of the finest thread, one step across the cloth.
 _STRIDE = 0.15
 _REFINEMENTS = 3
@@ -100,7 +100,7 @@ class TexelModel:
         return self.point(self.hit(place, view, back))
 
     def point(self, hit: UInt) -> TexelPoint:
-        """What is known of a texel that `hit` has found."""
+        """The numbers of a texel that `hit` has found."""
         types = self._types
         texel = hit & (_HOLE - 1)
         first_half = dr.gather(types.Vector4, self._features, 2 * texel)
@@ -134,7 +134,7 @@ class TexelModel:
 
         # Steps across the cloth are a share of the finest thread, however flat the ray.
         travelled = self._relief * dr.sqrt(dr.square(slope_x) + dr.square(slope_y))
-        count = clip(travelled / self._stride, _FEWEST_STEPS, _MOST_STEPS)
+        count = clip(travelled / self._stride, _MIN_STEPS, _MAX_STEPS)
         step = self._relief / dr.ceil(count)
         width = dr.width(slope_x, place)
         start = self._high + dr.zeros(types.Float, width)

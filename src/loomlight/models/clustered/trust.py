@@ -1,4 +1,4 @@
-"""How much of the base and of the texel model to use: the best coefficients of control variates, by view.
+"""Coefficients of the base and of the texel model as control variates: the best ones, by view.
 
 The base looks at texels that a mean offset shifts, so at grazing views it says little about what rays
 meet; the texel model errs where shadows have fine edges. The best coefficient of a control variate g

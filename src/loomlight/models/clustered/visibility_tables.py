@@ -1,4 +1,4 @@
-"""What light and view reach of each cluster, by direction: means over its texels (zhu2024 4.2)."""
+"""Visibility of each cluster from light and view, by direction: means over its texels (zhu2024 4.2)."""
 
 from __future__ import annotations
 

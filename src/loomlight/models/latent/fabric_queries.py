@@ -2,22 +2,15 @@
 
 from __future__ import annotations
 
-import dataclasses
-
 import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import array_types
-from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
+from loomlight.models.fabric_points import FabricPoints
 from loomlight.models.mip_pyramid import SIZE_OF_SIGMA, PyramidShape
-from loomlight.scattering.point import PointModel
-from loomlight.yarn.geometry import YarnGeometry
 
 _Floats = NDArray[np.float32]
-# Rays in one launch.
-_BATCH = 1 << 20
 # Points of a texel of the finest level along each side, of which encoder inputs are means.
 _POINTS = 4
 
@@ -49,12 +42,7 @@ class FabricReflectance:
         Args:
             resolution: texels along the longer side of the repeat, a power of two.
         """
-        appearance = fabric.appearance()
-        # A repeat has no random threads: those vary over the whole cloth.
-        variation = dataclasses.replace(appearance.variation, fibre_noise=0.0, colour_noise=0.0)
-        plain = dataclasses.replace(appearance, variation=variation)
-        self._model = PointModel(YarnGeometry(fabric.layout()), plain)
-        self._types = array_types(llvm_float())
+        self._points = FabricPoints(fabric)
         self._shape = PyramidShape.of(fabric.repeat_mm, resolution, self.faces)
         self.resolution = (self._shape.columns, self._shape.rows)
         self._finest: dict[int, _Floats] = {}
@@ -67,16 +55,7 @@ class FabricReflectance:
         extent = np.array([self._shape.width_mm, self._shape.height_mm], np.float32)
         sigmas = (self._shape.texel_mm / SIZE_OF_SIGMA * np.exp2(levels)).astype(np.float32)
         points = positions * extent + sigmas[:, None] * rng.standard_normal(positions.shape, np.float32)
-        values = np.empty((len(points), 3), np.float32)
-        for first in range(0, len(points), _BATCH):
-            part = slice(first, first + _BATCH)
-            x, y = (self._types.Float(np.ascontiguousarray(row)) for row in points[part].T)
-            light, view = (
-                self._types.Vector3(np.ascontiguousarray(rows[part].T)) for rows in (lights, views)
-            )
-            point = self._model.locate(x, y, view)
-            values[part] = self._model.evaluate(point, light, view).numpy().T
-        return values
+        return self._points.values(points, lights, views)
 
     def encoder_inputs(self, level: int, face: int = 0) -> _Floats:
         """Inputs [height, width, K]; see `Reflectance.encoder_inputs`."""
@@ -90,21 +69,21 @@ class FabricReflectance:
 
     def _point_inputs(self, back: bool) -> _Floats:
         """Inputs of the texels of the finest level [rows, columns, K]."""
-        types, shape = self._types, self._shape
+        types, shape, model = self._points.types, self._shape, self._points.model
         columns, rows = _POINTS * shape.columns, _POINTS * shape.rows
         number = dr.arange(types.UInt32, columns * rows)
         row = number // columns
         x = (types.Float(number - row * columns) + 0.5) * (shape.width_mm / columns)
         y = (types.Float(row) + 0.5) * (shape.height_mm / rows)
         is_back = dr.full(types.Bool, back, columns * rows)
-        hole = self._model.surface.surface(x, y, is_back).hole
-        point = self._model.at(x, y, is_back, hole)
+        hole = model.surface.surface(x, y, is_back).hole
+        point = model.at(x, y, is_back, hole)
         normal, tangent, albedos = point.normal, point.tangent, point.albedos
         channels = [
             dr.select(point.is_warp, 1.0, -1.0),
             dr.select(hole, 1.0, -1.0),
             # Heights are a few tenths of the finest thread's width.
-            types.Float(point.height) / min(self._model.surface.finest),
+            types.Float(point.height) / min(model.surface.finest),
             *normal,
             *(normal[a] * normal[b] for a, b in ((0, 0), (0, 1), (1, 1))),
             *tangent,

@@ -1,4 +1,4 @@
-"""What a training asks of a source: its reflectance over footprints, and the inputs of the encoder.
+"""Queries of a source for training: its reflectance over footprints, and the inputs of the encoder.
 
 A source has a grid of texels; level l of its mip pyramid has 2^-l as many texels a side. A footprint of level
 l is a Gaussian about a position, of deviation texel / `SIZE_OF_SIGMA` along either axis.

@@ -9,18 +9,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.models.latent.queries import Reflectance
+from loomlight.models.query_parts import LOWEST_COSINE, PART, QueryArrays, draw_directions, from_cosine
 
 _Floats = NDArray[np.float32]
-# Queries of a part of the stream; a part is drawn, stored and counted as a whole.
-PART = 1 << 16
-# More grazing directions see crests alone.
-LOWEST_COSINE = 0.02
 # Share of queries whose level is uniform; the others' density quarters with each level, as texels do.
 _UNIFORM_LEVELS = 0.5
 # Share of lights drawn by half vectors, and the roughnesses of their Trowbridge–Reitz distributions.
@@ -30,7 +27,7 @@ _STREAM = 3
 
 
 @dataclass(frozen=True, eq=False)
-class Queries:
+class Queries(QueryArrays):
     """Queries and their values.
 
     Attributes:
@@ -47,17 +44,6 @@ class Queries:
     views: _Floats
     faces: NDArray[np.uint8]
     values: _Floats
-
-    def __len__(self) -> int:
-        return len(self.levels)
-
-    def __getitem__(self, chosen: NDArray[np.intp] | slice) -> Queries:
-        return Queries(*(getattr(self, part.name)[chosen] for part in fields(self)))
-
-    @classmethod
-    def joined(cls, parts: list[Queries]) -> Queries:
-        """All queries of some parts."""
-        return cls(*(np.concatenate([getattr(p, field.name) for p in parts]) for field in fields(cls)))
 
 
 class QueryStream:
@@ -107,14 +93,6 @@ class QueryStream:
         return Queries(positions, levels, lights, views, faces, values)
 
 
-def draw_directions(rng: np.random.Generator, count: int) -> _Floats:
-    """Unit vectors [count, 3] with z > 0, half uniform in solid angle, half on the projected disk."""
-    u, azimuth = rng.random(count), 2 * math.pi * rng.random(count)
-    cosine = np.where(rng.random(count) < 0.5, u, np.sqrt(u))
-    cosine = LOWEST_COSINE + (1 - LOWEST_COSINE) * cosine
-    return _from_cosine(cosine, azimuth)
-
-
 def draw_lights(rng: np.random.Generator, views: _Floats) -> _Floats:
     """Lights [n, 3] with z > 0, for views."""
     count = len(views)
@@ -123,15 +101,10 @@ def draw_lights(rng: np.random.Generator, views: _Floats) -> _Floats:
     u, azimuth = rng.random(count), 2 * math.pi * rng.random(count)
     # Slopes of a Trowbridge–Reitz distribution: tan² = α² u / (1 − u).
     cosine = 1 / np.sqrt(1 + alpha**2 * u / (1 - u))
-    halves = _from_cosine(cosine, azimuth)
+    halves = from_cosine(cosine, azimuth)
     mirrored = 2 * (views * halves).sum(axis=1, keepdims=True) * halves - views
     chosen = (rng.random(count) < _BY_HALF_VECTOR) & (mirrored[:, 2] > LOWEST_COSINE)
     return np.where(chosen[:, None], mirrored, lights).astype(np.float32)
-
-
-def _from_cosine(cosine: NDArray[np.float64], azimuth: NDArray[np.float64]) -> _Floats:
-    sine = np.sqrt(np.maximum(1 - cosine**2, 0))
-    return np.stack([sine * np.cos(azimuth), sine * np.sin(azimuth), cosine], axis=1).astype(np.float32)
 
 
 def draw_levels(rng: np.random.Generator, count: int, levels: int) -> NDArray[np.uint8]:
@@ -147,7 +120,7 @@ def _within_cones(rng: np.random.Generator, lights: _Floats, angle: float) -> _F
         return lights
     count = len(lights)
     cosine = 1 - rng.random(count) * (1 - math.cos(angle))
-    local = _from_cosine(cosine, 2 * math.pi * rng.random(count))
+    local = from_cosine(cosine, 2 * math.pi * rng.random(count))
     # A frame about each light: its z is above 0, so it is never −z.
     x, y, z = lights.T
     scale = 1 / (1 + z)

@@ -38,7 +38,7 @@ def loss_of_kind(kind: str) -> str:
 
 @dataclass(frozen=True)
 class LatentSettings:
-    """How a material is trained.
+    """Settings of the training of a material.
 
     Attributes:
         resolution: texels along the longer side of the repeat, a power of two.

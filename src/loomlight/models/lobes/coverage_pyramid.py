@@ -300,7 +300,7 @@ def _first_level(
 
 
 def blur_steps(cells: float) -> list[np.float32]:
-    """What each neighbour gives to a cell, step by step, so that cells become tents.
+    """Weights of each neighbour of a cell, step by step, so that cells become tents.
 
     With w of each neighbour a cell's variance of 1/12 becomes 1/12 + 2w, and interpolation adds 1/6. Wide
     squares, of repeats that are narrow or whose nodes were rounded up, take several such steps.

@@ -169,7 +169,7 @@ def _thinned(indices: NDArray[np.intp]) -> NDArray[np.intp]:
 
 
 def _best_warp_count(clusters: Sequence[BisectingClusters], hits: Sequence[int], per_family: int) -> int:
-    """How many of a face's 2 `per_family` groups the warp gets, so that the mean squared error is least.
+    """Number of a face's 2 `per_family` groups that the warp gets: the one of the least mean squared error.
 
     Args:
         clusters: of the face's warp and weft.

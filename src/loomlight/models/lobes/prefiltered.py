@@ -216,7 +216,7 @@ def _in_pairs(first: NDArray[np.uint32], second: NDArray[np.uint32]) -> NDArray[
 
 @dataclass
 class ShadowCorrelation:
-    """How visibility from light and view depend on each other within groups, for one pair of directions.
+    """Correlation of visibility from light and view within groups, for one pair of directions.
 
     Attributes:
         diffuse, specular: κ of either term, −0.2 to 1.2.

@@ -27,7 +27,7 @@ SMALLEST_FOOTPRINT = 1e-9
 
 @dataclass
 class Regime:
-    """How a footprint is evaluated.
+    """Weights of the two regimes that evaluate a footprint.
 
     Attributes:
         prefiltered: weight of the groups, 0 to 1; points have the rest.

@@ -9,7 +9,7 @@ texels.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
@@ -18,19 +18,16 @@ from numpy.typing import NDArray
 from loomlight.models.mip_pyramid import SIZE_OF_SIGMA, PyramidShape
 from loomlight.models.neumip.fabric_btf import FabricBtf
 from loomlight.models.neumip.measured_btf import PictureBtf
+from loomlight.models.query_parts import PART, QueryArrays, draw_directions
 from loomlight.models.query_sources import QuerySources
 
 _Floats = NDArray[np.float32]
-# Queries of a part of the stream; a part is drawn, stored and counted as a whole.
-PART = 1 << 16
-# More grazing directions see crests alone.
-_LOWEST_COSINE = 0.02
 # Share of queries whose level is uniform; the others' density halves with each level.
 _UNIFORM_LEVELS = 0.4
 # Footprints of twice the repeat are means of the whole.
 _LEVELS_BEYOND = 1.0
 # Share of queries whose light is on the other side, where light passes.
-BEYOND_SHARE = 0.4
+TRANSMISSION_SHARE = 0.4
 # Keys that separate the random numbers of queries from those of batches.
 _STREAM = 3
 
@@ -73,7 +70,7 @@ BTFS = QuerySources[Btf]("neumip", {"fabric": FabricBtf, "btf": PictureBtf})
 
 
 @dataclass(frozen=True, eq=False)
-class Queries:
+class Queries(QueryArrays):
     """Queries and their values.
 
     Attributes:
@@ -81,7 +78,7 @@ class Queries:
         levels: log2 of the footprint's size in texels of the finest level [n].
         lights, views: x and y of unit vectors [n, 2] in the frame of the face that is seen.
         faces: 0 for the front, 1 for the back [n].
-        beyond: 1 for lights on the other side, else 0 [n].
+        is_transmission: 1 for lights on the other side, else 0 [n].
         values: f·cos, linear RGB [n, 3], 1/sr.
         holes: share of light that passes straight through towards the view [n], 0 to 1.
     """
@@ -91,20 +88,9 @@ class Queries:
     lights: _Floats
     views: _Floats
     faces: NDArray[np.uint8]
-    beyond: NDArray[np.uint8]
+    is_transmission: NDArray[np.uint8]
     values: _Floats
     holes: _Floats
-
-    def __len__(self) -> int:
-        return len(self.levels)
-
-    def __getitem__(self, chosen: NDArray[np.intp] | slice) -> Queries:
-        return Queries(*(getattr(self, part.name)[chosen] for part in fields(self)))
-
-    @classmethod
-    def joined(cls, parts: list[Queries]) -> Queries:
-        """All queries of some parts."""
-        return cls(*(np.concatenate([getattr(p, field.name) for p in parts]) for field in fields(cls)))
 
 
 class QueryStream:
@@ -128,11 +114,11 @@ class QueryStream:
         sigmas = (self._shape.texel_mm / SIZE_OF_SIGMA * np.exp2(levels))[:, None, None]
         offsets = rng.standard_normal((count, self._samples, 2), np.float32)
         points = (positions[:, None] * extent + sigmas * offsets).astype(np.float32)
-        beyond = np.zeros(count, np.uint8)
+        is_transmission = np.zeros(count, np.uint8)
         if self._btf.transmits:
-            beyond = (rng.random(count) < BEYOND_SHARE).astype(np.uint8)
+            is_transmission = (rng.random(count) < TRANSMISSION_SHARE).astype(np.uint8)
         of_view = _with_sign(views, faces == 1)
-        of_light = _with_sign(lights, (faces == 1) ^ (beyond == 1))
+        of_light = _with_sign(lights, (faces == 1) ^ (is_transmission == 1))
         flat = points.reshape(-1, 2)
         repeated = np.repeat(of_view, self._samples, axis=0)
         found = self._btf.values(
@@ -144,7 +130,7 @@ class QueryStream:
             passed = self._btf.holes(flat, repeated).reshape(count, self._samples)
             holes = passed.mean(axis=1, dtype=np.float32)
         lights, views = lights[:, :2].copy(), views[:, :2].copy()
-        return Queries(positions, levels, lights, views, faces, beyond, values, holes)
+        return Queries(positions, levels, lights, views, faces, is_transmission, values, holes)
 
     def _drawn(self, rng: np.random.Generator, count: int) -> tuple[_Floats, _Floats]:
         """Lights and views above the surface; of a measured BTF its own."""
@@ -182,12 +168,3 @@ def light_density(queries: Queries, measured: bool) -> _Floats:
     cosines = np.sqrt(np.maximum(1 - np.square(queries.lights).sum(axis=1), 1e-4))
     # Half of them 1/2π, half cosine/π; the lowest cosine changes both by a fiftieth.
     return np.asarray(0.5 * (1 / (2 * np.pi) + cosines / np.pi), np.float32)
-
-
-def draw_directions(rng: np.random.Generator, count: int) -> _Floats:
-    """Unit vectors [count, 3] with z > 0."""
-    u, azimuth = rng.random(count), 2 * math.pi * rng.random(count)
-    cosine = np.where(rng.random(count) < 0.5, u, np.sqrt(u))
-    cosine = _LOWEST_COSINE + (1 - _LOWEST_COSINE) * cosine
-    sine = np.sqrt(1 - cosine**2)
-    return np.stack([sine * np.cos(azimuth), sine * np.sin(azimuth), cosine], axis=1).astype(np.float32)

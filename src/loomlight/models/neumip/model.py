@@ -84,7 +84,7 @@ class NeumipBsdf(TexturedBsdf):
 
     @cached_property
     def _learned(self) -> LearnedProposal | None:
-        """What the sampler network describes; None without one."""
+        """The lobes of the sampler network; None without one."""
         lobes = self._device.lobes(dr.detach(self._latent), dr.detach(self._facing))
         return None if lobes is None else LearnedProposal(dr.detach(self.hole), lobes, self._facing)
 

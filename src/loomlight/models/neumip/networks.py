@@ -173,7 +173,7 @@ class DeviceWeights:
         return [maximum(value, 0) * (1 / EXPOSURE) for value in outputs]
 
     def lobes(self, latent: Sequence[Float], view: Vec3) -> TwoSidedLobes | None:
-        """What the sampler network describes, of a view in the frame of the face seen; None without one."""
+        """The lobes of the sampler network, for a view in the frame of the face seen; None without one."""
         return None if self._sampler is None else TwoSidedLobes.of(self._sampler([*latent, *view]))
 
     def _texel(self, table: Float, taps: Taps) -> list[Float]:

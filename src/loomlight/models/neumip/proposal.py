@@ -32,10 +32,10 @@ from loomlight.models.mip_pyramid import PyramidShape
 # Numbers of a texel: mean slopes, the matrix, the shares of the lobe and of the other side, and a 0.
 PARAMETERS = 8
 # Texels a side of the finest level, at most.
-MOST_TEXELS = 32
+MAX_TEXELS = 32
 # Smallest diagonal of the matrix, about the roughness: narrower lobes miss what they were not fitted to.
-LEAST_ROUGHNESS = 0.1
-_LEAST_COSINE = 1e-6
+MIN_ROUGHNESS = 0.1
+_MIN_COSINE = 1e-6
 
 
 def proposal_shape(shape: PyramidShape) -> PyramidShape:
@@ -52,7 +52,7 @@ def proposal_shape(shape: PyramidShape) -> PyramidShape:
 
 def halvings_of(shape: PyramidShape) -> int:
     """Levels of textures that are finer than the small pyramid."""
-    return max(0, int(math.log2(max(shape.columns, shape.rows) / MOST_TEXELS)))
+    return max(0, int(math.log2(max(shape.columns, shape.rows) / MAX_TEXELS)))
 
 
 def cosine_proposal(shape: PyramidShape) -> NDArray[np.float32]:
@@ -71,7 +71,7 @@ class DeviceProposal:
         self._texels = upload(float_type, texels)
 
     def at(self, u: Float, v: Float, level: Float, face: UInt) -> Proposal:
-        """What is drawn from at positions in repeats.
+        """The density of directions at positions in repeats.
 
         Args:
             level: log2 of the footprint's size in texels of the finest texture.
@@ -94,26 +94,26 @@ class DeviceProposal:
 
 @dataclass
 class Proposal:
-    """What directions are drawn from, in the frame of the face that is seen.
+    """Density of directions, in the frame of the face that is seen.
 
     Attributes:
         mean: slopes of the mean facet.
         matrix: L₁₁, L₂₁ and L₂₂.
         specular: share of the lobe, 0 to 1.
-        beyond: share of the other side, 0 to 1.
+        transmission: share of the other side, 0 to 1.
     """
 
     mean: tuple[Float, Float]
     matrix: tuple[Float, Float, Float]
     specular: Float
-    beyond: Float
+    transmission: Float
 
     def density(self, light: Vec3, view: Vec3) -> Float:
         """1/sr, over the whole sphere."""
         cosine = dr.abs(light.z) * dr.inv_pi
         near = self.specular * self._facets(light, view)
         near += dr.select(light.z > 0, (1 - self.specular) * cosine, 0)
-        return (1 - self.beyond) * near + dr.select(light.z < 0, self.beyond * cosine, 0)
+        return (1 - self.transmission) * near + dr.select(light.z < 0, self.transmission * cosine, 0)
 
     def sample(self, view: Vec3, choice: Float, u: Vec2) -> Vec3:
         """A direction.
@@ -132,20 +132,20 @@ class Proposal:
         y = mean_y + slope * (b * cosine + c * sine)
         facet = types.Vector3(-x, -y, 1) * dr.rsqrt(x * x + y * y + 1)
         mirrored = 2 * dr.dot(view, facet) * facet - view
-        to_beyond: Mask = choice < self.beyond
-        to_facet = choice < self.beyond + (1 - self.beyond) * self.specular
-        return dr.select(to_beyond, -diffuse, dr.select(to_facet, mirrored, diffuse))
+        to_transmission: Mask = choice < self.transmission
+        to_facet = choice < self.transmission + (1 - self.transmission) * self.specular
+        return dr.select(to_transmission, -diffuse, dr.select(to_facet, mirrored, diffuse))
 
     def _facets(self, light: Vec3, view: Vec3) -> Float:
         """p_h."""
         half = light + view
         half *= dr.rsqrt(maximum(dr.squared_norm(half), 1e-20))
         half = dr.select(half.z < 0, -half, half)
-        up = maximum(half.z, _LEAST_COSINE)
+        up = maximum(half.z, _MIN_COSINE)
         x, y = -half.x / up - self.mean[0], -half.y / up - self.mean[1]
         a, b, c = self.matrix
         first = x / a
         second = (y - b * first) / c
         area = 1 + first * first + second * second
         slopes = dr.rcp(math.pi * a * c * area * area)
-        return slopes * dr.rcp(4 * up * up * up * maximum(dr.abs(dr.dot(view, half)), _LEAST_COSINE))
+        return slopes * dr.rcp(4 * up * up * up * maximum(dr.abs(dr.dot(view, half)), _MIN_COSINE))

@@ -15,14 +15,14 @@ STORES = (FILES, ZARR)
 DEFAULT_QUALITY = "preview"
 # A network, trained after the others, or lobes that are fitted to texels.
 SAMPLERS = ("learned", "lobes")
-_MOST_SAMPLER_STEPS = 2000
+_MAX_SAMPLER_STEPS = 2000
 # Part of every identity: to be raised when the same settings give other weights.
 _VERSION = 3
 
 
 @dataclass(frozen=True)
 class NeumipSettings:
-    """How a material is trained.
+    """Settings of the training of a material.
 
     Attributes:
         resolution: texels along the longer side of the repeat, a power of two.
@@ -54,7 +54,7 @@ class NeumipSettings:
     @property
     def sampler_steps(self) -> int:
         """Updates of the sampler network."""
-        return min(max(1, self.steps // 5), _MOST_SAMPLER_STEPS)
+        return min(max(1, self.steps // 5), _MAX_SAMPLER_STEPS)
 
     def identity(self, source: Source) -> str:
         """A hash of all that the weights depend on, for checkpoints and folders."""

@@ -30,7 +30,7 @@ from loomlight.yarn.layout import ClothLayout
 
 # Pairs of directions; longer repeats, whose pairs cost more, have down to this fraction of them.
 _PAIRS = 1024
-_LEAST_PAIRS = 0.25
+_MIN_PAIRS = 0.25
 # Crossings of a repeat up to which slices have the first number of texels a thread, beyond it the second.
 _SMALL_REPEAT = 256
 _TEXELS = 8, 4
@@ -165,7 +165,7 @@ def _fit_data(
     model = PointModel(YarnGeometry(layout), fabric.appearance())
     slices = FabricSlices(model, float_type, per_thread, shadows="mapped")
     scale = fabric_scale(layout)
-    pairs = round(_PAIRS * max(_LEAST_PAIRS, min(1, _SMALL_REPEAT / layout.warp_on_top.size)))
+    pairs = round(_PAIRS * max(_MIN_PAIRS, min(1, _SMALL_REPEAT / layout.warp_on_top.size)))
     queries = query_set(scale, pairs, 1, seed=0, lights=pairs // 4, views=pairs // 4)
     sides = np.full((pairs, 1), _SIDE * scale.repeat)
     # Boxes as large as the repeat, whose means are exact.

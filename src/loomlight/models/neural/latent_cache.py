@@ -28,7 +28,7 @@ from loomlight.models.neural.weights import Weights
 _VERSION = 2
 # Fabrics kept in memory, and texels above which a fabric is not kept on disk (8 MB of half precision).
 _FABRICS_IN_MEMORY = 64
-_MOST_TEXELS_ON_DISK = 1 << 16
+_MAX_TEXELS_ON_DISK = 1 << 16
 _in_memory: OrderedDict[str, EncodedFabric] = OrderedDict()
 
 
@@ -98,7 +98,7 @@ def _read(
 
 def _write(key: str, encoded: EncodedFabric) -> None:
     """Writes latents to disk; ignores errors, which cost a run of the encoder next time."""
-    if len(encoded.faces[0]) > _MOST_TEXELS_ON_DISK:
+    if len(encoded.faces[0]) > _MAX_TEXELS_ON_DISK:
         return
     folder = cache_folder("neural")
     file = folder / f"{key}.safetensors"

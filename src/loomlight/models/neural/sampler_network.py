@@ -30,7 +30,7 @@ from loomlight.scattering.two_sided_lobes import TwoSidedLobes
 # Beside the decoder's activations: view, fibres of two families (x, y, α), shares of eight albedos.
 FURTHER_INPUTS = 3 + 6 + 8
 # Largest probability of the sheen's lobe: weights of what is below stay bounded.
-_MOST_SHEEN = 0.8
+_MAX_SHEEN = 0.8
 # Order of the terms of an albedo, of warp and then of weft.
 _TERMS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")
 _FILE = "neural_sampler.safetensors"
@@ -66,7 +66,7 @@ def neural_proposal(
     reflected = 1 - sheen_transmittance(view, sheen.strength, sheen.roughness)
     # A place shows one family, so its albedos are half of the sum.
     share = reflected * dr.rcp(reflected + 0.5 * sum(terms) + _TINY)
-    return LearnedProposal(null, lobes, view, (_MOST_SHEEN * share, sheen.roughness))
+    return LearnedProposal(null, lobes, view, (_MAX_SHEEN * share, sheen.roughness))
 
 
 def further_inputs(

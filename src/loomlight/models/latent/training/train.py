@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -18,32 +17,25 @@ from pathlib import Path
 import numpy as np
 import torch
 from numpy.typing import NDArray
-from safetensors import SafetensorError
-from safetensors.numpy import load_file, save_file
 from torch import Tensor, nn
 
 from loomlight.assets.sources import Source, kind_of_source
-from loomlight.core.files import replacing
 from loomlight.models.latent.networks import Weights
 from loomlight.models.latent.queries import REFLECTANCES, Reflectance
-from loomlight.models.latent.query_stream import PART, Queries, QueryStream, draw_directions, draw_levels
+from loomlight.models.latent.query_stream import Queries, QueryStream, draw_levels
 from loomlight.models.latent.settings import AUTO, DECODERS, LatentSettings, loss_of_kind
 from loomlight.models.latent.training.network import LatentNetwork, loss_of, texel_inputs
 from loomlight.models.mip_pyramid import PyramidShape
+from loomlight.models.query_parts import PART, FileStore, Progress, draw_directions, stored_queries
 from loomlight.training.direction_sampler import sampler_loss
-from loomlight.training.loop import Schedule, train
+from loomlight.training.loop import Schedule, one_thread, train
 from loomlight.training.side_by_side import SideBySide
 from loomlight.training.soap import Soap
 
-# Called with (done, in all) of the whole training, in thousandths.
-Progress = Callable[[int, int], None]
 # Half-angle of the first cone of mollified lights (eq. 2), and the smallest rate over the largest (eq. 1).
 _FIRST_CONE, _LAST_RATE = math.radians(10), 0.1
 # Lights of a view in a step of the sampler.
 _LIGHTS = 16
-# Parts of a batch on CPUs, a thread each: the same on every machine, as the weights depend on it. Smaller
-# batches are computed on one thread, as threads would wait for each other longer than they compute.
-_PARTS, _SMALLEST_SHARED_BATCH = 2, 1 << 13
 # Keys that separate the random numbers of batches, of the sampler and of albedos from those of queries.
 _BATCHES, _SAMPLER, _ALBEDOS = 5, 6, 7
 # Thousandths of the progress after queries, and after textures.
@@ -86,7 +78,7 @@ def train_latent(
     identity = settings.identity(source)
     if settings.loss == AUTO:
         settings = replace(settings, loss=loss_of_kind(kind_of_source(source)))
-    with _one_thread():
+    with one_thread():
         _train_phases(network, queries, settings, identity, folder, report, keep_every)
         return network.weights(_face_albedos(network, settings.seed))
 
@@ -147,17 +139,6 @@ def _train_phases(
 _Losses = Callable[[int], Iterator[Tensor]]
 
 
-@contextmanager
-def _one_thread() -> Iterator[None]:
-    """Operations of this thread use no others: the optimiser's are too small for that."""
-    threads = torch.get_num_threads()
-    torch.set_num_threads(1)
-    try:
-        yield
-    finally:
-        torch.set_num_threads(threads)
-
-
 def cone_of(settings: LatentSettings, number: int) -> float:
     """Half-angle of the cone that the lights of a part of the queries are mollified over, radians (eq. 2)."""
     parts = settings.mollified * settings.queries / PART
@@ -178,28 +159,12 @@ def taken_queries(
     stream = QueryStream(
         reflectance, levels, settings.samples, settings.seed, lambda number: cone_of(settings, number)
     )
-    identity = settings.identity(source)[:12]
-    sizes = [min(PART, settings.queries - first) for first in range(0, settings.queries, PART)]
-    parts = []
-    for number, size in enumerate(sizes):
-        file = folder / f"queries-{identity}-{number:05d}.safetensors"
-        part = _read(file, size)
-        if part is None:
-            part = stream.part(number, size)
-            with replacing(file) as temporary:
-                save_file({name: getattr(part, name) for name in Queries.__dataclass_fields__}, temporary)
-        parts.append(part)
-        report(_QUERIES_DONE * (number + 1) // len(sizes), _WHOLE)
-    return Queries.joined(parts)
+    store = FileStore(Queries, folder, settings.identity(source))
 
+    def done(number: int, parts: int) -> None:
+        report(_QUERIES_DONE * number // parts, _WHOLE)
 
-def _read(file: Path, size: int) -> Queries | None:
-    """The queries in a file; None if it does not exist or is damaged."""
-    try:
-        part = Queries(**load_file(file))
-    except (OSError, SafetensorError, TypeError):
-        return None
-    return part if len(part) == size else None
+    return stored_queries(stream.part, store, settings.queries, done)
 
 
 def rate_factor(progress: float) -> float:
@@ -213,8 +178,7 @@ class _Batches:
     def __init__(self, network: LatentNetwork, queries: Queries, settings: LatentSettings) -> None:
         self._network, self._queries, self._settings = network, queries, settings
         self._device = network.latents.device
-        threads = self._device.type == "cpu" and settings.batch >= _SMALLEST_SHARED_BATCH
-        self._side_by_side = SideBySide(_PARTS if threads else 1)
+        self._side_by_side = SideBySide.for_batch(self._device.type, settings.batch)
         parts = sum(cone_of(settings, number) > 0 for number in range(-(-settings.queries // PART)))
         self._mollified = min(parts * PART, len(queries) // 2)
         self._mollified_steps = round(settings.mollified * settings.steps) if parts else 0

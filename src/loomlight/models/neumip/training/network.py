@@ -32,7 +32,7 @@ SLOPE, LEAST_OUTPUT = 0.05, -0.5
 # Of the cross-entropy of holes, beside errors of colours.
 _OPACITY_WEIGHT = 0.05
 # Blurs of fewer texels change nothing.
-_LEAST_BLUR = 0.05
+_MIN_BLUR = 0.05
 
 
 _TEXTURES = TorchTextures()
@@ -90,7 +90,7 @@ class NeumipNetwork(nn.Module):
         faces: Tensor,
         blur: float = 0.0,
         offset_frozen: bool = False,
-        beyond: Tensor | None = None,
+        is_transmission: Tensor | None = None,
     ) -> tuple[Tensor, Tensor | None]:
         """π f·cos of queries [n, 3] times the gains, and log-odds of passing straight [n]; see `Queries`.
 
@@ -99,11 +99,11 @@ class NeumipNetwork(nn.Module):
         Args:
             blur: standard deviation of the Gaussian over the textures, in texels of level 0.
             offset_frozen: the offset texture gets no gradient.
-            beyond: lights on the other side, which a source that transmits alone has.
+            is_transmission: lights on the other side, which a source that transmits alone has.
         """
         latent = self.latent(positions, levels, views, faces, blur, offset_frozen)
         opacity = None if self.opacity is None else self.opacity(torch.cat([latent, views], dim=1))[:, 0]
-        outputs = self._decoded(torch.cat([latent, lights, views], dim=1), beyond)
+        outputs = self._decoded(torch.cat([latent, lights, views], dim=1), is_transmission)
         if self.training:
             # With the final ReLU of section 3.2 a network whose first outputs are all below 0 learns nothing.
             return functional.leaky_relu(outputs, SLOPE).clamp(min=LEAST_OUTPUT), opacity
@@ -138,11 +138,11 @@ class NeumipNetwork(nn.Module):
         taps = trilinear_taps(shape, u, v, levels, faces * shape.texels, _TEXTURES)
         return _fetched(table, taps.texels, taps.weights)
 
-    def _decoded(self, inputs: Tensor, beyond: Tensor | None) -> Tensor:
-        if self.transmission is None or beyond is None:
+    def _decoded(self, inputs: Tensor, is_transmission: Tensor | None) -> Tensor:
+        if self.transmission is None or is_transmission is None:
             outputs: Tensor = self.decoder(inputs)
             return outputs
-        near, far = torch.nonzero(~beyond)[:, 0], torch.nonzero(beyond)[:, 0]
+        near, far = torch.nonzero(~is_transmission)[:, 0], torch.nonzero(is_transmission)[:, 0]
         parts = torch.cat([self.decoder(inputs[near]), self.transmission(inputs[far])])
         return parts[torch.argsort(torch.cat([near, far]))]
 
@@ -176,7 +176,7 @@ class NeumipNetwork(nn.Module):
 
 def blurred(texture: Tensor, sigma: float) -> Tensor:
     """A periodic texture [..., rows, columns] under a Gaussian of `sigma` texels, by Fourier transform."""
-    if sigma < _LEAST_BLUR:
+    if sigma < _MIN_BLUR:
         return texture
     rows, columns = texture.shape[-2:]
     along = torch.fft.fftfreq(rows, device=texture.device)

@@ -16,17 +16,17 @@ from numpy.typing import NDArray
 from torch import Tensor
 
 from loomlight.models.mip_pyramid import PyramidShape
-from loomlight.models.neumip.btf import BEYOND_SHARE, Queries
-from loomlight.models.neumip.proposal import LEAST_ROUGHNESS, halvings_of, proposal_shape
+from loomlight.models.neumip.btf import TRANSMISSION_SHARE, Queries
+from loomlight.models.neumip.proposal import MIN_ROUGHNESS, halvings_of, proposal_shape
 from loomlight.models.neumip.settings import NeumipSettings
 
 _STEPS, _BATCH, _RATE = 300, 1 << 14, 0.05
 # Queries that a texel needs before it differs from its neighbours: the strength of a Gaussian prior.
 _PRIOR = 30.0
 # Weights of queries are at most so many times their mean: rare bright ones would move texels far.
-_LARGEST_WEIGHT = 20.0
+_MAX_WEIGHT = 20.0
 # Shares of parts: a part that is missing has unbounded weights.
-_LEAST_SHARE, _MOST_SPECULAR = 0.05, 0.9
+_MIN_SHARE, _MAX_SPECULAR = 0.05, 0.9
 # Key that separates the random numbers of these batches.
 _FIT = 6
 
@@ -41,10 +41,14 @@ def fitted_proposal(
         shape: of the textures.
     """
     small = proposal_shape(shape)
-    transmits = bool(queries.beyond.any())
-    side = np.where(queries.beyond == 1, BEYOND_SHARE, 1 - BEYOND_SHARE) if transmits else 1.0
+    transmits = bool(queries.is_transmission.any())
+    side = (
+        np.where(queries.is_transmission == 1, TRANSMISSION_SHARE, 1 - TRANSMISSION_SHARE)
+        if transmits
+        else 1.0
+    )
     weights = queries.values.mean(axis=1) / (density * side)
-    weights = np.minimum(weights / max(float(weights.mean()), 1e-20), _LARGEST_WEIGHT)
+    weights = np.minimum(weights / max(float(weights.mean()), 1e-20), _MAX_WEIGHT)
     levels = np.clip(queries.levels - halvings_of(shape), 0, small.levels - 1)
     chains = _chains(small, np.floor(levels + 0.5).astype(int), queries.positions, queries.faces)
     free = torch.zeros(small.faces * small.texels + 1, 7, requires_grad=True)
@@ -56,7 +60,7 @@ def fitted_proposal(
         light, view = (
             _unit(part[chosen], below)
             for part, below in (
-                (queries.lights, queries.beyond[chosen] == 1),
+                (queries.lights, queries.is_transmission[chosen] == 1),
                 (queries.views, np.zeros(len(chosen), bool)),
             )
         )
@@ -78,7 +82,7 @@ def fitted_proposal(
 
 def density_of(rows: Tensor, light: Tensor, view: Tensor) -> Tensor:
     """The density of `Proposal.density` [n], of parameters [n, 7] and unit vectors [n, 3]."""
-    mean_x, mean_y, a, b, c, specular, beyond = rows.unbind(1)
+    mean_x, mean_y, a, b, c, specular, transmission = rows.unbind(1)
     cosine = light[:, 2].abs() / math.pi
     half = torch.nn.functional.normalize(light + view, dim=1)
     half = torch.where(half[:, 2:] < 0, -half, half)
@@ -90,18 +94,18 @@ def density_of(rows: Tensor, light: Tensor, view: Tensor) -> Tensor:
     facets = slopes / (4 * up**3 * (view * half).sum(1).abs().clamp(min=1e-6))
     above = light[:, 2] > 0
     near = specular * facets + torch.where(above, (1 - specular) * cosine, torch.zeros_like(cosine))
-    return (1 - beyond) * near + torch.where(above, torch.zeros_like(cosine), beyond * cosine)
+    return (1 - transmission) * near + torch.where(above, torch.zeros_like(cosine), transmission * cosine)
 
 
 def _parameters(free: Tensor, transmits: bool) -> Tensor:
     """Parameters [n, 7] of numbers that may be any; 0 is a lobe of roughness 0.6."""
     mean = 2 * torch.tanh(0.5 * free[:, :2])
-    first, second = (LEAST_ROUGHNESS + 0.5 * free[:, k].exp() for k in (2, 4))
-    specular = _LEAST_SHARE + (_MOST_SPECULAR - _LEAST_SHARE) * torch.sigmoid(free[:, 5])
-    beyond = _LEAST_SHARE + (1 - 2 * _LEAST_SHARE) * torch.sigmoid(free[:, 6])
+    first, second = (MIN_ROUGHNESS + 0.5 * free[:, k].exp() for k in (2, 4))
+    specular = _MIN_SHARE + (_MAX_SPECULAR - _MIN_SHARE) * torch.sigmoid(free[:, 5])
+    transmission = _MIN_SHARE + (1 - 2 * _MIN_SHARE) * torch.sigmoid(free[:, 6])
     if not transmits:
-        beyond = torch.zeros_like(beyond)
-    columns = [mean[:, 0], mean[:, 1], first, free[:, 3], second, specular, beyond]
+        transmission = torch.zeros_like(transmission)
+    columns = [mean[:, 0], mean[:, 1], first, free[:, 3], second, specular, transmission]
     return torch.stack(columns, dim=1)
 
 

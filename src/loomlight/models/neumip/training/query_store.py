@@ -8,39 +8,23 @@ from __future__ import annotations
 
 from dataclasses import fields
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
-from safetensors import SafetensorError
-from safetensors.numpy import load_file, save_file
 
 from loomlight.core.errors import InputError
 from loomlight.core.extras import import_extra
-from loomlight.core.files import replacing
-from loomlight.models.neumip.btf import PART, Queries
+from loomlight.models.neumip.btf import Queries
 from loomlight.models.neumip.settings import ZARR
+from loomlight.models.query_parts import PART, FileStore, QueryStore
 
 _FIELDS = [field.name for field in fields(Queries)]
 # Numbers of a query, where there are several.
 _COLUMNS = {"positions": 2, "lights": 2, "views": 2, "values": 3}
-_BYTES = ("faces", "beyond")
+_BYTES = ("faces", "is_transmission")
 
 
-class QueryStore(Protocol):
-    """Parts by number."""
-
-    def read(self, number: int, size: int) -> Queries | None:
-        """A part of so many queries; None if it is not there or damaged."""
-
-    def write(self, number: int, part: Queries) -> None:
-        """Keeps a part.
-
-        Raises:
-            InputError: it cannot be written.
-        """
-
-
-def query_store(kind: str, folder: Path, identity: str, total: int) -> QueryStore:
+def query_store(kind: str, folder: Path, identity: str, total: int) -> QueryStore[Queries]:
     """The store of queries of a training.
 
     Args:
@@ -52,31 +36,9 @@ def query_store(kind: str, folder: Path, identity: str, total: int) -> QueryStor
         MissingDependencyError: zarr is not installed.
         InputError: a folder that cannot be written.
     """
-    name = f"queries-{identity[:12]}"
-    return ZarrStore(folder / f"{name}.zarr", total) if kind == ZARR else FileStore(folder, name)
-
-
-class FileStore:
-    """A safetensors file a part."""
-
-    def __init__(self, folder: Path, name: str) -> None:
-        self._folder, self._name = folder, name
-
-    def _file(self, number: int) -> Path:
-        return self._folder / f"{self._name}-{number:05d}.safetensors"
-
-    def read(self, number: int, size: int) -> Queries | None:
-        """See `QueryStore.read`."""
-        try:
-            part = Queries(**load_file(self._file(number)))
-        except (OSError, SafetensorError, TypeError):
-            return None
-        return part if len(part) == size else None
-
-    def write(self, number: int, part: Queries) -> None:
-        """See `QueryStore.write`."""
-        with replacing(self._file(number)) as temporary:
-            save_file({name: getattr(part, name) for name in _FIELDS}, temporary)
+    if kind == ZARR:
+        return ZarrStore(folder / f"queries-{identity[:12]}-2.zarr", total)
+    return FileStore(Queries, folder, identity)
 
 
 class ZarrStore:

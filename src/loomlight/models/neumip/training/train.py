@@ -7,8 +7,7 @@ folder to the same weights.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -21,27 +20,23 @@ from torch import Tensor, nn
 
 from loomlight.assets.sources import Source
 from loomlight.models.mip_pyramid import PyramidShape
-from loomlight.models.neumip.btf import BTFS, PART, Queries, QueryStream, light_density
+from loomlight.models.neumip.btf import BTFS, Queries, QueryStream, light_density
 from loomlight.models.neumip.networks import EXPOSURE, Weights
 from loomlight.models.neumip.settings import FILES, NeumipSettings
 from loomlight.models.neumip.training.network import NeumipNetwork, loss_of, opacity_loss
 from loomlight.models.neumip.training.proposal_fit import fitted_proposal
 from loomlight.models.neumip.training.query_store import query_store
 from loomlight.models.neumip.training.sampler_fit import trained_sampler
-from loomlight.training.loop import Schedule, train
+from loomlight.models.query_parts import Progress, stored_queries
+from loomlight.training.loop import Schedule, one_thread, train
 from loomlight.training.side_by_side import SideBySide
 
-# Called with (done, in all) of the whole training, in thousandths.
-Progress = Callable[[int, int], None]
 # Standard deviation of the first blur in texels, and how often it is halved in a training: 30 000 steps of a
 # half-life of 3333. The textures of coarse levels have fewer texels, and less blur.
 _FIRST_BLUR, _HALVINGS = 8.0, 9.0
 # The first blur is at most so many times smaller than the texture.
-_LEAST_WIDTHS = 8
+_MIN_WIDTHS = 8
 _WARM_UP = 0.02
-# Parts of a batch on CPUs, a thread each: the same on every machine, as the weights depend on it. Smaller
-# batches are computed on one thread, as threads would wait for each other longer than they compute.
-_PARTS, _SMALLEST_SHARED_BATCH = 2, 1 << 13
 # Mean of π f·cos that dark sources are scaled to while they are trained, and the largest factor.
 _MEAN, _LARGEST_GAIN = 0.15, 1e3
 # Key that separates the random numbers of batches from those of queries.
@@ -102,17 +97,6 @@ def train_neumip(
         return replace(weights, sampler=trained_sampler(network, settings, file, identity))
 
 
-@contextmanager
-def one_thread() -> Iterator[None]:
-    """Operations of this thread use no others: the optimiser's are too small for that."""
-    threads = torch.get_num_threads()
-    torch.set_num_threads(1)
-    try:
-        yield
-    finally:
-        torch.set_num_threads(threads)
-
-
 def shape_of(source: Source, settings: NeumipSettings) -> PyramidShape:
     """The shape of the textures of a source."""
     return PyramidShape.of(source.repeat_mm, settings.resolution, BTFS.of(source).faces)
@@ -130,16 +114,9 @@ def taken_queries(
     total = settings.queries * shape.columns * shape.rows * shape.faces
     stream = QueryStream(BTFS.of(source), shape, settings.samples, settings.seed)
     kept = query_store(store, folder, settings.query_identity(source), total)
-    sizes = [min(PART, total - first) for first in range(0, total, PART)]
-    parts = []
-    for number, size in enumerate(sizes):
-        part = kept.read(number, size)
-        if part is None:
-            part = stream.part(number, size)
-            kept.write(number, part)
-        parts.append(part)
-        report(_OF_QUERIES * (number + 1) // len(sizes), _WHOLE)
-    return Queries.joined(parts)
+    return stored_queries(
+        stream.part, kept, total, lambda done, parts: report(_OF_QUERIES * done // parts, _WHOLE)
+    )
 
 
 def reflectances(queries: Queries, faces: int, density: NDArray[np.float32]) -> NDArray[np.float32]:
@@ -148,7 +125,7 @@ def reflectances(queries: Queries, faces: int, density: NDArray[np.float32]) -> 
     Args:
         density: of the lights on their side [n], 1/sr.
     """
-    near = queries.beyond == 0
+    near = queries.is_transmission == 0
     weighted = queries.values / density[:, None]
     means = [weighted[near & (queries.faces == face)].mean(axis=0) for face in range(faces)]
     return np.clip(np.stack(means), 0, 1).astype(np.float32)
@@ -160,7 +137,7 @@ def gains_of(queries: Queries) -> tuple[float, float]:
     Dark values are scaled up to a mean of `_MEAN`. Without that the first weights, which are about 1, give
     colours below 0 almost everywhere, errors are too small to pull them up, and dark cloth stays black.
     """
-    near = queries.beyond == 0
+    near = queries.is_transmission == 0
     means = [float(queries.values[side].mean()) if side.any() else 0.0 for side in (near, ~near)]
     first, second = (min(max(_MEAN / max(EXPOSURE * mean, 1e-9), 1.0), _LARGEST_GAIN) for mean in means)
     return first, second
@@ -173,12 +150,12 @@ def rate_factor(progress: float) -> float:
 
 def blur_of(shape: PyramidShape, progress: float) -> float:
     """Standard deviation of the blur in texels of level 0, at a progress from 0 to 1 (section 4)."""
-    first = min(_FIRST_BLUR, max(shape.columns, shape.rows) / _LEAST_WIDTHS)
+    first = min(_FIRST_BLUR, max(shape.columns, shape.rows) / _MIN_WIDTHS)
     return first * 2 ** (-_HALVINGS * progress)
 
 
 class Trainable(Protocol):
-    """What `Batches` needs of a network."""
+    """A network that `Batches` trains."""
 
     @property
     def shape(self) -> PyramidShape:
@@ -206,8 +183,7 @@ class Batches:
         """
         self._network, self._queries, self._settings = network, queries, settings
         self._device = device
-        threads = device == "cpu" and settings.batch >= _SMALLEST_SHARED_BATCH
-        self._side_by_side = SideBySide(_PARTS if threads else 1)
+        self._side_by_side = SideBySide.for_batch(device, settings.batch)
         self._per_pass = max(1, len(queries) // settings.batch)
         self._order: tuple[int, NDArray[np.intp]] | None = None
 
@@ -226,12 +202,12 @@ class Batches:
             for part in (batch.positions, batch.levels, batch.lights, batch.views, batch.values)
         )
         faces = torch.from_numpy(batch.faces.astype(np.int64)).to(self._device)
-        beyond = torch.from_numpy(batch.beyond.astype(bool)).to(self._device)
+        is_transmission = torch.from_numpy(batch.is_transmission.astype(bool)).to(self._device)
         predicted, opacity = self._network(
-            positions, levels, lights, views, faces, blur, offset_frozen, beyond
+            positions, levels, lights, views, faces, blur, offset_frozen, is_transmission
         )
         near, far = (values.new_tensor(gain) for gain in self._network.gains)
-        loss = loss_of(predicted, values, torch.where(beyond, far, near))
+        loss = loss_of(predicted, values, torch.where(is_transmission, far, near))
         if opacity is None:
             return loss
         return loss + opacity_loss(opacity, torch.from_numpy(batch.holes).to(self._device))

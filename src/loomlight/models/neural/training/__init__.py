@@ -1,1 +1,1 @@
-"""How the universal network is trained: its data, its definition in torch, the recipe, and its export."""
+"""Training of the universal network: its data, its definition in torch, the recipe, and its export."""

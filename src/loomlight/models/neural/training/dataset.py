@@ -29,7 +29,7 @@ from loomlight.yarn.geometry import YarnGeometry
 
 # Crossings of the largest repeat with all pairs, and the fewest pairs of a larger repeat.
 _FULL_REPEAT = 32
-_FEWEST_PAIRS = 64
+_MIN_PAIRS = 64
 # Fraction of fabrics with random layouts, if layouts vary.
 _VARIED_FRACTION = 2 / 3
 # Arrays of a face in a file, beside its threads.
@@ -85,13 +85,13 @@ def dataset_faces(
     fraction = min(1, _FULL_REPEAT / layout.warp_on_top.size)
     queries = query_set(
         fabric_scale(layout),
-        max(_FEWEST_PAIRS, round(fraction * table.pairs)),
+        max(_MIN_PAIRS, round(fraction * table.pairs)),
         table.footprints,
         seed=table.seed,
         step=number,
         transmits=True,
-        lights=max(_FEWEST_PAIRS // 4, round(fraction * table.lights)),
-        views=max(_FEWEST_PAIRS // 4, round(fraction * table.views)),
+        lights=max(_MIN_PAIRS // 4, round(fraction * table.lights)),
+        views=max(_MIN_PAIRS // 4, round(fraction * table.views)),
     )
     model = PointModel(geometry, fabric.appearance())
     slices = FabricSlices(model, float_type, table.texels_per_thread, shadows="mapped")

@@ -41,7 +41,7 @@ HELD_OUT_WEAVES = (
     "twill 3/1 s",
 )
 # Repeats that are drawn: an encoder's cost grows with their area.
-_LARGEST_RANDOM = 12
+_MAX_RANDOM = 12
 
 
 def paper_draft(name: str) -> Draft:
@@ -84,7 +84,7 @@ def _from_shafts(rng: np.random.Generator) -> NDArray[np.bool_]:
     while True:
         shafts, treadles = rng.integers(2, 7, 2)
         lifts = rng.random((treadles, shafts)) < rng.uniform(0.35, 0.65)
-        ends, picks = rng.integers(3, _LARGEST_RANDOM + 1, 2)
+        ends, picks = rng.integers(3, _MAX_RANDOM + 1, 2)
         drawdown = lifts[rng.integers(treadles, size=picks)][:, rng.integers(shafts, size=ends)]
         ups = [drawdown.mean(axis) for axis in (0, 1)]
         if all(((up > 0) & (up < 1)).all() for up in ups):  # every thread interlaces
