@@ -36,12 +36,12 @@ from loomlight.assets.loom_file import write_loom
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
-from loomlight.evaluation.equal_error import least_times
 from loomlight.fabric import load_fabric
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.load import edited_fabric
 from loomlight.models.interface import Model
 from loomlight.models.registry import make_model, model_class
+from papers.equal_error import least_times
 
 EXAMPLES = REPOSITORY / "examples"
 FABRICS = ("denim", "silk-satin", "linen", "organza", "wool-houndstooth", "damask")

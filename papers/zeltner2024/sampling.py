@@ -20,13 +20,13 @@ from numpy.typing import NDArray
 from loomlight.core.arrays import Float, Mask, Vec2, Vec3
 from loomlight.core.backend import array_types, maximum
 from loomlight.core.footprint import Footprint
-from loomlight.evaluation.equal_error import HalvedTruth
 from loomlight.evaluation.table import Table
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.models.interface import FootprintBsdf, Model
 from loomlight.scattering.yarn_point import DirectionSample, to_face_frame
 from papers.altered_models import AlteredModel, UniformDirections
+from papers.equal_error import HalvedTruth
 from papers.figure import Evidence, Pixels, on_display
 from papers.renders import one_picture
 from papers.setting import Setting

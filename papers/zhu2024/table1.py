@@ -19,12 +19,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.evaluation.equal_error import HalvedTruth, Spent, least_times, samples_for
+from loomlight.evaluation.equal_error import samples_for
 from loomlight.evaluation.table import Cell, Table
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.live import LivePicture
 from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.mitsuba.rendering import filling_grid
+from papers.equal_error import HalvedTruth, Spent, least_times
 from papers.figure import Evidence, Pixels, on_display
 from papers.renders import one_picture
 from papers.setting import LOBES, POINT, Setting

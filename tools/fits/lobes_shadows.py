@@ -1,6 +1,6 @@
 """Fits the correlation of visibility from light and view within groups: κ of `models/lobes/prefiltered.py`.
 
-    python -m tools.fits.lobes_shadows [--output tools/fits/results/lobes_shadows.json]
+    python -m tools.fits.lobes_shadows [--output FILE.json]
 
 For named weaves and irregular ones at the defaults of fabric files, irregular weaves with gaps to 0.6, and
 fabrics from the training distribution of `neural`, rays give the components over a whole repeat for random
