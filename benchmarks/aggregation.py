@@ -27,7 +27,7 @@ from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 
 WEAVES = ("plain", "twill 2/2", "twill 3/1", "twill 4/4", "satin 5/2", "satin 8/3", "basket 2/2")
@@ -35,13 +35,13 @@ WEIGHTS = np.array([0.4, 0.4, 0.6, 0.6])
 SAMPLES = 2048
 
 
-def fabric(weave: str, roughness: float = 0.3) -> tuple[PointModel, FabricScale]:
+def fabric(weave: str, roughness: float = 0.3) -> tuple[YarnScattering, FabricScale]:
     """A weave with its default bends, translucent."""
     lines = [f'weave = "{weave}"']
     for family in ("warp", "weft"):
         lines += [f"[{family}]", f"roughness = {roughness}", "translucency = 0.3"]
     made = fabric_from_text("\n".join(lines))
-    return PointModel(YarnGeometry(made.layout()), made.appearance()), fabric_scale(made.layout())
+    return YarnScattering(YarnGeometry(made.layout()), made.appearance()), fabric_scale(made.layout())
 
 
 def scores(pairs: int, footprints: int) -> dict[str, float]:

@@ -31,7 +31,7 @@ from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.llvm import require_llvm
 from loomlight.evaluation.timing import launched_kernels, timed
 from loomlight.fabric import Fabric
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 from papers.chen2024.materials import MATERIALS, paper_material
 from papers.chen2024.queries import material_queries, slice_means
@@ -64,7 +64,7 @@ def answer_few(fabric: Fabric, seed: int) -> None:
         lights=SMALL_DIRECTIONS,
         views=SMALL_DIRECTIONS,
     )
-    model = PointModel(YarnGeometry(layout), fabric.appearance())
+    model = YarnScattering(YarnGeometry(layout), fabric.appearance())
     slices = FabricSlices(model, Float, TEXELS / max(layout.warp_on_top.shape), shadows="mapped")
     slices.box_means(queries.lights, queries.views, queries.pairs, queries.centres, queries.boxes)
 
@@ -72,7 +72,7 @@ def answer_few(fabric: Fabric, seed: int) -> None:
 def operations() -> int:
     """Floating-point operations of one texel of one slice, in the kernels without loops."""
     fabric = paper_material(0)
-    model = PointModel(YarnGeometry(fabric.layout()), fabric.appearance())
+    model = YarnScattering(YarnGeometry(fabric.layout()), fabric.appearance())
     slices = FabricSlices(model, Float, shadows="mapped")
     light, view = [[0.3, 0.2, 0.9]], [[-0.4, 0.1, 0.8]]
     kernels = launched_kernels(lambda: next(slices.batches(light, view, [[0, 0]])))

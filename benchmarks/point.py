@@ -24,14 +24,14 @@ from loomlight.core.llvm import require_llvm
 from loomlight.evaluation.timing import launched_kernels
 from loomlight.fabric import fabric_from_text
 from loomlight.scattering.appearance import Sheen
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.horizon import HorizonMap
 
 COUNT = 1 << 22
 
 
-def evaluations(model: PointModel, searched: bool) -> tuple[float, int | None]:
+def evaluations(model: YarnScattering, searched: bool) -> tuple[float, int | None]:
     """Evaluations a second, and operations in one (None where the kernel has loops)."""
     rng = np.random.default_rng(0)
     width, height = model.surface.size
@@ -69,8 +69,8 @@ def measure(_: Namespace) -> Figures:
         appearance = type(appearance)(appearance.warp, appearance.weft, sheen=Sheen(0.3, 0.4))
         geometry = YarnGeometry(layout)
         table = HorizonMap(geometry, (256, 256), Float)
-        rate, operations = evaluations(PointModel(geometry, appearance, horizon=table), searched=False)
-        exact = evaluations(PointModel(geometry, appearance), searched=True)[0]
+        rate, operations = evaluations(YarnScattering(geometry, appearance, horizon=table), searched=False)
+        exact = evaluations(YarnScattering(geometry, appearance), searched=True)[0]
         assert operations is not None
         fabrics[text] = {
             "tabulated_millions_per_second": round(rate / 1e6, 2),

@@ -33,7 +33,7 @@ from loomlight.fabric.file import FabricFile
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.neural.parameter_ranges import ParameterRanges
 from loomlight.models.neural.training.random_fabrics import random_fabric
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.weave.draft import Draft
 from loomlight.weave.named import named_weave
 from loomlight.yarn.geometry import YarnGeometry
@@ -112,7 +112,7 @@ def _luminance(value: Any) -> float:
 
 def truth(fabric: Fabric, pair: Directions) -> float:
     """Mean luminance of the point model over the repeat, 1/sr."""
-    model = PointModel(YarnGeometry(fabric.layout()), fabric.appearance(), _TRUTH_QUALITY)
+    model = YarnScattering(YarnGeometry(fabric.layout()), fabric.appearance(), _TRUTH_QUALITY)
     place = positions(fabric, TRUTH_POSITIONS)
     zeros = dr.opaque(Float, 0, TRUTH_POSITIONS)
     view, light = (Array3f(*(Float(part) + zeros for part in vector)) for vector in (pair.view, pair.light))

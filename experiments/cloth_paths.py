@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.diffuse import sample_diffuse
 from loomlight.scattering.fibre import pdf_specular, reflection, sample_specular, transmission
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.yarn_point import YarnPoint, to_face_frame
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout
@@ -75,7 +75,7 @@ class _Ray:
 
 def radiance(layout: ClothLayout, appearance: Appearance, view: Floats, paths: int, seed: int) -> Radiance:
     """Mean radiance of the cloth for a view, unit vector [3] above it, by so many paths."""
-    model = PointModel(YarnGeometry(layout), appearance)
+    model = YarnScattering(YarnGeometry(layout), appearance)
     rng = np.random.default_rng(seed)
     index = np.arange(paths)
     place = [
@@ -101,7 +101,9 @@ def radiance(layout: ClothLayout, appearance: Appearance, view: Floats, paths: i
     return Radiance(reflection_mean, transmission_mean, once_mean, error, float(yarn.mean()))
 
 
-def _walk(model: PointModel, start: YarnPoint, eye: Array3f, seed: int) -> tuple[Array3f, Array3f, Array3f]:
+def _walk(
+    model: YarnScattering, start: YarnPoint, eye: Array3f, seed: int
+) -> tuple[Array3f, Array3f, Array3f]:
     count = dr.width(start.x)
     rng = dr.llvm.PCG32(size=count, initstate=UInt64(seed))
     zero = dr.zeros(Array3f, count)
@@ -152,7 +154,7 @@ def _walk(model: PointModel, start: YarnPoint, eye: Array3f, seed: int) -> tuple
 
 
 def _scattered(
-    model: PointModel, point: YarnPoint, view: Array3f, rng: Any
+    model: YarnScattering, point: YarnPoint, view: Array3f, rng: Any
 ) -> tuple[Array3f, Array3f, Bool, Bool]:
     """A direction in the frame of the face that it leaves over, its weight, whether that is the other face,
     and whether the yarn itself blocks it."""
@@ -196,7 +198,7 @@ def _scattered(
 
 
 def _traced(
-    model: PointModel, point: YarnPoint, direction: Array3f, far: Bool, active: Bool
+    model: YarnScattering, point: YarnPoint, direction: Array3f, far: Bool, active: Bool
 ) -> tuple[_Ray, Bool, Bool]:
     """The end of a ray from a yarn point: (where, whether it meets yarn, whether it leaves the cloth)."""
     surface = model.surface

@@ -24,7 +24,7 @@ from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.defaults import SPECULAR
 from loomlight.scattering.openness import openness_of
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 
 SAMPLES = 1 << 15
@@ -34,7 +34,7 @@ HIGHLIGHTS = 0.0, SPECULAR, 1.0
 ANGLES = 0, 40, 75, 85
 
 
-def returned(model: PointModel, size: tuple[float, float], view: NDArray[np.float64], seed: int) -> float:
+def returned(model: YarnScattering, size: tuple[float, float], view: NDArray[np.float64], seed: int) -> float:
     """Mean weight of the sampler over the repeat, the largest of the channels."""
     rng = np.random.default_rng(seed)
     x, y = (rng.random((2, SAMPLES)) * [[size[0]], [size[1]]]).astype(np.float32)
@@ -51,7 +51,7 @@ def white_cloth(specular: float) -> list[dict[str, object]]:
     rows: list[dict[str, object]] = []
     for weave in WEAVES:
         cloth = fabric_from_text(f'weave = "{weave}"\ninterreflection = true\n[warp]\n{yarn}[weft]\n{yarn}')
-        model = PointModel(YarnGeometry(cloth.layout()), cloth.appearance())
+        model = YarnScattering(YarnGeometry(cloth.layout()), cloth.appearance())
         for place in VIEWS:
             value = returned(model, cloth.repeat_mm, direction(*place), 3)
             rows.append({"specular": specular, "weave": weave, "view_deg": list(place), "returned": value})
@@ -67,7 +67,7 @@ def measure(options: Namespace) -> Figures:
         geometry, appearance = fabric(rng, between_yarns=True)
         roughness = appearance.warp.roughness, appearance.weft.roughness
         openness = openness_of(geometry.layout, appearance.diffuse_blend, roughness, appearance.optical_depth)
-        model = PointModel(geometry, replace(appearance, openness=openness))
+        model = YarnScattering(geometry, replace(appearance, openness=openness))
         views = [direction(angle, 360 * rng.random()) for angle in ANGLES]
         seen.append([returned(model, geometry.size, view, number) for view in views])
     white = [row for specular in HIGHLIGHTS for row in white_cloth(specular)]

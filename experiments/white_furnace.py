@@ -34,7 +34,7 @@ from loomlight.scattering.albedo import (
 )
 from loomlight.scattering.appearance import Appearance, FamilyAppearance, Sheen, Variation
 from loomlight.scattering.cloth_layer_bound import cloth_layer_bound
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.yarn_point import YarnPoint
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
@@ -46,7 +46,7 @@ SIGMAS, ROUNDING = 5.5, 1e-4
 Generator = np.random.Generator
 
 
-class Unshadowed(PointModel):
+class Unshadowed(YarnScattering):
     """The point model with every yarn point in the open."""
 
     def visibility(self, point: YarnPoint, light: Any, active: Any = True) -> Any:

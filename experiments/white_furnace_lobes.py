@@ -33,7 +33,7 @@ from loomlight.models.lobes.prefiltered import PrefilteredLobes
 from loomlight.models.lobes.regimes import RegimeScale
 from loomlight.models.lobes.tables import bake_tables
 from loomlight.scattering.appearance import Appearance, Sheen, Variation
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 
 FOOTPRINTS, SAMPLES, BRIGHTEST, AGAIN = 64, 1024, 4, 1 << 16
@@ -54,7 +54,7 @@ class LobesOfCloth:
         roughness = appearance.warp.roughness, appearance.weft.roughness
         self._lobes = PrefilteredLobes(tables, geometry.size, roughness, appearance.optical_depth, types)
         self._scale = RegimeScale(geometry.layout, tables.base_size, types)
-        self._points = PointModel(geometry, appearance)
+        self._points = YarnScattering(geometry, appearance)
         self._means = FootprintAlbedos(geometry, appearance)
 
     def at(self, view: Array3f, footprint: Footprint) -> LobesBsdf:

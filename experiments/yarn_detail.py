@@ -23,7 +23,7 @@ from benchmarks.harness import Figures, run
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.file import YARNS
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 
 COLOURS = {"white": "#ffffff", "dark": "#806040"}
@@ -51,7 +51,9 @@ def dome(rng: np.random.Generator, count: int) -> Array3f:
     )
 
 
-def values(model: PointModel, at: tuple[Float, Float], light: Array3f, view: Array3f, close: bool) -> Float:
+def values(
+    model: YarnScattering, at: tuple[Float, Float], light: Array3f, view: Array3f, close: bool
+) -> Float:
     """Means over the channels of f·cos, over the cosine of the light."""
     point = model.locate(*at, view, size=Float(SIDE) if close else None)
     value = model.evaluate(point, light, view)
@@ -60,7 +62,7 @@ def values(model: PointModel, at: tuple[Float, Float], light: Array3f, view: Arr
     return mean
 
 
-def differences(model: PointModel, count: int) -> dict[str, tuple[float, float]]:
+def differences(model: YarnScattering, count: int) -> dict[str, tuple[float, float]]:
     """Relative differences of means, and their deviations, by light and view."""
     rng = np.random.default_rng(1)
     x, y = (Float((200 * rng.random(count)).astype(np.float32)) for _ in range(2))
@@ -80,7 +82,7 @@ def differences(model: PointModel, count: int) -> dict[str, tuple[float, float]]
     return found
 
 
-def cost(model: PointModel, count: int) -> float:
+def cost(model: YarnScattering, count: int) -> float:
     """CPU time with detail over that without, of the faster of three."""
     rng = np.random.default_rng(2)
     x, y = (Float((200 * rng.random(count)).astype(np.float32)) for _ in range(2))
@@ -106,7 +108,7 @@ def measure(options: Namespace) -> Figures:
         for colour, code in COLOURS.items():
             colours = f'[warp]\ncolor = "{code}"\n[weft]\ncolor = "{code}"\n'
             fabric = fabric_from_text(f'weave = "twill 2/2"\nyarn = "{name}"\n{colours}')
-            model = PointModel(YarnGeometry(fabric.layout()), fabric.appearance())
+            model = YarnScattering(YarnGeometry(fabric.layout()), fabric.appearance())
             found = differences(model, options.points)
             key = f"{name}, {colour}"
             figures["differences"][key] = {what: value for what, (value, _) in found.items()}

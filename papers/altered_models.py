@@ -19,9 +19,9 @@ from loomlight.core.backend import ArrayTypes, array_types, maximum
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.models.interface import FootprintBsdf, Model, Values
-from loomlight.models.point import PointFootprint
+from loomlight.models.point import PointModel
 from loomlight.scattering.diffuse import diffuse_pdf, sample_diffuse
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.yarn_point import DirectionSample, to_face_frame
 
 # From a model and what `Model.at` takes to what it returns.
@@ -141,7 +141,7 @@ class UniformDirections(FootprintBsdf):
         return DirectionSample(light=light, pdf=pdf, weight=weight, is_null=is_null)
 
 
-def without_parallax(model: PointFootprint) -> AlteredModel:
+def without_parallax(model: PointModel) -> AlteredModel:
     """The point model as before parallax (zhu2023): the point below the pixel, dark where the view is hidden.
 
     V(light)·V(view) multiplies its value, sheen aside, and no view ray is followed.
@@ -149,7 +149,7 @@ def without_parallax(model: PointFootprint) -> AlteredModel:
 
     def at(of: Model, view: Vec3, footprint: Footprint, tint: Any, active: Mask) -> FootprintBsdf:
         del tint, active
-        assert isinstance(of, PointFootprint)
+        assert isinstance(of, PointModel)
         return _FlatPoint(of.point_model, view, footprint)
 
     return AlteredModel(model, at)
@@ -158,7 +158,7 @@ def without_parallax(model: PointFootprint) -> AlteredModel:
 class _FlatPoint(FootprintBsdf):
     """Points of a flat cloth."""
 
-    def __init__(self, model: PointModel, view: Vec3, footprint: Footprint) -> None:
+    def __init__(self, model: YarnScattering, view: Vec3, footprint: Footprint) -> None:
         super().__init__(view, footprint)
         self._model = model
         types = array_types(view.x)

@@ -21,7 +21,7 @@ from loomlight.aggregate.queries import LOWEST_COSINE, FabricScale, fabric_scale
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 from papers.chen2024.materials import paper_material
 
@@ -117,7 +117,7 @@ def slice_means(
         texels_per_thread: of the slices' grid, at least. None is 32, and 128 a repeat: a texel is then no
             larger than the smallest footprint.
     """
-    model = PointModel(YarnGeometry(fabric.layout()), fabric.appearance())
+    model = YarnScattering(YarnGeometry(fabric.layout()), fabric.appearance())
     if texels_per_thread is None:
         texels_per_thread = max(
             TEXELS_PER_THREAD, _TEXELS_PER_REPEAT / min(fabric.layout().warp_on_top.shape)

@@ -31,8 +31,8 @@ from loomlight.mitsuba.measured_scenes import MeasuredShot, shot_scene
 from loomlight.mitsuba.plugins import make_bsdf
 from loomlight.mitsuba.scenes import BsdfFactory
 from loomlight.models.interface import FootprintBsdf, Model
-from loomlight.models.point import PointFootprint
-from loomlight.scattering.point import PointModel
+from loomlight.models.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.yarn_point import DirectionSample
 from loomlight.yarn.geometry import YarnGeometry
 from papers.altered_models import AlteredModel
@@ -73,7 +73,7 @@ class Alphas:
 def visibility_clusters(fabric: Fabric, count: int) -> Alphas:
     """k-means of the texels of one repeat by what light reaches them from every bin of directions."""
     types = array_types(llvm_float())
-    model = PointModel(YarnGeometry(fabric.layout()), fabric.appearance())
+    model = YarnScattering(YarnGeometry(fabric.layout()), fabric.appearance())
     width, height = fabric.repeat_mm
     line = (np.arange(_TEXELS) + 0.5) / _TEXELS
     y, x = (part.ravel() for part in np.meshgrid(line * height, line * width, indexing="ij"))
@@ -136,7 +136,7 @@ class _Part(FootprintBsdf):
     """f times α, or times v − α, at the yarn point of the footprint's centre."""
 
     def __init__(
-        self, model: PointModel, alphas: _Tables, residual: bool, view: Vec3, footprint: Footprint
+        self, model: YarnScattering, alphas: _Tables, residual: bool, view: Vec3, footprint: Footprint
     ) -> None:
         super().__init__(view, footprint)
         self._model, self._alphas, self._residual = model, alphas, residual
@@ -173,10 +173,10 @@ def _bsdf(fabric: Fabric, alphas: Alphas, residual: bool) -> BsdfFactory:
 
     def at(of: Model, view: Vec3, footprint: Footprint, tint: Any, active: Mask) -> FootprintBsdf:
         del tint, active
-        assert isinstance(of, PointFootprint)
+        assert isinstance(of, PointModel)
         return _Part(of.point_model, tables, residual, view, footprint)
 
-    return lambda millimetres: make_bsdf(AlteredModel(PointFootprint(fabric), at), millimetres)
+    return lambda millimetres: make_bsdf(AlteredModel(PointModel(fabric), at), millimetres)
 
 
 def choice_of_alpha(setting: Setting) -> Evidence:

@@ -25,7 +25,7 @@ from loomlight.mitsuba.lights import light_dicts
 from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.mitsuba.plugins import make_bsdf
 from loomlight.mitsuba.scenes import BsdfFactory
-from loomlight.models.point import PointFootprint
+from loomlight.models.point import PointModel
 from papers.altered_models import without_parallax
 from papers.composed_scenes import Composition, composed_scene, scene_of_shapes
 from papers.figure import Evidence, Pixels, error_caption, on_display
@@ -109,7 +109,7 @@ def cylinder(setting: Setting) -> Evidence:
 
 
 def _flat(fabric: Fabric) -> BsdfFactory:
-    return lambda millimetres: make_bsdf(without_parallax(PointFootprint(fabric)), millimetres)
+    return lambda millimetres: make_bsdf(without_parallax(PointModel(fabric)), millimetres)
 
 
 def _compared(

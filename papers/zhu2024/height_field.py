@@ -20,7 +20,7 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.bsdf_samples import plain, variant_types
 from loomlight.mitsuba.mesh_arrays import MeshArrays, make_shape
 from loomlight.mitsuba.meshes import ClothMesh, uv_size
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.sheen import sheen_with_transmittance
 from loomlight.yarn.geometry import YarnGeometry
 from papers.cosine_bsdf import cosine_bsdf
@@ -45,11 +45,11 @@ def height_field_shape(piece: ClothMesh, fabric: Fabric) -> Any:
     holes = np.broadcast_to(np.asarray(hole.numpy(), bool), (len(piece.uv),))
     solid = piece.triangles[~holes[piece.triangles].any(axis=1)]
     positions = piece.positions + piece.normals * (1e-3 * np.where(holes, 0, heights))[:, None]
-    bsdf = _yarn_bsdf(PointModel(geometry, fabric.appearance()), millimetres)
+    bsdf = _yarn_bsdf(YarnScattering(geometry, fabric.appearance()), millimetres)
     return make_shape("height field", MeshArrays(positions, piece.normals, piece.uv, solid), bsdf)
 
 
-def _yarn_bsdf(model: PointModel, millimetres: tuple[float, float]) -> Any:
+def _yarn_bsdf(model: YarnScattering, millimetres: tuple[float, float]) -> Any:
     """The local scattering of the yarn at a point of the surface: no shadow, no parallax."""
     assert isinstance(model.surface, YarnGeometry)
     model.surface.upload(variant_types())

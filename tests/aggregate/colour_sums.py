@@ -20,7 +20,7 @@ from loomlight.aggregate.grid import TEXELS_PER_THREAD, fabric_grid
 from loomlight.aggregate.tables import box_means, summed_areas, texel_boxes
 from loomlight.core.arrays import FloatType
 from loomlight.core.backend import array_types
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 
 ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")
 
@@ -43,7 +43,7 @@ class ColourSums:
 
     def __init__(
         self,
-        model: PointModel,
+        model: YarnScattering,
         view: ArrayLike,
         float_type: FloatType,
         texels_per_thread: float = TEXELS_PER_THREAD,

@@ -9,14 +9,14 @@ from numpy.typing import NDArray
 
 from loomlight.fabric import fabric_from_text
 from loomlight.scattering.appearance import Appearance, FamilyAppearance, Sheen
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
 
 NAMES = ("plain", "twill 3/1", "satin 5/2", "basket 2/2", "uneven")
 
 
-def woven(name: str, roughness: tuple[float, float] = (0.3, 0.3), sheen: float = 0.0) -> PointModel:
+def woven(name: str, roughness: tuple[float, float] = (0.3, 0.3), sheen: float = 0.0) -> YarnScattering:
     """A fabric whose threads all differ in colour, translucent: a weave by name, or an uneven draft."""
     rng = np.random.default_rng(len(name))
     layout = _uneven(rng) if name == "uneven" else fabric_from_text(name).layout()
@@ -27,7 +27,7 @@ def woven(name: str, roughness: tuple[float, float] = (0.3, 0.3), sheen: float =
         return FamilyAppearance(0.3 * colour, 0.2 * colour, 0.4 * colour, 0.3 * colour, alpha)
 
     appearance = Appearance(family(ends, roughness[0]), family(picks, roughness[1]), sheen=Sheen(sheen, 0.4))
-    return PointModel(YarnGeometry(layout), appearance)
+    return YarnScattering(YarnGeometry(layout), appearance)
 
 
 def _uneven(rng: np.random.Generator) -> ClothLayout:

@@ -29,7 +29,7 @@ from loomlight.aggregate.components import COMPONENTS, components, trace_views, 
 from loomlight.aggregate.grid import Grid
 from loomlight.core.arrays import Float, FloatType, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, maximum
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.yarn_point import YarnPoint, to_face_frame
 from loomlight.yarn.visibility import passes_through, unoccluded
 
@@ -76,11 +76,11 @@ class SurfaceSamples:
     area: NDArray[np.float64]
 
 
-def projected_area(model: PointModel, point: YarnPoint, view: Vec3) -> Float:
+def projected_area(model: YarnScattering, point: YarnPoint, view: Vec3) -> Float:
     """A(p, view) of points of the surface (chen2024 eq. 4): Float, ≥ 0; zero in holes.
 
     Args:
-        point: from `PointModel.at` on the face that the view sees.
+        point: from `YarnScattering.at` on the face that the view sees.
         view: unit vectors [3].
     """
     seen = to_face_frame(view, point.back)
@@ -96,7 +96,7 @@ def projected_area(model: PointModel, point: YarnPoint, view: Vec3) -> Float:
 
 
 def surface_samples(
-    model: PointModel, x: Float, y: Float, light: ArrayLike, view: ArrayLike
+    model: YarnScattering, x: Float, y: Float, light: ArrayLike, view: ArrayLike
 ) -> SurfaceSamples:
     """Both kinds of samples at positions x, y (draft millimetres) of the plane z = 0.
 
@@ -122,7 +122,7 @@ def surface_samples(
 
 
 def surface_form(
-    model: PointModel, grid: Grid, light: ArrayLike, view: ArrayLike, float_type: FloatType
+    model: YarnScattering, grid: Grid, light: ArrayLike, view: ArrayLike, float_type: FloatType
 ) -> SurfaceForm:
     """Both averages of the four components over the points of a grid.
 
@@ -147,7 +147,7 @@ def surface_form(
     )
 
 
-def _shaded(model: PointModel, point: YarnPoint, light: Vec3, view: Vec3) -> NDArray[np.float64]:
+def _shaded(model: YarnScattering, point: YarnPoint, light: Vec3, view: Vec3) -> NDArray[np.float64]:
     visible = model.visibility(point, light)
     parts = components(model.appearance, point, light, view, visible)
     return np.stack([np.asarray(part.numpy(), np.float64) for part in parts])

@@ -19,7 +19,7 @@ from loomlight.aggregate.components import (
 from loomlight.aggregate.reference import reference
 from loomlight.core.footprint import Box, Footprint, box_footprint
 from loomlight.core.llvm import require_llvm
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.sheen import sheen_with_transmittance
 
 from .fabrics import NAMES, directions, woven
@@ -33,7 +33,7 @@ def _vectors(vectors: np.ndarray) -> Array3f:
     return Array3f(np.ascontiguousarray(vectors.T, dtype=np.float32))
 
 
-def _places(model: PointModel, rng: np.random.Generator, count: int) -> tuple[Float, Float]:
+def _places(model: YarnScattering, rng: np.random.Generator, count: int) -> tuple[Float, Float]:
     width, height = model.surface.size
     return Float(rng.uniform(0, width, count)), Float(rng.uniform(0, height, count))
 

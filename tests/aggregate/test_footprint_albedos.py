@@ -18,7 +18,7 @@ from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.core.footprint import Box, Footprint, box_footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
 
@@ -34,7 +34,7 @@ def boxes(centres: NDArray[np.float64], sizes: NDArray[np.float64]) -> Footprint
 
 
 def means(
-    model: PointModel, centres: NDArray[np.float64], sizes: NDArray[np.float64], back: bool
+    model: YarnScattering, centres: NDArray[np.float64], sizes: NDArray[np.float64], back: bool
 ) -> NDArray[np.float32]:
     """[n, 2, 4, 3], as `ColourSums` has them."""
     actual = FootprintAlbedos(model.surface, model.appearance).over(boxes(centres, sizes), Bool(back))
@@ -44,7 +44,9 @@ def means(
     return np.moveaxis(np.array(parts), -1, 0)
 
 
-def shown(model: PointModel, x: NDArray[np.float64], y: NDArray[np.float64], back: bool) -> NDArray[np.int64]:
+def shown(
+    model: YarnScattering, x: NDArray[np.float64], y: NDArray[np.float64], back: bool
+) -> NDArray[np.int64]:
     """Thread that shows from straight above: 1 + end, −1 − pick, or 0 for a hole; from the point model."""
     point = model.surface.surface(Float(x.astype(np.float32)), Float(y.astype(np.float32)), Bool(back))
     warp = point.warp_thread.numpy().astype(np.int64) + 1
@@ -174,7 +176,7 @@ def test_large_drafts(threads: int, colours: int) -> None:
     family = FamilyLayout(spacing, 0.8 * spacing, 0.4, 0.0, 1.0)
     layout = ClothLayout(rng.random((threads, threads)) < 0.4, family, family)
     albedos = FamilyAppearance(0.3 * palette, 0.2 * palette**2, 0.4 * palette, 0.1 * palette, 0.3)
-    model = PointModel(YarnGeometry(layout), Appearance(albedos, albedos))
+    model = YarnScattering(YarnGeometry(layout), Appearance(albedos, albedos))
     tables = FootprintAlbedos(model.surface, model.appearance)
     assert tables.bytes < 70e6
     assert tables.truncation < 1e-6

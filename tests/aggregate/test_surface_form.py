@@ -9,7 +9,7 @@ from scipy import stats
 
 from loomlight.aggregate.grid import fabric_grid
 from loomlight.core.llvm import require_llvm
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.search import REFERENCE_QUALITY
 
 from .fabrics import NAMES, directions, woven
@@ -21,10 +21,10 @@ COUNT = 40_000
 WEIGHTS = np.array([0.4, 0.4, 0.6, 0.6])
 
 
-def _fine(name: str, roughness: tuple[float, float]) -> PointModel:
+def _fine(name: str, roughness: tuple[float, float]) -> YarnScattering:
     """Searched finely: by default 1 % of rays pass over the tip of a crest and end at a wall behind it."""
     model = woven(name, roughness)
-    return PointModel(model.surface, model.appearance, REFERENCE_QUALITY)
+    return YarnScattering(model.surface, model.appearance, REFERENCE_QUALITY)
 
 
 @pytest.mark.slow

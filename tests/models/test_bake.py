@@ -17,14 +17,14 @@ from loomlight.core.images import read_linear
 from loomlight.core.picture import Picture
 from loomlight.models.interface import Model
 from loomlight.models.material_spec import resolve
-from loomlight.models.samples import FootprintSamples
+from loomlight.models.samples import SampledModel
 
 
 def test_what_is_saved_is_loaded(tmp_path: Path) -> None:
     model = loomlight.bake("twill 3/1", "samples", points=5)
     loomlight.save(model, tmp_path / "x.loom")
     again = loomlight.load(tmp_path / "x.loom")
-    assert isinstance(again, FootprintSamples)
+    assert isinstance(again, SampledModel)
     assert again.points == 5
 
     loomlight.save(again.source, tmp_path / "x.toml")

@@ -28,7 +28,7 @@ from loomlight.fabric import fabric_from_text
 from loomlight.models.interface import Model
 from loomlight.models.registry import make_model, model_class, model_from_loom, model_names
 from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.sheen import sheen
 from loomlight.scattering.yarn_point import Albedos, DirectionSample
 from loomlight.yarn.geometry import YarnGeometry
@@ -227,7 +227,7 @@ def test_a_lane_does_not_know_its_neighbours(name: str) -> None:
 def test_both_faces_and_both_sides_are_the_cloths(name: str, cloth: str) -> None:
     """Averaged over positions, components and holes are those of the whole repeat, front and back."""
     model = built(name, cloth)
-    point_model = PointModel(YarnGeometry(model.source.layout()), model.source.appearance())
+    point_model = YarnScattering(YarnGeometry(model.source.layout()), model.source.appearance())
     signs = [(1, 1), (1, -1), (-1, -1), (-1, 1)]
     lights = np.array([[0.4 * s, 0.3, 0.86 * s] for s, _ in signs])
     views = np.array([[-0.3, 0.5, 0.81 * s] for _, s in signs])
@@ -287,7 +287,7 @@ def test_sheen_is_scaled_by_what_light_reaches_and_by_holes(name: str) -> None:
     # The means of both, on the side of the view: within a tenth of rays over the same footprints.
     near = queried.lights[:, 2] * queried.views[:, 2] > 0
     exact = reference(
-        PointModel(YarnGeometry(cloth.layout()), cloth.appearance()),
+        YarnScattering(YarnGeometry(cloth.layout()), cloth.appearance()),
         queried.footprint,
         queried.lights,
         queried.views,

@@ -11,14 +11,14 @@ import pytest
 from loomlight.assets.loom_file import LoomFile, write_loom
 from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text
-from loomlight.models.point import PointFootprint
+from loomlight.models.point import PointModel
 from loomlight.models.registry import make_model, model_from_loom, model_names
-from loomlight.models.samples import FootprintSamples
+from loomlight.models.samples import SampledModel
 
 
 def test_names() -> None:
     assert {"point", "samples"} <= set(model_names())
-    assert type(make_model("point", fabric_from_text("plain"))) is PointFootprint
+    assert type(make_model("point", fabric_from_text("plain"))) is PointModel
     with pytest.raises(InputError, match='model "sample" does not exist: did you mean samples'):
         make_model("sample", fabric_from_text("plain"))
 
@@ -34,12 +34,12 @@ def test_names_load_no_model() -> None:
 
 
 def test_settings_come_back(tmp_path: Path) -> None:
-    write_loom(tmp_path / "a.loom", FootprintSamples(fabric_from_text("plain"), 7).to_loom())
+    write_loom(tmp_path / "a.loom", SampledModel(fabric_from_text("plain"), 7).to_loom())
     actual = model_from_loom(tmp_path / "a.loom")
-    assert isinstance(actual, FootprintSamples)
+    assert isinstance(actual, SampledModel)
     assert actual.points == 7
     with pytest.raises(InputError, match="points = 0 is out of range"):
-        FootprintSamples(fabric_from_text("plain"), 0)
+        SampledModel(fabric_from_text("plain"), 0)
 
 
 @pytest.mark.parametrize(
@@ -61,6 +61,6 @@ def test_files_that_fit_no_model(
 
 
 def test_a_file_of_another_model() -> None:
-    loom = PointFootprint(fabric_from_text("plain")).to_loom()
+    loom = PointModel(fabric_from_text("plain")).to_loom()
     with pytest.raises(InputError, match='it holds the model "point", not "samples"'):
-        FootprintSamples.from_loom(loom)
+        SampledModel.from_loom(loom)

@@ -14,8 +14,8 @@ from loomlight.aggregate.reference import reference
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.interface import Model
-from loomlight.models.point import PointFootprint
-from loomlight.models.samples import FootprintSamples
+from loomlight.models.point import PointModel
+from loomlight.models.samples import SampledModel
 from loomlight.models.separable import Components, SeparableBsdf
 
 from .fabrics import Queries, fabric, queries
@@ -36,7 +36,7 @@ def parts_of(model: Model, queried: Queries) -> dict[str, np.ndarray]:
 def test_one_point_is_the_point_model_with_its_variation() -> None:
     varied = fabric_from_text('weave = "twill 2/1"\n[variation]\nfibre_noise = 0.8\ncolour_noise = 0.3')
     queried = queries(varied, 3000, seed=1)
-    model = PointFootprint.for_source(varied)
+    model = PointModel.for_source(varied)
     actual = model.at(queried.view, queried.footprint).value(queried.light)
     centre = queried.footprint.centre
     point = model.point_model.locate(centre.x, centre.y, queried.view)
@@ -51,7 +51,7 @@ def test_one_point_is_the_point_model_with_its_variation() -> None:
 def test_many_points_are_the_reference() -> None:
     cloth = fabric("coloured twill")
     queried = queries(cloth, 40, seed=2)
-    model = FootprintSamples(cloth, 1024)
+    model = SampledModel(cloth, 1024)
     actual = np.stack(list(parts_of(model, queried).values()), axis=1)
     exact = reference(model.point_model, queried.footprint, queried.lights, queried.views, 4096, seed=3)
     # 200 means; even points scatter less than random ones, of which a quarter as many would scatter twice.
@@ -63,7 +63,7 @@ def test_many_points_are_the_reference() -> None:
 
 def test_plain_weave_from_behind_is_plain_weave_shifted_by_a_thread() -> None:
     plain = fabric_from_text('weave = "plain"\ngap = 0.25\n[warp]\ntwist_deg = 0.0\n[weft]\ntwist_deg = 0.0')
-    model = PointFootprint.for_source(plain)
+    model = PointModel.for_source(plain)
     front = queries(plain, 3000, seed=4)
     mirror = np.array([1, 1, -1])
     shift = np.array([float(plain.layout().warp.spacing[0]), 0])

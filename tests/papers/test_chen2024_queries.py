@@ -11,7 +11,7 @@ from loomlight.aggregate.queries import fabric_scale
 from loomlight.aggregate.reference import reference
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 from papers.chen2024.materials import paper_material
 from papers.chen2024.queries import (
@@ -112,7 +112,7 @@ def test_means_are_the_truth():
         Array2f(np.stack([few.sizes[box], zero])),
         Array2f(np.stack([zero, few.sizes[box]])),
     )
-    model = PointModel(YarnGeometry(FABRIC.layout()), FABRIC.appearance())
+    model = YarnScattering(YarnGeometry(FABRIC.layout()), FABRIC.appearance())
     truth = reference(model, footprint, few.lights[light], few.views[view], 2048, seed=1)
     mean, noise = truth.mean[:, :5], np.sqrt(truth.variance[:, :5])
     error = actual[pair, box] - mean

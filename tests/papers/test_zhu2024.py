@@ -19,7 +19,7 @@ from drjit.llvm.ad import Array2f, Array3f, Float
 
 from loomlight.core.footprint import Footprint
 from loomlight.mitsuba import choose_variant
-from loomlight.models.point import PointFootprint
+from loomlight.models.point import PointModel
 from loomlight.models.registry import make_model
 from papers.altered_models import uniformly_sampled, without_parallax
 from papers.catalogue import CATALOGUE
@@ -88,7 +88,7 @@ def test_uniform_directions_have_the_models_mean() -> None:
 def test_without_parallax_hidden_points_are_dark() -> None:
     footprint, view, rng = at_random(1 << 12)
     model = make_model("point", table_fabric("diamond"))
-    assert isinstance(model, PointFootprint)
+    assert isinstance(model, PointModel)
     light = Array3f(0.0, 0.6, 0.8)
     flat, right = without_parallax(model).at(view, footprint), model.at(view, footprint)
     dark, lit = (np.mean((at.value(light).y == 0).numpy()) for at in (flat, right))

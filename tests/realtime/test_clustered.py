@@ -21,7 +21,7 @@ from loomlight.core.llvm import llvm_float, require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.clustered.model import ClusteredModel
 from loomlight.models.clustered.tables import bake_tables
-from loomlight.models.samples import FootprintSamples
+from loomlight.models.samples import SampledModel
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
 from loomlight.realtime.tables import Packed, pack_fabrics
 from loomlight.yarn.geometry import YarnGeometry
@@ -106,7 +106,7 @@ def test_passes_of_a_frame_tend_to_the_point_model() -> None:
     found = renderer.render(camera, [light], passes=512, background=(0, 0, 0)).linear[0, 0]
     edges = pairs(np.float32([[1, 0]])), pairs(np.float32([[0, 1]]))
     footprint = Footprint(pairs(np.float32([[50, 50]])), *edges)
-    at = FootprintSamples.for_source(FABRIC, 4096).at(vectors(np.float32([[0, 0, 1]])), footprint)
+    at = SampledModel.for_source(FABRIC, 4096).at(vectors(np.float32([[0, 0, 1]])), footprint)
     expected = np.array(at.value(vectors(towards[None])))[:, 0]
     # Means of 1024 points, whose spread the base takes in part.
     np.testing.assert_allclose(found[:3], expected, rtol=0.05)

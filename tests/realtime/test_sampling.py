@@ -17,7 +17,7 @@ from loomlight.fabric import fabric_from_text, load_fabric
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.neural.model import NeuralModel
 from loomlight.models.registry import make_model
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.yarn_point import DirectionSample
 from loomlight.yarn.geometry import YarnGeometry
 from tests.models.chi_square import COLUMNS, ROWS, cell_counts, cell_shares, p_value
@@ -72,7 +72,7 @@ def test_sampling_of_the_point_model() -> None:
     found = mapped(
         "point_sampling lobe_sampling point detail search geometry", body, RESULTS, arguments, (layout, looks)
     )
-    model = PointModel(YarnGeometry(layout), looks)
+    model = YarnScattering(YarnGeometry(layout), looks)
     # Without parallax: rays have tests of their own.
     back = vectors(view).z < 0
     hole = model.surface.surface(Float(at.x), Float(at.y), back).hole

@@ -14,7 +14,7 @@ from drjit.llvm import Float
 
 from loomlight.scattering import diffuse, fibre, sheen
 from loomlight.scattering.appearance import YarnDetail
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.yarn_point import to_face_frame
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout
@@ -150,7 +150,7 @@ def test_queries_of_the_point_model(layout: ClothLayout, varied: bool) -> None:
     looks = appearance(rng, layout, sheen=varied, varies=varied)
     arguments = {"x": at.x, "y": at.y, "light": light, "view": view}
     found = point_values(arguments, (layout, looks))
-    model = PointModel(YarnGeometry(layout), looks)
+    model = YarnScattering(YarnGeometry(layout), looks)
     x, y, _ = at.arrays()
     point = model.locate(x, y, vectors(view))
     value = np.array(model.evaluate(point, vectors(light), vectors(view)))
@@ -182,7 +182,7 @@ def test_queries_of_yarns_close_up() -> None:
     side = np.float32(float(layout.warp.spacing.mean()) * np.exp(rng.uniform(np.log(5e-4), np.log(2), COUNT)))
     arguments = {"x": at.x, "y": at.y, "light": light, "view": view, "side": side}
     found = np.delete(point_values(arguments, (layout, looks)), 3, axis=1)
-    model = PointModel(YarnGeometry(layout), looks)
+    model = YarnScattering(YarnGeometry(layout), looks)
     x, y, _ = at.arrays()
     point = model.locate(x, y, vectors(view), size=Float(side))
     value = np.array(model.evaluate(point, vectors(light), vectors(view)))

@@ -20,7 +20,7 @@ from loomlight.fabric import fabric_from_text
 from loomlight.scattering import detail
 from loomlight.scattering.albedo import albedos_from_colour, layer_albedo_bound
 from loomlight.scattering.appearance import Variation
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.variation import Gain, vary_albedos
 from loomlight.scattering.yarn_point import YarnPoint
 from loomlight.yarn.geometry import YarnGeometry
@@ -35,9 +35,9 @@ def text_of(yarn: str, colour: str = "#806040") -> str:
 
 
 @cache
-def model_of(text: str) -> PointModel:
+def model_of(text: str) -> YarnScattering:
     fabric = fabric_from_text(text)
-    return PointModel(YarnGeometry(fabric.layout()), fabric.appearance())
+    return YarnScattering(YarnGeometry(fabric.layout()), fabric.appearance())
 
 
 def places(rng: np.random.Generator, count: int) -> tuple[Float, Float]:
@@ -125,7 +125,7 @@ def test_means_stay(yarn: str) -> None:
 def test_no_point_makes_light() -> None:
     """Points of the whitest cloth under a dome, without shadows, which only take light away."""
 
-    class Unshadowed(PointModel):
+    class Unshadowed(YarnScattering):
         def visibility(self, point: YarnPoint, light: Array3f, active: Bool = True) -> Bool:
             return Bool(active) | True
 
@@ -151,7 +151,7 @@ def test_gains_have_mean_one_and_room() -> None:
     fabric = replace(fabric_from_text(text_of("linen")).appearance(), variation=Variation(seed=9))
     count = 200_000
     x, y = places(np.random.default_rng(5), count)
-    model = PointModel(model_of(text_of("linen")).surface, fabric)
+    model = YarnScattering(model_of(text_of("linen")).surface, fabric)
     surface = model.surface.surface(x, y, Bool(False))
     thread = model.thread_number(surface, x, y)
     gain = detail.detail_gain(model.detail(TYPES), surface, x, y, Bool(False), thread, Float(CLOSE))

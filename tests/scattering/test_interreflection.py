@@ -19,7 +19,7 @@ from loomlight.fabric.authored_colour import colour_for, shown_colour
 from loomlight.models.registry import make_model
 from loomlight.scattering.interreflection import Scattered, solved_interior
 from loomlight.scattering.openness import Openness
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 
 require_llvm()
@@ -111,7 +111,7 @@ def test_white_cloth_is_white_and_makes_no_light(specular: float, least: float) 
     """The brightest that a fabric file admits, seen from above and at 75°."""
     yarn = f'albedo = "#fff"\nspecular = {specular}\n'
     fabric = fabric_from_text(f'weave = "satin 5"\ninterreflection = true\n[warp]\n{yarn}[weft]\n{yarn}')
-    model = PointModel(YarnGeometry(fabric.layout()), fabric.appearance())
+    model = YarnScattering(YarnGeometry(fabric.layout()), fabric.appearance())
     above, grazing = (returned(model, fabric.repeat_mm, direction(angle, 25), 6) for angle in (0, 75))
     # 0.01: four standard errors of 2^15 samples, and the fit of openness (docs/research/figures-light.md).
     assert least < above < 1.01

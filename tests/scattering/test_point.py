@@ -15,7 +15,7 @@ import pytest
 from loomlight.core.llvm import require_llvm
 from loomlight.scattering.albedo import albedos_from_colour, layer_albedo_bound
 from loomlight.scattering.appearance import Appearance, FamilyAppearance, Sheen, Variation
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.yarn_point import YarnPoint
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.horizon import HorizonMap
@@ -54,7 +54,7 @@ def _family_appearance(rng: np.random.Generator, count: int, white: bool, depth:
     return FamilyAppearance(**albedos, roughness=float(np.exp(rng.uniform(math.log(0.01), 0))))
 
 
-def random_model(seed: int, white: bool = False) -> PointModel:
+def random_model(seed: int, white: bool = False) -> YarnScattering:
     """A random fabric of all parameter ranges, warp and weft unequal."""
     rng = np.random.default_rng(seed)
     picks, ends = (int(n) for n in rng.integers(2, 9, 2))
@@ -72,7 +72,7 @@ def random_model(seed: int, white: bool = False) -> PointModel:
         # The bound on varied albedos is computed from the depth in Python.
         optical_depth=depth if seed % 3 == 0 else dr.opaque(mi.Float, depth),
     )
-    model = PointModel(YarnGeometry(layout), appearance)
+    model = YarnScattering(YarnGeometry(layout), appearance)
     if model.sheen is not None:
         model.sheen = dr.opaque(mi.Float, model.sheen[0]), dr.opaque(mi.Float, model.sheen[1])
     return model
@@ -87,7 +87,7 @@ def _view(degrees: float, azimuth: float) -> mi.Vector3f:
     )
 
 
-def _points(model: PointModel, view: mi.Vector3f, count: int, seed: int) -> tuple[YarnPoint, mi.Vector3f]:
+def _points(model: YarnScattering, view: mi.Vector3f, count: int, seed: int) -> tuple[YarnPoint, mi.Vector3f]:
     # Its own stream: places must not correlate with the numbers that directions are drawn from.
     rng = np.random.default_rng([seed, 77])
     width, height = model.surface.size
@@ -222,7 +222,7 @@ def test_holes_pass_light_straight_through() -> None:
     threads = FamilyAppearance(grey, grey * 0, grey, grey * 0, 0.3)
     plain = np.array([[True, False], [False, True]])
     bare = Appearance(threads, threads)
-    model = PointModel(YarnGeometry(ClothLayout(plain, family, family)), bare)
+    model = YarnScattering(YarnGeometry(ClothLayout(plain, family, family)), bare)
     point, view = _points(model, _view(0.0, 0.0), 100_000, 1)
     numbers = [mi.Float(rng.random(100_000)) for _ in range(3)]
     drawn = model.sample(point, view, numbers[0], mi.Vector2f(numbers[1], numbers[2]))
@@ -237,7 +237,7 @@ def test_holes_pass_light_straight_through() -> None:
 def test_tabulated_shadows_keep_the_albedo() -> None:
     exact = random_model(2)
     layout = YarnGeometry(exact.surface.layout)
-    tabulated = PointModel(layout, exact.appearance, horizon=HorizonMap(layout, (160, 160), mi.Float))
+    tabulated = YarnScattering(layout, exact.appearance, horizon=HorizonMap(layout, (160, 160), mi.Float))
     rng = np.random.default_rng(3)
     count = 1 << 16
     point, view = _points(exact, _view(30, 0.3), count, 4)

@@ -34,7 +34,7 @@ from loomlight.models.lobes.prefiltered import DIFFUSE_LOSS, MAX_CORRELATION
 from loomlight.models.neural.training.config import DataTable
 from loomlight.models.neural.training.dataset import dataset_fabric
 from loomlight.models.neural.training.random_fabrics import random_fabric
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.weave.named import named_weave
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.search import SearchQuality
@@ -99,7 +99,7 @@ def directions(rng: np.random.Generator) -> Floats:
 
 def truth(fabric: Fabric, lights: Floats, views: Floats) -> Floats:
     """Diffuse and specular means over a repeat [2, pairs], 1/sr."""
-    model = PointModel(YarnGeometry(fabric.layout()), fabric.appearance(), _QUALITY)
+    model = YarnScattering(YarnGeometry(fabric.layout()), fabric.appearance(), _QUALITY)
     lane = dr.arange(UInt32, PAIRS * POINTS)
     pair = lane // POINTS
     number = np.arange(POINTS)

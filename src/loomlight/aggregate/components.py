@@ -29,7 +29,7 @@ from loomlight.core.backend import array_types
 from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.diffuse import diffuse_reflection
 from loomlight.scattering.fibre import reflection, transmission
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.yarn_point import YarnPoint, to_face_frame
 from loomlight.yarn.visibility import first_hit
 
@@ -55,16 +55,16 @@ class ViewHits:
     wall: Mask
 
 
-def without_sheen_and_variation(model: PointModel) -> PointModel:
+def without_sheen_and_variation(model: YarnScattering) -> YarnScattering:
     """The model without sheen and procedural variation, which components and colours do not include."""
     old = model.appearance
     appearance = Appearance(
         old.warp, old.weft, diffuse_blend=old.diffuse_blend, optical_depth=old.optical_depth
     )
-    return PointModel(model.surface, appearance, model.quality, model.horizon)
+    return YarnScattering(model.surface, appearance, model.quality, model.horizon)
 
 
-def trace_views(model: PointModel, x: Float, y: Float, view: Vec3, active: Mask = True) -> ViewHits:
+def trace_views(model: YarnScattering, x: Float, y: Float, view: Vec3, active: Mask = True) -> ViewHits:
     """Intersections of the view rays through x, y on the plane z = 0, with exact parallax.
 
     Args:
@@ -132,7 +132,7 @@ def components(
     """The channels C_warp, C_weft, S_warp, S_weft of yarn points: four Float, 1/sr; zero in holes.
 
     Args:
-        visible: the light is not occluded at the point; see `PointModel.visibility`.
+        visible: the light is not occluded at the point; see `YarnScattering.visibility`.
         transmits: see `lobes`.
     """
     diffuse, specular = lobes(appearance, point, light, view, transmits)
@@ -150,7 +150,7 @@ def light_visibility(point: YarnPoint, visible: Mask) -> Float:
     """1 where a view ray meets yarn that the light reaches, else 0 (holes too): Float.
 
     Args:
-        visible: the light is not occluded at the point; see `PointModel.visibility`.
+        visible: the light is not occluded at the point; see `YarnScattering.visibility`.
     """
     return dr.select(visible & ~point.hole, array_types(point.x).Float(1), 0)
 

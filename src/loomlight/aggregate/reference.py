@@ -29,7 +29,7 @@ from loomlight.core.arrays import Float, FloatType, Vec3
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.footprint import Footprint
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 
 # Points evaluated in one launch.
 _BATCH = 1 << 21
@@ -70,7 +70,7 @@ class Estimate:
 
 
 def reference(
-    model: PointModel,
+    model: YarnScattering,
     footprint: Footprint,
     lights: ArrayLike,
     views: ArrayLike,
@@ -123,7 +123,7 @@ def reference(
 
 
 def brute_force(
-    model: PointModel,
+    model: YarnScattering,
     grid: Grid,
     lights: ArrayLike,
     views: ArrayLike,
@@ -176,7 +176,7 @@ def brute_force(
     return Estimate(CHANNELS, mean, variance, samples)
 
 
-def _probe(model: PointModel, *numbers: int) -> PointModel:
+def _probe(model: YarnScattering, *numbers: int) -> YarnScattering:
     """The model whose red, green, blue are the components of these numbers: albedo 1 there, 0 elsewhere."""
 
     def family(number: int, old: FamilyAppearance) -> FamilyAppearance:
@@ -197,7 +197,7 @@ def _probe(model: PointModel, *numbers: int) -> PointModel:
         diffuse_blend=old.diffuse_blend,
         optical_depth=old.optical_depth,
     )
-    return PointModel(model.surface, appearance, model.quality, model.horizon)
+    return YarnScattering(model.surface, appearance, model.quality, model.horizon)
 
 
 class _Sums:

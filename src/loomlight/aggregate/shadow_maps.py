@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from loomlight.aggregate.grid import Grid, divide
 from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, upload
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.yarn_point import to_face_frame
 from loomlight.yarn.visibility import unoccluded
 
@@ -30,7 +30,7 @@ class ShadowMaps:
     """
 
     def __init__(
-        self, model: PointModel, grid: Grid, lights: NDArray[np.float64], float_type: FloatType
+        self, model: YarnScattering, grid: Grid, lights: NDArray[np.float64], float_type: FloatType
     ) -> None:
         """Computes the maps of unit vectors `lights` [n, 3], z < 0 from behind."""
         types = array_types(float_type)

@@ -33,7 +33,7 @@ from loomlight.aggregate.tables import TexelBoxes, box_means, summed_areas, texe
 from loomlight.core.arrays import Float, FloatType, UInt, Vec3
 from loomlight.core.backend import array_types, maximum, upload
 from loomlight.core.errors import InputError
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.yarn_point import Albedos, YarnPoint
 
 # Texels evaluated in one launch: bounds the memory to some 300 MB, or to that of a single slice.
@@ -129,7 +129,7 @@ class FabricSlices:
 
     def __init__(
         self,
-        model: PointModel,
+        model: YarnScattering,
         float_type: FloatType,
         texels_per_thread: float = TEXELS_PER_THREAD,
         window: tuple[float, float, float, float] | None = None,

@@ -29,7 +29,7 @@ from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import FootprintBsdf, Model
 from loomlight.models.separable import SeparableBsdf, shade
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 
 # Queries of one launch when speed is measured: enough to keep every core busy for a while.
@@ -108,7 +108,7 @@ def monte_carlo_predictor(samples: int, seed: int = 0, float_type: type | None =
 
     def predict(fabric: Fabric, queries: QuerySet) -> Prediction:
         types = array_types(float_type or llvm_float())
-        model = PointModel(YarnGeometry(fabric.layout()), fabric.appearance())
+        model = YarnScattering(YarnGeometry(fabric.layout()), fabric.appearance())
         rng = np.random.default_rng([seed, samples])
         count = queries.sizes.size
         at_once = min(count, max(1, _BATCH // samples))
@@ -151,7 +151,7 @@ def multi_jittered(rng: np.random.Generator, sets: int, samples: int) -> NDArray
 
 def _sampled(
     types: ArrayTypes,
-    model: PointModel,
+    model: YarnScattering,
     queries: QuerySet,
     chosen: NDArray[np.intp],
     positions: NDArray[np.float64],

@@ -23,7 +23,7 @@ from loomlight.core.errors import InputError
 from loomlight.core.files import cache_folder, replacing
 from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.search import REFERENCE_QUALITY
 
@@ -73,9 +73,9 @@ def query_truth(
     return queries, means if with_colours else means[..., : len(CHANNELS)]
 
 
-def reference_model(fabric: Fabric) -> PointModel:
+def reference_model(fabric: Fabric) -> YarnScattering:
     """The point model of a fabric with the search quality of the truth."""
-    return PointModel(YarnGeometry(fabric.layout()), fabric.appearance(), REFERENCE_QUALITY)
+    return YarnScattering(YarnGeometry(fabric.layout()), fabric.appearance(), REFERENCE_QUALITY)
 
 
 def texels_per_thread(fabric: Fabric) -> int:

@@ -13,7 +13,7 @@ from loomlight.core.arrays import Float, Vec3
 from loomlight.core.backend import array_types
 from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 
 _Floats = NDArray[np.float32]
@@ -33,7 +33,7 @@ class FabricPoints:
         appearance = fabric.appearance()
         variation = dataclasses.replace(appearance.variation, fibre_noise=0.0, colour_noise=0.0)
         plain = dataclasses.replace(appearance, variation=variation)
-        self.model = PointModel(YarnGeometry(fabric.layout()), plain)
+        self.model = YarnScattering(YarnGeometry(fabric.layout()), plain)
         self.types = array_types(llvm_float())
 
     def values(self, positions: _Floats, lights: _Floats, views: _Floats) -> _Floats:

@@ -26,7 +26,7 @@ from loomlight.models.fabric_model import (
 )
 from loomlight.models.interface import Values
 from loomlight.models.separable import Components, Evaluation, FamilyAlbedos, SeparableBsdf
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.yarn_point import Albedos, DirectionSample, YarnPoint, to_face_frame
 from loomlight.yarn.detached_surface import DetachedSurface
 from loomlight.yarn.geometry import YarnGeometry
@@ -42,7 +42,7 @@ class PointBsdf(SeparableBsdf):
     """The yarn points that view rays through the centres of footprints meet."""
 
     def __init__(
-        self, model: PointModel, view: Vec3, footprint: Footprint, tint: Color3 | None, active: Mask
+        self, model: YarnScattering, view: Vec3, footprint: Footprint, tint: Color3 | None, active: Mask
     ) -> None:
         super().__init__(view, footprint, model.appearance.sheen)
         self._model = model
@@ -119,7 +119,7 @@ def families_of(point: YarnPoint) -> FamilyAlbedos:
 
 
 @final
-class PointFootprint(FabricModel):
+class PointModel(FabricModel):
     """One sample of the footprint, at its centre: exact there, aliased where threads are small.
 
     Scene parameters: ``warp.roughness``, ``warp.height_scale``, ``warp.twist`` (radians) and the albedos
@@ -136,7 +136,7 @@ class PointFootprint(FabricModel):
     def __init__(self, fabric: Fabric) -> None:
         super().__init__(fabric)
         self._geometry = YarnGeometry(fabric.layout())
-        self.point_model = PointModel(DetachedSurface(self._geometry), fabric.appearance())
+        self.point_model = YarnScattering(DetachedSurface(self._geometry), fabric.appearance())
 
     @classmethod
     def for_source(cls, source: Source) -> Self:

@@ -44,13 +44,13 @@ MODELS: dict[str, ModelEntry] = {
     ),
     "point": ModelEntry(
         "loomlight.models.point",
-        "PointFootprint",
+        "PointModel",
         "woven_point",
         "single yarn points: exact, but noisy where threads are small",
     ),
     "samples": ModelEntry(
         "loomlight.models.samples",
-        "FootprintSamples",
+        "SampledModel",
         "woven_samples",
         "means of 32 points of the pixel each: slow, to compare with",
     ),

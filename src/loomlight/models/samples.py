@@ -26,7 +26,7 @@ from loomlight.models.fabric_model import FabricModel, fabric_in_loom, fabric_so
 from loomlight.models.interface import Option
 from loomlight.models.point import families_of
 from loomlight.models.separable import Components, Evaluation, FamilyAlbedos, SeparableBsdf
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.yarn_point import Albedos, DirectionSample, YarnPoint
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.search import upload_extent
@@ -60,7 +60,7 @@ class SamplesBsdf(SeparableBsdf):
     """Means over so many points of footprints."""
 
     def __init__(
-        self, model: PointModel, points: int, view: Vec3, footprint: Footprint, tint: Color3 | None
+        self, model: YarnScattering, points: int, view: Vec3, footprint: Footprint, tint: Color3 | None
     ) -> None:
         super().__init__(view, footprint, model.appearance.sheen)
         self._model = model
@@ -184,7 +184,7 @@ def _combined(operation: Callable[..., Any], *trees: Any) -> Any:
 
 
 @final
-class FootprintSamples(FabricModel):
+class SampledModel(FabricModel):
     """So many points, spread evenly over the footprint in a pattern that is the same for all."""
 
     name = "samples"
@@ -202,7 +202,7 @@ class FootprintSamples(FabricModel):
         if not 1 <= points <= MAX_POINTS:
             raise InputError(f"points = {points} is out of range: use 1 to {MAX_POINTS}.")
         self.points = points
-        self.point_model = PointModel(YarnGeometry(fabric.layout()), fabric.appearance())
+        self.point_model = YarnScattering(YarnGeometry(fabric.layout()), fabric.appearance())
 
     @classmethod
     def for_source(cls, source: Source, points: int = DEFAULT_POINTS) -> Self:

@@ -63,8 +63,8 @@ from loomlight.yarn.search import DEFAULT_QUALITY, SearchQuality, Surface
 from loomlight.yarn.visibility import first_hit, unoccluded
 
 
-class PointModel:
-    """The point model of one fabric.
+class YarnScattering:
+    """Scattering at single points of the yarns of one fabric: geometry, appearance and the search of rays.
 
     Attributes:
         surface: the geometry, analytic or textures.

@@ -31,7 +31,7 @@ from loomlight.models.clustered.square_map import BINS, bin_centres, bin_taps
 from loomlight.models.clustered.tables import bake_tables
 from loomlight.models.random_numbers import hashed, uniform
 from loomlight.models.separable import Components
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 
 from ..fabrics import directions, queries, vectors
@@ -141,7 +141,7 @@ def test_estimates_are_unbiased(samples: int, texel_samples: int) -> None:
     cases, each = 40, 3000
     asked = queries(made.fabric, cases, seed=3)
     asked.edges = np.stack([np.diag(np.abs(edges).sum(axis=0)) for edges in asked.edges])
-    point_model = PointModel(YarnGeometry(made.fabric.layout()), made.fabric.appearance())
+    point_model = YarnScattering(YarnGeometry(made.fabric.layout()), made.fabric.appearance())
     exact = reference(point_model, asked.footprint, asked.lights, asked.views, 6000, seed=4)
     many = asked[np.repeat(np.arange(cases), each)]
     seed = UInt32(np.random.default_rng(5).integers(0, 2**32, len(many), dtype=np.uint32))

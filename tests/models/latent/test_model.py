@@ -23,7 +23,7 @@ from loomlight.fabric import fabric_from_text
 from loomlight.models.latent.model import LatentModel
 from loomlight.models.latent.settings import QUALITIES, settings_of
 from loomlight.models.registry import make_model, model_from_loom
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 
 require_llvm()
@@ -36,7 +36,7 @@ def test_means_of_the_whole_cloth_are_learned_on_both_faces() -> None:
     # SOAP needs twice as many steps as this test has.
     model = make_model("latent", TWILL, steps=400, optimiser="adam")
     slices = FabricSlices(
-        PointModel(YarnGeometry(TWILL.layout()), TWILL.appearance()), llvm_float(), with_colours=True
+        YarnScattering(YarnGeometry(TWILL.layout()), TWILL.appearance()), llvm_float(), with_colours=True
     )
     width, height = TWILL.repeat_mm
     for side in (1, -1):

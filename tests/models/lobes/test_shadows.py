@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from loomlight.aggregate.components import lobes
 from loomlight.models.lobes import prefiltered
 from loomlight.models.lobes.prefiltered import ShadowCorrelation
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 
 from .cloths import TEXTS, FootprintQueries, cloth, directions, geometry_of, model_of, prefiltered_parts
 
@@ -31,7 +31,7 @@ def queried(name: str, through: bool) -> FootprintQueries:
 
 def traced(name: str, queries: FootprintQueries) -> NDArray[np.float64]:
     """Diffuse and specular means over the repeat [2, pairs]."""
-    model = PointModel(geometry_of(name), cloth(name).appearance())
+    model = YarnScattering(geometry_of(name), cloth(name).appearance())
     lane = dr.arange(UInt32, PAIRS * POINTS)
     pair = lane // POINTS
     number = np.arange(POINTS)

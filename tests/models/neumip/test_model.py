@@ -23,7 +23,7 @@ from loomlight.models.neumip.model import NeumipModel
 from loomlight.models.neumip.settings import QUALITIES, settings_of
 from loomlight.models.option_values import parse_options
 from loomlight.models.registry import make_model, model_from_loom
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 
 require_llvm()
@@ -36,7 +36,7 @@ def test_means_of_the_whole_cloth_are_learned_on_both_faces() -> None:
     """The front shows more warp, the back more weft: red and blue."""
     model = make_model("neumip", TWILL, steps=400)
     slices = FabricSlices(
-        PointModel(YarnGeometry(TWILL.layout()), TWILL.appearance()), llvm_float(), with_colours=True
+        YarnScattering(YarnGeometry(TWILL.layout()), TWILL.appearance()), llvm_float(), with_colours=True
     )
     width, height = TWILL.repeat_mm
     for side in (1, -1):
@@ -61,7 +61,7 @@ def test_holes_and_light_from_behind_are_learned() -> None:
     model = make_model("neumip", sheer, steps=400)
     assert isinstance(model, NeumipModel)
     slices = FabricSlices(
-        PointModel(YarnGeometry(sheer.layout()), sheer.appearance()), llvm_float(), with_colours=True
+        YarnScattering(YarnGeometry(sheer.layout()), sheer.appearance()), llvm_float(), with_colours=True
     )
     light, view = [0.2, 0.3, -0.93], [-0.2, 0.1, 0.97]
     light, view = ((np.array(v) / np.linalg.norm(v)).tolist() for v in (light, view))

@@ -34,7 +34,7 @@ from loomlight.models.neumip.training.network import NeumipNetwork
 from loomlight.models.neumip.training.sampler_fit import sampler_divergence, trained_sampler
 from loomlight.models.neumip.training.train import blur_of, gains_of, rate_factor, taken_queries, train_neumip
 from loomlight.models.registry import model_from_loom
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.training.direction_sampler import relu_layers
 from loomlight.yarn.geometry import YarnGeometry
 
@@ -155,7 +155,7 @@ def test_queries_are_gaussian_means() -> None:
     assert np.array_equal(stream.part(0, 60).values, queries.values)
     assert not np.array_equal(stream.part(1, 60).positions, queries.positions)
     slices = FabricSlices(
-        PointModel(YarnGeometry(TWILL.layout()), TWILL.appearance()), llvm_float(), with_colours=True
+        YarnScattering(YarnGeometry(TWILL.layout()), TWILL.appearance()), llvm_float(), with_colours=True
     )
     errors, truths = [], []
     for k in range(len(queries)):

@@ -29,7 +29,7 @@ from loomlight.models.neural.decoder import Decoder
 from loomlight.models.neural.encoding import encode
 from loomlight.models.neural.footprint_coding import footprints_in_threads
 from loomlight.models.neural.model import NeuralModel
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 
 from .networks import TABLES, network, unit_vectors, weights_of
@@ -159,7 +159,9 @@ def test_long_footprints_of_twill_err_less_in_rows_of_squares(monkeypatch: pytes
     # 2.5 threads wide, 7.5 long, along either family.
     turned = np.random.default_rng(0).random(queries.centres.shape[:2]) < 0.5
     boxes = np.where(turned[..., None], [2.5, 7.5], [7.5, 2.5]) * pitch
-    slices = FabricSlices(PointModel(YarnGeometry(layout), fabric.appearance()), Float, 8, shadows="mapped")
+    slices = FabricSlices(
+        YarnScattering(YarnGeometry(layout), fabric.appearance()), Float, 8, shadows="mapped"
+    )
     truth = slices.box_means(queries.lights, queries.views, queries.pairs, queries.centres, boxes)
     lights, views = (
         Array3f(np.repeat(part[index], 16, axis=0).T.astype(np.float32))

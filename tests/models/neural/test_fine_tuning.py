@@ -21,7 +21,7 @@ from loomlight.models.neural.footprint_coding import footprints_in_threads
 from loomlight.models.neural.latent_cache import clear_encodings
 from loomlight.models.neural.model import NeuralModel
 from loomlight.models.neural.weights import shipped_weights
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 
 from .networks import counted_runs, network, weights_of
@@ -42,7 +42,9 @@ def _errors(fabric: Fabric, encoded: EncodedFabric) -> np.ndarray:
     """nMAE of components [4] over footprints of more than two threads, both faces, that were not fitted."""
     layout = fabric.layout()
     queries = query_set(fabric_scale(layout), 160, 16, seed=91, transmits=False, lights=40, views=40)
-    slices = FabricSlices(PointModel(YarnGeometry(layout), fabric.appearance()), Float, 16, shadows="mapped")
+    slices = FabricSlices(
+        YarnScattering(YarnGeometry(layout), fabric.appearance()), Float, 16, shadows="mapped"
+    )
     truth = slices.box_means(queries.lights, queries.views, queries.pairs, queries.centres, queries.boxes)
     lights, views = (
         np.repeat(part[index], 16, axis=0).astype(np.float32)

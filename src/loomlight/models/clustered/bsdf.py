@@ -35,7 +35,7 @@ from loomlight.models.separable import (
     shade,
     tinted,
 )
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.yarn_point import Albedos, DirectionSample, YarnPoint, to_face_frame
 
 # Between seeds of points: odd, so that no two are the same.
@@ -79,7 +79,7 @@ class ClusteredBsdf(SeparableBsdf):
     def __init__(
         self,
         tables: DeviceTables,
-        model: PointModel,
+        model: YarnScattering,
         mean_albedos: FamilyAlbedos,
         albedos_of_cloth: FootprintAlbedos,
         samples: int,

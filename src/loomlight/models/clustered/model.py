@@ -24,7 +24,7 @@ from loomlight.models.interface import Option, Values
 from loomlight.models.random_numbers import hashed
 from loomlight.models.separable import FamilyAlbedos
 from loomlight.scattering.appearance import Appearance
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.search import upload_extent
 
@@ -82,7 +82,7 @@ class ClusteredModel(FilteredFabricModel):
         self._use(fabric.appearance())
 
     def _use(self, appearance: Appearance) -> None:
-        self.point_model = PointModel(self._geometry, appearance)
+        self.point_model = YarnScattering(self._geometry, appearance)
 
     @classmethod
     def for_source(

@@ -19,7 +19,7 @@ from loomlight.core.backend import ArrayTypes, clip, maximum, minimum, upload
 from loomlight.models.clustered.tables import ClusterTables
 from loomlight.scattering.diffuse import diffuse_reflection
 from loomlight.scattering.fibre import reflection, transmission
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.horizon import AZIMUTHS
 
 # Steps of a view ray through the relief of the cloth, and how often the hit is refined.
@@ -184,7 +184,7 @@ class TexelModel:
         lit = self._free(point, light, transmits) & ~point.hole
         return dr.select(lit, diffuse, 0), dr.select(lit, specular, 0), dr.select(lit, types.Float(1), 0)
 
-    def colour(self, model: PointModel, point: TexelPoint, transmits: Mask, tint: Color3 | None) -> Any:
+    def colour(self, model: YarnScattering, point: TexelPoint, transmits: Mask, tint: Color3 | None) -> Any:
         """Diffuse and specular albedo of a texel's thread on the side of the light, Color3 each."""
         families = model.parameters(self._types)
         found = []

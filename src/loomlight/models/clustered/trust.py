@@ -17,7 +17,7 @@ from loomlight.core.backend import array_types
 from loomlight.models.clustered.base import DeviceTables
 from loomlight.models.clustered.square_map import bin_centres
 from loomlight.models.clustered.visibility_tables import VIEW_BINS
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.yarn_point import to_face_frame
 
 _PLACES = 512
@@ -25,7 +25,7 @@ _LIGHTS = 8
 
 
 def trust_by_view(
-    tables: DeviceTables, model: PointModel, float_type: FloatType
+    tables: DeviceTables, model: YarnScattering, float_type: FloatType
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """β of the base and of the texel model, each 0 to 1, for the point model.
 

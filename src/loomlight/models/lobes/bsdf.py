@@ -24,7 +24,7 @@ from loomlight.models.lobes.prefiltered import PrefilteredLobes, TableLookup, ha
 from loomlight.models.lobes.proposal import Mixture, density, draw, mixture_of, packs_density, total_weight
 from loomlight.models.lobes.regimes import Regime
 from loomlight.models.separable import Components, Evaluation, FamilyAlbedos, SeparableBsdf, tinted
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.yarn_point import Albedos, DirectionSample, to_face_frame
 from loomlight.yarn.visibility import first_hit
 
@@ -53,7 +53,7 @@ class LobesBsdf(SeparableBsdf):
     def __init__(
         self,
         lobes: PrefilteredLobes,
-        point_model: PointModel,
+        point_model: YarnScattering,
         means: FootprintAlbedos,
         regime: Regime,
         view: Vec3,
@@ -78,7 +78,7 @@ class LobesBsdf(SeparableBsdf):
         return self._lobes.lookup(self.footprint, to_face_frame(self.view, self._back), self._back)
 
     @cached_property
-    def _sampled_model(self) -> PointModel:
+    def _sampled_model(self) -> YarnScattering:
         return with_search_quality(self._point_model, self._regime.threads)
 
     @cached_property

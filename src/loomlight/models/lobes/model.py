@@ -18,7 +18,7 @@ from loomlight.models.lobes.bsdf import LobesBsdf
 from loomlight.models.lobes.prefiltered import PrefilteredLobes
 from loomlight.models.lobes.regimes import RegimeScale
 from loomlight.models.lobes.tables import LobeTables, bake_tables, tables_of_loom
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.search import upload_extent
 
@@ -58,7 +58,7 @@ class LobesModel(FilteredFabricModel):
         self.tables = tables
         self.groups = groups
         self._geometry = YarnGeometry(fabric.layout())
-        self.point_model = PointModel(self._geometry, fabric.appearance())
+        self.point_model = YarnScattering(self._geometry, fabric.appearance())
         self._uploaded: dict[type, tuple[PrefilteredLobes, RegimeScale]] = {}
         packs = tables.packs
         self.multiply_adds = _MULTIPLY_ADDS * 4 * packs

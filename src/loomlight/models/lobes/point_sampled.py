@@ -24,7 +24,7 @@ from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minim
 from loomlight.core.footprint import Footprint
 from loomlight.models.separable import Components
 from loomlight.scattering.interreflection import Blocked, Interreflection
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.yarn_point import to_face_frame
 from loomlight.yarn.search import DEFAULT_QUALITY, SearchQuality
 from loomlight.yarn.visibility import passes_through
@@ -84,7 +84,7 @@ def quality_of(size: Float) -> SearchQuality:
     )
 
 
-def with_search_quality(model: PointModel, size: Float) -> PointModel:
+def with_search_quality(model: YarnScattering, size: Float) -> YarnScattering:
     """The model with the search quality of footprints of a side, in threads."""
     searched = copy(model)
     searched.quality = quality_of(size)
@@ -107,7 +107,7 @@ class SampledPoints:
 
 
 def point_sampled(
-    model: PointModel,
+    model: YarnScattering,
     between: Interreflection | None,
     points: Float,
     lights: Sequence[Vec3],
@@ -140,7 +140,7 @@ def point_sampled(
     return SampledPoints(hole, parts, blocked)
 
 
-def point_sampled_hole(model: PointModel, points: Float, view: Vec3, footprint: Footprint) -> Float:
+def point_sampled_hole(model: YarnScattering, points: Float, view: Vec3, footprint: Footprint) -> Float:
     """Fraction of a number of points that are holes; 0 without points."""
     types = array_types(view.x)
 

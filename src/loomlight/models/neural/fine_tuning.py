@@ -24,7 +24,7 @@ from loomlight.models.neural.compiled import columns, compiled_decoder, kernel_t
 from loomlight.models.neural.encoded_fabric import EncodedFabric
 from loomlight.models.neural.footprint_coding import footprints_in_threads
 from loomlight.models.neural.weights import Weights
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout
 
@@ -162,7 +162,7 @@ def _fit_data(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     """Data of the fit: inputs of the last layer [n, hidden], densities [n, 2, bundles], truth [n, 4]."""
     per_thread = _TEXELS[layout.warp_on_top.size > _SMALL_REPEAT]
-    model = PointModel(YarnGeometry(layout), fabric.appearance())
+    model = YarnScattering(YarnGeometry(layout), fabric.appearance())
     slices = FabricSlices(model, float_type, per_thread, shadows="mapped")
     scale = fabric_scale(layout)
     pairs = round(_PAIRS * max(_MIN_PAIRS, min(1, _SMALL_REPEAT / layout.warp_on_top.size)))

@@ -24,7 +24,7 @@ from loomlight.models.neural.parameter_ranges import PARAMETER_RANGES, TRAINING_
 from loomlight.models.neural.training.config import DataTable
 from loomlight.models.neural.training.random_fabrics import random_fabric
 from loomlight.models.neural.training.weaves import training_draft
-from loomlight.scattering.point import PointModel
+from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 
 # Crossings of the largest repeat with all pairs, and the fewest pairs of a larger repeat.
@@ -93,7 +93,7 @@ def dataset_faces(
         lights=max(_MIN_PAIRS // 4, round(fraction * table.lights)),
         views=max(_MIN_PAIRS // 4, round(fraction * table.views)),
     )
-    model = PointModel(geometry, fabric.appearance())
+    model = YarnScattering(geometry, fabric.appearance())
     slices = FabricSlices(model, float_type, table.texels_per_thread, shadows="mapped")
     truth = slices.box_means(queries.lights, queries.views, queries.pairs, queries.centres, queries.boxes)
     lights, views = queries.lights[queries.pairs[:, 0]], queries.views[queries.pairs[:, 1]]
