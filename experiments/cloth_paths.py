@@ -34,9 +34,9 @@ from loomlight.yarn.layout import ClothLayout
 # Samples of a ray while it crosses the finest thread, and while it falls through the relief of the cloth.
 STEPS_PER_THREAD, STEPS_PER_RELIEF = 24, 24
 # Halvings of the step that hit, and most steps of a ray.
-BISECTIONS, MOST_STEPS = 8, 4096
+BISECTIONS, MAX_STEPS = 8, 4096
 # Most vertices of a path; Russian roulette begins after a few.
-MOST_BOUNCES, FEWEST_BOUNCES = 64, 6
+MAX_BOUNCES, MIN_BOUNCES = 64, 6
 # Rays start this share of the finest thread above the yarn.
 _LIFT = 2e-3
 
@@ -132,14 +132,14 @@ def _walk(
         transmitted += dr.select(same, 0, light)
         once += dr.select(step == 0, light, 0)
         alive &= (met | stays) & (dr.max(weight) > 0)
-        survival = dr.select(step < FEWEST_BOUNCES, Float(1), dr.minimum(dr.max(weight), 0.95))
+        survival = dr.select(step < MIN_BOUNCES, Float(1), dr.minimum(dr.max(weight), 0.95))
         alive &= rng.next_float32() < survival
         weight = weight / dr.maximum(survival, 1e-6)
         moved = met & alive
         return (
             step + 1,
             dr.select(moved, ray.x, x), dr.select(moved, ray.y, y), dr.select(moved, ray.back, back),
-            dr.select(moved, -ray.direction, view), weight, alive & (step + 1 < MOST_BOUNCES),
+            dr.select(moved, -ray.direction, view), weight, alive & (step + 1 < MAX_BOUNCES),
             reflected, transmitted, once, rng,
         )  # fmt: skip
 
@@ -233,7 +233,7 @@ def _traced(
         z = dr.select(moves, dr.select(through, -nz, nz), z)
         direction = to_face_frame(direction, through)
         back = back ^ through
-        goes_on = moves & ~out & (count + 1 < MOST_STEPS)
+        goes_on = moves & ~out & (count + 1 < MAX_STEPS)
         return x, y, z, direction, back, goes_on, met | hit, count + 1
 
     state = (

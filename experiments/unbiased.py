@@ -49,8 +49,8 @@ _FABRICS = 24
 _SHIFTS = 16
 # Edges of footprints are changed by up to so much of themselves.
 _SCALES = 1e-5
-_SMALLEST, _LARGEST, _LONGEST = 0.25, 4.0, 3.0
-_LOWEST_COSINE = 0.1
+_MIN, _MAX, _MAX_RATIO = 0.25, 4.0, 3.0
+_MIN_COSINE = 0.1
 # Of the reference: searches of rays and rounding move means by about so much (docs/research/aggregation.md).
 _ROUNDING = 1e-4
 
@@ -95,20 +95,20 @@ def random_cases(fabric: Fabric, count: int, seed: int, aligned: bool = False) -
     if admits_transmission(fabric.appearance()):
         side = side * np.where(rng.random(count) < 0.5, -1, 1)
     lights[:, 2] *= side
-    sizes = np.exp(rng.uniform(np.log(_SMALLEST * scale.thread), np.log(_LARGEST * scale.repeat), count))
+    sizes = np.exp(rng.uniform(np.log(_MIN * scale.thread), np.log(_MAX * scale.repeat), count))
     first = rng.uniform(0, 2 * np.pi, count)
     second = first + rng.uniform(1, 2, count)
     if aligned:
         first = np.round(first / (np.pi / 2)) * (np.pi / 2)
         second = first + np.pi / 2
     angles = np.stack([first, second], axis=1)
-    lengths = sizes[:, None] * np.stack([rng.uniform(1, _LONGEST, count), np.ones(count)], axis=1)
+    lengths = sizes[:, None] * np.stack([rng.uniform(1, _MAX_RATIO, count), np.ones(count)], axis=1)
     edges = lengths[..., None] * np.stack([np.cos(angles), np.sin(angles)], axis=2)
     return Cases(lights, views, rng.random((count, 2)) * scale.extent, edges)
 
 
 def _directions(rng: np.random.Generator, count: int) -> Array:
-    z = rng.uniform(_LOWEST_COSINE, 1, count)
+    z = rng.uniform(_MIN_COSINE, 1, count)
     azimuth = rng.uniform(0, 2 * np.pi, count)
     radius = np.sqrt(1 - z * z)
     return np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), z], axis=1)

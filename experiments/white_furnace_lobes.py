@@ -37,7 +37,7 @@ from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 
 FOOTPRINTS, SAMPLES, BRIGHTEST, AGAIN = 64, 1024, 4, 1 << 16
-SMALLEST, LARGEST = 0.01, 4.0
+MIN, MAX = 0.01, 4.0
 BAR, SIGMAS = 1.01, 4.0
 # One fabric in so many has sheen, variation and any blend of the diffuse term, others one of three blends.
 EVERYTHING, BLENDS = 10, 2
@@ -86,7 +86,7 @@ def queries(rng: np.random.Generator, geometry: YarnGeometry) -> Queries:
     extent = np.asarray(geometry.size)
     picks, ends = geometry.layout.warp_on_top.shape
     thread = math.sqrt(extent[0] / ends * extent[1] / picks)
-    sizes = np.exp(rng.uniform(np.log(SMALLEST * thread), np.log(LARGEST * extent.max()), FOOTPRINTS))
+    sizes = np.exp(rng.uniform(np.log(MIN * thread), np.log(MAX * extent.max()), FOOTPRINTS))
     angles = rng.uniform(0, 2 * np.pi, FOOTPRINTS)[:, None] + [0, 1] * rng.uniform(1, 2, (FOOTPRINTS, 1))
     lengths = sizes[:, None] * np.stack([rng.uniform(1, 3, FOOTPRINTS), np.ones(FOOTPRINTS)], axis=1)
     edges = lengths[..., None] * np.stack([np.cos(angles), np.sin(angles)], axis=2)

@@ -31,7 +31,7 @@ VIEWS = {"8°": (0.1, 0.1, 0.99), "52°": (0.6, 0.5, 0.62)}
 LIGHTS = {"above": (0.05, 0.02, 1.0), "45°": (0.5, -0.5, 0.7), "60°": (-0.8, 0.3, 0.5)}
 # A two-thousandth of a thread: everything shows.
 SIDE = 2.5e-4
-LARGEST = 0.01
+MAX = 0.01
 
 
 def vectors(rows: NDArray[np.float64]) -> Array3f:
@@ -114,7 +114,7 @@ def measure(options: Namespace) -> Figures:
             figures["differences"][key] = {what: value for what, (value, _) in found.items()}
             figures["deviations"][key] = {what: deviation for what, (_, deviation) in found.items()}
             domes = [found[f"dome, seen from {view}"] for view in VIEWS]
-            figures["missed"] += [key] * any(abs(value) > LARGEST + 2 * error for value, error in domes)
+            figures["missed"] += [key] * any(abs(value) > MAX + 2 * error for value, error in domes)
             directed = max((value for what, (value, _) in found.items() if "dome" not in what), key=abs)
             figures["cost"][key] = cost(model, options.points)
             shown = " | ".join(f"{100 * value:+.2f} ± {100 * error:.2f} %" for value, error in domes)

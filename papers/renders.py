@@ -19,7 +19,7 @@ from loomlight.mitsuba.scenes import BsdfFactory
 from papers.setting import NEURAL, POINT, Setting, cloth_bsdf
 
 _TIMES = 3
-_MOST_EQUAL = 64
+_MAX_EQUAL = 64
 _CORRECTIONS = 2
 # Sample counts between which the time of a sample is measured.
 _FEW, _SOME = 1, 9
@@ -100,7 +100,7 @@ class Stage:
 
 def grid_near(samples: float) -> int:
     """The count nearest to `samples`, from 1 to 64, that a sampler can lay out as a grid."""
-    counts = [count for count in range(1, _MOST_EQUAL + 1) if filling_grid(count) == count]
+    counts = [count for count in range(1, _MAX_EQUAL + 1) if filling_grid(count) == count]
     return min(counts, key=lambda count: abs(count - samples))
 
 

@@ -15,9 +15,9 @@ import pytest
 ROOT = Path(__file__).resolve().parents[1]
 SOURCE = ROOT / "src" / "loomlight"
 FOLDERS = ("src", "papers", "tests", "benchmarks", "experiments", "tools")
-MOST_LINES, MOST_LINES_OF_A_FUNCTION = 500, 100
+MAX_LINES, MAX_LINES_OF_A_FUNCTION = 500, 100
 # Of the parameters that have an annotation, at most this share may say `Any` in it.
-MOST_ANY = 0.07
+MAX_ANY = 0.07
 
 
 _COVERS = re.compile(r"^(?:# )?Covers: (.+)$", re.MULTILINE)
@@ -86,7 +86,7 @@ def test_files_are_short() -> None:
         for file in _files(ROOT / folder)
     }
     assert lengths
-    long = {name: n for name, n in lengths.items() if n > MOST_LINES}
+    long = {name: n for name, n in lengths.items() if n > MAX_LINES}
     assert long == {}
 
 
@@ -107,7 +107,7 @@ def test_functions_are_short() -> None:
         for file in _files(ROOT / folder):
             for function in _functions(_tree(file)):
                 length = (function.end_lineno or function.lineno) - function.lineno + 1
-                if length > MOST_LINES_OF_A_FUNCTION and not _returns_a_class(function):
+                if length > MAX_LINES_OF_A_FUNCTION and not _returns_a_class(function):
                     long[f"{file.relative_to(ROOT)}:{function.name}"] = length
     assert long == {}
 
@@ -129,7 +129,7 @@ def test_few_parameters_are_anything() -> None:
         for annotation in _annotations(function)
     ]
     share = sum(says_any) / len(says_any)
-    assert share <= MOST_ANY, f"{sum(says_any)} of {len(says_any)} annotated parameters say Any: {share:.3f}"
+    assert share <= MAX_ANY, f"{sum(says_any)} of {len(says_any)} annotated parameters say Any: {share:.3f}"
 
 
 @pytest.mark.parametrize("folder", ["papers", "benchmarks", "experiments", "tools", "tools/fits"])

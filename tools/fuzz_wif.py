@@ -35,7 +35,7 @@ from loomlight.weave.wif_writer import wif_text_of
 FIXTURES = Path(__file__).resolve().parents[1] / "tests" / "weave" / "fixtures"
 SLOWEST_S = 2.0
 # Larger files would only repeat in more time what smaller ones show.
-LARGEST_BYTES = 30_000
+MAX_BYTES = 30_000
 
 _NASTY = (
     "", "0", "-1", "1", "16384", "16385", "99999999999999999999", "1e999", "-1e999", "nan", "inf", "1e-300",
@@ -210,7 +210,7 @@ def fault_of(content: bytes) -> str | None:
 def originals_in(*folders: Path) -> list[bytes]:
     """All weaving information files below the folders that are small enough, each also without [WIF]."""
     files = sorted(file for folder in folders for file in folder.rglob("*.wif"))
-    whole = [content for content in (file.read_bytes() for file in files) if len(content) <= LARGEST_BYTES]
+    whole = [content for content in (file.read_bytes() for file in files) if len(content) <= MAX_BYTES]
     return [*whole, *(_HEADER.sub("", decode_wif(content), count=1).encode() for content in whole)]
 
 

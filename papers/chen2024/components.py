@@ -22,7 +22,7 @@ from papers.sheet import Row, Tile, contact_sheet
 
 _WHITE = Look(roughness=(0.3, 0.3), height_scale=(0.6, 0.6), translucency=0.5)
 _PATCH = 0.4
-_LARGEST_RADIUS = 0.98
+_MAX_RADIUS = 0.98
 # Heights of the cells of a direction as fractions of the picture's: about 200 directions.
 _SIDE_OF_HEIGHT = 1 / 13
 _SIDES = {"reflection": 1.0, "transmission": -1.0}
@@ -64,7 +64,7 @@ def direction_grid(fabric: Fabric, grid: int, side: float) -> QuerySet:
     """All pairs of views and lights of a grid over the disc; `side` is the sign of the lights' z."""
     line = (np.arange(grid) + 0.5) / grid * 2 - 1
     y, x = (part.ravel() for part in np.meshgrid(line, line, indexing="ij"))
-    inside = np.hypot(x, y) < _LARGEST_RADIUS
+    inside = np.hypot(x, y) < _MAX_RADIUS
     x, y = x[inside], y[inside]
     views = np.stack([x, y, np.sqrt(1 - x**2 - y**2)], axis=1)
     count = len(views)

@@ -87,15 +87,13 @@ def _range_of(text: str) -> tuple[int, int]:
 
 
 def _queries_of(text: str) -> int:
-    from papers.chen2024.queries import FEWEST_QUERIES, FULL_QUERIES
+    from papers.chen2024.queries import FULL_QUERIES, MIN_QUERIES
 
     if text.strip() == "full":
         return FULL_QUERIES
     if not re.fullmatch(r"\s*\d{1,9}\s*", text):
-        raise InputError(
-            f'--queries "{text}" is no number: write {FEWEST_QUERIES} to {FULL_QUERIES}, or full.'
-        )
-    require_within("--queries", int(text), FEWEST_QUERIES, FULL_QUERIES)
+        raise InputError(f'--queries "{text}" is no number: write {MIN_QUERIES} to {FULL_QUERIES}, or full.')
+    require_within("--queries", int(text), MIN_QUERIES, FULL_QUERIES)
     return int(text)
 
 

@@ -43,8 +43,8 @@ from loomlight.core.work_map import require_results, work_map
 from loomlight.models.neural.parameter_ranges import PARAMETER_RANGES
 from papers.chen2024.materials import MATERIALS, paper_material
 from papers.chen2024.queries import (
-    FEWEST_QUERIES,
     FULL_QUERIES,
+    MIN_QUERIES,
     MaterialQueries,
     material_queries,
     slice_means,
@@ -243,9 +243,9 @@ def require_valid_settings(settings: StoreSettings) -> None:
     """Raises InputError unless the seed is at least 0 and the number of queries is in range."""
     if settings.seed < 0:
         raise InputError(f"seed {settings.seed} is negative: give 0 or more.")
-    if not FEWEST_QUERIES <= settings.queries <= FULL_QUERIES:
+    if not MIN_QUERIES <= settings.queries <= FULL_QUERIES:
         raise InputError(
-            f"{settings.queries} queries a material are out of range: {FEWEST_QUERIES} to {FULL_QUERIES} fit."
+            f"{settings.queries} queries a material are out of range: {MIN_QUERIES} to {FULL_QUERIES} fit."
         )
 
 

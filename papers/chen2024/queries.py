@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.aggregate.grid import TEXELS_PER_THREAD
-from loomlight.aggregate.queries import LOWEST_COSINE, FabricScale, fabric_scale
+from loomlight.aggregate.queries import MIN_COSINE, FabricScale, fabric_scale
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
@@ -27,11 +27,11 @@ from papers.chen2024.materials import paper_material
 
 _CELLS = 8
 _SIZES = 10  # in each of the two ranges
-_MOST_REPEATS = 5
+_MAX_REPEATS = 5
 _TEXELS_PER_REPEAT = 128
 FULL_QUERIES = 2 * 2500 * _CELLS**2 * 2 * _SIZES
 # Fewer would leave fewer than 8 pairs to each of 128 footprints.
-FEWEST_QUERIES = 1024
+MIN_QUERIES = 1024
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,8 +81,8 @@ def fabric_queries(fabric: Fabric, seed: list[int], queries: int = FULL_QUERIES)
     Raises:
         InputError: fewer than 1024 queries.
     """
-    if queries < FEWEST_QUERIES:
-        raise InputError(f"{queries} queries a material are too few: give at least {FEWEST_QUERIES}.")
+    if queries < MIN_QUERIES:
+        raise InputError(f"{queries} queries a material are too few: give at least {MIN_QUERIES}.")
     rng = np.random.default_rng([*seed, 1])
     scale = fabric_scale(fabric.layout())
     sizes_each = int(np.clip(round(_SIZES * np.sqrt(queries / FULL_QUERIES)), 1, _SIZES))
@@ -134,7 +134,7 @@ def _footprints(
     x, y = _in_cells(rng)
     centres = np.stack([x * scale.extent[0], y * scale.extent[1]], axis=-1)
     smallest = scale.size_range[0]
-    ranges = ((smallest, scale.repeat), (scale.repeat, _MOST_REPEATS * scale.repeat))
+    ranges = ((smallest, scale.repeat), (scale.repeat, _MAX_REPEATS * scale.repeat))
     strata = np.arange(sizes_each)
     drawn = [
         low + (high - low) * (strata + rng.random((len(centres), sizes_each))) / sizes_each
@@ -149,7 +149,7 @@ def _directions(rng: np.random.Generator) -> NDArray[np.float32]:
     """Unit vectors [about 50, 3] in front of the cloth: those of 64 draws that are directions."""
     x, y = (2 * value - 1 for value in _in_cells(rng))
     square = x**2 + y**2
-    valid = square <= 1 - LOWEST_COSINE**2
+    valid = square <= 1 - MIN_COSINE**2
     vectors = np.stack([x, y, np.sqrt(np.where(valid, 1 - square, 0))], axis=-1)[valid]
     return vectors.astype(np.float32)
 

@@ -45,7 +45,7 @@ _Floats = NDArray[np.float32]
 PAIRS = 64
 _HIDDEN = (128, 64)
 # Added to deviations, which texels of one colour do not have.
-_LEAST_DEVIATION = 1e-3
+_MIN_DEVIATION = 1e-3
 _APPARENT = 11  # key of random numbers
 _CHUNK = 1 << 14  # texels evaluated at once
 
@@ -75,7 +75,7 @@ class EncodedTextures(NeuralTextures):
         for wide, high in shape.sizes:
             pooled = functional.adaptive_avg_pool2d(first.flatten(0, 1), (high, wide))
             pooled = pooled.reshape(PAIRS, 3, -1).permute(2, 0, 1)  # [texels, pairs, 3]
-            mean, deviation = pooled.mean(1), pooled.std(1) + _LEAST_DEVIATION
+            mean, deviation = pooled.mean(1), pooled.std(1) + _MIN_DEVIATION
             inputs.append(((pooled - mean[:, None]) / deviation[:, None]).flatten(1))
             colours.append(torch.cat([mean, deviation], dim=1))
         self.register_buffer("inputs", torch.cat(inputs), persistent=False)

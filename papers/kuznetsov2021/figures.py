@@ -12,7 +12,7 @@ from loomlight.core.llvm import require_llvm
 from loomlight.evaluation.table import Table
 from loomlight.models.mip_pyramid import PyramidShape
 from loomlight.models.neumip.model import NeumipModel
-from loomlight.models.neumip.parallax import SMALLEST_COSINE
+from loomlight.models.neumip.parallax import MIN_COSINE
 from papers.figure import Evidence, Pixels
 from papers.kuznetsov2021.designs import DESIGNS, OURS, Design
 from papers.kuznetsov2021.stage import (
@@ -76,7 +76,7 @@ def offset_map(model: NeumipModel, view: tuple[float, float]) -> NDArray[np.floa
     x, y = (Float(np.full(u.size, part, np.float32)) for part in view)
     device = model.device_weights(Float)
     depth = device.depth(Float(u.astype(np.float32)), Float(v.astype(np.float32)), [x, y], UInt(0))
-    cosine = max(math.sqrt(1 - view[0] ** 2 - view[1] ** 2), SMALLEST_COSINE)
+    cosine = max(math.sqrt(1 - view[0] ** 2 - view[1] ** 2), MIN_COSINE)
     found = np.asarray(depth.numpy(), np.float64).reshape(_SIDE, _SIDE)[::-1, :, None]
     return found / cosine * np.array(view) * np.array(model.weights.shape.unit)
 

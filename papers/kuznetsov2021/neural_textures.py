@@ -20,9 +20,9 @@ from torch.nn import functional
 from loomlight.assets.sources import Source
 from loomlight.models.mip_pyramid import PyramidShape, Taps, bilinear_taps, trilinear_taps
 from loomlight.models.neumip.networks import EXPOSURE
-from loomlight.models.neumip.parallax import SMALLEST_COSINE, shifted
+from loomlight.models.neumip.parallax import MIN_COSINE, shifted
 from loomlight.models.neumip.settings import NeumipSettings
-from loomlight.models.neumip.training.network import LEAST_OUTPUT, SLOPE, blurred
+from loomlight.models.neumip.training.network import MIN_OUTPUT, SLOPE, blurred
 from loomlight.models.neumip.training.train import (
     Batches,
     gains_of,
@@ -103,7 +103,7 @@ class NeuralTextures(nn.Module):
             texel = _fetched(self._rows([texture], blur), taps)
             depth = self.offset(torch.cat([texel, views], dim=1))[:, 0]
             cosine = torch.sqrt((1 - views.square().sum(1)).clamp(min=0))
-            slope = 1 / cosine.clamp(min=SMALLEST_COSINE)
+            slope = 1 / cosine.clamp(min=MIN_COSINE)
             u, v = shifted(shape, u, v, depth, views[:, 0], views[:, 1], slope)
         taps = trilinear_taps(shape, u, v, levels, faces * 0, _FUNCTIONS)
         texel = _fetched(self.rows(blur), taps)
@@ -112,7 +112,7 @@ class NeuralTextures(nn.Module):
         if self.design.whitened:
             outputs = torch.addcmul(colours[:, :3], colours[:, 3:], outputs)
         if self.training:
-            return functional.leaky_relu(outputs, SLOPE).clamp(min=LEAST_OUTPUT), None
+            return functional.leaky_relu(outputs, SLOPE).clamp(min=MIN_OUTPUT), None
         return functional.relu(outputs), None
 
     def rows(self, blur: float) -> Tensor:

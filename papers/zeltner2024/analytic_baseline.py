@@ -27,7 +27,7 @@ CHANNELS = 8
 _STEPS = 1500
 _BATCH = 1 << 16
 _RATE = 0.04
-_SMALLEST_ALPHA = 0.02
+_MIN_ALPHA = 0.02
 # Added before logarithms, 1/sr.
 _FLOOR = 0.01
 _SEED = 9
@@ -46,7 +46,7 @@ def analytic_value(channels: Sequence[Float], light: Vec3, view: Vec3) -> Color3
     cos_view = dr.maximum(dr.dot(normal, view), 1e-3)
     half = dr.normalize(light + view)
     cos_half = dr.clip(dr.dot(normal, half), 0, 1)
-    squared = dr.square(dr.maximum(dr.square(roughness), _SMALLEST_ALPHA))
+    squared = dr.square(dr.maximum(dr.square(roughness), _MIN_ALPHA))
     density = squared / (dr.pi * dr.square(dr.square(cos_half) * (squared - 1) + 1))
     shadowing = 0.5 / dr.maximum(
         cos_view * dr.sqrt(squared + (1 - squared) * dr.square(cos_light))

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from loomlight.assets.merl import BINS, MerlLibrary, bin_directions, library_of, write_merl
 
 _Floats = NDArray[np.float32]
-_SMALLEST_ALPHA, _LARGEST_ALPHA = 0.03, 1.0
+_MIN_ALPHA, _MAX_ALPHA = 0.03, 1.0
 _SEED = 100
 
 
@@ -44,7 +44,7 @@ def analytic_parameters(count: int) -> list[AnalyticBrdf]:
     for number in range(count):
         rng = np.random.default_rng([_SEED, number])
         share = (number + 0.5) / count
-        alpha = float(_SMALLEST_ALPHA * (_LARGEST_ALPHA / _SMALLEST_ALPHA) ** share)
+        alpha = float(_MIN_ALPHA * (_MAX_ALPHA / _MIN_ALPHA) ** share)
         metal = number % 3 == 2
         colour = rng.uniform(0.02, 0.9, 3)
         diffuse, specular = (np.zeros(3), colour) if metal else (colour, np.full(3, rng.uniform(0.02, 0.08)))

@@ -36,7 +36,7 @@ TRUTH_SAMPLES = 1024
 _POINT_SAMPLES = (1, 4, 16, 64, 256)
 _MODEL_SEED, _TRUTH_SEED = 7, 1000
 # Samples of the picture that a sample's cost is read off, and turns of each timed picture.
-_MOST_TIMED, _TURNS = 64, 5
+_MAX_TIMED, _TURNS = 64, 5
 _COLUMNS = (
     "MSE",
     "samples, with",
@@ -172,7 +172,7 @@ def _times(
     model: MeasuredScene, lobes: MeasuredScene, point: MeasuredScene, ours: int, needed: float
 ) -> tuple[Spent, Spent, tuple[float, float]]:
     """Times of the model, of lobes, and of the point model with the samples that it needs."""
-    many = filling_grid(int(np.clip(round(needed), 2, _MOST_TIMED)))
+    many = filling_grid(int(np.clip(round(needed), 2, _MAX_TIMED)))
     shots = [(model, ours), (lobes, 1), (point, many), (point, 1)]
     lives = [LivePicture(shot.scene, integrator=shot.integrator, spp=count) for shot, count in shots]
     of_model, of_lobes, of_many, of_one = least_times([live.take for live in lives], _TURNS)

@@ -62,7 +62,7 @@ def test_tables_of_large_drafts_say_the_same(name: str, monkeypatch: pytest.Monk
     extent = np.array(model.surface.size)
     queries = rng.uniform(-2, 3, (2000, 2)) * extent, rng.uniform(0.05, 2.5, (2000, 2)) * extent
     actual = means(model, *queries, back=False)
-    monkeypatch.setattr(footprint_albedos, "_MOST_PAIRED", 0)
+    monkeypatch.setattr(footprint_albedos, "_MAX_PAIRED", 0)
     # Sums of the same floats in an order that compilers choose.
     np.testing.assert_allclose(means(model, *queries, back=False), actual, rtol=1e-5, atol=1e-6)
 

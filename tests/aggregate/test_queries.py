@@ -7,7 +7,7 @@ import pytest
 from scipy import stats
 
 from loomlight.aggregate.queries import (
-    LOWEST_COSINE,
+    MIN_COSINE,
     admits_transmission,
     fabric_scale,
     query_set,
@@ -36,7 +36,7 @@ def test_directions_fill_the_hemisphere_evenly(count: int) -> None:
     sets = [stratified_hemisphere(rng, count) for _ in range(max(2, 20_000 // count))]
     vectors = np.concatenate(sets)
     np.testing.assert_allclose(np.linalg.norm(vectors, axis=1), 1, rtol=1e-12)
-    height = (vectors[:, 2] - LOWEST_COSINE) / (1 - LOWEST_COSINE)
+    height = (vectors[:, 2] - MIN_COSINE) / (1 - MIN_COSINE)
     azimuth = np.arctan2(vectors[:, 1], vectors[:, 0]) / (2 * np.pi) % 1
     # Uniform alone and together; strata only make the statistic smaller.
     assert stats.kstest(height, "uniform").pvalue > 1e-3

@@ -9,13 +9,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from loomlight.cli.values import LARGEST_SIDE, parse_numbers, parse_size, require_within
+from loomlight.cli.values import MAX_SIDE, parse_numbers, parse_size, require_within
 from loomlight.core.errors import InputError
 
 
 @pytest.mark.parametrize(
     ("text", "size"),
-    [("960x540", (960, 540)), ("512", (512, 512)), (" 8 × 4 ", (8, 4)), ("1X16384", (1, LARGEST_SIDE))],
+    [("960x540", (960, 540)), ("512", (512, 512)), (" 8 × 4 ", (8, 4)), ("1X16384", (1, MAX_SIDE))],
 )
 def test_sizes_are_read(text: str, size: tuple[int, int]) -> None:
     assert parse_size(text) == size
@@ -38,7 +38,7 @@ def test_any_text_is_a_size_or_refused(text: str) -> None:
     size = (1, 1)
     with contextlib.suppress(InputError):
         size = parse_size(text)
-    assert 1 <= min(size) <= max(size) <= LARGEST_SIDE
+    assert 1 <= min(size) <= max(size) <= MAX_SIDE
 
 
 def test_numbers_are_read() -> None:

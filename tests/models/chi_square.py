@@ -11,7 +11,7 @@ from scipy.stats import chi2
 
 ROWS, COLUMNS = 16, 24
 _POINTS = 8  # of the Gauss rule along each side of a cell
-_SMALLEST = 5.0  # cells that expect fewer directions are pooled, or the statistic is not chi-square's
+_MIN = 5.0  # cells that expect fewer directions are pooled, or the statistic is not chi-square's
 
 Density = Callable[[NDArray[np.float64]], NDArray[np.float64]]
 
@@ -46,11 +46,11 @@ def p_value(counts: NDArray[np.int64], expected: NDArray[np.float64]) -> float:
     """Probability of counts so far from `expected`, or farther, were they drawn with it."""
     order = np.argsort(expected)
     counts, expected = counts[order], expected[order]
-    pooled = int(np.searchsorted(np.cumsum(expected), _SMALLEST * max(1.0, expected.sum() * 1e-4)))
-    pooled = max(pooled, int((expected < _SMALLEST).sum()))
+    pooled = int(np.searchsorted(np.cumsum(expected), _MIN * max(1.0, expected.sum() * 1e-4)))
+    pooled = max(pooled, int((expected < _MIN).sum()))
     counts = np.append(counts[pooled:], counts[:pooled].sum())
     expected = np.append(expected[pooled:], expected[:pooled].sum())
-    used = expected > _SMALLEST
+    used = expected > _MIN
     if counts[~used].sum() > 20 + 5 * expected[~used].sum():
         return 0.0  # directions where there should be none
     statistic = ((counts[used] - expected[used]) ** 2 / expected[used]).sum()

@@ -40,7 +40,7 @@ from .fabrics import TEXTS, WHITE, Queries, directions, fabric, numbers, queries
 require_llvm()
 
 # The bound on the overall error of the network that ships; what 32 samples stay below.
-LARGEST_ERROR = 0.2
+MAX_ERROR = 0.2
 
 # Options of the cheapest bake: the contract holds for any.
 CHEAPEST = {"clustered": {"clusters": 4, "texels": 32}}
@@ -249,19 +249,19 @@ def test_both_faces_and_both_sides_are_the_cloths(name: str, cloth: str) -> None
         noise = 5 * actual.std(axis=0) / math.sqrt(count)
         error = np.maximum(np.abs(actual.mean(axis=0) - truth) - noise, 0)
         # The bound is on means over many directions; one pair alone may err twice as much.
-        assert error[:4].sum() < 2 * LARGEST_ERROR * truth[:4].sum(), (actual.mean(0), truth)
+        assert error[:4].sum() < 2 * MAX_ERROR * truth[:4].sum(), (actual.mean(0), truth)
         errors.append(error[:4])
         truths.append(truth[:4])
         holes.append(error[5])
         if light[2] * view[2] > 0:
             # Elsewhere there is no sheen, which alone needs it.
-            assert error[4] < LARGEST_ERROR * truth[4]
+            assert error[4] < MAX_ERROR * truth[4]
         if model.filters and not model.estimates:
             # Each large footprint by itself, against its own box. (One estimate alone is noise; its mean is
             # above, and experiments/unbiased.py tests single footprints.)
             boxes = exact.box_means(centres[:200], np.tile(size, (200, 1)))[:, :4]
-            assert np.abs(actual[:200, :4] - boxes).sum() < 2 * LARGEST_ERROR * boxes.sum()
-    assert np.sum(errors) < LARGEST_ERROR * np.sum(truths), (errors, truths)
+            assert np.abs(actual[:200, :4] - boxes).sum() < 2 * MAX_ERROR * boxes.sum()
+    assert np.sum(errors) < MAX_ERROR * np.sum(truths), (errors, truths)
     # Of all rays. The network that ships misses a third of the holes of plain cloth with gaps of 0.3.
     assert np.mean(holes) < 0.04
 

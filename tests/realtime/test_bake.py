@@ -36,12 +36,12 @@ from tests.yarn.layouts import even_layout
 GROUPS = 8
 COUNT = 20_000
 # WebGPU's default limits.
-MOST_BYTES, MOST_BUFFERS, MOST_WORKGROUPS = 128 << 20, 8, 65535
+MAX_BYTES, MAX_BUFFERS, MAX_WORKGROUPS = 128 << 20, 8, 65535
 # Of bytes: one that rounding decides differs by 1, a ray that grazes a yarn may take the
 # other side, and moves a sum over some thirty rays of its node.
-MOST_FLIPS = 2e-3
+MAX_FLIPS = 2e-3
 # A query reads some three hundred bytes, and its bar of a thousandth is a quarter of a byte's step.
-MOST_QUERIES_BEYOND = 5e-3
+MAX_QUERIES_BEYOND = 5e-3
 SATIN_OF_8 = np.array([[(3 * pick + end) % 8 != 0 for end in range(8)] for pick in range(8)])
 
 
@@ -84,7 +84,7 @@ def test_bytes_are_those_of_python(baked: Baked, name: str) -> None:
         for packed in (baked.by_kernels, baked.by_python)
     )
     assert expected.max() > 200
-    assert np.mean(np.abs(found - expected) > 0) <= MOST_FLIPS
+    assert np.mean(np.abs(found - expected) > 0) <= MAX_FLIPS
     assert np.abs(found - expected).max() <= 8
 
 
@@ -130,7 +130,7 @@ def test_queries_on_both_sets_of_tables_agree(baked: Baked) -> None:
     )
     assert expected[:, :4].max(axis=0).min() > 0.05
     for column in range(5):
-        assert share_beyond(found[:, column], expected[:, column]) <= MOST_QUERIES_BEYOND
+        assert share_beyond(found[:, column], expected[:, column]) <= MAX_QUERIES_BEYOND
 
 
 def test_drafts_of_hundreds_of_threads_keep_default_limits() -> None:
@@ -140,17 +140,17 @@ def test_drafts_of_hundreds_of_threads_keep_default_limits() -> None:
         sizes = {name: plan.value_of(size) for name, size in BUFFER_BYTES.items()}
         sizes["scratch"] = 4 * sum(plan.value_of(size) for size in SCRATCH.values())
         sizes["tables"] = 4 * plan.table_words
-        assert max(sizes.values()) <= MOST_BYTES, sizes
+        assert max(sizes.values()) <= MAX_BYTES, sizes
         columns, rows = (int(count) for count in plan.levels[0, 1:])
         for dispatch in DISPATCHES:
             threads = plan.value_of(dispatch.threads, {"level_columns": columns, "level_rows": rows})
-            assert threads / dispatch.group / 32768 < MOST_WORKGROUPS
+            assert threads / dispatch.group / 32768 < MAX_WORKGROUPS
 
 
 def test_kernels_bind_few_buffers() -> None:
     counts = {one.entry: len(declarations_of(one.module, one.entry)) for one in DISPATCHES}
     assert min(counts.values()) >= 2
-    assert max(counts.values()) <= MOST_BUFFERS
+    assert max(counts.values()) <= MAX_BUFFERS
 
 
 def test_every_kernel_is_in_the_sequence() -> None:

@@ -19,7 +19,7 @@ from loomlight.fabric import fabric_from_text
 from loomlight.models.registry import make_model
 from loomlight.realtime.openness_tables import PARTS, openness_uints
 from tests.realtime.queries import share_beyond, vectors
-from tests.realtime.test_lobes import MOST_FLIPS, Queries
+from tests.realtime.test_lobes import MAX_FLIPS, Queries
 from tests.realtime.whole_queries import lobes_values, point_values
 
 TINT = (0.9, 0.5, 0.2)
@@ -53,7 +53,7 @@ def test_values_with_light_between_yarns(name: str) -> None:
         found = point_values(queries.arguments, queries.looks, TINT)[:, :3]
     at = model.at(vectors(queries.view), queries.footprint, tint=tint())
     value = np.array(at.value(vectors(queries.light)))
-    assert share_beyond(found.T, value) <= 2 * MOST_FLIPS
+    assert share_beyond(found.T, value) <= 2 * MAX_FLIPS
     # It is there to be seen: the same without it is darker by far more than the bar.
     dark = make_model(name, fabric_from_text(FABRIC.replace("interreflection = true", "")))
     assert (

@@ -31,7 +31,7 @@ from tests.realtime.queries import directions, share_beyond, vectors
 require_llvm()
 COUNT = 4096
 # Of two points and a box: each may fall on another side of an edge.
-MOST_FLIPS = 4e-3
+MAX_FLIPS = 4e-3
 # Open cloth, whose threads differ in tone, under a sheen.
 FABRIC = fabric_from_text(
     'weave = "twill 2/1"\nends_per_cm = 14\npicks_per_cm = 11\n[warp]\ncolor = "#2a4680"\nwidth_mm = 0.5\n'
@@ -91,7 +91,7 @@ def test_queries_of_clustered(rank: int, samples: int) -> None:
     )
     arguments = rows | {"number": np.full(COUNT, samples, np.uint32)}
     found = mapped("clustered footprint", body, "f.x; f.y; f.z; f.w", arguments, packed(model))
-    assert share_beyond(found, expected) <= (MOST_FLIPS if samples else 1e-3)
+    assert share_beyond(found, expected) <= (MAX_FLIPS if samples else 1e-3)
 
 
 @pytest.mark.slow

@@ -24,7 +24,7 @@ from tests.realtime.whole_queries import lobes_values
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 COUNT = 20_000
-MOST_FLIPS = 1e-3
+MAX_FLIPS = 1e-3
 fabrics = pytest.mark.parametrize("name", ["denim", "damask", "silk-satin"])
 
 
@@ -75,7 +75,7 @@ def test_estimate_over_groups(name: str) -> None:
     parts = sums.components
     expected = [parts.diffuse_warp, parts.diffuse_weft, parts.specular_warp, parts.specular_weft, hole]
     for column, values in enumerate(expected):
-        assert share_beyond(found[:, column], np.array(values)) <= MOST_FLIPS
+        assert share_beyond(found[:, column], np.array(values)) <= MAX_FLIPS
 
 
 @pytest.mark.slow
@@ -88,7 +88,7 @@ def test_a_frame_of_tables_baked_on_the_adapter_is_that_of_python() -> None:
         for place in ("cpu", "gpu")
     ]
     assert frames[0].max() > 0.1
-    assert share_beyond(frames[1], frames[0]) <= MOST_FLIPS
+    assert share_beyond(frames[1], frames[0]) <= MAX_FLIPS
 
 
 def test_mean_albedos_of_coloured_threads() -> None:
@@ -109,7 +109,7 @@ def test_mean_albedos_of_coloured_threads() -> None:
     ]
     assert np.ptp(found[:, 0]) > 0.1
     for column, values in enumerate(expected):
-        assert share_beyond(found[:, column], np.array(values)) <= MOST_FLIPS
+        assert share_beyond(found[:, column], np.array(values)) <= MAX_FLIPS
 
 
 @fabrics
@@ -119,7 +119,7 @@ def test_queries_of_lobes(name: str) -> None:
     found = lobes_values(queries.arguments, queries.looks)
     value = np.array(model.at(vectors(queries.view), queries.footprint).value(vectors(queries.light)))
     assert value.max() > 0.1
-    assert share_beyond(found.T, value) <= MOST_FLIPS
+    assert share_beyond(found.T, value) <= MAX_FLIPS
 
 
 def test_a_frame_shades_the_footprints_of_its_pixels() -> None:

@@ -203,7 +203,7 @@ def test_hairs_cover_what_they_say() -> None:
         # A hair that is thinner than the footprint covers part of it: the same in the mean, but for fading.
         assert covers[1] == pytest.approx(covers[0], rel=0.25)
         cover[hairiness] = covers[0]
-    length = detail.HAIR_SHORTEST + detail.HAIR_LONGEST
+    length = detail.HAIR_MIN + detail.HAIR_MAX
     area = 2 * detail.HAIR_HALF_WIDTH * length * detail.HAIR_LAYERS / detail.HAIR_CELL**2
     # Arcs are longer than their chords, and hairs cross.
     assert cover[1.0] == pytest.approx(area, rel=0.2)

@@ -20,7 +20,7 @@ from loomlight.fabric import fabric_from_text
 from loomlight.realtime.models import prepared_for
 from loomlight.realtime.tables import pack_fabrics
 from loomlight.viewer.access import Access, is_loopback
-from loomlight.viewer.wif_worker import LARGEST_UPLOAD
+from loomlight.viewer.wif_worker import MAX_UPLOAD
 from tests.viewer.conftest import Served
 
 WIF = Path(__file__).resolve().parents[2] / "examples" / "undulating-twill.wif"
@@ -96,7 +96,7 @@ def test_large_upload_is_refused_before_it_is_read(local: Served) -> None:
 
 def test_large_upload_of_unknown_length_is_refused(local: Served) -> None:
     def chunks() -> Any:
-        for _ in range(2 * LARGEST_UPLOAD >> 20):
+        for _ in range(2 * MAX_UPLOAD >> 20):
             yield bytes(1 << 20)
 
     connection = http.client.HTTPConnection("127.0.0.1", local.port, timeout=60)

@@ -55,4 +55,4 @@ def test_names_are_made_safe() -> None:
     assert safe_name("x" * 1000 + ".wif") == "x" * 120 + ".wif"
     assert safe_name("\x1b[31m.wif") == "_31m.wif"
     assert safe_name("..") == "draft"
-    assert wif_worker.LARGEST_UPLOAD < 200 << 20
+    assert wif_worker.MAX_UPLOAD < 200 << 20

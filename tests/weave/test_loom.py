@@ -61,7 +61,7 @@ def test_shaft_limit_is_kept() -> None:
 
 
 def test_a_plan_that_no_file_holds_is_refused_with_its_size(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(loom, "MOST_LIFTS", 700)
+    monkeypatch.setattr(loom, "MAX_LIFTS", 700)
     with pytest.raises(InputError, match=r"needs 40 shafts and a plan of 0 million .*keep it as a picture"):
         derive_loom_plan(Draft(np.random.default_rng(0).random((60, 40)) < 0.5))
     # Few sheds, in whatever number of picks, have a short plan.

@@ -48,7 +48,7 @@ PLAIN = (
 # where a compiler may join products and sums in another way.
 CLOSE = 2e-3
 # Of the pixels: a ray that grazes a yarn, or the edge of a triangle, may fall to the other side.
-MOST_BEYOND = 5e-3
+MAX_BEYOND = 5e-3
 
 
 @dataclass(frozen=True)
@@ -276,8 +276,8 @@ def test_frames_are_those_of_python(drawn: Drawn, name: str, model: str) -> None
     assert expected[..., :3].std() > 0.02
     differences = np.abs(found - expected)
     beyond = (differences > CLOSE * (expected.max() + np.abs(expected))).any(axis=-1)
-    assert beyond.mean() <= MOST_BEYOND
-    assert differences.mean() <= MOST_BEYOND * expected.mean()
+    assert beyond.mean() <= MAX_BEYOND
+    assert differences.mean() <= MAX_BEYOND * expected.mean()
 
 
 def test_pixels_are_the_encoded_radiance(drawn: Drawn) -> None:
@@ -339,4 +339,4 @@ def test_the_page_finds_openness_itself(drawn: Drawn) -> None:
     for step, edit in enumerate(YARN_EDITS, 2):
         expected = replace(scene, fabric=edit["fabric"]).frame("point")
         differences = np.abs(drawn.linear(f"{number}.{step}", scene.size) - expected)
-        assert differences.mean() <= MOST_BEYOND * expected.mean()
+        assert differences.mean() <= MAX_BEYOND * expected.mean()

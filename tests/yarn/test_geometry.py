@@ -16,7 +16,7 @@ from drjit.llvm.ad import Bool, Float, Float64
 
 from loomlight.core.errors import InputError
 from loomlight.yarn.geometry import SurfacePoint, YarnGeometry
-from loomlight.yarn.layout import SMALLEST_GAP, ClothLayout, FamilyLayout
+from loomlight.yarn.layout import MIN_GAP, ClothLayout, FamilyLayout
 
 from .layouts import PLAIN, SATIN, TWILL, even_layout, random_layout
 
@@ -222,4 +222,4 @@ def test_open_area_is_the_share_of_holes(seed: int) -> None:
     # Jittered points: less than the 4.5 deviations of random ones.
     assert holes == pytest.approx(layout.open_area, abs=4.5 * math.sqrt(0.25 / 500**2))
     tight = even_layout(PLAIN, gap=0.0)
-    assert tight.open_area == pytest.approx(SMALLEST_GAP**2)
+    assert tight.open_area == pytest.approx(MIN_GAP**2)

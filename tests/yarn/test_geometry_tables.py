@@ -49,7 +49,7 @@ def test_words_are_found_by_whole_numbers_where_float32_does_not_tell_them_apart
     back = Bool(rng.random(5000) < 0.5)
     points = []
     for most_exact in (1 << 24, 1):
-        monkeypatch.setattr("loomlight.yarn.geometry_tables._MOST_EXACT", most_exact)
+        monkeypatch.setattr("loomlight.yarn.geometry_tables._MAX_EXACT", most_exact)
         points.append(YarnGeometry(even_layout(drawdown)).surface(x, y, back))
     for name in ("height", "is_warp", "hole", "warp_thread", "weft_thread"):
         first, second = (np.asarray(getattr(point, name)) for point in points)

@@ -48,15 +48,15 @@ MAX_ENTRIES = 1 << 26
 # Larger drafts keep as many: 16 bytes a crossing and family.
 MIN_QUANTITIES = 4
 # Up to so many entries, each is stored together with its neighbour, so that both are read at once: 32 MB.
-_MOST_PAIRED = 1 << 22
+_MAX_PAIRED = 1 << 22
 # Crossings whose sums are computed at once, within caches.
 _CROSSINGS_AT_ONCE = 1 << 17
 # Numbers fetched at once.
 _WIDEST = 16
 # Principal axes that change no albedo by more than this are dropped.
-SMALLEST_AXIS = 1e-6
+MIN_AXIS = 1e-6
 # Least width of boxes in mean threads: float32 positions do not resolve less.
-SMALLEST_BOX = 1 / 64
+MIN_BOX = 1 / 64
 # Weight of hidden threads, which decides where no thread of a family is visible: an oblique view may see
 # them. It changes other means by at most this fraction.
 HIDDEN_WEIGHT = 2.0**-12
@@ -214,7 +214,7 @@ def _principal(
     coordinates, axes = left * sizes, right
     largest = np.abs(coordinates).max(axis=0)
     # Sorted by the sum of squares, so the first ones suffice.
-    rank = min(int((largest > SMALLEST_AXIS).sum()), max(most, 0))
+    rank = min(int((largest > MIN_AXIS).sum()), max(most, 0))
     coordinates = coordinates[:, :rank] / largest[:rank]
     axes = axes[:rank] * largest[:rank, None]
     error = np.abs(rows - mean - coordinates @ axes).max()
@@ -260,7 +260,7 @@ class _Axis:
         self._family = upload_family(tables, types)
         self._start = dr.opaque(types.Float, float(tables.lower[0]))
         self._period = dr.opaque(types.Float, tables.period)
-        self._smallest = dr.opaque(types.Float, SMALLEST_BOX * tables.period / tables.lower.size)
+        self._smallest = dr.opaque(types.Float, MIN_BOX * tables.period / tables.lower.size)
         self.count = dr.opaque(types.UInt32, tables.lower.size)
         lengths = np.stack([2 * tables.half_width, tables.upper - tables.lower], axis=1)
         before = np.concatenate([np.zeros((1, 2)), np.cumsum(lengths, axis=0)])
@@ -351,7 +351,7 @@ class _Colours:
         self._totals = _opaque(types, rows[-1])
         areas = tables.areas
         self._areas: Entries = (
-            PairedEntries(areas, types) if areas.size <= _MOST_PAIRED else SingleEntries(areas, types)
+            PairedEntries(areas, types) if areas.size <= _MAX_PAIRED else SingleEntries(areas, types)
         )
 
     def mean_over(self, own: _Stretch, other: _Stretch, back: Mask) -> Albedos:

@@ -20,7 +20,7 @@ from loomlight.aggregate.grid import Grid
 _RADIUS = 7.2
 # With a standard deviation of so many repeats, weights are uniform to 1e-17: exp(−2π²·1.5²).
 _UNIFORM_SIGMA = 1.5
-_SMALLEST_SIGMA = 1e-6
+_MIN_SIGMA = 1e-6
 _BATCH = 1 << 24
 _erf = np.vectorize(math.erf, otypes=[np.float64])
 
@@ -34,7 +34,7 @@ def texel_weights(
         centres, sigmas: [n], in texels; the first texel spans 0 to 1.
     """
     centres = centres % texels
-    widths = np.clip(sigmas, _SMALLEST_SIGMA, _UNIFORM_SIGMA * texels)
+    widths = np.clip(sigmas, _MIN_SIGMA, _UNIFORM_SIGMA * texels)
     repeats = max(1, math.ceil(_RADIUS * float(widths.max(initial=0)) / texels))
     weights = np.zeros((len(centres), texels))
     bounds = np.arange(texels + 1)

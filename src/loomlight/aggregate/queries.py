@@ -20,10 +20,10 @@ from loomlight.yarn.layout import ClothLayout
 
 BANDS = ("b0", "b1", "b2", "b3")
 # 2.9° of elevation: more grazing directions see crests alone.
-LOWEST_COSINE = 0.05
-_LONGEST_REPEAT = 8
-_SMALLEST_FRACTION = 1 / 128
-_MOST_REPEATS = 5.0
+MIN_COSINE = 0.05
+_MAX_REPEAT = 8
+_MIN_FRACTION = 1 / 128
+_MAX_REPEATS = 5.0
 
 
 @dataclass(frozen=True)
@@ -43,9 +43,7 @@ class FabricScale:
     @property
     def size_range(self) -> tuple[float, float]:
         """Smallest and largest footprint of a query set."""
-        return _SMALLEST_FRACTION * min(
-            self.repeat, _LONGEST_REPEAT * self.thread
-        ), _MOST_REPEATS * self.repeat
+        return _MIN_FRACTION * min(self.repeat, _MAX_REPEAT * self.thread), _MAX_REPEATS * self.repeat
 
     def bands(self, sizes: NDArray[np.float64]) -> NDArray[np.intp]:
         """Index into `BANDS`: under a quarter yarn, to 2 yarns, to one repeat, above.
@@ -139,7 +137,7 @@ def query_set(
 def stratified_hemisphere(rng: np.random.Generator, count: int) -> NDArray[np.float64]:
     """Unit vectors [count, 3] above the cloth, one in each of `count` cells of the same solid angle.
 
-    The cells are rings of equal height, each split evenly in azimuth; elevations begin at `LOWEST_COSINE`.
+    The cells are rings of equal height, each split evenly in azimuth; elevations begin at `MIN_COSINE`.
     """
     rings = max(1, round(math.sqrt(count / math.pi)))
     bounds = np.round(np.linspace(0, count, rings + 1)).astype(int)
@@ -147,7 +145,7 @@ def stratified_hemisphere(rng: np.random.Generator, count: int) -> NDArray[np.fl
     for first, last in pairwise(bounds):
         cells = last - first
         height = (first + cells * (rng.permutation(cells) + rng.random(cells)) / cells) / count
-        z = LOWEST_COSINE + (1 - LOWEST_COSINE) * height
+        z = MIN_COSINE + (1 - MIN_COSINE) * height
         azimuth = 2 * math.pi * (np.arange(cells) + rng.random(cells)) / cells
         radius = np.sqrt(1 - z * z)
         vectors[first:last] = np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), z], axis=1)

@@ -26,7 +26,7 @@ from loomlight.core.errors import InputError
 
 # Smallest width and height of a box, in texels. Rounding of the difference of four float64 sums of 10⁷ texels
 # then stays below 1e-4 of the slice's mean.
-_SMALLEST_BOX = 1e-2
+_MIN_BOX = 1e-2
 
 
 def summed_areas(values: Float, columns: int, rows: int) -> Float:
@@ -100,7 +100,7 @@ def texel_boxes(grid: Grid, centres: NDArray[Any], sizes: NDArray[Any], float_ty
         zip((grid.left, grid.bottom), grid.step, (grid.columns, grid.rows), strict=True)
     ):
         per_texel = dr.opaque(types.Float, 1 / step)
-        half = 0.5 * maximum(whole[axis] * per_texel, _SMALLEST_BOX)
+        half = 0.5 * maximum(whole[axis] * per_texel, _MIN_BOX)
         position = (middle[axis] - dr.opaque(types.Float, start)) * per_texel
         low, high = position - half, position + half
         if not grid.periodic:
@@ -111,7 +111,7 @@ def texel_boxes(grid: Grid, centres: NDArray[Any], sizes: NDArray[Any], float_ty
 
 def _require_inside(grid: Grid, centres: NDArray[np.float64], sizes: NDArray[np.float64]) -> None:
     corner, extent = np.asarray([grid.left, grid.bottom]), np.asarray([grid.width, grid.height])
-    half = np.maximum(sizes, _SMALLEST_BOX * np.asarray(grid.step)) / 2
+    half = np.maximum(sizes, _MIN_BOX * np.asarray(grid.step)) / 2
     edge = 1e-9 * extent.max()
     low, high = centres - half - corner, centres + half - corner
     if (low < -edge).any() or (high > extent + edge).any():

@@ -14,7 +14,7 @@ from loomlight.cli.values import parse_numbers, parse_size, require_within
 EXAMPLE = 'Example: loomlight bake-maps "twill 3/1" -o maps.exr --resolution 1024'
 
 # Millimetres; farther away single precision does not resolve neighbouring fibres.
-LARGEST_WINDOW = 1e5
+MAX_WINDOW = 1e5
 
 
 def bake_maps(
@@ -46,7 +46,7 @@ def bake_maps(
     if window is not None:
         left, bottom, width, height = parse_numbers("--window", window, 4, "0,0,5,5")
         for number in (left, bottom, width, height):
-            require_within("--window", number, -LARGEST_WINDOW, LARGEST_WINDOW)
+            require_within("--window", number, -MAX_WINDOW, MAX_WINDOW)
         corner = (left, bottom, width, height)
 
     from loomlight.assets.load import fabric_of_path

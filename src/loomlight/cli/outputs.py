@@ -14,7 +14,7 @@ from loomlight.core.errors import InputError
 _NAMES_FILES = (".toml", ".xml", ".gltf", ".json")
 _QUOTED = re.compile(r"\"([^\"\n]{1,4096})\"|'([^'\n]{1,4096})'")
 # Characters of such a file that are looked through.
-_LONGEST = 1 << 22
+_MAX = 1 << 22
 
 
 def check_output(path: Path, suffixes: Sequence[str], reads: Iterable[str | Path | None] = ()) -> None:
@@ -74,7 +74,7 @@ def _names_in(path: Path) -> list[str]:
         return []
     try:
         with path.open(encoding="utf-8", errors="replace") as stream:
-            return [one or other for one, other in _QUOTED.findall(stream.read(_LONGEST))]
+            return [one or other for one, other in _QUOTED.findall(stream.read(_MAX))]
     except OSError:
         return []  # whoever reads it says so
 

@@ -7,9 +7,9 @@ import re
 
 from loomlight.core.errors import InputError
 
-LARGEST_SIDE = 16384
+MAX_SIDE = 16384
 # A sample takes 170 bytes while it is computed, and a pass has at least one a pixel: 11 GB.
-LARGEST_AREA = 2**26
+MAX_AREA = 2**26
 
 
 def parse_size(text: str, option: str = "--size") -> tuple[int, int]:
@@ -20,13 +20,13 @@ def parse_size(text: str, option: str = "--size") -> tuple[int, int]:
     """
     match = re.fullmatch(r"\s*(\d{1,9})(?:\s*[xX×]\s*(\d{1,9}))?\s*", text)
     width, height = (int(match[1]), int(match[2] or match[1])) if match else (0, 0)
-    if not (1 <= width <= LARGEST_SIDE and 1 <= height <= LARGEST_SIDE):
+    if not (1 <= width <= MAX_SIDE and 1 <= height <= MAX_SIDE):
         raise InputError(
-            f'{option} "{text}" is no size: write WIDTHxHEIGHT in pixels from 1 to {LARGEST_SIDE}, '
+            f'{option} "{text}" is no size: write WIDTHxHEIGHT in pixels from 1 to {MAX_SIDE}, '
             "such as 960x540."
         )
-    if width * height > LARGEST_AREA:
-        millions = LARGEST_AREA // 10**6
+    if width * height > MAX_AREA:
+        millions = MAX_AREA // 10**6
         raise InputError(
             f'{option} "{text}" is too large: at most {millions} million pixels in all, such as 8192x8192.'
         )

@@ -20,7 +20,7 @@ from loomlight.core.errors import InputError
 Pixels = NDArray[np.uint8]
 
 # Pixels of a sheet: what viewers still open.
-LARGEST_SHEET_PX = 2**27
+MAX_SHEET_PX = 2**27
 # Of the side of a picture: distances, and the sizes of title and lines.
 _GAP, _TITLE, _LINE = 0.05, 0.088, 0.062
 _PAPER, _INK, _FAINT = (250, 249, 246), (34, 36, 42), (104, 106, 112)
@@ -88,7 +88,7 @@ def sheet_picture(cards: Sequence[Card]) -> Pixels:
     columns = _columns(len(cards), width + 2 * gap, height + 2 * gap)
     rows = -(-len(cards) // columns)
     whole = columns * (width + 2 * gap), rows * (height + 2 * gap)
-    if whole[0] * whole[1] > LARGEST_SHEET_PX:
+    if whole[0] * whole[1] > MAX_SHEET_PX:
         raise InputError(
             f"A sheet of {len(cards)} cards would have {whole[0]} by {whole[1]} pixels: give a smaller size."
         )

@@ -22,14 +22,14 @@ from loomlight.core.parallel_map import core_count
 KINDS = ("local", "slurm", "joblib")
 # Shards that one process works on before a fresh one takes its place: compiled kernels stay in memory, and
 # Linux grants a process 65 530 mappings, which about a thousand fabrics would fill.
-MOST_SHARDS_OF_A_PROCESS = 64
+MAX_SHARDS_OF_A_PROCESS = 64
 # Processes that may end in error, one after the other, while nothing gets done.
-_MOST_IDLE_DEATHS = 4
+_MAX_IDLE_DEATHS = 4
 # Between looks at the folder, where other machines work.
 _LOOK_SECONDS = 2.0
 # What a process has to end by itself once it is told to.
 _GRACE_SECONDS = 2.0
-_MOST_WORKERS = 4096
+_MAX_WORKERS = 4096
 
 Report = Callable[[int, int], None]
 
@@ -97,8 +97,8 @@ def parse_executor(text: str, workers: int, settings: Mapping[str, str]) -> Exec
     kind, _, backend = text.strip().lower().partition(":")
     if kind not in KINDS or (kind == "local" and backend):
         raise InputError(f'--executor "{text}" is none: write local, slurm, joblib, or joblib:dask.')
-    if not 1 <= workers <= _MOST_WORKERS:
-        raise InputError(f"--workers {workers} is out of range: write a number from 1 to {_MOST_WORKERS}.")
+    if not 1 <= workers <= _MAX_WORKERS:
+        raise InputError(f"--workers {workers} is out of range: write a number from 1 to {_MAX_WORKERS}.")
     if settings and kind != "slurm":
         raise InputError(f"--slurm {next(iter(settings))} needs --executor slurm.")
     values = {name: int(value) if value.isdecimal() else value for name, value in settings.items()}
@@ -117,7 +117,7 @@ def run_locally(
         LoomlightError: as `Executor.run`.
     """
     count, missing = len(work.items), work.remaining()
-    if min(workers, missing) <= 1 and missing <= MOST_SHARDS_OF_A_PROCESS:
+    if min(workers, missing) <= 1 and missing <= MAX_SHARDS_OF_A_PROCESS:
         done = count - missing
 
         def told() -> None:
@@ -162,7 +162,7 @@ class _Crew:
                     process.join()
                     if process.exitcode:
                         idle_deaths += 1
-                    if idle_deaths > _MOST_IDLE_DEATHS:
+                    if idle_deaths > _MAX_IDLE_DEATHS:
                         raise LoomlightError(
                             f"Processes end before they finish anything, the last by {_end_of(process)}; "
                             "what is finished is kept."
@@ -203,7 +203,7 @@ def _member(work: Shared, first: int, channel: connection.Connection, threads: i
 
     dr.set_thread_count(threads)
     try:
-        work.work_through(first, MOST_SHARDS_OF_A_PROCESS, lambda: channel.send_bytes(b""))
+        work.work_through(first, MAX_SHARDS_OF_A_PROCESS, lambda: channel.send_bytes(b""))
     except KeyboardInterrupt:
         sys.exit(128 + signal.SIGINT)
     except LoomlightError as error:

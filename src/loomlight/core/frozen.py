@@ -19,7 +19,7 @@ from loomlight.core.arrays import Array
 from loomlight.core.pytree import named_leaves
 
 # Most recordings of one function; the least recently used are dropped.
-_MOST_RECORDINGS = 8
+_MAX_RECORDINGS = 8
 # Disables Dr.Jit's warning of functions that are recorded often, as edits of a weave do.
 _NEVER = 1 << 30
 _Value = TypeVar("_Value")
@@ -38,8 +38,8 @@ def gc_paused() -> Iterator[None]:
 
 
 def frozen(function: Callable[..., object], *, enabled: bool = True) -> Any:
-    """A function frozen by `dr.freeze`, with at most `_MOST_RECORDINGS` recordings."""
-    return dr.freeze(function, auto_opaque=False, limit=_MOST_RECORDINGS, warn_after=_NEVER, enabled=enabled)
+    """A function frozen by `dr.freeze`, with at most `_MAX_RECORDINGS` recordings."""
+    return dr.freeze(function, auto_opaque=False, limit=_MAX_RECORDINGS, warn_after=_NEVER, enabled=enabled)
 
 
 class FrozenArg(Generic[_Value]):

@@ -22,7 +22,7 @@ _Kind = TypeVar("_Kind", bound=np.generic)
 
 PICTURE_SUFFIXES = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".gif")
 # Pixels a side of a picture that is read.
-LARGEST_PICTURE_SIDE = 16384
+MAX_PICTURE_SIDE = 16384
 # Pixels converted at once: 100 MB of float64.
 _PIXELS_AT_ONCE = 1 << 22
 _EXR_CHANNELS = {1: "Y", 3: "RGB", 4: "RGBA"}
@@ -161,9 +161,9 @@ def require_picture_size(path: str | os.PathLike[str]) -> None:
 
 
 def _require_size(path: str | os.PathLike[str], width: int, height: int) -> None:
-    if max(width, height) > LARGEST_PICTURE_SIDE:
+    if max(width, height) > MAX_PICTURE_SIDE:
         raise InputError(
-            f"{path} has {width} x {height} pixels; at most {LARGEST_PICTURE_SIDE} a side can be read."
+            f"{path} has {width} x {height} pixels; at most {MAX_PICTURE_SIDE} a side can be read."
         )
 
 

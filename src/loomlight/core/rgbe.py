@@ -13,7 +13,7 @@ from loomlight.core.errors import InputError
 
 _SIZE = re.compile(rb"-Y (\d+) \+X (\d+)\n")
 # Widths between these are run-length coded, row by row.
-_LEAST_CODED, _MOST_CODED = 8, 32767
+_MIN_CODED, _MAX_CODED = 8, 32767
 
 
 def read_rgbe(path: str | os.PathLike[str]) -> NDArray[np.float32]:
@@ -43,7 +43,7 @@ def read_rgbe(path: str | os.PathLike[str]) -> NDArray[np.float32]:
 def _read_rows(data: bytes, at: int, pixels: NDArray[np.uint8]) -> None:
     width = pixels.shape[1]
     for row in pixels:
-        coded = _LEAST_CODED <= width <= _MOST_CODED and data[at : at + 2] == b"\x02\x02"
+        coded = _MIN_CODED <= width <= _MAX_CODED and data[at : at + 2] == b"\x02\x02"
         if not coded:
             row[:] = np.frombuffer(data, np.uint8, 4 * width, at).reshape(width, 4)
             at += 4 * width

@@ -24,7 +24,7 @@ from loomlight.core.errors import InputError, MissingDependencyError
 from loomlight.core.files import replacing
 
 # Processes that a shard may end in one run, such as for want of memory, before it is given up.
-_MOST_DEATHS = 2
+_MAX_DEATHS = 2
 _KEY = re.compile(r"[\w.+-]{1,200}")
 
 
@@ -131,7 +131,7 @@ class ShardFolder:
             return
         try:
             deaths = self._begin(handle)
-            if deaths >= _MOST_DEATHS and self.outcome(shard) is None:
+            if deaths >= _MAX_DEATHS and self.outcome(shard) is None:
                 sentence = f"its process ended {deaths} times without an error: is there too little memory?"
                 self.store(shard, Outcome(fault=f"{shard.key}: {sentence}"))
             yield True

@@ -52,8 +52,8 @@ _OBSERVER = np.array((
 # Wavelengths that a measurement has to span, nm.
 _NEEDED = 430, 680
 # Larger values are percentages: no reflectance of cloth is above 2, fluorescence included.
-_LARGEST_SHARE = 2.0
-_MOST_BYTES = 10_000_000
+_MAX_SHARE = 2.0
+_MAX_BYTES = 10_000_000
 
 
 def is_spectrum(value: object) -> bool:
@@ -81,13 +81,13 @@ def read_spectrum(value: str, folder: str | os.PathLike[str], field: str) -> NDA
     name, wanted = _parted(value)
     path = Path(folder, name)
     require_file(path)
-    if path.stat().st_size > _MOST_BYTES:
+    if path.stat().st_size > _MAX_BYTES:
         raise InputError(
-            f"{field}: {path} has more than {_MOST_BYTES // 1_000_000} MB, which no spectrum has."
+            f"{field}: {path} has more than {_MAX_BYTES // 1_000_000} MB, which no spectrum has."
         )
     is_csv = path.suffix.lower() == ".csv"
     wavelengths, reflectance = _of_csv(path, field) if is_csv else _of_cxf(path, wanted, field)
-    if reflectance.max() > _LARGEST_SHARE:
+    if reflectance.max() > _MAX_SHARE:
         reflectance = reflectance / 100
     if not (np.isfinite(reflectance).all() and (reflectance >= 0).all() and (reflectance <= 2).all()):
         raise InputError(f"{field}: {path} holds values that are no reflectances: 0 to 1, or 0 to 100 %.")

@@ -31,7 +31,7 @@ PAIRS, FOOTPRINTS = 160, 160
 # Part of every key: to be raised when geometry, scattering, slices or query sets change their values.
 _VERSION = 2
 _FINE, _COARSE = 64, 32
-_LARGEST_FINE_REPEAT = 16 * 16
+_MAX_FINE_REPEAT = 16 * 16
 _TRUTHS = (*CHANNELS, *COLOURS, LIGHT_VISIBILITY)
 _QUERIES = ("lights", "views", "pairs", "centres", "sizes")
 
@@ -80,7 +80,7 @@ def reference_model(fabric: Fabric) -> YarnScattering:
 
 def texels_per_thread(fabric: Fabric) -> int:
     """Rays a thread of the truth's grid."""
-    return _FINE if fabric.draft.drawdown.size <= _LARGEST_FINE_REPEAT else _COARSE
+    return _FINE if fabric.draft.drawdown.size <= _MAX_FINE_REPEAT else _COARSE
 
 
 def _compute(

@@ -25,8 +25,8 @@ from loomlight.models.interface import Model
 Numbers = NDArray[np.float64]
 _REFLECTED, _TRANSMITTED = 6000, 1500
 # Directions flatter than this are left out: a few degrees about the horizon.
-_LOWEST = 0.12
-_SMALLEST_ALPHA = 0.02
+_MIN = 0.12
+_MIN_ALPHA = 0.02
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,7 +112,7 @@ def _queries(columns: int, rows: int) -> _Queries:
     count = _REFLECTED + _TRANSMITTED
 
     def hemisphere() -> Numbers:
-        cosine = np.sqrt(rng.uniform(_LOWEST**2, 1, count))
+        cosine = np.sqrt(rng.uniform(_MIN**2, 1, count))
         azimuth = rng.uniform(0, 2 * np.pi, count)
         sine = np.sqrt(1 - cosine**2)
         return np.stack([sine * np.cos(azimuth), sine * np.sin(azimuth), cosine], axis=-1)
@@ -122,7 +122,7 @@ def _queries(columns: int, rows: int) -> _Queries:
     near = rng.uniform(size=count) < 1 / 3
     mirrored = view * [-1, -1, 1] + 0.25 * rng.normal(size=(count, 3))
     mirrored /= np.linalg.norm(mirrored, axis=-1, keepdims=True)
-    light = np.where((near & (mirrored[:, 2] > _LOWEST))[:, None], mirrored, light)
+    light = np.where((near & (mirrored[:, 2] > _MIN))[:, None], mirrored, light)
     light[_REFLECTED:, 2] *= -1
     return _Queries(rng.integers(0, rows, count), rng.integers(0, columns, count), light, view)
 
@@ -197,7 +197,7 @@ def _roughness(
             weight = texels.share[..., family, None, None] * (0.5 * width**2)
             total += weight * vector[..., :, None] * vector[..., None, :]
     variances, vectors = np.linalg.eigh(total)
-    alphas = np.clip(np.sqrt(2 * np.maximum(variances, 0)), _SMALLEST_ALPHA, 1)
+    alphas = np.clip(np.sqrt(2 * np.maximum(variances, 0)), _MIN_ALPHA, 1)
     x, y = frames(texels.normal)
     widest = vectors[..., 1]
     axis_x = widest[..., :1] * x + widest[..., 1:] * y

@@ -18,7 +18,7 @@ from loomlight.weave.textile import tex_of_diameter, yarn_diameter_mm, yarn_tex
 from loomlight.yarn.layout import FamilyLayout
 
 # Yarn cannot be longer than that over the cloth: jammed plain weaves have crimps up to .3.
-_LARGEST_CRIMP = 0.5
+_MAX_CRIMP = 0.5
 
 
 @dataclass(frozen=True)
@@ -134,4 +134,4 @@ def _yarn(table: YarnTable, family: FamilyLayout) -> tuple[float, float]:
 def _crimp(changes: NDArray[np.bool_], crossed: NDArray[np.float64], height: float) -> float:
     """Mean crimp of threads that change face at `changes` [crossed threads, threads], evenly weighted."""
     extra = 9 / 16 * height**2 / crossed[:, None] * changes
-    return min(float(extra.sum(axis=0).mean() / crossed.sum()), _LARGEST_CRIMP)
+    return min(float(extra.sum(axis=0).mean() / crossed.sum()), _MAX_CRIMP)

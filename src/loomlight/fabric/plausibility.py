@@ -11,7 +11,7 @@ from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.fabric.file import FabricFile, YarnTable
 from loomlight.weave.draft import Draft
 from loomlight.weave.textile import unbound_threads
-from loomlight.yarn.layout import SMALLEST_GAP, ClothLayout
+from loomlight.yarn.layout import MIN_GAP, ClothLayout
 
 # Yarns of a count are flattened in dense cloth; their nominal diameter may exceed the spacing by this factor.
 _FLATTENED = 2.0
@@ -73,4 +73,4 @@ def _wide(fields: FabricFile, layout: ClothLayout) -> list[str]:
 
 
 def _visible(spacing: NDArray[np.float64]) -> float:
-    return (1 - SMALLEST_GAP) * float(np.max(spacing))
+    return (1 - MIN_GAP) * float(np.max(spacing))

@@ -16,7 +16,7 @@ from loomlight.fabric.file import FabricFile
 from loomlight.fabric.sentences import sentence_of
 
 # Thread colours of the longest draft take some 100 kB; what is larger is not a fabric file.
-LARGEST_FILE = 4 * 2**20
+MAX_FILE = 4 * 2**20
 
 
 @contextmanager
@@ -49,8 +49,8 @@ def read_text(path: str | os.PathLike[str]) -> str:
             raise InputError(f"{file} does not exist.")
         if not file.is_file():
             raise InputError(f"{file} is no ordinary file; give the name of a fabric file.")
-        if file.stat().st_size > LARGEST_FILE:
-            raise InputError(f"{file} is larger than {LARGEST_FILE >> 20} MiB; it is no fabric file.")
+        if file.stat().st_size > MAX_FILE:
+            raise InputError(f"{file} is larger than {MAX_FILE >> 20} MiB; it is no fabric file.")
         return file.read_bytes().decode("utf-8-sig")
     except OSError as error:
         raise InputError(f"{file} cannot be read: {error.strerror or error}.") from error

@@ -15,7 +15,7 @@ Vector = NDArray[np.float64]
 
 FIELD_OF_VIEW = 26.0  # degrees, of the picture's shorter side
 _MARGIN = 1.04
-LARGEST_ZOOM = 1000.0
+MAX_ZOOM = 1000.0
 
 
 @dataclass(frozen=True)
@@ -79,7 +79,7 @@ def look_at(view: View) -> Any:
 
 def require_zoom(zoom: float) -> None:
     """Raises InputError unless 0 < `zoom` ≤ 1000."""
-    if not 0 < zoom <= LARGEST_ZOOM:
+    if not 0 < zoom <= MAX_ZOOM:
         raise InputError(f"zoom = {zoom:g} is out of range: 1 frames the object, 10 is ten times closer.")
 
 

@@ -22,7 +22,7 @@ from loomlight.mitsuba.path_state import PathState
 
 # What lies behind shows in a pixel in steps of at most this share of its radiance: of n samples those with
 # less than n times as much are left to Russian roulette, which costs less.
-_LARGEST_STEP = 0.01
+_MAX_STEP = 0.01
 
 
 @dataclass
@@ -65,7 +65,7 @@ class CameraWalk:
     @classmethod
     def begin(cls, path: PathState, samples: int) -> CameraWalk:
         """With the camera's rays, of so many samples a pixel."""
-        least = mi.Float(min(_LARGEST_STEP * samples, 1.0))
+        least = mi.Float(min(_MAX_STEP * samples, 1.0))
         return cls(mi.Bool(path.active), mi.Spectrum(1), mi.Bool(True), dr.copy(path), least)
 
     def throughput(self, path: PathState) -> Color3:

@@ -17,7 +17,7 @@ from loomlight.mitsuba.periodic_paths import COPIES, PeriodicPaths, Tile
 from loomlight.mitsuba.variants import choose_variant
 
 # Vertices of a path.
-MOST_BOUNCES = 4
+MAX_BOUNCES = 4
 # Distance of starts of rays from the surface, in texels of the height map.
 _EPSILON = 1e-2
 
@@ -39,7 +39,7 @@ class HeightfieldBtf(PeriodicPaths):
                 # Vertices lie in the middle of texels.
                 (0.5 * source.size_mm[0] / relief.shape[1], 0.5 * source.size_mm[1] / relief.shape[0]),
                 _EPSILON * min(source.size_mm) / max(source.height.shape),
-                MOST_BOUNCES,
+                MAX_BOUNCES,
             )
         )
 

@@ -19,7 +19,7 @@ _SIDE, _MARGIN = 0.37, 0.025
 # Pixels of the picture's shorter side below which a close-up is too small to read.
 MIN_PICTURE = 160
 # Threads across: so many repeats, but enough to see a cloth and few enough to tell them apart.
-_REPEATS, _FEWEST_THREADS, _MOST_THREADS = 2.5, 18, 36
+_REPEATS, _MIN_THREADS, _MAX_THREADS = 2.5, 18, 36
 # Widths of lines in pixels, and their radiance.
 FRAME, MARK = 2, 1
 _PAPER = 1.0
@@ -49,7 +49,7 @@ class Inset:
         """The close-up for the picture of `size` = (width, height) pixels that a scene of a fabric makes."""
         shorter = min(size)
         picks, ends = fabric.draft.drawdown.shape
-        threads = np.clip(_REPEATS * max(picks, ends), _FEWEST_THREADS, _MOST_THREADS)
+        threads = np.clip(_REPEATS * max(picks, ends), _MIN_THREADS, _MAX_THREADS)
         # The thinner family decides: of neither are more threads shown.
         pitch = min(length / count for length, count in zip(fabric.repeat_mm, (ends, picks), strict=True))
         point = np.array(shown.point)

@@ -35,7 +35,7 @@ from loomlight.core.frozen import gc_paused
 from loomlight.mitsuba.bsdf_samples import set_samples_per_pixel
 from loomlight.mitsuba.camera_walk import CameraWalk, HoleCrossing
 from loomlight.mitsuba.path_state import PathState
-from loomlight.mitsuba.path_vertices import MOST_PASSES, FirstFootprint, PathVertices, reflected
+from loomlight.mitsuba.path_vertices import MAX_PASSES, FirstFootprint, PathVertices, reflected
 from loomlight.mitsuba.pixel_filter import PixelFilter, SplattingSensor
 from loomlight.mitsuba.ray_cone import pixel_cone
 from loomlight.mitsuba.scene_traits import SceneTraits, is_symbolic
@@ -245,7 +245,7 @@ def footprint_path_class() -> type:
                 visible |= valid & ~passed
                 L = (L + Le + Lr) if primal else (L - Le - Lr)
 
-                may_pass = enters & (passes < MOST_PASSES)
+                may_pass = enters & (passes < MAX_PASSES)
                 after = path.scattered_by(si, scattering, bounces & ~passed, passed & may_pass, samples)
                 if dr.hint(not hittable, mode="scalar"):
                     # Nothing is left to find after the last bounce.

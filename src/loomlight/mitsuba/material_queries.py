@@ -36,7 +36,7 @@ _TURNS = ((1, 0), (-1, 0), (0, 1), (0, -1))
 # Slopes are 1 at 45°; inputs of steeper ones are clipped here.
 _STEEPEST = 2.0
 # Texels of a finer texture that are averaged along a side of a texel.
-_MOST_TAPS = 8
+_MAX_TAPS = 8
 
 
 @dataclass(frozen=True, eq=False)
@@ -252,7 +252,7 @@ def _input(name: str, texture: _Texture, resolution: tuple[int, int]) -> _Input:
     """A texture's values over all texels: means of what lies in each."""
     width, height = resolution
     taps = [
-        max(1, math.ceil(min(_MOST_TAPS, n / side)))
+        max(1, math.ceil(min(_MAX_TAPS, n / side)))
         for n, side in zip(texture.texels, resolution, strict=True)
     ]
     v, u = np.meshgrid(

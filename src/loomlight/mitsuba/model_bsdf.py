@@ -24,9 +24,9 @@ from loomlight.models.registry import MODELS
 
 # Surfaces with less open area than this cast the shadow of one without: a thousandth of the light, which is
 # three steps of 8-bit sRGB on white cloth where nothing else brightens the shadow.
-_SMALLEST_OPEN_AREA = 1e-3
+_MIN_OPEN_AREA = 1e-3
 # Millimetres; far below a fibre.
-_SMALLEST_UV_SIZE = 1e-6
+_MIN_UV_SIZE = 1e-6
 
 
 @dataclass(frozen=True)
@@ -107,7 +107,7 @@ def model_bsdf_class() -> type:
             self.symbolic_calls = model.symbolic
             self._parameters = dict(model.parameters(variant_types()))
             self.model = model.bound_to(self._parameters)
-            self._shown = {"uv_size": Parameter(self.uv_size, low=_SMALLEST_UV_SIZE, unit="mm")}
+            self._shown = {"uv_size": Parameter(self.uv_size, low=_MIN_UV_SIZE, unit="mm")}
             self._shown |= self._parameters
             self._upload_parameters(model_changed=True)
             self.edits = LiveEdits(self._shown)
@@ -152,7 +152,7 @@ def model_bsdf_class() -> type:
             # Dr.Jit looks for arrays in the attributes of BSDFs, and no deeper.
             self.arrays = []
             self.arrays = leaves(self)
-            self.lets_light_through = not self.model.filters or self.model.open_area > _SMALLEST_OPEN_AREA
+            self.lets_light_through = not self.model.filters or self.model.open_area > _MIN_OPEN_AREA
             self.literals = (*self.model.literals(), float(self.lets_light_through))
 
         @property

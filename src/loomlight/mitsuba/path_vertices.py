@@ -18,7 +18,7 @@ from loomlight.mitsuba.ray_cone import cone_partials
 from loomlight.mitsuba.scene_traits import SceneTraits
 
 # A ray that passes through this many holes is ended; cloth folded upon itself has a dozen.
-MOST_PASSES = 64
+MAX_PASSES = 64
 # Light that comes straight from an emitter behind less transmittance than this is dropped: a third of a step
 # of 8-bit sRGB on white cloth.
 _NO_LIGHT = 1e-4
@@ -318,7 +318,7 @@ def _transmittance(
         blocked = active & pi.is_valid()
         other = pi.compute_surface_interaction(ray, mi.RayFlags.All, blocked)
         bsdf = other.bsdf()
-        porous = blocked & mi.has_flag(bsdf.flags(), mi.BSDFFlags.Null) & (passes < MOST_PASSES)
+        porous = blocked & mi.has_flag(bsdf.flags(), mi.BSDFFlags.Null) & (passes < MAX_PASSES)
         width = dr.fma(spread, dr.select(blocked, other.t, 0), width)
         other.duv_dx, other.duv_dy = cone_partials(other, ray.d, width)
         through[blocked] = through * bsdf.eval_null_transmission(other, porous)

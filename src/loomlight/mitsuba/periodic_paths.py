@@ -24,7 +24,7 @@ LIGHT_CONE = 0.05
 # Copies of the tile on each side of the one in the middle.
 COPIES = 1
 # How often a ray goes on, at most: at the lowest elevation it crosses a relief as deep as the tile is wide.
-_MOST_WRAPS = 64
+_MAX_WRAPS = 64
 # Rays in one launch.
 _BATCH = 1 << 19
 
@@ -142,7 +142,7 @@ class PeriodicPaths:
 
         start, searching, _ = dr.while_loop(
             (start, searching, mi.UInt32(0)),
-            lambda start, searching, count: searching & (count < _MOST_WRAPS),
+            lambda start, searching, count: searching & (count < _MAX_WRAPS),
             search,
             label="tiles of a source that repeats",
         )

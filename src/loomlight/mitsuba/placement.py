@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from loomlight.core.errors import InputError
 from loomlight.mitsuba.meshes import ClothMesh, uv_size
 
-_LARGEST_SCALE = 1e4
+_MAX_SCALE = 1e4
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class Placement:
         """Raises InputError unless all numbers are finite and `scale` lies between 1/10000 and 10000."""
         if not np.isfinite([self.turn, *self.shift]).all():
             raise InputError(f"turn = {self.turn:g} and shift = {self.shift} have to be finite numbers.")
-        if not 1 / _LARGEST_SCALE <= self.scale <= _LARGEST_SCALE:
+        if not 1 / _MAX_SCALE <= self.scale <= _MAX_SCALE:
             raise InputError(f"scale = {self.scale:g} is out of range: 1 is life-size, 2 twice as large.")
 
 

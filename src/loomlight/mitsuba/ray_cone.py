@@ -14,9 +14,9 @@ import mitsuba as mi
 from loomlight.core.backend import maximum, minimum
 
 # A footprint seen at a grazing angle is stretched at most this much; beyond, the plane leaves the object.
-_LARGEST_STRETCH = 20.0
+_MAX_STRETCH = 20.0
 # One scattering event opens the cone by at most this angle (radians).
-_LARGEST_OPENING = 1.0
+_MAX_OPENING = 1.0
 
 
 def pixel_cone(ray: Any) -> tuple[Any, Any]:
@@ -34,7 +34,7 @@ def opening(pdf: Any, samples: int) -> Any:
     One of `samples` samples stands for the solid angle 1/(samples·pdf); delta events do not open it.
     """
     angle = dr.rsqrt(maximum(pdf * samples, 1e-6))
-    return minimum(angle, _LARGEST_OPENING)
+    return minimum(angle, _MAX_OPENING)
 
 
 def cone_partials(si: Any, direction: Any, width: Any) -> tuple[Any, Any]:
@@ -48,7 +48,7 @@ def cone_partials(si: Any, direction: Any, width: Any) -> tuple[Any, Any]:
     fallback, _ = mi.coordinate_system(si.n)
     along = dr.select(length > 1e-4, along / maximum(length, 1e-4), fallback)
     across = dr.cross(si.n, along)
-    stretch = minimum(dr.rcp(maximum(dr.abs(cosine), 1e-3)), _LARGEST_STRETCH)
+    stretch = minimum(dr.rcp(maximum(dr.abs(cosine), 1e-3)), _MAX_STRETCH)
     return _to_uv(si, along * (width * stretch)), _to_uv(si, across * width)
 
 

@@ -22,7 +22,7 @@ WAVEFRONT = {"llvm_ad_rgb": 2**23, "cuda_ad_rgb": 2**26}
 # Samples of a pass: about a second on two cores, so that progress shows and an interruption is soon noticed.
 # Passes a quarter as large cost up to a quarter more for starting each; nor do more than 64 show more.
 PASS_SAMPLES = {"llvm_ad_rgb": 2**20, "cuda_ad_rgb": 2**24}
-_MOST_PASSES = 64
+_MAX_PASSES = 64
 _SPREAD_OVER_PASSES = "MultijitterSampler"
 # Outside of symbolic loops, where networks are evaluated, every path's state lies in memory.
 _EVALUATED_SHARE = 8
@@ -121,7 +121,7 @@ def _passes(spp: int, pixels: int, symbolic: bool) -> list[int]:
     """Samples of each pass: passes that fit and are short, all alike, of a grid of at least `spp` samples."""
     variant = choose_variant()
     wavefront = WAVEFRONT[variant] // (1 if symbolic else _EVALUATED_SHARE)
-    short = max(PASS_SAMPLES[variant] // pixels, -(-spp // _MOST_PASSES))
+    short = max(PASS_SAMPLES[variant] // pixels, -(-spp // _MAX_PASSES))
     largest = max(1, min(wavefront // pixels, short))
     whole = filling_grid(spp)
     if whole <= largest:

@@ -31,7 +31,7 @@ CLOTH_NAME = "cloth"
 DEFAULT_DEPTH = 8
 DEFAULT_SIZE = (640, 480)
 # Half the extent of a mesh, metres: beyond, threads are lost in the rounding of coordinates.
-SMALLEST_RADIUS, LARGEST_RADIUS = 1e-5, 1e4
+MIN_RADIUS, MAX_RADIUS = 1e-5, 1e4
 
 # From (mm per unit of u, mm per unit of v) to a BSDF, or to the dictionary of one.
 BsdfFactory = Callable[[tuple[float, float]], Any]
@@ -182,7 +182,7 @@ def build_scene(
     size = size or DEFAULT_SIZE
     centre, radius = _bounds(cloth)
     view = framing(cloth.positions, np.array(setup.towards_camera), size)
-    if not SMALLEST_RADIUS <= radius <= LARGEST_RADIUS:
+    if not MIN_RADIUS <= radius <= MAX_RADIUS:
         raise InputError(
             f"{cloth.name} is {2 * radius:.3g} m across, and no cloth is: give the length of one of its "
             "units as metres_per_unit."

@@ -35,7 +35,7 @@ from loomlight.weave.drawing import draw_drawdown
 # Millimetres of cloth across a swatch, the same for all, so that they compare; the flat scene has 100.
 SWATCH_MM, _FLAT_MM = 25.0, 100.0
 # Threads across a drawdown: more cannot be told apart.
-_MOST_THREADS = 48
+_MAX_THREADS = 48
 Pixels = NDArray[np.uint8]
 
 
@@ -168,9 +168,9 @@ def fact_lines(fabric: Fabric) -> list[str]:
 
 def _drawdown(draft: Draft, side: int) -> Pixels:
     """The drawdown, repeated until it fills the square, or the first part of a large one."""
-    threads = min(max(draft.ends, draft.picks, 12), _MOST_THREADS)
+    threads = min(max(draft.ends, draft.picks, 12), _MAX_THREADS)
     repeats = -(-threads // min(draft.ends, draft.picks))
     cell = max(side // threads, 1)
-    drawn = draw_drawdown(draft, cell_px=cell, repeats=min(repeats, _MOST_THREADS))
+    drawn = draw_drawdown(draft, cell_px=cell, repeats=min(repeats, _MAX_THREADS))
     shown = drawn[-threads * cell :, : threads * cell]
     return np.asarray(Image.fromarray(shown).resize((side, side), Image.Resampling.LANCZOS))

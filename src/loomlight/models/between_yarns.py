@@ -85,8 +85,8 @@ class BetweenYarns:
             hole: share of the view rays that pass through.
         """
         warp, weft, is_warp = self.cloth.blocked_from(self.view, self.back)
-        of_warp = diffuse_warp * dr.rcp(maximum(1 - warp.by_warp - warp.by_weft, SMALLEST_OPENNESS))
-        of_weft = diffuse_weft * dr.rcp(maximum(1 - weft.by_warp - weft.by_weft, SMALLEST_OPENNESS))
+        of_warp = diffuse_warp * dr.rcp(maximum(1 - warp.by_warp - warp.by_weft, MIN_OPENNESS))
+        of_weft = diffuse_weft * dr.rcp(maximum(1 - weft.by_warp - weft.by_weft, MIN_OPENNESS))
         lit = of_warp + of_weft
         share = dr.fma(WEIGHT_OF_CLOTH, is_warp, of_warp) * dr.rcp(lit + WEIGHT_OF_CLOTH)
         return self.of_families(_scaled(warp, share * (1 - hole)), _scaled(weft, (1 - share) * (1 - hole)))
@@ -103,7 +103,7 @@ class BetweenYarns:
 
 
 # A family that is less open than this is hardly seen.
-SMALLEST_OPENNESS = 0.1
+MIN_OPENNESS = 0.1
 # Diffuse component, 1/sr, of which the mean of the cloth weighs as much as what the footprint shows.
 WEIGHT_OF_CLOTH = 2e-3
 

@@ -16,7 +16,7 @@ from loomlight.core.files import cache_folder
 # Models whose baking has loops.
 _WITH_LOOPS = ("lobes",)
 # Far beyond what any machine takes: then the caller compiles them itself.
-_LONGEST_WAIT = 120.0
+_MAX_WAIT = 120.0
 
 
 def loops_are_compiled() -> bool:
@@ -45,7 +45,7 @@ def wait_for_loops(process: subprocess.Popen[bytes] | None) -> None:
     if process is None:
         return
     try:
-        process.wait(_LONGEST_WAIT)
+        process.wait(_MAX_WAIT)
     except subprocess.TimeoutExpired:
         process.kill()
 

@@ -18,7 +18,7 @@ from loomlight.core.files import replacing
 # Queries of a part; a part is drawn, stored and counted as a whole.
 PART = 1 << 16
 # More grazing directions see crests alone.
-LOWEST_COSINE = 0.02
+MIN_COSINE = 0.02
 
 # Called with (done, in all) of a whole training, in thousandths.
 Progress = Callable[[int, int], None]
@@ -114,7 +114,7 @@ def draw_directions(rng: np.random.Generator, count: int) -> NDArray[np.float32]
     """Unit vectors [count, 3] with z > 0, half uniform in solid angle, half on the projected disk."""
     u, azimuth = rng.random(count), 2 * math.pi * rng.random(count)
     cosine = np.where(rng.random(count) < 0.5, u, np.sqrt(u))
-    return from_cosine(LOWEST_COSINE + (1 - LOWEST_COSINE) * cosine, azimuth)
+    return from_cosine(MIN_COSINE + (1 - MIN_COSINE) * cosine, azimuth)
 
 
 def from_cosine(cosine: NDArray[np.float64], azimuth: NDArray[np.float64]) -> NDArray[np.float32]:

@@ -38,7 +38,7 @@ DEVICES = ("cpu", "cuda")
 # Texels a side that a file may have.
 _MAX_TEXELS = 4096
 # Smallest side of a footprint in texels: log2(0) has no value.
-SMALLEST_SIZE = 1e-9
+MIN_SIZE = 1e-9
 
 
 class TexturedWeights(Protocol):
@@ -88,7 +88,7 @@ class TexturedBsdf(FootprintBsdf):
         face = dr.select(self._back, types.UInt32(shape.faces - 1), types.UInt32(0))
         u = self.footprint.centre.x * (1 / shape.width_mm)
         v = self.footprint.centre.y * (1 / shape.height_mm)
-        side = maximum(self.footprint.square_side * (1 / shape.texel_mm), SMALLEST_SIZE)
+        side = maximum(self.footprint.square_side * (1 / shape.texel_mm), MIN_SIZE)
         return u, v, dr.log2(side), face
 
 

@@ -132,12 +132,12 @@ _DERIVED: dict[str, Value] = {
     "FACT_GAP_RAYS": 9,
     "FACT_DISTINCT": 10,
     "FACT_WARP_COUNT": 14,
-    "LATENT_SMALLEST_SIZE": textured_model.SMALLEST_SIZE,
+    "LATENT_MIN_SIZE": textured_model.MIN_SIZE,
     "LATENT_SAMPLER_HIDDEN": latent_networks.SAMPLER_WIDTHS[1],
     "LATENT_SAMPLER_OUTPUTS": latent_networks.SAMPLER_WIDTHS[-1],
     "LATENT_ALBEDO_HIDDEN": latent_networks.ALBEDO_WIDTHS[1],
     "NEUMIP_HOLE_HIDDEN": neumip_networks.OPACITY_WIDTHS[1],
-    "NEUMIP_SMALLEST_SIZE": textured_model.SMALLEST_SIZE,
+    "NEUMIP_MIN_SIZE": textured_model.MIN_SIZE,
     "NEUMIP_SCALE": 1 / neumip_networks.EXPOSURE,
 }
 _FLOAT_ARRAYS: dict[str, Sequence[float]] = {

@@ -75,7 +75,7 @@ def neural_constants() -> dict[str, float]:
         "REFLECTION_SCALE": 1 / architecture.REFLECTION_GAIN,
         "TRANSMISSION_SCALE": 1 / architecture.TRANSMISSION_GAIN,
         "MAX_COMPONENT": float(np.expm1(architecture.MAX_OUTPUT)),
-        "SMALLEST_CODED_SIZE": smallest,
+        "MIN_CODED_SIZE": smallest,
         "PER_LOG_SIZE": 1 / float(np.log(largest / smallest)),
         "CORRECTED_FROM": first,
         "PER_CORRECTED_SPAN": 1 / (full - first),

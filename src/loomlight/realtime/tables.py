@@ -29,7 +29,7 @@ from loomlight.yarn.threads import FamilyTables
 
 # Cloth with less open area casts the shadow of cloth without: a thousandth of the light is three steps of
 # 8-bit sRGB on white cloth.
-SMALLEST_OPEN_SHARE = 1e-3
+MIN_OPEN_SHARE = 1e-3
 Record = NDArray[np.void]
 
 
@@ -131,7 +131,7 @@ def _pack_fabric(
         "has_yarns": 1,
         "openness": pack_openness(table, appearance),
         "has_detail": int(appearance.warp.detail.is_on or appearance.weft.detail.is_on),
-        "is_open": int(_open_share(warp) * _open_share(weft) > SMALLEST_OPEN_SHARE),
+        "is_open": int(_open_share(warp) * _open_share(weft) > MIN_OPEN_SHARE),
     }
     fill(record, values)
 
@@ -206,7 +206,7 @@ def _pack_colours(
     values = {
         "before": table.add(before),
         "visible_total": before[-1, 0],
-        "smallest_box": footprint_albedos.SMALLEST_BOX * threads.period / threads.lower.size,
+        "smallest_box": footprint_albedos.MIN_BOX * threads.period / threads.lower.size,
         "quantities": quantities,
         "colour_mean": table.add(colours.mean),
         "colour_axes": table.add(colours.axes),

@@ -53,7 +53,7 @@ TONE_OF_TILT, MAX_TONE = 0.5, 0.15
 HAIR_LAYERS = 2
 HAIR_CELL = 17.0
 HAIR_HALF_WIDTH = 0.32
-HAIR_SHORTEST, HAIR_LONGEST = 5.0, 16.0
+HAIR_MIN, HAIR_MAX = 5.0, 16.0
 HAIR_CURL = 0.7
 # Sine of the turn of a hair's normal at its edges.
 HAIR_EDGE_SINE = 0.8
@@ -395,7 +395,7 @@ def hair_at(numbers: DetailNumbers, x: Float, y: Float, back: Mask, size: Float)
         offset_x = x * inverse - place_x - _share(first)
         offset_y = y * inverse - place_y - _share(first >> 10)
         sine, cosine = dr.sincos(math.pi * _share(first >> 20))
-        half = dr.fma(_share(second >> 10), HAIR_LONGEST - HAIR_SHORTEST, HAIR_SHORTEST) * (1 / HAIR_CELL)
+        half = dr.fma(_share(second >> 10), HAIR_MAX - HAIR_MIN, HAIR_MIN) * (1 / HAIR_CELL)
         along = (offset_x * cosine + offset_y * sine) * dr.rcp(half)
         across = offset_y * cosine - offset_x * sine
         curl = HAIR_CURL * dr.fma(2, _share(second >> 20), -1)

@@ -8,7 +8,7 @@ from loomlight.core.arrays import Vec2, Vec3
 from loomlight.core.backend import array_types, maximum
 
 # Below this squared length a vector has no direction left in float32; dividing by it must stay finite.
-SMALLEST_SQUARED_LENGTH = 1e-20
+MIN_SQUARED_LENGTH = 1e-20
 
 
 def uniform_on_sphere(u: Vec2) -> Vec3:
@@ -39,4 +39,4 @@ def cosine_about(axis: Vec3, u: Vec2) -> Vec3:
         u: Vector2 of uniform numbers in [0, 1).
     """
     towards = axis + uniform_on_sphere(u)
-    return towards * dr.rsqrt(maximum(dr.squared_norm(towards), SMALLEST_SQUARED_LENGTH))
+    return towards * dr.rsqrt(maximum(dr.squared_norm(towards), MIN_SQUARED_LENGTH))

@@ -12,13 +12,13 @@ import drjit as dr
 
 from loomlight.core.arrays import Float, Vec2, Vec3
 from loomlight.core.backend import maximum, minimum
-from loomlight.scattering.directions import SMALLEST_SQUARED_LENGTH, uniform_on_sphere
+from loomlight.scattering.directions import MIN_SQUARED_LENGTH, uniform_on_sphere
 
 # Cosines are kept above this before something is divided by them. Optical depths then reach 1e6 and their
 # exponentials vanish, while every product stays far from the limits of float32.
-SMALLEST_COSINE = 1e-6
+MIN_COSINE = 1e-6
 # Shorter sums light + view are rounding (each component carries 6e-8), not a half vector.
-SMALLEST_SQUARED_SUM = 1e-12
+MIN_SQUARED_SUM = 1e-12
 # Shares of the light that turn back and go through: at α = 0, and what α adds; least squares over random
 # views and tangents at Tρ = 2.
 SHARE_TURNED = (0.57, -0.17)
@@ -63,7 +63,7 @@ def _density_between(light: Vec3, view: Vec3, tangent: Vec3, roughness: Float) -
     """
     total = light + view
     along = dr.dot(total, tangent)
-    squared_along = along * along * dr.rcp(maximum(dr.squared_norm(total), SMALLEST_SQUARED_SUM))
+    squared_along = along * along * dr.rcp(maximum(dr.squared_norm(total), MIN_SQUARED_SUM))
     # (h·t)² ≤ 1 but for rounding.
     return _density(minimum(squared_along, 1), roughness)
 
@@ -88,8 +88,8 @@ def reflection(
     """
     cos_light, cos_view = dr.dot(light, normal), dr.dot(view, normal)
     visible = (cos_light > 0) & (cos_view > 0)
-    cos_light = maximum(cos_light, SMALLEST_COSINE)
-    cos_view = maximum(cos_view, SMALLEST_COSINE)
+    cos_light = maximum(cos_light, MIN_COSINE)
+    cos_view = maximum(cos_view, MIN_COSINE)
     area_light = projected_area(light, tangent, roughness)
     area_view = projected_area(view, tangent, roughness)
     crossed = dr.fma(area_light, cos_view, area_view * cos_light)
@@ -109,8 +109,8 @@ def transmission(
     """
     cos_light, cos_view = -dr.dot(light, normal), dr.dot(view, normal)
     visible = (cos_light > 0) & (cos_view > 0)
-    per_cos_view = dr.rcp(maximum(cos_view, SMALLEST_COSINE))
-    slope_light = projected_area(light, tangent, roughness) * dr.rcp(maximum(cos_light, SMALLEST_COSINE))
+    per_cos_view = dr.rcp(maximum(cos_view, MIN_COSINE))
+    slope_light = projected_area(light, tangent, roughness) * dr.rcp(maximum(cos_light, MIN_COSINE))
     slope_view = projected_area(view, tangent, roughness) * per_cos_view
     passed = dr.exp(-optical_depth * minimum(slope_light, slope_view))
     mean = _mean_attenuation(optical_depth * abs(slope_light - slope_view))
@@ -126,7 +126,7 @@ def layer_albedo_estimate(
     Every light direction is given the depth of one at 45°, and each side its mean share. Averaged over views
     they are within a quarter of the truth. Both are positive wherever their lobe is.
     """
-    cos_view = maximum(abs(dr.dot(view, normal)), SMALLEST_COSINE)
+    cos_view = maximum(abs(dr.dot(view, normal)), MIN_COSINE)
     slope = projected_area(view, tangent, roughness) * dr.rcp(cos_view)
     turned = slope * dr.rcp(slope + TYPICAL_DEPTH) * (1 - dr.exp(-optical_depth * (slope + TYPICAL_DEPTH)))
     passed = dr.exp(-optical_depth * minimum(slope, TYPICAL_DEPTH))
@@ -164,13 +164,13 @@ def sample_specular(view: Vec3, tangent: Vec3, roughness: Float, u: Vec2) -> Vec
     """
     squeeze = 1 - roughness
     seen = dr.fma(-squeeze * dr.dot(view, tangent), tangent, view)
-    axis = seen * dr.rsqrt(maximum(dr.squared_norm(seen), SMALLEST_SQUARED_LENGTH))
+    axis = seen * dr.rsqrt(maximum(dr.squared_norm(seen), MIN_SQUARED_LENGTH))
     point = axis + uniform_on_sphere(u)
     half = dr.fma(-squeeze * dr.dot(point, tangent), tangent, point)
     # h is normalised within the reflection: light = 2 (view·h) h/|h|² − view.
-    scale = 2 * dr.dot(view, half) * dr.rcp(maximum(dr.squared_norm(half), SMALLEST_SQUARED_LENGTH))
+    scale = 2 * dr.dot(view, half) * dr.rcp(maximum(dr.squared_norm(half), MIN_SQUARED_LENGTH))
     light = dr.fma(scale, half, -view)
-    return light * dr.rsqrt(maximum(dr.squared_norm(light), SMALLEST_SQUARED_LENGTH))
+    return light * dr.rsqrt(maximum(dr.squared_norm(light), MIN_SQUARED_LENGTH))
 
 
 def pdf_specular(light: Vec3, view: Vec3, tangent: Vec3, roughness: Float) -> Float:

@@ -24,9 +24,9 @@ LOBE_OUTPUTS = 9
 # Bounds of outputs, which no training reaches: densities stay finite in float32.
 MAX_SLOPE_OUTPUT, MAX_OUTPUT, MAX_LOG_RATIO = 6.0, 50.0, 8.0
 # Least roughness of a lobe.
-SMALLEST_ALPHA = 1e-4
+MIN_ALPHA = 1e-4
 # Half vectors with a smaller cosine have density 0 (listing 4).
-SMALLEST_COSINE = 1e-4
+MIN_COSINE = 1e-4
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,7 @@ def lobe_mixture(outputs: Sequence[Float], math: Any = DRJIT) -> LobeMixture:
         x = math.clip(x, -MAX_SLOPE_OUTPUT, MAX_SLOPE_OUTPUT)
         return x * math.sqrt(1 + x * x)
 
-    alpha_x, alpha_y = (SMALLEST_ALPHA + 0.5 * (1 + bounded(x)) for x in outputs[:2])
+    alpha_x, alpha_y = (MIN_ALPHA + 0.5 * (1 + bounded(x)) for x in outputs[:2])
     specular_x, specular_y, diffuse_x, diffuse_y = map(slope, outputs[3:7])
     ratio = math.clip(outputs[8] - outputs[7], -MAX_LOG_RATIO, MAX_LOG_RATIO)
     return LobeMixture(
@@ -99,7 +99,7 @@ def specular_density(
     scale = 1 / math.sqrt(math.maximum(x * x + y * y + z * z, 1e-20))
     scale = math.select(z < 0, -scale, scale)
     x, y, z = x * scale, y * scale, z * scale
-    cosine = math.maximum(z, SMALLEST_COSINE)
+    cosine = math.maximum(z, MIN_COSINE)
     (alpha_x, alpha_y), correlation = mixture.alpha, mixture.correlation
     slope_x = -x / cosine - mixture.specular_slope[0]
     slope_y = -y / cosine - mixture.specular_slope[1]
@@ -111,7 +111,7 @@ def specular_density(
     of_slopes = normalisation / (pi * falloff * falloff)
     half = math.abs(view[0] * x + view[1] * y + view[2] * z)
     density = of_slopes / (4 * cosine * cosine * cosine * math.maximum(half, 1e-6))
-    return math.select(z > SMALLEST_COSINE, density, 0 * density)
+    return math.select(z > MIN_COSINE, density, 0 * density)
 
 
 def _diffuse_density(mixture: LobeMixture, light: Sequence[Float], math: Any) -> Float:

@@ -34,15 +34,15 @@ LIGHTS = 16
 # Textile colours are measured at 8° from the normal under diffuse light (d/8°, CIE 15:2018).
 FACING_COSINE = float(np.cos(np.radians(8)))
 # Grazing views are left out: yarn that only they see decides nothing.
-SMALLEST_VIEW_COSINE = 0.03
+MIN_VIEW_COSINE = 0.03
 # Shares are kept above this: a family that hardly any view sees says nothing of its openness.
-SMALLEST_SHARE = 0.05
+MIN_SHARE = 0.05
 QUALITY = SearchQuality(steps_per_thread=4, steps_per_relief=4, shadow_share=1.3, refinements=1)
 # Samples of a ray that looks for the yarn that blocks it, while it crosses a thread or the relief; how
 # far above the yarn it starts, in threads; and most samples.
 MET_STEPS, _LIFT, MAX_MET_STEPS = 16, 2e-3, 2048
 # Layouts whose openness is kept.
-_MOST_KEPT = 64
+_MAX_KEPT = 64
 # Numbers of `view_terms` and of `point_terms`.
 VIEW_TERMS, POINT_TERMS = 5, 6
 
@@ -101,7 +101,7 @@ def openness_of(
     met = ray_shares(geometry, diffuse_blend, roughness, optical_depth)
     found = openness_of_rays(met, geometry.height_bounds[1])
     _kept[key] = found
-    if len(_kept) > _MOST_KEPT:
+    if len(_kept) > _MAX_KEPT:
         _kept.popitem(last=False)
     return found
 
@@ -166,7 +166,7 @@ def view_rays() -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         (number * share + 0.5) % 1
         for share in (0.8566748838545029, 0.733891856627126, 0.6287067210378087, 0.5385972572236101)
     )
-    cosine = np.where(number < OBLIQUE_RAYS, 1 - (1 - SMALLEST_VIEW_COSINE) * tilt, FACING_COSINE)
+    cosine = np.where(number < OBLIQUE_RAYS, 1 - (1 - MIN_VIEW_COSINE) * tilt, FACING_COSINE)
     sine = np.sqrt(1 - cosine**2)
     views = np.stack([sine * np.cos(2 * np.pi * turn), sine * np.sin(2 * np.pi * turn), cosine])
     return np.stack([across, along]), views
@@ -233,7 +233,7 @@ def openness_of_rays(met: RayShares, highest: float) -> Openness:
         by_point,
         np.stack(warp_seen),
         relief,
-        np.clip(interior, SMALLEST_SHARE, 1),
+        np.clip(interior, MIN_SHARE, 1),
         meets,
         blocks,
         means[:, facing].mean(axis=1),

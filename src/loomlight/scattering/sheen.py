@@ -14,13 +14,13 @@ import drjit as dr
 
 from loomlight.core.arrays import Float, Vec2, Vec3
 from loomlight.core.backend import array_types, clip, maximum
-from loomlight.scattering.directions import SMALLEST_SQUARED_LENGTH, cosine_about
+from loomlight.scattering.directions import MIN_SQUARED_LENGTH, cosine_about
 from loomlight.scattering.sheen_coefficients import CEILING, REFLECTANCE, SCALE, SHEAR
 
 # The published tables hold 0.01 in the place of 0 on both axes; roots of 0 would have no derivative.
-SMALLEST = 0.01
+MIN = 0.01
 # A wider lobe than any the tables hold; keeps a² and 1/a finite.
-SMALLEST_SCALE = 0.01
+MIN_SCALE = 0.01
 # The tables' b lies between −0.18 and 0; here too where they say nothing.
 MAX_SHEAR = -0.25
 
@@ -46,11 +46,11 @@ def _polynomial(coefficients: Sequence[Sequence[float]], x: Float, y_powers: Seq
 def sheen_lobe(cos_view: Float, roughness: Float) -> tuple[Float, Float, Float]:
     """(a, b, R) of the lobe: a in 0.01 to 1, b in −0.25 to 0, R in 0 to 0.8; Floats."""
     types = array_types(cos_view)
-    cos_view = clip(cos_view, SMALLEST, 1)
+    cos_view = clip(cos_view, MIN, 1)
     x = dr.fma(2, dr.sqrt(cos_view), -1)
-    y = dr.fma(3, dr.sqrt(dr.sqrt(clip(types.Float(roughness), SMALLEST, 1))), -2)
+    y = dr.fma(3, dr.sqrt(dr.sqrt(clip(types.Float(roughness), MIN, 1))), -2)
     y_powers = _powers(y, 5)
-    scale = clip(_polynomial(SCALE, x, y_powers), SMALLEST_SCALE, 1)
+    scale = clip(_polynomial(SCALE, x, y_powers), MIN_SCALE, 1)
     shear = clip((1 - cos_view) * _polynomial(SHEAR, x, y_powers), MAX_SHEAR, 0)
     # Beyond ±60 the logistic is 0 or 1 in float32, and e^60 is still finite.
     exponent = clip(-_polynomial(REFLECTANCE, x, y_powers), -60, 60)
@@ -60,7 +60,7 @@ def sheen_lobe(cos_view: Float, roughness: Float) -> tuple[Float, Float, Float]:
 def _azimuth(view: Vec3) -> tuple[Float, Float]:
     """cos and sin of the view's azimuth; (1, 0) where it has none."""
     squared = dr.fma(view.x, view.x, view.y * view.y)
-    has_azimuth = squared > SMALLEST_SQUARED_LENGTH
+    has_azimuth = squared > MIN_SQUARED_LENGTH
     inverse = dr.rsqrt(dr.select(has_azimuth, squared, 1))
     return dr.select(has_azimuth, view.x * inverse, 1), dr.select(has_azimuth, view.y * inverse, 0)
 
@@ -110,9 +110,7 @@ def sample_sheen(view: Vec3, roughness: Float, u: Vec2) -> Vec3:
     towards = dr.fma(-shear, cosine.z, cosine.x)
     across = cosine.y
     up = scale * cosine.z
-    inverse = dr.rsqrt(
-        maximum(dr.fma(towards, towards, dr.fma(across, across, up * up)), SMALLEST_SQUARED_LENGTH)
-    )
+    inverse = dr.rsqrt(maximum(dr.fma(towards, towards, dr.fma(across, across, up * up)), MIN_SQUARED_LENGTH))
     cos_azimuth, sin_azimuth = _azimuth(view)
     x = dr.fma(towards, cos_azimuth, -across * sin_azimuth)
     y = dr.fma(towards, sin_azimuth, across * cos_azimuth)

@@ -23,7 +23,7 @@ from loomlight.scattering.lobe_mixture import (
 # Of a network that describes both sides, and of one for sources that transmit no light.
 OUTPUTS, OPAQUE_OUTPUTS = 2 * LOBE_OUTPUTS + 1, LOBE_OUTPUTS
 # Bound of the log-odds of the sides: neither is left out.
-_LARGEST_LOG_ODDS = 5.0
+_MAX_LOG_ODDS = 5.0
 _TINY = 1e-6
 
 
@@ -47,7 +47,7 @@ class TwoSidedLobes:
         if len(outputs) == OPAQUE_OUTPUTS:
             near = lobe_mixture(outputs, math)
             return cls(near, near, 1 + 0 * outputs[0])
-        odds = math.clip(outputs[-1], -_LARGEST_LOG_ODDS, _LARGEST_LOG_ODDS)
+        odds = math.clip(outputs[-1], -_MAX_LOG_ODDS, _MAX_LOG_ODDS)
         near, far = (lobe_mixture(outputs[k : k + LOBE_OUTPUTS], math) for k in (0, LOBE_OUTPUTS))
         return cls(near, far, 1 / (1 + math.exp(-odds)))
 

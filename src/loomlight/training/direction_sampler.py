@@ -25,7 +25,7 @@ _BY_MIXTURE = 0.5
 # Weights of linear RGB in the luminance.
 _LUMINANCE = (0.2126, 0.7152, 0.0722)
 # Densities and albedos below this are none.
-_SMALLEST = 1e-8
+_MIN = 1e-8
 
 
 def sampler_loss(
@@ -57,13 +57,13 @@ def sampler_loss(
         own = mixture_density(mixture, drawn.unbind(-1), view, TORCH)
         density = _BY_MIXTURE * own + (1 - _BY_MIXTURE) * z.clamp(min=0) / pi
         values = torch.where((z > 0)[..., None], reflected(drawn), torch.zeros_like(drawn))
-        weights = values / density.clamp(min=_SMALLEST)[..., None]
+        weights = values / density.clamp(min=_MIN)[..., None]
         albedo = weights.mean(dim=1)
         luminance = weights @ weights.new_tensor(_LUMINANCE)
-        shares = luminance / luminance.mean(dim=1, keepdim=True).clamp(min=_SMALLEST)
+        shares = luminance / luminance.mean(dim=1, keepdim=True).clamp(min=_MIN)
         # Views of black texels have no distribution to learn.
         shares = torch.where(albedo.sum(dim=1, keepdim=True) > 1e-5, shares, torch.zeros_like(shares))
-    log_density = torch.log(mixture_density(mixture, drawn.unbind(-1), view, TORCH).clamp(min=_SMALLEST))
+    log_density = torch.log(mixture_density(mixture, drawn.unbind(-1), view, TORCH).clamp(min=_MIN))
     divergence = -(shares * log_density).mean()
     # Squared errors make the estimates' mean the optimum.
     return divergence + (torch.exp(log_albedo) - albedo).square().mean()
@@ -95,11 +95,11 @@ def two_sided_loss(
         drawn = torch.where((numbers[4] < _BY_MIXTURE)[..., None], own, cosine)
         density = _BY_MIXTURE * lobes.density([*drawn.unbind(-1)], view, TORCH)
         density += (1 - _BY_MIXTURE) * drawn[..., 2].abs() / (2 * pi)
-        weights = values(drawn) / density.clamp(min=_SMALLEST)
+        weights = values(drawn) / density.clamp(min=_MIN)
         mean = weights.mean(dim=1, keepdim=True)
         # Views of black places have no distribution to learn.
-        shares = torch.where(mean > 1e-6, weights / mean.clamp(min=_SMALLEST), torch.zeros_like(weights))
-    log_density = torch.log(lobes.density([*drawn.unbind(-1)], view, TORCH).clamp(min=_SMALLEST))
+        shares = torch.where(mean > 1e-6, weights / mean.clamp(min=_MIN), torch.zeros_like(weights))
+    log_density = torch.log(lobes.density([*drawn.unbind(-1)], view, TORCH).clamp(min=_MIN))
     return -(shares * log_density).mean()
 
 

@@ -23,7 +23,7 @@ from loomlight.training.processes import process_number, same_for_all, wait_for_
 # Called with (steps done, steps in all, running mean of the loss).
 Report = Callable[[int, int, float], None]
 # Gradients are clipped to this length: ten times the usual one is an outlier.
-_LONGEST_GRADIENT = 1.0
+_MAX_GRADIENT = 1.0
 _MEMORY = 0.98  # of the mean loss
 
 
@@ -114,7 +114,7 @@ def train(
             # Weights that a loss does not depend on have no gradient, and stay unchanged.
             optimiser.zero_grad(set_to_none=True)
             loss.backward()
-            nn.utils.clip_grad_norm_(network.parameters(), _LONGEST_GRADIENT)
+            nn.utils.clip_grad_norm_(network.parameters(), _MAX_GRADIENT)
             optimiser.step()
         step += 1
         mean = value if step == 1 else _MEMORY * mean + (1 - _MEMORY) * value

@@ -29,10 +29,10 @@ from loomlight.viewer.openness_json import openness_json
 from loomlight.viewer.saving import FORMATS, saved, tables_of
 from loomlight.viewer.session import gallery_pictures, session
 from loomlight.viewer.uploads import TooLargeResponse, UploadTooLargeError, read_body
-from loomlight.viewer.wif_worker import LARGEST_UPLOAD, read_uploaded_draft
+from loomlight.viewer.wif_worker import MAX_UPLOAD, read_uploaded_draft
 
 # The largest draft with a loom plan and colours of every thread, as JSON.
-_LARGEST_FABRIC = 64 << 20
+_MAX_FABRIC = 64 << 20
 # Drafts that are read at once: each may take the memory that `wif_worker` allows.
 _READERS = 2
 
@@ -58,7 +58,7 @@ def editor_app(client: Path, fabric: Fabric | str | None, access: Access) -> Sta
         return JSONResponse(first, headers={"cache-control": "no-store"})
 
     async def read_draft(request: Request) -> Response:
-        content = await read_body(request, LARGEST_UPLOAD)
+        content = await read_body(request, MAX_UPLOAD)
         async with readers:
             return JSONResponse(
                 await read_uploaded_draft(content, request.query_params.get("name", "draft.wif"))
@@ -126,7 +126,7 @@ async def _defect(request: Request, error: Exception) -> Response:
 
 
 async def _json_object(request: Request) -> dict[str, Any]:
-    body = await read_body(request, _LARGEST_FABRIC)
+    body = await read_body(request, _MAX_FABRIC)
     try:
         values = json.loads(body)
     except (ValueError, RecursionError) as error:

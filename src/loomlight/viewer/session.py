@@ -11,7 +11,7 @@ from loomlight.assets.load import fabric_of_path
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.load import load_fabric
 from loomlight.viewer.fabric_json import fabric_json
-from loomlight.viewer.wif_worker import LARGEST_UPLOAD
+from loomlight.viewer.wif_worker import MAX_UPLOAD
 
 VERSION = 1
 # The fabric of the gallery that the editor shows when it is opened without one.
@@ -42,7 +42,7 @@ def session(fabric: Fabric | str | None, *, has_python: bool, token: str | None 
         "token": token,
         "fabric": fabric_json(shown),
         "gallery": gallery(),
-        "largest_upload": LARGEST_UPLOAD,
+        "largest_upload": MAX_UPLOAD,
     }
 
 

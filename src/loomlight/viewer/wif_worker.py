@@ -19,12 +19,12 @@ from typing import Any
 from loomlight.core.errors import InputError
 
 # A WIF of 16384 threads with a colour and a spacing each has some 2 MB.
-LARGEST_UPLOAD = 16 << 20
+MAX_UPLOAD = 16 << 20
 # The interpreter and NumPy map 0.4 GiB; the largest draft, of 16384² crossings, takes 1.2 GiB meanwhile.
 MEMORY_BYTES = 2 << 30
 SECONDS = 20.0
 _UNSAFE = re.compile(r"[^\w .()+-]+")
-_LONGEST_NAME = 120
+_MAX_NAME = 120
 
 
 async def read_uploaded_draft(
@@ -78,8 +78,8 @@ def safe_name(name: str) -> str:
     cleaned = _UNSAFE.sub("_", last).strip(" .")
     stem, dot, suffix = cleaned.rpartition(".")
     if not dot:
-        return (cleaned or "draft")[:_LONGEST_NAME]
-    return f"{stem[:_LONGEST_NAME] or 'draft'}.{suffix[:8]}"
+        return (cleaned or "draft")[:_MAX_NAME]
+    return f"{stem[:_MAX_NAME] or 'draft'}.{suffix[:8]}"
 
 
 def _environment() -> dict[str, str]:

@@ -32,11 +32,11 @@ MAXIMUM_PICTURE_PX = 1 << 26
 # A plan that came with the draft is drawn up to a large dobby loom's; a derived one only while it explains.
 MAXIMUM_DRAWN_SHAFTS = 64
 MAXIMUM_DERIVED_SHAFTS = 32
-_LARGEST_CELL_PX = 24
+_MAX_CELL_PX = 24
 _COMFORTABLE_PX = 1100
 # Large drafts get a larger picture, as long as that keeps their threads apart.
 _LARGE_PX = 2400
-_SMALLEST_LEGIBLE_CELL_PX = 4
+_MIN_LEGIBLE_CELL_PX = 4
 # Small repeats are drawn several times until the eye sees a cloth.
 _LEGIBLE_THREADS = 24
 
@@ -235,8 +235,8 @@ def _framed_cells(view: _View, parts: _LoomParts | None) -> tuple[int, int]:
 def _cell(requested: int | None, cells: tuple[int, ...]) -> int:
     most = max(cells)
     if requested is None:
-        comfortable = min(_LARGEST_CELL_PX, _COMFORTABLE_PX // most)
-        return max(1, comfortable, min(_SMALLEST_LEGIBLE_CELL_PX, _LARGE_PX // most))
+        comfortable = min(_MAX_CELL_PX, _COMFORTABLE_PX // most)
+        return max(1, comfortable, min(_MIN_LEGIBLE_CELL_PX, _LARGE_PX // most))
     if requested >= 1 and _fits(cells, requested):
         return requested
     largest = next((cell for cell in range(MAXIMUM_PICTURE_SIDE_PX // most, 0, -1) if _fits(cells, cell)), 0)

@@ -88,10 +88,10 @@ def derive_loom_plan(draft: Draft, shaft_limit: int | None = None) -> LoomPlan:
     lifts_of_treadle = sheds.sum(axis=1)
     is_liftplan = len(sheds) > max(shafts, _TREADLES_AT_HAND)
     count = int(lifts_of_treadle[treadle_of_pick].sum() if is_liftplan else lifts_of_treadle.sum())
-    if count > MOST_LIFTS:
+    if count > MAX_LIFTS:
         raise InputError(
             f"The draft needs {shafts} shafts and a plan of {count / 1e6:.0f} million lifts; a weaving "
-            f"information file that is read again has {MOST_LIFTS / 1e6:.0f} million: keep it as a picture."
+            f"information file that is read again has {MAX_LIFTS / 1e6:.0f} million: keep it as a picture."
         )
     lifts = tuple(frozenset((np.flatnonzero(row) + 1).tolist()) for row in sheds)
     if is_liftplan:
@@ -108,7 +108,7 @@ def derive_loom_plan(draft: Draft, shaft_limit: int | None = None) -> LoomPlan:
 
 _ROWS_AT_ONCE = 1024
 # Shafts named by a liftplan, or by a tie-up: some 60 MB of text. Such files are read up to 64 MiB.
-MOST_LIFTS = 12_000_000
+MAX_LIFTS = 12_000_000
 # With more kinds of picks than both shafts and this, a treadling only repeats the liftplan at length.
 _TREADLES_AT_HAND = 16
 

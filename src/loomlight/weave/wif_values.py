@@ -29,8 +29,8 @@ _UNIT_SPELLINGS = {
     "mm": "millimeters",
 }
 # Beyond these a thread is no thread; rounding of lengths stays harmless between them.
-SMALLEST_LENGTH_MM = 1e-4
-LARGEST_LENGTH_MM = 1000.0
+MIN_LENGTH_MM = 1e-4
+MAX_LENGTH_MM = 1000.0
 
 
 def without_comment(value: str) -> str:
@@ -158,12 +158,11 @@ def length_mm(text: WifText, section: str, key: str, value: str, unit: float) ->
     if length == 0 and not re.search("[1-9]", digits.lower().partition("e")[0]):
         text.warn(section, key, value, "is no length and is passed over; a thread takes up more than 0")
         return None
-    if not (math.isfinite(length) and SMALLEST_LENGTH_MM <= length <= LARGEST_LENGTH_MM):
+    if not (math.isfinite(length) and MIN_LENGTH_MM <= length <= MAX_LENGTH_MM):
         raise text.fault(
             section,
             key,
             value,
-            f"is {length:.4g} mm, and a thread measures between {SMALLEST_LENGTH_MM} "
-            f"and {LARGEST_LENGTH_MM:g} mm",
+            f"is {length:.4g} mm, and a thread measures between {MIN_LENGTH_MM} and {MAX_LENGTH_MM:g} mm",
         )
     return length

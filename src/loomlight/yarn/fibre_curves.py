@@ -24,7 +24,7 @@ from loomlight.yarn.layout import ClothLayout, FamilyLayout
 
 # Control points between two crossings.
 _POINTS = 16
-_MOST_FIBRES = 10_000_000
+_MAX_FIBRES = 10_000_000
 # Fibres of neighbours of a sunflower's seeds are turned by this angle, radians.
 _GOLDEN_ANGLE = math.pi * (3 - math.sqrt(5))
 # Fibres wander from their place in a ply by this share of its radius.
@@ -77,8 +77,8 @@ def fibre_curves(layout: ClothLayout, settings: FibreSettings) -> list[FibreCurv
         InputError: more fibres than can be held.
     """
     picks, ends = layout.warp_on_top.shape
-    if (picks + ends) * settings.plies * settings.fibres > _MOST_FIBRES:
-        raise InputError(f"{picks + ends} threads have more than {_MOST_FIBRES} fibres.")
+    if (picks + ends) * settings.plies * settings.fibres > _MAX_FIBRES:
+        raise InputError(f"{picks + ends} threads have more than {_MAX_FIBRES} fibres.")
     front, back = _crossing_heights(layout)
     middle, quarter = 0.5 * (front + back), 0.25 * (front - back)
     warp_heights = middle + np.where(layout.warp_on_top, quarter, -quarter)

@@ -19,7 +19,7 @@ from loomlight.yarn.threads import FamilyTables, prepare_family
 
 LayoutTables = tuple[FamilyTables, FamilyTables, NDArray[np.uint32], NDArray[np.uint32]]
 # Whole numbers that float32 tells apart.
-_MOST_EXACT = 1 << 24
+_MAX_EXACT = 1 << 24
 # Tables of all layouts in memory: the models of a fabric share its layout, and a draft of 4096 by 4096
 # threads takes seconds. An edit of heights or twist makes another layout with the same threads.
 _cache: WeakKeyDictionary[ClothLayout, LayoutTables] = WeakKeyDictionary()
@@ -75,7 +75,7 @@ class DeviceTables:
         self.weft: Any = upload_family(weft, types)
         self.words = upload(types.UInt32, words)
         # Single precision, which is faster, tells the words of 4096 by 4096 crossings apart.
-        exact = types.Float if words[..., 0].size <= _MOST_EXACT else types.UInt32
+        exact = types.Float if words[..., 0].size <= _MAX_EXACT else types.UInt32
         self.ends: Any = dr.opaque(exact, words.shape[1])
         self.max_heights = upload(types.UInt32, max_heights)
         self.max_height_columns = dr.opaque(types.UInt32, max_heights.shape[1])

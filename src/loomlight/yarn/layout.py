@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from loomlight.core.errors import InputError
 
 # Dense drafts give a thickness at or above the spacing; threads never touch closer than this share of it.
-SMALLEST_GAP = 0.02
+MIN_GAP = 0.02
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +44,7 @@ class FamilyLayout:
     @property
     def visible_width(self) -> NDArray[np.float64]:
         """Width of each thread that is used [n], millimetres."""
-        return np.minimum(self.width, (1 - SMALLEST_GAP) * self.spacing)
+        return np.minimum(self.width, (1 - MIN_GAP) * self.spacing)
 
     @property
     def open_share(self) -> float:

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.yarn.layout import SMALLEST_GAP, FamilyLayout
+from loomlight.yarn.layout import MIN_GAP, FamilyLayout
 from loomlight.yarn.runs import (
     CELL_MAX_LEVELS,
     MAX_ARC,
@@ -26,7 +26,7 @@ from loomlight.yarn.runs import (
 # The cross-section is an arc of ±80°: at 90° the variance of 1/n_z over it would be infinite.
 SECTION_ANGLE = math.radians(80.0)
 # Below this inclination (0.06°) an arc's radius outgrows float32; the thread is as good as straight.
-SMALLEST_INCLINATION = 1e-3
+MIN_INCLINATION = 1e-3
 # Share of the largest inclination a run can take that is used: its arc keeps a positive length.
 STEEPEST_SHARE = 0.95
 # Threads finer than this share of the mean would need a finer index than is worth its memory.
@@ -84,7 +84,7 @@ def section_drop(across: NDArray[np.float64], half_width: NDArray[np.float64]) -
 
 def _cells(family: FamilyLayout) -> tuple[NDArray[np.float64], ...]:
     centre = np.cumsum(family.spacing) - family.spacing / 2
-    half_width = np.minimum(family.width, (1 - SMALLEST_GAP) * family.spacing) / 2
+    half_width = np.minimum(family.width, (1 - MIN_GAP) * family.spacing) / 2
     period = family.spacing.sum()
     previous_edge = np.roll(centre + half_width, 1)
     previous_edge[0] -= period
@@ -116,7 +116,7 @@ def prepare_family(family: FamilyLayout, crossing: FamilyLayout, words: NDArray[
         shortest[rows] = length.min(axis=1)
     # A run of length L leaves room for its arc while w·tan(v_max/2)·sin U < L.
     steepest = np.arcsin(np.minimum(STEEPEST_SHARE * shortest / (2 * section), 1.0))
-    inclination = np.clip(np.minimum(family.inclination, steepest), SMALLEST_INCLINATION, None)
+    inclination = np.clip(np.minimum(family.inclination, steepest), MIN_INCLINATION, None)
 
     finest_crossing = float((cross_upper - cross_lower).min())
     # A float rises by one width at most, and its ends stay within what the run words can tell.

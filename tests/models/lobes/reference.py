@@ -23,10 +23,10 @@ from numpy.typing import NDArray
 
 from loomlight.models.lobes.coverage_lookup import MIN_TAP_SPACING, TAP_OFFSETS, TAP_SIZE, TENT_VARIANCE
 from loomlight.models.lobes.density import (
+    MIN_COSINE,
+    MIN_PATH,
+    MIN_STEEPNESS,
     NARROWEST,
-    SMALLEST_COSINE,
-    SMALLEST_PATH,
-    SMALLEST_STEEPNESS,
     SPREAD_LOSS,
 )
 from loomlight.models.lobes.hemisphere import AZIMUTHS, MIN_NODE_COSINE, RINGS
@@ -327,7 +327,7 @@ def mean_density(half: Numbers, groups: GroupMoments) -> Numbers:
     mean = groups.tangent @ half
     deviation = np.sqrt(np.maximum(_variance(groups, half), 0))
     width = np.maximum(math.sqrt(3) * deviation, NARROWEST * roughness + 1e-4)
-    steepness = np.maximum(np.sqrt(1 - roughness**2) / roughness, SMALLEST_STEEPNESS)
+    steepness = np.maximum(np.sqrt(1 - roughness**2) / roughness, MIN_STEEPNESS)
     first, last = steepness * (mean - width), steepness * (mean + width)
     product, span = first * last, last - first
     rational = (1 - product) / ((1 + first**2) * (1 + last**2))
@@ -351,13 +351,13 @@ def layer_value(
     Reflection D G_r/(4 cos_v), or, where light comes from the other side, transmission D G_t/(4 cos_v).
     """
     is_transmission = light[2] < 0
-    cos_light = np.maximum(groups.normal @ (-light if is_transmission else light), SMALLEST_COSINE)
-    cos_view = np.maximum(groups.normal @ view, SMALLEST_COSINE)
+    cos_light = np.maximum(groups.normal @ (-light if is_transmission else light), MIN_COSINE)
+    cos_view = np.maximum(groups.normal @ view, MIN_COSINE)
     slope_light = mean_area(light, groups) / cos_light
     slope_view = mean_area(view, groups) / cos_view
     # The layer's mean of e^{−s} along the path, e^{−Tρ min(Λ_l, Λ_v)}·(1 − e^{−Tρ|Δ|})/|Δ| in transmission.
     path = np.abs(slope_light - slope_view) if is_transmission else slope_light + slope_view
-    path = np.maximum(path, SMALLEST_PATH)
+    path = np.maximum(path, MIN_PATH)
     unscattered = np.exp(-optical_depth * np.minimum(slope_light, slope_view)) if is_transmission else 1.0
     attenuation = unscattered * -np.expm1(-optical_depth * path) / path
     loss = 0 if is_transmission else SPREAD_LOSS * (1 - (groups.normal**2).sum(axis=1))

@@ -14,7 +14,7 @@ from drjit.llvm.ad import Float, UInt32
 from loomlight.core.llvm import require_llvm
 from loomlight.models.mip_pyramid import PyramidShape
 from loomlight.models.neumip.networks import DeviceWeights
-from loomlight.models.neumip.parallax import SMALLEST_COSINE, shifted
+from loomlight.models.neumip.parallax import MIN_COSINE, shifted
 from loomlight.models.neumip.training.network import NeumipNetwork, blurred, loss_of
 
 require_llvm()
@@ -69,7 +69,7 @@ def test_values_are_those_of_torch(with_offset: bool, derivatives: bool) -> None
     if with_offset:
         depth = device.depth(u, v, view, face)
         cosine = dr.sqrt(1 - view[0] * view[0] - view[1] * view[1])
-        slope = dr.rcp(dr.maximum(cosine, SMALLEST_COSINE))
+        slope = dr.rcp(dr.maximum(cosine, MIN_COSINE))
         u, v = shifted(SHAPE, u, v, depth, *view, slope)
     actual = device.value(device.latent(u, v, Float(levels.numpy()), face), light, view)
     found = np.stack([channel.numpy() for channel in actual], axis=1)

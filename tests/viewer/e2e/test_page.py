@@ -18,12 +18,12 @@ from tests.viewer.e2e.conftest import AXE, Visit, wait_until
 
 FIXTURES = Path(__file__).parents[2] / "weave" / "fixtures"
 # Of everything that the page may load, compressed as web servers do.
-LARGEST_BUNDLE = 3 << 20
+MAX_BUNDLE = 3 << 20
 
 
 def test_bundle_is_small(client: Path) -> None:
     size = sum(len(gzip.compress(file.read_bytes(), 6)) for file in client.rglob("*") if file.is_file())
-    assert size < LARGEST_BUNDLE
+    assert size < MAX_BUNDLE
 
 
 def test_loads_without_a_request_outside_and_without_complaint(served: Served, visit: Visit) -> None:

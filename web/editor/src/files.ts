@@ -21,7 +21,7 @@ const PICTURES = /\.(png|jpe?g|gif|bmp|webp)$/i;
 /** Drafts of other programs, which Python reads. */
 const OTHER_DRAFTS = /\.(dtx|wpo|twa|tiff?)$/i;
 /** Larger than any draft that can be used: 64 MiB, as Python reads. */
-const LARGEST = 64 * 2 ** 20;
+const MAX = 64 * 2 ** 20;
 
 /** A file that is a mesh. */
 export const MESHES = /\.(obj|glb|gltf|ply)$/i;
@@ -44,8 +44,8 @@ export async function openFabric(files: readonly File[], server: Server | null):
   const toml = files.find((file) => /\.toml$/i.test(file.name));
   const draft = files.find((file) => file !== toml);
   for (const file of files)
-    if (file.size > LARGEST)
-      throw new InputError(`${file.name} is larger than ${LARGEST >> 20} MiB; no draft or fabric that can be used is.`);
+    if (file.size > MAX)
+      throw new InputError(`${file.name} is larger than ${MAX >> 20} MiB; no draft or fabric that can be used is.`);
   if (toml !== undefined) {
     const text = await toml.text();
     const fields = speakingOf(toml.name, () => readToml(text));

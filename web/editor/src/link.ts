@@ -3,7 +3,7 @@ import type { Fabric } from "./state/document.ts";
 import { fabricFromJson, fabricToJson, type StoredFabric } from "./state/fabric_json.ts";
 
 /** Longer addresses are cut by some programs. */
-const LONGEST = 12_000;
+const MAX = 12_000;
 const KEY = "f=";
 
 /** The part of an address after "#" that carries the fabric; null where it would be too long to share. */
@@ -11,7 +11,7 @@ export async function linkOf(fabric: Fabric): Promise<string | null> {
   const bytes = await through(new TextEncoder().encode(JSON.stringify(fabricToJson(fabric))), new CompressionStream("deflate-raw"));
   const text = btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
   const link = KEY + text.replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
-  return link.length > LONGEST ? null : link;
+  return link.length > MAX ? null : link;
 }
 
 /**

@@ -11,7 +11,7 @@ import { yarnDensity } from "./yarns.ts";
 /** Yarn cannot be longer than that over the cloth: jammed plain weaves have crimps up to .3. */
 const MAX_CRIMP = 0.5;
 /** At least that share of a thread's spacing stays open, as `src/loomlight/yarn/layout.py` draws it. */
-const SMALLEST_GAP = 0.02;
+const MIN_GAP = 0.02;
 /** Steps of the search for a sett: twice as many as the digits that are shown need. */
 const STEPS = 40;
 
@@ -89,7 +89,7 @@ function yarnOf(fields: FabricFields, family: FamilyName, draft: Draft): Yarn {
     return { spacing, heightMm: sum(width) / width.length, tex };
   }
   const diameter = yarnDiameterMm(count, density);
-  const visible = sum(width.map((each, thread) => Math.min(each, (1 - SMALLEST_GAP) * spacing[thread]!))) / width.length;
+  const visible = sum(width.map((each, thread) => Math.min(each, (1 - MIN_GAP) * spacing[thread]!))) / width.length;
   const isWide = gap !== undefined || width_mm !== undefined;
   // A yarn that is wider than round is pressed flat: the height of the ellipse of the same area.
   return { spacing, heightMm: isWide ? Math.min(diameter, diameter ** 2 / visible) : diameter, tex: yarnTex(count) };

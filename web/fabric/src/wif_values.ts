@@ -30,7 +30,7 @@ const UNIT_SPELLINGS: Readonly<Record<string, string>> = {
   mm: "millimeters",
 };
 /** Beyond these a thread is no thread; rounding of lengths stays harmless between them. */
-const SMALLEST_LENGTH_MM = 1e-4;
+const MIN_LENGTH_MM = 1e-4;
 const MAX_LENGTH_MM = 1000;
 
 /** A value up to a comment on its line. */
@@ -171,12 +171,12 @@ export function lengthMm(text: WifText, section: string, key: string, value: str
     text.warn(section, key, value, "is no length and is passed over; a thread takes up more than 0");
     return null;
   }
-  if (!(SMALLEST_LENGTH_MM <= length && length <= MAX_LENGTH_MM))
+  if (!(MIN_LENGTH_MM <= length && length <= MAX_LENGTH_MM))
     throw text.fault(
       section,
       key,
       value,
-      `is ${general(length, 4)} mm, and a thread measures between ${SMALLEST_LENGTH_MM} and ${MAX_LENGTH_MM} mm`,
+      `is ${general(length, 4)} mm, and a thread measures between ${MIN_LENGTH_MM} and ${MAX_LENGTH_MM} mm`,
     );
   return length;
 }

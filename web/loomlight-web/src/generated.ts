@@ -310,7 +310,7 @@ export const LIGHT_SUMS = 5;
 export const FIRST_WEIGHT = 16;
 
 // models.between_yarns
-export const SMALLEST_OPENNESS = 0.1;
+export const MIN_OPENNESS = 0.1;
 export const WEIGHT_OF_CLOTH = 0.002;
 
 // realtime.bvh
@@ -364,8 +364,8 @@ export const MAX_TONE = 0.15;
 export const HAIR_LAYERS = 2;
 export const HAIR_CELL = 17.0;
 export const HAIR_HALF_WIDTH = 0.32;
-export const HAIR_SHORTEST = 5.0;
-export const HAIR_LONGEST = 16.0;
+export const HAIR_MIN = 5.0;
+export const HAIR_MAX = 16.0;
 export const HAIR_CURL = 0.7;
 export const HAIR_EDGE_SINE = 0.8;
 export const SLUB_DEPTH = 0.25;
@@ -380,11 +380,11 @@ export const TILT_SCALE = 1.0985884360051028;
 export const TURN_SCALE = 1.4209964001470128;
 
 // scattering.directions
-export const SMALLEST_SQUARED_LENGTH = 1e-20;
+export const MIN_SQUARED_LENGTH = 1e-20;
 
 // scattering.fibre
-export const SMALLEST_COSINE = 1e-06;
-export const SMALLEST_SQUARED_SUM = 1e-12;
+export const MIN_COSINE = 1e-06;
+export const MIN_SQUARED_SUM = 1e-12;
 export const SHARE_TURNED = [0.57, -0.17] as const;
 export const SHARE_THROUGH = [0.27, 0.045] as const;
 export const MEAN_TURNED = [0.297, -0.086, -3.12] as const;
@@ -406,7 +406,7 @@ export const NODES = 256;
 export const MIN_NODE_COSINE = 0.03;
 
 // models.lobes.bsdf
-export const SMALLEST_GROUP_WEIGHT = 1e-12;
+export const MIN_GROUP_WEIGHT = 1e-12;
 
 // models.lobes.tables
 export const MOMENTS = 12;
@@ -453,7 +453,7 @@ export const FLATTEST_SHARE = 0.1;
 // models.lobes.regimes
 export const BLEND_RANGE = [0.6, 1.6] as const;
 export const SQUARE_SCALE = 0.8;
-export const SMALLEST_FOOTPRINT = 1e-09;
+export const MIN_FOOTPRINT_SIDE = 1e-09;
 
 // yarn.runs
 export const MAX_OFFSET = 127;
@@ -478,7 +478,7 @@ export const REFERENCE_STEPS = 16384;
 
 // yarn.threads
 export const SECTION_ANGLE = 1.3962634015954636;
-export const SMALLEST_INCLINATION = 0.001;
+export const MIN_INCLINATION = 0.001;
 export const STEEPEST_SHARE = 0.95;
 export const FINEST_CELL = 0.015625;
 
@@ -508,16 +508,16 @@ export const MIN_DIFFUSE = 0.02;
 // aggregate.footprint_albedos
 export const ALBEDO_MAX_ENTRIES = 67108864;
 export const ALBEDO_MIN_QUANTITIES = 4;
-export const ALBEDO_SMALLEST_AXIS = 1e-06;
-export const ALBEDO_SMALLEST_BOX = 0.015625;
+export const ALBEDO_MIN_AXIS = 1e-06;
+export const ALBEDO_MIN_BOX = 0.015625;
 export const ALBEDO_HIDDEN_WEIGHT = 0.000244140625;
 export const ALBEDO_AREA_UNITS = 2126008811.52;
 export const ALBEDO_NOISE_UNITS = 16.0;
 export const ALBEDO_NOISE_FRACTION = 1e-05;
 
 // models.clustered.base
-export const CLUSTERED_SMALLEST_COSINE = 0.1;
-export const CLUSTERED_SMALLEST_DEPTH = 0.001;
+export const CLUSTERED_MIN_COSINE = 0.1;
+export const CLUSTERED_MIN_DEPTH = 0.001;
 
 // models.clustered.bsdf
 export const CLUSTERED_POINT_SEED_STEP = 1663821227;
@@ -533,10 +533,10 @@ export const CLUSTERED_BINS = 32;
 
 // models.lobes.density
 export const GROUP_NARROWEST = 0.02;
-export const GROUP_SMALLEST_STEEPNESS = 0.001;
-export const GROUP_SMALLEST_COSINE = 0.02;
+export const GROUP_MIN_STEEPNESS = 0.001;
+export const GROUP_MIN_COSINE = 0.02;
 export const GROUP_SPREAD_LOSS = 0.35;
-export const GROUP_SMALLEST_PATH = 0.001;
+export const GROUP_MIN_PATH = 0.001;
 export const GROUP_ARC_TANGENT = [0.999999715, -0.33327976, 0.198950258, -0.135376751, 0.0847596977, -0.0377517076, 0.00809729493] as const;
 
 // models.latent.networks
@@ -553,8 +553,8 @@ export const MIXTURE_LOBE_OUTPUTS = 9;
 export const MIXTURE_MAX_SLOPE_OUTPUT = 6.0;
 export const MIXTURE_MAX_OUTPUT = 50.0;
 export const MIXTURE_MAX_LOG_RATIO = 8.0;
-export const MIXTURE_SMALLEST_ALPHA = 0.0001;
-export const MIXTURE_SMALLEST_COSINE = 0.0001;
+export const MIXTURE_MIN_ALPHA = 0.0001;
+export const MIXTURE_MIN_COSINE = 0.0001;
 
 // models.neumip.networks
 export const NEUMIP_CHANNELS = 7;
@@ -566,7 +566,7 @@ export const NEUMIP_SAMPLER_HIDDEN = [32, 32] as const;
 export const NEUMIP_EXPOSURE = 3.141592653589793;
 
 // models.neumip.parallax
-export const NEUMIP_SMALLEST_COSINE = 0.6;
+export const NEUMIP_MIN_COSINE = 0.6;
 
 // models.neural.architecture
 export const NEURAL_LEAKY_SLOPE = 0.01;
@@ -602,7 +602,7 @@ export const NEURAL_CORRECTED_SIZES = [1.0, 4.0] as const;
 
 // models.neural.light_visibility
 export const NEURAL_FACING = [0.166, 0.597, 0.216] as const;
-export const NEURAL_FACING_SMALLEST_COSINE = 0.001;
+export const NEURAL_FACING_MIN_COSINE = 0.001;
 
 // models.neural.proposal
 export const NEURAL_UNIFORM_PROBABILITY = 0.1;
@@ -616,8 +616,8 @@ export const OPENNESS_OBLIQUE_RAYS = 6144;
 export const OPENNESS_FACING_RAYS = 2048;
 export const OPENNESS_LIGHTS = 16;
 export const OPENNESS_FACING_COSINE = 0.9902680687415704;
-export const OPENNESS_SMALLEST_VIEW_COSINE = 0.03;
-export const OPENNESS_SMALLEST_SHARE = 0.05;
+export const OPENNESS_MIN_VIEW_COSINE = 0.03;
+export const OPENNESS_MIN_SHARE = 0.05;
 export const OPENNESS_STEPS_PER_THREAD = 4.0;
 export const OPENNESS_STEPS_PER_RELIEF = 4.0;
 export const OPENNESS_SHADOW_SHARE = 1.3;
@@ -636,8 +636,8 @@ export const PROPOSAL_MIN_WEIGHT = 1e-06;
 export const PROPOSAL_SPREAD_WIDTH = 1.7;
 
 // scattering.sheen
-export const SHEEN_SMALLEST = 0.01;
-export const SHEEN_SMALLEST_SCALE = 0.01;
+export const SHEEN_MIN = 0.01;
+export const SHEEN_MIN_SCALE = 0.01;
 export const SHEEN_MAX_SHEAR = -0.25;
 
 // scattering.albedo
@@ -663,7 +663,7 @@ export const MAX_COLUMNS = 1024;
 export const MAXIMUM_CROSSINGS = 67108864;
 
 // yarn.layout
-export const SMALLEST_GAP = 0.02;
+export const MIN_GAP = 0.02;
 
 // models.lobes.model
 export const DEFAULT_GROUPS = 8;
@@ -683,7 +683,7 @@ export const RAY_OFFSET = 2e-06;
 export const FLAT = 1e-07;
 
 // realtime.tables
-export const SMALLEST_OPEN_SHARE = 0.001;
+export const MIN_OPEN_SHARE = 0.001;
 
 export const DETAIL_FIELDS = [["plies", "plies", 1.0] as const, ["ply_twist", "ply_twist_deg", 0.017453292519943295] as const, ["fibre_tilt", "fibre_tilt_deg", 0.017453292519943295] as const, ["slub", "slub", 1.0] as const, ["hairiness", "hairiness", 1.0] as const] as const;
 export const OPENNESS_PARTS = [["by_view", 60] as const, ["by_point", 72] as const, ["warp_seen", 10] as const, ["interior", 4] as const, ["meets", 8] as const, ["blocks", 4] as const, ["per_relief", 1] as const, ["layers", 4] as const] as const;

@@ -28,7 +28,7 @@ _MANTISSA_BITS = 23
 # exp is finite and normal in float32 within these.
 _EXP_RANGE = -87.0, 88.0
 # Below this number a square root is returned too small.
-_SMALLEST_SQUARE = 1e-30
+_MIN_SQUARE = 1e-30
 
 
 class SimdMath:
@@ -64,7 +64,7 @@ class SimdMath:
     def sqrt(self, value: Operand) -> SimdValue:
         """Square root of a number ≥ 0: value · 1/√value, as there are estimates of the latter."""
         value = self._kernel.varying(value)
-        return value * (1.0 / self._intrinsic("sqrt", self.maximum(value, _SMALLEST_SQUARE)))
+        return value * (1.0 / self._intrinsic("sqrt", self.maximum(value, _MIN_SQUARE)))
 
     def select(self, mask: SimdValue, if_true: Operand, if_false: Operand) -> SimdValue:
         """if_true where the mask is set, if_false elsewhere."""

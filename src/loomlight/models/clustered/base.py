@@ -33,9 +33,9 @@ from loomlight.models.separable import Components
 from loomlight.scattering.fibre import projected_area
 
 # Cosines with the mean normal of a cluster, whose texels have others, are kept above this.
-SMALLEST_COSINE = 0.1
+MIN_COSINE = 0.1
 # Optical depth between the layer's slopes for light and view, kept above this: it is divided by.
-SMALLEST_DEPTH = 1e-3
+MIN_DEPTH = 1e-3
 
 
 @dataclass
@@ -213,13 +213,13 @@ class ViewedBase:
         """f·cos of the fibre layer over D, at a cluster's mean frame; see `scattering.fibre`."""
         depth = self._tables.optical_depth
         towards = dr.dot(taps.facing, lobe.normal)
-        cos_light = maximum(dr.select(taps.transmits, -towards, towards), SMALLEST_COSINE)
-        cos_view = maximum(dr.dot(self.view, lobe.normal), SMALLEST_COSINE)
+        cos_light = maximum(dr.select(taps.transmits, -towards, towards), MIN_COSINE)
+        cos_view = maximum(dr.dot(self.view, lobe.normal), MIN_COSINE)
         slope_light = projected_area(taps.facing, lobe.tangent, lobe.roughness) * dr.rcp(cos_light)
         slope_view = projected_area(self.view, lobe.tangent, lobe.roughness) * dr.rcp(cos_view)
         both = slope_light + slope_view
         reflected = (1 - dr.exp(-depth * both)) * dr.rcp(both)
-        apart = maximum(depth * abs(slope_light - slope_view), SMALLEST_DEPTH)
+        apart = maximum(depth * abs(slope_light - slope_view), MIN_DEPTH)
         passed = dr.exp(-depth * minimum(slope_light, slope_view))
         transmitted = depth * passed * (1 - dr.exp(-apart)) * dr.rcp(apart)
         return 0.25 * dr.select(taps.transmits, transmitted, reflected) * dr.rcp(cos_view)

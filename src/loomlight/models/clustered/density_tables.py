@@ -21,7 +21,7 @@ from loomlight.models.clustered.square_map import bin_centres
 # Texels of a cluster that the components are computed of.
 _TRAINING = 2048
 _POWERS = 3
-_LARGEST = 127
+_MAX = 127
 # Texels whose densities are computed at once.
 _BATCH = 8192
 
@@ -81,7 +81,7 @@ def density_tables(
                 if rank
                 else np.zeros((len(fibres), 0), np.float32)
             )
-            unit = np.maximum(np.abs(values).max(axis=0, initial=0) / _LARGEST, 1e-20)
+            unit = np.maximum(np.abs(values).max(axis=0, initial=0) / _MAX, 1e-20)
             whole = np.rint(values / unit)
             coefficients[face].reshape(labels[face].size, rank)[chosen] = whole.astype(np.int8)
             basis[face, :, 0, cluster] = mean

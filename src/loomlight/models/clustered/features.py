@@ -20,7 +20,7 @@ from loomlight.yarn.horizon import AZIMUTHS, HorizonMap
 _Number = TypeVar("_Number", bound=np.generic)
 # Texels along the longer side of small repeats (zhu2024 6), and texels across the finest thread.
 DEFAULT_TEXELS = 256
-_PER_THREAD, _FEWEST_PER_THREAD = 6, 2
+_PER_THREAD, _MIN_PER_THREAD = 6, 2
 # Of one face: the bake stays under two minutes and 4 GB, summed-area tables on a device included.
 MAX_TEXELS = 1 << 21
 _BYTES_A_TEXEL, _SECONDS_A_TEXEL = 1000, 5e-5
@@ -68,7 +68,7 @@ def texel_counts(geometry: YarnGeometry, longest: int) -> tuple[int, int]:
     found = counts(_PER_THREAD)
     if found[0] * found[1] <= MAX_TEXELS:
         return found
-    least = counts(_FEWEST_PER_THREAD)
+    least = counts(_MIN_PER_THREAD)
     if least[0] * least[1] > MAX_TEXELS:
         raise InputError(
             f"The repeat of {width:.4g} × {height:.4g} mm needs {least[0]} × {least[1]} texels, "
@@ -77,10 +77,10 @@ def texel_counts(geometry: YarnGeometry, longest: int) -> tuple[int, int]:
         )
     # Rounding up adds a column and a row.
     per_thread = _PER_THREAD * math.sqrt(MAX_TEXELS / ((found[0] + 2) * (found[1] + 2)))
-    fewer = counts(max(per_thread, _FEWEST_PER_THREAD))
+    fewer = counts(max(per_thread, _MIN_PER_THREAD))
     warnings.warn(
         f"The repeat of {width:.4g} × {height:.4g} mm is large: {fewer[0]} × {fewer[1]} texels, "
-        f"{max(per_thread, _FEWEST_PER_THREAD):.1f} across the finest thread instead of {_PER_THREAD}, take "
+        f"{max(per_thread, _MIN_PER_THREAD):.1f} across the finest thread instead of {_PER_THREAD}, take "
         f"{_cost(fewer)} to bake; fewer texels mean more noise, not bias.",
         LoomlightWarning,
         stacklevel=2,

@@ -28,10 +28,10 @@ from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.search import upload_extent
 
-DEFAULT_CLUSTERS, MOST_CLUSTERS = 16, 64
-DEFAULT_RANK, MOST_RANK = 1, 16
-DEFAULT_SAMPLES, MOST_SAMPLES = 2, 8
-DEFAULT_TEXEL_SAMPLES, MOST_TEXEL_SAMPLES = 16, 1024
+DEFAULT_CLUSTERS, MAX_CLUSTERS = 16, 64
+DEFAULT_RANK, MAX_RANK = 1, 16
+DEFAULT_SAMPLES, MAX_SAMPLES = 2, 8
+DEFAULT_TEXEL_SAMPLES, MAX_TEXEL_SAMPLES = 16, 1024
 MIN_TEXELS, MAX_TEXELS = 16, 1024
 # What tables mean; to be raised when older ones no longer fit the formulas.
 _TABLES_VERSION = 2
@@ -58,11 +58,11 @@ class ClusteredModel(FilteredFabricModel):
     conserves_energy = False
     estimates = True
     options = (
-        Option("clusters", int, f"a multiple of 4 from 4 to {MOST_CLUSTERS}", 4, MOST_CLUSTERS),
-        Option("rank", int, f"a whole number from 0 to {MOST_RANK}", 0, MOST_RANK),
+        Option("clusters", int, f"a multiple of 4 from 4 to {MAX_CLUSTERS}", 4, MAX_CLUSTERS),
+        Option("rank", int, f"a whole number from 0 to {MAX_RANK}", 0, MAX_RANK),
         Option("texels", int, f"a whole number from {MIN_TEXELS} to {MAX_TEXELS}", MIN_TEXELS, MAX_TEXELS),
-        Option("texel_samples", int, f"a whole number from 0 to {MOST_TEXEL_SAMPLES}", 0, MOST_TEXEL_SAMPLES),
-        Option("samples", int, f"a whole number from 0 to {MOST_SAMPLES}", 0, MOST_SAMPLES),
+        Option("texel_samples", int, f"a whole number from 0 to {MAX_TEXEL_SAMPLES}", 0, MAX_TEXEL_SAMPLES),
+        Option("samples", int, f"a whole number from 0 to {MAX_SAMPLES}", 0, MAX_SAMPLES),
     )
 
     def __init__(
@@ -252,15 +252,15 @@ class ClusteredModel(FilteredFabricModel):
 
 def _require_options(clusters: int, rank: int, samples: int, texel_samples: int, texels: int) -> None:
     """Raises InputError unless options are in range."""
-    if not 4 <= clusters <= MOST_CLUSTERS or clusters % 4:
+    if not 4 <= clusters <= MAX_CLUSTERS or clusters % 4:
         raise InputError(
-            f"clusters = {clusters} is out of range: use a multiple of 4 from 4 to {MOST_CLUSTERS}."
+            f"clusters = {clusters} is out of range: use a multiple of 4 from 4 to {MAX_CLUSTERS}."
         )
-    if not 0 <= rank <= MOST_RANK:
-        raise InputError(f"rank = {rank} is out of range: use 0 to {MOST_RANK}.")
-    if not 0 <= samples <= MOST_SAMPLES:
-        raise InputError(f"samples = {samples} is out of range: use 0 to {MOST_SAMPLES}.")
-    if not 0 <= texel_samples <= MOST_TEXEL_SAMPLES:
-        raise InputError(f"texel_samples = {texel_samples} is out of range: use 0 to {MOST_TEXEL_SAMPLES}.")
+    if not 0 <= rank <= MAX_RANK:
+        raise InputError(f"rank = {rank} is out of range: use 0 to {MAX_RANK}.")
+    if not 0 <= samples <= MAX_SAMPLES:
+        raise InputError(f"samples = {samples} is out of range: use 0 to {MAX_SAMPLES}.")
+    if not 0 <= texel_samples <= MAX_TEXEL_SAMPLES:
+        raise InputError(f"texel_samples = {texel_samples} is out of range: use 0 to {MAX_TEXEL_SAMPLES}.")
     if not MIN_TEXELS <= texels <= MAX_TEXELS:
         raise InputError(f"texels = {texels} is out of range: use {MIN_TEXELS} to {MAX_TEXELS}.")

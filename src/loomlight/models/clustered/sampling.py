@@ -22,7 +22,7 @@ from loomlight.scattering.fibre import layer_albedo_estimate, pdf_specular, samp
 from loomlight.scattering.sheen import sample_sheen, sheen_pdf, sheen_transmittance
 
 # Weight of diffuse reflection beside the albedos, so that black cloth has a lobe as well.
-_SMALLEST = 1e-3
+_MIN = 1e-3
 # What passes straight on is drawn at most so often: a hole may be estimated to be 1 where light is scattered.
 _MAX_NULL = 0.95
 
@@ -62,7 +62,7 @@ class LobeSampler:
         self._lobes = [base.lobe(types.UInt32(cluster)) for cluster in range(tables.clusters)]
         families = (albedos.warp, albedos.weft)
         specular: list[Float] = []
-        reflect, transmit = types.Float(_SMALLEST), types.Float(0)
+        reflect, transmit = types.Float(_MIN), types.Float(0)
         for cluster, lobe in enumerate(self._lobes):
             family = families[0 if cluster < tables.clusters // 2 else 1]
             share = maximum(means[cluster // 4][cluster % 4], 0) * base.masking[cluster // 4][cluster % 4]

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.models.latent.queries import Reflectance
-from loomlight.models.query_parts import LOWEST_COSINE, PART, QueryArrays, draw_directions, from_cosine
+from loomlight.models.query_parts import MIN_COSINE, PART, QueryArrays, draw_directions, from_cosine
 
 _Floats = NDArray[np.float32]
 # Share of queries whose level is uniform; the others' density quarters with each level, as texels do.
@@ -103,7 +103,7 @@ def draw_lights(rng: np.random.Generator, views: _Floats) -> _Floats:
     cosine = 1 / np.sqrt(1 + alpha**2 * u / (1 - u))
     halves = from_cosine(cosine, azimuth)
     mirrored = 2 * (views * halves).sum(axis=1, keepdims=True) * halves - views
-    chosen = (rng.random(count) < _BY_HALF_VECTOR) & (mirrored[:, 2] > LOWEST_COSINE)
+    chosen = (rng.random(count) < _BY_HALF_VECTOR) & (mirrored[:, 2] > MIN_COSINE)
     return np.where(chosen[:, None], mirrored, lights).astype(np.float32)
 
 
@@ -127,4 +127,4 @@ def _within_cones(rng: np.random.Generator, lights: _Floats, angle: float) -> _F
     tangent = np.stack([1 - x * x * scale, -x * y * scale, -x], axis=1)
     bitangent = np.stack([-x * y * scale, 1 - y * y * scale, -y], axis=1)
     spread = local[:, :1] * tangent + local[:, 1:2] * bitangent + local[:, 2:] * lights
-    return np.where(spread[:, 2:] > LOWEST_COSINE, spread, lights).astype(np.float32)
+    return np.where(spread[:, 2:] > MIN_COSINE, spread, lights).astype(np.float32)

@@ -29,7 +29,7 @@ from loomlight.scattering.yarn_point import Albedos, DirectionSample, to_face_fr
 from loomlight.yarn.visibility import first_hit
 
 # Smallest sum of the groups' weights; a view that sees no group sees holes alone.
-SMALLEST_GROUP_WEIGHT = 1e-12
+MIN_GROUP_WEIGHT = 1e-12
 
 
 @dataclass
@@ -268,7 +268,7 @@ class LobesBsdf(SeparableBsdf):
             label="lobes: groups",
         )
         hole = lobes.hole(at)
-        scale = (1 - hole) * dr.rcp(maximum(total, SMALLEST_GROUP_WEIGHT))
+        scale = (1 - hole) * dr.rcp(maximum(total, MIN_GROUP_WEIGHT))
         results = []
         for first in range(0, len(sums), 6):
             components = Components(*(part * scale for part in sums[first : first + 5]))

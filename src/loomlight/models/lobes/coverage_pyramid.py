@@ -46,7 +46,7 @@ _BLOCK, _LARGE = 1 << 17, 1 << 22
 EVEN_FROM, EVEN_STEP = 64, 16
 # Bytes of all levels of both faces; a third of it is levels beyond the first.
 MAX_PYRAMID_BYTES = 56 << 20
-_LARGEST = 255.0
+_MAX = 255.0
 # Powers of the plastic number in units of 2⁻³²: products wrap around as fractions do (Roberts 2018).
 TEXEL_JITTER_X, TEXEL_JITTER_Y = 0xC13FA9A9, 0x91E10DA5
 
@@ -259,7 +259,7 @@ def _levels(cells: CellCounts, counts: NDArray[np.unsignedinteger]) -> tuple[NDA
     means, mean, largest = _first_level(cells, counts)
     # The largest value is in the first level: the others are means of it.
     scale = np.maximum(largest, 1e-9).astype(np.float64)
-    per_share = (_LARGEST / scale).astype(np.float32)[:, None]
+    per_share = (_MAX / scale).astype(np.float32)[:, None]
     levels: list[tuple[int, int, int]] = []
     parts: list[NDArray[np.uint8]] = []
     first = 0

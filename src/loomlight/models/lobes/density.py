@@ -23,15 +23,15 @@ from loomlight.core.backend import maximum, minimum
 # Smallest half-width w in units of α: narrower groups act as one fibre, and the quotient below would cancel.
 NARROWEST = 0.02
 # √k of α = 1, where D is constant; keeps quotients finite.
-SMALLEST_STEEPNESS = 1e-3
+MIN_STEEPNESS = 1e-3
 # Lower bound of mean cosines: a group that is visible has normals that face the view.
-SMALLEST_COSINE = 0.02
+MIN_COSINE = 0.02
 # Attenuation in reflection, averaged over a group, is that of its mean normal n̄ times 1 − SPREAD_LOSS·(1 −
 # |n̄|²) (points of silk, denim, wool and linen in random directions: 0.2 to 0.35). In transmission the factor
 # is 1.
 SPREAD_LOSS = 0.35
 # Shortest path x: below it, 1 − e^{−x} would cancel.
-SMALLEST_PATH = 1e-3
+MIN_PATH = 1e-3
 # Coefficients of atan(x)/x in powers of x².
 ARC_TANGENT = (
     0.999999715,
@@ -101,7 +101,7 @@ def _interval(half: Vec3, lobe: GroupLobe) -> _Interval:
     roughness = lobe.roughness
     per_roughness = dr.rcp(roughness)
     steepness = dr.sqrt(maximum(1 - dr.square(roughness), 0)) * per_roughness
-    steepness = maximum(steepness, SMALLEST_STEEPNESS)
+    steepness = maximum(steepness, MIN_STEEPNESS)
     narrowest = dr.fma(roughness, NARROWEST, 1e-4)
     width = maximum(dr.sqrt(3 * lobe.variance(half)), narrowest)
     mean = dr.dot(half, lobe.tangent)
@@ -163,8 +163,8 @@ def layer_value(
         is_transmission: light comes from the other side.
     """
     cos_light = dr.dot(light, lobe.normal)
-    cos_light = maximum(dr.select(is_transmission, -cos_light, cos_light), SMALLEST_COSINE)
-    cos_view = maximum(dr.dot(view, lobe.normal), SMALLEST_COSINE)
+    cos_light = maximum(dr.select(is_transmission, -cos_light, cos_light), MIN_COSINE)
+    cos_view = maximum(dr.dot(view, lobe.normal), MIN_COSINE)
     area_light, area_view = mean_area(light, lobe), mean_area(view, lobe)
     # Divisions cost most here: reciprocals are taken of products, and multiplied back.
     per_cosines = dr.rcp(cos_view * cos_light)
@@ -173,7 +173,7 @@ def layer_value(
     # Reflection is (1 − e^{−x})/x·Tρ/cos_v with x = Tρ(Λ_l + Λ_v), transmission e^{−Tρ min(Λ_l, Λ_v)} times
     # the same with x = Tρ|Λ_l − Λ_v|: one form, so that both together take two exponentials.
     path = dr.select(is_transmission, dr.abs(slope_light - slope_view), slope_light + slope_view)
-    depth = optical_depth * maximum(path, SMALLEST_PATH)
+    depth = optical_depth * maximum(path, MIN_PATH)
     unscattered = dr.exp(-optical_depth * dr.select(is_transmission, minimum(slope_light, slope_view), 0))
     interval = _interval(half, lobe)
     denominator = interval.denominator

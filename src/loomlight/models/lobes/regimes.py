@@ -22,7 +22,7 @@ from loomlight.yarn.layout import ClothLayout
 BLEND_RANGE = 0.6, 1.6
 SQUARE_SCALE = 0.8
 # Smallest side of a footprint, millimetres: not log₂ 0.
-SMALLEST_FOOTPRINT = 1e-9
+MIN_FOOTPRINT_SIDE = 1e-9
 
 
 @dataclass
@@ -59,7 +59,7 @@ class RegimeScale:
         """The regime of footprints: the weight is smooth in the logarithm of their side."""
         side = footprint.spread_side
         low, high = (math.log2(bound) for bound in BLEND_RANGE)
-        level = dr.log2(maximum(side, SMALLEST_FOOTPRINT)) - self._unit_level
+        level = dr.log2(maximum(side, MIN_FOOTPRINT_SIDE)) - self._unit_level
         ramp = clip((level - low) * (1 / (high - low)), 0, 1)
         prefiltered = dr.square(ramp) * dr.fma(-2, ramp, 3)
         threads = array_types(side).Float(side * self._threads_per_mm)

@@ -24,7 +24,7 @@ from loomlight.models.lobes.visibility_rays import launch_rays, launch_views, vi
 from loomlight.models.lobes.visibility_tables import VisibilityTables, tabulate_visibility
 from loomlight.yarn.geometry import YarnGeometry
 
-_LARGEST = 255.0
+_MAX = 255.0
 # Numbers of a group; see `LobeTables.moments`.
 MOMENTS = 12
 
@@ -160,14 +160,14 @@ def _quantized_area(
     scale = np.maximum(area.max(axis=1), 1e-9)
     table = np.zeros((2, NODES, 4 * (packs + 1)), np.uint8)
     offsets = np.append(byte_of_group(per_family), 4 * packs)
-    table[:, :, offsets] = np.rint(np.sqrt(area / scale[:, None]) * _LARGEST)
+    table[:, :, offsets] = np.rint(np.sqrt(area / scale[:, None]) * _MAX)
     return table, scale
 
 
 def _quantized(values: NDArray[np.float64], per_family: int) -> NDArray[np.uint8]:
     """Bytes of numbers from 0 to 1, packed by group [2 faces, 2 sides, nodes, 4·packs]."""
     table = np.zeros((*values.shape[:-1], 4 * pack_count(per_family)), np.uint8)
-    table[..., byte_of_group(per_family)] = np.rint(np.clip(values, 0, 1) * _LARGEST)
+    table[..., byte_of_group(per_family)] = np.rint(np.clip(values, 0, 1) * _MAX)
     return table
 
 
@@ -179,7 +179,7 @@ def _moments(
     # Where a footprint's coverage is that of the repeat, the visible fraction is the projected area.
     mean = np.concatenate([coverage.mean[:, offsets], coverage.mean[:, 4 * packs, None]], axis=1)
     scale = np.concatenate([coverage.scale[:, offsets], coverage.scale[:, 4 * packs, None]], axis=1)
-    weight = np.where(mean > 0, scale * area_scale / np.maximum(mean, 1e-9) / _LARGEST**3, 0)
+    weight = np.where(mean > 0, scale * area_scale / np.maximum(mean, 1e-9) / _MAX**3, 0)
     table = np.zeros((2, 4 * packs, MOMENTS), np.float32)
     # Unused rows keep unit vectors, so that nothing is divided by 0.
     table[..., 2] = table[..., 5] = 1

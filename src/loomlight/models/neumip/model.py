@@ -31,7 +31,7 @@ from loomlight.models.neumip.networks import (
     Weights,
     sampler_widths,
 )
-from loomlight.models.neumip.parallax import SMALLEST_COSINE, shifted
+from loomlight.models.neumip.parallax import MIN_COSINE, shifted
 from loomlight.models.neumip.proposal import PARAMETERS, Proposal, proposal_shape
 from loomlight.models.neumip.settings import (
     DEFAULT_QUALITY,
@@ -74,7 +74,7 @@ class NeumipBsdf(TexturedBsdf):
         if self._device.has_offset:
             x, y = self._facing.x, self._facing.y
             depth = self._device.depth(u, v, [x, y], face)
-            slope = dr.rcp(maximum(self._facing.z, SMALLEST_COSINE))
+            slope = dr.rcp(maximum(self._facing.z, MIN_COSINE))
             u, v = shifted(self._model.weights.shape, u, v, depth, x, y, slope)
         return self._device.latent(u, v, level, face)
 

@@ -6,7 +6,7 @@ from loomlight.core.arrays import Float
 from loomlight.models.mip_pyramid import PyramidShape
 
 # Below this cosine the parallax of eq. 6 grows no further.
-SMALLEST_COSINE = 0.6
+MIN_COSINE = 0.6
 
 
 def shifted(
@@ -16,7 +16,7 @@ def shifted(
 
     Args:
         depth: r, in units of `PyramidShape.length_mm`.
-        slope: 1 / max(cosine of the view, `SMALLEST_COSINE`).
+        slope: 1 / max(cosine of the view, `MIN_COSINE`).
     """
     across, along = shape.unit
     reach = depth * slope

@@ -22,7 +22,7 @@ _LIMITS = {
 _ROUNDING = 1e-6
 # Slopes of bundles in units of the slope at the ends of floats, as yarns dive steeper between floats; and the
 # smallest largest slope.
-_SLOPE_MARGIN, _LEAST_SLOPE = 1.15, 0.03
+_SLOPE_MARGIN, _MIN_SLOPE = 1.15, 0.03
 # The sine of the angle at a yarn's edges, seen along it.
 _EDGE = 0.98
 # α² of a lobe is that of the fibres plus this fraction of the squared distance to the next lobe: less leaves
@@ -131,7 +131,7 @@ class Fibres:
     ) -> NDArray[np.float64]:
         """Unit vectors along the fibres [n, 3] for indices of slopes and positions [n], in bundles."""
         twist = -self.twist[family] if back else self.twist[family]
-        steepest = _SLOPE_MARGIN * math.tan(self.inclination[family]) + _LEAST_SLOPE
+        steepest = _SLOPE_MARGIN * math.tan(self.inclination[family]) + _MIN_SLOPE
         along = steepest * ((2 * slopes + 1) / BUNDLE_SLOPES - 1)
         # Evenly over the yarn's width; the outermost half of a position has the slope of its centre.
         sine = np.clip(_EDGE * ((2 * positions + 1) / BUNDLE_POSITIONS - 1), -_EDGE, _EDGE)

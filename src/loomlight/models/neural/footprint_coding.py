@@ -113,12 +113,12 @@ def log_fraction(size: Any, smallest: float, largest: float, arrays: Any = np) -
 
 
 # Smallest and largest footprint of "field", in threads; of "vector", in repeats, the smallest of at most
-# `_LONGEST` threads. They are those of the query benchmark.
+# `_MAX` threads. They are those of the query benchmark.
 FIELD_SIZES = 1 / 64, 80.0
 _REPEATS = 1 / 128, 5.0
 # Sizes in threads at which the weight of a fabric's correction begins to rise from 0, and at which it is 1.
 CORRECTED_SIZES = 1.0, 4.0
-_LONGEST = 8.0
+_MAX = 8.0
 
 
 @dataclass
@@ -214,7 +214,7 @@ def footprint_coordinates(
     if table.latent == "field":
         return x - arrays.floor(x), y - arrays.floor(y), log_fraction(size, *FIELD_SIZES, arrays)
     repeat = math.sqrt(picks * ends)
-    smallest, largest = min(repeat, _LONGEST) * _REPEATS[0], repeat * _REPEATS[1]
+    smallest, largest = min(repeat, _MAX) * _REPEATS[0], repeat * _REPEATS[1]
     u, v = x / ends, y / picks
     return u - arrays.floor(u), v - arrays.floor(v), log_fraction(size, smallest, largest, arrays)
 

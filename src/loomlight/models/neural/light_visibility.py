@@ -20,7 +20,7 @@ from loomlight.core.backend import maximum
 # a, b, c.
 FACING = 0.166, 0.597, 0.216
 # Cosines of light and view with the cloth's normal are kept above this.
-FACING_SMALLEST_COSINE = 1e-3
+FACING_MIN_COSINE = 1e-3
 
 
 def light_visibility_of(diffuse: Float, light: Vec3, view: Vec3, blend: float) -> Float:
@@ -32,7 +32,7 @@ def light_visibility_of(diffuse: Float, light: Vec3, view: Vec3, blend: float) -
         blend: w, the weight of the yarn normal in the diffuse term, 0 to 1.
     """
     constant, by_cosine, by_azimuth = FACING
-    cos_light = maximum(dr.abs(light.z), FACING_SMALLEST_COSINE)
+    cos_light = maximum(dr.abs(light.z), FACING_MIN_COSINE)
     # sin θ_v cos Δφ; a light along the normal has no azimuth.
     together = dr.fma(light.x, view.x, light.y * view.y)
     together *= dr.rsqrt(maximum(dr.fma(light.x, light.x, light.y * light.y), 1e-6))

@@ -11,12 +11,12 @@ interface Props {
 
 /** Colours of dyed yarns, for a start. */
 const DYES = ["#1d2536", "#30497a", "#3a6ea8", "#6f8f6b", "#c8a24a", "#b4552d", "#7d2b33", "#e6dfce"];
-const MOST = 10;
+const MAX = 10;
 
 export function Brush({ fabric, value, onValue }: Props) {
   const draft = woven(fabric);
   const used = coloursInUse([...threadHexes(draft, "warp"), ...threadHexes(draft, "weft")]).map(({ hex }) => hex);
-  const hexes = [...new Set([...used.slice(0, MOST), ...DYES])];
+  const hexes = [...new Set([...used.slice(0, MAX), ...DYES])];
   return (
     <div class="brush" role="group" aria-label="Colour to paint threads with">
       <span class="tip" data-tip="Then click or drag along the colour bars: above the threading for ends, at the right for picks">

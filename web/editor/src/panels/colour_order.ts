@@ -4,7 +4,7 @@ import { InputError, MAXIMUM_THREADS } from "loomlight-fabric";
 /** Letters of palette colours; z stands for the colour that is painted with. */
 const LETTERS = "abcdefghijklmnopqrstuvwxy";
 /** Longer orders are shown by their beginning. */
-const LONGEST = 400;
+const MAX = 400;
 
 /** The order of threads' colours; colours are lettered as they first occur. */
 export function orderText(hexes: readonly string[]): string {
@@ -16,7 +16,7 @@ export function orderText(hexes: readonly string[]): string {
     else runs.push([hex, 1]);
   }
   const text = runs.map(([hex, count]) => `${count}${letters.get(hex) ?? "z"}`).join(" ");
-  return text.length > LONGEST ? `${text.slice(0, LONGEST)} …` : text;
+  return text.length > MAX ? `${text.slice(0, MAX)} …` : text;
 }
 
 function lettersOf(hexes: readonly string[]): Map<string, string> {

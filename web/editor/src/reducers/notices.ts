@@ -2,13 +2,13 @@
 import type { Notice } from "../state/document.ts";
 
 /** More would cover the cloth. */
-const MOST = 4;
+const MAX = 4;
 
 /** The notices with one more; one that is there already is not told twice. */
 export function withNotice(notices: readonly Notice[], kind: Notice["kind"], text: string): readonly Notice[] {
   const others = notices.filter((notice) => notice.text !== text);
   const id = notices.reduce((most, notice) => Math.max(most, notice.id), 0) + 1;
-  return [...others, { id, kind, text }].slice(-MOST);
+  return [...others, { id, kind, text }].slice(-MAX);
 }
 
 /** The notices without one. */

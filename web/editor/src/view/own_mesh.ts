@@ -8,7 +8,7 @@ import { ownShape, type ClothShape } from "./meshes.ts";
 const LIKELY_MM = 600;
 
 /** Larger meshes take minutes to read here, and their triangles are smaller than pixels. */
-const LARGEST = 64 * 2 ** 20;
+const MAX = 64 * 2 ** 20;
 
 /**
  * The mesh in a file, all its parts as one piece of cloth.
@@ -16,8 +16,8 @@ const LARGEST = 64 * 2 ** 20;
  * @throws InputError a file that is too large, no mesh, one without triangles, or one without uv, which place the weave.
  */
 export async function readOwnMesh(file: File): Promise<ClothShape> {
-  if (file.size > LARGEST)
-    throw new InputError(`${file.name} has ${Math.round(file.size / 2 ** 20)} MiB; meshes of up to ${LARGEST >> 20} MiB are read: simplify it.`);
+  if (file.size > MAX)
+    throw new InputError(`${file.name} has ${Math.round(file.size / 2 ** 20)} MiB; meshes of up to ${MAX >> 20} MiB are read: simplify it.`);
   const mesh = merged(await geometriesOf(file), file.name);
   return scaled(mesh);
 }

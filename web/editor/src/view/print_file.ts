@@ -4,9 +4,9 @@ import { InputError, srgbToLinear } from "loomlight-fabric";
 import type { Print } from "./cloth_view.ts";
 
 /** Larger files are refused before they are decoded. */
-const LARGEST = 64 * 2 ** 20;
+const MAX = 64 * 2 ** 20;
 /** Longer sides are brought down to that. */
-const LONGEST_SIDE = 1024;
+const MAX_SIDE = 1024;
 
 /**
  * The picture in a file, in linear RGB.
@@ -14,15 +14,15 @@ const LONGEST_SIDE = 1024;
  * @throws InputError one that is too large, or none that the browser reads.
  */
 export async function readPrint(file: File): Promise<Print> {
-  if (file.size > LARGEST)
-    throw new InputError(`${file.name} has ${Math.round(file.size / 2 ** 20)} MiB; prints of up to ${LARGEST >> 20} MiB are read.`);
+  if (file.size > MAX)
+    throw new InputError(`${file.name} has ${Math.round(file.size / 2 ** 20)} MiB; prints of up to ${MAX >> 20} MiB are read.`);
   let bitmap: ImageBitmap;
   try {
     bitmap = await createImageBitmap(file);
   } catch {
     throw new InputError(`${file.name} is no picture that this browser reads: save it as PNG or JPEG.`);
   }
-  const shrink = Math.min(1, LONGEST_SIDE / Math.max(bitmap.width, bitmap.height));
+  const shrink = Math.min(1, MAX_SIDE / Math.max(bitmap.width, bitmap.height));
   const [width, height] = [bitmap.width, bitmap.height].map((side) => Math.max(1, Math.round(side * shrink))) as [number, number];
   const canvas = document.createElement("canvas");
   [canvas.width, canvas.height] = [width, height];

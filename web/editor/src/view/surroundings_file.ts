@@ -4,7 +4,7 @@ import { InputError } from "loomlight-fabric";
 import type { SurroundingsPicture } from "./cloth_view.ts";
 
 /** 8192 × 4096 pixels at four bytes each, which are more than light needs. */
-const LARGEST = 128 * 2 ** 20;
+const MAX = 128 * 2 ** 20;
 /** Wider pictures light cloth no better. */
 const WIDEST = 512;
 
@@ -14,8 +14,8 @@ const WIDEST = 512;
  * @throws InputError one that is too large, no such picture, or one that is not twice as wide as high.
  */
 export async function readSurroundings(file: File): Promise<SurroundingsPicture> {
-  if (file.size > LARGEST)
-    throw new InputError(`${file.name} has ${Math.round(file.size / 2 ** 20)} MiB; surroundings of up to ${LARGEST >> 20} MiB are read.`);
+  if (file.size > MAX)
+    throw new InputError(`${file.name} has ${Math.round(file.size / 2 ** 20)} MiB; surroundings of up to ${MAX >> 20} MiB are read.`);
   const { FloatType } = await import("three");
   let read: { width: number; height: number; data: ArrayLike<number> };
   let isTopFirst = true;

@@ -17,7 +17,7 @@ import {
   type FamilyName,
 } from "loomlight-fabric";
 
-import { MAXIMUM_CROSSINGS, SMALLEST_GAP } from "../generated.ts";
+import { MAXIMUM_CROSSINGS, MIN_GAP } from "../generated.ts";
 import { familyAppearance, type FamilyAppearance } from "./albedos.ts";
 import { requireOpenness, type Openness } from "./between_yarns.ts";
 import { pairwiseSum } from "./sums.ts";
@@ -133,7 +133,7 @@ function familyLayout(fields: FabricFields, family: FamilyName, draft: Draft, be
 
 /** Half the visible width of a thread, millimetres. */
 export function halfWidth(family: FamilyLayout, thread: number): number {
-  return Math.min(family.width[thread]!, (1 - SMALLEST_GAP) * family.spacing[thread]!) / 2;
+  return Math.min(family.width[thread]!, (1 - MIN_GAP) * family.spacing[thread]!) / 2;
 }
 
 function requireWithin(name: string, values: Float64Array, low: number, high: number): void {

@@ -10,8 +10,8 @@ import {
   MEAN_TURNED,
   OPENNESS_OBLIQUE_RAYS,
   RAY_RESULTS,
-  OPENNESS_SMALLEST_SHARE,
-  OPENNESS_SMALLEST_VIEW_COSINE,
+  OPENNESS_MIN_SHARE,
+  OPENNESS_MIN_VIEW_COSINE,
 } from "../generated.ts";
 import type { Openness } from "./between_yarns.ts";
 
@@ -32,7 +32,7 @@ export function viewRays([width, height]: readonly [number, number]): Float64Arr
     const [across, along, tilt, turn] = [
       0.8566748838545029, 0.733891856627126, 0.6287067210378087, 0.5385972572236101,
     ].map((share) => (number * share + 0.5) % 1) as [number, number, number, number];
-    const cosine = number < OPENNESS_OBLIQUE_RAYS ? 1 - (1 - OPENNESS_SMALLEST_VIEW_COSINE) * tilt : OPENNESS_FACING_COSINE;
+    const cosine = number < OPENNESS_OBLIQUE_RAYS ? 1 - (1 - OPENNESS_MIN_VIEW_COSINE) * tilt : OPENNESS_FACING_COSINE;
     const sine = Math.sqrt(1 - cosine ** 2);
     const azimuth = 2 * Math.PI * turn;
     rays.set([across * width, along * height, sine * Math.cos(azimuth), sine * Math.sin(azimuth), cosine], number * RAY_NUMBERS);
@@ -101,7 +101,7 @@ export function opennessOf(
     }
     const all = Math.max(blocked[0]! + blocked[1]!, 1e-9);
     blocks.push([blocked[0]! / all, blocked[1]! / all]);
-    interior.push(open.map((share) => Math.min(Math.max(share, OPENNESS_SMALLEST_SHARE), 1)) as unknown as Pair);
+    interior.push(open.map((share) => Math.min(Math.max(share, OPENNESS_MIN_SHARE), 1)) as unknown as Pair);
     meets.push([to[0]!, to[1]!]);
     warpSeen.push(...fitted(yarn, viewTerms, (ray) => (bits(ray) & IS_WARP ? 1 : 0)));
   }

@@ -4,8 +4,8 @@ import {
   FIBRES_ACROSS,
   LIFT,
   NO_OPENNESS,
-  ALBEDO_SMALLEST_BOX,
-  SMALLEST_OPEN_SHARE,
+  ALBEDO_MIN_BOX,
+  MIN_OPEN_SHARE,
   SQUARE_SCALE,
 } from "../generated.ts";
 import { RecordArray, WordTable, type Values } from "../records.ts";
@@ -146,7 +146,7 @@ function packFabric(
     has_yarns: 1,
     has_detail: isDetailed(appearance.warp.detail) || isDetailed(appearance.weft.detail) ? 1 : 0,
     openness: appearance.openness === null ? NO_OPENNESS : packOpenness(table, appearance.openness),
-    is_open: openShare(warp) * openShare(weft) > SMALLEST_OPEN_SHARE ? 1 : 0,
+    is_open: openShare(warp) * openShare(weft) > MIN_OPEN_SHARE ? 1 : 0,
   });
 }
 
@@ -241,7 +241,7 @@ function colourValues(table: WordTable, threads: FamilyTables, colours: ColourTa
   const values: Record<string, number> = {
     before: table.addNumbers(before),
     visible_total: before[2 * count]!,
-    smallest_box: (ALBEDO_SMALLEST_BOX * threads.period) / count,
+    smallest_box: (ALBEDO_MIN_BOX * threads.period) / count,
     quantities: colours.quantities,
     colour_mean: table.addNumbers(colours.mean),
     colour_axes: table.addNumbers(colours.axes),

@@ -1,5 +1,5 @@
 /** Principal axes of the rows of a matrix, by Jacobi rotations of its 12 × 12 matrix of second moments. */
-import { ALBEDO_SMALLEST_AXIS } from "../generated.ts";
+import { ALBEDO_MIN_AXIS } from "../generated.ts";
 
 export interface PrincipalAxes {
   /** Mean row. */
@@ -36,7 +36,7 @@ export function principalAxes(rows: Float64Array, width: number, most: number): 
     for (let row = 0; row < count; row++)
       for (let i = 0; i < width; i++) coordinates[row]! += centred[row * width + i]! * vector[i]!;
     const size = coordinates.reduce((found, value) => Math.max(found, Math.abs(value)), 0);
-    if (kept.length >= most || !(size > ALBEDO_SMALLEST_AXIS)) break;
+    if (kept.length >= most || !(size > ALBEDO_MIN_AXIS)) break;
     kept.push({ axis: vector.map((value) => value * size), coordinates: coordinates.map((value) => value / size) });
   }
   const coordinates = new Float64Array(count * kept.length);

@@ -13,7 +13,7 @@ import {
   MAX_NEIGHBOUR,
   MAX_OFFSET,
   SECTION_ANGLE,
-  SMALLEST_INCLINATION,
+  MIN_INCLINATION,
   STEEPEST_SHARE,
 } from "../generated.ts";
 import { halfWidth, type FamilyLayout } from "./look.ts";
@@ -80,7 +80,7 @@ export function prepareFamily(family: FamilyLayout, crossing: FamilyLayout, word
   for (let thread = 0; thread < count; thread++) {
     // A run of length L leaves room for its arc while w·tan(v_max/2)·sin U < L.
     const steepest = Math.asin(Math.min((STEEPEST_SHARE * runs.shortest(thread)) / (2 * section[thread]!), 1));
-    inclination[thread] = Math.max(Math.min(family.inclination, steepest), SMALLEST_INCLINATION);
+    inclination[thread] = Math.max(Math.min(family.inclination, steepest), MIN_INCLINATION);
     // A float rises by one width at most, and its ends stay within what the run words can tell.
     arc[thread] = Math.min((2 * own.halfWidth[thread]!) / Math.tan(inclination[thread]! / 2), longestArc);
   }

@@ -20,7 +20,7 @@ from loomlight.models.neumip.networks import (
     Layers,
     Weights,
 )
-from loomlight.models.neumip.parallax import SMALLEST_COSINE, shifted
+from loomlight.models.neumip.parallax import MIN_COSINE, shifted
 from loomlight.training.torch_functions import TorchTextures
 
 # The textures begin at zero and at 0.1 N(0, 1), as in the released code.
@@ -28,7 +28,7 @@ _FEATURES = 0.1
 # Biases of the last layer: of the final ReLU, which must not begin at 0, and of the ray depth.
 _FIRST_VALUE = 0.3
 # Of the final activation below 0 while it is trained, and a bound that keeps log(1 + x) finite.
-SLOPE, LEAST_OUTPUT = 0.05, -0.5
+SLOPE, MIN_OUTPUT = 0.05, -0.5
 # Of the cross-entropy of holes, beside errors of colours.
 _OPACITY_WEIGHT = 0.05
 # Blurs of fewer texels change nothing.
@@ -106,7 +106,7 @@ class NeumipNetwork(nn.Module):
         outputs = self._decoded(torch.cat([latent, lights, views], dim=1), is_transmission)
         if self.training:
             # With the final ReLU of section 3.2 a network whose first outputs are all below 0 learns nothing.
-            return functional.leaky_relu(outputs, SLOPE).clamp(min=LEAST_OUTPUT), opacity
+            return functional.leaky_relu(outputs, SLOPE).clamp(min=MIN_OUTPUT), opacity
         return functional.relu(outputs), opacity
 
     def latent(
@@ -127,7 +127,7 @@ class NeumipNetwork(nn.Module):
             taps = bilinear_taps(u, v, shape.columns, shape.rows, start, _TEXTURES)
             depth = self.offset(torch.cat([_fetched(table, taps.texels, taps.weights), views], dim=1))[:, 0]
             cosine = torch.sqrt((1 - views.square().sum(1)).clamp(min=0))
-            slope = 1 / cosine.clamp(min=SMALLEST_COSINE)
+            slope = 1 / cosine.clamp(min=MIN_COSINE)
             u, v = shifted(shape, u, v, depth, views[:, 0], views[:, 1], slope)
         # All levels of a face, one face after another.
         parts = [

@@ -38,7 +38,7 @@ _FIRST_BLUR, _HALVINGS = 8.0, 9.0
 _MIN_WIDTHS = 8
 _WARM_UP = 0.02
 # Mean of π f·cos that dark sources are scaled to while they are trained, and the largest factor.
-_MEAN, _LARGEST_GAIN = 0.15, 1e3
+_MEAN, _MAX_GAIN = 0.15, 1e3
 # Key that separates the random numbers of batches from those of queries.
 _BATCHES = 5
 # Thousandths of the progress that taking queries is counted as.
@@ -139,7 +139,7 @@ def gains_of(queries: Queries) -> tuple[float, float]:
     """
     near = queries.is_transmission == 0
     means = [float(queries.values[side].mean()) if side.any() else 0.0 for side in (near, ~near)]
-    first, second = (min(max(_MEAN / max(EXPOSURE * mean, 1e-9), 1.0), _LARGEST_GAIN) for mean in means)
+    first, second = (min(max(_MEAN / max(EXPOSURE * mean, 1e-9), 1.0), _MAX_GAIN) for mean in means)
     return first, second
 
 
