@@ -105,7 +105,7 @@ CLOSE_UPS = {
     "thin": 'weave = "satin 5/2"\ngap = 0.3\noptical_depth = 0.2' + _YARNS.format(fields=""),
 }
 PLACES, SAMPLES, AGAIN = 2048, 128, 1 << 15
-# Of 3 fabrics; 200 random ones are in `experiments/white_furnace_lobes.py`.
+# Of 3 fabrics.
 CLOSE_UP_BAR = 1.01
 
 
