@@ -31,8 +31,9 @@ LEFT_OUT = pytest.StashKey[int]()
 
 
 def pytest_deselected(items: Sequence[pytest.Item]) -> None:
-    slow = sum(item.get_closest_marker("slow") is not None for item in items)
-    items[0].config.stash[LEFT_OUT] = slow
+    config = items[0].config
+    if "not slow" in config.option.markexpr:
+        config.stash[LEFT_OUT] = sum(item.get_closest_marker("slow") is not None for item in items)
 
 
 def pytest_sessionfinish(session: pytest.Session) -> None:

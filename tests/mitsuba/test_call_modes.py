@@ -12,10 +12,6 @@ import pytest
 
 from loomlight.core.errors import LoomlightWarning
 from loomlight.mitsuba import call_modes, render
-from loomlight.models.neural import model as neural_model
-from loomlight.models.neural.latent_cache import clear_encodings
-
-from ..models.neural.networks import network, weights_of
 
 
 def write_triangle(file: Path, with_uv: bool) -> None:
@@ -72,16 +68,8 @@ def test_a_mesh_without_uv_is_named_once(integrator: str, tmp_path: Path) -> Non
     assert '"the jacket" has no uv coordinates' in found[0]
 
 
-@pytest.fixture
-def _narrow_network(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    weights = weights_of(network("field", hidden=16), tmp_path)
-    monkeypatch.setattr(neural_model, "shipped_weights", lambda: weights)
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
-    clear_encodings()
-
-
 @pytest.mark.slow
-@pytest.mark.usefixtures("_narrow_network")
+@pytest.mark.usefixtures("narrow_network")
 def test_networks_in_symbolic_calls_are_said_to_be_slow(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(call_modes, "_SLOW_TOLD", set())
     squares = {"a": {"type": "rectangle"}, "b": {"type": "sphere"}}

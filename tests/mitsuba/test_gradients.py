@@ -6,7 +6,6 @@ Covers: models/live_albedos.py, core/masked_branch.py
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import drjit as dr
@@ -14,11 +13,8 @@ import mitsuba as mi
 import numpy as np
 import pytest
 
-from loomlight.models.neural import model as neural_model
-from loomlight.models.neural.latent_cache import clear_encodings
 from tests.marks import slow
 
-from ..models.neural.networks import network, weights_of
 from .footprints import random_interactions
 
 CLOTH = {
@@ -37,14 +33,7 @@ ALBEDOS = [
     for term in ("diffuse", "specular")
     for side in ("reflect", "transmit")
 ]
-
-
-@pytest.fixture(autouse=True)
-def _narrow_network(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    weights = weights_of(network("field", hidden=16), tmp_path)
-    monkeypatch.setattr(neural_model, "shipped_weights", lambda: weights)
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
-    clear_encodings()
+pytestmark = pytest.mark.usefixtures("narrow_network")
 
 
 @pytest.mark.parametrize("plugin", ["woven_point", "woven_lobes", "woven_neural"])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import drjit as dr
@@ -14,12 +13,9 @@ from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.load import edited_fabric
 from loomlight.models.fabric_model import parameter_of
-from loomlight.models.neural import model as neural_model
-from loomlight.models.neural.latent_cache import clear_encodings
 from loomlight.models.registry import MODELS
 from tests.marks import slow_among
 
-from ..models.neural.networks import network, weights_of
 from .footprints import mean_value, side_by_side
 
 # Refused by the same code for all: those that bake for seconds are slow.
@@ -29,14 +25,7 @@ CHEAPEST = {"woven_samples": {"points": 2}, "woven_clustered": {"clusters": 4, "
 CLOTH = {"weave": "twill 2/1", "uv_size": "4,4", "sheen_strength": 0.3, "id": "mine"}
 # Two colours in the warp: its albedos are one table.
 OTHER = {"weave": "plain", "uv_size": "4,4", "warp_color": "#c08040,#4060c0", "id": "other"}
-
-
-@pytest.fixture(autouse=True)
-def _narrow_network(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    weights = weights_of(network("field", hidden=16), tmp_path)
-    monkeypatch.setattr(neural_model, "shipped_weights", lambda: weights)
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
-    clear_encodings()
+pytestmark = pytest.mark.usefixtures("narrow_network")
 
 
 def scene_of(plugin: str) -> Any:

@@ -20,25 +20,14 @@ from loomlight.fabric.file import FabricFile
 from loomlight.fabric.load import edited_fabric
 from loomlight.mitsuba.model_props import _field
 from loomlight.models.bake import bake, save
-from loomlight.models.neural import model as neural_model
-from loomlight.models.neural.latent_cache import clear_encodings
 from loomlight.models.registry import MODELS, model_class
 from tests.marks import slow_among
-
-from ..models.neural.networks import network, weights_of
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGES = (DOCS / "mitsuba-parameters.md", DOCS / "mitsuba-edits.md")
 TABLES = ("warp", "weft", "sheen", "variation")
 _RANGE = re.compile(r"(-?[\d.]+) – (-?[\d.]+)")
-
-
-@pytest.fixture(autouse=True)
-def _narrow_network(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    weights = weights_of(network("field", hidden=16), tmp_path)
-    monkeypatch.setattr(neural_model, "shipped_weights", lambda: weights)
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
-    clear_encodings()
+pytestmark = pytest.mark.usefixtures("narrow_network")
 
 
 @cache

@@ -47,65 +47,6 @@ def drawn(bsdf: Any, si: Any, seed: int = 1) -> tuple[Any, Any]:
     return bsdf.sample(mi.BSDFContext(), si, mi.Float(u[0]), mi.Point2f(u[1:]))
 
 
-@pytest.mark.parametrize("view", [(0, 0, 1), (0.5, -0.3, 0.4), (0.2, 0.5, -0.8)])
-def test_weight_is_value_over_density(view: tuple[float, float, float]) -> None:
-    bsdf, si = woven(warp_translucency=0.3), interactions(4000, view)
-    bs, weight = drawn(bsdf, si)
-    value, pdf = bsdf.eval_pdf(mi.BSDFContext(), si, bs.wo)
-    smooth = np.array(~mi.has_flag(bs.sampled_type, mi.BSDFFlags.Null) & (bs.pdf > 0))
-    np.testing.assert_allclose(np.array(pdf)[smooth], np.array(bs.pdf)[smooth], rtol=2e-3)
-    product = np.array(weight * bs.pdf)[:, smooth]
-    np.testing.assert_allclose(product, np.array(value)[:, smooth], rtol=5e-3, atol=1e-5)
-
-
-def test_all_at_once_is_each_alone() -> None:
-    bsdf, si = woven(), interactions(2000, (0.3, 0.2, 0.8))
-    u = uniform(2000, 3)
-    wo = mi.warp.square_to_uniform_sphere(mi.Point2f(u[1:]))
-    context = mi.BSDFContext()
-    arguments = (mi.Float(u[0]), mi.Point2f(u[1:]))
-    value, pdf, bs, weight = bsdf.eval_pdf_sample(context, si, wo, *arguments)
-    alone_bs, alone_weight = bsdf.sample(context, si, *arguments)
-    np.testing.assert_allclose(value, bsdf.eval(context, si, wo), rtol=1e-5)
-    np.testing.assert_allclose(pdf, bsdf.pdf(context, si, wo), rtol=1e-5)
-    np.testing.assert_allclose(bs.wo, alone_bs.wo, rtol=1e-5)
-    np.testing.assert_allclose(weight, alone_weight, rtol=1e-5)
-    active, entering = mi.Bool(u[0] < 0.6), mi.Bool(u[1] < 0.7)
-    value, through = bsdf.eval_and_null_transmission(context, si, wo, active, entering)
-    np.testing.assert_allclose(value, bsdf.eval(context, si, wo, active), rtol=1e-5)
-    np.testing.assert_allclose(through, bsdf.eval_null_transmission(si, entering))
-    assert np.array(through).any()
-
-
-@pytest.mark.parametrize("view", [(0.1, 0.2, 1), (0.9, 0.2, 0.4), (-0.4, 0.1, -0.9)])
-def test_sampling_follows_its_density(view: tuple[float, float, float]) -> None:
-    bsdf = woven(weft_roughness=0.5)
-    start = interactions(64, view)
-    solid = np.flatnonzero(np.array(bsdf.eval_null_transmission(start)).sum(axis=0) == 0)[0]
-    uv = np.array(start.uv)[:, solid]
-
-    def prepared(count: int) -> Any:
-        si = interactions(count, view)
-        si.uv = mi.Point2f(*(float(part) for part in uv))
-        return si
-
-    def sample(u: Any) -> Any:
-        si = prepared(dr.width(u))
-        bs, _ = bsdf.sample(mi.BSDFContext(), si, u.x, mi.Point2f(u.y, u.z))
-        return bs.wo, dr.select(bs.pdf > 0, mi.Float(1), 0)
-
-    test = mi.chi2.ChiSquareTest(
-        domain=mi.chi2.SphericalDomain(),
-        sample_func=sample,
-        pdf_func=lambda wo: bsdf.pdf(mi.BSDFContext(), prepared(dr.width(wo)), wo),
-        sample_dim=3,
-        sample_count=100_000,
-        res=51,
-        ires=8,
-    )
-    assert test.run(significance_level=0.001), getattr(test, "messages", "")
-
-
 def test_holes_let_light_pass_and_nothing_else() -> None:
     bsdf = woven(gap=0.5)
     si = interactions(20000, (0, 0, 1))
@@ -120,15 +61,6 @@ def test_holes_let_light_pass_and_nothing_else() -> None:
     np.testing.assert_array_equal(passes, through == 1)
     np.testing.assert_allclose(np.array(weight)[:, passes], 1, rtol=1e-5)
     np.testing.assert_allclose(np.array(bs.wo + si.wi)[:, passes], 0, atol=1e-6)
-
-
-def test_white_cloth_gives_back_no_more_than_it_gets() -> None:
-    bsdf = woven(warp_color="#ffffff", weft_color="#ffffff", warp_specular=1.0, warp_translucency=0.5)
-    for view in ((0, 0, 1), (0.8, 0, 0.2)):
-        _, weight = drawn(bsdf, interactions(20000, view))
-        mean, spread = np.array(weight)[0].mean(), np.array(weight)[0].std() / np.sqrt(20000)
-        assert mean < 1 + 4 * spread
-        assert mean > 0.3
 
 
 def quad(uv: list[list[float]], flip_winding: bool = False) -> ClothMesh:
@@ -218,16 +150,6 @@ def test_inline_parameters_replace_those_of_a_file(tmp_path: Path) -> None:
     np.testing.assert_allclose(bsdf.model.fabric.appearance().warp.diffuse_reflect[0][1:], 0, atol=1e-6)
 
 
-def test_files_are_found_by_the_file_resolver(tmp_path: Path) -> None:
-    (tmp_path / "mine.toml").write_text('weave = "satin 5"\n')
-    (tmp_path / "scene.xml").write_text(
-        """<scene version="3.0.0"><shape type="rectangle">
-             <bsdf type="woven_point"><string name="fabric" value="mine.toml"/></bsdf></shape></scene>"""
-    )
-    scene = mi.load_file(str(tmp_path / "scene.xml"))
-    assert scene.shapes()[0].bsdf().model.fabric.layout().warp_on_top.shape == (5, 5)
-
-
 def test_colours_as_rgb_values_in_xml() -> None:
     bsdf = mi.load_string(
         """<bsdf version="3.0.0" type="woven_point"><string name="weave" value="plain"/>
@@ -311,12 +233,6 @@ def test_parameters_are_shown_set_and_differentiable() -> None:
         params.update()
         # float32 differences of means over 2000 points.
         np.testing.assert_allclose(gradient, difference, rtol=0.02, atol=2e-4, err_msg=key)
-
-
-def test_threads_of_their_own_colours_are_one_array() -> None:
-    bsdf = woven(warp_color="#ff0000,#00ff00")
-    params = mi.traverse(bsdf)
-    assert dr.width(params["warp.albedos"]) == bsdf.model.fabric.layout().warp.spacing.size * 16
 
 
 def test_cloth_renders_with_stock_integrators_too() -> None:

@@ -17,7 +17,7 @@ from drjit.llvm import Float
 from loomlight.core.backend import array_types
 from loomlight.fabric import fabric_from_text
 from loomlight.models.registry import make_model
-from loomlight.realtime.openness_tables import PARTS, openness_uints
+from loomlight.realtime.openness_tables import PARTS, first_words
 from tests.realtime.queries import share_beyond, vectors
 from tests.realtime.test_lobes import MAX_FLIPS, Queries
 from tests.realtime.whole_queries import lobes_values, point_values
@@ -66,6 +66,6 @@ def test_values_with_light_between_yarns(name: str) -> None:
 
 
 def test_parts_follow_each_other() -> None:
-    offsets = openness_uints()
+    offsets = first_words()
     ends = [offsets[f"OPENNESS_{name}"] + int(np.prod(shape)) for name, shape in PARTS.items()]
     assert [offsets[f"OPENNESS_{name}"] for name in PARTS][1:] == ends[:-1]

@@ -71,6 +71,7 @@ def deviations_from_walks(count: int) -> np.ndarray:
     return np.concatenate(z)
 
 
+@pytest.mark.slow
 def test_layer_agrees_with_random_walks() -> None:
     z = deviations_from_walks(100_000)
     assert len(WALKS) >= 20

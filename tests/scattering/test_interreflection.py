@@ -21,6 +21,7 @@ from loomlight.scattering.interreflection import Scattered, solved_interior
 from loomlight.scattering.openness import Openness
 from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
+from tests.marks import slow
 
 require_llvm()
 COLOURS = ("#c03030", "#3050c0")
@@ -81,7 +82,7 @@ def test_openness_is_shares() -> None:
     assert openness.interior[0, 0] > openness.interior[0, 1]
 
 
-@pytest.mark.parametrize("angle", [8, 55])
+@pytest.mark.parametrize("angle", [slow(8), 55])
 def test_cloth_shines_as_paths_through_it_say(angle: float) -> None:
     fabric, view = cloth(), direction(angle, 25)
     truth = radiance(fabric.layout(), fabric.appearance(), view, 1 << 13, 4)

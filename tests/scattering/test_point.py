@@ -20,6 +20,7 @@ from loomlight.scattering.yarn_point import YarnPoint
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.horizon import HorizonMap
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
+from tests.marks import slow
 
 require_llvm()
 mi.set_variant("llvm_ad_rgb")
@@ -169,7 +170,7 @@ def test_weight_is_value_over_density(seed: int) -> None:
         assert np.isfinite(weight).all()
 
 
-@pytest.mark.parametrize("batch", range(3))
+@pytest.mark.parametrize("batch", [0, slow(1), slow(2)])
 def test_cloth_never_sends_back_more_than_it_gets(batch: int) -> None:
     """White furnace over all ranges, point by point; `experiments/white_furnace.py` goes further."""
     for seed in range(10 * batch, 10 * batch + 10):
@@ -198,6 +199,7 @@ def test_cloth_never_sends_back_more_than_it_gets(batch: int) -> None:
         assert (mean <= 1 + 5 * error + 1e-4).all(), (seed, mean.max())
 
 
+@pytest.mark.slow
 def test_sampling_and_uniform_directions_agree_on_the_albedo() -> None:
     for seed in range(6):
         model = random_model(seed)

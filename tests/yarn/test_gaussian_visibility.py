@@ -6,6 +6,7 @@ import math
 
 import drjit as dr
 import numpy as np
+import pytest
 from drjit.llvm.ad import Array3f, Bool, Float
 
 from loomlight.yarn.gaussian_visibility import GaussianVisibility
@@ -15,6 +16,7 @@ from loomlight.yarn.horizon import HorizonMap
 from .layouts import TWILL, even_layout
 
 
+@pytest.mark.slow
 def test_lobes_follow_the_horizons() -> None:
     geometry = YarnGeometry(even_layout(TWILL))
     table = HorizonMap(geometry, (32, 32), Float)

@@ -10,53 +10,20 @@ from pathlib import Path
 
 import drjit as dr
 import numpy as np
-import pytest
 from drjit.llvm.ad import Array2f, Array3f, Float
 
-from loomlight.aggregate.slices import FabricSlices
-from loomlight.assets.loom_file import LoomFile, write_loom
+from loomlight.assets.loom_file import write_loom
 from loomlight.cli.main import run
-from loomlight.core.errors import InputError
-from loomlight.core.footprint import Box, Footprint, box_footprint
-from loomlight.core.llvm import llvm_float, require_llvm
+from loomlight.core.footprint import Footprint
+from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.latent.model import LatentModel
 from loomlight.models.latent.settings import QUALITIES, settings_of
 from loomlight.models.registry import make_model, model_from_loom
-from loomlight.scattering.point import YarnScattering
-from loomlight.yarn.geometry import YarnGeometry
 
 require_llvm()
 
 TWILL = fabric_from_text('weave = "twill 2/1"\n[warp]\ncolor = "#c04020"\n[weft]\ncolor = "#2040c0"')
-
-
-def test_means_of_the_whole_cloth_are_learned_on_both_faces() -> None:
-    """The front shows more warp, the back more weft: red and blue."""
-    # SOAP needs twice as many steps as this test has.
-    model = make_model("latent", TWILL, steps=400, optimiser="adam")
-    slices = FabricSlices(
-        YarnScattering(YarnGeometry(TWILL.layout()), TWILL.appearance()), llvm_float(), with_colours=True
-    )
-    width, height = TWILL.repeat_mm
-    for side in (1, -1):
-        light, view = [0.3, 0.2, 0.93 * side], [-0.2, 0.4, 0.89 * side]
-        light, view = ((np.array(v) / np.linalg.norm(v)).tolist() for v in (light, view))
-        exact = slices.slice(light, view)
-        first = exact.channels.index("red")
-        truth = exact.values[first : first + 3].mean(axis=(1, 2))
-        footprint = box_footprint(Box(Array2f(0, 0), Array2f(width, height)))
-        at = model.at(Array3f(*view), footprint)
-        actual = at.value(Array3f(*light)).numpy()[:, 0]
-        np.testing.assert_allclose(actual, truth, rtol=0.3, atol=0.006)
-        assert (actual[0] > actual[2]) == (truth[0] > truth[2])
-        # Shares of light are those of the drawn directions' weights.
-        count = 4000
-        rng = np.random.default_rng(0)
-        numbers = [Float(rng.random(count, np.float32)) for _ in range(3)]
-        drawn = at.sample(numbers[0], Array2f(*numbers[1:]))
-        mean = drawn.weight.numpy().mean(axis=1)
-        np.testing.assert_allclose(at.directional_albedo.numpy()[:, 0], mean, rtol=0.3, atol=0.02)
 
 
 def test_levels_are_chosen_in_proportion_to_their_distance() -> None:
@@ -102,30 +69,6 @@ def test_options() -> None:
     )
 
 
-@pytest.mark.parametrize(
-    ("setting", "says"),
-    [
-        ("quality=best", 'quality = "best" does not exist: known are preview, full, published'),
-        ("decoder=2x33", 'decoder = "2x33" does not exist'),
-        ("rung=frame", 'rung = "frame" does not exist: did you mean frames?'),
-        ("resolution=100", "resolution = 100 is wrong: give a power of two from 8 to 1024"),
-        ("mips=nearest", 'mips = "nearest" is wrong: give stochastic or trilinear'),
-        ("precision=int8", 'precision = "int8" is wrong: give float32 or float16'),
-        ("device=tpu", 'device = "tpu" is wrong: give cpu or cuda'),
-        ("loss=l2", 'loss = "l2" does not exist'),
-    ],
-)
-def test_a_wrong_option_is_one_sentence(
-    setting: str, says: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    output = tmp_path / "a.loom"
-    assert run(["bake", "plain", "--model", "latent", "-o", str(output), "--set", setting]) == 2
-    error = capsys.readouterr().err
-    assert says in error
-    assert len(error.splitlines()) == 1
-    assert not list(tmp_path.iterdir())
-
-
 def test_a_rung_without_frames_comes_back_from_a_file(tmp_path: Path) -> None:
     chosen = ["rung=encoder", "decoder=2x16", "mips=trilinear", "steps=2", f"folder={tmp_path / 'kept'}"]
     settings = [part for setting in chosen for part in ("--set", setting)]
@@ -156,23 +99,3 @@ def test_half_precision_is_half_a_file_and_draws_alike(tmp_path: Path) -> None:
     np.testing.assert_array_equal(stored, again)
     # A few roundings of 2^-11 in the exponent.
     np.testing.assert_allclose(stored, exact, rtol=5e-3)
-
-
-@pytest.mark.parametrize(
-    ("changes", "says"),
-    [
-        ({"columns": 3}, "columns = 3 is wrong: it is a power of two up to 4096"),
-        ({"columns": 32}, "model.latents is"),
-        ({"precision": "int8"}, 'precision = "int8" is wrong: it is one of float32, float16'),
-        ({"precision": "float16"}, "model.latents is"),
-        ({"faces": 4}, "faces = 4 is wrong"),
-        ({"decoder": "9x9"}, 'decoder = "9x9" is wrong: it is one of 2x16, 2x32, 3x64'),
-        ({"decoder": "3x64"}, "model.decoder.0.weight is"),
-    ],
-)
-def test_a_file_that_fits_not_is_refused(changes: dict[str, int | str], says: str) -> None:
-    loom = make_model("latent", TWILL, steps=1).to_loom()
-    wrong = LoomFile(loom.model, loom.source, loom.tensors, {**loom.settings, **changes})
-    with pytest.raises(InputError) as caught:
-        LatentModel.from_loom(wrong)
-    assert says in str(caught.value)

@@ -7,20 +7,16 @@ Covers: models/latent/fabric_queries.py, training/direction_sampler.py
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 import torch
-from numpy.typing import NDArray
 
-from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.latent.fabric_queries import FabricReflectance
-from loomlight.models.latent.networks import Weights
 from loomlight.models.latent.queries import REFLECTANCES
 from loomlight.models.latent.query_stream import PART, QueryStream, draw_lights
 from loomlight.models.latent.settings import QUALITIES, LatentSettings
@@ -39,46 +35,6 @@ def short(**changes: int | str) -> LatentSettings:
         QUALITIES["preview"], resolution=8, queries=4000, samples=2, steps=20, batch=256, sampler_steps=8
     )
     return replace(base, sampler_batch=64, **changes)  # type: ignore[arg-type]
-
-
-def numbers(weights: Weights) -> list[NDArray[np.float32]]:
-    layers = [part for pairs in weights.layers.values() for pair in pairs for part in pair]
-    assert weights.frames is not None
-    return [weights.latents, weights.frames, weights.reflectance, *layers]
-
-
-class Stopped(Exception):  # noqa: N818 (no error: what a user does)
-    """A training is stopped."""
-
-
-def stopping(every: int) -> Callable[[int, int], None]:
-    calls = 0
-
-    def stop(done: int, total: int) -> None:
-        nonlocal calls
-        calls += 1
-        if calls % every == 0:
-            raise Stopped
-
-    return stop
-
-
-def test_a_stopped_training_goes_on_to_the_same_weights(tmp_path: Path) -> None:
-    """In each of its three phases."""
-    whole = train_latent(TWILL, short(), tmp_path / "whole")
-    stop, stops = stopping(9), 0
-    while True:
-        try:
-            resumed = train_latent(TWILL, short(), tmp_path / "stopped", stop, keep_every=0.0)
-            break
-        except Stopped:
-            stops += 1
-    assert stops >= 3
-    for actual, wanted in zip(numbers(resumed), numbers(whole), strict=True):
-        assert np.array_equal(actual, wanted)
-    # Another seed is another training, which the folder does not mix up.
-    with pytest.raises(InputError, match="belongs to another configuration"):
-        train_latent(TWILL, short(seed=1), tmp_path / "whole")
 
 
 def test_the_rungs_of_the_ablation(tmp_path: Path) -> None:

@@ -98,18 +98,6 @@ def test_light_is_summed_by_group() -> None:
         np.testing.assert_allclose(actual[..., number], rays.sums(values), atol=ROUNDING)
 
 
-def test_the_same_bytes_every_time() -> None:
-    """However threads share the blocks: none is split."""
-    rays = _Rays(4)
-    first, second = (accumulate_views(rays.hits(), rays.groups)[0].tobytes() for _ in range(2))
-    assert first == second
-    group_of, is_lit = rays.group.astype(np.int32), (rays.is_lit, ~rays.is_lit)
-    first, second = (
-        accumulate_light(rays.hits(), group_of, is_lit, rays.groups, BLEND).tobytes() for _ in range(2)
-    )
-    assert first == second
-
-
 def test_a_ray_counts_where_its_face_has_such_groups() -> None:
     """Groups of the other family are left out, however near; a face's own are taken."""
     rays = _Rays(3)

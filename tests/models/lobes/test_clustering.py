@@ -70,14 +70,6 @@ def test_refined_means_are_those_of_k_means() -> None:
         np.testing.assert_allclose(actual.refined_means(count), expected, atol=ROUNDING)
 
 
-def test_the_same_bytes_every_time() -> None:
-    points = _cloud(2048, 7)
-    first, second = (BisectingClusters(points, 12) for _ in range(2))
-    for count in range(1, 13):
-        assert first.refined_means(count).tobytes() == second.refined_means(count).tobytes()
-        assert first.error(count) == second.error(count)
-
-
 def test_as_many_clusters_as_there_can_be() -> None:
     actual = BisectingClusters(_cloud(2048, 12), 128)
     assert actual.size == 2048

@@ -148,12 +148,6 @@ def test_more_groups_are_narrower(name: str) -> None:
     assert spreads[2] < 0.5 * spreads[1]
 
 
-def test_the_same_groups_every_time() -> None:
-    first, second = (groups_of(geometry_of("smooth satin"), PER_FAMILY) for _ in range(2))
-    for part in fields(Groups):
-        assert np.array_equal(getattr(first, part.name), getattr(second, part.name)), part.name
-
-
 @pytest.mark.parametrize("per_family", [1, 8])
 def test_a_family_that_a_face_never_shows_does_no_harm(
     per_family: int, monkeypatch: pytest.MonkeyPatch

@@ -70,25 +70,10 @@ def test_colours_and_roughness_are_not_baked() -> None:
     assert not np.allclose(actual, other, rtol=0.05)
 
 
-def test_tables_say_how_large_they_are() -> None:
-    tables = model_of("open plain").tables
-    assert tables.nbytes == sum(values.nbytes for values in tables.arrays().values())
-    assert tables.packs == tables.moments.shape[1] // 4
-    assert 10_000 < tables.nbytes < 200_000
-
-
 def test_only_so_many_groups() -> None:
     for groups in (0, MAX_GROUPS + 1):
         with pytest.raises(InputError, match=f"groups = {groups} is out of range"):
             LobesModel.for_source(cloth("open plain"), groups)
-
-
-def test_a_file_gives_the_tables_back() -> None:
-    model = model_of("long rib")
-    again = LobesModel.from_loom(model.to_loom())
-    assert again.tables.base_size == model.tables.base_size
-    for key, values in model.tables.arrays().items():
-        assert np.array_equal(values, again.tables.arrays()[key]), key
 
 
 @pytest.mark.parametrize(

@@ -13,9 +13,7 @@ import pytest
 from drjit.llvm.ad import Array2f, Array3f
 
 from loomlight.aggregate.slices import FabricSlices
-from loomlight.assets.loom_file import LoomFile
 from loomlight.cli.main import run
-from loomlight.core.errors import InputError
 from loomlight.core.footprint import Box, box_footprint
 from loomlight.core.llvm import llvm_float, require_llvm
 from loomlight.fabric import fabric_from_text
@@ -29,26 +27,6 @@ from loomlight.yarn.geometry import YarnGeometry
 require_llvm()
 
 TWILL = fabric_from_text('weave = "twill 2/1"\n[warp]\ncolor = "#c04020"\n[weft]\ncolor = "#2040c0"')
-
-
-@pytest.mark.slow
-def test_means_of_the_whole_cloth_are_learned_on_both_faces() -> None:
-    """The front shows more warp, the back more weft: red and blue."""
-    model = make_model("neumip", TWILL, steps=400)
-    slices = FabricSlices(
-        YarnScattering(YarnGeometry(TWILL.layout()), TWILL.appearance()), llvm_float(), with_colours=True
-    )
-    width, height = TWILL.repeat_mm
-    for side in (1, -1):
-        light, view = [0.3, 0.2, 0.93 * side], [-0.2, 0.4, 0.89 * side]
-        light, view = ((np.array(v) / np.linalg.norm(v)).tolist() for v in (light, view))
-        exact = slices.slice(light, view)
-        first = exact.channels.index("red")
-        truth = exact.values[first : first + 3].mean(axis=(1, 2))
-        footprint = box_footprint(Box(Array2f(0, 0), Array2f(width, height)))
-        actual = model.at(Array3f(*view), footprint).value(Array3f(*light)).numpy()[:, 0]
-        np.testing.assert_allclose(actual, truth, rtol=0.25, atol=0.004)
-        assert (actual[0] > actual[2]) == (truth[0] > truth[2])
 
 
 @pytest.mark.slow
@@ -84,31 +62,6 @@ def test_options() -> None:
     assert parse_options("lobes", []) == {}
 
 
-@pytest.mark.parametrize(
-    ("arguments", "says"),
-    [
-        (["--set", "qualty=full"], '"qualty" is no option of neumip: did you mean quality?'),
-        (["--set", "quality"], '"quality" is no option: write its name, "=" and its value'),
-        (["--set", "quality=best"], 'quality = "best" does not exist: known are preview, full, published'),
-        (["--set", "resolution=100"], "resolution = 100 is wrong: give a power of two from 8 to 1024"),
-        (["--set", "resolution=4"], 'resolution = "4" is wrong: give a power of two from 8 to 1024'),
-        (["--set", "steps=many"], 'steps = "many" is wrong: give a whole number from 1'),
-        (["--set", "offset=no"], 'offset = "no" is wrong: give true or false'),
-        (["--set", "store=rows"], 'store = "rows" is wrong: give files or zarr'),
-        (["--set", "device=tpu"], 'device = "tpu" is wrong: give cpu or cuda'),
-    ],
-)
-def test_a_wrong_option_is_one_sentence(
-    arguments: list[str], says: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    output = tmp_path / "a.loom"
-    assert run(["bake", "plain", "--model", "neumip", "-o", str(output), *arguments]) == 2
-    error = capsys.readouterr().err
-    assert says in error
-    assert len(error.splitlines()) == 1
-    assert not list(tmp_path.iterdir())
-
-
 def test_the_baseline_without_offset_comes_back_from_a_file(tmp_path: Path) -> None:
     arguments = ["--set", "offset=false", "--set", "steps=2", "--set", f"folder={tmp_path / 'kept'}"]
     assert run(["bake", "plain", "--model", "neumip", "-o", str(tmp_path / "a.loom"), *arguments]) == 0
@@ -118,19 +71,3 @@ def test_the_baseline_without_offset_comes_back_from_a_file(tmp_path: Path) -> N
     assert model.weights.offset_texels is None
     # Plain cloth of the default spacing lets light through its yarns.
     assert set(model.weights.layers) - {"opacity"} == {"decoder", "transmission"}
-
-
-@pytest.mark.parametrize(
-    ("changes", "says"),
-    [
-        ({"columns": 3}, "columns = 3 is wrong: it is a power of two up to 4096"),
-        ({"columns": 32}, "model.features is"),
-        ({"faces": 4}, "faces = 4 is wrong"),
-    ],
-)
-def test_a_file_that_fits_not_is_refused(changes: dict[str, int], says: str) -> None:
-    loom = make_model("neumip", TWILL, steps=1).to_loom()
-    wrong = LoomFile(loom.model, loom.source, loom.tensors, {**loom.settings, **changes})
-    with pytest.raises(InputError) as caught:
-        NeumipModel.from_loom(wrong)
-    assert says in str(caught.value)

@@ -20,7 +20,6 @@ from numpy.typing import NDArray
 
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.assets.loom_file import write_loom
-from loomlight.core.errors import InputError
 from loomlight.core.footprint import Box, box_footprint
 from loomlight.core.llvm import llvm_float, require_llvm
 from loomlight.fabric import fabric_from_text
@@ -28,7 +27,7 @@ from loomlight.models.mip_pyramid import PyramidShape
 from loomlight.models.neumip.btf import BTFS, Queries, QueryStream
 from loomlight.models.neumip.fabric_btf import FabricBtf
 from loomlight.models.neumip.model import NeumipModel
-from loomlight.models.neumip.networks import Weights, sampler_widths
+from loomlight.models.neumip.networks import sampler_widths
 from loomlight.models.neumip.settings import QUALITIES, SAMPLERS, NeumipSettings
 from loomlight.models.neumip.training.network import NeumipNetwork
 from loomlight.models.neumip.training.sampler_fit import sampler_divergence, trained_sampler
@@ -45,41 +44,6 @@ TWILL = fabric_from_text('weave = "twill 2/1"\n[warp]\ncolor = "#c04020"\n[weft]
 
 def short(**changes: int) -> NeumipSettings:
     return replace(QUALITIES["preview"], resolution=8, queries=60, steps=30, batch=512, **changes)
-
-
-def numbers(weights: Weights) -> list[NDArray[np.float32]]:
-    layers = [part for pairs in weights.layers.values() for pair in pairs for part in pair]
-    assert weights.offset_texels is not None
-    return [weights.features, weights.offset_texels, weights.reflectance, *layers]
-
-
-class Stopped(Exception):  # noqa: N818 (no error: what a user does)
-    """A training is stopped."""
-
-
-def test_a_stopped_training_goes_on_to_the_same_weights(tmp_path: Path) -> None:
-    whole = train_neumip(TWILL, short(), tmp_path / "whole")
-    calls = 0
-
-    def stop(done: int, total: int) -> None:
-        nonlocal calls
-        calls += 1
-        if calls % 11 == 0:
-            raise Stopped
-
-    stops = 0
-    while True:
-        try:
-            resumed = train_neumip(TWILL, short(), tmp_path / "stopped", stop, keep_every=0.0)
-            break
-        except Stopped:
-            stops += 1
-    assert stops >= 2
-    for actual, wanted in zip(numbers(resumed), numbers(whole), strict=True):
-        assert np.array_equal(actual, wanted)
-    # Another seed is another training, which the folder does not mix up.
-    with pytest.raises(InputError, match="belongs to another configuration"):
-        train_neumip(TWILL, short(seed=1), tmp_path / "whole")
 
 
 def test_dark_cloth_is_not_black(tmp_path: Path) -> None:
