@@ -37,8 +37,9 @@ from loomlight.models.neumip.training.train import (
 )
 from loomlight.models.query_parts import draw_directions
 from loomlight.training.loop import Schedule, one_thread, train
+from loomlight.training.relu_layers import relu_layers
 from papers.kuznetsov2021.designs import Design
-from papers.kuznetsov2021.neural_textures import NeuralTextures, perceptron
+from papers.kuznetsov2021.neural_textures import NeuralTextures
 
 _Floats = NDArray[np.float32]
 # Pairs of light and view of an apparent BRDF, and hidden layers of an encoder.
@@ -68,7 +69,7 @@ class EncodedTextures(NeuralTextures):
         """
         super().__init__(design, shape, gains=gains)
         self.encoder, self.decoder = networks or (
-            perceptron((3 * PAIRS, *_HIDDEN, design.latent)),
+            relu_layers((3 * PAIRS, *_HIDDEN, design.latent)),
             self.decoder,
         )
         inputs, colours, first = [], [], EXPOSURE * gains[0] * torch.from_numpy(apparent).permute(2, 3, 0, 1)

@@ -8,7 +8,6 @@ contradict one another.
 from __future__ import annotations
 
 from collections.abc import Callable
-from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -31,6 +30,7 @@ from loomlight.models.neumip.training.train import (
     taken_queries,
 )
 from loomlight.training.loop import Schedule, one_thread, train
+from loomlight.training.relu_layers import relu_layers
 from loomlight.training.torch_functions import TorchTextures
 from papers.kuznetsov2021.designs import Design
 
@@ -61,13 +61,13 @@ class NeuralTextures(nn.Module):
         super().__init__()
         self.design, self.shape, self.scale, self.gains = design, shape, scale, gains
         self.features = self.first_textures()
-        self.decoder = perceptron(design.decoder_widths)
+        self.decoder = relu_layers(design.decoder_widths)
         nn.init.constant_(self.decoder[-1].bias, 0 if design.whitened else _COLOUR)
         self.offset_texture: nn.Parameter | None = None
         self.offset: nn.Sequential | None = None
         if design.offset:
             self.offset_texture = nn.Parameter(torch.zeros(design.latent, shape.rows, shape.columns))
-            self.offset = perceptron(design.offset_widths)
+            self.offset = relu_layers(design.offset_widths)
             nn.init.zeros_(self.offset[-1].bias)
 
     def first_textures(self) -> nn.ParameterList:
@@ -187,11 +187,3 @@ def _fetched(rows: Tensor, taps: Taps) -> Tensor:
     """Weighted sums of texels [n, channels]."""
     texels, weights = torch.stack(taps.texels, dim=1), torch.stack(taps.weights, dim=1)
     return functional.embedding_bag(texels, rows, per_sample_weights=weights, mode="sum")
-
-
-def perceptron(widths: tuple[int, ...]) -> nn.Sequential:
-    """Dense layers with ReLU between them."""
-    layers: list[nn.Module] = []
-    for inputs, outputs in pairwise(widths):
-        layers += [nn.Linear(inputs, outputs), nn.ReLU()]
-    return nn.Sequential(*layers[:-1])

@@ -31,8 +31,9 @@ from loomlight.models.neural.training.weaves import training_draft
 from loomlight.models.neural.weights import Weights
 from loomlight.models.relu_network import Layers
 from loomlight.scattering.two_sided_lobes import OUTPUTS, TwoSidedLobes
-from loomlight.training.direction_sampler import relu_layers, two_sided_loss
+from loomlight.training.direction_sampler import two_sided_loss
 from loomlight.training.loop import Report, Schedule, train
+from loomlight.training.relu_layers import relu_layers
 from loomlight.training.soap import Soap
 from loomlight.training.torch_functions import TORCH
 

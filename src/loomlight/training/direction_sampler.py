@@ -8,11 +8,10 @@ share of light that is scattered, by the same lights. Gradients reach these two 
 from __future__ import annotations
 
 from collections.abc import Callable
-from itertools import pairwise
 from math import pi
 
 import torch
-from torch import Tensor, nn
+from torch import Tensor
 
 from loomlight.scattering.lobe_mixture import lobe_mixture, mixture_density, sample_mixture
 from loomlight.scattering.two_sided_lobes import TwoSidedLobes
@@ -107,11 +106,3 @@ def _cosine_directions(u: Tensor, v: Tensor) -> Tensor:
     radius, azimuth = torch.sqrt(u), 2 * pi * v
     height = torch.sqrt((1 - u).clamp(min=0))
     return torch.stack([radius * torch.cos(azimuth), radius * torch.sin(azimuth), height], dim=-1)
-
-
-def relu_layers(widths: tuple[int, ...]) -> nn.Sequential:
-    """Dense layers with ReLU between them."""
-    layers: list[nn.Module] = []
-    for inputs, outputs in pairwise(widths):
-        layers += [nn.Linear(inputs, outputs), nn.ReLU()]
-    return nn.Sequential(*layers[:-1])

@@ -22,7 +22,8 @@ from loomlight.models.latent.query_stream import PART, QueryStream, draw_lights
 from loomlight.models.latent.settings import QUALITIES, LatentSettings
 from loomlight.models.latent.training.train import cone_of, rate_factor, taken_queries, train_latent
 from loomlight.scattering.lobe_mixture import lobe_mixture, mixture_density
-from loomlight.training.direction_sampler import relu_layers, sampler_loss
+from loomlight.training.direction_sampler import sampler_loss
+from loomlight.training.relu_layers import relu_layers
 from loomlight.training.torch_functions import TORCH
 
 require_llvm()

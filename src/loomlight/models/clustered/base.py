@@ -22,7 +22,7 @@ from typing import Any
 
 import drjit as dr
 
-from loomlight.core.arrays import Float, Mask, UInt, Vec2, Vec3
+from loomlight.core.arrays import Array, Float, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, maximum, minimum, upload
 from loomlight.models.clustered.footprint_sums import FootprintSums
 from loomlight.models.clustered.square_map import BINS, BinTaps, bin_taps
@@ -126,7 +126,7 @@ class ViewedBase:
             roughness=second.w,
         )
 
-    def over(self, means: list[Any], taps: LightTaps) -> Components:
+    def over(self, means: list[Array], taps: LightTaps) -> Components:
         """The base's mean over footprints.
 
         Args:

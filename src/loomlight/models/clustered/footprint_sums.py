@@ -22,7 +22,7 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.arrays import Float, UInt, Vec2
+from loomlight.core.arrays import Array, Float, Mask, UInt, Vec2
 from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum, upload
 from loomlight.core.footprint import Footprint
 
@@ -137,7 +137,7 @@ class FootprintSums:
             found.append(dr.select(index >= whole, index - whole, index))
         return found[1] * self._wholes[0] + found[0]
 
-    def means(self, box: FootprintBox, back: Any) -> list[Any]:
+    def means(self, box: FootprintBox, back: Mask) -> list[Array]:
         """Means over the texels of a box of each channel, in packets of four (Vector4)."""
         types = array_types(box.extent[0])
         turns, ends = [], []
@@ -169,6 +169,6 @@ class FootprintSums:
         return found
 
 
-def _signed(types: ArrayTypes, packet: Any) -> Any:
+def _signed(types: ArrayTypes, packet: Array) -> Array:
     """A packet of unsigned numbers that wrapped around, as Floats."""
     return types.Vector4(*(types.Float(types.Int32(part)) for part in packet))

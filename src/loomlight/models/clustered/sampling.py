@@ -8,11 +8,10 @@ of fibre directions widens. Diffuse lobes are cosines about the macro normal.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import drjit as dr
 
-from loomlight.core.arrays import Float, Vec2, Vec3
+from loomlight.core.arrays import Array, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import array_types, channel_mean, maximum, minimum
 from loomlight.models.clustered.base import DeviceTables, ViewedBase
 from loomlight.models.separable import FamilyAlbedos
@@ -52,7 +51,7 @@ class LobeSampler:
         self,
         tables: DeviceTables,
         base: ViewedBase,
-        means: list[Any],
+        means: list[Array],
         albedos: FamilyAlbedos,
         sheen: Sheen,
         hole: Float,
@@ -101,7 +100,7 @@ class LobeSampler:
             density += of.sheen * sheen_pdf(light, self._base.view, self._sheen.roughness)
         return density
 
-    def sample(self, choice: Float, u: Vec2) -> tuple[Vec3, Any]:
+    def sample(self, choice: Float, u: Vec2) -> tuple[Vec3, Mask]:
         """A direction, and whether it goes straight on."""
         types = array_types(choice)
         of, view = self.probabilities, self._base.view

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, final
+from typing import final
 
 import drjit as dr
 
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
-from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
+from loomlight.core.arrays import Array, Color3, Float, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import array_types, maximum
 from loomlight.core.footprint import Footprint
 from loomlight.core.masked_branch import masked_branch
@@ -113,7 +113,7 @@ class LobesBsdf(SeparableBsdf):
         types, surface, centre = array_types(self.view.x), model.surface, footprint.centre
         point_weight = 1 - self._regime.prefiltered
 
-        def intersect(_: tuple[Any, Any, Any]) -> tuple[Any, Any, Any]:
+        def intersect(_: tuple[Float, Float, Float]) -> tuple[Float, Float, Float]:
             view = to_face_frame(self.view, back)
             hit = first_hit(surface, centre.x, centre.y, view, back, True, model.quality)
             hit_weight = dr.select(hit.hole, 0, point_weight)
@@ -242,7 +242,7 @@ class LobesBsdf(SeparableBsdf):
         halves = [half_vector(light, at.view) for light in facing]
         active = types.Bool(active) if mixture is None else types.Bool(True)
 
-        def add(pair: Any, total: Float, weight_sum: Float, *sums: Any) -> tuple[Any, ...]:
+        def add(pair: UInt, total: Float, weight_sum: Float, *sums: Float) -> tuple[Array, ...]:
             packs = lobes.seen_packs(at, pair)
             added = list(sums)
             if mixture is not None:

@@ -14,12 +14,11 @@ import math
 from collections.abc import Callable, Sequence
 from copy import copy
 from dataclasses import dataclass
-from typing import Any
 
 import drjit as dr
 
 from loomlight.aggregate.components import components, light_visibility
-from loomlight.core.arrays import Float, Vec3
+from loomlight.core.arrays import Array, Float, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum
 from loomlight.core.footprint import Footprint
 from loomlight.models.separable import Components
@@ -72,7 +71,7 @@ def quality_of(size: Float) -> SearchQuality:
     )
     detail = clip(detail, 0, 1)
 
-    def between(coarse: float, fine: float) -> Any:
+    def between(coarse: float, fine: float) -> Float:
         return dr.fma(fine - coarse, detail, coarse)
 
     steps = between(COARSE_QUALITY.steps_per_thread, DEFAULT_QUALITY.steps_per_thread)
@@ -118,7 +117,7 @@ def point_sampled(
 
     size = footprint.spread_side if model.has_detail else None
 
-    def measure(x: Any, y: Any) -> tuple[Any, ...]:
+    def measure(x: Float, y: Float) -> tuple[Float, ...]:
         point = model.locate(x, y, view, size=size)
         values = [dr.select(point.hole, array_types(view.x).Float(1), 0)]
         if between is not None:
@@ -144,7 +143,7 @@ def point_sampled_hole(model: YarnScattering, points: Float, view: Vec3, footpri
     """Fraction of a number of points that are holes; 0 without points."""
     types = array_types(view.x)
 
-    def measure(x: Any, y: Any) -> tuple[Any, ...]:
+    def measure(x: Float, y: Float) -> tuple[Float, ...]:
         back = types.Bool(view.z < 0)
         is_null = passes_through(model.surface, x, y, to_face_frame(view, back), back, True, model.quality)
         return (dr.select(is_null, types.Float(1), 0),)
@@ -153,7 +152,7 @@ def point_sampled_hole(model: YarnScattering, points: Float, view: Vec3, footpri
     return _mean(measure, 1, footprint, points, width)[0]
 
 
-def _offset(types: ArrayTypes, number: Any) -> tuple[Any, Any]:
+def _offset(types: ArrayTypes, number: UInt) -> tuple[Float, Float]:
     """Offset of a point from the centre, in units of the footprint's edges."""
     s, t = (types.Float(part) for part in POINT_OFFSETS[0])
     for other, (across, along) in enumerate(POINT_OFFSETS[1:], 1):
@@ -162,12 +161,16 @@ def _offset(types: ArrayTypes, number: Any) -> tuple[Any, Any]:
 
 
 def _mean(
-    measure: Callable[[Any, Any], tuple[Any, ...]], count: int, footprint: Footprint, points: Any, width: int
-) -> list[Any]:
+    measure: Callable[[Float, Float], tuple[Float, ...]],
+    count: int,
+    footprint: Footprint,
+    points: Float,
+    width: int,
+) -> list[Float]:
     """Means of `count` Floats over the points of footprints."""
     types = array_types(points)
 
-    def add(number: Any, *sums: Any) -> tuple[Any, ...]:
+    def add(number: UInt, *sums: Float) -> tuple[Array, ...]:
         position = footprint.at(*_offset(types, number))
         weight = minimum(points - types.Float(number), 1)
         values = measure(position.x, position.y)

@@ -13,7 +13,7 @@ from typing import Any
 
 import drjit as dr
 
-from loomlight.core.arrays import Float, Mask, Vec2, Vec3
+from loomlight.core.arrays import Array, Float, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import array_types, channel_mean, maximum, minimum
 from loomlight.models.lobes.density import GroupLobe
 from loomlight.models.lobes.prefiltered import PrefilteredLobes, SeenPack, TableLookup
@@ -229,7 +229,7 @@ def _draw_group(lobes: PrefilteredLobes, at: TableLookup, mixture: Mixture, choi
     """
     types = array_types(at.view.x)
 
-    def visit(pair: Any, rest: Float, weight_sum: Float, *reservoir: Any) -> tuple[Any, ...]:
+    def visit(pair: UInt, rest: Float, weight_sum: Float, *reservoir: Array) -> tuple[Array, ...]:
         is_warp, *frame = reservoir
         for pack in lobes.seen_packs(at, pair):
             family_weight = mixture.family(pack.is_warp).total

@@ -15,12 +15,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
 
 import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.arrays import Array, Float, Mask, Vec3
 from loomlight.core.backend import array_types, clip
 from loomlight.core.simd import call_kernel, can_use_kernel
 from loomlight.models.neural.architecture import BUNDLES, VIEW_FEATURES
@@ -39,7 +39,7 @@ from loomlight.models.neural.footprint_coding import (
     footprint_coordinates,
 )
 from loomlight.models.neural.latent_table import LatentTable
-from loomlight.models.neural.layers import CooperativeLayers
+from loomlight.models.neural.layers import CooperativeLayers, Vector
 from loomlight.models.neural.weights import Weights
 
 
@@ -56,11 +56,11 @@ class ViewActivations:
         table: the fabric's latents.
     """
 
-    angular: list[Any]
-    hole: Any
-    correction_weight: Any
-    view: Any
-    back: Any
+    angular: list[Float]
+    hole: Float
+    correction_weight: Float
+    view: Vec3
+    back: Mask
     table: LatentTable
 
 
@@ -74,7 +74,7 @@ class Decoder:
         self._layers = CooperativeLayers(split_matrices(weights), float_type)
 
     def view_activations(
-        self, table: LatentTable, taps: AnisotropicTaps, view: Any, back: Any
+        self, table: LatentTable, taps: AnisotropicTaps, view: Vec3, back: Mask
     ) -> ViewActivations:
         """Activations of footprints and views, for any number of lights.
 
@@ -93,7 +93,7 @@ class Decoder:
         correction_weight = fine_tuning_weight(self._coordinates(table, taps)[2], dr)
         return ViewActivations([*angular], self._hole(spatial, view), correction_weight, view, back, table)
 
-    def hole(self, table: LatentTable, taps: AnisotropicTaps, view: Any, back: Any) -> Any:
+    def hole(self, table: LatentTable, taps: AnisotropicTaps, view: Vec3, back: Mask) -> Float:
         """The hole of `view_activations` alone."""
         inputs = *taps.numbers(), view, back
         if self.uses_kernel(inputs):
@@ -101,7 +101,7 @@ class Decoder:
             return hole
         return self._hole(self._spatial(table, taps, back), view)
 
-    def components(self, activations: ViewActivations, light: Any) -> list[Any]:
+    def components(self, activations: ViewActivations, light: Vec3) -> list[Float]:
         """The four components, 1/sr, ≥ 0, for a light in the frame of the face that is seen."""
         inputs = activations.angular, activations.correction_weight, activations.view, activations.back, light
         if self.uses_kernel(inputs):
@@ -109,8 +109,8 @@ class Decoder:
         return self._components(activations, light)
 
     def components_and_hole(
-        self, table: LatentTable, light: Any, taps: AnisotropicTaps, view: Any, back: Any
-    ) -> list[Any]:
+        self, table: LatentTable, light: Vec3, taps: AnisotropicTaps, view: Vec3, back: Mask
+    ) -> list[Float]:
         """The four components for one light, and the hole, in one pass."""
         inputs = *taps.numbers(), view, back, light
         if self.uses_kernel(inputs):
@@ -118,11 +118,13 @@ class Decoder:
         activations = self.view_activations(table, taps, view, back)
         return [*self._components(activations, light), activations.hole]
 
-    def uses_kernel(self, inputs: Sequence[Any]) -> bool:
+    def uses_kernel(self, inputs: Sequence[Array]) -> bool:
         """Whether a SIMD kernel evaluates these queries."""
         return can_use_kernel(self._types.Float, inputs)
 
-    def _call_kernel(self, entry_point: EntryPoint, table: LatentTable, inputs: Any, count: int) -> list[Any]:
+    def _call_kernel(
+        self, entry_point: EntryPoint, table: LatentTable, inputs: Sequence[Array], count: int
+    ) -> list[Float]:
         """The `count` outputs of an entry point of the kernel."""
         decoder = compiled_decoder(self.weights)
         return call_kernel(
@@ -132,15 +134,15 @@ class Decoder:
             lambda kernel_inputs, outputs: decoder.run(entry_point, table, kernel_inputs, outputs),
         )
 
-    def _coordinates(self, table: LatentTable, taps: AnisotropicTaps) -> tuple[Any, Any, Any]:
+    def _coordinates(self, table: LatentTable, taps: AnisotropicTaps) -> tuple[Float, Float, Float]:
         size = taps.size(dr)
         return footprint_coordinates(self.weights.table, table.picks, table.ends, taps.x, taps.y, size, dr)
 
-    def _view_cosines(self, table: LatentTable, view: Any, back: Any) -> list[Any]:
+    def _view_cosines(self, table: LatentTable, view: Vec3, back: Mask) -> list[Float]:
         fibres = table.fibres(back) if self.weights.table.fibres else ()
         return [fibre.cosine(view.x, view.y) for fibre in fibres]
 
-    def _spatial(self, table: LatentTable, taps: AnisotropicTaps, back: Any) -> Any:
+    def _spatial(self, table: LatentTable, taps: AnisotropicTaps, back: Mask) -> Vector:
         """Latent and footprint, fused."""
         coordinates = self._coordinates(table, taps)
         coded = one_blob(coordinates, dr) if self.weights.table.position == "one_blob" else list(coordinates)
@@ -150,7 +152,7 @@ class Decoder:
         hidden = layers.leaky(layers.added(layers.product("coordinates", coded), fetched))
         return layers.leaky(layers.product("fusion", hidden, "fusion bias"))
 
-    def _hole(self, spatial: Any, view: Any) -> Any:
+    def _hole(self, spatial: Vector, view: Vec3) -> Float:
         layers = self._layers
         hidden = layers.added(
             layers.product("hole spatial", spatial, "hole bias"),
@@ -159,7 +161,7 @@ class Decoder:
         (hole,) = layers.product("hole last", layers.leaky(hidden), "hole last bias")
         return clip(hole, 0, 1)
 
-    def _components(self, activations: ViewActivations, light: Any) -> list[Any]:
+    def _components(self, activations: ViewActivations, light: Vec3) -> list[Float]:
         layers, table, weights = self._layers, activations.table, self.weights
         directions = [light.x, light.y, light.z]
         if weights.table.fibres:

@@ -103,7 +103,7 @@ def taps(
     return index, weight
 
 
-def log_fraction(size: Any, smallest: float, largest: float, arrays: Any = np) -> Any:
+def log_fraction(size: Float, smallest: float, largest: float, arrays: Any = np) -> Float:
     """Position of a size between two others on a logarithmic scale, clipped to 0 to 1.
 
     Args:
@@ -131,19 +131,19 @@ class AnisotropicTaps:
         first_x, first_y, second_x, second_y: steps from the centre; all 0 where the footprint has one tap.
     """
 
-    x: Any
-    y: Any
-    side: Any
-    first_x: Any
-    first_y: Any
-    second_x: Any
-    second_y: Any
+    x: Float
+    y: Float
+    side: Float
+    first_x: Float
+    first_y: Float
+    second_x: Float
+    second_y: Float
 
-    def numbers(self) -> tuple[Any, ...]:
+    def numbers(self) -> tuple[Float, ...]:
         """All seven."""
         return self.x, self.y, self.side, self.first_x, self.first_y, self.second_x, self.second_y
 
-    def size(self, arrays: Any) -> Any:
+    def size(self, arrays: Any) -> Float:
         """The side of a square of the taps' area, an input of the decoder: twelve variances, to ¼.
 
         Args:
@@ -159,7 +159,7 @@ class AnisotropicTaps:
         area = arrays.maximum(across * along - arrays.square(mixed), arrays.square(square))
         return arrays.sqrt(arrays.sqrt(area))
 
-    def place(self, number: Any, arrays: Any) -> tuple[Any, Any]:
+    def place(self, number: Float, arrays: Any) -> tuple[Float, Float]:
         """Centre of tap `number`, 0 to 3: a float; of lanes with one tap, all are at the centre."""
         half = arrays.floor(0.5 * number)
         first, second = 2.0 * half - 1.0, 2.0 * number - 4.0 * half - 1.0
@@ -198,8 +198,8 @@ def taps_of_footprint(footprint: Footprint, least: float) -> tuple[Float, Vec2, 
 
 
 def footprint_coordinates(
-    table: NetworkTable, picks: int, ends: int, x: Any, y: Any, size: Any, arrays: Any = np
-) -> tuple[Any, Any, Any]:
+    table: NetworkTable, picks: int, ends: int, x: Float, y: Float, size: Float, arrays: Any = np
+) -> tuple[Float, Float, Float]:
     """Position x, y and size of footprints for the decoder, each 0 to 1.
 
     With latents of kind "field" positions are within a thread, as latents differ between threads; with
@@ -219,7 +219,7 @@ def footprint_coordinates(
     return u - arrays.floor(u), v - arrays.floor(v), log_fraction(size, smallest, largest, arrays)
 
 
-def fine_tuning_weight(size: Any, arrays: Any = np) -> Any:
+def fine_tuning_weight(size: Float, arrays: Any = np) -> Float:
     """Weight of a fabric's correction of the last layer, 0 to 1, for latents of kind "field".
 
     Args:

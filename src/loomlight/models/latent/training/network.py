@@ -21,8 +21,7 @@ from loomlight.models.latent.networks import (
 )
 from loomlight.models.latent.queries import Reflectance
 from loomlight.models.mip_pyramid import PyramidShape, level_taps
-from loomlight.models.relu_network import Layers
-from loomlight.training.direction_sampler import relu_layers
+from loomlight.training.relu_layers import numbers_of, numbers_of_layers, relu_layers
 from loomlight.training.torch_functions import TorchTextures
 
 # Added to values before cube roots, whose slope at 0 is infinite, and to what relative errors are divided by.
@@ -118,9 +117,9 @@ class LatentNetwork(nn.Module):
         Args:
             reflectance: mean albedo of each face [faces, 3].
         """
-        frames = None if self.frames is None else _numbers(self.frames.weight)
-        layers = {name: _layers(getattr(self, name)) for name in ("decoder", "sampler", "albedo")}
-        return Weights(self.shape, _numbers(self.scale * self.latents), frames, layers, reflectance)
+        frames = None if self.frames is None else numbers_of(self.frames.weight)
+        layers = {name: numbers_of_layers(getattr(self, name)) for name in ("decoder", "sampler", "albedo")}
+        return Weights(self.shape, numbers_of(self.scale * self.latents), frames, layers, reflectance)
 
 
 def texel_inputs(reflectance: Reflectance, shape: PyramidShape) -> NDArray[np.float32]:
@@ -149,13 +148,3 @@ def loss_of(predicted: Tensor, truth: Tensor, kind: str) -> Tensor:
         scale = predicted.detach().mean(dim=-1, keepdim=True) + _RELATIVE
         return ((predicted - truth) / scale).square().mean()
     return 3 * functional.l1_loss((predicted + _ROOT).pow(1 / 3), (truth + _ROOT).pow(1 / 3))
-
-
-def _layers(perceptron: nn.Sequential) -> Layers:
-    return [
-        (_numbers(layer.weight), _numbers(layer.bias)) for layer in perceptron if isinstance(layer, nn.Linear)
-    ]
-
-
-def _numbers(tensor: Tensor) -> NDArray[np.float32]:
-    return np.ascontiguousarray(tensor.detach().cpu().numpy(), np.float32)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 import numpy as np
 import torch
 from numpy.typing import NDArray
@@ -17,10 +15,10 @@ from loomlight.models.neumip.networks import (
     EXPOSURE,
     OFFSET_WIDTHS,
     OPACITY_WIDTHS,
-    Layers,
     Weights,
 )
 from loomlight.models.neumip.parallax import MIN_COSINE, shifted
+from loomlight.training.relu_layers import numbers_of, numbers_of_layers, relu_layers
 from loomlight.training.torch_functions import TorchTextures
 
 # The textures begin at zero and at 0.1 N(0, 1), as in the released code.
@@ -66,20 +64,20 @@ class NeumipNetwork(nn.Module):
             nn.Parameter(_FEATURES / scale * torch.randn(shape.faces, CHANNELS, high, wide))
             for wide, high in shape.sizes
         )
-        self.decoder = _perceptron(DECODER_WIDTHS)
+        self.decoder = relu_layers(DECODER_WIDTHS)
         nn.init.constant_(self.decoder[-1].bias, _FIRST_VALUE)
         self.offset_texture: nn.Parameter | None = None
         self.offset: nn.Sequential | None = None
         if with_offset:
             self.offset_texture = nn.Parameter(torch.zeros(shape.faces, CHANNELS, rows, columns))
-            self.offset = _perceptron(OFFSET_WIDTHS)
+            self.offset = relu_layers(OFFSET_WIDTHS)
             # No parallax at first.
             nn.init.zeros_(self.offset[-1].bias)
         self.transmission: nn.Sequential | None = None
         if transmits:
-            self.transmission = _perceptron(DECODER_WIDTHS)
+            self.transmission = relu_layers(DECODER_WIDTHS)
             nn.init.constant_(self.transmission[-1].bias, _FIRST_VALUE)
-        self.opacity = _perceptron(OPACITY_WIDTHS) if has_holes else None
+        self.opacity = relu_layers(OPACITY_WIDTHS) if has_holes else None
 
     def forward(
         self,
@@ -170,8 +168,8 @@ class NeumipNetwork(nn.Module):
         offset_texels = None
         if self.offset is not None and self.offset_texture is not None:
             layers["offset"] = numbers_of_layers(self.offset)
-            offset_texels = _numbers(_texels(self.scale * self.offset_texture))
-        return Weights(shape, _numbers(features), offset_texels, layers, reflectance)
+            offset_texels = numbers_of(_texels(self.scale * self.offset_texture))
+        return Weights(shape, numbers_of(features), offset_texels, layers, reflectance)
 
 
 def blurred(texture: Tensor, sigma: float) -> Tensor:
@@ -204,14 +202,6 @@ def opacity_loss(log_odds: Tensor, holes: Tensor) -> Tensor:
     return _OPACITY_WEIGHT * functional.binary_cross_entropy_with_logits(log_odds, holes)
 
 
-def _perceptron(widths: tuple[int, ...]) -> nn.Sequential:
-    """Dense layers with ReLU between them."""
-    layers: list[nn.Module] = []
-    for inputs, outputs in pairwise(widths):
-        layers += [nn.Linear(inputs, outputs), nn.ReLU()]
-    return nn.Sequential(*layers[:-1])
-
-
 def _texels(texture: Tensor) -> Tensor:
     """Rows of channels [faces · rows · columns, channels] of a texture [faces, channels, rows, columns]."""
     return texture.permute(0, 2, 3, 1).reshape(-1, CHANNELS)
@@ -222,14 +212,3 @@ def _fetched(table: Tensor, texels: list[Tensor], weights: list[Tensor]) -> Tens
     return functional.embedding_bag(
         torch.stack(texels, dim=1), table, per_sample_weights=torch.stack(weights, dim=1), mode="sum"
     )
-
-
-def numbers_of_layers(perceptron: nn.Sequential) -> Layers:
-    """Weights [outputs, inputs] and biases of each layer."""
-    return [
-        (_numbers(layer.weight), _numbers(layer.bias)) for layer in perceptron if isinstance(layer, nn.Linear)
-    ]
-
-
-def _numbers(tensor: Tensor) -> NDArray[np.float32]:
-    return np.ascontiguousarray(tensor.detach().cpu().numpy(), np.float32)
