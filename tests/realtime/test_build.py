@@ -14,9 +14,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from loomlight.models.lobes import density, visibility_rays
 from loomlight.realtime import build
 from loomlight.realtime.build import DIGESTS, WGSL, digests, generated_files, generated_slang
-from loomlight.realtime.constants import number_text
+from loomlight.realtime.constants import number_text, prefixed_numbers, shader_constants
 from loomlight.realtime.device import default_adapter
 from loomlight.realtime.models import REALTIME_MODELS
 from loomlight.realtime.slangc import SHADERS, TARGETS, compile_shader, library_code, library_models
@@ -86,6 +87,15 @@ def test_networks_compile_to_cooperative_vectors() -> None:
 def test_naga_compiles_wgsl(entry: str) -> None:
     code = (WGSL / f"{entry}.wgsl").read_text(encoding="utf-8")
     assert default_adapter().device.create_shader_module(code=code) is not None
+
+
+def test_constants_are_the_public_numbers_of_modules() -> None:
+    """Qualities of a search are a constant a field; names that a module imports are another's."""
+    found = dict(prefixed_numbers(visibility_rays))
+    assert found["BAKE_SHADOW_SHARE"] == visibility_rays.BAKE_QUALITY.shadow_share
+    assert found["MAX_GAP_RAYS"] == visibility_rays.MAX_GAP_RAYS
+    assert "NODES" not in found
+    assert shader_constants()["GROUP_NARROWEST"] == density.NARROWEST
 
 
 @pytest.mark.parametrize("value", [0.0, 1.0, -2.5, 1e-20, 123456.7, 3.0e10, 0.1])
