@@ -7,14 +7,17 @@ metals of all colours. Nothing here was measured.
 
 from __future__ import annotations
 
+import math
 import os
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.assets.merl import BINS, MerlLibrary, bin_directions, library_of, write_merl
+from loomlight.assets.merl import BINS, SCALES, MerlLibrary, library_of
+from loomlight.core.files import replacing
 
 _Floats = NDArray[np.float32]
 _MIN_ALPHA, _MAX_ALPHA = 0.03, 1.0
@@ -95,3 +98,32 @@ def write_analytic_library(folder: str | os.PathLike[str], count: int) -> None:
     for parameters in analytic_parameters(count):
         values = analytic_brdf(parameters, *directions).reshape(*BINS, 3)
         write_merl(Path(folder) / f"{parameters.name}.binary", values)
+
+
+def write_merl(path: str | os.PathLike[str], values: NDArray[np.floating[Any]]) -> None:
+    """Writes f, linear RGB, 1/sr [θ_h, θ_d, φ_d, 3], as a `.binary` file, whole or not at all.
+
+    Raises:
+        InputError: a place that cannot be written to.
+        ValueError: another shape.
+    """
+    if values.shape != (*BINS, 3):
+        raise ValueError(f"values {values.shape}: a MERL file has {(*BINS, 3)}")
+    planes = np.moveaxis(np.asarray(values, np.float64) / SCALES, -1, 0)
+    with replacing(path) as temporary, temporary.open("wb") as stream:
+        stream.write(np.array(BINS, np.dtype("<i4")).tobytes())
+        stream.write(np.ascontiguousarray(planes, np.dtype("<f8")).tobytes())
+
+
+def bin_directions() -> tuple[_Floats, _Floats]:
+    """Lights and views at the middles of all bins [θ_h · θ_d · φ_d, 3]; some lie below the horizon."""
+    h, d, phi = np.meshgrid(*(np.arange(count) + 0.5 for count in BINS), indexing="ij")
+    half = (h.ravel() / BINS[0]) ** 2 * (math.pi / 2)
+    difference, azimuth = d.ravel() / BINS[1] * (math.pi / 2), phi.ravel() / BINS[2] * math.pi
+    along = np.sin(difference) * np.cos(azimuth)
+    y, z = np.sin(difference) * np.sin(azimuth), np.cos(difference)
+    # The difference vector, turned about y so that the pole becomes the half vector.
+    light = np.stack([np.cos(half) * along + np.sin(half) * z, y, np.cos(half) * z - np.sin(half) * along], 1)
+    normal = np.stack([np.sin(half), np.zeros_like(half), np.cos(half)], 1)
+    view = 2 * np.sum(normal * light, axis=1, keepdims=True) * normal - light
+    return light.astype(np.float32), view.astype(np.float32)

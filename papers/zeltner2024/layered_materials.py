@@ -15,12 +15,13 @@ from __future__ import annotations
 import io
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from loomlight.assets.material import Bytes, Material, material_of_parts
+from loomlight.assets.material import Bytes, Material, material_from_xml
 from loomlight.core.colour import linear_to_srgb
 from papers.zeltner2024.layered_textures import (
     cracks,
@@ -166,7 +167,10 @@ def layered_parts(name: str, side: int = SIDE) -> tuple[str, dict[str, Bytes]]:
 def layered_material(name: str, side: int = SIDE) -> Material:
     """One of `LAYERED` as a source; arguments as of `layered_parts`."""
     xml, pictures = layered_parts(name, side)
-    return material_of_parts(xml, pictures, name, SIZE_MM)
+    with TemporaryDirectory() as folder:
+        for file, content in pictures.items():
+            (Path(folder) / file).write_bytes(content.tobytes())
+        return material_from_xml(xml, folder, name, SIZE_MM)
 
 
 def _png(file: str, values: NDArray[np.float64]) -> Bytes:

@@ -16,17 +16,15 @@ from loomlight.assets.loom_file import LoomFile, read_loom, write_loom
 from loomlight.assets.merl import (
     BINS,
     MerlLibrary,
-    bin_directions,
     is_merl_file,
     library_of,
     merl_record,
     read_merl,
-    write_merl,
 )
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError
 from loomlight.models.latent.merl_queries import MerlReflectance
-from papers.zeltner2024.analytic_brdfs import analytic_brdf, analytic_parameters
+from papers.zeltner2024.analytic_brdfs import analytic_brdf, analytic_parameters, bin_directions, write_merl
 
 
 def directions(count: int, seed: int) -> NDArray[np.float32]:

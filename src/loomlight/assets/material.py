@@ -16,7 +16,6 @@ from __future__ import annotations
 
 import copy
 import os
-import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path, PurePath
@@ -291,17 +290,3 @@ def _content(file: Path) -> Bytes:
             if not np.isfinite(pixels).all():
                 raise InputError(f"the texture {file} holds NaN or infinity: write numbers alone.")
         return np.frombuffer(file.read_bytes(), np.uint8)
-
-
-def material_of_parts(
-    xml: str, textures: Mapping[str, Bytes], name: str, size_mm: tuple[float, float]
-) -> Material:
-    """The material of an XML text whose files are given as bytes, by the names that it has for them.
-
-    Raises:
-        InputError: as `load_material`.
-    """
-    with tempfile.TemporaryDirectory() as folder:
-        for file, content in textures.items():
-            (Path(folder) / file).write_bytes(content.tobytes())
-        return material_from_xml(xml, folder, name, size_mm)

@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
 from loomlight.core.errors import InputError
-from loomlight.core.files import replacing, require_file
+from loomlight.core.files import require_file
 from loomlight.fabric.reading import speaking_of
 
 _Floats = NDArray[np.float32]
@@ -34,7 +34,7 @@ SUFFIX = ".binary"
 # Bins of θ_h, θ_d and φ_d.
 BINS = (90, 90, 180)
 _COUNT = math.prod(BINS)
-_SCALES = np.array([1 / 1500, 1.15 / 1500, 1.66 / 1500])
+SCALES = np.array([1 / 1500, 1.15 / 1500, 1.66 / 1500])
 _BYTES = 12 + 3 * 8 * _COUNT
 MAX_BRDFS = 100
 # A `.loom` holds the values of so many; of a larger library, a gigabyte, the names and checksums alone.
@@ -171,36 +171,7 @@ def read_merl(path: str | os.PathLike[str]) -> _Floats:
         if not np.isfinite(stored).all():
             raise InputError("it holds NaN or infinity: download it again.")
         planes = stored.reshape(3, *BINS).astype(np.float32)
-        return np.maximum(np.moveaxis(planes, 0, -1) * _SCALES.astype(np.float32), 0)
-
-
-def write_merl(path: str | os.PathLike[str], values: NDArray[np.floating[Any]]) -> None:
-    """Writes f, linear RGB, 1/sr [θ_h, θ_d, φ_d, 3], as a `.binary` file, whole or not at all.
-
-    Raises:
-        InputError: a place that cannot be written to.
-        ValueError: another shape.
-    """
-    if values.shape != (*BINS, 3):
-        raise ValueError(f"values {values.shape}: a MERL file has {(*BINS, 3)}")
-    planes = np.moveaxis(np.asarray(values, np.float64) / _SCALES, -1, 0)
-    with replacing(path) as temporary, temporary.open("wb") as stream:
-        stream.write(np.array(BINS, np.dtype("<i4")).tobytes())
-        stream.write(np.ascontiguousarray(planes, np.dtype("<f8")).tobytes())
-
-
-def bin_directions() -> tuple[_Floats, _Floats]:
-    """Lights and views at the middles of all bins [θ_h · θ_d · φ_d, 3]; some lie below the horizon."""
-    h, d, phi = np.meshgrid(*(np.arange(count) + 0.5 for count in BINS), indexing="ij")
-    half = (h.ravel() / BINS[0]) ** 2 * (math.pi / 2)
-    difference, azimuth = d.ravel() / BINS[1] * (math.pi / 2), phi.ravel() / BINS[2] * math.pi
-    along = np.sin(difference) * np.cos(azimuth)
-    y, z = np.sin(difference) * np.sin(azimuth), np.cos(difference)
-    # The difference vector, turned about y so that the pole becomes the half vector.
-    light = np.stack([np.cos(half) * along + np.sin(half) * z, y, np.cos(half) * z - np.sin(half) * along], 1)
-    normal = np.stack([np.sin(half), np.zeros_like(half), np.cos(half)], 1)
-    view = 2 * np.sum(normal * light, axis=1, keepdims=True) * normal - light
-    return light.astype(np.float32), view.astype(np.float32)
+        return np.maximum(np.moveaxis(planes, 0, -1) * SCALES.astype(np.float32), 0)
 
 
 def merl_record(source: MerlLibrary) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:

@@ -5,10 +5,12 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import final
 
 import drjit as dr
 
+from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.core.arrays import Color3, Float, Mask, Vec3
 from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
@@ -166,6 +168,33 @@ class SeparableBsdf(FootprintBsdf):
         )
         lit = evaluation.components.light_visibility + evaluation.hole
         return transmittance * body + lit * lobe
+
+
+class FilteredBsdf(SeparableBsdf):
+    """A BSDF of yarns whose albedos are means over the threads of footprints."""
+
+    def __init__(
+        self, means: FootprintAlbedos, sheen: Sheen, view: Vec3, footprint: Footprint, tint: Color3 | None
+    ) -> None:
+        """
+        Args:
+            means: albedos of threads over footprints.
+            tint: see `Model.at`.
+        """
+        super().__init__(view, footprint, sheen)
+        self._means, self._tint = means, tint
+        self._back = array_types(view.x).Bool(view.z < 0)
+
+    @cached_property
+    def albedos(self) -> FamilyAlbedos:
+        """Mean albedos of the threads over footprints, without parallax."""
+        return tinted(FamilyAlbedos(*self._means.over(self.footprint, self._back)), self._tint)
+
+    @cached_property
+    def between(self) -> BetweenYarns | None:
+        """Light between yarns; None without."""
+        albedos, seen = self.albedos, self.to_seen_face(self.view)
+        return BetweenYarns.of(self._means, (albedos.warp, albedos.weft), self._tint, seen, self._back)
 
 
 def shade(components: Components, albedos: FamilyAlbedos, is_transmission: Mask) -> Color3:

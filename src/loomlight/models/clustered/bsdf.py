@@ -22,7 +22,7 @@ from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.core.arrays import Color3, Float, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import array_types, clip, maximum
 from loomlight.core.footprint import Footprint
-from loomlight.models.between_yarns import BetweenYarns, Bounced
+from loomlight.models.between_yarns import Bounced
 from loomlight.models.clustered.base import DeviceTables, LightTaps
 from loomlight.models.clustered.sampling import LobeSampler
 from loomlight.models.clustered.texels import TexelPoint
@@ -30,10 +30,8 @@ from loomlight.models.random_numbers import uniform
 from loomlight.models.separable import (
     Components,
     Evaluation,
-    FamilyAlbedos,
-    SeparableBsdf,
+    FilteredBsdf,
     shade,
-    tinted,
 )
 from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.yarn_point import Albedos, DirectionSample, YarnPoint, to_face_frame
@@ -73,15 +71,14 @@ class Estimate:
 
 
 @final
-class ClusteredBsdf(SeparableBsdf):
+class ClusteredBsdf(FilteredBsdf):
     """Base and residual of footprints for one view each."""
 
     def __init__(
         self,
         tables: DeviceTables,
         model: YarnScattering,
-        mean_albedos: FamilyAlbedos,
-        albedos_of_cloth: FootprintAlbedos,
+        means: FootprintAlbedos,
         samples: int,
         texels: int,
         seed: UInt,
@@ -92,27 +89,21 @@ class ClusteredBsdf(SeparableBsdf):
     ) -> None:
         """
         Args:
-            mean_albedos: of the footprint, without tint.
-            albedos_of_cloth: of threads over footprints, for light between yarns.
             samples: yarn points; 0 leaves the residual out.
             texels: points of the texel model; 0 leaves it out.
             seed: a random number a lane.
         """
-        super().__init__(view, footprint, model.appearance.sheen)
-        types = array_types(view.x)
+        super().__init__(means, model.appearance.sheen, view, footprint, tint)
         self._tables, self._model, self._samples, self._seed = tables, model, samples, seed
         self._texels = texels
-        self._tint, self._active = tint, active
-        self._back = types.Bool(view.z < 0)
-        self._mean_albedos = mean_albedos
-        self._albedos_of_cloth = albedos_of_cloth
+        self._active = active
         self._base = tables.seen_from(
             to_face_frame(view, self._back), self._back, trusted=samples + texels > 0
         )
         self._box = tables.sums.box(footprint, self._base.offset, uniform(seed, 0) - 0.5)
 
     @cached_property
-    def _means(self) -> list[Any]:
+    def _cluster_means(self) -> list[Any]:
         return self._tables.sums.means(self._box, self._back)
 
     @cached_property
@@ -157,7 +148,7 @@ class ClusteredBsdf(SeparableBsdf):
         types = array_types(self.view.x)
         if not self._samples:
             covered = types.Float(0)
-            for packet in self._means[: self._tables.clusters // 4]:
+            for packet in self._cluster_means[: self._tables.clusters // 4]:
                 covered += packet.x + packet.y + packet.z + packet.w
             return clip(1 - covered, 0, 1)
         total = types.Float(0)
@@ -165,21 +156,12 @@ class ClusteredBsdf(SeparableBsdf):
             total += dr.select(sample.point.hole, types.Float(1), 0)
         return total * (1 / self._samples)
 
-    @cached_property
-    def albedos(self) -> FamilyAlbedos:
-        """Mean albedos of the threads over the footprint, which the base is multiplied by."""
-        return tinted(self._mean_albedos, self._tint)
-
     def bounced(self, evaluation: Evaluation) -> Bounced | None:
         """Albedos of light between yarns, with as much of either family as the whole cloth shows.
 
         Components are estimates of either sign, and say nothing of shares.
         """
-        albedos, seen = self.albedos, to_face_frame(self.view, self._back)
-        between = BetweenYarns.of(
-            self._albedos_of_cloth, (albedos.warp, albedos.weft), self._tint, seen, self._back
-        )
-        return None if between is None else between.anywhere(evaluation.hole)
+        return None if self.between is None else self.between.anywhere(evaluation.hole)
 
     def evaluate(self, light: Vec3, active: Mask = True) -> Evaluation:
         """Base and residual of the components: unbiased estimates, of either sign."""
@@ -211,7 +193,7 @@ class ClusteredBsdf(SeparableBsdf):
         """Base and both steps of the residual for one light."""
         types = array_types(self.view.x)
         taps = self._base.light_taps(to_face_frame(light, self._back))
-        base = self._base.over(self._means, taps)
+        base = self._base.over(self._cluster_means, taps)
         if self._texels:
             texels, known = self._texel_sums(taps)
             base = _combined(base, known, -1 / self._texels)
@@ -348,7 +330,7 @@ class ClusteredBsdf(SeparableBsdf):
 
     @cached_property
     def _sampler(self) -> LobeSampler:
-        return LobeSampler(self._tables, self._base, self._means, self.albedos, self.sheen, self.hole)
+        return LobeSampler(self._tables, self._base, self._cluster_means, self.albedos, self.sheen, self.hole)
 
     def _point_components(self, point: YarnPoint, light: Vec3, active: Mask) -> Components:
         visible = self._model.visibility(point, light, active)

@@ -22,7 +22,6 @@ from loomlight.models.clustered.trust import trust_by_view
 from loomlight.models.fabric_model import FilteredFabricModel, appearance_of, fabric_in_loom, fabric_source
 from loomlight.models.interface import Option, Values
 from loomlight.models.random_numbers import hashed
-from loomlight.models.separable import FamilyAlbedos
 from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
@@ -211,11 +210,9 @@ class ClusteredModel(FilteredFabricModel):
         tables = self.on_backend(types)
         if seed is None:
             seed = hashed(view, footprint, tables.size)
-        means = FamilyAlbedos(*self.means.over(footprint, view.z < 0))
         return ClusteredBsdf(
             tables,
             self.point_model,
-            means,
             self.means,
             self.samples,
             self.texel_samples,

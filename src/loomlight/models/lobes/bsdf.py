@@ -14,7 +14,7 @@ from loomlight.core.arrays import Array, Color3, Float, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import array_types, maximum
 from loomlight.core.footprint import Footprint
 from loomlight.core.masked_branch import masked_branch
-from loomlight.models.between_yarns import BetweenYarns, Bounced
+from loomlight.models.between_yarns import Bounced
 from loomlight.models.lobes.point_sampled import (
     point_sampled,
     point_sampled_hole,
@@ -23,7 +23,7 @@ from loomlight.models.lobes.point_sampled import (
 from loomlight.models.lobes.prefiltered import PrefilteredLobes, TableLookup, half_vector
 from loomlight.models.lobes.proposal import Mixture, density, draw, mixture_of, packs_density, total_weight
 from loomlight.models.lobes.regimes import Regime
-from loomlight.models.separable import Components, Evaluation, FamilyAlbedos, SeparableBsdf, tinted
+from loomlight.models.separable import Components, Evaluation, FamilyAlbedos, FilteredBsdf, tinted
 from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.yarn_point import Albedos, DirectionSample, to_face_frame
 from loomlight.yarn.visibility import first_hit
@@ -47,7 +47,7 @@ class GroupSums:
 
 
 @final
-class LobesBsdf(SeparableBsdf):
+class LobesBsdf(FilteredBsdf):
     """Footprints of one fabric as views see them."""
 
     def __init__(
@@ -60,18 +60,11 @@ class LobesBsdf(SeparableBsdf):
         footprint: Footprint,
         tint: Color3 | None,
     ) -> None:
-        """
-        Args:
-            means: albedos of threads over footprints.
-            tint: see `Model.at`.
-        """
-        super().__init__(view, footprint, point_model.appearance.sheen)
+        """See `FilteredBsdf`."""
+        super().__init__(means, point_model.appearance.sheen, view, footprint, tint)
         self._lobes = lobes
         self._point_model = point_model
-        self._means = means
         self._regime = regime
-        self._tint = tint
-        self._back = array_types(view.x).Bool(view.z < 0)
 
     @cached_property
     def _at(self) -> TableLookup:
@@ -140,12 +133,6 @@ class LobesBsdf(SeparableBsdf):
             return warp, weft
 
         return FamilyAlbedos(*masked_branch(weight > 0, mean, vary, "lobes: variation"))
-
-    @cached_property
-    def between(self) -> BetweenYarns | None:
-        """Light between yarns; None without."""
-        albedos, seen = self.albedos, to_face_frame(self.view, self._back)
-        return BetweenYarns.of(self._means, (albedos.warp, albedos.weft), self._tint, seen, self._back)
 
     def bounced(self, evaluation: Evaluation) -> Bounced | None:
         """Albedos of light between yarns: of the points of close-ups, of the families' means farther away."""

@@ -19,7 +19,6 @@ from loomlight.core.files import require_file
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.between_yarns import BetweenYarns
 from loomlight.models.fabric_model import FilteredFabricModel, fabric_in_loom, fabric_source, number_of
 from loomlight.models.interface import Option, Parameter, Values
 from loomlight.models.learned_proposal import LearnedProposal
@@ -40,7 +39,7 @@ from loomlight.models.neural.proposal import Proposal, proposal_of
 from loomlight.models.neural.sampler_network import neural_proposal, sampler_layers, sampler_of
 from loomlight.models.neural.weights import Weights, read_weights, shipped_weights
 from loomlight.models.relu_network import ReluNetwork
-from loomlight.models.separable import Components, Evaluation, FamilyAlbedos, SeparableBsdf, tinted
+from loomlight.models.separable import Components, Evaluation, FilteredBsdf
 from loomlight.scattering.yarn_point import DirectionSample, to_face_frame
 
 _NETWORK = "neural"
@@ -51,16 +50,13 @@ _ENCODED = ("roughness", "height_scale", "inclination", "twist")
 
 
 @final
-class NeuralBsdf(SeparableBsdf):
+class NeuralBsdf(FilteredBsdf):
     """The BSDF of footprints for one view: the decoder's activations that do not depend on the light."""
 
     def __init__(self, model: NeuralModel, view: Vec3, footprint: Footprint, tint: Color3 | None) -> None:
-        super().__init__(view, footprint, model.fabric.appearance().sheen)
+        super().__init__(model.means, model.fabric.appearance().sheen, view, footprint, tint)
         self._model = model
-        self._tint = tint
-        types = array_types(view.x)
-        self._back = types.Bool(view.z < 0)
-        self._decoder = decoder_of(model.weights, types.Float)
+        self._decoder = decoder_of(model.weights, array_types(view.x).Float)
         self._query = model.query(view, footprint)
 
     @property
@@ -75,17 +71,6 @@ class NeuralBsdf(SeparableBsdf):
     def hole(self) -> Float:
         """Fraction of the view rays that pass through holes, 0 to 1."""
         return self._decoder.hole(self._table, *self._query)
-
-    @cached_property
-    def albedos(self) -> FamilyAlbedos:
-        """Mean albedos of the threads over footprints, without parallax."""
-        return tinted(FamilyAlbedos(*self._model.means.over(self.footprint, self._back)), self._tint)
-
-    @cached_property
-    def between(self) -> BetweenYarns | None:
-        """Light between yarns; None without."""
-        albedos, seen = self.albedos, to_face_frame(self.view, self._back)
-        return BetweenYarns.of(self._model.means, (albedos.warp, albedos.weft), self._tint, seen, self._back)
 
     def evaluate(self, light: Vec3, active: Mask = True) -> Evaluation:
         """Components for a light and the hole, in one run of the network."""
