@@ -65,6 +65,7 @@ def _scores(name: str, roughness: tuple[float, float], seed: int) -> np.ndarray:
     return scores[lit.any(axis=1)]
 
 
+@pytest.mark.slow
 def test_slices_are_what_brute_force_finds_on_their_points() -> None:
     cases = [(name, (0.3, 0.15)) for name in NAMES] + [("satin 5/2", (0.06, 0.8))]
     scores = np.concatenate([_scores(name, alpha, seed) for seed, (name, alpha) in enumerate(cases)])

@@ -52,6 +52,7 @@ def test_surface_form_times_continuous_rays_is_the_truth_over_whole_repeats() ->
     assert abs(np.mean(ratios) - 1) < 0.005
 
 
+@pytest.mark.slow
 def test_visible_area_is_that_of_the_rays_that_meet_continuous_yarn() -> None:
     rng = np.random.default_rng(1)
     for name in NAMES:

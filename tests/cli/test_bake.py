@@ -19,6 +19,7 @@ from loomlight.core.llvm import require_llvm
 from loomlight.fabric import load_fabric
 from loomlight.models.registry import MODELS, model_from_loom
 from loomlight.weave import named_weave, write_wif
+from tests.marks import slow_among
 
 require_llvm()
 mi.set_variant("llvm_ad_rgb")
@@ -63,7 +64,7 @@ def test_a_baked_fabric_needs_its_draft_no_more(folder: Path, capsys: pytest.Cap
 SHORT = {"clustered": ["--set", "clusters=4", "--set", "texels=32"]}
 
 
-@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("model", slow_among(MODELS, ("neumip", "latent", "neural", "clustered")))
 def test_a_loom_of_any_model_is_rendered(
     model: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -87,6 +88,7 @@ def test_another_model_than_a_loom_holds_is_said(folder: Path, capsys: pytest.Ca
     np.testing.assert_allclose(other, point, rtol=1e-4, atol=1e-6)
 
 
+@pytest.mark.slow
 def test_compare_takes_a_loom(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     capsys.readouterr()
     arguments = ["compare", "cloth.loom", "--models", "point", "-o", "report", "--scenes", "flat near"]

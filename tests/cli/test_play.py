@@ -16,6 +16,7 @@ from loomlight.models.registry import make_model
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
+@pytest.mark.slow
 def test_a_frame_is_written_off_screen(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     write_image(tmp_path / "sky.exr", np.ones((4, 8, 3), np.float32))
     picture = tmp_path / "denim.png"

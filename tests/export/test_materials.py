@@ -63,6 +63,7 @@ def _tree(folder: Path) -> dict:
     return json.loads(content[20 : 20 + size])
 
 
+@pytest.mark.slow
 def test_the_file_is_read_again(exported: Path) -> None:
     mesh = read_mesh(exported / "cloth.glb")
     assert np.ptp(mesh.positions, axis=0)[:2] == pytest.approx([0.1, 0.1], rel=1e-5)
@@ -70,6 +71,7 @@ def test_the_file_is_read_again(exported: Path) -> None:
     assert mesh.uv.max() == 1
 
 
+@pytest.mark.slow
 def test_sizes_are_true(exported: Path) -> None:
     material = _tree(exported)["materials"][0]
     width, height = FABRIC.layout().size
@@ -81,6 +83,7 @@ def test_sizes_are_true(exported: Path) -> None:
     assert pixels.shape[:2] == (rows, columns)
 
 
+@pytest.mark.slow
 def test_holes_are_transparent(exported: Path) -> None:
     """0.6 mm of 0.71 mm a warp thread: the cloth has holes."""
     assert _tree(exported)["materials"][0]["alphaMode"] == "BLEND"
@@ -90,6 +93,7 @@ def test_holes_are_transparent(exported: Path) -> None:
     assert manifest["relative_rms_error"] < 0.6
 
 
+@pytest.mark.slow
 def test_khronos_validator_finds_no_fault(exported: Path) -> None:
     command = ["node", "-e", _VALIDATE, str(exported / "cloth.glb")]
     if shutil.which("node") is None:

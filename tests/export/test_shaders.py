@@ -42,7 +42,7 @@ FABRIC = fabric_from_text(
 )
 MODELS = tuple(REALTIME_MODELS)
 # Models of which a compiler takes seconds are slow; the code that all share is in the others.
-QUICK = slow_among(MODELS, ("neural", "clustered"))
+QUICK = slow_among(MODELS, ("neural", "clustered", "lobes"))
 
 
 @cache

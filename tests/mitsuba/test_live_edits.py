@@ -14,12 +14,12 @@ from loomlight.fabric import fabric_from_text
 from loomlight.fabric.load import edited_fabric
 from loomlight.models.fabric_model import parameter_of
 from loomlight.models.registry import MODELS
-from tests.marks import slow_among
+from tests.marks import slow, slow_among
 
 from .footprints import mean_value, side_by_side
 
 # Refused by the same code for all: those that bake for seconds are slow.
-SLOW = ("woven_clustered", "woven_neural", "neumip", "latent")
+SLOW = ("woven_clustered", "woven_neural", "woven_samples", "neumip", "latent")
 PLUGINS = slow_among((entry.plugin for entry in MODELS.values()), SLOW)
 CHEAPEST = {"woven_samples": {"points": 2}, "woven_clustered": {"clusters": 4, "texels": 32}}
 CLOTH = {"weave": "twill 2/1", "uv_size": "4,4", "sheen_strength": 0.3, "id": "mine"}
@@ -98,7 +98,7 @@ def test_messages_name_value_and_range(plugin: str) -> None:
         params.update()
 
 
-@pytest.mark.parametrize("plugin", ["woven_point", "woven_lobes"])
+@pytest.mark.parametrize("plugin", ["woven_point", slow("woven_lobes")])
 def test_both_ends_of_a_range_are_allowed(plugin: str) -> None:
     scene = scene_of(plugin)
     params = mi.traverse(scene)

@@ -18,6 +18,7 @@ from loomlight.mitsuba import build_scene, choose_variant, render, rendering, va
 WHITE = {"type": "twosided", "inner": {"type": "diffuse", "reflectance": 0.8}}
 
 
+@pytest.mark.slow
 def test_passes_are_as_good_as_one_go(monkeypatch: pytest.MonkeyPatch) -> None:
     scene = build_scene("drape", WHITE, size=(24, 24), light="directional").scene
     whole = render(scene, spp=64, seed=1)

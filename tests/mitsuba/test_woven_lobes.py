@@ -25,6 +25,7 @@ from loomlight.models.bake import bake, save
 from loomlight.models.lobes import model as lobes_model
 from loomlight.models.lobes.model import DEFAULT_GROUPS, LobesModel
 from loomlight.models.registry import make_model
+from tests.marks import slow
 
 from .footprints import (
     mean_value,
@@ -165,7 +166,7 @@ def test_a_material_keeps_its_groups_when_it_is_edited(tmp_path: Path, baked: li
     assert baked == [GROUPS] * 3
 
 
-@pytest.mark.parametrize("zoom", [1.0, 30.0])
+@pytest.mark.parametrize("zoom", [slow(1.0), 30.0])
 def test_white_cloth_in_a_white_world(zoom: float) -> None:
     white = fabric_from_text(
         'weave = "twill 2/1"\n[warp]\ncolor = "#ffffff"\ntranslucency = 0.3\nspecular = 1.0\n'

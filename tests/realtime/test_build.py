@@ -34,6 +34,7 @@ def test_generated_shaders_are_in_step() -> None:
     assert digests() == json.loads(DIGESTS.read_text(encoding="utf-8"))
 
 
+@pytest.mark.slow
 def test_shaders_come_out_again() -> None:
     """Those of one Slang file: all take half a minute."""
     generated = generated_files(["layers"])

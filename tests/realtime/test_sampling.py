@@ -56,6 +56,7 @@ def require_same(found: NDArray[np.float32], sample: DirectionSample) -> None:
     assert share_beyond(found[:, 3], np.array(sample.pdf)) <= MAX_FLIPS
 
 
+@pytest.mark.slow
 def test_sampling_of_the_point_model() -> None:
     rng = np.random.default_rng(4)
     layout = even_layout(TWILL, gap=0.3)

@@ -112,6 +112,7 @@ def test_surface(layout: ClothLayout) -> None:
         assert share_beyond(found[~hole, column], np.array(values, np.float64)[~hole]) == 0, column
 
 
+@pytest.mark.slow
 @layouts
 def test_view_and_shadow_rays(layout: ClothLayout) -> None:
     rng = generator()

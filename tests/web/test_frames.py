@@ -49,6 +49,8 @@ PLAIN = (
 CLOSE = 2e-3
 # Of the pixels: a ray that grazes a yarn, or the edge of a triangle, may fall to the other side.
 MAX_BEYOND = 5e-3
+# A minute to compile the shaders of frames by the software driver, within Deno.
+pytestmark = pytest.mark.slow
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,7 @@ from loomlight.yarn.horizon import HorizonMap
 from loomlight.yarn.layout import ClothLayout
 from loomlight.yarn.search import DEFAULT_QUALITY, REFERENCE_QUALITY, SearchQuality
 from loomlight.yarn.visibility import Hit, first_hit, horizon, passes_through, unoccluded
+from tests.marks import slow
 
 from .layouts import PLAIN, SATIN, TWILL, even_layout
 
@@ -124,8 +125,8 @@ def _directions(rng: np.random.Generator, lowest: float, count: int) -> mi.Vecto
 CASES = [
     pytest.param(PLAIN, 24.0, False, id="plain"),
     pytest.param(TWILL, 24.0, False, id="twill"),
-    pytest.param(TWILL, 24.0, True, id="twill-back"),
-    pytest.param(SATIN, 45.0, False, id="satin-steep"),
+    slow(TWILL, 24.0, True, id="twill-back"),
+    slow(SATIN, 45.0, False, id="satin-steep"),
 ]
 
 

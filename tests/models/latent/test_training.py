@@ -47,6 +47,7 @@ def test_the_rungs_of_the_ablation(tmp_path: Path) -> None:
     assert (tmp_path / "encoder" / "encoder.safetensors").exists()
 
 
+@pytest.mark.slow
 def test_queries_are_means_over_footprints() -> None:
     """Against many points of the point model around the query's position, on the face that is seen."""
     reflectance = REFLECTANCES.of(TWILL, 16)

@@ -46,6 +46,7 @@ def short(**changes: int) -> NeumipSettings:
     return replace(QUALITIES["preview"], resolution=8, queries=60, steps=30, batch=512, **changes)
 
 
+@pytest.mark.slow
 def test_dark_cloth_is_not_black(tmp_path: Path) -> None:
     """Without `gains_of` 0.92 of what shines through were 0 after 400 steps, and 0.25 of the rest."""
     colours = "".join(f'[{family}]\ncolor = "#101014"\n' for family in ("warp", "weft"))
@@ -111,6 +112,7 @@ def test_a_sampler_network_or_fitted_lobes(tmp_path: Path) -> None:
     assert losses[1] < losses[0] - 0.02
 
 
+@pytest.mark.slow
 def test_queries_are_gaussian_means() -> None:
     """Against Gaussian means of slices: the stream's own draws, with enough rays to compare."""
     shape = PyramidShape.of(TWILL.repeat_mm, 16, 2)

@@ -31,12 +31,14 @@ from loomlight.models.neural.footprint_coding import footprints_in_threads
 from loomlight.models.neural.model import NeuralModel
 from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
+from tests.marks import slow
 
 from .networks import TABLES, network, unit_vectors, weights_of
 from .reference import responses
 
 require_llvm()
 COUNT = 4000
+TARGETS = [SimdTarget(4, 16), slow(SimdTarget(8, 16)), slow(SimdTarget(4, 32))]
 # Unequal setts and a repeat that is no power of two.
 CLOTH = 'weave = "twill 2/1"\nends_per_cm = 30\npicks_per_cm = 20\n[warp]\nroughness = 0.3'
 
@@ -81,7 +83,7 @@ def test_the_decoder_is_torchs(
         assert error.max() < 1e-3
 
 
-@pytest.mark.parametrize("target", [SimdTarget(4, 16), SimdTarget(8, 16), SimdTarget(4, 32)], ids=str)
+@pytest.mark.parametrize("target", TARGETS, ids=str)
 def test_other_processors_answer_alike(
     target: SimdTarget, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
@@ -129,6 +131,7 @@ def parts_of(model: NeuralModel, light: Any, view: Any, footprint: Footprint) ->
     return [*(getattr(components, name) for name in COMPONENTS), at.hole]
 
 
+@pytest.mark.slow
 def test_long_footprints_are_alike_either_way(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     weights, fabric = weights_of(network("field"), tmp_path), fabric_from_text(CLOTH)
     model = NeuralModel(fabric, encode(fabric, weights, Float), weights)

@@ -60,6 +60,7 @@ def address(tmp_path: Path) -> Iterator[str]:
     server.shutdown()
 
 
+@pytest.mark.slow
 def test_chromium_draws_what_the_python_host_draws(address: str, playwright: Any) -> None:
     try:
         default_adapter()

@@ -81,7 +81,8 @@ def _with_dataset(dataset: Path, folder: Path) -> Path:
     return folder
 
 
-@pytest.mark.parametrize("optimiser", [slow("adam"), "soap"])
+@pytest.mark.slow
+@pytest.mark.parametrize("optimiser", ["adam", "soap"])
 def test_training_learns(dataset: Path, tmp_path: Path, optimiser: str) -> None:
     losses: list[float] = []
     train_neural(
