@@ -90,20 +90,24 @@ def answers(at: FootprintBsdf, names: list[str]) -> dict[str, list[NDArray[np.fl
     return {name: leaves(questions(at)[name]()) for name in names}
 
 
-# Each order compiles kernels of its own, which takes most of the time.
-SLOW = ("samples", "clustered", "neumip", "latent")
-every_model = [pytest.param(name, marks=pytest.mark.slow if name in SLOW else ()) for name in model_names()]
+# Questions whose answers share a search. Each order compiles kernels of its own, so `make test-all` asks all
+# questions of all models.
+SHARED = ("bounced", "components", "hole", "value")
+CHEAP = ("lobes", "point", "neural")
+models = [pytest.param(name, marks=() if name in CHEAP else pytest.mark.slow) for name in model_names()]
+asked_of = [(name, SHARED) for name in CHEAP]
+asked_of += [pytest.param(name, (), marks=pytest.mark.slow) for name in model_names()]
 
 
-@pytest.mark.parametrize("name", every_model)
-def test_no_answer_depends_on_what_was_asked_before(name: str) -> None:
+@pytest.mark.parametrize(("name", "chosen"), asked_of)
+def test_no_answer_depends_on_what_was_asked_before(name: str, chosen: tuple[str, ...]) -> None:
     """Any question comes before and after any other, of objects that were asked nothing else."""
     model, queried = built(name), asked()[0]
 
     def fresh() -> FootprintBsdf:
         return model.at(queried.view, queried.footprint)
 
-    names = [*questions(fresh())]
+    names = [*(chosen or questions(fresh()))]
     alone = {question: answers(fresh(), [question])[question] for question in names}
     for order in (names, names[::-1]):
         for question, actual in answers(fresh(), order).items():
@@ -111,7 +115,7 @@ def test_no_answer_depends_on_what_was_asked_before(name: str) -> None:
                 np.testing.assert_array_equal(one, other, err_msg=f"{question} of {order}")
 
 
-@pytest.mark.parametrize("name", model_names())
+@pytest.mark.parametrize("name", models)
 def test_parameters_are_read_and_nothing_else_happens(name: str) -> None:
     model, queried = built(name), asked()[0]
 
