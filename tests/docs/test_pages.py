@@ -25,6 +25,7 @@ NOT_RUN = {
     r"loomlight play(?!.* -o )": "a window waits for its user",
     r"loomlight play .* -o ": "software adapters take minutes",
     r"loomlight train ": "trainings take hours",
+    r"loomlight compare .*neumip": "six models are baked or trained, and rendered, for minutes",
     r"loomlight bake .*--executor (slurm|joblib:ray|joblib:dask)": "it needs a cluster",
 }
 PYTHON_NOT_RUN = {

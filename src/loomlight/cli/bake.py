@@ -50,8 +50,6 @@ def bake(
     fabric = sources[0]
     check_output(output, (".loom",), sources)
 
-    # It answers for sources that have to be rendered to be learned.
-    import loomlight.mitsuba  # noqa: F401
     from loomlight.models.bake import bake as run
     from loomlight.models.bake import save
     from loomlight.models.option_values import parse_options
@@ -61,6 +59,9 @@ def bake(
     if not model_class(model).trains:
         save(run(fabric, model, **chosen), output)
     else:
+        # It answers for sources that have to be rendered to be learned.
+        import loomlight.mitsuba  # noqa: F401
+
         note_left("The training is kept: the same command goes on from there.")
         with progress(f"{fabric}, {model}") as report:
             save(run(fabric, model, report=report, **chosen), output)
