@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -83,3 +83,32 @@ def short_training() -> Iterator[None]:
         patch.setitem(QUALITIES, "preview", short)
         patch.setitem(LATENT_QUALITIES, "preview", latent)
         yield
+
+
+@pytest.fixture
+def refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> Callable[..., str]:
+    """Runs a command in an empty folder. It ends with code 2, in one sentence, which is returned, and leaves
+    all files as they are; `leaves` is a new folder that it may leave empty.
+    """
+    from loomlight.cli.main import run
+
+    def files() -> dict[Path, bytes | None]:
+        return {path: path.read_bytes() if path.is_file() else None for path in tmp_path.rglob("*")}
+
+    def refused(
+        arguments: Sequence[str], command: Callable[[Sequence[str]], int] = run, leaves: str | None = None
+    ) -> str:
+        before = files()
+        capsys.readouterr()
+        assert command(list(arguments)) == 2
+        captured = capsys.readouterr()
+        assert captured.out == ""
+        assert len(captured.err.splitlines()) == 1, captured.err
+        allowed = before | ({} if leaves is None else {tmp_path / leaves: None})
+        assert before.items() <= files().items() <= allowed.items()
+        return captured.err
+
+    monkeypatch.chdir(tmp_path)
+    return refused
