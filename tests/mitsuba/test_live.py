@@ -63,7 +63,7 @@ def test_edits_show_as_if_the_picture_were_traced_anew(model: str, recorded: boo
         # Threads add samples up in an order of their own.
         np.testing.assert_allclose(before, traced_anew(shown, 1), rtol=1e-4, atol=1e-6)
     # Pictures traced anew every time would pass all of the above.
-    assert live.recorded == recorded
+    assert (live._launch.n_cached_recordings > 0) == recorded
 
 
 @slow_unless_recorded
