@@ -15,6 +15,7 @@ from typing import Any
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
 
+# hatchling's hooks are generic in a configuration that this one does not read.
 class GeneratedFilesHook(BuildHookInterface):  # type: ignore[type-arg]
     """Runs `viewer/client_build.py` and `realtime/slangc.py`, which import the standard library alone, and of
     this package nothing but errors and files."""

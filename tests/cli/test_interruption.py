@@ -43,7 +43,7 @@ def work():
     signal.signal(signal.SIGINT, lambda *_: None)
     interruption.note_left("a.png holds a coarse picture.")
     print("begun", flush=True)
-    while True: time.sleep(0.01)
+    while True: signal.pause()
 sys.exit(interruption.supervised(work))
 """
 # The command, with Python's own handler as in `started`.
@@ -55,9 +55,10 @@ main()
 """
 LISTENING = """
 def work():
+    import signal
     try:
         print("begun", flush=True)
-        while True: time.sleep(1)
+        while True: signal.pause()
     except KeyboardInterrupt:
         return interruption.report_interruption()
 sys.exit(interruption.supervised(work))

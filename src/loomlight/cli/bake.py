@@ -59,7 +59,7 @@ def bake(
     if not model_class(model).trains:
         save(run(fabric, model, **chosen), output)
     else:
-        # It answers for sources that have to be rendered to be learned.
+        # Imported for its effect: it answers for sources that have to be rendered to be learned.
         import loomlight.mitsuba  # noqa: F401
 
         note_left("The training is kept: the same command goes on from there.")

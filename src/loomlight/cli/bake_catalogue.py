@@ -8,7 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-# It answers in every process for sources that have to be rendered to be learned.
+# Imported for its effect, in every process: it answers for sources that have to be rendered to be learned.
 import loomlight.mitsuba  # noqa: F401
 from loomlight.assets.load import load_source
 from loomlight.assets.source_identity import source_identity

@@ -152,4 +152,4 @@ def test_a_sampler_finds_an_off_centre_lobe() -> None:
 
 def test_a_source_without_queries_is_refused() -> None:
     with pytest.raises(TypeError, match="is no kind of source"):
-        REFLECTANCES.of(Path("a"), 8)  # type: ignore[arg-type]
+        REFLECTANCES.of(Path("a"), 8)  # type: ignore[arg-type]  # no source: that is what is refused

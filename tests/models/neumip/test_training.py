@@ -182,4 +182,4 @@ def test_schedules() -> None:
 
 def test_a_source_without_queries_is_refused() -> None:
     with pytest.raises(TypeError, match="is no kind of source"):
-        BTFS.of(Path("a"))  # type: ignore[arg-type]
+        BTFS.of(Path("a"))  # type: ignore[arg-type]  # no source: that is what is refused

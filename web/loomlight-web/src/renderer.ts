@@ -40,7 +40,7 @@ export interface RendererOptions extends DeviceOptions {
   readonly budget?: Budget | null;
 }
 
-/** Renders pieces of cloth by direct light; see `docs/web.md`. */
+/** Renders pieces of cloth by direct light; see `web/loomlight-web/README.md`. */
 export class ClothRenderer {
   private readonly options: RendererOptions;
   private device: Device;

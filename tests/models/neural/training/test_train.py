@@ -149,17 +149,19 @@ def _stop_at(step: int):
 
 @pytest.mark.slow
 def test_killed_training_goes_on(dataset: Path, tmp_path: Path) -> None:
-    """kill −9 twice at moments that differ from run to run, by the command line."""
+    """kill −9 twice, each time once a further checkpoint is there, by the command line."""
     config = tmp_path / "tiny.toml"
     config.write_text(TINY.format(steps=60, decoder_steps=60, decoder_hidden=24, optimiser="soap"))
     whole = load_file(train_neural(read_config(config), _with_dataset(dataset, tmp_path / "whole")))
     folder = _with_dataset(dataset, tmp_path / "killed")
     command = [sys.executable, "-c", _COMMAND, str(config), str(folder)]
-    for seconds in (0.3, 0.6):
+    checkpoint = folder / "checkpoint.safetensors"
+    for _ in range(2):
+        before = checkpoint.read_bytes() if checkpoint.exists() else b""
         process = subprocess.Popen(command, stderr=subprocess.DEVNULL)
-        while not (folder / "checkpoint.safetensors").exists() and process.poll() is None:
-            time.sleep(0.1)
-        time.sleep(seconds)
+        while process.poll() is None and (not checkpoint.exists() or checkpoint.read_bytes() == before):
+            time.sleep(0.01)
+        assert process.poll() is None, "it ended before it could be killed"
         os.kill(process.pid, signal.SIGKILL)
         process.wait()
     subprocess.run(command, check=True, stderr=subprocess.DEVNULL)
