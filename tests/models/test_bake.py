@@ -47,10 +47,34 @@ def test_a_suffix_that_does_not_go_with_what_is_saved(tmp_path: Path) -> None:
         (fabric.draft, "x.toml", "a draft is written as .wif."),
         (loomlight.bake(fabric, "point"), "x.toml", "a model is written as .loom."),
         (np.zeros((1, 1, 3)), "x.jpg", "a picture is written as .png or .exr."),
+        (np.zeros((4, 4)), "x.exr", r"a picture is \[height, width, 1, 3 or 4\], not \[4, 4\]"),
+        ([1.0], "x.png", "a list is no model, fabric, draft or picture"),
     ):
         with pytest.raises(loomlight.InputError, match=right):
-            loomlight.save(what, tmp_path / name)
+            loomlight.save(what, tmp_path / name)  # type: ignore[arg-type]  # what is refused
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_fabric_file_is_saved_elsewhere_than_its_draft(tmp_path: Path) -> None:
+    (tmp_path / "there").mkdir()
+    draft = loomlight.named_weave("herringbone 2/2 8")
+    loomlight.save(draft, tmp_path / "own.wif")
+    fabric = loomlight.load(tmp_path / "own.wif")
+    assert isinstance(fabric, loomlight.Fabric)
+    loomlight.save(fabric, tmp_path / "there" / "own.toml")
+    again = loomlight.load(tmp_path / "there" / "own.toml")
+    assert isinstance(again, loomlight.Fabric)
+    assert np.array_equal(again.draft.drawdown, draft.drawdown)
+
+    loomlight.save(loomlight.bake(fabric, "point"), tmp_path / "own.loom")
+    (tmp_path / "own.wif").unlink()
+    inside = loomlight.load(tmp_path / "own.loom")
+    assert isinstance(inside, Model)
+    with pytest.raises(
+        loomlight.InputError, match=r"is not in a file of its own: save fabric\.draft as \.wif"
+    ):
+        loomlight.save(inside.source, tmp_path / "again.toml")  # type: ignore[arg-type]  # its source is a fabric
+    assert not (tmp_path / "again.toml").exists()
 
 
 def test_an_unknown_keyword_names_the_nearest() -> None:

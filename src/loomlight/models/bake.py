@@ -72,21 +72,38 @@ def save(what: Model | Fabric | Draft | np.ndarray[Any, Any], path: str | os.Pat
     The file is written whole or not at all.
 
     Raises:
-        InputError: a suffix that does not go with what is written, or a place that cannot be written to.
+        InputError: none of these, a suffix that does not go with it, or a place that cannot be written to.
     """
     suffix = Path(path).suffix.lower()
-    kind, suffixes = next((name, right) for holds, name, right in _FILES if isinstance(what, holds))
+    kind, suffixes = next(
+        ((name, right) for holds, name, right in _FILES if isinstance(what, holds)), ("", ())
+    )
+    if not kind:
+        raise InputError(f"{path}: a {type(what).__name__} is no model, fabric, draft or picture.")
     if suffix not in suffixes:
         raise InputError(f"{path}: a {kind} is written as {' or '.join(suffixes)}.")
     if isinstance(what, Model):
         write_loom(path, what.to_loom())
     elif isinstance(what, Fabric):
-        with replacing(path) as temporary:
-            temporary.write_text(what.to_toml(), encoding="utf-8")
+        _write_fabric(what, Path(path))
     elif isinstance(what, Draft):
         write_wif(what, path)
-    else:
+    elif what.ndim == 3 and what.shape[2] in (1, 3, 4) and what.size:
         write_image(path, what)
+    else:
+        raise InputError(f"{path}: a picture is [height, width, 1, 3 or 4], not {list(what.shape)}.")
+
+
+def _write_fabric(fabric: Fabric, path: Path) -> None:
+    """Writes a fabric file whose paths are relative to its own folder."""
+    named = fabric.fields.draft or fabric.fields.image
+    if named is not None and not (Path(fabric.folder) / named).is_file():
+        raise InputError(
+            f"{path}: the draft of {fabric.name} is not in a file of its own: save fabric.draft as .wif, "
+            "and write a fabric file that names it."
+        )
+    with replacing(path) as temporary:
+        temporary.write_text(fabric.to_toml(path.parent), encoding="utf-8")
 
 
 _FILES: tuple[tuple[type, str, tuple[str, ...]], ...] = (
