@@ -19,8 +19,9 @@ from numpy.typing import NDArray
 from benchmarks.harness import REPOSITORY, Figures, run
 from loomlight.evaluation.pictures import flip_mean
 from loomlight.fabric import load_fabric
+from loomlight.mesh.cloth_mesh import ClothMesh
 from loomlight.mitsuba import material_bsdf, render
-from loomlight.mitsuba.meshes import ClothMesh, to_shape
+from loomlight.mitsuba.meshes import to_shape
 from loomlight.mitsuba.scenes import empty_scene
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Environment, Renderer, rectangle
 from loomlight.realtime.scene import Light

@@ -15,9 +15,11 @@ import mitsuba as mi
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.mesh.cloth_mesh import ClothMesh
+from loomlight.mesh.scale import uv_size
 from loomlight.mitsuba.camera import framing, perspective, require_size
 from loomlight.mitsuba.measured_scenes import MeasuredScene
-from loomlight.mitsuba.meshes import ClothMesh, to_shape, uv_size
+from loomlight.mitsuba.meshes import to_shape
 from loomlight.mitsuba.scenes import BsdfFactory, empty_scene, loaded_bsdf
 
 # Places in a pixel at which it must meet one piece: its corners, the middles of its sides and its own.

@@ -9,8 +9,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.mesh.cloth_mesh import ClothMesh, joined
 from loomlight.mitsuba.cloth_shapes import grid_surface, grid_triangles
-from loomlight.mitsuba.meshes import ClothMesh, joined
 
 Values = NDArray[np.float64]
 Point = tuple[float, float, float]

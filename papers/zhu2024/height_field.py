@@ -17,9 +17,10 @@ import numpy as np
 
 from loomlight.aggregate.components import colours
 from loomlight.fabric.fabric import Fabric
+from loomlight.mesh.cloth_mesh import ClothMesh
+from loomlight.mesh.scale import uv_size
 from loomlight.mitsuba.bsdf_samples import plain, variant_types
 from loomlight.mitsuba.mesh_arrays import MeshArrays, make_shape
-from loomlight.mitsuba.meshes import ClothMesh, uv_size
 from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.sheen import sheen_with_transmittance
 from loomlight.yarn.geometry import YarnGeometry

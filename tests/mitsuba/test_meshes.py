@@ -1,6 +1,6 @@
 """Meshes: every format gives the same cloth, and damaged files end in a sentence.
 
-Covers: mitsuba/cloth_shapes.py, mitsuba/faults.py
+Covers: mesh/cloth_mesh.py, mesh/scale.py, mitsuba/cloth_shapes.py, mitsuba/faults.py
 """
 
 from __future__ import annotations
@@ -14,8 +14,9 @@ import pytest
 import trimesh
 
 from loomlight.core.errors import InputError
+from loomlight.mesh.cloth_mesh import ClothMesh
 from loomlight.mitsuba import cloth_shapes, read_mesh, to_shape, uv_size
-from loomlight.mitsuba.meshes import ClothMesh, from_shape
+from loomlight.mitsuba.meshes import from_shape
 
 DATA = os.environ.get("LOOMLIGHT_DATA")
 

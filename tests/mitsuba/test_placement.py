@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from loomlight.core.errors import InputError
+from loomlight.mesh.cloth_mesh import ClothMesh
 from loomlight.mitsuba import build_scene
-from loomlight.mitsuba.meshes import ClothMesh
 from loomlight.mitsuba.placement import Placement, placed
 
 WHITE = {"type": "diffuse"}

@@ -15,8 +15,8 @@ import pytest
 
 from loomlight.core.errors import InputError
 from loomlight.fabric import load_fabric
+from loomlight.mesh.cloth_mesh import ClothMesh
 from loomlight.mitsuba import build_scene, material_bsdf, render, to_shape
-from loomlight.mitsuba.meshes import ClothMesh
 
 GREY = {"type": "woven_point", "weave": "twill 3/1", "warp_color": "#888888", "weft_color": "#888888"}
 

@@ -10,8 +10,8 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
+from loomlight.mesh.scale import uv_size
 from loomlight.mitsuba import ClothMesh, cloth_shapes
-from loomlight.mitsuba.meshes import uv_size
 from papers.zhu2024 import cloth_pieces
 
 PIECES = {

@@ -107,9 +107,9 @@ def _viewer(
     import numpy as np
 
     from loomlight.core.white_balance import white_balance as white_balance_gains
+    from loomlight.mesh.scale import uv_size
     from loomlight.mitsuba.camera import framing
     from loomlight.mitsuba.lights import studio_radiance
-    from loomlight.mitsuba.meshes import uv_size
     from loomlight.mitsuba.scenes import built_in_cloth
     from loomlight.mitsuba.variants import choose_variant
     from loomlight.realtime import Cloth, DirectionalLight, Environment, Mesh, Renderer

@@ -8,7 +8,8 @@ from importlib.resources import files
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.mitsuba.meshes import ClothMesh, read_mesh
+from loomlight.mesh.cloth_mesh import ClothMesh
+from loomlight.mitsuba.meshes import read_mesh
 
 Placement = Callable[[NDArray[np.float64], NDArray[np.float64]], tuple[NDArray[np.float64], ...]]
 

@@ -20,11 +20,13 @@ from numpy.typing import NDArray
 from loomlight.aggregate.queries import fabric_scale
 from loomlight.core.errors import InputError
 from loomlight.fabric import Fabric
+from loomlight.mesh.cloth_mesh import ClothMesh
+from loomlight.mesh.scale import uv_size
 from loomlight.mitsuba import cloth_shapes
 from loomlight.mitsuba.camera import View, framing, look_at, perspective, require_size
 from loomlight.mitsuba.lights import light_dicts
 from loomlight.mitsuba.material import material_bsdf
-from loomlight.mitsuba.meshes import ClothMesh, to_shape, uv_size
+from loomlight.mitsuba.meshes import to_shape
 from loomlight.mitsuba.scenes import BsdfFactory, empty_scene, loaded_bsdf
 from loomlight.models.interface import Model
 
