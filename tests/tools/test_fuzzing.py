@@ -1,0 +1,100 @@
+"""The harness of fuzzers notices every kind of fault, and keeps and repeats what made it."""
+
+from __future__ import annotations
+
+import json
+import os
+import random
+import signal
+import sys
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from loomlight.core.errors import InputError, LoomlightWarning
+from tools import fuzzing
+from tools.fuzzing import Child, Target, outcome_of
+
+
+def subject(content: bytes) -> None:
+    """Does what the file says."""
+    match content.decode():
+        case "refuse":
+            raise InputError("file.txt says no; say yes.")
+        case "warn":
+            warnings.warn("a line is left out", LoomlightWarning, stacklevel=1)
+        case "lines":
+            raise InputError("one\ntwo")
+        case "long":
+            raise InputError("x" * 1000)
+        case "raw":
+            warnings.warn("overflow", RuntimeWarning, stacklevel=1)
+        case "crash":
+            raise ZeroDivisionError
+        case "kill":
+            os.kill(os.getpid(), signal.SIGKILL)
+        case "memory":
+            np.ones(2**28)
+        case "hang":
+            signal.pause()
+
+
+def target(**more: object) -> Target:
+    return Target("words", [b"read"], [fuzzing.flip_bytes], subject, **more)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("content", "kind", "says"),
+    [
+        (b"read", "read", ""),
+        (b"warn", "read with warnings", "left out"),
+        (b"refuse", "refused", "say yes"),
+        (b"lines", "fault", "a message of 7 characters"),
+        (b"long", "fault", "a message of 1000 characters"),
+        (b"raw", "fault", "a raw warning: overflow"),
+        (b"crash", "fault", "ZeroDivisionError"),
+    ],
+)
+def test_outcomes_of_a_file(content: bytes, kind: str, says: str) -> None:
+    outcome = outcome_of(subject, content)
+    assert (outcome.kind, says in outcome.message) == (kind, True)
+
+
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")
+def test_a_child_that_ends_or_grows_or_hangs_is_a_fault_and_the_next_file_is_taken() -> None:
+    child = Child(target(max_seconds=0.1, max_mb=1000))
+    for content, says in (
+        (b"kill", "status -9"),
+        (b"memory", "MemoryError"),
+        (b"hang", "not done after 1 s"),
+    ):
+        outcome = child.take(content)
+        assert (outcome.kind, says in outcome.message) == ("fault", True)
+        assert child.take(b"read").kind == "read"
+    child.close()
+    assert child.peak_mb > 1
+
+
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")
+def test_main_records_counts_and_keeps_other_keys(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    file, faults = tmp_path / "results.json", tmp_path / "faults"
+    file.write_text('{"other": 1}')
+    arguments = ["fuzz", "--count", "20", "--output", str(file), "--faults", str(faults)]
+    monkeypatch.setattr(sys, "argv", arguments)
+    assert fuzzing.main("fuzz_words", lambda: [target()]) == 1  # bytes above 127 are no text
+    results = json.loads(file.read_text())
+    figures = results["fuzz_words"]["targets"]["words"]
+    assert (results["other"], results["fuzz_words"]["missed"]) == (1, ["words"])
+    assert figures["files"] == 20 == figures["read"] + figures["refused"] + figures["faults"]
+    assert len(list(faults.iterdir())) == figures["faults"] > 0
+
+
+def test_mutations_change_files_and_repeat_by_seed() -> None:
+    text = b'{"a": [1, 2.5], "b": {"c": "word"}}\nline 2\nline 3\n4\n5'
+    for mutation in (*fuzzing.BYTES, *fuzzing.TEXT, fuzzing.change_json):
+        content = text if mutation is not fuzzing.change_json else text.split(b"\n")[0]
+        made = [mutation(random.Random(seed), content) for seed in range(30)]
+        assert len(set(made)) > 3
+        assert made == [mutation(random.Random(seed), content) for seed in range(30)]
