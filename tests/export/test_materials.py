@@ -12,6 +12,7 @@ import struct
 import subprocess
 import sys
 from collections.abc import Iterator
+from dataclasses import fields
 from functools import cache
 from pathlib import Path
 from unittest.mock import patch
@@ -24,10 +25,15 @@ from loomlight.core.errors import InputError
 from loomlight.core.images import read_picture
 from loomlight.core.llvm import require_llvm
 from loomlight.export import export, materials
+from loomlight.export.fit import FittedMaterial
+from loomlight.export.gltf import glb_of, material_textures, write_textures
 from loomlight.export.gltf_brdf import GltfMaterial, evaluate
+from loomlight.export.materialx import document_textures, write_document
 from loomlight.export.texels import texels_of, texture_grid
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import read_mesh
+
+from .generated_glsl import answers
 
 require_llvm()
 FABRIC = fabric_from_text(
@@ -114,7 +120,103 @@ def test_materialx_reads_the_document(tmp_path: Path) -> None:
     assert surface.getInputValue("fuzz_weight") > 0
     names = {node.getInputValue("file") for node in document.getNodeGraph("cloth_textures").getNodes("image")}
     assert all((folder / name).is_file() for name in names)
-    assert len(names) == 7
+    assert len(names) == 6
+
+
+def _plain(shape: tuple[int, int] = (2, 3), **changes: object) -> FittedMaterial:
+    """A material of the same values everywhere; highlights are wide along y."""
+    vectors = {"normal": [0, 0, 1], "axis_x": [0, 1, 0], "axis_y": [-1, 0, 0], "direction": [0, 1]}
+    colours = {"base": [0.3, 0.35, 0.4], "transmit": [0.5, 0.3, 0.1], "specular": [1.0, 0.8, 0.6]}
+    numbers = {"transmission": 0.3, "alpha_x": 0.6, "alpha_y": 0.15, "cover": 0.9}
+    arrays = {
+        name: np.broadcast_to(np.asarray(value, float), (*shape, *np.shape(value)))
+        for name, value in (vectors | colours | numbers | changes).items()
+    }
+    return FittedMaterial(
+        **arrays,
+        weight=0.2,
+        sheen=np.zeros(3),
+        sheen_roughness=0.5,
+        size=(1.0, 1.0),
+        error=0.0,
+        brightness=1.0,
+    )
+
+
+def _generated_and_fitted(folder: Path, light: np.ndarray, view: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """f·cos of the GLSL that MaterialX generates and of the material, for each light and view."""
+    material = _plain()
+    write_textures(folder, document_textures(material))
+    write_document(folder / "cloth.mtlx", "sateen", material)
+    light, view = np.broadcast_arrays(light, view)
+    row = column = np.zeros(len(light), np.int64)
+    names = (field.name for field in fields(GltfMaterial))
+    picked = {
+        name: value if np.ndim(value) < 2 else value[row, column]
+        for name, value in ((name, getattr(material, name)) for name in names)
+    }
+    fitted = evaluate(GltfMaterial(**picked), light, view)
+    return answers(folder / "cloth.mtlx", row, column, light, view), fitted * material.cover[0, 0]
+
+
+def _tilted(degrees: float, axis: int) -> np.ndarray:
+    vector = np.array([0.0, 0, np.cos(np.radians(degrees))])
+    vector[axis] = np.sin(np.radians(degrees))
+    return vector
+
+
+def _cosines(count: int) -> np.ndarray:
+    rng = np.random.default_rng(5)
+    cosine, azimuth = np.sqrt(rng.uniform(0.1, 1, count)), rng.uniform(0, 2 * np.pi, count)
+    sine = np.sqrt(1 - cosine**2)
+    return np.stack([sine * np.cos(azimuth), sine * np.sin(azimuth), cosine], axis=-1)
+
+
+def test_generated_glsl_shines_along_the_axes_of_the_fit(tmp_path: Path) -> None:
+    """Reflectance and shadowing of the two standards differ: a fifth of each value.
+
+    Without the tangent, or with glTF's roughness, values are wrong by factors of 2 to 9.
+    """
+    light = np.array([_tilted(20 + offset, axis) for axis in (0, 1) for offset in (0, 15, 30)])
+    view = np.array([_tilted(-20, axis) for axis in (0, 1) for _ in range(3)])
+    generated, fitted = _generated_and_fitted(tmp_path, light, view)
+    assert generated == pytest.approx(fitted, rel=0.2)
+    assert fitted[5].max() > 2 * fitted[2].max()
+
+
+def test_generated_glsl_passes_as_much_light_as_the_fit(tmp_path: Path) -> None:
+    """In each channel, in the mean over views: to what is taken for the share of the gloss above, a tenth."""
+    view = _cosines(1000)
+    generated, fitted = _generated_and_fitted(tmp_path, _tilted(180, 0), view)
+    assert generated.mean(0) == pytest.approx(fitted.mean(0), rel=0.1)
+
+
+def test_generated_glsl_reflects_as_the_fit_in_the_mean(tmp_path: Path) -> None:
+    """OpenPBR's reflectance rises more at grazing angles: a tenth and a half."""
+    directions = _cosines(4000)
+    generated, fitted = _generated_and_fitted(tmp_path, directions[:2000], directions[2000:])
+    assert generated.mean(0) == pytest.approx(fitted.mean(0), rel=0.15)
+
+
+def test_holes_hold_the_colour_beside_them() -> None:
+    """Filters between texels mix in what holes hold: never black."""
+    yarns = "[warp]\nwidth_mm = 0.3\n[weft]\nwidth_mm = 0.3\n"
+    net = fabric_from_text(f'weave = "plain"\nends_per_cm = 10\npicks_per_cm = 10\n{yarns}')
+    texels = texels_of(net, 16, 16)
+    holes = texels.cover < 0.02
+    assert holes.any()
+    filled = texels.dilated()
+    assert np.array_equal(filled.cover, texels.cover)
+    assert filled.diffuse[holes].max(-1).max(-1).min() > 0.1
+    assert np.array_equal(filled.normal[~holes], texels.normal[~holes])
+
+
+def test_a_texture_without_anisotropy_is_left_out() -> None:
+    material = _plain(alpha_x=1.0, alpha_y=1.0)
+    textures = material_textures(material)
+    assert "anisotropy" not in textures
+    content = glb_of("rough", material, textures)
+    assert b"KHR_materials_anisotropy" not in content
 
 
 def test_texels_are_means_of_the_surface() -> None:

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.footprint import Footprint
 from loomlight.export.gltf_brdf import GltfMaterial, evaluate
-from loomlight.export.texels import Texels, frames, texels_of
+from loomlight.export.texels import MIN_COVER, Texels, frames, texels_of
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import Model
 
@@ -62,7 +62,7 @@ def fit_material(fabric: Fabric, model: Model, columns: int, rows: int) -> Fitte
     texels = texels_of(fabric, columns, rows)
     queries = _queries(columns, rows)
     truth = _answers(model, texels, queries)
-    at = texels.cover[queries.row, queries.column] > 0.02
+    at = texels.cover[queries.row, queries.column] > MIN_COVER
     queries = _Queries(queries.row[at], queries.column[at], queries.light[at], queries.view[at])
     truth = truth[at]
     picked = texels.at(queries.row, queries.column)
@@ -85,7 +85,7 @@ def fit_material(fabric: Fabric, model: Model, columns: int, rows: int) -> Fitte
     numbers = _with_mean_kept(values, numbers, truth, queries.light[:, 2] > 0)
     found = values(numbers)
     error = np.sqrt(np.mean((found - truth) ** 2) / np.mean(truth**2))
-    everywhere = _material(texels, numbers, has_sheen)
+    everywhere = _material(texels.dilated(), numbers, has_sheen)
     return FittedMaterial(
         **vars(everywhere),
         size=texels.size,

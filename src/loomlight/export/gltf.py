@@ -20,13 +20,6 @@ Numbers = NDArray[np.float64]
 # The sample sheet: side and height of its waves, metres, and vertices a side.
 _SIDE, _WAVE, _VERTICES = 0.1, 0.004, 49
 _FLOAT, _UINT32, _ARRAY, _ELEMENTS = 5126, 5125, 34962, 34963
-_EXTENSIONS = (
-    "KHR_materials_specular",
-    "KHR_materials_anisotropy",
-    "KHR_materials_diffuse_transmission",
-    "KHR_materials_sheen",
-    "KHR_texture_transform",
-)
 
 
 def material_textures(material: FittedMaterial) -> dict[str, NDArray[np.uint8]]:
@@ -47,9 +40,14 @@ def material_textures(material: FittedMaterial) -> dict[str, NDArray[np.uint8]]:
         "diffuse_transmission": np.stack([one, one, one, material.transmission], axis=-1),
         "diffuse_transmission_color": linear_to_srgb(material.transmit),
     }
-    return {
-        name: np.rint(255 * np.clip(values[::-1], 0, 1)).astype(np.uint8) for name, values in maps.items()
-    }
+    if not strength.any():
+        del maps["anisotropy"]
+    return {name: eight_bits(values) for name, values in maps.items()}
+
+
+def eight_bits(values: Numbers) -> NDArray[np.uint8]:
+    """A picture of values from 0 to 1 whose row 0 is at the lower edge, with row 0 at the upper one."""
+    return np.rint(255 * np.clip(values[::-1], 0, 1)).astype(np.uint8)
 
 
 def peak_of(specular: Numbers) -> float:
@@ -121,18 +119,17 @@ def glb_of(name: str, material: FittedMaterial, textures: dict[str, NDArray[np.u
     ]
     width, height = material.size
     scale = [1000 * _SIDE / width, 1000 * _SIDE / height]
+    described = _material(name, material, list(textures), scale)
     tree = {
         "asset": {"version": "2.0", "generator": "loomlight"},
-        "extensionsUsed": list(
-            _EXTENSIONS if material.sheen.max() > 0 else (*_EXTENSIONS[:3], _EXTENSIONS[4])
-        ),
+        "extensionsUsed": sorted({*described["extensions"], "KHR_texture_transform"}),
         "scene": 0,
         "scenes": [{"nodes": [0]}],
         "nodes": [{"mesh": 0, "name": name}],
         "meshes": [
             {"primitives": [{"attributes": attributes, "indices": indices, "material": 0}], "name": "sheet"}
         ],
-        "materials": [_material(name, material, list(textures), scale)],
+        "materials": [described],
         "textures": [{"source": k, "sampler": 0} for k in range(len(images))],
         "images": images,
         "samplers": [{"magFilter": 9729, "minFilter": 9987, "wrapS": 10497, "wrapT": 10497}],
@@ -156,13 +153,17 @@ def _material(name: str, material: FittedMaterial, names: list[str], scale: list
             "specularColorFactor": [peak_of(material.specular) / DIELECTRIC] * 3,
             "specularColorTexture": texture("specular_color"),
         },
-        "KHR_materials_anisotropy": {"anisotropyStrength": 1.0, "anisotropyTexture": texture("anisotropy")},
         "KHR_materials_diffuse_transmission": {
             "diffuseTransmissionFactor": 1.0,
             "diffuseTransmissionTexture": texture("diffuse_transmission"),
             "diffuseTransmissionColorTexture": texture("diffuse_transmission_color"),
         },
     }
+    if "anisotropy" in names:
+        extensions["KHR_materials_anisotropy"] = {
+            "anisotropyStrength": 1.0,
+            "anisotropyTexture": texture("anisotropy"),
+        }
     if material.sheen.max() > 0:
         extensions["KHR_materials_sheen"] = {
             "sheenColorFactor": material.sheen.tolist(),

@@ -43,11 +43,11 @@ def write_materialx(folder: Path, fabric: Fabric, model: str, distance: float | 
     Raises:
         MissingDependencyError: the package MaterialX is missing.
     """
-    from loomlight.export.materialx import require_materialx, write_document
+    from loomlight.export.materialx import document_textures, require_materialx, write_document
 
     require_materialx()
     material = fitted(fabric, model, distance)
-    names = write_textures(folder, material_textures(material))
+    names = write_textures(folder, document_textures(material))
     write_document(folder / "cloth.mtlx", fabric.name, material)
     return {"files": ["cloth.mtlx", *names]} | facts(material)
 

@@ -24,6 +24,8 @@ Numbers = NDArray[np.float64]
 _POINTS_PER_TEXEL, _POINTS_PER_THREAD = 4, 8
 _MAX_POINTS = 1 << 24
 _MAX_TEXTURE = 4096
+# Texels that yarns cover less are holes, which say nothing of the yarns.
+MIN_COVER = 0.02
 # Slopes about the mean normal are at most this, or a few points at the outline of a yarn would outweigh all
 # others.
 _STEEPEST = 3.0
@@ -64,6 +66,20 @@ class Texels:
         """Some texels, by their rows and columns [n]: arrays [n, ...]."""
         chosen = {name: getattr(self, name)[row, column] for name in _OF_TEXELS}
         return replace(self, **chosen)
+
+    def dilated(self) -> Texels:
+        """The same cover, and in holes what the nearest texel with yarns has.
+
+        Filters between texels would mix in what an empty one holds.
+        """
+        index = np.arange(self.cover.size).reshape(self.cover.shape)
+        known = self.cover > MIN_COVER
+        while known.any() and not known.all():
+            for axis, step in ((0, 1), (0, -1), (1, 1), (1, -1)):
+                reached = np.roll(known, step, axis) & ~known
+                index[reached] = np.roll(index, step, axis)[reached]
+                known |= reached
+        return replace(self.at(*np.unravel_index(index, self.cover.shape)), cover=self.cover)
 
 
 def frames(normal: Numbers) -> tuple[Numbers, Numbers]:
