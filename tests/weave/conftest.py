@@ -47,3 +47,11 @@ def corpus(kind: str) -> list[pytest.param]:
     if not folder:
         return [pytest.param(None, marks=pytest.mark.skip(reason="LOOMLIGHT_DATA names no folder of drafts"))]
     return [pytest.param(file, id=file.stem) for file in sorted((Path(folder) / "wif" / kind).glob("*.wif"))]
+
+
+def cases(pattern: str) -> list[pytest.param]:
+    """The files of LOOMLIGHT_DATA/cases that match, as parameters; a skipped one without that variable."""
+    folder = os.environ.get("LOOMLIGHT_DATA")
+    if not folder:
+        return [pytest.param(None, marks=pytest.mark.skip(reason="LOOMLIGHT_DATA names no folder of cases"))]
+    return [pytest.param(file, id=file.stem) for file in sorted((Path(folder) / "cases").glob(pattern))]

@@ -1,7 +1,7 @@
 """Weaving information files: reading, writing, refusals and their messages.
 
 Covers: weave/draft.py, weave/wif_reader.py, weave/wif_source.py, weave/wif_text.py, weave/wif_values.py
-Covers: weave/wif_writer.py
+Covers: weave/wif_threads.py, weave/wif_writer.py
 """
 
 import warnings
@@ -31,6 +31,9 @@ from loomlight.weave.wif_reader import draft_of
 from loomlight.weave.wif_text import decode_wif, parse_wif_text
 from loomlight.weave.wif_values import UNIT_MM
 from loomlight.weave.wif_writer import decimal_text, wif_text_of
+
+from . import odd_drafts
+from .conftest import cases
 
 WifMaker = Callable[..., Path]
 
@@ -220,7 +223,48 @@ def test_units(wif: WifMaker, unit: str) -> None:
     assert_same(parsed(wif_text_of(draft)), draft)
 
 
+@pytest.mark.parametrize("content", odd_drafts.SILENT.values(), ids=odd_drafts.SILENT)
+def test_what_does_not_matter_is_read_in_silence(content: bytes, tmp_path: Path) -> None:
+    (tmp_path / "odd.wif").write_bytes(content)
+    assert_read_as_base(read_quietly(tmp_path / "odd.wif"))
+
+
+def assert_read_as_base(draft: Draft) -> None:
+    """Structure, title and colours are those of the draft that odd ones are made of; and they are kept."""
+    expected = parsed(odd_drafts.BASE)
+    for part in ("drawdown", "warp", "weft", "title"):
+        assert_same(getattr(draft, part), getattr(expected, part))
+    assert_same(parsed(wif_text_of(draft)), draft)
+
+
+@pytest.mark.parametrize("case", cases("a*.wif"))
+@pytest.mark.filterwarnings("ignore::loomlight.core.errors.LoomlightWarning")
+def test_files_of_other_programs_are_the_twill_that_they_draw(case: Path) -> None:
+    draft = read_wif(case)
+    assert draft.drawdown.astype(int).tolist() == [[1, 1, 0, 0], [0, 1, 1, 0], [0, 0, 1, 1], [1, 0, 0, 1]]
+    assert draft.warp.color_index is not None
+    assert draft.warp.color_index.tolist() == ([0, 1, 0, 0] if case.name.startswith("a08") else [0] * 4)
+
+
 # --------------------------------------------------------------------------------------------- what warns
+
+
+@pytest.mark.parametrize(("content", "message"), odd_drafts.WARNED.values(), ids=odd_drafts.WARNED)
+def test_what_does_not_matter_is_passed_over(content: bytes, message: str, tmp_path: Path) -> None:
+    (tmp_path / "odd.wif").write_bytes(content)
+    with pytest.warns(LoomlightWarning) as caught:
+        draft = read_wif(tmp_path / "odd.wif")
+    assert [message in str(warning.message) for warning in caught] == [True]
+    assert_read_as_base(draft)
+
+
+def test_a_tieup_that_is_unused_may_be_wrong(wif: WifMaker) -> None:
+    liftplan = wif(TREADLING=None, TIEUP="1=one", LIFTPLAN="1=1\n2=2")
+    with pytest.warns(LoomlightWarning, match=r"\[TIEUP\] 1=one .*, since no pick presses a treadle\.$"):
+        assert read_wif(liftplan).drawdown.shape == (2, 4)
+    no_table = wif(COLOR_TABLE=None, COLOR_PALETTE="Range=255,0", WARP="Threads=4", WEFT="Threads=2")
+    with pytest.warns(LoomlightWarning, match=r"\[COLOR PALETTE\] Range=255,0 is passed over, since"):
+        assert read_wif(no_table).palette is None
 
 
 @pytest.mark.parametrize(

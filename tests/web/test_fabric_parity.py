@@ -23,6 +23,8 @@ from loomlight.weave import Draft, load_draft, named_weave
 from loomlight.weave.named import weave_names
 from loomlight.weave.wif_writer import wif_text_of
 
+from ..weave import odd_drafts
+
 # By the kind of a question and its text or path.
 Answers = dict[tuple[str, str], dict[str, Any]]
 
@@ -112,8 +114,12 @@ def _ask(questions: list[dict[str, str]]) -> list[dict[str, Any]]:
 
 def _wif_files() -> list[Path]:
     data = os.environ.get("LOOMLIGHT_DATA")
-    outside = sorted(Path(data, "wif").rglob("*.wif")) if data else []
+    outside = [*sorted(Path(data, "wif").rglob("*.wif")), *Path(data, "cases").glob("*.wif")] if data else []
     return [*FIXTURES, *outside]
+
+
+def _asked(file: Path) -> dict[str, str]:
+    return {"kind": "wif", "name": file.name, "base64": base64.b64encode(file.read_bytes()).decode()}
 
 
 @pytest.fixture(scope="module")
@@ -128,8 +134,7 @@ def answers() -> Answers:
         questions.append({"kind": "toml", "text": text})
         keys.append(("toml", text))
     for file in _wif_files():
-        content = base64.b64encode(file.read_bytes()).decode()
-        questions.append({"kind": "wif", "name": file.name, "base64": content})
+        questions.append(_asked(file))
         keys.append(("wif", str(file)))
     return dict(zip(keys, _ask(questions), strict=True))
 
@@ -196,7 +201,19 @@ def test_fabric_files_that_cannot_be_are_refused(answers: Answers, text: str) ->
 
 @pytest.mark.parametrize("file", _wif_files(), ids=lambda file: f"{file.parent.name}/{file.stem}")
 def test_weaving_information_files_are_the_same(answers: Answers, file: Path, tmp_path: Path) -> None:
-    answer = answers["wif", str(file)]
+    _assert_read_alike(answers["wif", str(file)], file, tmp_path)
+
+
+def test_odd_files_are_the_same(tmp_path: Path) -> None:
+    contents = [*odd_drafts.SILENT.values(), *(content for content, _ in odd_drafts.WARNED.values())]
+    files = [tmp_path / f"{number}.wif" for number in range(len(contents))]
+    for file, content in zip(files, contents, strict=True):
+        file.write_bytes(content)
+    for file, answer in zip(files, _ask([_asked(file) for file in files]), strict=True):
+        _assert_read_alike(answer, file, tmp_path)
+
+
+def _assert_read_alike(answer: dict[str, Any], file: Path, folder: Path) -> None:
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         draft, refusal = _draft_or_refusal(file)
@@ -212,7 +229,7 @@ def test_weaving_information_files_are_the_same(answers: Answers, file: Path, tm
     assert answer["isLoomTrue"]
     assert answer["isKeptByWriting"]
     assert answer["notes"] == list(draft.notes)
-    written = tmp_path / file.name
+    written = folder / f"written-{file.name}"
     written.write_text(answer["written"], newline="")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")

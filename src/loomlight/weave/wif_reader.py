@@ -6,35 +6,28 @@ What the specification leaves open is decided here:
   are placeholders of an unfinished draft. Picks likewise.
 - Where [LIFTPLAN] stands beside [TIEUP] and [TREADLING], the treadling is woven; if they differ, a warning
   says so, and both are kept.
-- A default that no thread needs may be wrong: it is passed over with a warning.
+- What no thread needs may be wrong and is passed over with a warning: a default or a unit that nothing uses,
+  colours that no thread has, the plan that is not woven.
 """
 
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
-from loomlight.core.colour import srgb_to_linear
-from loomlight.core.errors import InputError
-from loomlight.weave.draft import MAXIMUM_THREADS, Draft, LoomPlan, Threads
+from loomlight.core.errors import InputError, LoomlightWarning
+from loomlight.weave.draft import MAXIMUM_THREADS, Draft, LoomPlan
+from loomlight.weave.layers import warn_of_layers
 from loomlight.weave.loom import plan_drawdown
-from loomlight.weave.wif_source import Entries, FamilyDefaults, WifSource
+from loomlight.weave.wif_source import Entries, WifSource
 from loomlight.weave.wif_text import WifText, read_wif_text
-from loomlight.weave.wif_values import (
-    integer,
-    integers,
-    length_mm,
-    number_set,
-    thread_number,
-    unit_mm,
-    without_comment,
-    yes_or_no,
-)
+from loomlight.weave.wif_threads import read_family, read_palette
+from loomlight.weave.wif_values import integer, number_set, thread_number, without_comment, yes_or_no
 
 # Keys that this module interprets, by section; None for every key of the section.
 _INTERPRETED: dict[str, set[str] | None] = {
@@ -54,10 +47,6 @@ _INTERPRETED: dict[str, set[str] | None] = {
         f"{family} {what}": None for family in ("WARP", "WEFT") for what in ("COLORS", "SPACING", "THICKNESS")
     },
 }
-
-_A_TRIPLE = "a colour: write three whole numbers, as in 255,128,0"
-_A_RANGE = "a range of colour components: write two whole numbers, as in 0,255"
-_A_COLOR = "a colour: write its number in [COLOR TABLE]"
 
 
 def read_wif(path: str | os.PathLike[str]) -> Draft:
@@ -81,12 +70,14 @@ def draft_of(text: WifText) -> Draft:
     """The draft that the sections of a file describe; see `read_wif`."""
     declared = {family: _declared_threads(text, family) for family in ("WARP", "WEFT")}
     loom = _read_loom(text, declared)
-    palette, color_range = _read_palette(text)
+    palette, color_range = read_palette(text)
     ends, picks = len(loom.threading), len(loom.treadling or loom.liftplan or ())
-    warp, warp_defaults = _read_family(text, "WARP", ends, palette)
-    weft, weft_defaults = _read_family(text, "WEFT", picks, palette)
+    warp, warp_defaults = read_family(text, "WARP", ends, palette)
+    weft, weft_defaults = read_family(text, "WEFT", picks, palette)
+    drawdown = plan_drawdown(loom)
+    warn_of_layers(drawdown, text.file)
     return Draft(
-        drawdown=plan_drawdown(loom),
+        drawdown=drawdown,
         warp=warp,
         weft=weft,
         title=text.value("TEXT", "Title"),
@@ -113,13 +104,24 @@ def _declared_threads(text: WifText, family: str) -> int | None:
     return integer(text, family, "Threads", value, 1, MAXIMUM_THREADS, "a number of threads")
 
 
-def _read_sets(text: WifText, section: str, of: str, what: str) -> dict[int, frozenset[int]]:
-    return {
-        thread_number(text, section, key, value, f"the number of {of}"): number_set(
-            text, section, key, value, what
+def _read_sets(
+    text: WifText, section: str, of: str, what: str, unused: str = ""
+) -> dict[int, frozenset[int]]:
+    """Sets by number; nothing, with a warning, of a faulty section that is `unused` for the reason given."""
+    try:
+        return {
+            thread_number(text, section, key, value, f"the number of {of}"): number_set(
+                text, section, key, value, what
+            )
+            for key, value in text.items(section)
+        }
+    except InputError as fault:
+        if not unused:
+            raise
+        warnings.warn(
+            f"{str(fault)[:-1]}; it is passed over, since {unused}.", LoomlightWarning, stacklevel=2
         )
-        for key, value in text.items(section)
-    }
+        return {}
 
 
 def _read_loom(text: WifText, declared: Mapping[str, int | None]) -> LoomPlan:
@@ -128,12 +130,15 @@ def _read_loom(text: WifText, declared: Mapping[str, int | None]) -> LoomPlan:
             f"{text.file}: the section [THREADING] is missing; it says which shaft carries each end."
         )
     threading = _read_sets(text, "THREADING", "an end", "shafts")
-    tieup = _read_sets(text, "TIEUP", "a treadle", "shafts")
     treadling = _read_sets(text, "TREADLING", "a pick", "treadles")
-    liftplan = _read_sets(text, "LIFTPLAN", "a pick", "shafts")
+    has_treadling = any(treadling.values())
+    tieup = _read_sets(
+        text, "TIEUP", "a treadle", "shafts", "" if has_treadling else "no pick presses a treadle"
+    )
+    treadled = any(tieup.values()) and has_treadling
+    liftplan = _read_sets(text, "LIFTPLAN", "a pick", "shafts", "the treadling is woven" if treadled else "")
     if not any(threading.values()):
         raise InputError(f"{text.file}: [THREADING] puts no end on a shaft; each line is an end=its shaft.")
-    treadled = any(tieup.values()) and any(treadling.values())
     if not treadled and not any(liftplan.values()):
         raise _nothing_lifts(text, tieup, treadling)
 
@@ -254,190 +259,6 @@ def _compare_plans(text: WifText, plan: LoomPlan) -> None:
             f"differs from [TREADLING] {pick}={text.value('TREADLING', pick)} with [TIEUP]; "
             "the treadling is woven",
         )
-
-
-# ------------------------------------------------------------------------------------------- the threads
-
-
-def _read_palette(text: WifText) -> tuple[NDArray[np.float64] | None, tuple[int, int]]:
-    """Linear RGB [k, 3] of the colour table, None without one, and its range."""
-    components = {
-        thread_number(text, "COLOR TABLE", key, value, "the number of a colour"): (
-            key,
-            value,
-            integers(text, "COLOR TABLE", key, value, (3,), _A_TRIPLE),
-        )
-        for key, value in text.items("COLOR TABLE")
-    }
-    if not components:
-        return None, _color_range(text, highest=0)
-    for number in range(1, len(components) + 1):
-        if number not in components:
-            raise InputError(
-                f"{text.file}: [COLOR TABLE] lacks the colour {number}; its {len(components)} colours are "
-                f"numbered from 1 to {len(components)} without gaps."
-            )
-    low, high = _color_range(text, highest=max(max(rgb) for _, _, rgb in components.values()))
-    for key, value, rgb in components.values():
-        if min(rgb) < low or max(rgb) > high:
-            raise text.fault(
-                "COLOR TABLE",
-                key,
-                value,
-                f"leaves the range {low} to {high} that [COLOR PALETTE] Range gives",
-            )
-    table = np.array([components[number + 1][2] for number in range(len(components))], dtype=np.float64)
-    return srgb_to_linear((table - low) / (high - low)), (low, high)
-
-
-def _color_range(text: WifText, highest: int) -> tuple[int, int]:
-    value = text.value("COLOR PALETTE", "Range")
-    form = text.value("COLOR PALETTE", "Form")
-    if form and without_comment(form).upper() != "RGB":
-        text.warn("COLOR PALETTE", "Form", form, "is not known; the colours are read as RGB")
-    if without_comment(value):
-        low, high = integers(text, "COLOR PALETTE", "Range", value, (2,), _A_RANGE)
-        if low >= high:
-            raise text.fault(
-                "COLOR PALETTE", "Range", value, "is no range: the first number must be the lower"
-            )
-        return low, high
-    if highest > 255:
-        raise text.fault(
-            "COLOR PALETTE",
-            "Range",
-            value,
-            f"is missing, and [COLOR TABLE] goes up to {highest}: "
-            "give the lowest and highest component, as in 0,255",
-        )
-    if "COLOR TABLE" in text.sections:
-        text.warn("COLOR PALETTE", "Range", value, "is missing; the colours are read as 0 to 255")
-    return 0, 255
-
-
-def _read_family(
-    text: WifText, family: str, count: int, palette: NDArray[np.float64] | None
-) -> tuple[Threads, FamilyDefaults]:
-    color_index, default_color, default_rgb = _read_colors(text, family, count, palette)
-    spacing, default_spacing = _read_lengths(text, family, "Spacing", count)
-    thickness, default_thickness = _read_lengths(text, family, "Thickness", count)
-    colors = default_rgb
-    if color_index is not None and palette is not None:
-        colors = palette[color_index]
-    threads = Threads(colors=colors, spacing_mm=spacing, thickness_mm=thickness, color_index=color_index)
-    defaults = FamilyDefaults(
-        unit=without_comment(text.value(family, "Units")),
-        color_index=default_color,
-        spacing_mm=default_spacing,
-        thickness_mm=default_thickness,
-    )
-    return threads, defaults
-
-
-def _read_colors(
-    text: WifText, family: str, count: int, palette: NDArray[np.float64] | None
-) -> tuple[NDArray[np.intp] | None, int | None, NDArray[np.float64] | None]:
-    """Palette index per thread and by default (0-based), or without a palette one colour [count, 3]."""
-    section = f"{family} COLORS"
-    own = [(key, value) for key, value in text.items(section) if without_comment(value)]
-    default = text.value(family, "Color")
-    stated = integers(text, family, "Color", default, (1, 4), _A_COLOR) if without_comment(default) else []
-    if palette is None:
-        if own:
-            raise text.fault(
-                section, *own[0], "names a colour of [COLOR TABLE], and the file has none; add it"
-            )
-        return None, None, _stated_rgb(text, family, stated, count)
-
-    size = len(palette)
-    index = np.full(count, -1, dtype=np.intp)
-    for key, value in own:
-        thread = thread_number(text, section, key, value, "the number of a thread")
-        color = integers(text, section, key, value, (1,), "the number of a colour")[0]
-        if not 1 <= color <= size:
-            raise text.fault(
-                section, key, value, f"is not in [COLOR TABLE], which holds the colours 1 to {size}"
-            )
-        if thread <= count:
-            index[thread - 1] = color - 1
-    return _with_default_color(text, family, index, stated, size)
-
-
-def _with_default_color(
-    text: WifText, family: str, index: NDArray[np.intp], stated: list[int], size: int
-) -> tuple[NDArray[np.intp] | None, int | None, None]:
-    without = np.flatnonzero(index < 0)
-    default = text.value(family, "Color")
-    if stated and 1 <= stated[0] <= size:
-        index[without] = stated[0] - 1
-        return index, stated[0] - 1, None
-    if without.size == index.size and not stated:
-        return None, None, None
-    if without.size:
-        raise text.fault(
-            family,
-            "Color",
-            default,
-            f"{'is not in [COLOR TABLE]' if stated else 'is missing'}, and thread {without[0] + 1} "
-            f"has no colour of its own in [{family} COLORS]; give a colour from 1 to {size}",
-        )
-    if stated:
-        text.warn(
-            family,
-            "Color",
-            default,
-            f"is not in [COLOR TABLE], which holds 1 to {size}; it is passed over, since every thread has a "
-            "colour of its own",
-        )
-    return index, None, None
-
-
-def _stated_rgb(text: WifText, family: str, stated: list[int], count: int) -> NDArray[np.float64] | None:
-    """The colour of "Color=index,red,green,blue" for every thread, where there is no table."""
-    if len(stated) != 4:
-        if stated:
-            default = text.value(family, "Color")
-            text.warn(family, "Color", default, "is passed over, since the file has no [COLOR TABLE]")
-        return None
-    low, high = _color_range(text, highest=max(stated[1:]))
-    if min(stated[1:]) < low or max(stated[1:]) > high:
-        raise text.fault(family, "Color", text.value(family, "Color"), f"leaves the range {low} to {high}")
-    rgb = srgb_to_linear((np.array(stated[1:], dtype=np.float64) - low) / (high - low))
-    return np.tile(rgb, (count, 1))
-
-
-def _read_lengths(
-    text: WifText, family: str, what: str, count: int
-) -> tuple[NDArray[np.float64] | None, float | None]:
-    """Millimetres per thread, None if the file does not say for all, and the default."""
-    section = f"{family} {what.upper()}"
-    unit = unit_mm(text, family)
-    own = [(key, value) for key, value in text.items(section) if without_comment(value)]
-    default_value = text.value(family, what)
-    if unit is None and (own or without_comment(default_value)):
-        if not without_comment(text.value(family, "Spacing")) or what == "Spacing":
-            text.warn(family, "Units", "", "is missing; the lengths are read as centimetres")
-        unit = 10.0
-    default = length_mm(text, family, what, default_value, unit or 10.0)
-    lengths = np.full(count, np.nan)
-    for key, value in own:
-        thread = thread_number(text, section, key, value, "the number of a thread")
-        length = length_mm(text, section, key, value, unit or 10.0)
-        if thread <= count and length is not None:
-            lengths[thread - 1] = length
-    without = np.flatnonzero(np.isnan(lengths))
-    if default is not None:
-        lengths[without] = default
-    elif without.size:
-        if without.size < count:
-            text.warn(
-                section,
-                *own[0],
-                f"and the rest of this section is passed over: thread {without[0] + 1} is not in it, "
-                f"and [{family}] {what} gives no default",
-            )
-        return None, None
-    return lengths, default
 
 
 # --------------------------------------------------------------------------------------- everything else

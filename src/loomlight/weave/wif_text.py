@@ -20,6 +20,10 @@ MAXIMUM_BYTES = 64 << 20
 _LINE_END = re.compile(r"\r\n|\r|\n")
 _HEADER = re.compile(r"\[([^\]]*)\]")
 _SHOWN = 60
+# The characters that Latin-1 lacks; five bytes stand for none.
+_WINDOWS_1252 = {
+    byte: character for byte in range(128, 160) if (character := bytes([byte]).decode("cp1252", "ignore"))
+}
 
 
 @dataclass
@@ -106,13 +110,44 @@ def _read_bytes(path: Path) -> bytes:
 
 
 def decode_wif(content: bytes) -> str:
-    """Text in UTF-16 or UTF-8 if marked or valid, otherwise in Latin-1, which older programs write."""
-    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
-        return content.decode("utf-16", errors="replace")
+    """Text in UTF-16 or UTF-8 if marked or valid, otherwise in Windows-1252, which older programs write.
+
+    NULs and marks of byte order are left out. A Ctrl-Z, which ends a text under DOS, ends it unless a section
+    follows.
+    """
+    text = _decoded(content)
+    for left_out in "\0\ufeff":
+        text = text.replace(left_out, "")
+    body, _, rest = text.partition("\x1a")
+    return text.replace("\x1a", " ") if "[" in rest else body
+
+
+def _decoded(content: bytes) -> str:
+    utf16 = _utf16_of(content)
+    if utf16 is not None:
+        # A single byte that was added at the end, such as a Ctrl-Z, is half a character.
+        return content[: len(content) & ~1].decode(utf16, errors="replace")
+    # What lies behind the end of a text may be any bytes.
+    body, _, rest = content.partition(b"\x1a")
+    text = content if b"[" in rest else body
     try:
-        return content.decode("utf-8-sig")
+        return text.decode("utf-8")
     except UnicodeDecodeError:
-        return content.removeprefix(codecs.BOM_UTF8).decode("latin-1")
+        return text.decode("latin-1").translate(_WINDOWS_1252)
+
+
+def _utf16_of(content: bytes) -> str | None:
+    """The byte order of UTF-16, by its mark or by NULs in one half of the bytes; None of other text."""
+    if content.startswith(codecs.BOM_UTF16_LE):
+        return "utf-16-le"
+    if content.startswith(codecs.BOM_UTF16_BE):
+        return "utf-16-be"
+    # NULs that fill up the end lie in both halves.
+    text = content.rstrip(b"\0\x1a")
+    even, odd = text[::2].count(0), text[1::2].count(0)
+    if max(even, odd) < max(len(text) / 16, 1.5 * min(even, odd)) or not text:
+        return None
+    return "utf-16-le" if odd > even else "utf-16-be"
 
 
 def parse_wif_text(text: str, file: str) -> WifText:
@@ -177,17 +212,25 @@ def _by_key(file: str, sections: dict[str, Section]) -> dict[str, dict[str, tupl
     values: dict[str, dict[str, tuple[str, str]]] = {}
     for name, section in sections.items():
         table = values.setdefault(name, {})
+        several: dict[str, list[str]] = {}
         for key, value in section.lines:
             folded = _folded_key(key)
             if folded in table and table[folded][1] != (value or "") and name in _DRAFT_SECTIONS:
-                earlier, later = _shortened(table[folded][1]), _shortened(value or "")
-                warnings.warn(
-                    f"{file}: [{name}] {_shortened(key)} is there twice, as {earlier!r} and as {later!r}; "
-                    "the latter is used.",
-                    LoomlightWarning,
-                    stacklevel=2,
-                )
+                several.setdefault(folded, [table[folded][1]]).append(value or "")
             table[folded] = (key, value or "")
+        for folded, found in several.items() if name in _SECTIONS_OF_SETS else ():
+            table[folded] = table[folded][0], ",".join(value.partition(";")[0] for value in found)
+        for folded, found in list(several.items())[:1]:
+            place = f"[{name}] {_shortened(table[folded][0])}"
+            times = "twice" if len(found) == 2 else f"{len(found)} times"
+            others = f", and {len(several) - 1} other keys are too" if len(several) > 1 else ""
+            used = "all of them are" if name in _SECTIONS_OF_SETS else "the latter is"
+            warnings.warn(
+                f"{file}: {place} is there {times}, as '{_shortened(found[0])}' and as "
+                f"'{_shortened(found[-1])}'{others}; {used} used.",
+                LoomlightWarning,
+                stacklevel=2,
+            )
     return values
 
 
@@ -197,14 +240,13 @@ def _folded_key(key: str) -> str:
     return folded.lstrip("0") or "0" if folded.isdigit() and folded.isascii() else folded
 
 
+# Sections whose values are sets: programs that write one member a line repeat the key.
+_SECTIONS_OF_SETS = {"THREADING", "TIEUP", "TREADLING", "LIFTPLAN"}
 _DRAFT_SECTIONS = {
+    *_SECTIONS_OF_SETS,
     "WEAVING",
     "WARP",
     "WEFT",
-    "THREADING",
-    "TIEUP",
-    "TREADLING",
-    "LIFTPLAN",
     "COLOR PALETTE",
     "COLOR TABLE",
     *(f"{family} {what}" for family in ("WARP", "WEFT") for what in ("COLORS", "SPACING", "THICKNESS")),

@@ -38,6 +38,11 @@ def without_comment(value: str) -> str:
     return value.partition(";")[0].strip()
 
 
+def is_integer(digits: str) -> bool:
+    """Whether a text is a whole number of at most nine digits."""
+    return _INTEGER.fullmatch(digits) is not None
+
+
 def integer(text: WifText, section: str, key: str, value: str, lowest: int, highest: int, what: str) -> int:
     """The value as a whole number from `lowest` to `highest`; `what` names what it counts.
 

@@ -7,12 +7,14 @@
  *   placeholders of an unfinished draft. Picks likewise.
  * - Where [LIFTPLAN] stands beside [TIEUP] and [TREADLING], the treadling is woven; if they differ, a warning says
  *   so, and both are kept.
- * - A default that no thread needs may be wrong: it is passed over with a warning.
+ * - What no thread needs may be wrong and is passed over with a warning: a default or a unit that nothing uses,
+ *   colours that no thread has, the plan that is not woven.
  *
  * Source: Weaving Information File specification 1.1, 20 April 1997.
  */
 import { makeDraft, MAXIMUM_THREADS, type Draft, type Entries, type LoomPlan, type Sets } from "./draft.ts";
 import { InputError, type Warn } from "./errors.ts";
+import { warnOfLayers } from "./layers.ts";
 import { planDrawdown } from "./loom.ts";
 import { readFamily, readPalette } from "./wif_threads.ts";
 import { decodeWif, MAXIMUM_BYTES, parseWifText, type WifText } from "./wif_text.ts";
@@ -59,7 +61,9 @@ function draftOfText(text: WifText): Draft {
   const picks = (loom.treadling ?? loom.liftplan ?? []).length;
   const warp = readFamily(text, "WARP", loom.threading.length, palette);
   const weft = readFamily(text, "WEFT", picks, palette);
-  return makeDraft(planDrawdown(loom), {
+  const structure = planDrawdown(loom);
+  warnOfLayers(structure, text.file, text.report);
+  return makeDraft(structure, {
     name: text.value("TEXT", "Title"),
     warp: warp.threads,
     weft: weft.threads,
@@ -84,11 +88,18 @@ function declaredThreads(text: WifText, family: string): number | null {
 
 type Table = ReadonlyMap<number, readonly number[]>;
 
-function readSets(text: WifText, section: string, of: string, what: string): Table {
+/** Sets by number; nothing, with a warning, of a faulty section that is `unused` for the reason given. */
+function readSets(text: WifText, section: string, of: string, what: string, unused = ""): Table {
   const sets = new Map<number, readonly number[]>();
-  for (const [key, value] of text.items(section)) {
-    const number = threadNumber(text, section, key, value, `the number of ${of}`);
-    sets.set(number, numberSet(text, section, key, value, what));
+  try {
+    for (const [key, value] of text.items(section)) {
+      const number = threadNumber(text, section, key, value, `the number of ${of}`);
+      sets.set(number, numberSet(text, section, key, value, what));
+    }
+  } catch (fault) {
+    if (unused === "" || !(fault instanceof InputError)) throw fault;
+    text.report(`${fault.message.slice(0, -1)}; it is passed over, since ${unused}.`);
+    return new Map();
   }
   return sets;
 }
@@ -109,12 +120,13 @@ function readLoom(text: WifText, warpThreads: number | null, weftThreads: number
       `${text.file}: the section [THREADING] is missing; it says which shaft carries each end.`,
     );
   const threading = readSets(text, "THREADING", "an end", "shafts");
-  const tieup = readSets(text, "TIEUP", "a treadle", "shafts");
   const treadling = readSets(text, "TREADLING", "a pick", "treadles");
-  const liftplan = readSets(text, "LIFTPLAN", "a pick", "shafts");
+  const hasTreadling = anySet(treadling);
+  const tieup = readSets(text, "TIEUP", "a treadle", "shafts", hasTreadling ? "" : "no pick presses a treadle");
+  const treadled = anySet(tieup) && hasTreadling;
+  const liftplan = readSets(text, "LIFTPLAN", "a pick", "shafts", treadled ? "the treadling is woven" : "");
   if (!anySet(threading))
     throw new InputError(`${text.file}: [THREADING] puts no end on a shaft; each line is an end=its shaft.`);
-  const treadled = anySet(tieup) && anySet(treadling);
   if (!treadled && !anySet(liftplan)) throw nothingLifts(text, tieup, treadling);
   const nothing: Table = new Map();
   const pressed = treadled ? treadling : nothing;

@@ -21,7 +21,8 @@ export class WifText {
   readonly file: string;
   readonly sections: ReadonlyMap<string, Section>;
   private readonly values: ReadonlyMap<string, ReadonlyMap<string, readonly [string, string]>>;
-  private readonly report: Warn;
+  /** Receives whole sentences. */
+  readonly report: Warn;
 
   constructor(file: string, sections: ReadonlyMap<string, Section>, warn: Warn) {
     this.file = file;
@@ -64,20 +65,44 @@ function shortened(text: string): string {
   return printable.length <= SHOWN ? printable : `${printable.slice(0, SHOWN)}…`;
 }
 
-/** Text in UTF-16 or UTF-8 if marked or valid, otherwise in Latin-1, which older programs write. */
+/**
+ * Text in UTF-16 or UTF-8 if marked or valid, otherwise in Windows-1252, which older programs write.
+ *
+ * NULs and marks of byte order are left out. A Ctrl-Z, which ends a text under DOS, ends it unless a section follows.
+ */
 export function decodeWif(content: Uint8Array): string {
-  if (content[0] === 0xff && content[1] === 0xfe) return new TextDecoder("utf-16le").decode(content);
-  if (content[0] === 0xfe && content[1] === 0xff) return new TextDecoder("utf-16be").decode(content);
+  const text = decoded(content).replace(/[\0\ufeff]/g, "");
+  const end = text.indexOf("\x1a");
+  if (end < 0) return text;
+  return text.indexOf("[", end) < 0 ? text.slice(0, end) : text.replaceAll("\x1a", " ");
+}
+
+function decoded(content: Uint8Array): string {
+  const utf16 = utf16Of(content);
+  // A single byte that was added at the end, such as a Ctrl-Z, is half a character.
+  if (utf16 !== null) return new TextDecoder(utf16).decode(content.subarray(0, content.length & ~1));
+  // What lies behind the end of a text may be any bytes.
+  const end = content.indexOf(0x1a);
+  const text = end < 0 || content.indexOf(0x5b, end) >= 0 ? content : content.subarray(0, end);
   try {
-    return new TextDecoder("utf-8", { fatal: true }).decode(content);
+    return new TextDecoder("utf-8", { fatal: true }).decode(text);
   } catch {
-    // Not the "latin1" of TextDecoder, which is Windows-1252.
-    const start = content[0] === 0xef && content[1] === 0xbb && content[2] === 0xbf ? 3 : 0;
-    const parts: string[] = [];
-    for (let at = start; at < content.length; at += 8192)
-      parts.push(String.fromCharCode(...content.subarray(at, at + 8192)));
-    return parts.join("");
+    return new TextDecoder("windows-1252").decode(text);
   }
+}
+
+/** The byte order of UTF-16, by its mark or by NULs in one half of the bytes; null of other text. */
+function utf16Of(content: Uint8Array): "utf-16le" | "utf-16be" | null {
+  if (content[0] === 0xff && content[1] === 0xfe) return "utf-16le";
+  if (content[0] === 0xfe && content[1] === 0xff) return "utf-16be";
+  // NULs that fill up the end lie in both halves.
+  let length = content.length;
+  while (length > 0 && (content[length - 1] === 0 || content[length - 1] === 0x1a)) length--;
+  const nuls: [number, number] = [0, 0];
+  for (let at = 0; at < length; at++) if (content[at] === 0) nuls[at % 2]! += 1;
+  const [even, odd] = nuls;
+  if (length === 0 || Math.max(even, odd) < Math.max(length / 16, 1.5 * Math.min(even, odd))) return null;
+  return odd > even ? "utf-16le" : "utf-16be";
 }
 
 /**
@@ -136,17 +161,31 @@ function byKey(
   const values = new Map<string, Map<string, readonly [string, string]>>();
   for (const [name, section] of sections) {
     const table = new Map<string, readonly [string, string]>();
+    const several = new Map<string, string[]>();
     values.set(name, table);
     for (const [key, value] of section.lines) {
       const folded = foldedKey(key);
       const earlier = table.get(folded);
-      if (earlier !== undefined && earlier[1] !== (value ?? "") && DRAFT_SECTIONS.has(name))
-        warn(
-          `${file}: [${name}] ${shortened(key)} is there twice, as '${shortened(earlier[1])}' and as ` +
-            `'${shortened(value ?? "")}'; the latter is used.`,
-        );
+      if (earlier !== undefined && earlier[1] !== (value ?? "") && DRAFT_SECTIONS.has(name)) {
+        const found = several.get(folded) ?? [earlier[1]];
+        found.push(value ?? "");
+        several.set(folded, found);
+      }
       table.set(folded, [key, value ?? ""]);
     }
+    const isOfSets = SECTIONS_OF_SETS.has(name);
+    if (isOfSets)
+      for (const [folded, found] of several)
+        table.set(folded, [table.get(folded)![0], found.map((value) => value.split(";")[0]!).join(",")]);
+    const first = [...several][0];
+    if (first === undefined) continue;
+    const [folded, found] = first;
+    const times = found.length === 2 ? "twice" : `${found.length} times`;
+    const others = several.size > 1 ? `, and ${several.size - 1} other keys are too` : "";
+    warn(
+      `${file}: [${name}] ${shortened(table.get(folded)![0])} is there ${times}, as '${shortened(found[0]!)}' and as ` +
+        `'${shortened(found.at(-1)!)}'${others}; ${isOfSets ? "all of them are" : "the latter is"} used.`,
+    );
   }
   return values;
 }
@@ -157,14 +196,13 @@ function foldedKey(key: string): string {
   return /^[0-9]+$/.test(folded) ? folded.replace(/^0+(?=[0-9])/, "") : folded;
 }
 
+/** Sections whose values are sets: programs that write one member a line repeat the key. */
+const SECTIONS_OF_SETS: ReadonlySet<string> = new Set(["THREADING", "TIEUP", "TREADLING", "LIFTPLAN"]);
 const DRAFT_SECTIONS: ReadonlySet<string> = new Set([
+  ...SECTIONS_OF_SETS,
   "WEAVING",
   "WARP",
   "WEFT",
-  "THREADING",
-  "TIEUP",
-  "TREADLING",
-  "LIFTPLAN",
   "COLOR PALETTE",
   "COLOR TABLE",
   ...["WARP", "WEFT"].flatMap((family) => ["COLORS", "SPACING", "THICKNESS"].map((what) => `${family} ${what}`)),

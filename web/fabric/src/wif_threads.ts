@@ -4,46 +4,78 @@ import type { FamilyDefaults, Threads } from "./draft.ts";
 import { InputError } from "./errors.ts";
 import { pickRows } from "./palette.ts";
 import type { WifText } from "./wif_text.ts";
-import { integers, lengthMm, threadNumber, unitMm, withoutComment } from "./wif_values.ts";
+import {
+  integers,
+  isInteger,
+  lengthMm,
+  threadNumber,
+  UNIT_MM,
+  unitMm,
+  unitName,
+  withoutComment,
+} from "./wif_values.ts";
 
 type Family = "WARP" | "WEFT";
 
 const A_TRIPLE = "a colour: write three whole numbers, as in 255,128,0";
 const A_RANGE = "a range of colour components: write two whole numbers, as in 0,255";
-const A_COLOR = "a colour: write its number in [COLOR TABLE]";
 
 /** Linear RGB rows of the colour table, null without one, and its range of components. */
 export function readPalette(text: WifText): { palette: Float64Array | null; range: [number, number] } {
-  const components = new Map<number, { key: string; value: string; rgb: number[] }>();
+  const used = usedColors(text);
+  const rows = new Map<number, { key: string; value: string; rgb: number[] }>();
+  const passedOver: [string, string, string][] = [];
   for (const [key, value] of text.items("COLOR TABLE")) {
     const number = threadNumber(text, "COLOR TABLE", key, value, "the number of a colour");
-    components.set(number, { key, value, rgb: integers(text, "COLOR TABLE", key, value, [3], A_TRIPLE) });
+    try {
+      rows.set(number, { key, value, rgb: integers(text, "COLOR TABLE", key, value, [3], A_TRIPLE) });
+    } catch (error) {
+      if (used.has(number)) throw error;
+      passedOver.push([key, value, `is not ${A_TRIPLE}`]);
+    }
   }
-  if (components.size === 0) return { palette: null, range: colorRange(text, 0) };
-  for (let number = 1; number <= components.size; number++)
-    if (!components.has(number))
-      throw new InputError(
-        `${text.file}: [COLOR TABLE] lacks the colour ${number}; its ${components.size} colours are numbered from 1 ` +
-          `to ${components.size} without gaps.`,
-      );
-  const all = [...components.values()];
-  const range = colorRange(text, Math.max(...all.map(({ rgb }) => Math.max(...rgb))));
-  const [low, high] = range;
-  for (const { key, value, rgb } of all)
-    if (Math.min(...rgb) < low || Math.max(...rgb) > high)
-      throw text.fault(
-        "COLOR TABLE",
-        key,
-        value,
-        `leaves the range ${low} to ${high} that [COLOR PALETTE] Range gives`,
-      );
-  const palette = new Float64Array(components.size * 3);
-  for (const [number, { rgb }] of components)
-    palette.set(
-      rgb.map((component) => srgbToLinear((component - low) / (high - low))),
-      (number - 1) * 3,
+  if (rows.size === 0) return { palette: null, range: unusedRange(text) };
+  const size = [...rows.keys()].reduce((most, number) => Math.max(most, number), 0);
+  const gaps = [...used].filter((number) => number >= 1 && number < size && !rows.has(number));
+  if (gaps.length > 0)
+    throw new InputError(
+      `${text.file}: [COLOR TABLE] lacks the colour ${Math.min(...gaps)}; its ${rows.size} colours are numbered from 1 ` +
+        `to ${rows.size} without gaps.`,
     );
-  return { palette, range };
+  const [low, high] = colorRange(text, Math.max(...[...rows.values()].map(({ rgb }) => Math.max(...rgb))));
+  const table = new Float64Array(size * 3).fill(low);
+  for (const [number, { key, value, rgb }] of rows) {
+    if (Math.min(...rgb) < low || Math.max(...rgb) > high) {
+      const fault = `leaves the range ${low} to ${high} that [COLOR PALETTE] Range gives`;
+      if (used.has(number)) throw text.fault("COLOR TABLE", key, value, fault);
+      passedOver.push([key, value, fault]);
+    } else table.set(rgb, (number - 1) * 3);
+  }
+  for (const [key, value, fault] of passedOver.slice(0, 1))
+    text.warn("COLOR TABLE", key, value, `${fault}; it is passed over, as no thread has that colour`);
+  return { palette: table.map((component) => srgbToLinear((component - low) / (high - low))), range: [low, high] };
+}
+
+/** Numbers of the colours that a thread, or a default, names. */
+function usedColors(text: WifText): ReadonlySet<number> {
+  const values = ["WARP", "WEFT"].flatMap((family) => [
+    text.value(family, "Color"),
+    ...text.items(`${family} COLORS`).map(([, value]) => value),
+  ]);
+  const first = values.map((value) => withoutComment(value).split(",")[0]!.trim());
+  return new Set(first.filter(isInteger).map(Number));
+}
+
+/** The range of components where there is no table. */
+function unusedRange(text: WifText): [number, number] {
+  try {
+    return colorRange(text, 0);
+  } catch (error) {
+    if (!(error instanceof InputError)) throw error;
+    const value = text.value("COLOR PALETTE", "Range");
+    text.warn("COLOR PALETTE", "Range", value, "is passed over, since the file has no [COLOR TABLE]");
+    return [0, 255];
+  }
 }
 
 function colorRange(text: WifText, highest: number): [number, number] {
@@ -80,11 +112,17 @@ export function readFamily(
   const spacing = readLengths(text, family, "Spacing", count);
   const thickness = readLengths(text, family, "Thickness", count);
   const colors = colours.index !== null && palette !== null ? pickRows(palette, colours.index) : colours.rgb;
+  let unit = withoutComment(text.value(family, "Units"));
+  if (unit !== "" && !Object.hasOwn(UNIT_MM, unitName(unit))) {
+    const said = text.value(family, "Units");
+    text.warn(family, "Units", said, "is no known unit; it is passed over, as no length is given in it");
+    unit = "";
+  }
   return {
     threads: { colors, spacingMm: spacing.lengths, thicknessMm: thickness.lengths, colorIndex: colours.index },
     defaults: {
       threads: null,
-      unit: withoutComment(text.value(family, "Units")),
+      unit,
       colorIndex: colours.standard,
       spacingMm: spacing.standard,
       thicknessMm: thickness.standard,
@@ -105,7 +143,12 @@ function readColors(text: WifText, family: Family, count: number, palette: Float
   const section = `${family} COLORS`;
   const own = text.items(section).filter(([, value]) => withoutComment(value) !== "");
   const value = text.value(family, "Color");
-  const stated = withoutComment(value) === "" ? [] : integers(text, family, "Color", value, [1, 4], A_COLOR);
+  const parts = withoutComment(value)
+    .split(",")
+    .map((part) => part.trim());
+  // What is no colour is treated as one outside the table: it matters where a thread needs it.
+  const isColor = [1, 4].includes(parts.length) && parts.every(isInteger);
+  const stated = withoutComment(value) === "" ? [] : isColor ? parts.map(Number) : [0];
   if (palette === null) {
     if (own.length > 0)
       throw text.fault(section, ...own[0]!, "names a colour of [COLOR TABLE], and the file has none; add it");
@@ -115,7 +158,9 @@ function readColors(text: WifText, family: Family, count: number, palette: Float
   const index = new Int32Array(count).fill(-1);
   for (const [key, colour] of own) {
     const thread = threadNumber(text, section, key, colour, "the number of a thread");
-    const row = integers(text, section, key, colour, [1], "the number of a colour")[0]!;
+    if (thread > count) continue;
+    // Some programs write "index,red,green,blue", as the specification has it for Color alone.
+    const row = integers(text, section, key, colour, [1, 4], "the number of a colour")[0]!;
     if (!(1 <= row && row <= size))
       throw text.fault(
         section,
@@ -123,7 +168,7 @@ function readColors(text: WifText, family: Family, count: number, palette: Float
         colour,
         `is not in [COLOR TABLE], which holds the colours 1 to ${size}`,
       );
-    if (thread <= count) index[thread - 1] = row - 1;
+    index[thread - 1] = row - 1;
   }
   return withDefaultColor(text, family, index, stated, size);
 }
@@ -182,19 +227,19 @@ function readLengths(
   count: number,
 ): { lengths: Float64Array | null; standard: number | null } {
   const section = `${family} ${what.toUpperCase()}`;
-  const stated = unitMm(text, family);
   const own = text.items(section).filter(([, value]) => withoutComment(value) !== "");
   const value = text.value(family, what);
-  const isSaid = own.length > 0 || withoutComment(value) !== "";
-  if (stated === null && isSaid && (withoutComment(text.value(family, "Spacing")) === "" || what === "Spacing"))
+  if (own.length === 0 && withoutComment(value) === "") return { lengths: null, standard: null };
+  const stated = unitMm(text, family);
+  if (stated === null && (withoutComment(text.value(family, "Spacing")) === "" || what === "Spacing"))
     text.warn(family, "Units", "", "is missing; the lengths are read as centimetres");
   const unit = stated ?? 10;
   const standard = lengthMm(text, family, what, value, unit);
   const lengths = new Float64Array(count).fill(NaN);
   for (const [key, length] of own) {
     const thread = threadNumber(text, section, key, length, "the number of a thread");
-    const millimetres = lengthMm(text, section, key, length, unit);
-    if (thread <= count && millimetres !== null) lengths[thread - 1] = millimetres;
+    const millimetres = thread <= count ? lengthMm(text, section, key, length, unit) : null;
+    if (millimetres !== null) lengths[thread - 1] = millimetres;
   }
   if (standard !== null)
     return { lengths: lengths.map((length) => (Number.isNaN(length) ? standard : length)), standard };

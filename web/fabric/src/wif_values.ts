@@ -39,6 +39,11 @@ export function withoutComment(value: string): string {
   return (comment < 0 ? value : value.slice(0, comment)).trim();
 }
 
+/** Whether a text is a whole number of at most nine digits. */
+export function isInteger(digits: string): boolean {
+  return INTEGER.test(digits);
+}
+
 /**
  * The value as a whole number from `lowest` to `highest`; `what` names what it counts.
  *
