@@ -1,18 +1,24 @@
-"""glTF files: what they name, what is cut off, and uv without a material."""
+"""glTF files: what they name, what is cut off, and uv without a material.
+
+Covers: mesh/gltf.py, mesh/gltf_file.py, mesh/gltf_accessors.py, mesh/draco.py
+"""
 
 from __future__ import annotations
 
 import base64
 import json
 import struct
+import sys
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
+import DracoPy
+import meshopt
 import numpy as np
 import pytest
 
-from loomlight.core.errors import InputError
+from loomlight.core.errors import InputError, MissingDependencyError
 from loomlight.mitsuba import read_mesh
 
 from .test_meshes import CORNERS, TRIANGLES, UV_UP, uv_by_corner, write_glb, write_obj
@@ -117,8 +123,44 @@ def test_damaged_binaries(tmp_path: Path, change: Any, says: str) -> None:
     assert "\n" not in str(caught.value)
 
 
-def test_compressed_geometry_is_named(tmp_path: Path) -> None:
-    (tmp_path / "quad.bin").write_bytes(BODY)
-    file = write_gltf(tmp_path, "quad.bin", extensionsRequired=["KHR_draco_mesh_compression"])
-    with pytest.raises(InputError, match="KHR_draco_mesh_compression, which is not read; export it without"):
-        read_mesh(file)
+@pytest.mark.parametrize("damage", [False, True])
+def test_draco_is_decoded(tmp_path: Path, damage: bool) -> None:
+    body = DracoPy.encode(
+        PARTS[0], TRIANGLES.astype(np.uint32), tex_coord=PARTS[1].astype(float), quantization_bits=20
+    )
+    (tmp_path / "quad.bin").write_bytes(body[:-40] if damage else body)
+    tree = tree_of("quad.bin")
+    tree["buffers"][0]["byteLength"] = len(body) - 40 * damage
+    tree["bufferViews"] = [{"buffer": 0, "byteLength": len(body) - 40 * damage}]
+    for accessor in tree["accessors"]:
+        del accessor["bufferView"]
+    extension = {"bufferView": 0, "attributes": {"POSITION": 1, "TEXCOORD_0": 0}}
+    tree["meshes"][0]["primitives"][0]["extensions"] = {"KHR_draco_mesh_compression": extension}
+    (tmp_path / "quad.gltf").write_text(json.dumps(tree))
+    if damage:
+        with pytest.raises(InputError, match="its Draco data cannot be decoded"):
+            read_mesh(tmp_path / "quad.gltf")
+        return
+    mesh, expected = read_mesh(tmp_path / "quad.gltf"), read_mesh(write_obj(tmp_path))
+    np.testing.assert_allclose(
+        mesh.uv[np.lexsort(mesh.positions.round(2).T)],
+        expected.uv[np.lexsort(expected.positions.T)],
+        atol=1e-3,
+    )
+
+
+@pytest.mark.parametrize("name", ["EXT_meshopt_compression", "KHR_meshopt_compression"])
+def test_meshopt_is_decoded_or_its_package_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    body = meshopt.encode_gltf_buffer(PARTS[0], "ATTRIBUTES")
+    tree = tree_of("quad.bin")
+    (tmp_path / "quad.bin").write_bytes(BODY + body)
+    tree["buffers"][0]["byteLength"] = len(BODY + body)
+    entry = {"buffer": 0, "byteOffset": len(BODY), "byteLength": len(body), "byteStride": 12}
+    tree["bufferViews"][0]["extensions"] = {name: {**entry, "count": 4, "mode": "ATTRIBUTES"}}
+    (tmp_path / "quad.gltf").write_text(json.dumps(tree))
+    np.testing.assert_allclose(read_mesh(tmp_path / "quad.gltf").positions, CORNERS)
+    monkeypatch.setitem(sys.modules, "meshopt", None)
+    with pytest.raises(MissingDependencyError, match=f"is compressed by {name}: install its decoder"):
+        read_mesh(tmp_path / "quad.gltf")

@@ -13,6 +13,9 @@ from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
 
+# Areas are computed of squares, in single precision too.
+MAX_COORDINATE = 1e15
+
 
 @dataclass(frozen=True, eq=False)
 class ClothMesh:
@@ -53,32 +56,66 @@ class MeshPart:
 
 
 def checked(mesh: ClothMesh) -> ClothMesh:
-    """The mesh with normals, which are computed where it has none.
+    """The mesh of one cloth, cleaned.
 
     Raises:
-        InputError: no triangles, an index or a number that is none, no area, or no usable uv.
+        InputError: what `cleaned` raises, no triangles, or no usable uv.
     """
-    count = len(mesh.positions)
+    mesh = cleaned(mesh)
     if len(mesh.triangles) == 0:
-        raise InputError(f"{mesh.name} holds no triangles.")
-    if mesh.triangles.min() < 0 or mesh.triangles.max() >= count:
-        raise InputError(f"{mesh.name} is damaged: a triangle names a vertex that is not there.")
-    if not np.isfinite(mesh.positions).all():
-        raise InputError(f"{mesh.name} is damaged: a vertex position is not finite.")
-    if len(mesh.uv) != count or not np.isfinite(mesh.uv).all():
+        raise InputError(f"{mesh.name} holds no triangles that have an area.")
+    if len(mesh.uv) != len(mesh.positions) or not np.isfinite(mesh.uv).all():
         raise InputError(f"{mesh.name} has no uv coordinates; unwrap it first.")
-    normals = mesh.normals
-    if len(normals) != count or not np.isfinite(normals).all() or not np.any(normals):
-        normals = _vertex_normals(mesh)
-    mesh = ClothMesh(mesh.positions, normals, mesh.uv, mesh.triangles, mesh.name)
-    area, _, _ = metric(mesh)
-    total = np.linalg.norm(cross_products(mesh), axis=1).sum() / 2
-    if total == 0:
-        raise InputError(f"{mesh.name} is flat to a line: none of its triangles has an area.")
-    # Seams may collapse a few triangles in uv; cloth whose larger part has no uv cannot be woven.
-    if np.nansum(area) < 0.5 * total:
+    if collapses(mesh):
         raise InputError(f"{mesh.name}: its uv coordinates collapse to lines or points; unwrap it first.")
     return mesh
+
+
+def cleaned(mesh: ClothMesh) -> ClothMesh:
+    """The triangles that have an area, their vertices, and unit normals, computed where there are none.
+
+    uv stay as they are, finite or not.
+
+    Raises:
+        InputError: an index out of range, or a position that is not finite or too large to compute with.
+    """
+    count, triangles = len(mesh.positions), mesh.triangles
+    check_indices(triangles, count, mesh.name)
+    if not (np.abs(mesh.positions[triangles]) < MAX_COORDINATE).all():
+        raise InputError(f"{mesh.name} is damaged: a vertex position is not finite, or beyond ±1e15.")
+    a, b, c = (mesh.positions[triangles[:, corner]] for corner in range(3))
+    triangles = triangles[np.any(np.cross(b - a, c - a) != 0, axis=1)]
+    used = np.zeros(count, bool)
+    used[triangles] = True
+    mesh = ClothMesh(
+        positions=mesh.positions[used],
+        normals=mesh.normals[used] if len(mesh.normals) == count else np.zeros((used.sum(), 3)),
+        uv=mesh.uv[used] if len(mesh.uv) == count else np.zeros((0, 2)),
+        triangles=(np.cumsum(used) - 1)[triangles],
+        name=mesh.name,
+    )
+    usable = np.isfinite(mesh.normals).all(axis=1, keepdims=True)
+    normals = np.clip(np.where(usable, mesh.normals, 0), -1e100, 1e100)
+    length = np.linalg.norm(normals, axis=1, keepdims=True)
+    if (length == 0).any():
+        normals = np.where(length == 0, vertex_normals(mesh.positions, mesh.triangles), normals)
+        length = np.linalg.norm(normals, axis=1, keepdims=True)
+    return ClothMesh(mesh.positions, normals / length, mesh.uv, mesh.triangles, mesh.name)
+
+
+def check_indices(indices: NDArray[np.int64], count: int, name: str) -> None:
+    """Raises InputError if one of `indices` names none of `count` vertices."""
+    wrong = (indices < 0) | (indices >= count)
+    if wrong.any():
+        raise InputError(
+            f"{name} is damaged: a face names vertex {indices[wrong][0]}, and there are {count}, from 0 on."
+        )
+
+
+def collapses(mesh: ClothMesh) -> bool:
+    """Whether more than half of the area has uv on lines or points; seams may collapse a few triangles."""
+    area, _, _ = metric(mesh)
+    return bool(np.nansum(area) < 0.25 * np.linalg.norm(cross_products(mesh), axis=1).sum())
 
 
 def joined(parts: list[ClothMesh]) -> ClothMesh:
@@ -120,10 +157,16 @@ def metric(mesh: ClothMesh) -> tuple[NDArray[np.float64], NDArray[np.float64], N
     return np.where(usable, area, np.nan), dp_du, dp_dv
 
 
-def _vertex_normals(mesh: ClothMesh) -> NDArray[np.float64]:
-    normals = np.zeros_like(mesh.positions)
-    weighted = cross_products(mesh)
-    for corner in range(3):
-        np.add.at(normals, mesh.triangles[:, corner], weighted)
+def vertex_normals(positions: NDArray[np.float64], triangles: NDArray[np.int64]) -> NDArray[np.float64]:
+    """Unit normals [n, 3] of vertices, weighted by areas; up (+y) where no area is known."""
+    a, b, c = (positions[triangles[:, corner]] for corner in range(3))
+    weighted = np.cross(b - a, c - a)
+    normals = np.stack(
+        [
+            sum(np.bincount(corner, weighted[:, axis], len(positions)) for corner in triangles.T)
+            for axis in range(3)
+        ],
+        axis=1,
+    )
     length = np.linalg.norm(normals, axis=1, keepdims=True)
     return np.where(length > 0, normals / np.maximum(length, 1e-300), [0.0, 1.0, 0.0])

@@ -8,11 +8,12 @@ materials.
 from __future__ import annotations
 
 from loomlight.mesh.cloth_mesh import ClothMesh
+from loomlight.mesh.reading import read_mesh
 from loomlight.mesh.scale import uv_size
 from loomlight.mitsuba.lights import LIGHTS
 from loomlight.mitsuba.material import material_bsdf
 from loomlight.mitsuba.material_picture import RenderSettings
-from loomlight.mitsuba.meshes import read_mesh, to_shape
+from loomlight.mitsuba.meshes import to_shape
 from loomlight.mitsuba.plugins import register_plugins
 from loomlight.mitsuba.query_sources import register_query_sources
 from loomlight.mitsuba.rendering import render

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.mesh.cloth_mesh import ClothMesh
-from loomlight.mitsuba.meshes import read_mesh
+from loomlight.mesh.reading import read_mesh
 
 Placement = Callable[[NDArray[np.float64], NDArray[np.float64]], tuple[NDArray[np.float64], ...]]
 

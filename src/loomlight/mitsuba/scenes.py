@@ -15,13 +15,14 @@ from numpy.typing import NDArray
 from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
 from loomlight.mesh.cloth_mesh import ClothMesh, joined
+from loomlight.mesh.reading import read_mesh
 from loomlight.mitsuba import cloth_shapes
 from loomlight.mitsuba.camera import View, framing, look_at, perspective, require_size, require_zoom
 from loomlight.mitsuba.faults import reason_of
 from loomlight.mitsuba.integrator import footprint_integrator
 from loomlight.mitsuba.lights import direction_of, environment_dict, light_dicts
 from loomlight.mitsuba.mesh_arrays import set_uv
-from loomlight.mitsuba.meshes import from_shape, read_mesh, to_shape
+from loomlight.mitsuba.meshes import from_shape, to_shape
 from loomlight.mitsuba.placement import Placement, placed
 from loomlight.mitsuba.scene_props import backdrop, ball, ground
 
