@@ -132,7 +132,7 @@ def change_json(chance: random.Random, content: bytes) -> bytes:
         tree = json.loads(content)
     except ValueError:
         return content
-    places = list(_places(tree))
+    places = list(_places(tree)) if isinstance(tree, dict | list) else []
     if not places:
         return content
     holder, key = chance.choice(places)

@@ -56,7 +56,7 @@ def _check_total(total: int, file: Path) -> None:
 
 def _text(entry: Entry) -> str:
     name = entry.get("name")
-    return name if isinstance(name, str) else ""
+    return " ".join(name.split()) if isinstance(name, str) else ""
 
 
 def _placements(gltf: GltfFile) -> Iterator[tuple[Entry, NDArray[np.float64]]]:
@@ -208,7 +208,7 @@ def _uv_of_material(gltf: GltfFile, material: Entry, names: Entry) -> tuple[str,
     u, v = _vector(gltf, change, "scale", [1, 1])
     angle = change.get("rotation", 0)
     if isinstance(angle, bool) or not isinstance(angle, int | float) or not abs(angle) < 1e6:
-        raise gltf.damaged(f'the "rotation" of a texture is {str(angle)[:20]}')
+        raise gltf.damaged(f'the "rotation" of a texture is {repr(angle)[:20]}')
     # Counter-clockwise in uv, whose v runs down.
     turn = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
     offset = _vector(gltf, change, "offset", [0, 0])

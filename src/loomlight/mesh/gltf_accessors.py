@@ -88,7 +88,7 @@ def _elements(gltf: GltfFile, entry: Entry) -> NDArray[Any]:
     """The elements [n, width] of an accessor, as they are stored."""
     count, kind = gltf.integer(entry, "count"), entry.get("type")
     if not isinstance(kind, str) or kind not in _WIDTHS:
-        raise gltf.damaged(f'an accessor is of type "{str(kind)[:20]}"')
+        raise gltf.damaged(f'an accessor is of type "{repr(kind)[:20]}"')
     width = _WIDTHS[kind]
     sparse = gltf.dictionary(entry, "sparse")
     if "bufferView" in entry:
@@ -113,7 +113,7 @@ def _elements(gltf: GltfFile, entry: Entry) -> NDArray[Any]:
 def _component(gltf: GltfFile, holder: Entry) -> np.dtype[np.generic]:
     code = holder.get("componentType")
     if not isinstance(code, int) or code not in _COMPONENTS:
-        raise gltf.damaged(f'"componentType" is {str(code)[:20]}')
+        raise gltf.damaged(f'"componentType" is {repr(code)[:20]}')
     return np.dtype(_COMPONENTS[code])
 
 

@@ -52,14 +52,14 @@ class GltfFile:
         """An entry of one of the lists; raises InputError if there is none."""
         entries = self.entries(kind)
         if not _is_index(index) or index >= len(entries) or not isinstance(entries[index], dict):
-            raise self.damaged(f'it names number {str(index)[:20]} of its "{kind}", which it does not have')
+            raise self.damaged(f'it names number {repr(index)[:20]} of its "{kind}", which it does not have')
         return entries[index]
 
     def integer(self, holder: Entry, key: str, default: int | None = None) -> int:
         """A whole number from 0 on; raises InputError if it is none, or is missing and has no default."""
         value = holder.get(key, default)
         if not _is_index(value):
-            raise self.damaged(f'"{key}" is {str(value)[:20]}, which is no whole number from 0 on')
+            raise self.damaged(f'"{key}" is {repr(value)[:20]}, which is no whole number from 0 on')
         return value
 
     def dictionary(self, holder: Entry, *keys: str) -> Entry:
@@ -129,7 +129,9 @@ def _parsed(text: bytes, file: Path) -> dict[str, Any]:
         raise InputError(f"{file} is damaged: its JSON cannot be read ({error}); export it anew.") from error
     if not isinstance(tree, dict) or "asset" not in tree:
         raise InputError(f'{file} is no glTF: its JSON has no "asset".')
-    version = str(tree["asset"].get("version", "2.0") if isinstance(tree["asset"], dict) else "")[:20]
+    version = " ".join(
+        str(tree["asset"].get("version", "2.0") if isinstance(tree["asset"], dict) else "")[:20].split()
+    )
     if not version.startswith("2."):
         raise InputError(f'{file} is glTF of version "{version}", and version 2.0 is read: export it anew.')
     return tree
@@ -149,7 +151,7 @@ def _buffer(entry: Entry, size: int, number: int, gltf: GltfFile) -> bytes:
         except (binascii.Error, ValueError) as error:
             raise InputError(f"{file} is damaged: its buffer {number} is no base64.") from error
     else:
-        content, named = _file_beside(uri, file), f'the file "{uri[:80]}"'
+        content, named = _file_beside(uri, file), f"the file {json.dumps(uri[:80])}"
     if len(content) < size:
         raise InputError(
             f"{file}: its buffer {number}, {named}, holds {len(content)} of {size} bytes; export it anew."
@@ -158,9 +160,10 @@ def _buffer(entry: Entry, size: int, number: int, gltf: GltfFile) -> bytes:
 
 
 def _file_beside(uri: str, file: Path) -> bytes:
+    shown = " ".join(uri[:80].split())
     if "://" in uri:
         raise InputError(
-            f'{file} names "{uri[:80]}", and nothing is fetched: export a .glb, which holds everything.'
+            f'{file} names "{shown}", and nothing is fetched: export a .glb, which holds everything.'
         )
     folder = file.resolve().parent
     try:
@@ -170,12 +173,12 @@ def _file_beside(uri: str, file: Path) -> bytes:
         named, is_there = folder, False
     if not named.is_relative_to(folder):
         raise InputError(
-            f'{file} names the file "{uri[:80]}", which lies outside its folder {file.parent}: '
+            f'{file} names the file "{shown}", which lies outside its folder {file.parent}: '
             "put it beside the mesh, or export a .glb, which holds everything."
         )
     if not is_there:
         raise InputError(
-            f'{file} names the file "{uri[:80]}", which does not exist in {file.parent}: '
+            f'{file} names the file "{shown}", which does not exist in {file.parent}: '
             "copy it there, or export a .glb, which holds everything."
         )
     return named.read_bytes()

@@ -109,10 +109,12 @@ def _numbers(lines: list[str], kind: str, file: Path) -> NDArray[np.float64]:
     if not lines:
         return np.zeros((0, width))
     try:
-        rows = np.loadtxt(lines, usecols=range(width), ndmin=2)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")  # of lines without any number
+            rows = np.loadtxt(lines, usecols=range(width), ndmin=2)
         if len(rows) == len(lines):  # lines without any number are skipped
             return rows
-    except ValueError:
+    except (UserWarning, ValueError):
         pass
     for number, line in enumerate(lines, 1):
         try:

@@ -10,6 +10,7 @@ import mitsuba as mi
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.environment_map import checked_environment_map, read_environment_map
 from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
 
@@ -86,24 +87,27 @@ def environment_dict(
     """Mitsuba's dictionary of an environment picture (latitude-longitude), turned about the vertical.
 
     Raises:
-        InputError: no such file, another suffix, a damaged picture, or pixels that are not finite.
+        InputError: no such file, another suffix, or what `read_environment_map` raises.
     """
     file = Path(path)
     if file.suffix.lower() not in _ENVIRONMENT_SUFFIXES:
         raise InputError(f"{file}: environments are read from {', '.join(_ENVIRONMENT_SUFFIXES)} files.")
-    require_file(file)
-    try:
-        bitmap = mi.Bitmap(str(file))
-    except Exception as error:  # Mitsuba raises bare RuntimeErrors
-        raise InputError(f"{file} is damaged or no picture.") from error
-    if not np.isfinite(np.array(bitmap, dtype=np.float64)).all():
-        raise InputError(f"{file} holds pixels that are no finite numbers; replace them in a picture editor.")
+    radiance = _read_pfm(file) if file.suffix.lower() == ".pfm" else read_environment_map(file)
     return {
         "type": "envmap",
-        "bitmap": bitmap,
+        "bitmap": mi.Bitmap(radiance),
         "scale": scale,
         "to_world": mi.ScalarTransform4f().rotate([0, 1, 0], turn_degrees),
     }
+
+
+def _read_pfm(file: Path) -> NDArray[np.float32]:
+    require_file(file)
+    try:
+        bitmap = mi.Bitmap(str(file)).convert(mi.Bitmap.PixelFormat.RGB, mi.Struct.Type.Float32)
+    except Exception as error:  # Mitsuba raises bare RuntimeErrors
+        raise InputError(f"{file} is damaged or no picture.") from error
+    return checked_environment_map(np.array(bitmap), file)
 
 
 def studio_radiance(direction: NDArray[np.float64]) -> NDArray[np.float32]:

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.environment_map import read_environment_map
 from loomlight.core.errors import InputError
-from loomlight.core.images import read_linear
 
 # Larger maps are averaged down: a texel of 0.35° is smaller than the sun.
 MAX_COLUMNS = 1024
@@ -38,9 +38,9 @@ class Environment:
         """An environment from a latitude-longitude picture: .exr, .hdr, .png or .jpg.
 
         Raises:
-            InputError: no such file, or no such picture.
+            InputError: what `read_environment_map` raises.
         """
-        return cls(np.maximum(read_linear(path), 0), turn)
+        return cls(read_environment_map(path), turn)
 
     def tables(self) -> EnvironmentTables:
         """Distributions for shaders, of a map of at most 1024 columns."""
