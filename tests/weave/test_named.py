@@ -1,6 +1,6 @@
 """Named weaves: their structures, and messages for unknown names.
 
-Covers: weave/effects.py, weave/structures.py
+Covers: weave/effects.py, weave/structures.py, weave/tartan.py
 """
 
 from math import gcd
@@ -168,3 +168,41 @@ def test_any_text_is_a_weave_or_an_input_error(text: str) -> None:
     except InputError:
         return
     assert draft.drawdown.any()
+
+
+@pytest.mark.parametrize(
+    ("text", "same"),
+    [
+        ("2/2 twill", "twill 2/2"),
+        ("s 3/1 twill", "twill 3/1 s"),
+        ("5-end satin", "satin 5"),
+        ("8 shaft weft-faced satin", "sateen 8"),
+        ("plain weave", "plain"),
+        ("gabardine s", "twill 2/2 s"),
+        ("gabardine 2/1", "twill 2/1"),
+        ("oxford", "basket 2/1"),
+    ],
+)
+def test_words_in_either_order_and_names_of_cloths(text: str, same: str) -> None:
+    assert np.array_equal(named_weave(text).drawdown, named_weave(same).drawdown)
+
+
+@pytest.mark.parametrize(
+    ("text", "order"),
+    [
+        ("tartan K/1 R2 K3 Y/2", "KRRKKKYYKKKRR"),
+        ("tartan K1 R2 K3 Y2", "KRRKKKYYKKKRR"),
+        ("tartan ...K1 R2 G1...", "KRRG"),
+        ("Tartan k1r2", "KRR"),
+    ],
+)
+def test_a_tartan_turns_back_at_its_pivots(text: str, order: str) -> None:
+    """The pivots stand once."""
+    draft = named_weave(text)
+    letters = list(dict.fromkeys(order))
+    repeat = [letters.index(letter) for letter in order]
+    for threads in (draft.warp, draft.weft):
+        assert threads.color_index is not None
+        assert threads.color_index.tolist() == repeat * (draft.ends // len(order))
+    assert np.array_equal(draft.drawdown[:4, :4], named_weave("twill 2/2").drawdown)
+    assert draft.ends % 4 == 0

@@ -11,7 +11,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as numpy_strategies
-from PIL import Image
+from PIL import Image, ImageColor
 
 from loomlight.core import images
 from loomlight.core.errors import InputError
@@ -19,6 +19,7 @@ from loomlight.core.images import read_picture
 from loomlight.weave import drawdown_from_picture, load_draft, named_weave, write_wif
 
 from ..core.pictures import png_head
+from .conftest import cases
 
 
 def save(path: Path, pixels: np.ndarray) -> Path:
@@ -46,9 +47,43 @@ def test_grey_colour_and_transparency_are_split_at_half(tmp_path: Path) -> None:
     ]
 
 
+@pytest.mark.parametrize("suffix", ["png", "webp", "jpg"])
+@pytest.mark.parametrize(
+    ("warp", "weft"),
+    [("blue", "red"), ("#30497a", "#6b2020"), ("#c8c8f8", "#f8f0a0"), ("black", "white"), ("red", "#eee")],
+)
+def test_two_colours_on_one_side_are_told_apart_by_the_eye(
+    tmp_path: Path, warp: str, weft: str, suffix: str
+) -> None:
+    """JPEG's noise is no third colour; halved colour resolution would make some, and is left out."""
+    draft = named_weave("basket 16/16")
+    dark, light = (np.array(ImageColor.getrgb(colour), np.uint8) for colour in (warp, weft))
+    up = draft.drawdown[::-1, :, None]
+    if warp == "#30497a":  # the redder one is darker
+        up = ~up
+    path = tmp_path / f"two.{suffix}"
+    Image.fromarray(np.where(up, dark, light)).save(path, lossless=True, quality=95, subsampling=0)
+    assert np.array_equal(load_draft(path).drawdown, draft.drawdown)
+
+
+@pytest.mark.parametrize("case", cases("p5*.png"))
+def test_the_case_of_two_colours(case: Path) -> None:
+    """Blue is darker than red to the eye."""
+    pixels = np.asarray(Image.open(case).convert("RGB"))[::-1]
+    assert np.array_equal(drawdown_from_picture(case).drawdown, pixels[..., 2] > pixels[..., 0])
+
+
+def test_three_dark_colours_are_refused(tmp_path: Path) -> None:
+    path = save(tmp_path / "three.png", np.eye(3, dtype=np.uint8)[None] * 200)
+    with pytest.raises(InputError, match="more than two colours, all darker than half of full brightness"):
+        drawdown_from_picture(path)
+
+
 def test_refusals(tmp_path: Path) -> None:
     white = save(tmp_path / "white.png", np.full((4, 4), 255, dtype=np.uint8))
-    with pytest.raises(InputError, match=r"white\.png holds only white pixels and no black ones"):
+    with pytest.raises(
+        InputError, match=r"white\.png holds only pixels of one colour; cloth needs dark crossings"
+    ):
         drawdown_from_picture(white)
     wide = save(tmp_path / "wide.png", np.zeros((1, 16385), dtype=np.uint8))
     with pytest.raises(InputError, match=r"16385 x 1 pixels"):

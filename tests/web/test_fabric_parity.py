@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from PIL import Image, ImageColor
 
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.fabric import Fabric, fabric_from_text, load_fabric
@@ -51,12 +52,26 @@ WEAVES = [
     *("basket 3", "basket 2/3", "warp rib 2/3", "weft rib 3/2", "rib 3", "herringbone", "diamond 3/1 5"),
     *("Waffle16", "crêpe", "dogtooth 4", "houndstooth3", "shepherd's check", "glen-check 2", "LOG CABIN"),
     *("hairline", "prince of wales", "argyle", "diamond figure", "damask 160", "herringbone 2/1 5", "ogee"),
+    *("2/2 twill", "s 2/2 Twill", "5-end satin", "8 shaft sateen", "satin weave 5", "5 weft-faced satin"),
+    *(
+        "gabardine",
+        "gabardine s",
+        "Serge 2/1",
+        "poplin",
+        "oxford",
+        "oxford 3/1",
+        "basket weave",
+        "twill weave 2/1",
+    ),
+    *("tartan B/24 W4 B24 R2 K24 G24 W/2", "tartan ...R4 G4 DB3", "tartan K4R24,K24 Y4", "tartan k 5 lb 2…"),
 ]
 REFUSED_WEAVES = [
     *("satin 8/2", "satin 6", "satin", "twill", "twill 2", "twill 2/0", "twill 99999/1", "houndstooth 0"),
     *("hounstooth", "hounds-tooth 4", "velvet", "", "waffle 5", "waffle 66", "damask 100", "argyle 33"),
     *("plain 2", "twill 2/1 q", "basket 1/2/3", "satin 8/3/1", "glen check 129", "diamond figure 40"),
     *("herringbone 2/2 1", "twill 1/1/1", "pinstripe 2000", "basket 3000"),
+    *("2/2 velvet", "my twill 2/2", "2 plain", "tartan", "tartan B4", "tartan Q4 B4", "tartan B4 W/4 B4"),
+    *("tartan B9999 W2", "tartan B4 W? K2", "tartan ...B/4 W4", "tartan B0 W4", "tartan B1001 W999 K3"),
 ]
 TOML = [
     'weave = "twill 3/1"',
@@ -94,7 +109,7 @@ REFUSED_TOML = [
 ]
 
 
-def _ask(questions: list[dict[str, str]]) -> list[dict[str, Any]]:
+def _ask(questions: list[dict[str, Any]]) -> list[dict[str, Any]]:
     node = shutil.which("node")
     if node is None or not (WEB / "node_modules").is_dir():
         pytest.skip("needs Node and `npm install` in web/")
@@ -246,3 +261,23 @@ def _draft_or_refusal(file: Path) -> tuple[Draft | None, str]:
 
 def _lines(text: str) -> list[str]:
     return [line for line in text.split("\r\n") if not line.startswith("Source ")]
+
+
+@pytest.mark.parametrize("colours", ["blue red", "#30497a #6b2020", "black #eee", "#88f #ffa", "#222 #222"])
+def test_pictures_are_read_by_the_same_rule(colours: str, tmp_path: Path) -> None:
+    one, other = (np.array([*ImageColor.getrgb(colour), 255], np.uint8) for colour in colours.split())
+    pixels = np.where(named_weave("twill 3/1 s").drawdown[..., None], one, other)
+    path = tmp_path / "two.png"
+    Image.fromarray(pixels).save(path)
+    height, width = pixels.shape[:2]
+    rgba = base64.b64encode(pixels.tobytes()).decode()
+    question = {"kind": "picture", "name": str(path), "rgba": rgba, "width": width, "height": height}
+    (answer,) = _ask([question])
+    if np.array_equal(one, other):
+        with pytest.raises(InputError) as refusal:
+            load_draft(path)
+        assert answer["error"] == str(refusal.value)
+        return
+    draft = load_draft(path)
+    bits = np.unpackbits(np.frombuffer(base64.b64decode(answer["drawdown"]), np.uint8), count=16)
+    assert np.array_equal(bits.astype(bool).reshape(4, 4), draft.drawdown)

@@ -237,7 +237,7 @@ def _opened(path: str | os.PathLike[str]) -> Iterator[Image.Image]:
         raise InputError(f"{path} has more pixels than there is memory for.") from error
     except (UnidentifiedImageError, OSError, ValueError, SyntaxError) as error:
         raise InputError(
-            f"{path} is no picture that can be read (PNG, JPEG, TIFF, BMP and GIF can)."
+            f"{path} is no picture that can be read (PNG, JPEG, WebP, TIFF, BMP and GIF can)."
         ) from error
 
 

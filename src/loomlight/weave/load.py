@@ -15,11 +15,12 @@ from loomlight.weave.other_programs import OTHER_SUFFIXES, read_other_program
 from loomlight.weave.picture import drawdown_from_picture
 from loomlight.weave.wif_reader import read_wif
 
-DRAFT_SUFFIXES = (".wif", *OTHER_SUFFIXES, *PICTURE_SUFFIXES)
+_PICTURES = (*PICTURE_SUFFIXES, ".webp")
+DRAFT_SUFFIXES = (".wif", *OTHER_SUFFIXES, *_PICTURES)
 _READERS: dict[str, Callable[[str | os.PathLike[str]], Draft]] = {
     ".wif": read_wif,
     **dict.fromkeys(OTHER_SUFFIXES, read_other_program),
-    **dict.fromkeys(PICTURE_SUFFIXES, drawdown_from_picture),
+    **dict.fromkeys(_PICTURES, drawdown_from_picture),
 }
 
 

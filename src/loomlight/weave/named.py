@@ -12,8 +12,13 @@ from loomlight.core.errors import InputError
 from loomlight.weave import effects, figured, structures
 from loomlight.weave.draft import Draft
 from loomlight.weave.structures import MAXIMUM_NAMED_THREADS
+from loomlight.weave.tartan import tartan
 
 _NUMBERS = re.compile(r"\d+(?:/\d+)*")
+# "5-end satin", "8 shaft satin"
+_ENDS = re.compile(r"([0-9]) ?-? ?(?:end|shaft|harness)s?(?!\w)")
+_FILLERS = {"weave", "cloth", "fabric"}
+_DIRECTIONS = {"z", "s"}
 
 
 @dataclass
@@ -66,7 +71,7 @@ class _Request:
 
     def is_z(self) -> bool:
         """The next word as a direction, Z if there is none."""
-        if self.words and self.words[0] in ("z", "s"):
+        if self.words and self.words[0] in _DIRECTIONS:
             return self.words.pop(0) == "z"
         return True
 
@@ -217,6 +222,15 @@ def _diamond_figure(request: _Request) -> Draft:
     return figured.diamond_figure(request.count(default=96, lowest=1))
 
 
+def _tartan(request: _Request) -> Draft:
+    sett, request.words = " ".join(request.words), []
+    try:
+        effect, title = tartan(sett)
+    except ValueError as fault:
+        raise request.fail(str(fault)) from fault
+    return effect.draft(title)
+
+
 _WEAVES = {
     "plain": _Weave(_plain, "plain"),
     "twill": _Weave(_twill, "twill 2/1 z"),
@@ -238,16 +252,31 @@ _WEAVES = {
     "pinstripe": _Weave(_pinstripe, "pinstripe 24"),
     "denim": _Weave(_denim, "denim"),
     "chambray": _Weave(_chambray, "chambray"),
+    "tartan": _Weave(_tartan, "tartan B24 W4 B24 R2 K24 G24 W2"),
     "damask": _Weave(_damask, "damask 480"),
     "argyle": _Weave(_argyle, "argyle 64"),
     "diamond figure": _Weave(_diamond_figure, "diamond figure 96"),
 }
 
+# Names of cloths stand for the structure that most of them have; numbers are those that are left out.
 _OTHER_NAMES = {
     "tabby": "plain",
-    "plain weave": "plain",
+    "calico": "plain",
+    "muslin": "plain",
+    "poplin": "plain",
+    "taffeta": "plain",
+    "voile": "plain",
+    "gabardine": "twill 2/2",
+    "gaberdine": "twill 2/2",
+    "serge": "twill 2/2",
+    "drill": "twill 3/1",
+    "weft faced satin": "sateen",
+    "warp faced satin": "satin",
+    "oxford": "basket 2/1",
+    "panama": "basket",
     "rib": "warp rib",
     "diamond twill": "diamond",
+    "herringbone twill": "herringbone",
     "honeycomb": "waffle",
     "crêpe": "crepe",
     "dogtooth": "houndstooth",
@@ -266,9 +295,10 @@ def weave_names() -> list[str]:
 def named_weave(text: str) -> Draft:
     """The draft of a weave's name: its structure, and for colour effects its default colours.
 
-    Case and space do not matter. Counts read along pick 1 from end 1, warp up first: "twill 3/1" has three
-    ends up, one down, and its diagonal rises to the right (Z) unless "s" follows. "satin 8/3" is
-    warp-faced, "sateen 8/3" weft-faced, both with a step of 3 ends a pick. `weave_names` lists all.
+    Case and space do not matter, and numbers may come first: "2/2 twill", "5-end satin". Counts read along
+    pick 1 from end 1, warp up first: "twill 3/1" has three ends up, one down, and its diagonal rises to the
+    right (Z) unless "s" follows. "satin 8/3" is warp-faced, "sateen 8/3" weft-faced, both with a step of 3
+    ends a pick. `weave_names` lists all.
 
     Raises:
         InputError: an unknown name, or numbers that make no such weave; the message says what would.
@@ -290,19 +320,26 @@ def named_weave(text: str) -> Draft:
 
 
 def _words(text: str) -> list[str]:
-    plain_text = re.sub(r"['’]", "", text.casefold())
+    plain_text = _ENDS.sub(r"\1 ", re.sub(r"['’]", "", text.casefold()))
     joined = re.sub(r"\s*/\s*", "/", plain_text)
     apart = re.sub(r"(?<=[^\W\d])(?=\d)|(?<=\d)(?=[^\W\d])", " ", joined)
     return re.sub(r"(?<=[^\W\d])[-_](?=[^\W\d])", " ", apart).split()
 
 
 def _split(words: list[str]) -> tuple[str | None, list[str]]:
-    """The longest known name that `words` begin with, and the words after it."""
-    for length in range(min(len(words), 3), 0, -1):
-        name = " ".join(words[:length])
-        name = _OTHER_NAMES.get(name, name)
-        if name in _WEAVES:
-            return name, words[length:]
+    """The longest known name that `words` begin with, or that follows numbers, and the other words."""
+    kept = [word for word in words if word not in _FILLERS]
+    for start, first in enumerate(kept):
+        for length in range(min(len(kept) - start, 3), 0, -1):
+            said = " ".join(kept[start : start + length])
+            meant = _OTHER_NAMES.get(said, said).split()
+            name = " ".join(word for word in meant if not _NUMBERS.fullmatch(word))
+            if name in _WEAVES:
+                rest = [*sorted(kept[:start], key=_DIRECTIONS.__contains__), *kept[start + length :]]
+                counted = any(_NUMBERS.fullmatch(word) for word in rest)
+                return name, rest if counted else [*filter(_NUMBERS.fullmatch, meant), *rest]
+        if first not in _DIRECTIONS and not _NUMBERS.fullmatch(first):
+            break
     return None, words
 
 

@@ -9,7 +9,7 @@ import { lcm } from "./numbers.ts";
 import { flatRows, fromPalette, runs } from "./palette.ts";
 import { plain, twill } from "./structures.ts";
 
-type Palette = readonly [string, string];
+type Palette = readonly string[];
 
 const CHARCOAL_AND_CREAM: Palette = ["#23262e", "#ece4d3"];
 const INDIGO_AND_ECRU: Palette = ["#22335c", "#e6dfce"];

@@ -7,8 +7,13 @@ import * as figured from "./figured.ts";
 import { lcm } from "./numbers.ts";
 import * as structures from "./structures.ts";
 import { MAXIMUM_NAMED_THREADS } from "./structures.ts";
+import { tartan } from "./tartan.ts";
 
 const NUMBERS = /^[0-9]+(?:\/[0-9]+)*$/;
+/** "5-end satin", "8 shaft satin" */
+const ENDS = /([0-9]) ?-? ?(?:end|shaft|harness)s?(?![\p{L}\p{N}_])/gu;
+const FILLERS: ReadonlySet<string> = new Set(["weave", "cloth", "fabric"]);
+const DIRECTIONS: ReadonlySet<string> = new Set(["z", "s"]);
 
 /** Parser of the parameters after a weave's name. */
 class Request {
@@ -70,10 +75,15 @@ class Request {
     return numbers;
   }
 
+  /** All words that are left, joined by spaces. */
+  rest(): string {
+    return this.words.splice(0).join(" ");
+  }
+
   /** The next word as a direction, Z if there is none. */
   isZ(): boolean {
     const word = this.words[0];
-    if (word !== "z" && word !== "s") return true;
+    if (word === undefined || !DIRECTIONS.has(word)) return true;
     this.words.shift();
     return word === "z";
   }
@@ -145,6 +155,12 @@ function houndstooth(request: Request): effects.Effect {
   return effects.houndstooth(width);
 }
 
+function sett(request: Request): Draft {
+  const made = tartan(request.rest());
+  if (typeof made === "string") throw request.fault(made);
+  return effects.effectDraft(made.effect, made.title);
+}
+
 const third = Math.floor(MAXIMUM_NAMED_THREADS / 3);
 
 const WEAVES: Readonly<Record<string, Weave>> = {
@@ -177,16 +193,31 @@ const WEAVES: Readonly<Record<string, Weave>> = {
   pinstripe: { make: (request) => effects.pinstripe(request.count(24, 2, third)), usage: "pinstripe 24" },
   denim: { make: () => effects.denim(), usage: "denim" },
   chambray: { make: () => effects.chambray(), usage: "chambray" },
+  tartan: { make: sett, usage: "tartan B24 W4 B24 R2 K24 G24 W2" },
   damask: { make: (request) => figured.damask(request.count(480, 1)), usage: "damask 480" },
   argyle: { make: (request) => figured.argyleCloth(request.count(64, 1)), usage: "argyle 64" },
   "diamond figure": { make: (request) => figured.diamondFigure(request.count(96, 1)), usage: "diamond figure 96" },
 };
 
+/** Names of cloths stand for the structure that most of them have; numbers are those that are left out. */
 const OTHER_NAMES: Readonly<Record<string, string>> = {
   tabby: "plain",
-  "plain weave": "plain",
+  calico: "plain",
+  muslin: "plain",
+  poplin: "plain",
+  taffeta: "plain",
+  voile: "plain",
+  gabardine: "twill 2/2",
+  gaberdine: "twill 2/2",
+  serge: "twill 2/2",
+  drill: "twill 3/1",
+  "weft faced satin": "sateen",
+  "warp faced satin": "satin",
+  oxford: "basket 2/1",
+  panama: "basket",
   rib: "warp rib",
   "diamond twill": "diamond",
+  "herringbone twill": "herringbone",
   honeycomb: "waffle",
   crêpe: "crepe",
   dogtooth: "houndstooth",
@@ -204,7 +235,7 @@ export function weaveNames(): string[] {
 /**
  * The draft of a weave's name: its structure, and for colour effects its default colours.
  *
- * Case and space do not matter. Counts read along pick 1 from end 1, warp up first: "twill 3/1" has three ends up,
+ * Case and space do not matter, and numbers may come first: "2/2 twill", "5-end satin". Counts read along pick 1 from end 1, warp up first: "twill 3/1" has three ends up,
  * one down, and its diagonal rises to the right (Z) unless "s" follows.
  *
  * @throws InputError an unknown name, or numbers that make no such weave; the message says what would.
@@ -226,6 +257,7 @@ function wordsOf(text: string): string[] {
   return text
     .toLowerCase()
     .replace(/['’]/g, "")
+    .replace(ENDS, "$1 ")
     .replace(/\s*\/\s*/g, "/")
     .replace(/(?<=[\p{L}_])(?=[0-9])|(?<=[0-9])(?=[\p{L}_])/gu, " ")
     .replace(/(?<=[\p{L}_])[-_](?=[\p{L}_])/gu, " ")
@@ -233,12 +265,21 @@ function wordsOf(text: string): string[] {
     .filter((word) => word !== "");
 }
 
-/** The longest known name that `words` begin with, and the words after it. */
+/** The longest known name that `words` begin with, or that follows numbers, and the other words. */
 function split(words: readonly string[]): [string | null, string[]] {
-  for (let length = Math.min(words.length, 3); length > 0; length--) {
-    const said = words.slice(0, length).join(" ");
-    const name = Object.hasOwn(OTHER_NAMES, said) ? OTHER_NAMES[said]! : said;
-    if (Object.hasOwn(WEAVES, name)) return [name, words.slice(length)];
+  const kept = words.filter((word) => !FILLERS.has(word));
+  for (const [start, first] of kept.entries()) {
+    for (let length = Math.min(kept.length - start, 3); length > 0; length--) {
+      const said = kept.slice(start, start + length).join(" ");
+      const meant = (Object.hasOwn(OTHER_NAMES, said) ? OTHER_NAMES[said]! : said).split(" ");
+      const name = meant.filter((word) => !NUMBERS.test(word)).join(" ");
+      if (!Object.hasOwn(WEAVES, name)) continue;
+      const before = kept.slice(0, start).sort((a, b) => Number(DIRECTIONS.has(a)) - Number(DIRECTIONS.has(b)));
+      const rest = [...before, ...kept.slice(start + length)];
+      const isCounted = rest.some((word) => NUMBERS.test(word));
+      return [name, isCounted ? rest : [...meant.filter((word) => NUMBERS.test(word)), ...rest]];
+    }
+    if (!DIRECTIONS.has(first) && !NUMBERS.test(first)) break;
   }
   return [null, [...words]];
 }

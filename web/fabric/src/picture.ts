@@ -2,11 +2,22 @@
 import { makeDraft, MAXIMUM_THREADS, structureOf, type Draft } from "./draft.ts";
 import { InputError } from "./errors.ts";
 
+type Rgb = readonly [number, number, number];
+
+/** Rec. 709: how bright an eye finds each component. */
+const LUMA: Rgb = [0.2126, 0.7152, 0.0722];
+/** Distances in RGB: of colours that count as two, and, as a share of theirs, of pixels that count as one. */
+const DISTINCT = 0.1;
+const ALIKE = 0.25;
+
 /**
  * The draft that a picture draws, one pixel a crossing; what is transparent counts as white.
  *
+ * Pictures are split at half of full brightness. Where all is darker than that, or lighter, and of two colours, the
+ * darker one to the eye is the warp.
+ *
  * @param rgba pixels [height·width·4], top row first, sRGB-encoded, 0 to 255.
- * @throws InputError too large a picture, or one without both dark and light.
+ * @throws InputError too large a picture, or one of a single colour or of several on one side of half.
  */
 export function draftOfPixels(rgba: Uint8ClampedArray, width: number, height: number, file: string): Draft {
   if (Math.max(width, height) > MAXIMUM_THREADS)
@@ -14,19 +25,46 @@ export function draftOfPixels(rgba: Uint8ClampedArray, width: number, height: nu
       `${file} has ${width} x ${height} pixels; a drawdown has one pixel a crossing, and at most ${MAXIMUM_THREADS} ` +
         "ends and picks can be used.",
     );
-  const structure = structureOf(height, width, (pick, end) => {
-    const at = ((height - 1 - pick) * width + end) * 4;
-    const alpha = rgba[at + 3]! / 255;
-    const mean = (rgba[at]! + rgba[at + 1]! + rgba[at + 2]!) / 3 / 255;
-    return 1 - alpha * (1 - mean) < 0.5;
-  });
-  const up = structure.drawdown.includes(1);
-  if (!up || !structure.drawdown.includes(0)) {
-    const [present, absent] = up ? ["black", "white"] : ["white", "black"];
-    throw new InputError(
-      `${file} holds only ${present} pixels and no ${absent} ones; black crossings have the warp on top, white ones ` +
-        "the weft, and cloth needs both.",
-    );
+  const colourAt = (at: number): Rgb => {
+    const alpha = rgba[4 * at + 3]! / 255;
+    const onWhite = (channel: number): number => 1 - alpha * (1 - rgba[4 * at + channel]! / 255);
+    return [onWhite(0), onWhite(1), onWhite(2)];
+  };
+  const draft = (isDark: (colour: Rgb) => boolean): ReturnType<typeof structureOf> =>
+    structureOf(height, width, (pick, end) => isDark(colourAt((height - 1 - pick) * width + end)));
+  let structure = draft(([red, green, blue]) => (red + green + blue) / 3 < 0.5);
+  const isDark = structure.drawdown.includes(1);
+  if (!isDark || !structure.drawdown.includes(0)) {
+    const corner = colourAt(0);
+    let [far, distance] = [corner, 0];
+    for (let at = 0; at < width * height; at++) {
+      const colour = colourAt(at);
+      const away = squared(colour, corner);
+      if (away > distance) [far, distance] = [colour, away];
+    }
+    if (distance < DISTINCT ** 2) throw refusal(file, "only pixels of one colour");
+    const [warp, weft] = luma(far) < luma(corner) ? [far, corner] : [corner, far];
+    structure = draft((colour) => {
+      const [toWarp, toWeft] = [squared(colour, warp), squared(colour, weft)];
+      if (Math.min(toWarp, toWeft) > ALIKE ** 2 * distance)
+        throw refusal(file, `more than two colours, all ${isDark ? "darker" : "lighter"} than half of full brightness`);
+      return toWarp < toWeft;
+    });
   }
   return makeDraft(structure, { name: file.replace(/\.[^.]*$/, "") });
+}
+
+function squared(one: Rgb, other: Rgb): number {
+  return (one[0] - other[0]) ** 2 + (one[1] - other[1]) ** 2 + (one[2] - other[2]) ** 2;
+}
+
+function luma(colour: Rgb): number {
+  return colour[0] * LUMA[0] + colour[1] * LUMA[1] + colour[2] * LUMA[2];
+}
+
+function refusal(file: string, held: string): InputError {
+  return new InputError(
+    `${file} holds ${held}; cloth needs dark crossings, where the warp is on top, and light ones, where the ` +
+      "weft is.",
+  );
 }

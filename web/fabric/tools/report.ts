@@ -4,6 +4,7 @@ import {
   bitsToText,
   clothFacts,
   colouredDraft,
+  draftOfPixels,
   familySpacing,
   familyWidth,
   isInputError,
@@ -21,7 +22,8 @@ import {
 export type Question =
   | { kind: "weave"; text: string }
   | { kind: "wif"; name: string; base64: string }
-  | { kind: "toml"; text: string };
+  | { kind: "toml"; text: string }
+  | { kind: "picture"; name: string; rgba: string; width: number; height: number };
 
 /** The answer to a question, `{ error }` for input that is refused. */
 export function report(question: Question): object {
@@ -40,6 +42,11 @@ export function report(question: Question): object {
           isKeptByWriting: JSON.stringify(described(again)) === JSON.stringify(described(draft)),
           written: writeWif(draft),
         };
+      }
+      case "picture": {
+        const { name, rgba, width, height } = question;
+        const draft = draftOfPixels(new Uint8ClampedArray(Buffer.from(rgba, "base64")), width, height, name);
+        return fabric({ image: name }, draft);
       }
       case "toml": {
         const fields = readToml(question.text);
