@@ -119,6 +119,11 @@ def test_lines_that_are_refused(tmp_path: Path, more: str, says: str) -> None:
     assert "\n" not in str(caught.value)
 
 
+def test_parts_are_bounded(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="has more than 20000 parts"):
+        parts_of(tmp_path, VERTICES + "\n".join(f"g {number}\nf 1 2 3" for number in range(20_001)))
+
+
 # Corners of polygons, counter-clockwise, and their areas.
 POLYGONS = {
     "L": ([(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)], 3),

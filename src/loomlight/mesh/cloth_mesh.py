@@ -15,6 +15,8 @@ from loomlight.core.errors import InputError
 
 # Areas are computed of squares, in single precision too.
 MAX_COORDINATE = 1e15
+# Each part costs about a millisecond, however small it is.
+MAX_PARTS = 20_000
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.mesh.cloth_mesh import ClothMesh, MeshPart, check_indices
+from loomlight.mesh.cloth_mesh import MAX_PARTS, ClothMesh, MeshPart, check_indices
 from loomlight.mesh.draco import decoded_primitive
 from loomlight.mesh.gltf_accessors import attribute, indices
 from loomlight.mesh.gltf_file import Entry, GltfFile, load_gltf
@@ -42,6 +42,8 @@ def read_gltf(file: Path) -> list[MeshPart]:
         total += sum(len(part.mesh.triangles) for part in known[number])
         _check_total(total, file)
         name = _text(node) or _text(mesh)
+        if len(parts) + len(known[number]) > MAX_PARTS:
+            raise InputError(f"{file} shows more than {MAX_PARTS} parts, copies included: join some.")
         parts += [MeshPart(name, part.material, _moved(part.mesh, matrix)) for part in known[number]]
     if not parts:
         reason = "its meshes are points or lines" if known else "its scene shows no mesh"
@@ -182,7 +184,16 @@ def _geometry(gltf: GltfFile, primitive: Entry, material: Entry) -> ClothMesh:
     check_indices(triangles, count, str(gltf.file))
     none = np.zeros((0, 3))
     uv = arrays[uv_name] @ transform[:, :2].T + transform[:, 2] if uv_name in arrays else np.zeros((0, 2))
-    return ClothMesh(arrays["POSITION"], arrays.get("NORMAL", none), uv, triangles, str(gltf.file))
+    # Primitives may share one large array, of which each uses some rows.
+    used, inverse = np.unique(triangles, return_inverse=True)
+    normals = arrays.get("NORMAL", none)
+    return ClothMesh(
+        positions=arrays["POSITION"][used],
+        normals=normals[used] if len(normals) else none,
+        uv=uv[used] if len(uv) else uv,
+        triangles=inverse.reshape(-1, 3),
+        name=str(gltf.file),
+    )
 
 
 def _triangles(gltf: GltfFile, index: NDArray[np.int64], mode: int) -> NDArray[np.int64]:

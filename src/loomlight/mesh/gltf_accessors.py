@@ -16,6 +16,8 @@ _WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 _MESHOPT = ("EXT_meshopt_compression", "KHR_meshopt_compression")
 # A row of zeros is coded in so small a share of its bytes at least.
 _MESHOPT_RATIO = 4096
+# Accessors and primitives may name the same bytes any number of times: a bound for all that are read.
+_MAX_ELEMENTS = 200_000_000
 
 
 def attribute(gltf: GltfFile, index: object, width: int) -> NDArray[np.float64]:
@@ -97,6 +99,9 @@ def _elements(gltf: GltfFile, entry: Entry) -> NDArray[Any]:
         values = np.zeros((count, width), _component(gltf, entry))
     else:
         raise gltf.damaged(f"an accessor states {count} elements, and has no data for them")
+    gltf.elements_read += count
+    if gltf.elements_read > _MAX_ELEMENTS:
+        raise gltf.damaged(f"it reads more than {_MAX_ELEMENTS} elements, or the same ones again and again")
     if sparse:
         changed = gltf.integer(sparse, "count")
         if changed > count:

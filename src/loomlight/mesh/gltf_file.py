@@ -29,12 +29,14 @@ class GltfFile:
     Attributes:
         own_buffer: of a GLB file.
         size: bytes of the file and of the buffers read so far; no array of the file has more rows.
+        elements_read: of accessors so far.
     """
 
     file: Path
     tree: Entry
     own_buffer: bytes | None
     size: int
+    elements_read: int = 0
     _buffers: dict[int, bytes] = field(default_factory=dict)
 
     def damaged(self, what: str) -> InputError:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.mesh.cloth_mesh import ClothMesh, MeshPart, vertex_normals
+from loomlight.mesh.cloth_mesh import MAX_PARTS, ClothMesh, MeshPart, vertex_normals
 from loomlight.mesh.polygons import triangulate
 
 _CONTINUED = re.compile(r"\\[ \t]*\n")
@@ -68,8 +68,14 @@ def read_obj(file: Path) -> list[MeshPart]:
     face = np.repeat(np.arange(len(counts)), counts)[triangles[:, 0]]
     key = key_of_part[np.searchsorted(starts, face, side="right") - 1]
     parts = []
-    for (name, material), number in keys.items():
-        rows, inverse = _distinct(corners[triangles[key == number].ravel()])
+    order = np.argsort(key, kind="stable")
+    pieces = np.split(order, np.searchsorted(key[order], np.arange(1, len(keys))))
+    if sum(len(piece) > 0 for piece in pieces) > MAX_PARTS:
+        raise InputError(f"{file} has more than {MAX_PARTS} parts (o, g, usemtl): join some.")
+    for (name, material), piece in zip(keys, pieces, strict=True):
+        if len(piece) == 0:
+            continue
+        rows, inverse = _distinct(corners[triangles[piece].ravel()])
         own = normals[rows[:, 2]]
         if smooth is not None:
             own = np.where(rows[:, 2:] < 0, smooth[rows[:, 0]], own)

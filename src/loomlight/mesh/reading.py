@@ -91,7 +91,7 @@ def _pieces(part: MeshPart) -> list[MeshPart]:
     has_uv: NDArray[np.bool_] = np.zeros(len(mesh.triangles), bool)
     if len(mesh.uv):
         has_uv = np.all((np.abs(mesh.uv) < MAX_COORDINATE)[mesh.triangles], axis=(1, 2))
-    covered, bare = (_some(mesh, chosen) for chosen in (has_uv, ~has_uv))
+    covered, bare = (mesh if chosen.all() else _some(mesh, chosen) for chosen in (has_uv, ~has_uv))
     if len(covered.triangles) and collapses(covered):
         covered = _without_uv(covered)
     pieces = covered, _without_uv(bare)
