@@ -24,6 +24,7 @@ from loomlight.mitsuba.lights import direction_of, environment_dict, light_dicts
 from loomlight.mitsuba.mesh_arrays import set_uv
 from loomlight.mitsuba.meshes import from_shape, to_shape
 from loomlight.mitsuba.placement import Placement, placed
+from loomlight.mitsuba.scene_meshes import check_scene_meshes
 from loomlight.mitsuba.scene_props import backdrop, ball, ground
 
 # The BSDF of a user's scene file that is replaced by the fabric.
@@ -311,6 +312,7 @@ def _from_file(
     max_depth: int | None,
 ) -> ClothScene:
     require_file(file)
+    check_scene_meshes(file)
     try:
         # Optimised, BSDFs that look alike would be one, and the names of the others lost.
         scene = mi.load_file(str(file), optimize=False)
