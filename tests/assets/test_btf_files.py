@@ -45,8 +45,8 @@ def colours() -> NDArray[np.float64]:
     return np.einsum("v,l,yx,c->vlyxc", view, light, wave, tint)
 
 
-def write_2003(path: Path, count: int | None = None) -> None:
-    with zipfile.ZipFile(path, "w") as archive:
+def write_2003(path: Path, count: int | None = None, deflated: bool = False) -> None:
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED if deflated else zipfile.ZIP_STORED) as archive:
         pairs = [(v, k) for v in range(len(VIEWS)) for k in range(len(LIGHTS))]
         for v, k in pairs[:count]:
             (tl, pl), (tv, pv) = LIGHTS[k], VIEWS[v]
@@ -232,3 +232,25 @@ def refused(folder: Path, name: str, says: str, capsys: pytest.CaptureFixture[st
     assert says in error
     assert len(error.splitlines()) == 1
     assert not (folder / "a.loom").exists()
+
+
+def test_a_damaged_stream_in_a_zip_is_one_sentence(tmp_path: Path) -> None:
+    write_2003(tmp_path / "a.zip", deflated=True)
+    held = bytearray((tmp_path / "a.zip").read_bytes())
+    start = held.index(b".jpg") + 4
+    held[start : start + 40] = bytes(range(216, 256))
+    (tmp_path / "a.zip").write_bytes(held)
+    with pytest.raises(InputError, match=r"a\.zip is damaged: "):
+        read_btf(tmp_path / "a.zip")
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize(("yuv", "value"), [(True, 1e30), (False, np.nan), (False, np.inf)])
+def test_pixels_that_are_not_finite_are_refused(yuv: bool, value: float, tmp_path: Path) -> None:
+    write_2014(tmp_path / "a.btf", yuv=yuv)
+    held = (tmp_path / "a.btf").read_bytes()
+    (tmp_path / "a.btf").write_bytes(held[: len(held) // 2] + struct.pack("<f", value) * (len(held) // 8))
+    pictures = read_btf(tmp_path / "a.btf") if len(held) % 8 == 0 else None
+    if pictures is not None:
+        with pytest.raises(InputError, match="it has pixels that are no finite numbers"):
+            pictures.pixels(*queries())

@@ -117,3 +117,16 @@ def test_faults_are_one_sentence(file: Path, tmp_path: Path, capsys: pytest.Capt
     short.write_bytes(b"\0" * 40)
     with pytest.raises(InputError, match="no MERL file: one begins with the dimensions"):
         read_merl(short)
+    short.write_bytes(b"\x5a\0\0\0\x5a")
+    with pytest.raises(InputError, match="no MERL file"):
+        read_merl(short)
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("value", [1e300, -1e300, np.nan, np.inf])
+def test_numbers_that_no_reflectance_has_are_refused(file: Path, tmp_path: Path, value: float) -> None:
+    held = bytearray(file.read_bytes())
+    held[8012:8020] = np.array(value, "<f8").tobytes()
+    (tmp_path / "a.binary").write_bytes(held)
+    with pytest.raises(InputError, match="numbers that no reflectance has"):
+        read_merl(tmp_path / "a.binary")

@@ -1,36 +1,26 @@
-"""The fuzzer of drafts for a short while; and that it would notice a fault."""
+"""The fuzzers of drafts and measured data for a short while."""
 
 import pytest
 
+from tools import fuzz_btf, fuzz_merl
 from tools import fuzz_wif as fuzzer
+from tools.fuzzing import fuzz, outcome_of
 
 
-def test_mutilated_files_are_read_or_refused() -> None:
-    originals = fuzzer.originals_in(fuzzer.FIXTURES)
-    assert len(originals) >= 6
-    faults = {
-        seed: fault
-        for seed in range(300)
-        if (fault := fuzzer.fault_of(fuzzer.mutated(seed, originals))) is not None
-    }
-    assert faults == {}
+@pytest.mark.parametrize("name", ["wif", "pictures"])
+def test_mutilated_drafts_are_read_or_refused(name: str) -> None:
+    (target,) = (target for target in fuzzer.targets() if target.name == name)
+    figures = fuzz(target, range(200), None, None)
+    assert (figures["files"], figures["faults"]) == (200, 0)
 
 
-def test_the_fuzzer_notices_a_crash(monkeypatch: pytest.MonkeyPatch) -> None:
-    def crash(content: bytes) -> None:
-        raise ZeroDivisionError(len(content))
-
-    monkeypatch.setattr(fuzzer, "_read", crash)
-    assert "ZeroDivisionError" in (fuzzer.fault_of(b"[WIF]") or "")
+@pytest.mark.parametrize("module", [fuzz_btf, fuzz_merl])
+def test_mutilated_measured_data_are_read_or_refused(module: object) -> None:
+    for target in module.targets():  # type: ignore[attr-defined]
+        assert fuzz(target, range(10 if target.name == "merl" else 100), None, None)["faults"] == 0
 
 
 def test_originals_are_read_whole() -> None:
-    kinds = [fuzzer.outcome_of(content).kind for content in fuzzer.originals_in(fuzzer.FIXTURES)]
+    originals = fuzzer.originals_in(fuzzer.FIXTURES)
+    kinds = [outcome_of(fuzzer.read_twice, content).kind for content in originals]
     assert kinds == ["read"] * 3 + ["read with warnings"] * 3
-
-
-def test_the_record_counts_outcomes() -> None:
-    figures = fuzzer.fuzz(fuzzer.originals_in(fuzzer.FIXTURES), range(40))
-    assert sum(figures["outcomes"].values()) == figures["files"] == 40
-    assert 0 < figures["slowest_cpu_seconds"] < fuzzer.SLOWEST_S
-    assert figures["missed"] == []

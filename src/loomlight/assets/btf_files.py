@@ -12,11 +12,14 @@ All lengths are read before anything is allocated, so that a truncated file is r
 
 from __future__ import annotations
 
+import lzma
 import math
 import os
 import re
 import struct
+import warnings
 import zipfile
+import zlib
 from dataclasses import dataclass
 from io import BytesIO
 from pathlib import Path
@@ -24,7 +27,7 @@ from typing import BinaryIO, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image, UnidentifiedImageError
+from PIL import Image
 
 from loomlight.core.colour import srgb_to_linear
 from loomlight.core.errors import InputError
@@ -34,6 +37,13 @@ _NAME = re.compile(r"tl(\d{3}) pl(\d{3}) tv(\d{3}) pv(\d{3})\.jpe?g$", re.IGNORE
 _MAGIC = b"!DFMF08FC"
 # Size, version, three texts, pixels per millimetre, and a colour.
 _COMMON = struct.Struct("<II80s80s80sf3f")
+# Bytes of a JPEG in a ZIP.
+_MAX_PICTURE = 1 << 26
+# What zipfile and its decompressors raise of damaged files.
+_ZIP_FAULTS = (
+    zipfile.BadZipFile, zlib.error, lzma.LZMAError, struct.error, EOFError, OSError, NotImplementedError,
+    RuntimeError, ValueError, OverflowError, KeyError, IndexError,
+)  # fmt: skip
 _MAX_DIRECTIONS, _MAX_SIDE, _MAX_TEXT = 4096, 8192, 1 << 24
 _RGB, _LOG_YUV = 0, 11
 _LOG_EPSILON = 1e-5
@@ -99,11 +109,16 @@ class Ubo2003:
                     )
                 if len(set(angles.values())) < len(angles):
                     raise InputError(f"{file} is damaged: it has two pictures of the same directions.")
-                pictures = [_decoded(file, name, archive.read(name)) for name in angles]
-        except (zipfile.BadZipFile, EOFError, OSError, NotImplementedError, RuntimeError) as error:
-            raise InputError(f"{file} is damaged: {error}.") from error
-        if len({picture.shape for picture in pictures}) > 1:
-            raise InputError(f"{file} is damaged: its pictures are of different sizes.")
+                pictures: list[NDArray[np.uint8]] = []
+                for name in angles:
+                    held = archive.getinfo(name)
+                    if held.compress_size > file.stat().st_size or held.file_size > _MAX_PICTURE:
+                        raise InputError(f'{file} is damaged: its picture "{name}" is too large.')
+                    pictures.append(_decoded(file, name, archive.read(name)))
+                    if pictures[-1].shape != pictures[0].shape:
+                        raise InputError(f"{file} is damaged: its pictures are of different sizes.")
+        except _ZIP_FAULTS as error:
+            raise InputError(f"{file} is damaged: {' '.join(str(error).split())[:100]}.") from error
         self.height, self.width = pictures[0].shape[:2]
         degrees = np.array(list(angles.values()), np.float64)
         (lights, of_light), (views, of_view) = (
@@ -133,16 +148,21 @@ class Ubo2003:
 
 def _decoded(file: Path, name: str, held: bytes) -> NDArray[np.uint8]:
     try:
-        with Image.open(BytesIO(held)) as picture:
+        # Pillow warns of a size; the size is checked here.
+        with warnings.catch_warnings(action="ignore"), Image.open(BytesIO(held)) as picture:
+            if not 1 <= max(picture.size) <= _MAX_SIDE:
+                raise InputError(
+                    f'{file} is damaged: its picture "{name}" has {max(picture.size)} pixels a side.'
+                )
             return np.asarray(picture.convert("RGB"))
-    except (UnidentifiedImageError, OSError, SyntaxError) as error:
+    except (Image.DecompressionBombError, *_ZIP_FAULTS, SyntaxError) as error:
         raise InputError(f'{file} is damaged: its picture "{name}" cannot be read.') from error
 
 
 def _directions(polar: NDArray[np.float64], azimuth: NDArray[np.float64], file: Path) -> NDArray[np.float32]:
     """Unit vectors [n, 3] of angles in degrees."""
     if not ((polar >= 0) & (polar <= 90)).all() or not ((azimuth >= 0) & (azimuth <= 360)).all():
-        raise InputError(f"{file} is damaged: it has a direction below the surface.")
+        raise InputError(f"{file} is damaged: it has a direction that is not above the surface.")
     polar, azimuth = np.radians(polar), np.radians(azimuth)
     sine = np.sin(polar)
     vectors = np.stack([sine * np.cos(azimuth), sine * np.sin(azimuth), np.cos(polar)], axis=1)
@@ -199,6 +219,8 @@ class Ubo2014:
             self._refuse("the length of its header is wrong")
         views, lights = self._angles(stream)
         self.width, self.height = (self._number(stream, _MAX_SIDE) for _ in range(2))
+        if not self.width or not self.height:
+            self._refuse("its pictures have no pixels")
         if has_rotations:
             self._skip(stream, 36 * self._number(stream, _MAX_DIRECTIONS))
         self._number(stream)  # components, again in each channel
@@ -231,6 +253,8 @@ class Ubo2014:
         if not views or not lights:
             self._refuse("it has no directions")
         pairs = (np.array(views, np.float64), np.array(lights, np.float64).reshape(-1, 2))
+        if not all(np.isfinite(part).all() for part in pairs):
+            self._refuse("it has a direction that is no finite number")
         of_views, of_lights = (
             _directions(degrees[:, 0], degrees[:, 1], self._file)
             for degrees in (np.degrees(_azimuths(part)) for part in pairs)
@@ -277,15 +301,18 @@ class Ubo2014:
     ) -> NDArray[np.float32]:
         """See `BtfPictures.pixels`."""
         picture, place = views * len(self.lights) + lights, (self.height - 1 - rows) * self.width + columns
-        channels = [
-            np.einsum("nk,nk->n", left[picture].astype(np.float32), right[place].astype(np.float32))
-            for left, right in self._factors
-        ]
-        values = np.stack(channels, axis=1)
-        if self._is_yuv:
-            luminance = np.exp(values[:, :1]) - _LOG_EPSILON
-            chroma = values[:, 1:] * luminance + _LOG_EPSILON
-            values = np.concatenate([luminance, chroma], axis=1) @ _TO_RGB.T
+        with np.errstate(all="ignore"):  # what overflows is not finite, and refused
+            channels = [
+                np.einsum("nk,nk->n", left[picture].astype(np.float32), right[place].astype(np.float32))
+                for left, right in self._factors
+            ]
+            values = np.stack(channels, axis=1)
+            if self._is_yuv:
+                luminance = np.exp(values[:, :1]) - _LOG_EPSILON
+                chroma = values[:, 1:] * luminance + _LOG_EPSILON
+                values = np.concatenate([luminance, chroma], axis=1) @ _TO_RGB.T
+        if not np.isfinite(values).all():
+            self._refuse("it has pixels that are no finite numbers")
         return np.maximum(values, 0).astype(np.float32)
 
 

@@ -26,6 +26,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
+from loomlight.assets import rgl
 from loomlight.assets.toml_source import SizedSource, SourceFields, has_field, read_fields
 from loomlight.core.errors import InputError
 from loomlight.core.images import PICTURE_SUFFIXES, read_map
@@ -106,9 +107,9 @@ class Material(SizedSource):
 
 
 def is_material_file(path: str | os.PathLike[str]) -> bool:
-    """Whether a path is a Mitsuba XML file, or a TOML file that names one."""
+    """Whether a path is a Mitsuba XML file, a measured `.bsdf`, or a TOML file that names one."""
     file = Path(path)
-    return file.suffix.lower() == _SUFFIX or has_field(path, _FIELD)
+    return file.suffix.lower() in (_SUFFIX, rgl.SUFFIX) or has_field(path, _FIELD)
 
 
 def load_material(path: str | os.PathLike[str]) -> Material:
@@ -120,8 +121,10 @@ def load_material(path: str | os.PathLike[str]) -> Material:
     """
     file = Path(path)
     with speaking_of(str(file)):
+        size = (DEFAULT_SIZE_MM, DEFAULT_SIZE_MM)
+        if file.suffix.lower() == rgl.SUFFIX:
+            return material_from_xml(rgl.measured_xml(file), file.parent, file.stem, size)
         if file.suffix.lower() == _SUFFIX:
-            size = (DEFAULT_SIZE_MM, DEFAULT_SIZE_MM)
             return material_from_xml(read_text(file), file.parent, file.stem, size)
         fields = read_fields(file, _File)
         xml = file.parent / fields.material
@@ -279,6 +282,8 @@ def _content(file: Path) -> Bytes:
         if file.stat().st_size > _MAX_FILE:
             raise InputError(f"{file} is larger than {_MAX_FILE >> 20} MiB.")
         suffix = file.suffix.lower()
+        if suffix == rgl.SUFFIX:
+            rgl.require_rgl(file)
         if suffix in (".exr", *PICTURE_SUFFIXES):
             pixels = read_map(file, 3)
             height, width = pixels.shape[:2]

@@ -42,6 +42,8 @@ MAX_STORED = 8
 _CELL_MM = 25.0
 _MAX_HALF = 65504.0
 _MIN_COSINE = 1e-4
+# Stored numbers beyond it are no reflectance, and would overflow float32.
+_MAX_STORED = 1e12
 
 
 class _Record(BaseModel):
@@ -154,22 +156,22 @@ def read_merl(path: str | os.PathLike[str]) -> _Floats:
     """f, linear RGB, 1/sr, of a file [θ_h, θ_d, φ_d, 3].
 
     Raises:
-        InputError: no such file, a truncated one, another format, or NaN.
+        InputError: no such file, a truncated one, another format, NaN, or numbers that are far too large.
     """
     require_file(path)
     file = Path(path)
     with speaking_of(str(file)):
         with file.open("rb") as stream:
-            dimensions = np.frombuffer(stream.read(12), np.dtype("<i4"))
-            if len(dimensions) != 3 or tuple(dimensions) != BINS:
+            if stream.read(12) != np.array(BINS, "<i4").tobytes():
                 raise InputError(f"it is no MERL file: one begins with the dimensions {BINS}.")
             size = file.stat().st_size
             if size != _BYTES:
                 fault = "truncated" if size < _BYTES else "too long"
                 raise InputError(f"it is {fault}: a MERL file has {_BYTES} bytes, it has {size}.")
             stored = np.fromfile(stream, np.dtype("<f8"))
-        if not np.isfinite(stored).all():
-            raise InputError("it holds NaN or infinity: download it again.")
+        # NaN compares as false.
+        if not (np.abs(stored) <= _MAX_STORED).all():
+            raise InputError("it holds NaN, infinity or numbers that no reflectance has: download it again.")
         planes = stored.reshape(3, *BINS).astype(np.float32)
         return np.maximum(np.moveaxis(planes, 0, -1) * SCALES.astype(np.float32), 0)
 

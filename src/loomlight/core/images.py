@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -243,10 +244,13 @@ def _opened(path: str | os.PathLike[str]) -> Iterator[Image.Image]:
 
 @contextmanager
 def _without_pillow_limit() -> Iterator[None]:
-    """Lifts Pillow's bound on pixels, whose message names no size; ours does."""
+    """Lifts Pillow's bound on pixels, whose message names no size; ours does. Silences its warnings."""
     bound = Image.MAX_IMAGE_PIXELS
     Image.MAX_IMAGE_PIXELS = None
     try:
-        yield
+        with warnings.catch_warnings():
+            # Of damaged tags that matter to no pixel; those that do end in an error.
+            warnings.filterwarnings("ignore", module="PIL")
+            yield
     finally:
         Image.MAX_IMAGE_PIXELS = bound
