@@ -14,9 +14,11 @@ import pytest
 from loomlight.assets.load import load_source
 from loomlight.assets.loom_file import LoomFile, read_loom, write_loom
 from loomlight.assets.material import Material
+from loomlight.cli.main import run
 from loomlight.core.errors import InputError
 from loomlight.mitsuba.material_queries import MaterialReflectance
-from tools.fuzz_merl import rgl_file
+from loomlight.models.registry import model_from_loom
+from tools.fuzz_merl import merl_file, rgl_file
 
 
 def up(count: int) -> np.ndarray:
@@ -57,3 +59,16 @@ def test_damage_is_one_sentence(content: bytes, says: str, tmp_path: Path) -> No
     (tmp_path / "a.bsdf").write_bytes(content)
     with pytest.raises(InputError, match=says):
         load_source(tmp_path / "a.bsdf")
+
+
+@pytest.mark.parametrize("name", ["satin_rgb.bsdf", "brass.binary"])
+def test_measured_brdfs_are_baked_as_downloaded(name: str, tmp_path: Path) -> None:
+    """Settings are the smallest; what is learned is another test's."""
+    (tmp_path / name).write_bytes(rgl_file() if name.endswith("bsdf") else merl_file())
+    options = ["decoder=2x16", "resolution=8", "steps=2", f"folder={tmp_path / 'kept'}"]
+    settings = [part for option in options for part in ("--set", option)]
+    assert (
+        run(["bake", str(tmp_path / name), "--model", "latent", "-o", str(tmp_path / "a.loom"), *settings])
+        == 0
+    )
+    assert model_from_loom(tmp_path / "a.loom").source.name == Path(name).stem

@@ -461,3 +461,11 @@ def test_a_failed_write_leaves_nothing(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="does not exist"):
         write_wif(named_weave("plain"), tmp_path / "none" / "draft.wif")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_long_values_are_shortened_in_every_message(tmp_path: Path) -> None:
+    file = tmp_path / "long.wif"
+    file.write_text(f"[WIF]\nVersion=1.1\n[CONTENTS]\nLIFTPLAN={'1' * 5000}\n[THREADING]\n1=1\n2=2\n")
+    with pytest.raises(InputError, match=r"\[CONTENTS\] says LIFTPLAN=1+…\)") as refusal:
+        read_wif(file)
+    assert len(str(refusal.value)) < 600

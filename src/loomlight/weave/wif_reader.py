@@ -25,7 +25,7 @@ from loomlight.weave.draft import MAXIMUM_THREADS, Draft, LoomPlan
 from loomlight.weave.layers import warn_of_layers
 from loomlight.weave.loom import plan_drawdown
 from loomlight.weave.wif_source import Entries, WifSource
-from loomlight.weave.wif_text import WifText, read_wif_text
+from loomlight.weave.wif_text import WifText, read_wif_text, shortened
 from loomlight.weave.wif_threads import read_family, read_palette
 from loomlight.weave.wif_values import integer, number_set, thread_number, without_comment, yes_or_no
 
@@ -188,7 +188,7 @@ def _nothing_lifts(
                 "a [LIFTPLAN] would do as well",
             )
     said = text.value("CONTENTS", "LIFTPLAN")
-    contents = f" ([CONTENTS] says LIFTPLAN={said})" if said else ""
+    contents = f" ([CONTENTS] says LIFTPLAN={shortened(said)})" if said else ""
     return InputError(
         f"{text.file}: [LIFTPLAN] is {'empty' if 'LIFTPLAN' in text.sections else 'missing'}{contents}, "
         "and so are [TIEUP] and [TREADLING]: one or the other must say which shafts each pick lifts."

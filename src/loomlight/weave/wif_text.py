@@ -72,10 +72,11 @@ class WifText:
 
 
 def _place(section: str, key: str, value: str) -> str:
-    return f"[{section}] {_shortened(key)}={_shortened(value)}"
+    return f"[{section}] {shortened(key)}={shortened(value)}"
 
 
-def _shortened(text: str) -> str:
+def shortened(text: str) -> str:
+    """A value as messages show it: printable, and not long."""
     printable = "".join(character if character.isprintable() else "?" for character in text[: _SHOWN + 1])
     return printable if len(printable) <= _SHOWN else printable[:_SHOWN] + "…"
 
@@ -221,13 +222,13 @@ def _by_key(file: str, sections: dict[str, Section]) -> dict[str, dict[str, tupl
         for folded, found in several.items() if name in _SECTIONS_OF_SETS else ():
             table[folded] = table[folded][0], ",".join(value.partition(";")[0] for value in found)
         for folded, found in list(several.items())[:1]:
-            place = f"[{name}] {_shortened(table[folded][0])}"
+            place = f"[{name}] {shortened(table[folded][0])}"
             times = "twice" if len(found) == 2 else f"{len(found)} times"
             others = f", and {len(several) - 1} other keys are too" if len(several) > 1 else ""
             used = "all of them are" if name in _SECTIONS_OF_SETS else "the latter is"
             warnings.warn(
-                f"{file}: {place} is there {times}, as '{_shortened(found[0])}' and as "
-                f"'{_shortened(found[-1])}'{others}; {used} used.",
+                f"{file}: {place} is there {times}, as '{shortened(found[0])}' and as "
+                f"'{shortened(found[-1])}'{others}; {used} used.",
                 LoomlightWarning,
                 stacklevel=2,
             )

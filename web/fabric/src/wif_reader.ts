@@ -17,7 +17,7 @@ import { InputError, type Warn } from "./errors.ts";
 import { warnOfLayers } from "./layers.ts";
 import { planDrawdown } from "./loom.ts";
 import { readFamily, readPalette } from "./wif_threads.ts";
-import { decodeWif, MAXIMUM_BYTES, parseWifText, type WifText } from "./wif_text.ts";
+import { decodeWif, MAXIMUM_BYTES, parseWifText, shortened, type WifText } from "./wif_text.ts";
 import { integer, numberSet, threadNumber, withoutComment, yesOrNo } from "./wif_values.ts";
 
 /**
@@ -175,7 +175,7 @@ function nothingLifts(text: WifText, tieup: Table, treadling: Table): InputError
     );
   }
   const said = text.value("CONTENTS", "LIFTPLAN");
-  const contents = said === "" ? "" : ` ([CONTENTS] says LIFTPLAN=${said})`;
+  const contents = said === "" ? "" : ` ([CONTENTS] says LIFTPLAN=${shortened(said)})`;
   return new InputError(
     `${text.file}: [LIFTPLAN] is ${text.has("LIFTPLAN") ? "empty" : "missing"}${contents}, and so are [TIEUP] and ` +
       "[TREADLING]: one or the other must say which shafts each pick lifts.",

@@ -60,7 +60,8 @@ function place(section: string, key: string, value: string): string {
   return `[${section}] ${shortened(key)}=${shortened(value)}`;
 }
 
-function shortened(text: string): string {
+/** A value as messages show it: printable, and not long. */
+export function shortened(text: string): string {
   const printable = text.slice(0, SHOWN + 1).replace(/[\p{C}\p{Zl}\p{Zp}]/gu, "?");
   return printable.length <= SHOWN ? printable : `${printable.slice(0, SHOWN)}…`;
 }
