@@ -6,20 +6,25 @@ Covers: viewer/openness_json.py
 
 from __future__ import annotations
 
+import asyncio
 import http.client
 import json
 import socket
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
 import pytest
 from safetensors.numpy import load
+from starlette.exceptions import HTTPException
+from starlette.requests import Request
 
 from loomlight.fabric import fabric_from_text
 from loomlight.realtime.models import prepared_for
 from loomlight.realtime.tables import pack_fabrics
 from loomlight.viewer.access import Access, is_loopback
+from loomlight.viewer.uploads import read_body
 from loomlight.viewer.wif_worker import MAX_UPLOAD
 from tests.viewer.conftest import Served
 
@@ -196,6 +201,30 @@ def test_pages_of_other_sites_are_refused(local: Served) -> None:
     assert (foreign[0], "another site" in error_of(foreign)) == (403, True)
     own = f"http://127.0.0.1:{local.port}"
     assert local.ask("GET", "/api/session", headers={"Origin": own})[0] == 200
+
+
+@pytest.mark.parametrize(
+    "headers", [{"Host": "[::1"}, {"Host": "[x]"}, {"Origin": "http://[::1"}, {"Origin": "//[x]"}]
+)
+def test_malformed_hosts_and_origins_are_told_so(local: Served, headers: dict[str, str]) -> None:
+    answer = local.ask("GET", "/api/session", headers=headers)
+    assert (answer[0], f"The {next(iter(headers))} " in error_of(answer)) == (400, True)
+
+
+def test_too_many_values_are_refused_before_they_are_parsed(local: Served) -> None:
+    # No JSON at all, which a parser would say.
+    answer = local.ask("POST", "/api/save", b"," * 1_000_001)
+    assert (answer[0], "1,000,000 values" in error_of(answer)) == (413, True)
+
+
+def test_a_body_that_never_comes_is_given_up() -> None:
+    async def receive() -> Any:
+        await asyncio.Event().wait()
+
+    request = Request({"type": "http", "headers": []}, receive)
+    # In a thread of its own: Playwright leaves its loop running in that of the tests.
+    with ThreadPoolExecutor(1) as pool, pytest.raises(HTTPException, match="did not arrive within 0 s"):
+        pool.submit(lambda: asyncio.run(read_body(request, 10, seconds=0))).result()
 
 
 def test_token_is_asked_for(shared: Served) -> None:

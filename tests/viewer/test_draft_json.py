@@ -45,6 +45,7 @@ def test_bits_are_row_by_row_without_padding() -> None:
     ("change", "said"),
     [
         ({"drawdown": "1Y"}, "base64"),
+        ({"drawdown": "1Y²="}, "base64"),
         ({"drawdown": "1YAA"}, "holds 3 bytes"),
         ({"ends": 0}, "ends"),
         ({"ends": 99999}, "ends"),
@@ -59,3 +60,9 @@ def test_bits_are_row_by_row_without_padding() -> None:
 def test_what_makes_no_draft_is_named(change: dict[str, Any], said: str) -> None:
     with pytest.raises(InputError, match=said):
         draft_of_json({"ends": 3, "picks": 3, "drawdown": "1YA=", **change})
+
+
+def test_crossings_are_counted_before_they_are_unpacked() -> None:
+    # The drawdown is no base64, which its reader would say.
+    with pytest.raises(InputError, match="16384 ends and 16384 picks, 268,435,456 crossings"):
+        draft_of_json({"ends": 16384, "picks": 16384, "drawdown": "?"})

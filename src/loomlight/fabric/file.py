@@ -17,7 +17,7 @@ from loomlight.core.errors import InputError
 from loomlight.core.spectra import is_spectrum
 
 # Stands in a message for the field's name, which only the translation into a sentence knows.
-FIELD = "\0"
+FIELD = "⟦field⟧"
 
 
 def _colour(value: object) -> object:

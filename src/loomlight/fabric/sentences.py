@@ -106,6 +106,8 @@ def _expected(field: FieldInfo) -> str:
     kinds, bounds = _kinds_and_bounds(annotation)
     low = next((bound.ge for bound in bounds if isinstance(bound, Ge)), None)
     high = next((bound.le for bound in bounds if isinstance(bound, Le)), None)
+    if bool in kinds and not kinds & {int, float, str}:
+        return "write true or false"
     if float in kinds:
         return f"write a number from {_number(low)} to {_number(high)}"
     if int in kinds:

@@ -64,10 +64,19 @@ class Access:
     def refusal(self, connection: HTTPConnection) -> Response | None:
         """Error response to a request, or None if it is allowed."""
         host = connection.headers.get("host", "")
-        if self.loopback and not is_loopback(urlsplit(f"//{host}").hostname or ""):
-            return _refused(403, f"This server answers this machine alone, not requests for {host[:100]!r}.")
         origin = connection.headers.get("origin")
-        if origin is not None and urlsplit(origin).netloc != host:
+        try:
+            named = urlsplit(f"//{host}").hostname or ""
+        except ValueError:  # brackets around what is no address
+            return _refused(400, f"The Host {host[:100]!r} of the request is no name or address.")
+        try:
+            foreign = origin is not None and urlsplit(origin).netloc != host
+        except ValueError:
+            said = (origin or "")[:100]
+            return _refused(400, f"The Origin {said!r} of the request is no address of a page.")
+        if self.loopback and not is_loopback(named):
+            return _refused(403, f"This server answers this machine alone, not requests for {host[:100]!r}.")
+        if foreign:
             return _refused(403, "This server answers its own page alone, not a page of another site.")
         if self.token is None:
             return None

@@ -33,6 +33,8 @@ from loomlight.viewer.wif_worker import MAX_UPLOAD, read_uploaded_draft
 
 # The largest draft with a loom plan and colours of every thread, as JSON.
 _MAX_FABRIC = 64 << 20
+# 64 shafts, half of them lifted, at each of 16384 picks are half of these.
+_MAX_VALUES = 1_000_000
 # Drafts that are read at once: each may take the memory that `wif_worker` allows.
 _READERS = 2
 
@@ -110,7 +112,7 @@ def _answered(endpoint: Endpoint) -> Endpoint:
         except LoomlightError as error:
             return JSONResponse({"error": str(error)}, 422)
         except HTTPException as error:
-            return JSONResponse({"error": error.detail}, error.status_code)
+            return JSONResponse({"error": error.detail}, error.status_code, error.headers)
         except UploadTooLargeError as error:
             return TooLargeResponse(error)
         except ClientDisconnect:  # nobody is there to read an answer
@@ -121,12 +123,15 @@ def _answered(endpoint: Endpoint) -> Endpoint:
 
 async def _defect(request: Request, error: Exception) -> Response:
     return JSONResponse(
-        {"error": f"The server failed ({type(error).__name__}); its terminal says more."}, 500
+        {"error": f"The server failed ({type(error).__name__}); this is a defect of loomlight."}, 500
     )
 
 
 async def _json_object(request: Request) -> dict[str, Any]:
     body = await read_body(request, _MAX_FABRIC)
+    # Counted first: the parser holds the interpreter, so nobody is answered meanwhile, in a thread neither.
+    if body.count(b",") > _MAX_VALUES:
+        raise HTTPException(413, f"The request holds more than the {_MAX_VALUES:,} values that a fabric may.")
     try:
         values = json.loads(body)
     except (ValueError, RecursionError) as error:

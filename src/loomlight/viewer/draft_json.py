@@ -8,7 +8,6 @@ null.
 from __future__ import annotations
 
 import base64
-import binascii
 from collections.abc import Mapping, Sequence
 from typing import Annotated, Any, TypeVar
 
@@ -17,6 +16,7 @@ from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from loomlight.core.errors import InputError
+from loomlight.fabric.fabric import MAXIMUM_CROSSINGS
 from loomlight.weave.draft import MAXIMUM_THREADS, Draft, LoomPlan, Threads
 
 # As many shafts as there may be threads: a derived plan can need one for each.
@@ -143,9 +143,15 @@ def _lists(sets: Sequence[frozenset[int]] | None) -> list[list[int]] | None:
 
 def _drawdown(given: DraftJson) -> NDArray[np.bool_]:
     count = given.ends * given.picks
+    if count > MAXIMUM_CROSSINGS:
+        # Before a byte is unpacked: no fabric can be made of it.
+        raise InputError(
+            f"draft has {given.ends} ends and {given.picks} picks, {count:,} crossings: a fabric has at most "
+            f"{MAXIMUM_CROSSINGS:,}."
+        )
     try:
         packed = np.frombuffer(base64.b64decode(given.drawdown, validate=True), np.uint8)
-    except binascii.Error as error:
+    except ValueError as error:  # characters that are none of ASCII, too
         raise InputError(f"draft.drawdown is no base64: {error}.") from error
     if packed.size != (count + 7) // 8:
         raise InputError(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 
+from starlette.exceptions import HTTPException
 from starlette.requests import ClientDisconnect, Request
 from starlette.responses import JSONResponse
 from starlette.types import Receive, Scope, Send
@@ -11,6 +12,8 @@ from starlette.types import Receive, Scope, Send
 # How long the rest of a refused upload is thrown away: a connection that is closed while the other side still
 # sends loses the answer on its way.
 _DRAIN_SECONDS = 10.0
+# How long a body may take: 64 MiB at some 4 Mbit/s.
+BODY_SECONDS = 120.0
 
 
 class UploadTooLargeError(Exception):
@@ -25,13 +28,23 @@ class UploadTooLargeError(Exception):
         self.has_more = has_more
 
 
-async def read_body(request: Request, limit: int) -> bytes:
+async def read_body(request: Request, limit: int, seconds: float = BODY_SECONDS) -> bytes:
     """The body of a request; never more than `limit` bytes, and a part of it, are kept.
 
     Raises:
         UploadTooLargeError: its length is announced as more, or it turns out to be more.
         ClientDisconnect: the connection was cut.
+        HTTPException: it did not come whole within `seconds`.
     """
+    try:
+        async with asyncio.timeout(seconds):
+            return await _read_body(request, limit)
+    except TimeoutError as error:
+        sentence = f"The upload did not arrive within {seconds:g} s."
+        raise HTTPException(408, sentence, {"connection": "close"}) from error
+
+
+async def _read_body(request: Request, limit: int) -> bytes:
     announced = request.headers.get("content-length", "")
     if announced.isdecimal() and int(announced) > limit:
         raise UploadTooLargeError(_sentence(f" of {int(announced) / 2**20:.0f} MiB", limit), True)
