@@ -197,3 +197,17 @@ def test_two_fabrics_in_one_picture_are_each_its_own(plugin: str) -> None:
     assert not np.allclose(*alone, rtol=0.05), "they look alike"
     for half, own in zip((np.s_[:, :16], np.s_[:, 16:]), alone, strict=True):
         np.testing.assert_allclose(both[half], own[half], rtol=1e-3, atol=1e-4)
+
+
+@every_plugin
+def test_a_view_that_is_no_direction_gives_nothing(plugin: str) -> None:
+    """Integrators ask for interactions with no surface too, whose `wi` is 0."""
+    bsdf, count = woven(plugin), 64
+    si = dr.zeros(mi.SurfaceInteraction3f, count)
+    si.uv = mi.Point2f(np.random.default_rng(4).random((2, count), np.float32))
+    two = mi.Point2f(np.random.default_rng(5).random((2, count), np.float32))
+    value, pdf = bsdf.eval_pdf(mi.BSDFContext(), si, mi.Vector3f(0, 0, 1))
+    bs, weight = bsdf.sample(mi.BSDFContext(), si, two.x, two)
+    null = bsdf.eval_null_transmission(si)
+    assert not np.any(np.concatenate([np.ravel(each) for each in (value, pdf, weight, null)]))
+    assert np.isfinite(np.array(bs.wo)).all()

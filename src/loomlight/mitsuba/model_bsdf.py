@@ -181,7 +181,8 @@ def model_bsdf_class() -> type:
                 warn_of_slow_calls(MODELS[self.model.name].plugin)
             edges = uv_footprint(si, self.pixel_angle)
             footprint = replace(draft_footprint(si, self.uv_size, edges), samples=self.pixel_samples)
-            return self.model.at(plain(si.wi), footprint, self._tint(si, edges, active), active)
+            view = dr.select(_is_seen(si), si.wi, mi.Vector3f(0, 0, 1))
+            return self.model.at(plain(view), footprint, self._tint(si, edges, active), active)
 
         def _tint(self, si: mi.SurfaceInteraction3f, edges: tuple[Any, Any], active: Mask) -> Color3 | None:
             if self.albedo is None:
@@ -192,16 +193,18 @@ def model_bsdf_class() -> type:
 
         @nested
         def eval(self, ctx: mi.BSDFContext, si: mi.SurfaceInteraction3f, wo: Any, active: Mask = True) -> Any:
-            return self._value(self._at(si, active), wo, active)
+            at, active = self._at(si, active), active & _is_seen(si)
+            return mi.Spectrum(dr.select(active, at.value(plain(wo), active), 0))
 
         @nested
         def pdf(self, ctx: mi.BSDFContext, si: mi.SurfaceInteraction3f, wo: Any, active: Mask = True) -> Any:
-            return dr.select(active, self._at(si, active).pdf(plain(wo)), 0)
+            return dr.select(active & _is_seen(si), self._at(si, active).pdf(plain(wo)), 0)
 
         @nested
         def eval_pdf(
             self, ctx: mi.BSDFContext, si: mi.SurfaceInteraction3f, wo: Any, active: Mask = True
         ) -> Any:
+            active &= _is_seen(si)
             value, pdf = self._at(si, active).value_and_pdf(plain(wo), active)
             return mi.Spectrum(dr.select(active, value, 0)), dr.select(active, pdf, 0)
 
@@ -215,7 +218,7 @@ def model_bsdf_class() -> type:
             active: Mask = True,
         ) -> Any:
             drawn = self._at(si, active).sample(sample1, variant_types().Vector2(sample2))
-            return bsdf_sample(drawn, si, active)
+            return bsdf_sample(drawn, si, active & _is_seen(si))
 
         @nested
         def eval_pdf_sample(
@@ -239,7 +242,7 @@ def model_bsdf_class() -> type:
             active: Mask = True,
         ) -> tuple[Any, ...]:
             """`eval_pdf_sample` and `eval_null_transmission`, for less than both."""
-            u = variant_types().Vector2(sample2)
+            u, active = variant_types().Vector2(sample2), active & _is_seen(si)
             value, pdf, drawn, null_transmission = self._at(
                 si, active
             ).value_pdf_sample_and_null_transmission(plain(wo), sample1, u)
@@ -257,6 +260,7 @@ def model_bsdf_class() -> type:
             entering: Mask = True,
         ) -> tuple[Any, Any]:
             """`eval` of active lanes and `eval_null_transmission` of entering ones, for less than both."""
+            active, entering = active & _is_seen(si), entering & _is_seen(si)
             at = self._at(si, active | entering)
             value, null_transmission = at.value_and_null_transmission(plain(wo), active)
             value = mi.Spectrum(dr.select(active, value, 0))
@@ -264,14 +268,13 @@ def model_bsdf_class() -> type:
 
         @nested
         def eval_null_transmission(self, si: mi.SurfaceInteraction3f, active: Mask = True) -> Any:
-            return mi.Spectrum(dr.select(active, self._at(si, active).null_transmission, 0))
+            null = self._at(si, active).null_transmission
+            return mi.Spectrum(dr.select(active & _is_seen(si), null, 0))
 
         @nested
         def eval_diffuse_reflectance(self, si: mi.SurfaceInteraction3f, active: Mask = True) -> Any:
-            return mi.Spectrum(dr.select(active, self._at(si, active).diffuse_reflectance, 0))
-
-        def _value(self, at: FootprintBsdf, wo: Any, active: Mask) -> Any:
-            return mi.Spectrum(dr.select(active, at.value(plain(wo), active), 0))
+            reflectance = self._at(si, active).diffuse_reflectance
+            return mi.Spectrum(dr.select(active & _is_seen(si), reflectance, 0))
 
         def to_string(self) -> str:
             facts = {
@@ -283,3 +286,8 @@ def model_bsdf_class() -> type:
             return f"{MODELS[self.model.name].plugin}[\n{lines}\n]"
 
     return ModelBsdf
+
+
+def _is_seen(si: mi.SurfaceInteraction3f) -> Any:
+    """False of a view that is no direction: Mitsuba asks for interactions that are none, whose `wi` is 0."""
+    return dr.squared_norm(si.wi) > 0
