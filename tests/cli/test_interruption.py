@@ -84,12 +84,24 @@ def test_it_ends_and_says_what_is_left(code: str, left: str, send: Callable[[int
 def test_exit_codes_pass_through() -> None:
     process = started("sys.exit(interruption.supervised(lambda: 7))")
     assert process.wait() == 7
-    process = started(
-        "import os, signal\nsys.exit(interruption.supervised(lambda: os.kill(os.getpid(), signal.SIGKILL)))"
-    )
+
+
+@pytest.mark.parametrize(
+    ("name", "says"),
+    [
+        ("SIGKILL", "was ended by SIGKILL, as a system ends work that fills its memory"),
+        ("SIGSEGV", "crashed (SIGSEGV) within a library"),
+        ("SIGABRT", "crashed (SIGABRT) within a library"),
+        ("SIGUSR1", "was ended by SIGUSR1, which another program sent"),
+    ],
+)
+def test_work_that_was_ended_says_by_what(name: str, says: str) -> None:
+    ended = f"lambda: os.kill(os.getpid(), signal.{name})"
+    process = started(f"import os, signal\nsys.exit(interruption.supervised({ended}))")
     _, error = process.communicate()
-    assert process.returncode == 128 + signal.SIGKILL
-    assert error == "loomlight: the work was ended by SIGKILL; was the memory full?\n"
+    assert process.returncode == 128 + getattr(signal, name)
+    assert error.startswith(f"loomlight: the work {says}")
+    assert error.count("\n") == 1
 
 
 def test_a_word_within_one_process(capsys: pytest.CaptureFixture[str]) -> None:

@@ -1,6 +1,6 @@
 """Meshes: every format gives the same cloth, and damaged files end in a sentence.
 
-Covers: mesh/cloth_mesh.py, mesh/scale.py, mitsuba/cloth_shapes.py, mitsuba/faults.py
+Covers: mesh/cloth_mesh.py, mitsuba/cloth_shapes.py, mitsuba/faults.py
 """
 
 from __future__ import annotations

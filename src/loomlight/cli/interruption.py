@@ -109,7 +109,16 @@ def _code_of(status: int) -> int:
     if code >= 0:
         return code
     name = signal.Signals(-code).name
-    print(f"loomlight: the work was ended by {name}; was the memory full?", file=sys.stderr)
+    if name == "SIGKILL":
+        why = "was ended by SIGKILL, as a system ends work that fills its memory: try a smaller --size"
+    elif name in ("SIGSEGV", "SIGBUS", "SIGABRT", "SIGILL", "SIGFPE"):
+        why = (
+            f"crashed ({name}) within a library, which says no more; a damaged file or a fault of the "
+            "library may be the cause, so try without the files that the command names, one at a time"
+        )
+    else:
+        why = f"was ended by {name}, which another program sent"
+    print(f"loomlight: the work {why}.", file=sys.stderr)
     return 128 - code
 
 

@@ -107,7 +107,7 @@ def _viewer(
     import numpy as np
 
     from loomlight.core.white_balance import white_balance as white_balance_gains
-    from loomlight.mesh.scale import uv_size
+    from loomlight.mesh.scale import uv_size, warn_of_extent, warn_of_scale
     from loomlight.mitsuba.camera import framing
     from loomlight.mitsuba.lights import studio_radiance
     from loomlight.mitsuba.scenes import built_in_cloth
@@ -121,6 +121,9 @@ def _viewer(
     material = material_of(fabric)
     cloth, towards_camera, towards_light = built_in_cloth(scene, mesh)
     cloth = cloth.scaled(metres_per_unit if mesh is not None else 1.0)
+    if mesh is not None:
+        warn_of_extent(cloth, metres_per_unit)
+        warn_of_scale(cloth)
     piece = Cloth(
         Mesh(cloth.positions, cloth.normals, cloth.uv, cloth.triangles.astype("uint32")),
         material,

@@ -16,6 +16,7 @@ from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
 from loomlight.mesh.cloth_mesh import ClothMesh, joined
 from loomlight.mesh.reading import read_mesh
+from loomlight.mesh.scale import warn_of_extent, warn_of_scale
 from loomlight.mitsuba import cloth_shapes
 from loomlight.mitsuba.camera import View, framing, look_at, perspective, require_size, require_zoom
 from loomlight.mitsuba.faults import reason_of
@@ -185,11 +186,8 @@ def build_scene(
     size = size or DEFAULT_SIZE
     centre, radius = _bounds(cloth)
     view = framing(cloth.positions, np.array(setup.towards_camera), size)
-    if not MIN_RADIUS <= radius <= MAX_RADIUS:
-        raise InputError(
-            f"{cloth.name} is {2 * radius:.3g} m across, and no cloth is: give the length of one of its "
-            "units as metres_per_unit."
-        )
+    if mesh is not None:
+        _check_scale(cloth, radius, metres_per_unit)
     cloth, millimetres = placed(cloth, placement)
     integrator = mi.load_dict({"type": "footprint_path", "max_depth": max_depth or DEFAULT_DEPTH})
     parts: dict[str, Any] = {
@@ -218,6 +216,16 @@ def build_scene(
         point=(float(point[0]), float(point[1]), float(point[2])),
         view=view,
     )
+
+
+def _check_scale(cloth: ClothMesh, radius: float, metres_per_unit: float) -> None:
+    if not MIN_RADIUS <= radius <= MAX_RADIUS:
+        raise InputError(
+            f"{cloth.name} is {2 * radius:.3g} m across, and no cloth is: give the length of one of its "
+            "units as metres_per_unit."
+        )
+    warn_of_extent(cloth, metres_per_unit)
+    warn_of_scale(cloth)
 
 
 def _require_numbers(
@@ -333,6 +341,7 @@ def _from_file(
         if not shape.is_mesh():
             raise InputError(f"{file}: the shape {shape.id()} is no mesh; only meshes can be woven.")
         mesh = from_shape(shape, f"{file}: {shape.id()}").scaled(metres_per_unit)
+        warn_of_scale(mesh)
         laid, uv_size_mm = placed(mesh, placement)
         if laid is not mesh and not set_uv(shape, laid.uv):
             raise InputError(
@@ -341,6 +350,7 @@ def _from_file(
         shape.set_bsdf(loaded_bsdf(factories[shape.bsdf().id()](uv_size_mm)))
         meshes.append(mesh)
         uv_sizes.append(uv_size_mm)
+    warn_of_extent(joined(meshes), metres_per_unit)
     point, view = _move_camera(scene, joined(meshes).scaled(1 / metres_per_unit), zoom, size)
     integrator = footprint_integrator(scene)
     if max_depth is not None:
