@@ -100,7 +100,7 @@ def render(
         white_balance=white_balance,
         inset=inset if turntable is None else None,
         colors=colors,
-        cloths={name: values[-1] for name, values in cloths.items()} if turntable is None else {},
+        cloths={name: values[-1] for name, values in cloths.items()},
         seed=seed,
         variant=variant,
     )

@@ -78,7 +78,10 @@ ColorOption = Annotated[
 ]
 ClothOption = Annotated[
     list[str] | None,
-    typer.Option(metavar="NAME=FABRIC", help="A further fabric for the BSDFs NAME of a scene file."),
+    typer.Option(
+        metavar="NAME=FABRIC",
+        help="A further fabric for parts or materials NAME of the mesh, or BSDFs NAME of a scene.",
+    ),
 ]
 TurnOption = Annotated[float, typer.Option(help="Turns the weave on the mesh, degrees.")]
 ShiftOption = Annotated[str, typer.Option(metavar="X,Y", help="Shifts the weave on the mesh, millimetres.")]

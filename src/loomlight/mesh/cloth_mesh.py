@@ -121,8 +121,8 @@ def collapses(mesh: ClothMesh) -> bool:
 
 
 def joined(parts: list[ClothMesh]) -> ClothMesh:
-    """One mesh of all parts; raises InputError if one has no uv."""
-    if any(len(part.uv) != len(part.positions) for part in parts):
+    """One mesh of all parts; raises InputError if some have uv and one has none."""
+    if any(len(part.uv) for part in parts) and any(len(part.uv) != len(part.positions) for part in parts):
         raise InputError(f"{parts[0].name}: a part of the mesh has no uv coordinates; unwrap it first.")
     starts = np.cumsum([0] + [len(part.positions) for part in parts[:-1]])
 

@@ -22,7 +22,14 @@ from loomlight.mitsuba.material import material_bsdf
 from loomlight.mitsuba.placement import Placement
 from loomlight.mitsuba.rendering import PartialPicture, Progress, filling_grid
 from loomlight.mitsuba.rendering import render as render_scene
-from loomlight.mitsuba.scenes import DEFAULT_SIZE, SCENES, ClothScene, SceneOptions, build_scene
+from loomlight.mitsuba.scenes import (
+    DEFAULT_SIZE,
+    SCENES,
+    BsdfFactory,
+    ClothScene,
+    SceneOptions,
+    build_scene,
+)
 from loomlight.mitsuba.time_estimate import (
     LOOPS_SECONDS,
     MODEL_SECONDS,
@@ -72,7 +79,8 @@ class RenderSettings:
         inset: a close-up in the upper left corner, in which the weave can be read; by default where the
             material is a weave's name or a draft and the whole drape is shown, at 160 pixels and more.
         colors: other colours of a fabric's yarns, by "warp" and "weft", each as a fabric file's `color`.
-        cloths: of a scene file, further materials by the id of the BSDF that each replaces.
+        cloths: further materials: of a mesh by the name of a part or of its material, of a scene file by the
+            id of the BSDF that each replaces.
         seed: any 32-bit number; the same seed gives the same picture, but for rounding.
         variant: llvm_ad_rgb or cuda_ad_rgb; by default the one that is set, else llvm_ad_rgb.
 
@@ -198,6 +206,11 @@ def shown_material(material: Material, settings: RenderSettings) -> MaterialSpec
     return spec.recoloured(settings.colors) if settings.colors else spec
 
 
+def further_cloths(settings: RenderSettings) -> dict[str, BsdfFactory]:
+    """What `settings.cloths` names, each with a model of its own."""
+    return {name: material_bsdf(cloth) for name, cloth in settings.cloths.items()}
+
+
 @dataclass
 class RenderJob:
     """A picture to render: the material, the scene and its settings.
@@ -267,16 +280,13 @@ class RenderJob:
 
     def scene_and_inset(self) -> tuple[ClothScene, Inset | None]:
         """The scene, with the model baked, and what its close-up shows."""
-        cloths = self.settings.cloths
         if self._own_scene:
-            # A scene file may hold several pieces of cloth, each with a model of its own.
-            bsdf = material_bsdf(self.material)
-            others = {name: material_bsdf(cloth) for name, cloth in cloths.items()}
+            bsdf, others = material_bsdf(self.material), further_cloths(self.settings)
             return build_scene(self.scene, bsdf, others=others, **self.settings.scene_options), None
-        if cloths:
+        if self.settings.cloths and self.settings.mesh is None:
             raise InputError(
-                f"The cloth {next(iter(cloths))} needs a scene file whose BSDFs have names, and "
-                f"{self.scene} is none."
+                f"The cloth {next(iter(self.settings.cloths))} needs a mesh with parts, or a scene file "
+                f"whose BSDFs have names, and {self.scene} is neither."
             )
         return self._built(self.material, self._size)
 
@@ -311,7 +321,8 @@ class RenderJob:
 
     def _built(self, material: MaterialSpec, size: tuple[int, int]) -> tuple[ClothScene, Inset | None]:
         setting: SceneOptions = {**self.settings.scene_options, "size": size}
-        shown = build_scene(self.scene, material_bsdf(material), **setting)
+        others = further_cloths(self.settings)
+        shown = build_scene(self.scene, material_bsdf(material), others=others, **setting)
         if not self._inset:
             return shown, None
         if not isinstance(material.source, Fabric):

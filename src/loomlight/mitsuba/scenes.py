@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, TypedDict
 
@@ -20,6 +20,7 @@ from loomlight.mesh.scale import warn_of_extent, warn_of_scale
 from loomlight.mitsuba import cloth_shapes
 from loomlight.mitsuba.camera import View, framing, look_at, perspective, require_size, require_zoom
 from loomlight.mitsuba.faults import reason_of
+from loomlight.mitsuba.garment import Garment, read_garment
 from loomlight.mitsuba.integrator import footprint_integrator
 from loomlight.mitsuba.lights import direction_of, environment_dict, light_dicts
 from loomlight.mitsuba.mesh_arrays import set_uv
@@ -31,7 +32,12 @@ from loomlight.mitsuba.scene_props import backdrop, ball, ground
 # The BSDF of a user's scene file that is replaced by the fabric.
 FABRIC_ID = "fabric"
 # The cloth of built-in scenes, among their parameters.
-CLOTH_NAME = "cloth"
+# Shapes of built-in scenes: pieces are cloth, cloth1, … .
+CLOTH_NAME, UNCOVERED_NAME = "cloth", "uncovered"
+_UNCOVERED: dict[str, object] = {
+    "type": "twosided",
+    "bsdf": {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.32}},
+}
 DEFAULT_DEPTH = 8
 DEFAULT_SIZE = (640, 480)
 # Half the extent of a mesh, metres: beyond, threads are lost in the rounding of coordinates.
@@ -155,7 +161,8 @@ def build_scene(
         size: width and height in pixels; 640 × 480 by default, a scene file's own otherwise.
         max_depth: longest path, in segments; 8 by default, a scene file's own otherwise.
         placement: how the cloth lies on the mesh.
-        others: of a scene file, further cloths by the id of the BSDF that each replaces.
+        others: further cloths: of a scene file by the id of the BSDF that each replaces, of a mesh by the
+            name of a part or of its material.
 
     Raises:
         InputError: an unknown scene or light, a value out of range, or a file that cannot be used.
@@ -180,21 +187,22 @@ def build_scene(
             raise InputError(f"{field} = {value} does not go with an environment, which is all the light.")
     setup = _SETUPS[str(name)]
     if mesh is None:
-        cloth = setup.cloth()
+        worn = Garment([(setup.cloth(), factory)], None)
     else:
-        setup, cloth = _MESH, read_mesh(mesh).scaled(metres_per_unit)
+        setup, worn = _MESH, read_garment(mesh, metres_per_unit, factory, others or {})
     size = size or DEFAULT_SIZE
+    cloth = joined([replace(piece, uv=np.zeros((0, 2))) for piece in worn.meshes])
     centre, radius = _bounds(cloth)
     view = framing(cloth.positions, np.array(setup.towards_camera), size)
-    if mesh is not None:
-        _check_scale(cloth, radius, metres_per_unit)
-    cloth, millimetres = placed(cloth, placement)
+    _require_extent(cloth.name, radius)
     integrator = mi.load_dict({"type": "footprint_path", "max_depth": max_depth or DEFAULT_DEPTH})
-    parts: dict[str, Any] = {
-        **empty_scene(),
-        "integrator": integrator,
-        CLOTH_NAME: to_shape(cloth, loaded_bsdf(factory(millimetres))),
-    }
+    laid = [(*placed(piece, placement), own) for piece, own in worn.pieces]
+    parts: dict[str, Any] = {**empty_scene(), "integrator": integrator}
+    for number, (piece, millimetres, own) in enumerate(laid):
+        parts[f"{CLOTH_NAME}{number or ''}"] = to_shape(piece, loaded_bsdf(own(millimetres)))
+    if worn.uncovered is not None:
+        bare = replace(worn.uncovered, uv=np.zeros((len(worn.uncovered.positions), 2)))
+        parts[UNCOVERED_NAME] = to_shape(bare, _UNCOVERED)
     if environment is not None:
         parts["environment"] = environment_dict(environment, environment_turn)
     else:
@@ -212,20 +220,18 @@ def build_scene(
     return ClothScene(
         scene=_loaded(parts),
         integrator=integrator,
-        uv_size_mm=millimetres,
+        uv_size_mm=laid[0][1],
         point=(float(point[0]), float(point[1]), float(point[2])),
         view=view,
     )
 
 
-def _check_scale(cloth: ClothMesh, radius: float, metres_per_unit: float) -> None:
+def _require_extent(name: str, radius: float) -> None:
     if not MIN_RADIUS <= radius <= MAX_RADIUS:
         raise InputError(
-            f"{cloth.name} is {2 * radius:.3g} m across, and no cloth is: give the length of one of its "
+            f"{name} is {2 * radius:.3g} m across, and no cloth is: give the length of one of its "
             "units as metres_per_unit."
         )
-    warn_of_extent(cloth, metres_per_unit)
-    warn_of_scale(cloth)
 
 
 def _require_numbers(

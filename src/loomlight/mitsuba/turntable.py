@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterator
 from typing import Any
 
@@ -14,12 +15,21 @@ from numpy.typing import NDArray
 from loomlight.core.errors import InputError
 from loomlight.mitsuba.camera import framing
 from loomlight.mitsuba.material import material_bsdf
-from loomlight.mitsuba.material_picture import RenderSettings, shown_material
+from loomlight.mitsuba.material_picture import RenderSettings, further_cloths, shown_material
 from loomlight.mitsuba.rendering import render
-from loomlight.mitsuba.scenes import CLOTH_NAME, SCENES, ClothScene, SceneOptions, build_scene
+from loomlight.mitsuba.scenes import (
+    CLOTH_NAME,
+    SCENES,
+    UNCOVERED_NAME,
+    ClothScene,
+    SceneOptions,
+    build_scene,
+)
 from loomlight.mitsuba.variants import choose_variant
 from loomlight.models.material_spec import Material
 
+# Positions of pieces of a mesh, by the names of their shapes.
+_PIECE = re.compile(rf"({CLOTH_NAME}\d*|{UNCOVERED_NAME})\.vertex_positions")
 # Degrees at which the whole cloth has to be in the picture.
 _ANGLES = tuple(float(angle) for angle in range(0, 360, 15))
 _UP = np.array([0.0, 1.0, 0.0])
@@ -40,7 +50,8 @@ def turntable(
         raise InputError(f"turntable = {count} does not go with the scene {scene}: nothing in it turns.")
     choose_variant(settings.variant)
     whole: SceneOptions = {**settings.scene_options, "zoom": 1.0}
-    shown = build_scene(scene, material_bsdf(shown_material(material, settings)), **whole)
+    bsdf, others = material_bsdf(shown_material(material, settings)), further_cloths(settings)
+    shown = build_scene(scene, bsdf, others=others, **whole)
     turning = Turntable(shown, settings.zoom, about_middle=settings.mesh is not None)
     yield from turning.pictures(
         count,
@@ -61,12 +72,13 @@ class Turntable:
     def __init__(self, shown: ClothScene, zoom: float = 1.0, *, about_middle: bool = False) -> None:
         self._shown = shown
         self._params: Any = mi.traverse(shown.scene)
-        self._positions = self._rows("vertex_positions")
-        self._normals = self._rows("vertex_normals")
-        low, high = self._positions.min(axis=0), self._positions.max(axis=0)
+        matches = map(_PIECE.fullmatch, self._params.keys())
+        self._rows = {match[1]: self._rows_of(match[1]) for match in matches if match}
+        positions = np.concatenate([rows for rows, _ in self._rows.values()])
+        low, high = positions.min(axis=0), positions.max(axis=0)
         self._axis = (low + high) / 2 * (1 - _UP) if about_middle else 0 * _UP
         width, height = shown.scene.sensors()[0].film().size()
-        whole = np.concatenate([self._turned(self._positions, angle) for angle in _ANGLES])
+        whole = np.concatenate([self._turned(positions, angle) for angle in _ANGLES])
         towards_camera = shown.view.origin - shown.view.target
         view = framing(whole, towards_camera, (int(width), int(height)))
         middle = self._axis + _UP * (low + high) / 2
@@ -83,16 +95,20 @@ class Turntable:
             yield render(self._shown.scene, integrator=self._shown.integrator, **options)
 
     def _turn(self, angle: float) -> None:
-        self._params[f"{CLOTH_NAME}.vertex_positions"] = _flat(self._turned(self._positions, angle))
-        self._params[f"{CLOTH_NAME}.vertex_normals"] = _flat(_rotated(self._normals, angle))
+        for piece, (positions, normals) in self._rows.items():
+            self._params[f"{piece}.vertex_positions"] = _flat(self._turned(positions, angle))
+            self._params[f"{piece}.vertex_normals"] = _flat(_rotated(normals, angle))
         self._params.update()
 
     def _turned(self, positions: NDArray[np.float64], angle: float) -> NDArray[np.float64]:
         return _rotated(positions - self._axis, angle) + self._axis
 
-    def _rows(self, name: str) -> NDArray[np.float64]:
-        values = np.array(self._params[f"{CLOTH_NAME}.{name}"], dtype=np.float64)
-        return values.reshape(-1, 3)
+    def _rows_of(self, piece: str) -> tuple[NDArray[np.float64], ...]:
+        """Positions and normals [n, 3] of a piece."""
+        arrays = ("vertex_positions", "vertex_normals")
+        return tuple(
+            np.array(self._params[f"{piece}.{name}"], dtype=np.float64).reshape(-1, 3) for name in arrays
+        )
 
 
 def _rotated(vectors: NDArray[np.float64], angle: float) -> NDArray[np.float64]:

@@ -1,0 +1,108 @@
+"""Garments: cloths by parts and materials, each at its own scale; what has no uv stays uncovered.
+
+Covers: mitsuba/garment.py
+"""
+
+from __future__ import annotations
+
+import os
+import warnings
+from pathlib import Path
+
+import mitsuba as mi
+import pytest
+
+from loomlight.core.errors import InputError, LoomlightWarning
+from loomlight.mitsuba import build_scene
+from loomlight.mitsuba.garment import read_garment
+from loomlight.mitsuba.turntable import Turntable
+
+DATA = os.environ.get("LOOMLIGHT_DATA")
+SQUARE = ((0, 0), (1, 0), (1, 1), (0, 1))
+
+
+def coat(folder: Path) -> Path:
+    """Two panels of 0.4 m, the second with uv four times as dense, and a button without uv."""
+    lines, first = [], 1
+    for number, (name, material, density) in enumerate(
+        [("front", "shell", 1.0), ("back", "lining", 4.0), ("button", "horn", None)]
+    ):
+        lines += [f"o {name}", f"usemtl {material}"]
+        lines += [f"v {0.5 * number + 0.4 * x} {0.4 * y} 0" for x, y in SQUARE]
+        lines += [f"vt {density * x} {density * y}" for x, y in SQUARE if density is not None]
+        corners = [str(first + k) if density is None else f"{first + k}/{first + k}" for k in range(4)]
+        lines.append("f " + " ".join(corners))
+        first += 4
+    file = folder / "coat.obj"
+    file.write_text("\n".join(lines) + "\n")
+    return file
+
+
+@pytest.mark.filterwarnings("ignore:.*stay uncovered")
+def test_parts_are_clothed_by_their_names_and_materials(tmp_path: Path) -> None:
+    file = coat(tmp_path)
+    garment = read_garment(file, 1.0, "twill", {"lining": "satin"})
+    assert [cloth for _, cloth in garment.pieces] == ["twill", "satin"]
+    assert len(garment.uncovered.triangles) == 2
+    assert [len(mesh.triangles) for mesh in garment.meshes] == [2, 2, 2]
+    by_part = read_garment(file, 1.0, "twill", {"lining": "satin", "back": "plain", "front": "satin"})
+    assert [cloth for _, cloth in by_part.pieces] == ["satin", "plain"]
+
+
+@pytest.mark.filterwarnings("ignore:.*stay uncovered")
+@pytest.mark.parametrize(
+    ("name", "sentence"),
+    [
+        ("linin", 'no part and no material "linin": did you mean lining'),
+        ("sleeve left", "known are front, shell, back, lining"),
+        ("button", 'the part "button" has no usable uv'),
+        ("horn", 'the part "horn" has no usable uv'),
+    ],
+)
+def test_wrong_names_are_told(tmp_path: Path, name: str, sentence: str) -> None:
+    with pytest.raises(InputError, match=sentence):
+        read_garment(coat(tmp_path), 1.0, "twill", {name: "satin"})
+
+
+def test_what_is_uncovered_is_said(tmp_path: Path) -> None:
+    with pytest.warns(LoomlightWarning, match="2 of 6 triangles, of button, have no usable uv"):
+        read_garment(coat(tmp_path), 1.0, "twill", {})
+
+
+@pytest.mark.filterwarnings("ignore:.*stay uncovered")
+def test_threads_of_one_fabric_are_alike_on_parts_of_other_density(tmp_path: Path) -> None:
+    sizes = []
+
+    def cloth(millimetres: tuple[float, float]) -> mi.BSDF:
+        sizes.append(millimetres)
+        return mi.load_dict({"type": "diffuse"})
+
+    shown = build_scene("flat", cloth, mesh=coat(tmp_path), size=(16, 12))
+    assert sorted(sizes) == [pytest.approx((100, 100)), pytest.approx((400, 400))]
+    names = {shape.id() for shape in shown.scene.shapes()}
+    assert {"cloth", "cloth1", "uncovered"} <= names
+
+
+@pytest.mark.filterwarnings("ignore:.*stay uncovered")
+def test_all_pieces_turn_together(tmp_path: Path) -> None:
+    shown = build_scene("flat", {"type": "diffuse"}, mesh=coat(tmp_path), size=(16, 12))
+    before = {shape.id(): shape.bbox() for shape in shown.scene.shapes()}
+    list(Turntable(shown, about_middle=True).pictures(2, spp=1))
+    after = {shape.id(): shape.bbox() for shape in shown.scene.shapes()}
+    moved = {name for name, box in after.items() if abs(box.min.x - before[name].min.x) > 0.1}
+    # The second of the three stands in the middle, and takes its own place.
+    assert len(moved) == 2
+    assert "uncovered" in moved
+
+
+@pytest.mark.skipif(DATA is None, reason="LOOMLIGHT_DATA does not name the folder of outside meshes")
+def test_outside_meshes_of_parts_and_other_units() -> None:
+    cases = Path(DATA or "") / "cases"
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        garment = read_garment(cases / "m11_two_primitives_other_uv_density.gltf", 1.0, "twill", {})
+    assert len(garment.pieces) == 2
+    with pytest.warns(LoomlightWarning, match="1 of 2|stay uncovered|uncovered"):
+        assert read_garment(cases / "m09_part_without_uv.gltf", 1.0, "twill", {}).uncovered is not None
+    with pytest.warns(LoomlightWarning, match=r"--metres-per-unit 0\.001"):
+        read_garment(cases / "o11_mm_units.obj", 1.0, "twill", {})
