@@ -124,7 +124,12 @@ def test_a_loom_holds_the_scene_and_its_files(tmp_path: Path) -> None:
         (RODS.replace("curves/rods", "../rods"), TOML, "files lie in the scene's folder or below it"),
         (RODS.replace("curves/rods", "curves/none"), TOML, "none.txt does not exist"),
         ("<scene version='3.0.0'/>", TOML, "its scene has no shapes"),
-        (PLANE.replace("rectangle", "rectangel"), TOML, "Mitsuba cannot load its scene"),
+        (PLANE.replace("rectangle", "rectangel"), TOML, "did you mean rectangle?"),
+        (
+            PLANE.replace('"reflectance"', '"colour"'),
+            TOML,
+            "load its scene: While loading /loomlight-tile.xml (line 2, col 4): Found 1 unreferenced",
+        ),
         (
             PLANE.replace('x="1" y="0.5" z', 'x="9" y="0.5" z'),
             TOML,

@@ -27,6 +27,13 @@ from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
 from loomlight.assets import rgl
+from loomlight.assets.scene_text import (
+    NO_FILE_CHARACTER,
+    naming_files,
+    parsed_text,
+    require_closed,
+    require_inside,
+)
 from loomlight.assets.toml_source import SizedSource, SourceFields, has_field, read_fields
 from loomlight.core.errors import InputError
 from loomlight.core.images import PICTURE_SUFFIXES, read_map
@@ -101,7 +108,7 @@ class Material(SizedSource):
         root = ElementTree.fromstring(self.xml)
         for name, content in self.files.items():
             (Path(folder) / name).write_bytes(content.tobytes())
-        for element in _naming_files(root):
+        for element in naming_files(root):
             element.set("value", str(Path(folder, element.get("value", "")).absolute()))
         return root
 
@@ -150,7 +157,7 @@ def material_from_xml(
     Raises:
         InputError: as `load_material`.
     """
-    root = _parsed(text)
+    root = parsed_text(text)
     found = _chosen(root, bsdf)
     defined = {
         element.get("id", ""): element
@@ -163,12 +170,15 @@ def material_from_xml(
     found.set("version", root.get("version", "3.0.0"))
     names: dict[Path, str] = {}
     files: dict[str, Bytes] = {}
-    for element in _naming_files(found):
+    for element in naming_files(found):
         file = Path(folder, element.get("value", ""))
         if file not in names:
-            names[file] = f"{len(names)}-{file.name}"
+            names[file] = f"{len(names)}-{NO_FILE_CHARACTER.sub('_', file.name)[-40:]}"
             files[names[file]] = _content(file)
         element.set("value", names[file])
+    require_closed(found, files)
+    # What follows the element in its scene is no part of it.
+    found.tail = None
     return Material(name, size_mm, ElementTree.tostring(found, encoding="unicode"), files)
 
 
@@ -192,7 +202,7 @@ def material_from_record(
     """
     del folder
     header = _Record.model_validate(record)
-    root = _parsed(header.xml)
+    root = parsed_text(header.xml)
     files = {}
     for number, name in enumerate(header.files):
         content = tensors.get(f"{_TENSOR}{number}")
@@ -200,32 +210,13 @@ def material_from_record(
             raise InputError(f"the tensor source.{_TENSOR}{number} must hold the bytes of a file, uint8.")
         if PurePath(name).name != name or name in files:
             raise InputError(f"its source names the file {shown(name)}, which is no name of a file alone.")
+        require_inside(name)
         files[name] = content
-    for element in _naming_files(root):
-        if element.get("value") not in files:
-            raise InputError(f"its source names the file {shown(element.get('value'))}, which it lacks.")
+    if root.tag != "bsdf":
+        raise InputError(f"its source is no BSDF: it begins with <{root.tag}>, not with <bsdf>.")
+    require_closed(root, files)
     width, height = header.size_mm
-    return Material(header.name, (width, height), header.xml, files)
-
-
-def _parsed(text: str) -> ElementTree.Element:
-    # Entities of a DOCTYPE could grow without bound.
-    if "<!DOCTYPE" in text or "<!ENTITY" in text:
-        raise InputError("it holds a DOCTYPE, which no Mitsuba file needs: leave it out.")
-    try:
-        root = ElementTree.fromstring(text)
-    except (ElementTree.ParseError, ValueError) as error:
-        raise InputError(f"it is no valid XML: {error}.") from error
-    for element in root.iter("include"):
-        raise InputError(f"it includes {shown(element.get('filename'))}: write all of it into one file.")
-    values = {element.get("name", ""): element.get("value", "") for element in root.iter("default")}
-    for element in root.iter():
-        for key, value in element.attrib.items():
-            # Longer names first: $size_x begins with $size.
-            for parameter in sorted(values, key=len, reverse=True) if "$" in value else ():
-                value = value.replace(f"${parameter}", values[parameter])
-            element.set(key, value)
-    return root
+    return Material(header.name, (width, height), ElementTree.tostring(root, encoding="unicode"), files)
 
 
 def _chosen(root: ElementTree.Element, wanted: str | None) -> ElementTree.Element:
@@ -267,11 +258,6 @@ def _resolve(element: ElementTree.Element, defined: Mapping[str, ElementTree.Ele
                 child.set("name", name)
             element[position] = child
         _resolve(child, defined, depth + 1)
-
-
-def _naming_files(root: ElementTree.Element) -> list[ElementTree.Element]:
-    """The elements that name a file."""
-    return [element for element in root.iter("string") if element.get("name") == "filename"]
 
 
 def _content(file: Path) -> Bytes:

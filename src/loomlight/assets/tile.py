@@ -15,15 +15,16 @@ from __future__ import annotations
 
 import os
 import xml.etree.ElementTree as ElementTree
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 from typing import Annotated, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
+from loomlight.assets.scene_text import naming_files, parsed_text, require_closed, require_inside, without
 from loomlight.assets.toml_source import Lengths, SizedSource, SourceFields, has_field, read_fields
 from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
@@ -35,6 +36,8 @@ _MAX_BOUNCES = 64
 # Bytes of all files of a scene together.
 _MAX_FILES = 1 << 28
 _FILE = "file."
+# Elements of a scene that are left out.
+_UNUSED = ("sensor", "integrator", "film", "sampler", "rfilter")
 
 _Height = Annotated[float, Field(ge=-1e6, le=1e6)]
 _Bounces = Annotated[int, Field(ge=1, le=_MAX_BOUNCES)]
@@ -78,7 +81,7 @@ class TileScene(SizedSource):
 
     Attributes:
         name: in messages.
-        scene: the text of the scene file.
+        scene: the text of the scene, which reads `files` alone.
         files: bytes of the files that it names, by the names it gives them.
         size_mm: width and height of a repeat, millimetres.
         reference_height_mm: z of the reference plane, millimetres.
@@ -111,8 +114,9 @@ def load_tile(path: str | os.PathLike[str]) -> TileScene:
         fields = read_fields(file, _File)
         with speaking_of(f"tile = {shown(fields.tile)}"):
             scene_file = file.parent / fields.tile
-            scene = read_text(scene_file)
-            files = _files_of(scene, scene_file.parent)
+            root = _read_scene(read_text(scene_file))
+            files = _files_of(root, scene_file.parent)
+            scene = _checked_text(root, files)
         width, length = fields.size_mm
         return TileScene(
             fields.name or file.stem,
@@ -125,39 +129,33 @@ def load_tile(path: str | os.PathLike[str]) -> TileScene:
         )
 
 
-def parsed_scene(text: str) -> ElementTree.Element:
-    """The root of a scene's XML.
-
-    Raises:
-        InputError: it is none.
-    """
-    try:
-        root = ElementTree.fromstring(text)
-    except ElementTree.ParseError as error:
-        raise InputError(f"it is no valid XML: {error}.") from error
+def _read_scene(text: str) -> ElementTree.Element:
+    """The scene of a tile without what is not used of it: sensors, films and integrators."""
+    root = parsed_text(text)
     if root.tag != "scene":
         raise InputError(f"it is no Mitsuba scene: it begins with <{root.tag}>, not with <scene>.")
+    without(root, _UNUSED)
     return root
 
 
-def _files_of(scene: str, folder: Path) -> dict[str, bytes]:
+def _checked_text(root: ElementTree.Element, files: Collection[str]) -> str:
+    """The text of a scene that reads `files` alone."""
+    require_closed(root, files)
+    return ElementTree.tostring(root, encoding="unicode")
+
+
+def _files_of(scene: ElementTree.Element, folder: Path) -> dict[str, bytes]:
     files: dict[str, bytes] = {}
-    for node in parsed_scene(scene).iter("string"):
+    for node in naming_files(scene):
         name = node.get("value", "")
-        if node.get("name") != "filename" or name in files:
+        if name in files:
             continue
-        _require_inside(name)
+        require_inside(name)
         require_file(folder / name)
         files[name] = (folder / name).read_bytes()
         if sum(map(len, files.values())) > _MAX_FILES:
             raise InputError(f"its files are larger than {_MAX_FILES >> 20} MiB.")
     return files
-
-
-def _require_inside(name: str) -> None:
-    parts = PurePosixPath(name.replace("\\", "/"))
-    if not name or parts.is_absolute() or ".." in parts.parts or ":" in name or "\0" in name:
-        raise InputError(f"filename = {shown(name)} is wrong: files lie in the scene's folder or below it.")
 
 
 def tile_record(source: TileScene) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
@@ -181,21 +179,22 @@ def tile_from_record(
 
     Raises:
         ValidationError: another record than `tile_record` makes.
-        InputError: files that do not lie in a scene's folder, or that are no bytes.
+        InputError: files that do not lie in a scene's folder, or that are no bytes; a scene that could read
+            others.
     """
     del folder
     header = _Record.model_validate(record)
     files = {}
     for key, values in tensors.items():
         name = key.removeprefix(_FILE)
-        _require_inside(name)
+        require_inside(name)
         if values.dtype != np.uint8 or values.ndim != 1:
             raise InputError(f"the tensor source.{key} must hold bytes of a file.")
         files[name] = values.tobytes()
     width, height = header.size_mm
     return TileScene(
         header.name,
-        header.scene,
+        _checked_text(_read_scene(header.scene), files),
         files,
         (width, height),
         header.reference_height_mm,

@@ -1,7 +1,7 @@
 """The BTF of a Mitsuba scene of one tile: paths traced through nine copies of its shapes.
 
 Geometry may stick out of its tile by up to half of it, as yarns do that cross its sides: each copy brings its
-own. BSDFs are shared by all copies. Sensors, films and integrators of the scene are not used.
+own. BSDFs are shared by all copies.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ from typing import Any
 import mitsuba as mi
 import numpy as np
 
-from loomlight.assets.tile import TileScene, parsed_scene
+from loomlight.assets.tile import TileScene
 from loomlight.core.errors import InputError
-from loomlight.fabric.reading import one_line
+from loomlight.mitsuba.faults import reason_of
 from loomlight.mitsuba.periodic_paths import COPIES, PeriodicPaths, Tile
 from loomlight.mitsuba.variants import choose_variant
 
@@ -77,7 +77,7 @@ class TileBtf(PeriodicPaths):
 
 
 def _loaded(source: TileScene) -> Any:
-    root = parsed_scene(source.scene)
+    root = ElementTree.fromstring(source.scene)
     curves = {
         node.get("value")
         for shape in root.findall("shape")
@@ -87,14 +87,17 @@ def _loaded(source: TileScene) -> Any:
     with TemporaryDirectory(prefix="loomlight-") as name:
         folder = Path(name)
         for file, held in source.files.items():
-            (folder / file).parent.mkdir(parents=True, exist_ok=True)
-            (folder / file).write_bytes(_with_last_curve(held) if file in curves else held)
+            try:
+                (folder / file).parent.mkdir(parents=True, exist_ok=True)
+                (folder / file).write_bytes(_with_last_curve(held) if file in curves else held)
+            except OSError as error:  # one file's name is another one's folder
+                raise InputError(f"{source.name}: its file {file} cannot be written.") from error
         text = _repeated(root, source)
         (folder / _SCENE).write_text(text, encoding="utf-8")
         try:
             return mi.load_file(str(folder / _SCENE), parallel=False, optimize=False)
         except RuntimeError as error:
-            said = one_line(str(error).replace(str(folder), "")).rpartition("] ")[2]
+            said = reason_of(error).replace(str(folder), "")
             raise InputError(f"{source.name}: Mitsuba cannot load its scene: {said}") from error
 
 
@@ -112,11 +115,6 @@ def _with_last_curve(held: bytes) -> bytes:
 
 def _repeated(root: ElementTree.Element, source: TileScene) -> str:
     """The scene with all copies of its shapes."""
-    for tag in ("include", "sensor", "integrator", "film"):
-        for node in root.findall(tag):
-            if tag == "include":
-                raise InputError(f"{source.name}: its scene includes another file; write it as one file.")
-            root.remove(node)
     width, height = source.size_mm
     for number, shape in enumerate(list(root.findall("shape"))):
         if shape.get("type") == "shapegroup":
