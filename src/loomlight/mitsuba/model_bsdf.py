@@ -14,7 +14,7 @@ from loomlight.core.backend import clip
 from loomlight.core.errors import InputError
 from loomlight.core.pytree import leaves
 from loomlight.mitsuba.bsdf_samples import MODEL_BSDFS, bsdf_sample, declare_lobes, plain, variant_types
-from loomlight.mitsuba.call_modes import nested, warn_of_missing_uv, warn_of_slow_calls
+from loomlight.mitsuba.call_modes import nested, warn_of_light_paths, warn_of_missing_uv, warn_of_slow_calls
 from loomlight.mitsuba.cloth_uv import draft_footprint, uv_footprint
 from loomlight.mitsuba.filtered_texture import FilteredTexture
 from loomlight.mitsuba.live_edits import LiveEdits, require_valid_edits
@@ -193,6 +193,7 @@ def model_bsdf_class() -> type:
 
         @nested
         def eval(self, ctx: mi.BSDFContext, si: mi.SurfaceInteraction3f, wo: Any, active: Mask = True) -> Any:
+            warn_of_light_paths(ctx, self.label)
             at, active = self._at(si, active), active & _is_seen(si)
             return mi.Spectrum(dr.select(active, at.value(plain(wo), active), 0))
 
@@ -217,6 +218,7 @@ def model_bsdf_class() -> type:
             sample2: Any,
             active: Mask = True,
         ) -> Any:
+            warn_of_light_paths(ctx, self.label)
             drawn = self._at(si, active).sample(sample1, variant_types().Vector2(sample2))
             return bsdf_sample(drawn, si, active & _is_seen(si))
 
