@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import os
+import sys
 from pathlib import Path
 
 import drjit as dr
 import pytest
 from drjit.llvm import Float
 
-from loomlight.cli.main import run
+from loomlight.cli.main import _show_each_once, run
 from loomlight.core.images import write_png
 from loomlight.core.llvm import require_llvm
 from loomlight.weave.drawing import draw_drawdown
@@ -172,3 +173,14 @@ def test_pictures_are_drafts(folder: Path, capsys: pytest.CaptureFixture[str]) -
     write_png(folder / "satin.png", draw_drawdown(named_weave("satin 5/2"), cell_px=1))
     assert run(["weave", "info", "satin.png"]) == 0
     assert "5 ends, 5 picks" in capsys.readouterr().out
+
+
+def test_a_warning_of_another_library_is_one_line(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "warnoptions", [])
+    show = _show_each_once()
+    for _ in range(2):
+        show("overflow encountered\nin multiply", RuntimeWarning, "/a/b/core.py", 7)
+    told = capsys.readouterr().err
+    assert told == "loomlight: warning: overflow encountered in multiply (RuntimeWarning of core).\n"

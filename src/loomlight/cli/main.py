@@ -6,6 +6,7 @@ import os
 import sys
 import warnings
 from collections.abc import Callable
+from pathlib import Path
 from typing import Annotated, Any, TextIO
 
 import typer
@@ -159,10 +160,15 @@ def _show_each_once() -> Callable[..., None]:
         file: TextIO | None = None,
         line: str | None = None,
     ) -> None:
+        text = str(message)
         if not issubclass(category, LoomlightWarning):
-            sys.stderr.write(warnings.formatwarning(message, category, filename, lineno, line))
-        elif str(message) not in shown:
-            shown.add(str(message))
-            print(f"loomlight: warning: {message}", file=sys.stderr)
+            if sys.warnoptions:  # whoever asks for warnings wants to know where they arise
+                sys.stderr.write(warnings.formatwarning(message, category, filename, lineno, line))
+                return
+            # Of another library: a sentence for those who report it.
+            text = f"{' '.join(text.split())[:200]} ({category.__name__} of {Path(filename).stem})."
+        if text not in shown:
+            shown.add(text)
+            print(f"loomlight: warning: {text}", file=sys.stderr)
 
     return show
