@@ -111,7 +111,8 @@ def test_no_text_of_a_tile_names_a_file_outside(folder: Path, part: str, says: s
     (folder / "t.xml").write_text(f'<scene version="3.0.0"><bsdf type="diffuse">{part}</bsdf></scene>')
     with pytest.raises(InputError) as caught:
         load_source(folder / "t.toml")
-    assert holds(str(caught.value), says) or "does not exist" in str(caught.value)
+    # A spectrum is read where it lies in the folder.
+    assert holds(str(caught.value), f"{says}|files lie in the scene's folder")
 
 
 @pytest.mark.parametrize(
@@ -199,3 +200,21 @@ def test_materials_that_are_shipped_are_read() -> None:
         record, tensors = material_record(material)
         again = material_from_record(json.loads(json.dumps(record)), tensors, "")
         assert again.xml == material.xml
+
+
+def test_spectra_in_files_are_written_into_the_text(folder: Path) -> None:
+    """A user's own scene may name them; what is kept holds their values."""
+    (folder / "s.spd").write_text("# measured\n400 0.1\n\n700 5e-1\n")
+    text = '<bsdf version="3.0.0" type="diffuse"><spectrum name="reflectance" filename="s.spd"/></bsdf>'
+    (folder / "m.xml").write_text(text)
+    (folder / "t.xml").write_text(f'<scene version="3.0.0">{text}</scene>')
+    for name, field in (("m.xml", "xml"), ("t.toml", "scene")):
+        assert 'value="400.0:0.1, 700.0:0.5"' in getattr(load_source(folder / name), field)
+    (folder / "s.spd").write_text("400 0.1 3\n")
+    for name in ("m.xml", "t.toml"):
+        with pytest.raises(InputError, match=r"s.spd. is no spectrum"):
+            load_source(folder / name)
+    (folder.parent / "s.spd").write_text("400 0.1\n")
+    (folder / "t.xml").write_text(f"<scene>{text.replace('s.spd', '../s.spd')}</scene>")
+    with pytest.raises(InputError, match="files lie in the scene's folder"):
+        load_source(folder / "t.toml")

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tools import fuzz_btf, fuzz_merl
+from tools import fuzz_btf, fuzz_loom, fuzz_merl
 from tools import fuzz_wif as fuzzer
 from tools.fuzzing import fuzz, outcome_of
 
@@ -14,7 +14,7 @@ def test_mutilated_drafts_are_read_or_refused(name: str) -> None:
     assert (figures["files"], figures["faults"]) == (200, 0)
 
 
-@pytest.mark.parametrize("module", [fuzz_btf, fuzz_merl])
+@pytest.mark.parametrize("module", [fuzz_btf, fuzz_loom, fuzz_merl])
 def test_mutilated_measured_data_are_read_or_refused(module: object) -> None:
     for target in module.targets():  # type: ignore[attr-defined]
         assert fuzz(target, range(10 if target.name == "merl" else 100), None, None)["faults"] == 0

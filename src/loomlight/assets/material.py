@@ -31,6 +31,7 @@ from loomlight.assets.scene_text import (
     NO_FILE_CHARACTER,
     naming_files,
     parsed_text,
+    put_spectra_in,
     require_closed,
     require_inside,
 )
@@ -176,6 +177,7 @@ def material_from_xml(
             names[file] = f"{len(names)}-{NO_FILE_CHARACTER.sub('_', file.name)[-40:]}"
             files[names[file]] = _content(file)
         element.set("value", names[file])
+    put_spectra_in(found, Path(folder).joinpath)
     require_closed(found, files)
     # What follows the element in its scene is no part of it.
     found.tail = None
@@ -210,8 +212,7 @@ def material_from_record(
             raise InputError(f"the tensor source.{_TENSOR}{number} must hold the bytes of a file, uint8.")
         if PurePath(name).name != name or name in files:
             raise InputError(f"its source names the file {shown(name)}, which is no name of a file alone.")
-        require_inside(name)
-        files[name] = content
+        files[require_inside(name)] = content
     if root.tag != "bsdf":
         raise InputError(f"its source is no BSDF: it begins with <{root.tag}>, not with <bsdf>.")
     require_closed(root, files)

@@ -8,11 +8,12 @@ names a file is `<string name="filename">` alone, and the file must be one that 
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
-from pathlib import PurePosixPath
+from collections.abc import Callable, Collection
+from pathlib import Path, PurePosixPath
 from xml.etree import ElementTree
 
 from loomlight.core.errors import InputError
+from loomlight.fabric.reading import read_text
 from loomlight.fabric.sentences import closest, shown
 
 # Characters that no name of a file has on all systems: controls, lone surrogates, drives and backslashes.
@@ -67,8 +68,8 @@ _ATTRIBUTES = {
     "spectrum": _OBJECT | {"value"},
     "transform": frozenset(("id", "name")),
 }
-# Names alone, of which none is a file's.
-_NAMES = frozenset(("as", "id", "name"))
+# Names, of which none is a file's; types are in lists.
+_NAMES = frozenset(("as", "id", "name", "type"))
 # Numbers, colours (#aa0000), true and false; words such as "fused quartz". Neither can be a path.
 _NUMBERS = re.compile(r"[#\dA-Za-z.,:+\s-]*")
 _WORDS = re.compile(r"[\w +-]{0,64}", re.ASCII)
@@ -126,12 +127,37 @@ def naming_files(root: ElementTree.Element) -> list[ElementTree.Element]:
     return [element for element in root.iter("string") if element.get("name") == "filename"]
 
 
-def require_inside(name: str) -> None:
-    """Raises InputError unless a name is that of a file in a folder or below it, on any system."""
+def put_spectra_in(root: ElementTree.Element, place: Callable[[str], Path]) -> None:
+    """Writes the values of spectra that lie in files into the scene.
+
+    Args:
+        place: the path of a file of the scene by its name; may raise InputError.
+
+    Raises:
+        InputError: a file that is missing or holds other lines than a wavelength and a value.
+    """
+    for element in root.iter("spectrum"):
+        name = element.attrib.pop("filename", None)
+        if name is None:
+            continue
+        lines = [line.split() for line in read_text(place(name)).splitlines()]
+        rows = [words for words in lines if words and not words[0].startswith("#")]
+        try:
+            element.set("value", ", ".join(f"{float(nm)!r}:{float(value)!r}" for nm, value in rows))
+        except ValueError as error:
+            raise InputError(
+                f"filename = {shown(name)} is no spectrum: each line holds a wavelength in nanometres and a "
+                "value."
+            ) from error
+
+
+def require_inside(name: str) -> str:
+    """The name; raises InputError unless it is that of a file in a folder or below it, on any system."""
     path = PurePosixPath(name)
     bad = not path.name or path.is_absolute() or ".." in path.parts or name.endswith("/")
     if bad or NO_FILE_CHARACTER.search(name) or len(name.encode()) > _LONGEST_NAME:
         raise InputError(f"filename = {shown(name)} is wrong: files lie in the scene's folder or below it.")
+    return name
 
 
 def require_closed(element: ElementTree.Element, files: Collection[str], depth: int = 0) -> None:
@@ -153,7 +179,7 @@ def require_closed(element: ElementTree.Element, files: Collection[str], depth: 
             raise InputError(f"<{tag}> has {key} = {shown(value)}, a parameter that no <default> defines.")
         if key == "value" and tag == "string":
             _require_string(element.get("name", ""), value, files)
-        elif key not in _NAMES and key not in ("type", "version") and not _NUMBERS.fullmatch(value):
+        elif key not in _NAMES and not _NUMBERS.fullmatch(value):
             raise InputError(f"<{tag}> has {key} = {shown(value)}: write numbers, a colour, true or false.")
     for child in element:
         require_closed(child, files, depth + 1)

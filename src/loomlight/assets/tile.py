@@ -24,7 +24,14 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
-from loomlight.assets.scene_text import naming_files, parsed_text, require_closed, require_inside, without
+from loomlight.assets.scene_text import (
+    naming_files,
+    parsed_text,
+    put_spectra_in,
+    require_closed,
+    require_inside,
+    without,
+)
 from loomlight.assets.toml_source import Lengths, SizedSource, SourceFields, has_field, read_fields
 from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
@@ -116,6 +123,7 @@ def load_tile(path: str | os.PathLike[str]) -> TileScene:
             scene_file = file.parent / fields.tile
             root = _read_scene(read_text(scene_file))
             files = _files_of(root, scene_file.parent)
+            put_spectra_in(root, lambda name: scene_file.parent / require_inside(name))
             scene = _checked_text(root, files)
         width, length = fields.size_mm
         return TileScene(
@@ -150,9 +158,9 @@ def _files_of(scene: ElementTree.Element, folder: Path) -> dict[str, bytes]:
         name = node.get("value", "")
         if name in files:
             continue
-        require_inside(name)
-        require_file(folder / name)
-        files[name] = (folder / name).read_bytes()
+        file = folder / require_inside(name)
+        require_file(file)
+        files[name] = file.read_bytes()
         if sum(map(len, files.values())) > _MAX_FILES:
             raise InputError(f"its files are larger than {_MAX_FILES >> 20} MiB.")
     return files
@@ -187,10 +195,9 @@ def tile_from_record(
     files = {}
     for key, values in tensors.items():
         name = key.removeprefix(_FILE)
-        require_inside(name)
         if values.dtype != np.uint8 or values.ndim != 1:
             raise InputError(f"the tensor source.{key} must hold bytes of a file.")
-        files[name] = values.tobytes()
+        files[require_inside(name)] = values.tobytes()
     width, height = header.size_mm
     return TileScene(
         header.name,
