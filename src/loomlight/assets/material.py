@@ -26,15 +26,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
-from loomlight.assets import rgl
-from loomlight.assets.scene_text import (
-    NO_FILE_CHARACTER,
-    naming_files,
-    parsed_text,
-    put_spectra_in,
-    require_closed,
-    require_inside,
-)
+from loomlight.assets import rgl, scene_text
 from loomlight.assets.toml_source import SizedSource, SourceFields, has_field, read_fields
 from loomlight.core.errors import InputError
 from loomlight.core.images import PICTURE_SUFFIXES, read_map
@@ -109,7 +101,7 @@ class Material(SizedSource):
         root = ElementTree.fromstring(self.xml)
         for name, content in self.files.items():
             (Path(folder) / name).write_bytes(content.tobytes())
-        for element in naming_files(root):
+        for element in scene_text.naming_files(root):
             element.set("value", str(Path(folder, element.get("value", "")).absolute()))
         return root
 
@@ -158,7 +150,7 @@ def material_from_xml(
     Raises:
         InputError: as `load_material`.
     """
-    root = parsed_text(text)
+    root = scene_text.parsed_text(text)
     found = _chosen(root, bsdf)
     defined = {
         element.get("id", ""): element
@@ -171,14 +163,14 @@ def material_from_xml(
     found.set("version", root.get("version", "3.0.0"))
     names: dict[Path, str] = {}
     files: dict[str, Bytes] = {}
-    for element in naming_files(found):
+    for element in scene_text.naming_files(found):
         file = Path(folder, element.get("value", ""))
         if file not in names:
-            names[file] = f"{len(names)}-{NO_FILE_CHARACTER.sub('_', file.name)[-40:]}"
+            names[file] = f"{len(names)}-{scene_text.NO_FILE_CHARACTER.sub('_', file.name)[-40:]}"
             files[names[file]] = _content(file)
         element.set("value", names[file])
-    put_spectra_in(found, Path(folder).joinpath)
-    require_closed(found, files)
+    scene_text.put_spectra_in(found, Path(folder).joinpath)
+    scene_text.require_closed(found, files)
     # What follows the element in its scene is no part of it.
     found.tail = None
     return Material(name, size_mm, ElementTree.tostring(found, encoding="unicode"), files)
@@ -204,7 +196,7 @@ def material_from_record(
     """
     del folder
     header = _Record.model_validate(record)
-    root = parsed_text(header.xml)
+    root = scene_text.parsed_text(header.xml)
     files = {}
     for number, name in enumerate(header.files):
         content = tensors.get(f"{_TENSOR}{number}")
@@ -212,10 +204,10 @@ def material_from_record(
             raise InputError(f"the tensor source.{_TENSOR}{number} must hold the bytes of a file, uint8.")
         if PurePath(name).name != name or name in files:
             raise InputError(f"its source names the file {shown(name)}, which is no name of a file alone.")
-        files[require_inside(name)] = content
+        files[scene_text.require_inside(name)] = content
     if root.tag != "bsdf":
         raise InputError(f"its source is no BSDF: it begins with <{root.tag}>, not with <bsdf>.")
-    require_closed(root, files)
+    scene_text.require_closed(root, files)
     width, height = header.size_mm
     return Material(header.name, (width, height), ElementTree.tostring(root, encoding="unicode"), files)
 

@@ -74,15 +74,10 @@ _NAMES = frozenset(("as", "id", "name", "type"))
 _NUMBERS = re.compile(r"[#\dA-Za-z.,:+\s-]*")
 _WORDS = re.compile(r"[\w +-]{0,64}", re.ASCII)
 _LIST = re.compile(r"[\deE.,+\s-]*", re.ASCII)
-# Metals that Mitsuba knows: it opens a file of each by its name.
+# Metals that Mitsuba knows, some of them as "Au_palik" too: it opens a file of each by its name.
 _METALS = _words(
-    "a-C Ag Al AlAs AlAs_palik AlSb AlSb_palik Au Be Be_palik Cr CsI CsI_palik Cu Cu2O Cu2O_palik Cu_palik "
-    "CuO CuO_palik d-C d-C_palik Hg Hg_palik HgTe HgTe_palik Ir Ir_palik K K_palik Li Li_palik MgO MgO_palik "
-    "Mo Mo_palik Na_palik Nb Nb_palik Ni_palik none Rh Rh_palik Se Se_palik Se-e "
-    "Se-e_palik SiC SiC_palik SnTe SnTe_palik Ta "
-    "Ta_palik Te Te_palik Te-e Te-e_palik ThF4 ThF4_palik TiC TiC_palik TiN TiN_palik TiO2 TiO2_palik TiO2-e "
-    "TiO2-e_palik VC VC_palik V_palik VN "
-    "VN_palik W"
+    "a-C Ag Al AlAs AlSb Au Be Cr CsI Cu Cu2O CuO d-C Hg HgTe Ir K Li MgO Mo Na Nb Ni none Rh Se Se-e "
+    "SiC SnTe Ta Te Te-e ThF4 TiC TiN TiO2 TiO2-e V VC VN W"
 )
 
 
@@ -189,7 +184,7 @@ def _require_string(name: str, value: str, files: Collection[str]) -> None:
     if name == "filename":
         if value not in files:
             raise InputError(f"its source names the file {shown(value)}, which it lacks.")
-    elif name == "material" and value not in _METALS:
+    elif name == "material" and value.removesuffix("_palik") not in _METALS:
         raise InputError(f"material = {shown(value)} is no metal that Mitsuba knows.")
     elif not _WORDS.fullmatch(value) and not _LIST.fullmatch(value):
         raise InputError(f"{shown(name)} = {shown(value)} cannot be used in it: write a word or numbers.")

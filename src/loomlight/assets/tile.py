@@ -24,14 +24,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
-from loomlight.assets.scene_text import (
-    naming_files,
-    parsed_text,
-    put_spectra_in,
-    require_closed,
-    require_inside,
-    without,
-)
+from loomlight.assets import scene_text
 from loomlight.assets.toml_source import Lengths, SizedSource, SourceFields, has_field, read_fields
 from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
@@ -123,7 +116,7 @@ def load_tile(path: str | os.PathLike[str]) -> TileScene:
             scene_file = file.parent / fields.tile
             root = _read_scene(read_text(scene_file))
             files = _files_of(root, scene_file.parent)
-            put_spectra_in(root, lambda name: scene_file.parent / require_inside(name))
+            scene_text.put_spectra_in(root, lambda name: scene_file.parent / scene_text.require_inside(name))
             scene = _checked_text(root, files)
         width, length = fields.size_mm
         return TileScene(
@@ -139,26 +132,26 @@ def load_tile(path: str | os.PathLike[str]) -> TileScene:
 
 def _read_scene(text: str) -> ElementTree.Element:
     """The scene of a tile without what is not used of it: sensors, films and integrators."""
-    root = parsed_text(text)
+    root = scene_text.parsed_text(text)
     if root.tag != "scene":
         raise InputError(f"it is no Mitsuba scene: it begins with <{root.tag}>, not with <scene>.")
-    without(root, _UNUSED)
+    scene_text.without(root, _UNUSED)
     return root
 
 
 def _checked_text(root: ElementTree.Element, files: Collection[str]) -> str:
     """The text of a scene that reads `files` alone."""
-    require_closed(root, files)
+    scene_text.require_closed(root, files)
     return ElementTree.tostring(root, encoding="unicode")
 
 
 def _files_of(scene: ElementTree.Element, folder: Path) -> dict[str, bytes]:
     files: dict[str, bytes] = {}
-    for node in naming_files(scene):
+    for node in scene_text.naming_files(scene):
         name = node.get("value", "")
         if name in files:
             continue
-        file = folder / require_inside(name)
+        file = folder / scene_text.require_inside(name)
         require_file(file)
         files[name] = file.read_bytes()
         if sum(map(len, files.values())) > _MAX_FILES:
@@ -197,7 +190,7 @@ def tile_from_record(
         name = key.removeprefix(_FILE)
         if values.dtype != np.uint8 or values.ndim != 1:
             raise InputError(f"the tensor source.{key} must hold bytes of a file.")
-        files[require_inside(name)] = values.tobytes()
+        files[scene_text.require_inside(name)] = values.tobytes()
     width, height = header.size_mm
     return TileScene(
         header.name,
