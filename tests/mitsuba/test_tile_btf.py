@@ -128,7 +128,7 @@ def test_a_loom_holds_the_scene_and_its_files(tmp_path: Path) -> None:
         (
             PLANE.replace('"reflectance"', '"colour"'),
             TOML,
-            "load its scene: While loading /loomlight-tile.xml (line 2, col 4): Found 1 unreferenced",
+            "load its scene: While loading loomlight-tile.xml (line 2, col 4): Found 1 unreferenced",
         ),
         (
             PLANE.replace('x="1" y="0.5" z', 'x="9" y="0.5" z'),
@@ -151,3 +151,18 @@ def test_the_command_refuses_it_with_code_2(tmp_path: Path, capsys: pytest.Captu
     assert run(["bake", str(file), "--model", "neumip", "-o", str(tmp_path / "a.loom")]) == 2
     assert "it is no valid XML" in capsys.readouterr().err
     assert not (tmp_path / "a.loom").exists()
+
+
+@pytest.mark.parametrize(("name", "says"), [("a.ply", "a.ply"), ("a.txt", "it is no .ply file")])
+def test_a_damaged_mesh_of_a_tile_ends_no_process(name: str, says: str) -> None:
+    head = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+    faces = "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+    mesh = head + faces + "0 0 0\n1 0 0\n0 1 0\n3 0 1 99999999\n"
+    shape = f'<shape type="ply"><string name="filename" value="{name}"/></shape>'
+    scene = f'<scene version="3.0.0">{shape}</scene>'
+    with pytest.raises(InputError, match="Mitsuba cannot load its scene: ") as caught:
+        TileBtf(TileScene("t", scene, {name: mesh.encode()}, (1.0, 1.0), 0.0, False, 4))
+    assert says in str(caught.value)
+    good = mesh.replace("99999999", "2").encode()
+    if name == "a.ply":
+        assert TileBtf(TileScene("t", scene, {name: good}, (1.0, 1.0), 0.0, False, 4)).has_holes

@@ -7,6 +7,7 @@ own. BSDFs are shared by all copies.
 from __future__ import annotations
 
 import copy
+import warnings
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -16,9 +17,10 @@ import mitsuba as mi
 import numpy as np
 
 from loomlight.assets.tile import TileScene
-from loomlight.core.errors import InputError
+from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.mitsuba.faults import reason_of
 from loomlight.mitsuba.periodic_paths import COPIES, PeriodicPaths, Tile
+from loomlight.mitsuba.scene_meshes import check_scene_meshes
 from loomlight.mitsuba.variants import choose_variant
 
 # Rays start so many times the shorter side of the tile away from surfaces: a hundredth of a fibre of 0.001 of
@@ -86,18 +88,23 @@ def _loaded(source: TileScene) -> Any:
     }
     with TemporaryDirectory(prefix="loomlight-") as name:
         folder = Path(name)
-        for file, held in source.files.items():
+        for path, held in source.files.items():
             try:
-                (folder / file).parent.mkdir(parents=True, exist_ok=True)
-                (folder / file).write_bytes(_with_last_curve(held) if file in curves else held)
+                (folder / path).parent.mkdir(parents=True, exist_ok=True)
+                (folder / path).write_bytes(_with_last_curve(held) if path in curves else held)
             except OSError as error:  # one file's name is another one's folder
-                raise InputError(f"{source.name}: its file {file} cannot be written.") from error
-        text = _repeated(root, source)
-        (folder / _SCENE).write_text(text, encoding="utf-8")
+                raise InputError(f"{source.name}: its file {path} cannot be written.") from error
+        file = folder / _SCENE
         try:
-            return mi.load_file(str(folder / _SCENE), parallel=False, optimize=False)
-        except RuntimeError as error:
-            said = reason_of(error).replace(str(folder), "")
+            # Each mesh once, before there are copies of it; one that cannot be checked is refused.
+            file.write_text(source.scene, encoding="utf-8")
+            with warnings.catch_warnings():
+                warnings.simplefilter("error", LoomlightWarning)
+                check_scene_meshes(file)
+            file.write_text(_repeated(root, source), encoding="utf-8")
+            return mi.load_file(str(file), parallel=False, optimize=False)
+        except (InputError, LoomlightWarning, RuntimeError) as error:
+            said = reason_of(error).replace(f"{folder}/", "")
             raise InputError(f"{source.name}: Mitsuba cannot load its scene: {said}") from error
 
 
