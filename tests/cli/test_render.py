@@ -252,7 +252,7 @@ def test_two_cloths_of_one_scene_file(tmp_path: Path, capsys: pytest.CaptureFixt
         (["plain"], ["-o", "a.png", "--color", "warp=reddish"], "warp.color"),
         (["plain"], ["-o", "a.png", "--shift", "4"], "--shift"),
         (["plain"], ["-o", "a.png", "--scale", "0"], "--scale 0"),
-        (["plain"], ["-o", "a.png", "--cloth", "hem=satin"], "needs a scene file"),
+        (["plain"], ["-o", "a.png", "--cloth", "hem=satin"], "needs a mesh with parts, or a scene file"),
     ],
 )
 def test_what_cannot_be_rendered_of_several(

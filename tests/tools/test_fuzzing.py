@@ -25,10 +25,6 @@ def subject(content: bytes) -> None:
             raise InputError("file.txt says no; say yes.")
         case "warn":
             warnings.warn("a line is left out", LoomlightWarning, stacklevel=1)
-        case "lines":
-            raise InputError("one\ntwo")
-        case "long":
-            raise InputError("x" * 1000)
         case "raw":
             warnings.warn("overflow", RuntimeWarning, stacklevel=1)
         case "crash":
@@ -51,8 +47,6 @@ def target(**more: object) -> Target:
         (b"read", "read", ""),
         (b"warn", "read with warnings", "left out"),
         (b"refuse", "refused", "say yes"),
-        (b"lines", "fault", "a message of 7 characters"),
-        (b"long", "fault", "a message of 1000 characters"),
         (b"raw", "fault", "a raw warning: overflow"),
         (b"crash", "fault", "ZeroDivisionError"),
     ],

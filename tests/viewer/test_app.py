@@ -24,8 +24,8 @@ from loomlight.fabric import fabric_from_text
 from loomlight.realtime.models import prepared_for
 from loomlight.realtime.tables import pack_fabrics
 from loomlight.viewer.access import Access, is_loopback
+from loomlight.viewer.draft_reader import MAX_UPLOAD
 from loomlight.viewer.uploads import read_body
-from loomlight.viewer.wif_worker import MAX_UPLOAD
 from tests.viewer.conftest import Served
 
 WIF = Path(__file__).resolve().parents[2] / "examples" / "undulating-twill.wif"

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import asyncio
 import json
 import re
 import warnings
-from collections.abc import Awaitable, Callable
+from collections.abc import AsyncIterator, Awaitable, Callable
+from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import Any, TypeVar
 from urllib.parse import quote
@@ -24,19 +24,21 @@ from starlette.staticfiles import StaticFiles
 from loomlight.core.errors import LoomlightError, LoomlightWarning
 from loomlight.fabric.fabric import Fabric
 from loomlight.viewer.access import Access, Guard
+from loomlight.viewer.draft_reader import MAX_UPLOAD, DraftReader
 from loomlight.viewer.fabric_json import fabric_of_json
 from loomlight.viewer.openness_json import openness_json
 from loomlight.viewer.saving import FORMATS, saved, tables_of
 from loomlight.viewer.session import gallery_pictures, session
 from loomlight.viewer.uploads import TooLargeResponse, UploadTooLargeError, read_body
-from loomlight.viewer.wif_worker import MAX_UPLOAD, read_uploaded_draft
 
 # The largest draft with a loom plan and colours of every thread, as JSON.
 _MAX_FABRIC = 64 << 20
 # 64 shafts, half of them lifted, at each of 16384 picks are half of these.
 _MAX_VALUES = 1_000_000
-# Drafts that are read at once: each may take the memory that `wif_worker` allows.
-_READERS = 2
+# Larger files are read by a process of their own: small ones take hundredths of a second, and need not wait.
+_LARGE_FILE = 128 << 10
+# Processes for small and for large files.
+_READERS = (2, 1)
 
 Answer = TypeVar("Answer")
 Endpoint = Callable[[Request], Awaitable[Response]]
@@ -53,18 +55,24 @@ def editor_app(client: Path, fabric: Fabric | str | None, access: Access) -> Sta
         InputError: no such fabric.
     """
     first = session(fabric, has_python=True, token=access.token)
-    readers = asyncio.Semaphore(_READERS)
+    readers = [[DraftReader() for _ in range(count)] for count in _READERS]
+    lanes = [anyio.CapacityLimiter(count) for count in _READERS]
     bakery = anyio.CapacityLimiter(1)
+
+    @asynccontextmanager
+    async def lifespan(_: Starlette) -> AsyncIterator[None]:
+        yield
+        for reader in (each for idle in readers for each in idle):
+            reader.close()
 
     async def get_session(request: Request) -> Response:
         return JSONResponse(first, headers={"cache-control": "no-store"})
 
     async def read_draft(request: Request) -> Response:
         content = await read_body(request, MAX_UPLOAD)
-        async with readers:
-            return JSONResponse(
-                await read_uploaded_draft(content, request.query_params.get("name", "draft.wif"))
-            )
+        name, lane = request.query_params.get("name", "draft.wif"), int(len(content) > _LARGE_FILE)
+        draft = await anyio.to_thread.run_sync(_read, readers[lane], content, name, limiter=lanes[lane])
+        return Response(draft, media_type="application/json")
 
     async def save(request: Request) -> Response:
         asked = await _json_object(request)
@@ -96,7 +104,17 @@ def editor_app(client: Path, fabric: Fabric | str | None, access: Access) -> Sta
         ],
         middleware=[Middleware(Guard, access=access), Middleware(GZipMiddleware, minimum_size=2000)],
         exception_handlers={Exception: _defect},
+        lifespan=lifespan,
     )
+
+
+def _read(idle: list[DraftReader], content: bytes, name: str) -> bytes:
+    """JSON of a draft, by one of the readers that have nothing to do."""
+    reader = idle.pop()
+    try:
+        return reader.read(content, name)
+    finally:
+        idle.append(reader)
 
 
 async def _unknown(request: Request) -> Response:

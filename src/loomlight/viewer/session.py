@@ -10,8 +10,8 @@ from typing import Any
 from loomlight.assets.load import fabric_of_path
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.load import load_fabric
+from loomlight.viewer.draft_reader import MAX_UPLOAD
 from loomlight.viewer.fabric_json import fabric_json
-from loomlight.viewer.wif_worker import MAX_UPLOAD
 
 VERSION = 1
 # The fabric of the gallery that the editor shows when it is opened without one.

@@ -1,0 +1,155 @@
+"""Files of drafts that came over the network, read by a process of limited memory and time.
+
+The process is `python -m loomlight.viewer.wif_worker`, which stays for further drafts. It is ended when its
+time for a draft is over, so no file can take the server down; the next draft starts another one.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import threading
+import weakref
+from collections.abc import Callable
+from contextlib import suppress
+from tempfile import TemporaryDirectory
+
+from loomlight.core.errors import InputError
+from loomlight.viewer.wif_worker import ANSWER, REQUEST
+
+# A WIF of 16384 threads with a colour and a spacing each has some 2 MB.
+MAX_UPLOAD = 16 << 20
+# The interpreter and NumPy map 0.4 GiB; the largest draft, of 16384² crossings, takes 1.2 GiB meanwhile.
+MEMORY_BYTES = 2 << 30
+SECONDS = 20.0
+# Drafts after which a process is replaced, so that what readers leave behind does not grow.
+_MAX_SERVED = 200
+_UNSAFE = re.compile(r"[^\w .()+-]+")
+_MAX_NAME = 120
+
+
+class DraftReader:
+    """Reads one draft at a time, in a process that starts with the first."""
+
+    def __init__(self, seconds: float = SECONDS, memory_bytes: int = MEMORY_BYTES) -> None:
+        """
+        Args:
+            seconds: that a draft may take.
+            memory_bytes: of address space that the process may take.
+        """
+        self._seconds = seconds
+        self._memory_bytes = memory_bytes
+        self._process: subprocess.Popen[bytes] | None = None
+        self._served = 0
+        self._end: Callable[[], object] = lambda: None
+
+    def read(self, content: bytes, name: str) -> bytes:
+        """The draft in a file's content, as JSON of `draft_json` with its reader's warnings in "warnings".
+
+        Args:
+            name: of the file; its suffix says what it is, and messages name it.
+
+        Raises:
+            InputError: no draft, or one that takes too much time or memory.
+        """
+        shown = safe_name(name)
+        process = self._started()
+        is_late = threading.Event()
+
+        def give_up() -> None:
+            is_late.set()
+            process.kill()
+
+        timer = threading.Timer(self._seconds, give_up)
+        timer.start()
+        try:
+            answer = _asked(process, content, shown)
+        finally:
+            timer.cancel()
+        self._served += 1
+        if answer is None or self._served >= _MAX_SERVED:
+            self.close()
+        if answer is None:
+            if is_late.is_set() or process.returncode == -getattr(signal, "SIGXCPU", 999):
+                raise InputError(
+                    f"{shown} was given up after {self._seconds:g} s; a draft takes less than one."
+                )
+            raise InputError(
+                f"{shown} could not be read within {self._memory_bytes >> 20} MiB of memory; "
+                "drafts take far less."
+            )
+        is_draft, printed = answer
+        if not is_draft:
+            raise InputError(json.loads(printed)["error"])
+        return printed
+
+    def close(self) -> None:
+        """Ends the process; another draft starts one anew."""
+        self._end()
+        self._process, self._served = None, 0
+
+    def _started(self) -> subprocess.Popen[bytes]:
+        if self._process is None or self._process.poll() is not None:
+            self.close()
+            folder = TemporaryDirectory(prefix="loomlight-")
+            limits = (folder.name, str(self._memory_bytes), str(self._seconds))
+            self._process = subprocess.Popen(
+                [sys.executable, "-m", "loomlight.viewer.wif_worker", *limits],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.DEVNULL,
+                env=_environment(),
+            )
+            self._end = weakref.finalize(self, _ended, self._process, folder)
+        return self._process
+
+
+def safe_name(name: str) -> str:
+    """The last part of a path as a file name that no system and no terminal misreads."""
+    last = re.split(r"[/\\]", name)[-1]
+    cleaned = _UNSAFE.sub("_", last).strip(" .")
+    stem, dot, suffix = cleaned.rpartition(".")
+    if not dot:
+        return (cleaned or "draft")[:_MAX_NAME]
+    return f"{stem[:_MAX_NAME] or 'draft'}.{suffix[:8]}"
+
+
+def _asked(process: subprocess.Popen[bytes], content: bytes, name: str) -> tuple[bool, bytes] | None:
+    """Whether a process read a draft, and its JSON; None if it ended."""
+    assert process.stdin is not None
+    assert process.stdout is not None
+    named = name.encode()
+    try:
+        process.stdin.write(REQUEST.pack(len(named), len(content)) + named + content)
+        process.stdin.flush()
+    except OSError:  # it ended, and its pipe is gone
+        process.wait()
+        return None
+    head = process.stdout.read(ANSWER.size)
+    if len(head) == ANSWER.size:
+        is_draft, size = ANSWER.unpack(head)
+        printed = process.stdout.read(size)
+        if len(printed) == size:
+            return is_draft, printed
+    process.wait()
+    return None
+
+
+def _ended(process: subprocess.Popen[bytes], folder: TemporaryDirectory[str]) -> None:
+    process.kill()
+    process.wait()
+    for pipe in (process.stdin, process.stdout):
+        if pipe is not None:
+            with suppress(OSError):  # what was not yet sent to a process that is gone
+                pipe.close()
+    folder.cleanup()
+
+
+def _environment() -> dict[str, str]:
+    """This process's, with the places that it imports from; pools of threads would take address space."""
+    places = os.pathsep.join(place for place in sys.path if place)
+    return {**os.environ, "PYTHONPATH": places, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
