@@ -113,6 +113,7 @@ def square(**changes: object) -> ClothMesh:
         "positions": SQUARE, "normals": np.tile([0.0, 0, 1], (4, 1)), "uv": SQUARE[:, :2],
         "triangles": np.array([[0, 1, 2], [0, 2, 3]]), "name": "square",
     }  # fmt: skip
+    # Values of several types by name, which a type checker cannot follow.
     return ClothMesh(**{**arrays, **changes})  # type: ignore[arg-type]
 
 

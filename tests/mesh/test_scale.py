@@ -9,7 +9,7 @@ import pytest
 
 from loomlight.core.errors import LoomlightWarning
 from loomlight.mesh.cloth_mesh import ClothMesh, joined
-from loomlight.mesh.scale import by_scale, uv_size, warn_of_extent, warn_of_scale
+from loomlight.mesh.scale import at_one_scale, uv_size, warn_of_extent, warn_of_scale
 
 
 def panel(side: float, uv_side: tuple[float, float], at: float = 0.0, turned: bool = False) -> ClothMesh:
@@ -70,12 +70,15 @@ def test_islands_that_disagree_are_said_with_the_factor() -> None:
         warn_of_scale(mesh)
 
 
-def test_parts_of_one_scale_are_measured_together_and_others_alone() -> None:
+def test_parts_of_other_scale_are_stretched_to_that_of_the_largest() -> None:
     parts = [panel(0.2, (1, 1)), panel(0.2, (4, 4), at=2.0), panel(0.21, (1, 1), at=4.0)]
-    groups = by_scale(parts)
-    assert sorted(len(group.triangles) for group in groups) == [128, 256]
-    sizes = sorted(uv_size(group)[0] for group in groups)
-    np.testing.assert_allclose(sizes, [50, 1000 * np.hypot(0.2**2, 0.21**2) / np.hypot(0.2, 0.21)], rtol=1e-9)
+    mesh = at_one_scale(parts)
+    assert len(mesh.triangles) == 384
+    first, second, third = np.split(mesh.uv, 3)
+    # A part of nearly the same scale is left as it is, and the pattern runs on.
+    np.testing.assert_array_equal(first, parts[0].uv)
+    np.testing.assert_array_equal(third, parts[2].uv)
+    np.testing.assert_allclose(np.ptp(second, axis=0), 0.2 / 0.21, rtol=1e-9)
 
 
 @pytest.mark.parametrize(

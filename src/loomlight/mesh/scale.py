@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,17 +39,20 @@ def uv_size(mesh: ClothMesh, metres_per_unit: float = 1.0) -> tuple[float, float
     )
 
 
-def by_scale(parts: Sequence[ClothMesh]) -> list[ClothMesh]:
-    """Parts of one fabric, those of one scale joined, so that their pattern runs on across them."""
-    left, groups = list(parts), []
-    while left:
-        size = uv_size(joined(left))
-        same = [part for part in left if _factor(uv_size(part), size) <= _SAME_SCALE]
-        # The median lies within one part, but the mean around it may lie between two.
-        same = same or [max(left, key=lambda part: float(np.linalg.norm(cross_products(part), axis=1).sum()))]
-        groups.append(joined(same))
-        left = [part for part in left if not any(part is other for other in same)]
-    return groups
+def at_one_scale(parts: Sequence[ClothMesh]) -> ClothMesh:
+    """Parts of one fabric as one mesh, uv of other scales than the largest part's stretched to its scale.
+
+    Parts of one scale are left as they are, so that their pattern runs on across them.
+    """
+    areas = [float(np.linalg.norm(cross_products(part), axis=1).sum()) for part in parts]
+    size = uv_size(parts[int(np.argmax(areas))])
+    own = [uv_size(part) for part in parts]
+    return joined(
+        [
+            part if _factor(each, size) <= _SAME_SCALE else replace(part, uv=part.uv * np.divide(each, size))
+            for part, each in zip(parts, own, strict=True)
+        ]
+    )
 
 
 def warn_of_scale(mesh: ClothMesh) -> None:

@@ -15,8 +15,8 @@ from loomlight.core.errors import LoomlightWarning
 _Method = TypeVar("_Method", bound=Callable[..., Any])
 _LOOPS = dr.JitFlag.SymbolicLoops
 _BRANCHES = dr.JitFlag.SymbolicConditionals
-# Names of BSDFs that were told of, and other warnings that were given.
-_TOLD: set[str] = set()
+# BSDFs already warned about, and other warnings already given.
+_WARNED: set[str] = set()
 
 
 def nested(method: _Method) -> _Method:
@@ -44,9 +44,9 @@ def warn_of_slow_calls(plugin: str) -> None:
         plugin: the name of the BSDF.
     """
     # Evaluated calls are traced symbolically too, once, for the types of what they return.
-    if plugin in _TOLD or not (dr.flag(dr.JitFlag.SymbolicScope) and dr.flag(dr.JitFlag.SymbolicCalls)):
+    if plugin in _WARNED or not (dr.flag(dr.JitFlag.SymbolicScope) and dr.flag(dr.JitFlag.SymbolicCalls)):
         return
-    _TOLD.add(plugin)
+    _WARNED.add(plugin)
     warnings.warn(
         f"{plugin} takes some 30 times as long in symbolic calls, which this integrator makes: render with "
         "footprint_path, or switch off dr.JitFlag.SymbolicCalls and dr.JitFlag.SymbolicLoops.",
@@ -61,9 +61,9 @@ def warn_of_light_paths(ctx: mi.BSDFContext, plugin: str) -> None:
     Mean reflection is reciprocal within some per cent, transmission is not: a model's footprint, and the path
     that light takes through yarns, are those of the view.
     """
-    if ctx.mode != mi.TransportMode.Importance or "light paths" in _TOLD:
+    if ctx.mode != mi.TransportMode.Importance or "light paths" in _WARNED:
         return
-    _TOLD.add("light paths")
+    _WARNED.add("light paths")
     warnings.warn(
         f"{plugin} is made for paths that begin at the camera: from lights, cloth that lets light through is "
         "up to 1.8 times too bright or dark. Render with footprint_path or path.",

@@ -11,14 +11,14 @@ from loomlight.core.errors import InputError
 from loomlight.fabric.sentences import closest, shown
 from loomlight.mesh.cloth_mesh import ClothMesh, MeshPart, joined
 from loomlight.mesh.reading import read_parts
-from loomlight.mesh.scale import by_scale, warn_of_extent, warn_of_scale
+from loomlight.mesh.scale import at_one_scale, warn_of_extent, warn_of_scale
 
 ClothT = TypeVar("ClothT")
 
 
 @dataclass(frozen=True)
 class Garment(Generic[ClothT]):
-    """A mesh file, in pieces of one cloth and one scale of uv.
+    """A mesh file, in a piece for each cloth, of one scale of uv.
 
     Attributes:
         pieces: meshes, in metres, and the cloth of each.
@@ -63,7 +63,7 @@ def read_garment(
         chosen = [
             part.mesh.scaled(metres_per_unit) for part, own in zip(covered, keys, strict=True) if own == key
         ]
-        pieces += [(mesh, cloth if key is None else others[key]) for mesh in by_scale(chosen)]
+        pieces.append((at_one_scale(chosen), cloth if key is None else others[key]))
     bare = [part.mesh.scaled(metres_per_unit) for part in parts if not len(part.mesh.uv)]
     garment = Garment(pieces, joined(bare) if bare else None)
     warn_of_extent(joined([mesh for mesh, _ in pieces]), metres_per_unit)

@@ -185,6 +185,8 @@ def build_scene(
     for field, value in {"light": light, "light_from": light_from}.items():
         if environment is not None and value is not None:
             raise InputError(f"{field} = {value} does not go with an environment, which is all the light.")
+    if others and mesh is None:
+        raise InputError(f"The cloth {next(iter(others))} needs a mesh with parts, and {name} has none.")
     setup = _SETUPS[str(name)]
     if mesh is None:
         worn = Garment([(setup.cloth(), factory)], None)
