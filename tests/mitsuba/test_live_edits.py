@@ -9,6 +9,7 @@ import mitsuba as mi
 import numpy as np
 import pytest
 
+from loomlight.core.colour import parse_colour
 from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.load import edited_fabric
@@ -152,4 +153,57 @@ def test_textures_of_models_that_filter_have_no_derivatives() -> None:
     params = mi.traverse(mi.load_dict({"type": "woven_lobes", **CLOTH, "albedo": texture}))
     dr.enable_grad(params["albedo.data"])
     with pytest.raises(InputError, match=r"mine\.albedo has no derivatives"):
+        params.update()
+
+
+def of_colours(plugin: str, warp: str, interreflection: bool) -> Any:
+    colours = {"warp_color": warp, "weft_color": "#dfd7c5", "interreflection": interreflection}
+    return mi.load_dict({"type": plugin, "weave": "twill 2/1", "uv_size": "4,4", "id": "mine", **colours})
+
+
+@pytest.mark.parametrize("interreflection", [False, True])
+@pytest.mark.parametrize("threads", [1, 3])
+@pytest.mark.parametrize("plugin", ["woven_point", "woven_lobes"])
+def test_colours_are_edited_as_they_are_written(plugin: str, threads: int, interreflection: bool) -> None:
+    """Highlight, transmission and light between yarns are those of cloth woven of the new colours."""
+    old, new = ["#20a040", "#c04060", "#a08020"][:threads], ["#803010", "#405880", "#305020"][:threads]
+    edited = of_colours(plugin, ",".join(old), interreflection)
+    params = mi.traverse(edited)
+    colours = np.concatenate([parse_colour(colour, "color") for colour in new])
+    if threads == 1:
+        params["warp.color"] = colours.tolist()
+    else:
+        params["warp.colors"] = colours.astype(np.float32)
+    params.update()
+    woven = of_colours(plugin, ",".join(new), interreflection)
+    # Tables of mean albedos are computed in single precision.
+    np.testing.assert_allclose(mean_value(edited), mean_value(woven), rtol=1e-4)
+    for name, value in mi.traverse(woven):
+        np.testing.assert_allclose(np.array(params[name]), np.array(value), rtol=1e-5, err_msg=name)
+
+
+@pytest.mark.parametrize("plugin", ["woven_point", "woven_lobes"])
+def test_albedos_win_over_colours_of_the_same_edit(plugin: str) -> None:
+    params = mi.traverse(of_colours(plugin, "#20a040", False))
+    transmitted = np.array(params["warp.diffuse_transmit"])
+    params["warp.diffuse_reflect"], params["warp.color"] = [0.1, 0.2, 0.3], [0.4, 0.3, 0.2]
+    params.update()
+    np.testing.assert_allclose(np.array(params["warp.diffuse_reflect"]).ravel(), [0.1, 0.2, 0.3], rtol=1e-6)
+    assert not np.allclose(np.array(params["warp.diffuse_transmit"]), transmitted)
+    # The colour is no edit any more: albedos that are set afterwards stay.
+    params["warp.diffuse_transmit"] = [0.05, 0.05, 0.05]
+    params.update()
+    np.testing.assert_allclose(np.array(params["warp.diffuse_transmit"]), 0.05, rtol=1e-6)
+
+
+def test_errors_of_the_fabric_name_the_bsdf(monkeypatch: pytest.MonkeyPatch) -> None:
+    bsdf = of_colours("woven_lobes", "#20a040", False)
+    params = mi.traverse(bsdf)
+
+    def refuse(*_: Any) -> Any:
+        raise InputError("the fabric: no.")
+
+    monkeypatch.setattr(type(bsdf.model), "updated", refuse)
+    params["warp.roughness"] = 0.5
+    with pytest.raises(InputError, match=r"^mine: the fabric: no\.$"):
         params.update()

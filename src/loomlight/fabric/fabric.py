@@ -27,12 +27,13 @@ from loomlight.fabric.file import FabricFile, YarnTable
 from loomlight.fabric.spacing import family_spacing, family_width
 from loomlight.fabric.writing import fabric_toml
 from loomlight.fabric.yarns import with_yarns
-from loomlight.scattering.appearance import Appearance, Sheen, Variation, YarnDetail
+from loomlight.scattering.appearance import Appearance, FamilyAppearance, Sheen, Variation, YarnDetail
 from loomlight.weave.draft import Draft, Threads
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
 
 # Crossings of a fabric: those of 4096 by 16384 threads, for which rendering takes gigabytes (docs/drafts.md).
 MAXIMUM_CROSSINGS = 1 << 26
+_FAMILIES = ("warp", "weft")
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,21 +76,27 @@ class Fabric:
 
         roughness = own.warp.roughness, own.weft.roughness
         openness = openness_of(self._layout, own.diffuse_blend, roughness, own.optical_depth)
-        fields = with_yarns(self.fields)
+        own = replace(own, openness=openness)
         warp, weft = (
-            replace(
-                family_appearance(table, name, _colours(threads), own.optical_depth, (openness, number)),
-                detail=family.detail,
-            )
-            for number, (name, table, threads, family) in enumerate(
-                (
-                    ("warp", fields.warp, self.draft.warp, own.warp),
-                    ("weft", fields.weft, self.draft.weft, own.weft),
-                )
-            )
+            self._family(name, with_yarns(self.fields), _colours(getattr(self.draft, name)), own)
+            for name in _FAMILIES
         )
-        warn_of_colours_out_of_reach(fields, own.optical_depth, openness)
-        return replace(own, warp=warp, weft=weft, openness=openness)
+        warn_of_colours_out_of_reach(with_yarns(self.fields), own.optical_depth, openness)
+        return replace(own, warp=warp, weft=weft)
+
+    def recoloured(self, family: str, colours: NDArray[np.float64]) -> FamilyAppearance:
+        """The appearance of `family`, "warp" or "weft", with another `color` a thread [n, 3], linear RGB."""
+        fields = with_yarns(self.fields)
+        table = getattr(fields, family).model_copy(update={"albedo": None})
+        return self._family(family, fields.model_copy(update={family: table}), colours, self._appearance)
+
+    def _family(
+        self, name: str, fields: FabricFile, colours: NDArray[np.float64], appearance: Appearance
+    ) -> FamilyAppearance:
+        openness = appearance.openness
+        shown_by = None if openness is None else (openness, _FAMILIES.index(name))
+        family = family_appearance(getattr(fields, name), name, colours, appearance.optical_depth, shown_by)
+        return replace(family, detail=getattr(appearance, name).detail)
 
     def _repr_png_(self) -> bytes | None:
         """The drawdown in the yarns' colours as PNG, which notebooks display."""

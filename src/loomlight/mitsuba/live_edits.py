@@ -34,11 +34,18 @@ class LiveEdits:
         """The present values are right."""
         self._kept = {name: _copy(parameter.value) for name, parameter in self.parameters.items()}
 
+    def changed(self) -> frozenset[str]:
+        """Names of the parameters that were edited since."""
+        return frozenset(
+            name
+            for name, parameter in self.parameters.items()
+            if not _same(parameter.value, self._kept[name])
+        )
+
     def take_back(self) -> None:
         """Gives every parameter the value that was right."""
-        for name, parameter in self.parameters.items():
-            if not _same(parameter.value, self._kept[name]):
-                mi.set_property(parameter.value, self._kept[name])
+        for name in self.changed():
+            mi.set_property(self.parameters[name].value, self._kept[name])
 
     def require_valid(self, cloth: str) -> None:
         """Checks the parameters that were edited since.
@@ -50,11 +57,11 @@ class LiveEdits:
             InputError: numbers out of range, not finite, or of another count; derivatives of a parameter
                 that has none. The message names parameter, value and range.
         """
-        for name, parameter in self.parameters.items():
-            if not _same(parameter.value, self._kept[name]):
-                _require_valid(f"{cloth}.{name}", parameter, self._kept[name])
-                if not parameter.differentiable and dr.grad_enabled(parameter.value):
-                    raise InputError(_without_derivatives(cloth, name, self.parameters))
+        for name in self.changed():
+            parameter = self.parameters[name]
+            _require_valid(f"{cloth}.{name}", parameter, self._kept[name])
+            if not parameter.differentiable and dr.grad_enabled(parameter.value):
+                raise InputError(_without_derivatives(cloth, name, self.parameters))
 
 
 def require_valid_edits(edits: Iterable[tuple[str, LiveEdits]]) -> None:

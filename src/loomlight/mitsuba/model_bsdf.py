@@ -126,18 +126,17 @@ def model_bsdf_class() -> type:
             self._require_no_albedo_derivatives()
             try:
                 self._follow(keys)
-            except InputError:
+            except InputError as error:
                 self.edits.take_back()
-                raise
+                raise InputError(f"{self.label}: {error}") from error
             self.edits.keep()
 
         def _follow(self, keys: Any) -> None:
-            # Mitsuba names what lies deeper by the last part of its name.
-            ends = {key.rpartition(".")[2] for key in keys}
-            changed = frozenset(name for name in self._parameters if name.rpartition(".")[2] in ends)
+            changed = self.edits.changed() & self._parameters.keys()
             before = self.model
-            if changed or not keys:
+            if changed:
                 self.model = self.model.updated(self._parameters, changed)
+            # Mitsuba names what lies deeper by the last part of its name.
             if any(key.startswith("albedo") and key not in changed for key in keys):
                 self._filter_albedo()
             self._upload_parameters(model_changed=self.model is not before)

@@ -25,6 +25,7 @@ from loomlight.models.interface import Model, Parameter, Values
 from loomlight.models.live_albedos import LiveAlbedos
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
 from loomlight.scattering.yarn_point import Albedos
+from loomlight.weave.draft import Threads
 from loomlight.yarn.geometry import YarnGeometry
 
 FAMILIES = ("warp", "weft")
@@ -79,10 +80,11 @@ class FilteredFabricModel(FabricModel):
     """A model of a fabric that averages over footprints: numbers of yarns and albedos are edited live.
 
     Scene parameters: ``warp.roughness``, ``warp.height_scale``, ``warp.inclination`` and ``warp.twist``
-    (radians), the same of ``weft``; the albedos ``warp.diffuse_reflect`` …; ``sheen.strength`` and
-    ``sheen.roughness`` where there is sheen. Albedos of families whose threads differ are one array
-    ``warp.albedos``: a row a thread, four albedos a row, three numbers an albedo. Albedos of families whose
-    threads are alike are differentiable.
+    (radians), the same of ``weft``; ``warp.color``, as fabric files have it, in linear RGB; the albedos
+    ``warp.diffuse_reflect`` …; ``sheen.strength`` and ``sheen.roughness`` where there is sheen. Where
+    threads of a family differ, they are arrays ``warp.colors``, three numbers a thread, and ``warp.albedos``:
+    a row a thread, four albedos a row, three numbers an albedo. Albedos of families whose threads are alike
+    are differentiable.
     """
 
     filters = True
@@ -116,7 +118,7 @@ class FilteredFabricModel(FabricModel):
             values = _albedo_values(getattr(self.fabric.appearance(), family), types)
             for name, value in values.items():
                 found[f"{family}.{name}"] = parameter_of(name, value, name in ALBEDOS)
-        return found
+        return {**found, **colour_parameters(self.fabric, types)}
 
     def bound_to(self, values: Values) -> Self:
         """The model that reads albedos of families whose threads are alike from arrays, with derivatives."""
@@ -131,6 +133,7 @@ class FilteredFabricModel(FabricModel):
 
     def updated(self, values: Values, changed: frozenset[str]) -> Self:
         """The model after an edit: what a change of colours leaves alone is kept."""
+        changed |= recolour(self.fabric, values, changed)
         held = {name: number for name, number in _numbers_of(self.fabric).items() if name in values}
         edits = {
             name: number
@@ -142,7 +145,7 @@ class FilteredFabricModel(FabricModel):
             fabric = edited_fabric(self.fabric, dict(_field(*edit) for edit in edits.items()))
             model = self.with_fabric(fabric, frozenset(edits))
             model = model.with_means(self.means.with_openness(fabric.appearance()))
-        if any(_is_albedo(name) for name in changed) or not changed:
+        if any(_is_albedo(name) for name in changed):
             appearance = appearance_of(model.fabric, values)
             model = model.with_means(_means_of(model.fabric, appearance, values))
         return model
@@ -218,6 +221,50 @@ def _albedo_values(family: FamilyAppearance, types: ArrayTypes) -> dict[str, Any
     if np.allclose(rows, rows[:1], rtol=0, atol=1e-12):
         return {name: types.Color3(*row.tolist()) for name, row in zip(ALBEDOS, rows[0], strict=True)}
     return {"albedos": types.Float(rows.astype(np.float32).ravel())}
+
+
+def colour_parameters(fabric: Fabric, types: ArrayTypes) -> Values:
+    """Colours of both families as scene parameters: `warp.color`, or `warp.colors` where threads differ."""
+    found = {}
+    for family in FAMILIES:
+        threads: Threads = getattr(fabric.draft, family)
+        rows = np.asarray(threads.colors, np.float64)
+        if (rows == rows[:1]).all():
+            found[f"{family}.color"] = parameter_of("color", types.Color3(*rows[0].tolist()))
+        else:
+            found[f"{family}.colors"] = parameter_of("colors", types.Float(rows.astype(np.float32).ravel()))
+    return found
+
+
+def recolour(fabric: Fabric, values: Values, changed: frozenset[str]) -> frozenset[str]:
+    """Gives the albedos of scene parameters the values of edited colours, and returns their names.
+
+    Albedos that are edited too keep their values.
+    """
+    written = set()
+    for family in FAMILIES:
+        for name in changed & {f"{family}.color", f"{family}.colors"}:
+            colours = np.broadcast_to(
+                _numbers(values[name]).reshape(-1, 3), (len(getattr(fabric.draft, family).colors), 3)
+            )
+            appearance = fabric.recoloured(family, colours)
+            for albedo in (f"{family}.{part}" for part in (*ALBEDOS, "albedos")):
+                if albedo in values and albedo not in changed:
+                    _write_albedos(values[albedo].value, appearance, albedo.rpartition(".")[2])
+                    written.add(albedo)
+    return frozenset(written)
+
+
+def _write_albedos(array: Any, appearance: FamilyAppearance, name: str) -> None:
+    """Changes an albedo of threads that are alike, or the table of all, in place."""
+    if name in ALBEDOS:
+        for channel, value in enumerate(getattr(appearance, name)[0].tolist()):
+            array[channel] = type(array[channel])(value)
+        return
+    rows = np.stack([getattr(appearance, part) for part in ALBEDOS], axis=1)
+    # `woven_point` pads each albedo to four numbers.
+    padding = dr.width(array) // rows[..., 0].size - 3
+    array[:] = type(array)(np.pad(rows, ((0, 0), (0, 0), (0, padding))).astype(np.float32).ravel())
 
 
 def _is_albedo(name: str) -> bool:

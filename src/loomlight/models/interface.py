@@ -244,7 +244,7 @@ class Model(ABC):
 
         Args:
             values: from `parameters`, edited in place.
-            changed: names of what may have changed; empty if anything may have.
+            changed: names of what changed.
 
         Raises:
             InputError: a value that cannot be; the message names it.

@@ -20,9 +20,11 @@ from loomlight.models.fabric_model import (
     ALBEDOS,
     FAMILIES,
     FabricModel,
+    colour_parameters,
     fabric_in_loom,
     fabric_source,
     parameter_of,
+    recolour,
 )
 from loomlight.models.interface import Values
 from loomlight.models.separable import Components, Evaluation, FamilyAlbedos, SeparableBsdf
@@ -122,11 +124,11 @@ def families_of(point: YarnPoint) -> FamilyAlbedos:
 class PointModel(FabricModel):
     """One sample of the footprint, at its centre: exact there, aliased where threads are small.
 
-    Scene parameters: ``warp.roughness``, ``warp.height_scale``, ``warp.twist`` (radians) and the albedos
-    ``warp.diffuse_reflect`` …, the same of ``weft``; ``sheen.strength`` and ``sheen.roughness`` where there
-    is sheen. Albedos of families whose threads differ are one array ``warp.albedos``: a row a thread, four
-    albedos a row, four numbers an albedo of which the last is unused. All are differentiable; shadows and
-    holes are held fixed.
+    Scene parameters: ``warp.roughness``, ``warp.height_scale``, ``warp.twist`` (radians), the albedos
+    ``warp.diffuse_reflect`` … and ``warp.color``, the same of ``weft``; ``sheen.strength`` and
+    ``sheen.roughness`` where there is sheen. Where threads of a family differ, they are arrays
+    ``warp.colors`` and ``warp.albedos``: a row a thread, four albedos a row, four numbers an albedo of which
+    the last is unused. All but colours are differentiable; shadows and holes are held fixed.
     """
 
     name = "point"
@@ -190,7 +192,8 @@ class PointModel(FabricModel):
             # Literals until they are edited: the sheen's closed form is cheaper with a literal roughness.
             for name, value in zip(_SHEEN, self.point_model.sheen, strict=True):
                 found[name] = types.Float(float(value))
-        return {name: parameter_of(name, value, differentiable=True) for name, value in found.items()}
+        shown = {name: parameter_of(name, value, differentiable=True) for name, value in found.items()}
+        return {**shown, **colour_parameters(self.fabric, types)}
 
     def bound_to(self, values: Values) -> Self:
         """The model that reads parameters from arrays; derivatives of these may be switched on later."""
@@ -205,3 +208,12 @@ class PointModel(FabricModel):
             point_model.sheen = strength, roughness
         bound._geometry, bound.point_model = geometry, point_model
         return bound
+
+    def updated(self, values: Values, changed: frozenset[str]) -> Self:
+        """The same model, whose albedos follow edited colours."""
+        changed |= recolour(self.fabric, values, changed)
+        types = array_types(values["warp.roughness"].value)
+        for name, family in zip(FAMILIES, self.point_model.parameters(types), strict=True):
+            if f"{name}.albedos" in changed:
+                family.follow_table()
+        return self

@@ -38,6 +38,14 @@ class FamilyParameters:
         row = dr.gather(self._types.Vector4, self.table, thread * 4 + number)
         return self._types.Color3(row.x, row.y, row.z)
 
+    def follow_table(self) -> None:
+        """Takes the means of the table anew, after an edit of it."""
+        if self.table is not None:
+            rows = self.table.numpy().reshape(self.threads, 4, 4)[:, :, :3].astype(np.float64).mean(axis=0)
+            self._mean = [
+                self._types.Color3(*(dr.opaque(self._types.Float, float(v)) for v in row)) for row in rows
+            ]
+
     def mean(self) -> list[Color3]:
         """Mean albedos over the threads, in the order of `ALBEDO_NAMES`."""
         return self.shared if self.table is None else self._mean
