@@ -13,6 +13,7 @@ from loomlight.cli.main import run
 from loomlight.core.images import read_picture, write_image
 from loomlight.fabric import load_fabric
 from loomlight.models.registry import make_model
+from loomlight.realtime.device import default_adapter
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -24,7 +25,9 @@ def test_a_frame_is_written_off_screen(tmp_path: Path, capsys: pytest.CaptureFix
     arguments = ["play", str(EXAMPLES / "denim.toml"), "--scene", "flat", "--model", "point"]
     arguments += ["--env", str(tmp_path / "sky.exr"), "--size", "24x16", "--zoom", "2", "--passes", "1"]
     assert run([*arguments, "-o", str(picture)]) == 0
-    assert capsys.readouterr().out.strip() == str(picture)
+    captured = capsys.readouterr()
+    assert captured.out.strip() == str(picture)
+    assert ("computes on the CPU" in captured.err) == default_adapter().is_software
     pixels = read_picture(picture)
     assert pixels.shape == (16, 24, 3)
     assert pixels[8, 12, 2] > pixels[8, 12, 0] > 0  # blue cloth

@@ -1,7 +1,7 @@
 """Fields of a fabric file arrive in the layout and the appearance, in their units.
 
 Covers: fabric/albedos.py, fabric/colours.py, fabric/defaults.py, fabric/fabric.py, fabric/file.py
-Covers: fabric/load.py, fabric/spacing.py
+Covers: fabric/load.py, fabric/spacing.py, fabric/thread_order.py
 """
 
 from __future__ import annotations
@@ -176,3 +176,29 @@ def test_switches_survive_writing() -> None:
     fabric = fabric_from_text('weave = "satin 5"\ninterreflection = true')
     assert "interreflection = true" in fabric.to_toml()
     assert fabric_from_text(fabric.to_toml()).fields == fabric.fields
+
+
+def test_colours_are_written_as_runs_of_threads() -> None:
+    short = fabric_from_text('weave = "plain"\nwarp.color = "3 #223355, 1 x #eeeeee, lab(52, -10, 30)"')
+    long = fabric_from_text(
+        'weave = "plain"\nwarp.color = ["#223355", "#223355", "#223355", "#eeeeee", "lab(52 -10 30)"]'
+    )
+    assert short.draft.warp.colors is not None
+    np.testing.assert_array_equal(short.draft.warp.colors, long.draft.warp.colors)
+    # The file says what it said.
+    assert '"3 #223355, 1 x #eeeeee' in short.to_toml()
+
+
+@pytest.mark.parametrize(
+    ("colour", "says"),
+    [
+        ('"0 #fff, 2 #000"', "a run of 0 threads"),
+        ('"9000 #fff, 9000 #000"', "more than 16384 threads"),
+        ('"3 #ffff, 2 #000"', '"#ffff" is no colour'),
+        ('"3 #fff, blue"', "is no colour"),
+    ],
+)
+def test_runs_that_are_none_end_in_one_sentence(colour: str, says: str) -> None:
+    with pytest.raises(InputError, match=says) as caught:
+        fabric_from_text(f'weave = "plain"\nwarp.color = {colour}')
+    assert "warp.color" in str(caught.value)

@@ -58,6 +58,10 @@ def test_facts_of_a_card() -> None:
     lines = fact_lines(fabric_from_text('weave = "twill 3/1"\n[warp]\ncount = "30 tex"\n'))
     assert lines[0].startswith("twill 3/1; 4 ends and 4 picks")
     assert "20 ends/cm of 30 tex" in lines[1]
+    striped = fabric_from_text('weave = "twill 3/1"\nwarp.color = "5 #223355, 2 #ffffff"\n')
+    assert fact_lines(striped)[0] == (
+        "twill 3/1; 28 ends and 4 picks, 14 × 2 mm, of which the weave is 4 and 4"
+    )
 
 
 def test_the_command(

@@ -81,6 +81,8 @@ TOML = [
     'weave = "sateen 5"\nname = "a \\"b\\"\\n\\u00e9"\n[sheen]\nstrength = 1\n[variation]\nseed = 7',
     'weave = "twill 2/2"\nends_per_cm = 18\nwarp.count = "30 tex"\nweft.count = "Nm 28"\nweft.gap = 0.1',
     'weave = "gingham 4"\nwarp.color = ["#111", "#222", "#333"]\ngap = 0\nweft.height_scale = 2',
+    'weave = "plain"\nwarp.color = "20 #223355, 4x#eee, #a0b0c0"\nweft.color = "#111,#222"',
+    'weave = "twill 2/2"\nwarp.color = ["3 #223355", [0, 0.5, 1], "2 x #fff"]\nweft.albedo = "4 #666"',
 ]
 REFUSED_TOML = [
     "",
@@ -94,6 +96,10 @@ REFUSED_TOML = [
     'weave = "plain"\nwarp.roughness = "0.3"',
     'weave = "plain"\nwarp.color = []',
     'weave = "plain"\nwarp.color = "blue"',
+    'weave = "plain"\nwarp.color = "0 #fff, 3 #000"',
+    'weave = "plain"\nwarp.color = "9000 #fff, 9000 #000"',
+    'weave = "plain"\nwarp.color = "3 #fff, blue"',
+    'weave = "plain"\nwarp.color = "3 #fffff, 2 #000"',
     'weave = "plain"\nwarp.color = [0.1, 2, 0.3]',
     'weave = "plain"\nwarp.color = ["#fff", 3]',
     'weave = "houndstooth"\nwarp.count = "40 sheep"',

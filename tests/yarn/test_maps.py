@@ -17,6 +17,7 @@ import pytest
 from drjit.llvm.ad import Array3f, Bool, Float
 from PIL import Image
 
+from loomlight.cli.main import run
 from loomlight.core.errors import InputError
 from loomlight.core.images import read_picture, write_channels
 from loomlight.yarn.geometry import YarnGeometry
@@ -164,3 +165,52 @@ def test_files_that_are_no_maps_end_in_one_sentence(maps: SurfaceMaps, tmp_path:
         write_maps(maps, tmp_path / "maps.tiff")
     with pytest.raises(InputError, match="resolution"):
         bake_maps(YarnGeometry(even_layout(TWILL)), (0, 10), Float)
+
+
+@pytest.mark.parametrize(
+    ("options", "size", "millimetres"),
+    [
+        (["--resolution", "100"], (100, 22), "10 x 2.22222222"),
+        (["--pixels-per-mm", "10"], (100, 22), "10 x 2.22222222"),
+        (["--tile", "19", "--resolution", "96x96"], (96, 96), "20 x 20"),
+    ],
+)
+def test_texels_are_square_and_pictures_know_their_millimetres(
+    options: list[str], size: tuple[int, int], millimetres: str, tmp_path: Path
+) -> None:
+    """Of denim with seven colours in the warp: 28 ends and 4 picks in 10 × 2.22 mm."""
+    fabric = tmp_path / "denim.toml"
+    fabric.write_text('weave = "twill 3/1"\nends_per_cm = 28\npicks_per_cm = 18\nwarp.color = "28 #223355"\n')
+    assert run(["bake-maps", str(fabric), "-o", str(tmp_path / "maps.png"), *options]) == 0
+    with Image.open(tmp_path / "maps_normal.png") as picture:
+        assert picture.size == size
+        assert picture.info["size_mm"] == millimetres
+        width, height = (float(part) for part in millimetres.split(" x "))
+        # Files hold whole pixels a metre.
+        np.testing.assert_allclose(
+            picture.info["dpi"], (25.4 * size[0] / width, 25.4 * size[1] / height), rtol=1e-4
+        )
+
+
+def test_oblong_texels_are_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    oblong, square = (str(tmp_path / f"{name}.exr") for name in ("oblong", "square"))
+    assert run(["bake-maps", "rib 4", "-o", square, "--resolution", "16x64"]) == 0
+    assert not capsys.readouterr().err
+    assert run(["bake-maps", "rib 4", "-o", oblong, "--resolution", "64x64"]) == 0
+    assert "over 1 × 4 mm are 4 times as tall as wide: 16x64 are square" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        ["--resolution", "64", "--pixels-per-mm", "9"],
+        ["--tile", "3", "--window", "0,0,1,1"],
+        ["--tile", "-1"],
+    ],
+)
+def test_options_of_maps_that_contradict_end_in_one_sentence(
+    options: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["bake-maps", "plain", "-o", str(tmp_path / "maps.exr"), *options]) == 2
+    assert capsys.readouterr().err.startswith("loomlight: --")
+    assert not list(tmp_path.iterdir())

@@ -10,6 +10,7 @@ import typer
 
 from loomlight.cli.outputs import check_output, done, require_not_read
 from loomlight.cli.values import parse_numbers, parse_size, require_within
+from loomlight.core.errors import InputError
 
 EXAMPLE = 'Example: loomlight bake-maps "twill 3/1" -o maps.exr --resolution 1024'
 
@@ -26,13 +27,20 @@ def bake_maps(
         typer.Option("--output", "-o", help="An .exr file with all maps, or .png for one picture a map."),
     ],
     resolution: Annotated[
-        str, typer.Option(metavar="WxH", help="Columns and rows of texels; one number for both.")
-    ] = "1024",
+        str | None,
+        typer.Option(metavar="WxH", help="Columns and rows of texels, or texels of the longer side; 1024."),
+    ] = None,
+    pixels_per_mm: Annotated[
+        float | None, typer.Option(metavar="NUMBER", help="Texels a millimetre, in place of --resolution.")
+    ] = None,
     window: Annotated[
         str | None,
         typer.Option(
             metavar="X,Y,W,H", help="Left, bottom, width, height in millimetres; one repeat if left out."
         ),
+    ] = None,
+    tile: Annotated[
+        float | None, typer.Option(metavar="MM", help="Whole repeats, as many as come nearest to a side.")
     ] = None,
     back: Annotated[bool, typer.Option("--back", help="The back face, as seen from behind.")] = False,
 ) -> None:
@@ -41,13 +49,21 @@ def bake_maps(
     # One picture a map, or one file of all.
     pictures = output.parent.glob(f"{glob.escape(output.stem)}_*.png")
     require_not_read([output] if output.suffix.lower() == ".exr" else pictures, [fabric])
-    columns_and_rows = parse_size(resolution, "--resolution")
+    if pixels_per_mm is not None and resolution is not None:
+        raise InputError("--pixels-per-mm and --resolution both say how many texels: give one of them.")
+    if tile is not None and window is not None:
+        raise InputError("--tile and --window both say what is shown: give one of them.")
+    for option, number in (("--pixels-per-mm", pixels_per_mm), ("--tile", tile)):
+        if number is not None:
+            require_within(option, number, 1e-3, MAX_WINDOW)
     corner = None
     if window is not None:
         left, bottom, width, height = parse_numbers("--window", window, 4, "0,0,5,5")
         for number in (left, bottom, width, height):
             require_within("--window", number, -MAX_WINDOW, MAX_WINDOW)
         corner = (left, bottom, width, height)
+    # A wrong size is named before the fabric is read.
+    sides = parse_size(resolution or "1024", "--resolution")
 
     from loomlight.assets.load import fabric_of_path
     from loomlight.core.llvm import require_llvm
@@ -58,8 +74,19 @@ def bake_maps(
 
     from loomlight.fabric.material_maps import material_maps
     from loomlight.yarn.geometry import YarnGeometry
-    from loomlight.yarn.maps import bake_maps, write_maps
+    from loomlight.yarn.maps import bake_maps, resolution_of, warn_of_oblong_texels, write_maps
 
+    if tile is not None:
+        across, up = (max(round(tile / side), 1) * side for side in cloth.repeat_mm)
+        corner = (0.0, 0.0, across, up)
+    extent = cloth.repeat_mm if corner is None else corner[2:]
+    if pixels_per_mm is not None:
+        columns_and_rows = resolution_of(extent, pixels_per_mm)
+    elif resolution is not None and not resolution.strip().isdigit():
+        columns_and_rows = sides
+        warn_of_oblong_texels(extent, sides)
+    else:
+        columns_and_rows = resolution_of(extent, sides[0] / max(extent))
     maps = bake_maps(YarnGeometry(cloth.layout()), columns_and_rows, Float, corner, back)
     for path in write_maps(maps, output, material_maps(cloth, maps)):
         done(path)

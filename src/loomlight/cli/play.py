@@ -4,21 +4,26 @@ from __future__ import annotations
 
 import os
 import sys
+import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from loomlight.cli.outputs import check_output, done
+from loomlight.cli.progress import progress
 from loomlight.cli.render_options import WhiteBalanceOption
 from loomlight.cli.values import parse_size, require_within
-from loomlight.core.errors import MissingDependencyError
+from loomlight.core.errors import LoomlightWarning, MissingDependencyError
 
 if TYPE_CHECKING:
+    from loomlight.realtime.renderer import Picture
     from loomlight.realtime.viewer import Viewer
 
 EXAMPLE = "Example: loomlight play examples/denim.toml --scene drape"
 _SIZE = (960, 720)
+# Passes of a frame that is written.
+PASSES, SOFTWARE_PASSES = 16, 4
 _NO_WINDOW = (
     "loomlight play opens a window, and {reason}: {remedy}, or write a frame with -o frame.png, or use "
     "loomlight render."
@@ -54,7 +59,9 @@ def play(
         Path | None,
         typer.Option("--output", "-o", help="Write a frame as .png or .exr, off screen, and open no window."),
     ] = None,
-    passes: Annotated[int, typer.Option(help="Passes of that frame.")] = 16,
+    passes: Annotated[
+        int | None, typer.Option(help="Passes of that frame; 16, or 4 where a software adapter computes.")
+    ] = None,
 ) -> None:
     """Opens a window of a fabric in real time: drag to orbit, turn the wheel from garment to yarn.
 
@@ -66,7 +73,7 @@ def play(
     require_within("--white-balance", 6500 if white_balance is None else white_balance, 1667, 25000)
     require_within("--env-turn", environment_turn, -360, 360)
     require_within("--metres-per-unit", metres_per_unit, 1e-6, 1e6)
-    require_within("--passes", passes, 1, 100_000)
+    require_within("--passes", 1 if passes is None else passes, 1, 100_000)
     pixels = _SIZE if size is None else parse_size(size)
     if output is not None:
         check_output(output, (".png", ".exr"), [fabric, mesh, environment])
@@ -154,16 +161,32 @@ def _viewer(
     return Viewer(renderer, orbit.closer_by(zoom), lightings, models, exposure)
 
 
-def _write(viewer: Viewer, output: Path, passes: int, exposure: float) -> None:
+def _write(viewer: Viewer, output: Path, passes: int | None, exposure: float) -> None:
+    """Writes the frame after its first pass, and again after its last."""
+    if viewer.adapter.is_software:
+        warnings.warn(
+            f"{viewer.adapter.name} computes on the CPU, which takes many seconds a pass: loomlight render "
+            "is faster here.",
+            LoomlightWarning,
+            stacklevel=2,
+        )
+    whole = passes or (SOFTWARE_PASSES if viewer.adapter.is_software else PASSES)
+    with progress(f"{output.name}") as report:
+        for number in range(1, whole + 1):
+            picture = viewer.frame()
+            report(number, whole)
+            if number in (1, whole):
+                _write_frame(picture, output, exposure)
+    done(output)
+
+
+def _write_frame(picture: Picture, output: Path, exposure: float) -> None:
     from loomlight.core.images import write_image, write_png
 
-    for _ in range(passes):
-        picture = viewer.frame()
     if output.suffix.lower() == ".exr":
         write_image(output, picture.linear[..., :3] * 2.0**exposure)
     else:
         write_png(output, picture.srgb[..., :3])
-    done(output)
 
 
 def _window(size: tuple[int, int]) -> Any:

@@ -156,8 +156,18 @@ def _file_name(fabric: str) -> str:
 
 
 def _colors(texts: list[str] | None) -> dict[str, Any]:
-    named = parse_named("--color", texts or [], "warp=#223355")
-    return {family: values[0] if len(values) == 1 else values for family, values in named.items()}
+    # A comma before a part without a name goes on with the order of threads before it.
+    parts = [part for text in texts or [] for part in re.split(r",(?=[^,=]*=)", text)]
+    found: dict[str, list[str]] = {}
+    for part in parts:
+        family, _, colours = part.partition("=")
+        if not family.strip() or not colours.strip():
+            raise InputError(
+                f'--color "{part}" is not understood: write NAME=VALUE, such as warp=#223355, or an order '
+                'of threads, such as "warp=20 #223355, 4 #eeeeee".'
+            )
+        found.setdefault(family.strip(), []).append(colours.strip())
+    return {family: values[0] if len(values) == 1 else values for family, values in found.items()}
 
 
 def _require_model(name: str | None) -> None:

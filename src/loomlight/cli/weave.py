@@ -82,11 +82,11 @@ def info(draft: DraftArgument) -> None:
     if Path(draft).suffix.lower() != FABRIC_SUFFIX:
         print(summary(draft_from(draft)))
         return
-    from loomlight.fabric.facts import cloth_facts, facts_text
+    from loomlight.fabric.facts import facts_text
     from loomlight.fabric.load import load_fabric
 
     fabric = load_fabric(draft)
-    print(f"{summary(fabric.draft)}\n{facts_text(cloth_facts(fabric))}")
+    print(f"{summary(fabric.draft, with_sett=False)}\n{facts_text(fabric)}")
 
 
 @app.command("names", epilog="Example: loomlight weave names")

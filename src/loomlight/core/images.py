@@ -7,12 +7,13 @@ import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 import OpenEXR
 from numpy.typing import ArrayLike, NDArray
 from PIL import Image, UnidentifiedImageError
+from PIL.PngImagePlugin import PngInfo
 
 from loomlight.core.colour import linear_to_srgb, srgb_to_linear
 from loomlight.core.errors import InputError
@@ -74,15 +75,27 @@ def write_png(path: str | os.PathLike[str], pixels: NDArray[np.uint8]) -> None:
     write_pngs({Path(path): pixels})
 
 
-def write_pngs(pictures: Mapping[Path, NDArray[np.uint8]]) -> None:
+def write_pngs(
+    pictures: Mapping[Path, NDArray[np.uint8]], size_mm: tuple[float, float] | None = None
+) -> None:
     """Writes 8-bit pictures, each [height, width] or [height, width, 3]: all of them, or none.
+
+    Args:
+        size_mm: width and height of what they show, millimetres, for their headers: pixels an inch, and a
+            text "size_mm".
 
     Raises:
         InputError: a path that cannot be written, or a full disk.
     """
     with replacing_all(list(pictures)) as temporaries:
         for temporary, pixels in zip(temporaries, pictures.values(), strict=True):
-            Image.fromarray(pixels).save(temporary, format="PNG")
+            header: dict[str, Any] = {}
+            if size_mm is not None:
+                text = PngInfo()
+                text.add_text("size_mm", f"{size_mm[0]:.9g} x {size_mm[1]:.9g}")
+                per_inch = (25.4 * n / side for n, side in zip(pixels.shape[1::-1], size_mm, strict=True))
+                header = {"pnginfo": text, "dpi": tuple(per_inch)}
+            Image.fromarray(pixels).save(temporary, format="PNG", **header)
 
 
 def write_animation(

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.colour import parse_colour
-from loomlight.fabric.file import FabricFile, YarnTable, is_one_colour
+from loomlight.fabric.file import FabricFile, YarnTable
+from loomlight.fabric.thread_order import colours_in_order
 from loomlight.weave.draft import Draft, Threads
 from loomlight.weave.palette import WARP_COLOUR, WEFT_COLOUR, with_palette
 
@@ -45,7 +46,5 @@ def _colours(table: YarnTable, name: str, threads: Threads) -> NDArray[np.float6
         if threads.colors is not None:
             return None
         given = WARP_COLOUR if name == "warp" else WEFT_COLOUR
-    listed = [given] if is_one_colour(given) else given
-    return np.array(
-        [parse_colour(colour, f"{name}.{'albedo' if table.color is None else 'color'}") for colour in listed]
-    )
+    field = f"{name}.{'albedo' if table.color is None else 'color'}"
+    return np.array([parse_colour(colour, field) for colour in colours_in_order(given, field)])

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.file import YarnTable
 from loomlight.fabric.yarns import with_yarns, yarn_density
-from loomlight.weave.textile import tex_of_diameter, yarn_diameter_mm, yarn_tex
+from loomlight.weave.textile import per_inch, tex_of_diameter, yarn_diameter_mm, yarn_tex
 from loomlight.yarn.layout import FamilyLayout
 
 # Yarn cannot be longer than that over the cloth: jammed plain weaves have crimps up to .3.
@@ -100,15 +100,30 @@ def three_digits(value: float) -> str:
     return f"{float(f'{value:.3g}'):g}"
 
 
-def facts_text(facts: ClothFacts) -> str:
-    """The facts in a few lines for a person."""
+def repeat_text(fabric: Fabric) -> str:
+    """One repeat in words, with millimetres: of the weave, and with its colours where these repeat later."""
+    whole, weave = fabric.draft, fabric.named_draft
+    width, height = fabric.repeat_mm
+    size = f"{whole.ends} ends and {whole.picks} picks, {width:.3g} × {height:.3g} mm"
+    if (whole.ends, whole.picks) == (weave.ends, weave.picks):
+        return size
+    return f"{size}, of which the weave is {weave.ends} and {weave.picks}"
+
+
+def facts_text(fabric: Fabric) -> str:
+    """Sett, repeat, cover, yarn and weight of a fabric in a few lines for a person."""
+    facts = cloth_facts(fabric)
 
     def pair(name: str) -> tuple[float, float]:
         return getattr(facts.warp, name), getattr(facts.weft, name)
 
     cover, tex, crimp = pair("cover"), pair("tex"), pair("crimp")
     about = "about" if facts.counted else "at most"
+    per_cm = pair("per_cm")
     text = (
+        f"sett: {per_cm[0]:.3g} ends/cm ({per_inch(per_cm[0]):.3g} epi), "
+        f"{per_cm[1]:.3g} picks/cm ({per_inch(per_cm[1]):.3g} ppi)\n"
+        f"repeat: {repeat_text(fabric)}\n"
         f"cover: warp {cover[0]:.2f}, weft {cover[1]:.2f}, together {facts.cover:.3g}\n"
         f"yarn: warp {three_digits(tex[0])} tex, weft {three_digits(tex[1])} tex; "
         f"crimp {100 * crimp[0]:.2g} % and {100 * crimp[1]:.2g} %\n"

@@ -15,6 +15,7 @@ from pydantic_core import PydanticCustomError
 from loomlight.core.colour import parse_colour
 from loomlight.core.errors import InputError
 from loomlight.core.spectra import is_spectrum
+from loomlight.fabric.thread_order import colours_in_order
 
 # Stands in a message for the field's name, which only the translation into a sentence knows.
 FIELD = "⟦field⟧"
@@ -30,20 +31,17 @@ def _colour(value: object) -> object:
     return value
 
 
-def is_one_colour(value: object) -> bool:
-    """Whether `value` is written as one colour ("#rrggbb" or three numbers), not as a list of colours."""
-    if not isinstance(value, list):
-        return True
-    return len(value) > 0 and all(isinstance(part, int | float) for part in value)
-
-
 def _colours(value: object) -> object:
-    if not isinstance(value, list) or is_one_colour(value):
-        return _colour(value)
-    if not value:
+    if value == []:
         text = f'{FIELD} = [] holds no colour: write "#rrggbb", a linear RGB triple, or a list of these.'
         raise PydanticCustomError("sentence", "{text}", {"text": text})
-    return [_colour(part) for part in value]
+    try:
+        listed = colours_in_order(value, FIELD)
+    except InputError as error:
+        raise PydanticCustomError("sentence", "{text}", {"text": str(error)}) from error
+    for colour in listed:
+        _colour(colour)
+    return value
 
 
 # Kinds of yarn; `yarns.py` says what they are.

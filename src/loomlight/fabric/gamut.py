@@ -13,7 +13,8 @@ from loomlight.core.colour_difference import delta_e_2000, lab_of_linear
 from loomlight.core.errors import LoomlightWarning
 from loomlight.fabric.authored_colour import colour_for, shown_colour
 from loomlight.fabric.defaults import ROUGHNESS, SPECULAR, TRANSLUCENCY
-from loomlight.fabric.file import FabricFile, YarnTable, is_one_colour
+from loomlight.fabric.file import FabricFile, YarnTable
+from loomlight.fabric.thread_order import colours_in_order
 
 if TYPE_CHECKING:
     from loomlight.scattering.openness import Openness
@@ -36,7 +37,7 @@ def _sentence(
     """Of the colour that is farthest out of reach; None where all are within."""
     if table.color is None:
         return None
-    listed = [table.color] if is_one_colour(table.color) else table.color
+    listed = colours_in_order(table.color, f"{name}.color")
     yarn = (
         SPECULAR if table.specular is None else table.specular,
         TRANSLUCENCY if table.translucency is None else table.translucency,

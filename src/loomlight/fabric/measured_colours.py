@@ -8,7 +8,8 @@ import numpy as np
 
 from loomlight.core.errors import InputError
 from loomlight.core.spectra import is_spectrum, read_spectrum
-from loomlight.fabric.file import FabricFile, YarnTable, is_one_colour
+from loomlight.fabric.file import FabricFile, YarnTable
+from loomlight.fabric.thread_order import is_one_colour
 
 _FIELDS = ("color", "albedo", "specular_tint", "diffuse_reflect", "diffuse_transmit", "specular_reflect")
 

@@ -23,7 +23,7 @@ from loomlight.core.images import encoded
 from loomlight.core.shards import Outcome, Shard
 from loomlight.core.work_map import work_map
 from loomlight.fabric.fabric import Fabric
-from loomlight.fabric.facts import cloth_facts, three_digits
+from loomlight.fabric.facts import cloth_facts, repeat_text, three_digits
 from loomlight.mitsuba.material import material_bsdf
 from loomlight.mitsuba.rendering import render
 from loomlight.mitsuba.scenes import build_scene
@@ -153,12 +153,11 @@ def fabric_card(
 
 def fact_lines(fabric: Fabric) -> list[str]:
     """Text of a card: structure, sett, cover, weight."""
-    facts, draft = cloth_facts(fabric), fabric.named_draft
-    width, height = fabric.repeat_mm
-    weave = fabric.fields.weave or draft.title or "draft"
+    facts = cloth_facts(fabric)
+    weave = fabric.fields.weave or fabric.named_draft.title or "draft"
     about = "about" if facts.counted else "at most"
     return [
-        f"{weave}; {draft.ends} ends and {draft.picks} picks, {width:.3g} × {height:.3g} mm a repeat",
+        f"{weave}; {repeat_text(fabric)}",
         f"{facts.warp.per_cm:.3g} ends/cm of {three_digits(facts.warp.tex)} tex, "
         f"{facts.weft.per_cm:.3g} picks/cm of {three_digits(facts.weft.tex)} tex",
         f"covers {100 * facts.cover:.0f} %, {about} {facts.weight:.0f} g/m², "

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from loomlight.realtime.device import Adapter
 from loomlight.realtime.orbit import Orbit
 from loomlight.realtime.renderer import FrameOptions, Picture, Renderer
 from loomlight.realtime.scene import Light
@@ -62,6 +63,11 @@ class Viewer:
     def model(self) -> str:
         """The name of the model that shades."""
         return self._renderer.model
+
+    @property
+    def adapter(self) -> Adapter:
+        """The graphics adapter that computes."""
+        return self._renderer.adapter
 
     def frame(self) -> Picture:
         """One more pass of the picture at rest, or the first of another."""

@@ -197,12 +197,16 @@ def repeat_size_cm(
     )
 
 
-def summary(draft: Draft) -> str:
-    """A description of a draft in a few lines: size, setts, floats, loom, colours."""
+def summary(draft: Draft, with_sett: bool = True) -> str:
+    """A description of a draft in a few lines: size, setts, floats, loom, colours.
+
+    Args:
+        with_sett: say setts and repeat, where the draft has any.
+    """
     floats = longest_floats(draft)
     lines = [f"{draft.title or 'untitled'}: {draft.ends} ends, {draft.picks} picks"]
     ends_per_cm, picks_per_cm = sett_per_cm(draft.warp), sett_per_cm(draft.weft)
-    if ends_per_cm is not None and picks_per_cm is not None:
+    if with_sett and ends_per_cm is not None and picks_per_cm is not None:
         width, height = repeat_size_cm(draft)
         lines.append(f"sett: {ends_per_cm:.3g} ends/cm ({per_inch(ends_per_cm):.3g} epi), ")
         lines[-1] += f"{picks_per_cm:.3g} picks/cm ({per_inch(picks_per_cm):.3g} ppi)"

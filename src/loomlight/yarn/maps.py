@@ -6,6 +6,7 @@ For other tools and for the models that learn from textures. The renderer does n
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,11 +20,13 @@ from numpy.typing import NDArray
 from loomlight.core.arrays import FloatType
 from loomlight.core.backend import array_types
 from loomlight.core.colour import linear_to_srgb
-from loomlight.core.errors import InputError
+from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.images import write_channels, write_pngs
 from loomlight.yarn.search import Surface
 
 MAXIMUM_MAP_SIZE = 16384
+# Sides of a texel, longer over shorter, that are still taken for square.
+MAX_OBLONG = 1.5
 _CHANNELS = {
     "height": ("height",),
     "normal": ("normal.X", "normal.Y", "normal.Z"),
@@ -55,6 +58,27 @@ class SurfaceMaps:
     hole: NDArray[np.bool_]
     size: tuple[float, float]
     thread: NDArray[np.int32] | None = None
+
+
+def resolution_of(extent: tuple[float, float], per_mm: float) -> tuple[int, int]:
+    """Columns and rows of square texels for width and height in millimetres, at least 1 each."""
+    columns, rows = (max(round(side * per_mm), 1) for side in extent)
+    return columns, rows
+
+
+def warn_of_oblong_texels(extent: tuple[float, float], resolution: tuple[int, int]) -> None:
+    """Warns of texels far from square: one family of threads is coarser than the other."""
+    width, height = (side / texels for side, texels in zip(extent, resolution, strict=True))
+    oblong = max(width / height, height / width)
+    if oblong > MAX_OBLONG:
+        longer = "wide as tall" if width > height else "tall as wide"
+        columns, rows = resolution_of(extent, max(resolution) / max(extent))
+        warnings.warn(
+            f"Texels of {resolution[0]}x{resolution[1]} over {extent[0]:.4g} × {extent[1]:.4g} mm are "
+            f"{oblong:.2g} times as {longer}: {columns}x{rows} are square.",
+            LoomlightWarning,
+            stacklevel=2,
+        )
 
 
 def bake_maps(
@@ -133,8 +157,8 @@ def write_maps(
     """Writes the maps and returns the files: one EXR with named channels, or a PNG a map beside `path`.
 
     Pictures have row 0 at the top, so the window's upper edge comes first. In PNGs vectors are (v + 1)/2,
-    colours sRGB, and the height spans 0 to 1 from its lowest to its highest, 8 bits; EXR holds the values
-    themselves.
+    colours sRGB, and the height spans 0 to 1 from its lowest to its highest, 8 bits, with the millimetres in
+    the file's header; EXR holds the values themselves.
 
     Args:
         material: further maps by name, [rows, columns] of 0 to 1, or [rows, columns, 3] of linear RGB.
@@ -174,7 +198,7 @@ def write_maps(
         target.with_name(f"{target.stem}_{name}.png"): np.rint(np.clip(plane, 0, 1) * 255).astype(np.uint8)
         for name, plane in planes.items()
     }
-    write_pngs(pictures)
+    write_pngs(pictures, maps.size)
     return list(pictures)
 
 

@@ -82,8 +82,43 @@ export function toHex(linear: ArrayLike<number>): string {
   return `#${pair(linear[0] ?? 0)}${pair(linear[1] ?? 0)}${pair(linear[2] ?? 0)}`;
 }
 
-/** Whether a value is written as one colour ("#rrggbb" or three numbers), not as a list of colours. */
+/** Threads of a repeat, at most. */
+const MOST_THREADS = 16384;
+/** Commas outside of brackets: lab(52, -10, 30) is one colour. */
+const COMMA = /,(?![^(]*\))/;
+const RUN = /^(?:([0-9]{1,9}) *[x×]? *)?(#[0-9a-f]+|lab\([^)]*\))$/i;
+
+/** Whether a value is written as one colour, not as a list of colours or as runs of threads. */
 export function isOneColour(value: unknown): value is Colour {
+  if (typeof value === "string") return runsOf(value) === null;
   if (!Array.isArray(value)) return true;
-  return value.length > 0 && value.every((part) => typeof part === "number");
+  return value.length > 0 && value.every((part) => typeof part === "number" || typeof part === "bigint");
+}
+
+/**
+ * The colours of threads, one after the other: of a colour, a list, or runs such as "20 #223355, 20 #eeeeee".
+ *
+ * @throws InputError a run of no threads, or more threads than a repeat may have.
+ */
+export function coloursInOrder(value: unknown, field: string): unknown[] {
+  const parts = Array.isArray(value) && !isOneColour(value) ? (value as unknown[]) : [value];
+  const found: unknown[] = [];
+  for (const part of parts) {
+    const runs = typeof part === "string" ? runsOf(part) : null;
+    for (const { count, colour } of runs ?? [{ count: 1, colour: part }]) {
+      if (count < 1) throw new InputError(`${field} = "${String(part)}" holds a run of 0 threads: write 1 or more.`);
+      if (found.length + count > MOST_THREADS)
+        throw new InputError(`${field} has more than ${MOST_THREADS} threads, which no repeat may have.`);
+      for (let i = 0; i < count; i++) found.push(colour);
+    }
+  }
+  return found;
+}
+
+/** Threads and colour of every run; null of a text that is one colour, or no colour at all. */
+function runsOf(text: string): { count: number; colour: string }[] | null {
+  const matches = text.split(COMMA).map((part) => RUN.exec(part.trim()));
+  if (matches.some((match) => match === null)) return null;
+  const runs = matches.map((match) => ({ count: Number(match![1] ?? 1), colour: match![2]! }));
+  return runs.length > 1 || matches[0]![1] !== undefined ? runs : null;
 }

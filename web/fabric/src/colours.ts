@@ -1,5 +1,5 @@
 /** The colour of every thread: colours of the fields, in the order of the draft. */
-import { isOneColour, parseColour, type Colour, type Rgb } from "./colour.ts";
+import { coloursInOrder, parseColour, type Rgb } from "./colour.ts";
 import type { Draft, Threads } from "./draft.ts";
 import type { FamilyName } from "./fields.ts";
 import type { FabricFields } from "./generated.ts";
@@ -41,6 +41,5 @@ function listed(fields: FabricFields, family: FamilyName, threads: Threads): Rgb
   const given = fields[family]?.color ?? fields[family]?.albedo;
   if (given === undefined && threads.colors !== null) return null;
   const stated = given ?? (family === "warp" ? WARP_COLOUR : WEFT_COLOUR);
-  const list: readonly Colour[] = isOneColour(stated) ? [stated] : stated;
-  return list.map((colour) => parseColour(colour, `${family}.color`));
+  return coloursInOrder(stated, `${family}.color`).map((colour) => parseColour(colour, `${family}.color`));
 }

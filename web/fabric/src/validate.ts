@@ -1,6 +1,6 @@
 /** Validation of a fabric's fields; each fault is one sentence: field, value, and what would be right. */
 import { closeMatch } from "./close_match.ts";
-import { isOneColour, parseColour } from "./colour.ts";
+import { coloursInOrder, isOneColour, parseColour } from "./colour.ts";
 import { InputError } from "./errors.ts";
 import { FAMILIES, type FieldKind, type FieldTable } from "./fields.ts";
 import { FABRIC, type FabricFields, YARN_PRESETS } from "./generated.ts";
@@ -71,11 +71,12 @@ function validValue(value: unknown, kind: FieldKind, name: string, isWhole: IsWh
       return validColour(value, name);
     case "colours":
       if (isOneColour(value)) return validColour(value, name);
-      if ((value as unknown[]).length === 0)
+      if (Array.isArray(value) && value.length === 0)
         throw new InputError(
           `${name} = [] holds no colour: write "#rrggbb", a linear RGB triple, or a list of these.`,
         );
-      return (value as unknown[]).map((part) => validColour(part, name));
+      coloursInOrder(value, name).forEach((colour) => validColour(colour, name));
+      return typeof value === "string" ? value : (value as unknown[]).map(plainNumbers);
     case "table":
       throw cannotBeUsed(name, value, kind);
   }
@@ -94,11 +95,15 @@ function validYarn(value: unknown, name: string): string {
 }
 
 function validColour(value: unknown, name: string): unknown {
-  const plain = Array.isArray(value)
-    ? value.map((part: unknown) => (typeof part === "bigint" ? Number(part) : part))
-    : value;
+  const plain = plainNumbers(value);
   parseColour(plain, name);
   return plain;
+}
+
+/** A triple of integers as numbers; other values as they are. */
+function plainNumbers(value: unknown): unknown {
+  if (!Array.isArray(value)) return value;
+  return value.map((part: unknown) => (typeof part === "bigint" ? Number(part) : part));
 }
 
 function cannotBeUsed(name: string, value: unknown, kind: FieldKind): InputError {

@@ -7,6 +7,7 @@ It needs no loomlight: cloth.wgsl, the buffers and the manifest are everything.
 from __future__ import annotations
 
 import json
+import os
 import struct
 import sys
 import zlib
@@ -21,8 +22,12 @@ FOLDER = Path(__file__).resolve().parent
 
 def draw(size: int, radius: float = 12.0, distance: float = 45.0) -> NDArray[np.float32]:
     """Linear RGB [size, size, 3] of a sphere; radius and distance from the eye in millimetres."""
+    # Drivers look for a display otherwise, and print complaints where there is none.
+    os.environ.setdefault("NODEVICE_SELECT", "1")
     import wgpu
+    from wgpu.backends.wgpu_native.extras import set_instance_extras
 
+    set_instance_extras(backends=["Vulkan", "Metal", "DX12"])
     adapters = [a for a in wgpu.gpu.enumerate_adapters_sync() if a.info["backend_type"] != "OpenGL"]
     device = min(adapters, key=lambda a: a.info["adapter_type"] == "CPU").request_device_sync()
     code = "\n".join((FOLDER / name).read_text(encoding="utf-8") for name in ("cloth.wgsl", "sample.wgsl"))
