@@ -81,7 +81,7 @@ def fabric_of(name: str, weave: str, look: Look) -> Fabric:
         for number, family in enumerate(("warp", "weft"))
     ]
     text = (
-        f'name = "{name}"\n{source}\n'
+        f'name = "{name}"\n{source}\ninterreflection = false\n'
         f"diffuse_blend = {PARAMETER_RANGES.diffuse_blend}\n"
         f"optical_depth = {PARAMETER_RANGES.optical_depth}\n"
     )

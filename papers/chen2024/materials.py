@@ -94,6 +94,7 @@ def paper_material(number: int, seed: int = 0) -> Fabric:
         gap=ranges.gap[0],
         diffuse_blend=ranges.diffuse_blend,
         optical_depth=ranges.optical_depth,
+        interreflection=False,
         warp=tables[0],
         weft=tables[1],
     )

@@ -79,8 +79,8 @@ def cylinder_fabric(sheen: float) -> Fabric:
     """A coarse twill of opaque yarns, the same both ways but for the colour."""
     yarn = "specular = 0.5\nroughness = 0.3\ntranslucency = 0\n"
     return fabric_from_text(
-        f'name = "coarse twill"\nweave = "twill 2/1"\nends_per_cm = {_THREADS_PER_CM}\n'
-        f"picks_per_cm = {_THREADS_PER_CM}\ngap = 0.03\n"
+        f'name = "coarse twill"\nweave = "twill 2/1"\ninterreflection = false\n'
+        f"ends_per_cm = {_THREADS_PER_CM}\npicks_per_cm = {_THREADS_PER_CM}\ngap = 0.03\n"
         f'[warp]\ncolor = "#4d6a8f"\n{yarn}[weft]\ncolor = "#c8c2b2"\n{yarn}[sheen]\nstrength = {sheen}\n'
     )
 

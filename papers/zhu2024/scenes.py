@@ -151,7 +151,8 @@ SCENES: dict[str, TableScene] = {
 
 def _cloth(weave: str, sett: tuple[int, int], gap: float, warp: str, weft: str, rest: str = "") -> str:
     return (
-        f'weave = "{weave}"\nends_per_cm = {sett[0]}\npicks_per_cm = {sett[1]}\ngap = {gap}\n{rest}'
+        f'weave = "{weave}"\ninterreflection = false\n'
+        f"ends_per_cm = {sett[0]}\npicks_per_cm = {sett[1]}\ngap = {gap}\n{rest}"
         f"[warp]\n{warp}\n[weft]\n{weft}\n"
     )
 

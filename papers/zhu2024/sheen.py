@@ -36,7 +36,8 @@ def black_fabric(sheen: float) -> Fabric:
     """A black woollen twill."""
     yarn = 'color = "#111113"\nspecular = 0.25\nroughness = 0.5\n'
     return fabric_from_text(
-        f'name = "black wool"\nweave = "twill 2/2"\nends_per_cm = 18\npicks_per_cm = 16\ngap = 0.04\n'
+        f'name = "black wool"\nweave = "twill 2/2"\ninterreflection = false\n'
+        f"ends_per_cm = 18\npicks_per_cm = 16\ngap = 0.04\n"
         f"[warp]\n{yarn}[weft]\n{yarn}[sheen]\nstrength = {sheen}\nroughness = 0.45\n"
     )
 

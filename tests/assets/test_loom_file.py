@@ -33,7 +33,7 @@ from loomlight.core.images import write_png
 from loomlight.fabric import Fabric, fabric_from_text, load_fabric
 from loomlight.fabric.load import edited_fabric
 from loomlight.models.bake import bake
-from loomlight.models.registry import model_from_loom
+from loomlight.models.registry import make_model, model_from_loom
 from loomlight.weave import Draft, Threads, draw_drawdown, named_weave, write_wif
 
 HOUNDSTOOTH = """
@@ -260,8 +260,8 @@ FAULTS: dict[str, tuple[Change, str]] = {
     "no schema": (lambda m, t: m.pop("schema"), "schema is None"),
     "schema of another kind": (lambda m, t: m.update(schema="1"), 'schema is "1"'),
     "schema true": (lambda m, t: m.update(schema=True), "schema is true"),
-    "schema 0": (lambda m, t: m.update(schema=0), "from 1 to 2"),
-    "newer": (lambda m, t: m.update(schema=3), "schema is 3, and this loomlight reads up to 2"),
+    "schema 0": (lambda m, t: m.update(schema=0), "from 1 to 3"),
+    "newer": (lambda m, t: m.update(schema=4), "schema is 4, and this loomlight reads up to 3"),
     "no model": (lambda m, t: m.pop("model"), "model: Field required"),
     "an empty model": (lambda m, t: m.update(model=""), "model"),
     "a list of settings": (lambda m, t: m["settings"].update(points=[1]), "settings.points"),
@@ -445,12 +445,28 @@ def of_first_schema(path: Path) -> None:
 
 
 def test_the_fabric_of_the_first_schema_is_read(good: Path) -> None:
-    expected = fabric_of_path(good)
+    expected = edited_fabric(fabric_of_path(good), {"interreflection": False})
     of_first_schema(good)
     actual = read_loom(good)
     assert actual.schema == 1
     same(fabric_of_path(good).layout(), expected.layout())
     same(fabric_of_path(good).appearance(), expected.appearance())
+
+
+@pytest.mark.parametrize(("field", "meant"), [("", False), ("interreflection = true\n", True)])
+def test_fabrics_of_the_second_schema_keep_their_look(tmp_path: Path, field: str, meant: bool) -> None:
+    """Direct light alone, as that was the default then; what the file says counts, and models are used."""
+    path = tmp_path / "old.loom"
+    write_loom(path, make_model("point", fabric_from_text(f'{field}weave = "plain"')).to_loom())
+    assert fabric_of_path(path).appearance().openness is not None
+    header, tensors = parts(path)
+    header["material"]["schema"] = 2
+    put(path, header, tensors)
+    assert fabric_of_path(path).fields.interreflection is meant
+    again = model_from_loom(path)
+    assert (again.source.appearance().openness is not None) is meant
+    write_loom(path, again.to_loom())
+    assert fabric_of_path(path).fields.interreflection is meant
 
 
 def test_a_model_of_the_first_schema_says_how_to_bake_it_again(good: Path) -> None:

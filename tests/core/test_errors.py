@@ -22,5 +22,6 @@ def test_long_values_are_shortened_and_control_characters_shown(kind: type[Excep
 
 
 def test_interreflection_says_what_it_takes() -> None:
-    with pytest.raises(InputError, match=r"interreflection = 7 cannot be used: write true or false\."):
-        fabric_from_text('weave = "plain"\ninterreflection = 7')
+    for given, meant in (("7", "true or false"), ("0", "false"), ("1", "true"), ('"off"', "true or false")):
+        with pytest.raises(InputError, match=rf"interreflection = {given} cannot be used: write {meant}\."):
+            fabric_from_text(f'weave = "plain"\ninterreflection = {given}')

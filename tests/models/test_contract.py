@@ -25,6 +25,7 @@ from loomlight.aggregate.slices import FabricSlices
 from loomlight.assets.loom_file import write_loom
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
+from loomlight.fabric.load import edited_fabric
 from loomlight.models.interface import Model
 from loomlight.models.registry import make_model, model_class, model_from_loom, model_names
 from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf
@@ -66,8 +67,10 @@ every_fabric = pytest.mark.parametrize("cloth", FABRICS)
 
 
 @cache
-def built(name: str, cloth: str) -> Model:
+def built(name: str, cloth: str, between_yarns: bool = True) -> Model:
     chosen = fabric_from_text(WHITE) if cloth == "white" else fabric(cloth)
+    if not between_yarns:
+        chosen = edited_fabric(chosen, {"interreflection": False})
     return make_model(name, chosen, **CHEAPEST.get(name, {}))
 
 
@@ -168,9 +171,10 @@ def test_answers_are_of_the_right_kind_and_range(name: str, cloth: str) -> None:
 
 @separable_models_once
 def test_value_is_made_of_components_and_albedos(name: str) -> None:
-    """Chen2024 eq. 8, written out again, for a fabric without sheen."""
+    """Chen2024 eq. 8, written out again, for a fabric without sheen whose yarns do not light each other."""
     queried = queries(fabric("translucent satin"), 1000, seed=2)
-    actual = answers(built(name, "translucent satin"), queried)
+    model = built(name, "translucent satin", between_yarns=False)
+    actual = answers(model, queried)
     far = queried.lights[:, 2] * queried.views[:, 2] < 0
     expected = np.zeros((3, len(queried)))
     for term in ("diffuse", "specular"):
@@ -182,7 +186,7 @@ def test_value_is_made_of_components_and_albedos(name: str) -> None:
             )
             expected += np.where(far, beyond, near) * actual.parts[f"{term}_{family}"]
     assert 0.3 < far.mean() < 0.7
-    value = built(name, "translucent satin").at(queried.view, queried.footprint).value(queried.light)
+    value = model.at(queried.view, queried.footprint).value(queried.light)
     close(value.numpy(), expected)
     close(actual.value.numpy(), expected)
 
@@ -360,9 +364,10 @@ def test_directions_are_distributed_by_their_density(
     assert p_value(counts, shares * count) > 1e-3
 
 
+@pytest.mark.parametrize("between_yarns", [False, True])
 @every_model_once
-def test_no_light_is_made(name: str) -> None:
-    model = built(name, "white")
+def test_no_light_is_made(name: str, between_yarns: bool) -> None:
+    model = built(name, "white", between_yarns)
     if not model.conserves_energy:
         pytest.skip("does not claim it")
     rng = np.random.default_rng(10)
@@ -370,8 +375,11 @@ def test_no_light_is_made(name: str) -> None:
     queried = queries(model.source, places, seed=11)[np.repeat(np.arange(places), each)]
     weight = drawn(model, queried, seed=12).weight.numpy()[0].reshape(places, each)
     mean, error = weight.mean(axis=1), weight.std(axis=1) / math.sqrt(each)
-    # 64 means of 512 weights, none of which may pass 5 deviations.
-    assert (mean <= 1 + 5 * error + 1e-4).all()
+    # 64 means of 512 weights, none of which may pass 5 deviations. How open a point is, is fitted: single
+    # points are off by 0.03 of their D with a deviation of 0.2 (`openness.py`), their mean is not.
+    room = 0.1 if between_yarns and not model.filters else 1e-4
+    assert (mean <= 1 + 5 * error + room).all()
+    assert mean.mean() <= 1 + 1e-4
     # White cloth sends back most of what it gets, or the bound above says nothing.
     assert mean.mean() > 0.5
     # The same light by uniform directions: what is drawn is all there is.

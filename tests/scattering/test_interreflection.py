@@ -119,6 +119,6 @@ def test_white_cloth_is_white_and_makes_no_light(specular: float, least: float) 
     assert grazing < 1.02
 
 
-def test_it_is_off_unless_a_file_asks_for_it() -> None:
-    fabric = fabric_from_text('weave = "plain"')
-    assert fabric.appearance().openness is None
+def test_it_is_on_unless_a_file_leaves_it_out() -> None:
+    assert fabric_from_text("plain").appearance().openness is not None
+    assert fabric_from_text('weave = "plain"\ninterreflection = false').appearance().openness is None

@@ -42,7 +42,8 @@ DRAPE = WEB / "editor" / "src" / "assets" / "drape.bin"
 DENIM = (ROOT / "examples" / "denim.toml").read_text()
 ORGANZA = (ROOT / "examples" / "organza.toml").read_text()
 PLAIN = (
-    'weave = "twill 2/2"\nends_per_cm = 20\nwarp.color = "{}"\nweft.color = "#d0c8b8"\nwarp.roughness = {}\n'
+    'weave = "twill 2/2"\ninterreflection = false\nends_per_cm = 20\n'
+    'warp.color = "{}"\nweft.color = "#d0c8b8"\nwarp.roughness = {}\n'
 )
 # Tables are baked from words that are equal but for the last bits (test_pack_parity.py) by the same kernels,
 # where a compiler may join products and sums in another way.
@@ -154,8 +155,8 @@ class Scene:
 
 
 def _openness(fabric: str) -> dict[str, list[float]] | None:
-    """What the page's server answers for a fabric with light between its yarns."""
-    return openness_json(fabric_from_text(fabric)) if "interreflection" in fabric else None
+    """What the page's server answers for a fabric."""
+    return openness_json(fabric_from_text(fabric))
 
 
 def _light(light: DirectionalLight | PointLight) -> dict[str, Any]:
@@ -211,7 +212,7 @@ EDITS: dict[str, dict[str, Any]] = {
         "lights": [],
         "environment": {"picture": {"width": 1, "height": 2, "pixels": [0, 0, 1, 0, 0, 1]}},
     },
-    "by yarns": {"fabric": "interreflection = true\n" + PRESSED},
+    "by yarns": {"fabric": PRESSED.replace("interreflection = false\n", "")},
 }
 # Of the cloth with light between its yarns, whose openness the page then finds itself.
 BETWEEN = SCENES["light between yarns"].fabric

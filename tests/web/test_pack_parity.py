@@ -85,7 +85,7 @@ def _question(fabric: Fabric) -> dict[str, Any]:
         "warp": _threads(draft.warp),
         "weft": _threads(draft.weft),
         "uvSizeMm": UV_SIZE_MM,
-        "openness": openness_json(fabric) if fabric.fields.interreflection else None,
+        "openness": None if fabric.fields.interreflection is False else openness_json(fabric),
     }
 
 

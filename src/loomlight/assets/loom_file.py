@@ -9,6 +9,7 @@ Tensors named `source.…` belong to the source (`sources.py`), those named `mod
 is needed to read the source; networks that many materials share are named by their SHA-256 instead.
 
 Of files of schema 1, whose source was always a fabric, the source is still read; models must be baked again.
+Fabrics of schema 1 and 2 that do not speak of light between yarns were made without it and keep their look.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -34,7 +36,9 @@ from loomlight.core.files import replacing, require_file
 from loomlight.fabric.reading import speaking_of
 from loomlight.fabric.sentences import shown
 
-SCHEMA = 2
+SCHEMA = 3
+# The first schema whose models are those of today.
+FIRST_USABLE_SCHEMA = 2
 LOOM_SUFFIX = ".loom"
 UNITS = {"length": "mm", "angle": "rad", "colour": "linear RGB", "value": "1/sr"}
 _ENTRY = "loom"
@@ -280,6 +284,8 @@ def _parsed(header: str, tensors: dict[str, Tensor]) -> tuple[_Material, dict[st
         raise InputError("its content does not fit its checksum, so it is damaged: bake the file again.")
     if schema == 1:
         raw, tensors = _of_first_schema(raw, tensors)
+    if schema < 3:
+        raw = _in_direct_light(raw)
     if raw.get("model") == "woven":  # the former name of the network of chen2024, and of its file of weights
         raw = raw | {"model": "neural", "networks": {"neural": (raw.get("networks") or {}).get("woven", "")}}
     try:
@@ -308,6 +314,19 @@ def _of_first_schema(
         for name, values in tensors.items()
     }
     return today, renamed
+
+
+def _in_direct_light(raw: dict[str, Any]) -> dict[str, Any]:
+    """A material whose fabric says that it is without light between yarns, unless it speaks of it."""
+    source = raw.get("source")
+    toml = source.get("toml") if isinstance(source, dict) and source.get("kind") == "fabric" else None
+    if not isinstance(source, dict) or not isinstance(toml, str):
+        return raw
+    try:
+        speaks = "interreflection" in tomllib.loads(toml)
+    except (tomllib.TOMLDecodeError, RecursionError):  # reading the source says what is wrong
+        return raw
+    return raw if speaks else raw | {"source": source | {"toml": f"interreflection = false\n{toml}"}}
 
 
 def _refuse_constant(name: str) -> NoReturn:

@@ -68,9 +68,9 @@ class Fabric:
     @cached_property
     def _appearance(self) -> Appearance:
         own = self._own_appearance
-        if not self.fields.interreflection:
+        if self.fields.interreflection is False:
             return own
-        # Rays need Dr.Jit, which fabrics without them do not load.
+        # Rays need Dr.Jit, which reading a fabric does not load.
         from loomlight.fabric.gamut import warn_of_colours_out_of_reach
         from loomlight.scattering.openness import openness_of
 

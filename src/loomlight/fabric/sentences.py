@@ -29,7 +29,7 @@ def sentence_of(error: ValidationError) -> str:
     field = _field_at(path)
     if field is None:
         return f"{name} = {shown(fault['input'])} cannot be used: {fault['msg']}."
-    return f"{name} = {shown(fault['input'])} cannot be used: {_expected(field)}."
+    return f"{name} = {shown(fault['input'])} cannot be used: {_expected(field, fault['input'])}."
 
 
 def closest(word: str, known: Iterable[str]) -> str:
@@ -99,7 +99,7 @@ def _field_at(path: list[str]) -> FieldInfo | None:
     return None
 
 
-def _expected(field: FieldInfo) -> str:
+def _expected(field: FieldInfo, given: object) -> str:
     annotation = field.annotation
     if isinstance(annotation, type) and issubclass(annotation, BaseModel):
         return "it is a table of fields"
@@ -107,7 +107,8 @@ def _expected(field: FieldInfo) -> str:
     low = next((bound.ge for bound in bounds if isinstance(bound, Ge)), None)
     high = next((bound.le for bound in bounds if isinstance(bound, Le)), None)
     if bool in kinds and not kinds & {int, float, str}:
-        return "write true or false"
+        meant = {0: "false", 1: "true"}.get(given) if isinstance(given, int) else None
+        return f"write {meant or 'true or false'}"
     if float in kinds:
         return f"write a number from {_number(low)} to {_number(high)}"
     if int in kinds:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
 
-from loomlight.assets.loom_file import SCHEMA, LoomFile, read_loom
+from loomlight.assets.loom_file import FIRST_USABLE_SCHEMA, LoomFile, read_loom
 from loomlight.assets.sources import Source
 from loomlight.core.errors import InputError
 from loomlight.fabric.reading import speaking_of
@@ -130,7 +130,7 @@ def model_of_loom(loom: LoomFile) -> Model:
             f"{loom.file}: its model {shown(loom.model)} does not exist here: install a newer loomlight, "
             f"or bake it again with one of {', '.join(MODELS)}."
         )
-    if loom.schema < SCHEMA:
+    if loom.schema < FIRST_USABLE_SCHEMA:
         raise InputError(
             f"{loom.file} was baked by an older loomlight: bake it again, with "
             f"`loomlight bake {loom.file} --model {loom.model} -o {loom.file}`."

@@ -77,8 +77,8 @@ def test_a_click_brings_the_other_thread_on_top_and_undo_takes_it_back(editor: A
 
 def test_light_between_yarns_is_a_switch_of_the_fabric(editor: Any) -> None:
     by_id(editor, "tab-finish").click()
-    by_id(editor, "between-yarns-on").check()
-    assert fabric_of(editor)["fields"]["interreflection"] is True
+    by_id(editor, "between-yarns-off").check()
+    assert fabric_of(editor)["fields"]["interreflection"] is False
     editor.keyboard.press("Control+z")
     assert "interreflection" not in fabric_of(editor)["fields"]
 

@@ -57,13 +57,13 @@ export class OpennessSource {
 
   /** The openness of a fabric as far as it is known; null for fabrics without light between yarns. */
   of(fabric: Fabric): Openness | null {
-    return fabric.fields.interreflection === true ? (this.kept.get(geometryKey(fabric)) ?? this.last) : null;
+    return fabric.fields.interreflection === false ? null : (this.kept.get(geometryKey(fabric)) ?? this.last);
   }
 
   /** Says which fabrics are shown: what is not known of them is asked for soon. */
   show(fabrics: readonly Fabric[]): void {
     this.waiting = fabrics.filter(
-      (fabric) => fabric.fields.interreflection === true && !this.asked.has(geometryKey(fabric)),
+      (fabric) => fabric.fields.interreflection !== false && !this.asked.has(geometryKey(fabric)),
     );
     clearTimeout(this.timer);
     if (this.waiting.length > 0) this.timer = setTimeout(() => this.askForAll(), CALM_MS);

@@ -6,7 +6,7 @@ import { geometryKey, OpennessSource } from "../src/openness.ts";
 import type { Fabric } from "../src/state/document.ts";
 
 const fabric = (fields: FabricFields): Fabric => ({ fields, draft: loadDraft(fields) });
-const twill = fabric({ weave: "twill 3/1", interreflection: true });
+const twill = fabric({ weave: "twill 3/1" });
 const withFields = (fields: Partial<FabricFields>): Fabric => ({ ...twill, fields: { ...twill.fields, ...fields } });
 // What the source never looks into.
 const answer = (name: string) => ({ name }) as unknown as Openness;
@@ -65,7 +65,7 @@ describe("the source of openness", () => {
 
   it("asks nothing for fabrics lit directly alone", async () => {
     const { source, count } = made(async () => answer(""));
-    const plain = fabric({ weave: "plain" });
+    const plain = fabric({ weave: "plain", interreflection: false });
     source.show([plain]);
     await vi.runAllTimersAsync();
     expect([source.of(plain), count()]).toEqual([null, 0]);

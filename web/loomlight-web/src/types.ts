@@ -33,8 +33,8 @@ export interface Piece {
   /** The draft that the fields name, as `loadDraft` returns it. */
   readonly draft: Draft;
   /**
-   * What light between yarns needs, where the fields say `interreflection`: the numbers that Python found, or null for
-   * direct light alone. Without it the renderer finds them by rays on the adapter.
+   * What light between yarns needs, unless the fields say `interreflection = false`: the numbers that Python found, or
+   * null for direct light alone. Without it the renderer finds them by rays on the adapter.
    */
   readonly openness?: Openness | null;
   /** Millimetres per unit of u and of v; 100 by default. */

@@ -94,12 +94,12 @@ export function FinishPanel({ fabric, dispatch, print, isFlat, onPrint, onPrintO
           label="Light between yarns"
           testid="between-yarns"
           choices={[
-            ["off", "Off"],
             ["on", "On"],
+            ["off", "Off"],
           ]}
-          value={fabric.fields.interreflection === true ? "on" : "off"}
+          value={fabric.fields.interreflection === false ? "off" : "on"}
           onChoose={(chosen) =>
-            dispatch({ type: "field/set", field: "interreflection", value: chosen === "on" ? true : undefined })
+            dispatch({ type: "field/set", field: "interreflection", value: chosen === "off" ? false : undefined })
           }
         />
         <p class="note">

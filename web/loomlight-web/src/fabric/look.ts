@@ -72,7 +72,7 @@ const RADIANS = Math.PI / 180;
 /**
  * The look of a fabric's fields and of the draft that they name.
  *
- * @param known the openness of its yarns, where it is known: it counts if the fields say `interreflection`.
+ * @param known the openness of its yarns, where it is known: it counts unless the fields say `interreflection = false`.
  * @throws InputError fields that contradict the draft, albedos that exceed the light, or too many crossings.
  */
 export function lookOf(given: FabricFields, draft: Draft, known: Openness | null = null): Look {
@@ -85,7 +85,7 @@ export function lookOf(given: FabricFields, draft: Draft, known: Openness | null
         `crossings, and at most ${(MAXIMUM_CROSSINGS / 1e6).toFixed(0)} million can be rendered: render a part of it.`,
     );
   const opticalDepth = fields.optical_depth ?? OPTICAL_DEPTH;
-  const openness = fields.interreflection === true ? known : null;
+  const openness = fields.interreflection === false ? null : known;
   if (openness !== null) requireOpenness(openness);
   const bends = bendsOf(coloured);
   return {

@@ -176,7 +176,7 @@ export class ClothBuffers {
 
 /** Whether the openness of a piece is to be found here: its maker may know it, or want direct light alone. */
 function looksForOpenness({ fields, openness }: Piece): boolean {
-  return fields.interreflection === true && openness === undefined;
+  return fields.interreflection !== false && openness === undefined;
 }
 
 /** Buffers of the meshes and albedo maps of pieces. */

@@ -20,7 +20,7 @@ def random_fabric(
     translucency: float | None = None,
     ranges: ParameterRanges = PARAMETER_RANGES,
 ) -> Fabric:
-    """A fabric of a draft with parameters drawn from ranges.
+    """A fabric of a draft with parameters drawn from ranges, in direct light: networks learn components.
 
     Args:
         translucency: of both families, 0 to 1; None is the default of fabric files.
@@ -45,6 +45,7 @@ def random_fabric(
         picks_per_cm=DEFAULT_SETT_PER_CM / math.sqrt(ratio),
         warp=tables[0].model_copy(update={"gap": gaps[0]}),
         weft=tables[1].model_copy(update={"gap": gaps[1]}),
+        interreflection=False,
     )
     return make_fabric(fields, draft, draft.title or "random", ".")
 
