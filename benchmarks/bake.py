@@ -16,13 +16,14 @@ from pathlib import Path
 import numpy as np
 
 from benchmarks.harness import Figures, run
-from loomlight.evaluation.held_out import HeldOut, held_out_fabrics
+from experiments.held_out import held_out_fabrics
 from loomlight.evaluation.predictions import Predictor, model_predictor
-from loomlight.evaluation.query_benchmark import run_query_benchmark
+from loomlight.evaluation.query_benchmark import HeldOut, run_query_benchmark
 from loomlight.fabric import load_fabric
 from loomlight.fabric.fabric import Fabric
+from loomlight.models.lobes.hemisphere import NODES
 from loomlight.models.lobes.model import DEFAULT_GROUPS, LobesModel, tables_of
-from loomlight.models.lobes.tables import LobeTables
+from loomlight.models.lobes.tables import MOMENTS, LobeTables
 from loomlight.realtime.device import default_adapter
 from loomlight.realtime.fabric_buffers import FabricBuffers
 
@@ -47,7 +48,7 @@ class Bench:
         look = fabric.layout(), fabric.appearance()
         start = time.perf_counter(), time.process_time()
         buffers = FabricBuffers(default_adapter(), [look])
-        tables = buffers.read_tables(0)
+        tables = _read_tables(buffers)
         self.seconds.append((time.perf_counter() - start[0], time.process_time() - start[1]))
         self.kernels.append(buffers.dispatches)
         reference = self._tables[fabric.name]
@@ -59,6 +60,30 @@ class Bench:
     def _remember(self, fabric: Fabric, tables: LobeTables) -> LobeTables:
         self._tables[fabric.name] = tables
         return tables
+
+
+def _read_tables(buffers: FabricBuffers) -> LobeTables:
+    """The tables that kernels baked of the only fabric; waits for the device."""
+    plan, packed, adapter = buffers.plans[0], buffers.packed, default_adapter()
+    record = adapter.read(buffers.buffers["fabrics"], np.uint8, packed.fabrics.nbytes)
+    lobes = record.view(packed.fabrics.dtype)[0]["lobes"]
+    words = adapter.read(buffers.buffers["words"], np.uint32, packed.words.size)
+    parts = {name: words[int(lobes[name]) :][:size].view(np.uint8) for name, size in plan.table_sizes.items()}
+    packs, nodes = plan.sizes["packs"], plan.sizes["face_nodes"]
+    coverage = np.zeros((2, nodes, 4 * (packs + 1)), np.uint8)
+    coverage[..., : 4 * packs] = parts["coverage"].reshape(2, nodes, 4 * packs)
+    coverage[..., 4 * packs] = parts["coverage_holes"][: 2 * nodes].reshape(2, nodes)
+    return LobeTables(
+        base_size=plan.base_size,
+        levels=plan.levels,
+        coverage=coverage,
+        projected_area=parts["projected_area"].reshape(2, NODES, 4 * (packs + 1)),
+        light_visibility=parts["light_visibility"].reshape(2, 2, NODES, 4 * packs),
+        irradiance=parts["irradiance"].reshape(2, 2, NODES, 4 * packs),
+        moments=parts["moments"].view(np.float32).reshape(2, 4 * packs, MOMENTS),
+        hole_weight=np.array([lobes["front_hole_weight"], lobes["back_hole_weight"]], np.float32),
+        warp_packs=np.array([lobes["front_warp_packs"], lobes["back_warp_packs"]], np.int64),
+    )
 
 
 def measure(options: Namespace) -> Figures:

@@ -25,19 +25,18 @@ from benchmarks.harness import Figures, run
 from loomlight.aggregate.queries import BANDS
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
-from loomlight.evaluation.held_out import HeldOut
 from loomlight.evaluation.predictions import model_predictor
-from loomlight.evaluation.query_benchmark import run_query_benchmark
+from loomlight.evaluation.query_benchmark import HeldOut, run_query_benchmark
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.file import FabricFile
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.neural.parameter_ranges import ParameterRanges
-from loomlight.models.neural.training.random_fabrics import random_fabric
 from loomlight.scattering.point import YarnScattering
 from loomlight.weave.draft import Draft
 from loomlight.weave.named import named_weave
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.search import SearchQuality
+from papers.chen2024.training.random_fabrics import random_fabric
 
 WEAVES = "plain", "twill 3/1", "twill 2/2", "satin 5/2", "irregular"
 SIDE, IRREGULAR_SEED = 12, 3

@@ -19,8 +19,8 @@ from typing import Any
 import numpy as np
 
 from benchmarks.harness import Figures, run
+from experiments.held_out import held_out_fabrics
 from loomlight.aggregate.queries import BANDS
-from loomlight.evaluation.held_out import held_out_fabrics
 from loomlight.evaluation.metrics import OVERALL
 from loomlight.evaluation.predictions import model_predictor
 from loomlight.evaluation.query_benchmark import QueryBenchmark, run_query_benchmark

@@ -21,7 +21,7 @@ from functools import partial
 from pathlib import Path
 
 from benchmarks.harness import Figures, run
-from loomlight.evaluation.held_out import held_out_fabrics
+from experiments.held_out import held_out_fabrics
 from loomlight.evaluation.predictions import Predictor, model_predictor
 from loomlight.evaluation.query_benchmark import SEED, run_query_benchmark
 from loomlight.evaluation.truth import FOOTPRINTS, PAIRS

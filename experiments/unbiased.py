@@ -31,12 +31,12 @@ from drjit.llvm.ad import Array2f, Array3f, Float, UInt32
 from numpy.typing import NDArray
 
 from benchmarks.harness import Figures, run
+from experiments.held_out import held_out_fabrics
 from loomlight.aggregate.queries import admits_transmission, fabric_scale
 from loomlight.aggregate.reference import reference
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
-from loomlight.evaluation.held_out import held_out_fabrics
 from loomlight.evaluation.truth import reference_model
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import Model

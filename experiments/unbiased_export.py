@@ -20,10 +20,10 @@ from drjit.llvm import Array2f, Array3f
 
 from benchmarks.counted_library import CountedLibrary, queries_of
 from benchmarks.harness import Figures, run
+from experiments.held_out import held_out_fabrics
 from experiments.unbiased import SIGNIFICANCE, Cases, Means, holm, random_cases, scores
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
-from loomlight.evaluation.held_out import held_out_fabrics
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.clustered.model import ClusteredModel
 from loomlight.models.registry import make_model

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from experiments.held_out import held_out_fabrics
 from loomlight.core.errors import InputError
-from loomlight.evaluation.held_out import held_out_fabrics
 from loomlight.evaluation.pictures import picture_error
 from loomlight.evaluation.query_benchmark import run_query_benchmark
 from loomlight.evaluation.table import Table
@@ -94,7 +94,8 @@ def weights_files(runs: Path) -> dict[str, Path]:
     missing = [NETWORKS[name] for name, file in files.items() if not file.is_file()]
     if missing:
         commands = "; ".join(
-            f"loomlight train neural papers/chen2024/{run}.toml -o {runs / run}" for run in missing
+            f"python -m papers.chen2024.training papers/chen2024/{run}.toml -o {runs / run}"
+            for run in missing
         )
         raise InputError(
             f"chen2024/fig7 shows trainings that are not in the folder {runs}: make them with {commands}."

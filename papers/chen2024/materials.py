@@ -19,7 +19,7 @@ from loomlight.fabric.defaults import Structure, structure_of
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.file import FabricFile, YarnTable
 from loomlight.models.neural.parameter_ranges import PARAMETER_RANGES
-from loomlight.models.neural.training.weaves import PAPER_WEAVES, paper_draft
+from papers.chen2024.training.weaves import PAPER_WEAVES, paper_draft
 
 # Cells along one side of (ψ, U) and of (log α, β).
 _PLAIN_SETS = (3, 3)

@@ -160,8 +160,6 @@ def test_windows_are_parts_of_the_whole() -> None:
     np.testing.assert_allclose(
         part.box_means(middle, size), whole.box_means(middle, size), rtol=0.03, atol=0.003
     )
-    with pytest.raises(InputError, match="need the slice of a whole repeat"):
-        part.gaussian_field(0.1)
     with pytest.raises(InputError, match="Shadows are mapped over whole repeats only"):
         FabricSlices(model, Float, window=window, shadows="mapped")
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from benchmarks.clustered import cost_by_footprint, stored_bytes
+from experiments.held_out import held_out_fabrics
 from experiments.unbiased import (
     Means,
     holm,
@@ -16,7 +17,6 @@ from experiments.unbiased import (
     reference_means,
     scores,
 )
-from loomlight.evaluation.held_out import held_out_fabrics
 from loomlight.models.registry import make_model
 
 CASES = 6

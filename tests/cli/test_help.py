@@ -8,7 +8,7 @@ from loomlight.cli.main import run
 from loomlight.models.registry import MODELS
 
 COMMANDS = ["render", "compare", "demo", "bake", "bake-maps", "doctor"]
-GROUPS: list[list[str]] = [[], ["weave"], ["train"]]
+GROUPS: list[list[str]] = [[], ["weave"]]
 
 
 @pytest.fixture(autouse=True)

@@ -52,12 +52,6 @@ def test_boxes_keep_the_variances_and_leave_the_correlation_out() -> None:
     np.testing.assert_allclose(share, math.sqrt(1 - correlation**2), rtol=1e-9)
 
 
-def test_the_gaussian_has_the_deviation_of_the_square() -> None:
-    footprint = _random(np.random.default_rng(2), 50)
-    side = footprint.square().size.x.numpy()
-    np.testing.assert_allclose(footprint.gaussian_sigma.numpy(), side / math.sqrt(12), rtol=1e-12)
-
-
 def test_boxes_come_back_from_footprints() -> None:
     rng = np.random.default_rng(4)
     box = Box(Array2f64(rng.normal(size=(2, 20))), Array2f64(rng.random((2, 20))))

@@ -24,7 +24,6 @@ NOT_RUN = {
     r"loomlight view(?!.*--export)": "a server runs until it is stopped",
     r"loomlight play(?!.* -o )": "a window waits for its user",
     r"loomlight play .* -o ": "software adapters take minutes",
-    r"loomlight train ": "trainings take hours",
     r"loomlight compare .*neumip": "six models are baked or trained, and rendered, for minutes",
     r"loomlight bake .*--executor (slurm|joblib:ray|joblib:dask)": "it needs a cluster",
 }

@@ -12,7 +12,6 @@ from loomlight.core.errors import InputError
 from loomlight.evaluation.image_benchmark import (
     Shot,
     image_tables,
-    run_dolly_benchmark,
     run_image_benchmark,
     shots_of,
 )
@@ -110,13 +109,6 @@ def test_every_scene_is_rendered_and_more_samples_are_nearer(fabrics: list[Fabri
     assert flip.columns == ["flat far (10)", "two fabrics (3)"]
     assert list(seconds.rows) == ["point, 1 spp", "point, 3 spp", "reference"]
     assert mse.rows["point, 1 spp"][0] == results[0].pictures["point, 1 spp"].error.mse
-
-
-def test_a_still_picture_is_steadier_than_a_noisy_one(fabrics: list[Fabric]) -> None:
-    actual = run_dolly_benchmark([], fabrics[0], side=32, frames=4, reference_samples=16)
-    assert set(actual.steps) == {"reference", "point, 1 spp", "point, 3 spp"}
-    assert np.mean(actual.steps["point, 1 spp"]) > np.mean(actual.steps["reference"])
-    assert actual.table().rows["reference"][2] is None
 
 
 def test_faults(fabrics: list[Fabric]) -> None:

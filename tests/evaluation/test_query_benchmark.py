@@ -16,14 +16,13 @@ from loomlight.aggregate.queries import QuerySet
 from loomlight.aggregate.reference import reference
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
-from loomlight.evaluation.held_out import HeldOut
 from loomlight.evaluation.predictions import (
     Prediction,
     model_predictor,
     monte_carlo_predictor,
     multi_jittered,
 )
-from loomlight.evaluation.query_benchmark import query_classes, run_query_benchmark
+from loomlight.evaluation.query_benchmark import HeldOut, query_classes, run_query_benchmark
 from loomlight.evaluation.truth import query_truth, reference_model
 from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.models.registry import make_model

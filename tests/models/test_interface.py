@@ -18,9 +18,8 @@ from typer.testing import CliRunner
 
 from loomlight.assets.sources import SOURCE_KINDS, SourceKind
 from loomlight.core.errors import InputError
-from loomlight.evaluation.held_out import HeldOut
 from loomlight.evaluation.predictions import model_predictor
-from loomlight.evaluation.query_benchmark import run_query_benchmark
+from loomlight.evaluation.query_benchmark import HeldOut, run_query_benchmark
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, choose_variant, material_bsdf, render
 from loomlight.mitsuba.plugins import register_plugins

@@ -21,8 +21,6 @@ from PIL import Image
 from loomlight.core.errors import InputError
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.scene_edits import SceneEdits
-from loomlight.models.neural.training.config import read_config
-from loomlight.models.neural.training.weaves import HELD_OUT_WEAVES, paper_draft
 from loomlight.weave.named import named_weave
 from papers.catalogue import CATALOGUE
 from papers.chen2024.ablation import NETWORKS, weights_files
@@ -32,6 +30,8 @@ from papers.chen2024.cost import network_time
 from papers.chen2024.editing import EDITS, albedo_map
 from papers.chen2024.fabrics import paper_fabric, seen_fabrics, unseen_fabrics
 from papers.chen2024.shots import DRAPE
+from papers.chen2024.training.config import read_config
+from papers.chen2024.training.weaves import HELD_OUT_WEAVES, paper_draft
 from papers.command import main
 from papers.renders import Stage, grid_near, one_picture
 from papers.setting import Setting, cloth_bsdf
@@ -167,7 +167,7 @@ def test_missing_trainings_are_named_with_their_commands(tmp_path: Path) -> None
     with pytest.raises(InputError) as fault:
         weights_files(tmp_path)
     message = str(fault.value)
-    assert "loomlight train neural papers/chen2024/ablation_one_blob.toml" in message
+    assert "python -m papers.chen2024.training papers/chen2024/ablation_one_blob.toml" in message
     assert "papers/chen2024/ablation_fusion.toml" in message
     assert "ablation_both.toml" not in message
     assert all((CHEN2024 / f"{name}.toml").is_file() for name in NETWORKS.values())
@@ -217,7 +217,7 @@ def test_the_list(capsys: pytest.CaptureFixture[str]) -> None:
         (["chen2024/fig4", "-o", "out", "--weights", "none.safetensors"], "none.safetensors does not exist"),
         (
             ["chen2024/fig7", "-o", "out", "--runs", "none"],
-            "loomlight train neural papers/chen2024/ablation_both.toml",
+            "python -m papers.chen2024.training papers/chen2024/ablation_both.toml",
         ),
         (["chen2024/fig4", "-o", "other", "--weights", "other/table.json"], "read by this command"),
         (["zhu2024/table1", "-o", ".", "--environment", "pictures/room.exr"], "read by this command"),

@@ -1,4 +1,7 @@
-"""Tables of `lobes` baked by compute kernels, against those that Python bakes of the same fabric."""
+"""Tables of `lobes` baked by compute kernels, against those that Python bakes of the same fabric.
+
+Covers: realtime/fabric_buffers.py
+"""
 
 from __future__ import annotations
 

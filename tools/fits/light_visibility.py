@@ -17,10 +17,10 @@ from numpy.typing import NDArray
 from scipy.optimize import minimize
 
 from benchmarks.harness import Figures, run
+from experiments.held_out import held_out_fabrics
 from loomlight.aggregate.queries import fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.llvm import llvm_float, require_llvm
-from loomlight.evaluation.held_out import held_out_fabrics
 from loomlight.evaluation.truth import reference_model
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.neural.light_visibility import FACING

@@ -31,13 +31,13 @@ from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.file import FabricFile
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.lobes.prefiltered import DIFFUSE_LOSS, MAX_CORRELATION
-from loomlight.models.neural.training.config import DataTable
-from loomlight.models.neural.training.dataset import dataset_fabric
-from loomlight.models.neural.training.random_fabrics import random_fabric
 from loomlight.scattering.point import YarnScattering
 from loomlight.weave.named import named_weave
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.search import SearchQuality
+from papers.chen2024.training.config import DataTable
+from papers.chen2024.training.dataset import dataset_fabric
+from papers.chen2024.training.random_fabrics import random_fabric
 from tests.models.lobes.reference import (
     LobesReference,
     Parallelogram,

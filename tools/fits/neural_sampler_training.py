@@ -26,8 +26,6 @@ from loomlight.models.neural.encoder import run_encoder
 from loomlight.models.neural.latent_table import LatentTable
 from loomlight.models.neural.parameter_ranges import TRAINING_RANGES
 from loomlight.models.neural.sampler_network import FURTHER_INPUTS, further_inputs
-from loomlight.models.neural.training.random_fabrics import random_fabric
-from loomlight.models.neural.training.weaves import training_draft
 from loomlight.models.neural.weights import Weights
 from loomlight.models.relu_network import Layers
 from loomlight.scattering.two_sided_lobes import OUTPUTS, TwoSidedLobes
@@ -36,6 +34,8 @@ from loomlight.training.loop import Report, Schedule, train
 from loomlight.training.relu_layers import relu_layers
 from loomlight.training.soap import Soap
 from loomlight.training.torch_functions import TORCH
+from papers.chen2024.training.random_fabrics import random_fabric
+from papers.chen2024.training.weaves import training_draft
 
 _Floats = NDArray[np.float32]
 _HIDDEN = (40, 40)

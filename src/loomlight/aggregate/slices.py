@@ -1,8 +1,7 @@
 """Slices: the integrand of one pair of light and view over a whole repeat, evaluated once.
 
-Its summed-area tables give the exact mean over any box, its Fourier transform the mean over any Gaussian, so
-one slice serves thousands of queries without noise. Intersections are computed once per view, and shadows
-once per light where they are mapped.
+Its summed-area tables give the exact mean over any box, so one slice serves thousands of queries without
+noise. Intersections are computed once per view, and shadows once per light where they are mapped.
 """
 
 from __future__ import annotations
@@ -26,7 +25,6 @@ from loomlight.aggregate.components import (
     trace_views,
     without_sheen_and_variation,
 )
-from loomlight.aggregate.gaussian import gaussian_field, gaussian_means
 from loomlight.aggregate.grid import TEXELS_PER_THREAD, Grid, divide, fabric_grid
 from loomlight.aggregate.shadow_maps import ShadowMaps, upload_vectors
 from loomlight.aggregate.tables import TexelBoxes, box_means, summed_areas, texel_boxes
@@ -73,32 +71,6 @@ class Slice:
             for channel in range(len(self.channels))
         ]
         return np.stack(means, axis=1)
-
-    def gaussian_means(self, centres: ArrayLike, sigmas: ArrayLike) -> NDArray[np.float64]:
-        """Means weighted by periodic Gaussians [n, channels], exact for the slice's texels.
-
-        Args:
-            centres: [n, 2] millimetres.
-            sigmas: standard deviations [n] or a number, millimetres.
-
-        Raises:
-            InputError: the slice is no whole repeat.
-        """
-        self._require_periodic()
-        return gaussian_means(self.grid, self.values, np.asarray(centres), np.asarray(sigmas))
-
-    def gaussian_field(self, sigma: float) -> NDArray[np.float64]:
-        """Gaussian means about the centre of every texel [channels, rows, columns], by Fourier transform.
-
-        Raises:
-            InputError: the slice is no whole repeat.
-        """
-        self._require_periodic()
-        return gaussian_field(self.grid, self.values, sigma)
-
-    def _require_periodic(self) -> None:
-        if not self.grid.periodic:
-            raise InputError("Gaussian footprints have no end: they need the slice of a whole repeat.")
 
 
 @dataclass(frozen=True, eq=False)

@@ -24,22 +24,15 @@ def compare(
         Path, typer.Option("--output", "-o", metavar="DIR", help="The folder for index.html and table.json.")
     ],
     models: Annotated[str, typer.Option(help="Models, with commas between them.")] = "lobes,point,neural",
-    full: Annotated[
-        bool, typer.Option("--full", help="The whole protocol of the evaluation page: hours on a CPU.")
-    ] = False,
     scenes: Annotated[
         str | None, typer.Option(help="Some of the eight scenes, with commas between them.")
     ] = None,
-    size: Annotated[
-        str | None, typer.Option(metavar="WxH", help="Pixels; 400x225, or 960x540 with --full.")
-    ] = None,
-    samples: Annotated[
-        int | None, typer.Option("--spp", help="Samples a pixel of the reference; 64, or 1024 with --full.")
-    ] = None,
+    size: Annotated[str, typer.Option(metavar="WxH", help="Pixels of each picture.")] = "400x225",
+    samples: Annotated[int, typer.Option("--spp", help="Samples a pixel of the reference.")] = 64,
 ) -> None:
     """Compares models with the reference: pictures, difference maps, FLIP, MSE and time."""
-    pixels = None if size is None else parse_size(size)
-    require_within("--spp", 1 if samples is None else samples, 1, 1_000_000)
+    pixels = parse_size(size)
+    require_within("--spp", samples, 1, 1_000_000)
     names = _listed(models)
     require_not_read([output / name for name in ("index.html", "table.json", "pictures")], [fabric])
 
@@ -63,11 +56,10 @@ def compare(
             cloth,
             names,
             output,
-            full=full,
             scenes=MEASURED_SCENES if scenes is None else _listed(scenes),
             size=pixels,
             reference_samples=samples,
-            command=f"loomlight compare --models {','.join(names)}{' --full' if full else ''}",
+            command=f"loomlight compare --models {','.join(names)}",
             progress=lambda _what, steps, total: report(steps, total),
         )
     print(found.tables[0].to_markdown())

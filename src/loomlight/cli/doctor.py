@@ -37,7 +37,7 @@ PACKAGES = (
 EXTRAS = {
     "onnxruntime": ("neural", "to encode fabrics for the network"),
     "zarr": ("data", "to write data sets"),
-    "torch": ("train", "to train the network"),
+    "torch": ("train", "to train neumip and latent"),
     "wgpu": ("realtime", "to render in real time"),
 }
 

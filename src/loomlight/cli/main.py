@@ -22,7 +22,6 @@ from loomlight.cli import (
     play,
     render,
     swatches,
-    train,
     view,
     weave,
 )
@@ -58,7 +57,6 @@ def _options(
 
 
 app.add_typer(weave.app, name="weave")
-app.add_typer(train.app, name="train")
 app.command("render", cls=ListsModels, epilog=render.EXAMPLE)(render.render)
 app.command("swatches", cls=ListsModels, epilog=swatches.EXAMPLE)(swatches.swatches)
 app.command("play", epilog=play.EXAMPLE)(play.play)

@@ -100,11 +100,6 @@ class Footprint:
         y = dr.copysign(dr.sqrt(maximum(0.5 * (1 - cosine), 0)), covariance)
         return dr.sqrt(square), types.Vector2(step * x, step * y)
 
-    @property
-    def gaussian_sigma(self) -> Float:
-        """Standard deviation of the Gaussian that stands for it, sqrt(area/12), millimetres."""
-        return dr.sqrt(self.area * (1 / 12))
-
     def square(self) -> Box:
         """The square of the same area about the same centre."""
         side = self.square_side

@@ -14,30 +14,19 @@ from loomlight.core.errors import InputError
 from loomlight.core.files import discarding_empty, replacing
 from loomlight.core.images import write_image, write_png
 from loomlight.core.provenance import provenance
-from loomlight.evaluation.held_out import HeldOut, held_out_fabrics
-from loomlight.evaluation.image_benchmark import (
-    DOLLY_FRAMES,
-    DOLLY_SIDE,
-    REFERENCE_SAMPLES,
-    SIZE,
-    SceneResult,
-    image_tables,
-    run_dolly_benchmark,
-    run_image_benchmark,
-)
+from loomlight.evaluation.image_benchmark import SceneResult, image_tables, run_image_benchmark
 from loomlight.evaluation.model_table import BakedModels, model_table
 from loomlight.evaluation.predictions import model_predictor
-from loomlight.evaluation.query_benchmark import WEAVES, run_query_benchmark
+from loomlight.evaluation.query_benchmark import WEAVES, HeldOut, run_query_benchmark
 from loomlight.evaluation.report import Figure, Report, Section, report_html
 from loomlight.evaluation.table import Cell, Table, write_json
-from loomlight.evaluation.truth import FOOTPRINTS, PAIRS
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.load import fabric_from_text, load_fabric
 from loomlight.mitsuba.measured_scenes import MEASURED_SCENES, require_scenes
 from loomlight.models.registry import model_names, require_model_name
 
-QUICK_SIZE, QUICK_SAMPLES = (400, 225), 64
-_QUICK_PAIRS, _QUICK_FOOTPRINTS = 40, 40
+SIZE, REFERENCE_SAMPLES = (400, 225), 64
+_PAIRS, _FOOTPRINTS = 40, 40
 # The background of the scene with two fabrics.
 _PARTNER = 'weave = "plain"\n[warp]\ncolor = "#c9b58f"\n[weft]\ncolor = "#e6dcc4"\n'
 _SCHEMA = 1
@@ -65,10 +54,9 @@ def compare(
     models: Sequence[str],
     folder: str | os.PathLike[str],
     *,
-    full: bool = False,
     scenes: Sequence[str] = MEASURED_SCENES,
-    size: tuple[int, int] | None = None,
-    reference_samples: int | None = None,
+    size: tuple[int, int] = SIZE,
+    reference_samples: int = REFERENCE_SAMPLES,
     command: str = "loomlight.compare",
     progress: Progress | None = None,
 ) -> Comparison:
@@ -80,10 +68,8 @@ def compare(
     Args:
         fabric: a fabric, or an argument of `load_fabric`.
         models: names, such as "point" and "neural".
-        full: the whole protocol: 960×540 against 1 024 samples, the query benchmark on the 24 held-out
-            fabrics besides this one, and the dolly. It takes hours on a CPU; without it, minutes.
         scenes: some of `loomlight.mitsuba.measured_scenes.MEASURED_SCENES`.
-        size, reference_samples: of the pictures; by default 400×225 against 64, or the protocol's.
+        size, reference_samples: of the pictures.
         command: recorded in table.json.
         progress: called with (name of the phase, steps done, steps in all).
 
@@ -96,8 +82,6 @@ def compare(
     cloth = fabric if isinstance(fabric, Fabric) else load_fabric(fabric)
     with discarding_empty(folder):
         target = prepared_folder(folder)
-        pixels = size or (SIZE if full else QUICK_SIZE)
-        samples = reference_samples or (REFERENCE_SAMPLES if full else QUICK_SAMPLES)
 
         def step(what: str) -> Callable[[int, int], None]:
             return lambda done, total: progress(what, done, total) if progress is not None else None
@@ -108,21 +92,17 @@ def compare(
             [cloth, fabric_from_text(_PARTNER)],
             make=baked.make,
             scenes=scenes,
-            size=pixels,
-            reference_samples=samples,
+            size=size,
+            reference_samples=reference_samples,
             progress=step("pictures"),
         )
         comparison = Comparison(target, image_tables(shown))
         for scene in shown:
             comparison.refused.update(scene.refused)
         able = [name for name in chosen if name not in comparison.refused]
-        comparison.tables += _query_tables(cloth, able, full, baked, step("queries"))
-        if full:
-            dolly = run_dolly_benchmark(
-                able, cloth, side=DOLLY_SIDE, frames=DOLLY_FRAMES, progress=step("dolly")
-            )
-            comparison.tables.append(dolly.table())
-        _write(comparison, shown, cloth, pixels, samples, {**provenance(command, Path(__file__).parent)})
+        comparison.tables += _query_tables(cloth, able, baked, step("queries"))
+        record = provenance(command, Path(__file__).parent)
+        _write(comparison, shown, cloth, size, reference_samples, record)
         return comparison
 
 
@@ -158,27 +138,23 @@ def prepared_folder(folder: str | os.PathLike[str]) -> Path:
 def _query_tables(
     cloth: Fabric,
     models: Sequence[str],
-    full: bool,
     baked: BakedModels,
     progress: Callable[[int, int], None],
 ) -> list[Table]:
-    """The query benchmark of this fabric, and of the held-out ones with the full protocol."""
+    """The query benchmark of this fabric."""
     predictors = {name: model_predictor(partial(baked.make, name)) for name in models}
     appearance = cloth.appearance()
     threads = [*appearance.warp.diffuse_reflect, *appearance.weft.diffuse_reflect]
     own = HeldOut(cloth.name, cloth, unseen_weave=True, coloured=len({tuple(row) for row in threads}) > 2)
-    pairs, footprints = (PAIRS, FOOTPRINTS) if full else (_QUICK_PAIRS, _QUICK_FOOTPRINTS)
     try:
-        mine = run_query_benchmark(predictors, [own], pairs=pairs, footprints=footprints, progress=progress)
+        found = run_query_benchmark(
+            predictors, [own], pairs=_PAIRS, footprints=_FOOTPRINTS, progress=progress
+        )
     except InputError as error:
         # Long repeats are too large for slices; there are still pictures.
-        tables = [Table("Query benchmark", [], note=f"There is none of this fabric. {error}")]
-    else:
-        tables = [_titled(table, f"{table.title}, {cloth.name}") for table in mine.tables()[:3]]
-        tables.insert(0, model_table(cloth, mine, baked))
-    if full:
-        tables += run_query_benchmark(predictors, held_out_fabrics(), progress=progress).tables()
-    return tables
+        return [Table("Query benchmark", [], note=f"There is none of this fabric. {error}")]
+    tables = [_titled(table, f"{table.title}, {cloth.name}") for table in found.tables()[:3]]
+    return [model_table(cloth, found, baked), *tables]
 
 
 def _titled(table: Table, title: str) -> Table:

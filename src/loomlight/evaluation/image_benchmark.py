@@ -11,25 +11,22 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError, MissingDependencyError
-from loomlight.evaluation.pictures import PictureError, flip_mean, picture_error
+from loomlight.evaluation.pictures import PictureError, picture_error
 from loomlight.evaluation.table import Cell, Table
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba import choose_variant, render
-from loomlight.mitsuba.measured_scenes import MEASURED_SCENES, Dolly, MeasuredScene, measured_scene
+from loomlight.mitsuba.measured_scenes import MEASURED_SCENES, MeasuredScene, measured_scene
 from loomlight.models.interface import Model
 from loomlight.models.registry import REFERENCE_MODEL, model_class, require_model_name
 
-SIZE, REFERENCE_SAMPLES = (960, 540), 1024
 POINT_SAMPLES = (1, 3)
 # Comparisons with a few Monte Carlo samples count from so many yarns a pixel on.
 COUNTED_FROM_YARNS = 2.0
-DOLLY_SIDE, DOLLY_FRAMES, DOLLY_SAMPLES = 256, 60, 256
 
 Progress = Callable[[int, int], None]
 # From a model's name and a fabric to the model.
@@ -106,8 +103,8 @@ def run_image_benchmark(
     fabrics: Sequence[Fabric],
     *,
     scenes: Sequence[str] = MEASURED_SCENES,
-    size: tuple[int, int] = SIZE,
-    reference_samples: int = REFERENCE_SAMPLES,
+    size: tuple[int, int],
+    reference_samples: int,
     seed: int = 0,
     progress: Progress | None = None,
     make: MakeModel | None = None,
@@ -173,7 +170,7 @@ def _scene(
 
 
 def _render(
-    scene: MeasuredScene | Dolly, samples: int, seed: int, progress: Progress | None = None
+    scene: MeasuredScene, samples: int, seed: int, progress: Progress | None = None
 ) -> NDArray[np.float32]:
     return render(scene.scene, spp=samples, seed=seed, integrator=scene.integrator, progress=progress)
 
@@ -199,63 +196,3 @@ def image_tables(results: list[SceneResult]) -> list[Table]:
         tables.append(table)
     tables[-1].rows["reference"] = [result.seconds for result in results]
     return tables
-
-
-@dataclass(frozen=True)
-class DollyResult:
-    """Temporal stability of models while the camera comes closer.
-
-    Attributes:
-        steps: FLIP between each frame and the next, by the shot's name and "reference".
-    """
-
-    steps: dict[str, list[float]]
-
-    def table(self) -> Table:
-        """Mean FLIP from frame to frame, and its excess over the reference's."""
-        table = Table(
-            "Frame-to-frame FLIP of a dolly from 8 to 0.25 yarns a pixel",
-            ["mean", "largest", "mean excess over the reference"],
-        )
-        own = np.array(self.steps["reference"])
-        for name, steps in self.steps.items():
-            values = np.array(steps)
-            excess = None if name == "reference" else float((values - own).mean())
-            table.rows[name] = [float(values.mean()), float(values.max()), excess]
-        return table
-
-
-def run_dolly_benchmark(
-    models: Sequence[str],
-    fabric: Fabric,
-    *,
-    side: int = DOLLY_SIDE,
-    frames: int = DOLLY_FRAMES,
-    reference_samples: int = DOLLY_SAMPLES,
-    progress: Progress | None = None,
-) -> DollyResult:
-    """Frame-to-frame FLIP of models and of the reference while the camera comes closer to flat cloth.
-
-    Raises:
-        InputError: an unknown model, or one that does not take the fabric.
-    """
-    choose_variant()
-    reference = Shot(REFERENCE_MODEL, reference_samples)
-    rows: list[tuple[str, Shot]] = [("reference", reference)]
-    rows += [(shot.name, shot) for shot in shots_of(models)]
-    everything = np.ones((side, side), bool)
-    steps: dict[str, list[float]] = {}
-    for number, (name, shot) in enumerate(rows):
-        dolly = Dolly(fabric, shot.model, side, frames, shot.pixel_centres)
-        previous: Any = None
-        errors: list[float] = []
-        for frame in range(frames):
-            dolly.look(frame)
-            picture = _render(dolly, shot.samples, seed=frame)
-            if previous is not None:
-                errors.append(flip_mean(previous, picture, everything))
-            previous = picture
-            if progress is not None:
-                progress(number * frames + frame + 1, len(rows) * frames)
-        steps[name] = errors
-    return DollyResult(steps)

@@ -23,7 +23,6 @@ from loomlight.aggregate.queries import BANDS, QuerySet, fabric_scale
 from loomlight.core.backend import array_types
 from loomlight.core.errors import InputError
 from loomlight.core.llvm import llvm_float
-from loomlight.evaluation.held_out import HeldOut
 from loomlight.evaluation.metrics import OVERALL, Classes, ErrorSums, sums_by_class
 from loomlight.evaluation.predictions import Prediction, Predictor, monte_carlo_predictor
 from loomlight.evaluation.table import Cell, Table
@@ -43,6 +42,23 @@ MONTE_CARLO = (1, 3, 16)
 SEED = 2024
 
 Progress = Callable[[int, int], None]
+
+
+@dataclass(frozen=True, eq=False)
+class HeldOut:
+    """A fabric of the benchmark, such as those of `experiments/held_out.py`, which are in no training set.
+
+    Attributes:
+        name: of its row.
+        fabric: the fabric, without sheen and variation.
+        unseen_weave: its weave is in no training set.
+        coloured: its threads have several colours.
+    """
+
+    name: str
+    fabric: Fabric
+    unseen_weave: bool
+    coloured: bool
 
 
 @dataclass

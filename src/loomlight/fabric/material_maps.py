@@ -20,12 +20,7 @@ def material_maps(fabric: Fabric, maps: SurfaceMaps) -> dict[str, NDArray[np.flo
         color [rows, columns, 3], the colour of the thread that shows, linear RGB, or its albedo where the
         file gives that; opacity, 0 in holes; roughness, the root of the fibres' α, as α of other programs is
         its square. Holes have the colour of a thread beside them, so that filters bring in no other.
-
-    Raises:
-        ValueError: maps that were read from a file.
     """
-    if maps.thread is None:
-        raise ValueError("maps from files do not know their threads")
     warp, weft = (_colours(fabric, family) for family in ("warp", "weft"))
     # A thread of the other family may have an index that this one lacks.
     of_warp, of_weft = (colours[np.minimum(maps.thread, len(colours) - 1)] for colours in (warp, weft))

@@ -23,7 +23,7 @@ from loomlight.fabric import Fabric
 from loomlight.mesh.cloth_mesh import ClothMesh
 from loomlight.mesh.scale import uv_size
 from loomlight.mitsuba import cloth_shapes
-from loomlight.mitsuba.camera import View, framing, look_at, perspective, require_size
+from loomlight.mitsuba.camera import View, framing, perspective, require_size
 from loomlight.mitsuba.lights import light_dicts
 from loomlight.mitsuba.material import material_bsdf
 from loomlight.mitsuba.meshes import to_shape
@@ -77,9 +77,6 @@ _SHOTS = {
     ),
 }
 MEASURED_SCENES = tuple(_SHOTS)
-# The dolly begins far from a flat piece and ends near.
-_DOLLY = _SHOTS["flat far"]
-_DOLLY_YARNS = (8.0, 0.25)
 
 
 @dataclass(frozen=True, eq=False)
@@ -169,34 +166,6 @@ def shot_scene(
 def shot_counted(shot: MeasuredShot, size: tuple[int, int]) -> NDArray[np.bool_]:
     """Pixels of a shot that lie wholly on one piece of cloth [height, width], whatever the fabric."""
     return _measured(shot, size).piece >= 0
-
-
-class Dolly:
-    """A camera that comes closer to a flat piece of cloth, from 8 yarns a pixel to a quarter.
-
-    Attributes:
-        scene, integrator: what to render at the frame looked at last.
-    """
-
-    def __init__(
-        self, fabric: Fabric, model: str, side: int, frames: int, pixel_centres: bool = False
-    ) -> None:
-        """Builds the scene for `frames` square pictures of `side` pixels; see `measured_scene`."""
-        size = (side, side)
-        first, last = _DOLLY_YARNS
-        thread = fabric_scale(fabric.layout()).thread
-        scale = first * thread / _measured(_DOLLY, size).side_mm[0]
-        self.scene = mi.load_dict(_parts(_DOLLY, size, [material_bsdf(fabric, model)], [scale]))
-        self.integrator = _integrator(pixel_centres)
-        self._view = _view(_DOLLY, size)
-        self._zooms = np.geomspace(1.0, first / last, frames)
-
-    def look(self, frame: int) -> None:
-        """Moves the camera to a frame, from 0."""
-        parameters = mi.traverse(self.scene)
-        view = self._view.closer(float(self._zooms[frame]), self._view.target)
-        parameters["sensor.to_world"] = mi.Transform4f(look_at(view).matrix)
-        parameters.update()
 
 
 def require_scenes(names: Sequence[str]) -> None:

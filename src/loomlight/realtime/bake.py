@@ -250,14 +250,12 @@ class LobesBaker:
 
     Attributes:
         dispatches: kernels that were launched so far.
-        writes: buffers that the host wrote so far.
     """
 
     def __init__(self, adapter: Adapter) -> None:
         self._adapter = adapter
         self._own: dict[str, Any] = {}
         self.dispatches = 0
-        self.writes = 0
 
     def bake(
         self, buffers: Mapping[str, Any], records: NDArray[np.void], number: int, plan: BakePlan
@@ -323,7 +321,6 @@ class LobesBaker:
 
     def _own_storage(self, name: str, values: NDArray[Any]) -> Any:
         """A small buffer that is rewritten for every bake."""
-        self.writes += 1
         if name in self._own and self._own[name].size >= values.nbytes:
             self._adapter.write(self._own[name], values)
         else:

@@ -97,7 +97,7 @@ class Renderer:
             size: width and height of frames, pixels.
             model: a name of `REALTIME_MODELS`: point samples the footprints of pixels, others average over
                 them; by default the model that the first cloth holds, for fabrics lobes.
-            bake: where tables of lobes are baked: cpu, or gpu, where an edit never leaves the adapter.
+            bake: where tables of lobes are baked: cpu, or gpu, by the kernels of the page.
 
         Raises:
             InputError: no cloth, a size out of range, an unknown model or place to bake, or a cloth that the
@@ -118,7 +118,6 @@ class Renderer:
         self._face_count = sum(len(cloth.mesh.faces) for cloth in cloths)
         self._resources: dict[str, Any] = {}
         self._bake = bake
-        self._fabric_buffers: FabricBuffers | None = None
         self._environment: tuple[Environment, EnvironmentTables] | None = None
         # What the sums show; no bytes where they are to begin anew.
         self._shown, self.passes = b"", 0
@@ -130,13 +129,8 @@ class Renderer:
 
     def set_fabric(self, number: int, fabric: Material) -> None:
         """Another fabric for cloth `number`: tables are rewritten, and no pipeline is compiled."""
-        look = look_of(fabric, self.model)
         self._cloths[number] = replace(self._cloths[number], fabric=fabric)
-        if self._fabric_buffers is None or look is None:
-            self._upload_fabrics()
-        else:
-            self._fabric_buffers.set_fabric(number, look)
-            self._take_buffers(self._fabric_buffers)
+        self._upload_fabrics()
         self._shown = b""
 
     def set_model(self, model: str) -> None:
@@ -311,22 +305,16 @@ class Renderer:
         uv_size_mm = [cloth.uv_size_mm for cloth in self._cloths]
         if self._bake == "gpu" and REALTIME_MODELS[self.model].bakes_on_adapter:
             yarns = [look for look in looks if look is not None]
-            self._fabric_buffers = FabricBuffers(
-                self.adapter, yarns, uv_size_mm, describe=self._scene.describe_maps
-            )
-            self._take_buffers(self._fabric_buffers)
+            fabrics = FabricBuffers(self.adapter, yarns, uv_size_mm, describe=self._scene.describe_maps)
+            self._resources.update(fabrics.buffers)
+            self._is_open = fabrics.is_open
             return
         prepared = [prepared_for(material, self.model) for material in materials]
         packed = pack_fabrics(looks, uv_size_mm, prepared)
-        self._fabric_buffers = None
         self._scene.describe_maps(packed.fabrics)
         self._is_open = bool(packed.fabrics["is_open"].any())
         for name, values in packed.buffers().items():
             self._store(name, values)
-
-    def _take_buffers(self, fabrics: FabricBuffers) -> None:
-        self._resources.update(fabrics.buffers)
-        self._is_open = fabrics.is_open
 
     def _upload_targets(self) -> None:
         wgpu = wgpu_module()

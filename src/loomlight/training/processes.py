@@ -1,6 +1,6 @@
 """Training by several processes that torchrun starts: each has a share of every batch, gradients add up.
 
-    torchrun --nproc-per-node 2 -m loomlight train neural experiments/neural.toml
+    torchrun --nproc-per-node 2 -m papers.chen2024.training experiments/neural.toml
 
 Without torchrun there is one process, and nothing here does anything.
 """

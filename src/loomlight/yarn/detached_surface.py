@@ -16,8 +16,6 @@ from loomlight.yarn.geometry import CellBounds, Probe, SurfacePoint, YarnGeometr
 class DetachedSurface:
     """Analytic geometry as a `Surface` whose heights carry no derivatives."""
 
-    has_outline_distances = YarnGeometry.has_outline_distances
-
     def __init__(self, geometry: YarnGeometry) -> None:
         self.geometry = geometry
         self.size = geometry.size

@@ -130,10 +130,7 @@ class YarnGeometry:
         size: width and height of the repeat, millimetres.
         height_scale: β of (warp, weft); numbers, or Dr.Jit scalars when gradients are wanted.
         twist: ψ of (warp, weft), radians; likewise.
-        has_outline_distances: see `search.Surface`.
     """
-
-    has_outline_distances = True
 
     def __init__(self, layout: ClothLayout) -> None:
         self.layout = layout

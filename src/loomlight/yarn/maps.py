@@ -14,7 +14,6 @@ from typing import Any
 
 import drjit as dr
 import numpy as np
-import OpenEXR
 from numpy.typing import NDArray
 
 from loomlight.core.arrays import FloatType
@@ -48,7 +47,7 @@ class SurfaceMaps:
         warp: whether the warp shows, bool.
         hole: whether neither family is there, bool.
         size: width and height of the window, millimetres.
-        thread: index of the thread that shows, among its family's in the repeat; None of maps from files.
+        thread: index of the thread that shows, among its family's in the repeat.
     """
 
     height: NDArray[np.float32]
@@ -57,7 +56,7 @@ class SurfaceMaps:
     warp: NDArray[np.bool_]
     hole: NDArray[np.bool_]
     size: tuple[float, float]
-    thread: NDArray[np.int32] | None = None
+    thread: NDArray[np.int32]
 
 
 def resolution_of(extent: tuple[float, float], per_mm: float) -> tuple[int, int]:
@@ -200,46 +199,3 @@ def write_maps(
     }
     write_pngs(pictures, maps.size)
     return list(pictures)
-
-
-def read_maps(path: str | os.PathLike[str]) -> SurfaceMaps:
-    """Reads maps from an EXR with the channels that `write_maps` writes (tangent, warp and hole may lack).
-
-    Raises:
-        InputError: no such file, no EXR, or a channel that is missing, infinite or of no length.
-    """
-    if not Path(path).is_file():
-        raise InputError(f"{path} does not exist.")
-    try:
-        channels = {
-            name: np.flipud(np.asarray(channel.pixels, np.float32))
-            for name, channel in OpenEXR.File(str(path), separate_channels=True).channels().items()
-        }
-    except (RuntimeError, ValueError, TypeError) as error:
-        raise InputError(f"{path} is no EXR file that can be read.") from error
-    for name in ("height", *_CHANNELS["normal"], "size.X", "size.Y"):
-        if name not in channels:
-            raise InputError(f'{path} has no channel "{name}"; it has {", ".join(sorted(channels))}.')
-    for name, plane in channels.items():
-        if not np.isfinite(plane).all():
-            raise InputError(f'{path}: the channel "{name}" holds values that are not finite.')
-    shape = channels["height"].shape
-    normal = np.stack([channels[name] for name in _CHANNELS["normal"]], axis=-1)
-    if (normal[..., 2] <= 0).any():
-        raise InputError(f'{path}: the channel "normal.Z" must be above 0: normals face the eye.')
-    if all(name in channels for name in _CHANNELS["tangent"]):
-        tangent = np.stack([channels[name] for name in _CHANNELS["tangent"]], axis=-1)
-    else:
-        # Without fibre directions they are taken to run along the warp.
-        tangent = np.broadcast_to(np.asarray([0, 1, 0], np.float32), normal.shape)
-    width, height = float(channels["size.X"].flat[0]), float(channels["size.Y"].flat[0])
-    if width <= 0 or height <= 0:
-        raise InputError(f"{path}: size = {width:g} x {height:g} mm must be above 0.")
-    return SurfaceMaps(
-        height=channels["height"],
-        normal=normal,
-        tangent=tangent,
-        warp=channels.get("warp", np.ones(shape, np.float32)) > 0.5,
-        hole=channels.get("hole", np.zeros(shape, np.float32)) > 0.5,
-        size=(width, height),
-    )

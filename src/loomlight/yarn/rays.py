@@ -31,8 +31,6 @@ from loomlight.yarn.search import (
 # the cubic's mean slope.
 NEWTON_STEPS = 3
 FLATTEST_SHARE = 0.1
-# Further bisections where the surface cannot tell where its outlines are.
-_OUTLINE_BISECTIONS = 3
 
 
 def shadow_ray(
@@ -274,7 +272,6 @@ class ViewRay:
         types = array_types(self.x)
         extent, steps = extent_of(self.surface, types), self._steps
         relief, smooth, previous = extent.high - extent.low, end.smooth, end.previous
-        iterations = refinements + (0 if self.surface.has_outline_distances else _OUTLINE_BISECTIONS)
 
         def refine(
             index: UInt,
@@ -313,7 +310,7 @@ class ViewRay:
         middle = dr.select(smooth, dr.fma(-root, length, above), _between(above, under, above_gap, under_gap))
         start = (types.UInt32(0), above, under, above_gap, under_gap, types.Float(0 * above), middle)
         _, _, under, _, _, _, middle = dr.while_loop(
-            start, lambda index, *rest: index < iterations, refine, label="cloth: refine"
+            start, lambda index, *rest: index < refinements, refine, label="cloth: refine"
         )
         return dr.select(smooth, middle, under)
 

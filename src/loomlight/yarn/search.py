@@ -21,11 +21,10 @@ OUTLINE_EPSILON = 5e-3
 
 
 class Surface(Protocol):
-    """A source of cloth geometry: analytic, or textures of one repeat."""
+    """A source of cloth geometry."""
 
     size: tuple[float, float]
     extents: dict[FloatType, Any]  # cache of `extent_of`
-    has_outline_distances: bool  # probes know the distance to the next outline; else it is 1e9
 
     @property
     def finest(self) -> tuple[float, float]:

@@ -21,8 +21,8 @@ from loomlight.models.neural.encoded_fabric import EncodedFabric
 from loomlight.models.neural.encoding import encode
 from loomlight.models.neural.fibres import Fibres
 from loomlight.models.neural.footprint_coding import levels_of, taps
-from loomlight.models.neural.training.network import ClothNetwork
 from loomlight.models.neural.weights import Weights
+from papers.chen2024.training.network import ClothNetwork
 
 from .networks import TABLES, network, unit_vectors, weights_of
 

@@ -22,9 +22,9 @@ from loomlight.models.neural.architecture import (
 from loomlight.models.neural.codings import _mirrored
 from loomlight.models.neural.fibres import Fibres
 from loomlight.models.neural.model import NeuralModel
-from loomlight.models.neural.training.network import fibre_features
 from loomlight.scattering.fibre import density
 from loomlight.yarn.geometry import YarnGeometry
+from papers.chen2024.training.network import fibre_features
 
 from .networks import unit_vectors
 

@@ -132,7 +132,7 @@ def test_weights_need_their_encoder_beside_them(file: Path, tmp_path: Path) -> N
             read_weights(path)
         said = str(caught.value)
         assert said.startswith(str(tmp_path))
-        assert f"`python -m loomlight.models.neural.training.export {path}` writes it" in said
+        assert f"`python -m papers.chen2024.training.export {path}` writes it" in said
         assert "\n" not in said
     encoder_path(path).write_bytes(good)
     assert read_weights(path).encoder == good

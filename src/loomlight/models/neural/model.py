@@ -155,7 +155,7 @@ class NeuralModel(FilteredFabricModel):
     options = (
         # The last layer is fitted to the fabric: most of a second, and half the error of highlights.
         Option("refined", bool, "true or false"),
-        # A weights file written by `loomlight train neural`; by default that of the package.
+        # A weights file that `python -m papers.chen2024.training` wrote; by default that of the package.
         Option("weights", str, "the path of a weights file"),
         # Directions are drawn by a network for all fabrics, or by lobes about the fibres.
         Option("sampler", str, f"one of {', '.join(SAMPLERS)}"),

@@ -1,7 +1,8 @@
 """Training learns, is the same after kill −9 at any moment, and refuses what is not its own.
 
-Covers: cli/train.py, models/neural/training/batches.py, models/neural/training/config.py
-Covers: models/neural/training/dataset.py, models/neural/training/losses.py
+Covers: papers/chen2024/training/__main__.py, papers/chen2024/training/batches.py
+Covers: papers/chen2024/training/config.py
+Covers: papers/chen2024/training/dataset.py, papers/chen2024/training/losses.py
 """
 
 import os
@@ -21,14 +22,13 @@ from tests.marks import slow
 torch = pytest.importorskip("torch")
 
 from loomlight.core.errors import InputError  # noqa: E402
-from loomlight.models.neural.training.batches import Batches, _draw  # noqa: E402
-from loomlight.models.neural.training.config import TrainingConfig, read_config  # noqa: E402
-from loomlight.models.neural.training.dataset import read_faces  # noqa: E402
-from loomlight.models.neural.training.losses import LOSSES, mapped, unmapped  # noqa: E402
-from loomlight.models.neural.training.train import rate_factor, train_neural  # noqa: E402
 from loomlight.models.neural.weights import read_weights  # noqa: E402
-
-from ..networks import network  # noqa: E402
+from papers.chen2024.training.batches import Batches, _draw  # noqa: E402
+from papers.chen2024.training.config import TrainingConfig, read_config  # noqa: E402
+from papers.chen2024.training.dataset import read_faces  # noqa: E402
+from papers.chen2024.training.losses import LOSSES, mapped, unmapped  # noqa: E402
+from papers.chen2024.training.train import rate_factor, train_neural  # noqa: E402
+from tests.models.neural.networks import network  # noqa: E402
 
 TINY = """
 [network]
@@ -172,8 +172,8 @@ def test_killed_training_goes_on(dataset: Path, tmp_path: Path) -> None:
 _COMMAND = """
 import sys
 from pathlib import Path
-from loomlight.models.neural.training.config import read_config
-from loomlight.models.neural.training.train import train_neural
+from papers.chen2024.training.config import read_config
+from papers.chen2024.training.train import train_neural
 train_neural(read_config(sys.argv[1]), Path(sys.argv[2]), keep_every=0)
 """
 

@@ -1,4 +1,7 @@
-"""`loomlight train`: trains models from configurations."""
+"""Trains the universal network from nothing, data included.
+
+python -m papers.chen2024.training experiments/neural.toml -o runs/neural
+"""
 
 from __future__ import annotations
 
@@ -10,22 +13,22 @@ from typing import Annotated
 
 import typer
 
-from loomlight.cli.help import WholeSentences
-from loomlight.cli.interruption import note_left
+from loomlight.cli.interruption import note_left, supervised
+from loomlight.cli.main import run
 from loomlight.cli.outputs import done
 from loomlight.core.errors import MissingDependencyError
 
-EXAMPLE = "Example: loomlight train neural experiments/neural.toml -o runs/neural"
+NAME = "python -m papers.chen2024.training"
 
-app = typer.Typer(cls=WholeSentences, help="Trains models.", no_args_is_help=True, rich_markup_mode=None)
+app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 
 # Seconds between lines.
 _LINE_EVERY = 30.0
 
 
-@app.command("neural", epilog=EXAMPLE)
+@app.command()
 def neural(
-    config: Annotated[Path, typer.Argument(metavar="CONFIG", help="A TOML file; see experiments/.")],
+    config: Annotated[Path, typer.Argument(metavar="CONFIG", help="Such as experiments/neural.toml.")],
     output: Annotated[
         Path | None,
         typer.Option(
@@ -35,7 +38,7 @@ def neural(
     device: Annotated[str, typer.Option(help="cpu or cuda.")] = "cpu",
 ) -> None:
     """Trains the universal network from nothing, data included; run again, it goes on from where it was."""
-    from loomlight.models.neural.training.config import read_config
+    from papers.chen2024.training.config import read_config
 
     recipe = read_config(config)
     # On shared cores threads that spin while they wait make small batches many times slower.
@@ -43,8 +46,8 @@ def neural(
     # MKL's sums otherwise depend on where arrays lie in memory, and a resumed training on that.
     os.environ.setdefault("MKL_CBWR", "AUTO,STRICT")
     try:
-        from loomlight.models.neural.training.train import train_neural
         from loomlight.training.processes import process_group, process_number
+        from papers.chen2024.training.train import train_neural
     except ModuleNotFoundError as error:
         raise MissingDependencyError("Training needs PyTorch: pip install 'loomlight[train]'.") from error
     folder = Path("runs") / config.stem if output is None else output
@@ -79,3 +82,7 @@ class _Lines:
         left = (now - since) * (total - done) / max(done - first, 1) / 60
         detail = "" if loss is None else f", loss {loss:.4f}"
         print(f"{self._title}: {done} of {total}{detail}, {left:.0f} min left", file=sys.stderr, flush=True)
+
+
+if __name__ == "__main__":
+    sys.exit(supervised(lambda: run(sys.argv[1:], app, NAME)))

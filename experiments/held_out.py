@@ -15,33 +15,17 @@ from typing import Any
 import numpy as np
 
 from loomlight.core.errors import InputError
-from loomlight.fabric.fabric import Fabric, make_fabric
+from loomlight.evaluation.query_benchmark import HeldOut
+from loomlight.fabric.fabric import make_fabric
 from loomlight.fabric.file import YarnTable
 from loomlight.models.neural.parameter_ranges import PARAMETER_RANGES, ParameterRanges
-from loomlight.models.neural.training.random_fabrics import random_fabric
-from loomlight.models.neural.training.weaves import PAPER_WEAVES, paper_draft
 from loomlight.weave.named import named_weave
+from papers.chen2024.training.random_fabrics import random_fabric
+from papers.chen2024.training.weaves import PAPER_WEAVES, paper_draft
 
 _SEED = 20240727
 _CLASSES = ((0.0, 0.15), (0.15, 0.4), (0.4, 1.0))
 _TRANSLUCENCY = (0.1, 0.5)
-
-
-@dataclass(frozen=True, eq=False)
-class HeldOut:
-    """A held-out fabric.
-
-    Attributes:
-        name: number and weave.
-        fabric: the fabric, without sheen and variation.
-        unseen_weave: its weave is in no training set.
-        coloured: its threads have several colours.
-    """
-
-    name: str
-    fabric: Fabric
-    unseen_weave: bool
-    coloured: bool
 
 
 @dataclass(frozen=True)

@@ -1,20 +1,20 @@
 """What is drawn for training lies inside the ranges, and is never a held-out weave.
 
-Covers: models/neural/training/random_fabrics.py
+Covers: papers/chen2024/training/random_fabrics.py
 """
 
 import numpy as np
 
 from loomlight.models.neural.parameter_ranges import LAYOUT_RANGES, PARAMETER_RANGES
-from loomlight.models.neural.training.random_fabrics import random_fabric
-from loomlight.models.neural.training.weaves import (
+from loomlight.weave.named import named_weave
+from papers.chen2024.training.random_fabrics import random_fabric
+from papers.chen2024.training.weaves import (
     HELD_OUT_WEAVES,
     PAPER_WEAVES,
     _class_of,
     paper_draft,
     training_draft,
 )
-from loomlight.weave.named import named_weave
 
 
 def test_paper_weaves_have_the_repeats_the_paper_names() -> None:

@@ -7,7 +7,7 @@ from torch import Tensor
 from torch.nn import functional
 
 from loomlight.models.neural.architecture import MAX_OUTPUT, REFLECTION_GAIN, TRANSMISSION_GAIN
-from loomlight.models.neural.training.config import TrainingTable
+from papers.chen2024.training.config import TrainingTable
 
 # λ of specular and diffuse terms (chen2024 eq. 11).
 _SPECULAR_WEIGHT, _DIFFUSE_WEIGHT = 0.4, 0.1

@@ -1,6 +1,6 @@
 """The exported encoder is torch's for every shape, and what ships is what the shipped weights export.
 
-Covers: models/neural/training/network.py
+Covers: papers/chen2024/training/network.py
 """
 
 from __future__ import annotations
@@ -14,10 +14,9 @@ import torch
 
 from loomlight.models.neural.encoder import encoder_session
 from loomlight.models.neural.footprint_coding import levels_of
-from loomlight.models.neural.training.export import encoder_model, export_encoder
 from loomlight.models.neural.weights import encoder_path, read_weights, shipped_weights
-
-from ..networks import TABLES, network, weights_of, written
+from papers.chen2024.training.export import encoder_model, export_encoder
+from tests.models.neural.networks import TABLES, network, weights_of, written
 
 PARAMETERS = np.array([0.2, 0.3, 0.5, 0.8], np.float32)
 

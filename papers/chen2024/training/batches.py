@@ -14,12 +14,12 @@ from torch import Tensor, nn
 from torch.nn import functional
 
 from loomlight.models.neural.footprint_coding import coordinate_rows, levels_of, taps
-from loomlight.models.neural.training.config import TrainingConfig
-from loomlight.models.neural.training.dataset import Face
-from loomlight.models.neural.training.losses import LOSSES
-from loomlight.models.neural.training.network import ClothNetwork, FieldEncoder
 from loomlight.training.processes import process_count
 from loomlight.training.side_by_side import SideBySide
+from papers.chen2024.training.config import TrainingConfig
+from papers.chen2024.training.dataset import Face
+from papers.chen2024.training.losses import LOSSES
+from papers.chen2024.training.network import ClothNetwork, FieldEncoder
 
 _Floats = NDArray[np.float32]
 _LARGE = 2.0  # threads; all footprints of at least this size are used

@@ -1,4 +1,7 @@
-"""The lobes that stand for horizons: how well they follow them, and why they are cut at 1."""
+"""The lobes that stand for horizons: how well they follow them, and why they are cut at 1.
+
+Covers: papers/zhu2024/gaussian_visibility.py
+"""
 
 from __future__ import annotations
 
@@ -9,11 +12,10 @@ import numpy as np
 import pytest
 from drjit.llvm.ad import Array3f, Bool, Float
 
-from loomlight.yarn.gaussian_visibility import GaussianVisibility
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.horizon import HorizonMap
-
-from .layouts import TWILL, even_layout
+from papers.zhu2024.gaussian_visibility import GaussianVisibility
+from tests.yarn.layouts import TWILL, even_layout
 
 
 @pytest.mark.slow

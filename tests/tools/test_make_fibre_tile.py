@@ -1,7 +1,4 @@
-"""Fibres of yarns: they follow the weave, stay in their yarns, and go on in the next repeat.
-
-Covers: assets/fibre_tile.py
-"""
+"""Fibres of yarns: they follow the weave, stay in their yarns, and go on in the next repeat."""
 
 from __future__ import annotations
 
@@ -11,14 +8,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from loomlight.assets.fibre_tile import write_fibre_tile
 from loomlight.assets.load import load_source
 from loomlight.assets.tile import TileScene
 from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba.tile_btf import TileBtf
-from loomlight.yarn.fibre_curves import FibreSettings, fibre_curves
+from tools.fibre_curves import FibreSettings, fibre_curves
+from tools.make_fibre_tile import write_fibre_tile
 
 require_llvm()
 

@@ -1,6 +1,6 @@
 """The encoder as an ONNX model, exported by torch from a weights file.
 
-    python -m loomlight.models.neural.training.export neural.safetensors        writes neural.onnx beside it
+    python -m papers.chen2024.training.export neural.safetensors        writes neural.onnx beside it
 
 Traced by torch's TorchScript exporter: the newer one needs the package onnxscript besides. Everything that
 depends on the repeat is computed in the graph from the extents of the maps, so that one graph takes all
@@ -26,13 +26,13 @@ from torch.nn.utils import parametrize
 from loomlight.models.neural.architecture import FIELD_MAP, LEAKY_SLOPE, MAX_THREADS, VECTOR_MAP
 from loomlight.models.neural.encoder import CHANNELS
 from loomlight.models.neural.footprint_coding import FINEST_LEVEL, WHOLE_REPEATS
-from loomlight.models.neural.training.network import (
+from loomlight.models.neural.weights import Weights, read_weights_alone, write_encoder
+from papers.chen2024.training.network import (
     PARAMETERS,
     FieldEncoder,
     VectorEncoder,
     scaled_parameters,
 )
-from loomlight.models.neural.weights import Weights, read_weights_alone, write_encoder
 
 # The first opset whose Pad wraps around, and the place of rows and columns among the axes of maps.
 _OPSET = 19

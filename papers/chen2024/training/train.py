@@ -14,16 +14,16 @@ import torch
 from loomlight.core.errors import InputError
 from loomlight.core.provenance import provenance
 from loomlight.models.neural.architecture import FIELD_MAP, VECTOR_MAP
-from loomlight.models.neural.training.batches import Batches
-from loomlight.models.neural.training.config import TrainingConfig, TrainingTable
-from loomlight.models.neural.training.dataset import Face, dataset_faces, read_faces, write_faces
-from loomlight.models.neural.training.export import export_encoder
-from loomlight.models.neural.training.losses import is_published
-from loomlight.models.neural.training.network import ClothNetwork, Decoder
 from loomlight.models.neural.weights import write_weights
 from loomlight.training.loop import Report, Schedule, train
 from loomlight.training.processes import process_count, process_number, wait_for_all
 from loomlight.training.soap import Soap
+from papers.chen2024.training.batches import Batches
+from papers.chen2024.training.config import TrainingConfig, TrainingTable
+from papers.chen2024.training.dataset import Face, dataset_faces, read_faces, write_faces
+from papers.chen2024.training.export import export_encoder
+from papers.chen2024.training.losses import is_published
+from papers.chen2024.training.network import ClothNetwork, Decoder
 
 # Called with (fabrics made, fabrics in all).
 DatasetReport = Callable[[int, int], None]
@@ -104,7 +104,10 @@ def train_neural(
         {name: tensor.cpu().numpy() for name, tensor in network.state_dict().items()},
         linear_diffuse=is_published(training),
         recipe=config.model_dump(),
-        provenance={**provenance("loomlight train neural", Path(__file__).parent), "steps": steps},
+        provenance={
+            **provenance("python -m papers.chen2024.training", Path(__file__).parent),
+            "steps": steps,
+        },
     )
     export_encoder(weights)
     return weights

@@ -21,11 +21,11 @@ from loomlight.models.neural.encoder import fabric_parameters, face_maps
 from loomlight.models.neural.fibres import Fibres
 from loomlight.models.neural.footprint_coding import footprints_in_threads
 from loomlight.models.neural.parameter_ranges import PARAMETER_RANGES, TRAINING_RANGES
-from loomlight.models.neural.training.config import DataTable
-from loomlight.models.neural.training.random_fabrics import random_fabric
-from loomlight.models.neural.training.weaves import training_draft
 from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
+from papers.chen2024.training.config import DataTable
+from papers.chen2024.training.random_fabrics import random_fabric
+from papers.chen2024.training.weaves import training_draft
 
 # Crossings of the largest repeat with all pairs, and the fewest pairs of a larger repeat.
 _FULL_REPEAT = 32

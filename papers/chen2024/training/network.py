@@ -43,7 +43,7 @@ from loomlight.models.neural.architecture import (
 )
 from loomlight.models.neural.encoder import CHANNELS
 from loomlight.models.neural.footprint_coding import FINEST_LEVEL, Level, fine_tuning_weight, levels_of
-from loomlight.models.neural.training.losses import gain
+from papers.chen2024.training.losses import gain
 
 PARAMETERS = 4
 ANGLES = 5

@@ -1,8 +1,7 @@
-"""Gaussian footprints on a periodic grid, exact for values that are constant on each texel.
+"""Means over Gaussian footprints on a periodic grid, exact for values that are constant on each texel.
 
 The weight of a texel is the integral of the Gaussian over it, summed over all repeats: a product of two
-differences of error functions, one a direction. For the centres of all texels that is a circular convolution,
-computed by Fourier transform; for other centres the weights are applied directly.
+differences of error functions, one a direction.
 """
 
 from __future__ import annotations
@@ -11,7 +10,6 @@ import math
 from typing import Any
 
 import numpy as np
-from numpy import fft
 from numpy.typing import NDArray
 
 from loomlight.aggregate.grid import Grid
@@ -66,19 +64,3 @@ def gaussian_means(
         rows = (across @ flat).reshape(-1, grid.rows, len(values))
         means[part] = np.einsum("nr,nrc->nc", along, rows)
     return means
-
-
-def gaussian_field(grid: Grid, values: NDArray[np.floating[Any]], sigma: float) -> NDArray[np.float64]:
-    """Means about the centre of every texel [channels, rows, columns] of values of that shape.
-
-    Args:
-        sigma: standard deviation, millimetres.
-    """
-    step_x, step_y = grid.step
-    middle = np.array([0.5])
-    across = texel_weights(middle, np.array([sigma / step_x]), grid.columns)[0]
-    along = texel_weights(middle, np.array([sigma / step_y]), grid.rows)[0]
-    # The weights are symmetric about the first texel, so the transforms are real.
-    response = np.outer(fft.fft(along).real, fft.rfft(across).real)
-    spectrum = fft.rfft2(np.asarray(values, np.float64), axes=(-2, -1))
-    return np.asarray(fft.irfft2(spectrum * response, s=(grid.rows, grid.columns), axes=(-2, -1)))

@@ -62,7 +62,7 @@ class TrainingTable(ConfigTable):
         schedule: "steps" multiplies the rate by 0.2 at 6/10 and 9/10 of the training, as published; "cosine"
             warms up over the first hundredth and falls to 0.
         regularisation: weight of the sum of squares of all weights (decoupled with Adam).
-        loss: "published" is chen2024 eq. 9–11; "balanced" see `loomlight.models.neural.training.losses`.
+        loss: "published" is chen2024 eq. 9–11; "balanced" see `papers.chen2024.training.losses`.
         small_footprints: fraction of the queries of footprints far below a thread that are used; all from
             two threads on. A small network cannot fit their sharp edges, so they are mostly noise.
         seed: of initial weights and batches.
