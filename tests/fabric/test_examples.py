@@ -11,6 +11,7 @@ import pytest
 from pydantic import BaseModel
 
 from loomlight.fabric import fabric_from_text, load_fabric
+from loomlight.fabric.facts import cloth_facts
 from loomlight.fabric.file import FabricFile
 from loomlight.weave.loom import plan_drawdown
 from loomlight.weave.textile import longest_floats
@@ -22,7 +23,7 @@ EXAMPLES = sorted((ROOT / "examples").glob("*.toml"))
 
 
 def test_there_are_examples() -> None:
-    assert len(EXAMPLES) >= 6
+    assert len(EXAMPLES) >= 12
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
@@ -73,3 +74,18 @@ def test_the_whole_file_of_the_reference_is_a_fabric() -> None:
     block = text.split("## A whole one")[1]
     lines = [line.removeprefix("    ") for line in block.splitlines() if line.startswith("    ") or not line]
     assert fabric_from_text("\n".join(lines)).name == "Selvedge denim"
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_an_example_is_woven_as_people_weave(path: Path) -> None:
+    """Of a kind of yarn and a count each way, and colours that such cloth can show: without a warning."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        fabric = load_fabric(path)
+        fabric.appearance()
+    for table in (fabric.fields.warp, fabric.fields.weft):
+        assert table.yarn or fabric.fields.yarn
+        assert table.count
+    facts = cloth_facts(fabric)
+    # From organza to heavy denim.
+    assert 25 < facts.weight < 420

@@ -73,9 +73,9 @@ def test_denim_weighs_what_its_file_says(capsys: pytest.CaptureFixture[str]) -> 
     assert run(["weave", "info", "examples/denim.toml"]) == 0
     text = capsys.readouterr().out
     assert "longest floats" in text
-    weight = float(text.split("weight: at most ")[1].split()[0])
-    # "of about 400 g/m²", but no count is given: the width of a pressed yarn stands for its diameter.
-    assert 250 < weight < 550
+    weight = float(text.split("weight: about ")[1].split()[0])
+    # "of 12 oz": ounces a square yard, of 33.9 g/m² each.
+    assert 11 < weight / 33.9 < 13
 
 
 def test_a_weave_without_cloth_has_no_weight(capsys: pytest.CaptureFixture[str]) -> None:
