@@ -21,8 +21,8 @@ from numpy.typing import NDArray
 from scipy import stats
 
 from benchmarks.harness import Figures, run
+from experiments.reference import brute_force, reference
 from loomlight.aggregate.queries import BANDS, FabricScale, fabric_scale, query_set
-from loomlight.aggregate.reference import brute_force, reference
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm

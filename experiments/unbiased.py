@@ -5,7 +5,7 @@
 A case is a fabric (of the 24 held-out ones), a light, a view and a parallelogram of a quarter thread to
 four repeats, up to three times as long as wide. Reflection and transmission, both faces. The reference
 draws uniform points in the parallelogram and follows each view and shadow ray exactly
-(`aggregate/reference.py`). With `--aligned` the parallelograms are rectangles along the threads: of others
+(`experiments/reference.py`). With `--aligned` the parallelograms are rectangles along the threads: of others
 `clustered` keeps mean and covariance, not the shape, and its expectation is another footprint's.
 
 Models may draw points themselves, by numbers that they make of what they are asked. Moving a footprint by
@@ -32,8 +32,8 @@ from numpy.typing import NDArray
 
 from benchmarks.harness import Figures, run
 from experiments.held_out import held_out_fabrics
+from experiments.reference import reference
 from loomlight.aggregate.queries import admits_transmission, fabric_scale
-from loomlight.aggregate.reference import reference
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm

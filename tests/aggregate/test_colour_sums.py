@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from drjit.llvm.ad import Array2f64, Float
 
-from loomlight.aggregate.reference import reference
+from experiments.reference import reference
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.footprint import Box, box_footprint
 from loomlight.core.llvm import require_llvm

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from drjit.llvm.ad import Array2f64, Array3f, Bool, Float
 
+from experiments.reference import reference
 from loomlight.aggregate.components import (
     colours,
     components,
@@ -16,7 +17,6 @@ from loomlight.aggregate.components import (
     trace_views,
     without_sheen_and_variation,
 )
-from loomlight.aggregate.reference import reference
 from loomlight.core.footprint import Box, Footprint, box_footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.scattering.point import YarnScattering
@@ -191,6 +191,6 @@ def test_estimates_do_not_depend_on_batches(monkeypatch: pytest.MonkeyPatch) -> 
     box = Box(Array2f64(rng.random((2, 9))), Array2f64(rng.random((2, 9))))
     lights, views = directions(rng, 9), directions(rng, 9)
     whole = reference(model, box_footprint(box), lights, views, 64, seed=3)
-    monkeypatch.setattr("loomlight.aggregate.reference._BATCH", 128)
+    monkeypatch.setattr("experiments.reference._BATCH", 128)
     parts = reference(model, box_footprint(box), lights, views, 64, seed=3)
     np.testing.assert_allclose(parts.mean, whole.mean, rtol=1e-6)

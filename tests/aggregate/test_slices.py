@@ -1,6 +1,6 @@
 """Slices against brute force on the same grid points, and what their grids leave out.
 
-Covers: aggregate/grid.py, aggregate/reference.py, aggregate/shadow_maps.py
+Covers: aggregate/grid.py, aggregate/shadow_maps.py
 """
 
 from __future__ import annotations
@@ -10,8 +10,8 @@ import pytest
 from drjit.llvm.ad import Float
 from scipy import stats
 
+from experiments.reference import brute_force
 from loomlight.aggregate.components import CHANNELS
-from loomlight.aggregate.reference import brute_force
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm

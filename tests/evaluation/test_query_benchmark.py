@@ -12,8 +12,8 @@ import pytest
 from drjit.llvm.ad import Array2f, Float
 from scipy import stats
 
+from experiments.reference import reference
 from loomlight.aggregate.queries import QuerySet
-from loomlight.aggregate.reference import reference
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.evaluation.predictions import (

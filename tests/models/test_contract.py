@@ -20,7 +20,7 @@ import pytest
 from drjit.llvm.ad import Array3f, Float
 from numpy.typing import NDArray
 
-from loomlight.aggregate.reference import reference
+from experiments.reference import reference
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.assets.loom_file import write_loom
 from loomlight.core.llvm import require_llvm

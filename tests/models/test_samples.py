@@ -10,7 +10,7 @@ from dataclasses import fields
 import drjit as dr
 import numpy as np
 
-from loomlight.aggregate.reference import reference
+from experiments.reference import reference
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.interface import Model

@@ -70,7 +70,6 @@ def test_means_of_the_whole_cloth_are_learned_on_both_faces(name: str) -> None:
         ("neumip", "resolution=4", 'resolution = "4" is wrong: give a power of two from 8 to 1024'),
         ("neumip", "steps=many", 'steps = "many" is wrong: give a whole number from 1'),
         ("neumip", "offset=no", 'offset = "no" is wrong: give true or false'),
-        ("neumip", "store=rows", 'store = "rows" is wrong: give files or zarr'),
         ("neumip", "device=tpu", 'device = "tpu" is wrong: give cpu or cuda'),
         ("latent", "quality=best", 'quality = "best" does not exist: known are preview, full, published'),
         ("latent", "decoder=2x33", 'decoder = "2x33" does not exist'),

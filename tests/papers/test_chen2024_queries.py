@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from drjit.llvm.ad import Array2f, Float
 
+from experiments.reference import reference
 from loomlight.aggregate.queries import fabric_scale
-from loomlight.aggregate.reference import reference
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.scattering.point import YarnScattering

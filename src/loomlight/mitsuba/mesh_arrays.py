@@ -1,10 +1,6 @@
-"""Arrays in and out of Mitsuba's meshes, by either of its interfaces.
+"""Arrays in and out of Mitsuba's meshes.
 
-Up to 3.9 a mesh is allocated empty and filled by its scene parameters (`vertex_positions`, flat), and is read
-by `vertex_positions_buffer()`. From 3.10 on it is made in one call, `mi.Mesh(name, faces=…, positions=…)`,
-and read by `positions()`, rows of a tensor; `position_index()` and `normal_index()` say which row each vertex
-takes, where vertices share them (mitsuba3 pull request 1933). The second is written from its description and
-tested with a stand-in, as no release had it: pyproject.toml admits Mitsuba below 3.10 only.
+Mitsuba 3.10 changes this interface (mitsuba3 pull request 1933): pyproject.toml admits versions below alone.
 """
 
 from __future__ import annotations
@@ -39,19 +35,11 @@ def arrays_of(shape: mi.Mesh) -> MeshArrays:
 
     They are not read as scene parameters: a rectangle is a mesh that has none of these.
     """
-    mesh: Any = shape  # of either interface
-    if hasattr(mesh, "vertex_positions_buffer"):
-        return MeshArrays(
-            _rows(mesh.vertex_positions_buffer(), 3),
-            _rows(mesh.vertex_normals_buffer() if mesh.has_vertex_normals() else [], 3),
-            _rows(mesh.vertex_texcoords_buffer() if mesh.has_vertex_texcoords() else [], 2),
-            _rows(mesh.faces_buffer(), 3).astype(np.int64),
-        )
     return MeshArrays(
-        _picked(_rows(mesh.positions(), 3), mesh, "position_index"),
-        _picked(_rows(mesh.normals() if mesh.has_normals() else [], 3), mesh, "normal_index"),
-        _rows(mesh.texcoords() if mesh.has_texcoords() else [], 2),
-        _rows(mesh.faces(), 3).astype(np.int64),
+        _rows(shape.vertex_positions_buffer(), 3),
+        _rows(shape.vertex_normals_buffer() if shape.has_vertex_normals() else [], 3),
+        _rows(shape.vertex_texcoords_buffer() if shape.has_vertex_texcoords() else [], 2),
+        _rows(shape.faces_buffer(), 3).astype(np.int64),
     )
 
 
@@ -63,15 +51,9 @@ def make_shape(name: str, arrays: MeshArrays, bsdf: mi.BSDF) -> mi.Mesh:
         "texcoords": arrays.uv.astype(np.float32),
     }
     faces = arrays.triangles.astype(np.uint32)
-    api: Any = mi  # of either interface
-    if not hasattr(api.Mesh, "vertex_positions_buffer"):
-        tensors = {key: api.TensorXf(rows) for key, rows in values.items()}
-        shape = api.Mesh(name, faces=api.TensorXu(faces), **tensors)
-        shape.set_bsdf(bsdf)
-        return shape
-    props = api.Properties()
+    props = mi.Properties()
     props["bsdf"] = bsdf
-    shape = api.Mesh(
+    shape = mi.Mesh(
         name,
         vertex_count=len(arrays.positions),
         face_count=len(faces),
@@ -79,7 +61,7 @@ def make_shape(name: str, arrays: MeshArrays, bsdf: mi.BSDF) -> mi.Mesh:
         has_vertex_normals=True,
         has_vertex_texcoords=True,
     )
-    params = api.traverse(shape)
+    params = mi.traverse(shape)
     for key, rows in values.items():
         params[f"vertex_{key}"] = rows.ravel()
     params["faces"] = faces.ravel()
@@ -89,23 +71,13 @@ def make_shape(name: str, arrays: MeshArrays, bsdf: mi.BSDF) -> mi.Mesh:
 
 def set_uv(shape: mi.Mesh, uv: NDArray[np.float64]) -> bool:
     """Gives a mesh other uv [n, 2]; False if it has none that can be set, as a rectangle."""
-    params: Any = mi.traverse(shape)
-    name = next((key for key in ("vertex_texcoords", "texcoords") if key in params), None)
-    if name is None:
+    params = mi.traverse(shape)
+    if "vertex_texcoords" not in params:
         return False
-    rows = uv.astype(np.float32)
-    params[name] = rows.ravel() if name.startswith("vertex") else mi.TensorXf(rows)
+    params["vertex_texcoords"] = uv.astype(np.float32).ravel()
     params.update()
     return True
 
 
 def _rows(values: Any, width: int) -> NDArray[np.float64]:
     return np.array(values, dtype=np.float64).reshape(-1, width)
-
-
-def _picked(rows: NDArray[np.float64], shape: mi.Mesh, name: str) -> NDArray[np.float64]:
-    """A row for each vertex, where vertices share rows."""
-    if not hasattr(shape, name) or len(rows) == 0:
-        return rows
-    index = np.array(getattr(shape, name)(), dtype=np.int64).ravel()
-    return rows[index] if len(index) else rows

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from dataclasses import fields
 from pathlib import Path
-from typing import Any, ClassVar, Generic, Protocol, Self, TypeVar
+from typing import Any, ClassVar, Generic, Self, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -45,20 +45,6 @@ class QueryArrays:
 QueriesT = TypeVar("QueriesT", bound=QueryArrays)
 
 
-class QueryStore(Protocol[QueriesT]):
-    """Parts by number."""
-
-    def read(self, number: int, size: int) -> QueriesT | None:
-        """A part of so many queries; None if it is not there or damaged."""
-
-    def write(self, number: int, part: QueriesT) -> None:
-        """Keeps a part.
-
-        Raises:
-            InputError: it cannot be written.
-        """
-
-
 class FileStore(Generic[QueriesT]):
     """A safetensors file a part, which is renamed into place."""
 
@@ -73,7 +59,7 @@ class FileStore(Generic[QueriesT]):
         return self._folder / f"{self._name}-{number:05d}.safetensors"
 
     def read(self, number: int, size: int) -> QueriesT | None:
-        """See `QueryStore.read`."""
+        """The part of a number and so many queries; None if it is not there or damaged."""
         try:
             part = self._kind(**load_file(self._file(number)))
         except (OSError, SafetensorError, TypeError):
@@ -81,14 +67,18 @@ class FileStore(Generic[QueriesT]):
         return part if len(part) == size else None
 
     def write(self, number: int, part: QueriesT) -> None:
-        """See `QueryStore.write`."""
+        """Keeps a part.
+
+        Raises:
+            InputError: it cannot be written.
+        """
         with replacing(self._file(number)) as temporary:
             save_file({field.name: getattr(part, field.name) for field in fields(part)}, temporary)
 
 
 def stored_queries(
     draw: Callable[[int, int], QueriesT],
-    store: QueryStore[QueriesT],
+    store: FileStore[QueriesT],
     total: int,
     report: Callable[[int, int], None],
 ) -> QueriesT:

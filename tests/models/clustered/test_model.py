@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 from drjit.llvm.ad import Array2f, Bool, Float, UInt32
 
-from loomlight.aggregate.reference import reference
+from experiments.reference import reference
 from loomlight.core.backend import array_types
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.footprint import Footprint

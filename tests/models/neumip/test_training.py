@@ -1,6 +1,6 @@
 """A training is the same however often it is stopped, and learns what it is shown.
 
-Covers: models/neumip/training/train.py, models/neumip/training/query_store.py, models/neumip/btf.py
+Covers: models/neumip/training/train.py, models/neumip/btf.py
 Covers: training/relu_layers.py, models/query_parts.py, models/fabric_points.py
 Covers: models/neumip/fabric_btf.py, models/neumip/training/sampler_fit.py
 """
@@ -14,7 +14,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 import torch
-import zarr
 from drjit.llvm.ad import Array2f, Array3f, Float
 from numpy.typing import NDArray
 
@@ -153,22 +152,6 @@ def test_queries_of_a_folder_are_read_and_damaged_ones_taken_again(tmp_path: Pat
     again = taken_queries(TWILL, short(), tmp_path, lambda done, total: None)
     assert np.array_equal(first.values, again.values)
     assert len(first) == 60 * 64 * 2
-
-
-def test_queries_in_zarr_are_the_same_and_go_on(tmp_path: Path) -> None:
-    """A part that is not done is taken again; the arrays are for other programs to read."""
-    wanted = taken_queries(TWILL, short(), tmp_path, lambda done, total: None)
-    first = taken_queries(TWILL, short(), tmp_path, lambda done, total: None, "zarr")
-    (path,) = tmp_path.glob("*.zarr")
-    group = zarr.open_group(str(path), mode="a")
-    assert group["values"].shape == (60 * 64 * 2, 3)
-    assert group["done"][:].all()
-    group["values"][:] = 0
-    group["done"][:] = False
-    again = taken_queries(TWILL, short(), tmp_path, lambda done, total: None, "zarr")
-    for found in (first, again):
-        for name in Queries.__dataclass_fields__:
-            assert np.array_equal(getattr(found, name), getattr(wanted, name)), name
 
 
 def test_schedules() -> None:

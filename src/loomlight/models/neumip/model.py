@@ -19,9 +19,7 @@ from loomlight.assets.loom_file import LoomFile, Setting
 from loomlight.assets.sources import Source
 from loomlight.core.arrays import Color3, Float, FloatType, Mask, Vec2, Vec3
 from loomlight.core.backend import array_types, maximum
-from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
-from loomlight.fabric.sentences import shown
 from loomlight.models.interface import Option
 from loomlight.models.learned_proposal import LearnedProposal
 from loomlight.models.neumip.networks import (
@@ -35,10 +33,8 @@ from loomlight.models.neumip.parallax import MIN_COSINE, shifted
 from loomlight.models.neumip.proposal import PARAMETERS, Proposal, proposal_shape
 from loomlight.models.neumip.settings import (
     DEFAULT_QUALITY,
-    FILES,
     QUALITIES,
     SAMPLERS,
-    STORES,
     settings_of,
 )
 from loomlight.models.textured_model import (
@@ -138,8 +134,6 @@ class NeumipModel(TexturedModel[Weights, DeviceWeights]):
         Option("steps", int, "a whole number from 1", low=1, high=10**7, is_training=True),
         # Where queries and checkpoints stay; by default they are removed at the end.
         Option("folder", str, "the path of a folder", is_training=True),
-        # How queries are kept there; Zarr is for other programs.
-        Option("store", str, "files or zarr", is_training=True),
         Option("device", str, "cpu or cuda", is_training=True),
         # Directions are drawn by a network, or by lobes that are fitted to texels.
         Option("sampler", str, f"one of {', '.join(SAMPLERS)}"),
@@ -162,7 +156,6 @@ class NeumipModel(TexturedModel[Weights, DeviceWeights]):
         seed: int = 0,
         steps: int | None = None,
         folder: str | os.PathLike[str] | None = None,
-        store: str = FILES,
         device: str = "cpu",
         sampler: str = SAMPLERS[0],
         report: Callable[[int, int], None] | None = None,
@@ -177,9 +170,7 @@ class NeumipModel(TexturedModel[Weights, DeviceWeights]):
             MissingDependencyError: PyTorch is missing.
         """
         settings = settings_of(quality, resolution, offset, seed, steps, sampler)
-        if store not in STORES:
-            raise InputError(f"store = {shown(store)} is wrong: give {' or '.join(STORES)}.")
-        return cls(source, run_training(cls.name, source, settings, folder, report, device, store=store))
+        return cls(source, run_training(cls.name, source, settings, folder, report, device))
 
     @property
     def open_area(self) -> float:

@@ -9,9 +9,6 @@ from loomlight.core.errors import InputError
 from loomlight.fabric.sentences import closest, shown
 from loomlight.models.textured_model import require_training, training_identity
 
-# How queries are kept: a file a part, or a Zarr group.
-FILES, ZARR = "files", "zarr"
-STORES = (FILES, ZARR)
 DEFAULT_QUALITY = "preview"
 # A network, trained after the others, or lobes that are fitted to texels.
 SAMPLERS = ("learned", "lobes")

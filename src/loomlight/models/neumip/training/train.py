@@ -22,12 +22,11 @@ from loomlight.assets.sources import Source
 from loomlight.models.mip_pyramid import PyramidShape
 from loomlight.models.neumip.btf import BTFS, Queries, QueryStream, light_density
 from loomlight.models.neumip.networks import EXPOSURE, Weights
-from loomlight.models.neumip.settings import FILES, NeumipSettings
+from loomlight.models.neumip.settings import NeumipSettings
 from loomlight.models.neumip.training.network import NeumipNetwork, loss_of, opacity_loss
 from loomlight.models.neumip.training.proposal_fit import fitted_proposal
-from loomlight.models.neumip.training.query_store import query_store
 from loomlight.models.neumip.training.sampler_fit import trained_sampler
-from loomlight.models.query_parts import Progress, stored_queries
+from loomlight.models.query_parts import FileStore, Progress, stored_queries
 from loomlight.training.loop import Schedule, one_thread, train
 from loomlight.training.side_by_side import SideBySide
 
@@ -52,7 +51,6 @@ def train_neumip(
     progress: Progress | None = None,
     device: str = "cpu",
     keep_every: float = 30.0,
-    store: str = FILES,
     queries_folder: Path | None = None,
 ) -> Weights:
     """The weights of a material.
@@ -61,7 +59,6 @@ def train_neumip(
         folder: holds queries and the checkpoint; made if need be, and used again to go on.
         device: of torch, "cpu" or "cuda".
         keep_every: seconds between checkpoints.
-        store: how queries are kept, one of `settings.STORES`.
         queries_folder: holds the queries instead, for trainings that share them.
 
     Raises:
@@ -69,7 +66,7 @@ def train_neumip(
     """
     report = progress or (lambda done, total: None)
     folder.mkdir(parents=True, exist_ok=True)
-    queries = taken_queries(source, settings, queries_folder or folder, report, store)
+    queries = taken_queries(source, settings, queries_folder or folder, report)
     btf, shape = BTFS.of(source), shape_of(source, settings)
     torch.manual_seed(settings.seed)
     scale = settings.texture_rate / settings.rate
@@ -102,18 +99,12 @@ def shape_of(source: Source, settings: NeumipSettings) -> PyramidShape:
     return PyramidShape.of(source.repeat_mm, settings.resolution, BTFS.of(source).faces)
 
 
-def taken_queries(
-    source: Source, settings: NeumipSettings, folder: Path, report: Progress, store: str = FILES
-) -> Queries:
-    """All queries of a training; parts that the folder holds are read.
-
-    Args:
-        store: how they are kept, one of `settings.STORES`.
-    """
+def taken_queries(source: Source, settings: NeumipSettings, folder: Path, report: Progress) -> Queries:
+    """All queries of a training; parts that the folder holds are read."""
     shape = shape_of(source, settings)
     total = settings.queries * shape.columns * shape.rows * shape.faces
     stream = QueryStream(BTFS.of(source), shape, settings.samples, settings.seed)
-    kept = query_store(store, folder, settings.query_identity(source), total)
+    kept = FileStore(Queries, folder, settings.query_identity(source))
     return stored_queries(
         stream.part, kept, total, lambda done, parts: report(_OF_QUERIES * done // parts, _WHOLE)
     )
