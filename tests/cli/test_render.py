@@ -211,7 +211,8 @@ def test_a_loom_in_other_colours_keeps_its_model(tmp_path: Path) -> None:
     assert isinstance(model, Model)
     assert model.name == "samples"
     assert isinstance(model.source, Fabric)
-    assert model.source.appearance().warp.diffuse_reflect[0, 2] == 0
+    # Twenty halvings find the dye that shows it.
+    assert model.source.appearance().warp.diffuse_reflect[0, 2] < 1e-6
 
 
 def test_two_cloths_of_one_scene_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -131,7 +131,7 @@ def test_no_point_makes_light() -> None:
 
     rng, points, lights = np.random.default_rng(4), 48, 2048
     white = text_of("wool", "#ffffff").replace("[weft]", "translucency = 0\nfibre_tilt_deg = 30\n[weft]")
-    fabric = fabric_from_text(white)
+    fabric = fabric_from_text(f"interreflection = false\n{white}")
     model = Unshadowed(YarnGeometry(fabric.layout()), fabric.appearance())
     x, y = (dr.repeat(value, lights) for value in places(rng, points))
     view = vectors(np.repeat(cosine_directions(rng, points), lights, axis=0))

@@ -126,7 +126,7 @@ class FootprintAlbedos:
         if types.Float not in self._uploaded:
             self._uploaded[types.Float] = _Uploaded(self._families, self.tables, types)
             if self.appearance.openness is not None:
-                self._between[types.Float] = Interreflection(self.appearance.openness, types)
+                self._between[types.Float] = Interreflection(self.appearance, types)
 
     def of_cloth(self, types: ArrayTypes) -> tuple[Albedos, Albedos]:
         """Mean albedos of (warp, weft) over all threads."""

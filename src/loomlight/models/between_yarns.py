@@ -9,7 +9,6 @@ import drjit as dr
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.core.arrays import Color3, Float, Mask, Vec3
 from loomlight.core.backend import array_types, maximum
-from loomlight.scattering.fibre import mean_layer_shares
 from loomlight.scattering.interreflection import (
     Blocked,
     Interior,
@@ -62,12 +61,7 @@ class BetweenYarns:
         cloth = means.between_yarns(types)
         if cloth is None:
             return None
-        appearance = means.appearance
-        depth = dr.opaque(types.Float, appearance.optical_depth)
-        layers = [
-            mean_layer_shares(dr.opaque(types.Float, family.roughness), depth)
-            for family in (appearance.warp, appearance.weft)
-        ]
+        layers = cloth.layers
         whole_warp, whole_weft = (
             _scattered(tinted(family, tint), layer)
             for family, layer in zip(means.of_cloth(types), layers, strict=True)
@@ -112,7 +106,7 @@ def _scaled(blocked: Blocked, share: Float) -> Blocked:
     return Blocked(blocked.by_warp * share, blocked.by_weft * share, blocked.far * share)
 
 
-def _scattered(albedos: Albedos, layer: tuple[Float, Float]) -> Scattered:
+def _scattered(albedos: Albedos, layer: list[Float]) -> Scattered:
     return scattered(
         albedos.diffuse_reflect,
         albedos.diffuse_transmit,

@@ -28,7 +28,9 @@ import numpy as np
 
 from loomlight.core.arrays import Color3, Float, Mask, Vec3
 from loomlight.core.backend import ArrayTypes, clip, maximum
-from loomlight.scattering.openness import Openness, point_terms, view_terms
+from loomlight.scattering.appearance import Appearance
+from loomlight.scattering.fibre import mean_layer_shares
+from loomlight.scattering.openness import point_terms, view_terms
 
 
 class Scattered(NamedTuple):
@@ -158,10 +160,20 @@ def bounced(blocked: Blocked, of: Scattered, interior: Interior) -> tuple[Color3
 
 
 class Interreflection:
-    """The openness of one cloth on one backend, and the closed form at points and over footprints."""
+    """The openness of one cloth on one backend, and the closed form at points and over footprints.
 
-    def __init__(self, openness: Openness, types: ArrayTypes) -> None:
+    Attributes:
+        layers: what fibre layers of albedo 1 of warp and weft send back and let through [2][2].
+    """
+
+    def __init__(self, appearance: Appearance, types: ArrayTypes) -> None:
+        """
+        Args:
+            appearance: with openness.
+        """
         self._types = types
+        openness = appearance.openness
+        assert openness is not None
 
         def opaque(values: Any) -> Any:
             array = np.asarray(values, np.float64)
@@ -174,6 +186,13 @@ class Interreflection:
         self._interior, self._blocks = opaque(openness.interior), opaque(openness.blocks)
         self._meets = opaque(openness.meets)
         self._per_relief = opaque(1 / openness.relief)
+        # Here and not where they are used: kernels that are recorded read edits of what is uploaded.
+        self.layers: list[list[Float]] = opaque(
+            [
+                [float(share) for share in mean_layer_shares(family.roughness, appearance.optical_depth)]
+                for family in (appearance.warp, appearance.weft)
+            ]
+        )
 
     def interior(self, warp: Scattered, weft: Scattered, back: Mask) -> Interior:
         """Radiances between the yarns, as the face that is seen has them.

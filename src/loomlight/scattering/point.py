@@ -125,7 +125,7 @@ class YarnScattering:
         if self.appearance.openness is None:
             return None
         if types.Float not in self._between:
-            self._between[types.Float] = Interreflection(self.appearance.openness, types)
+            self._between[types.Float] = Interreflection(self.appearance, types)
         return self._between[types.Float]
 
     def locate(

@@ -38,7 +38,11 @@ from ..fabrics import directions, queries, vectors
 
 require_llvm()
 
-TEXT = 'weave = "twill 2/1"\ngap = 0.3\n[warp]\ntranslucency = 0.4\n[weft]\ncolor = ["#c02020", "#20c040"]'
+# References are of direct light.
+TEXT = (
+    'interreflection = false\nweave = "twill 2/1"\ngap = 0.3\n'
+    '[warp]\ntranslucency = 0.4\n[weft]\ncolor = ["#c02020", "#20c040"]'
+)
 TYPES = array_types(Float)
 PARTS = [part.name for part in fields(Components)]
 

@@ -4153,7 +4153,7 @@ fn with_blocked_0( _S802 : u32,  _S803 : Blocked_0,  _S804 : YarnPoint_0,  _S805
     {
         return _S803;
     }
-    var _S808 : Blocked_0 = blocked_at_0(_S802, _S805, _S804.back_7, _S804.normal_10.z, _S804.height_11);
+    var _S808 : Blocked_0 = blocked_at_0(_S802, _S805, _S804.back_7, _S804.surface_normal_0.z, _S804.height_11);
     var result_4 : Blocked_0;
     result_4.by_warp_0 = _S803.by_warp_0 + _S806 * _S808.by_warp_0;
     result_4.by_weft_0 = _S803.by_weft_0 + _S806 * _S808.by_weft_0;
