@@ -26,10 +26,10 @@ from drjit.llvm.ad import Float
 
 from benchmarks.harness import Figures, run
 from benchmarks.machine import fma_peak, operations_of
+from experiments.timing import launched_kernels, timed
 from loomlight.aggregate.queries import fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.llvm import require_llvm
-from loomlight.evaluation.timing import launched_kernels, timed
 from loomlight.fabric import Fabric
 from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry

@@ -31,8 +31,8 @@ import numpy as np
 
 import loomlight
 from benchmarks.harness import REPOSITORY, Figures, outside_data, run
+from experiments.timing import timed
 from loomlight.core.images import write_png
-from loomlight.evaluation.timing import timed
 from loomlight.fabric import Fabric, fabric_from_text, load_fabric
 from loomlight.fabric.fabric import MAXIMUM_CROSSINGS
 from loomlight.mitsuba import build_scene, choose_variant, material_bsdf, render

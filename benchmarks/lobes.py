@@ -26,13 +26,13 @@ from drjit.llvm.ad import Float, UInt32
 
 from benchmarks.harness import Figures, run
 from benchmarks.machine import fma_peak, memory_bandwidth, operations_of
+from experiments.timing import launched_kernels, timed
 from loomlight.aggregate.queries import QuerySet, fabric_scale, query_set
 from loomlight.assets.load import fabric_of_path
 from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.evaluation.predictions import query_arrays
-from loomlight.evaluation.timing import launched_kernels, timed
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.lobes.prefiltered import half_vector

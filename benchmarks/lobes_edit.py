@@ -24,7 +24,7 @@ import mitsuba as mi
 import numpy as np
 
 from benchmarks.harness import Figures, run
-from loomlight.evaluation.timing import timed
+from experiments.timing import timed
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, choose_variant, material_bsdf
 from loomlight.mitsuba.bsdf_samples import MODEL_BSDFS

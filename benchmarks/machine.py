@@ -10,6 +10,7 @@ import drjit as dr
 import numpy as np
 from drjit.llvm.ad import Float
 
+from experiments.timing import timed
 from loomlight.core.parallel_map import core_count
 from loomlight.core.simd import (
     CompiledKernel,
@@ -18,7 +19,6 @@ from loomlight.core.simd import (
     SimdValue,
     host_target,
 )
-from loomlight.evaluation.timing import timed
 
 REPEATS = 9
 # Multiply-adds of a chain.

@@ -20,8 +20,8 @@ from drjit.llvm.ad import Array3f, Bool, Float
 
 from benchmarks.harness import Figures, run
 from benchmarks.machine import fma_peak, median_seconds, operations_of
+from experiments.timing import launched_kernels
 from loomlight.core.llvm import require_llvm
-from loomlight.evaluation.timing import launched_kernels
 from loomlight.fabric import fabric_from_text
 from loomlight.scattering.appearance import Sheen
 from loomlight.scattering.point import YarnScattering

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.evaluation.timing import timed
+from experiments.timing import timed
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.evaluation.timing import timed
+from experiments.timing import timed
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba import choose_variant, render
 from loomlight.mitsuba.measured_scenes import MeasuredScene, MeasuredShot, shot_counted, shot_scene

@@ -12,9 +12,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
+from experiments.timing import launched_kernels, timed
 from loomlight.core.llvm import llvm_float
 from loomlight.evaluation.table import Table
-from loomlight.evaluation.timing import launched_kernels, timed
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.measured_scenes import MeasuredShot
 from loomlight.models.neural.compiled import CompiledDecoder

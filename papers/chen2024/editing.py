@@ -13,8 +13,8 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from experiments.timing import timed
 from loomlight.evaluation.table import Table
-from loomlight.evaluation.timing import timed
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.mitsuba.scene_edits import SceneEdits, bitmap_texture

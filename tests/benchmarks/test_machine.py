@@ -6,7 +6,7 @@ import drjit as dr
 from drjit.llvm import Float
 
 from benchmarks.machine import fma_peak, least_seconds, median_seconds, operations_of
-from loomlight.evaluation.timing import launched_kernels
+from experiments.timing import launched_kernels
 
 
 def test_operations_of_a_kernel_are_counted() -> None:

@@ -19,9 +19,6 @@ SPHERE_RADIUS = 0.1
 SPHERE_CAP = np.radians(115.0)
 CYLINDER_RADIUS = 0.04
 CYLINDER_LENGTH = 0.12
-CURTAIN_SIZE = (0.2, 0.12)
-CURTAIN_FOLDS = 4
-CURTAIN_SLOPE = 0.8
 # The ball under the draped cloth; tools/make_drape.py drapes over the same one.
 DRAPE_BALL_RADIUS = 0.115
 
@@ -61,29 +58,6 @@ def cylinder() -> ClothMesh:
         return along, CYLINDER_RADIUS * np.sin(angle), CYLINDER_RADIUS * np.cos(angle)
 
     return grid_surface(513, around, "cylinder")
-
-
-def curtain() -> ClothMesh:
-    """Cloth of 0.2 m by 0.12 m that hangs in four folds across x, facing +z; u to the right, v up.
-
-    Folds are sines; u is the length along them, so the cloth is not stretched.
-    """
-    line = np.linspace(0, 1, 4001)
-    angle = 2 * np.pi * CURTAIN_FOLDS * line
-    # Per unit of width: the slope's amplitude is CURTAIN_SLOPE.
-    length = np.concatenate([[0], np.cumsum(np.hypot(1, CURTAIN_SLOPE * np.cos(angle[1:] - angle[1] / 2)))])
-    width = CURTAIN_SIZE[0] / (length[-1] / (len(line) - 1))
-    depth = CURTAIN_SLOPE * width / (2 * np.pi * CURTAIN_FOLDS)
-
-    def hung(u: NDArray[np.float64], v: NDArray[np.float64]) -> tuple[NDArray[np.float64], ...]:
-        place = np.interp(u, length / length[-1], line)
-        return (
-            width * (place - 0.5),
-            CURTAIN_SIZE[1] * (v - 0.5),
-            depth * np.sin(2 * np.pi * CURTAIN_FOLDS * place),
-        )
-
-    return grid_surface(513, hung, "curtain")
 
 
 def drape() -> ClothMesh:

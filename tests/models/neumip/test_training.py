@@ -27,7 +27,7 @@ from loomlight.models.neumip.btf import BTFS, Queries, QueryStream
 from loomlight.models.neumip.fabric_btf import FabricBtf
 from loomlight.models.neumip.model import NeumipModel
 from loomlight.models.neumip.networks import sampler_widths
-from loomlight.models.neumip.settings import QUALITIES, SAMPLERS, NeumipSettings
+from loomlight.models.neumip.settings import QUALITIES, NeumipSettings
 from loomlight.models.neumip.training.network import NeumipNetwork
 from loomlight.models.neumip.training.sampler_fit import sampler_divergence, trained_sampler
 from loomlight.models.neumip.training.train import blur_of, gains_of, rate_factor, taken_queries, train_neumip
@@ -83,18 +83,13 @@ def shown(model: NeumipModel, queries: Queries) -> NDArray[np.float32]:
     return found
 
 
-def test_a_sampler_network_or_fitted_lobes(tmp_path: Path) -> None:
-    """A file keeps either; the network learns what the decoders scatter."""
-    for sampler in SAMPLERS:
-        settings = replace(short(), sampler=sampler)
-        weights = train_neumip(TWILL, settings, tmp_path / sampler, queries_folder=tmp_path)
-        assert (weights.sampler is None) == (weights.proposal is not None) == (sampler == "lobes")
-        model = NeumipModel(TWILL, weights)
-        file = tmp_path / f"{sampler}.loom"
-        write_loom(file, model.to_loom())
-        again = model_from_loom(file).weights  # type: ignore[attr-defined]
-        for one, other in zip(again.sampler or [], weights.sampler or [], strict=True):
-            assert all(map(np.array_equal, one, other))
+def test_files_keep_the_sampler_network_which_learns_what_the_decoders_scatter(tmp_path: Path) -> None:
+    weights = train_neumip(TWILL, short(), tmp_path / "run")
+    file = tmp_path / "twill.loom"
+    write_loom(file, NeumipModel(TWILL, weights).to_loom())
+    again = model_from_loom(file).weights  # type: ignore[attr-defined]
+    for one, other in zip(again.sampler, weights.sampler or [], strict=True):
+        assert all(map(np.array_equal, one, other))
     btf = BTFS.of(TWILL)
     network = NeumipNetwork(PyramidShape.of(TWILL.repeat_mm, 8, 2), True, 1.0, btf.transmits, btf.has_holes)
     untrained = relu_layers(sampler_widths(True))

@@ -30,11 +30,9 @@ from loomlight.models.neumip.networks import (
     sampler_widths,
 )
 from loomlight.models.neumip.parallax import MIN_COSINE, shifted
-from loomlight.models.neumip.proposal import PARAMETERS, Proposal, proposal_shape
 from loomlight.models.neumip.settings import (
     DEFAULT_QUALITY,
     QUALITIES,
-    SAMPLERS,
     settings_of,
 )
 from loomlight.models.textured_model import (
@@ -75,14 +73,9 @@ class NeumipBsdf(TexturedBsdf):
         return self._device.latent(u, v, level, face)
 
     @cached_property
-    def _proposal(self) -> Proposal:
-        return self._device.proposal.at(*self._place())
-
-    @cached_property
-    def _learned(self) -> LearnedProposal | None:
-        """The lobes of the sampler network; None without one."""
+    def _proposal(self) -> LearnedProposal:
         lobes = self._device.lobes(dr.detach(self._latent), dr.detach(self._facing))
-        return None if lobes is None else LearnedProposal(dr.detach(self.hole), lobes, self._facing)
+        return LearnedProposal(dr.detach(self.hole), lobes, self._facing)
 
     def value(self, light: Vec3, active: Mask = True) -> Color3:
         """f·cos, 1/sr; 0 for lights on the other side unless the source transmits."""
@@ -96,22 +89,14 @@ class NeumipBsdf(TexturedBsdf):
         return dr.select(active, value, 0)
 
     def pdf(self, light: Vec3) -> Float:
-        """Density of `sample`, 1/sr; by the sampler network, or by `proposal.py` without one."""
-        if self._learned is not None:
-            return self._learned.density(to_face_frame(light, self._back))
-        density = self._proposal.density(to_face_frame(light, self._back), self._facing)
-        return (1 - self.hole) * density
+        """Density of `sample`, 1/sr; by the sampler network."""
+        return self._proposal.density(to_face_frame(light, self._back))
 
     def sample(self, choice: Float, u: Vec2) -> DirectionSample:
         """A direction of the proposal, or straight on in proportion to the hole."""
         types = array_types(self.view.x)
         through = self.hole
-        if self._learned is not None:
-            facing, is_null = self._learned.draw(choice, u)
-        else:
-            is_null = types.Bool(choice < through)
-            rest = (choice - through) * dr.rcp(maximum(1 - through, 1e-6))
-            facing = self._proposal.sample(self._facing, rest, u)
+        facing, is_null = self._proposal.draw(choice, u)
         light = dr.select(is_null, -self.view, to_face_frame(facing, self._back))
         pdf = dr.select(is_null, through, self.pdf(light))
         value = dr.select(is_null, types.Color3(through), self.value(light))
@@ -135,8 +120,6 @@ class NeumipModel(TexturedModel[Weights, DeviceWeights]):
         # Where queries and checkpoints stay; by default they are removed at the end.
         Option("folder", str, "the path of a folder", is_training=True),
         Option("device", str, "cpu or cuda", is_training=True),
-        # Directions are drawn by a network, or by lobes that are fitted to texels.
-        Option("sampler", str, f"one of {', '.join(SAMPLERS)}"),
     )
 
     def __init__(self, source: Source, weights: Weights) -> None:
@@ -157,7 +140,6 @@ class NeumipModel(TexturedModel[Weights, DeviceWeights]):
         steps: int | None = None,
         folder: str | os.PathLike[str] | None = None,
         device: str = "cpu",
-        sampler: str = SAMPLERS[0],
         report: Callable[[int, int], None] | None = None,
     ) -> Self:
         """The model trained for a source; see `options`. A training that was stopped goes on.
@@ -169,7 +151,7 @@ class NeumipModel(TexturedModel[Weights, DeviceWeights]):
             InputError: a source of which no queries can be taken, or an option that cannot be.
             MissingDependencyError: PyTorch is missing.
         """
-        settings = settings_of(quality, resolution, offset, seed, steps, sampler)
+        settings = settings_of(quality, resolution, offset, seed, steps)
         return cls(source, run_training(cls.name, source, settings, folder, report, device))
 
     @property
@@ -191,8 +173,6 @@ class NeumipModel(TexturedModel[Weights, DeviceWeights]):
         """A file of textures and networks."""
         weights = self.weights
         tensors = {"features": weights.features, "reflectance": weights.reflectance}
-        if weights.proposal is not None:
-            tensors["proposal"] = weights.proposal
         if weights.offset_texels is not None:
             tensors["offset_texels"] = weights.offset_texels
         sampler = {} if weights.sampler is None else {"sampler": weights.sampler}
@@ -217,10 +197,6 @@ class NeumipModel(TexturedModel[Weights, DeviceWeights]):
         offset_texels = None
         further = ("transmission", "opacity")
         names = ["decoder", *(name for name in further if f"{name}.0.weight" in loom.tensors)]
-        proposal = None
-        if "proposal" in loom.tensors:
-            small = proposal_shape(shape)
-            proposal = loom.tensor("proposal", (faces * small.texels, PARAMETERS), np.float32)
         if "offset_texels" in loom.tensors:
             offset_texels = loom.tensor("offset_texels", (faces * shape.starts[1], CHANNELS), np.float32)
             names.append("offset")
@@ -229,7 +205,7 @@ class NeumipModel(TexturedModel[Weights, DeviceWeights]):
         if "sampler.0.weight" in loom.tensors:
             sampler = layers_of_loom(loom, "sampler", sampler_widths("transmission" in layers))
         open_area = loom.setting("open_area", float)
-        weights = Weights(shape, features, offset_texels, layers, reflectance, open_area, proposal, sampler)
+        weights = Weights(shape, features, offset_texels, layers, reflectance, open_area, sampler)
         return cls(loom.source, weights)
 
     def facts(self) -> dict[str, str]:

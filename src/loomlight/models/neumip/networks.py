@@ -38,7 +38,6 @@ from loomlight.models.mip_pyramid import (
     trilinear_taps,
     wrapped,
 )
-from loomlight.models.neumip.proposal import DeviceProposal, cosine_proposal
 from loomlight.models.relu_network import Layers, ReluNetwork
 from loomlight.scattering.two_sided_lobes import OPAQUE_OUTPUTS, OUTPUTS, TwoSidedLobes
 
@@ -73,9 +72,7 @@ class Weights:
         layers: weights [outputs, inputs] and biases of "decoder", and of the other `NETWORKS` that there are.
         reflectance: mean albedo of each face [faces, 3].
         open_area: mean share of light that passes straight through, 0 to 1.
-        proposal: of directions that are drawn without a sampler network (`proposal.py`); None draws by the
-            cosine.
-        sampler: network of directions that are drawn; None draws by `proposal`.
+        sampler: network of directions that are drawn; None draws as an untrained one would, of zeros.
     """
 
     shape: PyramidShape
@@ -84,7 +81,6 @@ class Weights:
     layers: dict[str, Layers]
     reflectance: NDArray[np.float32]
     open_area: float = 0.0
-    proposal: NDArray[np.float32] | None = None
     sampler: Layers | None = None
 
     @property
@@ -109,11 +105,7 @@ def sampler_widths(transmits: bool) -> tuple[int, ...]:
 
 
 class DeviceWeights:
-    """A trained material on one backend.
-
-    Attributes:
-        proposal: of directions that are drawn.
-    """
+    """A trained material on one backend."""
 
     def __init__(self, weights: Weights, float_type: FloatType) -> None:
         self._shape, self._types = weights.shape, array_types(float_type)
@@ -122,9 +114,8 @@ class DeviceWeights:
         self._offset_texels = None
         if weights.offset_texels is not None:
             self._offset_texels = upload(float_type, _padded(weights.offset_texels))
-        proposal = cosine_proposal(weights.shape) if weights.proposal is None else weights.proposal
-        self.proposal = DeviceProposal(proposal, weights.shape, float_type)
         self._sampler = None if weights.sampler is None else ReluNetwork(weights.sampler, float_type)
+        self._sampler_outputs = sampler_widths(weights.transmits)[-1]
         self._networks = {name: ReluNetwork(layers, float_type) for name, layers in weights.layers.items()}
 
     @property
@@ -172,9 +163,11 @@ class DeviceWeights:
         outputs = self._networks[network]([*latent, *light, *view])
         return [maximum(value, 0) * (1 / EXPOSURE) for value in outputs]
 
-    def lobes(self, latent: Sequence[Float], view: Vec3) -> TwoSidedLobes | None:
-        """The lobes of the sampler network, for a view in the frame of the face seen; None without one."""
-        return None if self._sampler is None else TwoSidedLobes.of(self._sampler([*latent, *view]))
+    def lobes(self, latent: Sequence[Float], view: Vec3) -> TwoSidedLobes:
+        """The lobes of the sampler network, for a view in the frame of the face seen."""
+        if self._sampler is None:
+            return TwoSidedLobes.of([0 * view.z] * self._sampler_outputs)
+        return TwoSidedLobes.of(self._sampler([*latent, *view]))
 
     def _texel(self, table: Float, taps: Taps) -> list[Float]:
         return fetch_texels(table, taps, self._types)[:CHANNELS]

@@ -10,8 +10,6 @@ from loomlight.fabric.sentences import closest, shown
 from loomlight.models.textured_model import require_training, training_identity
 
 DEFAULT_QUALITY = "preview"
-# A network, trained after the others, or lobes that are fitted to texels.
-SAMPLERS = ("learned", "lobes")
 _MAX_SAMPLER_STEPS = 2000
 # Part of every identity: to be raised when the same settings give other weights.
 _VERSION = 3
@@ -33,7 +31,6 @@ class NeumipSettings:
         offset_share: share of the training after which the offset texture stays as it is; a third in the
             released code, whose trainings are longer.
         seed: of queries, weights and batches.
-        sampler: what directions are drawn by, of `SAMPLERS`.
     """
 
     resolution: int = 64
@@ -46,7 +43,6 @@ class NeumipSettings:
     texture_rate: float = 1e-2
     offset_share: float = 2 / 3
     seed: int = 0
-    sampler: str = "learned"
 
     @property
     def sampler_steps(self) -> int:
@@ -89,18 +85,15 @@ def settings_of(
     offset: bool = True,
     seed: int = 0,
     steps: int | None = None,
-    sampler: str = SAMPLERS[0],
 ) -> NeumipSettings:
     """The settings of a quality with some of them chosen.
 
     Raises:
-        InputError: an unknown quality or sampler, or a resolution that is no power of two.
+        InputError: an unknown quality, or a resolution that is no power of two.
     """
     if quality not in QUALITIES:
         raise InputError(f"quality = {shown(quality)} does not exist: {closest(quality, QUALITIES)}")
-    if sampler not in SAMPLERS:
-        raise InputError(f"sampler = {shown(sampler)} is wrong: give {' or '.join(SAMPLERS)}.")
-    chosen = replace(QUALITIES[quality], offset=offset, seed=seed, sampler=sampler)
+    chosen = replace(QUALITIES[quality], offset=offset, seed=seed)
     require_training(resolution, steps)
     if resolution is not None:
         chosen = replace(chosen, resolution=resolution)

@@ -24,7 +24,6 @@ from loomlight.models.neumip.btf import BTFS, Queries, QueryStream, light_densit
 from loomlight.models.neumip.networks import EXPOSURE, Weights
 from loomlight.models.neumip.settings import NeumipSettings
 from loomlight.models.neumip.training.network import NeumipNetwork, loss_of, opacity_loss
-from loomlight.models.neumip.training.proposal_fit import fitted_proposal
 from loomlight.models.neumip.training.sampler_fit import trained_sampler
 from loomlight.models.query_parts import FileStore, Progress, stored_queries
 from loomlight.training.loop import Schedule, one_thread, train
@@ -88,8 +87,6 @@ def train_neumip(
     weights = network.weights(reflectances(queries, shape.faces, density))
     weights = replace(weights, open_area=float(queries.holes.mean()))
     with one_thread():
-        if settings.sampler == "lobes":
-            return replace(weights, proposal=fitted_proposal(queries, density, shape, settings))
         identity, file = settings.identity(source), folder / "sampler.safetensors"
         return replace(weights, sampler=trained_sampler(network, settings, file, identity))
 
