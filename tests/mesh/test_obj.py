@@ -119,6 +119,12 @@ def test_lines_that_are_refused(tmp_path: Path, more: str, says: str) -> None:
     assert "\n" not in str(caught.value)
 
 
+@pytest.mark.parametrize("encoding", ["utf-16-le", "utf-16-be"])
+def test_text_of_16_bits_is_named(tmp_path: Path, encoding: str) -> None:
+    with pytest.raises(InputError, match=r"is UTF-16 text: save it as UTF-8\.$"):
+        parts_of(tmp_path, ("\ufeff" + VERTICES + "f 1 2 3\n").encode(encoding))
+
+
 def test_parts_are_bounded(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="has more than 20000 parts"):
         parts_of(tmp_path, VERTICES + "\n".join(f"g {number}\nf 1 2 3" for number in range(20_001)))

@@ -6,6 +6,7 @@ choice: it loses which faces have no uv, relative indices and concave shapes.
 
 from __future__ import annotations
 
+import codecs
 import re
 import warnings
 from dataclasses import dataclass, field
@@ -51,7 +52,10 @@ def read_obj(file: Path) -> list[MeshPart]:
     Raises:
         InputError: a line that cannot be read, or an index out of range.
     """
-    lines = _lines(file.read_text(encoding="utf-8-sig", errors="replace"))
+    content = file.read_bytes()
+    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        raise InputError(f"{file} is UTF-16 text: save it as UTF-8.")
+    lines = _lines(content.decode("utf-8-sig", errors="replace"))
     if not lines.faces:
         raise InputError(f"{file} holds no triangles: it has no faces.")
     values = {kind: _numbers(found, kind, file) for kind, found in lines.values.items()}
