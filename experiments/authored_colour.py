@@ -40,8 +40,7 @@ def measure(options: Namespace) -> Figures:
     for weave in WEAVES:
         for number, colour in enumerate(CHART):
             fabric = fabric_from_text(
-                f'weave = "{weave}"\ninterreflection = true\n'
-                f'[warp]\ncolor = "{colour}"\n[weft]\ncolor = "{colour}"\n'
+                f'weave = "{weave}"\n[warp]\ncolor = "{colour}"\n[weft]\ncolor = "{colour}"\n'
             )
             appearance = fabric.appearance()
             authored = parse_colour(colour, "color")
