@@ -47,15 +47,14 @@ class ColourSums:
         view: ArrayLike,
         float_type: FloatType,
         texels_per_thread: float = TEXELS_PER_THREAD,
-        window: tuple[float, float, float, float] | None = None,
     ) -> None:
         """Traces the rays of unit vector `view` [3], z < 0 from behind; see `FabricSlices` for the rest.
 
         Raises:
-            InputError: a window without extent, or more than 16 million texels.
+            InputError: more than 16 million texels.
         """
         types = array_types(float_type)
-        self.grid = fabric_grid(model.surface, texels_per_thread, window)
+        self.grid = fabric_grid(model.surface, texels_per_thread)
         self._float_type = float_type
         x, y = self.grid.points(types, dr.arange(types.UInt32, self.grid.texels))
         eye = types.Vector3(*(dr.opaque(types.Float, float(part)) for part in np.asarray(view, np.float64)))
@@ -71,11 +70,7 @@ class ColourSums:
             self._tables.append([summed_areas(plane, self.grid.columns, self.grid.rows) for plane in masked])
 
     def over(self, centres: ArrayLike, sizes: ArrayLike) -> FootprintColours:
-        """Means over axis-aligned boxes; centres and sizes [n, 2] in millimetres.
-
-        Raises:
-            InputError: a box that reaches beyond the window, where the grid is no whole repeat.
-        """
+        """Means over axis-aligned boxes; centres and sizes [n, 2] in millimetres."""
         types = array_types(self._float_type)
         boxes = texel_boxes(self.grid, np.asarray(centres), np.asarray(sizes), self._float_type)
         means = np.array(

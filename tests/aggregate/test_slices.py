@@ -139,31 +139,6 @@ def test_colours_are_the_components_times_the_albedos_where_threads_are_alike() 
         np.testing.assert_allclose(values[5:], expected, rtol=1e-4, atol=1e-6)
 
 
-def test_windows_are_parts_of_the_whole() -> None:
-    rng = np.random.default_rng(5)
-    model = woven("twill 3/1")
-    width, height = model.surface.size
-    window = (0.25 * width, 0.5 * height, 0.5 * width, 0.25 * height)
-    light, view = directions(rng, 1, False)[0], directions(rng, 1, False)[0]
-    slices = FabricSlices(model, Float, window=window)
-    part = slices.slice(light, view)
-    step = np.array(slices.grid.step)
-    texels = rng.integers(0, [slices.grid.columns, slices.grid.rows], (500, 2))
-    centres = [window[0], window[1]] + (texels + 0.5) * step
-    lights, views = np.tile(light, (500, 1)), np.tile(view, (500, 1))
-    estimate = brute_force(model, slices.grid, lights, views, centres, np.zeros((500, 2)), 2, 0, Float)
-    np.testing.assert_allclose(
-        part.box_means(centres, np.zeros((500, 2))), estimate.mean, rtol=1e-4, atol=1e-5
-    )
-    whole = FabricSlices(model, Float).slice(light, view)
-    middle, size = np.array([[0.5 * width, 0.625 * height]]), np.array([[0.5 * width, 0.25 * height]])
-    np.testing.assert_allclose(
-        part.box_means(middle, size), whole.box_means(middle, size), rtol=0.03, atol=0.003
-    )
-    with pytest.raises(InputError, match="Shadows are mapped over whole repeats only"):
-        FabricSlices(model, Float, window=window, shadows="mapped")
-
-
 def test_too_large_drafts_are_refused() -> None:
     model = woven("plain")
     with pytest.raises(InputError, match="16 million fit"):

@@ -77,12 +77,9 @@ def test_straight_from_above_both_are_the_same_points() -> None:
 
 def test_without_visible_points_the_form_is_not_a_number() -> None:
     model = _fine("plain", (0.4, 0.3))
-    grid = fabric_grid(model.surface, 32)
     width, height = model.surface.size
     hole = fabric_grid(model.surface, 32, (-0.01 * width, -0.01 * height, 0.02 * width, 0.02 * height))
     form = surface_form(model, hole, [0.5, 0.3, 0.8], [0, 0, 1], Float)
     assert np.isnan(form.surface_form).all()
     assert form.hole == 1
     assert not form.truth.any()
-    assert grid.periodic
-    assert not hole.periodic

@@ -10,13 +10,12 @@ from hypothesis import strategies as st
 
 from loomlight.aggregate.grid import Grid
 from loomlight.aggregate.tables import box_means, summed_areas, texel_boxes
-from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
 
 require_llvm()
 
 COLUMNS, ROWS = 7, 5
-GRID = Grid(-0.3, 0.2, 1.4, 0.5, COLUMNS, ROWS, periodic=True)
+GRID = Grid(-0.3, 0.2, 1.4, 0.5, COLUMNS, ROWS)
 VALUES = np.random.default_rng(0).random((ROWS, COLUMNS))
 TABLE = summed_areas(Float64(VALUES.ravel()), COLUMNS, ROWS)
 
@@ -93,12 +92,3 @@ def test_points_read_their_texel() -> None:
     x, y = GRID.left + (grid_x + 0.3) * step_x, GRID.bottom + (grid_y + 0.8) * step_y
     means = _means(np.stack([x.ravel(), y.ravel()], 1), np.zeros((x.size, 2)))
     np.testing.assert_allclose(means, VALUES.ravel(), rtol=1e-9)
-
-
-def test_windows_admit_boxes_inside_only() -> None:
-    window = Grid(GRID.left, GRID.bottom, GRID.width, GRID.height, COLUMNS, ROWS, periodic=False)
-    centre = np.array([[GRID.left + GRID.width / 2, GRID.bottom + GRID.height / 2]])
-    whole = np.array([[GRID.width, GRID.height]])
-    assert _means(centre, whole, window)[0] == pytest.approx(VALUES.mean(), rel=1e-10)
-    with pytest.raises(InputError, match="reaches beyond the window"):
-        _means(centre + 0.01, whole, window)

@@ -1,4 +1,4 @@
-"""Grids of parallel view rays through the plane z = 0: a whole repeat, or a window of a large draft."""
+"""Grids of parallel view rays through the plane z = 0."""
 
 from __future__ import annotations
 
@@ -32,7 +32,6 @@ class Grid:
     Attributes:
         left, bottom, width, height: the rectangle in draft coordinates, millimetres.
         columns, rows: texels.
-        periodic: the rectangle is one repeat, so the grid covers the plane.
     """
 
     left: float
@@ -41,7 +40,6 @@ class Grid:
     height: float
     columns: int
     rows: int
-    periodic: bool
 
     @property
     def texels(self) -> int:
@@ -66,7 +64,7 @@ class Grid:
         )
 
     def nearest(self, types: ArrayTypes, x: Float, y: Float) -> UInt:
-        """The texel around draft coordinates (millimetres) of a periodic grid: UInt32."""
+        """The texel around draft coordinates (millimetres) of a grid that is one repeat: UInt32."""
         column = _around(types, x, self.left, self.width, self.columns)
         row = _around(types, y, self.bottom, self.height, self.rows)
         return row * dr.opaque(types.UInt32, self.columns) + column
@@ -112,7 +110,5 @@ def fabric_grid(
     columns = math.ceil(width / fine_x * texels_per_thread - 1e-6)
     rows = math.ceil(height / fine_y * texels_per_thread - 1e-6)
     if columns * rows > MAXIMUM_TEXELS:
-        raise InputError(
-            f"{columns}x{rows} texels are too many for one slice (16 million fit); give a window of it."
-        )
-    return Grid(left, bottom, width, height, columns, rows, window is None)
+        raise InputError(f"{columns}x{rows} texels are too many for one slice (16 million fit).")
+    return Grid(left, bottom, width, height, columns, rows)

@@ -25,7 +25,7 @@ class ShadowMaps:
     """Visibility of several lights over one repeat of cloth.
 
     Attributes:
-        grid: of the points, periodic.
+        grid: of the points, one repeat.
         visible: Bool, [lights, rows, columns] flattened.
     """
 

@@ -59,9 +59,6 @@ class Slice:
 
         Args:
             centres, sizes: [n, 2] millimetres; boxes are at least 1/100 of a texel wide and high.
-
-        Raises:
-            InputError: a box that reaches beyond the window, where the slice is no whole repeat.
         """
         types = array_types(self._float_type)
         boxes = texel_boxes(self.grid, np.asarray(centres), np.asarray(sizes), self._float_type)
@@ -104,7 +101,6 @@ class FabricSlices:
         model: YarnScattering,
         float_type: FloatType,
         texels_per_thread: float = TEXELS_PER_THREAD,
-        window: tuple[float, float, float, float] | None = None,
         shadows: Literal["searched", "mapped"] = "searched",
         with_colours: bool = False,
         with_light_visibility: bool = False,
@@ -114,7 +110,6 @@ class FabricSlices:
         Args:
             float_type: the Dr.Jit Float type to compute with.
             texels_per_thread: at least so many across the finest thread of each family.
-            window: left, bottom, width, height in millimetres; None is one repeat.
             shadows: "searched" evaluates the model's visibility for every point and light (exact, or by the
                 model's horizon map); "mapped" searches each light once on the grid, and points read the
                 nearest texel.
@@ -122,12 +117,10 @@ class FabricSlices:
             with_light_visibility: adds the share of yarn that light reaches, by which sheen is scaled.
 
         Raises:
-            InputError: a window without extent, more than 16 million texels, or mapped shadows of a window.
+            InputError: more than 16 million texels.
         """
         self.model = without_sheen_and_variation(model)
-        self.grid = fabric_grid(model.surface, texels_per_thread, window)
-        if shadows == "mapped" and not self.grid.periodic:
-            raise InputError("Shadows are mapped over whole repeats only; search those of a window.")
+        self.grid = fabric_grid(model.surface, texels_per_thread)
         self.channels = CHANNELS + (COLOURS if with_colours else ())
         self.channels += (LIGHT_VISIBILITY,) if with_light_visibility else ()
         self._mapped = shadows == "mapped"
@@ -152,9 +145,6 @@ class FabricSlices:
             lights, views: unit vectors [l, 3] and [v, 3]; pairs that share one share its computation.
             pairs: index of the light and of the view of each slice [n, 2].
             centres, sizes: boxes of each slice [n, m, 2], or those that all slices share [m, 2], millimetres.
-
-        Raises:
-            InputError: a box that reaches beyond the window, where the grid is no whole repeat.
         """
         centres, sizes = np.asarray(centres, np.float64), np.asarray(sizes, np.float64)
         shared = None

@@ -2,7 +2,7 @@
 
 A slice has one value a texel. Its table T[r, c] is the sum of the texels below row r and left of column c,
 in float64, so T has one row and column more than the slice; between its entries it is interpolated, which
-is exact for values constant on each texel. On a periodic grid of C columns and R rows the integral from the
+is exact for values constant on each texel. On a grid of C columns and R rows the integral from the
 origin to (c + a·C, r + b·R) is
 
     G = T[r, c] + a·T[r, C] + b·T[R, c] + a·b·T[R, C]
@@ -22,7 +22,6 @@ from numpy.typing import NDArray
 from loomlight.aggregate.grid import Grid, divide
 from loomlight.core.arrays import Float, FloatType, UInt
 from loomlight.core.backend import array_types, clip, maximum, minimum, upload
-from loomlight.core.errors import InputError
 
 # Smallest width and height of a box, in texels. Rounding of the difference of four float64 sums of 10⁷ texels
 # then stays below 1e-4 of the slice's mean.
@@ -85,39 +84,18 @@ def texel_boxes(grid: Grid, centres: NDArray[Any], sizes: NDArray[Any], float_ty
 
     Args:
         float_type: the Dr.Jit Float type of a backend; bounds are its Float64.
-
-    Raises:
-        InputError: a box exceeds the window of a grid that is not periodic.
     """
     centres, sizes = np.asarray(centres, np.float64), np.asarray(sizes, np.float64)
-    if not grid.periodic:
-        _require_inside(grid, centres, sizes)
     types = array_types(dr.float64_array_t(float_type))
     lane = dr.arange(types.UInt32, len(centres))
     middle, whole = (dr.gather(types.Vector2, upload(types.Float, pair), lane) for pair in (centres, sizes))
     bounds = []
-    for axis, (start, step, count) in enumerate(
-        zip((grid.left, grid.bottom), grid.step, (grid.columns, grid.rows), strict=True)
-    ):
+    for axis, (start, step) in enumerate(zip((grid.left, grid.bottom), grid.step, strict=True)):
         per_texel = dr.opaque(types.Float, 1 / step)
         half = 0.5 * maximum(whole[axis] * per_texel, _MIN_BOX)
         position = (middle[axis] - dr.opaque(types.Float, start)) * per_texel
-        low, high = position - half, position + half
-        if not grid.periodic:
-            low, high = clip(low, 0, count), clip(high, 0, count)
-        bounds += [low, high]
+        bounds += [position - half, position + half]
     return TexelBoxes(*bounds)
-
-
-def _require_inside(grid: Grid, centres: NDArray[np.float64], sizes: NDArray[np.float64]) -> None:
-    corner, extent = np.asarray([grid.left, grid.bottom]), np.asarray([grid.width, grid.height])
-    half = np.maximum(sizes, _MIN_BOX * np.asarray(grid.step)) / 2
-    edge = 1e-9 * extent.max()
-    low, high = centres - half - corner, centres + half - corner
-    if (low < -edge).any() or (high > extent + edge).any():
-        raise InputError(
-            f"A footprint reaches beyond the window of {grid.width:g} x {grid.height:g} mm of its slice."
-        )
 
 
 @dataclass
