@@ -21,6 +21,9 @@ LIBRARIES = (
     "counted_library",
     "random_networks",
     "cloth_paths",
+    "held_out",
+    "reference",
+    "timing",
     "neural_sampler_training",
 )
 SCRIPTS = sorted(
