@@ -65,6 +65,10 @@ WhiteBalanceOption = Annotated[
     float | None,
     typer.Option(metavar="KELVIN", help="Colour temperature of the light that is shown as white; 6500."),
 ]
+DenoiseOption = Annotated[
+    str,
+    typer.Option(metavar="auto|off", help="auto takes noise out of pictures, and leaves yarns sharp."),
+]
 InsetOption = Annotated[
     bool | None,
     typer.Option(

@@ -12,7 +12,7 @@ from loomlight.cli.fleet import ExecutorName, SlurmSettings, Workers, executor_o
 from loomlight.cli.interruption import note_left
 from loomlight.cli.outputs import check_output, done
 from loomlight.cli.progress import progress
-from loomlight.cli.render_options import WhiteBalanceOption
+from loomlight.cli.render_options import DenoiseOption, WhiteBalanceOption
 from loomlight.cli.values import require_within
 
 EXAMPLE = "Example: loomlight swatches examples/*.toml -o sheet.png"
@@ -31,6 +31,7 @@ def swatches(
     samples: Annotated[int, typer.Option("--spp", help="Samples a pixel.")] = 9,
     title: Annotated[str, typer.Option(help="Heading of a page.")] = "Fabrics",
     white_balance: WhiteBalanceOption = None,
+    denoise: DenoiseOption = "auto",
     variant: Annotated[str | None, typer.Option(help="llvm_ad_rgb (default) or cuda_ad_rgb.")] = None,
     workers: Workers = 1,
     executor: ExecutorName = "local",
@@ -49,11 +50,13 @@ def swatches(
     from loomlight.core.files import replacing
     from loomlight.core.images import write_png
     from loomlight.mitsuba import choose_variant
+    from loomlight.mitsuba.denoising import require_denoising
     from loomlight.mitsuba.swatches import CardSettings, fabric_cards, work_folder_of
     from loomlight.models.registry import require_model_name
 
     require_model_name(model)
-    settings = CardSettings(side, model, samples, choose_variant(variant), white_balance)
+    require_denoising(denoise)
+    settings = CardSettings(side, model, samples, choose_variant(variant), white_balance, denoise)
     parts = work_folder_of(output)
     note_left(f"{parts} keeps the fabrics that are rendered: the same command goes on from there.")
     with progress("swatches") as report:

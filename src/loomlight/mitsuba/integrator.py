@@ -33,6 +33,7 @@ from loomlight.core.arrays import Vec2
 from loomlight.core.backend import minimum
 from loomlight.core.frozen import gc_paused
 from loomlight.mitsuba.bsdf_samples import set_samples_per_pixel
+from loomlight.mitsuba.camera_guides import camera_guides
 from loomlight.mitsuba.camera_walk import CameraWalk, HoleCrossing
 from loomlight.mitsuba.path_state import PathState
 from loomlight.mitsuba.path_vertices import MAX_PASSES, FirstFootprint, PathVertices, reflected
@@ -59,6 +60,7 @@ def footprint_path_class() -> type:
             picture_samples: samples a pixel of the picture that this render is a part of; 0: it is all.
             passes, pass_number: renders that make up the picture with one sampler, and which of them this is.
             skip_film: nobody asks the film afterwards: it may be left out then.
+            apart: samples count in their own pixels alone; see `PixelFilter`.
         """
 
         def __init__(self, props: Any) -> None:
@@ -69,6 +71,7 @@ def footprint_path_class() -> type:
             self.picture_samples = 0
             self.passes, self.pass_number = 1, 0
             self.skip_film = False
+            self.apart = False
             self._pixel_filter: PixelFilter | None = None
             self._offset: Vec2 | None = None
             self._replays = False
@@ -116,8 +119,8 @@ def footprint_path_class() -> type:
             """The sensor to render with: samples stay in their pixels where `PixelFilter` places them."""
             camera = scene.sensors()[sensor] if isinstance(sensor, int) else sensor
             self._replays = replays
-            if SceneTraits.of(scene).filters:
-                self._pixel_filter = PixelFilter.of(camera.film(), self.pixel_centres)
+            if SceneTraits.of(scene).filters or self.apart:
+                self._pixel_filter = PixelFilter.of(camera.film(), self.pixel_centres, self.apart)
             try:
                 with gc_paused(), symbolic_mode(scene):
                     yield (
@@ -138,7 +141,7 @@ def footprint_path_class() -> type:
         ) -> Any:
             with self._filtering(scene, sensor) as camera:
                 if self.skip_film and develop and samples_are_pixels(camera, spp):
-                    return self._pixels_of_samples(scene, camera, seed)
+                    return self._pixels_of_samples(scene, camera, seed, spp)
                 return super().render(scene, camera, seed, spp, develop, evaluate)
 
         def render_forward(
@@ -159,11 +162,11 @@ def footprint_path_class() -> type:
             with self._filtering(scene, sensor, replays=True) as camera:
                 super().render_backward(scene, params, grad_in, camera, seed, spp)
 
-        def _pixels_of_samples(self, scene: Any, camera: Any, seed: Any) -> Any:
-            """A picture of one sample a pixel, as the film would develop it."""
+        def _pixels_of_samples(self, scene: Any, camera: Any, seed: Any, spp: int) -> Any:
+            """A picture whose samples count in their own pixels alone, as the film would develop it."""
             film = camera.film()
             with dr.suspend_grad():
-                sampler, _ = self.prepare(camera, seed, 1, self.aov_names())
+                sampler, spp = self.prepare(camera, seed, spp, self.aov_names())
                 ray, weight, _ = self.sample_rays(scene, camera, sampler)
                 found, valid, _, _ = self.sample(
                     mode=dr.ADMode.Primal,
@@ -174,12 +177,28 @@ def footprint_path_class() -> type:
                     state_in=None,
                     active=mi.Bool(True),
                 )
-                pixels: Any = found * weight
+                pixels = [*(found * weight)]
                 if mi.has_flag(film.flags(), mi.FilmFlags.Alpha):
-                    pixels = mi.Vector4f(*pixels, dr.select(valid, mi.Float(1), 0))
-                width, height = (int(side) for side in film.crop_size())
-                tensor: Any = mi.TensorXf
-                return tensor(dr.ravel(pixels), (height, width, len(pixels)))
+                    pixels.append(dr.select(valid, mi.Float(1), 0))
+                return _means_of_pixels(pixels, spp, film)
+
+        def guides(self, scene: Any, sensor: Any, seed: Any, spp: int) -> Any:
+            """What the camera sees, but for noise of light; see `camera_guides`.
+
+            Args:
+                spp: samples a pixel.
+
+            Returns:
+                a tensor [height, width, 9].
+            """
+            with self._filtering(scene, sensor) as camera, dr.suspend_grad():
+                sampler, spp = self.prepare(camera, seed, spp, [])
+                ray, _, _ = self.sample_rays(scene, camera, sampler)
+                first = FirstFootprint.of(self._pixel_filter, self._offset, ray, spp)
+                number = dr.arange(mi.UInt32, dr.width(ray)) % spp
+                shows = not self.hide_emitters
+                found = camera_guides(scene, SceneTraits.of(scene), first, ray, number, shows)
+                return _means_of_pixels(found, spp, camera.film())
 
         def _samples(self, sampler: mi.Sampler) -> int:
             return self.picture_samples or sampler.sample_count()
@@ -331,16 +350,35 @@ class _CameraSampler:
         return mi.Point2f(0.5) if self._pixel_centres else drawn
 
 
+def _means_of_pixels(samples: list[Any], spp: int, film: Any) -> Any:
+    """A tensor [height, width, channels] of samples, `spp` of each pixel after another."""
+    width, height = (int(side) for side in film.crop_size())
+    # At once: sums evaluate their argument, each by a kernel of its own otherwise.
+    dr.eval(samples)
+    means = samples if spp == 1 else [dr.block_sum(channel, spp) / spp for channel in samples]
+    tensor: Any = mi.TensorXf
+    array: Any = mi.Float
+    interleaved = dr.zeros(array, width * height * len(means))
+    pixel = dr.arange(mi.UInt32, width * height) * len(means)
+    for number, channel in enumerate(means):
+        dr.scatter(interleaved, channel, pixel + number)
+    return tensor(interleaved, (height, width, len(means)))
+
+
 def samples_are_pixels(camera: Any, spp: int) -> bool:
     """Whether a picture of so many samples a pixel (0: the sampler's) is nothing but its samples.
 
     The film would add them up one by one in whatever order, which takes a tenth of a picture of lobes.
     """
     film = camera.film()
+    apart = isinstance(camera, SplattingSensor) and camera.apart
     count = spp or camera.sampler().sample_count()
-    # Films tell their format to readers alone.
-    plain = re.search(r"pixel_format = rgba?\b", str(film)) is not None
-    return bool(count == 1 and mi.is_rgb and plain and film.rfilter().is_box_filter())
+    return bool((count == 1 or apart) and is_plain(film) and film.rfilter().is_box_filter())
+
+
+def is_plain(film: Any) -> bool:
+    """Whether a film develops RGB or RGBA; films tell their format to readers alone."""
+    return bool(mi.is_rgb) and re.search(r"pixel_format = rgba?\b", str(film)) is not None
 
 
 def footprint_integrator(scene: Any) -> Any:

@@ -17,6 +17,7 @@ from loomlight.core.white_balance import white_balance as white_balance_gains
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.sentences import closest
 from loomlight.fabric.sentences import shown as quoted
+from loomlight.mitsuba.denoising import require_denoising
 from loomlight.mitsuba.inset import MIN_PICTURE, Inset, composed, resized
 from loomlight.mitsuba.material import material_bsdf
 from loomlight.mitsuba.placement import Placement
@@ -76,6 +77,8 @@ class RenderSettings:
         exposure: stops, −30 to 30; colours are multiplied by 2**exposure.
         white_balance: colour temperature of the light that is shown as white, 1667 to 25000 K; None leaves
             colours as they are, relative to daylight of 6500 K.
+        denoise: "auto" takes noise out and leaves yarns sharp, where Open Image Denoise is installed; or
+            "off".
         inset: a close-up in the upper left corner, in which the weave can be read; by default where the
             material is a weave's name or a draft and the whole drape is shown, at 160 pixels and more.
         colors: other colours of a fabric's yarns, by "warp" and "weft", each as a fabric file's `color`.
@@ -85,7 +88,7 @@ class RenderSettings:
         variant: llvm_ad_rgb or cuda_ad_rgb; by default the one that is set, else llvm_ad_rgb.
 
     Raises:
-        InputError: an exposure or a colour temperature out of range.
+        InputError: an exposure or a colour temperature out of range, or an unknown way to denoise.
     """
 
     model: str | None = None
@@ -102,6 +105,7 @@ class RenderSettings:
     placement: Placement = field(default_factory=Placement)
     exposure: float = 0.0
     white_balance: float | None = None
+    denoise: str = "auto"
     inset: bool | None = None
     colors: Mapping[str, Any] = field(default_factory=dict)
     cloths: Mapping[str, Material] = field(default_factory=dict)
@@ -116,6 +120,7 @@ class RenderSettings:
             )
         if self.white_balance is not None:
             white_balance_gains(self.white_balance)
+        require_denoising(self.denoise)
 
     @property
     def scene_options(self) -> SceneOptions:
@@ -270,12 +275,12 @@ class RenderJob:
     def coarse_picture(self, size: tuple[int, int]) -> NDArray[np.float32]:
         """The picture by single yarn points, of fewer pixels: it needs no baking and no large kernel."""
         shown, close_up = self._built(self.material.by(REFERENCE_MODEL), size)
-        film = self._render(shown, _COARSE_SAMPLES)
+        film = self._render(shown, _COARSE_SAMPLES, denoise="off")
         whole = resized(film, self._size)
         if close_up is None:
             return whole
         shown.look_from(close_up.view)
-        inset = close_up.cut(self._render(shown, _COARSE_SAMPLES))
+        inset = close_up.cut(self._render(shown, _COARSE_SAMPLES, denoise="off"))
         return composed(whole, inset, close_up.magnification, close_up.margin)
 
     def scene_and_inset(self) -> tuple[ClothScene, Inset | None]:
@@ -338,6 +343,7 @@ class RenderJob:
         spp: int,
         *,
         take: int | None = None,
+        denoise: str | None = None,
         progress: Progress | None = None,
         partial: PartialPicture | None = None,
     ) -> NDArray[np.float32]:
@@ -348,6 +354,7 @@ class RenderJob:
             seed=self.settings.seed,
             exposure=self.settings.exposure,
             white_balance=self.settings.white_balance,
+            denoise=denoise or self.settings.denoise,
             integrator=shown.integrator,
             progress=progress,
             partial=partial,

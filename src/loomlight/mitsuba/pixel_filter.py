@@ -20,7 +20,7 @@ pixel as its footprint.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import drjit as dr
@@ -30,6 +30,8 @@ from loomlight.core.arrays import Vec2
 
 # Mitsuba's Gaussians reach so many standard deviations far.
 _REACH = 4.0
+# Of their Gaussian by default, pixels.
+_DEVIATION = 0.5
 # Of a Gaussian's standard deviation, what samples are splatted with: footprints have 36 % of the variance.
 _SPLATTED = 0.8
 
@@ -55,18 +57,23 @@ class PixelFilter:
         name: class of the film's filter, such as "GaussianFilter".
         radius: where the filter ends, pixels.
         centred: all rays go through the pixel's centre, and footprints have all of the variance.
+        apart: every sample counts in its own pixel alone, so that no two pixels share noise: rays are drawn
+            from all of the filter, and footprints have all of its variance.
     """
 
     name: str
     radius: float
     centred: bool = False
+    apart: bool = False
 
     @classmethod
-    def of(cls, film: mi.Film, centred: bool) -> PixelFilter | None:
-        """The filter of a film, or None if it cannot be divided."""
+    def of(cls, film: mi.Film, centred: bool, apart: bool = False) -> PixelFilter | None:
+        """The filter of a film, or None if it cannot be divided; `apart` a Gaussian in its place."""
         rfilter = film.rfilter()
-        found = cls(rfilter.class_name(), float(rfilter.radius()), centred)
-        return found if found.name in _VARIANCES else None
+        found = cls(rfilter.class_name(), float(rfilter.radius()), centred, apart)
+        if found.name in _VARIANCES:
+            return found
+        return replace(found, name="GaussianFilter", radius=_REACH * _DEVIATION) if apart else None
 
     @property
     def variance(self) -> float:
@@ -76,13 +83,16 @@ class PixelFilter:
     @property
     def footprint_side(self) -> float:
         """Side of the box that has the variance of footprints, pixels."""
-        share = 1.0 if self.centred else _FOOTPRINT_SHARES[self.name]
-        return math.sqrt(12 * share * self.variance)
+        return math.sqrt(12 * self._footprint_share * self.variance)
+
+    @property
+    def _footprint_share(self) -> float:
+        return 1.0 if self.centred or self.apart else _FOOTPRINT_SHARES[self.name]
 
     @property
     def splat_deviation(self) -> float | None:
         """Deviation of the Gaussian to splat samples with, pixels; None adds them to their own pixel."""
-        if self.centred or self.name != "GaussianFilter":
+        if self.centred or self.apart or self.name != "GaussianFilter":
             return None
         return _SPLATTED * math.sqrt(self.variance)
 
@@ -99,11 +109,13 @@ class PixelFilter:
             return SamplePlaces(mi.Vector2f(0), first * (2 * self.radius))
         if self.name == "TentFilter":
             # A box upon a box of half its width.
-            return SamplePlaces(first * self.radius, second * self.radius)
+            places = SamplePlaces(first * self.radius, second * self.radius)
+            return SamplePlaces(mi.Vector2f(0), places.sample + places.offset) if self.apart else places
         # Mitsuba lowers the Gaussian by its value at the end, a thousandth of its mass in all; not here.
         inside = math.erf(_REACH / math.sqrt(2))
-        deviation = math.sqrt(_FOOTPRINT_SHARES[self.name] * self.variance)
-        return SamplePlaces(first, (math.sqrt(2) * deviation) * dr.erfinv(2 * inside * second))
+        deviation = math.sqrt(self._footprint_share * self.variance)
+        offset = (math.sqrt(2) * deviation) * dr.erfinv(2 * inside * second)
+        return SamplePlaces(mi.Vector2f(0) if self.apart else first, offset)
 
 
 # Variances over squared radii, and the shares of them that footprints take.
@@ -116,6 +128,7 @@ class SplattingSensor:
 
     def __init__(self, sensor: mi.Sensor, pixel_filter: PixelFilter) -> None:
         self._sensor = sensor
+        self.apart = pixel_filter.apart
         self._film = _SplattingFilm(sensor.film(), pixel_filter.splat_deviation)
 
     def film(self) -> Any:

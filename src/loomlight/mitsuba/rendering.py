@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
 from loomlight.core.white_balance import white_balance as white_balance_gains
-from loomlight.mitsuba.integrator import bypass_film, footprint_integrator
+from loomlight.mitsuba.denoising import denoised, wants_denoising
+from loomlight.mitsuba.integrator import bypass_film, footprint_integrator, is_plain
 from loomlight.mitsuba.scene_traits import is_symbolic
 from loomlight.mitsuba.variants import choose_variant
 
@@ -26,6 +27,8 @@ _MAX_PASSES = 64
 _SPREAD_OVER_PASSES = "MultijitterSampler"
 # Outside of symbolic loops, where networks are evaluated, every path's state lies in memory.
 _EVALUATED_SHARE = 8
+# Of a pixel, of pictures that guide the denoiser: edges need no more.
+_GUIDE_SAMPLES = 8
 
 Progress = Callable[[int, int], None]
 # Takes a whole picture that later ones refine.
@@ -42,6 +45,7 @@ def render(
     integrator: Any = None,
     exposure: float = 0.0,
     white_balance: float | None = None,
+    denoise: str = "off",
     progress: Progress | None = None,
     partial: PartialPicture | None = None,
 ) -> NDArray[np.float32]:
@@ -58,42 +62,78 @@ def render(
         integrator: by default the scene's own if it is a `footprint_path`, otherwise a new one.
         exposure: stops; colours are multiplied by 2**exposure.
         white_balance: colour temperature of the light that is shown as white, kelvin; None leaves colours.
+        denoise: "auto" or "off"; see `denoised`. Other integrators than `footprint_path`, films that
+            develop neither RGB nor RGBA, and pictures of which a part is taken go without.
         progress: called with (samples done, samples in all) after every pass.
         partial: called with the picture so far after every pass but the last.
 
     Raises:
-        InputError: spp < 1, or a colour temperature out of range.
+        InputError: spp < 1, a colour temperature out of range, or an unknown way to denoise.
     """
+    denoises = wants_denoising(denoise)
     gains = 2.0**exposure * (1.0 if white_balance is None else white_balance_gains(white_balance))
     if spp < 1:
         raise InputError(f"spp = {spp} is too small: a pixel needs at least 1 sample.")
     sensor = scene.sensors()[sensor] if isinstance(sensor, int) else sensor
     width, height = (int(value) for value in sensor.film().crop_size())
     integrator = integrator or footprint_integrator(scene)
-    passes = _passes(spp, width * height, is_symbolic(scene))
-    taken = passes if take is None else passes[: -(-take // passes[0])]
-    in_all = min(spp, sum(taken))
-    total: NDArray[np.float64] | float = 0.0
+    denoises = denoises and hasattr(integrator, "apart") and is_plain(sensor.film())
+    # Noise is told from what differs between two halves that share no numbers.
+    halves = 2 if denoises and spp > 1 else 1
+    passes = _passes(-(-spp // halves), width * height, is_symbolic(scene))
+    taken = passes if take is None else passes[: -(-take // (halves * passes[0]))]
+    in_all = min(spp, halves * sum(taken))
+    totals: list[Any] = [0.0] * halves
     done = 0
-    for number, samples in enumerate(taken):
-        with _one_of(integrator, sensor, spp, passes, number) as own_seed, bypass_film(integrator):
-            of_pass = _pass_seed(seed, number) if own_seed else seed
-            picture = mi.render(scene, sensor=sensor, integrator=integrator, spp=samples, seed=of_pass)
-        total = total + samples * np.array(picture, dtype=np.float64)
-        done += samples
-        if progress is not None:
-            progress(min(in_all, done), in_all)
-        if partial is not None and number + 1 < len(taken):
-            partial(_exposed(total, done, gains))
-    return _exposed(total, done, gains)
+    with _apart(integrator, denoises):
+        for step in range(halves * len(taken)):
+            number, half = divmod(step, halves)
+            own_seed = _pass_seed(seed, _MAX_PASSES) if half else seed
+            with _one_of(integrator, sensor, spp, passes, number) as alone, bypass_film(integrator):
+                of_pass = _pass_seed(own_seed, number) if alone else own_seed
+                picture = mi.render(scene, sensor=sensor, integrator=integrator, spp=passes[0], seed=of_pass)
+            totals[half] = totals[half] + np.array(picture, dtype=np.float64)
+            done += passes[0]
+            if progress is not None:
+                progress(min(in_all, done), in_all)
+            if partial is not None and step + 1 < halves * len(taken):
+                partial(_exposed(sum(totals) / (step + 1), gains))
+        means = [total / len(taken) for total in totals]
+        if not denoises or take is not None:
+            return _exposed(np.mean(means, axis=0), gains)
+        guides = _guides(integrator, scene, sensor, spp, seed)
+    return _exposed(denoised(means, guides), gains)
 
 
-def _exposed(
-    total: NDArray[np.float64] | float, samples: int, gains: NDArray[np.float64] | float
-) -> NDArray[np.float32]:
-    linear = np.asarray(total, dtype=np.float64) / samples
+def _guides(integrator: Any, scene: mi.Scene, sensor: Any, spp: int, seed: int) -> NDArray[np.float32]:
+    """Pictures that guide the denoiser [height, width, 9]; see `camera_guides`."""
+    width, height = (int(value) for value in sensor.film().crop_size())
+    passes = _passes(_GUIDE_SAMPLES, width * height, is_symbolic(scene))
+    found = []
+    for number, samples in enumerate(passes):
+        with _one_of(integrator, sensor, _GUIDE_SAMPLES, passes, number) as alone:
+            of_pass = _pass_seed(seed, number) if alone else seed
+            found.append(np.array(integrator.guides(scene, sensor, of_pass, samples), dtype=np.float32))
+    return np.mean(found, axis=0)
+
+
+def _exposed(linear: NDArray[np.float64], gains: NDArray[np.float64] | float) -> NDArray[np.float32]:
+    linear = np.array(linear, dtype=np.float64)
     linear[..., :3] *= gains
     return linear.astype(np.float32)
+
+
+@contextmanager
+def _apart(integrator: Any, apart: bool) -> Iterator[None]:
+    """While samples count in their own pixels alone; see `PixelFilter`."""
+    if not apart:
+        yield
+        return
+    before, integrator.apart = integrator.apart, True
+    try:
+        yield
+    finally:
+        integrator.apart = before
 
 
 @contextmanager

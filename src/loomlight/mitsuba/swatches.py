@@ -49,6 +49,7 @@ class CardSettings:
         spp: samples a pixel.
         variant: of Mitsuba.
         white_balance: colour temperature of the light that is shown as white, kelvin; None leaves colours.
+        denoise: "auto" or "off".
     """
 
     side: int
@@ -56,6 +57,7 @@ class CardSettings:
     spp: int
     variant: str
     white_balance: float | None = None
+    denoise: str = "auto"
 
 
 def work_folder_of(sheet: Path) -> Path:
@@ -117,12 +119,19 @@ def _card(settings: CardSettings, fabric: str) -> bytes:
         model=settings.model,
         spp=settings.spp,
         white_balance=settings.white_balance,
+        denoise=settings.denoise,
     )
     return card_to_bytes(card)
 
 
 def fabric_card(
-    path: str | os.PathLike[str], side: int, *, model: str, spp: int, white_balance: float | None = None
+    path: str | os.PathLike[str],
+    side: int,
+    *,
+    model: str,
+    spp: int,
+    white_balance: float | None = None,
+    denoise: str = "off",
 ) -> Card:
     """The card of a fabric file, a draft, a `.loom` or a weave's name; a variant must be set.
 
@@ -130,7 +139,7 @@ def fabric_card(
         side: of each picture, pixels.
         model: by which it is rendered.
         spp: samples a pixel.
-        white_balance: see `render`.
+        white_balance, denoise: see `render`.
 
     Raises:
         InputError: no fabric, or one that the model cannot handle.
@@ -140,7 +149,13 @@ def fabric_card(
 
     def picture(scene: str, zoom: float) -> Pixels:
         shown = build_scene(scene, material_bsdf(made), size=(side, side), zoom=zoom)
-        linear = render(shown.scene, spp=spp, integrator=shown.integrator, white_balance=white_balance)
+        linear = render(
+            shown.scene,
+            spp=spp,
+            integrator=shown.integrator,
+            white_balance=white_balance,
+            denoise=denoise,
+        )
         return encoded(linear)
 
     pictures = {

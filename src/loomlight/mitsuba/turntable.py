@@ -59,6 +59,7 @@ def turntable(
         seed=settings.seed,
         exposure=settings.exposure,
         white_balance=settings.white_balance,
+        denoise=settings.denoise,
     )
 
 
@@ -88,7 +89,7 @@ class Turntable:
         """`count` pictures of one turn, linear RGB [height, width, 3]; the first as the scene has the cloth.
 
         Args:
-            options: of `render`: spp, seed, exposure, white_balance.
+            options: of `render`: spp, seed, exposure, white_balance, denoise.
         """
         for number in range(count):
             self._turn(360 * number / count)

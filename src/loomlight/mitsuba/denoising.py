@@ -1,0 +1,127 @@
+"""Denoising with Open Image Denoise, guided by pictures without noise."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from functools import cache
+from importlib import import_module
+from types import ModuleType
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.errors import InputError, LoomlightWarning
+
+DENOISING = ("auto", "off")
+_MODULE, _PACKAGE = "mitsuba_oidn", "mitsuba-oidn"
+
+# Deviations, pixels: of the blur that competes with the denoiser, about a film's own filter, and of the
+# neighbourhoods over which errors are averaged. Wider ones follow what is smeared less well, smaller ones are
+# noise themselves (experiments/denoise.py).
+_BLUR, _NEIGHBOURHOOD = 0.5, 16.0
+_LEAST_ERROR = 1e-9
+
+Array = NDArray[np.float64]
+
+
+def require_denoising(denoise: str) -> None:
+    """Raises InputError unless `denoise` is "auto" or "off"."""
+    if denoise not in DENOISING:
+        raise InputError(f'denoise = "{denoise}" is unknown: use {" or ".join(DENOISING)}.')
+
+
+def wants_denoising(denoise: str) -> bool:
+    """Whether a picture is denoised: with "auto", where Open Image Denoise is installed.
+
+    Raises:
+        InputError: neither "auto" nor "off".
+    """
+    require_denoising(denoise)
+    return denoise == "auto" and _library() is not None
+
+
+@cache
+def _library() -> ModuleType | None:
+    try:
+        return import_module(_MODULE)
+    except ImportError:
+        warnings.warn(
+            f"Pictures are not denoised, as {_PACKAGE} is not installed: pip install {_PACKAGE}, or say "
+            'denoise = "off".',
+            LoomlightWarning,
+            stacklevel=4,
+        )
+        return None
+
+
+def denoised(halves: list[Array], guides: NDArray[np.float32]) -> Array:
+    """A picture with less noise: linear [height, width, channels].
+
+    Where two halves are given, each is a measure of the other's error: with B free of A's noise, the mean of
+    |f(A) − B|² over a neighbourhood is the error of f(A) and the variance of B. Where what Open Image Denoise
+    makes of the halves errs as much as a slight blur of them, as it does where it smears yarns, the picture
+    is both in proportion to their errors.
+
+    Args:
+        halves: one or two pictures of samples that are independent of one another and from pixel to pixel.
+        guides: albedo, normal and light without noise [height, width, 9]; see `camera_guides`.
+    """
+    picture = np.nan_to_num(np.mean(halves, axis=0))
+    # The light shows the weave of whatever colour, highlights too; denoisers take guides of 0 to 1.
+    light, normal = np.maximum(guides[..., 6:9], 0), guides[..., 3:6]
+    light = light / (1 + light)
+    filtered = _filtered(picture[..., :3], light, normal)
+    if len(halves) == 2:
+        parts = [np.nan_to_num(half[..., :3]) for half in halves]
+        pairs = [(_filtered(part, light, normal), gaussian_blur(part, _BLUR)) for part in parts]
+        filtering, blurring = (_error(parts, list(made)) for made in zip(*pairs, strict=True))
+        share = (blurring / (filtering + blurring))[..., None]
+        filtered = share * filtered + (1 - share) * gaussian_blur(picture[..., :3], _BLUR)
+    picture[..., :3] = filtered
+    if picture.shape[2] == 4:
+        picture[..., 3] = _filtered(np.repeat(picture[..., 3:], 3, axis=2), light, normal)[..., 0]
+    return picture
+
+
+def _error(halves: list[Array], made: list[Array]) -> Array:
+    """Mean squared error of the mean of what was made of two halves, around each pixel [height, width]."""
+    first, second = halves
+    crossed = (np.square(made[0] - second) + np.square(made[1] - first)) / 2
+    # Less the variance of a half, and of half of what the mean of both has less than each.
+    squared = crossed - np.square(first - second) / 2 - np.square(made[0] - made[1]) / 4
+    return np.maximum(
+        gaussian_blur(squared.mean(axis=2, keepdims=True), _NEIGHBOURHOOD)[..., 0], _LEAST_ERROR
+    )
+
+
+def gaussian_blur(picture: Array, deviation: float) -> Array:
+    """A picture [height, width, channels] blurred by a Gaussian of that many pixels; edges are continued."""
+    reach = math.ceil(2 * deviation)
+    offsets = np.arange(-reach, reach + 1)
+    weights = np.exp(-0.5 * np.square(offsets / deviation))
+    for axis in (0, 1):
+        ends = [(reach, reach) if each == axis else (0, 0) for each in range(3)]
+        padded, count = np.pad(picture, ends, mode="edge"), picture.shape[axis]
+        parts = (
+            weight * np.take(padded, range(start, start + count), axis=axis)
+            for start, weight in enumerate(weights / weights.sum())
+        )
+        picture = sum(parts, np.zeros_like(picture))
+    return picture
+
+
+def _filtered(picture: Array, light: NDArray[np.float32], normal: NDArray[np.float32]) -> Array:
+    library = _library()
+    assert library is not None
+    color, first, second = (np.ascontiguousarray(each, np.float32) for each in (picture, light, normal))
+    found = library.denoise(color, first, second, hdr=True, clean_aux=True, device=_device())
+    return np.array(found, dtype=np.float64)
+
+
+@cache
+def _device() -> object:
+    """The CPU: pictures are the same on machines with and without a GPU."""
+    library = _library()
+    assert library is not None
+    return library.Device(library.DeviceType.CPU)
