@@ -105,3 +105,15 @@ def test_guides_have_no_noise(draped: Any) -> None:
     for part in (slice(0, 3), slice(6, 9)):
         change = np.abs(first - second)[..., part].mean() / first[..., part].mean()
         assert change < 0.5 * np.abs(noisy[0] - noisy[1]).mean() / noisy[0].mean()
+
+
+def test_guides_in_passes_take_the_lights_of_one(draped: Any) -> None:
+    sensor = draped.scene.sensors()[0]
+
+    def light(spp: int, start: int = 0) -> np.ndarray:
+        return np.array(draped.integrator.guides(draped.scene, sensor, 1, spp, start))[..., 6:9]
+
+    whole, parts = light(8), [light(2, start) for start in (0, 2, 4, 6)]
+    # Samples lie elsewhere in their pixels; single parts differ by a tenth and more, as lights do.
+    np.testing.assert_allclose(np.mean(parts, axis=0).mean(), whole.mean(), rtol=0.02)
+    assert np.std([part.mean() for part in parts]) > 0.05 * whole.mean()

@@ -182,11 +182,12 @@ def footprint_path_class() -> type:
                     pixels.append(dr.select(valid, mi.Float(1), 0))
                 return _means_of_pixels(pixels, spp, film)
 
-        def guides(self, scene: Any, sensor: Any, seed: Any, spp: int) -> Any:
+        def guides(self, scene: Any, sensor: Any, seed: Any, spp: int, start: int = 0) -> Any:
             """What the camera sees, but for noise of light; see `camera_guides`.
 
             Args:
                 spp: samples a pixel.
+                start: number of the first of them, where others were taken before.
 
             Returns:
                 a tensor [height, width, 9].
@@ -195,7 +196,7 @@ def footprint_path_class() -> type:
                 sampler, spp = self.prepare(camera, seed, spp, [])
                 ray, _, _ = self.sample_rays(scene, camera, sampler)
                 first = FirstFootprint.of(self._pixel_filter, self._offset, ray, spp)
-                number = dr.arange(mi.UInt32, dr.width(ray)) % spp
+                number = dr.arange(mi.UInt32, dr.width(ray)) % spp + dr.opaque(mi.UInt32, start)
                 shows = not self.hide_emitters
                 found = camera_guides(scene, SceneTraits.of(scene), first, ray, number, shows)
                 return _means_of_pixels(found, spp, camera.film())

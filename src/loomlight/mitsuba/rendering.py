@@ -113,7 +113,8 @@ def _guides(integrator: Any, scene: mi.Scene, sensor: Any, spp: int, seed: int) 
     for number, samples in enumerate(passes):
         with _one_of(integrator, sensor, _GUIDE_SAMPLES, passes, number) as alone:
             of_pass = _pass_seed(seed, number) if alone else seed
-            found.append(np.array(integrator.guides(scene, sensor, of_pass, samples), dtype=np.float32))
+            of_lights = integrator.guides(scene, sensor, of_pass, samples, number * samples)
+            found.append(np.array(of_lights, dtype=np.float32))
     return np.mean(found, axis=0)
 
 
