@@ -53,7 +53,7 @@ WEAVES = (
 # Fields of fabric files other than the defaults, on these weaves.
 VARIED_WEAVES = "plain", "twill 3/1", "satin 5/2"
 VARIATIONS: dict[str, dict[str, Any]] = {
-    "gap 0.2": {"gap": 0.2},
+    "gap 0": {"gap": 0.0},
     "gap 0.4": {"gap": 0.4},
     "height 0.3": {"warp": YarnTable(height_scale=0.3), "weft": YarnTable(height_scale=0.3)},
     "height 1.5": {"warp": YarnTable(height_scale=1.5), "weft": YarnTable(height_scale=1.5)},
@@ -228,7 +228,7 @@ def measure(options: Namespace) -> Figures:
         "bar": BAR,
         "varied_bar": VARIED_BAR,
         "largest_relative_error": largest,
-        "relative_errors": by_weave,
+        "relative_errors": {weave: by_weave[weave] for weave in WEAVES},
         "missed": [
             f"{name} {side}"
             for name, sides in largest.items()
