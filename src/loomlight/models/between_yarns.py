@@ -85,10 +85,10 @@ class BetweenYarns:
         share = dr.fma(WEIGHT_OF_CLOTH, is_warp, of_warp) * dr.rcp(lit + WEIGHT_OF_CLOTH)
         return self.of_families(_scaled(warp, share * (1 - hole)), _scaled(weft, (1 - share) * (1 - hole)))
 
-    def anywhere(self, hole: Float) -> Bounced:
-        """Of footprints that show as much of either family as the whole cloth does."""
-        nothing = 0 * hole
-        return self.far(nothing, nothing, hole)
+    def of_shares(self, warp: Float, weft: Float) -> Bounced:
+        """Of footprints whose view rays meet either family in these shares: linear in them."""
+        of_warp, of_weft, _ = self.cloth.blocked_from(self.view, self.back)
+        return self.of_families(_scaled(of_warp, warp), _scaled(of_weft, weft))
 
     def of_families(self, warp: Blocked, weft: Blocked) -> Bounced:
         """Of blocked shares that are means over all view rays: 0 where a ray meets no yarn of the family."""

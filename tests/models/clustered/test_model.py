@@ -48,9 +48,9 @@ PARTS = [part.name for part in fields(Components)]
 
 
 @cache
-def model() -> ClusteredModel:
+def model(text: str = TEXT) -> ClusteredModel:
     """Few texels and clusters: every claim holds for any."""
-    fabric = fabric_from_text(TEXT)
+    fabric = fabric_from_text(text)
     geometry = YarnGeometry(fabric.layout())
     tables = bake_tables(geometry, (0.3, 0.3), clusters=4, rank=2, float_type=Float, texels=32)
     made = ClusteredModel(fabric, tables)
@@ -161,6 +161,33 @@ def test_estimates_are_unbiased(samples: int, texel_samples: int) -> None:
     # 360 normal numbers of variance 1, which are no more than four deviations away.
     assert 0.7 < np.sqrt(np.square(z).mean(axis=0)).max() < 1.4
     assert np.abs(z).max() < 4.5
+
+
+@pytest.mark.parametrize("samples", [1, 3])
+def test_estimates_of_light_between_yarns_are_unbiased(samples: int) -> None:
+    """Against yarn points all over the same boxes, tinted, seen from both faces."""
+    made = model(TEXT.removeprefix("interreflection = false\n")).with_samples(samples, 0)
+    cases, each = 30, 4000
+    asked = queries(made.fabric, cases, seed=3)
+    asked.edges = np.stack([np.diag(np.abs(edges).sum(axis=0)) for edges in asked.edges])
+    many = asked[np.repeat(np.arange(cases), each)]
+    rng = np.random.default_rng(9)
+    tint = TYPES.Color3(0.9, 0.6, 0.3)
+    seed = UInt32(rng.integers(0, 2**32, len(many), dtype=np.uint32))
+    at = made.at(many.view, many.footprint, tint, seed=seed)
+    shares = Array2f(rng.uniform(-0.5, 0.5, (2, len(many))).astype(np.float32))
+    place = many.footprint.centre + shares * many.footprint.box().size
+    exact = made.point_model.locate(place.x, place.y, many.view, tint=tint).bounced
+    found = at.bounced(at.evaluate(many.light))
+    assert found is not None
+    actual, wanted = (
+        np.concatenate([part.numpy() for part in parts]).reshape(6, cases, each) for parts in (found, exact)
+    )
+    error = np.sqrt((actual.var(axis=2) + wanted.var(axis=2)) / each)
+    z = (actual.mean(axis=2) - wanted.mean(axis=2)) / np.maximum(error, 1e-6)
+    assert wanted.max() > 0.05
+    # Six numbers of each case go together: 60 normal numbers, one in 500 runs beyond four deviations.
+    assert np.abs(z).max() < 4
 
 
 def test_the_texel_model_takes_most_of_the_noise() -> None:

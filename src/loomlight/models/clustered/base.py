@@ -158,6 +158,38 @@ class ViewedBase:
                 total[4] += weight[lane] * lit[lane]
         return self._trusted(Components(*total))
 
+    def shown_over(self, means: list[Array], trusted: bool) -> tuple[Float, Float]:
+        """Shares of the view rays through footprints that meet warp and weft, as the base has them.
+
+        Args:
+            means: from `FootprintSums.means`.
+            trusted: scale them as the diffuse term.
+        """
+        types, packets = self._tables.types, self._tables.clusters // 4
+        shown = [types.Float(0), types.Float(0)]
+        for cluster in range(self._tables.clusters):
+            packet, lane = divmod(cluster, 4)
+            shown[cluster // (2 * packets)] += means[packet][lane] * self.masking[packet][lane]
+        scale = self._trust[0] if trusted else 1
+        return shown[0] * scale, shown[1] * scale
+
+    def shown_at_texel(self, texel: UInt, trusted: bool) -> tuple[Float, Float]:
+        """The same of one texel."""
+        _, label, masking = self._cluster_at(texel)
+        shown = masking * (self._trust[0] if trusted else 1)
+        is_warp = label < self._tables.clusters // 2
+        return dr.select(is_warp, shown, 0), dr.select(is_warp, 0, shown)
+
+    def _cluster_at(self, texel: UInt) -> tuple[UInt, UInt, Float]:
+        """Place of a texel in the tables, its cluster, and the masking of that; 0 in holes."""
+        types, tables = self._tables.types, self._tables
+        place = self._face * tables.face_texels + texel
+        label = dr.gather(types.UInt32, tables.labels, place)
+        met = label < tables.clusters
+        label = minimum(label, types.UInt32(tables.clusters - 1))
+        masking = self._around.read(types.Float, tables.view, self._first, tables.clusters, label)
+        return place, label, dr.select(met, masking, 0)
+
     def _trusted(self, known: Components) -> Components:
         diffuse, specular = self._trust
         return Components(
@@ -171,15 +203,10 @@ class ViewedBase:
     def at_texel(self, texel: UInt, taps: LightTaps) -> Components:
         """The base of one texel."""
         types, tables = self._tables.types, self._tables
-        place = self._face * tables.face_texels + texel
-        label = dr.gather(types.UInt32, tables.labels, place)
-        met = label < tables.clusters
-        label = minimum(label, types.UInt32(tables.clusters - 1))
+        place, label, masking = self._cluster_at(texel)
         clusters = tables.clusters
         lit = taps.around.read(types.Float, tables.light, taps.first, 2 * clusters, label)
         about_yarn = taps.around.read(types.Float, tables.light, taps.first, 2 * clusters, clusters + label)
-        masking = self._around.read(types.Float, tables.view, self._first, clusters, label)
-        masking = dr.select(met, masking, 0)
         density: Any = types.Float(0)
         for number in range(1 + tables.rank):
             part = taps.half.read(

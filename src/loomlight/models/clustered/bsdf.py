@@ -34,7 +34,7 @@ from loomlight.models.separable import (
     shade,
 )
 from loomlight.scattering.point import YarnScattering
-from loomlight.scattering.yarn_point import Albedos, DirectionSample, YarnPoint, to_face_frame
+from loomlight.scattering.yarn_point import DirectionSample, YarnPoint, to_face_frame
 
 # Between seeds of points: odd, so that no two are the same.
 POINT_SEED_STEP = 0x632BE5AB
@@ -125,14 +125,7 @@ class ClusteredBsdf(FilteredBsdf):
     def _residual_point(self, number: int) -> ResidualPoint:
         s, t = self._shares(number, 1)
         place = self._box.at(s, t)
-        point = self._model.locate(place.x, place.y, self.view, self._active)
-        if self._tint is not None:
-            point.albedos = Albedos(
-                point.albedos.diffuse_reflect * self._tint,
-                point.albedos.diffuse_transmit * self._tint,
-                point.albedos.specular_reflect,
-                point.albedos.specular_transmit,
-            )
+        point = self._model.locate(place.x, place.y, self.view, self._active, tint=self._tint)
         return ResidualPoint(
             point,
             self._tables.sums.texel(self._box, s, t),
@@ -157,11 +150,29 @@ class ClusteredBsdf(FilteredBsdf):
         return total * (1 / self._samples)
 
     def bounced(self, evaluation: Evaluation) -> Bounced | None:
-        """Albedos of light between yarns, with as much of either family as the whole cloth shows.
+        """Albedos of light between yarns: with points unbiased, and of either sign; without, the base's."""
+        del evaluation
+        return self._bounced
 
-        Components are estimates of either sign, and say nothing of shares.
+    @cached_property
+    def _bounced(self) -> Bounced | None:
+        """Base and residual of `bounced`, which no light changes.
+
+        The base of a texel is what the view's mean point of its family has.
         """
-        return None if self.between is None else self.between.anywhere(evaluation.hole)
+        if self.between is None:
+            return None
+        trusted = self._samples > 0
+        warp, weft = self._base.shown_over(self._cluster_means, trusted)
+        for sample in self._points:
+            of_warp, of_weft = self._base.shown_at_texel(sample.texel, trusted)
+            warp, weft = warp - of_warp / self._samples, weft - of_weft / self._samples
+        reflected, transmitted = self.between.of_shares(warp, weft)
+        for sample in self._points:
+            of_point = sample.point.bounced
+            reflected += of_point[0] * (1 / self._samples)
+            transmitted += of_point[1] * (1 / self._samples)
+        return reflected, transmitted
 
     def evaluate(self, light: Vec3, active: Mask = True) -> Evaluation:
         """Base and residual of the components: unbiased estimates, of either sign."""
