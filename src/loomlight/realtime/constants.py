@@ -120,6 +120,7 @@ _DERIVED: dict[str, Value] = {
     "SHEEN_CEILING": sheen_coefficients.CEILING,
     "TAPS": len(coverage_lookup.TAP_OFFSETS),
     **{f"RECURRENCE_{i}": factor for i, factor in enumerate(cloth_samples.RECURRENCE, 1)},
+    **{f"LATTICE_SHIFT_{axis}": shift for axis, shift in zip("XY", cloth_samples.LATTICE_SHIFT, strict=True)},
     # A list of samples holds those of all views, or all top-down samples.
     "MAX_SAMPLES_OF_FACE": max(
         cloth_samples.TOP_DOWN_SAMPLES, hemisphere.NODES * visibility_rays.SAMPLED_VIEWS

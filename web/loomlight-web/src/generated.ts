@@ -319,6 +319,8 @@ export const NO_FACE = 4294967295;
 
 // models.lobes.cloth_samples
 export const TOP_DOWN_SAMPLES = 8192;
+export const GOLDEN_FRACTION = 2654435769;
+export const LATTICE_SHIFT = [3242174889, 3488053409] as const;
 
 // models.lobes.clustering
 export const FEATURES = 6;
@@ -397,7 +399,6 @@ export const CLUSTERED_SAMPLES = 2048;
 export const MIN_VIEW_SAMPLES = 64;
 export const MIN_VIEW_HITS = 8.0;
 export const GROUPS_PER_PACK = 4;
-export const GOLDEN_FRACTION = 2654435769;
 
 // models.lobes.hemisphere
 export const AZIMUTHS = 32;

@@ -21,6 +21,12 @@ TOP_DOWN_SAMPLES = 1 << 13
 # fractions.
 RECURRENCE = [round(2**32 * 1.1673039782614187**-power) for power in range(1, 5)]
 
+# 2³²/φ: fractions of multiples of the golden ratio fill the unit interval evenly.
+GOLDEN_FRACTION = 0x9E3779B9
+# Shifts x, y from lattice to lattice: 1/ρ and −1/ρ² − 1/φ in units of 2⁻³², ρ the root of x³ = x + 1. Points
+# of successive numbers and lattices, which shadow rays start from, are then nearly an additive recurrence.
+LATTICE_SHIFT = 0xC13FA9A9, 2**33 - 0x91E10DA6 - GOLDEN_FRACTION
+
 
 @dataclass(frozen=True, eq=False)
 class FaceSamples:
@@ -88,6 +94,26 @@ class SamplePositions:
         x, y = (
             (dr.floor(crossing * threads) + within) * spacing
             for within, crossing, (threads, spacing) in zip(unit[:2], unit[2:], self._axes, strict=True)
+        )
+        return x, y
+
+    def in_lattice(self, index: UInt, count: int, lattice: UInt) -> tuple[Float, Float]:
+        """Positions x, y, millimetres, of a golden lattice over the repeat.
+
+        With 512 points the area that a family shows has half the noise of `at`, but gaps of a few per cent
+        between evenly spaced threads may have more of it.
+
+        Args:
+            index: of the point, from 0.
+            count: of points in a lattice.
+            lattice: which one of many shifted lattices.
+        """
+        step = dr.opaque(self._types.UInt32, (2**32 - 1) // count)
+        x, y = (
+            self._types.Float((index * factor + lattice * shift) >> 8) * 2**-24 * (threads * spacing)
+            for factor, shift, (threads, spacing) in zip(
+                (step, GOLDEN_FRACTION), LATTICE_SHIFT, self._axes, strict=True
+            )
         )
         return x, y
 

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from loomlight.core.arrays import Float, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, upload
 from loomlight.core.parallel_map import parallel_map
-from loomlight.models.lobes.cloth_samples import FaceSamples, TopDownSamples
+from loomlight.models.lobes.cloth_samples import GOLDEN_FRACTION, FaceSamples, TopDownSamples
 
 if TYPE_CHECKING:
     from loomlight.models.lobes.clustering import BisectingClusters
@@ -35,8 +35,6 @@ MIN_VIEW_HITS = 8.0
 GROUPS_PER_PACK = 4
 # Numbers of a centroid in memory, and a distance above all others.
 _ROW, _FAR = 8, 1e3
-# 2³²/φ: fractions of multiples of the golden ratio fill the unit interval evenly.
-GOLDEN_FRACTION = 0x9E3779B9
 # Index pairs of the products of the fibre direction among sums over views; see `accumulation`.
 _PRODUCTS = (0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)
 

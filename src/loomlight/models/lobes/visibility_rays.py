@@ -31,7 +31,7 @@ from loomlight.yarn.visibility import first_hit, passes_through, unoccluded
 MIN_RAYS, RAYS_PER_GROUP = 512, 32
 # Rays through gaps, at most so many a node.
 MAX_GAP_RAYS = 128
-# Views of each node and face that groups are clustered from.
+# Views of each node and face that groups are clustered from, evenly: they divide the number of rays.
 SAMPLED_VIEWS = 32
 # Shadow rays of neighbouring nodes start from views so many nodes apart; odd, so that all nodes occur.
 VIEW_STEP = 37
@@ -129,7 +129,8 @@ def view_samples(views: ViewRays) -> FaceSamples:
     """Hits of a few views of every node; views that may pass through a gap count as holes."""
 
     def some(values: Float | Mask) -> NDArray[Any]:
-        return np.asarray(values.numpy().reshape(2 * NODES, views.rays)[:, :SAMPLED_VIEWS].ravel())
+        by_node = values.numpy().reshape(2 * NODES, SAMPLED_VIEWS, -1)
+        return np.asarray(by_node[:, :, 0].ravel())
 
     hits = views.hits
     hole = some(hits.hole) | (some(views.below_plane) & some(views.starts_in_gap))
@@ -229,7 +230,7 @@ def _rays(cloth: UploadedCloth, directions: Float, rays: int, lane: UInt) -> tup
 def _positions(cloth: UploadedCloth, rays: int, lane: UInt) -> tuple[Mask, Float, Float, UInt]:
     """Positions of rays on the plane z = 0: back, x, y, node."""
     back, node, ray = _rays_of_nodes(cloth, rays, lane)
-    return back, *cloth.positions.at(ray, node), node
+    return back, *cloth.positions.in_lattice(ray, rays, node), node
 
 
 def _rays_of_nodes(cloth: UploadedCloth, rays: int, lane: UInt) -> tuple[Mask, UInt, UInt]:

@@ -68,7 +68,7 @@ fn sample_index_0( _S1 : i32,  _S2 : u32,  _S3 : bool,  _S4 : u32) -> u32
     var _S5 : u32 = _S2 % u32(4) / u32(2);
     if(_S3)
     {
-        return (_S5 * u32(256) + _S4 / u32(32)) * bakes_0[_S1].rays_0 + _S4 % u32(32);
+        return (_S5 * u32(256) + _S4 / u32(32)) * bakes_0[_S1].rays_0 + _S4 % u32(32) * (bakes_0[_S1].rays_0 / u32(32));
     }
     return u32(512) * bakes_0[_S1].rays_0 + _S5 * u32(8192) + _S4;
 }

@@ -1541,6 +1541,12 @@ fn between_0( above_1 : f32,  under_0 : f32,  above_gap_0 : f32,  under_gap_0 : 
     return clamp(above_gap_0 / max(above_gap_0 + under_gap_0, 9.99999968265522539e-21f), 0.01999999955296516f, 0.98000001907348633f) * (under_0 - above_1) + above_1;
 }
 
+fn lattice_position_0( _S164 : i32,  _S165 : u32,  _S166 : u32) -> vec2<f32>
+{
+    var _S167 : u32 = u32(4294967295) / bakes_0[_S164].rays_0;
+    return vec2<f32>(fraction_of_0(_S165 * _S167 + _S166 * u32(3242174889)) * (bakes_0[_S164].ends_0 * bakes_0[_S164].spacing_x_0), fraction_of_0(_S165 * u32(2654435769) + _S166 * u32(3488053409)) * (bakes_0[_S164].picks_0 * bakes_0[_S164].spacing_y_0));
+}
+
 struct Hit_0
 {
      x_6 : f32,
@@ -1549,9 +1555,9 @@ struct Hit_0
      height_5 : f32,
 };
 
-fn steps_per_length_0( _S164 : u32,  _S165 : SearchQuality_0,  _S166 : vec3<f32>) -> f32
+fn steps_per_length_0( _S168 : u32,  _S169 : SearchQuality_0,  _S170 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S166.x) * fabrics_0[_S164].threads_per_x_0, abs(_S166.y) * fabrics_0[_S164].threads_per_y_0) * _S165.steps_per_thread_0, abs(_S166.z) * fabrics_0[_S164].per_relief_0 * _S165.steps_per_relief_0);
+    return max(max(abs(_S170.x) * fabrics_0[_S168].threads_per_x_0, abs(_S170.y) * fabrics_0[_S168].threads_per_y_0) * _S169.steps_per_thread_0, abs(_S170.z) * fabrics_0[_S168].per_relief_0 * _S169.steps_per_relief_0);
 }
 
 struct ViewRayEnd_0
@@ -1564,33 +1570,33 @@ struct ViewRayEnd_0
      previous_3 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S167 : u32,  _S168 : f32,  _S169 : f32,  _S170 : f32,  _S171 : vec3<f32>,  _S172 : bool) -> f32
+fn max_height_along_0( _S171 : u32,  _S172 : f32,  _S173 : f32,  _S174 : f32,  _S175 : vec3<f32>,  _S176 : bool) -> f32
 {
-    var _S173 : u32 = locate_0(fabrics_0[_S167].warp_0, _S168).thread_0 / u32(2);
-    var _S174 : u32 = locate_0(fabrics_0[_S167].weft_0, _S169).thread_0 / u32(2);
-    var _S175 : f32 = _S171.x;
-    var _S176 : u32;
-    if(_S175 > 0.0f)
+    var _S177 : u32 = locate_0(fabrics_0[_S171].warp_0, _S172).thread_0 / u32(2);
+    var _S178 : u32 = locate_0(fabrics_0[_S171].weft_0, _S173).thread_0 / u32(2);
+    var _S179 : f32 = _S175.x;
+    var _S180 : u32;
+    if(_S179 > 0.0f)
     {
-        _S176 = u32(1);
+        _S180 = u32(1);
     }
     else
     {
-        _S176 = u32(0);
+        _S180 = u32(0);
     }
-    var _S177 : f32 = _S171.y;
-    var _S178 : u32;
-    if(_S177 > 0.0f)
+    var _S181 : f32 = _S175.y;
+    var _S182 : u32;
+    if(_S181 > 0.0f)
     {
-        _S178 = u32(2);
+        _S182 = u32(2);
     }
     else
     {
-        _S178 = u32(0);
+        _S182 = u32(0);
     }
-    var _S179 : u32 = words_0[fabrics_0[_S167].max_heights_0 + u32(4) * (_S174 * fabrics_0[_S167].max_height_columns_0 + _S173) + (_S176 + _S178)];
+    var _S183 : u32 = words_0[fabrics_0[_S171].max_heights_0 + u32(4) * (_S178 * fabrics_0[_S171].max_height_columns_0 + _S177) + (_S180 + _S182)];
     var number_0 : i32;
-    if(_S172)
+    if(_S176)
     {
         number_0 = i32(4);
     }
@@ -1598,10 +1604,10 @@ fn max_height_along_0( _S167 : u32,  _S168 : f32,  _S169 : f32,  _S170 : f32,  _
     {
         number_0 = i32(0);
     }
-    var _S180 : u32 = (_S179 >> (u32(number_0)));
-    var _S181 : f32 = max(abs(_S175) * fabrics_0[_S167].threads_per_x_0, abs(_S177) * fabrics_0[_S167].threads_per_y_0) / _S171.z;
-    var _S182 : f32 = fabrics_0[_S167].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S167].height_high_0;
+    var _S184 : u32 = (_S183 >> (u32(number_0)));
+    var _S185 : f32 = max(abs(_S179) * fabrics_0[_S171].threads_per_x_0, abs(_S181) * fabrics_0[_S171].threads_per_y_0) / _S175.z;
+    var _S186 : f32 = fabrics_0[_S171].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S171].height_high_0;
     number_0 = i32(3);
     for(;;)
     {
@@ -1612,68 +1618,68 @@ fn max_height_along_0( _S167 : u32,  _S168 : f32,  _S169 : f32,  _S170 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S170) * _S181) <= (PYRAMID_RADII_0[number_0]))
+        if(((max_height_0 - _S174) * _S185) <= (PYRAMID_RADII_0[number_0]))
         {
-            max_height_0 = min(max_height_0, f32((((_S180 >> (u32(i32(8) * number_0)))) & (u32(15)))) * 0.06666667014360428f * _S182);
+            max_height_0 = min(max_height_0, f32((((_S184 >> (u32(i32(8) * number_0)))) & (u32(15)))) * 0.06666667014360428f * _S186);
         }
         number_0 = number_0 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_maximum_0( _S183 : u32,  _S184 : Crossing_0) -> f32
+fn cell_maximum_0( _S187 : u32,  _S188 : Crossing_0) -> f32
 {
-    var _S185 : u32;
-    if(_S184.warp_above_0)
+    var _S189 : u32;
+    if(_S188.warp_above_0)
     {
-        _S185 = fabrics_0[_S183].warp_0;
+        _S189 = fabrics_0[_S187].warp_0;
     }
     else
     {
-        _S185 = fabrics_0[_S183].weft_0;
+        _S189 = fabrics_0[_S187].weft_0;
     }
-    var _S186 : u32;
-    if(_S184.warp_above_0)
+    var _S190 : u32;
+    if(_S188.warp_above_0)
     {
-        _S186 = _S184.warp_word_0;
+        _S190 = _S188.warp_word_0;
     }
     else
     {
-        _S186 = _S184.weft_word_0;
+        _S190 = _S188.weft_word_0;
     }
-    return f32((_S186 >> (u32(28)))) * families_0[_S185].height_scale_0 * families_0[_S185].level_0;
+    return f32((_S190 >> (u32(28)))) * families_0[_S189].height_scale_0 * families_0[_S189].level_0;
 }
 
-fn cell_bounds_0( _S187 : u32,  _S188 : f32,  _S189 : f32,  _S190 : bool,  _S191 : bool,  _S192 : bool) -> vec3<f32>
+fn cell_bounds_0( _S191 : u32,  _S192 : f32,  _S193 : f32,  _S194 : bool,  _S195 : bool,  _S196 : bool) -> vec3<f32>
 {
-    var _S193 : Crossing_0 = crossing_at_0(_S187, _S188, _S189, _S190);
-    var _S194 : f32 = cell_maximum_0(_S187, _S193);
-    var _S195 : f32;
-    if(_S191)
+    var _S197 : Crossing_0 = crossing_at_0(_S191, _S192, _S193, _S194);
+    var _S198 : f32 = cell_maximum_0(_S191, _S197);
+    var _S199 : f32;
+    if(_S195)
     {
-        _S195 = _S193.warp_1.above_0;
+        _S199 = _S197.warp_1.above_0;
     }
     else
     {
-        _S195 = _S193.warp_1.below_0;
+        _S199 = _S197.warp_1.below_0;
     }
-    var _S196 : f32;
-    if(_S192)
+    var _S200 : f32;
+    if(_S196)
     {
-        _S196 = _S193.weft_1.above_0;
+        _S200 = _S197.weft_1.above_0;
     }
     else
     {
-        _S196 = _S193.weft_1.below_0;
+        _S200 = _S197.weft_1.below_0;
     }
-    return vec3<f32>(_S194, _S195, _S196);
+    return vec3<f32>(_S198, _S199, _S200);
 }
 
-fn first_sample_height_0( _S197 : u32,  _S198 : ViewRay_0,  _S199 : StepControl_0,  _S200 : bool) -> f32
+fn first_sample_height_0( _S201 : u32,  _S202 : ViewRay_0,  _S203 : StepControl_0,  _S204 : bool) -> f32
 {
-    var _S201 : f32 = max_height_along_0(_S197, _S198.origin_0.x, _S198.origin_0.y, 0.0f, vec3<f32>(_S198.slope_1, 1.0f), _S200);
+    var _S205 : f32 = max_height_along_0(_S201, _S202.origin_0.x, _S202.origin_0.y, 0.0f, vec3<f32>(_S202.slope_1, 1.0f), _S204);
     var count_1 : u32 = u32(0);
-    var height_7 : f32 = _S201;
+    var height_7 : f32 = _S205;
     for(;;)
     {
         if(count_1 < u32(1024))
@@ -1683,12 +1689,12 @@ fn first_sample_height_0( _S197 : u32,  _S198 : ViewRay_0,  _S199 : StepControl_
         {
             break;
         }
-        var _S202 : vec2<f32> = ViewRay_at_0(_S198, height_7);
-        var _S203 : vec3<f32> = cell_bounds_0(_S197, _S202.x, _S202.y, _S200, _S199.right_0, _S199.up_0);
-        var _S204 : f32 = height_7 - _S203.x;
-        var _S205 : f32 = StepControl_to_cell_exit_0(_S199, _S203.y, _S203.z);
-        var height_8 : f32 = height_7 - clamp(_S204, 0.0f, _S205);
-        if(_S204 <= _S205)
+        var _S206 : vec2<f32> = ViewRay_at_0(_S202, height_7);
+        var _S207 : vec3<f32> = cell_bounds_0(_S201, _S206.x, _S206.y, _S204, _S203.right_0, _S203.up_0);
+        var _S208 : f32 = height_7 - _S207.x;
+        var _S209 : f32 = StepControl_to_cell_exit_0(_S203, _S207.y, _S207.z);
+        var height_8 : f32 = height_7 - clamp(_S208, 0.0f, _S209);
+        if(_S208 <= _S209)
         {
             height_7 = height_8;
             break;
@@ -1699,55 +1705,55 @@ fn first_sample_height_0( _S197 : u32,  _S198 : ViewRay_0,  _S199 : StepControl_
     return height_7;
 }
 
-fn probe_0( _S206 : u32,  _S207 : f32,  _S208 : f32,  _S209 : bool,  _S210 : bool,  _S211 : bool) -> Probe_0
+fn probe_0( _S210 : u32,  _S211 : f32,  _S212 : f32,  _S213 : bool,  _S214 : bool,  _S215 : bool) -> Probe_0
 {
-    var _S212 : Sample_0 = sample_at_0(_S206, _S207, _S208, _S209);
+    var _S216 : Sample_0 = sample_at_0(_S210, _S211, _S212, _S213);
     var probe_1 : Probe_0;
-    probe_1.height_4 = _S212.height_2;
-    probe_1.hole_2 = _S212.shown_2.hole_0;
-    probe_1.slope_x_1 = _S212.slope_x_0;
-    probe_1.slope_y_1 = _S212.slope_y_0;
-    var _S213 : u32;
-    if(_S212.shown_2.is_warp_0)
+    probe_1.height_4 = _S216.height_2;
+    probe_1.hole_2 = _S216.shown_2.hole_0;
+    probe_1.slope_x_1 = _S216.slope_x_0;
+    probe_1.slope_y_1 = _S216.slope_y_0;
+    var _S217 : u32;
+    if(_S216.shown_2.is_warp_0)
     {
-        _S213 = _S212.crossing_1.warp_1.thread_0 * u32(2) + u32(1);
+        _S217 = _S216.crossing_1.warp_1.thread_0 * u32(2) + u32(1);
     }
     else
     {
-        _S213 = _S212.crossing_1.weft_1.thread_0 * u32(2);
+        _S217 = _S216.crossing_1.weft_1.thread_0 * u32(2);
     }
-    probe_1.yarn_1 = _S213;
-    probe_1.cell_max_0 = cell_maximum_0(_S206, _S212.crossing_1);
-    var _S214 : f32;
-    if(_S210)
+    probe_1.yarn_1 = _S217;
+    probe_1.cell_max_0 = cell_maximum_0(_S210, _S216.crossing_1);
+    var _S218 : f32;
+    if(_S214)
     {
-        _S214 = _S212.crossing_1.warp_1.above_0;
+        _S218 = _S216.crossing_1.warp_1.above_0;
     }
     else
     {
-        _S214 = _S212.crossing_1.warp_1.below_0;
+        _S218 = _S216.crossing_1.warp_1.below_0;
     }
-    probe_1.side_x_1 = _S214;
-    if(_S211)
+    probe_1.side_x_1 = _S218;
+    if(_S215)
     {
-        _S214 = _S212.crossing_1.weft_1.above_0;
+        _S218 = _S216.crossing_1.weft_1.above_0;
     }
     else
     {
-        _S214 = _S212.crossing_1.weft_1.below_0;
+        _S218 = _S216.crossing_1.weft_1.below_0;
     }
-    probe_1.side_y_1 = _S214;
-    probe_1.edge_x_0 = outline_distance_0(_S212.crossing_1.warp_1, _S212.shown_2, _S212.run_2, !_S212.shown_2.is_warp_0, _S210);
-    probe_1.edge_y_0 = outline_distance_0(_S212.crossing_1.weft_1, _S212.shown_2, _S212.run_2, _S212.shown_2.is_warp_0, _S211);
+    probe_1.side_y_1 = _S218;
+    probe_1.edge_x_0 = outline_distance_0(_S216.crossing_1.warp_1, _S216.shown_2, _S216.run_2, !_S216.shown_2.is_warp_0, _S214);
+    probe_1.edge_y_0 = outline_distance_0(_S216.crossing_1.weft_1, _S216.shown_2, _S216.run_2, _S216.shown_2.is_warp_0, _S215);
     return probe_1;
 }
 
-fn search_down_0( _S215 : u32,  _S216 : ViewRay_0,  _S217 : StepControl_0,  _S218 : bool) -> ViewRayEnd_0
+fn search_down_0( _S219 : u32,  _S220 : ViewRay_0,  _S221 : StepControl_0,  _S222 : bool) -> ViewRayEnd_0
 {
-    var _S219 : f32 = fabrics_0[_S215].height_low_0 - (fabrics_0[_S215].height_high_0 - fabrics_0[_S215].height_low_0);
+    var _S223 : f32 = fabrics_0[_S219].height_low_0 - (fabrics_0[_S219].height_high_0 - fabrics_0[_S219].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_6 = first_sample_height_0(_S215, _S216, _S217, _S218);
-    end_1.last_step_0 = _S217.epsilon_0;
+    end_1.height_6 = first_sample_height_0(_S219, _S220, _S221, _S222);
+    end_1.last_step_0 = _S221.epsilon_0;
     end_1.previous_3 = no_previous_sample_0();
     end_1.depth_0 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -1762,150 +1768,150 @@ fn search_down_0( _S215 : u32,  _S216 : ViewRay_0,  _S217 : StepControl_0,  _S21
         {
             break;
         }
-        var _S220 : vec2<f32> = ViewRay_at_0(_S216, end_1.height_6);
-        var _S221 : Probe_0 = probe_0(_S215, _S220.x, _S220.y, _S218, _S217.right_0, _S217.up_0);
-        var _S222 : f32 = end_1.height_6 - _S221.height_4;
-        var _S223 : f32 = ViewRay_rate_0(_S216, _S221);
-        end_1.depth_0 = - _S222;
-        end_1.rate_4 = _S223;
-        var _S224 : bool;
+        var _S224 : vec2<f32> = ViewRay_at_0(_S220, end_1.height_6);
+        var _S225 : Probe_0 = probe_0(_S219, _S224.x, _S224.y, _S222, _S221.right_0, _S221.up_0);
+        var _S226 : f32 = end_1.height_6 - _S225.height_4;
+        var _S227 : f32 = ViewRay_rate_0(_S220, _S225);
+        end_1.depth_0 = - _S226;
+        end_1.rate_4 = _S227;
+        var _S228 : bool;
         if(end_1.previous_3.known_0)
         {
-            _S224 = !_S221.hole_2;
+            _S228 = !_S225.hole_2;
         }
         else
         {
-            _S224 = false;
+            _S228 = false;
         }
-        var _S225 : bool;
-        if(_S224)
+        var _S229 : bool;
+        if(_S228)
         {
-            _S225 = (end_1.previous_3.yarn_0) == (_S221.yarn_1);
+            _S229 = (end_1.previous_3.yarn_0) == (_S225.yarn_1);
         }
         else
         {
-            _S225 = false;
+            _S229 = false;
         }
-        end_1.smooth_0 = _S225;
-        var _S226 : bool;
-        if(!_S221.hole_2)
+        end_1.smooth_0 = _S229;
+        var _S230 : bool;
+        if(!_S225.hole_2)
         {
-            _S226 = _S222 <= 0.0f;
+            _S230 = _S226 <= 0.0f;
         }
         else
         {
-            _S226 = false;
+            _S230 = false;
         }
-        var _S227 : bool;
-        if(_S226)
+        var _S231 : bool;
+        if(_S230)
         {
-            _S227 = true;
+            _S231 = true;
         }
         else
         {
-            _S227 = (end_1.height_6) <= _S219;
+            _S231 = (end_1.height_6) <= _S223;
         }
-        if(_S227)
+        if(_S231)
         {
             break;
         }
-        var _S228 : f32 = way_back_to_dip_0(end_1.previous_3, _S222, _S223, end_1.last_step_0, _S221);
-        if(_S228 >= 0.0f)
+        var _S232 : f32 = way_back_to_dip_0(end_1.previous_3, _S226, _S227, end_1.last_step_0, _S225);
+        if(_S232 >= 0.0f)
         {
-            end_1.height_6 = end_1.height_6 + _S228;
-            end_1.last_step_0 = end_1.last_step_0 - _S228;
+            end_1.height_6 = end_1.height_6 + _S232;
+            end_1.last_step_0 = end_1.last_step_0 - _S232;
             count_2 = count_2 + u32(1);
             continue;
         }
-        var _S229 : f32 = min(StepControl_to_cell_exit_0(_S217, _S221.side_x_1, _S221.side_y_1), end_1.height_6 - _S221.cell_max_0);
-        var _S230 : f32 = StepControl_to_next_sample_0(_S217, _S221, _S222, _S223);
-        end_1.previous_3 = after_sample_0(_S222, _S223, _S221, _S229 > _S230);
-        var _S231 : f32 = max(_S229, _S230);
-        end_1.last_step_0 = _S231;
-        end_1.height_6 = end_1.height_6 - _S231;
+        var _S233 : f32 = min(StepControl_to_cell_exit_0(_S221, _S225.side_x_1, _S225.side_y_1), end_1.height_6 - _S225.cell_max_0);
+        var _S234 : f32 = StepControl_to_next_sample_0(_S221, _S225, _S226, _S227);
+        end_1.previous_3 = after_sample_0(_S226, _S227, _S225, _S233 > _S234);
+        var _S235 : f32 = max(_S233, _S234);
+        end_1.last_step_0 = _S235;
+        end_1.height_6 = end_1.height_6 - _S235;
         count_2 = count_2 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S232 : u32,  _S233 : ViewRay_0,  _S234 : StepControl_0,  _S235 : bool,  _S236 : ViewRayEnd_0,  _S237 : u32) -> f32
+fn refined_height_0( _S236 : u32,  _S237 : ViewRay_0,  _S238 : StepControl_0,  _S239 : bool,  _S240 : ViewRayEnd_0,  _S241 : u32) -> f32
 {
-    var _S238 : f32 = fabrics_0[_S232].height_high_0 - fabrics_0[_S232].height_low_0;
-    var above_2 : f32 = _S236.height_6 + _S236.last_step_0;
-    var above_gap_1 : f32 = clamp(_S236.previous_3.clearance_0, 0.0f, _S238);
-    var under_gap_1 : f32 = clamp(_S236.depth_0, 0.0f, _S238);
-    var _S239 : f32 = cubic_root_0(above_gap_1, - under_gap_1, _S236.previous_3.rate_0 * _S236.last_step_0, _S236.rate_4 * _S236.last_step_0);
+    var _S242 : f32 = fabrics_0[_S236].height_high_0 - fabrics_0[_S236].height_low_0;
+    var above_2 : f32 = _S240.height_6 + _S240.last_step_0;
+    var above_gap_1 : f32 = clamp(_S240.previous_3.clearance_0, 0.0f, _S242);
+    var under_gap_1 : f32 = clamp(_S240.depth_0, 0.0f, _S242);
+    var _S243 : f32 = cubic_root_0(above_gap_1, - under_gap_1, _S240.previous_3.rate_0 * _S240.last_step_0, _S240.rate_4 * _S240.last_step_0);
     var middle_0 : f32;
-    if(_S236.smooth_0)
+    if(_S240.smooth_0)
     {
-        middle_0 = above_2 - _S239 * _S236.last_step_0;
+        middle_0 = above_2 - _S243 * _S240.last_step_0;
     }
     else
     {
-        middle_0 = between_0(above_2, _S236.height_6, above_gap_1, under_gap_1);
+        middle_0 = between_0(above_2, _S240.height_6, above_gap_1, under_gap_1);
     }
     var side_0 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S236.height_6;
+    var under_1 : f32 = _S240.height_6;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S237)
+        if(i_1 < _S241)
         {
         }
         else
         {
             break;
         }
-        var _S240 : vec2<f32> = ViewRay_at_0(_S233, middle_0);
-        var _S241 : Probe_0 = probe_0(_S232, _S240.x, _S240.y, _S235, _S234.right_0, _S234.up_0);
-        var _S242 : f32;
-        if(_S241.hole_2)
+        var _S244 : vec2<f32> = ViewRay_at_0(_S237, middle_0);
+        var _S245 : Probe_0 = probe_0(_S236, _S244.x, _S244.y, _S239, _S238.right_0, _S238.up_0);
+        var _S246 : f32;
+        if(_S245.hole_2)
         {
-            _S242 = -1.0e+09f;
+            _S246 = -1.0e+09f;
         }
         else
         {
-            _S242 = _S241.height_4;
+            _S246 = _S245.height_4;
         }
-        var _S243 : f32 = clamp(middle_0 - _S242, - _S238, _S238);
-        var _S244 : f32;
-        if(_S243 <= 0.0f)
+        var _S247 : f32 = clamp(middle_0 - _S246, - _S242, _S242);
+        var _S248 : f32;
+        if(_S247 <= 0.0f)
         {
             if(side_0 > 0.0f)
             {
-                _S244 = 0.5f * above_gap_2;
+                _S248 = 0.5f * above_gap_2;
             }
             else
             {
-                _S244 = above_gap_2;
+                _S248 = above_gap_2;
             }
-            var _S245 : f32 = - _S243;
+            var _S249 : f32 = - _S247;
             under_1 = middle_0;
-            above_gap_2 = _S244;
-            under_gap_2 = _S245;
+            above_gap_2 = _S248;
+            under_gap_2 = _S249;
             side_0 = 1.0f;
         }
         else
         {
             if(side_0 < 0.0f)
             {
-                _S244 = 0.5f * under_gap_2;
+                _S248 = 0.5f * under_gap_2;
             }
             else
             {
-                _S244 = under_gap_2;
+                _S248 = under_gap_2;
             }
             above_3 = middle_0;
-            above_gap_2 = _S243;
-            under_gap_2 = _S244;
+            above_gap_2 = _S247;
+            under_gap_2 = _S248;
             side_0 = -1.0f;
         }
-        if(_S236.smooth_0)
+        if(_S240.smooth_0)
         {
-            middle_0 = clamp(middle_0 + _S243 / min(ViewRay_rate_0(_S233, _S241), -9.99999997475242708e-07f), under_1, above_3);
+            middle_0 = clamp(middle_0 + _S247 / min(ViewRay_rate_0(_S237, _S245), -9.99999997475242708e-07f), under_1, above_3);
         }
         else
         {
@@ -1913,7 +1919,7 @@ fn refined_height_0( _S232 : u32,  _S233 : ViewRay_0,  _S234 : StepControl_0,  _
         }
         i_1 = i_1 + u32(1);
     }
-    if(_S236.smooth_0)
+    if(_S240.smooth_0)
     {
     }
     else
@@ -1923,22 +1929,22 @@ fn refined_height_0( _S232 : u32,  _S233 : ViewRay_0,  _S234 : StepControl_0,  _
     return middle_0;
 }
 
-fn first_hit_of_yarn_0( _S246 : u32,  _S247 : SearchQuality_0,  _S248 : f32,  _S249 : f32,  _S250 : vec3<f32>,  _S251 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S250 : u32,  _S251 : SearchQuality_0,  _S252 : f32,  _S253 : f32,  _S254 : vec3<f32>,  _S255 : bool) -> Hit_0
 {
-    var _S252 : f32 = max(_S250.z, 0.00009999999747379f);
+    var _S256 : f32 = max(_S254.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S248, _S249);
-    var _S253 : vec2<f32> = _S250.xy / vec2<f32>(_S252);
-    ray_0.slope_1 = _S253;
-    var _S254 : StepControl_0 = step_control_0((vec2<f32>(0) - _S253), 1.0f / max(steps_per_length_0(_S246, _S247, _S250) / _S252, 9.99999971718068537e-10f));
-    var _S255 : ViewRayEnd_0 = search_down_0(_S246, ray_0, _S254, _S251);
+    ray_0.origin_0 = vec2<f32>(_S252, _S253);
+    var _S257 : vec2<f32> = _S254.xy / vec2<f32>(_S256);
+    ray_0.slope_1 = _S257;
+    var _S258 : StepControl_0 = step_control_0((vec2<f32>(0) - _S257), 1.0f / max(steps_per_length_0(_S250, _S251, _S254) / _S256, 9.99999971718068537e-10f));
+    var _S259 : ViewRayEnd_0 = search_down_0(_S250, ray_0, _S258, _S255);
     var hit_1 : Hit_0;
     hit_1.hole_3 = false;
-    var _S256 : f32 = refined_height_0(_S246, ray_0, _S254, _S251, _S255, _S247.refinements_0);
-    hit_1.height_5 = _S256;
-    var _S257 : vec2<f32> = ViewRay_at_0(ray_0, _S256);
-    hit_1.x_6 = _S257.x;
-    hit_1.y_2 = _S257.y;
+    var _S260 : f32 = refined_height_0(_S250, ray_0, _S258, _S255, _S259, _S251.refinements_0);
+    hit_1.height_5 = _S260;
+    var _S261 : vec2<f32> = ViewRay_at_0(ray_0, _S260);
+    hit_1.x_6 = _S261.x;
+    hit_1.y_2 = _S261.y;
     return hit_1;
 }
 
@@ -1946,47 +1952,47 @@ fn first_hit_of_yarn_0( _S246 : u32,  _S247 : SearchQuality_0,  _S248 : f32,  _S
 @workgroup_size(64, 1, 1)
 fn bake_views(@builtin(global_invocation_id) id_2 : vec3<u32>)
 {
-    var _S258 : u32 = thread_index_0(id_2);
-    var _S259 : u32 = bakes_0[i32(0)].rays_0;
-    var _S260 : u32 = u32(256) * bakes_0[i32(0)].rays_0;
-    if(_S258 >= (u32(2) * _S260))
+    var _S262 : u32 = thread_index_0(id_2);
+    var _S263 : u32 = bakes_0[i32(0)].rays_0;
+    var _S264 : u32 = u32(256) * bakes_0[i32(0)].rays_0;
+    if(_S262 >= (u32(2) * _S264))
     {
         return;
     }
-    var _S261 : u32 = bakes_0[i32(0)].fabric_0;
-    var _S262 : bool = _S258 >= _S260;
-    var _S263 : u32;
-    if(_S262)
+    var _S265 : u32 = bakes_0[i32(0)].fabric_0;
+    var _S266 : bool = _S262 >= _S264;
+    var _S267 : u32;
+    if(_S266)
     {
-        _S263 = _S258 - _S260;
+        _S267 = _S262 - _S264;
     }
     else
     {
-        _S263 = _S258;
+        _S267 = _S262;
     }
-    var _S264 : u32 = _S263 / _S259;
-    var _S265 : u32 = _S263 % _S259;
-    var _S266 : vec2<f32> = sample_position_0(i32(0), _S265, _S264);
-    var _S267 : Hit_0 = first_hit_of_yarn_0(_S261, bake_quality_0(), _S266.x, _S266.y, node_direction_0(_S264), _S262);
-    var hit_2 : SurfaceHit_0 = hit_of_0(surface_at_0(_S261, _S267.x_6, _S267.y_2, _S262), _S267.x_6, _S267.y_2);
-    if((_S267.height_5) <= 0.0f)
+    var _S268 : u32 = _S267 / _S263;
+    var _S269 : u32 = _S267 % _S263;
+    var _S270 : vec2<f32> = lattice_position_0(i32(0), _S269, _S268);
+    var _S271 : Hit_0 = first_hit_of_yarn_0(_S265, bake_quality_0(), _S270.x, _S270.y, node_direction_0(_S268), _S266);
+    var hit_2 : SurfaceHit_0 = hit_of_0(surface_at_0(_S265, _S271.x_6, _S271.y_2, _S266), _S271.x_6, _S271.y_2);
+    if((_S271.height_5) <= 0.0f)
     {
-        _S263 = u32(4);
+        _S267 = u32(4);
     }
     else
     {
-        _S263 = u32(0);
+        _S267 = u32(0);
     }
-    hit_2.flags_0 = ((hit_2.flags_0) | (_S263));
-    hits_0[_S258].x_0 = hit_2.x_0;
-    hits_0[_S258].y_0 = hit_2.y_0;
-    hits_0[_S258].flags_0 = hit_2.flags_0;
-    hits_0[_S258].normal_x_0 = hit_2.normal_x_0;
-    hits_0[_S258].normal_y_0 = hit_2.normal_y_0;
-    hits_0[_S258].normal_z_0 = hit_2.normal_z_0;
-    hits_0[_S258].tangent_x_0 = hit_2.tangent_x_0;
-    hits_0[_S258].tangent_y_0 = hit_2.tangent_y_0;
-    hits_0[_S258].tangent_z_0 = hit_2.tangent_z_0;
+    hit_2.flags_0 = ((hit_2.flags_0) | (_S267));
+    hits_0[_S262].x_0 = hit_2.x_0;
+    hits_0[_S262].y_0 = hit_2.y_0;
+    hits_0[_S262].flags_0 = hit_2.flags_0;
+    hits_0[_S262].normal_x_0 = hit_2.normal_x_0;
+    hits_0[_S262].normal_y_0 = hit_2.normal_y_0;
+    hits_0[_S262].normal_z_0 = hit_2.normal_z_0;
+    hits_0[_S262].tangent_x_0 = hit_2.tangent_x_0;
+    hits_0[_S262].tangent_y_0 = hit_2.tangent_y_0;
+    hits_0[_S262].tangent_z_0 = hit_2.tangent_z_0;
     return;
 }
 
@@ -1994,39 +2000,39 @@ fn bake_views(@builtin(global_invocation_id) id_2 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn bake_gap_starts(@builtin(global_invocation_id) id_3 : vec3<u32>)
 {
-    var _S268 : u32 = thread_index_0(id_3);
-    var _S269 : u32 = bakes_0[i32(0)].rays_0;
-    var _S270 : u32 = u32(256) * bakes_0[i32(0)].rays_0;
-    var _S271 : bool;
-    if(_S268 >= (u32(2) * _S270))
+    var _S272 : u32 = thread_index_0(id_3);
+    var _S273 : u32 = bakes_0[i32(0)].rays_0;
+    var _S274 : u32 = u32(256) * bakes_0[i32(0)].rays_0;
+    var _S275 : bool;
+    if(_S272 >= (u32(2) * _S274))
     {
-        _S271 = true;
+        _S275 = true;
     }
     else
     {
-        _S271 = (((hits_0[_S268].flags_0) & (u32(4)))) == u32(0);
+        _S275 = (((hits_0[_S272].flags_0) & (u32(4)))) == u32(0);
     }
-    if(_S271)
+    if(_S275)
     {
         return;
     }
-    var _S272 : u32 = bakes_0[i32(0)].fabric_0;
-    var _S273 : bool = _S268 >= _S270;
-    var _S274 : u32;
-    if(_S273)
+    var _S276 : u32 = bakes_0[i32(0)].fabric_0;
+    var _S277 : bool = _S272 >= _S274;
+    var _S278 : u32;
+    if(_S277)
     {
-        _S274 = _S268 - _S270;
+        _S278 = _S272 - _S274;
     }
     else
     {
-        _S274 = _S268;
+        _S278 = _S272;
     }
-    var _S275 : u32 = _S274 % _S269;
-    var _S276 : u32 = _S274 / _S269;
-    var _S277 : vec2<f32> = sample_position_0(i32(0), _S275, _S276);
-    if(!shown_at_0(crossing_at_0(_S272, _S277.x, _S277.y, _S273), _S273).hole_0)
+    var _S279 : u32 = _S278 % _S273;
+    var _S280 : u32 = _S278 / _S273;
+    var _S281 : vec2<f32> = lattice_position_0(i32(0), _S279, _S280);
+    if(!shown_at_0(crossing_at_0(_S276, _S281.x, _S281.y, _S277), _S277).hole_0)
     {
-        hits_0[_S268].flags_0 = ((hits_0[_S268].flags_0) & (u32(4294967291)));
+        hits_0[_S272].flags_0 = ((hits_0[_S272].flags_0) & (u32(4294967291)));
     }
     return;
 }
@@ -2036,77 +2042,77 @@ fn scratch_number_0( index_2 : u32) -> f32
     return (bitcast<f32>((scratch_0[index_2])));
 }
 
-fn is_free_0( _S278 : u32,  _S279 : SearchQuality_0,  _S280 : vec3<f32>,  _S281 : vec3<f32>,  _S282 : bool,  _S283 : f32) -> bool
+fn is_free_0( _S282 : u32,  _S283 : SearchQuality_0,  _S284 : vec3<f32>,  _S285 : vec3<f32>,  _S286 : bool,  _S287 : f32) -> bool
 {
-    var _S284 : f32 = _S281.z;
-    if(_S284 <= 0.0f)
+    var _S288 : f32 = _S285.z;
+    if(_S288 <= 0.0f)
     {
         return false;
     }
-    var _S285 : f32 = 1.0f / max(_S279.shadow_share_0 * steps_per_length_0(_S278, _S279, _S281), 9.99999971718068537e-10f);
-    var _S286 : StepControl_0 = step_control_0(_S281.xy, _S285);
+    var _S289 : f32 = 1.0f / max(_S283.shadow_share_0 * steps_per_length_0(_S282, _S283, _S285), 9.99999971718068537e-10f);
+    var _S290 : StepControl_0 = step_control_0(_S285.xy, _S289);
     var previous_4 : PreviousSample_0 = no_previous_sample_0();
     var count_3 : u32 = u32(0);
     var distance_1 : f32 = 0.0f;
     var last_step_1 : f32 = 0.0f;
     for(;;)
     {
-        var _S287 : bool;
+        var _S291 : bool;
         if(count_3 < u32(1024))
         {
-            _S287 = (_S280.z + _S284 * distance_1) < _S283;
+            _S291 = (_S284.z + _S288 * distance_1) < _S287;
         }
         else
         {
-            _S287 = false;
+            _S291 = false;
         }
-        if(_S287)
+        if(_S291)
         {
         }
         else
         {
             break;
         }
-        var _S288 : vec3<f32> = _S280 + _S281 * vec3<f32>(distance_1);
-        var _S289 : Probe_0 = probe_0(_S278, _S288.x, _S288.y, _S282, _S286.right_0, _S286.up_0);
-        var _S290 : f32 = _S288.z;
-        var _S291 : f32 = _S290 - _S289.height_4;
-        var _S292 : f32 = _S284 - _S289.slope_x_1 * _S281.x - _S289.slope_y_1 * _S281.y;
-        var _S293 : bool;
-        if(!_S289.hole_2)
+        var _S292 : vec3<f32> = _S284 + _S285 * vec3<f32>(distance_1);
+        var _S293 : Probe_0 = probe_0(_S282, _S292.x, _S292.y, _S286, _S290.right_0, _S290.up_0);
+        var _S294 : f32 = _S292.z;
+        var _S295 : f32 = _S294 - _S293.height_4;
+        var _S296 : f32 = _S288 - _S293.slope_x_1 * _S285.x - _S293.slope_y_1 * _S285.y;
+        var _S297 : bool;
+        if(!_S293.hole_2)
         {
-            _S293 = _S291 < 0.0f;
+            _S297 = _S295 < 0.0f;
         }
         else
         {
-            _S293 = false;
+            _S297 = false;
         }
-        if(_S293)
+        if(_S297)
         {
             return false;
         }
-        var _S294 : f32 = way_back_to_dip_0(previous_4, _S291, _S292, last_step_1, _S289);
-        if(_S294 >= 0.0f)
+        var _S298 : f32 = way_back_to_dip_0(previous_4, _S295, _S296, last_step_1, _S293);
+        if(_S298 >= 0.0f)
         {
-            var last_step_2 : f32 = last_step_1 - _S294;
-            distance_1 = distance_1 - _S294;
+            var last_step_2 : f32 = last_step_1 - _S298;
+            distance_1 = distance_1 - _S298;
             last_step_1 = last_step_2;
             count_3 = count_3 + u32(1);
             continue;
         }
-        var _S295 : bool = _S290 > (_S289.cell_max_0);
-        var _S296 : PreviousSample_0 = after_sample_0(_S291, _S292, _S289, _S295);
+        var _S299 : bool = _S294 > (_S293.cell_max_0);
+        var _S300 : PreviousSample_0 = after_sample_0(_S295, _S296, _S293, _S299);
         var last_step_3 : f32;
-        if(_S295)
+        if(_S299)
         {
-            last_step_3 = max(StepControl_to_cell_exit_0(_S286, _S289.side_x_1, _S289.side_y_1), _S285);
+            last_step_3 = max(StepControl_to_cell_exit_0(_S290, _S293.side_x_1, _S293.side_y_1), _S289);
         }
         else
         {
-            last_step_3 = StepControl_to_next_sample_0(_S286, _S289, _S291, _S292);
+            last_step_3 = StepControl_to_next_sample_0(_S290, _S293, _S295, _S296);
         }
         var distance_2 : f32 = distance_1 + last_step_3;
-        previous_4 = _S296;
+        previous_4 = _S300;
         distance_1 = distance_2;
         last_step_1 = last_step_3;
         count_3 = count_3 + u32(1);
@@ -2114,46 +2120,46 @@ fn is_free_0( _S278 : u32,  _S279 : SearchQuality_0,  _S280 : vec3<f32>,  _S281 
     return true;
 }
 
-fn passes_through_0( _S297 : u32,  _S298 : SearchQuality_0,  _S299 : f32,  _S300 : f32,  _S301 : vec3<f32>,  _S302 : bool) -> bool
+fn passes_through_0( _S301 : u32,  _S302 : SearchQuality_0,  _S303 : f32,  _S304 : f32,  _S305 : vec3<f32>,  _S306 : bool) -> bool
 {
-    if(!sample_at_0(_S297, _S299, _S300, _S302).shown_2.hole_0)
+    if(!sample_at_0(_S301, _S303, _S304, _S306).shown_2.hole_0)
     {
         return false;
     }
-    var _S303 : vec3<f32> = vec3<f32>(_S299, _S300, 0.0f);
+    var _S307 : vec3<f32> = vec3<f32>(_S303, _S304, 0.0f);
     var passes_0 : bool = true;
     var side_1 : u32 = u32(0);
     for(;;)
     {
-        var _S304 : bool;
+        var _S308 : bool;
         if(side_1 < u32(2))
         {
-            _S304 = passes_0;
+            _S308 = passes_0;
         }
         else
         {
-            _S304 = false;
+            _S308 = false;
         }
-        if(_S304)
+        if(_S308)
         {
         }
         else
         {
             break;
         }
-        var _S305 : vec3<f32>;
+        var _S309 : vec3<f32>;
         if(side_1 == u32(0))
         {
-            _S305 = _S301;
+            _S309 = _S305;
         }
         else
         {
-            _S305 = vec3<f32>(- _S301.x, - _S301.y, _S301.z);
+            _S309 = vec3<f32>(- _S305.x, - _S305.y, _S305.z);
         }
-        var _S306 : bool = is_free_0(_S297, _S298, _S303, _S305, _S302 != (side_1 == u32(1)), fabrics_0[_S297].height_high_0);
-        var _S307 : u32 = side_1 + u32(1);
-        passes_0 = _S306;
-        side_1 = _S307;
+        var _S310 : bool = is_free_0(_S301, _S302, _S307, _S309, _S306 != (side_1 == u32(1)), fabrics_0[_S301].height_high_0);
+        var _S311 : u32 = side_1 + u32(1);
+        passes_0 = _S310;
+        side_1 = _S311;
     }
     return passes_0;
 }
@@ -2162,110 +2168,110 @@ fn passes_through_0( _S297 : u32,  _S298 : SearchQuality_0,  _S299 : f32,  _S300
 @workgroup_size(64, 1, 1)
 fn bake_nulls(@builtin(global_invocation_id) id_4 : vec3<u32>)
 {
-    var _S308 : u32 = thread_index_0(id_4);
-    var _S309 : u32 = bakes_0[i32(0)].rays_0;
-    var _S310 : u32 = u32(256) * bakes_0[i32(0)].rays_0;
-    var _S311 : u32 = u32(2) * _S310;
-    var _S312 : bool = _S308 < _S311;
-    var _S313 : u32;
-    if(_S312)
+    var _S312 : u32 = thread_index_0(id_4);
+    var _S313 : u32 = bakes_0[i32(0)].rays_0;
+    var _S314 : u32 = u32(256) * bakes_0[i32(0)].rays_0;
+    var _S315 : u32 = u32(2) * _S314;
+    var _S316 : bool = _S312 < _S315;
+    var _S317 : u32;
+    if(_S316)
     {
-        _S313 = u32(0);
+        _S317 = u32(0);
     }
     else
     {
-        _S313 = _S308 - _S311;
+        _S317 = _S312 - _S315;
     }
-    var _S314 : u32 = _S313 % u32(128);
-    var _S315 : bool = !_S312;
-    var _S316 : bool;
-    if(_S315)
+    var _S318 : u32 = _S317 % u32(128);
+    var _S319 : bool = !_S316;
+    var _S320 : bool;
+    if(_S319)
     {
-        if(_S313 >= u32(32768))
+        if(_S317 >= u32(32768))
         {
-            _S316 = true;
+            _S320 = true;
         }
         else
         {
-            _S316 = _S314 >= scratch_0[bakes_0[i32(0)].facts_0 + u32(9)];
+            _S320 = _S318 >= scratch_0[bakes_0[i32(0)].facts_0 + u32(9)];
         }
     }
     else
     {
-        _S316 = false;
+        _S320 = false;
     }
-    if(_S316)
+    if(_S320)
     {
         return;
     }
-    if(_S312)
+    if(_S316)
     {
-        _S316 = (((hits_0[_S308].flags_0) & (u32(4)))) == u32(0);
+        _S320 = (((hits_0[_S312].flags_0) & (u32(4)))) == u32(0);
     }
     else
     {
-        _S316 = false;
+        _S320 = false;
     }
-    if(_S316)
+    if(_S320)
     {
         return;
     }
-    var _S317 : u32 = bakes_0[i32(0)].fabric_0;
-    if(_S312)
-    {
-        _S316 = _S308 >= _S310;
-    }
-    else
-    {
-        _S316 = false;
-    }
-    var _S318 : u32;
+    var _S321 : u32 = bakes_0[i32(0)].fabric_0;
     if(_S316)
     {
-        _S318 = _S308 - _S310;
+        _S320 = _S312 >= _S314;
     }
     else
     {
-        _S318 = _S308;
+        _S320 = false;
     }
-    var _S319 : u32;
-    if(_S312)
+    var _S322 : u32;
+    if(_S320)
     {
-        var _S320 : u32 = _S318 / _S309;
-        _S319 = _S320;
+        _S322 = _S312 - _S314;
     }
     else
     {
-        _S319 = _S313 / u32(128);
+        _S322 = _S312;
     }
-    var _S321 : u32 = _S318 % _S309;
-    var _S322 : vec2<f32> = sample_position_0(i32(0), _S321, _S319);
+    var _S323 : u32;
+    if(_S316)
+    {
+        var _S324 : u32 = _S322 / _S313;
+        _S323 = _S324;
+    }
+    else
+    {
+        _S323 = _S317 / u32(128);
+    }
+    var _S325 : u32 = _S322 % _S313;
+    var _S326 : vec2<f32> = lattice_position_0(i32(0), _S325, _S323);
     var place_0 : vec2<f32>;
-    if(_S315)
+    if(_S319)
     {
-        var _S323 : u32 = bakes_0[i32(0)].gaps_0 + u32(2) * _S314;
-        place_0 = vec2<f32>(scratch_number_0(_S323), scratch_number_0(_S323 + u32(1)));
+        var _S327 : u32 = bakes_0[i32(0)].gaps_0 + u32(2) * _S318;
+        place_0 = vec2<f32>(scratch_number_0(_S327), scratch_number_0(_S327 + u32(1)));
     }
     else
     {
-        place_0 = _S322;
+        place_0 = _S326;
     }
-    var _S324 : bool = passes_through_0(_S317, bake_quality_0(), place_0.x, place_0.y, node_direction_0(_S319), _S316);
-    if(_S312)
+    var _S328 : bool = passes_through_0(_S321, bake_quality_0(), place_0.x, place_0.y, node_direction_0(_S323), _S320);
+    if(_S316)
     {
-        if(_S324)
+        if(_S328)
         {
-            _S313 = u32(8);
+            _S317 = u32(8);
         }
         else
         {
-            _S313 = u32(0);
+            _S317 = u32(0);
         }
-        hits_0[_S308].flags_0 = ((hits_0[_S308].flags_0) | (_S313));
+        hits_0[_S312].flags_0 = ((hits_0[_S312].flags_0) | (_S317));
     }
     else
     {
-        scratch_0[bakes_0[i32(0)].gap_nulls_0 + _S313] = u32(_S324);
+        scratch_0[bakes_0[i32(0)].gap_nulls_0 + _S317] = u32(_S328);
     }
     return;
 }
@@ -2275,52 +2281,52 @@ fn start_of_shadow_ray_0( node_1 : u32,  ray_1 : u32,  rays_1 : u32) -> u32
     return (((node_1 * u32(37) + ray_1) & (u32(255)))) * rays_1 + ray_1;
 }
 
-fn unoccluded_0( _S325 : u32,  _S326 : SearchQuality_0,  _S327 : f32,  _S328 : f32,  _S329 : f32,  _S330 : vec3<f32>,  _S331 : bool) -> bool
+fn unoccluded_0( _S329 : u32,  _S330 : SearchQuality_0,  _S331 : f32,  _S332 : f32,  _S333 : f32,  _S334 : vec3<f32>,  _S335 : bool) -> bool
 {
-    if((_S330.z) <= 0.0f)
+    if((_S334.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S325, _S326, vec3<f32>(_S327, _S328, _S329 + fabrics_0[_S325].lift_0), _S330, _S331, max_height_along_0(_S325, _S327, _S328, _S329, _S330, _S331));
+    return is_free_0(_S329, _S330, vec3<f32>(_S331, _S332, _S333 + fabrics_0[_S329].lift_0), _S334, _S335, max_height_along_0(_S329, _S331, _S332, _S333, _S334, _S335));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn bake_shadows(@builtin(global_invocation_id) id_5 : vec3<u32>)
 {
-    var _S332 : u32 = thread_index_0(id_5);
-    var _S333 : u32 = bakes_0[i32(0)].rays_0;
-    var _S334 : u32 = u32(256) * bakes_0[i32(0)].rays_0;
-    if(_S332 >= (u32(2) * _S334))
+    var _S336 : u32 = thread_index_0(id_5);
+    var _S337 : u32 = bakes_0[i32(0)].rays_0;
+    var _S338 : u32 = u32(256) * bakes_0[i32(0)].rays_0;
+    if(_S336 >= (u32(2) * _S338))
     {
         return;
     }
-    var _S335 : u32 = bakes_0[i32(0)].fabric_0;
-    var _S336 : bool = _S332 >= _S334;
+    var _S339 : u32 = bakes_0[i32(0)].fabric_0;
+    var _S340 : bool = _S336 >= _S338;
     var side_2 : u32;
-    if(_S336)
+    if(_S340)
     {
-        side_2 = _S332 - _S334;
+        side_2 = _S336 - _S338;
     }
     else
     {
-        side_2 = _S332;
+        side_2 = _S336;
     }
-    var _S337 : u32 = side_2 / _S333;
-    var _S338 : u32 = side_2 % _S333;
-    var _S339 : u32 = start_of_shadow_ray_0(_S337, _S338, _S333);
-    if(_S336)
+    var _S341 : u32 = side_2 / _S337;
+    var _S342 : u32 = side_2 % _S337;
+    var _S343 : u32 = start_of_shadow_ray_0(_S341, _S342, _S337);
+    if(_S340)
     {
-        side_2 = _S334;
+        side_2 = _S338;
     }
     else
     {
         side_2 = u32(0);
     }
-    var _S340 : u32 = _S339 + side_2;
-    var _S341 : f32 = hits_0[_S340].x_0;
-    var _S342 : f32 = hits_0[_S340].y_0;
-    var _S343 : vec3<f32> = node_direction_0(_S337);
+    var _S344 : u32 = _S343 + side_2;
+    var _S345 : f32 = hits_0[_S344].x_0;
+    var _S346 : f32 = hits_0[_S344].y_0;
+    var _S347 : vec3<f32> = node_direction_0(_S341);
     side_2 = u32(0);
     var lit_1 : u32 = u32(0);
     for(;;)
@@ -2332,160 +2338,160 @@ fn bake_shadows(@builtin(global_invocation_id) id_5 : vec3<u32>)
         {
             break;
         }
-        var _S344 : bool = _S336 != (side_2 == u32(1));
-        var _S345 : SurfacePoint_0 = surface_at_0(_S335, _S341, _S342, _S344);
-        var _S346 : bool;
-        if(!_S345.hole_1)
+        var _S348 : bool = _S340 != (side_2 == u32(1));
+        var _S349 : SurfacePoint_0 = surface_at_0(_S339, _S345, _S346, _S348);
+        var _S350 : bool;
+        if(!_S349.hole_1)
         {
-            _S346 = (dot(_S345.normal_0, _S343)) > 0.0f;
+            _S350 = (dot(_S349.normal_0, _S347)) > 0.0f;
         }
         else
         {
-            _S346 = false;
+            _S350 = false;
         }
-        var _S347 : bool;
-        if(_S346)
+        var _S351 : bool;
+        if(_S350)
         {
-            _S347 = unoccluded_0(_S335, bake_quality_0(), _S341, _S342, _S345.height_1, _S343, _S344);
+            _S351 = unoccluded_0(_S339, bake_quality_0(), _S345, _S346, _S349.height_1, _S347, _S348);
         }
         else
         {
-            _S347 = false;
+            _S351 = false;
         }
-        if(_S347)
+        if(_S351)
         {
             lit_1 = (lit_1 | (((u32(1) << (side_2)))));
         }
         side_2 = side_2 + u32(1);
     }
-    scratch_0[bakes_0[i32(0)].lit_0 + _S332] = lit_1;
+    scratch_0[bakes_0[i32(0)].lit_0 + _S336] = lit_1;
     return;
 }
 
-fn nearest_group_0( _S348 : i32,  _S349 : bool,  _S350 : bool,  _S351 : vec3<f32>,  _S352 : vec3<f32>) -> u32
+fn nearest_group_0( _S352 : i32,  _S353 : bool,  _S354 : bool,  _S355 : vec3<f32>,  _S356 : vec3<f32>) -> u32
 {
-    var _S353 : u32;
-    if(_S349)
+    var _S357 : u32;
+    if(_S353)
     {
-        _S353 = u32(1);
+        _S357 = u32(1);
     }
     else
     {
-        _S353 = u32(0);
+        _S357 = u32(0);
     }
-    var _S354 : u32 = scratch_0[bakes_0[_S348].facts_0 + u32(14) + _S353];
+    var _S358 : u32 = scratch_0[bakes_0[_S352].facts_0 + u32(14) + _S357];
     var nearest_0 : u32;
-    if(_S350)
+    if(_S354)
     {
         nearest_0 = u32(0);
     }
     else
     {
-        nearest_0 = _S354;
+        nearest_0 = _S358;
     }
-    var _S355 : u32;
-    if(_S350)
+    var _S359 : u32;
+    if(_S354)
     {
-        _S355 = _S354;
+        _S359 = _S358;
     }
     else
     {
-        _S355 = u32(2) * bakes_0[_S348].per_family_0;
+        _S359 = u32(2) * bakes_0[_S352].per_family_0;
     }
     var least_0 : f32 = 1000.0f;
     var group_0 : u32 = nearest_0;
     for(;;)
     {
-        if(group_0 < _S355)
+        if(group_0 < _S359)
         {
         }
         else
         {
             break;
         }
-        var _S356 : u32 = bakes_0[_S348].centroids_0 + (_S353 * u32(2) * bakes_0[_S348].per_family_0 + group_0) * u32(6);
-        var _S357 : vec3<f32> = vec3<f32>(0.5f) * _S351 - vec3<f32>(scratch_number_0(_S356), scratch_number_0(_S356 + u32(1)), scratch_number_0(_S356 + u32(2)));
-        var _S358 : vec3<f32> = _S352 - vec3<f32>(scratch_number_0(_S356 + u32(3)), scratch_number_0(_S356 + u32(4)), scratch_number_0(_S356 + u32(5)));
-        var _S359 : f32 = dot(_S357, _S357) + dot(_S358, _S358);
-        if(_S359 < least_0)
+        var _S360 : u32 = bakes_0[_S352].centroids_0 + (_S357 * u32(2) * bakes_0[_S352].per_family_0 + group_0) * u32(6);
+        var _S361 : vec3<f32> = vec3<f32>(0.5f) * _S355 - vec3<f32>(scratch_number_0(_S360), scratch_number_0(_S360 + u32(1)), scratch_number_0(_S360 + u32(2)));
+        var _S362 : vec3<f32> = _S356 - vec3<f32>(scratch_number_0(_S360 + u32(3)), scratch_number_0(_S360 + u32(4)), scratch_number_0(_S360 + u32(5)));
+        var _S363 : f32 = dot(_S361, _S361) + dot(_S362, _S362);
+        if(_S363 < least_0)
         {
             nearest_0 = group_0;
         }
-        var _S360 : f32 = min(least_0, _S359);
-        var _S361 : u32 = group_0 + u32(1);
-        least_0 = _S360;
-        group_0 = _S361;
+        var _S364 : f32 = min(least_0, _S363);
+        var _S365 : u32 = group_0 + u32(1);
+        least_0 = _S364;
+        group_0 = _S365;
     }
     return nearest_0;
 }
 
-fn byte_of_group_0( _S362 : i32,  _S363 : u32) -> u32
+fn byte_of_group_0( _S366 : i32,  _S367 : u32) -> u32
 {
-    var _S364 : u32 = bakes_0[_S362].per_family_0;
-    var _S365 : u32;
-    if(_S363 < (bakes_0[_S362].per_family_0))
+    var _S368 : u32 = bakes_0[_S366].per_family_0;
+    var _S369 : u32;
+    if(_S367 < (bakes_0[_S366].per_family_0))
     {
-        _S365 = _S363;
+        _S369 = _S367;
     }
     else
     {
-        _S365 = _S363 - _S364 + u32(2) * bakes_0[_S362].packs_0;
+        _S369 = _S367 - _S368 + u32(2) * bakes_0[_S366].packs_0;
     }
-    return _S365;
+    return _S369;
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn bake_texels(@builtin(global_invocation_id) id_6 : vec3<u32>)
 {
-    var _S366 : u32 = thread_index_0(id_6);
-    var _S367 : u32 = bakes_0[i32(0)].columns_0;
-    var _S368 : u32 = bakes_0[i32(0)].texels_across_0;
-    var _S369 : u32 = bakes_0[i32(0)].columns_0 * bakes_0[i32(0)].texels_across_0;
-    var _S370 : u32 = bakes_0[i32(0)].rows_0;
-    var _S371 : u32 = bakes_0[i32(0)].texels_along_0;
-    var _S372 : u32 = _S369 * bakes_0[i32(0)].rows_0 * bakes_0[i32(0)].texels_along_0;
-    if(_S366 >= (u32(2) * _S372))
+    var _S370 : u32 = thread_index_0(id_6);
+    var _S371 : u32 = bakes_0[i32(0)].columns_0;
+    var _S372 : u32 = bakes_0[i32(0)].texels_across_0;
+    var _S373 : u32 = bakes_0[i32(0)].columns_0 * bakes_0[i32(0)].texels_across_0;
+    var _S374 : u32 = bakes_0[i32(0)].rows_0;
+    var _S375 : u32 = bakes_0[i32(0)].texels_along_0;
+    var _S376 : u32 = _S373 * bakes_0[i32(0)].rows_0 * bakes_0[i32(0)].texels_along_0;
+    if(_S370 >= (u32(2) * _S376))
     {
         return;
     }
-    var _S373 : u32 = bakes_0[i32(0)].fabric_0;
-    var _S374 : bool = _S366 >= _S372;
-    var _S375 : u32;
-    if(_S374)
+    var _S377 : u32 = bakes_0[i32(0)].fabric_0;
+    var _S378 : bool = _S370 >= _S376;
+    var _S379 : u32;
+    if(_S378)
     {
-        _S375 = _S366 - _S372;
+        _S379 = _S370 - _S376;
     }
     else
     {
-        _S375 = _S366;
+        _S379 = _S370;
     }
-    var _S376 : u32 = _S375 / _S369;
-    var _S377 : u32 = _S375 % _S369;
-    var _S378 : SurfacePoint_0 = surface_at_0(_S373, (f32(_S377) + fraction_of_0(_S375 * u32(3242174889))) * bakes_0[i32(0)].texel_x_0, (f32(_S376) + fraction_of_0(_S375 * u32(2447445413))) * bakes_0[i32(0)].texel_y_0, _S374);
-    var _S379 : u32 = nearest_group_0(i32(0), _S374, _S378.is_warp_1, _S378.normal_0, _S378.tangent_0);
-    if(_S378.hole_1)
+    var _S380 : u32 = _S379 / _S373;
+    var _S381 : u32 = _S379 % _S373;
+    var _S382 : SurfacePoint_0 = surface_at_0(_S377, (f32(_S381) + fraction_of_0(_S379 * u32(3242174889))) * bakes_0[i32(0)].texel_x_0, (f32(_S380) + fraction_of_0(_S379 * u32(2447445413))) * bakes_0[i32(0)].texel_y_0, _S378);
+    var _S383 : u32 = nearest_group_0(i32(0), _S378, _S382.is_warp_1, _S382.normal_0, _S382.tangent_0);
+    if(_S382.hole_1)
     {
-        _S375 = u32(4) * bakes_0[i32(0)].packs_0;
+        _S379 = u32(4) * bakes_0[i32(0)].packs_0;
     }
     else
     {
-        _S375 = byte_of_group_0(i32(0), _S379);
+        _S379 = byte_of_group_0(i32(0), _S383);
     }
-    var _S380 : u32 = _S376 / _S371;
-    var _S381 : u32 = _S380 * _S367;
-    var _S382 : u32 = _S377 / _S368;
-    var _S383 : u32 = _S381 + _S382;
-    var _S384 : u32;
-    if(_S374)
+    var _S384 : u32 = _S380 / _S375;
+    var _S385 : u32 = _S384 * _S371;
+    var _S386 : u32 = _S381 / _S372;
+    var _S387 : u32 = _S385 + _S386;
+    var _S388 : u32;
+    if(_S378)
     {
-        _S384 = _S367 * _S370;
+        _S388 = _S371 * _S374;
     }
     else
     {
-        _S384 = u32(0);
+        _S388 = u32(0);
     }
-    var _S385 : u32 = atomicAdd(&(texel_counters_0[(_S383 + _S384) * (bakes_0[i32(0)].packs_0 + u32(1)) + _S375 / u32(4)]), (u32(1) << ((u32(8) * (_S375 % u32(4))))));
+    var _S389 : u32 = atomicAdd(&(texel_counters_0[(_S387 + _S388) * (bakes_0[i32(0)].packs_0 + u32(1)) + _S379 / u32(4)]), (u32(1) << ((u32(8) * (_S379 % u32(4))))));
     return;
 }
 
