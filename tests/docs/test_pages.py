@@ -68,11 +68,19 @@ def require_words(arguments: list[str]) -> None:
     command.make_context("loomlight", arguments, parent=context)
 
 
+# Fabrics that `examples/*.toml` stands for: one that is drawn, one that is seen through.
+FABRICS = ("linen", "organza")
+
+
 @pytest.fixture
-def clone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder with what a fresh clone has beside the code."""
+def clone(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with what a fresh clone has beside the code, of fabrics what the page names and two more."""
     for folder in ("examples", "experiments"):
         shutil.copytree(ROOT / folder, tmp_path / folder, ignore=shutil.ignore_patterns("*.py", "results"))
+    text = page.read_text(encoding="utf-8")
+    for file in (tmp_path / "examples").glob("*.toml"):
+        if file.stem not in FABRICS and file.name not in text:
+            file.unlink()
     monkeypatch.chdir(tmp_path)
     return tmp_path
 

@@ -52,11 +52,11 @@ def drawn(example: str, sampler: str) -> tuple[np.ndarray, np.ndarray]:
 def test_no_weight_is_a_firefly(example: str, sampler: str) -> None:
     weight, height = drawn(example, sampler)
     # Drawn by the cosine alone, 1 in 100 000 directions at the horizon had a weight of 10 to 100. Direct
-    # light keeps below 8 and 3; so much more, a fifth, do yarns send to each other.
+    # light keeps below 8 and 3; so much more, a fifth and a third, do yarns send to each other.
     assert weight.max() < 9.6
     horizon = (np.abs(height) < 0.01) & (weight > 0)
     assert horizon.sum() > 100
-    assert weight[horizon].max() < 3.6
+    assert weight[horizon].max() < 4
 
 
 def test_black_cloth_draws_directions_too() -> None:

@@ -11,6 +11,7 @@ import os
 import struct
 import sys
 import zlib
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -27,7 +28,8 @@ def draw(size: int, radius: float = 12.0, distance: float = 45.0) -> NDArray[np.
     import wgpu
     from wgpu.backends.wgpu_native.extras import set_instance_extras
 
-    set_instance_extras(backends=["Vulkan", "Metal", "DX12"])
+    with suppress(RuntimeError):  # the program has used wgpu before
+        set_instance_extras(backends=["Vulkan", "Metal", "DX12"])
     adapters = [a for a in wgpu.gpu.enumerate_adapters_sync() if a.info["backend_type"] != "OpenGL"]
     device = min(adapters, key=lambda a: a.info["adapter_type"] == "CPU").request_device_sync()
     code = "\n".join((FOLDER / name).read_text(encoding="utf-8") for name in ("cloth.wgsl", "sample.wgsl"))
