@@ -19,8 +19,10 @@ from loomlight.aggregate.components import (
 )
 from loomlight.core.footprint import Box, Footprint, box_footprint
 from loomlight.core.llvm import require_llvm
+from loomlight.fabric import fabric_from_text
 from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.sheen import sheen_with_transmittance
+from loomlight.yarn.geometry import YarnGeometry
 
 from .fabrics import NAMES, directions, woven
 
@@ -46,6 +48,18 @@ def test_colours_are_the_point_models_values(name: str) -> None:
     point = trace_views(model, *_places(model, rng, COUNT), view).point
     visible = model.visibility(point, light)
     ours = colours(model.appearance, point, light, view, visible).numpy()
+    np.testing.assert_allclose(ours, model.evaluate(point, light, view).numpy(), rtol=1e-5, atol=1e-7)
+
+
+def test_colours_have_light_between_yarns() -> None:
+    rng = np.random.default_rng(4)
+    fabric = fabric_from_text('weave = "twill 2/1"\n[warp]\ncolor = "#c04020"\n[weft]\ncolor = "#ffffff"')
+    model = YarnScattering(YarnGeometry(fabric.layout()), fabric.appearance())
+    light, view = _vectors(directions(rng, COUNT)), _vectors(directions(rng, COUNT))
+    point = trace_views(model, *_places(model, rng, COUNT), view).point
+    visible = model.visibility(point, light)
+    ours = colours(model.appearance, point, light, view, visible).numpy()
+    assert (ours[:, ~visible.numpy() & ~point.hole.numpy()] > 0).all()
     np.testing.assert_allclose(ours, model.evaluate(point, light, view).numpy(), rtol=1e-5, atol=1e-7)
 
 

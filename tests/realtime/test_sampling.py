@@ -27,7 +27,8 @@ from tests.yarn.layouts import TWILL, even_layout
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 COUNT = 10_000
-MAX_FLIPS = 1e-3
+# Share of draws in which rounding decides between two lobes, of which there are sixteen a footprint.
+MAX_FLIPS = 2e-3
 RESULTS = (
     "s.light.x; s.light.y; s.light.z; s.pdf; s.is_null; s.weight.x; s.weight.y; s.weight.z; d; f.x; f.y; f.z"
 )

@@ -55,11 +55,19 @@ class ViewHits:
     wall: Mask
 
 
-def without_sheen_and_variation(model: YarnScattering) -> YarnScattering:
-    """The model without sheen and procedural variation, which components and colours do not include."""
+def without_sheen_and_variation(model: YarnScattering, between_yarns: bool = True) -> YarnScattering:
+    """The model without sheen and procedural variation, which components and colours do not include.
+
+    Args:
+        between_yarns: keep light between yarns, which colours include and components do not.
+    """
     old = model.appearance
     appearance = Appearance(
-        old.warp, old.weft, diffuse_blend=old.diffuse_blend, optical_depth=old.optical_depth
+        old.warp,
+        old.weft,
+        diffuse_blend=old.diffuse_blend,
+        optical_depth=old.optical_depth,
+        openness=old.openness if between_yarns else None,
     )
     return YarnScattering(model.surface, appearance, model.quality, model.horizon)
 
@@ -163,9 +171,10 @@ def colours(
     visible: Mask,
     transmits: bool | None = None,
 ) -> Color3:
-    """f·cos of yarn points with the albedos of their threads: Color3, 1/sr; zero in holes and shadow.
+    """f·cos of yarn points with the albedos of their threads: Color3, 1/sr; zero in holes.
 
-    Exact also where threads of one family differ in colour, unlike mean albedos.
+    Exact also where threads of one family differ in colour, unlike mean albedos. In shadow there is light
+    between yarns alone.
     """
     diffuse, specular = lobes(appearance, point, light, view, transmits)
     albedos = point.albedos
@@ -175,4 +184,9 @@ def colours(
         value = dr.select(to_face_frame(light, point.back).z < 0, transmitted, reflected)
     else:
         value = transmitted if transmits else reflected
-    return dr.select(visible & ~point.hole, value, 0)
+    value = dr.select(visible & ~point.hole, value, 0)
+    if point.bounced is None:
+        return value
+    reflected, transmitted = point.bounced
+    through = to_face_frame(light, point.back).z < 0
+    return value + dr.select(through, transmitted, reflected) * (abs(light.z) * dr.inv_pi)

@@ -113,13 +113,13 @@ class FabricSlices:
             shadows: "searched" evaluates the model's visibility for every point and light (exact, or by the
                 model's horizon map); "mapped" searches each light once on the grid, and points read the
                 nearest texel.
-            with_colours: adds red, green and blue with the albedos of the threads.
+            with_colours: adds red, green and blue with the albedos of the threads and light between them.
             with_light_visibility: adds the share of yarn that light reaches, by which sheen is scaled.
 
         Raises:
             InputError: more than 16 million texels.
         """
-        self.model = without_sheen_and_variation(model)
+        self.model = without_sheen_and_variation(model, between_yarns=with_colours)
         self.grid = fabric_grid(model.surface, texels_per_thread)
         self.channels = CHANNELS + (COLOURS if with_colours else ())
         self.channels += (LIGHT_VISIBILITY,) if with_light_visibility else ()
@@ -316,4 +316,5 @@ def _gathered(point: YarnPoint, index: UInt) -> YarnPoint:
             gather(albedos.specular_reflect),
             gather(albedos.specular_transmit),
         ),
+        bounced=None if point.bounced is None else (gather(point.bounced[0]), gather(point.bounced[1])),
     )

@@ -29,7 +29,7 @@ from loomlight.yarn.search import REFERENCE_QUALITY
 
 PAIRS, FOOTPRINTS = 160, 160
 # Part of every key: to be raised when geometry, scattering, slices or query sets change their values.
-_VERSION = 2
+_VERSION = 3
 _FINE, _COARSE = 64, 32
 _MAX_FINE_REPEAT = 16 * 16
 _TRUTHS = (*CHANNELS, *COLOURS, LIGHT_VISIBILITY)
@@ -119,6 +119,7 @@ def _numbers(fabric: Fabric) -> Iterator[NDArray[np.float64]]:
         for name in ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit"):
             yield np.asarray(getattr(scattering, name), np.float64)
         yield np.array([scattering.roughness])
+    yield np.array([appearance.openness is not None], np.float64)
 
 
 def _read(file: Path, shape: tuple[int, int, int]) -> tuple[QuerySet, NDArray[np.float32]] | None:

@@ -39,10 +39,7 @@ from tests.aggregate.gaussian_means import gaussian_means
 
 require_llvm()
 
-_TWILL = 'weave = "twill 2/1"\n[warp]\ncolor = "#c04020"\n[weft]\ncolor = "#2040c0"'
-TWILL = fabric_from_text(_TWILL)
-# Slices have no light between yarns.
-DIRECT = fabric_from_text("interreflection = false\n" + _TWILL)
+TWILL = fabric_from_text('weave = "twill 2/1"\n[warp]\ncolor = "#c04020"\n[weft]\ncolor = "#2040c0"')
 
 
 def short(**changes: int) -> NeumipSettings:
@@ -113,13 +110,13 @@ def test_files_keep_the_sampler_network_which_learns_what_the_decoders_scatter(t
 @pytest.mark.slow
 def test_queries_are_gaussian_means() -> None:
     """Against Gaussian means of slices: the stream's own draws, with enough rays to compare."""
-    shape = PyramidShape.of(DIRECT.repeat_mm, 16, 2)
-    stream = QueryStream(FabricBtf(DIRECT), shape, 400, seed=2)
+    shape = PyramidShape.of(TWILL.repeat_mm, 16, 2)
+    stream = QueryStream(FabricBtf(TWILL), shape, 400, seed=2)
     queries = stream.part(0, 60)
     assert np.array_equal(stream.part(0, 60).values, queries.values)
     assert not np.array_equal(stream.part(1, 60).positions, queries.positions)
     slices = FabricSlices(
-        YarnScattering(YarnGeometry(DIRECT.layout()), DIRECT.appearance()), llvm_float(), with_colours=True
+        YarnScattering(YarnGeometry(TWILL.layout()), TWILL.appearance()), llvm_float(), with_colours=True
     )
     errors, truths = [], []
     for k in range(len(queries)):
@@ -132,7 +129,7 @@ def test_queries_are_gaussian_means() -> None:
             )
         )
         sigma = shape.texel_mm / math.sqrt(12) * 2 ** float(queries.levels[k])
-        centre = queries.positions[k : k + 1] * np.array(DIRECT.repeat_mm)
+        centre = queries.positions[k : k + 1] * np.array(TWILL.repeat_mm)
         exact = slices.slice(light, view)
         first = exact.channels.index("red")
         truth = gaussian_means(exact.grid, exact.values, centre, sigma)[0, first : first + 3]
