@@ -178,15 +178,11 @@ def colours(
     """
     diffuse, specular = lobes(appearance, point, light, view, transmits)
     albedos = point.albedos
+    through = to_face_frame(light, point.back).z < 0 if transmits is None else transmits
     reflected = albedos.diffuse_reflect * diffuse + albedos.specular_reflect * specular
     transmitted = albedos.diffuse_transmit * diffuse + albedos.specular_transmit * specular
-    if transmits is None:
-        value = dr.select(to_face_frame(light, point.back).z < 0, transmitted, reflected)
-    else:
-        value = transmitted if transmits else reflected
-    value = dr.select(visible & ~point.hole, value, 0)
+    value = dr.select(visible & ~point.hole, dr.select(through, transmitted, reflected), 0)
     if point.bounced is None:
         return value
     reflected, transmitted = point.bounced
-    through = to_face_frame(light, point.back).z < 0
     return value + dr.select(through, transmitted, reflected) * (abs(light.z) * dr.inv_pi)

@@ -110,6 +110,7 @@ template <typename V> CLOTH_INLINE auto _slang_vector_get_element(const V& vecto
 }
 template <typename V> CLOTH_INLINE auto* _slang_vector_get_element_ptr(V* vector, int index) { return &vector->x + index; }
 
+template <typename A, typename B> CLOTH_INLINE auto _slang_select(bool condition, A yes, B no) { return condition ? yes : no; }
 CLOTH_INLINE uint U32_min(uint a, uint b) { return a < b ? a : b; }
 CLOTH_INLINE uint U32_max(uint a, uint b) { return a > b ? a : b; }
 CLOTH_INLINE int I32_min(int a, int b) { return a < b ? a : b; }

@@ -2917,16 +2917,8 @@ fn blocked_from_0( _S533 : u32,  _S534 : vec3<f32>,  _S535 : bool,  _S536 : bool
 
 fn family_share_0( _S539 : u32,  _S540 : u32,  _S541 : f32) -> vec2<f32>
 {
-    var _S542 : vec2<f32>;
-    if(_S540 < (fabrics_0[_S539].clustered_0.clusters_0 / u32(2)))
-    {
-        _S542 = vec2<f32>(_S541, 0.0f);
-    }
-    else
-    {
-        _S542 = vec2<f32>(0.0f, _S541);
-    }
-    return _S542;
+    var _S542 : bool = _S540 < (fabrics_0[_S539].clustered_0.clusters_0 / u32(2));
+    return vec2<f32>(select(0.0f, _S541, _S542), select(_S541, 0.0f, _S542));
 }
 
 fn clustered_shown_0( _S543 : u32,  _S544 : ViewedBase_0) -> vec2<f32>
