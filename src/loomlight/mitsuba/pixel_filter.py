@@ -57,8 +57,10 @@ class PixelFilter:
         name: class of the film's filter, such as "GaussianFilter".
         radius: where the filter ends, pixels.
         centred: all rays go through the pixel's centre, and footprints have all of the variance.
-        apart: every sample counts in its own pixel alone, so that no two pixels share noise: rays are drawn
-            from all of the filter, and footprints have all of its variance.
+        apart: every sample counts in its own pixel alone, so that no two pixels share noise: samples are
+            drawn from the filter in place of being splatted. Footprints of all of its variance at the pixel's
+            centre would do for texture, but fabrics judge a pattern by few moments: where yarns are about as
+            wide as pixels, rings of moiré stay in the mean of many samples.
     """
 
     name: str
@@ -87,7 +89,7 @@ class PixelFilter:
 
     @property
     def _footprint_share(self) -> float:
-        return 1.0 if self.centred or self.apart else _FOOTPRINT_SHARES[self.name]
+        return 1.0 if self.centred else _FOOTPRINT_SHARES[self.name]
 
     @property
     def splat_deviation(self) -> float | None:
@@ -109,13 +111,19 @@ class PixelFilter:
             return SamplePlaces(mi.Vector2f(0), first * (2 * self.radius))
         if self.name == "TentFilter":
             # A box upon a box of half its width.
-            places = SamplePlaces(first * self.radius, second * self.radius)
-            return SamplePlaces(mi.Vector2f(0), places.sample + places.offset) if self.apart else places
-        # Mitsuba lowers the Gaussian by its value at the end, a thousandth of its mass in all; not here.
-        inside = math.erf(_REACH / math.sqrt(2))
-        deviation = math.sqrt(self._footprint_share * self.variance)
-        offset = (math.sqrt(2) * deviation) * dr.erfinv(2 * inside * second)
-        return SamplePlaces(mi.Vector2f(0) if self.apart else first, offset)
+            return SamplePlaces(first * self.radius, second * self.radius)
+        deviation = math.sqrt(self.variance)
+        offset = _normal(second, deviation * math.sqrt(self._footprint_share))
+        return SamplePlaces(_normal(first, deviation * _SPLATTED) if self.apart else first, offset)
+
+
+def _normal(uniform: Any, deviation: float) -> Any:
+    """Normal numbers [2] of uniform ones in [-0.5, 0.5) [2].
+
+    Mitsuba lowers the Gaussian by its value at the end, a thousandth of its mass in all; not here.
+    """
+    inside = math.erf(_REACH / math.sqrt(2))
+    return (math.sqrt(2) * deviation) * dr.erfinv(2 * inside * uniform)
 
 
 # Variances over squared radii, and the shares of them that footprints take.
