@@ -17,7 +17,7 @@ SOURCE = ROOT / "src" / "loomlight"
 FOLDERS = ("src", "papers", "tests", "benchmarks", "experiments", "tools")
 MAX_LINES, MAX_LINES_OF_A_FUNCTION = 500, 100
 # The budget of src: who adds takes elsewhere.
-MAX_SOURCE_LINES = 53_400
+MAX_SOURCE_LINES = 53_000
 # Of the parameters that have an annotation, at most this share may say `Any` in it.
 MAX_ANY = 0.07
 

@@ -1,6 +1,6 @@
 """Generated files are in step with their sources, and compilers of other makers accept them.
 
-Covers: realtime/constants.py
+Covers: tools/shaders/constants.py
 """
 
 from __future__ import annotations
@@ -15,12 +15,12 @@ import numpy as np
 import pytest
 
 from loomlight.models.lobes import density, visibility_rays
-from loomlight.realtime import build
-from loomlight.realtime.build import DIGESTS, WGSL, digests, generated_files, generated_slang
-from loomlight.realtime.constants import number_text, prefixed_numbers, shader_constants
 from loomlight.realtime.device import default_adapter
 from loomlight.realtime.models import REALTIME_MODELS
 from loomlight.realtime.slangc import SHADERS, TARGETS, compile_shader, library_code, library_models
+from tools.shaders import build
+from tools.shaders.build import DIGESTS, WGSL, digests, generated_files, generated_slang
+from tools.shaders.constants import number_text, prefixed_numbers, shader_constants
 
 COOPERATIVE_MULTIPLY_ADD = 5292  # OpCooperativeVectorMatrixMulAddNV
 
@@ -30,7 +30,7 @@ def test_generated_slang_is_in_step() -> None:
 
 
 def test_generated_shaders_are_in_step() -> None:
-    """Run `python -m loomlight.realtime.build` after edits of Slang, or of what is generated."""
+    """Run `python -m tools.shaders.build` after edits of Slang, or of what is generated."""
     assert digests() == json.loads(DIGESTS.read_text(encoding="utf-8"))
 
 
