@@ -33,6 +33,24 @@ def test_names_load_no_model() -> None:
     assert done.returncode == 0, done.stderr
 
 
+def test_without_llvmlite_all_models_but_networks_are_there() -> None:
+    program = (
+        "import sys\nsys.modules['llvmlite'] = None\n"
+        "from loomlight.core.errors import MissingDependencyError\n"
+        "from loomlight.models.registry import MODELS, model_class\n"
+        "for name, entry in MODELS.items():\n"
+        "    try:\n        model_class(name)\n        assert not entry.has_network\n"
+        "    except MissingDependencyError as error:\n        print(error)\n"
+        "from loomlight.cli.doctor import findings\n"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stderr
+    command = "pip install 'loomlight[networks]'"
+    assert done.stdout.splitlines() == [
+        f"The model {name} needs llvmlite: {command}." for name in ("neural", "neumip", "latent")
+    ]
+
+
 def test_settings_come_back(tmp_path: Path) -> None:
     write_loom(tmp_path / "a.loom", SampledModel(fabric_from_text("plain"), 7).to_loom())
     actual = model_from_loom(tmp_path / "a.loom")

@@ -7,6 +7,7 @@ import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
+from importlib.util import find_spec
 
 import typer
 
@@ -29,12 +30,11 @@ PACKAGES = (
     "mapbox-earcut",
     "DracoPy",
     "safetensors",
-    "llvmlite",
-    "numba",
     "flip-evaluator",
 )
 # By package: the extra that installs it, and what it is for.
 EXTRAS = {
+    "llvmlite": ("networks", "for the models neural, neumip and latent"),
     "onnxruntime": ("neural", "to encode fabrics for the network"),
     "zarr": ("data", "to write data sets"),
     "torch": ("train", "to train neumip and latent"),
@@ -100,7 +100,7 @@ def findings() -> Iterator[Finding]:
         return
     llvm = _llvm()
     yield llvm
-    yield _kernels()
+    yield from _kernels()
     yield _cuda()
     yield _adapter()
     if llvm.remedy is None:
@@ -142,12 +142,15 @@ def _llvm() -> Finding:
     return Finding("LLVM", shown)
 
 
-def _kernels() -> Finding:
+def _kernels() -> Iterator[Finding]:
+    if find_spec("llvmlite") is None:
+        return
     from loomlight.core.simd import host_target, kernels_work
 
-    if not kernels_work():
-        return Finding("SIMD kernels", "compute wrongly", "python -m pip install --upgrade llvmlite")
-    return Finding("SIMD kernels", f"{host_target().width} lanes")
+    if kernels_work():
+        yield Finding("SIMD kernels", f"{host_target().width} lanes")
+    else:
+        yield Finding("SIMD kernels", "compute wrongly", "python -m pip install --upgrade llvmlite")
 
 
 def _cuda() -> Finding:

@@ -1,4 +1,4 @@
-"""Functions that release Python's lock (numpy's loops, Numba's with `nogil`), run on all cores."""
+"""Functions that release Python's lock (numpy's loops), run on all cores."""
 
 from __future__ import annotations
 
@@ -21,8 +21,7 @@ def core_count() -> int:
 def parallel_map(function: Callable[[_Item], _Result], items: Iterable[_Item]) -> list[_Result]:
     """Results of a function, in the order of the items; the caller's thread takes its share of them.
 
-    Any number of threads may call it at once. (Numba's own threads may not be used so: its "workqueue" layer
-    ends the process when two threads call it, and OpenMP's when a process that forked does.)
+    Any number of threads may call it at once.
 
     Threads of the pool keep no reference to the function, an item or a result: what these hold is freed by
     the caller's thread. A pool thread that frees memory of Dr.Jit waits for Dr.Jit's lock with Python's lock

@@ -32,7 +32,6 @@ from loomlight.mitsuba.scenes import (
     build_scene,
 )
 from loomlight.mitsuba.time_estimate import (
-    LOOPS_SECONDS,
     MODEL_SECONDS,
     SCENE_SECONDS,
     START_SECONDS,
@@ -41,9 +40,8 @@ from loomlight.mitsuba.time_estimate import (
     sample_seconds,
 )
 from loomlight.mitsuba.variants import choose_variant
-from loomlight.models.compile_ahead import compile_ahead, loops_are_compiled, wait_for_loops
 from loomlight.models.material_spec import Material, MaterialSpec, resolve
-from loomlight.models.registry import DEFAULT_MODEL, REFERENCE_MODEL
+from loomlight.models.registry import REFERENCE_MODEL
 
 DEFAULT_SAMPLES = 9
 # Of a pixel of the close-up's film, which has seven for each pixel that is shown.
@@ -181,7 +179,6 @@ def render(
             f"inset = {settings.inset} does not go with the scene {scene}, whose camera is its own."
         )
     job = RenderJob(shown_material(material, settings), scene, settings)
-    loops = compile_ahead("" if job.material.held else job.material.model_name)
     estimate = TimeEstimate(job.seconds(partial is not None), progress)
     with estimate.step("start"):
         choose_variant(settings.variant)
@@ -189,7 +186,6 @@ def render(
         with estimate.step("coarse"):
             partial(job.coarse_picture(job.coarse_size))
     with estimate.step("bake"):
-        wait_for_loops(loops)
         shown, close_up = job.scene_and_inset()
     return job.refined_picture(shown, close_up, estimate, partial).view(Picture)
 
@@ -258,8 +254,6 @@ class RenderJob:
         cost = MODEL_SECONDS.get(model, ModelSeconds())
         pixels = self._size[0] * self._size[1]
         steps = {"start": START_SECONDS, "bake": SCENE_SECONDS + (0.0 if is_baked else cost.bake)}
-        if model == DEFAULT_MODEL and not is_baked and not loops_are_compiled():
-            steps["bake"] += LOOPS_SECONDS
         if partial and self.coarse_size is not None:
             samples = (1 + self._inset) * _COARSE_SAMPLES * self.coarse_size[0] * self.coarse_size[1]
             steps["coarse"] = (

@@ -16,7 +16,7 @@ class ModelSeconds:
     """Cost of a model on two cores of a Zen 4 server, seconds.
 
     Attributes:
-        bake: with compiled loops on disk.
+        bake: of a process that has not baked before.
         compile: of the rendering kernel.
         million: samples of paths of eight segments, in millions.
     """
@@ -28,7 +28,7 @@ class ModelSeconds:
 
 # A wrong prediction only shows until the first pass is over.
 MODEL_SECONDS = {
-    "lobes": ModelSeconds(bake=0.7, compile=2.5, million=2.0),
+    "lobes": ModelSeconds(bake=0.4, compile=2.5, million=2.0),
     "point": ModelSeconds(compile=1.1, million=0.9),
     "neural": ModelSeconds(bake=1.5, compile=3.0, million=4.0),
     "samples": ModelSeconds(compile=2.5, million=8.0),
@@ -36,8 +36,6 @@ MODEL_SECONDS = {
 # Of setting Mitsuba's variant, which loads LLVM.
 START_SECONDS = 0.4
 SCENE_SECONDS = 0.5
-# Loops of baking that no earlier process has compiled.
-LOOPS_SECONDS = 7.0
 _CORES_OF_FIGURES = 2
 # Weight of the prediction against what is measured, seconds.
 _TRUST = 1.0

@@ -14,6 +14,7 @@ from typing import Any
 from loomlight.assets.loom_file import FIRST_USABLE_SCHEMA, LoomFile, read_loom
 from loomlight.assets.sources import Source
 from loomlight.core.errors import InputError
+from loomlight.core.extras import import_extra
 from loomlight.fabric.reading import speaking_of
 from loomlight.fabric.sentences import closest, shown
 from loomlight.models.interface import Model
@@ -27,12 +28,14 @@ class ModelEntry:
         module, class_name: its class.
         plugin: name of its BSDF in Mitsuba.
         summary: what it is, for a list of models.
+        has_network: it evaluates a network, by kernels that LLVM compiles.
     """
 
     module: str
     class_name: str
     plugin: str
     summary: str = ""
+    has_network: bool = False
 
 
 MODELS: dict[str, ModelEntry] = {
@@ -59,6 +62,7 @@ MODELS: dict[str, ModelEntry] = {
         "NeuralModel",
         "woven_neural",
         "the network of Chen et al. 2024, for repeats of up to 64 threads",
+        has_network=True,
     ),
     "clustered": ModelEntry(
         "loomlight.models.clustered.model",
@@ -71,12 +75,14 @@ MODELS: dict[str, ModelEntry] = {
         "NeumipModel",
         "neumip",
         "a network trained for one source (NeuMIP, Kuznetsov et al. 2021)",
+        has_network=True,
     ),
     "latent": ModelEntry(
         "loomlight.models.latent.model",
         "LatentModel",
         "latent",
         "network and sampler trained for one source (Zeltner et al. 2024)",
+        has_network=True,
     ),
 }
 DEFAULT_MODEL = "lobes"
@@ -100,9 +106,12 @@ def model_class(name: str) -> type[Model]:
 
     Raises:
         InputError: there is none of that name.
+        MissingDependencyError: it has a network, and llvmlite is not installed.
     """
     require_model_name(name)
     entry = MODELS[name]
+    if entry.has_network:
+        import_extra("llvmlite", "networks", f"The model {name}")
     found: type[Model] = getattr(import_module(entry.module), entry.class_name)
     return found
 

@@ -40,7 +40,6 @@ _ROW_OF_GROUPS = 32768
 _STEP_BYTES = 256
 # Where weights begin among the words of a step, and their number along an axis; see `bake_coverage.slang`.
 FIRST_WEIGHT = 16
-# As in `models.lobes.accumulation`, which would load Numba.
 _VIEW_SUMS, _LIGHT_SUMS = 13, 5
 _TOP_DOWN = cloth_samples.TOP_DOWN_SAMPLES
 _LIST = max(_TOP_DOWN, NODES * visibility_rays.SAMPLED_VIEWS)

@@ -1,22 +1,21 @@
-"""Sums over rays by group, by Numba, against numpy."""
+"""Groups of rays and sums over rays by group, against loops and formulas in double precision."""
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
+from drjit.llvm import Array3f, Bool
 from numpy.typing import NDArray
 
 from loomlight.models.lobes.accumulation import (
     LIGHT_SUMS,
     VIEW_SUMS,
-    HitArrays,
-    accumulate_light,
-    accumulate_views,
+    group_of_hits,
+    light_sums,
+    view_sums,
 )
 from loomlight.models.lobes.groups import NORMAL_WEIGHT, Groups
 from loomlight.models.lobes.hemisphere import NODES, node_directions
-from loomlight.models.lobes.visibility_rays import start_of_shadow_ray
+from loomlight.models.lobes.visibility_rays import SurfaceHits, start_of_shadow_ray
 
 RAYS, PER_FAMILY, WARP_COUNT = 256, 6, (8, 4)
 GROUPS = 2 * PER_FAMILY
@@ -34,7 +33,7 @@ def _unit_vectors(rng: np.random.Generator, count: int) -> NDArray[np.float32]:
 
 
 class _Rays:
-    """Random hits, and the group of each by numpy; −1 where nothing counts."""
+    """Random hits, and the group of each by numpy; GROUPS where nothing counts."""
 
     def __init__(self, seed: int) -> None:
         rng = np.random.default_rng(seed)
@@ -47,27 +46,38 @@ class _Rays:
         none = np.zeros(0)
         self.groups = Groups(PER_FAMILY, np.array(WARP_COUNT), centroids, none, none, none, none)
         features = np.concatenate([np.float32(NORMAL_WEIGHT) * self.normal, self.tangent]).T
-        self.group = np.full(COUNT, -1)
+        self.group = np.full(COUNT, GROUPS)
         for face, rays in enumerate(np.split(np.arange(COUNT), 2)):
             distance = np.square(features[rays, None] - centroids[face]).sum(axis=2)
             distance[is_warp_group[face] != self.is_warp[rays, None]] = np.inf
-            self.group[rays] = np.where(self.is_skipped[rays], -1, distance.argmin(axis=1))
+            self.group[rays] = np.where(self.is_skipped[rays], GROUPS, distance.argmin(axis=1))
 
-    def hits(self) -> HitArrays:
-        return HitArrays(self.is_warp, self.is_skipped, tuple(self.normal), tuple(self.tangent))
+    def found(self) -> NDArray[np.uint32]:
+        """The group of each by Dr.Jit."""
+        hits = SurfaceHits(
+            Bool(self.is_warp), Bool(self.is_skipped), Array3f(self.normal), Array3f(self.tangent)
+        )
+        return group_of_hits(hits, Bool(self.is_skipped), self.groups)
 
     def sums(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
         """Sums of values [n] by face, node and group."""
         block = np.arange(COUNT) // RAYS
-        counts = self.group >= 0
+        counts = self.group < GROUPS
         place = block[counts] * GROUPS + self.group[counts]
         return np.bincount(place, values[counts], 2 * NODES * GROUPS).reshape(2, NODES, GROUPS)
 
 
+def test_hits_are_of_the_nearest_group() -> None:
+    rays = _Rays(1)
+    found = rays.found()
+    # Of as good as equal distances, either is right: in single precision few of 131,072 differ.
+    assert np.mean(found != rays.group) < 1e-4
+    np.testing.assert_array_equal(found == GROUPS, rays.is_skipped)
+
+
 def test_views_are_summed_by_group() -> None:
     rays = _Rays(1)
-    actual, group_of = accumulate_views(rays.hits(), rays.groups)
-    np.testing.assert_array_equal(group_of, rays.group)
+    actual = view_sums(rays.normal, rays.tangent, rays.group.astype(np.uint32), GROUPS)
     normal, tangent = rays.normal.astype(float), rays.tangent.astype(float)
     expected = [np.ones(COUNT), *normal, *tangent, *(tangent[i] * tangent[j] for i, j in PRODUCTS)]
     assert len(expected) == VIEW_SUMS
@@ -81,7 +91,7 @@ def test_light_is_summed_by_group() -> None:
     rays = _Rays(2)
     is_lit_behind = np.random.default_rng(5).random(COUNT) < 0.3
     is_lit = rays.is_lit, is_lit_behind
-    actual = accumulate_light(rays.hits(), rays.group.astype(np.int32), is_lit, rays.groups, BLEND)
+    actual = light_sums(rays.normal, rays.group.astype(np.uint32), is_lit, GROUPS, BLEND)
     node, ray = np.divmod(np.arange(NODES * RAYS), RAYS)
     starts = start_of_shadow_ray(node, ray, RAYS)
     assert len(np.unique(starts)) == len(starts)
@@ -107,12 +117,4 @@ def test_a_ray_counts_where_its_face_has_such_groups() -> None:
     features = np.concatenate([NORMAL_WEIGHT * rays.normal[:, number], rays.tangent[:, number]])
     rays.groups.centroids[1, 0] = features
     rays.groups.centroids[1, 7] = features + 0.01
-    actual = accumulate_views(rays.hits(), rays.groups)[0][..., 0]
-    others = rays.is_skipped.copy()
-    rays.is_skipped[:] = True
-    rays.is_skipped[number] = False
-    only = accumulate_views(rays.hits(), rays.groups)[0][..., 0]
-    assert only.sum() == 1
-    assert only[1, 0, 7] == 1
-    assert actual[1, 0, 7] >= 1
-    assert math.isclose(actual.sum(), (~others).sum())
+    assert rays.found()[number] == 7

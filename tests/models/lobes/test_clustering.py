@@ -1,4 +1,4 @@
-"""Bisecting splits and k-means by Numba, against formulas in double precision."""
+"""Bisecting splits and k-means against formulas in double precision."""
 
 from __future__ import annotations
 
@@ -55,11 +55,10 @@ def test_clusters_are_those_of_an_eigensolver(count: int, clusters: int) -> None
     points = _cloud(count, count + clusters).round(4)
     actual = BisectingClusters(points, 16)
     expected = _split_by_numpy(points, clusters)
-    # Power iterations leave 2 % of the second axis at most: a point or two near the boundary go either way.
     means = np.array([cluster.mean(axis=0) for cluster in expected])
-    np.testing.assert_allclose(_sorted(actual.means(clusters)), _sorted(means), atol=0.02)
+    np.testing.assert_allclose(_sorted(actual.means(clusters)), _sorted(means), atol=ROUNDING)
     error = sum(map(_squared_error, expected)) / count
-    assert actual.error(clusters) == pytest.approx(error, rel=1e-3)
+    assert actual.error(clusters) == pytest.approx(error, rel=ROUNDING)
 
 
 def test_refined_means_are_those_of_k_means() -> None:

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import drjit as dr
 import numpy as np
@@ -19,9 +18,7 @@ from loomlight.core.arrays import Float, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, upload
 from loomlight.core.parallel_map import parallel_map
 from loomlight.models.lobes.cloth_samples import GOLDEN_FRACTION, FaceSamples, TopDownSamples
-
-if TYPE_CHECKING:
-    from loomlight.models.lobes.clustering import BisectingClusters
+from loomlight.models.lobes.clustering import BisectingClusters
 
 # Weight of the normal beside the fibre direction in distances: highlights are narrow in the latter.
 NORMAL_WEIGHT = 0.5
@@ -113,9 +110,6 @@ def find_groups(top_down: TopDownSamples, from_views: FaceSamples, per_family: i
         from_views: hits of views from the whole hemisphere, which groups are fitted to: yarn that dives under
             other yarns is a large part of the top-down samples, and seldom visible.
     """
-    # Imported here as Numba takes tenths of a second to load, and only baking needs it.
-    from loomlight.models.lobes.clustering import BisectingClusters
-
     top_down_families, view_families = top_down.by_family(), from_views.by_family()
     hits = [len(family) for family in view_families]
     points_of_family = [

@@ -19,6 +19,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.models.lobes.accumulation import group_of_hits, light_sums, view_sums
 from loomlight.models.lobes.groups import Groups, with_view_moments
 from loomlight.models.lobes.hemisphere import AZIMUTHS, NODES, RINGS, node_directions
 from loomlight.models.lobes.visibility_rays import VisibilityRays
@@ -53,21 +54,16 @@ def tabulate_visibility(
     Args:
         diffuse_blend: w, the weight of the yarn normal in the diffuse term.
     """
-    # Imported here as Numba takes tenths of a second to load, and only baking needs it.
-    from loomlight.models.lobes.accumulation import accumulate_light, accumulate_views, hit_arrays
-
-    views = rays.views.hits
-    is_skipped = views.hole.numpy()
-    if rays.view_is_null is not None:
-        is_skipped = is_skipped | rays.view_is_null.numpy()
-    hits = hit_arrays(views, is_skipped)
-    view_sums, group_of = accumulate_views(hits, groups)
-    view_sums = _with_one_zenith(view_sums)
-    groups = with_view_moments(groups, view_sums.sum(axis=1, dtype=np.float64))
+    hits = rays.views.hits
+    is_skipped = hits.hole if rays.view_is_null is None else hits.hole | rays.view_is_null
+    group_of = group_of_hits(hits, is_skipped, groups)
+    normal, tangent = ([part.numpy() for part in vector] for vector in (hits.normal, hits.tangent))
+    of_views = _with_one_zenith(view_sums(normal, tangent, group_of, groups.count))
+    groups = with_view_moments(groups, of_views.sum(axis=1, dtype=np.float64))
     is_lit = rays.is_lit.numpy(), rays.is_lit_behind.numpy()
-    light_sums = _with_one_zenith(accumulate_light(hits, group_of, is_lit, groups, diffuse_blend))
-    light_tables = _light_tables(light_sums, groups, diffuse_blend)
-    return VisibilityTables(_projected_area(rays, groups, view_sums[..., 0]), *light_tables), groups
+    of_light = _with_one_zenith(light_sums(normal, group_of, is_lit, groups.count, diffuse_blend))
+    light_tables = _light_tables(of_light, groups, diffuse_blend)
+    return VisibilityTables(_projected_area(rays, groups, of_views[..., 0]), *light_tables), groups
 
 
 def _with_one_zenith(sums: NDArray[np.float32]) -> NDArray[np.float32]:
