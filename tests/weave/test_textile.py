@@ -20,33 +20,7 @@ from loomlight.weave import (
     summary,
     unbound_threads,
     yarn_diameter_mm,
-    yarn_tex,
 )
-
-
-@pytest.mark.parametrize(
-    ("count", "tex"),
-    [
-        ("30 tex", 30),
-        ("30tex", 30),
-        ("2x20 tex", 40),
-        ("167 dtex", 16.7),
-        ("150 denier", 150 / 9),
-        ("Ne 30", 590.54 / 30),
-        ("NE 40/2", 590.54 / 40 * 2),
-        ("Nm 28/2", 1000 / 28 * 2),
-    ],
-)
-def test_yarn_counts(count: str, tex: float) -> None:
-    assert yarn_tex(count) == pytest.approx(tex, rel=1e-5)
-
-
-@pytest.mark.parametrize(
-    "count", ["", "thin", "Ne", "Ne 0", "-3 tex", "tex", "1e9 tex", "999999999 tex", "Ne 40/0"]
-)
-def test_bad_yarn_counts(count: str) -> None:
-    with pytest.raises(InputError, match="yarn count"):
-        yarn_tex(count)
 
 
 @given(st.floats(1, 120))

@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.file import YarnTable
 from loomlight.fabric.yarns import with_yarns, yarn_density
-from loomlight.weave.textile import per_inch, tex_of_diameter, yarn_diameter_mm, yarn_tex
+from loomlight.weave.textile import per_inch, tex_of_diameter, yarn_diameter_mm
+from loomlight.weave.yarn_count import yarn_tex
 from loomlight.yarn.layout import FamilyLayout
 
 # Yarn cannot be longer than that over the cloth: jammed plain weaves have crimps up to .3.

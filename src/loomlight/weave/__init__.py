@@ -20,11 +20,11 @@ from loomlight.weave.textile import (
     unbound_threads,
     warp_cover,
     yarn_diameter_mm,
-    yarn_tex,
 )
 from loomlight.weave.wif_reader import read_wif
 from loomlight.weave.wif_source import FamilyDefaults, WifSource
 from loomlight.weave.wif_writer import write_wif
+from loomlight.weave.yarn_count import yarn_tex
 
 __all__ = [
     "DEFAULT_SETT_PER_CM",

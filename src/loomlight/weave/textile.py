@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,6 +11,7 @@ from numpy.typing import NDArray
 from loomlight.core.colour import to_hex
 from loomlight.core.errors import InputError
 from loomlight.weave.draft import Draft, Threads
+from loomlight.weave.yarn_count import yarn_tex
 
 CM_PER_INCH = 2.54
 DEFAULT_SETT_PER_CM = 20.0
@@ -23,17 +23,6 @@ DEFAULT_PACKING = 0.6
 # Crossings of the threads whose floats are measured at once.
 _CROSSINGS_AT_ONCE = 1 << 18
 
-_NUMBER = r"(\d+(?:\.\d+)?)"
-_DIRECT = re.compile(_NUMBER + r"\s*(?:x\s*(\d+)\s*)?(dtex|tex|denier|den|ktex)")
-_INDIRECT = re.compile(r"(ne|nec|nm)\s*" + _NUMBER + r"(?:\s*/\s*(\d+))?")
-_TEX_PER = {"tex": 1.0, "dtex": 0.1, "ktex": 1000.0, "denier": 1 / 9, "den": 1 / 9}
-# Ne counts hanks of 840 yd a pound, Nm kilometres a kilogram.
-_TEX_OF_COUNT = {
-    "ne": 1000 * 453.59237 / (840 * 0.9144),
-    "nec": 1000 * 453.59237 / (840 * 0.9144),
-    "nm": 1000.0,
-}
-
 
 def per_cm(per_inch: float) -> float:
     """Threads per centimetre of threads per inch (epi, ppi)."""
@@ -43,35 +32,6 @@ def per_cm(per_inch: float) -> float:
 def per_inch(per_cm: float) -> float:
     """Threads per inch of threads per centimetre."""
     return per_cm * CM_PER_INCH
-
-
-def yarn_tex(count: str) -> float:
-    """Linear density in tex (g/km) of a yarn count.
-
-    Direct systems: "30 tex", "2x20 tex" (two plies), "300 dtex", "150 denier". Indirect ones: "Ne 40" (cotton
-    count), "Ne 40/2" (two plies of Ne 40), "Nm 28/2".
-
-    Raises:
-        InputError: none of these, or a count outside 0.1 to 100 000 tex.
-
-    Source: ISO 1144 (tex system); ISO 2947 (conversion between systems).
-    """
-    text = " ".join(count.lower().split())
-    direct, indirect = _DIRECT.fullmatch(text), _INDIRECT.fullmatch(text)
-    if direct:
-        tex = float(direct.group(1)) * int(direct.group(2) or 1) * _TEX_PER[direct.group(3)]
-    elif indirect and float(indirect.group(2)) > 0:
-        tex = _TEX_OF_COUNT[indirect.group(1)] / float(indirect.group(2)) * int(indirect.group(3) or 1)
-    else:
-        raise InputError(
-            f'The yarn count "{count.strip()[:40]}" is not known; write it like "30 tex", '
-            '"150 denier", "Ne 40/2" or "Nm 28".'
-        )
-    if not 0.1 <= tex <= 100_000:
-        raise InputError(
-            f'The yarn count "{count.strip()[:40]}" is {tex:.3g} tex; yarns have 0.1 to 100000 tex.'
-        )
-    return tex
 
 
 def yarn_diameter_mm(

@@ -5,7 +5,8 @@ import { type FamilyName } from "./fields.ts";
 import { FABRIC, type FabricFields } from "./generated.ts";
 import { general } from "./numbers.ts";
 import { familySpacing, familyWidth } from "./spacing.ts";
-import { texOfDiameter, yarnDiameterMm, yarnTex } from "./textile.ts";
+import { texOfDiameter, yarnDiameterMm } from "./textile.ts";
+import { yarnTex } from "./yarn_count.ts";
 import { yarnDensity } from "./yarns.ts";
 
 /** Yarn cannot be longer than that over the cloth: jammed plain weaves have crimps up to .3. */

@@ -23,3 +23,4 @@ export { readToml, writeToml } from "./toml.ts";
 export { validateFields } from "./validate.ts";
 export { readWif } from "./wif_reader.ts";
 export { writeWif } from "./wif_writer.ts";
+export { yarnTex } from "./yarn_count.ts";
