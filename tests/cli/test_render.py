@@ -13,7 +13,6 @@ import OpenEXR
 import pytest
 from PIL import Image
 
-from loomlight.cli.demo import INSET, SIZE, compose
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError
 from loomlight.fabric import Fabric
@@ -176,19 +175,6 @@ def test_maps(tmp_path: Path) -> None:
     assert height.shape == (16, 32)
     assert height.max() > 0 > height.min()
     assert {"color.R", "color.G", "color.B", "opacity", "roughness"} <= set(channels)
-
-
-def test_the_demo_is_composed_of_a_frame_an_inset_and_a_mark() -> None:
-    whole = np.full((SIZE[1], SIZE[0], 3), 0.25, dtype=np.float32)
-    inset = np.full((INSET, INSET, 3), 0.5, dtype=np.float32)
-    picture = compose(whole, inset)
-    assert picture.shape[0] > SIZE[1]
-    assert (picture[0] == 1).all()
-    assert (picture[:, -1] == 1).all()
-    assert (picture == 0.5).all(axis=2).sum() == INSET * INSET
-    middle = picture[picture.shape[0] // 2]
-    assert (middle == 1).all(axis=1).sum() >= 4  # frame and mark, left and right
-    assert (whole == 0.25).all()
 
 
 def test_several_fabrics_in_other_colours(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -56,7 +56,7 @@ def test_the_picture_comes_coarse_then_refined_with_a_close_up() -> None:
     seen: list[np.ndarray] = []
     times: list[tuple[int, int]] = []
     size = (344, 258)
-    options = {"size": size, "spp": 1, "seed": 3, "model": "point", "max_depth": 2}
+    options = {"size": size, "spp": 1, "seed": 3, "model": "point", "max_depth": 2, "denoise": "off"}
     picture = loomlight.render(
         "twill 3/1", partial=seen.append, progress=lambda *numbers: times.append(numbers), **options
     )

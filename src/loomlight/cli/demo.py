@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from loomlight.cli.outputs import check_output, done
 from loomlight.cli.progress import progress
-
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
 
 EXAMPLE = "Example: loomlight demo -o demo.png"
 
@@ -36,9 +32,6 @@ strength = 0.2
 colour_noise = 0.1
 """
 SIZE = (1080, 810)
-INSET = 290
-ZOOM = 30.0
-MARGIN = 22  # pixels
 EXPOSURE = 0.4  # stops
 
 
@@ -53,38 +46,20 @@ def demo(
 
     from loomlight.core.images import write_image
     from loomlight.fabric.load import fabric_from_text
-    from loomlight.mitsuba import build_scene, choose_variant, material_bsdf, render
+    from loomlight.mitsuba.material_picture import render
 
-    choose_variant()
-    # The point model shows how the dye varies.
     cloth = fabric_from_text(FABRIC)
-    near = 2 * samples
-    work = samples * SIZE[0] * SIZE[1], near * INSET * INSET
     with progress(f"{cloth.name}, draped") as report:
-        far = build_scene("drape", material_bsdf(cloth, "point"), size=SIZE, light="sunsky")
-        whole = render(
-            far.scene,
+        # The point model shows how the dye varies.
+        picture = render(
+            cloth,
+            model="point",
+            light="sunsky",
+            size=SIZE,
             spp=samples,
             exposure=EXPOSURE,
-            denoise="auto",
-            progress=lambda done, total: report(work[0] * done // total, sum(work)),
+            inset=True,
+            progress=report,
         )
-        close = build_scene(
-            "drape", material_bsdf(cloth, "point"), size=(INSET, INSET), zoom=ZOOM, light="sunsky"
-        )
-        inset = render(
-            close.scene,
-            spp=near,
-            exposure=EXPOSURE,
-            denoise="auto",
-            progress=lambda done, total: report(work[0] + work[1] * done // total, sum(work)),
-        )
-    write_image(output, compose(whole, inset))
+    write_image(output, picture)
     done(output)
-
-
-def compose(whole: NDArray[np.float32], inset: NDArray[np.float32]) -> NDArray[np.float32]:
-    """`whole` in a thin frame, with `inset` and a mark of what that shows; linear RGB [h, w, 3]."""
-    from loomlight.mitsuba.inset import FRAME, composed, framed
-
-    return framed(composed(whole, inset, ZOOM * INSET / min(SIZE), MARGIN), FRAME)

@@ -1,9 +1,16 @@
-"""A close-up in the corner of a picture, in which the weave can be read."""
+"""A close-up in the corner of a picture, in which the weave can be read.
+
+It takes the place of what the picture would show there: pixels of the corner look through the same camera
+from nearer. So it costs no sample, no kernel and no launch of its own.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
+import drjit as dr
+import mitsuba as mi
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
@@ -27,19 +34,18 @@ _PAPER = 1.0
 
 @dataclass(frozen=True)
 class Inset:
-    """Rendering of a close-up: with the camera and the film of the whole picture, closer.
-
-    The same camera and film mean the same kernels. The middle square of the film is what is shown, at fewer
-    pixels, each the mean of several.
+    """A close-up: what the middle square of the picture shows from nearer, with its field of view.
 
     Attributes:
-        view: where the camera stands for it.
+        view: where its camera stands.
+        size: width and height of the picture, pixels.
         side: of the close-up, pixels.
-        margin: to the picture's edges, pixels.
+        margin: from the close-up to the picture's left and upper edge, pixels.
         magnification: pixels of the close-up for one of the whole picture.
     """
 
     view: View
+    size: tuple[int, int]
     side: int
     margin: int
     magnification: float
@@ -57,14 +63,56 @@ class Inset:
         whole_mm = 2e3 * distance * np.tan(np.radians(FIELD_OF_VIEW) / 2)
         zoom = whole_mm / (threads * pitch)
         side = int(_SIDE * shorter)
-        return cls(shown.view.closer(zoom, point), side, round(_MARGIN * shorter), zoom * side / shorter)
+        margin = round(_MARGIN * shorter) + FRAME
+        return cls(shown.view.closer(zoom, point), size, side, margin, zoom * side / shorter)
 
-    def cut(self, film: Picture) -> Picture:
-        """The close-up [side, side, 3] from a picture of the whole film, of any size."""
-        height, width = film.shape[:2]
-        across = min(height, width)
-        top, left = (height - across) // 2, (width - across) // 2
-        return resized(film[top : top + across, left : left + across, :3], (self.side, self.side))
+    def on(self, camera: Any) -> CornerCamera:
+        """The camera of the whole picture with the close-up in its corner."""
+        return CornerCamera(camera, self)
+
+    def drawn_on(self, picture: Picture) -> Picture:
+        """Linear RGB [h, w, 3] with a frame around the close-up, and a mark around what it shows."""
+        picture = picture[..., :3].copy()
+        width, height = self.size
+        side = max(2, round(self.side / self.magnification))
+        _outline(picture, (height - side) // 2, (width - side) // 2, side, MARK)
+        _outline(picture, self.margin, self.margin, self.side, FRAME)
+        return picture
+
+
+class CornerCamera:
+    """A perspective camera whose pixels in a square of the film look from nearer."""
+
+    def __init__(self, camera: Any, inset: Inset) -> None:
+        self._camera = camera
+        size = np.array(inset.size, float)
+        vector, number, point = mi.Vector2f, mi.Float, mi.Point3f
+
+        def opaque(kind: Any, values: Any) -> Any:
+            # No constants of the kernel, which serves close-ups of all fabrics.
+            return dr.opaque(kind, values)
+
+        self._low = opaque(vector, (inset.margin / size).tolist())
+        self._high = opaque(vector, ((inset.margin + inset.side) / size).tolist())
+        self._scale = opaque(number, min(inset.size) / inset.side)
+        self._origin = opaque(point, inset.view.origin.tolist())
+
+    def sample_ray_differential(
+        self, time: Any, sample1: Any, sample2: Any, sample3: Any, active: Any = True
+    ) -> tuple[Any, Any]:
+        is_close = dr.all((sample2 >= self._low) & (sample2 < self._high))
+        middle = 0.5 * (self._low + self._high)
+        place = dr.select(is_close, 0.5 + (sample2 - middle) * self._scale, sample2)
+        ray, weight = self._camera.sample_ray_differential(time, sample1, place, sample3, active)
+        # Pixels of the square are larger, for the same camera, than those around it.
+        pixel = dr.select(is_close, self._scale, 1)
+        ray.d_x, ray.d_y = (dr.fma(beside - ray.d, pixel, ray.d) for beside in (ray.d_x, ray.d_y))
+        ray.o = dr.select(is_close, self._origin, ray.o)
+        ray.o_x, ray.o_y = (dr.select(is_close, self._origin, beside) for beside in (ray.o_x, ray.o_y))
+        return ray, weight
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._camera, name)
 
 
 def resized(picture: Picture, size: tuple[int, int]) -> Picture:
@@ -78,26 +126,8 @@ def resized(picture: Picture, size: tuple[int, int]) -> Picture:
     return np.stack(planes, axis=2)
 
 
-def composed(whole: Picture, inset: Picture, magnification: float, margin: int) -> Picture:
-    """`whole` with a framed `inset` in its upper left corner; linear RGB [h, w, 3].
-
-    A small square in the middle of `whole` marks what the inset shows.
-
-    Args:
-        magnification: pixels of `inset` for one of `whole`.
-        margin: from the frame to the picture's edges, pixels.
-    """
-    picture = whole[..., :3].copy()
-    height, width = picture.shape[:2]
-    side = max(2, round(inset.shape[0] / magnification))
-    top, left = (height - side) // 2, (width - side) // 2
-    middle = picture[top : top + side, left : left + side]
-    picture[top - MARK : top + side + MARK, left - MARK : left + side + MARK] = framed(middle, MARK)
-    shown = framed(inset[..., :3], FRAME)
-    picture[margin : margin + shown.shape[0], margin : margin + shown.shape[1]] = shown
-    return picture
-
-
-def framed(picture: Picture, line: int) -> Picture:
-    """A picture with a white frame of `line` pixels around it."""
-    return np.pad(picture, ((line, line), (line, line), (0, 0)), constant_values=_PAPER)
+def _outline(picture: Picture, top: int, left: int, side: int, line: int) -> None:
+    """Draws a white frame of `line` pixels around a square."""
+    inner = picture[top : top + side, left : left + side].copy()
+    picture[top - line : top + side + line, left - line : left + side + line] = _PAPER
+    picture[top : top + side, left : left + side] = inner

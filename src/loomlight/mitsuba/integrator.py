@@ -24,7 +24,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any
+from typing import Any, Protocol
 
 import drjit as dr
 import mitsuba as mi
@@ -40,6 +40,13 @@ from loomlight.mitsuba.path_vertices import MAX_PASSES, FirstFootprint, PathVert
 from loomlight.mitsuba.pixel_filter import PixelFilter, SplattingSensor
 from loomlight.mitsuba.ray_cone import pixel_cone
 from loomlight.mitsuba.scene_traits import SceneTraits, is_symbolic
+
+
+class Corner(Protocol):
+    """What some pixels see in place of the rest of the picture; see `inset.Inset`."""
+
+    def on(self, camera: Any) -> Any:
+        """A camera that sees it."""
 
 
 def footprint_path_class() -> type:
@@ -61,6 +68,7 @@ def footprint_path_class() -> type:
             passes, pass_number: renders that make up the picture with one sampler, and which of them this is.
             skip_film: nobody asks the film afterwards: it may be left out then.
             apart: samples count in their own pixels alone; see `PixelFilter`.
+            corner: a close-up in a corner of the picture, or None.
         """
 
         def __init__(self, props: Any) -> None:
@@ -72,6 +80,7 @@ def footprint_path_class() -> type:
             self.passes, self.pass_number = 1, 0
             self.skip_film = False
             self.apart = False
+            self.corner: Corner | None = None
             self._pixel_filter: PixelFilter | None = None
             self._offset: Vec2 | None = None
             self._replays = False
@@ -118,6 +127,7 @@ def footprint_path_class() -> type:
         def _filtering(self, scene: Any, sensor: Any, replays: bool = False) -> Iterator[Any]:
             """The sensor to render with: samples stay in their pixels where `PixelFilter` places them."""
             camera = scene.sensors()[sensor] if isinstance(sensor, int) else sensor
+            camera = camera if self.corner is None else self.corner.on(camera)
             self._replays = replays
             if SceneTraits.of(scene).filters or self.apart:
                 self._pixel_filter = PixelFilter.of(camera.film(), self.pixel_centres, self.apart)

@@ -18,7 +18,7 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.sentences import closest
 from loomlight.fabric.sentences import shown as quoted
 from loomlight.mitsuba.denoising import require_denoising
-from loomlight.mitsuba.inset import MIN_PICTURE, Inset, composed, resized
+from loomlight.mitsuba.inset import MIN_PICTURE, Inset, resized
 from loomlight.mitsuba.material import material_bsdf
 from loomlight.mitsuba.placement import Placement
 from loomlight.mitsuba.rendering import PartialPicture, Progress, filling_grid
@@ -44,8 +44,6 @@ from loomlight.models.material_spec import Material, MaterialSpec, resolve
 from loomlight.models.registry import REFERENCE_MODEL
 
 DEFAULT_SAMPLES = 9
-# Of a pixel of the close-up's film, which has seven for each pixel that is shown.
-_INSET_SAMPLES = 2
 _MAX_EXPOSURE = 30
 # The first picture: at so many times fewer pixels each way, so many samples of each.
 _COARSE_SCALE, _COARSE_SAMPLES = 2, 4
@@ -255,14 +253,12 @@ class RenderJob:
         pixels = self._size[0] * self._size[1]
         steps = {"start": START_SECONDS, "bake": SCENE_SECONDS + (0.0 if is_baked else cost.bake)}
         if partial and self.coarse_size is not None:
-            samples = (1 + self._inset) * _COARSE_SAMPLES * self.coarse_size[0] * self.coarse_size[1]
+            samples = _COARSE_SAMPLES * self.coarse_size[0] * self.coarse_size[1]
             steps["coarse"] = (
                 SCENE_SECONDS
                 + MODEL_SECONDS[REFERENCE_MODEL].compile
                 + sample_seconds(REFERENCE_MODEL, samples)
             )
-        if self._inset:
-            steps["inset"] = sample_seconds(model, min(spp, _INSET_SAMPLES) * pixels)
         steps["whole"] = cost.compile + sample_seconds(model, filling_grid(max(spp, 1)) * pixels)
         return steps
 
@@ -271,11 +267,7 @@ class RenderJob:
         shown, close_up = self._built(self.material.by(REFERENCE_MODEL), size)
         film = self._render(shown, _COARSE_SAMPLES, denoise="off")
         whole = resized(film, self._size)
-        if close_up is None:
-            return whole
-        shown.look_from(close_up.view)
-        inset = close_up.cut(self._render(shown, _COARSE_SAMPLES, denoise="off"))
-        return composed(whole, inset, close_up.magnification, close_up.margin)
+        return whole if close_up is None else close_up.drawn_on(whole)
 
     def scene_and_inset(self) -> tuple[ClothScene, Inset | None]:
         """The scene, with the model baked, and what its close-up shows."""
@@ -296,27 +288,17 @@ class RenderJob:
         estimate: TimeEstimate,
         partial: PartialPicture | None,
     ) -> NDArray[np.float32]:
-        """The picture itself, close-up first; `partial` gets it after every pass."""
-        if close_up is None:
-            with estimate.step("whole") as progress:
-                return self._render(shown, self.settings.spp, progress=progress, partial=partial)
-        shown.look_from(close_up.view)
-        with estimate.step("inset") as progress:
-            film = self._render(
-                shown, self.settings.spp, take=min(self.settings.spp, _INSET_SAMPLES), progress=progress
-            )
-        inset = close_up.cut(film)
-        shown.look_from(shown.view)
+        """The picture itself; `partial` gets it after every pass."""
 
-        def with_inset(whole: NDArray[np.float32]) -> NDArray[np.float32]:
-            return composed(whole, inset, close_up.magnification, close_up.margin)
+        def drawn(picture: NDArray[np.float32]) -> NDArray[np.float32]:
+            return picture if close_up is None else close_up.drawn_on(picture)
 
-        def show(whole: NDArray[np.float32]) -> None:
+        def show(picture: NDArray[np.float32]) -> None:
             if partial is not None:
-                partial(with_inset(whole))
+                partial(drawn(picture))
 
         with estimate.step("whole") as progress:
-            return with_inset(self._render(shown, self.settings.spp, progress=progress, partial=show))
+            return drawn(self._render(shown, self.settings.spp, progress=progress, partial=show))
 
     def _built(self, material: MaterialSpec, size: tuple[int, int]) -> tuple[ClothScene, Inset | None]:
         setting: SceneOptions = {**self.settings.scene_options, "size": size}
@@ -327,8 +309,7 @@ class RenderJob:
         if not isinstance(material.source, Fabric):
             raise InputError(f"inset = {self._inset} needs a fabric, and {material.source.name} is none.")
         close_up = Inset.of(material.source, shown, self._size)
-        # From its own place, so that the close-up's kernels are those of the whole picture.
-        shown.look_from(shown.view)
+        setattr(shown.integrator, "corner", close_up)  # noqa: B010 (it is a Python class that Mitsuba registers)
         return shown, close_up
 
     def _render(
@@ -336,7 +317,6 @@ class RenderJob:
         shown: ClothScene,
         spp: int,
         *,
-        take: int | None = None,
         denoise: str | None = None,
         progress: Progress | None = None,
         partial: PartialPicture | None = None,
@@ -344,7 +324,6 @@ class RenderJob:
         return render_scene(
             shown.scene,
             spp=spp,
-            take=take,
             seed=self.settings.seed,
             exposure=self.settings.exposure,
             white_balance=self.settings.white_balance,

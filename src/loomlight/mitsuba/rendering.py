@@ -39,7 +39,6 @@ def render(
     scene: mi.Scene,
     *,
     spp: int = 64,
-    take: int | None = None,
     seed: int = 0,
     sensor: Any = 0,
     integrator: Any = None,
@@ -55,7 +54,6 @@ def render(
         scene: a Mitsuba scene.
         spp: samples a pixel, ≥ 1; rendered in passes. As many are taken as fill a grid (see `filling_grid`),
             which may be a few more.
-        take: how many of these samples to take, in whole passes; all by default. Kernels are those of all.
         seed: any 32-bit number; the same seed gives the same picture, but for the order in which threads add
             samples up.
         sensor: a sensor or its index.
@@ -63,7 +61,7 @@ def render(
         exposure: stops; colours are multiplied by 2**exposure.
         white_balance: colour temperature of the light that is shown as white, kelvin; None leaves colours.
         denoise: "auto" or "off"; see `denoised`. Other integrators than `footprint_path`, films that
-            develop neither RGB nor RGBA, and pictures of which a part is taken go without.
+            develop neither RGB nor RGBA go without.
         progress: called with (samples done, samples in all) after every pass.
         partial: called with the picture so far after every pass but the last.
 
@@ -81,12 +79,11 @@ def render(
     # Noise is told from what differs between two halves that share no numbers.
     halves = 2 if denoises and spp > 1 else 1
     passes = _passes(-(-spp // halves), width * height, is_symbolic(scene))
-    taken = passes if take is None else passes[: -(-take // (halves * passes[0]))]
-    in_all = min(spp, halves * sum(taken))
+    in_all = min(spp, halves * sum(passes))
     totals: list[Any] = [0.0] * halves
     done = 0
     with _apart(integrator, denoises):
-        for step in range(halves * len(taken)):
+        for step in range(halves * len(passes)):
             number, half = divmod(step, halves)
             own_seed = _pass_seed(seed, _MAX_PASSES) if half else seed
             with _one_of(integrator, sensor, spp, passes, number) as alone, bypass_film(integrator):
@@ -96,10 +93,10 @@ def render(
             done += passes[0]
             if progress is not None:
                 progress(min(in_all, done), in_all)
-            if partial is not None and step + 1 < halves * len(taken):
+            if partial is not None and step + 1 < halves * len(passes):
                 partial(_exposed(sum(totals) / (step + 1), gains))
-        means = [total / len(taken) for total in totals]
-        if not denoises or take is not None:
+        means = [total / len(passes) for total in totals]
+        if not denoises:
             return _exposed(np.mean(means, axis=0), gains)
         guides = _guides(integrator, scene, sensor, spp, seed)
     return _exposed(denoised(means, guides), gains)
