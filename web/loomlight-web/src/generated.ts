@@ -326,7 +326,6 @@ export const LATTICE_SHIFT = [3242174889, 3488053409] as const;
 export const FEATURES = 6;
 export const BOUNDARY_STEPS = 4;
 export const REFINING_STEPS = 2;
-export const AXIS_SQUARINGS = 8;
 
 // core.footprint
 export const ANISOTROPIC_TAPS = 4;

@@ -67,62 +67,20 @@ fn arc_tangent_0( y_1 : f32,  x_1 : f32) -> f32
     var _S1 : f32 = abs(x_1);
     var _S2 : f32 = abs(y_1);
     var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S1, _S2) / max(max(_S1, _S2), 1.00000000317107685e-30f));
-    var angle_1 : f32;
-    if(_S2 > _S1)
-    {
-        angle_1 = 1.57079637050628662f - angle_0;
-    }
-    else
-    {
-        angle_1 = angle_0;
-    }
-    if(x_1 < 0.0f)
-    {
-        angle_1 = 3.14159274101257324f - angle_1;
-    }
-    if(y_1 < 0.0f)
-    {
-        angle_1 = - angle_1;
-    }
-    return angle_1;
+    var angle_1 : f32 = select(angle_0, 1.57079637050628662f - angle_0, _S2 > _S1);
+    var angle_2 : f32 = select(angle_1, 3.14159274101257324f - angle_1, x_1 < 0.0f);
+    return select(angle_2, - angle_2, y_1 < 0.0f);
 }
 
 fn arc_sine_0( x_2 : f32) -> f32
 {
     var _S3 : f32 = abs(x_2);
     var _S4 : bool = _S3 > 0.5f;
-    var _S5 : f32;
-    if(_S4)
-    {
-        _S5 = 0.5f * (1.0f - _S3);
-    }
-    else
-    {
-        _S5 = _S3 * _S3;
-    }
-    var _S6 : f32;
-    if(_S4)
-    {
-        _S6 = sqrt(max(_S5, 0.0f));
-    }
-    else
-    {
-        _S6 = _S3;
-    }
+    var _S5 : f32 = select(_S3 * _S3, 0.5f * (1.0f - _S3), _S4);
+    var _S6 : f32 = select(_S3, sqrt(max(_S5, 0.0f)), _S4);
     var _S7 : f32 = ((((0.04216320067644119f * _S5 + 0.02418131195008755f) * _S5 + 0.04547002539038658f) * _S5 + 0.07495300471782684f) * _S5 + 0.16666752099990845f) * _S5 * _S6 + _S6;
-    if(_S4)
-    {
-        _S5 = 1.57079637050628662f - 2.0f * _S7;
-    }
-    else
-    {
-        _S5 = _S7;
-    }
-    if(x_2 < 0.0f)
-    {
-        _S5 = - _S5;
-    }
-    return _S5;
+    var _S8 : f32 = select(_S7, 1.57079637050628662f - 2.0f * _S7, _S4);
+    return select(_S8, - _S8, x_2 < 0.0f);
 }
 
 fn scene_number_0( index_0 : u32) -> f32
@@ -130,87 +88,87 @@ fn scene_number_0( index_0 : u32) -> f32
     return (bitcast<f32>((scene_words_0[index_0])));
 }
 
-fn camera_forward_0( _S8 : i32) -> vec3<f32>
+fn camera_forward_0( _S9 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S8].forward_x_0, frames_0[_S8].forward_y_0, frames_0[_S8].forward_z_0);
+    return vec3<f32>(frames_0[_S9].forward_x_0, frames_0[_S9].forward_y_0, frames_0[_S9].forward_z_0);
 }
 
-fn camera_right_0( _S9 : i32) -> vec3<f32>
+fn camera_right_0( _S10 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S9].right_x_0, frames_0[_S9].right_y_0, frames_0[_S9].right_z_0);
+    return vec3<f32>(frames_0[_S10].right_x_0, frames_0[_S10].right_y_0, frames_0[_S10].right_z_0);
 }
 
-fn camera_up_0( _S10 : i32) -> vec3<f32>
+fn camera_up_0( _S11 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S10].up_x_0, frames_0[_S10].up_y_0, frames_0[_S10].up_z_0);
+    return vec3<f32>(frames_0[_S11].up_x_0, frames_0[_S11].up_y_0, frames_0[_S11].up_z_0);
 }
 
-fn pixel_direction_0( _S11 : i32,  _S12 : vec2<u32>,  _S13 : vec2<f32>) -> vec3<f32>
+fn pixel_direction_0( _S12 : i32,  _S13 : vec2<u32>,  _S14 : vec2<f32>) -> vec3<f32>
 {
-    return camera_forward_0(_S11) + vec3<f32>(((f32(_S12.x) + 0.5f + _S13.x) * 2.0f / f32(frames_0[_S11].width_0) - 1.0f)) * camera_right_0(_S11) + vec3<f32>((1.0f - (f32(_S12.y) + 0.5f + _S13.y) * 2.0f / f32(frames_0[_S11].height_0))) * camera_up_0(_S11);
+    return camera_forward_0(_S12) + vec3<f32>(((f32(_S13.x) + 0.5f + _S14.x) * 2.0f / f32(frames_0[_S12].width_0) - 1.0f)) * camera_right_0(_S12) + vec3<f32>((1.0f - (f32(_S13.y) + 0.5f + _S14.y) * 2.0f / f32(frames_0[_S12].height_0))) * camera_up_0(_S12);
 }
 
-fn environment_texel_0( _S14 : i32,  _S15 : u32,  _S16 : u32) -> vec3<f32>
+fn environment_texel_0( _S15 : i32,  _S16 : u32,  _S17 : u32) -> vec3<f32>
 {
-    var _S17 : u32 = frames_0[_S14].environment_table_0 + frames_0[_S14].environment_rows_0 + u32(1) + frames_0[_S14].environment_rows_0 * (frames_0[_S14].environment_columns_0 + u32(1)) + u32(3) * (_S15 * frames_0[_S14].environment_columns_0 + _S16);
-    return vec3<f32>(scene_number_0(_S17), scene_number_0(_S17 + u32(1)), scene_number_0(_S17 + u32(2)));
+    var _S18 : u32 = frames_0[_S15].environment_table_0 + frames_0[_S15].environment_rows_0 + u32(1) + frames_0[_S15].environment_rows_0 * (frames_0[_S15].environment_columns_0 + u32(1)) + u32(3) * (_S16 * frames_0[_S15].environment_columns_0 + _S17);
+    return vec3<f32>(scene_number_0(_S18), scene_number_0(_S18 + u32(1)), scene_number_0(_S18 + u32(2)));
 }
 
-fn environment_radiance_0( _S18 : i32,  _S19 : vec3<f32>) -> vec3<f32>
+fn environment_radiance_0( _S19 : i32,  _S20 : vec3<f32>) -> vec3<f32>
 {
-    var _S20 : f32 = _S19.x;
-    var _S21 : f32 = _S19.z;
-    var _S22 : f32 = arc_tangent_0(frames_0[_S18].environment_cosine_0 * _S20 - frames_0[_S18].environment_sine_0 * _S21, - (frames_0[_S18].environment_sine_0 * _S20 + frames_0[_S18].environment_cosine_0 * _S21)) / 6.28318548202514648f;
-    var _S23 : u32 = frames_0[_S18].environment_columns_0;
-    var _S24 : f32 = (_S22 - floor(_S22)) * f32(frames_0[_S18].environment_columns_0) - 0.5f;
-    var _S25 : u32 = frames_0[_S18].environment_rows_0 - u32(1);
-    var _S26 : f32 = clamp((0.5f - arc_sine_0(clamp(_S19.y, -1.0f, 1.0f)) / 3.14159274101257324f) * f32(frames_0[_S18].environment_rows_0) - 0.5f, 0.0f, f32(_S25));
-    var _S27 : f32 = floor(_S24);
-    var _S28 : u32 = u32(i32(_S27) + i32(frames_0[_S18].environment_columns_0)) % frames_0[_S18].environment_columns_0;
-    var _S29 : u32 = (_S28 + u32(1)) % _S23;
-    var _S30 : u32 = u32(_S26);
-    var _S31 : u32 = min(_S30 + u32(1), _S25);
-    var _S32 : vec3<f32> = vec3<f32>((_S24 - _S27));
-    return mix(mix(environment_texel_0(_S18, _S30, _S28), environment_texel_0(_S18, _S30, _S29), _S32), mix(environment_texel_0(_S18, _S31, _S28), environment_texel_0(_S18, _S31, _S29), _S32), vec3<f32>((_S26 - f32(_S30))));
+    var _S21 : f32 = _S20.x;
+    var _S22 : f32 = _S20.z;
+    var _S23 : f32 = arc_tangent_0(frames_0[_S19].environment_cosine_0 * _S21 - frames_0[_S19].environment_sine_0 * _S22, - (frames_0[_S19].environment_sine_0 * _S21 + frames_0[_S19].environment_cosine_0 * _S22)) / 6.28318548202514648f;
+    var _S24 : u32 = frames_0[_S19].environment_columns_0;
+    var _S25 : f32 = (_S23 - floor(_S23)) * f32(frames_0[_S19].environment_columns_0) - 0.5f;
+    var _S26 : u32 = frames_0[_S19].environment_rows_0 - u32(1);
+    var _S27 : f32 = clamp((0.5f - arc_sine_0(clamp(_S20.y, -1.0f, 1.0f)) / 3.14159274101257324f) * f32(frames_0[_S19].environment_rows_0) - 0.5f, 0.0f, f32(_S26));
+    var _S28 : f32 = floor(_S25);
+    var _S29 : u32 = u32(i32(_S28) + i32(frames_0[_S19].environment_columns_0)) % frames_0[_S19].environment_columns_0;
+    var _S30 : u32 = (_S29 + u32(1)) % _S24;
+    var _S31 : u32 = u32(_S27);
+    var _S32 : u32 = min(_S31 + u32(1), _S26);
+    var _S33 : vec3<f32> = vec3<f32>((_S25 - _S28));
+    return mix(mix(environment_texel_0(_S19, _S31, _S29), environment_texel_0(_S19, _S31, _S30), _S33), mix(environment_texel_0(_S19, _S32, _S29), environment_texel_0(_S19, _S32, _S30), _S33), vec3<f32>((_S27 - f32(_S31))));
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn add_background(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S33 : u32 = id_0.x;
-    var _S34 : u32 = frames_0[i32(0)].width_0;
-    var _S35 : bool;
-    if(_S33 >= (frames_0[i32(0)].width_0))
+    var _S34 : u32 = id_0.x;
+    var _S35 : u32 = frames_0[i32(0)].width_0;
+    var _S36 : bool;
+    if(_S34 >= (frames_0[i32(0)].width_0))
     {
-        _S35 = true;
+        _S36 = true;
     }
     else
     {
-        _S35 = (id_0.y) >= (frames_0[i32(0)].height_0);
+        _S36 = (id_0.y) >= (frames_0[i32(0)].height_0);
     }
-    if(_S35)
+    if(_S36)
     {
         return;
     }
-    var _S36 : u32 = id_0.y * _S34 + _S33;
-    var _S37 : f32 = layers_0[_S36].share_0;
-    if((layers_0[_S36].share_0) <= 0.0f)
+    var _S37 : u32 = id_0.y * _S35 + _S34;
+    var _S38 : f32 = layers_0[_S37].share_0;
+    if((layers_0[_S37].share_0) <= 0.0f)
     {
         return;
     }
-    var _S38 : vec3<f32> = vec3<f32>(frames_0[i32(0)].background_red_0, frames_0[i32(0)].background_green_0, frames_0[i32(0)].background_blue_0);
+    var _S39 : vec3<f32> = vec3<f32>(frames_0[i32(0)].background_red_0, frames_0[i32(0)].background_green_0, frames_0[i32(0)].background_blue_0);
     var background_0 : vec3<f32>;
     if((frames_0[i32(0)].shows_environment_0) != u32(0))
     {
-        var _S39 : vec3<f32> = environment_radiance_0(i32(0), normalize(pixel_direction_0(i32(0), id_0.xy, vec2<f32>(frames_0[i32(0)].jitter_x_0, frames_0[i32(0)].jitter_y_0))));
-        background_0 = _S39;
+        var _S40 : vec3<f32> = environment_radiance_0(i32(0), normalize(pixel_direction_0(i32(0), id_0.xy, vec2<f32>(frames_0[i32(0)].jitter_x_0, frames_0[i32(0)].jitter_y_0))));
+        background_0 = _S40;
     }
     else
     {
-        background_0 = _S38;
+        background_0 = _S39;
     }
-    radiance_0[_S36] = radiance_0[_S36] + vec4<f32>(vec3<f32>(_S37) * background_0, 0.0f);
+    radiance_0[_S37] = radiance_0[_S37] + vec4<f32>(vec3<f32>(_S38) * background_0, 0.0f);
     return;
 }
 

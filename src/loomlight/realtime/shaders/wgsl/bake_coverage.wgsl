@@ -421,38 +421,20 @@ fn taps_of_0( node_0 : u32,  count_0 : u32,  below_0 : u32,  far_weight_1 : f32)
         {
             break;
         }
-        var _S38 : bool;
-        if(tap_0 == u32(0))
-        {
-            _S38 = true;
-        }
-        else
-        {
-            _S38 = tap_0 == u32(3);
-        }
-        var _S39 : f32 = _S37 + f32(tap_0) - 1.5f;
-        var _S40 : f32 = floor(_S39 + 0.00000999999974738f);
-        var _S41 : f32 = max(_S39 - _S40, 0.0f);
-        var _S42 : f32;
-        if(_S38)
-        {
-            _S42 = far_weight_1;
-        }
-        else
-        {
-            _S42 = 1.0f - far_weight_1;
-        }
-        var _S43 : f32 = 0.5f * _S42;
-        var _S44 : u32 = u32(2) * tap_0;
-        var _S45 : i32 = i32(_S40);
-        var _S46 : i32 = i32(4) * i32(below_0);
-        var _S47 : u32 = u32(_S45 + _S46) % below_0;
-        taps_0.nodes_0[_S44] = _S47;
-        var _S48 : u32 = _S44 + u32(1);
-        var _S49 : u32 = u32(_S45 + i32(1) + _S46) % below_0;
-        taps_0.nodes_0[_S48] = _S49;
-        taps_0.weights_0[_S44] = _S43 * (1.0f - _S41);
-        taps_0.weights_0[_S48] = _S43 * _S41;
+        var _S38 : f32 = _S37 + f32(tap_0) - 1.5f;
+        var _S39 : f32 = floor(_S38 + 0.00000999999974738f);
+        var _S40 : f32 = max(_S38 - _S39, 0.0f);
+        var _S41 : f32 = 0.5f * select(1.0f - far_weight_1, far_weight_1, ((tap_0 == u32(0)) | ((tap_0 == u32(3)))));
+        var _S42 : u32 = u32(2) * tap_0;
+        var _S43 : i32 = i32(_S39);
+        var _S44 : i32 = i32(4) * i32(below_0);
+        var _S45 : u32 = u32(_S43 + _S44) % below_0;
+        taps_0.nodes_0[_S42] = _S45;
+        var _S46 : u32 = _S42 + u32(1);
+        var _S47 : u32 = u32(_S43 + i32(1) + _S44) % below_0;
+        taps_0.nodes_0[_S46] = _S47;
+        taps_0.weights_0[_S42] = _S41 * (1.0f - _S40);
+        taps_0.weights_0[_S46] = _S41 * _S40;
         tap_0 = tap_0 + u32(1);
     }
     return taps_0;
@@ -462,23 +444,23 @@ fn taps_of_0( node_0 : u32,  count_0 : u32,  below_0 : u32,  far_weight_1 : f32)
 @workgroup_size(64, 1, 1)
 fn bake_downsample(@builtin(global_invocation_id) id_4 : vec3<u32>)
 {
-    var _S50 : u32 = thread_index_0(id_4);
-    var _S51 : u32 = bakes_0[i32(0)].packs_0 + u32(1);
-    var _S52 : Level_0 = this_level_0();
-    if(_S50 >= (_S52.columns_2 * _S52.rows_2 * _S51))
+    var _S48 : u32 = thread_index_0(id_4);
+    var _S49 : u32 = bakes_0[i32(0)].packs_0 + u32(1);
+    var _S50 : Level_0 = this_level_0();
+    if(_S48 >= (_S50.columns_2 * _S50.rows_2 * _S49))
     {
         return;
     }
-    var _S53 : u32 = _S50 / _S51;
-    var _S54 : u32 = _S53 % _S52.columns_2;
-    var _S55 : f32 = bakes_0[i32(0)].far_weight_0;
-    var _S56 : Taps_0 = taps_of_0(_S54, _S52.columns_2, _S52.below_columns_0, bakes_0[i32(0)].far_weight_0);
-    var _S57 : u32 = _S50 / _S51;
-    var _S58 : u32 = _S57 / _S52.columns_2;
-    var _S59 : Taps_0 = taps_of_0(_S58, _S52.rows_2, _S52.below_rows_0, _S55);
-    const _S60 : vec4<f32> = vec4<f32>(0.0f, 0.0f, 0.0f, 0.0f);
+    var _S51 : u32 = _S48 / _S49;
+    var _S52 : u32 = _S51 % _S50.columns_2;
+    var _S53 : f32 = bakes_0[i32(0)].far_weight_0;
+    var _S54 : Taps_0 = taps_of_0(_S52, _S50.columns_2, _S50.below_columns_0, bakes_0[i32(0)].far_weight_0);
+    var _S55 : u32 = _S48 / _S49;
+    var _S56 : u32 = _S55 / _S50.columns_2;
+    var _S57 : Taps_0 = taps_of_0(_S56, _S50.rows_2, _S50.below_rows_0, _S53);
+    const _S58 : vec4<f32> = vec4<f32>(0.0f, 0.0f, 0.0f, 0.0f);
     var j_1 : u32 = u32(0);
-    var mean_2 : vec4<f32> = _S60;
+    var mean_2 : vec4<f32> = _S58;
     for(;;)
     {
         if(j_1 < u32(8))
@@ -488,16 +470,16 @@ fn bake_downsample(@builtin(global_invocation_id) id_4 : vec3<u32>)
         {
             break;
         }
-        var _S61 : u32 = j_1;
+        var _S59 : u32 = j_1;
         var mean_3 : vec4<f32>;
-        if((_S59.weights_0[j_1]) == 0.0f)
+        if((_S57.weights_0[j_1]) == 0.0f)
         {
             mean_3 = mean_2;
             j_1 = j_1 + u32(1);
             mean_2 = mean_3;
             continue;
         }
-        var _S62 : u32 = _S52.below_first_0 + _S59.nodes_0[j_1] * _S52.below_columns_0;
+        var _S60 : u32 = _S50.below_first_0 + _S57.nodes_0[j_1] * _S50.below_columns_0;
         var i_2 : u32 = u32(0);
         mean_3 = mean_2;
         for(;;)
@@ -509,20 +491,20 @@ fn bake_downsample(@builtin(global_invocation_id) id_4 : vec3<u32>)
             {
                 break;
             }
-            var _S63 : u32 = i_2;
-            if((_S56.weights_0[i_2]) != 0.0f)
+            var _S61 : u32 = i_2;
+            if((_S54.weights_0[i_2]) != 0.0f)
             {
-                var _S64 : f32 = _S59.weights_0[_S61] * _S56.weights_0[_S63];
-                var _S65 : u32 = (_S62 + _S56.nodes_0[i_2]) * _S51;
-                var _S66 : u32 = _S50 % _S51;
-                mean_3 = mean_3 + vec4<f32>(_S64) * coverage_pyramid_0[_S65 + _S66];
+                var _S62 : f32 = _S57.weights_0[_S59] * _S54.weights_0[_S61];
+                var _S63 : u32 = (_S60 + _S54.nodes_0[i_2]) * _S49;
+                var _S64 : u32 = _S48 % _S49;
+                mean_3 = mean_3 + vec4<f32>(_S62) * coverage_pyramid_0[_S63 + _S64];
             }
             i_2 = i_2 + u32(1);
         }
         j_1 = j_1 + u32(1);
         mean_2 = mean_3;
     }
-    coverage_pyramid_0[_S52.first_0 * _S51 + _S50] = mean_2;
+    coverage_pyramid_0[_S50.first_0 * _S49 + _S48] = mean_2;
     return;
 }
 
@@ -530,17 +512,17 @@ fn bake_downsample(@builtin(global_invocation_id) id_4 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn bake_pack_coverage(@builtin(global_invocation_id) id_5 : vec3<u32>)
 {
-    var _S67 : u32 = thread_index_0(id_5);
-    var _S68 : u32 = bakes_0[i32(0)].packs_0;
-    var _S69 : u32 = bakes_0[i32(0)].packs_0 + u32(1);
-    var _S70 : u32 = bakes_0[i32(0)].face_nodes_0;
-    if(_S67 >= (bakes_0[i32(0)].face_nodes_0 * _S69))
+    var _S65 : u32 = thread_index_0(id_5);
+    var _S66 : u32 = bakes_0[i32(0)].packs_0;
+    var _S67 : u32 = bakes_0[i32(0)].packs_0 + u32(1);
+    var _S68 : u32 = bakes_0[i32(0)].face_nodes_0;
+    if(_S65 >= (bakes_0[i32(0)].face_nodes_0 * _S67))
     {
         return;
     }
-    var _S71 : u32 = steps_0[i32(0)];
-    var _S72 : u32 = _S67 % _S69;
-    var _S73 : vec4<f32> = coverage_pyramid_0[_S67];
+    var _S69 : u32 = steps_0[i32(0)];
+    var _S70 : u32 = _S65 % _S67;
+    var _S71 : vec4<f32> = coverage_pyramid_0[_S65];
     var i_3 : u32 = u32(0);
     var word_1 : u32 = u32(0);
     for(;;)
@@ -552,20 +534,20 @@ fn bake_pack_coverage(@builtin(global_invocation_id) id_5 : vec3<u32>)
         {
             break;
         }
-        var word_2 : u32 = (word_1 | (((u32(min(_S73[i_3] * (255.0f / scratch_number_0(bakes_0[i32(0)].coverage_scales_0 + (_S71 * _S69 + _S72) * u32(4) + i_3)) + 0.5f, 255.0f)) << ((u32(8) * i_3))))));
+        var word_2 : u32 = (word_1 | (((u32(min(_S71[i_3] * (255.0f / scratch_number_0(bakes_0[i32(0)].coverage_scales_0 + (_S69 * _S67 + _S70) * u32(4) + i_3)) + 0.5f, 255.0f)) << ((u32(8) * i_3))))));
         i_3 = i_3 + u32(1);
         word_1 = word_2;
     }
-    var _S74 : u32 = _S71 * _S70;
-    var _S75 : u32 = _S67 / _S69;
-    var _S76 : u32 = _S74 + _S75;
-    if(_S72 == _S68)
+    var _S72 : u32 = _S69 * _S68;
+    var _S73 : u32 = _S65 / _S67;
+    var _S74 : u32 = _S72 + _S73;
+    if(_S70 == _S66)
     {
-        scratch_0[bakes_0[i32(0)].hole_bytes_0 + _S76] = (word_1 & (u32(255)));
+        scratch_0[bakes_0[i32(0)].hole_bytes_0 + _S74] = (word_1 & (u32(255)));
     }
     else
     {
-        tables_0[fabrics_0[bakes_0[i32(0)].fabric_0].lobes_0.coverage_0 + _S76 * _S68 + _S72] = word_1;
+        tables_0[fabrics_0[bakes_0[i32(0)].fabric_0].lobes_0.coverage_0 + _S74 * _S66 + _S70] = word_1;
     }
     return;
 }
@@ -574,10 +556,10 @@ fn bake_pack_coverage(@builtin(global_invocation_id) id_5 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn bake_pack_holes(@builtin(global_invocation_id) id_6 : vec3<u32>)
 {
-    var _S77 : u32 = thread_index_0(id_6);
-    var _S78 : u32 = u32(4) * _S77;
-    var _S79 : u32 = u32(2) * bakes_0[i32(0)].face_nodes_0;
-    if(_S78 >= _S79)
+    var _S75 : u32 = thread_index_0(id_6);
+    var _S76 : u32 = u32(4) * _S75;
+    var _S77 : u32 = u32(2) * bakes_0[i32(0)].face_nodes_0;
+    if(_S76 >= _S77)
     {
         return;
     }
@@ -592,13 +574,13 @@ fn bake_pack_holes(@builtin(global_invocation_id) id_6 : vec3<u32>)
         {
             break;
         }
-        if((_S78 + i_4) < _S79)
+        if((_S76 + i_4) < _S77)
         {
-            word_3 = (word_3 | (((scratch_0[bakes_0[i32(0)].hole_bytes_0 + _S78 + i_4] << ((u32(8) * i_4))))));
+            word_3 = (word_3 | (((scratch_0[bakes_0[i32(0)].hole_bytes_0 + _S76 + i_4] << ((u32(8) * i_4))))));
         }
         i_4 = i_4 + u32(1);
     }
-    tables_0[fabrics_0[bakes_0[i32(0)].fabric_0].lobes_0.coverage_holes_0 + _S77] = word_3;
+    tables_0[fabrics_0[bakes_0[i32(0)].fabric_0].lobes_0.coverage_holes_0 + _S75] = word_3;
     return;
 }
 

@@ -61,6 +61,14 @@ struct SurfaceHit_std430_0
 
 @binding(17) @group(0) var<storage, read_write> hits_0 : array<SurfaceHit_std430_0>;
 
+fn select_vector_0( condition_0 : bool,  yes_0 : vec2<f32>,  no_0 : vec2<f32>) -> vec2<f32>
+{
+    var chosen_0 : vec2<f32>;
+    chosen_0[i32(0)] = select(no_0[i32(0)], yes_0[i32(0)], condition_0);
+    chosen_0[i32(1)] = select(no_0[i32(1)], yes_0[i32(1)], condition_0);
+    return chosen_0;
+}
+
 var<workgroup> labels_0 : array<u32, i32(2048)>;
 
 var<workgroup> is_finished_0 : u32;
@@ -156,16 +164,9 @@ fn principal_axis_0( worker_0 : u32,  row_0 : u32) -> u32
         {
             break;
         }
-        if((matrix_0[u32(7) * k_1]) > (matrix_0[u32(7) * largest_0]))
-        {
-            step_0 = k_1;
-        }
-        else
-        {
-            step_0 = largest_0;
-        }
+        var _S10 : u32 = select(largest_0, k_1, (matrix_0[u32(7) * k_1]) > (matrix_0[u32(7) * largest_0]));
         k_1 = k_1 + u32(1);
-        largest_0 = step_0;
+        largest_0 = _S10;
     }
     return u32(6) * largest_0;
 }
@@ -193,17 +194,17 @@ fn sum_of_workers_0( value_0 : vec2<f32>,  worker_1 : u32) -> vec2<f32>
         half_0 = half_0 / u32(2);
     }
     workgroupBarrier();
-    var _S10 : vec2<f32> = pairs_of_sums_0[i32(0)];
+    var _S11 : vec2<f32> = pairs_of_sums_0[i32(0)];
     workgroupBarrier();
-    return _S10;
+    return _S11;
 }
 
-fn point_row_0( _S11 : i32,  _S12 : u32,  _S13 : u32) -> u32
+fn point_row_0( _S12 : i32,  _S13 : u32,  _S14 : u32) -> u32
 {
-    return bakes_0[_S11].points_0 + (_S12 * u32(2048) + _S13) * u32(6);
+    return bakes_0[_S12].points_0 + (_S13 * u32(2048) + _S14) * u32(6);
 }
 
-fn measure_0( _S14 : i32,  _S15 : u32,  _S16 : u32,  _S17 : u32,  _S18 : u32)
+fn measure_0( _S15 : i32,  _S16 : u32,  _S17 : u32,  _S18 : u32,  _S19 : u32)
 {
     var total_1 : f32;
     var total_2 : f32;
@@ -212,16 +213,8 @@ fn measure_0( _S14 : i32,  _S15 : u32,  _S16 : u32,  _S17 : u32,  _S18 : u32)
     var total_5 : f32;
     var total_6 : f32;
     var total_7 : f32;
-    var _S19 : bool;
-    var _S20 : bool;
-    var _S21 : bool;
-    var _S22 : bool;
-    var _S23 : bool;
-    var _S24 : bool;
-    var _S25 : bool;
-    var _S26 : bool;
-    var _S27 : u32 = _S18 / u32(32);
-    var _S28 : u32 = _S18 % u32(32);
+    var _S20 : u32 = _S19 / u32(32);
+    var _S21 : u32 = _S19 % u32(32);
     var i_0 : u32 = u32(0);
     var total_8 : f32 = 0.0f;
     for(;;)
@@ -233,32 +226,17 @@ fn measure_0( _S14 : i32,  _S15 : u32,  _S16 : u32,  _S17 : u32,  _S18 : u32)
         {
             break;
         }
-        var _S29 : u32 = _S27 * u32(256) + i_0;
-        if(_S29 < _S17)
+        var _S22 : u32 = _S20 * u32(256) + i_0;
+        var _S23 : bool = _S21 <= u32(6);
+        if(((((_S22 < _S18) & (((labels_0[_S22]) == _S17)))) & (_S23)))
         {
-            _S19 = (labels_0[_S29]) == _S16;
-        }
-        else
-        {
-            _S19 = false;
-        }
-        if(_S19)
-        {
-            _S20 = _S28 <= u32(6);
-        }
-        else
-        {
-            _S20 = false;
-        }
-        if(_S20)
-        {
-            if(_S28 == u32(6))
+            if(_S21 == u32(6))
             {
                 total_1 = 1.0f;
             }
             else
             {
-                total_1 = scratch_number_0(point_row_0(_S14, _S15, _S29) + min(_S28, u32(5)));
+                total_1 = scratch_number_0(point_row_0(_S15, _S16, _S22) + min(_S21, u32(5)));
             }
             total_1 = total_8 + total_1;
         }
@@ -266,32 +244,16 @@ fn measure_0( _S14 : i32,  _S15 : u32,  _S16 : u32,  _S17 : u32,  _S18 : u32)
         {
             total_1 = total_8;
         }
-        var _S30 : u32 = _S29 + u32(1);
-        if(_S30 < _S17)
+        var _S24 : u32 = _S22 + u32(1);
+        if(((((_S24 < _S18) & (((labels_0[_S24]) == _S17)))) & (_S23)))
         {
-            _S21 = (labels_0[_S30]) == _S16;
-        }
-        else
-        {
-            _S21 = false;
-        }
-        if(_S21)
-        {
-            _S22 = _S28 <= u32(6);
-        }
-        else
-        {
-            _S22 = false;
-        }
-        if(_S22)
-        {
-            if(_S28 == u32(6))
+            if(_S21 == u32(6))
             {
                 total_2 = 1.0f;
             }
             else
             {
-                total_2 = scratch_number_0(point_row_0(_S14, _S15, _S30) + min(_S28, u32(5)));
+                total_2 = scratch_number_0(point_row_0(_S15, _S16, _S24) + min(_S21, u32(5)));
             }
             total_2 = total_1 + total_2;
         }
@@ -299,32 +261,16 @@ fn measure_0( _S14 : i32,  _S15 : u32,  _S16 : u32,  _S17 : u32,  _S18 : u32)
         {
             total_2 = total_1;
         }
-        var _S31 : u32 = _S29 + u32(2);
-        if(_S31 < _S17)
+        var _S25 : u32 = _S22 + u32(2);
+        if(((((_S25 < _S18) & (((labels_0[_S25]) == _S17)))) & (_S23)))
         {
-            _S23 = (labels_0[_S31]) == _S16;
-        }
-        else
-        {
-            _S23 = false;
-        }
-        if(_S23)
-        {
-            _S24 = _S28 <= u32(6);
-        }
-        else
-        {
-            _S24 = false;
-        }
-        if(_S24)
-        {
-            if(_S28 == u32(6))
+            if(_S21 == u32(6))
             {
                 total_3 = 1.0f;
             }
             else
             {
-                total_3 = scratch_number_0(point_row_0(_S14, _S15, _S31) + min(_S28, u32(5)));
+                total_3 = scratch_number_0(point_row_0(_S15, _S16, _S25) + min(_S21, u32(5)));
             }
             total_3 = total_2 + total_3;
         }
@@ -332,32 +278,16 @@ fn measure_0( _S14 : i32,  _S15 : u32,  _S16 : u32,  _S17 : u32,  _S18 : u32)
         {
             total_3 = total_2;
         }
-        var _S32 : u32 = _S29 + u32(3);
-        if(_S32 < _S17)
+        var _S26 : u32 = _S22 + u32(3);
+        if(((((_S26 < _S18) & (((labels_0[_S26]) == _S17)))) & (_S23)))
         {
-            _S25 = (labels_0[_S32]) == _S16;
-        }
-        else
-        {
-            _S25 = false;
-        }
-        if(_S25)
-        {
-            _S26 = _S28 <= u32(6);
-        }
-        else
-        {
-            _S26 = false;
-        }
-        if(_S26)
-        {
-            if(_S28 == u32(6))
+            if(_S21 == u32(6))
             {
                 total_4 = 1.0f;
             }
             else
             {
-                total_4 = scratch_number_0(point_row_0(_S14, _S15, _S32) + min(_S28, u32(5)));
+                total_4 = scratch_number_0(point_row_0(_S15, _S16, _S26) + min(_S21, u32(5)));
             }
             total_4 = total_3 + total_4;
         }
@@ -365,34 +295,16 @@ fn measure_0( _S14 : i32,  _S15 : u32,  _S16 : u32,  _S17 : u32,  _S18 : u32)
         {
             total_4 = total_3;
         }
-        var _S33 : u32 = _S29 + u32(4);
-        var _S34 : bool;
-        if(_S33 < _S17)
+        var _S27 : u32 = _S22 + u32(4);
+        if(((((_S27 < _S18) & (((labels_0[_S27]) == _S17)))) & (_S23)))
         {
-            _S34 = (labels_0[_S33]) == _S16;
-        }
-        else
-        {
-            _S34 = false;
-        }
-        var _S35 : bool;
-        if(_S34)
-        {
-            _S35 = _S28 <= u32(6);
-        }
-        else
-        {
-            _S35 = false;
-        }
-        if(_S35)
-        {
-            if(_S28 == u32(6))
+            if(_S21 == u32(6))
             {
                 total_5 = 1.0f;
             }
             else
             {
-                total_5 = scratch_number_0(point_row_0(_S14, _S15, _S33) + min(_S28, u32(5)));
+                total_5 = scratch_number_0(point_row_0(_S15, _S16, _S27) + min(_S21, u32(5)));
             }
             total_5 = total_4 + total_5;
         }
@@ -400,34 +312,16 @@ fn measure_0( _S14 : i32,  _S15 : u32,  _S16 : u32,  _S17 : u32,  _S18 : u32)
         {
             total_5 = total_4;
         }
-        var _S36 : u32 = _S29 + u32(5);
-        var _S37 : bool;
-        if(_S36 < _S17)
+        var _S28 : u32 = _S22 + u32(5);
+        if(((((_S28 < _S18) & (((labels_0[_S28]) == _S17)))) & (_S23)))
         {
-            _S37 = (labels_0[_S36]) == _S16;
-        }
-        else
-        {
-            _S37 = false;
-        }
-        var _S38 : bool;
-        if(_S37)
-        {
-            _S38 = _S28 <= u32(6);
-        }
-        else
-        {
-            _S38 = false;
-        }
-        if(_S38)
-        {
-            if(_S28 == u32(6))
+            if(_S21 == u32(6))
             {
                 total_6 = 1.0f;
             }
             else
             {
-                total_6 = scratch_number_0(point_row_0(_S14, _S15, _S36) + min(_S28, u32(5)));
+                total_6 = scratch_number_0(point_row_0(_S15, _S16, _S28) + min(_S21, u32(5)));
             }
             total_6 = total_5 + total_6;
         }
@@ -435,34 +329,16 @@ fn measure_0( _S14 : i32,  _S15 : u32,  _S16 : u32,  _S17 : u32,  _S18 : u32)
         {
             total_6 = total_5;
         }
-        var _S39 : u32 = _S29 + u32(6);
-        var _S40 : bool;
-        if(_S39 < _S17)
+        var _S29 : u32 = _S22 + u32(6);
+        if(((((_S29 < _S18) & (((labels_0[_S29]) == _S17)))) & (_S23)))
         {
-            _S40 = (labels_0[_S39]) == _S16;
-        }
-        else
-        {
-            _S40 = false;
-        }
-        var _S41 : bool;
-        if(_S40)
-        {
-            _S41 = _S28 <= u32(6);
-        }
-        else
-        {
-            _S41 = false;
-        }
-        if(_S41)
-        {
-            if(_S28 == u32(6))
+            if(_S21 == u32(6))
             {
                 total_7 = 1.0f;
             }
             else
             {
-                total_7 = scratch_number_0(point_row_0(_S14, _S15, _S39) + min(_S28, u32(5)));
+                total_7 = scratch_number_0(point_row_0(_S15, _S16, _S29) + min(_S21, u32(5)));
             }
             total_7 = total_6 + total_7;
         }
@@ -470,37 +346,19 @@ fn measure_0( _S14 : i32,  _S15 : u32,  _S16 : u32,  _S17 : u32,  _S18 : u32)
         {
             total_7 = total_6;
         }
-        var _S42 : u32 = _S29 + u32(7);
-        var _S43 : bool;
-        if(_S42 < _S17)
+        var _S30 : u32 = _S22 + u32(7);
+        if(((((_S30 < _S18) & (((labels_0[_S30]) == _S17)))) & (_S23)))
         {
-            _S43 = (labels_0[_S42]) == _S16;
-        }
-        else
-        {
-            _S43 = false;
-        }
-        var _S44 : bool;
-        if(_S43)
-        {
-            _S44 = _S28 <= u32(6);
-        }
-        else
-        {
-            _S44 = false;
-        }
-        if(_S44)
-        {
-            var _S45 : f32;
-            if(_S28 == u32(6))
+            var _S31 : f32;
+            if(_S21 == u32(6))
             {
-                _S45 = 1.0f;
+                _S31 = 1.0f;
             }
             else
             {
-                _S45 = scratch_number_0(point_row_0(_S14, _S15, _S42) + min(_S28, u32(5)));
+                _S31 = scratch_number_0(point_row_0(_S15, _S16, _S30) + min(_S21, u32(5)));
             }
-            total_8 = total_7 + _S45;
+            total_8 = total_7 + _S31;
         }
         else
         {
@@ -508,10 +366,10 @@ fn measure_0( _S14 : i32,  _S15 : u32,  _S16 : u32,  _S17 : u32,  _S18 : u32)
         }
         i_0 = i_0 + u32(8);
     }
-    partial_0[_S18] = total_8;
+    partial_0[_S19] = total_8;
     workgroupBarrier();
     var other_0 : u32;
-    if(_S18 < u32(7))
+    if(_S19 < u32(7))
     {
         other_0 = u32(0);
         total_1 = 0.0f;
@@ -524,19 +382,19 @@ fn measure_0( _S14 : i32,  _S15 : u32,  _S16 : u32,  _S17 : u32,  _S18 : u32)
             {
                 break;
             }
-            var all_0 : f32 = total_1 + partial_0[other_0 * u32(32) + _S18];
+            var all_0 : f32 = total_1 + partial_0[other_0 * u32(32) + _S19];
             other_0 = other_0 + u32(1);
             total_1 = all_0;
         }
-        mean_0[_S18] = total_1;
+        mean_0[_S19] = total_1;
     }
     workgroupBarrier();
-    var _S46 : f32 = max(mean_0[u32(6)], 1.0f);
-    var _S47 : vec2<u32> = features_of_pair_0(min(_S28, u32(20)));
-    var _S48 : u32 = _S47.x;
-    var _S49 : f32 = mean_0[_S48] / _S46;
-    var _S50 : u32 = _S47.y;
-    var _S51 : f32 = mean_0[_S50] / _S46;
+    var _S32 : f32 = max(mean_0[u32(6)], 1.0f);
+    var _S33 : vec2<u32> = features_of_pair_0(min(_S21, u32(20)));
+    var _S34 : u32 = _S33.x;
+    var _S35 : f32 = mean_0[_S34] / _S32;
+    var _S36 : u32 = _S33.y;
+    var _S37 : f32 = mean_0[_S36] / _S32;
     i_0 = u32(0);
     total_8 = 0.0f;
     for(;;)
@@ -548,145 +406,81 @@ fn measure_0( _S14 : i32,  _S15 : u32,  _S16 : u32,  _S17 : u32,  _S18 : u32)
         {
             break;
         }
-        var _S52 : u32 = _S27 * u32(256) + i_0;
-        var _S53 : u32 = point_row_0(_S14, _S15, _S52);
-        if(_S52 < _S17)
+        var _S38 : u32 = _S20 * u32(256) + i_0;
+        var _S39 : u32 = point_row_0(_S15, _S16, _S38);
+        if(((_S38 < _S18) & (((labels_0[_S38]) == _S17))))
         {
-            _S19 = (labels_0[_S52]) == _S16;
-        }
-        else
-        {
-            _S19 = false;
-        }
-        if(_S19)
-        {
-            total_1 = total_8 + (scratch_number_0(_S53 + _S48) - _S49) * (scratch_number_0(_S53 + _S50) - _S51);
+            total_1 = total_8 + (scratch_number_0(_S39 + _S34) - _S35) * (scratch_number_0(_S39 + _S36) - _S37);
         }
         else
         {
             total_1 = total_8;
         }
-        var _S54 : u32 = _S52 + u32(1);
-        var _S55 : u32 = point_row_0(_S14, _S15, _S54);
-        if(_S54 < _S17)
+        var _S40 : u32 = _S38 + u32(1);
+        var _S41 : u32 = point_row_0(_S15, _S16, _S40);
+        if(((_S40 < _S18) & (((labels_0[_S40]) == _S17))))
         {
-            _S20 = (labels_0[_S54]) == _S16;
-        }
-        else
-        {
-            _S20 = false;
-        }
-        if(_S20)
-        {
-            total_2 = total_1 + (scratch_number_0(_S55 + _S48) - _S49) * (scratch_number_0(_S55 + _S50) - _S51);
+            total_2 = total_1 + (scratch_number_0(_S41 + _S34) - _S35) * (scratch_number_0(_S41 + _S36) - _S37);
         }
         else
         {
             total_2 = total_1;
         }
-        var _S56 : u32 = _S52 + u32(2);
-        var _S57 : u32 = point_row_0(_S14, _S15, _S56);
-        if(_S56 < _S17)
+        var _S42 : u32 = _S38 + u32(2);
+        var _S43 : u32 = point_row_0(_S15, _S16, _S42);
+        if(((_S42 < _S18) & (((labels_0[_S42]) == _S17))))
         {
-            _S21 = (labels_0[_S56]) == _S16;
-        }
-        else
-        {
-            _S21 = false;
-        }
-        if(_S21)
-        {
-            total_3 = total_2 + (scratch_number_0(_S57 + _S48) - _S49) * (scratch_number_0(_S57 + _S50) - _S51);
+            total_3 = total_2 + (scratch_number_0(_S43 + _S34) - _S35) * (scratch_number_0(_S43 + _S36) - _S37);
         }
         else
         {
             total_3 = total_2;
         }
-        var _S58 : u32 = _S52 + u32(3);
-        var _S59 : u32 = point_row_0(_S14, _S15, _S58);
-        if(_S58 < _S17)
+        var _S44 : u32 = _S38 + u32(3);
+        var _S45 : u32 = point_row_0(_S15, _S16, _S44);
+        if(((_S44 < _S18) & (((labels_0[_S44]) == _S17))))
         {
-            _S22 = (labels_0[_S58]) == _S16;
-        }
-        else
-        {
-            _S22 = false;
-        }
-        if(_S22)
-        {
-            total_4 = total_3 + (scratch_number_0(_S59 + _S48) - _S49) * (scratch_number_0(_S59 + _S50) - _S51);
+            total_4 = total_3 + (scratch_number_0(_S45 + _S34) - _S35) * (scratch_number_0(_S45 + _S36) - _S37);
         }
         else
         {
             total_4 = total_3;
         }
-        var _S60 : u32 = _S52 + u32(4);
-        var _S61 : u32 = point_row_0(_S14, _S15, _S60);
-        if(_S60 < _S17)
+        var _S46 : u32 = _S38 + u32(4);
+        var _S47 : u32 = point_row_0(_S15, _S16, _S46);
+        if(((_S46 < _S18) & (((labels_0[_S46]) == _S17))))
         {
-            _S23 = (labels_0[_S60]) == _S16;
-        }
-        else
-        {
-            _S23 = false;
-        }
-        if(_S23)
-        {
-            total_5 = total_4 + (scratch_number_0(_S61 + _S48) - _S49) * (scratch_number_0(_S61 + _S50) - _S51);
+            total_5 = total_4 + (scratch_number_0(_S47 + _S34) - _S35) * (scratch_number_0(_S47 + _S36) - _S37);
         }
         else
         {
             total_5 = total_4;
         }
-        var _S62 : u32 = _S52 + u32(5);
-        var _S63 : u32 = point_row_0(_S14, _S15, _S62);
-        if(_S62 < _S17)
+        var _S48 : u32 = _S38 + u32(5);
+        var _S49 : u32 = point_row_0(_S15, _S16, _S48);
+        if(((_S48 < _S18) & (((labels_0[_S48]) == _S17))))
         {
-            _S24 = (labels_0[_S62]) == _S16;
-        }
-        else
-        {
-            _S24 = false;
-        }
-        if(_S24)
-        {
-            total_6 = total_5 + (scratch_number_0(_S63 + _S48) - _S49) * (scratch_number_0(_S63 + _S50) - _S51);
+            total_6 = total_5 + (scratch_number_0(_S49 + _S34) - _S35) * (scratch_number_0(_S49 + _S36) - _S37);
         }
         else
         {
             total_6 = total_5;
         }
-        var _S64 : u32 = _S52 + u32(6);
-        var _S65 : u32 = point_row_0(_S14, _S15, _S64);
-        if(_S64 < _S17)
+        var _S50 : u32 = _S38 + u32(6);
+        var _S51 : u32 = point_row_0(_S15, _S16, _S50);
+        if(((_S50 < _S18) & (((labels_0[_S50]) == _S17))))
         {
-            _S25 = (labels_0[_S64]) == _S16;
-        }
-        else
-        {
-            _S25 = false;
-        }
-        if(_S25)
-        {
-            total_7 = total_6 + (scratch_number_0(_S65 + _S48) - _S49) * (scratch_number_0(_S65 + _S50) - _S51);
+            total_7 = total_6 + (scratch_number_0(_S51 + _S34) - _S35) * (scratch_number_0(_S51 + _S36) - _S37);
         }
         else
         {
             total_7 = total_6;
         }
-        var _S66 : u32 = _S52 + u32(7);
-        var _S67 : u32 = point_row_0(_S14, _S15, _S66);
-        if(_S66 < _S17)
+        var _S52 : u32 = _S38 + u32(7);
+        var _S53 : u32 = point_row_0(_S15, _S16, _S52);
+        if(((_S52 < _S18) & (((labels_0[_S52]) == _S17))))
         {
-            _S26 = (labels_0[_S66]) == _S16;
-        }
-        else
-        {
-            _S26 = false;
-        }
-        if(_S26)
-        {
-            total_8 = total_7 + (scratch_number_0(_S67 + _S48) - _S49) * (scratch_number_0(_S67 + _S50) - _S51);
+            total_8 = total_7 + (scratch_number_0(_S53 + _S34) - _S35) * (scratch_number_0(_S53 + _S36) - _S37);
         }
         else
         {
@@ -695,10 +489,10 @@ fn measure_0( _S14 : i32,  _S15 : u32,  _S16 : u32,  _S17 : u32,  _S18 : u32)
         i_0 = i_0 + u32(8);
     }
     workgroupBarrier();
-    partial_0[_S18] = total_8;
+    partial_0[_S19] = total_8;
     workgroupBarrier();
-    var _S68 : bool = _S18 < u32(21);
-    if(_S68)
+    var _S54 : bool = _S19 < u32(21);
+    if(_S54)
     {
         other_0 = u32(0);
         total_1 = 0.0f;
@@ -711,73 +505,73 @@ fn measure_0( _S14 : i32,  _S15 : u32,  _S16 : u32,  _S17 : u32,  _S18 : u32)
             {
                 break;
             }
-            var all_1 : f32 = total_1 + partial_0[other_0 * u32(32) + _S18];
+            var all_1 : f32 = total_1 + partial_0[other_0 * u32(32) + _S19];
             other_0 = other_0 + u32(1);
             total_1 = all_1;
         }
-        scatter_0[_S18] = total_1;
+        scatter_0[_S19] = total_1;
     }
     workgroupBarrier();
-    var _S69 : u32 = bakes_0[_S14].clusters_0 + (_S15 * bakes_0[_S14].max_clusters_0 + _S16) * u32(32);
+    var _S55 : u32 = bakes_0[_S15].clusters_0 + (_S16 * bakes_0[_S15].max_clusters_0 + _S17) * u32(32);
     if(is_finished_0 == u32(0))
     {
-        if(_S18 == u32(0))
+        if(_S19 == u32(0))
         {
-            scratch_0[_S69] = (bitcast<u32>((scatter_0[i32(0)] + scatter_0[i32(2)] + scatter_0[i32(5)] + scatter_0[i32(9)] + scatter_0[i32(14)] + scatter_0[i32(20)])));
+            scratch_0[_S55] = (bitcast<u32>((scatter_0[i32(0)] + scatter_0[i32(2)] + scatter_0[i32(5)] + scatter_0[i32(9)] + scatter_0[i32(14)] + scatter_0[i32(20)])));
         }
-        if(_S18 < u32(6))
+        if(_S19 < u32(6))
         {
-            scratch_0[_S69 + u32(1) + _S18] = (bitcast<u32>((mean_0[_S18] / _S46)));
+            scratch_0[_S55 + u32(1) + _S19] = (bitcast<u32>((mean_0[_S19] / _S32)));
         }
-        if(_S68)
+        if(_S54)
         {
-            scratch_0[_S69 + u32(7) + _S18] = (bitcast<u32>((scatter_0[_S18])));
+            scratch_0[_S55 + u32(7) + _S19] = (bitcast<u32>((scatter_0[_S19])));
         }
     }
     storageBarrier(); textureBarrier(); workgroupBarrier();;
     return;
 }
 
-fn keep_level_0( _S70 : i32,  _S71 : u32,  _S72 : u32,  _S73 : u32)
+fn keep_level_0( _S56 : i32,  _S57 : u32,  _S58 : u32,  _S59 : u32)
 {
     if(is_finished_0 == u32(0))
     {
-        var _S74 : u32 = bakes_0[_S70].max_clusters_0;
-        var _S75 : u32 = _S71 * bakes_0[_S70].max_clusters_0;
-        var _S76 : u32 = bakes_0[_S70].clusters_0 + _S75 * u32(32);
-        var _S77 : u32 = _S75 + _S72 - u32(1);
-        var item_0 : u32 = _S73;
+        var _S60 : u32 = bakes_0[_S56].max_clusters_0;
+        var _S61 : u32 = _S57 * bakes_0[_S56].max_clusters_0;
+        var _S62 : u32 = bakes_0[_S56].clusters_0 + _S61 * u32(32);
+        var _S63 : u32 = _S61 + _S58 - u32(1);
+        var item_0 : u32 = _S59;
         for(;;)
         {
-            if(item_0 < (_S72 * u32(6)))
+            if(item_0 < (_S58 * u32(6)))
             {
             }
             else
             {
                 break;
             }
-            scratch_0[bakes_0[_S70].cluster_means_0 + _S77 * _S74 * u32(6) + item_0] = scratch_0[_S76 + item_0 / u32(6) * u32(32) + u32(1) + item_0 % u32(6)];
+            scratch_0[bakes_0[_S56].cluster_means_0 + _S63 * _S60 * u32(6) + item_0] = scratch_0[_S62 + item_0 / u32(6) * u32(32) + u32(1) + item_0 % u32(6)];
             item_0 = item_0 + u32(256);
         }
-        if(_S73 == u32(0))
+        if(_S59 == u32(0))
         {
             var cluster_0 : u32 = u32(0);
             var error_0 : f32 = 0.0f;
             for(;;)
             {
-                if(cluster_0 < _S72)
+                if(cluster_0 < _S58)
                 {
                 }
                 else
                 {
                     break;
                 }
-                var error_1 : f32 = error_0 + scratch_number_0(_S76 + cluster_0 * u32(32));
+                var error_1 : f32 = error_0 + scratch_number_0(_S62 + cluster_0 * u32(32));
                 cluster_0 = cluster_0 + u32(1);
                 error_0 = error_1;
             }
-            scratch_0[bakes_0[_S70].cluster_errors_0 + _S77] = (bitcast<u32>((error_0)));
-            scratch_0[bakes_0[_S70].facts_0 + u32(10) + _S71] = _S72;
+            scratch_0[bakes_0[_S56].cluster_errors_0 + _S63] = (bitcast<u32>((error_0)));
+            scratch_0[bakes_0[_S56].facts_0 + u32(10) + _S57] = _S58;
         }
     }
     storageBarrier(); textureBarrier(); workgroupBarrier();;
@@ -788,55 +582,37 @@ fn keep_level_0( _S70 : i32,  _S71 : u32,  _S72 : u32,  _S73 : u32)
 @workgroup_size(256, 1, 1)
 fn bake_bisect(@builtin(workgroup_id) group_0 : vec3<u32>, @builtin(local_invocation_id) thread_0 : vec3<u32>)
 {
-    var _S78 : bool;
-    var _S79 : bool;
-    var _S80 : bool;
-    var _S81 : bool;
-    var _S82 : bool;
-    var _S83 : bool;
-    var _S84 : bool;
-    var _S85 : bool;
-    var _S86 : bool;
-    var _S87 : bool;
-    var _S88 : bool;
-    var _S89 : bool;
-    var _S90 : bool;
-    var _S91 : bool;
-    var _S92 : bool;
-    var _S93 : bool;
-    var _S94 : bool;
-    var _S95 : bool;
-    var _S96 : u32 = group_0.x;
-    var _S97 : u32 = thread_0.x;
-    var _S98 : u32 = scratch_0[bakes_0[i32(0)].facts_0 + u32(4) + _S96];
-    var _S99 : u32 = _S97 * u32(8);
-    labels_0[_S99] = u32(0);
-    var _S100 : u32 = _S99 + u32(1);
-    labels_0[_S100] = u32(0);
-    var _S101 : u32 = _S99 + u32(2);
-    labels_0[_S101] = u32(0);
-    var _S102 : u32 = _S99 + u32(3);
-    labels_0[_S102] = u32(0);
-    var _S103 : u32 = _S99 + u32(4);
-    labels_0[_S103] = u32(0);
-    var _S104 : u32 = _S99 + u32(5);
-    labels_0[_S104] = u32(0);
-    var _S105 : u32 = _S99 + u32(6);
-    labels_0[_S105] = u32(0);
-    var _S106 : u32 = _S99 + u32(7);
-    labels_0[_S106] = u32(0);
-    var _S107 : bool = _S97 == u32(0);
-    if(_S107)
+    var _S64 : u32 = group_0.x;
+    var _S65 : u32 = thread_0.x;
+    var _S66 : u32 = scratch_0[bakes_0[i32(0)].facts_0 + u32(4) + _S64];
+    var _S67 : u32 = _S65 * u32(8);
+    labels_0[_S67] = u32(0);
+    var _S68 : u32 = _S67 + u32(1);
+    labels_0[_S68] = u32(0);
+    var _S69 : u32 = _S67 + u32(2);
+    labels_0[_S69] = u32(0);
+    var _S70 : u32 = _S67 + u32(3);
+    labels_0[_S70] = u32(0);
+    var _S71 : u32 = _S67 + u32(4);
+    labels_0[_S71] = u32(0);
+    var _S72 : u32 = _S67 + u32(5);
+    labels_0[_S72] = u32(0);
+    var _S73 : u32 = _S67 + u32(6);
+    labels_0[_S73] = u32(0);
+    var _S74 : u32 = _S67 + u32(7);
+    labels_0[_S74] = u32(0);
+    var _S75 : bool = _S65 == u32(0);
+    if(_S75)
     {
         is_finished_0 = u32(0);
     }
     workgroupBarrier();
-    measure_0(i32(0), _S96, u32(0), _S98, _S97);
-    keep_level_0(i32(0), _S96, u32(1), _S97);
+    measure_0(i32(0), _S64, u32(0), _S66, _S65);
+    keep_level_0(i32(0), _S64, u32(1), _S65);
     var new_cluster_0 : u32 = u32(1);
     for(;;)
     {
-        var _S108 : u32 = bakes_0[i32(0)].max_clusters_0;
+        var _S76 : u32 = bakes_0[i32(0)].max_clusters_0;
         if(new_cluster_0 < (bakes_0[i32(0)].max_clusters_0))
         {
         }
@@ -844,229 +620,60 @@ fn bake_bisect(@builtin(workgroup_id) group_0 : vec3<u32>, @builtin(local_invoca
         {
             break;
         }
-        var _S109 : u32 = bakes_0[i32(0)].clusters_0 + _S96 * _S108 * u32(32);
-        var cluster_1 : u32;
-        if(_S107)
+        var _S77 : u32 = bakes_0[i32(0)].clusters_0 + _S64 * _S76 * u32(32);
+        var i_1 : u32;
+        if(_S75)
         {
             widest_0 = u32(0);
-            cluster_1 = u32(1);
+            i_1 = u32(1);
             for(;;)
             {
-                if(cluster_1 < new_cluster_0)
+                if(i_1 < new_cluster_0)
                 {
                 }
                 else
                 {
                     break;
                 }
-                if((scratch_number_0(_S109 + cluster_1 * u32(32))) > (scratch_number_0(_S109 + widest_0 * u32(32))))
+                if((scratch_number_0(_S77 + i_1 * u32(32))) > (scratch_number_0(_S77 + widest_0 * u32(32))))
                 {
-                    widest_0 = cluster_1;
+                    widest_0 = i_1;
                 }
-                cluster_1 = cluster_1 + u32(1);
+                i_1 = i_1 + u32(1);
             }
         }
         workgroupBarrier();
-        if(is_finished_0 == u32(0))
-        {
-            cluster_1 = widest_0;
-        }
-        else
-        {
-            cluster_1 = u32(0);
-        }
-        var _S110 : u32 = _S109 + cluster_1 * u32(32);
-        var _S111 : u32 = principal_axis_0(_S97, _S110);
+        var _S78 : u32 = select(u32(0), widest_0, is_finished_0 == u32(0));
+        var _S79 : u32 = _S77 + _S78 * u32(32);
+        var _S80 : u32 = principal_axis_0(_S65, _S79);
         var along_0 : array<f32, i32(8)>;
-        const _S112 : vec2<f32> = vec2<f32>(0.0f, 0.0f);
-        along_0[u32(0)] = 0.0f;
-        var _S113 : bool = _S99 < _S98;
-        var _S114 : bool;
-        if(_S113)
+        const _S81 : vec2<f32> = vec2<f32>(0.0f, 0.0f);
+        i_1 = u32(0);
+        var sums_0 : vec2<f32> = _S81;
+        for(;;)
         {
-            _S114 = (labels_0[_S99]) == cluster_1;
+            if(i_1 < u32(8))
+            {
+            }
+            else
+            {
+                break;
+            }
+            var _S82 : u32 = _S67 + i_1;
+            along_0[i_1] = 0.0f;
+            if(((_S82 < _S66) & (((labels_0[_S82]) == _S78))))
+            {
+                var _S83 : u32 = _S79 + u32(1);
+                var _S84 : f32 = along_0[i_1] + matrix_0[_S80] * (scratch_number_0(point_row_0(i32(0), _S64, _S82)) - scratch_number_0(_S83)) + matrix_0[_S80 + u32(1)] * (scratch_number_0(point_row_0(i32(0), _S64, _S82) + u32(1)) - scratch_number_0(_S83 + u32(1))) + matrix_0[_S80 + u32(2)] * (scratch_number_0(point_row_0(i32(0), _S64, _S82) + u32(2)) - scratch_number_0(_S83 + u32(2))) + matrix_0[_S80 + u32(3)] * (scratch_number_0(point_row_0(i32(0), _S64, _S82) + u32(3)) - scratch_number_0(_S83 + u32(3))) + matrix_0[_S80 + u32(4)] * (scratch_number_0(point_row_0(i32(0), _S64, _S82) + u32(4)) - scratch_number_0(_S83 + u32(4))) + matrix_0[_S80 + u32(5)] * (scratch_number_0(point_row_0(i32(0), _S64, _S82) + u32(5)) - scratch_number_0(_S83 + u32(5)));
+                along_0[i_1] = _S84;
+                sums_0 = sums_0 + vec2<f32>(1.0f, _S84);
+            }
+            i_1 = i_1 + u32(1);
         }
-        else
-        {
-            _S114 = false;
-        }
-        var sums_0 : vec2<f32>;
-        if(_S114)
-        {
-            var _S115 : u32 = _S110 + u32(1);
-            var _S116 : f32 = along_0[u32(0)] + matrix_0[_S111] * (scratch_number_0(point_row_0(i32(0), _S96, _S99)) - scratch_number_0(_S115)) + matrix_0[_S111 + u32(1)] * (scratch_number_0(point_row_0(i32(0), _S96, _S99) + u32(1)) - scratch_number_0(_S115 + u32(1))) + matrix_0[_S111 + u32(2)] * (scratch_number_0(point_row_0(i32(0), _S96, _S99) + u32(2)) - scratch_number_0(_S115 + u32(2))) + matrix_0[_S111 + u32(3)] * (scratch_number_0(point_row_0(i32(0), _S96, _S99) + u32(3)) - scratch_number_0(_S115 + u32(3))) + matrix_0[_S111 + u32(4)] * (scratch_number_0(point_row_0(i32(0), _S96, _S99) + u32(4)) - scratch_number_0(_S115 + u32(4))) + matrix_0[_S111 + u32(5)] * (scratch_number_0(point_row_0(i32(0), _S96, _S99) + u32(5)) - scratch_number_0(_S115 + u32(5)));
-            along_0[u32(0)] = _S116;
-            sums_0 = vec2<f32>(1.0f, _S116);
-        }
-        else
-        {
-            sums_0 = _S112;
-        }
-        along_0[u32(1)] = 0.0f;
-        var _S117 : bool = _S100 < _S98;
-        var _S118 : bool;
-        if(_S117)
-        {
-            _S118 = (labels_0[_S100]) == cluster_1;
-        }
-        else
-        {
-            _S118 = false;
-        }
-        var sums_1 : vec2<f32>;
-        if(_S118)
-        {
-            var _S119 : u32 = _S110 + u32(1);
-            var _S120 : f32 = along_0[u32(1)] + matrix_0[_S111] * (scratch_number_0(point_row_0(i32(0), _S96, _S100)) - scratch_number_0(_S119)) + matrix_0[_S111 + u32(1)] * (scratch_number_0(point_row_0(i32(0), _S96, _S100) + u32(1)) - scratch_number_0(_S119 + u32(1))) + matrix_0[_S111 + u32(2)] * (scratch_number_0(point_row_0(i32(0), _S96, _S100) + u32(2)) - scratch_number_0(_S119 + u32(2))) + matrix_0[_S111 + u32(3)] * (scratch_number_0(point_row_0(i32(0), _S96, _S100) + u32(3)) - scratch_number_0(_S119 + u32(3))) + matrix_0[_S111 + u32(4)] * (scratch_number_0(point_row_0(i32(0), _S96, _S100) + u32(4)) - scratch_number_0(_S119 + u32(4))) + matrix_0[_S111 + u32(5)] * (scratch_number_0(point_row_0(i32(0), _S96, _S100) + u32(5)) - scratch_number_0(_S119 + u32(5)));
-            along_0[u32(1)] = _S120;
-            sums_1 = sums_0 + vec2<f32>(1.0f, _S120);
-        }
-        else
-        {
-            sums_1 = sums_0;
-        }
-        along_0[u32(2)] = 0.0f;
-        var _S121 : bool = _S101 < _S98;
-        var _S122 : bool;
-        if(_S121)
-        {
-            _S122 = (labels_0[_S101]) == cluster_1;
-        }
-        else
-        {
-            _S122 = false;
-        }
-        var sums_2 : vec2<f32>;
-        if(_S122)
-        {
-            var _S123 : u32 = _S110 + u32(1);
-            var _S124 : f32 = along_0[u32(2)] + matrix_0[_S111] * (scratch_number_0(point_row_0(i32(0), _S96, _S101)) - scratch_number_0(_S123)) + matrix_0[_S111 + u32(1)] * (scratch_number_0(point_row_0(i32(0), _S96, _S101) + u32(1)) - scratch_number_0(_S123 + u32(1))) + matrix_0[_S111 + u32(2)] * (scratch_number_0(point_row_0(i32(0), _S96, _S101) + u32(2)) - scratch_number_0(_S123 + u32(2))) + matrix_0[_S111 + u32(3)] * (scratch_number_0(point_row_0(i32(0), _S96, _S101) + u32(3)) - scratch_number_0(_S123 + u32(3))) + matrix_0[_S111 + u32(4)] * (scratch_number_0(point_row_0(i32(0), _S96, _S101) + u32(4)) - scratch_number_0(_S123 + u32(4))) + matrix_0[_S111 + u32(5)] * (scratch_number_0(point_row_0(i32(0), _S96, _S101) + u32(5)) - scratch_number_0(_S123 + u32(5)));
-            along_0[u32(2)] = _S124;
-            sums_2 = sums_1 + vec2<f32>(1.0f, _S124);
-        }
-        else
-        {
-            sums_2 = sums_1;
-        }
-        along_0[u32(3)] = 0.0f;
-        var _S125 : bool = _S102 < _S98;
-        var _S126 : bool;
-        if(_S125)
-        {
-            _S126 = (labels_0[_S102]) == cluster_1;
-        }
-        else
-        {
-            _S126 = false;
-        }
-        var sums_3 : vec2<f32>;
-        if(_S126)
-        {
-            var _S127 : u32 = _S110 + u32(1);
-            var _S128 : f32 = along_0[u32(3)] + matrix_0[_S111] * (scratch_number_0(point_row_0(i32(0), _S96, _S102)) - scratch_number_0(_S127)) + matrix_0[_S111 + u32(1)] * (scratch_number_0(point_row_0(i32(0), _S96, _S102) + u32(1)) - scratch_number_0(_S127 + u32(1))) + matrix_0[_S111 + u32(2)] * (scratch_number_0(point_row_0(i32(0), _S96, _S102) + u32(2)) - scratch_number_0(_S127 + u32(2))) + matrix_0[_S111 + u32(3)] * (scratch_number_0(point_row_0(i32(0), _S96, _S102) + u32(3)) - scratch_number_0(_S127 + u32(3))) + matrix_0[_S111 + u32(4)] * (scratch_number_0(point_row_0(i32(0), _S96, _S102) + u32(4)) - scratch_number_0(_S127 + u32(4))) + matrix_0[_S111 + u32(5)] * (scratch_number_0(point_row_0(i32(0), _S96, _S102) + u32(5)) - scratch_number_0(_S127 + u32(5)));
-            along_0[u32(3)] = _S128;
-            sums_3 = sums_2 + vec2<f32>(1.0f, _S128);
-        }
-        else
-        {
-            sums_3 = sums_2;
-        }
-        along_0[u32(4)] = 0.0f;
-        var _S129 : bool = _S103 < _S98;
-        var _S130 : bool;
-        if(_S129)
-        {
-            _S130 = (labels_0[_S103]) == cluster_1;
-        }
-        else
-        {
-            _S130 = false;
-        }
-        var sums_4 : vec2<f32>;
-        if(_S130)
-        {
-            var _S131 : u32 = _S110 + u32(1);
-            var _S132 : f32 = along_0[u32(4)] + matrix_0[_S111] * (scratch_number_0(point_row_0(i32(0), _S96, _S103)) - scratch_number_0(_S131)) + matrix_0[_S111 + u32(1)] * (scratch_number_0(point_row_0(i32(0), _S96, _S103) + u32(1)) - scratch_number_0(_S131 + u32(1))) + matrix_0[_S111 + u32(2)] * (scratch_number_0(point_row_0(i32(0), _S96, _S103) + u32(2)) - scratch_number_0(_S131 + u32(2))) + matrix_0[_S111 + u32(3)] * (scratch_number_0(point_row_0(i32(0), _S96, _S103) + u32(3)) - scratch_number_0(_S131 + u32(3))) + matrix_0[_S111 + u32(4)] * (scratch_number_0(point_row_0(i32(0), _S96, _S103) + u32(4)) - scratch_number_0(_S131 + u32(4))) + matrix_0[_S111 + u32(5)] * (scratch_number_0(point_row_0(i32(0), _S96, _S103) + u32(5)) - scratch_number_0(_S131 + u32(5)));
-            along_0[u32(4)] = _S132;
-            sums_4 = sums_3 + vec2<f32>(1.0f, _S132);
-        }
-        else
-        {
-            sums_4 = sums_3;
-        }
-        along_0[u32(5)] = 0.0f;
-        var _S133 : bool = _S104 < _S98;
-        var _S134 : bool;
-        if(_S133)
-        {
-            _S134 = (labels_0[_S104]) == cluster_1;
-        }
-        else
-        {
-            _S134 = false;
-        }
-        var sums_5 : vec2<f32>;
-        if(_S134)
-        {
-            var _S135 : u32 = _S110 + u32(1);
-            var _S136 : f32 = along_0[u32(5)] + matrix_0[_S111] * (scratch_number_0(point_row_0(i32(0), _S96, _S104)) - scratch_number_0(_S135)) + matrix_0[_S111 + u32(1)] * (scratch_number_0(point_row_0(i32(0), _S96, _S104) + u32(1)) - scratch_number_0(_S135 + u32(1))) + matrix_0[_S111 + u32(2)] * (scratch_number_0(point_row_0(i32(0), _S96, _S104) + u32(2)) - scratch_number_0(_S135 + u32(2))) + matrix_0[_S111 + u32(3)] * (scratch_number_0(point_row_0(i32(0), _S96, _S104) + u32(3)) - scratch_number_0(_S135 + u32(3))) + matrix_0[_S111 + u32(4)] * (scratch_number_0(point_row_0(i32(0), _S96, _S104) + u32(4)) - scratch_number_0(_S135 + u32(4))) + matrix_0[_S111 + u32(5)] * (scratch_number_0(point_row_0(i32(0), _S96, _S104) + u32(5)) - scratch_number_0(_S135 + u32(5)));
-            along_0[u32(5)] = _S136;
-            sums_5 = sums_4 + vec2<f32>(1.0f, _S136);
-        }
-        else
-        {
-            sums_5 = sums_4;
-        }
-        along_0[u32(6)] = 0.0f;
-        var _S137 : bool = _S105 < _S98;
-        var _S138 : bool;
-        if(_S137)
-        {
-            _S138 = (labels_0[_S105]) == cluster_1;
-        }
-        else
-        {
-            _S138 = false;
-        }
-        var sums_6 : vec2<f32>;
-        if(_S138)
-        {
-            var _S139 : u32 = _S110 + u32(1);
-            var _S140 : f32 = along_0[u32(6)] + matrix_0[_S111] * (scratch_number_0(point_row_0(i32(0), _S96, _S105)) - scratch_number_0(_S139)) + matrix_0[_S111 + u32(1)] * (scratch_number_0(point_row_0(i32(0), _S96, _S105) + u32(1)) - scratch_number_0(_S139 + u32(1))) + matrix_0[_S111 + u32(2)] * (scratch_number_0(point_row_0(i32(0), _S96, _S105) + u32(2)) - scratch_number_0(_S139 + u32(2))) + matrix_0[_S111 + u32(3)] * (scratch_number_0(point_row_0(i32(0), _S96, _S105) + u32(3)) - scratch_number_0(_S139 + u32(3))) + matrix_0[_S111 + u32(4)] * (scratch_number_0(point_row_0(i32(0), _S96, _S105) + u32(4)) - scratch_number_0(_S139 + u32(4))) + matrix_0[_S111 + u32(5)] * (scratch_number_0(point_row_0(i32(0), _S96, _S105) + u32(5)) - scratch_number_0(_S139 + u32(5)));
-            along_0[u32(6)] = _S140;
-            sums_6 = sums_5 + vec2<f32>(1.0f, _S140);
-        }
-        else
-        {
-            sums_6 = sums_5;
-        }
-        along_0[u32(7)] = 0.0f;
-        var _S141 : bool = _S106 < _S98;
-        var _S142 : bool;
-        if(_S141)
-        {
-            _S142 = (labels_0[_S106]) == cluster_1;
-        }
-        else
-        {
-            _S142 = false;
-        }
-        var sums_7 : vec2<f32>;
-        if(_S142)
-        {
-            var _S143 : u32 = _S110 + u32(1);
-            var _S144 : f32 = along_0[u32(7)] + matrix_0[_S111] * (scratch_number_0(point_row_0(i32(0), _S96, _S106)) - scratch_number_0(_S143)) + matrix_0[_S111 + u32(1)] * (scratch_number_0(point_row_0(i32(0), _S96, _S106) + u32(1)) - scratch_number_0(_S143 + u32(1))) + matrix_0[_S111 + u32(2)] * (scratch_number_0(point_row_0(i32(0), _S96, _S106) + u32(2)) - scratch_number_0(_S143 + u32(2))) + matrix_0[_S111 + u32(3)] * (scratch_number_0(point_row_0(i32(0), _S96, _S106) + u32(3)) - scratch_number_0(_S143 + u32(3))) + matrix_0[_S111 + u32(4)] * (scratch_number_0(point_row_0(i32(0), _S96, _S106) + u32(4)) - scratch_number_0(_S143 + u32(4))) + matrix_0[_S111 + u32(5)] * (scratch_number_0(point_row_0(i32(0), _S96, _S106) + u32(5)) - scratch_number_0(_S143 + u32(5)));
-            along_0[u32(7)] = _S144;
-            sums_7 = sums_6 + vec2<f32>(1.0f, _S144);
-        }
-        else
-        {
-            sums_7 = sums_6;
-        }
-        var _S145 : vec2<f32> = sum_of_workers_0(sums_7, _S97);
+        var _S85 : vec2<f32> = sum_of_workers_0(sums_0, _S65);
         var step_1 : u32 = u32(0);
         var boundary_0 : f32 = 0.0f;
-        var beyond_0 : vec2<f32> = _S112;
+        var beyond_0 : vec2<f32> = _S81;
         for(;;)
         {
             if(step_1 <= u32(4))
@@ -1076,490 +683,38 @@ fn bake_bisect(@builtin(workgroup_id) group_0 : vec3<u32>, @builtin(local_invoca
             {
                 break;
             }
-            if(_S113)
+            var _S86 : vec2<f32> = vec2<f32>(0.0f);
+            var beyond_1 : vec2<f32> = sum_of_workers_0(select_vector_0(((((_S67 < _S66) & (((labels_0[_S67]) == _S78)))) & (((along_0[u32(0)]) > boundary_0))), vec2<f32>(1.0f, along_0[u32(0)]), _S86) + select_vector_0(((((_S68 < _S66) & (((labels_0[_S68]) == _S78)))) & (((along_0[u32(1)]) > boundary_0))), vec2<f32>(1.0f, along_0[u32(1)]), _S86) + select_vector_0(((((_S69 < _S66) & (((labels_0[_S69]) == _S78)))) & (((along_0[u32(2)]) > boundary_0))), vec2<f32>(1.0f, along_0[u32(2)]), _S86) + select_vector_0(((((_S70 < _S66) & (((labels_0[_S70]) == _S78)))) & (((along_0[u32(3)]) > boundary_0))), vec2<f32>(1.0f, along_0[u32(3)]), _S86) + select_vector_0(((((_S71 < _S66) & (((labels_0[_S71]) == _S78)))) & (((along_0[u32(4)]) > boundary_0))), vec2<f32>(1.0f, along_0[u32(4)]), _S86) + select_vector_0(((((_S72 < _S66) & (((labels_0[_S72]) == _S78)))) & (((along_0[u32(5)]) > boundary_0))), vec2<f32>(1.0f, along_0[u32(5)]), _S86) + select_vector_0(((((_S73 < _S66) & (((labels_0[_S73]) == _S78)))) & (((along_0[u32(6)]) > boundary_0))), vec2<f32>(1.0f, along_0[u32(6)]), _S86) + select_vector_0(((((_S74 < _S66) & (((labels_0[_S74]) == _S78)))) & (((along_0[u32(7)]) > boundary_0))), vec2<f32>(1.0f, along_0[u32(7)]), _S86), _S65);
+            var _S87 : vec2<f32> = _S85 - beyond_1;
+            var _S88 : f32 = beyond_1.x;
+            var _S89 : f32 = _S87.x;
+            if(((((step_1 < u32(4)) & ((_S88 > 0.0f)))) & ((_S89 > 0.0f))))
             {
-                _S78 = (labels_0[_S99]) == cluster_1;
-            }
-            else
-            {
-                _S78 = false;
-            }
-            if(_S78)
-            {
-                _S79 = (along_0[u32(0)]) > boundary_0;
-            }
-            else
-            {
-                _S79 = false;
-            }
-            var sums_8 : vec2<f32>;
-            if(_S79)
-            {
-                sums_8 = vec2<f32>(1.0f, along_0[u32(0)]);
-            }
-            else
-            {
-                sums_8 = _S112;
-            }
-            if(_S117)
-            {
-                _S80 = (labels_0[_S100]) == cluster_1;
-            }
-            else
-            {
-                _S80 = false;
-            }
-            if(_S80)
-            {
-                _S81 = (along_0[u32(1)]) > boundary_0;
-            }
-            else
-            {
-                _S81 = false;
-            }
-            var sums_9 : vec2<f32>;
-            if(_S81)
-            {
-                sums_9 = sums_8 + vec2<f32>(1.0f, along_0[u32(1)]);
-            }
-            else
-            {
-                sums_9 = sums_8;
-            }
-            if(_S121)
-            {
-                _S82 = (labels_0[_S101]) == cluster_1;
-            }
-            else
-            {
-                _S82 = false;
-            }
-            if(_S82)
-            {
-                _S83 = (along_0[u32(2)]) > boundary_0;
-            }
-            else
-            {
-                _S83 = false;
-            }
-            var sums_10 : vec2<f32>;
-            if(_S83)
-            {
-                sums_10 = sums_9 + vec2<f32>(1.0f, along_0[u32(2)]);
-            }
-            else
-            {
-                sums_10 = sums_9;
-            }
-            if(_S125)
-            {
-                _S84 = (labels_0[_S102]) == cluster_1;
-            }
-            else
-            {
-                _S84 = false;
-            }
-            if(_S84)
-            {
-                _S85 = (along_0[u32(3)]) > boundary_0;
-            }
-            else
-            {
-                _S85 = false;
-            }
-            var sums_11 : vec2<f32>;
-            if(_S85)
-            {
-                sums_11 = sums_10 + vec2<f32>(1.0f, along_0[u32(3)]);
-            }
-            else
-            {
-                sums_11 = sums_10;
-            }
-            if(_S129)
-            {
-                _S86 = (labels_0[_S103]) == cluster_1;
-            }
-            else
-            {
-                _S86 = false;
-            }
-            if(_S86)
-            {
-                _S87 = (along_0[u32(4)]) > boundary_0;
-            }
-            else
-            {
-                _S87 = false;
-            }
-            var sums_12 : vec2<f32>;
-            if(_S87)
-            {
-                sums_12 = sums_11 + vec2<f32>(1.0f, along_0[u32(4)]);
-            }
-            else
-            {
-                sums_12 = sums_11;
-            }
-            if(_S133)
-            {
-                _S88 = (labels_0[_S104]) == cluster_1;
-            }
-            else
-            {
-                _S88 = false;
-            }
-            if(_S88)
-            {
-                _S89 = (along_0[u32(5)]) > boundary_0;
-            }
-            else
-            {
-                _S89 = false;
-            }
-            var sums_13 : vec2<f32>;
-            if(_S89)
-            {
-                sums_13 = sums_12 + vec2<f32>(1.0f, along_0[u32(5)]);
-            }
-            else
-            {
-                sums_13 = sums_12;
-            }
-            if(_S137)
-            {
-                _S90 = (labels_0[_S105]) == cluster_1;
-            }
-            else
-            {
-                _S90 = false;
-            }
-            if(_S90)
-            {
-                _S91 = (along_0[u32(6)]) > boundary_0;
-            }
-            else
-            {
-                _S91 = false;
-            }
-            var sums_14 : vec2<f32>;
-            if(_S91)
-            {
-                sums_14 = sums_13 + vec2<f32>(1.0f, along_0[u32(6)]);
-            }
-            else
-            {
-                sums_14 = sums_13;
-            }
-            if(_S141)
-            {
-                _S92 = (labels_0[_S106]) == cluster_1;
-            }
-            else
-            {
-                _S92 = false;
-            }
-            if(_S92)
-            {
-                _S93 = (along_0[u32(7)]) > boundary_0;
-            }
-            else
-            {
-                _S93 = false;
-            }
-            var sums_15 : vec2<f32>;
-            if(_S93)
-            {
-                sums_15 = sums_14 + vec2<f32>(1.0f, along_0[u32(7)]);
-            }
-            else
-            {
-                sums_15 = sums_14;
-            }
-            var beyond_1 : vec2<f32> = sum_of_workers_0(sums_15, _S97);
-            var _S146 : vec2<f32> = _S145 - beyond_1;
-            if(step_1 < u32(4))
-            {
-                _S94 = (beyond_1.x) > 0.0f;
-            }
-            else
-            {
-                _S94 = false;
-            }
-            if(_S94)
-            {
-                _S95 = (_S146.x) > 0.0f;
-            }
-            else
-            {
-                _S95 = false;
-            }
-            if(_S95)
-            {
-                boundary_0 = 0.5f * (beyond_1.y / beyond_1.x + _S146.y / _S146.x);
+                boundary_0 = 0.5f * (beyond_1.y / _S88 + _S87.y / _S89);
             }
             step_1 = step_1 + u32(1);
             beyond_0 = beyond_1;
         }
-        if(_S107)
-        {
-            var _S147 : f32 = beyond_0.x;
-            if(_S147 > 0.0f)
-            {
-                _S78 = _S147 < (_S145.x);
-            }
-            else
-            {
-                _S78 = false;
-            }
-            _S78 = !_S78;
-        }
-        else
-        {
-            _S78 = false;
-        }
-        if(_S78)
+        var _S90 : f32 = beyond_0.x;
+        if((_S75 & ((!(((_S90 > 0.0f) & ((_S90 < (_S85.x)))))))))
         {
             is_finished_0 = u32(1);
         }
         workgroupBarrier();
-        if(is_finished_0 == u32(0))
-        {
-            _S79 = _S113;
-        }
-        else
-        {
-            _S79 = false;
-        }
-        if(_S79)
-        {
-            _S80 = (labels_0[_S99]) == cluster_1;
-        }
-        else
-        {
-            _S80 = false;
-        }
-        if(_S80)
-        {
-            _S81 = (along_0[u32(0)]) > boundary_0;
-        }
-        else
-        {
-            _S81 = false;
-        }
-        if(_S81)
-        {
-            labels_0[_S99] = new_cluster_0;
-        }
-        if(is_finished_0 == u32(0))
-        {
-            _S82 = _S117;
-        }
-        else
-        {
-            _S82 = false;
-        }
-        if(_S82)
-        {
-            _S83 = (labels_0[_S100]) == cluster_1;
-        }
-        else
-        {
-            _S83 = false;
-        }
-        if(_S83)
-        {
-            _S84 = (along_0[u32(1)]) > boundary_0;
-        }
-        else
-        {
-            _S84 = false;
-        }
-        if(_S84)
-        {
-            labels_0[_S100] = new_cluster_0;
-        }
-        if(is_finished_0 == u32(0))
-        {
-            _S85 = _S121;
-        }
-        else
-        {
-            _S85 = false;
-        }
-        if(_S85)
-        {
-            _S86 = (labels_0[_S101]) == cluster_1;
-        }
-        else
-        {
-            _S86 = false;
-        }
-        if(_S86)
-        {
-            _S87 = (along_0[u32(2)]) > boundary_0;
-        }
-        else
-        {
-            _S87 = false;
-        }
-        if(_S87)
-        {
-            labels_0[_S101] = new_cluster_0;
-        }
-        if(is_finished_0 == u32(0))
-        {
-            _S88 = _S125;
-        }
-        else
-        {
-            _S88 = false;
-        }
-        if(_S88)
-        {
-            _S89 = (labels_0[_S102]) == cluster_1;
-        }
-        else
-        {
-            _S89 = false;
-        }
-        if(_S89)
-        {
-            _S90 = (along_0[u32(3)]) > boundary_0;
-        }
-        else
-        {
-            _S90 = false;
-        }
-        if(_S90)
-        {
-            labels_0[_S102] = new_cluster_0;
-        }
-        if(is_finished_0 == u32(0))
-        {
-            _S91 = _S129;
-        }
-        else
-        {
-            _S91 = false;
-        }
-        if(_S91)
-        {
-            _S92 = (labels_0[_S103]) == cluster_1;
-        }
-        else
-        {
-            _S92 = false;
-        }
-        if(_S92)
-        {
-            _S93 = (along_0[u32(4)]) > boundary_0;
-        }
-        else
-        {
-            _S93 = false;
-        }
-        if(_S93)
-        {
-            labels_0[_S103] = new_cluster_0;
-        }
-        if(is_finished_0 == u32(0))
-        {
-            _S94 = _S133;
-        }
-        else
-        {
-            _S94 = false;
-        }
-        if(_S94)
-        {
-            _S95 = (labels_0[_S104]) == cluster_1;
-        }
-        else
-        {
-            _S95 = false;
-        }
-        var _S148 : bool;
-        if(_S95)
-        {
-            _S148 = (along_0[u32(5)]) > boundary_0;
-        }
-        else
-        {
-            _S148 = false;
-        }
-        if(_S148)
-        {
-            labels_0[_S104] = new_cluster_0;
-        }
-        var _S149 : bool;
-        if(is_finished_0 == u32(0))
-        {
-            _S149 = _S137;
-        }
-        else
-        {
-            _S149 = false;
-        }
-        var _S150 : bool;
-        if(_S149)
-        {
-            _S150 = (labels_0[_S105]) == cluster_1;
-        }
-        else
-        {
-            _S150 = false;
-        }
-        var _S151 : bool;
-        if(_S150)
-        {
-            _S151 = (along_0[u32(6)]) > boundary_0;
-        }
-        else
-        {
-            _S151 = false;
-        }
-        if(_S151)
-        {
-            labels_0[_S105] = new_cluster_0;
-        }
-        var _S152 : bool;
-        if(is_finished_0 == u32(0))
-        {
-            _S152 = _S141;
-        }
-        else
-        {
-            _S152 = false;
-        }
-        var _S153 : bool;
-        if(_S152)
-        {
-            _S153 = (labels_0[_S106]) == cluster_1;
-        }
-        else
-        {
-            _S153 = false;
-        }
-        var _S154 : bool;
-        if(_S153)
-        {
-            _S154 = (along_0[u32(7)]) > boundary_0;
-        }
-        else
-        {
-            _S154 = false;
-        }
-        if(_S154)
-        {
-            labels_0[_S106] = new_cluster_0;
-        }
+        labels_0[_S67] = select(labels_0[_S67], new_cluster_0, ((((((is_finished_0 == u32(0)) & ((_S67 < _S66)))) & (((labels_0[_S67]) == _S78)))) & (((along_0[u32(0)]) > boundary_0))));
+        labels_0[_S68] = select(labels_0[_S68], new_cluster_0, ((((((is_finished_0 == u32(0)) & ((_S68 < _S66)))) & (((labels_0[_S68]) == _S78)))) & (((along_0[u32(1)]) > boundary_0))));
+        labels_0[_S69] = select(labels_0[_S69], new_cluster_0, ((((((is_finished_0 == u32(0)) & ((_S69 < _S66)))) & (((labels_0[_S69]) == _S78)))) & (((along_0[u32(2)]) > boundary_0))));
+        labels_0[_S70] = select(labels_0[_S70], new_cluster_0, ((((((is_finished_0 == u32(0)) & ((_S70 < _S66)))) & (((labels_0[_S70]) == _S78)))) & (((along_0[u32(3)]) > boundary_0))));
+        labels_0[_S71] = select(labels_0[_S71], new_cluster_0, ((((((is_finished_0 == u32(0)) & ((_S71 < _S66)))) & (((labels_0[_S71]) == _S78)))) & (((along_0[u32(4)]) > boundary_0))));
+        labels_0[_S72] = select(labels_0[_S72], new_cluster_0, ((((((is_finished_0 == u32(0)) & ((_S72 < _S66)))) & (((labels_0[_S72]) == _S78)))) & (((along_0[u32(5)]) > boundary_0))));
+        labels_0[_S73] = select(labels_0[_S73], new_cluster_0, ((((((is_finished_0 == u32(0)) & ((_S73 < _S66)))) & (((labels_0[_S73]) == _S78)))) & (((along_0[u32(6)]) > boundary_0))));
+        labels_0[_S74] = select(labels_0[_S74], new_cluster_0, ((((((is_finished_0 == u32(0)) & ((_S74 < _S66)))) & (((labels_0[_S74]) == _S78)))) & (((along_0[u32(7)]) > boundary_0))));
         workgroupBarrier();
-        measure_0(i32(0), _S96, cluster_1, _S98, _S97);
-        measure_0(i32(0), _S96, new_cluster_0, _S98, _S97);
-        var _S155 : u32 = new_cluster_0 + u32(1);
-        keep_level_0(i32(0), _S96, _S155, _S97);
-        new_cluster_0 = _S155;
+        measure_0(i32(0), _S64, _S78, _S66, _S65);
+        measure_0(i32(0), _S64, new_cluster_0, _S66, _S65);
+        var _S91 : u32 = new_cluster_0 + u32(1);
+        keep_level_0(i32(0), _S64, _S91, _S65);
+        new_cluster_0 = _S91;
     }
     return;
 }
@@ -1569,71 +724,71 @@ fn square_0( x_1 : f32) -> f32
     return x_1 * x_1;
 }
 
-fn weighted_error_0( _S156 : i32,  _S157 : u32,  _S158 : u32) -> f32
+fn weighted_error_0( _S92 : i32,  _S93 : u32,  _S94 : u32) -> f32
 {
-    return scratch_number_0(bakes_0[_S156].cluster_errors_0 + _S157 * bakes_0[_S156].max_clusters_0 + (min(_S158, scratch_0[bakes_0[_S156].facts_0 + u32(10) + _S157]) - u32(1))) / f32(scratch_0[bakes_0[_S156].facts_0 + u32(4) + _S157]) * f32(scratch_0[bakes_0[_S156].facts_0 + _S157]);
+    return scratch_number_0(bakes_0[_S92].cluster_errors_0 + _S93 * bakes_0[_S92].max_clusters_0 + (min(_S94, scratch_0[bakes_0[_S92].facts_0 + u32(10) + _S93]) - u32(1))) / f32(scratch_0[bakes_0[_S92].facts_0 + u32(4) + _S93]) * f32(scratch_0[bakes_0[_S92].facts_0 + _S93]);
 }
 
-fn best_warp_count_0( _S159 : i32,  _S160 : u32) -> u32
+fn best_warp_count_0( _S95 : i32,  _S96 : u32) -> u32
 {
-    var _S161 : u32 = bakes_0[_S159].per_family_0;
-    var _S162 : u32 = u32(2) * bakes_0[_S159].per_family_0;
-    var _S163 : u32 = u32(2) * _S160;
-    var _S164 : u32 = bakes_0[_S159].facts_0 + u32(4) + _S163;
-    var _S165 : bool;
-    if(scratch_0[_S164] > u32(0))
+    var _S97 : u32 = bakes_0[_S95].per_family_0;
+    var _S98 : u32 = u32(2) * bakes_0[_S95].per_family_0;
+    var _S99 : u32 = u32(2) * _S96;
+    var _S100 : u32 = bakes_0[_S95].facts_0 + u32(4) + _S99;
+    var _S101 : bool;
+    if(scratch_0[_S100] > u32(0))
     {
-        _S165 = scratch_0[_S164 + u32(1)] > u32(0);
+        _S101 = scratch_0[_S100 + u32(1)] > u32(0);
     }
     else
     {
-        _S165 = false;
+        _S101 = false;
     }
-    if((_S162 % u32(8)) != u32(0))
+    if((_S98 % u32(8)) != u32(0))
     {
-        _S165 = true;
+        _S101 = true;
     }
     else
     {
-        _S165 = !_S165;
+        _S101 = !_S101;
     }
-    if(_S165)
+    if(_S101)
     {
-        return _S161;
+        return _S97;
     }
     var least_0 : f32 = 3.00000000549775576e+38f;
-    var best_0 : u32 = _S161;
+    var best_0 : u32 = _S97;
     var count_0 : u32 = u32(4);
     for(;;)
     {
-        if(count_0 < _S162)
+        if(count_0 < _S98)
         {
         }
         else
         {
             break;
         }
-        var _S166 : f32 = weighted_error_0(_S159, _S163, count_0) + weighted_error_0(_S159, _S163 + u32(1), _S162 - count_0);
-        var _S167 : i32 = i32(_S161);
-        var _S168 : i32 = abs(i32(count_0) - _S167);
-        if(_S166 < least_0)
+        var _S102 : f32 = weighted_error_0(_S95, _S99, count_0) + weighted_error_0(_S95, _S99 + u32(1), _S98 - count_0);
+        var _S103 : i32 = i32(_S97);
+        var _S104 : i32 = abs(i32(count_0) - _S103);
+        if(_S102 < least_0)
         {
-            _S165 = true;
+            _S101 = true;
         }
         else
         {
-            if(_S166 == least_0)
+            if(_S102 == least_0)
             {
-                _S165 = _S168 < (abs(i32(best_0) - _S167));
+                _S101 = _S104 < (abs(i32(best_0) - _S103));
             }
             else
             {
-                _S165 = false;
+                _S101 = false;
             }
         }
-        if(_S165)
+        if(_S101)
         {
-            least_0 = _S166;
+            least_0 = _S102;
             best_0 = count_0;
         }
         count_0 = count_0 + u32(4);
@@ -1645,79 +800,51 @@ fn best_warp_count_0( _S159 : i32,  _S160 : u32) -> u32
 @workgroup_size(256, 1, 1)
 fn bake_refine(@builtin(workgroup_id) group_1 : vec3<u32>, @builtin(local_invocation_id) thread_1 : vec3<u32>)
 {
-    var _S169 : u32;
-    var step_2 : u32;
+    var _S105 : u32;
     var least_1 : f32;
-    var distance_0 : f32;
     var nearest_0 : u32;
-    var _S170 : u32 = group_1.x;
-    var _S171 : u32 = _S170 / u32(2);
-    var _S172 : u32 = thread_1.x;
-    var _S173 : u32 = bakes_0[i32(0)].facts_0;
-    var _S174 : u32 = scratch_0[bakes_0[i32(0)].facts_0 + u32(4) + _S170];
-    var _S175 : u32 = best_warp_count_0(i32(0), _S171);
-    var _S176 : bool = (_S170 % u32(2)) == u32(0);
-    var _S177 : u32;
-    if(_S176)
-    {
-        _S177 = _S175;
-    }
-    else
-    {
-        _S177 = u32(2) * bakes_0[i32(0)].per_family_0 - _S175;
-    }
-    var _S178 : u32 = bakes_0[i32(0)].centroids_0;
-    var _S179 : u32 = _S171 * u32(2) * bakes_0[i32(0)].per_family_0;
-    var item_1 : u32;
-    if(_S176)
-    {
-        item_1 = u32(0);
-    }
-    else
-    {
-        item_1 = _S175;
-    }
-    var _S180 : u32 = _S178 + (_S179 + item_1) * u32(6);
-    var _S181 : u32 = min(_S177, scratch_0[_S173 + u32(10) + _S170]);
-    var _S182 : u32 = bakes_0[i32(0)].cluster_means_0 + (_S170 * bakes_0[i32(0)].max_clusters_0 + _S181 - u32(1)) * bakes_0[i32(0)].max_clusters_0 * u32(6);
-    item_1 = _S172;
+    var distance_0 : f32;
+    var _S106 : u32 = group_1.x;
+    var _S107 : u32 = _S106 / u32(2);
+    var _S108 : u32 = thread_1.x;
+    var _S109 : u32 = bakes_0[i32(0)].facts_0;
+    var _S110 : u32 = scratch_0[bakes_0[i32(0)].facts_0 + u32(4) + _S106];
+    var _S111 : u32 = best_warp_count_0(i32(0), _S107);
+    var _S112 : bool = (_S106 % u32(2)) == u32(0);
+    var _S113 : u32 = select(u32(2) * bakes_0[i32(0)].per_family_0 - _S111, _S111, _S112);
+    var _S114 : u32 = bakes_0[i32(0)].centroids_0 + (_S107 * u32(2) * bakes_0[i32(0)].per_family_0 + select(_S111, u32(0), _S112)) * u32(6);
+    var _S115 : u32 = min(_S113, scratch_0[bakes_0[i32(0)].facts_0 + u32(10) + _S106]);
+    var _S116 : u32 = bakes_0[i32(0)].cluster_means_0 + (_S106 * bakes_0[i32(0)].max_clusters_0 + _S115 - u32(1)) * bakes_0[i32(0)].max_clusters_0 * u32(6);
+    var item_1 : u32 = _S108;
     for(;;)
     {
-        var _S183 : u32 = _S177 * u32(6);
-        _S169 = _S183;
-        if(item_1 < _S183)
+        var _S117 : u32 = _S113 * u32(6);
+        _S105 = _S117;
+        if(item_1 < _S117)
         {
         }
         else
         {
             break;
         }
-        if((item_1 / u32(6)) < _S181)
-        {
-            step_2 = item_1;
-        }
-        else
-        {
-            step_2 = item_1 % u32(6);
-        }
-        scratch_0[_S180 + item_1] = scratch_0[_S182 + step_2];
+        scratch_0[_S114 + item_1] = scratch_0[_S116 + select(item_1 % u32(6), item_1, (item_1 / u32(6)) < _S115)];
         item_1 = item_1 + u32(256);
     }
-    var _S184 : bool;
-    if(_S172 == u32(0))
+    var _S118 : bool;
+    if(_S108 == u32(0))
     {
-        _S184 = _S176;
+        _S118 = _S112;
     }
     else
     {
-        _S184 = false;
+        _S118 = false;
     }
-    if(_S184)
+    if(_S118)
     {
-        scratch_0[_S173 + u32(14) + _S171] = _S175;
+        scratch_0[_S109 + u32(14) + _S107] = _S111;
     }
     storageBarrier(); textureBarrier(); workgroupBarrier();;
-    step_2 = u32(0);
+    var step_2 : u32 = u32(0);
     for(;;)
     {
         if(step_2 < u32(2))
@@ -1727,31 +854,31 @@ fn bake_refine(@builtin(workgroup_id) group_1 : vec3<u32>, @builtin(local_invoca
         {
             break;
         }
-        var i_1 : u32 = u32(0);
+        var i_2 : u32 = u32(0);
         for(;;)
         {
-            if(i_1 < u32(8))
+            if(i_2 < u32(8))
             {
             }
             else
             {
                 break;
             }
-            var _S185 : u32 = _S172 * u32(8) + i_1;
+            var _S119 : u32 = _S108 * u32(8) + i_2;
             least_1 = 3.00000000549775576e+38f;
             nearest_0 = u32(0);
-            var cluster_2 : u32 = u32(0);
+            var cluster_1 : u32 = u32(0);
             for(;;)
             {
-                if(cluster_2 < _S177)
+                if(cluster_1 < _S113)
                 {
-                    _S184 = _S185 < _S174;
+                    _S118 = _S119 < _S110;
                 }
                 else
                 {
-                    _S184 = false;
+                    _S118 = false;
                 }
-                if(_S184)
+                if(_S118)
                 {
                 }
                 else
@@ -1769,32 +896,25 @@ fn bake_refine(@builtin(workgroup_id) group_1 : vec3<u32>, @builtin(local_invoca
                     {
                         break;
                     }
-                    var distance_1 : f32 = distance_0 + square_0(scratch_number_0(point_row_0(i32(0), _S170, _S185) + k_2) - scratch_number_0(_S180 + cluster_2 * u32(6) + k_2));
+                    var distance_1 : f32 = distance_0 + square_0(scratch_number_0(point_row_0(i32(0), _S106, _S119) + k_2) - scratch_number_0(_S114 + cluster_1 * u32(6) + k_2));
                     k_2 = k_2 + u32(1);
                     distance_0 = distance_1;
                 }
-                if(distance_0 < least_1)
-                {
-                    item_1 = cluster_2;
-                }
-                else
-                {
-                    item_1 = nearest_0;
-                }
-                var _S186 : f32 = min(least_1, distance_0);
-                var _S187 : u32 = cluster_2 + u32(1);
-                least_1 = _S186;
-                nearest_0 = item_1;
-                cluster_2 = _S187;
+                var _S120 : u32 = select(nearest_0, cluster_1, distance_0 < least_1);
+                var _S121 : f32 = min(least_1, distance_0);
+                var _S122 : u32 = cluster_1 + u32(1);
+                least_1 = _S121;
+                nearest_0 = _S120;
+                cluster_1 = _S122;
             }
-            labels_0[_S185] = nearest_0;
-            i_1 = i_1 + u32(1);
+            labels_0[_S119] = nearest_0;
+            i_2 = i_2 + u32(1);
         }
         storageBarrier(); textureBarrier(); workgroupBarrier();;
-        item_1 = _S172;
+        item_1 = _S108;
         for(;;)
         {
-            if(item_1 < _S169)
+            if(item_1 < _S105)
             {
             }
             else
@@ -1806,7 +926,7 @@ fn bake_refine(@builtin(workgroup_id) group_1 : vec3<u32>, @builtin(local_invoca
             distance_0 = 0.0f;
             for(;;)
             {
-                if(nearest_0 < _S174)
+                if(nearest_0 < _S110)
                 {
                 }
                 else
@@ -1815,7 +935,7 @@ fn bake_refine(@builtin(workgroup_id) group_1 : vec3<u32>, @builtin(local_invoca
                 }
                 if((labels_0[nearest_0]) == (item_1 / u32(6)))
                 {
-                    var total_9 : f32 = distance_0 + scratch_number_0(point_row_0(i32(0), _S170, nearest_0) + item_1 % u32(6));
+                    var total_9 : f32 = distance_0 + scratch_number_0(point_row_0(i32(0), _S106, nearest_0) + item_1 % u32(6));
                     least_1 = least_1 + 1.0f;
                     distance_0 = total_9;
                 }
@@ -1823,49 +943,35 @@ fn bake_refine(@builtin(workgroup_id) group_1 : vec3<u32>, @builtin(local_invoca
             }
             if(least_1 > 0.0f)
             {
-                scratch_0[_S180 + item_1] = (bitcast<u32>((distance_0 / least_1)));
+                scratch_0[_S114 + item_1] = (bitcast<u32>((distance_0 / least_1)));
             }
             item_1 = item_1 + u32(256);
         }
         storageBarrier(); textureBarrier(); workgroupBarrier();;
         step_2 = step_2 + u32(1);
     }
-    item_1 = _S172;
+    item_1 = _S108;
     for(;;)
     {
-        if(item_1 < _S169)
+        if(item_1 < _S105)
         {
         }
         else
         {
             break;
         }
-        var _S188 : u32 = item_1 % u32(6);
-        if(_S188 == u32(2))
+        var _S123 : u32 = item_1 % u32(6);
+        var _S124 : f32 = select(select(0.0f, 1.0f, _S123 == u32(4)), 0.5f, _S123 == u32(2));
+        var _S125 : u32 = _S114 + item_1;
+        if(_S110 > u32(0))
         {
-            least_1 = 0.5f;
+            least_1 = scratch_number_0(_S125) / 10000.0f;
         }
         else
         {
-            if(_S188 == u32(4))
-            {
-                least_1 = 1.0f;
-            }
-            else
-            {
-                least_1 = 0.0f;
-            }
+            least_1 = _S124;
         }
-        var _S189 : u32 = _S180 + item_1;
-        if(_S174 > u32(0))
-        {
-            distance_0 = scratch_number_0(_S189) / 10000.0f;
-        }
-        else
-        {
-            distance_0 = least_1;
-        }
-        scratch_0[_S189] = (bitcast<u32>((distance_0)));
+        scratch_0[_S125] = (bitcast<u32>((least_1)));
         item_1 = item_1 + u32(256);
     }
     return;
@@ -1886,59 +992,34 @@ fn hit_tangent_0( hit_1 : ptr<function, SurfaceHit_std430_0>) -> vec3<f32>
     return vec3<f32>((*hit_1).tangent_x_0, (*hit_1).tangent_y_0, (*hit_1).tangent_z_0);
 }
 
-fn nearest_group_0( _S190 : i32,  _S191 : bool,  _S192 : bool,  _S193 : vec3<f32>,  _S194 : vec3<f32>) -> u32
+fn nearest_group_0( _S126 : i32,  _S127 : bool,  _S128 : bool,  _S129 : vec3<f32>,  _S130 : vec3<f32>) -> u32
 {
-    var _S195 : u32;
-    if(_S191)
-    {
-        _S195 = u32(1);
-    }
-    else
-    {
-        _S195 = u32(0);
-    }
-    var _S196 : u32 = scratch_0[bakes_0[_S190].facts_0 + u32(14) + _S195];
-    var nearest_1 : u32;
-    if(_S192)
-    {
-        nearest_1 = u32(0);
-    }
-    else
-    {
-        nearest_1 = _S196;
-    }
-    var _S197 : u32;
-    if(_S192)
-    {
-        _S197 = _S196;
-    }
-    else
-    {
-        _S197 = u32(2) * bakes_0[_S190].per_family_0;
-    }
+    var _S131 : u32 = select(u32(0), u32(1), _S127);
+    var _S132 : u32 = select(scratch_0[bakes_0[_S126].facts_0 + u32(14) + _S131], u32(0), _S128);
+    var _S133 : u32 = bakes_0[_S126].per_family_0;
+    var _S134 : u32 = select(u32(2) * bakes_0[_S126].per_family_0, scratch_0[bakes_0[_S126].facts_0 + u32(14) + _S131], _S128);
     var least_2 : f32 = 1000.0f;
-    var group_2 : u32 = nearest_1;
+    var nearest_1 : u32 = _S132;
+    var group_2 : u32 = _S132;
     for(;;)
     {
-        if(group_2 < _S197)
+        if(group_2 < _S134)
         {
         }
         else
         {
             break;
         }
-        var _S198 : u32 = bakes_0[_S190].centroids_0 + (_S195 * u32(2) * bakes_0[_S190].per_family_0 + group_2) * u32(6);
-        var _S199 : vec3<f32> = vec3<f32>(0.5f) * _S193 - vec3<f32>(scratch_number_0(_S198), scratch_number_0(_S198 + u32(1)), scratch_number_0(_S198 + u32(2)));
-        var _S200 : vec3<f32> = _S194 - vec3<f32>(scratch_number_0(_S198 + u32(3)), scratch_number_0(_S198 + u32(4)), scratch_number_0(_S198 + u32(5)));
-        var _S201 : f32 = dot(_S199, _S199) + dot(_S200, _S200);
-        if(_S201 < least_2)
-        {
-            nearest_1 = group_2;
-        }
-        var _S202 : f32 = min(least_2, _S201);
-        var _S203 : u32 = group_2 + u32(1);
-        least_2 = _S202;
-        group_2 = _S203;
+        var _S135 : u32 = bakes_0[_S126].centroids_0 + (_S131 * u32(2) * _S133 + group_2) * u32(6);
+        var _S136 : vec3<f32> = vec3<f32>(0.5f) * _S129 - vec3<f32>(scratch_number_0(_S135), scratch_number_0(_S135 + u32(1)), scratch_number_0(_S135 + u32(2)));
+        var _S137 : vec3<f32> = _S130 - vec3<f32>(scratch_number_0(_S135 + u32(3)), scratch_number_0(_S135 + u32(4)), scratch_number_0(_S135 + u32(5)));
+        var _S138 : f32 = dot(_S136, _S136) + dot(_S137, _S137);
+        var _S139 : u32 = select(nearest_1, group_2, _S138 < least_2);
+        var _S140 : f32 = min(least_2, _S138);
+        var _S141 : u32 = group_2 + u32(1);
+        least_2 = _S140;
+        nearest_1 = _S139;
+        group_2 = _S141;
     }
     return nearest_1;
 }
@@ -1947,23 +1028,23 @@ fn nearest_group_0( _S190 : i32,  _S191 : bool,  _S192 : bool,  _S193 : vec3<f32
 @workgroup_size(64, 1, 1)
 fn bake_assign(@builtin(global_invocation_id) id_1 : vec3<u32>)
 {
-    var _S204 : u32 = thread_index_0(id_1);
-    var _S205 : u32 = bakes_0[i32(0)].rays_0;
-    if(_S204 >= (u32(512) * bakes_0[i32(0)].rays_0))
+    var _S142 : u32 = thread_index_0(id_1);
+    var _S143 : u32 = bakes_0[i32(0)].rays_0;
+    if(_S142 >= (u32(512) * bakes_0[i32(0)].rays_0))
     {
         return;
     }
-    var _S206 : SurfaceHit_std430_0 = hits_0[_S204];
-    var _S207 : u32 = _S206.flags_0;
-    if((((_S206.flags_0) & (u32(10)))) != u32(0))
+    var _S144 : SurfaceHit_std430_0 = hits_0[_S142];
+    var _S145 : u32 = _S144.flags_0;
+    if((((_S144.flags_0) & (u32(10)))) != u32(0))
     {
         return;
     }
-    var _S208 : bool = _S204 >= (u32(256) * _S205);
-    var _S209 : bool = ((_S207 & (u32(1)))) != u32(0);
-    var _S210 : vec3<f32> = hit_normal_0(&(_S206));
-    var _S211 : vec3<f32> = hit_tangent_0(&(_S206));
-    hits_0[_S204].flags_0 = (_S207 | ((((nearest_group_0(i32(0), _S208, _S209, _S210, _S211) + u32(1)) << (u32(8))))));
+    var _S146 : bool = _S142 >= (u32(256) * _S143);
+    var _S147 : bool = ((_S145 & (u32(1)))) != u32(0);
+    var _S148 : vec3<f32> = hit_normal_0(&(_S144));
+    var _S149 : vec3<f32> = hit_tangent_0(&(_S144));
+    hits_0[_S142].flags_0 = (_S145 | ((((nearest_group_0(i32(0), _S146, _S147, _S148, _S149) + u32(1)) << (u32(8))))));
     return;
 }
 

@@ -76,68 +76,37 @@ fn sample_index_0( _S1 : i32,  _S2 : u32,  _S3 : bool,  _S4 : u32) -> u32
 fn is_member_0( _S6 : i32,  _S7 : ptr<function, SurfaceHit_std430_0>,  _S8 : u32,  _S9 : bool) -> bool
 {
     var _S10 : u32 = (*_S7).flags_0;
-    var _S11 : bool;
-    if(((((*_S7).flags_0) & (u32(2)))) != u32(0))
-    {
-        _S11 = true;
-    }
-    else
-    {
-        if(_S9)
-        {
-            _S11 = ((_S10 & (u32(4)))) != u32(0);
-        }
-        else
-        {
-            _S11 = false;
-        }
-    }
+    var _S11 : bool = ((((((*_S7).flags_0) & (u32(2)))) != u32(0)) | (((_S9 & ((((((*_S7).flags_0) & (u32(4)))) != u32(0)))))));
     if(_S8 == u32(4))
     {
         return _S11;
     }
-    if(!_S11)
-    {
-        _S11 = (((_S10 & (u32(1)))) != u32(0)) == ((_S8 % u32(2)) == u32(0));
-    }
-    else
-    {
-        _S11 = false;
-    }
-    return _S11;
+    return ((!_S11) & (((((_S10 & (u32(1)))) != u32(0)) == ((_S8 % u32(2)) == u32(0)))));
 }
 
 fn compact_0( _S12 : i32,  _S13 : u32,  _S14 : u32,  _S15 : bool) -> u32
 {
-    var other_0 : u32;
+    var _S16 : u32 = select(u32(8192), u32(8192), _S15) / u32(256);
     var i_0 : u32 = u32(0);
     var count_0 : u32 = u32(0);
     for(;;)
     {
-        if(i_0 < u32(32))
+        if(i_0 < _S16)
         {
         }
         else
         {
             break;
         }
-        var _S16 : SurfaceHit_std430_0 = hits_0[sample_index_0(_S12, _S13, _S15, _S14 * u32(32) + i_0)];
-        var _S17 : bool = is_member_0(_S12, &(_S16), _S13, _S15);
-        if(_S17)
-        {
-            other_0 = u32(1);
-        }
-        else
-        {
-            other_0 = u32(0);
-        }
-        var count_1 : u32 = count_0 + other_0;
+        var _S17 : SurfaceHit_std430_0 = hits_0[sample_index_0(_S12, _S13, _S15, _S14 * _S16 + i_0)];
+        var _S18 : bool = is_member_0(_S12, &(_S17), _S13, _S15);
+        var count_1 : u32 = count_0 + select(u32(0), u32(1), _S18);
         i_0 = i_0 + u32(1);
         count_0 = count_1;
     }
     offsets_0[_S14] = count_0;
     storageBarrier(); textureBarrier(); workgroupBarrier();;
-    other_0 = u32(0);
+    var other_0 : u32 = u32(0);
     var before_0 : u32 = u32(0);
     var total_0 : u32 = u32(0);
     for(;;)
@@ -149,15 +118,7 @@ fn compact_0( _S12 : i32,  _S13 : u32,  _S14 : u32,  _S15 : bool) -> u32
         {
             break;
         }
-        if(other_0 < _S14)
-        {
-            i_0 = offsets_0[other_0];
-        }
-        else
-        {
-            i_0 = u32(0);
-        }
-        var before_1 : u32 = before_0 + i_0;
+        var before_1 : u32 = before_0 + select(u32(0), offsets_0[other_0], other_0 < _S14);
         var total_1 : u32 = total_0 + offsets_0[other_0];
         other_0 = other_0 + u32(1);
         before_0 = before_1;
@@ -166,19 +127,19 @@ fn compact_0( _S12 : i32,  _S13 : u32,  _S14 : u32,  _S15 : bool) -> u32
     i_0 = u32(0);
     for(;;)
     {
-        if(i_0 < u32(32))
+        if(i_0 < _S16)
         {
         }
         else
         {
             break;
         }
-        var _S18 : u32 = sample_index_0(_S12, _S13, _S15, _S14 * u32(32) + i_0);
-        var _S19 : SurfaceHit_std430_0 = hits_0[_S18];
-        var _S20 : bool = is_member_0(_S12, &(_S19), _S13, _S15);
-        if(_S20)
+        var _S19 : u32 = sample_index_0(_S12, _S13, _S15, _S14 * _S16 + i_0);
+        var _S20 : SurfaceHit_std430_0 = hits_0[_S19];
+        var _S21 : bool = is_member_0(_S12, &(_S20), _S13, _S15);
+        if(_S21)
         {
-            scratch_0[bakes_0[_S12].lists_0 + _S13 * u32(8192) + before_0] = _S18;
+            scratch_0[bakes_0[_S12].lists_0 + _S13 * u32(8192) + before_0] = _S19;
             before_0 = before_0 + u32(1);
         }
         i_0 = i_0 + u32(1);
@@ -191,32 +152,32 @@ fn compact_0( _S12 : i32,  _S13 : u32,  _S14 : u32,  _S15 : bool) -> u32
 @workgroup_size(256, 1, 1)
 fn bake_gaps(@builtin(local_invocation_id) thread_0 : vec3<u32>)
 {
-    var _S21 : u32 = thread_0.x;
-    var _S22 : u32 = compact_0(i32(0), u32(4), _S21, false);
-    var _S23 : u32 = max(_S22 / u32(128), u32(1));
-    var _S24 : u32 = (_S22 + _S23 - u32(1)) / _S23;
-    var _S25 : u32 = min(_S24, u32(128));
-    var i_1 : u32 = _S21;
+    var _S22 : u32 = thread_0.x;
+    var _S23 : u32 = compact_0(i32(0), u32(4), _S22, false);
+    var _S24 : u32 = max(_S23 / u32(128), u32(1));
+    var _S25 : u32 = (_S23 + _S24 - u32(1)) / _S24;
+    var _S26 : u32 = min(_S25, u32(128));
+    var i_1 : u32 = _S22;
     for(;;)
     {
-        if(i_1 < _S25)
+        if(i_1 < _S26)
         {
         }
         else
         {
             break;
         }
-        var _S26 : SurfaceHit_std430_0 = hits_0[scratch_0[bakes_0[i32(0)].lists_0 + u32(32768) + i_1 * _S23]];
-        var _S27 : u32 = bakes_0[i32(0)].gaps_0 + u32(2) * i_1;
-        scratch_0[_S27] = (bitcast<u32>((hits_0[scratch_0[bakes_0[i32(0)].lists_0 + u32(32768) + i_1 * _S23]].x_0)));
-        scratch_0[_S27 + u32(1)] = (bitcast<u32>((_S26.y_0)));
+        var _S27 : SurfaceHit_std430_0 = hits_0[scratch_0[bakes_0[i32(0)].lists_0 + u32(32768) + i_1 * _S24]];
+        var _S28 : u32 = bakes_0[i32(0)].gaps_0 + u32(2) * i_1;
+        scratch_0[_S28] = (bitcast<u32>((hits_0[scratch_0[bakes_0[i32(0)].lists_0 + u32(32768) + i_1 * _S24]].x_0)));
+        scratch_0[_S28 + u32(1)] = (bitcast<u32>((_S27.y_0)));
         i_1 = i_1 + u32(256);
     }
-    if(_S21 == u32(0))
+    if(_S22 == u32(0))
     {
-        var _S28 : u32 = bakes_0[i32(0)].facts_0;
-        scratch_0[bakes_0[i32(0)].facts_0 + u32(8)] = _S22;
-        scratch_0[_S28 + u32(9)] = _S25;
+        var _S29 : u32 = bakes_0[i32(0)].facts_0;
+        scratch_0[bakes_0[i32(0)].facts_0 + u32(8)] = _S23;
+        scratch_0[_S29 + u32(9)] = _S26;
     }
     return;
 }
@@ -227,8 +188,8 @@ fn thinned_0( number_0 : u32,  size_0 : u32) -> u32
     {
         return min(number_0, max(size_0, u32(1)) - u32(1));
     }
-    var _S29 : u32 = number_0 * u32(2654435769);
-    return ((((_S29 >> (u32(16)))) * size_0 + (((((_S29 & (u32(65535)))) * size_0) >> (u32(16))))) >> (u32(16)));
+    var _S30 : u32 = number_0 * u32(2654435769);
+    return ((((_S30 >> (u32(16)))) * size_0 + (((((_S30 & (u32(65535)))) * size_0) >> (u32(16))))) >> (u32(16)));
 }
 
 fn hit_normal_0( hit_0 : ptr<function, SurfaceHit_std430_0>) -> vec3<f32>
@@ -241,19 +202,19 @@ fn hit_tangent_0( hit_1 : ptr<function, SurfaceHit_std430_0>) -> vec3<f32>
     return vec3<f32>((*hit_1).tangent_x_0, (*hit_1).tangent_y_0, (*hit_1).tangent_z_0);
 }
 
-fn point_row_0( _S30 : i32,  _S31 : u32,  _S32 : u32) -> u32
+fn point_row_0( _S31 : i32,  _S32 : u32,  _S33 : u32) -> u32
 {
-    return bakes_0[_S30].points_0 + (_S31 * u32(2048) + _S32) * u32(6);
+    return bakes_0[_S31].points_0 + (_S32 * u32(2048) + _S33) * u32(6);
 }
 
 @compute
 @workgroup_size(256, 1, 1)
 fn bake_points(@builtin(workgroup_id) group_0 : vec3<u32>, @builtin(local_invocation_id) thread_1 : vec3<u32>)
 {
-    var _S33 : u32 = group_0.x;
-    var _S34 : u32 = thread_1.x;
-    var _S35 : u32 = bakes_0[i32(0)].lists_0 + _S33 * u32(8192);
-    var _S36 : u32 = compact_0(i32(0), _S33, _S34, false);
+    var _S34 : u32 = group_0.x;
+    var _S35 : u32 = thread_1.x;
+    var _S36 : u32 = bakes_0[i32(0)].lists_0 + _S34 * u32(8192);
+    var _S37 : u32 = compact_0(i32(0), _S34, _S35, false);
     var from_top_0 : array<u32, i32(8)>;
     var i_2 : u32 = u32(0);
     for(;;)
@@ -265,57 +226,42 @@ fn bake_points(@builtin(workgroup_id) group_0 : vec3<u32>, @builtin(local_invoca
         {
             break;
         }
-        from_top_0[i_2] = scratch_0[_S35 + thinned_0(_S34 * u32(8) + i_2, _S36)];
+        from_top_0[i_2] = scratch_0[_S36 + thinned_0(_S35 * u32(8) + i_2, _S37)];
         i_2 = i_2 + u32(1);
     }
     storageBarrier(); textureBarrier(); workgroupBarrier();;
-    var _S37 : u32 = compact_0(i32(0), _S33, _S34, true);
-    var _S38 : bool;
-    if(_S36 > u32(0))
-    {
-        _S38 = _S37 >= u32(64);
-    }
-    else
-    {
-        _S38 = false;
-    }
-    if(_S38)
-    {
-        i_2 = _S37;
-    }
-    else
-    {
-        i_2 = _S36;
-    }
-    var i_3 : u32 = u32(0);
+    var _S38 : u32 = compact_0(i32(0), _S34, _S35, true);
+    var _S39 : bool = ((_S37 > u32(0)) & ((_S38 >= u32(64))));
+    var _S40 : u32 = select(_S37, _S38, _S39);
+    i_2 = u32(0);
     for(;;)
     {
-        if(i_3 < u32(8))
+        if(i_2 < u32(8))
         {
         }
         else
         {
             break;
         }
-        var _S39 : u32 = _S34 * u32(8) + i_3;
-        if(_S39 < i_2)
+        var _S41 : u32 = _S35 * u32(8) + i_2;
+        if(_S41 < _S40)
         {
-            var _S40 : u32;
-            if(_S38)
+            var _S42 : u32;
+            if(_S39)
             {
-                _S40 = scratch_0[_S35 + thinned_0(_S39, _S37)];
+                _S42 = scratch_0[_S36 + thinned_0(_S41, _S38)];
             }
             else
             {
-                _S40 = from_top_0[i_3];
+                _S42 = from_top_0[i_2];
             }
-            var _S41 : SurfaceHit_std430_0 = hits_0[_S40];
-            var _S42 : u32 = point_row_0(i32(0), _S33, _S39);
-            var _S43 : vec3<f32> = hit_normal_0(&(_S41));
-            var _S44 : vec3<f32> = vec3<f32>(10000.0f);
-            var _S45 : vec3<f32> = round(vec3<f32>(0.5f) * _S43 * _S44);
-            var _S46 : vec3<f32> = hit_tangent_0(&(_S41));
-            var _S47 : vec3<f32> = round(_S46 * _S44);
+            var _S43 : SurfaceHit_std430_0 = hits_0[_S42];
+            var _S44 : u32 = point_row_0(i32(0), _S34, _S41);
+            var _S45 : vec3<f32> = hit_normal_0(&(_S43));
+            var _S46 : vec3<f32> = vec3<f32>(10000.0f);
+            var _S47 : vec3<f32> = round(vec3<f32>(0.5f) * _S45 * _S46);
+            var _S48 : vec3<f32> = hit_tangent_0(&(_S43));
+            var _S49 : vec3<f32> = round(_S48 * _S46);
             var k_0 : u32 = u32(0);
             for(;;)
             {
@@ -326,18 +272,18 @@ fn bake_points(@builtin(workgroup_id) group_0 : vec3<u32>, @builtin(local_invoca
                 {
                     break;
                 }
-                scratch_0[_S42 + k_0] = (bitcast<u32>((_S45[k_0])));
-                scratch_0[_S42 + u32(3) + k_0] = (bitcast<u32>((_S47[k_0])));
+                scratch_0[_S44 + k_0] = (bitcast<u32>((_S47[k_0])));
+                scratch_0[_S44 + u32(3) + k_0] = (bitcast<u32>((_S49[k_0])));
                 k_0 = k_0 + u32(1);
             }
         }
-        i_3 = i_3 + u32(1);
+        i_2 = i_2 + u32(1);
     }
-    if(_S34 == u32(0))
+    if(_S35 == u32(0))
     {
-        var _S48 : u32 = bakes_0[i32(0)].facts_0;
-        scratch_0[bakes_0[i32(0)].facts_0 + _S33] = _S37;
-        scratch_0[_S48 + u32(4) + _S33] = min(i_2, u32(2048));
+        var _S50 : u32 = bakes_0[i32(0)].facts_0;
+        scratch_0[bakes_0[i32(0)].facts_0 + _S34] = _S38;
+        scratch_0[_S50 + u32(4) + _S34] = min(_S40, u32(2048));
     }
     return;
 }

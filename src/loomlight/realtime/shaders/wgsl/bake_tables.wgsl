@@ -222,6 +222,14 @@ struct Fabric_std430_0
 
 @binding(23) @group(0) var<storage, read_write> record_words_0 : array<u32>;
 
+fn select_vector_0( condition_0 : bool,  yes_0 : vec2<f32>,  no_0 : vec2<f32>) -> vec2<f32>
+{
+    var chosen_0 : vec2<f32>;
+    chosen_0[i32(0)] = select(no_0[i32(0)], yes_0[i32(0)], condition_0);
+    chosen_0[i32(1)] = select(no_0[i32(1)], yes_0[i32(1)], condition_0);
+    return chosen_0;
+}
+
 var<private> RING_COSINES_0 : array<f32, i32(8)> = array<f32, i32(8)>( 1.0f, 0.92756068706512451f, 0.81746435165405273f, 0.68657326698303223f, 0.54003900289535522f, 0.38065254688262939f, 0.21021415293216705f, 0.02999999932944775f );
 fn thread_index_0( id_0 : vec3<u32>) -> u32
 {
@@ -318,34 +326,10 @@ fn sine_cosine_0( x_1 : f32) -> vec2<f32>
     var _S18 : f32 = ((-0.00019515295571182f * _S17 + 0.00833216123282909f) * _S17 - 0.16666655242443085f) * _S17 * _S16 + _S16;
     var _S19 : f32 = ((0.00002443315679557f * _S17 - 0.00138873164542019f) * _S17 + 0.04166664555668831f) * _S17 * _S17 - 0.5f * _S17 + 1.0f;
     var _S20 : u32 = (u32(i32(_S15)) & (u32(3)));
-    var _S21 : vec2<f32>;
-    if(((_S20 & (u32(1)))) != u32(0))
-    {
-        _S21 = vec2<f32>(_S19, _S18);
-    }
-    else
-    {
-        _S21 = vec2<f32>(_S18, _S19);
-    }
-    var _S22 : f32;
-    if(((_S20 & (u32(2)))) != u32(0))
-    {
-        _S22 = - _S21.x;
-    }
-    else
-    {
-        _S22 = _S21.x;
-    }
-    var _S23 : f32;
-    if((((_S20 + u32(1)) & (u32(2)))) != u32(0))
-    {
-        _S23 = - _S21.y;
-    }
-    else
-    {
-        _S23 = _S21.y;
-    }
-    return vec2<f32>(_S22, _S23);
+    var _S21 : vec2<f32> = select_vector_0(((_S20 & (u32(1)))) != u32(0), vec2<f32>(_S19, _S18), vec2<f32>(_S18, _S19));
+    var _S22 : f32 = _S21.x;
+    var _S23 : f32 = _S21.y;
+    return vec2<f32>(select(_S22, - _S22, ((_S20 & (u32(2)))) != u32(0)), select(_S23, - _S23, (((_S20 + u32(1)) & (u32(2)))) != u32(0)));
 }
 
 fn node_direction_0( node_0 : u32) -> vec3<f32>
@@ -450,39 +434,14 @@ fn bake_zenith(@builtin(global_invocation_id) id_3 : vec3<u32>)
     }
     var _S53 : u32 = _S50 % u32(18);
     var _S54 : bool = _S53 < u32(13);
-    var azimuth_0 : u32;
-    if(_S54)
-    {
-        azimuth_0 = u32(13);
-    }
-    else
-    {
-        azimuth_0 = u32(5);
-    }
-    var _S55 : u32;
-    if(_S54)
-    {
-        _S55 = bakes_0[i32(0)].view_sums_0;
-    }
-    else
-    {
-        _S55 = bakes_0[i32(0)].light_sums_0;
-    }
-    var _S56 : u32 = u32(2) * _S52;
-    var _S57 : u32 = _S51 / _S56;
-    var _S58 : u32 = _S51 % _S56;
-    var _S59 : u32 = sums_row_0(i32(0), _S55, azimuth_0, _S57, u32(0), _S58);
-    if(_S54)
-    {
-        _S55 = _S53;
-    }
-    else
-    {
-        _S55 = _S53 - u32(13);
-    }
-    var _S60 : u32 = _S59 + _S55;
-    var _S61 : u32 = u32(16) * _S52 * azimuth_0;
-    azimuth_0 = u32(0);
+    var _S55 : u32 = select(u32(5), u32(13), _S54);
+    var _S56 : u32 = select(bakes_0[i32(0)].light_sums_0, bakes_0[i32(0)].view_sums_0, _S54);
+    var _S57 : u32 = u32(2) * _S52;
+    var _S58 : u32 = _S51 / _S57;
+    var _S59 : u32 = _S51 % _S57;
+    var _S60 : u32 = sums_row_0(i32(0), _S56, _S55, _S58, u32(0), _S59) + select(_S53 - u32(13), _S53, _S54);
+    var _S61 : u32 = u32(16) * _S52 * _S55;
+    var azimuth_0 : u32 = u32(0);
     var total_0 : f32 = 0.0f;
     for(;;)
     {
@@ -673,15 +632,7 @@ fn bake_areas(@builtin(global_invocation_id) id_5 : vec3<u32>)
         group_0 = group_0 + u32(1);
         hit_2 = hit_3;
     }
-    var _S88 : f32;
-    if(hit_2 > 0.0f)
-    {
-        _S88 = _S85 * _S86;
-    }
-    else
-    {
-        _S88 = 1.0f;
-    }
+    var _S88 : f32 = select(1.0f, _S85 * _S86, hit_2 > 0.0f);
     group_0 = u32(0);
     for(;;)
     {
@@ -737,50 +688,24 @@ fn bake_area_scales(@builtin(global_invocation_id) id_6 : vec3<u32>)
 fn group_of_byte_0( _S98 : i32,  _S99 : u32,  _S100 : u32) -> u32
 {
     var _S101 : u32 = u32(2) * bakes_0[_S98].packs_0;
-    var _S102 : u32;
-    if(_S99 >= _S101)
-    {
-        _S102 = u32(1);
-    }
-    else
-    {
-        _S102 = u32(0);
-    }
+    var _S102 : u32 = select(u32(0), u32(1), _S99 >= _S101);
     var _S103 : u32 = _S99 - _S102 * _S101;
-    var _S104 : u32 = bakes_0[_S98].per_family_0;
-    var _S105 : bool;
-    if(_S103 < (bakes_0[_S98].per_family_0))
-    {
-        _S105 = _S99 < (u32(2) * _S101);
-    }
-    else
-    {
-        _S105 = false;
-    }
-    if(_S105)
-    {
-        _S102 = _S102 * _S104 + _S103;
-    }
-    else
-    {
-        _S102 = _S100;
-    }
-    return _S102;
+    return select(_S100, _S102 * bakes_0[_S98].per_family_0 + _S103, ((_S103 < (bakes_0[_S98].per_family_0)) & ((_S99 < (u32(2) * _S101)))));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn bake_pack_areas(@builtin(global_invocation_id) id_7 : vec3<u32>)
 {
-    var _S106 : u32 = thread_index_0(id_7);
-    var _S107 : u32 = bakes_0[i32(0)].packs_0;
-    var _S108 : u32 = bakes_0[i32(0)].packs_0 + u32(1);
-    if(_S106 >= (u32(512) * _S108))
+    var _S104 : u32 = thread_index_0(id_7);
+    var _S105 : u32 = bakes_0[i32(0)].packs_0;
+    var _S106 : u32 = bakes_0[i32(0)].packs_0 + u32(1);
+    if(_S104 >= (u32(512) * _S106))
     {
         return;
     }
-    var _S109 : u32 = _S106 / _S108;
-    var _S110 : u32 = u32(2) * bakes_0[i32(0)].per_family_0 + u32(1);
+    var _S107 : u32 = _S104 / _S106;
+    var _S108 : u32 = u32(2) * bakes_0[i32(0)].per_family_0 + u32(1);
     var i_0 : u32 = u32(0);
     var word_0 : u32 = u32(0);
     for(;;)
@@ -792,56 +717,45 @@ fn bake_pack_areas(@builtin(global_invocation_id) id_7 : vec3<u32>)
         {
             break;
         }
-        var _S111 : u32 = _S106 % _S108;
-        var _S112 : u32 = _S111 * u32(4) + i_0;
-        var _S113 : u32;
-        if(_S112 == (u32(4) * _S107))
+        var _S109 : u32 = _S104 % _S106;
+        var _S110 : u32 = _S109 * u32(4) + i_0;
+        var _S111 : u32;
+        if(_S110 == (u32(4) * _S105))
         {
-            _S113 = _S110 - u32(1);
+            _S111 = _S108 - u32(1);
         }
         else
         {
-            _S113 = group_of_byte_0(i32(0), _S112, _S110);
+            _S111 = group_of_byte_0(i32(0), _S110, _S108);
         }
-        if(_S113 < _S110)
+        if(_S111 < _S108)
         {
-            word_0 = (word_0 | (((u32(round(sqrt(scratch_number_0(bakes_0[i32(0)].areas_0 + _S109 * _S110 + _S113) / scratch_number_0(bakes_0[i32(0)].area_scales_0 + _S109 / u32(256) * _S110 + _S113)) * 255.0f)) << ((u32(8) * i_0))))));
+            word_0 = (word_0 | (((u32(round(sqrt(scratch_number_0(bakes_0[i32(0)].areas_0 + _S107 * _S108 + _S111) / scratch_number_0(bakes_0[i32(0)].area_scales_0 + _S107 / u32(256) * _S108 + _S111)) * 255.0f)) << ((u32(8) * i_0))))));
         }
         i_0 = i_0 + u32(1);
     }
-    tables_0[fabrics_0[bakes_0[i32(0)].fabric_0].lobes_0.projected_area_0 + _S106] = word_0;
+    tables_0[fabrics_0[bakes_0[i32(0)].fabric_0].lobes_0.projected_area_0 + _S104] = word_0;
     return;
 }
 
-fn unshadowed_term_0( _S114 : i32,  _S115 : u32,  _S116 : u32,  _S117 : u32,  _S118 : u32) -> f32
+fn unshadowed_term_0( _S112 : i32,  _S113 : u32,  _S114 : u32,  _S115 : u32,  _S116 : u32) -> f32
 {
-    var _S119 : vec3<f32> = node_direction_0(_S117);
-    var _S120 : u32 = bakes_0[_S114].group_moments_0 + (_S115 * u32(2) * bakes_0[_S114].per_family_0 + _S118) * u32(12);
-    var _S121 : f32 = _S119.x * scratch_number_0(_S120) + _S119.y * scratch_number_0(_S120 + u32(1));
-    var _S122 : f32 = _S119.z;
-    var _S123 : f32 = _S122 * scratch_number_0(_S120 + u32(2));
-    var _S124 : f32 = fabrics_0[bakes_0[_S114].fabric_0].diffuse_blend_0;
-    var _S125 : f32 = _S122 * (1.0f - fabrics_0[bakes_0[_S114].fabric_0].diffuse_blend_0);
-    var _S126 : f32;
-    if(_S116 == u32(0))
-    {
-        _S126 = _S123 + _S121;
-    }
-    else
-    {
-        _S126 = _S123 - _S121;
-    }
-    return _S125 + _S124 * max(_S126, 0.0f) + 0.01999999955296516f;
+    var _S117 : vec3<f32> = node_direction_0(_S115);
+    var _S118 : u32 = bakes_0[_S112].group_moments_0 + (_S113 * u32(2) * bakes_0[_S112].per_family_0 + _S116) * u32(12);
+    var _S119 : f32 = _S117.x * scratch_number_0(_S118) + _S117.y * scratch_number_0(_S118 + u32(1));
+    var _S120 : f32 = _S117.z;
+    var _S121 : f32 = _S120 * scratch_number_0(_S118 + u32(2));
+    return _S120 * (1.0f - fabrics_0[bakes_0[_S112].fabric_0].diffuse_blend_0) + fabrics_0[bakes_0[_S112].fabric_0].diffuse_blend_0 * max(select(_S121 - _S119, _S121 + _S119, _S114 == u32(0)), 0.0f) + 0.01999999955296516f;
 }
 
-fn smoothed_light_0( _S127 : i32,  _S128 : u32,  _S129 : u32,  _S130 : u32,  _S131 : u32) -> vec2<f32>
+fn smoothed_light_0( _S122 : i32,  _S123 : u32,  _S124 : u32,  _S125 : u32,  _S126 : u32) -> vec2<f32>
 {
-    const _S132 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 0.0f);
-    var _S133 : i32 = i32(_S130 / u32(8));
-    var _S134 : i32 = i32(_S130 % u32(8));
-    var own_0 : vec3<f32> = _S132;
+    const _S127 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 0.0f);
+    var _S128 : i32 = i32(_S125 / u32(8));
+    var _S129 : i32 = i32(_S125 % u32(8));
+    var own_0 : vec3<f32> = _S127;
     var i_1 : i32 = i32(-1);
-    var around_0 : vec3<f32> = _S132;
+    var around_0 : vec3<f32> = _S127;
     for(;;)
     {
         if(i_1 <= i32(1))
@@ -862,47 +776,47 @@ fn smoothed_light_0( _S127 : i32,  _S128 : u32,  _S129 : u32,  _S130 : u32,  _S1
             {
                 break;
             }
-            var _S135 : u32 = u32(_S133 + i_1 + i32(32)) % u32(32) * u32(8) + u32(clamp(_S134 + j_0, i32(0), i32(7)));
-            var _S136 : u32 = sums_row_0(_S127, bakes_0[_S127].light_sums_0, u32(5), _S128, _S135, _S131);
-            var _S137 : vec3<f32> = vec3<f32>(scratch_number_0(_S136), scratch_number_0(_S136 + u32(1) + _S129), scratch_number_0(_S136 + u32(3) + _S129) / unshadowed_term_0(_S127, _S128, _S129, _S135, _S131));
-            var around_1 : vec3<f32> = around_0 + vec3<f32>((f32((i32(2) - abs(i_1)) * (i32(2) - abs(j_0))) / 16.0f)) * _S137;
-            var _S138 : bool;
+            var _S130 : u32 = u32(_S128 + i_1 + i32(32)) % u32(32) * u32(8) + u32(clamp(_S129 + j_0, i32(0), i32(7)));
+            var _S131 : u32 = sums_row_0(_S122, bakes_0[_S122].light_sums_0, u32(5), _S123, _S130, _S126);
+            var _S132 : vec3<f32> = vec3<f32>(scratch_number_0(_S131), scratch_number_0(_S131 + u32(1) + _S124), scratch_number_0(_S131 + u32(3) + _S124) / unshadowed_term_0(_S122, _S123, _S124, _S130, _S126));
+            var around_1 : vec3<f32> = around_0 + vec3<f32>((f32((i32(2) - abs(i_1)) * (i32(2) - abs(j_0))) / 16.0f)) * _S132;
+            var _S133 : bool;
             if(i_1 == i32(0))
             {
-                _S138 = j_0 == i32(0);
+                _S133 = j_0 == i32(0);
             }
             else
             {
-                _S138 = false;
+                _S133 = false;
             }
-            if(_S138)
+            if(_S133)
             {
-                own_1 = _S137;
+                own_1 = _S132;
             }
             j_0 = j_0 + i32(1);
             around_0 = around_1;
         }
-        var _S139 : i32 = i_1 + i32(1);
+        var _S134 : i32 = i_1 + i32(1);
         own_0 = own_1;
-        i_1 = _S139;
+        i_1 = _S134;
     }
-    var _S140 : vec2<f32> = (own_0.yz + vec2<f32>(8.0f) * around_0.yz / vec2<f32>(max(around_0.x, 9.99999971718068537e-10f))) / vec2<f32>((own_0.x + 8.0f));
-    var _S141 : f32 = _S140.x;
-    return vec2<f32>(_S141, min(_S140.y * unshadowed_term_0(_S127, _S128, _S129, _S130, _S131), _S141));
+    var _S135 : vec2<f32> = (own_0.yz + vec2<f32>(8.0f) * around_0.yz / vec2<f32>(max(around_0.x, 9.99999971718068537e-10f))) / vec2<f32>((own_0.x + 8.0f));
+    var _S136 : f32 = _S135.x;
+    return vec2<f32>(_S136, min(_S135.y * unshadowed_term_0(_S122, _S123, _S124, _S125, _S126), _S136));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn bake_pack_light(@builtin(global_invocation_id) id_8 : vec3<u32>)
 {
-    var _S142 : u32 = thread_index_0(id_8);
-    var _S143 : u32 = bakes_0[i32(0)].packs_0;
-    if(_S142 >= (u32(1024) * bakes_0[i32(0)].packs_0))
+    var _S137 : u32 = thread_index_0(id_8);
+    var _S138 : u32 = bakes_0[i32(0)].packs_0;
+    if(_S137 >= (u32(1024) * bakes_0[i32(0)].packs_0))
     {
         return;
     }
-    var _S144 : u32 = _S142 / _S143;
-    var _S145 : u32 = u32(2) * bakes_0[i32(0)].per_family_0;
+    var _S139 : u32 = _S137 / _S138;
+    var _S140 : u32 = u32(2) * bakes_0[i32(0)].per_family_0;
     var i_2 : u32 = u32(0);
     var visibility_0 : u32 = u32(0);
     var irradiance_1 : u32 = u32(0);
@@ -915,21 +829,21 @@ fn bake_pack_light(@builtin(global_invocation_id) id_8 : vec3<u32>)
         {
             break;
         }
-        var _S146 : u32 = _S142 % _S143;
-        var _S147 : u32 = group_of_byte_0(i32(0), _S146 * u32(4) + i_2, _S145);
-        if(_S147 < _S145)
+        var _S141 : u32 = _S137 % _S138;
+        var _S142 : u32 = group_of_byte_0(i32(0), _S141 * u32(4) + i_2, _S140);
+        if(_S142 < _S140)
         {
-            var _S148 : vec2<f32> = round(clamp(smoothed_light_0(i32(0), _S144 / u32(512), _S144 / u32(256) % u32(2), _S144 % u32(256), _S147), vec2<f32>(0.0f, 0.0f), vec2<f32>(1.0f, 1.0f)) * vec2<f32>(255.0f));
-            var _S149 : u32 = u32(8) * i_2;
-            var irradiance_2 : u32 = (irradiance_1 | (((u32(_S148.y) << (_S149)))));
-            visibility_0 = (visibility_0 | (((u32(_S148.x) << (_S149)))));
+            var _S143 : vec2<f32> = round(clamp(smoothed_light_0(i32(0), _S139 / u32(512), _S139 / u32(256) % u32(2), _S139 % u32(256), _S142), vec2<f32>(0.0f, 0.0f), vec2<f32>(1.0f, 1.0f)) * vec2<f32>(255.0f));
+            var _S144 : u32 = u32(8) * i_2;
+            var irradiance_2 : u32 = (irradiance_1 | (((u32(_S143.y) << (_S144)))));
+            visibility_0 = (visibility_0 | (((u32(_S143.x) << (_S144)))));
             irradiance_1 = irradiance_2;
         }
         i_2 = i_2 + u32(1);
     }
-    var _S150 : u32 = bakes_0[i32(0)].fabric_0;
-    tables_0[fabrics_0[bakes_0[i32(0)].fabric_0].lobes_0.light_visibility_0 + _S142] = visibility_0;
-    tables_0[fabrics_0[_S150].lobes_0.irradiance_0 + _S142] = irradiance_1;
+    var _S145 : u32 = bakes_0[i32(0)].fabric_0;
+    tables_0[fabrics_0[bakes_0[i32(0)].fabric_0].lobes_0.light_visibility_0 + _S137] = visibility_0;
+    tables_0[fabrics_0[_S145].lobes_0.irradiance_0 + _S137] = irradiance_1;
     return;
 }
 
@@ -937,57 +851,38 @@ fn bake_pack_light(@builtin(global_invocation_id) id_8 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn bake_pack_moments(@builtin(global_invocation_id) id_9 : vec3<u32>)
 {
-    var _S151 : u32 = thread_index_0(id_9);
-    var _S152 : u32 = bakes_0[i32(0)].packs_0;
-    var _S153 : u32 = u32(4) * bakes_0[i32(0)].packs_0;
-    var _S154 : u32 = _S153 + u32(1);
-    if(_S151 >= (u32(2) * _S154))
+    var _S146 : u32 = thread_index_0(id_9);
+    var _S147 : u32 = bakes_0[i32(0)].packs_0;
+    var _S148 : u32 = u32(4) * bakes_0[i32(0)].packs_0;
+    var _S149 : u32 = _S148 + u32(1);
+    if(_S146 >= (u32(2) * _S149))
     {
         return;
     }
-    var _S155 : u32 = _S151 / _S154;
-    var _S156 : u32 = _S151 % _S154;
-    var _S157 : u32 = bakes_0[i32(0)].per_family_0;
-    var _S158 : u32 = u32(2) * bakes_0[i32(0)].per_family_0;
-    var _S159 : bool = _S156 == _S153;
-    var _S160 : u32;
-    if(_S159)
+    var _S150 : u32 = _S146 / _S149;
+    var _S151 : u32 = _S146 % _S149;
+    var _S152 : u32 = bakes_0[i32(0)].per_family_0;
+    var _S153 : u32 = u32(2) * bakes_0[i32(0)].per_family_0;
+    var _S154 : bool = _S151 == _S148;
+    var _S155 : u32;
+    if(_S154)
     {
-        _S160 = _S158;
+        _S155 = _S153;
     }
     else
     {
-        _S160 = group_of_byte_0(i32(0), _S156, _S158 + u32(1));
+        _S155 = group_of_byte_0(i32(0), _S151, _S153 + u32(1));
     }
-    var _S161 : f32 = scratch_number_0(bakes_0[i32(0)].area_scales_0 + _S155 * (_S158 + u32(1)) + min(_S160, _S158));
-    var _S162 : u32 = _S155 * u32(4) * (_S152 + u32(1));
-    var _S163 : f32 = scratch_number_0(bakes_0[i32(0)].coverage_means_0 + _S162 + _S156);
-    var _S164 : f32 = scratch_number_0(bakes_0[i32(0)].coverage_scales_0 + _S162 + _S156);
-    var _S165 : f32;
-    if(_S163 > 0.0f)
+    var _S156 : u32 = _S150 * u32(4) * (_S147 + u32(1));
+    var _S157 : f32 = scratch_number_0(bakes_0[i32(0)].coverage_means_0 + _S156 + _S151);
+    var _S158 : f32 = select(0.0f, scratch_number_0(bakes_0[i32(0)].coverage_scales_0 + _S156 + _S151) * scratch_number_0(bakes_0[i32(0)].area_scales_0 + _S150 * (_S153 + u32(1)) + min(_S155, _S153)) / max(_S157, 9.99999971718068537e-10f) / 1.6581375e+07f, _S157 > 0.0f);
+    if(_S154)
     {
-        _S165 = _S164 * _S161 / max(_S163, 9.99999971718068537e-10f) / 1.6581375e+07f;
-    }
-    else
-    {
-        _S165 = 0.0f;
-    }
-    if(_S159)
-    {
-        var _S166 : u32 = scratch_0[bakes_0[i32(0)].facts_0 + u32(14) + _S155];
-        if(scratch_0[bakes_0[i32(0)].facts_0 + u32(14) + _S155] == _S157)
-        {
-            _S160 = _S152 / u32(2);
-        }
-        else
-        {
-            _S160 = _S166 / u32(4);
-        }
-        record_words_0[bakes_0[i32(0)].record_warp_packs_0 + _S155] = _S160;
-        record_words_0[bakes_0[i32(0)].record_hole_weights_0 + _S155] = (bitcast<u32>((_S165)));
+        record_words_0[bakes_0[i32(0)].record_warp_packs_0 + _S150] = select(scratch_0[bakes_0[i32(0)].facts_0 + u32(14) + _S150] / u32(4), _S147 / u32(2), scratch_0[bakes_0[i32(0)].facts_0 + u32(14) + _S150] == _S152);
+        record_words_0[bakes_0[i32(0)].record_hole_weights_0 + _S150] = (bitcast<u32>((_S158)));
         return;
     }
-    var _S167 : u32 = bakes_0[i32(0)].moments_table_0 + (_S155 * _S153 + _S156) * u32(12);
+    var _S159 : u32 = bakes_0[i32(0)].moments_table_0 + (_S150 * _S148 + _S151) * u32(12);
     var k_1 : u32 = u32(0);
     for(;;)
     {
@@ -998,42 +893,24 @@ fn bake_pack_moments(@builtin(global_invocation_id) id_9 : vec3<u32>)
         {
             break;
         }
-        var _S168 : bool;
-        if(k_1 == u32(2))
-        {
-            _S168 = true;
-        }
-        else
-        {
-            _S168 = k_1 == u32(5);
-        }
-        var _S169 : f32;
-        if(_S168)
-        {
-            _S169 = 1.0f;
-        }
-        else
-        {
-            _S169 = 0.0f;
-        }
-        var _S170 : u32 = (bitcast<u32>((_S169)));
+        var _S160 : u32 = (bitcast<u32>((select(0.0f, 1.0f, ((k_1 == u32(2)) | ((k_1 == u32(5))))))));
         var number_0 : u32;
-        if(_S160 < _S158)
+        if(_S155 < _S153)
         {
             if(k_1 == u32(3))
             {
-                number_0 = (bitcast<u32>((_S165)));
+                number_0 = (bitcast<u32>((_S158)));
             }
             else
             {
-                number_0 = scratch_0[bakes_0[i32(0)].group_moments_0 + (_S155 * _S158 + _S160) * u32(12) + k_1];
+                number_0 = scratch_0[bakes_0[i32(0)].group_moments_0 + (_S150 * _S153 + _S155) * u32(12) + k_1];
             }
         }
         else
         {
-            number_0 = _S170;
+            number_0 = _S160;
         }
-        tables_0[_S167 + k_1] = number_0;
+        tables_0[_S159 + k_1] = number_0;
         k_1 = k_1 + u32(1);
     }
     return;

@@ -291,6 +291,15 @@ struct Family_std430_0
 
 var<private> TAP_OFFSETS_0 : array<vec2<f32>, i32(9)> = array<vec2<f32>, i32(9)>( vec2<f32>(-0.3333333432674408f, -0.3333333432674408f), vec2<f32>(-0.3333333432674408f, 0.0f), vec2<f32>(-0.3333333432674408f, 0.3333333432674408f), vec2<f32>(0.0f, -0.3333333432674408f), vec2<f32>(0.0f, 0.0f), vec2<f32>(0.0f, 0.3333333432674408f), vec2<f32>(0.3333333432674408f, -0.3333333432674408f), vec2<f32>(0.3333333432674408f, 0.0f), vec2<f32>(0.3333333432674408f, 0.3333333432674408f) );
 var<private> PYRAMID_RADII_0 : array<f32, i32(4)> = array<f32, i32(4)>( 1.0f, 2.0f, 4.0f, 8.0f );
+fn select_vector_0( condition_0 : bool,  yes_0 : vec3<f32>,  no_0 : vec3<f32>) -> vec3<f32>
+{
+    var chosen_0 : vec3<f32>;
+    chosen_0[i32(0)] = select(no_0[i32(0)], yes_0[i32(0)], condition_0);
+    chosen_0[i32(1)] = select(no_0[i32(1)], yes_0[i32(1)], condition_0);
+    chosen_0[i32(2)] = select(no_0[i32(2)], yes_0[i32(2)], condition_0);
+    return chosen_0;
+}
+
 fn rsqrt_0( x_2 : f32) -> f32
 {
     return 1.0f / sqrt(x_2);
@@ -300,6 +309,14 @@ fn firstbitlow_0( value_0 : u32) -> u32
 {
     var _S1 : u32 = firstTrailingBit(value_0);
     return _S1;
+}
+
+fn select_vector_1( condition_1 : bool,  yes_1 : vec2<f32>,  no_1 : vec2<f32>) -> vec2<f32>
+{
+    var chosen_1 : vec2<f32>;
+    chosen_1[i32(0)] = select(no_1[i32(0)], yes_1[i32(0)], condition_1);
+    chosen_1[i32(1)] = select(no_1[i32(1)], yes_1[i32(1)], condition_1);
+    return chosen_1;
 }
 
 fn position_of_0( vertex_0 : ptr<function, Vertex_std430_0>) -> vec3<f32>
@@ -417,74 +434,32 @@ fn sine_cosine_0( x_3 : f32) -> vec2<f32>
     var _S13 : f32 = ((-0.00019515295571182f * _S12 + 0.00833216123282909f) * _S12 - 0.16666655242443085f) * _S12 * _S11 + _S11;
     var _S14 : f32 = ((0.00002443315679557f * _S12 - 0.00138873164542019f) * _S12 + 0.04166664555668831f) * _S12 * _S12 - 0.5f * _S12 + 1.0f;
     var _S15 : u32 = (u32(i32(_S10)) & (u32(3)));
-    var _S16 : vec2<f32>;
-    if(((_S15 & (u32(1)))) != u32(0))
-    {
-        _S16 = vec2<f32>(_S14, _S13);
-    }
-    else
-    {
-        _S16 = vec2<f32>(_S13, _S14);
-    }
-    var _S17 : f32;
-    if(((_S15 & (u32(2)))) != u32(0))
-    {
-        _S17 = - _S16.x;
-    }
-    else
-    {
-        _S17 = _S16.x;
-    }
-    var _S18 : f32;
-    if((((_S15 + u32(1)) & (u32(2)))) != u32(0))
-    {
-        _S18 = - _S16.y;
-    }
-    else
-    {
-        _S18 = _S16.y;
-    }
-    return vec2<f32>(_S17, _S18);
+    var _S16 : vec2<f32> = select_vector_1(((_S15 & (u32(1)))) != u32(0), vec2<f32>(_S14, _S13), vec2<f32>(_S13, _S14));
+    var _S17 : f32 = _S16.x;
+    var _S18 : f32 = _S16.y;
+    return vec2<f32>(select(_S17, - _S17, ((_S15 & (u32(2)))) != u32(0)), select(_S18, - _S18, (((_S15 + u32(1)) & (u32(2)))) != u32(0)));
 }
 
 fn inverse_of_0( component_0 : f32) -> f32
 {
-    var _S19 : f32;
-    if((abs(component_0)) > 9.99999968265522539e-21f)
-    {
-        _S19 = component_0;
-    }
-    else
-    {
-        _S19 = 9.99999968265522539e-21f;
-    }
-    return 1.0f / _S19;
+    return 1.0f / select(9.99999968265522539e-21f, component_0, (abs(component_0)) > 9.99999968265522539e-21f);
 }
 
 fn meets_node_0( node_0 : u32,  origin_0 : vec3<f32>,  inverse_0 : vec3<f32>,  nearest_0 : f32,  farthest_0 : f32) -> bool
 {
-    var _S20 : u32 = u32(6) * (node_0 - u32(1));
-    var _S21 : vec3<f32> = (vec3<f32>(scene_number_0(_S20), scene_number_0(_S20 + u32(1)), scene_number_0(_S20 + u32(2))) - origin_0) * inverse_0;
-    var _S22 : vec3<f32> = (vec3<f32>(scene_number_0(_S20 + u32(3)), scene_number_0(_S20 + u32(4)), scene_number_0(_S20 + u32(5))) - origin_0) * inverse_0;
-    var _S23 : vec3<f32> = min(_S21, _S22);
-    var _S24 : vec3<f32> = max(_S21, _S22) * vec3<f32>(1.0000004768371582f);
-    return (max(max(_S23.x, _S23.y), max(_S23.z, nearest_0))) <= (min(min(_S24.x, _S24.y), min(_S24.z, farthest_0)));
+    var _S19 : u32 = u32(6) * (node_0 - u32(1));
+    var _S20 : vec3<f32> = (vec3<f32>(scene_number_0(_S19), scene_number_0(_S19 + u32(1)), scene_number_0(_S19 + u32(2))) - origin_0) * inverse_0;
+    var _S21 : vec3<f32> = (vec3<f32>(scene_number_0(_S19 + u32(3)), scene_number_0(_S19 + u32(4)), scene_number_0(_S19 + u32(5))) - origin_0) * inverse_0;
+    var _S22 : vec3<f32> = min(_S20, _S21);
+    var _S23 : vec3<f32> = max(_S20, _S21) * vec3<f32>(1.0000004768371582f);
+    return (max(max(_S22.x, _S22.y), max(_S22.z, nearest_0))) <= (min(min(_S23.x, _S23.y), min(_S23.z, farthest_0)));
 }
 
 fn following_node_0( node_1 : u32) -> u32
 {
-    var _S25 : u32 = node_1 + u32(1);
-    var _S26 : u32 = (_S25 >> ((firstbitlow_0(_S25))));
-    var _S27 : u32;
-    if(_S26 == u32(1))
-    {
-        _S27 = u32(0);
-    }
-    else
-    {
-        _S27 = _S26;
-    }
-    return _S27;
+    var _S24 : u32 = node_1 + u32(1);
+    var _S25 : u32 = (_S24 >> ((firstbitlow_0(_S24))));
+    return select(_S25, u32(0), _S25 == u32(1));
 }
 
 struct Hit_0
@@ -497,70 +472,28 @@ struct Hit_0
 
 fn meet_face_0( face_2 : u32,  origin_1 : vec3<f32>,  direction_0 : vec3<f32>) -> Hit_0
 {
-    var _S28 : u32 = u32(3) * face_2;
-    var _S29 : Vertex_std430_0 = vertices_0[corners_0[_S28]];
+    var _S26 : u32 = u32(3) * face_2;
+    var _S27 : Vertex_std430_0 = vertices_0[corners_0[_S26]];
+    var _S28 : vec3<f32> = position_of_1(&(_S27));
+    var _S29 : Vertex_std430_0 = vertices_0[corners_0[_S26 + u32(1)]];
     var _S30 : vec3<f32> = position_of_1(&(_S29));
-    var _S31 : Vertex_std430_0 = vertices_0[corners_0[_S28 + u32(1)]];
-    var _S32 : vec3<f32> = position_of_1(&(_S31));
-    var _S33 : vec3<f32> = _S32 - _S30;
-    var _S34 : Vertex_std430_0 = vertices_0[corners_0[_S28 + u32(2)]];
-    var _S35 : vec3<f32> = position_of_1(&(_S34));
-    var _S36 : vec3<f32> = _S35 - _S30;
-    var _S37 : vec3<f32> = cross(direction_0, _S36);
-    var _S38 : f32 = dot(_S33, _S37);
-    var _S39 : bool = (abs(_S38)) > 1.00000000317107685e-30f;
-    var _S40 : f32;
-    if(_S39)
-    {
-        _S40 = _S38;
-    }
-    else
-    {
-        _S40 = 1.00000000317107685e-30f;
-    }
-    var _S41 : f32 = 1.0f / _S40;
-    var _S42 : vec3<f32> = origin_1 - _S30;
-    var _S43 : vec3<f32> = cross(_S42, _S33);
+    var _S31 : vec3<f32> = _S30 - _S28;
+    var _S32 : Vertex_std430_0 = vertices_0[corners_0[_S26 + u32(2)]];
+    var _S33 : vec3<f32> = position_of_1(&(_S32));
+    var _S34 : vec3<f32> = _S33 - _S28;
+    var _S35 : vec3<f32> = cross(direction_0, _S34);
+    var _S36 : f32 = dot(_S31, _S35);
+    var _S37 : bool = (abs(_S36)) > 1.00000000317107685e-30f;
+    var _S38 : f32 = 1.0f / select(1.00000000317107685e-30f, _S36, _S37);
+    var _S39 : vec3<f32> = origin_1 - _S28;
+    var _S40 : vec3<f32> = cross(_S39, _S31);
     var hit_0 : Hit_0;
-    var _S44 : f32 = dot(_S42, _S37) * _S41;
-    hit_0.weight_b_0 = _S44;
-    hit_0.weight_c_0 = dot(direction_0, _S43) * _S41;
-    hit_0.distance_0 = dot(_S36, _S43) * _S41;
-    var _S45 : bool;
-    if(_S44 >= 0.0f)
-    {
-        _S45 = (hit_0.weight_c_0) >= 0.0f;
-    }
-    else
-    {
-        _S45 = false;
-    }
-    if(_S45)
-    {
-        _S45 = (hit_0.weight_b_0 + hit_0.weight_c_0) <= 1.0f;
-    }
-    else
-    {
-        _S45 = false;
-    }
-    if(_S45)
-    {
-        _S45 = _S39;
-    }
-    else
-    {
-        _S45 = false;
-    }
-    var _S46 : u32;
-    if(_S45)
-    {
-        _S46 = face_2;
-    }
-    else
-    {
-        _S46 = u32(4294967295);
-    }
-    hit_0.face_1 = _S46;
+    var _S41 : f32 = dot(_S39, _S35) * _S38;
+    hit_0.weight_b_0 = _S41;
+    var _S42 : f32 = dot(direction_0, _S40) * _S38;
+    hit_0.weight_c_0 = _S42;
+    hit_0.distance_0 = dot(_S34, _S40) * _S38;
+    hit_0.face_1 = select(u32(4294967295), face_2, ((((((_S41 >= 0.0f) & ((_S42 >= 0.0f)))) & (((_S41 + _S42) <= 1.0f)))) & (_S37)));
     return hit_0;
 }
 
@@ -586,17 +519,8 @@ fn to_local_0( point_0 : VisiblePoint_0,  direction_1 : vec3<f32>) -> vec3<f32>
 
 fn to_face_frame_0( direction_2 : vec3<f32>,  back_2 : bool) -> vec3<f32>
 {
-    var _S47 : vec2<f32> = direction_2.xy;
-    var _S48 : f32;
-    if(back_2)
-    {
-        _S48 = - direction_2.z;
-    }
-    else
-    {
-        _S48 = direction_2.z;
-    }
-    return vec3<f32>(_S47, _S48);
+    var _S43 : f32 = direction_2.z;
+    return vec3<f32>(direction_2.xy, select(_S43, - _S43, back_2));
 }
 
 struct Footprint_0
@@ -608,16 +532,16 @@ struct Footprint_0
 
 fn Footprint_spread_side_0( this_0 : Footprint_0) -> f32
 {
-    var _S49 : vec2<f32> = this_0.dx_0;
-    var _S50 : vec2<f32> = this_0.dy_0;
-    return sqrt(0.5f * (dot(_S49, _S49) + dot(_S50, _S50)));
+    var _S44 : vec2<f32> = this_0.dx_0;
+    var _S45 : vec2<f32> = this_0.dy_0;
+    return sqrt(0.5f * (dot(_S44, _S44) + dot(_S45, _S45)));
 }
 
 fn natural_logarithm_0( x_4 : f32) -> f32
 {
-    var _S51 : u32 = (bitcast<u32>((x_4)));
-    var exponent_0 : f32 = f32(i32((_S51 >> (u32(23)))) - i32(126));
-    var m_0 : f32 = (bitcast<f32>(((((_S51 & (u32(8388607)))) | (u32(1056964608))))));
+    var _S46 : u32 = (bitcast<u32>((x_4)));
+    var exponent_0 : f32 = f32(i32((_S46 >> (u32(23)))) - i32(126));
+    var m_0 : f32 = (bitcast<f32>(((((_S46 & (u32(8388607)))) | (u32(1056964608))))));
     var m_1 : f32;
     var exponent_1 : f32;
     if(m_0 < 0.70710676908493042f)
@@ -632,8 +556,8 @@ fn natural_logarithm_0( x_4 : f32) -> f32
         exponent_1 = exponent_0;
     }
     var m_2 : f32 = m_1 - 1.0f;
-    var _S52 : f32 = m_2 * m_2;
-    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S52 - exponent_1 * 0.00021219444170129f - 0.5f * _S52) + exponent_1 * 0.693359375f;
+    var _S47 : f32 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S47 - exponent_1 * 0.00021219444170129f - 0.5f * _S47) + exponent_1 * 0.693359375f;
 }
 
 fn binary_logarithm_0( x_5 : f32) -> f32
@@ -661,8 +585,8 @@ fn default_quality_0() -> SearchQuality_0
 
 fn turns_and_remainder_0( family_0 : u32,  index_3 : f32) -> vec2<f32>
 {
-    var _S53 : f32 = floor(fma(index_3, families_0[family_0].inverse_count_0, families_0[family_0].half_inverse_count_0));
-    return vec2<f32>(_S53, fma(- _S53, families_0[family_0].count_0, index_3));
+    var _S48 : f32 = floor(fma(index_3, families_0[family_0].inverse_count_0, families_0[family_0].half_inverse_count_0));
+    return vec2<f32>(_S48, fma(- _S48, families_0[family_0].count_0, index_3));
 }
 
 struct Cell_0
@@ -676,14 +600,14 @@ struct Cell_0
 
 fn locate_alike_0( family_1 : u32,  position_1 : f32) -> Cell_0
 {
-    var _S54 : f32 = floor(position_1 * families_0[family_1].inverse_size_0);
+    var _S49 : f32 = floor(position_1 * families_0[family_1].inverse_size_0);
     var cell_2 : Cell_0;
-    var _S55 : f32 = fma(- _S54, families_0[family_1].size_0, position_1);
-    cell_2.below_0 = _S55;
-    cell_2.above_0 = families_0[family_1].size_0 - _S55;
-    cell_2.across_0 = _S55 - 0.5f * families_0[family_1].size_0;
+    var _S50 : f32 = fma(- _S49, families_0[family_1].size_0, position_1);
+    cell_2.below_0 = _S50;
+    cell_2.above_0 = families_0[family_1].size_0 - _S50;
+    cell_2.across_0 = _S50 - 0.5f * families_0[family_1].size_0;
     cell_2.half_width_1 = families_0[family_1].half_width_0;
-    cell_2.thread_2 = u32(clamp(turns_and_remainder_0(family_1, _S54).y, 0.0f, families_0[family_1].count_0 - 1.0f));
+    cell_2.thread_2 = u32(clamp(turns_and_remainder_0(family_1, _S49).y, 0.0f, families_0[family_1].count_0 - 1.0f));
     return cell_2;
 }
 
@@ -696,25 +620,16 @@ fn locate_varied_0( family_2 : u32,  position_2 : f32) -> Cell_0
 {
     var turns_0 : f32 = (position_2 - families_0[family_2].start_0) * families_0[family_2].inverse_period_0;
     var turns_1 : f32 = turns_0 - floor(turns_0);
-    var _S56 : f32 = turns_1 * families_0[family_2].period_0;
+    var _S51 : f32 = turns_1 * families_0[family_2].period_0;
     var thread_3 : u32 = words_0[families_0[family_2].first_thread_table_0 + u32(clamp(turns_1 * families_0[family_2].bins_0, 0.0f, families_0[family_2].bins_0 - 1.0f))];
-    var _S57 : u32;
-    if(_S56 >= (table_number_0(families_0[family_2].place_table_0 + thread_3 * u32(4) + u32(1))))
-    {
-        _S57 = u32(1);
-    }
-    else
-    {
-        _S57 = u32(0);
-    }
-    var _S58 : u32 = min(thread_3 + _S57, u32(families_0[family_2].count_0) - u32(1));
-    var _S59 : u32 = families_0[family_2].place_table_0 + _S58 * u32(4);
+    var _S52 : u32 = min(thread_3 + select(u32(0), u32(1), _S51 >= (table_number_0(families_0[family_2].place_table_0 + thread_3 * u32(4) + u32(1)))), u32(families_0[family_2].count_0) - u32(1));
+    var _S53 : u32 = families_0[family_2].place_table_0 + _S52 * u32(4);
     var cell_3 : Cell_0;
-    cell_3.thread_2 = _S58;
-    cell_3.below_0 = _S56 - table_number_0(_S59);
-    cell_3.above_0 = table_number_0(_S59 + u32(1)) - _S56;
-    cell_3.across_0 = _S56 - table_number_0(_S59 + u32(2));
-    cell_3.half_width_1 = table_number_0(_S59 + u32(3));
+    cell_3.thread_2 = _S52;
+    cell_3.below_0 = _S51 - table_number_0(_S53);
+    cell_3.above_0 = table_number_0(_S53 + u32(1)) - _S51;
+    cell_3.across_0 = _S51 - table_number_0(_S53 + u32(2));
+    cell_3.half_width_1 = table_number_0(_S53 + u32(3));
     return cell_3;
 }
 
@@ -746,106 +661,33 @@ struct Crossing_0
 
 fn shown_at_0( crossing_0 : Crossing_0,  back_3 : bool) -> Shown_0
 {
-    var _S60 : bool = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
-    var _S61 : bool = (abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1);
+    var _S54 : bool = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
     var shown_0 : Shown_0;
-    var _S62 : bool;
-    if(_S60)
-    {
-        if(!_S61)
-        {
-            _S62 = true;
-        }
-        else
-        {
-            _S62 = crossing_0.warp_above_0;
-        }
-    }
-    else
-    {
-        _S62 = false;
-    }
-    shown_0.is_warp_0 = _S62;
-    if(!_S60)
-    {
-        _S62 = !_S61;
-    }
-    else
-    {
-        _S62 = false;
-    }
-    shown_0.hole_0 = _S62;
-    var _S63 : u32;
-    if(shown_0.is_warp_0)
-    {
-        _S63 = crossing_0.warp_word_0;
-    }
-    else
-    {
-        _S63 = crossing_0.weft_word_0;
-    }
-    shown_0.word_0 = _S63;
-    shown_0.on_top_0 = (((_S63 & (u32(1)))) == u32(1)) != back_3;
+    var _S55 : bool = !((abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1));
+    var _S56 : bool = (_S54 & (((_S55 | ((crossing_0.warp_above_0))))));
+    shown_0.is_warp_0 = _S56;
+    shown_0.hole_0 = ((!_S54) & (_S55));
+    var _S57 : u32 = select(crossing_0.weft_word_0, crossing_0.warp_word_0, _S56);
+    shown_0.word_0 = _S57;
+    shown_0.on_top_0 = (((_S57 & (u32(1)))) == u32(1)) != back_3;
     return shown_0;
 }
 
 fn select_cell_0( is_first_0 : bool,  first_0 : Cell_0,  second_0 : Cell_0) -> Cell_0
 {
     var cell_4 : Cell_0;
-    var _S64 : u32;
-    if(is_first_0)
-    {
-        _S64 = first_0.thread_2;
-    }
-    else
-    {
-        _S64 = second_0.thread_2;
-    }
-    cell_4.thread_2 = _S64;
-    var _S65 : f32;
-    if(is_first_0)
-    {
-        _S65 = first_0.across_0;
-    }
-    else
-    {
-        _S65 = second_0.across_0;
-    }
-    cell_4.across_0 = _S65;
-    if(is_first_0)
-    {
-        _S65 = first_0.half_width_1;
-    }
-    else
-    {
-        _S65 = second_0.half_width_1;
-    }
-    cell_4.half_width_1 = _S65;
-    if(is_first_0)
-    {
-        _S65 = first_0.below_0;
-    }
-    else
-    {
-        _S65 = second_0.below_0;
-    }
-    cell_4.below_0 = _S65;
-    if(is_first_0)
-    {
-        _S65 = first_0.above_0;
-    }
-    else
-    {
-        _S65 = second_0.above_0;
-    }
-    cell_4.above_0 = _S65;
+    cell_4.thread_2 = select(second_0.thread_2, first_0.thread_2, is_first_0);
+    cell_4.across_0 = select(second_0.across_0, first_0.across_0, is_first_0);
+    cell_4.half_width_1 = select(second_0.half_width_1, first_0.half_width_1, is_first_0);
+    cell_4.below_0 = select(second_0.below_0, first_0.below_0, is_first_0);
+    cell_4.above_0 = select(second_0.above_0, first_0.above_0, is_first_0);
     return cell_4;
 }
 
 fn boundary_0( family_4 : u32,  thread_4 : u32,  step_0 : i32) -> f32
 {
-    var _S66 : vec2<f32> = turns_and_remainder_0(family_4, f32(i32(thread_4) + step_0));
-    return fma(_S66.x, families_0[family_4].period_0, table_number_0(families_0[family_4].place_table_0 + u32(_S66.y) * u32(4)));
+    var _S58 : vec2<f32> = turns_and_remainder_0(family_4, f32(i32(thread_4) + step_0));
+    return fma(_S58.x, families_0[family_4].period_0, table_number_0(families_0[family_4].place_table_0 + u32(_S58.y) * u32(4)));
 }
 
 fn span_0( family_5 : u32,  thread_5 : u32,  first_1 : i32,  last_0 : i32) -> f32
@@ -866,21 +708,11 @@ struct Bend_0
 
 fn bend_of_0( family_6 : u32,  thread_6 : u32) -> Bend_0
 {
-    var _S67 : u32 = families_0[family_6].bend_table_0;
-    var _S68 : u32;
-    if((families_0[family_6].is_alike_0) != u32(0))
-    {
-        _S68 = u32(0);
-    }
-    else
-    {
-        _S68 = thread_6 * u32(4);
-    }
-    var _S69 : u32 = _S67 + _S68;
+    var _S59 : u32 = families_0[family_6].bend_table_0 + select(thread_6 * u32(4), u32(0), (families_0[family_6].is_alike_0) != u32(0));
     var bend_0 : Bend_0;
-    bend_0.sine_0 = table_number_0(_S69);
-    bend_0.half_tangent_0 = table_number_0(_S69 + u32(1));
-    bend_0.arc_0 = table_number_0(_S69 + u32(2));
+    bend_0.sine_0 = table_number_0(_S59);
+    bend_0.half_tangent_0 = table_number_0(_S59 + u32(1));
+    bend_0.arc_0 = table_number_0(_S59 + u32(2));
     return bend_0;
 }
 
@@ -900,53 +732,29 @@ struct Run_0
 
 fn unpack_0( own_0 : u32,  other_0 : u32,  thread_7 : u32,  crossed_0 : Cell_0,  word_1 : u32) -> Run_0
 {
-    var _S70 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
-    var _S71 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
-    var _S72 : i32 = i32((((word_1 >> (u32(15)))) & (u32(63))));
-    var _S73 : i32 = i32((((word_1 >> (u32(21)))) & (u32(63))));
+    var _S60 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
+    var _S61 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
+    var _S62 : i32 = i32((((word_1 >> (u32(15)))) & (u32(63))));
+    var _S63 : i32 = i32((((word_1 >> (u32(21)))) & (u32(63))));
     var run_0 : Run_0;
-    run_0.straight_0 = ((((word_1 >> (u32(27)))) & (u32(1)))) == u32(1);
-    var _S74 : i32 = - _S70;
-    var _S75 : f32 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_2, _S74, i32(0));
-    run_0.from_start_0 = _S75;
-    var _S76 : i32 = _S71 + i32(1);
-    var _S77 : f32 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_2, i32(1), _S76);
-    run_0.to_end_0 = _S77;
-    var _S78 : bool = _S75 < _S77;
-    run_0.near_start_0 = _S78;
-    var _S79 : i32;
-    if(_S78)
-    {
-        _S79 = _S74 - _S72;
-    }
-    else
-    {
-        _S79 = _S76;
-    }
-    var _S80 : i32;
-    if(run_0.near_start_0)
-    {
-        _S80 = _S74;
-    }
-    else
-    {
-        _S80 = _S76 + _S73;
-    }
+    var _S64 : bool = ((((word_1 >> (u32(27)))) & (u32(1)))) == u32(1);
+    run_0.straight_0 = _S64;
+    var _S65 : i32 = - _S60;
+    var _S66 : f32 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_2, _S65, i32(0));
+    run_0.from_start_0 = _S66;
+    var _S67 : i32 = _S61 + i32(1);
+    var _S68 : f32 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_2, i32(1), _S67);
+    run_0.to_end_0 = _S68;
+    var _S69 : bool = _S66 < _S68;
+    run_0.near_start_0 = _S69;
+    var _S70 : i32 = select(_S67, _S65 - _S62, _S69);
+    var _S71 : i32 = select(_S67 + _S63, _S65, _S69);
     run_0.bend_1 = bend_of_0(own_0, thread_7);
-    var _S81 : f32;
-    if(run_0.straight_0)
-    {
-        _S81 = 1.0e+06f;
-    }
-    else
-    {
-        _S81 = min(run_0.from_start_0, run_0.to_end_0);
-    }
-    run_0.distance_1 = _S81;
-    run_0.reach_0 = min(0.5f * (run_0.from_start_0 + run_0.to_end_0), run_0.bend_1.arc_0);
-    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_2, _S79, _S80), run_0.bend_1.arc_0);
-    run_0.first_crossing_0 = _S70 == i32(0);
-    run_0.last_crossing_0 = _S71 == i32(0);
+    run_0.distance_1 = select(min(_S66, _S68), 1.0e+06f, _S64);
+    run_0.reach_0 = min(0.5f * (_S66 + _S68), run_0.bend_1.arc_0);
+    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_2, _S70, _S71), run_0.bend_1.arc_0);
+    run_0.first_crossing_0 = _S60 == i32(0);
+    run_0.last_crossing_0 = _S61 == i32(0);
     return run_0;
 }
 
@@ -964,89 +772,49 @@ struct Section_0
 
 fn section_at_0( cell_5 : Cell_0) -> Section_0
 {
-    var _S82 : f32 = cell_5.half_width_1 * 1.0154266357421875f;
+    var _S72 : f32 = cell_5.half_width_1 * 1.0154266357421875f;
     var section_0 : Section_0;
-    var _S83 : f32 = clamp(cell_5.across_0, - cell_5.half_width_1, cell_5.half_width_1);
-    section_0.across_1 = _S83;
-    var _S84 : f32 = _S82 * _S82 - square_1(_S83);
-    var _S85 : f32 = rsqrt_0(_S84);
-    section_0.drop_0 = _S82 - _S84 * _S85;
-    section_0.slope_0 = - _S83 * _S85;
+    var _S73 : f32 = clamp(cell_5.across_0, - cell_5.half_width_1, cell_5.half_width_1);
+    section_0.across_1 = _S73;
+    var _S74 : f32 = _S72 * _S72 - square_1(_S73);
+    var _S75 : f32 = rsqrt_0(_S74);
+    section_0.drop_0 = _S72 - _S74 * _S75;
+    section_0.slope_0 = - _S73 * _S75;
     return section_0;
 }
 
 fn edge_drop_0( family_7 : u32,  thread_8 : u32,  step_1 : i32) -> f32
 {
-    if((families_0[family_7].is_alike_0) != u32(0))
-    {
-        return table_number_0(families_0[family_7].bend_table_0 + u32(3));
-    }
-    return table_number_0(families_0[family_7].bend_table_0 + u32(turns_and_remainder_0(family_7, f32(i32(thread_8) + step_1)).y) * u32(4) + u32(3));
+    return table_number_0(families_0[family_7].bend_table_0 + select(u32(turns_and_remainder_0(family_7, f32(i32(thread_8) + step_1)).y) * u32(4), u32(0), (families_0[family_7].is_alike_0) != u32(0)) + u32(3));
 }
 
 fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_0) -> vec2<f32>
 {
-    var _S86 : bool = (crossed_1.below_0) < (crossed_1.above_0);
-    var _S87 : f32 = min(crossed_1.below_0, crossed_1.above_0);
-    var _S88 : f32;
-    if(_S86)
-    {
-        _S88 = crossed_1.below_0 - crossed_1.across_0;
-    }
-    else
-    {
-        _S88 = crossed_1.above_0 + crossed_1.across_0;
-    }
-    var _S89 : f32 = _S88 - crossed_1.half_width_1;
-    var _S90 : bool;
-    if(_S86)
-    {
-        _S90 = run_1.first_crossing_0;
-    }
-    else
-    {
-        _S90 = run_1.last_crossing_0;
-    }
+    var _S76 : bool = (crossed_1.below_0) < (crossed_1.above_0);
+    var _S77 : f32 = min(crossed_1.below_0, crossed_1.above_0);
+    var _S78 : f32 = select(crossed_1.above_0 + crossed_1.across_0, crossed_1.below_0 - crossed_1.across_0, _S76) - crossed_1.half_width_1;
+    var _S79 : bool = select(run_1.last_crossing_0, run_1.first_crossing_0, _S76);
+    var _S80 : f32;
     if(shown_1.on_top_0)
     {
-        _S88 = 0.0f;
+        _S80 = 0.0f;
     }
     else
     {
-        _S88 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, i32(0));
+        _S80 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, i32(0));
     }
-    var _S91 : f32;
-    if((shown_1.on_top_0) != _S90)
+    var _S81 : f32;
+    if((shown_1.on_top_0) != _S79)
     {
-        _S91 = 0.0f;
+        _S81 = 0.0f;
     }
     else
     {
-        var _S92 : f32 = families_0[other_1].height_scale_0;
-        var _S93 : i32;
-        if(_S86)
-        {
-            _S93 = i32(-1);
-        }
-        else
-        {
-            _S93 = i32(1);
-        }
-        _S91 = _S92 * edge_drop_0(other_1, crossed_1.thread_2, _S93);
+        _S81 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, select(i32(1), i32(-1), _S76));
     }
-    var _S94 : f32 = 1.0f / max(2.0f * _S89, 9.999999960041972e-13f);
-    var _S95 : f32 = clamp((_S89 - _S87) * _S94, 0.0f, 1.0f);
-    var _S96 : f32 = _S88 + (_S91 - _S88) * (_S95 * _S95 * (3.0f - 2.0f * _S95));
-    var _S97 : f32 = (_S88 - _S91) * (6.0f * _S95 * (1.0f - _S95) * _S94);
-    if(_S86)
-    {
-        _S88 = 1.0f;
-    }
-    else
-    {
-        _S88 = -1.0f;
-    }
-    return vec2<f32>(_S96, _S97 * _S88);
+    var _S82 : f32 = 1.0f / max(2.0f * _S78, 9.999999960041972e-13f);
+    var _S83 : f32 = clamp((_S78 - _S77) * _S82, 0.0f, 1.0f);
+    return vec2<f32>(_S80 + (_S81 - _S80) * (_S83 * _S83 * (3.0f - 2.0f * _S83)), (_S80 - _S81) * (6.0f * _S83 * (1.0f - _S83) * _S82) * select(-1.0f, 1.0f, _S76));
 }
 
 struct StepControl_0
@@ -1064,12 +832,12 @@ fn step_control_0( direction_3 : vec2<f32>,  step_3 : f32) -> StepControl_0
     var control_0 : StepControl_0;
     control_0.step_2 = step_3;
     control_0.epsilon_0 = 0.00499999988824129f * step_3;
-    var _S98 : f32 = direction_3.x;
-    control_0.per_x_0 = 1.0f / max(abs(_S98), 9.99999971718068537e-10f);
-    var _S99 : f32 = direction_3.y;
-    control_0.per_y_0 = 1.0f / max(abs(_S99), 9.99999971718068537e-10f);
-    control_0.right_0 = _S98 > 0.0f;
-    control_0.up_0 = _S99 > 0.0f;
+    var _S84 : f32 = direction_3.x;
+    control_0.per_x_0 = 1.0f / max(abs(_S84), 9.99999971718068537e-10f);
+    var _S85 : f32 = direction_3.y;
+    control_0.per_y_0 = 1.0f / max(abs(_S85), 9.99999971718068537e-10f);
+    control_0.right_0 = _S84 > 0.0f;
+    control_0.up_0 = _S85 > 0.0f;
     return control_0;
 }
 
@@ -1093,139 +861,19 @@ fn no_previous_sample_0() -> PreviousSample_0
 
 fn outline_distance_0( cell_6 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  lengthwise_0 : bool,  forwards_0 : bool) -> f32
 {
-    var _S100 : f32;
-    if(forwards_0)
+    var _S86 : f32 = select(- cell_6.across_0, cell_6.across_0, forwards_0);
+    var _S87 : f32 = select(cell_6.below_0, cell_6.above_0, forwards_0);
+    var _S88 : f32 = - cell_6.half_width_1;
+    var _S89 : bool = _S86 < _S88;
+    var _S90 : bool = _S86 >= (cell_6.half_width_1);
+    var _S91 : bool = (((lengthwise_0 & ((!select(run_2.first_crossing_0, run_2.last_crossing_0, forwards_0))))) & ((!shown_2.hole_0)));
+    var _S92 : f32 = select(cell_6.half_width_1, _S88, _S89) - _S86;
+    var _S93 : f32 = select(_S87, 2.0f * _S87 + _S86 - cell_6.half_width_1, ((shown_2.hole_0) | (((_S91 & ((!shown_2.on_top_0)))))));
+    if((((_S91 & ((shown_2.on_top_0)))) & ((!((select(run_2.last_crossing_0, run_2.first_crossing_0, forwards_0) & (_S89)))))))
     {
-        _S100 = cell_6.across_0;
+        return select(run_2.from_start_0, run_2.to_end_0, forwards_0);
     }
-    else
-    {
-        _S100 = - cell_6.across_0;
-    }
-    var _S101 : f32;
-    if(forwards_0)
-    {
-        _S101 = cell_6.above_0;
-    }
-    else
-    {
-        _S101 = cell_6.below_0;
-    }
-    var _S102 : bool;
-    if(forwards_0)
-    {
-        _S102 = run_2.last_crossing_0;
-    }
-    else
-    {
-        _S102 = run_2.first_crossing_0;
-    }
-    var _S103 : bool;
-    if(forwards_0)
-    {
-        _S103 = run_2.first_crossing_0;
-    }
-    else
-    {
-        _S103 = run_2.last_crossing_0;
-    }
-    var _S104 : f32 = - cell_6.half_width_1;
-    var _S105 : bool = _S100 < _S104;
-    var _S106 : bool = _S100 >= (cell_6.half_width_1);
-    if(lengthwise_0)
-    {
-        _S102 = !_S102;
-    }
-    else
-    {
-        _S102 = false;
-    }
-    if(_S102)
-    {
-        _S102 = !shown_2.hole_0;
-    }
-    else
-    {
-        _S102 = false;
-    }
-    var _S107 : bool;
-    if(_S102)
-    {
-        _S107 = shown_2.on_top_0;
-    }
-    else
-    {
-        _S107 = false;
-    }
-    if(_S107)
-    {
-        if(_S103)
-        {
-            _S103 = _S105;
-        }
-        else
-        {
-            _S103 = false;
-        }
-        _S103 = !_S103;
-    }
-    else
-    {
-        _S103 = false;
-    }
-    if(shown_2.hole_0)
-    {
-        _S102 = true;
-    }
-    else
-    {
-        if(_S102)
-        {
-            _S102 = !shown_2.on_top_0;
-        }
-        else
-        {
-            _S102 = false;
-        }
-    }
-    var _S108 : f32;
-    if(_S105)
-    {
-        _S108 = _S104;
-    }
-    else
-    {
-        _S108 = cell_6.half_width_1;
-    }
-    var _S109 : f32 = _S108 - _S100;
-    if(_S102)
-    {
-        _S100 = 2.0f * _S101 + _S100 - cell_6.half_width_1;
-    }
-    else
-    {
-        _S100 = _S101;
-    }
-    if(_S103)
-    {
-        if(forwards_0)
-        {
-            _S100 = run_2.to_end_0;
-        }
-        else
-        {
-            _S100 = run_2.from_start_0;
-        }
-        return _S100;
-    }
-    if(_S106)
-    {
-    }
-    else
-    {
-        _S100 = _S109;
-    }
-    return _S100;
+    return select(_S92, _S93, _S90);
 }
 
 struct Probe_0
@@ -1244,116 +892,30 @@ struct Probe_0
 
 fn way_back_to_dip_0( previous_1 : PreviousSample_0,  clearance_1 : f32,  rate_1 : f32,  step_4 : f32,  here_0 : Probe_0) -> f32
 {
-    var _S110 : f32 = previous_1.rate_0 * step_4;
-    var _S111 : f32 = rate_1 * step_4;
-    var _S112 : bool;
-    if(!previous_1.known_0)
-    {
-        _S112 = true;
-    }
-    else
-    {
-        _S112 = here_0.hole_1;
-    }
-    if(_S112)
-    {
-        _S112 = true;
-    }
-    else
-    {
-        _S112 = (previous_1.yarn_0) != (here_0.yarn_1);
-    }
-    if(_S112)
-    {
-        _S112 = true;
-    }
-    else
-    {
-        _S112 = (previous_1.rate_0) >= 0.0f;
-    }
-    if(_S112)
-    {
-        _S112 = true;
-    }
-    else
-    {
-        _S112 = rate_1 <= 0.0f;
-    }
-    if(_S112)
+    var _S94 : f32 = previous_1.rate_0 * step_4;
+    var _S95 : f32 = rate_1 * step_4;
+    if(((((((((!previous_1.known_0) | ((here_0.hole_1)))) | (((previous_1.yarn_0) != (here_0.yarn_1))))) | (((previous_1.rate_0) >= 0.0f)))) | ((rate_1 <= 0.0f))))
     {
         return -1.0f;
     }
-    if((3.0f * previous_1.clearance_0 + _S110) >= 0.0f)
-    {
-        _S112 = (3.0f * clearance_1 - _S111) >= 0.0f;
-    }
-    else
-    {
-        _S112 = false;
-    }
-    if(_S112)
+    if((((3.0f * previous_1.clearance_0 + _S94) >= 0.0f) & (((3.0f * clearance_1 - _S95) >= 0.0f))))
     {
         return -1.0f;
     }
-    var _S113 : f32 = clearance_1 - previous_1.clearance_0;
-    var _S114 : f32 = 6.0f * _S113 - 4.0f * _S110 - 2.0f * _S111;
-    var _S115 : f32 = -2.0f * _S110 / max(_S114 + sqrt(max(_S114 * _S114 - 4.0f * (3.0f * (_S110 + _S111 - 2.0f * _S113)) * _S110, 0.0f)), 9.99999968265522539e-21f);
-    var _S116 : f32 = 1.0f - _S115;
-    var _S117 : f32 = (previous_1.clearance_0 * (2.0f * _S115 + 1.0f) + _S110 * _S115) * _S116 * _S116;
-    var _S118 : f32 = (clearance_1 * (2.0f * _S116 + 1.0f) - _S111 * _S116) * _S115 * _S115;
-    if(_S115 > 0.01999999955296516f)
-    {
-        _S112 = _S116 > 0.01999999955296516f;
-    }
-    else
-    {
-        _S112 = false;
-    }
-    if(_S112)
-    {
-        _S112 = (_S117 + _S118) < 0.0f;
-    }
-    else
-    {
-        _S112 = false;
-    }
-    var _S119 : f32;
-    if(_S112)
-    {
-        _S119 = _S116 * step_4;
-    }
-    else
-    {
-        _S119 = -1.0f;
-    }
-    return _S119;
+    var _S96 : f32 = clearance_1 - previous_1.clearance_0;
+    var _S97 : f32 = 6.0f * _S96 - 4.0f * _S94 - 2.0f * _S95;
+    var _S98 : f32 = -2.0f * _S94 / max(_S97 + sqrt(max(_S97 * _S97 - 4.0f * (3.0f * (_S94 + _S95 - 2.0f * _S96)) * _S94, 0.0f)), 9.99999968265522539e-21f);
+    var _S99 : f32 = 1.0f - _S98;
+    return select(-1.0f, _S99 * step_4, ((((_S98 > 0.01999999955296516f) & ((_S99 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S98 + 1.0f) + _S94 * _S98) * _S99 * _S99 + (clearance_1 * (2.0f * _S99 + 1.0f) - _S95 * _S99) * _S98 * _S98) < 0.0f))));
 }
 
 fn after_sample_0( clearance_2 : f32,  rate_2 : f32,  here_1 : Probe_0,  is_cell_exit_0 : bool) -> PreviousSample_0
 {
     var previous_2 : PreviousSample_0;
-    var _S120 : f32;
-    if(here_1.hole_1)
-    {
-        _S120 = 1.0e+09f;
-    }
-    else
-    {
-        _S120 = clearance_2;
-    }
-    previous_2.clearance_0 = _S120;
+    previous_2.clearance_0 = select(clearance_2, 1.0e+09f, here_1.hole_1);
     previous_2.rate_0 = rate_2;
     previous_2.yarn_0 = here_1.yarn_1;
-    var _S121 : bool;
-    if(!here_1.hole_1)
-    {
-        _S121 = !is_cell_exit_0;
-    }
-    else
-    {
-        _S121 = false;
-    }
-    previous_2.known_0 = _S121;
+    previous_2.known_0 = ((!here_1.hole_1) & ((!is_cell_exit_0)));
     return previous_2;
 }
 
@@ -1364,34 +926,8 @@ fn StepControl_to_cell_exit_0( this_1 : StepControl_0,  side_x_1 : f32,  side_y_
 
 fn StepControl_to_next_sample_0( this_2 : StepControl_0,  here_2 : Probe_0,  clearance_3 : f32,  rate_3 : f32) -> f32
 {
-    var _S122 : f32 = min(here_2.edge_x_0 * this_2.per_x_0, here_2.edge_y_0 * this_2.per_y_0);
-    var _S123 : bool;
-    if(!here_2.hole_1)
-    {
-        _S123 = (rate_3 * _S122 + clearance_3) < 0.0f;
-    }
-    else
-    {
-        _S123 = false;
-    }
-    if(_S123)
-    {
-        _S123 = _S122 > (2.0f * this_2.epsilon_0);
-    }
-    else
-    {
-        _S123 = false;
-    }
-    var _S124 : f32;
-    if(_S123)
-    {
-        _S124 = _S122 - this_2.epsilon_0;
-    }
-    else
-    {
-        _S124 = max(_S122, 0.0f) + this_2.epsilon_0;
-    }
-    return min(this_2.step_2, _S124);
+    var _S100 : f32 = min(here_2.edge_x_0 * this_2.per_x_0, here_2.edge_y_0 * this_2.per_y_0);
+    return min(this_2.step_2, select(max(_S100, 0.0f) + this_2.epsilon_0, _S100 - this_2.epsilon_0, ((((!here_2.hole_1) & (((rate_3 * _S100 + clearance_3) < 0.0f)))) & ((_S100 > (2.0f * this_2.epsilon_0))))));
 }
 
 struct ViewRay_0
@@ -1412,10 +948,10 @@ fn ViewRay_rate_0( this_4 : ViewRay_0,  here_3 : Probe_0) -> f32
 
 fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 : f32) -> f32
 {
-    var _S125 : f32 = end_0 - start_1;
-    var _S126 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S125;
-    var _S127 : f32 = 3.0f * _S125 - 2.0f * start_rate_0 - end_rate_0;
-    var share_1 : f32 = start_1 / max(- _S125, 9.99999968265522539e-21f);
+    var _S101 : f32 = end_0 - start_1;
+    var _S102 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S101;
+    var _S103 : f32 = 3.0f * _S101 - 2.0f * start_rate_0 - end_rate_0;
+    var share_1 : f32 = start_1 / max(- _S101, 9.99999968265522539e-21f);
     var i_0 : i32 = i32(0);
     for(;;)
     {
@@ -1426,10 +962,10 @@ fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 :
         {
             break;
         }
-        var _S128 : f32 = clamp(share_1 - (((_S126 * share_1 + _S127) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S126 * share_1 + 2.0f * _S127) * share_1 + start_rate_0, 0.10000000149011612f * _S125 - 9.99999968265522539e-21f), 0.0f, 1.0f);
-        var _S129 : i32 = i_0 + i32(1);
-        share_1 = _S128;
-        i_0 = _S129;
+        var _S104 : f32 = clamp(share_1 - (((_S102 * share_1 + _S103) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S102 * share_1 + 2.0f * _S103) * share_1 + start_rate_0, 0.10000000149011612f * _S101 - 9.99999968265522539e-21f), 0.0f, 1.0f);
+        var _S105 : i32 = i_0 + i32(1);
+        share_1 = _S104;
+        i_0 = _S105;
     }
     return share_1;
 }
@@ -1451,27 +987,12 @@ fn arc_tangent_of_ratio_0( ratio_0 : f32) -> f32
 
 fn arc_tangent_0( y_3 : f32,  x_8 : f32) -> f32
 {
-    var _S130 : f32 = abs(x_8);
-    var _S131 : f32 = abs(y_3);
-    var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S130, _S131) / max(max(_S130, _S131), 1.00000000317107685e-30f));
-    var angle_1 : f32;
-    if(_S131 > _S130)
-    {
-        angle_1 = 1.57079637050628662f - angle_0;
-    }
-    else
-    {
-        angle_1 = angle_0;
-    }
-    if(x_8 < 0.0f)
-    {
-        angle_1 = 3.14159274101257324f - angle_1;
-    }
-    if(y_3 < 0.0f)
-    {
-        angle_1 = - angle_1;
-    }
-    return angle_1;
+    var _S106 : f32 = abs(x_8);
+    var _S107 : f32 = abs(y_3);
+    var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S106, _S107) / max(max(_S106, _S107), 1.00000000317107685e-30f));
+    var angle_1 : f32 = select(angle_0, 1.57079637050628662f - angle_0, _S107 > _S106);
+    var angle_2 : f32 = select(angle_1, 3.14159274101257324f - angle_1, x_8 < 0.0f);
+    return select(angle_2, - angle_2, y_3 < 0.0f);
 }
 
 struct NodeTaps_0
@@ -1483,24 +1004,24 @@ struct NodeTaps_0
 
 fn node_taps_0( direction_4 : vec3<f32>) -> NodeTaps_0
 {
-    var _S132 : f32 = arc_tangent_0(direction_4.y, direction_4.x) * 5.09295797348022461f;
-    var _S133 : f32 = floor(_S132);
-    var _S134 : f32 = _S132 - _S133;
-    var _S135 : f32 = sqrt(clamp((1.0f - abs(direction_4.z)) / 0.97000002861022949f, 0.0f, 1.0f));
-    var _S136 : f32 = 7.0f * _S135 * sqrt(_S135);
-    var _S137 : f32 = min(floor(_S136), 6.0f);
-    var _S138 : f32 = _S136 - _S137;
-    var _S139 : u32 = u32(i32(_S133) + i32(32)) % u32(32);
-    var _S140 : u32 = u32(_S137);
-    var _S141 : u32 = _S139 * u32(8) + _S140;
-    var _S142 : u32 = (_S139 + u32(1)) % u32(32) * u32(8) + _S140;
+    var _S108 : f32 = arc_tangent_0(direction_4.y, direction_4.x) * 5.09295797348022461f;
+    var _S109 : f32 = floor(_S108);
+    var _S110 : f32 = _S108 - _S109;
+    var _S111 : f32 = sqrt(clamp((1.0f - abs(direction_4.z)) / 0.97000002861022949f, 0.0f, 1.0f));
+    var _S112 : f32 = 7.0f * _S111 * sqrt(_S111);
+    var _S113 : f32 = min(floor(_S112), 6.0f);
+    var _S114 : f32 = _S112 - _S113;
+    var _S115 : u32 = u32(i32(_S109) + i32(32)) % u32(32);
+    var _S116 : u32 = u32(_S113);
+    var _S117 : u32 = _S115 * u32(8) + _S116;
+    var _S118 : u32 = (_S115 + u32(1)) % u32(32) * u32(8) + _S116;
     var taps_0 : NodeTaps_0;
-    taps_0.nodes_0 = vec4<u32>(_S141, _S141 + u32(1), _S142, _S142 + u32(1));
-    var _S143 : f32 = 1.0f - _S134;
-    var _S144 : f32 = 1.0f - _S138;
-    var _S145 : vec4<u32> = vec4<u32>(vec4<f32>(_S143 * _S144, _S143 * _S138, _S134 * _S144, _S134 * _S138) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
-    taps_0.weights_0 = _S145;
-    taps_0.inverse_sum_0 = 1.0f / f32(_S145.x + _S145.y + _S145.z + _S145.w);
+    taps_0.nodes_0 = vec4<u32>(_S117, _S117 + u32(1), _S118, _S118 + u32(1));
+    var _S119 : f32 = 1.0f - _S110;
+    var _S120 : f32 = 1.0f - _S114;
+    var _S121 : vec4<u32> = vec4<u32>(vec4<f32>(_S119 * _S120, _S119 * _S114, _S110 * _S120, _S110 * _S114) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
+    taps_0.weights_0 = _S121;
+    taps_0.inverse_sum_0 = 1.0f / f32(_S121.x + _S121.y + _S121.z + _S121.w);
     return taps_0;
 }
 
@@ -1516,16 +1037,16 @@ fn bytes_of_sums_0( even_0 : u32,  odd_0 : u32) -> vec4<f32>
 
 fn interpolate_0( taps_1 : NodeTaps_0,  packs_1 : vec4<u32>) -> vec4<f32>
 {
-    var _S146 : vec4<u32> = vec4<u32>(u32(16711935));
-    var _S147 : vec4<u32> = ((packs_1 & (_S146))) * taps_1.weights_0;
-    var _S148 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S146))) * taps_1.weights_0;
-    return bytes_of_sums_0(_S147.x + _S147.y + _S147.z + _S147.w, _S148.x + _S148.y + _S148.z + _S148.w) * vec4<f32>(taps_1.inverse_sum_0);
+    var _S122 : vec4<u32> = vec4<u32>(u32(16711935));
+    var _S123 : vec4<u32> = ((packs_1 & (_S122))) * taps_1.weights_0;
+    var _S124 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S122))) * taps_1.weights_0;
+    return bytes_of_sums_0(_S123.x + _S123.y + _S123.z + _S123.w, _S124.x + _S124.y + _S124.z + _S124.w) * vec4<f32>(taps_1.inverse_sum_0);
 }
 
 fn interpolate_table_0( taps_2 : NodeTaps_0,  table_1 : u32,  stride_0 : u32) -> vec4<f32>
 {
-    var _S149 : vec4<u32> = vec4<u32>(table_1) + taps_2.nodes_0 * vec4<u32>(stride_0);
-    return interpolate_0(taps_2, vec4<u32>(words_0[_S149.x], words_0[_S149.y], words_0[_S149.z], words_0[_S149.w]));
+    var _S125 : vec4<u32> = vec4<u32>(table_1) + taps_2.nodes_0 * vec4<u32>(stride_0);
+    return interpolate_0(taps_2, vec4<u32>(words_0[_S125.x], words_0[_S125.y], words_0[_S125.z], words_0[_S125.w]));
 }
 
 fn sheen_scale_0( x_9 : f32,  y_4 : f32) -> f32
@@ -1545,187 +1066,132 @@ fn sheen_reflectance_0( x_11 : f32,  y_6 : f32) -> f32
 
 fn exponential_0( x_12 : f32) -> f32
 {
-    var _S150 : f32 = clamp(x_12, -87.0f, 88.0f);
-    var _S151 : f32 = floor(_S150 * 1.4426950216293335f + 0.5f);
-    var _S152 : f32 = _S150 - _S151 * 0.693359375f + _S151 * 0.00021219444170129f;
-    var p_0 : f32 = ((((0.00019875691214111f * _S152 + 0.00139819993637502f) * _S152 + 0.00833345204591751f) * _S152 + 0.04166579619050026f) * _S152 + 0.1666666567325592f) * _S152 + 0.5f;
-    var _S153 : f32 = (bitcast<f32>(((u32(i32(_S151) + i32(127)) << (u32(23))))));
-    var _S154 : f32;
-    if(x_12 < -87.0f)
-    {
-        _S154 = 0.0f;
-    }
-    else
-    {
-        _S154 = (p_0 * _S152 * _S152 + _S152 + 1.0f) * _S153;
-    }
-    return _S154;
+    var _S126 : f32 = clamp(x_12, -87.0f, 88.0f);
+    var _S127 : f32 = floor(_S126 * 1.4426950216293335f + 0.5f);
+    var _S128 : f32 = _S126 - _S127 * 0.693359375f + _S127 * 0.00021219444170129f;
+    return select(((((((0.00019875691214111f * _S128 + 0.00139819993637502f) * _S128 + 0.00833345204591751f) * _S128 + 0.04166579619050026f) * _S128 + 0.1666666567325592f) * _S128 + 0.5f) * _S128 * _S128 + _S128 + 1.0f) * (bitcast<f32>(((u32(i32(_S127) + i32(127)) << (u32(23)))))), 0.0f, x_12 < -87.0f);
 }
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_1 : f32) -> vec3<f32>
 {
-    var _S155 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S156 : f32 = 2.0f * sqrt(_S155) - 1.0f;
-    var _S157 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S156, _S157), 0.00999999977648258f, 1.0f), clamp((1.0f - _S155) * sheen_shear_0(_S156, _S157), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S156, _S157), -60.0f, 60.0f))));
+    var _S129 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S130 : f32 = 2.0f * sqrt(_S129) - 1.0f;
+    var _S131 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S130, _S131), 0.00999999977648258f, 1.0f), clamp((1.0f - _S129) * sheen_shear_0(_S130, _S131), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S130, _S131), -60.0f, 60.0f))));
 }
 
-fn camera_right_0( _S158 : i32) -> vec3<f32>
+fn camera_right_0( _S132 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S158].right_x_0, frames_0[_S158].right_y_0, frames_0[_S158].right_z_0);
+    return vec3<f32>(frames_0[_S132].right_x_0, frames_0[_S132].right_y_0, frames_0[_S132].right_z_0);
 }
 
-fn camera_up_0( _S159 : i32) -> vec3<f32>
+fn camera_up_0( _S133 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S159].up_x_0, frames_0[_S159].up_y_0, frames_0[_S159].up_z_0);
+    return vec3<f32>(frames_0[_S133].up_x_0, frames_0[_S133].up_y_0, frames_0[_S133].up_z_0);
 }
 
-fn camera_forward_0( _S160 : i32) -> vec3<f32>
+fn camera_forward_0( _S134 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S160].forward_x_0, frames_0[_S160].forward_y_0, frames_0[_S160].forward_z_0);
+    return vec3<f32>(frames_0[_S134].forward_x_0, frames_0[_S134].forward_y_0, frames_0[_S134].forward_z_0);
 }
 
-fn camera_origin_0( _S161 : i32) -> vec3<f32>
+fn camera_origin_0( _S135 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S161].origin_x_0, frames_0[_S161].origin_y_0, frames_0[_S161].origin_z_0);
+    return vec3<f32>(frames_0[_S135].origin_x_0, frames_0[_S135].origin_y_0, frames_0[_S135].origin_z_0);
 }
 
-fn face_point_0( _S162 : u32,  _S163 : u32,  _S164 : f32,  _S165 : f32) -> VisiblePoint_0
+fn face_point_0( _S136 : u32,  _S137 : u32,  _S138 : f32,  _S139 : f32) -> VisiblePoint_0
 {
-    var _S166 : u32 = u32(3) * _S163;
-    var _S167 : Vertex_std430_0 = vertices_0[corners_0[_S166]];
-    var _S168 : Vertex_std430_0 = vertices_0[corners_0[_S166 + u32(1)]];
-    var _S169 : Vertex_std430_0 = vertices_0[corners_0[_S166 + u32(2)]];
-    var _S170 : vec3<f32> = position_of_0(&(_S168));
-    var _S171 : vec3<f32> = position_of_0(&(_S167));
-    var _S172 : vec3<f32> = _S170 - _S171;
-    var _S173 : vec3<f32> = position_of_0(&(_S169));
-    var _S174 : vec3<f32> = _S173 - _S171;
-    var _S175 : f32 = _S167.u_0;
-    var _S176 : f32 = _S168.u_0 - _S167.u_0;
-    var _S177 : f32 = _S167.v_0;
-    var _S178 : f32 = _S168.v_0 - _S167.v_0;
-    var _S179 : vec2<f32> = vec2<f32>(_S176, _S178);
-    var _S180 : f32 = _S169.u_0 - _S167.u_0;
-    var _S181 : f32 = _S169.v_0 - _S167.v_0;
-    var _S182 : vec2<f32> = vec2<f32>(_S180, _S181);
-    var _S183 : f32;
-    if((_S176 * _S181 - _S178 * _S180) < 0.0f)
-    {
-        _S183 = -1.0f;
-    }
-    else
-    {
-        _S183 = 1.0f;
-    }
-    var _S184 : vec3<f32> = vec3<f32>(_S183) * (vec3<f32>(_S181) * _S172 - vec3<f32>(_S178) * _S174);
-    var _S185 : vec3<f32> = vec3<f32>(_S183) * (vec3<f32>(_S176) * _S174 - vec3<f32>(_S180) * _S172);
+    var _S140 : u32 = u32(3) * _S137;
+    var _S141 : Vertex_std430_0 = vertices_0[corners_0[_S140]];
+    var _S142 : Vertex_std430_0 = vertices_0[corners_0[_S140 + u32(1)]];
+    var _S143 : Vertex_std430_0 = vertices_0[corners_0[_S140 + u32(2)]];
+    var _S144 : vec3<f32> = position_of_0(&(_S142));
+    var _S145 : vec3<f32> = position_of_0(&(_S141));
+    var _S146 : vec3<f32> = _S144 - _S145;
+    var _S147 : vec3<f32> = position_of_0(&(_S143));
+    var _S148 : vec3<f32> = _S147 - _S145;
+    var _S149 : f32 = _S141.u_0;
+    var _S150 : f32 = _S142.u_0 - _S141.u_0;
+    var _S151 : f32 = _S141.v_0;
+    var _S152 : f32 = _S142.v_0 - _S141.v_0;
+    var _S153 : vec2<f32> = vec2<f32>(_S150, _S152);
+    var _S154 : f32 = _S143.u_0 - _S141.u_0;
+    var _S155 : f32 = _S143.v_0 - _S141.v_0;
+    var _S156 : vec2<f32> = vec2<f32>(_S154, _S155);
+    var _S157 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S150 * _S155 - _S152 * _S154) < 0.0f));
+    var _S158 : vec3<f32> = _S157 * (vec3<f32>(_S155) * _S146 - vec3<f32>(_S152) * _S148);
+    var _S159 : vec3<f32> = _S157 * (vec3<f32>(_S150) * _S148 - vec3<f32>(_S154) * _S146);
     var point_1 : VisiblePoint_0;
-    var _S186 : f32 = 1.0f - _S164 - _S165;
-    var _S187 : vec3<f32> = normal_of_0(&(_S167));
-    var _S188 : vec3<f32> = vec3<f32>(_S186) * _S187;
-    var _S189 : vec3<f32> = normal_of_0(&(_S168));
-    var _S190 : vec3<f32> = vec3<f32>(_S164);
-    var _S191 : vec3<f32> = _S188 + _S190 * _S189;
-    var _S192 : vec3<f32> = normal_of_0(&(_S169));
-    var _S193 : vec3<f32> = vec3<f32>(_S165);
-    var _S194 : vec3<f32> = normalize(_S191 + _S193 * _S192);
-    point_1.normal_0 = _S194;
-    var _S195 : vec3<f32> = normalize(_S184 - _S194 * vec3<f32>(dot(_S194, _S184)));
-    point_1.axis_x_0 = _S195;
-    point_1.axis_y_0 = cross(_S194, _S195);
-    var _S196 : vec3<f32> = normalize(cross(_S172, _S174));
-    var _S197 : vec3<f32>;
-    if((dot(_S196, _S194)) < 0.0f)
-    {
-        _S197 = (vec3<f32>(0) - _S196);
-    }
-    else
-    {
-        _S197 = _S196;
-    }
-    point_1.face_normal_0 = _S197;
-    point_1.position_0 = _S171 + _S190 * _S172 + _S193 * _S174;
-    point_1.view_1 = point_1.normal_0;
-    point_1.uv_0 = vec2<f32>(_S175, _S177) + vec2<f32>(_S164) * _S179 + vec2<f32>(_S165) * _S182;
-    var _S198 : bool = (dot(cross(_S184, _S185), point_1.normal_0)) < 0.0f;
-    var _S199 : f32 = fabrics_0[_S162].uv_width_0;
-    if(_S198)
-    {
-        _S183 = - fabrics_0[_S162].uv_height_0;
-    }
-    else
-    {
-        _S183 = fabrics_0[_S162].uv_height_0;
-    }
-    var _S200 : vec2<f32> = vec2<f32>(_S199, _S183);
-    point_1.draft_per_uv_0 = _S200;
-    var _S201 : vec2<f32> = point_1.uv_0 * _S200;
-    if(_S198)
-    {
-        _S183 = fabrics_0[_S162].uv_height_0;
-    }
-    else
-    {
-        _S183 = 0.0f;
-    }
-    point_1.draft_0 = _S201 + vec2<f32>(0.0f, _S183);
-    var _S202 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S202;
-    point_1.draft_dy_0 = _S202;
+    var _S160 : f32 = 1.0f - _S138 - _S139;
+    var _S161 : vec3<f32> = normal_of_0(&(_S141));
+    var _S162 : vec3<f32> = vec3<f32>(_S160) * _S161;
+    var _S163 : vec3<f32> = normal_of_0(&(_S142));
+    var _S164 : vec3<f32> = vec3<f32>(_S138);
+    var _S165 : vec3<f32> = _S162 + _S164 * _S163;
+    var _S166 : vec3<f32> = normal_of_0(&(_S143));
+    var _S167 : vec3<f32> = vec3<f32>(_S139);
+    var _S168 : vec3<f32> = normalize(_S165 + _S167 * _S166);
+    point_1.normal_0 = _S168;
+    var _S169 : vec3<f32> = normalize(_S158 - _S168 * vec3<f32>(dot(_S168, _S158)));
+    point_1.axis_x_0 = _S169;
+    point_1.axis_y_0 = cross(_S168, _S169);
+    var _S170 : vec3<f32> = normalize(cross(_S146, _S148));
+    point_1.face_normal_0 = select_vector_0((dot(_S170, _S168)) < 0.0f, (vec3<f32>(0) - _S170), _S170);
+    point_1.position_0 = _S145 + _S164 * _S146 + _S167 * _S148;
+    point_1.view_1 = _S168;
+    var _S171 : vec2<f32> = vec2<f32>(_S149, _S151) + vec2<f32>(_S138) * _S153 + vec2<f32>(_S139) * _S156;
+    point_1.uv_0 = _S171;
+    var _S172 : bool = (dot(cross(_S158, _S159), _S168)) < 0.0f;
+    var _S173 : vec2<f32> = vec2<f32>(fabrics_0[_S136].uv_width_0, select(fabrics_0[_S136].uv_height_0, - fabrics_0[_S136].uv_height_0, _S172));
+    point_1.draft_per_uv_0 = _S173;
+    point_1.draft_0 = _S171 * _S173 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S136].uv_height_0, _S172));
+    var _S174 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S174;
+    point_1.draft_dy_0 = _S174;
     return point_1;
 }
 
-fn visible_point_0( _S203 : i32,  _S204 : u32,  _S205 : u32,  _S206 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S175 : i32,  _S176 : u32,  _S177 : u32,  _S178 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S207 : u32 = u32(3) * _S205;
-    var _S208 : Vertex_std430_0 = vertices_0[corners_0[_S207]];
-    var _S209 : Vertex_std430_0 = vertices_0[corners_0[_S207 + u32(1)]];
-    var _S210 : Vertex_std430_0 = vertices_0[corners_0[_S207 + u32(2)]];
-    var _S211 : vec3<f32> = position_of_3(&(_S209));
-    var _S212 : vec3<f32> = position_of_3(&(_S208));
-    var _S213 : vec3<f32> = _S211 - _S212;
-    var _S214 : vec3<f32> = position_of_3(&(_S210));
-    var _S215 : vec3<f32> = _S214 - _S212;
-    var _S216 : vec3<f32> = cross(_S213, _S215);
-    var _S217 : f32 = 1.0f / max(square_0(_S216), 1.00000000317107685e-30f);
-    var _S218 : f32 = f32(frames_0[_S203].width_0);
-    var _S219 : vec3<f32> = camera_right_0(_S203) * vec3<f32>((2.0f / _S218));
-    var _S220 : f32 = f32(frames_0[_S203].height_0);
-    var _S221 : vec3<f32> = camera_up_0(_S203) * vec3<f32>((-2.0f / _S220));
-    var _S222 : vec3<f32> = camera_forward_0(_S203) + vec3<f32>((f32(_S206.x) + 0.5f - 0.5f * _S218)) * _S219 + vec3<f32>((f32(_S206.y) + 0.5f - 0.5f * _S220)) * _S221;
-    var _S223 : f32 = dot(_S222, _S216);
-    var _S224 : f32;
-    if((abs(_S223)) > 1.00000000317107685e-30f)
-    {
-        _S224 = _S223;
-    }
-    else
-    {
-        _S224 = 1.00000000317107685e-30f;
-    }
-    var _S225 : f32 = 1.0f / _S224;
-    var _S226 : vec3<f32> = _S212 - camera_origin_0(_S203);
-    var _S227 : vec3<f32> = vec3<f32>((dot(_S226, _S216) * _S225));
-    var _S228 : vec3<f32> = _S222 * _S227 - _S226;
-    var _S229 : vec3<f32> = _S227 * (_S219 - _S222 * vec3<f32>((dot(_S219, _S216) * _S225)));
-    var _S230 : vec3<f32> = _S227 * (_S221 - _S222 * vec3<f32>((dot(_S221, _S216) * _S225)));
-    var _S231 : vec3<f32> = vec3<f32>(_S217);
-    var _S232 : vec3<f32> = cross(_S215, _S216) * _S231;
-    var _S233 : vec3<f32> = cross(_S216, _S213) * _S231;
-    var _S234 : vec2<f32> = vec2<f32>(_S209.u_0 - _S208.u_0, _S209.v_0 - _S208.v_0);
-    var _S235 : vec2<f32> = vec2<f32>(_S210.u_0 - _S208.u_0, _S210.v_0 - _S208.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S204, _S205, dot(_S228, _S232), dot(_S228, _S233));
-    point_2.position_0 = _S212 + _S228;
-    point_2.view_1 = (vec3<f32>(0) - normalize(_S222));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S229, _S232)) * _S234 + vec2<f32>(dot(_S229, _S233)) * _S235) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S230, _S232)) * _S234 + vec2<f32>(dot(_S230, _S233)) * _S235) * point_2.draft_per_uv_0;
+    var _S179 : u32 = u32(3) * _S177;
+    var _S180 : Vertex_std430_0 = vertices_0[corners_0[_S179]];
+    var _S181 : Vertex_std430_0 = vertices_0[corners_0[_S179 + u32(1)]];
+    var _S182 : Vertex_std430_0 = vertices_0[corners_0[_S179 + u32(2)]];
+    var _S183 : vec3<f32> = position_of_3(&(_S181));
+    var _S184 : vec3<f32> = position_of_3(&(_S180));
+    var _S185 : vec3<f32> = _S183 - _S184;
+    var _S186 : vec3<f32> = position_of_3(&(_S182));
+    var _S187 : vec3<f32> = _S186 - _S184;
+    var _S188 : vec3<f32> = cross(_S185, _S187);
+    var _S189 : f32 = f32(frames_0[_S175].width_0);
+    var _S190 : vec3<f32> = camera_right_0(_S175) * vec3<f32>((2.0f / _S189));
+    var _S191 : f32 = f32(frames_0[_S175].height_0);
+    var _S192 : vec3<f32> = camera_up_0(_S175) * vec3<f32>((-2.0f / _S191));
+    var _S193 : vec3<f32> = camera_forward_0(_S175) + vec3<f32>((f32(_S178.x) + 0.5f - 0.5f * _S189)) * _S190 + vec3<f32>((f32(_S178.y) + 0.5f - 0.5f * _S191)) * _S192;
+    var _S194 : f32 = dot(_S193, _S188);
+    var _S195 : f32 = 1.0f / select(1.00000000317107685e-30f, _S194, (abs(_S194)) > 1.00000000317107685e-30f);
+    var _S196 : vec3<f32> = _S184 - camera_origin_0(_S175);
+    var _S197 : vec3<f32> = vec3<f32>((dot(_S196, _S188) * _S195));
+    var _S198 : vec3<f32> = _S193 * _S197 - _S196;
+    var _S199 : vec3<f32> = _S197 * (_S190 - _S193 * vec3<f32>((dot(_S190, _S188) * _S195)));
+    var _S200 : vec3<f32> = _S197 * (_S192 - _S193 * vec3<f32>((dot(_S192, _S188) * _S195)));
+    var _S201 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S188), 1.00000000317107685e-30f)));
+    var _S202 : vec3<f32> = cross(_S187, _S188) * _S201;
+    var _S203 : vec3<f32> = cross(_S188, _S185) * _S201;
+    var _S204 : vec2<f32> = vec2<f32>(_S181.u_0 - _S180.u_0, _S181.v_0 - _S180.v_0);
+    var _S205 : vec2<f32> = vec2<f32>(_S182.u_0 - _S180.u_0, _S182.v_0 - _S180.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S176, _S177, dot(_S198, _S202), dot(_S198, _S203));
+    point_2.position_0 = _S184 + _S198;
+    point_2.view_1 = (vec3<f32>(0) - normalize(_S193));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S199, _S202)) * _S204 + vec2<f32>(dot(_S199, _S203)) * _S205) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S200, _S202)) * _S204 + vec2<f32>(dot(_S200, _S203)) * _S205) * point_2.draft_per_uv_0;
     return point_2;
 }
 
-fn light_sample_count_0( _S236 : i32) -> u32
+fn light_sample_count_0( _S206 : i32) -> u32
 {
-    return frames_0[_S236].lights_0 + frames_0[_S236].environment_samples_0;
+    return frames_0[_S206].lights_0 + frames_0[_S206].environment_samples_0;
 }
 
 struct LightSample_0
@@ -1735,95 +1201,85 @@ struct LightSample_0
      distance_2 : f32,
 };
 
-fn environment_texel_0( _S237 : i32,  _S238 : u32,  _S239 : u32) -> vec3<f32>
+fn environment_texel_0( _S207 : i32,  _S208 : u32,  _S209 : u32) -> vec3<f32>
 {
-    var _S240 : u32 = frames_0[_S237].environment_table_0 + frames_0[_S237].environment_rows_0 + u32(1) + frames_0[_S237].environment_rows_0 * (frames_0[_S237].environment_columns_0 + u32(1)) + u32(3) * (_S238 * frames_0[_S237].environment_columns_0 + _S239);
-    return vec3<f32>(scene_number_0(_S240), scene_number_0(_S240 + u32(1)), scene_number_0(_S240 + u32(2)));
+    var _S210 : u32 = frames_0[_S207].environment_table_0 + frames_0[_S207].environment_rows_0 + u32(1) + frames_0[_S207].environment_rows_0 * (frames_0[_S207].environment_columns_0 + u32(1)) + u32(3) * (_S208 * frames_0[_S207].environment_columns_0 + _S209);
+    return vec3<f32>(scene_number_0(_S210), scene_number_0(_S210 + u32(1)), scene_number_0(_S210 + u32(2)));
 }
 
-fn sample_environment_0( _S241 : i32,  _S242 : vec2<f32>,  _S243 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S211 : i32,  _S212 : vec2<f32>,  _S213 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S244 : u32 = frames_0[_S241].environment_rows_0;
-    var _S245 : Choice_0 = choose_0(frames_0[_S241].environment_table_0, frames_0[_S241].environment_rows_0, _S242.y);
-    var _S246 : u32 = frames_0[_S241].environment_columns_0;
-    var _S247 : Choice_0 = choose_0(frames_0[_S241].environment_table_0 + frames_0[_S241].environment_rows_0 + u32(1) + _S245.index_2 * (frames_0[_S241].environment_columns_0 + u32(1)), frames_0[_S241].environment_columns_0, _S242.x);
-    var _S248 : vec3<f32> = environment_texel_0(_S241, _S245.index_2, _S247.index_2);
-    (*_S243) = _S248 * vec3<f32>((frames_0[_S241].environment_total_0 / max(mean_0(_S248), 9.99999968265522539e-21f)));
-    var _S249 : f32 = 3.14159274101257324f / f32(_S244);
-    var _S250 : f32 = mix(sine_cosine_0(f32(_S245.index_2) * _S249).y, sine_cosine_0(f32(_S245.index_2 + u32(1)) * _S249).y, _S245.remainder_0);
-    var _S251 : f32 = sqrt(max(1.0f - _S250 * _S250, 0.0f));
-    var _S252 : vec2<f32> = sine_cosine_0((f32(_S247.index_2) + _S247.remainder_0) * (6.28318548202514648f / f32(_S246)));
-    var _S253 : f32 = _S251 * _S252.x;
-    var _S254 : f32 = - _S251 * _S252.y;
-    return vec3<f32>(frames_0[_S241].environment_cosine_0 * _S253 + frames_0[_S241].environment_sine_0 * _S254, _S250, frames_0[_S241].environment_cosine_0 * _S254 - frames_0[_S241].environment_sine_0 * _S253);
+    var _S214 : u32 = frames_0[_S211].environment_rows_0;
+    var _S215 : Choice_0 = choose_0(frames_0[_S211].environment_table_0, frames_0[_S211].environment_rows_0, _S212.y);
+    var _S216 : u32 = frames_0[_S211].environment_columns_0;
+    var _S217 : Choice_0 = choose_0(frames_0[_S211].environment_table_0 + frames_0[_S211].environment_rows_0 + u32(1) + _S215.index_2 * (frames_0[_S211].environment_columns_0 + u32(1)), frames_0[_S211].environment_columns_0, _S212.x);
+    var _S218 : vec3<f32> = environment_texel_0(_S211, _S215.index_2, _S217.index_2);
+    (*_S213) = _S218 * vec3<f32>((frames_0[_S211].environment_total_0 / max(mean_0(_S218), 9.99999968265522539e-21f)));
+    var _S219 : f32 = 3.14159274101257324f / f32(_S214);
+    var _S220 : f32 = mix(sine_cosine_0(f32(_S215.index_2) * _S219).y, sine_cosine_0(f32(_S215.index_2 + u32(1)) * _S219).y, _S215.remainder_0);
+    var _S221 : f32 = sqrt(max(1.0f - _S220 * _S220, 0.0f));
+    var _S222 : vec2<f32> = sine_cosine_0((f32(_S217.index_2) + _S217.remainder_0) * (6.28318548202514648f / f32(_S216)));
+    var _S223 : f32 = _S221 * _S222.x;
+    var _S224 : f32 = - _S221 * _S222.y;
+    return vec3<f32>(frames_0[_S211].environment_cosine_0 * _S223 + frames_0[_S211].environment_sine_0 * _S224, _S220, frames_0[_S211].environment_cosine_0 * _S224 - frames_0[_S211].environment_sine_0 * _S223);
 }
 
-fn light_sample_0( _S255 : i32,  _S256 : u32,  _S257 : vec2<u32>,  _S258 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S225 : i32,  _S226 : u32,  _S227 : vec2<u32>,  _S228 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_2 = 1.00000001504746622e+30f;
-    var _S259 : u32 = frames_0[_S255].lights_0;
-    if(_S256 >= (frames_0[_S255].lights_0))
+    var _S229 : u32 = frames_0[_S225].lights_0;
+    if(_S226 >= (frames_0[_S225].lights_0))
     {
         var weight_0 : vec3<f32>;
-        var _S260 : vec3<f32> = sample_environment_0(_S255, pixel_sequence_0(_S257, frames_0[_S255].pass_number_0 * frames_0[_S255].environment_samples_0 + (_S256 - _S259), u32(3)), &(weight_0));
-        sample_0.towards_0 = _S260;
-        sample_0.irradiance_1 = weight_0 / vec3<f32>(f32(frames_0[_S255].environment_samples_0));
+        var _S230 : vec3<f32> = sample_environment_0(_S225, pixel_sequence_0(_S227, frames_0[_S225].pass_number_0 * frames_0[_S225].environment_samples_0 + (_S226 - _S229), u32(3)), &(weight_0));
+        sample_0.towards_0 = _S230;
+        sample_0.irradiance_1 = weight_0 / vec3<f32>(f32(frames_0[_S225].environment_samples_0));
         return sample_0;
     }
-    var _S261 : Light_std430_0 = lights_1[_S256];
-    sample_0.irradiance_1 = vec3<f32>(_S261.red_0, _S261.green_0, _S261.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S261.x_1, _S261.y_1, _S261.z_1);
-    if((_S261.is_point_0) != u32(0))
+    var _S231 : Light_std430_0 = lights_1[_S226];
+    sample_0.irradiance_1 = vec3<f32>(_S231.red_0, _S231.green_0, _S231.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S231.x_1, _S231.y_1, _S231.z_1);
+    if((_S231.is_point_0) != u32(0))
     {
-        var _S262 : vec3<f32> = sample_0.towards_0 - _S258;
-        var _S263 : f32 = max(square_0(_S262), 9.999999960041972e-13f);
-        sample_0.distance_2 = sqrt(_S263);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S263);
-        sample_0.towards_0 = normalize(_S262);
+        var _S232 : vec3<f32> = sample_0.towards_0 - _S228;
+        var _S233 : f32 = max(square_0(_S232), 9.999999960041972e-13f);
+        sample_0.distance_2 = sqrt(_S233);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S233);
+        sample_0.towards_0 = normalize(_S232);
     }
     return sample_0;
 }
 
-fn seen_position_0( _S264 : i32,  _S265 : u32,  _S266 : vec2<u32>) -> vec3<f32>
+fn seen_position_0( _S234 : i32,  _S235 : u32,  _S236 : vec2<u32>) -> vec3<f32>
 {
-    var _S267 : u32 = u32(3) * _S265;
-    var _S268 : Vertex_std430_0 = vertices_0[corners_0[_S267]];
-    var _S269 : vec3<f32> = position_of_2(&(_S268));
-    var _S270 : Vertex_std430_0 = vertices_0[corners_0[_S267 + u32(1)]];
-    var _S271 : vec3<f32> = position_of_2(&(_S270));
-    var _S272 : vec3<f32> = _S271 - _S269;
-    var _S273 : Vertex_std430_0 = vertices_0[corners_0[_S267 + u32(2)]];
-    var _S274 : vec3<f32> = position_of_2(&(_S273));
-    var _S275 : vec3<f32> = _S274 - _S269;
-    var _S276 : vec3<f32> = cross(_S272, _S275);
-    var _S277 : f32 = 1.0f / max(square_0(_S276), 1.00000000317107685e-30f);
-    var _S278 : f32 = f32(frames_0[_S264].width_0);
-    var _S279 : f32 = f32(frames_0[_S264].height_0);
-    var _S280 : vec3<f32> = camera_forward_0(_S264) + camera_right_0(_S264) * vec3<f32>((2.0f * (f32(_S266.x) + 0.5f + frames_0[_S264].jitter_x_0 - 0.5f * _S278) / _S278)) - camera_up_0(_S264) * vec3<f32>((2.0f * (f32(_S266.y) + 0.5f + frames_0[_S264].jitter_y_0 - 0.5f * _S279) / _S279));
-    var _S281 : f32 = dot(_S280, _S276);
-    var _S282 : vec3<f32> = _S269 - camera_origin_0(_S264);
-    var _S283 : f32 = dot(_S282, _S276);
-    var _S284 : f32;
-    if((abs(_S281)) > 1.00000000317107685e-30f)
-    {
-        _S284 = _S281;
-    }
-    else
-    {
-        _S284 = 1.00000000317107685e-30f;
-    }
-    var _S285 : vec3<f32> = _S280 * vec3<f32>((_S283 / _S284)) - _S282;
-    var _S286 : f32 = clamp(dot(_S285, cross(_S275, _S276)) * _S277, 0.0f, 1.0f);
-    return _S269 + vec3<f32>(_S286) * _S272 + vec3<f32>(clamp(dot(_S285, cross(_S276, _S272)) * _S277, 0.0f, 1.0f - _S286)) * _S275;
+    var _S237 : u32 = u32(3) * _S235;
+    var _S238 : Vertex_std430_0 = vertices_0[corners_0[_S237]];
+    var _S239 : vec3<f32> = position_of_2(&(_S238));
+    var _S240 : Vertex_std430_0 = vertices_0[corners_0[_S237 + u32(1)]];
+    var _S241 : vec3<f32> = position_of_2(&(_S240));
+    var _S242 : vec3<f32> = _S241 - _S239;
+    var _S243 : Vertex_std430_0 = vertices_0[corners_0[_S237 + u32(2)]];
+    var _S244 : vec3<f32> = position_of_2(&(_S243));
+    var _S245 : vec3<f32> = _S244 - _S239;
+    var _S246 : vec3<f32> = cross(_S242, _S245);
+    var _S247 : f32 = 1.0f / max(square_0(_S246), 1.00000000317107685e-30f);
+    var _S248 : f32 = f32(frames_0[_S234].width_0);
+    var _S249 : f32 = f32(frames_0[_S234].height_0);
+    var _S250 : vec3<f32> = camera_forward_0(_S234) + camera_right_0(_S234) * vec3<f32>((2.0f * (f32(_S236.x) + 0.5f + frames_0[_S234].jitter_x_0 - 0.5f * _S248) / _S248)) - camera_up_0(_S234) * vec3<f32>((2.0f * (f32(_S236.y) + 0.5f + frames_0[_S234].jitter_y_0 - 0.5f * _S249) / _S249));
+    var _S251 : f32 = dot(_S250, _S246);
+    var _S252 : vec3<f32> = _S239 - camera_origin_0(_S234);
+    var _S253 : vec3<f32> = _S250 * vec3<f32>((dot(_S252, _S246) / select(1.00000000317107685e-30f, _S251, (abs(_S251)) > 1.00000000317107685e-30f))) - _S252;
+    var _S254 : f32 = clamp(dot(_S253, cross(_S245, _S246)) * _S247, 0.0f, 1.0f);
+    return _S239 + vec3<f32>(_S254) * _S242 + vec3<f32>(clamp(dot(_S253, cross(_S246, _S242)) * _S247, 0.0f, 1.0f - _S254)) * _S245;
 }
 
-fn nearest_hit_0( _S287 : i32,  _S288 : vec3<f32>,  _S289 : vec3<f32>,  _S290 : f32,  _S291 : f32,  _S292 : u32,  _S293 : bool) -> Hit_0
+fn nearest_hit_0( _S255 : i32,  _S256 : vec3<f32>,  _S257 : vec3<f32>,  _S258 : f32,  _S259 : f32,  _S260 : u32,  _S261 : bool) -> Hit_0
 {
-    var _S294 : vec3<f32> = vec3<f32>(inverse_of_0(_S289.x), inverse_of_0(_S289.y), inverse_of_0(_S289.z));
+    var _S262 : vec3<f32> = vec3<f32>(inverse_of_0(_S257.x), inverse_of_0(_S257.y), inverse_of_0(_S257.z));
     var found_0 : Hit_0;
     found_0.face_1 = u32(4294967295);
-    found_0.distance_0 = _S291;
+    found_0.distance_0 = _S259;
     found_0.weight_b_0 = 0.0f;
     found_0.weight_c_0 = 0.0f;
     var node_2 : u32 = u32(1);
@@ -1837,23 +1293,23 @@ fn nearest_hit_0( _S287 : i32,  _S288 : vec3<f32>,  _S289 : vec3<f32>,  _S290 : 
             break;
         }
         var node_3 : u32;
-        if(!meets_node_0(node_2, _S288, _S294, _S290, found_0.distance_0))
+        if(!meets_node_0(node_2, _S256, _S262, _S258, found_0.distance_0))
         {
             node_3 = following_node_0(node_2);
         }
         else
         {
-            var _S295 : u32 = frames_0[_S287].leaves_0;
-            if(node_2 < (frames_0[_S287].leaves_0))
+            var _S263 : u32 = frames_0[_S255].leaves_0;
+            if(node_2 < (frames_0[_S255].leaves_0))
             {
                 node_3 = node_2 * u32(2);
             }
             else
             {
-                var _S296 : u32 = frames_0[_S287].leaf_faces_0 + u32(4) * (node_2 - _S295);
-                var _S297 : u32 = following_node_0(node_2);
+                var _S264 : u32 = frames_0[_S255].leaf_faces_0 + u32(4) * (node_2 - _S263);
+                var _S265 : u32 = following_node_0(node_2);
                 var number_1 : u32 = u32(0);
-                node_3 = _S297;
+                node_3 = _S265;
                 for(;;)
                 {
                     if(number_1 < u32(4))
@@ -1863,57 +1319,30 @@ fn nearest_hit_0( _S287 : i32,  _S288 : vec3<f32>,  _S289 : vec3<f32>,  _S290 : 
                     {
                         break;
                     }
-                    var _S298 : u32 = scene_words_0[_S296 + number_1];
-                    var _S299 : bool;
-                    if(_S298 == u32(4294967295))
-                    {
-                        _S299 = true;
-                    }
-                    else
-                    {
-                        _S299 = _S298 == _S292;
-                    }
-                    if(_S299)
+                    var _S266 : u32 = scene_words_0[_S264 + number_1];
+                    if(((_S266 == u32(4294967295)) | ((_S266 == _S260))))
                     {
                         number_1 = number_1 + u32(1);
                         continue;
                     }
-                    var _S300 : Hit_0 = meet_face_0(_S298, _S288, _S289);
-                    var _S301 : bool;
-                    if((_S300.face_1) == u32(4294967295))
-                    {
-                        _S301 = true;
-                    }
-                    else
-                    {
-                        _S301 = (_S300.distance_0) <= _S290;
-                    }
-                    var _S302 : bool;
-                    if(_S301)
-                    {
-                        _S302 = true;
-                    }
-                    else
-                    {
-                        _S302 = (_S300.distance_0) >= (found_0.distance_0);
-                    }
-                    if(_S302)
+                    var _S267 : Hit_0 = meet_face_0(_S266, _S256, _S257);
+                    if((((((_S267.face_1) == u32(4294967295)) | (((_S267.distance_0) <= _S258)))) | (((_S267.distance_0) >= (found_0.distance_0)))))
                     {
                         number_1 = number_1 + u32(1);
                         continue;
                     }
-                    found_0 = _S300;
-                    var _S303 : bool;
-                    if(_S293)
+                    found_0 = _S267;
+                    var _S268 : bool;
+                    if(_S261)
                     {
-                        _S303 = (fabrics_0[face_fabrics_0[_S298]].is_open_0) == u32(0);
+                        _S268 = (fabrics_0[face_fabrics_0[_S266]].is_open_0) == u32(0);
                     }
                     else
                     {
-                        _S303 = false;
+                        _S268 = false;
                     }
                     var node_4 : u32;
-                    if(_S303)
+                    if(_S268)
                     {
                         node_4 = u32(0);
                     }
@@ -1938,25 +1367,16 @@ struct Regime_0
      points_0 : f32,
 };
 
-fn regime_of_0( _S304 : u32,  _S305 : Footprint_0,  _S306 : f32) -> Regime_0
+fn regime_of_0( _S269 : u32,  _S270 : Footprint_0,  _S271 : f32) -> Regime_0
 {
-    var _S307 : f32 = Footprint_spread_side_0(_S305);
-    var _S308 : f32 = clamp((binary_logarithm_0(max(_S307, 9.99999971718068537e-10f)) - fabrics_0[_S304].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
+    var _S272 : f32 = Footprint_spread_side_0(_S270);
+    var _S273 : f32 = clamp((binary_logarithm_0(max(_S272, 9.99999971718068537e-10f)) - fabrics_0[_S269].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
     var regime_0 : Regime_0;
-    var _S309 : f32 = _S308 * _S308 * (3.0f - 2.0f * _S308);
-    regime_0.prefiltered_0 = _S309;
-    regime_0.threads_0 = _S307 * fabrics_0[_S304].lobes_0.threads_per_mm_0;
-    var _S310 : f32 = mix(max(8.0f / _S306, 1.0f), 1.0f, _S309);
-    var _S311 : f32;
-    if(_S309 < 1.0f)
-    {
-        _S311 = clamp(regime_0.threads_0 * 12.0f, 1.0f, _S310);
-    }
-    else
-    {
-        _S311 = 0.0f;
-    }
-    regime_0.points_0 = _S311;
+    var _S274 : f32 = _S273 * _S273 * (3.0f - 2.0f * _S273);
+    regime_0.prefiltered_0 = _S274;
+    var _S275 : f32 = _S272 * fabrics_0[_S269].lobes_0.threads_per_mm_0;
+    regime_0.threads_0 = _S275;
+    regime_0.points_0 = select(0.0f, clamp(_S275 * 12.0f, 1.0f, mix(max(8.0f / _S271, 1.0f), 1.0f, _S274)), _S274 < 1.0f);
     return regime_0;
 }
 
@@ -1981,314 +1401,130 @@ struct Sample_0
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S312 : u32,  _S313 : f32,  _S314 : f32,  _S315 : bool) -> Crossing_0
+fn crossing_at_0( _S276 : u32,  _S277 : f32,  _S278 : f32,  _S279 : bool) -> Crossing_0
 {
     var crossing_2 : Crossing_0;
-    crossing_2.warp_1 = locate_0(fabrics_0[_S312].warp_0, _S313);
-    crossing_2.weft_1 = locate_0(fabrics_0[_S312].weft_0, _S314);
-    var _S316 : u32 = fabrics_0[_S312].run_words_0 + u32(2) * (crossing_2.weft_1.thread_2 * fabrics_0[_S312].ends_1 + crossing_2.warp_1.thread_2);
-    var _S317 : u32 = words_0[_S316];
-    crossing_2.warp_word_0 = _S317;
-    crossing_2.weft_word_0 = words_0[_S316 + u32(1)];
-    crossing_2.warp_above_0 = (((_S317 & (u32(1)))) == u32(1)) != _S315;
+    crossing_2.warp_1 = locate_0(fabrics_0[_S276].warp_0, _S277);
+    crossing_2.weft_1 = locate_0(fabrics_0[_S276].weft_0, _S278);
+    var _S280 : u32 = fabrics_0[_S276].run_words_0 + u32(2) * (crossing_2.weft_1.thread_2 * fabrics_0[_S276].ends_1 + crossing_2.warp_1.thread_2);
+    var _S281 : u32 = words_0[_S280];
+    crossing_2.warp_word_0 = _S281;
+    crossing_2.weft_word_0 = words_0[_S280 + u32(1)];
+    crossing_2.warp_above_0 = (((_S281 & (u32(1)))) == u32(1)) != _S279;
     return crossing_2;
 }
 
-fn sample_at_0( _S318 : u32,  _S319 : f32,  _S320 : f32,  _S321 : bool) -> Sample_0
+fn sample_at_0( _S282 : u32,  _S283 : f32,  _S284 : f32,  _S285 : bool) -> Sample_0
 {
     var sample_1 : Sample_0;
-    var _S322 : Crossing_0 = crossing_at_0(_S318, _S319, _S320, _S321);
-    sample_1.crossing_1 = _S322;
-    var _S323 : Shown_0 = shown_at_0(_S322, _S321);
-    sample_1.shown_3 = _S323;
-    var _S324 : u32;
-    if(_S323.is_warp_0)
-    {
-        _S324 = fabrics_0[_S318].warp_0;
-    }
-    else
-    {
-        _S324 = fabrics_0[_S318].weft_0;
-    }
-    var _S325 : u32;
-    if(_S323.is_warp_0)
-    {
-        _S325 = fabrics_0[_S318].weft_0;
-    }
-    else
-    {
-        _S325 = fabrics_0[_S318].warp_0;
-    }
-    var _S326 : Cell_0 = select_cell_0(_S323.is_warp_0, sample_1.crossing_1.warp_1, sample_1.crossing_1.weft_1);
-    var _S327 : Cell_0 = select_cell_0(_S323.is_warp_0, sample_1.crossing_1.weft_1, sample_1.crossing_1.warp_1);
-    var _S328 : Run_0 = unpack_0(_S324, _S325, _S326.thread_2, _S327, _S323.word_0);
-    var _S329 : Section_0 = section_at_0(_S326);
-    var _S330 : bool;
-    if(_S323.on_top_0)
-    {
-        _S330 = (_S328.distance_1) < (_S329.drop_0 * _S328.bend_1.sine_0);
-    }
-    else
-    {
-        _S330 = false;
-    }
-    var _S331 : bool;
-    if(_S323.on_top_0)
-    {
-        _S331 = !_S330;
-    }
-    else
-    {
-        _S331 = false;
-    }
-    var _S332 : f32;
-    if(_S331)
-    {
-        _S332 = 1.0f;
-    }
-    else
-    {
-        _S332 = -1.0f;
-    }
-    var _S333 : f32;
-    if(_S330)
-    {
-        _S333 = _S328.other_reach_0;
-    }
-    else
-    {
-        _S333 = _S328.reach_0;
-    }
-    var _S334 : f32;
-    if(_S330)
-    {
-        _S334 = _S333 + _S328.distance_1;
-    }
-    else
-    {
-        _S334 = max(_S333 - _S328.distance_1, 0.0f);
-    }
-    var _S335 : f32 = _S333 / _S328.bend_1.sine_0 - _S332 * _S329.drop_0;
-    var _S336 : f32 = _S334 * _S334;
-    var _S337 : f32 = max(_S335 * _S335 - _S336, 9.99999968265522539e-21f);
-    var _S338 : f32 = rsqrt_0(_S337);
-    var _S339 : f32 = _S336 / (_S337 * _S338 + _S335);
-    var _S340 : bool = _S334 > 0.0f;
-    var _S341 : f32;
-    if(_S323.on_top_0)
-    {
-        _S341 = 1.0f;
-    }
-    else
-    {
-        _S341 = -1.0f;
-    }
-    var _S342 : f32;
-    if(_S328.near_start_0)
-    {
-        _S342 = 1.0f;
-    }
-    else
-    {
-        _S342 = -1.0f;
-    }
-    var _S343 : f32 = _S341 * _S342;
-    if(_S340)
-    {
-        _S341 = _S335 * _S338;
-    }
-    else
-    {
-        _S341 = 1.0f;
-    }
-    sample_1.slope_across_0 = _S329.slope_0 * _S341;
-    if(_S340)
-    {
-        _S334 = _S343 * _S334 * _S338;
-    }
-    else
-    {
-        _S334 = 0.0f;
-    }
-    sample_1.slope_along_0 = _S334;
-    var _S344 : f32 = families_0[_S324].height_scale_0;
-    var _S345 : vec2<f32> = dive_0(_S325, _S323, _S328, _S327);
-    if(_S328.straight_0)
-    {
-        _S332 = 0.0f;
-    }
-    else
-    {
-        _S332 = _S344 * _S332;
-    }
-    sample_1.height_5 = _S332 * (_S333 * _S328.bend_1.half_tangent_0 - _S339) - _S344 * _S329.drop_0 - _S345.x;
-    var _S346 : f32 = _S344 * sample_1.slope_across_0;
-    var _S347 : f32 = _S344 * sample_1.slope_along_0 - _S345.y;
-    if(_S323.is_warp_0)
-    {
-        _S332 = _S346;
-    }
-    else
-    {
-        _S332 = _S347;
-    }
-    sample_1.slope_x_1 = _S332;
-    if(_S323.is_warp_0)
-    {
-        _S332 = _S347;
-    }
-    else
-    {
-        _S332 = _S346;
-    }
-    sample_1.slope_y_1 = _S332;
-    sample_1.run_3 = _S328;
-    sample_1.section_1 = _S329;
+    var _S286 : Crossing_0 = crossing_at_0(_S282, _S283, _S284, _S285);
+    sample_1.crossing_1 = _S286;
+    var _S287 : Shown_0 = shown_at_0(_S286, _S285);
+    sample_1.shown_3 = _S287;
+    var _S288 : u32 = select(fabrics_0[_S282].weft_0, fabrics_0[_S282].warp_0, _S287.is_warp_0);
+    var _S289 : u32 = select(fabrics_0[_S282].warp_0, fabrics_0[_S282].weft_0, _S287.is_warp_0);
+    var _S290 : Cell_0 = select_cell_0(_S287.is_warp_0, sample_1.crossing_1.warp_1, sample_1.crossing_1.weft_1);
+    var _S291 : Cell_0 = select_cell_0(_S287.is_warp_0, sample_1.crossing_1.weft_1, sample_1.crossing_1.warp_1);
+    var _S292 : Run_0 = unpack_0(_S288, _S289, _S290.thread_2, _S291, _S287.word_0);
+    var _S293 : Section_0 = section_at_0(_S290);
+    var _S294 : bool = ((_S287.on_top_0) & (((_S292.distance_1) < (_S293.drop_0 * _S292.bend_1.sine_0))));
+    var _S295 : f32 = select(-1.0f, 1.0f, ((_S287.on_top_0) & ((!_S294))));
+    var _S296 : f32 = select(_S292.reach_0, _S292.other_reach_0, _S294);
+    var _S297 : f32 = select(max(_S296 - _S292.distance_1, 0.0f), _S296 + _S292.distance_1, _S294);
+    var _S298 : f32 = _S296 / _S292.bend_1.sine_0 - _S295 * _S293.drop_0;
+    var _S299 : f32 = _S297 * _S297;
+    var _S300 : f32 = max(_S298 * _S298 - _S299, 9.99999968265522539e-21f);
+    var _S301 : f32 = rsqrt_0(_S300);
+    var _S302 : f32 = _S299 / (_S300 * _S301 + _S298);
+    var _S303 : bool = _S297 > 0.0f;
+    var _S304 : f32 = select(-1.0f, 1.0f, _S287.on_top_0) * select(-1.0f, 1.0f, _S292.near_start_0);
+    var _S305 : f32 = _S293.slope_0 * select(1.0f, _S298 * _S301, _S303);
+    sample_1.slope_across_0 = _S305;
+    var _S306 : f32 = select(0.0f, _S304 * _S297 * _S301, _S303);
+    sample_1.slope_along_0 = _S306;
+    var _S307 : vec2<f32> = dive_0(_S289, _S287, _S292, _S291);
+    sample_1.height_5 = select(families_0[_S288].height_scale_0 * _S295, 0.0f, _S292.straight_0) * (_S296 * _S292.bend_1.half_tangent_0 - _S302) - families_0[_S288].height_scale_0 * _S293.drop_0 - _S307.x;
+    var _S308 : f32 = families_0[_S288].height_scale_0 * _S305;
+    var _S309 : f32 = families_0[_S288].height_scale_0 * _S306 - _S307.y;
+    sample_1.slope_x_1 = select(_S309, _S308, _S287.is_warp_0);
+    sample_1.slope_y_1 = select(_S308, _S309, _S287.is_warp_0);
+    sample_1.run_3 = _S292;
+    sample_1.section_1 = _S293;
     return sample_1;
 }
 
-fn steps_per_length_0( _S348 : u32,  _S349 : SearchQuality_0,  _S350 : vec3<f32>) -> f32
+fn steps_per_length_0( _S310 : u32,  _S311 : SearchQuality_0,  _S312 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S350.x) * fabrics_0[_S348].threads_per_x_0, abs(_S350.y) * fabrics_0[_S348].threads_per_y_0) * _S349.steps_per_thread_0, abs(_S350.z) * fabrics_0[_S348].per_relief_0 * _S349.steps_per_relief_0);
+    return max(max(abs(_S312.x) * fabrics_0[_S310].threads_per_x_0, abs(_S312.y) * fabrics_0[_S310].threads_per_y_0) * _S311.steps_per_thread_0, abs(_S312.z) * fabrics_0[_S310].per_relief_0 * _S311.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S351 : u32,  _S352 : Crossing_0) -> f32
+fn cell_maximum_0( _S313 : u32,  _S314 : Crossing_0) -> f32
 {
-    var _S353 : u32;
-    if(_S352.warp_above_0)
-    {
-        _S353 = fabrics_0[_S351].warp_0;
-    }
-    else
-    {
-        _S353 = fabrics_0[_S351].weft_0;
-    }
-    var _S354 : u32;
-    if(_S352.warp_above_0)
-    {
-        _S354 = _S352.warp_word_0;
-    }
-    else
-    {
-        _S354 = _S352.weft_word_0;
-    }
-    return f32((_S354 >> (u32(28)))) * families_0[_S353].height_scale_0 * families_0[_S353].level_0;
+    var _S315 : u32 = select(fabrics_0[_S313].weft_0, fabrics_0[_S313].warp_0, _S314.warp_above_0);
+    return f32((select(_S314.weft_word_0, _S314.warp_word_0, _S314.warp_above_0) >> (u32(28)))) * families_0[_S315].height_scale_0 * families_0[_S315].level_0;
 }
 
-fn probe_0( _S355 : u32,  _S356 : f32,  _S357 : f32,  _S358 : bool,  _S359 : bool,  _S360 : bool) -> Probe_0
+fn probe_0( _S316 : u32,  _S317 : f32,  _S318 : f32,  _S319 : bool,  _S320 : bool,  _S321 : bool) -> Probe_0
 {
-    var _S361 : Sample_0 = sample_at_0(_S355, _S356, _S357, _S358);
+    var _S322 : Sample_0 = sample_at_0(_S316, _S317, _S318, _S319);
     var probe_1 : Probe_0;
-    probe_1.height_2 = _S361.height_5;
-    probe_1.hole_1 = _S361.shown_3.hole_0;
-    probe_1.slope_x_0 = _S361.slope_x_1;
-    probe_1.slope_y_0 = _S361.slope_y_1;
-    var _S362 : u32;
-    if(_S361.shown_3.is_warp_0)
-    {
-        _S362 = _S361.crossing_1.warp_1.thread_2 * u32(2) + u32(1);
-    }
-    else
-    {
-        _S362 = _S361.crossing_1.weft_1.thread_2 * u32(2);
-    }
-    probe_1.yarn_1 = _S362;
-    probe_1.cell_max_0 = cell_maximum_0(_S355, _S361.crossing_1);
-    var _S363 : f32;
-    if(_S359)
-    {
-        _S363 = _S361.crossing_1.warp_1.above_0;
-    }
-    else
-    {
-        _S363 = _S361.crossing_1.warp_1.below_0;
-    }
-    probe_1.side_x_0 = _S363;
-    if(_S360)
-    {
-        _S363 = _S361.crossing_1.weft_1.above_0;
-    }
-    else
-    {
-        _S363 = _S361.crossing_1.weft_1.below_0;
-    }
-    probe_1.side_y_0 = _S363;
-    probe_1.edge_x_0 = outline_distance_0(_S361.crossing_1.warp_1, _S361.shown_3, _S361.run_3, !_S361.shown_3.is_warp_0, _S359);
-    probe_1.edge_y_0 = outline_distance_0(_S361.crossing_1.weft_1, _S361.shown_3, _S361.run_3, _S361.shown_3.is_warp_0, _S360);
+    probe_1.height_2 = _S322.height_5;
+    probe_1.hole_1 = _S322.shown_3.hole_0;
+    probe_1.slope_x_0 = _S322.slope_x_1;
+    probe_1.slope_y_0 = _S322.slope_y_1;
+    probe_1.yarn_1 = select(_S322.crossing_1.weft_1.thread_2 * u32(2), _S322.crossing_1.warp_1.thread_2 * u32(2) + u32(1), _S322.shown_3.is_warp_0);
+    probe_1.cell_max_0 = cell_maximum_0(_S316, _S322.crossing_1);
+    probe_1.side_x_0 = select(_S322.crossing_1.warp_1.below_0, _S322.crossing_1.warp_1.above_0, _S320);
+    probe_1.side_y_0 = select(_S322.crossing_1.weft_1.below_0, _S322.crossing_1.weft_1.above_0, _S321);
+    probe_1.edge_x_0 = outline_distance_0(_S322.crossing_1.warp_1, _S322.shown_3, _S322.run_3, !_S322.shown_3.is_warp_0, _S320);
+    probe_1.edge_y_0 = outline_distance_0(_S322.crossing_1.weft_1, _S322.shown_3, _S322.run_3, _S322.shown_3.is_warp_0, _S321);
     return probe_1;
 }
 
-fn is_free_0( _S364 : u32,  _S365 : SearchQuality_0,  _S366 : vec3<f32>,  _S367 : vec3<f32>,  _S368 : bool,  _S369 : f32) -> bool
+fn is_free_0( _S323 : u32,  _S324 : SearchQuality_0,  _S325 : vec3<f32>,  _S326 : vec3<f32>,  _S327 : bool,  _S328 : f32) -> bool
 {
-    var _S370 : f32 = _S367.z;
-    if(_S370 <= 0.0f)
+    var _S329 : f32 = _S326.z;
+    if(_S329 <= 0.0f)
     {
         return false;
     }
-    var _S371 : f32 = 1.0f / max(_S365.shadow_share_0 * steps_per_length_0(_S364, _S365, _S367), 9.99999971718068537e-10f);
-    var _S372 : StepControl_0 = step_control_0(_S367.xy, _S371);
+    var _S330 : f32 = 1.0f / max(_S324.shadow_share_0 * steps_per_length_0(_S323, _S324, _S326), 9.99999971718068537e-10f);
+    var _S331 : StepControl_0 = step_control_0(_S326.xy, _S330);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_3 : u32 = u32(0);
     var distance_3 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S373 : bool;
-        if(count_3 < u32(1024))
-        {
-            _S373 = (_S366.z + _S370 * distance_3) < _S369;
-        }
-        else
-        {
-            _S373 = false;
-        }
-        if(_S373)
+        if(((count_3 < u32(1024)) & (((_S325.z + _S329 * distance_3) < _S328))))
         {
         }
         else
         {
             break;
         }
-        var _S374 : vec3<f32> = _S366 + _S367 * vec3<f32>(distance_3);
-        var _S375 : Probe_0 = probe_0(_S364, _S374.x, _S374.y, _S368, _S372.right_0, _S372.up_0);
-        var _S376 : f32 = _S374.z;
-        var _S377 : f32 = _S376 - _S375.height_2;
-        var _S378 : f32 = _S370 - _S375.slope_x_0 * _S367.x - _S375.slope_y_0 * _S367.y;
-        var _S379 : bool;
-        if(!_S375.hole_1)
-        {
-            _S379 = _S377 < 0.0f;
-        }
-        else
-        {
-            _S379 = false;
-        }
-        if(_S379)
+        var _S332 : vec3<f32> = _S325 + _S326 * vec3<f32>(distance_3);
+        var _S333 : Probe_0 = probe_0(_S323, _S332.x, _S332.y, _S327, _S331.right_0, _S331.up_0);
+        var _S334 : f32 = _S332.z;
+        var _S335 : f32 = _S334 - _S333.height_2;
+        var _S336 : f32 = _S329 - _S333.slope_x_0 * _S326.x - _S333.slope_y_0 * _S326.y;
+        if(((!_S333.hole_1) & ((_S335 < 0.0f))))
         {
             return false;
         }
-        var _S380 : f32 = way_back_to_dip_0(previous_3, _S377, _S378, last_step_0, _S375);
-        if(_S380 >= 0.0f)
+        var _S337 : f32 = way_back_to_dip_0(previous_3, _S335, _S336, last_step_0, _S333);
+        if(_S337 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S380;
-            distance_3 = distance_3 - _S380;
+            var last_step_1 : f32 = last_step_0 - _S337;
+            distance_3 = distance_3 - _S337;
             last_step_0 = last_step_1;
             count_3 = count_3 + u32(1);
             continue;
         }
-        var _S381 : bool = _S376 > (_S375.cell_max_0);
-        var _S382 : PreviousSample_0 = after_sample_0(_S377, _S378, _S375, _S381);
-        var last_step_2 : f32;
-        if(_S381)
-        {
-            last_step_2 = max(StepControl_to_cell_exit_0(_S372, _S375.side_x_0, _S375.side_y_0), _S371);
-        }
-        else
-        {
-            last_step_2 = StepControl_to_next_sample_0(_S372, _S375, _S377, _S378);
-        }
+        var _S338 : bool = _S334 > (_S333.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S331, _S333, _S335, _S336), max(StepControl_to_cell_exit_0(_S331, _S333.side_x_0, _S333.side_y_0), _S330), _S338);
         var distance_4 : f32 = distance_3 + last_step_2;
-        previous_3 = _S382;
+        previous_3 = after_sample_0(_S335, _S336, _S333, _S338);
         distance_3 = distance_4;
         last_step_0 = last_step_2;
         count_3 = count_3 + u32(1);
@@ -2296,46 +1532,28 @@ fn is_free_0( _S364 : u32,  _S365 : SearchQuality_0,  _S366 : vec3<f32>,  _S367 
     return true;
 }
 
-fn passes_through_0( _S383 : u32,  _S384 : SearchQuality_0,  _S385 : f32,  _S386 : f32,  _S387 : vec3<f32>,  _S388 : bool) -> bool
+fn passes_through_0( _S339 : u32,  _S340 : SearchQuality_0,  _S341 : f32,  _S342 : f32,  _S343 : vec3<f32>,  _S344 : bool) -> bool
 {
-    if(!sample_at_0(_S383, _S385, _S386, _S388).shown_3.hole_0)
+    if(!sample_at_0(_S339, _S341, _S342, _S344).shown_3.hole_0)
     {
         return false;
     }
-    var _S389 : vec3<f32> = vec3<f32>(_S385, _S386, 0.0f);
+    var _S345 : vec3<f32> = vec3<f32>(_S341, _S342, 0.0f);
     var passes_0 : bool = true;
     var side_0 : u32 = u32(0);
     for(;;)
     {
-        var _S390 : bool;
-        if(side_0 < u32(2))
-        {
-            _S390 = passes_0;
-        }
-        else
-        {
-            _S390 = false;
-        }
-        if(_S390)
+        if(((side_0 < u32(2)) & (passes_0)))
         {
         }
         else
         {
             break;
         }
-        var _S391 : vec3<f32>;
-        if(side_0 == u32(0))
-        {
-            _S391 = _S387;
-        }
-        else
-        {
-            _S391 = vec3<f32>(- _S387.x, - _S387.y, _S387.z);
-        }
-        var _S392 : bool = is_free_0(_S383, _S384, _S389, _S391, _S388 != (side_0 == u32(1)), fabrics_0[_S383].height_high_0);
-        var _S393 : u32 = side_0 + u32(1);
-        passes_0 = _S392;
-        side_0 = _S393;
+        var _S346 : bool = is_free_0(_S339, _S340, _S345, select_vector_0(side_0 == u32(0), _S343, vec3<f32>(- _S343.x, - _S343.y, _S343.z)), _S344 != (side_0 == u32(1)), fabrics_0[_S339].height_high_0);
+        var _S347 : u32 = side_0 + u32(1);
+        passes_0 = _S346;
+        side_0 = _S347;
     }
     return passes_0;
 }
@@ -2350,45 +1568,15 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S394 : u32,  _S395 : f32,  _S396 : f32,  _S397 : f32,  _S398 : vec3<f32>,  _S399 : bool) -> f32
+fn max_height_along_0( _S348 : u32,  _S349 : f32,  _S350 : f32,  _S351 : f32,  _S352 : vec3<f32>,  _S353 : bool) -> f32
 {
-    var _S400 : u32 = locate_0(fabrics_0[_S394].warp_0, _S395).thread_2 / u32(2);
-    var _S401 : u32 = locate_0(fabrics_0[_S394].weft_0, _S396).thread_2 / u32(2);
-    var _S402 : f32 = _S398.x;
-    var _S403 : u32;
-    if(_S402 > 0.0f)
-    {
-        _S403 = u32(1);
-    }
-    else
-    {
-        _S403 = u32(0);
-    }
-    var _S404 : f32 = _S398.y;
-    var _S405 : u32;
-    if(_S404 > 0.0f)
-    {
-        _S405 = u32(2);
-    }
-    else
-    {
-        _S405 = u32(0);
-    }
-    var _S406 : u32 = words_0[fabrics_0[_S394].max_heights_0 + u32(4) * (_S401 * fabrics_0[_S394].max_height_columns_0 + _S400) + (_S403 + _S405)];
-    var number_2 : i32;
-    if(_S399)
-    {
-        number_2 = i32(4);
-    }
-    else
-    {
-        number_2 = i32(0);
-    }
-    var _S407 : u32 = (_S406 >> (u32(number_2)));
-    var _S408 : f32 = max(abs(_S402) * fabrics_0[_S394].threads_per_x_0, abs(_S404) * fabrics_0[_S394].threads_per_y_0) / _S398.z;
-    var _S409 : f32 = fabrics_0[_S394].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S394].height_high_0;
-    number_2 = i32(3);
+    var _S354 : f32 = _S352.x;
+    var _S355 : f32 = _S352.y;
+    var _S356 : u32 = (words_0[fabrics_0[_S348].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S348].weft_0, _S350).thread_2 / u32(2) * fabrics_0[_S348].max_height_columns_0 + locate_0(fabrics_0[_S348].warp_0, _S349).thread_2 / u32(2)) + (select(u32(0), u32(1), _S354 > 0.0f) + select(u32(0), u32(2), _S355 > 0.0f))] >> (u32(select(i32(0), i32(4), _S353))));
+    var _S357 : f32 = max(abs(_S354) * fabrics_0[_S348].threads_per_x_0, abs(_S355) * fabrics_0[_S348].threads_per_y_0) / _S352.z;
+    var _S358 : f32 = fabrics_0[_S348].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S348].height_high_0;
+    var number_2 : i32 = i32(3);
     for(;;)
     {
         if(number_2 >= i32(0))
@@ -2398,45 +1586,26 @@ fn max_height_along_0( _S394 : u32,  _S395 : f32,  _S396 : f32,  _S397 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S397) * _S408) <= (PYRAMID_RADII_0[number_2]))
+        if(((max_height_0 - _S351) * _S357) <= (PYRAMID_RADII_0[number_2]))
         {
-            max_height_0 = min(max_height_0, f32((((_S407 >> (u32(i32(8) * number_2)))) & (u32(15)))) * 0.06666667014360428f * _S409);
+            max_height_0 = min(max_height_0, f32((((_S356 >> (u32(i32(8) * number_2)))) & (u32(15)))) * 0.06666667014360428f * _S358);
         }
         number_2 = number_2 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S410 : u32,  _S411 : f32,  _S412 : f32,  _S413 : bool,  _S414 : bool,  _S415 : bool) -> vec3<f32>
+fn cell_bounds_0( _S359 : u32,  _S360 : f32,  _S361 : f32,  _S362 : bool,  _S363 : bool,  _S364 : bool) -> vec3<f32>
 {
-    var _S416 : Crossing_0 = crossing_at_0(_S410, _S411, _S412, _S413);
-    var _S417 : f32 = cell_maximum_0(_S410, _S416);
-    var _S418 : f32;
-    if(_S414)
-    {
-        _S418 = _S416.warp_1.above_0;
-    }
-    else
-    {
-        _S418 = _S416.warp_1.below_0;
-    }
-    var _S419 : f32;
-    if(_S415)
-    {
-        _S419 = _S416.weft_1.above_0;
-    }
-    else
-    {
-        _S419 = _S416.weft_1.below_0;
-    }
-    return vec3<f32>(_S417, _S418, _S419);
+    var _S365 : Crossing_0 = crossing_at_0(_S359, _S360, _S361, _S362);
+    return vec3<f32>(cell_maximum_0(_S359, _S365), select(_S365.warp_1.below_0, _S365.warp_1.above_0, _S363), select(_S365.weft_1.below_0, _S365.weft_1.above_0, _S364));
 }
 
-fn first_sample_height_0( _S420 : u32,  _S421 : ViewRay_0,  _S422 : StepControl_0,  _S423 : bool) -> f32
+fn first_sample_height_0( _S366 : u32,  _S367 : ViewRay_0,  _S368 : StepControl_0,  _S369 : bool) -> f32
 {
-    var _S424 : f32 = max_height_along_0(_S420, _S421.origin_2.x, _S421.origin_2.y, 0.0f, vec3<f32>(_S421.slope_1, 1.0f), _S423);
+    var _S370 : f32 = max_height_along_0(_S366, _S367.origin_2.x, _S367.origin_2.y, 0.0f, vec3<f32>(_S367.slope_1, 1.0f), _S369);
     var count_4 : u32 = u32(0);
-    var height_7 : f32 = _S424;
+    var height_7 : f32 = _S370;
     for(;;)
     {
         if(count_4 < u32(1024))
@@ -2446,12 +1615,12 @@ fn first_sample_height_0( _S420 : u32,  _S421 : ViewRay_0,  _S422 : StepControl_
         {
             break;
         }
-        var _S425 : vec2<f32> = ViewRay_at_0(_S421, height_7);
-        var _S426 : vec3<f32> = cell_bounds_0(_S420, _S425.x, _S425.y, _S423, _S422.right_0, _S422.up_0);
-        var _S427 : f32 = height_7 - _S426.x;
-        var _S428 : f32 = StepControl_to_cell_exit_0(_S422, _S426.y, _S426.z);
-        var height_8 : f32 = height_7 - clamp(_S427, 0.0f, _S428);
-        if(_S427 <= _S428)
+        var _S371 : vec2<f32> = ViewRay_at_0(_S367, height_7);
+        var _S372 : vec3<f32> = cell_bounds_0(_S366, _S371.x, _S371.y, _S369, _S368.right_0, _S368.up_0);
+        var _S373 : f32 = height_7 - _S372.x;
+        var _S374 : f32 = StepControl_to_cell_exit_0(_S368, _S372.y, _S372.z);
+        var height_8 : f32 = height_7 - clamp(_S373, 0.0f, _S374);
+        if(_S373 <= _S374)
         {
             height_7 = height_8;
             break;
@@ -2462,12 +1631,12 @@ fn first_sample_height_0( _S420 : u32,  _S421 : ViewRay_0,  _S422 : StepControl_
     return height_7;
 }
 
-fn search_down_0( _S429 : u32,  _S430 : ViewRay_0,  _S431 : StepControl_0,  _S432 : bool) -> ViewRayEnd_0
+fn search_down_0( _S375 : u32,  _S376 : ViewRay_0,  _S377 : StepControl_0,  _S378 : bool) -> ViewRayEnd_0
 {
-    var _S433 : f32 = fabrics_0[_S429].height_low_0 - (fabrics_0[_S429].height_high_0 - fabrics_0[_S429].height_low_0);
+    var _S379 : f32 = fabrics_0[_S375].height_low_0 - (fabrics_0[_S375].height_high_0 - fabrics_0[_S375].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_6 = first_sample_height_0(_S429, _S430, _S431, _S432);
-    end_1.last_step_3 = _S431.epsilon_0;
+    end_1.height_6 = first_sample_height_0(_S375, _S376, _S377, _S378);
+    end_1.last_step_3 = _S377.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_0 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -2482,195 +1651,115 @@ fn search_down_0( _S429 : u32,  _S430 : ViewRay_0,  _S431 : StepControl_0,  _S43
         {
             break;
         }
-        var _S434 : vec2<f32> = ViewRay_at_0(_S430, end_1.height_6);
-        var _S435 : Probe_0 = probe_0(_S429, _S434.x, _S434.y, _S432, _S431.right_0, _S431.up_0);
-        var _S436 : f32 = end_1.height_6 - _S435.height_2;
-        var _S437 : f32 = ViewRay_rate_0(_S430, _S435);
-        end_1.depth_0 = - _S436;
-        end_1.rate_4 = _S437;
-        var _S438 : bool;
-        if(end_1.previous_4.known_0)
-        {
-            _S438 = !_S435.hole_1;
-        }
-        else
-        {
-            _S438 = false;
-        }
-        var _S439 : bool;
-        if(_S438)
-        {
-            _S439 = (end_1.previous_4.yarn_0) == (_S435.yarn_1);
-        }
-        else
-        {
-            _S439 = false;
-        }
-        end_1.smooth_0 = _S439;
-        var _S440 : bool;
-        if(!_S435.hole_1)
-        {
-            _S440 = _S436 <= 0.0f;
-        }
-        else
-        {
-            _S440 = false;
-        }
-        var _S441 : bool;
-        if(_S440)
-        {
-            _S441 = true;
-        }
-        else
-        {
-            _S441 = (end_1.height_6) <= _S433;
-        }
-        if(_S441)
+        var _S380 : vec2<f32> = ViewRay_at_0(_S376, end_1.height_6);
+        var _S381 : Probe_0 = probe_0(_S375, _S380.x, _S380.y, _S378, _S377.right_0, _S377.up_0);
+        var _S382 : f32 = end_1.height_6 - _S381.height_2;
+        var _S383 : f32 = ViewRay_rate_0(_S376, _S381);
+        end_1.depth_0 = - _S382;
+        end_1.rate_4 = _S383;
+        var _S384 : bool = !_S381.hole_1;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S384))) & (((end_1.previous_4.yarn_0) == (_S381.yarn_1))));
+        if((((_S384 & ((_S382 <= 0.0f)))) | (((end_1.height_6) <= _S379))))
         {
             break;
         }
-        var _S442 : f32 = way_back_to_dip_0(end_1.previous_4, _S436, _S437, end_1.last_step_3, _S435);
-        if(_S442 >= 0.0f)
+        var _S385 : f32 = way_back_to_dip_0(end_1.previous_4, _S382, _S383, end_1.last_step_3, _S381);
+        if(_S385 >= 0.0f)
         {
-            end_1.height_6 = end_1.height_6 + _S442;
-            end_1.last_step_3 = end_1.last_step_3 - _S442;
+            end_1.height_6 = end_1.height_6 + _S385;
+            end_1.last_step_3 = end_1.last_step_3 - _S385;
             count_5 = count_5 + u32(1);
             continue;
         }
-        var _S443 : f32 = min(StepControl_to_cell_exit_0(_S431, _S435.side_x_0, _S435.side_y_0), end_1.height_6 - _S435.cell_max_0);
-        var _S444 : f32 = StepControl_to_next_sample_0(_S431, _S435, _S436, _S437);
-        end_1.previous_4 = after_sample_0(_S436, _S437, _S435, _S443 > _S444);
-        var _S445 : f32 = max(_S443, _S444);
-        end_1.last_step_3 = _S445;
-        end_1.height_6 = end_1.height_6 - _S445;
+        var _S386 : f32 = min(StepControl_to_cell_exit_0(_S377, _S381.side_x_0, _S381.side_y_0), end_1.height_6 - _S381.cell_max_0);
+        var _S387 : f32 = StepControl_to_next_sample_0(_S377, _S381, _S382, _S383);
+        end_1.previous_4 = after_sample_0(_S382, _S383, _S381, _S386 > _S387);
+        var _S388 : f32 = max(_S386, _S387);
+        end_1.last_step_3 = _S388;
+        end_1.height_6 = end_1.height_6 - _S388;
         count_5 = count_5 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S446 : u32,  _S447 : ViewRay_0,  _S448 : StepControl_0,  _S449 : bool,  _S450 : ViewRayEnd_0,  _S451 : u32) -> f32
+fn refined_height_0( _S389 : u32,  _S390 : ViewRay_0,  _S391 : StepControl_0,  _S392 : bool,  _S393 : ViewRayEnd_0,  _S394 : u32) -> f32
 {
-    var _S452 : f32 = fabrics_0[_S446].height_high_0 - fabrics_0[_S446].height_low_0;
-    var above_2 : f32 = _S450.height_6 + _S450.last_step_3;
-    var above_gap_1 : f32 = clamp(_S450.previous_4.clearance_0, 0.0f, _S452);
-    var under_gap_1 : f32 = clamp(_S450.depth_0, 0.0f, _S452);
-    var _S453 : f32 = cubic_root_0(above_gap_1, - under_gap_1, _S450.previous_4.rate_0 * _S450.last_step_3, _S450.rate_4 * _S450.last_step_3);
-    var middle_0 : f32;
-    if(_S450.smooth_0)
-    {
-        middle_0 = above_2 - _S453 * _S450.last_step_3;
-    }
-    else
-    {
-        middle_0 = between_0(above_2, _S450.height_6, above_gap_1, under_gap_1);
-    }
+    var _S395 : f32 = fabrics_0[_S389].height_high_0 - fabrics_0[_S389].height_low_0;
+    var above_2 : f32 = _S393.height_6 + _S393.last_step_3;
+    var above_gap_1 : f32 = clamp(_S393.previous_4.clearance_0, 0.0f, _S395);
+    var under_gap_1 : f32 = clamp(_S393.depth_0, 0.0f, _S395);
+    var middle_0 : f32 = select(between_0(above_2, _S393.height_6, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S393.previous_4.rate_0 * _S393.last_step_3, _S393.rate_4 * _S393.last_step_3) * _S393.last_step_3, _S393.smooth_0);
     var side_1 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S450.height_6;
+    var under_1 : f32 = _S393.height_6;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S451)
+        if(i_1 < _S394)
         {
         }
         else
         {
             break;
         }
-        var _S454 : vec2<f32> = ViewRay_at_0(_S447, middle_0);
-        var _S455 : Probe_0 = probe_0(_S446, _S454.x, _S454.y, _S449, _S448.right_0, _S448.up_0);
-        var _S456 : f32;
-        if(_S455.hole_1)
+        var _S396 : vec2<f32> = ViewRay_at_0(_S390, middle_0);
+        var _S397 : Probe_0 = probe_0(_S389, _S396.x, _S396.y, _S392, _S391.right_0, _S391.up_0);
+        var _S398 : f32 = clamp(middle_0 - select(_S397.height_2, -1.0e+09f, _S397.hole_1), - _S395, _S395);
+        if(_S398 <= 0.0f)
         {
-            _S456 = -1.0e+09f;
-        }
-        else
-        {
-            _S456 = _S455.height_2;
-        }
-        var _S457 : f32 = clamp(middle_0 - _S456, - _S452, _S452);
-        var _S458 : f32;
-        if(_S457 <= 0.0f)
-        {
-            if(side_1 > 0.0f)
-            {
-                _S458 = 0.5f * above_gap_2;
-            }
-            else
-            {
-                _S458 = above_gap_2;
-            }
-            var _S459 : f32 = - _S457;
+            var _S399 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_1 > 0.0f);
+            var _S400 : f32 = - _S398;
             under_1 = middle_0;
-            above_gap_2 = _S458;
-            under_gap_2 = _S459;
+            above_gap_2 = _S399;
+            under_gap_2 = _S400;
             side_1 = 1.0f;
         }
         else
         {
-            if(side_1 < 0.0f)
-            {
-                _S458 = 0.5f * under_gap_2;
-            }
-            else
-            {
-                _S458 = under_gap_2;
-            }
+            var _S401 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_1 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S457;
-            under_gap_2 = _S458;
+            above_gap_2 = _S398;
+            under_gap_2 = _S401;
             side_1 = -1.0f;
         }
-        if(_S450.smooth_0)
-        {
-            middle_0 = clamp(middle_0 + _S457 / min(ViewRay_rate_0(_S447, _S455), -9.99999997475242708e-07f), under_1, above_3);
-        }
-        else
-        {
-            middle_0 = between_0(above_3, under_1, above_gap_2, under_gap_2);
-        }
-        i_1 = i_1 + u32(1);
+        var _S402 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S398 / min(ViewRay_rate_0(_S390, _S397), -9.99999997475242708e-07f), under_1, above_3), _S393.smooth_0);
+        var _S403 : u32 = i_1 + u32(1);
+        middle_0 = _S402;
+        i_1 = _S403;
     }
-    if(_S450.smooth_0)
-    {
-    }
-    else
-    {
-        middle_0 = under_1;
-    }
-    return middle_0;
+    return select(under_1, middle_0, _S393.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S460 : u32,  _S461 : SearchQuality_0,  _S462 : f32,  _S463 : f32,  _S464 : vec3<f32>,  _S465 : bool) -> Hit_1
+fn first_hit_of_yarn_0( _S404 : u32,  _S405 : SearchQuality_0,  _S406 : f32,  _S407 : f32,  _S408 : vec3<f32>,  _S409 : bool) -> Hit_1
 {
-    var _S466 : f32 = max(_S464.z, 0.00009999999747379f);
+    var _S410 : f32 = max(_S408.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_2 = vec2<f32>(_S462, _S463);
-    var _S467 : vec2<f32> = _S464.xy / vec2<f32>(_S466);
-    ray_0.slope_1 = _S467;
-    var _S468 : StepControl_0 = step_control_0((vec2<f32>(0) - _S467), 1.0f / max(steps_per_length_0(_S460, _S461, _S464) / _S466, 9.99999971718068537e-10f));
-    var _S469 : ViewRayEnd_0 = search_down_0(_S460, ray_0, _S468, _S465);
+    ray_0.origin_2 = vec2<f32>(_S406, _S407);
+    var _S411 : vec2<f32> = _S408.xy / vec2<f32>(_S410);
+    ray_0.slope_1 = _S411;
+    var _S412 : StepControl_0 = step_control_0((vec2<f32>(0) - _S411), 1.0f / max(steps_per_length_0(_S404, _S405, _S408) / _S410, 9.99999971718068537e-10f));
+    var _S413 : ViewRayEnd_0 = search_down_0(_S404, ray_0, _S412, _S409);
     var hit_1 : Hit_1;
     hit_1.hole_2 = false;
-    var _S470 : f32 = refined_height_0(_S460, ray_0, _S468, _S465, _S469, _S461.refinements_0);
-    hit_1.height_4 = _S470;
-    var _S471 : vec2<f32> = ViewRay_at_0(ray_0, _S470);
-    hit_1.x_13 = _S471.x;
-    hit_1.y_7 = _S471.y;
+    var _S414 : f32 = refined_height_0(_S404, ray_0, _S412, _S409, _S413, _S405.refinements_0);
+    hit_1.height_4 = _S414;
+    var _S415 : vec2<f32> = ViewRay_at_0(ray_0, _S414);
+    hit_1.x_13 = _S415.x;
+    hit_1.y_7 = _S415.y;
     return hit_1;
 }
 
-fn first_hit_0( _S472 : u32,  _S473 : SearchQuality_0,  _S474 : f32,  _S475 : f32,  _S476 : vec3<f32>,  _S477 : bool) -> Hit_1
+fn first_hit_0( _S416 : u32,  _S417 : SearchQuality_0,  _S418 : f32,  _S419 : f32,  _S420 : vec3<f32>,  _S421 : bool) -> Hit_1
 {
-    if(!passes_through_0(_S472, _S473, _S474, _S475, _S476, _S477))
+    if(!passes_through_0(_S416, _S417, _S418, _S419, _S420, _S421))
     {
-        return first_hit_of_yarn_0(_S472, _S473, _S474, _S475, _S476, _S477);
+        return first_hit_of_yarn_0(_S416, _S417, _S418, _S419, _S420, _S421);
     }
     var hit_2 : Hit_1;
-    hit_2.x_13 = _S474;
-    hit_2.y_7 = _S475;
+    hit_2.x_13 = _S418;
+    hit_2.y_7 = _S419;
     hit_2.height_4 = 0.0f;
     hit_2.hole_2 = true;
     return hit_2;
@@ -2681,23 +1770,23 @@ struct CoverageTaps_0
      nodes_1 : array<u32, i32(9)>,
 };
 
-fn pyramid_level_0( _S478 : u32,  _S479 : f32) -> vec3<f32>
+fn pyramid_level_0( _S422 : u32,  _S423 : f32) -> vec3<f32>
 {
-    var _S480 : u32 = fabrics_0[_S478].lobes_0.levels_0 + u32(4) * u32(min(_S479, fabrics_0[_S478].lobes_0.last_level_0));
-    return vec3<f32>(table_number_0(_S480), table_number_0(_S480 + u32(1)), table_number_0(_S480 + u32(2)));
+    var _S424 : u32 = fabrics_0[_S422].lobes_0.levels_0 + u32(4) * u32(min(_S423, fabrics_0[_S422].lobes_0.last_level_0));
+    return vec3<f32>(table_number_0(_S424), table_number_0(_S424 + u32(1)), table_number_0(_S424 + u32(2)));
 }
 
-fn coverage_taps_0( _S481 : u32,  _S482 : Footprint_0,  _S483 : bool) -> CoverageTaps_0
+fn coverage_taps_0( _S425 : u32,  _S426 : Footprint_0,  _S427 : bool) -> CoverageTaps_0
 {
-    var _S484 : Lobes_std430_0 = fabrics_0[_S481].lobes_0;
-    var _S485 : f32 = Footprint_spread_side_0(_S482) * fabrics_0[_S481].lobes_0.inverse_base_size_0;
-    var _S486 : vec3<f32> = pyramid_level_0(_S481, floor(binary_logarithm_0(max(0.68000000715255737f * _S485, 1.0f))));
-    var _S487 : f32 = 1.0f / max(_S485, 9.99999997475242708e-07f);
-    var _S488 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S481].warp_0].inverse_period_0, families_0[fabrics_0[_S481].weft_0].inverse_period_0);
-    var _S489 : vec2<f32> = _S482.centre_0 * _S488;
-    var _S490 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S487 * _S487), 0.0f, 1.0f)), 0.3333333432674408f * _S487), 1.0f));
-    var _S491 : vec2<f32> = _S482.dx_0 * _S488 * _S490;
-    var _S492 : vec2<f32> = _S482.dy_0 * _S488 * _S490;
+    var _S428 : Lobes_std430_0 = fabrics_0[_S425].lobes_0;
+    var _S429 : f32 = Footprint_spread_side_0(_S426) * fabrics_0[_S425].lobes_0.inverse_base_size_0;
+    var _S430 : vec3<f32> = pyramid_level_0(_S425, floor(binary_logarithm_0(max(0.68000000715255737f * _S429, 1.0f))));
+    var _S431 : f32 = 1.0f / max(_S429, 9.99999997475242708e-07f);
+    var _S432 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S425].warp_0].inverse_period_0, families_0[fabrics_0[_S425].weft_0].inverse_period_0);
+    var _S433 : vec2<f32> = _S426.centre_0 * _S432;
+    var _S434 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S431 * _S431), 0.0f, 1.0f)), 0.3333333432674408f * _S431), 1.0f));
+    var _S435 : vec2<f32> = _S426.dx_0 * _S432 * _S434;
+    var _S436 : vec2<f32> = _S426.dy_0 * _S432 * _S434;
     var taps_3 : CoverageTaps_0;
     var number_3 : u32 = u32(0);
     for(;;)
@@ -2709,26 +1798,15 @@ fn coverage_taps_0( _S481 : u32,  _S482 : Footprint_0,  _S483 : bool) -> Coverag
         {
             break;
         }
-        var _S493 : vec2<f32> = _S489 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S491 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S492;
-        var _S494 : f32 = _S486.y;
-        var _S495 : f32 = wrapped_cell_0(_S493.x, _S494);
-        var _S496 : f32 = wrapped_cell_0(_S493.y, _S486.z);
-        var _S497 : u32;
-        if(_S483)
-        {
-            _S497 = _S484.face_nodes_0;
-        }
-        else
-        {
-            _S497 = u32(0);
-        }
-        taps_3.nodes_1[number_3] = _S497 + u32(_S496 * _S494 + _S495 + _S486.x);
+        var _S437 : vec2<f32> = _S433 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S435 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S436;
+        var _S438 : f32 = _S430.y;
+        taps_3.nodes_1[number_3] = select(u32(0), _S428.face_nodes_0, _S427) + u32(wrapped_cell_0(_S437.y, _S430.z) * _S438 + wrapped_cell_0(_S437.x, _S438) + _S430.x);
         number_3 = number_3 + u32(1);
     }
     return taps_3;
 }
 
-fn coverage_of_holes_0( _S498 : u32,  _S499 : CoverageTaps_0) -> f32
+fn coverage_of_holes_0( _S439 : u32,  _S440 : CoverageTaps_0) -> f32
 {
     var number_4 : u32 = u32(0);
     var total_0 : u32 = u32(0);
@@ -2741,58 +1819,40 @@ fn coverage_of_holes_0( _S498 : u32,  _S499 : CoverageTaps_0) -> f32
         {
             break;
         }
-        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S498].lobes_0.coverage_holes_0 + _S499.nodes_1[number_4] / u32(4)] >> ((u32(8) * (_S499.nodes_1[number_4] % u32(4)))))) & (u32(255))));
+        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S439].lobes_0.coverage_holes_0 + _S440.nodes_1[number_4] / u32(4)] >> ((u32(8) * (_S440.nodes_1[number_4] % u32(4)))))) & (u32(255))));
         number_4 = number_4 + u32(1);
         total_0 = total_1;
     }
     return f32(total_0) / 9.0f;
 }
 
-fn prefiltered_hole_0( _S500 : u32,  _S501 : CoverageTaps_0,  _S502 : NodeTaps_0,  _S503 : bool) -> f32
+fn prefiltered_hole_0( _S441 : u32,  _S442 : CoverageTaps_0,  _S443 : NodeTaps_0,  _S444 : bool) -> f32
 {
-    var _S504 : Lobes_std430_0 = fabrics_0[_S500].lobes_0;
-    var _S505 : f32 = interpolate_table_0(_S502, fabrics_0[_S500].lobes_0.projected_area_0 + fabrics_0[_S500].lobes_0.packs_0, fabrics_0[_S500].lobes_0.packs_0 + u32(1)).x;
-    var _S506 : f32;
-    if(_S503)
-    {
-        _S506 = _S504.back_hole_weight_0;
-    }
-    else
-    {
-        _S506 = _S504.front_hole_weight_0;
-    }
-    return min(coverage_of_holes_0(_S500, _S501) * _S505 * _S505 * _S506, 1.0f);
+    var _S445 : f32 = interpolate_table_0(_S443, fabrics_0[_S441].lobes_0.projected_area_0 + fabrics_0[_S441].lobes_0.packs_0, fabrics_0[_S441].lobes_0.packs_0 + u32(1)).x;
+    return min(coverage_of_holes_0(_S441, _S442) * _S445 * _S445 * select(fabrics_0[_S441].lobes_0.front_hole_weight_0, fabrics_0[_S441].lobes_0.back_hole_weight_0, _S444), 1.0f);
 }
 
-fn passed_share_0( _S507 : u32,  _S508 : VisiblePoint_0,  _S509 : vec3<f32>,  _S510 : f32,  _S511 : vec2<f32>) -> f32
+fn passed_share_0( _S446 : u32,  _S447 : VisiblePoint_0,  _S448 : vec3<f32>,  _S449 : f32,  _S450 : vec2<f32>) -> f32
 {
-    if((fabrics_0[_S507].has_yarns_0) == u32(0))
+    if((fabrics_0[_S446].has_yarns_0) == u32(0))
     {
-        return fabrics_0[_S507].mean_hole_0;
+        return fabrics_0[_S446].mean_hole_0;
     }
-    var _S512 : vec3<f32> = to_local_0(_S508, _S509);
-    var _S513 : bool = (_S512.z) < 0.0f;
-    var _S514 : vec3<f32> = to_face_frame_0(_S512, _S513);
+    var _S451 : vec3<f32> = to_local_0(_S447, _S448);
+    var _S452 : bool = (_S451.z) < 0.0f;
+    var _S453 : vec3<f32> = to_face_frame_0(_S451, _S452);
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S508.draft_0;
-    footprint_0.dx_0 = vec2<f32>(_S510, 0.0f);
-    footprint_0.dy_0 = vec2<f32>(0.0f, _S510);
-    var _S515 : f32;
-    if((fabrics_0[_S507].lobes_0.is_baked_0) != u32(0))
-    {
-        _S515 = regime_of_0(_S507, footprint_0, 1.0f).prefiltered_0;
-    }
-    else
-    {
-        _S515 = 0.0f;
-    }
+    footprint_0.centre_0 = _S447.draft_0;
+    footprint_0.dx_0 = vec2<f32>(_S449, 0.0f);
+    footprint_0.dy_0 = vec2<f32>(0.0f, _S449);
+    var _S454 : f32 = select(0.0f, regime_of_0(_S446, footprint_0, 1.0f).prefiltered_0, (fabrics_0[_S446].lobes_0.is_baked_0) != u32(0));
     var share_2 : f32;
-    if(_S515 < 1.0f)
+    if(_S454 < 1.0f)
     {
-        var _S516 : vec2<f32> = footprint_0.centre_0 + (_S511 - vec2<f32>(0.5f)) * vec2<f32>(_S510);
-        if(first_hit_0(_S507, default_quality_0(), _S516.x, _S516.y, _S514, _S513).hole_2)
+        var _S455 : vec2<f32> = footprint_0.centre_0 + (_S450 - vec2<f32>(0.5f)) * vec2<f32>(_S449);
+        if(first_hit_0(_S446, default_quality_0(), _S455.x, _S455.y, _S453, _S452).hole_2)
         {
-            share_2 = 1.0f - _S515;
+            share_2 = 1.0f - _S454;
         }
         else
         {
@@ -2803,130 +1863,99 @@ fn passed_share_0( _S507 : u32,  _S508 : VisiblePoint_0,  _S509 : vec3<f32>,  _S
     {
         share_2 = 0.0f;
     }
-    if(_S515 > 0.0f)
+    if(_S454 > 0.0f)
     {
-        var nodes_2 : NodeTaps_0 = node_taps_0(_S514);
-        var _S517 : u32;
-        if(_S513)
-        {
-            _S517 = u32(1);
-        }
-        else
-        {
-            _S517 = u32(0);
-        }
-        nodes_2.nodes_0 = nodes_2.nodes_0 + vec4<u32>((_S517 * u32(256)));
-        share_2 = share_2 + _S515 * prefiltered_hole_0(_S507, coverage_taps_0(_S507, footprint_0, _S513), nodes_2, _S513);
+        var nodes_2 : NodeTaps_0 = node_taps_0(_S453);
+        nodes_2.nodes_0 = nodes_2.nodes_0 + vec4<u32>((select(u32(0), u32(1), _S452) * u32(256)));
+        share_2 = share_2 + _S454 * prefiltered_hole_0(_S446, coverage_taps_0(_S446, footprint_0, _S452), nodes_2, _S452);
     }
-    var _S518 : f32 = fabrics_0[_S507].sheen_strength_0;
-    if((fabrics_0[_S507].sheen_strength_0) > 0.0f)
+    var _S456 : f32 = fabrics_0[_S446].sheen_strength_0;
+    if((fabrics_0[_S446].sheen_strength_0) > 0.0f)
     {
-        share_2 = share_2 * (1.0f - _S518 * sheen_lobe_0(_S514.z, fabrics_0[_S507].sheen_roughness_0).z);
+        share_2 = share_2 * (1.0f - _S456 * sheen_lobe_0(_S453.z, fabrics_0[_S446].sheen_roughness_0).z);
     }
     return share_2;
 }
 
-fn visibility_of_0( _S519 : i32,  _S520 : VisiblePoint_0,  _S521 : u32,  _S522 : vec2<u32>,  _S523 : u32) -> f32
+fn visibility_of_0( _S457 : i32,  _S458 : VisiblePoint_0,  _S459 : u32,  _S460 : vec2<u32>,  _S461 : u32) -> f32
 {
-    var _S524 : LightSample_0 = light_sample_0(_S519, _S523, _S522, _S520.position_0);
-    var nearest_1 : f32;
-    if((dot(_S524.towards_0, _S520.face_normal_0)) < 0.0f)
-    {
-        nearest_1 = -1.0f;
-    }
-    else
-    {
-        nearest_1 = 1.0f;
-    }
-    var _S525 : vec3<f32> = seen_position_0(_S519, _S521, _S522) + vec3<f32>((nearest_1 * frames_0[_S519].ray_offset_0)) * _S520.face_normal_0;
-    var _S526 : vec2<f32> = _S520.draft_dx_0;
-    var _S527 : vec2<f32> = _S520.draft_dy_0;
-    var _S528 : f32 = sqrt(0.5f * (dot(_S526, _S526) + dot(_S527, _S527)));
-    nearest_1 = 0.0f;
-    var without_0 : u32 = _S521;
+    var _S462 : bool;
+    var _S463 : LightSample_0 = light_sample_0(_S457, _S461, _S460, _S458.position_0);
+    var _S464 : vec3<f32> = seen_position_0(_S457, _S459, _S460) + vec3<f32>((select(1.0f, -1.0f, (dot(_S463.towards_0, _S458.face_normal_0)) < 0.0f) * frames_0[_S457].ray_offset_0)) * _S458.face_normal_0;
+    var _S465 : vec2<f32> = _S458.draft_dx_0;
+    var _S466 : vec2<f32> = _S458.draft_dy_0;
+    var _S467 : f32 = sqrt(0.5f * (dot(_S465, _S465) + dot(_S466, _S466)));
+    var nearest_1 : f32 = 0.0f;
+    var without_0 : u32 = _S459;
     var layer_0 : u32 = u32(0);
     var visibility_0 : f32 = 1.0f;
     for(;;)
     {
-        var _S529 : bool;
-        if(layer_0 < u32(8))
-        {
-            _S529 = visibility_0 > 0.00100000004749745f;
-        }
-        else
-        {
-            _S529 = false;
-        }
-        if(_S529)
+        var _S468 : bool = layer_0 < u32(8);
+        var _S469 : bool = visibility_0 > 0.00100000004749745f;
+        _S462 = _S469;
+        if((_S468 & (_S469)))
         {
         }
         else
         {
             break;
         }
-        var _S530 : Hit_0 = nearest_hit_0(_S519, _S525, _S524.towards_0, nearest_1, _S524.distance_2, without_0, true);
-        if((_S530.face_1) == u32(4294967295))
+        var _S470 : Hit_0 = nearest_hit_0(_S457, _S464, _S463.towards_0, nearest_1, _S463.distance_2, without_0, true);
+        if((_S470.face_1) == u32(4294967295))
         {
             break;
         }
-        var _S531 : u32 = face_fabrics_0[_S530.face_1];
-        var _S532 : VisiblePoint_0 = face_point_0(_S531, _S530.face_1, _S530.weight_b_0, _S530.weight_c_0);
-        var _S533 : vec2<f32> = pixel_sequence_0(_S522, frames_0[_S519].pass_number_0, u32(5) + u32(2) * (u32(8) * _S523 + layer_0));
-        var _S534 : f32;
-        if((fabrics_0[_S531].is_open_0) != u32(0))
+        var _S471 : u32 = face_fabrics_0[_S470.face_1];
+        var _S472 : VisiblePoint_0 = face_point_0(_S471, _S470.face_1, _S470.weight_b_0, _S470.weight_c_0);
+        var _S473 : vec2<f32> = pixel_sequence_0(_S460, frames_0[_S457].pass_number_0, u32(5) + u32(2) * (u32(8) * _S461 + layer_0));
+        var _S474 : f32;
+        if((fabrics_0[_S471].is_open_0) != u32(0))
         {
-            _S534 = passed_share_0(_S531, _S532, (vec3<f32>(0) - _S524.towards_0), _S528, _S533);
+            _S474 = passed_share_0(_S471, _S472, (vec3<f32>(0) - _S463.towards_0), _S467, _S473);
         }
         else
         {
-            _S534 = 0.0f;
+            _S474 = 0.0f;
         }
-        var visibility_1 : f32 = visibility_0 * _S534;
-        var _S535 : u32 = layer_0 + u32(1);
-        nearest_1 = _S530.distance_0;
-        without_0 = _S530.face_1;
-        layer_0 = _S535;
+        var visibility_1 : f32 = visibility_0 * _S474;
+        var _S475 : u32 = layer_0 + u32(1);
+        nearest_1 = _S470.distance_0;
+        without_0 = _S470.face_1;
+        layer_0 = _S475;
         visibility_0 = visibility_1;
     }
-    if(visibility_0 > 0.00100000004749745f)
-    {
-        nearest_1 = visibility_0;
-    }
-    else
-    {
-        nearest_1 = 0.0f;
-    }
-    return nearest_1;
+    return select(0.0f, visibility_0, _S462);
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn cast_shadows(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S536 : u32 = id_0.x;
-    var _S537 : u32 = frames_0[i32(0)].width_0;
-    var _S538 : bool;
-    if(_S536 >= (frames_0[i32(0)].width_0))
+    var _S476 : u32 = id_0.x;
+    var _S477 : u32 = frames_0[i32(0)].width_0;
+    var _S478 : bool;
+    if(_S476 >= (frames_0[i32(0)].width_0))
     {
-        _S538 = true;
+        _S478 = true;
     }
     else
     {
-        _S538 = (id_0.y) >= (frames_0[i32(0)].height_0);
+        _S478 = (id_0.y) >= (frames_0[i32(0)].height_0);
     }
-    if(_S538)
+    if(_S478)
     {
         return;
     }
-    var _S539 : u32 = id_0.y * _S537 + _S536;
-    var _S540 : u32 = layers_0[_S539].face_0;
-    if((layers_0[_S539].face_0) == u32(0))
+    var _S479 : u32 = id_0.y * _S477 + _S476;
+    var _S480 : u32 = layers_0[_S479].face_0;
+    if((layers_0[_S479].face_0) == u32(0))
     {
         return;
     }
-    var _S541 : u32 = _S540 - u32(1);
-    var _S542 : vec2<u32> = id_0.xy;
-    var _S543 : VisiblePoint_0 = visible_point_0(i32(0), face_fabrics_0[_S541], _S541, _S542);
+    var _S481 : u32 = _S480 - u32(1);
+    var _S482 : vec2<u32> = id_0.xy;
+    var _S483 : VisiblePoint_0 = visible_point_0(i32(0), face_fabrics_0[_S481], _S481, _S482);
     var number_5 : u32 = u32(0);
     for(;;)
     {
@@ -2937,7 +1966,7 @@ fn cast_shadows(@builtin(global_invocation_id) id_0 : vec3<u32>)
         {
             break;
         }
-        visibilities_0[number_5 * _S537 * frames_0[i32(0)].height_0 + _S539] = visibility_of_0(i32(0), _S543, _S541, _S542, number_5);
+        visibilities_0[number_5 * _S477 * frames_0[i32(0)].height_0 + _S479] = visibility_of_0(i32(0), _S483, _S481, _S482, number_5);
         number_5 = number_5 + u32(1);
     }
     return;

@@ -243,16 +243,7 @@ fn position_of_1( vertex_1 : ptr<function, Vertex_std430_0>) -> vec3<f32>
 
 fn inverse_of_0( component_0 : f32) -> f32
 {
-    var _S2 : f32;
-    if((abs(component_0)) > 9.99999968265522539e-21f)
-    {
-        _S2 = component_0;
-    }
-    else
-    {
-        _S2 = 9.99999968265522539e-21f;
-    }
-    return 1.0f / _S2;
+    return 1.0f / select(9.99999968265522539e-21f, component_0, (abs(component_0)) > 9.99999968265522539e-21f);
 }
 
 fn scene_number_0( index_0 : u32) -> f32
@@ -262,28 +253,19 @@ fn scene_number_0( index_0 : u32) -> f32
 
 fn meets_node_0( node_0 : u32,  origin_0 : vec3<f32>,  inverse_0 : vec3<f32>,  nearest_0 : f32,  farthest_0 : f32) -> bool
 {
-    var _S3 : u32 = u32(6) * (node_0 - u32(1));
-    var _S4 : vec3<f32> = (vec3<f32>(scene_number_0(_S3), scene_number_0(_S3 + u32(1)), scene_number_0(_S3 + u32(2))) - origin_0) * inverse_0;
-    var _S5 : vec3<f32> = (vec3<f32>(scene_number_0(_S3 + u32(3)), scene_number_0(_S3 + u32(4)), scene_number_0(_S3 + u32(5))) - origin_0) * inverse_0;
-    var _S6 : vec3<f32> = min(_S4, _S5);
-    var _S7 : vec3<f32> = max(_S4, _S5) * vec3<f32>(1.0000004768371582f);
-    return (max(max(_S6.x, _S6.y), max(_S6.z, nearest_0))) <= (min(min(_S7.x, _S7.y), min(_S7.z, farthest_0)));
+    var _S2 : u32 = u32(6) * (node_0 - u32(1));
+    var _S3 : vec3<f32> = (vec3<f32>(scene_number_0(_S2), scene_number_0(_S2 + u32(1)), scene_number_0(_S2 + u32(2))) - origin_0) * inverse_0;
+    var _S4 : vec3<f32> = (vec3<f32>(scene_number_0(_S2 + u32(3)), scene_number_0(_S2 + u32(4)), scene_number_0(_S2 + u32(5))) - origin_0) * inverse_0;
+    var _S5 : vec3<f32> = min(_S3, _S4);
+    var _S6 : vec3<f32> = max(_S3, _S4) * vec3<f32>(1.0000004768371582f);
+    return (max(max(_S5.x, _S5.y), max(_S5.z, nearest_0))) <= (min(min(_S6.x, _S6.y), min(_S6.z, farthest_0)));
 }
 
 fn following_node_0( node_1 : u32) -> u32
 {
-    var _S8 : u32 = node_1 + u32(1);
-    var _S9 : u32 = (_S8 >> ((firstbitlow_0(_S8))));
-    var _S10 : u32;
-    if(_S9 == u32(1))
-    {
-        _S10 = u32(0);
-    }
-    else
-    {
-        _S10 = _S9;
-    }
-    return _S10;
+    var _S7 : u32 = node_1 + u32(1);
+    var _S8 : u32 = (_S7 >> ((firstbitlow_0(_S7))));
+    return select(_S8, u32(0), _S8 == u32(1));
 }
 
 struct Hit_0
@@ -296,104 +278,62 @@ struct Hit_0
 
 fn meet_face_0( face_2 : u32,  origin_1 : vec3<f32>,  direction_0 : vec3<f32>) -> Hit_0
 {
-    var _S11 : u32 = u32(3) * face_2;
-    var _S12 : Vertex_std430_0 = vertices_0[corners_0[_S11]];
+    var _S9 : u32 = u32(3) * face_2;
+    var _S10 : Vertex_std430_0 = vertices_0[corners_0[_S9]];
+    var _S11 : vec3<f32> = position_of_0(&(_S10));
+    var _S12 : Vertex_std430_0 = vertices_0[corners_0[_S9 + u32(1)]];
     var _S13 : vec3<f32> = position_of_0(&(_S12));
-    var _S14 : Vertex_std430_0 = vertices_0[corners_0[_S11 + u32(1)]];
-    var _S15 : vec3<f32> = position_of_0(&(_S14));
-    var _S16 : vec3<f32> = _S15 - _S13;
-    var _S17 : Vertex_std430_0 = vertices_0[corners_0[_S11 + u32(2)]];
-    var _S18 : vec3<f32> = position_of_0(&(_S17));
-    var _S19 : vec3<f32> = _S18 - _S13;
-    var _S20 : vec3<f32> = cross(direction_0, _S19);
-    var _S21 : f32 = dot(_S16, _S20);
-    var _S22 : bool = (abs(_S21)) > 1.00000000317107685e-30f;
-    var _S23 : f32;
-    if(_S22)
-    {
-        _S23 = _S21;
-    }
-    else
-    {
-        _S23 = 1.00000000317107685e-30f;
-    }
-    var _S24 : f32 = 1.0f / _S23;
-    var _S25 : vec3<f32> = origin_1 - _S13;
-    var _S26 : vec3<f32> = cross(_S25, _S16);
+    var _S14 : vec3<f32> = _S13 - _S11;
+    var _S15 : Vertex_std430_0 = vertices_0[corners_0[_S9 + u32(2)]];
+    var _S16 : vec3<f32> = position_of_0(&(_S15));
+    var _S17 : vec3<f32> = _S16 - _S11;
+    var _S18 : vec3<f32> = cross(direction_0, _S17);
+    var _S19 : f32 = dot(_S14, _S18);
+    var _S20 : bool = (abs(_S19)) > 1.00000000317107685e-30f;
+    var _S21 : f32 = 1.0f / select(1.00000000317107685e-30f, _S19, _S20);
+    var _S22 : vec3<f32> = origin_1 - _S11;
+    var _S23 : vec3<f32> = cross(_S22, _S14);
     var hit_0 : Hit_0;
-    var _S27 : f32 = dot(_S25, _S20) * _S24;
-    hit_0.weight_b_0 = _S27;
-    hit_0.weight_c_0 = dot(direction_0, _S26) * _S24;
-    hit_0.distance_0 = dot(_S19, _S26) * _S24;
-    var _S28 : bool;
-    if(_S27 >= 0.0f)
-    {
-        _S28 = (hit_0.weight_c_0) >= 0.0f;
-    }
-    else
-    {
-        _S28 = false;
-    }
-    if(_S28)
-    {
-        _S28 = (hit_0.weight_b_0 + hit_0.weight_c_0) <= 1.0f;
-    }
-    else
-    {
-        _S28 = false;
-    }
-    if(_S28)
-    {
-        _S28 = _S22;
-    }
-    else
-    {
-        _S28 = false;
-    }
-    var _S29 : u32;
-    if(_S28)
-    {
-        _S29 = face_2;
-    }
-    else
-    {
-        _S29 = u32(4294967295);
-    }
-    hit_0.face_1 = _S29;
+    var _S24 : f32 = dot(_S22, _S18) * _S21;
+    hit_0.weight_b_0 = _S24;
+    var _S25 : f32 = dot(direction_0, _S23) * _S21;
+    hit_0.weight_c_0 = _S25;
+    hit_0.distance_0 = dot(_S17, _S23) * _S21;
+    hit_0.face_1 = select(u32(4294967295), face_2, ((((((_S24 >= 0.0f) & ((_S25 >= 0.0f)))) & (((_S24 + _S25) <= 1.0f)))) & (_S20)));
     return hit_0;
 }
 
-fn camera_origin_0( _S30 : i32) -> vec3<f32>
+fn camera_origin_0( _S26 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S30].origin_x_0, frames_0[_S30].origin_y_0, frames_0[_S30].origin_z_0);
+    return vec3<f32>(frames_0[_S26].origin_x_0, frames_0[_S26].origin_y_0, frames_0[_S26].origin_z_0);
 }
 
-fn camera_forward_0( _S31 : i32) -> vec3<f32>
+fn camera_forward_0( _S27 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S31].forward_x_0, frames_0[_S31].forward_y_0, frames_0[_S31].forward_z_0);
+    return vec3<f32>(frames_0[_S27].forward_x_0, frames_0[_S27].forward_y_0, frames_0[_S27].forward_z_0);
 }
 
-fn camera_right_0( _S32 : i32) -> vec3<f32>
+fn camera_right_0( _S28 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S32].right_x_0, frames_0[_S32].right_y_0, frames_0[_S32].right_z_0);
+    return vec3<f32>(frames_0[_S28].right_x_0, frames_0[_S28].right_y_0, frames_0[_S28].right_z_0);
 }
 
-fn camera_up_0( _S33 : i32) -> vec3<f32>
+fn camera_up_0( _S29 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S33].up_x_0, frames_0[_S33].up_y_0, frames_0[_S33].up_z_0);
+    return vec3<f32>(frames_0[_S29].up_x_0, frames_0[_S29].up_y_0, frames_0[_S29].up_z_0);
 }
 
-fn pixel_direction_0( _S34 : i32,  _S35 : vec2<u32>,  _S36 : vec2<f32>) -> vec3<f32>
+fn pixel_direction_0( _S30 : i32,  _S31 : vec2<u32>,  _S32 : vec2<f32>) -> vec3<f32>
 {
-    return camera_forward_0(_S34) + vec3<f32>(((f32(_S35.x) + 0.5f + _S36.x) * 2.0f / f32(frames_0[_S34].width_0) - 1.0f)) * camera_right_0(_S34) + vec3<f32>((1.0f - (f32(_S35.y) + 0.5f + _S36.y) * 2.0f / f32(frames_0[_S34].height_0))) * camera_up_0(_S34);
+    return camera_forward_0(_S30) + vec3<f32>(((f32(_S31.x) + 0.5f + _S32.x) * 2.0f / f32(frames_0[_S30].width_0) - 1.0f)) * camera_right_0(_S30) + vec3<f32>((1.0f - (f32(_S31.y) + 0.5f + _S32.y) * 2.0f / f32(frames_0[_S30].height_0))) * camera_up_0(_S30);
 }
 
-fn nearest_hit_0( _S37 : i32,  _S38 : vec3<f32>,  _S39 : vec3<f32>,  _S40 : f32,  _S41 : f32,  _S42 : u32,  _S43 : bool) -> Hit_0
+fn nearest_hit_0( _S33 : i32,  _S34 : vec3<f32>,  _S35 : vec3<f32>,  _S36 : f32,  _S37 : f32,  _S38 : u32,  _S39 : bool) -> Hit_0
 {
-    var _S44 : vec3<f32> = vec3<f32>(inverse_of_0(_S39.x), inverse_of_0(_S39.y), inverse_of_0(_S39.z));
+    var _S40 : vec3<f32> = vec3<f32>(inverse_of_0(_S35.x), inverse_of_0(_S35.y), inverse_of_0(_S35.z));
     var found_0 : Hit_0;
     found_0.face_1 = u32(4294967295);
-    found_0.distance_0 = _S41;
+    found_0.distance_0 = _S37;
     found_0.weight_b_0 = 0.0f;
     found_0.weight_c_0 = 0.0f;
     var node_2 : u32 = u32(1);
@@ -407,23 +347,23 @@ fn nearest_hit_0( _S37 : i32,  _S38 : vec3<f32>,  _S39 : vec3<f32>,  _S40 : f32,
             break;
         }
         var node_3 : u32;
-        if(!meets_node_0(node_2, _S38, _S44, _S40, found_0.distance_0))
+        if(!meets_node_0(node_2, _S34, _S40, _S36, found_0.distance_0))
         {
             node_3 = following_node_0(node_2);
         }
         else
         {
-            var _S45 : u32 = frames_0[_S37].leaves_0;
-            if(node_2 < (frames_0[_S37].leaves_0))
+            var _S41 : u32 = frames_0[_S33].leaves_0;
+            if(node_2 < (frames_0[_S33].leaves_0))
             {
                 node_3 = node_2 * u32(2);
             }
             else
             {
-                var _S46 : u32 = frames_0[_S37].leaf_faces_0 + u32(4) * (node_2 - _S45);
-                var _S47 : u32 = following_node_0(node_2);
+                var _S42 : u32 = frames_0[_S33].leaf_faces_0 + u32(4) * (node_2 - _S41);
+                var _S43 : u32 = following_node_0(node_2);
                 var number_0 : u32 = u32(0);
-                node_3 = _S47;
+                node_3 = _S43;
                 for(;;)
                 {
                     if(number_0 < u32(4))
@@ -433,57 +373,30 @@ fn nearest_hit_0( _S37 : i32,  _S38 : vec3<f32>,  _S39 : vec3<f32>,  _S40 : f32,
                     {
                         break;
                     }
-                    var _S48 : u32 = scene_words_0[_S46 + number_0];
-                    var _S49 : bool;
-                    if(_S48 == u32(4294967295))
-                    {
-                        _S49 = true;
-                    }
-                    else
-                    {
-                        _S49 = _S48 == _S42;
-                    }
-                    if(_S49)
+                    var _S44 : u32 = scene_words_0[_S42 + number_0];
+                    if(((_S44 == u32(4294967295)) | ((_S44 == _S38))))
                     {
                         number_0 = number_0 + u32(1);
                         continue;
                     }
-                    var _S50 : Hit_0 = meet_face_0(_S48, _S38, _S39);
-                    var _S51 : bool;
-                    if((_S50.face_1) == u32(4294967295))
-                    {
-                        _S51 = true;
-                    }
-                    else
-                    {
-                        _S51 = (_S50.distance_0) <= _S40;
-                    }
-                    var _S52 : bool;
-                    if(_S51)
-                    {
-                        _S52 = true;
-                    }
-                    else
-                    {
-                        _S52 = (_S50.distance_0) >= (found_0.distance_0);
-                    }
-                    if(_S52)
+                    var _S45 : Hit_0 = meet_face_0(_S44, _S34, _S35);
+                    if((((((_S45.face_1) == u32(4294967295)) | (((_S45.distance_0) <= _S36)))) | (((_S45.distance_0) >= (found_0.distance_0)))))
                     {
                         number_0 = number_0 + u32(1);
                         continue;
                     }
-                    found_0 = _S50;
-                    var _S53 : bool;
-                    if(_S43)
+                    found_0 = _S45;
+                    var _S46 : bool;
+                    if(_S39)
                     {
-                        _S53 = (fabrics_0[face_fabrics_0[_S48]].is_open_0) == u32(0);
+                        _S46 = (fabrics_0[face_fabrics_0[_S44]].is_open_0) == u32(0);
                     }
                     else
                     {
-                        _S53 = false;
+                        _S46 = false;
                     }
                     var node_4 : u32;
-                    if(_S53)
+                    if(_S46)
                     {
                         node_4 = u32(0);
                     }
@@ -505,67 +418,50 @@ fn nearest_hit_0( _S37 : i32,  _S38 : vec3<f32>,  _S39 : vec3<f32>,  _S40 : f32,
 @workgroup_size(8, 8, 1)
 fn next_layer(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S54 : u32 = id_0.x;
-    var _S55 : u32 = frames_0[i32(0)].width_0;
-    var _S56 : bool;
-    if(_S54 >= (frames_0[i32(0)].width_0))
+    var _S47 : u32 = id_0.x;
+    var _S48 : u32 = frames_0[i32(0)].width_0;
+    var _S49 : bool;
+    if(_S47 >= (frames_0[i32(0)].width_0))
     {
-        _S56 = true;
+        _S49 = true;
     }
     else
     {
-        _S56 = (id_0.y) >= (frames_0[i32(0)].height_0);
+        _S49 = (id_0.y) >= (frames_0[i32(0)].height_0);
     }
-    if(_S56)
+    if(_S49)
     {
         return;
     }
-    var _S57 : u32 = id_0.y * _S55 + _S54;
-    var _S58 : Layer_std430_0 = layers_0[_S57];
-    if((layers_0[_S57].face_0) == u32(0))
+    var _S50 : u32 = id_0.y * _S48 + _S47;
+    var _S51 : Layer_std430_0 = layers_0[_S50];
+    if((layers_0[_S50].face_0) == u32(0))
     {
         return;
     }
     var following_0 : u32;
-    if((_S58.share_0) > 0.00100000004749745f)
+    if((_S51.share_0) > 0.00100000004749745f)
     {
-        var _S59 : vec3<f32> = camera_origin_0(i32(0));
-        var _S60 : vec3<f32> = pixel_direction_0(i32(0), id_0.xy, vec2<f32>(frames_0[i32(0)].jitter_x_0, frames_0[i32(0)].jitter_y_0));
-        var _S61 : u32 = _S58.face_0 - u32(1);
-        var _S62 : u32 = u32(3) * _S61;
-        var _S63 : Vertex_std430_0 = vertices_0[corners_0[_S62]];
-        var _S64 : vec3<f32> = position_of_1(&(_S63));
-        var _S65 : Vertex_std430_0 = vertices_0[corners_0[_S62 + u32(1)]];
-        var _S66 : vec3<f32> = position_of_1(&(_S65));
-        var _S67 : Vertex_std430_0 = vertices_0[corners_0[_S62 + u32(2)]];
-        var _S68 : vec3<f32> = position_of_1(&(_S67));
-        var _S69 : vec3<f32> = cross(_S66 - _S64, _S68 - _S64);
-        var _S70 : f32 = dot(_S60, _S69);
-        var _S71 : f32 = dot(_S64 - _S59, _S69);
-        var _S72 : f32;
-        if((abs(_S70)) > 1.00000000317107685e-30f)
-        {
-            _S72 = _S70;
-        }
-        else
-        {
-            _S72 = 1.00000000317107685e-30f;
-        }
-        var _S73 : Hit_0 = nearest_hit_0(i32(0), _S59, _S60, _S71 / _S72 + frames_0[i32(0)].ray_offset_0, 1.00000001504746622e+30f, _S61, false);
-        if((_S73.face_1) == u32(4294967295))
-        {
-            following_0 = u32(0);
-        }
-        else
-        {
-            following_0 = _S73.face_1 + u32(1);
-        }
+        var _S52 : vec3<f32> = camera_origin_0(i32(0));
+        var _S53 : vec3<f32> = pixel_direction_0(i32(0), id_0.xy, vec2<f32>(frames_0[i32(0)].jitter_x_0, frames_0[i32(0)].jitter_y_0));
+        var _S54 : u32 = _S51.face_0 - u32(1);
+        var _S55 : u32 = u32(3) * _S54;
+        var _S56 : Vertex_std430_0 = vertices_0[corners_0[_S55]];
+        var _S57 : vec3<f32> = position_of_1(&(_S56));
+        var _S58 : Vertex_std430_0 = vertices_0[corners_0[_S55 + u32(1)]];
+        var _S59 : vec3<f32> = position_of_1(&(_S58));
+        var _S60 : Vertex_std430_0 = vertices_0[corners_0[_S55 + u32(2)]];
+        var _S61 : vec3<f32> = position_of_1(&(_S60));
+        var _S62 : vec3<f32> = cross(_S59 - _S57, _S61 - _S57);
+        var _S63 : f32 = dot(_S53, _S62);
+        var _S64 : Hit_0 = nearest_hit_0(i32(0), _S52, _S53, dot(_S57 - _S52, _S62) / select(1.00000000317107685e-30f, _S63, (abs(_S63)) > 1.00000000317107685e-30f) + frames_0[i32(0)].ray_offset_0, 1.00000001504746622e+30f, _S54, false);
+        following_0 = select(_S64.face_1 + u32(1), u32(0), (_S64.face_1) == u32(4294967295));
     }
     else
     {
         following_0 = u32(0);
     }
-    layers_0[_S57].face_0 = following_0;
+    layers_0[_S50].face_0 = following_0;
     return;
 }
 

@@ -291,12 +291,39 @@ struct Light_std430_0
 
 @binding(8) @group(0) var<storage, read_write> radiance_0 : array<vec4<f32>>;
 
+fn select_vector_0( condition_0 : bool,  yes_0 : vec3<f32>,  no_0 : vec3<f32>) -> vec3<f32>
+{
+    var chosen_0 : vec3<f32>;
+    chosen_0[i32(0)] = select(no_0[i32(0)], yes_0[i32(0)], condition_0);
+    chosen_0[i32(1)] = select(no_0[i32(1)], yes_0[i32(1)], condition_0);
+    chosen_0[i32(2)] = select(no_0[i32(2)], yes_0[i32(2)], condition_0);
+    return chosen_0;
+}
+
+fn select_vector_1( condition_1 : bool,  yes_1 : vec2<f32>,  no_1 : vec2<f32>) -> vec2<f32>
+{
+    var chosen_1 : vec2<f32>;
+    chosen_1[i32(0)] = select(no_1[i32(0)], yes_1[i32(0)], condition_1);
+    chosen_1[i32(1)] = select(no_1[i32(1)], yes_1[i32(1)], condition_1);
+    return chosen_1;
+}
+
 fn rsqrt_0( x_2 : f32) -> f32
 {
     return 1.0f / sqrt(x_2);
 }
 
 var<private> PYRAMID_RADII_0 : array<f32, i32(4)> = array<f32, i32(4)>( 1.0f, 2.0f, 4.0f, 8.0f );
+fn select_vector_2( condition_2 : bool,  yes_2 : vec4<u32>,  no_2 : vec4<u32>) -> vec4<u32>
+{
+    var chosen_2 : vec4<u32>;
+    chosen_2[i32(0)] = select(no_2[i32(0)], yes_2[i32(0)], condition_2);
+    chosen_2[i32(1)] = select(no_2[i32(1)], yes_2[i32(1)], condition_2);
+    chosen_2[i32(2)] = select(no_2[i32(2)], yes_2[i32(2)], condition_2);
+    chosen_2[i32(3)] = select(no_2[i32(3)], yes_2[i32(3)], condition_2);
+    return chosen_2;
+}
+
 fn position_of_0( vertex_0 : ptr<function, Vertex_std430_0>) -> vec3<f32>
 {
     return vec3<f32>((*vertex_0).x_0, (*vertex_0).y_0, (*vertex_0).z_0);
@@ -355,45 +382,34 @@ fn exponential_0( x_6 : f32) -> f32
     var _S3 : f32 = clamp(x_6, -87.0f, 88.0f);
     var _S4 : f32 = floor(_S3 * 1.4426950216293335f + 0.5f);
     var _S5 : f32 = _S3 - _S4 * 0.693359375f + _S4 * 0.00021219444170129f;
-    var p_0 : f32 = ((((0.00019875691214111f * _S5 + 0.00139819993637502f) * _S5 + 0.00833345204591751f) * _S5 + 0.04166579619050026f) * _S5 + 0.1666666567325592f) * _S5 + 0.5f;
-    var _S6 : f32 = (bitcast<f32>(((u32(i32(_S4) + i32(127)) << (u32(23))))));
-    var _S7 : f32;
-    if(x_6 < -87.0f)
-    {
-        _S7 = 0.0f;
-    }
-    else
-    {
-        _S7 = (p_0 * _S5 * _S5 + _S5 + 1.0f) * _S6;
-    }
-    return _S7;
+    return select(((((((0.00019875691214111f * _S5 + 0.00139819993637502f) * _S5 + 0.00833345204591751f) * _S5 + 0.04166579619050026f) * _S5 + 0.1666666567325592f) * _S5 + 0.5f) * _S5 * _S5 + _S5 + 1.0f) * (bitcast<f32>(((u32(i32(_S4) + i32(127)) << (u32(23)))))), 0.0f, x_6 < -87.0f);
 }
 
 fn map_texel_0( index_0 : u32) -> vec3<f32>
 {
-    var _S8 : u32 = scene_words_0[index_0];
-    var _S9 : vec3<f32> = vec3<f32>(f32((_S8 & (u32(1023)))), f32((((_S8 >> (u32(10)))) & (u32(1023)))), f32((_S8 >> (u32(20))))) / vec3<f32>(1023.0f);
-    return _S9 * _S9;
+    var _S6 : u32 = scene_words_0[index_0];
+    var _S7 : vec3<f32> = vec3<f32>(f32((_S6 & (u32(1023)))), f32((((_S6 >> (u32(10)))) & (u32(1023)))), f32((_S6 >> (u32(20))))) / vec3<f32>(1023.0f);
+    return _S7 * _S7;
 }
 
 fn map_level_0( first_0 : u32,  side_0 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
 {
-    var _S10 : f32 = uv_0.x;
-    var _S11 : f32 = f32(side_0);
-    var _S12 : f32 = (_S10 - floor(_S10)) * _S11 - 0.5f;
-    var _S13 : f32 = uv_0.y;
-    var _S14 : f32 = (_S13 - floor(_S13)) * _S11 - 0.5f;
-    var _S15 : f32 = floor(_S12);
-    var _S16 : i32 = i32(side_0);
-    var _S17 : u32 = side_0 - u32(1);
-    var _S18 : u32 = (u32(i32(_S15) + _S16) & (_S17));
-    var _S19 : f32 = floor(_S14);
-    var _S20 : u32 = (u32(i32(_S19) + _S16) & (_S17));
-    var _S21 : u32 = ((_S18 + u32(1)) & (_S17));
-    var _S22 : u32 = first_0 + _S20 * side_0;
-    var _S23 : vec3<f32> = vec3<f32>((_S12 - _S15));
-    var _S24 : u32 = first_0 + (((_S20 + u32(1)) & (_S17))) * side_0;
-    return mix(mix(map_texel_0(_S22 + _S18), map_texel_0(_S22 + _S21), _S23), mix(map_texel_0(_S24 + _S18), map_texel_0(_S24 + _S21), _S23), vec3<f32>((_S14 - _S19)));
+    var _S8 : f32 = uv_0.x;
+    var _S9 : f32 = f32(side_0);
+    var _S10 : f32 = (_S8 - floor(_S8)) * _S9 - 0.5f;
+    var _S11 : f32 = uv_0.y;
+    var _S12 : f32 = (_S11 - floor(_S11)) * _S9 - 0.5f;
+    var _S13 : f32 = floor(_S10);
+    var _S14 : i32 = i32(side_0);
+    var _S15 : u32 = side_0 - u32(1);
+    var _S16 : u32 = (u32(i32(_S13) + _S14) & (_S15));
+    var _S17 : f32 = floor(_S12);
+    var _S18 : u32 = (u32(i32(_S17) + _S14) & (_S15));
+    var _S19 : u32 = ((_S16 + u32(1)) & (_S15));
+    var _S20 : u32 = first_0 + _S18 * side_0;
+    var _S21 : vec3<f32> = vec3<f32>((_S10 - _S13));
+    var _S22 : u32 = first_0 + (((_S18 + u32(1)) & (_S15))) * side_0;
+    return mix(mix(map_texel_0(_S20 + _S16), map_texel_0(_S20 + _S19), _S21), mix(map_texel_0(_S22 + _S16), map_texel_0(_S22 + _S19), _S21), vec3<f32>((_S12 - _S17)));
 }
 
 struct VisiblePoint_0
@@ -430,17 +446,8 @@ fn uniform_of_0( seed_1 : u32,  dimension_0 : u32) -> f32
 
 fn to_face_frame_0( direction_1 : vec3<f32>,  back_2 : bool) -> vec3<f32>
 {
-    var _S25 : vec2<f32> = direction_1.xy;
-    var _S26 : f32;
-    if(back_2)
-    {
-        _S26 = - direction_1.z;
-    }
-    else
-    {
-        _S26 = direction_1.z;
-    }
-    return vec3<f32>(_S25, _S26);
+    var _S23 : f32 = direction_1.z;
+    return vec3<f32>(direction_1.xy, select(_S23, - _S23, back_2));
 }
 
 fn arc_tangent_quotient_0( x_7 : f32,  y_2 : f32) -> f32
@@ -462,63 +469,28 @@ struct BinTaps_0
 
 fn bin_taps_0( direction_2 : vec3<f32>,  bins_2 : u32) -> BinTaps_0
 {
-    var _S27 : f32 = sqrt(max(1.0f - direction_2.z, 0.0f));
-    var _S28 : f32 = direction_2.x;
-    var _S29 : f32 = abs(_S28);
-    var _S30 : f32 = direction_2.y;
-    var _S31 : f32 = abs(_S30);
-    var _S32 : f32 = arc_tangent_of_ratio_0(min(_S29, _S31) / max(max(_S29, _S31), 9.999999960041972e-13f)) * 1.27323949337005615f;
-    var _S33 : bool = _S29 >= _S31;
-    var _S34 : f32;
-    if(_S28 < 0.0f)
-    {
-        _S34 = -1.0f;
-    }
-    else
-    {
-        _S34 = 1.0f;
-    }
-    var _S35 : f32;
-    if(_S33)
-    {
-        _S35 = _S27;
-    }
-    else
-    {
-        _S35 = _S27 * _S32;
-    }
-    var _S36 : f32 = _S34 * _S35;
-    if(_S30 < 0.0f)
-    {
-        _S34 = -1.0f;
-    }
-    else
-    {
-        _S34 = 1.0f;
-    }
-    if(_S33)
-    {
-        _S35 = _S27 * _S32;
-    }
-    else
-    {
-        _S35 = _S27;
-    }
-    var _S37 : f32 = f32(bins_2);
-    var _S38 : vec2<f32> = clamp((vec2<f32>(_S36, _S34 * _S35) + vec2<f32>(1.0f)) * vec2<f32>((0.5f * _S37)) - vec2<f32>(0.5f), vec2<f32>(0.0f), vec2<f32>((_S37 - 1.0f)));
-    var _S39 : f32 = _S38.x;
-    var _S40 : u32 = bins_2 - u32(2);
-    var _S41 : u32 = min(u32(_S39), _S40);
-    var _S42 : f32 = _S38.y;
-    var _S43 : u32 = min(u32(_S42), _S40);
-    var _S44 : f32 = _S39 - f32(_S41);
-    var _S45 : f32 = _S42 - f32(_S43);
+    var _S24 : f32 = sqrt(max(1.0f - direction_2.z, 0.0f));
+    var _S25 : f32 = direction_2.x;
+    var _S26 : f32 = abs(_S25);
+    var _S27 : f32 = direction_2.y;
+    var _S28 : f32 = abs(_S27);
+    var _S29 : bool = _S26 >= _S28;
+    var _S30 : f32 = _S24 * (arc_tangent_of_ratio_0(min(_S26, _S28) / max(max(_S26, _S28), 9.999999960041972e-13f)) * 1.27323949337005615f);
+    var _S31 : f32 = f32(bins_2);
+    var _S32 : vec2<f32> = clamp((vec2<f32>(select(1.0f, -1.0f, _S25 < 0.0f) * select(_S30, _S24, _S29), select(1.0f, -1.0f, _S27 < 0.0f) * select(_S24, _S30, _S29)) + vec2<f32>(1.0f)) * vec2<f32>((0.5f * _S31)) - vec2<f32>(0.5f), vec2<f32>(0.0f), vec2<f32>((_S31 - 1.0f)));
+    var _S33 : f32 = _S32.x;
+    var _S34 : u32 = bins_2 - u32(2);
+    var _S35 : u32 = min(u32(_S33), _S34);
+    var _S36 : f32 = _S32.y;
+    var _S37 : u32 = min(u32(_S36), _S34);
+    var _S38 : f32 = _S33 - f32(_S35);
+    var _S39 : f32 = _S36 - f32(_S37);
     var taps_0 : BinTaps_0;
-    taps_0.corner_0 = _S43 * bins_2 + _S41;
+    taps_0.corner_0 = _S37 * bins_2 + _S35;
     taps_0.bins_1 = bins_2;
-    var _S46 : f32 = 1.0f - _S44;
-    var _S47 : f32 = 1.0f - _S45;
-    taps_0.weights_0 = vec4<f32>(_S46 * _S47, _S44 * _S47, _S46 * _S45, _S44 * _S45);
+    var _S40 : f32 = 1.0f - _S38;
+    var _S41 : f32 = 1.0f - _S39;
+    taps_0.weights_0 = vec4<f32>(_S40 * _S41, _S38 * _S41, _S40 * _S39, _S38 * _S39);
     return taps_0;
 }
 
@@ -529,8 +501,8 @@ fn table_number_0( index_1 : u32) -> f32
 
 fn BinTaps_read_0( this_0 : BinTaps_0,  table_0 : u32,  first_1 : u32,  stride_0 : u32,  offset_2 : u32) -> f32
 {
-    var _S48 : u32 = table_0 + (first_1 + this_0.corner_0) * stride_0 + offset_2;
-    return table_number_0(_S48) * this_0.weights_0.x + table_number_0(_S48 + stride_0) * this_0.weights_0.y + table_number_0(_S48 + this_0.bins_1 * stride_0) * this_0.weights_0.z + table_number_0(_S48 + (this_0.bins_1 + u32(1)) * stride_0) * this_0.weights_0.w;
+    var _S42 : u32 = table_0 + (first_1 + this_0.corner_0) * stride_0 + offset_2;
+    return table_number_0(_S42) * this_0.weights_0.x + table_number_0(_S42 + stride_0) * this_0.weights_0.y + table_number_0(_S42 + this_0.bins_1 * stride_0) * this_0.weights_0.z + table_number_0(_S42 + (this_0.bins_1 + u32(1)) * stride_0) * this_0.weights_0.w;
 }
 
 struct TexelBox_0
@@ -552,57 +524,48 @@ struct Footprint_0
 
 fn texel_box_0( tables_0 : ptr<function, Clustered_std430_0>,  footprint_0 : Footprint_0,  offset_3 : vec2<f32>,  place_0 : f32) -> TexelBox_0
 {
-    var _S49 : f32 = footprint_0.dx_0.x;
-    var _S50 : f32 = footprint_0.dy_0.x;
-    var _S51 : f32 = sqrt(_S49 * _S49 + _S50 * _S50);
-    var _S52 : f32 = footprint_0.dx_0.y;
-    var _S53 : f32 = footprint_0.dy_0.y;
-    var _S54 : f32 = sqrt(_S52 * _S52 + _S53 * _S53);
-    var _S55 : vec2<f32> = vec2<f32>(_S51, _S54);
-    var _S56 : f32 = (_S49 * _S52 + _S50 * _S53) / max(_S51 * _S54, 1.00000000317107685e-30f);
-    var _S57 : f32 = abs(_S56);
-    var _S58 : f32 = place_0 * sqrt(min(_S57, 1.0f));
-    var _S59 : f32;
-    if(_S56 < 0.0f)
-    {
-        _S59 = - _S58;
-    }
-    else
-    {
-        _S59 = _S58;
-    }
-    var _S60 : vec2<f32> = _S55 * vec2<f32>(_S58, _S59);
-    var _S61 : vec2<f32> = vec2<f32>((*tables_0).texel_width_0, (*tables_0).texel_height_0);
-    var _S62 : u32 = (*tables_0).columns_0;
-    var _S63 : u32 = (*tables_0).rows_0;
-    var _S64 : vec2<f32> = vec2<f32>(f32((*tables_0).columns_0), f32((*tables_0).rows_0));
+    var _S43 : f32 = footprint_0.dx_0.x;
+    var _S44 : f32 = footprint_0.dy_0.x;
+    var _S45 : f32 = sqrt(_S43 * _S43 + _S44 * _S44);
+    var _S46 : f32 = footprint_0.dx_0.y;
+    var _S47 : f32 = footprint_0.dy_0.y;
+    var _S48 : f32 = sqrt(_S46 * _S46 + _S47 * _S47);
+    var _S49 : vec2<f32> = vec2<f32>(_S45, _S48);
+    var _S50 : f32 = (_S43 * _S46 + _S44 * _S47) / max(_S45 * _S48, 1.00000000317107685e-30f);
+    var _S51 : f32 = abs(_S50);
+    var _S52 : f32 = place_0 * sqrt(min(_S51, 1.0f));
+    var _S53 : vec2<f32> = _S49 * vec2<f32>(_S52, select(_S52, - _S52, _S50 < 0.0f));
+    var _S54 : vec2<f32> = vec2<f32>((*tables_0).texel_width_0, (*tables_0).texel_height_0);
+    var _S55 : u32 = (*tables_0).columns_0;
+    var _S56 : u32 = (*tables_0).rows_0;
+    var _S57 : vec2<f32> = vec2<f32>(f32((*tables_0).columns_0), f32((*tables_0).rows_0));
     var box_0 : TexelBox_0;
-    var _S65 : vec2<f32> = _S55 * vec2<f32>(sqrt(max(1.0f - _S57, 0.0f)));
-    box_0.size_1 = _S65;
-    var _S66 : vec2<f32> = vec2<f32>(0.5f);
-    var _S67 : vec2<f32> = _S66 * _S65;
-    var _S68 : vec2<f32> = footprint_0.centre_0 + _S60 - _S67;
-    box_0.corner_1 = _S68;
-    var _S69 : vec2<f32> = max(round(_S65 / _S61), vec2<f32>(1.0f));
-    box_0.extent_0 = _S69;
-    var _S70 : vec2<f32> = round((_S68 + _S67 + offset_3) / _S61 - _S66 * _S69);
-    var _S71 : vec2<f32> = vec2<f32>(0.0f);
-    var _S72 : vec2<f32> = max(_S70 - floor(_S70 / _S64) * _S64, _S71);
-    var _S73 : vec2<u32> = vec2<u32>(min(u32(_S72.x), (*tables_0).columns_0 - u32(1)), min(u32(_S72.y), (*tables_0).rows_0 - u32(1)));
-    box_0.first_2 = _S73;
-    var _S74 : vec2<f32> = floor(_S69 / _S64);
-    box_0.turns_0 = _S74;
-    var _S75 : vec2<f32> = max(_S69 - _S74 * _S64, _S71);
-    var _S76 : vec2<u32> = _S73 + vec2<u32>(u32(_S75.x), u32(_S75.y));
-    box_0.last_0 = _S76;
-    if((_S76.x) >= ((*tables_0).columns_0))
+    var _S58 : vec2<f32> = _S49 * vec2<f32>(sqrt(max(1.0f - _S51, 0.0f)));
+    box_0.size_1 = _S58;
+    var _S59 : vec2<f32> = vec2<f32>(0.5f);
+    var _S60 : vec2<f32> = _S59 * _S58;
+    var _S61 : vec2<f32> = footprint_0.centre_0 + _S53 - _S60;
+    box_0.corner_1 = _S61;
+    var _S62 : vec2<f32> = max(round(_S58 / _S54), vec2<f32>(1.0f));
+    box_0.extent_0 = _S62;
+    var _S63 : vec2<f32> = round((_S61 + _S60 + offset_3) / _S54 - _S59 * _S62);
+    var _S64 : vec2<f32> = vec2<f32>(0.0f);
+    var _S65 : vec2<f32> = max(_S63 - floor(_S63 / _S57) * _S57, _S64);
+    var _S66 : vec2<u32> = vec2<u32>(min(u32(_S65.x), (*tables_0).columns_0 - u32(1)), min(u32(_S65.y), (*tables_0).rows_0 - u32(1)));
+    box_0.first_2 = _S66;
+    var _S67 : vec2<f32> = floor(_S62 / _S57);
+    box_0.turns_0 = _S67;
+    var _S68 : vec2<f32> = max(_S62 - _S67 * _S57, _S64);
+    var _S69 : vec2<u32> = _S66 + vec2<u32>(u32(_S68.x), u32(_S68.y));
+    box_0.last_0 = _S69;
+    if((_S69.x) >= ((*tables_0).columns_0))
     {
-        box_0.last_0[i32(0)] = box_0.last_0[i32(0)] - _S62;
+        box_0.last_0[i32(0)] = box_0.last_0[i32(0)] - _S55;
         box_0.turns_0[i32(0)] = box_0.turns_0[i32(0)] + 1.0f;
     }
-    if((box_0.last_0.y) >= _S63)
+    if((box_0.last_0.y) >= _S56)
     {
-        box_0.last_0[i32(1)] = box_0.last_0[i32(1)] - _S63;
+        box_0.last_0[i32(1)] = box_0.last_0[i32(1)] - _S56;
         box_0.turns_0[i32(1)] = box_0.turns_0[i32(1)] + 1.0f;
     }
     return box_0;
@@ -610,8 +573,8 @@ fn texel_box_0( tables_0 : ptr<function, Clustered_std430_0>,  footprint_0 : Foo
 
 fn turns_and_remainder_0( family_0 : u32,  index_2 : f32) -> vec2<f32>
 {
-    var _S77 : f32 = floor(fma(index_2, families_0[family_0].inverse_count_0, families_0[family_0].half_inverse_count_0));
-    return vec2<f32>(_S77, fma(- _S77, families_0[family_0].count_0, index_2));
+    var _S70 : f32 = floor(fma(index_2, families_0[family_0].inverse_count_0, families_0[family_0].half_inverse_count_0));
+    return vec2<f32>(_S70, fma(- _S70, families_0[family_0].count_0, index_2));
 }
 
 struct Cell_0
@@ -625,14 +588,14 @@ struct Cell_0
 
 fn locate_alike_0( family_1 : u32,  position_1 : f32) -> Cell_0
 {
-    var _S78 : f32 = floor(position_1 * families_0[family_1].inverse_size_0);
+    var _S71 : f32 = floor(position_1 * families_0[family_1].inverse_size_0);
     var cell_0 : Cell_0;
-    var _S79 : f32 = fma(- _S78, families_0[family_1].size_0, position_1);
-    cell_0.below_0 = _S79;
-    cell_0.above_0 = families_0[family_1].size_0 - _S79;
-    cell_0.across_0 = _S79 - 0.5f * families_0[family_1].size_0;
+    var _S72 : f32 = fma(- _S71, families_0[family_1].size_0, position_1);
+    cell_0.below_0 = _S72;
+    cell_0.above_0 = families_0[family_1].size_0 - _S72;
+    cell_0.across_0 = _S72 - 0.5f * families_0[family_1].size_0;
     cell_0.half_width_1 = families_0[family_1].half_width_0;
-    cell_0.thread_0 = u32(clamp(turns_and_remainder_0(family_1, _S78).y, 0.0f, families_0[family_1].count_0 - 1.0f));
+    cell_0.thread_0 = u32(clamp(turns_and_remainder_0(family_1, _S71).y, 0.0f, families_0[family_1].count_0 - 1.0f));
     return cell_0;
 }
 
@@ -640,25 +603,16 @@ fn locate_varied_0( family_2 : u32,  position_2 : f32) -> Cell_0
 {
     var turns_1 : f32 = (position_2 - families_0[family_2].start_0) * families_0[family_2].inverse_period_0;
     var turns_2 : f32 = turns_1 - floor(turns_1);
-    var _S80 : f32 = turns_2 * families_0[family_2].period_0;
+    var _S73 : f32 = turns_2 * families_0[family_2].period_0;
     var thread_1 : u32 = words_0[families_0[family_2].first_thread_table_0 + u32(clamp(turns_2 * families_0[family_2].bins_0, 0.0f, families_0[family_2].bins_0 - 1.0f))];
-    var _S81 : u32;
-    if(_S80 >= (table_number_0(families_0[family_2].place_table_0 + thread_1 * u32(4) + u32(1))))
-    {
-        _S81 = u32(1);
-    }
-    else
-    {
-        _S81 = u32(0);
-    }
-    var _S82 : u32 = min(thread_1 + _S81, u32(families_0[family_2].count_0) - u32(1));
-    var _S83 : u32 = families_0[family_2].place_table_0 + _S82 * u32(4);
+    var _S74 : u32 = min(thread_1 + select(u32(0), u32(1), _S73 >= (table_number_0(families_0[family_2].place_table_0 + thread_1 * u32(4) + u32(1)))), u32(families_0[family_2].count_0) - u32(1));
+    var _S75 : u32 = families_0[family_2].place_table_0 + _S74 * u32(4);
     var cell_1 : Cell_0;
-    cell_1.thread_0 = _S82;
-    cell_1.below_0 = _S80 - table_number_0(_S83);
-    cell_1.above_0 = table_number_0(_S83 + u32(1)) - _S80;
-    cell_1.across_0 = _S80 - table_number_0(_S83 + u32(2));
-    cell_1.half_width_1 = table_number_0(_S83 + u32(3));
+    cell_1.thread_0 = _S74;
+    cell_1.below_0 = _S73 - table_number_0(_S75);
+    cell_1.above_0 = table_number_0(_S75 + u32(1)) - _S73;
+    cell_1.across_0 = _S73 - table_number_0(_S75 + u32(2));
+    cell_1.half_width_1 = table_number_0(_S75 + u32(3));
     return cell_1;
 }
 
@@ -683,16 +637,16 @@ struct Bound_0
 
 fn bound_at_0( family_4 : u32,  position_4 : f32) -> Bound_0
 {
-    var _S84 : Cell_0 = locate_0(family_4, position_4);
-    var _S85 : f32 = table_number_0(families_0[family_4].before_0 + u32(2) * _S84.thread_0 + u32(1));
+    var _S76 : Cell_0 = locate_0(family_4, position_4);
+    var _S77 : f32 = table_number_0(families_0[family_4].before_0 + u32(2) * _S76.thread_0 + u32(1));
     var bound_0 : Bound_0;
-    bound_0.thread_2 = _S84.thread_0;
-    bound_0.turns_3 = round((position_4 - families_0[family_4].start_0 - _S85 - _S84.below_0) * families_0[family_4].inverse_period_0);
-    bound_0.cell_2 = _S84.below_0;
-    var _S86 : f32 = 2.0f * _S84.half_width_1;
-    bound_0.width_2 = _S86;
-    bound_0.visible_0 = clamp((_S84.across_0 + _S84.half_width_1) / _S86, 0.0f, 1.0f);
-    bound_0.gap_0 = min(_S84.below_0, _S84.below_0 - _S84.across_0 - _S84.half_width_1) + max(_S84.across_0 - _S84.half_width_1, 0.0f);
+    bound_0.thread_2 = _S76.thread_0;
+    bound_0.turns_3 = round((position_4 - families_0[family_4].start_0 - _S77 - _S76.below_0) * families_0[family_4].inverse_period_0);
+    bound_0.cell_2 = _S76.below_0;
+    var _S78 : f32 = 2.0f * _S76.half_width_1;
+    bound_0.width_2 = _S78;
+    bound_0.visible_0 = clamp((_S76.across_0 + _S76.half_width_1) / _S78, 0.0f, 1.0f);
+    bound_0.gap_0 = min(_S76.below_0, _S76.below_0 - _S76.across_0 - _S76.half_width_1) + max(_S76.across_0 - _S76.half_width_1, 0.0f);
     return bound_0;
 }
 
@@ -704,11 +658,11 @@ struct Stretch_0
 
 fn stretch_of_0( family_5 : u32,  centre_1 : f32,  size_2 : f32) -> Stretch_0
 {
-    var _S87 : f32 = centre_1 - floor((centre_1 - families_0[family_5].start_0) * families_0[family_5].inverse_period_0) * families_0[family_5].period_0;
-    var _S88 : f32 = 0.5f * max(size_2, families_0[family_5].smallest_box_0);
+    var _S79 : f32 = centre_1 - floor((centre_1 - families_0[family_5].start_0) * families_0[family_5].inverse_period_0) * families_0[family_5].period_0;
+    var _S80 : f32 = 0.5f * max(size_2, families_0[family_5].smallest_box_0);
     var stretch_0 : Stretch_0;
-    stretch_0.low_0 = bound_at_0(family_5, _S87 - _S88);
-    stretch_0.high_0 = bound_at_0(family_5, _S87 + _S88);
+    stretch_0.low_0 = bound_at_0(family_5, _S79 - _S80);
+    stretch_0.high_0 = bound_at_0(family_5, _S79 + _S80);
     return stretch_0;
 }
 
@@ -742,25 +696,25 @@ fn Stretch_turns_0( this_1 : Stretch_0) -> f32
 
 fn lengths_0( family_6 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
 {
-    var _S89 : f32 = Stretch_turns_0(stretch_1);
-    var _S90 : u32 = families_0[family_6].before_0 + u32(2) * stretch_1.low_0.thread_2;
-    var _S91 : u32 = families_0[family_6].before_0 + u32(2) * stretch_1.high_0.thread_2;
-    var _S92 : f32 = table_number_0(_S91) - table_number_0(_S90);
-    var _S93 : f32 = table_number_0(_S91 + u32(1)) - table_number_0(_S90 + u32(1));
-    return vec3<f32>(_S92 + stretch_1.high_0.visible_0 * stretch_1.high_0.width_2 - stretch_1.low_0.visible_0 * stretch_1.low_0.width_2 + _S89 * families_0[family_6].visible_total_0, _S93 - _S92 + stretch_1.high_0.gap_0 - stretch_1.low_0.gap_0 + _S89 * (families_0[family_6].period_0 - families_0[family_6].visible_total_0), _S93 + stretch_1.high_0.cell_2 - stretch_1.low_0.cell_2 + _S89 * families_0[family_6].period_0);
+    var _S81 : f32 = Stretch_turns_0(stretch_1);
+    var _S82 : u32 = families_0[family_6].before_0 + u32(2) * stretch_1.low_0.thread_2;
+    var _S83 : u32 = families_0[family_6].before_0 + u32(2) * stretch_1.high_0.thread_2;
+    var _S84 : f32 = table_number_0(_S83) - table_number_0(_S82);
+    var _S85 : f32 = table_number_0(_S83 + u32(1)) - table_number_0(_S82 + u32(1));
+    return vec3<f32>(_S84 + stretch_1.high_0.visible_0 * stretch_1.high_0.width_2 - stretch_1.low_0.visible_0 * stretch_1.low_0.width_2 + _S81 * families_0[family_6].visible_total_0, _S85 - _S84 + stretch_1.high_0.gap_0 - stretch_1.low_0.gap_0 + _S81 * (families_0[family_6].period_0 - families_0[family_6].visible_total_0), _S85 + stretch_1.high_0.cell_2 - stretch_1.low_0.cell_2 + _S81 * families_0[family_6].period_0);
 }
 
 fn integrals_along_0( family_7 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
 {
-    var _S94 : u32 = u32(3) * families_0[family_7].quantities_0;
-    var _S95 : u32 = families_0[family_7].colour_threads_0 + _S94 * stretch_2.low_0.thread_2 + quantity_0;
-    var _S96 : u32 = families_0[family_7].colour_threads_0 + _S94 * stretch_2.high_0.thread_2 + quantity_0;
-    var _S97 : u32 = families_0[family_7].colour_threads_0 + _S94 * u32(families_0[family_7].count_0) + quantity_0;
-    var _S98 : f32 = table_number_0(_S95);
-    var _S99 : f32 = table_number_0(_S96);
-    var _S100 : f32 = Stretch_turns_0(stretch_2);
-    var _S101 : u32 = u32(2) * families_0[family_7].quantities_0;
-    return vec2<f32>(table_number_0(_S96 + families_0[family_7].quantities_0) - table_number_0(_S95 + families_0[family_7].quantities_0) + _S99 * stretch_2.high_0.visible_0 * stretch_2.high_0.width_2 - _S98 * stretch_2.low_0.visible_0 * stretch_2.low_0.width_2 + _S100 * table_number_0(_S97 + families_0[family_7].quantities_0), table_number_0(_S96 + _S101) - table_number_0(_S95 + _S101) + _S99 * stretch_2.high_0.cell_2 - _S98 * stretch_2.low_0.cell_2 + _S100 * table_number_0(_S97 + _S101));
+    var _S86 : u32 = u32(3) * families_0[family_7].quantities_0;
+    var _S87 : u32 = families_0[family_7].colour_threads_0 + _S86 * stretch_2.low_0.thread_2 + quantity_0;
+    var _S88 : u32 = families_0[family_7].colour_threads_0 + _S86 * stretch_2.high_0.thread_2 + quantity_0;
+    var _S89 : u32 = families_0[family_7].colour_threads_0 + _S86 * u32(families_0[family_7].count_0) + quantity_0;
+    var _S90 : f32 = table_number_0(_S87);
+    var _S91 : f32 = table_number_0(_S88);
+    var _S92 : f32 = Stretch_turns_0(stretch_2);
+    var _S93 : u32 = u32(2) * families_0[family_7].quantities_0;
+    return vec2<f32>(table_number_0(_S88 + families_0[family_7].quantities_0) - table_number_0(_S87 + families_0[family_7].quantities_0) + _S91 * stretch_2.high_0.visible_0 * stretch_2.high_0.width_2 - _S90 * stretch_2.low_0.visible_0 * stretch_2.low_0.width_2 + _S92 * table_number_0(_S89 + families_0[family_7].quantities_0), table_number_0(_S88 + _S93) - table_number_0(_S87 + _S93) + _S91 * stretch_2.high_0.cell_2 - _S90 * stretch_2.low_0.cell_2 + _S92 * table_number_0(_S89 + _S93));
 }
 
 fn Stretch_wraps_0( this_2 : Stretch_0) -> bool
@@ -770,77 +724,44 @@ fn Stretch_wraps_0( this_2 : Stretch_0) -> bool
 
 fn Stretch_differences_0( this_3 : Stretch_0,  entries_0 : vec4<u32>,  whole_0 : u32) -> vec4<u32>
 {
-    var _S102 : u32 = entries_0.z;
-    var _S103 : u32 = entries_0.x;
-    var _S104 : u32 = _S102 - _S103;
-    var _S105 : u32;
-    if(Stretch_wraps_0(this_3))
-    {
-        _S105 = whole_0;
-    }
-    else
-    {
-        _S105 = u32(0);
-    }
-    return vec4<u32>(_S104 + _S105, entries_0.w - _S102, entries_0.y - _S103, whole_0);
+    var _S94 : u32 = entries_0.z;
+    var _S95 : u32 = entries_0.x;
+    return vec4<u32>(_S94 - _S95 + select(u32(0), whole_0, Stretch_wraps_0(this_3)), entries_0.w - _S94, entries_0.y - _S95, whole_0);
 }
 
 fn row_differences_0( across_1 : Stretch_0,  row_1 : u32,  count_1 : u32,  quantities_1 : u32) -> vec4<u32>
 {
-    var _S106 : u32 = row_1 + across_1.low_0.thread_2 * quantities_1;
-    var _S107 : u32 = row_1 + across_1.high_0.thread_2 * quantities_1;
-    return Stretch_differences_0(across_1, vec4<u32>(words_0[_S106], words_0[_S106 + quantities_1], words_0[_S107], words_0[_S107 + quantities_1]), words_0[row_1 + count_1 * quantities_1]);
+    var _S96 : u32 = row_1 + across_1.low_0.thread_2 * quantities_1;
+    var _S97 : u32 = row_1 + across_1.high_0.thread_2 * quantities_1;
+    return Stretch_differences_0(across_1, vec4<u32>(words_0[_S96], words_0[_S96 + quantities_1], words_0[_S97], words_0[_S97 + quantities_1]), words_0[row_1 + count_1 * quantities_1]);
 }
 
 fn Stretch_weights_0( this_4 : Stretch_0) -> vec4<f32>
 {
-    var _S108 : f32 = - this_4.low_0.visible_0;
-    var _S109 : f32 = Stretch_turns_0(this_4);
-    var _S110 : f32;
-    if(Stretch_wraps_0(this_4))
-    {
-        _S110 = 1.0f;
-    }
-    else
-    {
-        _S110 = 0.0f;
-    }
-    return vec4<f32>(1.0f, this_4.high_0.visible_0, _S108, _S109 - _S110);
+    return vec4<f32>(1.0f, this_4.high_0.visible_0, - this_4.low_0.visible_0, Stretch_turns_0(this_4) - select(0.0f, 1.0f, Stretch_wraps_0(this_4)));
 }
 
 fn integral_on_top_0( family_8 : u32,  across_2 : Stretch_0,  along_0 : Stretch_0,  crossing_count_0 : u32,  quantity_1 : u32) -> f32
 {
-    var _S111 : u32 = u32(families_0[family_8].count_0);
-    var _S112 : u32 = (_S111 + u32(1)) * families_0[family_8].quantities_0;
-    var _S113 : u32 = families_0[family_8].colour_areas_0 + quantity_1;
-    var _S114 : vec4<u32> = row_differences_0(across_2, _S113 + along_0.low_0.thread_2 * _S112, _S111, families_0[family_8].quantities_0);
-    var _S115 : vec4<u32> = row_differences_0(across_2, _S113 + (along_0.low_0.thread_2 + u32(1)) * _S112, _S111, families_0[family_8].quantities_0);
-    var _S116 : vec4<u32> = row_differences_0(across_2, _S113 + along_0.high_0.thread_2 * _S112, _S111, families_0[family_8].quantities_0);
-    var _S117 : vec4<u32> = row_differences_0(across_2, _S113 + (along_0.high_0.thread_2 + u32(1)) * _S112, _S111, families_0[family_8].quantities_0);
-    var _S118 : vec4<u32> = row_differences_0(across_2, _S113 + crossing_count_0 * _S112, _S111, families_0[family_8].quantities_0);
-    var _S119 : vec4<u32> = _S116 - _S114;
-    var _S120 : vec4<u32>;
-    if(Stretch_wraps_0(along_0))
-    {
-        _S120 = _S118;
-    }
-    else
-    {
-        _S120 = vec4<u32>(vec4<i32>(i32(0)));
-    }
-    var _S121 : vec4<f32> = Stretch_weights_0(across_2);
-    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S119 + _S120)), _S121), dot(vec4<f32>(vec4<i32>(_S117 - _S116)), _S121), dot(vec4<f32>(vec4<i32>(_S115 - _S114)), _S121), dot(vec4<f32>(vec4<i32>(_S118)), _S121)), Stretch_weights_0(along_0)) * families_0[family_8].area_unit_0;
+    var _S98 : u32 = u32(families_0[family_8].count_0);
+    var _S99 : u32 = (_S98 + u32(1)) * families_0[family_8].quantities_0;
+    var _S100 : u32 = families_0[family_8].colour_areas_0 + quantity_1;
+    var _S101 : vec4<u32> = row_differences_0(across_2, _S100 + along_0.low_0.thread_2 * _S99, _S98, families_0[family_8].quantities_0);
+    var _S102 : vec4<u32> = row_differences_0(across_2, _S100 + along_0.high_0.thread_2 * _S99, _S98, families_0[family_8].quantities_0);
+    var _S103 : vec4<u32> = row_differences_0(across_2, _S100 + crossing_count_0 * _S99, _S98, families_0[family_8].quantities_0);
+    var _S104 : vec4<f32> = Stretch_weights_0(across_2);
+    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S102 - _S101 + select_vector_2(Stretch_wraps_0(along_0), _S103, vec4<u32>(vec4<i32>(i32(0)))))), _S104), dot(vec4<f32>(vec4<i32>(row_differences_0(across_2, _S100 + (along_0.high_0.thread_2 + u32(1)) * _S99, _S98, families_0[family_8].quantities_0) - _S102)), _S104), dot(vec4<f32>(vec4<i32>(row_differences_0(across_2, _S100 + (along_0.low_0.thread_2 + u32(1)) * _S99, _S98, families_0[family_8].quantities_0) - _S101)), _S104), dot(vec4<f32>(vec4<i32>(_S103)), _S104)), Stretch_weights_0(along_0)) * families_0[family_8].area_unit_0;
 }
 
 fn with_added_albedos_0( albedos_1 : Albedos_0,  weight_0 : f32,  row_2 : u32) -> Albedos_0
 {
-    var _S122 : Albedos_0 = table_albedos_0(row_2);
+    var _S105 : Albedos_0 = table_albedos_0(row_2);
     var sum_0 : Albedos_0;
-    var _S123 : vec3<f32> = vec3<f32>(weight_0);
-    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S123 * _S122.diffuse_reflect_0;
-    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S123 * _S122.diffuse_transmit_0;
-    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S123 * _S122.specular_reflect_0;
-    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S123 * _S122.specular_transmit_0;
+    var _S106 : vec3<f32> = vec3<f32>(weight_0);
+    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S106 * _S105.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S106 * _S105.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S106 * _S105.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S106 * _S105.specular_transmit_0;
     return sum_0;
 }
 
@@ -851,7 +772,7 @@ fn mean_albedos_0( family_9 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other
     {
         return albedos_2;
     }
-    var _S124 : vec3<f32> = lengths_0(crossing_0, other_0);
+    var _S107 : vec3<f32> = lengths_0(crossing_0, other_0);
     var is_exposed_0 : bool = false;
     var weight_1 : f32 = 0.0f;
     var quantity_2 : u32 = u32(0);
@@ -864,42 +785,24 @@ fn mean_albedos_0( family_9 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other
         {
             break;
         }
-        var _S125 : vec2<f32> = integrals_along_0(family_9, own_0, quantity_2);
-        var _S126 : f32 = integral_on_top_0(family_9, own_0, other_0, u32(families_0[crossing_0].count_0), quantity_2);
-        var _S127 : f32 = _S125.x;
-        var _S128 : f32 = _S127 * _S124.x;
-        var _S129 : f32;
-        if(back_3)
+        var _S108 : vec2<f32> = integrals_along_0(family_9, own_0, quantity_2);
+        var _S109 : f32 = integral_on_top_0(family_9, own_0, other_0, u32(families_0[crossing_0].count_0), quantity_2);
+        var _S110 : f32 = _S108.x;
+        var _S111 : f32 = _S110 * _S107.x;
+        var _S112 : f32 = select(_S109, _S111 - _S109, back_3);
+        var _S113 : bool = quantity_2 == u32(0);
+        if(_S113)
         {
-            _S129 = _S128 - _S126;
+            is_exposed_0 = _S112 > (16.0f * families_0[family_9].area_unit_0 * min(_S111 / families_0[family_9].crossing_area_0, 1.0f) + 0.00000999999974738f * _S111);
+        }
+        var _S114 : f32 = _S110 * _S107.y + select(0.0f, _S112, is_exposed_0) + 0.000244140625f * _S107.z * _S108.y;
+        if(_S113)
+        {
+            weight_1 = 1.0f / max(_S114, 9.99999968265522539e-21f);
         }
         else
         {
-            _S129 = _S126;
-        }
-        var _S130 : bool = quantity_2 == u32(0);
-        if(_S130)
-        {
-            is_exposed_0 = _S129 > (16.0f * families_0[family_9].area_unit_0 * min(_S128 / families_0[family_9].crossing_area_0, 1.0f) + 0.00000999999974738f * _S128);
-        }
-        var _S131 : f32 = _S127 * _S124.y;
-        var _S132 : f32;
-        if(is_exposed_0)
-        {
-            _S132 = _S129;
-        }
-        else
-        {
-            _S132 = 0.0f;
-        }
-        var _S133 : f32 = _S131 + _S132 + 0.000244140625f * _S124.z * _S125.y;
-        if(_S130)
-        {
-            weight_1 = 1.0f / max(_S133, 9.99999968265522539e-21f);
-        }
-        else
-        {
-            albedos_2 = with_added_albedos_0(albedos_2, _S133 * weight_1, families_0[family_9].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
+            albedos_2 = with_added_albedos_0(albedos_2, _S114 * weight_1, families_0[family_9].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
         }
         quantity_2 = quantity_2 + u32(1);
     }
@@ -939,30 +842,30 @@ struct FaceSends_0
 
 fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S134 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
+    var _S115 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
     var found_0 : FaceRadiance_0;
-    var _S135 : vec3<f32> = sends_0.sky_warp_0 + _S134 * sends_0.crossing_warp_0;
-    found_0.warp_1 = _S135;
-    var _S136 : vec3<f32> = sends_0.sky_weft_0 + _S134 * sends_0.crossing_weft_0;
-    found_0.weft_1 = _S136;
-    found_0.mean_0 = vec3<f32>(sends_0.blocks_warp_0) * _S135 + vec3<f32>(sends_0.blocks_weft_0) * _S136;
+    var _S116 : vec3<f32> = sends_0.sky_warp_0 + _S115 * sends_0.crossing_warp_0;
+    found_0.warp_1 = _S116;
+    var _S117 : vec3<f32> = sends_0.sky_weft_0 + _S115 * sends_0.crossing_weft_0;
+    found_0.weft_1 = _S117;
+    found_0.mean_0 = vec3<f32>(sends_0.blocks_warp_0) * _S116 + vec3<f32>(sends_0.blocks_weft_0) * _S117;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
 fn view_terms_0( view_2 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S137 : f32 = 1.0f - view_2.z;
-    var _S138 : f32 = _S137 * _S137;
+    var _S118 : f32 = 1.0f - view_2.z;
+    var _S119 : f32 = _S118 * _S118;
     (*terms_0)[i32(0)] = 1.0f;
-    var _S139 : f32 = view_2.x;
-    var _S140 : f32 = _S139 * _S139;
-    var _S141 : f32 = view_2.y;
-    var _S142 : f32 = _S141 * _S141;
-    (*terms_0)[i32(1)] = sqrt(max(_S140 + _S142, 9.999999960041972e-13f));
-    (*terms_0)[i32(2)] = _S138;
-    (*terms_0)[i32(3)] = _S138 * _S138;
-    (*terms_0)[i32(4)] = _S140 - _S142;
+    var _S120 : f32 = view_2.x;
+    var _S121 : f32 = _S120 * _S120;
+    var _S122 : f32 = view_2.y;
+    var _S123 : f32 = _S122 * _S122;
+    (*terms_0)[i32(1)] = sqrt(max(_S121 + _S123, 9.999999960041972e-13f));
+    (*terms_0)[i32(2)] = _S119;
+    (*terms_0)[i32(3)] = _S119 * _S119;
+    (*terms_0)[i32(4)] = _S121 - _S123;
     (*terms_0)[i32(5)] = 0.0f;
     return;
 }
@@ -997,11 +900,11 @@ struct Interior_0
 
 fn bounced_by_0( blocked_0 : Blocked_0,  yarn_0 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S143 : vec3<f32> = vec3<f32>((blocked_0.by_warp_0 + blocked_0.by_weft_0)) * interior_0.leaked_1;
-    var _S144 : vec3<f32> = vec3<f32>(blocked_0.far_0) * yarn_0.through_0;
+    var _S124 : vec3<f32> = vec3<f32>((blocked_0.by_warp_0 + blocked_0.by_weft_0)) * interior_0.leaked_1;
+    var _S125 : vec3<f32> = vec3<f32>(blocked_0.far_0) * yarn_0.through_0;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_0 = yarn_0.back_4 * (vec3<f32>(blocked_0.by_warp_0) * interior_0.warp_2 + vec3<f32>(blocked_0.by_weft_0) * interior_0.weft_2) + _S144 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S144 * interior_0.far_1 + yarn_0.back_4 * _S143;
+    bounced_0.reflected_0 = yarn_0.back_4 * (vec3<f32>(blocked_0.by_warp_0) * interior_0.warp_2 + vec3<f32>(blocked_0.by_weft_0) * interior_0.weft_2) + _S125 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S125 * interior_0.far_1 + yarn_0.back_4 * _S124;
     return bounced_0;
 }
 
@@ -1012,108 +915,90 @@ fn summed_0( tables_1 : ptr<function, Clustered_std430_0>,  first_3 : u32,  colu
 
 fn box_mean_0( tables_2 : ptr<function, Clustered_std430_0>,  box_1 : TexelBox_0,  face_1 : u32,  channel_0 : u32) -> f32
 {
-    var _S145 : u32 = (*tables_2).columns_0;
-    var _S146 : u32 = (*tables_2).rows_0;
-    var _S147 : u32 = (*tables_2).sums_0 + face_1 * ((*tables_2).columns_0 + u32(1)) * ((*tables_2).rows_0 + u32(1)) * (*tables_2).channels_0 + channel_0;
-    var _S148 : u32 = box_1.last_0.x;
-    var _S149 : u32 = box_1.first_2.y;
-    var _S150 : i32 = summed_0(&((*tables_2)), _S147, _S148, _S149);
-    var _S151 : u32 = box_1.first_2.x;
-    var _S152 : i32 = summed_0(&((*tables_2)), _S147, _S151, _S149);
-    var _S153 : i32 = _S150 - _S152;
-    var _S154 : u32 = box_1.last_0.y;
-    var _S155 : i32 = summed_0(&((*tables_2)), _S147, _S148, _S154);
-    var _S156 : i32 = summed_0(&((*tables_2)), _S147, _S151, _S154);
-    var total_0 : f32 = f32(_S155 - _S156 - _S153);
-    var _S157 : f32 = box_1.turns_0.x;
-    var _S158 : bool = _S157 > 0.0f;
+    var _S126 : u32 = (*tables_2).columns_0;
+    var _S127 : u32 = (*tables_2).rows_0;
+    var _S128 : u32 = (*tables_2).sums_0 + face_1 * ((*tables_2).columns_0 + u32(1)) * ((*tables_2).rows_0 + u32(1)) * (*tables_2).channels_0 + channel_0;
+    var _S129 : u32 = box_1.last_0.x;
+    var _S130 : u32 = box_1.first_2.y;
+    var _S131 : i32 = summed_0(&((*tables_2)), _S128, _S129, _S130);
+    var _S132 : u32 = box_1.first_2.x;
+    var _S133 : i32 = summed_0(&((*tables_2)), _S128, _S132, _S130);
+    var _S134 : i32 = _S131 - _S133;
+    var _S135 : u32 = box_1.last_0.y;
+    var _S136 : i32 = summed_0(&((*tables_2)), _S128, _S129, _S135);
+    var _S137 : i32 = summed_0(&((*tables_2)), _S128, _S132, _S135);
+    var total_0 : f32 = f32(_S136 - _S137 - _S134);
+    var _S138 : f32 = box_1.turns_0.x;
+    var _S139 : bool = _S138 > 0.0f;
     var total_1 : f32;
-    if(_S158)
+    if(_S139)
     {
-        var _S159 : i32 = summed_0(&((*tables_2)), _S147, _S145, _S154);
-        var _S160 : i32 = summed_0(&((*tables_2)), _S147, _S145, _S149);
-        total_1 = total_0 + _S157 * f32(_S159 - _S160);
+        var _S140 : i32 = summed_0(&((*tables_2)), _S128, _S126, _S135);
+        var _S141 : i32 = summed_0(&((*tables_2)), _S128, _S126, _S130);
+        total_1 = total_0 + _S138 * f32(_S140 - _S141);
     }
     else
     {
         total_1 = total_0;
     }
-    var _S161 : f32 = box_1.turns_0.y;
-    var _S162 : bool = _S161 > 0.0f;
-    if(_S162)
+    var _S142 : f32 = box_1.turns_0.y;
+    var _S143 : bool = _S142 > 0.0f;
+    if(_S143)
     {
-        var _S163 : i32 = summed_0(&((*tables_2)), _S147, _S148, _S146);
-        var _S164 : i32 = summed_0(&((*tables_2)), _S147, _S151, _S146);
-        total_1 = total_1 + _S161 * f32(_S163 - _S164);
+        var _S144 : i32 = summed_0(&((*tables_2)), _S128, _S129, _S127);
+        var _S145 : i32 = summed_0(&((*tables_2)), _S128, _S132, _S127);
+        total_1 = total_1 + _S142 * f32(_S144 - _S145);
     }
-    var _S165 : bool;
-    if(_S158)
+    if((_S139 & (_S143)))
     {
-        _S165 = _S162;
-    }
-    else
-    {
-        _S165 = false;
-    }
-    if(_S165)
-    {
-        var _S166 : f32 = _S157 * _S161;
-        var _S167 : i32 = summed_0(&((*tables_2)), _S147, _S145, _S146);
-        total_1 = total_1 + _S166 * f32(_S167);
+        var _S146 : f32 = _S138 * _S142;
+        var _S147 : i32 = summed_0(&((*tables_2)), _S128, _S126, _S127);
+        total_1 = total_1 + _S146 * f32(_S147);
     }
     return total_1 / (box_1.extent_0.x * box_1.extent_0.y);
 }
 
 fn box_mean_1( tables_3 : ptr<function, Clustered_std430_0>,  box_2 : TexelBox_0,  face_2 : u32,  channel_1 : u32) -> f32
 {
-    var _S168 : u32 = (*tables_3).columns_0;
-    var _S169 : u32 = (*tables_3).rows_0;
-    var _S170 : u32 = (*tables_3).sums_0 + face_2 * ((*tables_3).columns_0 + u32(1)) * ((*tables_3).rows_0 + u32(1)) * (*tables_3).channels_0 + channel_1;
-    var _S171 : u32 = box_2.last_0.x;
-    var _S172 : u32 = box_2.first_2.y;
-    var _S173 : i32 = summed_0(&((*tables_3)), _S170, _S171, _S172);
-    var _S174 : u32 = box_2.first_2.x;
-    var _S175 : i32 = summed_0(&((*tables_3)), _S170, _S174, _S172);
-    var _S176 : i32 = _S173 - _S175;
-    var _S177 : u32 = box_2.last_0.y;
-    var _S178 : i32 = summed_0(&((*tables_3)), _S170, _S171, _S177);
-    var _S179 : i32 = summed_0(&((*tables_3)), _S170, _S174, _S177);
-    var total_2 : f32 = f32(_S178 - _S179 - _S176);
-    var _S180 : f32 = box_2.turns_0.x;
-    var _S181 : bool = _S180 > 0.0f;
+    var _S148 : u32 = (*tables_3).columns_0;
+    var _S149 : u32 = (*tables_3).rows_0;
+    var _S150 : u32 = (*tables_3).sums_0 + face_2 * ((*tables_3).columns_0 + u32(1)) * ((*tables_3).rows_0 + u32(1)) * (*tables_3).channels_0 + channel_1;
+    var _S151 : u32 = box_2.last_0.x;
+    var _S152 : u32 = box_2.first_2.y;
+    var _S153 : i32 = summed_0(&((*tables_3)), _S150, _S151, _S152);
+    var _S154 : u32 = box_2.first_2.x;
+    var _S155 : i32 = summed_0(&((*tables_3)), _S150, _S154, _S152);
+    var _S156 : i32 = _S153 - _S155;
+    var _S157 : u32 = box_2.last_0.y;
+    var _S158 : i32 = summed_0(&((*tables_3)), _S150, _S151, _S157);
+    var _S159 : i32 = summed_0(&((*tables_3)), _S150, _S154, _S157);
+    var total_2 : f32 = f32(_S158 - _S159 - _S156);
+    var _S160 : f32 = box_2.turns_0.x;
+    var _S161 : bool = _S160 > 0.0f;
     var total_3 : f32;
-    if(_S181)
+    if(_S161)
     {
-        var _S182 : i32 = summed_0(&((*tables_3)), _S170, _S168, _S177);
-        var _S183 : i32 = summed_0(&((*tables_3)), _S170, _S168, _S172);
-        total_3 = total_2 + _S180 * f32(_S182 - _S183);
+        var _S162 : i32 = summed_0(&((*tables_3)), _S150, _S148, _S157);
+        var _S163 : i32 = summed_0(&((*tables_3)), _S150, _S148, _S152);
+        total_3 = total_2 + _S160 * f32(_S162 - _S163);
     }
     else
     {
         total_3 = total_2;
     }
-    var _S184 : f32 = box_2.turns_0.y;
-    var _S185 : bool = _S184 > 0.0f;
-    if(_S185)
+    var _S164 : f32 = box_2.turns_0.y;
+    var _S165 : bool = _S164 > 0.0f;
+    if(_S165)
     {
-        var _S186 : i32 = summed_0(&((*tables_3)), _S170, _S171, _S169);
-        var _S187 : i32 = summed_0(&((*tables_3)), _S170, _S174, _S169);
-        total_3 = total_3 + _S184 * f32(_S186 - _S187);
+        var _S166 : i32 = summed_0(&((*tables_3)), _S150, _S151, _S149);
+        var _S167 : i32 = summed_0(&((*tables_3)), _S150, _S154, _S149);
+        total_3 = total_3 + _S164 * f32(_S166 - _S167);
     }
-    var _S188 : bool;
-    if(_S181)
+    if((_S161 & (_S165)))
     {
-        _S188 = _S185;
-    }
-    else
-    {
-        _S188 = false;
-    }
-    if(_S188)
-    {
-        var _S189 : f32 = _S180 * _S184;
-        var _S190 : i32 = summed_0(&((*tables_3)), _S170, _S168, _S169);
-        total_3 = total_3 + _S189 * f32(_S190);
+        var _S168 : f32 = _S160 * _S164;
+        var _S169 : i32 = summed_0(&((*tables_3)), _S150, _S148, _S149);
+        total_3 = total_3 + _S168 * f32(_S169);
     }
     return total_3 / (box_2.extent_0.x * box_2.extent_0.y);
 }
@@ -1148,21 +1033,21 @@ struct ClusteredView_0
 fn bounced_by_base_0( seen_0 : ClusteredView_0,  shown_0 : vec2<f32>) -> Bounced_0
 {
     var result_1 : Bounced_0;
-    var _S191 : vec3<f32> = vec3<f32>(shown_0.x);
-    var _S192 : vec3<f32> = vec3<f32>(shown_0.y);
-    result_1.reflected_0 = _S191 * seen_0.bounced_warp_0.reflected_0 + _S192 * seen_0.bounced_weft_0.reflected_0;
-    result_1.transmitted_0 = _S191 * seen_0.bounced_warp_0.transmitted_0 + _S192 * seen_0.bounced_weft_0.transmitted_0;
+    var _S170 : vec3<f32> = vec3<f32>(shown_0.x);
+    var _S171 : vec3<f32> = vec3<f32>(shown_0.y);
+    result_1.reflected_0 = _S170 * seen_0.bounced_warp_0.reflected_0 + _S171 * seen_0.bounced_weft_0.reflected_0;
+    result_1.transmitted_0 = _S170 * seen_0.bounced_warp_0.transmitted_0 + _S171 * seen_0.bounced_weft_0.transmitted_0;
     return result_1;
 }
 
 fn Albedos_x24init_0( diffuse_reflect_1 : vec3<f32>,  diffuse_transmit_1 : vec3<f32>,  specular_reflect_1 : vec3<f32>,  specular_transmit_1 : vec3<f32>) -> Albedos_0
 {
-    var _S193 : Albedos_0;
-    _S193.diffuse_reflect_0 = diffuse_reflect_1;
-    _S193.diffuse_transmit_0 = diffuse_transmit_1;
-    _S193.specular_reflect_0 = specular_reflect_1;
-    _S193.specular_transmit_0 = specular_transmit_1;
-    return _S193;
+    var _S172 : Albedos_0;
+    _S172.diffuse_reflect_0 = diffuse_reflect_1;
+    _S172.diffuse_transmit_0 = diffuse_transmit_1;
+    _S172.specular_reflect_0 = specular_reflect_1;
+    _S172.specular_transmit_0 = specular_transmit_1;
+    return _S172;
 }
 
 struct YarnPoint_0
@@ -1183,28 +1068,28 @@ struct YarnPoint_0
 
 fn YarnPoint_x24init_0( back_7 : bool,  hole_1 : bool,  is_warp_1 : bool,  x_9 : f32,  y_4 : f32,  height_3 : f32,  normal_2 : vec3<f32>,  tangent_1 : vec3<f32>,  surface_normal_1 : vec3<f32>,  diffuse_gain_1 : f32,  roughness_2 : f32,  albedos_6 : Albedos_0) -> YarnPoint_0
 {
-    var _S194 : YarnPoint_0;
-    _S194.back_6 = back_7;
-    _S194.hole_0 = hole_1;
-    _S194.is_warp_0 = is_warp_1;
-    _S194.x_8 = x_9;
-    _S194.y_3 = y_4;
-    _S194.height_2 = height_3;
-    _S194.normal_1 = normal_2;
-    _S194.tangent_0 = tangent_1;
-    _S194.surface_normal_0 = surface_normal_1;
-    _S194.diffuse_gain_0 = diffuse_gain_1;
-    _S194.roughness_1 = roughness_2;
-    _S194.albedos_5 = albedos_6;
-    return _S194;
+    var _S173 : YarnPoint_0;
+    _S173.back_6 = back_7;
+    _S173.hole_0 = hole_1;
+    _S173.is_warp_0 = is_warp_1;
+    _S173.x_8 = x_9;
+    _S173.y_3 = y_4;
+    _S173.height_2 = height_3;
+    _S173.normal_1 = normal_2;
+    _S173.tangent_0 = tangent_1;
+    _S173.surface_normal_0 = surface_normal_1;
+    _S173.diffuse_gain_0 = diffuse_gain_1;
+    _S173.roughness_1 = roughness_2;
+    _S173.albedos_5 = albedos_6;
+    return _S173;
 }
 
 fn Bounced_x24init_0( reflected_1 : vec3<f32>,  transmitted_1 : vec3<f32>) -> Bounced_0
 {
-    var _S195 : Bounced_0;
-    _S195.reflected_0 = reflected_1;
-    _S195.transmitted_0 = transmitted_1;
-    return _S195;
+    var _S174 : Bounced_0;
+    _S174.reflected_0 = reflected_1;
+    _S174.transmitted_0 = transmitted_1;
+    return _S174;
 }
 
 struct ResidualPoint_0
@@ -1216,11 +1101,11 @@ struct ResidualPoint_0
 
 fn ResidualPoint_x24init_0( point_2 : YarnPoint_0,  texel_1 : u32,  bounced_3 : Bounced_0) -> ResidualPoint_0
 {
-    var _S196 : ResidualPoint_0;
-    _S196.point_1 = point_2;
-    _S196.texel_0 = texel_1;
-    _S196.bounced_2 = bounced_3;
-    return _S196;
+    var _S175 : ResidualPoint_0;
+    _S175.point_1 = point_2;
+    _S175.texel_0 = texel_1;
+    _S175.bounced_2 = bounced_3;
+    return _S175;
 }
 
 struct SearchQuality_0
@@ -1260,106 +1145,33 @@ struct Crossing_0
 
 fn shown_at_0( crossing_1 : Crossing_0,  back_8 : bool) -> Shown_0
 {
-    var _S197 : bool = (abs(crossing_1.warp_4.across_0)) < (crossing_1.warp_4.half_width_1);
-    var _S198 : bool = (abs(crossing_1.weft_4.across_0)) < (crossing_1.weft_4.half_width_1);
+    var _S176 : bool = (abs(crossing_1.warp_4.across_0)) < (crossing_1.warp_4.half_width_1);
     var shown_1 : Shown_0;
-    var _S199 : bool;
-    if(_S197)
-    {
-        if(!_S198)
-        {
-            _S199 = true;
-        }
-        else
-        {
-            _S199 = crossing_1.warp_above_0;
-        }
-    }
-    else
-    {
-        _S199 = false;
-    }
-    shown_1.is_warp_2 = _S199;
-    if(!_S197)
-    {
-        _S199 = !_S198;
-    }
-    else
-    {
-        _S199 = false;
-    }
-    shown_1.hole_2 = _S199;
-    var _S200 : u32;
-    if(shown_1.is_warp_2)
-    {
-        _S200 = crossing_1.warp_word_0;
-    }
-    else
-    {
-        _S200 = crossing_1.weft_word_0;
-    }
-    shown_1.word_0 = _S200;
-    shown_1.on_top_0 = (((_S200 & (u32(1)))) == u32(1)) != back_8;
+    var _S177 : bool = !((abs(crossing_1.weft_4.across_0)) < (crossing_1.weft_4.half_width_1));
+    var _S178 : bool = (_S176 & (((_S177 | ((crossing_1.warp_above_0))))));
+    shown_1.is_warp_2 = _S178;
+    shown_1.hole_2 = ((!_S176) & (_S177));
+    var _S179 : u32 = select(crossing_1.weft_word_0, crossing_1.warp_word_0, _S178);
+    shown_1.word_0 = _S179;
+    shown_1.on_top_0 = (((_S179 & (u32(1)))) == u32(1)) != back_8;
     return shown_1;
 }
 
 fn select_cell_0( is_first_0 : bool,  first_4 : Cell_0,  second_0 : Cell_0) -> Cell_0
 {
     var cell_3 : Cell_0;
-    var _S201 : u32;
-    if(is_first_0)
-    {
-        _S201 = first_4.thread_0;
-    }
-    else
-    {
-        _S201 = second_0.thread_0;
-    }
-    cell_3.thread_0 = _S201;
-    var _S202 : f32;
-    if(is_first_0)
-    {
-        _S202 = first_4.across_0;
-    }
-    else
-    {
-        _S202 = second_0.across_0;
-    }
-    cell_3.across_0 = _S202;
-    if(is_first_0)
-    {
-        _S202 = first_4.half_width_1;
-    }
-    else
-    {
-        _S202 = second_0.half_width_1;
-    }
-    cell_3.half_width_1 = _S202;
-    if(is_first_0)
-    {
-        _S202 = first_4.below_0;
-    }
-    else
-    {
-        _S202 = second_0.below_0;
-    }
-    cell_3.below_0 = _S202;
-    if(is_first_0)
-    {
-        _S202 = first_4.above_0;
-    }
-    else
-    {
-        _S202 = second_0.above_0;
-    }
-    cell_3.above_0 = _S202;
+    cell_3.thread_0 = select(second_0.thread_0, first_4.thread_0, is_first_0);
+    cell_3.across_0 = select(second_0.across_0, first_4.across_0, is_first_0);
+    cell_3.half_width_1 = select(second_0.half_width_1, first_4.half_width_1, is_first_0);
+    cell_3.below_0 = select(second_0.below_0, first_4.below_0, is_first_0);
+    cell_3.above_0 = select(second_0.above_0, first_4.above_0, is_first_0);
     return cell_3;
 }
 
 fn boundary_0( family_10 : u32,  thread_3 : u32,  step_0 : i32) -> f32
 {
-    var _S203 : vec2<f32> = turns_and_remainder_0(family_10, f32(i32(thread_3) + step_0));
-    return fma(_S203.x, families_0[family_10].period_0, table_number_0(families_0[family_10].place_table_0 + u32(_S203.y) * u32(4)));
+    var _S180 : vec2<f32> = turns_and_remainder_0(family_10, f32(i32(thread_3) + step_0));
+    return fma(_S180.x, families_0[family_10].period_0, table_number_0(families_0[family_10].place_table_0 + u32(_S180.y) * u32(4)));
 }
 
 fn span_0( family_11 : u32,  thread_4 : u32,  first_5 : i32,  last_1 : i32) -> f32
@@ -1380,21 +1192,11 @@ struct Bend_0
 
 fn bend_of_0( family_12 : u32,  thread_5 : u32) -> Bend_0
 {
-    var _S204 : u32 = families_0[family_12].bend_table_0;
-    var _S205 : u32;
-    if((families_0[family_12].is_alike_0) != u32(0))
-    {
-        _S205 = u32(0);
-    }
-    else
-    {
-        _S205 = thread_5 * u32(4);
-    }
-    var _S206 : u32 = _S204 + _S205;
+    var _S181 : u32 = families_0[family_12].bend_table_0 + select(thread_5 * u32(4), u32(0), (families_0[family_12].is_alike_0) != u32(0));
     var bend_0 : Bend_0;
-    bend_0.sine_0 = table_number_0(_S206);
-    bend_0.half_tangent_0 = table_number_0(_S206 + u32(1));
-    bend_0.arc_0 = table_number_0(_S206 + u32(2));
+    bend_0.sine_0 = table_number_0(_S181);
+    bend_0.half_tangent_0 = table_number_0(_S181 + u32(1));
+    bend_0.arc_0 = table_number_0(_S181 + u32(2));
     return bend_0;
 }
 
@@ -1414,53 +1216,29 @@ struct Run_0
 
 fn unpack_0( own_1 : u32,  other_1 : u32,  thread_6 : u32,  crossed_0 : Cell_0,  word_1 : u32) -> Run_0
 {
-    var _S207 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
-    var _S208 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
-    var _S209 : i32 = i32((((word_1 >> (u32(15)))) & (u32(63))));
-    var _S210 : i32 = i32((((word_1 >> (u32(21)))) & (u32(63))));
+    var _S182 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
+    var _S183 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
+    var _S184 : i32 = i32((((word_1 >> (u32(15)))) & (u32(63))));
+    var _S185 : i32 = i32((((word_1 >> (u32(21)))) & (u32(63))));
     var run_0 : Run_0;
-    run_0.straight_0 = ((((word_1 >> (u32(27)))) & (u32(1)))) == u32(1);
-    var _S211 : i32 = - _S207;
-    var _S212 : f32 = crossed_0.below_0 + span_0(other_1, crossed_0.thread_0, _S211, i32(0));
-    run_0.from_start_0 = _S212;
-    var _S213 : i32 = _S208 + i32(1);
-    var _S214 : f32 = crossed_0.above_0 + span_0(other_1, crossed_0.thread_0, i32(1), _S213);
-    run_0.to_end_0 = _S214;
-    var _S215 : bool = _S212 < _S214;
-    run_0.near_start_0 = _S215;
-    var _S216 : i32;
-    if(_S215)
-    {
-        _S216 = _S211 - _S209;
-    }
-    else
-    {
-        _S216 = _S213;
-    }
-    var _S217 : i32;
-    if(run_0.near_start_0)
-    {
-        _S217 = _S211;
-    }
-    else
-    {
-        _S217 = _S213 + _S210;
-    }
+    var _S186 : bool = ((((word_1 >> (u32(27)))) & (u32(1)))) == u32(1);
+    run_0.straight_0 = _S186;
+    var _S187 : i32 = - _S182;
+    var _S188 : f32 = crossed_0.below_0 + span_0(other_1, crossed_0.thread_0, _S187, i32(0));
+    run_0.from_start_0 = _S188;
+    var _S189 : i32 = _S183 + i32(1);
+    var _S190 : f32 = crossed_0.above_0 + span_0(other_1, crossed_0.thread_0, i32(1), _S189);
+    run_0.to_end_0 = _S190;
+    var _S191 : bool = _S188 < _S190;
+    run_0.near_start_0 = _S191;
+    var _S192 : i32 = select(_S189, _S187 - _S184, _S191);
+    var _S193 : i32 = select(_S189 + _S185, _S187, _S191);
     run_0.bend_1 = bend_of_0(own_1, thread_6);
-    var _S218 : f32;
-    if(run_0.straight_0)
-    {
-        _S218 = 1.0e+06f;
-    }
-    else
-    {
-        _S218 = min(run_0.from_start_0, run_0.to_end_0);
-    }
-    run_0.distance_0 = _S218;
-    run_0.reach_0 = min(0.5f * (run_0.from_start_0 + run_0.to_end_0), run_0.bend_1.arc_0);
-    run_0.other_reach_0 = min(0.5f * span_0(other_1, crossed_0.thread_0, _S216, _S217), run_0.bend_1.arc_0);
-    run_0.first_crossing_0 = _S207 == i32(0);
-    run_0.last_crossing_0 = _S208 == i32(0);
+    run_0.distance_0 = select(min(_S188, _S190), 1.0e+06f, _S186);
+    run_0.reach_0 = min(0.5f * (_S188 + _S190), run_0.bend_1.arc_0);
+    run_0.other_reach_0 = min(0.5f * span_0(other_1, crossed_0.thread_0, _S192, _S193), run_0.bend_1.arc_0);
+    run_0.first_crossing_0 = _S182 == i32(0);
+    run_0.last_crossing_0 = _S183 == i32(0);
     return run_0;
 }
 
@@ -1473,89 +1251,49 @@ struct Section_0
 
 fn section_at_0( cell_4 : Cell_0) -> Section_0
 {
-    var _S219 : f32 = cell_4.half_width_1 * 1.0154266357421875f;
+    var _S194 : f32 = cell_4.half_width_1 * 1.0154266357421875f;
     var section_0 : Section_0;
-    var _S220 : f32 = clamp(cell_4.across_0, - cell_4.half_width_1, cell_4.half_width_1);
-    section_0.across_3 = _S220;
-    var _S221 : f32 = _S219 * _S219 - square_1(_S220);
-    var _S222 : f32 = rsqrt_0(_S221);
-    section_0.drop_0 = _S219 - _S221 * _S222;
-    section_0.slope_0 = - _S220 * _S222;
+    var _S195 : f32 = clamp(cell_4.across_0, - cell_4.half_width_1, cell_4.half_width_1);
+    section_0.across_3 = _S195;
+    var _S196 : f32 = _S194 * _S194 - square_1(_S195);
+    var _S197 : f32 = rsqrt_0(_S196);
+    section_0.drop_0 = _S194 - _S196 * _S197;
+    section_0.slope_0 = - _S195 * _S197;
     return section_0;
 }
 
 fn edge_drop_0( family_13 : u32,  thread_7 : u32,  step_1 : i32) -> f32
 {
-    if((families_0[family_13].is_alike_0) != u32(0))
-    {
-        return table_number_0(families_0[family_13].bend_table_0 + u32(3));
-    }
-    return table_number_0(families_0[family_13].bend_table_0 + u32(turns_and_remainder_0(family_13, f32(i32(thread_7) + step_1)).y) * u32(4) + u32(3));
+    return table_number_0(families_0[family_13].bend_table_0 + select(u32(turns_and_remainder_0(family_13, f32(i32(thread_7) + step_1)).y) * u32(4), u32(0), (families_0[family_13].is_alike_0) != u32(0)) + u32(3));
 }
 
 fn dive_0( other_2 : u32,  shown_2 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_0) -> vec2<f32>
 {
-    var _S223 : bool = (crossed_1.below_0) < (crossed_1.above_0);
-    var _S224 : f32 = min(crossed_1.below_0, crossed_1.above_0);
-    var _S225 : f32;
-    if(_S223)
-    {
-        _S225 = crossed_1.below_0 - crossed_1.across_0;
-    }
-    else
-    {
-        _S225 = crossed_1.above_0 + crossed_1.across_0;
-    }
-    var _S226 : f32 = _S225 - crossed_1.half_width_1;
-    var _S227 : bool;
-    if(_S223)
-    {
-        _S227 = run_1.first_crossing_0;
-    }
-    else
-    {
-        _S227 = run_1.last_crossing_0;
-    }
+    var _S198 : bool = (crossed_1.below_0) < (crossed_1.above_0);
+    var _S199 : f32 = min(crossed_1.below_0, crossed_1.above_0);
+    var _S200 : f32 = select(crossed_1.above_0 + crossed_1.across_0, crossed_1.below_0 - crossed_1.across_0, _S198) - crossed_1.half_width_1;
+    var _S201 : bool = select(run_1.last_crossing_0, run_1.first_crossing_0, _S198);
+    var _S202 : f32;
     if(shown_2.on_top_0)
     {
-        _S225 = 0.0f;
+        _S202 = 0.0f;
     }
     else
     {
-        _S225 = families_0[other_2].height_scale_0 * edge_drop_0(other_2, crossed_1.thread_0, i32(0));
+        _S202 = families_0[other_2].height_scale_0 * edge_drop_0(other_2, crossed_1.thread_0, i32(0));
     }
-    var _S228 : f32;
-    if((shown_2.on_top_0) != _S227)
+    var _S203 : f32;
+    if((shown_2.on_top_0) != _S201)
     {
-        _S228 = 0.0f;
+        _S203 = 0.0f;
     }
     else
     {
-        var _S229 : f32 = families_0[other_2].height_scale_0;
-        var _S230 : i32;
-        if(_S223)
-        {
-            _S230 = i32(-1);
-        }
-        else
-        {
-            _S230 = i32(1);
-        }
-        _S228 = _S229 * edge_drop_0(other_2, crossed_1.thread_0, _S230);
+        _S203 = families_0[other_2].height_scale_0 * edge_drop_0(other_2, crossed_1.thread_0, select(i32(1), i32(-1), _S198));
     }
-    var _S231 : f32 = 1.0f / max(2.0f * _S226, 9.999999960041972e-13f);
-    var _S232 : f32 = clamp((_S226 - _S224) * _S231, 0.0f, 1.0f);
-    var _S233 : f32 = _S225 + (_S228 - _S225) * (_S232 * _S232 * (3.0f - 2.0f * _S232));
-    var _S234 : f32 = (_S225 - _S228) * (6.0f * _S232 * (1.0f - _S232) * _S231);
-    if(_S223)
-    {
-        _S225 = 1.0f;
-    }
-    else
-    {
-        _S225 = -1.0f;
-    }
-    return vec2<f32>(_S233, _S234 * _S225);
+    var _S204 : f32 = 1.0f / max(2.0f * _S200, 9.999999960041972e-13f);
+    var _S205 : f32 = clamp((_S200 - _S199) * _S204, 0.0f, 1.0f);
+    return vec2<f32>(_S202 + (_S203 - _S202) * (_S205 * _S205 * (3.0f - 2.0f * _S205)), (_S202 - _S203) * (6.0f * _S205 * (1.0f - _S205) * _S204) * select(-1.0f, 1.0f, _S198));
 }
 
 struct StepControl_0
@@ -1573,12 +1311,12 @@ fn step_control_0( direction_3 : vec2<f32>,  step_3 : f32) -> StepControl_0
     var control_0 : StepControl_0;
     control_0.step_2 = step_3;
     control_0.epsilon_0 = 0.00499999988824129f * step_3;
-    var _S235 : f32 = direction_3.x;
-    control_0.per_x_0 = 1.0f / max(abs(_S235), 9.99999971718068537e-10f);
-    var _S236 : f32 = direction_3.y;
-    control_0.per_y_0 = 1.0f / max(abs(_S236), 9.99999971718068537e-10f);
-    control_0.right_0 = _S235 > 0.0f;
-    control_0.up_0 = _S236 > 0.0f;
+    var _S206 : f32 = direction_3.x;
+    control_0.per_x_0 = 1.0f / max(abs(_S206), 9.99999971718068537e-10f);
+    var _S207 : f32 = direction_3.y;
+    control_0.per_y_0 = 1.0f / max(abs(_S207), 9.99999971718068537e-10f);
+    control_0.right_0 = _S206 > 0.0f;
+    control_0.up_0 = _S207 > 0.0f;
     return control_0;
 }
 
@@ -1602,139 +1340,19 @@ fn no_previous_sample_0() -> PreviousSample_0
 
 fn outline_distance_0( cell_5 : Cell_0,  shown_3 : Shown_0,  run_2 : Run_0,  lengthwise_0 : bool,  forwards_0 : bool) -> f32
 {
-    var _S237 : f32;
-    if(forwards_0)
+    var _S208 : f32 = select(- cell_5.across_0, cell_5.across_0, forwards_0);
+    var _S209 : f32 = select(cell_5.below_0, cell_5.above_0, forwards_0);
+    var _S210 : f32 = - cell_5.half_width_1;
+    var _S211 : bool = _S208 < _S210;
+    var _S212 : bool = _S208 >= (cell_5.half_width_1);
+    var _S213 : bool = (((lengthwise_0 & ((!select(run_2.first_crossing_0, run_2.last_crossing_0, forwards_0))))) & ((!shown_3.hole_2)));
+    var _S214 : f32 = select(cell_5.half_width_1, _S210, _S211) - _S208;
+    var _S215 : f32 = select(_S209, 2.0f * _S209 + _S208 - cell_5.half_width_1, ((shown_3.hole_2) | (((_S213 & ((!shown_3.on_top_0)))))));
+    if((((_S213 & ((shown_3.on_top_0)))) & ((!((select(run_2.last_crossing_0, run_2.first_crossing_0, forwards_0) & (_S211)))))))
     {
-        _S237 = cell_5.across_0;
+        return select(run_2.from_start_0, run_2.to_end_0, forwards_0);
     }
-    else
-    {
-        _S237 = - cell_5.across_0;
-    }
-    var _S238 : f32;
-    if(forwards_0)
-    {
-        _S238 = cell_5.above_0;
-    }
-    else
-    {
-        _S238 = cell_5.below_0;
-    }
-    var _S239 : bool;
-    if(forwards_0)
-    {
-        _S239 = run_2.last_crossing_0;
-    }
-    else
-    {
-        _S239 = run_2.first_crossing_0;
-    }
-    var _S240 : bool;
-    if(forwards_0)
-    {
-        _S240 = run_2.first_crossing_0;
-    }
-    else
-    {
-        _S240 = run_2.last_crossing_0;
-    }
-    var _S241 : f32 = - cell_5.half_width_1;
-    var _S242 : bool = _S237 < _S241;
-    var _S243 : bool = _S237 >= (cell_5.half_width_1);
-    if(lengthwise_0)
-    {
-        _S239 = !_S239;
-    }
-    else
-    {
-        _S239 = false;
-    }
-    if(_S239)
-    {
-        _S239 = !shown_3.hole_2;
-    }
-    else
-    {
-        _S239 = false;
-    }
-    var _S244 : bool;
-    if(_S239)
-    {
-        _S244 = shown_3.on_top_0;
-    }
-    else
-    {
-        _S244 = false;
-    }
-    if(_S244)
-    {
-        if(_S240)
-        {
-            _S240 = _S242;
-        }
-        else
-        {
-            _S240 = false;
-        }
-        _S240 = !_S240;
-    }
-    else
-    {
-        _S240 = false;
-    }
-    if(shown_3.hole_2)
-    {
-        _S239 = true;
-    }
-    else
-    {
-        if(_S239)
-        {
-            _S239 = !shown_3.on_top_0;
-        }
-        else
-        {
-            _S239 = false;
-        }
-    }
-    var _S245 : f32;
-    if(_S242)
-    {
-        _S245 = _S241;
-    }
-    else
-    {
-        _S245 = cell_5.half_width_1;
-    }
-    var _S246 : f32 = _S245 - _S237;
-    if(_S239)
-    {
-        _S237 = 2.0f * _S238 + _S237 - cell_5.half_width_1;
-    }
-    else
-    {
-        _S237 = _S238;
-    }
-    if(_S240)
-    {
-        if(forwards_0)
-        {
-            _S237 = run_2.to_end_0;
-        }
-        else
-        {
-            _S237 = run_2.from_start_0;
-        }
-        return _S237;
-    }
-    if(_S243)
-    {
-    }
-    else
-    {
-        _S237 = _S246;
-    }
-    return _S237;
+    return select(_S214, _S215, _S212);
 }
 
 struct Probe_0
@@ -1753,116 +1371,30 @@ struct Probe_0
 
 fn way_back_to_dip_0( previous_1 : PreviousSample_0,  clearance_1 : f32,  rate_1 : f32,  step_4 : f32,  here_0 : Probe_0) -> f32
 {
-    var _S247 : f32 = previous_1.rate_0 * step_4;
-    var _S248 : f32 = rate_1 * step_4;
-    var _S249 : bool;
-    if(!previous_1.known_0)
-    {
-        _S249 = true;
-    }
-    else
-    {
-        _S249 = here_0.hole_3;
-    }
-    if(_S249)
-    {
-        _S249 = true;
-    }
-    else
-    {
-        _S249 = (previous_1.yarn_1) != (here_0.yarn_2);
-    }
-    if(_S249)
-    {
-        _S249 = true;
-    }
-    else
-    {
-        _S249 = (previous_1.rate_0) >= 0.0f;
-    }
-    if(_S249)
-    {
-        _S249 = true;
-    }
-    else
-    {
-        _S249 = rate_1 <= 0.0f;
-    }
-    if(_S249)
+    var _S216 : f32 = previous_1.rate_0 * step_4;
+    var _S217 : f32 = rate_1 * step_4;
+    if(((((((((!previous_1.known_0) | ((here_0.hole_3)))) | (((previous_1.yarn_1) != (here_0.yarn_2))))) | (((previous_1.rate_0) >= 0.0f)))) | ((rate_1 <= 0.0f))))
     {
         return -1.0f;
     }
-    if((3.0f * previous_1.clearance_0 + _S247) >= 0.0f)
-    {
-        _S249 = (3.0f * clearance_1 - _S248) >= 0.0f;
-    }
-    else
-    {
-        _S249 = false;
-    }
-    if(_S249)
+    if((((3.0f * previous_1.clearance_0 + _S216) >= 0.0f) & (((3.0f * clearance_1 - _S217) >= 0.0f))))
     {
         return -1.0f;
     }
-    var _S250 : f32 = clearance_1 - previous_1.clearance_0;
-    var _S251 : f32 = 6.0f * _S250 - 4.0f * _S247 - 2.0f * _S248;
-    var _S252 : f32 = -2.0f * _S247 / max(_S251 + sqrt(max(_S251 * _S251 - 4.0f * (3.0f * (_S247 + _S248 - 2.0f * _S250)) * _S247, 0.0f)), 9.99999968265522539e-21f);
-    var _S253 : f32 = 1.0f - _S252;
-    var _S254 : f32 = (previous_1.clearance_0 * (2.0f * _S252 + 1.0f) + _S247 * _S252) * _S253 * _S253;
-    var _S255 : f32 = (clearance_1 * (2.0f * _S253 + 1.0f) - _S248 * _S253) * _S252 * _S252;
-    if(_S252 > 0.01999999955296516f)
-    {
-        _S249 = _S253 > 0.01999999955296516f;
-    }
-    else
-    {
-        _S249 = false;
-    }
-    if(_S249)
-    {
-        _S249 = (_S254 + _S255) < 0.0f;
-    }
-    else
-    {
-        _S249 = false;
-    }
-    var _S256 : f32;
-    if(_S249)
-    {
-        _S256 = _S253 * step_4;
-    }
-    else
-    {
-        _S256 = -1.0f;
-    }
-    return _S256;
+    var _S218 : f32 = clearance_1 - previous_1.clearance_0;
+    var _S219 : f32 = 6.0f * _S218 - 4.0f * _S216 - 2.0f * _S217;
+    var _S220 : f32 = -2.0f * _S216 / max(_S219 + sqrt(max(_S219 * _S219 - 4.0f * (3.0f * (_S216 + _S217 - 2.0f * _S218)) * _S216, 0.0f)), 9.99999968265522539e-21f);
+    var _S221 : f32 = 1.0f - _S220;
+    return select(-1.0f, _S221 * step_4, ((((_S220 > 0.01999999955296516f) & ((_S221 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S220 + 1.0f) + _S216 * _S220) * _S221 * _S221 + (clearance_1 * (2.0f * _S221 + 1.0f) - _S217 * _S221) * _S220 * _S220) < 0.0f))));
 }
 
 fn after_sample_0( clearance_2 : f32,  rate_2 : f32,  here_1 : Probe_0,  is_cell_exit_0 : bool) -> PreviousSample_0
 {
     var previous_2 : PreviousSample_0;
-    var _S257 : f32;
-    if(here_1.hole_3)
-    {
-        _S257 = 1.0e+09f;
-    }
-    else
-    {
-        _S257 = clearance_2;
-    }
-    previous_2.clearance_0 = _S257;
+    previous_2.clearance_0 = select(clearance_2, 1.0e+09f, here_1.hole_3);
     previous_2.rate_0 = rate_2;
     previous_2.yarn_1 = here_1.yarn_2;
-    var _S258 : bool;
-    if(!here_1.hole_3)
-    {
-        _S258 = !is_cell_exit_0;
-    }
-    else
-    {
-        _S258 = false;
-    }
-    previous_2.known_0 = _S258;
+    previous_2.known_0 = ((!here_1.hole_3) & ((!is_cell_exit_0)));
     return previous_2;
 }
 
@@ -1873,34 +1405,8 @@ fn StepControl_to_cell_exit_0( this_5 : StepControl_0,  side_x_1 : f32,  side_y_
 
 fn StepControl_to_next_sample_0( this_6 : StepControl_0,  here_2 : Probe_0,  clearance_3 : f32,  rate_3 : f32) -> f32
 {
-    var _S259 : f32 = min(here_2.edge_x_0 * this_6.per_x_0, here_2.edge_y_0 * this_6.per_y_0);
-    var _S260 : bool;
-    if(!here_2.hole_3)
-    {
-        _S260 = (rate_3 * _S259 + clearance_3) < 0.0f;
-    }
-    else
-    {
-        _S260 = false;
-    }
-    if(_S260)
-    {
-        _S260 = _S259 > (2.0f * this_6.epsilon_0);
-    }
-    else
-    {
-        _S260 = false;
-    }
-    var _S261 : f32;
-    if(_S260)
-    {
-        _S261 = _S259 - this_6.epsilon_0;
-    }
-    else
-    {
-        _S261 = max(_S259, 0.0f) + this_6.epsilon_0;
-    }
-    return min(this_6.step_2, _S261);
+    var _S222 : f32 = min(here_2.edge_x_0 * this_6.per_x_0, here_2.edge_y_0 * this_6.per_y_0);
+    return min(this_6.step_2, select(max(_S222, 0.0f) + this_6.epsilon_0, _S222 - this_6.epsilon_0, ((((!here_2.hole_3) & (((rate_3 * _S222 + clearance_3) < 0.0f)))) & ((_S222 > (2.0f * this_6.epsilon_0))))));
 }
 
 struct ViewRay_0
@@ -1921,10 +1427,10 @@ fn ViewRay_rate_0( this_8 : ViewRay_0,  here_3 : Probe_0) -> f32
 
 fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 : f32) -> f32
 {
-    var _S262 : f32 = end_0 - start_1;
-    var _S263 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S262;
-    var _S264 : f32 = 3.0f * _S262 - 2.0f * start_rate_0 - end_rate_0;
-    var share_1 : f32 = start_1 / max(- _S262, 9.99999968265522539e-21f);
+    var _S223 : f32 = end_0 - start_1;
+    var _S224 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S223;
+    var _S225 : f32 = 3.0f * _S223 - 2.0f * start_rate_0 - end_rate_0;
+    var share_1 : f32 = start_1 / max(- _S223, 9.99999968265522539e-21f);
     var i_0 : i32 = i32(0);
     for(;;)
     {
@@ -1935,10 +1441,10 @@ fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 :
         {
             break;
         }
-        var _S265 : f32 = clamp(share_1 - (((_S263 * share_1 + _S264) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S263 * share_1 + 2.0f * _S264) * share_1 + start_rate_0, 0.10000000149011612f * _S262 - 9.99999968265522539e-21f), 0.0f, 1.0f);
-        var _S266 : i32 = i_0 + i32(1);
-        share_1 = _S265;
-        i_0 = _S266;
+        var _S226 : f32 = clamp(share_1 - (((_S224 * share_1 + _S225) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S224 * share_1 + 2.0f * _S225) * share_1 + start_rate_0, 0.10000000149011612f * _S223 - 9.99999968265522539e-21f), 0.0f, 1.0f);
+        var _S227 : i32 = i_0 + i32(1);
+        share_1 = _S226;
+        i_0 = _S227;
     }
     return share_1;
 }
@@ -1950,48 +1456,21 @@ fn between_0( above_1 : f32,  under_0 : f32,  above_gap_0 : f32,  under_gap_0 : 
 
 fn fibre_direction_0( across_slope_0 : f32,  along_slope_0 : f32,  sine_1 : f32,  cosine_0 : f32) -> vec2<f32>
 {
-    var _S267 : f32 = along_slope_0 * along_slope_0 + 1.0f;
-    var _S268 : f32 = rsqrt_0(_S267);
-    var _S269 : f32 = sine_1 * _S268 * rsqrt_0(_S267 + across_slope_0 * across_slope_0);
-    return vec2<f32>(- _S269 * _S267, _S269 * across_slope_0 * along_slope_0 + cosine_0 * _S268);
+    var _S228 : f32 = along_slope_0 * along_slope_0 + 1.0f;
+    var _S229 : f32 = rsqrt_0(_S228);
+    var _S230 : f32 = sine_1 * _S229 * rsqrt_0(_S228 + across_slope_0 * across_slope_0);
+    return vec2<f32>(- _S230 * _S228, _S230 * across_slope_0 * along_slope_0 + cosine_0 * _S229);
 }
 
 fn arc_sine_0( x_10 : f32) -> f32
 {
-    var _S270 : f32 = abs(x_10);
-    var _S271 : bool = _S270 > 0.5f;
-    var _S272 : f32;
-    if(_S271)
-    {
-        _S272 = 0.5f * (1.0f - _S270);
-    }
-    else
-    {
-        _S272 = _S270 * _S270;
-    }
-    var _S273 : f32;
-    if(_S271)
-    {
-        _S273 = sqrt(max(_S272, 0.0f));
-    }
-    else
-    {
-        _S273 = _S270;
-    }
-    var _S274 : f32 = ((((0.04216320067644119f * _S272 + 0.02418131195008755f) * _S272 + 0.04547002539038658f) * _S272 + 0.07495300471782684f) * _S272 + 0.16666752099990845f) * _S272 * _S273 + _S273;
-    if(_S271)
-    {
-        _S272 = 1.57079637050628662f - 2.0f * _S274;
-    }
-    else
-    {
-        _S272 = _S274;
-    }
-    if(x_10 < 0.0f)
-    {
-        _S272 = - _S272;
-    }
-    return _S272;
+    var _S231 : f32 = abs(x_10);
+    var _S232 : bool = _S231 > 0.5f;
+    var _S233 : f32 = select(_S231 * _S231, 0.5f * (1.0f - _S231), _S232);
+    var _S234 : f32 = select(_S231, sqrt(max(_S233, 0.0f)), _S232);
+    var _S235 : f32 = ((((0.04216320067644119f * _S233 + 0.02418131195008755f) * _S233 + 0.04547002539038658f) * _S233 + 0.07495300471782684f) * _S233 + 0.16666752099990845f) * _S233 * _S234 + _S234;
+    var _S236 : f32 = select(_S235, 1.57079637050628662f - 2.0f * _S235, _S232);
+    return select(_S236, - _S236, x_10 < 0.0f);
 }
 
 struct Hair_0
@@ -2003,11 +1482,11 @@ struct Hair_0
 
 fn Hair_x24init_0( cover_1 : f32,  normal_4 : vec3<f32>,  tangent_3 : vec3<f32>) -> Hair_0
 {
-    var _S275 : Hair_0;
-    _S275.cover_0 = cover_1;
-    _S275.normal_3 = normal_4;
-    _S275.tangent_2 = tangent_3;
-    return _S275;
+    var _S237 : Hair_0;
+    _S237.cover_0 = cover_1;
+    _S237.normal_3 = normal_4;
+    _S237.tangent_2 = tangent_3;
+    return _S237;
 }
 
 fn fade_0( size_3 : f32,  period_1 : f32) -> f32
@@ -2017,9 +1496,9 @@ fn fade_0( size_3 : f32,  period_1 : f32) -> f32
 
 fn scramble_0( value_0 : u32) -> u32
 {
-    var _S276 : u32 = value_0 * u32(747796405) + u32(2891336453);
-    var _S277 : u32 = ((((_S276 >> ((((_S276 >> (u32(28)))) + u32(4))))) ^ (_S276))) * u32(277803737);
-    return (((_S277 >> (u32(22)))) ^ (_S277));
+    var _S238 : u32 = value_0 * u32(747796405) + u32(2891336453);
+    var _S239 : u32 = ((((_S238 >> ((((_S238 >> (u32(28)))) + u32(4))))) ^ (_S238))) * u32(277803737);
+    return (((_S239 >> (u32(22)))) ^ (_S239));
 }
 
 fn hash_key_0( thread_8 : u32,  stream_0 : u32) -> u32
@@ -2039,40 +1518,16 @@ fn share_of_0( bits_2 : u32) -> f32
 
 fn sine_cosine_0( x_11 : f32) -> vec2<f32>
 {
-    var _S278 : f32 = floor(x_11 * 0.63661974668502808f + 0.5f);
-    var _S279 : f32 = x_11 - _S278 * 1.5703125f - _S278 * 0.00048375129699707f - _S278 * 7.54979012640433211e-08f;
-    var _S280 : f32 = _S279 * _S279;
-    var _S281 : f32 = ((-0.00019515295571182f * _S280 + 0.00833216123282909f) * _S280 - 0.16666655242443085f) * _S280 * _S279 + _S279;
-    var _S282 : f32 = ((0.00002443315679557f * _S280 - 0.00138873164542019f) * _S280 + 0.04166664555668831f) * _S280 * _S280 - 0.5f * _S280 + 1.0f;
-    var _S283 : u32 = (u32(i32(_S278)) & (u32(3)));
-    var _S284 : vec2<f32>;
-    if(((_S283 & (u32(1)))) != u32(0))
-    {
-        _S284 = vec2<f32>(_S282, _S281);
-    }
-    else
-    {
-        _S284 = vec2<f32>(_S281, _S282);
-    }
-    var _S285 : f32;
-    if(((_S283 & (u32(2)))) != u32(0))
-    {
-        _S285 = - _S284.x;
-    }
-    else
-    {
-        _S285 = _S284.x;
-    }
-    var _S286 : f32;
-    if((((_S283 + u32(1)) & (u32(2)))) != u32(0))
-    {
-        _S286 = - _S284.y;
-    }
-    else
-    {
-        _S286 = _S284.y;
-    }
-    return vec2<f32>(_S285, _S286);
+    var _S240 : f32 = floor(x_11 * 0.63661974668502808f + 0.5f);
+    var _S241 : f32 = x_11 - _S240 * 1.5703125f - _S240 * 0.00048375129699707f - _S240 * 7.54979012640433211e-08f;
+    var _S242 : f32 = _S241 * _S241;
+    var _S243 : f32 = ((-0.00019515295571182f * _S242 + 0.00833216123282909f) * _S242 - 0.16666655242443085f) * _S242 * _S241 + _S241;
+    var _S244 : f32 = ((0.00002443315679557f * _S242 - 0.00138873164542019f) * _S242 + 0.04166664555668831f) * _S242 * _S242 - 0.5f * _S242 + 1.0f;
+    var _S245 : u32 = (u32(i32(_S240)) & (u32(3)));
+    var _S246 : vec2<f32> = select_vector_1(((_S245 & (u32(1)))) != u32(0), vec2<f32>(_S244, _S243), vec2<f32>(_S243, _S244));
+    var _S247 : f32 = _S246.x;
+    var _S248 : f32 = _S246.y;
+    return vec2<f32>(select(_S247, - _S247, ((_S245 & (u32(2)))) != u32(0)), select(_S248, - _S248, (((_S245 + u32(1)) & (u32(2)))) != u32(0)));
 }
 
 fn albedos_of_0( family_14 : u32,  thread_9 : u32) -> Albedos_0
@@ -2082,8 +1537,8 @@ fn albedos_of_0( family_14 : u32,  thread_9 : u32) -> Albedos_0
 
 fn fibre_cell_0( across_4 : f32,  along_1 : f32,  width_3 : f32) -> vec3<f32>
 {
-    var _S287 : f32 = floor(across_4 / width_3);
-    return vec3<f32>(_S287, along_1 / (width_3 * 40.0f) + 0.61799997091293335f * _S287, 2.0f * (across_4 / width_3 - _S287) - 1.0f);
+    var _S249 : f32 = floor(across_4 / width_3);
+    return vec3<f32>(_S249, along_1 / (width_3 * 40.0f) + 0.61799997091293335f * _S249, 2.0f * (across_4 / width_3 - _S249) - 1.0f);
 }
 
 struct SurfacePoint_0
@@ -2102,17 +1557,8 @@ struct SurfacePoint_0
 
 fn ply_offset_0( family_15 : u32,  point_3 : SurfacePoint_0,  back_9 : bool) -> f32
 {
-    var _S288 : f32;
-    if(back_9)
-    {
-        _S288 = - families_0[family_15].ply_sine_0;
-    }
-    else
-    {
-        _S288 = families_0[family_15].ply_sine_0;
-    }
-    var _S289 : f32 = (point_3.fibre_across_0 * families_0[family_15].ply_cosine_0 + point_3.fibre_along_0 * _S288) * families_0[family_15].plies_per_mm_0;
-    return 2.0f * (_S289 - floor(_S289)) - 1.0f;
+    var _S250 : f32 = (point_3.fibre_across_0 * families_0[family_15].ply_cosine_0 + point_3.fibre_along_0 * select(families_0[family_15].ply_sine_0, - families_0[family_15].ply_sine_0, back_9)) * families_0[family_15].plies_per_mm_0;
+    return 2.0f * (_S250 - floor(_S250)) - 1.0f;
 }
 
 fn signed_noise_0( bits_3 : u32) -> f32
@@ -2127,22 +1573,22 @@ fn smooth_share_0( share_2 : f32) -> f32
 
 fn wave_noise_0( key_1 : u32,  position_5 : f32) -> vec2<f32>
 {
-    var _S290 : f32 = floor(position_5);
-    var _S291 : f32 = position_5 - _S290;
-    var _S292 : u32 = u32(i32(_S290));
-    var _S293 : f32 = signed_noise_0(hash_bits_0(key_1, _S292));
-    var _S294 : f32 = signed_noise_0(hash_bits_0(key_1, _S292 + u32(1)));
-    return vec2<f32>(mix(_S293, _S294, smooth_share_0(_S291)), 6.0f * _S291 * (1.0f - _S291) * (_S294 - _S293));
+    var _S251 : f32 = floor(position_5);
+    var _S252 : f32 = position_5 - _S251;
+    var _S253 : u32 = u32(i32(_S251));
+    var _S254 : f32 = signed_noise_0(hash_bits_0(key_1, _S253));
+    var _S255 : f32 = signed_noise_0(hash_bits_0(key_1, _S253 + u32(1)));
+    return vec2<f32>(mix(_S254, _S255, smooth_share_0(_S252)), 6.0f * _S252 * (1.0f - _S252) * (_S255 - _S254));
 }
 
 fn cell_noise_0( key_2 : u32,  cell_7 : vec3<f32>) -> vec2<f32>
 {
-    var _S295 : f32 = cell_7.y;
-    var _S296 : f32 = floor(_S295);
-    var _S297 : u32 = u32(i32(cell_7.x)) * u32(65536) + u32(i32(_S296));
-    var _S298 : u32 = hash_bits_0(key_2, _S297);
-    var _S299 : u32 = hash_bits_0(key_2, _S297 + u32(1));
-    return mix(vec2<f32>(signed_noise_0(_S298), signed_noise_0((_S298 >> (u32(16))))), vec2<f32>(signed_noise_0(_S299), signed_noise_0((_S299 >> (u32(16))))), vec2<f32>(smooth_share_0(_S295 - _S296)));
+    var _S256 : f32 = cell_7.y;
+    var _S257 : f32 = floor(_S256);
+    var _S258 : u32 = u32(i32(cell_7.x)) * u32(65536) + u32(i32(_S257));
+    var _S259 : u32 = hash_bits_0(key_2, _S258);
+    var _S260 : u32 = hash_bits_0(key_2, _S258 + u32(1));
+    return mix(vec2<f32>(signed_noise_0(_S259), signed_noise_0((_S259 >> (u32(16))))), vec2<f32>(signed_noise_0(_S260), signed_noise_0((_S260 >> (u32(16))))), vec2<f32>(smooth_share_0(_S256 - _S257)));
 }
 
 fn uniform_hash_0( thread_10 : u32,  cell_8 : u32,  stream_1 : u32) -> f32
@@ -2157,14 +1603,14 @@ fn thread_gain_0( thread_11 : u32,  amount_0 : f32,  seed_2 : u32) -> f32
 
 fn bounded_gain_0( gain_1 : f32,  albedo_1 : vec3<f32>,  room_0 : vec3<f32>) -> f32
 {
-    var _S300 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
-    return min(gain_1, max(min(min(_S300.x, _S300.y), _S300.z), 0.0f));
+    var _S261 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
+    return min(gain_1, max(min(min(_S261.x, _S261.y), _S261.z), 0.0f));
 }
 
 fn flattened_0( largest_0 : f32,  albedo_2 : vec3<f32>,  room_1 : vec3<f32>) -> f32
 {
-    var _S301 : vec3<f32> = room_1 / max(albedo_2, vec3<f32>(9.99999997475242708e-07f)) - vec3<f32>(1.0f);
-    return min(max(min(min(_S301.x, _S301.y), _S301.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
+    var _S262 : vec3<f32> = room_1 / max(albedo_2, vec3<f32>(9.99999997475242708e-07f)) - vec3<f32>(1.0f);
+    return min(max(min(min(_S262.x, _S262.y), _S262.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
 }
 
 fn fibre_gain_0( thread_12 : u32,  cell_9 : u32,  amount_1 : f32,  seed_3 : u32) -> f32
@@ -2181,22 +1627,14 @@ struct YarnFrame_0
 
 fn under_hair_0( frame_0 : YarnFrame_0,  hair_0 : Hair_0) -> YarnFrame_0
 {
-    var _S302 : vec3<f32>;
-    if((dot(frame_0.tangent_5, hair_0.tangent_2)) < 0.0f)
-    {
-        _S302 = (vec3<f32>(0) - hair_0.tangent_2);
-    }
-    else
-    {
-        _S302 = hair_0.tangent_2;
-    }
+    var _S263 : vec3<f32> = select_vector_0((dot(frame_0.tangent_5, hair_0.tangent_2)) < 0.0f, (vec3<f32>(0) - hair_0.tangent_2), hair_0.tangent_2);
     var blended_0 : YarnFrame_0;
-    var _S303 : vec3<f32> = vec3<f32>(hair_0.cover_0);
-    var _S304 : vec3<f32> = normalize(mix(frame_0.normal_6, hair_0.normal_3, _S303));
-    blended_0.normal_6 = _S304;
-    var _S305 : vec3<f32> = mix(frame_0.tangent_5, _S302, _S303);
-    var _S306 : vec3<f32> = _S305 - vec3<f32>(dot(_S305, _S304)) * _S304;
-    blended_0.tangent_5 = _S306 * vec3<f32>(rsqrt_0(max(dot(_S306, _S306), 9.999999960041972e-13f)));
+    var _S264 : vec3<f32> = vec3<f32>(hair_0.cover_0);
+    var _S265 : vec3<f32> = normalize(mix(frame_0.normal_6, hair_0.normal_3, _S264));
+    blended_0.normal_6 = _S265;
+    var _S266 : vec3<f32> = mix(frame_0.tangent_5, _S263, _S264);
+    var _S267 : vec3<f32> = _S266 - vec3<f32>(dot(_S266, _S265)) * _S265;
+    blended_0.tangent_5 = _S267 * vec3<f32>(rsqrt_0(max(dot(_S267, _S267), 9.999999960041972e-13f)));
     blended_0.loss_0 = frame_0.loss_0 * (1.0f - hair_0.cover_0);
     return blended_0;
 }
@@ -2208,19 +1646,10 @@ fn diffuse_gain_2( frame_1 : YarnFrame_0,  blend_0 : f32) -> f32
 
 fn texel_along_0( share_3 : f32,  first_6 : u32,  extent_1 : f32,  count_2 : u32) -> u32
 {
-    var _S307 : f32 = min(floor(share_3 * extent_1), extent_1 - 1.0f);
-    var _S308 : f32 = f32(count_2);
-    var _S309 : u32 = first_6 + min(u32(max(_S307 - floor(_S307 / _S308) * _S308, 0.0f)), count_2 - u32(1));
-    var _S310 : u32;
-    if(_S309 >= count_2)
-    {
-        _S310 = _S309 - count_2;
-    }
-    else
-    {
-        _S310 = _S309;
-    }
-    return _S310;
+    var _S268 : f32 = min(floor(share_3 * extent_1), extent_1 - 1.0f);
+    var _S269 : f32 = f32(count_2);
+    var _S270 : u32 = first_6 + min(u32(max(_S268 - floor(_S268 / _S269) * _S269, 0.0f)), count_2 - u32(1));
+    return select(_S270, _S270 - count_2, _S270 >= count_2);
 }
 
 fn texel_of_0( tables_4 : ptr<function, Clustered_std430_0>,  box_4 : TexelBox_0,  share_4 : vec2<f32>) -> u32
@@ -2235,9 +1664,9 @@ fn table_byte_0( table_1 : u32,  index_4 : u32) -> u32
 
 fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_5 : u32,  stream_2 : u32) -> vec2<f32>
 {
-    var _S311 : u32 = pixel_0.x;
-    var _S312 : u32 = pixel_0.y;
-    return fract(vec2<f32>(uniform_hash_0(_S311, _S312, stream_2), uniform_hash_0(_S311, _S312, stream_2 + u32(1))) + vec2<f32>(f32((index_5 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S271 : u32 = pixel_0.x;
+    var _S272 : u32 = pixel_0.y;
+    return fract(vec2<f32>(uniform_hash_0(_S271, _S272, stream_2), uniform_hash_0(_S271, _S272, stream_2 + u32(1))) + vec2<f32>(f32((index_5 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
 }
 
 fn scene_number_0( index_6 : u32) -> f32
@@ -2264,22 +1693,22 @@ fn choose_0( table_2 : u32,  count_3 : u32,  number_1 : f32) -> Choice_0
         {
             break;
         }
-        var _S313 : u32 = (low_1 + high_1) / u32(2);
-        if((scene_number_0(table_2 + _S313)) <= number_1)
+        var _S273 : u32 = (low_1 + high_1) / u32(2);
+        if((scene_number_0(table_2 + _S273)) <= number_1)
         {
-            low_1 = _S313;
+            low_1 = _S273;
         }
         else
         {
-            high_1 = _S313;
+            high_1 = _S273;
         }
     }
-    var _S314 : u32 = table_2 + low_1;
-    var _S315 : f32 = scene_number_0(_S314);
-    var _S316 : f32 = scene_number_0(_S314 + u32(1));
+    var _S274 : u32 = table_2 + low_1;
+    var _S275 : f32 = scene_number_0(_S274);
+    var _S276 : f32 = scene_number_0(_S274 + u32(1));
     var choice_0 : Choice_0;
     choice_0.index_7 = low_1;
-    choice_0.remainder_0 = saturate((number_1 - _S315) / max(_S316 - _S315, 9.999999960041972e-13f));
+    choice_0.remainder_0 = saturate((number_1 - _S275) / max(_S276 - _S275, 9.999999960041972e-13f));
     return choice_0;
 }
 
@@ -2300,35 +1729,16 @@ struct BaseTaps_0
 fn base_taps_0( seen_1 : ViewedBase_0,  light_1 : vec3<f32>) -> BaseTaps_0
 {
     var taps_1 : BaseTaps_0;
-    var _S317 : vec3<f32> = to_face_frame_0(light_1, seen_1.back_5);
-    taps_1.facing_0 = _S317;
-    var _S318 : f32 = _S317.z;
-    var _S319 : bool = _S318 < 0.0f;
-    taps_1.transmits_1 = _S319;
-    taps_1.around_1 = bin_taps_0(vec3<f32>(_S317.xy, abs(_S318)), u32(32));
-    var _S320 : u32 = seen_1.face_3 * u32(2);
-    var _S321 : u32;
-    if(_S319)
-    {
-        _S321 = u32(1);
-    }
-    else
-    {
-        _S321 = u32(0);
-    }
-    taps_1.first_7 = (_S320 + _S321) * u32(1024);
-    var _S322 : vec3<f32> = taps_1.facing_0 + seen_1.view_3;
-    var half_vector_1 : vec3<f32> = _S322 * vec3<f32>((1.0f / sqrt(max(square_0(_S322), 9.999999960041972e-13f))));
-    var half_vector_2 : vec3<f32>;
-    if((half_vector_1.z) < 0.0f)
-    {
-        half_vector_2 = (vec3<f32>(0) - half_vector_1);
-    }
-    else
-    {
-        half_vector_2 = half_vector_1;
-    }
-    taps_1.half_vector_0 = bin_taps_0(half_vector_2, u32(32));
+    var _S277 : vec3<f32> = to_face_frame_0(light_1, seen_1.back_5);
+    taps_1.facing_0 = _S277;
+    var _S278 : f32 = _S277.z;
+    var _S279 : bool = _S278 < 0.0f;
+    taps_1.transmits_1 = _S279;
+    taps_1.around_1 = bin_taps_0(vec3<f32>(_S277.xy, abs(_S278)), u32(32));
+    taps_1.first_7 = (seen_1.face_3 * u32(2) + select(u32(0), u32(1), _S279)) * u32(1024);
+    var _S280 : vec3<f32> = _S277 + seen_1.view_3;
+    var half_vector_1 : vec3<f32> = _S280 * vec3<f32>((1.0f / sqrt(max(square_0(_S280), 9.999999960041972e-13f))));
+    taps_1.half_vector_0 = bin_taps_0(select_vector_0((half_vector_1.z) < 0.0f, (vec3<f32>(0) - half_vector_1), half_vector_1), u32(32));
     return taps_1;
 }
 
@@ -2356,8 +1766,8 @@ fn no_components_0() -> Components_0
 
 fn projected_area_1( direction_4 : vec3<f32>,  tangent_6 : vec3<f32>,  roughness_3 : f32) -> f32
 {
-    var _S323 : f32 = dot(direction_4, tangent_6);
-    return sqrt(max((roughness_3 + 1.0f) * (roughness_3 - 1.0f) * _S323 * _S323 + 1.0f, roughness_3 * roughness_3));
+    var _S281 : f32 = dot(direction_4, tangent_6);
+    return sqrt(max((roughness_3 + 1.0f) * (roughness_3 - 1.0f) * _S281 * _S281 + 1.0f, roughness_3 * roughness_3));
 }
 
 fn shaded_0( components_0 : Components_0,  albedos_7 : FamilyAlbedos_0,  transmits_2 : bool) -> vec3<f32>
@@ -2371,17 +1781,8 @@ fn shaded_0( components_0 : Components_0,  albedos_7 : FamilyAlbedos_0,  transmi
 
 fn bounced_value_0( bounced_4 : Bounced_0,  light_2 : vec3<f32>,  view_5 : vec3<f32>) -> vec3<f32>
 {
-    var _S324 : f32 = light_2.z;
-    var _S325 : vec3<f32>;
-    if((_S324 * view_5.z) < 0.0f)
-    {
-        _S325 = bounced_4.transmitted_0;
-    }
-    else
-    {
-        _S325 = bounced_4.reflected_0;
-    }
-    return _S325 * vec3<f32>((abs(_S324) * 0.31830987334251404f));
+    var _S282 : f32 = light_2.z;
+    return select_vector_0((_S282 * view_5.z) < 0.0f, bounced_4.transmitted_0, bounced_4.reflected_0) * vec3<f32>((abs(_S282) * 0.31830987334251404f));
 }
 
 fn sheen_scale_0( x_12 : f32,  y_5 : f32) -> f32
@@ -2401,60 +1802,43 @@ fn sheen_reflectance_0( x_14 : f32,  y_7 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_4 : f32) -> vec3<f32>
 {
-    var _S326 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S327 : f32 = 2.0f * sqrt(_S326) - 1.0f;
-    var _S328 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_4, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S327, _S328), 0.00999999977648258f, 1.0f), clamp((1.0f - _S326) * sheen_shear_0(_S327, _S328), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S327, _S328), -60.0f, 60.0f))));
+    var _S283 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S284 : f32 = 2.0f * sqrt(_S283) - 1.0f;
+    var _S285 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_4, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S284, _S285), 0.00999999977648258f, 1.0f), clamp((1.0f - _S283) * sheen_shear_0(_S284, _S285), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S284, _S285), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_3 : vec3<f32>,  view_6 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S329 : f32 = light_3.z;
-    var _S330 : bool;
-    if(_S329 <= 0.0f)
-    {
-        _S330 = true;
-    }
-    else
-    {
-        _S330 = (view_6.z) <= 0.0f;
-    }
-    if(_S330)
+    var _S286 : f32 = light_3.z;
+    if(((_S286 <= 0.0f) | (((view_6.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S331 : vec2<f32> = view_6.xy;
-    var _S332 : f32 = dot(_S331, _S331);
-    var _S333 : vec2<f32>;
-    if(_S332 > 9.99999968265522539e-21f)
-    {
-        _S333 = _S331 * vec2<f32>(rsqrt_0(_S332));
-    }
-    else
-    {
-        _S333 = vec2<f32>(1.0f, 0.0f);
-    }
-    var _S334 : f32 = scale_0 * dot(light_3.xy, _S333) + shear_0 * _S329;
-    var _S335 : f32 = scale_0 * (light_3.y * _S333.x - light_3.x * _S333.y);
-    var _S336 : f32 = _S334 * _S334 + _S335 * _S335 + _S329 * _S329;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S329 / max(_S336 * _S336, 9.99999968265522539e-21f);
+    var _S287 : vec2<f32> = view_6.xy;
+    var _S288 : f32 = dot(_S287, _S287);
+    var _S289 : vec2<f32> = select_vector_1(_S288 > 9.99999968265522539e-21f, _S287 * vec2<f32>(rsqrt_0(max(_S288, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S290 : f32 = scale_0 * dot(light_3.xy, _S289) + shear_0 * _S286;
+    var _S291 : f32 = scale_0 * (light_3.y * _S289.x - light_3.x * _S289.y);
+    var _S292 : f32 = _S290 * _S290 + _S291 * _S291 + _S286 * _S286;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S286 / max(_S292 * _S292, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_4 : vec3<f32>,  view_7 : vec3<f32>,  strength_0 : f32,  roughness_5 : f32) -> vec2<f32>
 {
-    var _S337 : vec3<f32> = sheen_lobe_0(view_7.z, roughness_5);
-    var _S338 : f32 = strength_0 * _S337.z;
-    return vec2<f32>(_S338 * transformed_cosine_0(light_4, view_7, _S337.x, _S337.y), 1.0f - _S338);
+    var _S293 : vec3<f32> = sheen_lobe_0(view_7.z, roughness_5);
+    var _S294 : f32 = strength_0 * _S293.z;
+    return vec2<f32>(_S294 * transformed_cosine_0(light_4, view_7, _S293.x, _S293.y), 1.0f - _S294);
 }
 
 fn diffuse_reflection_0( light_5 : vec3<f32>,  normal_7 : vec3<f32>,  blend_1 : f32) -> f32
 {
-    var _S339 : f32 = light_5.z;
-    if(_S339 <= 0.0f)
+    var _S295 : f32 = light_5.z;
+    if(_S295 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * mix(max(_S339, 0.0f), max(dot(light_5, normal_7), 0.0f), blend_1);
+    return 0.31830987334251404f * mix(max(_S295, 0.0f), max(dot(light_5, normal_7), 0.0f), blend_1);
 }
 
 fn mean_attenuation_0( depth_0 : f32) -> f32
@@ -2468,392 +1852,307 @@ fn mean_attenuation_0( depth_0 : f32) -> f32
 
 fn flake_density_0( squared_along_0 : f32,  roughness_6 : f32) -> f32
 {
-    var _S340 : f32 = roughness_6 * roughness_6;
-    var _S341 : f32 = squared_along_0 * (1.0f - _S340) + _S340;
-    return 0.31830987334251404f * _S340 * roughness_6 / (_S341 * _S341);
+    var _S296 : f32 = roughness_6 * roughness_6;
+    var _S297 : f32 = squared_along_0 * (1.0f - _S296) + _S296;
+    return 0.31830987334251404f * _S296 * roughness_6 / (_S297 * _S297);
 }
 
 fn density_between_0( light_6 : vec3<f32>,  view_8 : vec3<f32>,  tangent_7 : vec3<f32>,  roughness_7 : f32) -> f32
 {
-    var _S342 : vec3<f32> = light_6 + view_8;
-    var _S343 : f32 = dot(_S342, tangent_7);
-    return flake_density_0(min(_S343 * _S343 / max(square_0(_S342), 9.999999960041972e-13f), 1.0f), roughness_7);
+    var _S298 : vec3<f32> = light_6 + view_8;
+    var _S299 : f32 = dot(_S298, tangent_7);
+    return flake_density_0(min(_S299 * _S299 / max(square_0(_S298), 9.999999960041972e-13f), 1.0f), roughness_7);
 }
 
 fn transmission_1( light_7 : vec3<f32>,  view_9 : vec3<f32>,  normal_8 : vec3<f32>,  tangent_8 : vec3<f32>,  roughness_8 : f32,  optical_depth_1 : f32) -> f32
 {
-    var _S344 : f32 = - dot(light_7, normal_8);
-    var _S345 : f32 = dot(view_9, normal_8);
-    var _S346 : bool;
-    if(_S344 <= 0.0f)
-    {
-        _S346 = true;
-    }
-    else
-    {
-        _S346 = _S345 <= 0.0f;
-    }
-    if(_S346)
+    var _S300 : f32 = - dot(light_7, normal_8);
+    var _S301 : f32 = dot(view_9, normal_8);
+    if(((_S300 <= 0.0f) | ((_S301 <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S347 : f32 = 1.0f / max(_S345, 9.99999997475242708e-07f);
-    var _S348 : f32 = projected_area_1(light_7, tangent_8, roughness_8) / max(_S344, 9.99999997475242708e-07f);
-    var _S349 : f32 = projected_area_1(view_9, tangent_8, roughness_8) * _S347;
-    return density_between_0(light_7, view_9, tangent_8, roughness_8) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S348, _S349)) * mean_attenuation_0(optical_depth_1 * abs(_S348 - _S349)) * _S347;
+    var _S302 : f32 = 1.0f / max(_S301, 9.99999997475242708e-07f);
+    var _S303 : f32 = projected_area_1(light_7, tangent_8, roughness_8) / max(_S300, 9.99999997475242708e-07f);
+    var _S304 : f32 = projected_area_1(view_9, tangent_8, roughness_8) * _S302;
+    return density_between_0(light_7, view_9, tangent_8, roughness_8) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S303, _S304)) * mean_attenuation_0(optical_depth_1 * abs(_S303 - _S304)) * _S302;
 }
 
 fn reflection_0( light_8 : vec3<f32>,  view_10 : vec3<f32>,  normal_9 : vec3<f32>,  tangent_9 : vec3<f32>,  roughness_9 : f32,  optical_depth_2 : f32) -> f32
 {
-    var _S350 : f32 = dot(light_8, normal_9);
-    var _S351 : bool;
-    if(_S350 <= 0.0f)
-    {
-        _S351 = true;
-    }
-    else
-    {
-        _S351 = (dot(view_10, normal_9)) <= 0.0f;
-    }
-    if(_S351)
+    var _S305 : f32 = dot(light_8, normal_9);
+    var _S306 : f32 = dot(view_10, normal_9);
+    if(((_S305 <= 0.0f) | ((_S306 <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S352 : f32 = max(_S350, 9.99999997475242708e-07f);
-    var _S353 : f32 = max(dot(view_10, normal_9), 9.99999997475242708e-07f);
-    var _S354 : f32 = projected_area_1(light_8, tangent_9, roughness_9) * _S353 + projected_area_1(view_10, tangent_9, roughness_9) * _S352;
-    var _S355 : f32 = optical_depth_2 * _S354 / (_S352 * _S353);
-    return 0.25f * density_between_0(light_8, view_10, tangent_9, roughness_9) * (_S355 * mean_attenuation_0(_S355)) * _S352 / _S354;
+    var _S307 : f32 = max(_S305, 9.99999997475242708e-07f);
+    var _S308 : f32 = max(_S306, 9.99999997475242708e-07f);
+    var _S309 : f32 = projected_area_1(light_8, tangent_9, roughness_9) * _S308 + projected_area_1(view_10, tangent_9, roughness_9) * _S307;
+    var _S310 : f32 = optical_depth_2 * _S309 / (_S307 * _S308);
+    return 0.25f * density_between_0(light_8, view_10, tangent_9, roughness_9) * (_S310 * mean_attenuation_0(_S310)) * _S307 / _S309;
 }
 
 fn accumulate_0( index_8 : u32,  light_9 : vec4<f32>)
 {
-    var _S356 : f32 = layers_0[index_8].share_0;
+    var _S311 : f32 = layers_0[index_8].share_0;
     radiance_0[index_8] = radiance_0[index_8] + vec4<f32>(layers_0[index_8].share_0) * light_9;
-    layers_0[index_8].share_0 = _S356 * (1.0f - light_9.w);
+    layers_0[index_8].share_0 = _S311 * (1.0f - light_9.w);
     return;
 }
 
-fn camera_right_0( _S357 : i32) -> vec3<f32>
+fn camera_right_0( _S312 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S357].right_x_0, frames_0[_S357].right_y_0, frames_0[_S357].right_z_0);
+    return vec3<f32>(frames_0[_S312].right_x_0, frames_0[_S312].right_y_0, frames_0[_S312].right_z_0);
 }
 
-fn camera_up_0( _S358 : i32) -> vec3<f32>
+fn camera_up_0( _S313 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S358].up_x_0, frames_0[_S358].up_y_0, frames_0[_S358].up_z_0);
+    return vec3<f32>(frames_0[_S313].up_x_0, frames_0[_S313].up_y_0, frames_0[_S313].up_z_0);
 }
 
-fn camera_forward_0( _S359 : i32) -> vec3<f32>
+fn camera_forward_0( _S314 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S359].forward_x_0, frames_0[_S359].forward_y_0, frames_0[_S359].forward_z_0);
+    return vec3<f32>(frames_0[_S314].forward_x_0, frames_0[_S314].forward_y_0, frames_0[_S314].forward_z_0);
 }
 
-fn camera_origin_0( _S360 : i32) -> vec3<f32>
+fn camera_origin_0( _S315 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S360].origin_x_0, frames_0[_S360].origin_y_0, frames_0[_S360].origin_z_0);
+    return vec3<f32>(frames_0[_S315].origin_x_0, frames_0[_S315].origin_y_0, frames_0[_S315].origin_z_0);
 }
 
-fn face_point_0( _S361 : u32,  _S362 : u32,  _S363 : f32,  _S364 : f32) -> VisiblePoint_0
+fn face_point_0( _S316 : u32,  _S317 : u32,  _S318 : f32,  _S319 : f32) -> VisiblePoint_0
 {
-    var _S365 : u32 = u32(3) * _S362;
-    var _S366 : Vertex_std430_0 = vertices_0[corners_0[_S365]];
-    var _S367 : Vertex_std430_0 = vertices_0[corners_0[_S365 + u32(1)]];
-    var _S368 : Vertex_std430_0 = vertices_0[corners_0[_S365 + u32(2)]];
-    var _S369 : vec3<f32> = position_of_0(&(_S367));
-    var _S370 : vec3<f32> = position_of_0(&(_S366));
-    var _S371 : vec3<f32> = _S369 - _S370;
-    var _S372 : vec3<f32> = position_of_0(&(_S368));
-    var _S373 : vec3<f32> = _S372 - _S370;
-    var _S374 : f32 = _S366.u_0;
-    var _S375 : f32 = _S367.u_0 - _S366.u_0;
-    var _S376 : f32 = _S366.v_0;
-    var _S377 : f32 = _S367.v_0 - _S366.v_0;
-    var _S378 : vec2<f32> = vec2<f32>(_S375, _S377);
-    var _S379 : f32 = _S368.u_0 - _S366.u_0;
-    var _S380 : f32 = _S368.v_0 - _S366.v_0;
-    var _S381 : vec2<f32> = vec2<f32>(_S379, _S380);
-    var _S382 : f32;
-    if((_S375 * _S380 - _S377 * _S379) < 0.0f)
-    {
-        _S382 = -1.0f;
-    }
-    else
-    {
-        _S382 = 1.0f;
-    }
-    var _S383 : vec3<f32> = vec3<f32>(_S382) * (vec3<f32>(_S380) * _S371 - vec3<f32>(_S377) * _S373);
-    var _S384 : vec3<f32> = vec3<f32>(_S382) * (vec3<f32>(_S375) * _S373 - vec3<f32>(_S379) * _S371);
+    var _S320 : u32 = u32(3) * _S317;
+    var _S321 : Vertex_std430_0 = vertices_0[corners_0[_S320]];
+    var _S322 : Vertex_std430_0 = vertices_0[corners_0[_S320 + u32(1)]];
+    var _S323 : Vertex_std430_0 = vertices_0[corners_0[_S320 + u32(2)]];
+    var _S324 : vec3<f32> = position_of_0(&(_S322));
+    var _S325 : vec3<f32> = position_of_0(&(_S321));
+    var _S326 : vec3<f32> = _S324 - _S325;
+    var _S327 : vec3<f32> = position_of_0(&(_S323));
+    var _S328 : vec3<f32> = _S327 - _S325;
+    var _S329 : f32 = _S321.u_0;
+    var _S330 : f32 = _S322.u_0 - _S321.u_0;
+    var _S331 : f32 = _S321.v_0;
+    var _S332 : f32 = _S322.v_0 - _S321.v_0;
+    var _S333 : vec2<f32> = vec2<f32>(_S330, _S332);
+    var _S334 : f32 = _S323.u_0 - _S321.u_0;
+    var _S335 : f32 = _S323.v_0 - _S321.v_0;
+    var _S336 : vec2<f32> = vec2<f32>(_S334, _S335);
+    var _S337 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S330 * _S335 - _S332 * _S334) < 0.0f));
+    var _S338 : vec3<f32> = _S337 * (vec3<f32>(_S335) * _S326 - vec3<f32>(_S332) * _S328);
+    var _S339 : vec3<f32> = _S337 * (vec3<f32>(_S330) * _S328 - vec3<f32>(_S334) * _S326);
     var point_4 : VisiblePoint_0;
-    var _S385 : f32 = 1.0f - _S363 - _S364;
-    var _S386 : vec3<f32> = normal_of_0(&(_S366));
-    var _S387 : vec3<f32> = vec3<f32>(_S385) * _S386;
-    var _S388 : vec3<f32> = normal_of_0(&(_S367));
-    var _S389 : vec3<f32> = vec3<f32>(_S363);
-    var _S390 : vec3<f32> = _S387 + _S389 * _S388;
-    var _S391 : vec3<f32> = normal_of_0(&(_S368));
-    var _S392 : vec3<f32> = vec3<f32>(_S364);
-    var _S393 : vec3<f32> = normalize(_S390 + _S392 * _S391);
-    point_4.normal_0 = _S393;
-    var _S394 : vec3<f32> = normalize(_S383 - _S393 * vec3<f32>(dot(_S393, _S383)));
-    point_4.axis_x_0 = _S394;
-    point_4.axis_y_0 = cross(_S393, _S394);
-    var _S395 : vec3<f32> = normalize(cross(_S371, _S373));
-    var _S396 : vec3<f32>;
-    if((dot(_S395, _S393)) < 0.0f)
-    {
-        _S396 = (vec3<f32>(0) - _S395);
-    }
-    else
-    {
-        _S396 = _S395;
-    }
-    point_4.face_normal_0 = _S396;
-    point_4.position_0 = _S370 + _S389 * _S371 + _S392 * _S373;
-    point_4.view_1 = point_4.normal_0;
-    point_4.uv_1 = vec2<f32>(_S374, _S376) + vec2<f32>(_S363) * _S378 + vec2<f32>(_S364) * _S381;
-    var _S397 : bool = (dot(cross(_S383, _S384), point_4.normal_0)) < 0.0f;
-    var _S398 : f32 = fabrics_0[_S361].uv_width_0;
-    if(_S397)
-    {
-        _S382 = - fabrics_0[_S361].uv_height_0;
-    }
-    else
-    {
-        _S382 = fabrics_0[_S361].uv_height_0;
-    }
-    var _S399 : vec2<f32> = vec2<f32>(_S398, _S382);
-    point_4.draft_per_uv_0 = _S399;
-    var _S400 : vec2<f32> = point_4.uv_1 * _S399;
-    if(_S397)
-    {
-        _S382 = fabrics_0[_S361].uv_height_0;
-    }
-    else
-    {
-        _S382 = 0.0f;
-    }
-    point_4.draft_0 = _S400 + vec2<f32>(0.0f, _S382);
-    var _S401 : vec2<f32> = vec2<f32>(0.0f);
-    point_4.draft_dx_0 = _S401;
-    point_4.draft_dy_0 = _S401;
+    var _S340 : f32 = 1.0f - _S318 - _S319;
+    var _S341 : vec3<f32> = normal_of_0(&(_S321));
+    var _S342 : vec3<f32> = vec3<f32>(_S340) * _S341;
+    var _S343 : vec3<f32> = normal_of_0(&(_S322));
+    var _S344 : vec3<f32> = vec3<f32>(_S318);
+    var _S345 : vec3<f32> = _S342 + _S344 * _S343;
+    var _S346 : vec3<f32> = normal_of_0(&(_S323));
+    var _S347 : vec3<f32> = vec3<f32>(_S319);
+    var _S348 : vec3<f32> = normalize(_S345 + _S347 * _S346);
+    point_4.normal_0 = _S348;
+    var _S349 : vec3<f32> = normalize(_S338 - _S348 * vec3<f32>(dot(_S348, _S338)));
+    point_4.axis_x_0 = _S349;
+    point_4.axis_y_0 = cross(_S348, _S349);
+    var _S350 : vec3<f32> = normalize(cross(_S326, _S328));
+    point_4.face_normal_0 = select_vector_0((dot(_S350, _S348)) < 0.0f, (vec3<f32>(0) - _S350), _S350);
+    point_4.position_0 = _S325 + _S344 * _S326 + _S347 * _S328;
+    point_4.view_1 = _S348;
+    var _S351 : vec2<f32> = vec2<f32>(_S329, _S331) + vec2<f32>(_S318) * _S333 + vec2<f32>(_S319) * _S336;
+    point_4.uv_1 = _S351;
+    var _S352 : bool = (dot(cross(_S338, _S339), _S348)) < 0.0f;
+    var _S353 : vec2<f32> = vec2<f32>(fabrics_0[_S316].uv_width_0, select(fabrics_0[_S316].uv_height_0, - fabrics_0[_S316].uv_height_0, _S352));
+    point_4.draft_per_uv_0 = _S353;
+    point_4.draft_0 = _S351 * _S353 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S316].uv_height_0, _S352));
+    var _S354 : vec2<f32> = vec2<f32>(0.0f);
+    point_4.draft_dx_0 = _S354;
+    point_4.draft_dy_0 = _S354;
     return point_4;
 }
 
-fn visible_point_0( _S402 : i32,  _S403 : u32,  _S404 : u32,  _S405 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S355 : i32,  _S356 : u32,  _S357 : u32,  _S358 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S406 : u32 = u32(3) * _S404;
-    var _S407 : Vertex_std430_0 = vertices_0[corners_0[_S406]];
-    var _S408 : Vertex_std430_0 = vertices_0[corners_0[_S406 + u32(1)]];
-    var _S409 : Vertex_std430_0 = vertices_0[corners_0[_S406 + u32(2)]];
-    var _S410 : vec3<f32> = position_of_1(&(_S408));
-    var _S411 : vec3<f32> = position_of_1(&(_S407));
-    var _S412 : vec3<f32> = _S410 - _S411;
-    var _S413 : vec3<f32> = position_of_1(&(_S409));
-    var _S414 : vec3<f32> = _S413 - _S411;
-    var _S415 : vec3<f32> = cross(_S412, _S414);
-    var _S416 : f32 = 1.0f / max(square_0(_S415), 1.00000000317107685e-30f);
-    var _S417 : f32 = f32(frames_0[_S402].width_0);
-    var _S418 : vec3<f32> = camera_right_0(_S402) * vec3<f32>((2.0f / _S417));
-    var _S419 : f32 = f32(frames_0[_S402].height_0);
-    var _S420 : vec3<f32> = camera_up_0(_S402) * vec3<f32>((-2.0f / _S419));
-    var _S421 : vec3<f32> = camera_forward_0(_S402) + vec3<f32>((f32(_S405.x) + 0.5f - 0.5f * _S417)) * _S418 + vec3<f32>((f32(_S405.y) + 0.5f - 0.5f * _S419)) * _S420;
-    var _S422 : f32 = dot(_S421, _S415);
-    var _S423 : f32;
-    if((abs(_S422)) > 1.00000000317107685e-30f)
-    {
-        _S423 = _S422;
-    }
-    else
-    {
-        _S423 = 1.00000000317107685e-30f;
-    }
-    var _S424 : f32 = 1.0f / _S423;
-    var _S425 : vec3<f32> = _S411 - camera_origin_0(_S402);
-    var _S426 : vec3<f32> = vec3<f32>((dot(_S425, _S415) * _S424));
-    var _S427 : vec3<f32> = _S421 * _S426 - _S425;
-    var _S428 : vec3<f32> = _S426 * (_S418 - _S421 * vec3<f32>((dot(_S418, _S415) * _S424)));
-    var _S429 : vec3<f32> = _S426 * (_S420 - _S421 * vec3<f32>((dot(_S420, _S415) * _S424)));
-    var _S430 : vec3<f32> = vec3<f32>(_S416);
-    var _S431 : vec3<f32> = cross(_S414, _S415) * _S430;
-    var _S432 : vec3<f32> = cross(_S415, _S412) * _S430;
-    var _S433 : vec2<f32> = vec2<f32>(_S408.u_0 - _S407.u_0, _S408.v_0 - _S407.v_0);
-    var _S434 : vec2<f32> = vec2<f32>(_S409.u_0 - _S407.u_0, _S409.v_0 - _S407.v_0);
-    var point_5 : VisiblePoint_0 = face_point_0(_S403, _S404, dot(_S427, _S431), dot(_S427, _S432));
-    point_5.position_0 = _S411 + _S427;
-    point_5.view_1 = (vec3<f32>(0) - normalize(_S421));
-    point_5.draft_dx_0 = (vec2<f32>(dot(_S428, _S431)) * _S433 + vec2<f32>(dot(_S428, _S432)) * _S434) * point_5.draft_per_uv_0;
-    point_5.draft_dy_0 = (vec2<f32>(dot(_S429, _S431)) * _S433 + vec2<f32>(dot(_S429, _S432)) * _S434) * point_5.draft_per_uv_0;
+    var _S359 : u32 = u32(3) * _S357;
+    var _S360 : Vertex_std430_0 = vertices_0[corners_0[_S359]];
+    var _S361 : Vertex_std430_0 = vertices_0[corners_0[_S359 + u32(1)]];
+    var _S362 : Vertex_std430_0 = vertices_0[corners_0[_S359 + u32(2)]];
+    var _S363 : vec3<f32> = position_of_1(&(_S361));
+    var _S364 : vec3<f32> = position_of_1(&(_S360));
+    var _S365 : vec3<f32> = _S363 - _S364;
+    var _S366 : vec3<f32> = position_of_1(&(_S362));
+    var _S367 : vec3<f32> = _S366 - _S364;
+    var _S368 : vec3<f32> = cross(_S365, _S367);
+    var _S369 : f32 = f32(frames_0[_S355].width_0);
+    var _S370 : vec3<f32> = camera_right_0(_S355) * vec3<f32>((2.0f / _S369));
+    var _S371 : f32 = f32(frames_0[_S355].height_0);
+    var _S372 : vec3<f32> = camera_up_0(_S355) * vec3<f32>((-2.0f / _S371));
+    var _S373 : vec3<f32> = camera_forward_0(_S355) + vec3<f32>((f32(_S358.x) + 0.5f - 0.5f * _S369)) * _S370 + vec3<f32>((f32(_S358.y) + 0.5f - 0.5f * _S371)) * _S372;
+    var _S374 : f32 = dot(_S373, _S368);
+    var _S375 : f32 = 1.0f / select(1.00000000317107685e-30f, _S374, (abs(_S374)) > 1.00000000317107685e-30f);
+    var _S376 : vec3<f32> = _S364 - camera_origin_0(_S355);
+    var _S377 : vec3<f32> = vec3<f32>((dot(_S376, _S368) * _S375));
+    var _S378 : vec3<f32> = _S373 * _S377 - _S376;
+    var _S379 : vec3<f32> = _S377 * (_S370 - _S373 * vec3<f32>((dot(_S370, _S368) * _S375)));
+    var _S380 : vec3<f32> = _S377 * (_S372 - _S373 * vec3<f32>((dot(_S372, _S368) * _S375)));
+    var _S381 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S368), 1.00000000317107685e-30f)));
+    var _S382 : vec3<f32> = cross(_S367, _S368) * _S381;
+    var _S383 : vec3<f32> = cross(_S368, _S365) * _S381;
+    var _S384 : vec2<f32> = vec2<f32>(_S361.u_0 - _S360.u_0, _S361.v_0 - _S360.v_0);
+    var _S385 : vec2<f32> = vec2<f32>(_S362.u_0 - _S360.u_0, _S362.v_0 - _S360.v_0);
+    var point_5 : VisiblePoint_0 = face_point_0(_S356, _S357, dot(_S378, _S382), dot(_S378, _S383));
+    point_5.position_0 = _S364 + _S378;
+    point_5.view_1 = (vec3<f32>(0) - normalize(_S373));
+    point_5.draft_dx_0 = (vec2<f32>(dot(_S379, _S382)) * _S384 + vec2<f32>(dot(_S379, _S383)) * _S385) * point_5.draft_per_uv_0;
+    point_5.draft_dy_0 = (vec2<f32>(dot(_S380, _S382)) * _S384 + vec2<f32>(dot(_S380, _S383)) * _S385) * point_5.draft_per_uv_0;
     return point_5;
 }
 
-fn filtered_albedo_0( _S435 : u32,  _S436 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S386 : u32,  _S387 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S437 : u32 = fabrics_0[_S435].albedo_map_levels_0;
-    if((fabrics_0[_S435].albedo_map_levels_0) == u32(0))
+    var _S388 : u32 = fabrics_0[_S386].albedo_map_levels_0;
+    if((fabrics_0[_S386].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S438 : vec2<f32> = vec2<f32>(fabrics_0[_S435].uv_width_0, fabrics_0[_S435].uv_height_0);
-    var _S439 : vec2<f32> = _S436.draft_dx_0 / _S438;
-    var _S440 : vec2<f32> = _S436.draft_dy_0 / _S438;
-    var _S441 : u32 = _S437 - u32(1);
-    var _S442 : u32 = (u32(1) << (_S441));
-    var _S443 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S439.x * _S440.y - _S439.y * _S440.x), 9.99999968265522539e-21f) * (square_1(f32(_S442)) / 3.0f)), 0.0f, f32(_S437) - 1.0f);
-    var _S444 : u32 = min(u32(_S443), max(_S437, u32(2)) - u32(2));
-    var _S445 : u32 = min(_S444 + u32(1), _S441);
-    var _S446 : u32 = (u32(1) << ((u32(2) * _S437)));
-    return mix(map_level_0(fabrics_0[_S435].albedo_map_0 + (_S446 - ((_S446 >> ((u32(2) * _S444))))) / u32(3), (_S442 >> (_S444)), _S436.uv_1), map_level_0(fabrics_0[_S435].albedo_map_0 + (_S446 - ((_S446 >> ((u32(2) * _S445))))) / u32(3), (_S442 >> (_S445)), _S436.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S443 - f32(_S444))) - 1.0f) / 3.0f)));
+    var _S389 : vec2<f32> = vec2<f32>(fabrics_0[_S386].uv_width_0, fabrics_0[_S386].uv_height_0);
+    var _S390 : vec2<f32> = _S387.draft_dx_0 / _S389;
+    var _S391 : vec2<f32> = _S387.draft_dy_0 / _S389;
+    var _S392 : u32 = _S388 - u32(1);
+    var _S393 : u32 = (u32(1) << (_S392));
+    var _S394 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S390.x * _S391.y - _S390.y * _S391.x), 9.99999968265522539e-21f) * (square_1(f32(_S393)) / 3.0f)), 0.0f, f32(_S388) - 1.0f);
+    var _S395 : u32 = min(u32(_S394), max(_S388, u32(2)) - u32(2));
+    var _S396 : u32 = min(_S395 + u32(1), _S392);
+    var _S397 : u32 = (u32(1) << ((u32(2) * _S388)));
+    return mix(map_level_0(fabrics_0[_S386].albedo_map_0 + (_S397 - ((_S397 >> ((u32(2) * _S395))))) / u32(3), (_S393 >> (_S395)), _S387.uv_1), map_level_0(fabrics_0[_S386].albedo_map_0 + (_S397 - ((_S397 >> ((u32(2) * _S396))))) / u32(3), (_S393 >> (_S396)), _S387.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S394 - f32(_S395))) - 1.0f) / 3.0f)));
 }
 
-fn viewed_base_0( _S447 : u32,  _S448 : Footprint_0,  _S449 : vec3<f32>,  _S450 : f32,  _S451 : bool) -> ViewedBase_0
+fn viewed_base_0( _S398 : u32,  _S399 : Footprint_0,  _S400 : vec3<f32>,  _S401 : f32,  _S402 : bool) -> ViewedBase_0
 {
     var seen_2 : ViewedBase_0;
-    var _S452 : bool = (_S449.z) < 0.0f;
-    seen_2.back_5 = _S452;
-    seen_2.view_3 = to_face_frame_0(_S449, _S452);
-    var _S453 : u32;
-    if(_S452)
-    {
-        _S453 = u32(1);
-    }
-    else
-    {
-        _S453 = u32(0);
-    }
-    seen_2.face_3 = _S453;
-    var _S454 : BinTaps_0 = bin_taps_0(seen_2.view_3, u32(16));
-    seen_2.around_0 = _S454;
-    var _S455 : u32 = _S453 * u32(256);
-    var _S456 : Clustered_std430_0 = fabrics_0[_S447].clustered_0;
-    var _S457 : TexelBox_0 = texel_box_0(&(_S456), _S448, vec2<f32>(BinTaps_read_0(_S454, _S456.offset_1, _S455, u32(2), u32(0)), BinTaps_read_0(_S454, _S456.offset_1, _S455, u32(2), u32(1))), _S450 - 0.5f);
-    seen_2.box_3 = _S457;
+    var _S403 : bool = (_S400.z) < 0.0f;
+    seen_2.back_5 = _S403;
+    var _S404 : vec3<f32> = to_face_frame_0(_S400, _S403);
+    seen_2.view_3 = _S404;
+    var _S405 : u32 = select(u32(0), u32(1), _S403);
+    seen_2.face_3 = _S405;
+    var _S406 : BinTaps_0 = bin_taps_0(_S404, u32(16));
+    seen_2.around_0 = _S406;
+    var _S407 : u32 = _S405 * u32(256);
+    var _S408 : Clustered_std430_0 = fabrics_0[_S398].clustered_0;
+    var _S409 : TexelBox_0 = texel_box_0(&(_S408), _S399, vec2<f32>(BinTaps_read_0(_S406, _S408.offset_1, _S407, u32(2), u32(0)), BinTaps_read_0(_S406, _S408.offset_1, _S407, u32(2), u32(1))), _S401 - 0.5f);
+    seen_2.box_3 = _S409;
     seen_2.trust_1 = vec2<f32>(1.0f);
-    if(!_S451)
+    if(!_S402)
     {
-        seen_2.trust_1 = vec2<f32>(BinTaps_read_0(seen_2.around_0, _S456.trust_0, _S455, u32(2), u32(0)), BinTaps_read_0(seen_2.around_0, _S456.trust_0, _S455, u32(2), u32(1)));
+        seen_2.trust_1 = vec2<f32>(BinTaps_read_0(seen_2.around_0, _S408.trust_0, _S407, u32(2), u32(0)), BinTaps_read_0(seen_2.around_0, _S408.trust_0, _S407, u32(2), u32(1)));
     }
     return seen_2;
 }
 
-fn albedos_over_0( _S458 : u32,  _S459 : Footprint_0,  _S460 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S410 : u32,  _S411 : Footprint_0,  _S412 : bool) -> FamilyAlbedos_0
 {
-    var _S461 : vec2<f32> = _S459.dx_0;
-    var _S462 : vec2<f32> = _S459.dy_0;
-    var _S463 : vec2<f32> = sqrt(_S461 * _S461 + _S462 * _S462);
-    var _S464 : Stretch_0 = stretch_of_0(fabrics_0[_S458].warp_0, _S459.centre_0.x, _S463.x);
-    var _S465 : Stretch_0 = stretch_of_0(fabrics_0[_S458].weft_0, _S459.centre_0.y, _S463.y);
+    var _S413 : vec2<f32> = _S411.dx_0;
+    var _S414 : vec2<f32> = _S411.dy_0;
+    var _S415 : vec2<f32> = sqrt(_S413 * _S413 + _S414 * _S414);
+    var _S416 : Stretch_0 = stretch_of_0(fabrics_0[_S410].warp_0, _S411.centre_0.x, _S415.x);
+    var _S417 : Stretch_0 = stretch_of_0(fabrics_0[_S410].weft_0, _S411.centre_0.y, _S415.y);
     var albedos_8 : FamilyAlbedos_0;
-    albedos_8.warp_3 = mean_albedos_0(fabrics_0[_S458].warp_0, fabrics_0[_S458].weft_0, _S464, _S465, _S460);
-    albedos_8.weft_3 = mean_albedos_0(fabrics_0[_S458].weft_0, fabrics_0[_S458].warp_0, _S465, _S464, _S460);
+    albedos_8.warp_3 = mean_albedos_0(fabrics_0[_S410].warp_0, fabrics_0[_S410].weft_0, _S416, _S417, _S412);
+    albedos_8.weft_3 = mean_albedos_0(fabrics_0[_S410].weft_0, fabrics_0[_S410].warp_0, _S417, _S416, _S412);
     return albedos_8;
 }
 
-fn openness_number_0( _S466 : u32,  _S467 : u32) -> f32
+fn openness_number_0( _S418 : u32,  _S419 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S466].openness_0 + _S467);
+    return table_number_0(fabrics_0[_S418].openness_0 + _S419);
 }
 
-fn scattered_by_0( _S468 : u32,  _S469 : Albedos_0,  _S470 : u32,  _S471 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S420 : u32,  _S421 : Albedos_0,  _S422 : u32,  _S423 : vec3<f32>) -> Scattered_0
 {
-    var _S472 : u32 = u32(159) + u32(2) * _S470;
+    var _S424 : u32 = u32(159) + u32(2) * _S422;
     var yarn_3 : Scattered_0;
-    yarn_3.back_4 = _S471 * _S469.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S468, _S472)) * _S469.specular_reflect_0;
-    yarn_3.through_0 = _S471 * _S469.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S468, _S472 + u32(1))) * _S469.specular_transmit_0;
+    yarn_3.back_4 = _S423 * _S421.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S420, _S424)) * _S421.specular_reflect_0;
+    yarn_3.through_0 = _S423 * _S421.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S420, _S424 + u32(1))) * _S421.specular_transmit_0;
     return yarn_3;
 }
 
-fn sent_0( _S473 : u32,  _S474 : u32,  _S475 : vec3<f32>,  _S476 : vec3<f32>,  _S477 : vec3<f32>,  _S478 : vec3<f32>,  _S479 : ptr<function, vec3<f32>>,  _S480 : ptr<function, vec3<f32>>)
+fn sent_0( _S425 : u32,  _S426 : u32,  _S427 : vec3<f32>,  _S428 : vec3<f32>,  _S429 : vec3<f32>,  _S430 : vec3<f32>,  _S431 : ptr<function, vec3<f32>>,  _S432 : ptr<function, vec3<f32>>)
 {
-    var _S481 : u32 = u32(146) + u32(4) * _S474;
-    var _S482 : f32 = openness_number_0(_S473, _S481 + u32(1));
-    var _S483 : f32 = openness_number_0(_S473, _S481 + u32(2));
-    var _S484 : vec3<f32> = vec3<f32>(1.0f);
-    var _S485 : vec3<f32> = _S484 - _S477 * vec3<f32>(openness_number_0(_S473, _S481));
-    var _S486 : vec3<f32> = _S484 - _S478 * vec3<f32>(openness_number_0(_S473, _S481 + u32(3)));
-    var _S487 : vec3<f32> = _S484 / (_S485 * _S486 - _S477 * _S478 * vec3<f32>((_S482 * _S483)));
-    (*_S479) = (_S475 * _S486 + _S477 * vec3<f32>(_S482) * _S476) * _S487;
-    (*_S480) = (_S476 * _S485 + _S478 * vec3<f32>(_S483) * _S475) * _S487;
+    var _S433 : u32 = u32(146) + u32(4) * _S426;
+    var _S434 : f32 = openness_number_0(_S425, _S433 + u32(1));
+    var _S435 : f32 = openness_number_0(_S425, _S433 + u32(2));
+    var _S436 : vec3<f32> = vec3<f32>(1.0f);
+    var _S437 : vec3<f32> = _S436 - _S429 * vec3<f32>(openness_number_0(_S425, _S433));
+    var _S438 : vec3<f32> = _S436 - _S430 * vec3<f32>(openness_number_0(_S425, _S433 + u32(3)));
+    var _S439 : vec3<f32> = _S436 / (_S437 * _S438 - _S429 * _S430 * vec3<f32>((_S434 * _S435)));
+    (*_S431) = (_S427 * _S438 + _S429 * vec3<f32>(_S434) * _S428) * _S439;
+    (*_S432) = (_S428 * _S437 + _S430 * vec3<f32>(_S435) * _S427) * _S439;
     return;
 }
 
-fn face_sends_0( _S488 : u32,  _S489 : u32,  _S490 : Scattered_0,  _S491 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S440 : u32,  _S441 : u32,  _S442 : Scattered_0,  _S443 : Scattered_0) -> FaceSends_0
 {
-    var _S492 : u32 = u32(2) * _S489;
-    var _S493 : u32 = u32(142) + _S492;
-    var _S494 : f32 = openness_number_0(_S488, _S493);
-    var _S495 : f32 = openness_number_0(_S488, _S493 + u32(1));
-    var _S496 : vec3<f32> = vec3<f32>((1.0f - _S494)) * _S490.back_4;
-    var _S497 : vec3<f32> = vec3<f32>((1.0f - _S495)) * _S491.back_4;
+    var _S444 : u32 = u32(2) * _S441;
+    var _S445 : u32 = u32(142) + _S444;
+    var _S446 : f32 = openness_number_0(_S440, _S445);
+    var _S447 : f32 = openness_number_0(_S440, _S445 + u32(1));
+    var _S448 : vec3<f32> = vec3<f32>((1.0f - _S446)) * _S442.back_4;
+    var _S449 : vec3<f32> = vec3<f32>((1.0f - _S447)) * _S443.back_4;
     var sends_1 : FaceSends_0;
-    var _S498 : u32 = u32(154) + _S492;
-    var _S499 : f32 = openness_number_0(_S488, _S498);
-    sends_1.blocks_warp_0 = _S499;
-    var _S500 : f32 = openness_number_0(_S488, _S498 + u32(1));
-    sends_1.blocks_weft_0 = _S500;
-    sends_1.open_0 = _S499 * _S494 + _S500 * _S495;
-    var _S501 : vec3<f32> = vec3<f32>(_S494) * _S490.back_4;
-    var _S502 : vec3<f32> = vec3<f32>(_S495) * _S491.back_4;
-    var _S503 : vec3<f32> = sends_1.sky_warp_0;
-    var _S504 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S488, _S489, _S501, _S502, _S496, _S497, &(_S503), &(_S504));
-    sends_1.sky_warp_0 = _S503;
-    sends_1.sky_weft_0 = _S504;
-    var _S505 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S506 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S488, _S489, _S490.through_0, _S491.through_0, _S496, _S497, &(_S505), &(_S506));
-    sends_1.crossing_warp_0 = _S505;
-    sends_1.crossing_weft_0 = _S506;
+    var _S450 : u32 = u32(154) + _S444;
+    var _S451 : f32 = openness_number_0(_S440, _S450);
+    sends_1.blocks_warp_0 = _S451;
+    var _S452 : f32 = openness_number_0(_S440, _S450 + u32(1));
+    sends_1.blocks_weft_0 = _S452;
+    sends_1.open_0 = _S451 * _S446 + _S452 * _S447;
+    var _S453 : vec3<f32> = vec3<f32>(_S446) * _S442.back_4;
+    var _S454 : vec3<f32> = vec3<f32>(_S447) * _S443.back_4;
+    var _S455 : vec3<f32> = sends_1.sky_warp_0;
+    var _S456 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S440, _S441, _S453, _S454, _S448, _S449, &(_S455), &(_S456));
+    sends_1.sky_warp_0 = _S455;
+    sends_1.sky_weft_0 = _S456;
+    var _S457 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S458 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S440, _S441, _S442.through_0, _S443.through_0, _S448, _S449, &(_S457), &(_S458));
+    sends_1.crossing_warp_0 = _S457;
+    sends_1.crossing_weft_0 = _S458;
     return sends_1;
 }
 
-fn interior_of_0( _S507 : u32,  _S508 : vec3<f32>,  _S509 : bool) -> Interior_0
+fn interior_of_0( _S459 : u32,  _S460 : vec3<f32>,  _S461 : bool) -> Interior_0
 {
-    var _S510 : Scattered_0 = scattered_by_0(_S507, table_albedos_0(families_0[fabrics_0[_S507].warp_0].colour_mean_0), u32(0), _S508);
-    var _S511 : Scattered_0 = scattered_by_0(_S507, table_albedos_0(families_0[fabrics_0[_S507].weft_0].colour_mean_0), u32(1), _S508);
-    var _S512 : u32;
-    if(_S509)
-    {
-        _S512 = u32(1);
-    }
-    else
-    {
-        _S512 = u32(0);
-    }
-    var _S513 : FaceSends_0 = face_sends_0(_S507, _S512, _S510, _S511);
-    if(_S509)
-    {
-        _S512 = u32(0);
-    }
-    else
-    {
-        _S512 = u32(1);
-    }
-    var _S514 : FaceSends_0 = face_sends_0(_S507, _S512, _S510, _S511);
-    var _S515 : vec3<f32> = vec3<f32>(_S513.blocks_warp_0);
-    var _S516 : vec3<f32> = vec3<f32>(_S513.blocks_weft_0);
-    var _S517 : vec3<f32> = _S515 * _S513.crossing_warp_0 + _S516 * _S513.crossing_weft_0;
-    var _S518 : vec3<f32> = vec3<f32>(_S514.blocks_warp_0);
-    var _S519 : vec3<f32> = vec3<f32>(_S514.blocks_weft_0);
-    var _S520 : vec3<f32> = _S518 * _S514.crossing_warp_0 + _S519 * _S514.crossing_weft_0;
-    var _S521 : f32 = 1.0f - _S513.open_0;
-    var _S522 : f32 = 1.0f - _S514.open_0;
-    var _S523 : vec3<f32> = vec3<f32>(1.0f);
-    var _S524 : vec3<f32> = _S523 / (_S523 - _S517 * _S520 * vec3<f32>((_S521 * _S522)));
-    var _S525 : vec3<f32> = _S520 * (vec3<f32>(_S513.open_0) + vec3<f32>(_S521) * (_S515 * _S513.sky_warp_0 + _S516 * _S513.sky_weft_0)) * _S524;
-    var _S526 : vec3<f32> = _S517 * (vec3<f32>(_S514.open_0) + vec3<f32>(_S522) * (_S518 * _S514.sky_warp_0 + _S519 * _S514.sky_weft_0)) * _S524;
-    var _S527 : FaceRadiance_0 = face_radiance_0(_S513, _S514.open_0, _S525, _S526);
-    var _S528 : FaceRadiance_0 = face_radiance_0(_S514, _S513.open_0, _S526, _S525);
+    var _S462 : Scattered_0 = scattered_by_0(_S459, table_albedos_0(families_0[fabrics_0[_S459].warp_0].colour_mean_0), u32(0), _S460);
+    var _S463 : Scattered_0 = scattered_by_0(_S459, table_albedos_0(families_0[fabrics_0[_S459].weft_0].colour_mean_0), u32(1), _S460);
+    var _S464 : FaceSends_0 = face_sends_0(_S459, select(u32(0), u32(1), _S461), _S462, _S463);
+    var _S465 : FaceSends_0 = face_sends_0(_S459, select(u32(1), u32(0), _S461), _S462, _S463);
+    var _S466 : vec3<f32> = vec3<f32>(_S464.blocks_warp_0);
+    var _S467 : vec3<f32> = vec3<f32>(_S464.blocks_weft_0);
+    var _S468 : vec3<f32> = _S466 * _S464.crossing_warp_0 + _S467 * _S464.crossing_weft_0;
+    var _S469 : vec3<f32> = vec3<f32>(_S465.blocks_warp_0);
+    var _S470 : vec3<f32> = vec3<f32>(_S465.blocks_weft_0);
+    var _S471 : vec3<f32> = _S469 * _S465.crossing_warp_0 + _S470 * _S465.crossing_weft_0;
+    var _S472 : f32 = 1.0f - _S464.open_0;
+    var _S473 : f32 = 1.0f - _S465.open_0;
+    var _S474 : vec3<f32> = vec3<f32>(1.0f);
+    var _S475 : vec3<f32> = _S474 / (_S474 - _S468 * _S471 * vec3<f32>((_S472 * _S473)));
+    var _S476 : vec3<f32> = _S471 * (vec3<f32>(_S464.open_0) + vec3<f32>(_S472) * (_S466 * _S464.sky_warp_0 + _S467 * _S464.sky_weft_0)) * _S475;
+    var _S477 : vec3<f32> = _S468 * (vec3<f32>(_S465.open_0) + vec3<f32>(_S473) * (_S469 * _S465.sky_warp_0 + _S470 * _S465.sky_weft_0)) * _S475;
+    var _S478 : FaceRadiance_0 = face_radiance_0(_S464, _S465.open_0, _S476, _S477);
+    var _S479 : FaceRadiance_0 = face_radiance_0(_S465, _S464.open_0, _S477, _S476);
     var interior_1 : Interior_0;
-    interior_1.warp_2 = _S527.warp_1;
-    interior_1.weft_2 = _S527.weft_1;
-    interior_1.leaked_1 = _S527.leaked_0;
-    interior_1.far_1 = _S528.mean_0;
-    interior_1.far_leaked_0 = _S528.leaked_0;
+    interior_1.warp_2 = _S478.warp_1;
+    interior_1.weft_2 = _S478.weft_1;
+    interior_1.leaked_1 = _S478.leaked_0;
+    interior_1.far_1 = _S479.mean_0;
+    interior_1.far_leaked_0 = _S479.leaked_0;
     return interior_1;
 }
 
-fn blocked_of_terms_0( _S529 : u32,  _S530 : u32,  _S531 : array<f32, i32(6)>,  _S532 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S480 : u32,  _S481 : u32,  _S482 : array<f32, i32(6)>,  _S483 : u32) -> Blocked_0
 {
     var shares_0 : array<f32, i32(3)>;
     var share_5 : u32 = u32(0);
@@ -2870,14 +2169,14 @@ fn blocked_of_terms_0( _S529 : u32,  _S530 : u32,  _S531 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S532)
+            if(term_0 < _S483)
             {
             }
             else
             {
                 break;
             }
-            shares_0[share_5] = shares_0[share_5] + openness_number_0(_S529, _S530 + share_5 * _S532 + term_0) * _S531[term_0];
+            shares_0[share_5] = shares_0[share_5] + openness_number_0(_S480, _S481 + share_5 * _S483 + term_0) * _S482[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_0[share_5] = saturate(shares_0[share_5]);
@@ -2890,105 +2189,87 @@ fn blocked_of_terms_0( _S529 : u32,  _S530 : u32,  _S531 : array<f32, i32(6)>,  
     return blocked_1;
 }
 
-fn blocked_from_0( _S533 : u32,  _S534 : vec3<f32>,  _S535 : bool,  _S536 : bool) -> Blocked_0
+fn blocked_from_0( _S484 : u32,  _S485 : vec3<f32>,  _S486 : bool,  _S487 : bool) -> Blocked_0
 {
     var terms_1 : array<f32, i32(6)>;
-    view_terms_0(_S534, &(terms_1));
-    var _S537 : u32;
-    if(_S536)
-    {
-        _S537 = u32(2);
-    }
-    else
-    {
-        _S537 = u32(0);
-    }
-    var _S538 : u32;
-    if(_S535)
-    {
-        _S538 = u32(0);
-    }
-    else
-    {
-        _S538 = u32(1);
-    }
-    return blocked_of_terms_0(_S533, (_S537 + _S538) * u32(15), terms_1, u32(5));
+    view_terms_0(_S485, &(terms_1));
+    return blocked_of_terms_0(_S484, (select(u32(0), u32(2), _S487) + select(u32(1), u32(0), _S486)) * u32(15), terms_1, u32(5));
 }
 
-fn family_share_0( _S539 : u32,  _S540 : u32,  _S541 : f32) -> vec2<f32>
+fn family_share_0( _S488 : u32,  _S489 : u32,  _S490 : f32) -> vec2<f32>
 {
-    var _S542 : bool = _S540 < (fabrics_0[_S539].clustered_0.clusters_0 / u32(2));
-    return vec2<f32>(select(0.0f, _S541, _S542), select(_S541, 0.0f, _S542));
+    var _S491 : bool = _S489 < (fabrics_0[_S488].clustered_0.clusters_0 / u32(2));
+    return vec2<f32>(select(0.0f, _S490, _S491), select(_S490, 0.0f, _S491));
 }
 
-fn clustered_shown_0( _S543 : u32,  _S544 : ViewedBase_0) -> vec2<f32>
+fn clustered_shown_0( _S492 : u32,  _S493 : ViewedBase_0) -> vec2<f32>
 {
-    var _S545 : Clustered_std430_0 = fabrics_0[_S543].clustered_0;
-    var _S546 : u32 = _S545.clusters_0;
-    var _S547 : u32 = _S544.face_3 * u32(256);
-    var _S548 : vec2<f32> = vec2<f32>(0.0f);
+    var _S494 : Clustered_std430_0 = fabrics_0[_S492].clustered_0;
+    var _S495 : u32 = _S494.clusters_0;
+    var _S496 : u32 = _S493.face_3 * u32(256);
+    var _S497 : vec2<f32> = vec2<f32>(0.0f);
     var cluster_0 : u32 = u32(0);
-    var shown_4 : vec2<f32> = _S548;
+    var shown_4 : vec2<f32> = _S497;
     for(;;)
     {
-        if(cluster_0 < _S546)
+        if(cluster_0 < _S495)
         {
         }
         else
         {
             break;
         }
-        var _S549 : f32 = box_mean_0(&(_S545), _S544.box_3, _S544.face_3, cluster_0);
-        if(_S549 > 0.0f)
+        var _S498 : f32 = box_mean_0(&(_S494), _S493.box_3, _S493.face_3, cluster_0);
+        if(_S498 > 0.0f)
         {
-            shown_4 = shown_4 + family_share_0(_S543, cluster_0, _S544.trust_1.x * _S549 * BinTaps_read_0(_S544.around_0, _S545.view_0, _S547, _S546, cluster_0));
+            shown_4 = shown_4 + family_share_0(_S492, cluster_0, _S493.trust_1.x * _S498 * BinTaps_read_0(_S493.around_0, _S494.view_0, _S496, _S495, cluster_0));
         }
         cluster_0 = cluster_0 + u32(1);
     }
     return shown_4;
 }
 
-fn clustered_view_0( _S550 : u32,  _S551 : Footprint_0,  _S552 : vec3<f32>,  _S553 : vec3<f32>,  _S554 : u32,  _S555 : bool) -> ClusteredView_0
+fn clustered_view_0( _S499 : u32,  _S500 : Footprint_0,  _S501 : vec3<f32>,  _S502 : vec3<f32>,  _S503 : u32,  _S504 : bool) -> ClusteredView_0
 {
     var seen_3 : ClusteredView_0;
-    seen_3.base_0 = viewed_base_0(_S550, _S551, _S552, uniform_of_0(_S554, u32(0)), _S555);
-    seen_3.view_4 = _S552;
-    seen_3.is_alone_0 = _S555;
-    var _S556 : FamilyAlbedos_0 = albedos_over_0(_S550, _S551, seen_3.base_0.back_5);
-    seen_3.albedos_4.warp_3 = tinted_0(_S556.warp_3, _S553);
-    seen_3.albedos_4.weft_3 = tinted_0(_S556.weft_3, _S553);
-    var _S557 : vec3<f32> = vec3<f32>(0.0f);
-    seen_3.bounced_warp_0.reflected_0 = _S557;
-    seen_3.bounced_warp_0.transmitted_0 = _S557;
+    seen_3.base_0 = viewed_base_0(_S499, _S500, _S501, uniform_of_0(_S503, u32(0)), _S504);
+    seen_3.view_4 = _S501;
+    seen_3.is_alone_0 = _S504;
+    var _S505 : FamilyAlbedos_0 = albedos_over_0(_S499, _S500, seen_3.base_0.back_5);
+    seen_3.albedos_4.warp_3 = tinted_0(_S505.warp_3, _S502);
+    seen_3.albedos_4.weft_3 = tinted_0(_S505.weft_3, _S502);
+    var _S506 : vec3<f32> = vec3<f32>(0.0f);
+    seen_3.bounced_warp_0.reflected_0 = _S506;
+    seen_3.bounced_warp_0.transmitted_0 = _S506;
     seen_3.bounced_weft_0 = seen_3.bounced_warp_0;
     seen_3.bounced_1 = seen_3.bounced_warp_0;
-    if((fabrics_0[_S550].openness_0) == u32(4294967295))
+    if((fabrics_0[_S499].openness_0) == u32(4294967295))
     {
         return seen_3;
     }
-    var _S558 : Interior_0 = interior_of_0(_S550, _S553, seen_3.base_0.back_5);
-    seen_3.bounced_warp_0 = bounced_by_0(blocked_from_0(_S550, seen_3.base_0.view_3, true, seen_3.base_0.back_5), scattered_by_0(_S550, _S556.warp_3, u32(0), _S553), _S558);
-    seen_3.bounced_weft_0 = bounced_by_0(blocked_from_0(_S550, seen_3.base_0.view_3, false, seen_3.base_0.back_5), scattered_by_0(_S550, _S556.weft_3, u32(1), _S553), _S558);
-    seen_3.bounced_1 = bounced_by_base_0(seen_3, clustered_shown_0(_S550, seen_3.base_0));
+    var _S507 : Interior_0 = interior_of_0(_S499, _S502, seen_3.base_0.back_5);
+    seen_3.bounced_warp_0 = bounced_by_0(blocked_from_0(_S499, seen_3.base_0.view_3, true, seen_3.base_0.back_5), scattered_by_0(_S499, _S505.warp_3, u32(0), _S502), _S507);
+    seen_3.bounced_weft_0 = bounced_by_0(blocked_from_0(_S499, seen_3.base_0.view_3, false, seen_3.base_0.back_5), scattered_by_0(_S499, _S505.weft_3, u32(1), _S502), _S507);
+    seen_3.bounced_1 = bounced_by_base_0(seen_3, clustered_shown_0(_S499, seen_3.base_0));
     return seen_3;
 }
 
-fn clustered_hole_0( _S559 : u32,  _S560 : ViewedBase_0) -> f32
+fn clustered_hole_0( _S508 : u32,  _S509 : ViewedBase_0) -> f32
 {
     var cluster_1 : u32 = u32(0);
     var covered_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S561 : Clustered_std430_0 = fabrics_0[_S559].clustered_0;
-        if(cluster_1 < (_S561.clusters_0))
+        var _S510 : Clustered_std430_0 = fabrics_0[_S508].clustered_0;
+        if(cluster_1 < (_S510.clusters_0))
         {
         }
         else
         {
             break;
         }
-        var _S562 : f32 = box_mean_1(&(_S561), _S560.box_3, _S560.face_3, cluster_1);
-        var covered_1 : f32 = covered_0 + _S562;
+        var _S511 : f32 = box_mean_1(&(_S510), _S509.box_3, _S509.face_3, cluster_1);
+        var covered_1 : f32 = covered_0 + _S511;
         cluster_1 = cluster_1 + u32(1);
         covered_0 = covered_1;
     }
@@ -3016,314 +2297,130 @@ struct Sample_0
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S563 : u32,  _S564 : f32,  _S565 : f32,  _S566 : bool) -> Crossing_0
+fn crossing_at_0( _S512 : u32,  _S513 : f32,  _S514 : f32,  _S515 : bool) -> Crossing_0
 {
     var crossing_3 : Crossing_0;
-    crossing_3.warp_4 = locate_0(fabrics_0[_S563].warp_0, _S564);
-    crossing_3.weft_4 = locate_0(fabrics_0[_S563].weft_0, _S565);
-    var _S567 : u32 = fabrics_0[_S563].run_words_0 + u32(2) * (crossing_3.weft_4.thread_0 * fabrics_0[_S563].ends_1 + crossing_3.warp_4.thread_0);
-    var _S568 : u32 = words_0[_S567];
-    crossing_3.warp_word_0 = _S568;
-    crossing_3.weft_word_0 = words_0[_S567 + u32(1)];
-    crossing_3.warp_above_0 = (((_S568 & (u32(1)))) == u32(1)) != _S566;
+    crossing_3.warp_4 = locate_0(fabrics_0[_S512].warp_0, _S513);
+    crossing_3.weft_4 = locate_0(fabrics_0[_S512].weft_0, _S514);
+    var _S516 : u32 = fabrics_0[_S512].run_words_0 + u32(2) * (crossing_3.weft_4.thread_0 * fabrics_0[_S512].ends_1 + crossing_3.warp_4.thread_0);
+    var _S517 : u32 = words_0[_S516];
+    crossing_3.warp_word_0 = _S517;
+    crossing_3.weft_word_0 = words_0[_S516 + u32(1)];
+    crossing_3.warp_above_0 = (((_S517 & (u32(1)))) == u32(1)) != _S515;
     return crossing_3;
 }
 
-fn sample_at_0( _S569 : u32,  _S570 : f32,  _S571 : f32,  _S572 : bool) -> Sample_0
+fn sample_at_0( _S518 : u32,  _S519 : f32,  _S520 : f32,  _S521 : bool) -> Sample_0
 {
     var sample_0 : Sample_0;
-    var _S573 : Crossing_0 = crossing_at_0(_S569, _S570, _S571, _S572);
-    sample_0.crossing_2 = _S573;
-    var _S574 : Shown_0 = shown_at_0(_S573, _S572);
-    sample_0.shown_5 = _S574;
-    var _S575 : u32;
-    if(_S574.is_warp_2)
-    {
-        _S575 = fabrics_0[_S569].warp_0;
-    }
-    else
-    {
-        _S575 = fabrics_0[_S569].weft_0;
-    }
-    var _S576 : u32;
-    if(_S574.is_warp_2)
-    {
-        _S576 = fabrics_0[_S569].weft_0;
-    }
-    else
-    {
-        _S576 = fabrics_0[_S569].warp_0;
-    }
-    var _S577 : Cell_0 = select_cell_0(_S574.is_warp_2, sample_0.crossing_2.warp_4, sample_0.crossing_2.weft_4);
-    var _S578 : Cell_0 = select_cell_0(_S574.is_warp_2, sample_0.crossing_2.weft_4, sample_0.crossing_2.warp_4);
-    var _S579 : Run_0 = unpack_0(_S575, _S576, _S577.thread_0, _S578, _S574.word_0);
-    var _S580 : Section_0 = section_at_0(_S577);
-    var _S581 : bool;
-    if(_S574.on_top_0)
-    {
-        _S581 = (_S579.distance_0) < (_S580.drop_0 * _S579.bend_1.sine_0);
-    }
-    else
-    {
-        _S581 = false;
-    }
-    var _S582 : bool;
-    if(_S574.on_top_0)
-    {
-        _S582 = !_S581;
-    }
-    else
-    {
-        _S582 = false;
-    }
-    var _S583 : f32;
-    if(_S582)
-    {
-        _S583 = 1.0f;
-    }
-    else
-    {
-        _S583 = -1.0f;
-    }
-    var _S584 : f32;
-    if(_S581)
-    {
-        _S584 = _S579.other_reach_0;
-    }
-    else
-    {
-        _S584 = _S579.reach_0;
-    }
-    var _S585 : f32;
-    if(_S581)
-    {
-        _S585 = _S584 + _S579.distance_0;
-    }
-    else
-    {
-        _S585 = max(_S584 - _S579.distance_0, 0.0f);
-    }
-    var _S586 : f32 = _S584 / _S579.bend_1.sine_0 - _S583 * _S580.drop_0;
-    var _S587 : f32 = _S585 * _S585;
-    var _S588 : f32 = max(_S586 * _S586 - _S587, 9.99999968265522539e-21f);
-    var _S589 : f32 = rsqrt_0(_S588);
-    var _S590 : f32 = _S587 / (_S588 * _S589 + _S586);
-    var _S591 : bool = _S585 > 0.0f;
-    var _S592 : f32;
-    if(_S574.on_top_0)
-    {
-        _S592 = 1.0f;
-    }
-    else
-    {
-        _S592 = -1.0f;
-    }
-    var _S593 : f32;
-    if(_S579.near_start_0)
-    {
-        _S593 = 1.0f;
-    }
-    else
-    {
-        _S593 = -1.0f;
-    }
-    var _S594 : f32 = _S592 * _S593;
-    if(_S591)
-    {
-        _S592 = _S586 * _S589;
-    }
-    else
-    {
-        _S592 = 1.0f;
-    }
-    sample_0.slope_across_0 = _S580.slope_0 * _S592;
-    if(_S591)
-    {
-        _S585 = _S594 * _S585 * _S589;
-    }
-    else
-    {
-        _S585 = 0.0f;
-    }
-    sample_0.slope_along_0 = _S585;
-    var _S595 : f32 = families_0[_S575].height_scale_0;
-    var _S596 : vec2<f32> = dive_0(_S576, _S574, _S579, _S578);
-    if(_S579.straight_0)
-    {
-        _S583 = 0.0f;
-    }
-    else
-    {
-        _S583 = _S595 * _S583;
-    }
-    sample_0.height_8 = _S583 * (_S584 * _S579.bend_1.half_tangent_0 - _S590) - _S595 * _S580.drop_0 - _S596.x;
-    var _S597 : f32 = _S595 * sample_0.slope_across_0;
-    var _S598 : f32 = _S595 * sample_0.slope_along_0 - _S596.y;
-    if(_S574.is_warp_2)
-    {
-        _S583 = _S597;
-    }
-    else
-    {
-        _S583 = _S598;
-    }
-    sample_0.slope_x_1 = _S583;
-    if(_S574.is_warp_2)
-    {
-        _S583 = _S598;
-    }
-    else
-    {
-        _S583 = _S597;
-    }
-    sample_0.slope_y_1 = _S583;
-    sample_0.run_3 = _S579;
-    sample_0.section_1 = _S580;
+    var _S522 : Crossing_0 = crossing_at_0(_S518, _S519, _S520, _S521);
+    sample_0.crossing_2 = _S522;
+    var _S523 : Shown_0 = shown_at_0(_S522, _S521);
+    sample_0.shown_5 = _S523;
+    var _S524 : u32 = select(fabrics_0[_S518].weft_0, fabrics_0[_S518].warp_0, _S523.is_warp_2);
+    var _S525 : u32 = select(fabrics_0[_S518].warp_0, fabrics_0[_S518].weft_0, _S523.is_warp_2);
+    var _S526 : Cell_0 = select_cell_0(_S523.is_warp_2, sample_0.crossing_2.warp_4, sample_0.crossing_2.weft_4);
+    var _S527 : Cell_0 = select_cell_0(_S523.is_warp_2, sample_0.crossing_2.weft_4, sample_0.crossing_2.warp_4);
+    var _S528 : Run_0 = unpack_0(_S524, _S525, _S526.thread_0, _S527, _S523.word_0);
+    var _S529 : Section_0 = section_at_0(_S526);
+    var _S530 : bool = ((_S523.on_top_0) & (((_S528.distance_0) < (_S529.drop_0 * _S528.bend_1.sine_0))));
+    var _S531 : f32 = select(-1.0f, 1.0f, ((_S523.on_top_0) & ((!_S530))));
+    var _S532 : f32 = select(_S528.reach_0, _S528.other_reach_0, _S530);
+    var _S533 : f32 = select(max(_S532 - _S528.distance_0, 0.0f), _S532 + _S528.distance_0, _S530);
+    var _S534 : f32 = _S532 / _S528.bend_1.sine_0 - _S531 * _S529.drop_0;
+    var _S535 : f32 = _S533 * _S533;
+    var _S536 : f32 = max(_S534 * _S534 - _S535, 9.99999968265522539e-21f);
+    var _S537 : f32 = rsqrt_0(_S536);
+    var _S538 : f32 = _S535 / (_S536 * _S537 + _S534);
+    var _S539 : bool = _S533 > 0.0f;
+    var _S540 : f32 = select(-1.0f, 1.0f, _S523.on_top_0) * select(-1.0f, 1.0f, _S528.near_start_0);
+    var _S541 : f32 = _S529.slope_0 * select(1.0f, _S534 * _S537, _S539);
+    sample_0.slope_across_0 = _S541;
+    var _S542 : f32 = select(0.0f, _S540 * _S533 * _S537, _S539);
+    sample_0.slope_along_0 = _S542;
+    var _S543 : vec2<f32> = dive_0(_S525, _S523, _S528, _S527);
+    sample_0.height_8 = select(families_0[_S524].height_scale_0 * _S531, 0.0f, _S528.straight_0) * (_S532 * _S528.bend_1.half_tangent_0 - _S538) - families_0[_S524].height_scale_0 * _S529.drop_0 - _S543.x;
+    var _S544 : f32 = families_0[_S524].height_scale_0 * _S541;
+    var _S545 : f32 = families_0[_S524].height_scale_0 * _S542 - _S543.y;
+    sample_0.slope_x_1 = select(_S545, _S544, _S523.is_warp_2);
+    sample_0.slope_y_1 = select(_S544, _S545, _S523.is_warp_2);
+    sample_0.run_3 = _S528;
+    sample_0.section_1 = _S529;
     return sample_0;
 }
 
-fn steps_per_length_0( _S599 : u32,  _S600 : SearchQuality_0,  _S601 : vec3<f32>) -> f32
+fn steps_per_length_0( _S546 : u32,  _S547 : SearchQuality_0,  _S548 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S601.x) * fabrics_0[_S599].threads_per_x_0, abs(_S601.y) * fabrics_0[_S599].threads_per_y_0) * _S600.steps_per_thread_0, abs(_S601.z) * fabrics_0[_S599].per_relief_0 * _S600.steps_per_relief_0);
+    return max(max(abs(_S548.x) * fabrics_0[_S546].threads_per_x_0, abs(_S548.y) * fabrics_0[_S546].threads_per_y_0) * _S547.steps_per_thread_0, abs(_S548.z) * fabrics_0[_S546].per_relief_0 * _S547.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S602 : u32,  _S603 : Crossing_0) -> f32
+fn cell_maximum_0( _S549 : u32,  _S550 : Crossing_0) -> f32
 {
-    var _S604 : u32;
-    if(_S603.warp_above_0)
-    {
-        _S604 = fabrics_0[_S602].warp_0;
-    }
-    else
-    {
-        _S604 = fabrics_0[_S602].weft_0;
-    }
-    var _S605 : u32;
-    if(_S603.warp_above_0)
-    {
-        _S605 = _S603.warp_word_0;
-    }
-    else
-    {
-        _S605 = _S603.weft_word_0;
-    }
-    return f32((_S605 >> (u32(28)))) * families_0[_S604].height_scale_0 * families_0[_S604].level_0;
+    var _S551 : u32 = select(fabrics_0[_S549].weft_0, fabrics_0[_S549].warp_0, _S550.warp_above_0);
+    return f32((select(_S550.weft_word_0, _S550.warp_word_0, _S550.warp_above_0) >> (u32(28)))) * families_0[_S551].height_scale_0 * families_0[_S551].level_0;
 }
 
-fn probe_0( _S606 : u32,  _S607 : f32,  _S608 : f32,  _S609 : bool,  _S610 : bool,  _S611 : bool) -> Probe_0
+fn probe_0( _S552 : u32,  _S553 : f32,  _S554 : f32,  _S555 : bool,  _S556 : bool,  _S557 : bool) -> Probe_0
 {
-    var _S612 : Sample_0 = sample_at_0(_S606, _S607, _S608, _S609);
+    var _S558 : Sample_0 = sample_at_0(_S552, _S553, _S554, _S555);
     var probe_1 : Probe_0;
-    probe_1.height_4 = _S612.height_8;
-    probe_1.hole_3 = _S612.shown_5.hole_2;
-    probe_1.slope_x_0 = _S612.slope_x_1;
-    probe_1.slope_y_0 = _S612.slope_y_1;
-    var _S613 : u32;
-    if(_S612.shown_5.is_warp_2)
-    {
-        _S613 = _S612.crossing_2.warp_4.thread_0 * u32(2) + u32(1);
-    }
-    else
-    {
-        _S613 = _S612.crossing_2.weft_4.thread_0 * u32(2);
-    }
-    probe_1.yarn_2 = _S613;
-    probe_1.cell_max_0 = cell_maximum_0(_S606, _S612.crossing_2);
-    var _S614 : f32;
-    if(_S610)
-    {
-        _S614 = _S612.crossing_2.warp_4.above_0;
-    }
-    else
-    {
-        _S614 = _S612.crossing_2.warp_4.below_0;
-    }
-    probe_1.side_x_0 = _S614;
-    if(_S611)
-    {
-        _S614 = _S612.crossing_2.weft_4.above_0;
-    }
-    else
-    {
-        _S614 = _S612.crossing_2.weft_4.below_0;
-    }
-    probe_1.side_y_0 = _S614;
-    probe_1.edge_x_0 = outline_distance_0(_S612.crossing_2.warp_4, _S612.shown_5, _S612.run_3, !_S612.shown_5.is_warp_2, _S610);
-    probe_1.edge_y_0 = outline_distance_0(_S612.crossing_2.weft_4, _S612.shown_5, _S612.run_3, _S612.shown_5.is_warp_2, _S611);
+    probe_1.height_4 = _S558.height_8;
+    probe_1.hole_3 = _S558.shown_5.hole_2;
+    probe_1.slope_x_0 = _S558.slope_x_1;
+    probe_1.slope_y_0 = _S558.slope_y_1;
+    probe_1.yarn_2 = select(_S558.crossing_2.weft_4.thread_0 * u32(2), _S558.crossing_2.warp_4.thread_0 * u32(2) + u32(1), _S558.shown_5.is_warp_2);
+    probe_1.cell_max_0 = cell_maximum_0(_S552, _S558.crossing_2);
+    probe_1.side_x_0 = select(_S558.crossing_2.warp_4.below_0, _S558.crossing_2.warp_4.above_0, _S556);
+    probe_1.side_y_0 = select(_S558.crossing_2.weft_4.below_0, _S558.crossing_2.weft_4.above_0, _S557);
+    probe_1.edge_x_0 = outline_distance_0(_S558.crossing_2.warp_4, _S558.shown_5, _S558.run_3, !_S558.shown_5.is_warp_2, _S556);
+    probe_1.edge_y_0 = outline_distance_0(_S558.crossing_2.weft_4, _S558.shown_5, _S558.run_3, _S558.shown_5.is_warp_2, _S557);
     return probe_1;
 }
 
-fn is_free_0( _S615 : u32,  _S616 : SearchQuality_0,  _S617 : vec3<f32>,  _S618 : vec3<f32>,  _S619 : bool,  _S620 : f32) -> bool
+fn is_free_0( _S559 : u32,  _S560 : SearchQuality_0,  _S561 : vec3<f32>,  _S562 : vec3<f32>,  _S563 : bool,  _S564 : f32) -> bool
 {
-    var _S621 : f32 = _S618.z;
-    if(_S621 <= 0.0f)
+    var _S565 : f32 = _S562.z;
+    if(_S565 <= 0.0f)
     {
         return false;
     }
-    var _S622 : f32 = 1.0f / max(_S616.shadow_share_0 * steps_per_length_0(_S615, _S616, _S618), 9.99999971718068537e-10f);
-    var _S623 : StepControl_0 = step_control_0(_S618.xy, _S622);
+    var _S566 : f32 = 1.0f / max(_S560.shadow_share_0 * steps_per_length_0(_S559, _S560, _S562), 9.99999971718068537e-10f);
+    var _S567 : StepControl_0 = step_control_0(_S562.xy, _S566);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_4 : u32 = u32(0);
     var distance_1 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S624 : bool;
-        if(count_4 < u32(1024))
-        {
-            _S624 = (_S617.z + _S621 * distance_1) < _S620;
-        }
-        else
-        {
-            _S624 = false;
-        }
-        if(_S624)
+        if(((count_4 < u32(1024)) & (((_S561.z + _S565 * distance_1) < _S564))))
         {
         }
         else
         {
             break;
         }
-        var _S625 : vec3<f32> = _S617 + _S618 * vec3<f32>(distance_1);
-        var _S626 : Probe_0 = probe_0(_S615, _S625.x, _S625.y, _S619, _S623.right_0, _S623.up_0);
-        var _S627 : f32 = _S625.z;
-        var _S628 : f32 = _S627 - _S626.height_4;
-        var _S629 : f32 = _S621 - _S626.slope_x_0 * _S618.x - _S626.slope_y_0 * _S618.y;
-        var _S630 : bool;
-        if(!_S626.hole_3)
-        {
-            _S630 = _S628 < 0.0f;
-        }
-        else
-        {
-            _S630 = false;
-        }
-        if(_S630)
+        var _S568 : vec3<f32> = _S561 + _S562 * vec3<f32>(distance_1);
+        var _S569 : Probe_0 = probe_0(_S559, _S568.x, _S568.y, _S563, _S567.right_0, _S567.up_0);
+        var _S570 : f32 = _S568.z;
+        var _S571 : f32 = _S570 - _S569.height_4;
+        var _S572 : f32 = _S565 - _S569.slope_x_0 * _S562.x - _S569.slope_y_0 * _S562.y;
+        if(((!_S569.hole_3) & ((_S571 < 0.0f))))
         {
             return false;
         }
-        var _S631 : f32 = way_back_to_dip_0(previous_3, _S628, _S629, last_step_0, _S626);
-        if(_S631 >= 0.0f)
+        var _S573 : f32 = way_back_to_dip_0(previous_3, _S571, _S572, last_step_0, _S569);
+        if(_S573 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S631;
-            distance_1 = distance_1 - _S631;
+            var last_step_1 : f32 = last_step_0 - _S573;
+            distance_1 = distance_1 - _S573;
             last_step_0 = last_step_1;
             count_4 = count_4 + u32(1);
             continue;
         }
-        var _S632 : bool = _S627 > (_S626.cell_max_0);
-        var _S633 : PreviousSample_0 = after_sample_0(_S628, _S629, _S626, _S632);
-        var last_step_2 : f32;
-        if(_S632)
-        {
-            last_step_2 = max(StepControl_to_cell_exit_0(_S623, _S626.side_x_0, _S626.side_y_0), _S622);
-        }
-        else
-        {
-            last_step_2 = StepControl_to_next_sample_0(_S623, _S626, _S628, _S629);
-        }
+        var _S574 : bool = _S570 > (_S569.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S567, _S569, _S571, _S572), max(StepControl_to_cell_exit_0(_S567, _S569.side_x_0, _S569.side_y_0), _S566), _S574);
         var distance_2 : f32 = distance_1 + last_step_2;
-        previous_3 = _S633;
+        previous_3 = after_sample_0(_S571, _S572, _S569, _S574);
         distance_1 = distance_2;
         last_step_0 = last_step_2;
         count_4 = count_4 + u32(1);
@@ -3331,46 +2428,28 @@ fn is_free_0( _S615 : u32,  _S616 : SearchQuality_0,  _S617 : vec3<f32>,  _S618 
     return true;
 }
 
-fn passes_through_0( _S634 : u32,  _S635 : SearchQuality_0,  _S636 : f32,  _S637 : f32,  _S638 : vec3<f32>,  _S639 : bool) -> bool
+fn passes_through_0( _S575 : u32,  _S576 : SearchQuality_0,  _S577 : f32,  _S578 : f32,  _S579 : vec3<f32>,  _S580 : bool) -> bool
 {
-    if(!sample_at_0(_S634, _S636, _S637, _S639).shown_5.hole_2)
+    if(!sample_at_0(_S575, _S577, _S578, _S580).shown_5.hole_2)
     {
         return false;
     }
-    var _S640 : vec3<f32> = vec3<f32>(_S636, _S637, 0.0f);
+    var _S581 : vec3<f32> = vec3<f32>(_S577, _S578, 0.0f);
     var passes_0 : bool = true;
     var side_1 : u32 = u32(0);
     for(;;)
     {
-        var _S641 : bool;
-        if(side_1 < u32(2))
-        {
-            _S641 = passes_0;
-        }
-        else
-        {
-            _S641 = false;
-        }
-        if(_S641)
+        if(((side_1 < u32(2)) & (passes_0)))
         {
         }
         else
         {
             break;
         }
-        var _S642 : vec3<f32>;
-        if(side_1 == u32(0))
-        {
-            _S642 = _S638;
-        }
-        else
-        {
-            _S642 = vec3<f32>(- _S638.x, - _S638.y, _S638.z);
-        }
-        var _S643 : bool = is_free_0(_S634, _S635, _S640, _S642, _S639 != (side_1 == u32(1)), fabrics_0[_S634].height_high_0);
-        var _S644 : u32 = side_1 + u32(1);
-        passes_0 = _S643;
-        side_1 = _S644;
+        var _S582 : bool = is_free_0(_S575, _S576, _S581, select_vector_0(side_1 == u32(0), _S579, vec3<f32>(- _S579.x, - _S579.y, _S579.z)), _S580 != (side_1 == u32(1)), fabrics_0[_S575].height_high_0);
+        var _S583 : u32 = side_1 + u32(1);
+        passes_0 = _S582;
+        side_1 = _S583;
     }
     return passes_0;
 }
@@ -3385,45 +2464,15 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S645 : u32,  _S646 : f32,  _S647 : f32,  _S648 : f32,  _S649 : vec3<f32>,  _S650 : bool) -> f32
+fn max_height_along_0( _S584 : u32,  _S585 : f32,  _S586 : f32,  _S587 : f32,  _S588 : vec3<f32>,  _S589 : bool) -> f32
 {
-    var _S651 : u32 = locate_0(fabrics_0[_S645].warp_0, _S646).thread_0 / u32(2);
-    var _S652 : u32 = locate_0(fabrics_0[_S645].weft_0, _S647).thread_0 / u32(2);
-    var _S653 : f32 = _S649.x;
-    var _S654 : u32;
-    if(_S653 > 0.0f)
-    {
-        _S654 = u32(1);
-    }
-    else
-    {
-        _S654 = u32(0);
-    }
-    var _S655 : f32 = _S649.y;
-    var _S656 : u32;
-    if(_S655 > 0.0f)
-    {
-        _S656 = u32(2);
-    }
-    else
-    {
-        _S656 = u32(0);
-    }
-    var _S657 : u32 = words_0[fabrics_0[_S645].max_heights_0 + u32(4) * (_S652 * fabrics_0[_S645].max_height_columns_0 + _S651) + (_S654 + _S656)];
-    var number_2 : i32;
-    if(_S650)
-    {
-        number_2 = i32(4);
-    }
-    else
-    {
-        number_2 = i32(0);
-    }
-    var _S658 : u32 = (_S657 >> (u32(number_2)));
-    var _S659 : f32 = max(abs(_S653) * fabrics_0[_S645].threads_per_x_0, abs(_S655) * fabrics_0[_S645].threads_per_y_0) / _S649.z;
-    var _S660 : f32 = fabrics_0[_S645].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S645].height_high_0;
-    number_2 = i32(3);
+    var _S590 : f32 = _S588.x;
+    var _S591 : f32 = _S588.y;
+    var _S592 : u32 = (words_0[fabrics_0[_S584].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S584].weft_0, _S586).thread_0 / u32(2) * fabrics_0[_S584].max_height_columns_0 + locate_0(fabrics_0[_S584].warp_0, _S585).thread_0 / u32(2)) + (select(u32(0), u32(1), _S590 > 0.0f) + select(u32(0), u32(2), _S591 > 0.0f))] >> (u32(select(i32(0), i32(4), _S589))));
+    var _S593 : f32 = max(abs(_S590) * fabrics_0[_S584].threads_per_x_0, abs(_S591) * fabrics_0[_S584].threads_per_y_0) / _S588.z;
+    var _S594 : f32 = fabrics_0[_S584].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S584].height_high_0;
+    var number_2 : i32 = i32(3);
     for(;;)
     {
         if(number_2 >= i32(0))
@@ -3433,45 +2482,26 @@ fn max_height_along_0( _S645 : u32,  _S646 : f32,  _S647 : f32,  _S648 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S648) * _S659) <= (PYRAMID_RADII_0[number_2]))
+        if(((max_height_0 - _S587) * _S593) <= (PYRAMID_RADII_0[number_2]))
         {
-            max_height_0 = min(max_height_0, f32((((_S658 >> (u32(i32(8) * number_2)))) & (u32(15)))) * 0.06666667014360428f * _S660);
+            max_height_0 = min(max_height_0, f32((((_S592 >> (u32(i32(8) * number_2)))) & (u32(15)))) * 0.06666667014360428f * _S594);
         }
         number_2 = number_2 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S661 : u32,  _S662 : f32,  _S663 : f32,  _S664 : bool,  _S665 : bool,  _S666 : bool) -> vec3<f32>
+fn cell_bounds_0( _S595 : u32,  _S596 : f32,  _S597 : f32,  _S598 : bool,  _S599 : bool,  _S600 : bool) -> vec3<f32>
 {
-    var _S667 : Crossing_0 = crossing_at_0(_S661, _S662, _S663, _S664);
-    var _S668 : f32 = cell_maximum_0(_S661, _S667);
-    var _S669 : f32;
-    if(_S665)
-    {
-        _S669 = _S667.warp_4.above_0;
-    }
-    else
-    {
-        _S669 = _S667.warp_4.below_0;
-    }
-    var _S670 : f32;
-    if(_S666)
-    {
-        _S670 = _S667.weft_4.above_0;
-    }
-    else
-    {
-        _S670 = _S667.weft_4.below_0;
-    }
-    return vec3<f32>(_S668, _S669, _S670);
+    var _S601 : Crossing_0 = crossing_at_0(_S595, _S596, _S597, _S598);
+    return vec3<f32>(cell_maximum_0(_S595, _S601), select(_S601.warp_4.below_0, _S601.warp_4.above_0, _S599), select(_S601.weft_4.below_0, _S601.weft_4.above_0, _S600));
 }
 
-fn first_sample_height_0( _S671 : u32,  _S672 : ViewRay_0,  _S673 : StepControl_0,  _S674 : bool) -> f32
+fn first_sample_height_0( _S602 : u32,  _S603 : ViewRay_0,  _S604 : StepControl_0,  _S605 : bool) -> f32
 {
-    var _S675 : f32 = max_height_along_0(_S671, _S672.origin_0.x, _S672.origin_0.y, 0.0f, vec3<f32>(_S672.slope_1, 1.0f), _S674);
+    var _S606 : f32 = max_height_along_0(_S602, _S603.origin_0.x, _S603.origin_0.y, 0.0f, vec3<f32>(_S603.slope_1, 1.0f), _S605);
     var count_5 : u32 = u32(0);
-    var height_10 : f32 = _S675;
+    var height_10 : f32 = _S606;
     for(;;)
     {
         if(count_5 < u32(1024))
@@ -3481,12 +2511,12 @@ fn first_sample_height_0( _S671 : u32,  _S672 : ViewRay_0,  _S673 : StepControl_
         {
             break;
         }
-        var _S676 : vec2<f32> = ViewRay_at_0(_S672, height_10);
-        var _S677 : vec3<f32> = cell_bounds_0(_S671, _S676.x, _S676.y, _S674, _S673.right_0, _S673.up_0);
-        var _S678 : f32 = height_10 - _S677.x;
-        var _S679 : f32 = StepControl_to_cell_exit_0(_S673, _S677.y, _S677.z);
-        var height_11 : f32 = height_10 - clamp(_S678, 0.0f, _S679);
-        if(_S678 <= _S679)
+        var _S607 : vec2<f32> = ViewRay_at_0(_S603, height_10);
+        var _S608 : vec3<f32> = cell_bounds_0(_S602, _S607.x, _S607.y, _S605, _S604.right_0, _S604.up_0);
+        var _S609 : f32 = height_10 - _S608.x;
+        var _S610 : f32 = StepControl_to_cell_exit_0(_S604, _S608.y, _S608.z);
+        var height_11 : f32 = height_10 - clamp(_S609, 0.0f, _S610);
+        if(_S609 <= _S610)
         {
             height_10 = height_11;
             break;
@@ -3497,12 +2527,12 @@ fn first_sample_height_0( _S671 : u32,  _S672 : ViewRay_0,  _S673 : StepControl_
     return height_10;
 }
 
-fn search_down_0( _S680 : u32,  _S681 : ViewRay_0,  _S682 : StepControl_0,  _S683 : bool) -> ViewRayEnd_0
+fn search_down_0( _S611 : u32,  _S612 : ViewRay_0,  _S613 : StepControl_0,  _S614 : bool) -> ViewRayEnd_0
 {
-    var _S684 : f32 = fabrics_0[_S680].height_low_0 - (fabrics_0[_S680].height_high_0 - fabrics_0[_S680].height_low_0);
+    var _S615 : f32 = fabrics_0[_S611].height_low_0 - (fabrics_0[_S611].height_high_0 - fabrics_0[_S611].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_9 = first_sample_height_0(_S680, _S681, _S682, _S683);
-    end_1.last_step_3 = _S682.epsilon_0;
+    end_1.height_9 = first_sample_height_0(_S611, _S612, _S613, _S614);
+    end_1.last_step_3 = _S613.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_1 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -3517,483 +2547,219 @@ fn search_down_0( _S680 : u32,  _S681 : ViewRay_0,  _S682 : StepControl_0,  _S68
         {
             break;
         }
-        var _S685 : vec2<f32> = ViewRay_at_0(_S681, end_1.height_9);
-        var _S686 : Probe_0 = probe_0(_S680, _S685.x, _S685.y, _S683, _S682.right_0, _S682.up_0);
-        var _S687 : f32 = end_1.height_9 - _S686.height_4;
-        var _S688 : f32 = ViewRay_rate_0(_S681, _S686);
-        end_1.depth_1 = - _S687;
-        end_1.rate_4 = _S688;
-        var _S689 : bool;
-        if(end_1.previous_4.known_0)
-        {
-            _S689 = !_S686.hole_3;
-        }
-        else
-        {
-            _S689 = false;
-        }
-        var _S690 : bool;
-        if(_S689)
-        {
-            _S690 = (end_1.previous_4.yarn_1) == (_S686.yarn_2);
-        }
-        else
-        {
-            _S690 = false;
-        }
-        end_1.smooth_0 = _S690;
-        var _S691 : bool;
-        if(!_S686.hole_3)
-        {
-            _S691 = _S687 <= 0.0f;
-        }
-        else
-        {
-            _S691 = false;
-        }
-        var _S692 : bool;
-        if(_S691)
-        {
-            _S692 = true;
-        }
-        else
-        {
-            _S692 = (end_1.height_9) <= _S684;
-        }
-        if(_S692)
+        var _S616 : vec2<f32> = ViewRay_at_0(_S612, end_1.height_9);
+        var _S617 : Probe_0 = probe_0(_S611, _S616.x, _S616.y, _S614, _S613.right_0, _S613.up_0);
+        var _S618 : f32 = end_1.height_9 - _S617.height_4;
+        var _S619 : f32 = ViewRay_rate_0(_S612, _S617);
+        end_1.depth_1 = - _S618;
+        end_1.rate_4 = _S619;
+        var _S620 : bool = !_S617.hole_3;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S620))) & (((end_1.previous_4.yarn_1) == (_S617.yarn_2))));
+        if((((_S620 & ((_S618 <= 0.0f)))) | (((end_1.height_9) <= _S615))))
         {
             break;
         }
-        var _S693 : f32 = way_back_to_dip_0(end_1.previous_4, _S687, _S688, end_1.last_step_3, _S686);
-        if(_S693 >= 0.0f)
+        var _S621 : f32 = way_back_to_dip_0(end_1.previous_4, _S618, _S619, end_1.last_step_3, _S617);
+        if(_S621 >= 0.0f)
         {
-            end_1.height_9 = end_1.height_9 + _S693;
-            end_1.last_step_3 = end_1.last_step_3 - _S693;
+            end_1.height_9 = end_1.height_9 + _S621;
+            end_1.last_step_3 = end_1.last_step_3 - _S621;
             count_6 = count_6 + u32(1);
             continue;
         }
-        var _S694 : f32 = min(StepControl_to_cell_exit_0(_S682, _S686.side_x_0, _S686.side_y_0), end_1.height_9 - _S686.cell_max_0);
-        var _S695 : f32 = StepControl_to_next_sample_0(_S682, _S686, _S687, _S688);
-        end_1.previous_4 = after_sample_0(_S687, _S688, _S686, _S694 > _S695);
-        var _S696 : f32 = max(_S694, _S695);
-        end_1.last_step_3 = _S696;
-        end_1.height_9 = end_1.height_9 - _S696;
+        var _S622 : f32 = min(StepControl_to_cell_exit_0(_S613, _S617.side_x_0, _S617.side_y_0), end_1.height_9 - _S617.cell_max_0);
+        var _S623 : f32 = StepControl_to_next_sample_0(_S613, _S617, _S618, _S619);
+        end_1.previous_4 = after_sample_0(_S618, _S619, _S617, _S622 > _S623);
+        var _S624 : f32 = max(_S622, _S623);
+        end_1.last_step_3 = _S624;
+        end_1.height_9 = end_1.height_9 - _S624;
         count_6 = count_6 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S697 : u32,  _S698 : ViewRay_0,  _S699 : StepControl_0,  _S700 : bool,  _S701 : ViewRayEnd_0,  _S702 : u32) -> f32
+fn refined_height_0( _S625 : u32,  _S626 : ViewRay_0,  _S627 : StepControl_0,  _S628 : bool,  _S629 : ViewRayEnd_0,  _S630 : u32) -> f32
 {
-    var _S703 : f32 = fabrics_0[_S697].height_high_0 - fabrics_0[_S697].height_low_0;
-    var above_2 : f32 = _S701.height_9 + _S701.last_step_3;
-    var above_gap_1 : f32 = clamp(_S701.previous_4.clearance_0, 0.0f, _S703);
-    var under_gap_1 : f32 = clamp(_S701.depth_1, 0.0f, _S703);
-    var _S704 : f32 = cubic_root_0(above_gap_1, - under_gap_1, _S701.previous_4.rate_0 * _S701.last_step_3, _S701.rate_4 * _S701.last_step_3);
-    var middle_0 : f32;
-    if(_S701.smooth_0)
-    {
-        middle_0 = above_2 - _S704 * _S701.last_step_3;
-    }
-    else
-    {
-        middle_0 = between_0(above_2, _S701.height_9, above_gap_1, under_gap_1);
-    }
+    var _S631 : f32 = fabrics_0[_S625].height_high_0 - fabrics_0[_S625].height_low_0;
+    var above_2 : f32 = _S629.height_9 + _S629.last_step_3;
+    var above_gap_1 : f32 = clamp(_S629.previous_4.clearance_0, 0.0f, _S631);
+    var under_gap_1 : f32 = clamp(_S629.depth_1, 0.0f, _S631);
+    var middle_0 : f32 = select(between_0(above_2, _S629.height_9, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S629.previous_4.rate_0 * _S629.last_step_3, _S629.rate_4 * _S629.last_step_3) * _S629.last_step_3, _S629.smooth_0);
     var side_2 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S701.height_9;
+    var under_1 : f32 = _S629.height_9;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S702)
+        if(i_1 < _S630)
         {
         }
         else
         {
             break;
         }
-        var _S705 : vec2<f32> = ViewRay_at_0(_S698, middle_0);
-        var _S706 : Probe_0 = probe_0(_S697, _S705.x, _S705.y, _S700, _S699.right_0, _S699.up_0);
-        var _S707 : f32;
-        if(_S706.hole_3)
+        var _S632 : vec2<f32> = ViewRay_at_0(_S626, middle_0);
+        var _S633 : Probe_0 = probe_0(_S625, _S632.x, _S632.y, _S628, _S627.right_0, _S627.up_0);
+        var _S634 : f32 = clamp(middle_0 - select(_S633.height_4, -1.0e+09f, _S633.hole_3), - _S631, _S631);
+        if(_S634 <= 0.0f)
         {
-            _S707 = -1.0e+09f;
-        }
-        else
-        {
-            _S707 = _S706.height_4;
-        }
-        var _S708 : f32 = clamp(middle_0 - _S707, - _S703, _S703);
-        var _S709 : f32;
-        if(_S708 <= 0.0f)
-        {
-            if(side_2 > 0.0f)
-            {
-                _S709 = 0.5f * above_gap_2;
-            }
-            else
-            {
-                _S709 = above_gap_2;
-            }
-            var _S710 : f32 = - _S708;
+            var _S635 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_2 > 0.0f);
+            var _S636 : f32 = - _S634;
             under_1 = middle_0;
-            above_gap_2 = _S709;
-            under_gap_2 = _S710;
+            above_gap_2 = _S635;
+            under_gap_2 = _S636;
             side_2 = 1.0f;
         }
         else
         {
-            if(side_2 < 0.0f)
-            {
-                _S709 = 0.5f * under_gap_2;
-            }
-            else
-            {
-                _S709 = under_gap_2;
-            }
+            var _S637 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_2 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S708;
-            under_gap_2 = _S709;
+            above_gap_2 = _S634;
+            under_gap_2 = _S637;
             side_2 = -1.0f;
         }
-        if(_S701.smooth_0)
-        {
-            middle_0 = clamp(middle_0 + _S708 / min(ViewRay_rate_0(_S698, _S706), -9.99999997475242708e-07f), under_1, above_3);
-        }
-        else
-        {
-            middle_0 = between_0(above_3, under_1, above_gap_2, under_gap_2);
-        }
-        i_1 = i_1 + u32(1);
+        var _S638 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S634 / min(ViewRay_rate_0(_S626, _S633), -9.99999997475242708e-07f), under_1, above_3), _S629.smooth_0);
+        var _S639 : u32 = i_1 + u32(1);
+        middle_0 = _S638;
+        i_1 = _S639;
     }
-    if(_S701.smooth_0)
-    {
-    }
-    else
-    {
-        middle_0 = under_1;
-    }
-    return middle_0;
+    return select(under_1, middle_0, _S629.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S711 : u32,  _S712 : SearchQuality_0,  _S713 : f32,  _S714 : f32,  _S715 : vec3<f32>,  _S716 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S640 : u32,  _S641 : SearchQuality_0,  _S642 : f32,  _S643 : f32,  _S644 : vec3<f32>,  _S645 : bool) -> Hit_0
 {
-    var _S717 : f32 = max(_S715.z, 0.00009999999747379f);
+    var _S646 : f32 = max(_S644.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S713, _S714);
-    var _S718 : vec2<f32> = _S715.xy / vec2<f32>(_S717);
-    ray_0.slope_1 = _S718;
-    var _S719 : StepControl_0 = step_control_0((vec2<f32>(0) - _S718), 1.0f / max(steps_per_length_0(_S711, _S712, _S715) / _S717, 9.99999971718068537e-10f));
-    var _S720 : ViewRayEnd_0 = search_down_0(_S711, ray_0, _S719, _S716);
+    ray_0.origin_0 = vec2<f32>(_S642, _S643);
+    var _S647 : vec2<f32> = _S644.xy / vec2<f32>(_S646);
+    ray_0.slope_1 = _S647;
+    var _S648 : StepControl_0 = step_control_0((vec2<f32>(0) - _S647), 1.0f / max(steps_per_length_0(_S640, _S641, _S644) / _S646, 9.99999971718068537e-10f));
+    var _S649 : ViewRayEnd_0 = search_down_0(_S640, ray_0, _S648, _S645);
     var hit_0 : Hit_0;
     hit_0.hole_6 = false;
-    var _S721 : f32 = refined_height_0(_S711, ray_0, _S719, _S716, _S720, _S712.refinements_0);
-    hit_0.height_7 = _S721;
-    var _S722 : vec2<f32> = ViewRay_at_0(ray_0, _S721);
-    hit_0.x_15 = _S722.x;
-    hit_0.y_8 = _S722.y;
+    var _S650 : f32 = refined_height_0(_S640, ray_0, _S648, _S645, _S649, _S641.refinements_0);
+    hit_0.height_7 = _S650;
+    var _S651 : vec2<f32> = ViewRay_at_0(ray_0, _S650);
+    hit_0.x_15 = _S651.x;
+    hit_0.y_8 = _S651.y;
     return hit_0;
 }
 
-fn first_hit_0( _S723 : u32,  _S724 : SearchQuality_0,  _S725 : f32,  _S726 : f32,  _S727 : vec3<f32>,  _S728 : bool) -> Hit_0
+fn first_hit_0( _S652 : u32,  _S653 : SearchQuality_0,  _S654 : f32,  _S655 : f32,  _S656 : vec3<f32>,  _S657 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S723, _S724, _S725, _S726, _S727, _S728))
+    if(!passes_through_0(_S652, _S653, _S654, _S655, _S656, _S657))
     {
-        return first_hit_of_yarn_0(_S723, _S724, _S725, _S726, _S727, _S728);
+        return first_hit_of_yarn_0(_S652, _S653, _S654, _S655, _S656, _S657);
     }
     var hit_1 : Hit_0;
-    hit_1.x_15 = _S725;
-    hit_1.y_8 = _S726;
+    hit_1.x_15 = _S654;
+    hit_1.y_8 = _S655;
     hit_1.height_7 = 0.0f;
     hit_1.hole_6 = true;
     return hit_1;
 }
 
-fn surface_at_0( _S729 : u32,  _S730 : f32,  _S731 : f32,  _S732 : bool) -> SurfacePoint_0
+fn surface_at_0( _S658 : u32,  _S659 : f32,  _S660 : f32,  _S661 : bool) -> SurfacePoint_0
 {
-    var _S733 : Sample_0 = sample_at_0(_S729, _S730, _S731, _S732);
-    var _S734 : f32;
-    if(_S733.shown_5.is_warp_2)
-    {
-        _S734 = _S733.crossing_2.warp_4.half_width_1;
-    }
-    else
-    {
-        _S734 = _S733.crossing_2.weft_4.half_width_1;
-    }
-    var _S735 : u32;
-    if(_S733.shown_5.is_warp_2)
-    {
-        _S735 = fabrics_0[_S729].warp_0;
-    }
-    else
-    {
-        _S735 = fabrics_0[_S729].weft_0;
-    }
-    var _S736 : f32 = families_0[_S735].twist_sine_0;
-    var _S737 : f32;
-    if(_S732)
-    {
-        _S737 = -1.0f;
-    }
-    else
-    {
-        _S737 = 1.0f;
-    }
-    var _S738 : f32 = _S736 * _S737;
-    var _S739 : f32 = families_0[_S735].twist_cosine_0;
-    if(_S733.shown_5.is_warp_2)
-    {
-        _S737 = 1.0f;
-    }
-    else
-    {
-        _S737 = -1.0f;
-    }
-    var _S740 : vec2<f32> = fibre_direction_0(_S733.slope_across_0, _S737 * _S733.slope_along_0, _S738, _S739);
-    var _S741 : f32;
-    if(_S733.shown_5.is_warp_2)
-    {
-        _S741 = _S733.slope_x_1;
-    }
-    else
-    {
-        _S741 = _S733.slope_y_1;
-    }
-    var _S742 : f32;
-    if(_S733.shown_5.is_warp_2)
-    {
-        _S742 = _S733.slope_y_1;
-    }
-    else
-    {
-        _S742 = _S733.slope_x_1;
-    }
-    var _S743 : f32 = _S740.x;
-    var _S744 : f32 = _S740.y;
-    var _S745 : f32 = _S741 * _S743 + _S737 * _S742 * _S744;
-    var _S746 : f32 = _S734 * 1.0154266357421875f;
-    var _S747 : f32 = _S746 * arc_sine_0(clamp(_S733.section_1.across_3 / _S746, -1.0f, 1.0f));
-    if(_S733.shown_5.is_warp_2)
-    {
-        _S734 = _S731;
-    }
-    else
-    {
-        _S734 = - _S730;
-    }
+    var _S662 : Sample_0 = sample_at_0(_S658, _S659, _S660, _S661);
+    var _S663 : u32 = select(fabrics_0[_S658].weft_0, fabrics_0[_S658].warp_0, _S662.shown_5.is_warp_2);
+    var _S664 : f32 = families_0[_S663].twist_sine_0 * select(1.0f, -1.0f, _S661);
+    var _S665 : f32 = select(-1.0f, 1.0f, _S662.shown_5.is_warp_2);
+    var _S666 : vec2<f32> = fibre_direction_0(_S662.slope_across_0, _S665 * _S662.slope_along_0, _S664, families_0[_S663].twist_cosine_0);
+    var _S667 : f32 = _S666.x;
+    var _S668 : f32 = _S666.y;
+    var _S669 : f32 = select(_S662.slope_y_1, _S662.slope_x_1, _S662.shown_5.is_warp_2) * _S667 + _S665 * select(_S662.slope_x_1, _S662.slope_y_1, _S662.shown_5.is_warp_2) * _S668;
+    var _S670 : f32 = select(_S662.crossing_2.weft_4.half_width_1, _S662.crossing_2.warp_4.half_width_1, _S662.shown_5.is_warp_2) * 1.0154266357421875f;
+    var _S671 : f32 = _S670 * arc_sine_0(clamp(_S662.section_1.across_3 / _S670, -1.0f, 1.0f));
+    var _S672 : f32 = select(- _S659, _S660, _S662.shown_5.is_warp_2);
     var point_6 : SurfacePoint_0;
-    point_6.hole_4 = _S733.shown_5.hole_2;
-    point_6.is_warp_3 = _S733.shown_5.is_warp_2;
-    point_6.warp_thread_0 = _S733.crossing_2.warp_4.thread_0;
-    point_6.weft_thread_0 = _S733.crossing_2.weft_4.thread_0;
-    point_6.height_6 = _S733.height_8;
-    point_6.normal_5 = normalize(vec3<f32>(- _S733.slope_x_1, - _S733.slope_y_1, 1.0f));
-    var _S748 : vec3<f32>;
-    if(_S733.shown_5.is_warp_2)
-    {
-        _S748 = vec3<f32>(_S743, _S744, _S745);
-    }
-    else
-    {
-        _S748 = vec3<f32>(- _S744, _S743, _S745);
-    }
-    point_6.tangent_4 = normalize(_S748);
-    point_6.across_5 = _S733.section_1.across_3;
-    point_6.fibre_across_0 = _S747 * _S739 + _S734 * _S738;
-    point_6.fibre_along_0 = _S734 * _S739 - _S747 * _S738;
+    point_6.hole_4 = _S662.shown_5.hole_2;
+    point_6.is_warp_3 = _S662.shown_5.is_warp_2;
+    point_6.warp_thread_0 = _S662.crossing_2.warp_4.thread_0;
+    point_6.weft_thread_0 = _S662.crossing_2.weft_4.thread_0;
+    point_6.height_6 = _S662.height_8;
+    point_6.normal_5 = normalize(vec3<f32>(- _S662.slope_x_1, - _S662.slope_y_1, 1.0f));
+    point_6.tangent_4 = normalize(select_vector_0(_S662.shown_5.is_warp_2, vec3<f32>(_S667, _S668, _S669), vec3<f32>(- _S668, _S667, _S669)));
+    point_6.across_5 = _S662.section_1.across_3;
+    point_6.fibre_across_0 = _S671 * families_0[_S663].twist_cosine_0 + _S672 * _S664;
+    point_6.fibre_along_0 = _S672 * families_0[_S663].twist_cosine_0 - _S671 * _S664;
     return point_6;
 }
 
-fn has_hairs_0( _S749 : u32) -> bool
+fn has_hairs_0( _S673 : u32) -> bool
 {
-    var _S750 : bool;
-    if((families_0[fabrics_0[_S749].warp_0].hairiness_0) > 0.0f)
-    {
-        _S750 = true;
-    }
-    else
-    {
-        _S750 = (families_0[fabrics_0[_S749].weft_0].hairiness_0) > 0.0f;
-    }
-    return _S750;
+    return (((families_0[fabrics_0[_S673].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S673].weft_0].hairiness_0) > 0.0f)));
 }
 
-fn hair_at_0( _S751 : u32,  _S752 : vec2<f32>,  _S753 : bool,  _S754 : f32) -> Hair_0
+fn hair_at_0( _S674 : u32,  _S675 : vec2<f32>,  _S676 : bool,  _S677 : f32) -> Hair_0
 {
-    var _S755 : f32 = fabrics_0[_S751].fibre_size_0;
-    var _S756 : f32 = 17.0f * fabrics_0[_S751].fibre_size_0;
-    var _S757 : f32 = fade_0(_S754, _S756);
-    var _S758 : vec2<f32> = _S752 / vec2<f32>(_S756);
-    var number_3 : u32;
-    if(_S753)
-    {
-        number_3 = u32(1);
-    }
-    else
-    {
-        number_3 = u32(0);
-    }
-    var _S759 : u32 = hash_key_0(number_3, ((fabrics_0[_S751].seed_0) ^ (u32(1013904242))));
-    var _S760 : f32 = 1.0f / max(_S754, 0.07999999821186066f * _S755);
-    var _S761 : f32 = min(0.63999998569488525f * _S755 * _S760, 1.0f);
-    const _S762 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
+    var _S678 : f32 = fabrics_0[_S674].fibre_size_0;
+    var _S679 : f32 = 17.0f * fabrics_0[_S674].fibre_size_0;
+    var _S680 : f32 = fade_0(_S677, _S679);
+    var _S681 : vec2<f32> = _S675 / vec2<f32>(_S679);
+    var _S682 : u32 = hash_key_0(select(u32(0), u32(1), _S676), ((fabrics_0[_S674].seed_0) ^ (u32(1013904242))));
+    var _S683 : f32 = 1.0f / max(_S677, 0.07999999821186066f * fabrics_0[_S674].fibre_size_0);
+    var _S684 : f32 = min(0.63999998569488525f * fabrics_0[_S674].fibre_size_0 * _S683, 1.0f);
+    const _S685 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
     var cover_2 : f32 = 0.0f;
     var hair_away_0 : f32 = 0.0f;
-    var hair_across_0 : vec2<f32> = _S762;
-    number_3 = u32(0);
+    var hair_across_0 : vec2<f32> = _S685;
+    var number_3 : u32 = u32(0);
     for(;;)
     {
-        var _S763 : bool;
-        if(_S757 > 0.0f)
-        {
-            _S763 = number_3 < u32(18);
-        }
-        else
-        {
-            _S763 = false;
-        }
-        if(_S763)
+        if(((_S680 > 0.0f) & ((number_3 < u32(18)))))
         {
         }
         else
         {
             break;
         }
-        var _S764 : u32 = number_3 / u32(9);
-        var _S765 : u32 = number_3 / u32(3) - u32(3) * _S764;
-        var _S766 : vec2<f32> = floor(_S758) + vec2<f32>(f32(number_3 - u32(3) * _S765 - u32(9) * _S764), f32(_S765)) - vec2<f32>(1.0f);
-        var _S767 : u32 = hash_bits_0(_S759 + _S764, u32(i32(_S766.x)) * u32(65536) + u32(i32(_S766.y)));
-        var _S768 : u32 = hash_bits_0(_S759, _S767);
-        var _S769 : vec2<f32> = _S758 - _S766 - vec2<f32>(share_of_0(_S767), share_of_0((_S767 >> (u32(10)))));
-        var _S770 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S767 >> (u32(20)))));
-        var _S771 : f32 = mix(5.0f, 16.0f, share_of_0((_S768 >> (u32(10))))) / 17.0f;
-        var _S772 : f32 = _S769.x;
-        var _S773 : f32 = _S770.y;
-        var _S774 : f32 = _S769.y;
-        var _S775 : f32 = _S770.x;
-        var _S776 : f32 = (_S772 * _S773 + _S774 * _S775) / _S771;
-        var _S777 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S768 >> (u32(20)))) - 1.0f);
-        var _S778 : f32 = 2.0f * _S777 * _S776;
-        var _S779 : f32 = rsqrt_0(_S778 * _S778 + 1.0f);
-        var _S780 : f32 = (_S774 * _S773 - _S772 * _S775 - _S777 * _S771 * _S776 * _S776) * _S779 * 17.0f;
-        var _S781 : f32 = clamp((0.31999999284744263f - abs(_S780)) * _S755 * _S760 + 0.5f, 0.0f, _S761);
-        var _S782 : u32;
-        if(((((_S768 >> (u32(30)))) & (u32(1)))) == u32(1))
+        var _S686 : u32 = number_3 / u32(9);
+        var _S687 : u32 = number_3 / u32(3) - u32(3) * _S686;
+        var _S688 : vec2<f32> = floor(_S681) + vec2<f32>(f32(number_3 - u32(3) * _S687 - u32(9) * _S686), f32(_S687)) - vec2<f32>(1.0f);
+        var _S689 : u32 = hash_bits_0(_S682 + _S686, u32(i32(_S688.x)) * u32(65536) + u32(i32(_S688.y)));
+        var _S690 : u32 = hash_bits_0(_S682, _S689);
+        var _S691 : vec2<f32> = _S681 - _S688 - vec2<f32>(share_of_0(_S689), share_of_0((_S689 >> (u32(10)))));
+        var _S692 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S689 >> (u32(20)))));
+        var _S693 : f32 = mix(5.0f, 16.0f, share_of_0((_S690 >> (u32(10))))) / 17.0f;
+        var _S694 : f32 = _S691.x;
+        var _S695 : f32 = _S692.y;
+        var _S696 : f32 = _S691.y;
+        var _S697 : f32 = _S692.x;
+        var _S698 : f32 = (_S694 * _S695 + _S696 * _S697) / _S693;
+        var _S699 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S690 >> (u32(20)))) - 1.0f);
+        var _S700 : f32 = 2.0f * _S699 * _S698;
+        var _S701 : f32 = rsqrt_0(_S700 * _S700 + 1.0f);
+        var _S702 : f32 = (_S696 * _S695 - _S694 * _S697 - _S699 * _S693 * _S698 * _S698) * _S701 * 17.0f;
+        var _S703 : f32 = clamp((0.31999999284744263f - abs(_S702)) * _S678 * _S683 + 0.5f, 0.0f, _S684);
+        if((((((share_of_0(_S690)) < (families_0[select(fabrics_0[_S674].weft_0, fabrics_0[_S674].warp_0, ((((_S690 >> (u32(30)))) & (u32(1)))) == u32(1))].hairiness_0)) & (((abs(_S698)) < 1.0f)))) & ((_S703 > cover_2))))
         {
-            _S782 = fabrics_0[_S751].warp_0;
-        }
-        else
-        {
-            _S782 = fabrics_0[_S751].weft_0;
-        }
-        var _S783 : bool;
-        if((share_of_0(_S768)) < (families_0[_S782].hairiness_0))
-        {
-            _S783 = (abs(_S776)) < 1.0f;
-        }
-        else
-        {
-            _S783 = false;
-        }
-        var _S784 : bool;
-        if(_S783)
-        {
-            _S784 = _S781 > cover_2;
-        }
-        else
-        {
-            _S784 = false;
-        }
-        if(_S784)
-        {
-            var _S785 : vec2<f32> = vec2<f32>(- _S775 - _S778 * _S773, _S773 - _S778 * _S775) * vec2<f32>(_S779);
-            cover_2 = _S781;
-            hair_away_0 = _S780;
-            hair_across_0 = _S785;
+            var _S704 : vec2<f32> = vec2<f32>(- _S697 - _S700 * _S695, _S695 - _S700 * _S697) * vec2<f32>(_S701);
+            cover_2 = _S703;
+            hair_away_0 = _S702;
+            hair_across_0 = _S704;
         }
         number_3 = number_3 + u32(1);
     }
-    var _S786 : f32 = clamp(hair_away_0 * 2.5f, -0.80000001192092896f, 0.80000001192092896f);
+    var _S705 : f32 = clamp(hair_away_0 * 2.5f, -0.80000001192092896f, 0.80000001192092896f);
     var hair_1 : Hair_0;
-    hair_1.cover_0 = _S757 * cover_2;
-    hair_1.normal_3 = vec3<f32>(vec2<f32>(_S786) * hair_across_0, sqrt(1.0f - _S786 * _S786));
+    hair_1.cover_0 = _S680 * cover_2;
+    hair_1.normal_3 = vec3<f32>(vec2<f32>(_S705) * hair_across_0, sqrt(1.0f - _S705 * _S705));
     hair_1.tangent_2 = vec3<f32>(hair_across_0.y, - hair_across_0.x, 0.0f);
     return hair_1;
 }
 
-fn varies_at_0( _S787 : u32,  _S788 : f32) -> bool
+fn varies_at_0( _S706 : u32,  _S707 : f32) -> bool
 {
-    var _S789 : bool;
-    if((fabrics_0[_S787].fibre_noise_0) > 0.0f)
-    {
-        _S789 = true;
-    }
-    else
-    {
-        _S789 = (fabrics_0[_S787].colour_noise_0) > 0.0f;
-    }
-    if(_S789)
-    {
-        _S789 = true;
-    }
-    else
-    {
-        if((fabrics_0[_S787].has_detail_0) != u32(0))
-        {
-            _S789 = _S788 >= 0.0f;
-        }
-        else
-        {
-            _S789 = false;
-        }
-    }
-    return _S789;
+    return (((((fabrics_0[_S706].fibre_noise_0) > 0.0f) | (((fabrics_0[_S706].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S706].has_detail_0) != u32(0)) & ((_S707 >= 0.0f))))));
 }
 
-fn thread_number_0( _S790 : u32,  _S791 : SurfacePoint_0,  _S792 : f32,  _S793 : f32) -> u32
+fn thread_number_0( _S708 : u32,  _S709 : SurfacePoint_0,  _S710 : f32,  _S711 : f32) -> u32
 {
-    var _S794 : f32;
-    if(_S791.is_warp_3)
-    {
-        _S794 = _S792;
-    }
-    else
-    {
-        _S794 = _S793;
-    }
-    var _S795 : f32 = _S794 - _S791.across_5;
-    var _S796 : u32;
-    if(_S791.is_warp_3)
-    {
-        _S796 = fabrics_0[_S790].warp_0;
-    }
-    else
-    {
-        _S796 = fabrics_0[_S790].weft_0;
-    }
-    var _S797 : f32 = families_0[_S796].period_0;
-    var _S798 : i32 = i32(families_0[_S796].count_0);
-    if(_S791.is_warp_3)
-    {
-        _S796 = _S791.warp_thread_0;
-    }
-    else
-    {
-        _S796 = _S791.weft_thread_0;
-    }
-    var _S799 : u32 = u32(i32(floor(_S795 / _S797)) * _S798 + i32(_S796)) * u32(2);
-    if(_S791.is_warp_3)
-    {
-        _S796 = u32(1);
-    }
-    else
-    {
-        _S796 = u32(0);
-    }
-    return _S799 + _S796;
+    var _S712 : u32 = select(fabrics_0[_S708].weft_0, fabrics_0[_S708].warp_0, _S709.is_warp_3);
+    return u32(i32(floor((select(_S711, _S710, _S709.is_warp_3) - _S709.across_5) / families_0[_S712].period_0)) * i32(families_0[_S712].count_0) + i32(select(_S709.weft_thread_0, _S709.warp_thread_0, _S709.is_warp_3))) * u32(2) + select(u32(0), u32(1), _S709.is_warp_3);
 }
 
 struct FibreNoise_0
@@ -4006,363 +2772,264 @@ struct FibreNoise_0
      slope_2 : f32,
 };
 
-fn fibre_noise_at_0( _S800 : u32,  _S801 : u32,  _S802 : SurfacePoint_0,  _S803 : u32,  _S804 : f32) -> FibreNoise_0
+fn fibre_noise_at_0( _S713 : u32,  _S714 : u32,  _S715 : SurfacePoint_0,  _S716 : u32,  _S717 : f32) -> FibreNoise_0
 {
-    var _S805 : f32 = 5.0f * fabrics_0[_S800].fibre_size_0;
-    var _S806 : vec2<f32> = wave_noise_0(hash_key_0(_S803, ((fabrics_0[_S800].seed_0) ^ (u32(458671337)))), _S802.fibre_along_0 / (25.0f * fabrics_0[_S800].fibre_size_0));
-    var _S807 : f32 = _S802.fibre_across_0 + families_0[_S801].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S800].fibre_size_0 * _S806.x;
-    var _S808 : vec3<f32> = fibre_cell_0(_S807, _S802.fibre_along_0, fabrics_0[_S800].fibre_size_0);
+    var _S718 : f32 = 5.0f * fabrics_0[_S713].fibre_size_0;
+    var _S719 : vec2<f32> = wave_noise_0(hash_key_0(_S716, ((fabrics_0[_S713].seed_0) ^ (u32(458671337)))), _S715.fibre_along_0 / (25.0f * fabrics_0[_S713].fibre_size_0));
+    var _S720 : f32 = _S715.fibre_across_0 + families_0[_S714].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S713].fibre_size_0 * _S719.x;
+    var _S721 : vec3<f32> = fibre_cell_0(_S720, _S715.fibre_along_0, fabrics_0[_S713].fibre_size_0);
     var noise_0 : FibreNoise_0;
-    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S803, ((fabrics_0[_S800].seed_0) ^ (u32(1757159915)))), fibre_cell_0(_S807, _S802.fibre_along_0, _S805));
-    noise_0.bundle_weight_0 = fade_0(_S804, _S805);
-    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S803, ((fabrics_0[_S800].seed_0) ^ (u32(48610963)))), _S808);
-    noise_0.fibre_weight_0 = fade_0(_S804, fabrics_0[_S800].fibre_size_0);
-    noise_0.offset_4 = _S808.z;
-    noise_0.slope_2 = 0.5f * _S806.y;
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S716, ((fabrics_0[_S713].seed_0) ^ (u32(1757159915)))), fibre_cell_0(_S720, _S715.fibre_along_0, _S718));
+    noise_0.bundle_weight_0 = fade_0(_S717, _S718);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S716, ((fabrics_0[_S713].seed_0) ^ (u32(48610963)))), _S721);
+    noise_0.fibre_weight_0 = fade_0(_S717, fabrics_0[_S713].fibre_size_0);
+    noise_0.offset_4 = _S721.z;
+    noise_0.slope_2 = 0.5f * _S719.y;
     return noise_0;
 }
 
-fn detail_gain_0( _S809 : u32,  _S810 : u32,  _S811 : SurfacePoint_0,  _S812 : vec2<f32>,  _S813 : bool,  _S814 : u32,  _S815 : f32) -> vec2<f32>
+fn detail_gain_0( _S722 : u32,  _S723 : u32,  _S724 : SurfacePoint_0,  _S725 : vec2<f32>,  _S726 : bool,  _S727 : u32,  _S728 : f32) -> vec2<f32>
 {
-    var _S816 : vec2<f32> = vec2<f32>(0.0f);
+    var _S729 : vec2<f32> = vec2<f32>(0.0f);
     var gain_2 : vec2<f32>;
-    if((families_0[_S810].has_plies_0) > 0.0f)
+    if((families_0[_S723].has_plies_0) > 0.0f)
     {
-        gain_2 = vec2<f32>((0.60000002384185791f * fade_0(_S815, 1.0f / families_0[_S810].plies_per_mm_0))) * vec2<f32>(0.20000000298023224f - square_1(square_1(ply_offset_0(_S810, _S811, _S813))), 0.20000000298023224f);
+        gain_2 = vec2<f32>((0.60000002384185791f * fade_0(_S728, 1.0f / families_0[_S723].plies_per_mm_0))) * vec2<f32>(0.20000000298023224f - square_1(square_1(ply_offset_0(_S723, _S724, _S726))), 0.20000000298023224f);
     }
     else
     {
-        gain_2 = _S816;
+        gain_2 = _S729;
     }
-    if((families_0[_S810].fibre_tone_0) > 0.0f)
+    if((families_0[_S723].fibre_tone_0) > 0.0f)
     {
-        var _S817 : FibreNoise_0 = fibre_noise_at_0(_S809, _S810, _S811, _S814, _S815);
-        gain_2 = gain_2 + vec2<f32>(families_0[_S810].fibre_tone_0) * vec2<f32>(_S817.bundle_weight_0 * _S817.bundle_0.y + _S817.fibre_weight_0 * _S817.fibre_0.y, _S817.bundle_weight_0 + _S817.fibre_weight_0);
+        var _S730 : FibreNoise_0 = fibre_noise_at_0(_S722, _S723, _S724, _S727, _S728);
+        gain_2 = gain_2 + vec2<f32>(families_0[_S723].fibre_tone_0) * vec2<f32>(_S730.bundle_weight_0 * _S730.bundle_0.y + _S730.fibre_weight_0 * _S730.fibre_0.y, _S730.bundle_weight_0 + _S730.fibre_weight_0);
     }
-    if((families_0[_S810].slub_0) > 0.0f)
+    if((families_0[_S723].slub_0) > 0.0f)
     {
-        var _S818 : f32 = 0.25f * families_0[_S810].slub_0 * fade_0(_S815, 1.0f / families_0[_S810].slubs_per_mm_0);
-        var _S819 : f32;
-        if(_S811.is_warp_3)
-        {
-            _S819 = _S812.y;
-        }
-        else
-        {
-            _S819 = - _S812.x;
-        }
-        gain_2 = gain_2 + vec2<f32>(_S818) * vec2<f32>(wave_noise_0(hash_key_0(_S814, ((fabrics_0[_S809].seed_0) ^ (u32(1373058189)))), _S819 * families_0[_S810].slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_1(_S811.across_5 * families_0[_S810].per_half_width_0), 1.0f)), 1.0f);
+        gain_2 = gain_2 + vec2<f32>((0.25f * families_0[_S723].slub_0 * fade_0(_S728, 1.0f / families_0[_S723].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S727, ((fabrics_0[_S722].seed_0) ^ (u32(1373058189)))), select(- _S725.x, _S725.y, _S724.is_warp_3) * families_0[_S723].slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_1(_S724.across_5 * families_0[_S723].per_half_width_0), 1.0f)), 1.0f);
     }
     return gain_2;
 }
 
-fn vary_albedos_0( _S820 : u32,  _S821 : Albedos_0,  _S822 : u32,  _S823 : u32,  _S824 : vec2<f32>) -> Albedos_0
+fn vary_albedos_0( _S731 : u32,  _S732 : Albedos_0,  _S733 : u32,  _S734 : u32,  _S735 : vec2<f32>) -> Albedos_0
 {
-    var _S825 : vec3<f32> = max(_S821.specular_reflect_0, _S821.specular_transmit_0);
-    var _S826 : vec3<f32> = _S821.diffuse_reflect_0 + _S821.diffuse_transmit_0;
-    var _S827 : vec3<f32> = vec3<f32>(fabrics_0[_S820].layer_bound_0);
-    var _S828 : vec3<f32> = vec3<f32>(1.0f);
-    var _S829 : vec3<f32> = _S828 - _S827 * _S825;
-    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S822, fabrics_0[_S820].colour_noise_0, fabrics_0[_S820].seed_0), _S826, _S829);
-    var _S830 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S824.y, vec3<f32>(colour_1) * _S826, _S829) * _S824.x)));
-    var _S831 : f32 = bounded_gain_0(fibre_gain_0(_S822, _S823, fabrics_0[_S820].fibre_noise_0, fabrics_0[_S820].seed_0), _S825, min((_S828 - _S830 * _S826) / _S827, vec3<f32>(1.0f)));
+    var _S736 : vec3<f32> = max(_S732.specular_reflect_0, _S732.specular_transmit_0);
+    var _S737 : vec3<f32> = _S732.diffuse_reflect_0 + _S732.diffuse_transmit_0;
+    var _S738 : vec3<f32> = vec3<f32>(fabrics_0[_S731].layer_bound_0);
+    var _S739 : vec3<f32> = vec3<f32>(1.0f);
+    var _S740 : vec3<f32> = _S739 - _S738 * _S736;
+    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S733, fabrics_0[_S731].colour_noise_0, fabrics_0[_S731].seed_0), _S737, _S740);
+    var _S741 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S735.y, vec3<f32>(colour_1) * _S737, _S740) * _S735.x)));
+    var _S742 : f32 = bounded_gain_0(fibre_gain_0(_S733, _S734, fabrics_0[_S731].fibre_noise_0, fabrics_0[_S731].seed_0), _S736, min((_S739 - _S741 * _S737) / _S738, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S830 * _S821.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S830 * _S821.diffuse_transmit_0;
-    var _S832 : vec3<f32> = vec3<f32>(_S831);
-    varied_0.specular_reflect_0 = _S832 * _S821.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S832 * _S821.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S741 * _S732.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S741 * _S732.diffuse_transmit_0;
+    var _S743 : vec3<f32> = vec3<f32>(_S742);
+    varied_0.specular_reflect_0 = _S743 * _S732.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S743 * _S732.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S833 : u32,  _S834 : SurfacePoint_0,  _S835 : Albedos_0,  _S836 : f32,  _S837 : f32,  _S838 : bool,  _S839 : f32,  _S840 : f32) -> Albedos_0
+fn varied_at_0( _S744 : u32,  _S745 : SurfacePoint_0,  _S746 : Albedos_0,  _S747 : f32,  _S748 : f32,  _S749 : bool,  _S750 : f32,  _S751 : f32) -> Albedos_0
 {
-    var _S841 : u32 = thread_number_0(_S833, _S834, _S836, _S837);
-    var _S842 : vec3<f32> = fibre_cell_0(_S834.fibre_across_0, _S834.fibre_along_0, fabrics_0[_S833].fibre_size_0);
-    var _S843 : vec2<f32> = vec2<f32>(0.0f);
-    var _S844 : bool;
-    if((fabrics_0[_S833].has_detail_0) != u32(0))
-    {
-        _S844 = _S839 >= 0.0f;
-    }
-    else
-    {
-        _S844 = false;
-    }
+    var _S752 : u32 = thread_number_0(_S744, _S745, _S747, _S748);
+    var _S753 : vec3<f32> = fibre_cell_0(_S745.fibre_across_0, _S745.fibre_along_0, fabrics_0[_S744].fibre_size_0);
+    var _S754 : vec2<f32> = vec2<f32>(0.0f);
     var gain_3 : vec2<f32>;
-    if(_S844)
+    if((((fabrics_0[_S744].has_detail_0) != u32(0)) & ((_S750 >= 0.0f))))
     {
-        var _S845 : u32;
-        if(_S834.is_warp_3)
-        {
-            _S845 = fabrics_0[_S833].warp_0;
-        }
-        else
-        {
-            _S845 = fabrics_0[_S833].weft_0;
-        }
-        gain_3 = detail_gain_0(_S833, _S845, _S834, vec2<f32>(_S836, _S837), _S838, _S841, _S839) * vec2<f32>(1.0f - _S840, 1.0f);
+        gain_3 = detail_gain_0(_S744, select(fabrics_0[_S744].weft_0, fabrics_0[_S744].warp_0, _S745.is_warp_3), _S745, vec2<f32>(_S747, _S748), _S749, _S752, _S750) * vec2<f32>(1.0f - _S751, 1.0f);
     }
     else
     {
-        gain_3 = _S843;
+        gain_3 = _S754;
     }
-    return vary_albedos_0(_S833, _S835, _S841, u32(i32(_S842.x)) * u32(65536) + u32(i32(floor(_S842.y))), gain_3);
+    return vary_albedos_0(_S744, _S746, _S752, u32(i32(_S753.x)) * u32(65536) + u32(i32(floor(_S753.y))), gain_3);
 }
 
-fn turned_frame_0( _S846 : u32,  _S847 : u32,  _S848 : SurfacePoint_0,  _S849 : bool,  _S850 : u32,  _S851 : f32) -> YarnFrame_0
+fn turned_frame_0( _S755 : u32,  _S756 : u32,  _S757 : SurfacePoint_0,  _S758 : bool,  _S759 : u32,  _S760 : f32) -> YarnFrame_0
 {
     var frame_2 : YarnFrame_0;
-    frame_2.normal_6 = _S848.normal_5;
-    frame_2.tangent_5 = _S848.tangent_4;
+    frame_2.normal_6 = _S757.normal_5;
+    frame_2.tangent_5 = _S757.tangent_4;
     frame_2.loss_0 = 0.0f;
-    if((families_0[_S847].has_plies_0) > 0.0f)
+    if((families_0[_S756].has_plies_0) > 0.0f)
     {
-        var _S852 : f32 = fade_0(_S851, 1.0f / families_0[_S847].plies_per_mm_0);
-        var _S853 : f32 = _S852 * 0.41999998688697815f * ply_offset_0(_S847, _S848, _S849);
-        var _S854 : f32 = sqrt(1.0f - _S853 * _S853);
-        var _S855 : f32;
-        if(_S849)
-        {
-            _S855 = - families_0[_S847].ply_sine_0;
-        }
-        else
-        {
-            _S855 = families_0[_S847].ply_sine_0;
-        }
-        var _S856 : vec3<f32> = cross(frame_2.tangent_5, frame_2.normal_6);
-        var _S857 : vec3<f32> = vec3<f32>(families_0[_S847].ply_cosine_0);
-        var _S858 : vec3<f32> = _S857 * _S856 + vec3<f32>(_S855) * frame_2.tangent_5;
-        var _S859 : vec3<f32> = vec3<f32>(_S854);
-        var _S860 : vec3<f32> = vec3<f32>(_S853);
-        frame_2.tangent_5 = _S857 * (_S857 * frame_2.tangent_5 - vec3<f32>(_S855) * _S856) + vec3<f32>(_S855) * (_S859 * _S858 - _S860 * frame_2.normal_6);
-        frame_2.normal_6 = _S859 * frame_2.normal_6 + _S860 * _S858;
-        frame_2.loss_0 = _S852 * _S852 * 0.41999998688697815f * 0.41999998688697815f / 6.0f;
+        var _S761 : f32 = fade_0(_S760, 1.0f / families_0[_S756].plies_per_mm_0);
+        var _S762 : f32 = _S761 * 0.41999998688697815f * ply_offset_0(_S756, _S757, _S758);
+        var _S763 : vec3<f32> = cross(frame_2.tangent_5, frame_2.normal_6);
+        var _S764 : vec3<f32> = vec3<f32>(families_0[_S756].ply_cosine_0);
+        var _S765 : vec3<f32> = vec3<f32>(select(families_0[_S756].ply_sine_0, - families_0[_S756].ply_sine_0, _S758));
+        var _S766 : vec3<f32> = _S764 * _S763 + _S765 * frame_2.tangent_5;
+        var _S767 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S762 * _S762));
+        var _S768 : vec3<f32> = vec3<f32>(_S762);
+        frame_2.tangent_5 = _S764 * (_S764 * frame_2.tangent_5 - _S765 * _S763) + _S765 * (_S767 * _S766 - _S768 * frame_2.normal_6);
+        frame_2.normal_6 = _S767 * frame_2.normal_6 + _S768 * _S766;
+        frame_2.loss_0 = _S761 * _S761 * 0.41999998688697815f * 0.41999998688697815f / 6.0f;
     }
-    var _S861 : f32 = families_0[_S847].fibre_tilt_0;
-    if((families_0[_S847].fibre_tilt_0) > 0.0f)
+    var _S769 : f32 = families_0[_S756].fibre_tilt_0;
+    if((families_0[_S756].fibre_tilt_0) > 0.0f)
     {
-        var _S862 : FibreNoise_0 = fibre_noise_at_0(_S846, _S847, _S848, _S850, _S851);
-        var _S863 : f32 = 1.09858846664428711f * _S861 * (_S862.bundle_weight_0 * _S862.bundle_0.x + _S862.fibre_weight_0 * (_S862.fibre_0.x + _S862.offset_4));
-        var _S864 : f32 = _S861 * (1.42099642753601074f * (_S862.bundle_weight_0 * _S862.bundle_0.y + _S862.fibre_weight_0 * _S862.fibre_0.y) - _S862.bundle_weight_0 * _S862.slope_2);
-        var _S865 : f32 = square_1(_S862.fibre_weight_0);
-        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S861 * _S861 * ((0.24761904776096344f * (square_1(_S862.bundle_weight_0) + _S865) + _S865 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
-        var _S866 : vec3<f32> = cross(frame_2.tangent_5, frame_2.normal_6);
-        var _S867 : vec2<f32> = sine_cosine_0(_S863);
-        var _S868 : vec2<f32> = sine_cosine_0(_S864);
-        var _S869 : vec3<f32> = vec3<f32>(_S867.y);
-        var _S870 : vec3<f32> = vec3<f32>(_S867.x);
-        var _S871 : vec3<f32> = _S869 * _S866 - _S870 * frame_2.normal_6;
-        frame_2.normal_6 = _S869 * frame_2.normal_6 + _S870 * _S866;
-        frame_2.tangent_5 = vec3<f32>(_S868.y) * frame_2.tangent_5 + vec3<f32>(_S868.x) * _S871;
+        var _S770 : FibreNoise_0 = fibre_noise_at_0(_S755, _S756, _S757, _S759, _S760);
+        var _S771 : f32 = 1.09858846664428711f * _S769 * (_S770.bundle_weight_0 * _S770.bundle_0.x + _S770.fibre_weight_0 * (_S770.fibre_0.x + _S770.offset_4));
+        var _S772 : f32 = _S769 * (1.42099642753601074f * (_S770.bundle_weight_0 * _S770.bundle_0.y + _S770.fibre_weight_0 * _S770.fibre_0.y) - _S770.bundle_weight_0 * _S770.slope_2);
+        var _S773 : f32 = square_1(_S770.fibre_weight_0);
+        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S769 * _S769 * ((0.24761904776096344f * (square_1(_S770.bundle_weight_0) + _S773) + _S773 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
+        var _S774 : vec3<f32> = cross(frame_2.tangent_5, frame_2.normal_6);
+        var _S775 : vec2<f32> = sine_cosine_0(_S771);
+        var _S776 : vec2<f32> = sine_cosine_0(_S772);
+        var _S777 : vec3<f32> = vec3<f32>(_S775.y);
+        var _S778 : vec3<f32> = vec3<f32>(_S775.x);
+        var _S779 : vec3<f32> = _S777 * _S774 - _S778 * frame_2.normal_6;
+        frame_2.normal_6 = _S777 * frame_2.normal_6 + _S778 * _S774;
+        frame_2.tangent_5 = vec3<f32>(_S776.y) * frame_2.tangent_5 + vec3<f32>(_S776.x) * _S779;
     }
     return frame_2;
 }
 
-fn yarn_point_of_0( _S872 : u32,  _S873 : SurfacePoint_0,  _S874 : f32,  _S875 : f32,  _S876 : bool,  _S877 : bool,  _S878 : f32) -> YarnPoint_0
+fn yarn_point_of_0( _S780 : u32,  _S781 : SurfacePoint_0,  _S782 : f32,  _S783 : f32,  _S784 : bool,  _S785 : bool,  _S786 : f32) -> YarnPoint_0
 {
-    var _S879 : u32;
-    if(_S873.is_warp_3)
+    var _S787 : u32 = select(fabrics_0[_S780].weft_0, fabrics_0[_S780].warp_0, _S781.is_warp_3);
+    var _S788 : bool = (((fabrics_0[_S780].has_detail_0) != u32(0)) & ((_S786 >= 0.0f)));
+    var _S789 : vec3<f32> = vec3<f32>(0.0f);
+    var _S790 : Hair_0 = Hair_x24init_0(0.0f, _S789, _S789);
+    var _S791 : bool;
+    if(_S788)
     {
-        _S879 = fabrics_0[_S872].warp_0;
+        _S791 = has_hairs_0(_S780);
     }
     else
     {
-        _S879 = fabrics_0[_S872].weft_0;
-    }
-    var _S880 : bool;
-    if((fabrics_0[_S872].has_detail_0) != u32(0))
-    {
-        _S880 = _S878 >= 0.0f;
-    }
-    else
-    {
-        _S880 = false;
-    }
-    var _S881 : vec3<f32> = vec3<f32>(0.0f);
-    var _S882 : Hair_0 = Hair_x24init_0(0.0f, _S881, _S881);
-    var _S883 : bool;
-    if(_S880)
-    {
-        _S883 = has_hairs_0(_S872);
-    }
-    else
-    {
-        _S883 = false;
+        _S791 = false;
     }
     var hair_2 : Hair_0;
-    if(_S883)
+    if(_S791)
     {
-        hair_2 = hair_at_0(_S872, vec2<f32>(_S874, _S875), _S876, _S878);
+        hair_2 = hair_at_0(_S780, vec2<f32>(_S782, _S783), _S784, _S786);
     }
     else
     {
-        hair_2 = _S882;
+        hair_2 = _S790;
     }
-    var _S884 : u32;
-    if(_S873.is_warp_3)
-    {
-        _S884 = _S873.warp_thread_0;
-    }
-    else
-    {
-        _S884 = _S873.weft_thread_0;
-    }
-    var albedos_9 : Albedos_0 = albedos_of_0(_S879, _S884);
+    var albedos_9 : Albedos_0 = albedos_of_0(_S787, select(_S781.weft_thread_0, _S781.warp_thread_0, _S781.is_warp_3));
     var albedos_10 : Albedos_0;
-    if(varies_at_0(_S872, _S878))
+    if(varies_at_0(_S780, _S786))
     {
-        albedos_10 = varied_at_0(_S872, _S873, albedos_9, _S874, _S875, _S876, _S878, hair_2.cover_0);
+        albedos_10 = varied_at_0(_S780, _S781, albedos_9, _S782, _S783, _S784, _S786, hair_2.cover_0);
     }
     else
     {
         albedos_10 = albedos_9;
     }
     var point_7 : YarnPoint_0;
-    point_7.back_6 = _S876;
-    point_7.hole_0 = _S877;
-    point_7.is_warp_0 = _S873.is_warp_3;
-    point_7.x_8 = _S874;
-    point_7.y_3 = _S875;
-    point_7.height_2 = _S873.height_6;
-    point_7.normal_1 = _S873.normal_5;
-    point_7.tangent_0 = _S873.tangent_4;
-    point_7.surface_normal_0 = _S873.normal_5;
+    point_7.back_6 = _S784;
+    point_7.hole_0 = _S785;
+    point_7.is_warp_0 = _S781.is_warp_3;
+    point_7.x_8 = _S782;
+    point_7.y_3 = _S783;
+    point_7.height_2 = _S781.height_6;
+    point_7.normal_1 = _S781.normal_5;
+    point_7.tangent_0 = _S781.tangent_4;
+    point_7.surface_normal_0 = _S781.normal_5;
     point_7.diffuse_gain_0 = 1.0f;
-    if(_S880)
+    if(_S788)
     {
-        var _S885 : YarnFrame_0 = turned_frame_0(_S872, _S879, _S873, _S876, thread_number_0(_S872, _S873, _S874, _S875), _S878);
+        var _S792 : YarnFrame_0 = turned_frame_0(_S780, _S787, _S781, _S784, thread_number_0(_S780, _S781, _S782, _S783), _S786);
         var frame_3 : YarnFrame_0;
-        if(has_hairs_0(_S872))
+        if(has_hairs_0(_S780))
         {
-            frame_3 = under_hair_0(_S885, hair_2);
+            frame_3 = under_hair_0(_S792, hair_2);
         }
         else
         {
-            frame_3 = _S885;
+            frame_3 = _S792;
         }
         point_7.normal_1 = frame_3.normal_6;
         point_7.tangent_0 = frame_3.tangent_5;
-        point_7.diffuse_gain_0 = diffuse_gain_2(frame_3, fabrics_0[_S872].diffuse_blend_0);
+        point_7.diffuse_gain_0 = diffuse_gain_2(frame_3, fabrics_0[_S780].diffuse_blend_0);
     }
-    point_7.roughness_1 = families_0[_S879].roughness_0;
+    point_7.roughness_1 = families_0[_S787].roughness_0;
     point_7.albedos_5 = albedos_10;
     return point_7;
 }
 
-fn locate_yarn_0( _S886 : u32,  _S887 : SearchQuality_0,  _S888 : f32,  _S889 : f32,  _S890 : vec3<f32>,  _S891 : f32) -> YarnPoint_0
+fn locate_yarn_0( _S793 : u32,  _S794 : SearchQuality_0,  _S795 : f32,  _S796 : f32,  _S797 : vec3<f32>,  _S798 : f32) -> YarnPoint_0
 {
-    var _S892 : bool = (_S890.z) < 0.0f;
-    var _S893 : Hit_0 = first_hit_0(_S886, _S887, _S888, _S889, to_face_frame_0(_S890, _S892), _S892);
-    return yarn_point_of_0(_S886, surface_at_0(_S886, _S893.x_15, _S893.y_8, _S892), _S893.x_15, _S893.y_8, _S892, _S893.hole_6, _S891);
+    var _S799 : bool = (_S797.z) < 0.0f;
+    var _S800 : Hit_0 = first_hit_0(_S793, _S794, _S795, _S796, to_face_frame_0(_S797, _S799), _S799);
+    return yarn_point_of_0(_S793, surface_at_0(_S793, _S800.x_15, _S800.y_8, _S799), _S800.x_15, _S800.y_8, _S799, _S800.hole_6, _S798);
 }
 
-fn locate_yarn_1( _S894 : u32,  _S895 : SearchQuality_0,  _S896 : f32,  _S897 : f32,  _S898 : vec3<f32>) -> YarnPoint_0
+fn locate_yarn_1( _S801 : u32,  _S802 : SearchQuality_0,  _S803 : f32,  _S804 : f32,  _S805 : vec3<f32>) -> YarnPoint_0
 {
-    return locate_yarn_0(_S894, _S895, _S896, _S897, _S898, -1.0f);
+    return locate_yarn_0(_S801, _S802, _S803, _S804, _S805, -1.0f);
 }
 
-fn blocked_at_0( _S899 : u32,  _S900 : bool,  _S901 : bool,  _S902 : f32,  _S903 : f32) -> Blocked_0
+fn blocked_at_0( _S806 : u32,  _S807 : bool,  _S808 : bool,  _S809 : f32,  _S810 : f32) -> Blocked_0
 {
-    var _S904 : f32 = _S903 * openness_number_0(_S899, u32(158));
-    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S902, _S904, _S902 * _S902, _S902 * _S904, _S904 * _S904 );
-    var _S905 : u32;
-    if(_S901)
-    {
-        _S905 = u32(2);
-    }
-    else
-    {
-        _S905 = u32(0);
-    }
-    var _S906 : u32;
-    if(_S900)
-    {
-        _S906 = u32(0);
-    }
-    else
-    {
-        _S906 = u32(1);
-    }
-    return blocked_of_terms_0(_S899, u32(60) + (_S905 + _S906) * u32(18), terms_2, u32(6));
+    var _S811 : f32 = _S810 * openness_number_0(_S806, u32(158));
+    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S809, _S811, _S809 * _S809, _S809 * _S811, _S811 * _S811 );
+    return blocked_of_terms_0(_S806, u32(60) + (select(u32(0), u32(2), _S808) + select(u32(1), u32(0), _S807)) * u32(18), terms_2, u32(6));
 }
 
-fn bounced_at_0( _S907 : u32,  _S908 : YarnPoint_0,  _S909 : vec3<f32>) -> Bounced_0
+fn bounced_at_0( _S812 : u32,  _S813 : YarnPoint_0,  _S814 : vec3<f32>) -> Bounced_0
 {
     var nothing_1 : Bounced_0;
-    var _S910 : vec3<f32> = vec3<f32>(0.0f);
-    nothing_1.reflected_0 = _S910;
-    nothing_1.transmitted_0 = _S910;
-    var _S911 : bool;
-    if((fabrics_0[_S907].openness_0) == u32(4294967295))
-    {
-        _S911 = true;
-    }
-    else
-    {
-        _S911 = _S908.hole_0;
-    }
-    if(_S911)
+    var _S815 : vec3<f32> = vec3<f32>(0.0f);
+    nothing_1.reflected_0 = _S815;
+    nothing_1.transmitted_0 = _S815;
+    if((((fabrics_0[_S812].openness_0) == u32(4294967295)) | ((_S813.hole_0))))
     {
         return nothing_1;
     }
-    var _S912 : Blocked_0 = blocked_at_0(_S907, _S908.is_warp_0, _S908.back_6, _S908.surface_normal_0.z, _S908.height_2);
-    var _S913 : u32;
-    if(_S908.is_warp_0)
-    {
-        _S913 = u32(0);
-    }
-    else
-    {
-        _S913 = u32(1);
-    }
-    return bounced_by_0(_S912, scattered_by_0(_S907, _S908.albedos_5, _S913, _S909), interior_of_0(_S907, _S909, _S908.back_6));
+    return bounced_by_0(blocked_at_0(_S812, _S813.is_warp_0, _S813.back_6, _S813.surface_normal_0.z, _S813.height_2), scattered_by_0(_S812, _S813.albedos_5, select(u32(1), u32(0), _S813.is_warp_0), _S814), interior_of_0(_S812, _S814, _S813.back_6));
 }
 
-fn shown_at_texel_0( _S914 : u32,  _S915 : ViewedBase_0,  _S916 : u32) -> vec2<f32>
+fn shown_at_texel_0( _S816 : u32,  _S817 : ViewedBase_0,  _S818 : u32) -> vec2<f32>
 {
-    var _S917 : Clustered_std430_0 = fabrics_0[_S914].clustered_0;
-    var _S918 : u32 = table_byte_0(fabrics_0[_S914].clustered_0.labels_0, _S915.face_3 * fabrics_0[_S914].clustered_0.columns_0 * fabrics_0[_S914].clustered_0.rows_0 + _S916);
-    if(_S918 >= (fabrics_0[_S914].clustered_0.clusters_0))
+    var _S819 : Clustered_std430_0 = fabrics_0[_S816].clustered_0;
+    var _S820 : u32 = table_byte_0(fabrics_0[_S816].clustered_0.labels_0, _S817.face_3 * fabrics_0[_S816].clustered_0.columns_0 * fabrics_0[_S816].clustered_0.rows_0 + _S818);
+    if(_S820 >= (fabrics_0[_S816].clustered_0.clusters_0))
     {
         return vec2<f32>(0.0f);
     }
-    return family_share_0(_S914, _S918, _S915.trust_1.x * BinTaps_read_0(_S915.around_0, _S917.view_0, _S915.face_3 * u32(256), _S917.clusters_0, _S918));
+    return family_share_0(_S816, _S820, _S817.trust_1.x * BinTaps_read_0(_S817.around_0, _S819.view_0, _S817.face_3 * u32(256), _S819.clusters_0, _S820));
 }
 
-fn residual_point_0( _S919 : u32,  _S920 : ClusteredView_0,  _S921 : vec3<f32>,  _S922 : u32,  _S923 : u32) -> ResidualPoint_0
+fn residual_point_0( _S821 : u32,  _S822 : ClusteredView_0,  _S823 : vec3<f32>,  _S824 : u32,  _S825 : u32) -> ResidualPoint_0
 {
-    var _S924 : u32 = _S922 + _S923 * u32(1663821227);
-    var _S925 : vec2<f32> = vec2<f32>(uniform_of_0(_S924, u32(1)), uniform_of_0(_S924, u32(2)));
-    var _S926 : vec2<f32> = _S920.base_0.box_3.corner_1 + _S925 * _S920.base_0.box_3.size_1;
+    var _S826 : u32 = _S824 + _S825 * u32(1663821227);
+    var _S827 : vec2<f32> = vec2<f32>(uniform_of_0(_S826, u32(1)), uniform_of_0(_S826, u32(2)));
+    var _S828 : vec2<f32> = _S822.base_0.box_3.corner_1 + _S827 * _S822.base_0.box_3.size_1;
     var result_2 : ResidualPoint_0;
-    var _S927 : YarnPoint_0 = locate_yarn_1(_S919, default_quality_0(), _S926.x, _S926.y, _S920.view_4);
-    result_2.point_1 = _S927;
-    var _S928 : Clustered_std430_0 = fabrics_0[_S919].clustered_0;
-    var _S929 : u32 = texel_of_0(&(_S928), _S920.base_0.box_3, _S925);
-    result_2.texel_0 = _S929;
-    result_2.bounced_2 = bounced_at_0(_S919, _S927, _S921);
-    if((fabrics_0[_S919].openness_0) != u32(4294967295))
+    var _S829 : YarnPoint_0 = locate_yarn_1(_S821, default_quality_0(), _S828.x, _S828.y, _S822.view_4);
+    result_2.point_1 = _S829;
+    var _S830 : Clustered_std430_0 = fabrics_0[_S821].clustered_0;
+    var _S831 : u32 = texel_of_0(&(_S830), _S822.base_0.box_3, _S827);
+    result_2.texel_0 = _S831;
+    result_2.bounced_2 = bounced_at_0(_S821, _S829, _S823);
+    if((fabrics_0[_S821].openness_0) != u32(4294967295))
     {
-        var _S930 : Bounced_0 = bounced_by_base_0(_S920, shown_at_texel_0(_S919, _S920.base_0, result_2.texel_0));
-        result_2.bounced_2.reflected_0 = result_2.bounced_2.reflected_0 - _S930.reflected_0;
-        result_2.bounced_2.transmitted_0 = result_2.bounced_2.transmitted_0 - _S930.transmitted_0;
+        var _S832 : Bounced_0 = bounced_by_base_0(_S822, shown_at_texel_0(_S821, _S822.base_0, result_2.texel_0));
+        result_2.bounced_2.reflected_0 = result_2.bounced_2.reflected_0 - _S832.reflected_0;
+        result_2.bounced_2.transmitted_0 = result_2.bounced_2.transmitted_0 - _S832.transmitted_0;
     }
     return result_2;
 }
 
-fn light_sample_count_0( _S931 : i32) -> u32
+fn light_sample_count_0( _S833 : i32) -> u32
 {
-    return frames_0[_S931].lights_0 + frames_0[_S931].environment_samples_0;
+    return frames_0[_S833].lights_0 + frames_0[_S833].environment_samples_0;
 }
 
-fn visibility_at_0( _S932 : i32,  _S933 : u32,  _S934 : vec2<u32>) -> f32
+fn visibility_at_0( _S834 : i32,  _S835 : u32,  _S836 : vec2<u32>) -> f32
 {
-    if((frames_0[_S932].casts_shadows_0) == u32(0))
+    if((frames_0[_S834].casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S933 * frames_0[_S932].height_0 + _S934.y) * frames_0[_S932].width_0 + _S934.x];
+    return visibilities_0[(_S835 * frames_0[_S834].height_0 + _S836.y) * frames_0[_S834].width_0 + _S836.x];
 }
 
 struct LightSample_0
@@ -4372,59 +3039,59 @@ struct LightSample_0
      distance_3 : f32,
 };
 
-fn environment_texel_0( _S935 : i32,  _S936 : u32,  _S937 : u32) -> vec3<f32>
+fn environment_texel_0( _S837 : i32,  _S838 : u32,  _S839 : u32) -> vec3<f32>
 {
-    var _S938 : u32 = frames_0[_S935].environment_table_0 + frames_0[_S935].environment_rows_0 + u32(1) + frames_0[_S935].environment_rows_0 * (frames_0[_S935].environment_columns_0 + u32(1)) + u32(3) * (_S936 * frames_0[_S935].environment_columns_0 + _S937);
-    return vec3<f32>(scene_number_0(_S938), scene_number_0(_S938 + u32(1)), scene_number_0(_S938 + u32(2)));
+    var _S840 : u32 = frames_0[_S837].environment_table_0 + frames_0[_S837].environment_rows_0 + u32(1) + frames_0[_S837].environment_rows_0 * (frames_0[_S837].environment_columns_0 + u32(1)) + u32(3) * (_S838 * frames_0[_S837].environment_columns_0 + _S839);
+    return vec3<f32>(scene_number_0(_S840), scene_number_0(_S840 + u32(1)), scene_number_0(_S840 + u32(2)));
 }
 
-fn sample_environment_0( _S939 : i32,  _S940 : vec2<f32>,  _S941 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S841 : i32,  _S842 : vec2<f32>,  _S843 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S942 : u32 = frames_0[_S939].environment_rows_0;
-    var _S943 : Choice_0 = choose_0(frames_0[_S939].environment_table_0, frames_0[_S939].environment_rows_0, _S940.y);
-    var _S944 : u32 = frames_0[_S939].environment_columns_0;
-    var _S945 : Choice_0 = choose_0(frames_0[_S939].environment_table_0 + frames_0[_S939].environment_rows_0 + u32(1) + _S943.index_7 * (frames_0[_S939].environment_columns_0 + u32(1)), frames_0[_S939].environment_columns_0, _S940.x);
-    var _S946 : vec3<f32> = environment_texel_0(_S939, _S943.index_7, _S945.index_7);
-    (*_S941) = _S946 * vec3<f32>((frames_0[_S939].environment_total_0 / max(mean_1(_S946), 9.99999968265522539e-21f)));
-    var _S947 : f32 = 3.14159274101257324f / f32(_S942);
-    var _S948 : f32 = mix(sine_cosine_0(f32(_S943.index_7) * _S947).y, sine_cosine_0(f32(_S943.index_7 + u32(1)) * _S947).y, _S943.remainder_0);
-    var _S949 : f32 = sqrt(max(1.0f - _S948 * _S948, 0.0f));
-    var _S950 : vec2<f32> = sine_cosine_0((f32(_S945.index_7) + _S945.remainder_0) * (6.28318548202514648f / f32(_S944)));
-    var _S951 : f32 = _S949 * _S950.x;
-    var _S952 : f32 = - _S949 * _S950.y;
-    return vec3<f32>(frames_0[_S939].environment_cosine_0 * _S951 + frames_0[_S939].environment_sine_0 * _S952, _S948, frames_0[_S939].environment_cosine_0 * _S952 - frames_0[_S939].environment_sine_0 * _S951);
+    var _S844 : u32 = frames_0[_S841].environment_rows_0;
+    var _S845 : Choice_0 = choose_0(frames_0[_S841].environment_table_0, frames_0[_S841].environment_rows_0, _S842.y);
+    var _S846 : u32 = frames_0[_S841].environment_columns_0;
+    var _S847 : Choice_0 = choose_0(frames_0[_S841].environment_table_0 + frames_0[_S841].environment_rows_0 + u32(1) + _S845.index_7 * (frames_0[_S841].environment_columns_0 + u32(1)), frames_0[_S841].environment_columns_0, _S842.x);
+    var _S848 : vec3<f32> = environment_texel_0(_S841, _S845.index_7, _S847.index_7);
+    (*_S843) = _S848 * vec3<f32>((frames_0[_S841].environment_total_0 / max(mean_1(_S848), 9.99999968265522539e-21f)));
+    var _S849 : f32 = 3.14159274101257324f / f32(_S844);
+    var _S850 : f32 = mix(sine_cosine_0(f32(_S845.index_7) * _S849).y, sine_cosine_0(f32(_S845.index_7 + u32(1)) * _S849).y, _S845.remainder_0);
+    var _S851 : f32 = sqrt(max(1.0f - _S850 * _S850, 0.0f));
+    var _S852 : vec2<f32> = sine_cosine_0((f32(_S847.index_7) + _S847.remainder_0) * (6.28318548202514648f / f32(_S846)));
+    var _S853 : f32 = _S851 * _S852.x;
+    var _S854 : f32 = - _S851 * _S852.y;
+    return vec3<f32>(frames_0[_S841].environment_cosine_0 * _S853 + frames_0[_S841].environment_sine_0 * _S854, _S850, frames_0[_S841].environment_cosine_0 * _S854 - frames_0[_S841].environment_sine_0 * _S853);
 }
 
-fn light_sample_0( _S953 : i32,  _S954 : u32,  _S955 : vec2<u32>,  _S956 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S855 : i32,  _S856 : u32,  _S857 : vec2<u32>,  _S858 : vec3<f32>) -> LightSample_0
 {
     var sample_1 : LightSample_0;
     sample_1.distance_3 = 1.00000001504746622e+30f;
-    var _S957 : u32 = frames_0[_S953].lights_0;
-    if(_S954 >= (frames_0[_S953].lights_0))
+    var _S859 : u32 = frames_0[_S855].lights_0;
+    if(_S856 >= (frames_0[_S855].lights_0))
     {
         var weight_2 : vec3<f32>;
-        var _S958 : vec3<f32> = sample_environment_0(_S953, pixel_sequence_0(_S955, frames_0[_S953].pass_number_0 * frames_0[_S953].environment_samples_0 + (_S954 - _S957), u32(3)), &(weight_2));
-        sample_1.towards_0 = _S958;
-        sample_1.irradiance_1 = weight_2 / vec3<f32>(f32(frames_0[_S953].environment_samples_0));
+        var _S860 : vec3<f32> = sample_environment_0(_S855, pixel_sequence_0(_S857, frames_0[_S855].pass_number_0 * frames_0[_S855].environment_samples_0 + (_S856 - _S859), u32(3)), &(weight_2));
+        sample_1.towards_0 = _S860;
+        sample_1.irradiance_1 = weight_2 / vec3<f32>(f32(frames_0[_S855].environment_samples_0));
         return sample_1;
     }
-    var _S959 : Light_std430_0 = lights_1[_S954];
-    sample_1.irradiance_1 = vec3<f32>(_S959.red_0, _S959.green_0, _S959.blue_0);
-    sample_1.towards_0 = vec3<f32>(_S959.x_1, _S959.y_1, _S959.z_1);
-    if((_S959.is_point_0) != u32(0))
+    var _S861 : Light_std430_0 = lights_1[_S856];
+    sample_1.irradiance_1 = vec3<f32>(_S861.red_0, _S861.green_0, _S861.blue_0);
+    sample_1.towards_0 = vec3<f32>(_S861.x_1, _S861.y_1, _S861.z_1);
+    if((_S861.is_point_0) != u32(0))
     {
-        var _S960 : vec3<f32> = sample_1.towards_0 - _S956;
-        var _S961 : f32 = max(square_0(_S960), 9.999999960041972e-13f);
-        sample_1.distance_3 = sqrt(_S961);
-        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S961);
-        sample_1.towards_0 = normalize(_S960);
+        var _S862 : vec3<f32> = sample_1.towards_0 - _S858;
+        var _S863 : f32 = max(square_0(_S862), 9.999999960041972e-13f);
+        sample_1.distance_3 = sqrt(_S863);
+        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S863);
+        sample_1.towards_0 = normalize(_S862);
     }
     return sample_1;
 }
 
-fn cluster_density_0( _S962 : u32,  _S963 : ViewedBase_0,  _S964 : BaseTaps_0,  _S965 : u32,  _S966 : u32) -> f32
+fn cluster_density_0( _S864 : u32,  _S865 : ViewedBase_0,  _S866 : BaseTaps_0,  _S867 : u32,  _S868 : u32) -> f32
 {
-    return BinTaps_read_0(_S964.half_vector_0, fabrics_0[_S962].clustered_0.basis_0, _S963.face_3 * u32(1024), fabrics_0[_S962].clustered_0.clusters_0 * (u32(1) + fabrics_0[_S962].clustered_0.rank_0), _S966 * fabrics_0[_S962].clustered_0.clusters_0 + _S965);
+    return BinTaps_read_0(_S866.half_vector_0, fabrics_0[_S864].clustered_0.basis_0, _S865.face_3 * u32(1024), fabrics_0[_S864].clustered_0.clusters_0 * (u32(1) + fabrics_0[_S864].clustered_0.rank_0), _S868 * fabrics_0[_S864].clustered_0.clusters_0 + _S867);
 }
 
 struct ClusterTerms_0
@@ -4434,355 +3101,260 @@ struct ClusterTerms_0
      lit_0 : f32,
 };
 
-fn cluster_attenuation_0( _S967 : u32,  _S968 : ViewedBase_0,  _S969 : BaseTaps_0,  _S970 : u32) -> f32
+fn cluster_attenuation_0( _S869 : u32,  _S870 : ViewedBase_0,  _S871 : BaseTaps_0,  _S872 : u32) -> f32
 {
-    var _S971 : u32 = fabrics_0[_S967].clustered_0.moments_1 + (_S968.face_3 * fabrics_0[_S967].clustered_0.clusters_0 + _S970) * u32(8);
-    var _S972 : vec3<f32> = vec3<f32>(table_number_0(_S971), table_number_0(_S971 + u32(1)), table_number_0(_S971 + u32(2)));
-    var _S973 : vec3<f32> = vec3<f32>(table_number_0(_S971 + u32(3)), table_number_0(_S971 + u32(4)), table_number_0(_S971 + u32(5)));
-    var _S974 : f32 = table_number_0(_S971 + u32(7));
-    var _S975 : f32 = fabrics_0[_S967].optical_depth_0;
-    var _S976 : f32 = dot(_S969.facing_0, _S972);
-    var _S977 : f32;
-    if(_S969.transmits_1)
+    var _S873 : u32 = fabrics_0[_S869].clustered_0.moments_1 + (_S870.face_3 * fabrics_0[_S869].clustered_0.clusters_0 + _S872) * u32(8);
+    var _S874 : vec3<f32> = vec3<f32>(table_number_0(_S873), table_number_0(_S873 + u32(1)), table_number_0(_S873 + u32(2)));
+    var _S875 : vec3<f32> = vec3<f32>(table_number_0(_S873 + u32(3)), table_number_0(_S873 + u32(4)), table_number_0(_S873 + u32(5)));
+    var _S876 : f32 = table_number_0(_S873 + u32(7));
+    var _S877 : f32 = fabrics_0[_S869].optical_depth_0;
+    var _S878 : f32 = dot(_S871.facing_0, _S874);
+    var _S879 : f32 = max(dot(_S870.view_3, _S874), 0.10000000149011612f);
+    var _S880 : f32 = projected_area_1(_S871.facing_0, _S875, _S876) / max(select(_S878, - _S878, _S871.transmits_1), 0.10000000149011612f);
+    var _S881 : f32 = projected_area_1(_S870.view_3, _S875, _S876) / _S879;
+    if(!_S871.transmits_1)
     {
-        _S977 = - _S976;
+        var _S882 : f32 = _S880 + _S881;
+        return 0.25f * (1.0f - exponential_0(- _S877 * _S882)) / (_S882 * _S879);
     }
-    else
-    {
-        _S977 = _S976;
-    }
-    var _S978 : f32 = max(dot(_S968.view_3, _S972), 0.10000000149011612f);
-    var _S979 : f32 = projected_area_1(_S969.facing_0, _S973, _S974) / max(_S977, 0.10000000149011612f);
-    var _S980 : f32 = projected_area_1(_S968.view_3, _S973, _S974) / _S978;
-    if(!_S969.transmits_1)
-    {
-        var _S981 : f32 = _S979 + _S980;
-        return 0.25f * (1.0f - exponential_0(- _S975 * _S981)) / (_S981 * _S978);
-    }
-    var _S982 : f32 = max(_S975 * abs(_S979 - _S980), 0.00100000004749745f);
-    return 0.25f * _S975 * exponential_0(- _S975 * min(_S979, _S980)) * (1.0f - exponential_0(- _S982)) / (_S982 * _S978);
+    var _S883 : f32 = max(_S877 * abs(_S880 - _S881), 0.00100000004749745f);
+    return 0.25f * _S877 * exponential_0(- _S877 * min(_S880, _S881)) * (1.0f - exponential_0(- _S883)) / (_S883 * _S879);
 }
 
-fn cluster_terms_0( _S983 : u32,  _S984 : ViewedBase_0,  _S985 : BaseTaps_0,  _S986 : u32) -> ClusterTerms_0
+fn cluster_terms_0( _S884 : u32,  _S885 : ViewedBase_0,  _S886 : BaseTaps_0,  _S887 : u32) -> ClusterTerms_0
 {
-    var _S987 : u32 = u32(2) * fabrics_0[_S983].clustered_0.clusters_0;
-    var _S988 : f32 = BinTaps_read_0(_S985.around_1, fabrics_0[_S983].clustered_0.light_0, _S985.first_7, _S987, _S986);
-    var _S989 : f32 = BinTaps_read_0(_S984.around_0, fabrics_0[_S983].clustered_0.view_0, _S984.face_3 * u32(256), fabrics_0[_S983].clustered_0.clusters_0, _S986);
+    var _S888 : u32 = u32(2) * fabrics_0[_S884].clustered_0.clusters_0;
+    var _S889 : f32 = BinTaps_read_0(_S886.around_1, fabrics_0[_S884].clustered_0.light_0, _S886.first_7, _S888, _S887);
+    var _S890 : f32 = BinTaps_read_0(_S885.around_0, fabrics_0[_S884].clustered_0.view_0, _S885.face_3 * u32(256), fabrics_0[_S884].clustered_0.clusters_0, _S887);
     var terms_3 : ClusterTerms_0;
-    var _S990 : f32 = _S984.trust_1.x * _S989;
-    terms_3.diffuse_0 = _S990 * 0.31830987334251404f * ((1.0f - fabrics_0[_S983].diffuse_blend_0) * abs(_S985.facing_0.z) * _S988 + fabrics_0[_S983].diffuse_blend_0 * BinTaps_read_0(_S985.around_1, fabrics_0[_S983].clustered_0.light_0, _S985.first_7, _S987, fabrics_0[_S983].clustered_0.clusters_0 + _S986));
-    terms_3.specular_0 = _S984.trust_1.y * _S989 * _S988 * cluster_attenuation_0(_S983, _S984, _S985, _S986);
-    terms_3.lit_0 = _S990 * _S988;
+    var _S891 : f32 = _S885.trust_1.x * _S890;
+    terms_3.diffuse_0 = _S891 * 0.31830987334251404f * ((1.0f - fabrics_0[_S884].diffuse_blend_0) * abs(_S886.facing_0.z) * _S889 + fabrics_0[_S884].diffuse_blend_0 * BinTaps_read_0(_S886.around_1, fabrics_0[_S884].clustered_0.light_0, _S886.first_7, _S888, fabrics_0[_S884].clustered_0.clusters_0 + _S887));
+    terms_3.specular_0 = _S885.trust_1.y * _S890 * _S889 * cluster_attenuation_0(_S884, _S885, _S886, _S887);
+    terms_3.lit_0 = _S891 * _S889;
     return terms_3;
 }
 
-fn with_cluster_0( _S991 : u32,  _S992 : Components_0,  _S993 : ClusterTerms_0,  _S994 : u32,  _S995 : f32,  _S996 : f32) -> Components_0
+fn with_cluster_0( _S892 : u32,  _S893 : Components_0,  _S894 : ClusterTerms_0,  _S895 : u32,  _S896 : f32,  _S897 : f32) -> Components_0
 {
-    var _S997 : bool = _S994 < (fabrics_0[_S991].clustered_0.clusters_0 / u32(2));
-    var result_3 : Components_0 = _S992;
-    var _S998 : f32;
-    if(_S997)
-    {
-        _S998 = _S995 * _S993.diffuse_0;
-    }
-    else
-    {
-        _S998 = 0.0f;
-    }
-    result_3.diffuse_warp_0 = result_3.diffuse_warp_0 + _S998;
-    if(_S997)
-    {
-        _S998 = 0.0f;
-    }
-    else
-    {
-        _S998 = _S995 * _S993.diffuse_0;
-    }
-    result_3.diffuse_weft_0 = result_3.diffuse_weft_0 + _S998;
-    if(_S997)
-    {
-        _S998 = _S993.specular_0 * _S996;
-    }
-    else
-    {
-        _S998 = 0.0f;
-    }
-    result_3.specular_warp_0 = result_3.specular_warp_0 + _S998;
-    if(_S997)
-    {
-        _S998 = 0.0f;
-    }
-    else
-    {
-        _S998 = _S993.specular_0 * _S996;
-    }
-    result_3.specular_weft_0 = result_3.specular_weft_0 + _S998;
-    result_3.light_visibility_1 = result_3.light_visibility_1 + _S995 * _S993.lit_0;
+    var _S898 : bool = _S895 < (fabrics_0[_S892].clustered_0.clusters_0 / u32(2));
+    var result_3 : Components_0 = _S893;
+    var _S899 : f32 = _S896 * _S894.diffuse_0;
+    result_3.diffuse_warp_0 = result_3.diffuse_warp_0 + select(0.0f, _S899, _S898);
+    result_3.diffuse_weft_0 = result_3.diffuse_weft_0 + select(_S899, 0.0f, _S898);
+    var _S900 : f32 = _S894.specular_0 * _S897;
+    result_3.specular_warp_0 = result_3.specular_warp_0 + select(0.0f, _S900, _S898);
+    result_3.specular_weft_0 = result_3.specular_weft_0 + select(_S900, 0.0f, _S898);
+    result_3.light_visibility_1 = result_3.light_visibility_1 + _S896 * _S894.lit_0;
     return result_3;
 }
 
-fn clustered_base_0( _S999 : u32,  _S1000 : ViewedBase_0,  _S1001 : BaseTaps_0) -> Components_0
+fn clustered_base_0( _S901 : u32,  _S902 : ViewedBase_0,  _S903 : BaseTaps_0) -> Components_0
 {
-    var _S1002 : Clustered_std430_0 = fabrics_0[_S999].clustered_0;
-    var _S1003 : u32 = _S1002.clusters_0;
+    var _S904 : Clustered_std430_0 = fabrics_0[_S901].clustered_0;
+    var _S905 : u32 = _S904.clusters_0;
     var base_1 : Components_0 = no_components_0();
     var cluster_2 : u32 = u32(0);
     for(;;)
     {
-        if(cluster_2 < _S1003)
+        if(cluster_2 < _S905)
         {
         }
         else
         {
             break;
         }
-        var _S1004 : f32 = box_mean_1(&(_S1002), _S1000.box_3, _S1000.face_3, cluster_2);
-        if(_S1004 <= 0.0f)
+        var _S906 : f32 = box_mean_1(&(_S904), _S902.box_3, _S902.face_3, cluster_2);
+        if(_S906 <= 0.0f)
         {
             cluster_2 = cluster_2 + u32(1);
             continue;
         }
-        var _S1005 : f32 = _S1004 * cluster_density_0(_S999, _S1000, _S1001, cluster_2, u32(0));
+        var _S907 : f32 = _S906 * cluster_density_0(_S901, _S902, _S903, cluster_2, u32(0));
         var number_4 : u32 = u32(1);
-        var density_0 : f32 = _S1005;
+        var density_0 : f32 = _S907;
         for(;;)
         {
-            if(number_4 <= (_S1002.rank_0))
+            if(number_4 <= (_S904.rank_0))
             {
             }
             else
             {
                 break;
             }
-            var _S1006 : f32 = box_mean_1(&(_S1002), _S1000.box_3, _S1000.face_3, number_4 * _S1003 + cluster_2);
-            var density_1 : f32 = density_0 + _S1006 * cluster_density_0(_S999, _S1000, _S1001, cluster_2, number_4);
+            var _S908 : f32 = box_mean_1(&(_S904), _S902.box_3, _S902.face_3, number_4 * _S905 + cluster_2);
+            var density_1 : f32 = density_0 + _S908 * cluster_density_0(_S901, _S902, _S903, cluster_2, number_4);
             number_4 = number_4 + u32(1);
             density_0 = density_1;
         }
-        base_1 = with_cluster_0(_S999, base_1, cluster_terms_0(_S999, _S1000, _S1001, cluster_2), cluster_2, _S1004, density_0);
+        base_1 = with_cluster_0(_S901, base_1, cluster_terms_0(_S901, _S902, _S903, cluster_2), cluster_2, _S906, density_0);
         cluster_2 = cluster_2 + u32(1);
     }
     return base_1;
 }
 
-fn under_sheen_0( _S1007 : u32,  _S1008 : ClusteredView_0,  _S1009 : vec3<f32>,  _S1010 : f32,  _S1011 : vec3<f32>) -> vec3<f32>
+fn under_sheen_0( _S909 : u32,  _S910 : ClusteredView_0,  _S911 : vec3<f32>,  _S912 : f32,  _S913 : vec3<f32>) -> vec3<f32>
 {
-    var _S1012 : f32 = fabrics_0[_S1007].sheen_strength_0;
-    if((fabrics_0[_S1007].sheen_strength_0) <= 0.0f)
+    var _S914 : f32 = fabrics_0[_S909].sheen_strength_0;
+    if((fabrics_0[_S909].sheen_strength_0) <= 0.0f)
     {
-        return _S1009;
+        return _S911;
     }
-    var _S1013 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S1011, _S1008.base_0.back_5), _S1008.base_0.view_3, _S1012, fabrics_0[_S1007].sheen_roughness_0);
-    return vec3<f32>(_S1013.y) * _S1009 + vec3<f32>((_S1010 * _S1013.x));
+    var _S915 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S913, _S910.base_0.back_5), _S910.base_0.view_3, _S914, fabrics_0[_S909].sheen_roughness_0);
+    return vec3<f32>(_S915.y) * _S911 + vec3<f32>((_S912 * _S915.x));
 }
 
-fn clustered_base_value_0( _S1014 : u32,  _S1015 : ClusteredView_0,  _S1016 : f32,  _S1017 : vec3<f32>) -> vec3<f32>
+fn clustered_base_value_0( _S916 : u32,  _S917 : ClusteredView_0,  _S918 : f32,  _S919 : vec3<f32>) -> vec3<f32>
 {
-    var _S1018 : BaseTaps_0 = base_taps_0(_S1015.base_0, _S1017);
-    var _S1019 : Components_0 = clustered_base_0(_S1014, _S1015.base_0, _S1018);
-    return under_sheen_0(_S1014, _S1015, shaded_0(_S1019, _S1015.albedos_4, _S1018.transmits_1) + bounced_value_0(_S1015.bounced_1, _S1017, _S1015.view_4), _S1019.light_visibility_1 + _S1016, _S1017);
+    var _S920 : BaseTaps_0 = base_taps_0(_S917.base_0, _S919);
+    var _S921 : Components_0 = clustered_base_0(_S916, _S917.base_0, _S920);
+    return under_sheen_0(_S916, _S917, shaded_0(_S921, _S917.albedos_4, _S920.transmits_1) + bounced_value_0(_S917.bounced_1, _S919, _S917.view_4), _S921.light_visibility_1 + _S918, _S919);
 }
 
-fn clustered_at_texel_0( _S1020 : u32,  _S1021 : ViewedBase_0,  _S1022 : u32,  _S1023 : BaseTaps_0) -> Components_0
+fn clustered_at_texel_0( _S922 : u32,  _S923 : ViewedBase_0,  _S924 : u32,  _S925 : BaseTaps_0) -> Components_0
 {
-    var _S1024 : Clustered_std430_0 = fabrics_0[_S1020].clustered_0;
-    var _S1025 : u32 = _S1021.face_3 * fabrics_0[_S1020].clustered_0.columns_0 * fabrics_0[_S1020].clustered_0.rows_0 + _S1022;
-    var _S1026 : u32 = table_byte_0(fabrics_0[_S1020].clustered_0.labels_0, _S1025);
+    var _S926 : Clustered_std430_0 = fabrics_0[_S922].clustered_0;
+    var _S927 : u32 = _S923.face_3 * fabrics_0[_S922].clustered_0.columns_0 * fabrics_0[_S922].clustered_0.rows_0 + _S924;
+    var _S928 : u32 = table_byte_0(fabrics_0[_S922].clustered_0.labels_0, _S927);
     var base_2 : Components_0 = no_components_0();
-    if(_S1026 >= (fabrics_0[_S1020].clustered_0.clusters_0))
+    if(_S928 >= (fabrics_0[_S922].clustered_0.clusters_0))
     {
         return base_2;
     }
-    var _S1027 : f32 = cluster_density_0(_S1020, _S1021, _S1023, _S1026, u32(0));
+    var _S929 : f32 = cluster_density_0(_S922, _S923, _S925, _S928, u32(0));
     var number_5 : u32 = u32(1);
-    var density_2 : f32 = _S1027;
+    var density_2 : f32 = _S929;
     for(;;)
     {
-        if(number_5 <= (_S1024.rank_0))
+        if(number_5 <= (_S926.rank_0))
         {
         }
         else
         {
             break;
         }
-        var _S1028 : i32 = i32(table_byte_0(_S1024.coefficients_0, _S1025 * _S1024.rank_0 + number_5 - u32(1)));
-        var _S1029 : i32;
-        if(_S1028 > i32(127))
-        {
-            _S1029 = _S1028 - i32(256);
-        }
-        else
-        {
-            _S1029 = _S1028;
-        }
-        var density_3 : f32 = density_2 + f32(_S1029) * cluster_density_0(_S1020, _S1021, _S1023, _S1026, number_5);
+        var _S930 : i32 = i32(table_byte_0(_S926.coefficients_0, _S927 * _S926.rank_0 + number_5 - u32(1)));
+        var density_3 : f32 = density_2 + f32(select(_S930, _S930 - i32(256), _S930 > i32(127))) * cluster_density_0(_S922, _S923, _S925, _S928, number_5);
         number_5 = number_5 + u32(1);
         density_2 = density_3;
     }
-    return with_cluster_0(_S1020, base_2, cluster_terms_0(_S1020, _S1021, _S1023, _S1026), _S1026, 1.0f, density_2);
+    return with_cluster_0(_S922, base_2, cluster_terms_0(_S922, _S923, _S925, _S928), _S928, 1.0f, density_2);
 }
 
-fn unoccluded_0( _S1030 : u32,  _S1031 : SearchQuality_0,  _S1032 : f32,  _S1033 : f32,  _S1034 : f32,  _S1035 : vec3<f32>,  _S1036 : bool) -> bool
+fn unoccluded_0( _S931 : u32,  _S932 : SearchQuality_0,  _S933 : f32,  _S934 : f32,  _S935 : f32,  _S936 : vec3<f32>,  _S937 : bool) -> bool
 {
-    if((_S1035.z) <= 0.0f)
+    if((_S936.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S1030, _S1031, vec3<f32>(_S1032, _S1033, _S1034 + fabrics_0[_S1030].lift_0), _S1035, _S1036, max_height_along_0(_S1030, _S1032, _S1033, _S1034, _S1035, _S1036));
+    return is_free_0(_S931, _S932, vec3<f32>(_S933, _S934, _S935 + fabrics_0[_S931].lift_0), _S936, _S937, max_height_along_0(_S931, _S933, _S934, _S935, _S936, _S937));
 }
 
-fn is_lit_0( _S1037 : u32,  _S1038 : SearchQuality_0,  _S1039 : YarnPoint_0,  _S1040 : vec3<f32>) -> bool
+fn is_lit_0( _S938 : u32,  _S939 : SearchQuality_0,  _S940 : YarnPoint_0,  _S941 : vec3<f32>) -> bool
 {
-    if(_S1039.hole_0)
+    if(_S940.hole_0)
     {
         return true;
     }
-    var _S1041 : vec3<f32> = to_face_frame_0(_S1040, _S1039.back_6);
-    var _S1042 : f32 = _S1041.z;
-    var _S1043 : bool = _S1042 < 0.0f;
+    var _S942 : vec3<f32> = to_face_frame_0(_S941, _S940.back_6);
+    var _S943 : f32 = _S942.z;
+    var _S944 : bool = _S943 < 0.0f;
     var normal_10 : vec3<f32>;
     var height_12 : f32;
-    if(_S1043)
+    if(_S944)
     {
-        var _S1044 : SurfacePoint_0 = surface_at_0(_S1037, _S1039.x_8, _S1039.y_3, !_S1039.back_6);
-        normal_10 = _S1044.normal_5;
-        height_12 = _S1044.height_6;
+        var _S945 : SurfacePoint_0 = surface_at_0(_S938, _S940.x_8, _S940.y_3, !_S940.back_6);
+        normal_10 = _S945.normal_5;
+        height_12 = _S945.height_6;
     }
     else
     {
-        normal_10 = _S1039.surface_normal_0;
-        height_12 = _S1039.height_2;
+        normal_10 = _S940.surface_normal_0;
+        height_12 = _S940.height_2;
     }
-    var _S1045 : vec3<f32> = vec3<f32>(_S1041.xy, abs(_S1042));
-    if((dot(normal_10, _S1045)) <= 0.0f)
+    var _S946 : vec3<f32> = vec3<f32>(_S942.xy, abs(_S943));
+    if((dot(normal_10, _S946)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S1037, _S1038, _S1039.x_8, _S1039.y_3, height_12, _S1045, (_S1039.back_6) != _S1043);
+    return unoccluded_0(_S938, _S939, _S940.x_8, _S940.y_3, height_12, _S946, (_S940.back_6) != _S944);
 }
 
-fn components_of_point_0( _S1046 : u32,  _S1047 : SearchQuality_0,  _S1048 : YarnPoint_0,  _S1049 : vec3<f32>,  _S1050 : vec3<f32>) -> Components_0
+fn components_of_point_0( _S947 : u32,  _S948 : SearchQuality_0,  _S949 : YarnPoint_0,  _S950 : vec3<f32>,  _S951 : vec3<f32>) -> Components_0
 {
     var result_4 : Components_0 = no_components_0();
-    var _S1051 : f32;
-    if(_S1048.hole_0)
+    result_4.hole_5 = select(0.0f, 1.0f, _S949.hole_0);
+    var _S952 : bool;
+    if(_S949.hole_0)
     {
-        _S1051 = 1.0f;
+        _S952 = true;
     }
     else
     {
-        _S1051 = 0.0f;
+        _S952 = !is_lit_0(_S947, _S948, _S949, _S950);
     }
-    result_4.hole_5 = _S1051;
-    var _S1052 : bool;
-    if(_S1048.hole_0)
-    {
-        _S1052 = true;
-    }
-    else
-    {
-        _S1052 = !is_lit_0(_S1046, _S1047, _S1048, _S1049);
-    }
-    if(_S1052)
+    if(_S952)
     {
         return result_4;
     }
-    var _S1053 : vec3<f32> = to_face_frame_0(_S1049, _S1048.back_6);
-    var _S1054 : vec3<f32> = to_face_frame_0(_S1050, _S1048.back_6);
-    var _S1055 : bool = (_S1053.z) < 0.0f;
-    var _S1056 : vec3<f32>;
-    if(_S1055)
+    var _S953 : vec3<f32> = to_face_frame_0(_S950, _S949.back_6);
+    var _S954 : vec3<f32> = to_face_frame_0(_S951, _S949.back_6);
+    var _S955 : bool = (_S953.z) < 0.0f;
+    var _S956 : f32 = _S949.diffuse_gain_0 * diffuse_reflection_0(select_vector_0(_S955, (vec3<f32>(0) - _S953), _S953), _S949.normal_1, fabrics_0[_S947].diffuse_blend_0);
+    var _S957 : f32;
+    if(_S955)
     {
-        _S1056 = (vec3<f32>(0) - _S1053);
+        _S957 = transmission_1(_S953, _S954, _S949.normal_1, _S949.tangent_0, _S949.roughness_1, fabrics_0[_S947].optical_depth_0);
     }
     else
     {
-        _S1056 = _S1053;
+        _S957 = reflection_0(_S953, _S954, _S949.normal_1, _S949.tangent_0, _S949.roughness_1, fabrics_0[_S947].optical_depth_0);
     }
-    var _S1057 : f32 = _S1048.diffuse_gain_0 * diffuse_reflection_0(_S1056, _S1048.normal_1, fabrics_0[_S1046].diffuse_blend_0);
-    if(_S1055)
-    {
-        _S1051 = transmission_1(_S1053, _S1054, _S1048.normal_1, _S1048.tangent_0, _S1048.roughness_1, fabrics_0[_S1046].optical_depth_0);
-    }
-    else
-    {
-        _S1051 = reflection_0(_S1053, _S1054, _S1048.normal_1, _S1048.tangent_0, _S1048.roughness_1, fabrics_0[_S1046].optical_depth_0);
-    }
-    var _S1058 : f32;
-    if(_S1048.is_warp_0)
-    {
-        _S1058 = _S1057;
-    }
-    else
-    {
-        _S1058 = 0.0f;
-    }
-    result_4.diffuse_warp_0 = _S1058;
-    if(_S1048.is_warp_0)
-    {
-        _S1058 = 0.0f;
-    }
-    else
-    {
-        _S1058 = _S1057;
-    }
-    result_4.diffuse_weft_0 = _S1058;
-    if(_S1048.is_warp_0)
-    {
-        _S1058 = _S1051;
-    }
-    else
-    {
-        _S1058 = 0.0f;
-    }
-    result_4.specular_warp_0 = _S1058;
-    if(_S1048.is_warp_0)
-    {
-        _S1051 = 0.0f;
-    }
-    result_4.specular_weft_0 = _S1051;
+    result_4.diffuse_warp_0 = select(0.0f, _S956, _S949.is_warp_0);
+    result_4.diffuse_weft_0 = select(_S956, 0.0f, _S949.is_warp_0);
+    result_4.specular_warp_0 = select(0.0f, _S957, _S949.is_warp_0);
+    result_4.specular_weft_0 = select(_S957, 0.0f, _S949.is_warp_0);
     result_4.light_visibility_1 = 1.0f;
     return result_4;
 }
 
-fn clustered_residual_0( _S1059 : u32,  _S1060 : ClusteredView_0,  _S1061 : ResidualPoint_0,  _S1062 : vec3<f32>,  _S1063 : vec3<f32>) -> vec3<f32>
+fn clustered_residual_0( _S958 : u32,  _S959 : ClusteredView_0,  _S960 : ResidualPoint_0,  _S961 : vec3<f32>,  _S962 : vec3<f32>) -> vec3<f32>
 {
-    var _S1064 : BaseTaps_0 = base_taps_0(_S1060.base_0, _S1063);
-    var _S1065 : Components_0 = clustered_at_texel_0(_S1059, _S1060.base_0, _S1061.texel_0, _S1064);
-    var _S1066 : Components_0 = components_of_point_0(_S1059, default_quality_0(), _S1061.point_1, _S1063, _S1060.view_4);
+    var _S963 : BaseTaps_0 = base_taps_0(_S959.base_0, _S962);
+    var _S964 : Components_0 = clustered_at_texel_0(_S958, _S959.base_0, _S960.texel_0, _S963);
+    var _S965 : Components_0 = components_of_point_0(_S958, default_quality_0(), _S960.point_1, _S962, _S959.view_4);
     var own_2 : FamilyAlbedos_0;
-    var _S1067 : Albedos_0 = tinted_0(_S1061.point_1.albedos_5, _S1062);
-    own_2.warp_3 = _S1067;
-    own_2.weft_3 = _S1067;
-    return under_sheen_0(_S1059, _S1060, shaded_0(_S1066, own_2, _S1064.transmits_1) - shaded_0(_S1065, _S1060.albedos_4, _S1064.transmits_1) + bounced_value_0(_S1061.bounced_2, _S1063, _S1060.view_4), _S1066.light_visibility_1 + _S1066.hole_5 - _S1065.light_visibility_1, _S1063);
+    var _S966 : Albedos_0 = tinted_0(_S960.point_1.albedos_5, _S961);
+    own_2.warp_3 = _S966;
+    own_2.weft_3 = _S966;
+    return under_sheen_0(_S958, _S959, shaded_0(_S965, own_2, _S963.transmits_1) - shaded_0(_S964, _S959.albedos_4, _S963.transmits_1) + bounced_value_0(_S960.bounced_2, _S962, _S959.view_4), _S965.light_visibility_1 + _S965.hole_5 - _S964.light_visibility_1, _S962);
 }
 
-fn passed_by_sheen_0( _S1068 : u32,  _S1069 : f32,  _S1070 : vec3<f32>) -> f32
+fn passed_by_sheen_0( _S967 : u32,  _S968 : f32,  _S969 : vec3<f32>) -> f32
 {
-    var _S1071 : f32 = fabrics_0[_S1068].sheen_strength_0;
-    if((fabrics_0[_S1068].sheen_strength_0) <= 0.0f)
+    var _S970 : f32 = fabrics_0[_S967].sheen_strength_0;
+    if((fabrics_0[_S967].sheen_strength_0) <= 0.0f)
     {
-        return _S1069;
+        return _S968;
     }
-    return _S1069 * (1.0f - _S1071 * sheen_lobe_0(abs(_S1070.z), fabrics_0[_S1068].sheen_roughness_0).z);
+    return _S968 * (1.0f - _S970 * sheen_lobe_0(abs(_S969.z), fabrics_0[_S967].sheen_roughness_0).z);
 }
 
-fn light_of_clustered_0( _S1072 : i32,  _S1073 : u32,  _S1074 : VisiblePoint_0,  _S1075 : vec2<u32>,  _S1076 : vec3<f32>) -> vec4<f32>
+fn light_of_clustered_0( _S971 : i32,  _S972 : u32,  _S973 : VisiblePoint_0,  _S974 : vec2<u32>,  _S975 : vec3<f32>) -> vec4<f32>
 {
     var footprint_1 : Footprint_0;
-    footprint_1.centre_0 = _S1074.draft_0;
-    footprint_1.dx_0 = _S1074.draft_dx_0;
-    footprint_1.dy_0 = _S1074.draft_dy_0;
-    var _S1077 : vec3<f32> = to_local_0(_S1074, _S1074.view_1);
-    var _S1078 : Clustered_std430_0 = fabrics_0[_S1073].clustered_0;
-    var _S1079 : u32 = mixed_0(mixed_0(_S1075.x + u32(65536) * _S1075.y) + frames_0[_S1072].pass_number_0 * u32(2654435769));
-    var _S1080 : bool = (fabrics_0[_S1073].clustered_0.samples_1) == u32(0);
-    var _S1081 : ClusteredView_0 = clustered_view_0(_S1073, footprint_1, _S1077, _S1076, _S1079, _S1080);
-    var _S1082 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_1.centre_0 = _S973.draft_0;
+    footprint_1.dx_0 = _S973.draft_dx_0;
+    footprint_1.dy_0 = _S973.draft_dy_0;
+    var _S976 : vec3<f32> = to_local_0(_S973, _S973.view_1);
+    var _S977 : Clustered_std430_0 = fabrics_0[_S972].clustered_0;
+    var _S978 : u32 = mixed_0(mixed_0(_S974.x + u32(65536) * _S974.y) + frames_0[_S971].pass_number_0 * u32(2654435769));
+    var _S979 : bool = (fabrics_0[_S972].clustered_0.samples_1) == u32(0);
+    var _S980 : ClusteredView_0 = clustered_view_0(_S972, footprint_1, _S976, _S975, _S978, _S979);
+    var _S981 : vec3<f32> = vec3<f32>(0.0f);
     var hole_7 : f32;
-    if(_S1080)
+    if(_S979)
     {
-        hole_7 = clustered_hole_0(_S1073, _S1081.base_0);
+        hole_7 = clustered_hole_0(_S972, _S980.base_0);
     }
     else
     {
@@ -4790,105 +3362,96 @@ fn light_of_clustered_0( _S1072 : i32,  _S1073 : u32,  _S1074 : VisiblePoint_0, 
     }
     var term_1 : u32 = u32(0);
     var hole_8 : f32 = hole_7;
-    var radiance_1 : vec3<f32> = _S1082;
+    var radiance_1 : vec3<f32> = _S981;
     for(;;)
     {
-        if(term_1 <= (_S1078.samples_1))
+        if(term_1 <= (_S977.samples_1))
         {
         }
         else
         {
             break;
         }
-        var _S1083 : ResidualPoint_0 = ResidualPoint_x24init_0(YarnPoint_x24init_0(false, false, false, 0.0f, 0.0f, 0.0f, _S1082, _S1082, _S1082, 0.0f, 0.0f, Albedos_x24init_0(_S1082, _S1082, _S1082, _S1082)), u32(0), Bounced_x24init_0(_S1082, _S1082));
+        var _S982 : ResidualPoint_0 = ResidualPoint_x24init_0(YarnPoint_x24init_0(false, false, false, 0.0f, 0.0f, 0.0f, _S981, _S981, _S981, 0.0f, 0.0f, Albedos_x24init_0(_S981, _S981, _S981, _S981)), u32(0), Bounced_x24init_0(_S981, _S981));
         var sample_2 : ResidualPoint_0;
         if(term_1 > u32(0))
         {
-            var _S1084 : ResidualPoint_0 = residual_point_0(_S1073, _S1081, _S1076, _S1079, term_1 - u32(1));
-            var _S1085 : f32;
-            if(_S1084.point_1.hole_0)
-            {
-                _S1085 = 1.0f;
-            }
-            else
-            {
-                _S1085 = 0.0f;
-            }
-            var hole_9 : f32 = hole_8 + _S1085 / f32(_S1078.samples_1);
-            sample_2 = _S1084;
+            var _S983 : ResidualPoint_0 = residual_point_0(_S972, _S980, _S975, _S978, term_1 - u32(1));
+            var hole_9 : f32 = hole_8 + select(0.0f, 1.0f, _S983.point_1.hole_0) / f32(_S977.samples_1);
+            sample_2 = _S983;
             hole_8 = hole_9;
         }
         else
         {
-            sample_2 = _S1083;
+            sample_2 = _S982;
         }
         var number_6 : u32 = u32(0);
         var radiance_2 : vec3<f32> = radiance_1;
         for(;;)
         {
-            if(number_6 < (light_sample_count_0(_S1072)))
+            if(number_6 < (light_sample_count_0(_S971)))
             {
             }
             else
             {
                 break;
             }
-            var _S1086 : f32 = visibility_at_0(_S1072, number_6, _S1075);
-            if(_S1086 <= 0.0f)
+            var _S984 : f32 = visibility_at_0(_S971, number_6, _S974);
+            if(_S984 <= 0.0f)
             {
                 number_6 = number_6 + u32(1);
                 continue;
             }
-            var _S1087 : LightSample_0 = light_sample_0(_S1072, number_6, _S1075, _S1074.position_0);
-            var _S1088 : vec3<f32> = to_local_0(_S1074, _S1087.towards_0);
+            var _S985 : LightSample_0 = light_sample_0(_S971, number_6, _S974, _S973.position_0);
+            var _S986 : vec3<f32> = to_local_0(_S973, _S985.towards_0);
             var value_1 : vec3<f32>;
             if(term_1 == u32(0))
             {
-                value_1 = clustered_base_value_0(_S1073, _S1081, hole_7, _S1088);
+                value_1 = clustered_base_value_0(_S972, _S980, hole_7, _S986);
             }
             else
             {
-                value_1 = clustered_residual_0(_S1073, _S1081, sample_2, _S1076, _S1088) / vec3<f32>(f32(_S1078.samples_1));
+                value_1 = clustered_residual_0(_S972, _S980, sample_2, _S975, _S986) / vec3<f32>(f32(_S977.samples_1));
             }
-            radiance_2 = radiance_2 + vec3<f32>(_S1086) * _S1087.irradiance_1 * value_1;
+            radiance_2 = radiance_2 + vec3<f32>(_S984) * _S985.irradiance_1 * value_1;
             number_6 = number_6 + u32(1);
         }
         term_1 = term_1 + u32(1);
         radiance_1 = radiance_2;
     }
-    return vec4<f32>(radiance_1, 1.0f - passed_by_sheen_0(_S1073, hole_8, _S1077));
+    return vec4<f32>(radiance_1, 1.0f - passed_by_sheen_0(_S972, hole_8, _S976));
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn shade_clustered(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S1089 : u32 = id_0.x;
-    var _S1090 : u32 = frames_0[i32(0)].width_0;
-    var _S1091 : bool;
-    if(_S1089 >= (frames_0[i32(0)].width_0))
+    var _S987 : u32 = id_0.x;
+    var _S988 : u32 = frames_0[i32(0)].width_0;
+    var _S989 : bool;
+    if(_S987 >= (frames_0[i32(0)].width_0))
     {
-        _S1091 = true;
+        _S989 = true;
     }
     else
     {
-        _S1091 = (id_0.y) >= (frames_0[i32(0)].height_0);
+        _S989 = (id_0.y) >= (frames_0[i32(0)].height_0);
     }
-    if(_S1091)
+    if(_S989)
     {
         return;
     }
-    var _S1092 : u32 = id_0.y * _S1090 + _S1089;
-    var _S1093 : u32 = layers_0[_S1092].face_0;
-    if((layers_0[_S1092].face_0) == u32(0))
+    var _S990 : u32 = id_0.y * _S988 + _S987;
+    var _S991 : u32 = layers_0[_S990].face_0;
+    if((layers_0[_S990].face_0) == u32(0))
     {
         return;
     }
-    var _S1094 : u32 = _S1093 - u32(1);
-    var _S1095 : u32 = face_fabrics_0[_S1094];
-    var _S1096 : vec2<u32> = id_0.xy;
-    var _S1097 : VisiblePoint_0 = visible_point_0(i32(0), _S1095, _S1094, _S1096);
-    accumulate_0(_S1092, light_of_clustered_0(i32(0), _S1095, _S1097, _S1096, filtered_albedo_0(_S1095, _S1097)));
+    var _S992 : u32 = _S991 - u32(1);
+    var _S993 : u32 = face_fabrics_0[_S992];
+    var _S994 : vec2<u32> = id_0.xy;
+    var _S995 : VisiblePoint_0 = visible_point_0(i32(0), _S993, _S992, _S994);
+    accumulate_0(_S990, light_of_clustered_0(i32(0), _S993, _S995, _S994, filtered_albedo_0(_S993, _S995)));
     return;
 }
 

@@ -311,6 +311,16 @@ fn tile_product_0( weights_0 : FloatWeights_0,  row_0 : u32,  inputs_0 : ptr<fun
     return sums_1;
 }
 
+fn select_vector_0( condition_0 : bool,  yes_0 : vec4<f32>,  no_0 : vec4<f32>) -> vec4<f32>
+{
+    var chosen_0 : vec4<f32>;
+    chosen_0[i32(0)] = select(no_0[i32(0)], yes_0[i32(0)], condition_0);
+    chosen_0[i32(1)] = select(no_0[i32(1)], yes_0[i32(1)], condition_0);
+    chosen_0[i32(2)] = select(no_0[i32(2)], yes_0[i32(2)], condition_0);
+    chosen_0[i32(3)] = select(no_0[i32(3)], yes_0[i32(3)], condition_0);
+    return chosen_0;
+}
+
 fn Relu_apply_0( x_2 : f32) -> f32
 {
     return max(x_2, 0.0f);
@@ -333,67 +343,58 @@ fn dense_part_0( weights_1 : FloatWeights_0,  first_1 : u32,  adds_0 : bool,  in
         var _S12 : u32 = u32(output_0);
         var _S13 : Eight_0 = FloatWeights_eight_0(weights_1, first_1 + _S12 / u32(8));
         var _S14 : vec4<f32> = tile_product_0(weights_1, _S10 + _S12 * u32(8), &((*inputs_1)));
-        var _S15 : vec4<f32>;
-        if(((output_0 & (i32(4)))) != i32(0))
-        {
-            _S15 = _S13.high_0;
-        }
-        else
-        {
-            _S15 = _S13.low_0;
-        }
-        var _S16 : vec4<f32> = _S14 + _S15;
-        var _S17 : f32;
+        var _S15 : vec4<f32> = _S14 + select_vector_0(((output_0 & (i32(4)))) != i32(0), _S13.high_0, _S13.low_0);
+        var _S16 : f32;
         if(_S11)
         {
             if(adds_0)
             {
-                _S17 = (*outputs_0)[output_0];
+                _S16 = (*outputs_0)[output_0];
             }
             else
             {
-                _S17 = 0.0f;
+                _S16 = 0.0f;
             }
-            (*outputs_0)[output_0] = Relu_apply_0(_S16[i32(0)] + _S17);
+            (*outputs_0)[output_0] = Relu_apply_0(_S15[i32(0)] + _S16);
         }
-        var _S18 : i32 = output_0 + i32(1);
+        var _S17 : i32 = output_0 + i32(1);
+        if(_S17 < i32(64))
+        {
+            if(adds_0)
+            {
+                _S16 = (*outputs_0)[_S17];
+            }
+            else
+            {
+                _S16 = 0.0f;
+            }
+            (*outputs_0)[_S17] = Relu_apply_0(_S15[i32(1)] + _S16);
+        }
+        var _S18 : i32 = output_0 + i32(2);
         if(_S18 < i32(64))
         {
             if(adds_0)
             {
-                _S17 = (*outputs_0)[_S18];
+                _S16 = (*outputs_0)[_S18];
             }
             else
             {
-                _S17 = 0.0f;
+                _S16 = 0.0f;
             }
-            (*outputs_0)[_S18] = Relu_apply_0(_S16[i32(1)] + _S17);
+            (*outputs_0)[_S18] = Relu_apply_0(_S15[i32(2)] + _S16);
         }
-        var _S19 : i32 = output_0 + i32(2);
+        var _S19 : i32 = output_0 + i32(3);
         if(_S19 < i32(64))
         {
             if(adds_0)
             {
-                _S17 = (*outputs_0)[_S19];
+                _S16 = (*outputs_0)[_S19];
             }
             else
             {
-                _S17 = 0.0f;
+                _S16 = 0.0f;
             }
-            (*outputs_0)[_S19] = Relu_apply_0(_S16[i32(2)] + _S17);
-        }
-        var _S20 : i32 = output_0 + i32(3);
-        if(_S20 < i32(64))
-        {
-            if(adds_0)
-            {
-                _S17 = (*outputs_0)[_S20];
-            }
-            else
-            {
-                _S17 = 0.0f;
-            }
-            (*outputs_0)[_S20] = Relu_apply_0(_S16[i32(3)] + _S17);
+            (*outputs_0)[_S19] = Relu_apply_0(_S15[i32(3)] + _S16);
         }
         output_0 = output_0 + i32(4);
     }
@@ -407,82 +408,73 @@ fn Identity_apply_0( x_3 : f32) -> f32
 
 fn dense_part_1( weights_2 : FloatWeights_0,  first_2 : u32,  adds_1 : bool,  inputs_2 : ptr<function, array<f32, i32(64)>>,  outputs_1 : ptr<function, array<f32, i32(3)>>)
 {
-    var _S21 : u32 = first_2 + u32(whole_parts_0(i32(1)));
+    var _S20 : u32 = first_2 + u32(whole_parts_0(i32(1)));
     var output_1 : i32 = i32(0);
     for(;;)
     {
-        var _S22 : bool = output_1 < i32(3);
-        if(_S22)
+        var _S21 : bool = output_1 < i32(3);
+        if(_S21)
         {
         }
         else
         {
             break;
         }
-        var _S23 : u32 = u32(output_1);
-        var _S24 : Eight_0 = FloatWeights_eight_0(weights_2, first_2 + _S23 / u32(8));
-        var _S25 : vec4<f32> = tile_product_0(weights_2, _S21 + _S23 * u32(8), &((*inputs_2)));
-        var _S26 : vec4<f32>;
-        if(((output_1 & (i32(4)))) != i32(0))
-        {
-            _S26 = _S24.high_0;
-        }
-        else
-        {
-            _S26 = _S24.low_0;
-        }
-        var _S27 : vec4<f32> = _S25 + _S26;
-        var _S28 : f32;
-        if(_S22)
+        var _S22 : u32 = u32(output_1);
+        var _S23 : Eight_0 = FloatWeights_eight_0(weights_2, first_2 + _S22 / u32(8));
+        var _S24 : vec4<f32> = tile_product_0(weights_2, _S20 + _S22 * u32(8), &((*inputs_2)));
+        var _S25 : vec4<f32> = _S24 + select_vector_0(((output_1 & (i32(4)))) != i32(0), _S23.high_0, _S23.low_0);
+        var _S26 : f32;
+        if(_S21)
         {
             if(adds_1)
             {
-                _S28 = (*outputs_1)[output_1];
+                _S26 = (*outputs_1)[output_1];
             }
             else
             {
-                _S28 = 0.0f;
+                _S26 = 0.0f;
             }
-            (*outputs_1)[output_1] = Identity_apply_0(_S27[i32(0)] + _S28);
+            (*outputs_1)[output_1] = Identity_apply_0(_S25[i32(0)] + _S26);
         }
-        var _S29 : i32 = output_1 + i32(1);
+        var _S27 : i32 = output_1 + i32(1);
+        if(_S27 < i32(3))
+        {
+            if(adds_1)
+            {
+                _S26 = (*outputs_1)[_S27];
+            }
+            else
+            {
+                _S26 = 0.0f;
+            }
+            (*outputs_1)[_S27] = Identity_apply_0(_S25[i32(1)] + _S26);
+        }
+        var _S28 : i32 = output_1 + i32(2);
+        if(_S28 < i32(3))
+        {
+            if(adds_1)
+            {
+                _S26 = (*outputs_1)[_S28];
+            }
+            else
+            {
+                _S26 = 0.0f;
+            }
+            (*outputs_1)[_S28] = Identity_apply_0(_S25[i32(2)] + _S26);
+        }
+        var _S29 : i32 = output_1 + i32(3);
         if(_S29 < i32(3))
         {
             if(adds_1)
             {
-                _S28 = (*outputs_1)[_S29];
+                _S26 = (*outputs_1)[_S29];
             }
             else
             {
-                _S28 = 0.0f;
+                _S26 = 0.0f;
             }
-            (*outputs_1)[_S29] = Identity_apply_0(_S27[i32(1)] + _S28);
-        }
-        var _S30 : i32 = output_1 + i32(2);
-        if(_S30 < i32(3))
-        {
-            if(adds_1)
-            {
-                _S28 = (*outputs_1)[_S30];
-            }
-            else
-            {
-                _S28 = 0.0f;
-            }
-            (*outputs_1)[_S30] = Identity_apply_0(_S27[i32(2)] + _S28);
-        }
-        var _S31 : i32 = output_1 + i32(3);
-        if(_S31 < i32(3))
-        {
-            if(adds_1)
-            {
-                _S28 = (*outputs_1)[_S31];
-            }
-            else
-            {
-                _S28 = 0.0f;
-            }
-            (*outputs_1)[_S31] = Identity_apply_0(_S27[i32(3)] + _S28);
+            (*outputs_1)[_S29] = Identity_apply_0(_S25[i32(3)] + _S26);
         }
         output_1 = output_1 + i32(4);
     }
@@ -504,26 +496,26 @@ fn tile_product_1( weights_3 : FloatWeights_0,  row_1 : u32,  inputs_3 : ptr<fun
         }
         var low_2 : vec4<f32>;
         var high_2 : vec4<f32>;
-        var _S32 : i32 = i32(u32(8) * column_1);
-        low_2[i32(0)] = (*inputs_3)[min(_S32, i32(19))];
-        high_2[i32(0)] = (*inputs_3)[min(_S32 + i32(4), i32(19))];
-        var _S33 : i32 = _S32 + i32(1);
-        low_2[i32(1)] = (*inputs_3)[min(_S33, i32(19))];
-        high_2[i32(1)] = (*inputs_3)[min(_S33 + i32(4), i32(19))];
-        var _S34 : i32 = _S32 + i32(2);
-        low_2[i32(2)] = (*inputs_3)[min(_S34, i32(19))];
-        high_2[i32(2)] = (*inputs_3)[min(_S34 + i32(4), i32(19))];
-        var _S35 : i32 = _S32 + i32(3);
-        low_2[i32(3)] = (*inputs_3)[min(_S35, i32(19))];
-        high_2[i32(3)] = (*inputs_3)[min(_S35 + i32(4), i32(19))];
-        var _S36 : Eight_0 = FloatWeights_eight_0(weights_3, row_1 + column_1);
-        sums_2[i32(0)] = sums_2[i32(0)] + (dot(_S36.low_0, low_2) + dot(_S36.high_0, high_2));
-        var _S37 : Eight_0 = FloatWeights_eight_0(weights_3, row_1 + u32(3) + column_1);
-        sums_2[i32(1)] = sums_2[i32(1)] + (dot(_S37.low_0, low_2) + dot(_S37.high_0, high_2));
-        var _S38 : Eight_0 = FloatWeights_eight_0(weights_3, row_1 + u32(6) + column_1);
-        sums_2[i32(2)] = sums_2[i32(2)] + (dot(_S38.low_0, low_2) + dot(_S38.high_0, high_2));
-        var _S39 : Eight_0 = FloatWeights_eight_0(weights_3, row_1 + u32(9) + column_1);
-        sums_2[i32(3)] = sums_2[i32(3)] + (dot(_S39.low_0, low_2) + dot(_S39.high_0, high_2));
+        var _S30 : i32 = i32(u32(8) * column_1);
+        low_2[i32(0)] = (*inputs_3)[min(_S30, i32(19))];
+        high_2[i32(0)] = (*inputs_3)[min(_S30 + i32(4), i32(19))];
+        var _S31 : i32 = _S30 + i32(1);
+        low_2[i32(1)] = (*inputs_3)[min(_S31, i32(19))];
+        high_2[i32(1)] = (*inputs_3)[min(_S31 + i32(4), i32(19))];
+        var _S32 : i32 = _S30 + i32(2);
+        low_2[i32(2)] = (*inputs_3)[min(_S32, i32(19))];
+        high_2[i32(2)] = (*inputs_3)[min(_S32 + i32(4), i32(19))];
+        var _S33 : i32 = _S30 + i32(3);
+        low_2[i32(3)] = (*inputs_3)[min(_S33, i32(19))];
+        high_2[i32(3)] = (*inputs_3)[min(_S33 + i32(4), i32(19))];
+        var _S34 : Eight_0 = FloatWeights_eight_0(weights_3, row_1 + column_1);
+        sums_2[i32(0)] = sums_2[i32(0)] + (dot(_S34.low_0, low_2) + dot(_S34.high_0, high_2));
+        var _S35 : Eight_0 = FloatWeights_eight_0(weights_3, row_1 + u32(3) + column_1);
+        sums_2[i32(1)] = sums_2[i32(1)] + (dot(_S35.low_0, low_2) + dot(_S35.high_0, high_2));
+        var _S36 : Eight_0 = FloatWeights_eight_0(weights_3, row_1 + u32(6) + column_1);
+        sums_2[i32(2)] = sums_2[i32(2)] + (dot(_S36.low_0, low_2) + dot(_S36.high_0, high_2));
+        var _S37 : Eight_0 = FloatWeights_eight_0(weights_3, row_1 + u32(9) + column_1);
+        sums_2[i32(3)] = sums_2[i32(3)] + (dot(_S37.low_0, low_2) + dot(_S37.high_0, high_2));
         column_1 = column_1 + u32(1);
     }
     return sums_2;
@@ -531,82 +523,73 @@ fn tile_product_1( weights_3 : FloatWeights_0,  row_1 : u32,  inputs_3 : ptr<fun
 
 fn dense_part_2( weights_4 : FloatWeights_0,  first_3 : u32,  adds_2 : bool,  inputs_4 : ptr<function, array<f32, i32(20)>>,  outputs_2 : ptr<function, array<f32, i32(64)>>)
 {
-    var _S40 : u32 = first_3 + u32(whole_parts_0(i32(8)));
+    var _S38 : u32 = first_3 + u32(whole_parts_0(i32(8)));
     var output_2 : i32 = i32(0);
     for(;;)
     {
-        var _S41 : bool = output_2 < i32(64);
-        if(_S41)
+        var _S39 : bool = output_2 < i32(64);
+        if(_S39)
         {
         }
         else
         {
             break;
         }
-        var _S42 : u32 = u32(output_2);
-        var _S43 : Eight_0 = FloatWeights_eight_0(weights_4, first_3 + _S42 / u32(8));
-        var _S44 : vec4<f32> = tile_product_1(weights_4, _S40 + _S42 * u32(3), &((*inputs_4)));
-        var _S45 : vec4<f32>;
-        if(((output_2 & (i32(4)))) != i32(0))
-        {
-            _S45 = _S43.high_0;
-        }
-        else
-        {
-            _S45 = _S43.low_0;
-        }
-        var _S46 : vec4<f32> = _S44 + _S45;
-        var _S47 : f32;
-        if(_S41)
+        var _S40 : u32 = u32(output_2);
+        var _S41 : Eight_0 = FloatWeights_eight_0(weights_4, first_3 + _S40 / u32(8));
+        var _S42 : vec4<f32> = tile_product_1(weights_4, _S38 + _S40 * u32(3), &((*inputs_4)));
+        var _S43 : vec4<f32> = _S42 + select_vector_0(((output_2 & (i32(4)))) != i32(0), _S41.high_0, _S41.low_0);
+        var _S44 : f32;
+        if(_S39)
         {
             if(adds_2)
             {
-                _S47 = (*outputs_2)[output_2];
+                _S44 = (*outputs_2)[output_2];
             }
             else
             {
-                _S47 = 0.0f;
+                _S44 = 0.0f;
             }
-            (*outputs_2)[output_2] = Relu_apply_0(_S46[i32(0)] + _S47);
+            (*outputs_2)[output_2] = Relu_apply_0(_S43[i32(0)] + _S44);
         }
-        var _S48 : i32 = output_2 + i32(1);
-        if(_S48 < i32(64))
+        var _S45 : i32 = output_2 + i32(1);
+        if(_S45 < i32(64))
         {
             if(adds_2)
             {
-                _S47 = (*outputs_2)[_S48];
+                _S44 = (*outputs_2)[_S45];
             }
             else
             {
-                _S47 = 0.0f;
+                _S44 = 0.0f;
             }
-            (*outputs_2)[_S48] = Relu_apply_0(_S46[i32(1)] + _S47);
+            (*outputs_2)[_S45] = Relu_apply_0(_S43[i32(1)] + _S44);
         }
-        var _S49 : i32 = output_2 + i32(2);
-        if(_S49 < i32(64))
+        var _S46 : i32 = output_2 + i32(2);
+        if(_S46 < i32(64))
         {
             if(adds_2)
             {
-                _S47 = (*outputs_2)[_S49];
+                _S44 = (*outputs_2)[_S46];
             }
             else
             {
-                _S47 = 0.0f;
+                _S44 = 0.0f;
             }
-            (*outputs_2)[_S49] = Relu_apply_0(_S46[i32(2)] + _S47);
+            (*outputs_2)[_S46] = Relu_apply_0(_S43[i32(2)] + _S44);
         }
-        var _S50 : i32 = output_2 + i32(3);
-        if(_S50 < i32(64))
+        var _S47 : i32 = output_2 + i32(3);
+        if(_S47 < i32(64))
         {
             if(adds_2)
             {
-                _S47 = (*outputs_2)[_S50];
+                _S44 = (*outputs_2)[_S47];
             }
             else
             {
-                _S47 = 0.0f;
+                _S44 = 0.0f;
             }
-            (*outputs_2)[_S50] = Relu_apply_0(_S46[i32(3)] + _S47);
+            (*outputs_2)[_S47] = Relu_apply_0(_S43[i32(3)] + _S44);
         }
         output_2 = output_2 + i32(4);
     }
@@ -656,17 +639,17 @@ fn MLP_evaluate_0( this_1 : MLP_0,  inputs_9 : ptr<function, array<f32, i32(20)>
         {
             break;
         }
-        var _S51 : i32 = layer_size_0(i32(64), i32(64));
-        var _S52 : u32 = u32(layer_size_0(i32(20), i32(64)) + (layer_0 - i32(1)) * _S51);
-        dense_0(this_1.weights_8, _S52, false, &(even_0), &(odd_0));
+        var _S48 : i32 = layer_size_0(i32(64), i32(64));
+        var _S49 : u32 = u32(layer_size_0(i32(20), i32(64)) + (layer_0 - i32(1)) * _S48);
+        dense_0(this_1.weights_8, _S49, false, &(even_0), &(odd_0));
         if((layer_0 + i32(1)) < i32(3))
         {
-            dense_0(this_1.weights_8, _S52 + u32(_S51), false, &(odd_0), &(even_0));
+            dense_0(this_1.weights_8, _S49 + u32(_S48), false, &(odd_0), &(even_0));
         }
         layer_0 = layer_0 + i32(2);
     }
-    var _S53 : u32 = u32(layer_size_0(i32(20), i32(64)) + i32(2) * layer_size_0(i32(64), i32(64)));
-    dense_1(this_1.weights_8, _S53, false, &(even_0), &((*outputs_7)));
+    var _S50 : u32 = u32(layer_size_0(i32(20), i32(64)) + i32(2) * layer_size_0(i32(64), i32(64)));
+    dense_1(this_1.weights_8, _S50, false, &(even_0), &((*outputs_7)));
     return;
 }
 
@@ -685,26 +668,26 @@ fn tile_product_2( weights_9 : FloatWeights_0,  row_2 : u32,  inputs_10 : ptr<fu
         }
         var low_3 : vec4<f32>;
         var high_3 : vec4<f32>;
-        var _S54 : i32 = i32(u32(8) * column_2);
-        low_3[i32(0)] = (*inputs_10)[_S54];
-        high_3[i32(0)] = (*inputs_10)[_S54 + i32(4)];
-        var _S55 : i32 = _S54 + i32(1);
-        low_3[i32(1)] = (*inputs_10)[_S55];
-        high_3[i32(1)] = (*inputs_10)[_S55 + i32(4)];
-        var _S56 : i32 = _S54 + i32(2);
-        low_3[i32(2)] = (*inputs_10)[_S56];
-        high_3[i32(2)] = (*inputs_10)[_S56 + i32(4)];
-        var _S57 : i32 = _S54 + i32(3);
-        low_3[i32(3)] = (*inputs_10)[_S57];
-        high_3[i32(3)] = (*inputs_10)[_S57 + i32(4)];
-        var _S58 : Eight_0 = FloatWeights_eight_0(weights_9, row_2 + column_2);
-        sums_3[i32(0)] = sums_3[i32(0)] + (dot(_S58.low_0, low_3) + dot(_S58.high_0, high_3));
-        var _S59 : Eight_0 = FloatWeights_eight_0(weights_9, row_2 + u32(4) + column_2);
-        sums_3[i32(1)] = sums_3[i32(1)] + (dot(_S59.low_0, low_3) + dot(_S59.high_0, high_3));
-        var _S60 : Eight_0 = FloatWeights_eight_0(weights_9, row_2 + u32(8) + column_2);
-        sums_3[i32(2)] = sums_3[i32(2)] + (dot(_S60.low_0, low_3) + dot(_S60.high_0, high_3));
-        var _S61 : Eight_0 = FloatWeights_eight_0(weights_9, row_2 + u32(12) + column_2);
-        sums_3[i32(3)] = sums_3[i32(3)] + (dot(_S61.low_0, low_3) + dot(_S61.high_0, high_3));
+        var _S51 : i32 = i32(u32(8) * column_2);
+        low_3[i32(0)] = (*inputs_10)[_S51];
+        high_3[i32(0)] = (*inputs_10)[_S51 + i32(4)];
+        var _S52 : i32 = _S51 + i32(1);
+        low_3[i32(1)] = (*inputs_10)[_S52];
+        high_3[i32(1)] = (*inputs_10)[_S52 + i32(4)];
+        var _S53 : i32 = _S51 + i32(2);
+        low_3[i32(2)] = (*inputs_10)[_S53];
+        high_3[i32(2)] = (*inputs_10)[_S53 + i32(4)];
+        var _S54 : i32 = _S51 + i32(3);
+        low_3[i32(3)] = (*inputs_10)[_S54];
+        high_3[i32(3)] = (*inputs_10)[_S54 + i32(4)];
+        var _S55 : Eight_0 = FloatWeights_eight_0(weights_9, row_2 + column_2);
+        sums_3[i32(0)] = sums_3[i32(0)] + (dot(_S55.low_0, low_3) + dot(_S55.high_0, high_3));
+        var _S56 : Eight_0 = FloatWeights_eight_0(weights_9, row_2 + u32(4) + column_2);
+        sums_3[i32(1)] = sums_3[i32(1)] + (dot(_S56.low_0, low_3) + dot(_S56.high_0, high_3));
+        var _S57 : Eight_0 = FloatWeights_eight_0(weights_9, row_2 + u32(8) + column_2);
+        sums_3[i32(2)] = sums_3[i32(2)] + (dot(_S57.low_0, low_3) + dot(_S57.high_0, high_3));
+        var _S58 : Eight_0 = FloatWeights_eight_0(weights_9, row_2 + u32(12) + column_2);
+        sums_3[i32(3)] = sums_3[i32(3)] + (dot(_S58.low_0, low_3) + dot(_S58.high_0, high_3));
         column_2 = column_2 + u32(1);
     }
     return sums_3;
@@ -712,82 +695,73 @@ fn tile_product_2( weights_9 : FloatWeights_0,  row_2 : u32,  inputs_10 : ptr<fu
 
 fn dense_part_3( weights_10 : FloatWeights_0,  first_7 : u32,  adds_6 : bool,  inputs_11 : ptr<function, array<f32, i32(32)>>,  outputs_8 : ptr<function, array<f32, i32(32)>>)
 {
-    var _S62 : u32 = first_7 + u32(whole_parts_0(i32(4)));
+    var _S59 : u32 = first_7 + u32(whole_parts_0(i32(4)));
     var output_3 : i32 = i32(0);
     for(;;)
     {
-        var _S63 : bool = output_3 < i32(32);
-        if(_S63)
+        var _S60 : bool = output_3 < i32(32);
+        if(_S60)
         {
         }
         else
         {
             break;
         }
-        var _S64 : u32 = u32(output_3);
-        var _S65 : Eight_0 = FloatWeights_eight_0(weights_10, first_7 + _S64 / u32(8));
-        var _S66 : vec4<f32> = tile_product_2(weights_10, _S62 + _S64 * u32(4), &((*inputs_11)));
-        var _S67 : vec4<f32>;
-        if(((output_3 & (i32(4)))) != i32(0))
-        {
-            _S67 = _S65.high_0;
-        }
-        else
-        {
-            _S67 = _S65.low_0;
-        }
-        var _S68 : vec4<f32> = _S66 + _S67;
-        var _S69 : f32;
-        if(_S63)
+        var _S61 : u32 = u32(output_3);
+        var _S62 : Eight_0 = FloatWeights_eight_0(weights_10, first_7 + _S61 / u32(8));
+        var _S63 : vec4<f32> = tile_product_2(weights_10, _S59 + _S61 * u32(4), &((*inputs_11)));
+        var _S64 : vec4<f32> = _S63 + select_vector_0(((output_3 & (i32(4)))) != i32(0), _S62.high_0, _S62.low_0);
+        var _S65 : f32;
+        if(_S60)
         {
             if(adds_6)
             {
-                _S69 = (*outputs_8)[output_3];
+                _S65 = (*outputs_8)[output_3];
             }
             else
             {
-                _S69 = 0.0f;
+                _S65 = 0.0f;
             }
-            (*outputs_8)[output_3] = Relu_apply_0(_S68[i32(0)] + _S69);
+            (*outputs_8)[output_3] = Relu_apply_0(_S64[i32(0)] + _S65);
         }
-        var _S70 : i32 = output_3 + i32(1);
-        if(_S70 < i32(32))
+        var _S66 : i32 = output_3 + i32(1);
+        if(_S66 < i32(32))
         {
             if(adds_6)
             {
-                _S69 = (*outputs_8)[_S70];
+                _S65 = (*outputs_8)[_S66];
             }
             else
             {
-                _S69 = 0.0f;
+                _S65 = 0.0f;
             }
-            (*outputs_8)[_S70] = Relu_apply_0(_S68[i32(1)] + _S69);
+            (*outputs_8)[_S66] = Relu_apply_0(_S64[i32(1)] + _S65);
         }
-        var _S71 : i32 = output_3 + i32(2);
-        if(_S71 < i32(32))
+        var _S67 : i32 = output_3 + i32(2);
+        if(_S67 < i32(32))
         {
             if(adds_6)
             {
-                _S69 = (*outputs_8)[_S71];
+                _S65 = (*outputs_8)[_S67];
             }
             else
             {
-                _S69 = 0.0f;
+                _S65 = 0.0f;
             }
-            (*outputs_8)[_S71] = Relu_apply_0(_S68[i32(2)] + _S69);
+            (*outputs_8)[_S67] = Relu_apply_0(_S64[i32(2)] + _S65);
         }
-        var _S72 : i32 = output_3 + i32(3);
-        if(_S72 < i32(32))
+        var _S68 : i32 = output_3 + i32(3);
+        if(_S68 < i32(32))
         {
             if(adds_6)
             {
-                _S69 = (*outputs_8)[_S72];
+                _S65 = (*outputs_8)[_S68];
             }
             else
             {
-                _S69 = 0.0f;
+                _S65 = 0.0f;
             }
-            (*outputs_8)[_S72] = Relu_apply_0(_S68[i32(3)] + _S69);
+            (*outputs_8)[_S68] = Relu_apply_0(_S64[i32(3)] + _S65);
         }
         output_3 = output_3 + i32(4);
     }
@@ -796,82 +770,73 @@ fn dense_part_3( weights_10 : FloatWeights_0,  first_7 : u32,  adds_6 : bool,  i
 
 fn dense_part_4( weights_11 : FloatWeights_0,  first_8 : u32,  adds_7 : bool,  inputs_12 : ptr<function, array<f32, i32(32)>>,  outputs_9 : ptr<function, array<f32, i32(3)>>)
 {
-    var _S73 : u32 = first_8 + u32(whole_parts_0(i32(1)));
+    var _S69 : u32 = first_8 + u32(whole_parts_0(i32(1)));
     var output_4 : i32 = i32(0);
     for(;;)
     {
-        var _S74 : bool = output_4 < i32(3);
-        if(_S74)
+        var _S70 : bool = output_4 < i32(3);
+        if(_S70)
         {
         }
         else
         {
             break;
         }
-        var _S75 : u32 = u32(output_4);
-        var _S76 : Eight_0 = FloatWeights_eight_0(weights_11, first_8 + _S75 / u32(8));
-        var _S77 : vec4<f32> = tile_product_2(weights_11, _S73 + _S75 * u32(4), &((*inputs_12)));
-        var _S78 : vec4<f32>;
-        if(((output_4 & (i32(4)))) != i32(0))
-        {
-            _S78 = _S76.high_0;
-        }
-        else
-        {
-            _S78 = _S76.low_0;
-        }
-        var _S79 : vec4<f32> = _S77 + _S78;
-        var _S80 : f32;
-        if(_S74)
+        var _S71 : u32 = u32(output_4);
+        var _S72 : Eight_0 = FloatWeights_eight_0(weights_11, first_8 + _S71 / u32(8));
+        var _S73 : vec4<f32> = tile_product_2(weights_11, _S69 + _S71 * u32(4), &((*inputs_12)));
+        var _S74 : vec4<f32> = _S73 + select_vector_0(((output_4 & (i32(4)))) != i32(0), _S72.high_0, _S72.low_0);
+        var _S75 : f32;
+        if(_S70)
         {
             if(adds_7)
             {
-                _S80 = (*outputs_9)[output_4];
+                _S75 = (*outputs_9)[output_4];
             }
             else
             {
-                _S80 = 0.0f;
+                _S75 = 0.0f;
             }
-            (*outputs_9)[output_4] = Identity_apply_0(_S79[i32(0)] + _S80);
+            (*outputs_9)[output_4] = Identity_apply_0(_S74[i32(0)] + _S75);
         }
-        var _S81 : i32 = output_4 + i32(1);
-        if(_S81 < i32(3))
+        var _S76 : i32 = output_4 + i32(1);
+        if(_S76 < i32(3))
         {
             if(adds_7)
             {
-                _S80 = (*outputs_9)[_S81];
+                _S75 = (*outputs_9)[_S76];
             }
             else
             {
-                _S80 = 0.0f;
+                _S75 = 0.0f;
             }
-            (*outputs_9)[_S81] = Identity_apply_0(_S79[i32(1)] + _S80);
+            (*outputs_9)[_S76] = Identity_apply_0(_S74[i32(1)] + _S75);
         }
-        var _S82 : i32 = output_4 + i32(2);
-        if(_S82 < i32(3))
+        var _S77 : i32 = output_4 + i32(2);
+        if(_S77 < i32(3))
         {
             if(adds_7)
             {
-                _S80 = (*outputs_9)[_S82];
+                _S75 = (*outputs_9)[_S77];
             }
             else
             {
-                _S80 = 0.0f;
+                _S75 = 0.0f;
             }
-            (*outputs_9)[_S82] = Identity_apply_0(_S79[i32(2)] + _S80);
+            (*outputs_9)[_S77] = Identity_apply_0(_S74[i32(2)] + _S75);
         }
-        var _S83 : i32 = output_4 + i32(3);
-        if(_S83 < i32(3))
+        var _S78 : i32 = output_4 + i32(3);
+        if(_S78 < i32(3))
         {
             if(adds_7)
             {
-                _S80 = (*outputs_9)[_S83];
+                _S75 = (*outputs_9)[_S78];
             }
             else
             {
-                _S80 = 0.0f;
+                _S75 = 0.0f;
             }
-            (*outputs_9)[_S83] = Identity_apply_0(_S79[i32(3)] + _S80);
+            (*outputs_9)[_S78] = Identity_apply_0(_S74[i32(3)] + _S75);
         }
         output_4 = output_4 + i32(4);
     }
@@ -880,82 +845,73 @@ fn dense_part_4( weights_11 : FloatWeights_0,  first_8 : u32,  adds_7 : bool,  i
 
 fn dense_part_5( weights_12 : FloatWeights_0,  first_9 : u32,  adds_8 : bool,  inputs_13 : ptr<function, array<f32, i32(20)>>,  outputs_10 : ptr<function, array<f32, i32(32)>>)
 {
-    var _S84 : u32 = first_9 + u32(whole_parts_0(i32(4)));
+    var _S79 : u32 = first_9 + u32(whole_parts_0(i32(4)));
     var output_5 : i32 = i32(0);
     for(;;)
     {
-        var _S85 : bool = output_5 < i32(32);
-        if(_S85)
+        var _S80 : bool = output_5 < i32(32);
+        if(_S80)
         {
         }
         else
         {
             break;
         }
-        var _S86 : u32 = u32(output_5);
-        var _S87 : Eight_0 = FloatWeights_eight_0(weights_12, first_9 + _S86 / u32(8));
-        var _S88 : vec4<f32> = tile_product_1(weights_12, _S84 + _S86 * u32(3), &((*inputs_13)));
-        var _S89 : vec4<f32>;
-        if(((output_5 & (i32(4)))) != i32(0))
-        {
-            _S89 = _S87.high_0;
-        }
-        else
-        {
-            _S89 = _S87.low_0;
-        }
-        var _S90 : vec4<f32> = _S88 + _S89;
-        var _S91 : f32;
-        if(_S85)
+        var _S81 : u32 = u32(output_5);
+        var _S82 : Eight_0 = FloatWeights_eight_0(weights_12, first_9 + _S81 / u32(8));
+        var _S83 : vec4<f32> = tile_product_1(weights_12, _S79 + _S81 * u32(3), &((*inputs_13)));
+        var _S84 : vec4<f32> = _S83 + select_vector_0(((output_5 & (i32(4)))) != i32(0), _S82.high_0, _S82.low_0);
+        var _S85 : f32;
+        if(_S80)
         {
             if(adds_8)
             {
-                _S91 = (*outputs_10)[output_5];
+                _S85 = (*outputs_10)[output_5];
             }
             else
             {
-                _S91 = 0.0f;
+                _S85 = 0.0f;
             }
-            (*outputs_10)[output_5] = Relu_apply_0(_S90[i32(0)] + _S91);
+            (*outputs_10)[output_5] = Relu_apply_0(_S84[i32(0)] + _S85);
         }
-        var _S92 : i32 = output_5 + i32(1);
-        if(_S92 < i32(32))
+        var _S86 : i32 = output_5 + i32(1);
+        if(_S86 < i32(32))
         {
             if(adds_8)
             {
-                _S91 = (*outputs_10)[_S92];
+                _S85 = (*outputs_10)[_S86];
             }
             else
             {
-                _S91 = 0.0f;
+                _S85 = 0.0f;
             }
-            (*outputs_10)[_S92] = Relu_apply_0(_S90[i32(1)] + _S91);
+            (*outputs_10)[_S86] = Relu_apply_0(_S84[i32(1)] + _S85);
         }
-        var _S93 : i32 = output_5 + i32(2);
-        if(_S93 < i32(32))
+        var _S87 : i32 = output_5 + i32(2);
+        if(_S87 < i32(32))
         {
             if(adds_8)
             {
-                _S91 = (*outputs_10)[_S93];
+                _S85 = (*outputs_10)[_S87];
             }
             else
             {
-                _S91 = 0.0f;
+                _S85 = 0.0f;
             }
-            (*outputs_10)[_S93] = Relu_apply_0(_S90[i32(2)] + _S91);
+            (*outputs_10)[_S87] = Relu_apply_0(_S84[i32(2)] + _S85);
         }
-        var _S94 : i32 = output_5 + i32(3);
-        if(_S94 < i32(32))
+        var _S88 : i32 = output_5 + i32(3);
+        if(_S88 < i32(32))
         {
             if(adds_8)
             {
-                _S91 = (*outputs_10)[_S94];
+                _S85 = (*outputs_10)[_S88];
             }
             else
             {
-                _S91 = 0.0f;
+                _S85 = 0.0f;
             }
-            (*outputs_10)[_S94] = Relu_apply_0(_S90[i32(3)] + _S91);
+            (*outputs_10)[_S88] = Relu_apply_0(_S84[i32(3)] + _S85);
         }
         output_5 = output_5 + i32(4);
     }
@@ -995,17 +951,17 @@ fn MLP_evaluate_1( this_2 : MLP_0,  inputs_17 : ptr<function, array<f32, i32(20)
         {
             break;
         }
-        var _S95 : i32 = layer_size_0(i32(32), i32(32));
-        var _S96 : u32 = u32(layer_size_0(i32(20), i32(32)) + (layer_1 - i32(1)) * _S95);
-        dense_3(this_2.weights_8, _S96, false, &(even_1), &(odd_1));
+        var _S89 : i32 = layer_size_0(i32(32), i32(32));
+        var _S90 : u32 = u32(layer_size_0(i32(20), i32(32)) + (layer_1 - i32(1)) * _S89);
+        dense_3(this_2.weights_8, _S90, false, &(even_1), &(odd_1));
         if((layer_1 + i32(1)) < i32(2))
         {
-            dense_3(this_2.weights_8, _S96 + u32(_S95), false, &(odd_1), &(even_1));
+            dense_3(this_2.weights_8, _S90 + u32(_S89), false, &(odd_1), &(even_1));
         }
         layer_1 = layer_1 + i32(2);
     }
-    var _S97 : u32 = u32(layer_size_0(i32(20), i32(32)) + layer_size_0(i32(32), i32(32)));
-    dense_4(this_2.weights_8, _S97, false, &(odd_1), &((*outputs_14)));
+    var _S91 : u32 = u32(layer_size_0(i32(20), i32(32)) + layer_size_0(i32(32), i32(32)));
+    dense_4(this_2.weights_8, _S91, false, &(odd_1), &((*outputs_14)));
     return;
 }
 
@@ -1024,26 +980,26 @@ fn tile_product_3( weights_16 : FloatWeights_0,  row_3 : u32,  inputs_18 : ptr<f
         }
         var low_4 : vec4<f32>;
         var high_4 : vec4<f32>;
-        var _S98 : i32 = i32(u32(8) * column_3);
-        low_4[i32(0)] = (*inputs_18)[_S98];
-        high_4[i32(0)] = (*inputs_18)[_S98 + i32(4)];
-        var _S99 : i32 = _S98 + i32(1);
-        low_4[i32(1)] = (*inputs_18)[_S99];
-        high_4[i32(1)] = (*inputs_18)[_S99 + i32(4)];
-        var _S100 : i32 = _S98 + i32(2);
-        low_4[i32(2)] = (*inputs_18)[_S100];
-        high_4[i32(2)] = (*inputs_18)[_S100 + i32(4)];
-        var _S101 : i32 = _S98 + i32(3);
-        low_4[i32(3)] = (*inputs_18)[_S101];
-        high_4[i32(3)] = (*inputs_18)[_S101 + i32(4)];
-        var _S102 : Eight_0 = FloatWeights_eight_0(weights_16, row_3 + column_3);
-        sums_4[i32(0)] = sums_4[i32(0)] + (dot(_S102.low_0, low_4) + dot(_S102.high_0, high_4));
-        var _S103 : Eight_0 = FloatWeights_eight_0(weights_16, row_3 + u32(2) + column_3);
-        sums_4[i32(1)] = sums_4[i32(1)] + (dot(_S103.low_0, low_4) + dot(_S103.high_0, high_4));
-        var _S104 : Eight_0 = FloatWeights_eight_0(weights_16, row_3 + u32(4) + column_3);
-        sums_4[i32(2)] = sums_4[i32(2)] + (dot(_S104.low_0, low_4) + dot(_S104.high_0, high_4));
-        var _S105 : Eight_0 = FloatWeights_eight_0(weights_16, row_3 + u32(6) + column_3);
-        sums_4[i32(3)] = sums_4[i32(3)] + (dot(_S105.low_0, low_4) + dot(_S105.high_0, high_4));
+        var _S92 : i32 = i32(u32(8) * column_3);
+        low_4[i32(0)] = (*inputs_18)[_S92];
+        high_4[i32(0)] = (*inputs_18)[_S92 + i32(4)];
+        var _S93 : i32 = _S92 + i32(1);
+        low_4[i32(1)] = (*inputs_18)[_S93];
+        high_4[i32(1)] = (*inputs_18)[_S93 + i32(4)];
+        var _S94 : i32 = _S92 + i32(2);
+        low_4[i32(2)] = (*inputs_18)[_S94];
+        high_4[i32(2)] = (*inputs_18)[_S94 + i32(4)];
+        var _S95 : i32 = _S92 + i32(3);
+        low_4[i32(3)] = (*inputs_18)[_S95];
+        high_4[i32(3)] = (*inputs_18)[_S95 + i32(4)];
+        var _S96 : Eight_0 = FloatWeights_eight_0(weights_16, row_3 + column_3);
+        sums_4[i32(0)] = sums_4[i32(0)] + (dot(_S96.low_0, low_4) + dot(_S96.high_0, high_4));
+        var _S97 : Eight_0 = FloatWeights_eight_0(weights_16, row_3 + u32(2) + column_3);
+        sums_4[i32(1)] = sums_4[i32(1)] + (dot(_S97.low_0, low_4) + dot(_S97.high_0, high_4));
+        var _S98 : Eight_0 = FloatWeights_eight_0(weights_16, row_3 + u32(4) + column_3);
+        sums_4[i32(2)] = sums_4[i32(2)] + (dot(_S98.low_0, low_4) + dot(_S98.high_0, high_4));
+        var _S99 : Eight_0 = FloatWeights_eight_0(weights_16, row_3 + u32(6) + column_3);
+        sums_4[i32(3)] = sums_4[i32(3)] + (dot(_S99.low_0, low_4) + dot(_S99.high_0, high_4));
         column_3 = column_3 + u32(1);
     }
     return sums_4;
@@ -1051,82 +1007,73 @@ fn tile_product_3( weights_16 : FloatWeights_0,  row_3 : u32,  inputs_18 : ptr<f
 
 fn dense_part_6( weights_17 : FloatWeights_0,  first_13 : u32,  adds_12 : bool,  inputs_19 : ptr<function, array<f32, i32(16)>>,  outputs_15 : ptr<function, array<f32, i32(16)>>)
 {
-    var _S106 : u32 = first_13 + u32(whole_parts_0(i32(2)));
+    var _S100 : u32 = first_13 + u32(whole_parts_0(i32(2)));
     var output_6 : i32 = i32(0);
     for(;;)
     {
-        var _S107 : bool = output_6 < i32(16);
-        if(_S107)
+        var _S101 : bool = output_6 < i32(16);
+        if(_S101)
         {
         }
         else
         {
             break;
         }
-        var _S108 : u32 = u32(output_6);
-        var _S109 : Eight_0 = FloatWeights_eight_0(weights_17, first_13 + _S108 / u32(8));
-        var _S110 : vec4<f32> = tile_product_3(weights_17, _S106 + _S108 * u32(2), &((*inputs_19)));
-        var _S111 : vec4<f32>;
-        if(((output_6 & (i32(4)))) != i32(0))
-        {
-            _S111 = _S109.high_0;
-        }
-        else
-        {
-            _S111 = _S109.low_0;
-        }
-        var _S112 : vec4<f32> = _S110 + _S111;
-        var _S113 : f32;
-        if(_S107)
+        var _S102 : u32 = u32(output_6);
+        var _S103 : Eight_0 = FloatWeights_eight_0(weights_17, first_13 + _S102 / u32(8));
+        var _S104 : vec4<f32> = tile_product_3(weights_17, _S100 + _S102 * u32(2), &((*inputs_19)));
+        var _S105 : vec4<f32> = _S104 + select_vector_0(((output_6 & (i32(4)))) != i32(0), _S103.high_0, _S103.low_0);
+        var _S106 : f32;
+        if(_S101)
         {
             if(adds_12)
             {
-                _S113 = (*outputs_15)[output_6];
+                _S106 = (*outputs_15)[output_6];
             }
             else
             {
-                _S113 = 0.0f;
+                _S106 = 0.0f;
             }
-            (*outputs_15)[output_6] = Relu_apply_0(_S112[i32(0)] + _S113);
+            (*outputs_15)[output_6] = Relu_apply_0(_S105[i32(0)] + _S106);
         }
-        var _S114 : i32 = output_6 + i32(1);
-        if(_S114 < i32(16))
+        var _S107 : i32 = output_6 + i32(1);
+        if(_S107 < i32(16))
         {
             if(adds_12)
             {
-                _S113 = (*outputs_15)[_S114];
+                _S106 = (*outputs_15)[_S107];
             }
             else
             {
-                _S113 = 0.0f;
+                _S106 = 0.0f;
             }
-            (*outputs_15)[_S114] = Relu_apply_0(_S112[i32(1)] + _S113);
+            (*outputs_15)[_S107] = Relu_apply_0(_S105[i32(1)] + _S106);
         }
-        var _S115 : i32 = output_6 + i32(2);
-        if(_S115 < i32(16))
+        var _S108 : i32 = output_6 + i32(2);
+        if(_S108 < i32(16))
         {
             if(adds_12)
             {
-                _S113 = (*outputs_15)[_S115];
+                _S106 = (*outputs_15)[_S108];
             }
             else
             {
-                _S113 = 0.0f;
+                _S106 = 0.0f;
             }
-            (*outputs_15)[_S115] = Relu_apply_0(_S112[i32(2)] + _S113);
+            (*outputs_15)[_S108] = Relu_apply_0(_S105[i32(2)] + _S106);
         }
-        var _S116 : i32 = output_6 + i32(3);
-        if(_S116 < i32(16))
+        var _S109 : i32 = output_6 + i32(3);
+        if(_S109 < i32(16))
         {
             if(adds_12)
             {
-                _S113 = (*outputs_15)[_S116];
+                _S106 = (*outputs_15)[_S109];
             }
             else
             {
-                _S113 = 0.0f;
+                _S106 = 0.0f;
             }
-            (*outputs_15)[_S116] = Relu_apply_0(_S112[i32(3)] + _S113);
+            (*outputs_15)[_S109] = Relu_apply_0(_S105[i32(3)] + _S106);
         }
         output_6 = output_6 + i32(4);
     }
@@ -1135,82 +1082,73 @@ fn dense_part_6( weights_17 : FloatWeights_0,  first_13 : u32,  adds_12 : bool, 
 
 fn dense_part_7( weights_18 : FloatWeights_0,  first_14 : u32,  adds_13 : bool,  inputs_20 : ptr<function, array<f32, i32(16)>>,  outputs_16 : ptr<function, array<f32, i32(3)>>)
 {
-    var _S117 : u32 = first_14 + u32(whole_parts_0(i32(1)));
+    var _S110 : u32 = first_14 + u32(whole_parts_0(i32(1)));
     var output_7 : i32 = i32(0);
     for(;;)
     {
-        var _S118 : bool = output_7 < i32(3);
-        if(_S118)
+        var _S111 : bool = output_7 < i32(3);
+        if(_S111)
         {
         }
         else
         {
             break;
         }
-        var _S119 : u32 = u32(output_7);
-        var _S120 : Eight_0 = FloatWeights_eight_0(weights_18, first_14 + _S119 / u32(8));
-        var _S121 : vec4<f32> = tile_product_3(weights_18, _S117 + _S119 * u32(2), &((*inputs_20)));
-        var _S122 : vec4<f32>;
-        if(((output_7 & (i32(4)))) != i32(0))
-        {
-            _S122 = _S120.high_0;
-        }
-        else
-        {
-            _S122 = _S120.low_0;
-        }
-        var _S123 : vec4<f32> = _S121 + _S122;
-        var _S124 : f32;
-        if(_S118)
+        var _S112 : u32 = u32(output_7);
+        var _S113 : Eight_0 = FloatWeights_eight_0(weights_18, first_14 + _S112 / u32(8));
+        var _S114 : vec4<f32> = tile_product_3(weights_18, _S110 + _S112 * u32(2), &((*inputs_20)));
+        var _S115 : vec4<f32> = _S114 + select_vector_0(((output_7 & (i32(4)))) != i32(0), _S113.high_0, _S113.low_0);
+        var _S116 : f32;
+        if(_S111)
         {
             if(adds_13)
             {
-                _S124 = (*outputs_16)[output_7];
+                _S116 = (*outputs_16)[output_7];
             }
             else
             {
-                _S124 = 0.0f;
+                _S116 = 0.0f;
             }
-            (*outputs_16)[output_7] = Identity_apply_0(_S123[i32(0)] + _S124);
+            (*outputs_16)[output_7] = Identity_apply_0(_S115[i32(0)] + _S116);
         }
-        var _S125 : i32 = output_7 + i32(1);
-        if(_S125 < i32(3))
+        var _S117 : i32 = output_7 + i32(1);
+        if(_S117 < i32(3))
         {
             if(adds_13)
             {
-                _S124 = (*outputs_16)[_S125];
+                _S116 = (*outputs_16)[_S117];
             }
             else
             {
-                _S124 = 0.0f;
+                _S116 = 0.0f;
             }
-            (*outputs_16)[_S125] = Identity_apply_0(_S123[i32(1)] + _S124);
+            (*outputs_16)[_S117] = Identity_apply_0(_S115[i32(1)] + _S116);
         }
-        var _S126 : i32 = output_7 + i32(2);
-        if(_S126 < i32(3))
+        var _S118 : i32 = output_7 + i32(2);
+        if(_S118 < i32(3))
         {
             if(adds_13)
             {
-                _S124 = (*outputs_16)[_S126];
+                _S116 = (*outputs_16)[_S118];
             }
             else
             {
-                _S124 = 0.0f;
+                _S116 = 0.0f;
             }
-            (*outputs_16)[_S126] = Identity_apply_0(_S123[i32(2)] + _S124);
+            (*outputs_16)[_S118] = Identity_apply_0(_S115[i32(2)] + _S116);
         }
-        var _S127 : i32 = output_7 + i32(3);
-        if(_S127 < i32(3))
+        var _S119 : i32 = output_7 + i32(3);
+        if(_S119 < i32(3))
         {
             if(adds_13)
             {
-                _S124 = (*outputs_16)[_S127];
+                _S116 = (*outputs_16)[_S119];
             }
             else
             {
-                _S124 = 0.0f;
+                _S116 = 0.0f;
             }
-            (*outputs_16)[_S127] = Identity_apply_0(_S123[i32(3)] + _S124);
+            (*outputs_16)[_S119] = Identity_apply_0(_S115[i32(3)] + _S116);
         }
         output_7 = output_7 + i32(4);
     }
@@ -1219,82 +1157,73 @@ fn dense_part_7( weights_18 : FloatWeights_0,  first_14 : u32,  adds_13 : bool, 
 
 fn dense_part_8( weights_19 : FloatWeights_0,  first_15 : u32,  adds_14 : bool,  inputs_21 : ptr<function, array<f32, i32(20)>>,  outputs_17 : ptr<function, array<f32, i32(16)>>)
 {
-    var _S128 : u32 = first_15 + u32(whole_parts_0(i32(2)));
+    var _S120 : u32 = first_15 + u32(whole_parts_0(i32(2)));
     var output_8 : i32 = i32(0);
     for(;;)
     {
-        var _S129 : bool = output_8 < i32(16);
-        if(_S129)
+        var _S121 : bool = output_8 < i32(16);
+        if(_S121)
         {
         }
         else
         {
             break;
         }
-        var _S130 : u32 = u32(output_8);
-        var _S131 : Eight_0 = FloatWeights_eight_0(weights_19, first_15 + _S130 / u32(8));
-        var _S132 : vec4<f32> = tile_product_1(weights_19, _S128 + _S130 * u32(3), &((*inputs_21)));
-        var _S133 : vec4<f32>;
-        if(((output_8 & (i32(4)))) != i32(0))
-        {
-            _S133 = _S131.high_0;
-        }
-        else
-        {
-            _S133 = _S131.low_0;
-        }
-        var _S134 : vec4<f32> = _S132 + _S133;
-        var _S135 : f32;
-        if(_S129)
+        var _S122 : u32 = u32(output_8);
+        var _S123 : Eight_0 = FloatWeights_eight_0(weights_19, first_15 + _S122 / u32(8));
+        var _S124 : vec4<f32> = tile_product_1(weights_19, _S120 + _S122 * u32(3), &((*inputs_21)));
+        var _S125 : vec4<f32> = _S124 + select_vector_0(((output_8 & (i32(4)))) != i32(0), _S123.high_0, _S123.low_0);
+        var _S126 : f32;
+        if(_S121)
         {
             if(adds_14)
             {
-                _S135 = (*outputs_17)[output_8];
+                _S126 = (*outputs_17)[output_8];
             }
             else
             {
-                _S135 = 0.0f;
+                _S126 = 0.0f;
             }
-            (*outputs_17)[output_8] = Relu_apply_0(_S134[i32(0)] + _S135);
+            (*outputs_17)[output_8] = Relu_apply_0(_S125[i32(0)] + _S126);
         }
-        var _S136 : i32 = output_8 + i32(1);
-        if(_S136 < i32(16))
+        var _S127 : i32 = output_8 + i32(1);
+        if(_S127 < i32(16))
         {
             if(adds_14)
             {
-                _S135 = (*outputs_17)[_S136];
+                _S126 = (*outputs_17)[_S127];
             }
             else
             {
-                _S135 = 0.0f;
+                _S126 = 0.0f;
             }
-            (*outputs_17)[_S136] = Relu_apply_0(_S134[i32(1)] + _S135);
+            (*outputs_17)[_S127] = Relu_apply_0(_S125[i32(1)] + _S126);
         }
-        var _S137 : i32 = output_8 + i32(2);
-        if(_S137 < i32(16))
+        var _S128 : i32 = output_8 + i32(2);
+        if(_S128 < i32(16))
         {
             if(adds_14)
             {
-                _S135 = (*outputs_17)[_S137];
+                _S126 = (*outputs_17)[_S128];
             }
             else
             {
-                _S135 = 0.0f;
+                _S126 = 0.0f;
             }
-            (*outputs_17)[_S137] = Relu_apply_0(_S134[i32(2)] + _S135);
+            (*outputs_17)[_S128] = Relu_apply_0(_S125[i32(2)] + _S126);
         }
-        var _S138 : i32 = output_8 + i32(3);
-        if(_S138 < i32(16))
+        var _S129 : i32 = output_8 + i32(3);
+        if(_S129 < i32(16))
         {
             if(adds_14)
             {
-                _S135 = (*outputs_17)[_S138];
+                _S126 = (*outputs_17)[_S129];
             }
             else
             {
-                _S135 = 0.0f;
+                _S126 = 0.0f;
             }
-            (*outputs_17)[_S138] = Relu_apply_0(_S134[i32(3)] + _S135);
+            (*outputs_17)[_S129] = Relu_apply_0(_S125[i32(3)] + _S126);
         }
         output_8 = output_8 + i32(4);
     }
@@ -1334,17 +1263,17 @@ fn MLP_evaluate_2( this_3 : MLP_0,  inputs_25 : ptr<function, array<f32, i32(20)
         {
             break;
         }
-        var _S139 : i32 = layer_size_0(i32(16), i32(16));
-        var _S140 : u32 = u32(layer_size_0(i32(20), i32(16)) + (layer_2 - i32(1)) * _S139);
-        dense_6(this_3.weights_8, _S140, false, &(even_2), &(odd_2));
+        var _S130 : i32 = layer_size_0(i32(16), i32(16));
+        var _S131 : u32 = u32(layer_size_0(i32(20), i32(16)) + (layer_2 - i32(1)) * _S130);
+        dense_6(this_3.weights_8, _S131, false, &(even_2), &(odd_2));
         if((layer_2 + i32(1)) < i32(2))
         {
-            dense_6(this_3.weights_8, _S140 + u32(_S139), false, &(odd_2), &(even_2));
+            dense_6(this_3.weights_8, _S131 + u32(_S130), false, &(odd_2), &(even_2));
         }
         layer_2 = layer_2 + i32(2);
     }
-    var _S141 : u32 = u32(layer_size_0(i32(20), i32(16)) + layer_size_0(i32(16), i32(16)));
-    dense_7(this_3.weights_8, _S141, false, &(odd_2), &((*outputs_21)));
+    var _S132 : u32 = u32(layer_size_0(i32(20), i32(16)) + layer_size_0(i32(16), i32(16)));
+    dense_7(this_3.weights_8, _S132, false, &(odd_2), &((*outputs_21)));
     return;
 }
 
@@ -1363,26 +1292,26 @@ fn tile_product_4( weights_23 : FloatWeights_0,  row_4 : u32,  inputs_26 : ptr<f
         }
         var low_5 : vec4<f32>;
         var high_5 : vec4<f32>;
-        var _S142 : i32 = i32(u32(8) * column_4);
-        low_5[i32(0)] = (*inputs_26)[_S142];
-        high_5[i32(0)] = (*inputs_26)[_S142 + i32(4)];
-        var _S143 : i32 = _S142 + i32(1);
-        low_5[i32(1)] = (*inputs_26)[_S143];
-        high_5[i32(1)] = (*inputs_26)[_S143 + i32(4)];
-        var _S144 : i32 = _S142 + i32(2);
-        low_5[i32(2)] = (*inputs_26)[_S144];
-        high_5[i32(2)] = (*inputs_26)[_S144 + i32(4)];
-        var _S145 : i32 = _S142 + i32(3);
-        low_5[i32(3)] = (*inputs_26)[_S145];
-        high_5[i32(3)] = (*inputs_26)[_S145 + i32(4)];
-        var _S146 : Eight_0 = FloatWeights_eight_0(weights_23, row_4 + column_4);
-        sums_5[i32(0)] = sums_5[i32(0)] + (dot(_S146.low_0, low_5) + dot(_S146.high_0, high_5));
-        var _S147 : Eight_0 = FloatWeights_eight_0(weights_23, row_4 + u32(1) + column_4);
-        sums_5[i32(1)] = sums_5[i32(1)] + (dot(_S147.low_0, low_5) + dot(_S147.high_0, high_5));
-        var _S148 : Eight_0 = FloatWeights_eight_0(weights_23, row_4 + u32(2) + column_4);
-        sums_5[i32(2)] = sums_5[i32(2)] + (dot(_S148.low_0, low_5) + dot(_S148.high_0, high_5));
-        var _S149 : Eight_0 = FloatWeights_eight_0(weights_23, row_4 + u32(3) + column_4);
-        sums_5[i32(3)] = sums_5[i32(3)] + (dot(_S149.low_0, low_5) + dot(_S149.high_0, high_5));
+        var _S133 : i32 = i32(u32(8) * column_4);
+        low_5[i32(0)] = (*inputs_26)[_S133];
+        high_5[i32(0)] = (*inputs_26)[_S133 + i32(4)];
+        var _S134 : i32 = _S133 + i32(1);
+        low_5[i32(1)] = (*inputs_26)[_S134];
+        high_5[i32(1)] = (*inputs_26)[_S134 + i32(4)];
+        var _S135 : i32 = _S133 + i32(2);
+        low_5[i32(2)] = (*inputs_26)[_S135];
+        high_5[i32(2)] = (*inputs_26)[_S135 + i32(4)];
+        var _S136 : i32 = _S133 + i32(3);
+        low_5[i32(3)] = (*inputs_26)[_S136];
+        high_5[i32(3)] = (*inputs_26)[_S136 + i32(4)];
+        var _S137 : Eight_0 = FloatWeights_eight_0(weights_23, row_4 + column_4);
+        sums_5[i32(0)] = sums_5[i32(0)] + (dot(_S137.low_0, low_5) + dot(_S137.high_0, high_5));
+        var _S138 : Eight_0 = FloatWeights_eight_0(weights_23, row_4 + u32(1) + column_4);
+        sums_5[i32(1)] = sums_5[i32(1)] + (dot(_S138.low_0, low_5) + dot(_S138.high_0, high_5));
+        var _S139 : Eight_0 = FloatWeights_eight_0(weights_23, row_4 + u32(2) + column_4);
+        sums_5[i32(2)] = sums_5[i32(2)] + (dot(_S139.low_0, low_5) + dot(_S139.high_0, high_5));
+        var _S140 : Eight_0 = FloatWeights_eight_0(weights_23, row_4 + u32(3) + column_4);
+        sums_5[i32(3)] = sums_5[i32(3)] + (dot(_S140.low_0, low_5) + dot(_S140.high_0, high_5));
         column_4 = column_4 + u32(1);
     }
     return sums_5;
@@ -1390,82 +1319,73 @@ fn tile_product_4( weights_23 : FloatWeights_0,  row_4 : u32,  inputs_26 : ptr<f
 
 fn dense_part_9( weights_24 : FloatWeights_0,  first_19 : u32,  adds_18 : bool,  inputs_27 : ptr<function, array<f32, i32(8)>>,  outputs_22 : ptr<function, array<f32, i32(12)>>)
 {
-    var _S150 : u32 = first_19 + u32(whole_parts_0(i32(2)));
+    var _S141 : u32 = first_19 + u32(whole_parts_0(i32(2)));
     var output_9 : i32 = i32(0);
     for(;;)
     {
-        var _S151 : bool = output_9 < i32(12);
-        if(_S151)
+        var _S142 : bool = output_9 < i32(12);
+        if(_S142)
         {
         }
         else
         {
             break;
         }
-        var _S152 : u32 = u32(output_9);
-        var _S153 : Eight_0 = FloatWeights_eight_0(weights_24, first_19 + _S152 / u32(8));
-        var _S154 : vec4<f32> = tile_product_4(weights_24, _S150 + _S152, &((*inputs_27)));
-        var _S155 : vec4<f32>;
-        if(((output_9 & (i32(4)))) != i32(0))
-        {
-            _S155 = _S153.high_0;
-        }
-        else
-        {
-            _S155 = _S153.low_0;
-        }
-        var _S156 : vec4<f32> = _S154 + _S155;
-        var _S157 : f32;
-        if(_S151)
+        var _S143 : u32 = u32(output_9);
+        var _S144 : Eight_0 = FloatWeights_eight_0(weights_24, first_19 + _S143 / u32(8));
+        var _S145 : vec4<f32> = tile_product_4(weights_24, _S141 + _S143, &((*inputs_27)));
+        var _S146 : vec4<f32> = _S145 + select_vector_0(((output_9 & (i32(4)))) != i32(0), _S144.high_0, _S144.low_0);
+        var _S147 : f32;
+        if(_S142)
         {
             if(adds_18)
             {
-                _S157 = (*outputs_22)[output_9];
+                _S147 = (*outputs_22)[output_9];
             }
             else
             {
-                _S157 = 0.0f;
+                _S147 = 0.0f;
             }
-            (*outputs_22)[output_9] = Identity_apply_0(_S156[i32(0)] + _S157);
+            (*outputs_22)[output_9] = Identity_apply_0(_S146[i32(0)] + _S147);
         }
-        var _S158 : i32 = output_9 + i32(1);
-        if(_S158 < i32(12))
+        var _S148 : i32 = output_9 + i32(1);
+        if(_S148 < i32(12))
         {
             if(adds_18)
             {
-                _S157 = (*outputs_22)[_S158];
+                _S147 = (*outputs_22)[_S148];
             }
             else
             {
-                _S157 = 0.0f;
+                _S147 = 0.0f;
             }
-            (*outputs_22)[_S158] = Identity_apply_0(_S156[i32(1)] + _S157);
+            (*outputs_22)[_S148] = Identity_apply_0(_S146[i32(1)] + _S147);
         }
-        var _S159 : i32 = output_9 + i32(2);
-        if(_S159 < i32(12))
+        var _S149 : i32 = output_9 + i32(2);
+        if(_S149 < i32(12))
         {
             if(adds_18)
             {
-                _S157 = (*outputs_22)[_S159];
+                _S147 = (*outputs_22)[_S149];
             }
             else
             {
-                _S157 = 0.0f;
+                _S147 = 0.0f;
             }
-            (*outputs_22)[_S159] = Identity_apply_0(_S156[i32(2)] + _S157);
+            (*outputs_22)[_S149] = Identity_apply_0(_S146[i32(2)] + _S147);
         }
-        var _S160 : i32 = output_9 + i32(3);
-        if(_S160 < i32(12))
+        var _S150 : i32 = output_9 + i32(3);
+        if(_S150 < i32(12))
         {
             if(adds_18)
             {
-                _S157 = (*outputs_22)[_S160];
+                _S147 = (*outputs_22)[_S150];
             }
             else
             {
-                _S157 = 0.0f;
+                _S147 = 0.0f;
             }
-            (*outputs_22)[_S160] = Identity_apply_0(_S156[i32(3)] + _S157);
+            (*outputs_22)[_S150] = Identity_apply_0(_S146[i32(3)] + _S147);
         }
         output_9 = output_9 + i32(4);
     }
@@ -1496,10 +1416,27 @@ fn decode_2( first_22 : u32,  inputs_30 : ptr<function, array<f32, i32(20)>>,  o
     return;
 }
 
+fn select_vector_1( condition_1 : bool,  yes_1 : vec2<f32>,  no_1 : vec2<f32>) -> vec2<f32>
+{
+    var chosen_1 : vec2<f32>;
+    chosen_1[i32(0)] = select(no_1[i32(0)], yes_1[i32(0)], condition_1);
+    chosen_1[i32(1)] = select(no_1[i32(1)], yes_1[i32(1)], condition_1);
+    return chosen_1;
+}
+
 fn dense_9( weights_25 : FloatWeights_0,  first_23 : u32,  adds_19 : bool,  inputs_31 : ptr<function, array<f32, i32(8)>>,  outputs_26 : ptr<function, array<f32, i32(12)>>)
 {
     dense_part_9(weights_25, first_23, adds_19, &((*inputs_31)), &((*outputs_26)));
     return;
+}
+
+fn select_vector_2( condition_2 : bool,  yes_2 : vec3<f32>,  no_2 : vec3<f32>) -> vec3<f32>
+{
+    var chosen_2 : vec3<f32>;
+    chosen_2[i32(0)] = select(no_2[i32(0)], yes_2[i32(0)], condition_2);
+    chosen_2[i32(1)] = select(no_2[i32(1)], yes_2[i32(1)], condition_2);
+    chosen_2[i32(2)] = select(no_2[i32(2)], yes_2[i32(2)], condition_2);
+    return chosen_2;
 }
 
 fn position_of_0( vertex_0 : ptr<function, Vertex_std430_0>) -> vec3<f32>
@@ -1544,9 +1481,9 @@ fn to_local_0( point_0 : VisiblePoint_0,  direction_0 : vec3<f32>) -> vec3<f32>
 
 fn scramble_0( value_0 : u32) -> u32
 {
-    var _S161 : u32 = value_0 * u32(747796405) + u32(2891336453);
-    var _S162 : u32 = ((((_S161 >> ((((_S161 >> (u32(28)))) + u32(4))))) ^ (_S161))) * u32(277803737);
-    return (((_S162 >> (u32(22)))) ^ (_S162));
+    var _S151 : u32 = value_0 * u32(747796405) + u32(2891336453);
+    var _S152 : u32 = ((((_S151 >> ((((_S151 >> (u32(28)))) + u32(4))))) ^ (_S151))) * u32(277803737);
+    return (((_S152 >> (u32(22)))) ^ (_S152));
 }
 
 fn hash_key_0( thread_0 : u32,  stream_0 : u32) -> u32
@@ -1566,31 +1503,22 @@ fn uniform_hash_0( thread_1 : u32,  cell_1 : u32,  stream_1 : u32) -> f32
 
 fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_0 : u32,  stream_2 : u32) -> vec2<f32>
 {
-    var _S163 : u32 = pixel_0.x;
-    var _S164 : u32 = pixel_0.y;
-    return fract(vec2<f32>(uniform_hash_0(_S163, _S164, stream_2), uniform_hash_0(_S163, _S164, stream_2 + u32(1))) + vec2<f32>(f32((index_0 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S153 : u32 = pixel_0.x;
+    var _S154 : u32 = pixel_0.y;
+    return fract(vec2<f32>(uniform_hash_0(_S153, _S154, stream_2), uniform_hash_0(_S153, _S154, stream_2 + u32(1))) + vec2<f32>(f32((index_0 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
 }
 
 fn to_face_frame_0( direction_1 : vec3<f32>,  back_2 : bool) -> vec3<f32>
 {
-    var _S165 : vec2<f32> = direction_1.xy;
-    var _S166 : f32;
-    if(back_2)
-    {
-        _S166 = - direction_1.z;
-    }
-    else
-    {
-        _S166 = direction_1.z;
-    }
-    return vec3<f32>(_S165, _S166);
+    var _S155 : f32 = direction_1.z;
+    return vec3<f32>(direction_1.xy, select(_S155, - _S155, back_2));
 }
 
 fn natural_logarithm_0( x_4 : f32) -> f32
 {
-    var _S167 : u32 = (bitcast<u32>((x_4)));
-    var exponent_0 : f32 = f32(i32((_S167 >> (u32(23)))) - i32(126));
-    var m_0 : f32 = (bitcast<f32>(((((_S167 & (u32(8388607)))) | (u32(1056964608))))));
+    var _S156 : u32 = (bitcast<u32>((x_4)));
+    var exponent_0 : f32 = f32(i32((_S156 >> (u32(23)))) - i32(126));
+    var m_0 : f32 = (bitcast<f32>(((((_S156 & (u32(8388607)))) | (u32(1056964608))))));
     var m_1 : f32;
     var exponent_1 : f32;
     if(m_0 < 0.70710676908493042f)
@@ -1605,8 +1533,8 @@ fn natural_logarithm_0( x_4 : f32) -> f32
         exponent_1 = exponent_0;
     }
     var m_2 : f32 = m_1 - 1.0f;
-    var _S168 : f32 = m_2 * m_2;
-    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S168 - exponent_1 * 0.00021219444170129f - 0.5f * _S168) + exponent_1 * 0.693359375f;
+    var _S157 : f32 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S157 - exponent_1 * 0.00021219444170129f - 0.5f * _S157) + exponent_1 * 0.693359375f;
 }
 
 fn binary_logarithm_0( x_5 : f32) -> f32
@@ -1617,9 +1545,9 @@ fn binary_logarithm_0( x_5 : f32) -> f32
 fn no_numbers_0() -> Eight_0
 {
     var numbers_1 : Eight_0;
-    var _S169 : vec4<f32> = vec4<f32>(0.0f);
-    numbers_1.low_0 = _S169;
-    numbers_1.high_0 = _S169;
+    var _S158 : vec4<f32> = vec4<f32>(0.0f);
+    numbers_1.low_0 = _S158;
+    numbers_1.high_0 = _S158;
     return numbers_1;
 }
 
@@ -1638,25 +1566,25 @@ fn eight_halves_0( packed_0 : vec4<u32>) -> Eight_0
 
 fn texel_numbers_0( first_24 : u32,  elements_1 : u32,  texel_0 : u32) -> Eight_0
 {
-    var _S170 : u32 = first_24 + texel_0 * elements_1;
-    var _S171 : vec4<u32> = packed_numbers_0[_S170];
+    var _S159 : u32 = first_24 + texel_0 * elements_1;
+    var _S160 : vec4<u32> = packed_numbers_0[_S159];
     if(elements_1 == u32(1))
     {
-        return eight_halves_0(_S171);
+        return eight_halves_0(_S160);
     }
     var numbers_3 : Eight_0;
-    numbers_3.low_0 = (bitcast<vec4<f32>>((_S171)));
-    numbers_3.high_0 = (bitcast<vec4<f32>>((packed_numbers_0[_S170 + u32(1)])));
+    numbers_3.low_0 = (bitcast<vec4<f32>>((_S160)));
+    numbers_3.high_0 = (bitcast<vec4<f32>>((packed_numbers_0[_S159 + u32(1)])));
     return numbers_3;
 }
 
 fn add_bilinear_0( first_25 : u32,  elements_2 : u32,  start_0 : u32,  columns_1 : u32,  rows_1 : u32,  uv_2 : vec2<f32>,  weight_0 : f32,  sums_6 : ptr<function, Eight_0>)
 {
-    var _S172 : vec2<f32> = uv_2 * vec2<f32>(f32(columns_1), f32(rows_1)) - vec2<f32>(0.5f);
-    var _S173 : vec2<f32> = floor(_S172);
-    var _S174 : vec2<f32> = _S172 - _S173;
-    var _S175 : i32 = i32(_S173.x);
-    var _S176 : i32 = i32(_S173.y);
+    var _S161 : vec2<f32> = uv_2 * vec2<f32>(f32(columns_1), f32(rows_1)) - vec2<f32>(0.5f);
+    var _S162 : vec2<f32> = floor(_S161);
+    var _S163 : vec2<f32> = _S161 - _S162;
+    var _S164 : i32 = i32(_S162.x);
+    var _S165 : i32 = i32(_S162.y);
     var tap_0 : u32 = u32(0);
     for(;;)
     {
@@ -1667,30 +1595,14 @@ fn add_bilinear_0( first_25 : u32,  elements_2 : u32,  start_0 : u32,  columns_1
         {
             break;
         }
-        var _S177 : u32 = (tap_0 & (u32(1)));
-        var _S178 : u32 = (tap_0 >> (u32(1)));
-        var _S179 : Eight_0 = texel_numbers_0(first_25, elements_2, start_0 + ((u32(_S176 + i32(_S178)) & ((rows_1 - u32(1))))) * columns_1 + ((u32(_S175 + i32(_S177)) & ((columns_1 - u32(1))))));
-        var _S180 : f32;
-        if(_S178 != u32(0))
-        {
-            _S180 = _S174.y;
-        }
-        else
-        {
-            _S180 = 1.0f - _S174.y;
-        }
-        var _S181 : f32;
-        if(_S177 != u32(0))
-        {
-            _S181 = _S174.x;
-        }
-        else
-        {
-            _S181 = 1.0f - _S174.x;
-        }
-        var _S182 : vec4<f32> = vec4<f32>((_S180 * _S181 * weight_0));
-        (*sums_6).low_0 = (*sums_6).low_0 + _S182 * _S179.low_0;
-        (*sums_6).high_0 = (*sums_6).high_0 + _S182 * _S179.high_0;
+        var _S166 : u32 = (tap_0 & (u32(1)));
+        var _S167 : u32 = (tap_0 >> (u32(1)));
+        var _S168 : Eight_0 = texel_numbers_0(first_25, elements_2, start_0 + ((u32(_S165 + i32(_S167)) & ((rows_1 - u32(1))))) * columns_1 + ((u32(_S164 + i32(_S166)) & ((columns_1 - u32(1))))));
+        var _S169 : f32 = _S163.y;
+        var _S170 : f32 = _S163.x;
+        var _S171 : vec4<f32> = vec4<f32>((select(1.0f - _S169, _S169, _S167 != u32(0)) * select(1.0f - _S170, _S170, _S166 != u32(0)) * weight_0));
+        (*sums_6).low_0 = (*sums_6).low_0 + _S171 * _S168.low_0;
+        (*sums_6).high_0 = (*sums_6).high_0 + _S171 * _S168.high_0;
         tap_0 = tap_0 + u32(1);
     }
     return;
@@ -1707,17 +1619,17 @@ struct TexelPyramid_0
 
 fn TexelPyramid_add_level_0( this_4 : TexelPyramid_0,  place_0 : vec2<f32>,  level_0 : u32,  face_1 : u32,  weight_1 : f32,  sums_7 : ptr<function, Eight_0>)
 {
-    var _S183 : u32 = this_4.levels_4 + u32(3) * level_0;
-    add_bilinear_0(this_4.first_26, this_4.elements_3, face_1 * this_4.face_texels_2 + words_0[_S183], words_0[_S183 + u32(1)], words_0[_S183 + u32(2)], place_0, weight_1, &((*sums_7)));
+    var _S172 : u32 = this_4.levels_4 + u32(3) * level_0;
+    add_bilinear_0(this_4.first_26, this_4.elements_3, face_1 * this_4.face_texels_2 + words_0[_S172], words_0[_S172 + u32(1)], words_0[_S172 + u32(2)], place_0, weight_1, &((*sums_7)));
     return;
 }
 
 fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_3 : vec2<f32>,  level_1 : f32,  face_2 : u32) -> Eight_0
 {
-    var _S184 : f32 = clamp(level_1, 0.0f, this_5.last_level_3);
-    var _S185 : f32 = clamp(floor(_S184), 0.0f, max(this_5.last_level_3 - 1.0f, 0.0f));
-    var _S186 : f32 = _S184 - _S185;
-    var _S187 : vec2<f32> = within_repeat_0(uv_3);
+    var _S173 : f32 = clamp(level_1, 0.0f, this_5.last_level_3);
+    var _S174 : f32 = clamp(floor(_S173), 0.0f, max(this_5.last_level_3 - 1.0f, 0.0f));
+    var _S175 : f32 = _S173 - _S174;
+    var _S176 : vec2<f32> = within_repeat_0(uv_3);
     var texel_1 : Eight_0 = no_numbers_0();
     var offset_2 : u32 = u32(0);
     for(;;)
@@ -1729,18 +1641,10 @@ fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_3 : vec2<f32>,  l
         {
             break;
         }
-        var _S188 : f32;
-        if(offset_2 == u32(0))
+        var _S177 : f32 = select(_S175, 1.0f - _S175, offset_2 == u32(0));
+        if(_S177 > 0.0f)
         {
-            _S188 = 1.0f - _S186;
-        }
-        else
-        {
-            _S188 = _S186;
-        }
-        if(_S188 > 0.0f)
-        {
-            TexelPyramid_add_level_0(this_5, _S187, u32(_S185) + offset_2, face_2, _S188, &(texel_1));
+            TexelPyramid_add_level_0(this_5, _S176, u32(_S174) + offset_2, face_2, _S177, &(texel_1));
         }
         offset_2 = offset_2 + u32(1);
     }
@@ -1756,16 +1660,8 @@ fn TexelPyramid_of_level_0( this_6 : TexelPyramid_0,  uv_4 : vec2<f32>,  level_2
 
 fn channel_0( numbers_4 : Eight_0,  k_0 : i32) -> f32
 {
-    var _S189 : f32;
-    if(k_0 < i32(4))
-    {
-        _S189 = numbers_4.low_0[k_0];
-    }
-    else
-    {
-        _S189 = numbers_4.high_0[k_0 - i32(4)];
-    }
-    return _S189;
+    var _S178 : i32 = (k_0 & (i32(3)));
+    return select(numbers_4.high_0[_S178], numbers_4.low_0[_S178], k_0 < i32(4));
 }
 
 struct LatentFrame_0
@@ -1778,11 +1674,11 @@ struct LatentFrame_0
 fn frame_of_0( normal_2 : vec3<f32>,  tangent_1 : vec3<f32>) -> LatentFrame_0
 {
     var result_0 : LatentFrame_0;
-    var _S190 : vec3<f32> = normalize(normal_2 + vec3<f32>(0.0f, 0.0f, 1.0f));
-    result_0.normal_1 = _S190;
-    var _S191 : vec3<f32> = normalize(tangent_1 + vec3<f32>(1.0f, 0.0f, 0.0f));
-    result_0.tangent_0 = _S191;
-    result_0.bitangent_0 = cross(_S190, _S191);
+    var _S179 : vec3<f32> = normalize(normal_2 + vec3<f32>(0.0f, 0.0f, 1.0f));
+    result_0.normal_1 = _S179;
+    var _S180 : vec3<f32> = normalize(tangent_1 + vec3<f32>(1.0f, 0.0f, 0.0f));
+    result_0.tangent_0 = _S180;
+    result_0.bitangent_0 = cross(_S179, _S180);
     return result_0;
 }
 
@@ -1810,22 +1706,22 @@ fn choose_0( table_0 : u32,  count_0 : u32,  number_0 : f32) -> Choice_0
         {
             break;
         }
-        var _S192 : u32 = (low_6 + high_6) / u32(2);
-        if((scene_number_0(table_0 + _S192)) <= number_0)
+        var _S181 : u32 = (low_6 + high_6) / u32(2);
+        if((scene_number_0(table_0 + _S181)) <= number_0)
         {
-            low_6 = _S192;
+            low_6 = _S181;
         }
         else
         {
-            high_6 = _S192;
+            high_6 = _S181;
         }
     }
-    var _S193 : u32 = table_0 + low_6;
-    var _S194 : f32 = scene_number_0(_S193);
-    var _S195 : f32 = scene_number_0(_S193 + u32(1));
+    var _S182 : u32 = table_0 + low_6;
+    var _S183 : f32 = scene_number_0(_S182);
+    var _S184 : f32 = scene_number_0(_S182 + u32(1));
     var choice_0 : Choice_0;
     choice_0.index_2 = low_6;
-    choice_0.remainder_0 = saturate((number_0 - _S194) / max(_S195 - _S194, 9.999999960041972e-13f));
+    choice_0.remainder_0 = saturate((number_0 - _S183) / max(_S184 - _S183, 9.999999960041972e-13f));
     return choice_0;
 }
 
@@ -1836,40 +1732,16 @@ fn mean_0( colour_0 : vec3<f32>) -> f32
 
 fn sine_cosine_0( x_6 : f32) -> vec2<f32>
 {
-    var _S196 : f32 = floor(x_6 * 0.63661974668502808f + 0.5f);
-    var _S197 : f32 = x_6 - _S196 * 1.5703125f - _S196 * 0.00048375129699707f - _S196 * 7.54979012640433211e-08f;
-    var _S198 : f32 = _S197 * _S197;
-    var _S199 : f32 = ((-0.00019515295571182f * _S198 + 0.00833216123282909f) * _S198 - 0.16666655242443085f) * _S198 * _S197 + _S197;
-    var _S200 : f32 = ((0.00002443315679557f * _S198 - 0.00138873164542019f) * _S198 + 0.04166664555668831f) * _S198 * _S198 - 0.5f * _S198 + 1.0f;
-    var _S201 : u32 = (u32(i32(_S196)) & (u32(3)));
-    var _S202 : vec2<f32>;
-    if(((_S201 & (u32(1)))) != u32(0))
-    {
-        _S202 = vec2<f32>(_S200, _S199);
-    }
-    else
-    {
-        _S202 = vec2<f32>(_S199, _S200);
-    }
-    var _S203 : f32;
-    if(((_S201 & (u32(2)))) != u32(0))
-    {
-        _S203 = - _S202.x;
-    }
-    else
-    {
-        _S203 = _S202.x;
-    }
-    var _S204 : f32;
-    if((((_S201 + u32(1)) & (u32(2)))) != u32(0))
-    {
-        _S204 = - _S202.y;
-    }
-    else
-    {
-        _S204 = _S202.y;
-    }
-    return vec2<f32>(_S203, _S204);
+    var _S185 : f32 = floor(x_6 * 0.63661974668502808f + 0.5f);
+    var _S186 : f32 = x_6 - _S185 * 1.5703125f - _S185 * 0.00048375129699707f - _S185 * 7.54979012640433211e-08f;
+    var _S187 : f32 = _S186 * _S186;
+    var _S188 : f32 = ((-0.00019515295571182f * _S187 + 0.00833216123282909f) * _S187 - 0.16666655242443085f) * _S187 * _S186 + _S186;
+    var _S189 : f32 = ((0.00002443315679557f * _S187 - 0.00138873164542019f) * _S187 + 0.04166664555668831f) * _S187 * _S187 - 0.5f * _S187 + 1.0f;
+    var _S190 : u32 = (u32(i32(_S185)) & (u32(3)));
+    var _S191 : vec2<f32> = select_vector_1(((_S190 & (u32(1)))) != u32(0), vec2<f32>(_S189, _S188), vec2<f32>(_S188, _S189));
+    var _S192 : f32 = _S191.x;
+    var _S193 : f32 = _S191.y;
+    return vec2<f32>(select(_S192, - _S192, ((_S190 & (u32(2)))) != u32(0)), select(_S193, - _S193, (((_S190 + u32(1)) & (u32(2)))) != u32(0)));
 }
 
 fn LatentFrame_coordinates_0( this_7 : LatentFrame_0,  direction_2 : vec3<f32>) -> vec3<f32>
@@ -1879,21 +1751,10 @@ fn LatentFrame_coordinates_0( this_7 : LatentFrame_0,  direction_2 : vec3<f32>) 
 
 fn exponential_0( x_7 : f32) -> f32
 {
-    var _S205 : f32 = clamp(x_7, -87.0f, 88.0f);
-    var _S206 : f32 = floor(_S205 * 1.4426950216293335f + 0.5f);
-    var _S207 : f32 = _S205 - _S206 * 0.693359375f + _S206 * 0.00021219444170129f;
-    var p_0 : f32 = ((((0.00019875691214111f * _S207 + 0.00139819993637502f) * _S207 + 0.00833345204591751f) * _S207 + 0.04166579619050026f) * _S207 + 0.1666666567325592f) * _S207 + 0.5f;
-    var _S208 : f32 = (bitcast<f32>(((u32(i32(_S206) + i32(127)) << (u32(23))))));
-    var _S209 : f32;
-    if(x_7 < -87.0f)
-    {
-        _S209 = 0.0f;
-    }
-    else
-    {
-        _S209 = (p_0 * _S207 * _S207 + _S207 + 1.0f) * _S208;
-    }
-    return _S209;
+    var _S194 : f32 = clamp(x_7, -87.0f, 88.0f);
+    var _S195 : f32 = floor(_S194 * 1.4426950216293335f + 0.5f);
+    var _S196 : f32 = _S194 - _S195 * 0.693359375f + _S195 * 0.00021219444170129f;
+    return select(((((((0.00019875691214111f * _S196 + 0.00139819993637502f) * _S196 + 0.00833345204591751f) * _S196 + 0.04166579619050026f) * _S196 + 0.1666666567325592f) * _S196 + 0.5f) * _S196 * _S196 + _S196 + 1.0f) * (bitcast<f32>(((u32(i32(_S195) + i32(127)) << (u32(23)))))), 0.0f, x_7 < -87.0f);
 }
 
 fn bounded_exponential_0( exponent_3 : f32) -> f32
@@ -1903,162 +1764,118 @@ fn bounded_exponential_0( exponent_3 : f32) -> f32
 
 fn accumulate_0( index_3 : u32,  light_1 : vec4<f32>)
 {
-    var _S210 : f32 = layers_0[index_3].share_0;
+    var _S197 : f32 = layers_0[index_3].share_0;
     radiance_0[index_3] = radiance_0[index_3] + vec4<f32>(layers_0[index_3].share_0) * light_1;
-    layers_0[index_3].share_0 = _S210 * (1.0f - light_1.w);
+    layers_0[index_3].share_0 = _S197 * (1.0f - light_1.w);
     return;
 }
 
-fn camera_right_0( _S211 : i32) -> vec3<f32>
+fn camera_right_0( _S198 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S211].right_x_0, frames_0[_S211].right_y_0, frames_0[_S211].right_z_0);
+    return vec3<f32>(frames_0[_S198].right_x_0, frames_0[_S198].right_y_0, frames_0[_S198].right_z_0);
 }
 
-fn camera_up_0( _S212 : i32) -> vec3<f32>
+fn camera_up_0( _S199 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S212].up_x_0, frames_0[_S212].up_y_0, frames_0[_S212].up_z_0);
+    return vec3<f32>(frames_0[_S199].up_x_0, frames_0[_S199].up_y_0, frames_0[_S199].up_z_0);
 }
 
-fn camera_forward_0( _S213 : i32) -> vec3<f32>
+fn camera_forward_0( _S200 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S213].forward_x_0, frames_0[_S213].forward_y_0, frames_0[_S213].forward_z_0);
+    return vec3<f32>(frames_0[_S200].forward_x_0, frames_0[_S200].forward_y_0, frames_0[_S200].forward_z_0);
 }
 
-fn camera_origin_0( _S214 : i32) -> vec3<f32>
+fn camera_origin_0( _S201 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S214].origin_x_0, frames_0[_S214].origin_y_0, frames_0[_S214].origin_z_0);
+    return vec3<f32>(frames_0[_S201].origin_x_0, frames_0[_S201].origin_y_0, frames_0[_S201].origin_z_0);
 }
 
-fn face_point_0( _S215 : u32,  _S216 : u32,  _S217 : f32,  _S218 : f32) -> VisiblePoint_0
+fn face_point_0( _S202 : u32,  _S203 : u32,  _S204 : f32,  _S205 : f32) -> VisiblePoint_0
 {
-    var _S219 : u32 = u32(3) * _S216;
-    var _S220 : Vertex_std430_0 = vertices_0[corners_0[_S219]];
-    var _S221 : Vertex_std430_0 = vertices_0[corners_0[_S219 + u32(1)]];
-    var _S222 : Vertex_std430_0 = vertices_0[corners_0[_S219 + u32(2)]];
-    var _S223 : vec3<f32> = position_of_0(&(_S221));
-    var _S224 : vec3<f32> = position_of_0(&(_S220));
-    var _S225 : vec3<f32> = _S223 - _S224;
-    var _S226 : vec3<f32> = position_of_0(&(_S222));
-    var _S227 : vec3<f32> = _S226 - _S224;
-    var _S228 : f32 = _S220.u_0;
-    var _S229 : f32 = _S221.u_0 - _S220.u_0;
-    var _S230 : f32 = _S220.v_0;
-    var _S231 : f32 = _S221.v_0 - _S220.v_0;
-    var _S232 : vec2<f32> = vec2<f32>(_S229, _S231);
-    var _S233 : f32 = _S222.u_0 - _S220.u_0;
-    var _S234 : f32 = _S222.v_0 - _S220.v_0;
-    var _S235 : vec2<f32> = vec2<f32>(_S233, _S234);
-    var _S236 : f32;
-    if((_S229 * _S234 - _S231 * _S233) < 0.0f)
-    {
-        _S236 = -1.0f;
-    }
-    else
-    {
-        _S236 = 1.0f;
-    }
-    var _S237 : vec3<f32> = vec3<f32>(_S236) * (vec3<f32>(_S234) * _S225 - vec3<f32>(_S231) * _S227);
-    var _S238 : vec3<f32> = vec3<f32>(_S236) * (vec3<f32>(_S229) * _S227 - vec3<f32>(_S233) * _S225);
+    var _S206 : u32 = u32(3) * _S203;
+    var _S207 : Vertex_std430_0 = vertices_0[corners_0[_S206]];
+    var _S208 : Vertex_std430_0 = vertices_0[corners_0[_S206 + u32(1)]];
+    var _S209 : Vertex_std430_0 = vertices_0[corners_0[_S206 + u32(2)]];
+    var _S210 : vec3<f32> = position_of_0(&(_S208));
+    var _S211 : vec3<f32> = position_of_0(&(_S207));
+    var _S212 : vec3<f32> = _S210 - _S211;
+    var _S213 : vec3<f32> = position_of_0(&(_S209));
+    var _S214 : vec3<f32> = _S213 - _S211;
+    var _S215 : f32 = _S207.u_0;
+    var _S216 : f32 = _S208.u_0 - _S207.u_0;
+    var _S217 : f32 = _S207.v_0;
+    var _S218 : f32 = _S208.v_0 - _S207.v_0;
+    var _S219 : vec2<f32> = vec2<f32>(_S216, _S218);
+    var _S220 : f32 = _S209.u_0 - _S207.u_0;
+    var _S221 : f32 = _S209.v_0 - _S207.v_0;
+    var _S222 : vec2<f32> = vec2<f32>(_S220, _S221);
+    var _S223 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S216 * _S221 - _S218 * _S220) < 0.0f));
+    var _S224 : vec3<f32> = _S223 * (vec3<f32>(_S221) * _S212 - vec3<f32>(_S218) * _S214);
+    var _S225 : vec3<f32> = _S223 * (vec3<f32>(_S216) * _S214 - vec3<f32>(_S220) * _S212);
     var point_1 : VisiblePoint_0;
-    var _S239 : f32 = 1.0f - _S217 - _S218;
-    var _S240 : vec3<f32> = normal_of_0(&(_S220));
-    var _S241 : vec3<f32> = vec3<f32>(_S239) * _S240;
-    var _S242 : vec3<f32> = normal_of_0(&(_S221));
-    var _S243 : vec3<f32> = vec3<f32>(_S217);
-    var _S244 : vec3<f32> = _S241 + _S243 * _S242;
-    var _S245 : vec3<f32> = normal_of_0(&(_S222));
-    var _S246 : vec3<f32> = vec3<f32>(_S218);
-    var _S247 : vec3<f32> = normalize(_S244 + _S246 * _S245);
-    point_1.normal_0 = _S247;
-    var _S248 : vec3<f32> = normalize(_S237 - _S247 * vec3<f32>(dot(_S247, _S237)));
-    point_1.axis_x_0 = _S248;
-    point_1.axis_y_0 = cross(_S247, _S248);
-    var _S249 : vec3<f32> = normalize(cross(_S225, _S227));
-    var _S250 : vec3<f32>;
-    if((dot(_S249, _S247)) < 0.0f)
-    {
-        _S250 = (vec3<f32>(0) - _S249);
-    }
-    else
-    {
-        _S250 = _S249;
-    }
-    point_1.face_normal_0 = _S250;
-    point_1.position_0 = _S224 + _S243 * _S225 + _S246 * _S227;
-    point_1.view_1 = point_1.normal_0;
-    point_1.uv_0 = vec2<f32>(_S228, _S230) + vec2<f32>(_S217) * _S232 + vec2<f32>(_S218) * _S235;
-    var _S251 : bool = (dot(cross(_S237, _S238), point_1.normal_0)) < 0.0f;
-    var _S252 : f32 = fabrics_0[_S215].uv_width_0;
-    if(_S251)
-    {
-        _S236 = - fabrics_0[_S215].uv_height_0;
-    }
-    else
-    {
-        _S236 = fabrics_0[_S215].uv_height_0;
-    }
-    var _S253 : vec2<f32> = vec2<f32>(_S252, _S236);
-    point_1.draft_per_uv_0 = _S253;
-    var _S254 : vec2<f32> = point_1.uv_0 * _S253;
-    if(_S251)
-    {
-        _S236 = fabrics_0[_S215].uv_height_0;
-    }
-    else
-    {
-        _S236 = 0.0f;
-    }
-    point_1.draft_0 = _S254 + vec2<f32>(0.0f, _S236);
-    var _S255 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S255;
-    point_1.draft_dy_0 = _S255;
+    var _S226 : f32 = 1.0f - _S204 - _S205;
+    var _S227 : vec3<f32> = normal_of_0(&(_S207));
+    var _S228 : vec3<f32> = vec3<f32>(_S226) * _S227;
+    var _S229 : vec3<f32> = normal_of_0(&(_S208));
+    var _S230 : vec3<f32> = vec3<f32>(_S204);
+    var _S231 : vec3<f32> = _S228 + _S230 * _S229;
+    var _S232 : vec3<f32> = normal_of_0(&(_S209));
+    var _S233 : vec3<f32> = vec3<f32>(_S205);
+    var _S234 : vec3<f32> = normalize(_S231 + _S233 * _S232);
+    point_1.normal_0 = _S234;
+    var _S235 : vec3<f32> = normalize(_S224 - _S234 * vec3<f32>(dot(_S234, _S224)));
+    point_1.axis_x_0 = _S235;
+    point_1.axis_y_0 = cross(_S234, _S235);
+    var _S236 : vec3<f32> = normalize(cross(_S212, _S214));
+    point_1.face_normal_0 = select_vector_2((dot(_S236, _S234)) < 0.0f, (vec3<f32>(0) - _S236), _S236);
+    point_1.position_0 = _S211 + _S230 * _S212 + _S233 * _S214;
+    point_1.view_1 = _S234;
+    var _S237 : vec2<f32> = vec2<f32>(_S215, _S217) + vec2<f32>(_S204) * _S219 + vec2<f32>(_S205) * _S222;
+    point_1.uv_0 = _S237;
+    var _S238 : bool = (dot(cross(_S224, _S225), _S234)) < 0.0f;
+    var _S239 : vec2<f32> = vec2<f32>(fabrics_0[_S202].uv_width_0, select(fabrics_0[_S202].uv_height_0, - fabrics_0[_S202].uv_height_0, _S238));
+    point_1.draft_per_uv_0 = _S239;
+    point_1.draft_0 = _S237 * _S239 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S202].uv_height_0, _S238));
+    var _S240 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S240;
+    point_1.draft_dy_0 = _S240;
     return point_1;
 }
 
-fn visible_point_0( _S256 : i32,  _S257 : u32,  _S258 : u32,  _S259 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S241 : i32,  _S242 : u32,  _S243 : u32,  _S244 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S260 : u32 = u32(3) * _S258;
-    var _S261 : Vertex_std430_0 = vertices_0[corners_0[_S260]];
-    var _S262 : Vertex_std430_0 = vertices_0[corners_0[_S260 + u32(1)]];
-    var _S263 : Vertex_std430_0 = vertices_0[corners_0[_S260 + u32(2)]];
-    var _S264 : vec3<f32> = position_of_1(&(_S262));
-    var _S265 : vec3<f32> = position_of_1(&(_S261));
-    var _S266 : vec3<f32> = _S264 - _S265;
-    var _S267 : vec3<f32> = position_of_1(&(_S263));
-    var _S268 : vec3<f32> = _S267 - _S265;
-    var _S269 : vec3<f32> = cross(_S266, _S268);
-    var _S270 : f32 = 1.0f / max(square_0(_S269), 1.00000000317107685e-30f);
-    var _S271 : f32 = f32(frames_0[_S256].width_0);
-    var _S272 : vec3<f32> = camera_right_0(_S256) * vec3<f32>((2.0f / _S271));
-    var _S273 : f32 = f32(frames_0[_S256].height_0);
-    var _S274 : vec3<f32> = camera_up_0(_S256) * vec3<f32>((-2.0f / _S273));
-    var _S275 : vec3<f32> = camera_forward_0(_S256) + vec3<f32>((f32(_S259.x) + 0.5f - 0.5f * _S271)) * _S272 + vec3<f32>((f32(_S259.y) + 0.5f - 0.5f * _S273)) * _S274;
-    var _S276 : f32 = dot(_S275, _S269);
-    var _S277 : f32;
-    if((abs(_S276)) > 1.00000000317107685e-30f)
-    {
-        _S277 = _S276;
-    }
-    else
-    {
-        _S277 = 1.00000000317107685e-30f;
-    }
-    var _S278 : f32 = 1.0f / _S277;
-    var _S279 : vec3<f32> = _S265 - camera_origin_0(_S256);
-    var _S280 : vec3<f32> = vec3<f32>((dot(_S279, _S269) * _S278));
-    var _S281 : vec3<f32> = _S275 * _S280 - _S279;
-    var _S282 : vec3<f32> = _S280 * (_S272 - _S275 * vec3<f32>((dot(_S272, _S269) * _S278)));
-    var _S283 : vec3<f32> = _S280 * (_S274 - _S275 * vec3<f32>((dot(_S274, _S269) * _S278)));
-    var _S284 : vec3<f32> = vec3<f32>(_S270);
-    var _S285 : vec3<f32> = cross(_S268, _S269) * _S284;
-    var _S286 : vec3<f32> = cross(_S269, _S266) * _S284;
-    var _S287 : vec2<f32> = vec2<f32>(_S262.u_0 - _S261.u_0, _S262.v_0 - _S261.v_0);
-    var _S288 : vec2<f32> = vec2<f32>(_S263.u_0 - _S261.u_0, _S263.v_0 - _S261.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S257, _S258, dot(_S281, _S285), dot(_S281, _S286));
-    point_2.position_0 = _S265 + _S281;
-    point_2.view_1 = (vec3<f32>(0) - normalize(_S275));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S282, _S285)) * _S287 + vec2<f32>(dot(_S282, _S286)) * _S288) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S283, _S285)) * _S287 + vec2<f32>(dot(_S283, _S286)) * _S288) * point_2.draft_per_uv_0;
+    var _S245 : u32 = u32(3) * _S243;
+    var _S246 : Vertex_std430_0 = vertices_0[corners_0[_S245]];
+    var _S247 : Vertex_std430_0 = vertices_0[corners_0[_S245 + u32(1)]];
+    var _S248 : Vertex_std430_0 = vertices_0[corners_0[_S245 + u32(2)]];
+    var _S249 : vec3<f32> = position_of_1(&(_S247));
+    var _S250 : vec3<f32> = position_of_1(&(_S246));
+    var _S251 : vec3<f32> = _S249 - _S250;
+    var _S252 : vec3<f32> = position_of_1(&(_S248));
+    var _S253 : vec3<f32> = _S252 - _S250;
+    var _S254 : vec3<f32> = cross(_S251, _S253);
+    var _S255 : f32 = f32(frames_0[_S241].width_0);
+    var _S256 : vec3<f32> = camera_right_0(_S241) * vec3<f32>((2.0f / _S255));
+    var _S257 : f32 = f32(frames_0[_S241].height_0);
+    var _S258 : vec3<f32> = camera_up_0(_S241) * vec3<f32>((-2.0f / _S257));
+    var _S259 : vec3<f32> = camera_forward_0(_S241) + vec3<f32>((f32(_S244.x) + 0.5f - 0.5f * _S255)) * _S256 + vec3<f32>((f32(_S244.y) + 0.5f - 0.5f * _S257)) * _S258;
+    var _S260 : f32 = dot(_S259, _S254);
+    var _S261 : f32 = 1.0f / select(1.00000000317107685e-30f, _S260, (abs(_S260)) > 1.00000000317107685e-30f);
+    var _S262 : vec3<f32> = _S250 - camera_origin_0(_S241);
+    var _S263 : vec3<f32> = vec3<f32>((dot(_S262, _S254) * _S261));
+    var _S264 : vec3<f32> = _S259 * _S263 - _S262;
+    var _S265 : vec3<f32> = _S263 * (_S256 - _S259 * vec3<f32>((dot(_S256, _S254) * _S261)));
+    var _S266 : vec3<f32> = _S263 * (_S258 - _S259 * vec3<f32>((dot(_S258, _S254) * _S261)));
+    var _S267 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S254), 1.00000000317107685e-30f)));
+    var _S268 : vec3<f32> = cross(_S253, _S254) * _S267;
+    var _S269 : vec3<f32> = cross(_S254, _S251) * _S267;
+    var _S270 : vec2<f32> = vec2<f32>(_S247.u_0 - _S246.u_0, _S247.v_0 - _S246.v_0);
+    var _S271 : vec2<f32> = vec2<f32>(_S248.u_0 - _S246.u_0, _S248.v_0 - _S246.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S242, _S243, dot(_S264, _S268), dot(_S264, _S269));
+    point_2.position_0 = _S250 + _S264;
+    point_2.view_1 = (vec3<f32>(0) - normalize(_S259));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S265, _S268)) * _S270 + vec2<f32>(dot(_S265, _S269)) * _S271) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S266, _S268)) * _S270 + vec2<f32>(dot(_S266, _S269)) * _S271) * point_2.draft_per_uv_0;
     return point_2;
 }
 
@@ -2078,48 +1895,29 @@ struct LatentView_0
      back_3 : bool,
 };
 
-fn latent_view_0( _S289 : u32,  _S290 : Footprint_0,  _S291 : vec3<f32>,  _S292 : f32,  _S293 : ptr<function, LatentView_0>)
+fn latent_view_0( _S272 : u32,  _S273 : Footprint_0,  _S274 : vec3<f32>,  _S275 : f32,  _S276 : ptr<function, LatentView_0>)
 {
-    var _S294 : Latent_std430_0 = fabrics_0[_S289].latent_0;
-    var _S295 : bool = (_S291.z) < 0.0f;
-    (*_S293).back_3 = _S295;
-    (*_S293).view_2 = to_face_frame_0(_S291, _S295);
-    var _S296 : u32;
-    if(_S295)
-    {
-        _S296 = _S294.back_1;
-    }
-    else
-    {
-        _S296 = u32(0);
-    }
-    var _S297 : vec2<f32> = _S290.centre_0 * vec2<f32>(_S294.repeats_per_x_1, _S294.repeats_per_y_1);
-    var _S298 : f32 = clamp(binary_logarithm_0(max(sqrt(abs(_S290.dx_0.x * _S290.dy_0.y - _S290.dx_0.y * _S290.dy_0.x)) * _S294.texels_per_mm_1, 9.99999971718068537e-10f)), 0.0f, _S294.last_level_2);
+    var _S277 : Latent_std430_0 = fabrics_0[_S272].latent_0;
+    var _S278 : bool = (_S274.z) < 0.0f;
+    (*_S276).back_3 = _S278;
+    (*_S276).view_2 = to_face_frame_0(_S274, _S278);
+    var _S279 : u32 = select(u32(0), _S277.back_1, _S278);
+    var _S280 : vec2<f32> = _S273.centre_0 * vec2<f32>(_S277.repeats_per_x_1, _S277.repeats_per_y_1);
+    var _S281 : f32 = clamp(binary_logarithm_0(max(sqrt(abs(_S273.dx_0.x * _S273.dy_0.y - _S273.dx_0.y * _S273.dy_0.x)) * _S277.texels_per_mm_1, 9.99999971718068537e-10f)), 0.0f, _S277.last_level_2);
     var pyramid_0 : TexelPyramid_0;
-    pyramid_0.first_26 = _S294.texels_1;
-    pyramid_0.elements_3 = _S294.texel_elements_1;
-    pyramid_0.levels_4 = _S294.levels_3;
-    pyramid_0.last_level_3 = _S294.last_level_2;
-    pyramid_0.face_texels_2 = _S294.face_texels_1;
+    pyramid_0.first_26 = _S277.texels_1;
+    pyramid_0.elements_3 = _S277.texel_elements_1;
+    pyramid_0.levels_4 = _S277.levels_3;
+    pyramid_0.last_level_3 = _S277.last_level_2;
+    pyramid_0.face_texels_2 = _S277.face_texels_1;
     var texel_3 : Eight_0;
-    if((_S294.is_trilinear_0) != u32(0))
+    if((_S277.is_trilinear_0) != u32(0))
     {
-        texel_3 = TexelPyramid_between_levels_0(pyramid_0, _S297, _S298, _S296);
+        texel_3 = TexelPyramid_between_levels_0(pyramid_0, _S280, _S281, _S279);
     }
     else
     {
-        var _S299 : TexelPyramid_0 = pyramid_0;
-        var _S300 : u32 = u32(_S298);
-        var _S301 : u32;
-        if(_S292 < (_S298 - floor(_S298)))
-        {
-            _S301 = u32(1);
-        }
-        else
-        {
-            _S301 = u32(0);
-        }
-        texel_3 = TexelPyramid_of_level_0(_S299, _S297, _S300 + _S301, _S296);
+        texel_3 = TexelPyramid_of_level_0(pyramid_0, _S280, u32(_S281) + select(u32(0), u32(1), _S275 < (_S281 - floor(_S281))), _S279);
     }
     var k_1 : i32 = i32(0);
     for(;;)
@@ -2131,32 +1929,32 @@ fn latent_view_0( _S289 : u32,  _S290 : Footprint_0,  _S291 : vec3<f32>,  _S292 
         {
             break;
         }
-        (*_S293).latent_1[k_1] = channel_0(texel_3, k_1);
+        (*_S276).latent_1[k_1] = channel_0(texel_3, k_1);
         k_1 = k_1 + i32(1);
     }
     var weights_26 : FloatWeights_0;
-    weights_26.first_0 = _S294.frames_1;
-    var _S302 : array<f32, i32(8)> = (*_S293).latent_1;
+    weights_26.first_0 = _S277.frames_1;
+    var _S282 : array<f32, i32(8)> = (*_S276).latent_1;
     var sums_8 : array<f32, i32(12)>;
-    dense_9(weights_26, u32(0), false, &(_S302), &(sums_8));
-    (*_S293).latent_1 = _S302;
-    (*_S293).first_27 = frame_of_0(vec3<f32>(sums_8[i32(0)], sums_8[i32(1)], sums_8[i32(2)]), vec3<f32>(sums_8[i32(3)], sums_8[i32(4)], sums_8[i32(5)]));
-    (*_S293).second_0 = frame_of_0(vec3<f32>(sums_8[i32(6)], sums_8[i32(7)], sums_8[i32(8)]), vec3<f32>(sums_8[i32(9)], sums_8[i32(10)], sums_8[i32(11)]));
+    dense_9(weights_26, u32(0), false, &(_S282), &(sums_8));
+    (*_S276).latent_1 = _S282;
+    (*_S276).first_27 = frame_of_0(vec3<f32>(sums_8[i32(0)], sums_8[i32(1)], sums_8[i32(2)]), vec3<f32>(sums_8[i32(3)], sums_8[i32(4)], sums_8[i32(5)]));
+    (*_S276).second_0 = frame_of_0(vec3<f32>(sums_8[i32(6)], sums_8[i32(7)], sums_8[i32(8)]), vec3<f32>(sums_8[i32(9)], sums_8[i32(10)], sums_8[i32(11)]));
     return;
 }
 
-fn light_sample_count_0( _S303 : i32) -> u32
+fn light_sample_count_0( _S283 : i32) -> u32
 {
-    return frames_0[_S303].lights_0 + frames_0[_S303].environment_samples_0;
+    return frames_0[_S283].lights_0 + frames_0[_S283].environment_samples_0;
 }
 
-fn visibility_at_0( _S304 : i32,  _S305 : u32,  _S306 : vec2<u32>) -> f32
+fn visibility_at_0( _S284 : i32,  _S285 : u32,  _S286 : vec2<u32>) -> f32
 {
-    if((frames_0[_S304].casts_shadows_0) == u32(0))
+    if((frames_0[_S284].casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S305 * frames_0[_S304].height_0 + _S306.y) * frames_0[_S304].width_0 + _S306.x];
+    return visibilities_0[(_S285 * frames_0[_S284].height_0 + _S286.y) * frames_0[_S284].width_0 + _S286.x];
 }
 
 struct LightSample_0
@@ -2166,68 +1964,68 @@ struct LightSample_0
      distance_0 : f32,
 };
 
-fn environment_texel_0( _S307 : i32,  _S308 : u32,  _S309 : u32) -> vec3<f32>
+fn environment_texel_0( _S287 : i32,  _S288 : u32,  _S289 : u32) -> vec3<f32>
 {
-    var _S310 : u32 = frames_0[_S307].environment_table_0 + frames_0[_S307].environment_rows_0 + u32(1) + frames_0[_S307].environment_rows_0 * (frames_0[_S307].environment_columns_0 + u32(1)) + u32(3) * (_S308 * frames_0[_S307].environment_columns_0 + _S309);
-    return vec3<f32>(scene_number_0(_S310), scene_number_0(_S310 + u32(1)), scene_number_0(_S310 + u32(2)));
+    var _S290 : u32 = frames_0[_S287].environment_table_0 + frames_0[_S287].environment_rows_0 + u32(1) + frames_0[_S287].environment_rows_0 * (frames_0[_S287].environment_columns_0 + u32(1)) + u32(3) * (_S288 * frames_0[_S287].environment_columns_0 + _S289);
+    return vec3<f32>(scene_number_0(_S290), scene_number_0(_S290 + u32(1)), scene_number_0(_S290 + u32(2)));
 }
 
-fn sample_environment_0( _S311 : i32,  _S312 : vec2<f32>,  _S313 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S291 : i32,  _S292 : vec2<f32>,  _S293 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S314 : u32 = frames_0[_S311].environment_rows_0;
-    var _S315 : Choice_0 = choose_0(frames_0[_S311].environment_table_0, frames_0[_S311].environment_rows_0, _S312.y);
-    var _S316 : u32 = frames_0[_S311].environment_columns_0;
-    var _S317 : Choice_0 = choose_0(frames_0[_S311].environment_table_0 + frames_0[_S311].environment_rows_0 + u32(1) + _S315.index_2 * (frames_0[_S311].environment_columns_0 + u32(1)), frames_0[_S311].environment_columns_0, _S312.x);
-    var _S318 : vec3<f32> = environment_texel_0(_S311, _S315.index_2, _S317.index_2);
-    (*_S313) = _S318 * vec3<f32>((frames_0[_S311].environment_total_0 / max(mean_0(_S318), 9.99999968265522539e-21f)));
-    var _S319 : f32 = 3.14159274101257324f / f32(_S314);
-    var _S320 : f32 = mix(sine_cosine_0(f32(_S315.index_2) * _S319).y, sine_cosine_0(f32(_S315.index_2 + u32(1)) * _S319).y, _S315.remainder_0);
-    var _S321 : f32 = sqrt(max(1.0f - _S320 * _S320, 0.0f));
-    var _S322 : vec2<f32> = sine_cosine_0((f32(_S317.index_2) + _S317.remainder_0) * (6.28318548202514648f / f32(_S316)));
-    var _S323 : f32 = _S321 * _S322.x;
-    var _S324 : f32 = - _S321 * _S322.y;
-    return vec3<f32>(frames_0[_S311].environment_cosine_0 * _S323 + frames_0[_S311].environment_sine_0 * _S324, _S320, frames_0[_S311].environment_cosine_0 * _S324 - frames_0[_S311].environment_sine_0 * _S323);
+    var _S294 : u32 = frames_0[_S291].environment_rows_0;
+    var _S295 : Choice_0 = choose_0(frames_0[_S291].environment_table_0, frames_0[_S291].environment_rows_0, _S292.y);
+    var _S296 : u32 = frames_0[_S291].environment_columns_0;
+    var _S297 : Choice_0 = choose_0(frames_0[_S291].environment_table_0 + frames_0[_S291].environment_rows_0 + u32(1) + _S295.index_2 * (frames_0[_S291].environment_columns_0 + u32(1)), frames_0[_S291].environment_columns_0, _S292.x);
+    var _S298 : vec3<f32> = environment_texel_0(_S291, _S295.index_2, _S297.index_2);
+    (*_S293) = _S298 * vec3<f32>((frames_0[_S291].environment_total_0 / max(mean_0(_S298), 9.99999968265522539e-21f)));
+    var _S299 : f32 = 3.14159274101257324f / f32(_S294);
+    var _S300 : f32 = mix(sine_cosine_0(f32(_S295.index_2) * _S299).y, sine_cosine_0(f32(_S295.index_2 + u32(1)) * _S299).y, _S295.remainder_0);
+    var _S301 : f32 = sqrt(max(1.0f - _S300 * _S300, 0.0f));
+    var _S302 : vec2<f32> = sine_cosine_0((f32(_S297.index_2) + _S297.remainder_0) * (6.28318548202514648f / f32(_S296)));
+    var _S303 : f32 = _S301 * _S302.x;
+    var _S304 : f32 = - _S301 * _S302.y;
+    return vec3<f32>(frames_0[_S291].environment_cosine_0 * _S303 + frames_0[_S291].environment_sine_0 * _S304, _S300, frames_0[_S291].environment_cosine_0 * _S304 - frames_0[_S291].environment_sine_0 * _S303);
 }
 
-fn light_sample_0( _S325 : i32,  _S326 : u32,  _S327 : vec2<u32>,  _S328 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S305 : i32,  _S306 : u32,  _S307 : vec2<u32>,  _S308 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_0 = 1.00000001504746622e+30f;
-    var _S329 : u32 = frames_0[_S325].lights_0;
-    if(_S326 >= (frames_0[_S325].lights_0))
+    var _S309 : u32 = frames_0[_S305].lights_0;
+    if(_S306 >= (frames_0[_S305].lights_0))
     {
         var weight_2 : vec3<f32>;
-        var _S330 : vec3<f32> = sample_environment_0(_S325, pixel_sequence_0(_S327, frames_0[_S325].pass_number_0 * frames_0[_S325].environment_samples_0 + (_S326 - _S329), u32(3)), &(weight_2));
-        sample_0.towards_0 = _S330;
-        sample_0.irradiance_1 = weight_2 / vec3<f32>(f32(frames_0[_S325].environment_samples_0));
+        var _S310 : vec3<f32> = sample_environment_0(_S305, pixel_sequence_0(_S307, frames_0[_S305].pass_number_0 * frames_0[_S305].environment_samples_0 + (_S306 - _S309), u32(3)), &(weight_2));
+        sample_0.towards_0 = _S310;
+        sample_0.irradiance_1 = weight_2 / vec3<f32>(f32(frames_0[_S305].environment_samples_0));
         return sample_0;
     }
-    var _S331 : Light_std430_0 = lights_1[_S326];
-    sample_0.irradiance_1 = vec3<f32>(_S331.red_0, _S331.green_0, _S331.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S331.x_1, _S331.y_1, _S331.z_1);
-    if((_S331.is_point_0) != u32(0))
+    var _S311 : Light_std430_0 = lights_1[_S306];
+    sample_0.irradiance_1 = vec3<f32>(_S311.red_0, _S311.green_0, _S311.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S311.x_1, _S311.y_1, _S311.z_1);
+    if((_S311.is_point_0) != u32(0))
     {
-        var _S332 : vec3<f32> = sample_0.towards_0 - _S328;
-        var _S333 : f32 = max(square_0(_S332), 9.999999960041972e-13f);
-        sample_0.distance_0 = sqrt(_S333);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S333);
-        sample_0.towards_0 = normalize(_S332);
+        var _S312 : vec3<f32> = sample_0.towards_0 - _S308;
+        var _S313 : f32 = max(square_0(_S312), 9.999999960041972e-13f);
+        sample_0.distance_0 = sqrt(_S313);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S313);
+        sample_0.towards_0 = normalize(_S312);
     }
     return sample_0;
 }
 
-fn latent_value_0( _S334 : u32,  _S335 : ptr<function, LatentView_0>,  _S336 : vec3<f32>) -> vec3<f32>
+fn latent_value_0( _S314 : u32,  _S315 : ptr<function, LatentView_0>,  _S316 : vec3<f32>) -> vec3<f32>
 {
-    var _S337 : vec3<f32> = to_face_frame_0(_S336, (*_S335).back_3);
-    if((_S337.z) <= 0.0f)
+    var _S317 : vec3<f32> = to_face_frame_0(_S316, (*_S315).back_3);
+    if((_S317.z) <= 0.0f)
     {
         return vec3<f32>(0.0f);
     }
     var inputs_32 : array<f32, i32(20)>;
-    var _S338 : vec3<f32> = LatentFrame_coordinates_0((*_S335).first_27, (*_S335).view_2);
-    var _S339 : vec3<f32> = LatentFrame_coordinates_0((*_S335).first_27, _S337);
-    var _S340 : vec3<f32> = LatentFrame_coordinates_0((*_S335).second_0, (*_S335).view_2);
-    var _S341 : vec3<f32> = LatentFrame_coordinates_0((*_S335).second_0, _S337);
+    var _S318 : vec3<f32> = LatentFrame_coordinates_0((*_S315).first_27, (*_S315).view_2);
+    var _S319 : vec3<f32> = LatentFrame_coordinates_0((*_S315).first_27, _S317);
+    var _S320 : vec3<f32> = LatentFrame_coordinates_0((*_S315).second_0, (*_S315).view_2);
+    var _S321 : vec3<f32> = LatentFrame_coordinates_0((*_S315).second_0, _S317);
     var axis_0 : i32 = i32(0);
     for(;;)
     {
@@ -2238,10 +2036,10 @@ fn latent_value_0( _S334 : u32,  _S335 : ptr<function, LatentView_0>,  _S336 : v
         {
             break;
         }
-        inputs_32[axis_0] = _S338[axis_0];
-        inputs_32[i32(3) + axis_0] = _S339[axis_0];
-        inputs_32[i32(6) + axis_0] = _S340[axis_0];
-        inputs_32[i32(9) + axis_0] = _S341[axis_0];
+        inputs_32[axis_0] = _S318[axis_0];
+        inputs_32[i32(3) + axis_0] = _S319[axis_0];
+        inputs_32[i32(6) + axis_0] = _S320[axis_0];
+        inputs_32[i32(9) + axis_0] = _S321[axis_0];
         axis_0 = axis_0 + i32(1);
     }
     var k_2 : i32 = i32(0);
@@ -2254,59 +2052,59 @@ fn latent_value_0( _S334 : u32,  _S335 : ptr<function, LatentView_0>,  _S336 : v
         {
             break;
         }
-        inputs_32[i32(12) + k_2] = (*_S335).latent_1[k_2];
+        inputs_32[i32(12) + k_2] = (*_S315).latent_1[k_2];
         k_2 = k_2 + i32(1);
     }
     var outputs_27 : array<f32, i32(3)>;
-    var _S342 : Latent_std430_0 = fabrics_0[_S334].latent_0;
-    if((fabrics_0[_S334].latent_0.hidden_0) == u32(16))
+    var _S322 : Latent_std430_0 = fabrics_0[_S314].latent_0;
+    if((fabrics_0[_S314].latent_0.hidden_0) == u32(16))
     {
-        decode_2(_S342.decoder_1, &(inputs_32), &(outputs_27));
+        decode_2(_S322.decoder_1, &(inputs_32), &(outputs_27));
     }
     else
     {
-        if((_S342.hidden_0) == u32(32))
+        if((_S322.hidden_0) == u32(32))
         {
-            decode_1(_S342.decoder_1, &(inputs_32), &(outputs_27));
+            decode_1(_S322.decoder_1, &(inputs_32), &(outputs_27));
         }
         else
         {
-            decode_0(_S342.decoder_1, &(inputs_32), &(outputs_27));
+            decode_0(_S322.decoder_1, &(inputs_32), &(outputs_27));
         }
     }
     return vec3<f32>(bounded_exponential_0(outputs_27[i32(0)] - 3.0f), bounded_exponential_0(outputs_27[i32(1)] - 3.0f), bounded_exponential_0(outputs_27[i32(2)] - 3.0f));
 }
 
-fn light_of_latent_0( _S343 : i32,  _S344 : u32,  _S345 : VisiblePoint_0,  _S346 : vec2<u32>) -> vec4<f32>
+fn light_of_latent_0( _S323 : i32,  _S324 : u32,  _S325 : VisiblePoint_0,  _S326 : vec2<u32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S345.draft_0;
-    footprint_0.dx_0 = _S345.draft_dx_0;
-    footprint_0.dy_0 = _S345.draft_dy_0;
+    footprint_0.centre_0 = _S325.draft_0;
+    footprint_0.dx_0 = _S325.draft_dx_0;
+    footprint_0.dy_0 = _S325.draft_dy_0;
     var seen_0 : LatentView_0;
-    latent_view_0(_S344, footprint_0, to_local_0(_S345, _S345.view_1), pixel_sequence_0(_S346, frames_0[_S343].pass_number_0, u32(1)).x, &(seen_0));
-    var _S347 : vec3<f32> = vec3<f32>(0.0f);
+    latent_view_0(_S324, footprint_0, to_local_0(_S325, _S325.view_1), pixel_sequence_0(_S326, frames_0[_S323].pass_number_0, u32(1)).x, &(seen_0));
+    var _S327 : vec3<f32> = vec3<f32>(0.0f);
     var number_1 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S347;
+    var radiance_1 : vec3<f32> = _S327;
     for(;;)
     {
-        if(number_1 < (light_sample_count_0(_S343)))
+        if(number_1 < (light_sample_count_0(_S323)))
         {
         }
         else
         {
             break;
         }
-        var _S348 : f32 = visibility_at_0(_S343, number_1, _S346);
-        if(_S348 <= 0.0f)
+        var _S328 : f32 = visibility_at_0(_S323, number_1, _S326);
+        if(_S328 <= 0.0f)
         {
             number_1 = number_1 + u32(1);
             continue;
         }
-        var _S349 : LightSample_0 = light_sample_0(_S343, number_1, _S346, _S345.position_0);
-        var _S350 : vec3<f32> = vec3<f32>(_S348) * _S349.irradiance_1;
-        var _S351 : vec3<f32> = latent_value_0(_S344, &(seen_0), to_local_0(_S345, _S349.towards_0));
-        radiance_1 = radiance_1 + _S350 * _S351;
+        var _S329 : LightSample_0 = light_sample_0(_S323, number_1, _S326, _S325.position_0);
+        var _S330 : vec3<f32> = vec3<f32>(_S328) * _S329.irradiance_1;
+        var _S331 : vec3<f32> = latent_value_0(_S324, &(seen_0), to_local_0(_S325, _S329.towards_0));
+        radiance_1 = radiance_1 + _S330 * _S331;
         number_1 = number_1 + u32(1);
     }
     return vec4<f32>(radiance_1, 1.0f);
@@ -2316,31 +2114,31 @@ fn light_of_latent_0( _S343 : i32,  _S344 : u32,  _S345 : VisiblePoint_0,  _S346
 @workgroup_size(8, 8, 1)
 fn shade_latent(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S352 : u32 = id_0.x;
-    var _S353 : u32 = frames_0[i32(0)].width_0;
-    var _S354 : bool;
-    if(_S352 >= (frames_0[i32(0)].width_0))
+    var _S332 : u32 = id_0.x;
+    var _S333 : u32 = frames_0[i32(0)].width_0;
+    var _S334 : bool;
+    if(_S332 >= (frames_0[i32(0)].width_0))
     {
-        _S354 = true;
+        _S334 = true;
     }
     else
     {
-        _S354 = (id_0.y) >= (frames_0[i32(0)].height_0);
+        _S334 = (id_0.y) >= (frames_0[i32(0)].height_0);
     }
-    if(_S354)
+    if(_S334)
     {
         return;
     }
-    var _S355 : u32 = id_0.y * _S353 + _S352;
-    var _S356 : u32 = layers_0[_S355].face_0;
-    if((layers_0[_S355].face_0) == u32(0))
+    var _S335 : u32 = id_0.y * _S333 + _S332;
+    var _S336 : u32 = layers_0[_S335].face_0;
+    if((layers_0[_S335].face_0) == u32(0))
     {
         return;
     }
-    var _S357 : u32 = _S356 - u32(1);
-    var _S358 : u32 = face_fabrics_0[_S357];
-    var _S359 : vec2<u32> = id_0.xy;
-    accumulate_0(_S355, light_of_latent_0(i32(0), _S358, visible_point_0(i32(0), _S358, _S357, _S359), _S359));
+    var _S337 : u32 = _S336 - u32(1);
+    var _S338 : u32 = face_fabrics_0[_S337];
+    var _S339 : vec2<u32> = id_0.xy;
+    accumulate_0(_S335, light_of_latent_0(i32(0), _S338, visible_point_0(i32(0), _S338, _S337, _S339), _S339));
     return;
 }
 

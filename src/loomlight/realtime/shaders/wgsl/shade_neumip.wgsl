@@ -311,6 +311,16 @@ fn tile_product_0( weights_0 : FloatWeights_0,  row_0 : u32,  inputs_0 : ptr<fun
     return sums_1;
 }
 
+fn select_vector_0( condition_0 : bool,  yes_0 : vec4<f32>,  no_0 : vec4<f32>) -> vec4<f32>
+{
+    var chosen_0 : vec4<f32>;
+    chosen_0[i32(0)] = select(no_0[i32(0)], yes_0[i32(0)], condition_0);
+    chosen_0[i32(1)] = select(no_0[i32(1)], yes_0[i32(1)], condition_0);
+    chosen_0[i32(2)] = select(no_0[i32(2)], yes_0[i32(2)], condition_0);
+    chosen_0[i32(3)] = select(no_0[i32(3)], yes_0[i32(3)], condition_0);
+    return chosen_0;
+}
+
 fn Identity_apply_0( x_2 : f32) -> f32
 {
     return x_2;
@@ -333,67 +343,58 @@ fn dense_part_0( weights_1 : FloatWeights_0,  first_1 : u32,  adds_0 : bool,  in
         var _S12 : u32 = u32(output_0);
         var _S13 : Eight_0 = FloatWeights_eight_0(weights_1, first_1 + _S12 / u32(8));
         var _S14 : vec4<f32> = tile_product_0(weights_1, _S10 + _S12 * u32(4), &((*inputs_1)));
-        var _S15 : vec4<f32>;
-        if(((output_0 & (i32(4)))) != i32(0))
-        {
-            _S15 = _S13.high_0;
-        }
-        else
-        {
-            _S15 = _S13.low_0;
-        }
-        var _S16 : vec4<f32> = _S14 + _S15;
-        var _S17 : f32;
+        var _S15 : vec4<f32> = _S14 + select_vector_0(((output_0 & (i32(4)))) != i32(0), _S13.high_0, _S13.low_0);
+        var _S16 : f32;
         if(_S11)
         {
             if(adds_0)
             {
-                _S17 = (*outputs_0)[output_0];
+                _S16 = (*outputs_0)[output_0];
             }
             else
             {
-                _S17 = 0.0f;
+                _S16 = 0.0f;
             }
-            (*outputs_0)[output_0] = Identity_apply_0(_S16[i32(0)] + _S17);
+            (*outputs_0)[output_0] = Identity_apply_0(_S15[i32(0)] + _S16);
         }
-        var _S18 : i32 = output_0 + i32(1);
+        var _S17 : i32 = output_0 + i32(1);
+        if(_S17 < i32(3))
+        {
+            if(adds_0)
+            {
+                _S16 = (*outputs_0)[_S17];
+            }
+            else
+            {
+                _S16 = 0.0f;
+            }
+            (*outputs_0)[_S17] = Identity_apply_0(_S15[i32(1)] + _S16);
+        }
+        var _S18 : i32 = output_0 + i32(2);
         if(_S18 < i32(3))
         {
             if(adds_0)
             {
-                _S17 = (*outputs_0)[_S18];
+                _S16 = (*outputs_0)[_S18];
             }
             else
             {
-                _S17 = 0.0f;
+                _S16 = 0.0f;
             }
-            (*outputs_0)[_S18] = Identity_apply_0(_S16[i32(1)] + _S17);
+            (*outputs_0)[_S18] = Identity_apply_0(_S15[i32(2)] + _S16);
         }
-        var _S19 : i32 = output_0 + i32(2);
+        var _S19 : i32 = output_0 + i32(3);
         if(_S19 < i32(3))
         {
             if(adds_0)
             {
-                _S17 = (*outputs_0)[_S19];
+                _S16 = (*outputs_0)[_S19];
             }
             else
             {
-                _S17 = 0.0f;
+                _S16 = 0.0f;
             }
-            (*outputs_0)[_S19] = Identity_apply_0(_S16[i32(2)] + _S17);
-        }
-        var _S20 : i32 = output_0 + i32(3);
-        if(_S20 < i32(3))
-        {
-            if(adds_0)
-            {
-                _S17 = (*outputs_0)[_S20];
-            }
-            else
-            {
-                _S17 = 0.0f;
-            }
-            (*outputs_0)[_S20] = Identity_apply_0(_S16[i32(3)] + _S17);
+            (*outputs_0)[_S19] = Identity_apply_0(_S15[i32(3)] + _S16);
         }
         output_0 = output_0 + i32(4);
     }
@@ -415,26 +416,26 @@ fn tile_product_1( weights_2 : FloatWeights_0,  row_1 : u32,  inputs_2 : ptr<fun
         }
         var low_2 : vec4<f32>;
         var high_2 : vec4<f32>;
-        var _S21 : i32 = i32(u32(8) * column_1);
-        low_2[i32(0)] = (*inputs_2)[min(_S21, i32(10))];
-        high_2[i32(0)] = (*inputs_2)[min(_S21 + i32(4), i32(10))];
-        var _S22 : i32 = _S21 + i32(1);
-        low_2[i32(1)] = (*inputs_2)[min(_S22, i32(10))];
-        high_2[i32(1)] = (*inputs_2)[min(_S22 + i32(4), i32(10))];
-        var _S23 : i32 = _S21 + i32(2);
-        low_2[i32(2)] = (*inputs_2)[min(_S23, i32(10))];
-        high_2[i32(2)] = (*inputs_2)[min(_S23 + i32(4), i32(10))];
-        var _S24 : i32 = _S21 + i32(3);
-        low_2[i32(3)] = (*inputs_2)[min(_S24, i32(10))];
-        high_2[i32(3)] = (*inputs_2)[min(_S24 + i32(4), i32(10))];
-        var _S25 : Eight_0 = FloatWeights_eight_0(weights_2, row_1 + column_1);
-        sums_2[i32(0)] = sums_2[i32(0)] + (dot(_S25.low_0, low_2) + dot(_S25.high_0, high_2));
-        var _S26 : Eight_0 = FloatWeights_eight_0(weights_2, row_1 + u32(2) + column_1);
-        sums_2[i32(1)] = sums_2[i32(1)] + (dot(_S26.low_0, low_2) + dot(_S26.high_0, high_2));
-        var _S27 : Eight_0 = FloatWeights_eight_0(weights_2, row_1 + u32(4) + column_1);
-        sums_2[i32(2)] = sums_2[i32(2)] + (dot(_S27.low_0, low_2) + dot(_S27.high_0, high_2));
-        var _S28 : Eight_0 = FloatWeights_eight_0(weights_2, row_1 + u32(6) + column_1);
-        sums_2[i32(3)] = sums_2[i32(3)] + (dot(_S28.low_0, low_2) + dot(_S28.high_0, high_2));
+        var _S20 : i32 = i32(u32(8) * column_1);
+        low_2[i32(0)] = (*inputs_2)[min(_S20, i32(10))];
+        high_2[i32(0)] = (*inputs_2)[min(_S20 + i32(4), i32(10))];
+        var _S21 : i32 = _S20 + i32(1);
+        low_2[i32(1)] = (*inputs_2)[min(_S21, i32(10))];
+        high_2[i32(1)] = (*inputs_2)[min(_S21 + i32(4), i32(10))];
+        var _S22 : i32 = _S20 + i32(2);
+        low_2[i32(2)] = (*inputs_2)[min(_S22, i32(10))];
+        high_2[i32(2)] = (*inputs_2)[min(_S22 + i32(4), i32(10))];
+        var _S23 : i32 = _S20 + i32(3);
+        low_2[i32(3)] = (*inputs_2)[min(_S23, i32(10))];
+        high_2[i32(3)] = (*inputs_2)[min(_S23 + i32(4), i32(10))];
+        var _S24 : Eight_0 = FloatWeights_eight_0(weights_2, row_1 + column_1);
+        sums_2[i32(0)] = sums_2[i32(0)] + (dot(_S24.low_0, low_2) + dot(_S24.high_0, high_2));
+        var _S25 : Eight_0 = FloatWeights_eight_0(weights_2, row_1 + u32(2) + column_1);
+        sums_2[i32(1)] = sums_2[i32(1)] + (dot(_S25.low_0, low_2) + dot(_S25.high_0, high_2));
+        var _S26 : Eight_0 = FloatWeights_eight_0(weights_2, row_1 + u32(4) + column_1);
+        sums_2[i32(2)] = sums_2[i32(2)] + (dot(_S26.low_0, low_2) + dot(_S26.high_0, high_2));
+        var _S27 : Eight_0 = FloatWeights_eight_0(weights_2, row_1 + u32(6) + column_1);
+        sums_2[i32(3)] = sums_2[i32(3)] + (dot(_S27.low_0, low_2) + dot(_S27.high_0, high_2));
         column_1 = column_1 + u32(1);
     }
     return sums_2;
@@ -447,82 +448,73 @@ fn Relu_apply_0( x_3 : f32) -> f32
 
 fn dense_part_1( weights_3 : FloatWeights_0,  first_2 : u32,  adds_1 : bool,  inputs_3 : ptr<function, array<f32, i32(11)>>,  outputs_1 : ptr<function, array<f32, i32(25)>>)
 {
-    var _S29 : u32 = first_2 + u32(whole_parts_0(i32(4)));
+    var _S28 : u32 = first_2 + u32(whole_parts_0(i32(4)));
     var output_1 : i32 = i32(0);
     for(;;)
     {
-        var _S30 : bool = output_1 < i32(25);
-        if(_S30)
+        var _S29 : bool = output_1 < i32(25);
+        if(_S29)
         {
         }
         else
         {
             break;
         }
-        var _S31 : u32 = u32(output_1);
-        var _S32 : Eight_0 = FloatWeights_eight_0(weights_3, first_2 + _S31 / u32(8));
-        var _S33 : vec4<f32> = tile_product_1(weights_3, _S29 + _S31 * u32(2), &((*inputs_3)));
-        var _S34 : vec4<f32>;
-        if(((output_1 & (i32(4)))) != i32(0))
-        {
-            _S34 = _S32.high_0;
-        }
-        else
-        {
-            _S34 = _S32.low_0;
-        }
-        var _S35 : vec4<f32> = _S33 + _S34;
-        var _S36 : f32;
-        if(_S30)
+        var _S30 : u32 = u32(output_1);
+        var _S31 : Eight_0 = FloatWeights_eight_0(weights_3, first_2 + _S30 / u32(8));
+        var _S32 : vec4<f32> = tile_product_1(weights_3, _S28 + _S30 * u32(2), &((*inputs_3)));
+        var _S33 : vec4<f32> = _S32 + select_vector_0(((output_1 & (i32(4)))) != i32(0), _S31.high_0, _S31.low_0);
+        var _S34 : f32;
+        if(_S29)
         {
             if(adds_1)
             {
-                _S36 = (*outputs_1)[output_1];
+                _S34 = (*outputs_1)[output_1];
             }
             else
             {
-                _S36 = 0.0f;
+                _S34 = 0.0f;
             }
-            (*outputs_1)[output_1] = Relu_apply_0(_S35[i32(0)] + _S36);
+            (*outputs_1)[output_1] = Relu_apply_0(_S33[i32(0)] + _S34);
         }
-        var _S37 : i32 = output_1 + i32(1);
+        var _S35 : i32 = output_1 + i32(1);
+        if(_S35 < i32(25))
+        {
+            if(adds_1)
+            {
+                _S34 = (*outputs_1)[_S35];
+            }
+            else
+            {
+                _S34 = 0.0f;
+            }
+            (*outputs_1)[_S35] = Relu_apply_0(_S33[i32(1)] + _S34);
+        }
+        var _S36 : i32 = output_1 + i32(2);
+        if(_S36 < i32(25))
+        {
+            if(adds_1)
+            {
+                _S34 = (*outputs_1)[_S36];
+            }
+            else
+            {
+                _S34 = 0.0f;
+            }
+            (*outputs_1)[_S36] = Relu_apply_0(_S33[i32(2)] + _S34);
+        }
+        var _S37 : i32 = output_1 + i32(3);
         if(_S37 < i32(25))
         {
             if(adds_1)
             {
-                _S36 = (*outputs_1)[_S37];
+                _S34 = (*outputs_1)[_S37];
             }
             else
             {
-                _S36 = 0.0f;
+                _S34 = 0.0f;
             }
-            (*outputs_1)[_S37] = Relu_apply_0(_S35[i32(1)] + _S36);
-        }
-        var _S38 : i32 = output_1 + i32(2);
-        if(_S38 < i32(25))
-        {
-            if(adds_1)
-            {
-                _S36 = (*outputs_1)[_S38];
-            }
-            else
-            {
-                _S36 = 0.0f;
-            }
-            (*outputs_1)[_S38] = Relu_apply_0(_S35[i32(2)] + _S36);
-        }
-        var _S39 : i32 = output_1 + i32(3);
-        if(_S39 < i32(25))
-        {
-            if(adds_1)
-            {
-                _S36 = (*outputs_1)[_S39];
-            }
-            else
-            {
-                _S36 = 0.0f;
-            }
-            (*outputs_1)[_S39] = Relu_apply_0(_S35[i32(3)] + _S36);
+            (*outputs_1)[_S37] = Relu_apply_0(_S33[i32(3)] + _S34);
         }
         output_1 = output_1 + i32(4);
     }
@@ -556,26 +548,26 @@ fn tile_product_2( weights_6 : FloatWeights_0,  row_2 : u32,  inputs_6 : ptr<fun
         }
         var low_3 : vec4<f32>;
         var high_3 : vec4<f32>;
-        var _S40 : i32 = i32(u32(8) * column_2);
-        low_3[i32(0)] = (*inputs_6)[_S40];
-        high_3[i32(0)] = (*inputs_6)[_S40 + i32(4)];
-        var _S41 : i32 = _S40 + i32(1);
-        low_3[i32(1)] = (*inputs_6)[_S41];
-        high_3[i32(1)] = (*inputs_6)[_S41 + i32(4)];
-        var _S42 : i32 = _S40 + i32(2);
-        low_3[i32(2)] = (*inputs_6)[_S42];
-        high_3[i32(2)] = (*inputs_6)[_S42 + i32(4)];
-        var _S43 : i32 = _S40 + i32(3);
-        low_3[i32(3)] = (*inputs_6)[_S43];
-        high_3[i32(3)] = (*inputs_6)[_S43 + i32(4)];
-        var _S44 : Eight_0 = FloatWeights_eight_0(weights_6, row_2 + column_2);
-        sums_3[i32(0)] = sums_3[i32(0)] + (dot(_S44.low_0, low_3) + dot(_S44.high_0, high_3));
-        var _S45 : Eight_0 = FloatWeights_eight_0(weights_6, row_2 + u32(2) + column_2);
-        sums_3[i32(1)] = sums_3[i32(1)] + (dot(_S45.low_0, low_3) + dot(_S45.high_0, high_3));
-        var _S46 : Eight_0 = FloatWeights_eight_0(weights_6, row_2 + u32(4) + column_2);
-        sums_3[i32(2)] = sums_3[i32(2)] + (dot(_S46.low_0, low_3) + dot(_S46.high_0, high_3));
-        var _S47 : Eight_0 = FloatWeights_eight_0(weights_6, row_2 + u32(6) + column_2);
-        sums_3[i32(3)] = sums_3[i32(3)] + (dot(_S47.low_0, low_3) + dot(_S47.high_0, high_3));
+        var _S38 : i32 = i32(u32(8) * column_2);
+        low_3[i32(0)] = (*inputs_6)[_S38];
+        high_3[i32(0)] = (*inputs_6)[_S38 + i32(4)];
+        var _S39 : i32 = _S38 + i32(1);
+        low_3[i32(1)] = (*inputs_6)[_S39];
+        high_3[i32(1)] = (*inputs_6)[_S39 + i32(4)];
+        var _S40 : i32 = _S38 + i32(2);
+        low_3[i32(2)] = (*inputs_6)[_S40];
+        high_3[i32(2)] = (*inputs_6)[_S40 + i32(4)];
+        var _S41 : i32 = _S38 + i32(3);
+        low_3[i32(3)] = (*inputs_6)[_S41];
+        high_3[i32(3)] = (*inputs_6)[_S41 + i32(4)];
+        var _S42 : Eight_0 = FloatWeights_eight_0(weights_6, row_2 + column_2);
+        sums_3[i32(0)] = sums_3[i32(0)] + (dot(_S42.low_0, low_3) + dot(_S42.high_0, high_3));
+        var _S43 : Eight_0 = FloatWeights_eight_0(weights_6, row_2 + u32(2) + column_2);
+        sums_3[i32(1)] = sums_3[i32(1)] + (dot(_S43.low_0, low_3) + dot(_S43.high_0, high_3));
+        var _S44 : Eight_0 = FloatWeights_eight_0(weights_6, row_2 + u32(4) + column_2);
+        sums_3[i32(2)] = sums_3[i32(2)] + (dot(_S44.low_0, low_3) + dot(_S44.high_0, high_3));
+        var _S45 : Eight_0 = FloatWeights_eight_0(weights_6, row_2 + u32(6) + column_2);
+        sums_3[i32(3)] = sums_3[i32(3)] + (dot(_S45.low_0, low_3) + dot(_S45.high_0, high_3));
         column_2 = column_2 + u32(1);
     }
     return sums_3;
@@ -583,82 +575,73 @@ fn tile_product_2( weights_6 : FloatWeights_0,  row_2 : u32,  inputs_6 : ptr<fun
 
 fn dense_part_2( weights_7 : FloatWeights_0,  first_5 : u32,  adds_4 : bool,  inputs_7 : ptr<function, array<f32, i32(16)>>,  outputs_4 : ptr<function, array<f32, i32(16)>>)
 {
-    var _S48 : u32 = first_5 + u32(whole_parts_0(i32(2)));
+    var _S46 : u32 = first_5 + u32(whole_parts_0(i32(2)));
     var output_2 : i32 = i32(0);
     for(;;)
     {
-        var _S49 : bool = output_2 < i32(16);
-        if(_S49)
+        var _S47 : bool = output_2 < i32(16);
+        if(_S47)
         {
         }
         else
         {
             break;
         }
-        var _S50 : u32 = u32(output_2);
-        var _S51 : Eight_0 = FloatWeights_eight_0(weights_7, first_5 + _S50 / u32(8));
-        var _S52 : vec4<f32> = tile_product_2(weights_7, _S48 + _S50 * u32(2), &((*inputs_7)));
-        var _S53 : vec4<f32>;
-        if(((output_2 & (i32(4)))) != i32(0))
-        {
-            _S53 = _S51.high_0;
-        }
-        else
-        {
-            _S53 = _S51.low_0;
-        }
-        var _S54 : vec4<f32> = _S52 + _S53;
-        var _S55 : f32;
-        if(_S49)
+        var _S48 : u32 = u32(output_2);
+        var _S49 : Eight_0 = FloatWeights_eight_0(weights_7, first_5 + _S48 / u32(8));
+        var _S50 : vec4<f32> = tile_product_2(weights_7, _S46 + _S48 * u32(2), &((*inputs_7)));
+        var _S51 : vec4<f32> = _S50 + select_vector_0(((output_2 & (i32(4)))) != i32(0), _S49.high_0, _S49.low_0);
+        var _S52 : f32;
+        if(_S47)
         {
             if(adds_4)
             {
-                _S55 = (*outputs_4)[output_2];
+                _S52 = (*outputs_4)[output_2];
             }
             else
             {
-                _S55 = 0.0f;
+                _S52 = 0.0f;
             }
-            (*outputs_4)[output_2] = Relu_apply_0(_S54[i32(0)] + _S55);
+            (*outputs_4)[output_2] = Relu_apply_0(_S51[i32(0)] + _S52);
         }
-        var _S56 : i32 = output_2 + i32(1);
-        if(_S56 < i32(16))
+        var _S53 : i32 = output_2 + i32(1);
+        if(_S53 < i32(16))
         {
             if(adds_4)
             {
-                _S55 = (*outputs_4)[_S56];
+                _S52 = (*outputs_4)[_S53];
             }
             else
             {
-                _S55 = 0.0f;
+                _S52 = 0.0f;
             }
-            (*outputs_4)[_S56] = Relu_apply_0(_S54[i32(1)] + _S55);
+            (*outputs_4)[_S53] = Relu_apply_0(_S51[i32(1)] + _S52);
         }
-        var _S57 : i32 = output_2 + i32(2);
-        if(_S57 < i32(16))
+        var _S54 : i32 = output_2 + i32(2);
+        if(_S54 < i32(16))
         {
             if(adds_4)
             {
-                _S55 = (*outputs_4)[_S57];
+                _S52 = (*outputs_4)[_S54];
             }
             else
             {
-                _S55 = 0.0f;
+                _S52 = 0.0f;
             }
-            (*outputs_4)[_S57] = Relu_apply_0(_S54[i32(2)] + _S55);
+            (*outputs_4)[_S54] = Relu_apply_0(_S51[i32(2)] + _S52);
         }
-        var _S58 : i32 = output_2 + i32(3);
-        if(_S58 < i32(16))
+        var _S55 : i32 = output_2 + i32(3);
+        if(_S55 < i32(16))
         {
             if(adds_4)
             {
-                _S55 = (*outputs_4)[_S58];
+                _S52 = (*outputs_4)[_S55];
             }
             else
             {
-                _S55 = 0.0f;
+                _S52 = 0.0f;
             }
-            (*outputs_4)[_S58] = Relu_apply_0(_S54[i32(3)] + _S55);
+            (*outputs_4)[_S55] = Relu_apply_0(_S51[i32(3)] + _S52);
         }
         output_2 = output_2 + i32(4);
     }
@@ -667,82 +650,73 @@ fn dense_part_2( weights_7 : FloatWeights_0,  first_5 : u32,  adds_4 : bool,  in
 
 fn dense_part_3( weights_8 : FloatWeights_0,  first_6 : u32,  adds_5 : bool,  inputs_8 : ptr<function, array<f32, i32(16)>>,  outputs_5 : ptr<function, array<f32, i32(1)>>)
 {
-    var _S59 : u32 = first_6 + u32(whole_parts_0(i32(1)));
+    var _S56 : u32 = first_6 + u32(whole_parts_0(i32(1)));
     var output_3 : i32 = i32(0);
     for(;;)
     {
-        var _S60 : bool = output_3 < i32(1);
-        if(_S60)
+        var _S57 : bool = output_3 < i32(1);
+        if(_S57)
         {
         }
         else
         {
             break;
         }
-        var _S61 : u32 = u32(output_3);
-        var _S62 : Eight_0 = FloatWeights_eight_0(weights_8, first_6 + _S61 / u32(8));
-        var _S63 : vec4<f32> = tile_product_2(weights_8, _S59 + _S61 * u32(2), &((*inputs_8)));
-        var _S64 : vec4<f32>;
-        if(((output_3 & (i32(4)))) != i32(0))
-        {
-            _S64 = _S62.high_0;
-        }
-        else
-        {
-            _S64 = _S62.low_0;
-        }
-        var _S65 : vec4<f32> = _S63 + _S64;
-        var _S66 : f32;
-        if(_S60)
+        var _S58 : u32 = u32(output_3);
+        var _S59 : Eight_0 = FloatWeights_eight_0(weights_8, first_6 + _S58 / u32(8));
+        var _S60 : vec4<f32> = tile_product_2(weights_8, _S56 + _S58 * u32(2), &((*inputs_8)));
+        var _S61 : vec4<f32> = _S60 + select_vector_0(((output_3 & (i32(4)))) != i32(0), _S59.high_0, _S59.low_0);
+        var _S62 : f32;
+        if(_S57)
         {
             if(adds_5)
             {
-                _S66 = (*outputs_5)[output_3];
+                _S62 = (*outputs_5)[output_3];
             }
             else
             {
-                _S66 = 0.0f;
+                _S62 = 0.0f;
             }
-            (*outputs_5)[output_3] = Identity_apply_0(_S65[i32(0)] + _S66);
+            (*outputs_5)[output_3] = Identity_apply_0(_S61[i32(0)] + _S62);
         }
-        var _S67 : i32 = output_3 + i32(1);
-        if(_S67 < i32(1))
+        var _S63 : i32 = output_3 + i32(1);
+        if(_S63 < i32(1))
         {
             if(adds_5)
             {
-                _S66 = (*outputs_5)[_S67];
+                _S62 = (*outputs_5)[_S63];
             }
             else
             {
-                _S66 = 0.0f;
+                _S62 = 0.0f;
             }
-            (*outputs_5)[_S67] = Identity_apply_0(_S65[i32(1)] + _S66);
+            (*outputs_5)[_S63] = Identity_apply_0(_S61[i32(1)] + _S62);
         }
-        var _S68 : i32 = output_3 + i32(2);
-        if(_S68 < i32(1))
+        var _S64 : i32 = output_3 + i32(2);
+        if(_S64 < i32(1))
         {
             if(adds_5)
             {
-                _S66 = (*outputs_5)[_S68];
+                _S62 = (*outputs_5)[_S64];
             }
             else
             {
-                _S66 = 0.0f;
+                _S62 = 0.0f;
             }
-            (*outputs_5)[_S68] = Identity_apply_0(_S65[i32(2)] + _S66);
+            (*outputs_5)[_S64] = Identity_apply_0(_S61[i32(2)] + _S62);
         }
-        var _S69 : i32 = output_3 + i32(3);
-        if(_S69 < i32(1))
+        var _S65 : i32 = output_3 + i32(3);
+        if(_S65 < i32(1))
         {
             if(adds_5)
             {
-                _S66 = (*outputs_5)[_S69];
+                _S62 = (*outputs_5)[_S65];
             }
             else
             {
-                _S66 = 0.0f;
+                _S62 = 0.0f;
             }
-            (*outputs_5)[_S69] = Identity_apply_0(_S65[i32(3)] + _S66);
+            (*outputs_5)[_S65] = Identity_apply_0(_S61[i32(3)] + _S62);
         }
         output_3 = output_3 + i32(4);
     }
@@ -764,26 +738,26 @@ fn tile_product_3( weights_9 : FloatWeights_0,  row_3 : u32,  inputs_9 : ptr<fun
         }
         var low_4 : vec4<f32>;
         var high_4 : vec4<f32>;
-        var _S70 : i32 = i32(u32(8) * column_3);
-        low_4[i32(0)] = (*inputs_9)[min(_S70, i32(8))];
-        high_4[i32(0)] = (*inputs_9)[min(_S70 + i32(4), i32(8))];
-        var _S71 : i32 = _S70 + i32(1);
-        low_4[i32(1)] = (*inputs_9)[min(_S71, i32(8))];
-        high_4[i32(1)] = (*inputs_9)[min(_S71 + i32(4), i32(8))];
-        var _S72 : i32 = _S70 + i32(2);
-        low_4[i32(2)] = (*inputs_9)[min(_S72, i32(8))];
-        high_4[i32(2)] = (*inputs_9)[min(_S72 + i32(4), i32(8))];
-        var _S73 : i32 = _S70 + i32(3);
-        low_4[i32(3)] = (*inputs_9)[min(_S73, i32(8))];
-        high_4[i32(3)] = (*inputs_9)[min(_S73 + i32(4), i32(8))];
-        var _S74 : Eight_0 = FloatWeights_eight_0(weights_9, row_3 + column_3);
-        sums_4[i32(0)] = sums_4[i32(0)] + (dot(_S74.low_0, low_4) + dot(_S74.high_0, high_4));
-        var _S75 : Eight_0 = FloatWeights_eight_0(weights_9, row_3 + u32(2) + column_3);
-        sums_4[i32(1)] = sums_4[i32(1)] + (dot(_S75.low_0, low_4) + dot(_S75.high_0, high_4));
-        var _S76 : Eight_0 = FloatWeights_eight_0(weights_9, row_3 + u32(4) + column_3);
-        sums_4[i32(2)] = sums_4[i32(2)] + (dot(_S76.low_0, low_4) + dot(_S76.high_0, high_4));
-        var _S77 : Eight_0 = FloatWeights_eight_0(weights_9, row_3 + u32(6) + column_3);
-        sums_4[i32(3)] = sums_4[i32(3)] + (dot(_S77.low_0, low_4) + dot(_S77.high_0, high_4));
+        var _S66 : i32 = i32(u32(8) * column_3);
+        low_4[i32(0)] = (*inputs_9)[min(_S66, i32(8))];
+        high_4[i32(0)] = (*inputs_9)[min(_S66 + i32(4), i32(8))];
+        var _S67 : i32 = _S66 + i32(1);
+        low_4[i32(1)] = (*inputs_9)[min(_S67, i32(8))];
+        high_4[i32(1)] = (*inputs_9)[min(_S67 + i32(4), i32(8))];
+        var _S68 : i32 = _S66 + i32(2);
+        low_4[i32(2)] = (*inputs_9)[min(_S68, i32(8))];
+        high_4[i32(2)] = (*inputs_9)[min(_S68 + i32(4), i32(8))];
+        var _S69 : i32 = _S66 + i32(3);
+        low_4[i32(3)] = (*inputs_9)[min(_S69, i32(8))];
+        high_4[i32(3)] = (*inputs_9)[min(_S69 + i32(4), i32(8))];
+        var _S70 : Eight_0 = FloatWeights_eight_0(weights_9, row_3 + column_3);
+        sums_4[i32(0)] = sums_4[i32(0)] + (dot(_S70.low_0, low_4) + dot(_S70.high_0, high_4));
+        var _S71 : Eight_0 = FloatWeights_eight_0(weights_9, row_3 + u32(2) + column_3);
+        sums_4[i32(1)] = sums_4[i32(1)] + (dot(_S71.low_0, low_4) + dot(_S71.high_0, high_4));
+        var _S72 : Eight_0 = FloatWeights_eight_0(weights_9, row_3 + u32(4) + column_3);
+        sums_4[i32(2)] = sums_4[i32(2)] + (dot(_S72.low_0, low_4) + dot(_S72.high_0, high_4));
+        var _S73 : Eight_0 = FloatWeights_eight_0(weights_9, row_3 + u32(6) + column_3);
+        sums_4[i32(3)] = sums_4[i32(3)] + (dot(_S73.low_0, low_4) + dot(_S73.high_0, high_4));
         column_3 = column_3 + u32(1);
     }
     return sums_4;
@@ -791,82 +765,73 @@ fn tile_product_3( weights_9 : FloatWeights_0,  row_3 : u32,  inputs_9 : ptr<fun
 
 fn dense_part_4( weights_10 : FloatWeights_0,  first_7 : u32,  adds_6 : bool,  inputs_10 : ptr<function, array<f32, i32(9)>>,  outputs_6 : ptr<function, array<f32, i32(16)>>)
 {
-    var _S78 : u32 = first_7 + u32(whole_parts_0(i32(2)));
+    var _S74 : u32 = first_7 + u32(whole_parts_0(i32(2)));
     var output_4 : i32 = i32(0);
     for(;;)
     {
-        var _S79 : bool = output_4 < i32(16);
-        if(_S79)
+        var _S75 : bool = output_4 < i32(16);
+        if(_S75)
         {
         }
         else
         {
             break;
         }
-        var _S80 : u32 = u32(output_4);
-        var _S81 : Eight_0 = FloatWeights_eight_0(weights_10, first_7 + _S80 / u32(8));
-        var _S82 : vec4<f32> = tile_product_3(weights_10, _S78 + _S80 * u32(2), &((*inputs_10)));
-        var _S83 : vec4<f32>;
-        if(((output_4 & (i32(4)))) != i32(0))
-        {
-            _S83 = _S81.high_0;
-        }
-        else
-        {
-            _S83 = _S81.low_0;
-        }
-        var _S84 : vec4<f32> = _S82 + _S83;
-        var _S85 : f32;
-        if(_S79)
+        var _S76 : u32 = u32(output_4);
+        var _S77 : Eight_0 = FloatWeights_eight_0(weights_10, first_7 + _S76 / u32(8));
+        var _S78 : vec4<f32> = tile_product_3(weights_10, _S74 + _S76 * u32(2), &((*inputs_10)));
+        var _S79 : vec4<f32> = _S78 + select_vector_0(((output_4 & (i32(4)))) != i32(0), _S77.high_0, _S77.low_0);
+        var _S80 : f32;
+        if(_S75)
         {
             if(adds_6)
             {
-                _S85 = (*outputs_6)[output_4];
+                _S80 = (*outputs_6)[output_4];
             }
             else
             {
-                _S85 = 0.0f;
+                _S80 = 0.0f;
             }
-            (*outputs_6)[output_4] = Relu_apply_0(_S84[i32(0)] + _S85);
+            (*outputs_6)[output_4] = Relu_apply_0(_S79[i32(0)] + _S80);
         }
-        var _S86 : i32 = output_4 + i32(1);
-        if(_S86 < i32(16))
+        var _S81 : i32 = output_4 + i32(1);
+        if(_S81 < i32(16))
         {
             if(adds_6)
             {
-                _S85 = (*outputs_6)[_S86];
+                _S80 = (*outputs_6)[_S81];
             }
             else
             {
-                _S85 = 0.0f;
+                _S80 = 0.0f;
             }
-            (*outputs_6)[_S86] = Relu_apply_0(_S84[i32(1)] + _S85);
+            (*outputs_6)[_S81] = Relu_apply_0(_S79[i32(1)] + _S80);
         }
-        var _S87 : i32 = output_4 + i32(2);
-        if(_S87 < i32(16))
+        var _S82 : i32 = output_4 + i32(2);
+        if(_S82 < i32(16))
         {
             if(adds_6)
             {
-                _S85 = (*outputs_6)[_S87];
+                _S80 = (*outputs_6)[_S82];
             }
             else
             {
-                _S85 = 0.0f;
+                _S80 = 0.0f;
             }
-            (*outputs_6)[_S87] = Relu_apply_0(_S84[i32(2)] + _S85);
+            (*outputs_6)[_S82] = Relu_apply_0(_S79[i32(2)] + _S80);
         }
-        var _S88 : i32 = output_4 + i32(3);
-        if(_S88 < i32(16))
+        var _S83 : i32 = output_4 + i32(3);
+        if(_S83 < i32(16))
         {
             if(adds_6)
             {
-                _S85 = (*outputs_6)[_S88];
+                _S80 = (*outputs_6)[_S83];
             }
             else
             {
-                _S85 = 0.0f;
+                _S80 = 0.0f;
             }
-            (*outputs_6)[_S88] = Relu_apply_0(_S84[i32(3)] + _S85);
+            (*outputs_6)[_S83] = Relu_apply_0(_S79[i32(3)] + _S80);
         }
         output_4 = output_4 + i32(4);
     }
@@ -893,82 +858,73 @@ fn dense_4( weights_13 : FloatWeights_0,  first_10 : u32,  adds_9 : bool,  input
 
 fn dense_part_5( weights_14 : FloatWeights_0,  first_11 : u32,  adds_10 : bool,  inputs_14 : ptr<function, array<f32, i32(25)>>,  outputs_10 : ptr<function, array<f32, i32(25)>>)
 {
-    var _S89 : u32 = first_11 + u32(whole_parts_0(i32(4)));
+    var _S84 : u32 = first_11 + u32(whole_parts_0(i32(4)));
     var output_5 : i32 = i32(0);
     for(;;)
     {
-        var _S90 : bool = output_5 < i32(25);
-        if(_S90)
+        var _S85 : bool = output_5 < i32(25);
+        if(_S85)
         {
         }
         else
         {
             break;
         }
-        var _S91 : u32 = u32(output_5);
-        var _S92 : Eight_0 = FloatWeights_eight_0(weights_14, first_11 + _S91 / u32(8));
-        var _S93 : vec4<f32> = tile_product_0(weights_14, _S89 + _S91 * u32(4), &((*inputs_14)));
-        var _S94 : vec4<f32>;
-        if(((output_5 & (i32(4)))) != i32(0))
-        {
-            _S94 = _S92.high_0;
-        }
-        else
-        {
-            _S94 = _S92.low_0;
-        }
-        var _S95 : vec4<f32> = _S93 + _S94;
-        var _S96 : f32;
-        if(_S90)
+        var _S86 : u32 = u32(output_5);
+        var _S87 : Eight_0 = FloatWeights_eight_0(weights_14, first_11 + _S86 / u32(8));
+        var _S88 : vec4<f32> = tile_product_0(weights_14, _S84 + _S86 * u32(4), &((*inputs_14)));
+        var _S89 : vec4<f32> = _S88 + select_vector_0(((output_5 & (i32(4)))) != i32(0), _S87.high_0, _S87.low_0);
+        var _S90 : f32;
+        if(_S85)
         {
             if(adds_10)
             {
-                _S96 = (*outputs_10)[output_5];
+                _S90 = (*outputs_10)[output_5];
             }
             else
             {
-                _S96 = 0.0f;
+                _S90 = 0.0f;
             }
-            (*outputs_10)[output_5] = Relu_apply_0(_S95[i32(0)] + _S96);
+            (*outputs_10)[output_5] = Relu_apply_0(_S89[i32(0)] + _S90);
         }
-        var _S97 : i32 = output_5 + i32(1);
-        if(_S97 < i32(25))
+        var _S91 : i32 = output_5 + i32(1);
+        if(_S91 < i32(25))
         {
             if(adds_10)
             {
-                _S96 = (*outputs_10)[_S97];
+                _S90 = (*outputs_10)[_S91];
             }
             else
             {
-                _S96 = 0.0f;
+                _S90 = 0.0f;
             }
-            (*outputs_10)[_S97] = Relu_apply_0(_S95[i32(1)] + _S96);
+            (*outputs_10)[_S91] = Relu_apply_0(_S89[i32(1)] + _S90);
         }
-        var _S98 : i32 = output_5 + i32(2);
-        if(_S98 < i32(25))
+        var _S92 : i32 = output_5 + i32(2);
+        if(_S92 < i32(25))
         {
             if(adds_10)
             {
-                _S96 = (*outputs_10)[_S98];
+                _S90 = (*outputs_10)[_S92];
             }
             else
             {
-                _S96 = 0.0f;
+                _S90 = 0.0f;
             }
-            (*outputs_10)[_S98] = Relu_apply_0(_S95[i32(2)] + _S96);
+            (*outputs_10)[_S92] = Relu_apply_0(_S89[i32(2)] + _S90);
         }
-        var _S99 : i32 = output_5 + i32(3);
-        if(_S99 < i32(25))
+        var _S93 : i32 = output_5 + i32(3);
+        if(_S93 < i32(25))
         {
             if(adds_10)
             {
-                _S96 = (*outputs_10)[_S99];
+                _S90 = (*outputs_10)[_S93];
             }
             else
             {
-                _S96 = 0.0f;
+                _S90 = 0.0f;
             }
-            (*outputs_10)[_S99] = Relu_apply_0(_S95[i32(3)] + _S96);
+            (*outputs_10)[_S93] = Relu_apply_0(_S89[i32(3)] + _S90);
         }
         output_5 = output_5 + i32(4);
     }
@@ -977,82 +933,73 @@ fn dense_part_5( weights_14 : FloatWeights_0,  first_11 : u32,  adds_10 : bool, 
 
 fn dense_part_6( weights_15 : FloatWeights_0,  first_12 : u32,  adds_11 : bool,  inputs_15 : ptr<function, array<f32, i32(25)>>,  outputs_11 : ptr<function, array<f32, i32(1)>>)
 {
-    var _S100 : u32 = first_12 + u32(whole_parts_0(i32(1)));
+    var _S94 : u32 = first_12 + u32(whole_parts_0(i32(1)));
     var output_6 : i32 = i32(0);
     for(;;)
     {
-        var _S101 : bool = output_6 < i32(1);
-        if(_S101)
+        var _S95 : bool = output_6 < i32(1);
+        if(_S95)
         {
         }
         else
         {
             break;
         }
-        var _S102 : u32 = u32(output_6);
-        var _S103 : Eight_0 = FloatWeights_eight_0(weights_15, first_12 + _S102 / u32(8));
-        var _S104 : vec4<f32> = tile_product_0(weights_15, _S100 + _S102 * u32(4), &((*inputs_15)));
-        var _S105 : vec4<f32>;
-        if(((output_6 & (i32(4)))) != i32(0))
-        {
-            _S105 = _S103.high_0;
-        }
-        else
-        {
-            _S105 = _S103.low_0;
-        }
-        var _S106 : vec4<f32> = _S104 + _S105;
-        var _S107 : f32;
-        if(_S101)
+        var _S96 : u32 = u32(output_6);
+        var _S97 : Eight_0 = FloatWeights_eight_0(weights_15, first_12 + _S96 / u32(8));
+        var _S98 : vec4<f32> = tile_product_0(weights_15, _S94 + _S96 * u32(4), &((*inputs_15)));
+        var _S99 : vec4<f32> = _S98 + select_vector_0(((output_6 & (i32(4)))) != i32(0), _S97.high_0, _S97.low_0);
+        var _S100 : f32;
+        if(_S95)
         {
             if(adds_11)
             {
-                _S107 = (*outputs_11)[output_6];
+                _S100 = (*outputs_11)[output_6];
             }
             else
             {
-                _S107 = 0.0f;
+                _S100 = 0.0f;
             }
-            (*outputs_11)[output_6] = Identity_apply_0(_S106[i32(0)] + _S107);
+            (*outputs_11)[output_6] = Identity_apply_0(_S99[i32(0)] + _S100);
         }
-        var _S108 : i32 = output_6 + i32(1);
-        if(_S108 < i32(1))
+        var _S101 : i32 = output_6 + i32(1);
+        if(_S101 < i32(1))
         {
             if(adds_11)
             {
-                _S107 = (*outputs_11)[_S108];
+                _S100 = (*outputs_11)[_S101];
             }
             else
             {
-                _S107 = 0.0f;
+                _S100 = 0.0f;
             }
-            (*outputs_11)[_S108] = Identity_apply_0(_S106[i32(1)] + _S107);
+            (*outputs_11)[_S101] = Identity_apply_0(_S99[i32(1)] + _S100);
         }
-        var _S109 : i32 = output_6 + i32(2);
-        if(_S109 < i32(1))
+        var _S102 : i32 = output_6 + i32(2);
+        if(_S102 < i32(1))
         {
             if(adds_11)
             {
-                _S107 = (*outputs_11)[_S109];
+                _S100 = (*outputs_11)[_S102];
             }
             else
             {
-                _S107 = 0.0f;
+                _S100 = 0.0f;
             }
-            (*outputs_11)[_S109] = Identity_apply_0(_S106[i32(2)] + _S107);
+            (*outputs_11)[_S102] = Identity_apply_0(_S99[i32(2)] + _S100);
         }
-        var _S110 : i32 = output_6 + i32(3);
-        if(_S110 < i32(1))
+        var _S103 : i32 = output_6 + i32(3);
+        if(_S103 < i32(1))
         {
             if(adds_11)
             {
-                _S107 = (*outputs_11)[_S110];
+                _S100 = (*outputs_11)[_S103];
             }
             else
             {
-                _S107 = 0.0f;
+                _S100 = 0.0f;
             }
-            (*outputs_11)[_S110] = Identity_apply_0(_S106[i32(3)] + _S107);
+            (*outputs_11)[_S103] = Identity_apply_0(_S99[i32(3)] + _S100);
         }
         output_6 = output_6 + i32(4);
     }
@@ -1061,82 +1008,73 @@ fn dense_part_6( weights_15 : FloatWeights_0,  first_12 : u32,  adds_11 : bool, 
 
 fn dense_part_7( weights_16 : FloatWeights_0,  first_13 : u32,  adds_12 : bool,  inputs_16 : ptr<function, array<f32, i32(9)>>,  outputs_12 : ptr<function, array<f32, i32(25)>>)
 {
-    var _S111 : u32 = first_13 + u32(whole_parts_0(i32(4)));
+    var _S104 : u32 = first_13 + u32(whole_parts_0(i32(4)));
     var output_7 : i32 = i32(0);
     for(;;)
     {
-        var _S112 : bool = output_7 < i32(25);
-        if(_S112)
+        var _S105 : bool = output_7 < i32(25);
+        if(_S105)
         {
         }
         else
         {
             break;
         }
-        var _S113 : u32 = u32(output_7);
-        var _S114 : Eight_0 = FloatWeights_eight_0(weights_16, first_13 + _S113 / u32(8));
-        var _S115 : vec4<f32> = tile_product_3(weights_16, _S111 + _S113 * u32(2), &((*inputs_16)));
-        var _S116 : vec4<f32>;
-        if(((output_7 & (i32(4)))) != i32(0))
-        {
-            _S116 = _S114.high_0;
-        }
-        else
-        {
-            _S116 = _S114.low_0;
-        }
-        var _S117 : vec4<f32> = _S115 + _S116;
-        var _S118 : f32;
-        if(_S112)
+        var _S106 : u32 = u32(output_7);
+        var _S107 : Eight_0 = FloatWeights_eight_0(weights_16, first_13 + _S106 / u32(8));
+        var _S108 : vec4<f32> = tile_product_3(weights_16, _S104 + _S106 * u32(2), &((*inputs_16)));
+        var _S109 : vec4<f32> = _S108 + select_vector_0(((output_7 & (i32(4)))) != i32(0), _S107.high_0, _S107.low_0);
+        var _S110 : f32;
+        if(_S105)
         {
             if(adds_12)
             {
-                _S118 = (*outputs_12)[output_7];
+                _S110 = (*outputs_12)[output_7];
             }
             else
             {
-                _S118 = 0.0f;
+                _S110 = 0.0f;
             }
-            (*outputs_12)[output_7] = Relu_apply_0(_S117[i32(0)] + _S118);
+            (*outputs_12)[output_7] = Relu_apply_0(_S109[i32(0)] + _S110);
         }
-        var _S119 : i32 = output_7 + i32(1);
-        if(_S119 < i32(25))
+        var _S111 : i32 = output_7 + i32(1);
+        if(_S111 < i32(25))
         {
             if(adds_12)
             {
-                _S118 = (*outputs_12)[_S119];
+                _S110 = (*outputs_12)[_S111];
             }
             else
             {
-                _S118 = 0.0f;
+                _S110 = 0.0f;
             }
-            (*outputs_12)[_S119] = Relu_apply_0(_S117[i32(1)] + _S118);
+            (*outputs_12)[_S111] = Relu_apply_0(_S109[i32(1)] + _S110);
         }
-        var _S120 : i32 = output_7 + i32(2);
-        if(_S120 < i32(25))
+        var _S112 : i32 = output_7 + i32(2);
+        if(_S112 < i32(25))
         {
             if(adds_12)
             {
-                _S118 = (*outputs_12)[_S120];
+                _S110 = (*outputs_12)[_S112];
             }
             else
             {
-                _S118 = 0.0f;
+                _S110 = 0.0f;
             }
-            (*outputs_12)[_S120] = Relu_apply_0(_S117[i32(2)] + _S118);
+            (*outputs_12)[_S112] = Relu_apply_0(_S109[i32(2)] + _S110);
         }
-        var _S121 : i32 = output_7 + i32(3);
-        if(_S121 < i32(25))
+        var _S113 : i32 = output_7 + i32(3);
+        if(_S113 < i32(25))
         {
             if(adds_12)
             {
-                _S118 = (*outputs_12)[_S121];
+                _S110 = (*outputs_12)[_S113];
             }
             else
             {
-                _S118 = 0.0f;
+                _S110 = 0.0f;
             }
-            (*outputs_12)[_S121] = Relu_apply_0(_S117[i32(3)] + _S118);
+            (*outputs_12)[_S113] = Relu_apply_0(_S109[i32(3)] + _S110);
         }
         output_7 = output_7 + i32(4);
     }
@@ -1186,18 +1124,26 @@ fn MLP_evaluate_0( this_1 : MLP_0,  inputs_21 : ptr<function, array<f32, i32(11)
         {
             break;
         }
-        var _S122 : i32 = layer_size_0(i32(25), i32(25));
-        var _S123 : u32 = u32(layer_size_0(i32(11), i32(25)) + (layer_0 - i32(1)) * _S122);
-        dense_5(this_1.weights_20, _S123, false, &(even_0), &(odd_0));
+        var _S114 : i32 = layer_size_0(i32(25), i32(25));
+        var _S115 : u32 = u32(layer_size_0(i32(11), i32(25)) + (layer_0 - i32(1)) * _S114);
+        dense_5(this_1.weights_20, _S115, false, &(even_0), &(odd_0));
         if((layer_0 + i32(1)) < i32(3))
         {
-            dense_5(this_1.weights_20, _S123 + u32(_S122), false, &(odd_0), &(even_0));
+            dense_5(this_1.weights_20, _S115 + u32(_S114), false, &(odd_0), &(even_0));
         }
         layer_0 = layer_0 + i32(2);
     }
-    var _S124 : u32 = u32(layer_size_0(i32(11), i32(25)) + i32(2) * layer_size_0(i32(25), i32(25)));
-    dense_0(this_1.weights_20, _S124, false, &(even_0), &((*outputs_17)));
+    var _S116 : u32 = u32(layer_size_0(i32(11), i32(25)) + i32(2) * layer_size_0(i32(25), i32(25)));
+    dense_0(this_1.weights_20, _S116, false, &(even_0), &((*outputs_17)));
     return;
+}
+
+fn select_vector_1( condition_1 : bool,  yes_1 : vec2<f32>,  no_1 : vec2<f32>) -> vec2<f32>
+{
+    var chosen_1 : vec2<f32>;
+    chosen_1[i32(0)] = select(no_1[i32(0)], yes_1[i32(0)], condition_1);
+    chosen_1[i32(1)] = select(no_1[i32(1)], yes_1[i32(1)], condition_1);
+    return chosen_1;
 }
 
 fn MLP_evaluate_1( this_2 : MLP_0,  inputs_22 : ptr<function, array<f32, i32(9)>>,  outputs_18 : ptr<function, array<f32, i32(1)>>)
@@ -1215,17 +1161,17 @@ fn MLP_evaluate_1( this_2 : MLP_0,  inputs_22 : ptr<function, array<f32, i32(9)>
         {
             break;
         }
-        var _S125 : i32 = layer_size_0(i32(16), i32(16));
-        var _S126 : u32 = u32(layer_size_0(i32(9), i32(16)) + (layer_1 - i32(1)) * _S125);
-        dense_2(this_2.weights_20, _S126, false, &(even_1), &(odd_1));
+        var _S117 : i32 = layer_size_0(i32(16), i32(16));
+        var _S118 : u32 = u32(layer_size_0(i32(9), i32(16)) + (layer_1 - i32(1)) * _S117);
+        dense_2(this_2.weights_20, _S118, false, &(even_1), &(odd_1));
         if((layer_1 + i32(1)) < i32(2))
         {
-            dense_2(this_2.weights_20, _S126 + u32(_S125), false, &(odd_1), &(even_1));
+            dense_2(this_2.weights_20, _S118 + u32(_S117), false, &(odd_1), &(even_1));
         }
         layer_1 = layer_1 + i32(2);
     }
-    var _S127 : u32 = u32(layer_size_0(i32(9), i32(16)) + layer_size_0(i32(16), i32(16)));
-    dense_3(this_2.weights_20, _S127, false, &(odd_1), &((*outputs_18)));
+    var _S119 : u32 = u32(layer_size_0(i32(9), i32(16)) + layer_size_0(i32(16), i32(16)));
+    dense_3(this_2.weights_20, _S119, false, &(odd_1), &((*outputs_18)));
     return;
 }
 
@@ -1244,18 +1190,27 @@ fn MLP_evaluate_2( this_3 : MLP_0,  inputs_23 : ptr<function, array<f32, i32(9)>
         {
             break;
         }
-        var _S128 : i32 = layer_size_0(i32(25), i32(25));
-        var _S129 : u32 = u32(layer_size_0(i32(9), i32(25)) + (layer_2 - i32(1)) * _S128);
-        dense_5(this_3.weights_20, _S129, false, &(even_2), &(odd_2));
+        var _S120 : i32 = layer_size_0(i32(25), i32(25));
+        var _S121 : u32 = u32(layer_size_0(i32(9), i32(25)) + (layer_2 - i32(1)) * _S120);
+        dense_5(this_3.weights_20, _S121, false, &(even_2), &(odd_2));
         if((layer_2 + i32(1)) < i32(3))
         {
-            dense_5(this_3.weights_20, _S129 + u32(_S128), false, &(odd_2), &(even_2));
+            dense_5(this_3.weights_20, _S121 + u32(_S120), false, &(odd_2), &(even_2));
         }
         layer_2 = layer_2 + i32(2);
     }
-    var _S130 : u32 = u32(layer_size_0(i32(9), i32(25)) + i32(2) * layer_size_0(i32(25), i32(25)));
-    dense_6(this_3.weights_20, _S130, false, &(even_2), &((*outputs_19)));
+    var _S122 : u32 = u32(layer_size_0(i32(9), i32(25)) + i32(2) * layer_size_0(i32(25), i32(25)));
+    dense_6(this_3.weights_20, _S122, false, &(even_2), &((*outputs_19)));
     return;
+}
+
+fn select_vector_2( condition_2 : bool,  yes_2 : vec3<f32>,  no_2 : vec3<f32>) -> vec3<f32>
+{
+    var chosen_2 : vec3<f32>;
+    chosen_2[i32(0)] = select(no_2[i32(0)], yes_2[i32(0)], condition_2);
+    chosen_2[i32(1)] = select(no_2[i32(1)], yes_2[i32(1)], condition_2);
+    chosen_2[i32(2)] = select(no_2[i32(2)], yes_2[i32(2)], condition_2);
+    return chosen_2;
 }
 
 fn position_of_0( vertex_0 : ptr<function, Vertex_std430_0>) -> vec3<f32>
@@ -1300,25 +1255,16 @@ fn to_local_0( point_0 : VisiblePoint_0,  direction_0 : vec3<f32>) -> vec3<f32>
 
 fn to_face_frame_0( direction_1 : vec3<f32>,  back_2 : bool) -> vec3<f32>
 {
-    var _S131 : vec2<f32> = direction_1.xy;
-    var _S132 : f32;
-    if(back_2)
-    {
-        _S132 = - direction_1.z;
-    }
-    else
-    {
-        _S132 = direction_1.z;
-    }
-    return vec3<f32>(_S131, _S132);
+    var _S123 : f32 = direction_1.z;
+    return vec3<f32>(direction_1.xy, select(_S123, - _S123, back_2));
 }
 
 fn no_numbers_0() -> Eight_0
 {
     var numbers_1 : Eight_0;
-    var _S133 : vec4<f32> = vec4<f32>(0.0f);
-    numbers_1.low_0 = _S133;
-    numbers_1.high_0 = _S133;
+    var _S124 : vec4<f32> = vec4<f32>(0.0f);
+    numbers_1.low_0 = _S124;
+    numbers_1.high_0 = _S124;
     return numbers_1;
 }
 
@@ -1332,25 +1278,25 @@ fn eight_halves_0( packed_0 : vec4<u32>) -> Eight_0
 
 fn texel_numbers_0( first_17 : u32,  elements_1 : u32,  texel_0 : u32) -> Eight_0
 {
-    var _S134 : u32 = first_17 + texel_0 * elements_1;
-    var _S135 : vec4<u32> = packed_numbers_0[_S134];
+    var _S125 : u32 = first_17 + texel_0 * elements_1;
+    var _S126 : vec4<u32> = packed_numbers_0[_S125];
     if(elements_1 == u32(1))
     {
-        return eight_halves_0(_S135);
+        return eight_halves_0(_S126);
     }
     var numbers_3 : Eight_0;
-    numbers_3.low_0 = (bitcast<vec4<f32>>((_S135)));
-    numbers_3.high_0 = (bitcast<vec4<f32>>((packed_numbers_0[_S134 + u32(1)])));
+    numbers_3.low_0 = (bitcast<vec4<f32>>((_S126)));
+    numbers_3.high_0 = (bitcast<vec4<f32>>((packed_numbers_0[_S125 + u32(1)])));
     return numbers_3;
 }
 
 fn add_bilinear_0( first_18 : u32,  elements_2 : u32,  start_0 : u32,  columns_1 : u32,  rows_1 : u32,  uv_1 : vec2<f32>,  weight_0 : f32,  sums_5 : ptr<function, Eight_0>)
 {
-    var _S136 : vec2<f32> = uv_1 * vec2<f32>(f32(columns_1), f32(rows_1)) - vec2<f32>(0.5f);
-    var _S137 : vec2<f32> = floor(_S136);
-    var _S138 : vec2<f32> = _S136 - _S137;
-    var _S139 : i32 = i32(_S137.x);
-    var _S140 : i32 = i32(_S137.y);
+    var _S127 : vec2<f32> = uv_1 * vec2<f32>(f32(columns_1), f32(rows_1)) - vec2<f32>(0.5f);
+    var _S128 : vec2<f32> = floor(_S127);
+    var _S129 : vec2<f32> = _S127 - _S128;
+    var _S130 : i32 = i32(_S128.x);
+    var _S131 : i32 = i32(_S128.y);
     var tap_0 : u32 = u32(0);
     for(;;)
     {
@@ -1361,30 +1307,14 @@ fn add_bilinear_0( first_18 : u32,  elements_2 : u32,  start_0 : u32,  columns_1
         {
             break;
         }
-        var _S141 : u32 = (tap_0 & (u32(1)));
-        var _S142 : u32 = (tap_0 >> (u32(1)));
-        var _S143 : Eight_0 = texel_numbers_0(first_18, elements_2, start_0 + ((u32(_S140 + i32(_S142)) & ((rows_1 - u32(1))))) * columns_1 + ((u32(_S139 + i32(_S141)) & ((columns_1 - u32(1))))));
-        var _S144 : f32;
-        if(_S142 != u32(0))
-        {
-            _S144 = _S138.y;
-        }
-        else
-        {
-            _S144 = 1.0f - _S138.y;
-        }
-        var _S145 : f32;
-        if(_S141 != u32(0))
-        {
-            _S145 = _S138.x;
-        }
-        else
-        {
-            _S145 = 1.0f - _S138.x;
-        }
-        var _S146 : vec4<f32> = vec4<f32>((_S144 * _S145 * weight_0));
-        (*sums_5).low_0 = (*sums_5).low_0 + _S146 * _S143.low_0;
-        (*sums_5).high_0 = (*sums_5).high_0 + _S146 * _S143.high_0;
+        var _S132 : u32 = (tap_0 & (u32(1)));
+        var _S133 : u32 = (tap_0 >> (u32(1)));
+        var _S134 : Eight_0 = texel_numbers_0(first_18, elements_2, start_0 + ((u32(_S131 + i32(_S133)) & ((rows_1 - u32(1))))) * columns_1 + ((u32(_S130 + i32(_S132)) & ((columns_1 - u32(1))))));
+        var _S135 : f32 = _S129.y;
+        var _S136 : f32 = _S129.x;
+        var _S137 : vec4<f32> = vec4<f32>((select(1.0f - _S135, _S135, _S133 != u32(0)) * select(1.0f - _S136, _S136, _S132 != u32(0)) * weight_0));
+        (*sums_5).low_0 = (*sums_5).low_0 + _S137 * _S134.low_0;
+        (*sums_5).high_0 = (*sums_5).high_0 + _S137 * _S134.high_0;
         tap_0 = tap_0 + u32(1);
     }
     return;
@@ -1392,11 +1322,11 @@ fn add_bilinear_0( first_18 : u32,  elements_2 : u32,  start_0 : u32,  columns_1
 
 fn add_bilinear_1( first_19 : u32,  elements_3 : u32,  start_1 : u32,  columns_2 : u32,  rows_2 : u32,  uv_2 : vec2<f32>,  weight_1 : f32,  sums_6 : ptr<function, Eight_0>)
 {
-    var _S147 : vec2<f32> = uv_2 * vec2<f32>(f32(columns_2), f32(rows_2)) - vec2<f32>(0.5f);
-    var _S148 : vec2<f32> = floor(_S147);
-    var _S149 : vec2<f32> = _S147 - _S148;
-    var _S150 : i32 = i32(_S148.x);
-    var _S151 : i32 = i32(_S148.y);
+    var _S138 : vec2<f32> = uv_2 * vec2<f32>(f32(columns_2), f32(rows_2)) - vec2<f32>(0.5f);
+    var _S139 : vec2<f32> = floor(_S138);
+    var _S140 : vec2<f32> = _S138 - _S139;
+    var _S141 : i32 = i32(_S139.x);
+    var _S142 : i32 = i32(_S139.y);
     var tap_1 : u32 = u32(0);
     for(;;)
     {
@@ -1407,30 +1337,14 @@ fn add_bilinear_1( first_19 : u32,  elements_3 : u32,  start_1 : u32,  columns_2
         {
             break;
         }
-        var _S152 : u32 = (tap_1 & (u32(1)));
-        var _S153 : u32 = (tap_1 >> (u32(1)));
-        var _S154 : Eight_0 = texel_numbers_0(first_19, elements_3, start_1 + ((u32(_S151 + i32(_S153)) & ((rows_2 - u32(1))))) * columns_2 + ((u32(_S150 + i32(_S152)) & ((columns_2 - u32(1))))));
-        var _S155 : f32;
-        if(_S153 != u32(0))
-        {
-            _S155 = _S149.y;
-        }
-        else
-        {
-            _S155 = 1.0f - _S149.y;
-        }
-        var _S156 : f32;
-        if(_S152 != u32(0))
-        {
-            _S156 = _S149.x;
-        }
-        else
-        {
-            _S156 = 1.0f - _S149.x;
-        }
-        var _S157 : vec4<f32> = vec4<f32>((_S155 * _S156 * weight_1));
-        (*sums_6).low_0 = (*sums_6).low_0 + _S157 * _S154.low_0;
-        (*sums_6).high_0 = (*sums_6).high_0 + _S157 * _S154.high_0;
+        var _S143 : u32 = (tap_1 & (u32(1)));
+        var _S144 : u32 = (tap_1 >> (u32(1)));
+        var _S145 : Eight_0 = texel_numbers_0(first_19, elements_3, start_1 + ((u32(_S142 + i32(_S144)) & ((rows_2 - u32(1))))) * columns_2 + ((u32(_S141 + i32(_S143)) & ((columns_2 - u32(1))))));
+        var _S146 : f32 = _S140.y;
+        var _S147 : f32 = _S140.x;
+        var _S148 : vec4<f32> = vec4<f32>((select(1.0f - _S146, _S146, _S144 != u32(0)) * select(1.0f - _S147, _S147, _S143 != u32(0)) * weight_1));
+        (*sums_6).low_0 = (*sums_6).low_0 + _S148 * _S145.low_0;
+        (*sums_6).high_0 = (*sums_6).high_0 + _S148 * _S145.high_0;
         tap_1 = tap_1 + u32(1);
     }
     return;
@@ -1438,24 +1352,16 @@ fn add_bilinear_1( first_19 : u32,  elements_3 : u32,  start_1 : u32,  columns_2
 
 fn channel_0( numbers_4 : Eight_0,  k_0 : i32) -> f32
 {
-    var _S158 : f32;
-    if(k_0 < i32(4))
-    {
-        _S158 = numbers_4.low_0[k_0];
-    }
-    else
-    {
-        _S158 = numbers_4.high_0[k_0 - i32(4)];
-    }
-    return _S158;
+    var _S149 : i32 = (k_0 & (i32(3)));
+    return select(numbers_4.high_0[_S149], numbers_4.low_0[_S149], k_0 < i32(4));
 }
 
 fn neumip_depth_0( model_0 : ptr<function, Neumip_std430_0>,  uv_3 : vec2<f32>,  view_2 : vec2<f32>,  face_1 : u32) -> f32
 {
-    var _S159 : u32 = words_0[(*model_0).levels_2 + u32(1)];
-    var _S160 : u32 = words_0[(*model_0).levels_2 + u32(2)];
+    var _S150 : u32 = words_0[(*model_0).levels_2 + u32(1)];
+    var _S151 : u32 = words_0[(*model_0).levels_2 + u32(2)];
     var texel_1 : Eight_0 = no_numbers_0();
-    add_bilinear_0((*model_0).offset_texels_0, (*model_0).texel_elements_0, face_1 * _S159 * _S160, _S159, _S160, fract(uv_3), 1.0f, &(texel_1));
+    add_bilinear_0((*model_0).offset_texels_0, (*model_0).texel_elements_0, face_1 * _S150 * _S151, _S150, _S151, fract(uv_3), 1.0f, &(texel_1));
     var inputs_24 : array<f32, i32(9)>;
     var k_1 : i32 = i32(0);
     for(;;)
@@ -1481,9 +1387,9 @@ fn neumip_depth_0( model_0 : ptr<function, Neumip_std430_0>,  uv_3 : vec2<f32>, 
 
 fn natural_logarithm_0( x_4 : f32) -> f32
 {
-    var _S161 : u32 = (bitcast<u32>((x_4)));
-    var exponent_0 : f32 = f32(i32((_S161 >> (u32(23)))) - i32(126));
-    var m_0 : f32 = (bitcast<f32>(((((_S161 & (u32(8388607)))) | (u32(1056964608))))));
+    var _S152 : u32 = (bitcast<u32>((x_4)));
+    var exponent_0 : f32 = f32(i32((_S152 >> (u32(23)))) - i32(126));
+    var m_0 : f32 = (bitcast<f32>(((((_S152 & (u32(8388607)))) | (u32(1056964608))))));
     var m_1 : f32;
     var exponent_1 : f32;
     if(m_0 < 0.70710676908493042f)
@@ -1498,8 +1404,8 @@ fn natural_logarithm_0( x_4 : f32) -> f32
         exponent_1 = exponent_0;
     }
     var m_2 : f32 = m_1 - 1.0f;
-    var _S162 : f32 = m_2 * m_2;
-    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S162 - exponent_1 * 0.00021219444170129f - 0.5f * _S162) + exponent_1 * 0.693359375f;
+    var _S153 : f32 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S153 - exponent_1 * 0.00021219444170129f - 0.5f * _S153) + exponent_1 * 0.693359375f;
 }
 
 fn binary_logarithm_0( x_5 : f32) -> f32
@@ -1523,17 +1429,17 @@ struct TexelPyramid_0
 
 fn TexelPyramid_add_level_0( this_4 : TexelPyramid_0,  place_0 : vec2<f32>,  level_0 : u32,  face_2 : u32,  weight_2 : f32,  sums_7 : ptr<function, Eight_0>)
 {
-    var _S163 : u32 = this_4.levels_4 + u32(3) * level_0;
-    add_bilinear_1(this_4.first_20, this_4.elements_4, face_2 * this_4.face_texels_2 + words_0[_S163], words_0[_S163 + u32(1)], words_0[_S163 + u32(2)], place_0, weight_2, &((*sums_7)));
+    var _S154 : u32 = this_4.levels_4 + u32(3) * level_0;
+    add_bilinear_1(this_4.first_20, this_4.elements_4, face_2 * this_4.face_texels_2 + words_0[_S154], words_0[_S154 + u32(1)], words_0[_S154 + u32(2)], place_0, weight_2, &((*sums_7)));
     return;
 }
 
 fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_5 : vec2<f32>,  level_1 : f32,  face_3 : u32) -> Eight_0
 {
-    var _S164 : f32 = clamp(level_1, 0.0f, this_5.last_level_3);
-    var _S165 : f32 = clamp(floor(_S164), 0.0f, max(this_5.last_level_3 - 1.0f, 0.0f));
-    var _S166 : f32 = _S164 - _S165;
-    var _S167 : vec2<f32> = within_repeat_0(uv_5);
+    var _S155 : f32 = clamp(level_1, 0.0f, this_5.last_level_3);
+    var _S156 : f32 = clamp(floor(_S155), 0.0f, max(this_5.last_level_3 - 1.0f, 0.0f));
+    var _S157 : f32 = _S155 - _S156;
+    var _S158 : vec2<f32> = within_repeat_0(uv_5);
     var texel_2 : Eight_0 = no_numbers_0();
     var offset_2 : u32 = u32(0);
     for(;;)
@@ -1545,18 +1451,10 @@ fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_5 : vec2<f32>,  l
         {
             break;
         }
-        var _S168 : f32;
-        if(offset_2 == u32(0))
+        var _S159 : f32 = select(_S157, 1.0f - _S157, offset_2 == u32(0));
+        if(_S159 > 0.0f)
         {
-            _S168 = 1.0f - _S166;
-        }
-        else
-        {
-            _S168 = _S166;
-        }
-        if(_S168 > 0.0f)
-        {
-            TexelPyramid_add_level_0(this_5, _S167, u32(_S165) + offset_2, face_3, _S168, &(texel_2));
+            TexelPyramid_add_level_0(this_5, _S158, u32(_S156) + offset_2, face_3, _S159, &(texel_2));
         }
         offset_2 = offset_2 + u32(1);
     }
@@ -1565,21 +1463,10 @@ fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_5 : vec2<f32>,  l
 
 fn exponential_0( x_6 : f32) -> f32
 {
-    var _S169 : f32 = clamp(x_6, -87.0f, 88.0f);
-    var _S170 : f32 = floor(_S169 * 1.4426950216293335f + 0.5f);
-    var _S171 : f32 = _S169 - _S170 * 0.693359375f + _S170 * 0.00021219444170129f;
-    var p_0 : f32 = ((((0.00019875691214111f * _S171 + 0.00139819993637502f) * _S171 + 0.00833345204591751f) * _S171 + 0.04166579619050026f) * _S171 + 0.1666666567325592f) * _S171 + 0.5f;
-    var _S172 : f32 = (bitcast<f32>(((u32(i32(_S170) + i32(127)) << (u32(23))))));
-    var _S173 : f32;
-    if(x_6 < -87.0f)
-    {
-        _S173 = 0.0f;
-    }
-    else
-    {
-        _S173 = (p_0 * _S171 * _S171 + _S171 + 1.0f) * _S172;
-    }
-    return _S173;
+    var _S160 : f32 = clamp(x_6, -87.0f, 88.0f);
+    var _S161 : f32 = floor(_S160 * 1.4426950216293335f + 0.5f);
+    var _S162 : f32 = _S160 - _S161 * 0.693359375f + _S161 * 0.00021219444170129f;
+    return select(((((((0.00019875691214111f * _S162 + 0.00139819993637502f) * _S162 + 0.00833345204591751f) * _S162 + 0.04166579619050026f) * _S162 + 0.1666666567325592f) * _S162 + 0.5f) * _S162 * _S162 + _S162 + 1.0f) * (bitcast<f32>(((u32(i32(_S161) + i32(127)) << (u32(23)))))), 0.0f, x_6 < -87.0f);
 }
 
 fn neumip_hole_0( model_1 : ptr<function, Neumip_std430_0>,  texel_3 : Eight_0,  view_3 : vec2<f32>) -> f32
@@ -1609,9 +1496,9 @@ fn neumip_hole_0( model_1 : ptr<function, Neumip_std430_0>,  texel_3 : Eight_0, 
 
 fn scramble_0( value_0 : u32) -> u32
 {
-    var _S174 : u32 = value_0 * u32(747796405) + u32(2891336453);
-    var _S175 : u32 = ((((_S174 >> ((((_S174 >> (u32(28)))) + u32(4))))) ^ (_S174))) * u32(277803737);
-    return (((_S175 >> (u32(22)))) ^ (_S175));
+    var _S163 : u32 = value_0 * u32(747796405) + u32(2891336453);
+    var _S164 : u32 = ((((_S163 >> ((((_S163 >> (u32(28)))) + u32(4))))) ^ (_S163))) * u32(277803737);
+    return (((_S164 >> (u32(22)))) ^ (_S164));
 }
 
 fn hash_key_0( thread_0 : u32,  stream_0 : u32) -> u32
@@ -1631,9 +1518,9 @@ fn uniform_hash_0( thread_1 : u32,  cell_1 : u32,  stream_1 : u32) -> f32
 
 fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_0 : u32,  stream_2 : u32) -> vec2<f32>
 {
-    var _S176 : u32 = pixel_0.x;
-    var _S177 : u32 = pixel_0.y;
-    return fract(vec2<f32>(uniform_hash_0(_S176, _S177, stream_2), uniform_hash_0(_S176, _S177, stream_2 + u32(1))) + vec2<f32>(f32((index_0 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S165 : u32 = pixel_0.x;
+    var _S166 : u32 = pixel_0.y;
+    return fract(vec2<f32>(uniform_hash_0(_S165, _S166, stream_2), uniform_hash_0(_S165, _S166, stream_2 + u32(1))) + vec2<f32>(f32((index_0 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
 }
 
 fn scene_number_0( index_1 : u32) -> f32
@@ -1660,22 +1547,22 @@ fn choose_0( table_0 : u32,  count_0 : u32,  number_0 : f32) -> Choice_0
         {
             break;
         }
-        var _S178 : u32 = (low_5 + high_5) / u32(2);
-        if((scene_number_0(table_0 + _S178)) <= number_0)
+        var _S167 : u32 = (low_5 + high_5) / u32(2);
+        if((scene_number_0(table_0 + _S167)) <= number_0)
         {
-            low_5 = _S178;
+            low_5 = _S167;
         }
         else
         {
-            high_5 = _S178;
+            high_5 = _S167;
         }
     }
-    var _S179 : u32 = table_0 + low_5;
-    var _S180 : f32 = scene_number_0(_S179);
-    var _S181 : f32 = scene_number_0(_S179 + u32(1));
+    var _S168 : u32 = table_0 + low_5;
+    var _S169 : f32 = scene_number_0(_S168);
+    var _S170 : f32 = scene_number_0(_S168 + u32(1));
     var choice_0 : Choice_0;
     choice_0.index_2 = low_5;
-    choice_0.remainder_0 = saturate((number_0 - _S180) / max(_S181 - _S180, 9.999999960041972e-13f));
+    choice_0.remainder_0 = saturate((number_0 - _S169) / max(_S170 - _S169, 9.999999960041972e-13f));
     return choice_0;
 }
 
@@ -1686,200 +1573,132 @@ fn mean_0( colour_0 : vec3<f32>) -> f32
 
 fn sine_cosine_0( x_7 : f32) -> vec2<f32>
 {
-    var _S182 : f32 = floor(x_7 * 0.63661974668502808f + 0.5f);
-    var _S183 : f32 = x_7 - _S182 * 1.5703125f - _S182 * 0.00048375129699707f - _S182 * 7.54979012640433211e-08f;
-    var _S184 : f32 = _S183 * _S183;
-    var _S185 : f32 = ((-0.00019515295571182f * _S184 + 0.00833216123282909f) * _S184 - 0.16666655242443085f) * _S184 * _S183 + _S183;
-    var _S186 : f32 = ((0.00002443315679557f * _S184 - 0.00138873164542019f) * _S184 + 0.04166664555668831f) * _S184 * _S184 - 0.5f * _S184 + 1.0f;
-    var _S187 : u32 = (u32(i32(_S182)) & (u32(3)));
-    var _S188 : vec2<f32>;
-    if(((_S187 & (u32(1)))) != u32(0))
-    {
-        _S188 = vec2<f32>(_S186, _S185);
-    }
-    else
-    {
-        _S188 = vec2<f32>(_S185, _S186);
-    }
-    var _S189 : f32;
-    if(((_S187 & (u32(2)))) != u32(0))
-    {
-        _S189 = - _S188.x;
-    }
-    else
-    {
-        _S189 = _S188.x;
-    }
-    var _S190 : f32;
-    if((((_S187 + u32(1)) & (u32(2)))) != u32(0))
-    {
-        _S190 = - _S188.y;
-    }
-    else
-    {
-        _S190 = _S188.y;
-    }
-    return vec2<f32>(_S189, _S190);
+    var _S171 : f32 = floor(x_7 * 0.63661974668502808f + 0.5f);
+    var _S172 : f32 = x_7 - _S171 * 1.5703125f - _S171 * 0.00048375129699707f - _S171 * 7.54979012640433211e-08f;
+    var _S173 : f32 = _S172 * _S172;
+    var _S174 : f32 = ((-0.00019515295571182f * _S173 + 0.00833216123282909f) * _S173 - 0.16666655242443085f) * _S173 * _S172 + _S172;
+    var _S175 : f32 = ((0.00002443315679557f * _S173 - 0.00138873164542019f) * _S173 + 0.04166664555668831f) * _S173 * _S173 - 0.5f * _S173 + 1.0f;
+    var _S176 : u32 = (u32(i32(_S171)) & (u32(3)));
+    var _S177 : vec2<f32> = select_vector_1(((_S176 & (u32(1)))) != u32(0), vec2<f32>(_S175, _S174), vec2<f32>(_S174, _S175));
+    var _S178 : f32 = _S177.x;
+    var _S179 : f32 = _S177.y;
+    return vec2<f32>(select(_S178, - _S178, ((_S176 & (u32(2)))) != u32(0)), select(_S179, - _S179, (((_S176 + u32(1)) & (u32(2)))) != u32(0)));
 }
 
 fn accumulate_0( index_3 : u32,  light_1 : vec4<f32>)
 {
-    var _S191 : f32 = layers_0[index_3].share_0;
+    var _S180 : f32 = layers_0[index_3].share_0;
     radiance_0[index_3] = radiance_0[index_3] + vec4<f32>(layers_0[index_3].share_0) * light_1;
-    layers_0[index_3].share_0 = _S191 * (1.0f - light_1.w);
+    layers_0[index_3].share_0 = _S180 * (1.0f - light_1.w);
     return;
 }
 
-fn camera_right_0( _S192 : i32) -> vec3<f32>
+fn camera_right_0( _S181 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S192].right_x_0, frames_0[_S192].right_y_0, frames_0[_S192].right_z_0);
+    return vec3<f32>(frames_0[_S181].right_x_0, frames_0[_S181].right_y_0, frames_0[_S181].right_z_0);
 }
 
-fn camera_up_0( _S193 : i32) -> vec3<f32>
+fn camera_up_0( _S182 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S193].up_x_0, frames_0[_S193].up_y_0, frames_0[_S193].up_z_0);
+    return vec3<f32>(frames_0[_S182].up_x_0, frames_0[_S182].up_y_0, frames_0[_S182].up_z_0);
 }
 
-fn camera_forward_0( _S194 : i32) -> vec3<f32>
+fn camera_forward_0( _S183 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S194].forward_x_0, frames_0[_S194].forward_y_0, frames_0[_S194].forward_z_0);
+    return vec3<f32>(frames_0[_S183].forward_x_0, frames_0[_S183].forward_y_0, frames_0[_S183].forward_z_0);
 }
 
-fn camera_origin_0( _S195 : i32) -> vec3<f32>
+fn camera_origin_0( _S184 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S195].origin_x_0, frames_0[_S195].origin_y_0, frames_0[_S195].origin_z_0);
+    return vec3<f32>(frames_0[_S184].origin_x_0, frames_0[_S184].origin_y_0, frames_0[_S184].origin_z_0);
 }
 
-fn face_point_0( _S196 : u32,  _S197 : u32,  _S198 : f32,  _S199 : f32) -> VisiblePoint_0
+fn face_point_0( _S185 : u32,  _S186 : u32,  _S187 : f32,  _S188 : f32) -> VisiblePoint_0
 {
-    var _S200 : u32 = u32(3) * _S197;
-    var _S201 : Vertex_std430_0 = vertices_0[corners_0[_S200]];
-    var _S202 : Vertex_std430_0 = vertices_0[corners_0[_S200 + u32(1)]];
-    var _S203 : Vertex_std430_0 = vertices_0[corners_0[_S200 + u32(2)]];
-    var _S204 : vec3<f32> = position_of_0(&(_S202));
-    var _S205 : vec3<f32> = position_of_0(&(_S201));
-    var _S206 : vec3<f32> = _S204 - _S205;
-    var _S207 : vec3<f32> = position_of_0(&(_S203));
-    var _S208 : vec3<f32> = _S207 - _S205;
-    var _S209 : f32 = _S201.u_0;
-    var _S210 : f32 = _S202.u_0 - _S201.u_0;
-    var _S211 : f32 = _S201.v_0;
-    var _S212 : f32 = _S202.v_0 - _S201.v_0;
-    var _S213 : vec2<f32> = vec2<f32>(_S210, _S212);
-    var _S214 : f32 = _S203.u_0 - _S201.u_0;
-    var _S215 : f32 = _S203.v_0 - _S201.v_0;
-    var _S216 : vec2<f32> = vec2<f32>(_S214, _S215);
-    var _S217 : f32;
-    if((_S210 * _S215 - _S212 * _S214) < 0.0f)
-    {
-        _S217 = -1.0f;
-    }
-    else
-    {
-        _S217 = 1.0f;
-    }
-    var _S218 : vec3<f32> = vec3<f32>(_S217) * (vec3<f32>(_S215) * _S206 - vec3<f32>(_S212) * _S208);
-    var _S219 : vec3<f32> = vec3<f32>(_S217) * (vec3<f32>(_S210) * _S208 - vec3<f32>(_S214) * _S206);
+    var _S189 : u32 = u32(3) * _S186;
+    var _S190 : Vertex_std430_0 = vertices_0[corners_0[_S189]];
+    var _S191 : Vertex_std430_0 = vertices_0[corners_0[_S189 + u32(1)]];
+    var _S192 : Vertex_std430_0 = vertices_0[corners_0[_S189 + u32(2)]];
+    var _S193 : vec3<f32> = position_of_0(&(_S191));
+    var _S194 : vec3<f32> = position_of_0(&(_S190));
+    var _S195 : vec3<f32> = _S193 - _S194;
+    var _S196 : vec3<f32> = position_of_0(&(_S192));
+    var _S197 : vec3<f32> = _S196 - _S194;
+    var _S198 : f32 = _S190.u_0;
+    var _S199 : f32 = _S191.u_0 - _S190.u_0;
+    var _S200 : f32 = _S190.v_0;
+    var _S201 : f32 = _S191.v_0 - _S190.v_0;
+    var _S202 : vec2<f32> = vec2<f32>(_S199, _S201);
+    var _S203 : f32 = _S192.u_0 - _S190.u_0;
+    var _S204 : f32 = _S192.v_0 - _S190.v_0;
+    var _S205 : vec2<f32> = vec2<f32>(_S203, _S204);
+    var _S206 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S199 * _S204 - _S201 * _S203) < 0.0f));
+    var _S207 : vec3<f32> = _S206 * (vec3<f32>(_S204) * _S195 - vec3<f32>(_S201) * _S197);
+    var _S208 : vec3<f32> = _S206 * (vec3<f32>(_S199) * _S197 - vec3<f32>(_S203) * _S195);
     var point_1 : VisiblePoint_0;
-    var _S220 : f32 = 1.0f - _S198 - _S199;
-    var _S221 : vec3<f32> = normal_of_0(&(_S201));
-    var _S222 : vec3<f32> = vec3<f32>(_S220) * _S221;
-    var _S223 : vec3<f32> = normal_of_0(&(_S202));
-    var _S224 : vec3<f32> = vec3<f32>(_S198);
-    var _S225 : vec3<f32> = _S222 + _S224 * _S223;
-    var _S226 : vec3<f32> = normal_of_0(&(_S203));
-    var _S227 : vec3<f32> = vec3<f32>(_S199);
-    var _S228 : vec3<f32> = normalize(_S225 + _S227 * _S226);
-    point_1.normal_0 = _S228;
-    var _S229 : vec3<f32> = normalize(_S218 - _S228 * vec3<f32>(dot(_S228, _S218)));
-    point_1.axis_x_0 = _S229;
-    point_1.axis_y_0 = cross(_S228, _S229);
-    var _S230 : vec3<f32> = normalize(cross(_S206, _S208));
-    var _S231 : vec3<f32>;
-    if((dot(_S230, _S228)) < 0.0f)
-    {
-        _S231 = (vec3<f32>(0) - _S230);
-    }
-    else
-    {
-        _S231 = _S230;
-    }
-    point_1.face_normal_0 = _S231;
-    point_1.position_0 = _S205 + _S224 * _S206 + _S227 * _S208;
-    point_1.view_1 = point_1.normal_0;
-    point_1.uv_0 = vec2<f32>(_S209, _S211) + vec2<f32>(_S198) * _S213 + vec2<f32>(_S199) * _S216;
-    var _S232 : bool = (dot(cross(_S218, _S219), point_1.normal_0)) < 0.0f;
-    var _S233 : f32 = fabrics_0[_S196].uv_width_0;
-    if(_S232)
-    {
-        _S217 = - fabrics_0[_S196].uv_height_0;
-    }
-    else
-    {
-        _S217 = fabrics_0[_S196].uv_height_0;
-    }
-    var _S234 : vec2<f32> = vec2<f32>(_S233, _S217);
-    point_1.draft_per_uv_0 = _S234;
-    var _S235 : vec2<f32> = point_1.uv_0 * _S234;
-    if(_S232)
-    {
-        _S217 = fabrics_0[_S196].uv_height_0;
-    }
-    else
-    {
-        _S217 = 0.0f;
-    }
-    point_1.draft_0 = _S235 + vec2<f32>(0.0f, _S217);
-    var _S236 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S236;
-    point_1.draft_dy_0 = _S236;
+    var _S209 : f32 = 1.0f - _S187 - _S188;
+    var _S210 : vec3<f32> = normal_of_0(&(_S190));
+    var _S211 : vec3<f32> = vec3<f32>(_S209) * _S210;
+    var _S212 : vec3<f32> = normal_of_0(&(_S191));
+    var _S213 : vec3<f32> = vec3<f32>(_S187);
+    var _S214 : vec3<f32> = _S211 + _S213 * _S212;
+    var _S215 : vec3<f32> = normal_of_0(&(_S192));
+    var _S216 : vec3<f32> = vec3<f32>(_S188);
+    var _S217 : vec3<f32> = normalize(_S214 + _S216 * _S215);
+    point_1.normal_0 = _S217;
+    var _S218 : vec3<f32> = normalize(_S207 - _S217 * vec3<f32>(dot(_S217, _S207)));
+    point_1.axis_x_0 = _S218;
+    point_1.axis_y_0 = cross(_S217, _S218);
+    var _S219 : vec3<f32> = normalize(cross(_S195, _S197));
+    point_1.face_normal_0 = select_vector_2((dot(_S219, _S217)) < 0.0f, (vec3<f32>(0) - _S219), _S219);
+    point_1.position_0 = _S194 + _S213 * _S195 + _S216 * _S197;
+    point_1.view_1 = _S217;
+    var _S220 : vec2<f32> = vec2<f32>(_S198, _S200) + vec2<f32>(_S187) * _S202 + vec2<f32>(_S188) * _S205;
+    point_1.uv_0 = _S220;
+    var _S221 : bool = (dot(cross(_S207, _S208), _S217)) < 0.0f;
+    var _S222 : vec2<f32> = vec2<f32>(fabrics_0[_S185].uv_width_0, select(fabrics_0[_S185].uv_height_0, - fabrics_0[_S185].uv_height_0, _S221));
+    point_1.draft_per_uv_0 = _S222;
+    point_1.draft_0 = _S220 * _S222 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S185].uv_height_0, _S221));
+    var _S223 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S223;
+    point_1.draft_dy_0 = _S223;
     return point_1;
 }
 
-fn visible_point_0( _S237 : i32,  _S238 : u32,  _S239 : u32,  _S240 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S224 : i32,  _S225 : u32,  _S226 : u32,  _S227 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S241 : u32 = u32(3) * _S239;
-    var _S242 : Vertex_std430_0 = vertices_0[corners_0[_S241]];
-    var _S243 : Vertex_std430_0 = vertices_0[corners_0[_S241 + u32(1)]];
-    var _S244 : Vertex_std430_0 = vertices_0[corners_0[_S241 + u32(2)]];
-    var _S245 : vec3<f32> = position_of_1(&(_S243));
-    var _S246 : vec3<f32> = position_of_1(&(_S242));
-    var _S247 : vec3<f32> = _S245 - _S246;
-    var _S248 : vec3<f32> = position_of_1(&(_S244));
-    var _S249 : vec3<f32> = _S248 - _S246;
-    var _S250 : vec3<f32> = cross(_S247, _S249);
-    var _S251 : f32 = 1.0f / max(square_0(_S250), 1.00000000317107685e-30f);
-    var _S252 : f32 = f32(frames_0[_S237].width_0);
-    var _S253 : vec3<f32> = camera_right_0(_S237) * vec3<f32>((2.0f / _S252));
-    var _S254 : f32 = f32(frames_0[_S237].height_0);
-    var _S255 : vec3<f32> = camera_up_0(_S237) * vec3<f32>((-2.0f / _S254));
-    var _S256 : vec3<f32> = camera_forward_0(_S237) + vec3<f32>((f32(_S240.x) + 0.5f - 0.5f * _S252)) * _S253 + vec3<f32>((f32(_S240.y) + 0.5f - 0.5f * _S254)) * _S255;
-    var _S257 : f32 = dot(_S256, _S250);
-    var _S258 : f32;
-    if((abs(_S257)) > 1.00000000317107685e-30f)
-    {
-        _S258 = _S257;
-    }
-    else
-    {
-        _S258 = 1.00000000317107685e-30f;
-    }
-    var _S259 : f32 = 1.0f / _S258;
-    var _S260 : vec3<f32> = _S246 - camera_origin_0(_S237);
-    var _S261 : vec3<f32> = vec3<f32>((dot(_S260, _S250) * _S259));
-    var _S262 : vec3<f32> = _S256 * _S261 - _S260;
-    var _S263 : vec3<f32> = _S261 * (_S253 - _S256 * vec3<f32>((dot(_S253, _S250) * _S259)));
-    var _S264 : vec3<f32> = _S261 * (_S255 - _S256 * vec3<f32>((dot(_S255, _S250) * _S259)));
-    var _S265 : vec3<f32> = vec3<f32>(_S251);
-    var _S266 : vec3<f32> = cross(_S249, _S250) * _S265;
-    var _S267 : vec3<f32> = cross(_S250, _S247) * _S265;
-    var _S268 : vec2<f32> = vec2<f32>(_S243.u_0 - _S242.u_0, _S243.v_0 - _S242.v_0);
-    var _S269 : vec2<f32> = vec2<f32>(_S244.u_0 - _S242.u_0, _S244.v_0 - _S242.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S238, _S239, dot(_S262, _S266), dot(_S262, _S267));
-    point_2.position_0 = _S246 + _S262;
-    point_2.view_1 = (vec3<f32>(0) - normalize(_S256));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S263, _S266)) * _S268 + vec2<f32>(dot(_S263, _S267)) * _S269) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S264, _S266)) * _S268 + vec2<f32>(dot(_S264, _S267)) * _S269) * point_2.draft_per_uv_0;
+    var _S228 : u32 = u32(3) * _S226;
+    var _S229 : Vertex_std430_0 = vertices_0[corners_0[_S228]];
+    var _S230 : Vertex_std430_0 = vertices_0[corners_0[_S228 + u32(1)]];
+    var _S231 : Vertex_std430_0 = vertices_0[corners_0[_S228 + u32(2)]];
+    var _S232 : vec3<f32> = position_of_1(&(_S230));
+    var _S233 : vec3<f32> = position_of_1(&(_S229));
+    var _S234 : vec3<f32> = _S232 - _S233;
+    var _S235 : vec3<f32> = position_of_1(&(_S231));
+    var _S236 : vec3<f32> = _S235 - _S233;
+    var _S237 : vec3<f32> = cross(_S234, _S236);
+    var _S238 : f32 = f32(frames_0[_S224].width_0);
+    var _S239 : vec3<f32> = camera_right_0(_S224) * vec3<f32>((2.0f / _S238));
+    var _S240 : f32 = f32(frames_0[_S224].height_0);
+    var _S241 : vec3<f32> = camera_up_0(_S224) * vec3<f32>((-2.0f / _S240));
+    var _S242 : vec3<f32> = camera_forward_0(_S224) + vec3<f32>((f32(_S227.x) + 0.5f - 0.5f * _S238)) * _S239 + vec3<f32>((f32(_S227.y) + 0.5f - 0.5f * _S240)) * _S241;
+    var _S243 : f32 = dot(_S242, _S237);
+    var _S244 : f32 = 1.0f / select(1.00000000317107685e-30f, _S243, (abs(_S243)) > 1.00000000317107685e-30f);
+    var _S245 : vec3<f32> = _S233 - camera_origin_0(_S224);
+    var _S246 : vec3<f32> = vec3<f32>((dot(_S245, _S237) * _S244));
+    var _S247 : vec3<f32> = _S242 * _S246 - _S245;
+    var _S248 : vec3<f32> = _S246 * (_S239 - _S242 * vec3<f32>((dot(_S239, _S237) * _S244)));
+    var _S249 : vec3<f32> = _S246 * (_S241 - _S242 * vec3<f32>((dot(_S241, _S237) * _S244)));
+    var _S250 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S237), 1.00000000317107685e-30f)));
+    var _S251 : vec3<f32> = cross(_S236, _S237) * _S250;
+    var _S252 : vec3<f32> = cross(_S237, _S234) * _S250;
+    var _S253 : vec2<f32> = vec2<f32>(_S230.u_0 - _S229.u_0, _S230.v_0 - _S229.v_0);
+    var _S254 : vec2<f32> = vec2<f32>(_S231.u_0 - _S229.u_0, _S231.v_0 - _S229.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S225, _S226, dot(_S247, _S251), dot(_S247, _S252));
+    point_2.position_0 = _S233 + _S247;
+    point_2.view_1 = (vec3<f32>(0) - normalize(_S242));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S248, _S251)) * _S253 + vec2<f32>(dot(_S248, _S252)) * _S254) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S249, _S251)) * _S253 + vec2<f32>(dot(_S249, _S252)) * _S254) * point_2.draft_per_uv_0;
     return point_2;
 }
 
@@ -1898,40 +1717,32 @@ struct NeumipView_0
      hole_0 : f32,
 };
 
-fn neumip_view_0( _S270 : u32,  _S271 : Footprint_0,  _S272 : vec3<f32>,  _S273 : ptr<function, NeumipView_0>)
+fn neumip_view_0( _S255 : u32,  _S256 : Footprint_0,  _S257 : vec3<f32>,  _S258 : ptr<function, NeumipView_0>)
 {
-    var _S274 : Neumip_std430_0 = fabrics_0[_S270].neumip_0;
-    var _S275 : bool = (_S272.z) < 0.0f;
-    var _S276 : u32;
-    if(_S275)
-    {
-        _S276 = _S274.back_0;
-    }
-    else
-    {
-        _S276 = u32(0);
-    }
-    var _S277 : vec3<f32> = to_face_frame_0(_S272, _S275);
-    var uv_6 : vec2<f32> = _S271.centre_0 * vec2<f32>(_S274.repeats_per_x_0, _S274.repeats_per_y_0);
+    var _S259 : Neumip_std430_0 = fabrics_0[_S255].neumip_0;
+    var _S260 : bool = (_S257.z) < 0.0f;
+    var _S261 : u32 = select(u32(0), _S259.back_0, _S260);
+    var _S262 : vec3<f32> = to_face_frame_0(_S257, _S260);
+    var uv_6 : vec2<f32> = _S256.centre_0 * vec2<f32>(_S259.repeats_per_x_0, _S259.repeats_per_y_0);
     var uv_7 : vec2<f32>;
-    if((_S274.has_offset_0) != u32(0))
+    if((_S259.has_offset_0) != u32(0))
     {
-        var _S278 : vec2<f32> = _S277.xy;
-        var _S279 : f32 = neumip_depth_0(&(_S274), uv_6, _S278, _S276);
-        uv_7 = uv_6 + vec2<f32>((_S279 / max(_S277.z, 0.60000002384185791f))) * _S278 * vec2<f32>(_S274.unit_x_0, _S274.unit_y_0);
+        var _S263 : vec2<f32> = _S262.xy;
+        var _S264 : f32 = neumip_depth_0(&(_S259), uv_6, _S263, _S261);
+        uv_7 = uv_6 + vec2<f32>((_S264 / max(_S262.z, 0.60000002384185791f))) * _S263 * vec2<f32>(_S259.unit_x_0, _S259.unit_y_0);
     }
     else
     {
         uv_7 = uv_6;
     }
-    var _S280 : f32 = sqrt(abs(_S271.dx_0.x * _S271.dy_0.y - _S271.dx_0.y * _S271.dy_0.x)) * _S274.texels_per_mm_0;
+    var _S265 : f32 = sqrt(abs(_S256.dx_0.x * _S256.dy_0.y - _S256.dx_0.y * _S256.dy_0.x)) * _S259.texels_per_mm_0;
     var pyramid_0 : TexelPyramid_0;
-    pyramid_0.first_20 = _S274.features_0;
-    pyramid_0.elements_4 = _S274.texel_elements_0;
-    pyramid_0.levels_4 = _S274.levels_2;
-    pyramid_0.last_level_3 = _S274.last_level_1;
-    pyramid_0.face_texels_2 = _S274.face_texels_0;
-    var _S281 : Eight_0 = TexelPyramid_between_levels_0(pyramid_0, uv_7, binary_logarithm_0(max(_S280, 9.99999971718068537e-10f)), _S276);
+    pyramid_0.first_20 = _S259.features_0;
+    pyramid_0.elements_4 = _S259.texel_elements_0;
+    pyramid_0.levels_4 = _S259.levels_2;
+    pyramid_0.last_level_3 = _S259.last_level_1;
+    pyramid_0.face_texels_2 = _S259.face_texels_0;
+    var _S266 : Eight_0 = TexelPyramid_between_levels_0(pyramid_0, uv_7, binary_logarithm_0(max(_S265, 9.99999971718068537e-10f)), _S261);
     var k_3 : i32 = i32(0);
     for(;;)
     {
@@ -1942,38 +1753,38 @@ fn neumip_view_0( _S270 : u32,  _S271 : Footprint_0,  _S272 : vec3<f32>,  _S273 
         {
             break;
         }
-        (*_S273).latent_1[k_3] = channel_0(_S281, k_3);
+        (*_S258).latent_1[k_3] = channel_0(_S266, k_3);
         k_3 = k_3 + i32(1);
     }
-    var _S282 : vec2<f32> = _S277.xy;
-    (*_S273).view_4 = _S282;
-    (*_S273).back_3 = _S275;
-    var _S283 : f32;
-    if((_S274.has_holes_0) != u32(0))
+    var _S267 : vec2<f32> = _S262.xy;
+    (*_S258).view_4 = _S267;
+    (*_S258).back_3 = _S260;
+    var _S268 : f32;
+    if((_S259.has_holes_0) != u32(0))
     {
-        var _S284 : f32 = neumip_hole_0(&(_S274), _S281, _S282);
-        _S283 = _S284;
+        var _S269 : f32 = neumip_hole_0(&(_S259), _S266, _S267);
+        _S268 = _S269;
     }
     else
     {
-        _S283 = 0.0f;
+        _S268 = 0.0f;
     }
-    (*_S273).hole_0 = _S283;
+    (*_S258).hole_0 = _S268;
     return;
 }
 
-fn light_sample_count_0( _S285 : i32) -> u32
+fn light_sample_count_0( _S270 : i32) -> u32
 {
-    return frames_0[_S285].lights_0 + frames_0[_S285].environment_samples_0;
+    return frames_0[_S270].lights_0 + frames_0[_S270].environment_samples_0;
 }
 
-fn visibility_at_0( _S286 : i32,  _S287 : u32,  _S288 : vec2<u32>) -> f32
+fn visibility_at_0( _S271 : i32,  _S272 : u32,  _S273 : vec2<u32>) -> f32
 {
-    if((frames_0[_S286].casts_shadows_0) == u32(0))
+    if((frames_0[_S271].casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S287 * frames_0[_S286].height_0 + _S288.y) * frames_0[_S286].width_0 + _S288.x];
+    return visibilities_0[(_S272 * frames_0[_S271].height_0 + _S273.y) * frames_0[_S271].width_0 + _S273.x];
 }
 
 struct LightSample_0
@@ -1983,79 +1794,63 @@ struct LightSample_0
      distance_0 : f32,
 };
 
-fn environment_texel_0( _S289 : i32,  _S290 : u32,  _S291 : u32) -> vec3<f32>
+fn environment_texel_0( _S274 : i32,  _S275 : u32,  _S276 : u32) -> vec3<f32>
 {
-    var _S292 : u32 = frames_0[_S289].environment_table_0 + frames_0[_S289].environment_rows_0 + u32(1) + frames_0[_S289].environment_rows_0 * (frames_0[_S289].environment_columns_0 + u32(1)) + u32(3) * (_S290 * frames_0[_S289].environment_columns_0 + _S291);
-    return vec3<f32>(scene_number_0(_S292), scene_number_0(_S292 + u32(1)), scene_number_0(_S292 + u32(2)));
+    var _S277 : u32 = frames_0[_S274].environment_table_0 + frames_0[_S274].environment_rows_0 + u32(1) + frames_0[_S274].environment_rows_0 * (frames_0[_S274].environment_columns_0 + u32(1)) + u32(3) * (_S275 * frames_0[_S274].environment_columns_0 + _S276);
+    return vec3<f32>(scene_number_0(_S277), scene_number_0(_S277 + u32(1)), scene_number_0(_S277 + u32(2)));
 }
 
-fn sample_environment_0( _S293 : i32,  _S294 : vec2<f32>,  _S295 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S278 : i32,  _S279 : vec2<f32>,  _S280 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S296 : u32 = frames_0[_S293].environment_rows_0;
-    var _S297 : Choice_0 = choose_0(frames_0[_S293].environment_table_0, frames_0[_S293].environment_rows_0, _S294.y);
-    var _S298 : u32 = frames_0[_S293].environment_columns_0;
-    var _S299 : Choice_0 = choose_0(frames_0[_S293].environment_table_0 + frames_0[_S293].environment_rows_0 + u32(1) + _S297.index_2 * (frames_0[_S293].environment_columns_0 + u32(1)), frames_0[_S293].environment_columns_0, _S294.x);
-    var _S300 : vec3<f32> = environment_texel_0(_S293, _S297.index_2, _S299.index_2);
-    (*_S295) = _S300 * vec3<f32>((frames_0[_S293].environment_total_0 / max(mean_0(_S300), 9.99999968265522539e-21f)));
-    var _S301 : f32 = 3.14159274101257324f / f32(_S296);
-    var _S302 : f32 = mix(sine_cosine_0(f32(_S297.index_2) * _S301).y, sine_cosine_0(f32(_S297.index_2 + u32(1)) * _S301).y, _S297.remainder_0);
-    var _S303 : f32 = sqrt(max(1.0f - _S302 * _S302, 0.0f));
-    var _S304 : vec2<f32> = sine_cosine_0((f32(_S299.index_2) + _S299.remainder_0) * (6.28318548202514648f / f32(_S298)));
-    var _S305 : f32 = _S303 * _S304.x;
-    var _S306 : f32 = - _S303 * _S304.y;
-    return vec3<f32>(frames_0[_S293].environment_cosine_0 * _S305 + frames_0[_S293].environment_sine_0 * _S306, _S302, frames_0[_S293].environment_cosine_0 * _S306 - frames_0[_S293].environment_sine_0 * _S305);
+    var _S281 : u32 = frames_0[_S278].environment_rows_0;
+    var _S282 : Choice_0 = choose_0(frames_0[_S278].environment_table_0, frames_0[_S278].environment_rows_0, _S279.y);
+    var _S283 : u32 = frames_0[_S278].environment_columns_0;
+    var _S284 : Choice_0 = choose_0(frames_0[_S278].environment_table_0 + frames_0[_S278].environment_rows_0 + u32(1) + _S282.index_2 * (frames_0[_S278].environment_columns_0 + u32(1)), frames_0[_S278].environment_columns_0, _S279.x);
+    var _S285 : vec3<f32> = environment_texel_0(_S278, _S282.index_2, _S284.index_2);
+    (*_S280) = _S285 * vec3<f32>((frames_0[_S278].environment_total_0 / max(mean_0(_S285), 9.99999968265522539e-21f)));
+    var _S286 : f32 = 3.14159274101257324f / f32(_S281);
+    var _S287 : f32 = mix(sine_cosine_0(f32(_S282.index_2) * _S286).y, sine_cosine_0(f32(_S282.index_2 + u32(1)) * _S286).y, _S282.remainder_0);
+    var _S288 : f32 = sqrt(max(1.0f - _S287 * _S287, 0.0f));
+    var _S289 : vec2<f32> = sine_cosine_0((f32(_S284.index_2) + _S284.remainder_0) * (6.28318548202514648f / f32(_S283)));
+    var _S290 : f32 = _S288 * _S289.x;
+    var _S291 : f32 = - _S288 * _S289.y;
+    return vec3<f32>(frames_0[_S278].environment_cosine_0 * _S290 + frames_0[_S278].environment_sine_0 * _S291, _S287, frames_0[_S278].environment_cosine_0 * _S291 - frames_0[_S278].environment_sine_0 * _S290);
 }
 
-fn light_sample_0( _S307 : i32,  _S308 : u32,  _S309 : vec2<u32>,  _S310 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S292 : i32,  _S293 : u32,  _S294 : vec2<u32>,  _S295 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_0 = 1.00000001504746622e+30f;
-    var _S311 : u32 = frames_0[_S307].lights_0;
-    if(_S308 >= (frames_0[_S307].lights_0))
+    var _S296 : u32 = frames_0[_S292].lights_0;
+    if(_S293 >= (frames_0[_S292].lights_0))
     {
         var weight_3 : vec3<f32>;
-        var _S312 : vec3<f32> = sample_environment_0(_S307, pixel_sequence_0(_S309, frames_0[_S307].pass_number_0 * frames_0[_S307].environment_samples_0 + (_S308 - _S311), u32(3)), &(weight_3));
-        sample_0.towards_0 = _S312;
-        sample_0.irradiance_1 = weight_3 / vec3<f32>(f32(frames_0[_S307].environment_samples_0));
+        var _S297 : vec3<f32> = sample_environment_0(_S292, pixel_sequence_0(_S294, frames_0[_S292].pass_number_0 * frames_0[_S292].environment_samples_0 + (_S293 - _S296), u32(3)), &(weight_3));
+        sample_0.towards_0 = _S297;
+        sample_0.irradiance_1 = weight_3 / vec3<f32>(f32(frames_0[_S292].environment_samples_0));
         return sample_0;
     }
-    var _S313 : Light_std430_0 = lights_1[_S308];
-    sample_0.irradiance_1 = vec3<f32>(_S313.red_0, _S313.green_0, _S313.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S313.x_1, _S313.y_1, _S313.z_1);
-    if((_S313.is_point_0) != u32(0))
+    var _S298 : Light_std430_0 = lights_1[_S293];
+    sample_0.irradiance_1 = vec3<f32>(_S298.red_0, _S298.green_0, _S298.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S298.x_1, _S298.y_1, _S298.z_1);
+    if((_S298.is_point_0) != u32(0))
     {
-        var _S314 : vec3<f32> = sample_0.towards_0 - _S310;
-        var _S315 : f32 = max(square_0(_S314), 9.999999960041972e-13f);
-        sample_0.distance_0 = sqrt(_S315);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S315);
-        sample_0.towards_0 = normalize(_S314);
+        var _S299 : vec3<f32> = sample_0.towards_0 - _S295;
+        var _S300 : f32 = max(square_0(_S299), 9.999999960041972e-13f);
+        sample_0.distance_0 = sqrt(_S300);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S300);
+        sample_0.towards_0 = normalize(_S299);
     }
     return sample_0;
 }
 
-fn neumip_value_0( _S316 : u32,  _S317 : ptr<function, NeumipView_0>,  _S318 : vec3<f32>) -> vec3<f32>
+fn neumip_value_0( _S301 : u32,  _S302 : ptr<function, NeumipView_0>,  _S303 : vec3<f32>) -> vec3<f32>
 {
-    var _S319 : vec3<f32> = to_face_frame_0(_S318, (*_S317).back_3);
-    var _S320 : f32 = _S319.z;
-    var _S321 : bool;
-    if(_S320 < 0.0f)
-    {
-        _S321 = (fabrics_0[_S316].neumip_0.transmits_0) != u32(0);
-    }
-    else
-    {
-        _S321 = false;
-    }
-    var _S322 : bool;
-    if(_S320 <= 0.0f)
-    {
-        _S322 = !_S321;
-    }
-    else
-    {
-        _S322 = false;
-    }
-    if(_S322)
+    var _S304 : vec3<f32> = to_face_frame_0(_S303, (*_S302).back_3);
+    var _S305 : f32 = _S304.z;
+    var _S306 : Neumip_std430_0 = fabrics_0[_S301].neumip_0;
+    var _S307 : bool = ((_S305 < 0.0f) & (((fabrics_0[_S301].neumip_0.transmits_0) != u32(0))));
+    if(((_S305 <= 0.0f) & ((!_S307))))
     {
         return vec3<f32>(0.0f);
     }
@@ -2070,59 +1865,50 @@ fn neumip_value_0( _S316 : u32,  _S317 : ptr<function, NeumipView_0>,  _S318 : v
         {
             break;
         }
-        inputs_26[k_4] = (*_S317).latent_1[k_4];
+        inputs_26[k_4] = (*_S302).latent_1[k_4];
         k_4 = k_4 + i32(1);
     }
-    inputs_26[i32(7)] = _S319.x;
-    inputs_26[i32(8)] = _S319.y;
-    inputs_26[i32(9)] = (*_S317).view_4.x;
-    inputs_26[i32(10)] = (*_S317).view_4.y;
-    var outputs_20 : array<f32, i32(3)>;
+    inputs_26[i32(7)] = _S304.x;
+    inputs_26[i32(8)] = _S304.y;
+    inputs_26[i32(9)] = (*_S302).view_4.x;
+    inputs_26[i32(10)] = (*_S302).view_4.y;
     var network_3 : MLP_0;
-    var _S323 : u32;
-    if(_S321)
-    {
-        _S323 = fabrics_0[_S316].neumip_0.transmission_0;
-    }
-    else
-    {
-        _S323 = fabrics_0[_S316].neumip_0.decoder_0;
-    }
-    network_3.weights_20.first_0 = _S323;
+    network_3.weights_20.first_0 = select(_S306.decoder_0, _S306.transmission_0, _S307);
+    var outputs_20 : array<f32, i32(3)>;
     MLP_evaluate_0(network_3, &(inputs_26), &(outputs_20));
     return max(vec3<f32>(outputs_20[i32(0)], outputs_20[i32(1)], outputs_20[i32(2)]), vec3<f32>(0.0f)) * vec3<f32>(0.31830987334251404f);
 }
 
-fn light_of_neumip_0( _S324 : i32,  _S325 : u32,  _S326 : VisiblePoint_0,  _S327 : vec2<u32>) -> vec4<f32>
+fn light_of_neumip_0( _S308 : i32,  _S309 : u32,  _S310 : VisiblePoint_0,  _S311 : vec2<u32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S326.draft_0;
-    footprint_0.dx_0 = _S326.draft_dx_0;
-    footprint_0.dy_0 = _S326.draft_dy_0;
+    footprint_0.centre_0 = _S310.draft_0;
+    footprint_0.dx_0 = _S310.draft_dx_0;
+    footprint_0.dy_0 = _S310.draft_dy_0;
     var seen_0 : NeumipView_0;
-    neumip_view_0(_S325, footprint_0, to_local_0(_S326, _S326.view_1), &(seen_0));
-    var _S328 : vec3<f32> = vec3<f32>(0.0f);
+    neumip_view_0(_S309, footprint_0, to_local_0(_S310, _S310.view_1), &(seen_0));
+    var _S312 : vec3<f32> = vec3<f32>(0.0f);
     var number_1 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S328;
+    var radiance_1 : vec3<f32> = _S312;
     for(;;)
     {
-        if(number_1 < (light_sample_count_0(_S324)))
+        if(number_1 < (light_sample_count_0(_S308)))
         {
         }
         else
         {
             break;
         }
-        var _S329 : f32 = visibility_at_0(_S324, number_1, _S327);
-        if(_S329 <= 0.0f)
+        var _S313 : f32 = visibility_at_0(_S308, number_1, _S311);
+        if(_S313 <= 0.0f)
         {
             number_1 = number_1 + u32(1);
             continue;
         }
-        var _S330 : LightSample_0 = light_sample_0(_S324, number_1, _S327, _S326.position_0);
-        var _S331 : vec3<f32> = vec3<f32>(_S329) * _S330.irradiance_1;
-        var _S332 : vec3<f32> = neumip_value_0(_S325, &(seen_0), to_local_0(_S326, _S330.towards_0));
-        radiance_1 = radiance_1 + _S331 * _S332;
+        var _S314 : LightSample_0 = light_sample_0(_S308, number_1, _S311, _S310.position_0);
+        var _S315 : vec3<f32> = vec3<f32>(_S313) * _S314.irradiance_1;
+        var _S316 : vec3<f32> = neumip_value_0(_S309, &(seen_0), to_local_0(_S310, _S314.towards_0));
+        radiance_1 = radiance_1 + _S315 * _S316;
         number_1 = number_1 + u32(1);
     }
     return vec4<f32>(radiance_1, 1.0f - seen_0.hole_0);
@@ -2132,31 +1918,31 @@ fn light_of_neumip_0( _S324 : i32,  _S325 : u32,  _S326 : VisiblePoint_0,  _S327
 @workgroup_size(8, 8, 1)
 fn shade_neumip(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S333 : u32 = id_0.x;
-    var _S334 : u32 = frames_0[i32(0)].width_0;
-    var _S335 : bool;
-    if(_S333 >= (frames_0[i32(0)].width_0))
+    var _S317 : u32 = id_0.x;
+    var _S318 : u32 = frames_0[i32(0)].width_0;
+    var _S319 : bool;
+    if(_S317 >= (frames_0[i32(0)].width_0))
     {
-        _S335 = true;
+        _S319 = true;
     }
     else
     {
-        _S335 = (id_0.y) >= (frames_0[i32(0)].height_0);
+        _S319 = (id_0.y) >= (frames_0[i32(0)].height_0);
     }
-    if(_S335)
+    if(_S319)
     {
         return;
     }
-    var _S336 : u32 = id_0.y * _S334 + _S333;
-    var _S337 : u32 = layers_0[_S336].face_0;
-    if((layers_0[_S336].face_0) == u32(0))
+    var _S320 : u32 = id_0.y * _S318 + _S317;
+    var _S321 : u32 = layers_0[_S320].face_0;
+    if((layers_0[_S320].face_0) == u32(0))
     {
         return;
     }
-    var _S338 : u32 = _S337 - u32(1);
-    var _S339 : u32 = face_fabrics_0[_S338];
-    var _S340 : vec2<u32> = id_0.xy;
-    accumulate_0(_S336, light_of_neumip_0(i32(0), _S339, visible_point_0(i32(0), _S339, _S338, _S340), _S340));
+    var _S322 : u32 = _S321 - u32(1);
+    var _S323 : u32 = face_fabrics_0[_S322];
+    var _S324 : vec2<u32> = id_0.xy;
+    accumulate_0(_S320, light_of_neumip_0(i32(0), _S323, visible_point_0(i32(0), _S323, _S322, _S324), _S324));
     return;
 }
 

@@ -72,18 +72,7 @@ fn exponential_0( x_1 : f32) -> f32
     var _S3 : f32 = clamp(x_1, -87.0f, 88.0f);
     var _S4 : f32 = floor(_S3 * 1.4426950216293335f + 0.5f);
     var _S5 : f32 = _S3 - _S4 * 0.693359375f + _S4 * 0.00021219444170129f;
-    var p_0 : f32 = ((((0.00019875691214111f * _S5 + 0.00139819993637502f) * _S5 + 0.00833345204591751f) * _S5 + 0.04166579619050026f) * _S5 + 0.1666666567325592f) * _S5 + 0.5f;
-    var _S6 : f32 = (bitcast<f32>(((u32(i32(_S4) + i32(127)) << (u32(23))))));
-    var _S7 : f32;
-    if(x_1 < -87.0f)
-    {
-        _S7 = 0.0f;
-    }
-    else
-    {
-        _S7 = (p_0 * _S5 * _S5 + _S5 + 1.0f) * _S6;
-    }
-    return _S7;
+    return select(((((((0.00019875691214111f * _S5 + 0.00139819993637502f) * _S5 + 0.00833345204591751f) * _S5 + 0.04166579619050026f) * _S5 + 0.1666666567325592f) * _S5 + 0.5f) * _S5 * _S5 + _S5 + 1.0f) * (bitcast<f32>(((u32(i32(_S4) + i32(127)) << (u32(23)))))), 0.0f, x_1 < -87.0f);
 }
 
 fn power_0( x_2 : f32,  exponent_3 : f32) -> f32
@@ -93,30 +82,21 @@ fn power_0( x_2 : f32,  exponent_3 : f32) -> f32
 
 fn encoded_0( linear_0 : f32) -> u32
 {
-    var _S8 : f32 = clamp(linear_0, 0.0f, 1.0f);
-    var _S9 : f32;
-    if(_S8 <= 0.00313080009073019f)
-    {
-        _S9 = 12.92000007629394531f * _S8;
-    }
-    else
-    {
-        _S9 = 1.0549999475479126f * power_0(_S8, 0.4166666567325592f) - 0.05499999970197678f;
-    }
-    return u32(_S9 * 255.0f + 0.5f);
+    var _S6 : f32 = clamp(linear_0, 0.0f, 1.0f);
+    return u32(select(1.0549999475479126f * power_0(_S6, 0.4166666567325592f) - 0.05499999970197678f, 12.92000007629394531f * _S6, _S6 <= 0.00313080009073019f) * 255.0f + 0.5f);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn tone_map(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S10 : u32 = id_0.x;
-    if(_S10 >= (frames_0[i32(0)].width_0 * frames_0[i32(0)].height_0))
+    var _S7 : u32 = id_0.x;
+    if(_S7 >= (frames_0[i32(0)].width_0 * frames_0[i32(0)].height_0))
     {
         return;
     }
-    var _S11 : vec3<f32> = radiance_0[_S10].xyz * vec3<f32>(frames_0[i32(0)].gain_0);
-    pixels_0[_S10] = ((((((encoded_0(_S11.x)) | ((((encoded_0(_S11.y)) << (u32(8))))))) | ((((encoded_0(_S11.z)) << (u32(16))))))) | (u32(4278190080)));
+    var _S8 : vec3<f32> = radiance_0[_S7].xyz * vec3<f32>(frames_0[i32(0)].gain_0);
+    pixels_0[_S7] = ((((((encoded_0(_S8.x)) | ((((encoded_0(_S8.y)) << (u32(8))))))) | ((((encoded_0(_S8.z)) << (u32(16))))))) | (u32(4278190080)));
     return;
 }
 
