@@ -10,5 +10,7 @@ export const alias = {
   "@shaders": SHADERS,
   "loomlight-web/three-webgpu": source("three/webgpu"),
   "loomlight-web/three": source("three/webgl"),
+  // What a fabric looks like, without the shaders that draw it.
+  "loomlight-web/look": source("fabric/look"),
   "loomlight-web": source("index"),
 };

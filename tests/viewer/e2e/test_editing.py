@@ -166,7 +166,7 @@ def test_a_fault_in_a_weave_is_told_with_what_would_be_right(editor: Any) -> Non
     kept = fabric_of(editor)
     by_id(editor, "weave-name").fill("satin 8/2")
     by_id(editor, "weave-apply").click()
-    assert "3, 5" in by_id(editor, "notice-fault").inner_text()
+    assert "3, 5" in editor.locator(".fault").inner_text()
     assert fabric_of(editor) == kept
 
 

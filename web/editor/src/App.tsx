@@ -3,9 +3,11 @@ import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 
 import type { Server } from "./api.ts";
 import { ServerError } from "./api.ts";
-import { Icon } from "./controls/Icon.tsx";
 import { ACCEPTED, download, fabricFiles, MESHES, openFabric, stemOf, wifFile } from "./files.ts";
+import { Guard } from "./Guard.tsx";
+import type { Health } from "./health.ts";
 import { linkOf } from "./link.ts";
+import { Notices } from "./Notices.tsx";
 import { OpennessSource } from "./openness.ts";
 import { ColourPanel } from "./panels/ColourPanel.tsx";
 import { DraftPanel } from "./panels/DraftPanel.tsx";
@@ -25,6 +27,7 @@ import type { TableSource } from "./view/served_models.ts";
 interface Props {
   readonly store: Store;
   readonly server: Server | null;
+  readonly health: Health;
   readonly onView: (view: ClothView | null) => void;
 }
 
@@ -39,7 +42,7 @@ const TAB_NAMES: Readonly<Record<Tab, string>> = {
 /** Pictures of surroundings. */
 const SURROUNDINGS = /\.(hdr|exr)$/i;
 
-export function App({ store, server, onView }: Props) {
+export function App({ store, server, health, onView }: Props) {
   const [state, setState] = useState(store.state);
   const [ownMesh, setOwnMesh] = useState<ClothShape | null>(null);
   const [surroundings, setSurroundings] = useState<SurroundingsPicture | null>(null);
@@ -50,7 +53,11 @@ export function App({ store, server, onView }: Props) {
   const chooser = useRef<HTMLInputElement>(null);
   const { dispatch } = store;
 
-  useEffect(() => store.subscribe(setState), [store]);
+  useEffect(() => {
+    // A part that fails in the first render changes the state before this one listens.
+    setState(store.state);
+    return store.subscribe(setState);
+  }, [store]);
 
   const tell = (kind: Notice["kind"], text: string): void => dispatch({ type: "notice/add", kind, text });
 
@@ -178,6 +185,8 @@ export function App({ store, server, onView }: Props) {
     ),
     light: () => <LightPanel scene={state.scene} dispatch={dispatch} isFlat={isFlat} onPicture={() => choose(".hdr,.exr")} />,
   };
+  /** Another one for everything that panels and cloth show. */
+  const seen = useMemo(() => ({}), [state.fabric, state.scene, state.comparison]);
   return (
     <div
       class="page"
@@ -192,30 +201,36 @@ export function App({ store, server, onView }: Props) {
         void open([...(event.dataTransfer?.files ?? [])]);
       }}
     >
-      <TopBar state={state} dispatch={dispatch} hasPython={server?.hasPython ?? false} isFlat={isFlat} onOpen={() => choose(ACCEPTED)} onSave={(format) => void save(format)} onLink={() => void copyLink()} />
-      <Stage
-        tables={tables}
-        hasPython={server?.hasPython ?? false}
-        state={state}
-        dispatch={dispatch}
-        ownMesh={ownMesh}
-        surroundings={surroundings}
-        print={print}
-        openness={openness}
-        answers={answers}
-        onMesh={() => choose(".obj,.ply,.glb,.gltf")}
-        onView={(made) => {
-          view.current = made;
-          setFlat(made?.kind === "canvas");
-          onView(made);
-        }}
-      >
-        <Notices notices={state.notices} onDismiss={(id) => dispatch({ type: "notice/dismiss", id })} />
-      </Stage>
+      <Guard part="top bar" store={store} health={health} shown={state.fabric}>
+        <TopBar state={state} dispatch={dispatch} hasPython={server?.hasPython ?? false} isFlat={isFlat} onOpen={() => choose(ACCEPTED)} onSave={(format) => void save(format)} onLink={() => void copyLink()} />
+      </Guard>
+      <Guard part="cloth" store={store} health={health} shown={seen}>
+        <Stage
+          tables={tables}
+          hasPython={server?.hasPython ?? false}
+          state={state}
+          dispatch={dispatch}
+          ownMesh={ownMesh}
+          surroundings={surroundings}
+          print={print}
+          openness={openness}
+          answers={answers}
+          onMesh={() => choose(".obj,.ply,.glb,.gltf")}
+          onView={(made) => {
+            view.current = made;
+            setFlat(made?.kind === "canvas");
+            onView(made);
+          }}
+        >
+          <Notices notices={state.notices} onDismiss={(id) => dispatch({ type: "notice/dismiss", id })} />
+        </Stage>
+      </Guard>
       <aside class="panel" aria-label="Fabric">
         <Tabs tab={state.tab} onTab={(tab) => dispatch({ type: "tab/show", tab })} />
         <div class="panel-body" role="tabpanel" id="panel" aria-labelledby={`tab-${state.tab}`} tabIndex={-1}>
-          {panels[state.tab]()}
+          <Guard key={state.tab} part={`${TAB_NAMES[state.tab].toLowerCase()} panel`} store={store} health={health} shown={seen}>
+            {panels[state.tab]()}
+          </Guard>
         </div>
       </aside>
       <input
@@ -261,32 +276,6 @@ function Tabs({ tab, onTab }: { tab: Tab; onTab: (tab: Tab) => void }) {
           {TAB_NAMES[each]}
         </button>
       ))}
-    </div>
-  );
-}
-
-function Notices({ notices, onDismiss }: { notices: readonly Notice[]; onDismiss: (id: number) => void }) {
-  return (
-    <div class="notices" aria-live="polite">
-      {notices.map((notice) => (
-        <NoticeCard key={notice.id} notice={notice} onDismiss={onDismiss} />
-      ))}
-    </div>
-  );
-}
-
-function NoticeCard({ notice, onDismiss }: { notice: Notice; onDismiss: (id: number) => void }) {
-  useEffect(() => {
-    if (notice.kind !== "done") return;
-    const timer = setTimeout(() => onDismiss(notice.id), 5000);
-    return () => clearTimeout(timer);
-  }, [notice.id]);
-  return (
-    <div class={`notice is-${notice.kind}`} role={notice.kind === "fault" ? "alert" : "status"} data-testid={`notice-${notice.kind}`}>
-      <p>{notice.text}</p>
-      <button type="button" class="icon-button" aria-label="Dismiss" onClick={() => onDismiss(notice.id)}>
-        <Icon name="close" />
-      </button>
     </div>
   );
 }

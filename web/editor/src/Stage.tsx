@@ -66,6 +66,9 @@ export function Stage(props: Props) {
   const [zoom, setZoom] = useState(0);
   const [isTouched, setTouched] = useState(false);
   const [isDrawn, setDrawn] = useState(false);
+  const [broken, setBroken] = useState<unknown>(null);
+  // What fails between renders is for whoever guards the stage.
+  if (broken !== null) throw broken;
   const { fabric, scene, comparison } = state;
 
   const onFault = (text: string): void => dispatch({ type: "notice/add", kind: "fault", text });
@@ -116,7 +119,11 @@ export function Stage(props: Props) {
     let handle = 0;
     let told = 0;
     const draw = (now: number): void => {
-      view.frame();
+      try {
+        view.frame();
+      } catch (error) {
+        return setBroken(error);
+      }
       if (now - told > 250) {
         told = now;
         const { kind, frameMs: last, passes } = view.statistics();

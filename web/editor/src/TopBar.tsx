@@ -2,8 +2,9 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 
 import { Icon, type IconName } from "./controls/Icon.tsx";
+import { useWritten } from "./controls/written.tsx";
 import { nameOf, type State } from "./state/document.ts";
-import type { Dispatch } from "./state/store.ts";
+import { refusalOf, type Dispatch } from "./state/store.ts";
 
 /** What can be saved. */
 export type SaveFormat = "toml" | "wif" | "png" | "loom";
@@ -28,23 +29,16 @@ const FORMATS: readonly (readonly [SaveFormat, string, string])[] = [
 
 export function TopBar({ state, dispatch, hasPython, isFlat, onOpen, onSave, onLink }: Props) {
   const { past, future } = state.history;
-  const name = nameOf(state.fabric);
+  const written = useWritten(nameOf(state.fabric), (text) => {
+    const name = text.trim();
+    return refusalOf(dispatch, { type: "field/set", field: "name", value: name === "" ? undefined : name });
+  });
   return (
     <header class="top-bar">
       <h1>
         <span class="brand">loomlight</span>
       </h1>
-      <input
-        class="fabric-name"
-        type="text"
-        value={name}
-        aria-label="Name of the fabric"
-        data-testid="fabric-name"
-        onChange={(event) => {
-          const text = event.currentTarget.value.trim();
-          dispatch({ type: "field/set", field: "name", value: text === "" ? undefined : text });
-        }}
-      />
+      <input {...written.input} class="fabric-name" aria-label="Name of the fabric" title={written.fault} data-testid="fabric-name" />
       <div class="top-group">
         <IconButton icon="undo" label="Undo" keys="Ctrl+Z" testid="undo" isOff={past.length === 0} onClick={() => dispatch({ type: "history/undo" })} />
         <IconButton icon="redo" label="Redo" keys="Ctrl+Shift+Z" testid="redo" isOff={future.length === 0} onClick={() => dispatch({ type: "history/redo" })} />

@@ -1,6 +1,6 @@
 /** The page's address carries the fabric: its JSON, deflated, in base64 for addresses. */
 import type { Fabric } from "./state/document.ts";
-import { fabricFromJson, fabricToJson, type StoredFabric } from "./state/fabric_json.ts";
+import { fabricFromJson, fabricText } from "./state/fabric_json.ts";
 
 /** Longer addresses are cut by some programs. */
 const MAX = 12_000;
@@ -8,7 +8,7 @@ const KEY = "f=";
 
 /** The part of an address after "#" that carries the fabric; null where it would be too long to share. */
 export async function linkOf(fabric: Fabric): Promise<string | null> {
-  const bytes = await through(new TextEncoder().encode(JSON.stringify(fabricToJson(fabric))), new CompressionStream("deflate-raw"));
+  const bytes = await through(new TextEncoder().encode(fabricText(fabric)), new CompressionStream("deflate-raw"));
   const text = btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
   const link = KEY + text.replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
   return link.length > MAX ? null : link;
@@ -25,7 +25,7 @@ export async function fabricOfLink(hash: string): Promise<Fabric | null> {
   const binary = atob(text.slice(KEY.length).replaceAll("-", "+").replaceAll("_", "/"));
   const bytes = Uint8Array.from(binary, (unit) => unit.charCodeAt(0));
   const json = new TextDecoder().decode(await through(bytes, new DecompressionStream("deflate-raw")));
-  return fabricFromJson(JSON.parse(json) as StoredFabric);
+  return fabricFromJson(JSON.parse(json));
 }
 
 async function through(

@@ -1,33 +1,53 @@
-/** Starts the page: with the fabric of its address, else the one kept by the browser, else the session's. */
-import { loadDraft } from "loomlight-fabric";
+/** Starts the page, keeps what changes, and holds it up where a part of it fails. */
 import { render } from "preact";
 
 import { Server } from "./api.ts";
 import { App } from "./App.tsx";
-import { keep, restore } from "./autosave.ts";
-import { fabricOfGallery, isEmbedded } from "./embedding.ts";
-import { fabricOfLink, linkOf } from "./link.ts";
-import { firstState, type Fabric, type State } from "./state/document.ts";
-import { fabricFromJson } from "./state/fabric_json.ts";
-import { Store } from "./state/store.ts";
+import { isEmbedded } from "./embedding.ts";
+import { Health } from "./health.ts";
+import { keep, keepGood } from "./keeping/autosave.ts";
+import { survived } from "./keeping/starts.ts";
+import { linkOf } from "./link.ts";
+import { asideText, fallenBack, startOf } from "./start.ts";
+import { sentence, Store } from "./state/store.ts";
 import "./style.css";
 import { exposeForTests } from "./test_handle.ts";
 
 /** After an edit the fabric is kept once so many milliseconds passed without another. */
 const CALM_MS = 400;
+/** A page that has stood so long is one that its document can be shown on. */
+const STANDS_MS = 1500;
 
 async function start(): Promise<void> {
   const { server, problem } = await connect();
-  const { state, notice } = await initial(server);
+  const { state, notices, isRestored } = await startOf(server);
   const store = new Store(state);
   if (problem !== null) store.dispatch({ type: "notice/add", kind: "warning", text: problem });
-  if (notice !== null) store.dispatch({ type: "notice/add", kind: "fault", text: notice });
-  if (isEmbedded(location.search)) document.body.classList.add("is-embedded");
-  else keepChanges(store);
+  for (const notice of notices) store.dispatch({ type: "notice/add", ...notice });
+  let isStanding = !isRestored;
+  const isKeeping = !isEmbedded(location.search);
+  const health = new Health((part, error) => {
+    const { fabric } = store.state;
+    if (isKeeping) keep(store.state);
+    if (isStanding || fabric !== state.fabric) return;
+    // What was given back fails at once: the last good one takes its place.
+    isStanding = true;
+    const reason = `the ${part} fails (${sentence(error instanceof Error ? error.message : String(error))})`;
+    store.replace(fallenBack(store.state, reason, server));
+    store.dispatch({ type: "notice/add", kind: "fault", text: asideText(`${reason}.`), offer: "aside" });
+  });
+  if (isKeeping) keepChanges(store, health);
+  else document.body.classList.add("is-embedded");
+  listenForFaults(store);
+  setTimeout(() => {
+    isStanding = true;
+    survived();
+    if (isKeeping && health.isWell) keepGood(store.state);
+  }, STANDS_MS);
   const handle = exposeForTests(store);
   const root = document.getElementById("app")!;
   root.replaceChildren();
-  render(<App store={store} server={server} onView={handle.setView} />, root);
+  render(<App store={store} server={server} health={health} onView={handle.setView} />, root);
 }
 
 async function connect(): Promise<{ server: Server | null; problem: string | null }> {
@@ -38,42 +58,17 @@ async function connect(): Promise<{ server: Server | null; problem: string | nul
   }
 }
 
-async function initial(server: Server | null): Promise<{ state: State; notice: string | null }> {
-  let notice: string | null = null;
-  try {
-    const linked = await fabricOfLink(location.hash);
-    if (linked !== null) return { state: firstState(linked), notice };
-  } catch {
-    notice = "The page's address carries a fabric that cannot be read: it may have been cut. Another one is shown.";
-  }
-  const named = fabricOfGallery(location.search, server?.session ?? null);
-  if (named !== null) return { state: firstState(named), notice };
-  const given = server === null ? null : fabricFromJson(server.session.fabric);
-  const kept = restore();
-  const opened = sessionStorage.getItem(OPENED);
-  const asked = server === null ? "" : server.session.fabric.name;
-  // A fabric that the server was started for comes before the one that was kept from another.
-  if (kept !== null && (given === null || opened === asked)) {
-    const state = firstState(kept.fabric);
-    return { state: { ...state, scene: kept.scene, comparison: { ...state.comparison, before: kept.before } }, notice };
-  }
-  sessionStorage.setItem(OPENED, asked);
-  return { state: firstState(given ?? FALLBACK()), notice };
-}
-
-/** Names the session's fabric that this window began with: a reload then goes on with what was kept. */
-const OPENED = "loomlight.opened";
-
-function FALLBACK(): Fabric {
-  const fields = { weave: "houndstooth 4", ends_per_cm: 11, picks_per_cm: 11, gap: 0.05 };
-  return { fields, draft: loadDraft(fields) };
-}
-
-function keepChanges(store: Store): void {
+function keepChanges(store: Store, health: Health): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
+  let isTold = false;
   const write = (): void => {
-    keep(store.state);
-    void linkOf(store.state.fabric).then((link) => history.replaceState(null, "", link === null ? location.pathname : `#${link}`));
+    const { state } = store;
+    if (!keep(state) && !isTold) {
+      isTold = true;
+      store.dispatch({ type: "notice/add", kind: "warning", text: "The browser has no room to keep this fabric: save it as a file." });
+    }
+    if (health.isWell) keepGood(state);
+    void linkOf(state.fabric).then((link) => history.replaceState(null, "", link === null ? location.pathname : `#${link}`));
   };
   store.subscribe((state, before) => {
     if (state.fabric === before.fabric && state.scene === before.scene && state.comparison === before.comparison) return;
@@ -83,4 +78,18 @@ function keepChanges(store: Store): void {
   addEventListener("pagehide", () => keep(store.state));
 }
 
-void start();
+/** Faults that no part of the page catches, as those of a click, are told; the page goes on. */
+function listenForFaults(store: Store): void {
+  const tell = (error: unknown): void => {
+    const text = error instanceof Error ? error.message : String(error);
+    store.dispatch({ type: "notice/add", kind: "fault", text: `Something failed, and your cloth is kept: ${sentence(text)}` });
+  };
+  // Without an error it is a browser's own remark, as that of a resize that took two frames.
+  addEventListener("error", (event) => event.error instanceof Error && tell(event.error));
+  addEventListener("unhandledrejection", (event) => tell(event.reason));
+}
+
+start().catch((error: unknown) => {
+  const text = error instanceof Error ? error.message : String(error);
+  document.getElementById("app")!.textContent = `The page cannot start: ${sentence(text)} What you made is kept; reload to try again.`;
+});

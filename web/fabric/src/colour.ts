@@ -50,7 +50,8 @@ export function parseColour(value: unknown, field: string): Rgb {
       throw new InputError(`${field} = [${value.join(", ")}] is out of gamut: linear RGB lies between 0 and 1.`);
     return [...value] as Rgb;
   }
-  throw new InputError(`${field} = ${String(value)} is no colour: write "#rrggbb" or a linear RGB triple.`);
+  const shown = typeof value === "object" || typeof value === "symbol" ? `a ${typeof value}` : String(value);
+  throw new InputError(`${field} = ${shown} is no colour: write "#rrggbb" or a linear RGB triple.`);
 }
 
 /** Linear RGB of L*, a*, b* relative to D65; outside the gamut the nearest in each channel. */

@@ -30,33 +30,27 @@ const BENDS: Readonly<Record<BasicWeave, readonly [Bend, Bend]>> = {
  * stand alone among their four neighbours stand alone among all eight. Twill: all else.
  */
 export function basicWeave(structure: Structure): BasicWeave {
-  const { ends, picks } = structure;
   if (isPlain(structure)) return "plain";
-  const differs = (pick: number, end: number, rise: number, run: number): boolean =>
-    isUp(structure, pick, end) !== isUp(structure, (pick - rise + picks) % picks, (end - run + ends) % ends);
+  const { ends, picks, drawdown } = structure;
   let ofFour = 0;
   let ofEight = 0;
-  for (let pick = 0; pick < picks; pick++)
+  for (let pick = 0; pick < picks; pick++) {
+    const row = pick * ends;
+    const below = ((pick + picks - 1) % picks) * ends;
+    const above = ((pick + 1) % picks) * ends;
     for (let end = 0; end < ends; end++) {
-      if (!FOUR.every(([rise, run]) => differs(pick, end, rise, run))) continue;
+      const face = drawdown[row + end];
+      const left = end === 0 ? ends - 1 : end - 1;
+      const right = end === ends - 1 ? 0 : end + 1;
+      if (drawdown[row + left] === face || drawdown[row + right] === face) continue;
+      if (drawdown[below + end] === face || drawdown[above + end] === face) continue;
       ofFour++;
-      if (DIAGONAL.every(([rise, run]) => differs(pick, end, rise, run))) ofEight++;
+      if (drawdown[below + left] === face || drawdown[below + right] === face) continue;
+      if (drawdown[above + left] !== face && drawdown[above + right] !== face) ofEight++;
     }
+  }
   return ofFour * 50 >= ends * picks && 2 * ofEight >= ofFour ? "satin" : "twill";
 }
-
-const FOUR = [
-  [0, 1],
-  [0, -1],
-  [1, 0],
-  [-1, 0],
-] as const;
-const DIAGONAL = [
-  [1, 1],
-  [1, -1],
-  [-1, 1],
-  [-1, -1],
-] as const;
 
 function isPlain(structure: Structure): boolean {
   const { ends, picks } = structure;
@@ -69,8 +63,22 @@ function isPlain(structure: Structure): boolean {
   return true;
 }
 
+interface Bends {
+  readonly warp: Bend;
+  readonly weft: Bend;
+}
+
+/** Of drawdowns, which stay while colours and numbers change. */
+const bendsOfDrawdown = new WeakMap<Uint8Array, Bends>();
+
 /** Default bends of warp and weft; in a weft-faced satin the weft takes the warp's. */
-export function bendsOf(structure: Structure): { warp: Bend; weft: Bend } {
+export function bendsOf(structure: Structure): Bends {
+  const bends = bendsOfDrawdown.get(structure.drawdown) ?? foundBends(structure);
+  bendsOfDrawdown.set(structure.drawdown, bends);
+  return bends;
+}
+
+function foundBends(structure: Structure): Bends {
   const weave = basicWeave(structure);
   const [warp, weft] = BENDS[weave];
   const up = structure.drawdown.reduce((sum, crossing) => sum + crossing, 0);

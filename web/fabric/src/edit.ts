@@ -60,7 +60,7 @@ export function withShafts(draft: Draft, shafts: number, treadles: number): Draf
  * @throws InputError fewer than two, or more than 16384.
  */
 export function withSize(draft: Draft, ends: number, picks: number): Draft {
-  if (Math.min(ends, picks) < 2 || Math.max(ends, picks) > MAXIMUM_THREADS)
+  if (![ends, picks].every((count) => Number.isInteger(count) && count >= 2 && count <= MAXIMUM_THREADS))
     throw new InputError(`A draft of ${ends} ends and ${picks} picks cannot be: it has 2 to ${MAXIMUM_THREADS} of each.`);
   const structure = structureOf(
     picks,

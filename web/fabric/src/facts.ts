@@ -114,12 +114,13 @@ interface Changes {
   readonly weft: Float64Array;
 }
 
-const changesOfDraft = new WeakMap<Draft, Changes>();
+/** Of drawdowns, which stay while colours and numbers change. */
+const changesOfDrawdown = new WeakMap<Uint8Array, Changes>();
 
 function changesOf(draft: Draft): Changes {
-  let found = changesOfDraft.get(draft);
+  const { ends, picks, drawdown } = draft;
+  let found = changesOfDrawdown.get(drawdown);
   if (found === undefined) {
-    const { ends, picks, drawdown } = draft;
     found = { warp: new Float64Array(picks), weft: new Float64Array(ends) };
     for (let pick = 0; pick < picks; pick++)
       for (let end = 0; end < ends; end++) {
@@ -127,7 +128,7 @@ function changesOf(draft: Draft): Changes {
         if (drawdown[((pick + picks - 1) % picks) * ends + end] !== face) found.warp[pick]!++;
         if (drawdown[pick * ends + ((end + ends - 1) % ends)] !== face) found.weft[end]!++;
       }
-    changesOfDraft.set(draft, found);
+    changesOfDrawdown.set(drawdown, found);
   }
   return found;
 }

@@ -1,6 +1,7 @@
 /** Drafts as JSON, as the server writes and reads them (`src/loomlight/viewer/draft_json.py`). */
 import { makeDraft, type Draft, type LoomPlan, type Threads } from "./draft.ts";
 import { InputError } from "./errors.ts";
+import { MAX_NAME, requireDraftJson } from "./json_check.ts";
 
 /** Draft as JSON; `drawdown` is base64 of its bits, row by row without padding, the first bit highest. */
 export interface DraftJson {
@@ -36,7 +37,7 @@ export interface LoomJson {
 /** The draft as JSON. */
 export function draftToJson(draft: Draft): DraftJson {
   return {
-    name: draft.name,
+    name: draft.name.slice(0, MAX_NAME),
     ends: draft.ends,
     picks: draft.picks,
     drawdown: bitsToText(draft.drawdown),
@@ -49,18 +50,16 @@ export function draftToJson(draft: Draft): DraftJson {
 /**
  * The draft of its JSON. Without palette rows, colours become a palette in the order of their occurrence.
  *
- * @throws InputError drawdown and counts that do not belong together.
+ * @throws InputError values that are none of a draft, or that do not belong together.
  */
-export function draftFromJson(json: DraftJson): Draft {
+export function draftFromJson(given: unknown): Draft {
+  const json = requireDraftJson(given);
   const { ends, picks } = json;
   const drawdown = textToBits(json.drawdown, ends * picks);
   const rows = new Map<string, number>();
   const palette: number[] = [];
   const isIndexed = [json.warp, json.weft].every(({ colors, color_index }) => colors === null || color_index);
-  const family = (threads: ThreadsJson, count: number): Threads => {
-    for (const list of [threads.colors, threads.spacing_mm, threads.thickness_mm, threads.color_index ?? null])
-      if (list !== null && list.length !== count)
-        throw new InputError(`the draft has ${count} threads where ${list.length} are described.`);
+  const family = (threads: ThreadsJson): Threads => {
     const colorIndex =
       threads.colors === null
         ? null
@@ -79,8 +78,8 @@ export function draftFromJson(json: DraftJson): Draft {
       colorIndex,
     };
   };
-  const warp = family(json.warp, ends);
-  const weft = family(json.weft, picks);
+  const warp = family(json.warp);
+  const weft = family(json.weft);
   return makeDraft(
     { ends, picks, drawdown },
     {

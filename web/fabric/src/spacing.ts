@@ -1,7 +1,6 @@
 /** Spacing and width of the threads of a fabric, from its fields or from the draft. */
 import { type FabricFields, GAP } from "./generated.ts";
 import type { Draft } from "./draft.ts";
-import { InputError } from "./errors.ts";
 import type { FamilyName } from "./fields.ts";
 import { CM_PER_INCH, DEFAULT_SETT_PER_CM, yarnDiameterMm } from "./textile.ts";
 import { yarnDensity } from "./yarns.ts";
@@ -38,8 +37,6 @@ export function familySpacing(fields: FabricFields, family: FamilyName, draft: D
  * Width of each thread of a family, millimetres, as many as `spacing`.
  *
  * The family's own width or gap comes first, then its count, the draft's thickness, and the fabric's gap.
- *
- * @throws InputError a yarn count that cannot be read.
  */
 export function familyWidth(
   fields: FabricFields,
@@ -48,7 +45,7 @@ export function familyWidth(
   spacing: Float64Array,
 ): Float64Array {
   const table = fields[family] ?? {};
-  const ofCount = table.count === undefined ? null : widthOfCount(fields, table.count, family);
+  const ofCount = table.count === undefined ? null : yarnDiameterMm(table.count, yarnDensity(fields, family));
   const { gap, width_mm: width } = table;
   if (width !== undefined) return new Float64Array(spacing.length).fill(width);
   if (gap !== undefined) return spacing.map((distance) => distance * (1 - gap));
@@ -56,15 +53,6 @@ export function familyWidth(
   const { thicknessMm } = draft[family];
   if (thicknessMm !== null) return thicknessMm;
   return spacing.map((distance) => distance * (1 - (fields.gap ?? GAP)));
-}
-
-function widthOfCount(fields: FabricFields, count: string, family: FamilyName): number {
-  try {
-    return yarnDiameterMm(count, yarnDensity(fields, family));
-  } catch (error) {
-    if (error instanceof InputError) throw new InputError(`${family}.count: ${error.message}`);
-    throw error;
-  }
 }
 
 function mean(values: Float64Array): number {

@@ -2,9 +2,10 @@
 import { closeMatch } from "./close_match.ts";
 import { coloursInOrder, isOneColour, parseColour } from "./colour.ts";
 import { InputError } from "./errors.ts";
-import { FAMILIES, type FieldKind, type FieldTable } from "./fields.ts";
+import { FAMILIES, type FamilyName, type FieldKind, type FieldTable } from "./fields.ts";
 import { FABRIC, type FabricFields, YARN_PRESETS } from "./generated.ts";
 import { general } from "./numbers.ts";
+import { yarnTex } from "./yarn_count.ts";
 
 type Plain = Record<string, unknown>;
 type IsWhole = (value: unknown) => boolean;
@@ -13,7 +14,7 @@ type IsWhole = (value: unknown) => boolean;
  * The fields of a fabric from plain values.
  *
  * @param isWhole whether a number is a whole one: in TOML 3 is and 3.0 is not.
- * @throws InputError an unknown field, a value of another type or range, contradicting fields.
+ * @throws InputError an unknown field, a value of another type or range, a yarn count that cannot be read, contradicting fields.
  */
 export function validateFields(values: unknown, isWhole: IsWhole = Number.isInteger): FabricFields {
   if (!isTable(values)) throw new InputError("the fabric is no table of fields.");
@@ -162,8 +163,18 @@ function requireConsistent(fields: FabricFields): void {
   refuseTogether(fields, sources, "");
   refuseTogether(fields, ["ends_per_cm", "epi"], "");
   refuseTogether(fields, ["picks_per_cm", "ppi"], "");
-  for (const family of FAMILIES)
+  for (const family of FAMILIES) {
     refuseTogether(fields[family] ?? {}, ["width_mm", "gap"], `${family}.`);
+    requireCount(fields[family]?.count, family);
+  }
+}
+
+function requireCount(count: string | undefined, family: FamilyName): void {
+  try {
+    if (count !== undefined) yarnTex(count);
+  } catch (error) {
+    throw error instanceof InputError ? new InputError(`${family}.count: ${error.message}`) : error;
+  }
 }
 
 function refuseTogether(table: object, keys: readonly string[], prefix: string): void {

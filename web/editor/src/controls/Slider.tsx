@@ -2,6 +2,7 @@
 import { useId, useRef } from "preact/hooks";
 
 import type { Quantity } from "./symbols.ts";
+import { Fault, numberOf, useWritten } from "./written.tsx";
 
 interface Props {
   readonly field: string;
@@ -10,8 +11,8 @@ interface Props {
   readonly value: number;
   /** Whether the fabric says so itself. */
   readonly isOwn: boolean;
-  /** `stroke` names the gesture, so that a drag is one step of undo. */
-  readonly onValue: (value: number, stroke: string) => void;
+  /** `stroke` names the gesture, so that a drag is one step of undo; the answer says why a value is refused, or null. */
+  readonly onValue: (value: number, stroke: string) => string | null;
   readonly onReset?: () => void;
 }
 
@@ -32,10 +33,10 @@ export function Slider({ field, quantity, value, isOwn, onValue, onReset }: Prop
   const share = ((bounded - low) / (high - low)) * 100;
   // Where both directions matter the bar grows from zero.
   const origin = -low > high / 2 ? (-low / (high - low)) * 100 : 0;
-  const enter = (text: string): void => {
-    const number = Number(text.replace(",", ".").replace(MINUS, "-"));
-    if (text.trim() !== "" && Number.isFinite(number)) onValue(number, newStroke());
-  };
+  const written = useWritten(shownNumber(value, step), (text) => {
+    const number = numberOf(text);
+    return number === null ? `"${text}" is no number.` : onValue(number, newStroke());
+  });
   return (
     <div class={`slider${isOwn ? " is-own" : ""}`} data-field={field}>
       <div class="slider-head">
@@ -48,17 +49,11 @@ export function Slider({ field, quantity, value, isOwn, onValue, onReset }: Prop
           </button>
         )}
         <span class="slider-number">
-          <input
-            type="text"
-            inputMode="decimal"
-            value={shownNumber(value, step)}
-            aria-label={`${label}, number`}
-            data-testid={`number-${field}`}
-            onChange={(event) => enter(event.currentTarget.value)}
-          />
+          <input {...written.input} inputMode="decimal" aria-label={`${label}, number`} data-testid={`number-${field}`} />
           {unit !== undefined && <span class="unit">{unit}</span>}
         </span>
       </div>
+      <Fault text={written.fault} />
       <input
         id={id}
         type="range"

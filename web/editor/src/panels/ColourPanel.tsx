@@ -1,11 +1,12 @@
 /** Colours: the palette of each family, bars of its threads, and its order as weavers write it. */
-import { coloursInUse, FAMILIES, InputError, threadHexes, type FamilyName } from "loomlight-fabric";
+import { coloursInUse, FAMILIES, isInputError, threadHexes, type FamilyName } from "loomlight-fabric";
 import { useEffect, useRef, useState } from "preact/hooks";
 
 import { ColourText } from "../controls/ColourText.tsx";
 import { newStroke } from "../controls/Slider.tsx";
+import { Fault, useWritten } from "../controls/written.tsx";
 import { woven, type Fabric } from "../state/document.ts";
-import type { Dispatch } from "../state/store.ts";
+import { refusalOf, type Dispatch } from "../state/store.ts";
 import { Brush } from "./Brush.tsx";
 import { orderText, parseOrder } from "./colour_order.ts";
 
@@ -77,7 +78,7 @@ function Family({ family, hexes, brush, dispatch }: FamilyProps) {
               label={`${TITLES[family]} colour ${index + 1}, written`}
               field={`${family} colour ${index + 1}`}
               testid={`written-${family}-${index}`}
-              onHex={(to) => dispatch({ type: "colour/swap", family, from: hex, to, stroke: newStroke() })}
+              onHex={(to) => refusalOf(dispatch, { type: "colour/swap", family, from: hex, to, stroke: newStroke() })}
               after={
                 <span class="hint">
                   {count} {count === 1 ? "thread" : "threads"}
@@ -139,49 +140,21 @@ function ThreadBar({ family, hexes, brush, dispatch }: PartProps) {
 
 /** The order as weavers write it: "4a 4b" is four threads of the first colour, four of the second. */
 function Order({ family, hexes, brush, dispatch }: PartProps) {
-  const written = orderText(hexes);
-  const [text, setText] = useState(written);
-  const [fault, setFault] = useState("");
-  useEffect(() => {
-    setText(written);
-    setFault("");
-  }, [written]);
-  const apply = (): void => {
+  const written = useWritten(orderText(hexes), (text) => {
     try {
-      dispatch({ type: "colour/order", family, hexes: parseOrder(text, hexes, brush) });
-      setFault("");
+      return refusalOf(dispatch, { type: "colour/order", family, hexes: parseOrder(text, hexes, brush) });
     } catch (error) {
-      if (!(error instanceof InputError)) throw error;
-      setFault(error.message);
+      if (!isInputError(error)) throw error;
+      return error.message;
     }
-  };
+  });
   return (
-    <form
-      class="row"
-      onSubmit={(event) => {
-        event.preventDefault();
-        apply();
-      }}
-    >
+    <form class="row" onSubmit={(event) => event.preventDefault()}>
       <label class="tip" for={`order-${family}`} data-tip="4a 4b: four threads of the first colour, four of the second; z is the colour you paint with">
         Order
       </label>
-      <input
-        id={`order-${family}`}
-        class="text"
-        type="text"
-        value={text}
-        aria-invalid={fault !== ""}
-        data-testid={`order-${family}`}
-        onInput={(event) => setText(event.currentTarget.value)}
-        onChange={apply}
-      />
-      {fault !== "" && (
-        <span class="fault" role="alert">
-          {fault}
-        </span>
-      )}
+      <input {...written.input} id={`order-${family}`} class="text" data-testid={`order-${family}`} />
+      <Fault text={written.fault} />
     </form>
   );
 }
-

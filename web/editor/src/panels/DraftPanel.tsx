@@ -4,8 +4,9 @@ import { useMemo, useState } from "preact/hooks";
 
 import { Icon } from "../controls/Icon.tsx";
 import { Segmented } from "../controls/Segmented.tsx";
+import { Fault, numberOf, useWritten } from "../controls/written.tsx";
 import { isNamed, woven, type Fabric } from "../state/document.ts";
-import type { Dispatch } from "../state/store.ts";
+import { refusalOf, type Dispatch } from "../state/store.ts";
 import { Brush } from "./Brush.tsx";
 import { DraftGrid } from "./DraftGrid.tsx";
 import { WINDOW } from "./draft_grid.ts";
@@ -49,11 +50,11 @@ export function DraftPanel({ fabric, dispatch }: Props) {
           onChoose={(kind) => dispatch({ type: "draft/plan", kind })}
         />
         <div class="steppers">
-          <Stepper label="Ends" testid="ends" value={draft.ends} onValue={(ends) => dispatch({ type: "draft/size", ends, picks: draft.picks })} />
-          <Stepper label="Picks" testid="picks" value={draft.picks} onValue={(picks) => dispatch({ type: "draft/size", ends: draft.ends, picks })} />
-          <Stepper label="Shafts" testid="shafts" value={loom.shafts} onValue={(shafts) => dispatch({ type: "draft/shafts", shafts, treadles: loom.treadles })} />
+          <Stepper label="Ends" testid="ends" value={draft.ends} onValue={(ends) => refusalOf(dispatch, { type: "draft/size", ends, picks: draft.picks })} />
+          <Stepper label="Picks" testid="picks" value={draft.picks} onValue={(picks) => refusalOf(dispatch, { type: "draft/size", ends: draft.ends, picks })} />
+          <Stepper label="Shafts" testid="shafts" value={loom.shafts} onValue={(shafts) => refusalOf(dispatch, { type: "draft/shafts", shafts, treadles: loom.treadles })} />
           {!isLiftplan && (
-            <Stepper label="Treadles" testid="treadles" value={loom.treadles} onValue={(treadles) => dispatch({ type: "draft/shafts", shafts: loom.shafts, treadles })} />
+            <Stepper label="Treadles" testid="treadles" value={loom.treadles} onValue={(treadles) => refusalOf(dispatch, { type: "draft/shafts", shafts: loom.shafts, treadles })} />
           )}
         </div>
         <button type="button" class="button" data-testid="turn-over" onClick={() => dispatch({ type: "draft/over" })}>
@@ -68,30 +69,26 @@ interface StepperProps {
   readonly label: string;
   readonly testid: string;
   readonly value: number;
-  readonly onValue: (value: number) => void;
+  /** Why a number is refused, or null. */
+  readonly onValue: (value: number) => string | null;
 }
 
 function Stepper({ label, testid, value, onValue }: StepperProps) {
+  const written = useWritten(String(value), (text) => {
+    const number = numberOf(text);
+    return number === null ? `"${text}" is no number.` : onValue(number);
+  });
   return (
     <div class="stepper" role="group" aria-label={label}>
       <span>{label}</span>
-      <button type="button" aria-label={`${label}: one less`} data-testid={`${testid}-less`} onClick={() => onValue(value - 1)}>
+      <button type="button" aria-label={`${label}: one less`} data-testid={`${testid}-less`} onClick={() => written.enter(String(value - 1))}>
         <Icon name="minus" />
       </button>
-      <input
-        type="text"
-        inputMode="numeric"
-        aria-label={label}
-        value={value}
-        data-testid={`${testid}-count`}
-        onChange={(event) => {
-          const number = Number(event.currentTarget.value);
-          if (Number.isInteger(number)) onValue(number);
-        }}
-      />
-      <button type="button" aria-label={`${label}: one more`} data-testid={`${testid}-more`} onClick={() => onValue(value + 1)}>
+      <input {...written.input} inputMode="numeric" aria-label={label} data-testid={`${testid}-count`} />
+      <button type="button" aria-label={`${label}: one more`} data-testid={`${testid}-more`} onClick={() => written.enter(String(value + 1))}>
         <Icon name="plus" />
       </button>
+      <Fault text={written.fault} />
     </div>
   );
 }

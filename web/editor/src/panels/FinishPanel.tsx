@@ -5,7 +5,7 @@ import { Segmented } from "../controls/Segmented.tsx";
 import { Slider } from "../controls/Slider.tsx";
 import { CLOTH_QUANTITIES } from "../controls/symbols.ts";
 import type { Fabric } from "../state/document.ts";
-import type { Dispatch } from "../state/store.ts";
+import { refusalOf, type Dispatch } from "../state/store.ts";
 import type { Print } from "../view/cloth_view.ts";
 
 interface Props {
@@ -29,7 +29,7 @@ export function FinishPanel({ fabric, dispatch, print, isFlat, onPrint, onPrintO
         quantity={quantity}
         value={own ?? quantity.standard}
         isOwn={own !== undefined}
-        onValue={(value, stroke) => dispatch({ type: "field/set", field, value, stroke })}
+        onValue={(value, stroke) => refusalOf(dispatch, { type: "field/set", field, value, stroke })}
         onReset={() => dispatch({ type: "field/set", field, value: undefined })}
       />
     );

@@ -4,8 +4,8 @@ import { useRef } from "preact/hooks";
 import { Segmented } from "../controls/Segmented.tsx";
 import { Slider } from "../controls/Slider.tsx";
 import type { Quantity } from "../controls/symbols.ts";
-import type { Scene, Surroundings } from "../state/document.ts";
-import type { Dispatch } from "../state/store.ts";
+import { SCENE_RANGES, type Scene, type Surroundings } from "../state/document.ts";
+import { refusalOf, type Dispatch } from "../state/store.ts";
 
 interface Props {
   readonly scene: Scene;
@@ -16,22 +16,26 @@ interface Props {
   readonly isFlat: boolean;
 }
 
-const quantity = (label: string, tip: string, low: number, high: number, step: number, rest: Partial<Quantity> = {}): Quantity => ({
+type SceneNumber = keyof typeof SCENE_RANGES;
+
+const quantity = (field: SceneNumber, label: string, tip: string, step: number, rest: Partial<Quantity> = {}): Quantity => ({
   label,
   tip,
-  low,
-  high,
+  low: SCENE_RANGES[field][0],
+  high: SCENE_RANGES[field][1],
   step,
   standard: 0,
   ...rest,
 });
 
-const LAMP_STRENGTH = quantity("Brightness", "Irradiance of the lamp, times that as designed", 0, 3, 0.05);
-const SURROUNDINGS = quantity("Brightness of the room", "Radiance of the surroundings, times that as designed", 0, 3, 0.05);
-const TURN = quantity("Turn the room", "Turns the surroundings about the vertical", -180, 180, 1, { unit: "°" });
-const EXPOSURE = quantity("Exposure", "Stops: each doubles the light", -4, 4, 0.1, { ends: ["darker", "brighter"] });
-const AZIMUTH = quantity("Around the cloth", "Azimuth of the lamp: 0 in front, 90 to the right", -180, 180, 1, { unit: "°" });
-const ELEVATION = quantity("Height", "Elevation of the lamp above the horizon", -10, 90, 1, { unit: "°" });
+const QUANTITIES: Readonly<Record<SceneNumber, Quantity>> = {
+  lampStrength: quantity("lampStrength", "Brightness", "Irradiance of the lamp, times that as designed", 0.05),
+  lampAzimuth: quantity("lampAzimuth", "Around the cloth", "Azimuth of the lamp: 0 in front, 90 to the right", 1, { unit: "°" }),
+  lampElevation: quantity("lampElevation", "Height", "Elevation of the lamp above the horizon", 1, { unit: "°" }),
+  surroundingsStrength: quantity("surroundingsStrength", "Brightness of the room", "Radiance of the surroundings, times that as designed", 0.05),
+  surroundingsTurn: quantity("surroundingsTurn", "Turn the room", "Turns the surroundings about the vertical", 1, { unit: "°" }),
+  exposure: quantity("exposure", "Exposure", "Stops: each doubles the light", 0.1, { ends: ["darker", "brighter"] }),
+};
 
 const CHOICES: readonly (readonly [Surroundings, string])[] = [
   ["studio", "Studio"],
@@ -42,13 +46,13 @@ const CHOICES: readonly (readonly [Surroundings, string])[] = [
 ];
 
 export function LightPanel({ scene, dispatch, onPicture, isFlat }: Props) {
-  const slider = (field: keyof Scene, about: Quantity) => (
+  const slider = (field: SceneNumber) => (
     <Slider
       field={`scene.${field}`}
-      quantity={about}
-      value={scene[field] as number}
+      quantity={QUANTITIES[field]}
+      value={scene[field]}
       isOwn={false}
-      onValue={(value) => dispatch({ type: "scene/set", scene: { [field]: Math.min(Math.max(value, about.low), about.high) } })}
+      onValue={(value) => refusalOf(dispatch, { type: "scene/set", scene: { [field]: value } })}
     />
   );
   return (
@@ -57,9 +61,9 @@ export function LightPanel({ scene, dispatch, onPicture, isFlat }: Props) {
       <section class="group">
         <h2>Lamp</h2>
         <LampDial scene={scene} dispatch={dispatch} />
-        {slider("lampStrength", LAMP_STRENGTH)}
-        {slider("lampAzimuth", AZIMUTH)}
-        {slider("lampElevation", ELEVATION)}
+        {slider("lampStrength")}
+        {slider("lampAzimuth")}
+        {slider("lampElevation")}
       </section>
       <section class="group">
         <h2>Room</h2>
@@ -70,12 +74,12 @@ export function LightPanel({ scene, dispatch, onPicture, isFlat }: Props) {
           value={scene.surroundings}
           onChoose={(surroundings) => (surroundings === "picture" ? onPicture() : dispatch({ type: "scene/set", scene: { surroundings } }))}
         />
-        {slider("surroundingsStrength", SURROUNDINGS)}
-        {slider("surroundingsTurn", TURN)}
+        {slider("surroundingsStrength")}
+        {slider("surroundingsTurn")}
       </section>
       <section class="group">
         <h2>Picture</h2>
-        {slider("exposure", EXPOSURE)}
+        {slider("exposure")}
       </section>
     </>
   );

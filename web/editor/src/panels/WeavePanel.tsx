@@ -1,11 +1,12 @@
 /** The gallery: whole fabrics, and weaves by name as tiles drawn as drawdowns. */
 import { loadDraft, type Draft } from "loomlight-fabric";
-import { useEffect, useMemo, useRef, useState } from "preact/hooks";
+import { useEffect, useMemo, useRef } from "preact/hooks";
 
 import type { GalleryEntry } from "../api.ts";
+import { Fault, useWritten } from "../controls/written.tsx";
 import { woven, type Fabric } from "../state/document.ts";
 import { fabricFromJson } from "../state/fabric_json.ts";
-import type { Dispatch } from "../state/store.ts";
+import { refusalOf, type Dispatch } from "../state/store.ts";
 import { clothPicture } from "../view/cloth_picture.ts";
 
 interface Props {
@@ -29,8 +30,7 @@ const TILE_SIDE = 96;
 
 export function WeavePanel({ fabric, gallery, dispatch, onOpen }: Props) {
   const current = fabric.fields.weave ?? "";
-  const [name, setName] = useState(current);
-  useEffect(() => setName(current), [current]);
+  const written = useWritten(current, (text) => (text.trim() === "" ? null : refusalOf(dispatch, { type: "weave/choose", weave: text })));
   return (
     <>
       {gallery.length > 0 && (
@@ -49,24 +49,17 @@ export function WeavePanel({ fabric, gallery, dispatch, onOpen }: Props) {
           class="row"
           onSubmit={(event) => {
             event.preventDefault();
-            if (name.trim() !== "") dispatch({ type: "weave/choose", weave: name });
+            written.enter(written.text);
           }}
         >
           <label class="tip" for="weave-name" data-tip="Any weave by its name, with your own numbers: twill 5/1/1/1 s, satin 12/5, houndstooth 6">
             By name
           </label>
-          <input
-            id="weave-name"
-            class="text"
-            type="text"
-            value={name}
-            placeholder="twill 3/1/1/2 s"
-            data-testid="weave-name"
-            onInput={(event) => setName(event.currentTarget.value)}
-          />
+          <input {...written.input} onChange={undefined} id="weave-name" class="text" placeholder="twill 3/1/1/2 s" data-testid="weave-name" />
           <button type="submit" class="button" data-testid="weave-apply">
             Weave
           </button>
+          <Fault text={written.fault} />
         </form>
         <p class="note">
           Or your own: drop a draft (.wif), a picture of a drawdown or a fabric on the page, or{" "}

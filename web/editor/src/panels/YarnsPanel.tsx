@@ -5,7 +5,7 @@ import {
   familySpacing,
   familyWidth,
   FAMILIES,
-  InputError,
+  isInputError,
   parseColour,
   settsOfWeight,
   threadsPerCm,
@@ -20,8 +20,9 @@ import { useRef, useState } from "preact/hooks";
 import { Segmented } from "../controls/Segmented.tsx";
 import { newStroke, Slider } from "../controls/Slider.tsx";
 import { CLOTH_QUANTITIES, YARN_QUANTITIES } from "../controls/symbols.ts";
+import { Fault, numberOf, useWritten } from "../controls/written.tsx";
 import { woven, type Fabric } from "../state/document.ts";
-import type { Dispatch } from "../state/store.ts";
+import { refusalOf, type Dispatch } from "../state/store.ts";
 
 interface Props {
   readonly fabric: Fabric;
@@ -94,17 +95,19 @@ function SettSlider({ fabric, dispatch, family }: Props & { readonly family: Fam
       quantity={CLOTH_QUANTITIES[field]!}
       value={value}
       isOwn={own !== null}
-      onValue={(number, stroke) => dispatch({ type: "field/set", field, value: number, stroke })}
-      onReset={() => {
-        dispatch({ type: "field/set", field, value: undefined });
-        dispatch({ type: "field/set", field: family === "warp" ? "epi" : "ppi", value: undefined });
-      }}
+      onValue={(number, stroke) => refusalOf(dispatch, { type: "field/set", field, value: number, stroke })}
+      onReset={() => dispatch({ type: "fields/set", values: { [field]: undefined, [family === "warp" ? "epi" : "ppi"]: undefined } })}
     />
   );
 }
 
 interface FamiliesProps extends Props {
   readonly families: readonly FamilyName[];
+}
+
+/** One value for a field of one family or of both. */
+function ofAll(families: readonly FamilyName[], name: string, value: unknown): Record<string, unknown> {
+  return Object.fromEntries(families.map((family) => [`${family}.${name}`, value]));
 }
 
 function YarnSlider({ fabric, dispatch, families, name }: FamiliesProps & { readonly name: string }) {
@@ -118,12 +121,8 @@ function YarnSlider({ fabric, dispatch, families, name }: FamiliesProps & { read
       quantity={YARN_QUANTITIES[name]!}
       value={value}
       isOwn={isOwn}
-      onValue={(number, stroke) => {
-        for (const each of families) dispatch({ type: "field/set", field: `${each}.${name}`, value: number, stroke });
-      }}
-      onReset={() => {
-        for (const each of families) dispatch({ type: "field/set", field: `${each}.${name}`, value: undefined, stroke: "reset" });
-      }}
+      onValue={(number, stroke) => refusalOf(dispatch, { type: "fields/set", values: ofAll(families, name, number), stroke })}
+      onReset={() => dispatch({ type: "fields/set", values: ofAll(families, name, undefined) })}
     />
   );
 }
@@ -158,10 +157,7 @@ function KindField({ fabric, dispatch, families }: FamiliesProps) {
         class="text"
         value={kind}
         data-testid={`field-${label}.yarn`}
-        onChange={(event) => {
-          const value = event.currentTarget.value || undefined;
-          for (const each of families) dispatch({ type: "field/set", field: `${each}.yarn`, value, stroke: `yarn-${value}` });
-        }}
+        onChange={(event) => dispatch({ type: "fields/set", values: ofAll(families, "yarn", event.currentTarget.value || undefined) })}
       >
         {kind === "mixed" && <option value="mixed">mixed</option>}
         <option value="">any</option>
@@ -177,47 +173,40 @@ function KindField({ fabric, dispatch, families }: FamiliesProps) {
 
 function CountField({ fabric, dispatch, families }: FamiliesProps) {
   const count = fabric.fields[families[0]!]?.count ?? "";
-  const tex = count === "" ? null : `${Math.round(yarnTex(count))} tex`;
   const label = families.length === 2 ? "both" : families[0]!;
+  const written = useWritten(count, (text) =>
+    refusalOf(dispatch, { type: "fields/set", values: ofAll(families, "count", text.trim() === "" ? undefined : text.trim()) }),
+  );
   return (
     <div class="row is-field">
-      <label class="tip" data-tip="Gives the width of a round yarn of that count and kind, in place of the openness" for={`count-${label}`}>
+      <label class="tip" data-tip="Gives the width of a round yarn of that count and kind, in place of the openness. As mills write it: 20s, 2/60 Nm, 75/36 dtex" for={`count-${label}`}>
         Yarn count
       </label>
-      <input
-        id={`count-${label}`}
-        class="text"
-        type="text"
-        placeholder="30 tex, Ne 40/2 …"
-        value={count}
-        data-testid={`field-${label}.count`}
-        onChange={(event) => {
-          const text = event.currentTarget.value.trim();
-          for (const each of families)
-            dispatch({ type: "field/set", field: `${each}.count`, value: text === "" ? undefined : text, stroke: `count-${text}` });
-        }}
-      />
-      {tex !== null && <span class="hint">{tex}</span>}
+      <input {...written.input} id={`count-${label}`} class="text" placeholder="30 tex, Ne 40/2, 20s …" data-testid={`field-${label}.count`} />
+      {count !== "" && written.fault === "" && <span class="hint">{shownTex(yarnTex(count))} tex</span>}
+      <Fault text={written.fault} />
     </div>
   );
+}
+
+function shownTex(tex: number): string {
+  return tex < 10 ? tex.toFixed(1) : tex.toFixed(0);
 }
 
 /** What a square metre weighs; with counts of both yarns it can be set, and the sett follows. */
 function WeightField({ fabric, dispatch }: Props) {
   const { weight, isCounted } = clothFacts(fabric.fields, woven(fabric));
-  const [fault, setFault] = useState("");
-  const apply = (text: string): void => {
+  const written = useWritten(weight.toFixed(0), (text) => {
+    const number = numberOf(text);
+    if (number === null) return `"${text}" is no number.`;
     try {
-      const setts = settsOfWeight(fabric.fields, woven(fabric), Number(text.replace(",", ".")));
-      const stroke = newStroke();
-      dispatch({ type: "field/set", field: "ends_per_cm", value: setts.warp, stroke });
-      dispatch({ type: "field/set", field: "picks_per_cm", value: setts.weft, stroke });
-      setFault("");
+      const setts = settsOfWeight(fabric.fields, woven(fabric), number);
+      return refusalOf(dispatch, { type: "fields/set", values: { ends_per_cm: setts.warp, picks_per_cm: setts.weft } });
     } catch (error) {
-      if (!(error instanceof InputError)) throw error;
-      setFault(error.message);
+      if (!isInputError(error)) throw error;
+      return error.message;
     }
-  };
+  });
   return (
     <div class="row is-field">
       <label class="tip" for="weight" data-tip="Threads per metre times their tex and crimp (Peirce 1937). Give both yarns a count, and you can set it: the sett follows">
@@ -225,18 +214,14 @@ function WeightField({ fabric, dispatch }: Props) {
       </label>
       {isCounted ? (
         <>
-          <input id="weight" class="text" type="text" inputMode="decimal" value={weight.toFixed(0)} aria-invalid={fault !== ""} data-testid="weight" onChange={(event) => apply(event.currentTarget.value)} />
+          <input {...written.input} id="weight" class="text" inputMode="decimal" data-testid="weight" />
           <span class="hint">g/m²</span>
+          <Fault text={written.fault} />
         </>
       ) : (
         <output id="weight" class="hint" data-testid="weight">
           at most {weight.toFixed(0)} g/m², without counts
         </output>
-      )}
-      {fault !== "" && (
-        <span class="fault" role="alert">
-          {fault}
-        </span>
       )}
     </div>
   );
@@ -248,9 +233,8 @@ function TintField({ fabric, dispatch, families }: FamiliesProps) {
   const own = fabric.fields[families[0]!]?.specular_tint;
   const hex = own === undefined ? "#ffffff" : toHex(parseColour(own, "specular_tint"));
   const stroke = useRef(newStroke());
-  const set = (value: string | undefined): void => {
-    for (const family of families) dispatch({ type: "field/set", field: `${family}.specular_tint`, value, stroke: stroke.current });
-  };
+  const set = (value: string | undefined): string | null =>
+    refusalOf(dispatch, { type: "fields/set", values: ofAll(families, "specular_tint", value), stroke: stroke.current });
   return (
     <div class="row">
       <label class="tip" for={`tint-${label}`} data-tip="Multiplies the fibres' highlight: white but for metal threads (specular_tint)">

@@ -1,6 +1,8 @@
 /** Edits of the draft: crossings, threading, tie-up, treadling or liftplan, numbers of threads. */
 import {
+  InputError,
   loomOf,
+  MAXIMUM_THREADS,
   requireInterlacing,
   turnedOver,
   validateFields,
@@ -17,6 +19,7 @@ import {
 
 import type { FabricAction } from "../state/actions.ts";
 import { nameOf, type Fabric } from "../state/document.ts";
+import { requireOneOf, requireWhole, shown } from "./checks.ts";
 
 type DraftAction = Extract<FabricAction, { type: `draft/${string}` }>;
 
@@ -43,28 +46,45 @@ export function draftFile(name: string): string {
 
 function edited(draft: Draft, action: DraftAction): Draft {
   const loom = loomOf(draft);
+  const endOf = (end: number): number => requireWhole("end", end, 0, draft.ends - 1);
+  const pickOf = (pick: number): number => requireWhole("pick", pick, 0, draft.picks - 1);
+  const shaftOf = (shaft: number): number => requireWhole("shaft", shaft, 1, loom.shafts);
   switch (action.type) {
     case "draft/crossing":
-      return withCrossing(draft, action.pick, action.end, action.isUp);
+      return withCrossing(draft, pickOf(action.pick), endOf(action.end), action.isUp === true);
     case "draft/thread":
-      return withLoom(draft, { ...loom, threading: withOnly(loom.threading, action.end, action.shaft) });
+      return withLoom(draft, { ...loom, threading: withOnly(loom.threading, endOf(action.end), shaftOf(action.shaft)) });
     case "draft/tie": {
-      const tieup = withMember(loom.tieup ?? [], action.treadle, action.shaft, action.isIn);
+      const treadle = requireWhole("treadle", action.treadle, 0, loom.treadles - 1);
+      const tieup = withMember(loom.tieup ?? [], treadle, shaftOf(action.shaft), action.isIn === true);
       return withLoom(draft, { ...loom, tieup });
     }
-    case "draft/press":
-      return withLoom(draft, { ...loom, treadling: withOnly(loom.treadling ?? [], action.pick, action.treadle) });
+    case "draft/press": {
+      const treadle = requireWhole("treadle", action.treadle, 1, loom.treadles);
+      return withLoom(draft, { ...loom, treadling: withOnly(loom.treadling ?? [], pickOf(action.pick), treadle) });
+    }
     case "draft/lift": {
-      const liftplan = withMember(loom.liftplan ?? [], action.pick, action.shaft, action.isIn);
+      if (loom.liftplan === null || loom.treadling !== null) throw new InputError("The draft has no lift plan: choose it as its plan.");
+      const liftplan = withMember(loom.liftplan, pickOf(action.pick), shaftOf(action.shaft), action.isIn === true);
       return withLoom(draft, { ...loom, liftplan });
     }
     case "draft/plan":
-      return withPlanKind(draft, action.kind);
+      return withPlanKind(draft, requireOneOf("plan", action.kind, ["liftplan", "treadling"] as const));
     case "draft/size":
-      return withSize(draft, action.ends, action.picks);
+      return withSize(
+        draft,
+        requireWhole("ends", action.ends, 2, MAXIMUM_THREADS),
+        requireWhole("picks", action.picks, 2, MAXIMUM_THREADS),
+      );
     case "draft/shafts":
-      return withShafts(draft, action.shafts, action.treadles);
+      return withShafts(
+        draft,
+        requireWhole("shafts", action.shafts, 1, MAXIMUM_THREADS),
+        requireWhole("treadles", action.treadles, 0, MAXIMUM_THREADS),
+      );
     case "draft/over":
       return turnedOver(draft);
+    default:
+      throw new InputError(`${shown((action as { readonly type: unknown }).type)} is no edit.`);
   }
 }

@@ -1,12 +1,14 @@
 /** The next state of the document. */
 import type { Action, FabricAction } from "../state/actions.ts";
-import type { Fabric, State } from "../state/document.ts";
+import { TABS, type Fabric, type State } from "../state/document.ts";
+import { usable } from "../state/usable.ts";
+import { requireOneOf } from "./checks.ts";
 import { withColourEdit } from "./colours.ts";
-import { kept } from "./comparison.ts";
 import { withDraftEdit } from "./draft.ts";
-import { withField, withWeave } from "./fields.ts";
+import { withFields, withWeave } from "./fields.ts";
 import { redone, undone, withEdit } from "./history.ts";
 import { withNotice, withoutNotice } from "./notices.ts";
+import { kept, withComparison, withScene } from "./scene.ts";
 
 /**
  * The state after an action.
@@ -20,9 +22,9 @@ export function reduce(state: State, action: Action): State {
     case "history/redo":
       return redone(state);
     case "scene/set":
-      return { ...state, scene: { ...state.scene, ...action.scene } };
+      return { ...state, scene: withScene(state.scene, action.scene) };
     case "comparison/set":
-      return { ...state, comparison: { ...state.comparison, ...action.comparison } };
+      return { ...state, comparison: withComparison(state.comparison, action.comparison) };
     case "comparison/keep":
       return kept(state);
     case "comparison/exchange": {
@@ -32,13 +34,13 @@ export function reduce(state: State, action: Action): State {
       return { ...exchanged, comparison: { ...state.comparison, before: state.fabric } };
     }
     case "tab/show":
-      return { ...state, tab: action.tab };
+      return { ...state, tab: requireOneOf("tab", action.tab, TABS) };
     case "notice/add":
-      return { ...state, notices: withNotice(state.notices, action.kind, action.text) };
+      return { ...state, notices: withNotice(state.notices, action) };
     case "notice/dismiss":
       return { ...state, notices: withoutNotice(state.notices, action.id) };
     default:
-      return withEdit(state, edited(state.fabric, action), "stroke" in action ? (action.stroke ?? null) : null);
+      return withEdit(state, usable(edited(state.fabric, action)), "stroke" in action ? (action.stroke ?? null) : null);
   }
 }
 
@@ -47,7 +49,9 @@ function edited(fabric: Fabric, action: FabricAction): Fabric {
     case "fabric/open":
       return action.fabric;
     case "field/set":
-      return withField(fabric, action.field, action.value);
+      return withFields(fabric, { [action.field]: action.value });
+    case "fields/set":
+      return withFields(fabric, action.values);
     case "weave/choose":
       return withWeave(fabric, action.weave);
     case "colour/paint":

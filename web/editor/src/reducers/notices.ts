@@ -1,14 +1,17 @@
 /** Sentences that the page tells: faults, warnings, and what was done. */
-import type { Notice } from "../state/document.ts";
+import { NOTICE_KINDS, type Notice } from "../state/document.ts";
+import { requireOneOf } from "./checks.ts";
 
 /** More would cover the cloth. */
 const MAX = 4;
 
 /** The notices with one more; one that is there already is not told twice. */
-export function withNotice(notices: readonly Notice[], kind: Notice["kind"], text: string): readonly Notice[] {
+export function withNotice(notices: readonly Notice[], notice: Omit<Notice, "id">): readonly Notice[] {
+  const { kind, text, offer } = notice;
+  requireOneOf("kind", kind, NOTICE_KINDS);
   const others = notices.filter((notice) => notice.text !== text);
   const id = notices.reduce((most, notice) => Math.max(most, notice.id), 0) + 1;
-  return [...others, { id, kind, text }].slice(-MAX);
+  return [...others, { id, kind, text: String(text), ...(offer === undefined ? {} : { offer }) }].slice(-MAX);
 }
 
 /** The notices without one. */

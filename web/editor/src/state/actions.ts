@@ -7,6 +7,7 @@ import type { Comparison, Fabric, Notice, Scene, Tab } from "./document.ts";
 export type FabricAction =
   | { readonly type: "fabric/open"; readonly fabric: Fabric }
   | { readonly type: "field/set"; readonly field: string; readonly value: unknown; readonly stroke?: string }
+  | { readonly type: "fields/set"; readonly values: Readonly<Record<string, unknown>>; readonly stroke?: string }
   | { readonly type: "weave/choose"; readonly weave: string }
   | { readonly type: "draft/crossing"; readonly pick: number; readonly end: number; readonly isUp: boolean; readonly stroke?: string }
   | { readonly type: "draft/thread"; readonly end: number; readonly shaft: number; readonly stroke?: string }
@@ -27,9 +28,9 @@ export type Action =
   | FabricAction
   | HistoryAction
   | { readonly type: "scene/set"; readonly scene: Partial<Scene> }
-  | { readonly type: "comparison/set"; readonly comparison: Partial<Comparison> }
+  | { readonly type: "comparison/set"; readonly comparison: Partial<Omit<Comparison, "before">> }
   | { readonly type: "comparison/keep" }
   | { readonly type: "comparison/exchange" }
   | { readonly type: "tab/show"; readonly tab: Tab }
-  | { readonly type: "notice/add"; readonly kind: Notice["kind"]; readonly text: string }
+  | { readonly type: "notice/add"; readonly kind: Notice["kind"]; readonly text: string; readonly offer?: Notice["offer"] }
   | { readonly type: "notice/dismiss"; readonly id: number };

@@ -12,14 +12,15 @@ export const SHAPES = ["drape", "flat", "curtain", "cylinder", "sphere", "mesh"]
 export type Shape = (typeof SHAPES)[number];
 
 /** What lights the cloth beside the lamp. */
-export type Surroundings = "studio" | "window" | "sky" | "none" | "picture";
+export const SURROUNDINGS = ["studio", "window", "sky", "none", "picture"] as const;
+export type Surroundings = (typeof SURROUNDINGS)[number];
 
 export interface Scene {
   readonly shape: Shape;
   /** Where the lamp stands, degrees: azimuth 0 in front, 90 to the right; elevation 90 above. */
   readonly lampAzimuth: number;
   readonly lampElevation: number;
-  /** Of the lamp and of the surroundings, 0 to 2; 1 as designed. */
+  /** Of the lamp and of the surroundings; 1 as designed. */
   readonly lampStrength: number;
   readonly surroundings: Surroundings;
   readonly surroundingsStrength: number;
@@ -29,12 +30,24 @@ export interface Scene {
   readonly exposure: number;
 }
 
+/** Least and most of each number of a scene. */
+export const SCENE_RANGES = {
+  lampAzimuth: [-180, 180],
+  lampElevation: [-10, 90],
+  lampStrength: [0, 3],
+  surroundingsStrength: [0, 3],
+  surroundingsTurn: [-180, 180],
+  exposure: [-4, 4],
+} as const satisfies Partial<Record<keyof Scene, readonly [number, number]>>;
+
 /** How colours are computed: filtered over each pixel, or by so many samples of points in it; Python bakes the last two. */
 export const MODELS = ["lobes", "point-1", "point-3", "point-256", "neural", "clustered"] as const;
 export type Model = (typeof MODELS)[number];
 
+export const COMPARISON_MODES = ["off", "fabrics", "models"] as const;
+
 export interface Comparison {
-  readonly mode: "off" | "fabrics" | "models";
+  readonly mode: (typeof COMPARISON_MODES)[number];
   /** Where the wipe stands, 0 to 1 from the left. */
   readonly position: number;
   /** The fabric to the left of the wipe; null until one is kept. */
@@ -46,10 +59,14 @@ export interface Comparison {
 export const TABS = ["weave", "draft", "colour", "yarns", "finish", "light"] as const;
 export type Tab = (typeof TABS)[number];
 
+export const NOTICE_KINDS = ["fault", "warning", "done"] as const;
+
 export interface Notice {
   readonly id: number;
-  readonly kind: "fault" | "warning" | "done";
+  readonly kind: (typeof NOTICE_KINDS)[number];
   readonly text: string;
+  /** What a button of the notice hands over: what was set aside because it could not be shown. */
+  readonly offer?: "aside";
 }
 
 /** Fabrics that undo and redo walk over. */

@@ -5,7 +5,8 @@ import { reduce } from "../reducers/index.ts";
 import type { Action } from "./actions.ts";
 import type { State } from "./document.ts";
 
-export type Dispatch = (action: Action) => void;
+/** Applies an action; `onRefused` is told in a sentence why it changes nothing, in place of a notice. */
+export type Dispatch = (action: Action, onRefused?: (sentence: string) => void) => void;
 type Listener = (state: State, before: State) => void;
 
 export class Store {
@@ -20,24 +21,45 @@ export class Store {
     return this.present;
   }
 
-  /** Applies an action; what makes no cloth is told as a notice and changes nothing else. */
-  readonly dispatch: Dispatch = (action) => {
+  /** Applies an action. What makes no cloth, or fails, is told and changes nothing else: no action ends the page. */
+  readonly dispatch: Dispatch = (action, onRefused) => {
     const before = this.present;
+    let next: State;
     try {
-      this.present = reduce(before, action);
+      next = reduce(before, action);
     } catch (error) {
-      if (!isInputError(error)) throw error;
-      this.present = reduce(before, { type: "notice/add", kind: "fault", text: sentence(error.message) });
+      const text = refusal(error);
+      if (onRefused !== undefined) return onRefused(text);
+      next = reduce(before, { type: "notice/add", kind: "fault", text });
     }
-    if (this.present === before) return;
-    for (const listener of this.listeners) listener(this.present, before);
+    this.replace(next);
   };
+
+  /** Puts another state in the place of the present one. */
+  replace(next: State): void {
+    const before = this.present;
+    if (next === before) return;
+    this.present = next;
+    for (const listener of this.listeners) listener(next, before);
+  }
 
   /** Calls `listener` after each change until the returned function is called. */
   subscribe(listener: Listener): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
   }
+}
+
+/** Why actions are refused, the first of those that are; null where all were applied. */
+export function refusalOf(dispatch: Dispatch, ...actions: Action[]): string | null {
+  let found: string | null = null;
+  for (const action of actions) if (found === null) dispatch(action, (sentence) => (found = sentence));
+  return found;
+}
+
+function refusal(error: unknown): string {
+  if (isInputError(error)) return sentence(error.message);
+  return `This could not be done, and nothing was changed: ${sentence(error instanceof Error ? error.message : String(error))}`;
 }
 
 /** A message with a capital and a full stop. */

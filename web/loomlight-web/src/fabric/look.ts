@@ -67,6 +67,8 @@ export interface Look {
   readonly appearance: Appearance;
 }
 
+export { MAXIMUM_CROSSINGS };
+
 const RADIANS = Math.PI / 180;
 
 /**
