@@ -28,7 +28,7 @@ def swatches(
     ],
     model: Annotated[str, typer.Option(help="One of the models below.")] = "lobes",
     side: Annotated[int, typer.Option("--size", metavar="PIXELS", help="Side of each picture.")] = 240,
-    samples: Annotated[int, typer.Option("--spp", help="Samples a pixel.")] = 9,
+    samples: Annotated[int, typer.Option("--spp", help="Samples a pixel.")] = 8,
     title: Annotated[str, typer.Option(help="Heading of a page.")] = "Fabrics",
     white_balance: WhiteBalanceOption = None,
     denoise: DenoiseOption = "auto",

@@ -21,15 +21,13 @@ from loomlight.mitsuba.scene_traits import SceneTraits
 _LEAST_SHARE = 1e-3
 # Lights by which surfaces are seen, as the two numbers that draw each: as many as samples a pixel.
 _COUNT = 8
-# Cosine of directions above the surface.
-_COSINE = 0.6
 
 
 @dr.syntax
 def camera_guides(
     scene: Any, traits: SceneTraits, first: FirstFootprint, ray: Any, number: Any, emitters: bool
 ) -> list[Any]:
-    """Albedo, normal and unshadowed light of what camera rays see, through holes too.
+    """Normal and unshadowed light of what camera rays see, through holes too.
 
     Args:
         first: footprints of these rays.
@@ -37,12 +35,12 @@ def camera_guides(
         emitters: they show.
 
     Returns:
-        nine arrays: albedo [3], normal of the world [3], light [3].
+        six arrays: normal of the world [3], light [3].
     """
     ray = mi.Ray3f(dr.detach(ray))
     active = mi.Bool(True)
     share, passes = mi.Spectrum(1), mi.UInt32(0)
-    albedo, normal, light = mi.Spectrum(0), mi.Vector3f(0), mi.Spectrum(0)
+    normal, light = mi.Vector3f(0), mi.Spectrum(0)
     while dr.hint(active, exclude=[first, traits], label="camera_guides"):
         si = scene.ray_intersect(ray, mi.RayFlags.All, coherent=True, active=active)
         bsdf = si.bsdf()
@@ -50,42 +48,33 @@ def camera_guides(
         first.set_on(si, filters)
         valid = active & si.is_valid()
         if dr.hint(emitters, mode="scalar"):
-            shown = share * dr.select(active, si.emitter(scene).eval(si, active), 0)
-            light += shown
-            albedo += dr.minimum(shown, 1)
-        seen, lit, through = _seen(scene, si, number, valid)
-        albedo += share * seen
+            light += share * dr.select(active, si.emitter(scene).eval(si, active), 0)
+        lit, through = _seen(scene, si, number, valid)
         light += share * lit
         normal += dr.select(valid, mi.Vector3f(si.sh_frame.n) * dr.mean(share * (1 - through)), 0)
         share *= dr.select(valid, through, 0)
         passes += 1
         ray = si.spawn_ray(ray.d)
         active = valid & (dr.max(share) > _LEAST_SHARE) & (passes < MAX_PASSES)
-    return [*albedo, *normal, *light]
+    return [*normal, *light]
 
 
-def _seen(scene: Any, si: Any, number: Any, active: Mask) -> tuple[Color3, Color3, Color3]:
-    """Albedo, reflected light and what passes straight through of a surface [3 each]."""
+def _seen(scene: Any, si: Any, number: Any, active: Mask) -> tuple[Color3, Color3]:
+    """Reflected light and what passes straight through of a surface [3 each]."""
     # Of a plane's lattice of so many points: every pixel takes the same lights.
     numbers = mi.Point2f((mi.Float(number) + 0.5) * (1 / _COUNT), _radical_inverse(number))
     ds, weight = scene.sample_emitter_direction(si, numbers, False, active)
-    angle = (dr.two_pi / _COUNT) * mi.Float(number)
-    sine = (1 - _COSINE**2) ** 0.5
-    facing = dr.sign(mi.Frame3f.cos_theta(si.wi))
-    above = mi.Vector3f(sine * dr.cos(angle), sine * dr.sin(angle), _COSINE * facing)
 
-    def call(bsdf: Any, si: Any, light: Any, above: Any, active: Any) -> Any:
+    def call(bsdf: Any, si: Any, light: Any, active: Any) -> Any:
         if bsdf is None:
-            return mi.Spectrum(0), mi.Spectrum(0), mi.Spectrum(0)
+            return mi.Spectrum(0), mi.Spectrum(0)
         context = mi.BSDFContext()
-        if hasattr(bsdf, "eval_many"):
-            value, through = bsdf.eval_many(si, active)
-            return value(above), value(light), through
-        value = (bsdf.eval(context, si, towards, active) for towards in (above, light))
-        return *value, bsdf.eval_null_transmission(si, active)
+        if hasattr(bsdf, "eval_and_null_transmission"):
+            return bsdf.eval_and_null_transmission(context, si, light, active, active)
+        return bsdf.eval(context, si, light, active), bsdf.eval_null_transmission(si, active)
 
-    seen, lit, through = dr.dispatch(si.bsdf(), call, si, si.to_local(ds.d), above, active)
-    return seen * (dr.pi / _COSINE), lit * weight, through
+    lit, through = dr.dispatch(si.bsdf(), call, si, si.to_local(ds.d), active)
+    return lit * weight, through
 
 
 def _radical_inverse(number: Any) -> Any:

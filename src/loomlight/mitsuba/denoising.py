@@ -65,20 +65,21 @@ def denoised(halves: list[Array], guides: NDArray[np.float32]) -> Array:
 
     Args:
         halves: one or two pictures of samples that are independent of one another and from pixel to pixel.
-        guides: albedo, normal and light without noise [height, width, 9]; see `camera_guides`.
+        guides: normal and light without noise [height, width, 6]; see `camera_guides`.
     """
-    picture = np.nan_to_num(np.mean(halves, axis=0))
+    parts = [np.nan_to_num(half) for half in halves]
+    picture = np.mean(parts, axis=0)
     # The light shows the weave of whatever colour, highlights too; denoisers take guides of 0 to 1.
-    light, normal = np.maximum(guides[..., 6:9], 0), guides[..., 3:6]
+    light, normal = np.maximum(guides[..., 3:], 0), guides[..., :3]
     light = light / (1 + light)
-    filtered = _filtered(picture[..., :3], light, normal)
+    colours = [part[..., :3] for part in parts]
+    filtered = [_filtered(colour, light, normal) for colour in colours]
+    picture[..., :3] = np.mean(filtered, axis=0)
     if len(halves) == 2:
-        parts = [np.nan_to_num(half[..., :3]) for half in halves]
-        pairs = [(_filtered(part, light, normal), gaussian_blur(part, _BLUR)) for part in parts]
-        filtering, blurring = (_error(parts, list(made)) for made in zip(*pairs, strict=True))
+        blurred = [gaussian_blur(colour, _BLUR) for colour in colours]
+        filtering, blurring = _error(colours, filtered), _error(colours, blurred)
         share = (blurring / (filtering + blurring))[..., None]
-        filtered = share * filtered + (1 - share) * gaussian_blur(picture[..., :3], _BLUR)
-    picture[..., :3] = filtered
+        picture[..., :3] = share * picture[..., :3] + (1 - share) * np.mean(blurred, axis=0)
     if picture.shape[2] == 4:
         picture[..., 3] = _filtered(np.repeat(picture[..., 3:], 3, axis=2), light, normal)[..., 0]
     return picture

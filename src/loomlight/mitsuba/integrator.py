@@ -200,7 +200,7 @@ def footprint_path_class() -> type:
                 start: number of the first of them, where others were taken before.
 
             Returns:
-                a tensor [height, width, 9].
+                a tensor [height, width, 6].
             """
             with self._filtering(scene, sensor) as camera, dr.suspend_grad():
                 sampler, spp = self.prepare(camera, seed, spp, [])

@@ -43,7 +43,8 @@ from loomlight.mitsuba.variants import choose_variant
 from loomlight.models.material_spec import Material, MaterialSpec, resolve
 from loomlight.models.registry import REFERENCE_MODEL
 
-DEFAULT_SAMPLES = 9
+# Two halves of 2 × 2: a denoised picture takes as many as fill the grids of both, of 9 twelve.
+DEFAULT_SAMPLES = 8
 _MAX_EXPOSURE = 30
 # The first picture: at so many times fewer pixels each way, so many samples of each.
 _COARSE_SCALE, _COARSE_SAMPLES = 2, 4

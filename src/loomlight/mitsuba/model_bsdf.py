@@ -272,16 +272,6 @@ def model_bsdf_class() -> type:
             null = self._at(si, active).null_transmission
             return mi.Spectrum(dr.select(active & _is_seen(si), null, 0))
 
-        def eval_many(self, si: mi.SurfaceInteraction3f, active: Mask = True) -> tuple[Any, Any]:
-            """`eval` as a function of the direction alone, for many of them, and `eval_null_transmission`."""
-            active &= _is_seen(si)
-            at = self._at(si, active)
-
-            def value(wo: Any) -> Any:
-                return mi.Spectrum(dr.select(active, at.value(plain(wo), active), 0))
-
-            return value, mi.Spectrum(dr.select(active, at.null_transmission, 0))
-
         @nested
         def eval_diffuse_reflectance(self, si: mi.SurfaceInteraction3f, active: Mask = True) -> Any:
             reflectance = self._at(si, active).diffuse_reflectance

@@ -103,7 +103,7 @@ def render(
 
 
 def _guides(integrator: Any, scene: mi.Scene, sensor: Any, spp: int, seed: int) -> NDArray[np.float32]:
-    """Pictures that guide the denoiser [height, width, 9]; see `camera_guides`."""
+    """Pictures that guide the denoiser [height, width, 6]; see `camera_guides`."""
     width, height = (int(value) for value in sensor.film().crop_size())
     passes = _passes(_GUIDE_SAMPLES, width * height, is_symbolic(scene))
     found = []
