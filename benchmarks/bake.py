@@ -22,6 +22,7 @@ from loomlight.evaluation.query_benchmark import HeldOut, run_query_benchmark
 from loomlight.fabric import load_fabric
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.lobes.hemisphere import NODES
+from loomlight.models.lobes.joint_lookup import JOINT_FACTORS, JOINT_NODES
 from loomlight.models.lobes.model import DEFAULT_GROUPS, LobesModel, tables_of
 from loomlight.models.lobes.tables import MOMENTS, LobeTables
 from loomlight.realtime.device import default_adapter
@@ -83,6 +84,7 @@ def _read_tables(buffers: FabricBuffers) -> LobeTables:
         moments=parts["moments"].view(np.float32).reshape(2, 4 * packs, MOMENTS),
         hole_weight=np.array([lobes["front_hole_weight"], lobes["back_hole_weight"]], np.float32),
         warp_packs=np.array([lobes["front_warp_packs"], lobes["back_warp_packs"]], np.int64),
+        joint=parts["joint"].view(np.int16).reshape(2, 2, 2, JOINT_NODES, JOINT_FACTORS),
     )
 
 

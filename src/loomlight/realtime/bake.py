@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from loomlight.models.lobes import cloth_samples, coverage_pyramid, groups, visibility_rays
 from loomlight.models.lobes.hemisphere import NODES
+from loomlight.models.lobes.joint_lookup import JOINT_FACTORS, JOINT_NODES
 from loomlight.models.lobes.packed_uint8 import pack_count
 from loomlight.models.lobes.tables import MOMENTS
 from loomlight.realtime.device import Adapter
@@ -171,6 +172,7 @@ class BakePlan:
             "light_visibility": 4 * NODES * packs,
             "irradiance": 4 * NODES * packs,
             "moments": 2 * 4 * packs * MOMENTS,
+            "joint": 4 * JOINT_NODES * JOINT_FACTORS,
         }
 
     def value_of(self, size: Size, more: Mapping[str, int] | None = None) -> int:

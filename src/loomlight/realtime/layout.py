@@ -82,6 +82,11 @@ LOBES: Fields = (
     ("light_visibility", "uint", "bytes [2 faces, 2 sides, hemisphere nodes, packs]: 255 is 1"),
     ("irradiance", "uint", "bytes [2 faces, 2 sides, hemisphere nodes, packs]: 255 is 1/π"),
     ("moments", "uint", "numbers of each group [2 faces, 4 packs, 12]"),
+    (
+        "joint",
+        "uint",
+        "factors [2 faces, 2 sides, view or light, joint nodes, 16], two 16-bit numbers a word",
+    ),
     ("front_hole_weight", "float", "weight of holes"),
     ("back_hole_weight", "float", "the same of the back"),
     ("threads_per_mm", "float", "1 / mean size of a thread"),

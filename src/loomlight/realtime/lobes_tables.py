@@ -28,6 +28,7 @@ def pack_lobes(record: np.void, lobes: LobeTables, layout: ClothLayout | None, t
         "light_visibility": table.add(packed_bytes(lobes.light_visibility)),
         "irradiance": table.add(packed_bytes(lobes.irradiance)),
         "moments": table.add(lobes.moments),
+        "joint": table.add(packed_bytes(lobes.joint)),
         "front_hole_weight": lobes.hole_weight[0],
         "back_hole_weight": lobes.hole_weight[1],
     }

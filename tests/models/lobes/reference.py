@@ -8,9 +8,9 @@ For a view v, a light l, their half vector h and a footprint, with bytes interpo
 
     weight of a group     w = coverage·(root of projected area)²·unit
     hole                  the same for holes, at most 1
-    gain                  r = 1 + κ·(1/max(V_l, V_v) − 1) − loss·(1 − V_l), at least 0; V: `light_visibility`
-    diffuse               (1 − hole)·Σ w·irradiance·r / Σ w            with one κ
-    specular              (1 − hole)·Σ w·f(h, l, v)·V_l·r / Σ w        with another, no loss; f: `layer_value`
+    ratio                 r = 1 + Σ_k a_k(v)·b_k(l), 0 to `MAX_JOINT_RATIO`, of each family and term
+    diffuse               r·(1 − hole)·Σ w·irradiance / Σ w
+    specular              r·(1 − hole)·Σ w·f(h, l, v)·V_l / Σ w        V: `light_visibility`; f: `layer_value`
 """
 
 from __future__ import annotations
@@ -30,14 +30,8 @@ from loomlight.models.lobes.density import (
     SPREAD_LOSS,
 )
 from loomlight.models.lobes.hemisphere import AZIMUTHS, MIN_NODE_COSINE, RINGS
+from loomlight.models.lobes.joint_lookup import FACTOR_UNIT, JOINT_AZIMUTHS, JOINT_TERMS, MAX_JOINT_RATIO
 from loomlight.models.lobes.packed_uint8 import WEIGHT_SUM
-from loomlight.models.lobes.prefiltered import (
-    DIFFUSE_CORRELATION,
-    DIFFUSE_LOSS,
-    MAX_CORRELATION,
-    SPECULAR_CORRELATION,
-    TRANSMISSION_CORRELATION,
-)
 from loomlight.models.lobes.proposal import SPREAD_WIDTH, LobeWeights
 from loomlight.models.lobes.tables import LobeTables
 from loomlight.models.separable import Components
@@ -60,7 +54,7 @@ class Nodes:
     indices: NDArray[np.int64]
     weights: Numbers
 
-    def of(self, table: NDArray[np.uint8]) -> Numbers:
+    def of(self, table: NDArray[np.integer]) -> Numbers:
         """Interpolated bytes of a table [rows, k]: [k], 0 to 255. Weights are rounded to whole units."""
         units = np.floor(self.weights * WEIGHT_SUM + 0.5)
         return np.asarray(units @ table[self.indices] / units.sum())
@@ -110,12 +104,10 @@ class Weights:
     Attributes:
         groups: w of each group [G], not normalized.
         hole: fraction of the view rays that pass through holes.
-        view_visibility: V_v, the light visibility of each group for light from the view's direction [G].
     """
 
     groups: Numbers
     hole: float
-    view_visibility: Numbers
 
 
 class LobesReference:
@@ -162,29 +154,27 @@ class LobesReference:
         nodes, side = direction_nodes(light), (int(back), int(is_transmission))
         irradiance = nodes.of(self.tables.irradiance[side]) * _PER_BYTE
         light_visibility = nodes.of(self.tables.light_visibility[side]) * _PER_BYTE
-        correlations = shadow_correlation(light, view, is_transmission)
-        losses = (0.0 if is_transmission else DIFFUSE_LOSS), 0.0
-        most = np.maximum(np.maximum(light_visibility, weights.view_visibility), _PER_BYTE)
-        diffuse_gain, specular_gain = (
-            np.maximum(1 + part * (1 / most - 1) - loss * (1 - light_visibility), 0)
-            for part, loss in zip(correlations, losses, strict=True)
+        is_warp = self.is_warp[int(back)]
+        diffuse_ratio, specular_ratio = (
+            np.where(is_warp, *families) for families in self.joint_ratios(light, view, back)
         )
 
-        diffuse = weights.groups * irradiance / math.pi * diffuse_gain
+        diffuse = weights.groups * irradiance / math.pi * diffuse_ratio
         specular = (
             weights.groups
             * light_visibility
-            * specular_gain
+            * specular_ratio
             * layer_value(half_vector(light, view), light, view, groups, self.optical_depth)
         )
-        is_warp = self.is_warp[int(back)]
         total = max(weights.groups.sum(), 1e-12) / (1 - weights.hole) if weights.hole < 1 else math.inf
         components = Components(
             diffuse_warp=float(diffuse[is_warp].sum() / total),
             diffuse_weft=float(diffuse[~is_warp].sum() / total),
             specular_warp=float(specular[is_warp].sum() / total),
             specular_weft=float(specular[~is_warp].sum() / total),
-            light_visibility=float((weights.groups * light_visibility * diffuse_gain).sum() / total),
+            light_visibility=min(
+                float((weights.groups * light_visibility * diffuse_ratio).sum() / total), 1 - weights.hole
+            ),
         )
         return components, weights.hole
 
@@ -232,10 +222,19 @@ class LobesReference:
         nodes = direction_nodes(view)
         # Holes are the first byte of the last pack.
         root_area = nodes.of(self.tables.projected_area[face])
-        view_visibility = nodes.of(self.tables.light_visibility[face, 0]) * _PER_BYTE
         unit = np.append(self.groups(back).unit, self.tables.hole_weight[face])
         weights = coverage[: count + 1] * root_area[: count + 1] ** 2 * unit
-        return Weights(weights[:count], min(float(weights[count]), 1.0), view_visibility)
+        return Weights(weights[:count], min(float(weights[count]), 1.0))
+
+    def joint_ratios(self, light: Numbers, view: Numbers, back: bool) -> Numbers:
+        """Joint over independent means [diffuse or specular, warp or weft]; directions of the face seen."""
+        of_view, of_light = (
+            direction_nodes(direction, JOINT_AZIMUTHS).of(table).reshape(2, 2, JOINT_TERMS) / FACTOR_UNIT
+            for direction, table in zip(
+                (view, light), self.tables.joint[int(back), int(light[2] < 0)], strict=True
+            )
+        )
+        return np.clip(1 + (of_view * of_light).sum(axis=-1), 0, MAX_JOINT_RATIO)
 
     def groups(self, back: bool) -> GroupMoments:
         """The groups of a face, from the twelve numbers of each."""
@@ -280,7 +279,7 @@ def on_seen_face(light: Numbers, view: Numbers) -> tuple[bool, Numbers, Numbers]
     return back, light * flip, view * flip
 
 
-def direction_nodes(direction: Numbers) -> Nodes:
+def direction_nodes(direction: Numbers, azimuths: int = AZIMUTHS) -> Nodes:
     """Four nodes around a direction, by azimuth and |z|.
 
     Nodes stand azimuth by azimuth; rings are even in (1 − z)^¾, the last at z = `MIN_NODE_COSINE`.
@@ -288,23 +287,12 @@ def direction_nodes(direction: Numbers) -> Nodes:
     ring = (RINGS - 1) * min(max(1 - abs(float(direction[2])), 0.0) / (1 - MIN_NODE_COSINE), 1.0) ** 0.75
     inner = min(int(ring), RINGS - 2)
     out = ring - inner
-    turns = math.atan2(direction[1], direction[0]) / (2 * math.pi) * AZIMUTHS
+    turns = math.atan2(direction[1], direction[0]) / (2 * math.pi) * azimuths
     column = math.floor(turns)
     fraction = turns - column
-    columns = np.array([column, column + 1]) % AZIMUTHS
+    columns = np.array([column, column + 1]) % azimuths
     indices = columns[:, None] * RINGS + np.array([inner, inner + 1])
     return Nodes(indices.ravel(), np.outer([1 - fraction, fraction], [1 - out, out]).ravel())
-
-
-def shadow_correlation(light: Numbers, view: Numbers, is_transmission: bool) -> tuple[float, float]:
-    """κ of diffuse and specular terms: the correlation of visibility from light and view."""
-    lengths = float(np.linalg.norm(light[:2]) * np.linalg.norm(view[:2]))
-    cosine = float(light[:2] @ view[:2]) / max(lengths, 1e-6)
-    if is_transmission:
-        transmission = TRANSMISSION_CORRELATION[0] + TRANSMISSION_CORRELATION[1] * cosine
-        return transmission, transmission
-    diffuse = DIFFUSE_CORRELATION[0] + DIFFUSE_CORRELATION[1] * cosine
-    return min(diffuse, MAX_CORRELATION), SPECULAR_CORRELATION
 
 
 def half_vector(light: Numbers, view: Numbers) -> Numbers:

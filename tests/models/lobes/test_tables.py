@@ -86,6 +86,8 @@ def test_only_so_many_groups() -> None:
         ("projected_area", lambda values: values[:1]),
         ("light_visibility", lambda values: values[..., :4]),
         ("light_visibility", lambda values: values[:, 0]),
+        ("joint", lambda values: values[:, :1]),
+        ("joint", lambda values: values.astype(np.float32)),
         ("irradiance", lambda values: values.astype(np.float32)),
         ("moments", lambda values: values[..., :11]),
         ("moments", lambda values: values.astype(np.float64)),
@@ -111,6 +113,7 @@ def test_tensors_of_another_shape_or_type(name: str, change: Callable[[Tensor], 
         "hole_weight",
         "levels",
         "warp_packs",
+        "joint",
     ],
 )
 def test_tensors_that_are_missing(name: str) -> None:
@@ -163,13 +166,16 @@ def test_groups_that_fill_no_packs_of_both_families(groups: int) -> None:
 @pytest.mark.parametrize("size", [0.0, -1.0, float("nan"), float("inf")])
 def test_sizes_that_are_none(size: float) -> None:
     loom = _damaged("moments", lambda values: values)
-    _refused(replace(loom, settings={"base_size": size}), "setting base_size is ", "above 0 mm")
+    _refused(
+        replace(loom, settings={**loom.settings, "base_size": size}), "setting base_size is ", "above 0 mm"
+    )
 
 
 @pytest.mark.parametrize("settings", [{}, {"base_size": 1}, {"base_size": "small"}])
 def test_sizes_of_another_kind(settings: dict[str, Any]) -> None:
     loom = _damaged("moments", lambda values: values)
-    _refused(replace(loom, settings=settings), "setting base_size is ", "float")
+    rest = {key: value for key, value in loom.settings.items() if key != "base_size"}
+    _refused(replace(loom, settings={**rest, **settings}), "setting base_size is ", "float")
 
 
 def test_another_models_file() -> None:

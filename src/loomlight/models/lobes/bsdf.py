@@ -11,7 +11,7 @@ import drjit as dr
 
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.core.arrays import Array, Color3, Float, Mask, UInt, Vec2, Vec3
-from loomlight.core.backend import array_types, maximum
+from loomlight.core.backend import array_types, maximum, minimum
 from loomlight.core.footprint import Footprint
 from loomlight.core.masked_branch import masked_branch
 from loomlight.models.between_yarns import Bounced
@@ -236,18 +236,17 @@ class LobesBsdf(FilteredBsdf):
                 weight_sum = weight_sum + total_weight(packs, mixture)
             for number, (light, around, half) in enumerate(zip(facing, nodes, halves, strict=True)):
                 of_packs = lobes.components(packs, at, around, pair, light, half)
-                first = 6 * number
-                for pack, (diffuse, specular, lit) in zip(packs, of_packs, strict=True):
-                    for index, part in ((first, diffuse), (first + 2, specular)):
+                first = 7 * number
+                for pack, of_pack in zip(packs, of_packs, strict=True):
+                    for index, part in zip(range(first, first + 6, 2), of_pack, strict=True):
                         added[index] = added[index] + dr.select(pack.is_warp, part, 0)
                         added[index + 1] = added[index + 1] + dr.select(pack.is_warp, 0, part)
-                    added[first + 4] = added[first + 4] + lit
                 if mixture is not None:
-                    added[first + 5] = added[first + 5] + sum(packs_density(packs, mixture, light, at.view))
+                    added[first + 6] = added[first + 6] + sum(packs_density(packs, mixture, light, at.view))
             return pair + 1, total + sum(sum(pack.weights) for pack in packs), weight_sum, *added
 
         width = dr.width(self.view, list(lights), self.footprint.centre, self.footprint.duv_dx)
-        zeros = [dr.zeros(types.Float, width) for _ in range(2 + 6 * len(lights))]
+        zeros = [dr.zeros(types.Float, width) for _ in range(2 + 7 * len(lights))]
         _, total, weight_sum, *sums = dr.while_loop(
             (dr.zeros(types.UInt32, width), *zeros),
             lambda pair, *rest: active & (pair < lobes.pairs),
@@ -257,9 +256,13 @@ class LobesBsdf(FilteredBsdf):
         hole = lobes.hole(at)
         scale = (1 - hole) * dr.rcp(maximum(total, MIN_GROUP_WEIGHT))
         results = []
-        for first in range(0, len(sums), 6):
-            components = Components(*(part * scale for part in sums[first : first + 5]))
-            results.append(GroupSums(components, sums[first + 5], weight_sum))
+        for number, light in enumerate(facing):
+            ratios = lobes.ratios(at, light)
+            *parts, of_density = sums[7 * number : 7 * (number + 1)]
+            factors = *ratios.diffuse, *ratios.specular, *ratios.diffuse
+            joint = [part * (factor * scale) for part, factor in zip(parts, factors, strict=True)]
+            components = Components.of(joint[:4], minimum(joint[4] + joint[5], 1 - hole))
+            results.append(GroupSums(components, of_density, weight_sum))
         return hole, results
 
 

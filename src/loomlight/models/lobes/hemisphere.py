@@ -49,10 +49,10 @@ class NodeTaps:
     weights: PackedWeights
 
 
-def node_taps(direction: Vec3) -> NodeTaps:
-    """The nodes around a unit vector, by azimuth and |z|."""
+def node_taps(direction: Vec3, azimuths: int = AZIMUTHS) -> NodeTaps:
+    """The nodes around a unit vector, by azimuth and |z|; `azimuths`, a power of two, may be fewer."""
     types = array_types(direction.x)
-    turns = dr.atan2(direction.y, direction.x) * (0.5 * AZIMUTHS / math.pi)
+    turns = dr.atan2(direction.y, direction.x) * (0.5 * azimuths / math.pi)
     azimuth = dr.floor(turns)
     across = turns - azimuth
     root = dr.sqrt(clip((1 - dr.abs(direction.z)) * (1 / (1 - MIN_NODE_COSINE)), 0, 1))
@@ -61,7 +61,7 @@ def node_taps(direction: Vec3) -> NodeTaps:
     out = ring - inner
     weights = (1 - across) * (1 - out), (1 - across) * out, across * (1 - out), across * out
     # Azimuths from −π on: conversion to unsigned integers needs positive ones; a power of two is a mask.
-    column = types.UInt32(types.Int32(azimuth) + AZIMUTHS) & (AZIMUTHS - 1)
-    following = (column + 1) & (AZIMUTHS - 1)
+    column = types.UInt32(types.Int32(azimuth) + azimuths) & (azimuths - 1)
+    following = (column + 1) & (azimuths - 1)
     first, second = column * RINGS + types.UInt32(inner), following * RINGS + types.UInt32(inner)
     return NodeTaps((first, first + 1, second, second + 1), PackedWeights(types, weights))

@@ -15,6 +15,7 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.models.fabric_model import FilteredFabricModel, fabric_in_loom, fabric_source
 from loomlight.models.interface import Option
 from loomlight.models.lobes.bsdf import LobesBsdf
+from loomlight.models.lobes.joint_lookup import JOINT_FACTORS
 from loomlight.models.lobes.prefiltered import PrefilteredLobes
 from loomlight.models.lobes.regimes import RegimeScale
 from loomlight.models.lobes.tables import LobeTables, bake_tables, tables_of_loom
@@ -28,7 +29,8 @@ MAX_GROUPS = 64
 # for attenuation.
 _MULTIPLY_ADDS = 120
 # What tables mean; to be raised when older ones no longer fit the formulas. 2: shadow rays start from hits.
-_TABLES_VERSION = 2
+# 3: joint visibility is a table.
+_TABLES_VERSION = 3
 # Scene parameters of a family that tables depend on.
 _BAKED = ("height_scale", "inclination", "twist")
 
@@ -62,8 +64,8 @@ class LobesModel(FilteredFabricModel):
         self._uploaded: dict[type, tuple[PrefilteredLobes, RegimeScale]] = {}
         packs = tables.packs
         self.multiply_adds = _MULTIPLY_ADDS * 4 * packs
-        # Nine nodes of the pyramid, four of the view, four of the light.
-        self.bytes_fetched = 4 * (9 * (packs + 1) + 4 * (2 * packs + 1) + 4 * 2 * packs)
+        # Nine nodes of the pyramid, four of the view, four of the light; factors of four nodes each.
+        self.bytes_fetched = 4 * (9 * (packs + 1) + 4 * (packs + 1) + 4 * 2 * packs + 2 * 4 * JOINT_FACTORS)
 
     @classmethod
     def for_source(cls, source: Source, groups: int = DEFAULT_GROUPS) -> Self:
@@ -105,13 +107,13 @@ class LobesModel(FilteredFabricModel):
         Raises:
             InputError: another model's file, tables of another version, or that do not belong together.
         """
-        fabric, tables = fabric_in_loom(loom, cls.name), tables_of_loom(loom)
+        fabric = fabric_in_loom(loom, cls.name)
         if loom.settings.get("tables_version") != _TABLES_VERSION:
             raise InputError(
                 f"{loom.file}: its tables are of another version of loomlight, which changes the brightness: "
                 "bake it again."
             )
-        groups = loom.setting("groups", int)
+        tables, groups = tables_of_loom(loom), loom.setting("groups", int)
         _require_groups(groups)
         return cls(fabric, tables, groups)
 

@@ -41,6 +41,11 @@ class PackedWeights:
         self._integers = [types.UInt32(dr.fma(weight, WEIGHT_SUM, 0.5)) for weight in weights]
         self._inverse_sum = dr.rcp(types.Float(sum(self._integers)))
 
+    @property
+    def shares(self) -> list[Float]:
+        """The weights of the nodes as numbers of sum 1."""
+        return [self._types.Float(weight) * self._inverse_sum for weight in self._integers]
+
     def interpolate(self, packs: Sequence[UInt]) -> list[Float]:
         """Weighted means of the four bytes of packs, one pack a node: four Floats, 0 to 255."""
         even = sum((pack & _EVEN_BYTES) * weight for pack, weight in zip(packs, self._integers, strict=True))

@@ -4,38 +4,30 @@ The weight of a group is its visible fraction: the footprint's coverage times th
 that hit the group. Holes weigh likewise; groups divide the rest in proportion to their weights. A diffuse
 term is the group's irradiance, a specular term its lobe times its visibility from the light.
 
-V(light) is the fraction of a group's points that light reaches, as the mean of all views sees them. For one
-view, visibility from light and view are correlated: P(lit given seen) lies between V(light) (independent) and
-V(light)/max(V(light), V(view)) (fully correlated). κ interpolates. For diffuse terms κ grows as the azimuths
-come together, and what the mean of all views has of it already is taken off again, in proportion to 1 −
-V(light). In transmission κ < 0: light from the other side reaches the points that the view does not see. The
-constants are fitted to rays (`tools/fits/lobes_shadows.py`).
+V(light) is the fraction of a group's points that light reaches, as the mean of all views sees them. What one
+view sees of a family, light reaches more or less: sums over groups are multiplied by the ratios of
+`joint_visibility`.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.arrays import Float, Mask, UInt, Vec3
-from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum, upload
+from loomlight.core.backend import ArrayTypes, maximum, minimum, upload
 from loomlight.core.footprint import Footprint
 from loomlight.models.lobes.coverage_lookup import CoverageLookup, CoverageTaps
 from loomlight.models.lobes.density import GroupLobe, layer_value
 from loomlight.models.lobes.hemisphere import NODES, NodeTaps, node_taps
+from loomlight.models.lobes.joint_lookup import JointLookup, JointRatios
 from loomlight.models.lobes.tables import MOMENTS, LobeTables
 
 PER_BYTE = 1 / 255
-# κ. Pairs are (a, b) of a + b·cos Δφ, Δφ the angle between the azimuths of light and view.
-DIFFUSE_CORRELATION = 0.62, 0.63
-MAX_CORRELATION = 1.2
-SPECULAR_CORRELATION = 0.62
-TRANSMISSION_CORRELATION = -0.09, -0.08
-# Factor of 1 − V(light) that is taken off the diffuse term in reflection.
-DIFFUSE_LOSS = 0.37
 # Numbers loaded at once; the moments of a pack are three times as many.
 _PACKET = 16
 
@@ -47,12 +39,14 @@ class TableLookup:
     Attributes:
         coverage: taps of the pyramid.
         view_nodes: nodes of the hemisphere around the view, of the face seen.
+        joint_nodes: nodes of the ratios around the view.
         view: unit vector [3] in the frame of the face seen.
         back: the back is seen.
     """
 
     coverage: CoverageTaps
     view_nodes: NodeTaps
+    joint_nodes: NodeTaps
     view: Vec3
     back: Mask
 
@@ -65,13 +59,11 @@ class SeenPack:
         is_warp: all four are the warp's, else the weft's.
         weights: visible fraction of each group, not normalized: four Floats.
         lobes: moments of each group.
-        visibility: V of light from the view's direction, of each group: four Floats.
     """
 
     is_warp: Mask
     weights: list[Float]
     lobes: list[GroupLobe]
-    visibility: list[Float]
 
 
 class PrefilteredLobes:
@@ -100,10 +92,10 @@ class PrefilteredLobes:
         area, visibility, irradiance = (
             part.view("<u4") for part in (tables.projected_area, tables.light_visibility, tables.irradiance)
         )
-        # Light from the view's direction comes from the side that is seen.
-        self._view_table = upload(types.UInt32, _in_pairs(area[..., :packs], visibility[:, 0]))
+        self._view_table = upload(types.UInt32, area[..., :packs])
         self._holes = upload(types.UInt32, np.pad(area[..., packs, None], ((0, 0), (0, 0), (0, 1))))
         self._light_table = upload(types.UInt32, _in_pairs(irradiance, visibility))
+        self._joint = JointLookup(tables.joint, types)
         self._moments = upload(types.Float, tables.moments)
         self._hole_weight = [dr.opaque(types.Float, float(weight)) for weight in tables.hole_weight]
         self._roughness = [dr.opaque(types.Float, float(value)) for value in roughness]
@@ -114,7 +106,7 @@ class PrefilteredLobes:
         taps = node_taps(view)
         face = dr.select(back, self._types.UInt32(NODES), self._types.UInt32(0))
         around = NodeTaps(tuple(face + node for node in taps.nodes), taps.weights)
-        return TableLookup(self._coverage.taps(footprint, back), around, view, back)
+        return TableLookup(self._coverage.taps(footprint, back), around, self._joint.taps(view), view, back)
 
     def hole(self, at: TableLookup) -> Float:
         """Fraction of the view rays that pass through holes, 0 to 1."""
@@ -127,19 +119,11 @@ class PrefilteredLobes:
     def seen_packs(self, at: TableLookup, pair: UInt) -> list[SeenPack]:
         """The groups of two packs."""
         coverage = self._coverage.groups(at.coverage, pair)
-        projected, visibility = self._read(self._view_table, at.view_nodes, pair)
-        return [
-            self._seen_pack(at, 2 * pair + half, coverage[half], projected[half], visibility[half])
-            for half in range(2)
-        ]
+        projected = self._read(self._view_table, at.view_nodes, pair, self._types.Index2)
+        return [self._seen_pack(at, 2 * pair + half, coverage[half], projected[half]) for half in range(2)]
 
     def _seen_pack(
-        self,
-        at: TableLookup,
-        pack: UInt,
-        coverage: list[Float],
-        projected: list[Float],
-        visibility: list[Float],
+        self, at: TableLookup, pack: UInt, coverage: list[Float], projected: list[Float]
     ) -> SeenPack:
         types = self._types
         is_warp = pack < dr.select(at.back, self._warp_packs[1], self._warp_packs[0])
@@ -157,7 +141,7 @@ class PrefilteredLobes:
             xx, yy, xy, xz, yz = moments[3:]
             zz = 1 - dr.squared_norm(tangent) - xx - yy
             lobes.append(GroupLobe(types.Vector3(x, y, z), tangent, xx, yy, zz, xy, xz, yz, roughness))
-        return SeenPack(is_warp, weights, lobes, [part * PER_BYTE for part in visibility])
+        return SeenPack(is_warp, weights, lobes)
 
     def light_nodes(self, at: TableLookup, light: Vec3) -> NodeTaps:
         """Nodes around a light [3] in the frame of the face seen, in the tables of its side."""
@@ -169,10 +153,16 @@ class PrefilteredLobes:
         start = side * NODES
         return NodeTaps(tuple(start + node for node in taps.nodes), taps.weights)
 
+    def ratios(self, at: TableLookup, light: Vec3) -> JointRatios:
+        """Joint over independent visibility of a light [3] in the frame of the face seen."""
+        return self._joint.ratios(at.joint_nodes, self._joint.taps(light), at.back, light.z < 0)
+
     def components(
         self, packs: list[SeenPack], at: TableLookup, nodes: NodeTaps, pair: UInt, light: Vec3, half: Vec3
     ) -> list[tuple[Float, Float, Float]]:
         """Sums over each pack's four groups of weight times diffuse, specular component and light visibility.
+
+        They are those of independent visibility, to be multiplied by `ratios`.
 
         Args:
             packs: the pair's packs.
@@ -181,87 +171,35 @@ class PrefilteredLobes:
             half: half vector [3] of light and view.
         """
         is_transmission = light.z < 0
-        irradiance, visibility = self._read(self._light_table, nodes, pair)
-        correlation = shadow_correlation(light, at.view, is_transmission)
+        read = self._read(self._light_table, nodes, pair, self._types.Index4)
+        irradiance, visibility = read[:2], read[2:]
         sums = []
         for number, pack in enumerate(packs):
             diffuse: Float = 0
             specular: Float = 0
             lit: Float = 0
             for group in range(4):
-                from_light = visibility[number][group] * PER_BYTE
-                diffuse_gain, gain = visibility_gain(correlation, from_light, pack.visibility[group])
                 weight = pack.weights[group]
-                diffuse += weight * irradiance[number][group] * diffuse_gain
+                diffuse += weight * irradiance[number][group]
                 value = layer_value(
                     half, light, at.view, is_transmission, pack.lobes[group], self._optical_depth
                 )
-                specular += weight * value * (from_light * gain)
-                lit += weight * (from_light * diffuse_gain)
-            sums.append((diffuse * (PER_BYTE * dr.inv_pi), specular, lit))
+                lit_weight = weight * visibility[number][group]
+                specular += lit_weight * value
+                lit += lit_weight
+            sums.append((diffuse * (PER_BYTE * dr.inv_pi), specular * PER_BYTE, lit * PER_BYTE))
         return sums
 
-    def _read(self, table: UInt, nodes: NodeTaps, pair: UInt) -> tuple[list[list[Float]], list[list[Float]]]:
-        """The interpolated bytes of two packs of both tables of `_in_pairs`: twice four Floats each."""
-        rows = [dr.gather(self._types.Index4, table, dr.fma(node, self.pairs, pair)) for node in nodes.nodes]
-        read = [nodes.weights.interpolate([row[pack] for row in rows]) for pack in range(4)]
-        return read[:2], read[2:]
+    def _read(self, table: UInt, nodes: NodeTaps, pair: UInt, row_type: Any) -> list[list[Float]]:
+        """The interpolated bytes of a pair's packs, four Floats each; `row_type` holds a row of the table."""
+        rows = [dr.gather(row_type, table, dr.fma(node, self.pairs, pair)) for node in nodes.nodes]
+        return [nodes.weights.interpolate([row[pack] for row in rows]) for pack in range(len(rows[0]))]
 
 
 def _in_pairs(first: NDArray[np.uint32], second: NDArray[np.uint32]) -> NDArray[np.uint32]:
     """Interleaves two tables of packs [..., n]: two packs of the first, two of the second, and so on."""
     parts = [part.reshape(*part.shape[:-1], -1, 2) for part in (first, second)]
     return np.concatenate(parts, axis=-1)
-
-
-@dataclass
-class ShadowCorrelation:
-    """Correlation of visibility from light and view within groups, for one pair of directions.
-
-    Attributes:
-        diffuse, specular: κ of either term, −0.2 to 1.2.
-        diffuse_loss: factor of 1 − V(light) that is taken off the diffuse term.
-    """
-
-    diffuse: Float
-    specular: Float
-    diffuse_loss: Float
-
-
-def shadow_correlation(light: Vec3, view: Vec3, is_transmission: Mask) -> ShadowCorrelation:
-    """The correlation of visibility from light and view.
-
-    Args:
-        light, view: unit vectors [3].
-        is_transmission: they lie on different sides of the cloth.
-    """
-    together = dr.fma(light.x, view.x, light.y * view.y)
-    squares = [dr.fma(side.x, side.x, side.y * side.y) for side in (light, view)]
-    # 0 where a direction has no azimuth: along the normal nearly all is visible, and κ hardly matters.
-    cosine = together * dr.rcp(maximum(dr.sqrt(squares[0] * squares[1]), 1e-6))
-    transmission = dr.fma(TRANSMISSION_CORRELATION[1], cosine, TRANSMISSION_CORRELATION[0])
-    diffuse = dr.fma(DIFFUSE_CORRELATION[1], cosine, DIFFUSE_CORRELATION[0])
-    return ShadowCorrelation(
-        dr.select(is_transmission, transmission, minimum(diffuse, MAX_CORRELATION)),
-        dr.select(is_transmission, transmission, SPECULAR_CORRELATION),
-        dr.select(is_transmission, 0, array_types(cosine).Float(DIFFUSE_LOSS)),
-    )
-
-
-def visibility_gain(
-    correlation: ShadowCorrelation, from_light: Float, from_view: Float
-) -> tuple[Float, Float]:
-    """P(lit given seen) over V(light), ≥ 0, of diffuse and of specular terms.
-
-    Args:
-        from_light: V(light), the fraction of a group's points that light reaches.
-        from_view: the same for light from the view's direction.
-    """
-    most = maximum(maximum(from_light, from_view), PER_BYTE)
-    less_one = dr.rcp(most) - 1
-    kept = dr.fma(correlation.diffuse_loss, from_light, 1 - correlation.diffuse_loss)
-    diffuse = maximum(dr.fma(correlation.diffuse, less_one, kept), 0)
-    return diffuse, maximum(dr.fma(correlation.specular, less_one, 1), 0)
 
 
 def half_vector(light: Vec3, view: Vec3) -> Vec3:

@@ -19,6 +19,8 @@ from loomlight.models.lobes.cloth_samples import top_down_samples, upload_cloth
 from loomlight.models.lobes.coverage_pyramid import CoveragePyramid, build_pyramid, count_cells
 from loomlight.models.lobes.groups import Groups, NearestGroup, find_groups
 from loomlight.models.lobes.hemisphere import NODES
+from loomlight.models.lobes.joint_lookup import JOINT_FACTORS, JOINT_NODES
+from loomlight.models.lobes.joint_visibility import joint_factors, launch_joint
 from loomlight.models.lobes.packed_uint8 import byte_of_group, pack_count
 from loomlight.models.lobes.visibility_rays import launch_rays, launch_views, view_samples
 from loomlight.models.lobes.visibility_tables import VisibilityTables, tabulate_visibility
@@ -44,6 +46,8 @@ class LobeTables:
             byte)², mean fibre direction, and xx, yy, xy, xz, yz of its covariance (trace 1 − |mean|²).
         hole_weight: the weight of holes [2 faces].
         warp_packs: how many packs of each face, the first ones, are the warp's [2 faces].
+        joint: factors of joint over independent visibility, 16-bit numbers [2 faces, 2 sides, view or light,
+            nodes, ratios · terms]; see `joint_lookup`.
     """
 
     base_size: float
@@ -55,6 +59,7 @@ class LobeTables:
     moments: NDArray[np.float32]
     hole_weight: NDArray[np.float32]
     warp_packs: NDArray[np.int64]
+    joint: NDArray[np.int16]
 
     @property
     def packs(self) -> int:
@@ -85,7 +90,7 @@ def bake_tables(
     views = launch_views(cloth, per_family)
     top_down, from_views = top_down_samples(cloth), view_samples(views)
     # The device traces rays while the CPU clusters groups.
-    rays = launch_rays(cloth, top_down, views)
+    rays, points = launch_rays(cloth, top_down, views), launch_joint(cloth)
     groups = find_groups(top_down, from_views, per_family)
     cells = count_cells(cloth, FrozenArg(NearestGroup(groups, cloth.value.types)), per_family)
     visibility, groups = tabulate_visibility(rays, groups, diffuse_blend)
@@ -102,6 +107,7 @@ def bake_tables(
         moments=moments,
         hole_weight=hole_weight,
         warp_packs=_warp_packs(groups),
+        joint=joint_factors(points, groups, diffuse_blend),
     )
 
 
@@ -142,6 +148,7 @@ def tables_of_loom(loom: LoomFile) -> LobeTables:
         moments=moments,
         hole_weight=loom.tensor("hole_weight", (2,), np.float32),
         warp_packs=warp_packs,
+        joint=loom.tensor("joint", (2, 2, 2, JOINT_NODES, JOINT_FACTORS), np.int16),
     )
 
 

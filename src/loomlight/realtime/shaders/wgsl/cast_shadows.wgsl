@@ -66,6 +66,7 @@ struct Lobes_std430_0
     @align(4) light_visibility_0 : u32,
     @align(4) irradiance_0 : u32,
     @align(4) moments_0 : u32,
+    @align(4) joint_0 : u32,
     @align(4) front_hole_weight_0 : f32,
     @align(4) back_hole_weight_0 : f32,
     @align(4) threads_per_mm_0 : f32,
@@ -1002,27 +1003,34 @@ struct NodeTaps_0
      inverse_sum_0 : f32,
 };
 
-fn node_taps_0( direction_4 : vec3<f32>) -> NodeTaps_0
+fn node_taps_of_0( direction_4 : vec3<f32>,  azimuths_0 : u32) -> NodeTaps_0
 {
-    var _S108 : f32 = arc_tangent_0(direction_4.y, direction_4.x) * 5.09295797348022461f;
+    var _S108 : f32 = arc_tangent_0(direction_4.y, direction_4.x) * (0.5f * f32(azimuths_0) * 0.31830987334251404f);
     var _S109 : f32 = floor(_S108);
     var _S110 : f32 = _S108 - _S109;
     var _S111 : f32 = sqrt(clamp((1.0f - abs(direction_4.z)) / 0.97000002861022949f, 0.0f, 1.0f));
     var _S112 : f32 = 7.0f * _S111 * sqrt(_S111);
     var _S113 : f32 = min(floor(_S112), 6.0f);
     var _S114 : f32 = _S112 - _S113;
-    var _S115 : u32 = u32(i32(_S109) + i32(32)) % u32(32);
+    var _S115 : u32 = u32(i32(_S109) + i32(azimuths_0)) % azimuths_0;
     var _S116 : u32 = u32(_S113);
     var _S117 : u32 = _S115 * u32(8) + _S116;
-    var _S118 : u32 = (_S115 + u32(1)) % u32(32) * u32(8) + _S116;
+    var _S118 : u32 = (_S115 + u32(1)) % azimuths_0;
+    var _S119 : u32 = _S118 * u32(8) + _S116;
     var taps_0 : NodeTaps_0;
-    taps_0.nodes_0 = vec4<u32>(_S117, _S117 + u32(1), _S118, _S118 + u32(1));
-    var _S119 : f32 = 1.0f - _S110;
-    var _S120 : f32 = 1.0f - _S114;
-    var _S121 : vec4<u32> = vec4<u32>(vec4<f32>(_S119 * _S120, _S119 * _S114, _S110 * _S120, _S110 * _S114) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
-    taps_0.weights_0 = _S121;
-    taps_0.inverse_sum_0 = 1.0f / f32(_S121.x + _S121.y + _S121.z + _S121.w);
+    taps_0.nodes_0 = vec4<u32>(_S117, _S117 + u32(1), _S119, _S119 + u32(1));
+    var _S120 : f32 = 1.0f - _S110;
+    var _S121 : f32 = 1.0f - _S114;
+    var _S122 : vec4<u32> = vec4<u32>(vec4<f32>(_S120 * _S121, _S120 * _S114, _S110 * _S121, _S110 * _S114) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
+    taps_0.weights_0 = _S122;
+    taps_0.inverse_sum_0 = 1.0f / f32(_S122.x + _S122.y + _S122.z + _S122.w);
     return taps_0;
+}
+
+fn node_taps_0( direction_5 : vec3<f32>) -> NodeTaps_0
+{
+    var _S123 : NodeTaps_0 = node_taps_of_0(direction_5, u32(32));
+    return _S123;
 }
 
 fn wrapped_cell_0( position_4 : f32,  count_2 : f32) -> f32
@@ -1037,16 +1045,16 @@ fn bytes_of_sums_0( even_0 : u32,  odd_0 : u32) -> vec4<f32>
 
 fn interpolate_0( taps_1 : NodeTaps_0,  packs_1 : vec4<u32>) -> vec4<f32>
 {
-    var _S122 : vec4<u32> = vec4<u32>(u32(16711935));
-    var _S123 : vec4<u32> = ((packs_1 & (_S122))) * taps_1.weights_0;
-    var _S124 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S122))) * taps_1.weights_0;
-    return bytes_of_sums_0(_S123.x + _S123.y + _S123.z + _S123.w, _S124.x + _S124.y + _S124.z + _S124.w) * vec4<f32>(taps_1.inverse_sum_0);
+    var _S124 : vec4<u32> = vec4<u32>(u32(16711935));
+    var _S125 : vec4<u32> = ((packs_1 & (_S124))) * taps_1.weights_0;
+    var _S126 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S124))) * taps_1.weights_0;
+    return bytes_of_sums_0(_S125.x + _S125.y + _S125.z + _S125.w, _S126.x + _S126.y + _S126.z + _S126.w) * vec4<f32>(taps_1.inverse_sum_0);
 }
 
 fn interpolate_table_0( taps_2 : NodeTaps_0,  table_1 : u32,  stride_0 : u32) -> vec4<f32>
 {
-    var _S125 : vec4<u32> = vec4<u32>(table_1) + taps_2.nodes_0 * vec4<u32>(stride_0);
-    return interpolate_0(taps_2, vec4<u32>(words_0[_S125.x], words_0[_S125.y], words_0[_S125.z], words_0[_S125.w]));
+    var _S127 : vec4<u32> = vec4<u32>(table_1) + taps_2.nodes_0 * vec4<u32>(stride_0);
+    return interpolate_0(taps_2, vec4<u32>(words_0[_S127.x], words_0[_S127.y], words_0[_S127.z], words_0[_S127.w]));
 }
 
 fn sheen_scale_0( x_9 : f32,  y_4 : f32) -> f32
@@ -1066,132 +1074,132 @@ fn sheen_reflectance_0( x_11 : f32,  y_6 : f32) -> f32
 
 fn exponential_0( x_12 : f32) -> f32
 {
-    var _S126 : f32 = clamp(x_12, -87.0f, 88.0f);
-    var _S127 : f32 = floor(_S126 * 1.4426950216293335f + 0.5f);
-    var _S128 : f32 = _S126 - _S127 * 0.693359375f + _S127 * 0.00021219444170129f;
-    return select(((((((0.00019875691214111f * _S128 + 0.00139819993637502f) * _S128 + 0.00833345204591751f) * _S128 + 0.04166579619050026f) * _S128 + 0.1666666567325592f) * _S128 + 0.5f) * _S128 * _S128 + _S128 + 1.0f) * (bitcast<f32>(((u32(i32(_S127) + i32(127)) << (u32(23)))))), 0.0f, x_12 < -87.0f);
+    var _S128 : f32 = clamp(x_12, -87.0f, 88.0f);
+    var _S129 : f32 = floor(_S128 * 1.4426950216293335f + 0.5f);
+    var _S130 : f32 = _S128 - _S129 * 0.693359375f + _S129 * 0.00021219444170129f;
+    return select(((((((0.00019875691214111f * _S130 + 0.00139819993637502f) * _S130 + 0.00833345204591751f) * _S130 + 0.04166579619050026f) * _S130 + 0.1666666567325592f) * _S130 + 0.5f) * _S130 * _S130 + _S130 + 1.0f) * (bitcast<f32>(((u32(i32(_S129) + i32(127)) << (u32(23)))))), 0.0f, x_12 < -87.0f);
 }
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_1 : f32) -> vec3<f32>
 {
-    var _S129 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S130 : f32 = 2.0f * sqrt(_S129) - 1.0f;
-    var _S131 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S130, _S131), 0.00999999977648258f, 1.0f), clamp((1.0f - _S129) * sheen_shear_0(_S130, _S131), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S130, _S131), -60.0f, 60.0f))));
+    var _S131 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S132 : f32 = 2.0f * sqrt(_S131) - 1.0f;
+    var _S133 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S132, _S133), 0.00999999977648258f, 1.0f), clamp((1.0f - _S131) * sheen_shear_0(_S132, _S133), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S132, _S133), -60.0f, 60.0f))));
 }
 
-fn camera_right_0( _S132 : i32) -> vec3<f32>
+fn camera_right_0( _S134 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S132].right_x_0, frames_0[_S132].right_y_0, frames_0[_S132].right_z_0);
+    return vec3<f32>(frames_0[_S134].right_x_0, frames_0[_S134].right_y_0, frames_0[_S134].right_z_0);
 }
 
-fn camera_up_0( _S133 : i32) -> vec3<f32>
+fn camera_up_0( _S135 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S133].up_x_0, frames_0[_S133].up_y_0, frames_0[_S133].up_z_0);
+    return vec3<f32>(frames_0[_S135].up_x_0, frames_0[_S135].up_y_0, frames_0[_S135].up_z_0);
 }
 
-fn camera_forward_0( _S134 : i32) -> vec3<f32>
+fn camera_forward_0( _S136 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S134].forward_x_0, frames_0[_S134].forward_y_0, frames_0[_S134].forward_z_0);
+    return vec3<f32>(frames_0[_S136].forward_x_0, frames_0[_S136].forward_y_0, frames_0[_S136].forward_z_0);
 }
 
-fn camera_origin_0( _S135 : i32) -> vec3<f32>
+fn camera_origin_0( _S137 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S135].origin_x_0, frames_0[_S135].origin_y_0, frames_0[_S135].origin_z_0);
+    return vec3<f32>(frames_0[_S137].origin_x_0, frames_0[_S137].origin_y_0, frames_0[_S137].origin_z_0);
 }
 
-fn face_point_0( _S136 : u32,  _S137 : u32,  _S138 : f32,  _S139 : f32) -> VisiblePoint_0
+fn face_point_0( _S138 : u32,  _S139 : u32,  _S140 : f32,  _S141 : f32) -> VisiblePoint_0
 {
-    var _S140 : u32 = u32(3) * _S137;
-    var _S141 : Vertex_std430_0 = vertices_0[corners_0[_S140]];
-    var _S142 : Vertex_std430_0 = vertices_0[corners_0[_S140 + u32(1)]];
-    var _S143 : Vertex_std430_0 = vertices_0[corners_0[_S140 + u32(2)]];
-    var _S144 : vec3<f32> = position_of_0(&(_S142));
-    var _S145 : vec3<f32> = position_of_0(&(_S141));
-    var _S146 : vec3<f32> = _S144 - _S145;
+    var _S142 : u32 = u32(3) * _S139;
+    var _S143 : Vertex_std430_0 = vertices_0[corners_0[_S142]];
+    var _S144 : Vertex_std430_0 = vertices_0[corners_0[_S142 + u32(1)]];
+    var _S145 : Vertex_std430_0 = vertices_0[corners_0[_S142 + u32(2)]];
+    var _S146 : vec3<f32> = position_of_0(&(_S144));
     var _S147 : vec3<f32> = position_of_0(&(_S143));
-    var _S148 : vec3<f32> = _S147 - _S145;
-    var _S149 : f32 = _S141.u_0;
-    var _S150 : f32 = _S142.u_0 - _S141.u_0;
-    var _S151 : f32 = _S141.v_0;
-    var _S152 : f32 = _S142.v_0 - _S141.v_0;
-    var _S153 : vec2<f32> = vec2<f32>(_S150, _S152);
-    var _S154 : f32 = _S143.u_0 - _S141.u_0;
-    var _S155 : f32 = _S143.v_0 - _S141.v_0;
-    var _S156 : vec2<f32> = vec2<f32>(_S154, _S155);
-    var _S157 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S150 * _S155 - _S152 * _S154) < 0.0f));
-    var _S158 : vec3<f32> = _S157 * (vec3<f32>(_S155) * _S146 - vec3<f32>(_S152) * _S148);
-    var _S159 : vec3<f32> = _S157 * (vec3<f32>(_S150) * _S148 - vec3<f32>(_S154) * _S146);
+    var _S148 : vec3<f32> = _S146 - _S147;
+    var _S149 : vec3<f32> = position_of_0(&(_S145));
+    var _S150 : vec3<f32> = _S149 - _S147;
+    var _S151 : f32 = _S143.u_0;
+    var _S152 : f32 = _S144.u_0 - _S143.u_0;
+    var _S153 : f32 = _S143.v_0;
+    var _S154 : f32 = _S144.v_0 - _S143.v_0;
+    var _S155 : vec2<f32> = vec2<f32>(_S152, _S154);
+    var _S156 : f32 = _S145.u_0 - _S143.u_0;
+    var _S157 : f32 = _S145.v_0 - _S143.v_0;
+    var _S158 : vec2<f32> = vec2<f32>(_S156, _S157);
+    var _S159 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S152 * _S157 - _S154 * _S156) < 0.0f));
+    var _S160 : vec3<f32> = _S159 * (vec3<f32>(_S157) * _S148 - vec3<f32>(_S154) * _S150);
+    var _S161 : vec3<f32> = _S159 * (vec3<f32>(_S152) * _S150 - vec3<f32>(_S156) * _S148);
     var point_1 : VisiblePoint_0;
-    var _S160 : f32 = 1.0f - _S138 - _S139;
-    var _S161 : vec3<f32> = normal_of_0(&(_S141));
-    var _S162 : vec3<f32> = vec3<f32>(_S160) * _S161;
-    var _S163 : vec3<f32> = normal_of_0(&(_S142));
-    var _S164 : vec3<f32> = vec3<f32>(_S138);
-    var _S165 : vec3<f32> = _S162 + _S164 * _S163;
-    var _S166 : vec3<f32> = normal_of_0(&(_S143));
-    var _S167 : vec3<f32> = vec3<f32>(_S139);
-    var _S168 : vec3<f32> = normalize(_S165 + _S167 * _S166);
-    point_1.normal_0 = _S168;
-    var _S169 : vec3<f32> = normalize(_S158 - _S168 * vec3<f32>(dot(_S168, _S158)));
-    point_1.axis_x_0 = _S169;
-    point_1.axis_y_0 = cross(_S168, _S169);
-    var _S170 : vec3<f32> = normalize(cross(_S146, _S148));
-    point_1.face_normal_0 = select_vector_0((dot(_S170, _S168)) < 0.0f, (vec3<f32>(0) - _S170), _S170);
-    point_1.position_0 = _S145 + _S164 * _S146 + _S167 * _S148;
-    point_1.view_1 = _S168;
-    var _S171 : vec2<f32> = vec2<f32>(_S149, _S151) + vec2<f32>(_S138) * _S153 + vec2<f32>(_S139) * _S156;
-    point_1.uv_0 = _S171;
-    var _S172 : bool = (dot(cross(_S158, _S159), _S168)) < 0.0f;
-    var _S173 : vec2<f32> = vec2<f32>(fabrics_0[_S136].uv_width_0, select(fabrics_0[_S136].uv_height_0, - fabrics_0[_S136].uv_height_0, _S172));
-    point_1.draft_per_uv_0 = _S173;
-    point_1.draft_0 = _S171 * _S173 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S136].uv_height_0, _S172));
-    var _S174 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S174;
-    point_1.draft_dy_0 = _S174;
+    var _S162 : f32 = 1.0f - _S140 - _S141;
+    var _S163 : vec3<f32> = normal_of_0(&(_S143));
+    var _S164 : vec3<f32> = vec3<f32>(_S162) * _S163;
+    var _S165 : vec3<f32> = normal_of_0(&(_S144));
+    var _S166 : vec3<f32> = vec3<f32>(_S140);
+    var _S167 : vec3<f32> = _S164 + _S166 * _S165;
+    var _S168 : vec3<f32> = normal_of_0(&(_S145));
+    var _S169 : vec3<f32> = vec3<f32>(_S141);
+    var _S170 : vec3<f32> = normalize(_S167 + _S169 * _S168);
+    point_1.normal_0 = _S170;
+    var _S171 : vec3<f32> = normalize(_S160 - _S170 * vec3<f32>(dot(_S170, _S160)));
+    point_1.axis_x_0 = _S171;
+    point_1.axis_y_0 = cross(_S170, _S171);
+    var _S172 : vec3<f32> = normalize(cross(_S148, _S150));
+    point_1.face_normal_0 = select_vector_0((dot(_S172, _S170)) < 0.0f, (vec3<f32>(0) - _S172), _S172);
+    point_1.position_0 = _S147 + _S166 * _S148 + _S169 * _S150;
+    point_1.view_1 = _S170;
+    var _S173 : vec2<f32> = vec2<f32>(_S151, _S153) + vec2<f32>(_S140) * _S155 + vec2<f32>(_S141) * _S158;
+    point_1.uv_0 = _S173;
+    var _S174 : bool = (dot(cross(_S160, _S161), _S170)) < 0.0f;
+    var _S175 : vec2<f32> = vec2<f32>(fabrics_0[_S138].uv_width_0, select(fabrics_0[_S138].uv_height_0, - fabrics_0[_S138].uv_height_0, _S174));
+    point_1.draft_per_uv_0 = _S175;
+    point_1.draft_0 = _S173 * _S175 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S138].uv_height_0, _S174));
+    var _S176 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S176;
+    point_1.draft_dy_0 = _S176;
     return point_1;
 }
 
-fn visible_point_0( _S175 : i32,  _S176 : u32,  _S177 : u32,  _S178 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S177 : i32,  _S178 : u32,  _S179 : u32,  _S180 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S179 : u32 = u32(3) * _S177;
-    var _S180 : Vertex_std430_0 = vertices_0[corners_0[_S179]];
-    var _S181 : Vertex_std430_0 = vertices_0[corners_0[_S179 + u32(1)]];
-    var _S182 : Vertex_std430_0 = vertices_0[corners_0[_S179 + u32(2)]];
-    var _S183 : vec3<f32> = position_of_3(&(_S181));
-    var _S184 : vec3<f32> = position_of_3(&(_S180));
-    var _S185 : vec3<f32> = _S183 - _S184;
+    var _S181 : u32 = u32(3) * _S179;
+    var _S182 : Vertex_std430_0 = vertices_0[corners_0[_S181]];
+    var _S183 : Vertex_std430_0 = vertices_0[corners_0[_S181 + u32(1)]];
+    var _S184 : Vertex_std430_0 = vertices_0[corners_0[_S181 + u32(2)]];
+    var _S185 : vec3<f32> = position_of_3(&(_S183));
     var _S186 : vec3<f32> = position_of_3(&(_S182));
-    var _S187 : vec3<f32> = _S186 - _S184;
-    var _S188 : vec3<f32> = cross(_S185, _S187);
-    var _S189 : f32 = f32(frames_0[_S175].width_0);
-    var _S190 : vec3<f32> = camera_right_0(_S175) * vec3<f32>((2.0f / _S189));
-    var _S191 : f32 = f32(frames_0[_S175].height_0);
-    var _S192 : vec3<f32> = camera_up_0(_S175) * vec3<f32>((-2.0f / _S191));
-    var _S193 : vec3<f32> = camera_forward_0(_S175) + vec3<f32>((f32(_S178.x) + 0.5f - 0.5f * _S189)) * _S190 + vec3<f32>((f32(_S178.y) + 0.5f - 0.5f * _S191)) * _S192;
-    var _S194 : f32 = dot(_S193, _S188);
-    var _S195 : f32 = 1.0f / select(1.00000000317107685e-30f, _S194, (abs(_S194)) > 1.00000000317107685e-30f);
-    var _S196 : vec3<f32> = _S184 - camera_origin_0(_S175);
-    var _S197 : vec3<f32> = vec3<f32>((dot(_S196, _S188) * _S195));
-    var _S198 : vec3<f32> = _S193 * _S197 - _S196;
-    var _S199 : vec3<f32> = _S197 * (_S190 - _S193 * vec3<f32>((dot(_S190, _S188) * _S195)));
-    var _S200 : vec3<f32> = _S197 * (_S192 - _S193 * vec3<f32>((dot(_S192, _S188) * _S195)));
-    var _S201 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S188), 1.00000000317107685e-30f)));
-    var _S202 : vec3<f32> = cross(_S187, _S188) * _S201;
-    var _S203 : vec3<f32> = cross(_S188, _S185) * _S201;
-    var _S204 : vec2<f32> = vec2<f32>(_S181.u_0 - _S180.u_0, _S181.v_0 - _S180.v_0);
-    var _S205 : vec2<f32> = vec2<f32>(_S182.u_0 - _S180.u_0, _S182.v_0 - _S180.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S176, _S177, dot(_S198, _S202), dot(_S198, _S203));
-    point_2.position_0 = _S184 + _S198;
-    point_2.view_1 = (vec3<f32>(0) - normalize(_S193));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S199, _S202)) * _S204 + vec2<f32>(dot(_S199, _S203)) * _S205) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S200, _S202)) * _S204 + vec2<f32>(dot(_S200, _S203)) * _S205) * point_2.draft_per_uv_0;
+    var _S187 : vec3<f32> = _S185 - _S186;
+    var _S188 : vec3<f32> = position_of_3(&(_S184));
+    var _S189 : vec3<f32> = _S188 - _S186;
+    var _S190 : vec3<f32> = cross(_S187, _S189);
+    var _S191 : f32 = f32(frames_0[_S177].width_0);
+    var _S192 : vec3<f32> = camera_right_0(_S177) * vec3<f32>((2.0f / _S191));
+    var _S193 : f32 = f32(frames_0[_S177].height_0);
+    var _S194 : vec3<f32> = camera_up_0(_S177) * vec3<f32>((-2.0f / _S193));
+    var _S195 : vec3<f32> = camera_forward_0(_S177) + vec3<f32>((f32(_S180.x) + 0.5f - 0.5f * _S191)) * _S192 + vec3<f32>((f32(_S180.y) + 0.5f - 0.5f * _S193)) * _S194;
+    var _S196 : f32 = dot(_S195, _S190);
+    var _S197 : f32 = 1.0f / select(1.00000000317107685e-30f, _S196, (abs(_S196)) > 1.00000000317107685e-30f);
+    var _S198 : vec3<f32> = _S186 - camera_origin_0(_S177);
+    var _S199 : vec3<f32> = vec3<f32>((dot(_S198, _S190) * _S197));
+    var _S200 : vec3<f32> = _S195 * _S199 - _S198;
+    var _S201 : vec3<f32> = _S199 * (_S192 - _S195 * vec3<f32>((dot(_S192, _S190) * _S197)));
+    var _S202 : vec3<f32> = _S199 * (_S194 - _S195 * vec3<f32>((dot(_S194, _S190) * _S197)));
+    var _S203 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S190), 1.00000000317107685e-30f)));
+    var _S204 : vec3<f32> = cross(_S189, _S190) * _S203;
+    var _S205 : vec3<f32> = cross(_S190, _S187) * _S203;
+    var _S206 : vec2<f32> = vec2<f32>(_S183.u_0 - _S182.u_0, _S183.v_0 - _S182.v_0);
+    var _S207 : vec2<f32> = vec2<f32>(_S184.u_0 - _S182.u_0, _S184.v_0 - _S182.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S178, _S179, dot(_S200, _S204), dot(_S200, _S205));
+    point_2.position_0 = _S186 + _S200;
+    point_2.view_1 = (vec3<f32>(0) - normalize(_S195));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S201, _S204)) * _S206 + vec2<f32>(dot(_S201, _S205)) * _S207) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S202, _S204)) * _S206 + vec2<f32>(dot(_S202, _S205)) * _S207) * point_2.draft_per_uv_0;
     return point_2;
 }
 
-fn light_sample_count_0( _S206 : i32) -> u32
+fn light_sample_count_0( _S208 : i32) -> u32
 {
-    return frames_0[_S206].lights_0 + frames_0[_S206].environment_samples_0;
+    return frames_0[_S208].lights_0 + frames_0[_S208].environment_samples_0;
 }
 
 struct LightSample_0
@@ -1201,85 +1209,85 @@ struct LightSample_0
      distance_2 : f32,
 };
 
-fn environment_texel_0( _S207 : i32,  _S208 : u32,  _S209 : u32) -> vec3<f32>
+fn environment_texel_0( _S209 : i32,  _S210 : u32,  _S211 : u32) -> vec3<f32>
 {
-    var _S210 : u32 = frames_0[_S207].environment_table_0 + frames_0[_S207].environment_rows_0 + u32(1) + frames_0[_S207].environment_rows_0 * (frames_0[_S207].environment_columns_0 + u32(1)) + u32(3) * (_S208 * frames_0[_S207].environment_columns_0 + _S209);
-    return vec3<f32>(scene_number_0(_S210), scene_number_0(_S210 + u32(1)), scene_number_0(_S210 + u32(2)));
+    var _S212 : u32 = frames_0[_S209].environment_table_0 + frames_0[_S209].environment_rows_0 + u32(1) + frames_0[_S209].environment_rows_0 * (frames_0[_S209].environment_columns_0 + u32(1)) + u32(3) * (_S210 * frames_0[_S209].environment_columns_0 + _S211);
+    return vec3<f32>(scene_number_0(_S212), scene_number_0(_S212 + u32(1)), scene_number_0(_S212 + u32(2)));
 }
 
-fn sample_environment_0( _S211 : i32,  _S212 : vec2<f32>,  _S213 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S213 : i32,  _S214 : vec2<f32>,  _S215 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S214 : u32 = frames_0[_S211].environment_rows_0;
-    var _S215 : Choice_0 = choose_0(frames_0[_S211].environment_table_0, frames_0[_S211].environment_rows_0, _S212.y);
-    var _S216 : u32 = frames_0[_S211].environment_columns_0;
-    var _S217 : Choice_0 = choose_0(frames_0[_S211].environment_table_0 + frames_0[_S211].environment_rows_0 + u32(1) + _S215.index_2 * (frames_0[_S211].environment_columns_0 + u32(1)), frames_0[_S211].environment_columns_0, _S212.x);
-    var _S218 : vec3<f32> = environment_texel_0(_S211, _S215.index_2, _S217.index_2);
-    (*_S213) = _S218 * vec3<f32>((frames_0[_S211].environment_total_0 / max(mean_0(_S218), 9.99999968265522539e-21f)));
-    var _S219 : f32 = 3.14159274101257324f / f32(_S214);
-    var _S220 : f32 = mix(sine_cosine_0(f32(_S215.index_2) * _S219).y, sine_cosine_0(f32(_S215.index_2 + u32(1)) * _S219).y, _S215.remainder_0);
-    var _S221 : f32 = sqrt(max(1.0f - _S220 * _S220, 0.0f));
-    var _S222 : vec2<f32> = sine_cosine_0((f32(_S217.index_2) + _S217.remainder_0) * (6.28318548202514648f / f32(_S216)));
-    var _S223 : f32 = _S221 * _S222.x;
-    var _S224 : f32 = - _S221 * _S222.y;
-    return vec3<f32>(frames_0[_S211].environment_cosine_0 * _S223 + frames_0[_S211].environment_sine_0 * _S224, _S220, frames_0[_S211].environment_cosine_0 * _S224 - frames_0[_S211].environment_sine_0 * _S223);
+    var _S216 : u32 = frames_0[_S213].environment_rows_0;
+    var _S217 : Choice_0 = choose_0(frames_0[_S213].environment_table_0, frames_0[_S213].environment_rows_0, _S214.y);
+    var _S218 : u32 = frames_0[_S213].environment_columns_0;
+    var _S219 : Choice_0 = choose_0(frames_0[_S213].environment_table_0 + frames_0[_S213].environment_rows_0 + u32(1) + _S217.index_2 * (frames_0[_S213].environment_columns_0 + u32(1)), frames_0[_S213].environment_columns_0, _S214.x);
+    var _S220 : vec3<f32> = environment_texel_0(_S213, _S217.index_2, _S219.index_2);
+    (*_S215) = _S220 * vec3<f32>((frames_0[_S213].environment_total_0 / max(mean_0(_S220), 9.99999968265522539e-21f)));
+    var _S221 : f32 = 3.14159274101257324f / f32(_S216);
+    var _S222 : f32 = mix(sine_cosine_0(f32(_S217.index_2) * _S221).y, sine_cosine_0(f32(_S217.index_2 + u32(1)) * _S221).y, _S217.remainder_0);
+    var _S223 : f32 = sqrt(max(1.0f - _S222 * _S222, 0.0f));
+    var _S224 : vec2<f32> = sine_cosine_0((f32(_S219.index_2) + _S219.remainder_0) * (6.28318548202514648f / f32(_S218)));
+    var _S225 : f32 = _S223 * _S224.x;
+    var _S226 : f32 = - _S223 * _S224.y;
+    return vec3<f32>(frames_0[_S213].environment_cosine_0 * _S225 + frames_0[_S213].environment_sine_0 * _S226, _S222, frames_0[_S213].environment_cosine_0 * _S226 - frames_0[_S213].environment_sine_0 * _S225);
 }
 
-fn light_sample_0( _S225 : i32,  _S226 : u32,  _S227 : vec2<u32>,  _S228 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S227 : i32,  _S228 : u32,  _S229 : vec2<u32>,  _S230 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_2 = 1.00000001504746622e+30f;
-    var _S229 : u32 = frames_0[_S225].lights_0;
-    if(_S226 >= (frames_0[_S225].lights_0))
+    var _S231 : u32 = frames_0[_S227].lights_0;
+    if(_S228 >= (frames_0[_S227].lights_0))
     {
         var weight_0 : vec3<f32>;
-        var _S230 : vec3<f32> = sample_environment_0(_S225, pixel_sequence_0(_S227, frames_0[_S225].pass_number_0 * frames_0[_S225].environment_samples_0 + (_S226 - _S229), u32(3)), &(weight_0));
-        sample_0.towards_0 = _S230;
-        sample_0.irradiance_1 = weight_0 / vec3<f32>(f32(frames_0[_S225].environment_samples_0));
+        var _S232 : vec3<f32> = sample_environment_0(_S227, pixel_sequence_0(_S229, frames_0[_S227].pass_number_0 * frames_0[_S227].environment_samples_0 + (_S228 - _S231), u32(3)), &(weight_0));
+        sample_0.towards_0 = _S232;
+        sample_0.irradiance_1 = weight_0 / vec3<f32>(f32(frames_0[_S227].environment_samples_0));
         return sample_0;
     }
-    var _S231 : Light_std430_0 = lights_1[_S226];
-    sample_0.irradiance_1 = vec3<f32>(_S231.red_0, _S231.green_0, _S231.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S231.x_1, _S231.y_1, _S231.z_1);
-    if((_S231.is_point_0) != u32(0))
+    var _S233 : Light_std430_0 = lights_1[_S228];
+    sample_0.irradiance_1 = vec3<f32>(_S233.red_0, _S233.green_0, _S233.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S233.x_1, _S233.y_1, _S233.z_1);
+    if((_S233.is_point_0) != u32(0))
     {
-        var _S232 : vec3<f32> = sample_0.towards_0 - _S228;
-        var _S233 : f32 = max(square_0(_S232), 9.999999960041972e-13f);
-        sample_0.distance_2 = sqrt(_S233);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S233);
-        sample_0.towards_0 = normalize(_S232);
+        var _S234 : vec3<f32> = sample_0.towards_0 - _S230;
+        var _S235 : f32 = max(square_0(_S234), 9.999999960041972e-13f);
+        sample_0.distance_2 = sqrt(_S235);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S235);
+        sample_0.towards_0 = normalize(_S234);
     }
     return sample_0;
 }
 
-fn seen_position_0( _S234 : i32,  _S235 : u32,  _S236 : vec2<u32>) -> vec3<f32>
+fn seen_position_0( _S236 : i32,  _S237 : u32,  _S238 : vec2<u32>) -> vec3<f32>
 {
-    var _S237 : u32 = u32(3) * _S235;
-    var _S238 : Vertex_std430_0 = vertices_0[corners_0[_S237]];
-    var _S239 : vec3<f32> = position_of_2(&(_S238));
-    var _S240 : Vertex_std430_0 = vertices_0[corners_0[_S237 + u32(1)]];
+    var _S239 : u32 = u32(3) * _S237;
+    var _S240 : Vertex_std430_0 = vertices_0[corners_0[_S239]];
     var _S241 : vec3<f32> = position_of_2(&(_S240));
-    var _S242 : vec3<f32> = _S241 - _S239;
-    var _S243 : Vertex_std430_0 = vertices_0[corners_0[_S237 + u32(2)]];
-    var _S244 : vec3<f32> = position_of_2(&(_S243));
-    var _S245 : vec3<f32> = _S244 - _S239;
-    var _S246 : vec3<f32> = cross(_S242, _S245);
-    var _S247 : f32 = 1.0f / max(square_0(_S246), 1.00000000317107685e-30f);
-    var _S248 : f32 = f32(frames_0[_S234].width_0);
-    var _S249 : f32 = f32(frames_0[_S234].height_0);
-    var _S250 : vec3<f32> = camera_forward_0(_S234) + camera_right_0(_S234) * vec3<f32>((2.0f * (f32(_S236.x) + 0.5f + frames_0[_S234].jitter_x_0 - 0.5f * _S248) / _S248)) - camera_up_0(_S234) * vec3<f32>((2.0f * (f32(_S236.y) + 0.5f + frames_0[_S234].jitter_y_0 - 0.5f * _S249) / _S249));
-    var _S251 : f32 = dot(_S250, _S246);
-    var _S252 : vec3<f32> = _S239 - camera_origin_0(_S234);
-    var _S253 : vec3<f32> = _S250 * vec3<f32>((dot(_S252, _S246) / select(1.00000000317107685e-30f, _S251, (abs(_S251)) > 1.00000000317107685e-30f))) - _S252;
-    var _S254 : f32 = clamp(dot(_S253, cross(_S245, _S246)) * _S247, 0.0f, 1.0f);
-    return _S239 + vec3<f32>(_S254) * _S242 + vec3<f32>(clamp(dot(_S253, cross(_S246, _S242)) * _S247, 0.0f, 1.0f - _S254)) * _S245;
+    var _S242 : Vertex_std430_0 = vertices_0[corners_0[_S239 + u32(1)]];
+    var _S243 : vec3<f32> = position_of_2(&(_S242));
+    var _S244 : vec3<f32> = _S243 - _S241;
+    var _S245 : Vertex_std430_0 = vertices_0[corners_0[_S239 + u32(2)]];
+    var _S246 : vec3<f32> = position_of_2(&(_S245));
+    var _S247 : vec3<f32> = _S246 - _S241;
+    var _S248 : vec3<f32> = cross(_S244, _S247);
+    var _S249 : f32 = 1.0f / max(square_0(_S248), 1.00000000317107685e-30f);
+    var _S250 : f32 = f32(frames_0[_S236].width_0);
+    var _S251 : f32 = f32(frames_0[_S236].height_0);
+    var _S252 : vec3<f32> = camera_forward_0(_S236) + camera_right_0(_S236) * vec3<f32>((2.0f * (f32(_S238.x) + 0.5f + frames_0[_S236].jitter_x_0 - 0.5f * _S250) / _S250)) - camera_up_0(_S236) * vec3<f32>((2.0f * (f32(_S238.y) + 0.5f + frames_0[_S236].jitter_y_0 - 0.5f * _S251) / _S251));
+    var _S253 : f32 = dot(_S252, _S248);
+    var _S254 : vec3<f32> = _S241 - camera_origin_0(_S236);
+    var _S255 : vec3<f32> = _S252 * vec3<f32>((dot(_S254, _S248) / select(1.00000000317107685e-30f, _S253, (abs(_S253)) > 1.00000000317107685e-30f))) - _S254;
+    var _S256 : f32 = clamp(dot(_S255, cross(_S247, _S248)) * _S249, 0.0f, 1.0f);
+    return _S241 + vec3<f32>(_S256) * _S244 + vec3<f32>(clamp(dot(_S255, cross(_S248, _S244)) * _S249, 0.0f, 1.0f - _S256)) * _S247;
 }
 
-fn nearest_hit_0( _S255 : i32,  _S256 : vec3<f32>,  _S257 : vec3<f32>,  _S258 : f32,  _S259 : f32,  _S260 : u32,  _S261 : bool) -> Hit_0
+fn nearest_hit_0( _S257 : i32,  _S258 : vec3<f32>,  _S259 : vec3<f32>,  _S260 : f32,  _S261 : f32,  _S262 : u32,  _S263 : bool) -> Hit_0
 {
-    var _S262 : vec3<f32> = vec3<f32>(inverse_of_0(_S257.x), inverse_of_0(_S257.y), inverse_of_0(_S257.z));
+    var _S264 : vec3<f32> = vec3<f32>(inverse_of_0(_S259.x), inverse_of_0(_S259.y), inverse_of_0(_S259.z));
     var found_0 : Hit_0;
     found_0.face_1 = u32(4294967295);
-    found_0.distance_0 = _S259;
+    found_0.distance_0 = _S261;
     found_0.weight_b_0 = 0.0f;
     found_0.weight_c_0 = 0.0f;
     var node_2 : u32 = u32(1);
@@ -1293,23 +1301,23 @@ fn nearest_hit_0( _S255 : i32,  _S256 : vec3<f32>,  _S257 : vec3<f32>,  _S258 : 
             break;
         }
         var node_3 : u32;
-        if(!meets_node_0(node_2, _S256, _S262, _S258, found_0.distance_0))
+        if(!meets_node_0(node_2, _S258, _S264, _S260, found_0.distance_0))
         {
             node_3 = following_node_0(node_2);
         }
         else
         {
-            var _S263 : u32 = frames_0[_S255].leaves_0;
-            if(node_2 < (frames_0[_S255].leaves_0))
+            var _S265 : u32 = frames_0[_S257].leaves_0;
+            if(node_2 < (frames_0[_S257].leaves_0))
             {
                 node_3 = node_2 * u32(2);
             }
             else
             {
-                var _S264 : u32 = frames_0[_S255].leaf_faces_0 + u32(4) * (node_2 - _S263);
-                var _S265 : u32 = following_node_0(node_2);
+                var _S266 : u32 = frames_0[_S257].leaf_faces_0 + u32(4) * (node_2 - _S265);
+                var _S267 : u32 = following_node_0(node_2);
                 var number_1 : u32 = u32(0);
-                node_3 = _S265;
+                node_3 = _S267;
                 for(;;)
                 {
                     if(number_1 < u32(4))
@@ -1319,30 +1327,30 @@ fn nearest_hit_0( _S255 : i32,  _S256 : vec3<f32>,  _S257 : vec3<f32>,  _S258 : 
                     {
                         break;
                     }
-                    var _S266 : u32 = scene_words_0[_S264 + number_1];
-                    if(((_S266 == u32(4294967295)) | ((_S266 == _S260))))
+                    var _S268 : u32 = scene_words_0[_S266 + number_1];
+                    if(((_S268 == u32(4294967295)) | ((_S268 == _S262))))
                     {
                         number_1 = number_1 + u32(1);
                         continue;
                     }
-                    var _S267 : Hit_0 = meet_face_0(_S266, _S256, _S257);
-                    if((((((_S267.face_1) == u32(4294967295)) | (((_S267.distance_0) <= _S258)))) | (((_S267.distance_0) >= (found_0.distance_0)))))
+                    var _S269 : Hit_0 = meet_face_0(_S268, _S258, _S259);
+                    if((((((_S269.face_1) == u32(4294967295)) | (((_S269.distance_0) <= _S260)))) | (((_S269.distance_0) >= (found_0.distance_0)))))
                     {
                         number_1 = number_1 + u32(1);
                         continue;
                     }
-                    found_0 = _S267;
-                    var _S268 : bool;
-                    if(_S261)
+                    found_0 = _S269;
+                    var _S270 : bool;
+                    if(_S263)
                     {
-                        _S268 = (fabrics_0[face_fabrics_0[_S266]].is_open_0) == u32(0);
+                        _S270 = (fabrics_0[face_fabrics_0[_S268]].is_open_0) == u32(0);
                     }
                     else
                     {
-                        _S268 = false;
+                        _S270 = false;
                     }
                     var node_4 : u32;
-                    if(_S268)
+                    if(_S270)
                     {
                         node_4 = u32(0);
                     }
@@ -1367,16 +1375,16 @@ struct Regime_0
      points_0 : f32,
 };
 
-fn regime_of_0( _S269 : u32,  _S270 : Footprint_0,  _S271 : f32) -> Regime_0
+fn regime_of_0( _S271 : u32,  _S272 : Footprint_0,  _S273 : f32) -> Regime_0
 {
-    var _S272 : f32 = Footprint_spread_side_0(_S270);
-    var _S273 : f32 = clamp((binary_logarithm_0(max(_S272, 9.99999971718068537e-10f)) - fabrics_0[_S269].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
+    var _S274 : f32 = Footprint_spread_side_0(_S272);
+    var _S275 : f32 = clamp((binary_logarithm_0(max(_S274, 9.99999971718068537e-10f)) - fabrics_0[_S271].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
     var regime_0 : Regime_0;
-    var _S274 : f32 = _S273 * _S273 * (3.0f - 2.0f * _S273);
-    regime_0.prefiltered_0 = _S274;
-    var _S275 : f32 = _S272 * fabrics_0[_S269].lobes_0.threads_per_mm_0;
-    regime_0.threads_0 = _S275;
-    regime_0.points_0 = select(0.0f, clamp(_S275 * 12.0f, 1.0f, mix(max(8.0f / _S271, 1.0f), 1.0f, _S274)), _S274 < 1.0f);
+    var _S276 : f32 = _S275 * _S275 * (3.0f - 2.0f * _S275);
+    regime_0.prefiltered_0 = _S276;
+    var _S277 : f32 = _S274 * fabrics_0[_S271].lobes_0.threads_per_mm_0;
+    regime_0.threads_0 = _S277;
+    regime_0.points_0 = select(0.0f, clamp(_S277 * 12.0f, 1.0f, mix(max(8.0f / _S273, 1.0f), 1.0f, _S276)), _S276 < 1.0f);
     return regime_0;
 }
 
@@ -1401,130 +1409,130 @@ struct Sample_0
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S276 : u32,  _S277 : f32,  _S278 : f32,  _S279 : bool) -> Crossing_0
+fn crossing_at_0( _S278 : u32,  _S279 : f32,  _S280 : f32,  _S281 : bool) -> Crossing_0
 {
     var crossing_2 : Crossing_0;
-    crossing_2.warp_1 = locate_0(fabrics_0[_S276].warp_0, _S277);
-    crossing_2.weft_1 = locate_0(fabrics_0[_S276].weft_0, _S278);
-    var _S280 : u32 = fabrics_0[_S276].run_words_0 + u32(2) * (crossing_2.weft_1.thread_2 * fabrics_0[_S276].ends_1 + crossing_2.warp_1.thread_2);
-    var _S281 : u32 = words_0[_S280];
-    crossing_2.warp_word_0 = _S281;
-    crossing_2.weft_word_0 = words_0[_S280 + u32(1)];
-    crossing_2.warp_above_0 = (((_S281 & (u32(1)))) == u32(1)) != _S279;
+    crossing_2.warp_1 = locate_0(fabrics_0[_S278].warp_0, _S279);
+    crossing_2.weft_1 = locate_0(fabrics_0[_S278].weft_0, _S280);
+    var _S282 : u32 = fabrics_0[_S278].run_words_0 + u32(2) * (crossing_2.weft_1.thread_2 * fabrics_0[_S278].ends_1 + crossing_2.warp_1.thread_2);
+    var _S283 : u32 = words_0[_S282];
+    crossing_2.warp_word_0 = _S283;
+    crossing_2.weft_word_0 = words_0[_S282 + u32(1)];
+    crossing_2.warp_above_0 = (((_S283 & (u32(1)))) == u32(1)) != _S281;
     return crossing_2;
 }
 
-fn sample_at_0( _S282 : u32,  _S283 : f32,  _S284 : f32,  _S285 : bool) -> Sample_0
+fn sample_at_0( _S284 : u32,  _S285 : f32,  _S286 : f32,  _S287 : bool) -> Sample_0
 {
     var sample_1 : Sample_0;
-    var _S286 : Crossing_0 = crossing_at_0(_S282, _S283, _S284, _S285);
-    sample_1.crossing_1 = _S286;
-    var _S287 : Shown_0 = shown_at_0(_S286, _S285);
-    sample_1.shown_3 = _S287;
-    var _S288 : u32 = select(fabrics_0[_S282].weft_0, fabrics_0[_S282].warp_0, _S287.is_warp_0);
-    var _S289 : u32 = select(fabrics_0[_S282].warp_0, fabrics_0[_S282].weft_0, _S287.is_warp_0);
-    var _S290 : Cell_0 = select_cell_0(_S287.is_warp_0, sample_1.crossing_1.warp_1, sample_1.crossing_1.weft_1);
-    var _S291 : Cell_0 = select_cell_0(_S287.is_warp_0, sample_1.crossing_1.weft_1, sample_1.crossing_1.warp_1);
-    var _S292 : Run_0 = unpack_0(_S288, _S289, _S290.thread_2, _S291, _S287.word_0);
-    var _S293 : Section_0 = section_at_0(_S290);
-    var _S294 : bool = ((_S287.on_top_0) & (((_S292.distance_1) < (_S293.drop_0 * _S292.bend_1.sine_0))));
-    var _S295 : f32 = select(-1.0f, 1.0f, ((_S287.on_top_0) & ((!_S294))));
-    var _S296 : f32 = select(_S292.reach_0, _S292.other_reach_0, _S294);
-    var _S297 : f32 = select(max(_S296 - _S292.distance_1, 0.0f), _S296 + _S292.distance_1, _S294);
-    var _S298 : f32 = _S296 / _S292.bend_1.sine_0 - _S295 * _S293.drop_0;
-    var _S299 : f32 = _S297 * _S297;
-    var _S300 : f32 = max(_S298 * _S298 - _S299, 9.99999968265522539e-21f);
-    var _S301 : f32 = rsqrt_0(_S300);
-    var _S302 : f32 = _S299 / (_S300 * _S301 + _S298);
-    var _S303 : bool = _S297 > 0.0f;
-    var _S304 : f32 = select(-1.0f, 1.0f, _S287.on_top_0) * select(-1.0f, 1.0f, _S292.near_start_0);
-    var _S305 : f32 = _S293.slope_0 * select(1.0f, _S298 * _S301, _S303);
-    sample_1.slope_across_0 = _S305;
-    var _S306 : f32 = select(0.0f, _S304 * _S297 * _S301, _S303);
-    sample_1.slope_along_0 = _S306;
-    var _S307 : vec2<f32> = dive_0(_S289, _S287, _S292, _S291);
-    sample_1.height_5 = select(families_0[_S288].height_scale_0 * _S295, 0.0f, _S292.straight_0) * (_S296 * _S292.bend_1.half_tangent_0 - _S302) - families_0[_S288].height_scale_0 * _S293.drop_0 - _S307.x;
-    var _S308 : f32 = families_0[_S288].height_scale_0 * _S305;
-    var _S309 : f32 = families_0[_S288].height_scale_0 * _S306 - _S307.y;
-    sample_1.slope_x_1 = select(_S309, _S308, _S287.is_warp_0);
-    sample_1.slope_y_1 = select(_S308, _S309, _S287.is_warp_0);
-    sample_1.run_3 = _S292;
-    sample_1.section_1 = _S293;
+    var _S288 : Crossing_0 = crossing_at_0(_S284, _S285, _S286, _S287);
+    sample_1.crossing_1 = _S288;
+    var _S289 : Shown_0 = shown_at_0(_S288, _S287);
+    sample_1.shown_3 = _S289;
+    var _S290 : u32 = select(fabrics_0[_S284].weft_0, fabrics_0[_S284].warp_0, _S289.is_warp_0);
+    var _S291 : u32 = select(fabrics_0[_S284].warp_0, fabrics_0[_S284].weft_0, _S289.is_warp_0);
+    var _S292 : Cell_0 = select_cell_0(_S289.is_warp_0, sample_1.crossing_1.warp_1, sample_1.crossing_1.weft_1);
+    var _S293 : Cell_0 = select_cell_0(_S289.is_warp_0, sample_1.crossing_1.weft_1, sample_1.crossing_1.warp_1);
+    var _S294 : Run_0 = unpack_0(_S290, _S291, _S292.thread_2, _S293, _S289.word_0);
+    var _S295 : Section_0 = section_at_0(_S292);
+    var _S296 : bool = ((_S289.on_top_0) & (((_S294.distance_1) < (_S295.drop_0 * _S294.bend_1.sine_0))));
+    var _S297 : f32 = select(-1.0f, 1.0f, ((_S289.on_top_0) & ((!_S296))));
+    var _S298 : f32 = select(_S294.reach_0, _S294.other_reach_0, _S296);
+    var _S299 : f32 = select(max(_S298 - _S294.distance_1, 0.0f), _S298 + _S294.distance_1, _S296);
+    var _S300 : f32 = _S298 / _S294.bend_1.sine_0 - _S297 * _S295.drop_0;
+    var _S301 : f32 = _S299 * _S299;
+    var _S302 : f32 = max(_S300 * _S300 - _S301, 9.99999968265522539e-21f);
+    var _S303 : f32 = rsqrt_0(_S302);
+    var _S304 : f32 = _S301 / (_S302 * _S303 + _S300);
+    var _S305 : bool = _S299 > 0.0f;
+    var _S306 : f32 = select(-1.0f, 1.0f, _S289.on_top_0) * select(-1.0f, 1.0f, _S294.near_start_0);
+    var _S307 : f32 = _S295.slope_0 * select(1.0f, _S300 * _S303, _S305);
+    sample_1.slope_across_0 = _S307;
+    var _S308 : f32 = select(0.0f, _S306 * _S299 * _S303, _S305);
+    sample_1.slope_along_0 = _S308;
+    var _S309 : vec2<f32> = dive_0(_S291, _S289, _S294, _S293);
+    sample_1.height_5 = select(families_0[_S290].height_scale_0 * _S297, 0.0f, _S294.straight_0) * (_S298 * _S294.bend_1.half_tangent_0 - _S304) - families_0[_S290].height_scale_0 * _S295.drop_0 - _S309.x;
+    var _S310 : f32 = families_0[_S290].height_scale_0 * _S307;
+    var _S311 : f32 = families_0[_S290].height_scale_0 * _S308 - _S309.y;
+    sample_1.slope_x_1 = select(_S311, _S310, _S289.is_warp_0);
+    sample_1.slope_y_1 = select(_S310, _S311, _S289.is_warp_0);
+    sample_1.run_3 = _S294;
+    sample_1.section_1 = _S295;
     return sample_1;
 }
 
-fn steps_per_length_0( _S310 : u32,  _S311 : SearchQuality_0,  _S312 : vec3<f32>) -> f32
+fn steps_per_length_0( _S312 : u32,  _S313 : SearchQuality_0,  _S314 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S312.x) * fabrics_0[_S310].threads_per_x_0, abs(_S312.y) * fabrics_0[_S310].threads_per_y_0) * _S311.steps_per_thread_0, abs(_S312.z) * fabrics_0[_S310].per_relief_0 * _S311.steps_per_relief_0);
+    return max(max(abs(_S314.x) * fabrics_0[_S312].threads_per_x_0, abs(_S314.y) * fabrics_0[_S312].threads_per_y_0) * _S313.steps_per_thread_0, abs(_S314.z) * fabrics_0[_S312].per_relief_0 * _S313.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S313 : u32,  _S314 : Crossing_0) -> f32
+fn cell_maximum_0( _S315 : u32,  _S316 : Crossing_0) -> f32
 {
-    var _S315 : u32 = select(fabrics_0[_S313].weft_0, fabrics_0[_S313].warp_0, _S314.warp_above_0);
-    return f32((select(_S314.weft_word_0, _S314.warp_word_0, _S314.warp_above_0) >> (u32(28)))) * families_0[_S315].height_scale_0 * families_0[_S315].level_0;
+    var _S317 : u32 = select(fabrics_0[_S315].weft_0, fabrics_0[_S315].warp_0, _S316.warp_above_0);
+    return f32((select(_S316.weft_word_0, _S316.warp_word_0, _S316.warp_above_0) >> (u32(28)))) * families_0[_S317].height_scale_0 * families_0[_S317].level_0;
 }
 
-fn probe_0( _S316 : u32,  _S317 : f32,  _S318 : f32,  _S319 : bool,  _S320 : bool,  _S321 : bool) -> Probe_0
+fn probe_0( _S318 : u32,  _S319 : f32,  _S320 : f32,  _S321 : bool,  _S322 : bool,  _S323 : bool) -> Probe_0
 {
-    var _S322 : Sample_0 = sample_at_0(_S316, _S317, _S318, _S319);
+    var _S324 : Sample_0 = sample_at_0(_S318, _S319, _S320, _S321);
     var probe_1 : Probe_0;
-    probe_1.height_2 = _S322.height_5;
-    probe_1.hole_1 = _S322.shown_3.hole_0;
-    probe_1.slope_x_0 = _S322.slope_x_1;
-    probe_1.slope_y_0 = _S322.slope_y_1;
-    probe_1.yarn_1 = select(_S322.crossing_1.weft_1.thread_2 * u32(2), _S322.crossing_1.warp_1.thread_2 * u32(2) + u32(1), _S322.shown_3.is_warp_0);
-    probe_1.cell_max_0 = cell_maximum_0(_S316, _S322.crossing_1);
-    probe_1.side_x_0 = select(_S322.crossing_1.warp_1.below_0, _S322.crossing_1.warp_1.above_0, _S320);
-    probe_1.side_y_0 = select(_S322.crossing_1.weft_1.below_0, _S322.crossing_1.weft_1.above_0, _S321);
-    probe_1.edge_x_0 = outline_distance_0(_S322.crossing_1.warp_1, _S322.shown_3, _S322.run_3, !_S322.shown_3.is_warp_0, _S320);
-    probe_1.edge_y_0 = outline_distance_0(_S322.crossing_1.weft_1, _S322.shown_3, _S322.run_3, _S322.shown_3.is_warp_0, _S321);
+    probe_1.height_2 = _S324.height_5;
+    probe_1.hole_1 = _S324.shown_3.hole_0;
+    probe_1.slope_x_0 = _S324.slope_x_1;
+    probe_1.slope_y_0 = _S324.slope_y_1;
+    probe_1.yarn_1 = select(_S324.crossing_1.weft_1.thread_2 * u32(2), _S324.crossing_1.warp_1.thread_2 * u32(2) + u32(1), _S324.shown_3.is_warp_0);
+    probe_1.cell_max_0 = cell_maximum_0(_S318, _S324.crossing_1);
+    probe_1.side_x_0 = select(_S324.crossing_1.warp_1.below_0, _S324.crossing_1.warp_1.above_0, _S322);
+    probe_1.side_y_0 = select(_S324.crossing_1.weft_1.below_0, _S324.crossing_1.weft_1.above_0, _S323);
+    probe_1.edge_x_0 = outline_distance_0(_S324.crossing_1.warp_1, _S324.shown_3, _S324.run_3, !_S324.shown_3.is_warp_0, _S322);
+    probe_1.edge_y_0 = outline_distance_0(_S324.crossing_1.weft_1, _S324.shown_3, _S324.run_3, _S324.shown_3.is_warp_0, _S323);
     return probe_1;
 }
 
-fn is_free_0( _S323 : u32,  _S324 : SearchQuality_0,  _S325 : vec3<f32>,  _S326 : vec3<f32>,  _S327 : bool,  _S328 : f32) -> bool
+fn is_free_0( _S325 : u32,  _S326 : SearchQuality_0,  _S327 : vec3<f32>,  _S328 : vec3<f32>,  _S329 : bool,  _S330 : f32) -> bool
 {
-    var _S329 : f32 = _S326.z;
-    if(_S329 <= 0.0f)
+    var _S331 : f32 = _S328.z;
+    if(_S331 <= 0.0f)
     {
         return false;
     }
-    var _S330 : f32 = 1.0f / max(_S324.shadow_share_0 * steps_per_length_0(_S323, _S324, _S326), 9.99999971718068537e-10f);
-    var _S331 : StepControl_0 = step_control_0(_S326.xy, _S330);
+    var _S332 : f32 = 1.0f / max(_S326.shadow_share_0 * steps_per_length_0(_S325, _S326, _S328), 9.99999971718068537e-10f);
+    var _S333 : StepControl_0 = step_control_0(_S328.xy, _S332);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_3 : u32 = u32(0);
     var distance_3 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        if(((count_3 < u32(1024)) & (((_S325.z + _S329 * distance_3) < _S328))))
+        if(((count_3 < u32(1024)) & (((_S327.z + _S331 * distance_3) < _S330))))
         {
         }
         else
         {
             break;
         }
-        var _S332 : vec3<f32> = _S325 + _S326 * vec3<f32>(distance_3);
-        var _S333 : Probe_0 = probe_0(_S323, _S332.x, _S332.y, _S327, _S331.right_0, _S331.up_0);
-        var _S334 : f32 = _S332.z;
-        var _S335 : f32 = _S334 - _S333.height_2;
-        var _S336 : f32 = _S329 - _S333.slope_x_0 * _S326.x - _S333.slope_y_0 * _S326.y;
-        if(((!_S333.hole_1) & ((_S335 < 0.0f))))
+        var _S334 : vec3<f32> = _S327 + _S328 * vec3<f32>(distance_3);
+        var _S335 : Probe_0 = probe_0(_S325, _S334.x, _S334.y, _S329, _S333.right_0, _S333.up_0);
+        var _S336 : f32 = _S334.z;
+        var _S337 : f32 = _S336 - _S335.height_2;
+        var _S338 : f32 = _S331 - _S335.slope_x_0 * _S328.x - _S335.slope_y_0 * _S328.y;
+        if(((!_S335.hole_1) & ((_S337 < 0.0f))))
         {
             return false;
         }
-        var _S337 : f32 = way_back_to_dip_0(previous_3, _S335, _S336, last_step_0, _S333);
-        if(_S337 >= 0.0f)
+        var _S339 : f32 = way_back_to_dip_0(previous_3, _S337, _S338, last_step_0, _S335);
+        if(_S339 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S337;
-            distance_3 = distance_3 - _S337;
+            var last_step_1 : f32 = last_step_0 - _S339;
+            distance_3 = distance_3 - _S339;
             last_step_0 = last_step_1;
             count_3 = count_3 + u32(1);
             continue;
         }
-        var _S338 : bool = _S334 > (_S333.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S331, _S333, _S335, _S336), max(StepControl_to_cell_exit_0(_S331, _S333.side_x_0, _S333.side_y_0), _S330), _S338);
+        var _S340 : bool = _S336 > (_S335.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S333, _S335, _S337, _S338), max(StepControl_to_cell_exit_0(_S333, _S335.side_x_0, _S335.side_y_0), _S332), _S340);
         var distance_4 : f32 = distance_3 + last_step_2;
-        previous_3 = after_sample_0(_S335, _S336, _S333, _S338);
+        previous_3 = after_sample_0(_S337, _S338, _S335, _S340);
         distance_3 = distance_4;
         last_step_0 = last_step_2;
         count_3 = count_3 + u32(1);
@@ -1532,13 +1540,13 @@ fn is_free_0( _S323 : u32,  _S324 : SearchQuality_0,  _S325 : vec3<f32>,  _S326 
     return true;
 }
 
-fn passes_through_0( _S339 : u32,  _S340 : SearchQuality_0,  _S341 : f32,  _S342 : f32,  _S343 : vec3<f32>,  _S344 : bool) -> bool
+fn passes_through_0( _S341 : u32,  _S342 : SearchQuality_0,  _S343 : f32,  _S344 : f32,  _S345 : vec3<f32>,  _S346 : bool) -> bool
 {
-    if(!sample_at_0(_S339, _S341, _S342, _S344).shown_3.hole_0)
+    if(!sample_at_0(_S341, _S343, _S344, _S346).shown_3.hole_0)
     {
         return false;
     }
-    var _S345 : vec3<f32> = vec3<f32>(_S341, _S342, 0.0f);
+    var _S347 : vec3<f32> = vec3<f32>(_S343, _S344, 0.0f);
     var passes_0 : bool = true;
     var side_0 : u32 = u32(0);
     for(;;)
@@ -1550,10 +1558,10 @@ fn passes_through_0( _S339 : u32,  _S340 : SearchQuality_0,  _S341 : f32,  _S342
         {
             break;
         }
-        var _S346 : bool = is_free_0(_S339, _S340, _S345, select_vector_0(side_0 == u32(0), _S343, vec3<f32>(- _S343.x, - _S343.y, _S343.z)), _S344 != (side_0 == u32(1)), fabrics_0[_S339].height_high_0);
-        var _S347 : u32 = side_0 + u32(1);
-        passes_0 = _S346;
-        side_0 = _S347;
+        var _S348 : bool = is_free_0(_S341, _S342, _S347, select_vector_0(side_0 == u32(0), _S345, vec3<f32>(- _S345.x, - _S345.y, _S345.z)), _S346 != (side_0 == u32(1)), fabrics_0[_S341].height_high_0);
+        var _S349 : u32 = side_0 + u32(1);
+        passes_0 = _S348;
+        side_0 = _S349;
     }
     return passes_0;
 }
@@ -1568,14 +1576,14 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S348 : u32,  _S349 : f32,  _S350 : f32,  _S351 : f32,  _S352 : vec3<f32>,  _S353 : bool) -> f32
+fn max_height_along_0( _S350 : u32,  _S351 : f32,  _S352 : f32,  _S353 : f32,  _S354 : vec3<f32>,  _S355 : bool) -> f32
 {
-    var _S354 : f32 = _S352.x;
-    var _S355 : f32 = _S352.y;
-    var _S356 : u32 = (words_0[fabrics_0[_S348].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S348].weft_0, _S350).thread_2 / u32(2) * fabrics_0[_S348].max_height_columns_0 + locate_0(fabrics_0[_S348].warp_0, _S349).thread_2 / u32(2)) + (select(u32(0), u32(1), _S354 > 0.0f) + select(u32(0), u32(2), _S355 > 0.0f))] >> (u32(select(i32(0), i32(4), _S353))));
-    var _S357 : f32 = max(abs(_S354) * fabrics_0[_S348].threads_per_x_0, abs(_S355) * fabrics_0[_S348].threads_per_y_0) / _S352.z;
-    var _S358 : f32 = fabrics_0[_S348].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S348].height_high_0;
+    var _S356 : f32 = _S354.x;
+    var _S357 : f32 = _S354.y;
+    var _S358 : u32 = (words_0[fabrics_0[_S350].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S350].weft_0, _S352).thread_2 / u32(2) * fabrics_0[_S350].max_height_columns_0 + locate_0(fabrics_0[_S350].warp_0, _S351).thread_2 / u32(2)) + (select(u32(0), u32(1), _S356 > 0.0f) + select(u32(0), u32(2), _S357 > 0.0f))] >> (u32(select(i32(0), i32(4), _S355))));
+    var _S359 : f32 = max(abs(_S356) * fabrics_0[_S350].threads_per_x_0, abs(_S357) * fabrics_0[_S350].threads_per_y_0) / _S354.z;
+    var _S360 : f32 = fabrics_0[_S350].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S350].height_high_0;
     var number_2 : i32 = i32(3);
     for(;;)
     {
@@ -1586,26 +1594,26 @@ fn max_height_along_0( _S348 : u32,  _S349 : f32,  _S350 : f32,  _S351 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S351) * _S357) <= (PYRAMID_RADII_0[number_2]))
+        if(((max_height_0 - _S353) * _S359) <= (PYRAMID_RADII_0[number_2]))
         {
-            max_height_0 = min(max_height_0, f32((((_S356 >> (u32(i32(8) * number_2)))) & (u32(15)))) * 0.06666667014360428f * _S358);
+            max_height_0 = min(max_height_0, f32((((_S358 >> (u32(i32(8) * number_2)))) & (u32(15)))) * 0.06666667014360428f * _S360);
         }
         number_2 = number_2 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S359 : u32,  _S360 : f32,  _S361 : f32,  _S362 : bool,  _S363 : bool,  _S364 : bool) -> vec3<f32>
+fn cell_bounds_0( _S361 : u32,  _S362 : f32,  _S363 : f32,  _S364 : bool,  _S365 : bool,  _S366 : bool) -> vec3<f32>
 {
-    var _S365 : Crossing_0 = crossing_at_0(_S359, _S360, _S361, _S362);
-    return vec3<f32>(cell_maximum_0(_S359, _S365), select(_S365.warp_1.below_0, _S365.warp_1.above_0, _S363), select(_S365.weft_1.below_0, _S365.weft_1.above_0, _S364));
+    var _S367 : Crossing_0 = crossing_at_0(_S361, _S362, _S363, _S364);
+    return vec3<f32>(cell_maximum_0(_S361, _S367), select(_S367.warp_1.below_0, _S367.warp_1.above_0, _S365), select(_S367.weft_1.below_0, _S367.weft_1.above_0, _S366));
 }
 
-fn first_sample_height_0( _S366 : u32,  _S367 : ViewRay_0,  _S368 : StepControl_0,  _S369 : bool) -> f32
+fn first_sample_height_0( _S368 : u32,  _S369 : ViewRay_0,  _S370 : StepControl_0,  _S371 : bool) -> f32
 {
-    var _S370 : f32 = max_height_along_0(_S366, _S367.origin_2.x, _S367.origin_2.y, 0.0f, vec3<f32>(_S367.slope_1, 1.0f), _S369);
+    var _S372 : f32 = max_height_along_0(_S368, _S369.origin_2.x, _S369.origin_2.y, 0.0f, vec3<f32>(_S369.slope_1, 1.0f), _S371);
     var count_4 : u32 = u32(0);
-    var height_7 : f32 = _S370;
+    var height_7 : f32 = _S372;
     for(;;)
     {
         if(count_4 < u32(1024))
@@ -1615,12 +1623,12 @@ fn first_sample_height_0( _S366 : u32,  _S367 : ViewRay_0,  _S368 : StepControl_
         {
             break;
         }
-        var _S371 : vec2<f32> = ViewRay_at_0(_S367, height_7);
-        var _S372 : vec3<f32> = cell_bounds_0(_S366, _S371.x, _S371.y, _S369, _S368.right_0, _S368.up_0);
-        var _S373 : f32 = height_7 - _S372.x;
-        var _S374 : f32 = StepControl_to_cell_exit_0(_S368, _S372.y, _S372.z);
-        var height_8 : f32 = height_7 - clamp(_S373, 0.0f, _S374);
-        if(_S373 <= _S374)
+        var _S373 : vec2<f32> = ViewRay_at_0(_S369, height_7);
+        var _S374 : vec3<f32> = cell_bounds_0(_S368, _S373.x, _S373.y, _S371, _S370.right_0, _S370.up_0);
+        var _S375 : f32 = height_7 - _S374.x;
+        var _S376 : f32 = StepControl_to_cell_exit_0(_S370, _S374.y, _S374.z);
+        var height_8 : f32 = height_7 - clamp(_S375, 0.0f, _S376);
+        if(_S375 <= _S376)
         {
             height_7 = height_8;
             break;
@@ -1631,12 +1639,12 @@ fn first_sample_height_0( _S366 : u32,  _S367 : ViewRay_0,  _S368 : StepControl_
     return height_7;
 }
 
-fn search_down_0( _S375 : u32,  _S376 : ViewRay_0,  _S377 : StepControl_0,  _S378 : bool) -> ViewRayEnd_0
+fn search_down_0( _S377 : u32,  _S378 : ViewRay_0,  _S379 : StepControl_0,  _S380 : bool) -> ViewRayEnd_0
 {
-    var _S379 : f32 = fabrics_0[_S375].height_low_0 - (fabrics_0[_S375].height_high_0 - fabrics_0[_S375].height_low_0);
+    var _S381 : f32 = fabrics_0[_S377].height_low_0 - (fabrics_0[_S377].height_high_0 - fabrics_0[_S377].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_6 = first_sample_height_0(_S375, _S376, _S377, _S378);
-    end_1.last_step_3 = _S377.epsilon_0;
+    end_1.height_6 = first_sample_height_0(_S377, _S378, _S379, _S380);
+    end_1.last_step_3 = _S379.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_0 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -1651,115 +1659,115 @@ fn search_down_0( _S375 : u32,  _S376 : ViewRay_0,  _S377 : StepControl_0,  _S37
         {
             break;
         }
-        var _S380 : vec2<f32> = ViewRay_at_0(_S376, end_1.height_6);
-        var _S381 : Probe_0 = probe_0(_S375, _S380.x, _S380.y, _S378, _S377.right_0, _S377.up_0);
-        var _S382 : f32 = end_1.height_6 - _S381.height_2;
-        var _S383 : f32 = ViewRay_rate_0(_S376, _S381);
-        end_1.depth_0 = - _S382;
-        end_1.rate_4 = _S383;
-        var _S384 : bool = !_S381.hole_1;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S384))) & (((end_1.previous_4.yarn_0) == (_S381.yarn_1))));
-        if((((_S384 & ((_S382 <= 0.0f)))) | (((end_1.height_6) <= _S379))))
+        var _S382 : vec2<f32> = ViewRay_at_0(_S378, end_1.height_6);
+        var _S383 : Probe_0 = probe_0(_S377, _S382.x, _S382.y, _S380, _S379.right_0, _S379.up_0);
+        var _S384 : f32 = end_1.height_6 - _S383.height_2;
+        var _S385 : f32 = ViewRay_rate_0(_S378, _S383);
+        end_1.depth_0 = - _S384;
+        end_1.rate_4 = _S385;
+        var _S386 : bool = !_S383.hole_1;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S386))) & (((end_1.previous_4.yarn_0) == (_S383.yarn_1))));
+        if((((_S386 & ((_S384 <= 0.0f)))) | (((end_1.height_6) <= _S381))))
         {
             break;
         }
-        var _S385 : f32 = way_back_to_dip_0(end_1.previous_4, _S382, _S383, end_1.last_step_3, _S381);
-        if(_S385 >= 0.0f)
+        var _S387 : f32 = way_back_to_dip_0(end_1.previous_4, _S384, _S385, end_1.last_step_3, _S383);
+        if(_S387 >= 0.0f)
         {
-            end_1.height_6 = end_1.height_6 + _S385;
-            end_1.last_step_3 = end_1.last_step_3 - _S385;
+            end_1.height_6 = end_1.height_6 + _S387;
+            end_1.last_step_3 = end_1.last_step_3 - _S387;
             count_5 = count_5 + u32(1);
             continue;
         }
-        var _S386 : f32 = min(StepControl_to_cell_exit_0(_S377, _S381.side_x_0, _S381.side_y_0), end_1.height_6 - _S381.cell_max_0);
-        var _S387 : f32 = StepControl_to_next_sample_0(_S377, _S381, _S382, _S383);
-        end_1.previous_4 = after_sample_0(_S382, _S383, _S381, _S386 > _S387);
-        var _S388 : f32 = max(_S386, _S387);
-        end_1.last_step_3 = _S388;
-        end_1.height_6 = end_1.height_6 - _S388;
+        var _S388 : f32 = min(StepControl_to_cell_exit_0(_S379, _S383.side_x_0, _S383.side_y_0), end_1.height_6 - _S383.cell_max_0);
+        var _S389 : f32 = StepControl_to_next_sample_0(_S379, _S383, _S384, _S385);
+        end_1.previous_4 = after_sample_0(_S384, _S385, _S383, _S388 > _S389);
+        var _S390 : f32 = max(_S388, _S389);
+        end_1.last_step_3 = _S390;
+        end_1.height_6 = end_1.height_6 - _S390;
         count_5 = count_5 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S389 : u32,  _S390 : ViewRay_0,  _S391 : StepControl_0,  _S392 : bool,  _S393 : ViewRayEnd_0,  _S394 : u32) -> f32
+fn refined_height_0( _S391 : u32,  _S392 : ViewRay_0,  _S393 : StepControl_0,  _S394 : bool,  _S395 : ViewRayEnd_0,  _S396 : u32) -> f32
 {
-    var _S395 : f32 = fabrics_0[_S389].height_high_0 - fabrics_0[_S389].height_low_0;
-    var above_2 : f32 = _S393.height_6 + _S393.last_step_3;
-    var above_gap_1 : f32 = clamp(_S393.previous_4.clearance_0, 0.0f, _S395);
-    var under_gap_1 : f32 = clamp(_S393.depth_0, 0.0f, _S395);
-    var middle_0 : f32 = select(between_0(above_2, _S393.height_6, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S393.previous_4.rate_0 * _S393.last_step_3, _S393.rate_4 * _S393.last_step_3) * _S393.last_step_3, _S393.smooth_0);
+    var _S397 : f32 = fabrics_0[_S391].height_high_0 - fabrics_0[_S391].height_low_0;
+    var above_2 : f32 = _S395.height_6 + _S395.last_step_3;
+    var above_gap_1 : f32 = clamp(_S395.previous_4.clearance_0, 0.0f, _S397);
+    var under_gap_1 : f32 = clamp(_S395.depth_0, 0.0f, _S397);
+    var middle_0 : f32 = select(between_0(above_2, _S395.height_6, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S395.previous_4.rate_0 * _S395.last_step_3, _S395.rate_4 * _S395.last_step_3) * _S395.last_step_3, _S395.smooth_0);
     var side_1 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S393.height_6;
+    var under_1 : f32 = _S395.height_6;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S394)
+        if(i_1 < _S396)
         {
         }
         else
         {
             break;
         }
-        var _S396 : vec2<f32> = ViewRay_at_0(_S390, middle_0);
-        var _S397 : Probe_0 = probe_0(_S389, _S396.x, _S396.y, _S392, _S391.right_0, _S391.up_0);
-        var _S398 : f32 = clamp(middle_0 - select(_S397.height_2, -1.0e+09f, _S397.hole_1), - _S395, _S395);
-        if(_S398 <= 0.0f)
+        var _S398 : vec2<f32> = ViewRay_at_0(_S392, middle_0);
+        var _S399 : Probe_0 = probe_0(_S391, _S398.x, _S398.y, _S394, _S393.right_0, _S393.up_0);
+        var _S400 : f32 = clamp(middle_0 - select(_S399.height_2, -1.0e+09f, _S399.hole_1), - _S397, _S397);
+        if(_S400 <= 0.0f)
         {
-            var _S399 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_1 > 0.0f);
-            var _S400 : f32 = - _S398;
+            var _S401 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_1 > 0.0f);
+            var _S402 : f32 = - _S400;
             under_1 = middle_0;
-            above_gap_2 = _S399;
-            under_gap_2 = _S400;
+            above_gap_2 = _S401;
+            under_gap_2 = _S402;
             side_1 = 1.0f;
         }
         else
         {
-            var _S401 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_1 < 0.0f);
+            var _S403 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_1 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S398;
-            under_gap_2 = _S401;
+            above_gap_2 = _S400;
+            under_gap_2 = _S403;
             side_1 = -1.0f;
         }
-        var _S402 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S398 / min(ViewRay_rate_0(_S390, _S397), -9.99999997475242708e-07f), under_1, above_3), _S393.smooth_0);
-        var _S403 : u32 = i_1 + u32(1);
-        middle_0 = _S402;
-        i_1 = _S403;
+        var _S404 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S400 / min(ViewRay_rate_0(_S392, _S399), -9.99999997475242708e-07f), under_1, above_3), _S395.smooth_0);
+        var _S405 : u32 = i_1 + u32(1);
+        middle_0 = _S404;
+        i_1 = _S405;
     }
-    return select(under_1, middle_0, _S393.smooth_0);
+    return select(under_1, middle_0, _S395.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S404 : u32,  _S405 : SearchQuality_0,  _S406 : f32,  _S407 : f32,  _S408 : vec3<f32>,  _S409 : bool) -> Hit_1
+fn first_hit_of_yarn_0( _S406 : u32,  _S407 : SearchQuality_0,  _S408 : f32,  _S409 : f32,  _S410 : vec3<f32>,  _S411 : bool) -> Hit_1
 {
-    var _S410 : f32 = max(_S408.z, 0.00009999999747379f);
+    var _S412 : f32 = max(_S410.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_2 = vec2<f32>(_S406, _S407);
-    var _S411 : vec2<f32> = _S408.xy / vec2<f32>(_S410);
-    ray_0.slope_1 = _S411;
-    var _S412 : StepControl_0 = step_control_0((vec2<f32>(0) - _S411), 1.0f / max(steps_per_length_0(_S404, _S405, _S408) / _S410, 9.99999971718068537e-10f));
-    var _S413 : ViewRayEnd_0 = search_down_0(_S404, ray_0, _S412, _S409);
+    ray_0.origin_2 = vec2<f32>(_S408, _S409);
+    var _S413 : vec2<f32> = _S410.xy / vec2<f32>(_S412);
+    ray_0.slope_1 = _S413;
+    var _S414 : StepControl_0 = step_control_0((vec2<f32>(0) - _S413), 1.0f / max(steps_per_length_0(_S406, _S407, _S410) / _S412, 9.99999971718068537e-10f));
+    var _S415 : ViewRayEnd_0 = search_down_0(_S406, ray_0, _S414, _S411);
     var hit_1 : Hit_1;
     hit_1.hole_2 = false;
-    var _S414 : f32 = refined_height_0(_S404, ray_0, _S412, _S409, _S413, _S405.refinements_0);
-    hit_1.height_4 = _S414;
-    var _S415 : vec2<f32> = ViewRay_at_0(ray_0, _S414);
-    hit_1.x_13 = _S415.x;
-    hit_1.y_7 = _S415.y;
+    var _S416 : f32 = refined_height_0(_S406, ray_0, _S414, _S411, _S415, _S407.refinements_0);
+    hit_1.height_4 = _S416;
+    var _S417 : vec2<f32> = ViewRay_at_0(ray_0, _S416);
+    hit_1.x_13 = _S417.x;
+    hit_1.y_7 = _S417.y;
     return hit_1;
 }
 
-fn first_hit_0( _S416 : u32,  _S417 : SearchQuality_0,  _S418 : f32,  _S419 : f32,  _S420 : vec3<f32>,  _S421 : bool) -> Hit_1
+fn first_hit_0( _S418 : u32,  _S419 : SearchQuality_0,  _S420 : f32,  _S421 : f32,  _S422 : vec3<f32>,  _S423 : bool) -> Hit_1
 {
-    if(!passes_through_0(_S416, _S417, _S418, _S419, _S420, _S421))
+    if(!passes_through_0(_S418, _S419, _S420, _S421, _S422, _S423))
     {
-        return first_hit_of_yarn_0(_S416, _S417, _S418, _S419, _S420, _S421);
+        return first_hit_of_yarn_0(_S418, _S419, _S420, _S421, _S422, _S423);
     }
     var hit_2 : Hit_1;
-    hit_2.x_13 = _S418;
-    hit_2.y_7 = _S419;
+    hit_2.x_13 = _S420;
+    hit_2.y_7 = _S421;
     hit_2.height_4 = 0.0f;
     hit_2.hole_2 = true;
     return hit_2;
@@ -1770,23 +1778,23 @@ struct CoverageTaps_0
      nodes_1 : array<u32, i32(9)>,
 };
 
-fn pyramid_level_0( _S422 : u32,  _S423 : f32) -> vec3<f32>
+fn pyramid_level_0( _S424 : u32,  _S425 : f32) -> vec3<f32>
 {
-    var _S424 : u32 = fabrics_0[_S422].lobes_0.levels_0 + u32(4) * u32(min(_S423, fabrics_0[_S422].lobes_0.last_level_0));
-    return vec3<f32>(table_number_0(_S424), table_number_0(_S424 + u32(1)), table_number_0(_S424 + u32(2)));
+    var _S426 : u32 = fabrics_0[_S424].lobes_0.levels_0 + u32(4) * u32(min(_S425, fabrics_0[_S424].lobes_0.last_level_0));
+    return vec3<f32>(table_number_0(_S426), table_number_0(_S426 + u32(1)), table_number_0(_S426 + u32(2)));
 }
 
-fn coverage_taps_0( _S425 : u32,  _S426 : Footprint_0,  _S427 : bool) -> CoverageTaps_0
+fn coverage_taps_0( _S427 : u32,  _S428 : Footprint_0,  _S429 : bool) -> CoverageTaps_0
 {
-    var _S428 : Lobes_std430_0 = fabrics_0[_S425].lobes_0;
-    var _S429 : f32 = Footprint_spread_side_0(_S426) * fabrics_0[_S425].lobes_0.inverse_base_size_0;
-    var _S430 : vec3<f32> = pyramid_level_0(_S425, floor(binary_logarithm_0(max(0.68000000715255737f * _S429, 1.0f))));
-    var _S431 : f32 = 1.0f / max(_S429, 9.99999997475242708e-07f);
-    var _S432 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S425].warp_0].inverse_period_0, families_0[fabrics_0[_S425].weft_0].inverse_period_0);
-    var _S433 : vec2<f32> = _S426.centre_0 * _S432;
-    var _S434 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S431 * _S431), 0.0f, 1.0f)), 0.3333333432674408f * _S431), 1.0f));
-    var _S435 : vec2<f32> = _S426.dx_0 * _S432 * _S434;
-    var _S436 : vec2<f32> = _S426.dy_0 * _S432 * _S434;
+    var _S430 : Lobes_std430_0 = fabrics_0[_S427].lobes_0;
+    var _S431 : f32 = Footprint_spread_side_0(_S428) * fabrics_0[_S427].lobes_0.inverse_base_size_0;
+    var _S432 : vec3<f32> = pyramid_level_0(_S427, floor(binary_logarithm_0(max(0.68000000715255737f * _S431, 1.0f))));
+    var _S433 : f32 = 1.0f / max(_S431, 9.99999997475242708e-07f);
+    var _S434 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S427].warp_0].inverse_period_0, families_0[fabrics_0[_S427].weft_0].inverse_period_0);
+    var _S435 : vec2<f32> = _S428.centre_0 * _S434;
+    var _S436 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S433 * _S433), 0.0f, 1.0f)), 0.3333333432674408f * _S433), 1.0f));
+    var _S437 : vec2<f32> = _S428.dx_0 * _S434 * _S436;
+    var _S438 : vec2<f32> = _S428.dy_0 * _S434 * _S436;
     var taps_3 : CoverageTaps_0;
     var number_3 : u32 = u32(0);
     for(;;)
@@ -1798,15 +1806,15 @@ fn coverage_taps_0( _S425 : u32,  _S426 : Footprint_0,  _S427 : bool) -> Coverag
         {
             break;
         }
-        var _S437 : vec2<f32> = _S433 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S435 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S436;
-        var _S438 : f32 = _S430.y;
-        taps_3.nodes_1[number_3] = select(u32(0), _S428.face_nodes_0, _S427) + u32(wrapped_cell_0(_S437.y, _S430.z) * _S438 + wrapped_cell_0(_S437.x, _S438) + _S430.x);
+        var _S439 : vec2<f32> = _S435 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S437 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S438;
+        var _S440 : f32 = _S432.y;
+        taps_3.nodes_1[number_3] = select(u32(0), _S430.face_nodes_0, _S429) + u32(wrapped_cell_0(_S439.y, _S432.z) * _S440 + wrapped_cell_0(_S439.x, _S440) + _S432.x);
         number_3 = number_3 + u32(1);
     }
     return taps_3;
 }
 
-fn coverage_of_holes_0( _S439 : u32,  _S440 : CoverageTaps_0) -> f32
+fn coverage_of_holes_0( _S441 : u32,  _S442 : CoverageTaps_0) -> f32
 {
     var number_4 : u32 = u32(0);
     var total_0 : u32 = u32(0);
@@ -1819,40 +1827,40 @@ fn coverage_of_holes_0( _S439 : u32,  _S440 : CoverageTaps_0) -> f32
         {
             break;
         }
-        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S439].lobes_0.coverage_holes_0 + _S440.nodes_1[number_4] / u32(4)] >> ((u32(8) * (_S440.nodes_1[number_4] % u32(4)))))) & (u32(255))));
+        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S441].lobes_0.coverage_holes_0 + _S442.nodes_1[number_4] / u32(4)] >> ((u32(8) * (_S442.nodes_1[number_4] % u32(4)))))) & (u32(255))));
         number_4 = number_4 + u32(1);
         total_0 = total_1;
     }
     return f32(total_0) / 9.0f;
 }
 
-fn prefiltered_hole_0( _S441 : u32,  _S442 : CoverageTaps_0,  _S443 : NodeTaps_0,  _S444 : bool) -> f32
+fn prefiltered_hole_0( _S443 : u32,  _S444 : CoverageTaps_0,  _S445 : NodeTaps_0,  _S446 : bool) -> f32
 {
-    var _S445 : f32 = interpolate_table_0(_S443, fabrics_0[_S441].lobes_0.projected_area_0 + fabrics_0[_S441].lobes_0.packs_0, fabrics_0[_S441].lobes_0.packs_0 + u32(1)).x;
-    return min(coverage_of_holes_0(_S441, _S442) * _S445 * _S445 * select(fabrics_0[_S441].lobes_0.front_hole_weight_0, fabrics_0[_S441].lobes_0.back_hole_weight_0, _S444), 1.0f);
+    var _S447 : f32 = interpolate_table_0(_S445, fabrics_0[_S443].lobes_0.projected_area_0 + fabrics_0[_S443].lobes_0.packs_0, fabrics_0[_S443].lobes_0.packs_0 + u32(1)).x;
+    return min(coverage_of_holes_0(_S443, _S444) * _S447 * _S447 * select(fabrics_0[_S443].lobes_0.front_hole_weight_0, fabrics_0[_S443].lobes_0.back_hole_weight_0, _S446), 1.0f);
 }
 
-fn passed_share_0( _S446 : u32,  _S447 : VisiblePoint_0,  _S448 : vec3<f32>,  _S449 : f32,  _S450 : vec2<f32>) -> f32
+fn passed_share_0( _S448 : u32,  _S449 : VisiblePoint_0,  _S450 : vec3<f32>,  _S451 : f32,  _S452 : vec2<f32>) -> f32
 {
-    if((fabrics_0[_S446].has_yarns_0) == u32(0))
+    if((fabrics_0[_S448].has_yarns_0) == u32(0))
     {
-        return fabrics_0[_S446].mean_hole_0;
+        return fabrics_0[_S448].mean_hole_0;
     }
-    var _S451 : vec3<f32> = to_local_0(_S447, _S448);
-    var _S452 : bool = (_S451.z) < 0.0f;
-    var _S453 : vec3<f32> = to_face_frame_0(_S451, _S452);
+    var _S453 : vec3<f32> = to_local_0(_S449, _S450);
+    var _S454 : bool = (_S453.z) < 0.0f;
+    var _S455 : vec3<f32> = to_face_frame_0(_S453, _S454);
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S447.draft_0;
-    footprint_0.dx_0 = vec2<f32>(_S449, 0.0f);
-    footprint_0.dy_0 = vec2<f32>(0.0f, _S449);
-    var _S454 : f32 = select(0.0f, regime_of_0(_S446, footprint_0, 1.0f).prefiltered_0, (fabrics_0[_S446].lobes_0.is_baked_0) != u32(0));
+    footprint_0.centre_0 = _S449.draft_0;
+    footprint_0.dx_0 = vec2<f32>(_S451, 0.0f);
+    footprint_0.dy_0 = vec2<f32>(0.0f, _S451);
+    var _S456 : f32 = select(0.0f, regime_of_0(_S448, footprint_0, 1.0f).prefiltered_0, (fabrics_0[_S448].lobes_0.is_baked_0) != u32(0));
     var share_2 : f32;
-    if(_S454 < 1.0f)
+    if(_S456 < 1.0f)
     {
-        var _S455 : vec2<f32> = footprint_0.centre_0 + (_S450 - vec2<f32>(0.5f)) * vec2<f32>(_S449);
-        if(first_hit_0(_S446, default_quality_0(), _S455.x, _S455.y, _S453, _S452).hole_2)
+        var _S457 : vec2<f32> = footprint_0.centre_0 + (_S452 - vec2<f32>(0.5f)) * vec2<f32>(_S451);
+        if(first_hit_0(_S448, default_quality_0(), _S457.x, _S457.y, _S455, _S454).hole_2)
         {
-            share_2 = 1.0f - _S454;
+            share_2 = 1.0f - _S456;
         }
         else
         {
@@ -1863,99 +1871,101 @@ fn passed_share_0( _S446 : u32,  _S447 : VisiblePoint_0,  _S448 : vec3<f32>,  _S
     {
         share_2 = 0.0f;
     }
-    if(_S454 > 0.0f)
+    if(_S456 > 0.0f)
     {
-        var nodes_2 : NodeTaps_0 = node_taps_0(_S453);
-        nodes_2.nodes_0 = nodes_2.nodes_0 + vec4<u32>((select(u32(0), u32(1), _S452) * u32(256)));
-        share_2 = share_2 + _S454 * prefiltered_hole_0(_S446, coverage_taps_0(_S446, footprint_0, _S452), nodes_2, _S452);
+        var _S458 : NodeTaps_0 = node_taps_0(_S455);
+        var nodes_2 : NodeTaps_0 = _S458;
+        nodes_2.nodes_0 = nodes_2.nodes_0 + vec4<u32>((select(u32(0), u32(1), _S454) * u32(256)));
+        share_2 = share_2 + _S456 * prefiltered_hole_0(_S448, coverage_taps_0(_S448, footprint_0, _S454), nodes_2, _S454);
     }
-    var _S456 : f32 = fabrics_0[_S446].sheen_strength_0;
-    if((fabrics_0[_S446].sheen_strength_0) > 0.0f)
+    var _S459 : f32 = fabrics_0[_S448].sheen_strength_0;
+    if((fabrics_0[_S448].sheen_strength_0) > 0.0f)
     {
-        share_2 = share_2 * (1.0f - _S456 * sheen_lobe_0(_S453.z, fabrics_0[_S446].sheen_roughness_0).z);
+        share_2 = share_2 * (1.0f - _S459 * sheen_lobe_0(_S455.z, fabrics_0[_S448].sheen_roughness_0).z);
     }
     return share_2;
 }
 
-fn visibility_of_0( _S457 : i32,  _S458 : VisiblePoint_0,  _S459 : u32,  _S460 : vec2<u32>,  _S461 : u32) -> f32
+fn visibility_of_0( _S460 : i32,  _S461 : VisiblePoint_0,  _S462 : u32,  _S463 : vec2<u32>,  _S464 : u32) -> f32
 {
-    var _S462 : bool;
-    var _S463 : LightSample_0 = light_sample_0(_S457, _S461, _S460, _S458.position_0);
-    var _S464 : vec3<f32> = seen_position_0(_S457, _S459, _S460) + vec3<f32>((select(1.0f, -1.0f, (dot(_S463.towards_0, _S458.face_normal_0)) < 0.0f) * frames_0[_S457].ray_offset_0)) * _S458.face_normal_0;
-    var _S465 : vec2<f32> = _S458.draft_dx_0;
-    var _S466 : vec2<f32> = _S458.draft_dy_0;
-    var _S467 : f32 = sqrt(0.5f * (dot(_S465, _S465) + dot(_S466, _S466)));
+    var _S465 : bool;
+    var _S466 : LightSample_0 = light_sample_0(_S460, _S464, _S463, _S461.position_0);
+    var _S467 : vec3<f32> = seen_position_0(_S460, _S462, _S463) + vec3<f32>((select(1.0f, -1.0f, (dot(_S466.towards_0, _S461.face_normal_0)) < 0.0f) * frames_0[_S460].ray_offset_0)) * _S461.face_normal_0;
+    var _S468 : vec2<f32> = _S461.draft_dx_0;
+    var _S469 : vec2<f32> = _S461.draft_dy_0;
+    var _S470 : f32 = sqrt(0.5f * (dot(_S468, _S468) + dot(_S469, _S469)));
     var nearest_1 : f32 = 0.0f;
-    var without_0 : u32 = _S459;
+    var without_0 : u32 = _S462;
     var layer_0 : u32 = u32(0);
     var visibility_0 : f32 = 1.0f;
     for(;;)
     {
-        var _S468 : bool = layer_0 < u32(8);
-        var _S469 : bool = visibility_0 > 0.00100000004749745f;
-        _S462 = _S469;
-        if((_S468 & (_S469)))
+        var _S471 : bool = layer_0 < u32(8);
+        var _S472 : bool = visibility_0 > 0.00100000004749745f;
+        _S465 = _S472;
+        if((_S471 & (_S472)))
         {
         }
         else
         {
             break;
         }
-        var _S470 : Hit_0 = nearest_hit_0(_S457, _S464, _S463.towards_0, nearest_1, _S463.distance_2, without_0, true);
-        if((_S470.face_1) == u32(4294967295))
+        var _S473 : Hit_0 = nearest_hit_0(_S460, _S467, _S466.towards_0, nearest_1, _S466.distance_2, without_0, true);
+        if((_S473.face_1) == u32(4294967295))
         {
             break;
         }
-        var _S471 : u32 = face_fabrics_0[_S470.face_1];
-        var _S472 : VisiblePoint_0 = face_point_0(_S471, _S470.face_1, _S470.weight_b_0, _S470.weight_c_0);
-        var _S473 : vec2<f32> = pixel_sequence_0(_S460, frames_0[_S457].pass_number_0, u32(5) + u32(2) * (u32(8) * _S461 + layer_0));
-        var _S474 : f32;
-        if((fabrics_0[_S471].is_open_0) != u32(0))
+        var _S474 : u32 = face_fabrics_0[_S473.face_1];
+        var _S475 : VisiblePoint_0 = face_point_0(_S474, _S473.face_1, _S473.weight_b_0, _S473.weight_c_0);
+        var _S476 : vec2<f32> = pixel_sequence_0(_S463, frames_0[_S460].pass_number_0, u32(5) + u32(2) * (u32(8) * _S464 + layer_0));
+        var _S477 : f32;
+        if((fabrics_0[_S474].is_open_0) != u32(0))
         {
-            _S474 = passed_share_0(_S471, _S472, (vec3<f32>(0) - _S463.towards_0), _S467, _S473);
+            var _S478 : f32 = passed_share_0(_S474, _S475, (vec3<f32>(0) - _S466.towards_0), _S470, _S476);
+            _S477 = _S478;
         }
         else
         {
-            _S474 = 0.0f;
+            _S477 = 0.0f;
         }
-        var visibility_1 : f32 = visibility_0 * _S474;
-        var _S475 : u32 = layer_0 + u32(1);
-        nearest_1 = _S470.distance_0;
-        without_0 = _S470.face_1;
-        layer_0 = _S475;
+        var visibility_1 : f32 = visibility_0 * _S477;
+        var _S479 : u32 = layer_0 + u32(1);
+        nearest_1 = _S473.distance_0;
+        without_0 = _S473.face_1;
+        layer_0 = _S479;
         visibility_0 = visibility_1;
     }
-    return select(0.0f, visibility_0, _S462);
+    return select(0.0f, visibility_0, _S465);
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn cast_shadows(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S476 : u32 = id_0.x;
-    var _S477 : u32 = frames_0[i32(0)].width_0;
-    var _S478 : bool;
-    if(_S476 >= (frames_0[i32(0)].width_0))
+    var _S480 : u32 = id_0.x;
+    var _S481 : u32 = frames_0[i32(0)].width_0;
+    var _S482 : bool;
+    if(_S480 >= (frames_0[i32(0)].width_0))
     {
-        _S478 = true;
+        _S482 = true;
     }
     else
     {
-        _S478 = (id_0.y) >= (frames_0[i32(0)].height_0);
+        _S482 = (id_0.y) >= (frames_0[i32(0)].height_0);
     }
-    if(_S478)
+    if(_S482)
     {
         return;
     }
-    var _S479 : u32 = id_0.y * _S477 + _S476;
-    var _S480 : u32 = layers_0[_S479].face_0;
-    if((layers_0[_S479].face_0) == u32(0))
+    var _S483 : u32 = id_0.y * _S481 + _S480;
+    var _S484 : u32 = layers_0[_S483].face_0;
+    if((layers_0[_S483].face_0) == u32(0))
     {
         return;
     }
-    var _S481 : u32 = _S480 - u32(1);
-    var _S482 : vec2<u32> = id_0.xy;
-    var _S483 : VisiblePoint_0 = visible_point_0(i32(0), face_fabrics_0[_S481], _S481, _S482);
+    var _S485 : u32 = _S484 - u32(1);
+    var _S486 : vec2<u32> = id_0.xy;
+    var _S487 : VisiblePoint_0 = visible_point_0(i32(0), face_fabrics_0[_S485], _S485, _S486);
     var number_5 : u32 = u32(0);
     for(;;)
     {
@@ -1966,7 +1976,8 @@ fn cast_shadows(@builtin(global_invocation_id) id_0 : vec3<u32>)
         {
             break;
         }
-        visibilities_0[number_5 * _S477 * frames_0[i32(0)].height_0 + _S479] = visibility_of_0(i32(0), _S483, _S481, _S482, number_5);
+        var _S488 : f32 = visibility_of_0(i32(0), _S487, _S485, _S486, number_5);
+        visibilities_0[number_5 * _S481 * frames_0[i32(0)].height_0 + _S483] = _S488;
         number_5 = number_5 + u32(1);
     }
     return;

@@ -66,6 +66,7 @@ struct Lobes_std430_0
     @align(4) light_visibility_0 : u32,
     @align(4) irradiance_0 : u32,
     @align(4) moments_0 : u32,
+    @align(4) joint_0 : u32,
     @align(4) front_hole_weight_0 : f32,
     @align(4) back_hole_weight_0 : f32,
     @align(4) threads_per_mm_0 : f32,

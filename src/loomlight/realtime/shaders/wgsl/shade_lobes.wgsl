@@ -66,6 +66,7 @@ struct Lobes_std430_0
     @align(4) light_visibility_0 : u32,
     @align(4) irradiance_0 : u32,
     @align(4) moments_0 : u32,
+    @align(4) joint_0 : u32,
     @align(4) front_hole_weight_0 : f32,
     @align(4) back_hole_weight_0 : f32,
     @align(4) threads_per_mm_0 : f32,
@@ -1321,45 +1322,63 @@ struct NodeTaps_0
      inverse_sum_0 : f32,
 };
 
-fn node_taps_0( direction_4 : vec3<f32>) -> NodeTaps_0
+fn node_taps_of_0( direction_4 : vec3<f32>,  azimuths_0 : u32) -> NodeTaps_0
 {
-    var _S153 : f32 = arc_tangent_0(direction_4.y, direction_4.x) * 5.09295797348022461f;
+    var _S153 : f32 = arc_tangent_0(direction_4.y, direction_4.x) * (0.5f * f32(azimuths_0) * 0.31830987334251404f);
     var _S154 : f32 = floor(_S153);
     var _S155 : f32 = _S153 - _S154;
     var _S156 : f32 = sqrt(clamp((1.0f - abs(direction_4.z)) / 0.97000002861022949f, 0.0f, 1.0f));
     var _S157 : f32 = 7.0f * _S156 * sqrt(_S156);
     var _S158 : f32 = min(floor(_S157), 6.0f);
     var _S159 : f32 = _S157 - _S158;
-    var _S160 : u32 = u32(i32(_S154) + i32(32)) % u32(32);
+    var _S160 : u32 = u32(i32(_S154) + i32(azimuths_0)) % azimuths_0;
     var _S161 : u32 = u32(_S158);
     var _S162 : u32 = _S160 * u32(8) + _S161;
-    var _S163 : u32 = (_S160 + u32(1)) % u32(32) * u32(8) + _S161;
+    var _S163 : u32 = (_S160 + u32(1)) % azimuths_0;
+    var _S164 : u32 = _S163 * u32(8) + _S161;
     var taps_0 : NodeTaps_0;
-    taps_0.nodes_0 = vec4<u32>(_S162, _S162 + u32(1), _S163, _S163 + u32(1));
-    var _S164 : f32 = 1.0f - _S155;
-    var _S165 : f32 = 1.0f - _S159;
-    var _S166 : vec4<u32> = vec4<u32>(vec4<f32>(_S164 * _S165, _S164 * _S159, _S155 * _S165, _S155 * _S159) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
-    taps_0.weights_0 = _S166;
-    taps_0.inverse_sum_0 = 1.0f / f32(_S166.x + _S166.y + _S166.z + _S166.w);
+    taps_0.nodes_0 = vec4<u32>(_S162, _S162 + u32(1), _S164, _S164 + u32(1));
+    var _S165 : f32 = 1.0f - _S155;
+    var _S166 : f32 = 1.0f - _S159;
+    var _S167 : vec4<u32> = vec4<u32>(vec4<f32>(_S165 * _S166, _S165 * _S159, _S155 * _S166, _S155 * _S159) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
+    taps_0.weights_0 = _S167;
+    taps_0.inverse_sum_0 = 1.0f / f32(_S167.x + _S167.y + _S167.z + _S167.w);
     return taps_0;
+}
+
+fn node_taps_0( direction_5 : vec3<f32>) -> NodeTaps_0
+{
+    var _S168 : NodeTaps_0 = node_taps_of_0(direction_5, u32(32));
+    return _S168;
 }
 
 fn half_vector_0( light_5 : vec3<f32>,  view_5 : vec3<f32>) -> vec3<f32>
 {
-    var _S167 : vec3<f32> = light_5 + view_5;
-    return _S167 * vec3<f32>(rsqrt_0(max(square_0(_S167), 9.999999960041972e-13f)));
+    var _S169 : vec3<f32> = light_5 + view_5;
+    return _S169 * vec3<f32>(rsqrt_0(max(square_0(_S169), 9.999999960041972e-13f)));
 }
 
-fn shadow_correlation_0( light_6 : vec3<f32>,  view_6 : vec3<f32>) -> vec3<f32>
+fn joint_terms_0( taps_1 : NodeTaps_0,  table_1 : u32,  ratio_1 : u32) -> vec4<f32>
 {
-    var _S168 : vec2<f32> = light_6.xy;
-    var _S169 : vec2<f32> = view_6.xy;
-    var _S170 : f32 = dot(_S168, _S169) / max(sqrt(dot(_S168, _S168) * dot(_S169, _S169)), 9.99999997475242708e-07f);
-    if((light_6.z) < 0.0f)
+    var _S170 : vec4<f32> = vec4<f32>(0.0f);
+    var i_1 : u32 = u32(0);
+    var sums_2 : vec4<f32> = _S170;
+    for(;;)
     {
-        return vec3<f32>(vec2<f32>((-0.09000000357627869f + -0.07999999821186066f * _S170)), 0.0f);
+        if(i_1 < u32(4))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S171 : u32 = table_1 + u32(8) * taps_1.nodes_0[i_1] + u32(2) * ratio_1;
+        var _S172 : vec2<u32> = vec2<u32>(words_0[_S171], words_0[_S171 + u32(1)]);
+        var sums_3 : vec4<f32> = sums_2 + vec4<f32>(((vec4<i32>(vec2<i32>((_S172 << (vec2<u32>(u32(16))))), vec2<i32>(_S172)).xzyw) >> (vec4<u32>(u32(16))))) * vec4<f32>(f32(taps_1.weights_0[i_1]));
+        i_1 = i_1 + u32(1);
+        sums_2 = sums_3;
     }
-    return vec3<f32>(min(0.62000000476837158f + 0.62999999523162842f * _S170, 1.20000004768371582f), 0.62000000476837158f, 0.37000000476837158f);
+    return sums_2 * vec4<f32>((taps_1.inverse_sum_0 / 4096.0f));
 }
 
 fn bytes_of_sums_0( even_0 : u32,  odd_0 : u32) -> vec4<f32>
@@ -1367,18 +1386,18 @@ fn bytes_of_sums_0( even_0 : u32,  odd_0 : u32) -> vec4<f32>
     return vec4<f32>(f32((even_0 & (u32(65535)))), f32((odd_0 & (u32(65535)))), f32((even_0 >> (u32(16)))), f32((odd_0 >> (u32(16)))));
 }
 
-fn interpolate_0( taps_1 : NodeTaps_0,  packs_1 : vec4<u32>) -> vec4<f32>
+fn interpolate_0( taps_2 : NodeTaps_0,  packs_1 : vec4<u32>) -> vec4<f32>
 {
-    var _S171 : vec4<u32> = vec4<u32>(u32(16711935));
-    var _S172 : vec4<u32> = ((packs_1 & (_S171))) * taps_1.weights_0;
-    var _S173 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S171))) * taps_1.weights_0;
-    return bytes_of_sums_0(_S172.x + _S172.y + _S172.z + _S172.w, _S173.x + _S173.y + _S173.z + _S173.w) * vec4<f32>(taps_1.inverse_sum_0);
+    var _S173 : vec4<u32> = vec4<u32>(u32(16711935));
+    var _S174 : vec4<u32> = ((packs_1 & (_S173))) * taps_2.weights_0;
+    var _S175 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S173))) * taps_2.weights_0;
+    return bytes_of_sums_0(_S174.x + _S174.y + _S174.z + _S174.w, _S175.x + _S175.y + _S175.z + _S175.w) * vec4<f32>(taps_2.inverse_sum_0);
 }
 
-fn interpolate_table_0( taps_2 : NodeTaps_0,  table_1 : u32,  stride_0 : u32) -> vec4<f32>
+fn interpolate_table_0( taps_3 : NodeTaps_0,  table_2 : u32,  stride_0 : u32) -> vec4<f32>
 {
-    var _S174 : vec4<u32> = vec4<u32>(table_1) + taps_2.nodes_0 * vec4<u32>(stride_0);
-    return interpolate_0(taps_2, vec4<u32>(words_0[_S174.x], words_0[_S174.y], words_0[_S174.z], words_0[_S174.w]));
+    var _S176 : vec4<u32> = vec4<u32>(table_2) + taps_3.nodes_0 * vec4<u32>(stride_0);
+    return interpolate_0(taps_3, vec4<u32>(words_0[_S176.x], words_0[_S176.y], words_0[_S176.z], words_0[_S176.w]));
 }
 
 struct Group_0
@@ -1396,59 +1415,54 @@ fn group_at_0( row_1 : u32,  roughness_7 : f32) -> Group_0
     var group_0 : Group_0;
     group_0.normal_9 = vec3<f32>(table_number_0(row_1), table_number_0(row_1 + u32(1)), table_number_0(row_1 + u32(2)));
     group_0.weight_2 = table_number_0(row_1 + u32(3));
-    var _S175 : vec3<f32> = vec3<f32>(table_number_0(row_1 + u32(4)), table_number_0(row_1 + u32(5)), table_number_0(row_1 + u32(6)));
-    group_0.tangent_9 = _S175;
-    var _S176 : f32 = table_number_0(row_1 + u32(7));
-    var _S177 : f32 = table_number_0(row_1 + u32(8));
-    group_0.variance_0 = vec3<f32>(_S176, _S177, 1.0f - square_0(_S175) - _S176 - _S177);
+    var _S177 : vec3<f32> = vec3<f32>(table_number_0(row_1 + u32(4)), table_number_0(row_1 + u32(5)), table_number_0(row_1 + u32(6)));
+    group_0.tangent_9 = _S177;
+    var _S178 : f32 = table_number_0(row_1 + u32(7));
+    var _S179 : f32 = table_number_0(row_1 + u32(8));
+    group_0.variance_0 = vec3<f32>(_S178, _S179, 1.0f - square_0(_S177) - _S178 - _S179);
     group_0.covariance_0 = vec3<f32>(table_number_0(row_1 + u32(9)), table_number_0(row_1 + u32(10)), table_number_0(row_1 + u32(11)));
     group_0.roughness_6 = roughness_7;
     return group_0;
 }
 
-fn visibility_gain_0( correlations_0 : vec3<f32>,  from_light_0 : f32,  from_view_0 : f32) -> vec2<f32>
+fn Group_variance_along_0( this_5 : Group_0,  direction_6 : vec3<f32>) -> f32
 {
-    return max(correlations_0.xy * vec2<f32>((1.0f / max(max(from_light_0, from_view_0), 0.00392156885936856f) - 1.0f)) + vec2<f32>(1.0f - correlations_0.z * (1.0f - from_light_0), 1.0f), vec2<f32>(0.0f));
+    var _S180 : f32 = direction_6.x;
+    var _S181 : f32 = direction_6.y;
+    var _S182 : f32 = direction_6.z;
+    return max(dot(this_5.variance_0, direction_6 * direction_6) + 2.0f * dot(this_5.covariance_0, vec3<f32>(_S180 * _S181, _S180 * _S182, _S181 * _S182)), 0.0f);
 }
 
-fn Group_variance_along_0( this_5 : Group_0,  direction_5 : vec3<f32>) -> f32
+fn mean_area_0( group_1 : Group_0,  direction_7 : vec3<f32>) -> f32
 {
-    var _S178 : f32 = direction_5.x;
-    var _S179 : f32 = direction_5.y;
-    var _S180 : f32 = direction_5.z;
-    return max(dot(this_5.variance_0, direction_5 * direction_5) + 2.0f * dot(this_5.covariance_0, vec3<f32>(_S178 * _S179, _S178 * _S180, _S179 * _S180)), 0.0f);
-}
-
-fn mean_area_0( group_1 : Group_0,  direction_6 : vec3<f32>) -> f32
-{
-    var _S181 : f32 = dot(direction_6, group_1.tangent_9);
-    var _S182 : f32 = group_1.roughness_6;
-    var _S183 : f32 = _S182 * _S182;
-    return sqrt(max((_S183 - 1.0f) * (_S181 * _S181 + Group_variance_along_0(group_1, direction_6)) + 1.0f, _S183));
+    var _S183 : f32 = dot(direction_7, group_1.tangent_9);
+    var _S184 : f32 = group_1.roughness_6;
+    var _S185 : f32 = _S184 * _S184;
+    return sqrt(max((_S185 - 1.0f) * (_S183 * _S183 + Group_variance_along_0(group_1, direction_7)) + 1.0f, _S185));
 }
 
 fn mean_density_0( group_2 : Group_0,  half_0 : vec3<f32>) -> f32
 {
-    var _S184 : f32 = group_2.roughness_6;
-    var _S185 : f32 = max(sqrt(max(1.0f - _S184 * _S184, 0.0f)) / group_2.roughness_6, 0.00100000004749745f);
-    var _S186 : f32 = max(sqrt(3.0f * Group_variance_along_0(group_2, half_0)), group_2.roughness_6 * 0.01999999955296516f + 0.00009999999747379f);
-    var _S187 : f32 = dot(half_0, group_2.tangent_9);
-    var _S188 : f32 = _S185 * (_S187 - _S186);
-    var _S189 : f32 = _S185 * (_S187 + _S186);
-    var _S190 : f32 = _S188 * _S189;
-    var _S191 : f32 = 2.0f * _S186 * _S185;
-    return 0.15915493667125702f / group_2.roughness_6 * ((1.0f - _S190) / ((_S188 * _S188 + 1.0f) * (_S189 * _S189 + 1.0f)) + arc_tangent_0(_S191, 1.0f + _S190) / _S191);
+    var _S186 : f32 = group_2.roughness_6;
+    var _S187 : f32 = max(sqrt(max(1.0f - _S186 * _S186, 0.0f)) / group_2.roughness_6, 0.00100000004749745f);
+    var _S188 : f32 = max(sqrt(3.0f * Group_variance_along_0(group_2, half_0)), group_2.roughness_6 * 0.01999999955296516f + 0.00009999999747379f);
+    var _S189 : f32 = dot(half_0, group_2.tangent_9);
+    var _S190 : f32 = _S187 * (_S189 - _S188);
+    var _S191 : f32 = _S187 * (_S189 + _S188);
+    var _S192 : f32 = _S190 * _S191;
+    var _S193 : f32 = 2.0f * _S188 * _S187;
+    return 0.15915493667125702f / group_2.roughness_6 * ((1.0f - _S192) / ((_S190 * _S190 + 1.0f) * (_S191 * _S191 + 1.0f)) + arc_tangent_0(_S193, 1.0f + _S192) / _S193);
 }
 
-fn layer_value_0( group_3 : Group_0,  half_1 : vec3<f32>,  light_7 : vec3<f32>,  view_7 : vec3<f32>,  optical_depth_3 : f32) -> f32
+fn layer_value_0( group_3 : Group_0,  half_1 : vec3<f32>,  light_6 : vec3<f32>,  view_6 : vec3<f32>,  optical_depth_3 : f32) -> f32
 {
-    var _S192 : bool = (light_7.z) < 0.0f;
-    var _S193 : f32 = dot(light_7, group_3.normal_9);
-    var _S194 : f32 = max(dot(view_7, group_3.normal_9), 0.01999999955296516f);
-    var _S195 : f32 = mean_area_0(group_3, light_7) / max(select(_S193, - _S193, _S192), 0.01999999955296516f);
-    var _S196 : f32 = mean_area_0(group_3, view_7) / _S194;
-    var _S197 : f32 = optical_depth_3 * max(select(_S195 + _S196, abs(_S195 - _S196), _S192), 0.00100000004749745f);
-    return 0.25f * mean_density_0(group_3, half_1) * select(1.0f - 0.34999999403953552f * (1.0f - square_0(group_3.normal_9)), 1.0f, _S192) * (optical_depth_3 * select(1.0f, exponential_0(- optical_depth_3 * min(_S195, _S196)), _S192) * (1.0f - exponential_0(- _S197)) / _S197 / _S194);
+    var _S194 : bool = (light_6.z) < 0.0f;
+    var _S195 : f32 = dot(light_6, group_3.normal_9);
+    var _S196 : f32 = max(dot(view_6, group_3.normal_9), 0.01999999955296516f);
+    var _S197 : f32 = mean_area_0(group_3, light_6) / max(select(_S195, - _S195, _S194), 0.01999999955296516f);
+    var _S198 : f32 = mean_area_0(group_3, view_6) / _S196;
+    var _S199 : f32 = optical_depth_3 * max(select(_S197 + _S198, abs(_S197 - _S198), _S194), 0.00100000004749745f);
+    return 0.25f * mean_density_0(group_3, half_1) * select(1.0f - 0.34999999403953552f * (1.0f - square_0(group_3.normal_9)), 1.0f, _S194) * (optical_depth_3 * select(1.0f, exponential_0(- optical_depth_3 * min(_S197, _S198)), _S194) * (1.0f - exponential_0(- _S199)) / _S199 / _S196);
 }
 
 struct Bound_0
@@ -1463,16 +1477,16 @@ struct Bound_0
 
 fn bound_at_0( family_10 : u32,  position_6 : f32) -> Bound_0
 {
-    var _S198 : Cell_0 = locate_0(family_10, position_6);
-    var _S199 : f32 = table_number_0(families_0[family_10].before_0 + u32(2) * _S198.thread_2 + u32(1));
+    var _S200 : Cell_0 = locate_0(family_10, position_6);
+    var _S201 : f32 = table_number_0(families_0[family_10].before_0 + u32(2) * _S200.thread_2 + u32(1));
     var bound_0 : Bound_0;
-    bound_0.thread_12 = _S198.thread_2;
-    bound_0.turns_2 = round((position_6 - families_0[family_10].start_0 - _S199 - _S198.below_0) * families_0[family_10].inverse_period_0);
-    bound_0.cell_9 = _S198.below_0;
-    var _S200 : f32 = 2.0f * _S198.half_width_1;
-    bound_0.width_3 = _S200;
-    bound_0.visible_0 = clamp((_S198.across_2 + _S198.half_width_1) / _S200, 0.0f, 1.0f);
-    bound_0.gap_0 = min(_S198.below_0, _S198.below_0 - _S198.across_2 - _S198.half_width_1) + max(_S198.across_2 - _S198.half_width_1, 0.0f);
+    bound_0.thread_12 = _S200.thread_2;
+    bound_0.turns_2 = round((position_6 - families_0[family_10].start_0 - _S201 - _S200.below_0) * families_0[family_10].inverse_period_0);
+    bound_0.cell_9 = _S200.below_0;
+    var _S202 : f32 = 2.0f * _S200.half_width_1;
+    bound_0.width_3 = _S202;
+    bound_0.visible_0 = clamp((_S200.across_2 + _S200.half_width_1) / _S202, 0.0f, 1.0f);
+    bound_0.gap_0 = min(_S200.below_0, _S200.below_0 - _S200.across_2 - _S200.half_width_1) + max(_S200.across_2 - _S200.half_width_1, 0.0f);
     return bound_0;
 }
 
@@ -1484,11 +1498,11 @@ struct Stretch_0
 
 fn stretch_of_0( family_11 : u32,  centre_1 : f32,  size_2 : f32) -> Stretch_0
 {
-    var _S201 : f32 = centre_1 - floor((centre_1 - families_0[family_11].start_0) * families_0[family_11].inverse_period_0) * families_0[family_11].period_0;
-    var _S202 : f32 = 0.5f * max(size_2, families_0[family_11].smallest_box_0);
+    var _S203 : f32 = centre_1 - floor((centre_1 - families_0[family_11].start_0) * families_0[family_11].inverse_period_0) * families_0[family_11].period_0;
+    var _S204 : f32 = 0.5f * max(size_2, families_0[family_11].smallest_box_0);
     var stretch_0 : Stretch_0;
-    stretch_0.low_1 = bound_at_0(family_11, _S201 - _S202);
-    stretch_0.high_1 = bound_at_0(family_11, _S201 + _S202);
+    stretch_0.low_1 = bound_at_0(family_11, _S203 - _S204);
+    stretch_0.high_1 = bound_at_0(family_11, _S203 + _S204);
     return stretch_0;
 }
 
@@ -1499,25 +1513,25 @@ fn Stretch_turns_0( this_6 : Stretch_0) -> f32
 
 fn lengths_0( family_12 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
 {
-    var _S203 : f32 = Stretch_turns_0(stretch_1);
-    var _S204 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.low_1.thread_12;
-    var _S205 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.high_1.thread_12;
-    var _S206 : f32 = table_number_0(_S205) - table_number_0(_S204);
-    var _S207 : f32 = table_number_0(_S205 + u32(1)) - table_number_0(_S204 + u32(1));
-    return vec3<f32>(_S206 + stretch_1.high_1.visible_0 * stretch_1.high_1.width_3 - stretch_1.low_1.visible_0 * stretch_1.low_1.width_3 + _S203 * families_0[family_12].visible_total_0, _S207 - _S206 + stretch_1.high_1.gap_0 - stretch_1.low_1.gap_0 + _S203 * (families_0[family_12].period_0 - families_0[family_12].visible_total_0), _S207 + stretch_1.high_1.cell_9 - stretch_1.low_1.cell_9 + _S203 * families_0[family_12].period_0);
+    var _S205 : f32 = Stretch_turns_0(stretch_1);
+    var _S206 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.low_1.thread_12;
+    var _S207 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.high_1.thread_12;
+    var _S208 : f32 = table_number_0(_S207) - table_number_0(_S206);
+    var _S209 : f32 = table_number_0(_S207 + u32(1)) - table_number_0(_S206 + u32(1));
+    return vec3<f32>(_S208 + stretch_1.high_1.visible_0 * stretch_1.high_1.width_3 - stretch_1.low_1.visible_0 * stretch_1.low_1.width_3 + _S205 * families_0[family_12].visible_total_0, _S209 - _S208 + stretch_1.high_1.gap_0 - stretch_1.low_1.gap_0 + _S205 * (families_0[family_12].period_0 - families_0[family_12].visible_total_0), _S209 + stretch_1.high_1.cell_9 - stretch_1.low_1.cell_9 + _S205 * families_0[family_12].period_0);
 }
 
 fn integrals_along_0( family_13 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
 {
-    var _S208 : u32 = u32(3) * families_0[family_13].quantities_0;
-    var _S209 : u32 = families_0[family_13].colour_threads_0 + _S208 * stretch_2.low_1.thread_12 + quantity_0;
-    var _S210 : u32 = families_0[family_13].colour_threads_0 + _S208 * stretch_2.high_1.thread_12 + quantity_0;
-    var _S211 : u32 = families_0[family_13].colour_threads_0 + _S208 * u32(families_0[family_13].count_0) + quantity_0;
-    var _S212 : f32 = table_number_0(_S209);
-    var _S213 : f32 = table_number_0(_S210);
-    var _S214 : f32 = Stretch_turns_0(stretch_2);
-    var _S215 : u32 = u32(2) * families_0[family_13].quantities_0;
-    return vec2<f32>(table_number_0(_S210 + families_0[family_13].quantities_0) - table_number_0(_S209 + families_0[family_13].quantities_0) + _S213 * stretch_2.high_1.visible_0 * stretch_2.high_1.width_3 - _S212 * stretch_2.low_1.visible_0 * stretch_2.low_1.width_3 + _S214 * table_number_0(_S211 + families_0[family_13].quantities_0), table_number_0(_S210 + _S215) - table_number_0(_S209 + _S215) + _S213 * stretch_2.high_1.cell_9 - _S212 * stretch_2.low_1.cell_9 + _S214 * table_number_0(_S211 + _S215));
+    var _S210 : u32 = u32(3) * families_0[family_13].quantities_0;
+    var _S211 : u32 = families_0[family_13].colour_threads_0 + _S210 * stretch_2.low_1.thread_12 + quantity_0;
+    var _S212 : u32 = families_0[family_13].colour_threads_0 + _S210 * stretch_2.high_1.thread_12 + quantity_0;
+    var _S213 : u32 = families_0[family_13].colour_threads_0 + _S210 * u32(families_0[family_13].count_0) + quantity_0;
+    var _S214 : f32 = table_number_0(_S211);
+    var _S215 : f32 = table_number_0(_S212);
+    var _S216 : f32 = Stretch_turns_0(stretch_2);
+    var _S217 : u32 = u32(2) * families_0[family_13].quantities_0;
+    return vec2<f32>(table_number_0(_S212 + families_0[family_13].quantities_0) - table_number_0(_S211 + families_0[family_13].quantities_0) + _S215 * stretch_2.high_1.visible_0 * stretch_2.high_1.width_3 - _S214 * stretch_2.low_1.visible_0 * stretch_2.low_1.width_3 + _S216 * table_number_0(_S213 + families_0[family_13].quantities_0), table_number_0(_S212 + _S217) - table_number_0(_S211 + _S217) + _S215 * stretch_2.high_1.cell_9 - _S214 * stretch_2.low_1.cell_9 + _S216 * table_number_0(_S213 + _S217));
 }
 
 fn Stretch_wraps_0( this_7 : Stretch_0) -> bool
@@ -1527,16 +1541,16 @@ fn Stretch_wraps_0( this_7 : Stretch_0) -> bool
 
 fn Stretch_differences_0( this_8 : Stretch_0,  entries_0 : vec4<u32>,  whole_0 : u32) -> vec4<u32>
 {
-    var _S216 : u32 = entries_0.z;
-    var _S217 : u32 = entries_0.x;
-    return vec4<u32>(_S216 - _S217 + select(u32(0), whole_0, Stretch_wraps_0(this_8)), entries_0.w - _S216, entries_0.y - _S217, whole_0);
+    var _S218 : u32 = entries_0.z;
+    var _S219 : u32 = entries_0.x;
+    return vec4<u32>(_S218 - _S219 + select(u32(0), whole_0, Stretch_wraps_0(this_8)), entries_0.w - _S218, entries_0.y - _S219, whole_0);
 }
 
 fn row_differences_0( across_5 : Stretch_0,  row_2 : u32,  count_3 : u32,  quantities_1 : u32) -> vec4<u32>
 {
-    var _S218 : u32 = row_2 + across_5.low_1.thread_12 * quantities_1;
-    var _S219 : u32 = row_2 + across_5.high_1.thread_12 * quantities_1;
-    return Stretch_differences_0(across_5, vec4<u32>(words_0[_S218], words_0[_S218 + quantities_1], words_0[_S219], words_0[_S219 + quantities_1]), words_0[row_2 + count_3 * quantities_1]);
+    var _S220 : u32 = row_2 + across_5.low_1.thread_12 * quantities_1;
+    var _S221 : u32 = row_2 + across_5.high_1.thread_12 * quantities_1;
+    return Stretch_differences_0(across_5, vec4<u32>(words_0[_S220], words_0[_S220 + quantities_1], words_0[_S221], words_0[_S221 + quantities_1]), words_0[row_2 + count_3 * quantities_1]);
 }
 
 fn Stretch_weights_0( this_9 : Stretch_0) -> vec4<f32>
@@ -1546,25 +1560,25 @@ fn Stretch_weights_0( this_9 : Stretch_0) -> vec4<f32>
 
 fn integral_on_top_0( family_14 : u32,  across_6 : Stretch_0,  along_1 : Stretch_0,  crossing_count_0 : u32,  quantity_1 : u32) -> f32
 {
-    var _S220 : u32 = u32(families_0[family_14].count_0);
-    var _S221 : u32 = (_S220 + u32(1)) * families_0[family_14].quantities_0;
-    var _S222 : u32 = families_0[family_14].colour_areas_0 + quantity_1;
-    var _S223 : vec4<u32> = row_differences_0(across_6, _S222 + along_1.low_1.thread_12 * _S221, _S220, families_0[family_14].quantities_0);
-    var _S224 : vec4<u32> = row_differences_0(across_6, _S222 + along_1.high_1.thread_12 * _S221, _S220, families_0[family_14].quantities_0);
-    var _S225 : vec4<u32> = row_differences_0(across_6, _S222 + crossing_count_0 * _S221, _S220, families_0[family_14].quantities_0);
-    var _S226 : vec4<f32> = Stretch_weights_0(across_6);
-    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S224 - _S223 + select_vector_2(Stretch_wraps_0(along_1), _S225, vec4<u32>(vec4<i32>(i32(0)))))), _S226), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S222 + (along_1.high_1.thread_12 + u32(1)) * _S221, _S220, families_0[family_14].quantities_0) - _S224)), _S226), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S222 + (along_1.low_1.thread_12 + u32(1)) * _S221, _S220, families_0[family_14].quantities_0) - _S223)), _S226), dot(vec4<f32>(vec4<i32>(_S225)), _S226)), Stretch_weights_0(along_1)) * families_0[family_14].area_unit_0;
+    var _S222 : u32 = u32(families_0[family_14].count_0);
+    var _S223 : u32 = (_S222 + u32(1)) * families_0[family_14].quantities_0;
+    var _S224 : u32 = families_0[family_14].colour_areas_0 + quantity_1;
+    var _S225 : vec4<u32> = row_differences_0(across_6, _S224 + along_1.low_1.thread_12 * _S223, _S222, families_0[family_14].quantities_0);
+    var _S226 : vec4<u32> = row_differences_0(across_6, _S224 + along_1.high_1.thread_12 * _S223, _S222, families_0[family_14].quantities_0);
+    var _S227 : vec4<u32> = row_differences_0(across_6, _S224 + crossing_count_0 * _S223, _S222, families_0[family_14].quantities_0);
+    var _S228 : vec4<f32> = Stretch_weights_0(across_6);
+    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S226 - _S225 + select_vector_2(Stretch_wraps_0(along_1), _S227, vec4<u32>(vec4<i32>(i32(0)))))), _S228), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S224 + (along_1.high_1.thread_12 + u32(1)) * _S223, _S222, families_0[family_14].quantities_0) - _S226)), _S228), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S224 + (along_1.low_1.thread_12 + u32(1)) * _S223, _S222, families_0[family_14].quantities_0) - _S225)), _S228), dot(vec4<f32>(vec4<i32>(_S227)), _S228)), Stretch_weights_0(along_1)) * families_0[family_14].area_unit_0;
 }
 
 fn with_added_albedos_0( albedos_1 : Albedos_0,  weight_3 : f32,  row_3 : u32) -> Albedos_0
 {
-    var _S227 : Albedos_0 = table_albedos_0(row_3);
+    var _S229 : Albedos_0 = table_albedos_0(row_3);
     var sum_0 : Albedos_0;
-    var _S228 : vec3<f32> = vec3<f32>(weight_3);
-    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S228 * _S227.diffuse_reflect_0;
-    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S228 * _S227.diffuse_transmit_0;
-    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S228 * _S227.specular_reflect_0;
-    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S228 * _S227.specular_transmit_0;
+    var _S230 : vec3<f32> = vec3<f32>(weight_3);
+    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S230 * _S229.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S230 * _S229.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S230 * _S229.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S230 * _S229.specular_transmit_0;
     return sum_0;
 }
 
@@ -1575,7 +1589,7 @@ fn mean_albedos_0( family_15 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  othe
     {
         return albedos_2;
     }
-    var _S229 : vec3<f32> = lengths_0(crossing_1, other_2);
+    var _S231 : vec3<f32> = lengths_0(crossing_1, other_2);
     var is_exposed_0 : bool = false;
     var weight_4 : f32 = 0.0f;
     var quantity_2 : u32 = u32(0);
@@ -1588,24 +1602,24 @@ fn mean_albedos_0( family_15 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  othe
         {
             break;
         }
-        var _S230 : vec2<f32> = integrals_along_0(family_15, own_1, quantity_2);
-        var _S231 : f32 = integral_on_top_0(family_15, own_1, other_2, u32(families_0[crossing_1].count_0), quantity_2);
-        var _S232 : f32 = _S230.x;
-        var _S233 : f32 = _S232 * _S229.x;
-        var _S234 : f32 = select(_S231, _S233 - _S231, back_5);
-        var _S235 : bool = quantity_2 == u32(0);
-        if(_S235)
+        var _S232 : vec2<f32> = integrals_along_0(family_15, own_1, quantity_2);
+        var _S233 : f32 = integral_on_top_0(family_15, own_1, other_2, u32(families_0[crossing_1].count_0), quantity_2);
+        var _S234 : f32 = _S232.x;
+        var _S235 : f32 = _S234 * _S231.x;
+        var _S236 : f32 = select(_S233, _S235 - _S233, back_5);
+        var _S237 : bool = quantity_2 == u32(0);
+        if(_S237)
         {
-            is_exposed_0 = _S234 > (16.0f * families_0[family_15].area_unit_0 * min(_S233 / families_0[family_15].crossing_area_0, 1.0f) + 0.00000999999974738f * _S233);
+            is_exposed_0 = _S236 > (16.0f * families_0[family_15].area_unit_0 * min(_S235 / families_0[family_15].crossing_area_0, 1.0f) + 0.00000999999974738f * _S235);
         }
-        var _S236 : f32 = _S232 * _S229.y + select(0.0f, _S234, is_exposed_0) + 0.000244140625f * _S229.z * _S230.y;
-        if(_S235)
+        var _S238 : f32 = _S234 * _S231.y + select(0.0f, _S236, is_exposed_0) + 0.000244140625f * _S231.z * _S232.y;
+        if(_S237)
         {
-            weight_4 = 1.0f / max(_S236, 9.99999968265522539e-21f);
+            weight_4 = 1.0f / max(_S238, 9.99999968265522539e-21f);
         }
         else
         {
-            albedos_2 = with_added_albedos_0(albedos_2, _S236 * weight_4, families_0[family_15].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
+            albedos_2 = with_added_albedos_0(albedos_2, _S238 * weight_4, families_0[family_15].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
         }
         quantity_2 = quantity_2 + u32(1);
     }
@@ -1619,11 +1633,11 @@ fn mean_albedos_0( family_15 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  othe
 fn lerp_albedos_0( first_3 : Albedos_0,  second_1 : Albedos_0,  weight_5 : f32) -> Albedos_0
 {
     var albedos_3 : Albedos_0;
-    var _S237 : vec3<f32> = vec3<f32>(weight_5);
-    albedos_3.diffuse_reflect_0 = mix(first_3.diffuse_reflect_0, second_1.diffuse_reflect_0, _S237);
-    albedos_3.diffuse_transmit_0 = mix(first_3.diffuse_transmit_0, second_1.diffuse_transmit_0, _S237);
-    albedos_3.specular_reflect_0 = mix(first_3.specular_reflect_0, second_1.specular_reflect_0, _S237);
-    albedos_3.specular_transmit_0 = mix(first_3.specular_transmit_0, second_1.specular_transmit_0, _S237);
+    var _S239 : vec3<f32> = vec3<f32>(weight_5);
+    albedos_3.diffuse_reflect_0 = mix(first_3.diffuse_reflect_0, second_1.diffuse_reflect_0, _S239);
+    albedos_3.diffuse_transmit_0 = mix(first_3.diffuse_transmit_0, second_1.diffuse_transmit_0, _S239);
+    albedos_3.specular_reflect_0 = mix(first_3.specular_reflect_0, second_1.specular_reflect_0, _S239);
+    albedos_3.specular_transmit_0 = mix(first_3.specular_transmit_0, second_1.specular_transmit_0, _S239);
     return albedos_3;
 }
 
@@ -1656,47 +1670,47 @@ struct FaceSends_0
 
 fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S238 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
+    var _S240 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
     var found_0 : FaceRadiance_0;
-    var _S239 : vec3<f32> = sends_0.sky_warp_0 + _S238 * sends_0.crossing_warp_0;
-    found_0.warp_3 = _S239;
-    var _S240 : vec3<f32> = sends_0.sky_weft_0 + _S238 * sends_0.crossing_weft_0;
-    found_0.weft_3 = _S240;
-    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S239 + vec3<f32>(sends_0.blocks_weft_0) * _S240;
+    var _S241 : vec3<f32> = sends_0.sky_warp_0 + _S240 * sends_0.crossing_warp_0;
+    found_0.warp_3 = _S241;
+    var _S242 : vec3<f32> = sends_0.sky_weft_0 + _S240 * sends_0.crossing_weft_0;
+    found_0.weft_3 = _S242;
+    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S241 + vec3<f32>(sends_0.blocks_weft_0) * _S242;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
-fn view_terms_0( view_8 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
+fn view_terms_0( view_7 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S241 : f32 = 1.0f - view_8.z;
-    var _S242 : f32 = _S241 * _S241;
-    (*terms_0)[i32(0)] = 1.0f;
-    var _S243 : f32 = view_8.x;
+    var _S243 : f32 = 1.0f - view_7.z;
     var _S244 : f32 = _S243 * _S243;
-    var _S245 : f32 = view_8.y;
+    (*terms_0)[i32(0)] = 1.0f;
+    var _S245 : f32 = view_7.x;
     var _S246 : f32 = _S245 * _S245;
-    (*terms_0)[i32(1)] = sqrt(max(_S244 + _S246, 9.999999960041972e-13f));
-    (*terms_0)[i32(2)] = _S242;
-    (*terms_0)[i32(3)] = _S242 * _S242;
-    (*terms_0)[i32(4)] = _S244 - _S246;
+    var _S247 : f32 = view_7.y;
+    var _S248 : f32 = _S247 * _S247;
+    (*terms_0)[i32(1)] = sqrt(max(_S246 + _S248, 9.999999960041972e-13f));
+    (*terms_0)[i32(2)] = _S244;
+    (*terms_0)[i32(3)] = _S244 * _S244;
+    (*terms_0)[i32(4)] = _S246 - _S248;
     (*terms_0)[i32(5)] = 0.0f;
     return;
 }
 
-fn view_terms_1( view_9 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
+fn view_terms_1( view_8 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S247 : f32 = 1.0f - view_9.z;
-    var _S248 : f32 = _S247 * _S247;
-    (*terms_1)[i32(0)] = 1.0f;
-    var _S249 : f32 = view_9.x;
+    var _S249 : f32 = 1.0f - view_8.z;
     var _S250 : f32 = _S249 * _S249;
-    var _S251 : f32 = view_9.y;
+    (*terms_1)[i32(0)] = 1.0f;
+    var _S251 : f32 = view_8.x;
     var _S252 : f32 = _S251 * _S251;
-    (*terms_1)[i32(1)] = sqrt(max(_S250 + _S252, 9.999999960041972e-13f));
-    (*terms_1)[i32(2)] = _S248;
-    (*terms_1)[i32(3)] = _S248 * _S248;
-    (*terms_1)[i32(4)] = _S250 - _S252;
+    var _S253 : f32 = view_8.y;
+    var _S254 : f32 = _S253 * _S253;
+    (*terms_1)[i32(1)] = sqrt(max(_S252 + _S254, 9.999999960041972e-13f));
+    (*terms_1)[i32(2)] = _S250;
+    (*terms_1)[i32(3)] = _S250 * _S250;
+    (*terms_1)[i32(4)] = _S252 - _S254;
     (*terms_1)[i32(5)] = 0.0f;
     return;
 }
@@ -1724,11 +1738,11 @@ struct Interior_0
 
 fn bounced_by_0( blocked_1 : Blocked_0,  yarn_2 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S253 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
-    var _S254 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
+    var _S255 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
+    var _S256 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_0 = yarn_2.back_6 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_4 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_4) + _S254 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S254 * interior_0.far_1 + yarn_2.back_6 * _S253;
+    bounced_0.reflected_0 = yarn_2.back_6 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_4 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_4) + _S256 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S256 * interior_0.far_1 + yarn_2.back_6 * _S255;
     return bounced_0;
 }
 
@@ -1740,10 +1754,10 @@ fn sum_of_0( first_4 : Bounced_0,  second_2 : Bounced_0) -> Bounced_0
     return sum_1;
 }
 
-fn bounced_value_0( bounced_1 : Bounced_0,  light_8 : vec3<f32>,  view_10 : vec3<f32>) -> vec3<f32>
+fn bounced_value_0( bounced_1 : Bounced_0,  light_7 : vec3<f32>,  view_9 : vec3<f32>) -> vec3<f32>
 {
-    var _S255 : f32 = light_8.z;
-    return select_vector_1((_S255 * view_10.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S255) * 0.31830987334251404f));
+    var _S257 : f32 = light_7.z;
+    return select_vector_1((_S257 * view_9.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S257) * 0.31830987334251404f));
 }
 
 fn sheen_scale_0( x_11 : f32,  y_4 : f32) -> f32
@@ -1763,183 +1777,183 @@ fn sheen_reflectance_0( x_13 : f32,  y_6 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_8 : f32) -> vec3<f32>
 {
-    var _S256 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S257 : f32 = 2.0f * sqrt(_S256) - 1.0f;
-    var _S258 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_8, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S257, _S258), 0.00999999977648258f, 1.0f), clamp((1.0f - _S256) * sheen_shear_0(_S257, _S258), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S257, _S258), -60.0f, 60.0f))));
+    var _S258 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S259 : f32 = 2.0f * sqrt(_S258) - 1.0f;
+    var _S260 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_8, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S259, _S260), 0.00999999977648258f, 1.0f), clamp((1.0f - _S258) * sheen_shear_0(_S259, _S260), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S259, _S260), -60.0f, 60.0f))));
 }
 
-fn transformed_cosine_0( light_9 : vec3<f32>,  view_11 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
+fn transformed_cosine_0( light_8 : vec3<f32>,  view_10 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S259 : f32 = light_9.z;
-    if(((_S259 <= 0.0f) | (((view_11.z) <= 0.0f))))
+    var _S261 : f32 = light_8.z;
+    if(((_S261 <= 0.0f) | (((view_10.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S260 : vec2<f32> = view_11.xy;
-    var _S261 : f32 = dot(_S260, _S260);
-    var _S262 : vec2<f32> = select_vector_0(_S261 > 9.99999968265522539e-21f, _S260 * vec2<f32>(rsqrt_0(max(_S261, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S263 : f32 = scale_0 * dot(light_9.xy, _S262) + shear_0 * _S259;
-    var _S264 : f32 = scale_0 * (light_9.y * _S262.x - light_9.x * _S262.y);
-    var _S265 : f32 = _S263 * _S263 + _S264 * _S264 + _S259 * _S259;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S259 / max(_S265 * _S265, 9.99999968265522539e-21f);
+    var _S262 : vec2<f32> = view_10.xy;
+    var _S263 : f32 = dot(_S262, _S262);
+    var _S264 : vec2<f32> = select_vector_0(_S263 > 9.99999968265522539e-21f, _S262 * vec2<f32>(rsqrt_0(max(_S263, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S265 : f32 = scale_0 * dot(light_8.xy, _S264) + shear_0 * _S261;
+    var _S266 : f32 = scale_0 * (light_8.y * _S264.x - light_8.x * _S264.y);
+    var _S267 : f32 = _S265 * _S265 + _S266 * _S266 + _S261 * _S261;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S261 / max(_S267 * _S267, 9.99999968265522539e-21f);
 }
 
-fn sheen_with_transmittance_0( light_10 : vec3<f32>,  view_12 : vec3<f32>,  strength_0 : f32,  roughness_9 : f32) -> vec2<f32>
+fn sheen_with_transmittance_0( light_9 : vec3<f32>,  view_11 : vec3<f32>,  strength_0 : f32,  roughness_9 : f32) -> vec2<f32>
 {
-    var _S266 : vec3<f32> = sheen_lobe_0(view_12.z, roughness_9);
-    var _S267 : f32 = strength_0 * _S266.z;
-    return vec2<f32>(_S267 * transformed_cosine_0(light_10, view_12, _S266.x, _S266.y), 1.0f - _S267);
+    var _S268 : vec3<f32> = sheen_lobe_0(view_11.z, roughness_9);
+    var _S269 : f32 = strength_0 * _S268.z;
+    return vec2<f32>(_S269 * transformed_cosine_0(light_9, view_11, _S268.x, _S268.y), 1.0f - _S269);
 }
 
-fn accumulate_0( index_7 : u32,  light_11 : vec4<f32>)
+fn accumulate_0( index_7 : u32,  light_10 : vec4<f32>)
 {
-    var _S268 : f32 = layers_0[index_7].share_0;
-    radiance_0[index_7] = radiance_0[index_7] + vec4<f32>(layers_0[index_7].share_0) * light_11;
-    layers_0[index_7].share_0 = _S268 * (1.0f - light_11.w);
+    var _S270 : f32 = layers_0[index_7].share_0;
+    radiance_0[index_7] = radiance_0[index_7] + vec4<f32>(layers_0[index_7].share_0) * light_10;
+    layers_0[index_7].share_0 = _S270 * (1.0f - light_10.w);
     return;
 }
 
-fn camera_right_0( _S269 : i32) -> vec3<f32>
+fn camera_right_0( _S271 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S269].right_x_0, frames_0[_S269].right_y_0, frames_0[_S269].right_z_0);
+    return vec3<f32>(frames_0[_S271].right_x_0, frames_0[_S271].right_y_0, frames_0[_S271].right_z_0);
 }
 
-fn camera_up_0( _S270 : i32) -> vec3<f32>
+fn camera_up_0( _S272 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S270].up_x_0, frames_0[_S270].up_y_0, frames_0[_S270].up_z_0);
+    return vec3<f32>(frames_0[_S272].up_x_0, frames_0[_S272].up_y_0, frames_0[_S272].up_z_0);
 }
 
-fn camera_forward_0( _S271 : i32) -> vec3<f32>
+fn camera_forward_0( _S273 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S271].forward_x_0, frames_0[_S271].forward_y_0, frames_0[_S271].forward_z_0);
+    return vec3<f32>(frames_0[_S273].forward_x_0, frames_0[_S273].forward_y_0, frames_0[_S273].forward_z_0);
 }
 
-fn camera_origin_0( _S272 : i32) -> vec3<f32>
+fn camera_origin_0( _S274 : i32) -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S272].origin_x_0, frames_0[_S272].origin_y_0, frames_0[_S272].origin_z_0);
+    return vec3<f32>(frames_0[_S274].origin_x_0, frames_0[_S274].origin_y_0, frames_0[_S274].origin_z_0);
 }
 
-fn face_point_0( _S273 : u32,  _S274 : u32,  _S275 : f32,  _S276 : f32) -> VisiblePoint_0
+fn face_point_0( _S275 : u32,  _S276 : u32,  _S277 : f32,  _S278 : f32) -> VisiblePoint_0
 {
-    var _S277 : u32 = u32(3) * _S274;
-    var _S278 : Vertex_std430_0 = vertices_0[corners_0[_S277]];
-    var _S279 : Vertex_std430_0 = vertices_0[corners_0[_S277 + u32(1)]];
-    var _S280 : Vertex_std430_0 = vertices_0[corners_0[_S277 + u32(2)]];
-    var _S281 : vec3<f32> = position_of_0(&(_S279));
-    var _S282 : vec3<f32> = position_of_0(&(_S278));
-    var _S283 : vec3<f32> = _S281 - _S282;
+    var _S279 : u32 = u32(3) * _S276;
+    var _S280 : Vertex_std430_0 = vertices_0[corners_0[_S279]];
+    var _S281 : Vertex_std430_0 = vertices_0[corners_0[_S279 + u32(1)]];
+    var _S282 : Vertex_std430_0 = vertices_0[corners_0[_S279 + u32(2)]];
+    var _S283 : vec3<f32> = position_of_0(&(_S281));
     var _S284 : vec3<f32> = position_of_0(&(_S280));
-    var _S285 : vec3<f32> = _S284 - _S282;
-    var _S286 : f32 = _S278.u_0;
-    var _S287 : f32 = _S279.u_0 - _S278.u_0;
-    var _S288 : f32 = _S278.v_0;
-    var _S289 : f32 = _S279.v_0 - _S278.v_0;
-    var _S290 : vec2<f32> = vec2<f32>(_S287, _S289);
-    var _S291 : f32 = _S280.u_0 - _S278.u_0;
-    var _S292 : f32 = _S280.v_0 - _S278.v_0;
-    var _S293 : vec2<f32> = vec2<f32>(_S291, _S292);
-    var _S294 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S287 * _S292 - _S289 * _S291) < 0.0f));
-    var _S295 : vec3<f32> = _S294 * (vec3<f32>(_S292) * _S283 - vec3<f32>(_S289) * _S285);
-    var _S296 : vec3<f32> = _S294 * (vec3<f32>(_S287) * _S285 - vec3<f32>(_S291) * _S283);
+    var _S285 : vec3<f32> = _S283 - _S284;
+    var _S286 : vec3<f32> = position_of_0(&(_S282));
+    var _S287 : vec3<f32> = _S286 - _S284;
+    var _S288 : f32 = _S280.u_0;
+    var _S289 : f32 = _S281.u_0 - _S280.u_0;
+    var _S290 : f32 = _S280.v_0;
+    var _S291 : f32 = _S281.v_0 - _S280.v_0;
+    var _S292 : vec2<f32> = vec2<f32>(_S289, _S291);
+    var _S293 : f32 = _S282.u_0 - _S280.u_0;
+    var _S294 : f32 = _S282.v_0 - _S280.v_0;
+    var _S295 : vec2<f32> = vec2<f32>(_S293, _S294);
+    var _S296 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S289 * _S294 - _S291 * _S293) < 0.0f));
+    var _S297 : vec3<f32> = _S296 * (vec3<f32>(_S294) * _S285 - vec3<f32>(_S291) * _S287);
+    var _S298 : vec3<f32> = _S296 * (vec3<f32>(_S289) * _S287 - vec3<f32>(_S293) * _S285);
     var point_2 : VisiblePoint_0;
-    var _S297 : f32 = 1.0f - _S275 - _S276;
-    var _S298 : vec3<f32> = normal_of_0(&(_S278));
-    var _S299 : vec3<f32> = vec3<f32>(_S297) * _S298;
-    var _S300 : vec3<f32> = normal_of_0(&(_S279));
-    var _S301 : vec3<f32> = vec3<f32>(_S275);
-    var _S302 : vec3<f32> = _S299 + _S301 * _S300;
-    var _S303 : vec3<f32> = normal_of_0(&(_S280));
-    var _S304 : vec3<f32> = vec3<f32>(_S276);
-    var _S305 : vec3<f32> = normalize(_S302 + _S304 * _S303);
-    point_2.normal_0 = _S305;
-    var _S306 : vec3<f32> = normalize(_S295 - _S305 * vec3<f32>(dot(_S305, _S295)));
-    point_2.axis_x_0 = _S306;
-    point_2.axis_y_0 = cross(_S305, _S306);
-    var _S307 : vec3<f32> = normalize(cross(_S283, _S285));
-    point_2.face_normal_0 = select_vector_1((dot(_S307, _S305)) < 0.0f, (vec3<f32>(0) - _S307), _S307);
-    point_2.position_0 = _S282 + _S301 * _S283 + _S304 * _S285;
-    point_2.view_1 = _S305;
-    var _S308 : vec2<f32> = vec2<f32>(_S286, _S288) + vec2<f32>(_S275) * _S290 + vec2<f32>(_S276) * _S293;
-    point_2.uv_1 = _S308;
-    var _S309 : bool = (dot(cross(_S295, _S296), _S305)) < 0.0f;
-    var _S310 : vec2<f32> = vec2<f32>(fabrics_0[_S273].uv_width_0, select(fabrics_0[_S273].uv_height_0, - fabrics_0[_S273].uv_height_0, _S309));
-    point_2.draft_per_uv_0 = _S310;
-    point_2.draft_0 = _S308 * _S310 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S273].uv_height_0, _S309));
-    var _S311 : vec2<f32> = vec2<f32>(0.0f);
-    point_2.draft_dx_0 = _S311;
-    point_2.draft_dy_0 = _S311;
+    var _S299 : f32 = 1.0f - _S277 - _S278;
+    var _S300 : vec3<f32> = normal_of_0(&(_S280));
+    var _S301 : vec3<f32> = vec3<f32>(_S299) * _S300;
+    var _S302 : vec3<f32> = normal_of_0(&(_S281));
+    var _S303 : vec3<f32> = vec3<f32>(_S277);
+    var _S304 : vec3<f32> = _S301 + _S303 * _S302;
+    var _S305 : vec3<f32> = normal_of_0(&(_S282));
+    var _S306 : vec3<f32> = vec3<f32>(_S278);
+    var _S307 : vec3<f32> = normalize(_S304 + _S306 * _S305);
+    point_2.normal_0 = _S307;
+    var _S308 : vec3<f32> = normalize(_S297 - _S307 * vec3<f32>(dot(_S307, _S297)));
+    point_2.axis_x_0 = _S308;
+    point_2.axis_y_0 = cross(_S307, _S308);
+    var _S309 : vec3<f32> = normalize(cross(_S285, _S287));
+    point_2.face_normal_0 = select_vector_1((dot(_S309, _S307)) < 0.0f, (vec3<f32>(0) - _S309), _S309);
+    point_2.position_0 = _S284 + _S303 * _S285 + _S306 * _S287;
+    point_2.view_1 = _S307;
+    var _S310 : vec2<f32> = vec2<f32>(_S288, _S290) + vec2<f32>(_S277) * _S292 + vec2<f32>(_S278) * _S295;
+    point_2.uv_1 = _S310;
+    var _S311 : bool = (dot(cross(_S297, _S298), _S307)) < 0.0f;
+    var _S312 : vec2<f32> = vec2<f32>(fabrics_0[_S275].uv_width_0, select(fabrics_0[_S275].uv_height_0, - fabrics_0[_S275].uv_height_0, _S311));
+    point_2.draft_per_uv_0 = _S312;
+    point_2.draft_0 = _S310 * _S312 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S275].uv_height_0, _S311));
+    var _S313 : vec2<f32> = vec2<f32>(0.0f);
+    point_2.draft_dx_0 = _S313;
+    point_2.draft_dy_0 = _S313;
     return point_2;
 }
 
-fn visible_point_0( _S312 : i32,  _S313 : u32,  _S314 : u32,  _S315 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S314 : i32,  _S315 : u32,  _S316 : u32,  _S317 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S316 : u32 = u32(3) * _S314;
-    var _S317 : Vertex_std430_0 = vertices_0[corners_0[_S316]];
-    var _S318 : Vertex_std430_0 = vertices_0[corners_0[_S316 + u32(1)]];
-    var _S319 : Vertex_std430_0 = vertices_0[corners_0[_S316 + u32(2)]];
-    var _S320 : vec3<f32> = position_of_1(&(_S318));
-    var _S321 : vec3<f32> = position_of_1(&(_S317));
-    var _S322 : vec3<f32> = _S320 - _S321;
+    var _S318 : u32 = u32(3) * _S316;
+    var _S319 : Vertex_std430_0 = vertices_0[corners_0[_S318]];
+    var _S320 : Vertex_std430_0 = vertices_0[corners_0[_S318 + u32(1)]];
+    var _S321 : Vertex_std430_0 = vertices_0[corners_0[_S318 + u32(2)]];
+    var _S322 : vec3<f32> = position_of_1(&(_S320));
     var _S323 : vec3<f32> = position_of_1(&(_S319));
-    var _S324 : vec3<f32> = _S323 - _S321;
-    var _S325 : vec3<f32> = cross(_S322, _S324);
-    var _S326 : f32 = f32(frames_0[_S312].width_0);
-    var _S327 : vec3<f32> = camera_right_0(_S312) * vec3<f32>((2.0f / _S326));
-    var _S328 : f32 = f32(frames_0[_S312].height_0);
-    var _S329 : vec3<f32> = camera_up_0(_S312) * vec3<f32>((-2.0f / _S328));
-    var _S330 : vec3<f32> = camera_forward_0(_S312) + vec3<f32>((f32(_S315.x) + 0.5f - 0.5f * _S326)) * _S327 + vec3<f32>((f32(_S315.y) + 0.5f - 0.5f * _S328)) * _S329;
-    var _S331 : f32 = dot(_S330, _S325);
-    var _S332 : f32 = 1.0f / select(1.00000000317107685e-30f, _S331, (abs(_S331)) > 1.00000000317107685e-30f);
-    var _S333 : vec3<f32> = _S321 - camera_origin_0(_S312);
-    var _S334 : vec3<f32> = vec3<f32>((dot(_S333, _S325) * _S332));
-    var _S335 : vec3<f32> = _S330 * _S334 - _S333;
-    var _S336 : vec3<f32> = _S334 * (_S327 - _S330 * vec3<f32>((dot(_S327, _S325) * _S332)));
-    var _S337 : vec3<f32> = _S334 * (_S329 - _S330 * vec3<f32>((dot(_S329, _S325) * _S332)));
-    var _S338 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S325), 1.00000000317107685e-30f)));
-    var _S339 : vec3<f32> = cross(_S324, _S325) * _S338;
-    var _S340 : vec3<f32> = cross(_S325, _S322) * _S338;
-    var _S341 : vec2<f32> = vec2<f32>(_S318.u_0 - _S317.u_0, _S318.v_0 - _S317.v_0);
-    var _S342 : vec2<f32> = vec2<f32>(_S319.u_0 - _S317.u_0, _S319.v_0 - _S317.v_0);
-    var point_3 : VisiblePoint_0 = face_point_0(_S313, _S314, dot(_S335, _S339), dot(_S335, _S340));
-    point_3.position_0 = _S321 + _S335;
-    point_3.view_1 = (vec3<f32>(0) - normalize(_S330));
-    point_3.draft_dx_0 = (vec2<f32>(dot(_S336, _S339)) * _S341 + vec2<f32>(dot(_S336, _S340)) * _S342) * point_3.draft_per_uv_0;
-    point_3.draft_dy_0 = (vec2<f32>(dot(_S337, _S339)) * _S341 + vec2<f32>(dot(_S337, _S340)) * _S342) * point_3.draft_per_uv_0;
+    var _S324 : vec3<f32> = _S322 - _S323;
+    var _S325 : vec3<f32> = position_of_1(&(_S321));
+    var _S326 : vec3<f32> = _S325 - _S323;
+    var _S327 : vec3<f32> = cross(_S324, _S326);
+    var _S328 : f32 = f32(frames_0[_S314].width_0);
+    var _S329 : vec3<f32> = camera_right_0(_S314) * vec3<f32>((2.0f / _S328));
+    var _S330 : f32 = f32(frames_0[_S314].height_0);
+    var _S331 : vec3<f32> = camera_up_0(_S314) * vec3<f32>((-2.0f / _S330));
+    var _S332 : vec3<f32> = camera_forward_0(_S314) + vec3<f32>((f32(_S317.x) + 0.5f - 0.5f * _S328)) * _S329 + vec3<f32>((f32(_S317.y) + 0.5f - 0.5f * _S330)) * _S331;
+    var _S333 : f32 = dot(_S332, _S327);
+    var _S334 : f32 = 1.0f / select(1.00000000317107685e-30f, _S333, (abs(_S333)) > 1.00000000317107685e-30f);
+    var _S335 : vec3<f32> = _S323 - camera_origin_0(_S314);
+    var _S336 : vec3<f32> = vec3<f32>((dot(_S335, _S327) * _S334));
+    var _S337 : vec3<f32> = _S332 * _S336 - _S335;
+    var _S338 : vec3<f32> = _S336 * (_S329 - _S332 * vec3<f32>((dot(_S329, _S327) * _S334)));
+    var _S339 : vec3<f32> = _S336 * (_S331 - _S332 * vec3<f32>((dot(_S331, _S327) * _S334)));
+    var _S340 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S327), 1.00000000317107685e-30f)));
+    var _S341 : vec3<f32> = cross(_S326, _S327) * _S340;
+    var _S342 : vec3<f32> = cross(_S327, _S324) * _S340;
+    var _S343 : vec2<f32> = vec2<f32>(_S320.u_0 - _S319.u_0, _S320.v_0 - _S319.v_0);
+    var _S344 : vec2<f32> = vec2<f32>(_S321.u_0 - _S319.u_0, _S321.v_0 - _S319.v_0);
+    var point_3 : VisiblePoint_0 = face_point_0(_S315, _S316, dot(_S337, _S341), dot(_S337, _S342));
+    point_3.position_0 = _S323 + _S337;
+    point_3.view_1 = (vec3<f32>(0) - normalize(_S332));
+    point_3.draft_dx_0 = (vec2<f32>(dot(_S338, _S341)) * _S343 + vec2<f32>(dot(_S338, _S342)) * _S344) * point_3.draft_per_uv_0;
+    point_3.draft_dy_0 = (vec2<f32>(dot(_S339, _S341)) * _S343 + vec2<f32>(dot(_S339, _S342)) * _S344) * point_3.draft_per_uv_0;
     return point_3;
 }
 
-fn filtered_albedo_0( _S343 : u32,  _S344 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S345 : u32,  _S346 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S345 : u32 = fabrics_0[_S343].albedo_map_levels_0;
-    if((fabrics_0[_S343].albedo_map_levels_0) == u32(0))
+    var _S347 : u32 = fabrics_0[_S345].albedo_map_levels_0;
+    if((fabrics_0[_S345].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S346 : vec2<f32> = vec2<f32>(fabrics_0[_S343].uv_width_0, fabrics_0[_S343].uv_height_0);
-    var _S347 : vec2<f32> = _S344.draft_dx_0 / _S346;
-    var _S348 : vec2<f32> = _S344.draft_dy_0 / _S346;
-    var _S349 : u32 = _S345 - u32(1);
-    var _S350 : u32 = (u32(1) << (_S349));
-    var _S351 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S347.x * _S348.y - _S347.y * _S348.x), 9.99999968265522539e-21f) * (square_1(f32(_S350)) / 3.0f)), 0.0f, f32(_S345) - 1.0f);
-    var _S352 : u32 = min(u32(_S351), max(_S345, u32(2)) - u32(2));
-    var _S353 : u32 = min(_S352 + u32(1), _S349);
-    var _S354 : u32 = (u32(1) << ((u32(2) * _S345)));
-    return mix(map_level_0(fabrics_0[_S343].albedo_map_0 + (_S354 - ((_S354 >> ((u32(2) * _S352))))) / u32(3), (_S350 >> (_S352)), _S344.uv_1), map_level_0(fabrics_0[_S343].albedo_map_0 + (_S354 - ((_S354 >> ((u32(2) * _S353))))) / u32(3), (_S350 >> (_S353)), _S344.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S351 - f32(_S352))) - 1.0f) / 3.0f)));
+    var _S348 : vec2<f32> = vec2<f32>(fabrics_0[_S345].uv_width_0, fabrics_0[_S345].uv_height_0);
+    var _S349 : vec2<f32> = _S346.draft_dx_0 / _S348;
+    var _S350 : vec2<f32> = _S346.draft_dy_0 / _S348;
+    var _S351 : u32 = _S347 - u32(1);
+    var _S352 : u32 = (u32(1) << (_S351));
+    var _S353 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S349.x * _S350.y - _S349.y * _S350.x), 9.99999968265522539e-21f) * (square_1(f32(_S352)) / 3.0f)), 0.0f, f32(_S347) - 1.0f);
+    var _S354 : u32 = min(u32(_S353), max(_S347, u32(2)) - u32(2));
+    var _S355 : u32 = min(_S354 + u32(1), _S351);
+    var _S356 : u32 = (u32(1) << ((u32(2) * _S347)));
+    return mix(map_level_0(fabrics_0[_S345].albedo_map_0 + (_S356 - ((_S356 >> ((u32(2) * _S354))))) / u32(3), (_S352 >> (_S354)), _S346.uv_1), map_level_0(fabrics_0[_S345].albedo_map_0 + (_S356 - ((_S356 >> ((u32(2) * _S355))))) / u32(3), (_S352 >> (_S355)), _S346.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S353 - f32(_S354))) - 1.0f) / 3.0f)));
 }
 
-fn light_sample_count_0( _S355 : i32) -> u32
+fn light_sample_count_0( _S357 : i32) -> u32
 {
-    return frames_0[_S355].lights_0 + frames_0[_S355].environment_samples_0;
+    return frames_0[_S357].lights_0 + frames_0[_S357].environment_samples_0;
 }
 
-fn visibility_at_0( _S356 : i32,  _S357 : u32,  _S358 : vec2<u32>) -> f32
+fn visibility_at_0( _S358 : i32,  _S359 : u32,  _S360 : vec2<u32>) -> f32
 {
-    if((frames_0[_S356].casts_shadows_0) == u32(0))
+    if((frames_0[_S358].casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S357 * frames_0[_S356].height_0 + _S358.y) * frames_0[_S356].width_0 + _S358.x];
+    return visibilities_0[(_S359 * frames_0[_S358].height_0 + _S360.y) * frames_0[_S358].width_0 + _S360.x];
 }
 
 struct LightSample_0
@@ -1949,52 +1963,52 @@ struct LightSample_0
      distance_1 : f32,
 };
 
-fn environment_texel_0( _S359 : i32,  _S360 : u32,  _S361 : u32) -> vec3<f32>
+fn environment_texel_0( _S361 : i32,  _S362 : u32,  _S363 : u32) -> vec3<f32>
 {
-    var _S362 : u32 = frames_0[_S359].environment_table_0 + frames_0[_S359].environment_rows_0 + u32(1) + frames_0[_S359].environment_rows_0 * (frames_0[_S359].environment_columns_0 + u32(1)) + u32(3) * (_S360 * frames_0[_S359].environment_columns_0 + _S361);
-    return vec3<f32>(scene_number_0(_S362), scene_number_0(_S362 + u32(1)), scene_number_0(_S362 + u32(2)));
+    var _S364 : u32 = frames_0[_S361].environment_table_0 + frames_0[_S361].environment_rows_0 + u32(1) + frames_0[_S361].environment_rows_0 * (frames_0[_S361].environment_columns_0 + u32(1)) + u32(3) * (_S362 * frames_0[_S361].environment_columns_0 + _S363);
+    return vec3<f32>(scene_number_0(_S364), scene_number_0(_S364 + u32(1)), scene_number_0(_S364 + u32(2)));
 }
 
-fn sample_environment_0( _S363 : i32,  _S364 : vec2<f32>,  _S365 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S365 : i32,  _S366 : vec2<f32>,  _S367 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S366 : u32 = frames_0[_S363].environment_rows_0;
-    var _S367 : Choice_0 = choose_0(frames_0[_S363].environment_table_0, frames_0[_S363].environment_rows_0, _S364.y);
-    var _S368 : u32 = frames_0[_S363].environment_columns_0;
-    var _S369 : Choice_0 = choose_0(frames_0[_S363].environment_table_0 + frames_0[_S363].environment_rows_0 + u32(1) + _S367.index_3 * (frames_0[_S363].environment_columns_0 + u32(1)), frames_0[_S363].environment_columns_0, _S364.x);
-    var _S370 : vec3<f32> = environment_texel_0(_S363, _S367.index_3, _S369.index_3);
-    (*_S365) = _S370 * vec3<f32>((frames_0[_S363].environment_total_0 / max(mean_0(_S370), 9.99999968265522539e-21f)));
-    var _S371 : f32 = 3.14159274101257324f / f32(_S366);
-    var _S372 : f32 = mix(sine_cosine_0(f32(_S367.index_3) * _S371).y, sine_cosine_0(f32(_S367.index_3 + u32(1)) * _S371).y, _S367.remainder_0);
-    var _S373 : f32 = sqrt(max(1.0f - _S372 * _S372, 0.0f));
-    var _S374 : vec2<f32> = sine_cosine_0((f32(_S369.index_3) + _S369.remainder_0) * (6.28318548202514648f / f32(_S368)));
-    var _S375 : f32 = _S373 * _S374.x;
-    var _S376 : f32 = - _S373 * _S374.y;
-    return vec3<f32>(frames_0[_S363].environment_cosine_0 * _S375 + frames_0[_S363].environment_sine_0 * _S376, _S372, frames_0[_S363].environment_cosine_0 * _S376 - frames_0[_S363].environment_sine_0 * _S375);
+    var _S368 : u32 = frames_0[_S365].environment_rows_0;
+    var _S369 : Choice_0 = choose_0(frames_0[_S365].environment_table_0, frames_0[_S365].environment_rows_0, _S366.y);
+    var _S370 : u32 = frames_0[_S365].environment_columns_0;
+    var _S371 : Choice_0 = choose_0(frames_0[_S365].environment_table_0 + frames_0[_S365].environment_rows_0 + u32(1) + _S369.index_3 * (frames_0[_S365].environment_columns_0 + u32(1)), frames_0[_S365].environment_columns_0, _S366.x);
+    var _S372 : vec3<f32> = environment_texel_0(_S365, _S369.index_3, _S371.index_3);
+    (*_S367) = _S372 * vec3<f32>((frames_0[_S365].environment_total_0 / max(mean_0(_S372), 9.99999968265522539e-21f)));
+    var _S373 : f32 = 3.14159274101257324f / f32(_S368);
+    var _S374 : f32 = mix(sine_cosine_0(f32(_S369.index_3) * _S373).y, sine_cosine_0(f32(_S369.index_3 + u32(1)) * _S373).y, _S369.remainder_0);
+    var _S375 : f32 = sqrt(max(1.0f - _S374 * _S374, 0.0f));
+    var _S376 : vec2<f32> = sine_cosine_0((f32(_S371.index_3) + _S371.remainder_0) * (6.28318548202514648f / f32(_S370)));
+    var _S377 : f32 = _S375 * _S376.x;
+    var _S378 : f32 = - _S375 * _S376.y;
+    return vec3<f32>(frames_0[_S365].environment_cosine_0 * _S377 + frames_0[_S365].environment_sine_0 * _S378, _S374, frames_0[_S365].environment_cosine_0 * _S378 - frames_0[_S365].environment_sine_0 * _S377);
 }
 
-fn light_sample_0( _S377 : i32,  _S378 : u32,  _S379 : vec2<u32>,  _S380 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S379 : i32,  _S380 : u32,  _S381 : vec2<u32>,  _S382 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_1 = 1.00000001504746622e+30f;
-    var _S381 : u32 = frames_0[_S377].lights_0;
-    if(_S378 >= (frames_0[_S377].lights_0))
+    var _S383 : u32 = frames_0[_S379].lights_0;
+    if(_S380 >= (frames_0[_S379].lights_0))
     {
         var weight_6 : vec3<f32>;
-        var _S382 : vec3<f32> = sample_environment_0(_S377, pixel_sequence_0(_S379, frames_0[_S377].pass_number_0 * frames_0[_S377].environment_samples_0 + (_S378 - _S381), u32(3)), &(weight_6));
-        sample_0.towards_0 = _S382;
-        sample_0.irradiance_1 = weight_6 / vec3<f32>(f32(frames_0[_S377].environment_samples_0));
+        var _S384 : vec3<f32> = sample_environment_0(_S379, pixel_sequence_0(_S381, frames_0[_S379].pass_number_0 * frames_0[_S379].environment_samples_0 + (_S380 - _S383), u32(3)), &(weight_6));
+        sample_0.towards_0 = _S384;
+        sample_0.irradiance_1 = weight_6 / vec3<f32>(f32(frames_0[_S379].environment_samples_0));
         return sample_0;
     }
-    var _S383 : Light_std430_0 = lights_1[_S378];
-    sample_0.irradiance_1 = vec3<f32>(_S383.red_0, _S383.green_0, _S383.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S383.x_1, _S383.y_1, _S383.z_1);
-    if((_S383.is_point_0) != u32(0))
+    var _S385 : Light_std430_0 = lights_1[_S380];
+    sample_0.irradiance_1 = vec3<f32>(_S385.red_0, _S385.green_0, _S385.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S385.x_1, _S385.y_1, _S385.z_1);
+    if((_S385.is_point_0) != u32(0))
     {
-        var _S384 : vec3<f32> = sample_0.towards_0 - _S380;
-        var _S385 : f32 = max(square_0(_S384), 9.999999960041972e-13f);
-        sample_0.distance_1 = sqrt(_S385);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S385);
-        sample_0.towards_0 = normalize(_S384);
+        var _S386 : vec3<f32> = sample_0.towards_0 - _S382;
+        var _S387 : f32 = max(square_0(_S386), 9.999999960041972e-13f);
+        sample_0.distance_1 = sqrt(_S387);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S387);
+        sample_0.towards_0 = normalize(_S386);
     }
     return sample_0;
 }
@@ -2019,22 +2033,22 @@ struct Regime_0
      points_0 : f32,
 };
 
-fn regime_of_0( _S386 : u32,  _S387 : Footprint_0,  _S388 : f32) -> Regime_0
+fn regime_of_0( _S388 : u32,  _S389 : Footprint_0,  _S390 : f32) -> Regime_0
 {
-    var _S389 : f32 = Footprint_spread_side_0(_S387);
-    var _S390 : f32 = clamp((binary_logarithm_0(max(_S389, 9.99999971718068537e-10f)) - fabrics_0[_S386].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
+    var _S391 : f32 = Footprint_spread_side_0(_S389);
+    var _S392 : f32 = clamp((binary_logarithm_0(max(_S391, 9.99999971718068537e-10f)) - fabrics_0[_S388].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
     var regime_0 : Regime_0;
-    var _S391 : f32 = _S390 * _S390 * (3.0f - 2.0f * _S390);
-    regime_0.prefiltered_0 = _S391;
-    var _S392 : f32 = _S389 * fabrics_0[_S386].lobes_0.threads_per_mm_0;
-    regime_0.threads_1 = _S392;
-    regime_0.points_0 = select(0.0f, clamp(_S392 * 12.0f, 1.0f, mix(max(8.0f / _S388, 1.0f), 1.0f, _S391)), _S391 < 1.0f);
+    var _S393 : f32 = _S392 * _S392 * (3.0f - 2.0f * _S392);
+    regime_0.prefiltered_0 = _S393;
+    var _S394 : f32 = _S391 * fabrics_0[_S388].lobes_0.threads_per_mm_0;
+    regime_0.threads_1 = _S394;
+    regime_0.points_0 = select(0.0f, clamp(_S394 * 12.0f, 1.0f, mix(max(8.0f / _S390, 1.0f), 1.0f, _S393)), _S393 < 1.0f);
     return regime_0;
 }
 
-fn varies_at_0( _S393 : u32,  _S394 : f32) -> bool
+fn varies_at_0( _S395 : u32,  _S396 : f32) -> bool
 {
-    return (((((fabrics_0[_S393].fibre_noise_0) > 0.0f) | (((fabrics_0[_S393].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S393].has_detail_0) != u32(0)) & ((_S394 >= 0.0f))))));
+    return (((((fabrics_0[_S395].fibre_noise_0) > 0.0f) | (((fabrics_0[_S395].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S395].has_detail_0) != u32(0)) & ((_S396 >= 0.0f))))));
 }
 
 struct Hit_0
@@ -2058,130 +2072,130 @@ struct Sample_0
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S395 : u32,  _S396 : f32,  _S397 : f32,  _S398 : bool) -> Crossing_0
+fn crossing_at_0( _S397 : u32,  _S398 : f32,  _S399 : f32,  _S400 : bool) -> Crossing_0
 {
     var crossing_3 : Crossing_0;
-    crossing_3.warp_2 = locate_0(fabrics_0[_S395].warp_0, _S396);
-    crossing_3.weft_2 = locate_0(fabrics_0[_S395].weft_0, _S397);
-    var _S399 : u32 = fabrics_0[_S395].run_words_0 + u32(2) * (crossing_3.weft_2.thread_2 * fabrics_0[_S395].ends_1 + crossing_3.warp_2.thread_2);
-    var _S400 : u32 = words_0[_S399];
-    crossing_3.warp_word_0 = _S400;
-    crossing_3.weft_word_0 = words_0[_S399 + u32(1)];
-    crossing_3.warp_above_0 = (((_S400 & (u32(1)))) == u32(1)) != _S398;
+    crossing_3.warp_2 = locate_0(fabrics_0[_S397].warp_0, _S398);
+    crossing_3.weft_2 = locate_0(fabrics_0[_S397].weft_0, _S399);
+    var _S401 : u32 = fabrics_0[_S397].run_words_0 + u32(2) * (crossing_3.weft_2.thread_2 * fabrics_0[_S397].ends_1 + crossing_3.warp_2.thread_2);
+    var _S402 : u32 = words_0[_S401];
+    crossing_3.warp_word_0 = _S402;
+    crossing_3.weft_word_0 = words_0[_S401 + u32(1)];
+    crossing_3.warp_above_0 = (((_S402 & (u32(1)))) == u32(1)) != _S400;
     return crossing_3;
 }
 
-fn sample_at_0( _S401 : u32,  _S402 : f32,  _S403 : f32,  _S404 : bool) -> Sample_0
+fn sample_at_0( _S403 : u32,  _S404 : f32,  _S405 : f32,  _S406 : bool) -> Sample_0
 {
     var sample_1 : Sample_0;
-    var _S405 : Crossing_0 = crossing_at_0(_S401, _S402, _S403, _S404);
-    sample_1.crossing_2 = _S405;
-    var _S406 : Shown_0 = shown_at_0(_S405, _S404);
-    sample_1.shown_3 = _S406;
-    var _S407 : u32 = select(fabrics_0[_S401].weft_0, fabrics_0[_S401].warp_0, _S406.is_warp_2);
-    var _S408 : u32 = select(fabrics_0[_S401].warp_0, fabrics_0[_S401].weft_0, _S406.is_warp_2);
-    var _S409 : Cell_0 = select_cell_0(_S406.is_warp_2, sample_1.crossing_2.warp_2, sample_1.crossing_2.weft_2);
-    var _S410 : Cell_0 = select_cell_0(_S406.is_warp_2, sample_1.crossing_2.weft_2, sample_1.crossing_2.warp_2);
-    var _S411 : Run_0 = unpack_0(_S407, _S408, _S409.thread_2, _S410, _S406.word_0);
-    var _S412 : Section_0 = section_at_0(_S409);
-    var _S413 : bool = ((_S406.on_top_0) & (((_S411.distance_0) < (_S412.drop_0 * _S411.bend_1.sine_0))));
-    var _S414 : f32 = select(-1.0f, 1.0f, ((_S406.on_top_0) & ((!_S413))));
-    var _S415 : f32 = select(_S411.reach_0, _S411.other_reach_0, _S413);
-    var _S416 : f32 = select(max(_S415 - _S411.distance_0, 0.0f), _S415 + _S411.distance_0, _S413);
-    var _S417 : f32 = _S415 / _S411.bend_1.sine_0 - _S414 * _S412.drop_0;
-    var _S418 : f32 = _S416 * _S416;
-    var _S419 : f32 = max(_S417 * _S417 - _S418, 9.99999968265522539e-21f);
-    var _S420 : f32 = rsqrt_0(_S419);
-    var _S421 : f32 = _S418 / (_S419 * _S420 + _S417);
-    var _S422 : bool = _S416 > 0.0f;
-    var _S423 : f32 = select(-1.0f, 1.0f, _S406.on_top_0) * select(-1.0f, 1.0f, _S411.near_start_0);
-    var _S424 : f32 = _S412.slope_0 * select(1.0f, _S417 * _S420, _S422);
-    sample_1.slope_across_0 = _S424;
-    var _S425 : f32 = select(0.0f, _S423 * _S416 * _S420, _S422);
-    sample_1.slope_along_0 = _S425;
-    var _S426 : vec2<f32> = dive_0(_S408, _S406, _S411, _S410);
-    sample_1.height_7 = select(families_0[_S407].height_scale_0 * _S414, 0.0f, _S411.straight_0) * (_S415 * _S411.bend_1.half_tangent_0 - _S421) - families_0[_S407].height_scale_0 * _S412.drop_0 - _S426.x;
-    var _S427 : f32 = families_0[_S407].height_scale_0 * _S424;
-    var _S428 : f32 = families_0[_S407].height_scale_0 * _S425 - _S426.y;
-    sample_1.slope_x_1 = select(_S428, _S427, _S406.is_warp_2);
-    sample_1.slope_y_1 = select(_S427, _S428, _S406.is_warp_2);
-    sample_1.run_3 = _S411;
-    sample_1.section_1 = _S412;
+    var _S407 : Crossing_0 = crossing_at_0(_S403, _S404, _S405, _S406);
+    sample_1.crossing_2 = _S407;
+    var _S408 : Shown_0 = shown_at_0(_S407, _S406);
+    sample_1.shown_3 = _S408;
+    var _S409 : u32 = select(fabrics_0[_S403].weft_0, fabrics_0[_S403].warp_0, _S408.is_warp_2);
+    var _S410 : u32 = select(fabrics_0[_S403].warp_0, fabrics_0[_S403].weft_0, _S408.is_warp_2);
+    var _S411 : Cell_0 = select_cell_0(_S408.is_warp_2, sample_1.crossing_2.warp_2, sample_1.crossing_2.weft_2);
+    var _S412 : Cell_0 = select_cell_0(_S408.is_warp_2, sample_1.crossing_2.weft_2, sample_1.crossing_2.warp_2);
+    var _S413 : Run_0 = unpack_0(_S409, _S410, _S411.thread_2, _S412, _S408.word_0);
+    var _S414 : Section_0 = section_at_0(_S411);
+    var _S415 : bool = ((_S408.on_top_0) & (((_S413.distance_0) < (_S414.drop_0 * _S413.bend_1.sine_0))));
+    var _S416 : f32 = select(-1.0f, 1.0f, ((_S408.on_top_0) & ((!_S415))));
+    var _S417 : f32 = select(_S413.reach_0, _S413.other_reach_0, _S415);
+    var _S418 : f32 = select(max(_S417 - _S413.distance_0, 0.0f), _S417 + _S413.distance_0, _S415);
+    var _S419 : f32 = _S417 / _S413.bend_1.sine_0 - _S416 * _S414.drop_0;
+    var _S420 : f32 = _S418 * _S418;
+    var _S421 : f32 = max(_S419 * _S419 - _S420, 9.99999968265522539e-21f);
+    var _S422 : f32 = rsqrt_0(_S421);
+    var _S423 : f32 = _S420 / (_S421 * _S422 + _S419);
+    var _S424 : bool = _S418 > 0.0f;
+    var _S425 : f32 = select(-1.0f, 1.0f, _S408.on_top_0) * select(-1.0f, 1.0f, _S413.near_start_0);
+    var _S426 : f32 = _S414.slope_0 * select(1.0f, _S419 * _S422, _S424);
+    sample_1.slope_across_0 = _S426;
+    var _S427 : f32 = select(0.0f, _S425 * _S418 * _S422, _S424);
+    sample_1.slope_along_0 = _S427;
+    var _S428 : vec2<f32> = dive_0(_S410, _S408, _S413, _S412);
+    sample_1.height_7 = select(families_0[_S409].height_scale_0 * _S416, 0.0f, _S413.straight_0) * (_S417 * _S413.bend_1.half_tangent_0 - _S423) - families_0[_S409].height_scale_0 * _S414.drop_0 - _S428.x;
+    var _S429 : f32 = families_0[_S409].height_scale_0 * _S426;
+    var _S430 : f32 = families_0[_S409].height_scale_0 * _S427 - _S428.y;
+    sample_1.slope_x_1 = select(_S430, _S429, _S408.is_warp_2);
+    sample_1.slope_y_1 = select(_S429, _S430, _S408.is_warp_2);
+    sample_1.run_3 = _S413;
+    sample_1.section_1 = _S414;
     return sample_1;
 }
 
-fn steps_per_length_0( _S429 : u32,  _S430 : SearchQuality_0,  _S431 : vec3<f32>) -> f32
+fn steps_per_length_0( _S431 : u32,  _S432 : SearchQuality_0,  _S433 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S431.x) * fabrics_0[_S429].threads_per_x_0, abs(_S431.y) * fabrics_0[_S429].threads_per_y_0) * _S430.steps_per_thread_0, abs(_S431.z) * fabrics_0[_S429].per_relief_0 * _S430.steps_per_relief_0);
+    return max(max(abs(_S433.x) * fabrics_0[_S431].threads_per_x_0, abs(_S433.y) * fabrics_0[_S431].threads_per_y_0) * _S432.steps_per_thread_0, abs(_S433.z) * fabrics_0[_S431].per_relief_0 * _S432.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S432 : u32,  _S433 : Crossing_0) -> f32
+fn cell_maximum_0( _S434 : u32,  _S435 : Crossing_0) -> f32
 {
-    var _S434 : u32 = select(fabrics_0[_S432].weft_0, fabrics_0[_S432].warp_0, _S433.warp_above_0);
-    return f32((select(_S433.weft_word_0, _S433.warp_word_0, _S433.warp_above_0) >> (u32(28)))) * families_0[_S434].height_scale_0 * families_0[_S434].level_0;
+    var _S436 : u32 = select(fabrics_0[_S434].weft_0, fabrics_0[_S434].warp_0, _S435.warp_above_0);
+    return f32((select(_S435.weft_word_0, _S435.warp_word_0, _S435.warp_above_0) >> (u32(28)))) * families_0[_S436].height_scale_0 * families_0[_S436].level_0;
 }
 
-fn probe_0( _S435 : u32,  _S436 : f32,  _S437 : f32,  _S438 : bool,  _S439 : bool,  _S440 : bool) -> Probe_0
+fn probe_0( _S437 : u32,  _S438 : f32,  _S439 : f32,  _S440 : bool,  _S441 : bool,  _S442 : bool) -> Probe_0
 {
-    var _S441 : Sample_0 = sample_at_0(_S435, _S436, _S437, _S438);
+    var _S443 : Sample_0 = sample_at_0(_S437, _S438, _S439, _S440);
     var probe_1 : Probe_0;
-    probe_1.height_4 = _S441.height_7;
-    probe_1.hole_4 = _S441.shown_3.hole_3;
-    probe_1.slope_x_0 = _S441.slope_x_1;
-    probe_1.slope_y_0 = _S441.slope_y_1;
-    probe_1.yarn_1 = select(_S441.crossing_2.weft_2.thread_2 * u32(2), _S441.crossing_2.warp_2.thread_2 * u32(2) + u32(1), _S441.shown_3.is_warp_2);
-    probe_1.cell_max_0 = cell_maximum_0(_S435, _S441.crossing_2);
-    probe_1.side_x_0 = select(_S441.crossing_2.warp_2.below_0, _S441.crossing_2.warp_2.above_0, _S439);
-    probe_1.side_y_0 = select(_S441.crossing_2.weft_2.below_0, _S441.crossing_2.weft_2.above_0, _S440);
-    probe_1.edge_x_0 = outline_distance_0(_S441.crossing_2.warp_2, _S441.shown_3, _S441.run_3, !_S441.shown_3.is_warp_2, _S439);
-    probe_1.edge_y_0 = outline_distance_0(_S441.crossing_2.weft_2, _S441.shown_3, _S441.run_3, _S441.shown_3.is_warp_2, _S440);
+    probe_1.height_4 = _S443.height_7;
+    probe_1.hole_4 = _S443.shown_3.hole_3;
+    probe_1.slope_x_0 = _S443.slope_x_1;
+    probe_1.slope_y_0 = _S443.slope_y_1;
+    probe_1.yarn_1 = select(_S443.crossing_2.weft_2.thread_2 * u32(2), _S443.crossing_2.warp_2.thread_2 * u32(2) + u32(1), _S443.shown_3.is_warp_2);
+    probe_1.cell_max_0 = cell_maximum_0(_S437, _S443.crossing_2);
+    probe_1.side_x_0 = select(_S443.crossing_2.warp_2.below_0, _S443.crossing_2.warp_2.above_0, _S441);
+    probe_1.side_y_0 = select(_S443.crossing_2.weft_2.below_0, _S443.crossing_2.weft_2.above_0, _S442);
+    probe_1.edge_x_0 = outline_distance_0(_S443.crossing_2.warp_2, _S443.shown_3, _S443.run_3, !_S443.shown_3.is_warp_2, _S441);
+    probe_1.edge_y_0 = outline_distance_0(_S443.crossing_2.weft_2, _S443.shown_3, _S443.run_3, _S443.shown_3.is_warp_2, _S442);
     return probe_1;
 }
 
-fn is_free_0( _S442 : u32,  _S443 : SearchQuality_0,  _S444 : vec3<f32>,  _S445 : vec3<f32>,  _S446 : bool,  _S447 : f32) -> bool
+fn is_free_0( _S444 : u32,  _S445 : SearchQuality_0,  _S446 : vec3<f32>,  _S447 : vec3<f32>,  _S448 : bool,  _S449 : f32) -> bool
 {
-    var _S448 : f32 = _S445.z;
-    if(_S448 <= 0.0f)
+    var _S450 : f32 = _S447.z;
+    if(_S450 <= 0.0f)
     {
         return false;
     }
-    var _S449 : f32 = 1.0f / max(_S443.shadow_share_0 * steps_per_length_0(_S442, _S443, _S445), 9.99999971718068537e-10f);
-    var _S450 : StepControl_0 = step_control_0(_S445.xy, _S449);
+    var _S451 : f32 = 1.0f / max(_S445.shadow_share_0 * steps_per_length_0(_S444, _S445, _S447), 9.99999971718068537e-10f);
+    var _S452 : StepControl_0 = step_control_0(_S447.xy, _S451);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_4 : u32 = u32(0);
     var distance_2 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        if(((count_4 < u32(1024)) & (((_S444.z + _S448 * distance_2) < _S447))))
+        if(((count_4 < u32(1024)) & (((_S446.z + _S450 * distance_2) < _S449))))
         {
         }
         else
         {
             break;
         }
-        var _S451 : vec3<f32> = _S444 + _S445 * vec3<f32>(distance_2);
-        var _S452 : Probe_0 = probe_0(_S442, _S451.x, _S451.y, _S446, _S450.right_0, _S450.up_0);
-        var _S453 : f32 = _S451.z;
-        var _S454 : f32 = _S453 - _S452.height_4;
-        var _S455 : f32 = _S448 - _S452.slope_x_0 * _S445.x - _S452.slope_y_0 * _S445.y;
-        if(((!_S452.hole_4) & ((_S454 < 0.0f))))
+        var _S453 : vec3<f32> = _S446 + _S447 * vec3<f32>(distance_2);
+        var _S454 : Probe_0 = probe_0(_S444, _S453.x, _S453.y, _S448, _S452.right_0, _S452.up_0);
+        var _S455 : f32 = _S453.z;
+        var _S456 : f32 = _S455 - _S454.height_4;
+        var _S457 : f32 = _S450 - _S454.slope_x_0 * _S447.x - _S454.slope_y_0 * _S447.y;
+        if(((!_S454.hole_4) & ((_S456 < 0.0f))))
         {
             return false;
         }
-        var _S456 : f32 = way_back_to_dip_0(previous_3, _S454, _S455, last_step_0, _S452);
-        if(_S456 >= 0.0f)
+        var _S458 : f32 = way_back_to_dip_0(previous_3, _S456, _S457, last_step_0, _S454);
+        if(_S458 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S456;
-            distance_2 = distance_2 - _S456;
+            var last_step_1 : f32 = last_step_0 - _S458;
+            distance_2 = distance_2 - _S458;
             last_step_0 = last_step_1;
             count_4 = count_4 + u32(1);
             continue;
         }
-        var _S457 : bool = _S453 > (_S452.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S450, _S452, _S454, _S455), max(StepControl_to_cell_exit_0(_S450, _S452.side_x_0, _S452.side_y_0), _S449), _S457);
+        var _S459 : bool = _S455 > (_S454.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S452, _S454, _S456, _S457), max(StepControl_to_cell_exit_0(_S452, _S454.side_x_0, _S454.side_y_0), _S451), _S459);
         var distance_3 : f32 = distance_2 + last_step_2;
-        previous_3 = after_sample_0(_S454, _S455, _S452, _S457);
+        previous_3 = after_sample_0(_S456, _S457, _S454, _S459);
         distance_2 = distance_3;
         last_step_0 = last_step_2;
         count_4 = count_4 + u32(1);
@@ -2189,13 +2203,13 @@ fn is_free_0( _S442 : u32,  _S443 : SearchQuality_0,  _S444 : vec3<f32>,  _S445 
     return true;
 }
 
-fn passes_through_0( _S458 : u32,  _S459 : SearchQuality_0,  _S460 : f32,  _S461 : f32,  _S462 : vec3<f32>,  _S463 : bool) -> bool
+fn passes_through_0( _S460 : u32,  _S461 : SearchQuality_0,  _S462 : f32,  _S463 : f32,  _S464 : vec3<f32>,  _S465 : bool) -> bool
 {
-    if(!sample_at_0(_S458, _S460, _S461, _S463).shown_3.hole_3)
+    if(!sample_at_0(_S460, _S462, _S463, _S465).shown_3.hole_3)
     {
         return false;
     }
-    var _S464 : vec3<f32> = vec3<f32>(_S460, _S461, 0.0f);
+    var _S466 : vec3<f32> = vec3<f32>(_S462, _S463, 0.0f);
     var passes_0 : bool = true;
     var side_1 : u32 = u32(0);
     for(;;)
@@ -2207,10 +2221,10 @@ fn passes_through_0( _S458 : u32,  _S459 : SearchQuality_0,  _S460 : f32,  _S461
         {
             break;
         }
-        var _S465 : bool = is_free_0(_S458, _S459, _S464, select_vector_1(side_1 == u32(0), _S462, vec3<f32>(- _S462.x, - _S462.y, _S462.z)), _S463 != (side_1 == u32(1)), fabrics_0[_S458].height_high_0);
-        var _S466 : u32 = side_1 + u32(1);
-        passes_0 = _S465;
-        side_1 = _S466;
+        var _S467 : bool = is_free_0(_S460, _S461, _S466, select_vector_1(side_1 == u32(0), _S464, vec3<f32>(- _S464.x, - _S464.y, _S464.z)), _S465 != (side_1 == u32(1)), fabrics_0[_S460].height_high_0);
+        var _S468 : u32 = side_1 + u32(1);
+        passes_0 = _S467;
+        side_1 = _S468;
     }
     return passes_0;
 }
@@ -2225,14 +2239,14 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S467 : u32,  _S468 : f32,  _S469 : f32,  _S470 : f32,  _S471 : vec3<f32>,  _S472 : bool) -> f32
+fn max_height_along_0( _S469 : u32,  _S470 : f32,  _S471 : f32,  _S472 : f32,  _S473 : vec3<f32>,  _S474 : bool) -> f32
 {
-    var _S473 : f32 = _S471.x;
-    var _S474 : f32 = _S471.y;
-    var _S475 : u32 = (words_0[fabrics_0[_S467].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S467].weft_0, _S469).thread_2 / u32(2) * fabrics_0[_S467].max_height_columns_0 + locate_0(fabrics_0[_S467].warp_0, _S468).thread_2 / u32(2)) + (select(u32(0), u32(1), _S473 > 0.0f) + select(u32(0), u32(2), _S474 > 0.0f))] >> (u32(select(i32(0), i32(4), _S472))));
-    var _S476 : f32 = max(abs(_S473) * fabrics_0[_S467].threads_per_x_0, abs(_S474) * fabrics_0[_S467].threads_per_y_0) / _S471.z;
-    var _S477 : f32 = fabrics_0[_S467].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S467].height_high_0;
+    var _S475 : f32 = _S473.x;
+    var _S476 : f32 = _S473.y;
+    var _S477 : u32 = (words_0[fabrics_0[_S469].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S469].weft_0, _S471).thread_2 / u32(2) * fabrics_0[_S469].max_height_columns_0 + locate_0(fabrics_0[_S469].warp_0, _S470).thread_2 / u32(2)) + (select(u32(0), u32(1), _S475 > 0.0f) + select(u32(0), u32(2), _S476 > 0.0f))] >> (u32(select(i32(0), i32(4), _S474))));
+    var _S478 : f32 = max(abs(_S475) * fabrics_0[_S469].threads_per_x_0, abs(_S476) * fabrics_0[_S469].threads_per_y_0) / _S473.z;
+    var _S479 : f32 = fabrics_0[_S469].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S469].height_high_0;
     var number_1 : i32 = i32(3);
     for(;;)
     {
@@ -2243,26 +2257,26 @@ fn max_height_along_0( _S467 : u32,  _S468 : f32,  _S469 : f32,  _S470 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S470) * _S476) <= (PYRAMID_RADII_0[number_1]))
+        if(((max_height_0 - _S472) * _S478) <= (PYRAMID_RADII_0[number_1]))
         {
-            max_height_0 = min(max_height_0, f32((((_S475 >> (u32(i32(8) * number_1)))) & (u32(15)))) * 0.06666667014360428f * _S477);
+            max_height_0 = min(max_height_0, f32((((_S477 >> (u32(i32(8) * number_1)))) & (u32(15)))) * 0.06666667014360428f * _S479);
         }
         number_1 = number_1 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S478 : u32,  _S479 : f32,  _S480 : f32,  _S481 : bool,  _S482 : bool,  _S483 : bool) -> vec3<f32>
+fn cell_bounds_0( _S480 : u32,  _S481 : f32,  _S482 : f32,  _S483 : bool,  _S484 : bool,  _S485 : bool) -> vec3<f32>
 {
-    var _S484 : Crossing_0 = crossing_at_0(_S478, _S479, _S480, _S481);
-    return vec3<f32>(cell_maximum_0(_S478, _S484), select(_S484.warp_2.below_0, _S484.warp_2.above_0, _S482), select(_S484.weft_2.below_0, _S484.weft_2.above_0, _S483));
+    var _S486 : Crossing_0 = crossing_at_0(_S480, _S481, _S482, _S483);
+    return vec3<f32>(cell_maximum_0(_S480, _S486), select(_S486.warp_2.below_0, _S486.warp_2.above_0, _S484), select(_S486.weft_2.below_0, _S486.weft_2.above_0, _S485));
 }
 
-fn first_sample_height_0( _S485 : u32,  _S486 : ViewRay_0,  _S487 : StepControl_0,  _S488 : bool) -> f32
+fn first_sample_height_0( _S487 : u32,  _S488 : ViewRay_0,  _S489 : StepControl_0,  _S490 : bool) -> f32
 {
-    var _S489 : f32 = max_height_along_0(_S485, _S486.origin_0.x, _S486.origin_0.y, 0.0f, vec3<f32>(_S486.slope_1, 1.0f), _S488);
+    var _S491 : f32 = max_height_along_0(_S487, _S488.origin_0.x, _S488.origin_0.y, 0.0f, vec3<f32>(_S488.slope_1, 1.0f), _S490);
     var count_5 : u32 = u32(0);
-    var height_9 : f32 = _S489;
+    var height_9 : f32 = _S491;
     for(;;)
     {
         if(count_5 < u32(1024))
@@ -2272,12 +2286,12 @@ fn first_sample_height_0( _S485 : u32,  _S486 : ViewRay_0,  _S487 : StepControl_
         {
             break;
         }
-        var _S490 : vec2<f32> = ViewRay_at_0(_S486, height_9);
-        var _S491 : vec3<f32> = cell_bounds_0(_S485, _S490.x, _S490.y, _S488, _S487.right_0, _S487.up_0);
-        var _S492 : f32 = height_9 - _S491.x;
-        var _S493 : f32 = StepControl_to_cell_exit_0(_S487, _S491.y, _S491.z);
-        var height_10 : f32 = height_9 - clamp(_S492, 0.0f, _S493);
-        if(_S492 <= _S493)
+        var _S492 : vec2<f32> = ViewRay_at_0(_S488, height_9);
+        var _S493 : vec3<f32> = cell_bounds_0(_S487, _S492.x, _S492.y, _S490, _S489.right_0, _S489.up_0);
+        var _S494 : f32 = height_9 - _S493.x;
+        var _S495 : f32 = StepControl_to_cell_exit_0(_S489, _S493.y, _S493.z);
+        var height_10 : f32 = height_9 - clamp(_S494, 0.0f, _S495);
+        if(_S494 <= _S495)
         {
             height_9 = height_10;
             break;
@@ -2288,12 +2302,12 @@ fn first_sample_height_0( _S485 : u32,  _S486 : ViewRay_0,  _S487 : StepControl_
     return height_9;
 }
 
-fn search_down_0( _S494 : u32,  _S495 : ViewRay_0,  _S496 : StepControl_0,  _S497 : bool) -> ViewRayEnd_0
+fn search_down_0( _S496 : u32,  _S497 : ViewRay_0,  _S498 : StepControl_0,  _S499 : bool) -> ViewRayEnd_0
 {
-    var _S498 : f32 = fabrics_0[_S494].height_low_0 - (fabrics_0[_S494].height_high_0 - fabrics_0[_S494].height_low_0);
+    var _S500 : f32 = fabrics_0[_S496].height_low_0 - (fabrics_0[_S496].height_high_0 - fabrics_0[_S496].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_8 = first_sample_height_0(_S494, _S495, _S496, _S497);
-    end_1.last_step_3 = _S496.epsilon_0;
+    end_1.height_8 = first_sample_height_0(_S496, _S497, _S498, _S499);
+    end_1.last_step_3 = _S498.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_1 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -2308,144 +2322,144 @@ fn search_down_0( _S494 : u32,  _S495 : ViewRay_0,  _S496 : StepControl_0,  _S49
         {
             break;
         }
-        var _S499 : vec2<f32> = ViewRay_at_0(_S495, end_1.height_8);
-        var _S500 : Probe_0 = probe_0(_S494, _S499.x, _S499.y, _S497, _S496.right_0, _S496.up_0);
-        var _S501 : f32 = end_1.height_8 - _S500.height_4;
-        var _S502 : f32 = ViewRay_rate_0(_S495, _S500);
-        end_1.depth_1 = - _S501;
-        end_1.rate_4 = _S502;
-        var _S503 : bool = !_S500.hole_4;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S503))) & (((end_1.previous_4.yarn_0) == (_S500.yarn_1))));
-        if((((_S503 & ((_S501 <= 0.0f)))) | (((end_1.height_8) <= _S498))))
+        var _S501 : vec2<f32> = ViewRay_at_0(_S497, end_1.height_8);
+        var _S502 : Probe_0 = probe_0(_S496, _S501.x, _S501.y, _S499, _S498.right_0, _S498.up_0);
+        var _S503 : f32 = end_1.height_8 - _S502.height_4;
+        var _S504 : f32 = ViewRay_rate_0(_S497, _S502);
+        end_1.depth_1 = - _S503;
+        end_1.rate_4 = _S504;
+        var _S505 : bool = !_S502.hole_4;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S505))) & (((end_1.previous_4.yarn_0) == (_S502.yarn_1))));
+        if((((_S505 & ((_S503 <= 0.0f)))) | (((end_1.height_8) <= _S500))))
         {
             break;
         }
-        var _S504 : f32 = way_back_to_dip_0(end_1.previous_4, _S501, _S502, end_1.last_step_3, _S500);
-        if(_S504 >= 0.0f)
+        var _S506 : f32 = way_back_to_dip_0(end_1.previous_4, _S503, _S504, end_1.last_step_3, _S502);
+        if(_S506 >= 0.0f)
         {
-            end_1.height_8 = end_1.height_8 + _S504;
-            end_1.last_step_3 = end_1.last_step_3 - _S504;
+            end_1.height_8 = end_1.height_8 + _S506;
+            end_1.last_step_3 = end_1.last_step_3 - _S506;
             count_6 = count_6 + u32(1);
             continue;
         }
-        var _S505 : f32 = min(StepControl_to_cell_exit_0(_S496, _S500.side_x_0, _S500.side_y_0), end_1.height_8 - _S500.cell_max_0);
-        var _S506 : f32 = StepControl_to_next_sample_0(_S496, _S500, _S501, _S502);
-        end_1.previous_4 = after_sample_0(_S501, _S502, _S500, _S505 > _S506);
-        var _S507 : f32 = max(_S505, _S506);
-        end_1.last_step_3 = _S507;
-        end_1.height_8 = end_1.height_8 - _S507;
+        var _S507 : f32 = min(StepControl_to_cell_exit_0(_S498, _S502.side_x_0, _S502.side_y_0), end_1.height_8 - _S502.cell_max_0);
+        var _S508 : f32 = StepControl_to_next_sample_0(_S498, _S502, _S503, _S504);
+        end_1.previous_4 = after_sample_0(_S503, _S504, _S502, _S507 > _S508);
+        var _S509 : f32 = max(_S507, _S508);
+        end_1.last_step_3 = _S509;
+        end_1.height_8 = end_1.height_8 - _S509;
         count_6 = count_6 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S508 : u32,  _S509 : ViewRay_0,  _S510 : StepControl_0,  _S511 : bool,  _S512 : ViewRayEnd_0,  _S513 : u32) -> f32
+fn refined_height_0( _S510 : u32,  _S511 : ViewRay_0,  _S512 : StepControl_0,  _S513 : bool,  _S514 : ViewRayEnd_0,  _S515 : u32) -> f32
 {
-    var _S514 : f32 = fabrics_0[_S508].height_high_0 - fabrics_0[_S508].height_low_0;
-    var above_2 : f32 = _S512.height_8 + _S512.last_step_3;
-    var above_gap_1 : f32 = clamp(_S512.previous_4.clearance_0, 0.0f, _S514);
-    var under_gap_1 : f32 = clamp(_S512.depth_1, 0.0f, _S514);
-    var middle_0 : f32 = select(between_0(above_2, _S512.height_8, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S512.previous_4.rate_0 * _S512.last_step_3, _S512.rate_4 * _S512.last_step_3) * _S512.last_step_3, _S512.smooth_0);
+    var _S516 : f32 = fabrics_0[_S510].height_high_0 - fabrics_0[_S510].height_low_0;
+    var above_2 : f32 = _S514.height_8 + _S514.last_step_3;
+    var above_gap_1 : f32 = clamp(_S514.previous_4.clearance_0, 0.0f, _S516);
+    var under_gap_1 : f32 = clamp(_S514.depth_1, 0.0f, _S516);
+    var middle_0 : f32 = select(between_0(above_2, _S514.height_8, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S514.previous_4.rate_0 * _S514.last_step_3, _S514.rate_4 * _S514.last_step_3) * _S514.last_step_3, _S514.smooth_0);
     var side_2 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S512.height_8;
+    var under_1 : f32 = _S514.height_8;
     var above_3 : f32 = above_2;
-    var i_1 : u32 = u32(0);
+    var i_2 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S513)
+        if(i_2 < _S515)
         {
         }
         else
         {
             break;
         }
-        var _S515 : vec2<f32> = ViewRay_at_0(_S509, middle_0);
-        var _S516 : Probe_0 = probe_0(_S508, _S515.x, _S515.y, _S511, _S510.right_0, _S510.up_0);
-        var _S517 : f32 = clamp(middle_0 - select(_S516.height_4, -1.0e+09f, _S516.hole_4), - _S514, _S514);
-        if(_S517 <= 0.0f)
+        var _S517 : vec2<f32> = ViewRay_at_0(_S511, middle_0);
+        var _S518 : Probe_0 = probe_0(_S510, _S517.x, _S517.y, _S513, _S512.right_0, _S512.up_0);
+        var _S519 : f32 = clamp(middle_0 - select(_S518.height_4, -1.0e+09f, _S518.hole_4), - _S516, _S516);
+        if(_S519 <= 0.0f)
         {
-            var _S518 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_2 > 0.0f);
-            var _S519 : f32 = - _S517;
+            var _S520 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_2 > 0.0f);
+            var _S521 : f32 = - _S519;
             under_1 = middle_0;
-            above_gap_2 = _S518;
-            under_gap_2 = _S519;
+            above_gap_2 = _S520;
+            under_gap_2 = _S521;
             side_2 = 1.0f;
         }
         else
         {
-            var _S520 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_2 < 0.0f);
+            var _S522 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_2 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S517;
-            under_gap_2 = _S520;
+            above_gap_2 = _S519;
+            under_gap_2 = _S522;
             side_2 = -1.0f;
         }
-        var _S521 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S517 / min(ViewRay_rate_0(_S509, _S516), -9.99999997475242708e-07f), under_1, above_3), _S512.smooth_0);
-        var _S522 : u32 = i_1 + u32(1);
-        middle_0 = _S521;
-        i_1 = _S522;
+        var _S523 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S519 / min(ViewRay_rate_0(_S511, _S518), -9.99999997475242708e-07f), under_1, above_3), _S514.smooth_0);
+        var _S524 : u32 = i_2 + u32(1);
+        middle_0 = _S523;
+        i_2 = _S524;
     }
-    return select(under_1, middle_0, _S512.smooth_0);
+    return select(under_1, middle_0, _S514.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S523 : u32,  _S524 : SearchQuality_0,  _S525 : f32,  _S526 : f32,  _S527 : vec3<f32>,  _S528 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S525 : u32,  _S526 : SearchQuality_0,  _S527 : f32,  _S528 : f32,  _S529 : vec3<f32>,  _S530 : bool) -> Hit_0
 {
-    var _S529 : f32 = max(_S527.z, 0.00009999999747379f);
+    var _S531 : f32 = max(_S529.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S525, _S526);
-    var _S530 : vec2<f32> = _S527.xy / vec2<f32>(_S529);
-    ray_0.slope_1 = _S530;
-    var _S531 : StepControl_0 = step_control_0((vec2<f32>(0) - _S530), 1.0f / max(steps_per_length_0(_S523, _S524, _S527) / _S529, 9.99999971718068537e-10f));
-    var _S532 : ViewRayEnd_0 = search_down_0(_S523, ray_0, _S531, _S528);
+    ray_0.origin_0 = vec2<f32>(_S527, _S528);
+    var _S532 : vec2<f32> = _S529.xy / vec2<f32>(_S531);
+    ray_0.slope_1 = _S532;
+    var _S533 : StepControl_0 = step_control_0((vec2<f32>(0) - _S532), 1.0f / max(steps_per_length_0(_S525, _S526, _S529) / _S531, 9.99999971718068537e-10f));
+    var _S534 : ViewRayEnd_0 = search_down_0(_S525, ray_0, _S533, _S530);
     var hit_0 : Hit_0;
     hit_0.hole_5 = false;
-    var _S533 : f32 = refined_height_0(_S523, ray_0, _S531, _S528, _S532, _S524.refinements_0);
-    hit_0.height_6 = _S533;
-    var _S534 : vec2<f32> = ViewRay_at_0(ray_0, _S533);
-    hit_0.x_14 = _S534.x;
-    hit_0.y_7 = _S534.y;
+    var _S535 : f32 = refined_height_0(_S525, ray_0, _S533, _S530, _S534, _S526.refinements_0);
+    hit_0.height_6 = _S535;
+    var _S536 : vec2<f32> = ViewRay_at_0(ray_0, _S535);
+    hit_0.x_14 = _S536.x;
+    hit_0.y_7 = _S536.y;
     return hit_0;
 }
 
-fn first_hit_0( _S535 : u32,  _S536 : SearchQuality_0,  _S537 : f32,  _S538 : f32,  _S539 : vec3<f32>,  _S540 : bool) -> Hit_0
+fn first_hit_0( _S537 : u32,  _S538 : SearchQuality_0,  _S539 : f32,  _S540 : f32,  _S541 : vec3<f32>,  _S542 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S535, _S536, _S537, _S538, _S539, _S540))
+    if(!passes_through_0(_S537, _S538, _S539, _S540, _S541, _S542))
     {
-        return first_hit_of_yarn_0(_S535, _S536, _S537, _S538, _S539, _S540);
+        return first_hit_of_yarn_0(_S537, _S538, _S539, _S540, _S541, _S542);
     }
     var hit_1 : Hit_0;
-    hit_1.x_14 = _S537;
-    hit_1.y_7 = _S538;
+    hit_1.x_14 = _S539;
+    hit_1.y_7 = _S540;
     hit_1.height_6 = 0.0f;
     hit_1.hole_5 = true;
     return hit_1;
 }
 
-fn surface_at_0( _S541 : u32,  _S542 : f32,  _S543 : f32,  _S544 : bool) -> SurfacePoint_0
+fn surface_at_0( _S543 : u32,  _S544 : f32,  _S545 : f32,  _S546 : bool) -> SurfacePoint_0
 {
-    var _S545 : Sample_0 = sample_at_0(_S541, _S542, _S543, _S544);
-    var _S546 : u32 = select(fabrics_0[_S541].weft_0, fabrics_0[_S541].warp_0, _S545.shown_3.is_warp_2);
-    var _S547 : f32 = families_0[_S546].twist_sine_0 * select(1.0f, -1.0f, _S544);
-    var _S548 : f32 = select(-1.0f, 1.0f, _S545.shown_3.is_warp_2);
-    var _S549 : vec2<f32> = fibre_direction_0(_S545.slope_across_0, _S548 * _S545.slope_along_0, _S547, families_0[_S546].twist_cosine_0);
-    var _S550 : f32 = _S549.x;
-    var _S551 : f32 = _S549.y;
-    var _S552 : f32 = select(_S545.slope_y_1, _S545.slope_x_1, _S545.shown_3.is_warp_2) * _S550 + _S548 * select(_S545.slope_x_1, _S545.slope_y_1, _S545.shown_3.is_warp_2) * _S551;
-    var _S553 : f32 = select(_S545.crossing_2.weft_2.half_width_1, _S545.crossing_2.warp_2.half_width_1, _S545.shown_3.is_warp_2) * 1.0154266357421875f;
-    var _S554 : f32 = _S553 * arc_sine_0(clamp(_S545.section_1.across_3 / _S553, -1.0f, 1.0f));
-    var _S555 : f32 = select(- _S542, _S543, _S545.shown_3.is_warp_2);
+    var _S547 : Sample_0 = sample_at_0(_S543, _S544, _S545, _S546);
+    var _S548 : u32 = select(fabrics_0[_S543].weft_0, fabrics_0[_S543].warp_0, _S547.shown_3.is_warp_2);
+    var _S549 : f32 = families_0[_S548].twist_sine_0 * select(1.0f, -1.0f, _S546);
+    var _S550 : f32 = select(-1.0f, 1.0f, _S547.shown_3.is_warp_2);
+    var _S551 : vec2<f32> = fibre_direction_0(_S547.slope_across_0, _S550 * _S547.slope_along_0, _S549, families_0[_S548].twist_cosine_0);
+    var _S552 : f32 = _S551.x;
+    var _S553 : f32 = _S551.y;
+    var _S554 : f32 = select(_S547.slope_y_1, _S547.slope_x_1, _S547.shown_3.is_warp_2) * _S552 + _S550 * select(_S547.slope_x_1, _S547.slope_y_1, _S547.shown_3.is_warp_2) * _S553;
+    var _S555 : f32 = select(_S547.crossing_2.weft_2.half_width_1, _S547.crossing_2.warp_2.half_width_1, _S547.shown_3.is_warp_2) * 1.0154266357421875f;
+    var _S556 : f32 = _S555 * arc_sine_0(clamp(_S547.section_1.across_3 / _S555, -1.0f, 1.0f));
+    var _S557 : f32 = select(- _S544, _S545, _S547.shown_3.is_warp_2);
     var point_4 : SurfacePoint_0;
-    point_4.hole_0 = _S545.shown_3.hole_3;
-    point_4.is_warp_0 = _S545.shown_3.is_warp_2;
-    point_4.warp_thread_0 = _S545.crossing_2.warp_2.thread_2;
-    point_4.weft_thread_0 = _S545.crossing_2.weft_2.thread_2;
-    point_4.height_2 = _S545.height_7;
-    point_4.normal_1 = normalize(vec3<f32>(- _S545.slope_x_1, - _S545.slope_y_1, 1.0f));
-    point_4.tangent_0 = normalize(select_vector_1(_S545.shown_3.is_warp_2, vec3<f32>(_S550, _S551, _S552), vec3<f32>(- _S551, _S550, _S552)));
-    point_4.across_0 = _S545.section_1.across_3;
-    point_4.fibre_across_0 = _S554 * families_0[_S546].twist_cosine_0 + _S555 * _S547;
-    point_4.fibre_along_0 = _S555 * families_0[_S546].twist_cosine_0 - _S554 * _S547;
+    point_4.hole_0 = _S547.shown_3.hole_3;
+    point_4.is_warp_0 = _S547.shown_3.is_warp_2;
+    point_4.warp_thread_0 = _S547.crossing_2.warp_2.thread_2;
+    point_4.weft_thread_0 = _S547.crossing_2.weft_2.thread_2;
+    point_4.height_2 = _S547.height_7;
+    point_4.normal_1 = normalize(vec3<f32>(- _S547.slope_x_1, - _S547.slope_y_1, 1.0f));
+    point_4.tangent_0 = normalize(select_vector_1(_S547.shown_3.is_warp_2, vec3<f32>(_S552, _S553, _S554), vec3<f32>(- _S553, _S552, _S554)));
+    point_4.across_0 = _S547.section_1.across_3;
+    point_4.fibre_across_0 = _S556 * families_0[_S548].twist_cosine_0 + _S557 * _S549;
+    point_4.fibre_along_0 = _S557 * families_0[_S548].twist_cosine_0 - _S556 * _S549;
     return point_4;
 }
 
@@ -2465,73 +2479,73 @@ struct YarnPoint_0
      albedos_6 : Albedos_0,
 };
 
-fn has_hairs_0( _S556 : u32) -> bool
+fn has_hairs_0( _S558 : u32) -> bool
 {
-    return (((families_0[fabrics_0[_S556].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S556].weft_0].hairiness_0) > 0.0f)));
+    return (((families_0[fabrics_0[_S558].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S558].weft_0].hairiness_0) > 0.0f)));
 }
 
-fn hair_at_0( _S557 : u32,  _S558 : vec2<f32>,  _S559 : bool,  _S560 : f32) -> Hair_0
+fn hair_at_0( _S559 : u32,  _S560 : vec2<f32>,  _S561 : bool,  _S562 : f32) -> Hair_0
 {
-    var _S561 : f32 = fabrics_0[_S557].fibre_size_0;
-    var _S562 : f32 = 17.0f * fabrics_0[_S557].fibre_size_0;
-    var _S563 : f32 = fade_0(_S560, _S562);
-    var _S564 : vec2<f32> = _S558 / vec2<f32>(_S562);
-    var _S565 : u32 = hash_key_0(select(u32(0), u32(1), _S559), ((fabrics_0[_S557].seed_0) ^ (u32(1013904242))));
-    var _S566 : f32 = 1.0f / max(_S560, 0.07999999821186066f * fabrics_0[_S557].fibre_size_0);
-    var _S567 : f32 = min(0.63999998569488525f * fabrics_0[_S557].fibre_size_0 * _S566, 1.0f);
-    const _S568 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
+    var _S563 : f32 = fabrics_0[_S559].fibre_size_0;
+    var _S564 : f32 = 17.0f * fabrics_0[_S559].fibre_size_0;
+    var _S565 : f32 = fade_0(_S562, _S564);
+    var _S566 : vec2<f32> = _S560 / vec2<f32>(_S564);
+    var _S567 : u32 = hash_key_0(select(u32(0), u32(1), _S561), ((fabrics_0[_S559].seed_0) ^ (u32(1013904242))));
+    var _S568 : f32 = 1.0f / max(_S562, 0.07999999821186066f * fabrics_0[_S559].fibre_size_0);
+    var _S569 : f32 = min(0.63999998569488525f * fabrics_0[_S559].fibre_size_0 * _S568, 1.0f);
+    const _S570 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
     var cover_2 : f32 = 0.0f;
     var hair_away_0 : f32 = 0.0f;
-    var hair_across_0 : vec2<f32> = _S568;
+    var hair_across_0 : vec2<f32> = _S570;
     var number_2 : u32 = u32(0);
     for(;;)
     {
-        if(((_S563 > 0.0f) & ((number_2 < u32(18)))))
+        if(((_S565 > 0.0f) & ((number_2 < u32(18)))))
         {
         }
         else
         {
             break;
         }
-        var _S569 : u32 = number_2 / u32(9);
-        var _S570 : u32 = number_2 / u32(3) - u32(3) * _S569;
-        var _S571 : vec2<f32> = floor(_S564) + vec2<f32>(f32(number_2 - u32(3) * _S570 - u32(9) * _S569), f32(_S570)) - vec2<f32>(1.0f);
-        var _S572 : u32 = hash_bits_0(_S565 + _S569, u32(i32(_S571.x)) * u32(65536) + u32(i32(_S571.y)));
-        var _S573 : u32 = hash_bits_0(_S565, _S572);
-        var _S574 : vec2<f32> = _S564 - _S571 - vec2<f32>(share_of_0(_S572), share_of_0((_S572 >> (u32(10)))));
-        var _S575 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S572 >> (u32(20)))));
-        var _S576 : f32 = mix(5.0f, 16.0f, share_of_0((_S573 >> (u32(10))))) / 17.0f;
-        var _S577 : f32 = _S574.x;
-        var _S578 : f32 = _S575.y;
-        var _S579 : f32 = _S574.y;
-        var _S580 : f32 = _S575.x;
-        var _S581 : f32 = (_S577 * _S578 + _S579 * _S580) / _S576;
-        var _S582 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S573 >> (u32(20)))) - 1.0f);
-        var _S583 : f32 = 2.0f * _S582 * _S581;
-        var _S584 : f32 = rsqrt_0(_S583 * _S583 + 1.0f);
-        var _S585 : f32 = (_S579 * _S578 - _S577 * _S580 - _S582 * _S576 * _S581 * _S581) * _S584 * 17.0f;
-        var _S586 : f32 = clamp((0.31999999284744263f - abs(_S585)) * _S561 * _S566 + 0.5f, 0.0f, _S567);
-        if((((((share_of_0(_S573)) < (families_0[select(fabrics_0[_S557].weft_0, fabrics_0[_S557].warp_0, ((((_S573 >> (u32(30)))) & (u32(1)))) == u32(1))].hairiness_0)) & (((abs(_S581)) < 1.0f)))) & ((_S586 > cover_2))))
+        var _S571 : u32 = number_2 / u32(9);
+        var _S572 : u32 = number_2 / u32(3) - u32(3) * _S571;
+        var _S573 : vec2<f32> = floor(_S566) + vec2<f32>(f32(number_2 - u32(3) * _S572 - u32(9) * _S571), f32(_S572)) - vec2<f32>(1.0f);
+        var _S574 : u32 = hash_bits_0(_S567 + _S571, u32(i32(_S573.x)) * u32(65536) + u32(i32(_S573.y)));
+        var _S575 : u32 = hash_bits_0(_S567, _S574);
+        var _S576 : vec2<f32> = _S566 - _S573 - vec2<f32>(share_of_0(_S574), share_of_0((_S574 >> (u32(10)))));
+        var _S577 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S574 >> (u32(20)))));
+        var _S578 : f32 = mix(5.0f, 16.0f, share_of_0((_S575 >> (u32(10))))) / 17.0f;
+        var _S579 : f32 = _S576.x;
+        var _S580 : f32 = _S577.y;
+        var _S581 : f32 = _S576.y;
+        var _S582 : f32 = _S577.x;
+        var _S583 : f32 = (_S579 * _S580 + _S581 * _S582) / _S578;
+        var _S584 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S575 >> (u32(20)))) - 1.0f);
+        var _S585 : f32 = 2.0f * _S584 * _S583;
+        var _S586 : f32 = rsqrt_0(_S585 * _S585 + 1.0f);
+        var _S587 : f32 = (_S581 * _S580 - _S579 * _S582 - _S584 * _S578 * _S583 * _S583) * _S586 * 17.0f;
+        var _S588 : f32 = clamp((0.31999999284744263f - abs(_S587)) * _S563 * _S568 + 0.5f, 0.0f, _S569);
+        if((((((share_of_0(_S575)) < (families_0[select(fabrics_0[_S559].weft_0, fabrics_0[_S559].warp_0, ((((_S575 >> (u32(30)))) & (u32(1)))) == u32(1))].hairiness_0)) & (((abs(_S583)) < 1.0f)))) & ((_S588 > cover_2))))
         {
-            var _S587 : vec2<f32> = vec2<f32>(- _S580 - _S583 * _S578, _S578 - _S583 * _S580) * vec2<f32>(_S584);
-            cover_2 = _S586;
-            hair_away_0 = _S585;
-            hair_across_0 = _S587;
+            var _S589 : vec2<f32> = vec2<f32>(- _S582 - _S585 * _S580, _S580 - _S585 * _S582) * vec2<f32>(_S586);
+            cover_2 = _S588;
+            hair_away_0 = _S587;
+            hair_across_0 = _S589;
         }
         number_2 = number_2 + u32(1);
     }
-    var _S588 : f32 = clamp(hair_away_0 * 2.5f, -0.80000001192092896f, 0.80000001192092896f);
+    var _S590 : f32 = clamp(hair_away_0 * 2.5f, -0.80000001192092896f, 0.80000001192092896f);
     var hair_1 : Hair_0;
-    hair_1.cover_0 = _S563 * cover_2;
-    hair_1.normal_3 = vec3<f32>(vec2<f32>(_S588) * hair_across_0, sqrt(1.0f - _S588 * _S588));
+    hair_1.cover_0 = _S565 * cover_2;
+    hair_1.normal_3 = vec3<f32>(vec2<f32>(_S590) * hair_across_0, sqrt(1.0f - _S590 * _S590));
     hair_1.tangent_2 = vec3<f32>(hair_across_0.y, - hair_across_0.x, 0.0f);
     return hair_1;
 }
 
-fn thread_number_0( _S589 : u32,  _S590 : SurfacePoint_0,  _S591 : f32,  _S592 : f32) -> u32
+fn thread_number_0( _S591 : u32,  _S592 : SurfacePoint_0,  _S593 : f32,  _S594 : f32) -> u32
 {
-    var _S593 : u32 = select(fabrics_0[_S589].weft_0, fabrics_0[_S589].warp_0, _S590.is_warp_0);
-    return u32(i32(floor((select(_S592, _S591, _S590.is_warp_0) - _S590.across_0) / families_0[_S593].period_0)) * i32(families_0[_S593].count_0) + i32(select(_S590.weft_thread_0, _S590.warp_thread_0, _S590.is_warp_0))) * u32(2) + select(u32(0), u32(1), _S590.is_warp_0);
+    var _S595 : u32 = select(fabrics_0[_S591].weft_0, fabrics_0[_S591].warp_0, _S592.is_warp_0);
+    return u32(i32(floor((select(_S594, _S593, _S592.is_warp_0) - _S592.across_0) / families_0[_S595].period_0)) * i32(families_0[_S595].count_0) + i32(select(_S592.weft_thread_0, _S592.warp_thread_0, _S592.is_warp_0))) * u32(2) + select(u32(0), u32(1), _S592.is_warp_0);
 }
 
 struct FibreNoise_0
@@ -2544,271 +2558,271 @@ struct FibreNoise_0
      slope_2 : f32,
 };
 
-fn fibre_noise_at_0( _S594 : u32,  _S595 : u32,  _S596 : SurfacePoint_0,  _S597 : u32,  _S598 : f32) -> FibreNoise_0
+fn fibre_noise_at_0( _S596 : u32,  _S597 : u32,  _S598 : SurfacePoint_0,  _S599 : u32,  _S600 : f32) -> FibreNoise_0
 {
-    var _S599 : f32 = 5.0f * fabrics_0[_S594].fibre_size_0;
-    var _S600 : vec2<f32> = wave_noise_0(hash_key_0(_S597, ((fabrics_0[_S594].seed_0) ^ (u32(458671337)))), _S596.fibre_along_0 / (25.0f * fabrics_0[_S594].fibre_size_0));
-    var _S601 : f32 = _S596.fibre_across_0 + families_0[_S595].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S594].fibre_size_0 * _S600.x;
-    var _S602 : vec3<f32> = fibre_cell_0(_S601, _S596.fibre_along_0, fabrics_0[_S594].fibre_size_0);
+    var _S601 : f32 = 5.0f * fabrics_0[_S596].fibre_size_0;
+    var _S602 : vec2<f32> = wave_noise_0(hash_key_0(_S599, ((fabrics_0[_S596].seed_0) ^ (u32(458671337)))), _S598.fibre_along_0 / (25.0f * fabrics_0[_S596].fibre_size_0));
+    var _S603 : f32 = _S598.fibre_across_0 + families_0[_S597].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S596].fibre_size_0 * _S602.x;
+    var _S604 : vec3<f32> = fibre_cell_0(_S603, _S598.fibre_along_0, fabrics_0[_S596].fibre_size_0);
     var noise_0 : FibreNoise_0;
-    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S597, ((fabrics_0[_S594].seed_0) ^ (u32(1757159915)))), fibre_cell_0(_S601, _S596.fibre_along_0, _S599));
-    noise_0.bundle_weight_0 = fade_0(_S598, _S599);
-    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S597, ((fabrics_0[_S594].seed_0) ^ (u32(48610963)))), _S602);
-    noise_0.fibre_weight_0 = fade_0(_S598, fabrics_0[_S594].fibre_size_0);
-    noise_0.offset_2 = _S602.z;
-    noise_0.slope_2 = 0.5f * _S600.y;
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S599, ((fabrics_0[_S596].seed_0) ^ (u32(1757159915)))), fibre_cell_0(_S603, _S598.fibre_along_0, _S601));
+    noise_0.bundle_weight_0 = fade_0(_S600, _S601);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S599, ((fabrics_0[_S596].seed_0) ^ (u32(48610963)))), _S604);
+    noise_0.fibre_weight_0 = fade_0(_S600, fabrics_0[_S596].fibre_size_0);
+    noise_0.offset_2 = _S604.z;
+    noise_0.slope_2 = 0.5f * _S602.y;
     return noise_0;
 }
 
-fn detail_gain_0( _S603 : u32,  _S604 : u32,  _S605 : SurfacePoint_0,  _S606 : vec2<f32>,  _S607 : bool,  _S608 : u32,  _S609 : f32) -> vec2<f32>
+fn detail_gain_0( _S605 : u32,  _S606 : u32,  _S607 : SurfacePoint_0,  _S608 : vec2<f32>,  _S609 : bool,  _S610 : u32,  _S611 : f32) -> vec2<f32>
 {
-    var _S610 : vec2<f32> = vec2<f32>(0.0f);
+    var _S612 : vec2<f32> = vec2<f32>(0.0f);
     var gain_2 : vec2<f32>;
-    if((families_0[_S604].has_plies_0) > 0.0f)
+    if((families_0[_S606].has_plies_0) > 0.0f)
     {
-        gain_2 = vec2<f32>((0.60000002384185791f * fade_0(_S609, 1.0f / families_0[_S604].plies_per_mm_0))) * vec2<f32>(0.20000000298023224f - square_1(square_1(ply_offset_0(_S604, _S605, _S607))), 0.20000000298023224f);
+        gain_2 = vec2<f32>((0.60000002384185791f * fade_0(_S611, 1.0f / families_0[_S606].plies_per_mm_0))) * vec2<f32>(0.20000000298023224f - square_1(square_1(ply_offset_0(_S606, _S607, _S609))), 0.20000000298023224f);
     }
     else
     {
-        gain_2 = _S610;
+        gain_2 = _S612;
     }
-    if((families_0[_S604].fibre_tone_0) > 0.0f)
+    if((families_0[_S606].fibre_tone_0) > 0.0f)
     {
-        var _S611 : FibreNoise_0 = fibre_noise_at_0(_S603, _S604, _S605, _S608, _S609);
-        gain_2 = gain_2 + vec2<f32>(families_0[_S604].fibre_tone_0) * vec2<f32>(_S611.bundle_weight_0 * _S611.bundle_0.y + _S611.fibre_weight_0 * _S611.fibre_0.y, _S611.bundle_weight_0 + _S611.fibre_weight_0);
+        var _S613 : FibreNoise_0 = fibre_noise_at_0(_S605, _S606, _S607, _S610, _S611);
+        gain_2 = gain_2 + vec2<f32>(families_0[_S606].fibre_tone_0) * vec2<f32>(_S613.bundle_weight_0 * _S613.bundle_0.y + _S613.fibre_weight_0 * _S613.fibre_0.y, _S613.bundle_weight_0 + _S613.fibre_weight_0);
     }
-    if((families_0[_S604].slub_0) > 0.0f)
+    if((families_0[_S606].slub_0) > 0.0f)
     {
-        gain_2 = gain_2 + vec2<f32>((0.25f * families_0[_S604].slub_0 * fade_0(_S609, 1.0f / families_0[_S604].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S608, ((fabrics_0[_S603].seed_0) ^ (u32(1373058189)))), select(- _S606.x, _S606.y, _S605.is_warp_0) * families_0[_S604].slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_1(_S605.across_0 * families_0[_S604].per_half_width_0), 1.0f)), 1.0f);
+        gain_2 = gain_2 + vec2<f32>((0.25f * families_0[_S606].slub_0 * fade_0(_S611, 1.0f / families_0[_S606].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S610, ((fabrics_0[_S605].seed_0) ^ (u32(1373058189)))), select(- _S608.x, _S608.y, _S607.is_warp_0) * families_0[_S606].slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_1(_S607.across_0 * families_0[_S606].per_half_width_0), 1.0f)), 1.0f);
     }
     return gain_2;
 }
 
-fn vary_albedos_0( _S612 : u32,  _S613 : Albedos_0,  _S614 : u32,  _S615 : u32,  _S616 : vec2<f32>) -> Albedos_0
+fn vary_albedos_0( _S614 : u32,  _S615 : Albedos_0,  _S616 : u32,  _S617 : u32,  _S618 : vec2<f32>) -> Albedos_0
 {
-    var _S617 : vec3<f32> = max(_S613.specular_reflect_0, _S613.specular_transmit_0);
-    var _S618 : vec3<f32> = _S613.diffuse_reflect_0 + _S613.diffuse_transmit_0;
-    var _S619 : vec3<f32> = vec3<f32>(fabrics_0[_S612].layer_bound_0);
-    var _S620 : vec3<f32> = vec3<f32>(1.0f);
-    var _S621 : vec3<f32> = _S620 - _S619 * _S617;
-    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S614, fabrics_0[_S612].colour_noise_0, fabrics_0[_S612].seed_0), _S618, _S621);
-    var _S622 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S616.y, vec3<f32>(colour_1) * _S618, _S621) * _S616.x)));
-    var _S623 : f32 = bounded_gain_0(fibre_gain_0(_S614, _S615, fabrics_0[_S612].fibre_noise_0, fabrics_0[_S612].seed_0), _S617, min((_S620 - _S622 * _S618) / _S619, vec3<f32>(1.0f)));
+    var _S619 : vec3<f32> = max(_S615.specular_reflect_0, _S615.specular_transmit_0);
+    var _S620 : vec3<f32> = _S615.diffuse_reflect_0 + _S615.diffuse_transmit_0;
+    var _S621 : vec3<f32> = vec3<f32>(fabrics_0[_S614].layer_bound_0);
+    var _S622 : vec3<f32> = vec3<f32>(1.0f);
+    var _S623 : vec3<f32> = _S622 - _S621 * _S619;
+    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S616, fabrics_0[_S614].colour_noise_0, fabrics_0[_S614].seed_0), _S620, _S623);
+    var _S624 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S618.y, vec3<f32>(colour_1) * _S620, _S623) * _S618.x)));
+    var _S625 : f32 = bounded_gain_0(fibre_gain_0(_S616, _S617, fabrics_0[_S614].fibre_noise_0, fabrics_0[_S614].seed_0), _S619, min((_S622 - _S624 * _S620) / _S621, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S622 * _S613.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S622 * _S613.diffuse_transmit_0;
-    var _S624 : vec3<f32> = vec3<f32>(_S623);
-    varied_0.specular_reflect_0 = _S624 * _S613.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S624 * _S613.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S624 * _S615.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S624 * _S615.diffuse_transmit_0;
+    var _S626 : vec3<f32> = vec3<f32>(_S625);
+    varied_0.specular_reflect_0 = _S626 * _S615.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S626 * _S615.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S625 : u32,  _S626 : SurfacePoint_0,  _S627 : Albedos_0,  _S628 : f32,  _S629 : f32,  _S630 : bool,  _S631 : f32,  _S632 : f32) -> Albedos_0
+fn varied_at_0( _S627 : u32,  _S628 : SurfacePoint_0,  _S629 : Albedos_0,  _S630 : f32,  _S631 : f32,  _S632 : bool,  _S633 : f32,  _S634 : f32) -> Albedos_0
 {
-    var _S633 : u32 = thread_number_0(_S625, _S626, _S628, _S629);
-    var _S634 : vec3<f32> = fibre_cell_0(_S626.fibre_across_0, _S626.fibre_along_0, fabrics_0[_S625].fibre_size_0);
-    var _S635 : vec2<f32> = vec2<f32>(0.0f);
+    var _S635 : u32 = thread_number_0(_S627, _S628, _S630, _S631);
+    var _S636 : vec3<f32> = fibre_cell_0(_S628.fibre_across_0, _S628.fibre_along_0, fabrics_0[_S627].fibre_size_0);
+    var _S637 : vec2<f32> = vec2<f32>(0.0f);
     var gain_3 : vec2<f32>;
-    if((((fabrics_0[_S625].has_detail_0) != u32(0)) & ((_S631 >= 0.0f))))
+    if((((fabrics_0[_S627].has_detail_0) != u32(0)) & ((_S633 >= 0.0f))))
     {
-        gain_3 = detail_gain_0(_S625, select(fabrics_0[_S625].weft_0, fabrics_0[_S625].warp_0, _S626.is_warp_0), _S626, vec2<f32>(_S628, _S629), _S630, _S633, _S631) * vec2<f32>(1.0f - _S632, 1.0f);
+        gain_3 = detail_gain_0(_S627, select(fabrics_0[_S627].weft_0, fabrics_0[_S627].warp_0, _S628.is_warp_0), _S628, vec2<f32>(_S630, _S631), _S632, _S635, _S633) * vec2<f32>(1.0f - _S634, 1.0f);
     }
     else
     {
-        gain_3 = _S635;
+        gain_3 = _S637;
     }
-    return vary_albedos_0(_S625, _S627, _S633, u32(i32(_S634.x)) * u32(65536) + u32(i32(floor(_S634.y))), gain_3);
+    return vary_albedos_0(_S627, _S629, _S635, u32(i32(_S636.x)) * u32(65536) + u32(i32(floor(_S636.y))), gain_3);
 }
 
-fn turned_frame_0( _S636 : u32,  _S637 : u32,  _S638 : SurfacePoint_0,  _S639 : bool,  _S640 : u32,  _S641 : f32) -> YarnFrame_0
+fn turned_frame_0( _S638 : u32,  _S639 : u32,  _S640 : SurfacePoint_0,  _S641 : bool,  _S642 : u32,  _S643 : f32) -> YarnFrame_0
 {
     var frame_2 : YarnFrame_0;
-    frame_2.normal_5 = _S638.normal_1;
-    frame_2.tangent_4 = _S638.tangent_0;
+    frame_2.normal_5 = _S640.normal_1;
+    frame_2.tangent_4 = _S640.tangent_0;
     frame_2.loss_0 = 0.0f;
-    if((families_0[_S637].has_plies_0) > 0.0f)
+    if((families_0[_S639].has_plies_0) > 0.0f)
     {
-        var _S642 : f32 = fade_0(_S641, 1.0f / families_0[_S637].plies_per_mm_0);
-        var _S643 : f32 = _S642 * 0.41999998688697815f * ply_offset_0(_S637, _S638, _S639);
-        var _S644 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
-        var _S645 : vec3<f32> = vec3<f32>(families_0[_S637].ply_cosine_0);
-        var _S646 : vec3<f32> = vec3<f32>(select(families_0[_S637].ply_sine_0, - families_0[_S637].ply_sine_0, _S639));
-        var _S647 : vec3<f32> = _S645 * _S644 + _S646 * frame_2.tangent_4;
-        var _S648 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S643 * _S643));
-        var _S649 : vec3<f32> = vec3<f32>(_S643);
-        frame_2.tangent_4 = _S645 * (_S645 * frame_2.tangent_4 - _S646 * _S644) + _S646 * (_S648 * _S647 - _S649 * frame_2.normal_5);
-        frame_2.normal_5 = _S648 * frame_2.normal_5 + _S649 * _S647;
-        frame_2.loss_0 = _S642 * _S642 * 0.41999998688697815f * 0.41999998688697815f / 6.0f;
+        var _S644 : f32 = fade_0(_S643, 1.0f / families_0[_S639].plies_per_mm_0);
+        var _S645 : f32 = _S644 * 0.41999998688697815f * ply_offset_0(_S639, _S640, _S641);
+        var _S646 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
+        var _S647 : vec3<f32> = vec3<f32>(families_0[_S639].ply_cosine_0);
+        var _S648 : vec3<f32> = vec3<f32>(select(families_0[_S639].ply_sine_0, - families_0[_S639].ply_sine_0, _S641));
+        var _S649 : vec3<f32> = _S647 * _S646 + _S648 * frame_2.tangent_4;
+        var _S650 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S645 * _S645));
+        var _S651 : vec3<f32> = vec3<f32>(_S645);
+        frame_2.tangent_4 = _S647 * (_S647 * frame_2.tangent_4 - _S648 * _S646) + _S648 * (_S650 * _S649 - _S651 * frame_2.normal_5);
+        frame_2.normal_5 = _S650 * frame_2.normal_5 + _S651 * _S649;
+        frame_2.loss_0 = _S644 * _S644 * 0.41999998688697815f * 0.41999998688697815f / 6.0f;
     }
-    var _S650 : f32 = families_0[_S637].fibre_tilt_0;
-    if((families_0[_S637].fibre_tilt_0) > 0.0f)
+    var _S652 : f32 = families_0[_S639].fibre_tilt_0;
+    if((families_0[_S639].fibre_tilt_0) > 0.0f)
     {
-        var _S651 : FibreNoise_0 = fibre_noise_at_0(_S636, _S637, _S638, _S640, _S641);
-        var _S652 : f32 = 1.09858846664428711f * _S650 * (_S651.bundle_weight_0 * _S651.bundle_0.x + _S651.fibre_weight_0 * (_S651.fibre_0.x + _S651.offset_2));
-        var _S653 : f32 = _S650 * (1.42099642753601074f * (_S651.bundle_weight_0 * _S651.bundle_0.y + _S651.fibre_weight_0 * _S651.fibre_0.y) - _S651.bundle_weight_0 * _S651.slope_2);
-        var _S654 : f32 = square_1(_S651.fibre_weight_0);
-        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S650 * _S650 * ((0.24761904776096344f * (square_1(_S651.bundle_weight_0) + _S654) + _S654 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
-        var _S655 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
-        var _S656 : vec2<f32> = sine_cosine_0(_S652);
-        var _S657 : vec2<f32> = sine_cosine_0(_S653);
-        var _S658 : vec3<f32> = vec3<f32>(_S656.y);
-        var _S659 : vec3<f32> = vec3<f32>(_S656.x);
-        var _S660 : vec3<f32> = _S658 * _S655 - _S659 * frame_2.normal_5;
-        frame_2.normal_5 = _S658 * frame_2.normal_5 + _S659 * _S655;
-        frame_2.tangent_4 = vec3<f32>(_S657.y) * frame_2.tangent_4 + vec3<f32>(_S657.x) * _S660;
+        var _S653 : FibreNoise_0 = fibre_noise_at_0(_S638, _S639, _S640, _S642, _S643);
+        var _S654 : f32 = 1.09858846664428711f * _S652 * (_S653.bundle_weight_0 * _S653.bundle_0.x + _S653.fibre_weight_0 * (_S653.fibre_0.x + _S653.offset_2));
+        var _S655 : f32 = _S652 * (1.42099642753601074f * (_S653.bundle_weight_0 * _S653.bundle_0.y + _S653.fibre_weight_0 * _S653.fibre_0.y) - _S653.bundle_weight_0 * _S653.slope_2);
+        var _S656 : f32 = square_1(_S653.fibre_weight_0);
+        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S652 * _S652 * ((0.24761904776096344f * (square_1(_S653.bundle_weight_0) + _S656) + _S656 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
+        var _S657 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
+        var _S658 : vec2<f32> = sine_cosine_0(_S654);
+        var _S659 : vec2<f32> = sine_cosine_0(_S655);
+        var _S660 : vec3<f32> = vec3<f32>(_S658.y);
+        var _S661 : vec3<f32> = vec3<f32>(_S658.x);
+        var _S662 : vec3<f32> = _S660 * _S657 - _S661 * frame_2.normal_5;
+        frame_2.normal_5 = _S660 * frame_2.normal_5 + _S661 * _S657;
+        frame_2.tangent_4 = vec3<f32>(_S659.y) * frame_2.tangent_4 + vec3<f32>(_S659.x) * _S662;
     }
     return frame_2;
 }
 
-fn yarn_point_of_0( _S661 : u32,  _S662 : SurfacePoint_0,  _S663 : f32,  _S664 : f32,  _S665 : bool,  _S666 : bool,  _S667 : f32) -> YarnPoint_0
+fn yarn_point_of_0( _S663 : u32,  _S664 : SurfacePoint_0,  _S665 : f32,  _S666 : f32,  _S667 : bool,  _S668 : bool,  _S669 : f32) -> YarnPoint_0
 {
-    var _S668 : u32 = select(fabrics_0[_S661].weft_0, fabrics_0[_S661].warp_0, _S662.is_warp_0);
-    var _S669 : bool = (((fabrics_0[_S661].has_detail_0) != u32(0)) & ((_S667 >= 0.0f)));
-    var _S670 : vec3<f32> = vec3<f32>(0.0f);
-    var _S671 : Hair_0 = Hair_x24init_0(0.0f, _S670, _S670);
-    var _S672 : bool;
-    if(_S669)
+    var _S670 : u32 = select(fabrics_0[_S663].weft_0, fabrics_0[_S663].warp_0, _S664.is_warp_0);
+    var _S671 : bool = (((fabrics_0[_S663].has_detail_0) != u32(0)) & ((_S669 >= 0.0f)));
+    var _S672 : vec3<f32> = vec3<f32>(0.0f);
+    var _S673 : Hair_0 = Hair_x24init_0(0.0f, _S672, _S672);
+    var _S674 : bool;
+    if(_S671)
     {
-        _S672 = has_hairs_0(_S661);
+        _S674 = has_hairs_0(_S663);
     }
     else
     {
-        _S672 = false;
+        _S674 = false;
     }
     var hair_2 : Hair_0;
-    if(_S672)
+    if(_S674)
     {
-        hair_2 = hair_at_0(_S661, vec2<f32>(_S663, _S664), _S665, _S667);
+        hair_2 = hair_at_0(_S663, vec2<f32>(_S665, _S666), _S667, _S669);
     }
     else
     {
-        hair_2 = _S671;
+        hair_2 = _S673;
     }
-    var albedos_7 : Albedos_0 = albedos_of_0(_S668, select(_S662.weft_thread_0, _S662.warp_thread_0, _S662.is_warp_0));
+    var albedos_7 : Albedos_0 = albedos_of_0(_S670, select(_S664.weft_thread_0, _S664.warp_thread_0, _S664.is_warp_0));
     var albedos_8 : Albedos_0;
-    if(varies_at_0(_S661, _S667))
+    if(varies_at_0(_S663, _S669))
     {
-        albedos_8 = varied_at_0(_S661, _S662, albedos_7, _S663, _S664, _S665, _S667, hair_2.cover_0);
+        albedos_8 = varied_at_0(_S663, _S664, albedos_7, _S665, _S666, _S667, _S669, hair_2.cover_0);
     }
     else
     {
         albedos_8 = albedos_7;
     }
     var point_5 : YarnPoint_0;
-    point_5.back_7 = _S665;
-    point_5.hole_6 = _S666;
-    point_5.is_warp_3 = _S662.is_warp_0;
-    point_5.x_15 = _S663;
-    point_5.y_8 = _S664;
-    point_5.height_11 = _S662.height_2;
-    point_5.normal_10 = _S662.normal_1;
-    point_5.tangent_10 = _S662.tangent_0;
-    point_5.surface_normal_0 = _S662.normal_1;
+    point_5.back_7 = _S667;
+    point_5.hole_6 = _S668;
+    point_5.is_warp_3 = _S664.is_warp_0;
+    point_5.x_15 = _S665;
+    point_5.y_8 = _S666;
+    point_5.height_11 = _S664.height_2;
+    point_5.normal_10 = _S664.normal_1;
+    point_5.tangent_10 = _S664.tangent_0;
+    point_5.surface_normal_0 = _S664.normal_1;
     point_5.diffuse_gain_1 = 1.0f;
-    if(_S669)
+    if(_S671)
     {
-        var _S673 : YarnFrame_0 = turned_frame_0(_S661, _S668, _S662, _S665, thread_number_0(_S661, _S662, _S663, _S664), _S667);
+        var _S675 : YarnFrame_0 = turned_frame_0(_S663, _S670, _S664, _S667, thread_number_0(_S663, _S664, _S665, _S666), _S669);
         var frame_3 : YarnFrame_0;
-        if(has_hairs_0(_S661))
+        if(has_hairs_0(_S663))
         {
-            frame_3 = under_hair_0(_S673, hair_2);
+            frame_3 = under_hair_0(_S675, hair_2);
         }
         else
         {
-            frame_3 = _S673;
+            frame_3 = _S675;
         }
         point_5.normal_10 = frame_3.normal_5;
         point_5.tangent_10 = frame_3.tangent_4;
-        point_5.diffuse_gain_1 = diffuse_gain_0(frame_3, fabrics_0[_S661].diffuse_blend_0);
+        point_5.diffuse_gain_1 = diffuse_gain_0(frame_3, fabrics_0[_S663].diffuse_blend_0);
     }
-    point_5.roughness_10 = families_0[_S668].roughness_0;
+    point_5.roughness_10 = families_0[_S670].roughness_0;
     point_5.albedos_6 = albedos_8;
     return point_5;
 }
 
-fn unoccluded_0( _S674 : u32,  _S675 : SearchQuality_0,  _S676 : f32,  _S677 : f32,  _S678 : f32,  _S679 : vec3<f32>,  _S680 : bool) -> bool
+fn unoccluded_0( _S676 : u32,  _S677 : SearchQuality_0,  _S678 : f32,  _S679 : f32,  _S680 : f32,  _S681 : vec3<f32>,  _S682 : bool) -> bool
 {
-    if((_S679.z) <= 0.0f)
+    if((_S681.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S674, _S675, vec3<f32>(_S676, _S677, _S678 + fabrics_0[_S674].lift_0), _S679, _S680, max_height_along_0(_S674, _S676, _S677, _S678, _S679, _S680));
+    return is_free_0(_S676, _S677, vec3<f32>(_S678, _S679, _S680 + fabrics_0[_S676].lift_0), _S681, _S682, max_height_along_0(_S676, _S678, _S679, _S680, _S681, _S682));
 }
 
-fn is_lit_0( _S681 : u32,  _S682 : SearchQuality_0,  _S683 : YarnPoint_0,  _S684 : vec3<f32>) -> bool
+fn is_lit_0( _S683 : u32,  _S684 : SearchQuality_0,  _S685 : YarnPoint_0,  _S686 : vec3<f32>) -> bool
 {
-    if(_S683.hole_6)
+    if(_S685.hole_6)
     {
         return true;
     }
-    var _S685 : vec3<f32> = to_face_frame_0(_S684, _S683.back_7);
-    var _S686 : f32 = _S685.z;
-    var _S687 : bool = _S686 < 0.0f;
+    var _S687 : vec3<f32> = to_face_frame_0(_S686, _S685.back_7);
+    var _S688 : f32 = _S687.z;
+    var _S689 : bool = _S688 < 0.0f;
     var normal_11 : vec3<f32>;
     var height_12 : f32;
-    if(_S687)
+    if(_S689)
     {
-        var _S688 : SurfacePoint_0 = surface_at_0(_S681, _S683.x_15, _S683.y_8, !_S683.back_7);
-        normal_11 = _S688.normal_1;
-        height_12 = _S688.height_2;
+        var _S690 : SurfacePoint_0 = surface_at_0(_S683, _S685.x_15, _S685.y_8, !_S685.back_7);
+        normal_11 = _S690.normal_1;
+        height_12 = _S690.height_2;
     }
     else
     {
-        normal_11 = _S683.surface_normal_0;
-        height_12 = _S683.height_11;
+        normal_11 = _S685.surface_normal_0;
+        height_12 = _S685.height_11;
     }
-    var _S689 : vec3<f32> = vec3<f32>(_S685.xy, abs(_S686));
-    if((dot(normal_11, _S689)) <= 0.0f)
+    var _S691 : vec3<f32> = vec3<f32>(_S687.xy, abs(_S688));
+    if((dot(normal_11, _S691)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S681, _S682, _S683.x_15, _S683.y_8, height_12, _S689, (_S683.back_7) != _S687);
+    return unoccluded_0(_S683, _S684, _S685.x_15, _S685.y_8, height_12, _S691, (_S685.back_7) != _S689);
 }
 
-fn components_of_point_0( _S690 : u32,  _S691 : SearchQuality_0,  _S692 : YarnPoint_0,  _S693 : vec3<f32>,  _S694 : vec3<f32>) -> Components_0
+fn components_of_point_0( _S692 : u32,  _S693 : SearchQuality_0,  _S694 : YarnPoint_0,  _S695 : vec3<f32>,  _S696 : vec3<f32>) -> Components_0
 {
     var result_3 : Components_0 = no_components_0();
-    result_3.hole_2 = select(0.0f, 1.0f, _S692.hole_6);
-    var _S695 : bool;
-    if(_S692.hole_6)
+    result_3.hole_2 = select(0.0f, 1.0f, _S694.hole_6);
+    var _S697 : bool;
+    if(_S694.hole_6)
     {
-        _S695 = true;
+        _S697 = true;
     }
     else
     {
-        _S695 = !is_lit_0(_S690, _S691, _S692, _S693);
+        _S697 = !is_lit_0(_S692, _S693, _S694, _S695);
     }
-    if(_S695)
+    if(_S697)
     {
         return result_3;
     }
-    var _S696 : vec3<f32> = to_face_frame_0(_S693, _S692.back_7);
-    var _S697 : vec3<f32> = to_face_frame_0(_S694, _S692.back_7);
-    var _S698 : bool = (_S696.z) < 0.0f;
-    var _S699 : f32 = _S692.diffuse_gain_1 * diffuse_reflection_0(select_vector_1(_S698, (vec3<f32>(0) - _S696), _S696), _S692.normal_10, fabrics_0[_S690].diffuse_blend_0);
-    var _S700 : f32;
-    if(_S698)
+    var _S698 : vec3<f32> = to_face_frame_0(_S695, _S694.back_7);
+    var _S699 : vec3<f32> = to_face_frame_0(_S696, _S694.back_7);
+    var _S700 : bool = (_S698.z) < 0.0f;
+    var _S701 : f32 = _S694.diffuse_gain_1 * diffuse_reflection_0(select_vector_1(_S700, (vec3<f32>(0) - _S698), _S698), _S694.normal_10, fabrics_0[_S692].diffuse_blend_0);
+    var _S702 : f32;
+    if(_S700)
     {
-        _S700 = transmission_1(_S696, _S697, _S692.normal_10, _S692.tangent_10, _S692.roughness_10, fabrics_0[_S690].optical_depth_0);
+        _S702 = transmission_1(_S698, _S699, _S694.normal_10, _S694.tangent_10, _S694.roughness_10, fabrics_0[_S692].optical_depth_0);
     }
     else
     {
-        _S700 = reflection_0(_S696, _S697, _S692.normal_10, _S692.tangent_10, _S692.roughness_10, fabrics_0[_S690].optical_depth_0);
+        _S702 = reflection_0(_S698, _S699, _S694.normal_10, _S694.tangent_10, _S694.roughness_10, fabrics_0[_S692].optical_depth_0);
     }
-    result_3.diffuse_warp_0 = select(0.0f, _S699, _S692.is_warp_3);
-    result_3.diffuse_weft_0 = select(_S699, 0.0f, _S692.is_warp_3);
-    result_3.specular_warp_0 = select(0.0f, _S700, _S692.is_warp_3);
-    result_3.specular_weft_0 = select(_S700, 0.0f, _S692.is_warp_3);
+    result_3.diffuse_warp_0 = select(0.0f, _S701, _S694.is_warp_3);
+    result_3.diffuse_weft_0 = select(_S701, 0.0f, _S694.is_warp_3);
+    result_3.specular_warp_0 = select(0.0f, _S702, _S694.is_warp_3);
+    result_3.specular_weft_0 = select(_S702, 0.0f, _S694.is_warp_3);
     result_3.light_visibility_1 = 1.0f;
     return result_3;
 }
 
-fn openness_number_0( _S701 : u32,  _S702 : u32) -> f32
+fn openness_number_0( _S703 : u32,  _S704 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S701].openness_0 + _S702);
+    return table_number_0(fabrics_0[_S703].openness_0 + _S704);
 }
 
-fn blocked_of_terms_0( _S703 : u32,  _S704 : u32,  _S705 : array<f32, i32(6)>,  _S706 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S705 : u32,  _S706 : u32,  _S707 : array<f32, i32(6)>,  _S708 : u32) -> Blocked_0
 {
     var shares_0 : array<f32, i32(3)>;
     var share_4 : u32 = u32(0);
@@ -2825,14 +2839,14 @@ fn blocked_of_terms_0( _S703 : u32,  _S704 : u32,  _S705 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S706)
+            if(term_0 < _S708)
             {
             }
             else
             {
                 break;
             }
-            shares_0[share_4] = shares_0[share_4] + openness_number_0(_S703, _S704 + share_4 * _S706 + term_0) * _S705[term_0];
+            shares_0[share_4] = shares_0[share_4] + openness_number_0(_S705, _S706 + share_4 * _S708 + term_0) * _S707[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_0[share_4] = saturate(shares_0[share_4]);
@@ -2845,24 +2859,24 @@ fn blocked_of_terms_0( _S703 : u32,  _S704 : u32,  _S705 : array<f32, i32(6)>,  
     return blocked_2;
 }
 
-fn blocked_at_0( _S707 : u32,  _S708 : bool,  _S709 : bool,  _S710 : f32,  _S711 : f32) -> Blocked_0
+fn blocked_at_0( _S709 : u32,  _S710 : bool,  _S711 : bool,  _S712 : f32,  _S713 : f32) -> Blocked_0
 {
-    var _S712 : f32 = _S711 * openness_number_0(_S707, u32(158));
-    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S710, _S712, _S710 * _S710, _S710 * _S712, _S712 * _S712 );
-    return blocked_of_terms_0(_S707, u32(60) + (select(u32(0), u32(2), _S709) + select(u32(1), u32(0), _S708)) * u32(18), terms_2, u32(6));
+    var _S714 : f32 = _S713 * openness_number_0(_S709, u32(158));
+    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S712, _S714, _S712 * _S712, _S712 * _S714, _S714 * _S714 );
+    return blocked_of_terms_0(_S709, u32(60) + (select(u32(0), u32(2), _S711) + select(u32(1), u32(0), _S710)) * u32(18), terms_2, u32(6));
 }
 
-fn with_blocked_0( _S713 : u32,  _S714 : Blocked_0,  _S715 : YarnPoint_0,  _S716 : bool,  _S717 : f32) -> Blocked_0
+fn with_blocked_0( _S715 : u32,  _S716 : Blocked_0,  _S717 : YarnPoint_0,  _S718 : bool,  _S719 : f32) -> Blocked_0
 {
-    if(((_S715.hole_6) | (((_S715.is_warp_3) != _S716))))
+    if(((_S717.hole_6) | (((_S717.is_warp_3) != _S718))))
     {
-        return _S714;
+        return _S716;
     }
-    var _S718 : Blocked_0 = blocked_at_0(_S713, _S716, _S715.back_7, _S715.surface_normal_0.z, _S715.height_11);
+    var _S720 : Blocked_0 = blocked_at_0(_S715, _S718, _S717.back_7, _S717.surface_normal_0.z, _S717.height_11);
     var result_4 : Blocked_0;
-    result_4.by_warp_0 = _S714.by_warp_0 + _S717 * _S718.by_warp_0;
-    result_4.by_weft_0 = _S714.by_weft_0 + _S717 * _S718.by_weft_0;
-    result_4.far_0 = _S714.far_0 + _S717 * _S718.far_0;
+    result_4.by_warp_0 = _S716.by_warp_0 + _S719 * _S720.by_warp_0;
+    result_4.by_weft_0 = _S716.by_weft_0 + _S719 * _S720.by_weft_0;
+    result_4.far_0 = _S716.far_0 + _S719 * _S720.far_0;
     return result_4;
 }
 
@@ -2871,24 +2885,24 @@ struct CoverageTaps_0
      nodes_1 : array<u32, i32(9)>,
 };
 
-fn pyramid_level_0( _S719 : u32,  _S720 : f32) -> vec3<f32>
+fn pyramid_level_0( _S721 : u32,  _S722 : f32) -> vec3<f32>
 {
-    var _S721 : u32 = fabrics_0[_S719].lobes_0.levels_0 + u32(4) * u32(min(_S720, fabrics_0[_S719].lobes_0.last_level_0));
-    return vec3<f32>(table_number_0(_S721), table_number_0(_S721 + u32(1)), table_number_0(_S721 + u32(2)));
+    var _S723 : u32 = fabrics_0[_S721].lobes_0.levels_0 + u32(4) * u32(min(_S722, fabrics_0[_S721].lobes_0.last_level_0));
+    return vec3<f32>(table_number_0(_S723), table_number_0(_S723 + u32(1)), table_number_0(_S723 + u32(2)));
 }
 
-fn coverage_taps_0( _S722 : u32,  _S723 : Footprint_0,  _S724 : bool) -> CoverageTaps_0
+fn coverage_taps_0( _S724 : u32,  _S725 : Footprint_0,  _S726 : bool) -> CoverageTaps_0
 {
-    var _S725 : Lobes_std430_0 = fabrics_0[_S722].lobes_0;
-    var _S726 : f32 = Footprint_spread_side_0(_S723) * fabrics_0[_S722].lobes_0.inverse_base_size_0;
-    var _S727 : vec3<f32> = pyramid_level_0(_S722, floor(binary_logarithm_0(max(0.68000000715255737f * _S726, 1.0f))));
-    var _S728 : f32 = 1.0f / max(_S726, 9.99999997475242708e-07f);
-    var _S729 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S722].warp_0].inverse_period_0, families_0[fabrics_0[_S722].weft_0].inverse_period_0);
-    var _S730 : vec2<f32> = _S723.centre_0 * _S729;
-    var _S731 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S728 * _S728), 0.0f, 1.0f)), 0.3333333432674408f * _S728), 1.0f));
-    var _S732 : vec2<f32> = _S723.dx_0 * _S729 * _S731;
-    var _S733 : vec2<f32> = _S723.dy_0 * _S729 * _S731;
-    var taps_3 : CoverageTaps_0;
+    var _S727 : Lobes_std430_0 = fabrics_0[_S724].lobes_0;
+    var _S728 : f32 = Footprint_spread_side_0(_S725) * fabrics_0[_S724].lobes_0.inverse_base_size_0;
+    var _S729 : vec3<f32> = pyramid_level_0(_S724, floor(binary_logarithm_0(max(0.68000000715255737f * _S728, 1.0f))));
+    var _S730 : f32 = 1.0f / max(_S728, 9.99999997475242708e-07f);
+    var _S731 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S724].warp_0].inverse_period_0, families_0[fabrics_0[_S724].weft_0].inverse_period_0);
+    var _S732 : vec2<f32> = _S725.centre_0 * _S731;
+    var _S733 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S730 * _S730), 0.0f, 1.0f)), 0.3333333432674408f * _S730), 1.0f));
+    var _S734 : vec2<f32> = _S725.dx_0 * _S731 * _S733;
+    var _S735 : vec2<f32> = _S725.dy_0 * _S731 * _S733;
+    var taps_4 : CoverageTaps_0;
     var number_3 : u32 = u32(0);
     for(;;)
     {
@@ -2899,15 +2913,48 @@ fn coverage_taps_0( _S722 : u32,  _S723 : Footprint_0,  _S724 : bool) -> Coverag
         {
             break;
         }
-        var _S734 : vec2<f32> = _S730 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S732 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S733;
-        var _S735 : f32 = _S727.y;
-        taps_3.nodes_1[number_3] = select(u32(0), _S725.face_nodes_0, _S724) + u32(wrapped_cell_0(_S734.y, _S727.z) * _S735 + wrapped_cell_0(_S734.x, _S735) + _S727.x);
+        var _S736 : vec2<f32> = _S732 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S734 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S735;
+        var _S737 : f32 = _S729.y;
+        taps_4.nodes_1[number_3] = select(u32(0), _S727.face_nodes_0, _S726) + u32(wrapped_cell_0(_S736.y, _S729.z) * _S737 + wrapped_cell_0(_S736.x, _S737) + _S729.x);
         number_3 = number_3 + u32(1);
     }
-    return taps_3;
+    return taps_4;
 }
 
-fn coverage_of_pack_0( _S736 : u32,  _S737 : CoverageTaps_0,  _S738 : u32) -> vec4<f32>
+struct JointRatios_0
+{
+     diffuse_0 : vec2<f32>,
+     specular_0 : vec2<f32>,
+};
+
+fn joint_ratios_0( _S738 : u32,  _S739 : vec3<f32>,  _S740 : vec3<f32>,  _S741 : bool) -> JointRatios_0
+{
+    var _S742 : NodeTaps_0 = node_taps_of_0(_S740, u32(16));
+    var _S743 : NodeTaps_0 = node_taps_of_0(_S739, u32(16));
+    var _S744 : u32 = fabrics_0[_S738].lobes_0.joint_0 + u32(2) * (select(u32(0), u32(2), _S741) + select(u32(0), u32(1), (_S739.z) < 0.0f)) * u32(1024);
+    var ratios_0 : vec4<f32>;
+    var ratio_2 : u32 = u32(0);
+    for(;;)
+    {
+        if(ratio_2 < u32(4))
+        {
+        }
+        else
+        {
+            break;
+        }
+        ratios_0[ratio_2] = 1.0f + dot(joint_terms_0(_S742, _S744, ratio_2), joint_terms_0(_S743, _S744 + u32(1024), ratio_2));
+        ratio_2 = ratio_2 + u32(1);
+    }
+    var _S745 : vec4<f32> = clamp(ratios_0, vec4<f32>(0.0f), vec4<f32>(4.0f));
+    ratios_0 = _S745;
+    var result_5 : JointRatios_0;
+    result_5.diffuse_0 = _S745.xy;
+    result_5.specular_0 = _S745.zw;
+    return result_5;
+}
+
+fn coverage_of_pack_0( _S746 : u32,  _S747 : CoverageTaps_0,  _S748 : u32) -> vec4<f32>
 {
     var number_4 : u32 = u32(0);
     var even_1 : u32 = u32(0);
@@ -2921,9 +2968,9 @@ fn coverage_of_pack_0( _S736 : u32,  _S737 : CoverageTaps_0,  _S738 : u32) -> ve
         {
             break;
         }
-        var _S739 : u32 = words_0[fabrics_0[_S736].lobes_0.coverage_0 + _S737.nodes_1[number_4] * fabrics_0[_S736].lobes_0.packs_0 + _S738];
-        var even_2 : u32 = even_1 + ((_S739 & (u32(16711935))));
-        var odd_2 : u32 = odd_1 + ((((_S739 >> (u32(8)))) & (u32(16711935))));
+        var _S749 : u32 = words_0[fabrics_0[_S746].lobes_0.coverage_0 + _S747.nodes_1[number_4] * fabrics_0[_S746].lobes_0.packs_0 + _S748];
+        var even_2 : u32 = even_1 + ((_S749 & (u32(16711935))));
+        var odd_2 : u32 = odd_1 + ((((_S749 >> (u32(8)))) & (u32(16711935))));
         number_4 = number_4 + u32(1);
         even_1 = even_2;
         odd_1 = odd_2;
@@ -2931,7 +2978,7 @@ fn coverage_of_pack_0( _S736 : u32,  _S737 : CoverageTaps_0,  _S738 : u32) -> ve
     return bytes_of_sums_0(even_1, odd_1) / vec4<f32>(9.0f);
 }
 
-fn coverage_of_holes_0( _S740 : u32,  _S741 : CoverageTaps_0) -> f32
+fn coverage_of_holes_0( _S750 : u32,  _S751 : CoverageTaps_0) -> f32
 {
     var number_5 : u32 = u32(0);
     var total_0 : u32 = u32(0);
@@ -2944,64 +2991,60 @@ fn coverage_of_holes_0( _S740 : u32,  _S741 : CoverageTaps_0) -> f32
         {
             break;
         }
-        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S740].lobes_0.coverage_holes_0 + _S741.nodes_1[number_5] / u32(4)] >> ((u32(8) * (_S741.nodes_1[number_5] % u32(4)))))) & (u32(255))));
+        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S750].lobes_0.coverage_holes_0 + _S751.nodes_1[number_5] / u32(4)] >> ((u32(8) * (_S751.nodes_1[number_5] % u32(4)))))) & (u32(255))));
         number_5 = number_5 + u32(1);
         total_0 = total_1;
     }
     return f32(total_0) / 9.0f;
 }
 
-fn prefiltered_hole_0( _S742 : u32,  _S743 : CoverageTaps_0,  _S744 : NodeTaps_0,  _S745 : bool) -> f32
+fn prefiltered_hole_0( _S752 : u32,  _S753 : CoverageTaps_0,  _S754 : NodeTaps_0,  _S755 : bool) -> f32
 {
-    var _S746 : f32 = interpolate_table_0(_S744, fabrics_0[_S742].lobes_0.projected_area_0 + fabrics_0[_S742].lobes_0.packs_0, fabrics_0[_S742].lobes_0.packs_0 + u32(1)).x;
-    return min(coverage_of_holes_0(_S742, _S743) * _S746 * _S746 * select(fabrics_0[_S742].lobes_0.front_hole_weight_0, fabrics_0[_S742].lobes_0.back_hole_weight_0, _S745), 1.0f);
+    var _S756 : f32 = interpolate_table_0(_S754, fabrics_0[_S752].lobes_0.projected_area_0 + fabrics_0[_S752].lobes_0.packs_0, fabrics_0[_S752].lobes_0.packs_0 + u32(1)).x;
+    return min(coverage_of_holes_0(_S752, _S753) * _S756 * _S756 * select(fabrics_0[_S752].lobes_0.front_hole_weight_0, fabrics_0[_S752].lobes_0.back_hole_weight_0, _S755), 1.0f);
 }
 
-fn prefiltered_components_0( _S747 : u32,  _S748 : Footprint_0,  _S749 : vec3<f32>,  _S750 : vec3<f32>,  _S751 : bool) -> Components_0
+fn prefiltered_components_0( _S757 : u32,  _S758 : Footprint_0,  _S759 : vec3<f32>,  _S760 : vec3<f32>,  _S761 : bool) -> Components_0
 {
-    var _S752 : CoverageTaps_0 = coverage_taps_0(_S747, _S748, _S751);
-    var _S753 : NodeTaps_0 = node_taps_0(_S750);
-    var view_nodes_0 : NodeTaps_0 = _S753;
-    var light_nodes_0 : NodeTaps_0 = node_taps_0(_S749);
-    var seen_nodes_0 : NodeTaps_0 = _S753;
-    var _S754 : u32 = select(u32(0), u32(1), _S751);
-    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S754 * u32(256)));
-    var _S755 : u32 = u32(2) * _S754;
-    seen_nodes_0.nodes_0 = seen_nodes_0.nodes_0 + vec4<u32>((_S755 * u32(256)));
-    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((_S755 + select(u32(0), u32(1), (_S749.z) < 0.0f)) * u32(256)));
-    var _S756 : vec3<f32> = half_vector_0(_S749, _S750);
-    var _S757 : vec3<f32> = shadow_correlation_0(_S749, _S750);
-    var _S758 : Lobes_std430_0 = fabrics_0[_S747].lobes_0;
-    var _S759 : u32 = select(fabrics_0[_S747].lobes_0.front_warp_packs_0, fabrics_0[_S747].lobes_0.back_warp_packs_0, _S751);
-    var sums_2 : Components_0;
-    sums_2.diffuse_warp_0 = 0.0f;
-    sums_2.diffuse_weft_0 = 0.0f;
-    sums_2.specular_warp_0 = 0.0f;
-    sums_2.specular_weft_0 = 0.0f;
-    sums_2.light_visibility_1 = 0.0f;
+    var _S762 : CoverageTaps_0 = coverage_taps_0(_S757, _S758, _S761);
+    var _S763 : NodeTaps_0 = node_taps_0(_S760);
+    var view_nodes_0 : NodeTaps_0 = _S763;
+    var _S764 : NodeTaps_0 = node_taps_0(_S759);
+    var light_nodes_0 : NodeTaps_0 = _S764;
+    var _S765 : u32 = select(u32(0), u32(1), _S761);
+    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S765 * u32(256)));
+    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((u32(2) * _S765 + select(u32(0), u32(1), (_S759.z) < 0.0f)) * u32(256)));
+    var _S766 : vec3<f32> = half_vector_0(_S759, _S760);
+    var _S767 : JointRatios_0 = joint_ratios_0(_S757, _S759, _S760, _S761);
+    var _S768 : Lobes_std430_0 = fabrics_0[_S757].lobes_0;
+    var _S769 : u32 = select(fabrics_0[_S757].lobes_0.front_warp_packs_0, fabrics_0[_S757].lobes_0.back_warp_packs_0, _S761);
+    var sums_4 : Components_0;
+    sums_4.diffuse_warp_0 = 0.0f;
+    sums_4.diffuse_weft_0 = 0.0f;
+    sums_4.specular_warp_0 = 0.0f;
+    sums_4.specular_weft_0 = 0.0f;
+    sums_4.light_visibility_1 = 0.0f;
     var pack_0 : u32 = u32(0);
     var total_2 : f32 = 0.0f;
     for(;;)
     {
-        if(pack_0 < (_S758.packs_0))
+        if(pack_0 < (_S768.packs_0))
         {
         }
         else
         {
             break;
         }
-        var _S760 : vec4<f32> = coverage_of_pack_0(_S747, _S752, pack_0);
-        var _S761 : vec4<f32> = interpolate_table_0(view_nodes_0, _S758.projected_area_0 + pack_0, _S758.packs_0 + u32(1));
-        var _S762 : u32 = _S758.light_visibility_0 + pack_0;
-        var _S763 : vec4<f32> = vec4<f32>(255.0f);
-        var _S764 : vec4<f32> = interpolate_table_0(seen_nodes_0, _S762, _S758.packs_0) / _S763;
-        var _S765 : vec4<f32> = interpolate_table_0(light_nodes_0, _S762, _S758.packs_0) / _S763;
-        var _S766 : vec4<f32> = interpolate_table_0(light_nodes_0, _S758.irradiance_0 + pack_0, _S758.packs_0) * vec4<f32>(0.00124827399849892f);
-        var _S767 : bool = pack_0 < _S759;
-        var _S768 : f32 = families_0[select(fabrics_0[_S747].weft_0, fabrics_0[_S747].warp_0, _S767)].roughness_0;
+        var _S770 : vec4<f32> = coverage_of_pack_0(_S757, _S762, pack_0);
+        var _S771 : vec4<f32> = interpolate_table_0(view_nodes_0, _S768.projected_area_0 + pack_0, _S768.packs_0 + u32(1));
+        var _S772 : vec4<f32> = interpolate_table_0(light_nodes_0, _S768.light_visibility_0 + pack_0, _S768.packs_0) / vec4<f32>(255.0f);
+        var _S773 : vec4<f32> = interpolate_table_0(light_nodes_0, _S768.irradiance_0 + pack_0, _S768.packs_0) * vec4<f32>(0.00124827399849892f);
+        var _S774 : bool = pack_0 < _S769;
+        var _S775 : f32 = families_0[select(fabrics_0[_S757].weft_0, fabrics_0[_S757].warp_0, _S774)].roughness_0;
         var number_6 : u32 = u32(0);
-        var diffuse_0 : f32 = 0.0f;
-        var specular_0 : f32 = 0.0f;
+        var diffuse_1 : f32 = 0.0f;
+        var specular_1 : f32 = 0.0f;
+        var lit_0 : f32 = 0.0f;
         for(;;)
         {
             if(number_6 < u32(4))
@@ -3011,259 +3054,261 @@ fn prefiltered_components_0( _S747 : u32,  _S748 : Footprint_0,  _S749 : vec3<f3
             {
                 break;
             }
-            var _S769 : Group_0 = group_at_0(_S758.moments_0 + u32(12) * (u32(4) * (_S754 * _S758.packs_0 + pack_0) + number_6), _S768);
-            var _S770 : f32 = _S760[number_6] * _S761[number_6] * _S761[number_6] * _S769.weight_2;
-            var _S771 : vec2<f32> = visibility_gain_0(_S757, _S765[number_6], _S764[number_6]);
-            var _S772 : f32 = _S771.x;
-            var diffuse_1 : f32 = diffuse_0 + _S770 * _S766[number_6] * _S772;
-            var specular_1 : f32 = specular_0 + _S770 * layer_value_0(_S769, _S756, _S749, _S750, fabrics_0[_S747].optical_depth_0) * _S765[number_6] * _S771.y;
-            sums_2.light_visibility_1 = sums_2.light_visibility_1 + _S770 * _S765[number_6] * _S772;
-            var total_3 : f32 = total_2 + _S770;
+            var _S776 : Group_0 = group_at_0(_S768.moments_0 + u32(12) * (u32(4) * (_S765 * _S768.packs_0 + pack_0) + number_6), _S775);
+            var _S777 : f32 = _S770[number_6] * _S771[number_6] * _S771[number_6] * _S776.weight_2;
+            var diffuse_2 : f32 = diffuse_1 + _S777 * _S773[number_6];
+            var specular_2 : f32 = specular_1 + _S777 * layer_value_0(_S776, _S766, _S759, _S760, fabrics_0[_S757].optical_depth_0) * _S772[number_6];
+            var lit_1 : f32 = lit_0 + _S777 * _S772[number_6];
+            var total_3 : f32 = total_2 + _S777;
             number_6 = number_6 + u32(1);
-            diffuse_0 = diffuse_1;
-            specular_0 = specular_1;
+            diffuse_1 = diffuse_2;
+            specular_1 = specular_2;
+            lit_0 = lit_1;
             total_2 = total_3;
         }
-        sums_2.diffuse_warp_0 = sums_2.diffuse_warp_0 + select(0.0f, diffuse_0, _S767);
-        sums_2.diffuse_weft_0 = sums_2.diffuse_weft_0 + select(diffuse_0, 0.0f, _S767);
-        sums_2.specular_warp_0 = sums_2.specular_warp_0 + select(0.0f, specular_0, _S767);
-        sums_2.specular_weft_0 = sums_2.specular_weft_0 + select(specular_0, 0.0f, _S767);
+        sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 + select(0.0f, diffuse_1, _S774);
+        sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 + select(diffuse_1, 0.0f, _S774);
+        sums_4.specular_warp_0 = sums_4.specular_warp_0 + select(0.0f, specular_1, _S774);
+        sums_4.specular_weft_0 = sums_4.specular_weft_0 + select(specular_1, 0.0f, _S774);
+        sums_4.light_visibility_1 = sums_4.light_visibility_1 + lit_0 * select(_S767.diffuse_0.y, _S767.diffuse_0.x, _S774);
         pack_0 = pack_0 + u32(1);
     }
-    var _S773 : f32 = prefiltered_hole_0(_S747, _S752, view_nodes_0, _S751);
-    sums_2.hole_2 = _S773;
-    var _S774 : f32 = (1.0f - _S773) / max(total_2, 9.999999960041972e-13f);
-    sums_2.diffuse_warp_0 = sums_2.diffuse_warp_0 * _S774;
-    sums_2.diffuse_weft_0 = sums_2.diffuse_weft_0 * _S774;
-    sums_2.specular_warp_0 = sums_2.specular_warp_0 * _S774;
-    sums_2.specular_weft_0 = sums_2.specular_weft_0 * _S774;
-    sums_2.light_visibility_1 = sums_2.light_visibility_1 * _S774;
-    return sums_2;
+    var _S778 : f32 = prefiltered_hole_0(_S757, _S762, view_nodes_0, _S761);
+    sums_4.hole_2 = _S778;
+    var _S779 : f32 = 1.0f - _S778;
+    var _S780 : f32 = _S779 / max(total_2, 9.999999960041972e-13f);
+    sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 * (_S780 * _S767.diffuse_0.x);
+    sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 * (_S780 * _S767.diffuse_0.y);
+    sums_4.specular_warp_0 = sums_4.specular_warp_0 * (_S780 * _S767.specular_0.x);
+    sums_4.specular_weft_0 = sums_4.specular_weft_0 * (_S780 * _S767.specular_0.y);
+    sums_4.light_visibility_1 = min(sums_4.light_visibility_1 * _S780, _S779);
+    return sums_4;
 }
 
-fn albedos_over_0( _S775 : u32,  _S776 : Footprint_0,  _S777 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S781 : u32,  _S782 : Footprint_0,  _S783 : bool) -> FamilyAlbedos_0
 {
-    var _S778 : vec2<f32> = _S776.dx_0;
-    var _S779 : vec2<f32> = _S776.dy_0;
-    var _S780 : vec2<f32> = sqrt(_S778 * _S778 + _S779 * _S779);
-    var _S781 : Stretch_0 = stretch_of_0(fabrics_0[_S775].warp_0, _S776.centre_0.x, _S780.x);
-    var _S782 : Stretch_0 = stretch_of_0(fabrics_0[_S775].weft_0, _S776.centre_0.y, _S780.y);
+    var _S784 : vec2<f32> = _S782.dx_0;
+    var _S785 : vec2<f32> = _S782.dy_0;
+    var _S786 : vec2<f32> = sqrt(_S784 * _S784 + _S785 * _S785);
+    var _S787 : Stretch_0 = stretch_of_0(fabrics_0[_S781].warp_0, _S782.centre_0.x, _S786.x);
+    var _S788 : Stretch_0 = stretch_of_0(fabrics_0[_S781].weft_0, _S782.centre_0.y, _S786.y);
     var albedos_9 : FamilyAlbedos_0;
-    albedos_9.warp_5 = mean_albedos_0(fabrics_0[_S775].warp_0, fabrics_0[_S775].weft_0, _S781, _S782, _S777);
-    albedos_9.weft_5 = mean_albedos_0(fabrics_0[_S775].weft_0, fabrics_0[_S775].warp_0, _S782, _S781, _S777);
+    albedos_9.warp_5 = mean_albedos_0(fabrics_0[_S781].warp_0, fabrics_0[_S781].weft_0, _S787, _S788, _S783);
+    albedos_9.weft_5 = mean_albedos_0(fabrics_0[_S781].weft_0, fabrics_0[_S781].warp_0, _S788, _S787, _S783);
     return albedos_9;
 }
 
-fn lobes_estimate_of_pass_0( _S783 : u32,  _S784 : Footprint_0,  _S785 : f32,  _S786 : vec2<f32>,  _S787 : vec3<f32>,  _S788 : vec3<f32>) -> Estimate_0
+fn lobes_estimate_of_pass_0( _S789 : u32,  _S790 : Footprint_0,  _S791 : f32,  _S792 : vec2<f32>,  _S793 : vec3<f32>,  _S794 : vec3<f32>) -> Estimate_0
 {
-    var _S789 : f32;
-    var _S790 : Regime_0 = regime_of_0(_S783, _S784, _S785);
-    var _S791 : bool = (_S788.z) < 0.0f;
-    var _S792 : vec3<f32> = to_face_frame_0(_S788, _S791);
-    var _S793 : f32 = Footprint_spread_side_0(_S784);
-    var _S794 : bool = varies_at_0(_S783, _S793);
-    var _S795 : f32 = 1.0f - _S790.prefiltered_0;
-    var _S796 : bool = ((_S795 > 0.0f) & (((_S794 | (((((families_0[fabrics_0[_S783].warp_0].quantities_0) > u32(1)) | (((families_0[fabrics_0[_S783].weft_0].quantities_0) > u32(1))))))))));
-    var box_0 : Footprint_0 = _S784;
-    var _S797 : vec3<f32> = vec3<f32>(0.0f);
-    var _S798 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S797, _S797, 0.0f, 0.0f, 0.0f);
-    var _S799 : Components_0 = no_components_0();
+    var _S795 : f32;
+    var _S796 : Regime_0 = regime_of_0(_S789, _S790, _S791);
+    var _S797 : bool = (_S794.z) < 0.0f;
+    var _S798 : vec3<f32> = to_face_frame_0(_S794, _S797);
+    var _S799 : f32 = Footprint_spread_side_0(_S790);
+    var _S800 : bool = varies_at_0(_S789, _S799);
+    var _S801 : f32 = 1.0f - _S796.prefiltered_0;
+    var _S802 : bool = ((_S801 > 0.0f) & (((_S800 | (((((families_0[fabrics_0[_S789].warp_0].quantities_0) > u32(1)) | (((families_0[fabrics_0[_S789].weft_0].quantities_0) > u32(1))))))))));
+    var box_0 : Footprint_0 = _S790;
+    var _S803 : vec3<f32> = vec3<f32>(0.0f);
+    var _S804 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S803, _S803, 0.0f, 0.0f, 0.0f);
+    var _S805 : Components_0 = no_components_0();
     var close_1 : CloseUp_0 = no_close_up_0();
-    var _S800 : u32 = select(u32(1), u32(0), _S796);
-    var points_1 : Components_0 = _S799;
+    var _S806 : u32 = select(u32(1), u32(0), _S802);
+    var points_1 : Components_0 = _S805;
     var central_weight_0 : f32 = 0.0f;
-    var central_0 : SurfacePoint_0 = _S798;
-    var central_place_0 : vec2<f32> = _S784.centre_0;
-    var number_7 : u32 = _S800;
+    var central_0 : SurfacePoint_0 = _S804;
+    var central_place_0 : vec2<f32> = _S790.centre_0;
+    var number_7 : u32 = _S806;
     for(;;)
     {
-        var _S801 : f32 = f32(number_7);
-        _S789 = _S790.points_0;
-        if(_S801 < (_S790.points_0 + 1.0f))
+        var _S807 : f32 = f32(number_7);
+        _S795 = _S796.points_0;
+        if(_S807 < (_S796.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        var _S802 : bool = number_7 == u32(0);
-        var _S803 : u32 = number_7 - u32(1);
-        var _S804 : vec2<f32> = POINT_OFFSETS_0[select(_S803, u32(0), _S802)] + _S786;
-        var _S805 : vec2<f32> = select_vector_0(_S802, vec2<f32>(0.0f), _S804 - round(_S804));
-        var _S806 : vec2<f32> = _S784.centre_0 + vec2<f32>(_S805.x) * _S784.dx_0 + vec2<f32>(_S805.y) * _S784.dy_0;
-        var _S807 : SearchQuality_0 = quality_of_0(select(_S790.threads_1, 0.0f, _S802));
-        var _S808 : Hit_0 = first_hit_0(_S783, _S807, _S806.x, _S806.y, _S792, _S791);
-        var _S809 : SurfacePoint_0 = surface_at_0(_S783, _S808.x_14, _S808.y_7, _S791);
-        if(_S802)
+        var _S808 : bool = number_7 == u32(0);
+        var _S809 : u32 = number_7 - u32(1);
+        var _S810 : vec2<f32> = POINT_OFFSETS_0[select(_S809, u32(0), _S808)] + _S792;
+        var _S811 : vec2<f32> = select_vector_0(_S808, vec2<f32>(0.0f), _S810 - round(_S810));
+        var _S812 : vec2<f32> = _S790.centre_0 + vec2<f32>(_S811.x) * _S790.dx_0 + vec2<f32>(_S811.y) * _S790.dy_0;
+        var _S813 : SearchQuality_0 = quality_of_0(select(_S796.threads_1, 0.0f, _S808));
+        var _S814 : Hit_0 = first_hit_0(_S789, _S813, _S812.x, _S812.y, _S798, _S797);
+        var _S815 : SurfacePoint_0 = surface_at_0(_S789, _S814.x_14, _S814.y_7, _S797);
+        if(_S808)
         {
-            var central_weight_1 : f32 = select(_S795, 0.0f, _S808.hole_5);
-            var central_place_1 : vec2<f32> = vec2<f32>(_S808.x_14, _S808.y_7);
-            box_0.centre_0 = mix(_S784.centre_0, central_place_1, vec2<f32>(central_weight_1));
+            var central_weight_1 : f32 = select(_S801, 0.0f, _S814.hole_5);
+            var central_place_1 : vec2<f32> = vec2<f32>(_S814.x_14, _S814.y_7);
+            box_0.centre_0 = mix(_S790.centre_0, central_place_1, vec2<f32>(central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S809;
+            central_0 = _S815;
             central_place_0 = central_place_1;
             number_7 = number_7 + u32(1);
             continue;
         }
-        var _S810 : YarnPoint_0 = yarn_point_of_0(_S783, _S809, _S808.x_14, _S808.y_7, _S791, _S808.hole_5, _S793);
-        var _S811 : f32 = min(_S790.points_0 - f32(_S803), 1.0f);
-        var _S812 : Components_0 = with_added_0(points_1, components_of_point_0(_S783, _S807, _S810, _S787, _S788), _S811);
-        if((fabrics_0[_S783].openness_0) != u32(4294967295))
+        var _S816 : YarnPoint_0 = yarn_point_of_0(_S789, _S815, _S814.x_14, _S814.y_7, _S797, _S814.hole_5, _S799);
+        var _S817 : f32 = min(_S796.points_0 - f32(_S809), 1.0f);
+        var _S818 : Components_0 = with_added_0(points_1, components_of_point_0(_S789, _S813, _S816, _S793, _S794), _S817);
+        if((fabrics_0[_S789].openness_0) != u32(4294967295))
         {
-            close_1.warp_1 = with_blocked_0(_S783, close_1.warp_1, _S810, true, _S811);
-            close_1.weft_1 = with_blocked_0(_S783, close_1.weft_1, _S810, false, _S811);
+            close_1.warp_1 = with_blocked_0(_S789, close_1.warp_1, _S816, true, _S817);
+            close_1.weft_1 = with_blocked_0(_S789, close_1.weft_1, _S816, false, _S817);
         }
-        points_1 = _S812;
+        points_1 = _S818;
         number_7 = number_7 + u32(1);
     }
-    close_1.weight_0 = _S795;
-    var _S813 : f32 = max(_S789, 1.0f);
-    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S813);
-    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S813);
+    close_1.weight_0 = _S801;
+    var _S819 : f32 = max(_S795, 1.0f);
+    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S819);
+    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S819);
     var estimate_0 : Estimate_0;
     estimate_0.close_0 = close_1;
-    estimate_0.components_0 = with_added_0(_S799, points_1, _S795 / _S813);
-    if((_S790.prefiltered_0) > 0.0f)
+    estimate_0.components_0 = with_added_0(_S805, points_1, _S801 / _S819);
+    if((_S796.prefiltered_0) > 0.0f)
     {
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, prefiltered_components_0(_S783, _S784, to_face_frame_0(_S787, _S791), _S792, _S791), _S790.prefiltered_0);
+        var _S820 : Components_0 = prefiltered_components_0(_S789, _S790, to_face_frame_0(_S793, _S797), _S798, _S797);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S820, _S796.prefiltered_0);
     }
-    estimate_0.albedos_5 = albedos_over_0(_S783, box_0, _S791);
-    if((_S794 & ((central_weight_0 > 0.0f))))
+    estimate_0.albedos_5 = albedos_over_0(_S789, box_0, _S797);
+    if((_S800 & ((central_weight_0 > 0.0f))))
     {
-        var _S814 : SurfacePoint_0 = central_0;
-        var _S815 : Albedos_0;
+        var _S821 : SurfacePoint_0 = central_0;
+        var _S822 : Albedos_0;
         if(central_0.is_warp_0)
         {
-            _S815 = estimate_0.albedos_5.warp_5;
+            _S822 = estimate_0.albedos_5.warp_5;
         }
         else
         {
-            _S815 = estimate_0.albedos_5.weft_5;
+            _S822 = estimate_0.albedos_5.weft_5;
         }
-        var _S816 : bool;
-        if((fabrics_0[_S783].has_detail_0) != u32(0))
+        var _S823 : bool;
+        if((fabrics_0[_S789].has_detail_0) != u32(0))
         {
-            _S816 = has_hairs_0(_S783);
-        }
-        else
-        {
-            _S816 = false;
-        }
-        var _S817 : f32;
-        if(_S816)
-        {
-            _S817 = hair_at_0(_S783, central_place_0, _S791, _S793).cover_0;
+            _S823 = has_hairs_0(_S789);
         }
         else
         {
-            _S817 = 0.0f;
+            _S823 = false;
         }
-        var _S818 : Albedos_0 = lerp_albedos_0(_S815, varied_at_0(_S783, central_0, _S815, central_place_0.x, central_place_0.y, _S791, _S793, _S817), central_weight_0);
-        if(_S814.is_warp_0)
+        var _S824 : f32;
+        if(_S823)
         {
-            estimate_0.albedos_5.warp_5 = _S818;
+            _S824 = hair_at_0(_S789, central_place_0, _S797, _S799).cover_0;
         }
         else
         {
-            estimate_0.albedos_5.weft_5 = _S818;
+            _S824 = 0.0f;
+        }
+        var _S825 : Albedos_0 = lerp_albedos_0(_S822, varied_at_0(_S789, central_0, _S822, central_place_0.x, central_place_0.y, _S797, _S799, _S824), central_weight_0);
+        if(_S821.is_warp_0)
+        {
+            estimate_0.albedos_5.warp_5 = _S825;
+        }
+        else
+        {
+            estimate_0.albedos_5.weft_5 = _S825;
         }
     }
     return estimate_0;
 }
 
-fn scattered_by_0( _S819 : u32,  _S820 : Albedos_0,  _S821 : u32,  _S822 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S826 : u32,  _S827 : Albedos_0,  _S828 : u32,  _S829 : vec3<f32>) -> Scattered_0
 {
-    var _S823 : u32 = u32(159) + u32(2) * _S821;
+    var _S830 : u32 = u32(159) + u32(2) * _S828;
     var yarn_3 : Scattered_0;
-    yarn_3.back_6 = _S822 * _S820.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S819, _S823)) * _S820.specular_reflect_0;
-    yarn_3.through_0 = _S822 * _S820.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S819, _S823 + u32(1))) * _S820.specular_transmit_0;
+    yarn_3.back_6 = _S829 * _S827.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S826, _S830)) * _S827.specular_reflect_0;
+    yarn_3.through_0 = _S829 * _S827.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S826, _S830 + u32(1))) * _S827.specular_transmit_0;
     return yarn_3;
 }
 
-fn sent_0( _S824 : u32,  _S825 : u32,  _S826 : vec3<f32>,  _S827 : vec3<f32>,  _S828 : vec3<f32>,  _S829 : vec3<f32>,  _S830 : ptr<function, vec3<f32>>,  _S831 : ptr<function, vec3<f32>>)
+fn sent_0( _S831 : u32,  _S832 : u32,  _S833 : vec3<f32>,  _S834 : vec3<f32>,  _S835 : vec3<f32>,  _S836 : vec3<f32>,  _S837 : ptr<function, vec3<f32>>,  _S838 : ptr<function, vec3<f32>>)
 {
-    var _S832 : u32 = u32(146) + u32(4) * _S825;
-    var _S833 : f32 = openness_number_0(_S824, _S832 + u32(1));
-    var _S834 : f32 = openness_number_0(_S824, _S832 + u32(2));
-    var _S835 : vec3<f32> = vec3<f32>(1.0f);
-    var _S836 : vec3<f32> = _S835 - _S828 * vec3<f32>(openness_number_0(_S824, _S832));
-    var _S837 : vec3<f32> = _S835 - _S829 * vec3<f32>(openness_number_0(_S824, _S832 + u32(3)));
-    var _S838 : vec3<f32> = _S835 / (_S836 * _S837 - _S828 * _S829 * vec3<f32>((_S833 * _S834)));
-    (*_S830) = (_S826 * _S837 + _S828 * vec3<f32>(_S833) * _S827) * _S838;
-    (*_S831) = (_S827 * _S836 + _S829 * vec3<f32>(_S834) * _S826) * _S838;
+    var _S839 : u32 = u32(146) + u32(4) * _S832;
+    var _S840 : f32 = openness_number_0(_S831, _S839 + u32(1));
+    var _S841 : f32 = openness_number_0(_S831, _S839 + u32(2));
+    var _S842 : vec3<f32> = vec3<f32>(1.0f);
+    var _S843 : vec3<f32> = _S842 - _S835 * vec3<f32>(openness_number_0(_S831, _S839));
+    var _S844 : vec3<f32> = _S842 - _S836 * vec3<f32>(openness_number_0(_S831, _S839 + u32(3)));
+    var _S845 : vec3<f32> = _S842 / (_S843 * _S844 - _S835 * _S836 * vec3<f32>((_S840 * _S841)));
+    (*_S837) = (_S833 * _S844 + _S835 * vec3<f32>(_S840) * _S834) * _S845;
+    (*_S838) = (_S834 * _S843 + _S836 * vec3<f32>(_S841) * _S833) * _S845;
     return;
 }
 
-fn face_sends_0( _S839 : u32,  _S840 : u32,  _S841 : Scattered_0,  _S842 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S846 : u32,  _S847 : u32,  _S848 : Scattered_0,  _S849 : Scattered_0) -> FaceSends_0
 {
-    var _S843 : u32 = u32(2) * _S840;
-    var _S844 : u32 = u32(142) + _S843;
-    var _S845 : f32 = openness_number_0(_S839, _S844);
-    var _S846 : f32 = openness_number_0(_S839, _S844 + u32(1));
-    var _S847 : vec3<f32> = vec3<f32>((1.0f - _S845)) * _S841.back_6;
-    var _S848 : vec3<f32> = vec3<f32>((1.0f - _S846)) * _S842.back_6;
+    var _S850 : u32 = u32(2) * _S847;
+    var _S851 : u32 = u32(142) + _S850;
+    var _S852 : f32 = openness_number_0(_S846, _S851);
+    var _S853 : f32 = openness_number_0(_S846, _S851 + u32(1));
+    var _S854 : vec3<f32> = vec3<f32>((1.0f - _S852)) * _S848.back_6;
+    var _S855 : vec3<f32> = vec3<f32>((1.0f - _S853)) * _S849.back_6;
     var sends_1 : FaceSends_0;
-    var _S849 : u32 = u32(154) + _S843;
-    var _S850 : f32 = openness_number_0(_S839, _S849);
-    sends_1.blocks_warp_0 = _S850;
-    var _S851 : f32 = openness_number_0(_S839, _S849 + u32(1));
-    sends_1.blocks_weft_0 = _S851;
-    sends_1.open_0 = _S850 * _S845 + _S851 * _S846;
-    var _S852 : vec3<f32> = vec3<f32>(_S845) * _S841.back_6;
-    var _S853 : vec3<f32> = vec3<f32>(_S846) * _S842.back_6;
-    var _S854 : vec3<f32> = sends_1.sky_warp_0;
-    var _S855 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S839, _S840, _S852, _S853, _S847, _S848, &(_S854), &(_S855));
-    sends_1.sky_warp_0 = _S854;
-    sends_1.sky_weft_0 = _S855;
-    var _S856 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S857 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S839, _S840, _S841.through_0, _S842.through_0, _S847, _S848, &(_S856), &(_S857));
-    sends_1.crossing_warp_0 = _S856;
-    sends_1.crossing_weft_0 = _S857;
+    var _S856 : u32 = u32(154) + _S850;
+    var _S857 : f32 = openness_number_0(_S846, _S856);
+    sends_1.blocks_warp_0 = _S857;
+    var _S858 : f32 = openness_number_0(_S846, _S856 + u32(1));
+    sends_1.blocks_weft_0 = _S858;
+    sends_1.open_0 = _S857 * _S852 + _S858 * _S853;
+    var _S859 : vec3<f32> = vec3<f32>(_S852) * _S848.back_6;
+    var _S860 : vec3<f32> = vec3<f32>(_S853) * _S849.back_6;
+    var _S861 : vec3<f32> = sends_1.sky_warp_0;
+    var _S862 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S846, _S847, _S859, _S860, _S854, _S855, &(_S861), &(_S862));
+    sends_1.sky_warp_0 = _S861;
+    sends_1.sky_weft_0 = _S862;
+    var _S863 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S864 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S846, _S847, _S848.through_0, _S849.through_0, _S854, _S855, &(_S863), &(_S864));
+    sends_1.crossing_warp_0 = _S863;
+    sends_1.crossing_weft_0 = _S864;
     return sends_1;
 }
 
-fn interior_of_0( _S858 : u32,  _S859 : vec3<f32>,  _S860 : bool) -> Interior_0
+fn interior_of_0( _S865 : u32,  _S866 : vec3<f32>,  _S867 : bool) -> Interior_0
 {
-    var _S861 : Scattered_0 = scattered_by_0(_S858, table_albedos_0(families_0[fabrics_0[_S858].warp_0].colour_mean_0), u32(0), _S859);
-    var _S862 : Scattered_0 = scattered_by_0(_S858, table_albedos_0(families_0[fabrics_0[_S858].weft_0].colour_mean_0), u32(1), _S859);
-    var _S863 : FaceSends_0 = face_sends_0(_S858, select(u32(0), u32(1), _S860), _S861, _S862);
-    var _S864 : FaceSends_0 = face_sends_0(_S858, select(u32(1), u32(0), _S860), _S861, _S862);
-    var _S865 : vec3<f32> = vec3<f32>(_S863.blocks_warp_0);
-    var _S866 : vec3<f32> = vec3<f32>(_S863.blocks_weft_0);
-    var _S867 : vec3<f32> = _S865 * _S863.crossing_warp_0 + _S866 * _S863.crossing_weft_0;
-    var _S868 : vec3<f32> = vec3<f32>(_S864.blocks_warp_0);
-    var _S869 : vec3<f32> = vec3<f32>(_S864.blocks_weft_0);
-    var _S870 : vec3<f32> = _S868 * _S864.crossing_warp_0 + _S869 * _S864.crossing_weft_0;
-    var _S871 : f32 = 1.0f - _S863.open_0;
-    var _S872 : f32 = 1.0f - _S864.open_0;
-    var _S873 : vec3<f32> = vec3<f32>(1.0f);
-    var _S874 : vec3<f32> = _S873 / (_S873 - _S867 * _S870 * vec3<f32>((_S871 * _S872)));
-    var _S875 : vec3<f32> = _S870 * (vec3<f32>(_S863.open_0) + vec3<f32>(_S871) * (_S865 * _S863.sky_warp_0 + _S866 * _S863.sky_weft_0)) * _S874;
-    var _S876 : vec3<f32> = _S867 * (vec3<f32>(_S864.open_0) + vec3<f32>(_S872) * (_S868 * _S864.sky_warp_0 + _S869 * _S864.sky_weft_0)) * _S874;
-    var _S877 : FaceRadiance_0 = face_radiance_0(_S863, _S864.open_0, _S875, _S876);
-    var _S878 : FaceRadiance_0 = face_radiance_0(_S864, _S863.open_0, _S876, _S875);
+    var _S868 : Scattered_0 = scattered_by_0(_S865, table_albedos_0(families_0[fabrics_0[_S865].warp_0].colour_mean_0), u32(0), _S866);
+    var _S869 : Scattered_0 = scattered_by_0(_S865, table_albedos_0(families_0[fabrics_0[_S865].weft_0].colour_mean_0), u32(1), _S866);
+    var _S870 : FaceSends_0 = face_sends_0(_S865, select(u32(0), u32(1), _S867), _S868, _S869);
+    var _S871 : FaceSends_0 = face_sends_0(_S865, select(u32(1), u32(0), _S867), _S868, _S869);
+    var _S872 : vec3<f32> = vec3<f32>(_S870.blocks_warp_0);
+    var _S873 : vec3<f32> = vec3<f32>(_S870.blocks_weft_0);
+    var _S874 : vec3<f32> = _S872 * _S870.crossing_warp_0 + _S873 * _S870.crossing_weft_0;
+    var _S875 : vec3<f32> = vec3<f32>(_S871.blocks_warp_0);
+    var _S876 : vec3<f32> = vec3<f32>(_S871.blocks_weft_0);
+    var _S877 : vec3<f32> = _S875 * _S871.crossing_warp_0 + _S876 * _S871.crossing_weft_0;
+    var _S878 : f32 = 1.0f - _S870.open_0;
+    var _S879 : f32 = 1.0f - _S871.open_0;
+    var _S880 : vec3<f32> = vec3<f32>(1.0f);
+    var _S881 : vec3<f32> = _S880 / (_S880 - _S874 * _S877 * vec3<f32>((_S878 * _S879)));
+    var _S882 : vec3<f32> = _S877 * (vec3<f32>(_S870.open_0) + vec3<f32>(_S878) * (_S872 * _S870.sky_warp_0 + _S873 * _S870.sky_weft_0)) * _S881;
+    var _S883 : vec3<f32> = _S874 * (vec3<f32>(_S871.open_0) + vec3<f32>(_S879) * (_S875 * _S871.sky_warp_0 + _S876 * _S871.sky_weft_0)) * _S881;
+    var _S884 : FaceRadiance_0 = face_radiance_0(_S870, _S871.open_0, _S882, _S883);
+    var _S885 : FaceRadiance_0 = face_radiance_0(_S871, _S870.open_0, _S883, _S882);
     var interior_1 : Interior_0;
-    interior_1.warp_4 = _S877.warp_3;
-    interior_1.weft_4 = _S877.weft_3;
-    interior_1.leaked_1 = _S877.leaked_0;
-    interior_1.far_1 = _S878.mean_1;
-    interior_1.far_leaked_0 = _S878.leaked_0;
+    interior_1.warp_4 = _S884.warp_3;
+    interior_1.weft_4 = _S884.weft_3;
+    interior_1.leaked_1 = _S884.leaked_0;
+    interior_1.far_1 = _S885.mean_1;
+    interior_1.far_leaked_0 = _S885.leaked_0;
     return interior_1;
 }
 
-fn blocked_from_0( _S879 : u32,  _S880 : vec3<f32>,  _S881 : bool,  _S882 : bool) -> Blocked_0
+fn blocked_from_0( _S886 : u32,  _S887 : vec3<f32>,  _S888 : bool,  _S889 : bool) -> Blocked_0
 {
     var terms_3 : array<f32, i32(6)>;
-    view_terms_0(_S880, &(terms_3));
-    return blocked_of_terms_0(_S879, (select(u32(0), u32(2), _S882) + select(u32(1), u32(0), _S881)) * u32(15), terms_3, u32(5));
+    view_terms_0(_S887, &(terms_3));
+    return blocked_of_terms_0(_S886, (select(u32(0), u32(2), _S889) + select(u32(1), u32(0), _S888)) * u32(15), terms_3, u32(5));
 }
 
-fn warp_seen_from_0( _S883 : u32,  _S884 : vec3<f32>,  _S885 : bool) -> f32
+fn warp_seen_from_0( _S890 : u32,  _S891 : vec3<f32>,  _S892 : bool) -> f32
 {
     var terms_4 : array<f32, i32(6)>;
-    view_terms_1(_S884, &(terms_4));
+    view_terms_1(_S891, &(terms_4));
     var term_1 : u32 = u32(0);
     var share_5 : f32 = 0.0f;
     for(;;)
@@ -3275,132 +3320,132 @@ fn warp_seen_from_0( _S883 : u32,  _S884 : vec3<f32>,  _S885 : bool) -> f32
         {
             break;
         }
-        var share_6 : f32 = share_5 + openness_number_0(_S883, u32(132) + select(u32(0), u32(5), _S885) + term_1) * terms_4[term_1];
+        var share_6 : f32 = share_5 + openness_number_0(_S890, u32(132) + select(u32(0), u32(5), _S892) + term_1) * terms_4[term_1];
         term_1 = term_1 + u32(1);
         share_5 = share_6;
     }
     return saturate(share_5);
 }
 
-fn bounced_of_families_0( _S886 : u32,  _S887 : FamilyAlbedos_0,  _S888 : vec3<f32>,  _S889 : Interior_0,  _S890 : Blocked_0,  _S891 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S893 : u32,  _S894 : FamilyAlbedos_0,  _S895 : vec3<f32>,  _S896 : Interior_0,  _S897 : Blocked_0,  _S898 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S890, scattered_by_0(_S886, _S887.warp_5, u32(0), _S888), _S889), bounced_by_0(_S891, scattered_by_0(_S886, _S887.weft_5, u32(1), _S888), _S889));
+    return sum_of_0(bounced_by_0(_S897, scattered_by_0(_S893, _S894.warp_5, u32(0), _S895), _S896), bounced_by_0(_S898, scattered_by_0(_S893, _S894.weft_5, u32(1), _S895), _S896));
 }
 
-fn bounced_far_0( _S892 : u32,  _S893 : FamilyAlbedos_0,  _S894 : vec3<f32>,  _S895 : Interior_0,  _S896 : vec3<f32>,  _S897 : bool,  _S898 : f32,  _S899 : f32,  _S900 : f32) -> Bounced_0
+fn bounced_far_0( _S899 : u32,  _S900 : FamilyAlbedos_0,  _S901 : vec3<f32>,  _S902 : Interior_0,  _S903 : vec3<f32>,  _S904 : bool,  _S905 : f32,  _S906 : f32,  _S907 : f32) -> Bounced_0
 {
-    var _S901 : Blocked_0 = blocked_from_0(_S892, _S896, true, _S897);
-    var _S902 : Blocked_0 = blocked_from_0(_S892, _S896, false, _S897);
-    var _S903 : f32 = _S898 / max(1.0f - _S901.by_warp_0 - _S901.by_weft_0, 0.10000000149011612f);
-    var _S904 : f32 = (0.0020000000949949f * warp_seen_from_0(_S892, _S896, _S897) + _S903) / (_S903 + _S899 / max(1.0f - _S902.by_warp_0 - _S902.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S905 : f32 = 1.0f - _S900;
-    return bounced_of_families_0(_S892, _S893, _S894, _S895, scaled_0(_S901, _S904 * _S905), scaled_0(_S902, (1.0f - _S904) * _S905));
+    var _S908 : Blocked_0 = blocked_from_0(_S899, _S903, true, _S904);
+    var _S909 : Blocked_0 = blocked_from_0(_S899, _S903, false, _S904);
+    var _S910 : f32 = _S905 / max(1.0f - _S908.by_warp_0 - _S908.by_weft_0, 0.10000000149011612f);
+    var _S911 : f32 = (0.0020000000949949f * warp_seen_from_0(_S899, _S903, _S904) + _S910) / (_S910 + _S906 / max(1.0f - _S909.by_warp_0 - _S909.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S912 : f32 = 1.0f - _S907;
+    return bounced_of_families_0(_S899, _S900, _S901, _S902, scaled_0(_S908, _S911 * _S912), scaled_0(_S909, (1.0f - _S911) * _S912));
 }
 
-fn bounced_over_0( _S906 : u32,  _S907 : Components_0,  _S908 : CloseUp_0,  _S909 : FamilyAlbedos_0,  _S910 : vec3<f32>,  _S911 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S913 : u32,  _S914 : Components_0,  _S915 : CloseUp_0,  _S916 : FamilyAlbedos_0,  _S917 : vec3<f32>,  _S918 : vec3<f32>) -> Bounced_0
 {
-    var _S912 : bool = (_S911.z) < 0.0f;
-    var _S913 : Interior_0 = interior_of_0(_S906, _S910, _S912);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S906, _S909, _S910, _S913, to_face_frame_0(_S911, _S912), _S912, _S907.diffuse_warp_0, _S907.diffuse_weft_0, _S907.hole_2);
-    if((_S908.weight_0) > 0.0f)
+    var _S919 : bool = (_S918.z) < 0.0f;
+    var _S920 : Interior_0 = interior_of_0(_S913, _S917, _S919);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S913, _S916, _S917, _S920, to_face_frame_0(_S918, _S919), _S919, _S914.diffuse_warp_0, _S914.diffuse_weft_0, _S914.hole_2);
+    if((_S915.weight_0) > 0.0f)
     {
-        var _S914 : Bounced_0 = bounced_of_families_0(_S906, _S909, _S910, _S913, _S908.warp_1, _S908.weft_1);
-        var _S915 : vec3<f32> = vec3<f32>(_S908.weight_0);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S914.reflected_0, _S915);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S914.transmitted_0, _S915);
+        var _S921 : Bounced_0 = bounced_of_families_0(_S913, _S916, _S917, _S920, _S915.warp_1, _S915.weft_1);
+        var _S922 : vec3<f32> = vec3<f32>(_S915.weight_0);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S921.reflected_0, _S922);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S921.transmitted_0, _S922);
     }
     return bounced_2;
 }
 
-fn composed_0( _S916 : u32,  _S917 : Components_0,  _S918 : CloseUp_0,  _S919 : FamilyAlbedos_0,  _S920 : vec3<f32>,  _S921 : vec3<f32>,  _S922 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S923 : u32,  _S924 : Components_0,  _S925 : CloseUp_0,  _S926 : FamilyAlbedos_0,  _S927 : vec3<f32>,  _S928 : vec3<f32>,  _S929 : vec3<f32>) -> vec3<f32>
 {
-    var _S923 : Albedos_0 = tinted_0(_S919.warp_5, _S920);
-    var _S924 : Albedos_0 = tinted_0(_S919.weft_5, _S920);
-    var _S925 : vec3<f32> = vec3<f32>(_S917.diffuse_warp_0);
-    var _S926 : vec3<f32> = vec3<f32>(_S917.diffuse_weft_0);
-    var _S927 : vec3<f32> = vec3<f32>(_S917.specular_warp_0);
-    var _S928 : vec3<f32> = vec3<f32>(_S917.specular_weft_0);
-    var _S929 : vec3<f32> = _S923.diffuse_reflect_0 * _S925 + _S924.diffuse_reflect_0 * _S926 + _S923.specular_reflect_0 * _S927 + _S924.specular_reflect_0 * _S928;
-    var _S930 : f32 = _S922.z;
+    var _S930 : Albedos_0 = tinted_0(_S926.warp_5, _S927);
+    var _S931 : Albedos_0 = tinted_0(_S926.weft_5, _S927);
+    var _S932 : vec3<f32> = vec3<f32>(_S924.diffuse_warp_0);
+    var _S933 : vec3<f32> = vec3<f32>(_S924.diffuse_weft_0);
+    var _S934 : vec3<f32> = vec3<f32>(_S924.specular_warp_0);
+    var _S935 : vec3<f32> = vec3<f32>(_S924.specular_weft_0);
+    var _S936 : vec3<f32> = _S930.diffuse_reflect_0 * _S932 + _S931.diffuse_reflect_0 * _S933 + _S930.specular_reflect_0 * _S934 + _S931.specular_reflect_0 * _S935;
+    var _S937 : f32 = _S929.z;
     var body_0 : vec3<f32>;
-    if((_S921.z * _S930) < 0.0f)
+    if((_S928.z * _S937) < 0.0f)
     {
-        body_0 = _S923.diffuse_transmit_0 * _S925 + _S924.diffuse_transmit_0 * _S926 + _S923.specular_transmit_0 * _S927 + _S924.specular_transmit_0 * _S928;
+        body_0 = _S930.diffuse_transmit_0 * _S932 + _S931.diffuse_transmit_0 * _S933 + _S930.specular_transmit_0 * _S934 + _S931.specular_transmit_0 * _S935;
     }
     else
     {
-        body_0 = _S929;
+        body_0 = _S936;
     }
-    if((fabrics_0[_S916].openness_0) != u32(4294967295))
+    if((fabrics_0[_S923].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S916, _S917, _S918, _S919, _S920, _S922), _S921, _S922);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S923, _S924, _S925, _S926, _S927, _S929), _S928, _S929);
     }
-    var _S931 : f32 = fabrics_0[_S916].sheen_strength_0;
-    if((fabrics_0[_S916].sheen_strength_0) <= 0.0f)
+    var _S938 : f32 = fabrics_0[_S923].sheen_strength_0;
+    if((fabrics_0[_S923].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S932 : bool = _S930 < 0.0f;
-    var _S933 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S921, _S932), to_face_frame_0(_S922, _S932), _S931, fabrics_0[_S916].sheen_roughness_0);
-    return vec3<f32>(_S933.y) * body_0 + vec3<f32>(((_S917.light_visibility_1 + _S917.hole_2) * _S933.x));
+    var _S939 : bool = _S937 < 0.0f;
+    var _S940 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S928, _S939), to_face_frame_0(_S929, _S939), _S938, fabrics_0[_S923].sheen_roughness_0);
+    return vec3<f32>(_S940.y) * body_0 + vec3<f32>(((_S924.light_visibility_1 + _S924.hole_2) * _S940.x));
 }
 
-fn light_of_footprint_0( _S934 : i32,  _S935 : u32,  _S936 : VisiblePoint_0,  _S937 : vec2<u32>,  _S938 : vec3<f32>) -> vec4<f32>
+fn light_of_footprint_0( _S941 : i32,  _S942 : u32,  _S943 : VisiblePoint_0,  _S944 : vec2<u32>,  _S945 : vec3<f32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S936.draft_0;
-    footprint_0.dx_0 = _S936.draft_dx_0;
-    footprint_0.dy_0 = _S936.draft_dy_0;
-    var _S939 : vec2<f32> = fract(vec2<f32>(f32(((frames_0[_S934].pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
-    var _S940 : vec3<f32> = to_local_0(_S936, _S936.view_1);
-    var _S941 : u32 = light_sample_count_0(_S934);
-    var _S942 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_0.centre_0 = _S943.draft_0;
+    footprint_0.dx_0 = _S943.draft_dx_0;
+    footprint_0.dy_0 = _S943.draft_dy_0;
+    var _S946 : vec2<f32> = fract(vec2<f32>(f32(((frames_0[_S941].pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S947 : vec3<f32> = to_local_0(_S943, _S943.view_1);
+    var _S948 : u32 = light_sample_count_0(_S941);
+    var _S949 : vec3<f32> = vec3<f32>(0.0f);
     var number_8 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S942;
+    var radiance_1 : vec3<f32> = _S949;
     var hole_7 : f32 = 0.0f;
     for(;;)
     {
-        if(number_8 < (max(_S941, u32(1))))
+        if(number_8 < (max(_S948, u32(1))))
         {
         }
         else
         {
             break;
         }
-        var _S943 : f32;
-        if(number_8 < _S941)
+        var _S950 : f32;
+        if(number_8 < _S948)
         {
-            _S943 = visibility_at_0(_S934, number_8, _S937);
+            _S950 = visibility_at_0(_S941, number_8, _S944);
         }
         else
         {
-            _S943 = 0.0f;
+            _S950 = 0.0f;
         }
-        var _S944 : bool;
-        if(_S943 <= 0.0f)
+        var _S951 : bool;
+        if(_S950 <= 0.0f)
         {
-            _S944 = number_8 > u32(0);
+            _S951 = number_8 > u32(0);
         }
         else
         {
-            _S944 = false;
+            _S951 = false;
         }
-        if(_S944)
+        if(_S951)
         {
             number_8 = number_8 + u32(1);
             continue;
         }
-        var _S945 : LightSample_0 = light_sample_0(_S934, number_8, _S937, _S936.position_0);
-        var _S946 : vec3<f32> = to_local_0(_S936, _S945.towards_0);
-        var _S947 : Estimate_0 = lobes_estimate_of_pass_0(_S935, footprint_0, 1.0f, _S939, _S946, _S940);
-        radiance_1 = radiance_1 + vec3<f32>(_S943) * _S945.irradiance_1 * composed_0(_S935, _S947.components_0, _S947.close_0, _S947.albedos_5, _S938, _S946, _S940);
-        hole_7 = _S947.components_0.hole_2;
+        var _S952 : LightSample_0 = light_sample_0(_S941, number_8, _S944, _S943.position_0);
+        var _S953 : vec3<f32> = to_local_0(_S943, _S952.towards_0);
+        var _S954 : Estimate_0 = lobes_estimate_of_pass_0(_S942, footprint_0, 1.0f, _S946, _S953, _S947);
+        radiance_1 = radiance_1 + vec3<f32>(_S950) * _S952.irradiance_1 * composed_0(_S942, _S954.components_0, _S954.close_0, _S954.albedos_5, _S945, _S953, _S947);
+        hole_7 = _S954.components_0.hole_2;
         number_8 = number_8 + u32(1);
     }
-    var _S948 : f32 = fabrics_0[_S935].sheen_strength_0;
-    if((fabrics_0[_S935].sheen_strength_0) > 0.0f)
+    var _S955 : f32 = fabrics_0[_S942].sheen_strength_0;
+    if((fabrics_0[_S942].sheen_strength_0) > 0.0f)
     {
-        hole_7 = hole_7 * (1.0f - _S948 * sheen_lobe_0(abs(_S940.z), fabrics_0[_S935].sheen_roughness_0).z);
+        hole_7 = hole_7 * (1.0f - _S955 * sheen_lobe_0(abs(_S947.z), fabrics_0[_S942].sheen_roughness_0).z);
     }
     return vec4<f32>(radiance_1, 1.0f - hole_7);
 }
@@ -3409,32 +3454,33 @@ fn light_of_footprint_0( _S934 : i32,  _S935 : u32,  _S936 : VisiblePoint_0,  _S
 @workgroup_size(8, 8, 1)
 fn shade_lobes(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S949 : u32 = id_0.x;
-    var _S950 : u32 = frames_0[i32(0)].width_0;
-    var _S951 : bool;
-    if(_S949 >= (frames_0[i32(0)].width_0))
+    var _S956 : u32 = id_0.x;
+    var _S957 : u32 = frames_0[i32(0)].width_0;
+    var _S958 : bool;
+    if(_S956 >= (frames_0[i32(0)].width_0))
     {
-        _S951 = true;
+        _S958 = true;
     }
     else
     {
-        _S951 = (id_0.y) >= (frames_0[i32(0)].height_0);
+        _S958 = (id_0.y) >= (frames_0[i32(0)].height_0);
     }
-    if(_S951)
+    if(_S958)
     {
         return;
     }
-    var _S952 : u32 = id_0.y * _S950 + _S949;
-    var _S953 : u32 = layers_0[_S952].face_0;
-    if((layers_0[_S952].face_0) == u32(0))
+    var _S959 : u32 = id_0.y * _S957 + _S956;
+    var _S960 : u32 = layers_0[_S959].face_0;
+    if((layers_0[_S959].face_0) == u32(0))
     {
         return;
     }
-    var _S954 : u32 = _S953 - u32(1);
-    var _S955 : u32 = face_fabrics_0[_S954];
-    var _S956 : vec2<u32> = id_0.xy;
-    var _S957 : VisiblePoint_0 = visible_point_0(i32(0), _S955, _S954, _S956);
-    accumulate_0(_S952, light_of_footprint_0(i32(0), _S955, _S957, _S956, filtered_albedo_0(_S955, _S957)));
+    var _S961 : u32 = _S960 - u32(1);
+    var _S962 : u32 = face_fabrics_0[_S961];
+    var _S963 : vec2<u32> = id_0.xy;
+    var _S964 : VisiblePoint_0 = visible_point_0(i32(0), _S962, _S961, _S963);
+    var _S965 : vec4<f32> = light_of_footprint_0(i32(0), _S962, _S964, _S963, filtered_albedo_0(_S962, _S964));
+    accumulate_0(_S959, _S965);
     return;
 }
 
