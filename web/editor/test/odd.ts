@@ -18,7 +18,7 @@ import { lookOf } from "loomlight-web/look";
 import { fabricFiles, wifFile } from "../src/files.ts";
 import { geometryKey } from "../src/openness.ts";
 import { orderText } from "../src/panels/colour_order.ts";
-import { layoutOf } from "../src/panels/draft_grid.ts";
+import { layoutOf, panelWindow } from "../src/panels/draft_grid.ts";
 import { nameOf, woven, type Fabric, type State } from "../src/state/document.ts";
 
 /** Values that no field expects all of; JSON has most of them. */
@@ -100,7 +100,7 @@ function showFabric(fabric: Fabric): void {
   }
   if (!Number.isFinite(clothFacts(fields, draft).weight)) throw new Error("a weight");
   bendsOf(draft);
-  layoutOf(draft, loomOf(draft), 0, 0);
+  layoutOf(loomOf(draft), panelWindow(draft, 0, 0));
   lookOf(fields, fabric.draft);
   geometryKey(fabric);
   fabricFiles(fabric);

@@ -1,9 +1,9 @@
-import { loadDraft, planDrawdown, type FabricFields } from "loomlight-fabric";
+import { loadDraft, loomOf, planDrawdown, type FabricFields } from "loomlight-fabric";
 import { describe, expect, it } from "vitest";
 
 import { fabricOfLink, linkOf } from "../src/link.ts";
 import { orderText, parseOrder } from "../src/panels/colour_order.ts";
-import { cellAt, layoutOf, placeOf } from "../src/panels/draft_grid.ts";
+import { cellAt, fittingCell, layoutOf, panelWindow, placeOf, planSize } from "../src/panels/draft_grid.ts";
 import { reduce } from "../src/reducers/index.ts";
 import type { Action } from "../src/state/actions.ts";
 import { firstState, woven, type State } from "../src/state/document.ts";
@@ -93,12 +93,25 @@ describe("panels", () => {
   it("find each cell of a draft where it is drawn", () => {
     const draft = loadDraft({ weave: "twill 3/1" });
     const { loom } = after(first({ weave: "twill 3/1" }), { type: "draft/plan", kind: "treadling" }).fabric.draft;
-    const layout = layoutOf(draft, loom!, 0, 0);
+    const layout = layoutOf(loom!, panelWindow(draft, 0, 0));
     for (const part of ["drawdown", "threading", "tieup", "treadling", "warp", "weft"] as const) {
       const place = placeOf(layout, { part, column: 0, row: 0 })!;
       expect(cellAt(layout, place.x + 0.5, place.y + 0.5)).toEqual({ part, column: 0, row: 0 });
     }
     expect(cellAt(layout, 0.5, 1.5)).toBeNull();
+  });
+
+  it("fit a draft into their width", () => {
+    for (const weave of ["denim", "twill 2/2", "log cabin 8"]) {
+      const draft = woven(first({ weave }).fabric);
+      const loom = loomOf(draft);
+      const layout = layoutOf(loom, panelWindow(draft, 0, 0));
+      const plan = planSize(loom);
+      expect([layout.columns, layout.rows]).toEqual([draft.ends + plan.columns, draft.picks + plan.rows]);
+      const cell = fittingCell(layout, { width: 364, height: 1000 }, 7, 26);
+      expect(layout.columns * cell + 1).toBeLessThanOrEqual(364);
+      expect(cell === 26 || layout.columns * (cell + 1) + 1 > 364).toBe(true);
+    }
   });
 
   it("draw the thread on top in its colour", () => {

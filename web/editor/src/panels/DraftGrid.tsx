@@ -5,17 +5,19 @@ import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { newStroke } from "../controls/Slider.tsx";
 import { woven, type Fabric } from "../state/document.ts";
 import type { Dispatch } from "../state/store.ts";
-import { cellAt, described, isFilled, layoutOf, nextPart, placeOf, stepped, type Cell, type Layout } from "./draft_grid.ts";
+import { cellAt, described, isFilled, layoutOf, nextPart, placeOf, stepped, type Cell, type Layout, type Window } from "./draft_grid.ts";
 
 interface Props {
   readonly fabric: Fabric;
   readonly dispatch: Dispatch;
-  readonly firstEnd: number;
-  readonly firstPick: number;
+  /** The threads that are drawn. */
+  readonly window: Window;
   /** The colour that thread bars are painted with. */
   readonly brush: string;
   /** Screen pixels a cell. */
   readonly cell: number;
+  /** The cursor would leave the window, to the right or up by so many threads. */
+  readonly onEdge?: (right: number, up: number) => void;
 }
 
 interface Colours {
@@ -23,11 +25,12 @@ interface Colours {
   readonly weft: readonly string[];
 }
 
-export function DraftGrid({ fabric, dispatch, firstEnd, firstPick, brush, cell: size }: Props) {
+export function DraftGrid({ fabric, dispatch, window, brush, cell: size, onEdge }: Props) {
+  const { firstEnd, firstPick, ends, picks } = window;
   const canvas = useRef<HTMLCanvasElement>(null);
   const draft = woven(fabric);
   const loom = useMemo(() => loomOf(draft), [draft]);
-  const layout = useMemo(() => layoutOf(draft, loom, firstEnd, firstPick), [draft, loom, firstEnd, firstPick]);
+  const layout = useMemo(() => layoutOf(loom, window), [loom, firstEnd, firstPick, ends, picks]);
   const [cursor, setCursor] = useState<Cell>({ part: "drawdown", column: 0, row: 0 });
   const [isFocused, setFocused] = useState(false);
   const drag = useRef<{ stroke: string; isOn: boolean; last: string; cell: Cell } | null>(null);
@@ -89,7 +92,11 @@ export function DraftGrid({ fabric, dispatch, firstEnd, firstPick, brush, cell: 
       ArrowDown: [0, -1],
     };
     const move = moves[event.key];
-    if (move !== undefined) setCursor(stepped(layout, cursor, ...move));
+    if (move !== undefined) {
+      const next = stepped(layout, cursor, ...move);
+      if (key(next) === key(cursor)) onEdge?.(...move);
+      setCursor(next);
+    }
     else if (event.key === "PageDown") setCursor(nextPart(layout, cursor, 1));
     else if (event.key === "PageUp") setCursor(nextPart(layout, cursor, -1));
     else if (event.key === " " || event.key === "Enter") edit(cursor, !isFilled(draft, loom, layout, cursor), newStroke());
@@ -99,7 +106,7 @@ export function DraftGrid({ fabric, dispatch, firstEnd, firstPick, brush, cell: 
 
   const said = described(layout, cursor, isFilled(draft, loom, layout, cursor));
   return (
-    <div class="draft-scroll">
+    <>
       <canvas
         ref={canvas}
         class="draft-grid"
@@ -120,7 +127,7 @@ export function DraftGrid({ fabric, dispatch, firstEnd, firstPick, brush, cell: 
       <p id="draft-cell" class="visually-hidden" aria-live="polite">
         {isFocused ? said : ""}
       </p>
-    </div>
+    </>
   );
 }
 

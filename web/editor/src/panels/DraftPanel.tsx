@@ -1,15 +1,21 @@
 /** The draft editor: drawing, numbers of threads and shafts, and the kind of plan. */
 import { loomOf, threadHexes } from "loomlight-fabric";
-import { useMemo, useState } from "preact/hooks";
+import { useMemo, useRef, useState } from "preact/hooks";
 
 import { Icon } from "../controls/Icon.tsx";
 import { Segmented } from "../controls/Segmented.tsx";
-import { Fault, numberOf, useWritten } from "../controls/written.tsx";
+import { Stepper } from "../controls/Stepper.tsx";
+import { useSize } from "../controls/use_size.ts";
 import { isNamed, woven, type Fabric } from "../state/document.ts";
 import { refusalOf, type Dispatch } from "../state/store.ts";
 import { Brush } from "./Brush.tsx";
 import { DraftGrid } from "./DraftGrid.tsx";
-import { WINDOW } from "./draft_grid.ts";
+import { fittingCell, layoutOf, panelWindow, WINDOW } from "./draft_grid.ts";
+import { DraftWindow } from "./DraftWindow.tsx";
+
+/** Screen pixels a cell: smaller ones are scrolled sideways. */
+const SMALLEST = 7;
+const LARGEST = 26;
 
 interface Props {
   readonly fabric: Fabric;
@@ -23,8 +29,13 @@ export function DraftPanel({ fabric, dispatch }: Props) {
   const [brush, setBrush] = useState<string | null>(null);
   const firstEnd = Math.min(page.end, Math.floor((draft.ends - 1) / WINDOW) * WINDOW);
   const firstPick = Math.min(page.pick, Math.floor((draft.picks - 1) / WINDOW) * WINDOW);
-  const shown = Math.min(Math.max(draft.ends, draft.picks), WINDOW) + Math.min(loom.shafts, 40);
-  const cell = shown <= 8 ? 26 : shown <= 10 ? 22 : shown <= 18 ? 18 : shown <= 26 ? 14 : shown <= 40 ? 11 : 8;
+  const window = panelWindow(draft, firstEnd, firstPick);
+  const frame = useRef<HTMLDivElement>(null);
+  const { width } = useSize(frame);
+  const [isWide, setWide] = useState(false);
+  const cells = layoutOf(loom, window);
+  // As wide as the panel; what is higher is scrolled.
+  const cell = fittingCell({ columns: cells.columns, rows: 1 }, { width, height: Infinity }, SMALLEST, LARGEST);
   const colour = brush ?? threadHexes(draft, "weft")[0] ?? "#ffffff";
   const isLiftplan = loom.tieup === null;
   return (
@@ -33,9 +44,16 @@ export function DraftPanel({ fabric, dispatch }: Props) {
         Click a crossing to bring the other thread on top; or change threading, tie-up and treadling, and the cloth follows.
         {isNamed(fabric) && " Your first change makes this weave a draft of your own."}
       </p>
-      <DraftGrid fabric={fabric} dispatch={dispatch} firstEnd={firstEnd} firstPick={firstPick} brush={colour} cell={cell} />
-      <Pages label="Ends" first={firstEnd} count={draft.ends} onFirst={(end) => setPage({ ...page, end })} />
-      <Pages label="Picks" first={firstPick} count={draft.picks} onFirst={(pick) => setPage({ ...page, pick })} />
+      <div class="draft-scroll" ref={frame}>
+        {!isWide && width > 0 && <DraftGrid fabric={fabric} dispatch={dispatch} window={window} brush={colour} cell={cell} />}
+      </div>
+      {isWide && <DraftWindow fabric={fabric} dispatch={dispatch} brush={colour} onClose={() => setWide(false)} />}
+      {!isWide && <Pages label="Ends" first={firstEnd} count={draft.ends} onFirst={(end) => setPage({ ...page, end })} />}
+      {!isWide && <Pages label="Picks" first={firstPick} count={draft.picks} onFirst={(pick) => setPage({ ...page, pick })} />}
+      <button type="button" class="button" aria-pressed={isWide} data-testid="draft-wide" onClick={() => setWide(!isWide)}>
+        <Icon name="frame" />
+        {isWide ? "Back to the cloth" : "Draft in the whole window"}
+      </button>
       <Brush fabric={fabric} value={colour} onValue={setBrush} />
       <section class="group">
         <h2>Loom</h2>
@@ -62,34 +80,6 @@ export function DraftPanel({ fabric, dispatch }: Props) {
         </button>
       </section>
     </>
-  );
-}
-
-interface StepperProps {
-  readonly label: string;
-  readonly testid: string;
-  readonly value: number;
-  /** Why a number is refused, or null. */
-  readonly onValue: (value: number) => string | null;
-}
-
-function Stepper({ label, testid, value, onValue }: StepperProps) {
-  const written = useWritten(String(value), (text) => {
-    const number = numberOf(text);
-    return number === null ? `"${text}" is no number.` : onValue(number);
-  });
-  return (
-    <div class="stepper" role="group" aria-label={label}>
-      <span>{label}</span>
-      <button type="button" aria-label={`${label}: one less`} data-testid={`${testid}-less`} onClick={() => written.enter(String(value - 1))}>
-        <Icon name="minus" />
-      </button>
-      <input {...written.input} inputMode="numeric" aria-label={label} data-testid={`${testid}-count`} />
-      <button type="button" aria-label={`${label}: one more`} data-testid={`${testid}-more`} onClick={() => written.enter(String(value + 1))}>
-        <Icon name="plus" />
-      </button>
-      <Fault text={written.fault} />
-    </div>
   );
 }
 

@@ -37,19 +37,46 @@ export interface Layout {
   readonly window: Window;
 }
 
-/** Ends, and picks, that are drawn at once. */
+/** Ends, and picks, that a panel draws at once. */
 export const WINDOW = 64;
 /** Shafts and treadles beyond these are not drawn: such drafts are edited in the drawdown. */
 const MAX_SHAFTS = 40;
 /** Cells between two parts. */
 const SPACE = 1;
 
-export function layoutOf(draft: Draft, loom: LoomPlan, firstEnd: number, firstPick: number): Layout {
-  const ends = Math.min(WINDOW, draft.ends - firstEnd);
-  const picks = Math.min(WINDOW, draft.picks - firstPick);
+/** Cells that everything but the crossings takes up: threading and warp colours above, the plan and weft colours beside. */
+export function planSize(loom: LoomPlan): { columns: number; rows: number } {
+  const { shafts, columns } = shownOf(loom);
+  return { columns: SPACE + (columns > 0 ? columns + SPACE : 0) + 1, rows: 1 + SPACE + (shafts > 0 ? shafts + SPACE : 0) };
+}
+
+/** Shafts that are drawn, and columns of the treadling or the lift plan. */
+function shownOf(loom: LoomPlan): { shafts: number; columns: number } {
   const shafts = loom.shafts <= MAX_SHAFTS ? loom.shafts : 0;
+  const columns = loom.tieup === null ? loom.shafts : loom.treadles;
+  return { shafts, columns: shafts > 0 && columns <= MAX_SHAFTS ? columns : 0 };
+}
+
+/** The largest whole number of pixels a cell with which so many cells fit into an area, within bounds. */
+export function fittingCell(
+  cells: { readonly columns: number; readonly rows: number },
+  area: { readonly width: number; readonly height: number },
+  smallest: number,
+  largest: number,
+): number {
+  const fit = Math.floor(Math.min((area.width - 1) / cells.columns, (area.height - 1) / cells.rows));
+  return Math.min(Math.max(fit, smallest), largest);
+}
+
+/** The threads from one of each family on, as many as a panel draws. */
+export function panelWindow(draft: Draft, firstEnd: number, firstPick: number): Window {
+  return { firstEnd, firstPick, ends: Math.min(WINDOW, draft.ends - firstEnd), picks: Math.min(WINDOW, draft.picks - firstPick) };
+}
+
+export function layoutOf(loom: LoomPlan, window: Window): Layout {
+  const { ends, picks } = window;
+  const { shafts, columns } = shownOf(loom);
   const isLiftplan = loom.tieup === null;
-  const columns = shafts === 0 ? 0 : isLiftplan ? loom.shafts : loom.treadles <= MAX_SHAFTS ? loom.treadles : 0;
   const top = 1 + SPACE + (shafts > 0 ? shafts + SPACE : 0);
   const right = ends + SPACE;
   const boxes: Box[] = [
@@ -63,7 +90,7 @@ export function layoutOf(draft: Draft, loom: LoomPlan, firstEnd: number, firstPi
   }
   const weftLeft = right + (columns > 0 ? columns + SPACE : 0);
   boxes.push({ part: "weft", left: weftLeft, top, columns: 1, rows: picks });
-  return { boxes, columns: weftLeft + 1, rows: top + picks, window: { firstEnd, firstPick, ends, picks } };
+  return { boxes, columns: weftLeft + 1, rows: top + picks, window };
 }
 
 /** The cell at a place, in cells from the left and the top; null between the parts. */
