@@ -14,7 +14,7 @@ import type { RecordArray } from "./records.ts";
 import { cameraValues, lightRecords } from "./scene/camera.ts";
 import { environmentTables } from "./scene/environment.ts";
 import type { Camera, Environment, FrameReport, Light, Mesh, ModelName, Piece, Statistics, Vector3 } from "./types.ts";
-import { frameRecord, keyOfView, type View } from "./view.ts";
+import { frameRecord, hasBackgroundOf, keyOfView, type View } from "./view.ts";
 
 const ENTRIES: Readonly<Record<ModelName, ShaderName>> = {
   lobes: "shade_lobes",
@@ -32,7 +32,7 @@ export interface RendererOptions extends DeviceOptions {
   readonly canvas?: HTMLCanvasElement | OffscreenCanvas;
   /** Of frames without a canvas, pixels; 512 × 512 by default. */
   readonly size?: readonly [number, number];
-  /** Whether the canvas lets through what lies behind it where there is no cloth. */
+  /** Whether the canvas lets through what lies behind it where there is neither cloth nor a background. */
   readonly transparent?: boolean;
   /** A renderer whose device this one uses, so that `wipe` can show both. */
   readonly shareWith?: ClothRenderer;
@@ -472,7 +472,8 @@ export class ClothRenderer {
   private source(): Source {
     const [width, height] = this.frameSize;
     const { pixels, radiance } = this.targets.buffers;
-    return { width, height, passes: this.passes, pixels: pixels!, sums: radiance! };
+    const hasBackground = hasBackgroundOf(this.view);
+    return { width, height, passes: this.passes, pixels: pixels!, sums: radiance!, hasBackground };
   }
 
   private store(name: string, records: RecordArray, usage: GPUBufferUsageFlags): void {

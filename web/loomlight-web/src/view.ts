@@ -55,6 +55,11 @@ export function frameRecord(view: View, scene: Values, pass: Pass): RecordArray 
   return frame;
 }
 
+/** Whether something is seen beside the cloth; a black background is nothing. */
+export function hasBackgroundOf(view: View): boolean {
+  return view.background === null ? view.environment !== null : view.background.some((radiance) => radiance > 0);
+}
+
 /** What sums over passes depend on, as a text; the exposure is none of it. */
 export function keyOfView(view: View, more: readonly unknown[]): string {
   const { environment, exposure: _, ...rest } = view;

@@ -9,6 +9,8 @@ export interface Source {
   readonly passes: number;
   /** sRGB, 8 bits a channel. */
   readonly pixels: GPUBuffer;
+  /** Whether something is seen beside the cloth: then nothing behind the canvas is. */
+  readonly hasBackground: boolean;
   /** Sums of linear radiance and of the share of cloth. */
   readonly sums: GPUBuffer;
 }
@@ -45,7 +47,7 @@ export class Presenter {
     const words = new Uint32Array(UNIFORM_WORDS);
     const floats = new Float32Array(words.buffer);
     [left, right].forEach((source, number) => {
-      words.set([source.width, source.height], 4 * number);
+      words.set([source.width, source.height, 0, source.hasBackground ? 1 : 0], 4 * number);
       floats[4 * number + 2] = Math.max(source.passes, 1);
     });
     floats.set([canvas.width, canvas.height, split], 8);

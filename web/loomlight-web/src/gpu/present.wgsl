@@ -5,7 +5,8 @@ struct Source {
     height: u32,
     // Passes that the sums of the alpha are divided by.
     passes: f32,
-    padding: u32,
+    // 1 where something is seen beside the cloth and behind its holes.
+    has_background: u32,
 };
 
 struct Show {
@@ -60,5 +61,7 @@ fn present(@builtin(position) position: vec4f) -> @location(0) vec4f {
     if show.split > 0.0 && show.split < 1.0 && abs(place.x - show.split) < line {
         return vec4f(1.0);
     }
-    return vec4f(colour.rgb, select(1.0, clamp(colour.a, 0.0, 1.0), show.is_transparent == 1u));
+    // Canvases add what lies behind them by 1 - alpha to colours as they are: with a background that is nothing.
+    let lets_through = show.is_transparent == 1u && source.has_background == 0u;
+    return vec4f(colour.rgb, select(1.0, clamp(colour.a, 0.0, 1.0), lets_through));
 }
