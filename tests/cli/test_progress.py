@@ -1,4 +1,4 @@
-"""A line of progress, where a person is watching."""
+"""Progress: a bar where a person is watching, else a line now and then."""
 
 from __future__ import annotations
 
@@ -7,15 +7,35 @@ import sys
 
 import pytest
 
-from loomlight.cli.progress import progress
+from loomlight.cli.progress import Lines, progress
 
 
-def test_nothing_is_written_where_nobody_watches(capsys: pytest.CaptureFixture[str]) -> None:
+def test_short_work_writes_no_lines(capsys: pytest.CaptureFixture[str]) -> None:
     with progress("work") as report:
         report(1, 2)
         report(2, 2)
     captured = capsys.readouterr()
     assert captured.out == captured.err == ""
+
+
+def test_a_log_gets_a_line_every_ten_seconds(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("loomlight.cli.progress.LINE_SECONDS", 10.0)
+    now = [0.0]
+    lines = Lines("denim", lambda: now[0])
+    for second, share, expected in (
+        (5, 0.1, 40),
+        (11, 0.25, 44),
+        (15, 0.3, 45),
+        (22, 0.5, None),
+        (40, 1.0, 30),
+    ):
+        now[0] = second
+        lines.report(share, expected)
+    captured = capsys.readouterr()
+    assert captured.err.splitlines() == ["denim: 25 %, about 33 s left", "denim: 50 %", "denim: 100 %"]
+    assert captured.out == ""
 
 
 def test_a_terminal_shows_a_bar_on_stderr(

@@ -49,7 +49,7 @@ def demo(
     from loomlight.mitsuba.material_picture import render
 
     cloth = fabric_from_text(FABRIC)
-    with progress(f"{cloth.name}, draped") as report:
+    with progress(f"{cloth.name}, draped", milliseconds=True) as report:
         # The point model shows how the dye varies.
         picture = render(
             cloth,

@@ -1,4 +1,4 @@
-"""A line of progress with an estimate on stderr, if a person is watching."""
+"""Progress with an estimate on stderr: a bar where a person is watching, else a line now and then."""
 
 from __future__ import annotations
 
@@ -7,26 +7,42 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+# Between lines of a log.
+LINE_SECONDS = 10.0
+
 
 @contextmanager
 def progress(title: str, *, milliseconds: bool = False) -> Iterator[Callable[[int, int], None]]:
-    """A function that takes (done, in all) and moves a bar; without a terminal it does nothing.
+    """A function that takes (done, in all) and moves a bar, or without a terminal writes lines.
 
     Args:
         title: what is done.
         milliseconds: the numbers are times, passed and in all as estimated; otherwise parts of the work, from
             which the time left follows by proportion.
     """
+    begun = time.monotonic()
+    # When the work will be done, by the latest report.
+    expected: list[float] = []
+
+    def expect(done: int, total: int) -> None:
+        now = time.monotonic()
+        if milliseconds:
+            expected[:] = [now + (total - done) / 1000]
+        elif done > 0:
+            expected[:] = [now + (now - begun) * (total - done) / done]
+
     if not sys.stderr.isatty():
-        yield lambda done, total: None
+        lines = Lines(title)
+
+        def write(done: int, total: int) -> None:
+            expect(done, total)
+            lines.report(done / max(total, 1), expected[0] if expected else None)
+
+        yield write
         return
     from rich.console import Console
     from rich.progress import BarColumn, Progress, ProgressColumn, Task, TextColumn, TimeElapsedColumn
     from rich.text import Text
-
-    begun = time.monotonic()
-    # When the work will be done, by the latest report.
-    expected: list[float] = []
 
     class TimeLeftColumn(ProgressColumn):
         """About how many seconds are left."""
@@ -42,14 +58,32 @@ def progress(title: str, *, milliseconds: bool = False) -> Iterator[Callable[[in
         task = bar.add_task(title, total=None)
 
         def report(done: int, total: int) -> None:
-            now = time.monotonic()
-            if milliseconds:
-                expected[:] = [now + (total - done) / 1000]
-            elif done > 0:
-                expected[:] = [now + (now - begun) * (total - done) / done]
+            expect(done, total)
             bar.update(task, completed=done, total=total)
 
         yield report
+
+
+class Lines:
+    """Lines such as "denim: 40 %, about 20 s left" on stderr, ten seconds apart: none of short work."""
+
+    def __init__(self, title: str, clock: Callable[[], float] = time.monotonic) -> None:
+        self._title, self._clock = title, clock
+        self._next = clock() + LINE_SECONDS
+
+    def report(self, share: float, expected: float | None) -> None:
+        """Writes a line if it is time.
+
+        Args:
+            share: of the work that is done, 0 to 1.
+            expected: when it will be done, by the clock.
+        """
+        now = self._clock()
+        if now < self._next:
+            return
+        self._next = now + LINE_SECONDS
+        left = "" if expected is None or expected <= now else f", about {_duration(expected - now)} left"
+        print(f"{self._title}: {100 * min(share, 1):.0f} %{left}", file=sys.stderr, flush=True)
 
 
 def _duration(seconds: float) -> str:
