@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from loomlight.models.lobes import density, visibility_rays
-from loomlight.realtime.device import default_adapter
+from loomlight.realtime.device import STORAGE_BUFFERS, default_adapter
 from loomlight.realtime.models import REALTIME_MODELS
 from loomlight.realtime.slangc import SHADERS, TARGETS, compile_shader, library_code, library_models
 from tools.shaders import build
@@ -52,6 +52,14 @@ def test_generated_text_names_no_file_of_a_machine() -> None:
 def test_shaders_need_neither_wide_numbers_nor_halves() -> None:
     for path in WGSL.iterdir():
         assert not re.search(r"\b(f64|i64|u64|f16)\b|enable ", path.read_text(encoding="utf-8")), path
+
+
+def test_shaders_bind_no_more_storage_buffers_than_every_adapter() -> None:
+    """WebGPU promises eight a stage, and some of Apple's adapters have no more."""
+    texts = {path.name: path.read_text(encoding="utf-8") for path in WGSL.iterdir()}
+    texts |= {model: library_code("wgsl", model).decode() for model in library_models()}
+    found = {name: len(re.findall(r"var<storage", text)) for name, text in texts.items()}
+    assert max(found.values()) == STORAGE_BUFFERS == 8, found
 
 
 def test_every_model_has_a_library() -> None:

@@ -28,7 +28,7 @@ NO_ADAPTER = (
     "driver, or the software driver (Debian, Ubuntu: apt install mesa-vulkan-drivers libvulkan1)."
 )
 # Storage buffers that the largest shader binds.
-STORAGE_BUFFERS = 13
+STORAGE_BUFFERS = 8
 _RAISED_LIMITS = (
     "max-storage-buffer-binding-size",
     "max-buffer-size",
@@ -63,6 +63,7 @@ class Adapter:
         """A storage buffer of at least `size` bytes, all zero."""
         wgpu = wgpu_module()
         usage = wgpu.BufferUsage.STORAGE | wgpu.BufferUsage.COPY_DST | wgpu.BufferUsage.COPY_SRC
+        usage |= wgpu.BufferUsage.UNIFORM  # the record of a frame
         self._require("max-storage-buffer-binding-size", size, "bytes in a table")
         return self.device.create_buffer(size=max(16, -(-size // 16) * 16), usage=usage)
 

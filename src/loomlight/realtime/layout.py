@@ -256,6 +256,10 @@ FRAME: Fields = (
     ("casts_shadows", "uint", "1 where cloth shadows cloth"),
     ("leaves", "uint", "of the bounding volume hierarchy, a power of 2"),
     ("leaf_faces", "uint", "where the faces of the leaves begin in scene_words"),
+    ("corners", "uint", "where the vertices of the faces do, three a face"),
+    ("face_fabrics", "uint", "and the fabric of each face"),
+    ("vertices", "uint", "and the records of vertices"),
+    ("light_records", "uint", "and those of lights"),
     ("ray_offset", "float", "rays leave surfaces by so much"),
     ("jitter_x", "float", "of the raster pass within the pixel, −0.5 to 0.5 pixels"),
     ("jitter_y", "float", ""),
@@ -366,20 +370,19 @@ BUFFERS: dict[str, tuple[str, bool]] = {
     "fabrics": ("Fabric", False),
     "families": ("Family", False),
     "words": ("uint", False),
-    "lights": ("Light", False),
-    "frames": ("Frame", False),
-    "vertices": ("Vertex", False),
-    "corners": ("uint", False),  # three vertices a face
-    "face_fabrics": ("uint", False),  # the fabric of each face
-    "radiance": ("float4", True),  # sums over passes, and the share of cloth
-    "pixels": ("uint", True),  # sRGB, 8 bits a channel
     "packed_numbers": ("uint4", False),  # networks and latents: eight halves or four singles an element
-    "scene_words": ("uint", False),  # bounding volume hierarchy, environment, albedo maps
+    "scene_words": ("uint", False),  # hierarchy, meshes, albedo maps, environment, lights: `scene_words.py`
     "layers": ("Layer", True),  # what each pixel sees of the layer that is shaded
     "visibilities": ("float", True),  # share of each light that reaches each pixel [light, pixel]
+    "radiance": ("float4", True),  # sums over passes, and the share of cloth
+    "pixels": ("uint", True),  # sRGB, 8 bits a channel
 }
-# Beside them, for entry points that read the raster pass.
+# Beside them: what the raster pass saw, and the record of the frame, a uniform. No shader has more than eight
+# storage buffers, which is what every adapter of WebGPU binds.
 VISIBILITY_BINDING = len(BUFFERS)
+FRAME_BINDING = VISIBILITY_BINDING + 1
+# Records among the words of a scene.
+_SCENE_RECORDS = ("Light", "Vertex")
 # Buffers of the kernels that bake, behind those. `tables` is the buffer of words as kernels write it, and
 # `record_words` that of fabrics; `texel_counters` is `texel_counts` while threads add to it.
 BAKE_BUFFERS: dict[str, tuple[str, bool]] = {
@@ -393,7 +396,7 @@ BAKE_BUFFERS: dict[str, tuple[str, bool]] = {
     "tables": ("uint", True),
     "record_words": ("uint", True),
 }
-_FIRST_BAKE_BINDING = VISIBILITY_BINDING + 1
+_FIRST_BAKE_BINDING = FRAME_BINDING + 1
 
 _NUMPY = {"float": np.float32, "uint": np.uint32}
 
@@ -425,4 +428,18 @@ def slang_structs() -> str:
     binding = list(BUFFERS).index("packed_numbers")
     lines.append(f"static const uint PACKED_NUMBERS_BINDING = {binding}u;")
     lines.append(f"[[vk::binding({VISIBILITY_BINDING}, 0)]] Texture2D<uint> visible_faces;")
+    lines.append(f"[[vk::binding({FRAME_BINDING}, 0)]] ConstantBuffer<Frame> frame_record;")
+    for record in _SCENE_RECORDS:
+        lines += _reader(record)
     return "\n".join(lines) + "\n"
+
+
+def _reader(record: str) -> list[str]:
+    """A Slang function that reads a record from the words of a scene, of which it begins at `first`."""
+    fields = RECORDS[record]
+    lines = ["", f"static const uint {record.upper()}_WORDS = {len(fields)}u;", ""]
+    lines += [f"{record} scene_{record.lower()}(uint first)", "{", f"    {record} record;"]
+    for number, (name, kind, _) in enumerate(fields):
+        word = f"scene_words[first + {number}u]"
+        lines.append(f"    record.{name} = {word if kind == 'uint' else f'asfloat({word})'};")
+    return [*lines, "    return record;", "}"]

@@ -203,12 +203,12 @@ class Renderer:
         frame = self._frame_record(camera, len(lights), options, environment)
         records = light_records(lights)
         with self.adapter.guarded():
-            self._scene.show_environment(environment, self._store)
+            self._resources["scene_words"] = self._scene.show(self.adapter, environment, records)
+            self._scene.describe(frame)
             self._size_visibilities(frame)
             shown = frame.tobytes() + records.tobytes() + str(id(environment)).encode()
             if shown != self._shown:
                 self._shown, self.passes = shown, 0
-                self._store("lights", records)
             for _ in range(passes):
                 self._add_pass(frame)
             return self._picture(frame, exposure)
@@ -217,7 +217,7 @@ class Renderer:
         # Passes 0 and following of the R2 sequence, about the middle of the pixel.
         jitter = (0.5 + self.passes * np.array(GOLDEN)) % 1 - 0.5
         frame["pass_number"], frame["jitter_x"], frame["jitter_y"] = self.passes, *jitter
-        self._store("frames", frame)
+        self._store("frame_record", frame)
         self._draw()
         tiles = [-(-side // 8) for side in self.size]
         # A dispatch a submission: software adapters take seconds for all of them.
@@ -232,7 +232,7 @@ class Renderer:
     def _picture(self, frame: NDArray[np.void], exposure: float) -> Picture:
         width, height = self.size
         frame["gain"] = 2.0**exposure / self.passes
-        self._store("frames", frame)
+        self._store("frame_record", frame)
         self._compute("tone_map", [-(-width * height // 64)])
         pixels = self.adapter.read(self._resources["pixels"], np.uint8, 4 * width * height)
         sums = self.adapter.read(self._resources["radiance"], np.float32, 4 * width * height)
@@ -259,7 +259,6 @@ class Renderer:
         frame["width"], frame["height"] = width, height
         frame["lights"], frame["samples"], frame["near"] = lights, options["samples"], camera.near
         frame["casts_shadows"] = options["shadows"] and not self._scene.is_flat
-        self._scene.describe(frame)
         for name, vector in camera.axes(width, height).items():
             for axis, value in zip("xyz", vector, strict=True):
                 frame[f"{name}_{axis}"] = value
@@ -294,10 +293,8 @@ class Renderer:
         numbers = np.repeat(np.arange(len(faces), dtype=np.uint32), [len(part) for part in faces])
         corners = np.concatenate(faces)
         positions = np.concatenate([cloth.mesh.positions for cloth in self._cloths])
-        self._scene = SceneWords(positions, corners, [cloth.albedo for cloth in self._cloths])
-        self._store("vertices", np.concatenate(vertices))
-        self._store("corners", corners.ravel())
-        self._store("face_fabrics", numbers)
+        albedos = [cloth.albedo for cloth in self._cloths]
+        self._scene = SceneWords(positions, np.concatenate(vertices), corners, numbers, albedos)
 
     def _upload_fabrics(self) -> None:
         materials = [cloth.fabric for cloth in self._cloths]

@@ -1,8 +1,11 @@
-"""One buffer of words for what belongs to a scene: bounding volume hierarchy, albedo maps, environment."""
+"""One buffer of words for what belongs to a scene: hierarchy, meshes, albedo maps, environment, lights.
+
+Shaders bind few buffers; see `layout.BUFFERS`.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -10,6 +13,7 @@ from numpy.typing import NDArray
 
 from loomlight.realtime.albedo_map import map_words
 from loomlight.realtime.bvh import build_hierarchy
+from loomlight.realtime.device import Adapter
 from loomlight.realtime.environment import EnvironmentTables
 
 # Rays leave surfaces by so much of the scene's extent: coordinates in float32 are rounded by 6e-8 of it.
@@ -28,20 +32,26 @@ class SceneWords:
     def __init__(
         self,
         positions: NDArray[np.float64],
+        vertices: NDArray[np.void],
         faces: NDArray[np.uint32],
+        fabrics: NDArray[np.uint32],
         albedos: Sequence[NDArray[np.floating] | None],
     ) -> None:
         """
         Args:
             positions: of all vertices [n, 3], metres.
+            vertices: their records [n].
             faces: of all meshes [m, 3].
+            fabrics: the number of the fabric of each face [m].
             albedos: the map of each cloth.
         """
         hierarchy = build_hierarchy(positions, faces)
         self._leaves = hierarchy.leaves
-        self._leaf_faces = hierarchy.boxes.size
         parts = [hierarchy.boxes.ravel().view(np.uint32), hierarchy.leaf_faces.ravel()]
-        first = sum(part.size for part in parts)
+        parts += [faces.ravel(), fabrics, vertices.view(np.uint32)]
+        begins = np.cumsum([part.size for part in parts])
+        self._begins = dict(zip(("leaf_faces", "corners", "face_fabrics", "vertices"), begins, strict=False))
+        first = int(begins[-1])
         self._maps: list[tuple[int, int]] = []
         for albedo in albedos:
             words, levels = (np.zeros(0, np.uint32), 0) if albedo is None else map_words(albedo)
@@ -50,7 +60,8 @@ class SceneWords:
             first += words.size
         self._words = np.concatenate(parts)
         self._environment: EnvironmentTables | None = None
-        self._is_stored = False
+        self._buffer: Any = None
+        self._first_light = 0
         centred = positions - positions.mean(axis=0)
         extents = np.sqrt(np.maximum(np.linalg.eigvalsh(centred.T @ centred), 0))
         self.is_flat = bool(extents[0] <= FLAT * extents[2])
@@ -60,21 +71,29 @@ class SceneWords:
     def describe(self, frame: NDArray[np.void]) -> None:
         """Writes into the record of a frame where the parts begin."""
         frame["leaves"] = self._leaves
-        frame["leaf_faces"] = self._leaf_faces
+        for name, begin in self._begins.items():
+            frame[name] = begin
         frame["ray_offset"] = self._ray_offset
         frame["environment_table"] = self._words.size
+        frame["light_records"] = self._first_light
 
     def describe_maps(self, fabrics: NDArray[np.void]) -> None:
         """Writes into the records of fabrics where their albedo maps begin."""
         for record, (first, levels) in zip(fabrics, self._maps, strict=True):
             record["albedo_map"], record["albedo_map_levels"] = first, levels
 
-    def show_environment(
-        self, environment: EnvironmentTables | None, store: Callable[[str, NDArray[Any]], None]
-    ) -> None:
-        """Stores the buffer if it does not hold this environment already."""
-        if self._is_stored and (environment is None or environment is self._environment):
-            return
+    def show(self, adapter: Adapter, environment: EnvironmentTables | None, lights: NDArray[np.void]) -> Any:
+        """The buffer with this environment and these lights, by which frames are to be described then.
+
+        Where it holds the environment already, or none is asked for, lights alone are written.
+        """
+        records = lights.view(np.uint32)
+        is_held = self._buffer is not None and (environment is None or environment is self._environment)
+        if is_held and self._buffer.size >= 4 * (self._first_light + records.size):
+            adapter.write(self._buffer, records, 4 * self._first_light)
+            return self._buffer
+        self._environment = environment
         words = self._words if environment is None else np.concatenate([self._words, environment.words()])
-        store("scene_words", words)
-        self._environment, self._is_stored = environment, True
+        self._first_light = words.size
+        self._buffer = adapter.storage(np.concatenate([words, records]))
+        return self._buffer

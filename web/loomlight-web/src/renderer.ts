@@ -419,8 +419,7 @@ export class ClothRenderer {
     this.shown = key;
     this.passes = 0;
     this.frameSize = [width, height];
-    this.cloth!.scene.setEnvironment(view.environment);
-    this.store("lights", lightRecords(view.lights), GPUBufferUsage.STORAGE);
+    this.cloth!.scene.setLight(view.environment, lightRecords(view.lights).words);
   }
 
   private keyOf(view: View): string {
@@ -433,7 +432,7 @@ export class ClothRenderer {
     const scene = this.cloth!.scene.frameValues(view.turn, view.environmentSamples);
     const frame = frameRecord(view, scene, { width, height, passes: this.passes, samples: this.samples, castsShadows });
     this.targets.makeRoom(castsShadows ? view.lights.length + frame.get(0, "environment_samples") : 1);
-    this.store("frames", frame, GPUBufferUsage.UNIFORM);
+    this.store("frame_record", frame, GPUBufferUsage.UNIFORM);
     const resources = this.resources();
     this.raster.draw(this.targets, resources, this.cloth!.scene.faces, width, height);
     const tiles = [Math.ceil(width / 8), Math.ceil(height / 8)] as const;

@@ -9,9 +9,8 @@ export const NO_WEBGPU =
   "that came by https or from this machine.";
 export const NO_ADAPTER =
   "This browser has WebGPU but finds no graphics adapter for it: see that hardware acceleration is switched on.";
-// Storage buffers that the largest shader binds; see bindings.ts.
-const STORAGE_BUFFERS = 10;
-const RAISED_LIMITS = ["maxStorageBufferBindingSize", "maxBufferSize", "maxStorageBuffersPerShaderStage"] as const;
+// Every adapter binds the eight storage buffers of the largest shader.
+const RAISED_LIMITS = ["maxStorageBufferBindingSize", "maxBufferSize"] as const;
 
 /** Buffers and views by the names that shaders have for them. */
 export type Resources = Readonly<Record<string, GPUBuffer | GPUBufferBinding | GPUTextureView>>;
@@ -59,19 +58,13 @@ export class Device {
   /**
    * A device of the browser's adapter.
    *
-   * @throws InputError no WebGPU, no adapter, or one whose limits are too small.
+   * @throws InputError no WebGPU, or no adapter.
    */
   static async request(options: DeviceOptions = {}): Promise<Device> {
     const gpu = (globalThis.navigator as Navigator | undefined)?.gpu;
     if (gpu === undefined) throw new InputError(NO_WEBGPU);
     const adapter = await gpu.requestAdapter(options.adapter ?? { powerPreference: "high-performance" });
     if (adapter === null) throw new InputError(NO_ADAPTER);
-    const buffers = adapter.limits.maxStorageBuffersPerShaderStage;
-    if (buffers < STORAGE_BUFFERS)
-      throw new InputError(
-        `This graphics adapter binds at most ${buffers} storage buffers to a shader, but ${STORAGE_BUFFERS} are ` +
-          "needed: choose another adapter or browser.",
-      );
     const requiredLimits = Object.fromEntries(RAISED_LIMITS.map((limit) => [limit, adapter.limits[limit]]));
     return new Device(await adapter.requestDevice({ requiredLimits }), adapter.info);
   }

@@ -1,26 +1,24 @@
-/** Meshes, environment and lights in an adapter's buffers. */
+/** Meshes, environment and lights in one buffer of an adapter. */
 import type { Values } from "../records.ts";
 import type { EnvironmentTables } from "../scene/environment.ts";
 import { joinMeshes } from "../scene/mesh.ts";
-import { sceneWords, withEnvironment, type SceneWords } from "../scene/scene_words.ts";
+import { joinWords, sceneWords, type SceneWords } from "../scene/scene_words.ts";
 import type { LinearPicture, Mesh } from "../types.ts";
 import type { Device } from "./device.ts";
 
 export class SceneBuffers {
-  readonly buffers: Record<string, GPUBuffer> = {};
   readonly faces: number;
+  private buffer: GPUBuffer | null = null;
   private readonly device: Device;
   private readonly scene: SceneWords;
   private environment: EnvironmentTables | null = null;
+  private firstLight = 0;
 
   constructor(device: Device, meshes: readonly Mesh[], albedos: readonly (LinearPicture | null)[]) {
     const joined = joinMeshes(meshes);
     this.device = device;
     this.faces = joined.faces;
     this.scene = sceneWords(joined, albedos);
-    this.store("vertices", joined.vertices.words);
-    this.store("corners", joined.corners);
-    this.store("scene_words", withEnvironment(this.scene, null));
   }
 
   /** No face can hide another from a light. */
@@ -33,20 +31,35 @@ export class SceneBuffers {
     return this.scene.maps;
   }
 
-  /** Light from all directions; null for none. */
-  setEnvironment(tables: EnvironmentTables | null): void {
-    if (tables === this.environment) return;
-    this.environment = tables;
-    this.store("scene_words", withEnvironment(this.scene, tables));
+  /** By the names that shaders have for them. */
+  get buffers(): Record<string, GPUBuffer> {
+    return this.buffer === null ? {} : { scene_words: this.buffer };
+  }
+
+  /** Light of the next frames: from all directions, or null for none, and records of lights. */
+  setLight(environment: EnvironmentTables | null, lights: Uint32Array<ArrayBuffer>): void {
+    const isHeld = this.buffer !== null && environment === this.environment;
+    if (isHeld && this.buffer!.size >= 4 * (this.firstLight + lights.length)) {
+      this.device.write(this.buffer!, lights, this.firstLight);
+      return;
+    }
+    const { words } = this.scene;
+    const before = environment === null ? [words] : [words, environment.words];
+    const all = joinWords([...before, lights]);
+    this.buffer?.destroy();
+    this.buffer = this.device.buffer(all.byteLength);
+    this.device.write(this.buffer, all);
+    [this.environment, this.firstLight] = [environment, all.length - lights.length];
   }
 
   /** Fields of the record of a frame: the hierarchy, and the environment, turned and taken in so many directions. */
   frameValues(turn: number, samples: number): Values {
     const tables = this.environment;
-    if (tables === null) return this.scene.frame;
+    const frame = { ...this.scene.frame, light_records: this.firstLight };
+    if (tables === null) return frame;
     const angle = (turn * Math.PI) / 180;
     return {
-      ...this.scene.frame,
+      ...frame,
       environment_rows: tables.rows,
       environment_columns: tables.columns,
       environment_total: tables.total,
@@ -57,15 +70,6 @@ export class SceneBuffers {
   }
 
   destroy(): void {
-    Object.values(this.buffers).forEach((buffer) => buffer.destroy());
-  }
-
-  private store(name: string, words: Uint32Array<ArrayBuffer>): void {
-    const before = this.buffers[name];
-    // Shaders read the number of faces from the size of `corners`, so a buffer has the size of its content.
-    before?.destroy();
-    const buffer = this.device.buffer(words.byteLength);
-    this.device.write(buffer, words);
-    this.buffers[name] = buffer;
+    this.buffer?.destroy();
   }
 }

@@ -3,7 +3,6 @@ import { InputError } from "loomlight-fabric";
 
 import { RECORDS } from "../generated.ts";
 import { RecordArray, type Values } from "../records.ts";
-import { numbersAndWords } from "./bindings.ts";
 import type { Device } from "./device.ts";
 
 /** The buffers of `realtime.tables.Packed` by name, as their words. */
@@ -50,8 +49,7 @@ export class ServedBuffers {
     this.device = device;
     this.record.words.set(tables.fabrics);
     this.record.set(0, { uv_width: uvSizeMm[0], uv_height: uvSizeMm[1], ...extra });
-    const packed_numbers = numbersAndWords(tables.packed_numbers, tables.words);
-    for (const [name, words] of Object.entries({ ...tables, fabrics: this.record.words, packed_numbers })) {
+    for (const [name, words] of Object.entries({ ...tables, fabrics: this.record.words })) {
       this.buffers[name] = device.buffer(words.byteLength);
       device.write(this.buffers[name], words);
     }

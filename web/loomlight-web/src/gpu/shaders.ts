@@ -17,8 +17,6 @@ import shadePoints from "@shaders/wgsl/shade_points.wgsl?raw";
 import shadeNeural from "@shaders/wgsl/shade_neural.wgsl?raw";
 import toneMap from "@shaders/wgsl/tone_map.wgsl?raw";
 
-import { withFewerBuffers } from "./bindings.ts";
-
 const TEXTS = {
   add_background: addBackground,
   bake_coverage: bakeCoverage,
@@ -41,7 +39,7 @@ const TEXTS = {
 
 export type ShaderName = keyof typeof TEXTS;
 
-/** The text of a shader as browsers can bind it. */
+/** The text of a shader. */
 export function shaderText(name: ShaderName): string {
-  return withFewerBuffers(TEXTS[name]);
+  return TEXTS[name];
 }

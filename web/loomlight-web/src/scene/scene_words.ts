@@ -1,10 +1,9 @@
-/** One buffer of words for what belongs to a scene: hierarchy, albedo maps, environment; see `scene_words.py`. */
+/** The words of a scene: hierarchy, meshes and albedo maps; environment and lights follow. See `scene_words.py`. */
 import { symmetricEigen } from "../fabric/principal_axes.ts";
 import { FLAT, RAY_OFFSET } from "../generated.ts";
 import type { Values } from "../records.ts";
 import type { LinearPicture } from "../types.ts";
 import { mapWords } from "./albedo_map.ts";
-import type { EnvironmentTables } from "./environment.ts";
 import { buildHierarchy } from "./hierarchy.ts";
 import type { MeshBuffers } from "./mesh.ts";
 
@@ -22,8 +21,11 @@ export interface SceneWords {
 export function sceneWords(meshes: MeshBuffers, albedos: readonly (LinearPicture | null)[]): SceneWords {
   const { positions, corners, faces } = meshes;
   const hierarchy = buildHierarchy(positions, corners, faces);
-  const parts = [new Uint32Array(hierarchy.boxes.buffer), hierarchy.leafFaces];
-  let first = parts[0]!.length + parts[1]!.length;
+  const parts = [new Uint32Array(hierarchy.boxes.buffer), hierarchy.leafFaces, corners, meshes.vertices.words];
+  const leaf_faces = parts[0]!.length;
+  const firstCorner = leaf_faces + parts[1]!.length;
+  const vertices = firstCorner + corners.length;
+  let first = vertices + parts[3]!.length;
   const maps = albedos.map((albedo) => {
     const { words, levels } = albedo === null ? { words: new Uint32Array(0), levels: 0 } : mapWords(albedo);
     const place = { albedo_map: first, albedo_map_levels: levels };
@@ -38,19 +40,18 @@ export function sceneWords(meshes: MeshBuffers, albedos: readonly (LinearPicture
     maps,
     frame: {
       leaves: hierarchy.leaves,
-      leaf_faces: hierarchy.boxes.length,
+      leaf_faces,
+      corners: firstCorner,
+      face_fabrics: firstCorner + 3 * faces,
+      vertices,
       ray_offset: RAY_OFFSET * extent,
       environment_table: first,
     },
   };
 }
 
-/** The words of a scene with an environment behind them. */
-export function withEnvironment(scene: SceneWords, environment: EnvironmentTables | null): Uint32Array<ArrayBuffer> {
-  return joinWords(environment === null ? [scene.words] : [scene.words, environment.words]);
-}
-
-function joinWords(parts: readonly Uint32Array[]): Uint32Array<ArrayBuffer> {
+/** Words behind each other. */
+export function joinWords(parts: readonly Uint32Array[]): Uint32Array<ArrayBuffer> {
   const words = new Uint32Array(parts.reduce((sum, part) => sum + part.length, 0));
   let first = 0;
   for (const part of parts) {

@@ -42,15 +42,15 @@ struct Bake_std430_0
     @align(4) hole_bytes_0 : u32,
 };
 
-@binding(15) @group(0) var<storage, read> bakes_0 : array<Bake_std430_0>;
+@binding(11) @group(0) var<storage, read> bakes_0 : array<Bake_std430_0>;
 
-@binding(16) @group(0) var<storage, read> steps_0 : array<u32>;
+@binding(12) @group(0) var<storage, read> steps_0 : array<u32>;
 
-@binding(20) @group(0) var<storage, read> texel_counts_0 : array<u32>;
+@binding(16) @group(0) var<storage, read> texel_counts_0 : array<u32>;
 
-@binding(21) @group(0) var<storage, read_write> coverage_pyramid_0 : array<vec4<f32>>;
+@binding(17) @group(0) var<storage, read_write> coverage_pyramid_0 : array<vec4<f32>>;
 
-@binding(18) @group(0) var<storage, read_write> scratch_0 : array<u32>;
+@binding(14) @group(0) var<storage, read_write> scratch_0 : array<u32>;
 
 struct Lobes_std430_0
 {
@@ -210,7 +210,7 @@ struct Fabric_std430_0
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
 
-@binding(22) @group(0) var<storage, read_write> tables_0 : array<u32>;
+@binding(18) @group(0) var<storage, read_write> tables_0 : array<u32>;
 
 fn thread_index_0( id_0 : vec3<u32>) -> u32
 {

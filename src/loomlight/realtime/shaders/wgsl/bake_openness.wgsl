@@ -1,4 +1,4 @@
-@binding(16) @group(0) var<storage, read> steps_0 : array<u32>;
+@binding(12) @group(0) var<storage, read> steps_0 : array<u32>;
 
 struct Lobes_std430_0
 {
@@ -207,7 +207,7 @@ struct Family_std430_0
 
 @binding(2) @group(0) var<storage, read> words_0 : array<u32>;
 
-@binding(18) @group(0) var<storage, read_write> scratch_0 : array<u32>;
+@binding(14) @group(0) var<storage, read_write> scratch_0 : array<u32>;
 
 fn select_vector_0( condition_0 : bool,  yes_0 : vec2<f32>,  no_0 : vec2<f32>) -> vec2<f32>
 {

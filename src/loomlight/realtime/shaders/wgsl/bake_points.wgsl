@@ -42,7 +42,7 @@ struct Bake_std430_0
     @align(4) hole_bytes_0 : u32,
 };
 
-@binding(15) @group(0) var<storage, read> bakes_0 : array<Bake_std430_0>;
+@binding(11) @group(0) var<storage, read> bakes_0 : array<Bake_std430_0>;
 
 struct SurfaceHit_std430_0
 {
@@ -57,9 +57,9 @@ struct SurfaceHit_std430_0
     @align(4) tangent_z_0 : f32,
 };
 
-@binding(17) @group(0) var<storage, read_write> hits_0 : array<SurfaceHit_std430_0>;
+@binding(13) @group(0) var<storage, read_write> hits_0 : array<SurfaceHit_std430_0>;
 
-@binding(18) @group(0) var<storage, read_write> scratch_0 : array<u32>;
+@binding(14) @group(0) var<storage, read_write> scratch_0 : array<u32>;
 
 var<workgroup> offsets_0 : array<u32, i32(256)>;
 

@@ -42,7 +42,7 @@ struct Bake_std430_0
     @align(4) hole_bytes_0 : u32,
 };
 
-@binding(15) @group(0) var<storage, read> bakes_0 : array<Bake_std430_0>;
+@binding(11) @group(0) var<storage, read> bakes_0 : array<Bake_std430_0>;
 
 struct SurfaceHit_std430_0
 {
@@ -57,9 +57,9 @@ struct SurfaceHit_std430_0
     @align(4) tangent_z_0 : f32,
 };
 
-@binding(17) @group(0) var<storage, read_write> hits_0 : array<SurfaceHit_std430_0>;
+@binding(13) @group(0) var<storage, read_write> hits_0 : array<SurfaceHit_std430_0>;
 
-@binding(18) @group(0) var<storage, read_write> scratch_0 : array<u32>;
+@binding(14) @group(0) var<storage, read_write> scratch_0 : array<u32>;
 
 struct Lobes_std430_0
 {
@@ -219,9 +219,9 @@ struct Fabric_std430_0
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
 
-@binding(22) @group(0) var<storage, read_write> tables_0 : array<u32>;
+@binding(18) @group(0) var<storage, read_write> tables_0 : array<u32>;
 
-@binding(23) @group(0) var<storage, read_write> record_words_0 : array<u32>;
+@binding(19) @group(0) var<storage, read_write> record_words_0 : array<u32>;
 
 fn select_vector_0( condition_0 : bool,  yes_0 : vec2<f32>,  no_0 : vec2<f32>) -> vec2<f32>
 {

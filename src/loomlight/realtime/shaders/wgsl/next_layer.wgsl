@@ -1,72 +1,57 @@
-struct Frame_std430_0
+struct Frame_std140_0
 {
-    @align(4) width_0 : u32,
+    @align(16) width_0 : u32,
     @align(4) height_0 : u32,
-    @align(4) lights_0 : u32,
+    @align(8) lights_0 : u32,
     @align(4) samples_0 : u32,
-    @align(4) pass_number_0 : u32,
+    @align(16) pass_number_0 : u32,
     @align(4) environment_samples_0 : u32,
-    @align(4) environment_columns_0 : u32,
+    @align(8) environment_columns_0 : u32,
     @align(4) environment_rows_0 : u32,
-    @align(4) environment_table_0 : u32,
+    @align(16) environment_table_0 : u32,
     @align(4) environment_total_0 : f32,
-    @align(4) environment_sine_0 : f32,
+    @align(8) environment_sine_0 : f32,
     @align(4) environment_cosine_0 : f32,
-    @align(4) shows_environment_0 : u32,
+    @align(16) shows_environment_0 : u32,
     @align(4) casts_shadows_0 : u32,
-    @align(4) leaves_0 : u32,
+    @align(8) leaves_0 : u32,
     @align(4) leaf_faces_0 : u32,
-    @align(4) ray_offset_0 : f32,
+    @align(16) corners_0 : u32,
+    @align(4) face_fabrics_0 : u32,
+    @align(8) vertices_0 : u32,
+    @align(4) light_records_0 : u32,
+    @align(16) ray_offset_0 : f32,
     @align(4) jitter_x_0 : f32,
-    @align(4) jitter_y_0 : f32,
+    @align(8) jitter_y_0 : f32,
     @align(4) gain_0 : f32,
-    @align(4) origin_x_0 : f32,
+    @align(16) origin_x_0 : f32,
     @align(4) origin_y_0 : f32,
-    @align(4) origin_z_0 : f32,
+    @align(8) origin_z_0 : f32,
     @align(4) right_x_0 : f32,
-    @align(4) right_y_0 : f32,
+    @align(16) right_y_0 : f32,
     @align(4) right_z_0 : f32,
-    @align(4) up_x_0 : f32,
+    @align(8) up_x_0 : f32,
     @align(4) up_y_0 : f32,
-    @align(4) up_z_0 : f32,
+    @align(16) up_z_0 : f32,
     @align(4) forward_x_0 : f32,
-    @align(4) forward_y_0 : f32,
+    @align(8) forward_y_0 : f32,
     @align(4) forward_z_0 : f32,
-    @align(4) near_0 : f32,
+    @align(16) near_0 : f32,
     @align(4) background_red_0 : f32,
-    @align(4) background_green_0 : f32,
+    @align(8) background_green_0 : f32,
     @align(4) background_blue_0 : f32,
 };
 
-@binding(4) @group(0) var<storage, read> frames_0 : array<Frame_std430_0>;
-
+@binding(10) @group(0) var<uniform> frame_record_0 : Frame_std140_0;
 struct Layer_std430_0
 {
     @align(4) face_0 : u32,
     @align(4) share_0 : f32,
 };
 
-@binding(12) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
+@binding(5) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
 
-@binding(6) @group(0) var<storage, read> corners_0 : array<u32>;
-
-struct Vertex_std430_0
-{
-    @align(4) x_0 : f32,
-    @align(4) y_0 : f32,
-    @align(4) z_0 : f32,
-    @align(4) normal_x_0 : f32,
-    @align(4) normal_y_0 : f32,
-    @align(4) normal_z_0 : f32,
-    @align(4) u_0 : f32,
-    @align(4) v_0 : f32,
-};
-
-@binding(5) @group(0) var<storage, read> vertices_0 : array<Vertex_std430_0>;
-
-@binding(11) @group(0) var<storage, read> scene_words_0 : array<u32>;
-
-@binding(7) @group(0) var<storage, read> face_fabrics_0 : array<u32>;
+@binding(4) @group(0) var<storage, read> scene_words_0 : array<u32>;
 
 struct Lobes_std430_0
 {
@@ -146,7 +131,7 @@ struct Latent_std430_0
     @align(4) is_trained_1 : u32,
     @align(4) decoder_1 : u32,
     @align(4) hidden_0 : u32,
-    @align(4) frames_1 : u32,
+    @align(4) frames_0 : u32,
     @align(4) sampler_0 : u32,
     @align(4) albedo_0 : u32,
     @align(4) texels_1 : u32,
@@ -232,14 +217,40 @@ fn firstbitlow_0( value_0 : u32) -> u32
     return _S1;
 }
 
-fn position_of_0( vertex_0 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+struct Vertex_0
 {
-    return vec3<f32>((*vertex_0).x_0, (*vertex_0).y_0, (*vertex_0).z_0);
+     x_0 : f32,
+     y_0 : f32,
+     z_0 : f32,
+     normal_x_0 : f32,
+     normal_y_0 : f32,
+     normal_z_0 : f32,
+     u_0 : f32,
+     v_0 : f32,
+};
+
+fn scene_vertex_0( first_0 : u32) -> Vertex_0
+{
+    var record_0 : Vertex_0;
+    record_0.x_0 = (bitcast<f32>((scene_words_0[first_0])));
+    record_0.y_0 = (bitcast<f32>((scene_words_0[first_0 + u32(1)])));
+    record_0.z_0 = (bitcast<f32>((scene_words_0[first_0 + u32(2)])));
+    record_0.normal_x_0 = (bitcast<f32>((scene_words_0[first_0 + u32(3)])));
+    record_0.normal_y_0 = (bitcast<f32>((scene_words_0[first_0 + u32(4)])));
+    record_0.normal_z_0 = (bitcast<f32>((scene_words_0[first_0 + u32(5)])));
+    record_0.u_0 = (bitcast<f32>((scene_words_0[first_0 + u32(6)])));
+    record_0.v_0 = (bitcast<f32>((scene_words_0[first_0 + u32(7)])));
+    return record_0;
 }
 
-fn position_of_1( vertex_1 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+fn vertex_at_0( corner_0 : u32) -> Vertex_0
 {
-    return vec3<f32>((*vertex_1).x_0, (*vertex_1).y_0, (*vertex_1).z_0);
+    return scene_vertex_0(frame_record_0.vertices_0 + u32(8) * scene_words_0[frame_record_0.corners_0 + corner_0]);
+}
+
+fn position_of_0( vertex_0 : Vertex_0) -> vec3<f32>
+{
+    return vec3<f32>(vertex_0.x_0, vertex_0.y_0, vertex_0.z_0);
 }
 
 fn inverse_of_0( component_0 : f32) -> f32
@@ -280,61 +291,61 @@ struct Hit_0
 fn meet_face_0( face_2 : u32,  origin_1 : vec3<f32>,  direction_0 : vec3<f32>) -> Hit_0
 {
     var _S9 : u32 = u32(3) * face_2;
-    var _S10 : Vertex_std430_0 = vertices_0[corners_0[_S9]];
-    var _S11 : vec3<f32> = position_of_0(&(_S10));
-    var _S12 : Vertex_std430_0 = vertices_0[corners_0[_S9 + u32(1)]];
-    var _S13 : vec3<f32> = position_of_0(&(_S12));
-    var _S14 : vec3<f32> = _S13 - _S11;
-    var _S15 : Vertex_std430_0 = vertices_0[corners_0[_S9 + u32(2)]];
-    var _S16 : vec3<f32> = position_of_0(&(_S15));
-    var _S17 : vec3<f32> = _S16 - _S11;
-    var _S18 : vec3<f32> = cross(direction_0, _S17);
-    var _S19 : f32 = dot(_S14, _S18);
-    var _S20 : bool = (abs(_S19)) > 1.00000000317107685e-30f;
-    var _S21 : f32 = 1.0f / select(1.00000000317107685e-30f, _S19, _S20);
-    var _S22 : vec3<f32> = origin_1 - _S11;
-    var _S23 : vec3<f32> = cross(_S22, _S14);
+    var _S10 : vec3<f32> = position_of_0(vertex_at_0(_S9));
+    var _S11 : vec3<f32> = position_of_0(vertex_at_0(_S9 + u32(1))) - _S10;
+    var _S12 : vec3<f32> = position_of_0(vertex_at_0(_S9 + u32(2))) - _S10;
+    var _S13 : vec3<f32> = cross(direction_0, _S12);
+    var _S14 : f32 = dot(_S11, _S13);
+    var _S15 : bool = (abs(_S14)) > 1.00000000317107685e-30f;
+    var _S16 : f32 = 1.0f / select(1.00000000317107685e-30f, _S14, _S15);
+    var _S17 : vec3<f32> = origin_1 - _S10;
+    var _S18 : vec3<f32> = cross(_S17, _S11);
     var hit_0 : Hit_0;
-    var _S24 : f32 = dot(_S22, _S18) * _S21;
-    hit_0.weight_b_0 = _S24;
-    var _S25 : f32 = dot(direction_0, _S23) * _S21;
-    hit_0.weight_c_0 = _S25;
-    hit_0.distance_0 = dot(_S17, _S23) * _S21;
-    hit_0.face_1 = select(u32(4294967295), face_2, ((((((_S24 >= 0.0f) & ((_S25 >= 0.0f)))) & (((_S24 + _S25) <= 1.0f)))) & (_S20)));
+    var _S19 : f32 = dot(_S17, _S13) * _S16;
+    hit_0.weight_b_0 = _S19;
+    var _S20 : f32 = dot(direction_0, _S18) * _S16;
+    hit_0.weight_c_0 = _S20;
+    hit_0.distance_0 = dot(_S12, _S18) * _S16;
+    hit_0.face_1 = select(u32(4294967295), face_2, ((((((_S19 >= 0.0f) & ((_S20 >= 0.0f)))) & (((_S19 + _S20) <= 1.0f)))) & (_S15)));
     return hit_0;
 }
 
-fn camera_origin_0( _S26 : i32) -> vec3<f32>
+fn fabric_of_0( face_3 : u32) -> u32
 {
-    return vec3<f32>(frames_0[_S26].origin_x_0, frames_0[_S26].origin_y_0, frames_0[_S26].origin_z_0);
+    return scene_words_0[frame_record_0.face_fabrics_0 + face_3];
 }
 
-fn camera_forward_0( _S27 : i32) -> vec3<f32>
+fn camera_origin_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S27].forward_x_0, frames_0[_S27].forward_y_0, frames_0[_S27].forward_z_0);
+    return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn camera_right_0( _S28 : i32) -> vec3<f32>
+fn camera_forward_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S28].right_x_0, frames_0[_S28].right_y_0, frames_0[_S28].right_z_0);
+    return vec3<f32>(frame_record_0.forward_x_0, frame_record_0.forward_y_0, frame_record_0.forward_z_0);
 }
 
-fn camera_up_0( _S29 : i32) -> vec3<f32>
+fn camera_right_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S29].up_x_0, frames_0[_S29].up_y_0, frames_0[_S29].up_z_0);
+    return vec3<f32>(frame_record_0.right_x_0, frame_record_0.right_y_0, frame_record_0.right_z_0);
 }
 
-fn pixel_direction_0( _S30 : i32,  _S31 : vec2<u32>,  _S32 : vec2<f32>) -> vec3<f32>
+fn camera_up_0() -> vec3<f32>
 {
-    return camera_forward_0(_S30) + vec3<f32>(((f32(_S31.x) + 0.5f + _S32.x) * 2.0f / f32(frames_0[_S30].width_0) - 1.0f)) * camera_right_0(_S30) + vec3<f32>((1.0f - (f32(_S31.y) + 0.5f + _S32.y) * 2.0f / f32(frames_0[_S30].height_0))) * camera_up_0(_S30);
+    return vec3<f32>(frame_record_0.up_x_0, frame_record_0.up_y_0, frame_record_0.up_z_0);
 }
 
-fn nearest_hit_0( _S33 : i32,  _S34 : vec3<f32>,  _S35 : vec3<f32>,  _S36 : f32,  _S37 : f32,  _S38 : u32,  _S39 : bool) -> Hit_0
+fn pixel_direction_0( _S21 : vec2<u32>,  _S22 : vec2<f32>) -> vec3<f32>
 {
-    var _S40 : vec3<f32> = vec3<f32>(inverse_of_0(_S35.x), inverse_of_0(_S35.y), inverse_of_0(_S35.z));
+    return camera_forward_0() + vec3<f32>(((f32(_S21.x) + 0.5f + _S22.x) * 2.0f / f32(frame_record_0.width_0) - 1.0f)) * camera_right_0() + vec3<f32>((1.0f - (f32(_S21.y) + 0.5f + _S22.y) * 2.0f / f32(frame_record_0.height_0))) * camera_up_0();
+}
+
+fn nearest_hit_0( _S23 : vec3<f32>,  _S24 : vec3<f32>,  _S25 : f32,  _S26 : f32,  _S27 : u32,  _S28 : bool) -> Hit_0
+{
+    var _S29 : vec3<f32> = vec3<f32>(inverse_of_0(_S24.x), inverse_of_0(_S24.y), inverse_of_0(_S24.z));
     var found_0 : Hit_0;
     found_0.face_1 = u32(4294967295);
-    found_0.distance_0 = _S37;
+    found_0.distance_0 = _S26;
     found_0.weight_b_0 = 0.0f;
     found_0.weight_c_0 = 0.0f;
     var node_2 : u32 = u32(1);
@@ -348,23 +359,23 @@ fn nearest_hit_0( _S33 : i32,  _S34 : vec3<f32>,  _S35 : vec3<f32>,  _S36 : f32,
             break;
         }
         var node_3 : u32;
-        if(!meets_node_0(node_2, _S34, _S40, _S36, found_0.distance_0))
+        if(!meets_node_0(node_2, _S23, _S29, _S25, found_0.distance_0))
         {
             node_3 = following_node_0(node_2);
         }
         else
         {
-            var _S41 : u32 = frames_0[_S33].leaves_0;
-            if(node_2 < (frames_0[_S33].leaves_0))
+            var _S30 : u32 = frame_record_0.leaves_0;
+            if(node_2 < (frame_record_0.leaves_0))
             {
                 node_3 = node_2 * u32(2);
             }
             else
             {
-                var _S42 : u32 = frames_0[_S33].leaf_faces_0 + u32(4) * (node_2 - _S41);
-                var _S43 : u32 = following_node_0(node_2);
+                var _S31 : u32 = frame_record_0.leaf_faces_0 + u32(4) * (node_2 - _S30);
+                var _S32 : u32 = following_node_0(node_2);
                 var number_0 : u32 = u32(0);
-                node_3 = _S43;
+                node_3 = _S32;
                 for(;;)
                 {
                     if(number_0 < u32(4))
@@ -374,30 +385,30 @@ fn nearest_hit_0( _S33 : i32,  _S34 : vec3<f32>,  _S35 : vec3<f32>,  _S36 : f32,
                     {
                         break;
                     }
-                    var _S44 : u32 = scene_words_0[_S42 + number_0];
-                    if(((_S44 == u32(4294967295)) | ((_S44 == _S38))))
+                    var _S33 : u32 = scene_words_0[_S31 + number_0];
+                    if(((_S33 == u32(4294967295)) | ((_S33 == _S27))))
                     {
                         number_0 = number_0 + u32(1);
                         continue;
                     }
-                    var _S45 : Hit_0 = meet_face_0(_S44, _S34, _S35);
-                    if((((((_S45.face_1) == u32(4294967295)) | (((_S45.distance_0) <= _S36)))) | (((_S45.distance_0) >= (found_0.distance_0)))))
+                    var _S34 : Hit_0 = meet_face_0(_S33, _S23, _S24);
+                    if((((((_S34.face_1) == u32(4294967295)) | (((_S34.distance_0) <= _S25)))) | (((_S34.distance_0) >= (found_0.distance_0)))))
                     {
                         number_0 = number_0 + u32(1);
                         continue;
                     }
-                    found_0 = _S45;
-                    var _S46 : bool;
-                    if(_S39)
+                    found_0 = _S34;
+                    var _S35 : bool;
+                    if(_S28)
                     {
-                        _S46 = (fabrics_0[face_fabrics_0[_S44]].is_open_0) == u32(0);
+                        _S35 = (fabrics_0[fabric_of_0(_S33)].is_open_0) == u32(0);
                     }
                     else
                     {
-                        _S46 = false;
+                        _S35 = false;
                     }
                     var node_4 : u32;
-                    if(_S46)
+                    if(_S35)
                     {
                         node_4 = u32(0);
                     }
@@ -419,50 +430,44 @@ fn nearest_hit_0( _S33 : i32,  _S34 : vec3<f32>,  _S35 : vec3<f32>,  _S36 : f32,
 @workgroup_size(8, 8, 1)
 fn next_layer(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S47 : u32 = id_0.x;
-    var _S48 : u32 = frames_0[i32(0)].width_0;
-    var _S49 : bool;
-    if(_S47 >= (frames_0[i32(0)].width_0))
+    var _S36 : u32 = id_0.x;
+    var _S37 : bool;
+    if(_S36 >= (frame_record_0.width_0))
     {
-        _S49 = true;
+        _S37 = true;
     }
     else
     {
-        _S49 = (id_0.y) >= (frames_0[i32(0)].height_0);
+        _S37 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S49)
+    if(_S37)
     {
         return;
     }
-    var _S50 : u32 = id_0.y * _S48 + _S47;
-    var _S51 : Layer_std430_0 = layers_0[_S50];
-    if((layers_0[_S50].face_0) == u32(0))
+    var _S38 : u32 = id_0.y * frame_record_0.width_0 + _S36;
+    var _S39 : Layer_std430_0 = layers_0[_S38];
+    if((layers_0[_S38].face_0) == u32(0))
     {
         return;
     }
     var following_0 : u32;
-    if((_S51.share_0) > 0.00100000004749745f)
+    if((_S39.share_0) > 0.00100000004749745f)
     {
-        var _S52 : vec3<f32> = camera_origin_0(i32(0));
-        var _S53 : vec3<f32> = pixel_direction_0(i32(0), id_0.xy, vec2<f32>(frames_0[i32(0)].jitter_x_0, frames_0[i32(0)].jitter_y_0));
-        var _S54 : u32 = _S51.face_0 - u32(1);
-        var _S55 : u32 = u32(3) * _S54;
-        var _S56 : Vertex_std430_0 = vertices_0[corners_0[_S55]];
-        var _S57 : vec3<f32> = position_of_1(&(_S56));
-        var _S58 : Vertex_std430_0 = vertices_0[corners_0[_S55 + u32(1)]];
-        var _S59 : vec3<f32> = position_of_1(&(_S58));
-        var _S60 : Vertex_std430_0 = vertices_0[corners_0[_S55 + u32(2)]];
-        var _S61 : vec3<f32> = position_of_1(&(_S60));
-        var _S62 : vec3<f32> = cross(_S59 - _S57, _S61 - _S57);
-        var _S63 : f32 = dot(_S53, _S62);
-        var _S64 : Hit_0 = nearest_hit_0(i32(0), _S52, _S53, dot(_S57 - _S52, _S62) / select(1.00000000317107685e-30f, _S63, (abs(_S63)) > 1.00000000317107685e-30f) + frames_0[i32(0)].ray_offset_0, 1.00000001504746622e+30f, _S54, false);
-        following_0 = select(_S64.face_1 + u32(1), u32(0), (_S64.face_1) == u32(4294967295));
+        var _S40 : vec3<f32> = camera_origin_0();
+        var _S41 : vec3<f32> = pixel_direction_0(id_0.xy, vec2<f32>(frame_record_0.jitter_x_0, frame_record_0.jitter_y_0));
+        var _S42 : u32 = _S39.face_0 - u32(1);
+        var _S43 : u32 = u32(3) * _S42;
+        var _S44 : vec3<f32> = position_of_0(vertex_at_0(_S43));
+        var _S45 : vec3<f32> = cross(position_of_0(vertex_at_0(_S43 + u32(1))) - _S44, position_of_0(vertex_at_0(_S43 + u32(2))) - _S44);
+        var _S46 : f32 = dot(_S41, _S45);
+        var _S47 : Hit_0 = nearest_hit_0(_S40, _S41, dot(_S44 - _S40, _S45) / select(1.00000000317107685e-30f, _S46, (abs(_S46)) > 1.00000000317107685e-30f) + frame_record_0.ray_offset_0, 1.00000001504746622e+30f, _S42, false);
+        following_0 = select(_S47.face_1 + u32(1), u32(0), (_S47.face_1) == u32(4294967295));
     }
     else
     {
         following_0 = u32(0);
     }
-    layers_0[_S50].face_0 = following_0;
+    layers_0[_S38].face_0 = following_0;
     return;
 }
 

@@ -1,54 +1,57 @@
-struct Frame_std430_0
+struct Frame_std140_0
 {
-    @align(4) width_0 : u32,
+    @align(16) width_0 : u32,
     @align(4) height_0 : u32,
-    @align(4) lights_0 : u32,
+    @align(8) lights_0 : u32,
     @align(4) samples_0 : u32,
-    @align(4) pass_number_0 : u32,
+    @align(16) pass_number_0 : u32,
     @align(4) environment_samples_0 : u32,
-    @align(4) environment_columns_0 : u32,
+    @align(8) environment_columns_0 : u32,
     @align(4) environment_rows_0 : u32,
-    @align(4) environment_table_0 : u32,
+    @align(16) environment_table_0 : u32,
     @align(4) environment_total_0 : f32,
-    @align(4) environment_sine_0 : f32,
+    @align(8) environment_sine_0 : f32,
     @align(4) environment_cosine_0 : f32,
-    @align(4) shows_environment_0 : u32,
+    @align(16) shows_environment_0 : u32,
     @align(4) casts_shadows_0 : u32,
-    @align(4) leaves_0 : u32,
+    @align(8) leaves_0 : u32,
     @align(4) leaf_faces_0 : u32,
-    @align(4) ray_offset_0 : f32,
+    @align(16) corners_0 : u32,
+    @align(4) face_fabrics_0 : u32,
+    @align(8) vertices_0 : u32,
+    @align(4) light_records_0 : u32,
+    @align(16) ray_offset_0 : f32,
     @align(4) jitter_x_0 : f32,
-    @align(4) jitter_y_0 : f32,
+    @align(8) jitter_y_0 : f32,
     @align(4) gain_0 : f32,
-    @align(4) origin_x_0 : f32,
+    @align(16) origin_x_0 : f32,
     @align(4) origin_y_0 : f32,
-    @align(4) origin_z_0 : f32,
+    @align(8) origin_z_0 : f32,
     @align(4) right_x_0 : f32,
-    @align(4) right_y_0 : f32,
+    @align(16) right_y_0 : f32,
     @align(4) right_z_0 : f32,
-    @align(4) up_x_0 : f32,
+    @align(8) up_x_0 : f32,
     @align(4) up_y_0 : f32,
-    @align(4) up_z_0 : f32,
+    @align(16) up_z_0 : f32,
     @align(4) forward_x_0 : f32,
-    @align(4) forward_y_0 : f32,
+    @align(8) forward_y_0 : f32,
     @align(4) forward_z_0 : f32,
-    @align(4) near_0 : f32,
+    @align(16) near_0 : f32,
     @align(4) background_red_0 : f32,
-    @align(4) background_green_0 : f32,
+    @align(8) background_green_0 : f32,
     @align(4) background_blue_0 : f32,
 };
 
-@binding(4) @group(0) var<storage, read> frames_0 : array<Frame_std430_0>;
-
+@binding(10) @group(0) var<uniform> frame_record_0 : Frame_std140_0;
 struct Layer_std430_0
 {
     @align(4) face_0 : u32,
     @align(4) share_0 : f32,
 };
 
-@binding(12) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
+@binding(5) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
 
-@binding(7) @group(0) var<storage, read> face_fabrics_0 : array<u32>;
+@binding(4) @group(0) var<storage, read> scene_words_0 : array<u32>;
 
 struct Lobes_std430_0
 {
@@ -128,7 +131,7 @@ struct Latent_std430_0
     @align(4) is_trained_1 : u32,
     @align(4) decoder_1 : u32,
     @align(4) hidden_0 : u32,
-    @align(4) frames_1 : u32,
+    @align(4) frames_0 : u32,
     @align(4) sampler_0 : u32,
     @align(4) albedo_0 : u32,
     @align(4) texels_1 : u32,
@@ -208,24 +211,6 @@ struct Fabric_std430_0
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
 
-@binding(6) @group(0) var<storage, read> corners_0 : array<u32>;
-
-struct Vertex_std430_0
-{
-    @align(4) x_0 : f32,
-    @align(4) y_0 : f32,
-    @align(4) z_0 : f32,
-    @align(4) normal_x_0 : f32,
-    @align(4) normal_y_0 : f32,
-    @align(4) normal_z_0 : f32,
-    @align(4) u_0 : f32,
-    @align(4) v_0 : f32,
-};
-
-@binding(5) @group(0) var<storage, read> vertices_0 : array<Vertex_std430_0>;
-
-@binding(11) @group(0) var<storage, read> scene_words_0 : array<u32>;
-
 @binding(2) @group(0) var<storage, read> words_0 : array<u32>;
 
 struct Family_std430_0
@@ -275,22 +260,9 @@ struct Family_std430_0
 
 @binding(1) @group(0) var<storage, read> families_0 : array<Family_std430_0>;
 
-@binding(13) @group(0) var<storage, read_write> visibilities_0 : array<f32>;
+@binding(6) @group(0) var<storage, read_write> visibilities_0 : array<f32>;
 
-struct Light_std430_0
-{
-    @align(4) is_point_0 : u32,
-    @align(4) x_1 : f32,
-    @align(4) y_1 : f32,
-    @align(4) z_1 : f32,
-    @align(4) red_0 : f32,
-    @align(4) green_0 : f32,
-    @align(4) blue_0 : f32,
-};
-
-@binding(3) @group(0) var<storage, read> lights_1 : array<Light_std430_0>;
-
-@binding(8) @group(0) var<storage, read_write> radiance_0 : array<vec4<f32>>;
+@binding(7) @group(0) var<storage, read_write> radiance_0 : array<vec4<f32>>;
 
 fn select_vector_0( condition_0 : bool,  yes_0 : vec3<f32>,  no_0 : vec3<f32>) -> vec3<f32>
 {
@@ -309,9 +281,9 @@ fn select_vector_1( condition_1 : bool,  yes_1 : vec2<f32>,  no_1 : vec2<f32>) -
     return chosen_1;
 }
 
-fn rsqrt_0( x_2 : f32) -> f32
+fn rsqrt_0( x_0 : f32) -> f32
 {
-    return 1.0f / sqrt(x_2);
+    return 1.0f / sqrt(x_0);
 }
 
 var<private> PYRAMID_RADII_0 : array<f32, i32(4)> = array<f32, i32(4)>( 1.0f, 2.0f, 4.0f, 8.0f );
@@ -325,14 +297,45 @@ fn select_vector_2( condition_2 : bool,  yes_2 : vec4<u32>,  no_2 : vec4<u32>) -
     return chosen_2;
 }
 
-fn position_of_0( vertex_0 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+fn fabric_of_0( face_1 : u32) -> u32
 {
-    return vec3<f32>((*vertex_0).x_0, (*vertex_0).y_0, (*vertex_0).z_0);
+    return scene_words_0[frame_record_0.face_fabrics_0 + face_1];
 }
 
-fn position_of_1( vertex_1 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+struct Vertex_0
 {
-    return vec3<f32>((*vertex_1).x_0, (*vertex_1).y_0, (*vertex_1).z_0);
+     x_1 : f32,
+     y_0 : f32,
+     z_0 : f32,
+     normal_x_0 : f32,
+     normal_y_0 : f32,
+     normal_z_0 : f32,
+     u_0 : f32,
+     v_0 : f32,
+};
+
+fn scene_vertex_0( first_0 : u32) -> Vertex_0
+{
+    var record_0 : Vertex_0;
+    record_0.x_1 = (bitcast<f32>((scene_words_0[first_0])));
+    record_0.y_0 = (bitcast<f32>((scene_words_0[first_0 + u32(1)])));
+    record_0.z_0 = (bitcast<f32>((scene_words_0[first_0 + u32(2)])));
+    record_0.normal_x_0 = (bitcast<f32>((scene_words_0[first_0 + u32(3)])));
+    record_0.normal_y_0 = (bitcast<f32>((scene_words_0[first_0 + u32(4)])));
+    record_0.normal_z_0 = (bitcast<f32>((scene_words_0[first_0 + u32(5)])));
+    record_0.u_0 = (bitcast<f32>((scene_words_0[first_0 + u32(6)])));
+    record_0.v_0 = (bitcast<f32>((scene_words_0[first_0 + u32(7)])));
+    return record_0;
+}
+
+fn vertex_at_0( corner_0 : u32) -> Vertex_0
+{
+    return scene_vertex_0(frame_record_0.vertices_0 + u32(8) * scene_words_0[frame_record_0.corners_0 + corner_0]);
+}
+
+fn position_of_0( vertex_0 : Vertex_0) -> vec3<f32>
+{
+    return vec3<f32>(vertex_0.x_1, vertex_0.y_0, vertex_0.z_0);
 }
 
 fn square_0( v_1 : vec3<f32>) -> f32
@@ -340,19 +343,19 @@ fn square_0( v_1 : vec3<f32>) -> f32
     return dot(v_1, v_1);
 }
 
-fn normal_of_0( vertex_2 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+fn normal_of_0( vertex_1 : Vertex_0) -> vec3<f32>
 {
-    return vec3<f32>((*vertex_2).normal_x_0, (*vertex_2).normal_y_0, (*vertex_2).normal_z_0);
+    return vec3<f32>(vertex_1.normal_x_0, vertex_1.normal_y_0, vertex_1.normal_z_0);
 }
 
-fn square_1( x_3 : f32) -> f32
+fn square_1( x_2 : f32) -> f32
 {
-    return x_3 * x_3;
+    return x_2 * x_2;
 }
 
-fn natural_logarithm_0( x_4 : f32) -> f32
+fn natural_logarithm_0( x_3 : f32) -> f32
 {
-    var _S1 : u32 = (bitcast<u32>((x_4)));
+    var _S1 : u32 = (bitcast<u32>((x_3)));
     var exponent_0 : f32 = f32(i32((_S1 >> (u32(23)))) - i32(126));
     var m_0 : f32 = (bitcast<f32>(((((_S1 & (u32(8388607)))) | (u32(1056964608))))));
     var m_1 : f32;
@@ -373,17 +376,17 @@ fn natural_logarithm_0( x_4 : f32) -> f32
     return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S2 - exponent_1 * 0.00021219444170129f - 0.5f * _S2) + exponent_1 * 0.693359375f;
 }
 
-fn binary_logarithm_0( x_5 : f32) -> f32
+fn binary_logarithm_0( x_4 : f32) -> f32
 {
-    return natural_logarithm_0(x_5) * 1.4426950216293335f;
+    return natural_logarithm_0(x_4) * 1.4426950216293335f;
 }
 
-fn exponential_0( x_6 : f32) -> f32
+fn exponential_0( x_5 : f32) -> f32
 {
-    var _S3 : f32 = clamp(x_6, -87.0f, 88.0f);
+    var _S3 : f32 = clamp(x_5, -87.0f, 88.0f);
     var _S4 : f32 = floor(_S3 * 1.4426950216293335f + 0.5f);
     var _S5 : f32 = _S3 - _S4 * 0.693359375f + _S4 * 0.00021219444170129f;
-    return select(((((((0.00019875691214111f * _S5 + 0.00139819993637502f) * _S5 + 0.00833345204591751f) * _S5 + 0.04166579619050026f) * _S5 + 0.1666666567325592f) * _S5 + 0.5f) * _S5 * _S5 + _S5 + 1.0f) * (bitcast<f32>(((u32(i32(_S4) + i32(127)) << (u32(23)))))), 0.0f, x_6 < -87.0f);
+    return select(((((((0.00019875691214111f * _S5 + 0.00139819993637502f) * _S5 + 0.00833345204591751f) * _S5 + 0.04166579619050026f) * _S5 + 0.1666666567325592f) * _S5 + 0.5f) * _S5 * _S5 + _S5 + 1.0f) * (bitcast<f32>(((u32(i32(_S4) + i32(127)) << (u32(23)))))), 0.0f, x_5 < -87.0f);
 }
 
 fn map_texel_0( index_0 : u32) -> vec3<f32>
@@ -393,7 +396,7 @@ fn map_texel_0( index_0 : u32) -> vec3<f32>
     return _S7 * _S7;
 }
 
-fn map_level_0( first_0 : u32,  side_0 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
+fn map_level_0( first_1 : u32,  side_0 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
 {
     var _S8 : f32 = uv_0.x;
     var _S9 : f32 = f32(side_0);
@@ -407,9 +410,9 @@ fn map_level_0( first_0 : u32,  side_0 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
     var _S17 : f32 = floor(_S12);
     var _S18 : u32 = (u32(i32(_S17) + _S14) & (_S15));
     var _S19 : u32 = ((_S16 + u32(1)) & (_S15));
-    var _S20 : u32 = first_0 + _S18 * side_0;
+    var _S20 : u32 = first_1 + _S18 * side_0;
     var _S21 : vec3<f32> = vec3<f32>((_S10 - _S13));
-    var _S22 : u32 = first_0 + (((_S18 + u32(1)) & (_S15))) * side_0;
+    var _S22 : u32 = first_1 + (((_S18 + u32(1)) & (_S15))) * side_0;
     return mix(mix(map_texel_0(_S20 + _S16), map_texel_0(_S20 + _S19), _S21), mix(map_texel_0(_S22 + _S16), map_texel_0(_S22 + _S19), _S21), vec3<f32>((_S12 - _S17)));
 }
 
@@ -451,9 +454,9 @@ fn to_face_frame_0( direction_1 : vec3<f32>,  back_2 : bool) -> vec3<f32>
     return vec3<f32>(direction_1.xy, select(_S23, - _S23, back_2));
 }
 
-fn arc_tangent_quotient_0( x_7 : f32,  y_2 : f32) -> f32
+fn arc_tangent_quotient_0( x_6 : f32,  y_1 : f32) -> f32
 {
-    return ((((((0.0f * x_7 + 0.00809729471802711f) * x_7 + -0.0377517081797123f) * x_7 + 0.08475969731807709f) * x_7 + -0.13537675142288208f) * x_7 + 0.19895026087760925f) * x_7 + -0.33327975869178772f) * x_7 + 0.99999970197677612f;
+    return ((((((0.0f * x_6 + 0.00809729471802711f) * x_6 + -0.0377517081797123f) * x_6 + 0.08475969731807709f) * x_6 + -0.13537675142288208f) * x_6 + 0.19895026087760925f) * x_6 + -0.33327975869178772f) * x_6 + 0.99999970197677612f;
 }
 
 fn arc_tangent_of_ratio_0( ratio_0 : f32) -> f32
@@ -463,7 +466,7 @@ fn arc_tangent_of_ratio_0( ratio_0 : f32) -> f32
 
 struct BinTaps_0
 {
-     corner_0 : u32,
+     corner_1 : u32,
      bins_1 : u32,
      weights_0 : vec4<f32>,
 };
@@ -487,7 +490,7 @@ fn bin_taps_0( direction_2 : vec3<f32>,  bins_2 : u32) -> BinTaps_0
     var _S38 : f32 = _S33 - f32(_S35);
     var _S39 : f32 = _S36 - f32(_S37);
     var taps_0 : BinTaps_0;
-    taps_0.corner_0 = _S37 * bins_2 + _S35;
+    taps_0.corner_1 = _S37 * bins_2 + _S35;
     taps_0.bins_1 = bins_2;
     var _S40 : f32 = 1.0f - _S38;
     var _S41 : f32 = 1.0f - _S39;
@@ -500,17 +503,17 @@ fn table_number_0( index_1 : u32) -> f32
     return (bitcast<f32>((words_0[index_1])));
 }
 
-fn BinTaps_read_0( this_0 : BinTaps_0,  table_0 : u32,  first_1 : u32,  stride_0 : u32,  offset_2 : u32) -> f32
+fn BinTaps_read_0( this_0 : BinTaps_0,  table_0 : u32,  first_2 : u32,  stride_0 : u32,  offset_2 : u32) -> f32
 {
-    var _S42 : u32 = table_0 + (first_1 + this_0.corner_0) * stride_0 + offset_2;
+    var _S42 : u32 = table_0 + (first_2 + this_0.corner_1) * stride_0 + offset_2;
     return table_number_0(_S42) * this_0.weights_0.x + table_number_0(_S42 + stride_0) * this_0.weights_0.y + table_number_0(_S42 + this_0.bins_1 * stride_0) * this_0.weights_0.z + table_number_0(_S42 + (this_0.bins_1 + u32(1)) * stride_0) * this_0.weights_0.w;
 }
 
 struct TexelBox_0
 {
-     corner_1 : vec2<f32>,
+     corner_2 : vec2<f32>,
      size_1 : vec2<f32>,
-     first_2 : vec2<u32>,
+     first_3 : vec2<u32>,
      extent_0 : vec2<f32>,
      last_0 : vec2<u32>,
      turns_0 : vec2<f32>,
@@ -546,14 +549,14 @@ fn texel_box_0( tables_0 : ptr<function, Clustered_std430_0>,  footprint_0 : Foo
     var _S59 : vec2<f32> = vec2<f32>(0.5f);
     var _S60 : vec2<f32> = _S59 * _S58;
     var _S61 : vec2<f32> = footprint_0.centre_0 + _S53 - _S60;
-    box_0.corner_1 = _S61;
+    box_0.corner_2 = _S61;
     var _S62 : vec2<f32> = max(round(_S58 / _S54), vec2<f32>(1.0f));
     box_0.extent_0 = _S62;
     var _S63 : vec2<f32> = round((_S61 + _S60 + offset_3) / _S54 - _S59 * _S62);
     var _S64 : vec2<f32> = vec2<f32>(0.0f);
     var _S65 : vec2<f32> = max(_S63 - floor(_S63 / _S57) * _S57, _S64);
     var _S66 : vec2<u32> = vec2<u32>(min(u32(_S65.x), (*tables_0).columns_0 - u32(1)), min(u32(_S65.y), (*tables_0).rows_0 - u32(1)));
-    box_0.first_2 = _S66;
+    box_0.first_3 = _S66;
     var _S67 : vec2<f32> = floor(_S62 / _S57);
     box_0.turns_0 = _S67;
     var _S68 : vec2<f32> = max(_S62 - _S67 * _S57, _S64);
@@ -909,20 +912,20 @@ fn bounced_by_0( blocked_0 : Blocked_0,  yarn_0 : Scattered_0,  interior_0 : Int
     return bounced_0;
 }
 
-fn summed_0( tables_1 : ptr<function, Clustered_std430_0>,  first_3 : u32,  column_0 : u32,  row_3 : u32) -> i32
+fn summed_0( tables_1 : ptr<function, Clustered_std430_0>,  first_4 : u32,  column_0 : u32,  row_3 : u32) -> i32
 {
-    return i32(words_0[first_3 + (row_3 * ((*tables_1).columns_0 + u32(1)) + column_0) * (*tables_1).channels_0]);
+    return i32(words_0[first_4 + (row_3 * ((*tables_1).columns_0 + u32(1)) + column_0) * (*tables_1).channels_0]);
 }
 
-fn box_mean_0( tables_2 : ptr<function, Clustered_std430_0>,  box_1 : TexelBox_0,  face_1 : u32,  channel_0 : u32) -> f32
+fn box_mean_0( tables_2 : ptr<function, Clustered_std430_0>,  box_1 : TexelBox_0,  face_2 : u32,  channel_0 : u32) -> f32
 {
     var _S126 : u32 = (*tables_2).columns_0;
     var _S127 : u32 = (*tables_2).rows_0;
-    var _S128 : u32 = (*tables_2).sums_0 + face_1 * ((*tables_2).columns_0 + u32(1)) * ((*tables_2).rows_0 + u32(1)) * (*tables_2).channels_0 + channel_0;
+    var _S128 : u32 = (*tables_2).sums_0 + face_2 * ((*tables_2).columns_0 + u32(1)) * ((*tables_2).rows_0 + u32(1)) * (*tables_2).channels_0 + channel_0;
     var _S129 : u32 = box_1.last_0.x;
-    var _S130 : u32 = box_1.first_2.y;
+    var _S130 : u32 = box_1.first_3.y;
     var _S131 : i32 = summed_0(&((*tables_2)), _S128, _S129, _S130);
-    var _S132 : u32 = box_1.first_2.x;
+    var _S132 : u32 = box_1.first_3.x;
     var _S133 : i32 = summed_0(&((*tables_2)), _S128, _S132, _S130);
     var _S134 : i32 = _S131 - _S133;
     var _S135 : u32 = box_1.last_0.y;
@@ -959,15 +962,15 @@ fn box_mean_0( tables_2 : ptr<function, Clustered_std430_0>,  box_1 : TexelBox_0
     return total_1 / (box_1.extent_0.x * box_1.extent_0.y);
 }
 
-fn box_mean_1( tables_3 : ptr<function, Clustered_std430_0>,  box_2 : TexelBox_0,  face_2 : u32,  channel_1 : u32) -> f32
+fn box_mean_1( tables_3 : ptr<function, Clustered_std430_0>,  box_2 : TexelBox_0,  face_3 : u32,  channel_1 : u32) -> f32
 {
     var _S148 : u32 = (*tables_3).columns_0;
     var _S149 : u32 = (*tables_3).rows_0;
-    var _S150 : u32 = (*tables_3).sums_0 + face_2 * ((*tables_3).columns_0 + u32(1)) * ((*tables_3).rows_0 + u32(1)) * (*tables_3).channels_0 + channel_1;
+    var _S150 : u32 = (*tables_3).sums_0 + face_3 * ((*tables_3).columns_0 + u32(1)) * ((*tables_3).rows_0 + u32(1)) * (*tables_3).channels_0 + channel_1;
     var _S151 : u32 = box_2.last_0.x;
-    var _S152 : u32 = box_2.first_2.y;
+    var _S152 : u32 = box_2.first_3.y;
     var _S153 : i32 = summed_0(&((*tables_3)), _S150, _S151, _S152);
-    var _S154 : u32 = box_2.first_2.x;
+    var _S154 : u32 = box_2.first_3.x;
     var _S155 : i32 = summed_0(&((*tables_3)), _S150, _S154, _S152);
     var _S156 : i32 = _S153 - _S155;
     var _S157 : u32 = box_2.last_0.y;
@@ -1008,7 +1011,7 @@ struct ViewedBase_0
 {
      view_3 : vec3<f32>,
      back_5 : bool,
-     face_3 : u32,
+     face_4 : u32,
      around_0 : BinTaps_0,
      box_3 : TexelBox_0,
      trust_1 : vec2<f32>,
@@ -1056,8 +1059,8 @@ struct YarnPoint_0
      back_6 : bool,
      hole_0 : bool,
      is_warp_0 : bool,
-     x_8 : f32,
-     y_3 : f32,
+     x_7 : f32,
+     y_2 : f32,
      height_2 : f32,
      normal_1 : vec3<f32>,
      tangent_0 : vec3<f32>,
@@ -1067,14 +1070,14 @@ struct YarnPoint_0
      albedos_5 : Albedos_0,
 };
 
-fn YarnPoint_x24init_0( back_7 : bool,  hole_1 : bool,  is_warp_1 : bool,  x_9 : f32,  y_4 : f32,  height_3 : f32,  normal_2 : vec3<f32>,  tangent_1 : vec3<f32>,  surface_normal_1 : vec3<f32>,  diffuse_gain_1 : f32,  roughness_2 : f32,  albedos_6 : Albedos_0) -> YarnPoint_0
+fn YarnPoint_x24init_0( back_7 : bool,  hole_1 : bool,  is_warp_1 : bool,  x_8 : f32,  y_3 : f32,  height_3 : f32,  normal_2 : vec3<f32>,  tangent_1 : vec3<f32>,  surface_normal_1 : vec3<f32>,  diffuse_gain_1 : f32,  roughness_2 : f32,  albedos_6 : Albedos_0) -> YarnPoint_0
 {
     var _S173 : YarnPoint_0;
     _S173.back_6 = back_7;
     _S173.hole_0 = hole_1;
     _S173.is_warp_0 = is_warp_1;
-    _S173.x_8 = x_9;
-    _S173.y_3 = y_4;
+    _S173.x_7 = x_8;
+    _S173.y_2 = y_3;
     _S173.height_2 = height_3;
     _S173.normal_1 = normal_2;
     _S173.tangent_0 = tangent_1;
@@ -1158,14 +1161,14 @@ fn shown_at_0( crossing_1 : Crossing_0,  back_8 : bool) -> Shown_0
     return shown_1;
 }
 
-fn select_cell_0( is_first_0 : bool,  first_4 : Cell_0,  second_0 : Cell_0) -> Cell_0
+fn select_cell_0( is_first_0 : bool,  first_5 : Cell_0,  second_0 : Cell_0) -> Cell_0
 {
     var cell_3 : Cell_0;
-    cell_3.thread_0 = select(second_0.thread_0, first_4.thread_0, is_first_0);
-    cell_3.across_0 = select(second_0.across_0, first_4.across_0, is_first_0);
-    cell_3.half_width_1 = select(second_0.half_width_1, first_4.half_width_1, is_first_0);
-    cell_3.below_0 = select(second_0.below_0, first_4.below_0, is_first_0);
-    cell_3.above_0 = select(second_0.above_0, first_4.above_0, is_first_0);
+    cell_3.thread_0 = select(second_0.thread_0, first_5.thread_0, is_first_0);
+    cell_3.across_0 = select(second_0.across_0, first_5.across_0, is_first_0);
+    cell_3.half_width_1 = select(second_0.half_width_1, first_5.half_width_1, is_first_0);
+    cell_3.below_0 = select(second_0.below_0, first_5.below_0, is_first_0);
+    cell_3.above_0 = select(second_0.above_0, first_5.above_0, is_first_0);
     return cell_3;
 }
 
@@ -1175,13 +1178,13 @@ fn boundary_0( family_10 : u32,  thread_3 : u32,  step_0 : i32) -> f32
     return fma(_S180.x, families_0[family_10].period_0, table_number_0(families_0[family_10].place_table_0 + u32(_S180.y) * u32(4)));
 }
 
-fn span_0( family_11 : u32,  thread_4 : u32,  first_5 : i32,  last_1 : i32) -> f32
+fn span_0( family_11 : u32,  thread_4 : u32,  first_6 : i32,  last_1 : i32) -> f32
 {
     if((families_0[family_11].is_alike_0) != u32(0))
     {
-        return f32(last_1 - first_5) * families_0[family_11].size_0;
+        return f32(last_1 - first_6) * families_0[family_11].size_0;
     }
-    return boundary_0(family_11, thread_4, last_1) - boundary_0(family_11, thread_4, first_5);
+    return boundary_0(family_11, thread_4, last_1) - boundary_0(family_11, thread_4, first_6);
 }
 
 struct Bend_0
@@ -1463,15 +1466,15 @@ fn fibre_direction_0( across_slope_0 : f32,  along_slope_0 : f32,  sine_1 : f32,
     return vec2<f32>(- _S230 * _S228, _S230 * across_slope_0 * along_slope_0 + cosine_0 * _S229);
 }
 
-fn arc_sine_0( x_10 : f32) -> f32
+fn arc_sine_0( x_9 : f32) -> f32
 {
-    var _S231 : f32 = abs(x_10);
+    var _S231 : f32 = abs(x_9);
     var _S232 : bool = _S231 > 0.5f;
     var _S233 : f32 = select(_S231 * _S231, 0.5f * (1.0f - _S231), _S232);
     var _S234 : f32 = select(_S231, sqrt(max(_S233, 0.0f)), _S232);
     var _S235 : f32 = ((((0.04216320067644119f * _S233 + 0.02418131195008755f) * _S233 + 0.04547002539038658f) * _S233 + 0.07495300471782684f) * _S233 + 0.16666752099990845f) * _S233 * _S234 + _S234;
     var _S236 : f32 = select(_S235, 1.57079637050628662f - 2.0f * _S235, _S232);
-    return select(_S236, - _S236, x_10 < 0.0f);
+    return select(_S236, - _S236, x_9 < 0.0f);
 }
 
 struct Hair_0
@@ -1517,10 +1520,10 @@ fn share_of_0( bits_2 : u32) -> f32
     return (f32((bits_2 & (u32(1023)))) + 0.5f) * 0.0009765625f;
 }
 
-fn sine_cosine_0( x_11 : f32) -> vec2<f32>
+fn sine_cosine_0( x_10 : f32) -> vec2<f32>
 {
-    var _S240 : f32 = floor(x_11 * 0.63661974668502808f + 0.5f);
-    var _S241 : f32 = x_11 - _S240 * 1.5703125f - _S240 * 0.00048375129699707f - _S240 * 7.54979012640433211e-08f;
+    var _S240 : f32 = floor(x_10 * 0.63661974668502808f + 0.5f);
+    var _S241 : f32 = x_10 - _S240 * 1.5703125f - _S240 * 0.00048375129699707f - _S240 * 7.54979012640433211e-08f;
     var _S242 : f32 = _S241 * _S241;
     var _S243 : f32 = ((-0.00019515295571182f * _S242 + 0.00833216123282909f) * _S242 - 0.16666655242443085f) * _S242 * _S241 + _S241;
     var _S244 : f32 = ((0.00002443315679557f * _S242 - 0.00138873164542019f) * _S242 + 0.04166664555668831f) * _S242 * _S242 - 0.5f * _S242 + 1.0f;
@@ -1645,17 +1648,17 @@ fn diffuse_gain_2( frame_1 : YarnFrame_0,  blend_0 : f32) -> f32
     return min(0.85000002384185791f * blend_0 * frame_1.loss_0 + 1.0f, 1.0f / (0.5f * blend_0 * (frame_1.normal_6.z - 1.0f) + 1.0f));
 }
 
-fn texel_along_0( share_3 : f32,  first_6 : u32,  extent_1 : f32,  count_2 : u32) -> u32
+fn texel_along_0( share_3 : f32,  first_7 : u32,  extent_1 : f32,  count_2 : u32) -> u32
 {
     var _S268 : f32 = min(floor(share_3 * extent_1), extent_1 - 1.0f);
     var _S269 : f32 = f32(count_2);
-    var _S270 : u32 = first_6 + min(u32(max(_S268 - floor(_S268 / _S269) * _S269, 0.0f)), count_2 - u32(1));
+    var _S270 : u32 = first_7 + min(u32(max(_S268 - floor(_S268 / _S269) * _S269, 0.0f)), count_2 - u32(1));
     return select(_S270, _S270 - count_2, _S270 >= count_2);
 }
 
 fn texel_of_0( tables_4 : ptr<function, Clustered_std430_0>,  box_4 : TexelBox_0,  share_4 : vec2<f32>) -> u32
 {
-    return texel_along_0(share_4.y, box_4.first_2.y, box_4.extent_0.y, (*tables_4).rows_0) * (*tables_4).columns_0 + texel_along_0(share_4.x, box_4.first_2.x, box_4.extent_0.x, (*tables_4).columns_0);
+    return texel_along_0(share_4.y, box_4.first_3.y, box_4.extent_0.y, (*tables_4).rows_0) * (*tables_4).columns_0 + texel_along_0(share_4.x, box_4.first_3.x, box_4.extent_0.x, (*tables_4).columns_0);
 }
 
 fn table_byte_0( table_1 : u32,  index_4 : u32) -> u32
@@ -1718,12 +1721,36 @@ fn mean_1( colour_0 : vec3<f32>) -> f32
     return (colour_0.x + colour_0.y + colour_0.z) / 3.0f;
 }
 
+struct Light_0
+{
+     is_point_0 : u32,
+     x_11 : f32,
+     y_4 : f32,
+     z_1 : f32,
+     red_0 : f32,
+     green_0 : f32,
+     blue_0 : f32,
+};
+
+fn scene_light_0( first_8 : u32) -> Light_0
+{
+    var record_1 : Light_0;
+    record_1.is_point_0 = scene_words_0[first_8];
+    record_1.x_11 = (bitcast<f32>((scene_words_0[first_8 + u32(1)])));
+    record_1.y_4 = (bitcast<f32>((scene_words_0[first_8 + u32(2)])));
+    record_1.z_1 = (bitcast<f32>((scene_words_0[first_8 + u32(3)])));
+    record_1.red_0 = (bitcast<f32>((scene_words_0[first_8 + u32(4)])));
+    record_1.green_0 = (bitcast<f32>((scene_words_0[first_8 + u32(5)])));
+    record_1.blue_0 = (bitcast<f32>((scene_words_0[first_8 + u32(6)])));
+    return record_1;
+}
+
 struct BaseTaps_0
 {
      facing_0 : vec3<f32>,
      transmits_1 : bool,
      around_1 : BinTaps_0,
-     first_7 : u32,
+     first_9 : u32,
      half_vector_0 : BinTaps_0,
 };
 
@@ -1736,7 +1763,7 @@ fn base_taps_0( seen_1 : ViewedBase_0,  light_1 : vec3<f32>) -> BaseTaps_0
     var _S279 : bool = _S278 < 0.0f;
     taps_1.transmits_1 = _S279;
     taps_1.around_1 = bin_taps_0(vec3<f32>(_S277.xy, abs(_S278)), u32(32));
-    taps_1.first_7 = (seen_1.face_3 * u32(2) + select(u32(0), u32(1), _S279)) * u32(1024);
+    taps_1.first_9 = (seen_1.face_4 * u32(2) + select(u32(0), u32(1), _S279)) * u32(1024);
     var _S280 : vec3<f32> = _S277 + seen_1.view_3;
     var half_vector_1 : vec3<f32> = _S280 * vec3<f32>((1.0f / sqrt(max(square_0(_S280), 9.999999960041972e-13f))));
     taps_1.half_vector_0 = bin_taps_0(select_vector_0((half_vector_1.z) < 0.0f, (vec3<f32>(0) - half_vector_1), half_vector_1), u32(32));
@@ -1902,258 +1929,246 @@ fn accumulate_0( index_8 : u32,  light_9 : vec4<f32>)
     return;
 }
 
-fn camera_right_0( _S312 : i32) -> vec3<f32>
+fn camera_right_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S312].right_x_0, frames_0[_S312].right_y_0, frames_0[_S312].right_z_0);
+    return vec3<f32>(frame_record_0.right_x_0, frame_record_0.right_y_0, frame_record_0.right_z_0);
 }
 
-fn camera_up_0( _S313 : i32) -> vec3<f32>
+fn camera_up_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S313].up_x_0, frames_0[_S313].up_y_0, frames_0[_S313].up_z_0);
+    return vec3<f32>(frame_record_0.up_x_0, frame_record_0.up_y_0, frame_record_0.up_z_0);
 }
 
-fn camera_forward_0( _S314 : i32) -> vec3<f32>
+fn camera_forward_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S314].forward_x_0, frames_0[_S314].forward_y_0, frames_0[_S314].forward_z_0);
+    return vec3<f32>(frame_record_0.forward_x_0, frame_record_0.forward_y_0, frame_record_0.forward_z_0);
 }
 
-fn camera_origin_0( _S315 : i32) -> vec3<f32>
+fn camera_origin_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S315].origin_x_0, frames_0[_S315].origin_y_0, frames_0[_S315].origin_z_0);
+    return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn face_point_0( _S316 : u32,  _S317 : u32,  _S318 : f32,  _S319 : f32) -> VisiblePoint_0
+fn face_point_0( _S312 : u32,  _S313 : u32,  _S314 : f32,  _S315 : f32) -> VisiblePoint_0
 {
-    var _S320 : u32 = u32(3) * _S317;
-    var _S321 : Vertex_std430_0 = vertices_0[corners_0[_S320]];
-    var _S322 : Vertex_std430_0 = vertices_0[corners_0[_S320 + u32(1)]];
-    var _S323 : Vertex_std430_0 = vertices_0[corners_0[_S320 + u32(2)]];
-    var _S324 : vec3<f32> = position_of_0(&(_S322));
-    var _S325 : vec3<f32> = position_of_0(&(_S321));
-    var _S326 : vec3<f32> = _S324 - _S325;
-    var _S327 : vec3<f32> = position_of_0(&(_S323));
-    var _S328 : vec3<f32> = _S327 - _S325;
-    var _S329 : f32 = _S321.u_0;
-    var _S330 : f32 = _S322.u_0 - _S321.u_0;
-    var _S331 : f32 = _S321.v_0;
-    var _S332 : f32 = _S322.v_0 - _S321.v_0;
-    var _S333 : vec2<f32> = vec2<f32>(_S330, _S332);
-    var _S334 : f32 = _S323.u_0 - _S321.u_0;
-    var _S335 : f32 = _S323.v_0 - _S321.v_0;
-    var _S336 : vec2<f32> = vec2<f32>(_S334, _S335);
-    var _S337 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S330 * _S335 - _S332 * _S334) < 0.0f));
-    var _S338 : vec3<f32> = _S337 * (vec3<f32>(_S335) * _S326 - vec3<f32>(_S332) * _S328);
-    var _S339 : vec3<f32> = _S337 * (vec3<f32>(_S330) * _S328 - vec3<f32>(_S334) * _S326);
+    var _S316 : u32 = u32(3) * _S313;
+    var _S317 : Vertex_0 = vertex_at_0(_S316);
+    var _S318 : Vertex_0 = vertex_at_0(_S316 + u32(1));
+    var _S319 : Vertex_0 = vertex_at_0(_S316 + u32(2));
+    var _S320 : vec3<f32> = position_of_0(_S317);
+    var _S321 : vec3<f32> = position_of_0(_S318) - _S320;
+    var _S322 : vec3<f32> = position_of_0(_S319) - _S320;
+    var _S323 : f32 = _S318.u_0 - _S317.u_0;
+    var _S324 : f32 = _S318.v_0 - _S317.v_0;
+    var _S325 : vec2<f32> = vec2<f32>(_S323, _S324);
+    var _S326 : f32 = _S319.u_0 - _S317.u_0;
+    var _S327 : f32 = _S319.v_0 - _S317.v_0;
+    var _S328 : vec2<f32> = vec2<f32>(_S326, _S327);
+    var _S329 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S323 * _S327 - _S324 * _S326) < 0.0f));
+    var _S330 : vec3<f32> = _S329 * (vec3<f32>(_S327) * _S321 - vec3<f32>(_S324) * _S322);
+    var _S331 : vec3<f32> = _S329 * (vec3<f32>(_S323) * _S322 - vec3<f32>(_S326) * _S321);
     var point_4 : VisiblePoint_0;
-    var _S340 : f32 = 1.0f - _S318 - _S319;
-    var _S341 : vec3<f32> = normal_of_0(&(_S321));
-    var _S342 : vec3<f32> = vec3<f32>(_S340) * _S341;
-    var _S343 : vec3<f32> = normal_of_0(&(_S322));
-    var _S344 : vec3<f32> = vec3<f32>(_S318);
-    var _S345 : vec3<f32> = _S342 + _S344 * _S343;
-    var _S346 : vec3<f32> = normal_of_0(&(_S323));
-    var _S347 : vec3<f32> = vec3<f32>(_S319);
-    var _S348 : vec3<f32> = normalize(_S345 + _S347 * _S346);
-    point_4.normal_0 = _S348;
-    var _S349 : vec3<f32> = normalize(_S338 - _S348 * vec3<f32>(dot(_S348, _S338)));
-    point_4.axis_x_0 = _S349;
-    point_4.axis_y_0 = cross(_S348, _S349);
-    var _S350 : vec3<f32> = normalize(cross(_S326, _S328));
-    point_4.face_normal_0 = select_vector_0((dot(_S350, _S348)) < 0.0f, (vec3<f32>(0) - _S350), _S350);
-    point_4.position_0 = _S325 + _S344 * _S326 + _S347 * _S328;
-    point_4.view_1 = _S348;
-    var _S351 : vec2<f32> = vec2<f32>(_S329, _S331) + vec2<f32>(_S318) * _S333 + vec2<f32>(_S319) * _S336;
-    point_4.uv_1 = _S351;
-    var _S352 : bool = (dot(cross(_S338, _S339), _S348)) < 0.0f;
-    var _S353 : vec2<f32> = vec2<f32>(fabrics_0[_S316].uv_width_0, select(fabrics_0[_S316].uv_height_0, - fabrics_0[_S316].uv_height_0, _S352));
-    point_4.draft_per_uv_0 = _S353;
-    point_4.draft_0 = _S351 * _S353 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S316].uv_height_0, _S352));
-    var _S354 : vec2<f32> = vec2<f32>(0.0f);
-    point_4.draft_dx_0 = _S354;
-    point_4.draft_dy_0 = _S354;
+    var _S332 : vec3<f32> = vec3<f32>(_S314);
+    var _S333 : vec3<f32> = vec3<f32>(_S315);
+    var _S334 : vec3<f32> = normalize(vec3<f32>((1.0f - _S314 - _S315)) * normal_of_0(_S317) + _S332 * normal_of_0(_S318) + _S333 * normal_of_0(_S319));
+    point_4.normal_0 = _S334;
+    var _S335 : vec3<f32> = normalize(_S330 - _S334 * vec3<f32>(dot(_S334, _S330)));
+    point_4.axis_x_0 = _S335;
+    point_4.axis_y_0 = cross(_S334, _S335);
+    var _S336 : vec3<f32> = normalize(cross(_S321, _S322));
+    point_4.face_normal_0 = select_vector_0((dot(_S336, _S334)) < 0.0f, (vec3<f32>(0) - _S336), _S336);
+    point_4.position_0 = _S320 + _S332 * _S321 + _S333 * _S322;
+    point_4.view_1 = _S334;
+    var _S337 : vec2<f32> = vec2<f32>(_S317.u_0, _S317.v_0) + vec2<f32>(_S314) * _S325 + vec2<f32>(_S315) * _S328;
+    point_4.uv_1 = _S337;
+    var _S338 : bool = (dot(cross(_S330, _S331), _S334)) < 0.0f;
+    var _S339 : vec2<f32> = vec2<f32>(fabrics_0[_S312].uv_width_0, select(fabrics_0[_S312].uv_height_0, - fabrics_0[_S312].uv_height_0, _S338));
+    point_4.draft_per_uv_0 = _S339;
+    point_4.draft_0 = _S337 * _S339 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S312].uv_height_0, _S338));
+    var _S340 : vec2<f32> = vec2<f32>(0.0f);
+    point_4.draft_dx_0 = _S340;
+    point_4.draft_dy_0 = _S340;
     return point_4;
 }
 
-fn visible_point_0( _S355 : i32,  _S356 : u32,  _S357 : u32,  _S358 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S341 : u32,  _S342 : u32,  _S343 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S359 : u32 = u32(3) * _S357;
-    var _S360 : Vertex_std430_0 = vertices_0[corners_0[_S359]];
-    var _S361 : Vertex_std430_0 = vertices_0[corners_0[_S359 + u32(1)]];
-    var _S362 : Vertex_std430_0 = vertices_0[corners_0[_S359 + u32(2)]];
-    var _S363 : vec3<f32> = position_of_1(&(_S361));
-    var _S364 : vec3<f32> = position_of_1(&(_S360));
-    var _S365 : vec3<f32> = _S363 - _S364;
-    var _S366 : vec3<f32> = position_of_1(&(_S362));
-    var _S367 : vec3<f32> = _S366 - _S364;
-    var _S368 : vec3<f32> = cross(_S365, _S367);
-    var _S369 : f32 = f32(frames_0[_S355].width_0);
-    var _S370 : vec3<f32> = camera_right_0(_S355) * vec3<f32>((2.0f / _S369));
-    var _S371 : f32 = f32(frames_0[_S355].height_0);
-    var _S372 : vec3<f32> = camera_up_0(_S355) * vec3<f32>((-2.0f / _S371));
-    var _S373 : vec3<f32> = camera_forward_0(_S355) + vec3<f32>((f32(_S358.x) + 0.5f - 0.5f * _S369)) * _S370 + vec3<f32>((f32(_S358.y) + 0.5f - 0.5f * _S371)) * _S372;
-    var _S374 : f32 = dot(_S373, _S368);
-    var _S375 : f32 = 1.0f / select(1.00000000317107685e-30f, _S374, (abs(_S374)) > 1.00000000317107685e-30f);
-    var _S376 : vec3<f32> = _S364 - camera_origin_0(_S355);
-    var _S377 : vec3<f32> = vec3<f32>((dot(_S376, _S368) * _S375));
-    var _S378 : vec3<f32> = _S373 * _S377 - _S376;
-    var _S379 : vec3<f32> = _S377 * (_S370 - _S373 * vec3<f32>((dot(_S370, _S368) * _S375)));
-    var _S380 : vec3<f32> = _S377 * (_S372 - _S373 * vec3<f32>((dot(_S372, _S368) * _S375)));
-    var _S381 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S368), 1.00000000317107685e-30f)));
-    var _S382 : vec3<f32> = cross(_S367, _S368) * _S381;
-    var _S383 : vec3<f32> = cross(_S368, _S365) * _S381;
-    var _S384 : vec2<f32> = vec2<f32>(_S361.u_0 - _S360.u_0, _S361.v_0 - _S360.v_0);
-    var _S385 : vec2<f32> = vec2<f32>(_S362.u_0 - _S360.u_0, _S362.v_0 - _S360.v_0);
-    var point_5 : VisiblePoint_0 = face_point_0(_S356, _S357, dot(_S378, _S382), dot(_S378, _S383));
-    point_5.position_0 = _S364 + _S378;
-    point_5.view_1 = (vec3<f32>(0) - normalize(_S373));
-    point_5.draft_dx_0 = (vec2<f32>(dot(_S379, _S382)) * _S384 + vec2<f32>(dot(_S379, _S383)) * _S385) * point_5.draft_per_uv_0;
-    point_5.draft_dy_0 = (vec2<f32>(dot(_S380, _S382)) * _S384 + vec2<f32>(dot(_S380, _S383)) * _S385) * point_5.draft_per_uv_0;
+    var _S344 : u32 = u32(3) * _S342;
+    var _S345 : Vertex_0 = vertex_at_0(_S344);
+    var _S346 : Vertex_0 = vertex_at_0(_S344 + u32(1));
+    var _S347 : Vertex_0 = vertex_at_0(_S344 + u32(2));
+    var _S348 : vec3<f32> = position_of_0(_S345);
+    var _S349 : vec3<f32> = position_of_0(_S346) - _S348;
+    var _S350 : vec3<f32> = position_of_0(_S347) - _S348;
+    var _S351 : vec3<f32> = cross(_S349, _S350);
+    var _S352 : f32 = f32(frame_record_0.width_0);
+    var _S353 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S352));
+    var _S354 : f32 = f32(frame_record_0.height_0);
+    var _S355 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S354));
+    var _S356 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S343.x) + 0.5f - 0.5f * _S352)) * _S353 + vec3<f32>((f32(_S343.y) + 0.5f - 0.5f * _S354)) * _S355;
+    var _S357 : f32 = dot(_S356, _S351);
+    var _S358 : f32 = 1.0f / select(1.00000000317107685e-30f, _S357, (abs(_S357)) > 1.00000000317107685e-30f);
+    var _S359 : vec3<f32> = _S348 - camera_origin_0();
+    var _S360 : vec3<f32> = vec3<f32>((dot(_S359, _S351) * _S358));
+    var _S361 : vec3<f32> = _S356 * _S360 - _S359;
+    var _S362 : vec3<f32> = _S360 * (_S353 - _S356 * vec3<f32>((dot(_S353, _S351) * _S358)));
+    var _S363 : vec3<f32> = _S360 * (_S355 - _S356 * vec3<f32>((dot(_S355, _S351) * _S358)));
+    var _S364 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S351), 1.00000000317107685e-30f)));
+    var _S365 : vec3<f32> = cross(_S350, _S351) * _S364;
+    var _S366 : vec3<f32> = cross(_S351, _S349) * _S364;
+    var _S367 : vec2<f32> = vec2<f32>(_S346.u_0 - _S345.u_0, _S346.v_0 - _S345.v_0);
+    var _S368 : vec2<f32> = vec2<f32>(_S347.u_0 - _S345.u_0, _S347.v_0 - _S345.v_0);
+    var point_5 : VisiblePoint_0 = face_point_0(_S341, _S342, dot(_S361, _S365), dot(_S361, _S366));
+    point_5.position_0 = _S348 + _S361;
+    point_5.view_1 = (vec3<f32>(0) - normalize(_S356));
+    point_5.draft_dx_0 = (vec2<f32>(dot(_S362, _S365)) * _S367 + vec2<f32>(dot(_S362, _S366)) * _S368) * point_5.draft_per_uv_0;
+    point_5.draft_dy_0 = (vec2<f32>(dot(_S363, _S365)) * _S367 + vec2<f32>(dot(_S363, _S366)) * _S368) * point_5.draft_per_uv_0;
     return point_5;
 }
 
-fn filtered_albedo_0( _S386 : u32,  _S387 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S369 : u32,  _S370 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S388 : u32 = fabrics_0[_S386].albedo_map_levels_0;
-    if((fabrics_0[_S386].albedo_map_levels_0) == u32(0))
+    var _S371 : u32 = fabrics_0[_S369].albedo_map_levels_0;
+    if((fabrics_0[_S369].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S389 : vec2<f32> = vec2<f32>(fabrics_0[_S386].uv_width_0, fabrics_0[_S386].uv_height_0);
-    var _S390 : vec2<f32> = _S387.draft_dx_0 / _S389;
-    var _S391 : vec2<f32> = _S387.draft_dy_0 / _S389;
-    var _S392 : u32 = _S388 - u32(1);
-    var _S393 : u32 = (u32(1) << (_S392));
-    var _S394 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S390.x * _S391.y - _S390.y * _S391.x), 9.99999968265522539e-21f) * (square_1(f32(_S393)) / 3.0f)), 0.0f, f32(_S388) - 1.0f);
-    var _S395 : u32 = min(u32(_S394), max(_S388, u32(2)) - u32(2));
-    var _S396 : u32 = min(_S395 + u32(1), _S392);
-    var _S397 : u32 = (u32(1) << ((u32(2) * _S388)));
-    return mix(map_level_0(fabrics_0[_S386].albedo_map_0 + (_S397 - ((_S397 >> ((u32(2) * _S395))))) / u32(3), (_S393 >> (_S395)), _S387.uv_1), map_level_0(fabrics_0[_S386].albedo_map_0 + (_S397 - ((_S397 >> ((u32(2) * _S396))))) / u32(3), (_S393 >> (_S396)), _S387.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S394 - f32(_S395))) - 1.0f) / 3.0f)));
+    var _S372 : vec2<f32> = vec2<f32>(fabrics_0[_S369].uv_width_0, fabrics_0[_S369].uv_height_0);
+    var _S373 : vec2<f32> = _S370.draft_dx_0 / _S372;
+    var _S374 : vec2<f32> = _S370.draft_dy_0 / _S372;
+    var _S375 : u32 = _S371 - u32(1);
+    var _S376 : u32 = (u32(1) << (_S375));
+    var _S377 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S373.x * _S374.y - _S373.y * _S374.x), 9.99999968265522539e-21f) * (square_1(f32(_S376)) / 3.0f)), 0.0f, f32(_S371) - 1.0f);
+    var _S378 : u32 = min(u32(_S377), max(_S371, u32(2)) - u32(2));
+    var _S379 : u32 = min(_S378 + u32(1), _S375);
+    var _S380 : u32 = (u32(1) << ((u32(2) * _S371)));
+    return mix(map_level_0(fabrics_0[_S369].albedo_map_0 + (_S380 - ((_S380 >> ((u32(2) * _S378))))) / u32(3), (_S376 >> (_S378)), _S370.uv_1), map_level_0(fabrics_0[_S369].albedo_map_0 + (_S380 - ((_S380 >> ((u32(2) * _S379))))) / u32(3), (_S376 >> (_S379)), _S370.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S377 - f32(_S378))) - 1.0f) / 3.0f)));
 }
 
-fn viewed_base_0( _S398 : u32,  _S399 : Footprint_0,  _S400 : vec3<f32>,  _S401 : f32,  _S402 : bool) -> ViewedBase_0
+fn viewed_base_0( _S381 : u32,  _S382 : Footprint_0,  _S383 : vec3<f32>,  _S384 : f32,  _S385 : bool) -> ViewedBase_0
 {
     var seen_2 : ViewedBase_0;
-    var _S403 : bool = (_S400.z) < 0.0f;
-    seen_2.back_5 = _S403;
-    var _S404 : vec3<f32> = to_face_frame_0(_S400, _S403);
-    seen_2.view_3 = _S404;
-    var _S405 : u32 = select(u32(0), u32(1), _S403);
-    seen_2.face_3 = _S405;
-    var _S406 : BinTaps_0 = bin_taps_0(_S404, u32(16));
-    seen_2.around_0 = _S406;
-    var _S407 : u32 = _S405 * u32(256);
-    var _S408 : Clustered_std430_0 = fabrics_0[_S398].clustered_0;
-    var _S409 : TexelBox_0 = texel_box_0(&(_S408), _S399, vec2<f32>(BinTaps_read_0(_S406, _S408.offset_1, _S407, u32(2), u32(0)), BinTaps_read_0(_S406, _S408.offset_1, _S407, u32(2), u32(1))), _S401 - 0.5f);
-    seen_2.box_3 = _S409;
+    var _S386 : bool = (_S383.z) < 0.0f;
+    seen_2.back_5 = _S386;
+    var _S387 : vec3<f32> = to_face_frame_0(_S383, _S386);
+    seen_2.view_3 = _S387;
+    var _S388 : u32 = select(u32(0), u32(1), _S386);
+    seen_2.face_4 = _S388;
+    var _S389 : BinTaps_0 = bin_taps_0(_S387, u32(16));
+    seen_2.around_0 = _S389;
+    var _S390 : u32 = _S388 * u32(256);
+    var _S391 : Clustered_std430_0 = fabrics_0[_S381].clustered_0;
+    var _S392 : TexelBox_0 = texel_box_0(&(_S391), _S382, vec2<f32>(BinTaps_read_0(_S389, _S391.offset_1, _S390, u32(2), u32(0)), BinTaps_read_0(_S389, _S391.offset_1, _S390, u32(2), u32(1))), _S384 - 0.5f);
+    seen_2.box_3 = _S392;
     seen_2.trust_1 = vec2<f32>(1.0f);
-    if(!_S402)
+    if(!_S385)
     {
-        seen_2.trust_1 = vec2<f32>(BinTaps_read_0(seen_2.around_0, _S408.trust_0, _S407, u32(2), u32(0)), BinTaps_read_0(seen_2.around_0, _S408.trust_0, _S407, u32(2), u32(1)));
+        seen_2.trust_1 = vec2<f32>(BinTaps_read_0(seen_2.around_0, _S391.trust_0, _S390, u32(2), u32(0)), BinTaps_read_0(seen_2.around_0, _S391.trust_0, _S390, u32(2), u32(1)));
     }
     return seen_2;
 }
 
-fn albedos_over_0( _S410 : u32,  _S411 : Footprint_0,  _S412 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S393 : u32,  _S394 : Footprint_0,  _S395 : bool) -> FamilyAlbedos_0
 {
-    var _S413 : vec2<f32> = _S411.dx_0;
-    var _S414 : vec2<f32> = _S411.dy_0;
-    var _S415 : vec2<f32> = sqrt(_S413 * _S413 + _S414 * _S414);
-    var _S416 : Stretch_0 = stretch_of_0(fabrics_0[_S410].warp_0, _S411.centre_0.x, _S415.x);
-    var _S417 : Stretch_0 = stretch_of_0(fabrics_0[_S410].weft_0, _S411.centre_0.y, _S415.y);
+    var _S396 : vec2<f32> = _S394.dx_0;
+    var _S397 : vec2<f32> = _S394.dy_0;
+    var _S398 : vec2<f32> = sqrt(_S396 * _S396 + _S397 * _S397);
+    var _S399 : Stretch_0 = stretch_of_0(fabrics_0[_S393].warp_0, _S394.centre_0.x, _S398.x);
+    var _S400 : Stretch_0 = stretch_of_0(fabrics_0[_S393].weft_0, _S394.centre_0.y, _S398.y);
     var albedos_8 : FamilyAlbedos_0;
-    albedos_8.warp_3 = mean_albedos_0(fabrics_0[_S410].warp_0, fabrics_0[_S410].weft_0, _S416, _S417, _S412);
-    albedos_8.weft_3 = mean_albedos_0(fabrics_0[_S410].weft_0, fabrics_0[_S410].warp_0, _S417, _S416, _S412);
+    albedos_8.warp_3 = mean_albedos_0(fabrics_0[_S393].warp_0, fabrics_0[_S393].weft_0, _S399, _S400, _S395);
+    albedos_8.weft_3 = mean_albedos_0(fabrics_0[_S393].weft_0, fabrics_0[_S393].warp_0, _S400, _S399, _S395);
     return albedos_8;
 }
 
-fn openness_number_0( _S418 : u32,  _S419 : u32) -> f32
+fn openness_number_0( _S401 : u32,  _S402 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S418].openness_0 + _S419);
+    return table_number_0(fabrics_0[_S401].openness_0 + _S402);
 }
 
-fn scattered_by_0( _S420 : u32,  _S421 : Albedos_0,  _S422 : u32,  _S423 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S403 : u32,  _S404 : Albedos_0,  _S405 : u32,  _S406 : vec3<f32>) -> Scattered_0
 {
-    var _S424 : u32 = u32(159) + u32(2) * _S422;
+    var _S407 : u32 = u32(159) + u32(2) * _S405;
     var yarn_3 : Scattered_0;
-    yarn_3.back_4 = _S423 * _S421.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S420, _S424)) * _S421.specular_reflect_0;
-    yarn_3.through_0 = _S423 * _S421.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S420, _S424 + u32(1))) * _S421.specular_transmit_0;
+    yarn_3.back_4 = _S406 * _S404.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S403, _S407)) * _S404.specular_reflect_0;
+    yarn_3.through_0 = _S406 * _S404.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S403, _S407 + u32(1))) * _S404.specular_transmit_0;
     return yarn_3;
 }
 
-fn sent_0( _S425 : u32,  _S426 : u32,  _S427 : vec3<f32>,  _S428 : vec3<f32>,  _S429 : vec3<f32>,  _S430 : vec3<f32>,  _S431 : ptr<function, vec3<f32>>,  _S432 : ptr<function, vec3<f32>>)
+fn sent_0( _S408 : u32,  _S409 : u32,  _S410 : vec3<f32>,  _S411 : vec3<f32>,  _S412 : vec3<f32>,  _S413 : vec3<f32>,  _S414 : ptr<function, vec3<f32>>,  _S415 : ptr<function, vec3<f32>>)
 {
-    var _S433 : u32 = u32(146) + u32(4) * _S426;
-    var _S434 : f32 = openness_number_0(_S425, _S433 + u32(1));
-    var _S435 : f32 = openness_number_0(_S425, _S433 + u32(2));
-    var _S436 : vec3<f32> = vec3<f32>(1.0f);
-    var _S437 : vec3<f32> = _S436 - _S429 * vec3<f32>(openness_number_0(_S425, _S433));
-    var _S438 : vec3<f32> = _S436 - _S430 * vec3<f32>(openness_number_0(_S425, _S433 + u32(3)));
-    var _S439 : vec3<f32> = _S436 / (_S437 * _S438 - _S429 * _S430 * vec3<f32>((_S434 * _S435)));
-    (*_S431) = (_S427 * _S438 + _S429 * vec3<f32>(_S434) * _S428) * _S439;
-    (*_S432) = (_S428 * _S437 + _S430 * vec3<f32>(_S435) * _S427) * _S439;
+    var _S416 : u32 = u32(146) + u32(4) * _S409;
+    var _S417 : f32 = openness_number_0(_S408, _S416 + u32(1));
+    var _S418 : f32 = openness_number_0(_S408, _S416 + u32(2));
+    var _S419 : vec3<f32> = vec3<f32>(1.0f);
+    var _S420 : vec3<f32> = _S419 - _S412 * vec3<f32>(openness_number_0(_S408, _S416));
+    var _S421 : vec3<f32> = _S419 - _S413 * vec3<f32>(openness_number_0(_S408, _S416 + u32(3)));
+    var _S422 : vec3<f32> = _S419 / (_S420 * _S421 - _S412 * _S413 * vec3<f32>((_S417 * _S418)));
+    (*_S414) = (_S410 * _S421 + _S412 * vec3<f32>(_S417) * _S411) * _S422;
+    (*_S415) = (_S411 * _S420 + _S413 * vec3<f32>(_S418) * _S410) * _S422;
     return;
 }
 
-fn face_sends_0( _S440 : u32,  _S441 : u32,  _S442 : Scattered_0,  _S443 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S423 : u32,  _S424 : u32,  _S425 : Scattered_0,  _S426 : Scattered_0) -> FaceSends_0
 {
-    var _S444 : u32 = u32(2) * _S441;
-    var _S445 : u32 = u32(142) + _S444;
-    var _S446 : f32 = openness_number_0(_S440, _S445);
-    var _S447 : f32 = openness_number_0(_S440, _S445 + u32(1));
-    var _S448 : vec3<f32> = vec3<f32>((1.0f - _S446)) * _S442.back_4;
-    var _S449 : vec3<f32> = vec3<f32>((1.0f - _S447)) * _S443.back_4;
+    var _S427 : u32 = u32(2) * _S424;
+    var _S428 : u32 = u32(142) + _S427;
+    var _S429 : f32 = openness_number_0(_S423, _S428);
+    var _S430 : f32 = openness_number_0(_S423, _S428 + u32(1));
+    var _S431 : vec3<f32> = vec3<f32>((1.0f - _S429)) * _S425.back_4;
+    var _S432 : vec3<f32> = vec3<f32>((1.0f - _S430)) * _S426.back_4;
     var sends_1 : FaceSends_0;
-    var _S450 : u32 = u32(154) + _S444;
-    var _S451 : f32 = openness_number_0(_S440, _S450);
-    sends_1.blocks_warp_0 = _S451;
-    var _S452 : f32 = openness_number_0(_S440, _S450 + u32(1));
-    sends_1.blocks_weft_0 = _S452;
-    sends_1.open_0 = _S451 * _S446 + _S452 * _S447;
-    var _S453 : vec3<f32> = vec3<f32>(_S446) * _S442.back_4;
-    var _S454 : vec3<f32> = vec3<f32>(_S447) * _S443.back_4;
-    var _S455 : vec3<f32> = sends_1.sky_warp_0;
-    var _S456 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S440, _S441, _S453, _S454, _S448, _S449, &(_S455), &(_S456));
-    sends_1.sky_warp_0 = _S455;
-    sends_1.sky_weft_0 = _S456;
-    var _S457 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S458 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S440, _S441, _S442.through_0, _S443.through_0, _S448, _S449, &(_S457), &(_S458));
-    sends_1.crossing_warp_0 = _S457;
-    sends_1.crossing_weft_0 = _S458;
+    var _S433 : u32 = u32(154) + _S427;
+    var _S434 : f32 = openness_number_0(_S423, _S433);
+    sends_1.blocks_warp_0 = _S434;
+    var _S435 : f32 = openness_number_0(_S423, _S433 + u32(1));
+    sends_1.blocks_weft_0 = _S435;
+    sends_1.open_0 = _S434 * _S429 + _S435 * _S430;
+    var _S436 : vec3<f32> = vec3<f32>(_S429) * _S425.back_4;
+    var _S437 : vec3<f32> = vec3<f32>(_S430) * _S426.back_4;
+    var _S438 : vec3<f32> = sends_1.sky_warp_0;
+    var _S439 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S423, _S424, _S436, _S437, _S431, _S432, &(_S438), &(_S439));
+    sends_1.sky_warp_0 = _S438;
+    sends_1.sky_weft_0 = _S439;
+    var _S440 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S441 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S423, _S424, _S425.through_0, _S426.through_0, _S431, _S432, &(_S440), &(_S441));
+    sends_1.crossing_warp_0 = _S440;
+    sends_1.crossing_weft_0 = _S441;
     return sends_1;
 }
 
-fn interior_of_0( _S459 : u32,  _S460 : vec3<f32>,  _S461 : bool) -> Interior_0
+fn interior_of_0( _S442 : u32,  _S443 : vec3<f32>,  _S444 : bool) -> Interior_0
 {
-    var _S462 : Scattered_0 = scattered_by_0(_S459, table_albedos_0(families_0[fabrics_0[_S459].warp_0].colour_mean_0), u32(0), _S460);
-    var _S463 : Scattered_0 = scattered_by_0(_S459, table_albedos_0(families_0[fabrics_0[_S459].weft_0].colour_mean_0), u32(1), _S460);
-    var _S464 : FaceSends_0 = face_sends_0(_S459, select(u32(0), u32(1), _S461), _S462, _S463);
-    var _S465 : FaceSends_0 = face_sends_0(_S459, select(u32(1), u32(0), _S461), _S462, _S463);
-    var _S466 : vec3<f32> = vec3<f32>(_S464.blocks_warp_0);
-    var _S467 : vec3<f32> = vec3<f32>(_S464.blocks_weft_0);
-    var _S468 : vec3<f32> = _S466 * _S464.crossing_warp_0 + _S467 * _S464.crossing_weft_0;
-    var _S469 : vec3<f32> = vec3<f32>(_S465.blocks_warp_0);
-    var _S470 : vec3<f32> = vec3<f32>(_S465.blocks_weft_0);
-    var _S471 : vec3<f32> = _S469 * _S465.crossing_warp_0 + _S470 * _S465.crossing_weft_0;
-    var _S472 : f32 = 1.0f - _S464.open_0;
-    var _S473 : f32 = 1.0f - _S465.open_0;
-    var _S474 : vec3<f32> = vec3<f32>(1.0f);
-    var _S475 : vec3<f32> = _S474 / (_S474 - _S468 * _S471 * vec3<f32>((_S472 * _S473)));
-    var _S476 : vec3<f32> = _S471 * (vec3<f32>(_S464.open_0) + vec3<f32>(_S472) * (_S466 * _S464.sky_warp_0 + _S467 * _S464.sky_weft_0)) * _S475;
-    var _S477 : vec3<f32> = _S468 * (vec3<f32>(_S465.open_0) + vec3<f32>(_S473) * (_S469 * _S465.sky_warp_0 + _S470 * _S465.sky_weft_0)) * _S475;
-    var _S478 : FaceRadiance_0 = face_radiance_0(_S464, _S465.open_0, _S476, _S477);
-    var _S479 : FaceRadiance_0 = face_radiance_0(_S465, _S464.open_0, _S477, _S476);
+    var _S445 : Scattered_0 = scattered_by_0(_S442, table_albedos_0(families_0[fabrics_0[_S442].warp_0].colour_mean_0), u32(0), _S443);
+    var _S446 : Scattered_0 = scattered_by_0(_S442, table_albedos_0(families_0[fabrics_0[_S442].weft_0].colour_mean_0), u32(1), _S443);
+    var _S447 : FaceSends_0 = face_sends_0(_S442, select(u32(0), u32(1), _S444), _S445, _S446);
+    var _S448 : FaceSends_0 = face_sends_0(_S442, select(u32(1), u32(0), _S444), _S445, _S446);
+    var _S449 : vec3<f32> = vec3<f32>(_S447.blocks_warp_0);
+    var _S450 : vec3<f32> = vec3<f32>(_S447.blocks_weft_0);
+    var _S451 : vec3<f32> = _S449 * _S447.crossing_warp_0 + _S450 * _S447.crossing_weft_0;
+    var _S452 : vec3<f32> = vec3<f32>(_S448.blocks_warp_0);
+    var _S453 : vec3<f32> = vec3<f32>(_S448.blocks_weft_0);
+    var _S454 : vec3<f32> = _S452 * _S448.crossing_warp_0 + _S453 * _S448.crossing_weft_0;
+    var _S455 : f32 = 1.0f - _S447.open_0;
+    var _S456 : f32 = 1.0f - _S448.open_0;
+    var _S457 : vec3<f32> = vec3<f32>(1.0f);
+    var _S458 : vec3<f32> = _S457 / (_S457 - _S451 * _S454 * vec3<f32>((_S455 * _S456)));
+    var _S459 : vec3<f32> = _S454 * (vec3<f32>(_S447.open_0) + vec3<f32>(_S455) * (_S449 * _S447.sky_warp_0 + _S450 * _S447.sky_weft_0)) * _S458;
+    var _S460 : vec3<f32> = _S451 * (vec3<f32>(_S448.open_0) + vec3<f32>(_S456) * (_S452 * _S448.sky_warp_0 + _S453 * _S448.sky_weft_0)) * _S458;
+    var _S461 : FaceRadiance_0 = face_radiance_0(_S447, _S448.open_0, _S459, _S460);
+    var _S462 : FaceRadiance_0 = face_radiance_0(_S448, _S447.open_0, _S460, _S459);
     var interior_1 : Interior_0;
-    interior_1.warp_2 = _S478.warp_1;
-    interior_1.weft_2 = _S478.weft_1;
-    interior_1.leaked_1 = _S478.leaked_0;
-    interior_1.far_1 = _S479.mean_0;
-    interior_1.far_leaked_0 = _S479.leaked_0;
+    interior_1.warp_2 = _S461.warp_1;
+    interior_1.weft_2 = _S461.weft_1;
+    interior_1.leaked_1 = _S461.leaked_0;
+    interior_1.far_1 = _S462.mean_0;
+    interior_1.far_leaked_0 = _S462.leaked_0;
     return interior_1;
 }
 
-fn blocked_of_terms_0( _S480 : u32,  _S481 : u32,  _S482 : array<f32, i32(6)>,  _S483 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S463 : u32,  _S464 : u32,  _S465 : array<f32, i32(6)>,  _S466 : u32) -> Blocked_0
 {
     var shares_0 : array<f32, i32(3)>;
     var share_5 : u32 = u32(0);
@@ -2170,14 +2185,14 @@ fn blocked_of_terms_0( _S480 : u32,  _S481 : u32,  _S482 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S483)
+            if(term_0 < _S466)
             {
             }
             else
             {
                 break;
             }
-            shares_0[share_5] = shares_0[share_5] + openness_number_0(_S480, _S481 + share_5 * _S483 + term_0) * _S482[term_0];
+            shares_0[share_5] = shares_0[share_5] + openness_number_0(_S463, _S464 + share_5 * _S466 + term_0) * _S465[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_0[share_5] = saturate(shares_0[share_5]);
@@ -2190,87 +2205,87 @@ fn blocked_of_terms_0( _S480 : u32,  _S481 : u32,  _S482 : array<f32, i32(6)>,  
     return blocked_1;
 }
 
-fn blocked_from_0( _S484 : u32,  _S485 : vec3<f32>,  _S486 : bool,  _S487 : bool) -> Blocked_0
+fn blocked_from_0( _S467 : u32,  _S468 : vec3<f32>,  _S469 : bool,  _S470 : bool) -> Blocked_0
 {
     var terms_1 : array<f32, i32(6)>;
-    view_terms_0(_S485, &(terms_1));
-    return blocked_of_terms_0(_S484, (select(u32(0), u32(2), _S487) + select(u32(1), u32(0), _S486)) * u32(15), terms_1, u32(5));
+    view_terms_0(_S468, &(terms_1));
+    return blocked_of_terms_0(_S467, (select(u32(0), u32(2), _S470) + select(u32(1), u32(0), _S469)) * u32(15), terms_1, u32(5));
 }
 
-fn family_share_0( _S488 : u32,  _S489 : u32,  _S490 : f32) -> vec2<f32>
+fn family_share_0( _S471 : u32,  _S472 : u32,  _S473 : f32) -> vec2<f32>
 {
-    var _S491 : bool = _S489 < (fabrics_0[_S488].clustered_0.clusters_0 / u32(2));
-    return vec2<f32>(select(0.0f, _S490, _S491), select(_S490, 0.0f, _S491));
+    var _S474 : bool = _S472 < (fabrics_0[_S471].clustered_0.clusters_0 / u32(2));
+    return vec2<f32>(select(0.0f, _S473, _S474), select(_S473, 0.0f, _S474));
 }
 
-fn clustered_shown_0( _S492 : u32,  _S493 : ViewedBase_0) -> vec2<f32>
+fn clustered_shown_0( _S475 : u32,  _S476 : ViewedBase_0) -> vec2<f32>
 {
-    var _S494 : Clustered_std430_0 = fabrics_0[_S492].clustered_0;
-    var _S495 : u32 = _S494.clusters_0;
-    var _S496 : u32 = _S493.face_3 * u32(256);
-    var _S497 : vec2<f32> = vec2<f32>(0.0f);
+    var _S477 : Clustered_std430_0 = fabrics_0[_S475].clustered_0;
+    var _S478 : u32 = _S477.clusters_0;
+    var _S479 : u32 = _S476.face_4 * u32(256);
+    var _S480 : vec2<f32> = vec2<f32>(0.0f);
     var cluster_0 : u32 = u32(0);
-    var shown_4 : vec2<f32> = _S497;
+    var shown_4 : vec2<f32> = _S480;
     for(;;)
     {
-        if(cluster_0 < _S495)
+        if(cluster_0 < _S478)
         {
         }
         else
         {
             break;
         }
-        var _S498 : f32 = box_mean_0(&(_S494), _S493.box_3, _S493.face_3, cluster_0);
-        if(_S498 > 0.0f)
+        var _S481 : f32 = box_mean_0(&(_S477), _S476.box_3, _S476.face_4, cluster_0);
+        if(_S481 > 0.0f)
         {
-            shown_4 = shown_4 + family_share_0(_S492, cluster_0, _S493.trust_1.x * _S498 * BinTaps_read_0(_S493.around_0, _S494.view_0, _S496, _S495, cluster_0));
+            shown_4 = shown_4 + family_share_0(_S475, cluster_0, _S476.trust_1.x * _S481 * BinTaps_read_0(_S476.around_0, _S477.view_0, _S479, _S478, cluster_0));
         }
         cluster_0 = cluster_0 + u32(1);
     }
     return shown_4;
 }
 
-fn clustered_view_0( _S499 : u32,  _S500 : Footprint_0,  _S501 : vec3<f32>,  _S502 : vec3<f32>,  _S503 : u32,  _S504 : bool) -> ClusteredView_0
+fn clustered_view_0( _S482 : u32,  _S483 : Footprint_0,  _S484 : vec3<f32>,  _S485 : vec3<f32>,  _S486 : u32,  _S487 : bool) -> ClusteredView_0
 {
     var seen_3 : ClusteredView_0;
-    seen_3.base_0 = viewed_base_0(_S499, _S500, _S501, uniform_of_0(_S503, u32(0)), _S504);
-    seen_3.view_4 = _S501;
-    seen_3.is_alone_0 = _S504;
-    var _S505 : FamilyAlbedos_0 = albedos_over_0(_S499, _S500, seen_3.base_0.back_5);
-    seen_3.albedos_4.warp_3 = tinted_0(_S505.warp_3, _S502);
-    seen_3.albedos_4.weft_3 = tinted_0(_S505.weft_3, _S502);
-    var _S506 : vec3<f32> = vec3<f32>(0.0f);
-    seen_3.bounced_warp_0.reflected_0 = _S506;
-    seen_3.bounced_warp_0.transmitted_0 = _S506;
+    seen_3.base_0 = viewed_base_0(_S482, _S483, _S484, uniform_of_0(_S486, u32(0)), _S487);
+    seen_3.view_4 = _S484;
+    seen_3.is_alone_0 = _S487;
+    var _S488 : FamilyAlbedos_0 = albedos_over_0(_S482, _S483, seen_3.base_0.back_5);
+    seen_3.albedos_4.warp_3 = tinted_0(_S488.warp_3, _S485);
+    seen_3.albedos_4.weft_3 = tinted_0(_S488.weft_3, _S485);
+    var _S489 : vec3<f32> = vec3<f32>(0.0f);
+    seen_3.bounced_warp_0.reflected_0 = _S489;
+    seen_3.bounced_warp_0.transmitted_0 = _S489;
     seen_3.bounced_weft_0 = seen_3.bounced_warp_0;
     seen_3.bounced_1 = seen_3.bounced_warp_0;
-    if((fabrics_0[_S499].openness_0) == u32(4294967295))
+    if((fabrics_0[_S482].openness_0) == u32(4294967295))
     {
         return seen_3;
     }
-    var _S507 : Interior_0 = interior_of_0(_S499, _S502, seen_3.base_0.back_5);
-    seen_3.bounced_warp_0 = bounced_by_0(blocked_from_0(_S499, seen_3.base_0.view_3, true, seen_3.base_0.back_5), scattered_by_0(_S499, _S505.warp_3, u32(0), _S502), _S507);
-    seen_3.bounced_weft_0 = bounced_by_0(blocked_from_0(_S499, seen_3.base_0.view_3, false, seen_3.base_0.back_5), scattered_by_0(_S499, _S505.weft_3, u32(1), _S502), _S507);
-    seen_3.bounced_1 = bounced_by_base_0(seen_3, clustered_shown_0(_S499, seen_3.base_0));
+    var _S490 : Interior_0 = interior_of_0(_S482, _S485, seen_3.base_0.back_5);
+    seen_3.bounced_warp_0 = bounced_by_0(blocked_from_0(_S482, seen_3.base_0.view_3, true, seen_3.base_0.back_5), scattered_by_0(_S482, _S488.warp_3, u32(0), _S485), _S490);
+    seen_3.bounced_weft_0 = bounced_by_0(blocked_from_0(_S482, seen_3.base_0.view_3, false, seen_3.base_0.back_5), scattered_by_0(_S482, _S488.weft_3, u32(1), _S485), _S490);
+    seen_3.bounced_1 = bounced_by_base_0(seen_3, clustered_shown_0(_S482, seen_3.base_0));
     return seen_3;
 }
 
-fn clustered_hole_0( _S508 : u32,  _S509 : ViewedBase_0) -> f32
+fn clustered_hole_0( _S491 : u32,  _S492 : ViewedBase_0) -> f32
 {
     var cluster_1 : u32 = u32(0);
     var covered_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S510 : Clustered_std430_0 = fabrics_0[_S508].clustered_0;
-        if(cluster_1 < (_S510.clusters_0))
+        var _S493 : Clustered_std430_0 = fabrics_0[_S491].clustered_0;
+        if(cluster_1 < (_S493.clusters_0))
         {
         }
         else
         {
             break;
         }
-        var _S511 : f32 = box_mean_1(&(_S510), _S509.box_3, _S509.face_3, cluster_1);
-        var covered_1 : f32 = covered_0 + _S511;
+        var _S494 : f32 = box_mean_1(&(_S493), _S492.box_3, _S492.face_4, cluster_1);
+        var covered_1 : f32 = covered_0 + _S494;
         cluster_1 = cluster_1 + u32(1);
         covered_0 = covered_1;
     }
@@ -2298,130 +2313,130 @@ struct Sample_0
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S512 : u32,  _S513 : f32,  _S514 : f32,  _S515 : bool) -> Crossing_0
+fn crossing_at_0( _S495 : u32,  _S496 : f32,  _S497 : f32,  _S498 : bool) -> Crossing_0
 {
     var crossing_3 : Crossing_0;
-    crossing_3.warp_4 = locate_0(fabrics_0[_S512].warp_0, _S513);
-    crossing_3.weft_4 = locate_0(fabrics_0[_S512].weft_0, _S514);
-    var _S516 : u32 = fabrics_0[_S512].run_words_0 + u32(2) * (crossing_3.weft_4.thread_0 * fabrics_0[_S512].ends_1 + crossing_3.warp_4.thread_0);
-    var _S517 : u32 = words_0[_S516];
-    crossing_3.warp_word_0 = _S517;
-    crossing_3.weft_word_0 = words_0[_S516 + u32(1)];
-    crossing_3.warp_above_0 = (((_S517 & (u32(1)))) == u32(1)) != _S515;
+    crossing_3.warp_4 = locate_0(fabrics_0[_S495].warp_0, _S496);
+    crossing_3.weft_4 = locate_0(fabrics_0[_S495].weft_0, _S497);
+    var _S499 : u32 = fabrics_0[_S495].run_words_0 + u32(2) * (crossing_3.weft_4.thread_0 * fabrics_0[_S495].ends_1 + crossing_3.warp_4.thread_0);
+    var _S500 : u32 = words_0[_S499];
+    crossing_3.warp_word_0 = _S500;
+    crossing_3.weft_word_0 = words_0[_S499 + u32(1)];
+    crossing_3.warp_above_0 = (((_S500 & (u32(1)))) == u32(1)) != _S498;
     return crossing_3;
 }
 
-fn sample_at_0( _S518 : u32,  _S519 : f32,  _S520 : f32,  _S521 : bool) -> Sample_0
+fn sample_at_0( _S501 : u32,  _S502 : f32,  _S503 : f32,  _S504 : bool) -> Sample_0
 {
     var sample_0 : Sample_0;
-    var _S522 : Crossing_0 = crossing_at_0(_S518, _S519, _S520, _S521);
-    sample_0.crossing_2 = _S522;
-    var _S523 : Shown_0 = shown_at_0(_S522, _S521);
-    sample_0.shown_5 = _S523;
-    var _S524 : u32 = select(fabrics_0[_S518].weft_0, fabrics_0[_S518].warp_0, _S523.is_warp_2);
-    var _S525 : u32 = select(fabrics_0[_S518].warp_0, fabrics_0[_S518].weft_0, _S523.is_warp_2);
-    var _S526 : Cell_0 = select_cell_0(_S523.is_warp_2, sample_0.crossing_2.warp_4, sample_0.crossing_2.weft_4);
-    var _S527 : Cell_0 = select_cell_0(_S523.is_warp_2, sample_0.crossing_2.weft_4, sample_0.crossing_2.warp_4);
-    var _S528 : Run_0 = unpack_0(_S524, _S525, _S526.thread_0, _S527, _S523.word_0);
-    var _S529 : Section_0 = section_at_0(_S526);
-    var _S530 : bool = ((_S523.on_top_0) & (((_S528.distance_0) < (_S529.drop_0 * _S528.bend_1.sine_0))));
-    var _S531 : f32 = select(-1.0f, 1.0f, ((_S523.on_top_0) & ((!_S530))));
-    var _S532 : f32 = select(_S528.reach_0, _S528.other_reach_0, _S530);
-    var _S533 : f32 = select(max(_S532 - _S528.distance_0, 0.0f), _S532 + _S528.distance_0, _S530);
-    var _S534 : f32 = _S532 / _S528.bend_1.sine_0 - _S531 * _S529.drop_0;
-    var _S535 : f32 = _S533 * _S533;
-    var _S536 : f32 = max(_S534 * _S534 - _S535, 9.99999968265522539e-21f);
-    var _S537 : f32 = rsqrt_0(_S536);
-    var _S538 : f32 = _S535 / (_S536 * _S537 + _S534);
-    var _S539 : bool = _S533 > 0.0f;
-    var _S540 : f32 = select(-1.0f, 1.0f, _S523.on_top_0) * select(-1.0f, 1.0f, _S528.near_start_0);
-    var _S541 : f32 = _S529.slope_0 * select(1.0f, _S534 * _S537, _S539);
-    sample_0.slope_across_0 = _S541;
-    var _S542 : f32 = select(0.0f, _S540 * _S533 * _S537, _S539);
-    sample_0.slope_along_0 = _S542;
-    var _S543 : vec2<f32> = dive_0(_S525, _S523, _S528, _S527);
-    sample_0.height_8 = select(families_0[_S524].height_scale_0 * _S531, 0.0f, _S528.straight_0) * (_S532 * _S528.bend_1.half_tangent_0 - _S538) - families_0[_S524].height_scale_0 * _S529.drop_0 - _S543.x;
-    var _S544 : f32 = families_0[_S524].height_scale_0 * _S541;
-    var _S545 : f32 = families_0[_S524].height_scale_0 * _S542 - _S543.y;
-    sample_0.slope_x_1 = select(_S545, _S544, _S523.is_warp_2);
-    sample_0.slope_y_1 = select(_S544, _S545, _S523.is_warp_2);
-    sample_0.run_3 = _S528;
-    sample_0.section_1 = _S529;
+    var _S505 : Crossing_0 = crossing_at_0(_S501, _S502, _S503, _S504);
+    sample_0.crossing_2 = _S505;
+    var _S506 : Shown_0 = shown_at_0(_S505, _S504);
+    sample_0.shown_5 = _S506;
+    var _S507 : u32 = select(fabrics_0[_S501].weft_0, fabrics_0[_S501].warp_0, _S506.is_warp_2);
+    var _S508 : u32 = select(fabrics_0[_S501].warp_0, fabrics_0[_S501].weft_0, _S506.is_warp_2);
+    var _S509 : Cell_0 = select_cell_0(_S506.is_warp_2, sample_0.crossing_2.warp_4, sample_0.crossing_2.weft_4);
+    var _S510 : Cell_0 = select_cell_0(_S506.is_warp_2, sample_0.crossing_2.weft_4, sample_0.crossing_2.warp_4);
+    var _S511 : Run_0 = unpack_0(_S507, _S508, _S509.thread_0, _S510, _S506.word_0);
+    var _S512 : Section_0 = section_at_0(_S509);
+    var _S513 : bool = ((_S506.on_top_0) & (((_S511.distance_0) < (_S512.drop_0 * _S511.bend_1.sine_0))));
+    var _S514 : f32 = select(-1.0f, 1.0f, ((_S506.on_top_0) & ((!_S513))));
+    var _S515 : f32 = select(_S511.reach_0, _S511.other_reach_0, _S513);
+    var _S516 : f32 = select(max(_S515 - _S511.distance_0, 0.0f), _S515 + _S511.distance_0, _S513);
+    var _S517 : f32 = _S515 / _S511.bend_1.sine_0 - _S514 * _S512.drop_0;
+    var _S518 : f32 = _S516 * _S516;
+    var _S519 : f32 = max(_S517 * _S517 - _S518, 9.99999968265522539e-21f);
+    var _S520 : f32 = rsqrt_0(_S519);
+    var _S521 : f32 = _S518 / (_S519 * _S520 + _S517);
+    var _S522 : bool = _S516 > 0.0f;
+    var _S523 : f32 = select(-1.0f, 1.0f, _S506.on_top_0) * select(-1.0f, 1.0f, _S511.near_start_0);
+    var _S524 : f32 = _S512.slope_0 * select(1.0f, _S517 * _S520, _S522);
+    sample_0.slope_across_0 = _S524;
+    var _S525 : f32 = select(0.0f, _S523 * _S516 * _S520, _S522);
+    sample_0.slope_along_0 = _S525;
+    var _S526 : vec2<f32> = dive_0(_S508, _S506, _S511, _S510);
+    sample_0.height_8 = select(families_0[_S507].height_scale_0 * _S514, 0.0f, _S511.straight_0) * (_S515 * _S511.bend_1.half_tangent_0 - _S521) - families_0[_S507].height_scale_0 * _S512.drop_0 - _S526.x;
+    var _S527 : f32 = families_0[_S507].height_scale_0 * _S524;
+    var _S528 : f32 = families_0[_S507].height_scale_0 * _S525 - _S526.y;
+    sample_0.slope_x_1 = select(_S528, _S527, _S506.is_warp_2);
+    sample_0.slope_y_1 = select(_S527, _S528, _S506.is_warp_2);
+    sample_0.run_3 = _S511;
+    sample_0.section_1 = _S512;
     return sample_0;
 }
 
-fn steps_per_length_0( _S546 : u32,  _S547 : SearchQuality_0,  _S548 : vec3<f32>) -> f32
+fn steps_per_length_0( _S529 : u32,  _S530 : SearchQuality_0,  _S531 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S548.x) * fabrics_0[_S546].threads_per_x_0, abs(_S548.y) * fabrics_0[_S546].threads_per_y_0) * _S547.steps_per_thread_0, abs(_S548.z) * fabrics_0[_S546].per_relief_0 * _S547.steps_per_relief_0);
+    return max(max(abs(_S531.x) * fabrics_0[_S529].threads_per_x_0, abs(_S531.y) * fabrics_0[_S529].threads_per_y_0) * _S530.steps_per_thread_0, abs(_S531.z) * fabrics_0[_S529].per_relief_0 * _S530.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S549 : u32,  _S550 : Crossing_0) -> f32
+fn cell_maximum_0( _S532 : u32,  _S533 : Crossing_0) -> f32
 {
-    var _S551 : u32 = select(fabrics_0[_S549].weft_0, fabrics_0[_S549].warp_0, _S550.warp_above_0);
-    return f32((select(_S550.weft_word_0, _S550.warp_word_0, _S550.warp_above_0) >> (u32(28)))) * families_0[_S551].height_scale_0 * families_0[_S551].level_0;
+    var _S534 : u32 = select(fabrics_0[_S532].weft_0, fabrics_0[_S532].warp_0, _S533.warp_above_0);
+    return f32((select(_S533.weft_word_0, _S533.warp_word_0, _S533.warp_above_0) >> (u32(28)))) * families_0[_S534].height_scale_0 * families_0[_S534].level_0;
 }
 
-fn probe_0( _S552 : u32,  _S553 : f32,  _S554 : f32,  _S555 : bool,  _S556 : bool,  _S557 : bool) -> Probe_0
+fn probe_0( _S535 : u32,  _S536 : f32,  _S537 : f32,  _S538 : bool,  _S539 : bool,  _S540 : bool) -> Probe_0
 {
-    var _S558 : Sample_0 = sample_at_0(_S552, _S553, _S554, _S555);
+    var _S541 : Sample_0 = sample_at_0(_S535, _S536, _S537, _S538);
     var probe_1 : Probe_0;
-    probe_1.height_4 = _S558.height_8;
-    probe_1.hole_3 = _S558.shown_5.hole_2;
-    probe_1.slope_x_0 = _S558.slope_x_1;
-    probe_1.slope_y_0 = _S558.slope_y_1;
-    probe_1.yarn_2 = select(_S558.crossing_2.weft_4.thread_0 * u32(2), _S558.crossing_2.warp_4.thread_0 * u32(2) + u32(1), _S558.shown_5.is_warp_2);
-    probe_1.cell_max_0 = cell_maximum_0(_S552, _S558.crossing_2);
-    probe_1.side_x_0 = select(_S558.crossing_2.warp_4.below_0, _S558.crossing_2.warp_4.above_0, _S556);
-    probe_1.side_y_0 = select(_S558.crossing_2.weft_4.below_0, _S558.crossing_2.weft_4.above_0, _S557);
-    probe_1.edge_x_0 = outline_distance_0(_S558.crossing_2.warp_4, _S558.shown_5, _S558.run_3, !_S558.shown_5.is_warp_2, _S556);
-    probe_1.edge_y_0 = outline_distance_0(_S558.crossing_2.weft_4, _S558.shown_5, _S558.run_3, _S558.shown_5.is_warp_2, _S557);
+    probe_1.height_4 = _S541.height_8;
+    probe_1.hole_3 = _S541.shown_5.hole_2;
+    probe_1.slope_x_0 = _S541.slope_x_1;
+    probe_1.slope_y_0 = _S541.slope_y_1;
+    probe_1.yarn_2 = select(_S541.crossing_2.weft_4.thread_0 * u32(2), _S541.crossing_2.warp_4.thread_0 * u32(2) + u32(1), _S541.shown_5.is_warp_2);
+    probe_1.cell_max_0 = cell_maximum_0(_S535, _S541.crossing_2);
+    probe_1.side_x_0 = select(_S541.crossing_2.warp_4.below_0, _S541.crossing_2.warp_4.above_0, _S539);
+    probe_1.side_y_0 = select(_S541.crossing_2.weft_4.below_0, _S541.crossing_2.weft_4.above_0, _S540);
+    probe_1.edge_x_0 = outline_distance_0(_S541.crossing_2.warp_4, _S541.shown_5, _S541.run_3, !_S541.shown_5.is_warp_2, _S539);
+    probe_1.edge_y_0 = outline_distance_0(_S541.crossing_2.weft_4, _S541.shown_5, _S541.run_3, _S541.shown_5.is_warp_2, _S540);
     return probe_1;
 }
 
-fn is_free_0( _S559 : u32,  _S560 : SearchQuality_0,  _S561 : vec3<f32>,  _S562 : vec3<f32>,  _S563 : bool,  _S564 : f32) -> bool
+fn is_free_0( _S542 : u32,  _S543 : SearchQuality_0,  _S544 : vec3<f32>,  _S545 : vec3<f32>,  _S546 : bool,  _S547 : f32) -> bool
 {
-    var _S565 : f32 = _S562.z;
-    if(_S565 <= 0.0f)
+    var _S548 : f32 = _S545.z;
+    if(_S548 <= 0.0f)
     {
         return false;
     }
-    var _S566 : f32 = 1.0f / max(_S560.shadow_share_0 * steps_per_length_0(_S559, _S560, _S562), 9.99999971718068537e-10f);
-    var _S567 : StepControl_0 = step_control_0(_S562.xy, _S566);
+    var _S549 : f32 = 1.0f / max(_S543.shadow_share_0 * steps_per_length_0(_S542, _S543, _S545), 9.99999971718068537e-10f);
+    var _S550 : StepControl_0 = step_control_0(_S545.xy, _S549);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_4 : u32 = u32(0);
     var distance_1 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        if(((count_4 < u32(1024)) & (((_S561.z + _S565 * distance_1) < _S564))))
+        if(((count_4 < u32(1024)) & (((_S544.z + _S548 * distance_1) < _S547))))
         {
         }
         else
         {
             break;
         }
-        var _S568 : vec3<f32> = _S561 + _S562 * vec3<f32>(distance_1);
-        var _S569 : Probe_0 = probe_0(_S559, _S568.x, _S568.y, _S563, _S567.right_0, _S567.up_0);
-        var _S570 : f32 = _S568.z;
-        var _S571 : f32 = _S570 - _S569.height_4;
-        var _S572 : f32 = _S565 - _S569.slope_x_0 * _S562.x - _S569.slope_y_0 * _S562.y;
-        if(((!_S569.hole_3) & ((_S571 < 0.0f))))
+        var _S551 : vec3<f32> = _S544 + _S545 * vec3<f32>(distance_1);
+        var _S552 : Probe_0 = probe_0(_S542, _S551.x, _S551.y, _S546, _S550.right_0, _S550.up_0);
+        var _S553 : f32 = _S551.z;
+        var _S554 : f32 = _S553 - _S552.height_4;
+        var _S555 : f32 = _S548 - _S552.slope_x_0 * _S545.x - _S552.slope_y_0 * _S545.y;
+        if(((!_S552.hole_3) & ((_S554 < 0.0f))))
         {
             return false;
         }
-        var _S573 : f32 = way_back_to_dip_0(previous_3, _S571, _S572, last_step_0, _S569);
-        if(_S573 >= 0.0f)
+        var _S556 : f32 = way_back_to_dip_0(previous_3, _S554, _S555, last_step_0, _S552);
+        if(_S556 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S573;
-            distance_1 = distance_1 - _S573;
+            var last_step_1 : f32 = last_step_0 - _S556;
+            distance_1 = distance_1 - _S556;
             last_step_0 = last_step_1;
             count_4 = count_4 + u32(1);
             continue;
         }
-        var _S574 : bool = _S570 > (_S569.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S567, _S569, _S571, _S572), max(StepControl_to_cell_exit_0(_S567, _S569.side_x_0, _S569.side_y_0), _S566), _S574);
+        var _S557 : bool = _S553 > (_S552.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S550, _S552, _S554, _S555), max(StepControl_to_cell_exit_0(_S550, _S552.side_x_0, _S552.side_y_0), _S549), _S557);
         var distance_2 : f32 = distance_1 + last_step_2;
-        previous_3 = after_sample_0(_S571, _S572, _S569, _S574);
+        previous_3 = after_sample_0(_S554, _S555, _S552, _S557);
         distance_1 = distance_2;
         last_step_0 = last_step_2;
         count_4 = count_4 + u32(1);
@@ -2429,13 +2444,13 @@ fn is_free_0( _S559 : u32,  _S560 : SearchQuality_0,  _S561 : vec3<f32>,  _S562 
     return true;
 }
 
-fn passes_through_0( _S575 : u32,  _S576 : SearchQuality_0,  _S577 : f32,  _S578 : f32,  _S579 : vec3<f32>,  _S580 : bool) -> bool
+fn passes_through_0( _S558 : u32,  _S559 : SearchQuality_0,  _S560 : f32,  _S561 : f32,  _S562 : vec3<f32>,  _S563 : bool) -> bool
 {
-    if(!sample_at_0(_S575, _S577, _S578, _S580).shown_5.hole_2)
+    if(!sample_at_0(_S558, _S560, _S561, _S563).shown_5.hole_2)
     {
         return false;
     }
-    var _S581 : vec3<f32> = vec3<f32>(_S577, _S578, 0.0f);
+    var _S564 : vec3<f32> = vec3<f32>(_S560, _S561, 0.0f);
     var passes_0 : bool = true;
     var side_1 : u32 = u32(0);
     for(;;)
@@ -2447,10 +2462,10 @@ fn passes_through_0( _S575 : u32,  _S576 : SearchQuality_0,  _S577 : f32,  _S578
         {
             break;
         }
-        var _S582 : bool = is_free_0(_S575, _S576, _S581, select_vector_0(side_1 == u32(0), _S579, vec3<f32>(- _S579.x, - _S579.y, _S579.z)), _S580 != (side_1 == u32(1)), fabrics_0[_S575].height_high_0);
-        var _S583 : u32 = side_1 + u32(1);
-        passes_0 = _S582;
-        side_1 = _S583;
+        var _S565 : bool = is_free_0(_S558, _S559, _S564, select_vector_0(side_1 == u32(0), _S562, vec3<f32>(- _S562.x, - _S562.y, _S562.z)), _S563 != (side_1 == u32(1)), fabrics_0[_S558].height_high_0);
+        var _S566 : u32 = side_1 + u32(1);
+        passes_0 = _S565;
+        side_1 = _S566;
     }
     return passes_0;
 }
@@ -2465,14 +2480,14 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S584 : u32,  _S585 : f32,  _S586 : f32,  _S587 : f32,  _S588 : vec3<f32>,  _S589 : bool) -> f32
+fn max_height_along_0( _S567 : u32,  _S568 : f32,  _S569 : f32,  _S570 : f32,  _S571 : vec3<f32>,  _S572 : bool) -> f32
 {
-    var _S590 : f32 = _S588.x;
-    var _S591 : f32 = _S588.y;
-    var _S592 : u32 = (words_0[fabrics_0[_S584].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S584].weft_0, _S586).thread_0 / u32(2) * fabrics_0[_S584].max_height_columns_0 + locate_0(fabrics_0[_S584].warp_0, _S585).thread_0 / u32(2)) + (select(u32(0), u32(1), _S590 > 0.0f) + select(u32(0), u32(2), _S591 > 0.0f))] >> (u32(select(i32(0), i32(4), _S589))));
-    var _S593 : f32 = max(abs(_S590) * fabrics_0[_S584].threads_per_x_0, abs(_S591) * fabrics_0[_S584].threads_per_y_0) / _S588.z;
-    var _S594 : f32 = fabrics_0[_S584].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S584].height_high_0;
+    var _S573 : f32 = _S571.x;
+    var _S574 : f32 = _S571.y;
+    var _S575 : u32 = (words_0[fabrics_0[_S567].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S567].weft_0, _S569).thread_0 / u32(2) * fabrics_0[_S567].max_height_columns_0 + locate_0(fabrics_0[_S567].warp_0, _S568).thread_0 / u32(2)) + (select(u32(0), u32(1), _S573 > 0.0f) + select(u32(0), u32(2), _S574 > 0.0f))] >> (u32(select(i32(0), i32(4), _S572))));
+    var _S576 : f32 = max(abs(_S573) * fabrics_0[_S567].threads_per_x_0, abs(_S574) * fabrics_0[_S567].threads_per_y_0) / _S571.z;
+    var _S577 : f32 = fabrics_0[_S567].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S567].height_high_0;
     var number_2 : i32 = i32(3);
     for(;;)
     {
@@ -2483,26 +2498,26 @@ fn max_height_along_0( _S584 : u32,  _S585 : f32,  _S586 : f32,  _S587 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S587) * _S593) <= (PYRAMID_RADII_0[number_2]))
+        if(((max_height_0 - _S570) * _S576) <= (PYRAMID_RADII_0[number_2]))
         {
-            max_height_0 = min(max_height_0, f32((((_S592 >> (u32(i32(8) * number_2)))) & (u32(15)))) * 0.06666667014360428f * _S594);
+            max_height_0 = min(max_height_0, f32((((_S575 >> (u32(i32(8) * number_2)))) & (u32(15)))) * 0.06666667014360428f * _S577);
         }
         number_2 = number_2 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S595 : u32,  _S596 : f32,  _S597 : f32,  _S598 : bool,  _S599 : bool,  _S600 : bool) -> vec3<f32>
+fn cell_bounds_0( _S578 : u32,  _S579 : f32,  _S580 : f32,  _S581 : bool,  _S582 : bool,  _S583 : bool) -> vec3<f32>
 {
-    var _S601 : Crossing_0 = crossing_at_0(_S595, _S596, _S597, _S598);
-    return vec3<f32>(cell_maximum_0(_S595, _S601), select(_S601.warp_4.below_0, _S601.warp_4.above_0, _S599), select(_S601.weft_4.below_0, _S601.weft_4.above_0, _S600));
+    var _S584 : Crossing_0 = crossing_at_0(_S578, _S579, _S580, _S581);
+    return vec3<f32>(cell_maximum_0(_S578, _S584), select(_S584.warp_4.below_0, _S584.warp_4.above_0, _S582), select(_S584.weft_4.below_0, _S584.weft_4.above_0, _S583));
 }
 
-fn first_sample_height_0( _S602 : u32,  _S603 : ViewRay_0,  _S604 : StepControl_0,  _S605 : bool) -> f32
+fn first_sample_height_0( _S585 : u32,  _S586 : ViewRay_0,  _S587 : StepControl_0,  _S588 : bool) -> f32
 {
-    var _S606 : f32 = max_height_along_0(_S602, _S603.origin_0.x, _S603.origin_0.y, 0.0f, vec3<f32>(_S603.slope_1, 1.0f), _S605);
+    var _S589 : f32 = max_height_along_0(_S585, _S586.origin_0.x, _S586.origin_0.y, 0.0f, vec3<f32>(_S586.slope_1, 1.0f), _S588);
     var count_5 : u32 = u32(0);
-    var height_10 : f32 = _S606;
+    var height_10 : f32 = _S589;
     for(;;)
     {
         if(count_5 < u32(1024))
@@ -2512,12 +2527,12 @@ fn first_sample_height_0( _S602 : u32,  _S603 : ViewRay_0,  _S604 : StepControl_
         {
             break;
         }
-        var _S607 : vec2<f32> = ViewRay_at_0(_S603, height_10);
-        var _S608 : vec3<f32> = cell_bounds_0(_S602, _S607.x, _S607.y, _S605, _S604.right_0, _S604.up_0);
-        var _S609 : f32 = height_10 - _S608.x;
-        var _S610 : f32 = StepControl_to_cell_exit_0(_S604, _S608.y, _S608.z);
-        var height_11 : f32 = height_10 - clamp(_S609, 0.0f, _S610);
-        if(_S609 <= _S610)
+        var _S590 : vec2<f32> = ViewRay_at_0(_S586, height_10);
+        var _S591 : vec3<f32> = cell_bounds_0(_S585, _S590.x, _S590.y, _S588, _S587.right_0, _S587.up_0);
+        var _S592 : f32 = height_10 - _S591.x;
+        var _S593 : f32 = StepControl_to_cell_exit_0(_S587, _S591.y, _S591.z);
+        var height_11 : f32 = height_10 - clamp(_S592, 0.0f, _S593);
+        if(_S592 <= _S593)
         {
             height_10 = height_11;
             break;
@@ -2528,12 +2543,12 @@ fn first_sample_height_0( _S602 : u32,  _S603 : ViewRay_0,  _S604 : StepControl_
     return height_10;
 }
 
-fn search_down_0( _S611 : u32,  _S612 : ViewRay_0,  _S613 : StepControl_0,  _S614 : bool) -> ViewRayEnd_0
+fn search_down_0( _S594 : u32,  _S595 : ViewRay_0,  _S596 : StepControl_0,  _S597 : bool) -> ViewRayEnd_0
 {
-    var _S615 : f32 = fabrics_0[_S611].height_low_0 - (fabrics_0[_S611].height_high_0 - fabrics_0[_S611].height_low_0);
+    var _S598 : f32 = fabrics_0[_S594].height_low_0 - (fabrics_0[_S594].height_high_0 - fabrics_0[_S594].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_9 = first_sample_height_0(_S611, _S612, _S613, _S614);
-    end_1.last_step_3 = _S613.epsilon_0;
+    end_1.height_9 = first_sample_height_0(_S594, _S595, _S596, _S597);
+    end_1.last_step_3 = _S596.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_1 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -2548,219 +2563,219 @@ fn search_down_0( _S611 : u32,  _S612 : ViewRay_0,  _S613 : StepControl_0,  _S61
         {
             break;
         }
-        var _S616 : vec2<f32> = ViewRay_at_0(_S612, end_1.height_9);
-        var _S617 : Probe_0 = probe_0(_S611, _S616.x, _S616.y, _S614, _S613.right_0, _S613.up_0);
-        var _S618 : f32 = end_1.height_9 - _S617.height_4;
-        var _S619 : f32 = ViewRay_rate_0(_S612, _S617);
-        end_1.depth_1 = - _S618;
-        end_1.rate_4 = _S619;
-        var _S620 : bool = !_S617.hole_3;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S620))) & (((end_1.previous_4.yarn_1) == (_S617.yarn_2))));
-        if((((_S620 & ((_S618 <= 0.0f)))) | (((end_1.height_9) <= _S615))))
+        var _S599 : vec2<f32> = ViewRay_at_0(_S595, end_1.height_9);
+        var _S600 : Probe_0 = probe_0(_S594, _S599.x, _S599.y, _S597, _S596.right_0, _S596.up_0);
+        var _S601 : f32 = end_1.height_9 - _S600.height_4;
+        var _S602 : f32 = ViewRay_rate_0(_S595, _S600);
+        end_1.depth_1 = - _S601;
+        end_1.rate_4 = _S602;
+        var _S603 : bool = !_S600.hole_3;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S603))) & (((end_1.previous_4.yarn_1) == (_S600.yarn_2))));
+        if((((_S603 & ((_S601 <= 0.0f)))) | (((end_1.height_9) <= _S598))))
         {
             break;
         }
-        var _S621 : f32 = way_back_to_dip_0(end_1.previous_4, _S618, _S619, end_1.last_step_3, _S617);
-        if(_S621 >= 0.0f)
+        var _S604 : f32 = way_back_to_dip_0(end_1.previous_4, _S601, _S602, end_1.last_step_3, _S600);
+        if(_S604 >= 0.0f)
         {
-            end_1.height_9 = end_1.height_9 + _S621;
-            end_1.last_step_3 = end_1.last_step_3 - _S621;
+            end_1.height_9 = end_1.height_9 + _S604;
+            end_1.last_step_3 = end_1.last_step_3 - _S604;
             count_6 = count_6 + u32(1);
             continue;
         }
-        var _S622 : f32 = min(StepControl_to_cell_exit_0(_S613, _S617.side_x_0, _S617.side_y_0), end_1.height_9 - _S617.cell_max_0);
-        var _S623 : f32 = StepControl_to_next_sample_0(_S613, _S617, _S618, _S619);
-        end_1.previous_4 = after_sample_0(_S618, _S619, _S617, _S622 > _S623);
-        var _S624 : f32 = max(_S622, _S623);
-        end_1.last_step_3 = _S624;
-        end_1.height_9 = end_1.height_9 - _S624;
+        var _S605 : f32 = min(StepControl_to_cell_exit_0(_S596, _S600.side_x_0, _S600.side_y_0), end_1.height_9 - _S600.cell_max_0);
+        var _S606 : f32 = StepControl_to_next_sample_0(_S596, _S600, _S601, _S602);
+        end_1.previous_4 = after_sample_0(_S601, _S602, _S600, _S605 > _S606);
+        var _S607 : f32 = max(_S605, _S606);
+        end_1.last_step_3 = _S607;
+        end_1.height_9 = end_1.height_9 - _S607;
         count_6 = count_6 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S625 : u32,  _S626 : ViewRay_0,  _S627 : StepControl_0,  _S628 : bool,  _S629 : ViewRayEnd_0,  _S630 : u32) -> f32
+fn refined_height_0( _S608 : u32,  _S609 : ViewRay_0,  _S610 : StepControl_0,  _S611 : bool,  _S612 : ViewRayEnd_0,  _S613 : u32) -> f32
 {
-    var _S631 : f32 = fabrics_0[_S625].height_high_0 - fabrics_0[_S625].height_low_0;
-    var above_2 : f32 = _S629.height_9 + _S629.last_step_3;
-    var above_gap_1 : f32 = clamp(_S629.previous_4.clearance_0, 0.0f, _S631);
-    var under_gap_1 : f32 = clamp(_S629.depth_1, 0.0f, _S631);
-    var middle_0 : f32 = select(between_0(above_2, _S629.height_9, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S629.previous_4.rate_0 * _S629.last_step_3, _S629.rate_4 * _S629.last_step_3) * _S629.last_step_3, _S629.smooth_0);
+    var _S614 : f32 = fabrics_0[_S608].height_high_0 - fabrics_0[_S608].height_low_0;
+    var above_2 : f32 = _S612.height_9 + _S612.last_step_3;
+    var above_gap_1 : f32 = clamp(_S612.previous_4.clearance_0, 0.0f, _S614);
+    var under_gap_1 : f32 = clamp(_S612.depth_1, 0.0f, _S614);
+    var middle_0 : f32 = select(between_0(above_2, _S612.height_9, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S612.previous_4.rate_0 * _S612.last_step_3, _S612.rate_4 * _S612.last_step_3) * _S612.last_step_3, _S612.smooth_0);
     var side_2 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S629.height_9;
+    var under_1 : f32 = _S612.height_9;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S630)
+        if(i_1 < _S613)
         {
         }
         else
         {
             break;
         }
-        var _S632 : vec2<f32> = ViewRay_at_0(_S626, middle_0);
-        var _S633 : Probe_0 = probe_0(_S625, _S632.x, _S632.y, _S628, _S627.right_0, _S627.up_0);
-        var _S634 : f32 = clamp(middle_0 - select(_S633.height_4, -1.0e+09f, _S633.hole_3), - _S631, _S631);
-        if(_S634 <= 0.0f)
+        var _S615 : vec2<f32> = ViewRay_at_0(_S609, middle_0);
+        var _S616 : Probe_0 = probe_0(_S608, _S615.x, _S615.y, _S611, _S610.right_0, _S610.up_0);
+        var _S617 : f32 = clamp(middle_0 - select(_S616.height_4, -1.0e+09f, _S616.hole_3), - _S614, _S614);
+        if(_S617 <= 0.0f)
         {
-            var _S635 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_2 > 0.0f);
-            var _S636 : f32 = - _S634;
+            var _S618 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_2 > 0.0f);
+            var _S619 : f32 = - _S617;
             under_1 = middle_0;
-            above_gap_2 = _S635;
-            under_gap_2 = _S636;
+            above_gap_2 = _S618;
+            under_gap_2 = _S619;
             side_2 = 1.0f;
         }
         else
         {
-            var _S637 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_2 < 0.0f);
+            var _S620 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_2 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S634;
-            under_gap_2 = _S637;
+            above_gap_2 = _S617;
+            under_gap_2 = _S620;
             side_2 = -1.0f;
         }
-        var _S638 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S634 / min(ViewRay_rate_0(_S626, _S633), -9.99999997475242708e-07f), under_1, above_3), _S629.smooth_0);
-        var _S639 : u32 = i_1 + u32(1);
-        middle_0 = _S638;
-        i_1 = _S639;
+        var _S621 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S617 / min(ViewRay_rate_0(_S609, _S616), -9.99999997475242708e-07f), under_1, above_3), _S612.smooth_0);
+        var _S622 : u32 = i_1 + u32(1);
+        middle_0 = _S621;
+        i_1 = _S622;
     }
-    return select(under_1, middle_0, _S629.smooth_0);
+    return select(under_1, middle_0, _S612.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S640 : u32,  _S641 : SearchQuality_0,  _S642 : f32,  _S643 : f32,  _S644 : vec3<f32>,  _S645 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S623 : u32,  _S624 : SearchQuality_0,  _S625 : f32,  _S626 : f32,  _S627 : vec3<f32>,  _S628 : bool) -> Hit_0
 {
-    var _S646 : f32 = max(_S644.z, 0.00009999999747379f);
+    var _S629 : f32 = max(_S627.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S642, _S643);
-    var _S647 : vec2<f32> = _S644.xy / vec2<f32>(_S646);
-    ray_0.slope_1 = _S647;
-    var _S648 : StepControl_0 = step_control_0((vec2<f32>(0) - _S647), 1.0f / max(steps_per_length_0(_S640, _S641, _S644) / _S646, 9.99999971718068537e-10f));
-    var _S649 : ViewRayEnd_0 = search_down_0(_S640, ray_0, _S648, _S645);
+    ray_0.origin_0 = vec2<f32>(_S625, _S626);
+    var _S630 : vec2<f32> = _S627.xy / vec2<f32>(_S629);
+    ray_0.slope_1 = _S630;
+    var _S631 : StepControl_0 = step_control_0((vec2<f32>(0) - _S630), 1.0f / max(steps_per_length_0(_S623, _S624, _S627) / _S629, 9.99999971718068537e-10f));
+    var _S632 : ViewRayEnd_0 = search_down_0(_S623, ray_0, _S631, _S628);
     var hit_0 : Hit_0;
     hit_0.hole_6 = false;
-    var _S650 : f32 = refined_height_0(_S640, ray_0, _S648, _S645, _S649, _S641.refinements_0);
-    hit_0.height_7 = _S650;
-    var _S651 : vec2<f32> = ViewRay_at_0(ray_0, _S650);
-    hit_0.x_15 = _S651.x;
-    hit_0.y_8 = _S651.y;
+    var _S633 : f32 = refined_height_0(_S623, ray_0, _S631, _S628, _S632, _S624.refinements_0);
+    hit_0.height_7 = _S633;
+    var _S634 : vec2<f32> = ViewRay_at_0(ray_0, _S633);
+    hit_0.x_15 = _S634.x;
+    hit_0.y_8 = _S634.y;
     return hit_0;
 }
 
-fn first_hit_0( _S652 : u32,  _S653 : SearchQuality_0,  _S654 : f32,  _S655 : f32,  _S656 : vec3<f32>,  _S657 : bool) -> Hit_0
+fn first_hit_0( _S635 : u32,  _S636 : SearchQuality_0,  _S637 : f32,  _S638 : f32,  _S639 : vec3<f32>,  _S640 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S652, _S653, _S654, _S655, _S656, _S657))
+    if(!passes_through_0(_S635, _S636, _S637, _S638, _S639, _S640))
     {
-        return first_hit_of_yarn_0(_S652, _S653, _S654, _S655, _S656, _S657);
+        return first_hit_of_yarn_0(_S635, _S636, _S637, _S638, _S639, _S640);
     }
     var hit_1 : Hit_0;
-    hit_1.x_15 = _S654;
-    hit_1.y_8 = _S655;
+    hit_1.x_15 = _S637;
+    hit_1.y_8 = _S638;
     hit_1.height_7 = 0.0f;
     hit_1.hole_6 = true;
     return hit_1;
 }
 
-fn surface_at_0( _S658 : u32,  _S659 : f32,  _S660 : f32,  _S661 : bool) -> SurfacePoint_0
+fn surface_at_0( _S641 : u32,  _S642 : f32,  _S643 : f32,  _S644 : bool) -> SurfacePoint_0
 {
-    var _S662 : Sample_0 = sample_at_0(_S658, _S659, _S660, _S661);
-    var _S663 : u32 = select(fabrics_0[_S658].weft_0, fabrics_0[_S658].warp_0, _S662.shown_5.is_warp_2);
-    var _S664 : f32 = families_0[_S663].twist_sine_0 * select(1.0f, -1.0f, _S661);
-    var _S665 : f32 = select(-1.0f, 1.0f, _S662.shown_5.is_warp_2);
-    var _S666 : vec2<f32> = fibre_direction_0(_S662.slope_across_0, _S665 * _S662.slope_along_0, _S664, families_0[_S663].twist_cosine_0);
-    var _S667 : f32 = _S666.x;
-    var _S668 : f32 = _S666.y;
-    var _S669 : f32 = select(_S662.slope_y_1, _S662.slope_x_1, _S662.shown_5.is_warp_2) * _S667 + _S665 * select(_S662.slope_x_1, _S662.slope_y_1, _S662.shown_5.is_warp_2) * _S668;
-    var _S670 : f32 = select(_S662.crossing_2.weft_4.half_width_1, _S662.crossing_2.warp_4.half_width_1, _S662.shown_5.is_warp_2) * 1.0154266357421875f;
-    var _S671 : f32 = _S670 * arc_sine_0(clamp(_S662.section_1.across_3 / _S670, -1.0f, 1.0f));
-    var _S672 : f32 = select(- _S659, _S660, _S662.shown_5.is_warp_2);
+    var _S645 : Sample_0 = sample_at_0(_S641, _S642, _S643, _S644);
+    var _S646 : u32 = select(fabrics_0[_S641].weft_0, fabrics_0[_S641].warp_0, _S645.shown_5.is_warp_2);
+    var _S647 : f32 = families_0[_S646].twist_sine_0 * select(1.0f, -1.0f, _S644);
+    var _S648 : f32 = select(-1.0f, 1.0f, _S645.shown_5.is_warp_2);
+    var _S649 : vec2<f32> = fibre_direction_0(_S645.slope_across_0, _S648 * _S645.slope_along_0, _S647, families_0[_S646].twist_cosine_0);
+    var _S650 : f32 = _S649.x;
+    var _S651 : f32 = _S649.y;
+    var _S652 : f32 = select(_S645.slope_y_1, _S645.slope_x_1, _S645.shown_5.is_warp_2) * _S650 + _S648 * select(_S645.slope_x_1, _S645.slope_y_1, _S645.shown_5.is_warp_2) * _S651;
+    var _S653 : f32 = select(_S645.crossing_2.weft_4.half_width_1, _S645.crossing_2.warp_4.half_width_1, _S645.shown_5.is_warp_2) * 1.0154266357421875f;
+    var _S654 : f32 = _S653 * arc_sine_0(clamp(_S645.section_1.across_3 / _S653, -1.0f, 1.0f));
+    var _S655 : f32 = select(- _S642, _S643, _S645.shown_5.is_warp_2);
     var point_6 : SurfacePoint_0;
-    point_6.hole_4 = _S662.shown_5.hole_2;
-    point_6.is_warp_3 = _S662.shown_5.is_warp_2;
-    point_6.warp_thread_0 = _S662.crossing_2.warp_4.thread_0;
-    point_6.weft_thread_0 = _S662.crossing_2.weft_4.thread_0;
-    point_6.height_6 = _S662.height_8;
-    point_6.normal_5 = normalize(vec3<f32>(- _S662.slope_x_1, - _S662.slope_y_1, 1.0f));
-    point_6.tangent_4 = normalize(select_vector_0(_S662.shown_5.is_warp_2, vec3<f32>(_S667, _S668, _S669), vec3<f32>(- _S668, _S667, _S669)));
-    point_6.across_5 = _S662.section_1.across_3;
-    point_6.fibre_across_0 = _S671 * families_0[_S663].twist_cosine_0 + _S672 * _S664;
-    point_6.fibre_along_0 = _S672 * families_0[_S663].twist_cosine_0 - _S671 * _S664;
+    point_6.hole_4 = _S645.shown_5.hole_2;
+    point_6.is_warp_3 = _S645.shown_5.is_warp_2;
+    point_6.warp_thread_0 = _S645.crossing_2.warp_4.thread_0;
+    point_6.weft_thread_0 = _S645.crossing_2.weft_4.thread_0;
+    point_6.height_6 = _S645.height_8;
+    point_6.normal_5 = normalize(vec3<f32>(- _S645.slope_x_1, - _S645.slope_y_1, 1.0f));
+    point_6.tangent_4 = normalize(select_vector_0(_S645.shown_5.is_warp_2, vec3<f32>(_S650, _S651, _S652), vec3<f32>(- _S651, _S650, _S652)));
+    point_6.across_5 = _S645.section_1.across_3;
+    point_6.fibre_across_0 = _S654 * families_0[_S646].twist_cosine_0 + _S655 * _S647;
+    point_6.fibre_along_0 = _S655 * families_0[_S646].twist_cosine_0 - _S654 * _S647;
     return point_6;
 }
 
-fn has_hairs_0( _S673 : u32) -> bool
+fn has_hairs_0( _S656 : u32) -> bool
 {
-    return (((families_0[fabrics_0[_S673].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S673].weft_0].hairiness_0) > 0.0f)));
+    return (((families_0[fabrics_0[_S656].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S656].weft_0].hairiness_0) > 0.0f)));
 }
 
-fn hair_at_0( _S674 : u32,  _S675 : vec2<f32>,  _S676 : bool,  _S677 : f32) -> Hair_0
+fn hair_at_0( _S657 : u32,  _S658 : vec2<f32>,  _S659 : bool,  _S660 : f32) -> Hair_0
 {
-    var _S678 : f32 = fabrics_0[_S674].fibre_size_0;
-    var _S679 : f32 = 17.0f * fabrics_0[_S674].fibre_size_0;
-    var _S680 : f32 = fade_0(_S677, _S679);
-    var _S681 : vec2<f32> = _S675 / vec2<f32>(_S679);
-    var _S682 : u32 = hash_key_0(select(u32(0), u32(1), _S676), ((fabrics_0[_S674].seed_0) ^ (u32(1013904242))));
-    var _S683 : f32 = 1.0f / max(_S677, 0.07999999821186066f * fabrics_0[_S674].fibre_size_0);
-    var _S684 : f32 = min(0.63999998569488525f * fabrics_0[_S674].fibre_size_0 * _S683, 1.0f);
-    const _S685 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
+    var _S661 : f32 = fabrics_0[_S657].fibre_size_0;
+    var _S662 : f32 = 17.0f * fabrics_0[_S657].fibre_size_0;
+    var _S663 : f32 = fade_0(_S660, _S662);
+    var _S664 : vec2<f32> = _S658 / vec2<f32>(_S662);
+    var _S665 : u32 = hash_key_0(select(u32(0), u32(1), _S659), ((fabrics_0[_S657].seed_0) ^ (u32(1013904242))));
+    var _S666 : f32 = 1.0f / max(_S660, 0.07999999821186066f * fabrics_0[_S657].fibre_size_0);
+    var _S667 : f32 = min(0.63999998569488525f * fabrics_0[_S657].fibre_size_0 * _S666, 1.0f);
+    const _S668 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
     var cover_2 : f32 = 0.0f;
     var hair_away_0 : f32 = 0.0f;
-    var hair_across_0 : vec2<f32> = _S685;
+    var hair_across_0 : vec2<f32> = _S668;
     var number_3 : u32 = u32(0);
     for(;;)
     {
-        if(((_S680 > 0.0f) & ((number_3 < u32(18)))))
+        if(((_S663 > 0.0f) & ((number_3 < u32(18)))))
         {
         }
         else
         {
             break;
         }
-        var _S686 : u32 = number_3 / u32(9);
-        var _S687 : u32 = number_3 / u32(3) - u32(3) * _S686;
-        var _S688 : vec2<f32> = floor(_S681) + vec2<f32>(f32(number_3 - u32(3) * _S687 - u32(9) * _S686), f32(_S687)) - vec2<f32>(1.0f);
-        var _S689 : u32 = hash_bits_0(_S682 + _S686, u32(i32(_S688.x)) * u32(65536) + u32(i32(_S688.y)));
-        var _S690 : u32 = hash_bits_0(_S682, _S689);
-        var _S691 : vec2<f32> = _S681 - _S688 - vec2<f32>(share_of_0(_S689), share_of_0((_S689 >> (u32(10)))));
-        var _S692 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S689 >> (u32(20)))));
-        var _S693 : f32 = mix(5.0f, 16.0f, share_of_0((_S690 >> (u32(10))))) / 17.0f;
-        var _S694 : f32 = _S691.x;
-        var _S695 : f32 = _S692.y;
-        var _S696 : f32 = _S691.y;
-        var _S697 : f32 = _S692.x;
-        var _S698 : f32 = (_S694 * _S695 + _S696 * _S697) / _S693;
-        var _S699 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S690 >> (u32(20)))) - 1.0f);
-        var _S700 : f32 = 2.0f * _S699 * _S698;
-        var _S701 : f32 = rsqrt_0(_S700 * _S700 + 1.0f);
-        var _S702 : f32 = (_S696 * _S695 - _S694 * _S697 - _S699 * _S693 * _S698 * _S698) * _S701 * 17.0f;
-        var _S703 : f32 = clamp((0.31999999284744263f - abs(_S702)) * _S678 * _S683 + 0.5f, 0.0f, _S684);
-        if((((((share_of_0(_S690)) < (families_0[select(fabrics_0[_S674].weft_0, fabrics_0[_S674].warp_0, ((((_S690 >> (u32(30)))) & (u32(1)))) == u32(1))].hairiness_0)) & (((abs(_S698)) < 1.0f)))) & ((_S703 > cover_2))))
+        var _S669 : u32 = number_3 / u32(9);
+        var _S670 : u32 = number_3 / u32(3) - u32(3) * _S669;
+        var _S671 : vec2<f32> = floor(_S664) + vec2<f32>(f32(number_3 - u32(3) * _S670 - u32(9) * _S669), f32(_S670)) - vec2<f32>(1.0f);
+        var _S672 : u32 = hash_bits_0(_S665 + _S669, u32(i32(_S671.x)) * u32(65536) + u32(i32(_S671.y)));
+        var _S673 : u32 = hash_bits_0(_S665, _S672);
+        var _S674 : vec2<f32> = _S664 - _S671 - vec2<f32>(share_of_0(_S672), share_of_0((_S672 >> (u32(10)))));
+        var _S675 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S672 >> (u32(20)))));
+        var _S676 : f32 = mix(5.0f, 16.0f, share_of_0((_S673 >> (u32(10))))) / 17.0f;
+        var _S677 : f32 = _S674.x;
+        var _S678 : f32 = _S675.y;
+        var _S679 : f32 = _S674.y;
+        var _S680 : f32 = _S675.x;
+        var _S681 : f32 = (_S677 * _S678 + _S679 * _S680) / _S676;
+        var _S682 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S673 >> (u32(20)))) - 1.0f);
+        var _S683 : f32 = 2.0f * _S682 * _S681;
+        var _S684 : f32 = rsqrt_0(_S683 * _S683 + 1.0f);
+        var _S685 : f32 = (_S679 * _S678 - _S677 * _S680 - _S682 * _S676 * _S681 * _S681) * _S684 * 17.0f;
+        var _S686 : f32 = clamp((0.31999999284744263f - abs(_S685)) * _S661 * _S666 + 0.5f, 0.0f, _S667);
+        if((((((share_of_0(_S673)) < (families_0[select(fabrics_0[_S657].weft_0, fabrics_0[_S657].warp_0, ((((_S673 >> (u32(30)))) & (u32(1)))) == u32(1))].hairiness_0)) & (((abs(_S681)) < 1.0f)))) & ((_S686 > cover_2))))
         {
-            var _S704 : vec2<f32> = vec2<f32>(- _S697 - _S700 * _S695, _S695 - _S700 * _S697) * vec2<f32>(_S701);
-            cover_2 = _S703;
-            hair_away_0 = _S702;
-            hair_across_0 = _S704;
+            var _S687 : vec2<f32> = vec2<f32>(- _S680 - _S683 * _S678, _S678 - _S683 * _S680) * vec2<f32>(_S684);
+            cover_2 = _S686;
+            hair_away_0 = _S685;
+            hair_across_0 = _S687;
         }
         number_3 = number_3 + u32(1);
     }
-    var _S705 : f32 = clamp(hair_away_0 * 2.5f, -0.80000001192092896f, 0.80000001192092896f);
+    var _S688 : f32 = clamp(hair_away_0 * 2.5f, -0.80000001192092896f, 0.80000001192092896f);
     var hair_1 : Hair_0;
-    hair_1.cover_0 = _S680 * cover_2;
-    hair_1.normal_3 = vec3<f32>(vec2<f32>(_S705) * hair_across_0, sqrt(1.0f - _S705 * _S705));
+    hair_1.cover_0 = _S663 * cover_2;
+    hair_1.normal_3 = vec3<f32>(vec2<f32>(_S688) * hair_across_0, sqrt(1.0f - _S688 * _S688));
     hair_1.tangent_2 = vec3<f32>(hair_across_0.y, - hair_across_0.x, 0.0f);
     return hair_1;
 }
 
-fn varies_at_0( _S706 : u32,  _S707 : f32) -> bool
+fn varies_at_0( _S689 : u32,  _S690 : f32) -> bool
 {
-    return (((((fabrics_0[_S706].fibre_noise_0) > 0.0f) | (((fabrics_0[_S706].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S706].has_detail_0) != u32(0)) & ((_S707 >= 0.0f))))));
+    return (((((fabrics_0[_S689].fibre_noise_0) > 0.0f) | (((fabrics_0[_S689].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S689].has_detail_0) != u32(0)) & ((_S690 >= 0.0f))))));
 }
 
-fn thread_number_0( _S708 : u32,  _S709 : SurfacePoint_0,  _S710 : f32,  _S711 : f32) -> u32
+fn thread_number_0( _S691 : u32,  _S692 : SurfacePoint_0,  _S693 : f32,  _S694 : f32) -> u32
 {
-    var _S712 : u32 = select(fabrics_0[_S708].weft_0, fabrics_0[_S708].warp_0, _S709.is_warp_3);
-    return u32(i32(floor((select(_S711, _S710, _S709.is_warp_3) - _S709.across_5) / families_0[_S712].period_0)) * i32(families_0[_S712].count_0) + i32(select(_S709.weft_thread_0, _S709.warp_thread_0, _S709.is_warp_3))) * u32(2) + select(u32(0), u32(1), _S709.is_warp_3);
+    var _S695 : u32 = select(fabrics_0[_S691].weft_0, fabrics_0[_S691].warp_0, _S692.is_warp_3);
+    return u32(i32(floor((select(_S694, _S693, _S692.is_warp_3) - _S692.across_5) / families_0[_S695].period_0)) * i32(families_0[_S695].count_0) + i32(select(_S692.weft_thread_0, _S692.warp_thread_0, _S692.is_warp_3))) * u32(2) + select(u32(0), u32(1), _S692.is_warp_3);
 }
 
 struct FibreNoise_0
@@ -2773,264 +2788,264 @@ struct FibreNoise_0
      slope_2 : f32,
 };
 
-fn fibre_noise_at_0( _S713 : u32,  _S714 : u32,  _S715 : SurfacePoint_0,  _S716 : u32,  _S717 : f32) -> FibreNoise_0
+fn fibre_noise_at_0( _S696 : u32,  _S697 : u32,  _S698 : SurfacePoint_0,  _S699 : u32,  _S700 : f32) -> FibreNoise_0
 {
-    var _S718 : f32 = 5.0f * fabrics_0[_S713].fibre_size_0;
-    var _S719 : vec2<f32> = wave_noise_0(hash_key_0(_S716, ((fabrics_0[_S713].seed_0) ^ (u32(458671337)))), _S715.fibre_along_0 / (25.0f * fabrics_0[_S713].fibre_size_0));
-    var _S720 : f32 = _S715.fibre_across_0 + families_0[_S714].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S713].fibre_size_0 * _S719.x;
-    var _S721 : vec3<f32> = fibre_cell_0(_S720, _S715.fibre_along_0, fabrics_0[_S713].fibre_size_0);
+    var _S701 : f32 = 5.0f * fabrics_0[_S696].fibre_size_0;
+    var _S702 : vec2<f32> = wave_noise_0(hash_key_0(_S699, ((fabrics_0[_S696].seed_0) ^ (u32(458671337)))), _S698.fibre_along_0 / (25.0f * fabrics_0[_S696].fibre_size_0));
+    var _S703 : f32 = _S698.fibre_across_0 + families_0[_S697].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S696].fibre_size_0 * _S702.x;
+    var _S704 : vec3<f32> = fibre_cell_0(_S703, _S698.fibre_along_0, fabrics_0[_S696].fibre_size_0);
     var noise_0 : FibreNoise_0;
-    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S716, ((fabrics_0[_S713].seed_0) ^ (u32(1757159915)))), fibre_cell_0(_S720, _S715.fibre_along_0, _S718));
-    noise_0.bundle_weight_0 = fade_0(_S717, _S718);
-    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S716, ((fabrics_0[_S713].seed_0) ^ (u32(48610963)))), _S721);
-    noise_0.fibre_weight_0 = fade_0(_S717, fabrics_0[_S713].fibre_size_0);
-    noise_0.offset_4 = _S721.z;
-    noise_0.slope_2 = 0.5f * _S719.y;
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S699, ((fabrics_0[_S696].seed_0) ^ (u32(1757159915)))), fibre_cell_0(_S703, _S698.fibre_along_0, _S701));
+    noise_0.bundle_weight_0 = fade_0(_S700, _S701);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S699, ((fabrics_0[_S696].seed_0) ^ (u32(48610963)))), _S704);
+    noise_0.fibre_weight_0 = fade_0(_S700, fabrics_0[_S696].fibre_size_0);
+    noise_0.offset_4 = _S704.z;
+    noise_0.slope_2 = 0.5f * _S702.y;
     return noise_0;
 }
 
-fn detail_gain_0( _S722 : u32,  _S723 : u32,  _S724 : SurfacePoint_0,  _S725 : vec2<f32>,  _S726 : bool,  _S727 : u32,  _S728 : f32) -> vec2<f32>
+fn detail_gain_0( _S705 : u32,  _S706 : u32,  _S707 : SurfacePoint_0,  _S708 : vec2<f32>,  _S709 : bool,  _S710 : u32,  _S711 : f32) -> vec2<f32>
 {
-    var _S729 : vec2<f32> = vec2<f32>(0.0f);
+    var _S712 : vec2<f32> = vec2<f32>(0.0f);
     var gain_2 : vec2<f32>;
-    if((families_0[_S723].has_plies_0) > 0.0f)
+    if((families_0[_S706].has_plies_0) > 0.0f)
     {
-        gain_2 = vec2<f32>((0.60000002384185791f * fade_0(_S728, 1.0f / families_0[_S723].plies_per_mm_0))) * vec2<f32>(0.20000000298023224f - square_1(square_1(ply_offset_0(_S723, _S724, _S726))), 0.20000000298023224f);
+        gain_2 = vec2<f32>((0.60000002384185791f * fade_0(_S711, 1.0f / families_0[_S706].plies_per_mm_0))) * vec2<f32>(0.20000000298023224f - square_1(square_1(ply_offset_0(_S706, _S707, _S709))), 0.20000000298023224f);
     }
     else
     {
-        gain_2 = _S729;
+        gain_2 = _S712;
     }
-    if((families_0[_S723].fibre_tone_0) > 0.0f)
+    if((families_0[_S706].fibre_tone_0) > 0.0f)
     {
-        var _S730 : FibreNoise_0 = fibre_noise_at_0(_S722, _S723, _S724, _S727, _S728);
-        gain_2 = gain_2 + vec2<f32>(families_0[_S723].fibre_tone_0) * vec2<f32>(_S730.bundle_weight_0 * _S730.bundle_0.y + _S730.fibre_weight_0 * _S730.fibre_0.y, _S730.bundle_weight_0 + _S730.fibre_weight_0);
+        var _S713 : FibreNoise_0 = fibre_noise_at_0(_S705, _S706, _S707, _S710, _S711);
+        gain_2 = gain_2 + vec2<f32>(families_0[_S706].fibre_tone_0) * vec2<f32>(_S713.bundle_weight_0 * _S713.bundle_0.y + _S713.fibre_weight_0 * _S713.fibre_0.y, _S713.bundle_weight_0 + _S713.fibre_weight_0);
     }
-    if((families_0[_S723].slub_0) > 0.0f)
+    if((families_0[_S706].slub_0) > 0.0f)
     {
-        gain_2 = gain_2 + vec2<f32>((0.25f * families_0[_S723].slub_0 * fade_0(_S728, 1.0f / families_0[_S723].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S727, ((fabrics_0[_S722].seed_0) ^ (u32(1373058189)))), select(- _S725.x, _S725.y, _S724.is_warp_3) * families_0[_S723].slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_1(_S724.across_5 * families_0[_S723].per_half_width_0), 1.0f)), 1.0f);
+        gain_2 = gain_2 + vec2<f32>((0.25f * families_0[_S706].slub_0 * fade_0(_S711, 1.0f / families_0[_S706].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S710, ((fabrics_0[_S705].seed_0) ^ (u32(1373058189)))), select(- _S708.x, _S708.y, _S707.is_warp_3) * families_0[_S706].slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_1(_S707.across_5 * families_0[_S706].per_half_width_0), 1.0f)), 1.0f);
     }
     return gain_2;
 }
 
-fn vary_albedos_0( _S731 : u32,  _S732 : Albedos_0,  _S733 : u32,  _S734 : u32,  _S735 : vec2<f32>) -> Albedos_0
+fn vary_albedos_0( _S714 : u32,  _S715 : Albedos_0,  _S716 : u32,  _S717 : u32,  _S718 : vec2<f32>) -> Albedos_0
 {
-    var _S736 : vec3<f32> = max(_S732.specular_reflect_0, _S732.specular_transmit_0);
-    var _S737 : vec3<f32> = _S732.diffuse_reflect_0 + _S732.diffuse_transmit_0;
-    var _S738 : vec3<f32> = vec3<f32>(fabrics_0[_S731].layer_bound_0);
-    var _S739 : vec3<f32> = vec3<f32>(1.0f);
-    var _S740 : vec3<f32> = _S739 - _S738 * _S736;
-    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S733, fabrics_0[_S731].colour_noise_0, fabrics_0[_S731].seed_0), _S737, _S740);
-    var _S741 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S735.y, vec3<f32>(colour_1) * _S737, _S740) * _S735.x)));
-    var _S742 : f32 = bounded_gain_0(fibre_gain_0(_S733, _S734, fabrics_0[_S731].fibre_noise_0, fabrics_0[_S731].seed_0), _S736, min((_S739 - _S741 * _S737) / _S738, vec3<f32>(1.0f)));
+    var _S719 : vec3<f32> = max(_S715.specular_reflect_0, _S715.specular_transmit_0);
+    var _S720 : vec3<f32> = _S715.diffuse_reflect_0 + _S715.diffuse_transmit_0;
+    var _S721 : vec3<f32> = vec3<f32>(fabrics_0[_S714].layer_bound_0);
+    var _S722 : vec3<f32> = vec3<f32>(1.0f);
+    var _S723 : vec3<f32> = _S722 - _S721 * _S719;
+    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S716, fabrics_0[_S714].colour_noise_0, fabrics_0[_S714].seed_0), _S720, _S723);
+    var _S724 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S718.y, vec3<f32>(colour_1) * _S720, _S723) * _S718.x)));
+    var _S725 : f32 = bounded_gain_0(fibre_gain_0(_S716, _S717, fabrics_0[_S714].fibre_noise_0, fabrics_0[_S714].seed_0), _S719, min((_S722 - _S724 * _S720) / _S721, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S741 * _S732.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S741 * _S732.diffuse_transmit_0;
-    var _S743 : vec3<f32> = vec3<f32>(_S742);
-    varied_0.specular_reflect_0 = _S743 * _S732.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S743 * _S732.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S724 * _S715.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S724 * _S715.diffuse_transmit_0;
+    var _S726 : vec3<f32> = vec3<f32>(_S725);
+    varied_0.specular_reflect_0 = _S726 * _S715.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S726 * _S715.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S744 : u32,  _S745 : SurfacePoint_0,  _S746 : Albedos_0,  _S747 : f32,  _S748 : f32,  _S749 : bool,  _S750 : f32,  _S751 : f32) -> Albedos_0
+fn varied_at_0( _S727 : u32,  _S728 : SurfacePoint_0,  _S729 : Albedos_0,  _S730 : f32,  _S731 : f32,  _S732 : bool,  _S733 : f32,  _S734 : f32) -> Albedos_0
 {
-    var _S752 : u32 = thread_number_0(_S744, _S745, _S747, _S748);
-    var _S753 : vec3<f32> = fibre_cell_0(_S745.fibre_across_0, _S745.fibre_along_0, fabrics_0[_S744].fibre_size_0);
-    var _S754 : vec2<f32> = vec2<f32>(0.0f);
+    var _S735 : u32 = thread_number_0(_S727, _S728, _S730, _S731);
+    var _S736 : vec3<f32> = fibre_cell_0(_S728.fibre_across_0, _S728.fibre_along_0, fabrics_0[_S727].fibre_size_0);
+    var _S737 : vec2<f32> = vec2<f32>(0.0f);
     var gain_3 : vec2<f32>;
-    if((((fabrics_0[_S744].has_detail_0) != u32(0)) & ((_S750 >= 0.0f))))
+    if((((fabrics_0[_S727].has_detail_0) != u32(0)) & ((_S733 >= 0.0f))))
     {
-        gain_3 = detail_gain_0(_S744, select(fabrics_0[_S744].weft_0, fabrics_0[_S744].warp_0, _S745.is_warp_3), _S745, vec2<f32>(_S747, _S748), _S749, _S752, _S750) * vec2<f32>(1.0f - _S751, 1.0f);
+        gain_3 = detail_gain_0(_S727, select(fabrics_0[_S727].weft_0, fabrics_0[_S727].warp_0, _S728.is_warp_3), _S728, vec2<f32>(_S730, _S731), _S732, _S735, _S733) * vec2<f32>(1.0f - _S734, 1.0f);
     }
     else
     {
-        gain_3 = _S754;
+        gain_3 = _S737;
     }
-    return vary_albedos_0(_S744, _S746, _S752, u32(i32(_S753.x)) * u32(65536) + u32(i32(floor(_S753.y))), gain_3);
+    return vary_albedos_0(_S727, _S729, _S735, u32(i32(_S736.x)) * u32(65536) + u32(i32(floor(_S736.y))), gain_3);
 }
 
-fn turned_frame_0( _S755 : u32,  _S756 : u32,  _S757 : SurfacePoint_0,  _S758 : bool,  _S759 : u32,  _S760 : f32) -> YarnFrame_0
+fn turned_frame_0( _S738 : u32,  _S739 : u32,  _S740 : SurfacePoint_0,  _S741 : bool,  _S742 : u32,  _S743 : f32) -> YarnFrame_0
 {
     var frame_2 : YarnFrame_0;
-    frame_2.normal_6 = _S757.normal_5;
-    frame_2.tangent_5 = _S757.tangent_4;
+    frame_2.normal_6 = _S740.normal_5;
+    frame_2.tangent_5 = _S740.tangent_4;
     frame_2.loss_0 = 0.0f;
-    if((families_0[_S756].has_plies_0) > 0.0f)
+    if((families_0[_S739].has_plies_0) > 0.0f)
     {
-        var _S761 : f32 = fade_0(_S760, 1.0f / families_0[_S756].plies_per_mm_0);
-        var _S762 : f32 = _S761 * 0.41999998688697815f * ply_offset_0(_S756, _S757, _S758);
-        var _S763 : vec3<f32> = cross(frame_2.tangent_5, frame_2.normal_6);
-        var _S764 : vec3<f32> = vec3<f32>(families_0[_S756].ply_cosine_0);
-        var _S765 : vec3<f32> = vec3<f32>(select(families_0[_S756].ply_sine_0, - families_0[_S756].ply_sine_0, _S758));
-        var _S766 : vec3<f32> = _S764 * _S763 + _S765 * frame_2.tangent_5;
-        var _S767 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S762 * _S762));
-        var _S768 : vec3<f32> = vec3<f32>(_S762);
-        frame_2.tangent_5 = _S764 * (_S764 * frame_2.tangent_5 - _S765 * _S763) + _S765 * (_S767 * _S766 - _S768 * frame_2.normal_6);
-        frame_2.normal_6 = _S767 * frame_2.normal_6 + _S768 * _S766;
-        frame_2.loss_0 = _S761 * _S761 * 0.41999998688697815f * 0.41999998688697815f / 6.0f;
+        var _S744 : f32 = fade_0(_S743, 1.0f / families_0[_S739].plies_per_mm_0);
+        var _S745 : f32 = _S744 * 0.41999998688697815f * ply_offset_0(_S739, _S740, _S741);
+        var _S746 : vec3<f32> = cross(frame_2.tangent_5, frame_2.normal_6);
+        var _S747 : vec3<f32> = vec3<f32>(families_0[_S739].ply_cosine_0);
+        var _S748 : vec3<f32> = vec3<f32>(select(families_0[_S739].ply_sine_0, - families_0[_S739].ply_sine_0, _S741));
+        var _S749 : vec3<f32> = _S747 * _S746 + _S748 * frame_2.tangent_5;
+        var _S750 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S745 * _S745));
+        var _S751 : vec3<f32> = vec3<f32>(_S745);
+        frame_2.tangent_5 = _S747 * (_S747 * frame_2.tangent_5 - _S748 * _S746) + _S748 * (_S750 * _S749 - _S751 * frame_2.normal_6);
+        frame_2.normal_6 = _S750 * frame_2.normal_6 + _S751 * _S749;
+        frame_2.loss_0 = _S744 * _S744 * 0.41999998688697815f * 0.41999998688697815f / 6.0f;
     }
-    var _S769 : f32 = families_0[_S756].fibre_tilt_0;
-    if((families_0[_S756].fibre_tilt_0) > 0.0f)
+    var _S752 : f32 = families_0[_S739].fibre_tilt_0;
+    if((families_0[_S739].fibre_tilt_0) > 0.0f)
     {
-        var _S770 : FibreNoise_0 = fibre_noise_at_0(_S755, _S756, _S757, _S759, _S760);
-        var _S771 : f32 = 1.09858846664428711f * _S769 * (_S770.bundle_weight_0 * _S770.bundle_0.x + _S770.fibre_weight_0 * (_S770.fibre_0.x + _S770.offset_4));
-        var _S772 : f32 = _S769 * (1.42099642753601074f * (_S770.bundle_weight_0 * _S770.bundle_0.y + _S770.fibre_weight_0 * _S770.fibre_0.y) - _S770.bundle_weight_0 * _S770.slope_2);
-        var _S773 : f32 = square_1(_S770.fibre_weight_0);
-        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S769 * _S769 * ((0.24761904776096344f * (square_1(_S770.bundle_weight_0) + _S773) + _S773 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
-        var _S774 : vec3<f32> = cross(frame_2.tangent_5, frame_2.normal_6);
-        var _S775 : vec2<f32> = sine_cosine_0(_S771);
-        var _S776 : vec2<f32> = sine_cosine_0(_S772);
-        var _S777 : vec3<f32> = vec3<f32>(_S775.y);
-        var _S778 : vec3<f32> = vec3<f32>(_S775.x);
-        var _S779 : vec3<f32> = _S777 * _S774 - _S778 * frame_2.normal_6;
-        frame_2.normal_6 = _S777 * frame_2.normal_6 + _S778 * _S774;
-        frame_2.tangent_5 = vec3<f32>(_S776.y) * frame_2.tangent_5 + vec3<f32>(_S776.x) * _S779;
+        var _S753 : FibreNoise_0 = fibre_noise_at_0(_S738, _S739, _S740, _S742, _S743);
+        var _S754 : f32 = 1.09858846664428711f * _S752 * (_S753.bundle_weight_0 * _S753.bundle_0.x + _S753.fibre_weight_0 * (_S753.fibre_0.x + _S753.offset_4));
+        var _S755 : f32 = _S752 * (1.42099642753601074f * (_S753.bundle_weight_0 * _S753.bundle_0.y + _S753.fibre_weight_0 * _S753.fibre_0.y) - _S753.bundle_weight_0 * _S753.slope_2);
+        var _S756 : f32 = square_1(_S753.fibre_weight_0);
+        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S752 * _S752 * ((0.24761904776096344f * (square_1(_S753.bundle_weight_0) + _S756) + _S756 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
+        var _S757 : vec3<f32> = cross(frame_2.tangent_5, frame_2.normal_6);
+        var _S758 : vec2<f32> = sine_cosine_0(_S754);
+        var _S759 : vec2<f32> = sine_cosine_0(_S755);
+        var _S760 : vec3<f32> = vec3<f32>(_S758.y);
+        var _S761 : vec3<f32> = vec3<f32>(_S758.x);
+        var _S762 : vec3<f32> = _S760 * _S757 - _S761 * frame_2.normal_6;
+        frame_2.normal_6 = _S760 * frame_2.normal_6 + _S761 * _S757;
+        frame_2.tangent_5 = vec3<f32>(_S759.y) * frame_2.tangent_5 + vec3<f32>(_S759.x) * _S762;
     }
     return frame_2;
 }
 
-fn yarn_point_of_0( _S780 : u32,  _S781 : SurfacePoint_0,  _S782 : f32,  _S783 : f32,  _S784 : bool,  _S785 : bool,  _S786 : f32) -> YarnPoint_0
+fn yarn_point_of_0( _S763 : u32,  _S764 : SurfacePoint_0,  _S765 : f32,  _S766 : f32,  _S767 : bool,  _S768 : bool,  _S769 : f32) -> YarnPoint_0
 {
-    var _S787 : u32 = select(fabrics_0[_S780].weft_0, fabrics_0[_S780].warp_0, _S781.is_warp_3);
-    var _S788 : bool = (((fabrics_0[_S780].has_detail_0) != u32(0)) & ((_S786 >= 0.0f)));
-    var _S789 : vec3<f32> = vec3<f32>(0.0f);
-    var _S790 : Hair_0 = Hair_x24init_0(0.0f, _S789, _S789);
-    var _S791 : bool;
-    if(_S788)
+    var _S770 : u32 = select(fabrics_0[_S763].weft_0, fabrics_0[_S763].warp_0, _S764.is_warp_3);
+    var _S771 : bool = (((fabrics_0[_S763].has_detail_0) != u32(0)) & ((_S769 >= 0.0f)));
+    var _S772 : vec3<f32> = vec3<f32>(0.0f);
+    var _S773 : Hair_0 = Hair_x24init_0(0.0f, _S772, _S772);
+    var _S774 : bool;
+    if(_S771)
     {
-        _S791 = has_hairs_0(_S780);
+        _S774 = has_hairs_0(_S763);
     }
     else
     {
-        _S791 = false;
+        _S774 = false;
     }
     var hair_2 : Hair_0;
-    if(_S791)
+    if(_S774)
     {
-        hair_2 = hair_at_0(_S780, vec2<f32>(_S782, _S783), _S784, _S786);
+        hair_2 = hair_at_0(_S763, vec2<f32>(_S765, _S766), _S767, _S769);
     }
     else
     {
-        hair_2 = _S790;
+        hair_2 = _S773;
     }
-    var albedos_9 : Albedos_0 = albedos_of_0(_S787, select(_S781.weft_thread_0, _S781.warp_thread_0, _S781.is_warp_3));
+    var albedos_9 : Albedos_0 = albedos_of_0(_S770, select(_S764.weft_thread_0, _S764.warp_thread_0, _S764.is_warp_3));
     var albedos_10 : Albedos_0;
-    if(varies_at_0(_S780, _S786))
+    if(varies_at_0(_S763, _S769))
     {
-        albedos_10 = varied_at_0(_S780, _S781, albedos_9, _S782, _S783, _S784, _S786, hair_2.cover_0);
+        albedos_10 = varied_at_0(_S763, _S764, albedos_9, _S765, _S766, _S767, _S769, hair_2.cover_0);
     }
     else
     {
         albedos_10 = albedos_9;
     }
     var point_7 : YarnPoint_0;
-    point_7.back_6 = _S784;
-    point_7.hole_0 = _S785;
-    point_7.is_warp_0 = _S781.is_warp_3;
-    point_7.x_8 = _S782;
-    point_7.y_3 = _S783;
-    point_7.height_2 = _S781.height_6;
-    point_7.normal_1 = _S781.normal_5;
-    point_7.tangent_0 = _S781.tangent_4;
-    point_7.surface_normal_0 = _S781.normal_5;
+    point_7.back_6 = _S767;
+    point_7.hole_0 = _S768;
+    point_7.is_warp_0 = _S764.is_warp_3;
+    point_7.x_7 = _S765;
+    point_7.y_2 = _S766;
+    point_7.height_2 = _S764.height_6;
+    point_7.normal_1 = _S764.normal_5;
+    point_7.tangent_0 = _S764.tangent_4;
+    point_7.surface_normal_0 = _S764.normal_5;
     point_7.diffuse_gain_0 = 1.0f;
-    if(_S788)
+    if(_S771)
     {
-        var _S792 : YarnFrame_0 = turned_frame_0(_S780, _S787, _S781, _S784, thread_number_0(_S780, _S781, _S782, _S783), _S786);
+        var _S775 : YarnFrame_0 = turned_frame_0(_S763, _S770, _S764, _S767, thread_number_0(_S763, _S764, _S765, _S766), _S769);
         var frame_3 : YarnFrame_0;
-        if(has_hairs_0(_S780))
+        if(has_hairs_0(_S763))
         {
-            frame_3 = under_hair_0(_S792, hair_2);
+            frame_3 = under_hair_0(_S775, hair_2);
         }
         else
         {
-            frame_3 = _S792;
+            frame_3 = _S775;
         }
         point_7.normal_1 = frame_3.normal_6;
         point_7.tangent_0 = frame_3.tangent_5;
-        point_7.diffuse_gain_0 = diffuse_gain_2(frame_3, fabrics_0[_S780].diffuse_blend_0);
+        point_7.diffuse_gain_0 = diffuse_gain_2(frame_3, fabrics_0[_S763].diffuse_blend_0);
     }
-    point_7.roughness_1 = families_0[_S787].roughness_0;
+    point_7.roughness_1 = families_0[_S770].roughness_0;
     point_7.albedos_5 = albedos_10;
     return point_7;
 }
 
-fn locate_yarn_0( _S793 : u32,  _S794 : SearchQuality_0,  _S795 : f32,  _S796 : f32,  _S797 : vec3<f32>,  _S798 : f32) -> YarnPoint_0
+fn locate_yarn_0( _S776 : u32,  _S777 : SearchQuality_0,  _S778 : f32,  _S779 : f32,  _S780 : vec3<f32>,  _S781 : f32) -> YarnPoint_0
 {
-    var _S799 : bool = (_S797.z) < 0.0f;
-    var _S800 : Hit_0 = first_hit_0(_S793, _S794, _S795, _S796, to_face_frame_0(_S797, _S799), _S799);
-    return yarn_point_of_0(_S793, surface_at_0(_S793, _S800.x_15, _S800.y_8, _S799), _S800.x_15, _S800.y_8, _S799, _S800.hole_6, _S798);
+    var _S782 : bool = (_S780.z) < 0.0f;
+    var _S783 : Hit_0 = first_hit_0(_S776, _S777, _S778, _S779, to_face_frame_0(_S780, _S782), _S782);
+    return yarn_point_of_0(_S776, surface_at_0(_S776, _S783.x_15, _S783.y_8, _S782), _S783.x_15, _S783.y_8, _S782, _S783.hole_6, _S781);
 }
 
-fn locate_yarn_1( _S801 : u32,  _S802 : SearchQuality_0,  _S803 : f32,  _S804 : f32,  _S805 : vec3<f32>) -> YarnPoint_0
+fn locate_yarn_1( _S784 : u32,  _S785 : SearchQuality_0,  _S786 : f32,  _S787 : f32,  _S788 : vec3<f32>) -> YarnPoint_0
 {
-    return locate_yarn_0(_S801, _S802, _S803, _S804, _S805, -1.0f);
+    return locate_yarn_0(_S784, _S785, _S786, _S787, _S788, -1.0f);
 }
 
-fn blocked_at_0( _S806 : u32,  _S807 : bool,  _S808 : bool,  _S809 : f32,  _S810 : f32) -> Blocked_0
+fn blocked_at_0( _S789 : u32,  _S790 : bool,  _S791 : bool,  _S792 : f32,  _S793 : f32) -> Blocked_0
 {
-    var _S811 : f32 = _S810 * openness_number_0(_S806, u32(158));
-    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S809, _S811, _S809 * _S809, _S809 * _S811, _S811 * _S811 );
-    return blocked_of_terms_0(_S806, u32(60) + (select(u32(0), u32(2), _S808) + select(u32(1), u32(0), _S807)) * u32(18), terms_2, u32(6));
+    var _S794 : f32 = _S793 * openness_number_0(_S789, u32(158));
+    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S792, _S794, _S792 * _S792, _S792 * _S794, _S794 * _S794 );
+    return blocked_of_terms_0(_S789, u32(60) + (select(u32(0), u32(2), _S791) + select(u32(1), u32(0), _S790)) * u32(18), terms_2, u32(6));
 }
 
-fn bounced_at_0( _S812 : u32,  _S813 : YarnPoint_0,  _S814 : vec3<f32>) -> Bounced_0
+fn bounced_at_0( _S795 : u32,  _S796 : YarnPoint_0,  _S797 : vec3<f32>) -> Bounced_0
 {
     var nothing_1 : Bounced_0;
-    var _S815 : vec3<f32> = vec3<f32>(0.0f);
-    nothing_1.reflected_0 = _S815;
-    nothing_1.transmitted_0 = _S815;
-    if((((fabrics_0[_S812].openness_0) == u32(4294967295)) | ((_S813.hole_0))))
+    var _S798 : vec3<f32> = vec3<f32>(0.0f);
+    nothing_1.reflected_0 = _S798;
+    nothing_1.transmitted_0 = _S798;
+    if((((fabrics_0[_S795].openness_0) == u32(4294967295)) | ((_S796.hole_0))))
     {
         return nothing_1;
     }
-    return bounced_by_0(blocked_at_0(_S812, _S813.is_warp_0, _S813.back_6, _S813.surface_normal_0.z, _S813.height_2), scattered_by_0(_S812, _S813.albedos_5, select(u32(1), u32(0), _S813.is_warp_0), _S814), interior_of_0(_S812, _S814, _S813.back_6));
+    return bounced_by_0(blocked_at_0(_S795, _S796.is_warp_0, _S796.back_6, _S796.surface_normal_0.z, _S796.height_2), scattered_by_0(_S795, _S796.albedos_5, select(u32(1), u32(0), _S796.is_warp_0), _S797), interior_of_0(_S795, _S797, _S796.back_6));
 }
 
-fn shown_at_texel_0( _S816 : u32,  _S817 : ViewedBase_0,  _S818 : u32) -> vec2<f32>
+fn shown_at_texel_0( _S799 : u32,  _S800 : ViewedBase_0,  _S801 : u32) -> vec2<f32>
 {
-    var _S819 : Clustered_std430_0 = fabrics_0[_S816].clustered_0;
-    var _S820 : u32 = table_byte_0(fabrics_0[_S816].clustered_0.labels_0, _S817.face_3 * fabrics_0[_S816].clustered_0.columns_0 * fabrics_0[_S816].clustered_0.rows_0 + _S818);
-    if(_S820 >= (fabrics_0[_S816].clustered_0.clusters_0))
+    var _S802 : Clustered_std430_0 = fabrics_0[_S799].clustered_0;
+    var _S803 : u32 = table_byte_0(fabrics_0[_S799].clustered_0.labels_0, _S800.face_4 * fabrics_0[_S799].clustered_0.columns_0 * fabrics_0[_S799].clustered_0.rows_0 + _S801);
+    if(_S803 >= (fabrics_0[_S799].clustered_0.clusters_0))
     {
         return vec2<f32>(0.0f);
     }
-    return family_share_0(_S816, _S820, _S817.trust_1.x * BinTaps_read_0(_S817.around_0, _S819.view_0, _S817.face_3 * u32(256), _S819.clusters_0, _S820));
+    return family_share_0(_S799, _S803, _S800.trust_1.x * BinTaps_read_0(_S800.around_0, _S802.view_0, _S800.face_4 * u32(256), _S802.clusters_0, _S803));
 }
 
-fn residual_point_0( _S821 : u32,  _S822 : ClusteredView_0,  _S823 : vec3<f32>,  _S824 : u32,  _S825 : u32) -> ResidualPoint_0
+fn residual_point_0( _S804 : u32,  _S805 : ClusteredView_0,  _S806 : vec3<f32>,  _S807 : u32,  _S808 : u32) -> ResidualPoint_0
 {
-    var _S826 : u32 = _S824 + _S825 * u32(1663821227);
-    var _S827 : vec2<f32> = vec2<f32>(uniform_of_0(_S826, u32(1)), uniform_of_0(_S826, u32(2)));
-    var _S828 : vec2<f32> = _S822.base_0.box_3.corner_1 + _S827 * _S822.base_0.box_3.size_1;
+    var _S809 : u32 = _S807 + _S808 * u32(1663821227);
+    var _S810 : vec2<f32> = vec2<f32>(uniform_of_0(_S809, u32(1)), uniform_of_0(_S809, u32(2)));
+    var _S811 : vec2<f32> = _S805.base_0.box_3.corner_2 + _S810 * _S805.base_0.box_3.size_1;
     var result_2 : ResidualPoint_0;
-    var _S829 : YarnPoint_0 = locate_yarn_1(_S821, default_quality_0(), _S828.x, _S828.y, _S822.view_4);
-    result_2.point_1 = _S829;
-    var _S830 : Clustered_std430_0 = fabrics_0[_S821].clustered_0;
-    var _S831 : u32 = texel_of_0(&(_S830), _S822.base_0.box_3, _S827);
-    result_2.texel_0 = _S831;
-    result_2.bounced_2 = bounced_at_0(_S821, _S829, _S823);
-    if((fabrics_0[_S821].openness_0) != u32(4294967295))
+    var _S812 : YarnPoint_0 = locate_yarn_1(_S804, default_quality_0(), _S811.x, _S811.y, _S805.view_4);
+    result_2.point_1 = _S812;
+    var _S813 : Clustered_std430_0 = fabrics_0[_S804].clustered_0;
+    var _S814 : u32 = texel_of_0(&(_S813), _S805.base_0.box_3, _S810);
+    result_2.texel_0 = _S814;
+    result_2.bounced_2 = bounced_at_0(_S804, _S812, _S806);
+    if((fabrics_0[_S804].openness_0) != u32(4294967295))
     {
-        var _S832 : Bounced_0 = bounced_by_base_0(_S822, shown_at_texel_0(_S821, _S822.base_0, result_2.texel_0));
-        result_2.bounced_2.reflected_0 = result_2.bounced_2.reflected_0 - _S832.reflected_0;
-        result_2.bounced_2.transmitted_0 = result_2.bounced_2.transmitted_0 - _S832.transmitted_0;
+        var _S815 : Bounced_0 = bounced_by_base_0(_S805, shown_at_texel_0(_S804, _S805.base_0, result_2.texel_0));
+        result_2.bounced_2.reflected_0 = result_2.bounced_2.reflected_0 - _S815.reflected_0;
+        result_2.bounced_2.transmitted_0 = result_2.bounced_2.transmitted_0 - _S815.transmitted_0;
     }
     return result_2;
 }
 
-fn light_sample_count_0( _S833 : i32) -> u32
+fn light_sample_count_0() -> u32
 {
-    return frames_0[_S833].lights_0 + frames_0[_S833].environment_samples_0;
+    return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S834 : i32,  _S835 : u32,  _S836 : vec2<u32>) -> f32
+fn visibility_at_0( _S816 : u32,  _S817 : vec2<u32>) -> f32
 {
-    if((frames_0[_S834].casts_shadows_0) == u32(0))
+    if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S835 * frames_0[_S834].height_0 + _S836.y) * frames_0[_S834].width_0 + _S836.x];
+    return visibilities_0[(_S816 * frame_record_0.height_0 + _S817.y) * frame_record_0.width_0 + _S817.x];
 }
 
 struct LightSample_0
@@ -3040,59 +3055,59 @@ struct LightSample_0
      distance_3 : f32,
 };
 
-fn environment_texel_0( _S837 : i32,  _S838 : u32,  _S839 : u32) -> vec3<f32>
+fn environment_texel_0( _S818 : u32,  _S819 : u32) -> vec3<f32>
 {
-    var _S840 : u32 = frames_0[_S837].environment_table_0 + frames_0[_S837].environment_rows_0 + u32(1) + frames_0[_S837].environment_rows_0 * (frames_0[_S837].environment_columns_0 + u32(1)) + u32(3) * (_S838 * frames_0[_S837].environment_columns_0 + _S839);
-    return vec3<f32>(scene_number_0(_S840), scene_number_0(_S840 + u32(1)), scene_number_0(_S840 + u32(2)));
+    var _S820 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S818 * frame_record_0.environment_columns_0 + _S819);
+    return vec3<f32>(scene_number_0(_S820), scene_number_0(_S820 + u32(1)), scene_number_0(_S820 + u32(2)));
 }
 
-fn sample_environment_0( _S841 : i32,  _S842 : vec2<f32>,  _S843 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S821 : vec2<f32>,  _S822 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S844 : u32 = frames_0[_S841].environment_rows_0;
-    var _S845 : Choice_0 = choose_0(frames_0[_S841].environment_table_0, frames_0[_S841].environment_rows_0, _S842.y);
-    var _S846 : u32 = frames_0[_S841].environment_columns_0;
-    var _S847 : Choice_0 = choose_0(frames_0[_S841].environment_table_0 + frames_0[_S841].environment_rows_0 + u32(1) + _S845.index_7 * (frames_0[_S841].environment_columns_0 + u32(1)), frames_0[_S841].environment_columns_0, _S842.x);
-    var _S848 : vec3<f32> = environment_texel_0(_S841, _S845.index_7, _S847.index_7);
-    (*_S843) = _S848 * vec3<f32>((frames_0[_S841].environment_total_0 / max(mean_1(_S848), 9.99999968265522539e-21f)));
-    var _S849 : f32 = 3.14159274101257324f / f32(_S844);
-    var _S850 : f32 = mix(sine_cosine_0(f32(_S845.index_7) * _S849).y, sine_cosine_0(f32(_S845.index_7 + u32(1)) * _S849).y, _S845.remainder_0);
-    var _S851 : f32 = sqrt(max(1.0f - _S850 * _S850, 0.0f));
-    var _S852 : vec2<f32> = sine_cosine_0((f32(_S847.index_7) + _S847.remainder_0) * (6.28318548202514648f / f32(_S846)));
-    var _S853 : f32 = _S851 * _S852.x;
-    var _S854 : f32 = - _S851 * _S852.y;
-    return vec3<f32>(frames_0[_S841].environment_cosine_0 * _S853 + frames_0[_S841].environment_sine_0 * _S854, _S850, frames_0[_S841].environment_cosine_0 * _S854 - frames_0[_S841].environment_sine_0 * _S853);
+    var _S823 : u32 = frame_record_0.environment_rows_0;
+    var _S824 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S821.y);
+    var _S825 : u32 = frame_record_0.environment_columns_0;
+    var _S826 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S824.index_7 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S821.x);
+    var _S827 : vec3<f32> = environment_texel_0(_S824.index_7, _S826.index_7);
+    (*_S822) = _S827 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S827), 9.99999968265522539e-21f)));
+    var _S828 : f32 = 3.14159274101257324f / f32(_S823);
+    var _S829 : f32 = mix(sine_cosine_0(f32(_S824.index_7) * _S828).y, sine_cosine_0(f32(_S824.index_7 + u32(1)) * _S828).y, _S824.remainder_0);
+    var _S830 : f32 = sqrt(max(1.0f - _S829 * _S829, 0.0f));
+    var _S831 : vec2<f32> = sine_cosine_0((f32(_S826.index_7) + _S826.remainder_0) * (6.28318548202514648f / f32(_S825)));
+    var _S832 : f32 = _S830 * _S831.x;
+    var _S833 : f32 = - _S830 * _S831.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S832 + frame_record_0.environment_sine_0 * _S833, _S829, frame_record_0.environment_cosine_0 * _S833 - frame_record_0.environment_sine_0 * _S832);
 }
 
-fn light_sample_0( _S855 : i32,  _S856 : u32,  _S857 : vec2<u32>,  _S858 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S834 : u32,  _S835 : vec2<u32>,  _S836 : vec3<f32>) -> LightSample_0
 {
     var sample_1 : LightSample_0;
     sample_1.distance_3 = 1.00000001504746622e+30f;
-    var _S859 : u32 = frames_0[_S855].lights_0;
-    if(_S856 >= (frames_0[_S855].lights_0))
+    var _S837 : u32 = frame_record_0.lights_0;
+    if(_S834 >= (frame_record_0.lights_0))
     {
         var weight_2 : vec3<f32>;
-        var _S860 : vec3<f32> = sample_environment_0(_S855, pixel_sequence_0(_S857, frames_0[_S855].pass_number_0 * frames_0[_S855].environment_samples_0 + (_S856 - _S859), u32(3)), &(weight_2));
-        sample_1.towards_0 = _S860;
-        sample_1.irradiance_1 = weight_2 / vec3<f32>(f32(frames_0[_S855].environment_samples_0));
+        var _S838 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S835, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S834 - _S837), u32(3)), &(weight_2));
+        sample_1.towards_0 = _S838;
+        sample_1.irradiance_1 = weight_2 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_1;
     }
-    var _S861 : Light_std430_0 = lights_1[_S856];
-    sample_1.irradiance_1 = vec3<f32>(_S861.red_0, _S861.green_0, _S861.blue_0);
-    sample_1.towards_0 = vec3<f32>(_S861.x_1, _S861.y_1, _S861.z_1);
-    if((_S861.is_point_0) != u32(0))
+    var _S839 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S834);
+    sample_1.irradiance_1 = vec3<f32>(_S839.red_0, _S839.green_0, _S839.blue_0);
+    sample_1.towards_0 = vec3<f32>(_S839.x_11, _S839.y_4, _S839.z_1);
+    if((_S839.is_point_0) != u32(0))
     {
-        var _S862 : vec3<f32> = sample_1.towards_0 - _S858;
-        var _S863 : f32 = max(square_0(_S862), 9.999999960041972e-13f);
-        sample_1.distance_3 = sqrt(_S863);
-        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S863);
-        sample_1.towards_0 = normalize(_S862);
+        var _S840 : vec3<f32> = sample_1.towards_0 - _S836;
+        var _S841 : f32 = max(square_0(_S840), 9.999999960041972e-13f);
+        sample_1.distance_3 = sqrt(_S841);
+        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S841);
+        sample_1.towards_0 = normalize(_S840);
     }
     return sample_1;
 }
 
-fn cluster_density_0( _S864 : u32,  _S865 : ViewedBase_0,  _S866 : BaseTaps_0,  _S867 : u32,  _S868 : u32) -> f32
+fn cluster_density_0( _S842 : u32,  _S843 : ViewedBase_0,  _S844 : BaseTaps_0,  _S845 : u32,  _S846 : u32) -> f32
 {
-    return BinTaps_read_0(_S866.half_vector_0, fabrics_0[_S864].clustered_0.basis_0, _S865.face_3 * u32(1024), fabrics_0[_S864].clustered_0.clusters_0 * (u32(1) + fabrics_0[_S864].clustered_0.rank_0), _S868 * fabrics_0[_S864].clustered_0.clusters_0 + _S867);
+    return BinTaps_read_0(_S844.half_vector_0, fabrics_0[_S842].clustered_0.basis_0, _S843.face_4 * u32(1024), fabrics_0[_S842].clustered_0.clusters_0 * (u32(1) + fabrics_0[_S842].clustered_0.rank_0), _S846 * fabrics_0[_S842].clustered_0.clusters_0 + _S845);
 }
 
 struct ClusterTerms_0
@@ -3102,260 +3117,260 @@ struct ClusterTerms_0
      lit_0 : f32,
 };
 
-fn cluster_attenuation_0( _S869 : u32,  _S870 : ViewedBase_0,  _S871 : BaseTaps_0,  _S872 : u32) -> f32
+fn cluster_attenuation_0( _S847 : u32,  _S848 : ViewedBase_0,  _S849 : BaseTaps_0,  _S850 : u32) -> f32
 {
-    var _S873 : u32 = fabrics_0[_S869].clustered_0.moments_1 + (_S870.face_3 * fabrics_0[_S869].clustered_0.clusters_0 + _S872) * u32(8);
-    var _S874 : vec3<f32> = vec3<f32>(table_number_0(_S873), table_number_0(_S873 + u32(1)), table_number_0(_S873 + u32(2)));
-    var _S875 : vec3<f32> = vec3<f32>(table_number_0(_S873 + u32(3)), table_number_0(_S873 + u32(4)), table_number_0(_S873 + u32(5)));
-    var _S876 : f32 = table_number_0(_S873 + u32(7));
-    var _S877 : f32 = fabrics_0[_S869].optical_depth_0;
-    var _S878 : f32 = dot(_S871.facing_0, _S874);
-    var _S879 : f32 = max(dot(_S870.view_3, _S874), 0.10000000149011612f);
-    var _S880 : f32 = projected_area_1(_S871.facing_0, _S875, _S876) / max(select(_S878, - _S878, _S871.transmits_1), 0.10000000149011612f);
-    var _S881 : f32 = projected_area_1(_S870.view_3, _S875, _S876) / _S879;
-    if(!_S871.transmits_1)
+    var _S851 : u32 = fabrics_0[_S847].clustered_0.moments_1 + (_S848.face_4 * fabrics_0[_S847].clustered_0.clusters_0 + _S850) * u32(8);
+    var _S852 : vec3<f32> = vec3<f32>(table_number_0(_S851), table_number_0(_S851 + u32(1)), table_number_0(_S851 + u32(2)));
+    var _S853 : vec3<f32> = vec3<f32>(table_number_0(_S851 + u32(3)), table_number_0(_S851 + u32(4)), table_number_0(_S851 + u32(5)));
+    var _S854 : f32 = table_number_0(_S851 + u32(7));
+    var _S855 : f32 = fabrics_0[_S847].optical_depth_0;
+    var _S856 : f32 = dot(_S849.facing_0, _S852);
+    var _S857 : f32 = max(dot(_S848.view_3, _S852), 0.10000000149011612f);
+    var _S858 : f32 = projected_area_1(_S849.facing_0, _S853, _S854) / max(select(_S856, - _S856, _S849.transmits_1), 0.10000000149011612f);
+    var _S859 : f32 = projected_area_1(_S848.view_3, _S853, _S854) / _S857;
+    if(!_S849.transmits_1)
     {
-        var _S882 : f32 = _S880 + _S881;
-        return 0.25f * (1.0f - exponential_0(- _S877 * _S882)) / (_S882 * _S879);
+        var _S860 : f32 = _S858 + _S859;
+        return 0.25f * (1.0f - exponential_0(- _S855 * _S860)) / (_S860 * _S857);
     }
-    var _S883 : f32 = max(_S877 * abs(_S880 - _S881), 0.00100000004749745f);
-    return 0.25f * _S877 * exponential_0(- _S877 * min(_S880, _S881)) * (1.0f - exponential_0(- _S883)) / (_S883 * _S879);
+    var _S861 : f32 = max(_S855 * abs(_S858 - _S859), 0.00100000004749745f);
+    return 0.25f * _S855 * exponential_0(- _S855 * min(_S858, _S859)) * (1.0f - exponential_0(- _S861)) / (_S861 * _S857);
 }
 
-fn cluster_terms_0( _S884 : u32,  _S885 : ViewedBase_0,  _S886 : BaseTaps_0,  _S887 : u32) -> ClusterTerms_0
+fn cluster_terms_0( _S862 : u32,  _S863 : ViewedBase_0,  _S864 : BaseTaps_0,  _S865 : u32) -> ClusterTerms_0
 {
-    var _S888 : u32 = u32(2) * fabrics_0[_S884].clustered_0.clusters_0;
-    var _S889 : f32 = BinTaps_read_0(_S886.around_1, fabrics_0[_S884].clustered_0.light_0, _S886.first_7, _S888, _S887);
-    var _S890 : f32 = BinTaps_read_0(_S885.around_0, fabrics_0[_S884].clustered_0.view_0, _S885.face_3 * u32(256), fabrics_0[_S884].clustered_0.clusters_0, _S887);
+    var _S866 : u32 = u32(2) * fabrics_0[_S862].clustered_0.clusters_0;
+    var _S867 : f32 = BinTaps_read_0(_S864.around_1, fabrics_0[_S862].clustered_0.light_0, _S864.first_9, _S866, _S865);
+    var _S868 : f32 = BinTaps_read_0(_S863.around_0, fabrics_0[_S862].clustered_0.view_0, _S863.face_4 * u32(256), fabrics_0[_S862].clustered_0.clusters_0, _S865);
     var terms_3 : ClusterTerms_0;
-    var _S891 : f32 = _S885.trust_1.x * _S890;
-    terms_3.diffuse_0 = _S891 * 0.31830987334251404f * ((1.0f - fabrics_0[_S884].diffuse_blend_0) * abs(_S886.facing_0.z) * _S889 + fabrics_0[_S884].diffuse_blend_0 * BinTaps_read_0(_S886.around_1, fabrics_0[_S884].clustered_0.light_0, _S886.first_7, _S888, fabrics_0[_S884].clustered_0.clusters_0 + _S887));
-    terms_3.specular_0 = _S885.trust_1.y * _S890 * _S889 * cluster_attenuation_0(_S884, _S885, _S886, _S887);
-    terms_3.lit_0 = _S891 * _S889;
+    var _S869 : f32 = _S863.trust_1.x * _S868;
+    terms_3.diffuse_0 = _S869 * 0.31830987334251404f * ((1.0f - fabrics_0[_S862].diffuse_blend_0) * abs(_S864.facing_0.z) * _S867 + fabrics_0[_S862].diffuse_blend_0 * BinTaps_read_0(_S864.around_1, fabrics_0[_S862].clustered_0.light_0, _S864.first_9, _S866, fabrics_0[_S862].clustered_0.clusters_0 + _S865));
+    terms_3.specular_0 = _S863.trust_1.y * _S868 * _S867 * cluster_attenuation_0(_S862, _S863, _S864, _S865);
+    terms_3.lit_0 = _S869 * _S867;
     return terms_3;
 }
 
-fn with_cluster_0( _S892 : u32,  _S893 : Components_0,  _S894 : ClusterTerms_0,  _S895 : u32,  _S896 : f32,  _S897 : f32) -> Components_0
+fn with_cluster_0( _S870 : u32,  _S871 : Components_0,  _S872 : ClusterTerms_0,  _S873 : u32,  _S874 : f32,  _S875 : f32) -> Components_0
 {
-    var _S898 : bool = _S895 < (fabrics_0[_S892].clustered_0.clusters_0 / u32(2));
-    var result_3 : Components_0 = _S893;
-    var _S899 : f32 = _S896 * _S894.diffuse_0;
-    result_3.diffuse_warp_0 = result_3.diffuse_warp_0 + select(0.0f, _S899, _S898);
-    result_3.diffuse_weft_0 = result_3.diffuse_weft_0 + select(_S899, 0.0f, _S898);
-    var _S900 : f32 = _S894.specular_0 * _S897;
-    result_3.specular_warp_0 = result_3.specular_warp_0 + select(0.0f, _S900, _S898);
-    result_3.specular_weft_0 = result_3.specular_weft_0 + select(_S900, 0.0f, _S898);
-    result_3.light_visibility_1 = result_3.light_visibility_1 + _S896 * _S894.lit_0;
+    var _S876 : bool = _S873 < (fabrics_0[_S870].clustered_0.clusters_0 / u32(2));
+    var result_3 : Components_0 = _S871;
+    var _S877 : f32 = _S874 * _S872.diffuse_0;
+    result_3.diffuse_warp_0 = result_3.diffuse_warp_0 + select(0.0f, _S877, _S876);
+    result_3.diffuse_weft_0 = result_3.diffuse_weft_0 + select(_S877, 0.0f, _S876);
+    var _S878 : f32 = _S872.specular_0 * _S875;
+    result_3.specular_warp_0 = result_3.specular_warp_0 + select(0.0f, _S878, _S876);
+    result_3.specular_weft_0 = result_3.specular_weft_0 + select(_S878, 0.0f, _S876);
+    result_3.light_visibility_1 = result_3.light_visibility_1 + _S874 * _S872.lit_0;
     return result_3;
 }
 
-fn clustered_base_0( _S901 : u32,  _S902 : ViewedBase_0,  _S903 : BaseTaps_0) -> Components_0
+fn clustered_base_0( _S879 : u32,  _S880 : ViewedBase_0,  _S881 : BaseTaps_0) -> Components_0
 {
-    var _S904 : Clustered_std430_0 = fabrics_0[_S901].clustered_0;
-    var _S905 : u32 = _S904.clusters_0;
+    var _S882 : Clustered_std430_0 = fabrics_0[_S879].clustered_0;
+    var _S883 : u32 = _S882.clusters_0;
     var base_1 : Components_0 = no_components_0();
     var cluster_2 : u32 = u32(0);
     for(;;)
     {
-        if(cluster_2 < _S905)
+        if(cluster_2 < _S883)
         {
         }
         else
         {
             break;
         }
-        var _S906 : f32 = box_mean_1(&(_S904), _S902.box_3, _S902.face_3, cluster_2);
-        if(_S906 <= 0.0f)
+        var _S884 : f32 = box_mean_1(&(_S882), _S880.box_3, _S880.face_4, cluster_2);
+        if(_S884 <= 0.0f)
         {
             cluster_2 = cluster_2 + u32(1);
             continue;
         }
-        var _S907 : f32 = _S906 * cluster_density_0(_S901, _S902, _S903, cluster_2, u32(0));
+        var _S885 : f32 = _S884 * cluster_density_0(_S879, _S880, _S881, cluster_2, u32(0));
         var number_4 : u32 = u32(1);
-        var density_0 : f32 = _S907;
+        var density_0 : f32 = _S885;
         for(;;)
         {
-            if(number_4 <= (_S904.rank_0))
+            if(number_4 <= (_S882.rank_0))
             {
             }
             else
             {
                 break;
             }
-            var _S908 : f32 = box_mean_1(&(_S904), _S902.box_3, _S902.face_3, number_4 * _S905 + cluster_2);
-            var density_1 : f32 = density_0 + _S908 * cluster_density_0(_S901, _S902, _S903, cluster_2, number_4);
+            var _S886 : f32 = box_mean_1(&(_S882), _S880.box_3, _S880.face_4, number_4 * _S883 + cluster_2);
+            var density_1 : f32 = density_0 + _S886 * cluster_density_0(_S879, _S880, _S881, cluster_2, number_4);
             number_4 = number_4 + u32(1);
             density_0 = density_1;
         }
-        base_1 = with_cluster_0(_S901, base_1, cluster_terms_0(_S901, _S902, _S903, cluster_2), cluster_2, _S906, density_0);
+        base_1 = with_cluster_0(_S879, base_1, cluster_terms_0(_S879, _S880, _S881, cluster_2), cluster_2, _S884, density_0);
         cluster_2 = cluster_2 + u32(1);
     }
     return base_1;
 }
 
-fn under_sheen_0( _S909 : u32,  _S910 : ClusteredView_0,  _S911 : vec3<f32>,  _S912 : f32,  _S913 : vec3<f32>) -> vec3<f32>
+fn under_sheen_0( _S887 : u32,  _S888 : ClusteredView_0,  _S889 : vec3<f32>,  _S890 : f32,  _S891 : vec3<f32>) -> vec3<f32>
 {
-    var _S914 : f32 = fabrics_0[_S909].sheen_strength_0;
-    if((fabrics_0[_S909].sheen_strength_0) <= 0.0f)
+    var _S892 : f32 = fabrics_0[_S887].sheen_strength_0;
+    if((fabrics_0[_S887].sheen_strength_0) <= 0.0f)
     {
-        return _S911;
+        return _S889;
     }
-    var _S915 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S913, _S910.base_0.back_5), _S910.base_0.view_3, _S914, fabrics_0[_S909].sheen_roughness_0);
-    return vec3<f32>(_S915.y) * _S911 + vec3<f32>((_S912 * _S915.x));
+    var _S893 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S891, _S888.base_0.back_5), _S888.base_0.view_3, _S892, fabrics_0[_S887].sheen_roughness_0);
+    return vec3<f32>(_S893.y) * _S889 + vec3<f32>((_S890 * _S893.x));
 }
 
-fn clustered_base_value_0( _S916 : u32,  _S917 : ClusteredView_0,  _S918 : f32,  _S919 : vec3<f32>) -> vec3<f32>
+fn clustered_base_value_0( _S894 : u32,  _S895 : ClusteredView_0,  _S896 : f32,  _S897 : vec3<f32>) -> vec3<f32>
 {
-    var _S920 : BaseTaps_0 = base_taps_0(_S917.base_0, _S919);
-    var _S921 : Components_0 = clustered_base_0(_S916, _S917.base_0, _S920);
-    return under_sheen_0(_S916, _S917, shaded_0(_S921, _S917.albedos_4, _S920.transmits_1) + bounced_value_0(_S917.bounced_1, _S919, _S917.view_4), _S921.light_visibility_1 + _S918, _S919);
+    var _S898 : BaseTaps_0 = base_taps_0(_S895.base_0, _S897);
+    var _S899 : Components_0 = clustered_base_0(_S894, _S895.base_0, _S898);
+    return under_sheen_0(_S894, _S895, shaded_0(_S899, _S895.albedos_4, _S898.transmits_1) + bounced_value_0(_S895.bounced_1, _S897, _S895.view_4), _S899.light_visibility_1 + _S896, _S897);
 }
 
-fn clustered_at_texel_0( _S922 : u32,  _S923 : ViewedBase_0,  _S924 : u32,  _S925 : BaseTaps_0) -> Components_0
+fn clustered_at_texel_0( _S900 : u32,  _S901 : ViewedBase_0,  _S902 : u32,  _S903 : BaseTaps_0) -> Components_0
 {
-    var _S926 : Clustered_std430_0 = fabrics_0[_S922].clustered_0;
-    var _S927 : u32 = _S923.face_3 * fabrics_0[_S922].clustered_0.columns_0 * fabrics_0[_S922].clustered_0.rows_0 + _S924;
-    var _S928 : u32 = table_byte_0(fabrics_0[_S922].clustered_0.labels_0, _S927);
+    var _S904 : Clustered_std430_0 = fabrics_0[_S900].clustered_0;
+    var _S905 : u32 = _S901.face_4 * fabrics_0[_S900].clustered_0.columns_0 * fabrics_0[_S900].clustered_0.rows_0 + _S902;
+    var _S906 : u32 = table_byte_0(fabrics_0[_S900].clustered_0.labels_0, _S905);
     var base_2 : Components_0 = no_components_0();
-    if(_S928 >= (fabrics_0[_S922].clustered_0.clusters_0))
+    if(_S906 >= (fabrics_0[_S900].clustered_0.clusters_0))
     {
         return base_2;
     }
-    var _S929 : f32 = cluster_density_0(_S922, _S923, _S925, _S928, u32(0));
+    var _S907 : f32 = cluster_density_0(_S900, _S901, _S903, _S906, u32(0));
     var number_5 : u32 = u32(1);
-    var density_2 : f32 = _S929;
+    var density_2 : f32 = _S907;
     for(;;)
     {
-        if(number_5 <= (_S926.rank_0))
+        if(number_5 <= (_S904.rank_0))
         {
         }
         else
         {
             break;
         }
-        var _S930 : i32 = i32(table_byte_0(_S926.coefficients_0, _S927 * _S926.rank_0 + number_5 - u32(1)));
-        var density_3 : f32 = density_2 + f32(select(_S930, _S930 - i32(256), _S930 > i32(127))) * cluster_density_0(_S922, _S923, _S925, _S928, number_5);
+        var _S908 : i32 = i32(table_byte_0(_S904.coefficients_0, _S905 * _S904.rank_0 + number_5 - u32(1)));
+        var density_3 : f32 = density_2 + f32(select(_S908, _S908 - i32(256), _S908 > i32(127))) * cluster_density_0(_S900, _S901, _S903, _S906, number_5);
         number_5 = number_5 + u32(1);
         density_2 = density_3;
     }
-    return with_cluster_0(_S922, base_2, cluster_terms_0(_S922, _S923, _S925, _S928), _S928, 1.0f, density_2);
+    return with_cluster_0(_S900, base_2, cluster_terms_0(_S900, _S901, _S903, _S906), _S906, 1.0f, density_2);
 }
 
-fn unoccluded_0( _S931 : u32,  _S932 : SearchQuality_0,  _S933 : f32,  _S934 : f32,  _S935 : f32,  _S936 : vec3<f32>,  _S937 : bool) -> bool
+fn unoccluded_0( _S909 : u32,  _S910 : SearchQuality_0,  _S911 : f32,  _S912 : f32,  _S913 : f32,  _S914 : vec3<f32>,  _S915 : bool) -> bool
 {
-    if((_S936.z) <= 0.0f)
+    if((_S914.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S931, _S932, vec3<f32>(_S933, _S934, _S935 + fabrics_0[_S931].lift_0), _S936, _S937, max_height_along_0(_S931, _S933, _S934, _S935, _S936, _S937));
+    return is_free_0(_S909, _S910, vec3<f32>(_S911, _S912, _S913 + fabrics_0[_S909].lift_0), _S914, _S915, max_height_along_0(_S909, _S911, _S912, _S913, _S914, _S915));
 }
 
-fn is_lit_0( _S938 : u32,  _S939 : SearchQuality_0,  _S940 : YarnPoint_0,  _S941 : vec3<f32>) -> bool
+fn is_lit_0( _S916 : u32,  _S917 : SearchQuality_0,  _S918 : YarnPoint_0,  _S919 : vec3<f32>) -> bool
 {
-    if(_S940.hole_0)
+    if(_S918.hole_0)
     {
         return true;
     }
-    var _S942 : vec3<f32> = to_face_frame_0(_S941, _S940.back_6);
-    var _S943 : f32 = _S942.z;
-    var _S944 : bool = _S943 < 0.0f;
+    var _S920 : vec3<f32> = to_face_frame_0(_S919, _S918.back_6);
+    var _S921 : f32 = _S920.z;
+    var _S922 : bool = _S921 < 0.0f;
     var normal_10 : vec3<f32>;
     var height_12 : f32;
-    if(_S944)
+    if(_S922)
     {
-        var _S945 : SurfacePoint_0 = surface_at_0(_S938, _S940.x_8, _S940.y_3, !_S940.back_6);
-        normal_10 = _S945.normal_5;
-        height_12 = _S945.height_6;
+        var _S923 : SurfacePoint_0 = surface_at_0(_S916, _S918.x_7, _S918.y_2, !_S918.back_6);
+        normal_10 = _S923.normal_5;
+        height_12 = _S923.height_6;
     }
     else
     {
-        normal_10 = _S940.surface_normal_0;
-        height_12 = _S940.height_2;
+        normal_10 = _S918.surface_normal_0;
+        height_12 = _S918.height_2;
     }
-    var _S946 : vec3<f32> = vec3<f32>(_S942.xy, abs(_S943));
-    if((dot(normal_10, _S946)) <= 0.0f)
+    var _S924 : vec3<f32> = vec3<f32>(_S920.xy, abs(_S921));
+    if((dot(normal_10, _S924)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S938, _S939, _S940.x_8, _S940.y_3, height_12, _S946, (_S940.back_6) != _S944);
+    return unoccluded_0(_S916, _S917, _S918.x_7, _S918.y_2, height_12, _S924, (_S918.back_6) != _S922);
 }
 
-fn components_of_point_0( _S947 : u32,  _S948 : SearchQuality_0,  _S949 : YarnPoint_0,  _S950 : vec3<f32>,  _S951 : vec3<f32>) -> Components_0
+fn components_of_point_0( _S925 : u32,  _S926 : SearchQuality_0,  _S927 : YarnPoint_0,  _S928 : vec3<f32>,  _S929 : vec3<f32>) -> Components_0
 {
     var result_4 : Components_0 = no_components_0();
-    result_4.hole_5 = select(0.0f, 1.0f, _S949.hole_0);
-    var _S952 : bool;
-    if(_S949.hole_0)
+    result_4.hole_5 = select(0.0f, 1.0f, _S927.hole_0);
+    var _S930 : bool;
+    if(_S927.hole_0)
     {
-        _S952 = true;
+        _S930 = true;
     }
     else
     {
-        _S952 = !is_lit_0(_S947, _S948, _S949, _S950);
+        _S930 = !is_lit_0(_S925, _S926, _S927, _S928);
     }
-    if(_S952)
+    if(_S930)
     {
         return result_4;
     }
-    var _S953 : vec3<f32> = to_face_frame_0(_S950, _S949.back_6);
-    var _S954 : vec3<f32> = to_face_frame_0(_S951, _S949.back_6);
-    var _S955 : bool = (_S953.z) < 0.0f;
-    var _S956 : f32 = _S949.diffuse_gain_0 * diffuse_reflection_0(select_vector_0(_S955, (vec3<f32>(0) - _S953), _S953), _S949.normal_1, fabrics_0[_S947].diffuse_blend_0);
-    var _S957 : f32;
-    if(_S955)
+    var _S931 : vec3<f32> = to_face_frame_0(_S928, _S927.back_6);
+    var _S932 : vec3<f32> = to_face_frame_0(_S929, _S927.back_6);
+    var _S933 : bool = (_S931.z) < 0.0f;
+    var _S934 : f32 = _S927.diffuse_gain_0 * diffuse_reflection_0(select_vector_0(_S933, (vec3<f32>(0) - _S931), _S931), _S927.normal_1, fabrics_0[_S925].diffuse_blend_0);
+    var _S935 : f32;
+    if(_S933)
     {
-        _S957 = transmission_1(_S953, _S954, _S949.normal_1, _S949.tangent_0, _S949.roughness_1, fabrics_0[_S947].optical_depth_0);
+        _S935 = transmission_1(_S931, _S932, _S927.normal_1, _S927.tangent_0, _S927.roughness_1, fabrics_0[_S925].optical_depth_0);
     }
     else
     {
-        _S957 = reflection_0(_S953, _S954, _S949.normal_1, _S949.tangent_0, _S949.roughness_1, fabrics_0[_S947].optical_depth_0);
+        _S935 = reflection_0(_S931, _S932, _S927.normal_1, _S927.tangent_0, _S927.roughness_1, fabrics_0[_S925].optical_depth_0);
     }
-    result_4.diffuse_warp_0 = select(0.0f, _S956, _S949.is_warp_0);
-    result_4.diffuse_weft_0 = select(_S956, 0.0f, _S949.is_warp_0);
-    result_4.specular_warp_0 = select(0.0f, _S957, _S949.is_warp_0);
-    result_4.specular_weft_0 = select(_S957, 0.0f, _S949.is_warp_0);
+    result_4.diffuse_warp_0 = select(0.0f, _S934, _S927.is_warp_0);
+    result_4.diffuse_weft_0 = select(_S934, 0.0f, _S927.is_warp_0);
+    result_4.specular_warp_0 = select(0.0f, _S935, _S927.is_warp_0);
+    result_4.specular_weft_0 = select(_S935, 0.0f, _S927.is_warp_0);
     result_4.light_visibility_1 = 1.0f;
     return result_4;
 }
 
-fn clustered_residual_0( _S958 : u32,  _S959 : ClusteredView_0,  _S960 : ResidualPoint_0,  _S961 : vec3<f32>,  _S962 : vec3<f32>) -> vec3<f32>
+fn clustered_residual_0( _S936 : u32,  _S937 : ClusteredView_0,  _S938 : ResidualPoint_0,  _S939 : vec3<f32>,  _S940 : vec3<f32>) -> vec3<f32>
 {
-    var _S963 : BaseTaps_0 = base_taps_0(_S959.base_0, _S962);
-    var _S964 : Components_0 = clustered_at_texel_0(_S958, _S959.base_0, _S960.texel_0, _S963);
-    var _S965 : Components_0 = components_of_point_0(_S958, default_quality_0(), _S960.point_1, _S962, _S959.view_4);
+    var _S941 : BaseTaps_0 = base_taps_0(_S937.base_0, _S940);
+    var _S942 : Components_0 = clustered_at_texel_0(_S936, _S937.base_0, _S938.texel_0, _S941);
+    var _S943 : Components_0 = components_of_point_0(_S936, default_quality_0(), _S938.point_1, _S940, _S937.view_4);
     var own_2 : FamilyAlbedos_0;
-    var _S966 : Albedos_0 = tinted_0(_S960.point_1.albedos_5, _S961);
-    own_2.warp_3 = _S966;
-    own_2.weft_3 = _S966;
-    return under_sheen_0(_S958, _S959, shaded_0(_S965, own_2, _S963.transmits_1) - shaded_0(_S964, _S959.albedos_4, _S963.transmits_1) + bounced_value_0(_S960.bounced_2, _S962, _S959.view_4), _S965.light_visibility_1 + _S965.hole_5 - _S964.light_visibility_1, _S962);
+    var _S944 : Albedos_0 = tinted_0(_S938.point_1.albedos_5, _S939);
+    own_2.warp_3 = _S944;
+    own_2.weft_3 = _S944;
+    return under_sheen_0(_S936, _S937, shaded_0(_S943, own_2, _S941.transmits_1) - shaded_0(_S942, _S937.albedos_4, _S941.transmits_1) + bounced_value_0(_S938.bounced_2, _S940, _S937.view_4), _S943.light_visibility_1 + _S943.hole_5 - _S942.light_visibility_1, _S940);
 }
 
-fn passed_by_sheen_0( _S967 : u32,  _S968 : f32,  _S969 : vec3<f32>) -> f32
+fn passed_by_sheen_0( _S945 : u32,  _S946 : f32,  _S947 : vec3<f32>) -> f32
 {
-    var _S970 : f32 = fabrics_0[_S967].sheen_strength_0;
-    if((fabrics_0[_S967].sheen_strength_0) <= 0.0f)
+    var _S948 : f32 = fabrics_0[_S945].sheen_strength_0;
+    if((fabrics_0[_S945].sheen_strength_0) <= 0.0f)
     {
-        return _S968;
+        return _S946;
     }
-    return _S968 * (1.0f - _S970 * sheen_lobe_0(abs(_S969.z), fabrics_0[_S967].sheen_roughness_0).z);
+    return _S946 * (1.0f - _S948 * sheen_lobe_0(abs(_S947.z), fabrics_0[_S945].sheen_roughness_0).z);
 }
 
-fn light_of_clustered_0( _S971 : i32,  _S972 : u32,  _S973 : VisiblePoint_0,  _S974 : vec2<u32>,  _S975 : vec3<f32>) -> vec4<f32>
+fn light_of_clustered_0( _S949 : u32,  _S950 : VisiblePoint_0,  _S951 : vec2<u32>,  _S952 : vec3<f32>) -> vec4<f32>
 {
     var footprint_1 : Footprint_0;
-    footprint_1.centre_0 = _S973.draft_0;
-    footprint_1.dx_0 = _S973.draft_dx_0;
-    footprint_1.dy_0 = _S973.draft_dy_0;
-    var _S976 : vec3<f32> = to_local_0(_S973, _S973.view_1);
-    var _S977 : Clustered_std430_0 = fabrics_0[_S972].clustered_0;
-    var _S978 : u32 = mixed_0(mixed_0(_S974.x + u32(65536) * _S974.y) + frames_0[_S971].pass_number_0 * u32(2654435769));
-    var _S979 : bool = (fabrics_0[_S972].clustered_0.samples_1) == u32(0);
-    var _S980 : ClusteredView_0 = clustered_view_0(_S972, footprint_1, _S976, _S975, _S978, _S979);
-    var _S981 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_1.centre_0 = _S950.draft_0;
+    footprint_1.dx_0 = _S950.draft_dx_0;
+    footprint_1.dy_0 = _S950.draft_dy_0;
+    var _S953 : vec3<f32> = to_local_0(_S950, _S950.view_1);
+    var _S954 : Clustered_std430_0 = fabrics_0[_S949].clustered_0;
+    var _S955 : u32 = mixed_0(mixed_0(_S951.x + u32(65536) * _S951.y) + frame_record_0.pass_number_0 * u32(2654435769));
+    var _S956 : bool = (fabrics_0[_S949].clustered_0.samples_1) == u32(0);
+    var _S957 : ClusteredView_0 = clustered_view_0(_S949, footprint_1, _S953, _S952, _S955, _S956);
+    var _S958 : vec3<f32> = vec3<f32>(0.0f);
     var hole_7 : f32;
-    if(_S979)
+    if(_S956)
     {
-        hole_7 = clustered_hole_0(_S972, _S980.base_0);
+        hole_7 = clustered_hole_0(_S949, _S957.base_0);
     }
     else
     {
@@ -3363,96 +3378,95 @@ fn light_of_clustered_0( _S971 : i32,  _S972 : u32,  _S973 : VisiblePoint_0,  _S
     }
     var term_1 : u32 = u32(0);
     var hole_8 : f32 = hole_7;
-    var radiance_1 : vec3<f32> = _S981;
+    var radiance_1 : vec3<f32> = _S958;
     for(;;)
     {
-        if(term_1 <= (_S977.samples_1))
+        if(term_1 <= (_S954.samples_1))
         {
         }
         else
         {
             break;
         }
-        var _S982 : ResidualPoint_0 = ResidualPoint_x24init_0(YarnPoint_x24init_0(false, false, false, 0.0f, 0.0f, 0.0f, _S981, _S981, _S981, 0.0f, 0.0f, Albedos_x24init_0(_S981, _S981, _S981, _S981)), u32(0), Bounced_x24init_0(_S981, _S981));
+        var _S959 : ResidualPoint_0 = ResidualPoint_x24init_0(YarnPoint_x24init_0(false, false, false, 0.0f, 0.0f, 0.0f, _S958, _S958, _S958, 0.0f, 0.0f, Albedos_x24init_0(_S958, _S958, _S958, _S958)), u32(0), Bounced_x24init_0(_S958, _S958));
         var sample_2 : ResidualPoint_0;
         if(term_1 > u32(0))
         {
-            var _S983 : ResidualPoint_0 = residual_point_0(_S972, _S980, _S975, _S978, term_1 - u32(1));
-            var hole_9 : f32 = hole_8 + select(0.0f, 1.0f, _S983.point_1.hole_0) / f32(_S977.samples_1);
-            sample_2 = _S983;
+            var _S960 : ResidualPoint_0 = residual_point_0(_S949, _S957, _S952, _S955, term_1 - u32(1));
+            var hole_9 : f32 = hole_8 + select(0.0f, 1.0f, _S960.point_1.hole_0) / f32(_S954.samples_1);
+            sample_2 = _S960;
             hole_8 = hole_9;
         }
         else
         {
-            sample_2 = _S982;
+            sample_2 = _S959;
         }
         var number_6 : u32 = u32(0);
         var radiance_2 : vec3<f32> = radiance_1;
         for(;;)
         {
-            if(number_6 < (light_sample_count_0(_S971)))
+            if(number_6 < (light_sample_count_0()))
             {
             }
             else
             {
                 break;
             }
-            var _S984 : f32 = visibility_at_0(_S971, number_6, _S974);
-            if(_S984 <= 0.0f)
+            var _S961 : f32 = visibility_at_0(number_6, _S951);
+            if(_S961 <= 0.0f)
             {
                 number_6 = number_6 + u32(1);
                 continue;
             }
-            var _S985 : LightSample_0 = light_sample_0(_S971, number_6, _S974, _S973.position_0);
-            var _S986 : vec3<f32> = to_local_0(_S973, _S985.towards_0);
+            var _S962 : LightSample_0 = light_sample_0(number_6, _S951, _S950.position_0);
+            var _S963 : vec3<f32> = to_local_0(_S950, _S962.towards_0);
             var value_1 : vec3<f32>;
             if(term_1 == u32(0))
             {
-                value_1 = clustered_base_value_0(_S972, _S980, hole_7, _S986);
+                value_1 = clustered_base_value_0(_S949, _S957, hole_7, _S963);
             }
             else
             {
-                value_1 = clustered_residual_0(_S972, _S980, sample_2, _S975, _S986) / vec3<f32>(f32(_S977.samples_1));
+                value_1 = clustered_residual_0(_S949, _S957, sample_2, _S952, _S963) / vec3<f32>(f32(_S954.samples_1));
             }
-            radiance_2 = radiance_2 + vec3<f32>(_S984) * _S985.irradiance_1 * value_1;
+            radiance_2 = radiance_2 + vec3<f32>(_S961) * _S962.irradiance_1 * value_1;
             number_6 = number_6 + u32(1);
         }
         term_1 = term_1 + u32(1);
         radiance_1 = radiance_2;
     }
-    return vec4<f32>(radiance_1, 1.0f - passed_by_sheen_0(_S972, hole_8, _S976));
+    return vec4<f32>(radiance_1, 1.0f - passed_by_sheen_0(_S949, hole_8, _S953));
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn shade_clustered(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S987 : u32 = id_0.x;
-    var _S988 : u32 = frames_0[i32(0)].width_0;
-    var _S989 : bool;
-    if(_S987 >= (frames_0[i32(0)].width_0))
+    var _S964 : u32 = id_0.x;
+    var _S965 : bool;
+    if(_S964 >= (frame_record_0.width_0))
     {
-        _S989 = true;
+        _S965 = true;
     }
     else
     {
-        _S989 = (id_0.y) >= (frames_0[i32(0)].height_0);
+        _S965 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S989)
+    if(_S965)
     {
         return;
     }
-    var _S990 : u32 = id_0.y * _S988 + _S987;
-    var _S991 : u32 = layers_0[_S990].face_0;
-    if((layers_0[_S990].face_0) == u32(0))
+    var _S966 : u32 = id_0.y * frame_record_0.width_0 + _S964;
+    var _S967 : u32 = layers_0[_S966].face_0;
+    if((layers_0[_S966].face_0) == u32(0))
     {
         return;
     }
-    var _S992 : u32 = _S991 - u32(1);
-    var _S993 : u32 = face_fabrics_0[_S992];
-    var _S994 : vec2<u32> = id_0.xy;
-    var _S995 : VisiblePoint_0 = visible_point_0(i32(0), _S993, _S992, _S994);
-    accumulate_0(_S990, light_of_clustered_0(i32(0), _S993, _S995, _S994, filtered_albedo_0(_S993, _S995)));
+    var _S968 : u32 = _S967 - u32(1);
+    var _S969 : u32 = fabric_of_0(_S968);
+    var _S970 : vec2<u32> = id_0.xy;
+    var _S971 : VisiblePoint_0 = visible_point_0(_S969, _S968, _S970);
+    accumulate_0(_S966, light_of_clustered_0(_S969, _S971, _S970, filtered_albedo_0(_S969, _S971)));
     return;
 }
 

@@ -1,54 +1,57 @@
-struct Frame_std430_0
+struct Frame_std140_0
 {
-    @align(4) width_0 : u32,
+    @align(16) width_0 : u32,
     @align(4) height_0 : u32,
-    @align(4) lights_0 : u32,
+    @align(8) lights_0 : u32,
     @align(4) samples_0 : u32,
-    @align(4) pass_number_0 : u32,
+    @align(16) pass_number_0 : u32,
     @align(4) environment_samples_0 : u32,
-    @align(4) environment_columns_0 : u32,
+    @align(8) environment_columns_0 : u32,
     @align(4) environment_rows_0 : u32,
-    @align(4) environment_table_0 : u32,
+    @align(16) environment_table_0 : u32,
     @align(4) environment_total_0 : f32,
-    @align(4) environment_sine_0 : f32,
+    @align(8) environment_sine_0 : f32,
     @align(4) environment_cosine_0 : f32,
-    @align(4) shows_environment_0 : u32,
+    @align(16) shows_environment_0 : u32,
     @align(4) casts_shadows_0 : u32,
-    @align(4) leaves_0 : u32,
+    @align(8) leaves_0 : u32,
     @align(4) leaf_faces_0 : u32,
-    @align(4) ray_offset_0 : f32,
+    @align(16) corners_0 : u32,
+    @align(4) face_fabrics_0 : u32,
+    @align(8) vertices_0 : u32,
+    @align(4) light_records_0 : u32,
+    @align(16) ray_offset_0 : f32,
     @align(4) jitter_x_0 : f32,
-    @align(4) jitter_y_0 : f32,
+    @align(8) jitter_y_0 : f32,
     @align(4) gain_0 : f32,
-    @align(4) origin_x_0 : f32,
+    @align(16) origin_x_0 : f32,
     @align(4) origin_y_0 : f32,
-    @align(4) origin_z_0 : f32,
+    @align(8) origin_z_0 : f32,
     @align(4) right_x_0 : f32,
-    @align(4) right_y_0 : f32,
+    @align(16) right_y_0 : f32,
     @align(4) right_z_0 : f32,
-    @align(4) up_x_0 : f32,
+    @align(8) up_x_0 : f32,
     @align(4) up_y_0 : f32,
-    @align(4) up_z_0 : f32,
+    @align(16) up_z_0 : f32,
     @align(4) forward_x_0 : f32,
-    @align(4) forward_y_0 : f32,
+    @align(8) forward_y_0 : f32,
     @align(4) forward_z_0 : f32,
-    @align(4) near_0 : f32,
+    @align(16) near_0 : f32,
     @align(4) background_red_0 : f32,
-    @align(4) background_green_0 : f32,
+    @align(8) background_green_0 : f32,
     @align(4) background_blue_0 : f32,
 };
 
-@binding(4) @group(0) var<storage, read> frames_0 : array<Frame_std430_0>;
-
+@binding(10) @group(0) var<uniform> frame_record_0 : Frame_std140_0;
 struct Layer_std430_0
 {
     @align(4) face_0 : u32,
     @align(4) share_0 : f32,
 };
 
-@binding(12) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
+@binding(5) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
 
-@binding(7) @group(0) var<storage, read> face_fabrics_0 : array<u32>;
+@binding(4) @group(0) var<storage, read> scene_words_0 : array<u32>;
 
 struct Lobes_std430_0
 {
@@ -128,7 +131,7 @@ struct Latent_std430_0
     @align(4) is_trained_1 : u32,
     @align(4) decoder_1 : u32,
     @align(4) hidden_0 : u32,
-    @align(4) frames_1 : u32,
+    @align(4) frames_0 : u32,
     @align(4) sampler_0 : u32,
     @align(4) albedo_0 : u32,
     @align(4) texels_1 : u32,
@@ -208,44 +211,13 @@ struct Fabric_std430_0
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
 
-@binding(6) @group(0) var<storage, read> corners_0 : array<u32>;
-
-struct Vertex_std430_0
-{
-    @align(4) x_0 : f32,
-    @align(4) y_0 : f32,
-    @align(4) z_0 : f32,
-    @align(4) normal_x_0 : f32,
-    @align(4) normal_y_0 : f32,
-    @align(4) normal_z_0 : f32,
-    @align(4) u_0 : f32,
-    @align(4) v_0 : f32,
-};
-
-@binding(5) @group(0) var<storage, read> vertices_0 : array<Vertex_std430_0>;
-
 @binding(2) @group(0) var<storage, read> words_0 : array<u32>;
 
-@binding(10) @group(0) var<storage, read> packed_numbers_0 : array<vec4<u32>>;
+@binding(3) @group(0) var<storage, read> packed_numbers_0 : array<vec4<u32>>;
 
-@binding(13) @group(0) var<storage, read_write> visibilities_0 : array<f32>;
+@binding(6) @group(0) var<storage, read_write> visibilities_0 : array<f32>;
 
-@binding(11) @group(0) var<storage, read> scene_words_0 : array<u32>;
-
-struct Light_std430_0
-{
-    @align(4) is_point_0 : u32,
-    @align(4) x_1 : f32,
-    @align(4) y_1 : f32,
-    @align(4) z_1 : f32,
-    @align(4) red_0 : f32,
-    @align(4) green_0 : f32,
-    @align(4) blue_0 : f32,
-};
-
-@binding(3) @group(0) var<storage, read> lights_1 : array<Light_std430_0>;
-
-@binding(8) @group(0) var<storage, read_write> radiance_0 : array<vec4<f32>>;
+@binding(7) @group(0) var<storage, read_write> radiance_0 : array<vec4<f32>>;
 
 struct FloatWeights_0
 {
@@ -322,9 +294,9 @@ fn select_vector_0( condition_0 : bool,  yes_0 : vec4<f32>,  no_0 : vec4<f32>) -
     return chosen_0;
 }
 
-fn Relu_apply_0( x_2 : f32) -> f32
+fn Relu_apply_0( x_0 : f32) -> f32
 {
-    return max(x_2, 0.0f);
+    return max(x_0, 0.0f);
 }
 
 fn dense_part_0( weights_1 : FloatWeights_0,  first_1 : u32,  adds_0 : bool,  inputs_1 : ptr<function, array<f32, i32(64)>>,  outputs_0 : ptr<function, array<f32, i32(64)>>)
@@ -402,9 +374,9 @@ fn dense_part_0( weights_1 : FloatWeights_0,  first_1 : u32,  adds_0 : bool,  in
     return;
 }
 
-fn Identity_apply_0( x_3 : f32) -> f32
+fn Identity_apply_0( x_1 : f32) -> f32
 {
-    return x_3;
+    return x_1;
 }
 
 fn dense_part_1( weights_2 : FloatWeights_0,  first_2 : u32,  adds_1 : bool,  inputs_2 : ptr<function, array<f32, i32(64)>>,  outputs_1 : ptr<function, array<f32, i32(3)>>)
@@ -1440,14 +1412,45 @@ fn select_vector_2( condition_2 : bool,  yes_2 : vec3<f32>,  no_2 : vec3<f32>) -
     return chosen_2;
 }
 
-fn position_of_0( vertex_0 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+fn fabric_of_0( face_1 : u32) -> u32
 {
-    return vec3<f32>((*vertex_0).x_0, (*vertex_0).y_0, (*vertex_0).z_0);
+    return scene_words_0[frame_record_0.face_fabrics_0 + face_1];
 }
 
-fn position_of_1( vertex_1 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+struct Vertex_0
 {
-    return vec3<f32>((*vertex_1).x_0, (*vertex_1).y_0, (*vertex_1).z_0);
+     x_2 : f32,
+     y_0 : f32,
+     z_0 : f32,
+     normal_x_0 : f32,
+     normal_y_0 : f32,
+     normal_z_0 : f32,
+     u_0 : f32,
+     v_0 : f32,
+};
+
+fn scene_vertex_0( first_24 : u32) -> Vertex_0
+{
+    var record_0 : Vertex_0;
+    record_0.x_2 = (bitcast<f32>((scene_words_0[first_24])));
+    record_0.y_0 = (bitcast<f32>((scene_words_0[first_24 + u32(1)])));
+    record_0.z_0 = (bitcast<f32>((scene_words_0[first_24 + u32(2)])));
+    record_0.normal_x_0 = (bitcast<f32>((scene_words_0[first_24 + u32(3)])));
+    record_0.normal_y_0 = (bitcast<f32>((scene_words_0[first_24 + u32(4)])));
+    record_0.normal_z_0 = (bitcast<f32>((scene_words_0[first_24 + u32(5)])));
+    record_0.u_0 = (bitcast<f32>((scene_words_0[first_24 + u32(6)])));
+    record_0.v_0 = (bitcast<f32>((scene_words_0[first_24 + u32(7)])));
+    return record_0;
+}
+
+fn vertex_at_0( corner_0 : u32) -> Vertex_0
+{
+    return scene_vertex_0(frame_record_0.vertices_0 + u32(8) * scene_words_0[frame_record_0.corners_0 + corner_0]);
+}
+
+fn position_of_0( vertex_0 : Vertex_0) -> vec3<f32>
+{
+    return vec3<f32>(vertex_0.x_2, vertex_0.y_0, vertex_0.z_0);
 }
 
 fn square_0( v_1 : vec3<f32>) -> f32
@@ -1455,9 +1458,9 @@ fn square_0( v_1 : vec3<f32>) -> f32
     return dot(v_1, v_1);
 }
 
-fn normal_of_0( vertex_2 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+fn normal_of_0( vertex_1 : Vertex_0) -> vec3<f32>
 {
-    return vec3<f32>((*vertex_2).normal_x_0, (*vertex_2).normal_y_0, (*vertex_2).normal_z_0);
+    return vec3<f32>(vertex_1.normal_x_0, vertex_1.normal_y_0, vertex_1.normal_z_0);
 }
 
 struct VisiblePoint_0
@@ -1515,9 +1518,9 @@ fn to_face_frame_0( direction_1 : vec3<f32>,  back_2 : bool) -> vec3<f32>
     return vec3<f32>(direction_1.xy, select(_S155, - _S155, back_2));
 }
 
-fn natural_logarithm_0( x_4 : f32) -> f32
+fn natural_logarithm_0( x_3 : f32) -> f32
 {
-    var _S156 : u32 = (bitcast<u32>((x_4)));
+    var _S156 : u32 = (bitcast<u32>((x_3)));
     var exponent_0 : f32 = f32(i32((_S156 >> (u32(23)))) - i32(126));
     var m_0 : f32 = (bitcast<f32>(((((_S156 & (u32(8388607)))) | (u32(1056964608))))));
     var m_1 : f32;
@@ -1538,9 +1541,9 @@ fn natural_logarithm_0( x_4 : f32) -> f32
     return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S157 - exponent_1 * 0.00021219444170129f - 0.5f * _S157) + exponent_1 * 0.693359375f;
 }
 
-fn binary_logarithm_0( x_5 : f32) -> f32
+fn binary_logarithm_0( x_4 : f32) -> f32
 {
-    return natural_logarithm_0(x_5) * 1.4426950216293335f;
+    return natural_logarithm_0(x_4) * 1.4426950216293335f;
 }
 
 fn no_numbers_0() -> Eight_0
@@ -1565,9 +1568,9 @@ fn eight_halves_0( packed_0 : vec4<u32>) -> Eight_0
     return numbers_2;
 }
 
-fn texel_numbers_0( first_24 : u32,  elements_1 : u32,  texel_0 : u32) -> Eight_0
+fn texel_numbers_0( first_25 : u32,  elements_1 : u32,  texel_0 : u32) -> Eight_0
 {
-    var _S159 : u32 = first_24 + texel_0 * elements_1;
+    var _S159 : u32 = first_25 + texel_0 * elements_1;
     var _S160 : vec4<u32> = packed_numbers_0[_S159];
     if(elements_1 == u32(1))
     {
@@ -1579,7 +1582,7 @@ fn texel_numbers_0( first_24 : u32,  elements_1 : u32,  texel_0 : u32) -> Eight_
     return numbers_3;
 }
 
-fn add_bilinear_0( first_25 : u32,  elements_2 : u32,  start_0 : u32,  columns_1 : u32,  rows_1 : u32,  uv_2 : vec2<f32>,  weight_0 : f32,  sums_6 : ptr<function, Eight_0>)
+fn add_bilinear_0( first_26 : u32,  elements_2 : u32,  start_0 : u32,  columns_1 : u32,  rows_1 : u32,  uv_2 : vec2<f32>,  weight_0 : f32,  sums_6 : ptr<function, Eight_0>)
 {
     var _S161 : vec2<f32> = uv_2 * vec2<f32>(f32(columns_1), f32(rows_1)) - vec2<f32>(0.5f);
     var _S162 : vec2<f32> = floor(_S161);
@@ -1598,7 +1601,7 @@ fn add_bilinear_0( first_25 : u32,  elements_2 : u32,  start_0 : u32,  columns_1
         }
         var _S166 : u32 = (tap_0 & (u32(1)));
         var _S167 : u32 = (tap_0 >> (u32(1)));
-        var _S168 : Eight_0 = texel_numbers_0(first_25, elements_2, start_0 + ((u32(_S165 + i32(_S167)) & ((rows_1 - u32(1))))) * columns_1 + ((u32(_S164 + i32(_S166)) & ((columns_1 - u32(1))))));
+        var _S168 : Eight_0 = texel_numbers_0(first_26, elements_2, start_0 + ((u32(_S165 + i32(_S167)) & ((rows_1 - u32(1))))) * columns_1 + ((u32(_S164 + i32(_S166)) & ((columns_1 - u32(1))))));
         var _S169 : f32 = _S163.y;
         var _S170 : f32 = _S163.x;
         var _S171 : vec4<f32> = vec4<f32>((select(1.0f - _S169, _S169, _S167 != u32(0)) * select(1.0f - _S170, _S170, _S166 != u32(0)) * weight_0));
@@ -1611,21 +1614,21 @@ fn add_bilinear_0( first_25 : u32,  elements_2 : u32,  start_0 : u32,  columns_1
 
 struct TexelPyramid_0
 {
-     first_26 : u32,
+     first_27 : u32,
      elements_3 : u32,
      levels_4 : u32,
      last_level_3 : f32,
      face_texels_2 : u32,
 };
 
-fn TexelPyramid_add_level_0( this_4 : TexelPyramid_0,  place_0 : vec2<f32>,  level_0 : u32,  face_1 : u32,  weight_1 : f32,  sums_7 : ptr<function, Eight_0>)
+fn TexelPyramid_add_level_0( this_4 : TexelPyramid_0,  place_0 : vec2<f32>,  level_0 : u32,  face_2 : u32,  weight_1 : f32,  sums_7 : ptr<function, Eight_0>)
 {
     var _S172 : u32 = this_4.levels_4 + u32(3) * level_0;
-    add_bilinear_0(this_4.first_26, this_4.elements_3, face_1 * this_4.face_texels_2 + words_0[_S172], words_0[_S172 + u32(1)], words_0[_S172 + u32(2)], place_0, weight_1, &((*sums_7)));
+    add_bilinear_0(this_4.first_27, this_4.elements_3, face_2 * this_4.face_texels_2 + words_0[_S172], words_0[_S172 + u32(1)], words_0[_S172 + u32(2)], place_0, weight_1, &((*sums_7)));
     return;
 }
 
-fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_3 : vec2<f32>,  level_1 : f32,  face_2 : u32) -> Eight_0
+fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_3 : vec2<f32>,  level_1 : f32,  face_3 : u32) -> Eight_0
 {
     var _S173 : f32 = clamp(level_1, 0.0f, this_5.last_level_3);
     var _S174 : f32 = clamp(floor(_S173), 0.0f, max(this_5.last_level_3 - 1.0f, 0.0f));
@@ -1645,17 +1648,17 @@ fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_3 : vec2<f32>,  l
         var _S177 : f32 = select(_S175, 1.0f - _S175, offset_2 == u32(0));
         if(_S177 > 0.0f)
         {
-            TexelPyramid_add_level_0(this_5, _S176, u32(_S174) + offset_2, face_2, _S177, &(texel_1));
+            TexelPyramid_add_level_0(this_5, _S176, u32(_S174) + offset_2, face_3, _S177, &(texel_1));
         }
         offset_2 = offset_2 + u32(1);
     }
     return texel_1;
 }
 
-fn TexelPyramid_of_level_0( this_6 : TexelPyramid_0,  uv_4 : vec2<f32>,  level_2 : u32,  face_3 : u32) -> Eight_0
+fn TexelPyramid_of_level_0( this_6 : TexelPyramid_0,  uv_4 : vec2<f32>,  level_2 : u32,  face_4 : u32) -> Eight_0
 {
     var texel_2 : Eight_0 = no_numbers_0();
-    TexelPyramid_add_level_0(this_6, within_repeat_0(uv_4), level_2, face_3, 1.0f, &(texel_2));
+    TexelPyramid_add_level_0(this_6, within_repeat_0(uv_4), level_2, face_4, 1.0f, &(texel_2));
     return texel_2;
 }
 
@@ -1731,10 +1734,10 @@ fn mean_0( colour_0 : vec3<f32>) -> f32
     return (colour_0.x + colour_0.y + colour_0.z) / 3.0f;
 }
 
-fn sine_cosine_0( x_6 : f32) -> vec2<f32>
+fn sine_cosine_0( x_5 : f32) -> vec2<f32>
 {
-    var _S185 : f32 = floor(x_6 * 0.63661974668502808f + 0.5f);
-    var _S186 : f32 = x_6 - _S185 * 1.5703125f - _S185 * 0.00048375129699707f - _S185 * 7.54979012640433211e-08f;
+    var _S185 : f32 = floor(x_5 * 0.63661974668502808f + 0.5f);
+    var _S186 : f32 = x_5 - _S185 * 1.5703125f - _S185 * 0.00048375129699707f - _S185 * 7.54979012640433211e-08f;
     var _S187 : f32 = _S186 * _S186;
     var _S188 : f32 = ((-0.00019515295571182f * _S187 + 0.00833216123282909f) * _S187 - 0.16666655242443085f) * _S187 * _S186 + _S186;
     var _S189 : f32 = ((0.00002443315679557f * _S187 - 0.00138873164542019f) * _S187 + 0.04166664555668831f) * _S187 * _S187 - 0.5f * _S187 + 1.0f;
@@ -1743,6 +1746,30 @@ fn sine_cosine_0( x_6 : f32) -> vec2<f32>
     var _S192 : f32 = _S191.x;
     var _S193 : f32 = _S191.y;
     return vec2<f32>(select(_S192, - _S192, ((_S190 & (u32(2)))) != u32(0)), select(_S193, - _S193, (((_S190 + u32(1)) & (u32(2)))) != u32(0)));
+}
+
+struct Light_0
+{
+     is_point_0 : u32,
+     x_6 : f32,
+     y_1 : f32,
+     z_1 : f32,
+     red_0 : f32,
+     green_0 : f32,
+     blue_0 : f32,
+};
+
+fn scene_light_0( first_28 : u32) -> Light_0
+{
+    var record_1 : Light_0;
+    record_1.is_point_0 = scene_words_0[first_28];
+    record_1.x_6 = (bitcast<f32>((scene_words_0[first_28 + u32(1)])));
+    record_1.y_1 = (bitcast<f32>((scene_words_0[first_28 + u32(2)])));
+    record_1.z_1 = (bitcast<f32>((scene_words_0[first_28 + u32(3)])));
+    record_1.red_0 = (bitcast<f32>((scene_words_0[first_28 + u32(4)])));
+    record_1.green_0 = (bitcast<f32>((scene_words_0[first_28 + u32(5)])));
+    record_1.blue_0 = (bitcast<f32>((scene_words_0[first_28 + u32(6)])));
+    return record_1;
 }
 
 fn LatentFrame_coordinates_0( this_7 : LatentFrame_0,  direction_2 : vec3<f32>) -> vec3<f32>
@@ -1771,112 +1798,100 @@ fn accumulate_0( index_3 : u32,  light_1 : vec4<f32>)
     return;
 }
 
-fn camera_right_0( _S198 : i32) -> vec3<f32>
+fn camera_right_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S198].right_x_0, frames_0[_S198].right_y_0, frames_0[_S198].right_z_0);
+    return vec3<f32>(frame_record_0.right_x_0, frame_record_0.right_y_0, frame_record_0.right_z_0);
 }
 
-fn camera_up_0( _S199 : i32) -> vec3<f32>
+fn camera_up_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S199].up_x_0, frames_0[_S199].up_y_0, frames_0[_S199].up_z_0);
+    return vec3<f32>(frame_record_0.up_x_0, frame_record_0.up_y_0, frame_record_0.up_z_0);
 }
 
-fn camera_forward_0( _S200 : i32) -> vec3<f32>
+fn camera_forward_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S200].forward_x_0, frames_0[_S200].forward_y_0, frames_0[_S200].forward_z_0);
+    return vec3<f32>(frame_record_0.forward_x_0, frame_record_0.forward_y_0, frame_record_0.forward_z_0);
 }
 
-fn camera_origin_0( _S201 : i32) -> vec3<f32>
+fn camera_origin_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S201].origin_x_0, frames_0[_S201].origin_y_0, frames_0[_S201].origin_z_0);
+    return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn face_point_0( _S202 : u32,  _S203 : u32,  _S204 : f32,  _S205 : f32) -> VisiblePoint_0
+fn face_point_0( _S198 : u32,  _S199 : u32,  _S200 : f32,  _S201 : f32) -> VisiblePoint_0
 {
-    var _S206 : u32 = u32(3) * _S203;
-    var _S207 : Vertex_std430_0 = vertices_0[corners_0[_S206]];
-    var _S208 : Vertex_std430_0 = vertices_0[corners_0[_S206 + u32(1)]];
-    var _S209 : Vertex_std430_0 = vertices_0[corners_0[_S206 + u32(2)]];
-    var _S210 : vec3<f32> = position_of_0(&(_S208));
-    var _S211 : vec3<f32> = position_of_0(&(_S207));
-    var _S212 : vec3<f32> = _S210 - _S211;
-    var _S213 : vec3<f32> = position_of_0(&(_S209));
-    var _S214 : vec3<f32> = _S213 - _S211;
-    var _S215 : f32 = _S207.u_0;
-    var _S216 : f32 = _S208.u_0 - _S207.u_0;
-    var _S217 : f32 = _S207.v_0;
-    var _S218 : f32 = _S208.v_0 - _S207.v_0;
-    var _S219 : vec2<f32> = vec2<f32>(_S216, _S218);
-    var _S220 : f32 = _S209.u_0 - _S207.u_0;
-    var _S221 : f32 = _S209.v_0 - _S207.v_0;
-    var _S222 : vec2<f32> = vec2<f32>(_S220, _S221);
-    var _S223 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S216 * _S221 - _S218 * _S220) < 0.0f));
-    var _S224 : vec3<f32> = _S223 * (vec3<f32>(_S221) * _S212 - vec3<f32>(_S218) * _S214);
-    var _S225 : vec3<f32> = _S223 * (vec3<f32>(_S216) * _S214 - vec3<f32>(_S220) * _S212);
+    var _S202 : u32 = u32(3) * _S199;
+    var _S203 : Vertex_0 = vertex_at_0(_S202);
+    var _S204 : Vertex_0 = vertex_at_0(_S202 + u32(1));
+    var _S205 : Vertex_0 = vertex_at_0(_S202 + u32(2));
+    var _S206 : vec3<f32> = position_of_0(_S203);
+    var _S207 : vec3<f32> = position_of_0(_S204) - _S206;
+    var _S208 : vec3<f32> = position_of_0(_S205) - _S206;
+    var _S209 : f32 = _S204.u_0 - _S203.u_0;
+    var _S210 : f32 = _S204.v_0 - _S203.v_0;
+    var _S211 : vec2<f32> = vec2<f32>(_S209, _S210);
+    var _S212 : f32 = _S205.u_0 - _S203.u_0;
+    var _S213 : f32 = _S205.v_0 - _S203.v_0;
+    var _S214 : vec2<f32> = vec2<f32>(_S212, _S213);
+    var _S215 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S209 * _S213 - _S210 * _S212) < 0.0f));
+    var _S216 : vec3<f32> = _S215 * (vec3<f32>(_S213) * _S207 - vec3<f32>(_S210) * _S208);
+    var _S217 : vec3<f32> = _S215 * (vec3<f32>(_S209) * _S208 - vec3<f32>(_S212) * _S207);
     var point_1 : VisiblePoint_0;
-    var _S226 : f32 = 1.0f - _S204 - _S205;
-    var _S227 : vec3<f32> = normal_of_0(&(_S207));
-    var _S228 : vec3<f32> = vec3<f32>(_S226) * _S227;
-    var _S229 : vec3<f32> = normal_of_0(&(_S208));
-    var _S230 : vec3<f32> = vec3<f32>(_S204);
-    var _S231 : vec3<f32> = _S228 + _S230 * _S229;
-    var _S232 : vec3<f32> = normal_of_0(&(_S209));
-    var _S233 : vec3<f32> = vec3<f32>(_S205);
-    var _S234 : vec3<f32> = normalize(_S231 + _S233 * _S232);
-    point_1.normal_0 = _S234;
-    var _S235 : vec3<f32> = normalize(_S224 - _S234 * vec3<f32>(dot(_S234, _S224)));
-    point_1.axis_x_0 = _S235;
-    point_1.axis_y_0 = cross(_S234, _S235);
-    var _S236 : vec3<f32> = normalize(cross(_S212, _S214));
-    point_1.face_normal_0 = select_vector_2((dot(_S236, _S234)) < 0.0f, (vec3<f32>(0) - _S236), _S236);
-    point_1.position_0 = _S211 + _S230 * _S212 + _S233 * _S214;
-    point_1.view_1 = _S234;
-    var _S237 : vec2<f32> = vec2<f32>(_S215, _S217) + vec2<f32>(_S204) * _S219 + vec2<f32>(_S205) * _S222;
-    point_1.uv_0 = _S237;
-    var _S238 : bool = (dot(cross(_S224, _S225), _S234)) < 0.0f;
-    var _S239 : vec2<f32> = vec2<f32>(fabrics_0[_S202].uv_width_0, select(fabrics_0[_S202].uv_height_0, - fabrics_0[_S202].uv_height_0, _S238));
-    point_1.draft_per_uv_0 = _S239;
-    point_1.draft_0 = _S237 * _S239 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S202].uv_height_0, _S238));
-    var _S240 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S240;
-    point_1.draft_dy_0 = _S240;
+    var _S218 : vec3<f32> = vec3<f32>(_S200);
+    var _S219 : vec3<f32> = vec3<f32>(_S201);
+    var _S220 : vec3<f32> = normalize(vec3<f32>((1.0f - _S200 - _S201)) * normal_of_0(_S203) + _S218 * normal_of_0(_S204) + _S219 * normal_of_0(_S205));
+    point_1.normal_0 = _S220;
+    var _S221 : vec3<f32> = normalize(_S216 - _S220 * vec3<f32>(dot(_S220, _S216)));
+    point_1.axis_x_0 = _S221;
+    point_1.axis_y_0 = cross(_S220, _S221);
+    var _S222 : vec3<f32> = normalize(cross(_S207, _S208));
+    point_1.face_normal_0 = select_vector_2((dot(_S222, _S220)) < 0.0f, (vec3<f32>(0) - _S222), _S222);
+    point_1.position_0 = _S206 + _S218 * _S207 + _S219 * _S208;
+    point_1.view_1 = _S220;
+    var _S223 : vec2<f32> = vec2<f32>(_S203.u_0, _S203.v_0) + vec2<f32>(_S200) * _S211 + vec2<f32>(_S201) * _S214;
+    point_1.uv_0 = _S223;
+    var _S224 : bool = (dot(cross(_S216, _S217), _S220)) < 0.0f;
+    var _S225 : vec2<f32> = vec2<f32>(fabrics_0[_S198].uv_width_0, select(fabrics_0[_S198].uv_height_0, - fabrics_0[_S198].uv_height_0, _S224));
+    point_1.draft_per_uv_0 = _S225;
+    point_1.draft_0 = _S223 * _S225 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S198].uv_height_0, _S224));
+    var _S226 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S226;
+    point_1.draft_dy_0 = _S226;
     return point_1;
 }
 
-fn visible_point_0( _S241 : i32,  _S242 : u32,  _S243 : u32,  _S244 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S227 : u32,  _S228 : u32,  _S229 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S245 : u32 = u32(3) * _S243;
-    var _S246 : Vertex_std430_0 = vertices_0[corners_0[_S245]];
-    var _S247 : Vertex_std430_0 = vertices_0[corners_0[_S245 + u32(1)]];
-    var _S248 : Vertex_std430_0 = vertices_0[corners_0[_S245 + u32(2)]];
-    var _S249 : vec3<f32> = position_of_1(&(_S247));
-    var _S250 : vec3<f32> = position_of_1(&(_S246));
-    var _S251 : vec3<f32> = _S249 - _S250;
-    var _S252 : vec3<f32> = position_of_1(&(_S248));
-    var _S253 : vec3<f32> = _S252 - _S250;
-    var _S254 : vec3<f32> = cross(_S251, _S253);
-    var _S255 : f32 = f32(frames_0[_S241].width_0);
-    var _S256 : vec3<f32> = camera_right_0(_S241) * vec3<f32>((2.0f / _S255));
-    var _S257 : f32 = f32(frames_0[_S241].height_0);
-    var _S258 : vec3<f32> = camera_up_0(_S241) * vec3<f32>((-2.0f / _S257));
-    var _S259 : vec3<f32> = camera_forward_0(_S241) + vec3<f32>((f32(_S244.x) + 0.5f - 0.5f * _S255)) * _S256 + vec3<f32>((f32(_S244.y) + 0.5f - 0.5f * _S257)) * _S258;
-    var _S260 : f32 = dot(_S259, _S254);
-    var _S261 : f32 = 1.0f / select(1.00000000317107685e-30f, _S260, (abs(_S260)) > 1.00000000317107685e-30f);
-    var _S262 : vec3<f32> = _S250 - camera_origin_0(_S241);
-    var _S263 : vec3<f32> = vec3<f32>((dot(_S262, _S254) * _S261));
-    var _S264 : vec3<f32> = _S259 * _S263 - _S262;
-    var _S265 : vec3<f32> = _S263 * (_S256 - _S259 * vec3<f32>((dot(_S256, _S254) * _S261)));
-    var _S266 : vec3<f32> = _S263 * (_S258 - _S259 * vec3<f32>((dot(_S258, _S254) * _S261)));
-    var _S267 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S254), 1.00000000317107685e-30f)));
-    var _S268 : vec3<f32> = cross(_S253, _S254) * _S267;
-    var _S269 : vec3<f32> = cross(_S254, _S251) * _S267;
-    var _S270 : vec2<f32> = vec2<f32>(_S247.u_0 - _S246.u_0, _S247.v_0 - _S246.v_0);
-    var _S271 : vec2<f32> = vec2<f32>(_S248.u_0 - _S246.u_0, _S248.v_0 - _S246.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S242, _S243, dot(_S264, _S268), dot(_S264, _S269));
-    point_2.position_0 = _S250 + _S264;
-    point_2.view_1 = (vec3<f32>(0) - normalize(_S259));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S265, _S268)) * _S270 + vec2<f32>(dot(_S265, _S269)) * _S271) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S266, _S268)) * _S270 + vec2<f32>(dot(_S266, _S269)) * _S271) * point_2.draft_per_uv_0;
+    var _S230 : u32 = u32(3) * _S228;
+    var _S231 : Vertex_0 = vertex_at_0(_S230);
+    var _S232 : Vertex_0 = vertex_at_0(_S230 + u32(1));
+    var _S233 : Vertex_0 = vertex_at_0(_S230 + u32(2));
+    var _S234 : vec3<f32> = position_of_0(_S231);
+    var _S235 : vec3<f32> = position_of_0(_S232) - _S234;
+    var _S236 : vec3<f32> = position_of_0(_S233) - _S234;
+    var _S237 : vec3<f32> = cross(_S235, _S236);
+    var _S238 : f32 = f32(frame_record_0.width_0);
+    var _S239 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S238));
+    var _S240 : f32 = f32(frame_record_0.height_0);
+    var _S241 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S240));
+    var _S242 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S229.x) + 0.5f - 0.5f * _S238)) * _S239 + vec3<f32>((f32(_S229.y) + 0.5f - 0.5f * _S240)) * _S241;
+    var _S243 : f32 = dot(_S242, _S237);
+    var _S244 : f32 = 1.0f / select(1.00000000317107685e-30f, _S243, (abs(_S243)) > 1.00000000317107685e-30f);
+    var _S245 : vec3<f32> = _S234 - camera_origin_0();
+    var _S246 : vec3<f32> = vec3<f32>((dot(_S245, _S237) * _S244));
+    var _S247 : vec3<f32> = _S242 * _S246 - _S245;
+    var _S248 : vec3<f32> = _S246 * (_S239 - _S242 * vec3<f32>((dot(_S239, _S237) * _S244)));
+    var _S249 : vec3<f32> = _S246 * (_S241 - _S242 * vec3<f32>((dot(_S241, _S237) * _S244)));
+    var _S250 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S237), 1.00000000317107685e-30f)));
+    var _S251 : vec3<f32> = cross(_S236, _S237) * _S250;
+    var _S252 : vec3<f32> = cross(_S237, _S235) * _S250;
+    var _S253 : vec2<f32> = vec2<f32>(_S232.u_0 - _S231.u_0, _S232.v_0 - _S231.v_0);
+    var _S254 : vec2<f32> = vec2<f32>(_S233.u_0 - _S231.u_0, _S233.v_0 - _S231.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S227, _S228, dot(_S247, _S251), dot(_S247, _S252));
+    point_2.position_0 = _S234 + _S247;
+    point_2.view_1 = (vec3<f32>(0) - normalize(_S242));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S248, _S251)) * _S253 + vec2<f32>(dot(_S248, _S252)) * _S254) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S249, _S251)) * _S253 + vec2<f32>(dot(_S249, _S252)) * _S254) * point_2.draft_per_uv_0;
     return point_2;
 }
 
@@ -1890,35 +1905,35 @@ struct Footprint_0
 struct LatentView_0
 {
      latent_1 : array<f32, i32(8)>,
-     first_27 : LatentFrame_0,
+     first_29 : LatentFrame_0,
      second_0 : LatentFrame_0,
      view_2 : vec3<f32>,
      back_3 : bool,
 };
 
-fn latent_view_0( _S272 : u32,  _S273 : Footprint_0,  _S274 : vec3<f32>,  _S275 : f32,  _S276 : ptr<function, LatentView_0>)
+fn latent_view_0( _S255 : u32,  _S256 : Footprint_0,  _S257 : vec3<f32>,  _S258 : f32,  _S259 : ptr<function, LatentView_0>)
 {
-    var _S277 : Latent_std430_0 = fabrics_0[_S272].latent_0;
-    var _S278 : bool = (_S274.z) < 0.0f;
-    (*_S276).back_3 = _S278;
-    (*_S276).view_2 = to_face_frame_0(_S274, _S278);
-    var _S279 : u32 = select(u32(0), _S277.back_1, _S278);
-    var _S280 : vec2<f32> = _S273.centre_0 * vec2<f32>(_S277.repeats_per_x_1, _S277.repeats_per_y_1);
-    var _S281 : f32 = clamp(binary_logarithm_0(max(sqrt(abs(_S273.dx_0.x * _S273.dy_0.y - _S273.dx_0.y * _S273.dy_0.x)) * _S277.texels_per_mm_1, 9.99999971718068537e-10f)), 0.0f, _S277.last_level_2);
+    var _S260 : Latent_std430_0 = fabrics_0[_S255].latent_0;
+    var _S261 : bool = (_S257.z) < 0.0f;
+    (*_S259).back_3 = _S261;
+    (*_S259).view_2 = to_face_frame_0(_S257, _S261);
+    var _S262 : u32 = select(u32(0), _S260.back_1, _S261);
+    var _S263 : vec2<f32> = _S256.centre_0 * vec2<f32>(_S260.repeats_per_x_1, _S260.repeats_per_y_1);
+    var _S264 : f32 = clamp(binary_logarithm_0(max(sqrt(abs(_S256.dx_0.x * _S256.dy_0.y - _S256.dx_0.y * _S256.dy_0.x)) * _S260.texels_per_mm_1, 9.99999971718068537e-10f)), 0.0f, _S260.last_level_2);
     var pyramid_0 : TexelPyramid_0;
-    pyramid_0.first_26 = _S277.texels_1;
-    pyramid_0.elements_3 = _S277.texel_elements_1;
-    pyramid_0.levels_4 = _S277.levels_3;
-    pyramid_0.last_level_3 = _S277.last_level_2;
-    pyramid_0.face_texels_2 = _S277.face_texels_1;
+    pyramid_0.first_27 = _S260.texels_1;
+    pyramid_0.elements_3 = _S260.texel_elements_1;
+    pyramid_0.levels_4 = _S260.levels_3;
+    pyramid_0.last_level_3 = _S260.last_level_2;
+    pyramid_0.face_texels_2 = _S260.face_texels_1;
     var texel_3 : Eight_0;
-    if((_S277.is_trilinear_0) != u32(0))
+    if((_S260.is_trilinear_0) != u32(0))
     {
-        texel_3 = TexelPyramid_between_levels_0(pyramid_0, _S280, _S281, _S279);
+        texel_3 = TexelPyramid_between_levels_0(pyramid_0, _S263, _S264, _S262);
     }
     else
     {
-        texel_3 = TexelPyramid_of_level_0(pyramid_0, _S280, u32(_S281) + select(u32(0), u32(1), _S275 < (_S281 - floor(_S281))), _S279);
+        texel_3 = TexelPyramid_of_level_0(pyramid_0, _S263, u32(_S264) + select(u32(0), u32(1), _S258 < (_S264 - floor(_S264))), _S262);
     }
     var k_1 : i32 = i32(0);
     for(;;)
@@ -1930,32 +1945,32 @@ fn latent_view_0( _S272 : u32,  _S273 : Footprint_0,  _S274 : vec3<f32>,  _S275 
         {
             break;
         }
-        (*_S276).latent_1[k_1] = channel_0(texel_3, k_1);
+        (*_S259).latent_1[k_1] = channel_0(texel_3, k_1);
         k_1 = k_1 + i32(1);
     }
     var weights_26 : FloatWeights_0;
-    weights_26.first_0 = _S277.frames_1;
-    var _S282 : array<f32, i32(8)> = (*_S276).latent_1;
+    weights_26.first_0 = _S260.frames_0;
+    var _S265 : array<f32, i32(8)> = (*_S259).latent_1;
     var sums_8 : array<f32, i32(12)>;
-    dense_9(weights_26, u32(0), false, &(_S282), &(sums_8));
-    (*_S276).latent_1 = _S282;
-    (*_S276).first_27 = frame_of_0(vec3<f32>(sums_8[i32(0)], sums_8[i32(1)], sums_8[i32(2)]), vec3<f32>(sums_8[i32(3)], sums_8[i32(4)], sums_8[i32(5)]));
-    (*_S276).second_0 = frame_of_0(vec3<f32>(sums_8[i32(6)], sums_8[i32(7)], sums_8[i32(8)]), vec3<f32>(sums_8[i32(9)], sums_8[i32(10)], sums_8[i32(11)]));
+    dense_9(weights_26, u32(0), false, &(_S265), &(sums_8));
+    (*_S259).latent_1 = _S265;
+    (*_S259).first_29 = frame_of_0(vec3<f32>(sums_8[i32(0)], sums_8[i32(1)], sums_8[i32(2)]), vec3<f32>(sums_8[i32(3)], sums_8[i32(4)], sums_8[i32(5)]));
+    (*_S259).second_0 = frame_of_0(vec3<f32>(sums_8[i32(6)], sums_8[i32(7)], sums_8[i32(8)]), vec3<f32>(sums_8[i32(9)], sums_8[i32(10)], sums_8[i32(11)]));
     return;
 }
 
-fn light_sample_count_0( _S283 : i32) -> u32
+fn light_sample_count_0() -> u32
 {
-    return frames_0[_S283].lights_0 + frames_0[_S283].environment_samples_0;
+    return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S284 : i32,  _S285 : u32,  _S286 : vec2<u32>) -> f32
+fn visibility_at_0( _S266 : u32,  _S267 : vec2<u32>) -> f32
 {
-    if((frames_0[_S284].casts_shadows_0) == u32(0))
+    if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S285 * frames_0[_S284].height_0 + _S286.y) * frames_0[_S284].width_0 + _S286.x];
+    return visibilities_0[(_S266 * frame_record_0.height_0 + _S267.y) * frame_record_0.width_0 + _S267.x];
 }
 
 struct LightSample_0
@@ -1965,68 +1980,68 @@ struct LightSample_0
      distance_0 : f32,
 };
 
-fn environment_texel_0( _S287 : i32,  _S288 : u32,  _S289 : u32) -> vec3<f32>
+fn environment_texel_0( _S268 : u32,  _S269 : u32) -> vec3<f32>
 {
-    var _S290 : u32 = frames_0[_S287].environment_table_0 + frames_0[_S287].environment_rows_0 + u32(1) + frames_0[_S287].environment_rows_0 * (frames_0[_S287].environment_columns_0 + u32(1)) + u32(3) * (_S288 * frames_0[_S287].environment_columns_0 + _S289);
-    return vec3<f32>(scene_number_0(_S290), scene_number_0(_S290 + u32(1)), scene_number_0(_S290 + u32(2)));
+    var _S270 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S268 * frame_record_0.environment_columns_0 + _S269);
+    return vec3<f32>(scene_number_0(_S270), scene_number_0(_S270 + u32(1)), scene_number_0(_S270 + u32(2)));
 }
 
-fn sample_environment_0( _S291 : i32,  _S292 : vec2<f32>,  _S293 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S271 : vec2<f32>,  _S272 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S294 : u32 = frames_0[_S291].environment_rows_0;
-    var _S295 : Choice_0 = choose_0(frames_0[_S291].environment_table_0, frames_0[_S291].environment_rows_0, _S292.y);
-    var _S296 : u32 = frames_0[_S291].environment_columns_0;
-    var _S297 : Choice_0 = choose_0(frames_0[_S291].environment_table_0 + frames_0[_S291].environment_rows_0 + u32(1) + _S295.index_2 * (frames_0[_S291].environment_columns_0 + u32(1)), frames_0[_S291].environment_columns_0, _S292.x);
-    var _S298 : vec3<f32> = environment_texel_0(_S291, _S295.index_2, _S297.index_2);
-    (*_S293) = _S298 * vec3<f32>((frames_0[_S291].environment_total_0 / max(mean_0(_S298), 9.99999968265522539e-21f)));
-    var _S299 : f32 = 3.14159274101257324f / f32(_S294);
-    var _S300 : f32 = mix(sine_cosine_0(f32(_S295.index_2) * _S299).y, sine_cosine_0(f32(_S295.index_2 + u32(1)) * _S299).y, _S295.remainder_0);
-    var _S301 : f32 = sqrt(max(1.0f - _S300 * _S300, 0.0f));
-    var _S302 : vec2<f32> = sine_cosine_0((f32(_S297.index_2) + _S297.remainder_0) * (6.28318548202514648f / f32(_S296)));
-    var _S303 : f32 = _S301 * _S302.x;
-    var _S304 : f32 = - _S301 * _S302.y;
-    return vec3<f32>(frames_0[_S291].environment_cosine_0 * _S303 + frames_0[_S291].environment_sine_0 * _S304, _S300, frames_0[_S291].environment_cosine_0 * _S304 - frames_0[_S291].environment_sine_0 * _S303);
+    var _S273 : u32 = frame_record_0.environment_rows_0;
+    var _S274 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S271.y);
+    var _S275 : u32 = frame_record_0.environment_columns_0;
+    var _S276 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S274.index_2 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S271.x);
+    var _S277 : vec3<f32> = environment_texel_0(_S274.index_2, _S276.index_2);
+    (*_S272) = _S277 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S277), 9.99999968265522539e-21f)));
+    var _S278 : f32 = 3.14159274101257324f / f32(_S273);
+    var _S279 : f32 = mix(sine_cosine_0(f32(_S274.index_2) * _S278).y, sine_cosine_0(f32(_S274.index_2 + u32(1)) * _S278).y, _S274.remainder_0);
+    var _S280 : f32 = sqrt(max(1.0f - _S279 * _S279, 0.0f));
+    var _S281 : vec2<f32> = sine_cosine_0((f32(_S276.index_2) + _S276.remainder_0) * (6.28318548202514648f / f32(_S275)));
+    var _S282 : f32 = _S280 * _S281.x;
+    var _S283 : f32 = - _S280 * _S281.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S282 + frame_record_0.environment_sine_0 * _S283, _S279, frame_record_0.environment_cosine_0 * _S283 - frame_record_0.environment_sine_0 * _S282);
 }
 
-fn light_sample_0( _S305 : i32,  _S306 : u32,  _S307 : vec2<u32>,  _S308 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S284 : u32,  _S285 : vec2<u32>,  _S286 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_0 = 1.00000001504746622e+30f;
-    var _S309 : u32 = frames_0[_S305].lights_0;
-    if(_S306 >= (frames_0[_S305].lights_0))
+    var _S287 : u32 = frame_record_0.lights_0;
+    if(_S284 >= (frame_record_0.lights_0))
     {
         var weight_2 : vec3<f32>;
-        var _S310 : vec3<f32> = sample_environment_0(_S305, pixel_sequence_0(_S307, frames_0[_S305].pass_number_0 * frames_0[_S305].environment_samples_0 + (_S306 - _S309), u32(3)), &(weight_2));
-        sample_0.towards_0 = _S310;
-        sample_0.irradiance_1 = weight_2 / vec3<f32>(f32(frames_0[_S305].environment_samples_0));
+        var _S288 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S285, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S284 - _S287), u32(3)), &(weight_2));
+        sample_0.towards_0 = _S288;
+        sample_0.irradiance_1 = weight_2 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S311 : Light_std430_0 = lights_1[_S306];
-    sample_0.irradiance_1 = vec3<f32>(_S311.red_0, _S311.green_0, _S311.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S311.x_1, _S311.y_1, _S311.z_1);
-    if((_S311.is_point_0) != u32(0))
+    var _S289 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S284);
+    sample_0.irradiance_1 = vec3<f32>(_S289.red_0, _S289.green_0, _S289.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S289.x_6, _S289.y_1, _S289.z_1);
+    if((_S289.is_point_0) != u32(0))
     {
-        var _S312 : vec3<f32> = sample_0.towards_0 - _S308;
-        var _S313 : f32 = max(square_0(_S312), 9.999999960041972e-13f);
-        sample_0.distance_0 = sqrt(_S313);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S313);
-        sample_0.towards_0 = normalize(_S312);
+        var _S290 : vec3<f32> = sample_0.towards_0 - _S286;
+        var _S291 : f32 = max(square_0(_S290), 9.999999960041972e-13f);
+        sample_0.distance_0 = sqrt(_S291);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S291);
+        sample_0.towards_0 = normalize(_S290);
     }
     return sample_0;
 }
 
-fn latent_value_0( _S314 : u32,  _S315 : ptr<function, LatentView_0>,  _S316 : vec3<f32>) -> vec3<f32>
+fn latent_value_0( _S292 : u32,  _S293 : ptr<function, LatentView_0>,  _S294 : vec3<f32>) -> vec3<f32>
 {
-    var _S317 : vec3<f32> = to_face_frame_0(_S316, (*_S315).back_3);
-    if((_S317.z) <= 0.0f)
+    var _S295 : vec3<f32> = to_face_frame_0(_S294, (*_S293).back_3);
+    if((_S295.z) <= 0.0f)
     {
         return vec3<f32>(0.0f);
     }
     var inputs_32 : array<f32, i32(20)>;
-    var _S318 : vec3<f32> = LatentFrame_coordinates_0((*_S315).first_27, (*_S315).view_2);
-    var _S319 : vec3<f32> = LatentFrame_coordinates_0((*_S315).first_27, _S317);
-    var _S320 : vec3<f32> = LatentFrame_coordinates_0((*_S315).second_0, (*_S315).view_2);
-    var _S321 : vec3<f32> = LatentFrame_coordinates_0((*_S315).second_0, _S317);
+    var _S296 : vec3<f32> = LatentFrame_coordinates_0((*_S293).first_29, (*_S293).view_2);
+    var _S297 : vec3<f32> = LatentFrame_coordinates_0((*_S293).first_29, _S295);
+    var _S298 : vec3<f32> = LatentFrame_coordinates_0((*_S293).second_0, (*_S293).view_2);
+    var _S299 : vec3<f32> = LatentFrame_coordinates_0((*_S293).second_0, _S295);
     var axis_0 : i32 = i32(0);
     for(;;)
     {
@@ -2037,10 +2052,10 @@ fn latent_value_0( _S314 : u32,  _S315 : ptr<function, LatentView_0>,  _S316 : v
         {
             break;
         }
-        inputs_32[axis_0] = _S318[axis_0];
-        inputs_32[i32(3) + axis_0] = _S319[axis_0];
-        inputs_32[i32(6) + axis_0] = _S320[axis_0];
-        inputs_32[i32(9) + axis_0] = _S321[axis_0];
+        inputs_32[axis_0] = _S296[axis_0];
+        inputs_32[i32(3) + axis_0] = _S297[axis_0];
+        inputs_32[i32(6) + axis_0] = _S298[axis_0];
+        inputs_32[i32(9) + axis_0] = _S299[axis_0];
         axis_0 = axis_0 + i32(1);
     }
     var k_2 : i32 = i32(0);
@@ -2053,59 +2068,59 @@ fn latent_value_0( _S314 : u32,  _S315 : ptr<function, LatentView_0>,  _S316 : v
         {
             break;
         }
-        inputs_32[i32(12) + k_2] = (*_S315).latent_1[k_2];
+        inputs_32[i32(12) + k_2] = (*_S293).latent_1[k_2];
         k_2 = k_2 + i32(1);
     }
     var outputs_27 : array<f32, i32(3)>;
-    var _S322 : Latent_std430_0 = fabrics_0[_S314].latent_0;
-    if((fabrics_0[_S314].latent_0.hidden_0) == u32(16))
+    var _S300 : Latent_std430_0 = fabrics_0[_S292].latent_0;
+    if((fabrics_0[_S292].latent_0.hidden_0) == u32(16))
     {
-        decode_2(_S322.decoder_1, &(inputs_32), &(outputs_27));
+        decode_2(_S300.decoder_1, &(inputs_32), &(outputs_27));
     }
     else
     {
-        if((_S322.hidden_0) == u32(32))
+        if((_S300.hidden_0) == u32(32))
         {
-            decode_1(_S322.decoder_1, &(inputs_32), &(outputs_27));
+            decode_1(_S300.decoder_1, &(inputs_32), &(outputs_27));
         }
         else
         {
-            decode_0(_S322.decoder_1, &(inputs_32), &(outputs_27));
+            decode_0(_S300.decoder_1, &(inputs_32), &(outputs_27));
         }
     }
     return vec3<f32>(bounded_exponential_0(outputs_27[i32(0)] - 3.0f), bounded_exponential_0(outputs_27[i32(1)] - 3.0f), bounded_exponential_0(outputs_27[i32(2)] - 3.0f));
 }
 
-fn light_of_latent_0( _S323 : i32,  _S324 : u32,  _S325 : VisiblePoint_0,  _S326 : vec2<u32>) -> vec4<f32>
+fn light_of_latent_0( _S301 : u32,  _S302 : VisiblePoint_0,  _S303 : vec2<u32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S325.draft_0;
-    footprint_0.dx_0 = _S325.draft_dx_0;
-    footprint_0.dy_0 = _S325.draft_dy_0;
+    footprint_0.centre_0 = _S302.draft_0;
+    footprint_0.dx_0 = _S302.draft_dx_0;
+    footprint_0.dy_0 = _S302.draft_dy_0;
     var seen_0 : LatentView_0;
-    latent_view_0(_S324, footprint_0, to_local_0(_S325, _S325.view_1), pixel_sequence_0(_S326, frames_0[_S323].pass_number_0, u32(1)).x, &(seen_0));
-    var _S327 : vec3<f32> = vec3<f32>(0.0f);
+    latent_view_0(_S301, footprint_0, to_local_0(_S302, _S302.view_1), pixel_sequence_0(_S303, frame_record_0.pass_number_0, u32(1)).x, &(seen_0));
+    var _S304 : vec3<f32> = vec3<f32>(0.0f);
     var number_1 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S327;
+    var radiance_1 : vec3<f32> = _S304;
     for(;;)
     {
-        if(number_1 < (light_sample_count_0(_S323)))
+        if(number_1 < (light_sample_count_0()))
         {
         }
         else
         {
             break;
         }
-        var _S328 : f32 = visibility_at_0(_S323, number_1, _S326);
-        if(_S328 <= 0.0f)
+        var _S305 : f32 = visibility_at_0(number_1, _S303);
+        if(_S305 <= 0.0f)
         {
             number_1 = number_1 + u32(1);
             continue;
         }
-        var _S329 : LightSample_0 = light_sample_0(_S323, number_1, _S326, _S325.position_0);
-        var _S330 : vec3<f32> = vec3<f32>(_S328) * _S329.irradiance_1;
-        var _S331 : vec3<f32> = latent_value_0(_S324, &(seen_0), to_local_0(_S325, _S329.towards_0));
-        radiance_1 = radiance_1 + _S330 * _S331;
+        var _S306 : LightSample_0 = light_sample_0(number_1, _S303, _S302.position_0);
+        var _S307 : vec3<f32> = vec3<f32>(_S305) * _S306.irradiance_1;
+        var _S308 : vec3<f32> = latent_value_0(_S301, &(seen_0), to_local_0(_S302, _S306.towards_0));
+        radiance_1 = radiance_1 + _S307 * _S308;
         number_1 = number_1 + u32(1);
     }
     return vec4<f32>(radiance_1, 1.0f);
@@ -2115,31 +2130,30 @@ fn light_of_latent_0( _S323 : i32,  _S324 : u32,  _S325 : VisiblePoint_0,  _S326
 @workgroup_size(8, 8, 1)
 fn shade_latent(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S332 : u32 = id_0.x;
-    var _S333 : u32 = frames_0[i32(0)].width_0;
-    var _S334 : bool;
-    if(_S332 >= (frames_0[i32(0)].width_0))
+    var _S309 : u32 = id_0.x;
+    var _S310 : bool;
+    if(_S309 >= (frame_record_0.width_0))
     {
-        _S334 = true;
+        _S310 = true;
     }
     else
     {
-        _S334 = (id_0.y) >= (frames_0[i32(0)].height_0);
+        _S310 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S334)
+    if(_S310)
     {
         return;
     }
-    var _S335 : u32 = id_0.y * _S333 + _S332;
-    var _S336 : u32 = layers_0[_S335].face_0;
-    if((layers_0[_S335].face_0) == u32(0))
+    var _S311 : u32 = id_0.y * frame_record_0.width_0 + _S309;
+    var _S312 : u32 = layers_0[_S311].face_0;
+    if((layers_0[_S311].face_0) == u32(0))
     {
         return;
     }
-    var _S337 : u32 = _S336 - u32(1);
-    var _S338 : u32 = face_fabrics_0[_S337];
-    var _S339 : vec2<u32> = id_0.xy;
-    accumulate_0(_S335, light_of_latent_0(i32(0), _S338, visible_point_0(i32(0), _S338, _S337, _S339), _S339));
+    var _S313 : u32 = _S312 - u32(1);
+    var _S314 : u32 = fabric_of_0(_S313);
+    var _S315 : vec2<u32> = id_0.xy;
+    accumulate_0(_S311, light_of_latent_0(_S314, visible_point_0(_S314, _S313, _S315), _S315));
     return;
 }
 

@@ -1,54 +1,57 @@
-struct Frame_std430_0
+struct Frame_std140_0
 {
-    @align(4) width_0 : u32,
+    @align(16) width_0 : u32,
     @align(4) height_0 : u32,
-    @align(4) lights_0 : u32,
+    @align(8) lights_0 : u32,
     @align(4) samples_0 : u32,
-    @align(4) pass_number_0 : u32,
+    @align(16) pass_number_0 : u32,
     @align(4) environment_samples_0 : u32,
-    @align(4) environment_columns_0 : u32,
+    @align(8) environment_columns_0 : u32,
     @align(4) environment_rows_0 : u32,
-    @align(4) environment_table_0 : u32,
+    @align(16) environment_table_0 : u32,
     @align(4) environment_total_0 : f32,
-    @align(4) environment_sine_0 : f32,
+    @align(8) environment_sine_0 : f32,
     @align(4) environment_cosine_0 : f32,
-    @align(4) shows_environment_0 : u32,
+    @align(16) shows_environment_0 : u32,
     @align(4) casts_shadows_0 : u32,
-    @align(4) leaves_0 : u32,
+    @align(8) leaves_0 : u32,
     @align(4) leaf_faces_0 : u32,
-    @align(4) ray_offset_0 : f32,
+    @align(16) corners_0 : u32,
+    @align(4) face_fabrics_0 : u32,
+    @align(8) vertices_0 : u32,
+    @align(4) light_records_0 : u32,
+    @align(16) ray_offset_0 : f32,
     @align(4) jitter_x_0 : f32,
-    @align(4) jitter_y_0 : f32,
+    @align(8) jitter_y_0 : f32,
     @align(4) gain_0 : f32,
-    @align(4) origin_x_0 : f32,
+    @align(16) origin_x_0 : f32,
     @align(4) origin_y_0 : f32,
-    @align(4) origin_z_0 : f32,
+    @align(8) origin_z_0 : f32,
     @align(4) right_x_0 : f32,
-    @align(4) right_y_0 : f32,
+    @align(16) right_y_0 : f32,
     @align(4) right_z_0 : f32,
-    @align(4) up_x_0 : f32,
+    @align(8) up_x_0 : f32,
     @align(4) up_y_0 : f32,
-    @align(4) up_z_0 : f32,
+    @align(16) up_z_0 : f32,
     @align(4) forward_x_0 : f32,
-    @align(4) forward_y_0 : f32,
+    @align(8) forward_y_0 : f32,
     @align(4) forward_z_0 : f32,
-    @align(4) near_0 : f32,
+    @align(16) near_0 : f32,
     @align(4) background_red_0 : f32,
-    @align(4) background_green_0 : f32,
+    @align(8) background_green_0 : f32,
     @align(4) background_blue_0 : f32,
 };
 
-@binding(4) @group(0) var<storage, read> frames_0 : array<Frame_std430_0>;
-
+@binding(10) @group(0) var<uniform> frame_record_0 : Frame_std140_0;
 struct Layer_std430_0
 {
     @align(4) face_0 : u32,
     @align(4) share_0 : f32,
 };
 
-@binding(12) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
+@binding(5) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
 
-@binding(7) @group(0) var<storage, read> face_fabrics_0 : array<u32>;
+@binding(4) @group(0) var<storage, read> scene_words_0 : array<u32>;
 
 struct Lobes_std430_0
 {
@@ -128,7 +131,7 @@ struct Latent_std430_0
     @align(4) is_trained_1 : u32,
     @align(4) decoder_1 : u32,
     @align(4) hidden_0 : u32,
-    @align(4) frames_1 : u32,
+    @align(4) frames_0 : u32,
     @align(4) sampler_0 : u32,
     @align(4) albedo_0 : u32,
     @align(4) texels_1 : u32,
@@ -208,38 +211,7 @@ struct Fabric_std430_0
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
 
-@binding(6) @group(0) var<storage, read> corners_0 : array<u32>;
-
-struct Vertex_std430_0
-{
-    @align(4) x_0 : f32,
-    @align(4) y_0 : f32,
-    @align(4) z_0 : f32,
-    @align(4) normal_x_0 : f32,
-    @align(4) normal_y_0 : f32,
-    @align(4) normal_z_0 : f32,
-    @align(4) u_0 : f32,
-    @align(4) v_0 : f32,
-};
-
-@binding(5) @group(0) var<storage, read> vertices_0 : array<Vertex_std430_0>;
-
-@binding(11) @group(0) var<storage, read> scene_words_0 : array<u32>;
-
-@binding(13) @group(0) var<storage, read_write> visibilities_0 : array<f32>;
-
-struct Light_std430_0
-{
-    @align(4) is_point_0 : u32,
-    @align(4) x_1 : f32,
-    @align(4) y_1 : f32,
-    @align(4) z_1 : f32,
-    @align(4) red_0 : f32,
-    @align(4) green_0 : f32,
-    @align(4) blue_0 : f32,
-};
-
-@binding(3) @group(0) var<storage, read> lights_1 : array<Light_std430_0>;
+@binding(6) @group(0) var<storage, read_write> visibilities_0 : array<f32>;
 
 struct Family_std430_0
 {
@@ -290,7 +262,7 @@ struct Family_std430_0
 
 @binding(2) @group(0) var<storage, read> words_0 : array<u32>;
 
-@binding(8) @group(0) var<storage, read_write> radiance_0 : array<vec4<f32>>;
+@binding(7) @group(0) var<storage, read_write> radiance_0 : array<vec4<f32>>;
 
 fn select_vector_0( condition_0 : bool,  yes_0 : vec2<f32>,  no_0 : vec2<f32>) -> vec2<f32>
 {
@@ -300,9 +272,9 @@ fn select_vector_0( condition_0 : bool,  yes_0 : vec2<f32>,  no_0 : vec2<f32>) -
     return chosen_0;
 }
 
-fn rsqrt_0( x_2 : f32) -> f32
+fn rsqrt_0( x_0 : f32) -> f32
 {
-    return 1.0f / sqrt(x_2);
+    return 1.0f / sqrt(x_0);
 }
 
 fn select_vector_1( condition_1 : bool,  yes_1 : vec3<f32>,  no_1 : vec3<f32>) -> vec3<f32>
@@ -327,14 +299,45 @@ fn select_vector_2( condition_2 : bool,  yes_2 : vec4<u32>,  no_2 : vec4<u32>) -
 var<private> TAP_OFFSETS_0 : array<vec2<f32>, i32(9)> = array<vec2<f32>, i32(9)>( vec2<f32>(-0.3333333432674408f, -0.3333333432674408f), vec2<f32>(-0.3333333432674408f, 0.0f), vec2<f32>(-0.3333333432674408f, 0.3333333432674408f), vec2<f32>(0.0f, -0.3333333432674408f), vec2<f32>(0.0f, 0.0f), vec2<f32>(0.0f, 0.3333333432674408f), vec2<f32>(0.3333333432674408f, -0.3333333432674408f), vec2<f32>(0.3333333432674408f, 0.0f), vec2<f32>(0.3333333432674408f, 0.3333333432674408f) );
 var<private> PYRAMID_RADII_0 : array<f32, i32(4)> = array<f32, i32(4)>( 1.0f, 2.0f, 4.0f, 8.0f );
 var<private> POINT_OFFSETS_0 : array<vec2<f32>, i32(8)> = array<vec2<f32>, i32(8)>( vec2<f32>(0.0f, 0.0f), vec2<f32>(-0.23010000586509705f, 0.35670000314712524f), vec2<f32>(0.36809998750686646f, -0.22939999401569366f), vec2<f32>(-0.28040000796318054f, -0.34400001168251038f), vec2<f32>(0.3465999960899353f, 0.28859999775886536f), vec2<f32>(-0.36349999904632568f, 0.0511000007390976f), vec2<f32>(0.09929999709129333f, -0.35699999332427979f), vec2<f32>(0.10710000246763229f, 0.32879999279975891f) );
-fn position_of_0( vertex_0 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+fn fabric_of_0( face_1 : u32) -> u32
 {
-    return vec3<f32>((*vertex_0).x_0, (*vertex_0).y_0, (*vertex_0).z_0);
+    return scene_words_0[frame_record_0.face_fabrics_0 + face_1];
 }
 
-fn position_of_1( vertex_1 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+struct Vertex_0
 {
-    return vec3<f32>((*vertex_1).x_0, (*vertex_1).y_0, (*vertex_1).z_0);
+     x_1 : f32,
+     y_0 : f32,
+     z_0 : f32,
+     normal_x_0 : f32,
+     normal_y_0 : f32,
+     normal_z_0 : f32,
+     u_0 : f32,
+     v_0 : f32,
+};
+
+fn scene_vertex_0( first_0 : u32) -> Vertex_0
+{
+    var record_0 : Vertex_0;
+    record_0.x_1 = (bitcast<f32>((scene_words_0[first_0])));
+    record_0.y_0 = (bitcast<f32>((scene_words_0[first_0 + u32(1)])));
+    record_0.z_0 = (bitcast<f32>((scene_words_0[first_0 + u32(2)])));
+    record_0.normal_x_0 = (bitcast<f32>((scene_words_0[first_0 + u32(3)])));
+    record_0.normal_y_0 = (bitcast<f32>((scene_words_0[first_0 + u32(4)])));
+    record_0.normal_z_0 = (bitcast<f32>((scene_words_0[first_0 + u32(5)])));
+    record_0.u_0 = (bitcast<f32>((scene_words_0[first_0 + u32(6)])));
+    record_0.v_0 = (bitcast<f32>((scene_words_0[first_0 + u32(7)])));
+    return record_0;
+}
+
+fn vertex_at_0( corner_0 : u32) -> Vertex_0
+{
+    return scene_vertex_0(frame_record_0.vertices_0 + u32(8) * scene_words_0[frame_record_0.corners_0 + corner_0]);
+}
+
+fn position_of_0( vertex_0 : Vertex_0) -> vec3<f32>
+{
+    return vec3<f32>(vertex_0.x_1, vertex_0.y_0, vertex_0.z_0);
 }
 
 fn square_0( v_1 : vec3<f32>) -> f32
@@ -342,19 +345,19 @@ fn square_0( v_1 : vec3<f32>) -> f32
     return dot(v_1, v_1);
 }
 
-fn normal_of_0( vertex_2 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+fn normal_of_0( vertex_1 : Vertex_0) -> vec3<f32>
 {
-    return vec3<f32>((*vertex_2).normal_x_0, (*vertex_2).normal_y_0, (*vertex_2).normal_z_0);
+    return vec3<f32>(vertex_1.normal_x_0, vertex_1.normal_y_0, vertex_1.normal_z_0);
 }
 
-fn square_1( x_3 : f32) -> f32
+fn square_1( x_2 : f32) -> f32
 {
-    return x_3 * x_3;
+    return x_2 * x_2;
 }
 
-fn natural_logarithm_0( x_4 : f32) -> f32
+fn natural_logarithm_0( x_3 : f32) -> f32
 {
-    var _S1 : u32 = (bitcast<u32>((x_4)));
+    var _S1 : u32 = (bitcast<u32>((x_3)));
     var exponent_0 : f32 = f32(i32((_S1 >> (u32(23)))) - i32(126));
     var m_0 : f32 = (bitcast<f32>(((((_S1 & (u32(8388607)))) | (u32(1056964608))))));
     var m_1 : f32;
@@ -375,17 +378,17 @@ fn natural_logarithm_0( x_4 : f32) -> f32
     return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S2 - exponent_1 * 0.00021219444170129f - 0.5f * _S2) + exponent_1 * 0.693359375f;
 }
 
-fn binary_logarithm_0( x_5 : f32) -> f32
+fn binary_logarithm_0( x_4 : f32) -> f32
 {
-    return natural_logarithm_0(x_5) * 1.4426950216293335f;
+    return natural_logarithm_0(x_4) * 1.4426950216293335f;
 }
 
-fn exponential_0( x_6 : f32) -> f32
+fn exponential_0( x_5 : f32) -> f32
 {
-    var _S3 : f32 = clamp(x_6, -87.0f, 88.0f);
+    var _S3 : f32 = clamp(x_5, -87.0f, 88.0f);
     var _S4 : f32 = floor(_S3 * 1.4426950216293335f + 0.5f);
     var _S5 : f32 = _S3 - _S4 * 0.693359375f + _S4 * 0.00021219444170129f;
-    return select(((((((0.00019875691214111f * _S5 + 0.00139819993637502f) * _S5 + 0.00833345204591751f) * _S5 + 0.04166579619050026f) * _S5 + 0.1666666567325592f) * _S5 + 0.5f) * _S5 * _S5 + _S5 + 1.0f) * (bitcast<f32>(((u32(i32(_S4) + i32(127)) << (u32(23)))))), 0.0f, x_6 < -87.0f);
+    return select(((((((0.00019875691214111f * _S5 + 0.00139819993637502f) * _S5 + 0.00833345204591751f) * _S5 + 0.04166579619050026f) * _S5 + 0.1666666567325592f) * _S5 + 0.5f) * _S5 * _S5 + _S5 + 1.0f) * (bitcast<f32>(((u32(i32(_S4) + i32(127)) << (u32(23)))))), 0.0f, x_5 < -87.0f);
 }
 
 fn map_texel_0( index_0 : u32) -> vec3<f32>
@@ -395,7 +398,7 @@ fn map_texel_0( index_0 : u32) -> vec3<f32>
     return _S7 * _S7;
 }
 
-fn map_level_0( first_0 : u32,  side_0 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
+fn map_level_0( first_1 : u32,  side_0 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
 {
     var _S8 : f32 = uv_0.x;
     var _S9 : f32 = f32(side_0);
@@ -409,9 +412,9 @@ fn map_level_0( first_0 : u32,  side_0 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
     var _S17 : f32 = floor(_S12);
     var _S18 : u32 = (u32(i32(_S17) + _S14) & (_S15));
     var _S19 : u32 = ((_S16 + u32(1)) & (_S15));
-    var _S20 : u32 = first_0 + _S18 * side_0;
+    var _S20 : u32 = first_1 + _S18 * side_0;
     var _S21 : vec3<f32> = vec3<f32>((_S10 - _S13));
-    var _S22 : u32 = first_0 + (((_S18 + u32(1)) & (_S15))) * side_0;
+    var _S22 : u32 = first_1 + (((_S18 + u32(1)) & (_S15))) * side_0;
     return mix(mix(map_texel_0(_S20 + _S16), map_texel_0(_S20 + _S19), _S21), mix(map_texel_0(_S22 + _S16), map_texel_0(_S22 + _S19), _S21), vec3<f32>((_S12 - _S17)));
 }
 
@@ -512,10 +515,10 @@ fn mean_0( colour_0 : vec3<f32>) -> f32
     return (colour_0.x + colour_0.y + colour_0.z) / 3.0f;
 }
 
-fn sine_cosine_0( x_7 : f32) -> vec2<f32>
+fn sine_cosine_0( x_6 : f32) -> vec2<f32>
 {
-    var _S31 : f32 = floor(x_7 * 0.63661974668502808f + 0.5f);
-    var _S32 : f32 = x_7 - _S31 * 1.5703125f - _S31 * 0.00048375129699707f - _S31 * 7.54979012640433211e-08f;
+    var _S31 : f32 = floor(x_6 * 0.63661974668502808f + 0.5f);
+    var _S32 : f32 = x_6 - _S31 * 1.5703125f - _S31 * 0.00048375129699707f - _S31 * 7.54979012640433211e-08f;
     var _S33 : f32 = _S32 * _S32;
     var _S34 : f32 = ((-0.00019515295571182f * _S33 + 0.00833216123282909f) * _S33 - 0.16666655242443085f) * _S33 * _S32 + _S32;
     var _S35 : f32 = ((0.00002443315679557f * _S33 - 0.00138873164542019f) * _S33 + 0.04166664555668831f) * _S33 * _S33 - 0.5f * _S33 + 1.0f;
@@ -524,6 +527,30 @@ fn sine_cosine_0( x_7 : f32) -> vec2<f32>
     var _S38 : f32 = _S37.x;
     var _S39 : f32 = _S37.y;
     return vec2<f32>(select(_S38, - _S38, ((_S36 & (u32(2)))) != u32(0)), select(_S39, - _S39, (((_S36 + u32(1)) & (u32(2)))) != u32(0)));
+}
+
+struct Light_0
+{
+     is_point_0 : u32,
+     x_7 : f32,
+     y_1 : f32,
+     z_1 : f32,
+     red_0 : f32,
+     green_0 : f32,
+     blue_0 : f32,
+};
+
+fn scene_light_0( first_2 : u32) -> Light_0
+{
+    var record_1 : Light_0;
+    record_1.is_point_0 = scene_words_0[first_2];
+    record_1.x_7 = (bitcast<f32>((scene_words_0[first_2 + u32(1)])));
+    record_1.y_1 = (bitcast<f32>((scene_words_0[first_2 + u32(2)])));
+    record_1.z_1 = (bitcast<f32>((scene_words_0[first_2 + u32(3)])));
+    record_1.red_0 = (bitcast<f32>((scene_words_0[first_2 + u32(4)])));
+    record_1.green_0 = (bitcast<f32>((scene_words_0[first_2 + u32(5)])));
+    record_1.blue_0 = (bitcast<f32>((scene_words_0[first_2 + u32(6)])));
+    return record_1;
 }
 
 struct Footprint_0
@@ -741,14 +768,14 @@ fn shown_at_0( crossing_0 : Crossing_0,  back_3 : bool) -> Shown_0
     return shown_0;
 }
 
-fn select_cell_0( is_first_0 : bool,  first_1 : Cell_0,  second_0 : Cell_0) -> Cell_0
+fn select_cell_0( is_first_0 : bool,  first_3 : Cell_0,  second_0 : Cell_0) -> Cell_0
 {
     var cell_4 : Cell_0;
-    cell_4.thread_2 = select(second_0.thread_2, first_1.thread_2, is_first_0);
-    cell_4.across_2 = select(second_0.across_2, first_1.across_2, is_first_0);
-    cell_4.half_width_1 = select(second_0.half_width_1, first_1.half_width_1, is_first_0);
-    cell_4.below_0 = select(second_0.below_0, first_1.below_0, is_first_0);
-    cell_4.above_0 = select(second_0.above_0, first_1.above_0, is_first_0);
+    cell_4.thread_2 = select(second_0.thread_2, first_3.thread_2, is_first_0);
+    cell_4.across_2 = select(second_0.across_2, first_3.across_2, is_first_0);
+    cell_4.half_width_1 = select(second_0.half_width_1, first_3.half_width_1, is_first_0);
+    cell_4.below_0 = select(second_0.below_0, first_3.below_0, is_first_0);
+    cell_4.above_0 = select(second_0.above_0, first_3.above_0, is_first_0);
     return cell_4;
 }
 
@@ -758,13 +785,13 @@ fn boundary_0( family_4 : u32,  thread_4 : u32,  step_0 : i32) -> f32
     return fma(_S57.x, families_0[family_4].period_0, table_number_0(families_0[family_4].place_table_0 + u32(_S57.y) * u32(4)));
 }
 
-fn span_0( family_5 : u32,  thread_5 : u32,  first_2 : i32,  last_0 : i32) -> f32
+fn span_0( family_5 : u32,  thread_5 : u32,  first_4 : i32,  last_0 : i32) -> f32
 {
     if((families_0[family_5].is_alike_0) != u32(0))
     {
-        return f32(last_0 - first_2) * families_0[family_5].size_0;
+        return f32(last_0 - first_4) * families_0[family_5].size_0;
     }
-    return boundary_0(family_5, thread_5, last_0) - boundary_0(family_5, thread_5, first_2);
+    return boundary_0(family_5, thread_5, last_0) - boundary_0(family_5, thread_5, first_4);
 }
 
 struct Bend_0
@@ -1630,14 +1657,14 @@ fn mean_albedos_0( family_15 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  othe
     return albedos_2;
 }
 
-fn lerp_albedos_0( first_3 : Albedos_0,  second_1 : Albedos_0,  weight_5 : f32) -> Albedos_0
+fn lerp_albedos_0( first_5 : Albedos_0,  second_1 : Albedos_0,  weight_5 : f32) -> Albedos_0
 {
     var albedos_3 : Albedos_0;
     var _S239 : vec3<f32> = vec3<f32>(weight_5);
-    albedos_3.diffuse_reflect_0 = mix(first_3.diffuse_reflect_0, second_1.diffuse_reflect_0, _S239);
-    albedos_3.diffuse_transmit_0 = mix(first_3.diffuse_transmit_0, second_1.diffuse_transmit_0, _S239);
-    albedos_3.specular_reflect_0 = mix(first_3.specular_reflect_0, second_1.specular_reflect_0, _S239);
-    albedos_3.specular_transmit_0 = mix(first_3.specular_transmit_0, second_1.specular_transmit_0, _S239);
+    albedos_3.diffuse_reflect_0 = mix(first_5.diffuse_reflect_0, second_1.diffuse_reflect_0, _S239);
+    albedos_3.diffuse_transmit_0 = mix(first_5.diffuse_transmit_0, second_1.diffuse_transmit_0, _S239);
+    albedos_3.specular_reflect_0 = mix(first_5.specular_reflect_0, second_1.specular_reflect_0, _S239);
+    albedos_3.specular_transmit_0 = mix(first_5.specular_transmit_0, second_1.specular_transmit_0, _S239);
     return albedos_3;
 }
 
@@ -1746,11 +1773,11 @@ fn bounced_by_0( blocked_1 : Blocked_0,  yarn_2 : Scattered_0,  interior_0 : Int
     return bounced_0;
 }
 
-fn sum_of_0( first_4 : Bounced_0,  second_2 : Bounced_0) -> Bounced_0
+fn sum_of_0( first_6 : Bounced_0,  second_2 : Bounced_0) -> Bounced_0
 {
     var sum_1 : Bounced_0;
-    sum_1.reflected_0 = first_4.reflected_0 + second_2.reflected_0;
-    sum_1.transmitted_0 = first_4.transmitted_0 + second_2.transmitted_0;
+    sum_1.reflected_0 = first_6.reflected_0 + second_2.reflected_0;
+    sum_1.transmitted_0 = first_6.transmitted_0 + second_2.transmitted_0;
     return sum_1;
 }
 
@@ -1814,146 +1841,134 @@ fn accumulate_0( index_7 : u32,  light_10 : vec4<f32>)
     return;
 }
 
-fn camera_right_0( _S271 : i32) -> vec3<f32>
+fn camera_right_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S271].right_x_0, frames_0[_S271].right_y_0, frames_0[_S271].right_z_0);
+    return vec3<f32>(frame_record_0.right_x_0, frame_record_0.right_y_0, frame_record_0.right_z_0);
 }
 
-fn camera_up_0( _S272 : i32) -> vec3<f32>
+fn camera_up_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S272].up_x_0, frames_0[_S272].up_y_0, frames_0[_S272].up_z_0);
+    return vec3<f32>(frame_record_0.up_x_0, frame_record_0.up_y_0, frame_record_0.up_z_0);
 }
 
-fn camera_forward_0( _S273 : i32) -> vec3<f32>
+fn camera_forward_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S273].forward_x_0, frames_0[_S273].forward_y_0, frames_0[_S273].forward_z_0);
+    return vec3<f32>(frame_record_0.forward_x_0, frame_record_0.forward_y_0, frame_record_0.forward_z_0);
 }
 
-fn camera_origin_0( _S274 : i32) -> vec3<f32>
+fn camera_origin_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S274].origin_x_0, frames_0[_S274].origin_y_0, frames_0[_S274].origin_z_0);
+    return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn face_point_0( _S275 : u32,  _S276 : u32,  _S277 : f32,  _S278 : f32) -> VisiblePoint_0
+fn face_point_0( _S271 : u32,  _S272 : u32,  _S273 : f32,  _S274 : f32) -> VisiblePoint_0
 {
-    var _S279 : u32 = u32(3) * _S276;
-    var _S280 : Vertex_std430_0 = vertices_0[corners_0[_S279]];
-    var _S281 : Vertex_std430_0 = vertices_0[corners_0[_S279 + u32(1)]];
-    var _S282 : Vertex_std430_0 = vertices_0[corners_0[_S279 + u32(2)]];
-    var _S283 : vec3<f32> = position_of_0(&(_S281));
-    var _S284 : vec3<f32> = position_of_0(&(_S280));
-    var _S285 : vec3<f32> = _S283 - _S284;
-    var _S286 : vec3<f32> = position_of_0(&(_S282));
-    var _S287 : vec3<f32> = _S286 - _S284;
-    var _S288 : f32 = _S280.u_0;
-    var _S289 : f32 = _S281.u_0 - _S280.u_0;
-    var _S290 : f32 = _S280.v_0;
-    var _S291 : f32 = _S281.v_0 - _S280.v_0;
-    var _S292 : vec2<f32> = vec2<f32>(_S289, _S291);
-    var _S293 : f32 = _S282.u_0 - _S280.u_0;
-    var _S294 : f32 = _S282.v_0 - _S280.v_0;
-    var _S295 : vec2<f32> = vec2<f32>(_S293, _S294);
-    var _S296 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S289 * _S294 - _S291 * _S293) < 0.0f));
-    var _S297 : vec3<f32> = _S296 * (vec3<f32>(_S294) * _S285 - vec3<f32>(_S291) * _S287);
-    var _S298 : vec3<f32> = _S296 * (vec3<f32>(_S289) * _S287 - vec3<f32>(_S293) * _S285);
+    var _S275 : u32 = u32(3) * _S272;
+    var _S276 : Vertex_0 = vertex_at_0(_S275);
+    var _S277 : Vertex_0 = vertex_at_0(_S275 + u32(1));
+    var _S278 : Vertex_0 = vertex_at_0(_S275 + u32(2));
+    var _S279 : vec3<f32> = position_of_0(_S276);
+    var _S280 : vec3<f32> = position_of_0(_S277) - _S279;
+    var _S281 : vec3<f32> = position_of_0(_S278) - _S279;
+    var _S282 : f32 = _S277.u_0 - _S276.u_0;
+    var _S283 : f32 = _S277.v_0 - _S276.v_0;
+    var _S284 : vec2<f32> = vec2<f32>(_S282, _S283);
+    var _S285 : f32 = _S278.u_0 - _S276.u_0;
+    var _S286 : f32 = _S278.v_0 - _S276.v_0;
+    var _S287 : vec2<f32> = vec2<f32>(_S285, _S286);
+    var _S288 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S282 * _S286 - _S283 * _S285) < 0.0f));
+    var _S289 : vec3<f32> = _S288 * (vec3<f32>(_S286) * _S280 - vec3<f32>(_S283) * _S281);
+    var _S290 : vec3<f32> = _S288 * (vec3<f32>(_S282) * _S281 - vec3<f32>(_S285) * _S280);
     var point_2 : VisiblePoint_0;
-    var _S299 : f32 = 1.0f - _S277 - _S278;
-    var _S300 : vec3<f32> = normal_of_0(&(_S280));
-    var _S301 : vec3<f32> = vec3<f32>(_S299) * _S300;
-    var _S302 : vec3<f32> = normal_of_0(&(_S281));
-    var _S303 : vec3<f32> = vec3<f32>(_S277);
-    var _S304 : vec3<f32> = _S301 + _S303 * _S302;
-    var _S305 : vec3<f32> = normal_of_0(&(_S282));
-    var _S306 : vec3<f32> = vec3<f32>(_S278);
-    var _S307 : vec3<f32> = normalize(_S304 + _S306 * _S305);
-    point_2.normal_0 = _S307;
-    var _S308 : vec3<f32> = normalize(_S297 - _S307 * vec3<f32>(dot(_S307, _S297)));
-    point_2.axis_x_0 = _S308;
-    point_2.axis_y_0 = cross(_S307, _S308);
-    var _S309 : vec3<f32> = normalize(cross(_S285, _S287));
-    point_2.face_normal_0 = select_vector_1((dot(_S309, _S307)) < 0.0f, (vec3<f32>(0) - _S309), _S309);
-    point_2.position_0 = _S284 + _S303 * _S285 + _S306 * _S287;
-    point_2.view_1 = _S307;
-    var _S310 : vec2<f32> = vec2<f32>(_S288, _S290) + vec2<f32>(_S277) * _S292 + vec2<f32>(_S278) * _S295;
-    point_2.uv_1 = _S310;
-    var _S311 : bool = (dot(cross(_S297, _S298), _S307)) < 0.0f;
-    var _S312 : vec2<f32> = vec2<f32>(fabrics_0[_S275].uv_width_0, select(fabrics_0[_S275].uv_height_0, - fabrics_0[_S275].uv_height_0, _S311));
-    point_2.draft_per_uv_0 = _S312;
-    point_2.draft_0 = _S310 * _S312 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S275].uv_height_0, _S311));
-    var _S313 : vec2<f32> = vec2<f32>(0.0f);
-    point_2.draft_dx_0 = _S313;
-    point_2.draft_dy_0 = _S313;
+    var _S291 : vec3<f32> = vec3<f32>(_S273);
+    var _S292 : vec3<f32> = vec3<f32>(_S274);
+    var _S293 : vec3<f32> = normalize(vec3<f32>((1.0f - _S273 - _S274)) * normal_of_0(_S276) + _S291 * normal_of_0(_S277) + _S292 * normal_of_0(_S278));
+    point_2.normal_0 = _S293;
+    var _S294 : vec3<f32> = normalize(_S289 - _S293 * vec3<f32>(dot(_S293, _S289)));
+    point_2.axis_x_0 = _S294;
+    point_2.axis_y_0 = cross(_S293, _S294);
+    var _S295 : vec3<f32> = normalize(cross(_S280, _S281));
+    point_2.face_normal_0 = select_vector_1((dot(_S295, _S293)) < 0.0f, (vec3<f32>(0) - _S295), _S295);
+    point_2.position_0 = _S279 + _S291 * _S280 + _S292 * _S281;
+    point_2.view_1 = _S293;
+    var _S296 : vec2<f32> = vec2<f32>(_S276.u_0, _S276.v_0) + vec2<f32>(_S273) * _S284 + vec2<f32>(_S274) * _S287;
+    point_2.uv_1 = _S296;
+    var _S297 : bool = (dot(cross(_S289, _S290), _S293)) < 0.0f;
+    var _S298 : vec2<f32> = vec2<f32>(fabrics_0[_S271].uv_width_0, select(fabrics_0[_S271].uv_height_0, - fabrics_0[_S271].uv_height_0, _S297));
+    point_2.draft_per_uv_0 = _S298;
+    point_2.draft_0 = _S296 * _S298 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S271].uv_height_0, _S297));
+    var _S299 : vec2<f32> = vec2<f32>(0.0f);
+    point_2.draft_dx_0 = _S299;
+    point_2.draft_dy_0 = _S299;
     return point_2;
 }
 
-fn visible_point_0( _S314 : i32,  _S315 : u32,  _S316 : u32,  _S317 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S300 : u32,  _S301 : u32,  _S302 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S318 : u32 = u32(3) * _S316;
-    var _S319 : Vertex_std430_0 = vertices_0[corners_0[_S318]];
-    var _S320 : Vertex_std430_0 = vertices_0[corners_0[_S318 + u32(1)]];
-    var _S321 : Vertex_std430_0 = vertices_0[corners_0[_S318 + u32(2)]];
-    var _S322 : vec3<f32> = position_of_1(&(_S320));
-    var _S323 : vec3<f32> = position_of_1(&(_S319));
-    var _S324 : vec3<f32> = _S322 - _S323;
-    var _S325 : vec3<f32> = position_of_1(&(_S321));
-    var _S326 : vec3<f32> = _S325 - _S323;
-    var _S327 : vec3<f32> = cross(_S324, _S326);
-    var _S328 : f32 = f32(frames_0[_S314].width_0);
-    var _S329 : vec3<f32> = camera_right_0(_S314) * vec3<f32>((2.0f / _S328));
-    var _S330 : f32 = f32(frames_0[_S314].height_0);
-    var _S331 : vec3<f32> = camera_up_0(_S314) * vec3<f32>((-2.0f / _S330));
-    var _S332 : vec3<f32> = camera_forward_0(_S314) + vec3<f32>((f32(_S317.x) + 0.5f - 0.5f * _S328)) * _S329 + vec3<f32>((f32(_S317.y) + 0.5f - 0.5f * _S330)) * _S331;
-    var _S333 : f32 = dot(_S332, _S327);
-    var _S334 : f32 = 1.0f / select(1.00000000317107685e-30f, _S333, (abs(_S333)) > 1.00000000317107685e-30f);
-    var _S335 : vec3<f32> = _S323 - camera_origin_0(_S314);
-    var _S336 : vec3<f32> = vec3<f32>((dot(_S335, _S327) * _S334));
-    var _S337 : vec3<f32> = _S332 * _S336 - _S335;
-    var _S338 : vec3<f32> = _S336 * (_S329 - _S332 * vec3<f32>((dot(_S329, _S327) * _S334)));
-    var _S339 : vec3<f32> = _S336 * (_S331 - _S332 * vec3<f32>((dot(_S331, _S327) * _S334)));
-    var _S340 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S327), 1.00000000317107685e-30f)));
-    var _S341 : vec3<f32> = cross(_S326, _S327) * _S340;
-    var _S342 : vec3<f32> = cross(_S327, _S324) * _S340;
-    var _S343 : vec2<f32> = vec2<f32>(_S320.u_0 - _S319.u_0, _S320.v_0 - _S319.v_0);
-    var _S344 : vec2<f32> = vec2<f32>(_S321.u_0 - _S319.u_0, _S321.v_0 - _S319.v_0);
-    var point_3 : VisiblePoint_0 = face_point_0(_S315, _S316, dot(_S337, _S341), dot(_S337, _S342));
-    point_3.position_0 = _S323 + _S337;
-    point_3.view_1 = (vec3<f32>(0) - normalize(_S332));
-    point_3.draft_dx_0 = (vec2<f32>(dot(_S338, _S341)) * _S343 + vec2<f32>(dot(_S338, _S342)) * _S344) * point_3.draft_per_uv_0;
-    point_3.draft_dy_0 = (vec2<f32>(dot(_S339, _S341)) * _S343 + vec2<f32>(dot(_S339, _S342)) * _S344) * point_3.draft_per_uv_0;
+    var _S303 : u32 = u32(3) * _S301;
+    var _S304 : Vertex_0 = vertex_at_0(_S303);
+    var _S305 : Vertex_0 = vertex_at_0(_S303 + u32(1));
+    var _S306 : Vertex_0 = vertex_at_0(_S303 + u32(2));
+    var _S307 : vec3<f32> = position_of_0(_S304);
+    var _S308 : vec3<f32> = position_of_0(_S305) - _S307;
+    var _S309 : vec3<f32> = position_of_0(_S306) - _S307;
+    var _S310 : vec3<f32> = cross(_S308, _S309);
+    var _S311 : f32 = f32(frame_record_0.width_0);
+    var _S312 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S311));
+    var _S313 : f32 = f32(frame_record_0.height_0);
+    var _S314 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S313));
+    var _S315 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S302.x) + 0.5f - 0.5f * _S311)) * _S312 + vec3<f32>((f32(_S302.y) + 0.5f - 0.5f * _S313)) * _S314;
+    var _S316 : f32 = dot(_S315, _S310);
+    var _S317 : f32 = 1.0f / select(1.00000000317107685e-30f, _S316, (abs(_S316)) > 1.00000000317107685e-30f);
+    var _S318 : vec3<f32> = _S307 - camera_origin_0();
+    var _S319 : vec3<f32> = vec3<f32>((dot(_S318, _S310) * _S317));
+    var _S320 : vec3<f32> = _S315 * _S319 - _S318;
+    var _S321 : vec3<f32> = _S319 * (_S312 - _S315 * vec3<f32>((dot(_S312, _S310) * _S317)));
+    var _S322 : vec3<f32> = _S319 * (_S314 - _S315 * vec3<f32>((dot(_S314, _S310) * _S317)));
+    var _S323 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S310), 1.00000000317107685e-30f)));
+    var _S324 : vec3<f32> = cross(_S309, _S310) * _S323;
+    var _S325 : vec3<f32> = cross(_S310, _S308) * _S323;
+    var _S326 : vec2<f32> = vec2<f32>(_S305.u_0 - _S304.u_0, _S305.v_0 - _S304.v_0);
+    var _S327 : vec2<f32> = vec2<f32>(_S306.u_0 - _S304.u_0, _S306.v_0 - _S304.v_0);
+    var point_3 : VisiblePoint_0 = face_point_0(_S300, _S301, dot(_S320, _S324), dot(_S320, _S325));
+    point_3.position_0 = _S307 + _S320;
+    point_3.view_1 = (vec3<f32>(0) - normalize(_S315));
+    point_3.draft_dx_0 = (vec2<f32>(dot(_S321, _S324)) * _S326 + vec2<f32>(dot(_S321, _S325)) * _S327) * point_3.draft_per_uv_0;
+    point_3.draft_dy_0 = (vec2<f32>(dot(_S322, _S324)) * _S326 + vec2<f32>(dot(_S322, _S325)) * _S327) * point_3.draft_per_uv_0;
     return point_3;
 }
 
-fn filtered_albedo_0( _S345 : u32,  _S346 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S328 : u32,  _S329 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S347 : u32 = fabrics_0[_S345].albedo_map_levels_0;
-    if((fabrics_0[_S345].albedo_map_levels_0) == u32(0))
+    var _S330 : u32 = fabrics_0[_S328].albedo_map_levels_0;
+    if((fabrics_0[_S328].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S348 : vec2<f32> = vec2<f32>(fabrics_0[_S345].uv_width_0, fabrics_0[_S345].uv_height_0);
-    var _S349 : vec2<f32> = _S346.draft_dx_0 / _S348;
-    var _S350 : vec2<f32> = _S346.draft_dy_0 / _S348;
-    var _S351 : u32 = _S347 - u32(1);
-    var _S352 : u32 = (u32(1) << (_S351));
-    var _S353 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S349.x * _S350.y - _S349.y * _S350.x), 9.99999968265522539e-21f) * (square_1(f32(_S352)) / 3.0f)), 0.0f, f32(_S347) - 1.0f);
-    var _S354 : u32 = min(u32(_S353), max(_S347, u32(2)) - u32(2));
-    var _S355 : u32 = min(_S354 + u32(1), _S351);
-    var _S356 : u32 = (u32(1) << ((u32(2) * _S347)));
-    return mix(map_level_0(fabrics_0[_S345].albedo_map_0 + (_S356 - ((_S356 >> ((u32(2) * _S354))))) / u32(3), (_S352 >> (_S354)), _S346.uv_1), map_level_0(fabrics_0[_S345].albedo_map_0 + (_S356 - ((_S356 >> ((u32(2) * _S355))))) / u32(3), (_S352 >> (_S355)), _S346.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S353 - f32(_S354))) - 1.0f) / 3.0f)));
+    var _S331 : vec2<f32> = vec2<f32>(fabrics_0[_S328].uv_width_0, fabrics_0[_S328].uv_height_0);
+    var _S332 : vec2<f32> = _S329.draft_dx_0 / _S331;
+    var _S333 : vec2<f32> = _S329.draft_dy_0 / _S331;
+    var _S334 : u32 = _S330 - u32(1);
+    var _S335 : u32 = (u32(1) << (_S334));
+    var _S336 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S332.x * _S333.y - _S332.y * _S333.x), 9.99999968265522539e-21f) * (square_1(f32(_S335)) / 3.0f)), 0.0f, f32(_S330) - 1.0f);
+    var _S337 : u32 = min(u32(_S336), max(_S330, u32(2)) - u32(2));
+    var _S338 : u32 = min(_S337 + u32(1), _S334);
+    var _S339 : u32 = (u32(1) << ((u32(2) * _S330)));
+    return mix(map_level_0(fabrics_0[_S328].albedo_map_0 + (_S339 - ((_S339 >> ((u32(2) * _S337))))) / u32(3), (_S335 >> (_S337)), _S329.uv_1), map_level_0(fabrics_0[_S328].albedo_map_0 + (_S339 - ((_S339 >> ((u32(2) * _S338))))) / u32(3), (_S335 >> (_S338)), _S329.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S336 - f32(_S337))) - 1.0f) / 3.0f)));
 }
 
-fn light_sample_count_0( _S357 : i32) -> u32
+fn light_sample_count_0() -> u32
 {
-    return frames_0[_S357].lights_0 + frames_0[_S357].environment_samples_0;
+    return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S358 : i32,  _S359 : u32,  _S360 : vec2<u32>) -> f32
+fn visibility_at_0( _S340 : u32,  _S341 : vec2<u32>) -> f32
 {
-    if((frames_0[_S358].casts_shadows_0) == u32(0))
+    if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S359 * frames_0[_S358].height_0 + _S360.y) * frames_0[_S358].width_0 + _S360.x];
+    return visibilities_0[(_S340 * frame_record_0.height_0 + _S341.y) * frame_record_0.width_0 + _S341.x];
 }
 
 struct LightSample_0
@@ -1963,52 +1978,52 @@ struct LightSample_0
      distance_1 : f32,
 };
 
-fn environment_texel_0( _S361 : i32,  _S362 : u32,  _S363 : u32) -> vec3<f32>
+fn environment_texel_0( _S342 : u32,  _S343 : u32) -> vec3<f32>
 {
-    var _S364 : u32 = frames_0[_S361].environment_table_0 + frames_0[_S361].environment_rows_0 + u32(1) + frames_0[_S361].environment_rows_0 * (frames_0[_S361].environment_columns_0 + u32(1)) + u32(3) * (_S362 * frames_0[_S361].environment_columns_0 + _S363);
-    return vec3<f32>(scene_number_0(_S364), scene_number_0(_S364 + u32(1)), scene_number_0(_S364 + u32(2)));
+    var _S344 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S342 * frame_record_0.environment_columns_0 + _S343);
+    return vec3<f32>(scene_number_0(_S344), scene_number_0(_S344 + u32(1)), scene_number_0(_S344 + u32(2)));
 }
 
-fn sample_environment_0( _S365 : i32,  _S366 : vec2<f32>,  _S367 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S345 : vec2<f32>,  _S346 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S368 : u32 = frames_0[_S365].environment_rows_0;
-    var _S369 : Choice_0 = choose_0(frames_0[_S365].environment_table_0, frames_0[_S365].environment_rows_0, _S366.y);
-    var _S370 : u32 = frames_0[_S365].environment_columns_0;
-    var _S371 : Choice_0 = choose_0(frames_0[_S365].environment_table_0 + frames_0[_S365].environment_rows_0 + u32(1) + _S369.index_3 * (frames_0[_S365].environment_columns_0 + u32(1)), frames_0[_S365].environment_columns_0, _S366.x);
-    var _S372 : vec3<f32> = environment_texel_0(_S365, _S369.index_3, _S371.index_3);
-    (*_S367) = _S372 * vec3<f32>((frames_0[_S365].environment_total_0 / max(mean_0(_S372), 9.99999968265522539e-21f)));
-    var _S373 : f32 = 3.14159274101257324f / f32(_S368);
-    var _S374 : f32 = mix(sine_cosine_0(f32(_S369.index_3) * _S373).y, sine_cosine_0(f32(_S369.index_3 + u32(1)) * _S373).y, _S369.remainder_0);
-    var _S375 : f32 = sqrt(max(1.0f - _S374 * _S374, 0.0f));
-    var _S376 : vec2<f32> = sine_cosine_0((f32(_S371.index_3) + _S371.remainder_0) * (6.28318548202514648f / f32(_S370)));
-    var _S377 : f32 = _S375 * _S376.x;
-    var _S378 : f32 = - _S375 * _S376.y;
-    return vec3<f32>(frames_0[_S365].environment_cosine_0 * _S377 + frames_0[_S365].environment_sine_0 * _S378, _S374, frames_0[_S365].environment_cosine_0 * _S378 - frames_0[_S365].environment_sine_0 * _S377);
+    var _S347 : u32 = frame_record_0.environment_rows_0;
+    var _S348 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S345.y);
+    var _S349 : u32 = frame_record_0.environment_columns_0;
+    var _S350 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S348.index_3 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S345.x);
+    var _S351 : vec3<f32> = environment_texel_0(_S348.index_3, _S350.index_3);
+    (*_S346) = _S351 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S351), 9.99999968265522539e-21f)));
+    var _S352 : f32 = 3.14159274101257324f / f32(_S347);
+    var _S353 : f32 = mix(sine_cosine_0(f32(_S348.index_3) * _S352).y, sine_cosine_0(f32(_S348.index_3 + u32(1)) * _S352).y, _S348.remainder_0);
+    var _S354 : f32 = sqrt(max(1.0f - _S353 * _S353, 0.0f));
+    var _S355 : vec2<f32> = sine_cosine_0((f32(_S350.index_3) + _S350.remainder_0) * (6.28318548202514648f / f32(_S349)));
+    var _S356 : f32 = _S354 * _S355.x;
+    var _S357 : f32 = - _S354 * _S355.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S356 + frame_record_0.environment_sine_0 * _S357, _S353, frame_record_0.environment_cosine_0 * _S357 - frame_record_0.environment_sine_0 * _S356);
 }
 
-fn light_sample_0( _S379 : i32,  _S380 : u32,  _S381 : vec2<u32>,  _S382 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S358 : u32,  _S359 : vec2<u32>,  _S360 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_1 = 1.00000001504746622e+30f;
-    var _S383 : u32 = frames_0[_S379].lights_0;
-    if(_S380 >= (frames_0[_S379].lights_0))
+    var _S361 : u32 = frame_record_0.lights_0;
+    if(_S358 >= (frame_record_0.lights_0))
     {
         var weight_6 : vec3<f32>;
-        var _S384 : vec3<f32> = sample_environment_0(_S379, pixel_sequence_0(_S381, frames_0[_S379].pass_number_0 * frames_0[_S379].environment_samples_0 + (_S380 - _S383), u32(3)), &(weight_6));
-        sample_0.towards_0 = _S384;
-        sample_0.irradiance_1 = weight_6 / vec3<f32>(f32(frames_0[_S379].environment_samples_0));
+        var _S362 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S359, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S358 - _S361), u32(3)), &(weight_6));
+        sample_0.towards_0 = _S362;
+        sample_0.irradiance_1 = weight_6 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S385 : Light_std430_0 = lights_1[_S380];
-    sample_0.irradiance_1 = vec3<f32>(_S385.red_0, _S385.green_0, _S385.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S385.x_1, _S385.y_1, _S385.z_1);
-    if((_S385.is_point_0) != u32(0))
+    var _S363 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S358);
+    sample_0.irradiance_1 = vec3<f32>(_S363.red_0, _S363.green_0, _S363.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S363.x_7, _S363.y_1, _S363.z_1);
+    if((_S363.is_point_0) != u32(0))
     {
-        var _S386 : vec3<f32> = sample_0.towards_0 - _S382;
-        var _S387 : f32 = max(square_0(_S386), 9.999999960041972e-13f);
-        sample_0.distance_1 = sqrt(_S387);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S387);
-        sample_0.towards_0 = normalize(_S386);
+        var _S364 : vec3<f32> = sample_0.towards_0 - _S360;
+        var _S365 : f32 = max(square_0(_S364), 9.999999960041972e-13f);
+        sample_0.distance_1 = sqrt(_S365);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S365);
+        sample_0.towards_0 = normalize(_S364);
     }
     return sample_0;
 }
@@ -2033,22 +2048,22 @@ struct Regime_0
      points_0 : f32,
 };
 
-fn regime_of_0( _S388 : u32,  _S389 : Footprint_0,  _S390 : f32) -> Regime_0
+fn regime_of_0( _S366 : u32,  _S367 : Footprint_0,  _S368 : f32) -> Regime_0
 {
-    var _S391 : f32 = Footprint_spread_side_0(_S389);
-    var _S392 : f32 = clamp((binary_logarithm_0(max(_S391, 9.99999971718068537e-10f)) - fabrics_0[_S388].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
+    var _S369 : f32 = Footprint_spread_side_0(_S367);
+    var _S370 : f32 = clamp((binary_logarithm_0(max(_S369, 9.99999971718068537e-10f)) - fabrics_0[_S366].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
     var regime_0 : Regime_0;
-    var _S393 : f32 = _S392 * _S392 * (3.0f - 2.0f * _S392);
-    regime_0.prefiltered_0 = _S393;
-    var _S394 : f32 = _S391 * fabrics_0[_S388].lobes_0.threads_per_mm_0;
-    regime_0.threads_1 = _S394;
-    regime_0.points_0 = select(0.0f, clamp(_S394 * 12.0f, 1.0f, mix(max(8.0f / _S390, 1.0f), 1.0f, _S393)), _S393 < 1.0f);
+    var _S371 : f32 = _S370 * _S370 * (3.0f - 2.0f * _S370);
+    regime_0.prefiltered_0 = _S371;
+    var _S372 : f32 = _S369 * fabrics_0[_S366].lobes_0.threads_per_mm_0;
+    regime_0.threads_1 = _S372;
+    regime_0.points_0 = select(0.0f, clamp(_S372 * 12.0f, 1.0f, mix(max(8.0f / _S368, 1.0f), 1.0f, _S371)), _S371 < 1.0f);
     return regime_0;
 }
 
-fn varies_at_0( _S395 : u32,  _S396 : f32) -> bool
+fn varies_at_0( _S373 : u32,  _S374 : f32) -> bool
 {
-    return (((((fabrics_0[_S395].fibre_noise_0) > 0.0f) | (((fabrics_0[_S395].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S395].has_detail_0) != u32(0)) & ((_S396 >= 0.0f))))));
+    return (((((fabrics_0[_S373].fibre_noise_0) > 0.0f) | (((fabrics_0[_S373].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S373].has_detail_0) != u32(0)) & ((_S374 >= 0.0f))))));
 }
 
 struct Hit_0
@@ -2072,130 +2087,130 @@ struct Sample_0
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S397 : u32,  _S398 : f32,  _S399 : f32,  _S400 : bool) -> Crossing_0
+fn crossing_at_0( _S375 : u32,  _S376 : f32,  _S377 : f32,  _S378 : bool) -> Crossing_0
 {
     var crossing_3 : Crossing_0;
-    crossing_3.warp_2 = locate_0(fabrics_0[_S397].warp_0, _S398);
-    crossing_3.weft_2 = locate_0(fabrics_0[_S397].weft_0, _S399);
-    var _S401 : u32 = fabrics_0[_S397].run_words_0 + u32(2) * (crossing_3.weft_2.thread_2 * fabrics_0[_S397].ends_1 + crossing_3.warp_2.thread_2);
-    var _S402 : u32 = words_0[_S401];
-    crossing_3.warp_word_0 = _S402;
-    crossing_3.weft_word_0 = words_0[_S401 + u32(1)];
-    crossing_3.warp_above_0 = (((_S402 & (u32(1)))) == u32(1)) != _S400;
+    crossing_3.warp_2 = locate_0(fabrics_0[_S375].warp_0, _S376);
+    crossing_3.weft_2 = locate_0(fabrics_0[_S375].weft_0, _S377);
+    var _S379 : u32 = fabrics_0[_S375].run_words_0 + u32(2) * (crossing_3.weft_2.thread_2 * fabrics_0[_S375].ends_1 + crossing_3.warp_2.thread_2);
+    var _S380 : u32 = words_0[_S379];
+    crossing_3.warp_word_0 = _S380;
+    crossing_3.weft_word_0 = words_0[_S379 + u32(1)];
+    crossing_3.warp_above_0 = (((_S380 & (u32(1)))) == u32(1)) != _S378;
     return crossing_3;
 }
 
-fn sample_at_0( _S403 : u32,  _S404 : f32,  _S405 : f32,  _S406 : bool) -> Sample_0
+fn sample_at_0( _S381 : u32,  _S382 : f32,  _S383 : f32,  _S384 : bool) -> Sample_0
 {
     var sample_1 : Sample_0;
-    var _S407 : Crossing_0 = crossing_at_0(_S403, _S404, _S405, _S406);
-    sample_1.crossing_2 = _S407;
-    var _S408 : Shown_0 = shown_at_0(_S407, _S406);
-    sample_1.shown_3 = _S408;
-    var _S409 : u32 = select(fabrics_0[_S403].weft_0, fabrics_0[_S403].warp_0, _S408.is_warp_2);
-    var _S410 : u32 = select(fabrics_0[_S403].warp_0, fabrics_0[_S403].weft_0, _S408.is_warp_2);
-    var _S411 : Cell_0 = select_cell_0(_S408.is_warp_2, sample_1.crossing_2.warp_2, sample_1.crossing_2.weft_2);
-    var _S412 : Cell_0 = select_cell_0(_S408.is_warp_2, sample_1.crossing_2.weft_2, sample_1.crossing_2.warp_2);
-    var _S413 : Run_0 = unpack_0(_S409, _S410, _S411.thread_2, _S412, _S408.word_0);
-    var _S414 : Section_0 = section_at_0(_S411);
-    var _S415 : bool = ((_S408.on_top_0) & (((_S413.distance_0) < (_S414.drop_0 * _S413.bend_1.sine_0))));
-    var _S416 : f32 = select(-1.0f, 1.0f, ((_S408.on_top_0) & ((!_S415))));
-    var _S417 : f32 = select(_S413.reach_0, _S413.other_reach_0, _S415);
-    var _S418 : f32 = select(max(_S417 - _S413.distance_0, 0.0f), _S417 + _S413.distance_0, _S415);
-    var _S419 : f32 = _S417 / _S413.bend_1.sine_0 - _S416 * _S414.drop_0;
-    var _S420 : f32 = _S418 * _S418;
-    var _S421 : f32 = max(_S419 * _S419 - _S420, 9.99999968265522539e-21f);
-    var _S422 : f32 = rsqrt_0(_S421);
-    var _S423 : f32 = _S420 / (_S421 * _S422 + _S419);
-    var _S424 : bool = _S418 > 0.0f;
-    var _S425 : f32 = select(-1.0f, 1.0f, _S408.on_top_0) * select(-1.0f, 1.0f, _S413.near_start_0);
-    var _S426 : f32 = _S414.slope_0 * select(1.0f, _S419 * _S422, _S424);
-    sample_1.slope_across_0 = _S426;
-    var _S427 : f32 = select(0.0f, _S425 * _S418 * _S422, _S424);
-    sample_1.slope_along_0 = _S427;
-    var _S428 : vec2<f32> = dive_0(_S410, _S408, _S413, _S412);
-    sample_1.height_7 = select(families_0[_S409].height_scale_0 * _S416, 0.0f, _S413.straight_0) * (_S417 * _S413.bend_1.half_tangent_0 - _S423) - families_0[_S409].height_scale_0 * _S414.drop_0 - _S428.x;
-    var _S429 : f32 = families_0[_S409].height_scale_0 * _S426;
-    var _S430 : f32 = families_0[_S409].height_scale_0 * _S427 - _S428.y;
-    sample_1.slope_x_1 = select(_S430, _S429, _S408.is_warp_2);
-    sample_1.slope_y_1 = select(_S429, _S430, _S408.is_warp_2);
-    sample_1.run_3 = _S413;
-    sample_1.section_1 = _S414;
+    var _S385 : Crossing_0 = crossing_at_0(_S381, _S382, _S383, _S384);
+    sample_1.crossing_2 = _S385;
+    var _S386 : Shown_0 = shown_at_0(_S385, _S384);
+    sample_1.shown_3 = _S386;
+    var _S387 : u32 = select(fabrics_0[_S381].weft_0, fabrics_0[_S381].warp_0, _S386.is_warp_2);
+    var _S388 : u32 = select(fabrics_0[_S381].warp_0, fabrics_0[_S381].weft_0, _S386.is_warp_2);
+    var _S389 : Cell_0 = select_cell_0(_S386.is_warp_2, sample_1.crossing_2.warp_2, sample_1.crossing_2.weft_2);
+    var _S390 : Cell_0 = select_cell_0(_S386.is_warp_2, sample_1.crossing_2.weft_2, sample_1.crossing_2.warp_2);
+    var _S391 : Run_0 = unpack_0(_S387, _S388, _S389.thread_2, _S390, _S386.word_0);
+    var _S392 : Section_0 = section_at_0(_S389);
+    var _S393 : bool = ((_S386.on_top_0) & (((_S391.distance_0) < (_S392.drop_0 * _S391.bend_1.sine_0))));
+    var _S394 : f32 = select(-1.0f, 1.0f, ((_S386.on_top_0) & ((!_S393))));
+    var _S395 : f32 = select(_S391.reach_0, _S391.other_reach_0, _S393);
+    var _S396 : f32 = select(max(_S395 - _S391.distance_0, 0.0f), _S395 + _S391.distance_0, _S393);
+    var _S397 : f32 = _S395 / _S391.bend_1.sine_0 - _S394 * _S392.drop_0;
+    var _S398 : f32 = _S396 * _S396;
+    var _S399 : f32 = max(_S397 * _S397 - _S398, 9.99999968265522539e-21f);
+    var _S400 : f32 = rsqrt_0(_S399);
+    var _S401 : f32 = _S398 / (_S399 * _S400 + _S397);
+    var _S402 : bool = _S396 > 0.0f;
+    var _S403 : f32 = select(-1.0f, 1.0f, _S386.on_top_0) * select(-1.0f, 1.0f, _S391.near_start_0);
+    var _S404 : f32 = _S392.slope_0 * select(1.0f, _S397 * _S400, _S402);
+    sample_1.slope_across_0 = _S404;
+    var _S405 : f32 = select(0.0f, _S403 * _S396 * _S400, _S402);
+    sample_1.slope_along_0 = _S405;
+    var _S406 : vec2<f32> = dive_0(_S388, _S386, _S391, _S390);
+    sample_1.height_7 = select(families_0[_S387].height_scale_0 * _S394, 0.0f, _S391.straight_0) * (_S395 * _S391.bend_1.half_tangent_0 - _S401) - families_0[_S387].height_scale_0 * _S392.drop_0 - _S406.x;
+    var _S407 : f32 = families_0[_S387].height_scale_0 * _S404;
+    var _S408 : f32 = families_0[_S387].height_scale_0 * _S405 - _S406.y;
+    sample_1.slope_x_1 = select(_S408, _S407, _S386.is_warp_2);
+    sample_1.slope_y_1 = select(_S407, _S408, _S386.is_warp_2);
+    sample_1.run_3 = _S391;
+    sample_1.section_1 = _S392;
     return sample_1;
 }
 
-fn steps_per_length_0( _S431 : u32,  _S432 : SearchQuality_0,  _S433 : vec3<f32>) -> f32
+fn steps_per_length_0( _S409 : u32,  _S410 : SearchQuality_0,  _S411 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S433.x) * fabrics_0[_S431].threads_per_x_0, abs(_S433.y) * fabrics_0[_S431].threads_per_y_0) * _S432.steps_per_thread_0, abs(_S433.z) * fabrics_0[_S431].per_relief_0 * _S432.steps_per_relief_0);
+    return max(max(abs(_S411.x) * fabrics_0[_S409].threads_per_x_0, abs(_S411.y) * fabrics_0[_S409].threads_per_y_0) * _S410.steps_per_thread_0, abs(_S411.z) * fabrics_0[_S409].per_relief_0 * _S410.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S434 : u32,  _S435 : Crossing_0) -> f32
+fn cell_maximum_0( _S412 : u32,  _S413 : Crossing_0) -> f32
 {
-    var _S436 : u32 = select(fabrics_0[_S434].weft_0, fabrics_0[_S434].warp_0, _S435.warp_above_0);
-    return f32((select(_S435.weft_word_0, _S435.warp_word_0, _S435.warp_above_0) >> (u32(28)))) * families_0[_S436].height_scale_0 * families_0[_S436].level_0;
+    var _S414 : u32 = select(fabrics_0[_S412].weft_0, fabrics_0[_S412].warp_0, _S413.warp_above_0);
+    return f32((select(_S413.weft_word_0, _S413.warp_word_0, _S413.warp_above_0) >> (u32(28)))) * families_0[_S414].height_scale_0 * families_0[_S414].level_0;
 }
 
-fn probe_0( _S437 : u32,  _S438 : f32,  _S439 : f32,  _S440 : bool,  _S441 : bool,  _S442 : bool) -> Probe_0
+fn probe_0( _S415 : u32,  _S416 : f32,  _S417 : f32,  _S418 : bool,  _S419 : bool,  _S420 : bool) -> Probe_0
 {
-    var _S443 : Sample_0 = sample_at_0(_S437, _S438, _S439, _S440);
+    var _S421 : Sample_0 = sample_at_0(_S415, _S416, _S417, _S418);
     var probe_1 : Probe_0;
-    probe_1.height_4 = _S443.height_7;
-    probe_1.hole_4 = _S443.shown_3.hole_3;
-    probe_1.slope_x_0 = _S443.slope_x_1;
-    probe_1.slope_y_0 = _S443.slope_y_1;
-    probe_1.yarn_1 = select(_S443.crossing_2.weft_2.thread_2 * u32(2), _S443.crossing_2.warp_2.thread_2 * u32(2) + u32(1), _S443.shown_3.is_warp_2);
-    probe_1.cell_max_0 = cell_maximum_0(_S437, _S443.crossing_2);
-    probe_1.side_x_0 = select(_S443.crossing_2.warp_2.below_0, _S443.crossing_2.warp_2.above_0, _S441);
-    probe_1.side_y_0 = select(_S443.crossing_2.weft_2.below_0, _S443.crossing_2.weft_2.above_0, _S442);
-    probe_1.edge_x_0 = outline_distance_0(_S443.crossing_2.warp_2, _S443.shown_3, _S443.run_3, !_S443.shown_3.is_warp_2, _S441);
-    probe_1.edge_y_0 = outline_distance_0(_S443.crossing_2.weft_2, _S443.shown_3, _S443.run_3, _S443.shown_3.is_warp_2, _S442);
+    probe_1.height_4 = _S421.height_7;
+    probe_1.hole_4 = _S421.shown_3.hole_3;
+    probe_1.slope_x_0 = _S421.slope_x_1;
+    probe_1.slope_y_0 = _S421.slope_y_1;
+    probe_1.yarn_1 = select(_S421.crossing_2.weft_2.thread_2 * u32(2), _S421.crossing_2.warp_2.thread_2 * u32(2) + u32(1), _S421.shown_3.is_warp_2);
+    probe_1.cell_max_0 = cell_maximum_0(_S415, _S421.crossing_2);
+    probe_1.side_x_0 = select(_S421.crossing_2.warp_2.below_0, _S421.crossing_2.warp_2.above_0, _S419);
+    probe_1.side_y_0 = select(_S421.crossing_2.weft_2.below_0, _S421.crossing_2.weft_2.above_0, _S420);
+    probe_1.edge_x_0 = outline_distance_0(_S421.crossing_2.warp_2, _S421.shown_3, _S421.run_3, !_S421.shown_3.is_warp_2, _S419);
+    probe_1.edge_y_0 = outline_distance_0(_S421.crossing_2.weft_2, _S421.shown_3, _S421.run_3, _S421.shown_3.is_warp_2, _S420);
     return probe_1;
 }
 
-fn is_free_0( _S444 : u32,  _S445 : SearchQuality_0,  _S446 : vec3<f32>,  _S447 : vec3<f32>,  _S448 : bool,  _S449 : f32) -> bool
+fn is_free_0( _S422 : u32,  _S423 : SearchQuality_0,  _S424 : vec3<f32>,  _S425 : vec3<f32>,  _S426 : bool,  _S427 : f32) -> bool
 {
-    var _S450 : f32 = _S447.z;
-    if(_S450 <= 0.0f)
+    var _S428 : f32 = _S425.z;
+    if(_S428 <= 0.0f)
     {
         return false;
     }
-    var _S451 : f32 = 1.0f / max(_S445.shadow_share_0 * steps_per_length_0(_S444, _S445, _S447), 9.99999971718068537e-10f);
-    var _S452 : StepControl_0 = step_control_0(_S447.xy, _S451);
+    var _S429 : f32 = 1.0f / max(_S423.shadow_share_0 * steps_per_length_0(_S422, _S423, _S425), 9.99999971718068537e-10f);
+    var _S430 : StepControl_0 = step_control_0(_S425.xy, _S429);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_4 : u32 = u32(0);
     var distance_2 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        if(((count_4 < u32(1024)) & (((_S446.z + _S450 * distance_2) < _S449))))
+        if(((count_4 < u32(1024)) & (((_S424.z + _S428 * distance_2) < _S427))))
         {
         }
         else
         {
             break;
         }
-        var _S453 : vec3<f32> = _S446 + _S447 * vec3<f32>(distance_2);
-        var _S454 : Probe_0 = probe_0(_S444, _S453.x, _S453.y, _S448, _S452.right_0, _S452.up_0);
-        var _S455 : f32 = _S453.z;
-        var _S456 : f32 = _S455 - _S454.height_4;
-        var _S457 : f32 = _S450 - _S454.slope_x_0 * _S447.x - _S454.slope_y_0 * _S447.y;
-        if(((!_S454.hole_4) & ((_S456 < 0.0f))))
+        var _S431 : vec3<f32> = _S424 + _S425 * vec3<f32>(distance_2);
+        var _S432 : Probe_0 = probe_0(_S422, _S431.x, _S431.y, _S426, _S430.right_0, _S430.up_0);
+        var _S433 : f32 = _S431.z;
+        var _S434 : f32 = _S433 - _S432.height_4;
+        var _S435 : f32 = _S428 - _S432.slope_x_0 * _S425.x - _S432.slope_y_0 * _S425.y;
+        if(((!_S432.hole_4) & ((_S434 < 0.0f))))
         {
             return false;
         }
-        var _S458 : f32 = way_back_to_dip_0(previous_3, _S456, _S457, last_step_0, _S454);
-        if(_S458 >= 0.0f)
+        var _S436 : f32 = way_back_to_dip_0(previous_3, _S434, _S435, last_step_0, _S432);
+        if(_S436 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S458;
-            distance_2 = distance_2 - _S458;
+            var last_step_1 : f32 = last_step_0 - _S436;
+            distance_2 = distance_2 - _S436;
             last_step_0 = last_step_1;
             count_4 = count_4 + u32(1);
             continue;
         }
-        var _S459 : bool = _S455 > (_S454.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S452, _S454, _S456, _S457), max(StepControl_to_cell_exit_0(_S452, _S454.side_x_0, _S454.side_y_0), _S451), _S459);
+        var _S437 : bool = _S433 > (_S432.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S430, _S432, _S434, _S435), max(StepControl_to_cell_exit_0(_S430, _S432.side_x_0, _S432.side_y_0), _S429), _S437);
         var distance_3 : f32 = distance_2 + last_step_2;
-        previous_3 = after_sample_0(_S456, _S457, _S454, _S459);
+        previous_3 = after_sample_0(_S434, _S435, _S432, _S437);
         distance_2 = distance_3;
         last_step_0 = last_step_2;
         count_4 = count_4 + u32(1);
@@ -2203,13 +2218,13 @@ fn is_free_0( _S444 : u32,  _S445 : SearchQuality_0,  _S446 : vec3<f32>,  _S447 
     return true;
 }
 
-fn passes_through_0( _S460 : u32,  _S461 : SearchQuality_0,  _S462 : f32,  _S463 : f32,  _S464 : vec3<f32>,  _S465 : bool) -> bool
+fn passes_through_0( _S438 : u32,  _S439 : SearchQuality_0,  _S440 : f32,  _S441 : f32,  _S442 : vec3<f32>,  _S443 : bool) -> bool
 {
-    if(!sample_at_0(_S460, _S462, _S463, _S465).shown_3.hole_3)
+    if(!sample_at_0(_S438, _S440, _S441, _S443).shown_3.hole_3)
     {
         return false;
     }
-    var _S466 : vec3<f32> = vec3<f32>(_S462, _S463, 0.0f);
+    var _S444 : vec3<f32> = vec3<f32>(_S440, _S441, 0.0f);
     var passes_0 : bool = true;
     var side_1 : u32 = u32(0);
     for(;;)
@@ -2221,10 +2236,10 @@ fn passes_through_0( _S460 : u32,  _S461 : SearchQuality_0,  _S462 : f32,  _S463
         {
             break;
         }
-        var _S467 : bool = is_free_0(_S460, _S461, _S466, select_vector_1(side_1 == u32(0), _S464, vec3<f32>(- _S464.x, - _S464.y, _S464.z)), _S465 != (side_1 == u32(1)), fabrics_0[_S460].height_high_0);
-        var _S468 : u32 = side_1 + u32(1);
-        passes_0 = _S467;
-        side_1 = _S468;
+        var _S445 : bool = is_free_0(_S438, _S439, _S444, select_vector_1(side_1 == u32(0), _S442, vec3<f32>(- _S442.x, - _S442.y, _S442.z)), _S443 != (side_1 == u32(1)), fabrics_0[_S438].height_high_0);
+        var _S446 : u32 = side_1 + u32(1);
+        passes_0 = _S445;
+        side_1 = _S446;
     }
     return passes_0;
 }
@@ -2239,14 +2254,14 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S469 : u32,  _S470 : f32,  _S471 : f32,  _S472 : f32,  _S473 : vec3<f32>,  _S474 : bool) -> f32
+fn max_height_along_0( _S447 : u32,  _S448 : f32,  _S449 : f32,  _S450 : f32,  _S451 : vec3<f32>,  _S452 : bool) -> f32
 {
-    var _S475 : f32 = _S473.x;
-    var _S476 : f32 = _S473.y;
-    var _S477 : u32 = (words_0[fabrics_0[_S469].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S469].weft_0, _S471).thread_2 / u32(2) * fabrics_0[_S469].max_height_columns_0 + locate_0(fabrics_0[_S469].warp_0, _S470).thread_2 / u32(2)) + (select(u32(0), u32(1), _S475 > 0.0f) + select(u32(0), u32(2), _S476 > 0.0f))] >> (u32(select(i32(0), i32(4), _S474))));
-    var _S478 : f32 = max(abs(_S475) * fabrics_0[_S469].threads_per_x_0, abs(_S476) * fabrics_0[_S469].threads_per_y_0) / _S473.z;
-    var _S479 : f32 = fabrics_0[_S469].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S469].height_high_0;
+    var _S453 : f32 = _S451.x;
+    var _S454 : f32 = _S451.y;
+    var _S455 : u32 = (words_0[fabrics_0[_S447].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S447].weft_0, _S449).thread_2 / u32(2) * fabrics_0[_S447].max_height_columns_0 + locate_0(fabrics_0[_S447].warp_0, _S448).thread_2 / u32(2)) + (select(u32(0), u32(1), _S453 > 0.0f) + select(u32(0), u32(2), _S454 > 0.0f))] >> (u32(select(i32(0), i32(4), _S452))));
+    var _S456 : f32 = max(abs(_S453) * fabrics_0[_S447].threads_per_x_0, abs(_S454) * fabrics_0[_S447].threads_per_y_0) / _S451.z;
+    var _S457 : f32 = fabrics_0[_S447].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S447].height_high_0;
     var number_1 : i32 = i32(3);
     for(;;)
     {
@@ -2257,26 +2272,26 @@ fn max_height_along_0( _S469 : u32,  _S470 : f32,  _S471 : f32,  _S472 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S472) * _S478) <= (PYRAMID_RADII_0[number_1]))
+        if(((max_height_0 - _S450) * _S456) <= (PYRAMID_RADII_0[number_1]))
         {
-            max_height_0 = min(max_height_0, f32((((_S477 >> (u32(i32(8) * number_1)))) & (u32(15)))) * 0.06666667014360428f * _S479);
+            max_height_0 = min(max_height_0, f32((((_S455 >> (u32(i32(8) * number_1)))) & (u32(15)))) * 0.06666667014360428f * _S457);
         }
         number_1 = number_1 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S480 : u32,  _S481 : f32,  _S482 : f32,  _S483 : bool,  _S484 : bool,  _S485 : bool) -> vec3<f32>
+fn cell_bounds_0( _S458 : u32,  _S459 : f32,  _S460 : f32,  _S461 : bool,  _S462 : bool,  _S463 : bool) -> vec3<f32>
 {
-    var _S486 : Crossing_0 = crossing_at_0(_S480, _S481, _S482, _S483);
-    return vec3<f32>(cell_maximum_0(_S480, _S486), select(_S486.warp_2.below_0, _S486.warp_2.above_0, _S484), select(_S486.weft_2.below_0, _S486.weft_2.above_0, _S485));
+    var _S464 : Crossing_0 = crossing_at_0(_S458, _S459, _S460, _S461);
+    return vec3<f32>(cell_maximum_0(_S458, _S464), select(_S464.warp_2.below_0, _S464.warp_2.above_0, _S462), select(_S464.weft_2.below_0, _S464.weft_2.above_0, _S463));
 }
 
-fn first_sample_height_0( _S487 : u32,  _S488 : ViewRay_0,  _S489 : StepControl_0,  _S490 : bool) -> f32
+fn first_sample_height_0( _S465 : u32,  _S466 : ViewRay_0,  _S467 : StepControl_0,  _S468 : bool) -> f32
 {
-    var _S491 : f32 = max_height_along_0(_S487, _S488.origin_0.x, _S488.origin_0.y, 0.0f, vec3<f32>(_S488.slope_1, 1.0f), _S490);
+    var _S469 : f32 = max_height_along_0(_S465, _S466.origin_0.x, _S466.origin_0.y, 0.0f, vec3<f32>(_S466.slope_1, 1.0f), _S468);
     var count_5 : u32 = u32(0);
-    var height_9 : f32 = _S491;
+    var height_9 : f32 = _S469;
     for(;;)
     {
         if(count_5 < u32(1024))
@@ -2286,12 +2301,12 @@ fn first_sample_height_0( _S487 : u32,  _S488 : ViewRay_0,  _S489 : StepControl_
         {
             break;
         }
-        var _S492 : vec2<f32> = ViewRay_at_0(_S488, height_9);
-        var _S493 : vec3<f32> = cell_bounds_0(_S487, _S492.x, _S492.y, _S490, _S489.right_0, _S489.up_0);
-        var _S494 : f32 = height_9 - _S493.x;
-        var _S495 : f32 = StepControl_to_cell_exit_0(_S489, _S493.y, _S493.z);
-        var height_10 : f32 = height_9 - clamp(_S494, 0.0f, _S495);
-        if(_S494 <= _S495)
+        var _S470 : vec2<f32> = ViewRay_at_0(_S466, height_9);
+        var _S471 : vec3<f32> = cell_bounds_0(_S465, _S470.x, _S470.y, _S468, _S467.right_0, _S467.up_0);
+        var _S472 : f32 = height_9 - _S471.x;
+        var _S473 : f32 = StepControl_to_cell_exit_0(_S467, _S471.y, _S471.z);
+        var height_10 : f32 = height_9 - clamp(_S472, 0.0f, _S473);
+        if(_S472 <= _S473)
         {
             height_9 = height_10;
             break;
@@ -2302,12 +2317,12 @@ fn first_sample_height_0( _S487 : u32,  _S488 : ViewRay_0,  _S489 : StepControl_
     return height_9;
 }
 
-fn search_down_0( _S496 : u32,  _S497 : ViewRay_0,  _S498 : StepControl_0,  _S499 : bool) -> ViewRayEnd_0
+fn search_down_0( _S474 : u32,  _S475 : ViewRay_0,  _S476 : StepControl_0,  _S477 : bool) -> ViewRayEnd_0
 {
-    var _S500 : f32 = fabrics_0[_S496].height_low_0 - (fabrics_0[_S496].height_high_0 - fabrics_0[_S496].height_low_0);
+    var _S478 : f32 = fabrics_0[_S474].height_low_0 - (fabrics_0[_S474].height_high_0 - fabrics_0[_S474].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_8 = first_sample_height_0(_S496, _S497, _S498, _S499);
-    end_1.last_step_3 = _S498.epsilon_0;
+    end_1.height_8 = first_sample_height_0(_S474, _S475, _S476, _S477);
+    end_1.last_step_3 = _S476.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_1 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -2322,144 +2337,144 @@ fn search_down_0( _S496 : u32,  _S497 : ViewRay_0,  _S498 : StepControl_0,  _S49
         {
             break;
         }
-        var _S501 : vec2<f32> = ViewRay_at_0(_S497, end_1.height_8);
-        var _S502 : Probe_0 = probe_0(_S496, _S501.x, _S501.y, _S499, _S498.right_0, _S498.up_0);
-        var _S503 : f32 = end_1.height_8 - _S502.height_4;
-        var _S504 : f32 = ViewRay_rate_0(_S497, _S502);
-        end_1.depth_1 = - _S503;
-        end_1.rate_4 = _S504;
-        var _S505 : bool = !_S502.hole_4;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S505))) & (((end_1.previous_4.yarn_0) == (_S502.yarn_1))));
-        if((((_S505 & ((_S503 <= 0.0f)))) | (((end_1.height_8) <= _S500))))
+        var _S479 : vec2<f32> = ViewRay_at_0(_S475, end_1.height_8);
+        var _S480 : Probe_0 = probe_0(_S474, _S479.x, _S479.y, _S477, _S476.right_0, _S476.up_0);
+        var _S481 : f32 = end_1.height_8 - _S480.height_4;
+        var _S482 : f32 = ViewRay_rate_0(_S475, _S480);
+        end_1.depth_1 = - _S481;
+        end_1.rate_4 = _S482;
+        var _S483 : bool = !_S480.hole_4;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S483))) & (((end_1.previous_4.yarn_0) == (_S480.yarn_1))));
+        if((((_S483 & ((_S481 <= 0.0f)))) | (((end_1.height_8) <= _S478))))
         {
             break;
         }
-        var _S506 : f32 = way_back_to_dip_0(end_1.previous_4, _S503, _S504, end_1.last_step_3, _S502);
-        if(_S506 >= 0.0f)
+        var _S484 : f32 = way_back_to_dip_0(end_1.previous_4, _S481, _S482, end_1.last_step_3, _S480);
+        if(_S484 >= 0.0f)
         {
-            end_1.height_8 = end_1.height_8 + _S506;
-            end_1.last_step_3 = end_1.last_step_3 - _S506;
+            end_1.height_8 = end_1.height_8 + _S484;
+            end_1.last_step_3 = end_1.last_step_3 - _S484;
             count_6 = count_6 + u32(1);
             continue;
         }
-        var _S507 : f32 = min(StepControl_to_cell_exit_0(_S498, _S502.side_x_0, _S502.side_y_0), end_1.height_8 - _S502.cell_max_0);
-        var _S508 : f32 = StepControl_to_next_sample_0(_S498, _S502, _S503, _S504);
-        end_1.previous_4 = after_sample_0(_S503, _S504, _S502, _S507 > _S508);
-        var _S509 : f32 = max(_S507, _S508);
-        end_1.last_step_3 = _S509;
-        end_1.height_8 = end_1.height_8 - _S509;
+        var _S485 : f32 = min(StepControl_to_cell_exit_0(_S476, _S480.side_x_0, _S480.side_y_0), end_1.height_8 - _S480.cell_max_0);
+        var _S486 : f32 = StepControl_to_next_sample_0(_S476, _S480, _S481, _S482);
+        end_1.previous_4 = after_sample_0(_S481, _S482, _S480, _S485 > _S486);
+        var _S487 : f32 = max(_S485, _S486);
+        end_1.last_step_3 = _S487;
+        end_1.height_8 = end_1.height_8 - _S487;
         count_6 = count_6 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S510 : u32,  _S511 : ViewRay_0,  _S512 : StepControl_0,  _S513 : bool,  _S514 : ViewRayEnd_0,  _S515 : u32) -> f32
+fn refined_height_0( _S488 : u32,  _S489 : ViewRay_0,  _S490 : StepControl_0,  _S491 : bool,  _S492 : ViewRayEnd_0,  _S493 : u32) -> f32
 {
-    var _S516 : f32 = fabrics_0[_S510].height_high_0 - fabrics_0[_S510].height_low_0;
-    var above_2 : f32 = _S514.height_8 + _S514.last_step_3;
-    var above_gap_1 : f32 = clamp(_S514.previous_4.clearance_0, 0.0f, _S516);
-    var under_gap_1 : f32 = clamp(_S514.depth_1, 0.0f, _S516);
-    var middle_0 : f32 = select(between_0(above_2, _S514.height_8, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S514.previous_4.rate_0 * _S514.last_step_3, _S514.rate_4 * _S514.last_step_3) * _S514.last_step_3, _S514.smooth_0);
+    var _S494 : f32 = fabrics_0[_S488].height_high_0 - fabrics_0[_S488].height_low_0;
+    var above_2 : f32 = _S492.height_8 + _S492.last_step_3;
+    var above_gap_1 : f32 = clamp(_S492.previous_4.clearance_0, 0.0f, _S494);
+    var under_gap_1 : f32 = clamp(_S492.depth_1, 0.0f, _S494);
+    var middle_0 : f32 = select(between_0(above_2, _S492.height_8, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S492.previous_4.rate_0 * _S492.last_step_3, _S492.rate_4 * _S492.last_step_3) * _S492.last_step_3, _S492.smooth_0);
     var side_2 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S514.height_8;
+    var under_1 : f32 = _S492.height_8;
     var above_3 : f32 = above_2;
     var i_2 : u32 = u32(0);
     for(;;)
     {
-        if(i_2 < _S515)
+        if(i_2 < _S493)
         {
         }
         else
         {
             break;
         }
-        var _S517 : vec2<f32> = ViewRay_at_0(_S511, middle_0);
-        var _S518 : Probe_0 = probe_0(_S510, _S517.x, _S517.y, _S513, _S512.right_0, _S512.up_0);
-        var _S519 : f32 = clamp(middle_0 - select(_S518.height_4, -1.0e+09f, _S518.hole_4), - _S516, _S516);
-        if(_S519 <= 0.0f)
+        var _S495 : vec2<f32> = ViewRay_at_0(_S489, middle_0);
+        var _S496 : Probe_0 = probe_0(_S488, _S495.x, _S495.y, _S491, _S490.right_0, _S490.up_0);
+        var _S497 : f32 = clamp(middle_0 - select(_S496.height_4, -1.0e+09f, _S496.hole_4), - _S494, _S494);
+        if(_S497 <= 0.0f)
         {
-            var _S520 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_2 > 0.0f);
-            var _S521 : f32 = - _S519;
+            var _S498 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_2 > 0.0f);
+            var _S499 : f32 = - _S497;
             under_1 = middle_0;
-            above_gap_2 = _S520;
-            under_gap_2 = _S521;
+            above_gap_2 = _S498;
+            under_gap_2 = _S499;
             side_2 = 1.0f;
         }
         else
         {
-            var _S522 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_2 < 0.0f);
+            var _S500 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_2 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S519;
-            under_gap_2 = _S522;
+            above_gap_2 = _S497;
+            under_gap_2 = _S500;
             side_2 = -1.0f;
         }
-        var _S523 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S519 / min(ViewRay_rate_0(_S511, _S518), -9.99999997475242708e-07f), under_1, above_3), _S514.smooth_0);
-        var _S524 : u32 = i_2 + u32(1);
-        middle_0 = _S523;
-        i_2 = _S524;
+        var _S501 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S497 / min(ViewRay_rate_0(_S489, _S496), -9.99999997475242708e-07f), under_1, above_3), _S492.smooth_0);
+        var _S502 : u32 = i_2 + u32(1);
+        middle_0 = _S501;
+        i_2 = _S502;
     }
-    return select(under_1, middle_0, _S514.smooth_0);
+    return select(under_1, middle_0, _S492.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S525 : u32,  _S526 : SearchQuality_0,  _S527 : f32,  _S528 : f32,  _S529 : vec3<f32>,  _S530 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S503 : u32,  _S504 : SearchQuality_0,  _S505 : f32,  _S506 : f32,  _S507 : vec3<f32>,  _S508 : bool) -> Hit_0
 {
-    var _S531 : f32 = max(_S529.z, 0.00009999999747379f);
+    var _S509 : f32 = max(_S507.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S527, _S528);
-    var _S532 : vec2<f32> = _S529.xy / vec2<f32>(_S531);
-    ray_0.slope_1 = _S532;
-    var _S533 : StepControl_0 = step_control_0((vec2<f32>(0) - _S532), 1.0f / max(steps_per_length_0(_S525, _S526, _S529) / _S531, 9.99999971718068537e-10f));
-    var _S534 : ViewRayEnd_0 = search_down_0(_S525, ray_0, _S533, _S530);
+    ray_0.origin_0 = vec2<f32>(_S505, _S506);
+    var _S510 : vec2<f32> = _S507.xy / vec2<f32>(_S509);
+    ray_0.slope_1 = _S510;
+    var _S511 : StepControl_0 = step_control_0((vec2<f32>(0) - _S510), 1.0f / max(steps_per_length_0(_S503, _S504, _S507) / _S509, 9.99999971718068537e-10f));
+    var _S512 : ViewRayEnd_0 = search_down_0(_S503, ray_0, _S511, _S508);
     var hit_0 : Hit_0;
     hit_0.hole_5 = false;
-    var _S535 : f32 = refined_height_0(_S525, ray_0, _S533, _S530, _S534, _S526.refinements_0);
-    hit_0.height_6 = _S535;
-    var _S536 : vec2<f32> = ViewRay_at_0(ray_0, _S535);
-    hit_0.x_14 = _S536.x;
-    hit_0.y_7 = _S536.y;
+    var _S513 : f32 = refined_height_0(_S503, ray_0, _S511, _S508, _S512, _S504.refinements_0);
+    hit_0.height_6 = _S513;
+    var _S514 : vec2<f32> = ViewRay_at_0(ray_0, _S513);
+    hit_0.x_14 = _S514.x;
+    hit_0.y_7 = _S514.y;
     return hit_0;
 }
 
-fn first_hit_0( _S537 : u32,  _S538 : SearchQuality_0,  _S539 : f32,  _S540 : f32,  _S541 : vec3<f32>,  _S542 : bool) -> Hit_0
+fn first_hit_0( _S515 : u32,  _S516 : SearchQuality_0,  _S517 : f32,  _S518 : f32,  _S519 : vec3<f32>,  _S520 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S537, _S538, _S539, _S540, _S541, _S542))
+    if(!passes_through_0(_S515, _S516, _S517, _S518, _S519, _S520))
     {
-        return first_hit_of_yarn_0(_S537, _S538, _S539, _S540, _S541, _S542);
+        return first_hit_of_yarn_0(_S515, _S516, _S517, _S518, _S519, _S520);
     }
     var hit_1 : Hit_0;
-    hit_1.x_14 = _S539;
-    hit_1.y_7 = _S540;
+    hit_1.x_14 = _S517;
+    hit_1.y_7 = _S518;
     hit_1.height_6 = 0.0f;
     hit_1.hole_5 = true;
     return hit_1;
 }
 
-fn surface_at_0( _S543 : u32,  _S544 : f32,  _S545 : f32,  _S546 : bool) -> SurfacePoint_0
+fn surface_at_0( _S521 : u32,  _S522 : f32,  _S523 : f32,  _S524 : bool) -> SurfacePoint_0
 {
-    var _S547 : Sample_0 = sample_at_0(_S543, _S544, _S545, _S546);
-    var _S548 : u32 = select(fabrics_0[_S543].weft_0, fabrics_0[_S543].warp_0, _S547.shown_3.is_warp_2);
-    var _S549 : f32 = families_0[_S548].twist_sine_0 * select(1.0f, -1.0f, _S546);
-    var _S550 : f32 = select(-1.0f, 1.0f, _S547.shown_3.is_warp_2);
-    var _S551 : vec2<f32> = fibre_direction_0(_S547.slope_across_0, _S550 * _S547.slope_along_0, _S549, families_0[_S548].twist_cosine_0);
-    var _S552 : f32 = _S551.x;
-    var _S553 : f32 = _S551.y;
-    var _S554 : f32 = select(_S547.slope_y_1, _S547.slope_x_1, _S547.shown_3.is_warp_2) * _S552 + _S550 * select(_S547.slope_x_1, _S547.slope_y_1, _S547.shown_3.is_warp_2) * _S553;
-    var _S555 : f32 = select(_S547.crossing_2.weft_2.half_width_1, _S547.crossing_2.warp_2.half_width_1, _S547.shown_3.is_warp_2) * 1.0154266357421875f;
-    var _S556 : f32 = _S555 * arc_sine_0(clamp(_S547.section_1.across_3 / _S555, -1.0f, 1.0f));
-    var _S557 : f32 = select(- _S544, _S545, _S547.shown_3.is_warp_2);
+    var _S525 : Sample_0 = sample_at_0(_S521, _S522, _S523, _S524);
+    var _S526 : u32 = select(fabrics_0[_S521].weft_0, fabrics_0[_S521].warp_0, _S525.shown_3.is_warp_2);
+    var _S527 : f32 = families_0[_S526].twist_sine_0 * select(1.0f, -1.0f, _S524);
+    var _S528 : f32 = select(-1.0f, 1.0f, _S525.shown_3.is_warp_2);
+    var _S529 : vec2<f32> = fibre_direction_0(_S525.slope_across_0, _S528 * _S525.slope_along_0, _S527, families_0[_S526].twist_cosine_0);
+    var _S530 : f32 = _S529.x;
+    var _S531 : f32 = _S529.y;
+    var _S532 : f32 = select(_S525.slope_y_1, _S525.slope_x_1, _S525.shown_3.is_warp_2) * _S530 + _S528 * select(_S525.slope_x_1, _S525.slope_y_1, _S525.shown_3.is_warp_2) * _S531;
+    var _S533 : f32 = select(_S525.crossing_2.weft_2.half_width_1, _S525.crossing_2.warp_2.half_width_1, _S525.shown_3.is_warp_2) * 1.0154266357421875f;
+    var _S534 : f32 = _S533 * arc_sine_0(clamp(_S525.section_1.across_3 / _S533, -1.0f, 1.0f));
+    var _S535 : f32 = select(- _S522, _S523, _S525.shown_3.is_warp_2);
     var point_4 : SurfacePoint_0;
-    point_4.hole_0 = _S547.shown_3.hole_3;
-    point_4.is_warp_0 = _S547.shown_3.is_warp_2;
-    point_4.warp_thread_0 = _S547.crossing_2.warp_2.thread_2;
-    point_4.weft_thread_0 = _S547.crossing_2.weft_2.thread_2;
-    point_4.height_2 = _S547.height_7;
-    point_4.normal_1 = normalize(vec3<f32>(- _S547.slope_x_1, - _S547.slope_y_1, 1.0f));
-    point_4.tangent_0 = normalize(select_vector_1(_S547.shown_3.is_warp_2, vec3<f32>(_S552, _S553, _S554), vec3<f32>(- _S553, _S552, _S554)));
-    point_4.across_0 = _S547.section_1.across_3;
-    point_4.fibre_across_0 = _S556 * families_0[_S548].twist_cosine_0 + _S557 * _S549;
-    point_4.fibre_along_0 = _S557 * families_0[_S548].twist_cosine_0 - _S556 * _S549;
+    point_4.hole_0 = _S525.shown_3.hole_3;
+    point_4.is_warp_0 = _S525.shown_3.is_warp_2;
+    point_4.warp_thread_0 = _S525.crossing_2.warp_2.thread_2;
+    point_4.weft_thread_0 = _S525.crossing_2.weft_2.thread_2;
+    point_4.height_2 = _S525.height_7;
+    point_4.normal_1 = normalize(vec3<f32>(- _S525.slope_x_1, - _S525.slope_y_1, 1.0f));
+    point_4.tangent_0 = normalize(select_vector_1(_S525.shown_3.is_warp_2, vec3<f32>(_S530, _S531, _S532), vec3<f32>(- _S531, _S530, _S532)));
+    point_4.across_0 = _S525.section_1.across_3;
+    point_4.fibre_across_0 = _S534 * families_0[_S526].twist_cosine_0 + _S535 * _S527;
+    point_4.fibre_along_0 = _S535 * families_0[_S526].twist_cosine_0 - _S534 * _S527;
     return point_4;
 }
 
@@ -2479,73 +2494,73 @@ struct YarnPoint_0
      albedos_6 : Albedos_0,
 };
 
-fn has_hairs_0( _S558 : u32) -> bool
+fn has_hairs_0( _S536 : u32) -> bool
 {
-    return (((families_0[fabrics_0[_S558].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S558].weft_0].hairiness_0) > 0.0f)));
+    return (((families_0[fabrics_0[_S536].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S536].weft_0].hairiness_0) > 0.0f)));
 }
 
-fn hair_at_0( _S559 : u32,  _S560 : vec2<f32>,  _S561 : bool,  _S562 : f32) -> Hair_0
+fn hair_at_0( _S537 : u32,  _S538 : vec2<f32>,  _S539 : bool,  _S540 : f32) -> Hair_0
 {
-    var _S563 : f32 = fabrics_0[_S559].fibre_size_0;
-    var _S564 : f32 = 17.0f * fabrics_0[_S559].fibre_size_0;
-    var _S565 : f32 = fade_0(_S562, _S564);
-    var _S566 : vec2<f32> = _S560 / vec2<f32>(_S564);
-    var _S567 : u32 = hash_key_0(select(u32(0), u32(1), _S561), ((fabrics_0[_S559].seed_0) ^ (u32(1013904242))));
-    var _S568 : f32 = 1.0f / max(_S562, 0.07999999821186066f * fabrics_0[_S559].fibre_size_0);
-    var _S569 : f32 = min(0.63999998569488525f * fabrics_0[_S559].fibre_size_0 * _S568, 1.0f);
-    const _S570 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
+    var _S541 : f32 = fabrics_0[_S537].fibre_size_0;
+    var _S542 : f32 = 17.0f * fabrics_0[_S537].fibre_size_0;
+    var _S543 : f32 = fade_0(_S540, _S542);
+    var _S544 : vec2<f32> = _S538 / vec2<f32>(_S542);
+    var _S545 : u32 = hash_key_0(select(u32(0), u32(1), _S539), ((fabrics_0[_S537].seed_0) ^ (u32(1013904242))));
+    var _S546 : f32 = 1.0f / max(_S540, 0.07999999821186066f * fabrics_0[_S537].fibre_size_0);
+    var _S547 : f32 = min(0.63999998569488525f * fabrics_0[_S537].fibre_size_0 * _S546, 1.0f);
+    const _S548 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
     var cover_2 : f32 = 0.0f;
     var hair_away_0 : f32 = 0.0f;
-    var hair_across_0 : vec2<f32> = _S570;
+    var hair_across_0 : vec2<f32> = _S548;
     var number_2 : u32 = u32(0);
     for(;;)
     {
-        if(((_S565 > 0.0f) & ((number_2 < u32(18)))))
+        if(((_S543 > 0.0f) & ((number_2 < u32(18)))))
         {
         }
         else
         {
             break;
         }
-        var _S571 : u32 = number_2 / u32(9);
-        var _S572 : u32 = number_2 / u32(3) - u32(3) * _S571;
-        var _S573 : vec2<f32> = floor(_S566) + vec2<f32>(f32(number_2 - u32(3) * _S572 - u32(9) * _S571), f32(_S572)) - vec2<f32>(1.0f);
-        var _S574 : u32 = hash_bits_0(_S567 + _S571, u32(i32(_S573.x)) * u32(65536) + u32(i32(_S573.y)));
-        var _S575 : u32 = hash_bits_0(_S567, _S574);
-        var _S576 : vec2<f32> = _S566 - _S573 - vec2<f32>(share_of_0(_S574), share_of_0((_S574 >> (u32(10)))));
-        var _S577 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S574 >> (u32(20)))));
-        var _S578 : f32 = mix(5.0f, 16.0f, share_of_0((_S575 >> (u32(10))))) / 17.0f;
-        var _S579 : f32 = _S576.x;
-        var _S580 : f32 = _S577.y;
-        var _S581 : f32 = _S576.y;
-        var _S582 : f32 = _S577.x;
-        var _S583 : f32 = (_S579 * _S580 + _S581 * _S582) / _S578;
-        var _S584 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S575 >> (u32(20)))) - 1.0f);
-        var _S585 : f32 = 2.0f * _S584 * _S583;
-        var _S586 : f32 = rsqrt_0(_S585 * _S585 + 1.0f);
-        var _S587 : f32 = (_S581 * _S580 - _S579 * _S582 - _S584 * _S578 * _S583 * _S583) * _S586 * 17.0f;
-        var _S588 : f32 = clamp((0.31999999284744263f - abs(_S587)) * _S563 * _S568 + 0.5f, 0.0f, _S569);
-        if((((((share_of_0(_S575)) < (families_0[select(fabrics_0[_S559].weft_0, fabrics_0[_S559].warp_0, ((((_S575 >> (u32(30)))) & (u32(1)))) == u32(1))].hairiness_0)) & (((abs(_S583)) < 1.0f)))) & ((_S588 > cover_2))))
+        var _S549 : u32 = number_2 / u32(9);
+        var _S550 : u32 = number_2 / u32(3) - u32(3) * _S549;
+        var _S551 : vec2<f32> = floor(_S544) + vec2<f32>(f32(number_2 - u32(3) * _S550 - u32(9) * _S549), f32(_S550)) - vec2<f32>(1.0f);
+        var _S552 : u32 = hash_bits_0(_S545 + _S549, u32(i32(_S551.x)) * u32(65536) + u32(i32(_S551.y)));
+        var _S553 : u32 = hash_bits_0(_S545, _S552);
+        var _S554 : vec2<f32> = _S544 - _S551 - vec2<f32>(share_of_0(_S552), share_of_0((_S552 >> (u32(10)))));
+        var _S555 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S552 >> (u32(20)))));
+        var _S556 : f32 = mix(5.0f, 16.0f, share_of_0((_S553 >> (u32(10))))) / 17.0f;
+        var _S557 : f32 = _S554.x;
+        var _S558 : f32 = _S555.y;
+        var _S559 : f32 = _S554.y;
+        var _S560 : f32 = _S555.x;
+        var _S561 : f32 = (_S557 * _S558 + _S559 * _S560) / _S556;
+        var _S562 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S553 >> (u32(20)))) - 1.0f);
+        var _S563 : f32 = 2.0f * _S562 * _S561;
+        var _S564 : f32 = rsqrt_0(_S563 * _S563 + 1.0f);
+        var _S565 : f32 = (_S559 * _S558 - _S557 * _S560 - _S562 * _S556 * _S561 * _S561) * _S564 * 17.0f;
+        var _S566 : f32 = clamp((0.31999999284744263f - abs(_S565)) * _S541 * _S546 + 0.5f, 0.0f, _S547);
+        if((((((share_of_0(_S553)) < (families_0[select(fabrics_0[_S537].weft_0, fabrics_0[_S537].warp_0, ((((_S553 >> (u32(30)))) & (u32(1)))) == u32(1))].hairiness_0)) & (((abs(_S561)) < 1.0f)))) & ((_S566 > cover_2))))
         {
-            var _S589 : vec2<f32> = vec2<f32>(- _S582 - _S585 * _S580, _S580 - _S585 * _S582) * vec2<f32>(_S586);
-            cover_2 = _S588;
-            hair_away_0 = _S587;
-            hair_across_0 = _S589;
+            var _S567 : vec2<f32> = vec2<f32>(- _S560 - _S563 * _S558, _S558 - _S563 * _S560) * vec2<f32>(_S564);
+            cover_2 = _S566;
+            hair_away_0 = _S565;
+            hair_across_0 = _S567;
         }
         number_2 = number_2 + u32(1);
     }
-    var _S590 : f32 = clamp(hair_away_0 * 2.5f, -0.80000001192092896f, 0.80000001192092896f);
+    var _S568 : f32 = clamp(hair_away_0 * 2.5f, -0.80000001192092896f, 0.80000001192092896f);
     var hair_1 : Hair_0;
-    hair_1.cover_0 = _S565 * cover_2;
-    hair_1.normal_3 = vec3<f32>(vec2<f32>(_S590) * hair_across_0, sqrt(1.0f - _S590 * _S590));
+    hair_1.cover_0 = _S543 * cover_2;
+    hair_1.normal_3 = vec3<f32>(vec2<f32>(_S568) * hair_across_0, sqrt(1.0f - _S568 * _S568));
     hair_1.tangent_2 = vec3<f32>(hair_across_0.y, - hair_across_0.x, 0.0f);
     return hair_1;
 }
 
-fn thread_number_0( _S591 : u32,  _S592 : SurfacePoint_0,  _S593 : f32,  _S594 : f32) -> u32
+fn thread_number_0( _S569 : u32,  _S570 : SurfacePoint_0,  _S571 : f32,  _S572 : f32) -> u32
 {
-    var _S595 : u32 = select(fabrics_0[_S591].weft_0, fabrics_0[_S591].warp_0, _S592.is_warp_0);
-    return u32(i32(floor((select(_S594, _S593, _S592.is_warp_0) - _S592.across_0) / families_0[_S595].period_0)) * i32(families_0[_S595].count_0) + i32(select(_S592.weft_thread_0, _S592.warp_thread_0, _S592.is_warp_0))) * u32(2) + select(u32(0), u32(1), _S592.is_warp_0);
+    var _S573 : u32 = select(fabrics_0[_S569].weft_0, fabrics_0[_S569].warp_0, _S570.is_warp_0);
+    return u32(i32(floor((select(_S572, _S571, _S570.is_warp_0) - _S570.across_0) / families_0[_S573].period_0)) * i32(families_0[_S573].count_0) + i32(select(_S570.weft_thread_0, _S570.warp_thread_0, _S570.is_warp_0))) * u32(2) + select(u32(0), u32(1), _S570.is_warp_0);
 }
 
 struct FibreNoise_0
@@ -2558,271 +2573,271 @@ struct FibreNoise_0
      slope_2 : f32,
 };
 
-fn fibre_noise_at_0( _S596 : u32,  _S597 : u32,  _S598 : SurfacePoint_0,  _S599 : u32,  _S600 : f32) -> FibreNoise_0
+fn fibre_noise_at_0( _S574 : u32,  _S575 : u32,  _S576 : SurfacePoint_0,  _S577 : u32,  _S578 : f32) -> FibreNoise_0
 {
-    var _S601 : f32 = 5.0f * fabrics_0[_S596].fibre_size_0;
-    var _S602 : vec2<f32> = wave_noise_0(hash_key_0(_S599, ((fabrics_0[_S596].seed_0) ^ (u32(458671337)))), _S598.fibre_along_0 / (25.0f * fabrics_0[_S596].fibre_size_0));
-    var _S603 : f32 = _S598.fibre_across_0 + families_0[_S597].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S596].fibre_size_0 * _S602.x;
-    var _S604 : vec3<f32> = fibre_cell_0(_S603, _S598.fibre_along_0, fabrics_0[_S596].fibre_size_0);
+    var _S579 : f32 = 5.0f * fabrics_0[_S574].fibre_size_0;
+    var _S580 : vec2<f32> = wave_noise_0(hash_key_0(_S577, ((fabrics_0[_S574].seed_0) ^ (u32(458671337)))), _S576.fibre_along_0 / (25.0f * fabrics_0[_S574].fibre_size_0));
+    var _S581 : f32 = _S576.fibre_across_0 + families_0[_S575].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S574].fibre_size_0 * _S580.x;
+    var _S582 : vec3<f32> = fibre_cell_0(_S581, _S576.fibre_along_0, fabrics_0[_S574].fibre_size_0);
     var noise_0 : FibreNoise_0;
-    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S599, ((fabrics_0[_S596].seed_0) ^ (u32(1757159915)))), fibre_cell_0(_S603, _S598.fibre_along_0, _S601));
-    noise_0.bundle_weight_0 = fade_0(_S600, _S601);
-    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S599, ((fabrics_0[_S596].seed_0) ^ (u32(48610963)))), _S604);
-    noise_0.fibre_weight_0 = fade_0(_S600, fabrics_0[_S596].fibre_size_0);
-    noise_0.offset_2 = _S604.z;
-    noise_0.slope_2 = 0.5f * _S602.y;
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S577, ((fabrics_0[_S574].seed_0) ^ (u32(1757159915)))), fibre_cell_0(_S581, _S576.fibre_along_0, _S579));
+    noise_0.bundle_weight_0 = fade_0(_S578, _S579);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S577, ((fabrics_0[_S574].seed_0) ^ (u32(48610963)))), _S582);
+    noise_0.fibre_weight_0 = fade_0(_S578, fabrics_0[_S574].fibre_size_0);
+    noise_0.offset_2 = _S582.z;
+    noise_0.slope_2 = 0.5f * _S580.y;
     return noise_0;
 }
 
-fn detail_gain_0( _S605 : u32,  _S606 : u32,  _S607 : SurfacePoint_0,  _S608 : vec2<f32>,  _S609 : bool,  _S610 : u32,  _S611 : f32) -> vec2<f32>
+fn detail_gain_0( _S583 : u32,  _S584 : u32,  _S585 : SurfacePoint_0,  _S586 : vec2<f32>,  _S587 : bool,  _S588 : u32,  _S589 : f32) -> vec2<f32>
 {
-    var _S612 : vec2<f32> = vec2<f32>(0.0f);
+    var _S590 : vec2<f32> = vec2<f32>(0.0f);
     var gain_2 : vec2<f32>;
-    if((families_0[_S606].has_plies_0) > 0.0f)
+    if((families_0[_S584].has_plies_0) > 0.0f)
     {
-        gain_2 = vec2<f32>((0.60000002384185791f * fade_0(_S611, 1.0f / families_0[_S606].plies_per_mm_0))) * vec2<f32>(0.20000000298023224f - square_1(square_1(ply_offset_0(_S606, _S607, _S609))), 0.20000000298023224f);
+        gain_2 = vec2<f32>((0.60000002384185791f * fade_0(_S589, 1.0f / families_0[_S584].plies_per_mm_0))) * vec2<f32>(0.20000000298023224f - square_1(square_1(ply_offset_0(_S584, _S585, _S587))), 0.20000000298023224f);
     }
     else
     {
-        gain_2 = _S612;
+        gain_2 = _S590;
     }
-    if((families_0[_S606].fibre_tone_0) > 0.0f)
+    if((families_0[_S584].fibre_tone_0) > 0.0f)
     {
-        var _S613 : FibreNoise_0 = fibre_noise_at_0(_S605, _S606, _S607, _S610, _S611);
-        gain_2 = gain_2 + vec2<f32>(families_0[_S606].fibre_tone_0) * vec2<f32>(_S613.bundle_weight_0 * _S613.bundle_0.y + _S613.fibre_weight_0 * _S613.fibre_0.y, _S613.bundle_weight_0 + _S613.fibre_weight_0);
+        var _S591 : FibreNoise_0 = fibre_noise_at_0(_S583, _S584, _S585, _S588, _S589);
+        gain_2 = gain_2 + vec2<f32>(families_0[_S584].fibre_tone_0) * vec2<f32>(_S591.bundle_weight_0 * _S591.bundle_0.y + _S591.fibre_weight_0 * _S591.fibre_0.y, _S591.bundle_weight_0 + _S591.fibre_weight_0);
     }
-    if((families_0[_S606].slub_0) > 0.0f)
+    if((families_0[_S584].slub_0) > 0.0f)
     {
-        gain_2 = gain_2 + vec2<f32>((0.25f * families_0[_S606].slub_0 * fade_0(_S611, 1.0f / families_0[_S606].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S610, ((fabrics_0[_S605].seed_0) ^ (u32(1373058189)))), select(- _S608.x, _S608.y, _S607.is_warp_0) * families_0[_S606].slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_1(_S607.across_0 * families_0[_S606].per_half_width_0), 1.0f)), 1.0f);
+        gain_2 = gain_2 + vec2<f32>((0.25f * families_0[_S584].slub_0 * fade_0(_S589, 1.0f / families_0[_S584].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S588, ((fabrics_0[_S583].seed_0) ^ (u32(1373058189)))), select(- _S586.x, _S586.y, _S585.is_warp_0) * families_0[_S584].slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_1(_S585.across_0 * families_0[_S584].per_half_width_0), 1.0f)), 1.0f);
     }
     return gain_2;
 }
 
-fn vary_albedos_0( _S614 : u32,  _S615 : Albedos_0,  _S616 : u32,  _S617 : u32,  _S618 : vec2<f32>) -> Albedos_0
+fn vary_albedos_0( _S592 : u32,  _S593 : Albedos_0,  _S594 : u32,  _S595 : u32,  _S596 : vec2<f32>) -> Albedos_0
 {
-    var _S619 : vec3<f32> = max(_S615.specular_reflect_0, _S615.specular_transmit_0);
-    var _S620 : vec3<f32> = _S615.diffuse_reflect_0 + _S615.diffuse_transmit_0;
-    var _S621 : vec3<f32> = vec3<f32>(fabrics_0[_S614].layer_bound_0);
-    var _S622 : vec3<f32> = vec3<f32>(1.0f);
-    var _S623 : vec3<f32> = _S622 - _S621 * _S619;
-    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S616, fabrics_0[_S614].colour_noise_0, fabrics_0[_S614].seed_0), _S620, _S623);
-    var _S624 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S618.y, vec3<f32>(colour_1) * _S620, _S623) * _S618.x)));
-    var _S625 : f32 = bounded_gain_0(fibre_gain_0(_S616, _S617, fabrics_0[_S614].fibre_noise_0, fabrics_0[_S614].seed_0), _S619, min((_S622 - _S624 * _S620) / _S621, vec3<f32>(1.0f)));
+    var _S597 : vec3<f32> = max(_S593.specular_reflect_0, _S593.specular_transmit_0);
+    var _S598 : vec3<f32> = _S593.diffuse_reflect_0 + _S593.diffuse_transmit_0;
+    var _S599 : vec3<f32> = vec3<f32>(fabrics_0[_S592].layer_bound_0);
+    var _S600 : vec3<f32> = vec3<f32>(1.0f);
+    var _S601 : vec3<f32> = _S600 - _S599 * _S597;
+    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S594, fabrics_0[_S592].colour_noise_0, fabrics_0[_S592].seed_0), _S598, _S601);
+    var _S602 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S596.y, vec3<f32>(colour_1) * _S598, _S601) * _S596.x)));
+    var _S603 : f32 = bounded_gain_0(fibre_gain_0(_S594, _S595, fabrics_0[_S592].fibre_noise_0, fabrics_0[_S592].seed_0), _S597, min((_S600 - _S602 * _S598) / _S599, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S624 * _S615.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S624 * _S615.diffuse_transmit_0;
-    var _S626 : vec3<f32> = vec3<f32>(_S625);
-    varied_0.specular_reflect_0 = _S626 * _S615.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S626 * _S615.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S602 * _S593.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S602 * _S593.diffuse_transmit_0;
+    var _S604 : vec3<f32> = vec3<f32>(_S603);
+    varied_0.specular_reflect_0 = _S604 * _S593.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S604 * _S593.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S627 : u32,  _S628 : SurfacePoint_0,  _S629 : Albedos_0,  _S630 : f32,  _S631 : f32,  _S632 : bool,  _S633 : f32,  _S634 : f32) -> Albedos_0
+fn varied_at_0( _S605 : u32,  _S606 : SurfacePoint_0,  _S607 : Albedos_0,  _S608 : f32,  _S609 : f32,  _S610 : bool,  _S611 : f32,  _S612 : f32) -> Albedos_0
 {
-    var _S635 : u32 = thread_number_0(_S627, _S628, _S630, _S631);
-    var _S636 : vec3<f32> = fibre_cell_0(_S628.fibre_across_0, _S628.fibre_along_0, fabrics_0[_S627].fibre_size_0);
-    var _S637 : vec2<f32> = vec2<f32>(0.0f);
+    var _S613 : u32 = thread_number_0(_S605, _S606, _S608, _S609);
+    var _S614 : vec3<f32> = fibre_cell_0(_S606.fibre_across_0, _S606.fibre_along_0, fabrics_0[_S605].fibre_size_0);
+    var _S615 : vec2<f32> = vec2<f32>(0.0f);
     var gain_3 : vec2<f32>;
-    if((((fabrics_0[_S627].has_detail_0) != u32(0)) & ((_S633 >= 0.0f))))
+    if((((fabrics_0[_S605].has_detail_0) != u32(0)) & ((_S611 >= 0.0f))))
     {
-        gain_3 = detail_gain_0(_S627, select(fabrics_0[_S627].weft_0, fabrics_0[_S627].warp_0, _S628.is_warp_0), _S628, vec2<f32>(_S630, _S631), _S632, _S635, _S633) * vec2<f32>(1.0f - _S634, 1.0f);
+        gain_3 = detail_gain_0(_S605, select(fabrics_0[_S605].weft_0, fabrics_0[_S605].warp_0, _S606.is_warp_0), _S606, vec2<f32>(_S608, _S609), _S610, _S613, _S611) * vec2<f32>(1.0f - _S612, 1.0f);
     }
     else
     {
-        gain_3 = _S637;
+        gain_3 = _S615;
     }
-    return vary_albedos_0(_S627, _S629, _S635, u32(i32(_S636.x)) * u32(65536) + u32(i32(floor(_S636.y))), gain_3);
+    return vary_albedos_0(_S605, _S607, _S613, u32(i32(_S614.x)) * u32(65536) + u32(i32(floor(_S614.y))), gain_3);
 }
 
-fn turned_frame_0( _S638 : u32,  _S639 : u32,  _S640 : SurfacePoint_0,  _S641 : bool,  _S642 : u32,  _S643 : f32) -> YarnFrame_0
+fn turned_frame_0( _S616 : u32,  _S617 : u32,  _S618 : SurfacePoint_0,  _S619 : bool,  _S620 : u32,  _S621 : f32) -> YarnFrame_0
 {
     var frame_2 : YarnFrame_0;
-    frame_2.normal_5 = _S640.normal_1;
-    frame_2.tangent_4 = _S640.tangent_0;
+    frame_2.normal_5 = _S618.normal_1;
+    frame_2.tangent_4 = _S618.tangent_0;
     frame_2.loss_0 = 0.0f;
-    if((families_0[_S639].has_plies_0) > 0.0f)
+    if((families_0[_S617].has_plies_0) > 0.0f)
     {
-        var _S644 : f32 = fade_0(_S643, 1.0f / families_0[_S639].plies_per_mm_0);
-        var _S645 : f32 = _S644 * 0.41999998688697815f * ply_offset_0(_S639, _S640, _S641);
-        var _S646 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
-        var _S647 : vec3<f32> = vec3<f32>(families_0[_S639].ply_cosine_0);
-        var _S648 : vec3<f32> = vec3<f32>(select(families_0[_S639].ply_sine_0, - families_0[_S639].ply_sine_0, _S641));
-        var _S649 : vec3<f32> = _S647 * _S646 + _S648 * frame_2.tangent_4;
-        var _S650 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S645 * _S645));
-        var _S651 : vec3<f32> = vec3<f32>(_S645);
-        frame_2.tangent_4 = _S647 * (_S647 * frame_2.tangent_4 - _S648 * _S646) + _S648 * (_S650 * _S649 - _S651 * frame_2.normal_5);
-        frame_2.normal_5 = _S650 * frame_2.normal_5 + _S651 * _S649;
-        frame_2.loss_0 = _S644 * _S644 * 0.41999998688697815f * 0.41999998688697815f / 6.0f;
+        var _S622 : f32 = fade_0(_S621, 1.0f / families_0[_S617].plies_per_mm_0);
+        var _S623 : f32 = _S622 * 0.41999998688697815f * ply_offset_0(_S617, _S618, _S619);
+        var _S624 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
+        var _S625 : vec3<f32> = vec3<f32>(families_0[_S617].ply_cosine_0);
+        var _S626 : vec3<f32> = vec3<f32>(select(families_0[_S617].ply_sine_0, - families_0[_S617].ply_sine_0, _S619));
+        var _S627 : vec3<f32> = _S625 * _S624 + _S626 * frame_2.tangent_4;
+        var _S628 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S623 * _S623));
+        var _S629 : vec3<f32> = vec3<f32>(_S623);
+        frame_2.tangent_4 = _S625 * (_S625 * frame_2.tangent_4 - _S626 * _S624) + _S626 * (_S628 * _S627 - _S629 * frame_2.normal_5);
+        frame_2.normal_5 = _S628 * frame_2.normal_5 + _S629 * _S627;
+        frame_2.loss_0 = _S622 * _S622 * 0.41999998688697815f * 0.41999998688697815f / 6.0f;
     }
-    var _S652 : f32 = families_0[_S639].fibre_tilt_0;
-    if((families_0[_S639].fibre_tilt_0) > 0.0f)
+    var _S630 : f32 = families_0[_S617].fibre_tilt_0;
+    if((families_0[_S617].fibre_tilt_0) > 0.0f)
     {
-        var _S653 : FibreNoise_0 = fibre_noise_at_0(_S638, _S639, _S640, _S642, _S643);
-        var _S654 : f32 = 1.09858846664428711f * _S652 * (_S653.bundle_weight_0 * _S653.bundle_0.x + _S653.fibre_weight_0 * (_S653.fibre_0.x + _S653.offset_2));
-        var _S655 : f32 = _S652 * (1.42099642753601074f * (_S653.bundle_weight_0 * _S653.bundle_0.y + _S653.fibre_weight_0 * _S653.fibre_0.y) - _S653.bundle_weight_0 * _S653.slope_2);
-        var _S656 : f32 = square_1(_S653.fibre_weight_0);
-        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S652 * _S652 * ((0.24761904776096344f * (square_1(_S653.bundle_weight_0) + _S656) + _S656 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
-        var _S657 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
-        var _S658 : vec2<f32> = sine_cosine_0(_S654);
-        var _S659 : vec2<f32> = sine_cosine_0(_S655);
-        var _S660 : vec3<f32> = vec3<f32>(_S658.y);
-        var _S661 : vec3<f32> = vec3<f32>(_S658.x);
-        var _S662 : vec3<f32> = _S660 * _S657 - _S661 * frame_2.normal_5;
-        frame_2.normal_5 = _S660 * frame_2.normal_5 + _S661 * _S657;
-        frame_2.tangent_4 = vec3<f32>(_S659.y) * frame_2.tangent_4 + vec3<f32>(_S659.x) * _S662;
+        var _S631 : FibreNoise_0 = fibre_noise_at_0(_S616, _S617, _S618, _S620, _S621);
+        var _S632 : f32 = 1.09858846664428711f * _S630 * (_S631.bundle_weight_0 * _S631.bundle_0.x + _S631.fibre_weight_0 * (_S631.fibre_0.x + _S631.offset_2));
+        var _S633 : f32 = _S630 * (1.42099642753601074f * (_S631.bundle_weight_0 * _S631.bundle_0.y + _S631.fibre_weight_0 * _S631.fibre_0.y) - _S631.bundle_weight_0 * _S631.slope_2);
+        var _S634 : f32 = square_1(_S631.fibre_weight_0);
+        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S630 * _S630 * ((0.24761904776096344f * (square_1(_S631.bundle_weight_0) + _S634) + _S634 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
+        var _S635 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
+        var _S636 : vec2<f32> = sine_cosine_0(_S632);
+        var _S637 : vec2<f32> = sine_cosine_0(_S633);
+        var _S638 : vec3<f32> = vec3<f32>(_S636.y);
+        var _S639 : vec3<f32> = vec3<f32>(_S636.x);
+        var _S640 : vec3<f32> = _S638 * _S635 - _S639 * frame_2.normal_5;
+        frame_2.normal_5 = _S638 * frame_2.normal_5 + _S639 * _S635;
+        frame_2.tangent_4 = vec3<f32>(_S637.y) * frame_2.tangent_4 + vec3<f32>(_S637.x) * _S640;
     }
     return frame_2;
 }
 
-fn yarn_point_of_0( _S663 : u32,  _S664 : SurfacePoint_0,  _S665 : f32,  _S666 : f32,  _S667 : bool,  _S668 : bool,  _S669 : f32) -> YarnPoint_0
+fn yarn_point_of_0( _S641 : u32,  _S642 : SurfacePoint_0,  _S643 : f32,  _S644 : f32,  _S645 : bool,  _S646 : bool,  _S647 : f32) -> YarnPoint_0
 {
-    var _S670 : u32 = select(fabrics_0[_S663].weft_0, fabrics_0[_S663].warp_0, _S664.is_warp_0);
-    var _S671 : bool = (((fabrics_0[_S663].has_detail_0) != u32(0)) & ((_S669 >= 0.0f)));
-    var _S672 : vec3<f32> = vec3<f32>(0.0f);
-    var _S673 : Hair_0 = Hair_x24init_0(0.0f, _S672, _S672);
-    var _S674 : bool;
-    if(_S671)
+    var _S648 : u32 = select(fabrics_0[_S641].weft_0, fabrics_0[_S641].warp_0, _S642.is_warp_0);
+    var _S649 : bool = (((fabrics_0[_S641].has_detail_0) != u32(0)) & ((_S647 >= 0.0f)));
+    var _S650 : vec3<f32> = vec3<f32>(0.0f);
+    var _S651 : Hair_0 = Hair_x24init_0(0.0f, _S650, _S650);
+    var _S652 : bool;
+    if(_S649)
     {
-        _S674 = has_hairs_0(_S663);
+        _S652 = has_hairs_0(_S641);
     }
     else
     {
-        _S674 = false;
+        _S652 = false;
     }
     var hair_2 : Hair_0;
-    if(_S674)
+    if(_S652)
     {
-        hair_2 = hair_at_0(_S663, vec2<f32>(_S665, _S666), _S667, _S669);
+        hair_2 = hair_at_0(_S641, vec2<f32>(_S643, _S644), _S645, _S647);
     }
     else
     {
-        hair_2 = _S673;
+        hair_2 = _S651;
     }
-    var albedos_7 : Albedos_0 = albedos_of_0(_S670, select(_S664.weft_thread_0, _S664.warp_thread_0, _S664.is_warp_0));
+    var albedos_7 : Albedos_0 = albedos_of_0(_S648, select(_S642.weft_thread_0, _S642.warp_thread_0, _S642.is_warp_0));
     var albedos_8 : Albedos_0;
-    if(varies_at_0(_S663, _S669))
+    if(varies_at_0(_S641, _S647))
     {
-        albedos_8 = varied_at_0(_S663, _S664, albedos_7, _S665, _S666, _S667, _S669, hair_2.cover_0);
+        albedos_8 = varied_at_0(_S641, _S642, albedos_7, _S643, _S644, _S645, _S647, hair_2.cover_0);
     }
     else
     {
         albedos_8 = albedos_7;
     }
     var point_5 : YarnPoint_0;
-    point_5.back_7 = _S667;
-    point_5.hole_6 = _S668;
-    point_5.is_warp_3 = _S664.is_warp_0;
-    point_5.x_15 = _S665;
-    point_5.y_8 = _S666;
-    point_5.height_11 = _S664.height_2;
-    point_5.normal_10 = _S664.normal_1;
-    point_5.tangent_10 = _S664.tangent_0;
-    point_5.surface_normal_0 = _S664.normal_1;
+    point_5.back_7 = _S645;
+    point_5.hole_6 = _S646;
+    point_5.is_warp_3 = _S642.is_warp_0;
+    point_5.x_15 = _S643;
+    point_5.y_8 = _S644;
+    point_5.height_11 = _S642.height_2;
+    point_5.normal_10 = _S642.normal_1;
+    point_5.tangent_10 = _S642.tangent_0;
+    point_5.surface_normal_0 = _S642.normal_1;
     point_5.diffuse_gain_1 = 1.0f;
-    if(_S671)
+    if(_S649)
     {
-        var _S675 : YarnFrame_0 = turned_frame_0(_S663, _S670, _S664, _S667, thread_number_0(_S663, _S664, _S665, _S666), _S669);
+        var _S653 : YarnFrame_0 = turned_frame_0(_S641, _S648, _S642, _S645, thread_number_0(_S641, _S642, _S643, _S644), _S647);
         var frame_3 : YarnFrame_0;
-        if(has_hairs_0(_S663))
+        if(has_hairs_0(_S641))
         {
-            frame_3 = under_hair_0(_S675, hair_2);
+            frame_3 = under_hair_0(_S653, hair_2);
         }
         else
         {
-            frame_3 = _S675;
+            frame_3 = _S653;
         }
         point_5.normal_10 = frame_3.normal_5;
         point_5.tangent_10 = frame_3.tangent_4;
-        point_5.diffuse_gain_1 = diffuse_gain_0(frame_3, fabrics_0[_S663].diffuse_blend_0);
+        point_5.diffuse_gain_1 = diffuse_gain_0(frame_3, fabrics_0[_S641].diffuse_blend_0);
     }
-    point_5.roughness_10 = families_0[_S670].roughness_0;
+    point_5.roughness_10 = families_0[_S648].roughness_0;
     point_5.albedos_6 = albedos_8;
     return point_5;
 }
 
-fn unoccluded_0( _S676 : u32,  _S677 : SearchQuality_0,  _S678 : f32,  _S679 : f32,  _S680 : f32,  _S681 : vec3<f32>,  _S682 : bool) -> bool
+fn unoccluded_0( _S654 : u32,  _S655 : SearchQuality_0,  _S656 : f32,  _S657 : f32,  _S658 : f32,  _S659 : vec3<f32>,  _S660 : bool) -> bool
 {
-    if((_S681.z) <= 0.0f)
+    if((_S659.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S676, _S677, vec3<f32>(_S678, _S679, _S680 + fabrics_0[_S676].lift_0), _S681, _S682, max_height_along_0(_S676, _S678, _S679, _S680, _S681, _S682));
+    return is_free_0(_S654, _S655, vec3<f32>(_S656, _S657, _S658 + fabrics_0[_S654].lift_0), _S659, _S660, max_height_along_0(_S654, _S656, _S657, _S658, _S659, _S660));
 }
 
-fn is_lit_0( _S683 : u32,  _S684 : SearchQuality_0,  _S685 : YarnPoint_0,  _S686 : vec3<f32>) -> bool
+fn is_lit_0( _S661 : u32,  _S662 : SearchQuality_0,  _S663 : YarnPoint_0,  _S664 : vec3<f32>) -> bool
 {
-    if(_S685.hole_6)
+    if(_S663.hole_6)
     {
         return true;
     }
-    var _S687 : vec3<f32> = to_face_frame_0(_S686, _S685.back_7);
-    var _S688 : f32 = _S687.z;
-    var _S689 : bool = _S688 < 0.0f;
+    var _S665 : vec3<f32> = to_face_frame_0(_S664, _S663.back_7);
+    var _S666 : f32 = _S665.z;
+    var _S667 : bool = _S666 < 0.0f;
     var normal_11 : vec3<f32>;
     var height_12 : f32;
-    if(_S689)
+    if(_S667)
     {
-        var _S690 : SurfacePoint_0 = surface_at_0(_S683, _S685.x_15, _S685.y_8, !_S685.back_7);
-        normal_11 = _S690.normal_1;
-        height_12 = _S690.height_2;
+        var _S668 : SurfacePoint_0 = surface_at_0(_S661, _S663.x_15, _S663.y_8, !_S663.back_7);
+        normal_11 = _S668.normal_1;
+        height_12 = _S668.height_2;
     }
     else
     {
-        normal_11 = _S685.surface_normal_0;
-        height_12 = _S685.height_11;
+        normal_11 = _S663.surface_normal_0;
+        height_12 = _S663.height_11;
     }
-    var _S691 : vec3<f32> = vec3<f32>(_S687.xy, abs(_S688));
-    if((dot(normal_11, _S691)) <= 0.0f)
+    var _S669 : vec3<f32> = vec3<f32>(_S665.xy, abs(_S666));
+    if((dot(normal_11, _S669)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S683, _S684, _S685.x_15, _S685.y_8, height_12, _S691, (_S685.back_7) != _S689);
+    return unoccluded_0(_S661, _S662, _S663.x_15, _S663.y_8, height_12, _S669, (_S663.back_7) != _S667);
 }
 
-fn components_of_point_0( _S692 : u32,  _S693 : SearchQuality_0,  _S694 : YarnPoint_0,  _S695 : vec3<f32>,  _S696 : vec3<f32>) -> Components_0
+fn components_of_point_0( _S670 : u32,  _S671 : SearchQuality_0,  _S672 : YarnPoint_0,  _S673 : vec3<f32>,  _S674 : vec3<f32>) -> Components_0
 {
     var result_3 : Components_0 = no_components_0();
-    result_3.hole_2 = select(0.0f, 1.0f, _S694.hole_6);
-    var _S697 : bool;
-    if(_S694.hole_6)
+    result_3.hole_2 = select(0.0f, 1.0f, _S672.hole_6);
+    var _S675 : bool;
+    if(_S672.hole_6)
     {
-        _S697 = true;
+        _S675 = true;
     }
     else
     {
-        _S697 = !is_lit_0(_S692, _S693, _S694, _S695);
+        _S675 = !is_lit_0(_S670, _S671, _S672, _S673);
     }
-    if(_S697)
+    if(_S675)
     {
         return result_3;
     }
-    var _S698 : vec3<f32> = to_face_frame_0(_S695, _S694.back_7);
-    var _S699 : vec3<f32> = to_face_frame_0(_S696, _S694.back_7);
-    var _S700 : bool = (_S698.z) < 0.0f;
-    var _S701 : f32 = _S694.diffuse_gain_1 * diffuse_reflection_0(select_vector_1(_S700, (vec3<f32>(0) - _S698), _S698), _S694.normal_10, fabrics_0[_S692].diffuse_blend_0);
-    var _S702 : f32;
-    if(_S700)
+    var _S676 : vec3<f32> = to_face_frame_0(_S673, _S672.back_7);
+    var _S677 : vec3<f32> = to_face_frame_0(_S674, _S672.back_7);
+    var _S678 : bool = (_S676.z) < 0.0f;
+    var _S679 : f32 = _S672.diffuse_gain_1 * diffuse_reflection_0(select_vector_1(_S678, (vec3<f32>(0) - _S676), _S676), _S672.normal_10, fabrics_0[_S670].diffuse_blend_0);
+    var _S680 : f32;
+    if(_S678)
     {
-        _S702 = transmission_1(_S698, _S699, _S694.normal_10, _S694.tangent_10, _S694.roughness_10, fabrics_0[_S692].optical_depth_0);
+        _S680 = transmission_1(_S676, _S677, _S672.normal_10, _S672.tangent_10, _S672.roughness_10, fabrics_0[_S670].optical_depth_0);
     }
     else
     {
-        _S702 = reflection_0(_S698, _S699, _S694.normal_10, _S694.tangent_10, _S694.roughness_10, fabrics_0[_S692].optical_depth_0);
+        _S680 = reflection_0(_S676, _S677, _S672.normal_10, _S672.tangent_10, _S672.roughness_10, fabrics_0[_S670].optical_depth_0);
     }
-    result_3.diffuse_warp_0 = select(0.0f, _S701, _S694.is_warp_3);
-    result_3.diffuse_weft_0 = select(_S701, 0.0f, _S694.is_warp_3);
-    result_3.specular_warp_0 = select(0.0f, _S702, _S694.is_warp_3);
-    result_3.specular_weft_0 = select(_S702, 0.0f, _S694.is_warp_3);
+    result_3.diffuse_warp_0 = select(0.0f, _S679, _S672.is_warp_3);
+    result_3.diffuse_weft_0 = select(_S679, 0.0f, _S672.is_warp_3);
+    result_3.specular_warp_0 = select(0.0f, _S680, _S672.is_warp_3);
+    result_3.specular_weft_0 = select(_S680, 0.0f, _S672.is_warp_3);
     result_3.light_visibility_1 = 1.0f;
     return result_3;
 }
 
-fn openness_number_0( _S703 : u32,  _S704 : u32) -> f32
+fn openness_number_0( _S681 : u32,  _S682 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S703].openness_0 + _S704);
+    return table_number_0(fabrics_0[_S681].openness_0 + _S682);
 }
 
-fn blocked_of_terms_0( _S705 : u32,  _S706 : u32,  _S707 : array<f32, i32(6)>,  _S708 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S683 : u32,  _S684 : u32,  _S685 : array<f32, i32(6)>,  _S686 : u32) -> Blocked_0
 {
     var shares_0 : array<f32, i32(3)>;
     var share_4 : u32 = u32(0);
@@ -2839,14 +2854,14 @@ fn blocked_of_terms_0( _S705 : u32,  _S706 : u32,  _S707 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S708)
+            if(term_0 < _S686)
             {
             }
             else
             {
                 break;
             }
-            shares_0[share_4] = shares_0[share_4] + openness_number_0(_S705, _S706 + share_4 * _S708 + term_0) * _S707[term_0];
+            shares_0[share_4] = shares_0[share_4] + openness_number_0(_S683, _S684 + share_4 * _S686 + term_0) * _S685[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_0[share_4] = saturate(shares_0[share_4]);
@@ -2859,24 +2874,24 @@ fn blocked_of_terms_0( _S705 : u32,  _S706 : u32,  _S707 : array<f32, i32(6)>,  
     return blocked_2;
 }
 
-fn blocked_at_0( _S709 : u32,  _S710 : bool,  _S711 : bool,  _S712 : f32,  _S713 : f32) -> Blocked_0
+fn blocked_at_0( _S687 : u32,  _S688 : bool,  _S689 : bool,  _S690 : f32,  _S691 : f32) -> Blocked_0
 {
-    var _S714 : f32 = _S713 * openness_number_0(_S709, u32(158));
-    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S712, _S714, _S712 * _S712, _S712 * _S714, _S714 * _S714 );
-    return blocked_of_terms_0(_S709, u32(60) + (select(u32(0), u32(2), _S711) + select(u32(1), u32(0), _S710)) * u32(18), terms_2, u32(6));
+    var _S692 : f32 = _S691 * openness_number_0(_S687, u32(158));
+    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S690, _S692, _S690 * _S690, _S690 * _S692, _S692 * _S692 );
+    return blocked_of_terms_0(_S687, u32(60) + (select(u32(0), u32(2), _S689) + select(u32(1), u32(0), _S688)) * u32(18), terms_2, u32(6));
 }
 
-fn with_blocked_0( _S715 : u32,  _S716 : Blocked_0,  _S717 : YarnPoint_0,  _S718 : bool,  _S719 : f32) -> Blocked_0
+fn with_blocked_0( _S693 : u32,  _S694 : Blocked_0,  _S695 : YarnPoint_0,  _S696 : bool,  _S697 : f32) -> Blocked_0
 {
-    if(((_S717.hole_6) | (((_S717.is_warp_3) != _S718))))
+    if(((_S695.hole_6) | (((_S695.is_warp_3) != _S696))))
     {
-        return _S716;
+        return _S694;
     }
-    var _S720 : Blocked_0 = blocked_at_0(_S715, _S718, _S717.back_7, _S717.surface_normal_0.z, _S717.height_11);
+    var _S698 : Blocked_0 = blocked_at_0(_S693, _S696, _S695.back_7, _S695.surface_normal_0.z, _S695.height_11);
     var result_4 : Blocked_0;
-    result_4.by_warp_0 = _S716.by_warp_0 + _S719 * _S720.by_warp_0;
-    result_4.by_weft_0 = _S716.by_weft_0 + _S719 * _S720.by_weft_0;
-    result_4.far_0 = _S716.far_0 + _S719 * _S720.far_0;
+    result_4.by_warp_0 = _S694.by_warp_0 + _S697 * _S698.by_warp_0;
+    result_4.by_weft_0 = _S694.by_weft_0 + _S697 * _S698.by_weft_0;
+    result_4.far_0 = _S694.far_0 + _S697 * _S698.far_0;
     return result_4;
 }
 
@@ -2885,23 +2900,23 @@ struct CoverageTaps_0
      nodes_1 : array<u32, i32(9)>,
 };
 
-fn pyramid_level_0( _S721 : u32,  _S722 : f32) -> vec3<f32>
+fn pyramid_level_0( _S699 : u32,  _S700 : f32) -> vec3<f32>
 {
-    var _S723 : u32 = fabrics_0[_S721].lobes_0.levels_0 + u32(4) * u32(min(_S722, fabrics_0[_S721].lobes_0.last_level_0));
-    return vec3<f32>(table_number_0(_S723), table_number_0(_S723 + u32(1)), table_number_0(_S723 + u32(2)));
+    var _S701 : u32 = fabrics_0[_S699].lobes_0.levels_0 + u32(4) * u32(min(_S700, fabrics_0[_S699].lobes_0.last_level_0));
+    return vec3<f32>(table_number_0(_S701), table_number_0(_S701 + u32(1)), table_number_0(_S701 + u32(2)));
 }
 
-fn coverage_taps_0( _S724 : u32,  _S725 : Footprint_0,  _S726 : bool) -> CoverageTaps_0
+fn coverage_taps_0( _S702 : u32,  _S703 : Footprint_0,  _S704 : bool) -> CoverageTaps_0
 {
-    var _S727 : Lobes_std430_0 = fabrics_0[_S724].lobes_0;
-    var _S728 : f32 = Footprint_spread_side_0(_S725) * fabrics_0[_S724].lobes_0.inverse_base_size_0;
-    var _S729 : vec3<f32> = pyramid_level_0(_S724, floor(binary_logarithm_0(max(0.68000000715255737f * _S728, 1.0f))));
-    var _S730 : f32 = 1.0f / max(_S728, 9.99999997475242708e-07f);
-    var _S731 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S724].warp_0].inverse_period_0, families_0[fabrics_0[_S724].weft_0].inverse_period_0);
-    var _S732 : vec2<f32> = _S725.centre_0 * _S731;
-    var _S733 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S730 * _S730), 0.0f, 1.0f)), 0.3333333432674408f * _S730), 1.0f));
-    var _S734 : vec2<f32> = _S725.dx_0 * _S731 * _S733;
-    var _S735 : vec2<f32> = _S725.dy_0 * _S731 * _S733;
+    var _S705 : Lobes_std430_0 = fabrics_0[_S702].lobes_0;
+    var _S706 : f32 = Footprint_spread_side_0(_S703) * fabrics_0[_S702].lobes_0.inverse_base_size_0;
+    var _S707 : vec3<f32> = pyramid_level_0(_S702, floor(binary_logarithm_0(max(0.68000000715255737f * _S706, 1.0f))));
+    var _S708 : f32 = 1.0f / max(_S706, 9.99999997475242708e-07f);
+    var _S709 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S702].warp_0].inverse_period_0, families_0[fabrics_0[_S702].weft_0].inverse_period_0);
+    var _S710 : vec2<f32> = _S703.centre_0 * _S709;
+    var _S711 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S708 * _S708), 0.0f, 1.0f)), 0.3333333432674408f * _S708), 1.0f));
+    var _S712 : vec2<f32> = _S703.dx_0 * _S709 * _S711;
+    var _S713 : vec2<f32> = _S703.dy_0 * _S709 * _S711;
     var taps_4 : CoverageTaps_0;
     var number_3 : u32 = u32(0);
     for(;;)
@@ -2913,9 +2928,9 @@ fn coverage_taps_0( _S724 : u32,  _S725 : Footprint_0,  _S726 : bool) -> Coverag
         {
             break;
         }
-        var _S736 : vec2<f32> = _S732 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S734 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S735;
-        var _S737 : f32 = _S729.y;
-        taps_4.nodes_1[number_3] = select(u32(0), _S727.face_nodes_0, _S726) + u32(wrapped_cell_0(_S736.y, _S729.z) * _S737 + wrapped_cell_0(_S736.x, _S737) + _S729.x);
+        var _S714 : vec2<f32> = _S710 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S712 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S713;
+        var _S715 : f32 = _S707.y;
+        taps_4.nodes_1[number_3] = select(u32(0), _S705.face_nodes_0, _S704) + u32(wrapped_cell_0(_S714.y, _S707.z) * _S715 + wrapped_cell_0(_S714.x, _S715) + _S707.x);
         number_3 = number_3 + u32(1);
     }
     return taps_4;
@@ -2927,11 +2942,11 @@ struct JointRatios_0
      specular_0 : vec2<f32>,
 };
 
-fn joint_ratios_0( _S738 : u32,  _S739 : vec3<f32>,  _S740 : vec3<f32>,  _S741 : bool) -> JointRatios_0
+fn joint_ratios_0( _S716 : u32,  _S717 : vec3<f32>,  _S718 : vec3<f32>,  _S719 : bool) -> JointRatios_0
 {
-    var _S742 : NodeTaps_0 = node_taps_of_0(_S740, u32(16));
-    var _S743 : NodeTaps_0 = node_taps_of_0(_S739, u32(16));
-    var _S744 : u32 = fabrics_0[_S738].lobes_0.joint_0 + u32(2) * (select(u32(0), u32(2), _S741) + select(u32(0), u32(1), (_S739.z) < 0.0f)) * u32(1024);
+    var _S720 : NodeTaps_0 = node_taps_of_0(_S718, u32(16));
+    var _S721 : NodeTaps_0 = node_taps_of_0(_S717, u32(16));
+    var _S722 : u32 = fabrics_0[_S716].lobes_0.joint_0 + u32(2) * (select(u32(0), u32(2), _S719) + select(u32(0), u32(1), (_S717.z) < 0.0f)) * u32(1024);
     var ratios_0 : vec4<f32>;
     var ratio_2 : u32 = u32(0);
     for(;;)
@@ -2943,18 +2958,18 @@ fn joint_ratios_0( _S738 : u32,  _S739 : vec3<f32>,  _S740 : vec3<f32>,  _S741 :
         {
             break;
         }
-        ratios_0[ratio_2] = 1.0f + dot(joint_terms_0(_S742, _S744, ratio_2), joint_terms_0(_S743, _S744 + u32(1024), ratio_2));
+        ratios_0[ratio_2] = 1.0f + dot(joint_terms_0(_S720, _S722, ratio_2), joint_terms_0(_S721, _S722 + u32(1024), ratio_2));
         ratio_2 = ratio_2 + u32(1);
     }
-    var _S745 : vec4<f32> = clamp(ratios_0, vec4<f32>(0.0f), vec4<f32>(4.0f));
-    ratios_0 = _S745;
+    var _S723 : vec4<f32> = clamp(ratios_0, vec4<f32>(0.0f), vec4<f32>(4.0f));
+    ratios_0 = _S723;
     var result_5 : JointRatios_0;
-    result_5.diffuse_0 = _S745.xy;
-    result_5.specular_0 = _S745.zw;
+    result_5.diffuse_0 = _S723.xy;
+    result_5.specular_0 = _S723.zw;
     return result_5;
 }
 
-fn coverage_of_pack_0( _S746 : u32,  _S747 : CoverageTaps_0,  _S748 : u32) -> vec4<f32>
+fn coverage_of_pack_0( _S724 : u32,  _S725 : CoverageTaps_0,  _S726 : u32) -> vec4<f32>
 {
     var number_4 : u32 = u32(0);
     var even_1 : u32 = u32(0);
@@ -2968,9 +2983,9 @@ fn coverage_of_pack_0( _S746 : u32,  _S747 : CoverageTaps_0,  _S748 : u32) -> ve
         {
             break;
         }
-        var _S749 : u32 = words_0[fabrics_0[_S746].lobes_0.coverage_0 + _S747.nodes_1[number_4] * fabrics_0[_S746].lobes_0.packs_0 + _S748];
-        var even_2 : u32 = even_1 + ((_S749 & (u32(16711935))));
-        var odd_2 : u32 = odd_1 + ((((_S749 >> (u32(8)))) & (u32(16711935))));
+        var _S727 : u32 = words_0[fabrics_0[_S724].lobes_0.coverage_0 + _S725.nodes_1[number_4] * fabrics_0[_S724].lobes_0.packs_0 + _S726];
+        var even_2 : u32 = even_1 + ((_S727 & (u32(16711935))));
+        var odd_2 : u32 = odd_1 + ((((_S727 >> (u32(8)))) & (u32(16711935))));
         number_4 = number_4 + u32(1);
         even_1 = even_2;
         odd_1 = odd_2;
@@ -2978,7 +2993,7 @@ fn coverage_of_pack_0( _S746 : u32,  _S747 : CoverageTaps_0,  _S748 : u32) -> ve
     return bytes_of_sums_0(even_1, odd_1) / vec4<f32>(9.0f);
 }
 
-fn coverage_of_holes_0( _S750 : u32,  _S751 : CoverageTaps_0) -> f32
+fn coverage_of_holes_0( _S728 : u32,  _S729 : CoverageTaps_0) -> f32
 {
     var number_5 : u32 = u32(0);
     var total_0 : u32 = u32(0);
@@ -2991,33 +3006,33 @@ fn coverage_of_holes_0( _S750 : u32,  _S751 : CoverageTaps_0) -> f32
         {
             break;
         }
-        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S750].lobes_0.coverage_holes_0 + _S751.nodes_1[number_5] / u32(4)] >> ((u32(8) * (_S751.nodes_1[number_5] % u32(4)))))) & (u32(255))));
+        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S728].lobes_0.coverage_holes_0 + _S729.nodes_1[number_5] / u32(4)] >> ((u32(8) * (_S729.nodes_1[number_5] % u32(4)))))) & (u32(255))));
         number_5 = number_5 + u32(1);
         total_0 = total_1;
     }
     return f32(total_0) / 9.0f;
 }
 
-fn prefiltered_hole_0( _S752 : u32,  _S753 : CoverageTaps_0,  _S754 : NodeTaps_0,  _S755 : bool) -> f32
+fn prefiltered_hole_0( _S730 : u32,  _S731 : CoverageTaps_0,  _S732 : NodeTaps_0,  _S733 : bool) -> f32
 {
-    var _S756 : f32 = interpolate_table_0(_S754, fabrics_0[_S752].lobes_0.projected_area_0 + fabrics_0[_S752].lobes_0.packs_0, fabrics_0[_S752].lobes_0.packs_0 + u32(1)).x;
-    return min(coverage_of_holes_0(_S752, _S753) * _S756 * _S756 * select(fabrics_0[_S752].lobes_0.front_hole_weight_0, fabrics_0[_S752].lobes_0.back_hole_weight_0, _S755), 1.0f);
+    var _S734 : f32 = interpolate_table_0(_S732, fabrics_0[_S730].lobes_0.projected_area_0 + fabrics_0[_S730].lobes_0.packs_0, fabrics_0[_S730].lobes_0.packs_0 + u32(1)).x;
+    return min(coverage_of_holes_0(_S730, _S731) * _S734 * _S734 * select(fabrics_0[_S730].lobes_0.front_hole_weight_0, fabrics_0[_S730].lobes_0.back_hole_weight_0, _S733), 1.0f);
 }
 
-fn prefiltered_components_0( _S757 : u32,  _S758 : Footprint_0,  _S759 : vec3<f32>,  _S760 : vec3<f32>,  _S761 : bool) -> Components_0
+fn prefiltered_components_0( _S735 : u32,  _S736 : Footprint_0,  _S737 : vec3<f32>,  _S738 : vec3<f32>,  _S739 : bool) -> Components_0
 {
-    var _S762 : CoverageTaps_0 = coverage_taps_0(_S757, _S758, _S761);
-    var _S763 : NodeTaps_0 = node_taps_0(_S760);
-    var view_nodes_0 : NodeTaps_0 = _S763;
-    var _S764 : NodeTaps_0 = node_taps_0(_S759);
-    var light_nodes_0 : NodeTaps_0 = _S764;
-    var _S765 : u32 = select(u32(0), u32(1), _S761);
-    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S765 * u32(256)));
-    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((u32(2) * _S765 + select(u32(0), u32(1), (_S759.z) < 0.0f)) * u32(256)));
-    var _S766 : vec3<f32> = half_vector_0(_S759, _S760);
-    var _S767 : JointRatios_0 = joint_ratios_0(_S757, _S759, _S760, _S761);
-    var _S768 : Lobes_std430_0 = fabrics_0[_S757].lobes_0;
-    var _S769 : u32 = select(fabrics_0[_S757].lobes_0.front_warp_packs_0, fabrics_0[_S757].lobes_0.back_warp_packs_0, _S761);
+    var _S740 : CoverageTaps_0 = coverage_taps_0(_S735, _S736, _S739);
+    var _S741 : NodeTaps_0 = node_taps_0(_S738);
+    var view_nodes_0 : NodeTaps_0 = _S741;
+    var _S742 : NodeTaps_0 = node_taps_0(_S737);
+    var light_nodes_0 : NodeTaps_0 = _S742;
+    var _S743 : u32 = select(u32(0), u32(1), _S739);
+    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S743 * u32(256)));
+    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((u32(2) * _S743 + select(u32(0), u32(1), (_S737.z) < 0.0f)) * u32(256)));
+    var _S744 : vec3<f32> = half_vector_0(_S737, _S738);
+    var _S745 : JointRatios_0 = joint_ratios_0(_S735, _S737, _S738, _S739);
+    var _S746 : Lobes_std430_0 = fabrics_0[_S735].lobes_0;
+    var _S747 : u32 = select(fabrics_0[_S735].lobes_0.front_warp_packs_0, fabrics_0[_S735].lobes_0.back_warp_packs_0, _S739);
     var sums_4 : Components_0;
     sums_4.diffuse_warp_0 = 0.0f;
     sums_4.diffuse_weft_0 = 0.0f;
@@ -3028,19 +3043,19 @@ fn prefiltered_components_0( _S757 : u32,  _S758 : Footprint_0,  _S759 : vec3<f3
     var total_2 : f32 = 0.0f;
     for(;;)
     {
-        if(pack_0 < (_S768.packs_0))
+        if(pack_0 < (_S746.packs_0))
         {
         }
         else
         {
             break;
         }
-        var _S770 : vec4<f32> = coverage_of_pack_0(_S757, _S762, pack_0);
-        var _S771 : vec4<f32> = interpolate_table_0(view_nodes_0, _S768.projected_area_0 + pack_0, _S768.packs_0 + u32(1));
-        var _S772 : vec4<f32> = interpolate_table_0(light_nodes_0, _S768.light_visibility_0 + pack_0, _S768.packs_0) / vec4<f32>(255.0f);
-        var _S773 : vec4<f32> = interpolate_table_0(light_nodes_0, _S768.irradiance_0 + pack_0, _S768.packs_0) * vec4<f32>(0.00124827399849892f);
-        var _S774 : bool = pack_0 < _S769;
-        var _S775 : f32 = families_0[select(fabrics_0[_S757].weft_0, fabrics_0[_S757].warp_0, _S774)].roughness_0;
+        var _S748 : vec4<f32> = coverage_of_pack_0(_S735, _S740, pack_0);
+        var _S749 : vec4<f32> = interpolate_table_0(view_nodes_0, _S746.projected_area_0 + pack_0, _S746.packs_0 + u32(1));
+        var _S750 : vec4<f32> = interpolate_table_0(light_nodes_0, _S746.light_visibility_0 + pack_0, _S746.packs_0) / vec4<f32>(255.0f);
+        var _S751 : vec4<f32> = interpolate_table_0(light_nodes_0, _S746.irradiance_0 + pack_0, _S746.packs_0) * vec4<f32>(0.00124827399849892f);
+        var _S752 : bool = pack_0 < _S747;
+        var _S753 : f32 = families_0[select(fabrics_0[_S735].weft_0, fabrics_0[_S735].warp_0, _S752)].roughness_0;
         var number_6 : u32 = u32(0);
         var diffuse_1 : f32 = 0.0f;
         var specular_1 : f32 = 0.0f;
@@ -3054,261 +3069,261 @@ fn prefiltered_components_0( _S757 : u32,  _S758 : Footprint_0,  _S759 : vec3<f3
             {
                 break;
             }
-            var _S776 : Group_0 = group_at_0(_S768.moments_0 + u32(12) * (u32(4) * (_S765 * _S768.packs_0 + pack_0) + number_6), _S775);
-            var _S777 : f32 = _S770[number_6] * _S771[number_6] * _S771[number_6] * _S776.weight_2;
-            var diffuse_2 : f32 = diffuse_1 + _S777 * _S773[number_6];
-            var specular_2 : f32 = specular_1 + _S777 * layer_value_0(_S776, _S766, _S759, _S760, fabrics_0[_S757].optical_depth_0) * _S772[number_6];
-            var lit_1 : f32 = lit_0 + _S777 * _S772[number_6];
-            var total_3 : f32 = total_2 + _S777;
+            var _S754 : Group_0 = group_at_0(_S746.moments_0 + u32(12) * (u32(4) * (_S743 * _S746.packs_0 + pack_0) + number_6), _S753);
+            var _S755 : f32 = _S748[number_6] * _S749[number_6] * _S749[number_6] * _S754.weight_2;
+            var diffuse_2 : f32 = diffuse_1 + _S755 * _S751[number_6];
+            var specular_2 : f32 = specular_1 + _S755 * layer_value_0(_S754, _S744, _S737, _S738, fabrics_0[_S735].optical_depth_0) * _S750[number_6];
+            var lit_1 : f32 = lit_0 + _S755 * _S750[number_6];
+            var total_3 : f32 = total_2 + _S755;
             number_6 = number_6 + u32(1);
             diffuse_1 = diffuse_2;
             specular_1 = specular_2;
             lit_0 = lit_1;
             total_2 = total_3;
         }
-        sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 + select(0.0f, diffuse_1, _S774);
-        sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 + select(diffuse_1, 0.0f, _S774);
-        sums_4.specular_warp_0 = sums_4.specular_warp_0 + select(0.0f, specular_1, _S774);
-        sums_4.specular_weft_0 = sums_4.specular_weft_0 + select(specular_1, 0.0f, _S774);
-        sums_4.light_visibility_1 = sums_4.light_visibility_1 + lit_0 * select(_S767.diffuse_0.y, _S767.diffuse_0.x, _S774);
+        sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 + select(0.0f, diffuse_1, _S752);
+        sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 + select(diffuse_1, 0.0f, _S752);
+        sums_4.specular_warp_0 = sums_4.specular_warp_0 + select(0.0f, specular_1, _S752);
+        sums_4.specular_weft_0 = sums_4.specular_weft_0 + select(specular_1, 0.0f, _S752);
+        sums_4.light_visibility_1 = sums_4.light_visibility_1 + lit_0 * select(_S745.diffuse_0.y, _S745.diffuse_0.x, _S752);
         pack_0 = pack_0 + u32(1);
     }
-    var _S778 : f32 = prefiltered_hole_0(_S757, _S762, view_nodes_0, _S761);
-    sums_4.hole_2 = _S778;
-    var _S779 : f32 = 1.0f - _S778;
-    var _S780 : f32 = _S779 / max(total_2, 9.999999960041972e-13f);
-    sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 * (_S780 * _S767.diffuse_0.x);
-    sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 * (_S780 * _S767.diffuse_0.y);
-    sums_4.specular_warp_0 = sums_4.specular_warp_0 * (_S780 * _S767.specular_0.x);
-    sums_4.specular_weft_0 = sums_4.specular_weft_0 * (_S780 * _S767.specular_0.y);
-    sums_4.light_visibility_1 = min(sums_4.light_visibility_1 * _S780, _S779);
+    var _S756 : f32 = prefiltered_hole_0(_S735, _S740, view_nodes_0, _S739);
+    sums_4.hole_2 = _S756;
+    var _S757 : f32 = 1.0f - _S756;
+    var _S758 : f32 = _S757 / max(total_2, 9.999999960041972e-13f);
+    sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 * (_S758 * _S745.diffuse_0.x);
+    sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 * (_S758 * _S745.diffuse_0.y);
+    sums_4.specular_warp_0 = sums_4.specular_warp_0 * (_S758 * _S745.specular_0.x);
+    sums_4.specular_weft_0 = sums_4.specular_weft_0 * (_S758 * _S745.specular_0.y);
+    sums_4.light_visibility_1 = min(sums_4.light_visibility_1 * _S758, _S757);
     return sums_4;
 }
 
-fn albedos_over_0( _S781 : u32,  _S782 : Footprint_0,  _S783 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S759 : u32,  _S760 : Footprint_0,  _S761 : bool) -> FamilyAlbedos_0
 {
-    var _S784 : vec2<f32> = _S782.dx_0;
-    var _S785 : vec2<f32> = _S782.dy_0;
-    var _S786 : vec2<f32> = sqrt(_S784 * _S784 + _S785 * _S785);
-    var _S787 : Stretch_0 = stretch_of_0(fabrics_0[_S781].warp_0, _S782.centre_0.x, _S786.x);
-    var _S788 : Stretch_0 = stretch_of_0(fabrics_0[_S781].weft_0, _S782.centre_0.y, _S786.y);
+    var _S762 : vec2<f32> = _S760.dx_0;
+    var _S763 : vec2<f32> = _S760.dy_0;
+    var _S764 : vec2<f32> = sqrt(_S762 * _S762 + _S763 * _S763);
+    var _S765 : Stretch_0 = stretch_of_0(fabrics_0[_S759].warp_0, _S760.centre_0.x, _S764.x);
+    var _S766 : Stretch_0 = stretch_of_0(fabrics_0[_S759].weft_0, _S760.centre_0.y, _S764.y);
     var albedos_9 : FamilyAlbedos_0;
-    albedos_9.warp_5 = mean_albedos_0(fabrics_0[_S781].warp_0, fabrics_0[_S781].weft_0, _S787, _S788, _S783);
-    albedos_9.weft_5 = mean_albedos_0(fabrics_0[_S781].weft_0, fabrics_0[_S781].warp_0, _S788, _S787, _S783);
+    albedos_9.warp_5 = mean_albedos_0(fabrics_0[_S759].warp_0, fabrics_0[_S759].weft_0, _S765, _S766, _S761);
+    albedos_9.weft_5 = mean_albedos_0(fabrics_0[_S759].weft_0, fabrics_0[_S759].warp_0, _S766, _S765, _S761);
     return albedos_9;
 }
 
-fn lobes_estimate_of_pass_0( _S789 : u32,  _S790 : Footprint_0,  _S791 : f32,  _S792 : vec2<f32>,  _S793 : vec3<f32>,  _S794 : vec3<f32>) -> Estimate_0
+fn lobes_estimate_of_pass_0( _S767 : u32,  _S768 : Footprint_0,  _S769 : f32,  _S770 : vec2<f32>,  _S771 : vec3<f32>,  _S772 : vec3<f32>) -> Estimate_0
 {
-    var _S795 : f32;
-    var _S796 : Regime_0 = regime_of_0(_S789, _S790, _S791);
-    var _S797 : bool = (_S794.z) < 0.0f;
-    var _S798 : vec3<f32> = to_face_frame_0(_S794, _S797);
-    var _S799 : f32 = Footprint_spread_side_0(_S790);
-    var _S800 : bool = varies_at_0(_S789, _S799);
-    var _S801 : f32 = 1.0f - _S796.prefiltered_0;
-    var _S802 : bool = ((_S801 > 0.0f) & (((_S800 | (((((families_0[fabrics_0[_S789].warp_0].quantities_0) > u32(1)) | (((families_0[fabrics_0[_S789].weft_0].quantities_0) > u32(1))))))))));
-    var box_0 : Footprint_0 = _S790;
-    var _S803 : vec3<f32> = vec3<f32>(0.0f);
-    var _S804 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S803, _S803, 0.0f, 0.0f, 0.0f);
-    var _S805 : Components_0 = no_components_0();
+    var _S773 : f32;
+    var _S774 : Regime_0 = regime_of_0(_S767, _S768, _S769);
+    var _S775 : bool = (_S772.z) < 0.0f;
+    var _S776 : vec3<f32> = to_face_frame_0(_S772, _S775);
+    var _S777 : f32 = Footprint_spread_side_0(_S768);
+    var _S778 : bool = varies_at_0(_S767, _S777);
+    var _S779 : f32 = 1.0f - _S774.prefiltered_0;
+    var _S780 : bool = ((_S779 > 0.0f) & (((_S778 | (((((families_0[fabrics_0[_S767].warp_0].quantities_0) > u32(1)) | (((families_0[fabrics_0[_S767].weft_0].quantities_0) > u32(1))))))))));
+    var box_0 : Footprint_0 = _S768;
+    var _S781 : vec3<f32> = vec3<f32>(0.0f);
+    var _S782 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S781, _S781, 0.0f, 0.0f, 0.0f);
+    var _S783 : Components_0 = no_components_0();
     var close_1 : CloseUp_0 = no_close_up_0();
-    var _S806 : u32 = select(u32(1), u32(0), _S802);
-    var points_1 : Components_0 = _S805;
+    var _S784 : u32 = select(u32(1), u32(0), _S780);
+    var points_1 : Components_0 = _S783;
     var central_weight_0 : f32 = 0.0f;
-    var central_0 : SurfacePoint_0 = _S804;
-    var central_place_0 : vec2<f32> = _S790.centre_0;
-    var number_7 : u32 = _S806;
+    var central_0 : SurfacePoint_0 = _S782;
+    var central_place_0 : vec2<f32> = _S768.centre_0;
+    var number_7 : u32 = _S784;
     for(;;)
     {
-        var _S807 : f32 = f32(number_7);
-        _S795 = _S796.points_0;
-        if(_S807 < (_S796.points_0 + 1.0f))
+        var _S785 : f32 = f32(number_7);
+        _S773 = _S774.points_0;
+        if(_S785 < (_S774.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        var _S808 : bool = number_7 == u32(0);
-        var _S809 : u32 = number_7 - u32(1);
-        var _S810 : vec2<f32> = POINT_OFFSETS_0[select(_S809, u32(0), _S808)] + _S792;
-        var _S811 : vec2<f32> = select_vector_0(_S808, vec2<f32>(0.0f), _S810 - round(_S810));
-        var _S812 : vec2<f32> = _S790.centre_0 + vec2<f32>(_S811.x) * _S790.dx_0 + vec2<f32>(_S811.y) * _S790.dy_0;
-        var _S813 : SearchQuality_0 = quality_of_0(select(_S796.threads_1, 0.0f, _S808));
-        var _S814 : Hit_0 = first_hit_0(_S789, _S813, _S812.x, _S812.y, _S798, _S797);
-        var _S815 : SurfacePoint_0 = surface_at_0(_S789, _S814.x_14, _S814.y_7, _S797);
-        if(_S808)
+        var _S786 : bool = number_7 == u32(0);
+        var _S787 : u32 = number_7 - u32(1);
+        var _S788 : vec2<f32> = POINT_OFFSETS_0[select(_S787, u32(0), _S786)] + _S770;
+        var _S789 : vec2<f32> = select_vector_0(_S786, vec2<f32>(0.0f), _S788 - round(_S788));
+        var _S790 : vec2<f32> = _S768.centre_0 + vec2<f32>(_S789.x) * _S768.dx_0 + vec2<f32>(_S789.y) * _S768.dy_0;
+        var _S791 : SearchQuality_0 = quality_of_0(select(_S774.threads_1, 0.0f, _S786));
+        var _S792 : Hit_0 = first_hit_0(_S767, _S791, _S790.x, _S790.y, _S776, _S775);
+        var _S793 : SurfacePoint_0 = surface_at_0(_S767, _S792.x_14, _S792.y_7, _S775);
+        if(_S786)
         {
-            var central_weight_1 : f32 = select(_S801, 0.0f, _S814.hole_5);
-            var central_place_1 : vec2<f32> = vec2<f32>(_S814.x_14, _S814.y_7);
-            box_0.centre_0 = mix(_S790.centre_0, central_place_1, vec2<f32>(central_weight_1));
+            var central_weight_1 : f32 = select(_S779, 0.0f, _S792.hole_5);
+            var central_place_1 : vec2<f32> = vec2<f32>(_S792.x_14, _S792.y_7);
+            box_0.centre_0 = mix(_S768.centre_0, central_place_1, vec2<f32>(central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S815;
+            central_0 = _S793;
             central_place_0 = central_place_1;
             number_7 = number_7 + u32(1);
             continue;
         }
-        var _S816 : YarnPoint_0 = yarn_point_of_0(_S789, _S815, _S814.x_14, _S814.y_7, _S797, _S814.hole_5, _S799);
-        var _S817 : f32 = min(_S796.points_0 - f32(_S809), 1.0f);
-        var _S818 : Components_0 = with_added_0(points_1, components_of_point_0(_S789, _S813, _S816, _S793, _S794), _S817);
-        if((fabrics_0[_S789].openness_0) != u32(4294967295))
+        var _S794 : YarnPoint_0 = yarn_point_of_0(_S767, _S793, _S792.x_14, _S792.y_7, _S775, _S792.hole_5, _S777);
+        var _S795 : f32 = min(_S774.points_0 - f32(_S787), 1.0f);
+        var _S796 : Components_0 = with_added_0(points_1, components_of_point_0(_S767, _S791, _S794, _S771, _S772), _S795);
+        if((fabrics_0[_S767].openness_0) != u32(4294967295))
         {
-            close_1.warp_1 = with_blocked_0(_S789, close_1.warp_1, _S816, true, _S817);
-            close_1.weft_1 = with_blocked_0(_S789, close_1.weft_1, _S816, false, _S817);
+            close_1.warp_1 = with_blocked_0(_S767, close_1.warp_1, _S794, true, _S795);
+            close_1.weft_1 = with_blocked_0(_S767, close_1.weft_1, _S794, false, _S795);
         }
-        points_1 = _S818;
+        points_1 = _S796;
         number_7 = number_7 + u32(1);
     }
-    close_1.weight_0 = _S801;
-    var _S819 : f32 = max(_S795, 1.0f);
-    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S819);
-    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S819);
+    close_1.weight_0 = _S779;
+    var _S797 : f32 = max(_S773, 1.0f);
+    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S797);
+    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S797);
     var estimate_0 : Estimate_0;
     estimate_0.close_0 = close_1;
-    estimate_0.components_0 = with_added_0(_S805, points_1, _S801 / _S819);
-    if((_S796.prefiltered_0) > 0.0f)
+    estimate_0.components_0 = with_added_0(_S783, points_1, _S779 / _S797);
+    if((_S774.prefiltered_0) > 0.0f)
     {
-        var _S820 : Components_0 = prefiltered_components_0(_S789, _S790, to_face_frame_0(_S793, _S797), _S798, _S797);
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S820, _S796.prefiltered_0);
+        var _S798 : Components_0 = prefiltered_components_0(_S767, _S768, to_face_frame_0(_S771, _S775), _S776, _S775);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S798, _S774.prefiltered_0);
     }
-    estimate_0.albedos_5 = albedos_over_0(_S789, box_0, _S797);
-    if((_S800 & ((central_weight_0 > 0.0f))))
+    estimate_0.albedos_5 = albedos_over_0(_S767, box_0, _S775);
+    if((_S778 & ((central_weight_0 > 0.0f))))
     {
-        var _S821 : SurfacePoint_0 = central_0;
-        var _S822 : Albedos_0;
+        var _S799 : SurfacePoint_0 = central_0;
+        var _S800 : Albedos_0;
         if(central_0.is_warp_0)
         {
-            _S822 = estimate_0.albedos_5.warp_5;
+            _S800 = estimate_0.albedos_5.warp_5;
         }
         else
         {
-            _S822 = estimate_0.albedos_5.weft_5;
+            _S800 = estimate_0.albedos_5.weft_5;
         }
-        var _S823 : bool;
-        if((fabrics_0[_S789].has_detail_0) != u32(0))
+        var _S801 : bool;
+        if((fabrics_0[_S767].has_detail_0) != u32(0))
         {
-            _S823 = has_hairs_0(_S789);
-        }
-        else
-        {
-            _S823 = false;
-        }
-        var _S824 : f32;
-        if(_S823)
-        {
-            _S824 = hair_at_0(_S789, central_place_0, _S797, _S799).cover_0;
+            _S801 = has_hairs_0(_S767);
         }
         else
         {
-            _S824 = 0.0f;
+            _S801 = false;
         }
-        var _S825 : Albedos_0 = lerp_albedos_0(_S822, varied_at_0(_S789, central_0, _S822, central_place_0.x, central_place_0.y, _S797, _S799, _S824), central_weight_0);
-        if(_S821.is_warp_0)
+        var _S802 : f32;
+        if(_S801)
         {
-            estimate_0.albedos_5.warp_5 = _S825;
+            _S802 = hair_at_0(_S767, central_place_0, _S775, _S777).cover_0;
         }
         else
         {
-            estimate_0.albedos_5.weft_5 = _S825;
+            _S802 = 0.0f;
+        }
+        var _S803 : Albedos_0 = lerp_albedos_0(_S800, varied_at_0(_S767, central_0, _S800, central_place_0.x, central_place_0.y, _S775, _S777, _S802), central_weight_0);
+        if(_S799.is_warp_0)
+        {
+            estimate_0.albedos_5.warp_5 = _S803;
+        }
+        else
+        {
+            estimate_0.albedos_5.weft_5 = _S803;
         }
     }
     return estimate_0;
 }
 
-fn scattered_by_0( _S826 : u32,  _S827 : Albedos_0,  _S828 : u32,  _S829 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S804 : u32,  _S805 : Albedos_0,  _S806 : u32,  _S807 : vec3<f32>) -> Scattered_0
 {
-    var _S830 : u32 = u32(159) + u32(2) * _S828;
+    var _S808 : u32 = u32(159) + u32(2) * _S806;
     var yarn_3 : Scattered_0;
-    yarn_3.back_6 = _S829 * _S827.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S826, _S830)) * _S827.specular_reflect_0;
-    yarn_3.through_0 = _S829 * _S827.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S826, _S830 + u32(1))) * _S827.specular_transmit_0;
+    yarn_3.back_6 = _S807 * _S805.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S804, _S808)) * _S805.specular_reflect_0;
+    yarn_3.through_0 = _S807 * _S805.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S804, _S808 + u32(1))) * _S805.specular_transmit_0;
     return yarn_3;
 }
 
-fn sent_0( _S831 : u32,  _S832 : u32,  _S833 : vec3<f32>,  _S834 : vec3<f32>,  _S835 : vec3<f32>,  _S836 : vec3<f32>,  _S837 : ptr<function, vec3<f32>>,  _S838 : ptr<function, vec3<f32>>)
+fn sent_0( _S809 : u32,  _S810 : u32,  _S811 : vec3<f32>,  _S812 : vec3<f32>,  _S813 : vec3<f32>,  _S814 : vec3<f32>,  _S815 : ptr<function, vec3<f32>>,  _S816 : ptr<function, vec3<f32>>)
 {
-    var _S839 : u32 = u32(146) + u32(4) * _S832;
-    var _S840 : f32 = openness_number_0(_S831, _S839 + u32(1));
-    var _S841 : f32 = openness_number_0(_S831, _S839 + u32(2));
-    var _S842 : vec3<f32> = vec3<f32>(1.0f);
-    var _S843 : vec3<f32> = _S842 - _S835 * vec3<f32>(openness_number_0(_S831, _S839));
-    var _S844 : vec3<f32> = _S842 - _S836 * vec3<f32>(openness_number_0(_S831, _S839 + u32(3)));
-    var _S845 : vec3<f32> = _S842 / (_S843 * _S844 - _S835 * _S836 * vec3<f32>((_S840 * _S841)));
-    (*_S837) = (_S833 * _S844 + _S835 * vec3<f32>(_S840) * _S834) * _S845;
-    (*_S838) = (_S834 * _S843 + _S836 * vec3<f32>(_S841) * _S833) * _S845;
+    var _S817 : u32 = u32(146) + u32(4) * _S810;
+    var _S818 : f32 = openness_number_0(_S809, _S817 + u32(1));
+    var _S819 : f32 = openness_number_0(_S809, _S817 + u32(2));
+    var _S820 : vec3<f32> = vec3<f32>(1.0f);
+    var _S821 : vec3<f32> = _S820 - _S813 * vec3<f32>(openness_number_0(_S809, _S817));
+    var _S822 : vec3<f32> = _S820 - _S814 * vec3<f32>(openness_number_0(_S809, _S817 + u32(3)));
+    var _S823 : vec3<f32> = _S820 / (_S821 * _S822 - _S813 * _S814 * vec3<f32>((_S818 * _S819)));
+    (*_S815) = (_S811 * _S822 + _S813 * vec3<f32>(_S818) * _S812) * _S823;
+    (*_S816) = (_S812 * _S821 + _S814 * vec3<f32>(_S819) * _S811) * _S823;
     return;
 }
 
-fn face_sends_0( _S846 : u32,  _S847 : u32,  _S848 : Scattered_0,  _S849 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S824 : u32,  _S825 : u32,  _S826 : Scattered_0,  _S827 : Scattered_0) -> FaceSends_0
 {
-    var _S850 : u32 = u32(2) * _S847;
-    var _S851 : u32 = u32(142) + _S850;
-    var _S852 : f32 = openness_number_0(_S846, _S851);
-    var _S853 : f32 = openness_number_0(_S846, _S851 + u32(1));
-    var _S854 : vec3<f32> = vec3<f32>((1.0f - _S852)) * _S848.back_6;
-    var _S855 : vec3<f32> = vec3<f32>((1.0f - _S853)) * _S849.back_6;
+    var _S828 : u32 = u32(2) * _S825;
+    var _S829 : u32 = u32(142) + _S828;
+    var _S830 : f32 = openness_number_0(_S824, _S829);
+    var _S831 : f32 = openness_number_0(_S824, _S829 + u32(1));
+    var _S832 : vec3<f32> = vec3<f32>((1.0f - _S830)) * _S826.back_6;
+    var _S833 : vec3<f32> = vec3<f32>((1.0f - _S831)) * _S827.back_6;
     var sends_1 : FaceSends_0;
-    var _S856 : u32 = u32(154) + _S850;
-    var _S857 : f32 = openness_number_0(_S846, _S856);
-    sends_1.blocks_warp_0 = _S857;
-    var _S858 : f32 = openness_number_0(_S846, _S856 + u32(1));
-    sends_1.blocks_weft_0 = _S858;
-    sends_1.open_0 = _S857 * _S852 + _S858 * _S853;
-    var _S859 : vec3<f32> = vec3<f32>(_S852) * _S848.back_6;
-    var _S860 : vec3<f32> = vec3<f32>(_S853) * _S849.back_6;
-    var _S861 : vec3<f32> = sends_1.sky_warp_0;
-    var _S862 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S846, _S847, _S859, _S860, _S854, _S855, &(_S861), &(_S862));
-    sends_1.sky_warp_0 = _S861;
-    sends_1.sky_weft_0 = _S862;
-    var _S863 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S864 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S846, _S847, _S848.through_0, _S849.through_0, _S854, _S855, &(_S863), &(_S864));
-    sends_1.crossing_warp_0 = _S863;
-    sends_1.crossing_weft_0 = _S864;
+    var _S834 : u32 = u32(154) + _S828;
+    var _S835 : f32 = openness_number_0(_S824, _S834);
+    sends_1.blocks_warp_0 = _S835;
+    var _S836 : f32 = openness_number_0(_S824, _S834 + u32(1));
+    sends_1.blocks_weft_0 = _S836;
+    sends_1.open_0 = _S835 * _S830 + _S836 * _S831;
+    var _S837 : vec3<f32> = vec3<f32>(_S830) * _S826.back_6;
+    var _S838 : vec3<f32> = vec3<f32>(_S831) * _S827.back_6;
+    var _S839 : vec3<f32> = sends_1.sky_warp_0;
+    var _S840 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S824, _S825, _S837, _S838, _S832, _S833, &(_S839), &(_S840));
+    sends_1.sky_warp_0 = _S839;
+    sends_1.sky_weft_0 = _S840;
+    var _S841 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S842 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S824, _S825, _S826.through_0, _S827.through_0, _S832, _S833, &(_S841), &(_S842));
+    sends_1.crossing_warp_0 = _S841;
+    sends_1.crossing_weft_0 = _S842;
     return sends_1;
 }
 
-fn interior_of_0( _S865 : u32,  _S866 : vec3<f32>,  _S867 : bool) -> Interior_0
+fn interior_of_0( _S843 : u32,  _S844 : vec3<f32>,  _S845 : bool) -> Interior_0
 {
-    var _S868 : Scattered_0 = scattered_by_0(_S865, table_albedos_0(families_0[fabrics_0[_S865].warp_0].colour_mean_0), u32(0), _S866);
-    var _S869 : Scattered_0 = scattered_by_0(_S865, table_albedos_0(families_0[fabrics_0[_S865].weft_0].colour_mean_0), u32(1), _S866);
-    var _S870 : FaceSends_0 = face_sends_0(_S865, select(u32(0), u32(1), _S867), _S868, _S869);
-    var _S871 : FaceSends_0 = face_sends_0(_S865, select(u32(1), u32(0), _S867), _S868, _S869);
-    var _S872 : vec3<f32> = vec3<f32>(_S870.blocks_warp_0);
-    var _S873 : vec3<f32> = vec3<f32>(_S870.blocks_weft_0);
-    var _S874 : vec3<f32> = _S872 * _S870.crossing_warp_0 + _S873 * _S870.crossing_weft_0;
-    var _S875 : vec3<f32> = vec3<f32>(_S871.blocks_warp_0);
-    var _S876 : vec3<f32> = vec3<f32>(_S871.blocks_weft_0);
-    var _S877 : vec3<f32> = _S875 * _S871.crossing_warp_0 + _S876 * _S871.crossing_weft_0;
-    var _S878 : f32 = 1.0f - _S870.open_0;
-    var _S879 : f32 = 1.0f - _S871.open_0;
-    var _S880 : vec3<f32> = vec3<f32>(1.0f);
-    var _S881 : vec3<f32> = _S880 / (_S880 - _S874 * _S877 * vec3<f32>((_S878 * _S879)));
-    var _S882 : vec3<f32> = _S877 * (vec3<f32>(_S870.open_0) + vec3<f32>(_S878) * (_S872 * _S870.sky_warp_0 + _S873 * _S870.sky_weft_0)) * _S881;
-    var _S883 : vec3<f32> = _S874 * (vec3<f32>(_S871.open_0) + vec3<f32>(_S879) * (_S875 * _S871.sky_warp_0 + _S876 * _S871.sky_weft_0)) * _S881;
-    var _S884 : FaceRadiance_0 = face_radiance_0(_S870, _S871.open_0, _S882, _S883);
-    var _S885 : FaceRadiance_0 = face_radiance_0(_S871, _S870.open_0, _S883, _S882);
+    var _S846 : Scattered_0 = scattered_by_0(_S843, table_albedos_0(families_0[fabrics_0[_S843].warp_0].colour_mean_0), u32(0), _S844);
+    var _S847 : Scattered_0 = scattered_by_0(_S843, table_albedos_0(families_0[fabrics_0[_S843].weft_0].colour_mean_0), u32(1), _S844);
+    var _S848 : FaceSends_0 = face_sends_0(_S843, select(u32(0), u32(1), _S845), _S846, _S847);
+    var _S849 : FaceSends_0 = face_sends_0(_S843, select(u32(1), u32(0), _S845), _S846, _S847);
+    var _S850 : vec3<f32> = vec3<f32>(_S848.blocks_warp_0);
+    var _S851 : vec3<f32> = vec3<f32>(_S848.blocks_weft_0);
+    var _S852 : vec3<f32> = _S850 * _S848.crossing_warp_0 + _S851 * _S848.crossing_weft_0;
+    var _S853 : vec3<f32> = vec3<f32>(_S849.blocks_warp_0);
+    var _S854 : vec3<f32> = vec3<f32>(_S849.blocks_weft_0);
+    var _S855 : vec3<f32> = _S853 * _S849.crossing_warp_0 + _S854 * _S849.crossing_weft_0;
+    var _S856 : f32 = 1.0f - _S848.open_0;
+    var _S857 : f32 = 1.0f - _S849.open_0;
+    var _S858 : vec3<f32> = vec3<f32>(1.0f);
+    var _S859 : vec3<f32> = _S858 / (_S858 - _S852 * _S855 * vec3<f32>((_S856 * _S857)));
+    var _S860 : vec3<f32> = _S855 * (vec3<f32>(_S848.open_0) + vec3<f32>(_S856) * (_S850 * _S848.sky_warp_0 + _S851 * _S848.sky_weft_0)) * _S859;
+    var _S861 : vec3<f32> = _S852 * (vec3<f32>(_S849.open_0) + vec3<f32>(_S857) * (_S853 * _S849.sky_warp_0 + _S854 * _S849.sky_weft_0)) * _S859;
+    var _S862 : FaceRadiance_0 = face_radiance_0(_S848, _S849.open_0, _S860, _S861);
+    var _S863 : FaceRadiance_0 = face_radiance_0(_S849, _S848.open_0, _S861, _S860);
     var interior_1 : Interior_0;
-    interior_1.warp_4 = _S884.warp_3;
-    interior_1.weft_4 = _S884.weft_3;
-    interior_1.leaked_1 = _S884.leaked_0;
-    interior_1.far_1 = _S885.mean_1;
-    interior_1.far_leaked_0 = _S885.leaked_0;
+    interior_1.warp_4 = _S862.warp_3;
+    interior_1.weft_4 = _S862.weft_3;
+    interior_1.leaked_1 = _S862.leaked_0;
+    interior_1.far_1 = _S863.mean_1;
+    interior_1.far_leaked_0 = _S863.leaked_0;
     return interior_1;
 }
 
-fn blocked_from_0( _S886 : u32,  _S887 : vec3<f32>,  _S888 : bool,  _S889 : bool) -> Blocked_0
+fn blocked_from_0( _S864 : u32,  _S865 : vec3<f32>,  _S866 : bool,  _S867 : bool) -> Blocked_0
 {
     var terms_3 : array<f32, i32(6)>;
-    view_terms_0(_S887, &(terms_3));
-    return blocked_of_terms_0(_S886, (select(u32(0), u32(2), _S889) + select(u32(1), u32(0), _S888)) * u32(15), terms_3, u32(5));
+    view_terms_0(_S865, &(terms_3));
+    return blocked_of_terms_0(_S864, (select(u32(0), u32(2), _S867) + select(u32(1), u32(0), _S866)) * u32(15), terms_3, u32(5));
 }
 
-fn warp_seen_from_0( _S890 : u32,  _S891 : vec3<f32>,  _S892 : bool) -> f32
+fn warp_seen_from_0( _S868 : u32,  _S869 : vec3<f32>,  _S870 : bool) -> f32
 {
     var terms_4 : array<f32, i32(6)>;
-    view_terms_1(_S891, &(terms_4));
+    view_terms_1(_S869, &(terms_4));
     var term_1 : u32 = u32(0);
     var share_5 : f32 = 0.0f;
     for(;;)
@@ -3320,132 +3335,132 @@ fn warp_seen_from_0( _S890 : u32,  _S891 : vec3<f32>,  _S892 : bool) -> f32
         {
             break;
         }
-        var share_6 : f32 = share_5 + openness_number_0(_S890, u32(132) + select(u32(0), u32(5), _S892) + term_1) * terms_4[term_1];
+        var share_6 : f32 = share_5 + openness_number_0(_S868, u32(132) + select(u32(0), u32(5), _S870) + term_1) * terms_4[term_1];
         term_1 = term_1 + u32(1);
         share_5 = share_6;
     }
     return saturate(share_5);
 }
 
-fn bounced_of_families_0( _S893 : u32,  _S894 : FamilyAlbedos_0,  _S895 : vec3<f32>,  _S896 : Interior_0,  _S897 : Blocked_0,  _S898 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S871 : u32,  _S872 : FamilyAlbedos_0,  _S873 : vec3<f32>,  _S874 : Interior_0,  _S875 : Blocked_0,  _S876 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S897, scattered_by_0(_S893, _S894.warp_5, u32(0), _S895), _S896), bounced_by_0(_S898, scattered_by_0(_S893, _S894.weft_5, u32(1), _S895), _S896));
+    return sum_of_0(bounced_by_0(_S875, scattered_by_0(_S871, _S872.warp_5, u32(0), _S873), _S874), bounced_by_0(_S876, scattered_by_0(_S871, _S872.weft_5, u32(1), _S873), _S874));
 }
 
-fn bounced_far_0( _S899 : u32,  _S900 : FamilyAlbedos_0,  _S901 : vec3<f32>,  _S902 : Interior_0,  _S903 : vec3<f32>,  _S904 : bool,  _S905 : f32,  _S906 : f32,  _S907 : f32) -> Bounced_0
+fn bounced_far_0( _S877 : u32,  _S878 : FamilyAlbedos_0,  _S879 : vec3<f32>,  _S880 : Interior_0,  _S881 : vec3<f32>,  _S882 : bool,  _S883 : f32,  _S884 : f32,  _S885 : f32) -> Bounced_0
 {
-    var _S908 : Blocked_0 = blocked_from_0(_S899, _S903, true, _S904);
-    var _S909 : Blocked_0 = blocked_from_0(_S899, _S903, false, _S904);
-    var _S910 : f32 = _S905 / max(1.0f - _S908.by_warp_0 - _S908.by_weft_0, 0.10000000149011612f);
-    var _S911 : f32 = (0.0020000000949949f * warp_seen_from_0(_S899, _S903, _S904) + _S910) / (_S910 + _S906 / max(1.0f - _S909.by_warp_0 - _S909.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S912 : f32 = 1.0f - _S907;
-    return bounced_of_families_0(_S899, _S900, _S901, _S902, scaled_0(_S908, _S911 * _S912), scaled_0(_S909, (1.0f - _S911) * _S912));
+    var _S886 : Blocked_0 = blocked_from_0(_S877, _S881, true, _S882);
+    var _S887 : Blocked_0 = blocked_from_0(_S877, _S881, false, _S882);
+    var _S888 : f32 = _S883 / max(1.0f - _S886.by_warp_0 - _S886.by_weft_0, 0.10000000149011612f);
+    var _S889 : f32 = (0.0020000000949949f * warp_seen_from_0(_S877, _S881, _S882) + _S888) / (_S888 + _S884 / max(1.0f - _S887.by_warp_0 - _S887.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S890 : f32 = 1.0f - _S885;
+    return bounced_of_families_0(_S877, _S878, _S879, _S880, scaled_0(_S886, _S889 * _S890), scaled_0(_S887, (1.0f - _S889) * _S890));
 }
 
-fn bounced_over_0( _S913 : u32,  _S914 : Components_0,  _S915 : CloseUp_0,  _S916 : FamilyAlbedos_0,  _S917 : vec3<f32>,  _S918 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S891 : u32,  _S892 : Components_0,  _S893 : CloseUp_0,  _S894 : FamilyAlbedos_0,  _S895 : vec3<f32>,  _S896 : vec3<f32>) -> Bounced_0
 {
-    var _S919 : bool = (_S918.z) < 0.0f;
-    var _S920 : Interior_0 = interior_of_0(_S913, _S917, _S919);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S913, _S916, _S917, _S920, to_face_frame_0(_S918, _S919), _S919, _S914.diffuse_warp_0, _S914.diffuse_weft_0, _S914.hole_2);
-    if((_S915.weight_0) > 0.0f)
+    var _S897 : bool = (_S896.z) < 0.0f;
+    var _S898 : Interior_0 = interior_of_0(_S891, _S895, _S897);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S891, _S894, _S895, _S898, to_face_frame_0(_S896, _S897), _S897, _S892.diffuse_warp_0, _S892.diffuse_weft_0, _S892.hole_2);
+    if((_S893.weight_0) > 0.0f)
     {
-        var _S921 : Bounced_0 = bounced_of_families_0(_S913, _S916, _S917, _S920, _S915.warp_1, _S915.weft_1);
-        var _S922 : vec3<f32> = vec3<f32>(_S915.weight_0);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S921.reflected_0, _S922);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S921.transmitted_0, _S922);
+        var _S899 : Bounced_0 = bounced_of_families_0(_S891, _S894, _S895, _S898, _S893.warp_1, _S893.weft_1);
+        var _S900 : vec3<f32> = vec3<f32>(_S893.weight_0);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S899.reflected_0, _S900);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S899.transmitted_0, _S900);
     }
     return bounced_2;
 }
 
-fn composed_0( _S923 : u32,  _S924 : Components_0,  _S925 : CloseUp_0,  _S926 : FamilyAlbedos_0,  _S927 : vec3<f32>,  _S928 : vec3<f32>,  _S929 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S901 : u32,  _S902 : Components_0,  _S903 : CloseUp_0,  _S904 : FamilyAlbedos_0,  _S905 : vec3<f32>,  _S906 : vec3<f32>,  _S907 : vec3<f32>) -> vec3<f32>
 {
-    var _S930 : Albedos_0 = tinted_0(_S926.warp_5, _S927);
-    var _S931 : Albedos_0 = tinted_0(_S926.weft_5, _S927);
-    var _S932 : vec3<f32> = vec3<f32>(_S924.diffuse_warp_0);
-    var _S933 : vec3<f32> = vec3<f32>(_S924.diffuse_weft_0);
-    var _S934 : vec3<f32> = vec3<f32>(_S924.specular_warp_0);
-    var _S935 : vec3<f32> = vec3<f32>(_S924.specular_weft_0);
-    var _S936 : vec3<f32> = _S930.diffuse_reflect_0 * _S932 + _S931.diffuse_reflect_0 * _S933 + _S930.specular_reflect_0 * _S934 + _S931.specular_reflect_0 * _S935;
-    var _S937 : f32 = _S929.z;
+    var _S908 : Albedos_0 = tinted_0(_S904.warp_5, _S905);
+    var _S909 : Albedos_0 = tinted_0(_S904.weft_5, _S905);
+    var _S910 : vec3<f32> = vec3<f32>(_S902.diffuse_warp_0);
+    var _S911 : vec3<f32> = vec3<f32>(_S902.diffuse_weft_0);
+    var _S912 : vec3<f32> = vec3<f32>(_S902.specular_warp_0);
+    var _S913 : vec3<f32> = vec3<f32>(_S902.specular_weft_0);
+    var _S914 : vec3<f32> = _S908.diffuse_reflect_0 * _S910 + _S909.diffuse_reflect_0 * _S911 + _S908.specular_reflect_0 * _S912 + _S909.specular_reflect_0 * _S913;
+    var _S915 : f32 = _S907.z;
     var body_0 : vec3<f32>;
-    if((_S928.z * _S937) < 0.0f)
+    if((_S906.z * _S915) < 0.0f)
     {
-        body_0 = _S930.diffuse_transmit_0 * _S932 + _S931.diffuse_transmit_0 * _S933 + _S930.specular_transmit_0 * _S934 + _S931.specular_transmit_0 * _S935;
+        body_0 = _S908.diffuse_transmit_0 * _S910 + _S909.diffuse_transmit_0 * _S911 + _S908.specular_transmit_0 * _S912 + _S909.specular_transmit_0 * _S913;
     }
     else
     {
-        body_0 = _S936;
+        body_0 = _S914;
     }
-    if((fabrics_0[_S923].openness_0) != u32(4294967295))
+    if((fabrics_0[_S901].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S923, _S924, _S925, _S926, _S927, _S929), _S928, _S929);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S901, _S902, _S903, _S904, _S905, _S907), _S906, _S907);
     }
-    var _S938 : f32 = fabrics_0[_S923].sheen_strength_0;
-    if((fabrics_0[_S923].sheen_strength_0) <= 0.0f)
+    var _S916 : f32 = fabrics_0[_S901].sheen_strength_0;
+    if((fabrics_0[_S901].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S939 : bool = _S937 < 0.0f;
-    var _S940 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S928, _S939), to_face_frame_0(_S929, _S939), _S938, fabrics_0[_S923].sheen_roughness_0);
-    return vec3<f32>(_S940.y) * body_0 + vec3<f32>(((_S924.light_visibility_1 + _S924.hole_2) * _S940.x));
+    var _S917 : bool = _S915 < 0.0f;
+    var _S918 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S906, _S917), to_face_frame_0(_S907, _S917), _S916, fabrics_0[_S901].sheen_roughness_0);
+    return vec3<f32>(_S918.y) * body_0 + vec3<f32>(((_S902.light_visibility_1 + _S902.hole_2) * _S918.x));
 }
 
-fn light_of_footprint_0( _S941 : i32,  _S942 : u32,  _S943 : VisiblePoint_0,  _S944 : vec2<u32>,  _S945 : vec3<f32>) -> vec4<f32>
+fn light_of_footprint_0( _S919 : u32,  _S920 : VisiblePoint_0,  _S921 : vec2<u32>,  _S922 : vec3<f32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S943.draft_0;
-    footprint_0.dx_0 = _S943.draft_dx_0;
-    footprint_0.dy_0 = _S943.draft_dy_0;
-    var _S946 : vec2<f32> = fract(vec2<f32>(f32(((frames_0[_S941].pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
-    var _S947 : vec3<f32> = to_local_0(_S943, _S943.view_1);
-    var _S948 : u32 = light_sample_count_0(_S941);
-    var _S949 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_0.centre_0 = _S920.draft_0;
+    footprint_0.dx_0 = _S920.draft_dx_0;
+    footprint_0.dy_0 = _S920.draft_dy_0;
+    var _S923 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S924 : vec3<f32> = to_local_0(_S920, _S920.view_1);
+    var _S925 : u32 = light_sample_count_0();
+    var _S926 : vec3<f32> = vec3<f32>(0.0f);
     var number_8 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S949;
+    var radiance_1 : vec3<f32> = _S926;
     var hole_7 : f32 = 0.0f;
     for(;;)
     {
-        if(number_8 < (max(_S948, u32(1))))
+        if(number_8 < (max(_S925, u32(1))))
         {
         }
         else
         {
             break;
         }
-        var _S950 : f32;
-        if(number_8 < _S948)
+        var _S927 : f32;
+        if(number_8 < _S925)
         {
-            _S950 = visibility_at_0(_S941, number_8, _S944);
+            _S927 = visibility_at_0(number_8, _S921);
         }
         else
         {
-            _S950 = 0.0f;
+            _S927 = 0.0f;
         }
-        var _S951 : bool;
-        if(_S950 <= 0.0f)
+        var _S928 : bool;
+        if(_S927 <= 0.0f)
         {
-            _S951 = number_8 > u32(0);
+            _S928 = number_8 > u32(0);
         }
         else
         {
-            _S951 = false;
+            _S928 = false;
         }
-        if(_S951)
+        if(_S928)
         {
             number_8 = number_8 + u32(1);
             continue;
         }
-        var _S952 : LightSample_0 = light_sample_0(_S941, number_8, _S944, _S943.position_0);
-        var _S953 : vec3<f32> = to_local_0(_S943, _S952.towards_0);
-        var _S954 : Estimate_0 = lobes_estimate_of_pass_0(_S942, footprint_0, 1.0f, _S946, _S953, _S947);
-        radiance_1 = radiance_1 + vec3<f32>(_S950) * _S952.irradiance_1 * composed_0(_S942, _S954.components_0, _S954.close_0, _S954.albedos_5, _S945, _S953, _S947);
-        hole_7 = _S954.components_0.hole_2;
+        var _S929 : LightSample_0 = light_sample_0(number_8, _S921, _S920.position_0);
+        var _S930 : vec3<f32> = to_local_0(_S920, _S929.towards_0);
+        var _S931 : Estimate_0 = lobes_estimate_of_pass_0(_S919, footprint_0, 1.0f, _S923, _S930, _S924);
+        radiance_1 = radiance_1 + vec3<f32>(_S927) * _S929.irradiance_1 * composed_0(_S919, _S931.components_0, _S931.close_0, _S931.albedos_5, _S922, _S930, _S924);
+        hole_7 = _S931.components_0.hole_2;
         number_8 = number_8 + u32(1);
     }
-    var _S955 : f32 = fabrics_0[_S942].sheen_strength_0;
-    if((fabrics_0[_S942].sheen_strength_0) > 0.0f)
+    var _S932 : f32 = fabrics_0[_S919].sheen_strength_0;
+    if((fabrics_0[_S919].sheen_strength_0) > 0.0f)
     {
-        hole_7 = hole_7 * (1.0f - _S955 * sheen_lobe_0(abs(_S947.z), fabrics_0[_S942].sheen_roughness_0).z);
+        hole_7 = hole_7 * (1.0f - _S932 * sheen_lobe_0(abs(_S924.z), fabrics_0[_S919].sheen_roughness_0).z);
     }
     return vec4<f32>(radiance_1, 1.0f - hole_7);
 }
@@ -3454,33 +3469,32 @@ fn light_of_footprint_0( _S941 : i32,  _S942 : u32,  _S943 : VisiblePoint_0,  _S
 @workgroup_size(8, 8, 1)
 fn shade_lobes(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S956 : u32 = id_0.x;
-    var _S957 : u32 = frames_0[i32(0)].width_0;
-    var _S958 : bool;
-    if(_S956 >= (frames_0[i32(0)].width_0))
+    var _S933 : u32 = id_0.x;
+    var _S934 : bool;
+    if(_S933 >= (frame_record_0.width_0))
     {
-        _S958 = true;
+        _S934 = true;
     }
     else
     {
-        _S958 = (id_0.y) >= (frames_0[i32(0)].height_0);
+        _S934 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S958)
+    if(_S934)
     {
         return;
     }
-    var _S959 : u32 = id_0.y * _S957 + _S956;
-    var _S960 : u32 = layers_0[_S959].face_0;
-    if((layers_0[_S959].face_0) == u32(0))
+    var _S935 : u32 = id_0.y * frame_record_0.width_0 + _S933;
+    var _S936 : u32 = layers_0[_S935].face_0;
+    if((layers_0[_S935].face_0) == u32(0))
     {
         return;
     }
-    var _S961 : u32 = _S960 - u32(1);
-    var _S962 : u32 = face_fabrics_0[_S961];
-    var _S963 : vec2<u32> = id_0.xy;
-    var _S964 : VisiblePoint_0 = visible_point_0(i32(0), _S962, _S961, _S963);
-    var _S965 : vec4<f32> = light_of_footprint_0(i32(0), _S962, _S964, _S963, filtered_albedo_0(_S962, _S964));
-    accumulate_0(_S959, _S965);
+    var _S937 : u32 = _S936 - u32(1);
+    var _S938 : u32 = fabric_of_0(_S937);
+    var _S939 : vec2<u32> = id_0.xy;
+    var _S940 : VisiblePoint_0 = visible_point_0(_S938, _S937, _S939);
+    var _S941 : vec4<f32> = light_of_footprint_0(_S938, _S940, _S939, filtered_albedo_0(_S938, _S940));
+    accumulate_0(_S935, _S941);
     return;
 }
 

@@ -1,54 +1,57 @@
-struct Frame_std430_0
+struct Frame_std140_0
 {
-    @align(4) width_0 : u32,
+    @align(16) width_0 : u32,
     @align(4) height_0 : u32,
-    @align(4) lights_0 : u32,
+    @align(8) lights_0 : u32,
     @align(4) samples_0 : u32,
-    @align(4) pass_number_0 : u32,
+    @align(16) pass_number_0 : u32,
     @align(4) environment_samples_0 : u32,
-    @align(4) environment_columns_0 : u32,
+    @align(8) environment_columns_0 : u32,
     @align(4) environment_rows_0 : u32,
-    @align(4) environment_table_0 : u32,
+    @align(16) environment_table_0 : u32,
     @align(4) environment_total_0 : f32,
-    @align(4) environment_sine_0 : f32,
+    @align(8) environment_sine_0 : f32,
     @align(4) environment_cosine_0 : f32,
-    @align(4) shows_environment_0 : u32,
+    @align(16) shows_environment_0 : u32,
     @align(4) casts_shadows_0 : u32,
-    @align(4) leaves_0 : u32,
+    @align(8) leaves_0 : u32,
     @align(4) leaf_faces_0 : u32,
-    @align(4) ray_offset_0 : f32,
+    @align(16) corners_0 : u32,
+    @align(4) face_fabrics_0 : u32,
+    @align(8) vertices_0 : u32,
+    @align(4) light_records_0 : u32,
+    @align(16) ray_offset_0 : f32,
     @align(4) jitter_x_0 : f32,
-    @align(4) jitter_y_0 : f32,
+    @align(8) jitter_y_0 : f32,
     @align(4) gain_0 : f32,
-    @align(4) origin_x_0 : f32,
+    @align(16) origin_x_0 : f32,
     @align(4) origin_y_0 : f32,
-    @align(4) origin_z_0 : f32,
+    @align(8) origin_z_0 : f32,
     @align(4) right_x_0 : f32,
-    @align(4) right_y_0 : f32,
+    @align(16) right_y_0 : f32,
     @align(4) right_z_0 : f32,
-    @align(4) up_x_0 : f32,
+    @align(8) up_x_0 : f32,
     @align(4) up_y_0 : f32,
-    @align(4) up_z_0 : f32,
+    @align(16) up_z_0 : f32,
     @align(4) forward_x_0 : f32,
-    @align(4) forward_y_0 : f32,
+    @align(8) forward_y_0 : f32,
     @align(4) forward_z_0 : f32,
-    @align(4) near_0 : f32,
+    @align(16) near_0 : f32,
     @align(4) background_red_0 : f32,
-    @align(4) background_green_0 : f32,
+    @align(8) background_green_0 : f32,
     @align(4) background_blue_0 : f32,
 };
 
-@binding(4) @group(0) var<storage, read> frames_0 : array<Frame_std430_0>;
-
+@binding(10) @group(0) var<uniform> frame_record_0 : Frame_std140_0;
 struct Layer_std430_0
 {
     @align(4) face_0 : u32,
     @align(4) share_0 : f32,
 };
 
-@binding(12) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
+@binding(5) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
 
-@binding(7) @group(0) var<storage, read> face_fabrics_0 : array<u32>;
+@binding(4) @group(0) var<storage, read> scene_words_0 : array<u32>;
 
 struct Lobes_std430_0
 {
@@ -128,7 +131,7 @@ struct Latent_std430_0
     @align(4) is_trained_1 : u32,
     @align(4) decoder_1 : u32,
     @align(4) hidden_0 : u32,
-    @align(4) frames_1 : u32,
+    @align(4) frames_0 : u32,
     @align(4) sampler_0 : u32,
     @align(4) albedo_0 : u32,
     @align(4) texels_1 : u32,
@@ -208,44 +211,13 @@ struct Fabric_std430_0
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
 
-@binding(6) @group(0) var<storage, read> corners_0 : array<u32>;
-
-struct Vertex_std430_0
-{
-    @align(4) x_0 : f32,
-    @align(4) y_0 : f32,
-    @align(4) z_0 : f32,
-    @align(4) normal_x_0 : f32,
-    @align(4) normal_y_0 : f32,
-    @align(4) normal_z_0 : f32,
-    @align(4) u_0 : f32,
-    @align(4) v_0 : f32,
-};
-
-@binding(5) @group(0) var<storage, read> vertices_0 : array<Vertex_std430_0>;
-
 @binding(2) @group(0) var<storage, read> words_0 : array<u32>;
 
-@binding(10) @group(0) var<storage, read> packed_numbers_0 : array<vec4<u32>>;
+@binding(3) @group(0) var<storage, read> packed_numbers_0 : array<vec4<u32>>;
 
-@binding(13) @group(0) var<storage, read_write> visibilities_0 : array<f32>;
+@binding(6) @group(0) var<storage, read_write> visibilities_0 : array<f32>;
 
-@binding(11) @group(0) var<storage, read> scene_words_0 : array<u32>;
-
-struct Light_std430_0
-{
-    @align(4) is_point_0 : u32,
-    @align(4) x_1 : f32,
-    @align(4) y_1 : f32,
-    @align(4) z_1 : f32,
-    @align(4) red_0 : f32,
-    @align(4) green_0 : f32,
-    @align(4) blue_0 : f32,
-};
-
-@binding(3) @group(0) var<storage, read> lights_1 : array<Light_std430_0>;
-
-@binding(8) @group(0) var<storage, read_write> radiance_0 : array<vec4<f32>>;
+@binding(7) @group(0) var<storage, read_write> radiance_0 : array<vec4<f32>>;
 
 struct FloatWeights_0
 {
@@ -322,9 +294,9 @@ fn select_vector_0( condition_0 : bool,  yes_0 : vec4<f32>,  no_0 : vec4<f32>) -
     return chosen_0;
 }
 
-fn Identity_apply_0( x_2 : f32) -> f32
+fn Identity_apply_0( x_0 : f32) -> f32
 {
-    return x_2;
+    return x_0;
 }
 
 fn dense_part_0( weights_1 : FloatWeights_0,  first_1 : u32,  adds_0 : bool,  inputs_1 : ptr<function, array<f32, i32(25)>>,  outputs_0 : ptr<function, array<f32, i32(3)>>)
@@ -442,9 +414,9 @@ fn tile_product_1( weights_2 : FloatWeights_0,  row_1 : u32,  inputs_2 : ptr<fun
     return sums_2;
 }
 
-fn Relu_apply_0( x_3 : f32) -> f32
+fn Relu_apply_0( x_1 : f32) -> f32
 {
-    return max(x_3, 0.0f);
+    return max(x_1, 0.0f);
 }
 
 fn dense_part_1( weights_3 : FloatWeights_0,  first_2 : u32,  adds_1 : bool,  inputs_3 : ptr<function, array<f32, i32(11)>>,  outputs_1 : ptr<function, array<f32, i32(25)>>)
@@ -1214,14 +1186,45 @@ fn select_vector_2( condition_2 : bool,  yes_2 : vec3<f32>,  no_2 : vec3<f32>) -
     return chosen_2;
 }
 
-fn position_of_0( vertex_0 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+fn fabric_of_0( face_1 : u32) -> u32
 {
-    return vec3<f32>((*vertex_0).x_0, (*vertex_0).y_0, (*vertex_0).z_0);
+    return scene_words_0[frame_record_0.face_fabrics_0 + face_1];
 }
 
-fn position_of_1( vertex_1 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+struct Vertex_0
 {
-    return vec3<f32>((*vertex_1).x_0, (*vertex_1).y_0, (*vertex_1).z_0);
+     x_2 : f32,
+     y_0 : f32,
+     z_0 : f32,
+     normal_x_0 : f32,
+     normal_y_0 : f32,
+     normal_z_0 : f32,
+     u_0 : f32,
+     v_0 : f32,
+};
+
+fn scene_vertex_0( first_17 : u32) -> Vertex_0
+{
+    var record_0 : Vertex_0;
+    record_0.x_2 = (bitcast<f32>((scene_words_0[first_17])));
+    record_0.y_0 = (bitcast<f32>((scene_words_0[first_17 + u32(1)])));
+    record_0.z_0 = (bitcast<f32>((scene_words_0[first_17 + u32(2)])));
+    record_0.normal_x_0 = (bitcast<f32>((scene_words_0[first_17 + u32(3)])));
+    record_0.normal_y_0 = (bitcast<f32>((scene_words_0[first_17 + u32(4)])));
+    record_0.normal_z_0 = (bitcast<f32>((scene_words_0[first_17 + u32(5)])));
+    record_0.u_0 = (bitcast<f32>((scene_words_0[first_17 + u32(6)])));
+    record_0.v_0 = (bitcast<f32>((scene_words_0[first_17 + u32(7)])));
+    return record_0;
+}
+
+fn vertex_at_0( corner_0 : u32) -> Vertex_0
+{
+    return scene_vertex_0(frame_record_0.vertices_0 + u32(8) * scene_words_0[frame_record_0.corners_0 + corner_0]);
+}
+
+fn position_of_0( vertex_0 : Vertex_0) -> vec3<f32>
+{
+    return vec3<f32>(vertex_0.x_2, vertex_0.y_0, vertex_0.z_0);
 }
 
 fn square_0( v_1 : vec3<f32>) -> f32
@@ -1229,9 +1232,9 @@ fn square_0( v_1 : vec3<f32>) -> f32
     return dot(v_1, v_1);
 }
 
-fn normal_of_0( vertex_2 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+fn normal_of_0( vertex_1 : Vertex_0) -> vec3<f32>
 {
-    return vec3<f32>((*vertex_2).normal_x_0, (*vertex_2).normal_y_0, (*vertex_2).normal_z_0);
+    return vec3<f32>(vertex_1.normal_x_0, vertex_1.normal_y_0, vertex_1.normal_z_0);
 }
 
 struct VisiblePoint_0
@@ -1277,9 +1280,9 @@ fn eight_halves_0( packed_0 : vec4<u32>) -> Eight_0
     return numbers_2;
 }
 
-fn texel_numbers_0( first_17 : u32,  elements_1 : u32,  texel_0 : u32) -> Eight_0
+fn texel_numbers_0( first_18 : u32,  elements_1 : u32,  texel_0 : u32) -> Eight_0
 {
-    var _S125 : u32 = first_17 + texel_0 * elements_1;
+    var _S125 : u32 = first_18 + texel_0 * elements_1;
     var _S126 : vec4<u32> = packed_numbers_0[_S125];
     if(elements_1 == u32(1))
     {
@@ -1291,7 +1294,7 @@ fn texel_numbers_0( first_17 : u32,  elements_1 : u32,  texel_0 : u32) -> Eight_
     return numbers_3;
 }
 
-fn add_bilinear_0( first_18 : u32,  elements_2 : u32,  start_0 : u32,  columns_1 : u32,  rows_1 : u32,  uv_1 : vec2<f32>,  weight_0 : f32,  sums_5 : ptr<function, Eight_0>)
+fn add_bilinear_0( first_19 : u32,  elements_2 : u32,  start_0 : u32,  columns_1 : u32,  rows_1 : u32,  uv_1 : vec2<f32>,  weight_0 : f32,  sums_5 : ptr<function, Eight_0>)
 {
     var _S127 : vec2<f32> = uv_1 * vec2<f32>(f32(columns_1), f32(rows_1)) - vec2<f32>(0.5f);
     var _S128 : vec2<f32> = floor(_S127);
@@ -1310,7 +1313,7 @@ fn add_bilinear_0( first_18 : u32,  elements_2 : u32,  start_0 : u32,  columns_1
         }
         var _S132 : u32 = (tap_0 & (u32(1)));
         var _S133 : u32 = (tap_0 >> (u32(1)));
-        var _S134 : Eight_0 = texel_numbers_0(first_18, elements_2, start_0 + ((u32(_S131 + i32(_S133)) & ((rows_1 - u32(1))))) * columns_1 + ((u32(_S130 + i32(_S132)) & ((columns_1 - u32(1))))));
+        var _S134 : Eight_0 = texel_numbers_0(first_19, elements_2, start_0 + ((u32(_S131 + i32(_S133)) & ((rows_1 - u32(1))))) * columns_1 + ((u32(_S130 + i32(_S132)) & ((columns_1 - u32(1))))));
         var _S135 : f32 = _S129.y;
         var _S136 : f32 = _S129.x;
         var _S137 : vec4<f32> = vec4<f32>((select(1.0f - _S135, _S135, _S133 != u32(0)) * select(1.0f - _S136, _S136, _S132 != u32(0)) * weight_0));
@@ -1321,7 +1324,7 @@ fn add_bilinear_0( first_18 : u32,  elements_2 : u32,  start_0 : u32,  columns_1
     return;
 }
 
-fn add_bilinear_1( first_19 : u32,  elements_3 : u32,  start_1 : u32,  columns_2 : u32,  rows_2 : u32,  uv_2 : vec2<f32>,  weight_1 : f32,  sums_6 : ptr<function, Eight_0>)
+fn add_bilinear_1( first_20 : u32,  elements_3 : u32,  start_1 : u32,  columns_2 : u32,  rows_2 : u32,  uv_2 : vec2<f32>,  weight_1 : f32,  sums_6 : ptr<function, Eight_0>)
 {
     var _S138 : vec2<f32> = uv_2 * vec2<f32>(f32(columns_2), f32(rows_2)) - vec2<f32>(0.5f);
     var _S139 : vec2<f32> = floor(_S138);
@@ -1340,7 +1343,7 @@ fn add_bilinear_1( first_19 : u32,  elements_3 : u32,  start_1 : u32,  columns_2
         }
         var _S143 : u32 = (tap_1 & (u32(1)));
         var _S144 : u32 = (tap_1 >> (u32(1)));
-        var _S145 : Eight_0 = texel_numbers_0(first_19, elements_3, start_1 + ((u32(_S142 + i32(_S144)) & ((rows_2 - u32(1))))) * columns_2 + ((u32(_S141 + i32(_S143)) & ((columns_2 - u32(1))))));
+        var _S145 : Eight_0 = texel_numbers_0(first_20, elements_3, start_1 + ((u32(_S142 + i32(_S144)) & ((rows_2 - u32(1))))) * columns_2 + ((u32(_S141 + i32(_S143)) & ((columns_2 - u32(1))))));
         var _S146 : f32 = _S140.y;
         var _S147 : f32 = _S140.x;
         var _S148 : vec4<f32> = vec4<f32>((select(1.0f - _S146, _S146, _S144 != u32(0)) * select(1.0f - _S147, _S147, _S143 != u32(0)) * weight_1));
@@ -1357,12 +1360,12 @@ fn channel_0( numbers_4 : Eight_0,  k_0 : i32) -> f32
     return select(numbers_4.high_0[_S149], numbers_4.low_0[_S149], k_0 < i32(4));
 }
 
-fn neumip_depth_0( model_0 : ptr<function, Neumip_std430_0>,  uv_3 : vec2<f32>,  view_2 : vec2<f32>,  face_1 : u32) -> f32
+fn neumip_depth_0( model_0 : ptr<function, Neumip_std430_0>,  uv_3 : vec2<f32>,  view_2 : vec2<f32>,  face_2 : u32) -> f32
 {
     var _S150 : u32 = words_0[(*model_0).levels_2 + u32(1)];
     var _S151 : u32 = words_0[(*model_0).levels_2 + u32(2)];
     var texel_1 : Eight_0 = no_numbers_0();
-    add_bilinear_0((*model_0).offset_texels_0, (*model_0).texel_elements_0, face_1 * _S150 * _S151, _S150, _S151, fract(uv_3), 1.0f, &(texel_1));
+    add_bilinear_0((*model_0).offset_texels_0, (*model_0).texel_elements_0, face_2 * _S150 * _S151, _S150, _S151, fract(uv_3), 1.0f, &(texel_1));
     var inputs_24 : array<f32, i32(9)>;
     var k_1 : i32 = i32(0);
     for(;;)
@@ -1386,9 +1389,9 @@ fn neumip_depth_0( model_0 : ptr<function, Neumip_std430_0>,  uv_3 : vec2<f32>, 
     return depth_0[i32(0)];
 }
 
-fn natural_logarithm_0( x_4 : f32) -> f32
+fn natural_logarithm_0( x_3 : f32) -> f32
 {
-    var _S152 : u32 = (bitcast<u32>((x_4)));
+    var _S152 : u32 = (bitcast<u32>((x_3)));
     var exponent_0 : f32 = f32(i32((_S152 >> (u32(23)))) - i32(126));
     var m_0 : f32 = (bitcast<f32>(((((_S152 & (u32(8388607)))) | (u32(1056964608))))));
     var m_1 : f32;
@@ -1409,9 +1412,9 @@ fn natural_logarithm_0( x_4 : f32) -> f32
     return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S153 - exponent_1 * 0.00021219444170129f - 0.5f * _S153) + exponent_1 * 0.693359375f;
 }
 
-fn binary_logarithm_0( x_5 : f32) -> f32
+fn binary_logarithm_0( x_4 : f32) -> f32
 {
-    return natural_logarithm_0(x_5) * 1.4426950216293335f;
+    return natural_logarithm_0(x_4) * 1.4426950216293335f;
 }
 
 fn within_repeat_0( uv_4 : vec2<f32>) -> vec2<f32>
@@ -1421,21 +1424,21 @@ fn within_repeat_0( uv_4 : vec2<f32>) -> vec2<f32>
 
 struct TexelPyramid_0
 {
-     first_20 : u32,
+     first_21 : u32,
      elements_4 : u32,
      levels_4 : u32,
      last_level_3 : f32,
      face_texels_2 : u32,
 };
 
-fn TexelPyramid_add_level_0( this_4 : TexelPyramid_0,  place_0 : vec2<f32>,  level_0 : u32,  face_2 : u32,  weight_2 : f32,  sums_7 : ptr<function, Eight_0>)
+fn TexelPyramid_add_level_0( this_4 : TexelPyramid_0,  place_0 : vec2<f32>,  level_0 : u32,  face_3 : u32,  weight_2 : f32,  sums_7 : ptr<function, Eight_0>)
 {
     var _S154 : u32 = this_4.levels_4 + u32(3) * level_0;
-    add_bilinear_1(this_4.first_20, this_4.elements_4, face_2 * this_4.face_texels_2 + words_0[_S154], words_0[_S154 + u32(1)], words_0[_S154 + u32(2)], place_0, weight_2, &((*sums_7)));
+    add_bilinear_1(this_4.first_21, this_4.elements_4, face_3 * this_4.face_texels_2 + words_0[_S154], words_0[_S154 + u32(1)], words_0[_S154 + u32(2)], place_0, weight_2, &((*sums_7)));
     return;
 }
 
-fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_5 : vec2<f32>,  level_1 : f32,  face_3 : u32) -> Eight_0
+fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_5 : vec2<f32>,  level_1 : f32,  face_4 : u32) -> Eight_0
 {
     var _S155 : f32 = clamp(level_1, 0.0f, this_5.last_level_3);
     var _S156 : f32 = clamp(floor(_S155), 0.0f, max(this_5.last_level_3 - 1.0f, 0.0f));
@@ -1455,19 +1458,19 @@ fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_5 : vec2<f32>,  l
         var _S159 : f32 = select(_S157, 1.0f - _S157, offset_2 == u32(0));
         if(_S159 > 0.0f)
         {
-            TexelPyramid_add_level_0(this_5, _S158, u32(_S156) + offset_2, face_3, _S159, &(texel_2));
+            TexelPyramid_add_level_0(this_5, _S158, u32(_S156) + offset_2, face_4, _S159, &(texel_2));
         }
         offset_2 = offset_2 + u32(1);
     }
     return texel_2;
 }
 
-fn exponential_0( x_6 : f32) -> f32
+fn exponential_0( x_5 : f32) -> f32
 {
-    var _S160 : f32 = clamp(x_6, -87.0f, 88.0f);
+    var _S160 : f32 = clamp(x_5, -87.0f, 88.0f);
     var _S161 : f32 = floor(_S160 * 1.4426950216293335f + 0.5f);
     var _S162 : f32 = _S160 - _S161 * 0.693359375f + _S161 * 0.00021219444170129f;
-    return select(((((((0.00019875691214111f * _S162 + 0.00139819993637502f) * _S162 + 0.00833345204591751f) * _S162 + 0.04166579619050026f) * _S162 + 0.1666666567325592f) * _S162 + 0.5f) * _S162 * _S162 + _S162 + 1.0f) * (bitcast<f32>(((u32(i32(_S161) + i32(127)) << (u32(23)))))), 0.0f, x_6 < -87.0f);
+    return select(((((((0.00019875691214111f * _S162 + 0.00139819993637502f) * _S162 + 0.00833345204591751f) * _S162 + 0.04166579619050026f) * _S162 + 0.1666666567325592f) * _S162 + 0.5f) * _S162 * _S162 + _S162 + 1.0f) * (bitcast<f32>(((u32(i32(_S161) + i32(127)) << (u32(23)))))), 0.0f, x_5 < -87.0f);
 }
 
 fn neumip_hole_0( model_1 : ptr<function, Neumip_std430_0>,  texel_3 : Eight_0,  view_3 : vec2<f32>) -> f32
@@ -1572,10 +1575,10 @@ fn mean_0( colour_0 : vec3<f32>) -> f32
     return (colour_0.x + colour_0.y + colour_0.z) / 3.0f;
 }
 
-fn sine_cosine_0( x_7 : f32) -> vec2<f32>
+fn sine_cosine_0( x_6 : f32) -> vec2<f32>
 {
-    var _S171 : f32 = floor(x_7 * 0.63661974668502808f + 0.5f);
-    var _S172 : f32 = x_7 - _S171 * 1.5703125f - _S171 * 0.00048375129699707f - _S171 * 7.54979012640433211e-08f;
+    var _S171 : f32 = floor(x_6 * 0.63661974668502808f + 0.5f);
+    var _S172 : f32 = x_6 - _S171 * 1.5703125f - _S171 * 0.00048375129699707f - _S171 * 7.54979012640433211e-08f;
     var _S173 : f32 = _S172 * _S172;
     var _S174 : f32 = ((-0.00019515295571182f * _S173 + 0.00833216123282909f) * _S173 - 0.16666655242443085f) * _S173 * _S172 + _S172;
     var _S175 : f32 = ((0.00002443315679557f * _S173 - 0.00138873164542019f) * _S173 + 0.04166664555668831f) * _S173 * _S173 - 0.5f * _S173 + 1.0f;
@@ -1586,6 +1589,30 @@ fn sine_cosine_0( x_7 : f32) -> vec2<f32>
     return vec2<f32>(select(_S178, - _S178, ((_S176 & (u32(2)))) != u32(0)), select(_S179, - _S179, (((_S176 + u32(1)) & (u32(2)))) != u32(0)));
 }
 
+struct Light_0
+{
+     is_point_0 : u32,
+     x_7 : f32,
+     y_1 : f32,
+     z_1 : f32,
+     red_0 : f32,
+     green_0 : f32,
+     blue_0 : f32,
+};
+
+fn scene_light_0( first_22 : u32) -> Light_0
+{
+    var record_1 : Light_0;
+    record_1.is_point_0 = scene_words_0[first_22];
+    record_1.x_7 = (bitcast<f32>((scene_words_0[first_22 + u32(1)])));
+    record_1.y_1 = (bitcast<f32>((scene_words_0[first_22 + u32(2)])));
+    record_1.z_1 = (bitcast<f32>((scene_words_0[first_22 + u32(3)])));
+    record_1.red_0 = (bitcast<f32>((scene_words_0[first_22 + u32(4)])));
+    record_1.green_0 = (bitcast<f32>((scene_words_0[first_22 + u32(5)])));
+    record_1.blue_0 = (bitcast<f32>((scene_words_0[first_22 + u32(6)])));
+    return record_1;
+}
+
 fn accumulate_0( index_3 : u32,  light_1 : vec4<f32>)
 {
     var _S180 : f32 = layers_0[index_3].share_0;
@@ -1594,112 +1621,100 @@ fn accumulate_0( index_3 : u32,  light_1 : vec4<f32>)
     return;
 }
 
-fn camera_right_0( _S181 : i32) -> vec3<f32>
+fn camera_right_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S181].right_x_0, frames_0[_S181].right_y_0, frames_0[_S181].right_z_0);
+    return vec3<f32>(frame_record_0.right_x_0, frame_record_0.right_y_0, frame_record_0.right_z_0);
 }
 
-fn camera_up_0( _S182 : i32) -> vec3<f32>
+fn camera_up_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S182].up_x_0, frames_0[_S182].up_y_0, frames_0[_S182].up_z_0);
+    return vec3<f32>(frame_record_0.up_x_0, frame_record_0.up_y_0, frame_record_0.up_z_0);
 }
 
-fn camera_forward_0( _S183 : i32) -> vec3<f32>
+fn camera_forward_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S183].forward_x_0, frames_0[_S183].forward_y_0, frames_0[_S183].forward_z_0);
+    return vec3<f32>(frame_record_0.forward_x_0, frame_record_0.forward_y_0, frame_record_0.forward_z_0);
 }
 
-fn camera_origin_0( _S184 : i32) -> vec3<f32>
+fn camera_origin_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S184].origin_x_0, frames_0[_S184].origin_y_0, frames_0[_S184].origin_z_0);
+    return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn face_point_0( _S185 : u32,  _S186 : u32,  _S187 : f32,  _S188 : f32) -> VisiblePoint_0
+fn face_point_0( _S181 : u32,  _S182 : u32,  _S183 : f32,  _S184 : f32) -> VisiblePoint_0
 {
-    var _S189 : u32 = u32(3) * _S186;
-    var _S190 : Vertex_std430_0 = vertices_0[corners_0[_S189]];
-    var _S191 : Vertex_std430_0 = vertices_0[corners_0[_S189 + u32(1)]];
-    var _S192 : Vertex_std430_0 = vertices_0[corners_0[_S189 + u32(2)]];
-    var _S193 : vec3<f32> = position_of_0(&(_S191));
-    var _S194 : vec3<f32> = position_of_0(&(_S190));
-    var _S195 : vec3<f32> = _S193 - _S194;
-    var _S196 : vec3<f32> = position_of_0(&(_S192));
-    var _S197 : vec3<f32> = _S196 - _S194;
-    var _S198 : f32 = _S190.u_0;
-    var _S199 : f32 = _S191.u_0 - _S190.u_0;
-    var _S200 : f32 = _S190.v_0;
-    var _S201 : f32 = _S191.v_0 - _S190.v_0;
-    var _S202 : vec2<f32> = vec2<f32>(_S199, _S201);
-    var _S203 : f32 = _S192.u_0 - _S190.u_0;
-    var _S204 : f32 = _S192.v_0 - _S190.v_0;
-    var _S205 : vec2<f32> = vec2<f32>(_S203, _S204);
-    var _S206 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S199 * _S204 - _S201 * _S203) < 0.0f));
-    var _S207 : vec3<f32> = _S206 * (vec3<f32>(_S204) * _S195 - vec3<f32>(_S201) * _S197);
-    var _S208 : vec3<f32> = _S206 * (vec3<f32>(_S199) * _S197 - vec3<f32>(_S203) * _S195);
+    var _S185 : u32 = u32(3) * _S182;
+    var _S186 : Vertex_0 = vertex_at_0(_S185);
+    var _S187 : Vertex_0 = vertex_at_0(_S185 + u32(1));
+    var _S188 : Vertex_0 = vertex_at_0(_S185 + u32(2));
+    var _S189 : vec3<f32> = position_of_0(_S186);
+    var _S190 : vec3<f32> = position_of_0(_S187) - _S189;
+    var _S191 : vec3<f32> = position_of_0(_S188) - _S189;
+    var _S192 : f32 = _S187.u_0 - _S186.u_0;
+    var _S193 : f32 = _S187.v_0 - _S186.v_0;
+    var _S194 : vec2<f32> = vec2<f32>(_S192, _S193);
+    var _S195 : f32 = _S188.u_0 - _S186.u_0;
+    var _S196 : f32 = _S188.v_0 - _S186.v_0;
+    var _S197 : vec2<f32> = vec2<f32>(_S195, _S196);
+    var _S198 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S192 * _S196 - _S193 * _S195) < 0.0f));
+    var _S199 : vec3<f32> = _S198 * (vec3<f32>(_S196) * _S190 - vec3<f32>(_S193) * _S191);
+    var _S200 : vec3<f32> = _S198 * (vec3<f32>(_S192) * _S191 - vec3<f32>(_S195) * _S190);
     var point_1 : VisiblePoint_0;
-    var _S209 : f32 = 1.0f - _S187 - _S188;
-    var _S210 : vec3<f32> = normal_of_0(&(_S190));
-    var _S211 : vec3<f32> = vec3<f32>(_S209) * _S210;
-    var _S212 : vec3<f32> = normal_of_0(&(_S191));
-    var _S213 : vec3<f32> = vec3<f32>(_S187);
-    var _S214 : vec3<f32> = _S211 + _S213 * _S212;
-    var _S215 : vec3<f32> = normal_of_0(&(_S192));
-    var _S216 : vec3<f32> = vec3<f32>(_S188);
-    var _S217 : vec3<f32> = normalize(_S214 + _S216 * _S215);
-    point_1.normal_0 = _S217;
-    var _S218 : vec3<f32> = normalize(_S207 - _S217 * vec3<f32>(dot(_S217, _S207)));
-    point_1.axis_x_0 = _S218;
-    point_1.axis_y_0 = cross(_S217, _S218);
-    var _S219 : vec3<f32> = normalize(cross(_S195, _S197));
-    point_1.face_normal_0 = select_vector_2((dot(_S219, _S217)) < 0.0f, (vec3<f32>(0) - _S219), _S219);
-    point_1.position_0 = _S194 + _S213 * _S195 + _S216 * _S197;
-    point_1.view_1 = _S217;
-    var _S220 : vec2<f32> = vec2<f32>(_S198, _S200) + vec2<f32>(_S187) * _S202 + vec2<f32>(_S188) * _S205;
-    point_1.uv_0 = _S220;
-    var _S221 : bool = (dot(cross(_S207, _S208), _S217)) < 0.0f;
-    var _S222 : vec2<f32> = vec2<f32>(fabrics_0[_S185].uv_width_0, select(fabrics_0[_S185].uv_height_0, - fabrics_0[_S185].uv_height_0, _S221));
-    point_1.draft_per_uv_0 = _S222;
-    point_1.draft_0 = _S220 * _S222 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S185].uv_height_0, _S221));
-    var _S223 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S223;
-    point_1.draft_dy_0 = _S223;
+    var _S201 : vec3<f32> = vec3<f32>(_S183);
+    var _S202 : vec3<f32> = vec3<f32>(_S184);
+    var _S203 : vec3<f32> = normalize(vec3<f32>((1.0f - _S183 - _S184)) * normal_of_0(_S186) + _S201 * normal_of_0(_S187) + _S202 * normal_of_0(_S188));
+    point_1.normal_0 = _S203;
+    var _S204 : vec3<f32> = normalize(_S199 - _S203 * vec3<f32>(dot(_S203, _S199)));
+    point_1.axis_x_0 = _S204;
+    point_1.axis_y_0 = cross(_S203, _S204);
+    var _S205 : vec3<f32> = normalize(cross(_S190, _S191));
+    point_1.face_normal_0 = select_vector_2((dot(_S205, _S203)) < 0.0f, (vec3<f32>(0) - _S205), _S205);
+    point_1.position_0 = _S189 + _S201 * _S190 + _S202 * _S191;
+    point_1.view_1 = _S203;
+    var _S206 : vec2<f32> = vec2<f32>(_S186.u_0, _S186.v_0) + vec2<f32>(_S183) * _S194 + vec2<f32>(_S184) * _S197;
+    point_1.uv_0 = _S206;
+    var _S207 : bool = (dot(cross(_S199, _S200), _S203)) < 0.0f;
+    var _S208 : vec2<f32> = vec2<f32>(fabrics_0[_S181].uv_width_0, select(fabrics_0[_S181].uv_height_0, - fabrics_0[_S181].uv_height_0, _S207));
+    point_1.draft_per_uv_0 = _S208;
+    point_1.draft_0 = _S206 * _S208 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S181].uv_height_0, _S207));
+    var _S209 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S209;
+    point_1.draft_dy_0 = _S209;
     return point_1;
 }
 
-fn visible_point_0( _S224 : i32,  _S225 : u32,  _S226 : u32,  _S227 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S210 : u32,  _S211 : u32,  _S212 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S228 : u32 = u32(3) * _S226;
-    var _S229 : Vertex_std430_0 = vertices_0[corners_0[_S228]];
-    var _S230 : Vertex_std430_0 = vertices_0[corners_0[_S228 + u32(1)]];
-    var _S231 : Vertex_std430_0 = vertices_0[corners_0[_S228 + u32(2)]];
-    var _S232 : vec3<f32> = position_of_1(&(_S230));
-    var _S233 : vec3<f32> = position_of_1(&(_S229));
-    var _S234 : vec3<f32> = _S232 - _S233;
-    var _S235 : vec3<f32> = position_of_1(&(_S231));
-    var _S236 : vec3<f32> = _S235 - _S233;
-    var _S237 : vec3<f32> = cross(_S234, _S236);
-    var _S238 : f32 = f32(frames_0[_S224].width_0);
-    var _S239 : vec3<f32> = camera_right_0(_S224) * vec3<f32>((2.0f / _S238));
-    var _S240 : f32 = f32(frames_0[_S224].height_0);
-    var _S241 : vec3<f32> = camera_up_0(_S224) * vec3<f32>((-2.0f / _S240));
-    var _S242 : vec3<f32> = camera_forward_0(_S224) + vec3<f32>((f32(_S227.x) + 0.5f - 0.5f * _S238)) * _S239 + vec3<f32>((f32(_S227.y) + 0.5f - 0.5f * _S240)) * _S241;
-    var _S243 : f32 = dot(_S242, _S237);
-    var _S244 : f32 = 1.0f / select(1.00000000317107685e-30f, _S243, (abs(_S243)) > 1.00000000317107685e-30f);
-    var _S245 : vec3<f32> = _S233 - camera_origin_0(_S224);
-    var _S246 : vec3<f32> = vec3<f32>((dot(_S245, _S237) * _S244));
-    var _S247 : vec3<f32> = _S242 * _S246 - _S245;
-    var _S248 : vec3<f32> = _S246 * (_S239 - _S242 * vec3<f32>((dot(_S239, _S237) * _S244)));
-    var _S249 : vec3<f32> = _S246 * (_S241 - _S242 * vec3<f32>((dot(_S241, _S237) * _S244)));
-    var _S250 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S237), 1.00000000317107685e-30f)));
-    var _S251 : vec3<f32> = cross(_S236, _S237) * _S250;
-    var _S252 : vec3<f32> = cross(_S237, _S234) * _S250;
-    var _S253 : vec2<f32> = vec2<f32>(_S230.u_0 - _S229.u_0, _S230.v_0 - _S229.v_0);
-    var _S254 : vec2<f32> = vec2<f32>(_S231.u_0 - _S229.u_0, _S231.v_0 - _S229.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S225, _S226, dot(_S247, _S251), dot(_S247, _S252));
-    point_2.position_0 = _S233 + _S247;
-    point_2.view_1 = (vec3<f32>(0) - normalize(_S242));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S248, _S251)) * _S253 + vec2<f32>(dot(_S248, _S252)) * _S254) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S249, _S251)) * _S253 + vec2<f32>(dot(_S249, _S252)) * _S254) * point_2.draft_per_uv_0;
+    var _S213 : u32 = u32(3) * _S211;
+    var _S214 : Vertex_0 = vertex_at_0(_S213);
+    var _S215 : Vertex_0 = vertex_at_0(_S213 + u32(1));
+    var _S216 : Vertex_0 = vertex_at_0(_S213 + u32(2));
+    var _S217 : vec3<f32> = position_of_0(_S214);
+    var _S218 : vec3<f32> = position_of_0(_S215) - _S217;
+    var _S219 : vec3<f32> = position_of_0(_S216) - _S217;
+    var _S220 : vec3<f32> = cross(_S218, _S219);
+    var _S221 : f32 = f32(frame_record_0.width_0);
+    var _S222 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S221));
+    var _S223 : f32 = f32(frame_record_0.height_0);
+    var _S224 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S223));
+    var _S225 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S212.x) + 0.5f - 0.5f * _S221)) * _S222 + vec3<f32>((f32(_S212.y) + 0.5f - 0.5f * _S223)) * _S224;
+    var _S226 : f32 = dot(_S225, _S220);
+    var _S227 : f32 = 1.0f / select(1.00000000317107685e-30f, _S226, (abs(_S226)) > 1.00000000317107685e-30f);
+    var _S228 : vec3<f32> = _S217 - camera_origin_0();
+    var _S229 : vec3<f32> = vec3<f32>((dot(_S228, _S220) * _S227));
+    var _S230 : vec3<f32> = _S225 * _S229 - _S228;
+    var _S231 : vec3<f32> = _S229 * (_S222 - _S225 * vec3<f32>((dot(_S222, _S220) * _S227)));
+    var _S232 : vec3<f32> = _S229 * (_S224 - _S225 * vec3<f32>((dot(_S224, _S220) * _S227)));
+    var _S233 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S220), 1.00000000317107685e-30f)));
+    var _S234 : vec3<f32> = cross(_S219, _S220) * _S233;
+    var _S235 : vec3<f32> = cross(_S220, _S218) * _S233;
+    var _S236 : vec2<f32> = vec2<f32>(_S215.u_0 - _S214.u_0, _S215.v_0 - _S214.v_0);
+    var _S237 : vec2<f32> = vec2<f32>(_S216.u_0 - _S214.u_0, _S216.v_0 - _S214.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S210, _S211, dot(_S230, _S234), dot(_S230, _S235));
+    point_2.position_0 = _S217 + _S230;
+    point_2.view_1 = (vec3<f32>(0) - normalize(_S225));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S231, _S234)) * _S236 + vec2<f32>(dot(_S231, _S235)) * _S237) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S232, _S234)) * _S236 + vec2<f32>(dot(_S232, _S235)) * _S237) * point_2.draft_per_uv_0;
     return point_2;
 }
 
@@ -1718,32 +1733,32 @@ struct NeumipView_0
      hole_0 : f32,
 };
 
-fn neumip_view_0( _S255 : u32,  _S256 : Footprint_0,  _S257 : vec3<f32>,  _S258 : ptr<function, NeumipView_0>)
+fn neumip_view_0( _S238 : u32,  _S239 : Footprint_0,  _S240 : vec3<f32>,  _S241 : ptr<function, NeumipView_0>)
 {
-    var _S259 : Neumip_std430_0 = fabrics_0[_S255].neumip_0;
-    var _S260 : bool = (_S257.z) < 0.0f;
-    var _S261 : u32 = select(u32(0), _S259.back_0, _S260);
-    var _S262 : vec3<f32> = to_face_frame_0(_S257, _S260);
-    var uv_6 : vec2<f32> = _S256.centre_0 * vec2<f32>(_S259.repeats_per_x_0, _S259.repeats_per_y_0);
+    var _S242 : Neumip_std430_0 = fabrics_0[_S238].neumip_0;
+    var _S243 : bool = (_S240.z) < 0.0f;
+    var _S244 : u32 = select(u32(0), _S242.back_0, _S243);
+    var _S245 : vec3<f32> = to_face_frame_0(_S240, _S243);
+    var uv_6 : vec2<f32> = _S239.centre_0 * vec2<f32>(_S242.repeats_per_x_0, _S242.repeats_per_y_0);
     var uv_7 : vec2<f32>;
-    if((_S259.has_offset_0) != u32(0))
+    if((_S242.has_offset_0) != u32(0))
     {
-        var _S263 : vec2<f32> = _S262.xy;
-        var _S264 : f32 = neumip_depth_0(&(_S259), uv_6, _S263, _S261);
-        uv_7 = uv_6 + vec2<f32>((_S264 / max(_S262.z, 0.60000002384185791f))) * _S263 * vec2<f32>(_S259.unit_x_0, _S259.unit_y_0);
+        var _S246 : vec2<f32> = _S245.xy;
+        var _S247 : f32 = neumip_depth_0(&(_S242), uv_6, _S246, _S244);
+        uv_7 = uv_6 + vec2<f32>((_S247 / max(_S245.z, 0.60000002384185791f))) * _S246 * vec2<f32>(_S242.unit_x_0, _S242.unit_y_0);
     }
     else
     {
         uv_7 = uv_6;
     }
-    var _S265 : f32 = sqrt(abs(_S256.dx_0.x * _S256.dy_0.y - _S256.dx_0.y * _S256.dy_0.x)) * _S259.texels_per_mm_0;
+    var _S248 : f32 = sqrt(abs(_S239.dx_0.x * _S239.dy_0.y - _S239.dx_0.y * _S239.dy_0.x)) * _S242.texels_per_mm_0;
     var pyramid_0 : TexelPyramid_0;
-    pyramid_0.first_20 = _S259.features_0;
-    pyramid_0.elements_4 = _S259.texel_elements_0;
-    pyramid_0.levels_4 = _S259.levels_2;
-    pyramid_0.last_level_3 = _S259.last_level_1;
-    pyramid_0.face_texels_2 = _S259.face_texels_0;
-    var _S266 : Eight_0 = TexelPyramid_between_levels_0(pyramid_0, uv_7, binary_logarithm_0(max(_S265, 9.99999971718068537e-10f)), _S261);
+    pyramid_0.first_21 = _S242.features_0;
+    pyramid_0.elements_4 = _S242.texel_elements_0;
+    pyramid_0.levels_4 = _S242.levels_2;
+    pyramid_0.last_level_3 = _S242.last_level_1;
+    pyramid_0.face_texels_2 = _S242.face_texels_0;
+    var _S249 : Eight_0 = TexelPyramid_between_levels_0(pyramid_0, uv_7, binary_logarithm_0(max(_S248, 9.99999971718068537e-10f)), _S244);
     var k_3 : i32 = i32(0);
     for(;;)
     {
@@ -1754,38 +1769,38 @@ fn neumip_view_0( _S255 : u32,  _S256 : Footprint_0,  _S257 : vec3<f32>,  _S258 
         {
             break;
         }
-        (*_S258).latent_1[k_3] = channel_0(_S266, k_3);
+        (*_S241).latent_1[k_3] = channel_0(_S249, k_3);
         k_3 = k_3 + i32(1);
     }
-    var _S267 : vec2<f32> = _S262.xy;
-    (*_S258).view_4 = _S267;
-    (*_S258).back_3 = _S260;
-    var _S268 : f32;
-    if((_S259.has_holes_0) != u32(0))
+    var _S250 : vec2<f32> = _S245.xy;
+    (*_S241).view_4 = _S250;
+    (*_S241).back_3 = _S243;
+    var _S251 : f32;
+    if((_S242.has_holes_0) != u32(0))
     {
-        var _S269 : f32 = neumip_hole_0(&(_S259), _S266, _S267);
-        _S268 = _S269;
+        var _S252 : f32 = neumip_hole_0(&(_S242), _S249, _S250);
+        _S251 = _S252;
     }
     else
     {
-        _S268 = 0.0f;
+        _S251 = 0.0f;
     }
-    (*_S258).hole_0 = _S268;
+    (*_S241).hole_0 = _S251;
     return;
 }
 
-fn light_sample_count_0( _S270 : i32) -> u32
+fn light_sample_count_0() -> u32
 {
-    return frames_0[_S270].lights_0 + frames_0[_S270].environment_samples_0;
+    return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S271 : i32,  _S272 : u32,  _S273 : vec2<u32>) -> f32
+fn visibility_at_0( _S253 : u32,  _S254 : vec2<u32>) -> f32
 {
-    if((frames_0[_S271].casts_shadows_0) == u32(0))
+    if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S272 * frames_0[_S271].height_0 + _S273.y) * frames_0[_S271].width_0 + _S273.x];
+    return visibilities_0[(_S253 * frame_record_0.height_0 + _S254.y) * frame_record_0.width_0 + _S254.x];
 }
 
 struct LightSample_0
@@ -1795,63 +1810,63 @@ struct LightSample_0
      distance_0 : f32,
 };
 
-fn environment_texel_0( _S274 : i32,  _S275 : u32,  _S276 : u32) -> vec3<f32>
+fn environment_texel_0( _S255 : u32,  _S256 : u32) -> vec3<f32>
 {
-    var _S277 : u32 = frames_0[_S274].environment_table_0 + frames_0[_S274].environment_rows_0 + u32(1) + frames_0[_S274].environment_rows_0 * (frames_0[_S274].environment_columns_0 + u32(1)) + u32(3) * (_S275 * frames_0[_S274].environment_columns_0 + _S276);
-    return vec3<f32>(scene_number_0(_S277), scene_number_0(_S277 + u32(1)), scene_number_0(_S277 + u32(2)));
+    var _S257 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S255 * frame_record_0.environment_columns_0 + _S256);
+    return vec3<f32>(scene_number_0(_S257), scene_number_0(_S257 + u32(1)), scene_number_0(_S257 + u32(2)));
 }
 
-fn sample_environment_0( _S278 : i32,  _S279 : vec2<f32>,  _S280 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S258 : vec2<f32>,  _S259 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S281 : u32 = frames_0[_S278].environment_rows_0;
-    var _S282 : Choice_0 = choose_0(frames_0[_S278].environment_table_0, frames_0[_S278].environment_rows_0, _S279.y);
-    var _S283 : u32 = frames_0[_S278].environment_columns_0;
-    var _S284 : Choice_0 = choose_0(frames_0[_S278].environment_table_0 + frames_0[_S278].environment_rows_0 + u32(1) + _S282.index_2 * (frames_0[_S278].environment_columns_0 + u32(1)), frames_0[_S278].environment_columns_0, _S279.x);
-    var _S285 : vec3<f32> = environment_texel_0(_S278, _S282.index_2, _S284.index_2);
-    (*_S280) = _S285 * vec3<f32>((frames_0[_S278].environment_total_0 / max(mean_0(_S285), 9.99999968265522539e-21f)));
-    var _S286 : f32 = 3.14159274101257324f / f32(_S281);
-    var _S287 : f32 = mix(sine_cosine_0(f32(_S282.index_2) * _S286).y, sine_cosine_0(f32(_S282.index_2 + u32(1)) * _S286).y, _S282.remainder_0);
-    var _S288 : f32 = sqrt(max(1.0f - _S287 * _S287, 0.0f));
-    var _S289 : vec2<f32> = sine_cosine_0((f32(_S284.index_2) + _S284.remainder_0) * (6.28318548202514648f / f32(_S283)));
-    var _S290 : f32 = _S288 * _S289.x;
-    var _S291 : f32 = - _S288 * _S289.y;
-    return vec3<f32>(frames_0[_S278].environment_cosine_0 * _S290 + frames_0[_S278].environment_sine_0 * _S291, _S287, frames_0[_S278].environment_cosine_0 * _S291 - frames_0[_S278].environment_sine_0 * _S290);
+    var _S260 : u32 = frame_record_0.environment_rows_0;
+    var _S261 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S258.y);
+    var _S262 : u32 = frame_record_0.environment_columns_0;
+    var _S263 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S261.index_2 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S258.x);
+    var _S264 : vec3<f32> = environment_texel_0(_S261.index_2, _S263.index_2);
+    (*_S259) = _S264 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S264), 9.99999968265522539e-21f)));
+    var _S265 : f32 = 3.14159274101257324f / f32(_S260);
+    var _S266 : f32 = mix(sine_cosine_0(f32(_S261.index_2) * _S265).y, sine_cosine_0(f32(_S261.index_2 + u32(1)) * _S265).y, _S261.remainder_0);
+    var _S267 : f32 = sqrt(max(1.0f - _S266 * _S266, 0.0f));
+    var _S268 : vec2<f32> = sine_cosine_0((f32(_S263.index_2) + _S263.remainder_0) * (6.28318548202514648f / f32(_S262)));
+    var _S269 : f32 = _S267 * _S268.x;
+    var _S270 : f32 = - _S267 * _S268.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S269 + frame_record_0.environment_sine_0 * _S270, _S266, frame_record_0.environment_cosine_0 * _S270 - frame_record_0.environment_sine_0 * _S269);
 }
 
-fn light_sample_0( _S292 : i32,  _S293 : u32,  _S294 : vec2<u32>,  _S295 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S271 : u32,  _S272 : vec2<u32>,  _S273 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_0 = 1.00000001504746622e+30f;
-    var _S296 : u32 = frames_0[_S292].lights_0;
-    if(_S293 >= (frames_0[_S292].lights_0))
+    var _S274 : u32 = frame_record_0.lights_0;
+    if(_S271 >= (frame_record_0.lights_0))
     {
         var weight_3 : vec3<f32>;
-        var _S297 : vec3<f32> = sample_environment_0(_S292, pixel_sequence_0(_S294, frames_0[_S292].pass_number_0 * frames_0[_S292].environment_samples_0 + (_S293 - _S296), u32(3)), &(weight_3));
-        sample_0.towards_0 = _S297;
-        sample_0.irradiance_1 = weight_3 / vec3<f32>(f32(frames_0[_S292].environment_samples_0));
+        var _S275 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S272, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S271 - _S274), u32(3)), &(weight_3));
+        sample_0.towards_0 = _S275;
+        sample_0.irradiance_1 = weight_3 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S298 : Light_std430_0 = lights_1[_S293];
-    sample_0.irradiance_1 = vec3<f32>(_S298.red_0, _S298.green_0, _S298.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S298.x_1, _S298.y_1, _S298.z_1);
-    if((_S298.is_point_0) != u32(0))
+    var _S276 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S271);
+    sample_0.irradiance_1 = vec3<f32>(_S276.red_0, _S276.green_0, _S276.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S276.x_7, _S276.y_1, _S276.z_1);
+    if((_S276.is_point_0) != u32(0))
     {
-        var _S299 : vec3<f32> = sample_0.towards_0 - _S295;
-        var _S300 : f32 = max(square_0(_S299), 9.999999960041972e-13f);
-        sample_0.distance_0 = sqrt(_S300);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S300);
-        sample_0.towards_0 = normalize(_S299);
+        var _S277 : vec3<f32> = sample_0.towards_0 - _S273;
+        var _S278 : f32 = max(square_0(_S277), 9.999999960041972e-13f);
+        sample_0.distance_0 = sqrt(_S278);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S278);
+        sample_0.towards_0 = normalize(_S277);
     }
     return sample_0;
 }
 
-fn neumip_value_0( _S301 : u32,  _S302 : ptr<function, NeumipView_0>,  _S303 : vec3<f32>) -> vec3<f32>
+fn neumip_value_0( _S279 : u32,  _S280 : ptr<function, NeumipView_0>,  _S281 : vec3<f32>) -> vec3<f32>
 {
-    var _S304 : vec3<f32> = to_face_frame_0(_S303, (*_S302).back_3);
-    var _S305 : f32 = _S304.z;
-    var _S306 : Neumip_std430_0 = fabrics_0[_S301].neumip_0;
-    var _S307 : bool = ((_S305 < 0.0f) & (((fabrics_0[_S301].neumip_0.transmits_0) != u32(0))));
-    if(((_S305 <= 0.0f) & ((!_S307))))
+    var _S282 : vec3<f32> = to_face_frame_0(_S281, (*_S280).back_3);
+    var _S283 : f32 = _S282.z;
+    var _S284 : Neumip_std430_0 = fabrics_0[_S279].neumip_0;
+    var _S285 : bool = ((_S283 < 0.0f) & (((fabrics_0[_S279].neumip_0.transmits_0) != u32(0))));
+    if(((_S283 <= 0.0f) & ((!_S285))))
     {
         return vec3<f32>(0.0f);
     }
@@ -1866,50 +1881,50 @@ fn neumip_value_0( _S301 : u32,  _S302 : ptr<function, NeumipView_0>,  _S303 : v
         {
             break;
         }
-        inputs_26[k_4] = (*_S302).latent_1[k_4];
+        inputs_26[k_4] = (*_S280).latent_1[k_4];
         k_4 = k_4 + i32(1);
     }
-    inputs_26[i32(7)] = _S304.x;
-    inputs_26[i32(8)] = _S304.y;
-    inputs_26[i32(9)] = (*_S302).view_4.x;
-    inputs_26[i32(10)] = (*_S302).view_4.y;
+    inputs_26[i32(7)] = _S282.x;
+    inputs_26[i32(8)] = _S282.y;
+    inputs_26[i32(9)] = (*_S280).view_4.x;
+    inputs_26[i32(10)] = (*_S280).view_4.y;
     var network_3 : MLP_0;
-    network_3.weights_20.first_0 = select(_S306.decoder_0, _S306.transmission_0, _S307);
+    network_3.weights_20.first_0 = select(_S284.decoder_0, _S284.transmission_0, _S285);
     var outputs_20 : array<f32, i32(3)>;
     MLP_evaluate_0(network_3, &(inputs_26), &(outputs_20));
     return max(vec3<f32>(outputs_20[i32(0)], outputs_20[i32(1)], outputs_20[i32(2)]), vec3<f32>(0.0f)) * vec3<f32>(0.31830987334251404f);
 }
 
-fn light_of_neumip_0( _S308 : i32,  _S309 : u32,  _S310 : VisiblePoint_0,  _S311 : vec2<u32>) -> vec4<f32>
+fn light_of_neumip_0( _S286 : u32,  _S287 : VisiblePoint_0,  _S288 : vec2<u32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S310.draft_0;
-    footprint_0.dx_0 = _S310.draft_dx_0;
-    footprint_0.dy_0 = _S310.draft_dy_0;
+    footprint_0.centre_0 = _S287.draft_0;
+    footprint_0.dx_0 = _S287.draft_dx_0;
+    footprint_0.dy_0 = _S287.draft_dy_0;
     var seen_0 : NeumipView_0;
-    neumip_view_0(_S309, footprint_0, to_local_0(_S310, _S310.view_1), &(seen_0));
-    var _S312 : vec3<f32> = vec3<f32>(0.0f);
+    neumip_view_0(_S286, footprint_0, to_local_0(_S287, _S287.view_1), &(seen_0));
+    var _S289 : vec3<f32> = vec3<f32>(0.0f);
     var number_1 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S312;
+    var radiance_1 : vec3<f32> = _S289;
     for(;;)
     {
-        if(number_1 < (light_sample_count_0(_S308)))
+        if(number_1 < (light_sample_count_0()))
         {
         }
         else
         {
             break;
         }
-        var _S313 : f32 = visibility_at_0(_S308, number_1, _S311);
-        if(_S313 <= 0.0f)
+        var _S290 : f32 = visibility_at_0(number_1, _S288);
+        if(_S290 <= 0.0f)
         {
             number_1 = number_1 + u32(1);
             continue;
         }
-        var _S314 : LightSample_0 = light_sample_0(_S308, number_1, _S311, _S310.position_0);
-        var _S315 : vec3<f32> = vec3<f32>(_S313) * _S314.irradiance_1;
-        var _S316 : vec3<f32> = neumip_value_0(_S309, &(seen_0), to_local_0(_S310, _S314.towards_0));
-        radiance_1 = radiance_1 + _S315 * _S316;
+        var _S291 : LightSample_0 = light_sample_0(number_1, _S288, _S287.position_0);
+        var _S292 : vec3<f32> = vec3<f32>(_S290) * _S291.irradiance_1;
+        var _S293 : vec3<f32> = neumip_value_0(_S286, &(seen_0), to_local_0(_S287, _S291.towards_0));
+        radiance_1 = radiance_1 + _S292 * _S293;
         number_1 = number_1 + u32(1);
     }
     return vec4<f32>(radiance_1, 1.0f - seen_0.hole_0);
@@ -1919,31 +1934,30 @@ fn light_of_neumip_0( _S308 : i32,  _S309 : u32,  _S310 : VisiblePoint_0,  _S311
 @workgroup_size(8, 8, 1)
 fn shade_neumip(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S317 : u32 = id_0.x;
-    var _S318 : u32 = frames_0[i32(0)].width_0;
-    var _S319 : bool;
-    if(_S317 >= (frames_0[i32(0)].width_0))
+    var _S294 : u32 = id_0.x;
+    var _S295 : bool;
+    if(_S294 >= (frame_record_0.width_0))
     {
-        _S319 = true;
+        _S295 = true;
     }
     else
     {
-        _S319 = (id_0.y) >= (frames_0[i32(0)].height_0);
+        _S295 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S319)
+    if(_S295)
     {
         return;
     }
-    var _S320 : u32 = id_0.y * _S318 + _S317;
-    var _S321 : u32 = layers_0[_S320].face_0;
-    if((layers_0[_S320].face_0) == u32(0))
+    var _S296 : u32 = id_0.y * frame_record_0.width_0 + _S294;
+    var _S297 : u32 = layers_0[_S296].face_0;
+    if((layers_0[_S296].face_0) == u32(0))
     {
         return;
     }
-    var _S322 : u32 = _S321 - u32(1);
-    var _S323 : u32 = face_fabrics_0[_S322];
-    var _S324 : vec2<u32> = id_0.xy;
-    accumulate_0(_S320, light_of_neumip_0(i32(0), _S323, visible_point_0(i32(0), _S323, _S322, _S324), _S324));
+    var _S298 : u32 = _S297 - u32(1);
+    var _S299 : u32 = fabric_of_0(_S298);
+    var _S300 : vec2<u32> = id_0.xy;
+    accumulate_0(_S296, light_of_neumip_0(_S299, visible_point_0(_S299, _S298, _S300), _S300));
     return;
 }
 

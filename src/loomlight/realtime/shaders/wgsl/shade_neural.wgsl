@@ -1,54 +1,57 @@
-struct Frame_std430_0
+struct Frame_std140_0
 {
-    @align(4) width_0 : u32,
+    @align(16) width_0 : u32,
     @align(4) height_0 : u32,
-    @align(4) lights_0 : u32,
+    @align(8) lights_0 : u32,
     @align(4) samples_0 : u32,
-    @align(4) pass_number_0 : u32,
+    @align(16) pass_number_0 : u32,
     @align(4) environment_samples_0 : u32,
-    @align(4) environment_columns_0 : u32,
+    @align(8) environment_columns_0 : u32,
     @align(4) environment_rows_0 : u32,
-    @align(4) environment_table_0 : u32,
+    @align(16) environment_table_0 : u32,
     @align(4) environment_total_0 : f32,
-    @align(4) environment_sine_0 : f32,
+    @align(8) environment_sine_0 : f32,
     @align(4) environment_cosine_0 : f32,
-    @align(4) shows_environment_0 : u32,
+    @align(16) shows_environment_0 : u32,
     @align(4) casts_shadows_0 : u32,
-    @align(4) leaves_0 : u32,
+    @align(8) leaves_0 : u32,
     @align(4) leaf_faces_0 : u32,
-    @align(4) ray_offset_0 : f32,
+    @align(16) corners_0 : u32,
+    @align(4) face_fabrics_0 : u32,
+    @align(8) vertices_0 : u32,
+    @align(4) light_records_0 : u32,
+    @align(16) ray_offset_0 : f32,
     @align(4) jitter_x_0 : f32,
-    @align(4) jitter_y_0 : f32,
+    @align(8) jitter_y_0 : f32,
     @align(4) gain_0 : f32,
-    @align(4) origin_x_0 : f32,
+    @align(16) origin_x_0 : f32,
     @align(4) origin_y_0 : f32,
-    @align(4) origin_z_0 : f32,
+    @align(8) origin_z_0 : f32,
     @align(4) right_x_0 : f32,
-    @align(4) right_y_0 : f32,
+    @align(16) right_y_0 : f32,
     @align(4) right_z_0 : f32,
-    @align(4) up_x_0 : f32,
+    @align(8) up_x_0 : f32,
     @align(4) up_y_0 : f32,
-    @align(4) up_z_0 : f32,
+    @align(16) up_z_0 : f32,
     @align(4) forward_x_0 : f32,
-    @align(4) forward_y_0 : f32,
+    @align(8) forward_y_0 : f32,
     @align(4) forward_z_0 : f32,
-    @align(4) near_0 : f32,
+    @align(16) near_0 : f32,
     @align(4) background_red_0 : f32,
-    @align(4) background_green_0 : f32,
+    @align(8) background_green_0 : f32,
     @align(4) background_blue_0 : f32,
 };
 
-@binding(4) @group(0) var<storage, read> frames_0 : array<Frame_std430_0>;
-
+@binding(10) @group(0) var<uniform> frame_record_0 : Frame_std140_0;
 struct Layer_std430_0
 {
     @align(4) face_0 : u32,
     @align(4) share_0 : f32,
 };
 
-@binding(12) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
+@binding(5) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
 
-@binding(7) @group(0) var<storage, read> face_fabrics_0 : array<u32>;
+@binding(4) @group(0) var<storage, read> scene_words_0 : array<u32>;
 
 struct Lobes_std430_0
 {
@@ -128,7 +131,7 @@ struct Latent_std430_0
     @align(4) is_trained_1 : u32,
     @align(4) decoder_1 : u32,
     @align(4) hidden_0 : u32,
-    @align(4) frames_1 : u32,
+    @align(4) frames_0 : u32,
     @align(4) sampler_0 : u32,
     @align(4) albedo_0 : u32,
     @align(4) texels_1 : u32,
@@ -208,25 +211,7 @@ struct Fabric_std430_0
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
 
-@binding(6) @group(0) var<storage, read> corners_0 : array<u32>;
-
-struct Vertex_std430_0
-{
-    @align(4) x_0 : f32,
-    @align(4) y_0 : f32,
-    @align(4) z_0 : f32,
-    @align(4) normal_x_0 : f32,
-    @align(4) normal_y_0 : f32,
-    @align(4) normal_z_0 : f32,
-    @align(4) u_0 : f32,
-    @align(4) v_0 : f32,
-};
-
-@binding(5) @group(0) var<storage, read> vertices_0 : array<Vertex_std430_0>;
-
-@binding(11) @group(0) var<storage, read> scene_words_0 : array<u32>;
-
-@binding(10) @group(0) var<storage, read> packed_numbers_0 : array<vec4<u32>>;
+@binding(3) @group(0) var<storage, read> packed_numbers_0 : array<vec4<u32>>;
 
 @binding(2) @group(0) var<storage, read> words_0 : array<u32>;
 
@@ -277,22 +262,9 @@ struct Family_std430_0
 
 @binding(1) @group(0) var<storage, read> families_0 : array<Family_std430_0>;
 
-@binding(13) @group(0) var<storage, read_write> visibilities_0 : array<f32>;
+@binding(6) @group(0) var<storage, read_write> visibilities_0 : array<f32>;
 
-struct Light_std430_0
-{
-    @align(4) is_point_0 : u32,
-    @align(4) x_1 : f32,
-    @align(4) y_1 : f32,
-    @align(4) z_1 : f32,
-    @align(4) red_0 : f32,
-    @align(4) green_0 : f32,
-    @align(4) blue_0 : f32,
-};
-
-@binding(3) @group(0) var<storage, read> lights_1 : array<Light_std430_0>;
-
-@binding(8) @group(0) var<storage, read_write> radiance_0 : array<vec4<f32>>;
+@binding(7) @group(0) var<storage, read_write> radiance_0 : array<vec4<f32>>;
 
 struct FloatWeights_0
 {
@@ -369,9 +341,9 @@ fn select_vector_0( condition_0 : bool,  yes_0 : vec4<f32>,  no_0 : vec4<f32>) -
     return chosen_0;
 }
 
-fn Identity_apply_0( x_2 : f32) -> f32
+fn Identity_apply_0( x_0 : f32) -> f32
 {
-    return x_2;
+    return x_0;
 }
 
 fn dense_part_0( weights_1 : FloatWeights_0,  first_1 : u32,  adds_0 : bool,  inputs_1 : ptr<function, array<f32, i32(96)>>,  outputs_0 : ptr<function, array<f32, i32(50)>>)
@@ -927,9 +899,9 @@ fn dense_part_4( weights_9 : HalfWeights_0,  first_6 : u32,  adds_4 : bool,  inp
     return;
 }
 
-fn LeakyRelu_apply_0( x_3 : f32) -> f32
+fn LeakyRelu_apply_0( x_1 : f32) -> f32
 {
-    return max(x_3, x_3 * 0.00999999977648258f);
+    return max(x_1, x_1 * 0.00999999977648258f);
 }
 
 fn dense_part_5( weights_10 : HalfWeights_0,  first_7 : u32,  adds_5 : bool,  inputs_10 : ptr<function, array<f32, i32(96)>>,  outputs_5 : ptr<function, array<f32, i32(96)>>)
@@ -1205,9 +1177,9 @@ fn select_vector_1( condition_1 : bool,  yes_1 : vec2<f32>,  no_1 : vec2<f32>) -
     return chosen_1;
 }
 
-fn rsqrt_0( x_4 : f32) -> f32
+fn rsqrt_0( x_2 : f32) -> f32
 {
-    return 1.0f / sqrt(x_4);
+    return 1.0f / sqrt(x_2);
 }
 
 fn select_vector_2( condition_2 : bool,  yes_2 : vec3<f32>,  no_2 : vec3<f32>) -> vec3<f32>
@@ -1352,14 +1324,45 @@ fn dense_7( weights_22 : HalfWeights_0,  first_18 : u32,  adds_16 : bool,  input
     return;
 }
 
-fn position_of_0( vertex_0 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+fn fabric_of_0( face_1 : u32) -> u32
 {
-    return vec3<f32>((*vertex_0).x_0, (*vertex_0).y_0, (*vertex_0).z_0);
+    return scene_words_0[frame_record_0.face_fabrics_0 + face_1];
 }
 
-fn position_of_1( vertex_1 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+struct Vertex_0
 {
-    return vec3<f32>((*vertex_1).x_0, (*vertex_1).y_0, (*vertex_1).z_0);
+     x_3 : f32,
+     y_0 : f32,
+     z_0 : f32,
+     normal_x_0 : f32,
+     normal_y_0 : f32,
+     normal_z_0 : f32,
+     u_0 : f32,
+     v_0 : f32,
+};
+
+fn scene_vertex_0( first_19 : u32) -> Vertex_0
+{
+    var record_0 : Vertex_0;
+    record_0.x_3 = (bitcast<f32>((scene_words_0[first_19])));
+    record_0.y_0 = (bitcast<f32>((scene_words_0[first_19 + u32(1)])));
+    record_0.z_0 = (bitcast<f32>((scene_words_0[first_19 + u32(2)])));
+    record_0.normal_x_0 = (bitcast<f32>((scene_words_0[first_19 + u32(3)])));
+    record_0.normal_y_0 = (bitcast<f32>((scene_words_0[first_19 + u32(4)])));
+    record_0.normal_z_0 = (bitcast<f32>((scene_words_0[first_19 + u32(5)])));
+    record_0.u_0 = (bitcast<f32>((scene_words_0[first_19 + u32(6)])));
+    record_0.v_0 = (bitcast<f32>((scene_words_0[first_19 + u32(7)])));
+    return record_0;
+}
+
+fn vertex_at_0( corner_0 : u32) -> Vertex_0
+{
+    return scene_vertex_0(frame_record_0.vertices_0 + u32(8) * scene_words_0[frame_record_0.corners_0 + corner_0]);
+}
+
+fn position_of_0( vertex_0 : Vertex_0) -> vec3<f32>
+{
+    return vec3<f32>(vertex_0.x_3, vertex_0.y_0, vertex_0.z_0);
 }
 
 fn square_0( v_1 : vec3<f32>) -> f32
@@ -1367,19 +1370,19 @@ fn square_0( v_1 : vec3<f32>) -> f32
     return dot(v_1, v_1);
 }
 
-fn normal_of_0( vertex_2 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+fn normal_of_0( vertex_1 : Vertex_0) -> vec3<f32>
 {
-    return vec3<f32>((*vertex_2).normal_x_0, (*vertex_2).normal_y_0, (*vertex_2).normal_z_0);
+    return vec3<f32>(vertex_1.normal_x_0, vertex_1.normal_y_0, vertex_1.normal_z_0);
 }
 
-fn square_1( x_5 : f32) -> f32
+fn square_1( x_4 : f32) -> f32
 {
-    return x_5 * x_5;
+    return x_4 * x_4;
 }
 
-fn natural_logarithm_0( x_6 : f32) -> f32
+fn natural_logarithm_0( x_5 : f32) -> f32
 {
-    var _S140 : u32 = (bitcast<u32>((x_6)));
+    var _S140 : u32 = (bitcast<u32>((x_5)));
     var exponent_0 : f32 = f32(i32((_S140 >> (u32(23)))) - i32(126));
     var m_0 : f32 = (bitcast<f32>(((((_S140 & (u32(8388607)))) | (u32(1056964608))))));
     var m_1 : f32;
@@ -1400,17 +1403,17 @@ fn natural_logarithm_0( x_6 : f32) -> f32
     return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S141 - exponent_1 * 0.00021219444170129f - 0.5f * _S141) + exponent_1 * 0.693359375f;
 }
 
-fn binary_logarithm_0( x_7 : f32) -> f32
+fn binary_logarithm_0( x_6 : f32) -> f32
 {
-    return natural_logarithm_0(x_7) * 1.4426950216293335f;
+    return natural_logarithm_0(x_6) * 1.4426950216293335f;
 }
 
-fn exponential_0( x_8 : f32) -> f32
+fn exponential_0( x_7 : f32) -> f32
 {
-    var _S142 : f32 = clamp(x_8, -87.0f, 88.0f);
+    var _S142 : f32 = clamp(x_7, -87.0f, 88.0f);
     var _S143 : f32 = floor(_S142 * 1.4426950216293335f + 0.5f);
     var _S144 : f32 = _S142 - _S143 * 0.693359375f + _S143 * 0.00021219444170129f;
-    return select(((((((0.00019875691214111f * _S144 + 0.00139819993637502f) * _S144 + 0.00833345204591751f) * _S144 + 0.04166579619050026f) * _S144 + 0.1666666567325592f) * _S144 + 0.5f) * _S144 * _S144 + _S144 + 1.0f) * (bitcast<f32>(((u32(i32(_S143) + i32(127)) << (u32(23)))))), 0.0f, x_8 < -87.0f);
+    return select(((((((0.00019875691214111f * _S144 + 0.00139819993637502f) * _S144 + 0.00833345204591751f) * _S144 + 0.04166579619050026f) * _S144 + 0.1666666567325592f) * _S144 + 0.5f) * _S144 * _S144 + _S144 + 1.0f) * (bitcast<f32>(((u32(i32(_S143) + i32(127)) << (u32(23)))))), 0.0f, x_7 < -87.0f);
 }
 
 fn map_texel_0( index_0 : u32) -> vec3<f32>
@@ -1420,7 +1423,7 @@ fn map_texel_0( index_0 : u32) -> vec3<f32>
     return _S146 * _S146;
 }
 
-fn map_level_0( first_19 : u32,  side_0 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
+fn map_level_0( first_20 : u32,  side_0 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
 {
     var _S147 : f32 = uv_0.x;
     var _S148 : f32 = f32(side_0);
@@ -1434,9 +1437,9 @@ fn map_level_0( first_19 : u32,  side_0 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
     var _S156 : f32 = floor(_S151);
     var _S157 : u32 = (u32(i32(_S156) + _S153) & (_S154));
     var _S158 : u32 = ((_S155 + u32(1)) & (_S154));
-    var _S159 : u32 = first_19 + _S157 * side_0;
+    var _S159 : u32 = first_20 + _S157 * side_0;
     var _S160 : vec3<f32> = vec3<f32>((_S149 - _S152));
-    var _S161 : u32 = first_19 + (((_S157 + u32(1)) & (_S154))) * side_0;
+    var _S161 : u32 = first_20 + (((_S157 + u32(1)) & (_S154))) * side_0;
     return mix(mix(map_texel_0(_S159 + _S155), map_texel_0(_S159 + _S158), _S160), mix(map_texel_0(_S161 + _S155), map_texel_0(_S161 + _S158), _S160), vec3<f32>((_S151 - _S156)));
 }
 
@@ -1493,17 +1496,17 @@ struct AnisotropicTaps_0
 {
      centre_1 : vec2<f32>,
      side_1 : f32,
-     first_20 : vec2<f32>,
+     first_21 : vec2<f32>,
      second_0 : vec2<f32>,
 };
 
 fn AnisotropicTaps_size_0( this_2 : AnisotropicTaps_0) -> f32
 {
-    var _S179 : f32 = this_2.first_20.x;
+    var _S179 : f32 = this_2.first_21.x;
     var _S180 : f32 = this_2.second_0.x;
     var _S181 : f32 = this_2.side_1;
     var _S182 : f32 = _S181 * _S181;
-    var _S183 : f32 = this_2.first_20.y;
+    var _S183 : f32 = this_2.first_21.y;
     var _S184 : f32 = this_2.second_0.y;
     var _S185 : f32 = 12.0f * (_S179 * _S183 + _S180 * _S184);
     return sqrt(sqrt(max((12.0f * (_S179 * _S179 + _S180 * _S180) + _S182) * (12.0f * (_S183 * _S183 + _S184 * _S184) + _S182) - _S185 * _S185, square_1(_S182))));
@@ -1532,14 +1535,14 @@ fn wrapped_0( index_2 : f32,  count_1 : f32) -> f32
 
 fn AnisotropicTaps_has_steps_0( this_3 : AnisotropicTaps_0) -> bool
 {
-    var _S187 : vec2<f32> = this_3.first_20;
+    var _S187 : vec2<f32> = this_3.first_21;
     var _S188 : vec2<f32> = this_3.second_0;
     return (max(dot(_S187, _S187), dot(_S188, _S188))) > 0.0f;
 }
 
 fn AnisotropicTaps_place_0( this_4 : AnisotropicTaps_0,  number_0 : u32) -> vec2<f32>
 {
-    return this_4.centre_1 + vec2<f32>(select(-1.0f, 1.0f, number_0 >= u32(2))) * this_4.first_20 + vec2<f32>(select(-1.0f, 1.0f, ((number_0 & (u32(1)))) != u32(0))) * this_4.second_0;
+    return this_4.centre_1 + vec2<f32>(select(-1.0f, 1.0f, number_0 >= u32(2))) * this_4.first_21 + vec2<f32>(select(-1.0f, 1.0f, ((number_0 & (u32(1)))) != u32(0))) * this_4.second_0;
 }
 
 fn bump_0( distance_0 : f32) -> f32
@@ -1872,10 +1875,10 @@ fn mean_0( colour_0 : vec3<f32>) -> f32
     return (colour_0.x + colour_0.y + colour_0.z) / 3.0f;
 }
 
-fn sine_cosine_0( x_9 : f32) -> vec2<f32>
+fn sine_cosine_0( x_8 : f32) -> vec2<f32>
 {
-    var _S243 : f32 = floor(x_9 * 0.63661974668502808f + 0.5f);
-    var _S244 : f32 = x_9 - _S243 * 1.5703125f - _S243 * 0.00048375129699707f - _S243 * 7.54979012640433211e-08f;
+    var _S243 : f32 = floor(x_8 * 0.63661974668502808f + 0.5f);
+    var _S244 : f32 = x_8 - _S243 * 1.5703125f - _S243 * 0.00048375129699707f - _S243 * 7.54979012640433211e-08f;
     var _S245 : f32 = _S244 * _S244;
     var _S246 : f32 = ((-0.00019515295571182f * _S245 + 0.00833216123282909f) * _S245 - 0.16666655242443085f) * _S245 * _S244 + _S244;
     var _S247 : f32 = ((0.00002443315679557f * _S245 - 0.00138873164542019f) * _S245 + 0.04166664555668831f) * _S245 * _S245 - 0.5f * _S245 + 1.0f;
@@ -1884,6 +1887,30 @@ fn sine_cosine_0( x_9 : f32) -> vec2<f32>
     var _S250 : f32 = _S249.x;
     var _S251 : f32 = _S249.y;
     return vec2<f32>(select(_S250, - _S250, ((_S248 & (u32(2)))) != u32(0)), select(_S251, - _S251, (((_S248 + u32(1)) & (u32(2)))) != u32(0)));
+}
+
+struct Light_0
+{
+     is_point_0 : u32,
+     x_9 : f32,
+     y_1 : f32,
+     z_1 : f32,
+     red_0 : f32,
+     green_0 : f32,
+     blue_0 : f32,
+};
+
+fn scene_light_0( first_22 : u32) -> Light_0
+{
+    var record_1 : Light_0;
+    record_1.is_point_0 = scene_words_0[first_22];
+    record_1.x_9 = (bitcast<f32>((scene_words_0[first_22 + u32(1)])));
+    record_1.y_1 = (bitcast<f32>((scene_words_0[first_22 + u32(2)])));
+    record_1.z_1 = (bitcast<f32>((scene_words_0[first_22 + u32(3)])));
+    record_1.red_0 = (bitcast<f32>((scene_words_0[first_22 + u32(4)])));
+    record_1.green_0 = (bitcast<f32>((scene_words_0[first_22 + u32(5)])));
+    record_1.blue_0 = (bitcast<f32>((scene_words_0[first_22 + u32(6)])));
+    return record_1;
 }
 
 fn unmapped_0( output_9 : f32,  scale_0 : f32) -> f32
@@ -2050,11 +2077,11 @@ fn bounced_by_0( blocked_1 : Blocked_0,  yarn_0 : Scattered_0,  interior_0 : Int
     return bounced_0;
 }
 
-fn sum_of_0( first_21 : Bounced_0,  second_1 : Bounced_0) -> Bounced_0
+fn sum_of_0( first_23 : Bounced_0,  second_1 : Bounced_0) -> Bounced_0
 {
     var sum_1 : Bounced_0;
-    sum_1.reflected_0 = first_21.reflected_0 + second_1.reflected_0;
-    sum_1.transmitted_0 = first_21.transmitted_0 + second_1.transmitted_0;
+    sum_1.reflected_0 = first_23.reflected_0 + second_1.reflected_0;
+    sum_1.transmitted_0 = first_23.transmitted_0 + second_1.transmitted_0;
     return sum_1;
 }
 
@@ -2118,132 +2145,120 @@ fn accumulate_0( index_8 : u32,  light_5 : vec4<f32>)
     return;
 }
 
-fn camera_right_0( _S286 : i32) -> vec3<f32>
+fn camera_right_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S286].right_x_0, frames_0[_S286].right_y_0, frames_0[_S286].right_z_0);
+    return vec3<f32>(frame_record_0.right_x_0, frame_record_0.right_y_0, frame_record_0.right_z_0);
 }
 
-fn camera_up_0( _S287 : i32) -> vec3<f32>
+fn camera_up_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S287].up_x_0, frames_0[_S287].up_y_0, frames_0[_S287].up_z_0);
+    return vec3<f32>(frame_record_0.up_x_0, frame_record_0.up_y_0, frame_record_0.up_z_0);
 }
 
-fn camera_forward_0( _S288 : i32) -> vec3<f32>
+fn camera_forward_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S288].forward_x_0, frames_0[_S288].forward_y_0, frames_0[_S288].forward_z_0);
+    return vec3<f32>(frame_record_0.forward_x_0, frame_record_0.forward_y_0, frame_record_0.forward_z_0);
 }
 
-fn camera_origin_0( _S289 : i32) -> vec3<f32>
+fn camera_origin_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S289].origin_x_0, frames_0[_S289].origin_y_0, frames_0[_S289].origin_z_0);
+    return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn face_point_0( _S290 : u32,  _S291 : u32,  _S292 : f32,  _S293 : f32) -> VisiblePoint_0
+fn face_point_0( _S286 : u32,  _S287 : u32,  _S288 : f32,  _S289 : f32) -> VisiblePoint_0
 {
-    var _S294 : u32 = u32(3) * _S291;
-    var _S295 : Vertex_std430_0 = vertices_0[corners_0[_S294]];
-    var _S296 : Vertex_std430_0 = vertices_0[corners_0[_S294 + u32(1)]];
-    var _S297 : Vertex_std430_0 = vertices_0[corners_0[_S294 + u32(2)]];
-    var _S298 : vec3<f32> = position_of_0(&(_S296));
-    var _S299 : vec3<f32> = position_of_0(&(_S295));
-    var _S300 : vec3<f32> = _S298 - _S299;
-    var _S301 : vec3<f32> = position_of_0(&(_S297));
-    var _S302 : vec3<f32> = _S301 - _S299;
-    var _S303 : f32 = _S295.u_0;
-    var _S304 : f32 = _S296.u_0 - _S295.u_0;
-    var _S305 : f32 = _S295.v_0;
-    var _S306 : f32 = _S296.v_0 - _S295.v_0;
-    var _S307 : vec2<f32> = vec2<f32>(_S304, _S306);
-    var _S308 : f32 = _S297.u_0 - _S295.u_0;
-    var _S309 : f32 = _S297.v_0 - _S295.v_0;
-    var _S310 : vec2<f32> = vec2<f32>(_S308, _S309);
-    var _S311 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S304 * _S309 - _S306 * _S308) < 0.0f));
-    var _S312 : vec3<f32> = _S311 * (vec3<f32>(_S309) * _S300 - vec3<f32>(_S306) * _S302);
-    var _S313 : vec3<f32> = _S311 * (vec3<f32>(_S304) * _S302 - vec3<f32>(_S308) * _S300);
+    var _S290 : u32 = u32(3) * _S287;
+    var _S291 : Vertex_0 = vertex_at_0(_S290);
+    var _S292 : Vertex_0 = vertex_at_0(_S290 + u32(1));
+    var _S293 : Vertex_0 = vertex_at_0(_S290 + u32(2));
+    var _S294 : vec3<f32> = position_of_0(_S291);
+    var _S295 : vec3<f32> = position_of_0(_S292) - _S294;
+    var _S296 : vec3<f32> = position_of_0(_S293) - _S294;
+    var _S297 : f32 = _S292.u_0 - _S291.u_0;
+    var _S298 : f32 = _S292.v_0 - _S291.v_0;
+    var _S299 : vec2<f32> = vec2<f32>(_S297, _S298);
+    var _S300 : f32 = _S293.u_0 - _S291.u_0;
+    var _S301 : f32 = _S293.v_0 - _S291.v_0;
+    var _S302 : vec2<f32> = vec2<f32>(_S300, _S301);
+    var _S303 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S297 * _S301 - _S298 * _S300) < 0.0f));
+    var _S304 : vec3<f32> = _S303 * (vec3<f32>(_S301) * _S295 - vec3<f32>(_S298) * _S296);
+    var _S305 : vec3<f32> = _S303 * (vec3<f32>(_S297) * _S296 - vec3<f32>(_S300) * _S295);
     var point_1 : VisiblePoint_0;
-    var _S314 : f32 = 1.0f - _S292 - _S293;
-    var _S315 : vec3<f32> = normal_of_0(&(_S295));
-    var _S316 : vec3<f32> = vec3<f32>(_S314) * _S315;
-    var _S317 : vec3<f32> = normal_of_0(&(_S296));
-    var _S318 : vec3<f32> = vec3<f32>(_S292);
-    var _S319 : vec3<f32> = _S316 + _S318 * _S317;
-    var _S320 : vec3<f32> = normal_of_0(&(_S297));
-    var _S321 : vec3<f32> = vec3<f32>(_S293);
-    var _S322 : vec3<f32> = normalize(_S319 + _S321 * _S320);
-    point_1.normal_0 = _S322;
-    var _S323 : vec3<f32> = normalize(_S312 - _S322 * vec3<f32>(dot(_S322, _S312)));
-    point_1.axis_x_0 = _S323;
-    point_1.axis_y_0 = cross(_S322, _S323);
-    var _S324 : vec3<f32> = normalize(cross(_S300, _S302));
-    point_1.face_normal_0 = select_vector_2((dot(_S324, _S322)) < 0.0f, (vec3<f32>(0) - _S324), _S324);
-    point_1.position_0 = _S299 + _S318 * _S300 + _S321 * _S302;
-    point_1.view_1 = _S322;
-    var _S325 : vec2<f32> = vec2<f32>(_S303, _S305) + vec2<f32>(_S292) * _S307 + vec2<f32>(_S293) * _S310;
-    point_1.uv_1 = _S325;
-    var _S326 : bool = (dot(cross(_S312, _S313), _S322)) < 0.0f;
-    var _S327 : vec2<f32> = vec2<f32>(fabrics_0[_S290].uv_width_0, select(fabrics_0[_S290].uv_height_0, - fabrics_0[_S290].uv_height_0, _S326));
-    point_1.draft_per_uv_0 = _S327;
-    point_1.draft_0 = _S325 * _S327 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S290].uv_height_0, _S326));
-    var _S328 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S328;
-    point_1.draft_dy_0 = _S328;
+    var _S306 : vec3<f32> = vec3<f32>(_S288);
+    var _S307 : vec3<f32> = vec3<f32>(_S289);
+    var _S308 : vec3<f32> = normalize(vec3<f32>((1.0f - _S288 - _S289)) * normal_of_0(_S291) + _S306 * normal_of_0(_S292) + _S307 * normal_of_0(_S293));
+    point_1.normal_0 = _S308;
+    var _S309 : vec3<f32> = normalize(_S304 - _S308 * vec3<f32>(dot(_S308, _S304)));
+    point_1.axis_x_0 = _S309;
+    point_1.axis_y_0 = cross(_S308, _S309);
+    var _S310 : vec3<f32> = normalize(cross(_S295, _S296));
+    point_1.face_normal_0 = select_vector_2((dot(_S310, _S308)) < 0.0f, (vec3<f32>(0) - _S310), _S310);
+    point_1.position_0 = _S294 + _S306 * _S295 + _S307 * _S296;
+    point_1.view_1 = _S308;
+    var _S311 : vec2<f32> = vec2<f32>(_S291.u_0, _S291.v_0) + vec2<f32>(_S288) * _S299 + vec2<f32>(_S289) * _S302;
+    point_1.uv_1 = _S311;
+    var _S312 : bool = (dot(cross(_S304, _S305), _S308)) < 0.0f;
+    var _S313 : vec2<f32> = vec2<f32>(fabrics_0[_S286].uv_width_0, select(fabrics_0[_S286].uv_height_0, - fabrics_0[_S286].uv_height_0, _S312));
+    point_1.draft_per_uv_0 = _S313;
+    point_1.draft_0 = _S311 * _S313 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S286].uv_height_0, _S312));
+    var _S314 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S314;
+    point_1.draft_dy_0 = _S314;
     return point_1;
 }
 
-fn visible_point_0( _S329 : i32,  _S330 : u32,  _S331 : u32,  _S332 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S315 : u32,  _S316 : u32,  _S317 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S333 : u32 = u32(3) * _S331;
-    var _S334 : Vertex_std430_0 = vertices_0[corners_0[_S333]];
-    var _S335 : Vertex_std430_0 = vertices_0[corners_0[_S333 + u32(1)]];
-    var _S336 : Vertex_std430_0 = vertices_0[corners_0[_S333 + u32(2)]];
-    var _S337 : vec3<f32> = position_of_1(&(_S335));
-    var _S338 : vec3<f32> = position_of_1(&(_S334));
-    var _S339 : vec3<f32> = _S337 - _S338;
-    var _S340 : vec3<f32> = position_of_1(&(_S336));
-    var _S341 : vec3<f32> = _S340 - _S338;
-    var _S342 : vec3<f32> = cross(_S339, _S341);
-    var _S343 : f32 = f32(frames_0[_S329].width_0);
-    var _S344 : vec3<f32> = camera_right_0(_S329) * vec3<f32>((2.0f / _S343));
-    var _S345 : f32 = f32(frames_0[_S329].height_0);
-    var _S346 : vec3<f32> = camera_up_0(_S329) * vec3<f32>((-2.0f / _S345));
-    var _S347 : vec3<f32> = camera_forward_0(_S329) + vec3<f32>((f32(_S332.x) + 0.5f - 0.5f * _S343)) * _S344 + vec3<f32>((f32(_S332.y) + 0.5f - 0.5f * _S345)) * _S346;
-    var _S348 : f32 = dot(_S347, _S342);
-    var _S349 : f32 = 1.0f / select(1.00000000317107685e-30f, _S348, (abs(_S348)) > 1.00000000317107685e-30f);
-    var _S350 : vec3<f32> = _S338 - camera_origin_0(_S329);
-    var _S351 : vec3<f32> = vec3<f32>((dot(_S350, _S342) * _S349));
-    var _S352 : vec3<f32> = _S347 * _S351 - _S350;
-    var _S353 : vec3<f32> = _S351 * (_S344 - _S347 * vec3<f32>((dot(_S344, _S342) * _S349)));
-    var _S354 : vec3<f32> = _S351 * (_S346 - _S347 * vec3<f32>((dot(_S346, _S342) * _S349)));
-    var _S355 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S342), 1.00000000317107685e-30f)));
-    var _S356 : vec3<f32> = cross(_S341, _S342) * _S355;
-    var _S357 : vec3<f32> = cross(_S342, _S339) * _S355;
-    var _S358 : vec2<f32> = vec2<f32>(_S335.u_0 - _S334.u_0, _S335.v_0 - _S334.v_0);
-    var _S359 : vec2<f32> = vec2<f32>(_S336.u_0 - _S334.u_0, _S336.v_0 - _S334.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S330, _S331, dot(_S352, _S356), dot(_S352, _S357));
-    point_2.position_0 = _S338 + _S352;
-    point_2.view_1 = (vec3<f32>(0) - normalize(_S347));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S353, _S356)) * _S358 + vec2<f32>(dot(_S353, _S357)) * _S359) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S354, _S356)) * _S358 + vec2<f32>(dot(_S354, _S357)) * _S359) * point_2.draft_per_uv_0;
+    var _S318 : u32 = u32(3) * _S316;
+    var _S319 : Vertex_0 = vertex_at_0(_S318);
+    var _S320 : Vertex_0 = vertex_at_0(_S318 + u32(1));
+    var _S321 : Vertex_0 = vertex_at_0(_S318 + u32(2));
+    var _S322 : vec3<f32> = position_of_0(_S319);
+    var _S323 : vec3<f32> = position_of_0(_S320) - _S322;
+    var _S324 : vec3<f32> = position_of_0(_S321) - _S322;
+    var _S325 : vec3<f32> = cross(_S323, _S324);
+    var _S326 : f32 = f32(frame_record_0.width_0);
+    var _S327 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S326));
+    var _S328 : f32 = f32(frame_record_0.height_0);
+    var _S329 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S328));
+    var _S330 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S317.x) + 0.5f - 0.5f * _S326)) * _S327 + vec3<f32>((f32(_S317.y) + 0.5f - 0.5f * _S328)) * _S329;
+    var _S331 : f32 = dot(_S330, _S325);
+    var _S332 : f32 = 1.0f / select(1.00000000317107685e-30f, _S331, (abs(_S331)) > 1.00000000317107685e-30f);
+    var _S333 : vec3<f32> = _S322 - camera_origin_0();
+    var _S334 : vec3<f32> = vec3<f32>((dot(_S333, _S325) * _S332));
+    var _S335 : vec3<f32> = _S330 * _S334 - _S333;
+    var _S336 : vec3<f32> = _S334 * (_S327 - _S330 * vec3<f32>((dot(_S327, _S325) * _S332)));
+    var _S337 : vec3<f32> = _S334 * (_S329 - _S330 * vec3<f32>((dot(_S329, _S325) * _S332)));
+    var _S338 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S325), 1.00000000317107685e-30f)));
+    var _S339 : vec3<f32> = cross(_S324, _S325) * _S338;
+    var _S340 : vec3<f32> = cross(_S325, _S323) * _S338;
+    var _S341 : vec2<f32> = vec2<f32>(_S320.u_0 - _S319.u_0, _S320.v_0 - _S319.v_0);
+    var _S342 : vec2<f32> = vec2<f32>(_S321.u_0 - _S319.u_0, _S321.v_0 - _S319.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S315, _S316, dot(_S335, _S339), dot(_S335, _S340));
+    point_2.position_0 = _S322 + _S335;
+    point_2.view_1 = (vec3<f32>(0) - normalize(_S330));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S336, _S339)) * _S341 + vec2<f32>(dot(_S336, _S340)) * _S342) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S337, _S339)) * _S341 + vec2<f32>(dot(_S337, _S340)) * _S342) * point_2.draft_per_uv_0;
     return point_2;
 }
 
-fn filtered_albedo_0( _S360 : u32,  _S361 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S343 : u32,  _S344 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S362 : u32 = fabrics_0[_S360].albedo_map_levels_0;
-    if((fabrics_0[_S360].albedo_map_levels_0) == u32(0))
+    var _S345 : u32 = fabrics_0[_S343].albedo_map_levels_0;
+    if((fabrics_0[_S343].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S363 : vec2<f32> = vec2<f32>(fabrics_0[_S360].uv_width_0, fabrics_0[_S360].uv_height_0);
-    var _S364 : vec2<f32> = _S361.draft_dx_0 / _S363;
-    var _S365 : vec2<f32> = _S361.draft_dy_0 / _S363;
-    var _S366 : u32 = _S362 - u32(1);
-    var _S367 : u32 = (u32(1) << (_S366));
-    var _S368 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S364.x * _S365.y - _S364.y * _S365.x), 9.99999968265522539e-21f) * (square_1(f32(_S367)) / 3.0f)), 0.0f, f32(_S362) - 1.0f);
-    var _S369 : u32 = min(u32(_S368), max(_S362, u32(2)) - u32(2));
-    var _S370 : u32 = min(_S369 + u32(1), _S366);
-    var _S371 : u32 = (u32(1) << ((u32(2) * _S362)));
-    return mix(map_level_0(fabrics_0[_S360].albedo_map_0 + (_S371 - ((_S371 >> ((u32(2) * _S369))))) / u32(3), (_S367 >> (_S369)), _S361.uv_1), map_level_0(fabrics_0[_S360].albedo_map_0 + (_S371 - ((_S371 >> ((u32(2) * _S370))))) / u32(3), (_S367 >> (_S370)), _S361.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S368 - f32(_S369))) - 1.0f) / 3.0f)));
+    var _S346 : vec2<f32> = vec2<f32>(fabrics_0[_S343].uv_width_0, fabrics_0[_S343].uv_height_0);
+    var _S347 : vec2<f32> = _S344.draft_dx_0 / _S346;
+    var _S348 : vec2<f32> = _S344.draft_dy_0 / _S346;
+    var _S349 : u32 = _S345 - u32(1);
+    var _S350 : u32 = (u32(1) << (_S349));
+    var _S351 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S347.x * _S348.y - _S347.y * _S348.x), 9.99999968265522539e-21f) * (square_1(f32(_S350)) / 3.0f)), 0.0f, f32(_S345) - 1.0f);
+    var _S352 : u32 = min(u32(_S351), max(_S345, u32(2)) - u32(2));
+    var _S353 : u32 = min(_S352 + u32(1), _S349);
+    var _S354 : u32 = (u32(1) << ((u32(2) * _S345)));
+    return mix(map_level_0(fabrics_0[_S343].albedo_map_0 + (_S354 - ((_S354 >> ((u32(2) * _S352))))) / u32(3), (_S350 >> (_S352)), _S344.uv_1), map_level_0(fabrics_0[_S343].albedo_map_0 + (_S354 - ((_S354 >> ((u32(2) * _S353))))) / u32(3), (_S350 >> (_S353)), _S344.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S351 - f32(_S352))) - 1.0f) / 3.0f)));
 }
 
 struct NeuralView_0
@@ -2255,29 +2270,29 @@ struct NeuralView_0
      back_5 : bool,
 };
 
-fn anisotropic_taps_0( _S372 : u32,  _S373 : Footprint_0) -> AnisotropicTaps_0
+fn anisotropic_taps_0( _S355 : u32,  _S356 : Footprint_0) -> AnisotropicTaps_0
 {
-    var _S374 : vec3<f32> = row_of_taps_0(_S373);
-    var _S375 : vec2<f32> = _S373.dx_0;
-    var _S376 : vec2<f32> = _S373.dy_0;
-    var _S377 : f32 = dot(_S375, _S375) + dot(_S376, _S376);
-    var _S378 : f32 = _S373.dx_0.x * _S373.dy_0.y - _S373.dx_0.y * _S373.dy_0.x;
-    var _S379 : f32 = 0.5f * (_S377 + sqrt(max(_S377 * _S377 - 4.0f * _S378 * _S378, 0.0f)));
-    var _S380 : bool = ((_S379 < (5.5f * (_S377 - _S379))) & ((_S377 > (8.0f * fabrics_0[_S372].neural_0.pitch_0 * fabrics_0[_S372].neural_0.pitch_0))));
-    var _S381 : vec2<f32> = vec2<f32>(fabrics_0[_S372].neural_0.ends_per_mm_0, fabrics_0[_S372].neural_0.picks_per_mm_0);
+    var _S357 : vec3<f32> = row_of_taps_0(_S356);
+    var _S358 : vec2<f32> = _S356.dx_0;
+    var _S359 : vec2<f32> = _S356.dy_0;
+    var _S360 : f32 = dot(_S358, _S358) + dot(_S359, _S359);
+    var _S361 : f32 = _S356.dx_0.x * _S356.dy_0.y - _S356.dx_0.y * _S356.dy_0.x;
+    var _S362 : f32 = 0.5f * (_S360 + sqrt(max(_S360 * _S360 - 4.0f * _S361 * _S361, 0.0f)));
+    var _S363 : bool = ((_S362 < (5.5f * (_S360 - _S362))) & ((_S360 > (8.0f * fabrics_0[_S355].neural_0.pitch_0 * fabrics_0[_S355].neural_0.pitch_0))));
+    var _S364 : vec2<f32> = vec2<f32>(fabrics_0[_S355].neural_0.ends_per_mm_0, fabrics_0[_S355].neural_0.picks_per_mm_0);
     var taps_1 : AnisotropicTaps_0;
-    taps_1.centre_1 = _S373.centre_0 * _S381;
-    taps_1.side_1 = select(_S374.x, sqrt(0.125f * _S377), _S380) / fabrics_0[_S372].neural_0.pitch_0;
-    var _S382 : vec2<f32> = vec2<f32>(0.25f);
-    var _S383 : vec2<f32> = _S374.yz;
-    taps_1.first_20 = select_vector_1(_S380, _S382 * _S373.dx_0, _S383) * _S381;
-    taps_1.second_0 = select_vector_1(_S380, _S382 * _S373.dy_0, vec2<f32>(0.5f) * _S383) * _S381;
+    taps_1.centre_1 = _S356.centre_0 * _S364;
+    taps_1.side_1 = select(_S357.x, sqrt(0.125f * _S360), _S363) / fabrics_0[_S355].neural_0.pitch_0;
+    var _S365 : vec2<f32> = vec2<f32>(0.25f);
+    var _S366 : vec2<f32> = _S357.yz;
+    taps_1.first_21 = select_vector_1(_S363, _S365 * _S356.dx_0, _S366) * _S364;
+    taps_1.second_0 = select_vector_1(_S363, _S365 * _S356.dy_0, vec2<f32>(0.5f) * _S366) * _S364;
     return taps_1;
 }
 
-fn add_texel_0( _S384 : u32,  _S385 : u32,  _S386 : f32,  _S387 : ptr<function, array<f32, i32(88)>>)
+fn add_texel_0( _S367 : u32,  _S368 : u32,  _S369 : f32,  _S370 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S388 : u32 = fabrics_0[_S384].neural_0.latents_0 + _S385 * u32(8);
+    var _S371 : u32 = fabrics_0[_S367].neural_0.latents_0 + _S368 * u32(8);
     var part_0 : u32 = u32(0);
     for(;;)
     {
@@ -2288,54 +2303,54 @@ fn add_texel_0( _S384 : u32,  _S385 : u32,  _S386 : f32,  _S387 : ptr<function, 
         {
             break;
         }
-        var _S389 : Eight_0 = eight_halves_0(packed_numbers_0[_S388 + part_0]);
-        var _S390 : i32 = i32(u32(8) * part_0);
-        (*_S387)[_S390] = (*_S387)[_S390] + _S386 * _S389.low_0[i32(0)];
-        (*_S387)[_S390 + i32(4)] = (*_S387)[_S390 + i32(4)] + _S386 * _S389.high_0[i32(0)];
-        var _S391 : i32 = _S390 + i32(1);
-        (*_S387)[_S391] = (*_S387)[_S391] + _S386 * _S389.low_0[i32(1)];
-        (*_S387)[_S391 + i32(4)] = (*_S387)[_S391 + i32(4)] + _S386 * _S389.high_0[i32(1)];
-        var _S392 : i32 = _S390 + i32(2);
-        (*_S387)[_S392] = (*_S387)[_S392] + _S386 * _S389.low_0[i32(2)];
-        (*_S387)[_S392 + i32(4)] = (*_S387)[_S392 + i32(4)] + _S386 * _S389.high_0[i32(2)];
-        var _S393 : i32 = _S390 + i32(3);
-        (*_S387)[_S393] = (*_S387)[_S393] + _S386 * _S389.low_0[i32(3)];
-        (*_S387)[_S393 + i32(4)] = (*_S387)[_S393 + i32(4)] + _S386 * _S389.high_0[i32(3)];
+        var _S372 : Eight_0 = eight_halves_0(packed_numbers_0[_S371 + part_0]);
+        var _S373 : i32 = i32(u32(8) * part_0);
+        (*_S370)[_S373] = (*_S370)[_S373] + _S369 * _S372.low_0[i32(0)];
+        (*_S370)[_S373 + i32(4)] = (*_S370)[_S373 + i32(4)] + _S369 * _S372.high_0[i32(0)];
+        var _S374 : i32 = _S373 + i32(1);
+        (*_S370)[_S374] = (*_S370)[_S374] + _S369 * _S372.low_0[i32(1)];
+        (*_S370)[_S374 + i32(4)] = (*_S370)[_S374 + i32(4)] + _S369 * _S372.high_0[i32(1)];
+        var _S375 : i32 = _S373 + i32(2);
+        (*_S370)[_S375] = (*_S370)[_S375] + _S369 * _S372.low_0[i32(2)];
+        (*_S370)[_S375 + i32(4)] = (*_S370)[_S375 + i32(4)] + _S369 * _S372.high_0[i32(2)];
+        var _S376 : i32 = _S373 + i32(3);
+        (*_S370)[_S376] = (*_S370)[_S376] + _S369 * _S372.low_0[i32(3)];
+        (*_S370)[_S376 + i32(4)] = (*_S370)[_S376 + i32(4)] + _S369 * _S372.high_0[i32(3)];
         part_0 = part_0 + u32(1);
     }
     return;
 }
 
-fn add_level_0( _S394 : u32,  _S395 : u32,  _S396 : bool,  _S397 : vec2<f32>,  _S398 : f32,  _S399 : ptr<function, array<f32, i32(88)>>)
+fn add_level_0( _S377 : u32,  _S378 : u32,  _S379 : bool,  _S380 : vec2<f32>,  _S381 : f32,  _S382 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S400 : Neural_std430_0 = fabrics_0[_S394].neural_0;
-    var _S401 : u32 = fabrics_0[_S394].neural_0.levels_1 + u32(4) * _S395;
-    var _S402 : f32 = table_number_0(_S401);
-    var _S403 : f32 = table_number_0(_S401 + u32(1));
-    var _S404 : f32 = table_number_0(_S401 + u32(2));
-    var _S405 : vec2<f32> = _S397 * vec2<f32>(table_number_0(_S401 + u32(3))) - vec2<f32>(select(0.5f, 1.0f, ((_S395 > u32(3)) & ((_S395 < (fabrics_0[_S394].neural_0.top_level_0))))));
-    var _S406 : vec2<f32> = floor(_S405);
-    var _S407 : vec2<f32> = _S405 - _S406;
-    var corner_0 : u32 = u32(0);
+    var _S383 : Neural_std430_0 = fabrics_0[_S377].neural_0;
+    var _S384 : u32 = fabrics_0[_S377].neural_0.levels_1 + u32(4) * _S378;
+    var _S385 : f32 = table_number_0(_S384);
+    var _S386 : f32 = table_number_0(_S384 + u32(1));
+    var _S387 : f32 = table_number_0(_S384 + u32(2));
+    var _S388 : vec2<f32> = _S380 * vec2<f32>(table_number_0(_S384 + u32(3))) - vec2<f32>(select(0.5f, 1.0f, ((_S378 > u32(3)) & ((_S378 < (fabrics_0[_S377].neural_0.top_level_0))))));
+    var _S389 : vec2<f32> = floor(_S388);
+    var _S390 : vec2<f32> = _S388 - _S389;
+    var corner_1 : u32 = u32(0);
     for(;;)
     {
-        if(corner_0 < u32(4))
+        if(corner_1 < u32(4))
         {
         }
         else
         {
             break;
         }
-        var _S408 : f32 = f32((corner_0 & (u32(1))));
-        var _S409 : f32 = f32((corner_0 >> (u32(1))));
-        var _S410 : vec2<f32> = mix(vec2<f32>(1.0f) - _S407, _S407, vec2<f32>(_S408, _S409));
-        add_texel_0(_S394, u32(_S402 + wrapped_0(_S406.y + _S409, _S404) * _S403 + wrapped_0(_S406.x + _S408, _S403)) + select(u32(0), _S400.texels_0, _S396), _S398 * _S410.x * _S410.y, &((*_S399)));
-        corner_0 = corner_0 + u32(1);
+        var _S391 : f32 = f32((corner_1 & (u32(1))));
+        var _S392 : f32 = f32((corner_1 >> (u32(1))));
+        var _S393 : vec2<f32> = mix(vec2<f32>(1.0f) - _S390, _S390, vec2<f32>(_S391, _S392));
+        add_texel_0(_S377, u32(_S385 + wrapped_0(_S389.y + _S392, _S387) * _S386 + wrapped_0(_S389.x + _S391, _S386)) + select(u32(0), _S383.texels_0, _S379), _S381 * _S393.x * _S393.y, &((*_S382)));
+        corner_1 = corner_1 + u32(1);
     }
     return;
 }
 
-fn code_footprint_0( _S411 : u32,  _S412 : AnisotropicTaps_0,  _S413 : vec3<f32>,  _S414 : bool,  _S415 : ptr<function, array<f32, i32(88)>>)
+fn code_footprint_0( _S394 : u32,  _S395 : AnisotropicTaps_0,  _S396 : vec3<f32>,  _S397 : bool,  _S398 : ptr<function, array<f32, i32(88)>>)
 {
     var k_0 : i32 = i32(0);
     for(;;)
@@ -2347,28 +2362,28 @@ fn code_footprint_0( _S411 : u32,  _S412 : AnisotropicTaps_0,  _S413 : vec3<f32>
         {
             break;
         }
-        (*_S415)[k_0] = 0.0f;
+        (*_S398)[k_0] = 0.0f;
         k_0 = k_0 + i32(1);
     }
-    var _S416 : vec2<f32> = vec2<f32>(fabrics_0[_S411].neural_0.ends_0, fabrics_0[_S411].neural_0.picks_0);
-    var _S417 : f32 = f32(fabrics_0[_S411].neural_0.top_level_0);
-    var _S418 : f32 = clamp(binary_logarithm_0(max(_S412.side_1, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S417);
-    var _S419 : f32 = min(floor(_S418), _S417 - 1.0f);
-    var _S420 : u32 = select(u32(1), u32(4), AnisotropicTaps_has_steps_0(_S412));
+    var _S399 : vec2<f32> = vec2<f32>(fabrics_0[_S394].neural_0.ends_0, fabrics_0[_S394].neural_0.picks_0);
+    var _S400 : f32 = f32(fabrics_0[_S394].neural_0.top_level_0);
+    var _S401 : f32 = clamp(binary_logarithm_0(max(_S395.side_1, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S400);
+    var _S402 : f32 = min(floor(_S401), _S400 - 1.0f);
+    var _S403 : u32 = select(u32(1), u32(4), AnisotropicTaps_has_steps_0(_S395));
     var number_2 : u32 = u32(0);
     for(;;)
     {
-        if(number_2 < (u32(2) * _S420))
+        if(number_2 < (u32(2) * _S403))
         {
         }
         else
         {
             break;
         }
-        var _S421 : vec2<f32> = AnisotropicTaps_place_0(_S412, (number_2 >> (u32(1))));
-        var _S422 : bool = ((number_2 & (u32(1)))) != u32(0);
-        var _S423 : f32 = _S418 - _S419;
-        add_level_0(_S411, u32(_S419) + select(u32(0), u32(1), _S422), _S414, clamp(_S421 - _S416 * floor(_S421 / _S416), vec2<f32>(0.0f), _S416), select(1.0f - _S423, _S423, _S422) / f32(_S420), &((*_S415)));
+        var _S404 : vec2<f32> = AnisotropicTaps_place_0(_S395, (number_2 >> (u32(1))));
+        var _S405 : bool = ((number_2 & (u32(1)))) != u32(0);
+        var _S406 : f32 = _S401 - _S402;
+        add_level_0(_S394, u32(_S402) + select(u32(0), u32(1), _S405), _S397, clamp(_S404 - _S399 * floor(_S404 / _S399), vec2<f32>(0.0f), _S399), select(1.0f - _S406, _S406, _S405) / f32(_S403), &((*_S398)));
         number_2 = number_2 + u32(1);
     }
     var number_3 : i32 = i32(0);
@@ -2391,7 +2406,7 @@ fn code_footprint_0( _S411 : u32,  _S412 : AnisotropicTaps_0,  _S413 : vec3<f32>
             {
                 break;
             }
-            var offset_2 : f32 = _S413[number_3] - (f32(bin_0) + 0.5f) / 8.0f;
+            var offset_2 : f32 = _S396[number_3] - (f32(bin_0) + 0.5f) / 8.0f;
             var offset_3 : f32;
             if(number_3 < i32(2))
             {
@@ -2401,7 +2416,7 @@ fn code_footprint_0( _S411 : u32,  _S412 : AnisotropicTaps_0,  _S413 : vec3<f32>
             {
                 offset_3 = offset_2;
             }
-            (*_S415)[i32(64) + number_3 * i32(8) + bin_0] = bump_0(offset_3 * 3.20000004768371582f);
+            (*_S398)[i32(64) + number_3 * i32(8) + bin_0] = bump_0(offset_3 * 3.20000004768371582f);
             bin_0 = bin_0 + i32(1);
         }
         number_3 = number_3 + i32(1);
@@ -2409,45 +2424,45 @@ fn code_footprint_0( _S411 : u32,  _S412 : AnisotropicTaps_0,  _S413 : vec3<f32>
     return;
 }
 
-fn crown_fibres_0( _S424 : u32,  _S425 : bool,  _S426 : bool) -> vec3<f32>
+fn crown_fibres_0( _S407 : u32,  _S408 : bool,  _S409 : bool) -> vec3<f32>
 {
-    if(_S425)
+    if(_S408)
     {
-        return vec3<f32>(select(1.0f, -1.0f, _S426) * fabrics_0[_S424].neural_0.warp_x_0, fabrics_0[_S424].neural_0.warp_y_0, fabrics_0[_S424].neural_0.warp_roughness_0);
+        return vec3<f32>(select(1.0f, -1.0f, _S409) * fabrics_0[_S407].neural_0.warp_x_0, fabrics_0[_S407].neural_0.warp_y_0, fabrics_0[_S407].neural_0.warp_roughness_0);
     }
-    return vec3<f32>(fabrics_0[_S424].neural_0.weft_x_0, select(1.0f, -1.0f, _S426) * fabrics_0[_S424].neural_0.weft_y_0, fabrics_0[_S424].neural_0.weft_roughness_0);
+    return vec3<f32>(fabrics_0[_S407].neural_0.weft_x_0, select(1.0f, -1.0f, _S409) * fabrics_0[_S407].neural_0.weft_y_0, fabrics_0[_S407].neural_0.weft_roughness_0);
 }
 
-fn neural_view_0( _S427 : u32,  _S428 : Footprint_0,  _S429 : vec3<f32>,  _S430 : ptr<function, NeuralView_0>)
+fn neural_view_0( _S410 : u32,  _S411 : Footprint_0,  _S412 : vec3<f32>,  _S413 : ptr<function, NeuralView_0>)
 {
-    var _S431 : bool = (_S429.z) < 0.0f;
-    var _S432 : AnisotropicTaps_0 = anisotropic_taps_0(_S427, _S428);
-    var _S433 : vec3<f32> = footprint_coordinates_0(_S432);
-    var _S434 : vec3<f32> = to_face_frame_0(_S429, _S431);
+    var _S414 : bool = (_S412.z) < 0.0f;
+    var _S415 : AnisotropicTaps_0 = anisotropic_taps_0(_S410, _S411);
+    var _S416 : vec3<f32> = footprint_coordinates_0(_S415);
+    var _S417 : vec3<f32> = to_face_frame_0(_S412, _S414);
     var weights_23 : HalfWeights_0;
-    weights_23.first_2 = fabrics_0[_S427].neural_0.network_0;
+    weights_23.first_2 = fabrics_0[_S410].neural_0.network_0;
     var inputs_23 : array<f32, i32(88)>;
-    code_footprint_0(_S427, _S432, _S433, _S431, &(inputs_23));
+    code_footprint_0(_S410, _S415, _S416, _S414, &(inputs_23));
     var hidden_1 : array<f32, i32(96)>;
     dense_7(weights_23, u32(0), false, &(inputs_23), &(hidden_1));
     var fused_0 : array<f32, i32(100)>;
     dense_part_8(weights_23, u32(1068), false, &(hidden_1), &(fused_0));
-    fused_0[i32(96)] = _S434.x;
-    fused_0[i32(97)] = _S434.y;
-    var _S435 : vec2<f32> = _S434.xy;
-    fused_0[i32(98)] = dot(crown_fibres_0(_S427, true, _S431).xy, _S435);
-    fused_0[i32(99)] = dot(crown_fibres_0(_S427, false, _S431).xy, _S435);
+    fused_0[i32(96)] = _S417.x;
+    fused_0[i32(97)] = _S417.y;
+    var _S418 : vec2<f32> = _S417.xy;
+    fused_0[i32(98)] = dot(crown_fibres_0(_S410, true, _S414).xy, _S418);
+    fused_0[i32(99)] = dot(crown_fibres_0(_S410, false, _S414).xy, _S418);
     var of_hole_0 : array<f32, i32(16)>;
     dense_6(weights_23, u32(2232), false, &(fused_0), &(of_hole_0));
     var hole_1 : array<f32, i32(1)>;
     dense_5(weights_23, u32(2444), false, &(of_hole_0), &(hole_1));
-    var _S436 : array<f32, i32(96)> = (*_S430).sums_7;
-    dense_4(weights_23, u32(2456), false, &(fused_0), &(_S436));
-    (*_S430).sums_7 = _S436;
-    (*_S430).hole_0 = clamp(hole_1[i32(0)], 0.0f, 1.0f);
-    (*_S430).correction_weight_0 = correction_weight_of_0(_S433.z);
-    (*_S430).view_8 = _S434;
-    (*_S430).back_5 = _S431;
+    var _S419 : array<f32, i32(96)> = (*_S413).sums_7;
+    dense_4(weights_23, u32(2456), false, &(fused_0), &(_S419));
+    (*_S413).sums_7 = _S419;
+    (*_S413).hole_0 = clamp(hole_1[i32(0)], 0.0f, 1.0f);
+    (*_S413).correction_weight_0 = correction_weight_of_0(_S416.z);
+    (*_S413).view_8 = _S417;
+    (*_S413).back_5 = _S414;
     return;
 }
 
@@ -2457,31 +2472,31 @@ struct FamilyAlbedos_0
      weft_4 : Albedos_0,
 };
 
-fn albedos_over_0( _S437 : u32,  _S438 : Footprint_0,  _S439 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S420 : u32,  _S421 : Footprint_0,  _S422 : bool) -> FamilyAlbedos_0
 {
-    var _S440 : vec2<f32> = _S438.dx_0;
-    var _S441 : vec2<f32> = _S438.dy_0;
-    var _S442 : vec2<f32> = sqrt(_S440 * _S440 + _S441 * _S441);
-    var _S443 : Stretch_0 = stretch_of_0(fabrics_0[_S437].warp_0, _S438.centre_0.x, _S442.x);
-    var _S444 : Stretch_0 = stretch_of_0(fabrics_0[_S437].weft_0, _S438.centre_0.y, _S442.y);
+    var _S423 : vec2<f32> = _S421.dx_0;
+    var _S424 : vec2<f32> = _S421.dy_0;
+    var _S425 : vec2<f32> = sqrt(_S423 * _S423 + _S424 * _S424);
+    var _S426 : Stretch_0 = stretch_of_0(fabrics_0[_S420].warp_0, _S421.centre_0.x, _S425.x);
+    var _S427 : Stretch_0 = stretch_of_0(fabrics_0[_S420].weft_0, _S421.centre_0.y, _S425.y);
     var albedos_4 : FamilyAlbedos_0;
-    albedos_4.warp_4 = mean_albedos_0(fabrics_0[_S437].warp_0, fabrics_0[_S437].weft_0, _S443, _S444, _S439);
-    albedos_4.weft_4 = mean_albedos_0(fabrics_0[_S437].weft_0, fabrics_0[_S437].warp_0, _S444, _S443, _S439);
+    albedos_4.warp_4 = mean_albedos_0(fabrics_0[_S420].warp_0, fabrics_0[_S420].weft_0, _S426, _S427, _S422);
+    albedos_4.weft_4 = mean_albedos_0(fabrics_0[_S420].weft_0, fabrics_0[_S420].warp_0, _S427, _S426, _S422);
     return albedos_4;
 }
 
-fn light_sample_count_0( _S445 : i32) -> u32
+fn light_sample_count_0() -> u32
 {
-    return frames_0[_S445].lights_0 + frames_0[_S445].environment_samples_0;
+    return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S446 : i32,  _S447 : u32,  _S448 : vec2<u32>) -> f32
+fn visibility_at_0( _S428 : u32,  _S429 : vec2<u32>) -> f32
 {
-    if((frames_0[_S446].casts_shadows_0) == u32(0))
+    if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S447 * frames_0[_S446].height_0 + _S448.y) * frames_0[_S446].width_0 + _S448.x];
+    return visibilities_0[(_S428 * frame_record_0.height_0 + _S429.y) * frame_record_0.width_0 + _S429.x];
 }
 
 struct LightSample_0
@@ -2491,52 +2506,52 @@ struct LightSample_0
      distance_1 : f32,
 };
 
-fn environment_texel_0( _S449 : i32,  _S450 : u32,  _S451 : u32) -> vec3<f32>
+fn environment_texel_0( _S430 : u32,  _S431 : u32) -> vec3<f32>
 {
-    var _S452 : u32 = frames_0[_S449].environment_table_0 + frames_0[_S449].environment_rows_0 + u32(1) + frames_0[_S449].environment_rows_0 * (frames_0[_S449].environment_columns_0 + u32(1)) + u32(3) * (_S450 * frames_0[_S449].environment_columns_0 + _S451);
-    return vec3<f32>(scene_number_0(_S452), scene_number_0(_S452 + u32(1)), scene_number_0(_S452 + u32(2)));
+    var _S432 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S430 * frame_record_0.environment_columns_0 + _S431);
+    return vec3<f32>(scene_number_0(_S432), scene_number_0(_S432 + u32(1)), scene_number_0(_S432 + u32(2)));
 }
 
-fn sample_environment_0( _S453 : i32,  _S454 : vec2<f32>,  _S455 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S433 : vec2<f32>,  _S434 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S456 : u32 = frames_0[_S453].environment_rows_0;
-    var _S457 : Choice_0 = choose_0(frames_0[_S453].environment_table_0, frames_0[_S453].environment_rows_0, _S454.y);
-    var _S458 : u32 = frames_0[_S453].environment_columns_0;
-    var _S459 : Choice_0 = choose_0(frames_0[_S453].environment_table_0 + frames_0[_S453].environment_rows_0 + u32(1) + _S457.index_7 * (frames_0[_S453].environment_columns_0 + u32(1)), frames_0[_S453].environment_columns_0, _S454.x);
-    var _S460 : vec3<f32> = environment_texel_0(_S453, _S457.index_7, _S459.index_7);
-    (*_S455) = _S460 * vec3<f32>((frames_0[_S453].environment_total_0 / max(mean_0(_S460), 9.99999968265522539e-21f)));
-    var _S461 : f32 = 3.14159274101257324f / f32(_S456);
-    var _S462 : f32 = mix(sine_cosine_0(f32(_S457.index_7) * _S461).y, sine_cosine_0(f32(_S457.index_7 + u32(1)) * _S461).y, _S457.remainder_0);
-    var _S463 : f32 = sqrt(max(1.0f - _S462 * _S462, 0.0f));
-    var _S464 : vec2<f32> = sine_cosine_0((f32(_S459.index_7) + _S459.remainder_0) * (6.28318548202514648f / f32(_S458)));
-    var _S465 : f32 = _S463 * _S464.x;
-    var _S466 : f32 = - _S463 * _S464.y;
-    return vec3<f32>(frames_0[_S453].environment_cosine_0 * _S465 + frames_0[_S453].environment_sine_0 * _S466, _S462, frames_0[_S453].environment_cosine_0 * _S466 - frames_0[_S453].environment_sine_0 * _S465);
+    var _S435 : u32 = frame_record_0.environment_rows_0;
+    var _S436 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S433.y);
+    var _S437 : u32 = frame_record_0.environment_columns_0;
+    var _S438 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S436.index_7 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S433.x);
+    var _S439 : vec3<f32> = environment_texel_0(_S436.index_7, _S438.index_7);
+    (*_S434) = _S439 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S439), 9.99999968265522539e-21f)));
+    var _S440 : f32 = 3.14159274101257324f / f32(_S435);
+    var _S441 : f32 = mix(sine_cosine_0(f32(_S436.index_7) * _S440).y, sine_cosine_0(f32(_S436.index_7 + u32(1)) * _S440).y, _S436.remainder_0);
+    var _S442 : f32 = sqrt(max(1.0f - _S441 * _S441, 0.0f));
+    var _S443 : vec2<f32> = sine_cosine_0((f32(_S438.index_7) + _S438.remainder_0) * (6.28318548202514648f / f32(_S437)));
+    var _S444 : f32 = _S442 * _S443.x;
+    var _S445 : f32 = - _S442 * _S443.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S444 + frame_record_0.environment_sine_0 * _S445, _S441, frame_record_0.environment_cosine_0 * _S445 - frame_record_0.environment_sine_0 * _S444);
 }
 
-fn light_sample_0( _S467 : i32,  _S468 : u32,  _S469 : vec2<u32>,  _S470 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S446 : u32,  _S447 : vec2<u32>,  _S448 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_1 = 1.00000001504746622e+30f;
-    var _S471 : u32 = frames_0[_S467].lights_0;
-    if(_S468 >= (frames_0[_S467].lights_0))
+    var _S449 : u32 = frame_record_0.lights_0;
+    if(_S446 >= (frame_record_0.lights_0))
     {
         var weight_3 : vec3<f32>;
-        var _S472 : vec3<f32> = sample_environment_0(_S467, pixel_sequence_0(_S469, frames_0[_S467].pass_number_0 * frames_0[_S467].environment_samples_0 + (_S468 - _S471), u32(3)), &(weight_3));
-        sample_0.towards_0 = _S472;
-        sample_0.irradiance_1 = weight_3 / vec3<f32>(f32(frames_0[_S467].environment_samples_0));
+        var _S450 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S447, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S446 - _S449), u32(3)), &(weight_3));
+        sample_0.towards_0 = _S450;
+        sample_0.irradiance_1 = weight_3 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S473 : Light_std430_0 = lights_1[_S468];
-    sample_0.irradiance_1 = vec3<f32>(_S473.red_0, _S473.green_0, _S473.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S473.x_1, _S473.y_1, _S473.z_1);
-    if((_S473.is_point_0) != u32(0))
+    var _S451 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S446);
+    sample_0.irradiance_1 = vec3<f32>(_S451.red_0, _S451.green_0, _S451.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S451.x_9, _S451.y_1, _S451.z_1);
+    if((_S451.is_point_0) != u32(0))
     {
-        var _S474 : vec3<f32> = sample_0.towards_0 - _S470;
-        var _S475 : f32 = max(square_0(_S474), 9.999999960041972e-13f);
-        sample_0.distance_1 = sqrt(_S475);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S475);
-        sample_0.towards_0 = normalize(_S474);
+        var _S452 : vec3<f32> = sample_0.towards_0 - _S448;
+        var _S453 : f32 = max(square_0(_S452), 9.999999960041972e-13f);
+        sample_0.distance_1 = sqrt(_S453);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S453);
+        sample_0.towards_0 = normalize(_S452);
     }
     return sample_0;
 }
@@ -2551,16 +2566,16 @@ struct Components_0
      hole_2 : f32,
 };
 
-fn code_light_0( _S476 : u32,  _S477 : vec3<f32>,  _S478 : vec3<f32>,  _S479 : bool,  _S480 : ptr<function, array<f32, i32(39)>>)
+fn code_light_0( _S454 : u32,  _S455 : vec3<f32>,  _S456 : vec3<f32>,  _S457 : bool,  _S458 : ptr<function, array<f32, i32(39)>>)
 {
-    (*_S480)[i32(0)] = _S477.x;
-    (*_S480)[i32(1)] = _S477.y;
-    (*_S480)[i32(2)] = _S477.z;
-    var _S481 : vec3<f32> = _S477 + _S478;
-    var _S482 : f32 = _S481.z;
-    var _S483 : f32 = _S482 * _S482 + 0.00009999999747379f;
-    var _S484 : vec2<f32> = _S481.xy;
-    var _S485 : f32 = 1.0f / (dot(_S484, _S484) + _S483);
+    (*_S458)[i32(0)] = _S455.x;
+    (*_S458)[i32(1)] = _S455.y;
+    (*_S458)[i32(2)] = _S455.z;
+    var _S459 : vec3<f32> = _S455 + _S456;
+    var _S460 : f32 = _S459.z;
+    var _S461 : f32 = _S460 * _S460 + 0.00009999999747379f;
+    var _S462 : vec2<f32> = _S459.xy;
+    var _S463 : f32 = 1.0f / (dot(_S462, _S462) + _S461);
     var family_10 : i32 = i32(0);
     for(;;)
     {
@@ -2571,12 +2586,12 @@ fn code_light_0( _S476 : u32,  _S477 : vec3<f32>,  _S478 : vec3<f32>,  _S479 : b
         {
             break;
         }
-        var _S486 : vec3<f32> = crown_fibres_0(_S476, family_10 == i32(0), _S479);
-        var _S487 : vec2<f32> = _S486.xy;
-        (*_S480)[i32(3) + family_10] = dot(_S487, _S477.xy);
-        var _S488 : f32 = dot(_S487, _S484);
-        var _S489 : f32 = _S488 * _S488;
-        var _S490 : f32 = (0.75f * _S488 / (0.5f * sqrt(_S489 + _S483) + abs(_S488)) + 0.5f) * 8.0f;
+        var _S464 : vec3<f32> = crown_fibres_0(_S454, family_10 == i32(0), _S457);
+        var _S465 : vec2<f32> = _S464.xy;
+        (*_S458)[i32(3) + family_10] = dot(_S465, _S455.xy);
+        var _S466 : f32 = dot(_S465, _S462);
+        var _S467 : f32 = _S466 * _S466;
+        var _S468 : f32 = (0.75f * _S466 / (0.5f * sqrt(_S467 + _S461) + abs(_S466)) + 0.5f) * 8.0f;
         var bin_1 : i32 = i32(0);
         for(;;)
         {
@@ -2587,26 +2602,26 @@ fn code_light_0( _S476 : u32,  _S477 : vec3<f32>,  _S478 : vec3<f32>,  _S479 : b
             {
                 break;
             }
-            (*_S480)[i32(5) + family_10 * i32(16) + bin_1] = bump_0(_S490 - (f32(bin_1) + 0.5f) / 2.0f);
+            (*_S458)[i32(5) + family_10 * i32(16) + bin_1] = bump_0(_S468 - (f32(bin_1) + 0.5f) / 2.0f);
             bin_1 = bin_1 + i32(1);
         }
-        var _S491 : f32 = _S486.z;
-        var _S492 : f32 = _S491 * _S491;
-        var _S493 : f32 = _S489 * _S485 * (1.0f - _S492) + _S492;
-        (*_S480)[i32(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S492 * _S491 / (_S493 * _S493));
+        var _S469 : f32 = _S464.z;
+        var _S470 : f32 = _S469 * _S469;
+        var _S471 : f32 = _S467 * _S463 * (1.0f - _S470) + _S470;
+        (*_S458)[i32(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S470 * _S469 / (_S471 * _S471));
         family_10 = family_10 + i32(1);
     }
     return;
 }
 
-fn mixed_bundles_0( _S494 : u32,  _S495 : u32,  _S496 : u32,  _S497 : vec3<f32>,  _S498 : vec3<f32>,  _S499 : bool,  _S500 : ptr<function, array<f32, i32(52)>>) -> f32
+fn mixed_bundles_0( _S472 : u32,  _S473 : u32,  _S474 : u32,  _S475 : vec3<f32>,  _S476 : vec3<f32>,  _S477 : bool,  _S478 : ptr<function, array<f32, i32(52)>>) -> f32
 {
-    var _S501 : vec3<f32> = _S497 + _S498;
-    var _S502 : f32 = 1.0f / (square_0(_S501) + 0.00009999999747379f);
-    var _S503 : f32 = _S501.x;
-    var _S504 : f32 = select(_S503, - _S503, ((_S495 == u32(0)) & (_S499)));
-    var _S505 : f32 = _S501.y;
-    var _S506 : f32 = select(_S505, - _S505, ((_S495 == u32(1)) & (_S499)));
+    var _S479 : vec3<f32> = _S475 + _S476;
+    var _S480 : f32 = 1.0f / (square_0(_S479) + 0.00009999999747379f);
+    var _S481 : f32 = _S479.x;
+    var _S482 : f32 = select(_S481, - _S481, ((_S473 == u32(0)) & (_S477)));
+    var _S483 : f32 = _S479.y;
+    var _S484 : f32 = select(_S483, - _S483, ((_S473 == u32(1)) & (_S477)));
     var bundle_1 : u32 = u32(0);
     var sum_2 : f32 = 0.0f;
     for(;;)
@@ -2618,27 +2633,27 @@ fn mixed_bundles_0( _S494 : u32,  _S495 : u32,  _S496 : u32,  _S497 : vec3<f32>,
         {
             break;
         }
-        var _S507 : u32 = _S495 * u32(25);
-        var _S508 : u32 = fabrics_0[_S494].neural_0.bundles_0 + u32(4) * (_S507 + bundle_1);
-        var _S509 : f32 = dot(vec3<f32>(table_number_0(_S508), table_number_0(_S508 + u32(1)), table_number_0(_S508 + u32(2))), vec3<f32>(_S504, _S506, _S501.z));
-        var _S510 : f32 = _S509 * _S509 * _S502 + table_number_0(_S508 + u32(3));
-        var sum_3 : f32 = sum_2 + max((*_S500)[_S496 + _S507 + select(bundle_1, mirrored_bundle_0(bundle_1), _S499)], (*_S500)[_S496 + _S507 + select(bundle_1, mirrored_bundle_0(bundle_1), _S499)] * 0.00999999977648258f) / (_S510 * _S510);
+        var _S485 : u32 = _S473 * u32(25);
+        var _S486 : u32 = fabrics_0[_S472].neural_0.bundles_0 + u32(4) * (_S485 + bundle_1);
+        var _S487 : f32 = dot(vec3<f32>(table_number_0(_S486), table_number_0(_S486 + u32(1)), table_number_0(_S486 + u32(2))), vec3<f32>(_S482, _S484, _S479.z));
+        var _S488 : f32 = _S487 * _S487 * _S480 + table_number_0(_S486 + u32(3));
+        var sum_3 : f32 = sum_2 + max((*_S478)[_S474 + _S485 + select(bundle_1, mirrored_bundle_0(bundle_1), _S477)], (*_S478)[_S474 + _S485 + select(bundle_1, mirrored_bundle_0(bundle_1), _S477)] * 0.00999999977648258f) / (_S488 * _S488);
         bundle_1 = bundle_1 + u32(1);
         sum_2 = sum_3;
     }
     return 0.01999999955296516f * sum_2;
 }
 
-fn neural_components_0( _S511 : u32,  _S512 : ptr<function, NeuralView_0>,  _S513 : vec3<f32>) -> Components_0
+fn neural_components_0( _S489 : u32,  _S490 : ptr<function, NeuralView_0>,  _S491 : vec3<f32>) -> Components_0
 {
-    var _S514 : bool = (*_S512).back_5;
-    var _S515 : vec3<f32> = to_face_frame_0(_S513, (*_S512).back_5);
-    var _S516 : vec3<f32> = (*_S512).view_8;
+    var _S492 : bool = (*_S490).back_5;
+    var _S493 : vec3<f32> = to_face_frame_0(_S491, (*_S490).back_5);
+    var _S494 : vec3<f32> = (*_S490).view_8;
     var weights_24 : HalfWeights_0;
-    var _S517 : Neural_std430_0 = fabrics_0[_S511].neural_0;
-    weights_24.first_2 = fabrics_0[_S511].neural_0.network_0;
+    var _S495 : Neural_std430_0 = fabrics_0[_S489].neural_0;
+    weights_24.first_2 = fabrics_0[_S489].neural_0.network_0;
     var directions_0 : array<f32, i32(39)>;
-    code_light_0(_S511, _S515, (*_S512).view_8, (*_S512).back_5, &(directions_0));
+    code_light_0(_S489, _S493, (*_S490).view_8, (*_S490).back_5, &(directions_0));
     var skip_0 : array<f32, i32(96)>;
     var k_1 : i32 = i32(0);
     for(;;)
@@ -2650,7 +2665,7 @@ fn neural_components_0( _S511 : u32,  _S512 : ptr<function, NeuralView_0>,  _S51
         {
             break;
         }
-        skip_0[k_1] = (*_S512).sums_7[k_1];
+        skip_0[k_1] = (*_S490).sums_7[k_1];
         k_1 = k_1 + i32(1);
     }
     dense_3(weights_24, u32(3716), true, &(directions_0), &(skip_0));
@@ -2710,27 +2725,27 @@ fn neural_components_0( _S511 : u32,  _S512 : ptr<function, NeuralView_0>,  _S51
     }
     var outputs_17 : array<f32, i32(52)>;
     dense_1(weights_24, u32(7700), false, &(hidden_2), &(outputs_17));
-    var _S518 : bool;
-    if((_S517.is_corrected_0) != u32(0))
+    var _S496 : bool;
+    if((_S495.is_corrected_0) != u32(0))
     {
-        _S518 = (_S515.z) > 0.0f;
+        _S496 = (_S493.z) > 0.0f;
     }
     else
     {
-        _S518 = false;
+        _S496 = false;
     }
-    if(_S518)
+    if(_S496)
     {
-        _S518 = ((*_S512).correction_weight_0) > 0.0f;
+        _S496 = ((*_S490).correction_weight_0) > 0.0f;
     }
     else
     {
-        _S518 = false;
+        _S496 = false;
     }
-    if(_S518)
+    if(_S496)
     {
         var fitted_0 : FloatWeights_0;
-        fitted_0.first_0 = _S517.correction_0;
+        fitted_0.first_0 = _S495.correction_0;
         var change_0 : array<f32, i32(50)>;
         dense_0(fitted_0, u32(0), false, &(hidden_2), &(change_0));
         k_1 = i32(0);
@@ -2743,114 +2758,114 @@ fn neural_components_0( _S511 : u32,  _S512 : ptr<function, NeuralView_0>,  _S51
             {
                 break;
             }
-            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S512).correction_weight_0 * change_0[k_1];
+            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S490).correction_weight_0 * change_0[k_1];
             k_1 = k_1 + i32(1);
         }
     }
-    var _S519 : f32 = select(0.00100000004749745f, 0.00999999977648258f, (_S515.z) > 0.0f);
+    var _S497 : f32 = select(0.00100000004749745f, 0.00999999977648258f, (_S493.z) > 0.0f);
     var result_2 : Components_0;
-    var _S520 : f32 = unmapped_0(outputs_17[i32(0)], _S519);
-    result_2.diffuse_warp_0 = _S520;
-    var _S521 : f32 = unmapped_0(outputs_17[i32(1)], _S519);
-    result_2.diffuse_weft_0 = _S521;
-    var _S522 : f32 = 2979.9580078125f * _S519;
-    var _S523 : f32 = mixed_bundles_0(_S511, u32(0), u32(2), _S515, _S516, _S514, &(outputs_17));
-    result_2.specular_warp_0 = clamp(_S523, 0.0f, _S522);
-    var _S524 : f32 = mixed_bundles_0(_S511, u32(1), u32(2), _S515, _S516, _S514, &(outputs_17));
-    result_2.specular_weft_0 = clamp(_S524, 0.0f, _S522);
-    result_2.hole_2 = (*_S512).hole_0;
-    result_2.light_visibility_1 = min(light_visibility_of_0(_S520 + _S521, _S515, _S516, fabrics_0[_S511].diffuse_blend_0), 1.0f - (*_S512).hole_0);
+    var _S498 : f32 = unmapped_0(outputs_17[i32(0)], _S497);
+    result_2.diffuse_warp_0 = _S498;
+    var _S499 : f32 = unmapped_0(outputs_17[i32(1)], _S497);
+    result_2.diffuse_weft_0 = _S499;
+    var _S500 : f32 = 2979.9580078125f * _S497;
+    var _S501 : f32 = mixed_bundles_0(_S489, u32(0), u32(2), _S493, _S494, _S492, &(outputs_17));
+    result_2.specular_warp_0 = clamp(_S501, 0.0f, _S500);
+    var _S502 : f32 = mixed_bundles_0(_S489, u32(1), u32(2), _S493, _S494, _S492, &(outputs_17));
+    result_2.specular_weft_0 = clamp(_S502, 0.0f, _S500);
+    result_2.hole_2 = (*_S490).hole_0;
+    result_2.light_visibility_1 = min(light_visibility_of_0(_S498 + _S499, _S493, _S494, fabrics_0[_S489].diffuse_blend_0), 1.0f - (*_S490).hole_0);
     return result_2;
 }
 
-fn openness_number_0( _S525 : u32,  _S526 : u32) -> f32
+fn openness_number_0( _S503 : u32,  _S504 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S525].openness_0 + _S526);
+    return table_number_0(fabrics_0[_S503].openness_0 + _S504);
 }
 
-fn scattered_by_0( _S527 : u32,  _S528 : Albedos_0,  _S529 : u32,  _S530 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S505 : u32,  _S506 : Albedos_0,  _S507 : u32,  _S508 : vec3<f32>) -> Scattered_0
 {
-    var _S531 : u32 = u32(159) + u32(2) * _S529;
+    var _S509 : u32 = u32(159) + u32(2) * _S507;
     var yarn_1 : Scattered_0;
-    yarn_1.back_4 = _S530 * _S528.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S527, _S531)) * _S528.specular_reflect_0;
-    yarn_1.through_0 = _S530 * _S528.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S527, _S531 + u32(1))) * _S528.specular_transmit_0;
+    yarn_1.back_4 = _S508 * _S506.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S505, _S509)) * _S506.specular_reflect_0;
+    yarn_1.through_0 = _S508 * _S506.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S505, _S509 + u32(1))) * _S506.specular_transmit_0;
     return yarn_1;
 }
 
-fn sent_0( _S532 : u32,  _S533 : u32,  _S534 : vec3<f32>,  _S535 : vec3<f32>,  _S536 : vec3<f32>,  _S537 : vec3<f32>,  _S538 : ptr<function, vec3<f32>>,  _S539 : ptr<function, vec3<f32>>)
+fn sent_0( _S510 : u32,  _S511 : u32,  _S512 : vec3<f32>,  _S513 : vec3<f32>,  _S514 : vec3<f32>,  _S515 : vec3<f32>,  _S516 : ptr<function, vec3<f32>>,  _S517 : ptr<function, vec3<f32>>)
 {
-    var _S540 : u32 = u32(146) + u32(4) * _S533;
-    var _S541 : f32 = openness_number_0(_S532, _S540 + u32(1));
-    var _S542 : f32 = openness_number_0(_S532, _S540 + u32(2));
-    var _S543 : vec3<f32> = vec3<f32>(1.0f);
-    var _S544 : vec3<f32> = _S543 - _S536 * vec3<f32>(openness_number_0(_S532, _S540));
-    var _S545 : vec3<f32> = _S543 - _S537 * vec3<f32>(openness_number_0(_S532, _S540 + u32(3)));
-    var _S546 : vec3<f32> = _S543 / (_S544 * _S545 - _S536 * _S537 * vec3<f32>((_S541 * _S542)));
-    (*_S538) = (_S534 * _S545 + _S536 * vec3<f32>(_S541) * _S535) * _S546;
-    (*_S539) = (_S535 * _S544 + _S537 * vec3<f32>(_S542) * _S534) * _S546;
+    var _S518 : u32 = u32(146) + u32(4) * _S511;
+    var _S519 : f32 = openness_number_0(_S510, _S518 + u32(1));
+    var _S520 : f32 = openness_number_0(_S510, _S518 + u32(2));
+    var _S521 : vec3<f32> = vec3<f32>(1.0f);
+    var _S522 : vec3<f32> = _S521 - _S514 * vec3<f32>(openness_number_0(_S510, _S518));
+    var _S523 : vec3<f32> = _S521 - _S515 * vec3<f32>(openness_number_0(_S510, _S518 + u32(3)));
+    var _S524 : vec3<f32> = _S521 / (_S522 * _S523 - _S514 * _S515 * vec3<f32>((_S519 * _S520)));
+    (*_S516) = (_S512 * _S523 + _S514 * vec3<f32>(_S519) * _S513) * _S524;
+    (*_S517) = (_S513 * _S522 + _S515 * vec3<f32>(_S520) * _S512) * _S524;
     return;
 }
 
-fn face_sends_0( _S547 : u32,  _S548 : u32,  _S549 : Scattered_0,  _S550 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S525 : u32,  _S526 : u32,  _S527 : Scattered_0,  _S528 : Scattered_0) -> FaceSends_0
 {
-    var _S551 : u32 = u32(2) * _S548;
-    var _S552 : u32 = u32(142) + _S551;
-    var _S553 : f32 = openness_number_0(_S547, _S552);
-    var _S554 : f32 = openness_number_0(_S547, _S552 + u32(1));
-    var _S555 : vec3<f32> = vec3<f32>((1.0f - _S553)) * _S549.back_4;
-    var _S556 : vec3<f32> = vec3<f32>((1.0f - _S554)) * _S550.back_4;
+    var _S529 : u32 = u32(2) * _S526;
+    var _S530 : u32 = u32(142) + _S529;
+    var _S531 : f32 = openness_number_0(_S525, _S530);
+    var _S532 : f32 = openness_number_0(_S525, _S530 + u32(1));
+    var _S533 : vec3<f32> = vec3<f32>((1.0f - _S531)) * _S527.back_4;
+    var _S534 : vec3<f32> = vec3<f32>((1.0f - _S532)) * _S528.back_4;
     var sends_1 : FaceSends_0;
-    var _S557 : u32 = u32(154) + _S551;
-    var _S558 : f32 = openness_number_0(_S547, _S557);
-    sends_1.blocks_warp_0 = _S558;
-    var _S559 : f32 = openness_number_0(_S547, _S557 + u32(1));
-    sends_1.blocks_weft_0 = _S559;
-    sends_1.open_0 = _S558 * _S553 + _S559 * _S554;
-    var _S560 : vec3<f32> = vec3<f32>(_S553) * _S549.back_4;
-    var _S561 : vec3<f32> = vec3<f32>(_S554) * _S550.back_4;
-    var _S562 : vec3<f32> = sends_1.sky_warp_0;
-    var _S563 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S547, _S548, _S560, _S561, _S555, _S556, &(_S562), &(_S563));
-    sends_1.sky_warp_0 = _S562;
-    sends_1.sky_weft_0 = _S563;
-    var _S564 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S565 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S547, _S548, _S549.through_0, _S550.through_0, _S555, _S556, &(_S564), &(_S565));
-    sends_1.crossing_warp_0 = _S564;
-    sends_1.crossing_weft_0 = _S565;
+    var _S535 : u32 = u32(154) + _S529;
+    var _S536 : f32 = openness_number_0(_S525, _S535);
+    sends_1.blocks_warp_0 = _S536;
+    var _S537 : f32 = openness_number_0(_S525, _S535 + u32(1));
+    sends_1.blocks_weft_0 = _S537;
+    sends_1.open_0 = _S536 * _S531 + _S537 * _S532;
+    var _S538 : vec3<f32> = vec3<f32>(_S531) * _S527.back_4;
+    var _S539 : vec3<f32> = vec3<f32>(_S532) * _S528.back_4;
+    var _S540 : vec3<f32> = sends_1.sky_warp_0;
+    var _S541 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S525, _S526, _S538, _S539, _S533, _S534, &(_S540), &(_S541));
+    sends_1.sky_warp_0 = _S540;
+    sends_1.sky_weft_0 = _S541;
+    var _S542 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S543 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S525, _S526, _S527.through_0, _S528.through_0, _S533, _S534, &(_S542), &(_S543));
+    sends_1.crossing_warp_0 = _S542;
+    sends_1.crossing_weft_0 = _S543;
     return sends_1;
 }
 
-fn interior_of_0( _S566 : u32,  _S567 : vec3<f32>,  _S568 : bool) -> Interior_0
+fn interior_of_0( _S544 : u32,  _S545 : vec3<f32>,  _S546 : bool) -> Interior_0
 {
-    var _S569 : Scattered_0 = scattered_by_0(_S566, table_albedos_0(families_0[fabrics_0[_S566].warp_0].colour_mean_0), u32(0), _S567);
-    var _S570 : Scattered_0 = scattered_by_0(_S566, table_albedos_0(families_0[fabrics_0[_S566].weft_0].colour_mean_0), u32(1), _S567);
-    var _S571 : FaceSends_0 = face_sends_0(_S566, select(u32(0), u32(1), _S568), _S569, _S570);
-    var _S572 : FaceSends_0 = face_sends_0(_S566, select(u32(1), u32(0), _S568), _S569, _S570);
-    var _S573 : vec3<f32> = vec3<f32>(_S571.blocks_warp_0);
-    var _S574 : vec3<f32> = vec3<f32>(_S571.blocks_weft_0);
-    var _S575 : vec3<f32> = _S573 * _S571.crossing_warp_0 + _S574 * _S571.crossing_weft_0;
-    var _S576 : vec3<f32> = vec3<f32>(_S572.blocks_warp_0);
-    var _S577 : vec3<f32> = vec3<f32>(_S572.blocks_weft_0);
-    var _S578 : vec3<f32> = _S576 * _S572.crossing_warp_0 + _S577 * _S572.crossing_weft_0;
-    var _S579 : f32 = 1.0f - _S571.open_0;
-    var _S580 : f32 = 1.0f - _S572.open_0;
-    var _S581 : vec3<f32> = vec3<f32>(1.0f);
-    var _S582 : vec3<f32> = _S581 / (_S581 - _S575 * _S578 * vec3<f32>((_S579 * _S580)));
-    var _S583 : vec3<f32> = _S578 * (vec3<f32>(_S571.open_0) + vec3<f32>(_S579) * (_S573 * _S571.sky_warp_0 + _S574 * _S571.sky_weft_0)) * _S582;
-    var _S584 : vec3<f32> = _S575 * (vec3<f32>(_S572.open_0) + vec3<f32>(_S580) * (_S576 * _S572.sky_warp_0 + _S577 * _S572.sky_weft_0)) * _S582;
-    var _S585 : FaceRadiance_0 = face_radiance_0(_S571, _S572.open_0, _S583, _S584);
-    var _S586 : FaceRadiance_0 = face_radiance_0(_S572, _S571.open_0, _S584, _S583);
+    var _S547 : Scattered_0 = scattered_by_0(_S544, table_albedos_0(families_0[fabrics_0[_S544].warp_0].colour_mean_0), u32(0), _S545);
+    var _S548 : Scattered_0 = scattered_by_0(_S544, table_albedos_0(families_0[fabrics_0[_S544].weft_0].colour_mean_0), u32(1), _S545);
+    var _S549 : FaceSends_0 = face_sends_0(_S544, select(u32(0), u32(1), _S546), _S547, _S548);
+    var _S550 : FaceSends_0 = face_sends_0(_S544, select(u32(1), u32(0), _S546), _S547, _S548);
+    var _S551 : vec3<f32> = vec3<f32>(_S549.blocks_warp_0);
+    var _S552 : vec3<f32> = vec3<f32>(_S549.blocks_weft_0);
+    var _S553 : vec3<f32> = _S551 * _S549.crossing_warp_0 + _S552 * _S549.crossing_weft_0;
+    var _S554 : vec3<f32> = vec3<f32>(_S550.blocks_warp_0);
+    var _S555 : vec3<f32> = vec3<f32>(_S550.blocks_weft_0);
+    var _S556 : vec3<f32> = _S554 * _S550.crossing_warp_0 + _S555 * _S550.crossing_weft_0;
+    var _S557 : f32 = 1.0f - _S549.open_0;
+    var _S558 : f32 = 1.0f - _S550.open_0;
+    var _S559 : vec3<f32> = vec3<f32>(1.0f);
+    var _S560 : vec3<f32> = _S559 / (_S559 - _S553 * _S556 * vec3<f32>((_S557 * _S558)));
+    var _S561 : vec3<f32> = _S556 * (vec3<f32>(_S549.open_0) + vec3<f32>(_S557) * (_S551 * _S549.sky_warp_0 + _S552 * _S549.sky_weft_0)) * _S560;
+    var _S562 : vec3<f32> = _S553 * (vec3<f32>(_S550.open_0) + vec3<f32>(_S558) * (_S554 * _S550.sky_warp_0 + _S555 * _S550.sky_weft_0)) * _S560;
+    var _S563 : FaceRadiance_0 = face_radiance_0(_S549, _S550.open_0, _S561, _S562);
+    var _S564 : FaceRadiance_0 = face_radiance_0(_S550, _S549.open_0, _S562, _S561);
     var interior_1 : Interior_0;
-    interior_1.warp_3 = _S585.warp_2;
-    interior_1.weft_3 = _S585.weft_2;
-    interior_1.leaked_1 = _S585.leaked_0;
-    interior_1.far_1 = _S586.mean_1;
-    interior_1.far_leaked_0 = _S586.leaked_0;
+    interior_1.warp_3 = _S563.warp_2;
+    interior_1.weft_3 = _S563.weft_2;
+    interior_1.leaked_1 = _S563.leaked_0;
+    interior_1.far_1 = _S564.mean_1;
+    interior_1.far_leaked_0 = _S564.leaked_0;
     return interior_1;
 }
 
-fn blocked_of_terms_0( _S587 : u32,  _S588 : u32,  _S589 : array<f32, i32(6)>,  _S590 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S565 : u32,  _S566 : u32,  _S567 : array<f32, i32(6)>,  _S568 : u32) -> Blocked_0
 {
     var shares_0 : array<f32, i32(3)>;
     var share_2 : u32 = u32(0);
@@ -2867,14 +2882,14 @@ fn blocked_of_terms_0( _S587 : u32,  _S588 : u32,  _S589 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S590)
+            if(term_0 < _S568)
             {
             }
             else
             {
                 break;
             }
-            shares_0[share_2] = shares_0[share_2] + openness_number_0(_S587, _S588 + share_2 * _S590 + term_0) * _S589[term_0];
+            shares_0[share_2] = shares_0[share_2] + openness_number_0(_S565, _S566 + share_2 * _S568 + term_0) * _S567[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_0[share_2] = saturate(shares_0[share_2]);
@@ -2887,17 +2902,17 @@ fn blocked_of_terms_0( _S587 : u32,  _S588 : u32,  _S589 : array<f32, i32(6)>,  
     return blocked_2;
 }
 
-fn blocked_from_0( _S591 : u32,  _S592 : vec3<f32>,  _S593 : bool,  _S594 : bool) -> Blocked_0
+fn blocked_from_0( _S569 : u32,  _S570 : vec3<f32>,  _S571 : bool,  _S572 : bool) -> Blocked_0
 {
     var terms_2 : array<f32, i32(6)>;
-    view_terms_0(_S592, &(terms_2));
-    return blocked_of_terms_0(_S591, (select(u32(0), u32(2), _S594) + select(u32(1), u32(0), _S593)) * u32(15), terms_2, u32(5));
+    view_terms_0(_S570, &(terms_2));
+    return blocked_of_terms_0(_S569, (select(u32(0), u32(2), _S572) + select(u32(1), u32(0), _S571)) * u32(15), terms_2, u32(5));
 }
 
-fn warp_seen_from_0( _S595 : u32,  _S596 : vec3<f32>,  _S597 : bool) -> f32
+fn warp_seen_from_0( _S573 : u32,  _S574 : vec3<f32>,  _S575 : bool) -> f32
 {
     var terms_3 : array<f32, i32(6)>;
-    view_terms_1(_S596, &(terms_3));
+    view_terms_1(_S574, &(terms_3));
     var term_1 : u32 = u32(0);
     var share_3 : f32 = 0.0f;
     for(;;)
@@ -2909,117 +2924,117 @@ fn warp_seen_from_0( _S595 : u32,  _S596 : vec3<f32>,  _S597 : bool) -> f32
         {
             break;
         }
-        var share_4 : f32 = share_3 + openness_number_0(_S595, u32(132) + select(u32(0), u32(5), _S597) + term_1) * terms_3[term_1];
+        var share_4 : f32 = share_3 + openness_number_0(_S573, u32(132) + select(u32(0), u32(5), _S575) + term_1) * terms_3[term_1];
         term_1 = term_1 + u32(1);
         share_3 = share_4;
     }
     return saturate(share_3);
 }
 
-fn bounced_of_families_0( _S598 : u32,  _S599 : FamilyAlbedos_0,  _S600 : vec3<f32>,  _S601 : Interior_0,  _S602 : Blocked_0,  _S603 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S576 : u32,  _S577 : FamilyAlbedos_0,  _S578 : vec3<f32>,  _S579 : Interior_0,  _S580 : Blocked_0,  _S581 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S602, scattered_by_0(_S598, _S599.warp_4, u32(0), _S600), _S601), bounced_by_0(_S603, scattered_by_0(_S598, _S599.weft_4, u32(1), _S600), _S601));
+    return sum_of_0(bounced_by_0(_S580, scattered_by_0(_S576, _S577.warp_4, u32(0), _S578), _S579), bounced_by_0(_S581, scattered_by_0(_S576, _S577.weft_4, u32(1), _S578), _S579));
 }
 
-fn bounced_far_0( _S604 : u32,  _S605 : FamilyAlbedos_0,  _S606 : vec3<f32>,  _S607 : Interior_0,  _S608 : vec3<f32>,  _S609 : bool,  _S610 : f32,  _S611 : f32,  _S612 : f32) -> Bounced_0
+fn bounced_far_0( _S582 : u32,  _S583 : FamilyAlbedos_0,  _S584 : vec3<f32>,  _S585 : Interior_0,  _S586 : vec3<f32>,  _S587 : bool,  _S588 : f32,  _S589 : f32,  _S590 : f32) -> Bounced_0
 {
-    var _S613 : Blocked_0 = blocked_from_0(_S604, _S608, true, _S609);
-    var _S614 : Blocked_0 = blocked_from_0(_S604, _S608, false, _S609);
-    var _S615 : f32 = _S610 / max(1.0f - _S613.by_warp_0 - _S613.by_weft_0, 0.10000000149011612f);
-    var _S616 : f32 = (0.0020000000949949f * warp_seen_from_0(_S604, _S608, _S609) + _S615) / (_S615 + _S611 / max(1.0f - _S614.by_warp_0 - _S614.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S617 : f32 = 1.0f - _S612;
-    return bounced_of_families_0(_S604, _S605, _S606, _S607, scaled_0(_S613, _S616 * _S617), scaled_0(_S614, (1.0f - _S616) * _S617));
+    var _S591 : Blocked_0 = blocked_from_0(_S582, _S586, true, _S587);
+    var _S592 : Blocked_0 = blocked_from_0(_S582, _S586, false, _S587);
+    var _S593 : f32 = _S588 / max(1.0f - _S591.by_warp_0 - _S591.by_weft_0, 0.10000000149011612f);
+    var _S594 : f32 = (0.0020000000949949f * warp_seen_from_0(_S582, _S586, _S587) + _S593) / (_S593 + _S589 / max(1.0f - _S592.by_warp_0 - _S592.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S595 : f32 = 1.0f - _S590;
+    return bounced_of_families_0(_S582, _S583, _S584, _S585, scaled_0(_S591, _S594 * _S595), scaled_0(_S592, (1.0f - _S594) * _S595));
 }
 
-fn bounced_over_0( _S618 : u32,  _S619 : Components_0,  _S620 : CloseUp_0,  _S621 : FamilyAlbedos_0,  _S622 : vec3<f32>,  _S623 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S596 : u32,  _S597 : Components_0,  _S598 : CloseUp_0,  _S599 : FamilyAlbedos_0,  _S600 : vec3<f32>,  _S601 : vec3<f32>) -> Bounced_0
 {
-    var _S624 : bool = (_S623.z) < 0.0f;
-    var _S625 : Interior_0 = interior_of_0(_S618, _S622, _S624);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S618, _S621, _S622, _S625, to_face_frame_0(_S623, _S624), _S624, _S619.diffuse_warp_0, _S619.diffuse_weft_0, _S619.hole_2);
-    if((_S620.weight_2) > 0.0f)
+    var _S602 : bool = (_S601.z) < 0.0f;
+    var _S603 : Interior_0 = interior_of_0(_S596, _S600, _S602);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S596, _S599, _S600, _S603, to_face_frame_0(_S601, _S602), _S602, _S597.diffuse_warp_0, _S597.diffuse_weft_0, _S597.hole_2);
+    if((_S598.weight_2) > 0.0f)
     {
-        var _S626 : Bounced_0 = bounced_of_families_0(_S618, _S621, _S622, _S625, _S620.warp_1, _S620.weft_1);
-        var _S627 : vec3<f32> = vec3<f32>(_S620.weight_2);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S626.reflected_0, _S627);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S626.transmitted_0, _S627);
+        var _S604 : Bounced_0 = bounced_of_families_0(_S596, _S599, _S600, _S603, _S598.warp_1, _S598.weft_1);
+        var _S605 : vec3<f32> = vec3<f32>(_S598.weight_2);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S604.reflected_0, _S605);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S604.transmitted_0, _S605);
     }
     return bounced_2;
 }
 
-fn composed_0( _S628 : u32,  _S629 : Components_0,  _S630 : CloseUp_0,  _S631 : FamilyAlbedos_0,  _S632 : vec3<f32>,  _S633 : vec3<f32>,  _S634 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S606 : u32,  _S607 : Components_0,  _S608 : CloseUp_0,  _S609 : FamilyAlbedos_0,  _S610 : vec3<f32>,  _S611 : vec3<f32>,  _S612 : vec3<f32>) -> vec3<f32>
 {
-    var _S635 : Albedos_0 = tinted_0(_S631.warp_4, _S632);
-    var _S636 : Albedos_0 = tinted_0(_S631.weft_4, _S632);
-    var _S637 : vec3<f32> = vec3<f32>(_S629.diffuse_warp_0);
-    var _S638 : vec3<f32> = vec3<f32>(_S629.diffuse_weft_0);
-    var _S639 : vec3<f32> = vec3<f32>(_S629.specular_warp_0);
-    var _S640 : vec3<f32> = vec3<f32>(_S629.specular_weft_0);
-    var _S641 : vec3<f32> = _S635.diffuse_reflect_0 * _S637 + _S636.diffuse_reflect_0 * _S638 + _S635.specular_reflect_0 * _S639 + _S636.specular_reflect_0 * _S640;
-    var _S642 : f32 = _S634.z;
+    var _S613 : Albedos_0 = tinted_0(_S609.warp_4, _S610);
+    var _S614 : Albedos_0 = tinted_0(_S609.weft_4, _S610);
+    var _S615 : vec3<f32> = vec3<f32>(_S607.diffuse_warp_0);
+    var _S616 : vec3<f32> = vec3<f32>(_S607.diffuse_weft_0);
+    var _S617 : vec3<f32> = vec3<f32>(_S607.specular_warp_0);
+    var _S618 : vec3<f32> = vec3<f32>(_S607.specular_weft_0);
+    var _S619 : vec3<f32> = _S613.diffuse_reflect_0 * _S615 + _S614.diffuse_reflect_0 * _S616 + _S613.specular_reflect_0 * _S617 + _S614.specular_reflect_0 * _S618;
+    var _S620 : f32 = _S612.z;
     var body_0 : vec3<f32>;
-    if((_S633.z * _S642) < 0.0f)
+    if((_S611.z * _S620) < 0.0f)
     {
-        body_0 = _S635.diffuse_transmit_0 * _S637 + _S636.diffuse_transmit_0 * _S638 + _S635.specular_transmit_0 * _S639 + _S636.specular_transmit_0 * _S640;
+        body_0 = _S613.diffuse_transmit_0 * _S615 + _S614.diffuse_transmit_0 * _S616 + _S613.specular_transmit_0 * _S617 + _S614.specular_transmit_0 * _S618;
     }
     else
     {
-        body_0 = _S641;
+        body_0 = _S619;
     }
-    if((fabrics_0[_S628].openness_0) != u32(4294967295))
+    if((fabrics_0[_S606].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S628, _S629, _S630, _S631, _S632, _S634), _S633, _S634);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S606, _S607, _S608, _S609, _S610, _S612), _S611, _S612);
     }
-    var _S643 : f32 = fabrics_0[_S628].sheen_strength_0;
-    if((fabrics_0[_S628].sheen_strength_0) <= 0.0f)
+    var _S621 : f32 = fabrics_0[_S606].sheen_strength_0;
+    if((fabrics_0[_S606].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S644 : bool = _S642 < 0.0f;
-    var _S645 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S633, _S644), to_face_frame_0(_S634, _S644), _S643, fabrics_0[_S628].sheen_roughness_0);
-    return vec3<f32>(_S645.y) * body_0 + vec3<f32>(((_S629.light_visibility_1 + _S629.hole_2) * _S645.x));
+    var _S622 : bool = _S620 < 0.0f;
+    var _S623 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S611, _S622), to_face_frame_0(_S612, _S622), _S621, fabrics_0[_S606].sheen_roughness_0);
+    return vec3<f32>(_S623.y) * body_0 + vec3<f32>(((_S607.light_visibility_1 + _S607.hole_2) * _S623.x));
 }
 
-fn light_of_neural_0( _S646 : i32,  _S647 : u32,  _S648 : VisiblePoint_0,  _S649 : vec2<u32>,  _S650 : vec3<f32>) -> vec4<f32>
+fn light_of_neural_0( _S624 : u32,  _S625 : VisiblePoint_0,  _S626 : vec2<u32>,  _S627 : vec3<f32>) -> vec4<f32>
 {
     var footprint_1 : Footprint_0;
-    footprint_1.centre_0 = _S648.draft_0;
-    footprint_1.dx_0 = _S648.draft_dx_0;
-    footprint_1.dy_0 = _S648.draft_dy_0;
-    var _S651 : vec3<f32> = to_local_0(_S648, _S648.view_1);
+    footprint_1.centre_0 = _S625.draft_0;
+    footprint_1.dx_0 = _S625.draft_dx_0;
+    footprint_1.dy_0 = _S625.draft_dy_0;
+    var _S628 : vec3<f32> = to_local_0(_S625, _S625.view_1);
     var activations_0 : NeuralView_0;
-    neural_view_0(_S647, footprint_1, _S651, &(activations_0));
-    var _S652 : f32 = _S651.z;
-    var _S653 : FamilyAlbedos_0 = albedos_over_0(_S647, footprint_1, _S652 < 0.0f);
-    var _S654 : vec3<f32> = vec3<f32>(0.0f);
+    neural_view_0(_S624, footprint_1, _S628, &(activations_0));
+    var _S629 : f32 = _S628.z;
+    var _S630 : FamilyAlbedos_0 = albedos_over_0(_S624, footprint_1, _S629 < 0.0f);
+    var _S631 : vec3<f32> = vec3<f32>(0.0f);
     var number_4 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S654;
+    var radiance_1 : vec3<f32> = _S631;
     for(;;)
     {
-        if(number_4 < (light_sample_count_0(_S646)))
+        if(number_4 < (light_sample_count_0()))
         {
         }
         else
         {
             break;
         }
-        var _S655 : f32 = visibility_at_0(_S646, number_4, _S649);
-        if(_S655 <= 0.0f)
+        var _S632 : f32 = visibility_at_0(number_4, _S626);
+        if(_S632 <= 0.0f)
         {
             number_4 = number_4 + u32(1);
             continue;
         }
-        var _S656 : LightSample_0 = light_sample_0(_S646, number_4, _S649, _S648.position_0);
-        var _S657 : vec3<f32> = to_local_0(_S648, _S656.towards_0);
-        var _S658 : Components_0 = neural_components_0(_S647, &(activations_0), _S657);
-        radiance_1 = radiance_1 + vec3<f32>(_S655) * _S656.irradiance_1 * composed_0(_S647, _S658, no_close_up_0(), _S653, _S650, _S657, _S651);
+        var _S633 : LightSample_0 = light_sample_0(number_4, _S626, _S625.position_0);
+        var _S634 : vec3<f32> = to_local_0(_S625, _S633.towards_0);
+        var _S635 : Components_0 = neural_components_0(_S624, &(activations_0), _S634);
+        radiance_1 = radiance_1 + vec3<f32>(_S632) * _S633.irradiance_1 * composed_0(_S624, _S635, no_close_up_0(), _S630, _S627, _S634, _S628);
         number_4 = number_4 + u32(1);
     }
     var hole_3 : f32 = activations_0.hole_0;
-    var _S659 : f32 = fabrics_0[_S647].sheen_strength_0;
+    var _S636 : f32 = fabrics_0[_S624].sheen_strength_0;
     var hole_4 : f32;
-    if((fabrics_0[_S647].sheen_strength_0) > 0.0f)
+    if((fabrics_0[_S624].sheen_strength_0) > 0.0f)
     {
-        hole_4 = hole_3 * (1.0f - _S659 * sheen_lobe_0(abs(_S652), fabrics_0[_S647].sheen_roughness_0).z);
+        hole_4 = hole_3 * (1.0f - _S636 * sheen_lobe_0(abs(_S629), fabrics_0[_S624].sheen_roughness_0).z);
     }
     else
     {
@@ -3032,32 +3047,31 @@ fn light_of_neural_0( _S646 : i32,  _S647 : u32,  _S648 : VisiblePoint_0,  _S649
 @workgroup_size(8, 8, 1)
 fn shade_neural(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S660 : u32 = id_0.x;
-    var _S661 : u32 = frames_0[i32(0)].width_0;
-    var _S662 : bool;
-    if(_S660 >= (frames_0[i32(0)].width_0))
+    var _S637 : u32 = id_0.x;
+    var _S638 : bool;
+    if(_S637 >= (frame_record_0.width_0))
     {
-        _S662 = true;
+        _S638 = true;
     }
     else
     {
-        _S662 = (id_0.y) >= (frames_0[i32(0)].height_0);
+        _S638 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S662)
+    if(_S638)
     {
         return;
     }
-    var _S663 : u32 = id_0.y * _S661 + _S660;
-    var _S664 : u32 = layers_0[_S663].face_0;
-    if((layers_0[_S663].face_0) == u32(0))
+    var _S639 : u32 = id_0.y * frame_record_0.width_0 + _S637;
+    var _S640 : u32 = layers_0[_S639].face_0;
+    if((layers_0[_S639].face_0) == u32(0))
     {
         return;
     }
-    var _S665 : u32 = _S664 - u32(1);
-    var _S666 : u32 = face_fabrics_0[_S665];
-    var _S667 : vec2<u32> = id_0.xy;
-    var _S668 : VisiblePoint_0 = visible_point_0(i32(0), _S666, _S665, _S667);
-    accumulate_0(_S663, light_of_neural_0(i32(0), _S666, _S668, _S667, filtered_albedo_0(_S666, _S668)));
+    var _S641 : u32 = _S640 - u32(1);
+    var _S642 : u32 = fabric_of_0(_S641);
+    var _S643 : vec2<u32> = id_0.xy;
+    var _S644 : VisiblePoint_0 = visible_point_0(_S642, _S641, _S643);
+    accumulate_0(_S639, light_of_neural_0(_S642, _S644, _S643, filtered_albedo_0(_S642, _S644)));
     return;
 }
 

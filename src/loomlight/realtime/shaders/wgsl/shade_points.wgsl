@@ -1,54 +1,57 @@
-struct Frame_std430_0
+struct Frame_std140_0
 {
-    @align(4) width_0 : u32,
+    @align(16) width_0 : u32,
     @align(4) height_0 : u32,
-    @align(4) lights_0 : u32,
+    @align(8) lights_0 : u32,
     @align(4) samples_0 : u32,
-    @align(4) pass_number_0 : u32,
+    @align(16) pass_number_0 : u32,
     @align(4) environment_samples_0 : u32,
-    @align(4) environment_columns_0 : u32,
+    @align(8) environment_columns_0 : u32,
     @align(4) environment_rows_0 : u32,
-    @align(4) environment_table_0 : u32,
+    @align(16) environment_table_0 : u32,
     @align(4) environment_total_0 : f32,
-    @align(4) environment_sine_0 : f32,
+    @align(8) environment_sine_0 : f32,
     @align(4) environment_cosine_0 : f32,
-    @align(4) shows_environment_0 : u32,
+    @align(16) shows_environment_0 : u32,
     @align(4) casts_shadows_0 : u32,
-    @align(4) leaves_0 : u32,
+    @align(8) leaves_0 : u32,
     @align(4) leaf_faces_0 : u32,
-    @align(4) ray_offset_0 : f32,
+    @align(16) corners_0 : u32,
+    @align(4) face_fabrics_0 : u32,
+    @align(8) vertices_0 : u32,
+    @align(4) light_records_0 : u32,
+    @align(16) ray_offset_0 : f32,
     @align(4) jitter_x_0 : f32,
-    @align(4) jitter_y_0 : f32,
+    @align(8) jitter_y_0 : f32,
     @align(4) gain_0 : f32,
-    @align(4) origin_x_0 : f32,
+    @align(16) origin_x_0 : f32,
     @align(4) origin_y_0 : f32,
-    @align(4) origin_z_0 : f32,
+    @align(8) origin_z_0 : f32,
     @align(4) right_x_0 : f32,
-    @align(4) right_y_0 : f32,
+    @align(16) right_y_0 : f32,
     @align(4) right_z_0 : f32,
-    @align(4) up_x_0 : f32,
+    @align(8) up_x_0 : f32,
     @align(4) up_y_0 : f32,
-    @align(4) up_z_0 : f32,
+    @align(16) up_z_0 : f32,
     @align(4) forward_x_0 : f32,
-    @align(4) forward_y_0 : f32,
+    @align(8) forward_y_0 : f32,
     @align(4) forward_z_0 : f32,
-    @align(4) near_0 : f32,
+    @align(16) near_0 : f32,
     @align(4) background_red_0 : f32,
-    @align(4) background_green_0 : f32,
+    @align(8) background_green_0 : f32,
     @align(4) background_blue_0 : f32,
 };
 
-@binding(4) @group(0) var<storage, read> frames_0 : array<Frame_std430_0>;
-
+@binding(10) @group(0) var<uniform> frame_record_0 : Frame_std140_0;
 struct Layer_std430_0
 {
     @align(4) face_0 : u32,
     @align(4) share_0 : f32,
 };
 
-@binding(12) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
+@binding(5) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
 
-@binding(7) @group(0) var<storage, read> face_fabrics_0 : array<u32>;
+@binding(4) @group(0) var<storage, read> scene_words_0 : array<u32>;
 
 struct Lobes_std430_0
 {
@@ -128,7 +131,7 @@ struct Latent_std430_0
     @align(4) is_trained_1 : u32,
     @align(4) decoder_1 : u32,
     @align(4) hidden_0 : u32,
-    @align(4) frames_1 : u32,
+    @align(4) frames_0 : u32,
     @align(4) sampler_0 : u32,
     @align(4) albedo_0 : u32,
     @align(4) texels_1 : u32,
@@ -208,24 +211,6 @@ struct Fabric_std430_0
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
 
-@binding(6) @group(0) var<storage, read> corners_0 : array<u32>;
-
-struct Vertex_std430_0
-{
-    @align(4) x_0 : f32,
-    @align(4) y_0 : f32,
-    @align(4) z_0 : f32,
-    @align(4) normal_x_0 : f32,
-    @align(4) normal_y_0 : f32,
-    @align(4) normal_z_0 : f32,
-    @align(4) u_0 : f32,
-    @align(4) v_0 : f32,
-};
-
-@binding(5) @group(0) var<storage, read> vertices_0 : array<Vertex_std430_0>;
-
-@binding(11) @group(0) var<storage, read> scene_words_0 : array<u32>;
-
 struct Family_std430_0
 {
     @align(4) is_alike_0 : u32,
@@ -275,22 +260,9 @@ struct Family_std430_0
 
 @binding(2) @group(0) var<storage, read> words_0 : array<u32>;
 
-@binding(13) @group(0) var<storage, read_write> visibilities_0 : array<f32>;
+@binding(6) @group(0) var<storage, read_write> visibilities_0 : array<f32>;
 
-struct Light_std430_0
-{
-    @align(4) is_point_0 : u32,
-    @align(4) x_1 : f32,
-    @align(4) y_1 : f32,
-    @align(4) z_1 : f32,
-    @align(4) red_0 : f32,
-    @align(4) green_0 : f32,
-    @align(4) blue_0 : f32,
-};
-
-@binding(3) @group(0) var<storage, read> lights_1 : array<Light_std430_0>;
-
-@binding(8) @group(0) var<storage, read_write> radiance_0 : array<vec4<f32>>;
+@binding(7) @group(0) var<storage, read_write> radiance_0 : array<vec4<f32>>;
 
 fn select_vector_0( condition_0 : bool,  yes_0 : vec3<f32>,  no_0 : vec3<f32>) -> vec3<f32>
 {
@@ -309,20 +281,51 @@ fn select_vector_1( condition_1 : bool,  yes_1 : vec2<f32>,  no_1 : vec2<f32>) -
     return chosen_1;
 }
 
-fn rsqrt_0( x_2 : f32) -> f32
+fn rsqrt_0( x_0 : f32) -> f32
 {
-    return 1.0f / sqrt(x_2);
+    return 1.0f / sqrt(x_0);
 }
 
 var<private> PYRAMID_RADII_0 : array<f32, i32(4)> = array<f32, i32(4)>( 1.0f, 2.0f, 4.0f, 8.0f );
-fn position_of_0( vertex_0 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+fn fabric_of_0( face_1 : u32) -> u32
 {
-    return vec3<f32>((*vertex_0).x_0, (*vertex_0).y_0, (*vertex_0).z_0);
+    return scene_words_0[frame_record_0.face_fabrics_0 + face_1];
 }
 
-fn position_of_1( vertex_1 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+struct Vertex_0
 {
-    return vec3<f32>((*vertex_1).x_0, (*vertex_1).y_0, (*vertex_1).z_0);
+     x_1 : f32,
+     y_0 : f32,
+     z_0 : f32,
+     normal_x_0 : f32,
+     normal_y_0 : f32,
+     normal_z_0 : f32,
+     u_0 : f32,
+     v_0 : f32,
+};
+
+fn scene_vertex_0( first_0 : u32) -> Vertex_0
+{
+    var record_0 : Vertex_0;
+    record_0.x_1 = (bitcast<f32>((scene_words_0[first_0])));
+    record_0.y_0 = (bitcast<f32>((scene_words_0[first_0 + u32(1)])));
+    record_0.z_0 = (bitcast<f32>((scene_words_0[first_0 + u32(2)])));
+    record_0.normal_x_0 = (bitcast<f32>((scene_words_0[first_0 + u32(3)])));
+    record_0.normal_y_0 = (bitcast<f32>((scene_words_0[first_0 + u32(4)])));
+    record_0.normal_z_0 = (bitcast<f32>((scene_words_0[first_0 + u32(5)])));
+    record_0.u_0 = (bitcast<f32>((scene_words_0[first_0 + u32(6)])));
+    record_0.v_0 = (bitcast<f32>((scene_words_0[first_0 + u32(7)])));
+    return record_0;
+}
+
+fn vertex_at_0( corner_0 : u32) -> Vertex_0
+{
+    return scene_vertex_0(frame_record_0.vertices_0 + u32(8) * scene_words_0[frame_record_0.corners_0 + corner_0]);
+}
+
+fn position_of_0( vertex_0 : Vertex_0) -> vec3<f32>
+{
+    return vec3<f32>(vertex_0.x_1, vertex_0.y_0, vertex_0.z_0);
 }
 
 fn square_0( v_1 : vec3<f32>) -> f32
@@ -330,19 +333,19 @@ fn square_0( v_1 : vec3<f32>) -> f32
     return dot(v_1, v_1);
 }
 
-fn normal_of_0( vertex_2 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+fn normal_of_0( vertex_1 : Vertex_0) -> vec3<f32>
 {
-    return vec3<f32>((*vertex_2).normal_x_0, (*vertex_2).normal_y_0, (*vertex_2).normal_z_0);
+    return vec3<f32>(vertex_1.normal_x_0, vertex_1.normal_y_0, vertex_1.normal_z_0);
 }
 
-fn square_1( x_3 : f32) -> f32
+fn square_1( x_2 : f32) -> f32
 {
-    return x_3 * x_3;
+    return x_2 * x_2;
 }
 
-fn natural_logarithm_0( x_4 : f32) -> f32
+fn natural_logarithm_0( x_3 : f32) -> f32
 {
-    var _S1 : u32 = (bitcast<u32>((x_4)));
+    var _S1 : u32 = (bitcast<u32>((x_3)));
     var exponent_0 : f32 = f32(i32((_S1 >> (u32(23)))) - i32(126));
     var m_0 : f32 = (bitcast<f32>(((((_S1 & (u32(8388607)))) | (u32(1056964608))))));
     var m_1 : f32;
@@ -363,17 +366,17 @@ fn natural_logarithm_0( x_4 : f32) -> f32
     return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S2 - exponent_1 * 0.00021219444170129f - 0.5f * _S2) + exponent_1 * 0.693359375f;
 }
 
-fn binary_logarithm_0( x_5 : f32) -> f32
+fn binary_logarithm_0( x_4 : f32) -> f32
 {
-    return natural_logarithm_0(x_5) * 1.4426950216293335f;
+    return natural_logarithm_0(x_4) * 1.4426950216293335f;
 }
 
-fn exponential_0( x_6 : f32) -> f32
+fn exponential_0( x_5 : f32) -> f32
 {
-    var _S3 : f32 = clamp(x_6, -87.0f, 88.0f);
+    var _S3 : f32 = clamp(x_5, -87.0f, 88.0f);
     var _S4 : f32 = floor(_S3 * 1.4426950216293335f + 0.5f);
     var _S5 : f32 = _S3 - _S4 * 0.693359375f + _S4 * 0.00021219444170129f;
-    return select(((((((0.00019875691214111f * _S5 + 0.00139819993637502f) * _S5 + 0.00833345204591751f) * _S5 + 0.04166579619050026f) * _S5 + 0.1666666567325592f) * _S5 + 0.5f) * _S5 * _S5 + _S5 + 1.0f) * (bitcast<f32>(((u32(i32(_S4) + i32(127)) << (u32(23)))))), 0.0f, x_6 < -87.0f);
+    return select(((((((0.00019875691214111f * _S5 + 0.00139819993637502f) * _S5 + 0.00833345204591751f) * _S5 + 0.04166579619050026f) * _S5 + 0.1666666567325592f) * _S5 + 0.5f) * _S5 * _S5 + _S5 + 1.0f) * (bitcast<f32>(((u32(i32(_S4) + i32(127)) << (u32(23)))))), 0.0f, x_5 < -87.0f);
 }
 
 fn map_texel_0( index_0 : u32) -> vec3<f32>
@@ -383,7 +386,7 @@ fn map_texel_0( index_0 : u32) -> vec3<f32>
     return _S7 * _S7;
 }
 
-fn map_level_0( first_0 : u32,  side_0 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
+fn map_level_0( first_1 : u32,  side_0 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
 {
     var _S8 : f32 = uv_0.x;
     var _S9 : f32 = f32(side_0);
@@ -397,9 +400,9 @@ fn map_level_0( first_0 : u32,  side_0 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
     var _S17 : f32 = floor(_S12);
     var _S18 : u32 = (u32(i32(_S17) + _S14) & (_S15));
     var _S19 : u32 = ((_S16 + u32(1)) & (_S15));
-    var _S20 : u32 = first_0 + _S18 * side_0;
+    var _S20 : u32 = first_1 + _S18 * side_0;
     var _S21 : vec3<f32> = vec3<f32>((_S10 - _S13));
-    var _S22 : u32 = first_0 + (((_S18 + u32(1)) & (_S15))) * side_0;
+    var _S22 : u32 = first_1 + (((_S18 + u32(1)) & (_S15))) * side_0;
     return mix(mix(map_texel_0(_S20 + _S16), map_texel_0(_S20 + _S19), _S21), mix(map_texel_0(_S22 + _S16), map_texel_0(_S22 + _S19), _S21), vec3<f32>((_S12 - _S17)));
 }
 
@@ -580,14 +583,14 @@ fn shown_at_0( crossing_0 : Crossing_0,  back_3 : bool) -> Shown_0
     return shown_0;
 }
 
-fn select_cell_0( is_first_0 : bool,  first_1 : Cell_0,  second_0 : Cell_0) -> Cell_0
+fn select_cell_0( is_first_0 : bool,  first_2 : Cell_0,  second_0 : Cell_0) -> Cell_0
 {
     var cell_4 : Cell_0;
-    cell_4.thread_2 = select(second_0.thread_2, first_1.thread_2, is_first_0);
-    cell_4.across_0 = select(second_0.across_0, first_1.across_0, is_first_0);
-    cell_4.half_width_1 = select(second_0.half_width_1, first_1.half_width_1, is_first_0);
-    cell_4.below_0 = select(second_0.below_0, first_1.below_0, is_first_0);
-    cell_4.above_0 = select(second_0.above_0, first_1.above_0, is_first_0);
+    cell_4.thread_2 = select(second_0.thread_2, first_2.thread_2, is_first_0);
+    cell_4.across_0 = select(second_0.across_0, first_2.across_0, is_first_0);
+    cell_4.half_width_1 = select(second_0.half_width_1, first_2.half_width_1, is_first_0);
+    cell_4.below_0 = select(second_0.below_0, first_2.below_0, is_first_0);
+    cell_4.above_0 = select(second_0.above_0, first_2.above_0, is_first_0);
     return cell_4;
 }
 
@@ -597,13 +600,13 @@ fn boundary_0( family_4 : u32,  thread_4 : u32,  step_0 : i32) -> f32
     return fma(_S40.x, families_0[family_4].period_0, table_number_0(families_0[family_4].place_table_0 + u32(_S40.y) * u32(4)));
 }
 
-fn span_0( family_5 : u32,  thread_5 : u32,  first_2 : i32,  last_0 : i32) -> f32
+fn span_0( family_5 : u32,  thread_5 : u32,  first_3 : i32,  last_0 : i32) -> f32
 {
     if((families_0[family_5].is_alike_0) != u32(0))
     {
-        return f32(last_0 - first_2) * families_0[family_5].size_0;
+        return f32(last_0 - first_3) * families_0[family_5].size_0;
     }
-    return boundary_0(family_5, thread_5, last_0) - boundary_0(family_5, thread_5, first_2);
+    return boundary_0(family_5, thread_5, last_0) - boundary_0(family_5, thread_5, first_3);
 }
 
 struct Bend_0
@@ -885,15 +888,15 @@ fn fibre_direction_0( across_slope_0 : f32,  along_slope_0 : f32,  sine_1 : f32,
     return vec2<f32>(- _S90 * _S88, _S90 * across_slope_0 * along_slope_0 + cosine_0 * _S89);
 }
 
-fn arc_sine_0( x_7 : f32) -> f32
+fn arc_sine_0( x_6 : f32) -> f32
 {
-    var _S91 : f32 = abs(x_7);
+    var _S91 : f32 = abs(x_6);
     var _S92 : bool = _S91 > 0.5f;
     var _S93 : f32 = select(_S91 * _S91, 0.5f * (1.0f - _S91), _S92);
     var _S94 : f32 = select(_S91, sqrt(max(_S93, 0.0f)), _S92);
     var _S95 : f32 = ((((0.04216320067644119f * _S93 + 0.02418131195008755f) * _S93 + 0.04547002539038658f) * _S93 + 0.07495300471782684f) * _S93 + 0.16666752099990845f) * _S93 * _S94 + _S94;
     var _S96 : f32 = select(_S95, 1.57079637050628662f - 2.0f * _S95, _S92);
-    return select(_S96, - _S96, x_7 < 0.0f);
+    return select(_S96, - _S96, x_6 < 0.0f);
 }
 
 struct Hair_0
@@ -922,10 +925,10 @@ fn share_of_0( bits_0 : u32) -> f32
     return (f32((bits_0 & (u32(1023)))) + 0.5f) * 0.0009765625f;
 }
 
-fn sine_cosine_0( x_8 : f32) -> vec2<f32>
+fn sine_cosine_0( x_7 : f32) -> vec2<f32>
 {
-    var _S98 : f32 = floor(x_8 * 0.63661974668502808f + 0.5f);
-    var _S99 : f32 = x_8 - _S98 * 1.5703125f - _S98 * 0.00048375129699707f - _S98 * 7.54979012640433211e-08f;
+    var _S98 : f32 = floor(x_7 * 0.63661974668502808f + 0.5f);
+    var _S99 : f32 = x_7 - _S98 * 1.5703125f - _S98 * 0.00048375129699707f - _S98 * 7.54979012640433211e-08f;
     var _S100 : f32 = _S99 * _S99;
     var _S101 : f32 = ((-0.00019515295571182f * _S100 + 0.00833216123282909f) * _S100 - 0.16666655242443085f) * _S100 * _S99 + _S99;
     var _S102 : f32 = ((0.00002443315679557f * _S100 - 0.00138873164542019f) * _S100 + 0.04166664555668831f) * _S100 * _S100 - 0.5f * _S100 + 1.0f;
@@ -1194,6 +1197,30 @@ fn mean_1( colour_0 : vec3<f32>) -> f32
     return (colour_0.x + colour_0.y + colour_0.z) / 3.0f;
 }
 
+struct Light_0
+{
+     is_point_0 : u32,
+     x_8 : f32,
+     y_1 : f32,
+     z_1 : f32,
+     red_0 : f32,
+     green_0 : f32,
+     blue_0 : f32,
+};
+
+fn scene_light_0( first_4 : u32) -> Light_0
+{
+    var record_1 : Light_0;
+    record_1.is_point_0 = scene_words_0[first_4];
+    record_1.x_8 = (bitcast<f32>((scene_words_0[first_4 + u32(1)])));
+    record_1.y_1 = (bitcast<f32>((scene_words_0[first_4 + u32(2)])));
+    record_1.z_1 = (bitcast<f32>((scene_words_0[first_4 + u32(3)])));
+    record_1.red_0 = (bitcast<f32>((scene_words_0[first_4 + u32(4)])));
+    record_1.green_0 = (bitcast<f32>((scene_words_0[first_4 + u32(5)])));
+    record_1.blue_0 = (bitcast<f32>((scene_words_0[first_4 + u32(6)])));
+    return record_1;
+}
+
 fn diffuse_reflection_0( light_1 : vec3<f32>,  normal_5 : vec3<f32>,  blend_1 : f32) -> f32
 {
     var _S135 : f32 = light_1.z;
@@ -1322,132 +1349,120 @@ fn accumulate_0( index_7 : u32,  light_8 : vec4<f32>)
     return;
 }
 
-fn camera_right_0( _S166 : i32) -> vec3<f32>
+fn camera_right_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S166].right_x_0, frames_0[_S166].right_y_0, frames_0[_S166].right_z_0);
+    return vec3<f32>(frame_record_0.right_x_0, frame_record_0.right_y_0, frame_record_0.right_z_0);
 }
 
-fn camera_up_0( _S167 : i32) -> vec3<f32>
+fn camera_up_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S167].up_x_0, frames_0[_S167].up_y_0, frames_0[_S167].up_z_0);
+    return vec3<f32>(frame_record_0.up_x_0, frame_record_0.up_y_0, frame_record_0.up_z_0);
 }
 
-fn camera_forward_0( _S168 : i32) -> vec3<f32>
+fn camera_forward_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S168].forward_x_0, frames_0[_S168].forward_y_0, frames_0[_S168].forward_z_0);
+    return vec3<f32>(frame_record_0.forward_x_0, frame_record_0.forward_y_0, frame_record_0.forward_z_0);
 }
 
-fn camera_origin_0( _S169 : i32) -> vec3<f32>
+fn camera_origin_0() -> vec3<f32>
 {
-    return vec3<f32>(frames_0[_S169].origin_x_0, frames_0[_S169].origin_y_0, frames_0[_S169].origin_z_0);
+    return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn face_point_0( _S170 : u32,  _S171 : u32,  _S172 : f32,  _S173 : f32) -> VisiblePoint_0
+fn face_point_0( _S166 : u32,  _S167 : u32,  _S168 : f32,  _S169 : f32) -> VisiblePoint_0
 {
-    var _S174 : u32 = u32(3) * _S171;
-    var _S175 : Vertex_std430_0 = vertices_0[corners_0[_S174]];
-    var _S176 : Vertex_std430_0 = vertices_0[corners_0[_S174 + u32(1)]];
-    var _S177 : Vertex_std430_0 = vertices_0[corners_0[_S174 + u32(2)]];
-    var _S178 : vec3<f32> = position_of_0(&(_S176));
-    var _S179 : vec3<f32> = position_of_0(&(_S175));
-    var _S180 : vec3<f32> = _S178 - _S179;
-    var _S181 : vec3<f32> = position_of_0(&(_S177));
-    var _S182 : vec3<f32> = _S181 - _S179;
-    var _S183 : f32 = _S175.u_0;
-    var _S184 : f32 = _S176.u_0 - _S175.u_0;
-    var _S185 : f32 = _S175.v_0;
-    var _S186 : f32 = _S176.v_0 - _S175.v_0;
-    var _S187 : vec2<f32> = vec2<f32>(_S184, _S186);
-    var _S188 : f32 = _S177.u_0 - _S175.u_0;
-    var _S189 : f32 = _S177.v_0 - _S175.v_0;
-    var _S190 : vec2<f32> = vec2<f32>(_S188, _S189);
-    var _S191 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S184 * _S189 - _S186 * _S188) < 0.0f));
-    var _S192 : vec3<f32> = _S191 * (vec3<f32>(_S189) * _S180 - vec3<f32>(_S186) * _S182);
-    var _S193 : vec3<f32> = _S191 * (vec3<f32>(_S184) * _S182 - vec3<f32>(_S188) * _S180);
+    var _S170 : u32 = u32(3) * _S167;
+    var _S171 : Vertex_0 = vertex_at_0(_S170);
+    var _S172 : Vertex_0 = vertex_at_0(_S170 + u32(1));
+    var _S173 : Vertex_0 = vertex_at_0(_S170 + u32(2));
+    var _S174 : vec3<f32> = position_of_0(_S171);
+    var _S175 : vec3<f32> = position_of_0(_S172) - _S174;
+    var _S176 : vec3<f32> = position_of_0(_S173) - _S174;
+    var _S177 : f32 = _S172.u_0 - _S171.u_0;
+    var _S178 : f32 = _S172.v_0 - _S171.v_0;
+    var _S179 : vec2<f32> = vec2<f32>(_S177, _S178);
+    var _S180 : f32 = _S173.u_0 - _S171.u_0;
+    var _S181 : f32 = _S173.v_0 - _S171.v_0;
+    var _S182 : vec2<f32> = vec2<f32>(_S180, _S181);
+    var _S183 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S177 * _S181 - _S178 * _S180) < 0.0f));
+    var _S184 : vec3<f32> = _S183 * (vec3<f32>(_S181) * _S175 - vec3<f32>(_S178) * _S176);
+    var _S185 : vec3<f32> = _S183 * (vec3<f32>(_S177) * _S176 - vec3<f32>(_S180) * _S175);
     var point_2 : VisiblePoint_0;
-    var _S194 : f32 = 1.0f - _S172 - _S173;
-    var _S195 : vec3<f32> = normal_of_0(&(_S175));
-    var _S196 : vec3<f32> = vec3<f32>(_S194) * _S195;
-    var _S197 : vec3<f32> = normal_of_0(&(_S176));
-    var _S198 : vec3<f32> = vec3<f32>(_S172);
-    var _S199 : vec3<f32> = _S196 + _S198 * _S197;
-    var _S200 : vec3<f32> = normal_of_0(&(_S177));
-    var _S201 : vec3<f32> = vec3<f32>(_S173);
-    var _S202 : vec3<f32> = normalize(_S199 + _S201 * _S200);
-    point_2.normal_0 = _S202;
-    var _S203 : vec3<f32> = normalize(_S192 - _S202 * vec3<f32>(dot(_S202, _S192)));
-    point_2.axis_x_0 = _S203;
-    point_2.axis_y_0 = cross(_S202, _S203);
-    var _S204 : vec3<f32> = normalize(cross(_S180, _S182));
-    point_2.face_normal_0 = select_vector_0((dot(_S204, _S202)) < 0.0f, (vec3<f32>(0) - _S204), _S204);
-    point_2.position_0 = _S179 + _S198 * _S180 + _S201 * _S182;
-    point_2.view_1 = _S202;
-    var _S205 : vec2<f32> = vec2<f32>(_S183, _S185) + vec2<f32>(_S172) * _S187 + vec2<f32>(_S173) * _S190;
-    point_2.uv_1 = _S205;
-    var _S206 : bool = (dot(cross(_S192, _S193), _S202)) < 0.0f;
-    var _S207 : vec2<f32> = vec2<f32>(fabrics_0[_S170].uv_width_0, select(fabrics_0[_S170].uv_height_0, - fabrics_0[_S170].uv_height_0, _S206));
-    point_2.draft_per_uv_0 = _S207;
-    point_2.draft_0 = _S205 * _S207 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S170].uv_height_0, _S206));
-    var _S208 : vec2<f32> = vec2<f32>(0.0f);
-    point_2.draft_dx_0 = _S208;
-    point_2.draft_dy_0 = _S208;
+    var _S186 : vec3<f32> = vec3<f32>(_S168);
+    var _S187 : vec3<f32> = vec3<f32>(_S169);
+    var _S188 : vec3<f32> = normalize(vec3<f32>((1.0f - _S168 - _S169)) * normal_of_0(_S171) + _S186 * normal_of_0(_S172) + _S187 * normal_of_0(_S173));
+    point_2.normal_0 = _S188;
+    var _S189 : vec3<f32> = normalize(_S184 - _S188 * vec3<f32>(dot(_S188, _S184)));
+    point_2.axis_x_0 = _S189;
+    point_2.axis_y_0 = cross(_S188, _S189);
+    var _S190 : vec3<f32> = normalize(cross(_S175, _S176));
+    point_2.face_normal_0 = select_vector_0((dot(_S190, _S188)) < 0.0f, (vec3<f32>(0) - _S190), _S190);
+    point_2.position_0 = _S174 + _S186 * _S175 + _S187 * _S176;
+    point_2.view_1 = _S188;
+    var _S191 : vec2<f32> = vec2<f32>(_S171.u_0, _S171.v_0) + vec2<f32>(_S168) * _S179 + vec2<f32>(_S169) * _S182;
+    point_2.uv_1 = _S191;
+    var _S192 : bool = (dot(cross(_S184, _S185), _S188)) < 0.0f;
+    var _S193 : vec2<f32> = vec2<f32>(fabrics_0[_S166].uv_width_0, select(fabrics_0[_S166].uv_height_0, - fabrics_0[_S166].uv_height_0, _S192));
+    point_2.draft_per_uv_0 = _S193;
+    point_2.draft_0 = _S191 * _S193 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S166].uv_height_0, _S192));
+    var _S194 : vec2<f32> = vec2<f32>(0.0f);
+    point_2.draft_dx_0 = _S194;
+    point_2.draft_dy_0 = _S194;
     return point_2;
 }
 
-fn visible_point_0( _S209 : i32,  _S210 : u32,  _S211 : u32,  _S212 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S195 : u32,  _S196 : u32,  _S197 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S213 : u32 = u32(3) * _S211;
-    var _S214 : Vertex_std430_0 = vertices_0[corners_0[_S213]];
-    var _S215 : Vertex_std430_0 = vertices_0[corners_0[_S213 + u32(1)]];
-    var _S216 : Vertex_std430_0 = vertices_0[corners_0[_S213 + u32(2)]];
-    var _S217 : vec3<f32> = position_of_1(&(_S215));
-    var _S218 : vec3<f32> = position_of_1(&(_S214));
-    var _S219 : vec3<f32> = _S217 - _S218;
-    var _S220 : vec3<f32> = position_of_1(&(_S216));
-    var _S221 : vec3<f32> = _S220 - _S218;
-    var _S222 : vec3<f32> = cross(_S219, _S221);
-    var _S223 : f32 = f32(frames_0[_S209].width_0);
-    var _S224 : vec3<f32> = camera_right_0(_S209) * vec3<f32>((2.0f / _S223));
-    var _S225 : f32 = f32(frames_0[_S209].height_0);
-    var _S226 : vec3<f32> = camera_up_0(_S209) * vec3<f32>((-2.0f / _S225));
-    var _S227 : vec3<f32> = camera_forward_0(_S209) + vec3<f32>((f32(_S212.x) + 0.5f - 0.5f * _S223)) * _S224 + vec3<f32>((f32(_S212.y) + 0.5f - 0.5f * _S225)) * _S226;
-    var _S228 : f32 = dot(_S227, _S222);
-    var _S229 : f32 = 1.0f / select(1.00000000317107685e-30f, _S228, (abs(_S228)) > 1.00000000317107685e-30f);
-    var _S230 : vec3<f32> = _S218 - camera_origin_0(_S209);
-    var _S231 : vec3<f32> = vec3<f32>((dot(_S230, _S222) * _S229));
-    var _S232 : vec3<f32> = _S227 * _S231 - _S230;
-    var _S233 : vec3<f32> = _S231 * (_S224 - _S227 * vec3<f32>((dot(_S224, _S222) * _S229)));
-    var _S234 : vec3<f32> = _S231 * (_S226 - _S227 * vec3<f32>((dot(_S226, _S222) * _S229)));
-    var _S235 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S222), 1.00000000317107685e-30f)));
-    var _S236 : vec3<f32> = cross(_S221, _S222) * _S235;
-    var _S237 : vec3<f32> = cross(_S222, _S219) * _S235;
-    var _S238 : vec2<f32> = vec2<f32>(_S215.u_0 - _S214.u_0, _S215.v_0 - _S214.v_0);
-    var _S239 : vec2<f32> = vec2<f32>(_S216.u_0 - _S214.u_0, _S216.v_0 - _S214.v_0);
-    var point_3 : VisiblePoint_0 = face_point_0(_S210, _S211, dot(_S232, _S236), dot(_S232, _S237));
-    point_3.position_0 = _S218 + _S232;
-    point_3.view_1 = (vec3<f32>(0) - normalize(_S227));
-    point_3.draft_dx_0 = (vec2<f32>(dot(_S233, _S236)) * _S238 + vec2<f32>(dot(_S233, _S237)) * _S239) * point_3.draft_per_uv_0;
-    point_3.draft_dy_0 = (vec2<f32>(dot(_S234, _S236)) * _S238 + vec2<f32>(dot(_S234, _S237)) * _S239) * point_3.draft_per_uv_0;
+    var _S198 : u32 = u32(3) * _S196;
+    var _S199 : Vertex_0 = vertex_at_0(_S198);
+    var _S200 : Vertex_0 = vertex_at_0(_S198 + u32(1));
+    var _S201 : Vertex_0 = vertex_at_0(_S198 + u32(2));
+    var _S202 : vec3<f32> = position_of_0(_S199);
+    var _S203 : vec3<f32> = position_of_0(_S200) - _S202;
+    var _S204 : vec3<f32> = position_of_0(_S201) - _S202;
+    var _S205 : vec3<f32> = cross(_S203, _S204);
+    var _S206 : f32 = f32(frame_record_0.width_0);
+    var _S207 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S206));
+    var _S208 : f32 = f32(frame_record_0.height_0);
+    var _S209 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S208));
+    var _S210 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S197.x) + 0.5f - 0.5f * _S206)) * _S207 + vec3<f32>((f32(_S197.y) + 0.5f - 0.5f * _S208)) * _S209;
+    var _S211 : f32 = dot(_S210, _S205);
+    var _S212 : f32 = 1.0f / select(1.00000000317107685e-30f, _S211, (abs(_S211)) > 1.00000000317107685e-30f);
+    var _S213 : vec3<f32> = _S202 - camera_origin_0();
+    var _S214 : vec3<f32> = vec3<f32>((dot(_S213, _S205) * _S212));
+    var _S215 : vec3<f32> = _S210 * _S214 - _S213;
+    var _S216 : vec3<f32> = _S214 * (_S207 - _S210 * vec3<f32>((dot(_S207, _S205) * _S212)));
+    var _S217 : vec3<f32> = _S214 * (_S209 - _S210 * vec3<f32>((dot(_S209, _S205) * _S212)));
+    var _S218 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S205), 1.00000000317107685e-30f)));
+    var _S219 : vec3<f32> = cross(_S204, _S205) * _S218;
+    var _S220 : vec3<f32> = cross(_S205, _S203) * _S218;
+    var _S221 : vec2<f32> = vec2<f32>(_S200.u_0 - _S199.u_0, _S200.v_0 - _S199.v_0);
+    var _S222 : vec2<f32> = vec2<f32>(_S201.u_0 - _S199.u_0, _S201.v_0 - _S199.v_0);
+    var point_3 : VisiblePoint_0 = face_point_0(_S195, _S196, dot(_S215, _S219), dot(_S215, _S220));
+    point_3.position_0 = _S202 + _S215;
+    point_3.view_1 = (vec3<f32>(0) - normalize(_S210));
+    point_3.draft_dx_0 = (vec2<f32>(dot(_S216, _S219)) * _S221 + vec2<f32>(dot(_S216, _S220)) * _S222) * point_3.draft_per_uv_0;
+    point_3.draft_dy_0 = (vec2<f32>(dot(_S217, _S219)) * _S221 + vec2<f32>(dot(_S217, _S220)) * _S222) * point_3.draft_per_uv_0;
     return point_3;
 }
 
-fn filtered_albedo_0( _S240 : u32,  _S241 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S223 : u32,  _S224 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S242 : u32 = fabrics_0[_S240].albedo_map_levels_0;
-    if((fabrics_0[_S240].albedo_map_levels_0) == u32(0))
+    var _S225 : u32 = fabrics_0[_S223].albedo_map_levels_0;
+    if((fabrics_0[_S223].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S243 : vec2<f32> = vec2<f32>(fabrics_0[_S240].uv_width_0, fabrics_0[_S240].uv_height_0);
-    var _S244 : vec2<f32> = _S241.draft_dx_0 / _S243;
-    var _S245 : vec2<f32> = _S241.draft_dy_0 / _S243;
-    var _S246 : u32 = _S242 - u32(1);
-    var _S247 : u32 = (u32(1) << (_S246));
-    var _S248 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S244.x * _S245.y - _S244.y * _S245.x), 9.99999968265522539e-21f) * (square_1(f32(_S247)) / 3.0f)), 0.0f, f32(_S242) - 1.0f);
-    var _S249 : u32 = min(u32(_S248), max(_S242, u32(2)) - u32(2));
-    var _S250 : u32 = min(_S249 + u32(1), _S246);
-    var _S251 : u32 = (u32(1) << ((u32(2) * _S242)));
-    return mix(map_level_0(fabrics_0[_S240].albedo_map_0 + (_S251 - ((_S251 >> ((u32(2) * _S249))))) / u32(3), (_S247 >> (_S249)), _S241.uv_1), map_level_0(fabrics_0[_S240].albedo_map_0 + (_S251 - ((_S251 >> ((u32(2) * _S250))))) / u32(3), (_S247 >> (_S250)), _S241.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S248 - f32(_S249))) - 1.0f) / 3.0f)));
+    var _S226 : vec2<f32> = vec2<f32>(fabrics_0[_S223].uv_width_0, fabrics_0[_S223].uv_height_0);
+    var _S227 : vec2<f32> = _S224.draft_dx_0 / _S226;
+    var _S228 : vec2<f32> = _S224.draft_dy_0 / _S226;
+    var _S229 : u32 = _S225 - u32(1);
+    var _S230 : u32 = (u32(1) << (_S229));
+    var _S231 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S227.x * _S228.y - _S227.y * _S228.x), 9.99999968265522539e-21f) * (square_1(f32(_S230)) / 3.0f)), 0.0f, f32(_S225) - 1.0f);
+    var _S232 : u32 = min(u32(_S231), max(_S225, u32(2)) - u32(2));
+    var _S233 : u32 = min(_S232 + u32(1), _S229);
+    var _S234 : u32 = (u32(1) << ((u32(2) * _S225)));
+    return mix(map_level_0(fabrics_0[_S223].albedo_map_0 + (_S234 - ((_S234 >> ((u32(2) * _S232))))) / u32(3), (_S230 >> (_S232)), _S224.uv_1), map_level_0(fabrics_0[_S223].albedo_map_0 + (_S234 - ((_S234 >> ((u32(2) * _S233))))) / u32(3), (_S230 >> (_S233)), _S224.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S231 - f32(_S232))) - 1.0f) / 3.0f)));
 }
 
 struct YarnPoint_0
@@ -1487,130 +1502,130 @@ struct Sample_0
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S252 : u32,  _S253 : f32,  _S254 : f32,  _S255 : bool) -> Crossing_0
+fn crossing_at_0( _S235 : u32,  _S236 : f32,  _S237 : f32,  _S238 : bool) -> Crossing_0
 {
     var crossing_2 : Crossing_0;
-    crossing_2.warp_1 = locate_0(fabrics_0[_S252].warp_0, _S253);
-    crossing_2.weft_1 = locate_0(fabrics_0[_S252].weft_0, _S254);
-    var _S256 : u32 = fabrics_0[_S252].run_words_0 + u32(2) * (crossing_2.weft_1.thread_2 * fabrics_0[_S252].ends_1 + crossing_2.warp_1.thread_2);
-    var _S257 : u32 = words_0[_S256];
-    crossing_2.warp_word_0 = _S257;
-    crossing_2.weft_word_0 = words_0[_S256 + u32(1)];
-    crossing_2.warp_above_0 = (((_S257 & (u32(1)))) == u32(1)) != _S255;
+    crossing_2.warp_1 = locate_0(fabrics_0[_S235].warp_0, _S236);
+    crossing_2.weft_1 = locate_0(fabrics_0[_S235].weft_0, _S237);
+    var _S239 : u32 = fabrics_0[_S235].run_words_0 + u32(2) * (crossing_2.weft_1.thread_2 * fabrics_0[_S235].ends_1 + crossing_2.warp_1.thread_2);
+    var _S240 : u32 = words_0[_S239];
+    crossing_2.warp_word_0 = _S240;
+    crossing_2.weft_word_0 = words_0[_S239 + u32(1)];
+    crossing_2.warp_above_0 = (((_S240 & (u32(1)))) == u32(1)) != _S238;
     return crossing_2;
 }
 
-fn sample_at_0( _S258 : u32,  _S259 : f32,  _S260 : f32,  _S261 : bool) -> Sample_0
+fn sample_at_0( _S241 : u32,  _S242 : f32,  _S243 : f32,  _S244 : bool) -> Sample_0
 {
     var sample_0 : Sample_0;
-    var _S262 : Crossing_0 = crossing_at_0(_S258, _S259, _S260, _S261);
-    sample_0.crossing_1 = _S262;
-    var _S263 : Shown_0 = shown_at_0(_S262, _S261);
-    sample_0.shown_3 = _S263;
-    var _S264 : u32 = select(fabrics_0[_S258].weft_0, fabrics_0[_S258].warp_0, _S263.is_warp_0);
-    var _S265 : u32 = select(fabrics_0[_S258].warp_0, fabrics_0[_S258].weft_0, _S263.is_warp_0);
-    var _S266 : Cell_0 = select_cell_0(_S263.is_warp_0, sample_0.crossing_1.warp_1, sample_0.crossing_1.weft_1);
-    var _S267 : Cell_0 = select_cell_0(_S263.is_warp_0, sample_0.crossing_1.weft_1, sample_0.crossing_1.warp_1);
-    var _S268 : Run_0 = unpack_0(_S264, _S265, _S266.thread_2, _S267, _S263.word_0);
-    var _S269 : Section_0 = section_at_0(_S266);
-    var _S270 : bool = ((_S263.on_top_0) & (((_S268.distance_0) < (_S269.drop_0 * _S268.bend_1.sine_0))));
-    var _S271 : f32 = select(-1.0f, 1.0f, ((_S263.on_top_0) & ((!_S270))));
-    var _S272 : f32 = select(_S268.reach_0, _S268.other_reach_0, _S270);
-    var _S273 : f32 = select(max(_S272 - _S268.distance_0, 0.0f), _S272 + _S268.distance_0, _S270);
-    var _S274 : f32 = _S272 / _S268.bend_1.sine_0 - _S271 * _S269.drop_0;
-    var _S275 : f32 = _S273 * _S273;
-    var _S276 : f32 = max(_S274 * _S274 - _S275, 9.99999968265522539e-21f);
-    var _S277 : f32 = rsqrt_0(_S276);
-    var _S278 : f32 = _S275 / (_S276 * _S277 + _S274);
-    var _S279 : bool = _S273 > 0.0f;
-    var _S280 : f32 = select(-1.0f, 1.0f, _S263.on_top_0) * select(-1.0f, 1.0f, _S268.near_start_0);
-    var _S281 : f32 = _S269.slope_0 * select(1.0f, _S274 * _S277, _S279);
-    sample_0.slope_across_0 = _S281;
-    var _S282 : f32 = select(0.0f, _S280 * _S273 * _S277, _S279);
-    sample_0.slope_along_0 = _S282;
-    var _S283 : vec2<f32> = dive_0(_S265, _S263, _S268, _S267);
-    sample_0.height_7 = select(families_0[_S264].height_scale_0 * _S271, 0.0f, _S268.straight_0) * (_S272 * _S268.bend_1.half_tangent_0 - _S278) - families_0[_S264].height_scale_0 * _S269.drop_0 - _S283.x;
-    var _S284 : f32 = families_0[_S264].height_scale_0 * _S281;
-    var _S285 : f32 = families_0[_S264].height_scale_0 * _S282 - _S283.y;
-    sample_0.slope_x_1 = select(_S285, _S284, _S263.is_warp_0);
-    sample_0.slope_y_1 = select(_S284, _S285, _S263.is_warp_0);
-    sample_0.run_3 = _S268;
-    sample_0.section_1 = _S269;
+    var _S245 : Crossing_0 = crossing_at_0(_S241, _S242, _S243, _S244);
+    sample_0.crossing_1 = _S245;
+    var _S246 : Shown_0 = shown_at_0(_S245, _S244);
+    sample_0.shown_3 = _S246;
+    var _S247 : u32 = select(fabrics_0[_S241].weft_0, fabrics_0[_S241].warp_0, _S246.is_warp_0);
+    var _S248 : u32 = select(fabrics_0[_S241].warp_0, fabrics_0[_S241].weft_0, _S246.is_warp_0);
+    var _S249 : Cell_0 = select_cell_0(_S246.is_warp_0, sample_0.crossing_1.warp_1, sample_0.crossing_1.weft_1);
+    var _S250 : Cell_0 = select_cell_0(_S246.is_warp_0, sample_0.crossing_1.weft_1, sample_0.crossing_1.warp_1);
+    var _S251 : Run_0 = unpack_0(_S247, _S248, _S249.thread_2, _S250, _S246.word_0);
+    var _S252 : Section_0 = section_at_0(_S249);
+    var _S253 : bool = ((_S246.on_top_0) & (((_S251.distance_0) < (_S252.drop_0 * _S251.bend_1.sine_0))));
+    var _S254 : f32 = select(-1.0f, 1.0f, ((_S246.on_top_0) & ((!_S253))));
+    var _S255 : f32 = select(_S251.reach_0, _S251.other_reach_0, _S253);
+    var _S256 : f32 = select(max(_S255 - _S251.distance_0, 0.0f), _S255 + _S251.distance_0, _S253);
+    var _S257 : f32 = _S255 / _S251.bend_1.sine_0 - _S254 * _S252.drop_0;
+    var _S258 : f32 = _S256 * _S256;
+    var _S259 : f32 = max(_S257 * _S257 - _S258, 9.99999968265522539e-21f);
+    var _S260 : f32 = rsqrt_0(_S259);
+    var _S261 : f32 = _S258 / (_S259 * _S260 + _S257);
+    var _S262 : bool = _S256 > 0.0f;
+    var _S263 : f32 = select(-1.0f, 1.0f, _S246.on_top_0) * select(-1.0f, 1.0f, _S251.near_start_0);
+    var _S264 : f32 = _S252.slope_0 * select(1.0f, _S257 * _S260, _S262);
+    sample_0.slope_across_0 = _S264;
+    var _S265 : f32 = select(0.0f, _S263 * _S256 * _S260, _S262);
+    sample_0.slope_along_0 = _S265;
+    var _S266 : vec2<f32> = dive_0(_S248, _S246, _S251, _S250);
+    sample_0.height_7 = select(families_0[_S247].height_scale_0 * _S254, 0.0f, _S251.straight_0) * (_S255 * _S251.bend_1.half_tangent_0 - _S261) - families_0[_S247].height_scale_0 * _S252.drop_0 - _S266.x;
+    var _S267 : f32 = families_0[_S247].height_scale_0 * _S264;
+    var _S268 : f32 = families_0[_S247].height_scale_0 * _S265 - _S266.y;
+    sample_0.slope_x_1 = select(_S268, _S267, _S246.is_warp_0);
+    sample_0.slope_y_1 = select(_S267, _S268, _S246.is_warp_0);
+    sample_0.run_3 = _S251;
+    sample_0.section_1 = _S252;
     return sample_0;
 }
 
-fn steps_per_length_0( _S286 : u32,  _S287 : SearchQuality_0,  _S288 : vec3<f32>) -> f32
+fn steps_per_length_0( _S269 : u32,  _S270 : SearchQuality_0,  _S271 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S288.x) * fabrics_0[_S286].threads_per_x_0, abs(_S288.y) * fabrics_0[_S286].threads_per_y_0) * _S287.steps_per_thread_0, abs(_S288.z) * fabrics_0[_S286].per_relief_0 * _S287.steps_per_relief_0);
+    return max(max(abs(_S271.x) * fabrics_0[_S269].threads_per_x_0, abs(_S271.y) * fabrics_0[_S269].threads_per_y_0) * _S270.steps_per_thread_0, abs(_S271.z) * fabrics_0[_S269].per_relief_0 * _S270.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S289 : u32,  _S290 : Crossing_0) -> f32
+fn cell_maximum_0( _S272 : u32,  _S273 : Crossing_0) -> f32
 {
-    var _S291 : u32 = select(fabrics_0[_S289].weft_0, fabrics_0[_S289].warp_0, _S290.warp_above_0);
-    return f32((select(_S290.weft_word_0, _S290.warp_word_0, _S290.warp_above_0) >> (u32(28)))) * families_0[_S291].height_scale_0 * families_0[_S291].level_0;
+    var _S274 : u32 = select(fabrics_0[_S272].weft_0, fabrics_0[_S272].warp_0, _S273.warp_above_0);
+    return f32((select(_S273.weft_word_0, _S273.warp_word_0, _S273.warp_above_0) >> (u32(28)))) * families_0[_S274].height_scale_0 * families_0[_S274].level_0;
 }
 
-fn probe_0( _S292 : u32,  _S293 : f32,  _S294 : f32,  _S295 : bool,  _S296 : bool,  _S297 : bool) -> Probe_0
+fn probe_0( _S275 : u32,  _S276 : f32,  _S277 : f32,  _S278 : bool,  _S279 : bool,  _S280 : bool) -> Probe_0
 {
-    var _S298 : Sample_0 = sample_at_0(_S292, _S293, _S294, _S295);
+    var _S281 : Sample_0 = sample_at_0(_S275, _S276, _S277, _S278);
     var probe_1 : Probe_0;
-    probe_1.height_2 = _S298.height_7;
-    probe_1.hole_1 = _S298.shown_3.hole_0;
-    probe_1.slope_x_0 = _S298.slope_x_1;
-    probe_1.slope_y_0 = _S298.slope_y_1;
-    probe_1.yarn_1 = select(_S298.crossing_1.weft_1.thread_2 * u32(2), _S298.crossing_1.warp_1.thread_2 * u32(2) + u32(1), _S298.shown_3.is_warp_0);
-    probe_1.cell_max_0 = cell_maximum_0(_S292, _S298.crossing_1);
-    probe_1.side_x_0 = select(_S298.crossing_1.warp_1.below_0, _S298.crossing_1.warp_1.above_0, _S296);
-    probe_1.side_y_0 = select(_S298.crossing_1.weft_1.below_0, _S298.crossing_1.weft_1.above_0, _S297);
-    probe_1.edge_x_0 = outline_distance_0(_S298.crossing_1.warp_1, _S298.shown_3, _S298.run_3, !_S298.shown_3.is_warp_0, _S296);
-    probe_1.edge_y_0 = outline_distance_0(_S298.crossing_1.weft_1, _S298.shown_3, _S298.run_3, _S298.shown_3.is_warp_0, _S297);
+    probe_1.height_2 = _S281.height_7;
+    probe_1.hole_1 = _S281.shown_3.hole_0;
+    probe_1.slope_x_0 = _S281.slope_x_1;
+    probe_1.slope_y_0 = _S281.slope_y_1;
+    probe_1.yarn_1 = select(_S281.crossing_1.weft_1.thread_2 * u32(2), _S281.crossing_1.warp_1.thread_2 * u32(2) + u32(1), _S281.shown_3.is_warp_0);
+    probe_1.cell_max_0 = cell_maximum_0(_S275, _S281.crossing_1);
+    probe_1.side_x_0 = select(_S281.crossing_1.warp_1.below_0, _S281.crossing_1.warp_1.above_0, _S279);
+    probe_1.side_y_0 = select(_S281.crossing_1.weft_1.below_0, _S281.crossing_1.weft_1.above_0, _S280);
+    probe_1.edge_x_0 = outline_distance_0(_S281.crossing_1.warp_1, _S281.shown_3, _S281.run_3, !_S281.shown_3.is_warp_0, _S279);
+    probe_1.edge_y_0 = outline_distance_0(_S281.crossing_1.weft_1, _S281.shown_3, _S281.run_3, _S281.shown_3.is_warp_0, _S280);
     return probe_1;
 }
 
-fn is_free_0( _S299 : u32,  _S300 : SearchQuality_0,  _S301 : vec3<f32>,  _S302 : vec3<f32>,  _S303 : bool,  _S304 : f32) -> bool
+fn is_free_0( _S282 : u32,  _S283 : SearchQuality_0,  _S284 : vec3<f32>,  _S285 : vec3<f32>,  _S286 : bool,  _S287 : f32) -> bool
 {
-    var _S305 : f32 = _S302.z;
-    if(_S305 <= 0.0f)
+    var _S288 : f32 = _S285.z;
+    if(_S288 <= 0.0f)
     {
         return false;
     }
-    var _S306 : f32 = 1.0f / max(_S300.shadow_share_0 * steps_per_length_0(_S299, _S300, _S302), 9.99999971718068537e-10f);
-    var _S307 : StepControl_0 = step_control_0(_S302.xy, _S306);
+    var _S289 : f32 = 1.0f / max(_S283.shadow_share_0 * steps_per_length_0(_S282, _S283, _S285), 9.99999971718068537e-10f);
+    var _S290 : StepControl_0 = step_control_0(_S285.xy, _S289);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_2 : u32 = u32(0);
     var distance_1 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        if(((count_2 < u32(1024)) & (((_S301.z + _S305 * distance_1) < _S304))))
+        if(((count_2 < u32(1024)) & (((_S284.z + _S288 * distance_1) < _S287))))
         {
         }
         else
         {
             break;
         }
-        var _S308 : vec3<f32> = _S301 + _S302 * vec3<f32>(distance_1);
-        var _S309 : Probe_0 = probe_0(_S299, _S308.x, _S308.y, _S303, _S307.right_0, _S307.up_0);
-        var _S310 : f32 = _S308.z;
-        var _S311 : f32 = _S310 - _S309.height_2;
-        var _S312 : f32 = _S305 - _S309.slope_x_0 * _S302.x - _S309.slope_y_0 * _S302.y;
-        if(((!_S309.hole_1) & ((_S311 < 0.0f))))
+        var _S291 : vec3<f32> = _S284 + _S285 * vec3<f32>(distance_1);
+        var _S292 : Probe_0 = probe_0(_S282, _S291.x, _S291.y, _S286, _S290.right_0, _S290.up_0);
+        var _S293 : f32 = _S291.z;
+        var _S294 : f32 = _S293 - _S292.height_2;
+        var _S295 : f32 = _S288 - _S292.slope_x_0 * _S285.x - _S292.slope_y_0 * _S285.y;
+        if(((!_S292.hole_1) & ((_S294 < 0.0f))))
         {
             return false;
         }
-        var _S313 : f32 = way_back_to_dip_0(previous_3, _S311, _S312, last_step_0, _S309);
-        if(_S313 >= 0.0f)
+        var _S296 : f32 = way_back_to_dip_0(previous_3, _S294, _S295, last_step_0, _S292);
+        if(_S296 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S313;
-            distance_1 = distance_1 - _S313;
+            var last_step_1 : f32 = last_step_0 - _S296;
+            distance_1 = distance_1 - _S296;
             last_step_0 = last_step_1;
             count_2 = count_2 + u32(1);
             continue;
         }
-        var _S314 : bool = _S310 > (_S309.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S307, _S309, _S311, _S312), max(StepControl_to_cell_exit_0(_S307, _S309.side_x_0, _S309.side_y_0), _S306), _S314);
+        var _S297 : bool = _S293 > (_S292.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S290, _S292, _S294, _S295), max(StepControl_to_cell_exit_0(_S290, _S292.side_x_0, _S292.side_y_0), _S289), _S297);
         var distance_2 : f32 = distance_1 + last_step_2;
-        previous_3 = after_sample_0(_S311, _S312, _S309, _S314);
+        previous_3 = after_sample_0(_S294, _S295, _S292, _S297);
         distance_1 = distance_2;
         last_step_0 = last_step_2;
         count_2 = count_2 + u32(1);
@@ -1618,13 +1633,13 @@ fn is_free_0( _S299 : u32,  _S300 : SearchQuality_0,  _S301 : vec3<f32>,  _S302 
     return true;
 }
 
-fn passes_through_0( _S315 : u32,  _S316 : SearchQuality_0,  _S317 : f32,  _S318 : f32,  _S319 : vec3<f32>,  _S320 : bool) -> bool
+fn passes_through_0( _S298 : u32,  _S299 : SearchQuality_0,  _S300 : f32,  _S301 : f32,  _S302 : vec3<f32>,  _S303 : bool) -> bool
 {
-    if(!sample_at_0(_S315, _S317, _S318, _S320).shown_3.hole_0)
+    if(!sample_at_0(_S298, _S300, _S301, _S303).shown_3.hole_0)
     {
         return false;
     }
-    var _S321 : vec3<f32> = vec3<f32>(_S317, _S318, 0.0f);
+    var _S304 : vec3<f32> = vec3<f32>(_S300, _S301, 0.0f);
     var passes_0 : bool = true;
     var side_1 : u32 = u32(0);
     for(;;)
@@ -1636,10 +1651,10 @@ fn passes_through_0( _S315 : u32,  _S316 : SearchQuality_0,  _S317 : f32,  _S318
         {
             break;
         }
-        var _S322 : bool = is_free_0(_S315, _S316, _S321, select_vector_0(side_1 == u32(0), _S319, vec3<f32>(- _S319.x, - _S319.y, _S319.z)), _S320 != (side_1 == u32(1)), fabrics_0[_S315].height_high_0);
-        var _S323 : u32 = side_1 + u32(1);
-        passes_0 = _S322;
-        side_1 = _S323;
+        var _S305 : bool = is_free_0(_S298, _S299, _S304, select_vector_0(side_1 == u32(0), _S302, vec3<f32>(- _S302.x, - _S302.y, _S302.z)), _S303 != (side_1 == u32(1)), fabrics_0[_S298].height_high_0);
+        var _S306 : u32 = side_1 + u32(1);
+        passes_0 = _S305;
+        side_1 = _S306;
     }
     return passes_0;
 }
@@ -1654,14 +1669,14 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S324 : u32,  _S325 : f32,  _S326 : f32,  _S327 : f32,  _S328 : vec3<f32>,  _S329 : bool) -> f32
+fn max_height_along_0( _S307 : u32,  _S308 : f32,  _S309 : f32,  _S310 : f32,  _S311 : vec3<f32>,  _S312 : bool) -> f32
 {
-    var _S330 : f32 = _S328.x;
-    var _S331 : f32 = _S328.y;
-    var _S332 : u32 = (words_0[fabrics_0[_S324].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S324].weft_0, _S326).thread_2 / u32(2) * fabrics_0[_S324].max_height_columns_0 + locate_0(fabrics_0[_S324].warp_0, _S325).thread_2 / u32(2)) + (select(u32(0), u32(1), _S330 > 0.0f) + select(u32(0), u32(2), _S331 > 0.0f))] >> (u32(select(i32(0), i32(4), _S329))));
-    var _S333 : f32 = max(abs(_S330) * fabrics_0[_S324].threads_per_x_0, abs(_S331) * fabrics_0[_S324].threads_per_y_0) / _S328.z;
-    var _S334 : f32 = fabrics_0[_S324].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S324].height_high_0;
+    var _S313 : f32 = _S311.x;
+    var _S314 : f32 = _S311.y;
+    var _S315 : u32 = (words_0[fabrics_0[_S307].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S307].weft_0, _S309).thread_2 / u32(2) * fabrics_0[_S307].max_height_columns_0 + locate_0(fabrics_0[_S307].warp_0, _S308).thread_2 / u32(2)) + (select(u32(0), u32(1), _S313 > 0.0f) + select(u32(0), u32(2), _S314 > 0.0f))] >> (u32(select(i32(0), i32(4), _S312))));
+    var _S316 : f32 = max(abs(_S313) * fabrics_0[_S307].threads_per_x_0, abs(_S314) * fabrics_0[_S307].threads_per_y_0) / _S311.z;
+    var _S317 : f32 = fabrics_0[_S307].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S307].height_high_0;
     var number_1 : i32 = i32(3);
     for(;;)
     {
@@ -1672,26 +1687,26 @@ fn max_height_along_0( _S324 : u32,  _S325 : f32,  _S326 : f32,  _S327 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S327) * _S333) <= (PYRAMID_RADII_0[number_1]))
+        if(((max_height_0 - _S310) * _S316) <= (PYRAMID_RADII_0[number_1]))
         {
-            max_height_0 = min(max_height_0, f32((((_S332 >> (u32(i32(8) * number_1)))) & (u32(15)))) * 0.06666667014360428f * _S334);
+            max_height_0 = min(max_height_0, f32((((_S315 >> (u32(i32(8) * number_1)))) & (u32(15)))) * 0.06666667014360428f * _S317);
         }
         number_1 = number_1 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S335 : u32,  _S336 : f32,  _S337 : f32,  _S338 : bool,  _S339 : bool,  _S340 : bool) -> vec3<f32>
+fn cell_bounds_0( _S318 : u32,  _S319 : f32,  _S320 : f32,  _S321 : bool,  _S322 : bool,  _S323 : bool) -> vec3<f32>
 {
-    var _S341 : Crossing_0 = crossing_at_0(_S335, _S336, _S337, _S338);
-    return vec3<f32>(cell_maximum_0(_S335, _S341), select(_S341.warp_1.below_0, _S341.warp_1.above_0, _S339), select(_S341.weft_1.below_0, _S341.weft_1.above_0, _S340));
+    var _S324 : Crossing_0 = crossing_at_0(_S318, _S319, _S320, _S321);
+    return vec3<f32>(cell_maximum_0(_S318, _S324), select(_S324.warp_1.below_0, _S324.warp_1.above_0, _S322), select(_S324.weft_1.below_0, _S324.weft_1.above_0, _S323));
 }
 
-fn first_sample_height_0( _S342 : u32,  _S343 : ViewRay_0,  _S344 : StepControl_0,  _S345 : bool) -> f32
+fn first_sample_height_0( _S325 : u32,  _S326 : ViewRay_0,  _S327 : StepControl_0,  _S328 : bool) -> f32
 {
-    var _S346 : f32 = max_height_along_0(_S342, _S343.origin_0.x, _S343.origin_0.y, 0.0f, vec3<f32>(_S343.slope_1, 1.0f), _S345);
+    var _S329 : f32 = max_height_along_0(_S325, _S326.origin_0.x, _S326.origin_0.y, 0.0f, vec3<f32>(_S326.slope_1, 1.0f), _S328);
     var count_3 : u32 = u32(0);
-    var height_9 : f32 = _S346;
+    var height_9 : f32 = _S329;
     for(;;)
     {
         if(count_3 < u32(1024))
@@ -1701,12 +1716,12 @@ fn first_sample_height_0( _S342 : u32,  _S343 : ViewRay_0,  _S344 : StepControl_
         {
             break;
         }
-        var _S347 : vec2<f32> = ViewRay_at_0(_S343, height_9);
-        var _S348 : vec3<f32> = cell_bounds_0(_S342, _S347.x, _S347.y, _S345, _S344.right_0, _S344.up_0);
-        var _S349 : f32 = height_9 - _S348.x;
-        var _S350 : f32 = StepControl_to_cell_exit_0(_S344, _S348.y, _S348.z);
-        var height_10 : f32 = height_9 - clamp(_S349, 0.0f, _S350);
-        if(_S349 <= _S350)
+        var _S330 : vec2<f32> = ViewRay_at_0(_S326, height_9);
+        var _S331 : vec3<f32> = cell_bounds_0(_S325, _S330.x, _S330.y, _S328, _S327.right_0, _S327.up_0);
+        var _S332 : f32 = height_9 - _S331.x;
+        var _S333 : f32 = StepControl_to_cell_exit_0(_S327, _S331.y, _S331.z);
+        var height_10 : f32 = height_9 - clamp(_S332, 0.0f, _S333);
+        if(_S332 <= _S333)
         {
             height_9 = height_10;
             break;
@@ -1717,12 +1732,12 @@ fn first_sample_height_0( _S342 : u32,  _S343 : ViewRay_0,  _S344 : StepControl_
     return height_9;
 }
 
-fn search_down_0( _S351 : u32,  _S352 : ViewRay_0,  _S353 : StepControl_0,  _S354 : bool) -> ViewRayEnd_0
+fn search_down_0( _S334 : u32,  _S335 : ViewRay_0,  _S336 : StepControl_0,  _S337 : bool) -> ViewRayEnd_0
 {
-    var _S355 : f32 = fabrics_0[_S351].height_low_0 - (fabrics_0[_S351].height_high_0 - fabrics_0[_S351].height_low_0);
+    var _S338 : f32 = fabrics_0[_S334].height_low_0 - (fabrics_0[_S334].height_high_0 - fabrics_0[_S334].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_8 = first_sample_height_0(_S351, _S352, _S353, _S354);
-    end_1.last_step_3 = _S353.epsilon_0;
+    end_1.height_8 = first_sample_height_0(_S334, _S335, _S336, _S337);
+    end_1.last_step_3 = _S336.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_1 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -1737,219 +1752,219 @@ fn search_down_0( _S351 : u32,  _S352 : ViewRay_0,  _S353 : StepControl_0,  _S35
         {
             break;
         }
-        var _S356 : vec2<f32> = ViewRay_at_0(_S352, end_1.height_8);
-        var _S357 : Probe_0 = probe_0(_S351, _S356.x, _S356.y, _S354, _S353.right_0, _S353.up_0);
-        var _S358 : f32 = end_1.height_8 - _S357.height_2;
-        var _S359 : f32 = ViewRay_rate_0(_S352, _S357);
-        end_1.depth_1 = - _S358;
-        end_1.rate_4 = _S359;
-        var _S360 : bool = !_S357.hole_1;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S360))) & (((end_1.previous_4.yarn_0) == (_S357.yarn_1))));
-        if((((_S360 & ((_S358 <= 0.0f)))) | (((end_1.height_8) <= _S355))))
+        var _S339 : vec2<f32> = ViewRay_at_0(_S335, end_1.height_8);
+        var _S340 : Probe_0 = probe_0(_S334, _S339.x, _S339.y, _S337, _S336.right_0, _S336.up_0);
+        var _S341 : f32 = end_1.height_8 - _S340.height_2;
+        var _S342 : f32 = ViewRay_rate_0(_S335, _S340);
+        end_1.depth_1 = - _S341;
+        end_1.rate_4 = _S342;
+        var _S343 : bool = !_S340.hole_1;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S343))) & (((end_1.previous_4.yarn_0) == (_S340.yarn_1))));
+        if((((_S343 & ((_S341 <= 0.0f)))) | (((end_1.height_8) <= _S338))))
         {
             break;
         }
-        var _S361 : f32 = way_back_to_dip_0(end_1.previous_4, _S358, _S359, end_1.last_step_3, _S357);
-        if(_S361 >= 0.0f)
+        var _S344 : f32 = way_back_to_dip_0(end_1.previous_4, _S341, _S342, end_1.last_step_3, _S340);
+        if(_S344 >= 0.0f)
         {
-            end_1.height_8 = end_1.height_8 + _S361;
-            end_1.last_step_3 = end_1.last_step_3 - _S361;
+            end_1.height_8 = end_1.height_8 + _S344;
+            end_1.last_step_3 = end_1.last_step_3 - _S344;
             count_4 = count_4 + u32(1);
             continue;
         }
-        var _S362 : f32 = min(StepControl_to_cell_exit_0(_S353, _S357.side_x_0, _S357.side_y_0), end_1.height_8 - _S357.cell_max_0);
-        var _S363 : f32 = StepControl_to_next_sample_0(_S353, _S357, _S358, _S359);
-        end_1.previous_4 = after_sample_0(_S358, _S359, _S357, _S362 > _S363);
-        var _S364 : f32 = max(_S362, _S363);
-        end_1.last_step_3 = _S364;
-        end_1.height_8 = end_1.height_8 - _S364;
+        var _S345 : f32 = min(StepControl_to_cell_exit_0(_S336, _S340.side_x_0, _S340.side_y_0), end_1.height_8 - _S340.cell_max_0);
+        var _S346 : f32 = StepControl_to_next_sample_0(_S336, _S340, _S341, _S342);
+        end_1.previous_4 = after_sample_0(_S341, _S342, _S340, _S345 > _S346);
+        var _S347 : f32 = max(_S345, _S346);
+        end_1.last_step_3 = _S347;
+        end_1.height_8 = end_1.height_8 - _S347;
         count_4 = count_4 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S365 : u32,  _S366 : ViewRay_0,  _S367 : StepControl_0,  _S368 : bool,  _S369 : ViewRayEnd_0,  _S370 : u32) -> f32
+fn refined_height_0( _S348 : u32,  _S349 : ViewRay_0,  _S350 : StepControl_0,  _S351 : bool,  _S352 : ViewRayEnd_0,  _S353 : u32) -> f32
 {
-    var _S371 : f32 = fabrics_0[_S365].height_high_0 - fabrics_0[_S365].height_low_0;
-    var above_2 : f32 = _S369.height_8 + _S369.last_step_3;
-    var above_gap_1 : f32 = clamp(_S369.previous_4.clearance_0, 0.0f, _S371);
-    var under_gap_1 : f32 = clamp(_S369.depth_1, 0.0f, _S371);
-    var middle_0 : f32 = select(between_0(above_2, _S369.height_8, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S369.previous_4.rate_0 * _S369.last_step_3, _S369.rate_4 * _S369.last_step_3) * _S369.last_step_3, _S369.smooth_0);
+    var _S354 : f32 = fabrics_0[_S348].height_high_0 - fabrics_0[_S348].height_low_0;
+    var above_2 : f32 = _S352.height_8 + _S352.last_step_3;
+    var above_gap_1 : f32 = clamp(_S352.previous_4.clearance_0, 0.0f, _S354);
+    var under_gap_1 : f32 = clamp(_S352.depth_1, 0.0f, _S354);
+    var middle_0 : f32 = select(between_0(above_2, _S352.height_8, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S352.previous_4.rate_0 * _S352.last_step_3, _S352.rate_4 * _S352.last_step_3) * _S352.last_step_3, _S352.smooth_0);
     var side_2 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S369.height_8;
+    var under_1 : f32 = _S352.height_8;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S370)
+        if(i_1 < _S353)
         {
         }
         else
         {
             break;
         }
-        var _S372 : vec2<f32> = ViewRay_at_0(_S366, middle_0);
-        var _S373 : Probe_0 = probe_0(_S365, _S372.x, _S372.y, _S368, _S367.right_0, _S367.up_0);
-        var _S374 : f32 = clamp(middle_0 - select(_S373.height_2, -1.0e+09f, _S373.hole_1), - _S371, _S371);
-        if(_S374 <= 0.0f)
+        var _S355 : vec2<f32> = ViewRay_at_0(_S349, middle_0);
+        var _S356 : Probe_0 = probe_0(_S348, _S355.x, _S355.y, _S351, _S350.right_0, _S350.up_0);
+        var _S357 : f32 = clamp(middle_0 - select(_S356.height_2, -1.0e+09f, _S356.hole_1), - _S354, _S354);
+        if(_S357 <= 0.0f)
         {
-            var _S375 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_2 > 0.0f);
-            var _S376 : f32 = - _S374;
+            var _S358 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_2 > 0.0f);
+            var _S359 : f32 = - _S357;
             under_1 = middle_0;
-            above_gap_2 = _S375;
-            under_gap_2 = _S376;
+            above_gap_2 = _S358;
+            under_gap_2 = _S359;
             side_2 = 1.0f;
         }
         else
         {
-            var _S377 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_2 < 0.0f);
+            var _S360 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_2 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S374;
-            under_gap_2 = _S377;
+            above_gap_2 = _S357;
+            under_gap_2 = _S360;
             side_2 = -1.0f;
         }
-        var _S378 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S374 / min(ViewRay_rate_0(_S366, _S373), -9.99999997475242708e-07f), under_1, above_3), _S369.smooth_0);
-        var _S379 : u32 = i_1 + u32(1);
-        middle_0 = _S378;
-        i_1 = _S379;
+        var _S361 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S357 / min(ViewRay_rate_0(_S349, _S356), -9.99999997475242708e-07f), under_1, above_3), _S352.smooth_0);
+        var _S362 : u32 = i_1 + u32(1);
+        middle_0 = _S361;
+        i_1 = _S362;
     }
-    return select(under_1, middle_0, _S369.smooth_0);
+    return select(under_1, middle_0, _S352.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S380 : u32,  _S381 : SearchQuality_0,  _S382 : f32,  _S383 : f32,  _S384 : vec3<f32>,  _S385 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S363 : u32,  _S364 : SearchQuality_0,  _S365 : f32,  _S366 : f32,  _S367 : vec3<f32>,  _S368 : bool) -> Hit_0
 {
-    var _S386 : f32 = max(_S384.z, 0.00009999999747379f);
+    var _S369 : f32 = max(_S367.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S382, _S383);
-    var _S387 : vec2<f32> = _S384.xy / vec2<f32>(_S386);
-    ray_0.slope_1 = _S387;
-    var _S388 : StepControl_0 = step_control_0((vec2<f32>(0) - _S387), 1.0f / max(steps_per_length_0(_S380, _S381, _S384) / _S386, 9.99999971718068537e-10f));
-    var _S389 : ViewRayEnd_0 = search_down_0(_S380, ray_0, _S388, _S385);
+    ray_0.origin_0 = vec2<f32>(_S365, _S366);
+    var _S370 : vec2<f32> = _S367.xy / vec2<f32>(_S369);
+    ray_0.slope_1 = _S370;
+    var _S371 : StepControl_0 = step_control_0((vec2<f32>(0) - _S370), 1.0f / max(steps_per_length_0(_S363, _S364, _S367) / _S369, 9.99999971718068537e-10f));
+    var _S372 : ViewRayEnd_0 = search_down_0(_S363, ray_0, _S371, _S368);
     var hit_0 : Hit_0;
     hit_0.hole_4 = false;
-    var _S390 : f32 = refined_height_0(_S380, ray_0, _S388, _S385, _S389, _S381.refinements_0);
-    hit_0.height_6 = _S390;
-    var _S391 : vec2<f32> = ViewRay_at_0(ray_0, _S390);
-    hit_0.x_13 = _S391.x;
-    hit_0.y_6 = _S391.y;
+    var _S373 : f32 = refined_height_0(_S363, ray_0, _S371, _S368, _S372, _S364.refinements_0);
+    hit_0.height_6 = _S373;
+    var _S374 : vec2<f32> = ViewRay_at_0(ray_0, _S373);
+    hit_0.x_13 = _S374.x;
+    hit_0.y_6 = _S374.y;
     return hit_0;
 }
 
-fn first_hit_0( _S392 : u32,  _S393 : SearchQuality_0,  _S394 : f32,  _S395 : f32,  _S396 : vec3<f32>,  _S397 : bool) -> Hit_0
+fn first_hit_0( _S375 : u32,  _S376 : SearchQuality_0,  _S377 : f32,  _S378 : f32,  _S379 : vec3<f32>,  _S380 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S392, _S393, _S394, _S395, _S396, _S397))
+    if(!passes_through_0(_S375, _S376, _S377, _S378, _S379, _S380))
     {
-        return first_hit_of_yarn_0(_S392, _S393, _S394, _S395, _S396, _S397);
+        return first_hit_of_yarn_0(_S375, _S376, _S377, _S378, _S379, _S380);
     }
     var hit_1 : Hit_0;
-    hit_1.x_13 = _S394;
-    hit_1.y_6 = _S395;
+    hit_1.x_13 = _S377;
+    hit_1.y_6 = _S378;
     hit_1.height_6 = 0.0f;
     hit_1.hole_4 = true;
     return hit_1;
 }
 
-fn surface_at_0( _S398 : u32,  _S399 : f32,  _S400 : f32,  _S401 : bool) -> SurfacePoint_0
+fn surface_at_0( _S381 : u32,  _S382 : f32,  _S383 : f32,  _S384 : bool) -> SurfacePoint_0
 {
-    var _S402 : Sample_0 = sample_at_0(_S398, _S399, _S400, _S401);
-    var _S403 : u32 = select(fabrics_0[_S398].weft_0, fabrics_0[_S398].warp_0, _S402.shown_3.is_warp_0);
-    var _S404 : f32 = families_0[_S403].twist_sine_0 * select(1.0f, -1.0f, _S401);
-    var _S405 : f32 = select(-1.0f, 1.0f, _S402.shown_3.is_warp_0);
-    var _S406 : vec2<f32> = fibre_direction_0(_S402.slope_across_0, _S405 * _S402.slope_along_0, _S404, families_0[_S403].twist_cosine_0);
-    var _S407 : f32 = _S406.x;
-    var _S408 : f32 = _S406.y;
-    var _S409 : f32 = select(_S402.slope_y_1, _S402.slope_x_1, _S402.shown_3.is_warp_0) * _S407 + _S405 * select(_S402.slope_x_1, _S402.slope_y_1, _S402.shown_3.is_warp_0) * _S408;
-    var _S410 : f32 = select(_S402.crossing_1.weft_1.half_width_1, _S402.crossing_1.warp_1.half_width_1, _S402.shown_3.is_warp_0) * 1.0154266357421875f;
-    var _S411 : f32 = _S410 * arc_sine_0(clamp(_S402.section_1.across_1 / _S410, -1.0f, 1.0f));
-    var _S412 : f32 = select(- _S399, _S400, _S402.shown_3.is_warp_0);
+    var _S385 : Sample_0 = sample_at_0(_S381, _S382, _S383, _S384);
+    var _S386 : u32 = select(fabrics_0[_S381].weft_0, fabrics_0[_S381].warp_0, _S385.shown_3.is_warp_0);
+    var _S387 : f32 = families_0[_S386].twist_sine_0 * select(1.0f, -1.0f, _S384);
+    var _S388 : f32 = select(-1.0f, 1.0f, _S385.shown_3.is_warp_0);
+    var _S389 : vec2<f32> = fibre_direction_0(_S385.slope_across_0, _S388 * _S385.slope_along_0, _S387, families_0[_S386].twist_cosine_0);
+    var _S390 : f32 = _S389.x;
+    var _S391 : f32 = _S389.y;
+    var _S392 : f32 = select(_S385.slope_y_1, _S385.slope_x_1, _S385.shown_3.is_warp_0) * _S390 + _S388 * select(_S385.slope_x_1, _S385.slope_y_1, _S385.shown_3.is_warp_0) * _S391;
+    var _S393 : f32 = select(_S385.crossing_1.weft_1.half_width_1, _S385.crossing_1.warp_1.half_width_1, _S385.shown_3.is_warp_0) * 1.0154266357421875f;
+    var _S394 : f32 = _S393 * arc_sine_0(clamp(_S385.section_1.across_1 / _S393, -1.0f, 1.0f));
+    var _S395 : f32 = select(- _S382, _S383, _S385.shown_3.is_warp_0);
     var point_4 : SurfacePoint_0;
-    point_4.hole_2 = _S402.shown_3.hole_0;
-    point_4.is_warp_1 = _S402.shown_3.is_warp_0;
-    point_4.warp_thread_0 = _S402.crossing_1.warp_1.thread_2;
-    point_4.weft_thread_0 = _S402.crossing_1.weft_1.thread_2;
-    point_4.height_4 = _S402.height_7;
-    point_4.normal_3 = normalize(vec3<f32>(- _S402.slope_x_1, - _S402.slope_y_1, 1.0f));
-    point_4.tangent_2 = normalize(select_vector_0(_S402.shown_3.is_warp_0, vec3<f32>(_S407, _S408, _S409), vec3<f32>(- _S408, _S407, _S409)));
-    point_4.across_3 = _S402.section_1.across_1;
-    point_4.fibre_across_0 = _S411 * families_0[_S403].twist_cosine_0 + _S412 * _S404;
-    point_4.fibre_along_0 = _S412 * families_0[_S403].twist_cosine_0 - _S411 * _S404;
+    point_4.hole_2 = _S385.shown_3.hole_0;
+    point_4.is_warp_1 = _S385.shown_3.is_warp_0;
+    point_4.warp_thread_0 = _S385.crossing_1.warp_1.thread_2;
+    point_4.weft_thread_0 = _S385.crossing_1.weft_1.thread_2;
+    point_4.height_4 = _S385.height_7;
+    point_4.normal_3 = normalize(vec3<f32>(- _S385.slope_x_1, - _S385.slope_y_1, 1.0f));
+    point_4.tangent_2 = normalize(select_vector_0(_S385.shown_3.is_warp_0, vec3<f32>(_S390, _S391, _S392), vec3<f32>(- _S391, _S390, _S392)));
+    point_4.across_3 = _S385.section_1.across_1;
+    point_4.fibre_across_0 = _S394 * families_0[_S386].twist_cosine_0 + _S395 * _S387;
+    point_4.fibre_along_0 = _S395 * families_0[_S386].twist_cosine_0 - _S394 * _S387;
     return point_4;
 }
 
-fn has_hairs_0( _S413 : u32) -> bool
+fn has_hairs_0( _S396 : u32) -> bool
 {
-    return (((families_0[fabrics_0[_S413].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S413].weft_0].hairiness_0) > 0.0f)));
+    return (((families_0[fabrics_0[_S396].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S396].weft_0].hairiness_0) > 0.0f)));
 }
 
-fn hair_at_0( _S414 : u32,  _S415 : vec2<f32>,  _S416 : bool,  _S417 : f32) -> Hair_0
+fn hair_at_0( _S397 : u32,  _S398 : vec2<f32>,  _S399 : bool,  _S400 : f32) -> Hair_0
 {
-    var _S418 : f32 = fabrics_0[_S414].fibre_size_0;
-    var _S419 : f32 = 17.0f * fabrics_0[_S414].fibre_size_0;
-    var _S420 : f32 = fade_0(_S417, _S419);
-    var _S421 : vec2<f32> = _S415 / vec2<f32>(_S419);
-    var _S422 : u32 = hash_key_0(select(u32(0), u32(1), _S416), ((fabrics_0[_S414].seed_0) ^ (u32(1013904242))));
-    var _S423 : f32 = 1.0f / max(_S417, 0.07999999821186066f * fabrics_0[_S414].fibre_size_0);
-    var _S424 : f32 = min(0.63999998569488525f * fabrics_0[_S414].fibre_size_0 * _S423, 1.0f);
-    const _S425 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
+    var _S401 : f32 = fabrics_0[_S397].fibre_size_0;
+    var _S402 : f32 = 17.0f * fabrics_0[_S397].fibre_size_0;
+    var _S403 : f32 = fade_0(_S400, _S402);
+    var _S404 : vec2<f32> = _S398 / vec2<f32>(_S402);
+    var _S405 : u32 = hash_key_0(select(u32(0), u32(1), _S399), ((fabrics_0[_S397].seed_0) ^ (u32(1013904242))));
+    var _S406 : f32 = 1.0f / max(_S400, 0.07999999821186066f * fabrics_0[_S397].fibre_size_0);
+    var _S407 : f32 = min(0.63999998569488525f * fabrics_0[_S397].fibre_size_0 * _S406, 1.0f);
+    const _S408 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
     var cover_2 : f32 = 0.0f;
     var hair_away_0 : f32 = 0.0f;
-    var hair_across_0 : vec2<f32> = _S425;
+    var hair_across_0 : vec2<f32> = _S408;
     var number_2 : u32 = u32(0);
     for(;;)
     {
-        if(((_S420 > 0.0f) & ((number_2 < u32(18)))))
+        if(((_S403 > 0.0f) & ((number_2 < u32(18)))))
         {
         }
         else
         {
             break;
         }
-        var _S426 : u32 = number_2 / u32(9);
-        var _S427 : u32 = number_2 / u32(3) - u32(3) * _S426;
-        var _S428 : vec2<f32> = floor(_S421) + vec2<f32>(f32(number_2 - u32(3) * _S427 - u32(9) * _S426), f32(_S427)) - vec2<f32>(1.0f);
-        var _S429 : u32 = hash_bits_0(_S422 + _S426, u32(i32(_S428.x)) * u32(65536) + u32(i32(_S428.y)));
-        var _S430 : u32 = hash_bits_0(_S422, _S429);
-        var _S431 : vec2<f32> = _S421 - _S428 - vec2<f32>(share_of_0(_S429), share_of_0((_S429 >> (u32(10)))));
-        var _S432 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S429 >> (u32(20)))));
-        var _S433 : f32 = mix(5.0f, 16.0f, share_of_0((_S430 >> (u32(10))))) / 17.0f;
-        var _S434 : f32 = _S431.x;
-        var _S435 : f32 = _S432.y;
-        var _S436 : f32 = _S431.y;
-        var _S437 : f32 = _S432.x;
-        var _S438 : f32 = (_S434 * _S435 + _S436 * _S437) / _S433;
-        var _S439 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S430 >> (u32(20)))) - 1.0f);
-        var _S440 : f32 = 2.0f * _S439 * _S438;
-        var _S441 : f32 = rsqrt_0(_S440 * _S440 + 1.0f);
-        var _S442 : f32 = (_S436 * _S435 - _S434 * _S437 - _S439 * _S433 * _S438 * _S438) * _S441 * 17.0f;
-        var _S443 : f32 = clamp((0.31999999284744263f - abs(_S442)) * _S418 * _S423 + 0.5f, 0.0f, _S424);
-        if((((((share_of_0(_S430)) < (families_0[select(fabrics_0[_S414].weft_0, fabrics_0[_S414].warp_0, ((((_S430 >> (u32(30)))) & (u32(1)))) == u32(1))].hairiness_0)) & (((abs(_S438)) < 1.0f)))) & ((_S443 > cover_2))))
+        var _S409 : u32 = number_2 / u32(9);
+        var _S410 : u32 = number_2 / u32(3) - u32(3) * _S409;
+        var _S411 : vec2<f32> = floor(_S404) + vec2<f32>(f32(number_2 - u32(3) * _S410 - u32(9) * _S409), f32(_S410)) - vec2<f32>(1.0f);
+        var _S412 : u32 = hash_bits_0(_S405 + _S409, u32(i32(_S411.x)) * u32(65536) + u32(i32(_S411.y)));
+        var _S413 : u32 = hash_bits_0(_S405, _S412);
+        var _S414 : vec2<f32> = _S404 - _S411 - vec2<f32>(share_of_0(_S412), share_of_0((_S412 >> (u32(10)))));
+        var _S415 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S412 >> (u32(20)))));
+        var _S416 : f32 = mix(5.0f, 16.0f, share_of_0((_S413 >> (u32(10))))) / 17.0f;
+        var _S417 : f32 = _S414.x;
+        var _S418 : f32 = _S415.y;
+        var _S419 : f32 = _S414.y;
+        var _S420 : f32 = _S415.x;
+        var _S421 : f32 = (_S417 * _S418 + _S419 * _S420) / _S416;
+        var _S422 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S413 >> (u32(20)))) - 1.0f);
+        var _S423 : f32 = 2.0f * _S422 * _S421;
+        var _S424 : f32 = rsqrt_0(_S423 * _S423 + 1.0f);
+        var _S425 : f32 = (_S419 * _S418 - _S417 * _S420 - _S422 * _S416 * _S421 * _S421) * _S424 * 17.0f;
+        var _S426 : f32 = clamp((0.31999999284744263f - abs(_S425)) * _S401 * _S406 + 0.5f, 0.0f, _S407);
+        if((((((share_of_0(_S413)) < (families_0[select(fabrics_0[_S397].weft_0, fabrics_0[_S397].warp_0, ((((_S413 >> (u32(30)))) & (u32(1)))) == u32(1))].hairiness_0)) & (((abs(_S421)) < 1.0f)))) & ((_S426 > cover_2))))
         {
-            var _S444 : vec2<f32> = vec2<f32>(- _S437 - _S440 * _S435, _S435 - _S440 * _S437) * vec2<f32>(_S441);
-            cover_2 = _S443;
-            hair_away_0 = _S442;
-            hair_across_0 = _S444;
+            var _S427 : vec2<f32> = vec2<f32>(- _S420 - _S423 * _S418, _S418 - _S423 * _S420) * vec2<f32>(_S424);
+            cover_2 = _S426;
+            hair_away_0 = _S425;
+            hair_across_0 = _S427;
         }
         number_2 = number_2 + u32(1);
     }
-    var _S445 : f32 = clamp(hair_away_0 * 2.5f, -0.80000001192092896f, 0.80000001192092896f);
+    var _S428 : f32 = clamp(hair_away_0 * 2.5f, -0.80000001192092896f, 0.80000001192092896f);
     var hair_1 : Hair_0;
-    hair_1.cover_0 = _S420 * cover_2;
-    hair_1.normal_1 = vec3<f32>(vec2<f32>(_S445) * hair_across_0, sqrt(1.0f - _S445 * _S445));
+    hair_1.cover_0 = _S403 * cover_2;
+    hair_1.normal_1 = vec3<f32>(vec2<f32>(_S428) * hair_across_0, sqrt(1.0f - _S428 * _S428));
     hair_1.tangent_0 = vec3<f32>(hair_across_0.y, - hair_across_0.x, 0.0f);
     return hair_1;
 }
 
-fn varies_at_0( _S446 : u32,  _S447 : f32) -> bool
+fn varies_at_0( _S429 : u32,  _S430 : f32) -> bool
 {
-    return (((((fabrics_0[_S446].fibre_noise_0) > 0.0f) | (((fabrics_0[_S446].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S446].has_detail_0) != u32(0)) & ((_S447 >= 0.0f))))));
+    return (((((fabrics_0[_S429].fibre_noise_0) > 0.0f) | (((fabrics_0[_S429].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S429].has_detail_0) != u32(0)) & ((_S430 >= 0.0f))))));
 }
 
-fn thread_number_0( _S448 : u32,  _S449 : SurfacePoint_0,  _S450 : f32,  _S451 : f32) -> u32
+fn thread_number_0( _S431 : u32,  _S432 : SurfacePoint_0,  _S433 : f32,  _S434 : f32) -> u32
 {
-    var _S452 : u32 = select(fabrics_0[_S448].weft_0, fabrics_0[_S448].warp_0, _S449.is_warp_1);
-    return u32(i32(floor((select(_S451, _S450, _S449.is_warp_1) - _S449.across_3) / families_0[_S452].period_0)) * i32(families_0[_S452].count_0) + i32(select(_S449.weft_thread_0, _S449.warp_thread_0, _S449.is_warp_1))) * u32(2) + select(u32(0), u32(1), _S449.is_warp_1);
+    var _S435 : u32 = select(fabrics_0[_S431].weft_0, fabrics_0[_S431].warp_0, _S432.is_warp_1);
+    return u32(i32(floor((select(_S434, _S433, _S432.is_warp_1) - _S432.across_3) / families_0[_S435].period_0)) * i32(families_0[_S435].count_0) + i32(select(_S432.weft_thread_0, _S432.warp_thread_0, _S432.is_warp_1))) * u32(2) + select(u32(0), u32(1), _S432.is_warp_1);
 }
 
 struct FibreNoise_0
@@ -1962,201 +1977,201 @@ struct FibreNoise_0
      slope_2 : f32,
 };
 
-fn fibre_noise_at_0( _S453 : u32,  _S454 : u32,  _S455 : SurfacePoint_0,  _S456 : u32,  _S457 : f32) -> FibreNoise_0
+fn fibre_noise_at_0( _S436 : u32,  _S437 : u32,  _S438 : SurfacePoint_0,  _S439 : u32,  _S440 : f32) -> FibreNoise_0
 {
-    var _S458 : f32 = 5.0f * fabrics_0[_S453].fibre_size_0;
-    var _S459 : vec2<f32> = wave_noise_0(hash_key_0(_S456, ((fabrics_0[_S453].seed_0) ^ (u32(458671337)))), _S455.fibre_along_0 / (25.0f * fabrics_0[_S453].fibre_size_0));
-    var _S460 : f32 = _S455.fibre_across_0 + families_0[_S454].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S453].fibre_size_0 * _S459.x;
-    var _S461 : vec3<f32> = fibre_cell_0(_S460, _S455.fibre_along_0, fabrics_0[_S453].fibre_size_0);
+    var _S441 : f32 = 5.0f * fabrics_0[_S436].fibre_size_0;
+    var _S442 : vec2<f32> = wave_noise_0(hash_key_0(_S439, ((fabrics_0[_S436].seed_0) ^ (u32(458671337)))), _S438.fibre_along_0 / (25.0f * fabrics_0[_S436].fibre_size_0));
+    var _S443 : f32 = _S438.fibre_across_0 + families_0[_S437].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S436].fibre_size_0 * _S442.x;
+    var _S444 : vec3<f32> = fibre_cell_0(_S443, _S438.fibre_along_0, fabrics_0[_S436].fibre_size_0);
     var noise_0 : FibreNoise_0;
-    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S456, ((fabrics_0[_S453].seed_0) ^ (u32(1757159915)))), fibre_cell_0(_S460, _S455.fibre_along_0, _S458));
-    noise_0.bundle_weight_0 = fade_0(_S457, _S458);
-    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S456, ((fabrics_0[_S453].seed_0) ^ (u32(48610963)))), _S461);
-    noise_0.fibre_weight_0 = fade_0(_S457, fabrics_0[_S453].fibre_size_0);
-    noise_0.offset_2 = _S461.z;
-    noise_0.slope_2 = 0.5f * _S459.y;
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S439, ((fabrics_0[_S436].seed_0) ^ (u32(1757159915)))), fibre_cell_0(_S443, _S438.fibre_along_0, _S441));
+    noise_0.bundle_weight_0 = fade_0(_S440, _S441);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S439, ((fabrics_0[_S436].seed_0) ^ (u32(48610963)))), _S444);
+    noise_0.fibre_weight_0 = fade_0(_S440, fabrics_0[_S436].fibre_size_0);
+    noise_0.offset_2 = _S444.z;
+    noise_0.slope_2 = 0.5f * _S442.y;
     return noise_0;
 }
 
-fn detail_gain_0( _S462 : u32,  _S463 : u32,  _S464 : SurfacePoint_0,  _S465 : vec2<f32>,  _S466 : bool,  _S467 : u32,  _S468 : f32) -> vec2<f32>
+fn detail_gain_0( _S445 : u32,  _S446 : u32,  _S447 : SurfacePoint_0,  _S448 : vec2<f32>,  _S449 : bool,  _S450 : u32,  _S451 : f32) -> vec2<f32>
 {
-    var _S469 : vec2<f32> = vec2<f32>(0.0f);
+    var _S452 : vec2<f32> = vec2<f32>(0.0f);
     var gain_2 : vec2<f32>;
-    if((families_0[_S463].has_plies_0) > 0.0f)
+    if((families_0[_S446].has_plies_0) > 0.0f)
     {
-        gain_2 = vec2<f32>((0.60000002384185791f * fade_0(_S468, 1.0f / families_0[_S463].plies_per_mm_0))) * vec2<f32>(0.20000000298023224f - square_1(square_1(ply_offset_0(_S463, _S464, _S466))), 0.20000000298023224f);
+        gain_2 = vec2<f32>((0.60000002384185791f * fade_0(_S451, 1.0f / families_0[_S446].plies_per_mm_0))) * vec2<f32>(0.20000000298023224f - square_1(square_1(ply_offset_0(_S446, _S447, _S449))), 0.20000000298023224f);
     }
     else
     {
-        gain_2 = _S469;
+        gain_2 = _S452;
     }
-    if((families_0[_S463].fibre_tone_0) > 0.0f)
+    if((families_0[_S446].fibre_tone_0) > 0.0f)
     {
-        var _S470 : FibreNoise_0 = fibre_noise_at_0(_S462, _S463, _S464, _S467, _S468);
-        gain_2 = gain_2 + vec2<f32>(families_0[_S463].fibre_tone_0) * vec2<f32>(_S470.bundle_weight_0 * _S470.bundle_0.y + _S470.fibre_weight_0 * _S470.fibre_0.y, _S470.bundle_weight_0 + _S470.fibre_weight_0);
+        var _S453 : FibreNoise_0 = fibre_noise_at_0(_S445, _S446, _S447, _S450, _S451);
+        gain_2 = gain_2 + vec2<f32>(families_0[_S446].fibre_tone_0) * vec2<f32>(_S453.bundle_weight_0 * _S453.bundle_0.y + _S453.fibre_weight_0 * _S453.fibre_0.y, _S453.bundle_weight_0 + _S453.fibre_weight_0);
     }
-    if((families_0[_S463].slub_0) > 0.0f)
+    if((families_0[_S446].slub_0) > 0.0f)
     {
-        gain_2 = gain_2 + vec2<f32>((0.25f * families_0[_S463].slub_0 * fade_0(_S468, 1.0f / families_0[_S463].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S467, ((fabrics_0[_S462].seed_0) ^ (u32(1373058189)))), select(- _S465.x, _S465.y, _S464.is_warp_1) * families_0[_S463].slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_1(_S464.across_3 * families_0[_S463].per_half_width_0), 1.0f)), 1.0f);
+        gain_2 = gain_2 + vec2<f32>((0.25f * families_0[_S446].slub_0 * fade_0(_S451, 1.0f / families_0[_S446].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S450, ((fabrics_0[_S445].seed_0) ^ (u32(1373058189)))), select(- _S448.x, _S448.y, _S447.is_warp_1) * families_0[_S446].slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_1(_S447.across_3 * families_0[_S446].per_half_width_0), 1.0f)), 1.0f);
     }
     return gain_2;
 }
 
-fn vary_albedos_0( _S471 : u32,  _S472 : Albedos_0,  _S473 : u32,  _S474 : u32,  _S475 : vec2<f32>) -> Albedos_0
+fn vary_albedos_0( _S454 : u32,  _S455 : Albedos_0,  _S456 : u32,  _S457 : u32,  _S458 : vec2<f32>) -> Albedos_0
 {
-    var _S476 : vec3<f32> = max(_S472.specular_reflect_0, _S472.specular_transmit_0);
-    var _S477 : vec3<f32> = _S472.diffuse_reflect_0 + _S472.diffuse_transmit_0;
-    var _S478 : vec3<f32> = vec3<f32>(fabrics_0[_S471].layer_bound_0);
-    var _S479 : vec3<f32> = vec3<f32>(1.0f);
-    var _S480 : vec3<f32> = _S479 - _S478 * _S476;
-    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S473, fabrics_0[_S471].colour_noise_0, fabrics_0[_S471].seed_0), _S477, _S480);
-    var _S481 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S475.y, vec3<f32>(colour_1) * _S477, _S480) * _S475.x)));
-    var _S482 : f32 = bounded_gain_0(fibre_gain_0(_S473, _S474, fabrics_0[_S471].fibre_noise_0, fabrics_0[_S471].seed_0), _S476, min((_S479 - _S481 * _S477) / _S478, vec3<f32>(1.0f)));
+    var _S459 : vec3<f32> = max(_S455.specular_reflect_0, _S455.specular_transmit_0);
+    var _S460 : vec3<f32> = _S455.diffuse_reflect_0 + _S455.diffuse_transmit_0;
+    var _S461 : vec3<f32> = vec3<f32>(fabrics_0[_S454].layer_bound_0);
+    var _S462 : vec3<f32> = vec3<f32>(1.0f);
+    var _S463 : vec3<f32> = _S462 - _S461 * _S459;
+    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S456, fabrics_0[_S454].colour_noise_0, fabrics_0[_S454].seed_0), _S460, _S463);
+    var _S464 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S458.y, vec3<f32>(colour_1) * _S460, _S463) * _S458.x)));
+    var _S465 : f32 = bounded_gain_0(fibre_gain_0(_S456, _S457, fabrics_0[_S454].fibre_noise_0, fabrics_0[_S454].seed_0), _S459, min((_S462 - _S464 * _S460) / _S461, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S481 * _S472.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S481 * _S472.diffuse_transmit_0;
-    var _S483 : vec3<f32> = vec3<f32>(_S482);
-    varied_0.specular_reflect_0 = _S483 * _S472.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S483 * _S472.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S464 * _S455.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S464 * _S455.diffuse_transmit_0;
+    var _S466 : vec3<f32> = vec3<f32>(_S465);
+    varied_0.specular_reflect_0 = _S466 * _S455.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S466 * _S455.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S484 : u32,  _S485 : SurfacePoint_0,  _S486 : Albedos_0,  _S487 : f32,  _S488 : f32,  _S489 : bool,  _S490 : f32,  _S491 : f32) -> Albedos_0
+fn varied_at_0( _S467 : u32,  _S468 : SurfacePoint_0,  _S469 : Albedos_0,  _S470 : f32,  _S471 : f32,  _S472 : bool,  _S473 : f32,  _S474 : f32) -> Albedos_0
 {
-    var _S492 : u32 = thread_number_0(_S484, _S485, _S487, _S488);
-    var _S493 : vec3<f32> = fibre_cell_0(_S485.fibre_across_0, _S485.fibre_along_0, fabrics_0[_S484].fibre_size_0);
-    var _S494 : vec2<f32> = vec2<f32>(0.0f);
+    var _S475 : u32 = thread_number_0(_S467, _S468, _S470, _S471);
+    var _S476 : vec3<f32> = fibre_cell_0(_S468.fibre_across_0, _S468.fibre_along_0, fabrics_0[_S467].fibre_size_0);
+    var _S477 : vec2<f32> = vec2<f32>(0.0f);
     var gain_3 : vec2<f32>;
-    if((((fabrics_0[_S484].has_detail_0) != u32(0)) & ((_S490 >= 0.0f))))
+    if((((fabrics_0[_S467].has_detail_0) != u32(0)) & ((_S473 >= 0.0f))))
     {
-        gain_3 = detail_gain_0(_S484, select(fabrics_0[_S484].weft_0, fabrics_0[_S484].warp_0, _S485.is_warp_1), _S485, vec2<f32>(_S487, _S488), _S489, _S492, _S490) * vec2<f32>(1.0f - _S491, 1.0f);
+        gain_3 = detail_gain_0(_S467, select(fabrics_0[_S467].weft_0, fabrics_0[_S467].warp_0, _S468.is_warp_1), _S468, vec2<f32>(_S470, _S471), _S472, _S475, _S473) * vec2<f32>(1.0f - _S474, 1.0f);
     }
     else
     {
-        gain_3 = _S494;
+        gain_3 = _S477;
     }
-    return vary_albedos_0(_S484, _S486, _S492, u32(i32(_S493.x)) * u32(65536) + u32(i32(floor(_S493.y))), gain_3);
+    return vary_albedos_0(_S467, _S469, _S475, u32(i32(_S476.x)) * u32(65536) + u32(i32(floor(_S476.y))), gain_3);
 }
 
-fn turned_frame_0( _S495 : u32,  _S496 : u32,  _S497 : SurfacePoint_0,  _S498 : bool,  _S499 : u32,  _S500 : f32) -> YarnFrame_0
+fn turned_frame_0( _S478 : u32,  _S479 : u32,  _S480 : SurfacePoint_0,  _S481 : bool,  _S482 : u32,  _S483 : f32) -> YarnFrame_0
 {
     var frame_2 : YarnFrame_0;
-    frame_2.normal_4 = _S497.normal_3;
-    frame_2.tangent_3 = _S497.tangent_2;
+    frame_2.normal_4 = _S480.normal_3;
+    frame_2.tangent_3 = _S480.tangent_2;
     frame_2.loss_0 = 0.0f;
-    if((families_0[_S496].has_plies_0) > 0.0f)
+    if((families_0[_S479].has_plies_0) > 0.0f)
     {
-        var _S501 : f32 = fade_0(_S500, 1.0f / families_0[_S496].plies_per_mm_0);
-        var _S502 : f32 = _S501 * 0.41999998688697815f * ply_offset_0(_S496, _S497, _S498);
-        var _S503 : vec3<f32> = cross(frame_2.tangent_3, frame_2.normal_4);
-        var _S504 : vec3<f32> = vec3<f32>(families_0[_S496].ply_cosine_0);
-        var _S505 : vec3<f32> = vec3<f32>(select(families_0[_S496].ply_sine_0, - families_0[_S496].ply_sine_0, _S498));
-        var _S506 : vec3<f32> = _S504 * _S503 + _S505 * frame_2.tangent_3;
-        var _S507 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S502 * _S502));
-        var _S508 : vec3<f32> = vec3<f32>(_S502);
-        frame_2.tangent_3 = _S504 * (_S504 * frame_2.tangent_3 - _S505 * _S503) + _S505 * (_S507 * _S506 - _S508 * frame_2.normal_4);
-        frame_2.normal_4 = _S507 * frame_2.normal_4 + _S508 * _S506;
-        frame_2.loss_0 = _S501 * _S501 * 0.41999998688697815f * 0.41999998688697815f / 6.0f;
+        var _S484 : f32 = fade_0(_S483, 1.0f / families_0[_S479].plies_per_mm_0);
+        var _S485 : f32 = _S484 * 0.41999998688697815f * ply_offset_0(_S479, _S480, _S481);
+        var _S486 : vec3<f32> = cross(frame_2.tangent_3, frame_2.normal_4);
+        var _S487 : vec3<f32> = vec3<f32>(families_0[_S479].ply_cosine_0);
+        var _S488 : vec3<f32> = vec3<f32>(select(families_0[_S479].ply_sine_0, - families_0[_S479].ply_sine_0, _S481));
+        var _S489 : vec3<f32> = _S487 * _S486 + _S488 * frame_2.tangent_3;
+        var _S490 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S485 * _S485));
+        var _S491 : vec3<f32> = vec3<f32>(_S485);
+        frame_2.tangent_3 = _S487 * (_S487 * frame_2.tangent_3 - _S488 * _S486) + _S488 * (_S490 * _S489 - _S491 * frame_2.normal_4);
+        frame_2.normal_4 = _S490 * frame_2.normal_4 + _S491 * _S489;
+        frame_2.loss_0 = _S484 * _S484 * 0.41999998688697815f * 0.41999998688697815f / 6.0f;
     }
-    var _S509 : f32 = families_0[_S496].fibre_tilt_0;
-    if((families_0[_S496].fibre_tilt_0) > 0.0f)
+    var _S492 : f32 = families_0[_S479].fibre_tilt_0;
+    if((families_0[_S479].fibre_tilt_0) > 0.0f)
     {
-        var _S510 : FibreNoise_0 = fibre_noise_at_0(_S495, _S496, _S497, _S499, _S500);
-        var _S511 : f32 = 1.09858846664428711f * _S509 * (_S510.bundle_weight_0 * _S510.bundle_0.x + _S510.fibre_weight_0 * (_S510.fibre_0.x + _S510.offset_2));
-        var _S512 : f32 = _S509 * (1.42099642753601074f * (_S510.bundle_weight_0 * _S510.bundle_0.y + _S510.fibre_weight_0 * _S510.fibre_0.y) - _S510.bundle_weight_0 * _S510.slope_2);
-        var _S513 : f32 = square_1(_S510.fibre_weight_0);
-        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S509 * _S509 * ((0.24761904776096344f * (square_1(_S510.bundle_weight_0) + _S513) + _S513 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
-        var _S514 : vec3<f32> = cross(frame_2.tangent_3, frame_2.normal_4);
-        var _S515 : vec2<f32> = sine_cosine_0(_S511);
-        var _S516 : vec2<f32> = sine_cosine_0(_S512);
-        var _S517 : vec3<f32> = vec3<f32>(_S515.y);
-        var _S518 : vec3<f32> = vec3<f32>(_S515.x);
-        var _S519 : vec3<f32> = _S517 * _S514 - _S518 * frame_2.normal_4;
-        frame_2.normal_4 = _S517 * frame_2.normal_4 + _S518 * _S514;
-        frame_2.tangent_3 = vec3<f32>(_S516.y) * frame_2.tangent_3 + vec3<f32>(_S516.x) * _S519;
+        var _S493 : FibreNoise_0 = fibre_noise_at_0(_S478, _S479, _S480, _S482, _S483);
+        var _S494 : f32 = 1.09858846664428711f * _S492 * (_S493.bundle_weight_0 * _S493.bundle_0.x + _S493.fibre_weight_0 * (_S493.fibre_0.x + _S493.offset_2));
+        var _S495 : f32 = _S492 * (1.42099642753601074f * (_S493.bundle_weight_0 * _S493.bundle_0.y + _S493.fibre_weight_0 * _S493.fibre_0.y) - _S493.bundle_weight_0 * _S493.slope_2);
+        var _S496 : f32 = square_1(_S493.fibre_weight_0);
+        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S492 * _S492 * ((0.24761904776096344f * (square_1(_S493.bundle_weight_0) + _S496) + _S496 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
+        var _S497 : vec3<f32> = cross(frame_2.tangent_3, frame_2.normal_4);
+        var _S498 : vec2<f32> = sine_cosine_0(_S494);
+        var _S499 : vec2<f32> = sine_cosine_0(_S495);
+        var _S500 : vec3<f32> = vec3<f32>(_S498.y);
+        var _S501 : vec3<f32> = vec3<f32>(_S498.x);
+        var _S502 : vec3<f32> = _S500 * _S497 - _S501 * frame_2.normal_4;
+        frame_2.normal_4 = _S500 * frame_2.normal_4 + _S501 * _S497;
+        frame_2.tangent_3 = vec3<f32>(_S499.y) * frame_2.tangent_3 + vec3<f32>(_S499.x) * _S502;
     }
     return frame_2;
 }
 
-fn yarn_point_of_0( _S520 : u32,  _S521 : SurfacePoint_0,  _S522 : f32,  _S523 : f32,  _S524 : bool,  _S525 : bool,  _S526 : f32) -> YarnPoint_0
+fn yarn_point_of_0( _S503 : u32,  _S504 : SurfacePoint_0,  _S505 : f32,  _S506 : f32,  _S507 : bool,  _S508 : bool,  _S509 : f32) -> YarnPoint_0
 {
-    var _S527 : u32 = select(fabrics_0[_S520].weft_0, fabrics_0[_S520].warp_0, _S521.is_warp_1);
-    var _S528 : bool = (((fabrics_0[_S520].has_detail_0) != u32(0)) & ((_S526 >= 0.0f)));
-    var _S529 : vec3<f32> = vec3<f32>(0.0f);
-    var _S530 : Hair_0 = Hair_x24init_0(0.0f, _S529, _S529);
-    var _S531 : bool;
-    if(_S528)
+    var _S510 : u32 = select(fabrics_0[_S503].weft_0, fabrics_0[_S503].warp_0, _S504.is_warp_1);
+    var _S511 : bool = (((fabrics_0[_S503].has_detail_0) != u32(0)) & ((_S509 >= 0.0f)));
+    var _S512 : vec3<f32> = vec3<f32>(0.0f);
+    var _S513 : Hair_0 = Hair_x24init_0(0.0f, _S512, _S512);
+    var _S514 : bool;
+    if(_S511)
     {
-        _S531 = has_hairs_0(_S520);
+        _S514 = has_hairs_0(_S503);
     }
     else
     {
-        _S531 = false;
+        _S514 = false;
     }
     var hair_2 : Hair_0;
-    if(_S531)
+    if(_S514)
     {
-        hair_2 = hair_at_0(_S520, vec2<f32>(_S522, _S523), _S524, _S526);
+        hair_2 = hair_at_0(_S503, vec2<f32>(_S505, _S506), _S507, _S509);
     }
     else
     {
-        hair_2 = _S530;
+        hair_2 = _S513;
     }
-    var albedos_3 : Albedos_0 = albedos_of_0(_S527, select(_S521.weft_thread_0, _S521.warp_thread_0, _S521.is_warp_1));
+    var albedos_3 : Albedos_0 = albedos_of_0(_S510, select(_S504.weft_thread_0, _S504.warp_thread_0, _S504.is_warp_1));
     var albedos_4 : Albedos_0;
-    if(varies_at_0(_S520, _S526))
+    if(varies_at_0(_S503, _S509))
     {
-        albedos_4 = varied_at_0(_S520, _S521, albedos_3, _S522, _S523, _S524, _S526, hair_2.cover_0);
+        albedos_4 = varied_at_0(_S503, _S504, albedos_3, _S505, _S506, _S507, _S509, hair_2.cover_0);
     }
     else
     {
         albedos_4 = albedos_3;
     }
     var point_5 : YarnPoint_0;
-    point_5.back_6 = _S524;
-    point_5.hole_3 = _S525;
-    point_5.is_warp_2 = _S521.is_warp_1;
-    point_5.x_12 = _S522;
-    point_5.y_5 = _S523;
-    point_5.height_5 = _S521.height_4;
-    point_5.normal_8 = _S521.normal_3;
-    point_5.tangent_8 = _S521.tangent_2;
-    point_5.surface_normal_0 = _S521.normal_3;
+    point_5.back_6 = _S507;
+    point_5.hole_3 = _S508;
+    point_5.is_warp_2 = _S504.is_warp_1;
+    point_5.x_12 = _S505;
+    point_5.y_5 = _S506;
+    point_5.height_5 = _S504.height_4;
+    point_5.normal_8 = _S504.normal_3;
+    point_5.tangent_8 = _S504.tangent_2;
+    point_5.surface_normal_0 = _S504.normal_3;
     point_5.diffuse_gain_1 = 1.0f;
-    if(_S528)
+    if(_S511)
     {
-        var _S532 : YarnFrame_0 = turned_frame_0(_S520, _S527, _S521, _S524, thread_number_0(_S520, _S521, _S522, _S523), _S526);
+        var _S515 : YarnFrame_0 = turned_frame_0(_S503, _S510, _S504, _S507, thread_number_0(_S503, _S504, _S505, _S506), _S509);
         var frame_3 : YarnFrame_0;
-        if(has_hairs_0(_S520))
+        if(has_hairs_0(_S503))
         {
-            frame_3 = under_hair_0(_S532, hair_2);
+            frame_3 = under_hair_0(_S515, hair_2);
         }
         else
         {
-            frame_3 = _S532;
+            frame_3 = _S515;
         }
         point_5.normal_8 = frame_3.normal_4;
         point_5.tangent_8 = frame_3.tangent_3;
-        point_5.diffuse_gain_1 = diffuse_gain_0(frame_3, fabrics_0[_S520].diffuse_blend_0);
+        point_5.diffuse_gain_1 = diffuse_gain_0(frame_3, fabrics_0[_S503].diffuse_blend_0);
     }
-    point_5.roughness_8 = families_0[_S527].roughness_0;
+    point_5.roughness_8 = families_0[_S510].roughness_0;
     point_5.albedos_2 = albedos_4;
     return point_5;
 }
 
-fn locate_yarn_0( _S533 : u32,  _S534 : SearchQuality_0,  _S535 : f32,  _S536 : f32,  _S537 : vec3<f32>,  _S538 : f32) -> YarnPoint_0
+fn locate_yarn_0( _S516 : u32,  _S517 : SearchQuality_0,  _S518 : f32,  _S519 : f32,  _S520 : vec3<f32>,  _S521 : f32) -> YarnPoint_0
 {
-    var _S539 : bool = (_S537.z) < 0.0f;
-    var _S540 : Hit_0 = first_hit_0(_S533, _S534, _S535, _S536, to_face_frame_0(_S537, _S539), _S539);
-    return yarn_point_of_0(_S533, surface_at_0(_S533, _S540.x_13, _S540.y_6, _S539), _S540.x_13, _S540.y_6, _S539, _S540.hole_4, _S538);
+    var _S522 : bool = (_S520.z) < 0.0f;
+    var _S523 : Hit_0 = first_hit_0(_S516, _S517, _S518, _S519, to_face_frame_0(_S520, _S522), _S522);
+    return yarn_point_of_0(_S516, surface_at_0(_S516, _S523.x_13, _S523.y_6, _S522), _S523.x_13, _S523.y_6, _S522, _S523.hole_4, _S521);
 }
 
-fn openness_number_0( _S541 : u32,  _S542 : u32) -> f32
+fn openness_number_0( _S524 : u32,  _S525 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S541].openness_0 + _S542);
+    return table_number_0(fabrics_0[_S524].openness_0 + _S525);
 }
 
-fn blocked_of_terms_0( _S543 : u32,  _S544 : u32,  _S545 : array<f32, i32(6)>,  _S546 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S526 : u32,  _S527 : u32,  _S528 : array<f32, i32(6)>,  _S529 : u32) -> Blocked_0
 {
     var shares_0 : array<f32, i32(3)>;
     var share_3 : u32 = u32(0);
@@ -2173,14 +2188,14 @@ fn blocked_of_terms_0( _S543 : u32,  _S544 : u32,  _S545 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S546)
+            if(term_0 < _S529)
             {
             }
             else
             {
                 break;
             }
-            shares_0[share_3] = shares_0[share_3] + openness_number_0(_S543, _S544 + share_3 * _S546 + term_0) * _S545[term_0];
+            shares_0[share_3] = shares_0[share_3] + openness_number_0(_S526, _S527 + share_3 * _S529 + term_0) * _S528[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_0[share_3] = saturate(shares_0[share_3]);
@@ -2193,120 +2208,120 @@ fn blocked_of_terms_0( _S543 : u32,  _S544 : u32,  _S545 : array<f32, i32(6)>,  
     return blocked_1;
 }
 
-fn blocked_at_0( _S547 : u32,  _S548 : bool,  _S549 : bool,  _S550 : f32,  _S551 : f32) -> Blocked_0
+fn blocked_at_0( _S530 : u32,  _S531 : bool,  _S532 : bool,  _S533 : f32,  _S534 : f32) -> Blocked_0
 {
-    var _S552 : f32 = _S551 * openness_number_0(_S547, u32(158));
-    var terms_0 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S550, _S552, _S550 * _S550, _S550 * _S552, _S552 * _S552 );
-    return blocked_of_terms_0(_S547, u32(60) + (select(u32(0), u32(2), _S549) + select(u32(1), u32(0), _S548)) * u32(18), terms_0, u32(6));
+    var _S535 : f32 = _S534 * openness_number_0(_S530, u32(158));
+    var terms_0 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S533, _S535, _S533 * _S533, _S533 * _S535, _S535 * _S535 );
+    return blocked_of_terms_0(_S530, u32(60) + (select(u32(0), u32(2), _S532) + select(u32(1), u32(0), _S531)) * u32(18), terms_0, u32(6));
 }
 
-fn scattered_by_0( _S553 : u32,  _S554 : Albedos_0,  _S555 : u32,  _S556 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S536 : u32,  _S537 : Albedos_0,  _S538 : u32,  _S539 : vec3<f32>) -> Scattered_0
 {
-    var _S557 : u32 = u32(159) + u32(2) * _S555;
+    var _S540 : u32 = u32(159) + u32(2) * _S538;
     var yarn_3 : Scattered_0;
-    yarn_3.back_5 = _S556 * _S554.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S553, _S557)) * _S554.specular_reflect_0;
-    yarn_3.through_0 = _S556 * _S554.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S553, _S557 + u32(1))) * _S554.specular_transmit_0;
+    yarn_3.back_5 = _S539 * _S537.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S536, _S540)) * _S537.specular_reflect_0;
+    yarn_3.through_0 = _S539 * _S537.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S536, _S540 + u32(1))) * _S537.specular_transmit_0;
     return yarn_3;
 }
 
-fn sent_0( _S558 : u32,  _S559 : u32,  _S560 : vec3<f32>,  _S561 : vec3<f32>,  _S562 : vec3<f32>,  _S563 : vec3<f32>,  _S564 : ptr<function, vec3<f32>>,  _S565 : ptr<function, vec3<f32>>)
+fn sent_0( _S541 : u32,  _S542 : u32,  _S543 : vec3<f32>,  _S544 : vec3<f32>,  _S545 : vec3<f32>,  _S546 : vec3<f32>,  _S547 : ptr<function, vec3<f32>>,  _S548 : ptr<function, vec3<f32>>)
 {
-    var _S566 : u32 = u32(146) + u32(4) * _S559;
-    var _S567 : f32 = openness_number_0(_S558, _S566 + u32(1));
-    var _S568 : f32 = openness_number_0(_S558, _S566 + u32(2));
-    var _S569 : vec3<f32> = vec3<f32>(1.0f);
-    var _S570 : vec3<f32> = _S569 - _S562 * vec3<f32>(openness_number_0(_S558, _S566));
-    var _S571 : vec3<f32> = _S569 - _S563 * vec3<f32>(openness_number_0(_S558, _S566 + u32(3)));
-    var _S572 : vec3<f32> = _S569 / (_S570 * _S571 - _S562 * _S563 * vec3<f32>((_S567 * _S568)));
-    (*_S564) = (_S560 * _S571 + _S562 * vec3<f32>(_S567) * _S561) * _S572;
-    (*_S565) = (_S561 * _S570 + _S563 * vec3<f32>(_S568) * _S560) * _S572;
+    var _S549 : u32 = u32(146) + u32(4) * _S542;
+    var _S550 : f32 = openness_number_0(_S541, _S549 + u32(1));
+    var _S551 : f32 = openness_number_0(_S541, _S549 + u32(2));
+    var _S552 : vec3<f32> = vec3<f32>(1.0f);
+    var _S553 : vec3<f32> = _S552 - _S545 * vec3<f32>(openness_number_0(_S541, _S549));
+    var _S554 : vec3<f32> = _S552 - _S546 * vec3<f32>(openness_number_0(_S541, _S549 + u32(3)));
+    var _S555 : vec3<f32> = _S552 / (_S553 * _S554 - _S545 * _S546 * vec3<f32>((_S550 * _S551)));
+    (*_S547) = (_S543 * _S554 + _S545 * vec3<f32>(_S550) * _S544) * _S555;
+    (*_S548) = (_S544 * _S553 + _S546 * vec3<f32>(_S551) * _S543) * _S555;
     return;
 }
 
-fn face_sends_0( _S573 : u32,  _S574 : u32,  _S575 : Scattered_0,  _S576 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S556 : u32,  _S557 : u32,  _S558 : Scattered_0,  _S559 : Scattered_0) -> FaceSends_0
 {
-    var _S577 : u32 = u32(2) * _S574;
-    var _S578 : u32 = u32(142) + _S577;
-    var _S579 : f32 = openness_number_0(_S573, _S578);
-    var _S580 : f32 = openness_number_0(_S573, _S578 + u32(1));
-    var _S581 : vec3<f32> = vec3<f32>((1.0f - _S579)) * _S575.back_5;
-    var _S582 : vec3<f32> = vec3<f32>((1.0f - _S580)) * _S576.back_5;
+    var _S560 : u32 = u32(2) * _S557;
+    var _S561 : u32 = u32(142) + _S560;
+    var _S562 : f32 = openness_number_0(_S556, _S561);
+    var _S563 : f32 = openness_number_0(_S556, _S561 + u32(1));
+    var _S564 : vec3<f32> = vec3<f32>((1.0f - _S562)) * _S558.back_5;
+    var _S565 : vec3<f32> = vec3<f32>((1.0f - _S563)) * _S559.back_5;
     var sends_1 : FaceSends_0;
-    var _S583 : u32 = u32(154) + _S577;
-    var _S584 : f32 = openness_number_0(_S573, _S583);
-    sends_1.blocks_warp_0 = _S584;
-    var _S585 : f32 = openness_number_0(_S573, _S583 + u32(1));
-    sends_1.blocks_weft_0 = _S585;
-    sends_1.open_0 = _S584 * _S579 + _S585 * _S580;
-    var _S586 : vec3<f32> = vec3<f32>(_S579) * _S575.back_5;
-    var _S587 : vec3<f32> = vec3<f32>(_S580) * _S576.back_5;
-    var _S588 : vec3<f32> = sends_1.sky_warp_0;
-    var _S589 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S573, _S574, _S586, _S587, _S581, _S582, &(_S588), &(_S589));
-    sends_1.sky_warp_0 = _S588;
-    sends_1.sky_weft_0 = _S589;
-    var _S590 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S591 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S573, _S574, _S575.through_0, _S576.through_0, _S581, _S582, &(_S590), &(_S591));
-    sends_1.crossing_warp_0 = _S590;
-    sends_1.crossing_weft_0 = _S591;
+    var _S566 : u32 = u32(154) + _S560;
+    var _S567 : f32 = openness_number_0(_S556, _S566);
+    sends_1.blocks_warp_0 = _S567;
+    var _S568 : f32 = openness_number_0(_S556, _S566 + u32(1));
+    sends_1.blocks_weft_0 = _S568;
+    sends_1.open_0 = _S567 * _S562 + _S568 * _S563;
+    var _S569 : vec3<f32> = vec3<f32>(_S562) * _S558.back_5;
+    var _S570 : vec3<f32> = vec3<f32>(_S563) * _S559.back_5;
+    var _S571 : vec3<f32> = sends_1.sky_warp_0;
+    var _S572 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S556, _S557, _S569, _S570, _S564, _S565, &(_S571), &(_S572));
+    sends_1.sky_warp_0 = _S571;
+    sends_1.sky_weft_0 = _S572;
+    var _S573 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S574 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S556, _S557, _S558.through_0, _S559.through_0, _S564, _S565, &(_S573), &(_S574));
+    sends_1.crossing_warp_0 = _S573;
+    sends_1.crossing_weft_0 = _S574;
     return sends_1;
 }
 
-fn interior_of_0( _S592 : u32,  _S593 : vec3<f32>,  _S594 : bool) -> Interior_0
+fn interior_of_0( _S575 : u32,  _S576 : vec3<f32>,  _S577 : bool) -> Interior_0
 {
-    var _S595 : Scattered_0 = scattered_by_0(_S592, table_albedos_0(families_0[fabrics_0[_S592].warp_0].colour_mean_0), u32(0), _S593);
-    var _S596 : Scattered_0 = scattered_by_0(_S592, table_albedos_0(families_0[fabrics_0[_S592].weft_0].colour_mean_0), u32(1), _S593);
-    var _S597 : FaceSends_0 = face_sends_0(_S592, select(u32(0), u32(1), _S594), _S595, _S596);
-    var _S598 : FaceSends_0 = face_sends_0(_S592, select(u32(1), u32(0), _S594), _S595, _S596);
-    var _S599 : vec3<f32> = vec3<f32>(_S597.blocks_warp_0);
-    var _S600 : vec3<f32> = vec3<f32>(_S597.blocks_weft_0);
-    var _S601 : vec3<f32> = _S599 * _S597.crossing_warp_0 + _S600 * _S597.crossing_weft_0;
-    var _S602 : vec3<f32> = vec3<f32>(_S598.blocks_warp_0);
-    var _S603 : vec3<f32> = vec3<f32>(_S598.blocks_weft_0);
-    var _S604 : vec3<f32> = _S602 * _S598.crossing_warp_0 + _S603 * _S598.crossing_weft_0;
-    var _S605 : f32 = 1.0f - _S597.open_0;
-    var _S606 : f32 = 1.0f - _S598.open_0;
-    var _S607 : vec3<f32> = vec3<f32>(1.0f);
-    var _S608 : vec3<f32> = _S607 / (_S607 - _S601 * _S604 * vec3<f32>((_S605 * _S606)));
-    var _S609 : vec3<f32> = _S604 * (vec3<f32>(_S597.open_0) + vec3<f32>(_S605) * (_S599 * _S597.sky_warp_0 + _S600 * _S597.sky_weft_0)) * _S608;
-    var _S610 : vec3<f32> = _S601 * (vec3<f32>(_S598.open_0) + vec3<f32>(_S606) * (_S602 * _S598.sky_warp_0 + _S603 * _S598.sky_weft_0)) * _S608;
-    var _S611 : FaceRadiance_0 = face_radiance_0(_S597, _S598.open_0, _S609, _S610);
-    var _S612 : FaceRadiance_0 = face_radiance_0(_S598, _S597.open_0, _S610, _S609);
+    var _S578 : Scattered_0 = scattered_by_0(_S575, table_albedos_0(families_0[fabrics_0[_S575].warp_0].colour_mean_0), u32(0), _S576);
+    var _S579 : Scattered_0 = scattered_by_0(_S575, table_albedos_0(families_0[fabrics_0[_S575].weft_0].colour_mean_0), u32(1), _S576);
+    var _S580 : FaceSends_0 = face_sends_0(_S575, select(u32(0), u32(1), _S577), _S578, _S579);
+    var _S581 : FaceSends_0 = face_sends_0(_S575, select(u32(1), u32(0), _S577), _S578, _S579);
+    var _S582 : vec3<f32> = vec3<f32>(_S580.blocks_warp_0);
+    var _S583 : vec3<f32> = vec3<f32>(_S580.blocks_weft_0);
+    var _S584 : vec3<f32> = _S582 * _S580.crossing_warp_0 + _S583 * _S580.crossing_weft_0;
+    var _S585 : vec3<f32> = vec3<f32>(_S581.blocks_warp_0);
+    var _S586 : vec3<f32> = vec3<f32>(_S581.blocks_weft_0);
+    var _S587 : vec3<f32> = _S585 * _S581.crossing_warp_0 + _S586 * _S581.crossing_weft_0;
+    var _S588 : f32 = 1.0f - _S580.open_0;
+    var _S589 : f32 = 1.0f - _S581.open_0;
+    var _S590 : vec3<f32> = vec3<f32>(1.0f);
+    var _S591 : vec3<f32> = _S590 / (_S590 - _S584 * _S587 * vec3<f32>((_S588 * _S589)));
+    var _S592 : vec3<f32> = _S587 * (vec3<f32>(_S580.open_0) + vec3<f32>(_S588) * (_S582 * _S580.sky_warp_0 + _S583 * _S580.sky_weft_0)) * _S591;
+    var _S593 : vec3<f32> = _S584 * (vec3<f32>(_S581.open_0) + vec3<f32>(_S589) * (_S585 * _S581.sky_warp_0 + _S586 * _S581.sky_weft_0)) * _S591;
+    var _S594 : FaceRadiance_0 = face_radiance_0(_S580, _S581.open_0, _S592, _S593);
+    var _S595 : FaceRadiance_0 = face_radiance_0(_S581, _S580.open_0, _S593, _S592);
     var interior_1 : Interior_0;
-    interior_1.warp_3 = _S611.warp_2;
-    interior_1.weft_3 = _S611.weft_2;
-    interior_1.leaked_1 = _S611.leaked_0;
-    interior_1.far_1 = _S612.mean_0;
-    interior_1.far_leaked_0 = _S612.leaked_0;
+    interior_1.warp_3 = _S594.warp_2;
+    interior_1.weft_3 = _S594.weft_2;
+    interior_1.leaked_1 = _S594.leaked_0;
+    interior_1.far_1 = _S595.mean_0;
+    interior_1.far_leaked_0 = _S595.leaked_0;
     return interior_1;
 }
 
-fn bounced_at_0( _S613 : u32,  _S614 : YarnPoint_0,  _S615 : vec3<f32>) -> Bounced_0
+fn bounced_at_0( _S596 : u32,  _S597 : YarnPoint_0,  _S598 : vec3<f32>) -> Bounced_0
 {
     var nothing_0 : Bounced_0;
-    var _S616 : vec3<f32> = vec3<f32>(0.0f);
-    nothing_0.reflected_0 = _S616;
-    nothing_0.transmitted_0 = _S616;
-    if((((fabrics_0[_S613].openness_0) == u32(4294967295)) | ((_S614.hole_3))))
+    var _S599 : vec3<f32> = vec3<f32>(0.0f);
+    nothing_0.reflected_0 = _S599;
+    nothing_0.transmitted_0 = _S599;
+    if((((fabrics_0[_S596].openness_0) == u32(4294967295)) | ((_S597.hole_3))))
     {
         return nothing_0;
     }
-    return bounced_by_0(blocked_at_0(_S613, _S614.is_warp_2, _S614.back_6, _S614.surface_normal_0.z, _S614.height_5), scattered_by_0(_S613, _S614.albedos_2, select(u32(1), u32(0), _S614.is_warp_2), _S615), interior_of_0(_S613, _S615, _S614.back_6));
+    return bounced_by_0(blocked_at_0(_S596, _S597.is_warp_2, _S597.back_6, _S597.surface_normal_0.z, _S597.height_5), scattered_by_0(_S596, _S597.albedos_2, select(u32(1), u32(0), _S597.is_warp_2), _S598), interior_of_0(_S596, _S598, _S597.back_6));
 }
 
-fn light_sample_count_0( _S617 : i32) -> u32
+fn light_sample_count_0() -> u32
 {
-    return frames_0[_S617].lights_0 + frames_0[_S617].environment_samples_0;
+    return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S618 : i32,  _S619 : u32,  _S620 : vec2<u32>) -> f32
+fn visibility_at_0( _S600 : u32,  _S601 : vec2<u32>) -> f32
 {
-    if((frames_0[_S618].casts_shadows_0) == u32(0))
+    if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S619 * frames_0[_S618].height_0 + _S620.y) * frames_0[_S618].width_0 + _S620.x];
+    return visibilities_0[(_S600 * frame_record_0.height_0 + _S601.y) * frame_record_0.width_0 + _S601.x];
 }
 
 struct LightSample_0
@@ -2316,153 +2331,153 @@ struct LightSample_0
      distance_3 : f32,
 };
 
-fn environment_texel_0( _S621 : i32,  _S622 : u32,  _S623 : u32) -> vec3<f32>
+fn environment_texel_0( _S602 : u32,  _S603 : u32) -> vec3<f32>
 {
-    var _S624 : u32 = frames_0[_S621].environment_table_0 + frames_0[_S621].environment_rows_0 + u32(1) + frames_0[_S621].environment_rows_0 * (frames_0[_S621].environment_columns_0 + u32(1)) + u32(3) * (_S622 * frames_0[_S621].environment_columns_0 + _S623);
-    return vec3<f32>(scene_number_0(_S624), scene_number_0(_S624 + u32(1)), scene_number_0(_S624 + u32(2)));
+    var _S604 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S602 * frame_record_0.environment_columns_0 + _S603);
+    return vec3<f32>(scene_number_0(_S604), scene_number_0(_S604 + u32(1)), scene_number_0(_S604 + u32(2)));
 }
 
-fn sample_environment_0( _S625 : i32,  _S626 : vec2<f32>,  _S627 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S605 : vec2<f32>,  _S606 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S628 : u32 = frames_0[_S625].environment_rows_0;
-    var _S629 : Choice_0 = choose_0(frames_0[_S625].environment_table_0, frames_0[_S625].environment_rows_0, _S626.y);
-    var _S630 : u32 = frames_0[_S625].environment_columns_0;
-    var _S631 : Choice_0 = choose_0(frames_0[_S625].environment_table_0 + frames_0[_S625].environment_rows_0 + u32(1) + _S629.index_6 * (frames_0[_S625].environment_columns_0 + u32(1)), frames_0[_S625].environment_columns_0, _S626.x);
-    var _S632 : vec3<f32> = environment_texel_0(_S625, _S629.index_6, _S631.index_6);
-    (*_S627) = _S632 * vec3<f32>((frames_0[_S625].environment_total_0 / max(mean_1(_S632), 9.99999968265522539e-21f)));
-    var _S633 : f32 = 3.14159274101257324f / f32(_S628);
-    var _S634 : f32 = mix(sine_cosine_0(f32(_S629.index_6) * _S633).y, sine_cosine_0(f32(_S629.index_6 + u32(1)) * _S633).y, _S629.remainder_0);
-    var _S635 : f32 = sqrt(max(1.0f - _S634 * _S634, 0.0f));
-    var _S636 : vec2<f32> = sine_cosine_0((f32(_S631.index_6) + _S631.remainder_0) * (6.28318548202514648f / f32(_S630)));
-    var _S637 : f32 = _S635 * _S636.x;
-    var _S638 : f32 = - _S635 * _S636.y;
-    return vec3<f32>(frames_0[_S625].environment_cosine_0 * _S637 + frames_0[_S625].environment_sine_0 * _S638, _S634, frames_0[_S625].environment_cosine_0 * _S638 - frames_0[_S625].environment_sine_0 * _S637);
+    var _S607 : u32 = frame_record_0.environment_rows_0;
+    var _S608 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S605.y);
+    var _S609 : u32 = frame_record_0.environment_columns_0;
+    var _S610 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S608.index_6 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S605.x);
+    var _S611 : vec3<f32> = environment_texel_0(_S608.index_6, _S610.index_6);
+    (*_S606) = _S611 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S611), 9.99999968265522539e-21f)));
+    var _S612 : f32 = 3.14159274101257324f / f32(_S607);
+    var _S613 : f32 = mix(sine_cosine_0(f32(_S608.index_6) * _S612).y, sine_cosine_0(f32(_S608.index_6 + u32(1)) * _S612).y, _S608.remainder_0);
+    var _S614 : f32 = sqrt(max(1.0f - _S613 * _S613, 0.0f));
+    var _S615 : vec2<f32> = sine_cosine_0((f32(_S610.index_6) + _S610.remainder_0) * (6.28318548202514648f / f32(_S609)));
+    var _S616 : f32 = _S614 * _S615.x;
+    var _S617 : f32 = - _S614 * _S615.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S616 + frame_record_0.environment_sine_0 * _S617, _S613, frame_record_0.environment_cosine_0 * _S617 - frame_record_0.environment_sine_0 * _S616);
 }
 
-fn light_sample_0( _S639 : i32,  _S640 : u32,  _S641 : vec2<u32>,  _S642 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S618 : u32,  _S619 : vec2<u32>,  _S620 : vec3<f32>) -> LightSample_0
 {
     var sample_1 : LightSample_0;
     sample_1.distance_3 = 1.00000001504746622e+30f;
-    var _S643 : u32 = frames_0[_S639].lights_0;
-    if(_S640 >= (frames_0[_S639].lights_0))
+    var _S621 : u32 = frame_record_0.lights_0;
+    if(_S618 >= (frame_record_0.lights_0))
     {
         var weight_0 : vec3<f32>;
-        var _S644 : vec3<f32> = sample_environment_0(_S639, pixel_sequence_0(_S641, frames_0[_S639].pass_number_0 * frames_0[_S639].environment_samples_0 + (_S640 - _S643), u32(3)), &(weight_0));
-        sample_1.towards_0 = _S644;
-        sample_1.irradiance_1 = weight_0 / vec3<f32>(f32(frames_0[_S639].environment_samples_0));
+        var _S622 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S619, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S618 - _S621), u32(3)), &(weight_0));
+        sample_1.towards_0 = _S622;
+        sample_1.irradiance_1 = weight_0 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_1;
     }
-    var _S645 : Light_std430_0 = lights_1[_S640];
-    sample_1.irradiance_1 = vec3<f32>(_S645.red_0, _S645.green_0, _S645.blue_0);
-    sample_1.towards_0 = vec3<f32>(_S645.x_1, _S645.y_1, _S645.z_1);
-    if((_S645.is_point_0) != u32(0))
+    var _S623 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S618);
+    sample_1.irradiance_1 = vec3<f32>(_S623.red_0, _S623.green_0, _S623.blue_0);
+    sample_1.towards_0 = vec3<f32>(_S623.x_8, _S623.y_1, _S623.z_1);
+    if((_S623.is_point_0) != u32(0))
     {
-        var _S646 : vec3<f32> = sample_1.towards_0 - _S642;
-        var _S647 : f32 = max(square_0(_S646), 9.999999960041972e-13f);
-        sample_1.distance_3 = sqrt(_S647);
-        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S647);
-        sample_1.towards_0 = normalize(_S646);
+        var _S624 : vec3<f32> = sample_1.towards_0 - _S620;
+        var _S625 : f32 = max(square_0(_S624), 9.999999960041972e-13f);
+        sample_1.distance_3 = sqrt(_S625);
+        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S625);
+        sample_1.towards_0 = normalize(_S624);
     }
     return sample_1;
 }
 
-fn scattered_0( _S648 : u32,  _S649 : YarnPoint_0,  _S650 : vec3<f32>,  _S651 : vec3<f32>) -> vec3<f32>
+fn scattered_0( _S626 : u32,  _S627 : YarnPoint_0,  _S628 : vec3<f32>,  _S629 : vec3<f32>) -> vec3<f32>
 {
-    var _S652 : vec3<f32> = vec3<f32>(0.0f);
-    var _S653 : bool = !_S649.hole_3;
-    var _S654 : f32 = _S650.z;
+    var _S630 : vec3<f32> = vec3<f32>(0.0f);
+    var _S631 : bool = !_S627.hole_3;
+    var _S632 : f32 = _S628.z;
     var value_1 : vec3<f32>;
-    if((_S653 & ((_S654 > 0.0f))))
+    if((_S631 & ((_S632 > 0.0f))))
     {
-        value_1 = _S649.albedos_2.diffuse_reflect_0 * vec3<f32>(_S649.diffuse_gain_1) * vec3<f32>(diffuse_reflection_0(_S650, _S649.normal_8, fabrics_0[_S648].diffuse_blend_0)) + _S649.albedos_2.specular_reflect_0 * vec3<f32>(reflection_0(_S650, _S651, _S649.normal_8, _S649.tangent_8, _S649.roughness_8, fabrics_0[_S648].optical_depth_0));
+        value_1 = _S627.albedos_2.diffuse_reflect_0 * vec3<f32>(_S627.diffuse_gain_1) * vec3<f32>(diffuse_reflection_0(_S628, _S627.normal_8, fabrics_0[_S626].diffuse_blend_0)) + _S627.albedos_2.specular_reflect_0 * vec3<f32>(reflection_0(_S628, _S629, _S627.normal_8, _S627.tangent_8, _S627.roughness_8, fabrics_0[_S626].optical_depth_0));
     }
     else
     {
-        if((_S653 & ((_S654 < 0.0f))))
+        if((_S631 & ((_S632 < 0.0f))))
         {
-            value_1 = _S649.albedos_2.diffuse_transmit_0 * vec3<f32>(_S649.diffuse_gain_1) * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S650), _S649.normal_8, fabrics_0[_S648].diffuse_blend_0)) + _S649.albedos_2.specular_transmit_0 * vec3<f32>(transmission_1(_S650, _S651, _S649.normal_8, _S649.tangent_8, _S649.roughness_8, fabrics_0[_S648].optical_depth_0));
+            value_1 = _S627.albedos_2.diffuse_transmit_0 * vec3<f32>(_S627.diffuse_gain_1) * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S628), _S627.normal_8, fabrics_0[_S626].diffuse_blend_0)) + _S627.albedos_2.specular_transmit_0 * vec3<f32>(transmission_1(_S628, _S629, _S627.normal_8, _S627.tangent_8, _S627.roughness_8, fabrics_0[_S626].optical_depth_0));
         }
         else
         {
-            value_1 = _S652;
+            value_1 = _S630;
         }
     }
-    var _S655 : f32 = fabrics_0[_S648].sheen_strength_0;
-    if((fabrics_0[_S648].sheen_strength_0) <= 0.0f)
+    var _S633 : f32 = fabrics_0[_S626].sheen_strength_0;
+    if((fabrics_0[_S626].sheen_strength_0) <= 0.0f)
     {
         return value_1;
     }
-    var _S656 : vec2<f32> = sheen_with_transmittance_0(_S650, _S651, _S655, fabrics_0[_S648].sheen_roughness_0);
-    return vec3<f32>(_S656.y) * value_1 + vec3<f32>(_S656.x);
+    var _S634 : vec2<f32> = sheen_with_transmittance_0(_S628, _S629, _S633, fabrics_0[_S626].sheen_roughness_0);
+    return vec3<f32>(_S634.y) * value_1 + vec3<f32>(_S634.x);
 }
 
-fn unoccluded_0( _S657 : u32,  _S658 : SearchQuality_0,  _S659 : f32,  _S660 : f32,  _S661 : f32,  _S662 : vec3<f32>,  _S663 : bool) -> bool
+fn unoccluded_0( _S635 : u32,  _S636 : SearchQuality_0,  _S637 : f32,  _S638 : f32,  _S639 : f32,  _S640 : vec3<f32>,  _S641 : bool) -> bool
 {
-    if((_S662.z) <= 0.0f)
+    if((_S640.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S657, _S658, vec3<f32>(_S659, _S660, _S661 + fabrics_0[_S657].lift_0), _S662, _S663, max_height_along_0(_S657, _S659, _S660, _S661, _S662, _S663));
+    return is_free_0(_S635, _S636, vec3<f32>(_S637, _S638, _S639 + fabrics_0[_S635].lift_0), _S640, _S641, max_height_along_0(_S635, _S637, _S638, _S639, _S640, _S641));
 }
 
-fn is_lit_0( _S664 : u32,  _S665 : SearchQuality_0,  _S666 : YarnPoint_0,  _S667 : vec3<f32>) -> bool
+fn is_lit_0( _S642 : u32,  _S643 : SearchQuality_0,  _S644 : YarnPoint_0,  _S645 : vec3<f32>) -> bool
 {
-    if(_S666.hole_3)
+    if(_S644.hole_3)
     {
         return true;
     }
-    var _S668 : vec3<f32> = to_face_frame_0(_S667, _S666.back_6);
-    var _S669 : f32 = _S668.z;
-    var _S670 : bool = _S669 < 0.0f;
+    var _S646 : vec3<f32> = to_face_frame_0(_S645, _S644.back_6);
+    var _S647 : f32 = _S646.z;
+    var _S648 : bool = _S647 < 0.0f;
     var normal_9 : vec3<f32>;
     var height_11 : f32;
-    if(_S670)
+    if(_S648)
     {
-        var _S671 : SurfacePoint_0 = surface_at_0(_S664, _S666.x_12, _S666.y_5, !_S666.back_6);
-        normal_9 = _S671.normal_3;
-        height_11 = _S671.height_4;
+        var _S649 : SurfacePoint_0 = surface_at_0(_S642, _S644.x_12, _S644.y_5, !_S644.back_6);
+        normal_9 = _S649.normal_3;
+        height_11 = _S649.height_4;
     }
     else
     {
-        normal_9 = _S666.surface_normal_0;
-        height_11 = _S666.height_5;
+        normal_9 = _S644.surface_normal_0;
+        height_11 = _S644.height_5;
     }
-    var _S672 : vec3<f32> = vec3<f32>(_S668.xy, abs(_S669));
-    if((dot(normal_9, _S672)) <= 0.0f)
+    var _S650 : vec3<f32> = vec3<f32>(_S646.xy, abs(_S647));
+    if((dot(normal_9, _S650)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S664, _S665, _S666.x_12, _S666.y_5, height_11, _S672, (_S666.back_6) != _S670);
+    return unoccluded_0(_S642, _S643, _S644.x_12, _S644.y_5, height_11, _S650, (_S644.back_6) != _S648);
 }
 
-fn evaluate_with_0( _S673 : u32,  _S674 : SearchQuality_0,  _S675 : YarnPoint_0,  _S676 : Bounced_0,  _S677 : vec3<f32>,  _S678 : vec3<f32>) -> vec3<f32>
+fn evaluate_with_0( _S651 : u32,  _S652 : SearchQuality_0,  _S653 : YarnPoint_0,  _S654 : Bounced_0,  _S655 : vec3<f32>,  _S656 : vec3<f32>) -> vec3<f32>
 {
-    var _S679 : vec3<f32> = to_face_frame_0(_S678, _S675.back_6);
-    var _S680 : vec3<f32> = scattered_0(_S673, _S675, to_face_frame_0(_S677, _S675.back_6), _S679);
-    var _S681 : bool;
-    if((max(_S680.x, max(_S680.y, _S680.z))) <= 0.0f)
+    var _S657 : vec3<f32> = to_face_frame_0(_S656, _S653.back_6);
+    var _S658 : vec3<f32> = scattered_0(_S651, _S653, to_face_frame_0(_S655, _S653.back_6), _S657);
+    var _S659 : bool;
+    if((max(_S658.x, max(_S658.y, _S658.z))) <= 0.0f)
     {
-        _S681 = true;
+        _S659 = true;
     }
     else
     {
-        _S681 = !is_lit_0(_S673, _S674, _S675, _S677);
+        _S659 = !is_lit_0(_S651, _S652, _S653, _S655);
     }
     var value_2 : vec3<f32>;
-    if(_S681)
+    if(_S659)
     {
         value_2 = vec3<f32>(0.0f);
     }
     else
     {
-        value_2 = _S680;
+        value_2 = _S658;
     }
-    var between_1 : vec3<f32> = bounced_value_0(_S676, _S677, _S678);
-    var _S682 : f32 = fabrics_0[_S673].sheen_strength_0;
+    var between_1 : vec3<f32> = bounced_value_0(_S654, _S655, _S656);
+    var _S660 : f32 = fabrics_0[_S651].sheen_strength_0;
     var between_2 : vec3<f32>;
-    if((fabrics_0[_S673].sheen_strength_0) > 0.0f)
+    if((fabrics_0[_S651].sheen_strength_0) > 0.0f)
     {
-        between_2 = between_1 * vec3<f32>((1.0f - _S682 * sheen_lobe_0(abs(_S679.z), fabrics_0[_S673].sheen_roughness_0).z));
+        between_2 = between_1 * vec3<f32>((1.0f - _S660 * sheen_lobe_0(abs(_S657.z), fabrics_0[_S651].sheen_roughness_0).z));
     }
     else
     {
@@ -2471,108 +2486,104 @@ fn evaluate_with_0( _S673 : u32,  _S674 : SearchQuality_0,  _S675 : YarnPoint_0,
     return value_2 + between_2;
 }
 
-fn straight_through_0( _S683 : u32,  _S684 : YarnPoint_0,  _S685 : vec3<f32>) -> f32
+fn straight_through_0( _S661 : u32,  _S662 : YarnPoint_0,  _S663 : vec3<f32>) -> f32
 {
-    if(!_S684.hole_3)
+    if(!_S662.hole_3)
     {
         return 0.0f;
     }
-    var _S686 : f32 = fabrics_0[_S683].sheen_strength_0;
-    if((fabrics_0[_S683].sheen_strength_0) <= 0.0f)
+    var _S664 : f32 = fabrics_0[_S661].sheen_strength_0;
+    if((fabrics_0[_S661].sheen_strength_0) <= 0.0f)
     {
         return 1.0f;
     }
-    return 1.0f - _S686 * sheen_lobe_0(abs(_S685.z), fabrics_0[_S683].sheen_roughness_0).z;
+    return 1.0f - _S664 * sheen_lobe_0(abs(_S663.z), fabrics_0[_S661].sheen_roughness_0).z;
 }
 
-fn light_of_point_0( _S687 : i32,  _S688 : u32,  _S689 : VisiblePoint_0,  _S690 : vec2<u32>,  _S691 : vec3<f32>,  _S692 : vec2<f32>) -> vec4<f32>
+fn light_of_point_0( _S665 : u32,  _S666 : VisiblePoint_0,  _S667 : vec2<u32>,  _S668 : vec3<f32>,  _S669 : vec2<f32>) -> vec4<f32>
 {
-    var _S693 : SearchQuality_0 = default_quality_0();
-    var _S694 : vec3<f32> = to_local_0(_S689, _S689.view_1);
+    var _S670 : SearchQuality_0 = default_quality_0();
+    var _S671 : vec3<f32> = to_local_0(_S666, _S666.view_1);
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S692;
-    footprint_0.dx_0 = _S689.draft_dx_0;
-    footprint_0.dy_0 = _S689.draft_dy_0;
-    var _S695 : YarnPoint_0 = locate_yarn_0(_S688, _S693, _S692.x, _S692.y, _S694, Footprint_spread_side_0(footprint_0));
-    var point_6 : YarnPoint_0 = _S695;
-    var _S696 : Bounced_0 = bounced_at_0(_S688, _S695, _S691);
-    point_6.albedos_2 = tinted_0(point_6.albedos_2, _S691);
-    var _S697 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_0.centre_0 = _S669;
+    footprint_0.dx_0 = _S666.draft_dx_0;
+    footprint_0.dy_0 = _S666.draft_dy_0;
+    var _S672 : YarnPoint_0 = locate_yarn_0(_S665, _S670, _S669.x, _S669.y, _S671, Footprint_spread_side_0(footprint_0));
+    var point_6 : YarnPoint_0 = _S672;
+    var _S673 : Bounced_0 = bounced_at_0(_S665, _S672, _S668);
+    point_6.albedos_2 = tinted_0(point_6.albedos_2, _S668);
+    var _S674 : vec3<f32> = vec3<f32>(0.0f);
     var number_3 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S697;
+    var radiance_1 : vec3<f32> = _S674;
     for(;;)
     {
-        if(number_3 < (light_sample_count_0(_S687)))
+        if(number_3 < (light_sample_count_0()))
         {
         }
         else
         {
             break;
         }
-        var _S698 : f32 = visibility_at_0(_S687, number_3, _S690);
-        if(_S698 <= 0.0f)
+        var _S675 : f32 = visibility_at_0(number_3, _S667);
+        if(_S675 <= 0.0f)
         {
             number_3 = number_3 + u32(1);
             continue;
         }
-        var _S699 : LightSample_0 = light_sample_0(_S687, number_3, _S690, _S689.position_0);
-        radiance_1 = radiance_1 + vec3<f32>(_S698) * _S699.irradiance_1 * evaluate_with_0(_S688, _S693, point_6, _S696, to_local_0(_S689, _S699.towards_0), _S694);
+        var _S676 : LightSample_0 = light_sample_0(number_3, _S667, _S666.position_0);
+        radiance_1 = radiance_1 + vec3<f32>(_S675) * _S676.irradiance_1 * evaluate_with_0(_S665, _S670, point_6, _S673, to_local_0(_S666, _S676.towards_0), _S671);
         number_3 = number_3 + u32(1);
     }
-    return vec4<f32>(radiance_1, 1.0f - straight_through_0(_S688, point_6, _S694));
+    return vec4<f32>(radiance_1, 1.0f - straight_through_0(_S665, point_6, _S671));
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn shade_points(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S700 : u32;
-    var _S701 : u32 = id_0.x;
-    var _S702 : u32 = frames_0[i32(0)].width_0;
-    var _S703 : bool;
-    if(_S701 >= (frames_0[i32(0)].width_0))
+    var _S677 : u32 = id_0.x;
+    var _S678 : bool;
+    if(_S677 >= (frame_record_0.width_0))
     {
-        _S703 = true;
+        _S678 = true;
     }
     else
     {
-        _S703 = (id_0.y) >= (frames_0[i32(0)].height_0);
+        _S678 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S703)
+    if(_S678)
     {
         return;
     }
-    var _S704 : vec2<u32> = id_0.xy;
-    var _S705 : u32 = id_0.y * _S702 + _S701;
-    var _S706 : u32 = layers_0[_S705].face_0;
-    if((layers_0[_S705].face_0) == u32(0))
+    var _S679 : vec2<u32> = id_0.xy;
+    var _S680 : u32 = id_0.y * frame_record_0.width_0 + _S677;
+    var _S681 : u32 = layers_0[_S680].face_0;
+    if((layers_0[_S680].face_0) == u32(0))
     {
         return;
     }
-    var _S707 : u32 = _S706 - u32(1);
-    var _S708 : u32 = face_fabrics_0[_S707];
-    var _S709 : VisiblePoint_0 = visible_point_0(i32(0), _S708, _S707, _S704);
-    var _S710 : vec3<f32> = filtered_albedo_0(_S708, _S709);
-    var _S711 : vec4<f32> = vec4<f32>(0.0f);
+    var _S682 : u32 = _S681 - u32(1);
+    var _S683 : u32 = fabric_of_0(_S682);
+    var _S684 : VisiblePoint_0 = visible_point_0(_S683, _S682, _S679);
+    var _S685 : vec3<f32> = filtered_albedo_0(_S683, _S684);
+    var _S686 : vec4<f32> = vec4<f32>(0.0f);
     var k_0 : u32 = u32(0);
-    var sum_0 : vec4<f32> = _S711;
+    var sum_0 : vec4<f32> = _S686;
     for(;;)
     {
-        var _S712 : u32 = frames_0[i32(0)].samples_0;
-        _S700 = frames_0[i32(0)].samples_0;
-        if(k_0 < (frames_0[i32(0)].samples_0))
+        if(k_0 < (frame_record_0.samples_0))
         {
         }
         else
         {
             break;
         }
-        var _S713 : vec2<f32> = pixel_sequence_0(_S704, frames_0[i32(0)].pass_number_0 * _S712 + k_0, u32(1)) - vec2<f32>(0.5f);
-        var sum_1 : vec4<f32> = sum_0 + light_of_point_0(i32(0), _S708, _S709, _S704, _S710, _S709.draft_0 + vec2<f32>(_S713.x) * _S709.draft_dx_0 + vec2<f32>(_S713.y) * _S709.draft_dy_0);
+        var _S687 : vec2<f32> = pixel_sequence_0(_S679, frame_record_0.pass_number_0 * frame_record_0.samples_0 + k_0, u32(1)) - vec2<f32>(0.5f);
+        var sum_1 : vec4<f32> = sum_0 + light_of_point_0(_S683, _S684, _S679, _S685, _S684.draft_0 + vec2<f32>(_S687.x) * _S684.draft_dx_0 + vec2<f32>(_S687.y) * _S684.draft_dy_0);
         k_0 = k_0 + u32(1);
         sum_0 = sum_1;
     }
-    accumulate_0(_S705, sum_0 / vec4<f32>(f32(_S700)));
+    accumulate_0(_S680, sum_0 / vec4<f32>(f32(frame_record_0.samples_0)));
     return;
 }
 

@@ -1,48 +1,51 @@
-struct Frame_std430_0
+struct Frame_std140_0
 {
-    @align(4) width_0 : u32,
+    @align(16) width_0 : u32,
     @align(4) height_0 : u32,
-    @align(4) lights_0 : u32,
+    @align(8) lights_0 : u32,
     @align(4) samples_0 : u32,
-    @align(4) pass_number_0 : u32,
+    @align(16) pass_number_0 : u32,
     @align(4) environment_samples_0 : u32,
-    @align(4) environment_columns_0 : u32,
+    @align(8) environment_columns_0 : u32,
     @align(4) environment_rows_0 : u32,
-    @align(4) environment_table_0 : u32,
+    @align(16) environment_table_0 : u32,
     @align(4) environment_total_0 : f32,
-    @align(4) environment_sine_0 : f32,
+    @align(8) environment_sine_0 : f32,
     @align(4) environment_cosine_0 : f32,
-    @align(4) shows_environment_0 : u32,
+    @align(16) shows_environment_0 : u32,
     @align(4) casts_shadows_0 : u32,
-    @align(4) leaves_0 : u32,
+    @align(8) leaves_0 : u32,
     @align(4) leaf_faces_0 : u32,
-    @align(4) ray_offset_0 : f32,
+    @align(16) corners_0 : u32,
+    @align(4) face_fabrics_0 : u32,
+    @align(8) vertices_0 : u32,
+    @align(4) light_records_0 : u32,
+    @align(16) ray_offset_0 : f32,
     @align(4) jitter_x_0 : f32,
-    @align(4) jitter_y_0 : f32,
+    @align(8) jitter_y_0 : f32,
     @align(4) gain_0 : f32,
-    @align(4) origin_x_0 : f32,
+    @align(16) origin_x_0 : f32,
     @align(4) origin_y_0 : f32,
-    @align(4) origin_z_0 : f32,
+    @align(8) origin_z_0 : f32,
     @align(4) right_x_0 : f32,
-    @align(4) right_y_0 : f32,
+    @align(16) right_y_0 : f32,
     @align(4) right_z_0 : f32,
-    @align(4) up_x_0 : f32,
+    @align(8) up_x_0 : f32,
     @align(4) up_y_0 : f32,
-    @align(4) up_z_0 : f32,
+    @align(16) up_z_0 : f32,
     @align(4) forward_x_0 : f32,
-    @align(4) forward_y_0 : f32,
+    @align(8) forward_y_0 : f32,
     @align(4) forward_z_0 : f32,
-    @align(4) near_0 : f32,
+    @align(16) near_0 : f32,
     @align(4) background_red_0 : f32,
-    @align(4) background_green_0 : f32,
+    @align(8) background_green_0 : f32,
     @align(4) background_blue_0 : f32,
 };
 
-@binding(4) @group(0) var<storage, read> frames_0 : array<Frame_std430_0>;
+@binding(10) @group(0) var<uniform> frame_record_0 : Frame_std140_0;
+@binding(7) @group(0) var<storage, read_write> radiance_0 : array<vec4<f32>>;
 
-@binding(8) @group(0) var<storage, read_write> radiance_0 : array<vec4<f32>>;
-
-@binding(9) @group(0) var<storage, read_write> pixels_0 : array<u32>;
+@binding(8) @group(0) var<storage, read_write> pixels_0 : array<u32>;
 
 fn natural_logarithm_0( x_0 : f32) -> f32
 {
@@ -91,11 +94,11 @@ fn encoded_0( linear_0 : f32) -> u32
 fn tone_map(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
     var _S7 : u32 = id_0.x;
-    if(_S7 >= (frames_0[i32(0)].width_0 * frames_0[i32(0)].height_0))
+    if(_S7 >= (frame_record_0.width_0 * frame_record_0.height_0))
     {
         return;
     }
-    var _S8 : vec3<f32> = radiance_0[_S7].xyz * vec3<f32>(frames_0[i32(0)].gain_0);
+    var _S8 : vec3<f32> = radiance_0[_S7].xyz * vec3<f32>(frame_record_0.gain_0);
     pixels_0[_S7] = ((((((encoded_0(_S8.x)) | ((((encoded_0(_S8.y)) << (u32(8))))))) | ((((encoded_0(_S8.z)) << (u32(16))))))) | (u32(4278190080)));
     return;
 }
