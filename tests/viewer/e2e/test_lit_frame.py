@@ -6,6 +6,7 @@ import base64
 import shutil
 import subprocess
 import threading
+import time
 from collections.abc import Iterator
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
@@ -20,6 +21,7 @@ from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectan
 from loomlight.realtime.device import default_adapter
 from loomlight.viewer.openness_json import openness_json
 from loomlight.viewer.saving import tables_of
+from tests.viewer.conftest import Served
 from tests.viewer.e2e.conftest import ROOT, SWIFTSHADER, launched, visiting, wait_until
 
 SIZE = 64
@@ -66,6 +68,29 @@ SHOW = """async ({ model, background, behind }) => {
   const { data } = await renderer.readPixels();
   const shown = page.getImageData(0, 0, canvas.width, canvas.height).data;
   return { read: Array.from(data), shown: Array.from(shown) };
+}"""
+
+# Reports of the first frame with a picture, and of the first that is no preview; some kernels are refused.
+REFUSE = """async ({ fabric, openness, size, refused }) => {
+  const compile = GPUDevice.prototype.createComputePipelineAsync;
+  GPUDevice.prototype.createComputePipelineAsync = function (options) {
+    const isRefused = refused.includes(options.compute.entryPoint);
+    return isRefused ? Promise.reject(new Error("too much for it.\\nReally")) : compile.call(this, options);
+  };
+  const renderer = await web.ClothRenderer.create({ size: [size, size] });
+  const piece = { ...web.fabricOf(fabric), openness, uvSizeMm: [20, 20] };
+  renderer.setPieces([{ mesh: web.rectangle(0.02, 0.02), ...piece }]);
+  renderer.setTables("clustered", new Uint8Array(await (await fetch("clustered.tables")).arrayBuffer()));
+  renderer.setCamera({ origin: [0, -0.01, 0.03], target: [0, 0, 0] });
+  const reports = [];
+  for (let report = null; report === null || report.passes === 0 || report.isPreview; ) {
+    report = renderer.frame();
+    if (report.passes > 0) reports.push(report);
+    await new Promise((resolve) => setTimeout(resolve, 20));
+  }
+  GPUDevice.prototype.createComputePipelineAsync = compile;
+  renderer.destroy();
+  return [reports[0], reports.at(-1)];
 }"""
 
 
@@ -136,3 +161,46 @@ def test_the_background_has_one_colour_on_screen_and_read_back(page: Any) -> Non
     np.testing.assert_array_equal(
         np.array(nothing["shown"]).reshape(SIZE, SIZE, 4)[0, 0], [245, 241, 232, 255]
     )
+
+
+@pytest.mark.slow
+def test_a_device_that_cannot_compile_a_model_says_so_and_shows_points(page: Any) -> None:
+    scene = {"fabric": FABRIC, "openness": openness_json(fabric_from_text(FABRIC)), "size": SIZE}
+    _, last = page.evaluate(REFUSE, {**scene, "refused": ["shade_clustered"]})
+    sentence = (
+        "This device could not compile shade_clustered (too much for it): the cloth is shown point by point."
+    )
+    assert last["missing"] == [sentence]
+    assert not last["isPreview"]
+    assert last["compiled"] == 1
+
+
+@pytest.mark.slow
+def test_points_are_shown_while_another_model_compiles(page: Any) -> None:
+    scene = {"fabric": FABRIC, "openness": openness_json(fabric_from_text(FABRIC)), "size": SIZE}
+    first, last = page.evaluate(REFUSE, {**scene, "refused": []})
+    assert first["isPreview"]
+    assert not last["isPreview"]
+    assert first["compiled"] < last["compiled"] == 1
+    assert last["missing"] == []
+
+
+@pytest.mark.slow
+def test_the_editor_lights_its_cloth(served: Served, playwright: Any) -> None:
+    with launched(playwright, SWIFTSHADER) as browser, visiting(browser) as visit:
+        begin = time.perf_counter()
+        visit.page.goto(f"http://127.0.0.1:{served.port}/")
+        steps = {
+            "flat cloth": "window.loomlight?.statistics()?.frames > 0",
+            "first light": "window.loomlight.statistics().passes > 0",
+            "as asked for": "window.loomlight.statistics().preparing === null",
+        }
+        for step, condition in steps.items():
+            wait_until(visit.page, condition, 200)
+            print(f"{step}: after {time.perf_counter() - begin:.1f} s")
+            if step != "as asked for":
+                assert visit.page.get_by_test_id("preparing").inner_text().startswith("Preparing the light")
+        pixels = visit.page.evaluate("window.loomlight.readPixels().then(({ data }) => data)")
+        assert np.array(pixels).reshape(-1, 4)[:, :3].std() > 20  # of 255: cloth on paper
+        assert visit.page.locator("canvas.cloth-canvas").count() == 1
+        assert visit.complaints == []

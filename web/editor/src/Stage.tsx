@@ -65,7 +65,7 @@ export function Stage(props: Props) {
   const [frameMs, setFrameMs] = useState(0);
   const [zoom, setZoom] = useState(0);
   const [isTouched, setTouched] = useState(false);
-  const [isDrawn, setDrawn] = useState(false);
+  const [preparing, setPreparing] = useState<string | null>("Preparing the light …");
   const [broken, setBroken] = useState<unknown>(null);
   // What fails between renders is for whoever guards the stage.
   if (broken !== null) throw broken;
@@ -126,9 +126,9 @@ export function Stage(props: Props) {
       }
       if (now - told > 250) {
         told = now;
-        const { kind, frameMs: last, passes } = view.statistics();
+        const { frameMs: last, preparing: words } = view.statistics();
         setFrameMs(last);
-        setDrawn(kind === "canvas" || Number(passes ?? 1) > 0);
+        setPreparing(words);
         setZoom(view.zoom);
       }
       handle = requestAnimationFrame(draw);
@@ -199,12 +199,12 @@ export function Stage(props: Props) {
           {frameMs > 0 ? `${frameMs < 10 ? frameMs.toFixed(1) : Math.round(frameMs)} ms` : "–"}
         </output>
       </div>
-      {!isDrawn && lost === null && (
-        <p class="stage-wait" role="status">
-          Preparing the light …
+      {preparing !== null && lost === null && (
+        <p class="stage-hint" role="status" data-testid="preparing">
+          {preparing}
         </p>
       )}
-      {isDrawn && !isTouched && !isWiping && view !== null && lost === null && (
+      {preparing === null && !isTouched && !isWiping && view !== null && lost === null && (
         <p class="stage-hint">{view.kind === "webgpu" ? `Drag to turn · ${CLOSER}` : `Drag to move · ${CLOSER}`}</p>
       )}
     </section>

@@ -5,26 +5,21 @@ import type { Openness } from "./fabric/between_yarns.ts";
 import { DEFAULT_ENVIRONMENT_SAMPLES, DEFAULT_SAMPLES } from "./generated.ts";
 import { ClothBuffers } from "./gpu/cloth_buffers.ts";
 import { Device, type DeviceOptions } from "./gpu/device.ts";
-import { Presenter, type Source } from "./gpu/present.ts";
-import { Raster } from "./gpu/raster.ts";
-import type { ShaderName } from "./gpu/shaders.ts";
-import { Targets, requireSize } from "./gpu/targets.ts";
+import { Presenter } from "./gpu/present.ts";
+import { requireSize } from "./gpu/targets.ts";
 import { BUDGET, Pace, type Budget } from "./pace.ts";
-import type { RecordArray } from "./records.ts";
+import { Passes } from "./passes.ts";
+import { ENTRIES, possible, ready, type Plan, type ReadyPlan } from "./plan.ts";
 import { cameraValues, lightRecords } from "./scene/camera.ts";
 import { environmentTables } from "./scene/environment.ts";
 import type { Camera, Environment, FrameReport, Light, Mesh, ModelName, Piece, Statistics, Vector3 } from "./types.ts";
-import { frameRecord, hasBackgroundOf, keyOfView, type View } from "./view.ts";
+import { keyOfView, type View } from "./view.ts";
 
-const ENTRIES: Readonly<Record<ModelName, ShaderName>> = {
-  lobes: "shade_lobes",
-  point: "shade_points",
-  neural: "shade_neural",
-  clustered: "shade_clustered",
-};
 const OWN_MODELS: readonly ModelName[] = ["lobes", "point"];
 // A picture that is the mean of so many passes changes no more to the eye.
 const MAX_PASSES = 256;
+// Of a preview: on software adapters more would keep the processor from compiling.
+const PREVIEW_PASSES = 4;
 
 /** How a renderer is made. */
 export interface RendererOptions extends DeviceOptions {
@@ -60,16 +55,15 @@ export class ClothRenderer {
   private width: number;
   private height: number;
   private cloth: ClothBuffers | null = null;
-  private targets: Targets;
-  private raster: Raster;
+  private passes: Passes;
   private presenter: Presenter | null = null;
-  private own: Record<string, GPUBuffer> = {};
   private readonly pace: Pace | null;
-  /** What the sums show; empty where they are to begin anew. */
-  private shown = "";
-  private passes = 0;
-  /** Of the picture that the sums are of, pixels. */
-  private frameSize: readonly [number, number] = [1, 1];
+  /** What the last frame was drawn with. */
+  private plan: ReadyPlan | null = null;
+  /** Whether the picture was ever no preview: from then on it stays as it is while something compiles. */
+  private wasWhole = false;
+  /** What the device could not compile, a sentence each. */
+  private missing: readonly string[] = [];
   private isPending = false;
   private other: { readonly renderer: ClothRenderer; readonly split: number } | null = null;
   private done = { passes: 0, frameMs: 0, editMs: 0, bakeKernels: 0, bakes: 0, openings: 0, writes: 0, writtenBytes: 0 };
@@ -81,8 +75,7 @@ export class ClothRenderer {
     [this.width, this.height] = canvas ? [canvas.width, canvas.height] : (options.size ?? [512, 512]);
     requireSize(this.width, this.height);
     this.pace = options.budget === null ? null : new Pace(options.budget ?? BUDGET);
-    this.targets = new Targets(device, this.width, this.height);
-    this.raster = new Raster(device);
+    this.passes = new Passes(device, this.width, this.height);
     if (canvas) this.presenter = new Presenter(device, canvas, options.transparent ?? false);
   }
 
@@ -134,7 +127,7 @@ export class ClothRenderer {
     cloth.fabrics.useTables(this.model === "lobes");
     this.cloth?.destroy();
     this.cloth = cloth;
-    this.shown = "";
+    this.passes.forget();
   }
 
   /**
@@ -144,7 +137,7 @@ export class ClothRenderer {
    */
   setMeshes(meshes: readonly Mesh[]): void {
     this.require().setMeshes(meshes);
-    this.shown = "";
+    this.passes.forget();
   }
 
   /**
@@ -159,7 +152,7 @@ export class ClothRenderer {
     const begin = performance.now();
     cloth.setFabric(number, fields, draft, openness);
     this.done.editMs = performance.now() - begin;
-    this.shown = "";
+    this.passes.forget();
   }
 
   /**
@@ -199,7 +192,8 @@ export class ClothRenderer {
       throw new InputError(`model = "${model}" takes no tables: use neural or clustered.`);
     this.require().setTables(model, content);
     this.model = model;
-    [this.samples, this.mostPasses, this.shown] = [DEFAULT_SAMPLES, MAX_PASSES, ""];
+    [this.samples, this.mostPasses] = [DEFAULT_SAMPLES, MAX_PASSES];
+    this.passes.forget();
   }
 
   /** Directional and point lights, which are exact. */
@@ -262,9 +256,7 @@ export class ClothRenderer {
     const { canvas } = this.options;
     if (canvas) [canvas.width, canvas.height] = [width, height];
     [this.width, this.height] = [width, height];
-    this.targets.destroy();
-    this.targets = new Targets(this.device, width, height);
-    this.shown = "";
+    this.passes.resize(width, height);
   }
 
   /** Shows `other`, which shares this one's device, right of `split` (0 at the left edge, 1 at the right); null ends it. */
@@ -301,34 +293,36 @@ export class ClothRenderer {
    * @throws Error a shader that the browser cannot compile.
    */
   async render(passes: number): Promise<void> {
-    await this.ready();
-    this.shown = "";
+    const plan = await this.whole();
+    this.passes.forget();
     for (let pass = 0; pass < passes; pass++) {
-      this.begin(this.view, this.width, this.height);
-      this.addPass(this.view);
+      this.begin(plan, this.width, this.height);
+      this.addPass(plan);
       await this.device.gpu.queue.onSubmittedWorkDone();
     }
     this.show();
   }
 
-  /** Resolves when everything that the next frame needs is compiled and baked. */
+  /**
+   * Resolves when everything that the next frame needs is compiled and baked, or cannot be.
+   *
+   * @throws Error a shader without which there is no picture, and which the browser cannot compile.
+   */
   async ready(): Promise<void> {
-    while (!this.prepare() || !this.require().isSettled) {
-      await Promise.all([this.raster.compiled, this.device.compiled(), this.require().found()]);
-    }
+    await this.whole();
   }
 
   /** The picture's pixels, sRGB with an opaque alpha [height·width·4], of the size of the last frame. */
   async readPixels(): Promise<{ width: number; height: number; data: Uint8ClampedArray<ArrayBuffer> }> {
-    const { width, height } = this.source();
-    const bytes = await this.device.read(this.targets.buffers["pixels"]!, 4 * width * height);
+    const { width, height, pixels } = this.passes.source();
+    const bytes = await this.device.read(pixels, 4 * width * height);
     return { width, height, data: new Uint8ClampedArray(bytes) };
   }
 
   /** Mean linear radiance, and the share of each pixel that cloth covers [height·width·4]. */
   async readLinear(): Promise<{ width: number; height: number; data: Float32Array }> {
-    const { width, height, passes } = this.source();
-    const sums = new Float32Array(await this.device.read(this.targets.buffers["radiance"]!, 16 * width * height));
+    const { width, height, passes, sums: buffer } = this.passes.source();
+    const sums = new Float32Array(await this.device.read(buffer, 16 * width * height));
     return { width, height, data: sums.map((sum) => sum / Math.max(passes, 1)) };
   }
 
@@ -336,10 +330,8 @@ export class ClothRenderer {
   async rebuild(): Promise<void> {
     const { canvas, shareWith, transparent } = this.options;
     this.device = shareWith?.device ?? (await Device.request(this.options));
-    this.targets = new Targets(this.device, this.width, this.height);
-    this.raster = new Raster(this.device);
+    this.passes = new Passes(this.device, this.width, this.height);
     if (canvas) this.presenter = new Presenter(this.device, canvas, transparent ?? false);
-    this.own = {};
     this.keepCounts();
     const { model, cloth } = this;
     [this.cloth, this.isPending] = [null, false];
@@ -347,7 +339,7 @@ export class ClothRenderer {
       this.setPieces(cloth.pieces);
       if (cloth.servedContent !== null) this.setTables(model, cloth.servedContent);
     }
-    this.shown = "";
+    this.passes.forget();
   }
 
   /** Gives everything back to the adapter. */
@@ -357,42 +349,51 @@ export class ClothRenderer {
       return;
     }
     this.cloth?.destroy();
-    this.targets.destroy();
-    Object.values(this.own).forEach((buffer) => buffer.destroy());
+    this.passes.destroy();
   }
 
-  /** Whether all kernels of the next frame are compiled, and tables baked; begins what is missing. */
-  private prepare(): boolean {
+  /** The plan of the whole picture, once it is ready. */
+  private async whole(): Promise<ReadyPlan> {
+    for (;;) {
+      const plan = this.prepare(false);
+      if (plan !== null && this.require().isSettled) return plan;
+      await Promise.all([this.passes.compiled, this.device.compiled(), this.require().found()]);
+    }
+  }
+
+  /** What can be drawn of what was asked for, or in its place meanwhile; begins what is missing. */
+  private prepare(previews: boolean): ReadyPlan | null {
     const cloth = this.require();
-    const { fabrics, layers } = cloth;
-    const isOpen = cloth.findOpenness(() => (this.shown = ""));
-    const names: ShaderName[] = ["first_layer", ENTRIES[this.model], "add_background", "tone_map"];
-    if (layers > 1) names.push("next_layer");
-    if (this.castsShadows(this.view)) names.push("cast_shadows");
-    const kernels = names.map((name) => this.device.kernel(name, name));
-    const isBaked = this.model !== "lobes" || fabrics.bake();
-    return isOpen && isBaked && this.raster.isReady && kernels.every((kernel) => kernel !== undefined);
+    const castsShadows = this.view.shadows && !cloth.scene.isFlat;
+    const asked: Plan = { model: this.model, castsShadows, layers: cloth.layers };
+    const { plan, missing } = possible(this.device, cloth, asked);
+    this.missing = missing;
+    const found = ready(this.device, cloth, plan, previews, () => this.passes.forget());
+    return this.passes.isReady ? found : null;
   }
 
   private advance(view: View): FrameReport {
     this.view = view;
     const full = this.width * this.height;
-    if (this.isPending || !this.prepare()) return this.report(false);
-    const key = this.keyOf(view);
-    if (key !== this.shown) {
+    const plan = this.isPending ? null : this.prepare(!this.wasWhole);
+    if (plan === null) return this.report(false);
+    this.plan = plan;
+    this.wasWhole ||= !plan.isPreview;
+    const most = plan.isPreview ? PREVIEW_PASSES : this.mostPasses;
+    if (!this.passes.shows(this.keyOf(plan))) {
       this.pace?.moved(full);
     } else if (this.pace?.rested(full)) {
-      this.shown = "";
-    } else if (this.passes >= this.mostPasses) {
-      return this.report(true);
+      this.passes.forget();
+    } else if (this.passes.count >= most) {
+      return this.report(!plan.isPreview);
     }
     const divisor = this.pace?.divisor ?? 1;
     const [width, height] = [this.width, this.height].map((side) => Math.max(1, Math.round(side / divisor))) as [
       number,
       number,
     ];
-    this.begin(view, width, height);
-    this.addPass(view);
+    this.begin(plan, width, height);
+    this.addPass(plan);
     this.time(width * height);
     return this.report(false);
   }
@@ -408,80 +409,29 @@ export class ClothRenderer {
   }
 
   private report(isComplete: boolean): FrameReport {
-    const { width, height, passes } = this.source();
-    return { passes, width, height, isComplete };
+    const { width, height, passes } = this.passes.source();
+    const { missing, device } = this;
+    return { passes, width, height, isComplete, isPreview: this.plan?.isPreview ?? true, compiled: device.share, missing };
   }
 
-  /** Begins new sums if the picture is to be another. */
-  private begin(view: View, width: number, height: number): void {
-    const key = this.keyOf(view);
-    if (key === this.shown && this.frameSize[0] === width && this.frameSize[1] === height) return;
-    this.shown = key;
-    this.passes = 0;
-    this.frameSize = [width, height];
-    this.cloth!.scene.setLight(view.environment, lightRecords(view.lights).words);
+  private begin(plan: ReadyPlan, width: number, height: number): void {
+    this.passes.begin(this.keyOf(plan), this.view, this.require(), width, height);
   }
 
-  private keyOf(view: View): string {
-    return keyOfView(view, [this.model, this.samples, this.mostPasses]);
-  }
-
-  private addPass(view: View): void {
-    const [width, height] = this.frameSize;
-    const castsShadows = this.castsShadows(view);
-    const scene = this.cloth!.scene.frameValues(view.turn, view.environmentSamples);
-    const frame = frameRecord(view, scene, { width, height, passes: this.passes, samples: this.samples, castsShadows });
-    this.targets.makeRoom(castsShadows ? view.lights.length + frame.get(0, "environment_samples") : 1);
-    this.store("frame_record", frame, GPUBufferUsage.UNIFORM);
-    const resources = this.resources();
-    this.raster.draw(this.targets, resources, this.cloth!.scene.faces, width, height);
-    const tiles = [Math.ceil(width / 8), Math.ceil(height / 8)] as const;
-    // A dispatch a submission: software adapters take seconds for all of them.
-    for (let layer = 0; layer < this.cloth!.layers; layer++) {
-      this.device.dispatch(layer === 0 ? "first_layer" : "next_layer", tiles, resources);
-      if (castsShadows) this.device.dispatch("cast_shadows", tiles, resources);
-      this.device.dispatch(ENTRIES[this.model], tiles, resources);
-    }
-    this.device.dispatch("add_background", tiles, resources);
-    this.device.dispatch("tone_map", [Math.ceil((width * height) / 64), 1], resources);
-    this.passes++;
+  private addPass(plan: ReadyPlan): void {
+    this.passes.add(this.view, this.require(), plan, plan.isPreview ? 1 : this.samples);
     this.done.passes++;
   }
 
-  private resources(): Record<string, GPUBuffer | GPUTextureView> {
-    return {
-      ...this.cloth!.buffers,
-      ...this.targets.buffers,
-      ...this.own,
-      visible_faces: this.targets.faces,
-    };
-  }
-
-  private castsShadows(view: View): boolean {
-    return view.shadows && !this.cloth!.scene.isFlat;
+  private keyOf(plan: ReadyPlan): string {
+    return keyOfView(this.view, [plan, this.model, this.samples, this.mostPasses]);
   }
 
   private show(): void {
-    if (this.presenter === null || this.passes === 0) return;
-    const left = this.source();
-    const right = this.other?.renderer.source() ?? left;
+    if (this.presenter === null || this.passes.count === 0) return;
+    const left = this.passes.source();
+    const right = this.other?.renderer.passes.source() ?? left;
     if (right.passes > 0) this.presenter.show(left, right, this.other?.split ?? 1);
-  }
-
-  private source(): Source {
-    const [width, height] = this.frameSize;
-    const { pixels, radiance } = this.targets.buffers;
-    const hasBackground = hasBackgroundOf(this.view);
-    return { width, height, passes: this.passes, pixels: pixels!, sums: radiance!, hasBackground };
-  }
-
-  private store(name: string, records: RecordArray, usage: GPUBufferUsageFlags): void {
-    const { words } = records;
-    if (this.own[name] === undefined || this.own[name].size < words.byteLength) {
-      this.own[name]?.destroy();
-      this.own[name] = this.device.buffer(words.byteLength, usage);
-    }
-    this.device.write(this.own[name], words);
   }
 
   /** @throws InputError no cloth was given yet. */
@@ -494,7 +444,8 @@ export class ClothRenderer {
   private leaveTables(): void {
     if (this.cloth === null || this.cloth.servedContent === null) return;
     this.cloth.leaveTables();
-    [this.model, this.shown] = ["lobes", ""];
+    this.model = "lobes";
+    this.passes.forget();
   }
 
   /** Adds what buffers of fabrics counted, which are about to be replaced, to the counts. */

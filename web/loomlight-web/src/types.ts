@@ -104,11 +104,17 @@ export interface Statistics {
 
 /** What `ClothRenderer.frame` did. */
 export interface FrameReport {
-  /** Passes that the picture on the canvas is the mean of; 0 while shaders compile. */
+  /** Passes that the picture on the canvas is the mean of; 0 while the first shaders compile. */
   readonly passes: number;
   /** Pixels of the picture; fewer than the canvas has while something moves on a slow adapter. */
   readonly width: number;
   readonly height: number;
   /** Whether a further frame would change the picture. */
   readonly isComplete: boolean;
+  /** Whether it is a preview: points, without shadows, while what was asked for is compiled or baked. */
+  readonly isPreview: boolean;
+  /** Share of the shaders that were asked for which are compiled, 0 to 1. */
+  readonly compiled: number;
+  /** What this device could not compile, a sentence each: the picture goes without it. */
+  readonly missing: readonly string[];
 }

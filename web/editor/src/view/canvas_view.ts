@@ -112,7 +112,7 @@ export class CanvasView implements ClothView {
   }
 
   statistics(): ViewStatistics {
-    return { kind: "canvas", frameMs: this.frameMs, frames: this.frames, isComplete: !this.isStale };
+    return { kind: "canvas", frameMs: this.frameMs, frames: this.frames, isComplete: !this.isStale, preparing: null };
   }
 
   dispose(): void {

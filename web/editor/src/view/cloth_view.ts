@@ -49,6 +49,8 @@ export interface ViewStatistics {
   readonly frames: number;
   /** Whether the picture is as fine as it gets. */
   readonly isComplete: boolean;
+  /** What the cloth waits for, in words; null once it is shown as it was asked for. */
+  readonly preparing: string | null;
   readonly [name: string]: unknown;
 }
 
@@ -89,12 +91,13 @@ export async function makeView(
       view: new CanvasView(host),
       reason: "This browser has no WebGPU.",
     };
+  const flat = new CanvasView(host);
   try {
     const { WebGpuView } = await import("./webgpu_view.ts");
-    return { view: await WebGpuView.create(host, tables, onFault), reason: null };
+    return { view: await WebGpuView.create(host, flat, tables, onFault), reason: null };
   } catch (error) {
     return {
-      view: new CanvasView(host),
+      view: flat,
       reason: `WebGPU does not start here. ${reasonOf(error)}`,
     };
   }

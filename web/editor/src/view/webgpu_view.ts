@@ -1,5 +1,5 @@
 /** The cloth on WebGPU: lit, draped, from the whole piece to a single yarn; two fabrics or models side by side. */
-import { ClothRenderer, type Openness, type Vector3 } from "loomlight-web";
+import { ClothRenderer, type FrameReport, type Openness, type Vector3 } from "loomlight-web";
 
 import { woven, type Fabric, type Model, type Scene } from "../state/document.ts";
 import type { ClothView, Pixels, Print, Shown, ViewStatistics } from "./cloth_view.ts";
@@ -46,15 +46,21 @@ export class WebGpuView implements ClothView {
   private lit: readonly [Scene, Shown["surroundings"]] | null = null;
   private frames = 0;
   private isComplete = false;
+  private report: FrameReport | null = null;
+  private readonly told = new Set<string>();
+  /** The cloth without light, until there is a first picture by WebGPU. */
+  private flat: ClothView | null;
+  private readonly onFault: (sentence: string) => void;
 
   private constructor(
     host: HTMLElement,
     canvas: HTMLCanvasElement,
     renderer: ClothRenderer,
+    flat: ClothView,
     tables: TableSource,
     onFault: (sentence: string) => void,
   ) {
-    [this.canvas, this.renderer] = [canvas, renderer];
+    [this.canvas, this.renderer, this.flat, this.onFault] = [canvas, renderer, flat, onFault];
     this.lost = renderer.lost;
     this.served = new ServedModels(tables, () => this.shown && this.show(this.shown), onFault);
     this.control = new OrbitControl(canvas);
@@ -65,12 +71,13 @@ export class WebGpuView implements ClothView {
   }
 
   /**
-   * A view that fills `host`.
+   * A view that fills `host`; `flat` is seen there until there is light, and is then disposed of.
    *
    * @throws InputError no graphics adapter, or one whose limits are too small.
    */
   static async create(
     host: HTMLElement,
+    flat: ClothView,
     tables: TableSource,
     onFault: (sentence: string) => void,
   ): Promise<WebGpuView> {
@@ -81,13 +88,14 @@ export class WebGpuView implements ClothView {
     canvas.dataset["testid"] = "cloth";
     const renderer = await ClothRenderer.create({ canvas, transparent: true });
     host.append(canvas);
-    return new WebGpuView(host, canvas, renderer, tables, onFault);
+    return new WebGpuView(host, canvas, renderer, flat, tables, onFault);
   }
 
   show(shown: Shown): void {
     const isNewShape = shown.piece !== null && shown.piece !== this.shown?.piece;
     this.shown = shown;
     this.isComplete = false;
+    this.flat?.show(shown);
     const { ends, picks } = woven(shown.fabric);
     this.canvas.setAttribute("aria-label", `The cloth: ${ends} ends and ${picks} picks a repeat`);
     if (shown.piece === null) return;
@@ -118,11 +126,20 @@ export class WebGpuView implements ClothView {
   }
 
   frame(): void {
+    this.flat?.frame();
     if (this.shown === null || this.shown.piece === null) return;
     this.renderer.setCamera(this.control.camera);
     const report = this.renderer.frame();
     this.isComplete = report.isComplete;
+    this.report = report;
     this.frames++;
+    for (const sentence of report.missing.filter((text) => !this.told.has(text))) {
+      this.told.add(sentence);
+      this.onFault(sentence);
+    }
+    if (report.passes === 0) return;
+    this.flat?.dispose();
+    this.flat = null;
   }
 
   get zoom(): number {
@@ -152,11 +169,14 @@ export class WebGpuView implements ClothView {
 
   statistics(): ViewStatistics {
     const { renderer, frames, isComplete } = this;
-    return { ...renderer.statistics, adapter: renderer.adapter.name, kind: "webgpu", frames, isComplete };
+    const { isPreview, compiled } = this.report ?? { isPreview: true, compiled: 0 };
+    const preparing = isPreview ? `Preparing the light: ${Math.floor(100 * compiled)} %` : null;
+    return { ...renderer.statistics, adapter: renderer.adapter.name, kind: "webgpu", frames, isComplete, preparing };
   }
 
   dispose(): void {
     this.resizing.disconnect();
+    this.flat?.dispose();
     this.other?.destroy();
     this.renderer.destroy();
     this.canvas.remove();

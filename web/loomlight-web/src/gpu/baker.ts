@@ -29,6 +29,12 @@ export class Baker {
     return BAKE.dispatches.map((dispatch) => this.kernel(dispatch)).every((kernel) => kernel !== undefined);
   }
 
+  /** Why a kernel cannot be compiled, if so. */
+  get fault(): Error | undefined {
+    const faults = BAKE.dispatches.map(({ module, entry }) => this.device.fault(module as ShaderName, entry));
+    return faults.find((fault) => fault !== undefined);
+  }
+
   /** Bakes the tables of a fabric whose geometry is in `buffers`; returns before the device is done. */
   bake(buffers: Readonly<Record<string, GPUBuffer>>, fabrics: RecordArray, number: number, plan: BakePlan): void {
     const resources: Record<string, GPUBuffer | GPUBufferBinding> = { ...buffers };

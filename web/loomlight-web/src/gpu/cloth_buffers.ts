@@ -77,6 +77,7 @@ export class ClothBuffers {
    * @returns false while a piece has none.
    */
   findOpenness(onFound: () => void): boolean {
+    if (this.device.fault("bake_openness") !== undefined) this.isUnknowable = true;
     if (this.isUnknowable || this.served !== null) return true;
     this.pieces.forEach((_, number) => {
       if (this.isFound(number) || this.finding.has(number)) return;

@@ -10,6 +10,8 @@ export const NO_WEBGPU =
 export const NO_ADAPTER =
   "This browser has WebGPU but finds no graphics adapter for it: see that hardware acceleration is switched on.";
 // Every adapter binds the eight storage buffers of the largest shader.
+// Kernels that a software adapter compiles at a time.
+const AT_A_TIME = 2;
 const RAISED_LIMITS = ["maxStorageBufferBindingSize", "maxBufferSize"] as const;
 
 /** Buffers and views by the names that shaders have for them. */
@@ -38,8 +40,11 @@ export class Device {
   readonly lost: Promise<string>;
   private readonly kernels = new Map<string, Kernel>();
   private readonly compiling = new Map<string, Promise<void>>();
-  /** Why a kernel could not be compiled. */
-  private fault: Error | null = null;
+  /** Why kernels could not be compiled. */
+  private readonly faults = new Map<string, Error>();
+  /** What waits for its turn to compile: software adapters compile two at a time, in the order of asking. */
+  private readonly waiting: (() => void)[] = [];
+  private running = 0;
   private isDestroyed = false;
 
   private constructor(gpu: GPUDevice, info: GPUAdapterInfo) {
@@ -100,21 +105,26 @@ export class Device {
     return bytes;
   }
 
-  /**
-   * The kernel of an entry point of a shader if it is compiled; else undefined, and compiling begins.
-   *
-   * @throws Error a kernel that the browser could not compile.
-   */
+  /** The kernel of an entry point of a shader if it is compiled; else undefined, and compiling begins. */
   kernel(shader: ShaderName, entry: string, bindings?: Readonly<Record<string, number>>): Kernel | undefined {
-    if (this.fault !== null) throw this.fault;
     const key = `${shader} ${entry}`;
-    if (!this.kernels.has(key) && !this.compiling.has(key)) {
+    if (!this.compiling.has(key)) {
       const compiling = this.compile(key, shader, entry, bindings).catch((error: unknown) => {
-        this.fault = error instanceof Error ? error : new Error(String(error));
+        this.faults.set(key, error instanceof Error ? error : new Error(String(error)));
       });
       this.compiling.set(key, compiling);
     }
     return this.kernels.get(key);
+  }
+
+  /** Why the browser could not compile a kernel that was asked for, if so. */
+  fault(shader: ShaderName, entry: string = shader): Error | undefined {
+    return this.faults.get(`${shader} ${entry}`);
+  }
+
+  /** Share of the kernels that were asked for which are compiled, or cannot be: 0 to 1. */
+  get share(): number {
+    return this.compiling.size === 0 ? 0 : (this.kernels.size + this.faults.size) / this.compiling.size;
   }
 
   /** Resolves when all kernels that were asked for are compiled, or one cannot be. */
@@ -155,12 +165,24 @@ export class Device {
     entry: string,
     bindings?: Readonly<Record<string, number>>,
   ): Promise<void> {
-    const code = shaderText(shader);
-    const pipeline = await this.gpu.createComputePipelineAsync({
-      layout: "auto",
-      compute: { module: this.gpu.createShaderModule({ code, label: shader }), entryPoint: entry },
-    });
-    this.kernels.set(key, { pipeline, bindings: bindings ?? bindingsOf(code) });
+    await this.turn();
+    try {
+      const code = shaderText(shader);
+      const pipeline = await this.gpu.createComputePipelineAsync({
+        layout: "auto",
+        compute: { module: this.gpu.createShaderModule({ code, label: shader }), entryPoint: entry },
+      });
+      this.kernels.set(key, { pipeline, bindings: bindings ?? bindingsOf(code) });
+    } finally {
+      this.running--;
+      this.waiting.shift()?.();
+    }
+  }
+
+  /** Resolves when a kernel may be compiled. */
+  private async turn(): Promise<void> {
+    if (this.isSoftware && this.running >= AT_A_TIME) await new Promise<void>((resolve) => this.waiting.push(resolve));
+    this.running++;
   }
 }
 

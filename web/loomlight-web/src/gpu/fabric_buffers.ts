@@ -68,6 +68,11 @@ export class FabricBuffers {
     return { look: this.dressings[number]!.look, highest: this.packed.fabrics.get(number, "height_high") };
   }
 
+  /** Why tables cannot be baked, if so. */
+  get fault(): Error | undefined {
+    return this.baker.fault;
+  }
+
   /** Bakes what is not baked yet; false while kernels compile. */
   bake(): boolean {
     if (this.unbaked.size === 0) return true;
