@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import json
 import re
-from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -63,8 +62,6 @@ def baked() -> Baked:
     look = appearance(np.random.default_rng(5), layout, False, False)
     buffers = FabricBuffers(default_adapter(), [(layout, look)], groups=GROUPS)
     tables = bake_tables(YarnGeometry(layout), look.diffuse_blend, GROUPS, llvm_float())
-    # Kernels leave joint visibility at ratios of 1.
-    tables = replace(tables, joint=np.zeros_like(tables.joint))
     by_python = pack_fabrics([(layout, look)], None, [tables])
     return Baked(layout, look, read(buffers, by_python), by_python, plan_bake(layout, GROUPS))
 

@@ -244,7 +244,9 @@ def drawn(tmp_path_factory: pytest.TempPathFactory) -> Drawn:
     tables = {"tables": ["neural", "neural"], "passes": 2}
     scenes[-1]["steps"] += YARN_EDITS
     scenes[0]["steps"] += [tables, {"model": ["lobes", 1]}, *EDITS.values()]
-    scenes[0]["steps"][-1]["openness"] = _openness(EDITS["by yarns"]["fabric"])
+    for step in scenes[0]["steps"]:
+        if step.get("fabric") in (PRESSED, EDITS["by yarns"]["fabric"]):
+            step["openness"] = _openness(step["fabric"])
     (folder / "scenes.json").write_text(json.dumps(scenes))
     script = WEB / "loomlight-web" / "tools" / "render_report.ts"
     command = [deno, "run", "--no-config", "--allow-all", "--unstable-webgpu", str(script)]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import shutil
 import subprocess
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -121,6 +121,9 @@ def pairs(tmp_path_factory: pytest.TempPathFactory) -> list[Pair]:
     result = []
     for number, fabric in enumerate(fabrics):
         plan = plan_bake(fabric.layout(), DEFAULT_GROUPS)
+        served = questions[number]["openness"]
+        if served is not None:
+            plan = replace(plan, joint=np.array(served["joint"], np.uint32).view(np.int16))
         packed = pack_fabrics([(fabric.layout(), fabric.appearance())], [UV_SIZE_MM], [plan])
         names = ("fabrics", "families", "words", "bake", "steps")
         page = {name: (folder / f"{number}.{name}").read_bytes() for name in names}

@@ -148,6 +148,7 @@ class BakePlan:
         levels: first node, columns and rows of each level of the coverage pyramid [levels, 3].
         base_size: side of the squares of its first level, millimetres.
         blur: weights of the taps across and along that make tents of cells, the middle one first.
+        joint: `LobeTables.joint`, which no kernel bakes; None leaves ratios at 1.
     """
 
     values: Mapping[str, float]
@@ -155,6 +156,7 @@ class BakePlan:
     levels: NDArray[np.int64]
     base_size: float
     blur: tuple[list[float], list[float]]
+    joint: NDArray[np.int16] | None = None
 
     @property
     def table_words(self) -> int:

@@ -1,18 +1,25 @@
-"""Fabrics in an adapter's buffers, with tables of `lobes` baked there; nothing is read back."""
+"""Fabrics in an adapter's buffers, with tables of `lobes` baked there; nothing is read back.
+
+Joint visibility alone is baked on the CPU.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.llvm import llvm_float
 from loomlight.models.lobes.model import DEFAULT_GROUPS
+from loomlight.models.lobes.tables import bake_joint
 from loomlight.realtime.bake import LobesBaker, plan_bake
 from loomlight.realtime.device import Adapter
 from loomlight.realtime.tables import pack_fabrics
 from loomlight.scattering.appearance import Appearance
+from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout
 
 
@@ -44,7 +51,13 @@ class FabricBuffers:
         Raises:
             MissingDependencyError: a table is beyond the adapter's limits.
         """
-        self.plans = [plan_bake(layout, groups) for layout, _ in looks]
+        self.plans = [
+            replace(
+                plan_bake(layout, groups),
+                joint=bake_joint(YarnGeometry(layout), look.diffuse_blend, groups, llvm_float()),
+            )
+            for layout, look in looks
+        ]
         self.packed = pack_fabrics(list(looks), uv_size_mm, self.plans)
         if describe is not None:
             describe(self.packed.fabrics)

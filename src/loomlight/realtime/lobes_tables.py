@@ -36,12 +36,20 @@ def pack_lobes(record: np.void, lobes: LobeTables, layout: ClothLayout | None, t
 
 
 def reserve_lobes(record: np.void, plan: BakePlan, layout: ClothLayout | None, tables: Tables) -> None:
-    """The same for tables that kernels write: what they find out themselves stays 0."""
+    """The same for tables that kernels write: what they find out themselves stays 0.
+
+    Joint visibility that is not known stays 0 too, which makes ratios of 1.
+    """
     if layout is None:
         return
     table = tables.words
     values = _common_fields(table, plan.levels, plan.base_size, plan.sizes["packs"], layout)
-    values |= {name: table.reserve(size) for name, size in plan.table_sizes.items()}
+    values |= {
+        name: table.add(packed_bytes(plan.joint))
+        if name == "joint" and plan.joint is not None
+        else table.reserve(size)
+        for name, size in plan.table_sizes.items()
+    }
     fill(record["lobes"], values)
 
 

@@ -1,6 +1,6 @@
 /**
- * How open the yarns of fabrics are, which light between yarns needs: of Python, where there is a server; else the
- * renderer's kernel finds it.
+ * How open the yarns of fabrics are, which light between yarns needs, and joint visibility of light and view: of
+ * Python, where there is a server; else the renderer's kernel finds the first and does without the other.
  *
  * It follows from the geometry, so the server is asked only for a geometry that is new; while its answer is on the
  * way, the last one serves. An edit of colours asks nothing.
@@ -55,16 +55,14 @@ export class OpennessSource {
     [this.ask, this.onAnswer, this.onFault] = [ask, onAnswer, onFault];
   }
 
-  /** The openness of a fabric as far as it is known; null for fabrics without light between yarns. */
+  /** What is known of a fabric's yarns; null before the first answer. */
   of(fabric: Fabric): Openness | null {
-    return fabric.fields.interreflection === false ? null : (this.kept.get(geometryKey(fabric)) ?? this.last);
+    return this.kept.get(geometryKey(fabric)) ?? this.last;
   }
 
   /** Says which fabrics are shown: what is not known of them is asked for soon. */
   show(fabrics: readonly Fabric[]): void {
-    this.waiting = fabrics.filter(
-      (fabric) => fabric.fields.interreflection !== false && !this.asked.has(geometryKey(fabric)),
-    );
+    this.waiting = fabrics.filter((fabric) => !this.asked.has(geometryKey(fabric)));
     clearTimeout(this.timer);
     if (this.waiting.length > 0) this.timer = setTimeout(() => this.askForAll(), CALM_MS);
   }

@@ -63,12 +63,12 @@ describe("the source of openness", () => {
     expect(source.of(withFields({ warp: { color: "#800000" } }))).toEqual(answer("answer 2"));
   });
 
-  it("asks nothing for fabrics lit directly alone", async () => {
-    const { source, count } = made(async () => answer(""));
+  it("asks for fabrics lit directly alone too, for their joint visibility", async () => {
+    const { source, count } = made(async () => answer("joint"));
     const plain = fabric({ weave: "plain", interreflection: false });
     source.show([plain]);
     await vi.runAllTimersAsync();
-    expect([source.of(plain), count()]).toEqual([null, 0]);
+    expect([source.of(plain), count()]).toEqual([answer("joint"), 1]);
   });
 
   it("tells a fault once, and asks again with the next edit", async () => {

@@ -111,6 +111,16 @@ def bake_tables(
     )
 
 
+def bake_joint(
+    geometry: YarnGeometry, diffuse_blend: float, per_family: int, float_type: FloatType
+) -> NDArray[np.int16]:
+    """`LobeTables.joint` alone; see `bake_tables`."""
+    cloth = upload_cloth(geometry, float_type)
+    points = launch_joint(cloth)
+    groups = find_groups(top_down_samples(cloth), view_samples(launch_views(cloth, per_family)), per_family)
+    return joint_factors(points, groups, diffuse_blend)
+
+
 def tables_of_loom(loom: LoomFile) -> LobeTables:
     """The tables in a `.loom` file.
 

@@ -4,8 +4,6 @@ import {
   EVEN_STEP,
   FEWER_NODES,
   GROUPS_PER_PACK,
-  JOINT_FACTORS,
-  JOINT_NODES,
   MAX_BLUR,
   MAX_BLUR_STEPS,
   MAX_PYRAMID_BYTES,
@@ -97,7 +95,6 @@ export function planBake(layout: ClothLayout, perFamily: number): BakePlan {
       light_visibility: 4 * NODES * packs,
       irradiance: 4 * NODES * packs,
       moments: 2 * 4 * packs * MOMENTS,
-      joint: 4 * JOINT_NODES * JOINT_FACTORS,
     },
   };
 }

@@ -4,7 +4,7 @@
  */
 import { InputError } from "loomlight-fabric";
 
-import { HALVINGS, OPENNESS_PARTS } from "../generated.ts";
+import { HALVINGS, JOINT_FACTORS, JOINT_NODES, OPENNESS_PARTS } from "../generated.ts";
 import type { WordTable } from "../records.ts";
 
 /**
@@ -30,6 +30,8 @@ export interface Openness {
   readonly facing: readonly number[];
   /** Mean value of the fibre layer at albedo 1 there [family, side]. */
   readonly facing_layer: readonly number[];
+  /** Words of the factors of joint visibility, which `lobes` reads; without them its ratios are 1. */
+  readonly joint?: readonly number[];
 }
 
 /** Albedos of one colour channel, in the order of `ALBEDOS`. */
@@ -41,10 +43,13 @@ export type ChannelAlbedos = readonly [
 ];
 
 const SIZES: readonly (readonly [keyof Openness, number])[] = [...OPENNESS_PARTS, ["facing", 2], ["facing_layer", 4]];
+/** Words of the factors: two a word, of two faces, two sides, view and light. */
+export const JOINT_WORDS = (2 * 2 * 2 * JOINT_NODES * JOINT_FACTORS) / 2;
 
 /** @throws InputError lists that are missing, or of another length, or not of finite numbers. */
 export function requireOpenness(openness: Openness): void {
-  for (const [name, size] of SIZES) {
+  const sizes = openness.joint === undefined ? SIZES : [...SIZES, ["joint", JOINT_WORDS] as const];
+  for (const [name, size] of sizes) {
     const given: unknown = openness[name];
     if (Array.isArray(given) && given.length === size && given.every(Number.isFinite)) continue;
     throw new InputError(`openness: ${name} is no list of ${size} finite numbers, as this version's /api/openness answers.`);

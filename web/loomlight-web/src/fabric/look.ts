@@ -65,6 +65,8 @@ export interface Appearance {
 export interface Look {
   readonly layout: ClothLayout;
   readonly appearance: Appearance;
+  /** Words of the factors of joint visibility; null where they are not known. */
+  readonly joint: readonly number[] | null;
 }
 
 export { MAXIMUM_CROSSINGS };
@@ -74,7 +76,8 @@ const RADIANS = Math.PI / 180;
 /**
  * The look of a fabric's fields and of the draft that they name.
  *
- * @param known the openness of its yarns, where it is known: it counts unless the fields say `interreflection = false`.
+ * @param known the openness of its yarns, where it is known: light between yarns counts unless the fields say
+ * `interreflection = false`.
  * @throws InputError fields that contradict the draft, albedos that exceed the light, or too many crossings.
  */
 export function lookOf(given: FabricFields, draft: Draft, known: Openness | null = null): Look {
@@ -88,7 +91,7 @@ export function lookOf(given: FabricFields, draft: Draft, known: Openness | null
     );
   const opticalDepth = fields.optical_depth ?? OPTICAL_DEPTH;
   const openness = fields.interreflection === false ? null : known;
-  if (openness !== null) requireOpenness(openness);
+  if (known !== null) requireOpenness(known);
   const bends = bendsOf(coloured);
   return {
     layout: {
@@ -110,6 +113,7 @@ export function lookOf(given: FabricFields, draft: Draft, known: Openness | null
       opticalDepth,
       openness,
     },
+    joint: known?.joint ?? null,
   };
 }
 

@@ -10,7 +10,7 @@ import {
 } from "../generated.ts";
 import { RecordArray, WordTable, type Values } from "../records.ts";
 import { ALBEDO_NUMBERS, type FamilyAppearance } from "./albedos.ts";
-import { packOpenness } from "./between_yarns.ts";
+import { JOINT_WORDS, packOpenness } from "./between_yarns.ts";
 import type { BakePlan } from "./bake_plan.ts";
 import { detailNumbers, isDetailed } from "./detail.ts";
 import { colourTables, type ColourTables } from "./footprint_albedos.ts";
@@ -62,7 +62,7 @@ export function packFabrics(fabrics: readonly Ingredients[]): Packed {
     records.set(number, { warp: 2 * number, weft: 2 * number + 1 });
     records.set(number, { uv_width: fabric.uvSizeMm[0], uv_height: fabric.uvSizeMm[1] });
     packFabric(records, families, number, table, fabric);
-    if (fabric.plan !== null) records.set(number, lobesValues(table, fabric.plan, fabric.look.layout), "lobes.");
+    if (fabric.plan !== null) records.set(number, lobesValues(table, fabric.plan, fabric.look), "lobes.");
   });
   return { fabrics: records, families, words: table.words() };
 }
@@ -256,7 +256,7 @@ function colourValues(table: WordTable, threads: FamilyTables, colours: ColourTa
 }
 
 /** Fields of `Lobes` that follow from the draft and the number of groups; kernels find out the others. */
-function lobesValues(table: WordTable, plan: BakePlan, layout: ClothLayout): Values {
+function lobesValues(table: WordTable, plan: BakePlan, { layout, joint }: Look): Values {
   const [width, height] = sizeOf(layout);
   const thread = Math.sqrt(((width / layout.ends) * height) / layout.picks);
   const values: Record<string, number> = {
@@ -270,5 +270,6 @@ function lobesValues(table: WordTable, plan: BakePlan, layout: ClothLayout): Val
     unit_level: Math.log2(Math.max(thread, SQUARE_SCALE * plan.baseSize)),
   };
   for (const [name, size] of Object.entries(plan.tableWords)) values[name] = table.reserve(size);
+  values["joint"] = joint === null ? table.reserve(JOINT_WORDS) : table.addWords(Uint32Array.from(joint));
   return values;
 }

@@ -3,6 +3,7 @@ import { InputError, type Draft, type FabricFields } from "loomlight-fabric";
 
 import type { Openness } from "../fabric/between_yarns.ts";
 import { lookOf, type Look } from "../fabric/look.ts";
+import { sameLayout } from "../fabric/pack.ts";
 import { MAX_LAYERS } from "../generated.ts";
 import { requireMesh } from "../scene/mesh.ts";
 import type { Mesh, ModelName, Piece } from "../types.ts";
@@ -127,7 +128,11 @@ export class ClothBuffers {
     if (piece === undefined)
       throw new InputError(`piece = ${number} is none of the ${this.pieces.length} pieces of cloth.`);
     const known = openness === undefined ? this.known.get(number)?.openness : openness;
-    this.fabrics.setFabric(number, lookOf(fields, draft, known));
+    const look = lookOf(fields, draft, known);
+    const { look: before } = this.fabrics.lookAt(number);
+    // An edit of colours keeps what is known of the yarns.
+    const joint = look.joint ?? (sameLayout(look.layout, before.layout) ? before.joint : null);
+    this.fabrics.setFabric(number, { ...look, joint });
     const { openness: _, ...rest } = piece;
     const edited = openness === undefined ? { ...rest, fields, draft } : { ...rest, fields, draft, openness };
     this.pieces = this.pieces.map((other, index) => (index === number ? edited : other));
