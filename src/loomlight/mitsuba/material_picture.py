@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import warnings
 from collections.abc import Mapping
@@ -302,6 +303,8 @@ class RenderJob:
             return drawn(self._render(shown, self.settings.spp, progress=progress, partial=show))
 
     def _built(self, material: MaterialSpec, size: tuple[int, int]) -> tuple[ClothScene, Inset | None]:
+        # A kernel holds all living BSDFs: with those of an earlier picture it would be another one.
+        gc.collect()
         setting: SceneOptions = {**self.settings.scene_options, "size": size}
         others = further_cloths(self.settings)
         shown = build_scene(self.scene, material_bsdf(material), others=others, **setting)

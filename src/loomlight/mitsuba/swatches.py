@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import re
 import warnings
@@ -148,6 +149,8 @@ def fabric_card(
     made = make_model(model, fabric)
 
     def picture(scene: str, zoom: float) -> Pixels:
+        # A kernel holds all living BSDFs: with those of the last picture it would be another one.
+        gc.collect()
         shown = build_scene(scene, material_bsdf(made), size=(side, side), zoom=zoom)
         linear = render(
             shown.scene,

@@ -117,9 +117,7 @@ class DetailNumbers:
             fibre_size: width of a fibre, millimetres.
         """
         details = appearance.warp.detail, appearance.weft.detail
-        self.has_plies = any(detail.plies > 1 for detail in details)
-        self.has_fibres = any(detail.fibre_tilt > 0 for detail in details)
-        self.has_slubs = any(detail.slub > 0 for detail in details)
+        # Plies, fibres and slubs that a fabric lacks have weights of 0: fabrics of all kinds share a kernel.
         self.has_hairs = any(detail.hairiness > 0 for detail in details)
         self.fibre_size = dr.opaque(types.Float, fibre_size)
         self.seed = appearance.variation.seed
@@ -190,39 +188,37 @@ def turned_frame(numbers: DetailNumbers, point: SurfacePoint, back: Mask, thread
         size: side of the footprint, millimetres.
     """
     normal, tangent = point.normal, point.tangent
-    loss = array_types(point.across).Float(0)
-    if numbers.has_plies:
-        period = dr.rcp(numbers.of("plies_per_mm", point.is_warp))
-        weight = numbers.of("has_plies", point.is_warp) * fade(size, period)
-        sine = weight * PLY_EDGE_SINE * ply_offset(numbers, point, back)
-        loss = dr.square(weight) * (PLY_EDGE_SINE**2 / 6)
-        # The fibre in the frame of the ply, which then turns about its own axis.
-        lean_sine = numbers.of("ply_sine", point.is_warp)
-        lean_sine = dr.select(back, -lean_sine, lean_sine)
-        lean_cosine = numbers.of("ply_cosine", point.is_warp)
-        across = dr.cross(tangent, normal)
-        along_ply = lean_cosine * tangent - lean_sine * across
-        across_ply = lean_cosine * across + lean_sine * tangent
-        cosine = dr.sqrt(dr.fma(-sine, sine, 1))
-        across_turned = cosine * across_ply - sine * normal
-        normal = cosine * normal + sine * across_ply
-        tangent = lean_cosine * along_ply + lean_sine * across_turned
-    if numbers.has_fibres:
-        noise = _fibre_noise(numbers, point, thread, size)
-        amount = numbers.of("fibre_tilt", point.is_warp)
-        # Fibres are round.
-        tilt = noise.bundle_weight * noise.bundle_tilt + noise.weight * (noise.tilt + noise.offset)
-        tilt *= TILT_SCALE * amount
-        of_bundle, of_fibre = dr.square(noise.bundle_weight), dr.square(noise.weight)
-        variance = (NOISE_VARIANCE * (of_bundle + of_fibre) + of_fibre / 3) * TILT_SCALE**2
-        loss = dr.fma(0.5 * dr.square(amount), variance, loss)
-        turn = TURN_SCALE * (noise.bundle_weight * noise.bundle_turn + noise.weight * noise.turn)
-        turn = amount * dr.fma(-noise.bundle_weight, noise.slope, turn)
-        across = dr.cross(tangent, normal)
-        (sine, cosine) = dr.sincos(tilt)
-        normal, across = cosine * normal + sine * across, cosine * across - sine * normal
-        (sine, cosine) = dr.sincos(turn)
-        tangent = cosine * tangent + sine * across
+    period = dr.rcp(numbers.of("plies_per_mm", point.is_warp))
+    weight = numbers.of("has_plies", point.is_warp) * fade(size, period)
+    sine = weight * PLY_EDGE_SINE * ply_offset(numbers, point, back)
+    loss = dr.square(weight) * (PLY_EDGE_SINE**2 / 6)
+    # The fibre in the frame of the ply, which then turns about its own axis.
+    lean_sine = numbers.of("ply_sine", point.is_warp)
+    lean_sine = dr.select(back, -lean_sine, lean_sine)
+    lean_cosine = numbers.of("ply_cosine", point.is_warp)
+    across = dr.cross(tangent, normal)
+    along_ply = lean_cosine * tangent - lean_sine * across
+    across_ply = lean_cosine * across + lean_sine * tangent
+    cosine = dr.sqrt(dr.fma(-sine, sine, 1))
+    across_turned = cosine * across_ply - sine * normal
+    normal = cosine * normal + sine * across_ply
+    tangent = lean_cosine * along_ply + lean_sine * across_turned
+
+    noise = _fibre_noise(numbers, point, thread, size)
+    amount = numbers.of("fibre_tilt", point.is_warp)
+    # Fibres are round.
+    tilt = noise.bundle_weight * noise.bundle_tilt + noise.weight * (noise.tilt + noise.offset)
+    tilt *= TILT_SCALE * amount
+    of_bundle, of_fibre = dr.square(noise.bundle_weight), dr.square(noise.weight)
+    variance = (NOISE_VARIANCE * (of_bundle + of_fibre) + of_fibre / 3) * TILT_SCALE**2
+    loss = dr.fma(0.5 * dr.square(amount), variance, loss)
+    turn = TURN_SCALE * (noise.bundle_weight * noise.bundle_turn + noise.weight * noise.turn)
+    turn = amount * dr.fma(-noise.bundle_weight, noise.slope, turn)
+    across = dr.cross(tangent, normal)
+    (sine, cosine) = dr.sincos(tilt)
+    normal, across = cosine * normal + sine * across, cosine * across - sine * normal
+    (sine, cosine) = dr.sincos(turn)
+    tangent = cosine * tangent + sine * across
     return Frame(normal, tangent, loss)
 
 
@@ -337,29 +333,26 @@ def detail_gain(
         x, y: draft coordinates, millimetres.
         thread, size: see `turned_frame`.
     """
-    types = array_types(x)
-    excess, largest = types.Float(0), types.Float(0)
-    if numbers.has_plies:
-        period = dr.rcp(numbers.of("plies_per_mm", point.is_warp))
-        weight = GROOVE_DEPTH * numbers.of("has_plies", point.is_warp) * fade(size, period)
-        # The mean of the fourth power over a ply is a fifth.
-        fourth = dr.square(dr.square(ply_offset(numbers, point, back)))
-        excess = weight * (0.2 - fourth)
-        largest = 0.2 * weight
-    if numbers.has_fibres:
-        noise = _fibre_noise(numbers, point, thread, size)
-        tone = numbers.of("fibre_tone", point.is_warp)
-        excess += tone * (noise.bundle_weight * noise.bundle_turn + noise.weight * noise.turn)
-        largest += tone * (noise.bundle_weight + noise.weight)
-    if numbers.has_slubs:
-        per_slub = numbers.of("slubs_per_mm", point.is_warp)
-        weight = SLUB_DEPTH * numbers.of("slub", point.is_warp) * fade(size, dr.rcp(per_slub))
-        lengthwise = dr.select(point.is_warp, y, -x)
-        key = hash_key(thread, numbers.seed ^ SLUB_STREAM)
-        wave, _ = _wave(key, lengthwise * per_slub)
-        margin = minimum(dr.square(point.across * numbers.of("per_half_width", point.is_warp)), 1)
-        excess += weight * wave * dr.fma(1 - SLUB_MIDDLE, margin, SLUB_MIDDLE)
-        largest += weight
+    period = dr.rcp(numbers.of("plies_per_mm", point.is_warp))
+    weight = GROOVE_DEPTH * numbers.of("has_plies", point.is_warp) * fade(size, period)
+    # The mean of the fourth power over a ply is a fifth.
+    fourth = dr.square(dr.square(ply_offset(numbers, point, back)))
+    excess = weight * (0.2 - fourth)
+    largest = 0.2 * weight
+
+    noise = _fibre_noise(numbers, point, thread, size)
+    tone = numbers.of("fibre_tone", point.is_warp)
+    excess += tone * (noise.bundle_weight * noise.bundle_turn + noise.weight * noise.turn)
+    largest += tone * (noise.bundle_weight + noise.weight)
+
+    per_slub = numbers.of("slubs_per_mm", point.is_warp)
+    weight = SLUB_DEPTH * numbers.of("slub", point.is_warp) * fade(size, dr.rcp(per_slub))
+    lengthwise = dr.select(point.is_warp, y, -x)
+    key = hash_key(thread, numbers.seed ^ SLUB_STREAM)
+    wave, _ = _wave(key, lengthwise * per_slub)
+    margin = minimum(dr.square(point.across * numbers.of("per_half_width", point.is_warp)), 1)
+    excess += weight * wave * dr.fma(1 - SLUB_MIDDLE, margin, SLUB_MIDDLE)
+    largest += weight
     return Gain(excess, largest)
 
 
