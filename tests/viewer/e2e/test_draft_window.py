@@ -71,3 +71,24 @@ def test_arrows_go_on_beyond_the_window(page: Any) -> None:
     for _ in range(last + 2):
         by_id(page, "draft-grid").press("ArrowRight")
     wait_until(page, "document.querySelector('.draft-window output').textContent.startsWith('Ends 4–')")
+
+
+def test_ends_are_threaded_by_an_order_and_long_floats_are_told(page: Any) -> None:
+    by_id(page, "tab-weave").click()
+    by_id(page, "weave-satin-8-3").click()
+    by_id(page, "tab-draft").click()
+    by_id(page, "floats-marked").check()
+    said = by_id(page, "floats").inner_text()
+    # Denim keeps its seven colours of ends, so a repeat is that of seven satins.
+    assert said.startswith("56 on the face (spots), 56 on the back (rings)")
+    assert "warp 7 on the face" in said
+    by_id(page, "floats-limit-count").fill("7")
+    by_id(page, "floats-limit-count").press("Enter")
+    assert by_id(page, "floats").inner_text().startswith("None is longer.")
+    by_id(page, "ends-count").fill("14")
+    by_id(page, "ends-count").press("Enter")
+    by_id(page, "order-of-threading").select_option("point")
+    shafts = [*range(1, 9), *range(7, 1, -1)]
+    assert fabric_of(page)["draft"]["loom"]["threading"] == [[shaft] for shaft in shafts]
+    by_id(page, "undo").click()
+    assert fabric_of(page)["draft"]["loom"]["threading"] != [[shaft] for shaft in shafts]

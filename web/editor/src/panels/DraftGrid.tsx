@@ -1,5 +1,5 @@
 /** The draft as weaving software draws it, on a canvas; each part is edited by pointer and by keys. */
-import { loomOf, threadHexes, type LoomPlan } from "loomlight-fabric";
+import { FACE, loomOf, threadHexes, type LoomPlan } from "loomlight-fabric";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 
 import { newStroke } from "../controls/Slider.tsx";
@@ -16,6 +16,8 @@ interface Props {
   readonly brush: string;
   /** Screen pixels a cell. */
   readonly cell: number;
+  /** Bits of each crossing that lies in a float that is too long; null marks none. */
+  readonly marks: Uint8Array | null;
   /** The cursor would leave the window, to the right or up by so many threads. */
   readonly onEdge?: (right: number, up: number) => void;
 }
@@ -25,7 +27,7 @@ interface Colours {
   readonly weft: readonly string[];
 }
 
-export function DraftGrid({ fabric, dispatch, window, brush, cell: size, onEdge }: Props) {
+export function DraftGrid({ fabric, dispatch, window, brush, cell: size, marks, onEdge }: Props) {
   const { firstEnd, firstPick, ends, picks } = window;
   const canvas = useRef<HTMLCanvasElement>(null);
   const draft = woven(fabric);
@@ -37,8 +39,8 @@ export function DraftGrid({ fabric, dispatch, window, brush, cell: size, onEdge 
 
   useEffect(() => {
     const colours = { warp: threadHexes(draft, "warp"), weft: threadHexes(draft, "weft") };
-    draw(canvas.current!, fabric, loom, layout, colours, size, isFocused ? cursor : null);
-  }, [fabric, loom, layout, size, cursor, isFocused, draft]);
+    draw(canvas.current!, fabric, loom, layout, colours, size, marks, isFocused ? cursor : null);
+  }, [fabric, loom, layout, size, cursor, isFocused, draft, marks]);
 
   const edit = (cell: Cell, isOn: boolean, stroke: string): void => {
     const end = firstEnd + cell.column;
@@ -145,6 +147,7 @@ function draw(
   layout: Layout,
   colours: Colours,
   size: number,
+  marks: Uint8Array | null,
   cursor: Cell | null,
 ): void {
   const draft = woven(fabric);
@@ -172,8 +175,10 @@ function draw(
                 ? (colours.weft[firstPick + row] ?? PAPER)
                 : PAPER;
         context.fillRect(x, y, size, size);
-        if (box.part === "drawdown") yarnEdge(context, isOn, x, y, size);
-        else if (isOn && box.part !== "warp" && box.part !== "weft") mark(context, x, y, size);
+        if (box.part === "drawdown") {
+          yarnEdge(context, isOn, x, y, size);
+          floatMark(context, marks?.[(firstPick + row) * draft.ends + firstEnd + column] ?? 0, x, y, size);
+        } else if (isOn && box.part !== "warp" && box.part !== "weft") mark(context, x, y, size);
       }
     lines(context, box, size);
   }
@@ -196,6 +201,17 @@ function yarnEdge(context: CanvasRenderingContext2D, isWarp: boolean, x: number,
     context.fillRect(x, y, size, edge);
     context.fillRect(x, y + size - edge, size, edge);
   }
+}
+
+/** A filled spot in a float that is too long on the face, a ring on the back. */
+function floatMark(context: CanvasRenderingContext2D, bits: number, x: number, y: number, size: number): void {
+  if (bits === 0) return;
+  context.beginPath();
+  context.arc(x + size / 2, y + size / 2, size * 0.22, 0, 2 * Math.PI);
+  context.fillStyle = context.strokeStyle = "#d8481f";
+  context.lineWidth = Math.max(1, size * 0.1);
+  if ((bits & FACE) !== 0) context.fill();
+  else context.stroke();
 }
 
 function mark(context: CanvasRenderingContext2D, x: number, y: number, size: number): void {

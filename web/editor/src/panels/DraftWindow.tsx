@@ -13,6 +13,7 @@ interface Props {
   readonly fabric: Fabric;
   readonly dispatch: Dispatch;
   readonly brush: string;
+  readonly marks: Uint8Array | null;
   readonly onClose: () => void;
 }
 
@@ -24,7 +25,7 @@ const MARGIN = 20;
 /** Threads of either family that are in sight at least. */
 const MIN_THREADS = 4;
 
-export function DraftWindow({ fabric, dispatch, brush, onClose }: Props) {
+export function DraftWindow({ fabric, dispatch, brush, marks, onClose }: Props) {
   const draft = woven(fabric);
   const loom = useMemo(() => loomOf(draft), [draft]);
   const plan = useMemo(() => planSize(loom), [loom]);
@@ -107,7 +108,7 @@ export function DraftWindow({ fabric, dispatch, brush, onClose }: Props) {
             height: `${Math.max(height, (plan.rows + picks) * cell + MARGIN) + (draft.picks - picks) * cell}px`,
           }}
         >
-          <DraftGrid fabric={fabric} dispatch={dispatch} window={window} brush={brush} cell={cell} onEdge={step} />
+          <DraftGrid fabric={fabric} dispatch={dispatch} window={window} brush={brush} cell={cell} marks={marks} onEdge={step} />
         </div>
       </div>
     </section>

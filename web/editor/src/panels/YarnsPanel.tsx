@@ -184,7 +184,7 @@ function CountField({ fabric, dispatch, families }: FamiliesProps) {
       </label>
       <input {...written.input} id={`count-${label}`} class="text" placeholder="30 tex, Ne 40/2, 20s …" data-testid={`field-${label}.count`} />
       {count !== "" && written.fault === "" && <span class="hint">{shownTex(yarnTex(count))} tex</span>}
-      <Fault text={written.fault} />
+      <Fault text={written.fault.replace(/^\w+\.count: /, "")} />
     </div>
   );
 }

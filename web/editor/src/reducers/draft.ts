@@ -3,6 +3,8 @@ import {
   InputError,
   loomOf,
   MAXIMUM_THREADS,
+  ordered,
+  ORDERS,
   requireInterlacing,
   turnedOver,
   validateFields,
@@ -67,6 +69,13 @@ function edited(draft: Draft, action: DraftAction): Draft {
       if (loom.liftplan === null || loom.treadling !== null) throw new InputError("The draft has no lift plan: choose it as its plan.");
       const liftplan = withMember(loom.liftplan, pickOf(action.pick), shaftOf(action.shaft), action.isIn === true);
       return withLoom(draft, { ...loom, liftplan });
+    }
+    case "draft/order": {
+      const order = requireOneOf("order", action.order, ORDERS);
+      if (requireOneOf("part", action.part, ["threading", "treadling"] as const) === "threading")
+        return withLoom(draft, { ...loom, threading: ordered(order, draft.ends, loom.shafts).map((shaft) => [shaft]) });
+      if (loom.treadling === null) throw new InputError("The draft has no treadles: choose tie-up and treadling as its plan.");
+      return withLoom(draft, { ...loom, treadling: ordered(order, draft.picks, loom.treadles).map((treadle) => [treadle]) });
     }
     case "draft/plan":
       return withPlanKind(draft, requireOneOf("plan", action.kind, ["liftplan", "treadling"] as const));

@@ -1,6 +1,6 @@
 /** Sentences that the page tells: faults, warnings, and what was done. */
 import { NOTICE_KINDS, type Notice } from "../state/document.ts";
-import { requireOneOf } from "./checks.ts";
+import { requireOneOf, shown } from "./checks.ts";
 
 /** More would cover the cloth. */
 const MAX = 4;
@@ -11,7 +11,7 @@ export function withNotice(notices: readonly Notice[], notice: Omit<Notice, "id"
   requireOneOf("kind", kind, NOTICE_KINDS);
   const others = notices.filter((notice) => notice.text !== text);
   const id = notices.reduce((most, notice) => Math.max(most, notice.id), 0) + 1;
-  return [...others, { id, kind, text: String(text), ...(offer === undefined ? {} : { offer }) }].slice(-MAX);
+  return [...others, { id, kind, text: typeof text === "string" ? text : shown(text), ...(offer === undefined ? {} : { offer }) }].slice(-MAX);
 }
 
 /** The notices without one. */

@@ -1,5 +1,5 @@
 /** Everything that can happen to the document. */
-import type { FamilyName } from "loomlight-fabric";
+import type { FamilyName, Order } from "loomlight-fabric";
 
 import type { Comparison, Fabric, Notice, Scene, Tab } from "./document.ts";
 
@@ -14,6 +14,7 @@ export type FabricAction =
   | { readonly type: "draft/tie"; readonly treadle: number; readonly shaft: number; readonly isIn: boolean; readonly stroke?: string }
   | { readonly type: "draft/press"; readonly pick: number; readonly treadle: number; readonly stroke?: string }
   | { readonly type: "draft/lift"; readonly pick: number; readonly shaft: number; readonly isIn: boolean; readonly stroke?: string }
+  | { readonly type: "draft/order"; readonly part: "threading" | "treadling"; readonly order: Order }
   | { readonly type: "draft/plan"; readonly kind: "liftplan" | "treadling" }
   | { readonly type: "draft/size"; readonly ends: number; readonly picks: number }
   | { readonly type: "draft/shafts"; readonly shafts: number; readonly treadles: number }

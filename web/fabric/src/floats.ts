@@ -1,0 +1,60 @@
+/** Floats: how far a thread runs over or under others before it is bound; the cloth repeats. */
+import type { Structure } from "./draft.ts";
+
+/** Longest floats in threads crossed; a thread that never binds counts one repeat. See `weave/textile.py`. */
+export interface FloatLengths {
+  readonly warpFace: number;
+  readonly warpBack: number;
+  readonly weftFace: number;
+  readonly weftBack: number;
+}
+
+/** Bits of a crossing that lies in a float that is too long, on the face or on the back. */
+export const FACE = 1;
+export const BACK = 2;
+
+export interface LongFloats {
+  readonly longest: FloatLengths;
+  /** Floats longer than asked, of both families. */
+  readonly onFace: number;
+  readonly onBack: number;
+  /** [picks·ends], `FACE` and `BACK` of each crossing. */
+  readonly marks: Uint8Array;
+}
+
+/** The floats of a drawdown that cross more than `limit` threads. */
+export function longFloats({ ends, picks, drawdown }: Structure, limit: number): LongFloats {
+  const marks = new Uint8Array(drawdown.length);
+  const of = { warpFace: 0, warpBack: 0, weftFace: 0, weftBack: 0 };
+  const many = { onFace: 0, onBack: 0 };
+  const take = (family: "warp" | "weft", isFace: boolean, length: number, cells: (step: number) => number): void => {
+    const name = `${family}${isFace ? "Face" : "Back"}` as const;
+    of[name] = Math.max(of[name], length);
+    if (length <= limit) return;
+    many[isFace ? "onFace" : "onBack"]++;
+    for (let step = 0; step < length; step++) marks[cells(step)]! |= isFace ? FACE : BACK;
+  };
+  for (let end = 0; end < ends; end++)
+    eachRun(picks, (pick) => drawdown[pick * ends + end]!, (first, length, up) =>
+      take("warp", up === 1, length, (step) => ((first + step) % picks) * ends + end),
+    );
+  for (let pick = 0; pick < picks; pick++)
+    eachRun(ends, (end) => drawdown[pick * ends + end]!, (first, length, up) =>
+      take("weft", up === 0, length, (step) => pick * ends + ((first + step) % ends)),
+    );
+  return { longest: of, ...many, marks };
+}
+
+/** Runs of equal values around a circle: first index, length and value; the whole circle where all are equal. */
+function eachRun(count: number, at: (index: number) => number, tell: (first: number, length: number, value: number) => void): void {
+  let start = 0;
+  while (start < count && at(start) === at((start + count - 1) % count)) start++;
+  if (start === count) return tell(0, count, at(0));
+  for (let first = start; first < start + count; ) {
+    const value = at(first % count);
+    let length = 1;
+    while (at((first + length) % count) === value) length++;
+    tell(first % count, length, value);
+    first += length;
+  }
+}
