@@ -17,13 +17,18 @@ from tests.viewer.conftest import Served, serving
 from tests.viewer.e2e.conftest import AXE, Visit, wait_until
 
 FIXTURES = Path(__file__).parents[2] / "weave" / "fixtures"
-# Of everything that the page may load, compressed as web servers do.
+# Of everything that the page may load, compressed as web servers do; and of what is not three.js's, which
+# reads meshes and pictures of the user's own.
 MAX_BUNDLE = 3 << 20
+MAX_OWN = 350_000
 
 
 def test_bundle_is_small(client: Path) -> None:
     size = sum(len(gzip.compress(file.read_bytes(), 6)) for file in client.rglob("*") if file.is_file())
     assert size < MAX_BUNDLE
+    own = [file for file in client.rglob("*.*") if file.suffix in (".js", ".css", ".html")]
+    own = [file for file in own if "Loader" not in file.name and not file.name.startswith("three")]
+    assert sum(len(gzip.compress(file.read_bytes(), 6)) for file in own) < MAX_OWN
 
 
 def test_loads_without_a_request_outside_and_without_complaint(served: Served, visit: Visit) -> None:
