@@ -85,7 +85,7 @@ LOBES: Fields = (
     (
         "joint",
         "uint",
-        "factors [2 faces, 2 sides, view or light, joint nodes, 16], two 16-bit numbers a word",
+        "factors [2 faces, 2 sides, view or light, joint nodes, 8], two 16-bit numbers a word",
     ),
     ("front_hole_weight", "float", "weight of holes"),
     ("back_hole_weight", "float", "the same of the back"),

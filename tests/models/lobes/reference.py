@@ -8,7 +8,7 @@ For a view v, a light l, their half vector h and a footprint, with bytes interpo
 
     weight of a group     w = coverage·(root of projected area)²·unit
     hole                  the same for holes, at most 1
-    ratio                 r = 1 + Σ_k a_k(v)·b_k(l), 0 to `MAX_JOINT_RATIO`, of each family and term
+    ratio                 r = 1 + Σ_k a_k(v)·b_k(l), 0 to `MAX_JOINT_RATIO`, of each family
     diffuse               r·(1 − hole)·Σ w·irradiance / Σ w
     specular              r·(1 − hole)·Σ w·f(h, l, v)·V_l / Σ w        V: `light_visibility`; f: `layer_value`
 """
@@ -155,15 +155,13 @@ class LobesReference:
         irradiance = nodes.of(self.tables.irradiance[side]) * _PER_BYTE
         light_visibility = nodes.of(self.tables.light_visibility[side]) * _PER_BYTE
         is_warp = self.is_warp[int(back)]
-        diffuse_ratio, specular_ratio = (
-            np.where(is_warp, *families) for families in self.joint_ratios(light, view, back)
-        )
+        ratio = np.where(is_warp, *self.joint_ratios(light, view, back))
 
-        diffuse = weights.groups * irradiance / math.pi * diffuse_ratio
+        diffuse = weights.groups * irradiance / math.pi * ratio
         specular = (
             weights.groups
             * light_visibility
-            * specular_ratio
+            * ratio
             * layer_value(half_vector(light, view), light, view, groups, self.optical_depth)
         )
         total = max(weights.groups.sum(), 1e-12) / (1 - weights.hole) if weights.hole < 1 else math.inf
@@ -173,7 +171,7 @@ class LobesReference:
             specular_warp=float(specular[is_warp].sum() / total),
             specular_weft=float(specular[~is_warp].sum() / total),
             light_visibility=min(
-                float((weights.groups * light_visibility * diffuse_ratio).sum() / total), 1 - weights.hole
+                float((weights.groups * light_visibility * ratio).sum() / total), 1 - weights.hole
             ),
         )
         return components, weights.hole
@@ -227,9 +225,9 @@ class LobesReference:
         return Weights(weights[:count], min(float(weights[count]), 1.0))
 
     def joint_ratios(self, light: Numbers, view: Numbers, back: bool) -> Numbers:
-        """Joint over independent means [diffuse or specular, warp or weft]; directions of the face seen."""
+        """Joint over independent means of (warp, weft); directions of the face seen."""
         of_view, of_light = (
-            direction_nodes(direction, JOINT_AZIMUTHS).of(table).reshape(2, 2, JOINT_TERMS) / FACTOR_UNIT
+            direction_nodes(direction, JOINT_AZIMUTHS).of(table).reshape(2, JOINT_TERMS) / FACTOR_UNIT
             for direction, table in zip(
                 (view, light), self.tables.joint[int(back), int(light[2] < 0)], strict=True
             )

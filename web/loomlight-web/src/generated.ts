@@ -412,8 +412,8 @@ export const MIN_NODE_COSINE = 0.03;
 
 // models.lobes.joint_lookup
 export const JOINT_TERMS = 4;
-export const JOINT_RATIOS = 4;
-export const JOINT_FACTORS = 16;
+export const JOINT_RATIOS = 2;
+export const JOINT_FACTORS = 8;
 export const JOINT_AZIMUTHS = 16;
 export const JOINT_NODES = 128;
 export const FACTOR_UNIT = 4096.0;

@@ -259,8 +259,7 @@ class LobesBsdf(FilteredBsdf):
         for number, light in enumerate(facing):
             ratios = lobes.ratios(at, light)
             *parts, of_density = sums[7 * number : 7 * (number + 1)]
-            factors = *ratios.diffuse, *ratios.specular, *ratios.diffuse
-            joint = [part * (factor * scale) for part, factor in zip(parts, factors, strict=True)]
+            joint = [part * (ratios[number % 2] * scale) for number, part in enumerate(parts)]
             components = Components.of(joint[:4], minimum(joint[4] + joint[5], 1 - hole))
             results.append(GroupSums(components, of_density, weight_sum))
         return hole, results

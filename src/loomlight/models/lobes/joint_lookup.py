@@ -1,12 +1,10 @@
 """Reads the factors of `joint_visibility`: joint over independent visibility of a view and a light.
 
 The table has a row for each face, side of the light, view or light, and node: 16 azimuths of the 8 rings of
-`hemisphere`. A row has the terms of four ratios: the diffuse ones of warp and weft, then the specular ones.
+`hemisphere`. A row has the terms of two ratios, of warp and weft.
 """
 
 from __future__ import annotations
-
-from dataclasses import dataclass
 
 import drjit as dr
 import numpy as np
@@ -16,8 +14,9 @@ from loomlight.core.arrays import Float, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, clip, upload
 from loomlight.models.lobes.hemisphere import AZIMUTHS, RINGS, NodeTaps, node_taps
 
-# Terms of a ratio, and ratios: of warp and weft, diffuse and specular.
-JOINT_TERMS, JOINT_RATIOS = 4, 4
+# Terms of a ratio, and ratios: of warp and weft. Specular terms have that of diffuse ones: one of their own
+# makes no difference to means over repeats.
+JOINT_TERMS, JOINT_RATIOS = 4, 2
 JOINT_FACTORS = JOINT_TERMS * JOINT_RATIOS
 # Every second azimuth of the hemisphere: as many as visibility needs from point to point.
 JOINT_AZIMUTHS = AZIMUTHS // 2
@@ -31,18 +30,6 @@ MAX_JOINT_RATIO = 4.0
 def packed_factors(factors: NDArray[np.float64]) -> NDArray[np.int16]:
     """Factors as 16-bit numbers."""
     return np.clip(np.rint(factors * FACTOR_UNIT), -32768, 32767).astype(np.int16)
-
-
-@dataclass
-class JointRatios:
-    """Joint over independent means of one view and light, 0 to `MAX_JOINT_RATIO`.
-
-    Attributes:
-        diffuse, specular: of (warp, weft).
-    """
-
-    diffuse: tuple[Float, Float]
-    specular: tuple[Float, Float]
 
 
 class JointLookup:
@@ -60,10 +47,13 @@ class JointLookup:
         """Nodes around a unit vector [3] in the frame of the face seen."""
         return node_taps(direction, JOINT_AZIMUTHS)
 
-    def ratios(self, view: NodeTaps, light: NodeTaps, back: Mask, is_transmission: Mask) -> JointRatios:
-        """The ratios of a view and a light, by their `taps`.
+    def ratios(
+        self, view: NodeTaps, light: NodeTaps, back: Mask, is_transmission: Mask
+    ) -> tuple[Float, Float]:
+        """Joint over independent means of (warp, weft), 0 to `MAX_JOINT_RATIO`.
 
         Args:
+            view, light: their `taps`.
             back: the back is seen.
             is_transmission: light comes from the other side.
         """
@@ -79,7 +69,7 @@ class JointLookup:
             for number in range(first, first + JOINT_TERMS):
                 total = dr.fma(of_view[number], of_light[number], total)
             ratios.append(clip(total, 0, MAX_JOINT_RATIO))
-        return JointRatios((ratios[0], ratios[1]), (ratios[2], ratios[3]))
+        return ratios[0], ratios[1]
 
     def _read(self, taps: NodeTaps, row: UInt) -> list[Float]:
         """The interpolated factors of the rows from `row` on."""

@@ -1,12 +1,12 @@
 """What light and view both reach: the ratio of joint to independent visibility, as factors of low rank.
 
 The groups of a footprint hold what light reaches and what views see apart. On cloth the two go together: the
-spots that a grazing view sees are those that light from its side reaches. For each family and term,
+spots that a grazing view sees are those that light from its side reaches. For each family,
 
     ratio(view, light) = 1 + Σ_k a_k(view)·b_k(light),    k < JOINT_TERMS
 
-is the mean of the term over the points that are lit and seen, over what the groups make of it where light and
-view are independent. It is one number for all groups of a family, and so for footprints of any size.
+is the mean diffuse term over the points that are lit and seen, over what the groups make of it where light
+and view are independent. It is one number for all groups of a family, and so for footprints of any size.
 
 Points are hits of views from all nodes. Shadow rays along each azimuth find by bisection the last ring that
 is free; what a view sees of a point is weighted by the inverse of its density over all views (balance
@@ -193,11 +193,8 @@ def joint_factors(points: JointPoints, groups: Groups, diffuse_blend: float) -> 
         across, up = normal[face, :, :2] @ nodes[:, :2].T, normal[face, :, 2:] * nodes[:, 2]
         for side, cosine in enumerate((up + across, up - across)):
             diffuse = nodes[:, 2] + np.float32(diffuse_blend) * (np.maximum(cosine, 0) - nodes[:, 2])
-            visible = lit[side].astype(np.float32)
-            ratios = [
-                _ratio(seen, light, family) for light in (visible * diffuse, visible) for family in members
-            ]
-            factors[face, side] = _low_rank(ratios)
+            light = lit[side] * diffuse
+            factors[face, side] = _low_rank([_ratio(seen, light, family) for family in members])
     return packed_factors(factors)
 
 

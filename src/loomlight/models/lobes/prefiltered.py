@@ -24,7 +24,7 @@ from loomlight.core.footprint import Footprint
 from loomlight.models.lobes.coverage_lookup import CoverageLookup, CoverageTaps
 from loomlight.models.lobes.density import GroupLobe, layer_value
 from loomlight.models.lobes.hemisphere import NODES, NodeTaps, node_taps
-from loomlight.models.lobes.joint_lookup import JointLookup, JointRatios
+from loomlight.models.lobes.joint_lookup import JointLookup
 from loomlight.models.lobes.tables import MOMENTS, LobeTables
 
 PER_BYTE = 1 / 255
@@ -153,7 +153,7 @@ class PrefilteredLobes:
         start = side * NODES
         return NodeTaps(tuple(start + node for node in taps.nodes), taps.weights)
 
-    def ratios(self, at: TableLookup, light: Vec3) -> JointRatios:
+    def ratios(self, at: TableLookup, light: Vec3) -> tuple[Float, Float]:
         """Joint over independent visibility of a light [3] in the frame of the face seen."""
         return self._joint.ratios(at.joint_nodes, self._joint.taps(light), at.back, light.z < 0)
 

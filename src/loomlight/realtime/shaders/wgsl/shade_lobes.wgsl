@@ -1399,7 +1399,7 @@ fn joint_terms_0( taps_1 : NodeTaps_0,  table_1 : u32,  ratio_1 : u32) -> vec4<f
         {
             break;
         }
-        var _S171 : u32 = table_1 + u32(8) * taps_1.nodes_0[i_1] + u32(2) * ratio_1;
+        var _S171 : u32 = table_1 + u32(4) * taps_1.nodes_0[i_1] + u32(2) * ratio_1;
         var _S172 : vec2<u32> = vec2<u32>(words_0[_S171], words_0[_S171 + u32(1)]);
         var sums_3 : vec4<f32> = sums_2 + vec4<f32>(((vec4<i32>(vec2<i32>((_S172 << (vec2<u32>(u32(16))))), vec2<i32>(_S172)).xzyw) >> (vec4<u32>(u32(16))))) * vec4<f32>(f32(taps_1.weights_0[i_1]));
         i_1 = i_1 + u32(1);
@@ -2936,37 +2936,13 @@ fn coverage_taps_0( _S702 : u32,  _S703 : Footprint_0,  _S704 : bool) -> Coverag
     return taps_4;
 }
 
-struct JointRatios_0
-{
-     diffuse_0 : vec2<f32>,
-     specular_0 : vec2<f32>,
-};
-
-fn joint_ratios_0( _S716 : u32,  _S717 : vec3<f32>,  _S718 : vec3<f32>,  _S719 : bool) -> JointRatios_0
+fn joint_ratios_0( _S716 : u32,  _S717 : vec3<f32>,  _S718 : vec3<f32>,  _S719 : bool) -> vec2<f32>
 {
     var _S720 : NodeTaps_0 = node_taps_of_0(_S718, u32(16));
     var _S721 : NodeTaps_0 = node_taps_of_0(_S717, u32(16));
-    var _S722 : u32 = fabrics_0[_S716].lobes_0.joint_0 + u32(2) * (select(u32(0), u32(2), _S719) + select(u32(0), u32(1), (_S717.z) < 0.0f)) * u32(1024);
-    var ratios_0 : vec4<f32>;
-    var ratio_2 : u32 = u32(0);
-    for(;;)
-    {
-        if(ratio_2 < u32(4))
-        {
-        }
-        else
-        {
-            break;
-        }
-        ratios_0[ratio_2] = 1.0f + dot(joint_terms_0(_S720, _S722, ratio_2), joint_terms_0(_S721, _S722 + u32(1024), ratio_2));
-        ratio_2 = ratio_2 + u32(1);
-    }
-    var _S723 : vec4<f32> = clamp(ratios_0, vec4<f32>(0.0f), vec4<f32>(4.0f));
-    ratios_0 = _S723;
-    var result_5 : JointRatios_0;
-    result_5.diffuse_0 = _S723.xy;
-    result_5.specular_0 = _S723.zw;
-    return result_5;
+    var _S722 : u32 = fabrics_0[_S716].lobes_0.joint_0 + u32(2) * (select(u32(0), u32(2), _S719) + select(u32(0), u32(1), (_S717.z) < 0.0f)) * u32(512);
+    var _S723 : u32 = _S722 + u32(512);
+    return clamp(vec2<f32>(1.0f) + vec2<f32>(dot(joint_terms_0(_S720, _S722, u32(0)), joint_terms_0(_S721, _S723, u32(0))), dot(joint_terms_0(_S720, _S722, u32(1)), joint_terms_0(_S721, _S723, u32(1)))), vec2<f32>(0.0f), vec2<f32>(4.0f));
 }
 
 fn coverage_of_pack_0( _S724 : u32,  _S725 : CoverageTaps_0,  _S726 : u32) -> vec4<f32>
@@ -3030,7 +3006,7 @@ fn prefiltered_components_0( _S735 : u32,  _S736 : Footprint_0,  _S737 : vec3<f3
     view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S743 * u32(256)));
     light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((u32(2) * _S743 + select(u32(0), u32(1), (_S737.z) < 0.0f)) * u32(256)));
     var _S744 : vec3<f32> = half_vector_0(_S737, _S738);
-    var _S745 : JointRatios_0 = joint_ratios_0(_S735, _S737, _S738, _S739);
+    var _S745 : vec2<f32> = joint_ratios_0(_S735, _S737, _S738, _S739);
     var _S746 : Lobes_std430_0 = fabrics_0[_S735].lobes_0;
     var _S747 : u32 = select(fabrics_0[_S735].lobes_0.front_warp_packs_0, fabrics_0[_S735].lobes_0.back_warp_packs_0, _S739);
     var sums_4 : Components_0;
@@ -3057,8 +3033,8 @@ fn prefiltered_components_0( _S735 : u32,  _S736 : Footprint_0,  _S737 : vec3<f3
         var _S752 : bool = pack_0 < _S747;
         var _S753 : f32 = families_0[select(fabrics_0[_S735].weft_0, fabrics_0[_S735].warp_0, _S752)].roughness_0;
         var number_6 : u32 = u32(0);
-        var diffuse_1 : f32 = 0.0f;
-        var specular_1 : f32 = 0.0f;
+        var diffuse_0 : f32 = 0.0f;
+        var specular_0 : f32 = 0.0f;
         var lit_0 : f32 = 0.0f;
         for(;;)
         {
@@ -3071,259 +3047,261 @@ fn prefiltered_components_0( _S735 : u32,  _S736 : Footprint_0,  _S737 : vec3<f3
             }
             var _S754 : Group_0 = group_at_0(_S746.moments_0 + u32(12) * (u32(4) * (_S743 * _S746.packs_0 + pack_0) + number_6), _S753);
             var _S755 : f32 = _S748[number_6] * _S749[number_6] * _S749[number_6] * _S754.weight_2;
-            var diffuse_2 : f32 = diffuse_1 + _S755 * _S751[number_6];
-            var specular_2 : f32 = specular_1 + _S755 * layer_value_0(_S754, _S744, _S737, _S738, fabrics_0[_S735].optical_depth_0) * _S750[number_6];
+            var diffuse_1 : f32 = diffuse_0 + _S755 * _S751[number_6];
+            var specular_1 : f32 = specular_0 + _S755 * layer_value_0(_S754, _S744, _S737, _S738, fabrics_0[_S735].optical_depth_0) * _S750[number_6];
             var lit_1 : f32 = lit_0 + _S755 * _S750[number_6];
             var total_3 : f32 = total_2 + _S755;
             number_6 = number_6 + u32(1);
-            diffuse_1 = diffuse_2;
-            specular_1 = specular_2;
+            diffuse_0 = diffuse_1;
+            specular_0 = specular_1;
             lit_0 = lit_1;
             total_2 = total_3;
         }
-        sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 + select(0.0f, diffuse_1, _S752);
-        sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 + select(diffuse_1, 0.0f, _S752);
-        sums_4.specular_warp_0 = sums_4.specular_warp_0 + select(0.0f, specular_1, _S752);
-        sums_4.specular_weft_0 = sums_4.specular_weft_0 + select(specular_1, 0.0f, _S752);
-        sums_4.light_visibility_1 = sums_4.light_visibility_1 + lit_0 * select(_S745.diffuse_0.y, _S745.diffuse_0.x, _S752);
+        sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 + select(0.0f, diffuse_0, _S752);
+        sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 + select(diffuse_0, 0.0f, _S752);
+        sums_4.specular_warp_0 = sums_4.specular_warp_0 + select(0.0f, specular_0, _S752);
+        sums_4.specular_weft_0 = sums_4.specular_weft_0 + select(specular_0, 0.0f, _S752);
+        sums_4.light_visibility_1 = sums_4.light_visibility_1 + lit_0 * select(_S745.y, _S745.x, _S752);
         pack_0 = pack_0 + u32(1);
     }
     var _S756 : f32 = prefiltered_hole_0(_S735, _S740, view_nodes_0, _S739);
     sums_4.hole_2 = _S756;
     var _S757 : f32 = 1.0f - _S756;
     var _S758 : f32 = _S757 / max(total_2, 9.999999960041972e-13f);
-    sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 * (_S758 * _S745.diffuse_0.x);
-    sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 * (_S758 * _S745.diffuse_0.y);
-    sums_4.specular_warp_0 = sums_4.specular_warp_0 * (_S758 * _S745.specular_0.x);
-    sums_4.specular_weft_0 = sums_4.specular_weft_0 * (_S758 * _S745.specular_0.y);
+    var _S759 : f32 = _S758 * _S745.x;
+    sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 * _S759;
+    var _S760 : f32 = _S758 * _S745.y;
+    sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 * _S760;
+    sums_4.specular_warp_0 = sums_4.specular_warp_0 * _S759;
+    sums_4.specular_weft_0 = sums_4.specular_weft_0 * _S760;
     sums_4.light_visibility_1 = min(sums_4.light_visibility_1 * _S758, _S757);
     return sums_4;
 }
 
-fn albedos_over_0( _S759 : u32,  _S760 : Footprint_0,  _S761 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S761 : u32,  _S762 : Footprint_0,  _S763 : bool) -> FamilyAlbedos_0
 {
-    var _S762 : vec2<f32> = _S760.dx_0;
-    var _S763 : vec2<f32> = _S760.dy_0;
-    var _S764 : vec2<f32> = sqrt(_S762 * _S762 + _S763 * _S763);
-    var _S765 : Stretch_0 = stretch_of_0(fabrics_0[_S759].warp_0, _S760.centre_0.x, _S764.x);
-    var _S766 : Stretch_0 = stretch_of_0(fabrics_0[_S759].weft_0, _S760.centre_0.y, _S764.y);
+    var _S764 : vec2<f32> = _S762.dx_0;
+    var _S765 : vec2<f32> = _S762.dy_0;
+    var _S766 : vec2<f32> = sqrt(_S764 * _S764 + _S765 * _S765);
+    var _S767 : Stretch_0 = stretch_of_0(fabrics_0[_S761].warp_0, _S762.centre_0.x, _S766.x);
+    var _S768 : Stretch_0 = stretch_of_0(fabrics_0[_S761].weft_0, _S762.centre_0.y, _S766.y);
     var albedos_9 : FamilyAlbedos_0;
-    albedos_9.warp_5 = mean_albedos_0(fabrics_0[_S759].warp_0, fabrics_0[_S759].weft_0, _S765, _S766, _S761);
-    albedos_9.weft_5 = mean_albedos_0(fabrics_0[_S759].weft_0, fabrics_0[_S759].warp_0, _S766, _S765, _S761);
+    albedos_9.warp_5 = mean_albedos_0(fabrics_0[_S761].warp_0, fabrics_0[_S761].weft_0, _S767, _S768, _S763);
+    albedos_9.weft_5 = mean_albedos_0(fabrics_0[_S761].weft_0, fabrics_0[_S761].warp_0, _S768, _S767, _S763);
     return albedos_9;
 }
 
-fn lobes_estimate_of_pass_0( _S767 : u32,  _S768 : Footprint_0,  _S769 : f32,  _S770 : vec2<f32>,  _S771 : vec3<f32>,  _S772 : vec3<f32>) -> Estimate_0
+fn lobes_estimate_of_pass_0( _S769 : u32,  _S770 : Footprint_0,  _S771 : f32,  _S772 : vec2<f32>,  _S773 : vec3<f32>,  _S774 : vec3<f32>) -> Estimate_0
 {
-    var _S773 : f32;
-    var _S774 : Regime_0 = regime_of_0(_S767, _S768, _S769);
-    var _S775 : bool = (_S772.z) < 0.0f;
-    var _S776 : vec3<f32> = to_face_frame_0(_S772, _S775);
-    var _S777 : f32 = Footprint_spread_side_0(_S768);
-    var _S778 : bool = varies_at_0(_S767, _S777);
-    var _S779 : f32 = 1.0f - _S774.prefiltered_0;
-    var _S780 : bool = ((_S779 > 0.0f) & (((_S778 | (((((families_0[fabrics_0[_S767].warp_0].quantities_0) > u32(1)) | (((families_0[fabrics_0[_S767].weft_0].quantities_0) > u32(1))))))))));
-    var box_0 : Footprint_0 = _S768;
-    var _S781 : vec3<f32> = vec3<f32>(0.0f);
-    var _S782 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S781, _S781, 0.0f, 0.0f, 0.0f);
-    var _S783 : Components_0 = no_components_0();
+    var _S775 : f32;
+    var _S776 : Regime_0 = regime_of_0(_S769, _S770, _S771);
+    var _S777 : bool = (_S774.z) < 0.0f;
+    var _S778 : vec3<f32> = to_face_frame_0(_S774, _S777);
+    var _S779 : f32 = Footprint_spread_side_0(_S770);
+    var _S780 : bool = varies_at_0(_S769, _S779);
+    var _S781 : f32 = 1.0f - _S776.prefiltered_0;
+    var _S782 : bool = ((_S781 > 0.0f) & (((_S780 | (((((families_0[fabrics_0[_S769].warp_0].quantities_0) > u32(1)) | (((families_0[fabrics_0[_S769].weft_0].quantities_0) > u32(1))))))))));
+    var box_0 : Footprint_0 = _S770;
+    var _S783 : vec3<f32> = vec3<f32>(0.0f);
+    var _S784 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S783, _S783, 0.0f, 0.0f, 0.0f);
+    var _S785 : Components_0 = no_components_0();
     var close_1 : CloseUp_0 = no_close_up_0();
-    var _S784 : u32 = select(u32(1), u32(0), _S780);
-    var points_1 : Components_0 = _S783;
+    var _S786 : u32 = select(u32(1), u32(0), _S782);
+    var points_1 : Components_0 = _S785;
     var central_weight_0 : f32 = 0.0f;
-    var central_0 : SurfacePoint_0 = _S782;
-    var central_place_0 : vec2<f32> = _S768.centre_0;
-    var number_7 : u32 = _S784;
+    var central_0 : SurfacePoint_0 = _S784;
+    var central_place_0 : vec2<f32> = _S770.centre_0;
+    var number_7 : u32 = _S786;
     for(;;)
     {
-        var _S785 : f32 = f32(number_7);
-        _S773 = _S774.points_0;
-        if(_S785 < (_S774.points_0 + 1.0f))
+        var _S787 : f32 = f32(number_7);
+        _S775 = _S776.points_0;
+        if(_S787 < (_S776.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        var _S786 : bool = number_7 == u32(0);
-        var _S787 : u32 = number_7 - u32(1);
-        var _S788 : vec2<f32> = POINT_OFFSETS_0[select(_S787, u32(0), _S786)] + _S770;
-        var _S789 : vec2<f32> = select_vector_0(_S786, vec2<f32>(0.0f), _S788 - round(_S788));
-        var _S790 : vec2<f32> = _S768.centre_0 + vec2<f32>(_S789.x) * _S768.dx_0 + vec2<f32>(_S789.y) * _S768.dy_0;
-        var _S791 : SearchQuality_0 = quality_of_0(select(_S774.threads_1, 0.0f, _S786));
-        var _S792 : Hit_0 = first_hit_0(_S767, _S791, _S790.x, _S790.y, _S776, _S775);
-        var _S793 : SurfacePoint_0 = surface_at_0(_S767, _S792.x_14, _S792.y_7, _S775);
-        if(_S786)
+        var _S788 : bool = number_7 == u32(0);
+        var _S789 : u32 = number_7 - u32(1);
+        var _S790 : vec2<f32> = POINT_OFFSETS_0[select(_S789, u32(0), _S788)] + _S772;
+        var _S791 : vec2<f32> = select_vector_0(_S788, vec2<f32>(0.0f), _S790 - round(_S790));
+        var _S792 : vec2<f32> = _S770.centre_0 + vec2<f32>(_S791.x) * _S770.dx_0 + vec2<f32>(_S791.y) * _S770.dy_0;
+        var _S793 : SearchQuality_0 = quality_of_0(select(_S776.threads_1, 0.0f, _S788));
+        var _S794 : Hit_0 = first_hit_0(_S769, _S793, _S792.x, _S792.y, _S778, _S777);
+        var _S795 : SurfacePoint_0 = surface_at_0(_S769, _S794.x_14, _S794.y_7, _S777);
+        if(_S788)
         {
-            var central_weight_1 : f32 = select(_S779, 0.0f, _S792.hole_5);
-            var central_place_1 : vec2<f32> = vec2<f32>(_S792.x_14, _S792.y_7);
-            box_0.centre_0 = mix(_S768.centre_0, central_place_1, vec2<f32>(central_weight_1));
+            var central_weight_1 : f32 = select(_S781, 0.0f, _S794.hole_5);
+            var central_place_1 : vec2<f32> = vec2<f32>(_S794.x_14, _S794.y_7);
+            box_0.centre_0 = mix(_S770.centre_0, central_place_1, vec2<f32>(central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S793;
+            central_0 = _S795;
             central_place_0 = central_place_1;
             number_7 = number_7 + u32(1);
             continue;
         }
-        var _S794 : YarnPoint_0 = yarn_point_of_0(_S767, _S793, _S792.x_14, _S792.y_7, _S775, _S792.hole_5, _S777);
-        var _S795 : f32 = min(_S774.points_0 - f32(_S787), 1.0f);
-        var _S796 : Components_0 = with_added_0(points_1, components_of_point_0(_S767, _S791, _S794, _S771, _S772), _S795);
-        if((fabrics_0[_S767].openness_0) != u32(4294967295))
+        var _S796 : YarnPoint_0 = yarn_point_of_0(_S769, _S795, _S794.x_14, _S794.y_7, _S777, _S794.hole_5, _S779);
+        var _S797 : f32 = min(_S776.points_0 - f32(_S789), 1.0f);
+        var _S798 : Components_0 = with_added_0(points_1, components_of_point_0(_S769, _S793, _S796, _S773, _S774), _S797);
+        if((fabrics_0[_S769].openness_0) != u32(4294967295))
         {
-            close_1.warp_1 = with_blocked_0(_S767, close_1.warp_1, _S794, true, _S795);
-            close_1.weft_1 = with_blocked_0(_S767, close_1.weft_1, _S794, false, _S795);
+            close_1.warp_1 = with_blocked_0(_S769, close_1.warp_1, _S796, true, _S797);
+            close_1.weft_1 = with_blocked_0(_S769, close_1.weft_1, _S796, false, _S797);
         }
-        points_1 = _S796;
+        points_1 = _S798;
         number_7 = number_7 + u32(1);
     }
-    close_1.weight_0 = _S779;
-    var _S797 : f32 = max(_S773, 1.0f);
-    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S797);
-    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S797);
+    close_1.weight_0 = _S781;
+    var _S799 : f32 = max(_S775, 1.0f);
+    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S799);
+    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S799);
     var estimate_0 : Estimate_0;
     estimate_0.close_0 = close_1;
-    estimate_0.components_0 = with_added_0(_S783, points_1, _S779 / _S797);
-    if((_S774.prefiltered_0) > 0.0f)
+    estimate_0.components_0 = with_added_0(_S785, points_1, _S781 / _S799);
+    if((_S776.prefiltered_0) > 0.0f)
     {
-        var _S798 : Components_0 = prefiltered_components_0(_S767, _S768, to_face_frame_0(_S771, _S775), _S776, _S775);
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S798, _S774.prefiltered_0);
+        var _S800 : Components_0 = prefiltered_components_0(_S769, _S770, to_face_frame_0(_S773, _S777), _S778, _S777);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S800, _S776.prefiltered_0);
     }
-    estimate_0.albedos_5 = albedos_over_0(_S767, box_0, _S775);
-    if((_S778 & ((central_weight_0 > 0.0f))))
+    estimate_0.albedos_5 = albedos_over_0(_S769, box_0, _S777);
+    if((_S780 & ((central_weight_0 > 0.0f))))
     {
-        var _S799 : SurfacePoint_0 = central_0;
-        var _S800 : Albedos_0;
+        var _S801 : SurfacePoint_0 = central_0;
+        var _S802 : Albedos_0;
         if(central_0.is_warp_0)
         {
-            _S800 = estimate_0.albedos_5.warp_5;
+            _S802 = estimate_0.albedos_5.warp_5;
         }
         else
         {
-            _S800 = estimate_0.albedos_5.weft_5;
+            _S802 = estimate_0.albedos_5.weft_5;
         }
-        var _S801 : bool;
-        if((fabrics_0[_S767].has_detail_0) != u32(0))
+        var _S803 : bool;
+        if((fabrics_0[_S769].has_detail_0) != u32(0))
         {
-            _S801 = has_hairs_0(_S767);
-        }
-        else
-        {
-            _S801 = false;
-        }
-        var _S802 : f32;
-        if(_S801)
-        {
-            _S802 = hair_at_0(_S767, central_place_0, _S775, _S777).cover_0;
+            _S803 = has_hairs_0(_S769);
         }
         else
         {
-            _S802 = 0.0f;
+            _S803 = false;
         }
-        var _S803 : Albedos_0 = lerp_albedos_0(_S800, varied_at_0(_S767, central_0, _S800, central_place_0.x, central_place_0.y, _S775, _S777, _S802), central_weight_0);
-        if(_S799.is_warp_0)
+        var _S804 : f32;
+        if(_S803)
         {
-            estimate_0.albedos_5.warp_5 = _S803;
+            _S804 = hair_at_0(_S769, central_place_0, _S777, _S779).cover_0;
         }
         else
         {
-            estimate_0.albedos_5.weft_5 = _S803;
+            _S804 = 0.0f;
+        }
+        var _S805 : Albedos_0 = lerp_albedos_0(_S802, varied_at_0(_S769, central_0, _S802, central_place_0.x, central_place_0.y, _S777, _S779, _S804), central_weight_0);
+        if(_S801.is_warp_0)
+        {
+            estimate_0.albedos_5.warp_5 = _S805;
+        }
+        else
+        {
+            estimate_0.albedos_5.weft_5 = _S805;
         }
     }
     return estimate_0;
 }
 
-fn scattered_by_0( _S804 : u32,  _S805 : Albedos_0,  _S806 : u32,  _S807 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S806 : u32,  _S807 : Albedos_0,  _S808 : u32,  _S809 : vec3<f32>) -> Scattered_0
 {
-    var _S808 : u32 = u32(159) + u32(2) * _S806;
+    var _S810 : u32 = u32(159) + u32(2) * _S808;
     var yarn_3 : Scattered_0;
-    yarn_3.back_6 = _S807 * _S805.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S804, _S808)) * _S805.specular_reflect_0;
-    yarn_3.through_0 = _S807 * _S805.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S804, _S808 + u32(1))) * _S805.specular_transmit_0;
+    yarn_3.back_6 = _S809 * _S807.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S806, _S810)) * _S807.specular_reflect_0;
+    yarn_3.through_0 = _S809 * _S807.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S806, _S810 + u32(1))) * _S807.specular_transmit_0;
     return yarn_3;
 }
 
-fn sent_0( _S809 : u32,  _S810 : u32,  _S811 : vec3<f32>,  _S812 : vec3<f32>,  _S813 : vec3<f32>,  _S814 : vec3<f32>,  _S815 : ptr<function, vec3<f32>>,  _S816 : ptr<function, vec3<f32>>)
+fn sent_0( _S811 : u32,  _S812 : u32,  _S813 : vec3<f32>,  _S814 : vec3<f32>,  _S815 : vec3<f32>,  _S816 : vec3<f32>,  _S817 : ptr<function, vec3<f32>>,  _S818 : ptr<function, vec3<f32>>)
 {
-    var _S817 : u32 = u32(146) + u32(4) * _S810;
-    var _S818 : f32 = openness_number_0(_S809, _S817 + u32(1));
-    var _S819 : f32 = openness_number_0(_S809, _S817 + u32(2));
-    var _S820 : vec3<f32> = vec3<f32>(1.0f);
-    var _S821 : vec3<f32> = _S820 - _S813 * vec3<f32>(openness_number_0(_S809, _S817));
-    var _S822 : vec3<f32> = _S820 - _S814 * vec3<f32>(openness_number_0(_S809, _S817 + u32(3)));
-    var _S823 : vec3<f32> = _S820 / (_S821 * _S822 - _S813 * _S814 * vec3<f32>((_S818 * _S819)));
-    (*_S815) = (_S811 * _S822 + _S813 * vec3<f32>(_S818) * _S812) * _S823;
-    (*_S816) = (_S812 * _S821 + _S814 * vec3<f32>(_S819) * _S811) * _S823;
+    var _S819 : u32 = u32(146) + u32(4) * _S812;
+    var _S820 : f32 = openness_number_0(_S811, _S819 + u32(1));
+    var _S821 : f32 = openness_number_0(_S811, _S819 + u32(2));
+    var _S822 : vec3<f32> = vec3<f32>(1.0f);
+    var _S823 : vec3<f32> = _S822 - _S815 * vec3<f32>(openness_number_0(_S811, _S819));
+    var _S824 : vec3<f32> = _S822 - _S816 * vec3<f32>(openness_number_0(_S811, _S819 + u32(3)));
+    var _S825 : vec3<f32> = _S822 / (_S823 * _S824 - _S815 * _S816 * vec3<f32>((_S820 * _S821)));
+    (*_S817) = (_S813 * _S824 + _S815 * vec3<f32>(_S820) * _S814) * _S825;
+    (*_S818) = (_S814 * _S823 + _S816 * vec3<f32>(_S821) * _S813) * _S825;
     return;
 }
 
-fn face_sends_0( _S824 : u32,  _S825 : u32,  _S826 : Scattered_0,  _S827 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S826 : u32,  _S827 : u32,  _S828 : Scattered_0,  _S829 : Scattered_0) -> FaceSends_0
 {
-    var _S828 : u32 = u32(2) * _S825;
-    var _S829 : u32 = u32(142) + _S828;
-    var _S830 : f32 = openness_number_0(_S824, _S829);
-    var _S831 : f32 = openness_number_0(_S824, _S829 + u32(1));
-    var _S832 : vec3<f32> = vec3<f32>((1.0f - _S830)) * _S826.back_6;
-    var _S833 : vec3<f32> = vec3<f32>((1.0f - _S831)) * _S827.back_6;
+    var _S830 : u32 = u32(2) * _S827;
+    var _S831 : u32 = u32(142) + _S830;
+    var _S832 : f32 = openness_number_0(_S826, _S831);
+    var _S833 : f32 = openness_number_0(_S826, _S831 + u32(1));
+    var _S834 : vec3<f32> = vec3<f32>((1.0f - _S832)) * _S828.back_6;
+    var _S835 : vec3<f32> = vec3<f32>((1.0f - _S833)) * _S829.back_6;
     var sends_1 : FaceSends_0;
-    var _S834 : u32 = u32(154) + _S828;
-    var _S835 : f32 = openness_number_0(_S824, _S834);
-    sends_1.blocks_warp_0 = _S835;
-    var _S836 : f32 = openness_number_0(_S824, _S834 + u32(1));
-    sends_1.blocks_weft_0 = _S836;
-    sends_1.open_0 = _S835 * _S830 + _S836 * _S831;
-    var _S837 : vec3<f32> = vec3<f32>(_S830) * _S826.back_6;
-    var _S838 : vec3<f32> = vec3<f32>(_S831) * _S827.back_6;
-    var _S839 : vec3<f32> = sends_1.sky_warp_0;
-    var _S840 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S824, _S825, _S837, _S838, _S832, _S833, &(_S839), &(_S840));
-    sends_1.sky_warp_0 = _S839;
-    sends_1.sky_weft_0 = _S840;
-    var _S841 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S842 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S824, _S825, _S826.through_0, _S827.through_0, _S832, _S833, &(_S841), &(_S842));
-    sends_1.crossing_warp_0 = _S841;
-    sends_1.crossing_weft_0 = _S842;
+    var _S836 : u32 = u32(154) + _S830;
+    var _S837 : f32 = openness_number_0(_S826, _S836);
+    sends_1.blocks_warp_0 = _S837;
+    var _S838 : f32 = openness_number_0(_S826, _S836 + u32(1));
+    sends_1.blocks_weft_0 = _S838;
+    sends_1.open_0 = _S837 * _S832 + _S838 * _S833;
+    var _S839 : vec3<f32> = vec3<f32>(_S832) * _S828.back_6;
+    var _S840 : vec3<f32> = vec3<f32>(_S833) * _S829.back_6;
+    var _S841 : vec3<f32> = sends_1.sky_warp_0;
+    var _S842 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S826, _S827, _S839, _S840, _S834, _S835, &(_S841), &(_S842));
+    sends_1.sky_warp_0 = _S841;
+    sends_1.sky_weft_0 = _S842;
+    var _S843 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S844 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S826, _S827, _S828.through_0, _S829.through_0, _S834, _S835, &(_S843), &(_S844));
+    sends_1.crossing_warp_0 = _S843;
+    sends_1.crossing_weft_0 = _S844;
     return sends_1;
 }
 
-fn interior_of_0( _S843 : u32,  _S844 : vec3<f32>,  _S845 : bool) -> Interior_0
+fn interior_of_0( _S845 : u32,  _S846 : vec3<f32>,  _S847 : bool) -> Interior_0
 {
-    var _S846 : Scattered_0 = scattered_by_0(_S843, table_albedos_0(families_0[fabrics_0[_S843].warp_0].colour_mean_0), u32(0), _S844);
-    var _S847 : Scattered_0 = scattered_by_0(_S843, table_albedos_0(families_0[fabrics_0[_S843].weft_0].colour_mean_0), u32(1), _S844);
-    var _S848 : FaceSends_0 = face_sends_0(_S843, select(u32(0), u32(1), _S845), _S846, _S847);
-    var _S849 : FaceSends_0 = face_sends_0(_S843, select(u32(1), u32(0), _S845), _S846, _S847);
-    var _S850 : vec3<f32> = vec3<f32>(_S848.blocks_warp_0);
-    var _S851 : vec3<f32> = vec3<f32>(_S848.blocks_weft_0);
-    var _S852 : vec3<f32> = _S850 * _S848.crossing_warp_0 + _S851 * _S848.crossing_weft_0;
-    var _S853 : vec3<f32> = vec3<f32>(_S849.blocks_warp_0);
-    var _S854 : vec3<f32> = vec3<f32>(_S849.blocks_weft_0);
-    var _S855 : vec3<f32> = _S853 * _S849.crossing_warp_0 + _S854 * _S849.crossing_weft_0;
-    var _S856 : f32 = 1.0f - _S848.open_0;
-    var _S857 : f32 = 1.0f - _S849.open_0;
-    var _S858 : vec3<f32> = vec3<f32>(1.0f);
-    var _S859 : vec3<f32> = _S858 / (_S858 - _S852 * _S855 * vec3<f32>((_S856 * _S857)));
-    var _S860 : vec3<f32> = _S855 * (vec3<f32>(_S848.open_0) + vec3<f32>(_S856) * (_S850 * _S848.sky_warp_0 + _S851 * _S848.sky_weft_0)) * _S859;
-    var _S861 : vec3<f32> = _S852 * (vec3<f32>(_S849.open_0) + vec3<f32>(_S857) * (_S853 * _S849.sky_warp_0 + _S854 * _S849.sky_weft_0)) * _S859;
-    var _S862 : FaceRadiance_0 = face_radiance_0(_S848, _S849.open_0, _S860, _S861);
-    var _S863 : FaceRadiance_0 = face_radiance_0(_S849, _S848.open_0, _S861, _S860);
+    var _S848 : Scattered_0 = scattered_by_0(_S845, table_albedos_0(families_0[fabrics_0[_S845].warp_0].colour_mean_0), u32(0), _S846);
+    var _S849 : Scattered_0 = scattered_by_0(_S845, table_albedos_0(families_0[fabrics_0[_S845].weft_0].colour_mean_0), u32(1), _S846);
+    var _S850 : FaceSends_0 = face_sends_0(_S845, select(u32(0), u32(1), _S847), _S848, _S849);
+    var _S851 : FaceSends_0 = face_sends_0(_S845, select(u32(1), u32(0), _S847), _S848, _S849);
+    var _S852 : vec3<f32> = vec3<f32>(_S850.blocks_warp_0);
+    var _S853 : vec3<f32> = vec3<f32>(_S850.blocks_weft_0);
+    var _S854 : vec3<f32> = _S852 * _S850.crossing_warp_0 + _S853 * _S850.crossing_weft_0;
+    var _S855 : vec3<f32> = vec3<f32>(_S851.blocks_warp_0);
+    var _S856 : vec3<f32> = vec3<f32>(_S851.blocks_weft_0);
+    var _S857 : vec3<f32> = _S855 * _S851.crossing_warp_0 + _S856 * _S851.crossing_weft_0;
+    var _S858 : f32 = 1.0f - _S850.open_0;
+    var _S859 : f32 = 1.0f - _S851.open_0;
+    var _S860 : vec3<f32> = vec3<f32>(1.0f);
+    var _S861 : vec3<f32> = _S860 / (_S860 - _S854 * _S857 * vec3<f32>((_S858 * _S859)));
+    var _S862 : vec3<f32> = _S857 * (vec3<f32>(_S850.open_0) + vec3<f32>(_S858) * (_S852 * _S850.sky_warp_0 + _S853 * _S850.sky_weft_0)) * _S861;
+    var _S863 : vec3<f32> = _S854 * (vec3<f32>(_S851.open_0) + vec3<f32>(_S859) * (_S855 * _S851.sky_warp_0 + _S856 * _S851.sky_weft_0)) * _S861;
+    var _S864 : FaceRadiance_0 = face_radiance_0(_S850, _S851.open_0, _S862, _S863);
+    var _S865 : FaceRadiance_0 = face_radiance_0(_S851, _S850.open_0, _S863, _S862);
     var interior_1 : Interior_0;
-    interior_1.warp_4 = _S862.warp_3;
-    interior_1.weft_4 = _S862.weft_3;
-    interior_1.leaked_1 = _S862.leaked_0;
-    interior_1.far_1 = _S863.mean_1;
-    interior_1.far_leaked_0 = _S863.leaked_0;
+    interior_1.warp_4 = _S864.warp_3;
+    interior_1.weft_4 = _S864.weft_3;
+    interior_1.leaked_1 = _S864.leaked_0;
+    interior_1.far_1 = _S865.mean_1;
+    interior_1.far_leaked_0 = _S865.leaked_0;
     return interior_1;
 }
 
-fn blocked_from_0( _S864 : u32,  _S865 : vec3<f32>,  _S866 : bool,  _S867 : bool) -> Blocked_0
+fn blocked_from_0( _S866 : u32,  _S867 : vec3<f32>,  _S868 : bool,  _S869 : bool) -> Blocked_0
 {
     var terms_3 : array<f32, i32(6)>;
-    view_terms_0(_S865, &(terms_3));
-    return blocked_of_terms_0(_S864, (select(u32(0), u32(2), _S867) + select(u32(1), u32(0), _S866)) * u32(15), terms_3, u32(5));
+    view_terms_0(_S867, &(terms_3));
+    return blocked_of_terms_0(_S866, (select(u32(0), u32(2), _S869) + select(u32(1), u32(0), _S868)) * u32(15), terms_3, u32(5));
 }
 
-fn warp_seen_from_0( _S868 : u32,  _S869 : vec3<f32>,  _S870 : bool) -> f32
+fn warp_seen_from_0( _S870 : u32,  _S871 : vec3<f32>,  _S872 : bool) -> f32
 {
     var terms_4 : array<f32, i32(6)>;
-    view_terms_1(_S869, &(terms_4));
+    view_terms_1(_S871, &(terms_4));
     var term_1 : u32 = u32(0);
     var share_5 : f32 = 0.0f;
     for(;;)
@@ -3335,132 +3313,132 @@ fn warp_seen_from_0( _S868 : u32,  _S869 : vec3<f32>,  _S870 : bool) -> f32
         {
             break;
         }
-        var share_6 : f32 = share_5 + openness_number_0(_S868, u32(132) + select(u32(0), u32(5), _S870) + term_1) * terms_4[term_1];
+        var share_6 : f32 = share_5 + openness_number_0(_S870, u32(132) + select(u32(0), u32(5), _S872) + term_1) * terms_4[term_1];
         term_1 = term_1 + u32(1);
         share_5 = share_6;
     }
     return saturate(share_5);
 }
 
-fn bounced_of_families_0( _S871 : u32,  _S872 : FamilyAlbedos_0,  _S873 : vec3<f32>,  _S874 : Interior_0,  _S875 : Blocked_0,  _S876 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S873 : u32,  _S874 : FamilyAlbedos_0,  _S875 : vec3<f32>,  _S876 : Interior_0,  _S877 : Blocked_0,  _S878 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S875, scattered_by_0(_S871, _S872.warp_5, u32(0), _S873), _S874), bounced_by_0(_S876, scattered_by_0(_S871, _S872.weft_5, u32(1), _S873), _S874));
+    return sum_of_0(bounced_by_0(_S877, scattered_by_0(_S873, _S874.warp_5, u32(0), _S875), _S876), bounced_by_0(_S878, scattered_by_0(_S873, _S874.weft_5, u32(1), _S875), _S876));
 }
 
-fn bounced_far_0( _S877 : u32,  _S878 : FamilyAlbedos_0,  _S879 : vec3<f32>,  _S880 : Interior_0,  _S881 : vec3<f32>,  _S882 : bool,  _S883 : f32,  _S884 : f32,  _S885 : f32) -> Bounced_0
+fn bounced_far_0( _S879 : u32,  _S880 : FamilyAlbedos_0,  _S881 : vec3<f32>,  _S882 : Interior_0,  _S883 : vec3<f32>,  _S884 : bool,  _S885 : f32,  _S886 : f32,  _S887 : f32) -> Bounced_0
 {
-    var _S886 : Blocked_0 = blocked_from_0(_S877, _S881, true, _S882);
-    var _S887 : Blocked_0 = blocked_from_0(_S877, _S881, false, _S882);
-    var _S888 : f32 = _S883 / max(1.0f - _S886.by_warp_0 - _S886.by_weft_0, 0.10000000149011612f);
-    var _S889 : f32 = (0.0020000000949949f * warp_seen_from_0(_S877, _S881, _S882) + _S888) / (_S888 + _S884 / max(1.0f - _S887.by_warp_0 - _S887.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S890 : f32 = 1.0f - _S885;
-    return bounced_of_families_0(_S877, _S878, _S879, _S880, scaled_0(_S886, _S889 * _S890), scaled_0(_S887, (1.0f - _S889) * _S890));
+    var _S888 : Blocked_0 = blocked_from_0(_S879, _S883, true, _S884);
+    var _S889 : Blocked_0 = blocked_from_0(_S879, _S883, false, _S884);
+    var _S890 : f32 = _S885 / max(1.0f - _S888.by_warp_0 - _S888.by_weft_0, 0.10000000149011612f);
+    var _S891 : f32 = (0.0020000000949949f * warp_seen_from_0(_S879, _S883, _S884) + _S890) / (_S890 + _S886 / max(1.0f - _S889.by_warp_0 - _S889.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S892 : f32 = 1.0f - _S887;
+    return bounced_of_families_0(_S879, _S880, _S881, _S882, scaled_0(_S888, _S891 * _S892), scaled_0(_S889, (1.0f - _S891) * _S892));
 }
 
-fn bounced_over_0( _S891 : u32,  _S892 : Components_0,  _S893 : CloseUp_0,  _S894 : FamilyAlbedos_0,  _S895 : vec3<f32>,  _S896 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S893 : u32,  _S894 : Components_0,  _S895 : CloseUp_0,  _S896 : FamilyAlbedos_0,  _S897 : vec3<f32>,  _S898 : vec3<f32>) -> Bounced_0
 {
-    var _S897 : bool = (_S896.z) < 0.0f;
-    var _S898 : Interior_0 = interior_of_0(_S891, _S895, _S897);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S891, _S894, _S895, _S898, to_face_frame_0(_S896, _S897), _S897, _S892.diffuse_warp_0, _S892.diffuse_weft_0, _S892.hole_2);
-    if((_S893.weight_0) > 0.0f)
+    var _S899 : bool = (_S898.z) < 0.0f;
+    var _S900 : Interior_0 = interior_of_0(_S893, _S897, _S899);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S893, _S896, _S897, _S900, to_face_frame_0(_S898, _S899), _S899, _S894.diffuse_warp_0, _S894.diffuse_weft_0, _S894.hole_2);
+    if((_S895.weight_0) > 0.0f)
     {
-        var _S899 : Bounced_0 = bounced_of_families_0(_S891, _S894, _S895, _S898, _S893.warp_1, _S893.weft_1);
-        var _S900 : vec3<f32> = vec3<f32>(_S893.weight_0);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S899.reflected_0, _S900);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S899.transmitted_0, _S900);
+        var _S901 : Bounced_0 = bounced_of_families_0(_S893, _S896, _S897, _S900, _S895.warp_1, _S895.weft_1);
+        var _S902 : vec3<f32> = vec3<f32>(_S895.weight_0);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S901.reflected_0, _S902);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S901.transmitted_0, _S902);
     }
     return bounced_2;
 }
 
-fn composed_0( _S901 : u32,  _S902 : Components_0,  _S903 : CloseUp_0,  _S904 : FamilyAlbedos_0,  _S905 : vec3<f32>,  _S906 : vec3<f32>,  _S907 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S903 : u32,  _S904 : Components_0,  _S905 : CloseUp_0,  _S906 : FamilyAlbedos_0,  _S907 : vec3<f32>,  _S908 : vec3<f32>,  _S909 : vec3<f32>) -> vec3<f32>
 {
-    var _S908 : Albedos_0 = tinted_0(_S904.warp_5, _S905);
-    var _S909 : Albedos_0 = tinted_0(_S904.weft_5, _S905);
-    var _S910 : vec3<f32> = vec3<f32>(_S902.diffuse_warp_0);
-    var _S911 : vec3<f32> = vec3<f32>(_S902.diffuse_weft_0);
-    var _S912 : vec3<f32> = vec3<f32>(_S902.specular_warp_0);
-    var _S913 : vec3<f32> = vec3<f32>(_S902.specular_weft_0);
-    var _S914 : vec3<f32> = _S908.diffuse_reflect_0 * _S910 + _S909.diffuse_reflect_0 * _S911 + _S908.specular_reflect_0 * _S912 + _S909.specular_reflect_0 * _S913;
-    var _S915 : f32 = _S907.z;
+    var _S910 : Albedos_0 = tinted_0(_S906.warp_5, _S907);
+    var _S911 : Albedos_0 = tinted_0(_S906.weft_5, _S907);
+    var _S912 : vec3<f32> = vec3<f32>(_S904.diffuse_warp_0);
+    var _S913 : vec3<f32> = vec3<f32>(_S904.diffuse_weft_0);
+    var _S914 : vec3<f32> = vec3<f32>(_S904.specular_warp_0);
+    var _S915 : vec3<f32> = vec3<f32>(_S904.specular_weft_0);
+    var _S916 : vec3<f32> = _S910.diffuse_reflect_0 * _S912 + _S911.diffuse_reflect_0 * _S913 + _S910.specular_reflect_0 * _S914 + _S911.specular_reflect_0 * _S915;
+    var _S917 : f32 = _S909.z;
     var body_0 : vec3<f32>;
-    if((_S906.z * _S915) < 0.0f)
+    if((_S908.z * _S917) < 0.0f)
     {
-        body_0 = _S908.diffuse_transmit_0 * _S910 + _S909.diffuse_transmit_0 * _S911 + _S908.specular_transmit_0 * _S912 + _S909.specular_transmit_0 * _S913;
+        body_0 = _S910.diffuse_transmit_0 * _S912 + _S911.diffuse_transmit_0 * _S913 + _S910.specular_transmit_0 * _S914 + _S911.specular_transmit_0 * _S915;
     }
     else
     {
-        body_0 = _S914;
+        body_0 = _S916;
     }
-    if((fabrics_0[_S901].openness_0) != u32(4294967295))
+    if((fabrics_0[_S903].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S901, _S902, _S903, _S904, _S905, _S907), _S906, _S907);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S903, _S904, _S905, _S906, _S907, _S909), _S908, _S909);
     }
-    var _S916 : f32 = fabrics_0[_S901].sheen_strength_0;
-    if((fabrics_0[_S901].sheen_strength_0) <= 0.0f)
+    var _S918 : f32 = fabrics_0[_S903].sheen_strength_0;
+    if((fabrics_0[_S903].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S917 : bool = _S915 < 0.0f;
-    var _S918 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S906, _S917), to_face_frame_0(_S907, _S917), _S916, fabrics_0[_S901].sheen_roughness_0);
-    return vec3<f32>(_S918.y) * body_0 + vec3<f32>(((_S902.light_visibility_1 + _S902.hole_2) * _S918.x));
+    var _S919 : bool = _S917 < 0.0f;
+    var _S920 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S908, _S919), to_face_frame_0(_S909, _S919), _S918, fabrics_0[_S903].sheen_roughness_0);
+    return vec3<f32>(_S920.y) * body_0 + vec3<f32>(((_S904.light_visibility_1 + _S904.hole_2) * _S920.x));
 }
 
-fn light_of_footprint_0( _S919 : u32,  _S920 : VisiblePoint_0,  _S921 : vec2<u32>,  _S922 : vec3<f32>) -> vec4<f32>
+fn light_of_footprint_0( _S921 : u32,  _S922 : VisiblePoint_0,  _S923 : vec2<u32>,  _S924 : vec3<f32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S920.draft_0;
-    footprint_0.dx_0 = _S920.draft_dx_0;
-    footprint_0.dy_0 = _S920.draft_dy_0;
-    var _S923 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
-    var _S924 : vec3<f32> = to_local_0(_S920, _S920.view_1);
-    var _S925 : u32 = light_sample_count_0();
-    var _S926 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_0.centre_0 = _S922.draft_0;
+    footprint_0.dx_0 = _S922.draft_dx_0;
+    footprint_0.dy_0 = _S922.draft_dy_0;
+    var _S925 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S926 : vec3<f32> = to_local_0(_S922, _S922.view_1);
+    var _S927 : u32 = light_sample_count_0();
+    var _S928 : vec3<f32> = vec3<f32>(0.0f);
     var number_8 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S926;
+    var radiance_1 : vec3<f32> = _S928;
     var hole_7 : f32 = 0.0f;
     for(;;)
     {
-        if(number_8 < (max(_S925, u32(1))))
+        if(number_8 < (max(_S927, u32(1))))
         {
         }
         else
         {
             break;
         }
-        var _S927 : f32;
-        if(number_8 < _S925)
+        var _S929 : f32;
+        if(number_8 < _S927)
         {
-            _S927 = visibility_at_0(number_8, _S921);
+            _S929 = visibility_at_0(number_8, _S923);
         }
         else
         {
-            _S927 = 0.0f;
+            _S929 = 0.0f;
         }
-        var _S928 : bool;
-        if(_S927 <= 0.0f)
+        var _S930 : bool;
+        if(_S929 <= 0.0f)
         {
-            _S928 = number_8 > u32(0);
+            _S930 = number_8 > u32(0);
         }
         else
         {
-            _S928 = false;
+            _S930 = false;
         }
-        if(_S928)
+        if(_S930)
         {
             number_8 = number_8 + u32(1);
             continue;
         }
-        var _S929 : LightSample_0 = light_sample_0(number_8, _S921, _S920.position_0);
-        var _S930 : vec3<f32> = to_local_0(_S920, _S929.towards_0);
-        var _S931 : Estimate_0 = lobes_estimate_of_pass_0(_S919, footprint_0, 1.0f, _S923, _S930, _S924);
-        radiance_1 = radiance_1 + vec3<f32>(_S927) * _S929.irradiance_1 * composed_0(_S919, _S931.components_0, _S931.close_0, _S931.albedos_5, _S922, _S930, _S924);
-        hole_7 = _S931.components_0.hole_2;
+        var _S931 : LightSample_0 = light_sample_0(number_8, _S923, _S922.position_0);
+        var _S932 : vec3<f32> = to_local_0(_S922, _S931.towards_0);
+        var _S933 : Estimate_0 = lobes_estimate_of_pass_0(_S921, footprint_0, 1.0f, _S925, _S932, _S926);
+        radiance_1 = radiance_1 + vec3<f32>(_S929) * _S931.irradiance_1 * composed_0(_S921, _S933.components_0, _S933.close_0, _S933.albedos_5, _S924, _S932, _S926);
+        hole_7 = _S933.components_0.hole_2;
         number_8 = number_8 + u32(1);
     }
-    var _S932 : f32 = fabrics_0[_S919].sheen_strength_0;
-    if((fabrics_0[_S919].sheen_strength_0) > 0.0f)
+    var _S934 : f32 = fabrics_0[_S921].sheen_strength_0;
+    if((fabrics_0[_S921].sheen_strength_0) > 0.0f)
     {
-        hole_7 = hole_7 * (1.0f - _S932 * sheen_lobe_0(abs(_S924.z), fabrics_0[_S919].sheen_roughness_0).z);
+        hole_7 = hole_7 * (1.0f - _S934 * sheen_lobe_0(abs(_S926.z), fabrics_0[_S921].sheen_roughness_0).z);
     }
     return vec4<f32>(radiance_1, 1.0f - hole_7);
 }
@@ -3469,32 +3447,32 @@ fn light_of_footprint_0( _S919 : u32,  _S920 : VisiblePoint_0,  _S921 : vec2<u32
 @workgroup_size(8, 8, 1)
 fn shade_lobes(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S933 : u32 = id_0.x;
-    var _S934 : bool;
-    if(_S933 >= (frame_record_0.width_0))
+    var _S935 : u32 = id_0.x;
+    var _S936 : bool;
+    if(_S935 >= (frame_record_0.width_0))
     {
-        _S934 = true;
+        _S936 = true;
     }
     else
     {
-        _S934 = (id_0.y) >= (frame_record_0.height_0);
+        _S936 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S934)
+    if(_S936)
     {
         return;
     }
-    var _S935 : u32 = id_0.y * frame_record_0.width_0 + _S933;
-    var _S936 : u32 = layers_0[_S935].face_0;
-    if((layers_0[_S935].face_0) == u32(0))
+    var _S937 : u32 = id_0.y * frame_record_0.width_0 + _S935;
+    var _S938 : u32 = layers_0[_S937].face_0;
+    if((layers_0[_S937].face_0) == u32(0))
     {
         return;
     }
-    var _S937 : u32 = _S936 - u32(1);
-    var _S938 : u32 = fabric_of_0(_S937);
-    var _S939 : vec2<u32> = id_0.xy;
-    var _S940 : VisiblePoint_0 = visible_point_0(_S938, _S937, _S939);
-    var _S941 : vec4<f32> = light_of_footprint_0(_S938, _S940, _S939, filtered_albedo_0(_S938, _S940));
-    accumulate_0(_S935, _S941);
+    var _S939 : u32 = _S938 - u32(1);
+    var _S940 : u32 = fabric_of_0(_S939);
+    var _S941 : vec2<u32> = id_0.xy;
+    var _S942 : VisiblePoint_0 = visible_point_0(_S940, _S939, _S941);
+    var _S943 : vec4<f32> = light_of_footprint_0(_S940, _S942, _S941, filtered_albedo_0(_S940, _S942));
+    accumulate_0(_S937, _S943);
     return;
 }
 
