@@ -50,7 +50,7 @@ def test_the_python_reference_has_every_public_name(site: Path) -> None:
     page = (site / "api.html").read_text(encoding="utf-8")
     for name in loomlight.__all__:
         assert f'id="{name.lower()}"' in page
-    assert "spp: int = 9" in page
+    assert "spp: int = 8" in page
     assert "<code>settings</code>: by default those of" in page
 
 
