@@ -30,11 +30,17 @@ def test_a_log_gets_a_line_every_ten_seconds(
         (15, 0.3, 45),
         (22, 0.5, None),
         (40, 1.0, 30),
+        (55, 1.2, 50),
     ):
         now[0] = second
         lines.report(share, expected)
     captured = capsys.readouterr()
-    assert captured.err.splitlines() == ["denim: 25 %, about 33 s left", "denim: 50 %", "denim: 100 %"]
+    assert captured.err.splitlines() == [
+        "denim: 25 %, about 33 s left",
+        "denim: 50 %",
+        "denim: 100 %",
+        "denim: longer than estimated",
+    ]
     assert captured.out == ""
 
 

@@ -75,15 +75,20 @@ class Lines:
         """Writes a line if it is time.
 
         Args:
-            share: of the work that is done, 0 to 1.
+            share: of the work that is done; above 1 where it takes longer than estimated.
             expected: when it will be done, by the clock.
         """
         now = self._clock()
         if now < self._next:
             return
         self._next = now + LINE_SECONDS
-        left = "" if expected is None or expected <= now else f", about {_duration(expected - now)} left"
-        print(f"{self._title}: {100 * min(share, 1):.0f} %{left}", file=sys.stderr, flush=True)
+        if share > 1:
+            said = "longer than estimated"
+        elif expected is None or expected <= now:
+            said = f"{100 * share:.0f} %"
+        else:
+            said = f"{100 * share:.0f} %, about {_duration(expected - now)} left"
+        print(f"{self._title}: {said}", file=sys.stderr, flush=True)
 
 
 def _duration(seconds: float) -> str:

@@ -313,7 +313,7 @@ class RenderJob:
         if not isinstance(material.source, Fabric):
             raise InputError(f"inset = {self._inset} needs a fabric, and {material.source.name} is none.")
         close_up = Inset.of(material.source, shown, self._size)
-        setattr(shown.integrator, "corner", close_up)  # noqa: B010 (it is a Python class that Mitsuba registers)
+        shown.integrator.corner = close_up
         return shown, close_up
 
     def _render(

@@ -75,7 +75,8 @@ class ClothScene:
     """
 
     scene: mi.Scene
-    integrator: mi.Integrator
+    # Of a class that is made anew for each variant, and so has no type.
+    integrator: Any
     uv_size_mm: tuple[float, float]
     point: tuple[float, float, float]
     view: View
