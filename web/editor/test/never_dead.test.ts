@@ -1,5 +1,5 @@
 /** Nothing that is typed, clicked, linked or kept ends the page. */
-import { isInputError, loadDraft, ORDERS, type FabricFields } from "loomlight-fabric";
+import { BLOCK_CHANGES, isInputError, loadDraft, ORDERS, type FabricFields } from "loomlight-fabric";
 import { describe, expect, it } from "vitest";
 
 import { documentOf, documentText } from "../src/keeping/document_text.ts";
@@ -76,6 +76,7 @@ describe("edits at random", () => {
     const or = (usual: unknown): unknown => (random() < 0.25 ? pick(ODD) : usual);
     const small = (): unknown => or(Math.floor(random() * 12));
     const family = or(pick(["warp", "weft"]));
+    const region = (): object => ({ firstEnd: small(), firstPick: small(), ends: small(), picks: small() });
     const number = (): unknown => or(pick([0, 0.1, 0.3, 1, 2, 12, 30, 60]));
     const actions: (() => object)[] = [
       () => ({ type: "field/set", field: pick(fieldNames()), value: number(), stroke: or("a") }),
@@ -92,6 +93,10 @@ describe("edits at random", () => {
       () => ({ type: "draft/size", ends: or(2 + Math.floor(random() * 30)), picks: or(2 + Math.floor(random() * 30)) }),
       () => ({ type: "draft/shafts", shafts: small(), treadles: small() }),
       () => ({ type: "draft/over" }),
+      () => ({ type: "draft/block", region: or(region()), change: or(pick(BLOCK_CHANGES)) }),
+      () => ({ type: "draft/paste", region: or(region()), block: or({ ends: or(2), picks: 2, drawdown: or(Uint8Array.of(1, 0, 0, 1)) }) }),
+      () => ({ type: "draft/fill", region: or(region()), weave: or(pick(WEAVES)) }),
+      () => ({ type: "draft/repeat", region: or(region()) }),
       () => ({ type: "colour/paint", family, thread: small(), hex: or(pick(HEXES)) }),
       () => ({ type: "colour/swap", family, from: or(pick(HEXES)), to: or(pick(HEXES)) }),
       () => ({ type: "colour/order", family, hexes: or([pick(HEXES), or(pick(HEXES)), pick(HEXES)]) }),

@@ -1,4 +1,5 @@
 /** Fabric files and weave drafts: named weaves, WIF, loom plans, colours and spacings. No DOM and no GPU. */
+export * from "./block.ts";
 export { withYarns } from "./yarns.ts";
 export * from "./colour.ts";
 export * from "./colours.ts";

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 
-import { BACK, FACE, longFloats, namedWeave, ordered, ORDERS, structureOf } from "../src/index.ts";
+import { BACK, FACE, longFloats, MAX_REPORTED, namedWeave, ordered, ORDERS, structureOf } from "../src/index.ts";
 
 describe("floats", () => {
   it("of a satin are as long as its shafts but one, on the face and on the back", () => {
@@ -11,6 +11,18 @@ describe("floats", () => {
     // Seven of eight crossings have the warp on top, in a long float of warp above and of weft below.
     expect(marks.filter((mark) => mark === (FACE | BACK)).length).toBe(56);
     expect(longFloats(namedWeave("satin 8/3"), 7).marks.some((mark) => mark > 0)).toBe(false);
+  });
+
+  it("are told with the longest first, where each lies", () => {
+    // End 2 floats over three picks, from the fourth around the edge to the first; pick 3 over two ends.
+    const structure = structureOf(5, 4, (pick, end) => (end === 1 ? pick !== 1 && pick !== 2 : (pick + end) % 2 === 0));
+    const { reported, onFace, onBack } = longFloats(structure, 2);
+    expect(reported.length).toBe(onFace + onBack);
+    expect(reported.map(({ length }) => length)).toEqual(reported.map(({ length }) => length).sort((a, b) => b - a));
+    expect(reported).toContainEqual({ family: "warp", isFace: true, thread: 1, first: 3, length: 3 });
+    const many = longFloats(namedWeave("damask 160"), 3);
+    expect(many.reported.length).toBe(MAX_REPORTED);
+    expect(many.reported[0]!.length).toBe(Math.max(...Object.values(many.longest)));
   });
 
   it("run on into the next repeat, and an unbound thread counts one", () => {

@@ -1,11 +1,12 @@
 /** The draft as weaving software draws it, on a canvas; each part is edited by pointer and by keys. */
-import { FACE, loomOf, threadHexes, type LoomPlan } from "loomlight-fabric";
+import { FACE, loomOf, threadHexes, within, type LoomPlan, type Region } from "loomlight-fabric";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 
 import { newStroke } from "../controls/Slider.tsx";
 import { woven, type Fabric } from "../state/document.ts";
 import type { Dispatch } from "../state/store.ts";
-import { cellAt, described, isFilled, layoutOf, nextPart, placeOf, stepped, type Cell, type Layout, type Window } from "./draft_grid.ts";
+import { cellAt, crossingNear, described, isFilled, layoutOf, nextPart, placeOf, stepped, type Cell, type Layout, type Window } from "./draft_grid.ts";
+import { between, type Crossing, type Selection } from "./selection.ts";
 
 interface Props {
   readonly fabric: Fabric;
@@ -18,6 +19,7 @@ interface Props {
   readonly cell: number;
   /** Bits of each crossing that lies in a float that is too long; null marks none. */
   readonly marks: Uint8Array | null;
+  readonly selection: Selection;
   /** The cursor would leave the window, to the right or up by so many threads. */
   readonly onEdge?: (right: number, up: number) => void;
 }
@@ -27,7 +29,7 @@ interface Colours {
   readonly weft: readonly string[];
 }
 
-export function DraftGrid({ fabric, dispatch, window, brush, cell: size, marks, onEdge }: Props) {
+export function DraftGrid({ fabric, dispatch, window, brush, cell: size, marks, selection, onEdge }: Props) {
   const { firstEnd, firstPick, ends, picks } = window;
   const canvas = useRef<HTMLCanvasElement>(null);
   const draft = woven(fabric);
@@ -36,11 +38,15 @@ export function DraftGrid({ fabric, dispatch, window, brush, cell: size, marks, 
   const [cursor, setCursor] = useState<Cell>({ part: "drawdown", column: 0, row: 0 });
   const [isFocused, setFocused] = useState(false);
   const drag = useRef<{ stroke: string; isOn: boolean; last: string; cell: Cell } | null>(null);
+  // Where the selection began that pointer or keys are drawing.
+  const anchor = useRef<Crossing | null>(null);
+  const isDragged = useRef(false);
+  const { region } = selection;
 
   useEffect(() => {
     const colours = { warp: threadHexes(draft, "warp"), weft: threadHexes(draft, "weft") };
-    draw(canvas.current!, fabric, loom, layout, colours, size, marks, isFocused ? cursor : null);
-  }, [fabric, loom, layout, size, cursor, isFocused, draft, marks]);
+    draw(canvas.current!, fabric, loom, layout, colours, size, marks, region, isFocused ? cursor : null);
+  }, [fabric, loom, layout, size, cursor, isFocused, draft, marks, region?.firstEnd, region?.firstPick, region?.ends, region?.picks]);
 
   const edit = (cell: Cell, isOn: boolean, stroke: string): void => {
     const end = firstEnd + cell.column;
@@ -68,10 +74,19 @@ export function DraftGrid({ fabric, dispatch, window, brush, cell: size, marks, 
     return cellAt(layout, (event.clientX - box.left) / size, (event.clientY - box.top) / size);
   };
 
+  const crossingOf = (cell: Cell): Crossing => ({ end: firstEnd + cell.column, pick: firstPick + cell.row });
+
   const onPointerDown = (event: PointerEvent): void => {
     const cell = cellOf(event);
     if (cell === null || event.button !== 0) return;
     canvas.current!.setPointerCapture(event.pointerId);
+    if (cell.part === "drawdown" && (selection.isSelecting || event.shiftKey)) {
+      // Shift goes on from where the selection began.
+      if (!event.shiftKey || anchor.current === null) anchor.current = region !== null && event.shiftKey ? { end: region.firstEnd, pick: region.firstPick } : crossingOf(cell);
+      isDragged.current = true;
+      setCursor(cell);
+      return selection.select(between(anchor.current, crossingOf(cell)));
+    }
     const isOn = !isFilled(draft, loom, layout, cell);
     drag.current = { stroke: newStroke(), isOn, last: key(cell), cell };
     setCursor(cell);
@@ -79,6 +94,14 @@ export function DraftGrid({ fabric, dispatch, window, brush, cell: size, marks, 
   };
 
   const onPointerMove = (event: PointerEvent): void => {
+    if (isDragged.current) {
+      const box = canvas.current!.getBoundingClientRect();
+      const { cell, right, up } = crossingNear(layout, (event.clientX - box.left) / size, (event.clientY - box.top) / size);
+      // Beyond the edge the window follows.
+      if (right !== 0 || up !== 0) onEdge?.(right, up);
+      setCursor(cell);
+      return selection.select(between(anchor.current!, crossingOf(cell)));
+    }
     const dragged = drag.current;
     const cell = cellOf(event);
     if (dragged === null || cell === null || cell.part !== dragged.cell.part || key(cell) === dragged.last) return;
@@ -86,7 +109,14 @@ export function DraftGrid({ fabric, dispatch, window, brush, cell: size, marks, 
     edit(cell, dragged.isOn, dragged.stroke);
   };
 
+  const onPointerEnd = (): void => {
+    drag.current = null;
+    isDragged.current = false;
+  };
+
   const onKeyDown = (event: KeyboardEvent): void => {
+    const here = cursor.part === "drawdown" ? crossingOf(cursor) : { end: firstEnd, pick: firstPick };
+    if (selection.onKey(event, here)) return event.preventDefault();
     const moves: Readonly<Record<string, readonly [number, number]>> = {
       ArrowLeft: [-1, 0],
       ArrowRight: [1, 0],
@@ -96,8 +126,16 @@ export function DraftGrid({ fabric, dispatch, window, brush, cell: size, marks, 
     const move = moves[event.key];
     if (move !== undefined) {
       const next = stepped(layout, cursor, ...move);
-      if (key(next) === key(cursor)) onEdge?.(...move);
+      const isEdge = key(next) === key(cursor);
+      if (isEdge) onEdge?.(...move);
       setCursor(next);
+      if (event.shiftKey && cursor.part === "drawdown") {
+        if (region === null || anchor.current === null) anchor.current = here;
+        const [right, up] = isEdge && onEdge !== undefined ? move : [0, 0];
+        const to = crossingOf(next);
+        const at = (value: number, threads: number): number => Math.min(Math.max(value, 0), threads - 1);
+        selection.select(between(anchor.current, { end: at(to.end + right, draft.ends), pick: at(to.pick + up, draft.picks) }));
+      }
     }
     else if (event.key === "PageDown") setCursor(nextPart(layout, cursor, 1));
     else if (event.key === "PageUp") setCursor(nextPart(layout, cursor, -1));
@@ -114,14 +152,14 @@ export function DraftGrid({ fabric, dispatch, window, brush, cell: size, marks, 
         class="draft-grid"
         tabIndex={0}
         role="application"
-        aria-label={`Draft of ${draft.ends} ends and ${draft.picks} picks. Arrow keys move, space changes a cell, page up and down change the part.`}
+        aria-label={`Draft of ${draft.ends} ends and ${draft.picks} picks. Arrow keys move, space changes a cell, page up and down change the part, shift and arrows select.`}
         aria-describedby="draft-cell"
         data-testid="draft-grid"
         data-cell={size}
         onPointerDown={onPointerDown}
         onPointerMove={onPointerMove}
-        onPointerUp={() => (drag.current = null)}
-        onPointerCancel={() => (drag.current = null)}
+        onPointerUp={onPointerEnd}
+        onPointerCancel={onPointerEnd}
         onKeyDown={onKeyDown}
         onFocus={() => setFocused(true)}
         onBlur={() => setFocused(false)}
@@ -148,6 +186,7 @@ function draw(
   colours: Colours,
   size: number,
   marks: Uint8Array | null,
+  selected: Region | null,
   cursor: Cell | null,
 ): void {
   const draft = woven(fabric);
@@ -182,12 +221,28 @@ function draw(
       }
     lines(context, box, size);
   }
+  selectionFrame(context, layout, selected, size);
   const place = cursor === null ? null : placeOf(layout, cursor);
   if (place !== null) {
     context.strokeStyle = "#b4552d";
     context.lineWidth = 2;
     context.strokeRect(place.x * size, place.y * size, size, size);
   }
+}
+
+/** The part of the selection in sight, tinted and framed. */
+function selectionFrame(context: CanvasRenderingContext2D, layout: Layout, selected: Region | null, size: number): void {
+  if (selected === null) return;
+  const { firstEnd, firstPick, ends, picks } = layout.window;
+  const seen = within({ ...selected, firstEnd: selected.firstEnd - firstEnd, firstPick: selected.firstPick - firstPick }, { ends, picks });
+  if (seen === null) return;
+  const { x, y } = placeOf(layout, { part: "drawdown", column: seen.firstEnd, row: seen.firstPick + seen.picks - 1 })!;
+  const box = [x * size, y * size, seen.ends * size, seen.picks * size] as const;
+  context.fillStyle = "rgb(20 110 190 / 22%)";
+  context.fillRect(...box);
+  context.strokeStyle = "#0f63ad";
+  context.lineWidth = 2;
+  context.strokeRect(...box);
 }
 
 /** Dark edges along the thread on top tell which one it is, whatever the colours are. */

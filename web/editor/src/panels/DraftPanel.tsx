@@ -1,5 +1,5 @@
 /** The draft editor: drawing, numbers of threads and shafts, and the kind of plan. */
-import { longFloats, loomOf, MAXIMUM_THREADS, ORDERS, threadHexes, type LongFloats, type Order } from "loomlight-fabric";
+import { longFloats, loomOf, ORDERS, threadHexes, within, type Float, type Order, type Region } from "loomlight-fabric";
 import { useMemo, useRef, useState } from "preact/hooks";
 
 import { Icon } from "../controls/Icon.tsx";
@@ -12,6 +12,8 @@ import { Brush } from "./Brush.tsx";
 import { DraftGrid } from "./DraftGrid.tsx";
 import { fittingCell, layoutOf, panelWindow, WINDOW } from "./draft_grid.ts";
 import { DraftWindow } from "./DraftWindow.tsx";
+import { FloatReport, regionOf } from "./FloatReport.tsx";
+import { useSelection } from "./selection.ts";
 
 /** Screen pixels a cell: smaller ones are scrolled sideways. */
 const SMALLEST = 7;
@@ -40,6 +42,16 @@ export function DraftPanel({ fabric, dispatch }: Props) {
   const isLiftplan = loom.tieup === null;
   const [limit, setLimit] = useState<number | null>(null);
   const floats = useMemo(() => (limit === null ? null : longFloats(draft, limit)), [draft.drawdown, limit]);
+  const selection = useSelection(draft, dispatch);
+  const [sought, seek] = useState<Region | null>(null);
+  /** Selects a float and brings it into sight. */
+  const goTo = (float: Float): void => {
+    const found = within(regionOf(float), draft)!;
+    selection.select(found);
+    seek({ ...found });
+    const pageOf = (thread: number): number => Math.floor(thread / WINDOW) * WINDOW;
+    setPage({ end: pageOf(found.firstEnd), pick: pageOf(found.firstPick) });
+  };
   return (
     <>
       <p class="note">
@@ -47,9 +59,9 @@ export function DraftPanel({ fabric, dispatch }: Props) {
         {isNamed(fabric) && " Your first change makes this weave a draft of your own."}
       </p>
       <div class="draft-scroll" ref={frame}>
-        {!isWide && width > 0 && <DraftGrid fabric={fabric} dispatch={dispatch} window={window} brush={colour} cell={cell} marks={floats?.marks ?? null} />}
+        {!isWide && width > 0 && <DraftGrid fabric={fabric} dispatch={dispatch} window={window} brush={colour} cell={cell} marks={floats?.marks ?? null} selection={{ ...selection, isSelecting: false }} />}
       </div>
-      {isWide && <DraftWindow fabric={fabric} dispatch={dispatch} brush={colour} marks={floats?.marks ?? null} onClose={() => setWide(false)} />}
+      {isWide && <DraftWindow fabric={fabric} dispatch={dispatch} brush={colour} marks={floats?.marks ?? null} selection={selection} sought={sought} onClose={() => setWide(false)} />}
       {!isWide && <Pages label="Ends" first={firstEnd} count={draft.ends} onFirst={(end) => setPage({ ...page, end })} />}
       {!isWide && <Pages label="Picks" first={firstPick} count={draft.picks} onFirst={(pick) => setPage({ ...page, pick })} />}
       <button type="button" class="button" aria-pressed={isWide} data-testid="draft-wide" onClick={() => setWide(!isWide)}>
@@ -83,7 +95,7 @@ export function DraftPanel({ fabric, dispatch }: Props) {
           Turn the cloth over
         </button>
       </section>
-      <FloatReport floats={floats} limit={limit} onLimit={setLimit} />
+      <FloatReport floats={floats} limit={limit} onLimit={setLimit} onFloat={goTo} />
     </>
   );
 }
@@ -119,43 +131,6 @@ function OrderChoice({ part, label, dispatch }: { part: "threading" | "treadling
         ))}
       </select>
     </div>
-  );
-}
-
-interface FloatReportProps {
-  readonly floats: LongFloats | null;
-  readonly limit: number | null;
-  readonly onLimit: (limit: number | null) => void;
-}
-
-/** Marks floats that cross more threads than one wants, and says how many there are. */
-function FloatReport({ floats, limit, onLimit }: FloatReportProps) {
-  return (
-    <section class="group">
-      <h2>Floats</h2>
-      <label class="row">
-        <input type="checkbox" checked={limit !== null} data-testid="floats-marked" onChange={(event) => onLimit(event.currentTarget.checked ? 5 : null)} />
-        <span>Mark long floats</span>
-      </label>
-      {limit !== null && (
-        <Stepper
-          label="Longer than"
-          testid="floats-limit"
-          value={limit}
-          onValue={(value) => {
-            if (!Number.isInteger(value) || value < 1 || value > MAXIMUM_THREADS) return `Write a whole number from 1 to ${MAXIMUM_THREADS}.`;
-            onLimit(value);
-            return null;
-          }}
-        />
-      )}
-      {floats !== null && (
-        <p class="note" data-testid="floats">
-          {floats.onFace + floats.onBack === 0 ? "None is longer. " : `${floats.onFace} on the face (spots), ${floats.onBack} on the back (rings) a repeat. `}
-          Longest: warp {floats.longest.warpFace} on the face, {floats.longest.warpBack} on the back; weft {floats.longest.weftFace} and {floats.longest.weftBack}.
-        </p>
-      )}
-    </section>
   );
 }
 

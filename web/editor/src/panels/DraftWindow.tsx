@@ -1,5 +1,5 @@
 /** The draft over the whole stage: any number of threads, scrolled and zoomed; only the cells in sight are drawn. */
-import { loomOf } from "loomlight-fabric";
+import { loomOf, type Region } from "loomlight-fabric";
 import { useEffect, useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
 
 import { Icon } from "../controls/Icon.tsx";
@@ -8,12 +8,17 @@ import { woven, type Fabric } from "../state/document.ts";
 import type { Dispatch } from "../state/store.ts";
 import { DraftGrid } from "./DraftGrid.tsx";
 import { fittingCell, planSize, type Window } from "./draft_grid.ts";
+import type { Selection } from "./selection.ts";
+import { SelectionBar } from "./SelectionBar.tsx";
 
 interface Props {
   readonly fabric: Fabric;
   readonly dispatch: Dispatch;
   readonly brush: string;
   readonly marks: Uint8Array | null;
+  readonly selection: Selection;
+  /** Threads to bring into sight, another object each time they are asked for. */
+  readonly sought: Region | null;
   readonly onClose: () => void;
 }
 
@@ -25,7 +30,7 @@ const MARGIN = 20;
 /** Threads of either family that are in sight at least. */
 const MIN_THREADS = 4;
 
-export function DraftWindow({ fabric, dispatch, brush, marks, onClose }: Props) {
+export function DraftWindow({ fabric, dispatch, brush, marks, selection, sought, onClose }: Props) {
   const draft = woven(fabric);
   const loom = useMemo(() => loomOf(draft), [draft]);
   const plan = useMemo(() => planSize(loom), [loom]);
@@ -64,6 +69,14 @@ export function DraftWindow({ fabric, dispatch, brush, marks, onClose }: Props) 
       show(next.end, next.pick);
       return next;
     });
+  // Its middle goes to the middle of the window.
+  useLayoutEffect(() => {
+    if (sought === null || width === 0) return;
+    const end = atMost(sought.firstEnd + Math.floor((sought.ends - ends) / 2), draft.ends - ends);
+    const pick = atMost(sought.firstPick + Math.floor((sought.picks - picks) / 2), draft.picks - picks);
+    setFirst({ end, pick });
+    show(end, pick);
+  }, [sought, width === 0]);
   useEffect(() => {
     const before = document.activeElement;
     area.current!.querySelector("canvas")?.focus();
@@ -76,7 +89,10 @@ export function DraftWindow({ fabric, dispatch, brush, marks, onClose }: Props) 
       class="draft-window"
       aria-label="Draft in the whole window"
       data-testid="draft-window"
-      onKeyDown={(event) => event.key === "Escape" && onClose()}
+      onKeyDown={(event) => {
+        // In a field Escape brings back what was written.
+        if (event.key === "Escape" && !(event.target instanceof HTMLInputElement && event.target.type === "text")) onClose();
+      }}
       onWheel={(event) => {
         if (!event.ctrlKey) return;
         event.preventDefault();
@@ -95,6 +111,7 @@ export function DraftWindow({ fabric, dispatch, brush, marks, onClose }: Props) 
           <Icon name="close" />
         </button>
       </div>
+      <SelectionBar selection={selection} />
       <div
         class="draft-window-area"
         ref={area}
@@ -108,7 +125,7 @@ export function DraftWindow({ fabric, dispatch, brush, marks, onClose }: Props) 
             height: `${Math.max(height, (plan.rows + picks) * cell + MARGIN) + (draft.picks - picks) * cell}px`,
           }}
         >
-          <DraftGrid fabric={fabric} dispatch={dispatch} window={window} brush={brush} cell={cell} marks={marks} onEdge={step} />
+          <DraftGrid fabric={fabric} dispatch={dispatch} window={window} brush={brush} cell={cell} marks={marks} selection={selection} onEdge={step} />
         </div>
       </div>
     </section>

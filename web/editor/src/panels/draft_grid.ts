@@ -103,6 +103,17 @@ export function cellAt(layout: Layout, x: number, y: number): Cell | null {
   return null;
 }
 
+/** The crossing nearest to a place, and how far beyond the drawdown the place is: a thread to the right or up, or none. */
+export function crossingNear(layout: Layout, x: number, y: number): { cell: Cell; right: number; up: number } {
+  const box = layout.boxes.find((each) => each.part === "drawdown")!;
+  const column = Math.floor(x - box.left);
+  const row = box.rows - 1 - Math.floor(y - box.top);
+  const beyond = (at: number, count: number): number => (at < 0 ? -1 : at >= count ? 1 : 0);
+  const inside = (at: number, count: number): number => Math.min(Math.max(at, 0), count - 1);
+  const cell: Cell = { part: "drawdown", column: inside(column, box.columns), row: inside(row, box.rows) };
+  return { cell, right: beyond(column, box.columns), up: beyond(row, box.rows) };
+}
+
 /** Where a cell is drawn, in cells from the left and the top. */
 export function placeOf(layout: Layout, cell: Cell): { x: number; y: number } | null {
   const box = layout.boxes.find((each) => each.part === cell.part);

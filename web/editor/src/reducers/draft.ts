@@ -1,6 +1,8 @@
 /** Edits of the draft: crossings, threading, tie-up, treadling or liftplan, numbers of threads. */
 import {
+  BLOCK_CHANGES,
   InputError,
+  loadDraft,
   loomOf,
   MAXIMUM_THREADS,
   ordered,
@@ -8,15 +10,20 @@ import {
   requireInterlacing,
   turnedOver,
   validateFields,
+  withBlockChange,
   withColoursInDraft,
   withCrossing,
+  withFill,
   withLoom,
   withMember,
   withOnly,
   withPlanKind,
+  withRepeat,
   withShafts,
   withSize,
   type Draft,
+  type Region,
+  type Structure,
 } from "loomlight-fabric";
 
 import type { FabricAction } from "../state/actions.ts";
@@ -93,7 +100,38 @@ function edited(draft: Draft, action: DraftAction): Draft {
       );
     case "draft/over":
       return turnedOver(draft);
+    case "draft/block":
+      return withBlockChange(draft, regionIn(draft, action.region), requireOneOf("change", action.change, BLOCK_CHANGES));
+    case "draft/paste":
+      return withFill(draft, regionIn(draft, action.region), blockFrom(action.block), "region");
+    case "draft/fill": {
+      if (typeof action.weave !== "string") throw new InputError('The weave has no name: write "twill 3/1".');
+      return withFill(draft, regionIn(draft, action.region), loadDraft({ weave: action.weave }), "draft");
+    }
+    case "draft/repeat":
+      return withRepeat(draft, regionIn(draft, action.region));
     default:
       throw new InputError(`${shown((action as { readonly type: unknown }).type)} is no edit.`);
   }
+}
+
+/** A region that lies in the draft. */
+function regionIn(draft: Draft, given: unknown): Region {
+  const { firstEnd, firstPick, ends, picks } = (typeof given === "object" && given !== null ? given : {}) as Partial<Region>;
+  const [end, pick] = [requireWhole("first end", firstEnd, 0, draft.ends - 1), requireWhole("first pick", firstPick, 0, draft.picks - 1)];
+  return {
+    firstEnd: end,
+    firstPick: pick,
+    ends: requireWhole("ends of the selection", ends, 1, draft.ends - end),
+    picks: requireWhole("picks of the selection", picks, 1, draft.picks - pick),
+  };
+}
+
+/** Crossings that were copied. */
+function blockFrom(given: unknown): Structure {
+  const { ends, picks, drawdown } = (typeof given === "object" && given !== null ? given : {}) as Partial<Structure>;
+  const [across, along] = [requireWhole("copied ends", ends, 1, MAXIMUM_THREADS), requireWhole("copied picks", picks, 1, MAXIMUM_THREADS)];
+  if (!(drawdown instanceof Uint8Array) || drawdown.length !== across * along)
+    throw new InputError(`A copy of ${across} ends and ${along} picks has ${across * along} crossings: copy it again.`);
+  return { ends: across, picks: along, drawdown };
 }

@@ -1,5 +1,5 @@
 /** Everything that can happen to the document. */
-import type { FamilyName, Order } from "loomlight-fabric";
+import type { BlockChange, FamilyName, Order, Region, Structure } from "loomlight-fabric";
 
 import type { Comparison, Fabric, Notice, Scene, Tab } from "./document.ts";
 
@@ -19,6 +19,10 @@ export type FabricAction =
   | { readonly type: "draft/size"; readonly ends: number; readonly picks: number }
   | { readonly type: "draft/shafts"; readonly shafts: number; readonly treadles: number }
   | { readonly type: "draft/over" }
+  | { readonly type: "draft/block"; readonly region: Region; readonly change: BlockChange }
+  | { readonly type: "draft/paste"; readonly region: Region; readonly block: Structure }
+  | { readonly type: "draft/fill"; readonly region: Region; readonly weave: string }
+  | { readonly type: "draft/repeat"; readonly region: Region }
   | { readonly type: "colour/paint"; readonly family: FamilyName; readonly thread: number; readonly hex: string; readonly stroke?: string }
   | { readonly type: "colour/swap"; readonly family: FamilyName; readonly from: string; readonly to: string; readonly stroke?: string }
   | { readonly type: "colour/order"; readonly family: FamilyName; readonly hexes: readonly string[]; readonly stroke?: string };
