@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from loomlight.models.bake import bake, load, save
     from loomlight.models.registry import make_model, model_from_loom
     from loomlight.scattering.appearance import Appearance
+    from loomlight.viewer.notebook import view
+    from loomlight.viewer.server import edit
     from loomlight.weave.draft import Draft
     from loomlight.weave.load import load_draft
     from loomlight.weave.named import named_weave, weave_names
@@ -44,6 +46,7 @@ _HOMES = {
     "RenderSettings": "loomlight.mitsuba.material_picture",
     "bake": "loomlight.models.bake",
     "compare": "loomlight.evaluation.compare",
+    "edit": "loomlight.viewer.server",
     "fabric_from_text": "loomlight.fabric.load",
     "load": "loomlight.models.bake",
     "load_draft": "loomlight.weave.load",
@@ -54,6 +57,7 @@ _HOMES = {
     "read_wif": "loomlight.weave.wif_reader",
     "render": "loomlight.mitsuba.material_picture",
     "save": "loomlight.models.bake",
+    "view": "loomlight.viewer.notebook",
     "weave_names": "loomlight.weave.named",
     "write_wif": "loomlight.weave.wif_writer",
 }
@@ -72,6 +76,7 @@ __all__ = [
     "RenderSettings",
     "bake",
     "compare",
+    "edit",
     "fabric_from_text",
     "load",
     "load_draft",
@@ -82,6 +87,7 @@ __all__ = [
     "read_wif",
     "render",
     "save",
+    "view",
     "weave_names",
     "write_wif",
 ]

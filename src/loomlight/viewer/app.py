@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import json
-import re
-import warnings
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 from urllib.parse import quote
 
 import anyio
@@ -21,13 +19,11 @@ from starlette.responses import JSONResponse, Response
 from starlette.routing import Mount, Route
 from starlette.staticfiles import StaticFiles
 
-from loomlight.core.errors import LoomlightError, LoomlightWarning
+from loomlight.core.errors import LoomlightError
 from loomlight.fabric.fabric import Fabric
 from loomlight.viewer.access import Access, Guard
+from loomlight.viewer.answers import ANSWERS, answer
 from loomlight.viewer.draft_reader import MAX_UPLOAD, DraftReader
-from loomlight.viewer.fabric_json import fabric_of_json
-from loomlight.viewer.openness_json import openness_json
-from loomlight.viewer.saving import FORMATS, saved, tables_of
 from loomlight.viewer.session import gallery_pictures, session
 from loomlight.viewer.uploads import TooLargeResponse, UploadTooLargeError, read_body
 
@@ -40,7 +36,6 @@ _LARGE_FILE = 128 << 10
 # Processes for small and for large files.
 _READERS = (2, 1)
 
-Answer = TypeVar("Answer")
 Endpoint = Callable[[Request], Awaitable[Response]]
 
 
@@ -74,30 +69,18 @@ def editor_app(client: Path, fabric: Fabric | str | None, access: Access) -> Sta
         draft = await anyio.to_thread.run_sync(_read, readers[lane], content, name, limiter=lanes[lane])
         return Response(draft, media_type="application/json")
 
-    async def save(request: Request) -> Response:
+    async def make(request: Request) -> Response:
         asked = await _json_object(request)
-        form = str(asked.get("format"))
-        content = await anyio.to_thread.run_sync(_saved, asked, form, limiter=bakery)
-        name = re.sub(r"[^\w-]+", "-", str(asked.get("name") or "fabric")).strip("-").lower()[:80] or "fabric"
-        disposition = f"attachment; filename*=UTF-8''{quote(f'{name}.{form}')}"
-        return Response(content, media_type=FORMATS[form], headers={"content-disposition": disposition})
-
-    async def tables(request: Request) -> Response:
-        asked = await _json_object(request)
-        content = await anyio.to_thread.run_sync(_tables, asked, limiter=bakery)
-        return Response(content, media_type="application/octet-stream")
-
-    async def openness(request: Request) -> Response:
-        asked = await _json_object(request)
-        return JSONResponse(await anyio.to_thread.run_sync(_openness, asked, limiter=bakery))
+        made = await anyio.to_thread.run_sync(answer, request.url.path.strip("/"), asked, limiter=bakery)
+        disposition = f"attachment; filename*=UTF-8''{quote(made.name or '')}"
+        headers = {} if made.name is None else {"content-disposition": disposition}
+        return Response(made.content, media_type=made.media_type, headers=headers)
 
     return Starlette(
         routes=[
             Route("/api/session", _answered(get_session)),
             Route("/api/wif", _answered(read_draft), methods=["POST"]),
-            Route("/api/save", _answered(save), methods=["POST"]),
-            Route("/api/tables", _answered(tables), methods=["POST"]),
-            Route("/api/openness", _answered(openness), methods=["POST"]),
+            *(Route(f"/{place}", _answered(make), methods=["POST"]) for place in ANSWERS),
             Route("/api/{rest:path}", _answered(_unknown), methods=["GET", "POST"]),
             Mount("/gallery", StaticFiles(directory=gallery_pictures())),
             Mount("/", StaticFiles(directory=client, html=True)),
@@ -157,22 +140,3 @@ async def _json_object(request: Request) -> dict[str, Any]:
     if not isinstance(values, dict):
         raise HTTPException(400, "The request is JSON, but no object.")
     return values
-
-
-def _saved(asked: dict[str, Any], form: str) -> bytes:
-    return _quietly(lambda: saved(fabric_of_json(asked), form, str(asked.get("model") or "lobes")))
-
-
-def _tables(asked: dict[str, Any]) -> bytes:
-    return _quietly(lambda: tables_of(fabric_of_json(asked), str(asked.get("model"))))
-
-
-def _openness(asked: dict[str, Any]) -> dict[str, list[float]]:
-    return _quietly(lambda: openness_json(fabric_of_json(asked)))
-
-
-def _quietly(work: Callable[[], Answer]) -> Answer:
-    """Work without warnings about the fabric: the page shows its own while the user edits."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", LoomlightWarning)
-        return work()

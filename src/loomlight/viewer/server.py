@@ -68,6 +68,11 @@ def serve(
         uvicorn.Server(config).run(sockets=[listening])
 
 
+def edit(fabric: Fabric | str | os.PathLike[str] | None = None) -> None:
+    """Opens the editor in a browser, and serves it until it is interrupted; see `serve`."""
+    serve(fabric, port=0, open_browser=True)
+
+
 def _address(host: str, port: int, token: str | None) -> str:
     shown = socket.gethostname() if host in ("0.0.0.0", "::") else host
     return f"http://{f'[{shown}]' if ':' in shown else shown}:{port}/" + (f"?token={token}" if token else "")

@@ -33,7 +33,7 @@ def session(fabric: Fabric | str | None, *, has_python: bool, token: str | None 
         InputError: no such file, or no fabric.
     """
     if fabric is None:
-        shown = load_fabric(gallery_files()[_FIRST])
+        shown = first_fabric()
     else:
         shown = fabric if isinstance(fabric, Fabric) else fabric_of_path(fabric)
     return {
@@ -44,6 +44,11 @@ def session(fabric: Fabric | str | None, *, has_python: bool, token: str | None 
         "gallery": gallery(),
         "largest_upload": MAX_UPLOAD,
     }
+
+
+def first_fabric() -> Fabric:
+    """The fabric of a page that is opened without one."""
+    return load_fabric(gallery_files()[_FIRST])
 
 
 @cache

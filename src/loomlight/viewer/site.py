@@ -42,7 +42,7 @@ def export_site(
 
 def copy_client(folder: Path, first: dict[str, object]) -> None:
     """Copies the built page into a folder, with the session `first` and the gallery's pictures beside it."""
-    shutil.copytree(client_folder(), folder, dirs_exist_ok=True)
+    shutil.copytree(client_folder(), folder, dirs_exist_ok=True, ignore=shutil.ignore_patterns("widget.html"))
     (folder / "gallery").mkdir(exist_ok=True)
     for picture in gallery_pictures().glob("*.webp"):
         shutil.copyfile(picture, folder / "gallery" / picture.name)

@@ -26,7 +26,9 @@ MAX_OWN = 350_000
 def test_bundle_is_small(client: Path) -> None:
     size = sum(len(gzip.compress(file.read_bytes(), 6)) for file in client.rglob("*") if file.is_file())
     assert size < MAX_BUNDLE
+    # `widget.html` is all of it again, for notebooks.
     own = [file for file in client.rglob("*.*") if file.suffix in (".js", ".css", ".html")]
+    own = [file for file in own if file.name != "widget.html"]
     own = [file for file in own if "Loader" not in file.name and not file.name.startswith("three")]
     assert sum(len(gzip.compress(file.read_bytes(), 6)) for file in own) < MAX_OWN
 

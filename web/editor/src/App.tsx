@@ -202,7 +202,7 @@ export function App({ store, server, health, onView }: Props) {
       }}
     >
       <Guard part="top bar" store={store} health={health} shown={state.fabric}>
-        <TopBar state={state} dispatch={dispatch} hasPython={server?.hasPython ?? false} isFlat={isFlat} onOpen={() => choose(ACCEPTED)} onSave={(format) => void save(format)} onLink={() => void copyLink()} />
+        <TopBar state={state} dispatch={dispatch} hasPython={server?.hasPython ?? false} isFlat={isFlat} onOpen={() => choose(ACCEPTED)} onSave={(format) => void save(format)} onLink={server?.host == null ? () => void copyLink() : null} />
       </Guard>
       <Guard part="cloth" store={store} health={health} shown={seen}>
         <Stage

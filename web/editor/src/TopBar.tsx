@@ -17,7 +17,8 @@ interface Props {
   readonly isFlat: boolean;
   readonly onOpen: () => void;
   readonly onSave: (format: SaveFormat) => void;
-  readonly onLink: () => void;
+  /** Null where the page has no address of its own. */
+  readonly onLink: (() => void) | null;
 }
 
 const FORMATS: readonly (readonly [SaveFormat, string, string])[] = [
@@ -49,10 +50,12 @@ export function TopBar({ state, dispatch, hasPython, isFlat, onOpen, onSave, onL
           <span>Open</span>
         </button>
         <CompareMenu state={state} dispatch={dispatch} isFlat={isFlat} />
-        <button type="button" class="button" data-testid="link" onClick={onLink} title="Copy a link that carries this fabric">
-          <Icon name="link" />
-          <span>Link</span>
-        </button>
+        {onLink !== null && (
+          <button type="button" class="button" data-testid="link" onClick={onLink} title="Copy a link that carries this fabric">
+            <Icon name="link" />
+            <span>Link</span>
+          </button>
+        )}
         <Menu label="Save" icon="save" testid="save" isPrimary>
           {(close) =>
             FORMATS.map(([format, text, hint]) => (

@@ -3,10 +3,12 @@
  *
  * `loomlight view` serves `api/session`. A static export names `session.json` instead (the `meta` element
  * `loomlight-session` of the page), and has no Python behind it: `hasPython` is false, and what needs the server
- * says so. Draft JSON is what `src/loomlight/viewer/draft_json.py` reads and writes.
+ * says so. A widget's page names `frame`, and asks the notebook around it. Draft JSON is what `src/loomlight/viewer/draft_json.py` reads and writes.
  */
 
 import type { Openness } from "loomlight-web";
+
+import { FrameHost } from "./embedding.ts";
 
 /** Draft as JSON; `drawdown` is base64 of its bits, row by row without padding, the first bit highest. */
 export interface DraftJson {
@@ -74,16 +76,22 @@ const ALONE = "This page has no Python behind it: run loomlight view for that.";
 /** The server, or the static folder, that the page came from. */
 export class Server {
   readonly session: Session;
+  /** The notebook that shows the page; null for a page of its own. */
+  readonly host: FrameHost | null;
 
-  private constructor(session: Session) {
-    this.session = session;
+  private constructor(session: Session, host: FrameHost | null) {
+    [this.session, this.host] = [session, host];
   }
 
   /** Reads the session; the page's address may carry the token of a server that is not on this machine. */
   static async connect(): Promise<Server> {
     const place = document.querySelector<HTMLMetaElement>('meta[name="loomlight-session"]')?.content ?? "api/session";
+    if (place === "frame") {
+      const host = await FrameHost.connect();
+      return new Server((await (await checked(await host.ask("api/session", ""))).json()) as Session, host);
+    }
     const response = await reach(place, {});
-    return new Server((await response.json()) as Session);
+    return new Server((await response.json()) as Session, null);
   }
 
   get hasPython(): boolean {
@@ -118,8 +126,14 @@ export class Server {
     return (await response.json()) as Openness;
   }
 
-  private async post(place: string, body: BodyInit): Promise<Response> {
+  /** Tells the notebook of an edit; does nothing for a page of its own. */
+  async tell(fabric: FabricJson): Promise<void> {
+    if (this.host !== null) await this.post("api/fabric", JSON.stringify(fabric));
+  }
+
+  private async post(place: string, body: string | ArrayBuffer): Promise<Response> {
     if (!this.hasPython) throw new ServerError(ALONE);
+    if (this.host !== null) return checked(await this.host.ask(place, body));
     const token = this.session.token;
     return reach(place, { method: "POST", body, headers: token === null ? {} : { "X-Loomlight-Token": token } });
   }
@@ -132,6 +146,10 @@ async function reach(place: string, request: RequestInit): Promise<Response> {
   } catch {
     throw new ServerError(GONE);
   }
+  return checked(response);
+}
+
+async function checked(response: Response): Promise<Response> {
   if (!response.ok) {
     const refusal = (await response.json().catch(() => null)) as { error?: string } | null;
     throw new ServerError(refusal?.error ?? `The server answers ${response.status} ${response.statusText}.`);

@@ -8,6 +8,7 @@ import { Health } from "./health.ts";
 import { keep, keepGood } from "./keeping/autosave.ts";
 import { survived } from "./keeping/starts.ts";
 import { linkOf } from "./link.ts";
+import { follow } from "./notebook.ts";
 import { asideText, fallenBack, startOf } from "./start.ts";
 import { sentence, Store } from "./state/store.ts";
 import "./style.css";
@@ -25,7 +26,8 @@ async function start(): Promise<void> {
   if (problem !== null) store.dispatch({ type: "notice/add", kind: "warning", text: problem });
   for (const notice of notices) store.dispatch({ type: "notice/add", ...notice });
   let isStanding = !isRestored;
-  const isKeeping = !isEmbedded(location.search);
+  const isHosted = server !== null && server.host !== null;
+  const isKeeping = !isEmbedded(location.search) && !isHosted;
   const health = new Health((part, error) => {
     const { fabric } = store.state;
     if (isKeeping) keep(store.state);
@@ -37,11 +39,12 @@ async function start(): Promise<void> {
     store.dispatch({ type: "notice/add", kind: "fault", text: asideText(`${reason}.`), offer: "aside" });
   });
   if (isKeeping) keepChanges(store, health);
+  else if (isHosted) follow(store, server);
   else document.body.classList.add("is-embedded");
   listenForFaults(store);
   setTimeout(() => {
     isStanding = true;
-    survived();
+    if (!isHosted) survived();
     if (isKeeping && health.isWell) keepGood(store.state);
   }, STANDS_MS);
   const handle = exposeForTests(store);

@@ -26,6 +26,7 @@ export async function startOf(server: Server | null): Promise<Start> {
   const notices: Omit<Notice, "id">[] = [];
   const tell = (text: string): number => notices.push({ kind: "fault", text, offer: "aside" });
   const named = galleryFabric(server);
+  if (server !== null && server.host !== null) return { state: firstState(given(server)), notices, isRestored: false };
   if (isEmbedded(location.search)) {
     const fabric = (await fabricOfLink(location.hash).catch(() => null)) ?? named ?? given(server);
     return { state: firstState(fabric), notices, isRestored: false };

@@ -1,0 +1,113 @@
+"""The widget in JupyterLab in a real Chromium: the page and Python follow each other.
+
+Covers: viewer/widget.js
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.viewer.e2e.conftest import ROOT, SWIFTSHADER, launched, visiting, wait_until
+
+CELLS = (
+    "import loomlight\ncloth = loomlight.view('twill 3/1')\ncloth",
+    "print('roughness', cloth.fabric.fields.warp.roughness)",
+    "cloth.fabric = 'houndstooth'",
+    "print('weave', cloth.fabric.fields.weave)",
+)
+TOKEN = "of-a-test"
+
+
+@pytest.fixture
+def notebook(tmp_path: Path) -> Iterator[str]:
+    """The address of a notebook of `CELLS` in JupyterLab, whose kernel is this Python."""
+    for package in ("jupyterlab", "anywidget"):
+        pytest.importorskip(package, reason=f"{package} is not installed")
+    cell = {"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None}
+    cells = [{**cell, "id": f"cell-{number}", "source": source} for number, source in enumerate(CELLS)]
+    kernel = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}
+    content = {"cells": cells, "metadata": kernel, "nbformat": 4, "nbformat_minor": 5}
+    (tmp_path / "cloth.ipynb").write_text(json.dumps(content))
+    places = {f"JUPYTER_{name}_DIR": str(tmp_path / name) for name in ("CONFIG", "DATA", "RUNTIME")}
+    options = {
+        "IdentityProvider.token": TOKEN,
+        "ServerApp.ip": "127.0.0.1",
+        "ServerApp.port": 0,
+        "ServerApp.root_dir": tmp_path,
+        "ServerApp.allow_root": True,
+        "LabApp.news_url": "",
+        "LabApp.check_for_updates_class": "jupyterlab.NeverCheckForUpdate",
+    }
+    given = [f"--{name}={value}" for name, value in options.items()]
+    server = subprocess.Popen(
+        [sys.executable, "-m", "jupyterlab", "--no-browser", *given],
+        env={**os.environ, **places, "PYTHONPATH": f"{ROOT / 'src'}"},
+        stdout=subprocess.DEVNULL,
+        stderr=(log := open(tmp_path / "log", "w+")),  # noqa: SIM115
+    )
+    try:
+        yield _address(server, tmp_path / "log")
+    finally:
+        server.terminate()
+        server.wait(20)
+        log.close()
+
+
+def _address(server: subprocess.Popen[bytes], log: Path) -> str:
+    for _ in range(600):
+        found = re.search(r"http://127\.0\.0\.1:(\d+)/lab", log.read_text())
+        if found:
+            return f"http://127.0.0.1:{found[1]}/lab/tree/cloth.ipynb?token={TOKEN}"
+        assert server.poll() is None, log.read_text()
+        time.sleep(0.1)
+    raise AssertionError(log.read_text())
+
+
+def _run(page: Any, number: int) -> None:
+    page.locator(".jp-CodeCell").nth(number).locator(".cm-content").click()
+    page.keyboard.press("Control+Enter")
+
+
+def _printed(page: Any, number: int) -> str:
+    """What a cell printed, run now."""
+    _run(page, number)
+    output = page.locator(".jp-CodeCell").nth(number).locator(".jp-OutputArea-output")
+    output.wait_for()
+    return str(output.inner_text()).strip()
+
+
+@pytest.mark.usefixtures("client")
+def test_page_and_python_follow_each_other(notebook: str, playwright: Any) -> None:
+    with launched(playwright, SWIFTSHADER) as browser, visiting(browser) as visit:
+        page = visit.page
+        page.goto(notebook)
+        page.locator(".jp-CodeCell").nth(3).wait_for(timeout=60_000)
+        page.locator("[data-status=idle]").first.wait_for(state="attached", timeout=60_000)
+        _run(page, 0)
+        element = page.wait_for_selector("iframe[title^=loomlight]", timeout=60_000)
+        frame = element.content_frame()
+        wait_until(frame, "window.loomlight?.statistics()?.frames > 0", 60)
+        assert frame.evaluate("window.loomlight.fabric().fields.weave") == "twill 3/1"
+        # It lies in the notebook's frame and keeps nothing in the notebook's storage.
+        assert frame.evaluate("Object.keys(localStorage).filter((key) => key.startsWith('loomlight'))") == []
+        frame.get_by_test_id("tab-yarns").click()
+        frame.get_by_test_id("field-both.roughness").press("End")
+        page.wait_for_timeout(500)
+        assert _printed(page, 1) == "roughness 1.0"
+        _run(page, 2)
+        wait_until(frame, "window.loomlight.fabric().fields.weave === 'houndstooth'", 30)
+        frame.get_by_test_id("undo").click()
+        page.wait_for_timeout(500)
+        assert _printed(page, 3) == "weave twill 3/1"
+        if frame.evaluate("async () => (await navigator.gpu?.requestAdapter()) != null"):
+            wait_until(frame, "window.loomlight.statistics().passes > 0", 60)  # lit
