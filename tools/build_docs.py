@@ -41,6 +41,7 @@ _FIRST = {
         "drafts",
         "large-drafts",
         "editor",
+        "editor-draft",
         "realtime",
         "realtime-shaders",
         "materials",

@@ -21,6 +21,8 @@ export interface ClothFacts {
   readonly weight: number;
   /** Whether both families have a count; else yarns are taken as round, and the weight is an upper bound. */
   readonly isCounted: boolean;
+  /** How much longer the yarn of each family is than the cloth, as a share. */
+  readonly crimp: Readonly<Record<FamilyName, number>>;
 }
 
 /**
@@ -40,6 +42,7 @@ export function clothFacts(fields: FabricFields, draft: Draft): ClothFacts {
   return {
     weight: grams(warp, warpCrimp) + grams(weft, weftCrimp),
     isCounted: fields.warp?.count !== undefined && fields.weft?.count !== undefined,
+    crimp: { warp: warpCrimp, weft: weftCrimp },
   };
 }
 

@@ -26,4 +26,5 @@ export { readToml, writeToml } from "./toml.ts";
 export { validateFields } from "./validate.ts";
 export { readWif } from "./wif_reader.ts";
 export { writeWif } from "./wif_writer.ts";
+export * from "./yarn_needs.ts";
 export { yarnTex } from "./yarn_count.ts";

@@ -23,6 +23,7 @@ import { CLOTH_QUANTITIES, YARN_QUANTITIES } from "../controls/symbols.ts";
 import { Fault, numberOf, useWritten } from "../controls/written.tsx";
 import { woven, type Fabric } from "../state/document.ts";
 import { refusalOf, type Dispatch } from "../state/store.ts";
+import { YarnCalculator } from "./YarnCalculator.tsx";
 
 interface Props {
   readonly fabric: Fabric;
@@ -80,6 +81,7 @@ export function YarnsPanel({ fabric, dispatch, isFlat }: PanelProps) {
           <YarnSlider key={key} fabric={fabric} dispatch={dispatch} families={families} name={key} />
         ))}
       </section>
+      <YarnCalculator fabric={fabric} />
     </>
   );
 }
