@@ -6,6 +6,7 @@ import { ServerError } from "./api.ts";
 import { ACCEPTED, download, fabricFiles, MESHES, openFabric, stemOf, wifFile } from "./files.ts";
 import { Guard } from "./Guard.tsx";
 import type { Health } from "./health.ts";
+import { addCard, CARDS } from "./keeping/cards.ts";
 import { linkOf } from "./link.ts";
 import { Notices } from "./Notices.tsx";
 import { OpennessSource } from "./openness.ts";
@@ -100,7 +101,13 @@ export function App({ store, server, health, onView }: Props) {
         setSurroundings(await readSurroundings(picture));
         dispatch({ type: "scene/set", scene: { surroundings: "picture" } });
       }
-      const rest = files.filter((file) => file !== mesh && file !== picture);
+      // A table beside a fabric file is one of its measurements.
+      const cards = files.some((file) => /\.toml$/i.test(file.name)) ? [] : files.filter((file) => CARDS.test(file.name));
+      for (const card of cards) {
+        for (const warning of await addCard(card)) tell("warning", warning);
+        dispatch({ type: "tab/show", tab: "colour" });
+      }
+      const rest = files.filter((file) => file !== mesh && file !== picture && !cards.includes(file));
       if (rest.length === 0) return;
       const { fabric, warnings } = await openFabric(rest, server);
       dispatch({ type: "fabric/open", fabric });

@@ -26,7 +26,7 @@ const MAX = 64 * 2 ** 20;
 /** A file that is a mesh. */
 export const MESHES = /\.(obj|glb|gltf|ply)$/i;
 /** What the dialogue offers. */
-export const ACCEPTED = ".toml,.wif,.dtx,.wpo,.twa,.png,.obj,.ply,.glb,.hdr,.exr";
+export const ACCEPTED = ".toml,.wif,.dtx,.wpo,.twa,.png,.obj,.ply,.glb,.hdr,.exr,.ase,.gpl,.csv";
 
 export interface Opened {
   readonly fabric: Fabric;

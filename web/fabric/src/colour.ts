@@ -61,17 +61,47 @@ function linearOfLab(lab: readonly number[], text: string, field: string): Rgb {
     throw new InputError(
       `${field} = "${text.trim()}" is no colour: write lab(L a b) with L from 0 to 100, a and b from -150 to 150.`,
     );
+  return labToLinear([lightness, a, b], "D65").map((channel) => Math.min(Math.max(channel, 0), 1)) as Rgb;
+}
+
+/** The white to which L*, a*, b* are relative: D65 in textiles and on screens, D50 in print. */
+export type White = keyof typeof WHITES;
+/** X and Z of a white of Y = 1, and rows that make linear sRGB of X, Y, Z; from D50 by Bradford's adaptation. */
+const WHITES = {
+  D65: {
+    x: 0.95045593,
+    z: 1.08905775,
+    rows: [
+      [3.24096994, -1.53738318, -0.49861076],
+      [-0.96924364, 1.8759675, 0.04155506],
+      [0.05563008, -0.20397696, 1.05697151],
+    ],
+  },
+  D50: {
+    x: 0.96422,
+    z: 0.82521,
+    rows: [
+      [3.1338561, -1.6168667, -0.4906146],
+      [-0.9787684, 1.9161415, 0.033454],
+      [0.0719453, -0.2289914, 1.4052427],
+    ],
+  },
+} as const;
+
+/**
+ * Linear RGB of L*, a*, b*; outside [0, 1] where the colour is outside sRGB.
+ *
+ * Source: CIE 15:2018; Lindbloom, "RGB/XYZ matrices" (Bradford-adapted D50), as ICC profiles have it.
+ */
+export function labToLinear([lightness, a, b]: readonly [number, number, number], white: White): Rgb {
+  const { x: whiteX, z: whiteZ, rows } = WHITES[white];
   const middle = (lightness + 16) / 116;
   const edge = 6 / 29;
   const ratio = (root: number): number => (root > edge ? root ** 3 : 3 * edge ** 2 * (root - 4 / 29));
-  const x = ratio(middle + a / 500) * 0.95045593;
+  const x = ratio(middle + a / 500) * whiteX;
   const y = ratio(middle);
-  const z = ratio(middle - b / 200) * 1.08905775;
-  return [
-    3.24096994 * x - 1.53738318 * y - 0.49861076 * z,
-    -0.96924364 * x + 1.8759675 * y + 0.04155506 * z,
-    0.05563008 * x - 0.20397696 * y + 1.05697151 * z,
-  ].map((channel) => Math.min(Math.max(channel, 0), 1)) as Rgb;
+  const z = ratio(middle - b / 200) * whiteZ;
+  return rows.map(([ofX, ofY, ofZ]) => ofX * x + ofY * y + ofZ * z) as unknown as Rgb;
 }
 
 /** sRGB hex of linear RGB, rounded to 8 bits. */

@@ -2,6 +2,7 @@
 export * from "./block.ts";
 export { withYarns } from "./yarns.ts";
 export * from "./colour.ts";
+export * from "./colour_card.ts";
 export * from "./colours.ts";
 export * from "./defaults.ts";
 export * from "./draft.ts";

@@ -1,14 +1,15 @@
 /** Where the browser keeps what was made. A browser that keeps nothing, or no more, is no fault of the user's. */
 
 /**
- * Names of what is kept: the document, the last one that was shown without a fault, one that could not be shown, and the
- * piece for which yarn was reckoned.
+ * Names of what is kept: the document, the last one that was shown without a fault, one that could not be shown, the
+ * piece for which yarn was reckoned, and colour cards.
  */
 export const SLOTS = {
   document: "loomlight.document.1",
   good: "loomlight.good.1",
   aside: "loomlight.aside.1",
   plan: "loomlight.plan.1",
+  cards: "loomlight.cards.1",
 } as const;
 export type Slot = keyof typeof SLOTS;
 

@@ -1,6 +1,8 @@
 /** The colour that threads are painted with: one in use, or any other. */
 import { coloursInUse, threadHexes } from "loomlight-fabric";
 
+import { ColourText, STANDARDS } from "../controls/ColourText.tsx";
+import { useCards } from "../keeping/cards.ts";
 import { woven, type Fabric } from "../state/document.ts";
 
 interface Props {
@@ -12,9 +14,12 @@ interface Props {
 /** Colours of dyed yarns, for a start. */
 const DYES = ["#1d2536", "#30497a", "#3a6ea8", "#6f8f6b", "#c8a24a", "#b4552d", "#7d2b33", "#e6dfce"];
 const MAX = 10;
+/** Names of standards that fields propose; others are written, or chosen from their card. */
+const MAX_PROPOSED = 500;
 
 export function Brush({ fabric, value, onValue }: Props) {
   const draft = woven(fabric);
+  const standards = useCards().flatMap(({ colours }) => colours).slice(0, MAX_PROPOSED);
   const used = coloursInUse([...threadHexes(draft, "warp"), ...threadHexes(draft, "weft")]).map(({ hex }) => hex);
   const hexes = [...new Set([...used.slice(0, MAX), ...DYES])];
   return (
@@ -38,6 +43,21 @@ export function Brush({ fabric, value, onValue }: Props) {
         <span class="visually-hidden">Another colour</span>
         <input type="color" value={value} data-testid="brush-other" onInput={(event) => onValue(event.currentTarget.value)} />
       </label>
+      <ColourText
+        hex={value}
+        label="Colour to paint with, written"
+        field="colour"
+        testid="brush-written"
+        onHex={(hex) => {
+          onValue(hex);
+          return null;
+        }}
+      />
+      <datalist id={STANDARDS}>
+        {standards.map(({ name }, index) => (
+          <option key={index} value={name} />
+        ))}
+      </datalist>
     </div>
   );
 }

@@ -8,6 +8,7 @@ import { Fault, useWritten } from "../controls/written.tsx";
 import { woven, type Fabric } from "../state/document.ts";
 import { refusalOf, type Dispatch } from "../state/store.ts";
 import { Brush } from "./Brush.tsx";
+import { ColourCards } from "./ColourCards.tsx";
 import { orderText, parseOrder } from "./colour_order.ts";
 
 interface Props {
@@ -26,7 +27,7 @@ export function ColourPanel({ fabric, dispatch }: Props) {
   return (
     <>
       <Brush fabric={fabric} value={colour} onValue={setBrush} />
-      <p class="note">Each colour can be written: #30497a, or lab(31 6 -32) as a spectrophotometer says it (D65).</p>
+      <p class="note">Each colour can be written: #30497a, lab(31 6 -32) as a spectrophotometer says it (D65), or the name of a standard on a card below.</p>
       {FAMILIES.map((family) => (
         <Family key={family} family={family} hexes={hexes[family]} brush={colour} fabric={fabric} dispatch={dispatch} />
       ))}
@@ -43,6 +44,7 @@ export function ColourPanel({ fabric, dispatch }: Props) {
       >
         Exchange warp and weft
       </button>
+      <ColourCards value={colour} onValue={setBrush} />
     </>
   );
 }
