@@ -2,7 +2,7 @@
 
 /**
  * Names of what is kept: the document, the last one that was shown without a fault, one that could not be shown, the
- * piece for which yarn was reckoned, and colour cards.
+ * piece for which yarn was reckoned, colour cards, and the user's own fabrics.
  */
 export const SLOTS = {
   document: "loomlight.document.1",
@@ -10,6 +10,7 @@ export const SLOTS = {
   aside: "loomlight.aside.1",
   plan: "loomlight.plan.1",
   cards: "loomlight.cards.1",
+  own: "loomlight.own.1",
 } as const;
 export type Slot = keyof typeof SLOTS;
 

@@ -1,13 +1,13 @@
-/** The gallery: whole fabrics, and weaves by name as tiles drawn as drawdowns. */
+/** The gallery: whole fabrics, one's own and those that come with the page, and weaves by name as tiles drawn as drawdowns. */
 import { loadDraft, type Draft } from "loomlight-fabric";
-import { useEffect, useMemo, useRef } from "preact/hooks";
+import { useEffect, useRef, useState } from "preact/hooks";
 
 import type { GalleryEntry } from "../api.ts";
 import { Fault, useWritten } from "../controls/written.tsx";
-import { woven, type Fabric } from "../state/document.ts";
-import { fabricFromJson } from "../state/fabric_json.ts";
+import type { Fabric } from "../state/document.ts";
 import { refusalOf, type Dispatch } from "../state/store.ts";
-import { clothPicture } from "../view/cloth_picture.ts";
+import { isFound } from "./found.ts";
+import { Gallery } from "./Gallery.tsx";
 
 interface Props {
   readonly fabric: Fabric;
@@ -31,18 +31,20 @@ const TILE_SIDE = 96;
 export function WeavePanel({ fabric, gallery, dispatch, onOpen }: Props) {
   const current = fabric.fields.weave ?? "";
   const written = useWritten(current, (text) => (text.trim() === "" ? null : refusalOf(dispatch, { type: "weave/choose", weave: text })));
+  const [sought, seek] = useState("");
+  const groups = GROUPS.map(([title, weaves]) => [title, weaves.filter((weave) => isFound(sought, weave, title))] as const).filter(([, weaves]) => weaves.length > 0);
   return (
     <>
-      {gallery.length > 0 && (
-        <section class="group">
-          <h2>Fabrics</h2>
-          <div class="tiles tiles-wide">
-            {gallery.map((entry) => (
-              <FabricTile key={entry.id} entry={entry} current={fabric} onChoose={(opened) => dispatch({ type: "fabric/open", fabric: opened })} />
-            ))}
-          </div>
-        </section>
-      )}
+      <input
+        class="text gallery-search"
+        type="search"
+        value={sought}
+        placeholder="Search fabrics and weaves: wool twill, Ne 40 …"
+        aria-label="Search fabrics and weaves"
+        data-testid="gallery-search"
+        onInput={(event) => seek(event.currentTarget.value)}
+      />
+      <Gallery fabric={fabric} gallery={gallery} sought={sought} dispatch={dispatch} />
       <section class="group">
         <h2>Weaves</h2>
         <form
@@ -68,7 +70,7 @@ export function WeavePanel({ fabric, gallery, dispatch, onOpen }: Props) {
           </button>
           .
         </p>
-        {GROUPS.map(([title, weaves]) => (
+        {groups.map(([title, weaves]) => (
           <div key={title}>
             <h3>{title}</h3>
             <div class="tiles">
@@ -131,41 +133,4 @@ function smallTile(draft: Draft): number {
 function css(colors: Float64Array, thread: number): string {
   const encoded = [0, 1, 2].map((axis) => Math.round(255 * colors[thread * 3 + axis]! ** (1 / 2.2)));
   return `rgb(${encoded.join(" ")})`;
-}
-
-function FabricTile({ entry, current, onChoose }: { entry: GalleryEntry; current: Fabric; onChoose: (fabric: Fabric) => void }) {
-  const fabric = useMemo(() => fabricFromJson({ fields: entry.fields, draft: entry.draft }), [entry]);
-  return (
-    <button type="button" class={`tile${fabric === current ? " is-chosen" : ""}`} aria-pressed={fabric === current} title={entry.description} data-testid={`fabric-${entry.id}`} onClick={() => onChoose(fabric)}>
-      {entry.picture === null ? <DrawnCloth fabric={fabric} /> : <img src={entry.picture} alt="" width={160} height={100} />}
-      <span>{entry.name}</span>
-    </button>
-  );
-}
-
-/** Its threads drawn flat; of figured cloth a corner, as the whole of it would be dots. */
-function DrawnCloth({ fabric }: { fabric: Fabric }) {
-  const canvas = useRef<HTMLCanvasElement>(null);
-  useEffect(() => {
-    const draft = woven(fabric);
-    const side = Math.min(draft.ends, 16);
-    const corner = cropped(draft, side, Math.min(draft.picks, 12));
-    const picture = clothPicture(corner, { pixels: Math.min(Math.max(4, Math.round(128 / side)), 13), gap: { warp: 0.06, weft: 0.06 } });
-    const tile = document.createElement("canvas");
-    tile.width = picture.width;
-    tile.height = picture.height;
-    tile.getContext("2d")!.putImageData(new ImageData(picture.rgba, picture.width, picture.height), 0, 0);
-    const context = canvas.current!.getContext("2d")!;
-    context.fillStyle = context.createPattern(tile, "repeat")!;
-    context.fillRect(0, 0, canvas.current!.width, canvas.current!.height);
-  }, [fabric]);
-  return <canvas ref={canvas} width={160} height={100} aria-hidden="true" />;
-}
-
-function cropped(draft: Draft, ends: number, picks: number): Draft {
-  if (ends === draft.ends && picks === draft.picks) return draft;
-  const drawdown = new Uint8Array(ends * picks);
-  for (let pick = 0; pick < picks; pick++)
-    drawdown.set(draft.drawdown.subarray(pick * draft.ends, pick * draft.ends + ends), pick * ends);
-  return { ...draft, ends, picks, drawdown };
 }
