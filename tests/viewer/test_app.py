@@ -155,6 +155,8 @@ def test_unknown_formats_and_models_are_told_so(local: Served) -> None:
         ({"format": "exe"}, '"exe" is unknown'),
         ({"format": "loom", "model": "neumip"}, "trained for minutes"),
         ({"format": "loom", "model": "lobs"}, "did you mean lobes"),
+        ({"format": "zip", "size": 5000}, "size = 5000 is out of range: write 16 to 4096 texels"),
+        ({"format": "zip", "size": "many"}, "size = 'many' is no whole number"),
     ):
         assert said in error_of(local.ask("POST", "/api/save", json.dumps(asked | fabric).encode()))
     answer = local.ask("POST", "/api/tables", json.dumps({"model": "lobes", **fabric}).encode())

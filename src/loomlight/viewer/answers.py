@@ -9,7 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from loomlight.core.errors import LoomlightWarning
+from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.viewer.fabric_json import fabric_of_json
 from loomlight.viewer.openness_json import openness_json
 from loomlight.viewer.saving import FORMATS, saved, tables_of
@@ -41,7 +41,10 @@ def answer(place: str, asked: Asked) -> Answer:
 
 def _save(asked: Asked) -> Answer:
     form = str(asked.get("format"))
-    content = saved(fabric_of_json(asked), form, str(asked.get("model") or "lobes"))
+    model, size = str(asked.get("model") or "lobes"), asked.get("size", 1024)
+    if not isinstance(size, int):
+        raise InputError(f"size = {size!r} is no whole number of texels.")
+    content = saved(fabric_of_json(asked), form, model, size)
     stem = re.sub(r"[^\w-]+", "-", str(asked.get("name") or "fabric")).strip("-").lower()[:80] or "fabric"
     return Answer(content, FORMATS[form], f"{stem}.{form}")
 

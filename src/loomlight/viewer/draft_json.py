@@ -114,27 +114,13 @@ def validated(kind: type[Kind], values: Mapping[str, Any]) -> Kind:
 
 
 def _threads_json(threads: Threads) -> JsonObject:
-    return {
-        name: None if values is None else values.tolist()
-        for name, values in (
-            ("colors", threads.colors),
-            ("spacing_mm", threads.spacing_mm),
-            ("thickness_mm", threads.thickness_mm),
-            ("color_index", threads.color_index),
-        )
-    }
+    given = {name: getattr(threads, name) for name in ThreadsJson.model_fields}
+    return {name: None if values is None else values.tolist() for name, values in given.items()}
 
 
 def _loom_json(loom: LoomPlan) -> JsonObject:
-    return {
-        "shafts": loom.shafts,
-        "treadles": loom.treadles,
-        "rising_shed": loom.rising_shed,
-        "threading": _lists(loom.threading),
-        "tieup": _lists(loom.tieup),
-        "treadling": _lists(loom.treadling),
-        "liftplan": _lists(loom.liftplan),
-    }
+    sets = {name: _lists(getattr(loom, name)) for name in ("threading", "tieup", "treadling", "liftplan")}
+    return {"shafts": loom.shafts, "treadles": loom.treadles, "rising_shed": loom.rising_shed} | sets
 
 
 def _lists(sets: Sequence[frozenset[int]] | None) -> list[list[int]] | None:
@@ -177,34 +163,25 @@ def _threads(family: str, given: ThreadsJson, count: int) -> Threads:
 
 
 def _loom(given: LoomJson, ends: int, picks: int) -> LoomPlan:
-    lengths = {
-        "threading": ends,
-        "tieup": given.treadles,
-        "treadling": picks,
-        "liftplan": picks,
-    }
-    limits = {
-        "threading": given.shafts,
-        "tieup": given.shafts,
-        "treadling": given.treadles,
-        "liftplan": given.shafts,
+    # How many sets there are, and the largest number of them.
+    bounds = {
+        "threading": (ends, given.shafts),
+        "tieup": (given.treadles, given.shafts),
+        "treadling": (picks, given.treadles),
+        "liftplan": (picks, given.shafts),
     }
     sets: dict[str, tuple[frozenset[int], ...] | None] = {}
-    for name, length in lengths.items():
+    for name, (length, most) in bounds.items():
         listed: Sets | None = getattr(given, name)
         if listed is not None and (
-            len(listed) != length or any(number > limits[name] for row in listed for number in row)
+            len(listed) != length or any(number > most for row in listed for number in row)
         ):
-            raise InputError(
-                f"draft.loom.{name} must list {length} sets of numbers from 1 to {limits[name]}."
-            )
+            raise InputError(f"draft.loom.{name} must list {length} sets of numbers from 1 to {most}.")
         sets[name] = None if listed is None else tuple(frozenset(row) for row in listed)
     return LoomPlan(
         threading=sets["threading"] or (),
         shafts=given.shafts,
         treadles=given.treadles,
-        tieup=sets["tieup"],
-        treadling=sets["treadling"],
-        liftplan=sets["liftplan"],
+        **{name: sets[name] for name in ("tieup", "treadling", "liftplan")},
         rising_shed=given.rising_shed,
     )

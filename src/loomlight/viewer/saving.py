@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import io
 import tempfile
+import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -14,32 +16,68 @@ from loomlight.models.registry import model_class
 from loomlight.weave.wif_writer import wif_text_of
 
 # Media types of the files, by their suffix.
-FORMATS = {"toml": "application/toml", "loom": "application/octet-stream", "wif": "text/plain; charset=utf-8"}
+FORMATS = {
+    "toml": "application/toml",
+    "wif": "text/plain; charset=utf-8",
+    "loom": "application/octet-stream",
+    "zip": "application/zip",
+    "glb": "model/gltf-binary",
+}
 # Models whose tables the page does not bake itself.
 TABLES = ("neural", "clustered")
+# Texels of the longer side of maps; more than these take gigabytes meanwhile.
+MAP_SIZES = (16, 4096)
 
 
-def saved(fabric: Fabric, form: str, model: str) -> bytes:
+def saved(fabric: Fabric, form: str, model: str = "lobes", size: int = 1024) -> bytes:
     """A fabric as the content of a file.
 
     Args:
-        form: "toml", a fabric file; "wif", its draft with the colours of every thread; "loom", `model` baked.
+        form: "toml", a fabric file; "wif", its draft with the colours of every thread; "loom", `model` baked;
+            "zip", the pictures of `loomlight bake-maps`, of `size` texels along the longer side of a repeat;
+            "glb", the file of `loomlight export --to gltf`.
 
     Raises:
-        InputError: another format, or a model that does not take the fabric or is trained for minutes.
+        InputError: another format or size, or a model that does not take the fabric or trains for minutes.
     """
     if form == "toml":
         return fabric.to_toml().encode()
     if form == "wif":
         return wif_text_of(fabric.draft).encode("utf-8", errors="replace")
-    if form != "loom":
+    if form not in FORMATS:
         raise InputError(f'format = "{form}" is unknown: use one of {", ".join(FORMATS)}.')
-    if model_class(model).trains:
-        raise InputError(f"{model} is trained for minutes: use `loomlight bake` for it.")
     with tempfile.TemporaryDirectory(prefix="loomlight-") as folder:
-        file = Path(folder) / "fabric.loom"
-        save(bake(fabric, model), file)
+        if form == "zip":
+            return _zipped(_maps(fabric, Path(folder), size))
+        if form == "glb":
+            from loomlight.export.exporter import export
+
+            return (export(fabric, "gltf", Path(folder) / "export", "lobes") / "cloth.glb").read_bytes()
+        if model_class(model).trains:
+            raise InputError(f"{model} is trained for minutes: use `loomlight bake` for it.")
+        save(bake(fabric, model), file := Path(folder) / "fabric.loom")
         return file.read_bytes()
+
+
+def _maps(fabric: Fabric, folder: Path, size: int) -> list[Path]:
+    """The pictures of one repeat, of square texels."""
+    from loomlight.core.llvm import llvm_float
+    from loomlight.fabric.material_maps import material_maps
+    from loomlight.yarn.geometry import YarnGeometry
+    from loomlight.yarn.maps import bake_maps, resolution_of, write_maps
+
+    if not MAP_SIZES[0] <= size <= MAP_SIZES[1]:
+        raise InputError(f"size = {size} is out of range: write {MAP_SIZES[0]} to {MAP_SIZES[1]} texels.")
+    resolution = resolution_of(fabric.repeat_mm, size / max(fabric.repeat_mm))
+    maps = bake_maps(YarnGeometry(fabric.layout()), resolution, llvm_float())
+    return write_maps(maps, folder / "maps.png", material_maps(fabric, maps))
+
+
+def _zipped(files: list[Path]) -> bytes:
+    with zipfile.ZipFile(stream := io.BytesIO(), "w") as packed:  # pictures are compressed already
+        for file in files:
+            packed.write(file, file.name)
+    return stream.getvalue()
 
 
 def tables_of(fabric: Fabric, model: str) -> bytes:

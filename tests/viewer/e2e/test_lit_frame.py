@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from loomlight.core.colour import srgb_to_linear
 from loomlight.core.errors import MissingDependencyError
 from loomlight.fabric import fabric_from_text
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
@@ -23,6 +24,7 @@ from loomlight.viewer.openness_json import openness_json
 from loomlight.viewer.saving import tables_of
 from tests.viewer.conftest import Served
 from tests.viewer.e2e.conftest import ROOT, SWIFTSHADER, launched, visiting, wait_until
+from tests.viewer.e2e.test_export import exported, picture_of
 
 SIZE = 64
 FABRIC = 'weave = "twill 3/1"\nends_per_cm = 24\npicks_per_cm = 18\nwarp.color = "#20305c"\n'
@@ -176,16 +178,6 @@ def test_a_device_that_cannot_compile_a_model_says_so_and_shows_points(page: Any
 
 
 @pytest.mark.slow
-def test_points_are_shown_while_another_model_compiles(page: Any) -> None:
-    scene = {"fabric": FABRIC, "openness": openness_json(fabric_from_text(FABRIC)), "size": SIZE}
-    first, last = page.evaluate(REFUSE, {**scene, "refused": []})
-    assert first["isPreview"]
-    assert not last["isPreview"]
-    assert first["compiled"] < last["compiled"] == 1
-    assert last["missing"] == []
-
-
-@pytest.mark.slow
 def test_the_editor_lights_its_cloth(served: Served, playwright: Any) -> None:
     with launched(playwright, SWIFTSHADER) as browser, visiting(browser) as visit:
         begin = time.perf_counter()
@@ -203,4 +195,17 @@ def test_the_editor_lights_its_cloth(served: Served, playwright: Any) -> None:
         pixels = visit.page.evaluate("window.loomlight.readPixels().then(({ data }) => data)")
         assert np.array(pixels).reshape(-1, 4)[:, :3].std() > 20  # of 255: cloth on paper
         assert visit.page.locator("canvas.cloth-canvas").count() == 1
+        clear = picture_of(exported(visit.page, "picture", width="90", height="60", transparent=True))
+        paper = picture_of(exported(visit.page, "picture", transparent=False))
         assert visit.complaints == []
+    assert clear.shape == paper.shape == (60, 90, 4)
+    assert (paper[..., 3] == 255).all()
+    opacity = clear[..., 3:] / 255
+    assert opacity[0, 0] == 0
+    assert (opacity > 0.9).mean() > 0.05
+    assert clear[opacity[..., 0] > 0.9][:, :3].std() > 20
+    # A picture without a background over paper is the one with paper. Both have 8 bits; .005 was seen.
+    over = opacity * srgb_to_linear(clear[..., :3] / 255) + (1 - opacity) * srgb_to_linear(
+        paper[0, 0, :3] / 255
+    )
+    np.testing.assert_allclose(over, srgb_to_linear(paper[..., :3] / 255), atol=0.01)

@@ -67,8 +67,12 @@ def test_static_folder_needs_no_python(plain_server: str, visit: Visit) -> None:
     visit.page.get_by_test_id("tab-finish").click()
     assert visit.page.get_by_test_id("between-yarns-on").is_enabled()
     visit.page.get_by_test_id("save").click()
-    visit.page.get_by_test_id("save-loom").click()
-    assert "Python" in visit.page.get_by_test_id("notice-fault").inner_text()
+    visit.page.get_by_test_id("save-export").click()
+    assert not visit.page.get_by_test_id("export-start").is_disabled()  # a picture, by the page itself
+    for kind in ("maps", "gltf", "loom"):
+        visit.page.get_by_test_id(f"export-kind-{kind}").click()
+        assert "loomlight view" in visit.page.get_by_test_id("export-needs-python").inner_text()
+        assert visit.page.get_by_test_id("export-start").is_disabled()
     assert visit.complaints == []
 
 
@@ -90,8 +94,10 @@ def test_edits_go_on_without_the_server_and_nothing_is_lost(client: Path, visit:
     visit.page.get_by_test_id("tab-yarns").click()
     visit.page.get_by_test_id("field-both.roughness").press("End")
     visit.page.get_by_test_id("save").click()
-    visit.page.get_by_test_id("save-loom").click()
-    assert "does not answer" in visit.page.get_by_test_id("notice-fault").inner_text()
+    visit.page.get_by_test_id("save-export").click()
+    visit.page.get_by_test_id("export-kind-loom").click()
+    visit.page.get_by_test_id("export-start").click()
+    assert "does not answer" in visit.page.get_by_test_id("export-fault").inner_text()
     assert visit.page.evaluate("window.loomlight.fabric().fields.warp.roughness") == 1
 
 

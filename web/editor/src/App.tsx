@@ -3,7 +3,8 @@ import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 
 import type { Server } from "./api.ts";
 import { ServerError } from "./api.ts";
-import { ACCEPTED, download, fabricFiles, MESHES, openFabric, stemOf, wifFile } from "./files.ts";
+import { ExportDialog } from "./ExportDialog.tsx";
+import { ACCEPTED, download, fabricFiles, MESHES, openFabric, pngOf, stemOf, wifFile } from "./files.ts";
 import { Guard } from "./Guard.tsx";
 import type { Health } from "./health.ts";
 import { addCard, CARDS } from "./keeping/cards.ts";
@@ -50,6 +51,7 @@ export function App({ store, server, health, onView }: Props) {
   const [print, setPrint] = useState<Print | null>(null);
   const [isDropping, setDropping] = useState(false);
   const [isFlat, setFlat] = useState(false);
+  const [isExporting, setExporting] = useState(false);
   const view = useRef<ClothView | null>(null);
   const chooser = useRef<HTMLInputElement>(null);
   const { dispatch } = store;
@@ -136,13 +138,11 @@ export function App({ store, server, health, onView }: Props) {
         const file = wifFile(fabric);
         download(file.name, file.content);
       }
-      if (format === "png") download(`${stemOf(fabric)}.png`, await pngOf(view.current), "image/png");
-      if (format === "loom") {
-        if (server === null || !server.hasPython)
-          throw new ServerError("A .loom material is baked by Python, and this page runs without it: start `loomlight view`.");
-        tell("done", "Baking the material …");
-        download(`${stemOf(fabric)}.loom`, await server.save("loom", fabricForServer(fabric)), "application/octet-stream");
+      if (format === "png") {
+        if (view.current === null) throw new Error("There is no picture yet.");
+        download(`${stemOf(fabric)}.png`, await pngOf(await view.current.readPixels()), "image/png");
       }
+      if (format === "export") setExporting(true);
     });
 
   const copyLink = (): Promise<void> =>
@@ -209,7 +209,7 @@ export function App({ store, server, health, onView }: Props) {
       }}
     >
       <Guard part="top bar" store={store} health={health} shown={state.fabric}>
-        <TopBar state={state} dispatch={dispatch} hasPython={server?.hasPython ?? false} isFlat={isFlat} onOpen={() => choose(ACCEPTED)} onSave={(format) => void save(format)} onLink={server?.host == null ? () => void copyLink() : null} />
+        <TopBar state={state} dispatch={dispatch} isFlat={isFlat} onOpen={() => choose(ACCEPTED)} onSave={(format) => void save(format)} onLink={server?.host == null ? () => void copyLink() : null} />
       </Guard>
       <Guard part="cloth" store={store} health={health} shown={seen}>
         <Stage
@@ -249,6 +249,11 @@ export function App({ store, server, health, onView }: Props) {
         data-testid="files"
         onChange={(event) => void open([...(event.currentTarget.files ?? [])])}
       />
+      {isExporting && (
+        <Guard part="export" store={store} health={health} shown={seen}>
+          <ExportDialog fabric={state.fabric} server={server} view={view.current} onClose={() => setExporting(false)} />
+        </Guard>
+      )}
       {isDropping && (
         <div class="dropping" aria-hidden="true">
           Drop a draft, a fabric or a mesh
@@ -285,12 +290,4 @@ function Tabs({ tab, onTab }: { tab: Tab; onTab: (tab: Tab) => void }) {
       ))}
     </div>
   );
-}
-
-async function pngOf(view: ClothView | null): Promise<Blob> {
-  if (view === null) throw new Error("There is no picture yet.");
-  const { width, height, data } = await view.readPixels();
-  const canvas = new OffscreenCanvas(width, height);
-  canvas.getContext("2d")!.putImageData(new ImageData(data, width, height), 0, 0);
-  return canvas.convertToBlob({ type: "image/png" });
 }

@@ -7,12 +7,11 @@ import { nameOf, type State } from "./state/document.ts";
 import { refusalOf, type Dispatch } from "./state/store.ts";
 
 /** What can be saved. */
-export type SaveFormat = "toml" | "wif" | "png" | "loom";
+export type SaveFormat = "toml" | "wif" | "png" | "export";
 
 interface Props {
   readonly state: State;
   readonly dispatch: Dispatch;
-  readonly hasPython: boolean;
   /** Whether the cloth is shown flat: models then make no difference. */
   readonly isFlat: boolean;
   readonly onOpen: () => void;
@@ -25,10 +24,10 @@ const FORMATS: readonly (readonly [SaveFormat, string, string])[] = [
   ["toml", "Fabric", "the file loomlight reads everywhere (.toml)"],
   ["wif", "Draft", "for weaving software (.wif)"],
   ["png", "Picture", "as you see it now (.png)"],
-  ["loom", "Material", "baked, for renderers (.loom)"],
+  ["export", "Export …", "a picture of any size, maps, glTF, a material"],
 ];
 
-export function TopBar({ state, dispatch, hasPython, isFlat, onOpen, onSave, onLink }: Props) {
+export function TopBar({ state, dispatch, isFlat, onOpen, onSave, onLink }: Props) {
   const { past, future } = state.history;
   const written = useWritten(nameOf(state.fabric), (text) => {
     const name = text.trim();
@@ -70,7 +69,7 @@ export function TopBar({ state, dispatch, hasPython, isFlat, onOpen, onSave, onL
                 }}
               >
                 <strong>{text}</strong>
-                <span>{format === "loom" && !hasPython ? "needs loomlight view" : hint}</span>
+                <span>{hint}</span>
               </button>
             ))
           }

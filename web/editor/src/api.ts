@@ -65,6 +65,13 @@ export interface Session {
   largest_upload: number;
 }
 
+export interface SaveOptions {
+  /** Of a baked material. */
+  readonly model?: string;
+  /** Texels of the longer side of maps. */
+  readonly size?: number;
+}
+
 /** A request that the server refused, or that did not reach it; the message is one sentence. */
 export class ServerError extends Error {
   override name = "ServerError";
@@ -108,9 +115,9 @@ export class Server {
     return (await response.json()) as DraftJson & { warnings: string[] };
   }
 
-  /** The bytes of a file of a fabric: a fabric file, a baked material of `model`, or a WIF. */
-  async save(format: "toml" | "loom" | "wif", fabric: FabricJson, model = "lobes"): Promise<Uint8Array<ArrayBuffer>> {
-    const response = await this.post("api/save", JSON.stringify({ format, model, ...fabric }));
+  /** The bytes of a file of a fabric: a baked material of `model`, maps of `size` texels in a zip, or a glTF file. */
+  async save(format: "loom" | "zip" | "glb", fabric: FabricJson, options: SaveOptions = {}): Promise<Uint8Array<ArrayBuffer>> {
+    const response = await this.post("api/save", JSON.stringify({ format, ...options, ...fabric }));
     return new Uint8Array(await response.arrayBuffer());
   }
 

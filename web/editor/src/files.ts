@@ -16,6 +16,7 @@ import {
 import type { Server } from "./api.ts";
 import { draftFile } from "./reducers/draft.ts";
 import { isNamed, nameOf, woven, type Fabric } from "./state/document.ts";
+import type { Pixels } from "./view/cloth_view.ts";
 
 const PICTURES = /\.(png|jpe?g|gif|bmp|webp)$/i;
 /** Drafts of other programs, which Python reads. */
@@ -124,6 +125,13 @@ export function fabricFiles(fabric: Fabric): { name: string; content: string }[]
 /** The draft with the colours of every thread, as a weaving information file. */
 export function wifFile(fabric: Fabric): { name: string; content: string } {
   return { name: `${stemOf(fabric)}.wif`, content: writeWif({ ...woven(fabric), name: nameOf(fabric) }) };
+}
+
+/** Pixels as a .png, their opacity included. */
+export async function pngOf({ width, height, data }: Pixels): Promise<Blob> {
+  const canvas = new OffscreenCanvas(width, height);
+  canvas.getContext("2d")!.putImageData(new ImageData(data, width, height), 0, 0);
+  return canvas.convertToBlob({ type: "image/png" });
 }
 
 /** Hands a file to the browser's downloads. */

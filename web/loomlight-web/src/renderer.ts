@@ -12,7 +12,7 @@ import { Passes } from "./passes.ts";
 import { ENTRIES, possible, ready, type Plan, type ReadyPlan } from "./plan.ts";
 import { cameraValues, lightRecords } from "./scene/camera.ts";
 import { environmentTables } from "./scene/environment.ts";
-import type { Camera, Environment, FrameReport, Light, Mesh, ModelName, Piece, Statistics, Vector3 } from "./types.ts";
+import type { Camera, Environment, FrameReport, Light, Mesh, ModelName, Picture, PictureOptions, Piece, Statistics, Vector3 } from "./types.ts";
 import { keyOfView, type View } from "./view.ts";
 
 const OWN_MODELS: readonly ModelName[] = ["lobes", "point"];
@@ -304,6 +304,33 @@ export class ClothRenderer {
   }
 
   /**
+   * A picture of another size than the canvas, of what is shown, beside it: nothing is baked for it.
+   *
+   * @throws InputError a size out of range, or one that the adapter has no room for.
+   * @throws Error a shader that the browser cannot compile.
+   */
+  async picture(options: PictureOptions): Promise<Picture> {
+    const { width, height, onPass } = options;
+    requireSize(width, height);
+    const view = options.background === undefined ? this.view : { ...this.view, background: options.background };
+    const plan = await this.whole();
+    const passes = new Passes(this.device, width, height);
+    try {
+      await passes.compiled;
+      passes.begin(keyOfView(view, []), view, this.require(), width, height);
+      const most = Math.min(options.passes, this.mostPasses);
+      for (let pass = 1; pass <= most; pass++) {
+        passes.add(view, this.require(), plan, this.samples);
+        await this.device.gpu.queue.onSubmittedWorkDone();
+        onPass?.(pass / most);
+      }
+      return { width, height, pixels: await this.pixelsOf(passes), linear: await this.linearOf(passes) };
+    } finally {
+      passes.destroy();
+    }
+  }
+
+  /**
    * Resolves when everything that the next frame needs is compiled and baked, or cannot be.
    *
    * @throws Error a shader without which there is no picture, and which the browser cannot compile.
@@ -314,16 +341,14 @@ export class ClothRenderer {
 
   /** The picture's pixels, sRGB with an opaque alpha [height·width·4], of the size of the last frame. */
   async readPixels(): Promise<{ width: number; height: number; data: Uint8ClampedArray<ArrayBuffer> }> {
-    const { width, height, pixels } = this.passes.source();
-    const bytes = await this.device.read(pixels, 4 * width * height);
-    return { width, height, data: new Uint8ClampedArray(bytes) };
+    const { width, height } = this.passes.source();
+    return { width, height, data: await this.pixelsOf(this.passes) };
   }
 
   /** Mean linear radiance, and the share of each pixel that cloth covers [height·width·4]. */
   async readLinear(): Promise<{ width: number; height: number; data: Float32Array }> {
-    const { width, height, passes, sums: buffer } = this.passes.source();
-    const sums = new Float32Array(await this.device.read(buffer, 16 * width * height));
-    return { width, height, data: sums.map((sum) => sum / Math.max(passes, 1)) };
+    const { width, height } = this.passes.source();
+    return { width, height, data: await this.linearOf(this.passes) };
   }
 
   /** A new device after a loss, with everything that the old one held. */
@@ -370,6 +395,16 @@ export class ClothRenderer {
     this.missing = missing;
     const found = ready(this.device, cloth, plan, previews, () => this.passes.forget());
     return this.passes.isReady ? found : null;
+  }
+
+  private async pixelsOf(from: Passes): Promise<Uint8ClampedArray<ArrayBuffer>> {
+    const { width, height, pixels } = from.source();
+    return new Uint8ClampedArray(await this.device.read(pixels, 4 * width * height));
+  }
+
+  private async linearOf(from: Passes): Promise<Float32Array> {
+    const { width, height, passes, sums } = from.source();
+    return new Float32Array(await this.device.read(sums, 16 * width * height)).map((sum) => sum / Math.max(passes, 1));
   }
 
   private advance(view: View): FrameReport {

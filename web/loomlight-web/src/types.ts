@@ -118,3 +118,24 @@ export interface FrameReport {
   /** What this device could not compile, a sentence each: the picture goes without it. */
   readonly missing: readonly string[];
 }
+
+/** What `ClothRenderer.picture` makes. */
+export interface PictureOptions {
+  readonly width: number;
+  readonly height: number;
+  /** That add up; no more are made than the model's pictures take. */
+  readonly passes: number;
+  /** In place of the renderer's own: linear radiance, or null for the environment. */
+  readonly background?: Vector3 | null;
+  /** Is told the share that is done. */
+  readonly onPass?: (share: number) => void;
+}
+
+export interface Picture {
+  readonly width: number;
+  readonly height: number;
+  /** sRGB with an opaque alpha [height·width·4], the top row first. */
+  readonly pixels: Uint8ClampedArray<ArrayBuffer>;
+  /** Mean linear radiance, and the share of each pixel that cloth covers [height·width·4]. */
+  readonly linear: Float32Array;
+}

@@ -3,12 +3,14 @@ import { familySpacing, familyWidth } from "loomlight-fabric";
 
 import { woven, type Fabric } from "../state/document.ts";
 import { clothPicture } from "./cloth_picture.ts";
-import type { ClothView, Pixels, Shown, ViewStatistics } from "./cloth_view.ts";
+import type { ClothView, PictureRequest, Pixels, Shown, ViewStatistics } from "./cloth_view.ts";
 
 /** Pixels of the picture of one repeat along its longer side, about. */
 const PICTURE_SIDE = 1200;
 /** CSS pixels of an arrow key. */
 const KEY_STEP = 24;
+/** The paper behind the cloth, as style.css has it. */
+const PAPER = "#f5f1e8";
 /** Side of a print, as on the swatch of the lit view. */
 const PRINT_MM = 100;
 /** Screen pixels a thread: of the farthest and the closest view. */
@@ -37,6 +39,7 @@ export class CanvasView implements ClothView {
     this.canvas.className = "cloth-canvas";
     this.canvas.tabIndex = 0;
     this.canvas.setAttribute("role", "img");
+    this.canvas.setAttribute("aria-label", "The cloth");
     this.canvas.dataset["testid"] = "cloth";
     host.append(this.canvas);
     this.resizing = new ResizeObserver(() => this.resize());
@@ -79,36 +82,22 @@ export class CanvasView implements ClothView {
     if (!this.isStale || this.shown === null) return;
     const began = performance.now();
     this.isStale = false;
-    const context = this.canvas.getContext("2d")!;
-    const { width, height } = this.canvas;
-    context.setTransform(1, 0, 0, 1, 0, 0);
-    context.clearRect(0, 0, width, height);
-    const { fabric, comparison } = this.shown;
-    const before = comparison.mode === "fabrics" ? comparison.before : null;
-    const margin = Math.round(Math.min(width, height) * 0.07);
-    const swatch = { x: margin, y: margin, width: width - 2 * margin, height: height - 2.4 * margin };
-    context.save();
-    context.shadowColor = "rgb(60 45 20 / 35%)";
-    context.shadowBlur = margin * 0.5;
-    context.shadowOffsetY = margin * 0.16;
-    context.fillStyle = "#777";
-    context.fillRect(swatch.x, swatch.y, swatch.width, swatch.height);
-    context.restore();
-    const split = before === null ? 0 : Math.min(Math.max(width * comparison.position, swatch.x), swatch.x + swatch.width);
-    if (before !== null) this.fill(context, before, swatch.x, swatch.y, split - swatch.x, swatch.height);
-    const left = Math.max(swatch.x, split);
-    this.fill(context, fabric, left, swatch.y, swatch.x + swatch.width - left, swatch.height);
+    this.paint(this.canvas, this.canvas.width / Math.max(1, this.canvas.clientWidth), this.shown);
     this.frames++;
     this.frameMs = performance.now() - began;
   }
 
   readPixels(): Promise<Pixels> {
     this.frame();
-    const { width, height } = this.canvas;
-    const copy = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true })!;
-    copy.drawImage(this.canvas, 0, 0);
-    const { data } = copy.getImageData(0, 0, width, height);
-    return Promise.resolve({ width, height, data });
+    return Promise.resolve(pixelsOf(this.canvas, null));
+  }
+
+  picture({ width, height, isTransparent, onProgress }: PictureRequest): Promise<Pixels> {
+    const canvas = canvasOf(width, height);
+    const side = Math.min(this.canvas.clientWidth, this.canvas.clientHeight);
+    if (this.shown !== null) this.paint(canvas, Math.min(width, height) / Math.max(1, side), this.shown);
+    onProgress(1);
+    return Promise.resolve(pixelsOf(canvas, isTransparent ? null : PAPER));
   }
 
   statistics(): ViewStatistics {
@@ -120,8 +109,32 @@ export class CanvasView implements ClothView {
     this.canvas.remove();
   }
 
+  /** Draws the swatch; `ratio` are pixels of the canvas a pixel of the screen. */
+  private paint(canvas: HTMLCanvasElement, ratio: number, shown: Shown): void {
+    const context = canvas.getContext("2d")!;
+    const { width, height } = canvas;
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.clearRect(0, 0, width, height);
+    const { fabric, comparison } = shown;
+    const before = comparison.mode === "fabrics" ? comparison.before : null;
+    const margin = Math.round(Math.min(width, height) * 0.07);
+    const swatch = { x: margin, y: margin, width: width - 2 * margin, height: height - 2.4 * margin };
+    context.save();
+    context.shadowColor = "rgb(60 45 20 / 35%)";
+    context.shadowBlur = margin * 0.5;
+    context.shadowOffsetY = margin * 0.16;
+    context.fillStyle = "#777";
+    context.fillRect(swatch.x, swatch.y, swatch.width, swatch.height);
+    context.restore();
+    const split = before === null ? 0 : Math.min(Math.max(width * comparison.position, swatch.x), swatch.x + swatch.width);
+    if (before !== null) this.fill(context, ratio, before, swatch.x, swatch.y, split - swatch.x, swatch.height);
+    const left = Math.max(swatch.x, split);
+    this.fill(context, ratio, fabric, left, swatch.y, swatch.x + swatch.width - left, swatch.height);
+  }
+
   private fill(
     context: CanvasRenderingContext2D,
+    ratio: number,
     fabric: Fabric,
     x: number,
     y: number,
@@ -130,7 +143,6 @@ export class CanvasView implements ClothView {
   ): void {
     if (width <= 0) return;
     const draft = woven(fabric);
-    const ratio = this.canvas.width / Math.max(1, this.canvas.clientWidth);
     const levels = this.picturesOf(fabric);
     const wanted = this.scale * ratio * draft.ends;
     const level = levels.findLast((picture) => picture.width >= wanted) ?? levels[0]!;
@@ -139,7 +151,8 @@ export class CanvasView implements ClothView {
     const { warp, weft } = meanSpacings(fabric);
     const along = (across * (weft / warp) * draft.picks * level.width) / (draft.ends * level.height);
     // Pick 1 lies at the bottom of the swatch.
-    const bottom = this.canvas.height - Math.round(Math.min(this.canvas.width, this.canvas.height) * 0.07) * 1.4;
+    const { width: columns, height: rows } = context.canvas;
+    const bottom = rows - Math.round(Math.min(columns, rows) * 0.07) * 1.4;
     pattern.setTransform(new DOMMatrix([across, 0, 0, along, this.offset.x * ratio, bottom + this.offset.y * ratio]));
     context.imageSmoothingQuality = "high";
     context.fillStyle = pattern;
@@ -242,6 +255,19 @@ function canvasOf(width: number, height: number): HTMLCanvasElement {
   canvas.width = width;
   canvas.height = height;
   return canvas;
+}
+
+/** What a canvas holds, on a ground or none. */
+function pixelsOf(canvas: HTMLCanvasElement, ground: string | null): Pixels {
+  const { width, height } = canvas;
+  const copy = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true })!;
+  if (ground !== null) {
+    copy.fillStyle = ground;
+    copy.fillRect(0, 0, width, height);
+  }
+  copy.drawImage(canvas, 0, 0);
+  const { data } = copy.getImageData(0, 0, width, height);
+  return { width, height, data };
 }
 
 function meanSpacings(fabric: Fabric): { warp: number; weft: number } {

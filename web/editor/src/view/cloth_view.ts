@@ -41,6 +41,16 @@ export interface Pixels {
   readonly data: Uint8ClampedArray<ArrayBuffer>;
 }
 
+/** A picture of what is shown, of another size. */
+export interface PictureRequest {
+  readonly width: number;
+  readonly height: number;
+  /** Whether what is beside the cloth, and behind its holes, is nothing in place of the paper. */
+  readonly isTransparent: boolean;
+  /** Is told the share that is done. */
+  readonly onProgress: (share: number) => void;
+}
+
 export interface ViewStatistics {
   readonly kind: "webgpu" | "canvas";
   /** Milliseconds of the last frame. */
@@ -67,6 +77,12 @@ export interface ClothView {
   /** The camera as it began. */
   frameWhole(): void;
   readPixels(): Promise<Pixels>;
+  /**
+   * A picture from the present camera, with as many passes as a still one.
+   *
+   * @throws InputError a size that the adapter has no room for.
+   */
+  picture(request: PictureRequest): Promise<Pixels>;
   statistics(): ViewStatistics;
   /** Resolves with a sentence once the view can draw no more. */
   readonly lost: Promise<string>;

@@ -1,16 +1,22 @@
 /** The cloth on WebGPU: lit, draped, from the whole piece to a single yarn; two fabrics or models side by side. */
+import { InputError } from "loomlight-fabric";
 import { ClothRenderer, type FrameReport, type Openness, type Vector3 } from "loomlight-web";
 
 import { woven, type Fabric, type Model, type Scene } from "../state/document.ts";
-import type { ClothView, Pixels, Print, Shown, ViewStatistics } from "./cloth_view.ts";
+import type { ClothView, PictureRequest, Pixels, Print, Shown, ViewStatistics } from "./cloth_view.ts";
 import type { ClothShape } from "./meshes.ts";
+import { withOpacity } from "./opacity.ts";
 import { OrbitControl } from "./orbit_control.ts";
 import { isServed, ServedModels, type ServedModel, type TableSource } from "./served_models.ts";
 import { LAMP_IRRADIANCE, surroundingsOf } from "./surroundings.ts";
 
 /** Linear radiance of the paper behind the cloth, as style.css has it. */
 const PAPER: Vector3 = [0.913, 0.88, 0.807];
+const NOTHING: Vector3 = [0, 0, 0];
 const MAX_DEVICE_PIXELS = 2;
+/** Passes of a picture for a file; fewer where a processor computes. */
+const PICTURE_PASSES = 64;
+const SOFTWARE_PASSES = 4;
 
 /** The renderer's model, points a pass, and passes that add up, for each of the page's models. */
 const MODELS: Readonly<Record<Exclude<Model, ServedModel>, readonly ["lobes" | "point", number, number]>> = {
@@ -42,6 +48,8 @@ export class WebGpuView implements ClothView {
   private readonly given = new Map<ClothRenderer, Given>();
   private other: ClothRenderer | null = null;
   private isMakingOther = false;
+  /** A picture for a file is made: the screen waits. */
+  private isDrawing = false;
   private shown: Shown | null = null;
   private lit: readonly [Scene, Shown["surroundings"]] | null = null;
   private frames = 0;
@@ -85,6 +93,7 @@ export class WebGpuView implements ClothView {
     canvas.className = "cloth-canvas";
     canvas.tabIndex = 0;
     canvas.setAttribute("role", "img");
+    canvas.setAttribute("aria-label", "The cloth");
     canvas.dataset["testid"] = "cloth";
     const renderer = await ClothRenderer.create({ canvas, transparent: true });
     host.append(canvas);
@@ -127,7 +136,7 @@ export class WebGpuView implements ClothView {
 
   frame(): void {
     this.flat?.frame();
-    if (this.shown === null || this.shown.piece === null) return;
+    if (this.shown === null || this.shown.piece === null || this.isDrawing) return;
     this.renderer.setCamera(this.control.camera);
     const report = this.renderer.frame();
     this.isComplete = report.isComplete;
@@ -158,13 +167,29 @@ export class WebGpuView implements ClothView {
     const left = await this.renderer.readPixels();
     if (this.other === null || this.shown === null || this.shown.comparison.mode === "off") return left;
     const right = await this.other.readPixels();
-    if (right.width !== left.width || right.height !== left.height) return left;
-    const split = Math.round(this.shown.comparison.position * left.width);
-    for (let row = 0; row < left.height; row++) {
-      const [begin, end] = [(row * left.width + split) * 4, (row + 1) * left.width * 4];
-      left.data.set(right.data.subarray(begin, end), begin);
+    return right.width === left.width && right.height === left.height ? joined(left, right, this.shown.comparison.position) : left;
+  }
+
+  async picture({ width, height, isTransparent, onProgress }: PictureRequest): Promise<Pixels> {
+    const { shown, other } = this;
+    if (shown === null || shown.piece === null) throw new InputError("There is no picture yet: the cloth is being made.");
+    const renderers = other === null || shown.comparison.mode === "off" ? [this.renderer] : [this.renderer, other];
+    const passes = this.renderer.adapter.isSoftware ? SOFTWARE_PASSES : PICTURE_PASSES;
+    this.isDrawing = true;
+    try {
+      const sides: Pixels[] = [];
+      for (const [number, renderer] of renderers.entries()) {
+        renderer.setCamera(this.control.camera);
+        const picture = await renderer.picture({
+          ...{ width, height, passes, background: isTransparent ? NOTHING : PAPER },
+          onPass: (share) => onProgress((number + share) / renderers.length),
+        });
+        sides.push(isTransparent ? withOpacity(picture, shown.scene.exposure) : { width, height, data: picture.pixels });
+      }
+      return sides[1] === undefined ? sides[0]! : joined(sides[0]!, sides[1], shown.comparison.position);
+    } finally {
+      this.isDrawing = false;
     }
-    return left;
   }
 
   statistics(): ViewStatistics {
@@ -231,4 +256,14 @@ export class WebGpuView implements ClothView {
       renderer.setExposure(scene.exposure);
     }
   }
+}
+
+/** The left one's pixels up to a share of its width, then the right one's. */
+function joined(left: Pixels, right: Pixels, position: number): Pixels {
+  const split = Math.round(position * left.width);
+  for (let row = 0; row < left.height; row++) {
+    const [begin, end] = [(row * left.width + split) * 4, (row + 1) * left.width * 4];
+    left.data.set(right.data.subarray(begin, end), begin);
+  }
+  return left;
 }
