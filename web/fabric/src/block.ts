@@ -1,7 +1,7 @@
 /** Blocks of a drawdown: rectangles that are copied, put elsewhere, mirrored, turned, shifted and filled. */
 import { makeDraft, structureOf, type Draft, type Structure } from "./draft.ts";
+import { derivedPlan } from "./edit.ts";
 import { InputError } from "./errors.ts";
-import { deriveLoomPlan } from "./loom.ts";
 import { modulo } from "./numbers.ts";
 
 /** Ends and picks side by side, from the first ones on, which count from 0. */
@@ -42,27 +42,39 @@ export function regionAfter(region: Region, change: BlockChange): Region {
 /** A block after a change. A turn is a quarter, clockwise; what is shifted out comes in at the other side. */
 export function changedBlock(block: Structure, change: BlockChange): Structure {
   const { ends, picks, drawdown } = block;
-  const from = (pick: number, end: number): boolean => drawdown[modulo(pick, picks) * ends + modulo(end, ends)] === 1;
   switch (change) {
     case "mirror-ends":
-      return structureOf(picks, ends, (pick, end) => from(pick, ends - 1 - end));
+      return taken(block, same, (end) => ends - 1 - end);
     case "mirror-picks":
-      return structureOf(picks, ends, (pick, end) => from(picks - 1 - pick, end));
+      return taken(block, (pick) => picks - 1 - pick, same);
     case "turn":
-      return structureOf(ends, picks, (pick, end) => from(end, ends - 1 - pick));
+      return structureOf(ends, picks, (pick, end) => drawdown[end * ends + ends - 1 - pick] === 1);
     case "shift-right":
-      return structureOf(picks, ends, (pick, end) => from(pick, end - 1));
+      return taken(block, same, (end) => modulo(end - 1, ends));
     case "shift-left":
-      return structureOf(picks, ends, (pick, end) => from(pick, end + 1));
+      return taken(block, same, (end) => modulo(end + 1, ends));
     case "shift-up":
-      return structureOf(picks, ends, (pick, end) => from(pick - 1, end));
+      return taken(block, (pick) => modulo(pick - 1, picks), same);
     case "shift-down":
-      return structureOf(picks, ends, (pick, end) => from(pick + 1, end));
+      return taken(block, (pick) => modulo(pick + 1, picks), same);
     case "face":
-      return structureOf(picks, ends, (pick, end) => !from(pick, end));
+      return { ends, picks, drawdown: drawdown.map((up) => 1 - up) };
     case "clear":
-      return structureOf(picks, ends, () => false);
+      return { ends, picks, drawdown: new Uint8Array(drawdown.length) };
   }
+}
+
+const same = (thread: number): number => thread;
+
+/** The block of which each pick is another one's, and each end. */
+function taken({ ends, picks, drawdown }: Structure, pickFrom: (pick: number) => number, endFrom: (end: number) => number): Structure {
+  const from = Int32Array.from({ length: ends }, (_, end) => endFrom(end));
+  const found = new Uint8Array(drawdown.length);
+  for (let pick = 0; pick < picks; pick++) {
+    const [row, source] = [pick * ends, pickFrom(pick) * ends];
+    for (let end = 0; end < ends; end++) found[row + end] = drawdown[source + from[end]!]!;
+  }
+  return { ends, picks, drawdown: found };
 }
 
 /**
@@ -89,22 +101,24 @@ export function withBlockChange(draft: Draft, region: Region, change: BlockChang
  */
 export function withFill(draft: Draft, region: Region, fill: Structure, from: "region" | "draft"): Draft {
   const drawdown = draft.drawdown.slice();
-  const [end0, pick0] = from === "region" ? [region.firstEnd, region.firstPick] : [0, 0];
-  for (let pick = region.firstPick; pick < region.firstPick + region.picks; pick++) {
-    const row = modulo(pick - pick0, fill.picks) * fill.ends;
-    for (let end = region.firstEnd; end < region.firstEnd + region.ends; end++)
-      drawdown[pick * draft.ends + end] = fill.drawdown[row + modulo(end - end0, fill.ends)]!;
+  const [end0, pick0] = from === "region" ? [0, 0] : [region.firstEnd, region.firstPick];
+  const endFrom = Int32Array.from({ length: region.ends }, (_, end) => (end0 + end) % fill.ends);
+  for (let pick = 0; pick < region.picks; pick++) {
+    const source = ((pick0 + pick) % fill.picks) * fill.ends;
+    const first = (region.firstPick + pick) * draft.ends + region.firstEnd;
+    for (let end = 0; end < region.ends; end++) drawdown[first + end] = fill.drawdown[source + endFrom[end]!]!;
   }
   const edited = makeDraft({ ends: draft.ends, picks: draft.picks, drawdown }, draft);
-  return { ...edited, loom: deriveLoomPlan(edited) };
+  return { ...edited, loom: derivedPlan(edited) };
 }
 
 /** The draft as repeats of one of its regions, which stays where it is. */
 export function withRepeat(draft: Draft, region: Region): Draft {
   const block = blockOf(draft, region);
-  const shifted = structureOf(block.picks, block.ends, (pick, end) => {
-    const row = modulo(pick - region.firstPick, block.picks);
-    return block.drawdown[row * block.ends + modulo(end - region.firstEnd, block.ends)] === 1;
-  });
+  const shifted = taken(
+    block,
+    (pick) => modulo(pick - region.firstPick, block.picks),
+    (end) => modulo(end - region.firstEnd, block.ends),
+  );
   return withFill(draft, { firstEnd: 0, firstPick: 0, ends: draft.ends, picks: draft.picks }, shifted, "draft");
 }

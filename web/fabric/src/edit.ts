@@ -1,12 +1,27 @@
 /** Edits of a draft, each a new draft: crossings, loom plans, and how many threads, shafts and treadles there are. */
-import { makeDraft, MAXIMUM_THREADS, structureOf, type Draft, type LoomPlan, type Sets, type Threads } from "./draft.ts";
+import { makeDraft, MAXIMUM_THREADS, structureOf, type Draft, type LoomPlan, type Sets, type Structure, type Threads } from "./draft.ts";
 import { InputError } from "./errors.ts";
 import { ascending, asLiftplan, asTreadling, deriveLoomPlan, planDrawdown, weaves } from "./loom.ts";
 import { pickRows } from "./palette.ts";
 
+/** Plans that weave a drawdown, and what they weave: of thousands of threads a comparison takes a quarter of a second. */
+const wovenBy = new WeakMap<LoomPlan, Uint8Array>();
+/** Plans derived of drawdowns, which stay while colours and numbers change. */
+const derivedOf = new WeakMap<Uint8Array, LoomPlan>();
+
 /** The plan of a draft: its own if it weaves the drawdown, else a derived one. */
-export function loomOf(draft: Draft): LoomPlan {
-  return draft.loom !== null && weaves(draft.loom, draft) ? draft.loom : deriveLoomPlan(draft);
+export function loomOf({ loom, ...draft }: Draft): LoomPlan {
+  if (loom === null || (wovenBy.get(loom) !== draft.drawdown && !weaves(loom, draft))) return derivedPlan(draft);
+  wovenBy.set(loom, draft.drawdown);
+  return loom;
+}
+
+/** A plan that weaves a drawdown; see `deriveLoomPlan`. */
+export function derivedPlan(structure: Structure): LoomPlan {
+  const plan = derivedOf.get(structure.drawdown) ?? deriveLoomPlan(structure);
+  derivedOf.set(structure.drawdown, plan);
+  wovenBy.set(plan, structure.drawdown);
+  return plan;
 }
 
 /** The draft with the other thread on top at one crossing, 0-based; its plan is derived anew. */
@@ -14,12 +29,14 @@ export function withCrossing(draft: Draft, pick: number, end: number, isWarpUp: 
   const drawdown = draft.drawdown.slice();
   drawdown[pick * draft.ends + end] = isWarpUp ? 1 : 0;
   const edited = makeDraft({ ends: draft.ends, picks: draft.picks, drawdown }, draft);
-  return { ...edited, loom: deriveLoomPlan(edited) };
+  return { ...edited, loom: derivedPlan(edited) };
 }
 
 /** The draft that a plan for as many ends and picks weaves. */
 export function withLoom(draft: Draft, loom: LoomPlan): Draft {
-  return { ...makeDraft(planDrawdown(loom), draft), loom };
+  const structure = planDrawdown(loom);
+  wovenBy.set(loom, structure.drawdown);
+  return { ...makeDraft(structure, draft), loom };
 }
 
 /** One member put into, or taken out of, one set; the sets are 0-based, members 1-based. */
@@ -89,7 +106,7 @@ export function turnedOver(draft: Draft): Draft {
   const { ends, picks, drawdown } = draft;
   const structure = structureOf(picks, ends, (pick, end) => drawdown[pick * ends + (ends - 1 - end)] === 0);
   const turned = { ...makeDraft(structure, draft), warp: reordered(draft.warp, ends), loom: null };
-  return { ...turned, loom: deriveLoomPlan(turned) };
+  return { ...turned, loom: derivedPlan(turned) };
 }
 
 function reordered(threads: Threads, count: number): Threads {

@@ -39,7 +39,7 @@ export function WeavePanel({ fabric, gallery, dispatch, onOpen }: Props) {
         class="text gallery-search"
         type="search"
         value={sought}
-        placeholder="Search fabrics and weaves: wool twill, Ne 40 …"
+        placeholder="Search: wool twill, satin, Ne 40"
         aria-label="Search fabrics and weaves"
         data-testid="gallery-search"
         onInput={(event) => seek(event.currentTarget.value)}
