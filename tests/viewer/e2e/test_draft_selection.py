@@ -11,7 +11,7 @@ import pytest
 from numpy.typing import NDArray
 
 from tests.viewer.conftest import Served
-from tests.viewer.e2e.conftest import Visit, visiting
+from tests.viewer.e2e.conftest import Visit, visiting, wait_until
 from tests.viewer.e2e.test_editing import by_id, fabric_of, open_editor
 
 SIDE = 16
@@ -20,8 +20,8 @@ SIDE = 16
 def drawdown_of(page: Any) -> NDArray[np.uint8]:
     """[picks, ends], 1 where the warp is on top."""
     draft = fabric_of(page)["draft"]
-    rows = np.frombuffer(base64.b64decode(draft["drawdown"]), np.uint8).reshape(draft["picks"], -1)
-    return np.unpackbits(rows, axis=1)[:, : draft["ends"]]
+    bits = np.unpackbits(np.frombuffer(base64.b64decode(draft["drawdown"]), np.uint8))
+    return bits[: draft["picks"] * draft["ends"]].reshape(draft["picks"], draft["ends"])
 
 
 def open_twill(served: Served, visit: Visit) -> Any:
@@ -139,6 +139,48 @@ def test_a_finger_selects(served: Served, browser: Any) -> None:
         before = drawdown_of(page)
         by_id(page, "selection-face").click()
         assert (drawdown_of(page)[2:5, 1:5] == 1 - before[2:5, 1:5]).all()
+        assert visit.complaints == []
+
+
+def test_two_fingers_scroll_and_size_and_paint_nothing(served: Served, browser: Any) -> None:
+    with visiting(browser, has_touch=True) as visit:
+        page = open_twill(served, visit)
+        for field in ("ends-count", "picks-count"):
+            by_id(page, field).fill("300")
+            by_id(page, field).press("Enter")
+        before = drawdown_of(page)
+        sight = by_id(page, "draft-in-sight")
+        said = sight.inner_text()
+        size = int(by_id(page, "draft-grid").get_attribute("data-cell"))
+        touch = page.context.new_cdp_session(page)
+
+        def touches(kind: str, *places: tuple[float, float]) -> None:
+            points = [{"x": x, "y": y, "id": number} for number, (x, y) in enumerate(places)]
+            touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+        touches("touchStart", (500, 400))
+        touches("touchStart", (500, 400), (600, 400))
+        # Steps as small as fingers make: between the moves of the two, their distance changes by one.
+        for step in range(1, 51):
+            touches("touchMove", (500 - 4 * step, 400), (600 - 4 * step, 400))
+        touches("touchEnd")
+        # 200 pixels to the left are 200 / size ends.
+        wait_until(page, f"document.querySelector('.draft-window output').textContent !== '{said}'")
+        first = int(sight.inner_text().split("–")[0].split()[1])
+        assert abs(first - 1 - 200 / size) <= 1.5
+        touches("touchStart", (500, 400), (600, 400))
+        for step in range(1, 6):
+            touches("touchMove", (500 - 10 * step, 400), (600 + 10 * step, 400))
+        touches("touchEnd")
+        # Twice as far apart: cells of twice the size, or the largest.
+        grid = "document.querySelector('[data-testid=draft-grid]').dataset.cell"
+        wait_until(page, f"Number({grid}) === {min(2 * size, 36)}")
+        assert (drawdown_of(page) == before).all()
+        # One finger paints when it is lifted.
+        x, y = (page.locator(".draft-grid").bounding_box()[side] for side in "xy")
+        touches("touchStart", (x + 5 * size, y + 20 * size))
+        touches("touchEnd")
+        assert (drawdown_of(page) != before).sum() == 1
         assert visit.complaints == []
 
 

@@ -24,6 +24,16 @@ interface Props {
   readonly onEdge?: (right: number, up: number) => void;
 }
 
+/** Cells that are painted by one movement. */
+interface Drag {
+  readonly stroke: string;
+  readonly isOn: boolean;
+  readonly cell: Cell;
+  last: string;
+  /** Whether its first cell is painted: a finger paints once it moves or is lifted. */
+  isMade: boolean;
+}
+
 interface Colours {
   readonly warp: readonly string[];
   readonly weft: readonly string[];
@@ -37,10 +47,11 @@ export function DraftGrid({ fabric, dispatch, window, brush, cell: size, marks, 
   const layout = useMemo(() => layoutOf(loom, window), [loom, firstEnd, firstPick, ends, picks]);
   const [cursor, setCursor] = useState<Cell>({ part: "drawdown", column: 0, row: 0 });
   const [isFocused, setFocused] = useState(false);
-  const drag = useRef<{ stroke: string; isOn: boolean; last: string; cell: Cell } | null>(null);
+  const drag = useRef<Drag | null>(null);
   // Where the selection began that pointer or keys are drawing.
   const anchor = useRef<Crossing | null>(null);
   const isDragged = useRef(false);
+  const selectedBefore = useRef<Region | null>(null);
   const { region } = selection;
 
   useEffect(() => {
@@ -77,6 +88,8 @@ export function DraftGrid({ fabric, dispatch, window, brush, cell: size, marks, 
   const crossingOf = (cell: Cell): Crossing => ({ end: firstEnd + cell.column, pick: firstPick + cell.row });
 
   const onPointerDown = (event: PointerEvent): void => {
+    // A second finger scrolls or sizes: what the first one began is no edit.
+    if (!event.isPrimary) return abandon();
     const cell = cellOf(event);
     if (cell === null || event.button !== 0) return;
     canvas.current!.setPointerCapture(event.pointerId);
@@ -84,13 +97,26 @@ export function DraftGrid({ fabric, dispatch, window, brush, cell: size, marks, 
       // Shift goes on from where the selection began.
       if (!event.shiftKey || anchor.current === null) anchor.current = region !== null && event.shiftKey ? { end: region.firstEnd, pick: region.firstPick } : crossingOf(cell);
       isDragged.current = true;
+      selectedBefore.current = region;
       setCursor(cell);
       return selection.select(between(anchor.current, crossingOf(cell)));
     }
     const isOn = !isFilled(draft, loom, layout, cell);
-    drag.current = { stroke: newStroke(), isOn, last: key(cell), cell };
+    drag.current = { stroke: newStroke(), isOn, last: key(cell), cell, isMade: false };
     setCursor(cell);
-    edit(cell, isOn, drag.current.stroke);
+    if (event.pointerType !== "touch") begin(drag.current);
+  };
+
+  /** Makes the edit of the cell where a drag began, once. */
+  const begin = (dragged: Drag): void => {
+    if (!dragged.isMade) edit(dragged.cell, dragged.isOn, dragged.stroke);
+    dragged.isMade = true;
+  };
+
+  const abandon = (): void => {
+    if (isDragged.current) selection.select(selectedBefore.current);
+    drag.current = null;
+    isDragged.current = false;
   };
 
   const onPointerMove = (event: PointerEvent): void => {
@@ -105,11 +131,13 @@ export function DraftGrid({ fabric, dispatch, window, brush, cell: size, marks, 
     const dragged = drag.current;
     const cell = cellOf(event);
     if (dragged === null || cell === null || cell.part !== dragged.cell.part || key(cell) === dragged.last) return;
+    begin(dragged);
     dragged.last = key(cell);
     edit(cell, dragged.isOn, dragged.stroke);
   };
 
-  const onPointerEnd = (): void => {
+  const onPointerUp = (): void => {
+    if (drag.current !== null) begin(drag.current);
     drag.current = null;
     isDragged.current = false;
   };
@@ -158,8 +186,8 @@ export function DraftGrid({ fabric, dispatch, window, brush, cell: size, marks, 
         data-cell={size}
         onPointerDown={onPointerDown}
         onPointerMove={onPointerMove}
-        onPointerUp={onPointerEnd}
-        onPointerCancel={onPointerEnd}
+        onPointerUp={onPointerUp}
+        onPointerCancel={abandon}
         onKeyDown={onKeyDown}
         onFocus={() => setFocused(true)}
         onBlur={() => setFocused(false)}

@@ -8,6 +8,7 @@ import { woven, type Fabric } from "../state/document.ts";
 import type { Dispatch } from "../state/store.ts";
 import { DraftGrid } from "./DraftGrid.tsx";
 import { fittingCell, planSize, type Window } from "./draft_grid.ts";
+import { useFingers } from "./fingers.ts";
 import type { Selection } from "./selection.ts";
 import { SelectionBar } from "./SelectionBar.tsx";
 
@@ -82,7 +83,17 @@ export function DraftWindow({ fabric, dispatch, brush, marks, selection, sought,
     area.current!.querySelector("canvas")?.focus();
     return () => before instanceof HTMLElement && before.focus();
   }, []);
-  const zoom = (steps: number): void => choose(atMost(cell + steps - SMALLEST, LARGEST - SMALLEST) + SMALLEST);
+  const sized = (pixels: number): void => choose(atMost(Math.round(pixels) - SMALLEST, LARGEST - SMALLEST) + SMALLEST);
+  const zoom = (steps: number): void => sized(cell + steps);
+  const rest = useRef({ x: 0, y: 0 });
+  const fingers = useFingers((right, down, ratio, cellBefore) => {
+    // Whole threads; what is left of the way counts for the next ones.
+    const [x, y] = [rest.current.x + right, rest.current.y + down];
+    const [across, along] = [Math.trunc(x / cell), Math.trunc(y / cell)];
+    rest.current = { x: x - across * cell, y: y - along * cell };
+    if (across !== 0 || along !== 0) step(-across, along);
+    sized(cellBefore * ratio);
+  }, cell);
 
   return (
     <section
@@ -117,6 +128,7 @@ export function DraftWindow({ fabric, dispatch, brush, marks, selection, sought,
         ref={area}
         tabIndex={-1}
         onScroll={(event) => onScroll(event.currentTarget)}
+        {...fingers}
       >
         <div
           class="draft-window-size"
