@@ -266,11 +266,14 @@ function selectionFrame(context: CanvasRenderingContext2D, layout: Layout, selec
   if (seen === null) return;
   const { x, y } = placeOf(layout, { part: "drawdown", column: seen.firstEnd, row: seen.firstPick + seen.picks - 1 })!;
   const box = [x * size, y * size, seen.ends * size, seen.picks * size] as const;
-  context.fillStyle = "rgb(20 110 190 / 22%)";
+  // Seen on threads of any colour: a tint, and a dark frame in a light one.
+  context.fillStyle = "rgb(255 184 60 / 38%)";
   context.fillRect(...box);
-  context.strokeStyle = "#0f63ad";
-  context.lineWidth = 2;
-  context.strokeRect(...box);
+  for (const [colour, width] of [["#ffffff", 4], ["#0f63ad", 2]] as const) {
+    context.strokeStyle = colour;
+    context.lineWidth = width;
+    context.strokeRect(...box);
+  }
 }
 
 /** Dark edges along the thread on top tell which one it is, whatever the colours are. */
