@@ -71,6 +71,33 @@ SHOW = """async ({ model, background, behind }) => {
   const shown = page.getImageData(0, 0, canvas.width, canvas.height).data;
   return { read: Array.from(data), shown: Array.from(shown) };
 }"""
+# Linear pictures of an open cloth: alone, with a sheet over its right half, with cloth behind it and such a
+# sheet between both, and without that. Sheets are not drawn.
+CAST = """async ({ fabric }) => {
+  const { renderer } = window.prepared.point;
+  const cloth = { ...web.fabricOf(fabric), openness: null, uvSizeMm: [20, 20] };
+  const mesh = web.rectangle(0.02, 0.02);
+  const at = (z) => ({ ...mesh, positions: mesh.positions.map((value, i) => value + (i % 3 === 2 ? z : 0)) });
+  const [z, triangles] = [0.001, mesh.triangles];
+  const over = { positions: [0, -1, z, 1, -1, z, 1, 1, z, 0, 1, z], triangles };
+  const between = at(-0.002);
+  renderer.setLights([{ kind: "directional", towards: [0, 0, 1] }]);
+  renderer.setCamera({ origin: [0, 0, 0.03], target: [0, 0, 0] });
+  const pictures = [];
+  for (const [pieces, casters] of [
+    [[mesh], []],
+    [[mesh], [over]],
+    [[mesh, at(-0.004)], [between]],
+    [[mesh, at(-0.004)], []],
+  ]) {
+    renderer.setPieces(pieces.map((each) => ({ mesh: each, ...cloth })), casters);
+    await renderer.render(1);
+    pictures.push(Array.from((await renderer.readLinear()).data));
+  }
+  delete window.prepared.point;
+  renderer.destroy();
+  return pictures;
+}"""
 
 # Reports of the first frame with a picture, and of the first that is no preview; some kernels are refused.
 REFUSE = """async ({ fabric, openness, size, refused }) => {
@@ -163,6 +190,22 @@ def test_the_background_has_one_colour_on_screen_and_read_back(page: Any) -> Non
     np.testing.assert_array_equal(
         np.array(nothing["shown"]).reshape(SIZE, SIZE, 4)[0, 0], [245, 241, 232, 255]
     )
+
+
+@pytest.mark.slow
+def test_what_others_draw_casts_shadows_on_cloth_and_hides_what_is_behind(page: Any) -> None:
+    prepared(page, "point")
+    pictures = page.evaluate(CAST, {"fabric": FABRIC + "gap = 0.4\n"})
+    alone, under, before, through = (np.array(each).reshape(SIZE, SIZE, 4) for each in pictures)
+    half = SIZE // 2
+    # The sheet's edge lies half a pixel or less from the middle.
+    np.testing.assert_array_equal(under[:, : half - 1], alone[:, : half - 1])
+    assert under[:, half + 1 :, :3].max() == 0  # there is no other light
+    np.testing.assert_array_equal(under[..., 3], alone[..., 3])
+    assert alone[:, half + 1 :, :3].mean() > 0.01
+    # Through holes the second cloth is seen, unless the sheet lies before it.
+    assert (through - alone)[..., 3].mean() > 0.03
+    np.testing.assert_array_equal(before[..., 3], alone[..., 3])
 
 
 @pytest.mark.slow

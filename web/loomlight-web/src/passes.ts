@@ -75,7 +75,7 @@ export class Passes {
       frame_record: this.record,
       visible_faces: this.targets.faces,
     };
-    this.raster.draw(this.targets, resources, cloth.scene.faces, width, height);
+    this.raster.draw(this.targets, resources, cloth.scene.shownFaces, width, height);
     const tiles = [Math.ceil(width / 8), Math.ceil(height / 8)] as const;
     // A dispatch a submission: software adapters take seconds for all of them.
     for (let layer = 0; layer < plan.layers; layer++) {

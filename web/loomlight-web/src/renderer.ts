@@ -12,7 +12,7 @@ import { Passes } from "./passes.ts";
 import { ENTRIES, possible, ready, type Plan, type ReadyPlan } from "./plan.ts";
 import { cameraValues, lightRecords } from "./scene/camera.ts";
 import { environmentTables } from "./scene/environment.ts";
-import type { Camera, Environment, FrameReport, Light, Mesh, ModelName, Picture, PictureOptions, Piece, Statistics, Vector3 } from "./types.ts";
+import type { Camera, Caster, Environment, FrameReport, Light, Mesh, ModelName, Picture, PictureOptions, Piece, Statistics, Vector3 } from "./types.ts";
 import { keyOfView, type View } from "./view.ts";
 
 const OWN_MODELS: readonly ModelName[] = ["lobes", "point"];
@@ -116,12 +116,13 @@ export class ClothRenderer {
   }
 
   /**
-   * The cloth to show: meshes and fabrics; a model whose tables came from Python gives way to `lobes`.
+   * The cloth to show: meshes and fabrics; a model whose tables came from Python gives way to `lobes`. `casters` are
+   * opaque and cast shadows on it; they are not drawn.
    *
    * @throws InputError a mesh without uv, a fabric that cannot be, or tables beyond the adapter's limits.
    */
-  setPieces(pieces: readonly Piece[]): void {
-    const cloth = new ClothBuffers(this.device, pieces);
+  setPieces(pieces: readonly Piece[], casters: readonly Caster[] = []): void {
+    const cloth = new ClothBuffers(this.device, pieces, casters);
     this.keepCounts();
     this.leaveTables();
     cloth.fabrics.useTables(this.model === "lobes");
@@ -131,12 +132,13 @@ export class ClothRenderer {
   }
 
   /**
-   * Other meshes for the pieces, one each; nothing is baked.
+   * Other meshes for the pieces, one each, and what casts shadows on them, by default as before; nothing is baked.
    *
    * @throws InputError a mesh without uv, or another number of meshes.
    */
-  setMeshes(meshes: readonly Mesh[]): void {
-    this.require().setMeshes(meshes);
+  setMeshes(meshes: readonly Mesh[], casters?: readonly Caster[]): void {
+    const cloth = this.require();
+    cloth.setMeshes(meshes, casters ?? cloth.casters);
     this.passes.forget();
   }
 
@@ -361,7 +363,7 @@ export class ClothRenderer {
     const { model, cloth } = this;
     [this.cloth, this.isPending] = [null, false];
     if (cloth !== null) {
-      this.setPieces(cloth.pieces);
+      this.setPieces(cloth.pieces, cloth.casters);
       if (cloth.servedContent !== null) this.setTables(model, cloth.servedContent);
     }
     this.passes.forget();

@@ -43,6 +43,9 @@ export interface Piece {
   readonly albedo?: LinearPicture | null;
 }
 
+/** What casts shadows on cloth, opaque, and is drawn by others; metres. */
+export type Caster = Pick<Mesh, "positions" | "triangles">;
+
 /** Parallel light: `irradiance` on a surface that faces it, W/m²; π by default. */
 export interface DirectionalLight {
   readonly kind: "directional";

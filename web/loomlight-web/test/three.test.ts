@@ -3,7 +3,8 @@ import { expect, test } from "vitest";
 
 import { cameraOf } from "../src/three/camera.ts";
 import { lightsOf } from "../src/three/lights.ts";
-import { meshOf } from "../src/three/mesh.ts";
+import { joinMeshes, rectangle } from "../src/scene/mesh.ts";
+import { casterOf, castersOf, meshOf } from "../src/three/mesh.ts";
 
 test("a mesh is given where it stands in the world, metres", () => {
   const parent = new Scene();
@@ -64,4 +65,29 @@ test("lights are what three's own materials would be lit by", () => {
   expect(pixels.length).toBe(3 * width * height);
   expect([pixels[0], pixels[pixels.length - 1]]).toEqual([1, 0]);
   expect(lightsOf(new Scene(), 1)).toEqual({ lights: [], environment: null });
+});
+
+test("what casts shadows is what three draws and lets cast them, where it stands", () => {
+  const scene = new Scene();
+  const cloth = new Mesh(new PlaneGeometry());
+  const box = new Mesh(new BoxGeometry());
+  const bare = new Mesh(new BoxGeometry());
+  const hidden = new Mesh(new BoxGeometry());
+  for (const mesh of [cloth, box, hidden]) mesh.castShadow = true;
+  hidden.visible = false;
+  box.position.set(4, 0, 0);
+  scene.add(cloth, box, bare, hidden);
+  scene.updateMatrixWorld();
+  expect(castersOf(scene, new Set([cloth]))).toEqual([box]);
+  const { positions, triangles } = casterOf(box, 0.5);
+  expect([Math.min(...Array.from(positions).filter((_, i) => i % 3 === 0)), triangles.length]).toEqual([1.75, 36]);
+});
+
+test("what casts shadows comes behind the cloth and is of no piece", () => {
+  const piece = rectangle(1, 1);
+  const caster = { positions: [0, 0, 1, 1, 0, 1, 0, 1, 1], triangles: [0, 1, 2] };
+  const { corners, faces, shown, positions } = joinMeshes([piece, piece], [caster, caster]);
+  expect([faces, shown.faces, shown.vertices, positions.length]).toEqual([6, 4, 8, 42]);
+  expect(Array.from(corners.subarray(18))).toEqual([0, 0, 1, 1, 2, 2]);
+  expect(Array.from(corners.subarray(12, 18))).toEqual([8, 9, 10, 11, 12, 13]);
 });

@@ -5,8 +5,8 @@ import type { Openness } from "../fabric/between_yarns.ts";
 import { lookOf, type Look } from "../fabric/look.ts";
 import { sameLayout } from "../fabric/pack.ts";
 import { MAX_LAYERS } from "../generated.ts";
-import { requireMesh } from "../scene/mesh.ts";
-import type { Mesh, ModelName, Piece } from "../types.ts";
+import { requireFaces, requireMesh } from "../scene/mesh.ts";
+import type { Caster, Mesh, ModelName, Piece } from "../types.ts";
 import type { Device } from "./device.ts";
 import { FabricBuffers, type Dressing } from "./fabric_buffers.ts";
 import { bakeOpenness, isAsOpen } from "./openness_baker.ts";
@@ -25,6 +25,7 @@ export class ClothBuffers {
   readonly fabrics: FabricBuffers;
   scene: SceneBuffers;
   pieces: readonly Piece[];
+  casters: readonly Caster[];
   /** What Python packed for `model`, and the bytes that it sent. */
   private served: { readonly buffers: ServedBuffers; readonly content: Uint8Array } | null = null;
   private readonly device: Device;
@@ -38,13 +39,15 @@ export class ClothBuffers {
   private isUnknowable = false;
 
   /** @throws InputError no piece, a mesh without uv, a fabric that cannot be, or tables beyond the adapter's limits. */
-  constructor(device: Device, pieces: readonly Piece[]) {
+  constructor(device: Device, pieces: readonly Piece[], casters: readonly Caster[]) {
     if (pieces.length === 0) throw new InputError("A renderer needs at least one piece of cloth.");
     pieces.forEach(({ mesh }) => requireMesh(mesh));
+    casters.forEach(requireFaces);
     const looks = pieces.map(({ fields, draft, openness }) => lookOf(fields, draft, openness));
     this.device = device;
     this.pieces = [...pieces];
-    this.scene = sceneOf(device, pieces);
+    this.casters = casters;
+    this.scene = sceneOf(device, pieces, casters);
     const dressings = pieces.map(
       ({ uvSizeMm }, number): Dressing => ({
         look: looks[number]!,
@@ -110,14 +113,15 @@ export class ClothBuffers {
   }
 
   /** @throws InputError a mesh without uv, or another number of meshes. */
-  setMeshes(meshes: readonly Mesh[]): void {
+  setMeshes(meshes: readonly Mesh[], casters: readonly Caster[]): void {
     if (meshes.length !== this.pieces.length)
       throw new InputError(`${meshes.length} meshes were given for ${this.pieces.length} pieces of cloth.`);
     meshes.forEach(requireMesh);
+    casters.forEach(requireFaces);
     const pieces = this.pieces.map((piece, number) => ({ ...piece, mesh: meshes[number]! }));
-    const scene = sceneOf(this.device, pieces);
+    const scene = sceneOf(this.device, pieces, casters);
     this.scene.destroy();
-    [this.pieces, this.scene] = [pieces, scene];
+    [this.pieces, this.casters, this.scene] = [pieces, casters, scene];
     this.fabrics.describe(scene.maps);
     this.served?.buffers.describe(scene.maps[0]!);
   }
@@ -185,11 +189,12 @@ function looksForOpenness({ fields, openness }: Piece): boolean {
   return fields.interreflection !== false && openness === undefined;
 }
 
-/** Buffers of the meshes and albedo maps of pieces. */
-function sceneOf(device: Device, pieces: readonly Piece[]): SceneBuffers {
+/** Buffers of the meshes and albedo maps of pieces, and of what casts shadows on them. */
+function sceneOf(device: Device, pieces: readonly Piece[], casters: readonly Caster[]): SceneBuffers {
   return new SceneBuffers(
     device,
     pieces.map(({ mesh }) => mesh),
     pieces.map(({ albedo }) => albedo ?? null),
+    casters,
   );
 }

@@ -153,7 +153,9 @@ export class FabricBuffers {
       words: this.packed.words,
     };
     for (const [name, words] of Object.entries(contents)) {
-      this.buffers[name] = this.device.buffer(words.byteLength);
+      // One record of zeros more: what casts shadows and is no cloth.
+      const more = name === "fabrics" ? 4 * RECORDS.Fabric.words : 0;
+      this.buffers[name] = this.device.buffer(words.byteLength + more);
       this.write(name, words, 0);
     }
   }

@@ -3,21 +3,22 @@ import type { Values } from "../records.ts";
 import type { EnvironmentTables } from "../scene/environment.ts";
 import { joinMeshes } from "../scene/mesh.ts";
 import { joinWords, sceneWords, type SceneWords } from "../scene/scene_words.ts";
-import type { LinearPicture, Mesh } from "../types.ts";
+import type { Caster, LinearPicture, Mesh } from "../types.ts";
 import type { Device } from "./device.ts";
 
 export class SceneBuffers {
-  readonly faces: number;
+  /** Faces of cloth; what only casts shadows comes behind them. */
+  readonly shownFaces: number;
   private buffer: GPUBuffer | null = null;
   private readonly device: Device;
   private readonly scene: SceneWords;
   private environment: EnvironmentTables | null = null;
   private firstLight = 0;
 
-  constructor(device: Device, meshes: readonly Mesh[], albedos: readonly (LinearPicture | null)[]) {
-    const joined = joinMeshes(meshes);
+  constructor(device: Device, meshes: readonly Mesh[], albedos: readonly (LinearPicture | null)[], casters: readonly Caster[]) {
+    const joined = joinMeshes(meshes, casters);
     this.device = device;
-    this.faces = joined.faces;
+    this.shownFaces = joined.shown.faces;
     this.scene = sceneWords(joined, albedos);
   }
 

@@ -50,7 +50,8 @@ export class ServedBuffers {
     this.record.words.set(tables.fabrics);
     this.record.set(0, { uv_width: uvSizeMm[0], uv_height: uvSizeMm[1], ...extra });
     for (const [name, words] of Object.entries({ ...tables, fabrics: this.record.words })) {
-      this.buffers[name] = device.buffer(words.byteLength);
+      // One record of zeros more: what casts shadows and is no cloth.
+      this.buffers[name] = device.buffer(words.byteLength * (name === "fabrics" ? 2 : 1));
       device.write(this.buffers[name], words);
     }
   }

@@ -19,7 +19,7 @@ export interface SceneWords {
 
 /** The words of meshes and of the albedo map of each piece. */
 export function sceneWords(meshes: MeshBuffers, albedos: readonly (LinearPicture | null)[]): SceneWords {
-  const { positions, corners, faces } = meshes;
+  const { positions, corners, faces, shown } = meshes;
   const hierarchy = buildHierarchy(positions, corners, faces);
   const parts = [new Uint32Array(hierarchy.boxes.buffer), hierarchy.leafFaces, corners, meshes.vertices.words];
   const leaf_faces = parts[0]!.length;
@@ -33,10 +33,11 @@ export function sceneWords(meshes: MeshBuffers, albedos: readonly (LinearPicture
     first += words.length;
     return place;
   });
-  const { isFlat, extent } = extentOf(positions);
+  // Rays leave cloth by a share of its own size, whatever else is around.
+  const { isFlat, extent } = extentOf(positions.subarray(0, 3 * shown.vertices));
   return {
     words: joinWords(parts),
-    isFlat,
+    isFlat: isFlat && shown.faces === faces,
     maps,
     frame: {
       leaves: hierarchy.leaves,

@@ -10,10 +10,10 @@ import type { Camera as ThreeCamera, Material, Mesh as ThreeMesh, Scene, Texture
 
 import type { Fabric } from "../fabric_source.ts";
 import { ClothRenderer, type RendererOptions } from "../renderer.ts";
-import type { Environment, LinearPicture } from "../types.ts";
+import type { Caster, Environment, LinearPicture } from "../types.ts";
 import { cameraOf } from "./camera.ts";
 import { lightsOf } from "./lights.ts";
-import { meshOf } from "./mesh.ts";
+import { casterOf, castersOf, meshOf } from "./mesh.ts";
 
 /** How a fabric lies on a mesh. */
 export interface ClothOptions {
@@ -75,6 +75,9 @@ export class ClothLayer {
   private readonly screen: ScreenMaterial;
   private readonly options: LayerOptions;
   private members: Member[] = [];
+  private casters: readonly Caster[] = [];
+  /** Where what casts shadows was when it was last given to the renderer. */
+  private cast = "";
   private lit = "";
   private isUpdated = false;
   private isChanged = false;
@@ -155,7 +158,7 @@ export class ClothLayer {
       this.texture.dispose(); // its size on three's side is fixed
     }
     this.screen.setViewport(viewport);
-    this.followMeshes();
+    this.followMeshes(scene);
     this.followLights(scene);
     this.renderer.setCamera(cameraOf(camera, width, height, this.metres));
     const wasComplete = this.isComplete;
@@ -184,16 +187,20 @@ export class ClothLayer {
       draft: fabric.draft,
       ...options,
     }));
-    if (pieces.length > 0) this.renderer.setPieces(pieces);
+    if (pieces.length > 0) this.renderer.setPieces(pieces, this.casters);
     for (const member of members) member.place = placeOf(member.mesh);
     this.members = members;
     this.isChanged = true;
   }
 
-  /** Gives the renderer the positions of meshes again where one has moved. */
-  private followMeshes(): void {
-    if (this.members.every((member) => member.place === placeOf(member.mesh))) return;
-    this.renderer.setMeshes(this.members.map(({ mesh }) => meshOf(mesh, this.metres)));
+  /** Gives the renderer the positions of meshes, and of what casts shadows on them, again where one has moved. */
+  private followMeshes(scene: Scene): void {
+    const casters = castersOf(scene, new Set(this.members.map(({ mesh }) => mesh)));
+    const cast = casters.map(placeOf).join(";");
+    if (cast === this.cast && this.members.every((member) => member.place === placeOf(member.mesh))) return;
+    if (cast !== this.cast) this.casters = casters.map((mesh) => casterOf(mesh, this.metres));
+    this.cast = cast;
+    this.renderer.setMeshes(this.members.map(({ mesh }) => meshOf(mesh, this.metres)), this.casters);
     for (const member of this.members) member.place = placeOf(member.mesh);
   }
 

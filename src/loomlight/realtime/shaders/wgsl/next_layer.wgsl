@@ -461,7 +461,14 @@ fn next_layer(@builtin(global_invocation_id) id_0 : vec3<u32>)
         var _S45 : vec3<f32> = cross(position_of_0(vertex_at_0(_S43 + u32(1))) - _S44, position_of_0(vertex_at_0(_S43 + u32(2))) - _S44);
         var _S46 : f32 = dot(_S41, _S45);
         var _S47 : Hit_0 = nearest_hit_0(_S40, _S41, dot(_S44 - _S40, _S45) / select(1.00000000317107685e-30f, _S46, (abs(_S46)) > 1.00000000317107685e-30f) + frame_record_0.ray_offset_0, 1.00000001504746622e+30f, _S42, false);
-        following_0 = select(_S47.face_1 + u32(1), u32(0), (_S47.face_1) == u32(4294967295));
+        if((_S47.face_1) != u32(4294967295))
+        {
+            following_0 = select(u32(0), _S47.face_1 + u32(1), (fabrics_0[fabric_of_0(_S47.face_1)].uv_width_0) > 0.0f);
+        }
+        else
+        {
+            following_0 = u32(0);
+        }
     }
     else
     {

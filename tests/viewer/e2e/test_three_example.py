@@ -1,0 +1,70 @@
+"""The example of three.js in a real Chromium: four fabrics, and shadows among three's own objects."""
+
+from __future__ import annotations
+
+import base64
+import io
+import shutil
+import subprocess
+import threading
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from PIL import Image
+
+from tests.viewer.e2e.conftest import ROOT, SWIFTSHADER, launched, visiting, wait_until
+
+# What three drew last, read before the browser takes it.
+DRAWN = """() => new Promise((resolve) => requestAnimationFrame(() => resolve(
+  document.querySelector("canvas").toDataURL().split(",")[1])))"""
+STEP = 8  # of 255, above what compression and rounding do
+
+
+class _Quiet(SimpleHTTPRequestHandler):
+    def log_message(self, format: str, *arguments: object) -> None:
+        """Says nothing of requests."""
+
+
+def drawn(page: Any) -> NDArray[np.int64]:
+    picture = Image.open(io.BytesIO(base64.b64decode(page.evaluate(DRAWN))))
+    return np.asarray(picture.convert("RGB")).astype(np.int64)
+
+
+def changed(one: NDArray[np.int64], other: NDArray[np.int64]) -> NDArray[np.bool_]:
+    return (np.abs(one - other) > STEP).any(-1)
+
+
+@pytest.mark.slow
+def test_cloth_and_three_objects_share_light_and_shadow(tmp_path: Path, playwright: Any) -> None:
+    npx = shutil.which("npx")
+    if npx is None or not (ROOT / "web" / "node_modules").is_dir():
+        pytest.skip("needs Node, and `npm install` in web/: scripts/setup.sh does both")
+    build = [npx, "vite", "build", "loomlight-web/example", "--outDir", str(tmp_path), "--logLevel", "error"]
+    subprocess.run([*build, "--emptyOutDir"], cwd=ROOT / "web", check=True, timeout=120)
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=str(tmp_path)))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    with launched(playwright, SWIFTSHADER) as browser, visiting(browser) as visit:
+        page = visit.page
+        page.set_viewport_size({"width": 320, "height": 240})
+        page.goto(f"http://127.0.0.1:{server.server_port}/")
+        if not page.evaluate("async () => (await navigator.gpu?.requestAdapter()) != null"):
+            pytest.skip("this Chromium has no WebGPU in software")
+        bare = drawn(page)
+        wait_until(page, "window.example?.layer.renderer.statistics.passes > 0", 120)
+        page.wait_for_timeout(500)
+        clothed = drawn(page)
+        page.evaluate("example.sun.castShadow = false")
+        page.wait_for_timeout(300)
+        without = drawn(page)
+        assert visit.complaints == []
+    server.shutdown()
+    # Cloth is where three's grey meshes were.
+    assert changed(bare, clothed).mean() > 0.15
+    # Without the sun's shadows the table, of this colour, is lighter where they were, those of cloth too.
+    table = (without - clothed > STEP).all(-1) & (np.abs(without - [181, 154, 120]).max(-1) < 60)
+    assert table.mean() > 0.01
