@@ -110,6 +110,11 @@ def test_what_was_kept_and_cannot_be_shown_is_set_aside(page: Any, tmp_path: Pat
     assert json.loads(json.loads(file.read_text())["text"])["fabric"]["fields"] == THIN
     reload(page)
     assert by_id(page, "notice-fault").count() == 0
+    # The page opens its own file again, without the field, and says what is wrong with it.
+    by_id(page, "files").set_input_files(file)
+    wait_until(page, f"window.loomlight.fabric().fields.weave === {THIN['weave']!r}")
+    assert 'warp.count: The yarn count "thin" is not known' in by_id(page, "notice-warning").inner_text()
+    assert "count" not in fabric_of(page)["fields"].get("warp", {})
 
 
 def test_a_link_that_cannot_be_shown_is_set_aside(served: Served, visit: Visit) -> None:

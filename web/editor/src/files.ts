@@ -14,6 +14,7 @@ import {
 } from "loomlight-fabric";
 
 import type { Server } from "./api.ts";
+import { fabricOfAside } from "./aside_file.ts";
 import { draftFile } from "./reducers/draft.ts";
 import { isNamed, nameOf, woven, type Fabric } from "./state/document.ts";
 import type { Pixels } from "./view/cloth_view.ts";
@@ -27,7 +28,7 @@ const MAX = 64 * 2 ** 20;
 /** A file that is a mesh. */
 export const MESHES = /\.(obj|glb|gltf|ply)$/i;
 /** What the dialogue offers. */
-export const ACCEPTED = ".toml,.wif,.dtx,.wpo,.twa,.png,.obj,.ply,.glb,.hdr,.exr,.ase,.gpl,.csv";
+export const ACCEPTED = ".toml,.json,.wif,.dtx,.wpo,.twa,.png,.obj,.ply,.glb,.hdr,.exr,.ase,.gpl,.csv";
 
 export interface Opened {
   readonly fabric: Fabric;
@@ -42,6 +43,8 @@ export interface Opened {
 export async function openFabric(files: readonly File[], server: Server | null): Promise<Opened> {
   const warnings: string[] = [];
   const warn = (text: string): number => warnings.push(text);
+  const aside = files.find((file) => /\.json$/i.test(file.name));
+  if (aside !== undefined) return openAside(aside);
   const toml = files.find((file) => /\.toml$/i.test(file.name));
   const draft = files.find((file) => file !== toml);
   for (const file of files)
@@ -60,6 +63,17 @@ export async function openFabric(files: readonly File[], server: Server | null):
   const read = await readDraft(draft, server, warn);
   const fields: FabricFields = PICTURES.test(draft.name) ? { image: draft.name } : { draft: draft.name };
   return { fabric: { fields, draft: read }, warnings };
+}
+
+/** What of a file of what was set aside can be, and in a sentence what cannot. */
+async function openAside(file: File): Promise<Opened> {
+  try {
+    const { fabric, faults } = await fabricOfAside(await file.text());
+    return { fabric, warnings: faults.length === 0 ? [] : [`${file.name} was opened without what cannot be: ${faults.join(" ")}`] };
+  } catch (error) {
+    if (!(error instanceof Error)) throw error;
+    throw new InputError(`${file.name}: ${error.message}`);
+  }
 }
 
 async function readDraft(file: File, server: Server | null, warn: (text: string) => void): Promise<Draft> {

@@ -20,12 +20,22 @@ export async function linkOf(fabric: Fabric): Promise<string | null> {
  * @throws InputError a fabric that cannot be; any other error for a link that was cut.
  */
 export async function fabricOfLink(hash: string): Promise<Fabric | null> {
+  const json = await jsonOfLink(hash);
+  return json === null ? null : fabricFromJson(json);
+}
+
+/**
+ * The JSON of that fabric, whatever it holds.
+ *
+ * @throws Error a link that was cut.
+ */
+export async function jsonOfLink(hash: string): Promise<unknown> {
   const text = hash.replace(/^#/, "");
   if (!text.startsWith(KEY)) return null;
   const binary = atob(text.slice(KEY.length).replaceAll("-", "+").replaceAll("_", "/"));
   const bytes = Uint8Array.from(binary, (unit) => unit.charCodeAt(0));
   const json = new TextDecoder().decode(await through(bytes, new DecompressionStream("deflate-raw")));
-  return fabricFromJson(JSON.parse(json));
+  return JSON.parse(json);
 }
 
 async function through(
