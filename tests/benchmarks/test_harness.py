@@ -18,6 +18,7 @@ LIBRARIES = (
     "__init__",
     "harness",
     "machine",
+    "processes",
     "counted_library",
     "random_networks",
     "cloth_paths",

@@ -17,6 +17,7 @@ from PIL import Image
 
 from loomlight.cli.main import run
 from loomlight.evaluation import model_table
+from loomlight.evaluation.compare import compare
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import Model
@@ -68,6 +69,26 @@ def test_the_page_shows_every_picture(report: Path) -> None:
             assert opened.size == (32, 18)
     with Image.open(report / "pictures" / "flat-near.png") as reference:
         assert np.asarray(reference).std() > 0
+
+
+def test_each_scene_is_written_when_it_is_measured(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    rows: list[tuple[str, int]] = []
+
+    def row(line: str) -> None:
+        tables = json.loads((tmp_path / "report" / "table.json").read_text())["tables"]
+        rows.append((line.partition(",")[0], len(tables[0]["rows"]["point, 1 spp"])))
+
+    compare(
+        fabric_from_text('weave = "plain"'),
+        ["point"],
+        tmp_path / "report",
+        scenes=["flat near", "sphere"],
+        size=(32, 18),
+        reference_samples=2,
+        row=row,
+    )
+    assert rows == [("flat near", 1), ("sphere", 2), ("queries", 2)]
 
 
 def test_trained_models_are_made_once(monkeypatch: pytest.MonkeyPatch) -> None:

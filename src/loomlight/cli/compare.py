@@ -27,8 +27,8 @@ def compare(
     scenes: Annotated[
         str | None, typer.Option(help="Some of the eight scenes, with commas between them.")
     ] = None,
-    size: Annotated[str, typer.Option(metavar="WxH", help="Pixels of each picture.")] = "400x225",
-    samples: Annotated[int, typer.Option("--spp", help="Samples a pixel of the reference.")] = 64,
+    size: Annotated[str, typer.Option(metavar="WxH", help="Pixels of each picture.")] = "320x180",
+    samples: Annotated[int, typer.Option("--spp", help="Samples a pixel of the reference.")] = 49,
 ) -> None:
     """Compares models with the reference: pictures, difference maps, FLIP, MSE and time."""
     pixels = parse_size(size)
@@ -61,6 +61,7 @@ def compare(
             reference_samples=samples,
             command=f"loomlight compare --models {','.join(names)}",
             progress=lambda _what, steps, total: report(steps, total),
+            row=lambda line: print(line, flush=True),
         )
     print(found.tables[0].to_markdown())
     for name, why in found.refused.items():

@@ -25,7 +25,8 @@ from loomlight.fabric.load import fabric_from_text, load_fabric
 from loomlight.mitsuba.measured_scenes import MEASURED_SCENES, require_scenes
 from loomlight.models.registry import model_names, require_model_name
 
-SIZE, REFERENCE_SAMPLES = (400, 225), 64
+# What a comparison of denim takes a minute with, and what that costs: docs/research/evaluation.md.
+SIZE, REFERENCE_SAMPLES = (320, 180), 49
 _PAIRS, _FOOTPRINTS = 40, 40
 # The background of the scene with two fabrics.
 _PARTNER = 'weave = "plain"\n[warp]\ncolor = "#c9b58f"\n[weft]\ncolor = "#e6dcc4"\n'
@@ -59,11 +60,12 @@ def compare(
     reference_samples: int = REFERENCE_SAMPLES,
     command: str = "loomlight.compare",
     progress: Progress | None = None,
+    row: Callable[[str], None] = lambda line: None,
 ) -> Comparison:
     """Renders a fabric in the eight scenes of the image benchmark with each model and measures the errors.
 
-    Writes `folder`/index.html, table.json and pictures/*.png; the folder is created if it does not exist. The
-    point model with 1 and 3 samples a pixel is always among the rows.
+    Writes `folder`/index.html, table.json and pictures/*.png, again after every scene; the folder is created
+    if it does not exist. The point model with 1 and 3 samples a pixel is always among the rows.
 
     Args:
         fabric: a fabric, or an argument of `load_fabric`.
@@ -72,6 +74,7 @@ def compare(
         size, reference_samples: of the pictures.
         command: recorded in table.json.
         progress: called with (name of the phase, steps done, steps in all).
+        row: called with a line of figures of each scene when it is measured, then with one of the queries.
 
     Raises:
         InputError: an unknown model or scene, a fabric that cannot be read, a folder that cannot be written.
@@ -86,8 +89,21 @@ def compare(
         def step(what: str) -> Callable[[int, int], None]:
             return lambda done, total: progress(what, done, total) if progress is not None else None
 
-        baked = BakedModels()
-        shown = run_image_benchmark(
+        baked, comparison = BakedModels(), Comparison(target)
+        record = provenance(command, Path(__file__).parent)
+        done: list[SceneResult] = []
+        sections: list[Section] = []
+
+        def keep(scene: SceneResult) -> None:
+            done.append(scene)
+            sections.append(_section(target, scene, reference_samples))
+            comparison.tables = image_tables(done)
+            comparison.refused.update(scene.refused)
+            _write(comparison, sections, cloth, size, reference_samples, record)
+            errors = (f"{name} {picture.error.flip:.4f}" for name, picture in scene.pictures.items())
+            row(f"{scene.name}, FLIP: {'; '.join(errors)}")
+
+        run_image_benchmark(
             chosen,
             [cloth, fabric_from_text(_PARTNER)],
             make=baked.make,
@@ -95,15 +111,20 @@ def compare(
             size=size,
             reference_samples=reference_samples,
             progress=step("pictures"),
+            finished=keep,
         )
-        comparison = Comparison(target, image_tables(shown))
-        for scene in shown:
-            comparison.refused.update(scene.refused)
         able = [name for name in chosen if name not in comparison.refused]
-        comparison.tables += _query_tables(cloth, able, baked, step("queries"))
-        record = provenance(command, Path(__file__).parent)
-        _write(comparison, shown, cloth, size, reference_samples, record)
+        queries = _query_tables(cloth, able, baked, step("queries"))
+        comparison.tables = [*comparison.tables, *queries]
+        _write(comparison, sections, cloth, size, reference_samples, record)
+        row(_query_row(queries[0]))
         return comparison
+
+
+def _query_row(table: Table) -> str:
+    """The overall error of each model, or why there is none."""
+    errors = (f"{name} {cells[0]:.4f}" for name, cells in table.rows.items() if isinstance(cells[0], float))
+    return f"queries, nMAE: {'; '.join(errors)}" if table.rows else table.note
 
 
 def require_models(models: Sequence[str]) -> None:
@@ -172,13 +193,13 @@ def _missing(cell: Cell) -> bool:
 
 def _write(
     comparison: Comparison,
-    scenes: list[SceneResult],
+    sections: list[Section],
     cloth: Fabric,
     size: tuple[int, int],
     samples: int,
     record: dict[str, str],
 ) -> None:
-    """Writes pictures first, then the table, the page last: a page never links to missing files."""
+    """Writes the table, the page last; pictures are there: a page never links to missing files."""
     protocol = {
         "size": list(size),
         "reference_samples": samples,
@@ -187,7 +208,6 @@ def _write(
         "exposure": 0,
         "flip": "LDR, 67 pixels a degree, pixels wholly on one piece of cloth",
     }
-    sections = [_section(comparison.folder, scene, samples) for scene in scenes]
     content = {
         "schema": _SCHEMA,
         "fabric": cloth.name,

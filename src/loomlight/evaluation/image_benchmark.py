@@ -108,6 +108,7 @@ def run_image_benchmark(
     seed: int = 0,
     progress: Progress | None = None,
     make: MakeModel | None = None,
+    finished: Callable[[SceneResult], None] = lambda scene: None,
 ) -> list[SceneResult]:
     """Renders every scene with every model and measures the errors of the pictures.
 
@@ -118,6 +119,7 @@ def run_image_benchmark(
         reference_samples: samples a pixel of the reference.
         progress: called with (steps done, steps in all); a step is a picture or a pass of a reference.
         make: from a model's name and a fabric to the model; by default each scene makes its own.
+        finished: called with each scene when it is measured.
 
     Raises:
         InputError: an unknown model or scene.
@@ -132,6 +134,7 @@ def run_image_benchmark(
                 progress(number * 100 + round(100 * done / total), 100 * len(scenes))
 
         results.append(_scene(name, shots, fabrics, size, reference_samples, seed, report, make))
+        finished(results[-1])
     return results
 
 
