@@ -5,7 +5,7 @@ async function render({ model, el }) {
   let port = null;
   const frame = document.createElement("iframe");
   Object.assign(frame, { title: "loomlight: the live editor", allow: "clipboard-write" });
-  Object.assign(frame.style, { width: "100%", border: "1px solid #ddd5c5", borderRadius: "4px" });
+  Object.assign(frame.style, { width: "100%", boxSizing: "border-box", border: "1px solid #ddd5c5", borderRadius: "4px" });
   const size = () => (frame.style.height = `${model.get("height")}px`);
 
   const receive = async (content, buffers) => {
