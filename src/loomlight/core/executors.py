@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 import signal
+import subprocess
 import sys
 import threading
 import time
@@ -29,6 +30,8 @@ _MAX_IDLE_DEATHS = 4
 _LOOK_SECONDS = 2.0
 # What a process has to end by itself once it is told to.
 _GRACE_SECONDS = 2.0
+# What jobs have to end in once all shards are done.
+_END_SECONDS = 30.0
 _MAX_WORKERS = 4096
 
 Report = Callable[[int, int], None]
@@ -246,19 +249,31 @@ def _run_jobs(chosen: Executor, work: Shared, report: Report) -> None:
         ]
     try:
         with _looking(work, report):
-            for job in jobs:
-                job.wait()
-    except BaseException:
-        for job in jobs:
+            while work.remaining() and _running(jobs, cluster):
+                time.sleep(_LOOK_SECONDS)
+        end = time.monotonic() + _END_SECONDS
+        while _running(jobs, cluster) and time.monotonic() < end:
+            time.sleep(0.5)
+    finally:
+        for job in _running(jobs, cluster):
             job.cancel(check=False)
-        raise
-    errors = [job.exception() for job in jobs]
-    failed = next((job for job, error in zip(jobs, errors, strict=True) if error is not None), None)
-    if failed is not None and work.remaining():
+    failed = [job for job in jobs if not job.paths.result_pickle.exists() or job.exception() is not None]
+    if failed and work.remaining():
         raise LoomlightError(
-            f"{sum(error is not None for error in errors)} of {workers} jobs failed; {failed.paths.stderr} "
+            f"{len(failed)} of {workers} jobs failed; {failed[0].paths.stderr} "
             "says why, and what is finished is kept: the same command goes on from there."
         )
+
+
+def _running(jobs: Sequence[Any], cluster: str) -> list[Any]:
+    """Jobs that have not ended. A Slurm without accounting tells of killed jobs only by its queue."""
+    waiting = [job for job in jobs if not job.paths.result_pickle.exists()]
+    if cluster != "slurm" or not waiting:
+        return [job for job in waiting if not job.done()]
+    command = ["squeue", "-h", "-j", ",".join(job.job_id for job in waiting)]
+    said = subprocess.run(command, capture_output=True, text=True, check=False)
+    is_gone = "Invalid job id" in said.stderr or not (said.returncode or said.stdout.strip())
+    return [] if is_gone else waiting
 
 
 def _run_joblib(chosen: Executor, work: Shared, report: Report) -> None:
@@ -268,12 +283,15 @@ def _run_joblib(chosen: Executor, work: Shared, report: Report) -> None:
     workers = min(chosen.workers, work.remaining())
     with _connected(backend), _looking(work, report):
         try:
-            pool = joblib.Parallel(n_jobs=workers, backend=backend)
-        except ValueError as error:
+            # `Parallel(backend="dask")` knows no backends of other packages; this call registers them.
+            settings = joblib.parallel_config(backend, n_jobs=workers)
+        except (ValueError, TypeError) as error:
             raise InputError(f"--executor joblib:{backend}: joblib has no such backend.") from error
-        pool(
-            joblib.delayed(run_locally)(work, 1, first=number * count // workers) for number in range(workers)
-        )
+        with settings:
+            joblib.Parallel()(
+                joblib.delayed(run_locally)(work, 1, first=number * count // workers)
+                for number in range(workers)
+            )
 
 
 @contextmanager
