@@ -25,7 +25,7 @@ from loomlight.fabric.load import fabric_from_text, load_fabric
 from loomlight.mitsuba.measured_scenes import MEASURED_SCENES, require_scenes
 from loomlight.models.registry import model_names, require_model_name
 
-# What a comparison of denim takes a minute with, and what that costs: docs/research/evaluation.md.
+# What larger pictures and fewer queries change: docs/research/evaluation.md.
 SIZE, REFERENCE_SAMPLES = (320, 180), 49
 _PAIRS, _FOOTPRINTS = 40, 40
 # The background of the scene with two fabrics.
