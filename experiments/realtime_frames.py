@@ -89,20 +89,22 @@ def _texture(albedo: NDArray[np.floating]) -> dict[str, Any]:
     return {"type": "bitmap", "bitmap": mi.Bitmap(np.asarray(albedo, np.float32)), "raw": True}
 
 
-def compare(name: str, distance: float, model: str, samples: int = SAMPLES) -> dict[str, Any]:
+def compare(
+    name: str, distance: float, model: str, samples: int = SAMPLES, side: int = SIZE
+) -> dict[str, Any]:
     """FLIP of a frame against Mitsuba, and of two seeds of Mitsuba against each other."""
     cloths = [Cloth(rectangle(SIDE, SIDE), load_fabric(EXAMPLES / f"{name}.toml"))]
     camera = Camera((0, -0.6 * distance, 0.8 * distance))
     lights = [DirectionalLight(TOWARDS)]
-    renderer = Renderer(cloths, (SIZE, SIZE), model)
+    size = (side, side)
+    renderer = Renderer(cloths, size, model)
     # One pass of `lobes` takes the points of Mitsuba's estimate; others are nearer to the truth.
     passes = 8 if model == "point" else 1
     found = renderer.render(camera, lights, passes=passes, samples=samples // passes).linear[..., :3]
-    size = (SIZE, SIZE)
     first, second = (
         mitsuba_frame(cloths, camera, size, lights, model=model, spp=samples, seed=s) for s in (0, 1)
     )
-    whole = np.ones((SIZE, SIZE), bool)
+    whole = np.ones(size, bool)
     return {
         "fabric": name,
         "distance_m": distance,
@@ -117,17 +119,19 @@ def measure(arguments: Namespace) -> Figures:
     """All rows."""
     mi.set_variant("llvm_ad_rgb")
     rows = [
-        compare(name, distance, model, arguments.samples)
+        compare(name, distance, model, arguments.samples, arguments.size)
         for model in arguments.models.split(",")
-        for name in FABRICS
+        for name in arguments.fabrics.split(",")
         for distance in DISTANCES
     ]
     largest = max(row["flip"] for row in rows)
-    return {"size": SIZE, "samples": arguments.samples, "rows": rows, "largest_flip": largest}
+    return {"size": arguments.size, "samples": arguments.samples, "rows": rows, "largest_flip": largest}
 
 
 def _add_options(parser: ArgumentParser) -> None:
     parser.add_argument("--models", default="point,lobes", help="point, lobes, or both")
+    parser.add_argument("--fabrics", default=",".join(FABRICS), help="names of examples")
+    parser.add_argument("--size", type=int, default=SIZE, help="pixels a side")
     parser.add_argument("--samples", type=int, default=SAMPLES, help="a pixel, of both")
 
 
