@@ -39,6 +39,10 @@ _UNCOVERED: dict[str, object] = {
     "bsdf": {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.32}},
 }
 DEFAULT_DEPTH = 8
+# Depth at which Russian roulette begins. CPUs take paths in packets, which last as long as any path in them:
+# with Mitsuba's 5, paths of a half per cent of the light took two fifths of denim's time in daylight, where
+# the variance is the same. White voile in the studio gains 8 % of time for 11 % of variance.
+ROULETTE_DEPTH = 2
 DEFAULT_SIZE = (640, 480)
 # Half the extent of a mesh, metres: beyond, threads are lost in the rounding of coordinates.
 MIN_RADIUS, MAX_RADIUS = 1e-5, 1e4
@@ -198,7 +202,8 @@ def build_scene(
     centre, radius = _bounds(cloth)
     view = framing(cloth.positions, np.array(setup.towards_camera), size)
     _require_extent(cloth.name, radius)
-    integrator = mi.load_dict({"type": "footprint_path", "max_depth": max_depth or DEFAULT_DEPTH})
+    paths = {"max_depth": max_depth or DEFAULT_DEPTH, "rr_depth": ROULETTE_DEPTH}
+    integrator = mi.load_dict({"type": "footprint_path", **paths})
     laid = [(*placed(piece, placement), own) for piece, own in worn.pieces]
     parts: dict[str, Any] = {**empty_scene(), "integrator": integrator}
     for number, (piece, millimetres, own) in enumerate(laid):
