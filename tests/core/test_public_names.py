@@ -21,6 +21,7 @@ PUBLIC = {
     "RenderSettings",
     "bake",
     "compare",
+    "edit",
     "fabric_from_text",
     "load",
     "load_draft",
@@ -31,6 +32,7 @@ PUBLIC = {
     "read_wif",
     "render",
     "save",
+    "view",
     "weave_names",
     "write_wif",
 }

@@ -20,15 +20,16 @@ WHITE = {"type": "twosided", "inner": {"type": "diffuse", "reflectance": 0.8}}
 
 @pytest.mark.slow
 def test_passes_are_as_good_as_one_go(monkeypatch: pytest.MonkeyPatch) -> None:
-    scene = build_scene("drape", WHITE, size=(24, 24), light="directional").scene
-    whole = render(scene, spp=64, seed=1)
+    # Deeper paths have more noise, which no grid of samples takes away.
+    scene = build_scene("drape", WHITE, size=(24, 24), light="directional", max_depth=3).scene
+    whole = [render(scene, spp=64, seed=seed) for seed in range(4, 8)]
     reference = render(scene, spp=4096, seed=3)
     monkeypatch.setitem(rendering.WAVEFRONT, "llvm_ad_rgb", 24 * 24 * 18)
     reports: list[tuple[int, int]] = []
     parts = render(scene, spp=64, seed=2, progress=lambda done, total: reports.append((done, total)))
     assert reports == [(16, 64), (32, 64), (48, 64), (64, 64)]
     # Two pictures of 64 samples: 24² pixels, noise of a few percent each.
-    np.testing.assert_allclose(parts.mean(), whole.mean(), rtol=0.02)
+    np.testing.assert_allclose(parts.mean(), whole[0].mean(), rtol=0.02)
     # Passes of seeds of their own lose what one grid of 64 samples gains over four of 16.
     monkeypatch.setattr(rendering, "_SPREAD_OVER_PASSES", "no sampler")
     apart = [render(scene, spp=64, seed=seed) for seed in range(4, 8)]
@@ -39,8 +40,8 @@ def test_passes_are_as_good_as_one_go(monkeypatch: pytest.MonkeyPatch) -> None:
     def error(pictures: list[np.ndarray]) -> float:
         return float(np.mean([np.square(picture - reference).mean() for picture in pictures]))
 
-    # In trials 0.97 of that of one go, and 1.27 apart; pictures are the same every time but for rounding.
-    assert error(together) < 1.1 * error([whole])
+    # In trials 1.0 of that of one go, and 1.4 apart; pictures are the same every time but for rounding.
+    assert error(together) < 1.1 * error(whole)
     assert error(apart) > 1.15 * error(together)
 
 

@@ -15,9 +15,9 @@ from loomlight.weave.draft import Draft, LoomPlan
 def membership(sets: Sequence[frozenset[int]], count: int) -> NDArray[np.bool_]:
     """Sets of 1-based numbers as bool [len(sets), count]; numbers above `count` are left out."""
     table = np.zeros((len(sets), count), dtype=bool)
-    rows = [row for row, members in enumerate(sets) for number in members if number <= count]
-    columns = [number - 1 for members in sets for number in members if number <= count]
-    table[rows, columns] = True
+    for row, members in zip(table, sets, strict=True):
+        numbers = np.fromiter(members, np.intp, len(members))
+        row[numbers[numbers <= count] - 1] = True
     return table
 
 

@@ -205,8 +205,7 @@ def is_private(name: str) -> bool:
 
 
 def _is_comment(line: str, section: Section | None) -> bool:
-    private = section is not None and is_private(section_name(section.spelled))
-    return line.startswith(";") or (line.startswith("#") and not private)
+    return line[0] == ";" or (line[0] == "#" and not (section and is_private(section_name(section.spelled))))
 
 
 def _by_key(file: str, sections: dict[str, Section]) -> dict[str, dict[str, tuple[str, str]]]:

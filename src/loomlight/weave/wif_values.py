@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 import re
+from contextlib import suppress
+from functools import cache
 
 from loomlight.weave.draft import MAXIMUM_THREADS
 from loomlight.weave.wif_text import WifText
@@ -82,11 +84,13 @@ def number_set(text: WifText, section: str, key: str, value: str, what: str) -> 
     Raises:
         InputError: an entry is no whole number from 0 to 16384.
     """
-    parts = [part.strip() for part in without_comment(value).split(",")]
+    parts = without_comment(value).split(",")
+    # Liftplans are megabytes of plain numbers, found here many times faster than they are checked.
+    with suppress(KeyError):
+        plain = frozenset(map(_plain_numbers().__getitem__, parts))
+        return plain - {0} if 0 in plain else plain
     numbers = []
-    for part in parts:
-        if not part:
-            continue
+    for part in filter(None, map(str.strip, parts)):
         if not _INTEGER.fullmatch(part) or not 0 <= int(part) <= MAXIMUM_THREADS:
             raise text.fault(
                 section,
@@ -96,6 +100,12 @@ def number_set(text: WifText, section: str, key: str, value: str, what: str) -> 
             )
         numbers.append(int(part))
     return frozenset(numbers) - {0}
+
+
+@cache
+def _plain_numbers() -> dict[str, int]:
+    """Every number that a list may have, by its usual spelling."""
+    return {str(number): number for number in range(MAXIMUM_THREADS + 1)}
 
 
 def integers(

@@ -55,7 +55,7 @@ def test_cloth_and_three_objects_share_light_and_shadow(tmp_path: Path, playwrig
         if not page.evaluate("async () => (await navigator.gpu?.requestAdapter()) != null"):
             pytest.skip("this Chromium has no WebGPU in software")
         bare = drawn(page)
-        wait_until(page, "window.example?.layer.renderer.statistics.passes > 0", 120)
+        wait_until(page, "window.example?.layer.renderer.statistics.passes > 0", 300)  # 10 alone
         page.wait_for_timeout(500)
         clothed = drawn(page)
         page.evaluate("example.sun.castShadow = false")
