@@ -1,9 +1,13 @@
-"""The example of three.js in a real Chromium: four fabrics, and shadows among three's own objects."""
+"""The example of three.js in a real Chromium: four fabrics, and shadows among three's own objects.
+
+Run by itself: `pytest -n 0 -m "" tests/viewer/e2e/test_three_example.py`.
+"""
 
 from __future__ import annotations
 
 import base64
 import io
+import os
 import shutil
 import subprocess
 import threading
@@ -41,6 +45,9 @@ def changed(one: NDArray[np.int64], other: NDArray[np.int64]) -> NDArray[np.bool
 
 @pytest.mark.slow
 def test_cloth_and_three_objects_share_light_and_shadow(tmp_path: Path, playwright: Any) -> None:
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        # Beside another worker it had no picture after five minutes, twice; alone it takes 20 seconds.
+        pytest.skip("needs the processors to itself: run it with -n 0")
     npx = shutil.which("npx")
     if npx is None or not (ROOT / "web" / "node_modules").is_dir():
         pytest.skip("needs Node, and `npm install` in web/: scripts/setup.sh does both")
@@ -55,7 +62,7 @@ def test_cloth_and_three_objects_share_light_and_shadow(tmp_path: Path, playwrig
         if not page.evaluate("async () => (await navigator.gpu?.requestAdapter()) != null"):
             pytest.skip("this Chromium has no WebGPU in software")
         bare = drawn(page)
-        wait_until(page, "window.example?.layer.renderer.statistics.passes > 0", 300)  # 10 alone
+        wait_until(page, "window.example?.layer.renderer.statistics.passes > 0", 120)
         page.wait_for_timeout(500)
         clothed = drawn(page)
         page.evaluate("example.sun.castShadow = false")
