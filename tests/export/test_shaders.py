@@ -32,6 +32,7 @@ from loomlight.realtime.layout import numpy_type
 from loomlight.realtime.models import REALTIME_MODELS, Material
 from loomlight.realtime.slangc import compile_shader
 from tests.marks import slow_among
+from tests.models.clustered.samples import with_samples
 from tests.realtime import test_clustered, test_latent, test_neumip
 from tests.realtime.queries import directions, share_beyond
 
@@ -51,7 +52,7 @@ def material_of(model: str) -> Material:
     if model == "neural":
         return NeuralModel.for_source(FABRIC, refined=False)
     if model == "clustered":
-        return test_clustered.model_of(1).with_samples(0)
+        return with_samples(test_clustered.model_of(1), 0)
     if model == "neumip":
         return test_neumip.random_model(half=True)
     return test_latent.random_model() if model == "latent" else FABRIC

@@ -40,7 +40,7 @@ def test_passes_are_as_good_as_one_go(monkeypatch: pytest.MonkeyPatch) -> None:
     def error(pictures: list[np.ndarray]) -> float:
         return float(np.mean([np.square(picture - reference).mean() for picture in pictures]))
 
-    # In trials 1.0 of that of one go, and 1.4 apart; pictures are the same every time but for rounding.
+    # Found: 1.0 of that of one go, and 1.4 apart; pictures are the same every time but for rounding.
     assert error(together) < 1.1 * error(whole)
     assert error(apart) > 1.15 * error(together)
 

@@ -142,7 +142,7 @@ def test_drafts_of_hundreds_of_threads_keep_default_limits() -> None:
         plan = plan_bake(even_layout(rng.random(shape) < 0.5), GROUPS)
         sizes = {name: plan.value_of(size) for name, size in BUFFER_BYTES.items()}
         sizes["scratch"] = 4 * sum(plan.value_of(size) for size in SCRATCH.values())
-        sizes["tables"] = 4 * plan.table_words
+        sizes["tables"] = 4 * sum(plan.table_sizes.values())
         assert max(sizes.values()) <= MAX_BYTES, sizes
         columns, rows = (int(count) for count in plan.levels[0, 1:])
         for dispatch in DISPATCHES:

@@ -25,6 +25,7 @@ from loomlight.models.samples import SampledModel
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
 from loomlight.realtime.tables import Packed, pack_fabrics
 from loomlight.yarn.geometry import YarnGeometry
+from tests.models.clustered.samples import with_samples
 from tests.realtime.mapped import mapped
 from tests.realtime.queries import directions, share_beyond, vectors
 
@@ -78,7 +79,7 @@ def queries() -> dict[str, NDArray[np.generic]]:
 @pytest.mark.parametrize(("rank", "samples"), [(0, 0), (1, 0), (3, 0), (1, 2)])
 def test_queries_of_clustered(rank: int, samples: int) -> None:
     """The base alone, its densities compressed to several ranks, and with two points of the residual."""
-    model = model_of(rank).with_samples(samples)
+    model = with_samples(model_of(rank), samples)
     rows = queries()
     footprint = Footprint(*(pairs(rows[name]) for name in ("centre", "dx", "dy")))
     at = model.at(vectors(rows["view"]), footprint, seed=UInt(rows["seed"]))

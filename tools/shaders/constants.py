@@ -49,7 +49,6 @@ from loomlight.models.neumip import parallax
 from loomlight.models.neural import architecture, footprint_coding, light_visibility
 from loomlight.models.neural import proposal as neural_proposal
 from loomlight.realtime import bake, bvh, openness_tables
-from loomlight.realtime.neural_tables import neural_constants
 from loomlight.scattering import (
     detail,
     directions,
@@ -61,6 +60,7 @@ from loomlight.scattering import (
     variation,
 )
 from loomlight.yarn import max_heights, rays, runs, search, threads
+from tools.shaders.neural_constants import neural_constants
 
 Value: TypeAlias = float | str | Sequence["Value"]
 

@@ -46,8 +46,8 @@ def neural(
     # MKL's sums otherwise depend on where arrays lie in memory, and a resumed training on that.
     os.environ.setdefault("MKL_CBWR", "AUTO,STRICT")
     try:
-        from loomlight.training.processes import process_group, process_number
-        from papers.chen2024.training.train import train_neural
+        from loomlight.training.processes import process_number
+        from papers.chen2024.training.train import process_group, train_neural
     except ModuleNotFoundError as error:
         raise MissingDependencyError("Training needs PyTorch: pip install 'loomlight[train]'.") from error
     folder = Path("runs") / config.stem if output is None else output

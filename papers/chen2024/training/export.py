@@ -26,13 +26,14 @@ from torch.nn.utils import parametrize
 from loomlight.models.neural.architecture import FIELD_MAP, LEAKY_SLOPE, MAX_THREADS, VECTOR_MAP
 from loomlight.models.neural.encoder import CHANNELS
 from loomlight.models.neural.footprint_coding import FINEST_LEVEL, WHOLE_REPEATS
-from loomlight.models.neural.weights import Weights, read_weights_alone, write_encoder
+from loomlight.models.neural.weights import Weights, read_weights_alone
 from papers.chen2024.training.network import (
     PARAMETERS,
     FieldEncoder,
     VectorEncoder,
     scaled_parameters,
 )
+from papers.chen2024.training.weights_file import write_encoder
 
 # The first opset whose Pad wraps around, and the place of rows and columns among the axes of maps.
 _OPSET = 19

@@ -5,16 +5,18 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-from collections.abc import Callable
+import os
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import torch
+from torch import distributed
 
 from loomlight.core.errors import InputError
 from loomlight.core.provenance import provenance
 from loomlight.models.neural.architecture import FIELD_MAP, VECTOR_MAP
-from loomlight.models.neural.weights import write_weights
 from loomlight.training.loop import Report, Schedule, train
 from loomlight.training.processes import process_count, process_number, wait_for_all
 from loomlight.training.soap import Soap
@@ -24,12 +26,28 @@ from papers.chen2024.training.dataset import Face, dataset_faces, read_faces, wr
 from papers.chen2024.training.export import export_encoder
 from papers.chen2024.training.losses import is_published
 from papers.chen2024.training.network import ClothNetwork, Decoder
+from papers.chen2024.training.weights_file import write_weights
 
 # Called with (fabrics made, fabrics in all).
 DatasetReport = Callable[[int, int], None]
 _WARM_UP = 0.01
 # Of what the dataset's files hold: a folder of another version is left alone.
 _DATASET_VERSION = 4
+
+
+@contextmanager
+def process_group() -> Iterator[None]:
+    """In the group that torchrun's variables name, for the block; by gloo, on processors."""
+    if "WORLD_SIZE" not in os.environ or "RANK" not in os.environ or distributed.is_initialized():
+        yield
+        return
+    distributed.init_process_group("gloo")
+    try:
+        yield
+        # The one that keeps the store must be the last to leave.
+        distributed.barrier()
+    finally:
+        distributed.destroy_process_group()
 
 
 def train_neural(

@@ -39,9 +39,8 @@ _UNCOVERED: dict[str, object] = {
     "bsdf": {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.32}},
 }
 DEFAULT_DEPTH = 8
-# Depth at which Russian roulette begins. CPUs take paths in packets, which last as long as any path in them:
-# with Mitsuba's 5, paths of a half per cent of the light took two fifths of denim's time in daylight, where
-# the variance is the same. White voile in the studio gains 8 % of time for 11 % of variance.
+# Where Russian roulette begins. CPUs take paths in packets, as long as the longest: with Mitsuba's 5, two
+# fifths of denim's time in daylight went to a half per cent of its light, at the same variance.
 ROULETTE_DEPTH = 2
 DEFAULT_SIZE = (640, 480)
 # Half the extent of a mesh, metres: beyond, threads are lost in the rounding of coordinates.

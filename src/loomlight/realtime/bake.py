@@ -159,11 +159,6 @@ class BakePlan:
     joint: NDArray[np.int16] | None = None
 
     @property
-    def table_words(self) -> int:
-        """Words of the tables that kernels write, which lie one behind the other in the buffer of words."""
-        return sum(self.table_sizes.values())
-
-    @property
     def table_sizes(self) -> dict[str, int]:
         """Words of each of these tables, in order, by the field of `Lobes` that says where it begins."""
         packs, nodes = self.sizes["packs"], self.sizes["face_nodes"]

@@ -12,19 +12,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.models.neural import architecture, footprint_coding, light_visibility
 from loomlight.models.neural.decoder import split_matrices
 from loomlight.models.neural.footprint_coding import mean_pitch
 from loomlight.models.neural.model import NeuralModel
 from loomlight.models.neural.weights import Weights, shipped_weights
-from loomlight.realtime.networks import layer_size, layer_starts, packed_layer, packed_numbers
+from loomlight.realtime.networks import packed_layer, packed_numbers
 from loomlight.realtime.word_table import Tables, fill
 from loomlight.yarn.layout import ClothLayout
 
 # Layers in the order of memory; see `neural_layers`.
-_LAYERS = ("FUSION_0", "FUSION_1", "HOLE_0", "HOLE_1", "VIEW", "LIGHT")
-_ANGULAR = ("ANGULAR", "ANGULAR_2", "ANGULAR_3")
-_LAST = "LAST"
+LAYERS = ("FUSION_0", "FUSION_1", "HOLE_0", "HOLE_1", "VIEW", "LIGHT")
+ANGULAR = ("ANGULAR", "ANGULAR_2", "ANGULAR_3")
+LAST = "LAST"
 Numbers: TypeAlias = NDArray[np.float32]
 Layer: TypeAlias = tuple[Numbers, Numbers | None]
 
@@ -45,44 +44,9 @@ def neural_layers(weights: Weights) -> dict[str, Layer]:
         (parts["hole last"], parts["hole last bias"]),
         (view, parts["0 bias"]),
         (parts["light"], None),
-        *((parts[f"{number}"], parts[f"{number} bias"]) for number in range(1, len(_ANGULAR) + 2)),
+        *((parts[f"{number}"], parts[f"{number} bias"]) for number in range(1, len(ANGULAR) + 2)),
     ]
-    return dict(zip((*_LAYERS, *_ANGULAR, _LAST), layers, strict=True))
-
-
-def neural_constants() -> dict[str, float]:
-    """Constants of `neural.slang` that follow from the shipped network and from numbers of the model: widths,
-    where layers begin, and what shaders compute with in the place of those numbers."""
-    weights = shipped_weights()
-    table = weights.table
-    layers = neural_layers(weights)
-    starts = layer_starts([(weight.shape[1], weight.shape[0]) for weight, _ in layers.values()])
-    at = dict(zip(layers, starts, strict=False))
-    smallest, largest = footprint_coding.FIELD_SIZES
-    first, full = (
-        float(footprint_coding.log_fraction(np.float64(threads), smallest, largest))
-        for threads in footprint_coding.CORRECTED_SIZES
-    )
-    return {
-        "NEURAL_HIDDEN": table.hidden,
-        "NEURAL_LATENT": table.latent_size,
-        "NEURAL_HOLE_HIDDEN": layers["HOLE_0"][0].shape[0],
-        "NEURAL_LIGHT_INPUTS": 3 + architecture.LIGHT_FEATURES,
-        "NEURAL_VIEW_INPUTS": table.hidden + 2 + architecture.VIEW_FEATURES,
-        "NEURAL_ANGULAR_LAYERS": len(_ANGULAR),
-        "NEURAL_ANGULAR_SIZE": layer_size(table.hidden, table.hidden),
-        **{f"NEURAL_{name}": at[name] for name in (*_LAYERS, _ANGULAR[0], _LAST)},
-        "REFLECTION_SCALE": 1 / architecture.REFLECTION_GAIN,
-        "TRANSMISSION_SCALE": 1 / architecture.TRANSMISSION_GAIN,
-        "MAX_COMPONENT": float(np.expm1(architecture.MAX_OUTPUT)),
-        "MIN_CODED_SIZE": smallest,
-        "PER_LOG_SIZE": 1 / float(np.log(largest / smallest)),
-        "CORRECTED_FROM": first,
-        "PER_CORRECTED_SPAN": 1 / (full - first),
-        "FACING_CONSTANT": light_visibility.FACING[0],
-        "FACING_BY_COSINE": light_visibility.FACING[1],
-        "FACING_BY_AZIMUTH": light_visibility.FACING[2],
-    }
+    return dict(zip((*LAYERS, *ANGULAR, LAST), layers, strict=True))
 
 
 def pack_neural(record: np.void, model: NeuralModel, layout: ClothLayout | None, tables: Tables) -> None:

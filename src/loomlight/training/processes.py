@@ -7,9 +7,7 @@ Without torchrun there is one process, and nothing here does anything.
 
 from __future__ import annotations
 
-import os
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from typing import TypeVar
 
 import torch
@@ -26,21 +24,6 @@ def process_count() -> int:
 def process_number() -> int:
     """Which of them this one is; number 0 writes files."""
     return distributed.get_rank() if distributed.is_initialized() else 0
-
-
-@contextmanager
-def process_group() -> Iterator[None]:
-    """In the group that torchrun's variables name, for the block; by gloo, on processors."""
-    if "WORLD_SIZE" not in os.environ or "RANK" not in os.environ or distributed.is_initialized():
-        yield
-        return
-    distributed.init_process_group("gloo")
-    try:
-        yield
-        # The one that keeps the store must be the last to leave.
-        distributed.barrier()
-    finally:
-        distributed.destroy_process_group()
 
 
 def own_share(parts: Sequence[_Part]) -> Sequence[_Part]:

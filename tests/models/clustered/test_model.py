@@ -35,6 +35,7 @@ from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 
 from ..fabrics import directions, queries, vectors
+from .samples import with_samples
 
 require_llvm()
 
@@ -141,7 +142,7 @@ def test_the_base_over_a_box_is_the_mean_of_the_base_of_its_texels() -> None:
 @pytest.mark.parametrize(("samples", "texel_samples"), [(1, 0), (2, 4)])
 def test_estimates_are_unbiased(samples: int, texel_samples: int) -> None:
     """Against the reference over the same footprints, whose edges are along the axes: the box is exact."""
-    made = model().with_samples(samples, texel_samples)
+    made = with_samples(model(), samples, texel_samples)
     cases, each = 40, 3000
     asked = queries(made.fabric, cases, seed=3)
     asked.edges = np.stack([np.diag(np.abs(edges).sum(axis=0)) for edges in asked.edges])
@@ -166,7 +167,7 @@ def test_estimates_are_unbiased(samples: int, texel_samples: int) -> None:
 @pytest.mark.parametrize("samples", [1, 3])
 def test_estimates_of_light_between_yarns_are_unbiased(samples: int) -> None:
     """Against yarn points all over the same boxes, tinted, seen from both faces."""
-    made = model(TEXT.removeprefix("interreflection = false\n")).with_samples(samples, 0)
+    made = with_samples(model(TEXT.removeprefix("interreflection = false\n")), samples, 0)
     cases, each = 30, 4000
     asked = queries(made.fabric, cases, seed=3)
     asked.edges = np.stack([np.diag(np.abs(edges).sum(axis=0)) for edges in asked.edges])
@@ -202,7 +203,7 @@ def test_the_texel_model_takes_most_of_the_noise() -> None:
         return float(value.reshape(3, 30, 400).var(axis=2).sum())
 
     # It was half: 32 texels along the repeat are few, and models are baked with 256.
-    assert noise(made.with_samples(2, 32)) < 0.6 * noise(made.with_samples(2, 0))
+    assert noise(with_samples(made, 2, 32)) < 0.6 * noise(with_samples(made, 2, 0))
 
 
 def test_random_numbers_are_uniform_and_repeat_with_the_cloth() -> None:

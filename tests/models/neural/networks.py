@@ -13,9 +13,10 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.models.neural import encoding
 from loomlight.models.neural.architecture import NetworkTable
 from loomlight.models.neural.latent_cache import clear_encodings
-from loomlight.models.neural.weights import Weights, read_weights, write_weights
+from loomlight.models.neural.weights import Weights, read_weights
 from papers.chen2024.training.export import export_encoder
 from papers.chen2024.training.network import ClothNetwork
+from papers.chen2024.training.weights_file import write_weights
 
 # The shapes that are trained: what ships, what was published, and the ablations.
 TABLES: dict[str, dict[str, Any]] = {

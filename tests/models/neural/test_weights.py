@@ -1,4 +1,7 @@
-"""The weights file: what is written comes back, what is wrong is one sentence, and what ships is small."""
+"""The weights file: what is written comes back, what is wrong is one sentence, and what ships is small.
+
+Covers: papers/chen2024/training/weights_file.py
+"""
 
 from __future__ import annotations
 
@@ -19,8 +22,8 @@ from loomlight.models.neural.weights import (
     encoder_path,
     read_weights,
     shipped_weights,
-    write_weights,
 )
+from papers.chen2024.training.weights_file import write_weights
 
 from .networks import TABLES, network, written
 

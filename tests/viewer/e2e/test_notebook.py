@@ -53,18 +53,18 @@ def notebook(tmp_path: Path) -> Iterator[str]:
         "LabApp.check_for_updates_class": "jupyterlab.NeverCheckForUpdate",
     }
     given = [f"--{name}={value}" for name, value in options.items()]
-    server = subprocess.Popen(
-        [sys.executable, "-m", "jupyterlab", "--no-browser", *given],
-        env={**os.environ, **places, "PYTHONPATH": f"{ROOT / 'src'}"},
-        stdout=subprocess.DEVNULL,
-        stderr=(log := open(tmp_path / "log", "w+")),  # noqa: SIM115
-    )
-    try:
-        yield _address(server, tmp_path / "log")
-    finally:
-        server.terminate()
-        server.wait(20)
-        log.close()
+    with (tmp_path / "log").open("w") as log:
+        server = subprocess.Popen(
+            [sys.executable, "-m", "jupyterlab", "--no-browser", *given],
+            env={**os.environ, **places, "PYTHONPATH": f"{ROOT / 'src'}"},
+            stdout=subprocess.DEVNULL,
+            stderr=log,
+        )
+        try:
+            yield _address(server, tmp_path / "log")
+        finally:
+            server.terminate()
+            server.wait(20)
 
 
 def _address(server: subprocess.Popen[bytes], log: Path) -> str:

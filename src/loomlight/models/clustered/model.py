@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from copy import copy
 from dataclasses import replace
 from typing import Self, final
 
@@ -125,22 +124,6 @@ class ClusteredModel(FilteredFabricModel):
         return type(self).for_source(
             source, self.tables.clusters, self.tables.rank, self.samples, self.texel_samples, self.texels
         )
-
-    def with_samples(self, samples: int, texel_samples: int | None = None) -> Self:
-        """This model with other numbers of points; tables are shared.
-
-        Args:
-            texel_samples: None leaves it.
-
-        Raises:
-            InputError: fewer or more points than the options allow.
-        """
-        model = copy(self)
-        model.samples = samples
-        if texel_samples is not None:
-            model.texel_samples = texel_samples
-        _require_options(self.tables.clusters, self.tables.rank, samples, model.texel_samples, self.texels)
-        return model
 
     def with_fabric(self, fabric: Fabric, edits: frozenset[str]) -> Self:
         """The model of an edited fabric; tables are kept if the edit changes the sheen alone."""

@@ -30,20 +30,21 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from safetensors import SafetensorError, safe_open
-from safetensors.numpy import save
 
 from loomlight.assets.loom_file import checksum
 from loomlight.core.errors import InputError
-from loomlight.core.files import replacing, require_file
+from loomlight.core.files import require_file
 from loomlight.models.neural.architecture import BINS, LIGHT_FEATURES, VIEW_FEATURES, NetworkTable
 
 # 2: roughness enters the encoder as its logarithm. 3: directions along the fibres are inputs. 4: the lobe
 # basis.
 SCHEMA = 4
-_ENTRY = "neural"
+ENTRY = "neural"
 
 
-class _Header(BaseModel):
+class Header(BaseModel):
+    """What a weights file says of its network."""
+
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
 
     schema_version: int = Field(alias="schema")
@@ -101,63 +102,6 @@ class Weights:
 _REMEDY = "`python -m papers.chen2024.training`, in a checkout, writes a weights file"
 
 
-def write_weights(
-    path: str | os.PathLike[str],
-    table: NetworkTable,
-    tensors: Mapping[str, NDArray[Any]],
-    *,
-    linear_diffuse: bool,
-    recipe: Mapping[str, Any],
-    provenance: Mapping[str, Any],
-    trained: bool = True,
-    half: bool = True,
-) -> None:
-    """Writes a weights file, whole or not at all.
-
-    Args:
-        tensors: by the names of the torch module's state.
-        half: in half precision, otherwise in single precision.
-
-    Raises:
-        InputError: a place that cannot be written to.
-        ValueError: a weight that is not finite, or too large for half precision.
-    """
-    kept = {}
-    for name, values in tensors.items():
-        with np.errstate(over="ignore"):
-            kept[name] = np.ascontiguousarray(values, np.float16 if half else np.float32)
-        if not np.isfinite(kept[name]).all():
-            raise ValueError(f"the weights {name} hold numbers that {kept[name].dtype} cannot")
-    header = _Header(
-        schema=SCHEMA,
-        shape=table,
-        linear_diffuse=linear_diffuse,
-        trained=trained,
-        recipe=dict(recipe),
-        provenance=dict(provenance),
-    )
-    content = json.loads(header.model_dump_json(by_alias=True))
-    entry = json.dumps({"checksum": checksum(content, kept), "network": content}, sort_keys=True)
-    with replacing(path) as temporary:
-        temporary.write_bytes(save(kept, {_ENTRY: entry}))
-
-
-def write_encoder(weights_path: str | os.PathLike[str], model: bytes, sha256: str) -> Path:
-    """Writes an exported encoder beside its weights, whole or not at all; returns its path.
-
-    Args:
-        model: the ONNX model.
-        sha256: of the weights that it was exported from; see `Weights`.
-
-    Raises:
-        InputError: a place that cannot be written to.
-    """
-    path = encoder_path(weights_path)
-    with replacing(path) as temporary:
-        temporary.write_bytes(model + _encoder_metadata(model, sha256))
-    return path
-
-
 def encoder_path(weights_path: str | os.PathLike[str]) -> Path:
     """The file of the encoder beside a weights file."""
     return Path(weights_path).with_suffix(".onnx")
@@ -181,16 +125,16 @@ def _read_encoder(weights_path: str | os.PathLike[str], sha256: str) -> bytes:
         data = path.read_bytes()
     except OSError as error:
         raise InputError(f"{weights_path}: its encoder {path.name} is not beside it: {remedy}.") from error
-    model = data[: -len(_encoder_metadata(b"", sha256))]
+    model = data[: -len(encoder_metadata(b"", sha256))]
     metadata = data[len(model) :]
-    if metadata == _encoder_metadata(model, sha256):
+    if metadata == encoder_metadata(model, sha256):
         return data
     if metadata.endswith(_metadata_entry("checksum", hashlib.sha256(model).hexdigest())):
         raise InputError(f"{path}: it was exported from other weights than {weights_path}: {remedy} again.")
     raise InputError(f"{path}: it is no exported encoder, or damaged: {remedy} again.")
 
 
-def _encoder_metadata(model: bytes, sha256: str) -> bytes:
+def encoder_metadata(model: bytes, sha256: str) -> bytes:
     """The metadata entries that end the file of an encoder."""
     entries = {"weights": sha256, "checksum": hashlib.sha256(model).hexdigest()}
     return b"".join(_metadata_entry(key, value) for key, value in entries.items())
@@ -216,12 +160,12 @@ def read_weights_alone(path: str | os.PathLike[str]) -> Weights:
     source = str(path)
     try:
         with safe_open(source, framework="numpy") as file:
-            entry = (file.metadata() or {}).get(_ENTRY)
+            entry = (file.metadata() or {}).get(ENTRY)
             kept = {name: file.get_tensor(name) for name in file.keys()}  # noqa: SIM118 (no mapping)
     except (SafetensorError, OSError, ValueError, OverflowError, MemoryError, TypeError) as error:
         raise InputError(f"{source}: it is no weights file, or damaged: {_REMEDY}.") from error
     if entry is None:
-        raise InputError(f"{source}: it is a safetensors file without the entry {_ENTRY}: {_REMEDY}.")
+        raise InputError(f"{source}: it is a safetensors file without the entry {ENTRY}: {_REMEDY}.")
     content = _content(source, entry)
     schema = content["network"].get("schema")
     if schema != SCHEMA:
@@ -231,7 +175,7 @@ def read_weights_alone(path: str | os.PathLike[str]) -> Weights:
     if content.get("checksum") != found:
         raise InputError(f"{source}: its content does not fit its checksum, so it is damaged: {_REMEDY}.")
     try:
-        header = _Header.model_validate(content["network"])
+        header = Header.model_validate(content["network"])
     except (ValidationError, RecursionError) as error:
         raise InputError(f"{source}: its header does not describe a network: {_REMEDY}.") from error
     for name, shape in decoder_shapes(header.shape).items():
