@@ -1,8 +1,7 @@
 /** Colour cards that the browser keeps: a house's own standards. */
 import { MAX_CARD, readColourCard, type CardColour, type ColourCard } from "loomlight-fabric";
-import { useEffect, useState } from "preact/hooks";
 
-import { read, write } from "./slots.ts";
+import { entriesOf, KeptList } from "./kept_list.ts";
 
 /** Files that are colour cards. */
 export const CARDS = /\.(ase|gpl|csv)$/i;
@@ -11,24 +10,17 @@ const MAX_CARDS = 30;
 /** Bytes of a file at most: 5,000 colours take a tenth of that. */
 const MAX_BYTES = 4 * 2 ** 20;
 
-let present: readonly ColourCard[] | null = null;
-const listeners = new Set<() => void>();
+const kept = new KeptList("cards", cardsOf);
 
 /** The cards at hand, the last one that was added first. */
-export function cards(): readonly ColourCard[] {
-  present ??= cardsOf(read("cards"));
-  return present;
-}
+export const cards = (): readonly ColourCard[] => kept.entries;
+
+/** The cards at hand in a component, which follows them. */
+export const useCards = kept.use;
 
 /** The cards of a text; what cannot be one is left out. */
 export function cardsOf(text: string | null): ColourCard[] {
-  let json: unknown = null;
-  try {
-    json = JSON.parse(text ?? "null");
-  } catch {
-    // Of another version of the page.
-  }
-  return (Array.isArray(json) ? json : []).slice(0, MAX_CARDS).flatMap((each: unknown) => {
+  return entriesOf(text, MAX_CARDS).flatMap((each) => {
     const { name, colours } = (typeof each === "object" && each !== null ? each : {}) as Partial<ColourCard>;
     const readable = Array.isArray(colours) ? colours.slice(0, MAX_CARD).filter(isColour) : [];
     return typeof name === "string" && readable.length > 0 ? [{ name, colours: readable }] : [];
@@ -60,20 +52,8 @@ export function removeCard(name: string): void {
 }
 
 function replace(next: readonly ColourCard[]): boolean {
-  present = next;
-  for (const listener of listeners) listener();
-  return write("cards", JSON.stringify(next));
-}
-
-/** The cards at hand in a component, which follows them. */
-export function useCards(): readonly ColourCard[] {
-  const [, setCount] = useState(0);
-  useEffect(() => {
-    const listener = (): void => setCount((count) => count + 1);
-    listeners.add(listener);
-    return () => void listeners.delete(listener);
-  }, []);
-  return cards();
+  kept.show(next);
+  return kept.keep(JSON.stringify(next));
 }
 
 interface Index {

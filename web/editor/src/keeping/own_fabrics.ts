@@ -1,9 +1,7 @@
 /** Fabrics of the user's own that the browser keeps beside the gallery. */
-import { useEffect, useState } from "preact/hooks";
-
 import { nameOf, type Fabric } from "../state/document.ts";
 import { fabricFromJson, fabricText, fabricToJson } from "../state/fabric_json.ts";
-import { read, write } from "./slots.ts";
+import { entriesOf, KeptList } from "./kept_list.ts";
 
 export interface OwnFabric {
   /** No other has it. */
@@ -15,25 +13,18 @@ export interface OwnFabric {
 const MAX_FABRICS = 100;
 const MAX_TEXT = 1_500_000;
 
-let present: readonly OwnFabric[] | null = null;
-const listeners = new Set<() => void>();
+const kept = new KeptList("own", ownFabricsOf);
 
 /** The kept fabrics, the last one first. */
-export function ownFabrics(): readonly OwnFabric[] {
-  present ??= ownFabricsOf(read("own"));
-  return present;
-}
+export const ownFabrics = (): readonly OwnFabric[] => kept.entries;
+
+/** The kept fabrics in a component, which follows them. */
+export const useOwnFabrics = kept.use;
 
 /** The fabrics of a text; what cannot be shown is left out. */
 export function ownFabricsOf(text: string | null): OwnFabric[] {
-  let json: unknown = null;
-  try {
-    json = JSON.parse(text ?? "null");
-  } catch {
-    // Of another version of the page.
-  }
   const found: OwnFabric[] = [];
-  for (const each of (Array.isArray(json) ? json : []).slice(0, MAX_FABRICS) as unknown[])
+  for (const each of entriesOf(text, MAX_FABRICS))
     try {
       const { name, fabric } = each as { readonly name: unknown; readonly fabric: unknown };
       if (typeof name === "string" && found.every((other) => other.name !== name)) found.push({ name, fabric: fabricFromJson(fabric) });
@@ -71,19 +62,7 @@ const textOf = (fabrics: readonly OwnFabric[]): string => JSON.stringify(fabrics
 
 /** Puts other fabrics in their place, unless the browser does not keep them. */
 function replace(next: readonly OwnFabric[]): boolean {
-  if (!write("own", textOf(next))) return false;
-  present = next;
-  for (const listener of listeners) listener();
+  if (!kept.keep(textOf(next))) return false;
+  kept.show(next);
   return true;
-}
-
-/** The kept fabrics in a component, which follows them. */
-export function useOwnFabrics(): readonly OwnFabric[] {
-  const [, setCount] = useState(0);
-  useEffect(() => {
-    const listener = (): void => setCount((count) => count + 1);
-    listeners.add(listener);
-    return () => void listeners.delete(listener);
-  }, []);
-  return ownFabrics();
 }
