@@ -77,6 +77,16 @@ def _address(server: subprocess.Popen[bytes], log: Path) -> str:
     raise AssertionError(log.read_text())
 
 
+def _answer_dialogs(page: Any) -> None:
+    """Accepts what JupyterLab asks or tells of itself, such as a kernel started anew; a failure prints it."""
+
+    def accept(dialog: Any) -> None:
+        print(dialog.inner_text())
+        dialog.locator(".jp-mod-accept").click()
+
+    page.add_locator_handler(page.locator(".jp-Dialog"), accept)
+
+
 def _run(page: Any, number: int) -> None:
     page.locator(".jp-CodeCell").nth(number).locator(".cm-content").click()
     page.keyboard.press("Control+Enter")
@@ -97,6 +107,7 @@ def _require_printed(page: Any, number: int, expected: str) -> None:
 def test_page_and_python_follow_each_other(notebook: str, playwright: Any) -> None:
     with launched(playwright, SWIFTSHADER) as browser, visiting(browser) as visit:
         page = visit.page
+        _answer_dialogs(page)
         page.goto(notebook)
         page.locator(".jp-CodeCell").nth(3).wait_for(timeout=1000 * LONG)
         page.locator("[data-status=idle]").first.wait_for(state="attached", timeout=1000 * LONG)
