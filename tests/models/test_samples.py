@@ -61,6 +61,26 @@ def test_many_points_are_the_reference() -> None:
     assert (np.abs(actual - exact.mean[:, order]) < spread).all()
 
 
+def test_points_of_nearly_equal_footprints_differ() -> None:
+    # 12 threads of a weave of 8, all about one place: with the same points in each, the mean is far off.
+    cloth = fabric_from_text('weave = "satin 8/3"')
+    many = 16384
+    at, thread = np.random.default_rng(6), float(cloth.layout().warp.spacing[0])
+    view = np.array([-0.2, 0.4, 1]) + 1e-4 * at.standard_normal((many, 3))
+    view /= np.linalg.norm(view, axis=-1, keepdims=True)
+    light = np.tile(np.array([0.3, 0.2, 1]) / np.sqrt(1.13), (many, 1))
+    edges = np.tile(12 * thread * np.eye(2), (many, 1, 1))
+    together = Queries(light, view, np.zeros((many, 2)), edges)
+    apart = Queries(light, view, 12 * thread * (at.random((many, 2)) - 0.5), edges * 1e-4)
+    values = [
+        model.at(asked.view, asked.footprint).value(asked.light).numpy().mean(axis=0)
+        for model, asked in ((SampledModel(cloth, 8), together), (PointModel.for_source(cloth), apart))
+    ]
+    spread = np.sqrt(sum(np.var(value) / many for value in values))
+    assert abs(np.mean(values[0]) - np.mean(values[1])) < 4 * spread
+    assert 4 * spread < 0.05 * np.mean(values[1])
+
+
 def test_plain_weave_from_behind_is_plain_weave_shifted_by_a_thread() -> None:
     plain = fabric_from_text('weave = "plain"\ngap = 0.25\n[warp]\ntwist_deg = 0.0\n[weft]\ntwist_deg = 0.0')
     model = PointModel.for_source(plain)

@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from torch import Tensor, nn
 from torch.nn import functional
 
-from loomlight.models.neural.footprint_coding import coordinate_rows, levels_of, taps
+from loomlight.models.neural.architecture import NetworkTable
+from loomlight.models.neural.footprint_coding import footprint_coordinates, levels_of, taps
 from loomlight.training.processes import process_count
 from loomlight.training.side_by_side import SideBySide
 from papers.chen2024.training.config import TrainingConfig
@@ -176,6 +177,11 @@ class Batches:
 
     def _tensor(self, array: NDArray[Any]) -> Tensor:
         return torch.from_numpy(np.ascontiguousarray(array)).to(self._device)
+
+
+def coordinate_rows(table: NetworkTable, picks: int, ends: int, footprints: _Floats) -> _Floats:
+    """`footprint_coordinates` [n, 3] of footprints [n, 3]: position x and y and side, in threads."""
+    return np.stack(footprint_coordinates(table, picks, ends, *footprints.T), -1).astype(np.float32)
 
 
 def _draw(face: Face, rng: np.random.Generator, count: int, small: float) -> tuple[_Floats, ...]:

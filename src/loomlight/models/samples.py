@@ -1,4 +1,4 @@
-"""The mean of the point model over many points of the footprint: slow, and right in the limit.
+"""The mean of the point model over many points of the footprint: slow, and right in the mean.
 
 Each point's view ray is followed with exact parallax, its shadows are searched. A direction is drawn at one
 of the points; its density is the mean of all points' densities, and its weight value over that.
@@ -25,6 +25,7 @@ from loomlight.models.between_yarns import Bounced
 from loomlight.models.fabric_model import FabricModel, fabric_in_loom, fabric_source
 from loomlight.models.interface import Option
 from loomlight.models.point import families_of
+from loomlight.models.random_numbers import hashed, uniform
 from loomlight.models.separable import Components, Evaluation, FamilyAlbedos, SeparableBsdf
 from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.yarn_point import Albedos, DirectionSample, YarnPoint
@@ -33,8 +34,8 @@ from loomlight.yarn.search import upload_extent
 
 DEFAULT_POINTS = 32
 MAX_POINTS = 1 << 16
-# The plastic number's powers: points at multiples of these shares fill a square evenly (Roberts 2018).
-_ACROSS, _ALONG = 0.7548776662466927, 0.5698402909980532
+# The plastic number's powers, in units of 2⁻³²: multiples of them fill a square evenly (Roberts 2018).
+_SHARES = (3242174889, 2447445414)
 
 
 @dataclass
@@ -66,6 +67,8 @@ class SamplesBsdf(SeparableBsdf):
         self._model = model
         self._points = points
         self._tint = tint
+        # One pattern for all footprints may fall in step with the weave: a mean over pixels would be wrong.
+        self._seed = hashed(view, footprint, model.surface.size)
 
     @cached_property
     def _shown(self) -> _Shown:
@@ -150,7 +153,10 @@ class SamplesBsdf(SeparableBsdf):
         types = array_types(self.view.x)
         place = self.footprint.centre
         if self._points > 1:
-            s, t = (types.Float(number) * share + 0.5 for share in (_ACROSS, _ALONG))
+            s, t = (
+                uniform(self._seed, axis) + types.Float(number * share >> 8) * 2**-24
+                for axis, share in enumerate(_SHARES)
+            )
             place = self.footprint.at(s - dr.floor(s) - 0.5, t - dr.floor(t) - 0.5)
         return self._model.locate(place.x, place.y, self.view, tint=self._tint)
 
@@ -185,7 +191,7 @@ def _combined(operation: Callable[..., Any], *trees: Any) -> Any:
 
 @final
 class SampledModel(FabricModel):
-    """So many points, spread evenly over the footprint in a pattern that is the same for all."""
+    """So many points, spread evenly over the footprint in a pattern that each footprint moves elsewhere."""
 
     name = "samples"
     filters = True

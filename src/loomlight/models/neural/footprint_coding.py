@@ -229,13 +229,6 @@ def fine_tuning_weight(size: Float, arrays: Any = np) -> Float:
     return arrays.clip((size - first) * (1 / (full - first)), 0, 1)
 
 
-def coordinate_rows(
-    table: NetworkTable, picks: int, ends: int, footprints: NDArray[np.float32]
-) -> NDArray[np.float32]:
-    """`footprint_coordinates` [n, 3] of footprints [n, 3]: position x and y and side, in threads."""
-    return np.stack(footprint_coordinates(table, picks, ends, *footprints.T), -1).astype(np.float32)
-
-
 def footprints_in_threads(
     layout: ClothLayout, centres: NDArray[np.float64], sizes: NDArray[np.float64]
 ) -> NDArray[np.float32]:
