@@ -1,10 +1,11 @@
-"""Shadows and what lies behind holes, with two sheets of cloth against Mitsuba.
+"""Shadows and what lies behind holes, with two sheets of cloth against Mitsuba; the shadow on a ground.
 
 Covers: realtime/scene_words.py
 """
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import mitsuba as mi
@@ -64,3 +65,51 @@ def test_one_flat_sheet_casts_none(open_sheets: Renderer) -> None:
     flat = Renderer(two_sheets("organza")[:1], SIZE, "point")
     assert flat._scene.is_flat
     assert not open_sheets._scene.is_flat
+
+
+SHEET, ABOVE = 0.1, 0.05  # metres
+
+
+def ground_below(fabric: str, lamp_share: float, passes: int = 32) -> float:
+    """What the background keeps, on a ground below a square sheet, at the middle of an edge."""
+    cloth = Cloth(rectangle(SHEET, SHEET), load_fabric(EXAMPLES / f"{fabric}.toml"))
+    camera = Camera((0.2, 0, 0.2), target=(SHEET / 2, 0, -ABOVE), up=(0, 0, 1), field_of_view=0.1)
+    options = {"background": (0.5, 0.5, 0.5), "ground": (0, 0, 1, -ABOVE, lamp_share), "samples": 1}
+    picture = Renderer([cloth], (8, 8), "point").render(camera, [SUN], passes=passes, **options)
+    assert picture.linear[..., 3].max() == 0  # no cloth is seen
+    return float(picture.linear[..., :3].mean()) / 0.5
+
+
+def test_a_ground_loses_the_share_of_the_sky_that_cloth_covers() -> None:
+    """The form factor of a parallel rectangle below a corner, of two halves of the sheet (Howell C-11)."""
+    x, y = SHEET / ABOVE, SHEET / 2 / ABOVE
+    across, along = math.hypot(1, x), math.hypot(1, y)
+    corner = (x / across * math.atan(y / across) + y / along * math.atan(x / along)) / (2 * math.pi)
+    found = ground_below("denim", 0.0)
+    assert found == pytest.approx(1 - 2 * corner, abs=0.01)
+    # Open cloth covers less.
+    layout = load_fabric(EXAMPLES / "organza.toml").layout()
+    assert 1 - ground_below("organza", 0.0) == pytest.approx((1 - found) * (1 - layout.open_area), abs=0.01)
+
+
+def test_a_ground_loses_the_light_of_the_lamp() -> None:
+    """A lamp to the side, which the sheet does not hide, one of which it hides half, and one behind it."""
+    cloth = Cloth(rectangle(SHEET, SHEET), load_fabric(EXAMPLES / "denim.toml"))
+    camera = Camera((0.2, 0, 0.2), target=(SHEET / 2, 0, -ABOVE), up=(0, 0, 1), field_of_view=0.1)
+    options = {"background": (0.5, 0.5, 0.5), "ground": (0, 0, 1, -ABOVE, 1.0), "passes": 32}
+    renderer = Renderer([cloth], (8, 8), "point")
+    shares = [
+        float(renderer.render(camera, [DirectionalLight(towards)], **options).linear[..., :3].mean()) / 0.5
+        for towards in [(1, 0, 0.5), (0, 0, 1), (-1, 0, 1)]
+    ]
+    assert shares == pytest.approx([1, 0.5, 0], abs=0.02)
+
+
+def test_a_ground_is_not_seen_from_below() -> None:
+    cloth = Cloth(rectangle(SHEET, SHEET), load_fabric(EXAMPLES / "denim.toml"))
+    options = {"background": (0.5, 0.5, 0.5), "passes": 2}
+    renderer, camera = Renderer([cloth], (16, 16), "point"), Camera((0.1, 0, -0.3), field_of_view=60)
+    without = renderer.render(camera, [SUN], **options).linear
+    np.testing.assert_array_equal(
+        renderer.render(camera, [SUN], ground=(0, 0, 1, -ABOVE, 0.5), **options).linear, without
+    )

@@ -116,6 +116,7 @@ class Scene:
     lights: tuple[DirectionalLight | PointLight, ...]
     environment: Environment | None
     size: tuple[int, int]
+    ground: tuple[float, ...] | None = None
 
     def page_step(self) -> dict[str, Any]:
         mesh, environment = self.mesh, self.environment
@@ -139,6 +140,9 @@ class Scene:
             "environment": None,
             "passes": 2,
         }
+        if self.ground is not None:
+            x, y, z, offset, lamp_share = self.ground
+            step["ground"] = {"normal": (x, y, z), "offset": offset, "lampShare": lamp_share}
         if environment is not None:
             height, width = environment.radiance.shape[:2]
             picture = {"width": width, "height": height, "pixels": environment.radiance.ravel().tolist()}
@@ -151,6 +155,7 @@ class Scene:
         cloth = Cloth(self.mesh, fabric_from_text(self.fabric), self.uv_size_mm)
         renderer = Renderer([cloth], self.size, model, bake="gpu")
         options: Any = {"environment": self.environment, "environment_samples": 4, "samples": 4}
+        options["ground"] = self.ground
         return renderer.render(self.camera, self.lights, passes=2, **options).linear
 
 
@@ -177,7 +182,16 @@ SCENES = {
         None,
         (48, 48),
     ),
-    "drape": Scene(drape(), DENIM, (600, 600), Camera((0.4, 0.6, 1.1)), (LAMP,), sky(), (64, 48)),
+    "drape": Scene(
+        drape(),
+        DENIM,
+        (600, 600),
+        Camera((0.4, 0.6, 1.1)),
+        (LAMP,),
+        sky(),
+        (64, 48),
+        ground=(0, 1, 0, -0.001, 0.6),
+    ),
     "sphere": Scene(
         sphere(),
         ORGANZA,

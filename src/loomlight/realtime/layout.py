@@ -224,7 +224,7 @@ FABRIC: Fields = (
         "of that map, each half as wide as the one before, down to 1; 0 for no map",
     ),
     ("has_yarns", "uint", "1 where the yarns are here too: records of families, run words, heights"),
-    ("mean_hole", "float", "share of light that passes straight through cloth without yarns here"),
+    ("mean_hole", "float", "share of light that passes straight through, on average"),
     ("latent", "Latent", "latents of the model latent"),
     ("clustered", "Clustered", "tables of the model clustered"),
 )
@@ -270,6 +270,9 @@ FRAME: Fields = (
     *_vector("forward", "unit vector"),
     ("near", "float", "nearest distance that is drawn"),
     *_vector("background", "linear radiance where there is no cloth", _COLOUR),
+    *_vector("ground", "unit normal of a plane that takes the cloth's shadow; 0 for none"),
+    ("ground_offset", "float", "of the plane along its normal"),
+    ("ground_lamp", "float", "share of the first light in what lights it"),
 )
 
 LAYER: Fields = (

@@ -42,6 +42,8 @@ class FrameOptions(TypedDict, total=False):
     environment_samples: directions to it that each pixel takes in one pass.
     shadows: whether cloth casts shadows on cloth.
     background: linear radiance where there is no cloth, and behind holes; by default the environment, else 0.
+    ground: a plane where the background takes the shadow of the cloth, as its unit normal, the distance
+        along it from the origin, metres, and the share of the first light in what lights it; None for none.
     """
 
     samples: int
@@ -49,6 +51,7 @@ class FrameOptions(TypedDict, total=False):
     environment_samples: int
     shadows: bool
     background: Sequence[float] | None
+    ground: Sequence[float] | None
 
 
 DEFAULT_OPTIONS: FrameOptions = {
@@ -57,6 +60,7 @@ DEFAULT_OPTIONS: FrameOptions = {
     "environment_samples": 8,
     "shadows": True,
     "background": None,
+    "ground": None,
 }
 
 
@@ -221,7 +225,8 @@ class Renderer:
         self._draw()
         tiles = [-(-side // 8) for side in self.size]
         # A dispatch a submission: software adapters take seconds for all of them.
-        for number in range(self._layers()):
+        layers = MAX_LAYERS if self._is_open and not self._scene.is_flat else 1
+        for number in range(layers):
             self._compute("next_layer" if number else "first_layer", tiles)
             if frame["casts_shadows"][0]:
                 self._compute("cast_shadows", tiles)
@@ -239,10 +244,6 @@ class Renderer:
         linear = np.float32(sums / self.passes).reshape(height, width, 4)
         return Picture(linear, pixels.reshape(height, width, 4))
 
-    def _layers(self) -> int:
-        """Layers of cloth that a pixel can see."""
-        return MAX_LAYERS if self._is_open and not self._scene.is_flat else 1
-
     def _environment_tables(self, environment: Environment | None) -> EnvironmentTables | None:
         """Tables of an environment, kept for the next frame."""
         if environment is None:
@@ -255,16 +256,18 @@ class Renderer:
         self, camera: Camera, lights: int, options: FrameOptions, environment: EnvironmentTables | None
     ) -> NDArray[np.void]:
         frame = np.zeros(1, numpy_type("Frame"))
-        width, height = self.size
-        frame["width"], frame["height"] = width, height
+        frame["width"], frame["height"] = self.size
         frame["lights"], frame["samples"], frame["near"] = lights, options["samples"], camera.near
         frame["casts_shadows"] = options["shadows"] and not self._scene.is_flat
-        for name, vector in camera.axes(width, height).items():
+        for name, vector in camera.axes(*self.size).items():
             for axis, value in zip("xyz", vector, strict=True):
                 frame[f"{name}_{axis}"] = value
         background = options["background"]
         for name, value in zip(("red", "green", "blue"), background or (0.0, 0.0, 0.0), strict=True):
             frame[f"background_{name}"] = value
+        ground = options["ground"] or (0.0,) * 5
+        for name, value in zip(("x", "y", "z", "offset", "lamp"), ground, strict=True):
+            frame[f"ground_{name}"] = value
         if environment is not None and options["environment"] is not None:
             turn = math.radians(options["environment"].turn)
             frame["environment_rows"], frame["environment_columns"] = environment.radiance.shape[:2]
@@ -277,8 +280,7 @@ class Renderer:
     def _size_visibilities(self, frame: NDArray[np.void]) -> None:
         """A buffer for the visibility of every light sample of every pixel."""
         count = int(frame["lights"][0] + frame["environment_samples"][0]) if frame["casts_shadows"][0] else 1
-        width, height = self.size
-        size = 4 * width * height * max(count, 1)
+        size = 4 * math.prod(self.size) * max(count, 1)
         buffer = self._resources.get("visibilities")
         if buffer is None or buffer.size < size:
             self._resources["visibilities"] = self.adapter.empty_storage(size)

@@ -131,15 +131,10 @@ def _pack_fabric(
         "has_yarns": 1,
         "openness": pack_openness(table, appearance),
         "has_detail": int(appearance.warp.detail.is_on or appearance.weft.detail.is_on),
-        "is_open": int(_open_share(warp) * _open_share(weft) > MIN_OPEN_SHARE),
+        "mean_hole": layout.open_area,
+        "is_open": int(layout.open_area > MIN_OPEN_SHARE),
     }
     fill(record, values)
-
-
-def _open_share(threads: FamilyTables) -> float:
-    """Share of the repeat that no thread of a family covers, seen along the normal."""
-    cells = float(np.sum(threads.upper - threads.lower))
-    return 1 - float(np.sum(np.minimum(2 * threads.half_width, threads.upper - threads.lower))) / cells
 
 
 def _pack_family(

@@ -94,14 +94,19 @@ const WHITES = {
  * Source: CIE 15:2018; Lindbloom, "RGB/XYZ matrices" (Bradford-adapted D50), as ICC profiles have it.
  */
 export function labToLinear([lightness, a, b]: readonly [number, number, number], white: White): Rgb {
-  const { x: whiteX, z: whiteZ, rows } = WHITES[white];
+  const { x: whiteX, z: whiteZ } = WHITES[white];
   const middle = (lightness + 16) / 116;
   const edge = 6 / 29;
   const ratio = (root: number): number => (root > edge ? root ** 3 : 3 * edge ** 2 * (root - 4 / 29));
   const x = ratio(middle + a / 500) * whiteX;
   const y = ratio(middle);
   const z = ratio(middle - b / 200) * whiteZ;
-  return rows.map(([ofX, ofY, ofZ]) => ofX * x + ofY * y + ofZ * z) as unknown as Rgb;
+  return xyzToLinear([x, y, z], white);
+}
+
+/** Linear RGB of X, Y, Z. */
+export function xyzToLinear([x, y, z]: readonly [number, number, number], white: White): Rgb {
+  return WHITES[white].rows.map(([ofX, ofY, ofZ]) => ofX * x + ofY * y + ofZ * z) as unknown as Rgb;
 }
 
 /** sRGB hex of linear RGB, rounded to 8 bits. */

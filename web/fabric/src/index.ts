@@ -25,6 +25,7 @@ export * from "./textile.ts";
 export * from "./thread_colours.ts";
 export { readToml, writeToml } from "./toml.ts";
 export { validateFields } from "./validate.ts";
+export { whiteBalance } from "./white_balance.ts";
 export { readWif } from "./wif_reader.ts";
 export { writeWif } from "./wif_writer.ts";
 export * from "./yarn_needs.ts";

@@ -196,7 +196,7 @@ export const RECORDS = {
     },
   },
   Frame: {
-    words: 40,
+    words: 45,
     fields: {
       "width": [0, "uint"],
       "height": [1, "uint"],
@@ -238,6 +238,11 @@ export const RECORDS = {
       "background_red": [37, "float"],
       "background_green": [38, "float"],
       "background_blue": [39, "float"],
+      "ground_x": [40, "float"],
+      "ground_y": [41, "float"],
+      "ground_z": [42, "float"],
+      "ground_offset": [43, "float"],
+      "ground_lamp": [44, "float"],
     },
   },
   Vertex: {

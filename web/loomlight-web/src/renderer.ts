@@ -12,7 +12,7 @@ import { Passes } from "./passes.ts";
 import { ENTRIES, possible, ready, type Plan, type ReadyPlan } from "./plan.ts";
 import { cameraValues, lightRecords } from "./scene/camera.ts";
 import { environmentTables } from "./scene/environment.ts";
-import type { Camera, Caster, Environment, FrameReport, Light, Mesh, ModelName, Picture, PictureOptions, Piece, Statistics, Vector3 } from "./types.ts";
+import type { Camera, Caster, Environment, FrameReport, Ground, Light, Mesh, ModelName, Picture, PictureOptions, Piece, Statistics, Vector3 } from "./types.ts";
 import { keyOfView, type View } from "./view.ts";
 
 const OWN_MODELS: readonly ModelName[] = ["lobes", "point"];
@@ -46,6 +46,7 @@ export class ClothRenderer {
     turn: 0,
     environmentSamples: DEFAULT_ENVIRONMENT_SAMPLES,
     background: null,
+    ground: null,
     shadows: true,
     exposure: 0,
   };
@@ -226,6 +227,11 @@ export class ClothRenderer {
   /** Linear radiance beside the cloth and behind its holes; null for the environment, else black. */
   setBackground(background: Vector3 | null): void {
     this.view = { ...this.view, background };
+  }
+
+  /** A plane where the background takes the shadow of the cloth; null for none. */
+  setGround(ground: Ground | null): void {
+    this.view = { ...this.view, ground };
   }
 
   /** Whether cloth casts shadows on cloth. */

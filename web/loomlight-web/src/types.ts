@@ -70,6 +70,16 @@ export interface Environment {
   readonly turn?: number;
 }
 
+/** A plane where the background takes the shadow of the cloth; it is seen from the side of its normal. */
+export interface Ground {
+  /** Unit vector. */
+  readonly normal: Vector3;
+  /** Of the plane from the origin, along the normal, metres. */
+  readonly offset: number;
+  /** Of the first light in what lights the plane, 0 to 1; the rest comes evenly from all sides. */
+  readonly lampShare: number;
+}
+
 /** A pinhole camera. */
 export interface Camera {
   /** Where it stands. */

@@ -3,7 +3,7 @@ import { GOLDEN } from "./generated.ts";
 import { RecordArray, type Values } from "./records.ts";
 import { cameraValues } from "./scene/camera.ts";
 import type { EnvironmentTables } from "./scene/environment.ts";
-import type { Camera, Light, Vector3 } from "./types.ts";
+import type { Camera, Ground, Light, Vector3 } from "./types.ts";
 
 export interface View {
   readonly camera: Camera;
@@ -14,10 +14,14 @@ export interface View {
   readonly environmentSamples: number;
   /** Linear radiance beside the cloth and behind its holes; null for the environment, else 0. */
   readonly background: Vector3 | null;
+  /** Where the background takes the cloth's shadow. */
+  readonly ground: Ground | null;
   readonly shadows: boolean;
   /** Stops. */
   readonly exposure: number;
 }
+
+const NO_GROUND: Ground = { normal: [0, 0, 0], offset: 0, lampShare: 0 };
 
 /** What a pass takes beside the view. */
 export interface Pass {
@@ -35,6 +39,7 @@ export function frameRecord(view: View, scene: Values, pass: Pass): RecordArray 
   // Passes 0 and following of the R2 sequence, about the middle of the pixel.
   const jitter = GOLDEN.map((step) => ((0.5 + pass.passes * step) % 1) - 0.5) as [number, number];
   const background = view.background ?? [0, 0, 0];
+  const { normal, offset, lampShare } = view.ground ?? NO_GROUND;
   frame.set(0, {
     width: pass.width,
     height: pass.height,
@@ -50,6 +55,11 @@ export function frameRecord(view: View, scene: Values, pass: Pass): RecordArray 
     background_red: background[0],
     background_green: background[1],
     background_blue: background[2],
+    ground_x: normal[0],
+    ground_y: normal[1],
+    ground_z: normal[2],
+    ground_offset: offset,
+    ground_lamp: view.lights.length > 0 ? lampShare : 0,
     shows_environment: view.environment !== null && view.background === null ? 1 : 0,
   });
   return frame;

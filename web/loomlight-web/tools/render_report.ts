@@ -9,7 +9,7 @@ import { join } from "node:path";
 import process from "node:process";
 import { pathToFileURL } from "node:url";
 
-import type { Camera, ClothRenderer, Environment, FrameReport, Light, Mesh, ModelName, Openness, Statistics } from "../src/index.ts";
+import type { Camera, ClothRenderer, Environment, FrameReport, Ground, Light, Mesh, ModelName, Openness, Statistics } from "../src/index.ts";
 
 /** What is set anew before a picture; what is missing stays as it was. */
 interface Step {
@@ -31,6 +31,7 @@ interface Step {
   readonly environmentSamples?: number;
   readonly turn?: number;
   readonly exposure?: number;
+  readonly ground?: Ground | null;
   readonly camera?: Camera;
   readonly passes?: number;
 }
@@ -86,6 +87,7 @@ async function take(renderer: ClothRenderer, step: Step): Promise<void> {
   }
   if (step.turn !== undefined) renderer.turnEnvironment(step.turn);
   if (step.exposure !== undefined) renderer.setExposure(step.exposure);
+  if (step.ground !== undefined) renderer.setGround(step.ground);
   if (step.camera) renderer.setCamera(step.camera);
   await renderer.render(step.passes ?? 1);
 }

@@ -35,6 +35,10 @@ const QUANTITIES: Readonly<Record<SceneNumber, Quantity>> = {
   surroundingsStrength: quantity("surroundingsStrength", "Brightness of the room", "Radiance of the surroundings, times that as designed", 0.05),
   surroundingsTurn: quantity("surroundingsTurn", "Turn the room", "Turns the surroundings about the vertical", 1, { unit: "°" }),
   exposure: quantity("exposure", "Exposure", "Stops: each doubles the light", 0.1, { ends: ["darker", "brighter"] }),
+  whiteBalance: quantity("whiteBalance", "White balance", "Colour temperature of the light that is shown as white; 6500 changes nothing", 50, {
+    unit: "K",
+    ends: ["cooler", "warmer"],
+  }),
 };
 
 const CHOICES: readonly (readonly [Surroundings, string])[] = [
@@ -80,6 +84,7 @@ export function LightPanel({ scene, dispatch, onPicture, isFlat }: Props) {
       <section class="group">
         <h2>Picture</h2>
         {slider("exposure")}
+        {slider("whiteBalance")}
       </section>
     </>
   );

@@ -28,6 +28,8 @@ export interface Scene {
   readonly surroundingsTurn: number;
   /** Stops. */
   readonly exposure: number;
+  /** Colour temperature of the light that is shown as white, kelvin. */
+  readonly whiteBalance: number;
 }
 
 /** Least and most of each number of a scene. */
@@ -38,6 +40,7 @@ export const SCENE_RANGES = {
   surroundingsStrength: [0, 3],
   surroundingsTurn: [-180, 180],
   exposure: [-4, 4],
+  whiteBalance: [2000, 12000],
 } as const satisfies Partial<Record<keyof Scene, readonly [number, number]>>;
 
 /** How colours are computed: filtered over each pixel, or by so many samples of points in it; Python bakes the last two. */
@@ -95,6 +98,7 @@ export const FIRST_SCENE: Scene = {
   surroundingsStrength: 1,
   surroundingsTurn: 0,
   exposure: 0,
+  whiteBalance: 6500,
 };
 
 export const FIRST_COMPARISON: Comparison = {

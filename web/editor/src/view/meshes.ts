@@ -1,6 +1,6 @@
 /** The pieces of cloth that can be shown: metres, y up, uv to scale over the whole piece. */
 import { InputError } from "loomlight-fabric";
-import type { Mesh } from "loomlight-web";
+import type { Ground, Mesh } from "loomlight-web";
 
 import drapeAddress from "../assets/drape.bin?url";
 import type { Shape } from "../state/document.ts";
@@ -14,6 +14,8 @@ export interface ClothShape {
   readonly radius: number;
   /** The direction from the centre to the camera that frames it. */
   readonly from: readonly [number, number, number];
+  /** The plane that it stands on, or lies on as in `mitsuba/scenes.py`. */
+  readonly ground: Omit<Ground, "lampShare">;
 }
 
 type Place = (u: number, v: number) => [number, number, number];
@@ -31,6 +33,9 @@ const CURTAIN_SLOPE = 0.8;
 const DRAPE_SIDE = 128;
 const DRAPE_UNITS = 65534;
 const DRAPE_MM = 600;
+/** From a piece that lies to the plane behind it, metres. */
+const SWATCH_GAP = 0.004;
+const GAP = 0.001;
 
 /** One of the built-in pieces; "mesh" is the user's own and is none of them. */
 export async function builtInShape(shape: Exclude<Shape, "mesh">): Promise<ClothShape> {
@@ -38,7 +43,7 @@ export async function builtInShape(shape: Exclude<Shape, "mesh">): Promise<Cloth
     case "drape":
       return draped();
     case "flat":
-      return piece(surface(2, (u, v) => [0.1 * (u - 0.5), 0.1 * (v - 0.5), 0]), [100, 100], [0, 0, 1]);
+      return piece(surface(2, (u, v) => [0.1 * (u - 0.5), 0.1 * (v - 0.5), 0]), [100, 100], [0, 0, 1], SWATCH_GAP);
     case "sphere":
       return ball();
     case "cylinder":
@@ -49,6 +54,7 @@ export async function builtInShape(shape: Exclude<Shape, "mesh">): Promise<Cloth
         }),
         [CYLINDER_LENGTH * 1000, 2 * Math.PI * CYLINDER_RADIUS * 1000],
         [0.15, 0.25, 1],
+        GAP,
       );
     case "curtain":
       return curtain();
@@ -92,7 +98,7 @@ function ball(): ClothShape {
     if (Math.hypot(2 * mean(0) - 1, 2 * mean(1) - 1) <= 1) inside.push(...corners);
   }
   const size = 2000 * reach;
-  return piece({ ...square, triangles: Uint32Array.from(inside) }, [size, size], [0.1, 0.2, 1]);
+  return piece({ ...square, triangles: Uint32Array.from(inside) }, [size, size], [0.1, 0.2, 1], GAP);
 }
 
 /** Cloth that hangs in four folds: sines whose length is u, so that the cloth is not stretched. */
@@ -174,7 +180,8 @@ function gridTriangles(columns: number, rows: number): Uint32Array {
   return triangles;
 }
 
-function piece(mesh: Mesh, uvSizeMm: ClothShape["uvSizeMm"], from: ClothShape["from"]): ClothShape {
+/** A piece that stands on a floor; with a gap it lies before a plane that faces +z. */
+function piece(mesh: Mesh, uvSizeMm: ClothShape["uvSizeMm"], from: ClothShape["from"], gap?: number): ClothShape {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
   for (let at = 0; at < mesh.positions.length; at++) {
@@ -184,5 +191,7 @@ function piece(mesh: Mesh, uvSizeMm: ClothShape["uvSizeMm"], from: ClothShape["f
   }
   const centre = low.map((value, axis) => (value + high[axis]!) / 2) as [number, number, number];
   const radius = Math.hypot(...low.map((value, axis) => (high[axis]! - value) / 2));
-  return { mesh, uvSizeMm, centre, radius, from };
+  const ground: ClothShape["ground"] =
+    gap === undefined ? { normal: [0, 1, 0], offset: low[1]! - GAP * radius } : { normal: [0, 0, 1], offset: low[2]! - gap };
+  return { mesh, uvSizeMm, centre, radius, from, ground };
 }

@@ -1,8 +1,10 @@
 /** Surroundings as pictures: all grey but the sky, so that a grey card looks grey; see `mitsuba/lights.py`. */
-import type { Environment } from "loomlight-web";
+import { whiteBalance } from "loomlight-fabric";
+import type { DirectionalLight, Environment, Ground, Vector3 } from "loomlight-web";
 
 import type { Scene } from "../state/document.ts";
 import type { SurroundingsPicture } from "./cloth_view.ts";
+import type { ClothShape } from "./meshes.ts";
 
 const ROWS = 64;
 const COLUMNS = 2 * ROWS;
@@ -20,12 +22,30 @@ type Radiance = (x: number, y: number, z: number) => readonly [number, number, n
 export function surroundingsOf(scene: Scene, own: SurroundingsPicture | null): Environment | null {
   const picture = scene.surroundings === "picture" ? own : pictureOf(scene.surroundings);
   if (picture === null || scene.surroundingsStrength === 0) return null;
-  const pixels = Float32Array.from(picture.pixels, (value) => value * scene.surroundingsStrength);
+  const gains = whiteBalance(scene.whiteBalance).map((gain) => gain * scene.surroundingsStrength);
+  const pixels = Float32Array.from(picture.pixels, (value, i) => value * gains[i % 3]!);
   return { picture: { ...picture, pixels }, turn: scene.surroundingsTurn };
 }
 
-/** Irradiance of the lamp on a card that faces it: what is left of π beside the surroundings. */
-export const LAMP_IRRADIANCE = Math.PI - FILL;
+/** The lamp, whose light on a card that faces it is what the surroundings leave of π; null if it is off. */
+export function lampOf(scene: Scene): DirectionalLight | null {
+  if (scene.lampStrength === 0) return null;
+  const [around, above] = [scene.lampAzimuth, scene.lampElevation].map((degrees) => (degrees * Math.PI) / 180) as [number, number];
+  const towards: Vector3 = [Math.sin(around) * Math.cos(above), Math.sin(above), Math.cos(around) * Math.cos(above)];
+  const irradiance = whiteBalance(scene.whiteBalance).map((gain) => gain * LAMP_IRRADIANCE * scene.lampStrength);
+  return { kind: "directional", towards, irradiance: irradiance as unknown as Vector3 };
+}
+
+const LAMP_IRRADIANCE = Math.PI - FILL;
+
+/** What a piece stands on, with the lamp's share in the light there. */
+export function groundOf(scene: Scene, { ground }: ClothShape): Ground {
+  const { towards } = lampOf(scene) ?? { towards: [0, 0, 0] };
+  const cosine = ground.normal.reduce((sum, value, axis) => sum + value * towards[axis]!, 0);
+  const lamp = LAMP_IRRADIANCE * scene.lampStrength * Math.max(cosine, 0);
+  const room = scene.surroundings === "none" ? 0 : FILL * scene.surroundingsStrength;
+  return { ...ground, lampShare: lamp > 0 ? lamp / (lamp + room) : 0 };
+}
 
 const pictures = new Map<string, SurroundingsPicture>();
 

@@ -8,7 +8,7 @@ import type { ClothShape } from "./meshes.ts";
 import { withOpacity } from "./opacity.ts";
 import { OrbitControl } from "./orbit_control.ts";
 import { isServed, ServedModels, type ServedModel, type TableSource } from "./served_models.ts";
-import { LAMP_IRRADIANCE, surroundingsOf } from "./surroundings.ts";
+import { groundOf, lampOf, surroundingsOf } from "./surroundings.ts";
 
 /** Linear radiance of the paper behind the cloth, as style.css has it. */
 const PAPER: Vector3 = [0.913, 0.88, 0.807];
@@ -51,7 +51,7 @@ export class WebGpuView implements ClothView {
   /** A picture for a file is made: the screen waits. */
   private isDrawing = false;
   private shown: Shown | null = null;
-  private lit: readonly [Scene, Shown["surroundings"]] | null = null;
+  private lit: readonly [Scene, Shown["surroundings"], Shown["piece"]] | null = null;
   private frames = 0;
   private isComplete = false;
   private report: FrameReport | null = null;
@@ -242,17 +242,17 @@ export class WebGpuView implements ClothView {
     this.given.set(renderer, { shape, fabric, openness, print, model, tables });
   }
 
-  private light({ scene, surroundings }: Shown): void {
-    if (this.lit !== null && this.lit[0] === scene && this.lit[1] === surroundings) return;
-    this.lit = [scene, surroundings];
-    const [around, above] = [scene.lampAzimuth, scene.lampElevation].map((degrees) => (degrees * Math.PI) / 180) as [number, number];
-    const towards: Vector3 = [Math.sin(around) * Math.cos(above), Math.sin(above), Math.cos(around) * Math.cos(above)];
-    const irradiance = LAMP_IRRADIANCE * scene.lampStrength;
+  private light({ scene, surroundings, piece }: Shown): void {
+    if (this.lit !== null && this.lit[0] === scene && this.lit[1] === surroundings && this.lit[2] === piece) return;
+    this.lit = [scene, surroundings, piece];
+    const lamp = lampOf(scene);
     const environment = surroundingsOf(scene, surroundings);
+    const ground = piece === null ? null : groundOf(scene, piece);
     for (const renderer of [this.renderer, this.other]) {
       if (renderer === null) continue;
-      renderer.setLights(irradiance > 0 ? [{ kind: "directional", towards, irradiance: [irradiance, irradiance, irradiance] }] : []);
+      renderer.setLights(lamp === null ? [] : [lamp]);
       renderer.setEnvironment(environment);
+      renderer.setGround(ground);
       renderer.setExposure(scene.exposure);
     }
   }

@@ -123,6 +123,7 @@ function packFabric(
   families.set(2 * number + 1, colourValues(table, weft, colours[1]));
   const [fineX, fineY] = geometry.finest;
   const [low, high] = heightBounds(geometry, layout);
+  const meanHole = openShare(warp) * openShare(weft);
   records.set(number, {
     run_words: table.addWords(geometry.words),
     ends: layout.ends,
@@ -146,7 +147,8 @@ function packFabric(
     has_yarns: 1,
     has_detail: isDetailed(appearance.warp.detail) || isDetailed(appearance.weft.detail) ? 1 : 0,
     openness: appearance.openness === null ? NO_OPENNESS : packOpenness(table, appearance.openness),
-    is_open: openShare(warp) * openShare(weft) > MIN_OPEN_SHARE ? 1 : 0,
+    mean_hole: meanHole,
+    is_open: meanHole > MIN_OPEN_SHARE ? 1 : 0,
   });
 }
 

@@ -40,6 +40,11 @@ struct Frame_std140_0
     @align(4) background_red_0 : f32,
     @align(8) background_green_0 : f32,
     @align(4) background_blue_0 : f32,
+    @align(16) ground_x_0 : f32,
+    @align(4) ground_y_0 : f32,
+    @align(8) ground_z_0 : f32,
+    @align(4) ground_offset_0 : f32,
+    @align(16) ground_lamp_0 : f32,
 };
 
 @binding(10) @group(0) var<uniform> frame_record_0 : Frame_std140_0;
