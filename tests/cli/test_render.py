@@ -6,6 +6,7 @@ Covers: cli/bake_maps.py, cli/demo.py
 from __future__ import annotations
 
 from collections.abc import Callable
+from inspect import signature
 from pathlib import Path
 
 import numpy as np
@@ -14,8 +15,10 @@ import pytest
 from PIL import Image
 
 from loomlight.cli.main import run
+from loomlight.cli.render import render
 from loomlight.core.errors import InputError
 from loomlight.fabric import Fabric
+from loomlight.mitsuba import RenderSettings
 from loomlight.models.bake import bake, save
 from loomlight.models.interface import Model
 from loomlight.models.material_spec import resolve
@@ -48,6 +51,14 @@ def test_a_picture_of_a_weaves_name(tmp_path: Path, capsys: pytest.CaptureFixtur
     with Image.open(path) as picture:
         assert picture.size == (24, 16)
         assert np.asarray(picture).std() > 0
+
+
+def test_defaults_are_those_of_python() -> None:
+    settings = vars(RenderSettings())
+    command = {name: one.default for name, one in signature(render).parameters.items()}
+    command["spp"] = command["samples"]
+    shared = {"spp", "size", "zoom", "light", "denoise", "exposure", "white_balance", "inset", "seed"}
+    assert {name: command[name] for name in shared} == {name: settings[name] for name in shared}
 
 
 def test_the_seed_and_the_exposure(tmp_path: Path) -> None:

@@ -42,7 +42,7 @@ def render(
     environment_turn: option.EnvironmentTurnOption = 0.0,
     light: option.LightOption = None,
     light_from: option.LightFromOption = None,
-    samples: option.SamplesOption = 9,
+    samples: option.SamplesOption = 8,
     size: option.SizeOption = None,
     zoom: option.ZoomOption = 1.0,
     depth: option.DepthOption = None,
