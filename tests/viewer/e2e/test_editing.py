@@ -235,9 +235,11 @@ def test_before_and_after_are_wiped(editor: Any) -> None:
 
 
 @pytest.mark.skipif(not AXE.is_file(), reason="axe-core is not installed: npm install in web/")
+@pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize("size", SIZES.values(), ids=SIZES)
-def test_every_panel_is_accessible_and_fits(editor: Any, size: tuple[int, int]) -> None:
+def test_every_panel_is_accessible_and_fits(editor: Any, size: tuple[int, int], scheme: str) -> None:
     editor.set_viewport_size({"width": size[0], "height": size[1]})
+    editor.emulate_media(color_scheme=scheme)
     editor.evaluate(AXE.read_text(encoding="utf-8"))
     for tab in ("weave", "draft", "colour", "yarns", "finish", "light"):
         by_id(editor, f"tab-{tab}").click()

@@ -240,7 +240,11 @@ def test_the_editor_lights_its_cloth(served: Served, playwright: Any) -> None:
         assert visit.page.locator("canvas.cloth-canvas").count() == 1
         clear = picture_of(exported(visit.page, "picture", width="90", height="60", transparent=True))
         paper = picture_of(exported(visit.page, "picture", transparent=False))
+        visit.page.emulate_media(color_scheme="dark")
+        dark = picture_of(exported(visit.page, "picture"))
         assert visit.complaints == []
+    for page, colour in ((paper, (0xF5, 0xF1, 0xE8)), (dark, (0x3A, 0x37, 0x32))):
+        np.testing.assert_allclose(page[0, 0, :3], colour, atol=1)  # --paper of style.css
     assert clear.shape == paper.shape == (60, 90, 4)
     assert (paper[..., 3] == 255).all()
     opacity = clear[..., 3:] / 255

@@ -102,7 +102,9 @@ def test_edits_go_on_without_the_server_and_nothing_is_lost(client: Path, visit:
 
 
 @pytest.mark.skipif(not AXE.is_file(), reason="axe-core is not installed: npm install in web/")
-def test_is_accessible(served: Served, visit: Visit) -> None:
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_is_accessible(served: Served, visit: Visit, scheme: str) -> None:
+    visit.page.emulate_media(color_scheme=scheme)
     visit.page.goto(f"http://127.0.0.1:{served.port}/")
     visit.page.wait_for_load_state("networkidle")
     # The page's content policy lets no script in; the debugger's evaluation is not bound by it.

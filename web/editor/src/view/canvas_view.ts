@@ -4,13 +4,12 @@ import { familySpacing, familyWidth } from "loomlight-fabric";
 import { woven, type Fabric } from "../state/document.ts";
 import { clothPicture } from "./cloth_picture.ts";
 import type { ClothView, PictureRequest, Pixels, Shown, ViewStatistics } from "./cloth_view.ts";
+import { paperHex } from "./paper.ts";
 
 /** Pixels of the picture of one repeat along its longer side, about. */
 const PICTURE_SIDE = 1200;
 /** CSS pixels of an arrow key. */
 const KEY_STEP = 24;
-/** The paper behind the cloth, as style.css has it. */
-const PAPER = "#f5f1e8";
 /** Side of a print, as on the swatch of the lit view. */
 const PRINT_MM = 100;
 /** Screen pixels a thread: of the farthest and the closest view. */
@@ -97,7 +96,7 @@ export class CanvasView implements ClothView {
     const side = Math.min(this.canvas.clientWidth, this.canvas.clientHeight);
     if (this.shown !== null) this.paint(canvas, Math.min(width, height) / Math.max(1, side), this.shown);
     onProgress(1);
-    return Promise.resolve(pixelsOf(canvas, isTransparent ? null : PAPER));
+    return Promise.resolve(pixelsOf(canvas, isTransparent ? null : paperHex()));
   }
 
   statistics(): ViewStatistics {

@@ -7,11 +7,10 @@ import type { ClothView, PictureRequest, Pixels, Print, Shown, ViewStatistics } 
 import type { ClothShape } from "./meshes.ts";
 import { withOpacity } from "./opacity.ts";
 import { OrbitControl } from "./orbit_control.ts";
+import { paperRadiance, watchPaper } from "./paper.ts";
 import { isServed, ServedModels, type ServedModel, type TableSource } from "./served_models.ts";
 import { groundOf, lampOf, surroundingsOf } from "./surroundings.ts";
 
-/** Linear radiance of the paper behind the cloth, as style.css has it. */
-const PAPER: Vector3 = [0.913, 0.88, 0.807];
 const NOTHING: Vector3 = [0, 0, 0];
 const MAX_DEVICE_PIXELS = 2;
 /** Passes of a picture for a file; fewer where a processor computes. */
@@ -44,6 +43,7 @@ export class WebGpuView implements ClothView {
   private readonly renderer: ClothRenderer;
   private readonly control: OrbitControl;
   private readonly resizing: ResizeObserver;
+  private readonly unwatchPaper: () => void;
   private readonly served: ServedModels;
   private readonly given = new Map<ClothRenderer, Given>();
   private other: ClothRenderer | null = null;
@@ -74,7 +74,10 @@ export class WebGpuView implements ClothView {
     this.control = new OrbitControl(canvas);
     this.resizing = new ResizeObserver(() => this.resize());
     this.resizing.observe(host);
-    renderer.setBackground(PAPER);
+    this.unwatchPaper = watchPaper(() => {
+      this.lit = null;
+      if (this.shown !== null) this.show(this.shown);
+    });
     this.resize();
   }
 
@@ -181,7 +184,7 @@ export class WebGpuView implements ClothView {
       for (const [number, renderer] of renderers.entries()) {
         renderer.setCamera(this.control.camera);
         const picture = await renderer.picture({
-          ...{ width, height, passes, background: isTransparent ? NOTHING : PAPER },
+          ...{ width, height, passes, background: isTransparent ? NOTHING : paperRadiance() },
           onPass: (share) => onProgress((number + share) / renderers.length),
         });
         sides.push(isTransparent ? withOpacity(picture, shown.scene.exposure) : { width, height, data: picture.pixels });
@@ -200,6 +203,7 @@ export class WebGpuView implements ClothView {
   }
 
   dispose(): void {
+    this.unwatchPaper();
     this.resizing.disconnect();
     this.flat?.dispose();
     this.other?.destroy();
@@ -212,7 +216,6 @@ export class WebGpuView implements ClothView {
     this.isMakingOther = true;
     const { width, height } = this.canvas;
     this.other = await ClothRenderer.create({ shareWith: this.renderer, size: [width, height] });
-    this.other.setBackground(PAPER);
     this.isMakingOther = false;
     this.lit = null;
     if (this.shown !== null) this.show(this.shown);
@@ -252,6 +255,7 @@ export class WebGpuView implements ClothView {
       if (renderer === null) continue;
       renderer.setLights(lamp === null ? [] : [lamp]);
       renderer.setEnvironment(environment);
+      renderer.setBackground(paperRadiance());
       renderer.setGround(ground);
       renderer.setExposure(scene.exposure);
     }
