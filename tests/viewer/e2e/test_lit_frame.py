@@ -98,6 +98,34 @@ CAST = """async ({ fabric }) => {
   renderer.destroy();
   return pictures;
 }"""
+# Mean brightness of a picture of one pass at rest and by twice the exposure, and how often the canvas was
+# drawn to: until rest, in ten frames at rest, and for the exposure.
+REST = """async () => {
+  const { renderer } = window.prepared.point;
+  const texture = GPUCanvasContext.prototype.getCurrentTexture;
+  let drawn = 0;
+  GPUCanvasContext.prototype.getCurrentTexture = function () { drawn++; return texture.call(this); };
+  const counts = [];
+  const frames = async (isEnough) => {
+    drawn = 0;
+    for (let number = 1, report = null; report === null || !isEnough(report, number); number++) {
+      report = renderer.frame();
+      await new Promise((resolve) => setTimeout(resolve, 20));
+    }
+    counts.push(drawn);
+    const { data } = await renderer.readPixels();
+    return data.reduce((sum, value) => sum + value, 0) / data.length;
+  };
+  renderer.setModel("point", { passes: 1 });
+  renderer.setCamera({ origin: [0, -0.01, 0.03], target: [0, 0, 0] });
+  const before = await frames((report) => report.isComplete);
+  await frames((_, number) => number === 10);
+  renderer.setExposure(1);
+  const after = await frames((_, number) => number === 2);
+  renderer.setExposure(0);
+  GPUCanvasContext.prototype.getCurrentTexture = texture;
+  return { before, after, counts };
+}"""
 
 # Reports of the first frame with a picture, and of the first that is no preview; some kernels are refused.
 REFUSE = """async ({ fabric, openness, size, refused }) => {
@@ -190,6 +218,14 @@ def test_the_background_has_one_colour_on_screen_and_read_back(page: Any) -> Non
     np.testing.assert_array_equal(
         np.array(nothing["shown"]).reshape(SIZE, SIZE, 4)[0, 0], [245, 241, 232, 255]
     )
+
+
+@pytest.mark.slow
+def test_a_page_at_rest_draws_nothing_but_another_exposure(page: Any) -> None:
+    prepared(page, "point")
+    rest = page.evaluate(REST)
+    assert rest["counts"] == [1, 0, 1]
+    assert rest["after"] > 1.1 * rest["before"]
 
 
 @pytest.mark.slow

@@ -1,10 +1,11 @@
 /** Passes of one picture, which add up in the buffers of the adapter. */
 import type { ClothBuffers } from "./gpu/cloth_buffers.ts";
-import type { Device } from "./gpu/device.ts";
+import type { Device, Resources } from "./gpu/device.ts";
 import type { Source } from "./gpu/present.ts";
 import { Raster } from "./gpu/raster.ts";
 import { Targets } from "./gpu/targets.ts";
 import { ENTRIES, type Plan } from "./plan.ts";
+import type { RecordArray } from "./records.ts";
 import { lightRecords } from "./scene/camera.ts";
 import { frameRecord, hasBackgroundOf, type View } from "./view.ts";
 
@@ -13,6 +14,8 @@ export class Passes {
   readonly compiled: Promise<void>;
   /** Passes that have added up. */
   count = 0;
+  /** Rises with each picture. */
+  revision = 0;
   private readonly device: Device;
   private readonly raster: Raster;
   private targets: Targets;
@@ -21,6 +24,8 @@ export class Passes {
   private size: readonly [number, number] = [1, 1];
   /** What the sums show; empty where they are to begin anew. */
   private shown = "";
+  /** Of the last picture. */
+  private exposure = 0;
   private hasBackground = false;
 
   /** For pictures of at most so many pixels. */
@@ -67,14 +72,7 @@ export class Passes {
     const scene = cloth.scene.frameValues(view.turn, view.environmentSamples);
     const frame = frameRecord(view, scene, { width, height, passes: this.count, samples, castsShadows });
     this.targets.makeRoom(castsShadows ? view.lights.length + frame.get(0, "environment_samples") : 1);
-    this.record ??= this.device.buffer(frame.words.byteLength, GPUBufferUsage.UNIFORM);
-    this.device.write(this.record, frame.words);
-    const resources = {
-      ...cloth.buffers,
-      ...this.targets.buffers,
-      frame_record: this.record,
-      visible_faces: this.targets.faces,
-    };
+    const resources = this.resources(frame, cloth);
     this.raster.draw(this.targets, resources, cloth.scene.shownFaces, width, height);
     const tiles = [Math.ceil(width / 8), Math.ceil(height / 8)] as const;
     // A dispatch a submission: software adapters take seconds for all of them.
@@ -84,9 +82,36 @@ export class Passes {
       this.device.dispatch(ENTRIES[plan.model], tiles, resources);
     }
     this.device.dispatch("add_background", tiles, resources);
-    this.device.dispatch("tone_map", [Math.ceil((width * height) / 64), 1], resources);
+    this.toneMap(view, resources);
     this.count++;
     this.hasBackground = hasBackgroundOf(view);
+  }
+
+  /** Shows the sums by another exposure, if it is another. */
+  expose(view: View, cloth: ClothBuffers): void {
+    if (view.exposure === this.exposure) return;
+    const [width, height] = this.size;
+    const pass = { width, height, passes: this.count - 1, samples: 1, castsShadows: false };
+    this.toneMap(view, this.resources(frameRecord(view, {}, pass), cloth));
+  }
+
+  private toneMap(view: View, resources: Resources): void {
+    const [width, height] = this.size;
+    this.device.dispatch("tone_map", [Math.ceil((width * height) / 64), 1], resources);
+    this.exposure = view.exposure;
+    this.revision++;
+  }
+
+  /** What kernels bind, with this record of the frame. */
+  private resources(frame: RecordArray, cloth: ClothBuffers): Resources {
+    this.record ??= this.device.buffer(frame.words.byteLength, GPUBufferUsage.UNIFORM);
+    this.device.write(this.record, frame.words);
+    return {
+      ...cloth.buffers,
+      ...this.targets.buffers,
+      frame_record: this.record,
+      visible_faces: this.targets.faces,
+    };
   }
 
   /** The picture as it lies in buffers. */

@@ -71,15 +71,13 @@ export function ready(device: Device, cloth: ClothBuffers, plan: Plan, previews:
     names.map((name) => device.kernel(name, name)).every((kernel) => kernel !== undefined);
   const canPreview = previews ? has([...ALWAYS, ENTRIES.point]) : false;
   cloth.fabrics.useTables(plan.model === "lobes");
-  const names: ShaderName[] = [...ALWAYS, ENTRIES[plan.model]];
+  const names: ShaderName[] = [...ALWAYS];
   if (plan.layers > 1) names.push("next_layer");
   if (plan.castsShadows) names.push("cast_shadows");
-  // Each of these begins what it lacks.
-  const parts = [
-    plan.model !== "lobes" || cloth.fabrics.bake(),
-    has(names),
-    cloth.findOpenness(onFound),
-  ];
+  names.push(ENTRIES[plan.model]);
+  // Each of these begins what it lacks. Two kernels compile at a time: beside the preview's short ones, then the model's,
+  // which takes longest, and beside it all of the bake.
+  const parts = [has(names), plan.model !== "lobes" || cloth.fabrics.bake(), cloth.findOpenness(onFound)];
   if (parts.every((part) => part)) return { ...plan, isPreview: false };
   return canPreview ? PREVIEW : null;
 }
