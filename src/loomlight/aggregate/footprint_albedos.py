@@ -31,7 +31,7 @@ from numpy.typing import NDArray
 
 from loomlight.aggregate.area_entries import Entries, PairedEntries, SingleEntries
 from loomlight.core.arrays import Float, Mask, UInt, Vec2
-from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum, upload
+from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum, opaque, upload
 from loomlight.core.footprint import Footprint
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
 from loomlight.scattering.interreflection import Interreflection
@@ -265,7 +265,7 @@ class _Axis:
         lengths = np.stack([2 * tables.half_width, tables.upper - tables.lower], axis=1)
         before = np.concatenate([np.zeros((1, 2)), np.cumsum(lengths, axis=0)])
         self._before = upload(types.Float, before.astype(np.float32))
-        self._visible, self._cells = (dr.opaque(types.Float, float(total)) for total in before[-1])
+        self._visible, self._cells = opaque(types.Float, before[-1])
 
     def bounds(self, centre: Vec2, size: Vec2) -> tuple[_Bound, _Bound]:
         """Lower and upper bound of an interval of the axis, the centre moved into the first repeat."""
@@ -336,11 +336,11 @@ class _Colours:
     def __init__(self, tables: FamilyColours, types: ArrayTypes) -> None:
         self._types = types
         self.is_uniform = len(tables.axes) == 0
-        self.uniform = _albedos(types, _opaque(types, tables.mean))
+        self.uniform = _albedos(types, opaque(types.Float, tables.mean))
         if self.is_uniform:
             return
-        self._mean = _opaque(types, tables.mean)
-        self._axes = [_opaque(types, axis) for axis in tables.axes]
+        self._mean = opaque(types.Float, tables.mean)
+        self._axes = opaque(types.Float, tables.axes)
         self._quantities = len(tables.axes) + 1
         self._unit = dr.opaque(types.Float, tables.unit)
         self._crossing = dr.opaque(types.Float, tables.crossing)
@@ -348,7 +348,7 @@ class _Colours:
         rows = tables.threads.reshape(len(tables.threads), -1)
         padded = np.pad(rows, ((0, 0), (0, self._row - rows.shape[1])))
         self._threads = upload(types.Float, padded.astype(np.float32))
-        self._totals = _opaque(types, rows[-1])
+        self._totals = opaque(types.Float, rows[-1])
         areas = tables.areas
         self._areas: Entries = (
             PairedEntries(areas, types) if areas.size <= _MAX_PAIRED else SingleEntries(areas, types)
@@ -449,10 +449,6 @@ class _Steps:
         low, after_low, high, after_high, whole = values
         between = high - low + dr.select(self.wraps, whole, 0)
         return [between, after_high - high, after_low - low, whole]
-
-
-def _opaque(types: ArrayTypes, numbers: NDArray[np.float64]) -> list[Float]:
-    return [dr.opaque(types.Float, float(number)) for number in numbers]
 
 
 def _albedos(types: ArrayTypes, numbers: list[Float]) -> Albedos:

@@ -123,6 +123,12 @@ def channel_mean(colour: Color3) -> Float:
     return dr.sum(colour) * (1 / len(colour))
 
 
+def opaque(kind: FloatType, numbers: ArrayLike) -> Any:
+    """A number as a Dr.Jit array of type `kind` that is no constant of kernels; of nested lists lists."""
+    values = np.asarray(numbers)
+    return dr.opaque(kind, values.item()) if values.ndim == 0 else [opaque(kind, part) for part in values]
+
+
 def upload(kind: FloatType, values: ArrayLike) -> Array:
     """Numbers as a flat Dr.Jit array of type `kind`, in row-major order.
 

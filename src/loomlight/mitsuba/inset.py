@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
+from loomlight.core.backend import opaque
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.camera import FIELD_OF_VIEW, View
 from loomlight.mitsuba.scenes import ClothScene
@@ -86,16 +87,12 @@ class CornerCamera:
     def __init__(self, camera: Any, inset: Inset) -> None:
         self._camera = camera
         size = np.array(inset.size, float)
-        vector, number, point = mi.Vector2f, mi.Float, mi.Point3f
-
-        def opaque(kind: Any, values: Any) -> Any:
-            # No constants of the kernel, which serves close-ups of all fabrics.
-            return dr.opaque(kind, values)
-
-        self._low = opaque(vector, (inset.margin / size).tolist())
-        self._high = opaque(vector, ((inset.margin + inset.side) / size).tolist())
-        self._scale = opaque(number, min(inset.size) / inset.side)
-        self._origin = opaque(point, inset.view.origin.tolist())
+        # No constants of the kernel, which serves close-ups of all fabrics.
+        self._low, self._high = (
+            mi.Vector2f(opaque(mi.Float, edge / size)) for edge in (inset.margin, inset.margin + inset.side)
+        )
+        self._scale = opaque(mi.Float, min(inset.size) / inset.side)
+        self._origin = mi.Point3f(opaque(mi.Float, inset.view.origin))
 
     def sample_ray_differential(
         self, time: Any, sample1: Any, sample2: Any, sample3: Any, active: Any = True

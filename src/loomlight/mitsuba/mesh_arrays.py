@@ -12,6 +12,8 @@ import mitsuba as mi
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.backend import upload
+
 
 @dataclass(frozen=True, eq=False)
 class MeshArrays:
@@ -50,21 +52,20 @@ def make_shape(name: str, arrays: MeshArrays, bsdf: mi.BSDF) -> mi.Mesh:
         "normals": arrays.normals.astype(np.float32),
         "texcoords": arrays.uv.astype(np.float32),
     }
-    faces = arrays.triangles.astype(np.uint32)
     props = mi.Properties()
     props["bsdf"] = bsdf
     shape = mi.Mesh(
         name,
         vertex_count=len(arrays.positions),
-        face_count=len(faces),
+        face_count=len(arrays.triangles),
         props=props,
         has_vertex_normals=True,
         has_vertex_texcoords=True,
     )
     params = mi.traverse(shape)
     for key, rows in values.items():
-        params[f"vertex_{key}"] = rows.ravel()
-    params["faces"] = faces.ravel()
+        params[f"vertex_{key}"] = upload(mi.Float, rows)
+    params["faces"] = upload(mi.UInt32, arrays.triangles.astype(np.uint32))
     params.update()
     return shape
 
@@ -74,7 +75,7 @@ def set_uv(shape: mi.Mesh, uv: NDArray[np.float64]) -> bool:
     params = mi.traverse(shape)
     if "vertex_texcoords" not in params:
         return False
-    params["vertex_texcoords"] = uv.astype(np.float32).ravel()
+    params["vertex_texcoords"] = upload(mi.Float, uv.astype(np.float32))
     params.update()
     return True
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.mitsuba import cloth_shapes
+from loomlight.mitsuba.meshes import to_shape
 
 # White paper, as catalogues show cloth on: it lights folds from below and takes a soft shadow.
 _PAPER = {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.8}}
@@ -30,12 +31,18 @@ def backdrop(centre: NDArray[np.float64], radius: float, depth: float) -> dict[s
     return {"type": "disk", "to_world": transform.scale(60 * radius), "bsdf": _PAPER}
 
 
-def ball() -> dict[str, Any]:
-    """The grey ball under the draped cloth."""
+def ball(behind: float = 0.0) -> mi.Mesh:
+    """The grey ball under the draped cloth, or unseen so many metres behind other cloth.
+
+    Kernels depend on how many shapes and BSDFs there are, and of which classes: built-in scenes share theirs.
+    """
     radius = cloth_shapes.DRAPE_BALL_RADIUS
-    return {
-        "type": "sphere",
-        "center": [0, radius, 0],
-        "radius": radius,
-        "bsdf": {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.32}},
-    }
+
+    def place(u: NDArray[np.float64], v: NDArray[np.float64]) -> tuple[NDArray[np.float64], ...]:
+        # At the very poles there would be no normals.
+        around, polar = 2 * np.pi * u, np.pi * (1e-4 + (1 - 2e-4) * v)
+        across = radius * np.sin(polar)
+        return across * np.cos(around), radius * (1 + np.cos(polar)), across * np.sin(around) - behind
+
+    grey: dict[str, object] = {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.32}}
+    return to_shape(cloth_shapes.grid_surface((129, 65), place, "ball"), grey)

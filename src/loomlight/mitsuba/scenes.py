@@ -31,8 +31,7 @@ from loomlight.mitsuba.scene_props import backdrop, ball, ground
 
 # The BSDF of a user's scene file that is replaced by the fabric.
 FABRIC_ID = "fabric"
-# The cloth of built-in scenes, among their parameters.
-# Shapes of built-in scenes: pieces are cloth, cloth1, … .
+# Shapes of built-in scenes, among their parameters: pieces are cloth, cloth1, … .
 CLOTH_NAME, UNCOVERED_NAME = "cloth", "uncovered"
 _UNCOVERED: dict[str, object] = {
     "type": "twosided",
@@ -45,6 +44,9 @@ ROULETTE_DEPTH = 2
 DEFAULT_SIZE = (640, 480)
 # Half the extent of a mesh, metres: beyond, threads are lost in the rounding of coordinates.
 MIN_RADIUS, MAX_RADIUS = 1e-5, 1e4
+
+# Of the ball behind the paper of scenes that show none, metres.
+_UNSEEN = 2.0
 
 # From (mm per unit of u, mm per unit of v) to a BSDF, or to the dictionary of one.
 BsdfFactory = Callable[[tuple[float, float]], Any]
@@ -217,8 +219,8 @@ def build_scene(
         parts |= light_dicts(setup.light if light is None else light, centre, radius, towards)
     if setup.ground:
         parts["ground"] = ground(centre, radius, float(cloth.positions[:, 1].min()))
-    if mesh is None and name == "drape":
-        parts["ball"] = ball()
+    if mesh is None:
+        parts["ball"] = ball(_UNSEEN if setup.backdrop is not None else 0.0)
     if setup.backdrop is not None:
         parts["backdrop"] = backdrop(centre, radius, setup.backdrop)
     point = _facing_point(cloth, view)

@@ -27,7 +27,7 @@ from typing import Any
 import drjit as dr
 
 from loomlight.core.arrays import Float, Mask, UInt, Vec3
-from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum
+from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum, opaque
 from loomlight.scattering.appearance import Appearance, YarnDetail
 from loomlight.scattering.variation import FIBRE_CELL_LENGTH, Gain, hash_bits, hash_key
 from loomlight.yarn.geometry import SurfacePoint
@@ -109,21 +109,35 @@ def family_numbers(detail: YarnDetail) -> dict[str, float]:
 
 
 class DetailNumbers:
-    """The detail of a fabric's two families on one backend."""
+    """Detail and variation of a fabric's two families on one backend.
 
-    def __init__(self, appearance: Appearance, fibre_size: float, types: ArrayTypes) -> None:
-        """
-        Args:
-            fibre_size: width of a fibre, millimetres.
-        """
-        details = appearance.warp.detail, appearance.weft.detail
-        # Plies, fibres and slubs that a fabric lacks have weights of 0: fabrics of all kinds share a kernel.
-        self.has_hairs = any(detail.hairiness > 0 for detail in details)
-        self.fibre_size = dr.opaque(types.Float, fibre_size)
-        self.seed = appearance.variation.seed
+    All are opaque, and plies, fibres and slubs that a fabric lacks have the weight 0: fabrics share kernels.
+
+    Attributes:
+        has_hairs: a family has; without them pictures of close-ups take a tenth less.
+        fibre_size: width of a fibre, millimetres.
+        period: width and height of the repeat, millimetres.
+        threads: of warp and of weft in the repeat.
+        seed, fibre_noise, colour_noise: see `Variation`.
+        layer_bound: see `Appearance`.
+    """
+
+    def __init__(
+        self, appearance: Appearance, fibre_size: float, period: tuple[float, float], types: ArrayTypes
+    ) -> None:
+        families, variation = (appearance.warp, appearance.weft), appearance.variation
+
+        self.has_hairs = any(family.detail.hairiness > 0 for family in families)
+        self.fibre_size = opaque(types.Float, fibre_size)
+        self.period = opaque(types.Float, period)
+        self.threads = opaque(types.Int32, [len(family.diffuse_reflect) for family in families])
+        self.seed = opaque(types.UInt32, variation.seed)
+        self.fibre_noise = opaque(types.Float, variation.fibre_noise)
+        self.colour_noise = opaque(types.Float, variation.colour_noise)
+        self.layer_bound = opaque(types.Float, appearance.layer_bound)
         self._families = [
-            {name: dr.opaque(types.Float, number) for name, number in family_numbers(detail).items()}
-            for detail in details
+            {name: opaque(types.Float, number) for name, number in family_numbers(family.detail).items()}
+            for family in families
         ]
 
     def of(self, name: str, is_warp: Mask) -> Float:

@@ -6,7 +6,7 @@ import drjit as dr
 import numpy as np
 
 from loomlight.core.arrays import Color3, UInt
-from loomlight.core.backend import ArrayTypes
+from loomlight.core.backend import ArrayTypes, opaque
 from loomlight.scattering.appearance import FamilyAppearance
 
 ALBEDO_NAMES = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")
@@ -19,13 +19,9 @@ class FamilyParameters:
         rows = np.stack([np.asarray(getattr(family, name), np.float64) for name in ALBEDO_NAMES], axis=1)
         self.roughness = dr.opaque(types.Float, float(family.roughness))
         self.threads = rows.shape[0]
-        self._mean = [
-            types.Color3(*(dr.opaque(types.Float, float(v)) for v in row)) for row in rows.mean(axis=0)
-        ]
+        self._mean = [types.Color3(*row) for row in opaque(types.Float, rows.mean(axis=0))]
         self.alike = bool(np.allclose(rows, rows[:1], rtol=0, atol=1e-12))
-        self.shared = [
-            types.Color3(*(dr.opaque(types.Float, float(value)) for value in row)) for row in rows[0]
-        ]
+        self.shared = [types.Color3(*row) for row in opaque(types.Float, rows[0])]
         padded = np.zeros((self.threads, 4, 4))
         padded[:, :, :3] = rows
         self.table = None if self.alike else types.Float(padded.ravel())
@@ -42,9 +38,7 @@ class FamilyParameters:
         """Takes the means of the table anew, after an edit of it."""
         if self.table is not None:
             rows = self.table.numpy().reshape(self.threads, 4, 4)[:, :, :3].astype(np.float64).mean(axis=0)
-            self._mean = [
-                self._types.Color3(*(dr.opaque(self._types.Float, float(v)) for v in row)) for row in rows
-            ]
+            self._mean = [self._types.Color3(*row) for row in opaque(self._types.Float, rows)]
 
     def mean(self) -> list[Color3]:
         """Mean albedos over the threads, in the order of `ALBEDO_NAMES`."""

@@ -21,13 +21,13 @@ point returns more light than arrives.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, NamedTuple
 
 import drjit as dr
-import numpy as np
 
 from loomlight.core.arrays import Color3, Float, Mask, Vec3
-from loomlight.core.backend import ArrayTypes, clip, maximum
+from loomlight.core.backend import ArrayTypes, clip, maximum, opaque
 from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.fibre import mean_layer_shares
 from loomlight.scattering.openness import point_terms, view_terms
@@ -175,19 +175,14 @@ class Interreflection:
         openness = appearance.openness
         assert openness is not None
 
-        def opaque(values: Any) -> Any:
-            array = np.asarray(values, np.float64)
-            if array.ndim == 0:
-                return dr.opaque(types.Float, float(array))
-            return [opaque(part) for part in array]
-
-        self._by_view, self._by_point = opaque(openness.by_view), opaque(openness.by_point)
-        self._warp_seen = opaque(openness.warp_seen)
-        self._interior, self._blocks = opaque(openness.interior), opaque(openness.blocks)
-        self._meets = opaque(openness.meets)
-        self._per_relief = opaque(1 / openness.relief)
+        numbers = partial(opaque, types.Float)
+        self._by_view, self._by_point = numbers(openness.by_view), numbers(openness.by_point)
+        self._warp_seen = numbers(openness.warp_seen)
+        self._interior, self._blocks = numbers(openness.interior), numbers(openness.blocks)
+        self._meets = numbers(openness.meets)
+        self._per_relief = numbers(1 / openness.relief)
         # Here and not where they are used: kernels that are recorded read edits of what is uploaded.
-        self.layers: list[list[Float]] = opaque(
+        self.layers: list[list[Float]] = numbers(
             [
                 [float(share) for share in mean_layer_shares(family.roughness, appearance.optical_depth)]
                 for family in (appearance.warp, appearance.weft)

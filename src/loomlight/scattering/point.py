@@ -102,6 +102,7 @@ class YarnScattering:
                 FamilyParameters(self.appearance.weft, types),
             )
             self.between_yarns(types)
+            self.detail(types)
         return self._uploaded[types.Float]
 
     @property
@@ -112,7 +113,9 @@ class YarnScattering:
     def detail(self, types: ArrayTypes) -> DetailNumbers:
         """Numbers of the yarns' detail on one backend."""
         if types.Float not in self._detail:
-            self._detail[types.Float] = DetailNumbers(self.appearance, self.fibre_size, types)
+            self._detail[types.Float] = DetailNumbers(
+                self.appearance, self.fibre_size, self.surface.size, types
+            )
         return self._detail[types.Float]
 
     @property
@@ -262,13 +265,10 @@ class YarnScattering:
         Were it counted within the repeat, what varies by chance would repeat with the draft.
         """
         types = array_types(x)
+        numbers = self.detail(types)
         position = dr.select(point.is_warp, x, y) - point.across
-        period = dr.select(point.is_warp, types.Float(self.surface.size[0]), self.surface.size[1])
-        threads = dr.select(
-            point.is_warp,
-            types.Int32(len(self.appearance.warp.diffuse_reflect)),
-            types.Int32(len(self.appearance.weft.diffuse_reflect)),
-        )
+        period = dr.select(point.is_warp, *numbers.period)
+        threads = dr.select(point.is_warp, *numbers.threads)
         index = dr.select(point.is_warp, types.Int32(point.warp_thread), types.Int32(point.weft_thread))
         number = types.Int32(dr.floor(position / period)) * threads + index
         # Two families must not share numbers.
@@ -291,13 +291,13 @@ class YarnScattering:
             hair: on top, which hides grooves and slubs.
         """
         types = array_types(x)
-        variation = self.appearance.variation
+        numbers = self.detail(types)
         thread = self.thread_number(point, x, y)
-        column, row, _ = fibre_cell(point.fibre_across, point.fibre_along, types.Float(self.fibre_size))
+        column, row, _ = fibre_cell(point.fibre_across, point.fibre_along, numbers.fibre_size)
         cell = types.UInt32(types.Int32(column)) * 65536 + types.UInt32(types.Int32(dr.floor(row)))
         gain = None
         if size is not None and self.has_detail:
-            gain = detail_gain(self.detail(types), point, x, y, back, thread, size)
+            gain = detail_gain(numbers, point, x, y, back, thread, size)
             if hair is not None:
                 gain.excess *= 1 - hair.cover
         varied = vary_albedos(
@@ -309,10 +309,10 @@ class YarnScattering:
             ),
             thread,
             cell,
-            types.Float(variation.fibre_noise),
-            types.Float(variation.colour_noise),
-            variation.seed,
-            self.appearance.layer_bound,
+            numbers.fibre_noise,
+            numbers.colour_noise,
+            numbers.seed,
+            numbers.layer_bound,
             gain,
         )
         return Albedos(*varied)

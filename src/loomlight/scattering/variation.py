@@ -92,7 +92,7 @@ def vary_albedos(
     fibre_noise: Float,
     colour_noise: Float,
     seed: UInt,
-    layer_bound: float,
+    layer_bound: Float,
     detail: Gain | None = None,
 ) -> tuple[Color3, Color3, Color3, Color3]:
     """The four albedos of one point varied by fibre and thread, still inside the energy bound.

@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.arrays import Array, Float, Mask, UInt, Vec2
-from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum, upload
+from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum, opaque, upload
 from loomlight.core.footprint import Footprint
 
 
@@ -87,10 +87,7 @@ class FootprintSums:
         self._table = upload(types.UInt32, np.stack(tables).view(np.uint32))
         self._counts = [dr.opaque(types.Float, float(count)) for count in (columns, rows)]
         self._wholes = [dr.opaque(types.UInt32, count) for count in (columns, rows)]
-        self._steps = [
-            dr.opaque(types.Float, extent / count)
-            for extent, count in zip(size, (columns, rows), strict=True)
-        ]
+        self._steps = opaque(types.Float, np.array(size) / (columns, rows))
         self._face = dr.opaque(types.UInt32, (columns + 1) * (rows + 1))
 
     def box(self, footprint: Footprint, offset: Vec2, place: Float) -> FootprintBox:

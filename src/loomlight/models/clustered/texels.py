@@ -15,7 +15,7 @@ import drjit as dr
 import numpy as np
 
 from loomlight.core.arrays import Color3, Float, Mask, UInt, Vec2, Vec3
-from loomlight.core.backend import ArrayTypes, clip, maximum, minimum, upload
+from loomlight.core.backend import ArrayTypes, clip, maximum, minimum, opaque, upload
 from loomlight.models.clustered.tables import ClusterTables
 from loomlight.scattering.diffuse import diffuse_reflection
 from loomlight.scattering.fibre import reflection, transmission
@@ -89,10 +89,7 @@ class TexelModel:
         self._low = dr.opaque(types.Float, low)
         self._relief = dr.opaque(types.Float, float(high - low))
         self._stride = dr.opaque(types.Float, _STRIDE * finest)
-        self._roughness = [
-            dr.opaque(types.Float, float(tables.moments[0, cluster, 7]))
-            for cluster in (0, tables.clusters // 2)
-        ]
+        self._roughness = opaque(types.Float, tables.moments[0, [0, tables.clusters // 2], 7])
         self._blend, self._depth = diffuse_blend, optical_depth
 
     def meet(self, place: Vec2, view: Vec3, back: Mask) -> TexelPoint:

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.arrays import Float, Mask, UInt, Vec3
-from loomlight.core.backend import ArrayTypes, maximum, minimum, upload
+from loomlight.core.backend import ArrayTypes, maximum, minimum, opaque, upload
 from loomlight.core.footprint import Footprint
 from loomlight.models.lobes.coverage_lookup import CoverageLookup, CoverageTaps
 from loomlight.models.lobes.density import GroupLobe, layer_value
@@ -88,7 +88,7 @@ class PrefilteredLobes:
         packs = tables.packs
         self.pairs = dr.opaque(types.UInt32, packs // 2)
         self._packs = dr.opaque(types.UInt32, packs)
-        self._warp_packs = [dr.opaque(types.UInt32, int(number)) for number in tables.warp_packs]
+        self._warp_packs = opaque(types.UInt32, tables.warp_packs)
         area, visibility, irradiance = (
             part.view("<u4") for part in (tables.projected_area, tables.light_visibility, tables.irradiance)
         )
@@ -97,8 +97,8 @@ class PrefilteredLobes:
         self._light_table = upload(types.UInt32, _in_pairs(irradiance, visibility))
         self._joint = JointLookup(tables.joint, types)
         self._moments = upload(types.Float, tables.moments)
-        self._hole_weight = [dr.opaque(types.Float, float(weight)) for weight in tables.hole_weight]
-        self._roughness = [dr.opaque(types.Float, float(value)) for value in roughness]
+        self._hole_weight = opaque(types.Float, tables.hole_weight)
+        self._roughness = opaque(types.Float, roughness)
         self._optical_depth = dr.opaque(types.Float, float(optical_depth))
 
     def lookup(self, footprint: Footprint, view: Vec3, back: Mask) -> TableLookup:

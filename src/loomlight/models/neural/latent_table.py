@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.arrays import Float, FloatType, Mask, UInt
-from loomlight.core.backend import array_types, clip, maximum, minimum, upload
+from loomlight.core.backend import array_types, clip, maximum, minimum, opaque, upload
 from loomlight.core.footprint import ANISOTROPIC_TAPS
 from loomlight.core.simd import aligned, host_target, is_host_type
 from loomlight.models.neural.codings import Fibre
@@ -79,15 +79,9 @@ class LatentTable:
         self._extent = dr.opaque(types.Float, float(self.ends)), dr.opaque(types.Float, float(self.picks))
         self._top = dr.opaque(types.UInt32, len(levels) - 1)
         # Of the front, for each family.
-        self._fibres = [
-            [dr.opaque(types.Float, number) for number in row] for row in encoded.fibres.face(False).tolist()
-        ]
-        warp, weft = (dr.opaque(types.Float, number) for number in encoded.fibres.lobe_roughness())
-        self.lobe_roughness = warp, weft
-        self.bundles = [
-            [tuple(dr.opaque(types.Float, number) for number in bundle) for bundle in family]
-            for family in (encoded.fibres.bundles(False).tolist() if weights.table.bundles else [])
-        ]
+        self._fibres = opaque(types.Float, encoded.fibres.face(False))
+        self.lobe_roughness = tuple(opaque(types.Float, encoded.fibres.lobe_roughness()))
+        self.bundles = opaque(types.Float, encoded.fibres.bundles(False)) if weights.table.bundles else []
         # Of the last layer: weights, then biases.
         self._correction: tuple[Float, Float] | None = None
         if encoded.correction is not None:
