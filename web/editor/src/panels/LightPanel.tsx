@@ -36,7 +36,7 @@ const QUANTITIES: Readonly<Record<SceneNumber, Quantity>> = {
   surroundingsTurn: quantity("surroundingsTurn", "Turn the room", "Turns the surroundings about the vertical", 1, { unit: "°" }),
   exposure: quantity("exposure", "Exposure", "Stops: each doubles the light", 0.1, { ends: ["darker", "brighter"] }),
   whiteBalance: quantity("whiteBalance", "White balance", "Colour temperature of the light that is shown as white; 6500 changes nothing", 50, {
-    unit: "K",
+    unit: "\u00a0K",
     ends: ["cooler", "warmer"],
   }),
 };
