@@ -22,7 +22,7 @@ def test_words_say_what_a_walk_along_the_thread_finds(shape: tuple[int, int]) ->
     rng = np.random.default_rng(sum(shape))
     # Long runs as well as short ones: flip sides rarely.
     on_top = (rng.random(shape) < rng.uniform(0.01, 0.5)).cumsum(axis=1) % 2 == 1
-    words = pack_runs(on_top)
+    words = pack_runs(on_top.T).T
     for thread, crossing in zip(rng.integers(0, shape[0], 200), rng.integers(0, shape[1], 200), strict=True):
         sides, word = on_top[thread], int(words[thread, crossing])
         assert (word & 1) == sides[crossing]

@@ -12,25 +12,6 @@ from loomlight.cli.progress import progress
 
 EXAMPLE = "Example: loomlight demo -o demo.png"
 
-FABRIC = """
-name = "Houndstooth"
-weave = "houndstooth"
-ends_per_cm = 14
-picks_per_cm = 14
-gap = 0.06
-[warp]
-color = ["#23262e", "#ece4d3"]
-specular = 0.2
-roughness = 0.5
-[weft]
-color = ["#23262e", "#ece4d3"]
-specular = 0.2
-roughness = 0.5
-[sheen]
-strength = 0.2
-[variation]
-colour_noise = 0.1
-"""
 SIZE = (1080, 810)
 EXPOSURE = 0.4  # stops
 
@@ -45,10 +26,10 @@ def demo(
     check_output(output, (".png",))
 
     from loomlight.core.images import write_image
-    from loomlight.fabric.load import fabric_from_text
+    from loomlight.fabric.load import load_fabric
     from loomlight.mitsuba.material_picture import render
 
-    cloth = fabric_from_text(FABRIC)
+    cloth = load_fabric(Path(__file__).with_name("demo.toml"))
     with progress(f"{cloth.name}, draped", milliseconds=True) as report:
         # The point model shows how the dye varies.
         picture = render(

@@ -9,6 +9,8 @@ import json
 import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
+from string import Template
 from typing import Any
 
 import numpy as np
@@ -27,19 +29,6 @@ _PAPER, _INK, _FAINT = (250, 249, 246), (34, 36, 42), (104, 106, 112)
 _PLAIN = str.maketrans({"²": "2", "×": "x", "\u2009": " ", "\u202f": " "})
 # Width over height of a whole sheet that is pleasant to look at.
 _PROPORTION = 1.5
-_STYLE = """
-:root { color-scheme: light dark; --ink: #22242a; --faint: #5c5f66; --paper: #faf9f6; --card: #fff; }
-@media (prefers-color-scheme: dark) {
-  :root { --ink: #ecebe6; --faint: #a9abb0; --paper: #17181b; --card: #222327; }
-}
-body { margin: 2rem; background: var(--paper); color: var(--ink); font: 15px/1.45 system-ui, sans-serif; }
-main { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(34rem, 100%), 1fr)); gap: 1.5rem; }
-article { background: var(--card); border-radius: 6px; padding: 1rem; }
-h1 { font-size: 1.3rem; } h2 { font-size: 1.05rem; margin: .6rem 0 .2rem; }
-p { margin: 0; color: var(--faint); }
-div { display: grid; grid-template-columns: repeat(3, 1fr); gap: .5rem; }
-img { width: 100%; height: auto; border-radius: 3px; }
-"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,12 +99,8 @@ def sheet_picture(cards: Sequence[Card]) -> Pixels:
 def sheet_page(cards: Sequence[Card], heading: str) -> str:
     """The cards as one HTML page that needs no other file."""
     articles = "\n".join(_article(card) for card in cards)
-    return (
-        '<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
-        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        f"<title>{html.escape(heading)}</title>\n<style>{_STYLE}</style>\n</head>\n<body>\n"
-        f"<h1>{html.escape(heading)}</h1>\n<main>\n{articles}\n</main>\n</body>\n</html>\n"
-    )
+    page = Path(__file__).with_name("contact_sheet.html.in").read_text(encoding="utf-8")
+    return Template(page).substitute(heading=html.escape(heading), articles=articles)
 
 
 def _columns(count: int, width: int, height: int) -> int:

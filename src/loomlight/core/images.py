@@ -26,7 +26,7 @@ PICTURE_SUFFIXES = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".gif")
 # Pixels a side of a picture that is read.
 MAX_PICTURE_SIDE = 16384
 # Pixels converted at once: 100 MB of float64.
-_PIXELS_AT_ONCE = 1 << 22
+_PIXELS_AT_ONCE = 1 << 20
 _EXR_CHANNELS = {1: "Y", 3: "RGB", 4: "RGBA"}
 
 

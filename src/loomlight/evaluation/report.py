@@ -6,16 +6,12 @@ import math
 from dataclasses import dataclass
 from html import escape
 from importlib.resources import files
+from string import Template
 
 from loomlight.evaluation.table import Cell, Table
 
 # Tables whose smallest figure of a column is the best one.
 _LOWER_IS_BETTER = ("FLIP", "MSE", "nMAE")
-_INTRODUCTION = (
-    "Each scene was rendered by the reference, the point model with many samples a pixel, and by every row "
-    "of the tables with the samples that its name says. Click a picture to zoom all pictures of that scene "
-    "about the same place, move to look around, turn the wheel to come closer, click again to step back."
-)
 
 
 @dataclass(frozen=True)
@@ -63,7 +59,9 @@ class Report:
 def report_html(report: Report) -> str:
     """The page's HTML; names are escaped."""
     here = files("loomlight.evaluation")
-    style, script = (here.joinpath(f"report.{kind}").read_text(encoding="utf-8") for kind in ("css", "js"))
+    page, style, script = (
+        here.joinpath(f"report.{kind}").read_text(encoding="utf-8") for kind in ("html.in", "css", "js")
+    )
     facts = "".join(
         f"<dt>{escape(label)}</dt><dd>{escape(text)}</dd>" for label, text in report.facts.items()
     )
@@ -71,24 +69,16 @@ def report_html(report: Report) -> str:
         f'<p class="refused"><b>{escape(name)}</b> does not take this fabric: {escape(why)}</p>'
         for name, why in report.refused.items()
     )
-    first, *others = report.tables
-    title = escape(report.title)
-    return "\n".join(
-        [
-            '<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">',
-            '<meta name="viewport" content="width=device-width, initial-scale=1">',
-            f"<title>{title}: models compared</title>\n<style>\n{style}</style>\n</head>\n<body>",
-            f"<h1>{title}</h1>\n<dl>{facts}</dl>\n{refused}",
-            _table(first),
-            f'<p class="note">{_INTRODUCTION}</p>',
-            '<div class="bar"><b>Show</b>',
-            '<label><input type="radio" name="shown" value="picture" checked> pictures</label>',
-            '<label><input type="radio" name="shown" value="flip"> differences (FLIP: dark is alike)</label>',
-            "</div>",
-            *(_section(section) for section in report.sections),
-            *(_table(table) for table in others),
-            f"<script>\n{script}</script>\n</body>\n</html>\n",
-        ]
+    first, *others = map(_table, report.tables)
+    return Template(page).substitute(
+        title=escape(report.title),
+        style=style,
+        script=script,
+        facts=facts,
+        refused=refused,
+        first=first,
+        sections="\n".join(map(_section, report.sections)),
+        others="".join(f"{table}\n" for table in others),
     )
 
 

@@ -2,12 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from pathlib import Path
+from string import Template
 
 from loomlight.realtime.layout import BUFFERS, QUERY, RECORDS, Fields
 from loomlight.realtime.models import RealtimeModel
 
+_TEMPLATES = Path(__file__).parent / "languages"
 _WGSL_TYPES = {"float": "f32", "uint": "u32"}
+# Of each language: where an answer is stored, names of vectors, and a further argument of functions.
+KERNELS: dict[str, tuple[str, ...]] = {
+    "wgsl": ("answers[id.x]", "vec2<f32>", "vec3<f32>"),
+    "hlsl": ("answers[id.x]", "float2", "float3"),
+    "glsl": ("answers[gl_GlobalInvocationID.x]", "vec2", "vec3"),
+    "metal": ("answers[id]", "float2", "float3", "&buffers"),
+    "cuda": ("answers[id]", "make_float2", "make_float3"),
+}
 # Arguments of `cloth_value` from a query, with two and three numbers a vector.
 _ARGUMENTS = (
     "query.fabric",
@@ -50,117 +60,24 @@ def _wgsl_struct(name: str, fields: Fields) -> str:
     return "\n".join([f"struct {name}", "{", *lines, "}", ""])
 
 
-def _wgsl(model: RealtimeModel) -> str:
-    return f"""// To be put behind cloth.wgsl.
-// An answer (red, green, blue, share that passes through) for each query.
-{_wgsl_struct("Query", QUERY)}
-@group(1) @binding(0) var<storage, read> queries: array<Query>;
-@group(1) @binding(1) var<storage, read_write> answers: array<vec4<f32>>;
-
-@compute @workgroup_size(64)
-fn cloth_queries(@builtin(global_invocation_id) id: vec3<u32>)
-{{
-    if (id.x >= arrayLength(&queries)) {{ return; }}
-    let query = queries[id.x];
-    {_answer(model, "answers[id.x]", "vec2<f32>", "vec3<f32>")}
-}}
-"""
-
-
-def _hlsl(model: RealtimeModel) -> str:
-    return f"""// An answer (red, green, blue, share that passes through) for each query.
-#include "cloth.hlsl"
-
-{c_struct("Query", QUERY)}
-StructuredBuffer<Query> queries : register(t0, space1);
-RWStructuredBuffer<float4> answers : register(u0, space1);
-
-[numthreads(64, 1, 1)]
-void cloth_queries(uint3 id : SV_DispatchThreadID)
-{{
-    uint count, stride;
-    queries.GetDimensions(count, stride);
-    if (id.x >= count)
-        return;
-    Query query = queries[id.x];
-    {_answer(model, "answers[id.x]", "float2", "float3")}
-}}
-"""
-
-
-def _glsl(model: RealtimeModel) -> str:
-    return f"""#version 450
-#extension GL_GOOGLE_include_directive : require
-// An answer (red, green, blue, share that passes through) for each query.
-#include "cloth.glsl"
-
-{c_struct("Query", QUERY)}
-layout(std430, set = 1, binding = 0) readonly buffer Queries {{ Query queries[]; }};
-layout(std430, set = 1, binding = 1) writeonly buffer Answers {{ vec4 answers[]; }};
-
-layout(local_size_x = 64) in;
-void main()
-{{
-    if (gl_GlobalInvocationID.x >= queries.length())
-        return;
-    Query query = queries[gl_GlobalInvocationID.x];
-    {_answer(model, "answers[gl_GlobalInvocationID.x]", "vec2", "vec3")}
-}}
-"""
-
-
-def _metal(model: RealtimeModel) -> str:
-    parameters = [f"device {_element(name, 'metal')}* {name}" for name in model.buffers]
-    parameters += ["device const Query* queries", "constant uint& count", "device float4* answers"]
-    bound = [f"{parameter} [[buffer({n})]]" for n, parameter in enumerate(parameters)]
-    lines = (",\n" + " " * 26).join([*bound, "uint id [[thread_position_in_grid]]"])
-    assignments = "\n".join(f"    buffers.{name} = {name};" for name in model.buffers)
-    return f"""// An answer (red, green, blue, share that passes through) for each query.
-#include "cloth.metal"
-
-{c_struct("Query", QUERY)}
-kernel void cloth_queries({lines})
-{{
-    if (id >= count)
-        return;
-    thread ClothBuffers buffers;
-{assignments}
-    Query query = queries[id];
-    {_answer(model, "answers[id]", "float2", "float3", "&buffers")}
-}}
-"""
-
-
-def _cuda(model: RealtimeModel) -> str:
-    parameters = ", ".join(f"{_element(name, 'cuda')}* {name}" for name in model.buffers)
-    assignments = "\n".join(f"    buffers.{name}.data = {name};" for name in model.buffers)
-    return f"""// An answer (red, green, blue, share that passes through) for each query.
-#include "cloth.cu"
-
-{c_struct("Query", QUERY)}
-extern "C" __global__ void cloth_queries(const Query* queries, uint count, float4* answers)
-{{
-    uint id = blockIdx.x * blockDim.x + threadIdx.x;
-    if (id >= count)
-        return;
-    Query query = queries[id];
-    {_answer(model, "answers[id]", "make_float2", "make_float3")}
-}}
-
-// Host: pointers to copies of the files .bin of these names on the device, before the first launch.
-extern "C" cudaError_t cloth_bind({parameters})
-{{
-    ClothBuffers buffers = {{}};
-{assignments}
-    return cudaMemcpyToSymbol(cloth_buffers, &buffers, sizeof buffers);
-}}
-
-extern "C" cudaError_t cloth_launch(const Query* queries, uint count, float4* answers)
-{{
-    cloth_queries<<<(count + 63) / 64, 64>>>(queries, count, answers);
-    return cudaGetLastError();
-}}
-"""
+def kernel(model: RealtimeModel, language: str) -> str:
+    """The kernel's text: `languages/kernel.LANGUAGE.in` for a model."""
+    text = Template((_TEMPLATES / f"kernel.{language}.in").read_text(encoding="utf-8"))
+    typed = {name: f"{_element(name, language)}* {name}" for name in model.buffers}
+    if language == "metal":
+        parameters = [f"device {of_buffer}" for of_buffer in typed.values()]
+        parameters += ["device const Query* queries", "constant uint& count", "device float4* answers"]
+        bound = [f"{parameter} [[buffer({n})]]" for n, parameter in enumerate(parameters)]
+        listed = (",\n" + " " * 26).join([*bound, "uint id [[thread_position_in_grid]]"])
+    else:
+        listed = ", ".join(typed.values())
+    member = ".data" if language == "cuda" else ""
+    return text.substitute(
+        query=(_wgsl_struct if language == "wgsl" else c_struct)("Query", QUERY),
+        answer=_answer(model, *KERNELS[language]),
+        parameters=listed,
+        assignments="\n".join(f"    buffers.{name}{member} = {name};" for name in model.buffers),
+    )
 
 
 def _element(buffer: str, language: str) -> str:
@@ -171,15 +88,6 @@ def _element(buffer: str, language: str) -> str:
     return f"packed_{kind}" if language == "metal" and kind == "uint4" else kind
 
 
-KERNELS: dict[str, Callable[[RealtimeModel], str]] = {
-    "wgsl": _wgsl,
-    "hlsl": _hlsl,
-    "glsl": _glsl,
-    "metal": _metal,
-    "cuda": _cuda,
-}
-
-
 def library_records() -> tuple[str, ...]:
     """Names of the records that libraries read, nested ones before those that hold them."""
     nested = [kind for _, kind, _ in RECORDS["Fabric"] if kind in RECORDS]
@@ -188,20 +96,7 @@ def library_records() -> tuple[str, ...]:
 
 def c_header() -> str:
     """The records of buffers as C structs with their offsets asserted: what a host in C or C++ fills."""
-    lines = [
-        "// Records of the buffers of loomlight's cloth, as shaders read them. Every field takes four bytes.",
-        "#pragma once",
-        "",
-        "#include <stddef.h>",
-        "#include <stdint.h>",
-        "",
-        "#ifdef __cplusplus",
-        "#define CLOTH_ASSERT(CONDITION) static_assert(CONDITION, #CONDITION)",
-        "#else",
-        "#define CLOTH_ASSERT(CONDITION) _Static_assert(CONDITION, #CONDITION)",
-        "#endif",
-        "",
-    ]
+    lines = (_TEMPLATES / "cloth_records.h.in").read_text(encoding="utf-8").splitlines()
     for record in library_records():
         name = f"Cloth{record}"
         lines += [f"typedef struct {name}", "{"]

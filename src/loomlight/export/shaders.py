@@ -8,7 +8,7 @@ from pathlib import Path
 
 from loomlight.export.buffers import described_records, write_buffers
 from loomlight.export.instructions import shader_instructions
-from loomlight.export.kernels import KERNELS, c_header
+from loomlight.export.kernels import c_header, kernel
 from loomlight.export.libraries import library
 from loomlight.realtime.models import REALTIME_MODELS, Material, source_of
 from loomlight.realtime.slangc import SHADERS, TARGETS, library_code
@@ -63,7 +63,7 @@ def _write_text(folder: Path, model: str, language: str) -> list[str]:
         text = '#include "cloth_prelude.h"\n' + text
         names.append("cloth_prelude.h")
     (folder / names[0]).write_text(text, encoding="utf-8")
-    (folder / names[1]).write_text(KERNELS[language](REALTIME_MODELS[model]), encoding="utf-8")
+    (folder / names[1]).write_text(kernel(REALTIME_MODELS[model], language), encoding="utf-8")
     if language == "wgsl":
         names += ["sample.wgsl", "sample.py"]
     for name in names[2:]:

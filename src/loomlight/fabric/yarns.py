@@ -6,7 +6,9 @@ factors (Hearle, Grosberg and Backer 1969). Gloss, stray, slubs and hairs were s
 
 from __future__ import annotations
 
+import tomllib
 from dataclasses import dataclass
+from pathlib import Path
 from types import MappingProxyType
 
 from loomlight.fabric.file import YARNS, FabricFile, YarnTable
@@ -32,87 +34,8 @@ def _yarn(density: float, packing: float, **fields: float) -> Yarn:
     return Yarn(YarnTable.model_validate(fields), density, packing)
 
 
-PRESETS = MappingProxyType(
-    {
-        "cotton": _yarn(
-            COTTON_DENSITY,
-            DEFAULT_PACKING,
-            specular=0.2,
-            roughness=0.42,
-            translucency=0.12,
-            twist_deg=-20,
-            fibre_tilt_deg=11,
-            hairiness=0.4,
-            slub=0.25,
-        ),
-        "mercerised cotton": _yarn(
-            COTTON_DENSITY,
-            0.65,
-            specular=0.45,
-            roughness=0.24,
-            translucency=0.1,
-            twist_deg=-4,
-            plies=2,
-            ply_twist_deg=26,
-            fibre_tilt_deg=5,
-            hairiness=0.06,
-            slub=0.05,
-        ),
-        "linen": _yarn(
-            1.50,
-            0.65,
-            specular=0.4,
-            roughness=0.3,
-            translucency=0.18,
-            twist_deg=-14,
-            fibre_tilt_deg=9,
-            hairiness=0.12,
-            slub=0.9,
-        ),
-        "wool": _yarn(
-            1.31,
-            0.45,
-            specular=0.15,
-            roughness=0.6,
-            translucency=0.1,
-            twist_deg=-6,
-            plies=2,
-            ply_twist_deg=24,
-            fibre_tilt_deg=12,
-            hairiness=1,
-            slub=0.2,
-        ),
-        "silk": _yarn(
-            1.34,
-            0.7,
-            specular=0.9,
-            roughness=0.1,
-            translucency=0.1,
-            twist_deg=-3,
-            fibre_tilt_deg=2.5,
-        ),
-        "filament polyester": _yarn(
-            1.38,
-            0.7,
-            specular=0.8,
-            roughness=0.14,
-            translucency=0.08,
-            twist_deg=0,
-            fibre_tilt_deg=1.5,
-        ),
-        "viscose": _yarn(
-            1.51,
-            0.6,
-            specular=0.6,
-            roughness=0.22,
-            translucency=0.12,
-            twist_deg=-14,
-            fibre_tilt_deg=6,
-            hairiness=0.12,
-            slub=0.08,
-        ),
-    }
-)
+with Path(__file__).with_name("yarns.toml").open("rb") as _file:
+    PRESETS = MappingProxyType({name: _yarn(**of_kind) for name, of_kind in tomllib.load(_file).items()})
 # The names are in `file.py`, which checks them.
 assert set(PRESETS) == set(YARNS)
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import os
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 
+from loomlight.core.parallel_map import core_count
 from loomlight.mitsuba.rendering import Progress
 
 
@@ -43,8 +43,8 @@ _TRUST = 1.0
 
 def sample_seconds(model: str, samples: int) -> float:
     """Predicted seconds of `samples` of paths on this machine's cores; samples of a pixel times pixels."""
-    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    return MODEL_SECONDS.get(model, ModelSeconds()).million * samples / 1e6 * _CORES_OF_FIGURES / cores
+    seconds = MODEL_SECONDS.get(model, ModelSeconds()).million * samples / 1e6
+    return seconds * _CORES_OF_FIGURES / core_count()
 
 
 class TimeEstimate:

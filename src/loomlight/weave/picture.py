@@ -40,15 +40,15 @@ def drawdown_from_picture(path: str | os.PathLike[str]) -> Draft:
             f"{path} has {width} x {height} pixels; a drawdown has one pixel a crossing, "
             f"and at most {MAXIMUM_THREADS} ends and picks can be used."
         )
-    dark, corner, far, distance = [], None, None, -1.0
-    for part in read_picture_rows(path):
-        dark.append(part.mean(axis=2) < _THRESHOLD)
-        corner = part[0, 0].copy() if corner is None else corner
-        away = _squared(part, corner)
-        if away.max() > distance:
-            distance, far = float(away.max()), part.reshape(-1, 3)[away.argmax()].copy()
+    dark = [part[..., 0] + part[..., 1] + part[..., 2] < 3 * _THRESHOLD for part in read_picture_rows(path)]
     warp_up: NDArray[np.bool_] = np.concatenate(dark)
-    if (warp_up.all() or not warp_up.any()) and corner is not None and far is not None:
+    if warp_up.all() or not warp_up.any():
+        corner, distance = next(read_picture_rows(path))[0, 0].copy(), -1.0
+        far = corner
+        for part in read_picture_rows(path):
+            away = _squared(part, corner)
+            if away.max() > distance:
+                distance, far = float(away.max()), part.reshape(-1, 3)[away.argmax()].copy()
         if distance < _DISTINCT**2:
             raise _refusal(path, "only pixels of one colour")
         pair = sorted((corner, far), key=lambda colour: float(colour @ _LUMA))

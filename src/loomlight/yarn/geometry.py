@@ -137,7 +137,8 @@ class YarnGeometry:
         self.size = layout.size
         self.height_scale: tuple[Float, Float] = (layout.warp.height_scale, layout.weft.height_scale)
         self.twist: tuple[Float, Float] = (layout.warp.twist, layout.weft.twist)
-        self._warp, self._weft, self._words, self._max_heights = prepare_layout(layout)
+        tables = prepare_layout(layout)
+        self._warp, self._weft = tables.warp, tables.weft
         self._uploaded: dict[type, DeviceTables] = {}
         self.extents: dict[FloatType, Any] = {}
 
@@ -149,7 +150,8 @@ class YarnGeometry:
     @property
     def words(self) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
         """Run words of warp and weft at each crossing [picks, ends, 2], and the max-height pyramid."""
-        return self._words, self._max_heights
+        tables = prepare_layout(self.layout)
+        return tables.words, tables.max_heights
 
     @property
     def finest(self) -> tuple[float, float]:
@@ -168,9 +170,7 @@ class YarnGeometry:
 
     def _tables(self, types: ArrayTypes) -> DeviceTables:
         if types.Float not in self._uploaded:
-            self._uploaded[types.Float] = DeviceTables(
-                self._warp, self._weft, self._words, self._max_heights, types
-            )
+            self._uploaded[types.Float] = DeviceTables(self.layout, types)
         return self._uploaded[types.Float]
 
     def upload(self, types: ArrayTypes) -> None:

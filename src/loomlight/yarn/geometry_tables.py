@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
+from itertools import product
 from typing import Any
 from weakref import WeakKeyDictionary
 
@@ -9,27 +11,50 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.arrays import Float
+from loomlight.core.arrays import Float, UInt
 from loomlight.core.backend import ArrayTypes, upload
 from loomlight.yarn.families import upload_family
 from loomlight.yarn.layout import ClothLayout
 from loomlight.yarn.max_heights import pack_max_heights
-from loomlight.yarn.runs import pack_runs, with_cell_maxima
+from loomlight.yarn.runs import pack_runs
 from loomlight.yarn.threads import FamilyTables, prepare_family
 
-LayoutTables = tuple[FamilyTables, FamilyTables, NDArray[np.uint32], NDArray[np.uint32]]
 # Whole numbers that float32 tells apart.
 _MAX_EXACT = 1 << 24
+# Sides of the tiles in which words are transposed.
+_TILE = 64
+
+
+@dataclass
+class LayoutTables:
+    """Tables of warp and weft, words of both at each crossing [picks, ends, 2], max-height pyramid."""
+
+    warp: FamilyTables
+    weft: FamilyTables
+    words: NDArray[np.uint32]
+    max_heights: NDArray[np.uint32]
+    _uploaded: dict[type, tuple[UInt, UInt]] = field(default_factory=dict)
+
+    def upload(self, types: ArrayTypes) -> tuple[UInt, UInt]:
+        """Words and pyramid on a backend. On the CPU its memory takes the place of NumPy's."""
+        if types.UInt32 not in self._uploaded:
+            arrays = []
+            for name in ("words", "max_heights"):
+                array, shape = upload(types.UInt32, getattr(self, name)), getattr(self, name).shape
+                if dr.backend_v(types.UInt32) == dr.JitBackend.LLVM:
+                    setattr(self, name, array.numpy().reshape(shape))
+                arrays.append(array)
+            self._uploaded[types.UInt32] = arrays[0], arrays[1]
+        return self._uploaded[types.UInt32]
+
+
 # Tables of all layouts in memory: the models of a fabric share its layout, and a draft of 4096 by 4096
 # threads takes seconds. An edit of heights or twist makes another layout with the same threads.
 _cache: WeakKeyDictionary[ClothLayout, LayoutTables] = WeakKeyDictionary()
 
 
 def prepare_layout(layout: ClothLayout) -> LayoutTables:
-    """Tables of warp and weft, words of both at each crossing [picks, ends, 2], max-height pyramid.
-
-    Computed once for layouts that differ at most in height scales and twist.
-    """
+    """Its tables, computed once for layouts that differ at most in height scales and twist."""
     found = _cache.get(layout)
     if found is None:
         same = (tables for other, tables in list(_cache.items()) if _has_same_threads(layout, other))
@@ -49,36 +74,33 @@ def _has_same_threads(first: ClothLayout, second: ClothLayout) -> bool:
 
 
 def _prepare(layout: ClothLayout) -> LayoutTables:
-    warp_words = pack_runs(np.ascontiguousarray(layout.warp_on_top.T))
-    weft_words = pack_runs(~layout.warp_on_top)
-    warp = prepare_family(layout.warp, layout.weft, warp_words)
-    weft = prepare_family(layout.weft, layout.warp, weft_words)
-    words = np.empty((*weft_words.shape, 2), np.uint32)
-    words[..., 0] = with_cell_maxima(warp_words, warp.cell_maxima).T
-    words[..., 1] = with_cell_maxima(weft_words, weft.cell_maxima)
-    del warp_words, weft_words
-    return warp, weft, words, pack_max_heights(words)
+    on_top = layout.warp_on_top
+    words = np.empty((*on_top.shape, 2), np.uint32)
+    of_family = pack_runs(on_top)
+    warp = prepare_family(layout.warp, layout.weft, of_family)
+    words[..., 0] = of_family
+    of_family = pack_runs(~on_top.T)
+    weft = prepare_family(layout.weft, layout.warp, of_family)
+    # Square tiles: whole rows of one array are columns of the other, which caches do not hold.
+    tiles = [[slice(first, first + _TILE) for first in range(0, count, _TILE)] for count in on_top.shape]
+    for picks, ends in product(*tiles):
+        words[picks, ends, 1] = of_family[ends, picks].T
+    del of_family
+    return LayoutTables(warp, weft, words, pack_max_heights(words))
 
 
 class DeviceTables:
     """The tables of a layout on one backend. Numbers are opaque to Dr.Jit: all fabrics share kernels."""
 
-    def __init__(
-        self,
-        warp: FamilyTables,
-        weft: FamilyTables,
-        words: NDArray[np.uint32],
-        max_heights: NDArray[np.uint32],
-        types: ArrayTypes,
-    ) -> None:
-        self.warp: Any = upload_family(warp, types)
-        self.weft: Any = upload_family(weft, types)
-        self.words = upload(types.UInt32, words)
+    def __init__(self, layout: ClothLayout, types: ArrayTypes) -> None:
+        tables = prepare_layout(layout)
+        self.warp: Any = upload_family(tables.warp, types)
+        self.weft: Any = upload_family(tables.weft, types)
+        self.words, self.max_heights = tables.upload(types)
         # Single precision, which is faster, tells the words of 4096 by 4096 crossings apart.
-        exact = types.Float if words[..., 0].size <= _MAX_EXACT else types.UInt32
-        self.ends: Any = dr.opaque(exact, words.shape[1])
-        self.max_heights = upload(types.UInt32, max_heights)
-        self.max_height_columns = dr.opaque(types.UInt32, max_heights.shape[1])
+        exact = types.Float if layout.warp_on_top.size <= _MAX_EXACT else types.UInt32
+        self.ends: Any = dr.opaque(exact, tables.words.shape[1])
+        self.max_height_columns = dr.opaque(types.UInt32, tables.max_heights.shape[1])
         self._float = types.Float
         self._scalars: dict[str, tuple[float, Float]] = {}
 

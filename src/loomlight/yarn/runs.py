@@ -10,7 +10,7 @@ draft of thousands of threads costs what a plain weave costs:
     bits 15–20   length of the run before, in crossings                (63: that many or more)
     bits 21–26   length of the run after                               (63: that many or more)
     bit  27      the thread never interlaces
-    bits 28–31   the cell's maximum height, in 15ths of the family's highest (see `with_cell_maxima`)
+    bits 28–31   the cell's maximum height, in 15ths of the family's highest (`threads.prepare_family`)
 
 Counts saturate far beyond `MAX_ARC`, behind which a float is straight, so nothing is lost.
 """
@@ -27,69 +27,61 @@ MAX_ARC = 28
 CELL_MAX_LEVELS = 15
 
 
-# Crossings of the threads that are processed at once: temporary arrays stay within caches.
+# Words that are processed at once: temporary arrays stay within caches.
 _BLOCK = 1 << 16
 
 
 def pack_runs(on_top: NDArray[np.bool_]) -> NDArray[np.uint32]:
-    """Words [threads, crossings] of a family, from whether each thread is on top at each crossing.
+    """Words [crossings, threads] of a family, from whether each thread is on top at each crossing.
 
-    Both axes are periodic; row t holds the crossings of thread t in order.
+    Both axes are periodic; column t holds the crossings of thread t in order.
     """
-    words = np.empty(on_top.shape, dtype=np.uint32)
-    for rows in thread_blocks(*on_top.shape):
-        words[rows] = _pack_block(on_top[rows])
+    on_top = np.ascontiguousarray(on_top)
+    words = on_top.astype(np.uint32)
+    straight = (on_top == on_top[:1]).all(axis=0)
+    _add_counts(words, on_top, straight, 1, 15)
+    _add_counts(words[::-1], on_top[::-1], straight, 8, 21)
+    saturated = MAX_OFFSET << 1 | MAX_OFFSET << 8 | MAX_NEIGHBOUR << 15 | MAX_NEIGHBOUR << 21 | 1 << 27
+    words[:, straight] = on_top[0, straight] | np.uint32(saturated)
     return words
 
 
-def thread_blocks(threads: int, crossings: int) -> list[slice]:
-    """Ranges of threads, each of `crossings`, that are processed at once."""
-    step = max(1, _BLOCK // crossings)
-    return [slice(first, first + step) for first in range(0, threads, step)]
+def _add_counts(
+    words: NDArray[np.uint32],
+    on_top: NDArray[np.bool_],
+    straight: NDArray[np.bool_],
+    offset_bit: int,
+    neighbour_bit: int,
+) -> None:
+    """Adds to words the crossings since their run began, and the length of the run before.
+
+    All threads take each step at once, which begins before the repeat, where each has begun two runs since.
+    """
+    starts = on_top != np.roll(on_top, 1, axis=0)
+    crossings = len(starts)
+    lead = 1
+    while lead < crossings and not (straight | (starts[-lead:].sum(axis=0) > 1)).all():
+        lead = min(2 * lead, crossings)
+    # Crossings of the run so far, below 2¹⁶, and above them those of the run before.
+    lengths = np.zeros(on_top.shape[1], np.uint32)
+
+    def count(rows: slice) -> NDArray[np.uint32]:
+        found = starts[rows] * np.uint32(16)
+        for shifts in found:
+            np.left_shift(lengths, shifts, out=lengths)
+            shifts[:] = lengths
+            np.add(lengths, 1, out=lengths)
+        return found
+
+    for rows in row_blocks(crossings, lengths.size, crossings - lead):
+        count(rows)
+    for rows in row_blocks(*on_top.shape):
+        found = count(rows)
+        words[rows] |= np.minimum(found & 0xFFFF, MAX_OFFSET) << offset_bit
+        words[rows] |= np.minimum(found >> 16, MAX_NEIGHBOUR) << neighbour_bit
 
 
-def _pack_block(on_top: NDArray[np.bool_]) -> NDArray[np.uint32]:
-    crossings = on_top.shape[1]
-    interlaces = (on_top != on_top[:, :1]).any(axis=1)
-    starts = on_top != np.roll(on_top, 1, axis=1)
-    position = np.arange(crossings, dtype=np.int32)
-
-    # The latest start at or before each crossing; what precedes the first one wraps to the last.
-    last_start = np.maximum.accumulate(np.where(starts, position, -1), axis=1)
-    wrapped = np.where(last_start < 0, last_start.max(axis=1, keepdims=True) - crossings, last_start)
-    behind = position - wrapped
-    next_start = np.minimum.accumulate(np.where(starts, position, 2 * crossings)[:, ::-1], axis=1)[:, ::-1]
-    following = np.roll(next_start, -1, axis=1)
-    following[:, -1] = 2 * crossings
-    first_start = np.where(interlaces, starts.argmax(axis=1), 0).astype(np.int32)[:, None]
-    following = np.where(following >= 2 * crossings, first_start + crossings, following)
-    ahead = following - position - 1
-
-    length = behind + ahead + 1
-    previous, following = position - behind - 1, position + ahead + 1
-    # Less than one repeat away: additions instead of remainders, which take as long as all else.
-    previous += crossings * (previous < 0)
-    following -= crossings * (following >= crossings)
-    # Threads that never interlace have no runs; their words follow below.
-    before = np.take_along_axis(length, np.maximum(previous, 0), axis=1)
-    after = np.take_along_axis(length, np.minimum(following, crossings - 1), axis=1)
-
-    word = on_top.astype(np.uint32)
-    word |= np.minimum(behind, MAX_OFFSET).astype(np.uint32) << np.uint32(1)
-    word |= np.minimum(ahead, MAX_OFFSET).astype(np.uint32) << np.uint32(8)
-    word |= np.minimum(before, MAX_NEIGHBOUR).astype(np.uint32) << np.uint32(15)
-    word |= np.minimum(after, MAX_NEIGHBOUR).astype(np.uint32) << np.uint32(21)
-    straight = (
-        on_top.astype(np.uint32)
-        | np.uint32(MAX_OFFSET << 1)
-        | np.uint32(MAX_OFFSET << 8)
-        | np.uint32(MAX_NEIGHBOUR << 15)
-        | np.uint32(MAX_NEIGHBOUR << 21)
-        | np.uint32(1 << 27)
-    )
-    return np.where(interlaces[:, None], word, straight)
-
-
-def with_cell_maxima(words: NDArray[np.uint32], cell_maxima: NDArray[np.uint8]) -> NDArray[np.uint32]:
-    """The words with cell maxima [threads, crossings], levels 0 to 15, in their last four bits."""
-    return words | cell_maxima.astype(np.uint32) << np.uint32(28)
+def row_blocks(rows: int, columns: int, start: int = 0) -> list[slice]:
+    """Ranges of rows from `start`, each of `columns` words, that are processed at once."""
+    step = max(1, _BLOCK // columns)
+    return [slice(first, min(first + step, rows)) for first in range(start, rows, step)]

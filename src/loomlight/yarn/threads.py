@@ -7,6 +7,7 @@ begins and ends in the middle of a gap. Positions are millimetres from the start
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -14,13 +15,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
+from loomlight.yarn.distinct_words import DistinctWords
 from loomlight.yarn.layout import MIN_GAP, FamilyLayout
 from loomlight.yarn.runs import (
     CELL_MAX_LEVELS,
     MAX_ARC,
     MAX_NEIGHBOUR,
     MAX_OFFSET,
-    thread_blocks,
+    row_blocks,
 )
 
 # The cross-section is an arc of ±80°: at 90° the variance of 1/n_z over it would be infinite.
@@ -43,10 +45,9 @@ class FamilyTables:
         inclination: U after clamping for the thread's shortest run.
         arc: longest half-length of a bent end.
         edge_drop: how far below the crown line at a float's boundary its lowest visible edge lies, ≥ 0.
-        cell_maxima: how high each thread rises in the cell of each crossing [n, crossings], rounded up to
-            15ths of `highest`: rays above pass the cell by.
         period: size of the repeat across this family.
         highest, lowest: bounds of the height of any thread, before β and without dives.
+        distinct: the distinct run words, where the threads that are crossed are alike and words are few.
     """
 
     lower: NDArray[np.float64]
@@ -56,10 +57,10 @@ class FamilyTables:
     inclination: NDArray[np.float64]
     arc: NDArray[np.float64]
     edge_drop: NDArray[np.float64]
-    cell_maxima: NDArray[np.uint8]
     period: float
     highest: float
     lowest: float
+    distinct: DistinctWords | None
 
     @cached_property
     def uniform(self) -> bool:
@@ -99,7 +100,11 @@ def _cells(family: FamilyLayout) -> tuple[NDArray[np.float64], ...]:
 
 
 def prepare_family(family: FamilyLayout, crossing: FamilyLayout, words: NDArray[np.uint32]) -> FamilyTables:
-    """Tables of `family`, whose threads cross those of `crossing`; `words` [n, crossings] are its runs.
+    """Tables of `family`, whose threads cross those of `crossing`.
+
+    Args:
+        words: of its runs [crossings, n]. They get the cell maxima: how high each thread rises in the cell of
+            each crossing, rounded up to 15ths of `highest`; rays above pass the cell by.
 
     Raises:
         InputError: spacings too uneven (a cell under 1/64 of the mean).
@@ -108,12 +113,12 @@ def prepare_family(family: FamilyLayout, crossing: FamilyLayout, words: NDArray[
     cross_lower, cross_upper, cross_centre, cross_half = _cells(crossing)
     cross_period = float(crossing.spacing.sum())
     section = section_drop(half_width, half_width)
+    shown = _ShownWords(words, _are_alike(cross_upper - cross_lower, cross_half))
 
-    blocks = thread_blocks(lower.size, cross_lower.size)
     shortest = np.full(lower.size, np.inf)
-    for rows in blocks:
-        length = _run_ends(words[rows], cross_lower, cross_upper, cross_period).length
-        shortest[rows] = length.min(axis=1)
+    for threads, part in shown.blocks():
+        length = _run_ends(part, cross_lower, cross_upper, cross_period).length
+        shortest[threads] = length.min(axis=1)
     # A run of length L leaves room for its arc while w·tan(v_max/2)·sin U < L.
     steepest = np.arcsin(np.minimum(STEEPEST_SHARE * shortest / (2 * section), 1.0))
     inclination = np.clip(np.minimum(family.inclination, steepest), MIN_INCLINATION, None)
@@ -126,30 +131,31 @@ def prepare_family(family: FamilyLayout, crossing: FamilyLayout, words: NDArray[
     highest = 0.0
     gap_below = cross_centre - cross_half - cross_lower
     gap_above = cross_upper - cross_centre - cross_half
-    for rows in blocks:
-        ends = _run_ends(words[rows], cross_lower, cross_upper, cross_period)
-        reach = np.minimum(ends.length / 2, arc[rows, None])
-        rise = np.where(np.isfinite(reach), reach * np.tan(inclination[rows, None] / 2), 0.0)
+    for threads, part in shown.blocks():
+        ends = _run_ends(part, cross_lower, cross_upper, cross_period)
+        reach = np.minimum(ends.length / 2, arc[threads, None])
+        rise = np.where(np.isfinite(reach), reach * np.tan(inclination[threads, None] / 2), 0.0)
         highest = max(highest, float(rise.max()))
         for is_end, neighbour, distance in (
             (ends.starts, ends.before, gap_below),
             (ends.finishes, ends.after, gap_above),
         ):
-            other = np.minimum(neighbour / 2, arc[rows, None])
+            other = np.minimum(neighbour / 2, arc[threads, None])
             depth = -_edge_height(
-                np.broadcast_to(distance, reach.shape),
+                np.broadcast_to(distance[: reach.shape[1]], reach.shape),
                 reach,
                 other,
-                section[rows, None],
-                inclination[rows, None],
+                section[threads, None],
+                inclination[threads, None],
             )
-            depth = np.where(is_end, depth / section[rows, None], 0.0)
+            depth = np.where(is_end, depth / section[threads, None], 0.0)
             lowest_edge = max(lowest_edge, float(depth.max()))
-    cell_maxima = np.empty(words.shape, dtype=np.uint8)
-    for rows in blocks:
-        ends = _run_ends(words[rows], cross_lower, cross_upper, cross_period)
-        cell_max = _cell_max(ends, arc[rows, None], inclination[rows, None])
-        cell_maxima[rows] = np.ceil(np.minimum(cell_max / max(highest, 1e-30) + 1e-6, 1) * CELL_MAX_LEVELS)
+    cell_maxima = np.empty(shown.words.shape, np.uint8)
+    for threads, part in shown.blocks():
+        ends = _run_ends(part, cross_lower, cross_upper, cross_period)
+        cell_max = _cell_max(ends, arc[threads, None], inclination[threads, None])
+        cell_maxima[threads] = np.ceil(np.minimum(cell_max / max(highest, 1e-30) + 1e-6, 1) * CELL_MAX_LEVELS)
+    shown.add_cell_maxima(cell_maxima)
     # Only a thread that interlaces ends low; the drop at the middle of a run is less than at its ends.
     lowest = -(highest + float(2 * section.max()))
     return FamilyTables(
@@ -161,11 +167,55 @@ def prepare_family(family: FamilyLayout, crossing: FamilyLayout, words: NDArray[
         arc,
         # One share for the family, so that threads alike in all else stay alike.
         lowest_edge * section,
-        cell_maxima,
         float(family.spacing.sum()),
         highest,
         lowest,
+        shown.distinct,
     )
+
+
+def _are_alike(*of_threads: NDArray[np.float64]) -> bool:
+    return all(np.ptp(numbers) <= 1e-9 * abs(numbers[0]) for numbers in of_threads)
+
+
+class _ShownWords:
+    """Run words of each thread [n, m]: all, or the distinct ones where the threads they cross are alike."""
+
+    def __init__(self, words: NDArray[np.uint32], are_alike: bool) -> None:
+        self._all, self.words = words, words.T
+        self.distinct = DistinctWords.of(words) if are_alike else None
+        if self.distinct is None:
+            return
+        values = self.distinct.values
+        self._met = np.zeros((words.shape[1], values.size), bool)
+        for rows in row_blocks(*words.shape):
+            self._met.ravel()[self._places(rows)] = True
+        count = self._met.sum(axis=1)
+        self._filled = np.arange(count.max()) < count[:, None]
+        self.words = np.repeat(words[0][:, None], count.max(), axis=1)
+        self.words[self._filled] = values[np.nonzero(self._met)[1]]
+
+    def blocks(self) -> Iterator[tuple[slice, NDArray[np.uint32]]]:
+        """Threads and their words, in parts that fit caches."""
+        for threads in row_blocks(*self.words.shape):
+            yield threads, np.ascontiguousarray(self.words[threads])
+
+    def add_cell_maxima(self, maxima: NDArray[np.uint8]) -> None:
+        """Adds to all words their cells' maxima, given those of the words here [n, m]."""
+        if self.distinct is None:
+            for threads in row_blocks(*maxima.shape):
+                self.words[threads] |= maxima[threads].astype(np.uint32) << np.uint32(28)
+            return
+        table = np.zeros(self._met.shape, np.uint32)
+        table[self._met] = maxima[self._filled].astype(np.uint32) << np.uint32(28)
+        for rows in row_blocks(*self._all.shape):
+            self._all[rows] |= table.take(self._places(rows))
+
+    def _places(self, rows: slice) -> NDArray[np.intp]:
+        """Of the words of some crossings, flat indices into tables [n, distinct words]."""
+        assert self.distinct is not None
+        first = np.arange(len(self._met)) * self.distinct.values.size
+        return first + self.distinct.indices(self._all[rows])
 
 
 @dataclass(frozen=True, eq=False)
@@ -182,9 +232,13 @@ class _RunEnds:
 
 
 def _run_ends(
-    words: NDArray[np.uint32], lower: NDArray[np.float64], upper: NDArray[np.float64], period: float
+    words: NDArray[np.uint32],
+    lower: NDArray[np.float64],
+    upper: NDArray[np.float64],
+    period: float,
 ) -> _RunEnds:
     count = lower.size
+    here = np.arange(words.shape[1], dtype=np.int32)
     # Where cells begin, of all crossings that a word can tell of: one look-up each in place of a division.
     farthest = MAX_OFFSET + MAX_NEIGHBOUR + 2
     crossing = np.arange(-farthest, count + farthest)
@@ -193,7 +247,6 @@ def _run_ends(
     def position(index: NDArray[np.int32]) -> NDArray[np.float64]:
         return cell_starts.take(index + farthest)
 
-    here = np.arange(count, dtype=np.int32)
     signed = words.astype(np.int32)
     behind, ahead = (signed >> 1) & 127, (signed >> 8) & 127
     before, after = (signed >> 15) & 63, (signed >> 21) & 63

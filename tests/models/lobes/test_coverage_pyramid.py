@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from loomlight.fabric import fabric_from_text
-from loomlight.models.lobes import coverage_pyramid
 from loomlight.models.lobes.coverage_pyramid import spacing_of
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.lobes.packed_uint8 import pack_count
@@ -63,19 +62,3 @@ def test_no_group_counts_less_than_nothing(text: str) -> None:
     shares = (coverage.bytes * coverage.scale[:, None] / 255).sum(axis=-1)
     # Each of 17 bytes is off by half a 255th of the group's largest share.
     np.testing.assert_allclose(shares, 1, atol=2e-2)
-
-
-def test_cells_of_many_threads_are_counted_by_fewer_texels(monkeypatch: pytest.MonkeyPatch) -> None:
-    """As in drafts of millions of crossings: fifteen texels a side find the coverage of a node."""
-    geometry = YarnGeometry(random_cloth(96, 96).layout())
-    monkeypatch.setattr(coverage_pyramid, "MAX_PYRAMID_BYTES", 20_000)
-    picks = geometry.layout.warp_on_top.shape[0]
-    assert spacing_of(geometry, PER_FAMILY).base_size > 6 * geometry.size[1] / picks
-    few = pyramid_of(geometry, PER_FAMILY)[1]
-    monkeypatch.setattr(coverage_pyramid, "MAX_TEXELS_PER_NODE", 60)
-    many = pyramid_of(geometry, PER_FAMILY)[1]
-    assert few.bytes.shape == many.bytes.shape
-    first, second = (part.bytes * part.scale[:, None] / 255 for part in (few, many))
-    # A share of 1/16 has a standard error of .016 from the 225 texels of a cell; tents are means of ten,
-    # and estimates nine nodes.
-    assert np.abs(first - second).mean() < 0.016 / np.sqrt(10) * 1.2

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from loomlight.core.arrays import UInt
 from loomlight.core.backend import ArrayTypes
 from loomlight.core.frozen import FrozenArg, FrozenFunction
-from loomlight.core.parallel_map import parallel_map
+from loomlight.models.lobes.cell_kinds import CELL_COUNT, CrossingKinds, count_by_kinds
 from loomlight.models.lobes.cloth_samples import UploadedCloth
 from loomlight.models.lobes.coverage_lookup import TENT_VARIANCE
 from loomlight.models.lobes.groups import NearestGroup
@@ -40,8 +40,8 @@ TEXELS_PER_THREAD = 3
 MAX_TEXELS_PER_NODE = 15
 # Texels evaluated at once.
 _BATCH = 1 << 23
-# Numbers of the pyramid that are processed at once, to fit caches; and how many are worth a second thread.
-_BLOCK, _LARGE = 1 << 17, 1 << 22
+# Numbers of the pyramid that are processed at once, to fit caches.
+_BLOCK = 1 << 17
 # Large levels are rounded up to even numbers of nodes, so that halving them is slicing.
 EVEN_FROM, EVEN_STEP = 64, 16
 # Bytes of all levels of both faces; a third of it is levels beyond the first.
@@ -115,24 +115,18 @@ class CellCounts:
         spacing: of the nodes.
         shape: faces, rows, columns, 4·(packs + 1).
         texels: of a cell.
-        packed: counts of 8 or 16 bits in 32-bit words; the device may still count.
+        packed: counts of 8 bits in 32-bit words; of arrays on a device, it may still count.
     """
 
     repeat: tuple[float, float]
     spacing: Spacing
     shape: tuple[int, int, int, int]
     texels: int
-    packed: UInt
+    packed: UInt | NDArray[np.uint32]
 
-    def counts(self) -> NDArray[np.unsignedinteger]:
+    def counts(self) -> NDArray[np.uint8]:
         """The counts [2, rows, columns, 4·(packs + 1)]."""
-        kind = np.uint8 if _counts_per_word(self.texels) == 4 else np.uint16
-        return np.asarray(self.packed.numpy().view(kind).reshape(self.shape))
-
-
-def _counts_per_word(texels: int) -> int:
-    """Counts of at most `texels` that fit a 32-bit word: 4 or 2."""
-    return 4 if texels < 1 << 8 else 2
+        return np.asarray(self.packed).view(np.uint8).reshape(self.shape)
 
 
 def count_cells(
@@ -144,6 +138,12 @@ def count_cells(
     columns, rows = (nodes_along(side, spacing) for side in geometry.size)
     picks, ends = geometry.layout.warp_on_top.shape
     across, along = (texels_along(threads, count) for threads, count in ((ends, columns), (picks, rows)))
+    shape = 2, rows, columns, 4 * (pack_count(per_family) + 1)
+    # The crossings of a cell count as wholes where there are several.
+    has_wholes = min(ends / columns, picks / rows) >= 2
+    if has_wholes and (kinds := CrossingKinds.find(geometry)) is not None:
+        packed = count_by_kinds(cloth.value, nearest.value, kinds, shape).view(np.uint32).ravel()
+        return CellCounts(geometry.size, spacing, shape, CELL_COUNT, packed)
     texels = _Texels(types, geometry.size, (columns, rows), (across, along), per_family)
     if texels.count <= _BATCH:
         packed = _count_all(cloth, nearest, FrozenArg(texels), texels.count, texels.words)
@@ -153,7 +153,6 @@ def count_cells(
             lane = dr.arange(types.UInt32, min(_BATCH, texels.count - start))
             texels.add(cloth.value, nearest.value, lane + dr.opaque(types.UInt32, start), packed)
             dr.eval(packed)
-    shape = 2, rows, columns, 4 * (pack_count(per_family) + 1)
     return CellCounts(geometry.size, spacing, shape, across * along, packed)
 
 
@@ -194,18 +193,14 @@ class _Texels:
         """
         self._types = types
         (columns, rows), (across, along) = cells, texels
-        counts_per_word = _counts_per_word(across * along)
-        row = 4 * (pack_count(per_family) + 1) // counts_per_word
+        row = pack_count(per_family) + 1
         wide, high = columns * across, rows * along
         self.count, self.words = 2 * wide * high, 2 * columns * rows * row
-        sizes = wide * high, columns, columns * rows, row, per_family
+        sizes = wide * high, columns, columns * rows, row
         self._sizes = [dr.opaque(types.UInt32, size) for size in sizes]
         self._wide, self._across, self._along = (
             InvariantDivider(size, types) for size in (wide, across, along)
         )
-        self._counts_per_word = InvariantDivider(counts_per_word, types)
-        self._bits = dr.opaque(types.UInt32, 32 // counts_per_word)
-        self._bytes_of_family = dr.opaque(types.UInt32, 4 * pack_count(per_family) // 2)
         self._steps = [
             dr.opaque(types.Float, side / size) for side, size in zip(repeat, (wide, high), strict=True)
         ]
@@ -213,7 +208,7 @@ class _Texels:
     def add(self, cloth: UploadedCloth, nearest: NearestGroup, lane: UInt, packed: UInt) -> None:
         """Adds 1 to the count of the cell and group of each of some texels."""
         Float, UInt32 = self._types.Float, self._types.UInt32
-        face_size, columns, face_nodes, row_words, per_family = self._sizes
+        face_size, columns, face_nodes, row_words = self._sizes
         back = lane >= face_size
         texel = dr.select(back, lane - face_size, lane)
         row, column = self._wide.divide(texel)
@@ -222,14 +217,11 @@ class _Texels:
         point = cloth.geometry.surface(
             (Float(column) + jitter_x) * self._steps[0], (Float(row) + jitter_y) * self._steps[1], back
         )
-        group = nearest.find(back, point.is_warp, point.hole, point.normal, point.tangent)
-        byte = dr.select(group < per_family, group, group - per_family + self._bytes_of_family)
-        byte = dr.select(group == nearest.hole_index, 2 * self._bytes_of_family, byte)
+        byte = nearest.find_byte(back, point)
         node = self._along.divide(row)[0] * columns + self._across.divide(column)[0]
         node += dr.select(back, face_nodes, 0)
-        word, position = self._counts_per_word.divide(byte)
         # Integers: their sum does not depend on the order in which threads add them.
-        dr.scatter_add(packed, UInt32(1) << (position * self._bits), node * row_words + word)
+        dr.scatter_add(packed, UInt32(1) << 8 * (byte & 3), node * row_words + (byte >> 2))
 
 
 @FrozenFunction
@@ -243,18 +235,14 @@ def _count_all(cloth: UploadedCloth, nearest: NearestGroup, texels: _Texels, cou
 def build_pyramid(cells: CellCounts) -> CoveragePyramid:
     """The pyramid over the cells; waits for their counts."""
     counts = cells.counts()
-    if counts.size < _LARGE:
-        levels, *parts = _levels(cells, counts)
-    else:
-        # One face a thread: numpy's loops release Python's lock.
-        faces = parallel_map(lambda face: _levels(cells, face), (counts[:1], counts[1:]))
-        levels = faces[0][0]
-        parts = [np.concatenate(pair) for pair in zip(*(face[1:] for face in faces), strict=True)]
-    scale, mean, packed = parts
+    # A face after the other: numbers of the first level take four times the memory of their bytes.
+    faces = [_levels(cells, counts[face : face + 1]) for face in (0, 1)]
+    levels = faces[0][0]
+    scale, mean, packed = (np.concatenate([face[part] for face in faces]) for part in (1, 2, 3))
     return CoveragePyramid(cells.spacing.base_size, levels, scale, mean, packed)
 
 
-def _levels(cells: CellCounts, counts: NDArray[np.unsignedinteger]) -> tuple[NDArray[Any], ...]:
+def _levels(cells: CellCounts, counts: NDArray[np.uint8]) -> tuple[NDArray[Any], ...]:
     """Levels, scale, mean and bytes, as in `CoveragePyramid`, of some faces' counts."""
     means, mean, largest = _first_level(cells, counts)
     # The largest value is in the first level: the others are means of it.
@@ -274,7 +262,7 @@ def _levels(cells: CellCounts, counts: NDArray[np.unsignedinteger]) -> tuple[NDA
 
 
 def _first_level(
-    cells: CellCounts, counts: NDArray[np.unsignedinteger]
+    cells: CellCounts, counts: NDArray[np.uint8]
 ) -> tuple[NDArray[np.float32], NDArray[np.float64], NDArray[np.float32]]:
     """Tents over the cells of some faces, means of the repeat, and the largest value of any tent."""
     faces, rows, columns, groups = counts.shape

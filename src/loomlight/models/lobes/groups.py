@@ -19,6 +19,8 @@ from loomlight.core.backend import ArrayTypes, upload
 from loomlight.core.parallel_map import parallel_map
 from loomlight.models.lobes.cloth_samples import GOLDEN_FRACTION, FaceSamples, TopDownSamples
 from loomlight.models.lobes.clustering import BisectingClusters
+from loomlight.models.lobes.packed_uint8 import pack_count
+from loomlight.yarn.geometry import SurfacePoint
 
 # Weight of the normal beside the fibre direction in distances: highlights are narrow in the latter.
 NORMAL_WEIGHT = 0.5
@@ -74,6 +76,15 @@ class NearestGroup:
         self._centroids = upload(types.Float, rows)
         self._warp_count = [dr.opaque(types.UInt32, int(count)) for count in groups.warp_count]
         self.hole_index = dr.opaque(types.UInt32, groups.count)
+        self._per_family = dr.opaque(types.UInt32, groups.per_family)
+        self._bytes_of_family = dr.opaque(types.UInt32, 4 * pack_count(groups.per_family) // 2)
+
+    def find_byte(self, back: Mask, point: SurfacePoint) -> UInt:
+        """Byte of the group of a point in the packs of a face; holes have the first one of a last pack."""
+        group = self.find(back, point.is_warp, point.hole, point.normal, point.tangent)
+        of_weft = group - self._per_family + self._bytes_of_family
+        byte = dr.select(group < self._per_family, group, of_weft)
+        return dr.select(group == self.hole_index, 2 * self._bytes_of_family, byte)
 
     def find(self, back: Mask, is_warp: Mask, hole: Mask, normal: Vec3, tangent: Vec3) -> UInt:
         """Index of the group of the point's own family with the nearest centroid; 2 K in holes."""
