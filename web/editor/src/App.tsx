@@ -1,4 +1,5 @@
 /** The whole page. */
+import { messageOf } from "loomlight-fabric";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 
 import type { Server } from "./api.ts";
@@ -85,7 +86,7 @@ export function App({ store, server, health, onView }: Props) {
     try {
       await act();
     } catch (error) {
-      tell("fault", error instanceof Error ? error.message : String(error));
+      tell("fault", messageOf(error));
     }
   };
 

@@ -1,4 +1,5 @@
 /** Files for other programs: a picture at any size, maps, a glTF file, a baked material. */
+import { clamp, messageOf } from "loomlight-fabric";
 import { useEffect, useRef, useState } from "preact/hooks";
 
 import type { Server } from "./api.ts";
@@ -96,7 +97,7 @@ export function ExportDialog({ fabric, server, view, onClose }: Props) {
       download(name, content, type);
       setDone(`${name} is saved.`);
     } catch (error) {
-      setFault(sentence(error instanceof Error ? error.message : String(error)));
+      setFault(sentence(messageOf(error)));
     }
     setWork(null);
   };
@@ -182,7 +183,7 @@ function Whole({ label, unit, value, low, high, onValue, testid }: WholeProps) {
         data-testid={testid}
         onChange={(event) => {
           const given = Math.round(event.currentTarget.valueAsNumber);
-          const kept = Number.isFinite(given) ? Math.min(Math.max(given, low), high) : value;
+          const kept = Number.isFinite(given) ? clamp(given, low, high) : value;
           event.currentTarget.value = String(kept);
           onValue(kept);
         }}

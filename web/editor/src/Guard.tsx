@@ -1,4 +1,5 @@
 /** Holds the page up where one part of it fails: says which, and offers ways on. */
+import { messageOf } from "loomlight-fabric";
 import { Component, type ComponentChildren } from "preact";
 
 import { download, fabricFiles } from "./files.ts";
@@ -47,7 +48,7 @@ export class Guard extends Component<Props, { readonly fault: unknown }> {
   override render({ part, store, children }: Props) {
     const { fault } = this.state;
     if (fault === null) return children;
-    const text = fault instanceof Error ? fault.message : String(fault);
+    const text = messageOf(fault);
     return (
       <div class="guard" role="alert" data-testid="guard">
         <h2>The {part} cannot be shown</h2>

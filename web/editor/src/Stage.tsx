@@ -1,4 +1,5 @@
 /** The cloth, with what belongs to looking at it: shapes, distance, the wipe, the frame time. */
+import { clamp, messageOf } from "loomlight-fabric";
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 
@@ -110,7 +111,7 @@ export function Stage(props: Props) {
       view.show({ fabric, scene, comparison, piece, surroundings, print, opennessOf });
       if (view.kind === "webgpu") openness?.show(comparison.before === null ? [fabric] : [fabric, comparison.before]);
     } catch (error) {
-      dispatch({ type: "notice/add", kind: "fault", text: error instanceof Error ? error.message : String(error) });
+      dispatch({ type: "notice/add", kind: "fault", text: messageOf(error) });
     }
   }, [view, fabric, scene, comparison, piece, surroundings, print, answers]);
 
@@ -223,7 +224,7 @@ function Wipe({ comparison, dispatch, right, hasPython }: WipeProps) {
   const move = (event: PointerEvent): void => {
     if (event.buttons === 0) return;
     const box = frame.current!.getBoundingClientRect();
-    const position = Math.min(Math.max((event.clientX - box.left) / box.width, 0), 1);
+    const position = clamp((event.clientX - box.left) / box.width, 0, 1);
     dispatch({ type: "comparison/set", comparison: { position } });
   };
   const isModels = comparison.mode === "models";
@@ -246,7 +247,7 @@ function Wipe({ comparison, dispatch, right, hasPython }: WipeProps) {
           const step = event.key === "ArrowLeft" ? -0.02 : event.key === "ArrowRight" ? 0.02 : 0;
           if (step === 0) return;
           event.preventDefault();
-          const position = Math.min(Math.max(comparison.position + step, 0), 1);
+          const position = clamp(comparison.position + step, 0, 1);
           dispatch({ type: "comparison/set", comparison: { position } });
         }}
       />

@@ -1,14 +1,10 @@
 /** A file of what was set aside, opened again: what of it can be is a fabric, and the rest is told. */
-import { InputError } from "loomlight-fabric";
+import { FAMILIES, InputError, messageOf } from "loomlight-fabric";
 
+import { jsonOfLink } from "./link.ts";
 import type { Fabric } from "./state/document.ts";
 import { fabricFromJson } from "./state/fabric_json.ts";
-import { jsonOfLink } from "./link.ts";
-
-type Table = Record<string, unknown>;
-
-/** Names of the fields of yarns, which are taken one by one as others are. */
-const FAMILIES = ["warp", "weft"];
+import { isTable, tableOf, type Table } from "./state/json_table.ts";
 
 /**
  * The fabric of a file that the page made of what it set aside, without the fields that cannot be, and what was wrong.
@@ -55,7 +51,7 @@ function repaired(fields: Table, draft: unknown, why: unknown): { fabric: Fabric
     throw why; // the draft itself
   }
   const others = Object.entries(fields).flatMap(([key, value]): [string, string | null, unknown][] =>
-    FAMILIES.includes(key) && isTable(value)
+    FAMILIES.some((family) => family === key) && isTable(value)
       ? Object.entries(value).map(([inner, each]) => [key, inner, each])
       : key in kept
         ? []
@@ -68,16 +64,8 @@ function repaired(fields: Table, draft: unknown, why: unknown): { fabric: Fabric
       fabric = fabricFromJson({ fields: more, draft });
       kept = more;
     } catch (error) {
-      faults.push(error instanceof Error ? error.message : String(error));
+      faults.push(messageOf(error));
     }
   }
   return { fabric, faults };
-}
-
-function tableOf(json: unknown): Table {
-  return isTable(json) ? json : {};
-}
-
-function isTable(json: unknown): json is Table {
-  return typeof json === "object" && json !== null && !Array.isArray(json);
 }

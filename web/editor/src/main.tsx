@@ -1,4 +1,5 @@
 /** Starts the page, keeps what changes, and holds it up where a part of it fails. */
+import { messageOf } from "loomlight-fabric";
 import { render } from "preact";
 
 import { Server } from "./api.ts";
@@ -34,7 +35,7 @@ async function start(): Promise<void> {
     if (isStanding || fabric !== state.fabric) return;
     // What was given back fails at once: the last good one takes its place.
     isStanding = true;
-    const reason = `the ${part} fails (${sentence(error instanceof Error ? error.message : String(error))})`;
+    const reason = `the ${part} fails (${sentence(messageOf(error))})`;
     store.replace(fallenBack(store.state, reason, server));
     store.dispatch({ type: "notice/add", kind: "fault", text: asideText(`${reason}.`), offer: "aside" });
   });
@@ -57,7 +58,7 @@ async function connect(): Promise<{ server: Server | null; problem: string | nul
   try {
     return { server: await Server.connect(), problem: null };
   } catch (error) {
-    return { server: null, problem: error instanceof Error ? error.message : String(error) };
+    return { server: null, problem: messageOf(error) };
   }
 }
 
@@ -84,7 +85,7 @@ function keepChanges(store: Store, health: Health): void {
 /** Faults that no part of the page catches, as those of a click, are told; the page goes on. */
 function listenForFaults(store: Store): void {
   const tell = (error: unknown): void => {
-    const text = error instanceof Error ? error.message : String(error);
+    const text = messageOf(error);
     store.dispatch({ type: "notice/add", kind: "fault", text: `Something failed, and your cloth is kept: ${sentence(text)}` });
   };
   // Without an error it is a browser's own remark, as that of a resize that took two frames.
@@ -93,6 +94,6 @@ function listenForFaults(store: Store): void {
 }
 
 start().catch((error: unknown) => {
-  const text = error instanceof Error ? error.message : String(error);
+  const text = messageOf(error);
   document.getElementById("app")!.textContent = `The page cannot start: ${sentence(text)} What you made is kept; reload to try again.`;
 });

@@ -1,4 +1,6 @@
 /** Keeps the page and a widget of a notebook at one fabric. */
+import { messageOf } from "loomlight-fabric";
+
 import type { Server } from "./api.ts";
 import type { Fabric } from "./state/document.ts";
 import { fabricForServer, fabricFromJson } from "./state/fabric_json.ts";
@@ -13,7 +15,7 @@ export function follow(store: Store, server: Server): void {
   let known: Fabric = store.state.fabric;
   let timer: ReturnType<typeof setTimeout> | undefined;
   const refuse = (error: unknown): void =>
-    store.dispatch({ type: "notice/add", kind: "fault", text: error instanceof Error ? error.message : String(error) });
+    store.dispatch({ type: "notice/add", kind: "fault", text: messageOf(error) });
   const tell = (): void => {
     const { fabric } = store.state;
     if (fabric === known) return;

@@ -5,6 +5,7 @@
  * It follows from the geometry, so the server is asked only for a geometry that is new; while its answer is on the
  * way, the last one serves. An edit of colours asks nothing.
  */
+import { messageOf } from "loomlight-fabric";
 import type { Openness } from "loomlight-web";
 
 import type { Fabric } from "./state/document.ts";
@@ -74,7 +75,7 @@ export class OpennessSource {
       this.asked.add(key);
       this.ask(fabric).then(
         (openness) => this.keep(key, openness),
-        (error: unknown) => this.tell(key, error instanceof Error ? error.message : String(error)),
+        (error: unknown) => this.tell(key, messageOf(error)),
       );
     }
     this.waiting = [];

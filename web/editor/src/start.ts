@@ -1,5 +1,5 @@
 /** What the page begins with: the fabric of its address, else the one kept by the browser, else the session's. */
-import { isInputError, loadDraft } from "loomlight-fabric";
+import { isInputError, loadDraft, messageOf } from "loomlight-fabric";
 
 import type { Server } from "./api.ts";
 import { fabricOfGallery, isEmbedded } from "./embedding.ts";
@@ -99,7 +99,7 @@ function keptDocument(isSuspect: boolean, tell: (text: string) => void): Kept | 
 const DEADLY = "the page ended without a word each time it was shown.";
 
 function reasonOf(error: unknown): string {
-  const text = error instanceof SyntaxError ? "it is damaged" : error instanceof Error ? error.message : String(error);
+  const text = error instanceof SyntaxError ? "it is damaged" : messageOf(error);
   return /[.!?]$/.test(text) ? text : `${text}.`;
 }
 

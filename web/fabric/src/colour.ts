@@ -1,6 +1,6 @@
 /** Colour: sRGB where people write it, linear RGB (ITU-R BT.709 primaries) where light is computed. */
 import { InputError } from "./errors.ts";
-import { rint } from "./numbers.ts";
+import { clamp, rint } from "./numbers.ts";
 
 /** A colour as a fabric file has it: "#rrggbb" (sRGB), "lab(52 -10 30)" (D65), or a linear RGB triple in [0, 1]. */
 export type Colour = string | readonly [number, number, number];
@@ -19,7 +19,7 @@ export function srgbToLinear(encoded: number): number {
 
 /** sRGB encoding of a linear value; values outside [0, 1] are clipped (IEC 61966-2-1). */
 export function linearToSrgb(linear: number): number {
-  const value = Math.min(Math.max(linear, 0), 1);
+  const value = clamp(linear, 0, 1);
   return value <= 0.0031308 ? value * 12.92 : 1.055 * value ** (1 / 2.4) - 0.055;
 }
 
@@ -61,7 +61,7 @@ function linearOfLab(lab: readonly number[], text: string, field: string): Rgb {
     throw new InputError(
       `${field} = "${text.trim()}" is no colour: write lab(L a b) with L from 0 to 100, a and b from -150 to 150.`,
     );
-  return labToLinear([lightness, a, b], "D65").map((channel) => Math.min(Math.max(channel, 0), 1)) as Rgb;
+  return labToLinear([lightness, a, b], "D65").map((channel) => clamp(channel, 0, 1)) as Rgb;
 }
 
 /** The white to which L*, a*, b* are relative: D65 in textiles and on screens, D50 in print. */

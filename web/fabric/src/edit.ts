@@ -2,6 +2,7 @@
 import { makeDraft, MAXIMUM_THREADS, structureOf, type Draft, type LoomPlan, type Sets, type Structure, type Threads } from "./draft.ts";
 import { InputError } from "./errors.ts";
 import { ascending, asLiftplan, asTreadling, deriveLoomPlan, planDrawdown, weaves } from "./loom.ts";
+import { clamp } from "./numbers.ts";
 import { pickRows } from "./palette.ts";
 
 /** Plans that weave a drawdown, and what they weave: of thousands of threads a comparison takes a quarter of a second. */
@@ -127,8 +128,4 @@ function gathered(threads: Threads, index: Int32Array): Threads {
     thicknessMm: take(threads.thicknessMm),
     colorIndex: threads.colorIndex === null ? null : index.map((thread) => threads.colorIndex![thread]!),
   };
-}
-
-function clamp(value: number, low: number, high: number): number {
-  return Math.min(Math.max(value, low), high);
 }

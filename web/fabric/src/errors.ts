@@ -10,3 +10,8 @@ export type Warn = (sentence: string) => void;
 export function isInputError(error: unknown): error is InputError {
   return error instanceof InputError;
 }
+
+/** What an error says. */
+export function messageOf(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}

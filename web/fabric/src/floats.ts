@@ -40,8 +40,8 @@ export const MAX_REPORTED = 50;
 /** The floats of a drawdown that cross more than `limit` threads. */
 export function longFloats({ ends, picks, drawdown }: Structure, limit: number): LongFloats {
   const marks = new Uint8Array(drawdown.length);
-  const of = { warpFace: 0, warpBack: 0, weftFace: 0, weftBack: 0 };
-  const many = { onFace: 0, onBack: 0 };
+  const longest = { warpFace: 0, warpBack: 0, weftFace: 0, weftBack: 0 };
+  const counts = { onFace: 0, onBack: 0 };
   const reported: Float[] = [];
   const report = (float: Float): void => {
     if (reported.length === MAX_REPORTED && float.length <= reported.at(-1)!.length) return;
@@ -52,10 +52,10 @@ export function longFloats({ ends, picks, drawdown }: Structure, limit: number):
   const take = (float: Float, cells: (step: number) => number): void => {
     const { family, isFace, length } = float;
     const name = `${family}${isFace ? "Face" : "Back"}` as const;
-    of[name] = Math.max(of[name], length);
+    longest[name] = Math.max(longest[name], length);
     if (length <= limit) return;
     report(float);
-    many[isFace ? "onFace" : "onBack"]++;
+    counts[isFace ? "onFace" : "onBack"]++;
     for (let step = 0; step < length; step++) marks[cells(step)]! |= isFace ? FACE : BACK;
   };
   for (let end = 0; end < ends; end++)
@@ -66,7 +66,7 @@ export function longFloats({ ends, picks, drawdown }: Structure, limit: number):
     eachRun(ends, (end) => drawdown[pick * ends + end]!, (first, length, up) =>
       take({ family: "weft", isFace: up === 0, thread: pick, first, length }, (step) => pick * ends + ((first + step) % ends)),
     );
-  return { longest: of, reported, ...many, marks };
+  return { longest, reported, ...counts, marks };
 }
 
 /** Runs of equal values around a circle: first index, length and value; the whole circle where all are equal. */

@@ -16,7 +16,7 @@ export * from "./json.ts";
 export * from "./load.ts";
 export { asLiftplan, asTreadling, deriveLoomPlan, movedShafts, planDrawdown, weaves } from "./loom.ts";
 export { namedWeave, weaveNames } from "./named.ts";
-export { rint } from "./numbers.ts";
+export { clamp, rint } from "./numbers.ts";
 export { fromPalette, pickRows, repeatDraft, WARP_COLOUR, WEFT_COLOUR, withPalette } from "./palette.ts";
 export { draftOfPixels } from "./picture.ts";
 export * from "./orders.ts";

@@ -4,7 +4,7 @@
  * Shapes are given by formulas in units of half the repeat's width, sampled finer than the cloth and thresholded,
  * so that they keep their outline at every size.
  */
-import { rint } from "./numbers.ts";
+import { clamp, rint } from "./numbers.ts";
 
 /** Which crossings belong to the figure [height·width], 1 = figure. */
 export interface Mask {
@@ -66,7 +66,7 @@ const length = (x: number, y: number): number => Math.sqrt(x * x + y * y);
 
 /** Samples a crossing along one side: four, fewer where the cloth itself is fine enough. */
 function finerOf(width: number, height: number): number {
-  return Math.floor(Math.min(Math.max(Math.sqrt(SAMPLES / (width * height)), 1), 4));
+  return Math.floor(clamp(Math.sqrt(SAMPLES / (width * height)), 1, 4));
 }
 
 function axis(count: number, extent: number): number[] {
@@ -191,7 +191,7 @@ function palmette(x: number, y: number): boolean {
 /** A drop with a rim, filled with scales. */
 function fruit(x: number, y: number): boolean {
   const v = (y + 0.02) / 0.26;
-  const half = 0.2 * Math.sqrt(Math.min(Math.max(1 - v ** 2, 0), 1)) * (1 - 0.18 * v);
+  const half = 0.2 * Math.sqrt(clamp(1 - v ** 2, 0, 1)) * (1 - 0.18 * v);
   const depth = half - x;
   if (depth > 0 && depth < 0.035) return true;
   const scales = Math.abs(fold(x + 0.8 * y, 0.105)) + Math.abs(fold(x - 0.8 * y, 0.105)) < 0.058;

@@ -1,4 +1,9 @@
-/** Arithmetic of whole numbers that several modules need. */
+/** Arithmetic that several modules need. */
+
+/** The value, or the nearest in [low, high]. */
+export function clamp(value: number, low: number, high: number): number {
+  return Math.min(Math.max(value, low), high);
+}
 
 /** The nearest whole number, halves to the even one, as IEEE 754 rounds. */
 export function rint(value: number): number {

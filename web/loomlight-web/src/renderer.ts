@@ -1,5 +1,5 @@
 /** Renders meshes of cloth on WebGPU; see `realtime/renderer.py`, whose frames it makes. */
-import { InputError, type Draft, type FabricFields } from "loomlight-fabric";
+import { clamp, InputError, type Draft, type FabricFields } from "loomlight-fabric";
 
 import type { Openness } from "./fabric/between_yarns.ts";
 import { DEFAULT_ENVIRONMENT_SAMPLES, DEFAULT_SAMPLES } from "./generated.ts";
@@ -274,7 +274,7 @@ export class ClothRenderer {
   wipe(other: ClothRenderer | null, split = 0.5): void {
     if (other !== null && other.device !== this.device)
       throw new InputError("The other renderer has a device of its own: make it with shareWith.");
-    this.other = other === null ? null : { renderer: other, split: Math.min(Math.max(split, 0), 1) };
+    this.other = other === null ? null : { renderer: other, split: clamp(split, 0, 1) };
   }
 
   /**

@@ -4,11 +4,16 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { runnerImport } from "vite";
 
-const shaders = fileURLToPath(new URL("../../../src/loomlight/realtime/shaders", import.meta.url));
+const place = (path) => fileURLToPath(new URL(path, import.meta.url));
 const [, , questions, folder] = process.argv;
-const { module } = await runnerImport(fileURLToPath(new URL("pack_report.ts", import.meta.url)), {
+const { module } = await runnerImport(place("pack_report.ts"), {
   logLevel: "error",
-  resolve: { alias: { "@shaders": shaders } },
+  resolve: {
+    alias: {
+      "@shaders": place("../../../src/loomlight/realtime/shaders"),
+      "loomlight-fabric": place("../../fabric/src/index.ts"),
+    },
+  },
 });
 JSON.parse(readFileSync(questions, "utf8")).forEach((question, number) => {
   for (const [name, words] of Object.entries(module.report(question)))

@@ -1,4 +1,5 @@
 /** A slider with its number, for one quantity. */
+import { clamp } from "loomlight-fabric";
 import { useId, useRef } from "preact/hooks";
 
 import type { Quantity } from "./symbols.ts";
@@ -29,7 +30,7 @@ export function Slider({ field, quantity, value, isOwn, onValue, onReset }: Prop
   const id = useId();
   const stroke = useRef(newStroke());
   const { label, tip, low, high, step, unit, ends } = quantity;
-  const bounded = Math.min(Math.max(value, low), high);
+  const bounded = clamp(value, low, high);
   const share = ((bounded - low) / (high - low)) * 100;
   // Where both directions matter the bar grows from zero.
   const origin = -low > high / 2 ? (-low / (high - low)) * 100 : 0;

@@ -1,5 +1,8 @@
 /** What each slider is called by a weaver, what the equations call it, and its range. */
-import { DIFFUSE_BLEND, GAP, HEIGHT_SCALE, OPTICAL_DEPTH, ROUGHNESS, SPECULAR, TRANSLUCENCY } from "loomlight-fabric";
+import { DIFFUSE_BLEND, GAP, HEIGHT_SCALE, OPTICAL_DEPTH, ROUGHNESS, SPECULAR, TRANSLUCENCY, type FamilyName } from "loomlight-fabric";
+
+/** What the page calls the families of threads. */
+export const FAMILY_NAMES: Readonly<Record<FamilyName, string>> = { warp: "Warp", weft: "Weft" };
 
 export interface Quantity {
   /** A weaver's word. */

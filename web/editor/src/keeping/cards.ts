@@ -1,6 +1,7 @@
 /** Colour cards that the browser keeps: a house's own standards. */
-import { MAX_CARD, readColourCard, type CardColour, type ColourCard } from "loomlight-fabric";
+import { InputError, MAX_CARD, readColourCard, type CardColour, type ColourCard } from "loomlight-fabric";
 
+import { tableOf } from "../state/json_table.ts";
 import { entriesOf, KeptList } from "./kept_list.ts";
 
 /** Files that are colour cards. */
@@ -21,14 +22,14 @@ export const useCards = kept.use;
 /** The cards of a text; what cannot be one is left out. */
 export function cardsOf(text: string | null): ColourCard[] {
   return entriesOf(text, MAX_CARDS).flatMap((each) => {
-    const { name, colours } = (typeof each === "object" && each !== null ? each : {}) as Partial<ColourCard>;
+    const { name, colours } = tableOf(each);
     const readable = Array.isArray(colours) ? colours.slice(0, MAX_CARD).filter(isColour) : [];
     return typeof name === "string" && readable.length > 0 ? [{ name, colours: readable }] : [];
   });
 }
 
 function isColour(value: unknown): value is CardColour {
-  const { name, hex } = (typeof value === "object" && value !== null ? value : {}) as Partial<CardColour>;
+  const { name, hex } = tableOf(value);
   return typeof name === "string" && typeof hex === "string" && /^#[0-9a-f]{6}$/.test(hex);
 }
 
@@ -39,10 +40,10 @@ function isColour(value: unknown): value is CardColour {
  * @throws InputError a file that is no card.
  */
 export async function addCard(file: File): Promise<readonly string[]> {
-  if (file.size > MAX_BYTES) throw new Error(`${file.name} is larger than ${MAX_BYTES >> 20} MiB; no colour card is.`);
+  if (file.size > MAX_BYTES) throw new InputError(`${file.name} is larger than ${MAX_BYTES >> 20} MiB; no colour card is.`);
   const { card, warnings } = readColourCard(new Uint8Array(await file.arrayBuffer()), file.name);
   const others = cards().filter(({ name }) => name !== card.name);
-  if (others.length >= MAX_CARDS) throw new Error(`The page keeps ${MAX_CARDS} colour cards: remove one first.`);
+  if (others.length >= MAX_CARDS) throw new InputError(`The page keeps ${MAX_CARDS} colour cards: remove one first.`);
   const isKept = replace([card, ...others]);
   return isKept ? warnings : [...warnings, `${file.name} is in use, but the browser keeps no more: it is gone when the page is closed.`];
 }

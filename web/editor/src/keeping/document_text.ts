@@ -2,6 +2,7 @@
 import { withScene } from "../reducers/scene.ts";
 import { FIRST_COMPARISON, FIRST_SCENE, type Fabric, type History, type Scene, type State } from "../state/document.ts";
 import { fabricFromJson, fabricText } from "../state/fabric_json.ts";
+import { tableOf } from "../state/json_table.ts";
 
 /** Characters of all steps at most: browsers keep some five million in all. */
 const MAX_HISTORY = 1_000_000;
@@ -77,10 +78,6 @@ function readable(list: readonly unknown[]): Fabric[] {
     // What was made before a fault stays.
   }
   return fabrics;
-}
-
-function tableOf(json: unknown): Readonly<Record<string, unknown>> {
-  return typeof json === "object" && json !== null ? (json as Record<string, unknown>) : {};
 }
 
 function listOf(value: unknown): unknown[] {

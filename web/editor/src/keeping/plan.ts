@@ -1,6 +1,7 @@
 /** The piece for which yarn was reckoned, kept in the browser. */
 import { FIRST_PLAN, PLAN_RANGES, type WeavingPlan } from "loomlight-fabric";
 
+import { tableOf } from "../state/json_table.ts";
 import { read, write } from "./slots.ts";
 
 /** Whether a number of a plan can be; null stands for a take-up that follows from the weave. */
@@ -18,7 +19,7 @@ export function planOf(text: string | null): WeavingPlan {
   } catch {
     // Of another version of the page.
   }
-  const given = (typeof json === "object" && json !== null ? json : {}) as Record<string, unknown>;
+  const given = tableOf(json);
   const names = Object.keys(FIRST_PLAN) as (keyof WeavingPlan)[];
   const entries = names.map((name) => [name, Object.hasOwn(given, name) && isPossible(name, given[name]) ? given[name] : FIRST_PLAN[name]]);
   return Object.fromEntries(entries) as WeavingPlan;

@@ -1,4 +1,5 @@
 /** Colour cards: a house's own standards, to paint with and to write by their names. */
+import { messageOf } from "loomlight-fabric";
 import { useRef, useState } from "preact/hooks";
 
 import { Fault } from "../controls/written.tsx";
@@ -29,7 +30,7 @@ export function ColourCards({ value, onValue }: Props) {
         said.push(...(await addCard(file)));
         choose("");
       } catch (error) {
-        said.push(error instanceof Error ? error.message : String(error));
+        said.push(messageOf(error));
       }
     setFault(said.join(" "));
   };

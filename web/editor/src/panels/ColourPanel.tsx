@@ -4,6 +4,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 
 import { ColourText } from "../controls/ColourText.tsx";
 import { newStroke } from "../controls/Slider.tsx";
+import { FAMILY_NAMES } from "../controls/symbols.ts";
 import { Fault, useWritten } from "../controls/written.tsx";
 import { woven, type Fabric } from "../state/document.ts";
 import { refusalOf, type Dispatch } from "../state/store.ts";
@@ -16,7 +17,6 @@ interface Props {
   readonly dispatch: Dispatch;
 }
 
-const TITLES: Readonly<Record<FamilyName, string>> = { warp: "Warp", weft: "Weft" };
 /** Colours of a family that are listed one by one. */
 const MAX_LISTED = 16;
 
@@ -60,7 +60,7 @@ function Family({ family, hexes, brush, dispatch }: FamilyProps) {
   const stroke = useRef(newStroke());
   return (
     <section class="group">
-      <h2>{TITLES[family]}</h2>
+      <h2>{FAMILY_NAMES[family]}</h2>
       <ThreadBar family={family} hexes={hexes} brush={brush} dispatch={dispatch} />
       <ul class="palette">
         {used.slice(0, MAX_LISTED).map(({ hex, count }, index) => (
@@ -68,7 +68,7 @@ function Family({ family, hexes, brush, dispatch }: FamilyProps) {
             <input
               type="color"
               value={hex}
-              aria-label={`${TITLES[family]} colour ${index + 1}`}
+              aria-label={`${FAMILY_NAMES[family]} colour ${index + 1}`}
               data-testid={`colour-${family}-${index}`}
               onPointerDown={() => (stroke.current = newStroke())}
               onInput={(event) =>
@@ -77,7 +77,7 @@ function Family({ family, hexes, brush, dispatch }: FamilyProps) {
             />
             <ColourText
               hex={hex}
-              label={`${TITLES[family]} colour ${index + 1}, written`}
+              label={`${FAMILY_NAMES[family]} colour ${index + 1}, written`}
               field={`${family} colour ${index + 1}`}
               testid={`written-${family}-${index}`}
               onHex={(to) => refusalOf(dispatch, { type: "colour/swap", family, from: hex, to, stroke: newStroke() })}

@@ -1,5 +1,5 @@
 /** The draft as weaving software draws it, on a canvas; each part is edited by pointer and by keys. */
-import { FACE, loomOf, threadHexes, within, type LoomPlan, type Region } from "loomlight-fabric";
+import { clamp, FACE, loomOf, threadHexes, within, type LoomPlan, type Region } from "loomlight-fabric";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 
 import { newStroke } from "../controls/Slider.tsx";
@@ -161,7 +161,7 @@ export function DraftGrid({ fabric, dispatch, window, brush, cell: size, marks, 
         if (region === null || anchor.current === null) anchor.current = here;
         const [right, up] = isEdge && onEdge !== undefined ? move : [0, 0];
         const to = crossingOf(next);
-        const at = (value: number, threads: number): number => Math.min(Math.max(value, 0), threads - 1);
+        const at = (value: number, threads: number): number => clamp(value, 0, threads - 1);
         selection.select(between(anchor.current, { end: at(to.end + right, draft.ends), pick: at(to.pick + up, draft.picks) }));
       }
     }

@@ -1,5 +1,5 @@
 /** The draft over the whole stage: any number of threads, scrolled and zoomed; only the cells in sight are drawn. */
-import { loomOf, type Region } from "loomlight-fabric";
+import { clamp, loomOf, type Region } from "loomlight-fabric";
 import { useEffect, useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
 
 import { Icon } from "../controls/Icon.tsx";
@@ -47,7 +47,7 @@ export function DraftWindow({ fabric, dispatch, brush, marks, selection, sought,
     Math.min(threads, Math.max(MIN_THREADS, Math.floor((pixels - MARGIN) / cell) - ofPlan));
   const ends = inSight(width, plan.columns, draft.ends);
   const picks = inSight(height, plan.rows, draft.picks);
-  const atMost = (threads: number, most: number): number => Math.min(Math.max(threads, 0), most);
+  const atMost = (threads: number, most: number): number => clamp(threads, 0, most);
   const firstEnd = atMost(first.end, draft.ends - ends);
   const firstPick = atMost(first.pick, draft.picks - picks);
   const window: Window = { firstEnd, firstPick, ends, picks };

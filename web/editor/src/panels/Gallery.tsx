@@ -1,4 +1,5 @@
 /** Whole fabrics to begin with: the user's own, and those that come with the page. */
+import { clamp } from "loomlight-fabric";
 import type { Draft } from "loomlight-fabric";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 
@@ -90,7 +91,7 @@ function DrawnCloth({ fabric }: { fabric: Fabric }) {
     const draft = woven(fabric);
     const side = Math.min(draft.ends, 16);
     const corner = cropped(draft, side, Math.min(draft.picks, 12));
-    const picture = clothPicture(corner, { pixels: Math.min(Math.max(4, Math.round(128 / side)), 13), gap: { warp: 0.06, weft: 0.06 } });
+    const picture = clothPicture(corner, { pixels: clamp(Math.round(128 / side), 4, 13), gap: { warp: 0.06, weft: 0.06 } });
     const tile = document.createElement("canvas");
     tile.width = picture.width;
     tile.height = picture.height;

@@ -1,5 +1,5 @@
 /** The gallery: whole fabrics, one's own and those that come with the page, and weaves by name as tiles drawn as drawdowns. */
-import { loadDraft, type Draft } from "loomlight-fabric";
+import { loadDraft, toHex, type Draft } from "loomlight-fabric";
 import { useEffect, useRef, useState } from "preact/hooks";
 
 import type { GalleryEntry } from "../api.ts";
@@ -27,6 +27,9 @@ const GROUPS: readonly (readonly [string, readonly string[]])[] = [
 /** Threads of a weave that a tile shows, each way. */
 const TILE_THREADS = 24;
 const TILE_SIDE = 96;
+/** Threads of weaves without colours of their own. */
+const WARP = "#2f3f66";
+const WEFT = "#fffdf8";
 
 export function WeavePanel({ fabric, gallery, dispatch, onOpen }: Props) {
   const current = fabric.fields.weave ?? "";
@@ -108,17 +111,17 @@ function drawDrawdown(canvas: HTMLCanvasElement, draft: Draft): void {
   const hasColours = draft.palette !== null;
   const threads = isFigured ? draft.ends : hasColours ? Math.max(TILE_THREADS, Math.min(draft.ends, 48)) : smallTile(draft);
   const cell = TILE_SIDE / threads;
-  context.fillStyle = "#fffdf8";
+  context.fillStyle = WEFT;
   context.fillRect(0, 0, TILE_SIDE, TILE_SIDE);
   for (let pick = 0; pick < threads; pick++)
     for (let end = 0; end < threads; end++) {
       const [row, column] = [pick % draft.picks, end % draft.ends];
       const isUp = draft.drawdown[row * draft.ends + column] === 1;
       context.fillStyle = hasColours
-        ? css((isUp ? draft.warp : draft.weft).colors!, isUp ? column : row)
+        ? hexOf((isUp ? draft.warp : draft.weft).colors!, isUp ? column : row)
         : isUp
-          ? "#2f3f66"
-          : "#fffdf8";
+          ? WARP
+          : WEFT;
       const [left, top] = [Math.round(end * cell), Math.round(TILE_SIDE - (pick + 1) * cell)];
       context.fillRect(left, top, Math.round((end + 1) * cell) - left, Math.round(TILE_SIDE - pick * cell) - top);
     }
@@ -130,7 +133,6 @@ function smallTile(draft: Draft): number {
   return repeat <= 4 ? 12 : repeat <= 8 ? 16 : TILE_THREADS;
 }
 
-function css(colors: Float64Array, thread: number): string {
-  const encoded = [0, 1, 2].map((axis) => Math.round(255 * colors[thread * 3 + axis]! ** (1 / 2.2)));
-  return `rgb(${encoded.join(" ")})`;
+function hexOf(colors: Float64Array, thread: number): string {
+  return toHex(colors.subarray(3 * thread, 3 * thread + 3));
 }

@@ -2,6 +2,7 @@
 import { FAMILIES, needsCsv, PLAN_RANGES, yarnNeeds, type WeavingPlan, type YarnNeed } from "loomlight-fabric";
 import { useMemo, useState } from "preact/hooks";
 
+import { FAMILY_NAMES } from "../controls/symbols.ts";
 import { Fault, numberOf, useWritten } from "../controls/written.tsx";
 import { download, stemOf } from "../files.ts";
 import { isPossible, keepPlan, readPlan } from "../keeping/plan.ts";
@@ -15,7 +16,6 @@ const FIELDS: readonly (readonly [keyof WeavingPlan, string, string, string])[] 
   ["loomWasteM", "Loom waste", "m", "Warp that stays on the loom, once a piece"],
   ["weftWaste", "Weft waste", "%", "Lost at selvedges and on bobbins"],
 ];
-const NAMES = { warp: "Warp", weft: "Weft" } as const;
 /** Yarns that are listed one by one; the table that is saved has all of them. */
 const MAX_LISTED = 24;
 
@@ -58,7 +58,7 @@ export function YarnCalculator({ fabric }: { readonly fabric: Fabric }) {
             <tr key={`${yarn.family} ${yarn.hex}`}>
               <th scope="row">
                 <i style={{ background: yarn.hex }} />
-                {NAMES[yarn.family]} {yarn.hex}
+                {FAMILY_NAMES[yarn.family]} {yarn.hex}
               </th>
               <Amounts yarns={[yarn]} />
             </tr>
@@ -67,7 +67,7 @@ export function YarnCalculator({ fabric }: { readonly fabric: Fabric }) {
         <tfoot>
           {FAMILIES.map((family) => (
             <tr key={family}>
-              <th scope="row">{NAMES[family]}</th>
+              <th scope="row">{FAMILY_NAMES[family]}</th>
               <Amounts yarns={needs.yarns.filter((yarn) => yarn.family === family)} />
             </tr>
           ))}

@@ -1,19 +1,20 @@
 /** Warp and weft yarns: how they shine, how they lie, how thick they are. */
 import {
   bendsOf,
+  clamp,
   clothFacts,
+  FAMILIES,
+  type FamilyName,
   familySpacing,
   familyWidth,
-  FAMILIES,
   isInputError,
   parseColour,
   settsOfWeight,
   threadsPerCm,
   toHex,
   withYarns,
-  yarnTex,
   YARN_PRESETS,
-  type FamilyName,
+  yarnTex,
 } from "loomlight-fabric";
 import { useRef, useState } from "preact/hooks";
 
@@ -137,7 +138,7 @@ function valueOf(fabric: Fabric, family: FamilyName, name: string): number {
   if (name === "gap") {
     const spacing = familySpacing(fabric.fields, family, draft);
     const width = familyWidth(fabric.fields, family, draft, spacing);
-    return Math.min(Math.max(1 - width[0]! / spacing[0]!, 0), 0.95);
+    return clamp(1 - width[0]! / spacing[0]!, 0, 0.95);
   }
   if (name === "inclination_deg") return bendsOf(draft)[family].inclinationDeg;
   if (name === "twist_deg") return bendsOf(draft)[family].twistDeg;

@@ -2,7 +2,7 @@
  * Where the parts of a draft drawing lie: warp colours and threading above the drawdown, treadling or liftplan and
  * weft colours to its right, tie-up in the corner. End 1 is at the left, pick 1 at the bottom, as cloth lies.
  */
-import { isUp, type Draft, type LoomPlan } from "loomlight-fabric";
+import { clamp, isUp, type Draft, type LoomPlan } from "loomlight-fabric";
 
 export type Part = "drawdown" | "threading" | "tieup" | "treadling" | "liftplan" | "warp" | "weft";
 
@@ -65,7 +65,7 @@ export function fittingCell(
   largest: number,
 ): number {
   const fit = Math.floor(Math.min((area.width - 1) / cells.columns, (area.height - 1) / cells.rows));
-  return Math.min(Math.max(fit, smallest), largest);
+  return clamp(fit, smallest, largest);
 }
 
 /** The threads from one of each family on, as many as a panel draws. */
@@ -109,7 +109,7 @@ export function crossingNear(layout: Layout, x: number, y: number): { cell: Cell
   const column = Math.floor(x - box.left);
   const row = box.rows - 1 - Math.floor(y - box.top);
   const beyond = (at: number, count: number): number => (at < 0 ? -1 : at >= count ? 1 : 0);
-  const inside = (at: number, count: number): number => Math.min(Math.max(at, 0), count - 1);
+  const inside = (at: number, count: number): number => clamp(at, 0, count - 1);
   const cell: Cell = { part: "drawdown", column: inside(column, box.columns), row: inside(row, box.rows) };
   return { cell, right: beyond(column, box.columns), up: beyond(row, box.rows) };
 }
@@ -146,8 +146,8 @@ export function stepped(layout: Layout, cell: Cell, right: number, up: number): 
   if (box === undefined) return { part: "drawdown", column: 0, row: 0 };
   return {
     part: cell.part,
-    column: Math.min(Math.max(cell.column + right, 0), box.columns - 1),
-    row: Math.min(Math.max(cell.row + up, 0), box.rows - 1),
+    column: clamp(cell.column + right, 0, box.columns - 1),
+    row: clamp(cell.row + up, 0, box.rows - 1),
   };
 }
 

@@ -28,6 +28,7 @@ import {
 
 import type { FabricAction } from "../state/actions.ts";
 import { nameOf, type Fabric } from "../state/document.ts";
+import { tableOf } from "../state/json_table.ts";
 import { requireOneOf, requireWhole, shown } from "./checks.ts";
 
 type DraftAction = Extract<FabricAction, { type: `draft/${string}` }>;
@@ -117,7 +118,7 @@ function edited(draft: Draft, action: DraftAction): Draft {
 
 /** A region that lies in the draft. */
 function regionIn(draft: Draft, given: unknown): Region {
-  const { firstEnd, firstPick, ends, picks } = (typeof given === "object" && given !== null ? given : {}) as Partial<Region>;
+  const { firstEnd, firstPick, ends, picks } = tableOf(given);
   const [end, pick] = [requireWhole("first end", firstEnd, 0, draft.ends - 1), requireWhole("first pick", firstPick, 0, draft.picks - 1)];
   return {
     firstEnd: end,
@@ -129,7 +130,7 @@ function regionIn(draft: Draft, given: unknown): Region {
 
 /** Crossings that were copied. */
 function blockFrom(given: unknown): Structure {
-  const { ends, picks, drawdown } = (typeof given === "object" && given !== null ? given : {}) as Partial<Structure>;
+  const { ends, picks, drawdown } = tableOf(given);
   const [across, along] = [requireWhole("copied ends", ends, 1, MAXIMUM_THREADS), requireWhole("copied picks", picks, 1, MAXIMUM_THREADS)];
   if (!(drawdown instanceof Uint8Array) || drawdown.length !== across * along)
     throw new InputError(`A copy of ${across} ends and ${along} picks has ${across * along} crossings: copy it again.`);

@@ -1,5 +1,5 @@
 /** Holds the document and tells views of its changes. */
-import { isInputError } from "loomlight-fabric";
+import { isInputError, messageOf } from "loomlight-fabric";
 
 import { reduce } from "../reducers/index.ts";
 import type { Action } from "./actions.ts";
@@ -59,7 +59,7 @@ export function refusalOf(dispatch: Dispatch, ...actions: Action[]): string | nu
 
 function refusal(error: unknown): string {
   if (isInputError(error)) return sentence(error.message);
-  return `This could not be done, and nothing was changed: ${sentence(error instanceof Error ? error.message : String(error))}`;
+  return `This could not be done, and nothing was changed: ${sentence(messageOf(error))}`;
 }
 
 /** A message with a capital and a full stop. */

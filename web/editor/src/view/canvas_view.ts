@@ -1,5 +1,5 @@
 /** The flat view: yarns and colours of the draft on a 2D canvas, without light models. */
-import { familySpacing, familyWidth } from "loomlight-fabric";
+import { clamp, familySpacing, familyWidth } from "loomlight-fabric";
 
 import { woven, type Fabric } from "../state/document.ts";
 import { clothPicture } from "./cloth_picture.ts";
@@ -125,7 +125,7 @@ export class CanvasView implements ClothView {
     context.fillStyle = "#777";
     context.fillRect(swatch.x, swatch.y, swatch.width, swatch.height);
     context.restore();
-    const split = before === null ? 0 : Math.min(Math.max(width * comparison.position, swatch.x), swatch.x + swatch.width);
+    const split = before === null ? 0 : clamp(width * comparison.position, swatch.x, swatch.x + swatch.width);
     if (before !== null) this.fill(context, ratio, before, swatch.x, swatch.y, split - swatch.x, swatch.height);
     const left = Math.max(swatch.x, split);
     this.fill(context, ratio, fabric, left, swatch.y, swatch.x + swatch.width - left, swatch.height);
@@ -174,7 +174,7 @@ export class CanvasView implements ClothView {
     let levels = this.pictures.get(fabric);
     if (levels === undefined) {
       const draft = woven(fabric);
-      const pixels = Math.min(Math.max(Math.floor(PICTURE_SIDE / Math.max(draft.ends, draft.picks)), 2), 40);
+      const pixels = clamp(Math.floor(PICTURE_SIDE / Math.max(draft.ends, draft.picks)), 2, 40);
       const { width, height, rgba } = clothPicture(draft, { pixels, gap: gapsOf(fabric) });
       const finest = canvasOf(width, height);
       finest.getContext("2d")!.putImageData(new ImageData(rgba, width, height), 0, 0);
@@ -191,7 +191,7 @@ export class CanvasView implements ClothView {
   }
 
   private zoomTo(scale: number, x: number, y: number): void {
-    const bounded = Math.min(Math.max(scale, FARTHEST), CLOSEST);
+    const bounded = clamp(scale, FARTHEST, CLOSEST);
     const ratio = bounded / this.scale;
     const bottom = this.canvas.clientHeight - Math.min(this.canvas.clientWidth, this.canvas.clientHeight) * 0.098;
     this.offset = { x: x - (x - this.offset.x) * ratio, y: y - bottom - (y - bottom - this.offset.y) * ratio };
@@ -283,7 +283,7 @@ function gapsOf(fabric: Fabric): { warp: number; weft: number } {
   const gap = (family: "warp" | "weft"): number => {
     const spacing = familySpacing(fabric.fields, family, draft);
     const width = familyWidth(fabric.fields, family, draft, spacing);
-    return Math.min(Math.max(1 - width[0]! / spacing[0]!, 0.02), 0.95);
+    return clamp(1 - width[0]! / spacing[0]!, 0.02, 0.95);
   };
   return { warp: gap("warp"), weft: gap("weft") };
 }

@@ -1,5 +1,5 @@
 /** The pieces of cloth that can be shown: metres, y up, uv to scale over the whole piece. */
-import { InputError } from "loomlight-fabric";
+import { clamp, InputError } from "loomlight-fabric";
 import type { Ground, Mesh } from "loomlight-web";
 
 import drapeAddress from "../assets/drape.bin?url";
@@ -74,8 +74,8 @@ async function draped(): Promise<ClothShape> {
   const vertex = (column: number, row: number, axis: number): number =>
     view.getInt16(((row * DRAPE_SIDE + column) * 3 + axis) * 2, true) / DRAPE_UNITS;
   const grid = surface(DRAPE_SIDE, (u, v) => {
-    const column = Math.round(Math.min(Math.max(u, 0), 1) * last);
-    const row = Math.round(Math.min(Math.max(v, 0), 1) * last);
+    const column = Math.round(clamp(u, 0, 1) * last);
+    const row = Math.round(clamp(v, 0, 1) * last);
     return [vertex(column, row, 0), vertex(column, row, 1), vertex(column, row, 2)];
   });
   return piece(grid, [DRAPE_MM, DRAPE_MM], [0.35, 0.55, 1]);
@@ -113,7 +113,7 @@ function curtain(): ClothShape {
   const width = (CURTAIN_SIZE[0] * steps) / total;
   const depth = (CURTAIN_SLOPE * width) / (2 * Math.PI * CURTAIN_FOLDS);
   const at = (u: number): number => {
-    const length = Math.min(Math.max(u, 0), 1) * total;
+    const length = clamp(u, 0, 1) * total;
     let [low, high] = [0, steps];
     while (high - low > 1) {
       const middle = (low + high) >> 1;
@@ -155,7 +155,7 @@ function gridNormals(positions: Float32Array, columns: number, rows: number): Fl
   for (let row = 0; row < rows; row++)
     for (let column = 0; column < columns; column++) {
       const at = (c: number, r: number): number =>
-        Math.min(Math.max(r, 0), rows - 1) * columns + Math.min(Math.max(c, 0), columns - 1);
+        clamp(r, 0, rows - 1) * columns + clamp(c, 0, columns - 1);
       const a = difference(at(column - 1, row), at(column + 1, row));
       const b = difference(at(column, row - 1), at(column, row + 1));
       const normal = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]] as const;

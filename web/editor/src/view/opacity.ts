@@ -1,5 +1,5 @@
 /** Pictures whose background is nothing. */
-import { linearToSrgb } from "loomlight-fabric";
+import { clamp, linearToSrgb } from "loomlight-fabric";
 import type { Picture } from "loomlight-web";
 
 import type { Pixels } from "./cloth_view.ts";
@@ -9,7 +9,7 @@ export function withOpacity({ width, height, linear }: Pick<Picture, "width" | "
   const gain = 2 ** exposure;
   const data = new Uint8ClampedArray(linear.length);
   for (let at = 0; at < linear.length; at += 4) {
-    const share = Math.min(Math.max(linear[at + 3]!, 0), 1);
+    const share = clamp(linear[at + 3]!, 0, 1);
     if (share === 0) continue;
     for (let channel = 0; channel < 3; channel++)
       data[at + channel] = 255 * linearToSrgb(Math.min((gain * linear[at + channel]!) / share, 1));

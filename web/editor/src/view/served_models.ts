@@ -1,4 +1,6 @@
 /** Models whose tables Python makes: asked of the server, one request at a time, for the newest fabric. */
+import { messageOf } from "loomlight-fabric";
+
 import type { Fabric, Model } from "../state/document.ts";
 
 export const SERVED_MODELS = ["neural", "clustered"] as const satisfies readonly Model[];
@@ -50,7 +52,7 @@ export class ServedModels {
         this.said.delete(model);
         this.onArrival();
       } catch (error) {
-        this.say(model, error instanceof Error ? error.message : String(error));
+        this.say(model, messageOf(error));
       }
     }
     this.busy.delete(model);

@@ -1,5 +1,5 @@
 /** Surroundings as pictures: all grey but the sky, so that a grey card looks grey; see `mitsuba/lights.py`. */
-import { whiteBalance } from "loomlight-fabric";
+import { clamp, whiteBalance } from "loomlight-fabric";
 import type { DirectionalLight, Environment, Ground, Vector3 } from "loomlight-web";
 
 import type { Scene } from "../state/document.ts";
@@ -69,9 +69,9 @@ function studio(_x: number, y: number): readonly [number, number, number] {
 /** A tall window with soft edges in a dim room. */
 function room(x: number, y: number, z: number): readonly [number, number, number] {
   const azimuth = (Math.atan2(x, z) * 180) / Math.PI;
-  const elevation = (Math.asin(Math.min(Math.max(y, -1), 1)) * 180) / Math.PI;
+  const elevation = (Math.asin(clamp(y, -1, 1)) * 180) / Math.PI;
   const inside = (distance: number, half: number): number =>
-    Math.min(Math.max((half - Math.abs(distance)) / WINDOW.edge + 0.5, 0), 1);
+    clamp((half - Math.abs(distance)) / WINDOW.edge + 0.5, 0, 1);
   const pane = inside(azimuth - WINDOW.azimuth, WINDOW.width) * inside(elevation - WINDOW.elevation, WINDOW.height);
   const grey = WALLS + (1 - WALLS) * pane;
   return [grey, grey, grey];

@@ -1,4 +1,6 @@
 /** What the bake of one fabric takes: all of it follows from the draft's size and the number of groups. */
+import { clamp } from "loomlight-fabric";
+
 import {
   EVEN_FROM,
   EVEN_STEP,
@@ -139,7 +141,7 @@ function levelsOf(columns: number, rows: number): [number, number, number][] {
 /** Weights of the cell itself and of those 1, 2, … cells away after all blur steps; see `coverage_pyramid`. */
 function tapWeights(cells: number): number[] {
   const missing = (TENT_VARIANCE * cells ** 2 - 3) / 12;
-  const steps = Math.min(Math.max(1, Math.ceil(missing / (2 * MAX_BLUR))), MAX_BLUR_STEPS);
+  const steps = clamp(Math.ceil(missing / (2 * MAX_BLUR)), 1, MAX_BLUR_STEPS);
   const share = Math.fround(Math.min(missing / (2 * steps), MAX_BLUR));
   let weights = [1];
   for (let step = 0; step < steps; step++) {

@@ -3,6 +3,8 @@
  *
  * The twin of `scattering/openness.py`; a kernel casts the rays (`gpu/openness_baker.ts`).
  */
+import { clamp } from "loomlight-fabric";
+
 import {
   OPENNESS_FACING_COSINE,
   OPENNESS_FACING_RAYS,
@@ -101,7 +103,7 @@ export function opennessOf(
     }
     const all = Math.max(blocked[0]! + blocked[1]!, 1e-9);
     blocks.push([blocked[0]! / all, blocked[1]! / all]);
-    interior.push(open.map((share) => Math.min(Math.max(share, OPENNESS_MIN_SHARE), 1)) as unknown as Pair);
+    interior.push(open.map((share) => clamp(share, OPENNESS_MIN_SHARE, 1)) as unknown as Pair);
     meets.push([to[0]!, to[1]!]);
     warpSeen.push(...fitted(yarn, viewTerms, (ray) => (bits(ray) & IS_WARP ? 1 : 0)));
   }

@@ -9,9 +9,9 @@ export const NO_WEBGPU =
   "that came by https or from this machine.";
 export const NO_ADAPTER =
   "This browser has WebGPU but finds no graphics adapter for it: see that hardware acceleration is switched on.";
-// Every adapter binds the eight storage buffers of the largest shader.
 // Kernels that a software adapter compiles at a time.
 const AT_A_TIME = 2;
+// Of the sizes of tables: every adapter binds the eight storage buffers of the largest shader.
 const RAISED_LIMITS = ["maxStorageBufferBindingSize", "maxBufferSize"] as const;
 
 /** Buffers and views by the names that shaders have for them. */

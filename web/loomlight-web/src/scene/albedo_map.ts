@@ -1,5 +1,5 @@
 /** Albedo maps for shaders: a pyramid of means of a picture, packed into words; see `realtime/albedo_map.py`. */
-import { InputError, rint } from "loomlight-fabric";
+import { clamp, InputError, rint } from "loomlight-fabric";
 
 import { MAX_SIDE, ROOT_STEPS } from "../generated.ts";
 import type { LinearPicture } from "../types.ts";
@@ -33,7 +33,7 @@ export function requirePicture(picture: LinearPicture, what: string): void {
 /** A square of `side` pixels, 0 to 1. */
 function resized({ width, height, pixels }: LinearPicture, side: number): Float32Array {
   const shrinks = side <= Math.min(width, height);
-  const clipped = Float32Array.from(pixels, (value) => Math.min(Math.max(value, 0), 1));
+  const clipped = Float32Array.from(pixels, (value) => clamp(value, 0, 1));
   if (width === side && height === side) return clipped;
   const columns = taps(width, side, shrinks);
   const rows = taps(height, side, shrinks);

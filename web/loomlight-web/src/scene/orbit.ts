@@ -1,5 +1,5 @@
 /** A camera that orbits about a target: what a pointer moves; see `realtime/orbit.py`. */
-import { InputError } from "loomlight-fabric";
+import { clamp, InputError } from "loomlight-fabric";
 
 import { NOTCH, STEEPEST_DEGREES, TURN_DEGREES } from "../generated.ts";
 import type { Camera, Vector3 } from "../types.ts";
@@ -76,7 +76,7 @@ export function closer(orbit: Orbit, notches: number): Orbit {
 
 /** So many times closer, within the bounds of the distance. */
 export function closerBy(orbit: Orbit, ratio: number): Orbit {
-  return { ...orbit, distance: Math.min(Math.max(orbit.distance / ratio, orbit.nearest), orbit.farthest) };
+  return { ...orbit, distance: clamp(orbit.distance / ratio, orbit.nearest, orbit.farthest) };
 }
 
 /** Unit vector from the target to the camera. */
@@ -87,5 +87,5 @@ function backward({ azimuth, elevation }: Orbit): Vector3 {
 }
 
 function steepest(elevation: number): number {
-  return Math.min(Math.max(elevation, -STEEPEST_DEGREES), STEEPEST_DEGREES);
+  return clamp(elevation, -STEEPEST_DEGREES, STEEPEST_DEGREES);
 }
