@@ -21,6 +21,8 @@ HEIGHT_SCALE = 1.0
 PLY_TWIST_DEG = 24.0
 DIFFUSE_BLEND = 0.5
 OPTICAL_DEPTH = 2.0
+# Crossings of a drawdown that are looked at once, to fit caches.
+_CROSSINGS_AT_ONCE = 1 << 18
 
 
 class Structure(Enum):
@@ -52,14 +54,24 @@ def structure_of(drawdown: NDArray[np.bool_]) -> Structure:
     Plain: each end crosses like its neighbour or exactly the other way (tabby, basket, rib). Satin: most
     points that stand alone among their four neighbours stand alone among all eight. Twill: all else.
     """
-    beside = np.roll(drawdown, 1, axis=1)
-    alike = (drawdown == beside).all(axis=0) | (drawdown != beside).all(axis=0)
-    if alike.all():
+    picks, ends = drawdown.shape
+    same, opposite = np.ones((2, ends), bool)
+    of_four = of_eight = 0
+    step = max(1, _CROSSINGS_AT_ONCE // ends)
+    for first in range(0, picks, step):
+        near = drawdown.take(range(first - 1, min(first + step, picks) + 1), axis=0, mode="wrap")
+        here, below, above = near[1:-1], near[:-2], near[2:]
+        beside = here != np.roll(here, 1, axis=1)
+        same &= ~beside.any(axis=0)
+        opposite &= beside.all(axis=0)
+        alone = beside & (here != np.roll(here, -1, axis=1)) & (here != below) & (here != above)
+        of_four += int(alone.sum())
+        for diagonal in (np.roll(row, shift, axis=1) for row in (below, above) for shift in (1, -1)):
+            alone &= here != diagonal
+        of_eight += int(alone.sum())
+    if (same | opposite).all():
         return Structure.PLAIN
-    alone_of_four = _differs_from(drawdown, [(0, 1), (0, -1), (1, 0), (-1, 0)])
-    alone_of_eight = alone_of_four & _differs_from(drawdown, [(1, 1), (1, -1), (-1, 1), (-1, -1)])
-    many = alone_of_four.sum() * 50 >= drawdown.size
-    return Structure.SATIN if many and 2 * alone_of_eight.sum() >= alone_of_four.sum() else Structure.TWILL
+    return Structure.SATIN if of_four * 50 >= drawdown.size and 2 * of_eight >= of_four else Structure.TWILL
 
 
 def bends_of(drawdown: NDArray[np.bool_]) -> tuple[Bend, Bend]:
@@ -68,10 +80,3 @@ def bends_of(drawdown: NDArray[np.bool_]) -> tuple[Bend, Bend]:
     warp, weft = _BENDS[structure]
     weft_faced = drawdown.mean() < 0.5
     return (weft, warp) if structure is Structure.SATIN and weft_faced else (warp, weft)
-
-
-def _differs_from(drawdown: NDArray[np.bool_], shifts: list[tuple[int, int]]) -> NDArray[np.bool_]:
-    different = np.ones_like(drawdown)
-    for shift in shifts:
-        different &= drawdown != np.roll(drawdown, shift, axis=(0, 1))
-    return different

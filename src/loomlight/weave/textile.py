@@ -70,14 +70,15 @@ def tex_of_diameter(
 def longest_runs(on_top: NDArray[np.bool_]) -> NDArray[np.intp]:
     """The longest run of True in each row of bool [n, m], where rows repeat; m if all of it is True."""
     length = on_top.shape[1]
-    position = np.arange(1, 2 * length + 1, dtype=np.int32)
-    longest = np.empty(len(on_top), dtype=np.intp)
+    longest = np.full(len(on_top), length, np.intp)
     step = max(1, _CROSSINGS_AT_ONCE // length)
     for first in range(0, len(on_top), step):
-        rows = on_top[first : first + step]
-        twice = np.concatenate([rows, rows], axis=1)
-        last_off = np.maximum.accumulate(np.where(twice, 0, position), axis=1)
-        longest[first : first + step] = np.minimum(np.max(position - last_off, axis=1), length)
+        row, off = np.nonzero(~on_top[first : first + step])
+        starts = np.flatnonzero(np.diff(row, prepend=-1))
+        # From one to the next of the row; after its last one comes its first.
+        following = np.roll(off, -1)
+        following[np.roll(starts, -1) - 1] = off[starts] + length
+        longest[first + row[starts]] = np.maximum.reduceat(following - off - 1, starts)
     return longest
 
 
