@@ -15,11 +15,11 @@ from loomlight.core.backend import ArrayTypes, upload
 class SingleEntries:
     """The summed-area table of a large draft, read entry by entry."""
 
-    def __init__(self, areas: NDArray[np.uint32], types: ArrayTypes) -> None:
+    def __init__(self, areas: UInt, shape: tuple[int, ...], types: ArrayTypes) -> None:
         self._types = types
-        self._padded = areas.shape[2]
-        self._pitch = dr.opaque(types.UInt32, areas.shape[1])
-        self._areas = upload(types.UInt32, areas)
+        self._padded = shape[2]
+        self._pitch = dr.opaque(types.UInt32, shape[1])
+        self._areas = areas
 
     def read(self, rows: Sequence[UInt], columns: Sequence[UInt]) -> Iterator[list[list[Float]]]:
         """For each number of an entry, a grid of entries: by column, then by row."""

@@ -31,7 +31,7 @@ from numpy.typing import NDArray
 
 from loomlight.aggregate.area_entries import Entries, PairedEntries, SingleEntries
 from loomlight.core.arrays import Float, Mask, UInt, Vec2
-from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum, opaque, upload
+from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum, move, opaque, upload
 from loomlight.core.footprint import Footprint
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
 from loomlight.scattering.interreflection import Interreflection
@@ -139,7 +139,7 @@ class FootprintAlbedos:
         return self._between.get(types.Float)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class FamilyColours:
     """One family's colours. Its quantities are 1 and r principal coordinates; r = 0 if all threads are equal.
 
@@ -349,10 +349,11 @@ class _Colours:
         padded = np.pad(rows, ((0, 0), (0, self._row - rows.shape[1])))
         self._threads = upload(types.Float, padded.astype(np.float32))
         self._totals = opaque(types.Float, rows[-1])
-        areas = tables.areas
-        self._areas: Entries = (
-            PairedEntries(areas, types) if areas.size <= _MAX_PAIRED else SingleEntries(areas, types)
-        )
+        if tables.areas.size <= _MAX_PAIRED:
+            self._areas: Entries = PairedEntries(tables.areas, types)
+        else:
+            areas, tables.areas = move(types.UInt32, tables.areas)
+            self._areas = SingleEntries(areas, tables.areas.shape, types)
 
     def mean_over(self, own: _Stretch, other: _Stretch, back: Mask) -> Albedos:
         """Mean albedos over a box: `own` is its stretch across the family's threads."""

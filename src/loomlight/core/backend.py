@@ -13,7 +13,7 @@ from typing import Any
 
 import drjit as dr
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from loomlight.core.arrays import Array, Color3, Float, FloatType
 
@@ -143,3 +143,11 @@ def upload(kind: FloatType, values: ArrayLike) -> Array:
     dr.sync_thread()
     array.numpy()[:] = flat
     return array
+
+
+def move(kind: FloatType, values: NDArray[Any]) -> tuple[Array, NDArray[Any]]:
+    """`upload`, and the numbers again: on the CPU in the array's memory, so that they are held once."""
+    array = upload(kind, values)
+    if dr.backend_v(kind) != dr.JitBackend.LLVM or values.size == 0:
+        return array, values
+    return array, array.numpy().reshape(values.shape)

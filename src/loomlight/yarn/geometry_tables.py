@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.arrays import Float, UInt
-from loomlight.core.backend import ArrayTypes, upload
+from loomlight.core.backend import ArrayTypes, move
 from loomlight.yarn.families import upload_family
 from loomlight.yarn.layout import ClothLayout
 from loomlight.yarn.max_heights import pack_max_heights
@@ -36,15 +36,11 @@ class LayoutTables:
     _uploaded: dict[type, tuple[UInt, UInt]] = field(default_factory=dict)
 
     def upload(self, types: ArrayTypes) -> tuple[UInt, UInt]:
-        """Words and pyramid on a backend. On the CPU its memory takes the place of NumPy's."""
+        """Words and pyramid on a backend."""
         if types.UInt32 not in self._uploaded:
-            arrays = []
-            for name in ("words", "max_heights"):
-                array, shape = upload(types.UInt32, getattr(self, name)), getattr(self, name).shape
-                if dr.backend_v(types.UInt32) == dr.JitBackend.LLVM:
-                    setattr(self, name, array.numpy().reshape(shape))
-                arrays.append(array)
-            self._uploaded[types.UInt32] = arrays[0], arrays[1]
+            words, self.words = move(types.UInt32, self.words)
+            max_heights, self.max_heights = move(types.UInt32, self.max_heights)
+            self._uploaded[types.UInt32] = words, max_heights
         return self._uploaded[types.UInt32]
 
 

@@ -47,13 +47,9 @@ def pack_runs(on_top: NDArray[np.bool_]) -> NDArray[np.uint32]:
 
 
 def _add_counts(
-    words: NDArray[np.uint32],
-    on_top: NDArray[np.bool_],
-    straight: NDArray[np.bool_],
-    offset_bit: int,
-    neighbour_bit: int,
+    words: NDArray[np.uint32], on_top: NDArray[np.bool_], straight: NDArray[np.bool_], *bits: int
 ) -> None:
-    """Adds to words the crossings since their run began, and the length of the run before.
+    """Adds to words the crossings since their run began, and the length of the run before, each at its bit.
 
     All threads take each step at once, which begins before the repeat, where each has begun two runs since.
     """
@@ -77,8 +73,8 @@ def _add_counts(
         count(rows)
     for rows in row_blocks(*on_top.shape):
         found = count(rows)
-        words[rows] |= np.minimum(found & 0xFFFF, MAX_OFFSET) << offset_bit
-        words[rows] |= np.minimum(found >> 16, MAX_NEIGHBOUR) << neighbour_bit
+        words[rows] |= np.minimum(found & 0xFFFF, MAX_OFFSET) << bits[0]
+        words[rows] |= np.minimum(found >> 16, MAX_NEIGHBOUR) << bits[1]
 
 
 def row_blocks(rows: int, columns: int, start: int = 0) -> list[slice]:

@@ -196,8 +196,7 @@ class _Texels:
         row = pack_count(per_family) + 1
         wide, high = columns * across, rows * along
         self.count, self.words = 2 * wide * high, 2 * columns * rows * row
-        sizes = wide * high, columns, columns * rows, row
-        self._sizes = [dr.opaque(types.UInt32, size) for size in sizes]
+        self._sizes = [dr.opaque(types.UInt32, size) for size in (wide * high, columns, columns * rows, row)]
         self._wide, self._across, self._along = (
             InvariantDivider(size, types) for size in (wide, across, along)
         )
