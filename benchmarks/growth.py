@@ -1,6 +1,7 @@
 """How costs grow: with a draft's threads, with fabrics, pixels, samples and workers.
 
-    python -m benchmarks.growth fabrics size spp workers [--output benchmarks/results/growth.json]
+    python -m benchmarks.growth size workers [--output benchmarks/results/growth.json]
+    python -m benchmarks.growth fabrics spp [--output benchmarks/results/growth_samples.json]
     python -m benchmarks.growth threads steps drape [--output benchmarks/results/growth_drafts.json]
 
 Each figure is of a whole process, its start included: CPU seconds of all threads, seconds, peak memory.

@@ -24,12 +24,12 @@ import mitsuba as mi
 import numpy as np
 
 from benchmarks.harness import Figures, run
+from experiments.scene_edits import SceneEdits
 from experiments.timing import timed
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, choose_variant, material_bsdf
 from loomlight.mitsuba.bsdf_samples import MODEL_BSDFS
 from loomlight.mitsuba.live import LivePicture
-from loomlight.mitsuba.scene_edits import SceneEdits
 from loomlight.models.lobes import model as lobes_model
 
 SIDES = (16, 256)

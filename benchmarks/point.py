@@ -20,6 +20,7 @@ from drjit.llvm.ad import Array3f, Bool, Float
 
 from benchmarks.harness import Figures, run
 from benchmarks.machine import fma_peak, median_seconds, operations_of
+from experiments.tabulated_visibility import TabulatedScattering
 from experiments.timing import launched_kernels
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
@@ -69,7 +70,7 @@ def measure(_: Namespace) -> Figures:
         appearance = type(appearance)(appearance.warp, appearance.weft, sheen=Sheen(0.3, 0.4))
         geometry = YarnGeometry(layout)
         table = HorizonMap(geometry, (256, 256), Float)
-        rate, operations = evaluations(YarnScattering(geometry, appearance, horizon=table), searched=False)
+        rate, operations = evaluations(TabulatedScattering(geometry, appearance, table), searched=False)
         exact = evaluations(YarnScattering(geometry, appearance), searched=True)[0]
         assert operations is not None
         fabrics[text] = {

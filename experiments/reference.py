@@ -197,7 +197,7 @@ def _probe(model: YarnScattering, *numbers: int) -> YarnScattering:
         diffuse_blend=old.diffuse_blend,
         optical_depth=old.optical_depth,
     )
-    return YarnScattering(model.surface, appearance, model.quality, model.horizon)
+    return YarnScattering(model.surface, appearance, model.quality)
 
 
 class _Sums:

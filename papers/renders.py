@@ -14,7 +14,6 @@ from experiments.timing import timed
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba import choose_variant, render
 from loomlight.mitsuba.measured_scenes import MeasuredScene, MeasuredShot, shot_counted, shot_scene
-from loomlight.mitsuba.rendering import filling_grid
 from loomlight.mitsuba.scenes import BsdfFactory
 from papers.setting import NEURAL, POINT, Setting, cloth_bsdf
 
@@ -75,10 +74,10 @@ class Stage:
         few, some = (fastest_picture(scene, samples).seconds for samples in (_FEW, _SOME))
         slope = max((some - few) / (_SOME - _FEW), 1e-6)
         neural = fastest_picture(network, 1)
-        pairs = [(neural, fastest_picture(scene, grid_near(_FEW + (neural.seconds - few) / slope)))]
+        pairs = [(neural, fastest_picture(scene, count_near(_FEW + (neural.seconds - few) / slope)))]
         for _ in range(_CORRECTIONS):
             neural, point = pairs[-1]
-            better = grid_near(point.samples * neural.seconds / point.seconds)
+            better = count_near(point.samples * neural.seconds / point.seconds)
             if better == point.samples:
                 break
             pairs.append((fastest_picture(network, 1), fastest_picture(scene, better)))
@@ -98,10 +97,9 @@ class Stage:
         return shot_scene(self.shot, cloths, self.setting.size, centred)
 
 
-def grid_near(samples: float) -> int:
-    """The count nearest to `samples`, from 1 to 64, that a sampler can lay out as a grid."""
-    counts = [count for count in range(1, _MAX_EQUAL + 1) if filling_grid(count) == count]
-    return min(counts, key=lambda count: abs(count - samples))
+def count_near(samples: float) -> int:
+    """The whole number nearest to `samples`, from 1 to 64."""
+    return min(max(round(samples), 1), _MAX_EQUAL)
 
 
 def fastest_picture(scene: MeasuredScene, samples: int) -> Rendered:

@@ -13,11 +13,11 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from experiments.scene_edits import SceneEdits, bitmap_texture
 from experiments.timing import timed
 from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.measured_scenes import MeasuredScene
-from loomlight.mitsuba.scene_edits import SceneEdits, bitmap_texture
 from papers.chen2024.cache import without_cached_latents
 from papers.chen2024.fabrics import Look, paper_fabric
 from papers.chen2024.shots import DRAPE

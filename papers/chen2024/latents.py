@@ -12,10 +12,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from experiments.scene_edits import SceneEdits
 from loomlight.evaluation.pictures import picture_error
 from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
-from loomlight.mitsuba.scene_edits import SceneEdits
 from papers.chen2024.fabrics import Look, paper_fabric
 from papers.chen2024.shots import BALL
 from papers.figure import Evidence, Pixels, on_display

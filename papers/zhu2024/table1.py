@@ -24,7 +24,6 @@ from loomlight.evaluation.table import Cell, Table
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.live import LivePicture
 from loomlight.mitsuba.measured_scenes import MeasuredScene
-from loomlight.mitsuba.rendering import filling_grid
 from papers.equal_error import HalvedTruth, Spent, least_times
 from papers.figure import Evidence, Pixels, on_display
 from papers.renders import one_picture
@@ -124,7 +123,7 @@ def measured(scene: TableScene, setting: Setting, samples: int | None = None) ->
         )
     half = max(setting.samples, 2) // 2
     truth = HalvedTruth((one_picture(point, half, _TRUTH_SEED), one_picture(point, half, _TRUTH_SEED + 1)))
-    ours = filling_grid(samples or scene.paper.samples[0])
+    ours = samples or scene.paper.samples[0]
     pictures = {
         POINT: one_picture(point, ours, _MODEL_SEED),
         "model": one_picture(model, ours, _MODEL_SEED),
@@ -172,7 +171,7 @@ def _times(
     model: MeasuredScene, lobes: MeasuredScene, point: MeasuredScene, ours: int, needed: float
 ) -> tuple[Spent, Spent, tuple[float, float]]:
     """Times of the model, of lobes, and of the point model with the samples that it needs."""
-    many = filling_grid(int(np.clip(round(needed), 2, _MAX_TIMED)))
+    many = int(np.clip(round(needed), 2, _MAX_TIMED))
     shots = [(model, ours), (lobes, 1), (point, many), (point, 1)]
     lives = [LivePicture(shot.scene, integrator=shot.integrator, spp=count) for shot, count in shots]
     of_model, of_lobes, of_many, of_one = least_times([live.take for live in lives], _TURNS)

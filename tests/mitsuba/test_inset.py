@@ -35,7 +35,7 @@ def test_the_corner_is_the_picture_from_nearer() -> None:
     size, cloth = (240, 180), material_bsdf(load_fabric("twill 3/1"))
     shown = build_scene("drape", cloth, size=size)
     inset = Inset.of(load_fabric("twill 3/1"), shown, size)
-    shown.integrator.corner = inset
+    shown.integrator.corner = inset.corner
     actual = render(shown.scene, spp=64, integrator=shown.integrator, denoise="off")
     near = build_scene("drape", cloth, size=(inset.side, inset.side))
     near.look_from(inset.view)
@@ -84,7 +84,7 @@ def test_close_ups_of_all_fabrics_share_a_kernel() -> None:
     gc.collect()
     shown = build_scene("flat", WHITE, size=SIZE)
     for weave in ("plain", "damask 480"):
-        shown.integrator.corner = Inset.of(load_fabric(weave), shown, SIZE)
+        shown.integrator.corner = Inset.of(load_fabric(weave), shown, SIZE).corner
         with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
             dr.kernel_history_clear()
             render(shown.scene, spp=1, integrator=shown.integrator)

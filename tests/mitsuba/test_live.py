@@ -1,6 +1,6 @@
 """Live pictures: edits show at once, as they would in a picture that is traced anew.
 
-Covers: mitsuba/bsdf_samples.py, mitsuba/scene_edits.py
+Covers: mitsuba/bsdf_samples.py
 """
 
 from __future__ import annotations
@@ -14,13 +14,13 @@ import mitsuba as mi
 import numpy as np
 import pytest
 
+from experiments.scene_edits import SceneEdits
 from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, material_bsdf
 from loomlight.mitsuba.bsdf_samples import MODEL_BSDFS
 from loomlight.mitsuba.integrator import samples_are_pixels
 from loomlight.mitsuba.live import LivePicture
-from loomlight.mitsuba.scene_edits import SceneEdits
 from tests.marks import slow
 
 SHEEN = 'weave = "twill 2/1"\n[sheen]\nstrength = 0.5\n'

@@ -16,7 +16,7 @@ from loomlight.cli.main import run
 from loomlight.core.contact_sheet import Card, sheet_page, sheet_picture
 from loomlight.core.errors import InputError
 from loomlight.fabric.load import fabric_from_text
-from loomlight.mitsuba.swatches import fact_lines
+from loomlight.mitsuba.swatches import CardSettings, fabric_cards, fact_lines
 
 SMALL = ["--size", "32", "--spp", "1", "--model", "point"]
 
@@ -62,6 +62,16 @@ def test_facts_of_a_card() -> None:
     assert fact_lines(striped)[0] == (
         "twill 3/1; 28 ends and 4 picks, 14 × 2 mm, of which the weave is 4 and 4"
     )
+
+
+def test_a_sheet_grows(tmp_path: Path) -> None:
+    settings = CardSettings(32, "point", 1, "llvm_ad_rgb", denoise="off")
+    seen: list[list[Card]] = []
+    cards = fabric_cards(["plain", "twill 2/1"], settings, tmp_path, partial=seen.append)
+    assert [[each.title for each in found] for found in seen] == [[cards[0].title]]
+    # What is there already is shown at once, before anything is rendered.
+    fabric_cards(["plain", "satin 5/2"], settings, tmp_path, partial=seen.append)
+    assert [each.title for each in seen[1]] == [cards[0].title]
 
 
 def test_the_command(

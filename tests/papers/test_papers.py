@@ -18,9 +18,9 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from experiments.scene_edits import SceneEdits
 from loomlight.core.errors import InputError
 from loomlight.mitsuba import choose_variant
-from loomlight.mitsuba.scene_edits import SceneEdits
 from loomlight.weave.named import named_weave
 from papers.catalogue import CATALOGUE
 from papers.chen2024.ablation import NETWORKS, weights_files
@@ -33,7 +33,7 @@ from papers.chen2024.shots import DRAPE
 from papers.chen2024.training.config import read_config
 from papers.chen2024.training.weaves import HELD_OUT_WEAVES, paper_draft
 from papers.command import main
-from papers.renders import Stage, grid_near, one_picture
+from papers.renders import Stage, count_near, one_picture
 from papers.setting import Setting, cloth_bsdf
 from papers.sheet import Row, Tile, contact_sheet
 
@@ -82,7 +82,7 @@ def test_a_sheet_holds_its_pictures_and_texts() -> None:
 
 
 def test_equal_time_takes_counts_that_fill_a_grid() -> None:
-    assert [grid_near(wanted) for wanted in (-3, 0.4, 3.2, 4.9, 13.4, 1e9)] == [1, 1, 3, 4, 12, 64]
+    assert [count_near(wanted) for wanted in (-3, 0.4, 3.2, 4.9, 13.4, 1e9)] == [1, 1, 3, 5, 13, 64]
 
 
 def test_directions_are_all_pairs_of_a_side() -> None:

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from drjit.llvm.ad import Array3f, Bool, Float
 
+from experiments import tabulated_visibility
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.horizon import HorizonMap
 from papers.zhu2024.gaussian_visibility import GaussianVisibility
@@ -35,7 +36,7 @@ def test_lobes_follow_the_horizons() -> None:
     light = Array3f(Float(radius * np.cos(azimuth)), Float(radius * np.sin(azimuth)), Float(z))
     for back in (False, True):
         face = dr.full(Bool, back, count)
-        visible = table.unoccluded(x, y, light, face).numpy().astype(float)
+        visible = tabulated_visibility.unoccluded(table, x, y, light, face).numpy().astype(float)
         fitted = saturating.unoccluded(x, y, light, face).numpy()
         assert (fitted >= 0).all()
         assert (fitted <= 1).all()

@@ -17,10 +17,11 @@ from drjit.llvm import Float
 from loomlight.core.backend import array_types
 from loomlight.fabric import fabric_from_text
 from loomlight.models.registry import make_model
-from loomlight.realtime.openness_tables import PARTS, first_words
+from loomlight.realtime.openness_tables import PARTS
 from tests.realtime.queries import share_beyond, vectors
 from tests.realtime.test_lobes import MAX_FLIPS, Queries
 from tests.realtime.whole_queries import lobes_values, point_values
+from tools.shaders.constants import first_words
 
 TINT = (0.9, 0.5, 0.2)
 FABRIC = """

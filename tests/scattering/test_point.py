@@ -12,6 +12,7 @@ import mitsuba as mi
 import numpy as np
 import pytest
 
+from experiments.tabulated_visibility import TabulatedScattering
 from loomlight.core.llvm import require_llvm
 from loomlight.scattering.albedo import albedos_from_colour, layer_albedo_bound
 from loomlight.scattering.appearance import Appearance, FamilyAppearance, Sheen, Variation
@@ -239,7 +240,7 @@ def test_holes_pass_light_straight_through() -> None:
 def test_tabulated_shadows_keep_the_albedo() -> None:
     exact = random_model(2)
     layout = YarnGeometry(exact.surface.layout)
-    tabulated = YarnScattering(layout, exact.appearance, horizon=HorizonMap(layout, (160, 160), mi.Float))
+    tabulated = TabulatedScattering(layout, exact.appearance, HorizonMap(layout, (160, 160), mi.Float))
     rng = np.random.default_rng(3)
     count = 1 << 16
     point, view = _points(exact, _view(30, 0.3), count, 4)

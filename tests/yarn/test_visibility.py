@@ -12,6 +12,7 @@ import mitsuba as mi
 import numpy as np
 import pytest
 
+from experiments import tabulated_visibility
 from loomlight.core.llvm import require_llvm
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.horizon import HorizonMap
@@ -277,7 +278,7 @@ def test_horizon_map_agrees_with_the_search() -> None:
         face = dr.full(mi.Bool, back, COUNT)
         height, hole = geometry.height(x, y, face)
         light = _directions(rng, 0, COUNT)
-        tabulated = table.unoccluded(x, y, light, face).numpy()[~hole.numpy()]
+        tabulated = tabulated_visibility.unoccluded(table, x, y, light, face).numpy()[~hole.numpy()]
         searched = unoccluded(geometry, x, y, height, light, face)
         searched &= dr.dot(geometry.surface(x, y, face).normal, light) > 0
         searched = searched.numpy()[~hole.numpy()]

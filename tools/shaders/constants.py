@@ -200,7 +200,13 @@ def shader_constants() -> dict[str, Value]:
                 raise ValueError(f"{module.__name__} has the second constant {name}")
             if isinstance(value, int | float) or _is_pair(value) or all(map(_is_pair, value)):
                 constants[name] = value
-    return constants | _DERIVED | neural_constants() | openness_tables.first_words()
+    return constants | _DERIVED | neural_constants() | first_words()
+
+
+def first_words() -> dict[str, int]:
+    """Where each part of a cloth's openness begins."""
+    sizes = [math.prod(shape) for shape in openness_tables.PARTS.values()]
+    return {f"OPENNESS_{name}": sum(sizes[:number]) for number, name in enumerate(openness_tables.PARTS)}
 
 
 def _is_pair(value: Value) -> bool:

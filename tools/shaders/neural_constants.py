@@ -6,7 +6,7 @@ import numpy as np
 
 from loomlight.models.neural import architecture, footprint_coding, light_visibility
 from loomlight.models.neural.weights import shipped_weights
-from loomlight.realtime.networks import layer_size, layer_starts
+from loomlight.realtime.networks import layer_size
 from loomlight.realtime.neural_tables import ANGULAR, LAST, LAYERS, neural_layers
 
 
@@ -16,7 +16,8 @@ def neural_constants() -> dict[str, float]:
     weights = shipped_weights()
     table = weights.table
     layers = neural_layers(weights)
-    starts = layer_starts([(weight.shape[1], weight.shape[0]) for weight, _ in layers.values()])
+    sizes = [layer_size(weight.shape[1], weight.shape[0]) for weight, _ in layers.values()]
+    starts = [sum(sizes[:number]) for number in range(len(sizes) + 1)]
     at = dict(zip(layers, starts, strict=False))
     smallest, largest = footprint_coding.FIELD_SIZES
     first, full = (

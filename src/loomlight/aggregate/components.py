@@ -69,7 +69,7 @@ def without_sheen_and_variation(model: YarnScattering, between_yarns: bool = Tru
         optical_depth=old.optical_depth,
         openness=old.openness if between_yarns else None,
     )
-    return YarnScattering(model.surface, appearance, model.quality, model.horizon)
+    return YarnScattering(model.surface, appearance, model.quality)
 
 
 def trace_views(model: YarnScattering, x: Float, y: Float, view: Vec3, active: Mask = True) -> ViewHits:

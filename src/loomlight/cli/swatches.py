@@ -39,14 +39,14 @@ def swatches(
 ) -> None:
     """Renders a labelled contact sheet: of each fabric its drawdown, a swatch, a drape and facts.
 
-    A file that cannot be used is left out with a warning.
+    The sheet grows as fabrics are rendered. A file that cannot be used is left out with a warning.
     """
     check_output(output, (".png", ".html"), fabrics)
     require_within("--size", side, 32, 2048)
     require_within("--spp", samples, 1, 100_000)
     require_within("--white-balance", 6500 if white_balance is None else white_balance, 1667, 25000)
     chosen = executor_of(executor, workers, slurm)
-    from loomlight.core.contact_sheet import sheet_page, sheet_picture
+    from loomlight.core.contact_sheet import Card, sheet_page, sheet_picture
     from loomlight.core.files import replacing
     from loomlight.core.images import write_png
     from loomlight.mitsuba import choose_variant
@@ -59,12 +59,15 @@ def swatches(
     settings = CardSettings(side, model, samples, choose_variant(variant), white_balance, denoise)
     parts = work_folder_of(output)
     note_left(f"{parts} keeps the fabrics that are rendered: the same command goes on from there.")
+
+    def write(cards: list[Card]) -> None:
+        if output.suffix.lower() == ".html":
+            with replacing(output) as temporary:
+                temporary.write_text(sheet_page(cards, title), encoding="utf-8")
+        else:
+            write_png(output, sheet_picture(cards))
+
     with progress("swatches") as report:
-        cards = fabric_cards(fabrics, settings, parts, chosen, report)
-    if output.suffix.lower() == ".html":
-        with replacing(output) as temporary:
-            temporary.write_text(sheet_page(cards, title), encoding="utf-8")
-    else:
-        write_png(output, sheet_picture(cards))
+        write(fabric_cards(fabrics, settings, parts, chosen, report, write))
     shutil.rmtree(parts, ignore_errors=True)
     done(output)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
+import drjit as dr
 import mitsuba as mi
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.backend import opaque
 from loomlight.core.errors import InputError
 
 Vector = NDArray[np.float64]
@@ -16,6 +18,8 @@ Vector = NDArray[np.float64]
 FIELD_OF_VIEW = 26.0  # degrees, of the picture's shorter side
 _MARGIN = 1.04
 MAX_ZOOM = 1000.0
+# The same for all views, and beyond every scene: kernels hold them.
+_NEAR, _FAR = 1e-7, 1e7
 
 
 @dataclass(frozen=True)
@@ -54,9 +58,8 @@ def perspective(view: View, size: tuple[int, int]) -> dict[str, Any]:
         "type": "perspective",
         "fov": FIELD_OF_VIEW,
         "fov_axis": "smaller",
-        # Constants of kernels: the same for all views, and beyond every scene.
-        "near_clip": 1e-7,
-        "far_clip": 1e7,
+        "near_clip": _NEAR,
+        "far_clip": _FAR,
         "to_world": look_at(view),
         "film": {
             "type": "hdrfilm",
@@ -68,6 +71,69 @@ def perspective(view: View, size: tuple[int, int]) -> dict[str, Any]:
         # Stratified in all dimensions: on cloth two to three times fewer samples for the same noise.
         "sampler": {"type": "multijitter"},
     }
+
+
+class Corner(NamedTuple):
+    """A square of a picture in which a camera looks from nearer; by default none.
+
+    Attributes:
+        low, high: its edges, shares of the picture's width and height.
+        scale: how many times larger its pixels are, for the same camera, than those around it.
+        origin: where that camera stands.
+    """
+
+    low: Any = (2.0, 2.0)
+    high: Any = (2.0, 2.0)
+    scale: float = 1.0
+    origin: Any = (0.0, 0.0, 0.0)
+
+
+class Pinhole:
+    """Rays of a sensor of `perspective` as data of kernels, of which Mitsuba's own hold the film's size."""
+
+    def __init__(self, camera: Any, corner: Corner) -> None:
+        self._camera = camera
+
+        def towards(x: float, y: float) -> Any:
+            return camera.sample_ray(0, 0, mi.Point2f(x, y), mi.Point2f(0))[0].d
+
+        axis = towards(0.5, 0.5)
+        first, right, below = (
+            ray / dr.dot(ray, axis) for ray in (towards(0, 0), towards(1, 0), towards(0, 1))
+        )
+        self._first, self._across, self._down = first, right - first, below - first
+        self._origin = mi.Point3f(camera.world_transform().translation())
+        dr.make_opaque(self._origin, self._first, self._across, self._down)
+        self._pixel = mi.Vector2f(opaque(mi.Float, 1 / np.array(camera.film().crop_size())))
+        self._low, self._high = (mi.Vector2f(opaque(mi.Float, edge)) for edge in (corner.low, corner.high))
+        self._scale = opaque(mi.Float, corner.scale)
+        self._corner_origin = mi.Point3f(opaque(mi.Float, corner.origin))
+
+    @classmethod
+    def of(cls, camera: Any, corner: Corner | None) -> Any:
+        """The rays of a sensor of built-in scenes; another sensor as it is."""
+        is_ours = camera.class_name() == "PerspectiveCamera" and mi.traverse(camera)["near_clip"] <= 2 * _NEAR
+        return cls(camera, corner or Corner()) if is_ours else camera
+
+    def sample_ray_differential(
+        self, time: Any, sample1: Any, sample2: Any, sample3: Any, active: Any = True
+    ) -> tuple[Any, Any]:
+        del sample1, sample3, active
+        is_close = dr.all((sample2 >= self._low) & (sample2 < self._high))
+        middle = 0.5 * (self._low + self._high)
+        place = dr.select(is_close, 0.5 + (sample2 - middle) * self._scale, sample2)
+        pixel = dr.select(is_close, self._scale, 1) * self._pixel
+        towards = self._first + place.x * self._across + place.y * self._down
+        origin = dr.select(is_close, self._corner_origin, self._origin)
+        ray = mi.RayDifferential3f(origin, dr.normalize(towards), time)
+        ray.o_x = ray.o_y = origin
+        ray.d_x = dr.normalize(towards + pixel.x * self._across)
+        ray.d_y = dr.normalize(towards + pixel.y * self._down)
+        ray.has_differentials = True
+        return ray, mi.Spectrum(1)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._camera, name)
 
 
 def look_at(view: View) -> Any:

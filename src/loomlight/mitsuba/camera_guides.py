@@ -13,6 +13,7 @@ import drjit as dr
 import mitsuba as mi
 
 from loomlight.core.arrays import Color3, Mask
+from loomlight.core.backend import channel_mean
 from loomlight.mitsuba.bsdf_samples import FILTERS
 from loomlight.mitsuba.path_vertices import MAX_PASSES, FirstFootprint
 from loomlight.mitsuba.scene_traits import SceneTraits
@@ -51,7 +52,7 @@ def camera_guides(
             light += share * dr.select(active, si.emitter(scene).eval(si, active), 0)
         lit, through = _seen(scene, si, number, valid)
         light += share * lit
-        normal += dr.select(valid, mi.Vector3f(si.sh_frame.n) * dr.mean(share * (1 - through)), 0)
+        normal += dr.select(valid, mi.Vector3f(si.sh_frame.n) * channel_mean(share * (1 - through)), 0)
         share *= dr.select(valid, through, 0)
         passes += 1
         ray = si.spawn_ray(ray.d)

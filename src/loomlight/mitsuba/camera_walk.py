@@ -63,9 +63,9 @@ class CameraWalk:
     least_share: Any
 
     @classmethod
-    def begin(cls, path: PathState, samples: int) -> CameraWalk:
+    def begin(cls, path: PathState, samples: Float) -> CameraWalk:
         """With the camera's rays, of so many samples a pixel."""
-        least = mi.Float(min(_MAX_STEP * samples, 1.0))
+        least = minimum(_MAX_STEP * samples, 1)
         return cls(mi.Bool(path.active), mi.Spectrum(1), mi.Bool(True), dr.copy(path), least)
 
     def throughput(self, path: PathState) -> Color3:

@@ -7,17 +7,13 @@ from nearer. So it costs no sample, no kernel and no launch of its own.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
-import drjit as dr
-import mitsuba as mi
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from loomlight.core.backend import opaque
 from loomlight.fabric.fabric import Fabric
-from loomlight.mitsuba.camera import FIELD_OF_VIEW, View
+from loomlight.mitsuba.camera import FIELD_OF_VIEW, Corner, View
 from loomlight.mitsuba.scenes import ClothScene
 
 Picture = NDArray[np.float32]
@@ -67,9 +63,12 @@ class Inset:
         margin = round(_MARGIN * shorter) + FRAME
         return cls(shown.view.closer(zoom, point), size, side, margin, zoom * side / shorter)
 
-    def on(self, camera: Any) -> CornerCamera:
-        """The camera of the whole picture with the close-up in its corner."""
-        return CornerCamera(camera, self)
+    @property
+    def corner(self) -> Corner:
+        """The part of the picture that it takes."""
+        size = np.array(self.size, float)
+        low, high = self.margin / size, (self.margin + self.side) / size
+        return Corner(low, high, min(self.size) / self.side, self.view.origin)
 
     def drawn_on(self, picture: Picture) -> Picture:
         """Linear RGB [h, w, 3] with a frame around the close-up, and a mark around what it shows."""
@@ -79,37 +78,6 @@ class Inset:
         _outline(picture, (height - side) // 2, (width - side) // 2, side, MARK)
         _outline(picture, self.margin, self.margin, self.side, FRAME)
         return picture
-
-
-class CornerCamera:
-    """A perspective camera whose pixels in a square of the film look from nearer."""
-
-    def __init__(self, camera: Any, inset: Inset) -> None:
-        self._camera = camera
-        size = np.array(inset.size, float)
-        # No constants of the kernel, which serves close-ups of all fabrics.
-        self._low, self._high = (
-            mi.Vector2f(opaque(mi.Float, edge / size)) for edge in (inset.margin, inset.margin + inset.side)
-        )
-        self._scale = opaque(mi.Float, min(inset.size) / inset.side)
-        self._origin = mi.Point3f(opaque(mi.Float, inset.view.origin))
-
-    def sample_ray_differential(
-        self, time: Any, sample1: Any, sample2: Any, sample3: Any, active: Any = True
-    ) -> tuple[Any, Any]:
-        is_close = dr.all((sample2 >= self._low) & (sample2 < self._high))
-        middle = 0.5 * (self._low + self._high)
-        place = dr.select(is_close, 0.5 + (sample2 - middle) * self._scale, sample2)
-        ray, weight = self._camera.sample_ray_differential(time, sample1, place, sample3, active)
-        # Pixels of the square are larger, for the same camera, than those around it.
-        pixel = dr.select(is_close, self._scale, 1)
-        ray.d_x, ray.d_y = (dr.fma(beside - ray.d, pixel, ray.d) for beside in (ray.d_x, ray.d_y))
-        ray.o = dr.select(is_close, self._origin, ray.o)
-        ray.o_x, ray.o_y = (dr.select(is_close, self._origin, beside) for beside in (ray.o_x, ray.o_y))
-        return ray, weight
-
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self._camera, name)
 
 
 def resized(picture: Picture, size: tuple[int, int]) -> Picture:

@@ -24,29 +24,26 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any, Protocol
+from typing import Any
 
 import drjit as dr
 import mitsuba as mi
+import numpy as np
 
 from loomlight.core.arrays import Vec2
-from loomlight.core.backend import minimum
+from loomlight.core.backend import minimum, opaque
 from loomlight.core.frozen import gc_paused
-from loomlight.mitsuba.bsdf_samples import set_samples_per_pixel
+from loomlight.core.invariant_divider import InvariantDivider
+from loomlight.mitsuba.bsdf_samples import set_samples_per_pixel, variant_types
+from loomlight.mitsuba.camera import Corner, Pinhole
 from loomlight.mitsuba.camera_guides import camera_guides
 from loomlight.mitsuba.camera_walk import CameraWalk, HoleCrossing
 from loomlight.mitsuba.path_state import PathState
 from loomlight.mitsuba.path_vertices import MAX_PASSES, FirstFootprint, PathVertices, reflected
 from loomlight.mitsuba.pixel_filter import PixelFilter, SplattingSensor
+from loomlight.mitsuba.pixel_sampler import PixelSampler
 from loomlight.mitsuba.ray_cone import pixel_cone
 from loomlight.mitsuba.scene_traits import SceneTraits, is_symbolic
-
-
-class Corner(Protocol):
-    """What some pixels see in place of the rest of the picture; see `inset.Inset`."""
-
-    def on(self, camera: Any) -> Any:
-        """A camera that sees it."""
 
 
 def footprint_path_class() -> type:
@@ -65,7 +62,7 @@ def footprint_path_class() -> type:
 
         Attributes:
             picture_samples: samples a pixel of the picture that this render is a part of; 0: it is all.
-            passes, pass_number: renders that make up the picture with one sampler, and which of them this is.
+            pass_number: of this render among those that make up the picture with one `PixelSampler`.
             skip_film: nobody asks the film afterwards: it may be left out then.
             apart: samples count in their own pixels alone; see `PixelFilter`.
             corner: a close-up in a corner of the picture, or None.
@@ -77,7 +74,7 @@ def footprint_path_class() -> type:
             super().__init__(props)
             self.pixel_centres: bool = props.get("pixel_centres", False)
             self.picture_samples = 0
-            self.passes, self.pass_number = 1, 0
+            self.pass_number = 0
             self.skip_film = False
             self.apart = False
             self.corner: Corner | None = None
@@ -93,41 +90,55 @@ def footprint_path_class() -> type:
             )
 
         def prepare(self, sensor: Any, seed: Any = 0, spp: int = 0, aovs: Any = ()) -> tuple[Any, int]:
-            if self.passes == 1:
+            # Path replay clones samplers and draws the very numbers again.
+            if self._replays or not has_pixel_sampler(sensor):
                 prepared: tuple[Any, int] = super().prepare(sensor, seed, spp, list(aovs))
                 return prepared
-            sampler = sensor.sampler().clone()
-            sampler.set_sample_count(spp * self.passes)
-            sampler.set_samples_per_wavefront(spp)
-            film = sensor.film()
-            border = 2 * film.rfilter().border_size() if film.sample_border() else 0
-            sampler.seed(seed, dr.prod(film.crop_size() + border) * spp)
-            # Evaluated: what led there would be part of the kernel, which each pass would compile anew.
-            sampler.schedule_state()
-            dr.eval()
-            for _ in range(self.pass_number):
-                sampler.advance()
-                sampler.schedule_state()
-                dr.eval()
-            film.prepare(list(aovs))
-            return sampler, spp
+            spp = spp or sensor.sampler().sample_count()
+            pixel, number = _samples_of(sensor.film(), spp)
+            sensor.film().prepare(list(aovs))
+            number += dr.opaque(mi.UInt32, self.pass_number * spp)
+            return PixelSampler.of(pixel, number, seed, spp), spp
 
-        def sample_rays(self, scene: Any, sensor: Any, sampler: mi.Sampler) -> tuple[Any, Any, Any]:
+        def sample_rays(self, scene: Any, sensor: Any, sampler: Any) -> tuple[Any, Any, Any]:
             # With more samples footprints are as large as ever: each takes as many points as one would.
             set_samples_per_pixel(self._samples(sampler) if self._pixel_filter is None else 1)
-            of_pass = sampler.sample_count() // self.passes
-            places = _CameraSampler(sampler, of_pass, self._pixel_filter, self.pixel_centres)
-            ray, weight, position = super().sample_rays(scene, sensor, places)
-            self._offset = places.offset
-            if self._offset is not None and not sensor.film().rfilter().is_box_filter():
-                position = position - self._offset
-            return ray, weight, position
+            film = sensor.film()
+            pixel, _ = _samples_of(film, sampler.sample_count())
+            row, column = InvariantDivider(_width(film), variant_types()).divide(pixel)
+            corner, scale = (
+                mi.Vector2f(opaque(mi.Float, edge))
+                for edge in (film.crop_offset() - _border(film), 1 / np.array(film.crop_size()))
+            )
+            place = sampler.next_2d()
+            if self._pixel_filter is not None:
+                places = self._pixel_filter.places(place, sampler.next_2d())
+                self._offset = places.offset
+                place = 0.5 + places.sample + places.offset
+            elif self.pixel_centres:
+                place = mi.Point2f(0.5)
+            pixel_corner = mi.Vector2f(mi.Float(column), mi.Float(row)) + corner
+            position = pixel_corner + place
+            time = sensor.shutter_open()
+            if sensor.shutter_open_time() > 0:
+                time += sampler.next_1d() * sensor.shutter_open_time()
+            with dr.resume_grad():
+                ray, weight = sensor.sample_ray_differential(
+                    time=time,
+                    sample1=0,
+                    sample2=(position - mi.Vector2f(opaque(mi.Float, film.crop_offset()))) * scale,
+                    sample3=sampler.next_2d() if sensor.needs_aperture_sample() else mi.Point2f(0),
+                )
+            if film.rfilter().is_box_filter():
+                return ray, weight, pixel_corner
+            return ray, weight, position if self._offset is None else position - self._offset
 
         @contextmanager
         def _filtering(self, scene: Any, sensor: Any, replays: bool = False) -> Iterator[Any]:
             """The sensor to render with: samples stay in their pixels where `PixelFilter` places them."""
             camera = scene.sensors()[sensor] if isinstance(sensor, int) else sensor
-            camera = camera if self.corner is None else self.corner.on(camera)
+            # Derivatives of its place and of its field of view are Mitsuba's own.
+            camera = camera if replays else Pinhole.of(camera, self.corner)
             self._replays = replays
             if SceneTraits.of(scene).filters or self.apart:
                 self._pixel_filter = PixelFilter.of(camera.film(), self.pixel_centres, self.apart)
@@ -149,10 +160,30 @@ def footprint_path_class() -> type:
             develop: bool = True,
             evaluate: bool = True,
         ) -> Any:
-            with self._filtering(scene, sensor) as camera:
-                if self.skip_film and develop and samples_are_pixels(camera, spp):
-                    return self._pixels_of_samples(scene, camera, seed, spp)
-                return super().render(scene, camera, seed, spp, develop, evaluate)
+            with self._filtering(scene, sensor) as camera, dr.suspend_grad():
+                film = camera.film()
+                sampler, spp = self.prepare(camera, seed, spp, self.aov_names())
+                ray, weight, position = self.sample_rays(scene, camera, sampler)
+                found, valid, aovs, _ = self.sample(
+                    mode=dr.ADMode.Primal,
+                    scene=scene,
+                    sampler=sampler,
+                    ray=ray,
+                    δL=None,
+                    state_in=None,
+                    active=mi.Bool(True),
+                )
+                value, alpha = found * weight, dr.select(valid, mi.Float(1), 0)
+                # The film is no part of the kernel, which so serves all sizes and filters.
+                dr.eval(value, alpha, position)
+                if self.skip_film and samples_are_pixels(camera, spp):
+                    has_alpha = mi.has_flag(film.flags(), mi.FilmFlags.Alpha)
+                    return _means_of_pixels([*value, alpha] if has_alpha else [*value], spp, film)
+                block = film.create_block()
+                block.set_coalesce(block.coalesce() and spp >= 4)
+                base._splat_to_block(block, film, position, value, mi.Float(1), alpha, aovs, ray.wavelengths)
+                film.put_block(block)
+                return film.develop()
 
         def render_forward(
             self, scene: Any, params: Any, sensor: Any = 0, seed: Any = 0, spp: int = 0
@@ -172,26 +203,6 @@ def footprint_path_class() -> type:
             with self._filtering(scene, sensor, replays=True) as camera:
                 super().render_backward(scene, params, grad_in, camera, seed, spp)
 
-        def _pixels_of_samples(self, scene: Any, camera: Any, seed: Any, spp: int) -> Any:
-            """A picture whose samples count in their own pixels alone, as the film would develop it."""
-            film = camera.film()
-            with dr.suspend_grad():
-                sampler, spp = self.prepare(camera, seed, spp, self.aov_names())
-                ray, weight, _ = self.sample_rays(scene, camera, sampler)
-                found, valid, _, _ = self.sample(
-                    mode=dr.ADMode.Primal,
-                    scene=scene,
-                    sampler=sampler,
-                    ray=ray,
-                    δL=None,
-                    state_in=None,
-                    active=mi.Bool(True),
-                )
-                pixels = [*(found * weight)]
-                if mi.has_flag(film.flags(), mi.FilmFlags.Alpha):
-                    pixels.append(dr.select(valid, mi.Float(1), 0))
-                return _means_of_pixels(pixels, spp, film)
-
         def guides(self, scene: Any, sensor: Any, seed: Any, spp: int, start: int = 0) -> Any:
             """What the camera sees, but for noise of light; see `camera_guides`.
 
@@ -205,8 +216,9 @@ def footprint_path_class() -> type:
             with self._filtering(scene, sensor) as camera, dr.suspend_grad():
                 sampler, spp = self.prepare(camera, seed, spp, [])
                 ray, _, _ = self.sample_rays(scene, camera, sampler)
-                first = FirstFootprint.of(self._pixel_filter, self._offset, ray, spp)
-                number = dr.arange(mi.UInt32, dr.width(ray)) % spp + dr.opaque(mi.UInt32, start)
+                samples = dr.opaque(mi.Float, spp)
+                first = FirstFootprint.of(self._pixel_filter, self._offset, ray, samples)
+                number = _samples_of(camera.film(), spp)[1] + dr.opaque(mi.UInt32, start)
                 shows = not self.hide_emitters
                 found = camera_guides(scene, SceneTraits.of(scene), first, ray, number, shows)
                 return _means_of_pixels(found, spp, camera.film())
@@ -227,7 +239,9 @@ def footprint_path_class() -> type:
             **_unused: Any,
         ) -> tuple[Any, Any, list[Any], Any]:
             primal = mode == dr.ADMode.Primal
-            samples = self._samples(sampler)
+            # Data, like all that another picture may have: kernels serve any number of samples and any depth.
+            samples = dr.opaque(mi.Float, self._samples(sampler))
+            max_depth = dr.opaque(mi.UInt32, self.max_depth)
             traits = SceneTraits.of(scene)
             hittable = traits.hittable_emitters
             direct_only = not hittable and self.max_depth <= 2
@@ -237,7 +251,7 @@ def footprint_path_class() -> type:
 
             first = FirstFootprint.of(self._pixel_filter, self._offset, ray, samples)
             # Beyond the first scattering each of so many samples stands for its part of the pixel.
-            width, spread = (part * samples**-0.5 for part in pixel_cone(ray))
+            width, spread = (part * dr.rsqrt(samples) for part in pixel_cone(ray))
             path = PathState.begin(ray, active, width, spread)
             walk = CameraWalk.begin(path, samples) if blends else None
             L = mi.Spectrum(0 if primal else state_in)
@@ -250,7 +264,9 @@ def footprint_path_class() -> type:
                 pi = self._beyond_emitters(scene, path.ray, pi, path.active)
 
             # As a loop variable the camera's ray would be copied, and copies lose the differentials.
-            while dr.hint(path.active, exclude=[first], label=f"footprint_path ({mode.name})"):
+            while dr.hint(
+                path.active, exclude=[first, samples, max_depth], label=f"footprint_path ({mode.name})"
+            ):
                 si = pi.compute_surface_interaction(path.ray, mi.RayFlags.All, path.active)
                 valid = path.active & si.is_valid()
                 path.width = dr.fma(path.spread, dr.select(valid, si.t, 0), path.width)
@@ -263,7 +279,7 @@ def footprint_path_class() -> type:
 
                 # Past the last bounce a path still passes through holes, because the previous vertex's light
                 # samples did.
-                bounces = valid & (path.depth + 1 < self.max_depth)
+                bounces = valid & (path.depth + 1 < max_depth)
                 light = vertices.sample_light(si, sampler, path, bounces)
                 enters = vertices.enters(si, valid, bounces)
                 scattering = vertices.scatter(si, sampler, light, enters, primal)
@@ -279,7 +295,7 @@ def footprint_path_class() -> type:
                 after = path.scattered_by(si, scattering, bounces & ~passed, passed & may_pass, samples)
                 if dr.hint(not hittable, mode="scalar"):
                     # Nothing is left to find after the last bounce.
-                    after.active &= passed | (after.depth + 1 < self.max_depth)
+                    after.active &= passed | (after.depth + 1 < max_depth)
                 self._play_roulette(after, bounces & ~passed, sampler)
                 if dr.hint(not primal, mode="scalar"):
                     smooth = after.active & ~mi.has_flag(bs.sampled_type, mi.BSDFFlags.Delta)
@@ -324,41 +340,24 @@ def footprint_path_class() -> type:
     return FootprintPath
 
 
-class _CameraSampler:
-    """A sampler, as far as camera rays need one, of the samples of a pixel that one pass takes.
+def has_pixel_sampler(sensor: Any) -> bool:
+    """Whether `PixelSampler` takes the place of a sensor's sampler, which it is at least as good as."""
+    return bool(sensor.sampler().class_name() == "MultijitterSampler")
 
-    Its first square sample is the place in the pixel that the ray goes through.
 
-    Attributes:
-        offset: of rays from the places that samples stand for, pixels [2]; None where that is the same.
-    """
+def _border(film: Any) -> int:
+    """Pixels around a film where samples are taken too."""
+    return int(film.rfilter().border_size()) if film.sample_border() else 0
 
-    def __init__(
-        self, sampler: mi.Sampler, of_pass: int, pixel_filter: PixelFilter | None, pixel_centres: bool
-    ) -> None:
-        self._sampler = sampler
-        self._of_pass = of_pass
-        self._filter = pixel_filter
-        self._pixel_centres = pixel_centres
-        self._placed = False
-        self.offset: Vec2 | None = None
 
-    def sample_count(self) -> int:
-        return self._of_pass
+def _width(film: Any) -> int:
+    return int(film.crop_size()[0]) + 2 * _border(film)
 
-    def next_1d(self) -> Any:
-        return self._sampler.next_1d()
 
-    def next_2d(self) -> Any:
-        drawn = self._sampler.next_2d()
-        if self._placed:
-            return drawn
-        self._placed = True
-        if self._filter is not None:
-            places = self._filter.places(drawn, self._sampler.next_2d())
-            self.offset = places.offset
-            return mi.Point2f(0.5 + places.sample + places.offset)
-        return mi.Point2f(0.5) if self._pixel_centres else drawn
+def _samples_of(film: Any, spp: int) -> tuple[Any, Any]:
+    """Pixels of all samples, row by row, and their numbers within each pixel."""
+    pixels = _width(film) * (int(film.crop_size()[1]) + 2 * _border(film))
+    return InvariantDivider(spp, variant_types()).divide(dr.arange(mi.UInt32, pixels * spp))
 
 
 def _means_of_pixels(samples: list[Any], spp: int, film: Any) -> Any:
@@ -399,17 +398,16 @@ def footprint_integrator(scene: Any) -> Any:
 
 
 @contextmanager
-def bypass_film(integrator: Any) -> Iterator[None]:
-    """While nobody asks the film for what an integrator has rendered; of `footprint_path` alone."""
-    before = getattr(integrator, "skip_film", None)
-    if before is None:
-        yield
-        return
-    integrator.skip_film = True
+def with_settings(integrator: Any, **settings: Any) -> Iterator[None]:
+    """While attributes of a `footprint_path` have other values; another integrator stays as it is."""
+    before = {name: getattr(integrator, name) for name in settings if hasattr(integrator, name)}
     try:
+        for name in before:
+            setattr(integrator, name, settings[name])
         yield
     finally:
-        integrator.skip_film = before
+        for name, value in before.items():
+            setattr(integrator, name, value)
 
 
 @contextmanager

@@ -18,7 +18,7 @@ from loomlight.core.errors import InputError
 from loomlight.core.frozen import frozen, gc_paused
 from loomlight.core.pytree import leaves
 from loomlight.mitsuba.bsdf_samples import MODEL_BSDFS
-from loomlight.mitsuba.integrator import bypass_film, footprint_integrator
+from loomlight.mitsuba.integrator import footprint_integrator, with_settings
 from loomlight.mitsuba.scene_traits import is_symbolic
 
 
@@ -83,7 +83,7 @@ def _renderer(camera: int, samples: int) -> Callable[[Any, Any, Any, list[Any]],
 
     def rendered(scene: mi.Scene, integrator: Any, seed: Any, held: list[Any]) -> Any:
         del held
-        with bypass_film(integrator):
+        with with_settings(integrator, skip_film=True):
             return mi.render(scene, sensor=camera, integrator=integrator, spp=samples, seed=seed)
 
     return rendered

@@ -22,7 +22,7 @@ from loomlight.mitsuba.denoising import require_denoising
 from loomlight.mitsuba.inset import MIN_PICTURE, Inset, resized
 from loomlight.mitsuba.material import material_bsdf
 from loomlight.mitsuba.placement import Placement
-from loomlight.mitsuba.rendering import PartialPicture, Progress, filling_grid
+from loomlight.mitsuba.rendering import PartialPicture, Progress
 from loomlight.mitsuba.rendering import render as render_scene
 from loomlight.mitsuba.scenes import (
     DEFAULT_SIZE,
@@ -261,7 +261,7 @@ class RenderJob:
                 + MODEL_SECONDS[REFERENCE_MODEL].compile
                 + sample_seconds(REFERENCE_MODEL, samples)
             )
-        steps["whole"] = cost.compile + sample_seconds(model, filling_grid(max(spp, 1)) * pixels)
+        steps["whole"] = cost.compile + sample_seconds(model, max(spp, 1) * pixels)
         return steps
 
     def coarse_picture(self, size: tuple[int, int]) -> NDArray[np.float32]:
@@ -313,7 +313,7 @@ class RenderJob:
         if not isinstance(material.source, Fabric):
             raise InputError(f"inset = {self._inset} needs a fabric, and {material.source.name} is none.")
         close_up = Inset.of(material.source, shown, self._size)
-        shown.integrator.corner = close_up
+        shown.integrator.corner = close_up.corner
         return shown, close_up
 
     def _render(

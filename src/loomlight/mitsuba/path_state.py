@@ -58,7 +58,7 @@ class PathState:
         )
 
     def scattered_by(
-        self, si: mi.SurfaceInteraction3f, scattering: Any, bounced: Mask, passed: Mask, samples: int
+        self, si: mi.SurfaceInteraction3f, scattering: Any, bounced: Mask, passed: Mask, samples: Float
     ) -> PathState:
         """The path beyond a surface.
 

@@ -76,14 +76,14 @@ class FirstFootprint:
     camera: Any
     offset: Vec2 | None
     filtered_side: float
-    side: float
+    side: Float
 
     @classmethod
     def of(
-        cls, pixel_filter: PixelFilter | None, offset: Vec2 | None, camera: Any, samples: int
+        cls, pixel_filter: PixelFilter | None, offset: Vec2 | None, camera: Any, samples: Float
     ) -> FirstFootprint:
         """Footprints of rays at `offset` from their samples' places, of `samples` samples a pixel."""
-        side = samples**-0.5
+        side = dr.rsqrt(samples)
         if pixel_filter is None:
             return cls(camera, None, side, side)
         return cls(camera, offset, pixel_filter.footprint_side, side)

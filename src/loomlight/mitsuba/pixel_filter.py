@@ -154,6 +154,9 @@ class _SplattingFilm:
         gaussian = {"type": "gaussian", "stddev": deviation}
         self._rfilter = mi.load_dict({"type": "box"} if deviation is None else gaussian)
 
+    def __str__(self) -> str:
+        return str(self._film)
+
     def rfilter(self) -> Any:
         return self._rfilter
 

@@ -28,7 +28,7 @@ def pixel_cone(ray: Any) -> tuple[Any, Any]:
     return width, spread
 
 
-def opening(pdf: Any, samples: int) -> Any:
+def opening(pdf: Any, samples: Any) -> Any:
     """Angle by which a scattered sample of density `pdf` (1/sr) opens the cone, radians.
 
     One of `samples` samples stands for the solid angle 1/(samples·pdf); delta events do not open it.

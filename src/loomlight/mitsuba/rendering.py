@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -14,7 +13,7 @@ from numpy.typing import NDArray
 from loomlight.core.errors import InputError
 from loomlight.core.white_balance import white_balance as white_balance_gains
 from loomlight.mitsuba.denoising import denoised, wants_denoising
-from loomlight.mitsuba.integrator import bypass_film, footprint_integrator, is_plain
+from loomlight.mitsuba.integrator import footprint_integrator, has_pixel_sampler, is_plain, with_settings
 from loomlight.mitsuba.scene_traits import is_symbolic
 from loomlight.mitsuba.variants import choose_variant
 
@@ -24,7 +23,6 @@ WAVEFRONT = {"llvm_ad_rgb": 2**23, "cuda_ad_rgb": 2**26}
 # Passes a quarter as large cost up to a quarter more for starting each; nor do more than 64 show more.
 PASS_SAMPLES = {"llvm_ad_rgb": 2**20, "cuda_ad_rgb": 2**24}
 _MAX_PASSES = 64
-_SPREAD_OVER_PASSES = "MultijitterSampler"
 # Outside of symbolic loops, where networks are evaluated, every path's state lies in memory.
 _EVALUATED_SHARE = 8
 # Of a pixel, of pictures that guide the denoiser: edges need no more.
@@ -52,8 +50,7 @@ def render(
 
     Args:
         scene: a Mitsuba scene.
-        spp: samples a pixel, ≥ 1; rendered in passes. As many are taken as fill a grid (see `filling_grid`),
-            which may be a few more.
+        spp: samples a pixel, ≥ 1; rendered in passes that are all alike, which may take a few more.
         seed: any 32-bit number; the same seed gives the same picture, but for the order in which threads add
             samples up.
         sensor: a sensor or its index.
@@ -82,34 +79,33 @@ def render(
     in_all = min(spp, halves * sum(passes))
     totals: list[Any] = [0.0] * halves
     done = 0
-    with _apart(integrator, denoises):
-        for step in range(halves * len(passes)):
-            number, half = divmod(step, halves)
-            own_seed = _pass_seed(seed, _MAX_PASSES) if half else seed
-            with _one_of(integrator, sensor, spp, passes, number) as alone, bypass_film(integrator):
-                of_pass = _pass_seed(own_seed, number) if alone else own_seed
-                picture = mi.render(scene, sensor=sensor, integrator=integrator, spp=passes[0], seed=of_pass)
-            totals[half] = totals[half] + np.array(picture, dtype=np.float64)
-            done += passes[0]
-            if progress is not None:
-                progress(min(in_all, done), in_all)
-            if partial is not None and step + 1 < halves * len(passes):
-                partial(_exposed(sum(totals) / (step + 1), gains))
-        means = [total / len(passes) for total in totals]
-        if not denoises:
-            return _exposed(np.mean(means, axis=0), gains)
-        guides = _guides(integrator, scene, sensor, spp, seed)
-    return _exposed(denoised(means, guides), gains)
+    for step in range(halves * len(passes)):
+        number, half = divmod(step, halves)
+        own_seed = _pass_seed(seed, _MAX_PASSES) if half else seed
+        with _one_of(integrator, sensor, spp, number, denoises) as alone:
+            of_pass = _pass_seed(own_seed, number) if alone else own_seed
+            picture = mi.render(scene, sensor=sensor, integrator=integrator, spp=passes[0], seed=of_pass)
+        totals[half] = totals[half] + np.array(picture, dtype=np.float64)
+        done += passes[0]
+        if progress is not None:
+            progress(min(in_all, done), in_all)
+        if partial is not None and step + 1 < halves * len(passes):
+            partial(_exposed(sum(totals) / (step + 1), gains))
+    means = [total / len(passes) for total in totals]
+    if not denoises:
+        return _exposed(np.mean(means, axis=0), gains)
+    return _exposed(denoised(means, _guides(integrator, scene, sensor, seed)), gains)
 
 
-def _guides(integrator: Any, scene: mi.Scene, sensor: Any, spp: int, seed: int) -> NDArray[np.float32]:
+def _guides(integrator: Any, scene: mi.Scene, sensor: Any, seed: int) -> NDArray[np.float32]:
     """Pictures that guide the denoiser [height, width, 6]; see `camera_guides`."""
     width, height = (int(value) for value in sensor.film().crop_size())
     passes = _passes(_GUIDE_SAMPLES, width * height, is_symbolic(scene))
     found = []
     for number, samples in enumerate(passes):
-        with _one_of(integrator, sensor, _GUIDE_SAMPLES, passes, number) as alone:
-            of_pass = _pass_seed(seed, number) if alone else seed
+        with _one_of(integrator, sensor, _GUIDE_SAMPLES, number, True) as alone:
+            # Numbers of their own: noise that guides share with the picture would not be taken out.
+            of_pass = _pass_seed(seed, 2 * _MAX_PASSES + (number if alone else 0))
             of_lights = integrator.guides(scene, sensor, of_pass, samples, number * samples)
             found.append(np.array(of_lights, dtype=np.float32))
     return np.mean(found, axis=0)
@@ -122,65 +118,28 @@ def _exposed(linear: NDArray[np.float64], gains: NDArray[np.float64] | float) ->
 
 
 @contextmanager
-def _apart(integrator: Any, apart: bool) -> Iterator[None]:
-    """While samples count in their own pixels alone; see `PixelFilter`."""
-    if not apart:
-        yield
-        return
-    before, integrator.apart = integrator.apart, True
-    try:
-        yield
-    finally:
-        integrator.apart = before
-
-
-@contextmanager
-def _one_of(integrator: Any, sensor: Any, spp: int, passes: list[int], number: int) -> Iterator[bool]:
+def _one_of(integrator: Any, sensor: Any, spp: int, number: int, apart: bool) -> Iterator[bool]:
     """An integrator that renders one pass of a picture, and whether that needs a seed of its own.
 
-    Only `footprint_path` knows of passes, and only one sampler's samples are spread evenly over all of them.
+    Only `footprint_path` knows of passes, and only samples of `PixelSampler` are spread evenly over all.
+
+    Args:
+        apart: samples count in their own pixels alone.
     """
-    ours = hasattr(integrator, "picture_samples")
-    together = ours and sensor.sampler().class_name() == _SPREAD_OVER_PASSES
-    changed = {"picture_samples": spp} if ours else {}
-    if together:
-        changed |= {"passes": len(passes), "pass_number": number}
-    previous = {name: getattr(integrator, name) for name in changed}
-    try:
-        for name, value in changed.items():
-            setattr(integrator, name, value)
-        yield not together
-    finally:
-        for name, value in previous.items():
-            setattr(integrator, name, value)
+    alone = not (hasattr(integrator, "pass_number") and has_pixel_sampler(sensor))
+    of_pass = {"picture_samples": spp, "pass_number": 0 if alone else number}
+    with with_settings(integrator, skip_film=True, apart=apart, **of_pass):
+        yield alone
 
 
 def _passes(spp: int, pixels: int, symbolic: bool) -> list[int]:
-    """Samples of each pass: passes that fit and are short, all alike, of a grid of at least `spp` samples."""
+    """Samples of each pass: passes that fit and are short, all alike, of at least `spp` samples in all."""
     variant = choose_variant()
     wavefront = WAVEFRONT[variant] // (1 if symbolic else _EVALUATED_SHARE)
     short = max(PASS_SAMPLES[variant] // pixels, -(-spp // _MAX_PASSES))
     largest = max(1, min(wavefront // pixels, short))
-    whole = filling_grid(spp)
-    if whole <= largest:
-        return [whole]
-    # A slightly larger grid may come in fewer parts.
-    step = max(math.isqrt(spp) // 8, 1)
-    candidates = (filling_grid(count) for count in range(spp, spp + max(spp // 8, 1) + 1, step))
-    best = min(candidates, key=lambda count: (count // _divisor(count, largest), count))
-    each = _divisor(best, largest)
-    return [each] * (best // each)
-
-
-def _divisor(count: int, largest: int) -> int:
-    """The largest divisor up to a bound."""
-    return next(each for each in range(min(count, largest), 0, -1) if count % each == 0)
-
-
-def filling_grid(samples: int) -> int:
-    """The smallest count ≥ `samples` that Mitsuba's multijitter sampler can lay out as a grid."""
-    rows = math.isqrt(samples)
-    return rows * -(-samples // rows)
+    count = -(-spp // largest)
+    return [-(-spp // count)] * count
 
 
 def _pass_seed(seed: int, number: int) -> int:

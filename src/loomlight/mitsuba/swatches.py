@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import functools
 import gc
 import os
 import re
+import time
 import warnings
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
-from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -21,7 +22,7 @@ from loomlight.core.contact_sheet import Card, card_from_bytes, card_to_bytes
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.executors import Executor, Report
 from loomlight.core.images import encoded
-from loomlight.core.shards import Outcome, Shard
+from loomlight.core.shards import Outcome, Shard, ShardFolder
 from loomlight.core.work_map import work_map
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.facts import cloth_facts, repeat_text, three_digits
@@ -37,6 +38,8 @@ from loomlight.weave.drawing import draw_drawdown
 SWATCH_MM, _FLAT_MM = 25.0, 100.0
 # Threads across a drawdown: more cannot be told apart.
 _MAX_THREADS = 48
+# What is told of the cards so far takes a tenth of the time at most.
+_LOOKS_APART = 9
 Pixels = NDArray[np.uint8]
 
 
@@ -72,6 +75,7 @@ def fabric_cards(
     folder: Path,
     executor: Executor | None = None,
     report: Report = lambda done, total: None,
+    partial: Callable[[list[Card]], None] = lambda cards: None,
 ) -> list[Card]:
     """The cards of fabrics; one that cannot be used is left out with a warning.
 
@@ -80,6 +84,7 @@ def fabric_cards(
         folder: keeps the cards.
         executor: who renders; this process by default.
         report: called with (fabrics done, fabrics in all).
+        partial: called with the cards so far as they come; more seldom where it takes long.
 
     Raises:
         InputError: none can be used.
@@ -97,7 +102,22 @@ def fabric_cards(
         name = re.sub(r"[^\w.+]+", "-", Path(fabric).name)[:100]
         items.append((Shard(f"{number:05d}-{name}", identity), fabric))
         numbers.append(number)
-    outcomes |= zip(numbers, work_map(partial(_card, settings), items, folder, executor, report), strict=True)
+    shared, next_look = ShardFolder(folder, ""), 0.0
+
+    def tell(done: int, total: int) -> None:
+        nonlocal next_look
+        report(done, total)
+        begun = time.monotonic()
+        if done in (0, total) or begun < next_look:
+            return
+        found = [shared.outcome(shard) for shard, _ in items]
+        ready = [card_from_bytes(each.content) for each in found if each is not None and each.succeeded]
+        if ready:
+            partial(ready)
+        next_look = time.monotonic() + _LOOKS_APART * (time.monotonic() - begun)
+
+    results = work_map(functools.partial(_card, settings), items, folder, executor, tell)
+    outcomes |= zip(numbers, results, strict=True)
     cards = []
     for number in range(len(fabrics)):
         outcome = outcomes[number]

@@ -34,14 +34,6 @@ def layer_size(inputs: int, outputs: int) -> int:
     return _up(_up(outputs, EIGHT) // EIGHT, _PART) + _up(matrix, _PART)
 
 
-def layer_starts(sizes: Sequence[tuple[int, int]]) -> list[int]:
-    """Beginnings of layers of (inputs, outputs), one behind the other, and the end of the last one."""
-    starts = [0]
-    for inputs, outputs in sizes:
-        starts.append(starts[-1] + layer_size(inputs, outputs))
-    return starts
-
-
 def packed_numbers(numbers: NDArray[np.floating], half: bool = True) -> Elements:
     """Numbers [..., 8 n] as elements.
 

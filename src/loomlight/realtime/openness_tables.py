@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy as np
@@ -28,12 +27,6 @@ PARTS: dict[str, tuple[int, ...]] = {
     "PER_RELIEF": (1,),
     "LAYERS": (2, 2),
 }
-
-
-def first_words() -> dict[str, int]:
-    """Constants for shaders: where each part begins."""
-    sizes = [math.prod(shape) for shape in PARTS.values()]
-    return {f"OPENNESS_{name}": sum(sizes[:number]) for number, name in enumerate(PARTS)}
 
 
 def openness_parts(openness: Openness, appearance: Appearance) -> dict[str, NDArray[np.float64]]:

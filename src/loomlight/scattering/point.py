@@ -58,7 +58,6 @@ from loomlight.scattering.yarn_point import (
     to_face_frame,
 )
 from loomlight.yarn.geometry import SurfacePoint
-from loomlight.yarn.horizon import HorizonMap
 from loomlight.yarn.search import DEFAULT_QUALITY, SearchQuality, Surface
 from loomlight.yarn.visibility import first_hit, unoccluded
 
@@ -70,7 +69,6 @@ class YarnScattering:
         surface: the geometry, analytic or textures.
         appearance: what scatters.
         quality: how finely rays are searched.
-        horizon: tabulated visibility instead of the search towards the light; None is exact.
         sheen: strength and roughness, numbers or Dr.Jit scalars; None without sheen.
     """
 
@@ -79,12 +77,10 @@ class YarnScattering:
         surface: Surface,
         appearance: Appearance,
         quality: SearchQuality = DEFAULT_QUALITY,
-        horizon: HorizonMap | None = None,
     ) -> None:
         self.surface = surface
         self.appearance = appearance
         self.quality = quality
-        self.horizon = horizon
         sheen = appearance.sheen
         # None without sheen, so that it costs nothing then.
         self.sheen: tuple[Float, Float] | None = (
@@ -102,7 +98,8 @@ class YarnScattering:
                 FamilyParameters(self.appearance.weft, types),
             )
             self.between_yarns(types)
-            self.detail(types)
+            if self.varies or self.has_detail:
+                self.detail(types)
         return self._uploaded[types.Float]
 
     @property
@@ -321,12 +318,9 @@ class YarnScattering:
         """Whether nothing of the cloth hides the light from the point: Bool."""
         ray = shadow_query(self.surface, point, light)
         searched = ray.searched & active
-        if self.horizon is not None:
-            free = self.horizon.unoccluded(point.x, point.y, ray.direction, ray.back) & searched
-        else:
-            free = unoccluded(
-                self.surface, point.x, point.y, ray.height, ray.direction, ray.back, searched, self.quality
-            )
+        free = unoccluded(
+            self.surface, point.x, point.y, ray.height, ray.direction, ray.back, searched, self.quality
+        )
         return free | point.hole
 
     def evaluate(self, point: YarnPoint, light: Vec3, view: Vec3, active: Mask = True) -> Color3:

@@ -1,19 +1,16 @@
 """Tabulated visibility: the horizon of every texel of one repeat, for both faces.
 
-Cheaper than the search along the light ray, and as coarse as its grid: for repeats of moderate size seen
-from afar, and for the models that prefilter visibility. The renderer searches by default.
+As coarse as its grid: for the models that prefilter visibility. Close-ups search along the light ray.
 """
 
 from __future__ import annotations
-
-from typing import Any
 
 import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec3
-from loomlight.core.backend import ArrayTypes, array_types, minimum
+from loomlight.core.arrays import FloatType
+from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.errors import InputError
 from loomlight.yarn.search import SearchQuality, Surface
 from loomlight.yarn.visibility import horizon
@@ -56,7 +53,6 @@ class HorizonMap:
         self.sine: NDArray[np.uint8] = np.stack(
             [self._search(surface, array_types(float_type), back, quality) for back in (False, True)]
         )
-        self._uploaded: dict[FloatType, Any] = {}
 
     def _search(
         self, surface: Surface, types: ArrayTypes, back: bool, quality: SearchQuality
@@ -77,39 +73,3 @@ class HorizonMap:
             sine = tangent * dr.rsqrt(dr.fma(tangent, tangent, 1))
             parts.append(np.rint(np.clip(sine.numpy(), 0, 1) * 255).astype(np.uint8))
         return np.concatenate(parts).reshape(rows, columns, AZIMUTHS)
-
-    def unoccluded(self, x: Float, y: Float, direction: Vec3, back: Mask) -> Mask:
-        """Whether the cloth leaves the direction free at draft coordinates (millimetres): Bool.
-
-        Args:
-            direction: unit vector [3] in the frame of the face given by `back`.
-        """
-        types = array_types(x)
-        columns, rows = self.resolution
-        column = _texel(types, x / self.size[0], columns)
-        row = _texel(types, y / self.size[1], rows)
-        face = dr.select(types.Bool(back), types.UInt32(rows * columns), types.UInt32(0))
-        # Four azimuths share one word of the table.
-        turns = dr.atan2(direction.y, direction.x) * (AZIMUTHS / dr.two_pi)
-        turns = dr.select(turns < 0, turns + AZIMUTHS, turns)
-        whole = dr.floor(turns)
-        first = types.UInt32(whole) & (AZIMUTHS - 1)
-        texel = (face + row * columns + column) * (AZIMUTHS // 4)
-        table = self._table(types)
-
-        def sine_at(azimuth: Float) -> Float:
-            word = dr.gather(types.UInt32, table, texel + (azimuth >> 2))
-            return types.Float((word >> ((azimuth & 3) << 3)) & 255) * (1 / 255)
-
-        level = dr.lerp(sine_at(first), sine_at((first + 1) & (AZIMUTHS - 1)), turns - whole)
-        return (direction.z > 0) & (direction.z >= level)
-
-    def _table(self, types: ArrayTypes) -> Any:
-        if types.Float not in self._uploaded:
-            self._uploaded[types.Float] = types.UInt32(np.ascontiguousarray(self.sine).view("<u4").ravel())
-        return self._uploaded[types.Float]
-
-
-def _texel(types: ArrayTypes, turns: Float, count: int) -> UInt:
-    share = turns - dr.floor(turns)
-    return minimum(types.UInt32(share * count), count - 1)

@@ -19,11 +19,11 @@ from numpy.typing import NDArray
 from loomlight.core.arrays import UInt
 from loomlight.core.backend import ArrayTypes
 from loomlight.core.frozen import FrozenArg, FrozenFunction
+from loomlight.core.invariant_divider import InvariantDivider
 from loomlight.models.lobes.cell_kinds import CELL_COUNT, CrossingKinds, count_by_kinds
 from loomlight.models.lobes.cloth_samples import UploadedCloth
 from loomlight.models.lobes.coverage_lookup import TENT_VARIANCE
 from loomlight.models.lobes.groups import NearestGroup
-from loomlight.models.lobes.invariant_divider import InvariantDivider
 from loomlight.models.lobes.packed_uint8 import pack_count
 from loomlight.yarn.geometry import YarnGeometry
 

@@ -19,9 +19,9 @@ from numpy.typing import NDArray
 from loomlight.core.arrays import Float, Mask, UInt, Vec3
 from loomlight.core.backend import upload
 from loomlight.core.frozen import FrozenArg, FrozenFunction
+from loomlight.core.invariant_divider import InvariantDivider
 from loomlight.models.lobes.cloth_samples import FaceSamples, TopDownSamples, UploadedCloth
 from loomlight.models.lobes.hemisphere import NODES, node_directions
-from loomlight.models.lobes.invariant_divider import InvariantDivider
 from loomlight.yarn.search import SearchQuality
 from loomlight.yarn.visibility import first_hit, passes_through, unoccluded
 
