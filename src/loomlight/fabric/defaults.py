@@ -59,7 +59,7 @@ def structure_of(drawdown: NDArray[np.bool_]) -> Structure:
     of_four = of_eight = 0
     step = max(1, _CROSSINGS_AT_ONCE // ends)
     for first in range(0, picks, step):
-        near = drawdown.take(range(first - 1, min(first + step, picks) + 1), axis=0, mode="wrap")
+        near = drawdown[np.arange(first - 1, min(first + step, picks) + 1) % picks]
         here, below, above = near[1:-1], near[:-2], near[2:]
         beside = here != np.roll(here, 1, axis=1)
         same &= ~beside.any(axis=0)

@@ -45,7 +45,7 @@ def plan_drawdown(plan: LoomPlan) -> NDArray[np.bool_]:
     if all(len(shafts) <= 1 for shafts in plan.threading):
         # One shaft an end, as nearly every draft has it: copying columns spares a large product.
         padded = np.pad(moved, ((0, 0), (1, 0)))
-        on_shaft = padded[:, [max(shafts, default=0) for shafts in plan.threading]]
+        on_shaft = padded.take([max(shafts, default=0) for shafts in plan.threading], axis=1)
     else:
         on_shaft = _any_product(moved, membership(plan.threading, plan.shafts).T)
     return on_shaft if plan.rising_shed else ~on_shaft
