@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from loomlight.fabric import fabric_from_text
+from loomlight.mitsuba import camera_walk
 from loomlight.mitsuba.live import LivePicture
 from loomlight.mitsuba.material import material_bsdf
 from loomlight.mitsuba.scene_traits import SceneTraits
@@ -343,6 +344,30 @@ def test_the_shadow_of_dense_cloth_misses_less_than_a_thousandth(gap: float) -> 
     assert dark.any()
     missing = gap**2 - (under[dark] / bare[dark])
     assert missing.max() < 1e-3
+
+
+def test_roulette_of_light_through_holes_changes_no_expectation(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The floor under a sheet of which 2 % are holes, below a lamp: at one sample 5 % are the least share."""
+    flat = mi.ScalarTransform4f().translate([0, 3, 0]).rotate([1, 0, 0], 90).scale(0.1)
+    lamp = {"type": "rectangle", "to_world": flat, "emitter": {"type": "area", "radiance": 1e3}}
+    cloth = material_bsdf(fabric_from_text('weave = "plain"\ngap = 0.15'), "lobes")((200.0, 200.0))
+    scene = table(cloth, lamp)
+    integrator = mi.load_dict({"type": "footprint_path", "max_depth": 2})
+
+    def pictures() -> np.ndarray:
+        each = [np.array(mi.render(scene, integrator=integrator, spp=1, seed=seed)) for seed in range(64)]
+        return np.array(each, np.float64)[..., :3].mean(axis=-1)
+
+    gambled = pictures()
+    monkeypatch.setattr(camera_walk, "_MAX_STEP_IN_NOISE", 1e-6)
+    whole = pictures()
+    noise, least_noise = (each.std(axis=0, ddof=1) for each in (gambled, whole))
+    shadow = noise > 1.5 * least_noise
+    assert shadow.sum() > 8
+    # A pixel's deviations are independent; the mean of the shadow to four standard errors, some 10 %.
+    error = np.sqrt((noise[shadow] ** 2 + least_noise[shadow] ** 2).sum() / 64) / shadow.sum()
+    assert abs((gambled - whole).mean(axis=0)[shadow].mean()) < 4 * error
+    assert error < 0.05 * whole.mean(axis=0)[shadow].mean()
 
 
 def test_cloth_that_is_woven_anew_casts_its_own_shadow() -> None:

@@ -37,7 +37,7 @@ from loomlight.core.invariant_divider import InvariantDivider
 from loomlight.mitsuba.bsdf_samples import set_samples_per_pixel, variant_types
 from loomlight.mitsuba.camera import Corner, Pinhole
 from loomlight.mitsuba.camera_guides import camera_guides
-from loomlight.mitsuba.camera_walk import CameraWalk, HoleCrossing
+from loomlight.mitsuba.camera_walk import CameraWalk, HoleCrossing, least_share_of
 from loomlight.mitsuba.path_state import PathState
 from loomlight.mitsuba.path_vertices import MAX_PASSES, FirstFootprint, PathVertices, reflected
 from loomlight.mitsuba.pixel_filter import PixelFilter, SplattingSensor
@@ -247,13 +247,14 @@ def footprint_path_class() -> type:
             direct_only = not hittable and self.max_depth <= 2
             # Path replay follows the very paths again: there holes are left to chance.
             blends = traits.filtered_holes and not self._replays
-            vertices = PathVertices(scene, traits, direct_only, blends)
+            least_share = least_share_of(samples, hittable)
+            vertices = PathVertices(scene, traits, direct_only, blends, least_share)
 
             first = FirstFootprint.of(self._pixel_filter, self._offset, ray, samples)
             # Beyond the first scattering each of so many samples stands for its part of the pixel.
             width, spread = (part * dr.rsqrt(samples) for part in pixel_cone(ray))
             path = PathState.begin(ray, active, width, spread)
-            walk = CameraWalk.begin(path, samples) if blends else None
+            walk = CameraWalk.begin(path, least_share) if blends else None
             L = mi.Spectrum(0 if primal else state_in)
             δL = mi.Spectrum(δL if δL is not None else 0)
             passes = mi.UInt32(0)

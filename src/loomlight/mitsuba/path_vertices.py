@@ -10,7 +10,7 @@ import drjit as dr
 import mitsuba as mi
 
 from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
-from loomlight.core.backend import channel_mean, maximum
+from loomlight.core.backend import channel_mean, maximum, minimum
 from loomlight.mitsuba.bsdf_samples import FILTERS
 from loomlight.mitsuba.path_state import PathState
 from loomlight.mitsuba.pixel_filter import PixelFilter
@@ -19,9 +19,8 @@ from loomlight.mitsuba.scene_traits import SceneTraits
 
 # A ray that passes through this many holes is ended; cloth folded upon itself has a dozen.
 MAX_PASSES = 64
-# Light that comes straight from an emitter behind less transmittance than this is dropped: a third of a step
-# of 8-bit sRGB on white cloth.
-_NO_LIGHT = 1e-4
+# Less light of points and directions is left to Russian roulette: their shadows have no other noise.
+_LEAST_SHARE = 1e-4
 
 
 @dataclass
@@ -102,16 +101,20 @@ class FirstFootprint:
 class PathVertices:
     """Steps that every vertex of a path takes in one scene."""
 
-    def __init__(self, scene: Any, traits: SceneTraits, direct_only: bool, blends: bool) -> None:
+    def __init__(
+        self, scene: Any, traits: SceneTraits, direct_only: bool, blends: bool, least_share: Float
+    ) -> None:
         """
         Args:
             direct_only: paths end with the first light sample, and no drawn direction can hit an emitter.
             blends: `Scattering.through` is asked for.
+            least_share: of noisy light through holes; less is left to Russian roulette.
         """
         self._scene = scene
         self._traits = traits
         self._direct_only = direct_only
         self._blends = blends
+        self._least_share = least_share if traits.hittable_emitters else mi.Float(_LEAST_SHARE)
         self._context = mi.BSDFContext()
 
     def filters(self, si: mi.SurfaceInteraction3f) -> Mask:
@@ -155,7 +158,9 @@ class PathVertices:
         coherent = not self._traits.hittable_emitters
         if self._traits.porous_shadows:
             # Where no light arrives the BSDF need not be evaluated.
-            arriving *= _transmittance(self._scene, si, ds.p, path.width, path.spread, coherent, lit)
+            arriving *= _transmittance(
+                self._scene, si, ds.p, path, coherent, sampler.next_1d(), self._least_share, lit
+            )
             lit &= dr.max(arriving) > 0
         else:
             lit &= ~self._scene.ray_test(si.spawn_ray_to(ds.p), coherent, lit)
@@ -293,20 +298,23 @@ def _transmittance(
     scene: Any,
     si: mi.SurfaceInteraction3f,
     target: Vec3,
-    width: Float,
-    spread: Float,
+    path: PathState,
     coherent: bool,
+    number: Float,
+    least_share: Float,
     active: Mask,
 ) -> Color3:
     """Share of the light [3] that gets from `target` to `si` through the holes between them.
 
     Args:
-        width, spread: of the ray cone at `si`.
+        path: at `si`.
         coherent: neighbours' rays go much the same way.
+        number: uniform in [0, 1), for Russian roulette.
+        least_share: smaller shares are left to it.
     """
     ray = si.spawn_ray_to(target)
     active = mi.Bool(active)
-    width = mi.Float(width)
+    width, spread, number = mi.Float(path.width), path.spread, mi.Float(number)
     passes = mi.UInt32(0)
     through = mi.Spectrum(1)
     # Few rays pass through more than one hole: without symbolic loops only these are kept.
@@ -322,9 +330,12 @@ def _transmittance(
         width = dr.fma(spread, dr.select(blocked, other.t, 0), width)
         other.duv_dx, other.duv_dy = cone_partials(other, ray.d, width)
         through[blocked] = through * bsdf.eval_null_transmission(other, porous)
+        chance = minimum(dr.max(through) * dr.rcp(least_share), 1)
+        active = porous & (number < chance)
+        through[blocked] = dr.select(active, through * dr.rcp(chance), 0)
+        number *= dr.rcp(maximum(chance, 1e-8))
         ray = other.spawn_ray_to(target)
         passes += 1
-        active = porous & (dr.max(through) > _NO_LIGHT)
     return through
 
 

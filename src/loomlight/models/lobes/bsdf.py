@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
-from typing import final
+from typing import TypeVar, final
 
 import drjit as dr
 
@@ -30,6 +30,7 @@ from loomlight.yarn.visibility import first_hit
 
 # Smallest sum of the groups' weights; a view that sees no group sees holes alone.
 MIN_GROUP_WEIGHT = 1e-12
+Parts = TypeVar("Parts", Albedos, Components)
 
 
 @dataclass
@@ -123,7 +124,7 @@ class LobesBsdf(FilteredBsdf):
             point = surface.surface(x, y, back)
             hair = model.hair(x, y, back, size)
             warp, weft = (
-                _lerp_albedos(
+                _lerp(
                     family,
                     model.varied(point, family, x, y, back, size, hair),
                     dr.select(is_family, weight, 0),
@@ -209,7 +210,7 @@ class LobesBsdf(FilteredBsdf):
         )
         hole = dr.lerp(points.hole, hole, weight)
         return [
-            (Evaluation(_lerp_components(sampled, sums.components, weight), hole, points.blocked), sums)
+            (Evaluation(_lerp(sampled, sums.components, weight), hole, points.blocked), sums)
             for sampled, sums in zip(points.components, prefiltered, strict=True)
         ]
 
@@ -242,7 +243,7 @@ class LobesBsdf(FilteredBsdf):
                         added[index] = added[index] + dr.select(pack.is_warp, part, 0)
                         added[index + 1] = added[index + 1] + dr.select(pack.is_warp, 0, part)
                 if mixture is not None:
-                    added[first + 6] = added[first + 6] + sum(packs_density(packs, mixture, light, at.view))
+                    added[first + 6] = added[first + 6] + packs_density(packs, mixture, light, at.view)
             return pair + 1, total + sum(sum(pack.weights) for pack in packs), weight_sum, *added
 
         width = dr.width(self.view, list(lights), self.footprint.centre, self.footprint.duv_dx)
@@ -265,20 +266,7 @@ class LobesBsdf(FilteredBsdf):
         return hole, results
 
 
-def _lerp_albedos(first: Albedos, second: Albedos, weight: Float) -> Albedos:
-    return Albedos(
-        dr.lerp(first.diffuse_reflect, second.diffuse_reflect, weight),
-        dr.lerp(first.diffuse_transmit, second.diffuse_transmit, weight),
-        dr.lerp(first.specular_reflect, second.specular_reflect, weight),
-        dr.lerp(first.specular_transmit, second.specular_transmit, weight),
-    )
-
-
-def _lerp_components(first: Components, second: Components, weight: Float) -> Components:
-    return Components(
-        dr.lerp(first.diffuse_warp, second.diffuse_warp, weight),
-        dr.lerp(first.diffuse_weft, second.diffuse_weft, weight),
-        dr.lerp(first.specular_warp, second.specular_warp, weight),
-        dr.lerp(first.specular_weft, second.specular_weft, weight),
-        dr.lerp(first.light_visibility, second.light_visibility, weight),
-    )
+def _lerp(first: Parts, second: Parts, weight: Float) -> Parts:
+    """Between two dataclasses of numbers or colours."""
+    names = (field.name for field in fields(first))
+    return type(first)(*(dr.lerp(getattr(first, name), getattr(second, name), weight) for name in names))

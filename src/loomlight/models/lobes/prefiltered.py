@@ -127,7 +127,7 @@ class PrefilteredLobes:
     ) -> SeenPack:
         types = self._types
         is_warp = pack < dr.select(at.back, self._warp_packs[1], self._warp_packs[0])
-        roughness = dr.select(is_warp, *self._roughness)
+        roughness = self.roughness(is_warp)
         row = (dr.select(at.back, self._packs, 0) + pack) * (4 * MOMENTS // _PACKET)
         numbers: list[Float] = []
         for part in range(4 * MOMENTS // _PACKET):
@@ -142,6 +142,10 @@ class PrefilteredLobes:
             zz = 1 - dr.squared_norm(tangent) - xx - yy
             lobes.append(GroupLobe(types.Vector3(x, y, z), tangent, xx, yy, zz, xy, xz, yz, roughness))
         return SeenPack(is_warp, weights, lobes)
+
+    def roughness(self, is_warp: Mask) -> Float:
+        """α of the warp where `is_warp`, else of the weft."""
+        return dr.select(is_warp, *self._roughness)
 
     def light_nodes(self, at: TableLookup, light: Vec3) -> NodeTaps:
         """Nodes around a light [3] in the frame of the face seen, in the tables of its side."""

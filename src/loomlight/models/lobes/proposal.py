@@ -15,7 +15,6 @@ import drjit as dr
 
 from loomlight.core.arrays import Array, Float, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import array_types, channel_mean, maximum, minimum
-from loomlight.models.lobes.density import GroupLobe
 from loomlight.models.lobes.prefiltered import PrefilteredLobes, SeenPack, TableLookup
 from loomlight.models.separable import FamilyAlbedos
 from loomlight.scattering.appearance import Sheen
@@ -110,20 +109,18 @@ def total_weight(packs: list[SeenPack], mixture: Mixture) -> Float:
     return total
 
 
-def packs_density(packs: list[SeenPack], mixture: Mixture, light: Vec3, view: Vec3) -> list[Float]:
-    """Each pack's part of the density, 1/sr, not divided by the total weight of all groups."""
-    densities = []
+def packs_density(packs: list[SeenPack], mixture: Mixture, light: Vec3, view: Vec3) -> Float:
+    """The packs' part of the density, 1/sr, not divided by the total weight of all groups."""
+    total: Float = 0
     for pack in packs:
         lobe_weights = mixture.family(pack.is_warp)
-        total: Float = 0
         for weight, lobe in zip(pack.weights, pack.lobes, strict=True):
-            tangent, roughness, normal = _frame(_GroupFrame.of(lobe))
+            tangent, roughness, normal = _frame(lobe.tangent, lobe.normal, lobe.roughness)
             part = lobe_weights.specular * pdf_specular(light, view, tangent, roughness)
             part += lobe_weights.reflect * diffuse_pdf(light, normal, mixture.blend)
             part += lobe_weights.transmit * diffuse_pdf(-light, normal, mixture.blend)
             total = total + weight * part
-        densities.append(total)
-    return densities
+    return total
 
 
 def density(
@@ -165,7 +162,7 @@ def draw(
     to_groups = (rest - COSINE_PROBABILITY) / (1 - COSINE_PROBABILITY)
     drawn = _draw_group(lobes, at, mixture, to_groups)
     has_groups = drawn.weight_sum > MIN_WEIGHT
-    tangent, roughness, normal = _frame(drawn.frame)
+    tangent, roughness, normal = _frame(drawn.tangent, drawn.normal, lobes.roughness(drawn.is_warp))
     lobe_weights = mixture.family(drawn.is_warp)
     aim = drawn.rest * lobe_weights.total
     light = sample_specular(view, tangent, roughness, u)
@@ -187,35 +184,17 @@ def _cosine_probability(weight_sum: Float) -> Float:
 
 
 @dataclass
-class _GroupFrame:
-    """The moments of a group that its sampling lobes need, kept while groups are visited.
-
-    Attributes:
-        tangent, normal: means over the group [3].
-        variance: trace of the covariance of the fibre direction.
-        roughness: α of its family.
-    """
-
-    tangent: Vec3
-    normal: Vec3
-    variance: Float
-    roughness: Float
-
-    @classmethod
-    def of(cls, lobe: GroupLobe) -> _GroupFrame:
-        return cls(lobe.tangent, lobe.normal, lobe.xx + lobe.yy + lobe.zz, lobe.roughness)
-
-
-@dataclass
 class _DrawnGroup:
     """A group that was drawn.
 
     Attributes:
+        tangent, normal: means over the group [3].
         weight_sum: sum of the mixture weights of all groups.
         rest: uniform number in [0, 1), rescaled from the choice.
     """
 
-    frame: _GroupFrame
+    tangent: Vec3
+    normal: Vec3
     is_warp: Mask
     weight_sum: Float
     rest: Float
@@ -230,7 +209,7 @@ def _draw_group(lobes: PrefilteredLobes, at: TableLookup, mixture: Mixture, choi
     types = array_types(at.view.x)
 
     def visit(pair: UInt, rest: Float, weight_sum: Float, *reservoir: Array) -> tuple[Array, ...]:
-        is_warp, *frame = reservoir
+        is_warp, tangent, normal = reservoir
         for pack in lobes.seen_packs(at, pair):
             family_weight = mixture.family(pack.is_warp).total
             for weight, lobe in zip(pack.weights, pack.lobes, strict=True):
@@ -244,16 +223,9 @@ def _draw_group(lobes: PrefilteredLobes, at: TableLookup, mixture: Mixture, choi
                 )
                 rest = dr.select(own > 0, minimum(quotient, dr.one_minus_epsilon(types.Float)), rest)
                 is_warp = dr.select(takes, pack.is_warp, is_warp)
-                candidate = _GroupFrame.of(lobe)
-                frame = [
-                    dr.select(takes, mine, theirs)
-                    for mine, theirs in zip(
-                        (candidate.tangent, candidate.normal, candidate.variance, candidate.roughness),
-                        frame,
-                        strict=True,
-                    )
-                ]
-        return pair + 1, rest, weight_sum, is_warp, *frame
+                tangent = dr.select(takes, lobe.tangent, tangent)
+                normal = dr.select(takes, lobe.normal, normal)
+        return pair + 1, rest, weight_sum, is_warp, tangent, normal
 
     width = dr.width(choice, at.view, at.coverage.nodes)
     start = (
@@ -263,17 +235,16 @@ def _draw_group(lobes: PrefilteredLobes, at: TableLookup, mixture: Mixture, choi
         dr.full(types.Bool, False, width),
         types.Vector3(0, 1, 0),
         types.Vector3(0, 0, 1),
-        dr.full(types.Float, 0, width),
-        dr.full(types.Float, 1, width),
     )
-    _, rest, weight_sum, is_warp, *frame = dr.while_loop(
+    _, rest, weight_sum, is_warp, tangent, normal = dr.while_loop(
         start, lambda pair, *reservoir: pair < lobes.pairs, visit, label="lobes: draw a group"
     )
-    return _DrawnGroup(_GroupFrame(*frame), is_warp, weight_sum, rest)
+    return _DrawnGroup(tangent, normal, is_warp, weight_sum, rest)
 
 
-def _frame(group: _GroupFrame) -> tuple[Vec3, Float, Vec3]:
-    """Unit fibre direction, roughness of the group as a whole, and unit normal."""
-    width = dr.sqrt(maximum(0.5 * group.variance, 0))
-    roughness = minimum(dr.fma(SPREAD_WIDTH, width, group.roughness), 1)
-    return dr.normalize(group.tangent), roughness, dr.normalize(group.normal)
+def _frame(tangent: Vec3, normal: Vec3, roughness: Float) -> tuple[Vec3, Float, Vec3]:
+    """Unit fibre direction, roughness of a group as a whole, and unit normal."""
+    # Fibre directions are of unit length: what their mean lacks of it is the trace of their covariance.
+    width = dr.sqrt(maximum(0.5 * (1 - dr.squared_norm(tangent)), 0))
+    roughness = minimum(dr.fma(SPREAD_WIDTH, width, roughness), 1)
+    return dr.normalize(tangent), roughness, dr.normalize(normal)
