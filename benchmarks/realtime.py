@@ -11,7 +11,7 @@ Counts are of the exported CUDA library, which slangc makes of the same Slang: i
 with numbers that count every operation that is executed (`realtime_counts.cpp`), and runs the footprints
 and directions of such frames. Networks that are trained for one source have random weights, of which counts
 do not depend: `neumip` with textures of 64 texels and all of its networks, `latent` with 128 texels and each
-decoder. `clustered, 2 points` is `cloth_estimate`. Integer operations are not counted. Bytes are those of
+decoder. `clustered, 2 texels` is `cloth_estimate`. Integer operations are not counted. Bytes are those of
 tables: loaded, and of the 32-byte sectors that a workgroup of 8 × 8 pixels touches, which caches deliver;
 memory delivers each table once a frame, as all tables fit into a cache of some megabytes, and 24 bytes a
 pixel. From the counts follow what 60 frames a second take, and the time on an RTX 4090's published peaks
@@ -90,7 +90,7 @@ def _materials(fabric: Fabric) -> dict[str, tuple[str, Material, bool]]:
         "point": ("point", fabric, False),
         "neural": ("neural", fabric, False),
         "clustered": ("clustered", clustered, False),
-        "clustered, 2 points": ("clustered", clustered, True),
+        "clustered, 2 texels": ("clustered", clustered, True),
         "neumip": ("neumip", random_neumip(fabric), False),
         **{f"latent {name}": ("latent", random_latent(fabric, name), False) for name in DECODERS},
     }

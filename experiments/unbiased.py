@@ -5,8 +5,8 @@
 A case is a fabric (of the 24 held-out ones), a light, a view and a parallelogram of a quarter thread to
 four repeats, up to three times as long as wide. Reflection and transmission, both faces. The reference
 draws uniform points in the parallelogram and follows each view and shadow ray exactly
-(`experiments/reference.py`). With `--aligned` the parallelograms are rectangles along the threads: of others
-`clustered` keeps mean and covariance, not the shape, and its expectation is another footprint's.
+(`experiments/reference.py`). With `--aligned` the parallelograms are rectangles along the threads. Of models
+that estimate a surface of their own, as `clustered`, the means are others.
 
 Models may draw points themselves, by numbers that they make of what they are asked. Moving a footprint by
 whole repeats leaves its integral as it is, changing its edges by a hundred-thousandth as good as does, and

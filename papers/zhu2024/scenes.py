@@ -24,8 +24,10 @@ from loomlight.mitsuba import ClothMesh, cloth_shapes, material_bsdf
 from loomlight.mitsuba.lights import environment_dict, light_dicts
 from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.mitsuba.scene_props import ball, ground
+from loomlight.mitsuba.scenes import BsdfFactory
+from loomlight.models.clustered.model import ClusteredModel
 from papers.composed_scenes import Composition, composed_scene
-from papers.setting import Setting
+from papers.setting import CLUSTERED, POINT, Setting
 from papers.zhu2024 import cloth_pieces
 
 Vector = tuple[float, float, float]
@@ -231,11 +233,23 @@ def table_scene(
     setting: Setting,
     model: str,
     pixel_centres: bool = False,
+    controlled: bool = True,
 ) -> MeasuredScene:
     """The scene with every fabric by one model.
+
+    Args:
+        controlled: False shows what the model estimates by independent points: `clustered` without its base,
+            a texel a sample, and the point model in the place of every other.
 
     Raises:
         InputError: an unknown model, or one that does not take a fabric.
     """
-    bsdfs = [material_bsdf(table_fabric(fabric), model) for _, fabric in scene.pieces]
+    make = material_bsdf if controlled else _independent_points
+    bsdfs = [make(table_fabric(fabric), model) for _, fabric in scene.pieces]
     return composed_scene(table_composition(scene, setting.environment), bsdfs, setting.size, pixel_centres)
+
+
+def _independent_points(fabric: Fabric, model: str) -> BsdfFactory:
+    if model != CLUSTERED:
+        return material_bsdf(fabric, POINT)
+    return material_bsdf(ClusteredModel.for_source(fabric, samples=1).without_control())

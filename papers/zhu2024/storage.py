@@ -22,6 +22,7 @@ from loomlight.fabric import load_fabric
 from loomlight.models.clustered.clusters import label_texels
 from loomlight.models.clustered.density_tables import densities, density_tables
 from loomlight.models.clustered.features import FeatureMaps, feature_maps, texel_counts
+from loomlight.models.clustered.gaussians import fitted_gaussians
 from loomlight.models.clustered.square_map import BINS, bin_centres
 from loomlight.yarn.geometry import YarnGeometry
 
@@ -51,10 +52,11 @@ def of_fabric(name: str, options: Namespace) -> Figures:
     geometry, appearance = YarnGeometry(fabric.layout()), fabric.appearance()
     roughness = appearance.warp.roughness, appearance.weft.roughness
     maps = feature_maps(geometry, texel_counts(geometry, _TEXELS), Float)
+    lobes = fitted_gaussians(maps.horizon, Float).lobes
     columns, rows = texel_counts(geometry, _STORED)
     found: Figures = {}
     for clusters in map(int, options.clusters.split(",")):
-        labels = label_texels(maps, clusters)
+        labels = label_texels(maps, lobes, clusters)
         for rank in map(int, options.ranks.split(",")):
             tables = density_tables(labels, maps.tangent, roughness, clusters, rank)
             texels = 2 * columns * rows

@@ -15,7 +15,7 @@ from unittest.mock import patch
 
 import numpy as np
 import pytest
-from drjit.llvm import Array2f, Array3f, Float
+from drjit.llvm import Array2f, Array3f, Float, UInt32
 
 from benchmarks.counted_library import CountedLibrary, queries_of
 from loomlight.core.footprint import Footprint
@@ -139,7 +139,7 @@ def test_cuda_text_computes_what_the_model_computes(model: str) -> None:
 
 @pytest.mark.slow
 def test_estimates_of_clustered_are_unbiased() -> None:
-    """Means of exported estimates of a few footprints, against means of exact points of them."""
+    """Means of exported estimates of a few footprints, against those of texels alone in Python."""
     model = test_clustered.model_of(1)
     rng = np.random.default_rng(6)
     count, seeds = 6, 4000
@@ -153,13 +153,14 @@ def test_estimates_of_clustered_are_unbiased() -> None:
     asked["seed"] = rng.integers(1, 2**32, len(asked), dtype=np.uint32)
     library = CountedLibrary(model, "clustered", estimates=True)
     found = library.answers(asked)[0].reshape(count, seeds, 4)
-    places = rng.uniform(-0.5, 0.5, (count * seeds, 2))
-    rows[0] = np.float32(rows[0] + places[:, :1] * rows[1] + places[:, 1:] * rows[2])
-    of_points = Footprint(*(Array2f(*np.ascontiguousarray(part.T)) for part in rows[:3]))
-    at = make_model("point", model.fabric).at(Array3f(*np.ascontiguousarray(rows[4].T)), of_points)
+    footprint = Footprint(*(Array2f(*np.ascontiguousarray(part.T)) for part in rows[:3]))
+    seed = UInt32(rng.integers(0, 2**32, len(asked), dtype=np.uint32))
+    at = model.without_control().at(Array3f(*np.ascontiguousarray(rows[4].T)), footprint, seed=seed)
     exact = np.array(at.value(Array3f(*np.ascontiguousarray(rows[3].T)))).T.reshape(count, seeds, 3)
     error = np.sqrt(exact.var(axis=1) + found[..., :3].var(axis=1)) / np.sqrt(seeds)
-    z = (found[..., :3].mean(axis=1) - exact.mean(axis=1)) / np.maximum(error, 1e-7)
+    # Where texels hardly differ, g++ and LLVM round differently.
+    error = np.maximum(error, 1e-4 * exact.mean(axis=1) + 1e-7)
+    z = (found[..., :3].mean(axis=1) - exact.mean(axis=1)) / error
     assert np.abs(z).max() < 4  # of 18, three times in 1000
 
 

@@ -43,6 +43,10 @@ require_llvm()
 # The bound on the overall error of the network that ships; what 32 samples stay below.
 MAX_ERROR = 0.2
 
+# Of models that estimate a surface of their own: on that of `clustered` no yarn hides another, or a hole,
+# from oblique views, and each footprint has one offset of parallax (zhu2024 5.2).
+OWN_SURFACE = 2
+
 # Options of the cheapest bake: the contract holds for any.
 CHEAPEST = {"clustered": {"clusters": 4, "texels": 32}}
 
@@ -265,7 +269,7 @@ def test_both_faces_and_both_sides_are_the_cloths(name: str, cloth: str) -> None
         holes.append(error[5])
         if light[2] * view[2] > 0:
             # Elsewhere there is no sheen, which alone needs it.
-            assert error[4] < MAX_ERROR * truth[4]
+            assert error[4] < (OWN_SURFACE if model.estimates else 1) * MAX_ERROR * truth[4]
         if model.filters and not model.estimates:
             # Each large footprint by itself, against its own box. (One estimate alone is noise; its mean is
             # above, and experiments/unbiased.py tests single footprints.)
@@ -273,7 +277,7 @@ def test_both_faces_and_both_sides_are_the_cloths(name: str, cloth: str) -> None
             assert np.abs(actual[:200, :4] - boxes).sum() < 2 * MAX_ERROR * boxes.sum()
     assert np.sum(errors) < MAX_ERROR * np.sum(truths), (errors, truths)
     # Of all rays. The network that ships misses a third of the holes of plain cloth with gaps of 0.3.
-    assert np.mean(holes) < 0.04
+    assert np.mean(holes) < (OWN_SURFACE if model.estimates else 1) * 0.04
 
 
 def in_the_order_of_parts(means: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -305,7 +309,8 @@ def test_sheen_is_scaled_by_what_light_reaches_and_by_holes(name: str) -> None:
         seed=1,
     )
     true_scale = exact.light_visibility + exact.hole
-    assert abs((lobe * (scale - true_scale))[near].sum()) < 0.1 * (lobe * true_scale)[near].sum()
+    bound = 0.1 * (OWN_SURFACE if model_class(name).estimates else 1)
+    assert abs((lobe * (scale - true_scale))[near].sum()) < bound * (lobe * true_scale)[near].sum()
 
 
 @every_fabric

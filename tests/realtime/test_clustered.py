@@ -1,14 +1,12 @@
 """The model clustered in Slang against Dr.Jit: base and residual of whole queries, and the mean of frames.
 
-The bar is that of `queries.py`. Footprints end at whole texels, and points of the residual meet edges of
-yarns: rounding decides a few queries otherwise.
+The bar is that of `queries.py`. Footprints end at whole texels: rounding decides a few queries otherwise.
 
 Covers: realtime/clustered_tables.py
 """
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -21,7 +19,6 @@ from loomlight.core.llvm import llvm_float, require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.clustered.model import ClusteredModel
 from loomlight.models.clustered.tables import bake_tables
-from loomlight.models.samples import SampledModel
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
 from loomlight.realtime.tables import Packed, pack_fabrics
 from loomlight.yarn.geometry import YarnGeometry
@@ -31,7 +28,7 @@ from tests.realtime.queries import directions, share_beyond, vectors
 
 require_llvm()
 COUNT = 4096
-# Of two points and a box: each may fall on another side of an edge.
+# Of two texels and a box: each may fall on another side of an edge.
 MAX_FLIPS = 4e-3
 # Open cloth, whose threads differ in tone, under a sheen.
 FABRIC = fabric_from_text(
@@ -42,13 +39,12 @@ FABRIC = fabric_from_text(
 
 @cache
 def model_of(rank: int) -> ClusteredModel:
-    """Small tables, with random trust in place of what views would find."""
+    """Small tables."""
     fabric = FABRIC
     appearance = fabric.appearance()
     roughness = appearance.warp.roughness, appearance.weft.roughness
     tables = bake_tables(YarnGeometry(fabric.layout()), roughness, 8, rank, llvm_float(), 32)
-    trust = np.random.default_rng(1).uniform(0.5, 1, tables.trust.shape)
-    return ClusteredModel(fabric, replace(tables, trust=np.float32(trust)), 2, 0, 32)
+    return ClusteredModel(fabric, tables, 2, 32)
 
 
 def packed(model: ClusteredModel) -> Packed:
@@ -78,7 +74,7 @@ def queries() -> dict[str, NDArray[np.generic]]:
 @pytest.mark.slow
 @pytest.mark.parametrize(("rank", "samples"), [(0, 0), (1, 0), (3, 0), (1, 2)])
 def test_queries_of_clustered(rank: int, samples: int) -> None:
-    """The base alone, its densities compressed to several ranks, and with two points of the residual."""
+    """The base alone, its densities compressed to several ranks, and with two texels of the residual."""
     model = with_samples(model_of(rank), samples)
     rows = queries()
     footprint = Footprint(*(pairs(rows[name]) for name in ("centre", "dx", "dy")))
@@ -96,7 +92,7 @@ def test_queries_of_clustered(rank: int, samples: int) -> None:
 
 
 @pytest.mark.slow
-def test_passes_of_a_frame_tend_to_the_point_model() -> None:
+def test_passes_of_a_frame_tend_to_the_surface() -> None:
     """A pixel of a millimetre from above, in which light and view are those of the frame."""
     towards = np.float32([0.5, 0.3, 0.8]) / np.linalg.norm([0.5, 0.3, 0.8])
     field = 2 * np.degrees(np.arctan(0.5 * 1e-3 / 0.02))
@@ -105,10 +101,12 @@ def test_passes_of_a_frame_tend_to_the_point_model() -> None:
     light = DirectionalLight(towards, (1.0, 1.0, 1.0))
     camera = Camera((0, 0, 0.02), field_of_view=float(field))
     found = renderer.render(camera, [light], passes=512, background=(0, 0, 0)).linear[0, 0]
+    many = 4096
     edges = pairs(np.float32([[1, 0]])), pairs(np.float32([[0, 1]]))
     footprint = Footprint(pairs(np.float32([[50, 50]])), *edges)
-    at = SampledModel.for_source(FABRIC, 4096).at(vectors(np.float32([[0, 0, 1]])), footprint)
-    expected = np.array(at.value(vectors(towards[None])))[:, 0]
-    # Means of 1024 points, whose spread the base takes in part.
+    seed = UInt(np.random.default_rng(2).integers(0, 2**32, many, dtype=np.uint32))
+    at = model_of(1).at(vectors(np.float32([[0, 0, 1]])), footprint, seed=seed)
+    expected = np.array(at.value(vectors(towards[None]))).mean(axis=1)
+    # Means of 1024 texels, whose spread the base takes in part.
     np.testing.assert_allclose(found[:3], expected, rtol=0.05)
     assert found[3] == pytest.approx(1 - float(np.array(at.null_transmission)[0]), abs=0.02)

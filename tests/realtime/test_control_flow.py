@@ -27,7 +27,7 @@ BOUNDS = {
     "next_layer": 3,
     "raster_fragment": 0,
     "raster_vertex": 0,
-    "shade_clustered": 41,
+    "shade_clustered": 14,
     "shade_latent": 7,
     "shade_lobes": 63,
     "shade_neumip": 7,

@@ -20,9 +20,10 @@ from loomlight.core import footprint as core_footprint
 from loomlight.models import between_yarns, random_numbers, textured_model
 from loomlight.models.clustered import base as cluster_base
 from loomlight.models.clustered import bsdf as cluster_bsdf
+from loomlight.models.clustered import gaussians as cluster_gaussians
+from loomlight.models.clustered import parallax as cluster_parallax
 from loomlight.models.clustered import square_map
 from loomlight.models.clustered import tables as cluster_tables
-from loomlight.models.clustered import visibility_tables as cluster_visibility
 from loomlight.models.latent import networks as latent_networks
 from loomlight.models.lobes import (
     accumulation,
@@ -100,7 +101,14 @@ MODULES: dict[str, tuple[ModuleType, ...]] = {
         visibility_tables,
     ),
     "ALBEDO_": (footprint_albedos,),
-    "CLUSTERED_": (cluster_base, cluster_bsdf, cluster_tables, cluster_visibility, square_map),
+    "CLUSTERED_": (
+        cluster_base,
+        cluster_bsdf,
+        cluster_gaussians,
+        cluster_parallax,
+        cluster_tables,
+        square_map,
+    ),
     "GROUP_": (density,),
     "LATENT_": (latent_networks,),
     "MIXTURE_": (lobe_mixture,),

@@ -68,7 +68,7 @@ MODELS: dict[str, ModelEntry] = {
         "loomlight.models.clustered.model",
         "ClusteredModel",
         "woven_clustered",
-        "the point model, unbiased from few samples (Zhu et al. 2024)",
+        "maps of texels by clustered control variates (Zhu et al. 2024)",
     ),
     "neumip": ModelEntry(
         "loomlight.models.neumip.model",

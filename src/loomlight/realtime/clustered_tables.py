@@ -27,14 +27,14 @@ def pack_clustered(
     columns, rows = baked.counts
     width, height = model.source.repeat_mm
     sums = [
-        summed_areas(labels, coefficients, baked.clusters)
-        for labels, coefficients in zip(baked.labels, baked.coefficients, strict=True)
+        summed_areas(*face, baked.clusters)
+        for face in zip(baked.labels, baked.coefficients, baked.parallax, strict=True)
     ]
     values: dict[str, float] = {
         "is_baked": 1,
         "clusters": baked.clusters,
         "rank": baked.rank,
-        "channels": baked.clusters * (1 + baked.rank),
+        "channels": sums[0].shape[2],
         "columns": columns,
         "rows": rows,
         "texel_width": width / columns,
@@ -45,9 +45,8 @@ def pack_clustered(
         "coefficients": words.add(packed_bytes(baked.coefficients)),
         "basis": words.add(baked.basis),
         "moments": words.add(baked.moments),
+        "texels": words.add(baked.texels),
         "light": words.add(baked.light),
-        "view": words.add(baked.view),
-        "offset": words.add(baked.offset),
-        "trust": words.add(baked.trust),
+        "heights": words.add(baked.heights),
     }
     fill(record["clustered"], values)

@@ -1,4 +1,4 @@
-"""A baked model with other numbers of points: tests of each share the tables."""
+"""A baked model with another number of texels: tests of each share the tables."""
 
 from __future__ import annotations
 
@@ -7,10 +7,8 @@ from copy import copy
 from loomlight.models.clustered.model import ClusteredModel
 
 
-def with_samples(model: ClusteredModel, samples: int, texel_samples: int | None = None) -> ClusteredModel:
-    """The model with other numbers of points; None leaves that of the texels."""
+def with_samples(model: ClusteredModel, samples: int) -> ClusteredModel:
+    """The model with another number of texels of the residual."""
     made = copy(model)
     made.samples = samples
-    if texel_samples is not None:
-        made.texel_samples = texel_samples
     return made

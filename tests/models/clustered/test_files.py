@@ -5,14 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from loomlight.assets.loom_file import read_loom, write_loom
 from loomlight.cli.main import run
 from loomlight.core.llvm import require_llvm
 from loomlight.models.clustered import model as clustered_model
-from loomlight.models.clustered.visibility_tables import VIEW_BINS
 
 require_llvm()
 
@@ -23,9 +21,7 @@ SHOW = ["render", "cloth.loom", "-o", "cloth.png"]
 
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """An empty working folder; coefficients of control variates are not searched."""
-    ones = np.ones((2, VIEW_BINS**2, 2), np.float32)
-    monkeypatch.setattr(clustered_model, "trust_by_view", lambda *_: (ones, ones))
+    """An empty working folder."""
     monkeypatch.chdir(tmp_path)
     return tmp_path
 

@@ -52,7 +52,7 @@ export const RECORDS = {
     },
   },
   Fabric: {
-    words: 127,
+    words: 126,
     fields: {
       "warp": [0, "uint"],
       "weft": [1, "uint"],
@@ -177,10 +177,9 @@ export const RECORDS = {
       "clustered.coefficients": [120, "uint"],
       "clustered.basis": [121, "uint"],
       "clustered.moments": [122, "uint"],
-      "clustered.light": [123, "uint"],
-      "clustered.view": [124, "uint"],
-      "clustered.offset": [125, "uint"],
-      "clustered.trust": [126, "uint"],
+      "clustered.texels": [123, "uint"],
+      "clustered.light": [124, "uint"],
+      "clustered.heights": [125, "uint"],
     },
   },
   Light: {
@@ -536,11 +535,18 @@ export const CLUSTERED_MIN_DEPTH = 0.001;
 // models.clustered.bsdf
 export const CLUSTERED_POINT_SEED_STEP = 1663821227;
 
+// models.clustered.gaussians
+export const CLUSTERED_LOBE_NUMBERS = 9;
+
+// models.clustered.parallax
+export const CLUSTERED_PARALLAX_BINS = 16;
+export const CLUSTERED_PARALLAX_RANK = 4;
+export const CLUSTERED_MIN_VIEW_COSINE = 0.6;
+
 // models.clustered.tables
 export const CLUSTERED_NUMBERS = 8;
-
-// models.clustered.visibility_tables
-export const CLUSTERED_VIEW_BINS = 16;
+export const CLUSTERED_TEXEL_NUMBERS = 12;
+export const CLUSTERED_NORMAL_UNIT = 0.007874015748031496;
 
 // models.clustered.square_map
 export const CLUSTERED_BINS = 32;

@@ -1,18 +1,17 @@
-"""The base term: a known function of the texel whose sum over footprints is known (zhu2024 eq. 8 to 11).
+"""The surface of texels, and its base, whose sum over footprints is known (zhu2024 eq. 8 to 11).
 
-On the texel p of cluster c, with light i, view o and half vector h, at albedo 1 and cosine included:
+On the texel p of cluster c, with light i, view o and half vector h, at albedo 1, cosine included, the surface
+has
 
-    specular   m_c(o) v̄_c(i) A_c(i, o) D(p, h)
-    diffuse    m_c(o) ((1 − w) |i_z| v̄_c(i) + w n̄_c(i)) / π
-    lit        m_c(o) v̄_c(i)
+    specular   V(p, i) A_c(i, o) D(p, h)
+    diffuse    V(p, i) ((1 − w) |i_z| + w ⟨n_p·i⟩) / π
+    lit        V(p, i)
 
-v̄_c is the share of the cluster that the light reaches, n̄_c the mean over it of that times the cosine with the
-yarn's normal, and A_c the attenuation of the fibre layer at the mean normal and fibre direction of the
-cluster. m_c is the cluster's share of view rays over its share of texels: the paper looks at all texels
-alike. In holes the base is 0.
-Light from the other side has the same form, with v̄_c and n̄_c of the other face.
-
-Whatever these functions are, base plus residual is exact: they decide about noise alone.
+V is the texel's lobe of visibility, D its fibre density, A_c the attenuation of the fibre layer at the mean
+normal and fibre direction of the cluster (eq. 9 and 10). The base has v̄_c(i), the mean of V over the
+cluster, in the place of V, and n_p·i of either sign; its sums over footprints are those of summed-area
+tables. In holes both are 0.
+Light from the other side has the same form, with the visibility of the other face.
 """
 
 from __future__ import annotations
@@ -22,13 +21,14 @@ from typing import Any
 
 import drjit as dr
 
-from loomlight.core.arrays import Array, Float, Mask, UInt, Vec2, Vec3
+from loomlight.core.arrays import Array, Float, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, maximum, minimum, upload
-from loomlight.models.clustered.footprint_sums import FootprintSums
+from loomlight.core.footprint import Footprint
+from loomlight.models.clustered.footprint_sums import FootprintBox, FootprintSums
+from loomlight.models.clustered.gaussians import LOBE_NUMBERS, lobe_value
+from loomlight.models.clustered.parallax import PARALLAX_BINS, parallax_offset
 from loomlight.models.clustered.square_map import BINS, BinTaps, bin_taps
-from loomlight.models.clustered.tables import NUMBERS, ClusterTables
-from loomlight.models.clustered.texels import TexelModel
-from loomlight.models.clustered.visibility_tables import VIEW_BINS
+from loomlight.models.clustered.tables import NORMAL_UNIT, NUMBERS, TEXEL_NUMBERS, ClusterTables
 from loomlight.models.separable import Components
 from loomlight.scattering.fibre import projected_area
 
@@ -67,35 +67,34 @@ class LightTaps:
     half: BinTaps
 
 
+@dataclass
+class TexelTerms:
+    """A texel for one light.
+
+    Attributes:
+        own: of the surface.
+        known: of the base.
+        thread: index of the thread that shows.
+    """
+
+    own: Components
+    known: Components
+    thread: UInt
+
+
 class ViewedBase:
-    """The base as one view sees it.
+    """Surface and base as one view sees them.
 
     Attributes:
         view: in the frame of the face that is seen [3].
         back: which face that is.
-        offset: mean offset of parallax, millimetres [2].
-        texel_trust: coefficients of the texel model's diffuse and specular term [2].
     """
 
-    def __init__(self, tables: DeviceTables, view: Vec3, back: Mask, trusted: bool) -> None:
+    def __init__(self, tables: DeviceTables, view: Vec3, back: Mask) -> None:
         types = tables.types
         self._tables = tables
         self.view, self.back = view, back
         self._face = dr.select(back, types.UInt32(1), types.UInt32(0))
-        self._around = bin_taps(view, VIEW_BINS)
-        self._first = self._face * VIEW_BINS**2
-        self.offset: Vec2 = self._around.read(types.Vector2, tables.offset, self._first, 1, types.UInt32(0))
-        self.texel_trust: Vec2 = self._around.read(
-            types.Vector2, tables.texel_trust, self._first, 1, types.UInt32(0)
-        )
-        self._trust: Vec2 = types.Vector2(1)
-        if trusted:
-            self._trust = self._around.read(types.Vector2, tables.trust, self._first, 1, types.UInt32(0))
-        packets = tables.clusters // 4
-        self.masking = [
-            self._around.read(types.Vector4, tables.view, self._first, packets, types.UInt32(packet))
-            for packet in range(packets)
-        ]
 
     def light_taps(self, light: Vec3) -> LightTaps:
         """Table entries that a light in the frame of the face reads."""
@@ -137,76 +136,51 @@ class ViewedBase:
         half_first = self._face * BINS**2
         total = [types.Float(0) for _ in range(5)]
         for packet in range(packets):
-            lit = taps.around.read(types.Vector4, tables.light, taps.first, 2 * packets, types.UInt32(packet))
-            about_yarn = taps.around.read(
-                types.Vector4, tables.light, taps.first, 2 * packets, types.UInt32(packets + packet)
-            )
+            lit = taps.around.read(types.Vector4, tables.light, taps.first, packets, types.UInt32(packet))
             density: Any = types.Vector4(0)
             for number in range(1 + tables.rank):
                 entry = types.UInt32(number * packets + packet)
                 density += means[number * packets + packet] * taps.half.read(
                     types.Vector4, tables.basis, half_first, packets * (1 + tables.rank), entry
                 )
-            masking = self.masking[packet]
-            weight = means[packet] * masking
+            normal = [means[(1 + tables.rank + axis) * packets + packet] for axis in range(3)]
             for lane in range(4):
                 cluster = 4 * packet + lane
                 family = 0 if cluster < tables.clusters // 2 else 1
                 attenuation = self._attenuation(self.lobe(types.UInt32(cluster)), taps)
-                total[family] += weight[lane] * self._diffuse(taps, lit[lane], about_yarn[lane])
-                total[2 + family] += masking[lane] * lit[lane] * attenuation * density[lane]
-                total[4] += weight[lane] * lit[lane]
-        return self._trusted(Components(*total))
+                share = means[packet][lane]
+                cosine = self._cosine(taps, types.Vector3(*(part[lane] for part in normal)))
+                total[family] += lit[lane] * self._diffuse(taps, share, cosine)
+                total[2 + family] += lit[lane] * attenuation * density[lane]
+                total[4] += share * lit[lane]
+        return Components(*total)
 
-    def shown_over(self, means: list[Array], trusted: bool) -> tuple[Float, Float]:
-        """Shares of the view rays through footprints that meet warp and weft, as the base has them.
+    def shown_over(self, means: list[Array]) -> tuple[Float, Float]:
+        """Shares of the texels of footprints that show warp and weft.
 
         Args:
             means: from `FootprintSums.means`.
-            trusted: scale them as the diffuse term.
         """
-        types, packets = self._tables.types, self._tables.clusters // 4
-        shown = [types.Float(0), types.Float(0)]
+        packets = self._tables.clusters // 4
+        shown = [self._tables.types.Float(0), self._tables.types.Float(0)]
         for cluster in range(self._tables.clusters):
             packet, lane = divmod(cluster, 4)
-            shown[cluster // (2 * packets)] += means[packet][lane] * self.masking[packet][lane]
-        scale = self._trust[0] if trusted else 1
-        return shown[0] * scale, shown[1] * scale
+            shown[cluster // (2 * packets)] += means[packet][lane]
+        return shown[0], shown[1]
 
-    def shown_at_texel(self, texel: UInt, trusted: bool) -> tuple[Float, Float]:
-        """The same of one texel."""
-        _, label, masking = self._cluster_at(texel)
-        shown = masking * (self._trust[0] if trusted else 1)
-        is_warp = label < self._tables.clusters // 2
-        return dr.select(is_warp, shown, 0), dr.select(is_warp, 0, shown)
-
-    def _cluster_at(self, texel: UInt) -> tuple[UInt, UInt, Float]:
-        """Place of a texel in the tables, its cluster, and the masking of that; 0 in holes."""
+    def at_texel(self, texel: UInt, taps: LightTaps) -> TexelTerms:
+        """Surface and base of one texel of the repeat, row by row."""
         types, tables = self._tables.types, self._tables
         place = self._face * tables.face_texels + texel
         label = dr.gather(types.UInt32, tables.labels, place)
         met = label < tables.clusters
         label = minimum(label, types.UInt32(tables.clusters - 1))
-        masking = self._around.read(types.Float, tables.view, self._first, tables.clusters, label)
-        return place, label, dr.select(met, masking, 0)
-
-    def _trusted(self, known: Components) -> Components:
-        diffuse, specular = self._trust
-        return Components(
-            known.diffuse_warp * diffuse,
-            known.diffuse_weft * diffuse,
-            known.specular_warp * specular,
-            known.specular_weft * specular,
-            known.light_visibility * diffuse,
-        )
-
-    def at_texel(self, texel: UInt, taps: LightTaps) -> Components:
-        """The base of one texel."""
-        types, tables = self._tables.types, self._tables
-        place, label, masking = self._cluster_at(texel)
         clusters = tables.clusters
-        lit = taps.around.read(types.Float, tables.light, taps.first, 2 * clusters, label)
-        about_yarn = taps.around.read(types.Float, tables.light, taps.first, 2 * clusters, clusters + label)
+        lit = taps.around.read(types.Float, tables.light, taps.first, clusters, label)
+        numbers = range(tables.rank + 3)
+        coefficients = [
+            dr.gather(types.Float, tables.coefficients, place * len(numbers) + number) for number in numbers
+        ]
         density: Any = types.Float(0)
         for number in range(1 + tables.rank):
             part = taps.half.read(
@@ -217,24 +191,52 @@ class ViewedBase:
                 number * clusters + label,
             )
             if number:
-                part *= dr.gather(types.Float, tables.coefficients, place * tables.rank + (number - 1))
+                part *= coefficients[number - 1]
             density += part
-        diffuse = masking * self._diffuse(taps, lit, about_yarn)
-        specular = masking * lit * self._attenuation(self.lobe(label), taps) * density
+        # Light from the other side meets the texel's other face.
+        there = dr.select(self.back ^ taps.transmits, tables.face_texels, 0) + texel
+        raised = types.Vector3(taps.facing.x, taps.facing.y, abs(taps.facing.z))
+        visible = dr.select(met, lobe_value(self._visibility(there), raised), 0)
+        cosine = self._cosine(taps, types.Vector3(*coefficients[-3:]))
+        attenuated = self._attenuation(self.lobe(label), taps) * density
         is_warp = label < clusters // 2
-        return self._trusted(
-            Components(
+        lit = dr.select(met, lit, 0)
+
+        def components(diffuse: Float, specular: Float, light_visibility: Float) -> Components:
+            return Components(
                 dr.select(is_warp, diffuse, 0),
                 dr.select(is_warp, 0, diffuse),
                 dr.select(is_warp, specular, 0),
                 dr.select(is_warp, 0, specular),
-                masking * lit,
+                light_visibility,
             )
+
+        return TexelTerms(
+            own=components(
+                visible * self._diffuse(taps, types.Float(1), maximum(cosine, 0)),
+                visible * attenuated,
+                visible,
+            ),
+            known=components(lit * self._diffuse(taps, types.Float(1), cosine), lit * attenuated, lit),
+            thread=types.UInt32(dr.gather(types.Float, tables.texels, place * TEXEL_NUMBERS + LOBE_NUMBERS)),
         )
 
-    def _diffuse(self, taps: LightTaps, lit: Float, about_yarn: Float) -> Float:
+    def _visibility(self, place: UInt) -> tuple[Vec3, Vec3, Vec3]:
+        """The lobe of a texel, both faces counted."""
+        types = self._tables.types
+        entry = place * (TEXEL_NUMBERS // 4)
+        a, b, c = (dr.gather(types.Vector4, self._tables.texels, entry + number) for number in range(3))
+        return types.Vector3(a.x, a.y, a.z), types.Vector3(a.w, b.x, b.y), types.Vector3(b.z, b.w, c.x)
+
+    def _cosine(self, taps: LightTaps, normal: Vec3) -> Float:
+        """Cosine of a light with a normal of coefficients, or with its other side."""
+        cosine = dr.dot(normal, taps.facing) * NORMAL_UNIT
+        return dr.select(taps.transmits, -cosine, cosine)
+
+    def _diffuse(self, taps: LightTaps, share: Float, cosine: Float) -> Float:
+        """The diffuse term of a share of the texels that light reaches all; the cosine is summed over it."""
         blend = self._tables.diffuse_blend
-        return dr.inv_pi * ((1 - blend) * abs(taps.facing.z) * lit + blend * about_yarn)
+        return dr.inv_pi * ((1 - blend) * abs(taps.facing.z) * share + blend * cosine)
 
     def _attenuation(self, lobe: ClusterLobe, taps: LightTaps) -> Float:
         """f·cos of the fibre layer over D, at a cluster's mean frame; see `scattering.fibre`."""
@@ -258,7 +260,6 @@ class DeviceTables:
     Attributes:
         sums: summed-area tables.
         size: of the repeat, millimetres, Float each.
-        texels: the texel model.
         clusters, rank, face_texels: counts.
         diffuse_blend, optical_depth: of the fabric.
     """
@@ -267,8 +268,6 @@ class DeviceTables:
         self,
         tables: ClusterTables,
         size: tuple[float, float],
-        top: float,
-        finest: float,
         diffuse_blend: float,
         optical_depth: float,
         types: ArrayTypes,
@@ -277,21 +276,33 @@ class DeviceTables:
         self.clusters, self.rank = tables.clusters, tables.rank
         columns, rows = tables.counts
         self.face_texels = dr.opaque(types.UInt32, columns * rows)
-        self.sums = FootprintSums(tables.labels, tables.coefficients, tables.clusters, size, types)
+        self.sums = FootprintSums(
+            tables.labels, tables.coefficients, tables.parallax, tables.clusters, size, types
+        )
         self.labels = upload(types.UInt32, tables.labels)
         self.coefficients = upload(types.Float, tables.coefficients)
         self.basis = upload(types.Float, tables.basis)
         self.moments = upload(types.Float, tables.moments)
+        self.texels = upload(types.Float, tables.texels)
         self.light = upload(types.Float, tables.light)
-        self.view = upload(types.Float, tables.view)
-        self.offset = upload(types.Float, tables.offset)
-        self.trust = upload(types.Float, tables.trust)
-        self.texel_trust = upload(types.Float, tables.texel_trust)
+        self.heights = upload(types.Float, tables.heights)
         self.size = tuple(dr.opaque(types.Float, extent) for extent in size)
-        self.texels = TexelModel(tables, size, top, finest, diffuse_blend, optical_depth, types)
         self.diffuse_blend = diffuse_blend
         self.optical_depth = optical_depth
 
-    def seen_from(self, view: Vec3, back: Mask, trusted: bool = False) -> ViewedBase:
-        """The base as a view in the frame of a face sees it; `trusted` scales it by `ClusterTables.trust`."""
-        return ViewedBase(self, view, back, trusted)
+    def box(self, footprint: Footprint, view: Vec3, back: Mask, place: Float) -> FootprintBox:
+        """The box of a footprint, whose texels are shifted by the mean parallax offset over it.
+
+        Args:
+            view: in the frame of the face that is seen [3].
+            place: on the segment that the box is swept along, −1/2 to 1/2.
+        """
+        types = self.types
+        below = self.sums.box(footprint, types.Vector2(0), place)
+        first = dr.select(back, types.UInt32(PARALLAX_BINS**2), types.UInt32(0))
+        offset = parallax_offset(view, self.heights, first, self.sums.parallax(below, back))
+        return self.sums.box(footprint, offset, place)
+
+    def seen_from(self, view: Vec3, back: Mask) -> ViewedBase:
+        """Surface and base as a view in the frame of a face sees them."""
+        return ViewedBase(self, view, back)

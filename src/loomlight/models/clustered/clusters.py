@@ -1,4 +1,4 @@
-"""Clusters of texels that light and half vectors treat alike: k-means (zhu2024 4.2)."""
+"""Clusters of texels whose visibility is alike: k-means (zhu2024 4.2)."""
 
 from __future__ import annotations
 
@@ -6,23 +6,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.models.clustered.features import FeatureMaps
+from loomlight.models.clustered.gaussians import lobe_values
+from loomlight.models.clustered.square_map import bin_centres
 
 NO_CLUSTER = 255
 _TRAINING = 1 << 13
 _ROUNDS = 24
-# Weights of the squared differences of normals and of fibre directions; that of horizons is 1, their mean
-# over azimuths of the squared difference of sines.
-_NORMAL, _TANGENT = 1.0, 2.0
+# Bins of directions a side.
+_DIRECTIONS = 8
 
 
-def label_texels(maps: FeatureMaps, per_face: int) -> NDArray[np.uint8]:
+def label_texels(maps: FeatureMaps, lobes: NDArray[np.float32], per_face: int) -> NDArray[np.uint8]:
     """The cluster of every texel [2 faces, rows, columns]; `NO_CLUSTER` in holes.
 
-    Visibility decides as in the paper, by the horizons themselves instead of the parameters of lobes fitted
-    to them, and so do normal and fibre direction, as the attenuation of the fibre layer depends on them.
-    The first half of the clusters of a face is the warp's.
+    Visibility decides, by the values of the lobes towards directions all over the hemisphere: the paper takes
+    their parameters, whose distance says less of it. The first half of the clusters of a face is the warp's.
 
     Args:
+        lobes: see `Gaussians`.
         per_face: clusters, an even number.
     """
     labels = np.full(maps.hole.shape, NO_CLUSTER, np.uint8)
@@ -31,16 +32,17 @@ def label_texels(maps: FeatureMaps, per_face: int) -> NDArray[np.uint8]:
         for first, family in ((0, maps.is_warp[face]), (half, ~maps.is_warp[face])):
             of_family = family & ~maps.hole[face]
             if of_family.any():
-                labels[face][of_family] = first + _k_means(_features(maps, face, of_family), half)
+                labels[face][of_family] = first + _k_means(_features(maps, lobes, face, of_family), half)
     return labels
 
 
-def _features(maps: FeatureMaps, face: int, chosen: NDArray[np.bool_]) -> NDArray[np.float32]:
-    """Vectors whose squared distance is the dissimilarity of texels [n, 22]."""
-    horizon = maps.horizon[face][chosen].astype(np.float32) / (255 * 4)
-    normal = maps.normal[face][chosen] * np.float32(_NORMAL**0.5)
-    tangent = maps.tangent[face][chosen] * np.float32(_TANGENT**0.5)
-    return np.concatenate([horizon, normal, tangent], axis=1)
+def _features(
+    maps: FeatureMaps, lobes: NDArray[np.float32], face: int, chosen: NDArray[np.bool_]
+) -> NDArray[np.float32]:
+    """Vectors whose squared distance is the dissimilarity of texels [n, 16]."""
+    of_family = lobes[face][chosen]
+    seen = [lobe_values(of_family, direction) for direction in bin_centres(_DIRECTIONS)]
+    return np.stack(seen, axis=1)
 
 
 def _k_means(points: NDArray[np.float32], count: int) -> NDArray[np.uint8]:

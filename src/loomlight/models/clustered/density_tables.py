@@ -5,25 +5,22 @@ In cluster k, the density of the texel p at half vector h is
     D(p, h) ≈ μ_k(h) + Σ_r a_r(p) B_kr(h)
 
 The summed-area tables of the coefficients a_r over each cluster are the summed-area tables of the compressed
-densities: sums are linear. So the bake never makes the uncompressed tables, and takes no averages out of
-them. Coefficients are whole numbers of −127 to 127 whose unit is within B, so sums of them are exact.
+densities, as sums are linear: the bake never makes the uncompressed ones, and takes no averages out of them.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.models.clustered.principal_components import compressed
 from loomlight.models.clustered.square_map import bin_centres
 
-# Texels of a cluster that the components are computed of.
-_TRAINING = 2048
-_POWERS = 3
-_MAX = 127
-# Texels whose densities are computed at once.
-_BATCH = 8192
+# Texels whose compression error is measured, of each cluster.
+_MEASURED = 256
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,30 +65,22 @@ def density_tables(
                 continue
             alpha = roughness[0] if cluster < clusters // 2 else roughness[1]
             fibres = tangent[face].reshape(-1, 3)[chosen]
-            training = densities(fibres[rng.permutation(len(fibres))[:_TRAINING]], halves, alpha)
-            mean = training.mean(axis=0)
-            components = _principal_components(training - mean, rank, rng)
-            values = (
-                np.concatenate(
-                    [
-                        (densities(fibres[first : first + _BATCH], halves, alpha) - mean) @ components.T
-                        for first in range(0, len(fibres), _BATCH)
-                    ]
-                )
-                if rank
-                else np.zeros((len(fibres), 0), np.float32)
-            )
-            unit = np.maximum(np.abs(values).max(axis=0, initial=0) / _MAX, 1e-20)
-            whole = np.rint(values / unit)
-            coefficients[face].reshape(labels[face].size, rank)[chosen] = whole.astype(np.int8)
-            basis[face, :, 0, cluster] = mean
-            basis[face, :, 1:, cluster] = (components * unit[:, None]).T
-            few = rng.permutation(len(fibres))[:256]
-            exact = densities(fibres[few], halves, alpha)
-            rest = exact - mean - whole[few].astype(np.float32) @ (components * unit[:, None])
-            squared_error += float(np.square(rest).mean()) * len(fibres)
-            squares += float(np.square(exact).mean()) * len(fibres)
+            rows_of = partial(_rows, fibres, halves, alpha)
+            found = compressed(rows_of, len(chosen), rank, rng)
+            coefficients[face].reshape(labels[face].size, rank)[chosen] = found.coefficients
+            basis[face, :, :, cluster] = found.basis.T
+            few = rng.permutation(len(chosen))[:_MEASURED]
+            exact = rows_of(few)
+            rest = exact - found.basis[0] - found.coefficients[few].astype(np.float32) @ found.basis[1:]
+            squared_error += float(np.square(rest).mean()) * len(chosen)
+            squares += float(np.square(exact).mean()) * len(chosen)
     return DensityTables(basis, coefficients, squared_error / max(squares, 1e-30))
+
+
+def _rows(
+    fibres: NDArray[np.float32], halves: NDArray[np.float32], roughness: float, numbers: NDArray[np.intp]
+) -> NDArray[np.float32]:
+    return densities(fibres[numbers], halves, roughness)
 
 
 def densities(
@@ -102,15 +91,3 @@ def densities(
     along = tangent @ halves.T
     p = along * along * (1 - squared) + squared
     return (squared * (roughness / np.pi) / (p * p)).astype(np.float32, copy=False)
-
-
-def _principal_components(
-    rows: NDArray[np.float32], rank: int, rng: np.random.Generator
-) -> NDArray[np.float32]:
-    """The first principal axes of rows [n, d], orthonormal [rank, d], by subspace iteration."""
-    space = rng.standard_normal((rows.shape[1], rank + 4)).astype(np.float32)
-    for _ in range(_POWERS):
-        space, _ = np.linalg.qr(rows.T @ (rows @ space))
-    _, _, axes = np.linalg.svd(rows @ space, full_matrices=False)
-    found: NDArray[np.float32] = (axes[:rank] @ space.T).astype(np.float32)
-    return found

@@ -15,7 +15,7 @@ from loomlight.core.arrays import FloatType
 from loomlight.core.backend import array_types
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.horizon import AZIMUTHS, HorizonMap
+from loomlight.yarn.horizon import HorizonMap
 
 _Number = TypeVar("_Number", bound=np.generic)
 # Texels along the longer side of small repeats (zhu2024 6), and texels across the finest thread.
@@ -122,14 +122,3 @@ def feature_maps(geometry: YarnGeometry, counts: tuple[int, int], float_type: Fl
         tangent=both(*(point.tangent.numpy().T for point in points)),
         horizon=horizons.sine,
     )
-
-
-def free_towards(horizon: NDArray[np.uint8], direction: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Whether texels see a direction [3] of their face, by their horizons [n, 16]: [n]."""
-    turns = math.atan2(direction[1], direction[0]) / (2 * math.pi) * AZIMUTHS
-    before = math.floor(turns)
-    share = np.float32(turns - before)
-    first, second = horizon[:, before % AZIMUTHS], horizon[:, (before + 1) % AZIMUTHS]
-    level = first * (1 - share) + second * share
-    found: NDArray[np.bool_] = level <= np.float32(255 * direction[2])
-    return found

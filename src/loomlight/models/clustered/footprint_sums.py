@@ -48,16 +48,21 @@ class FootprintBox:
         return types.Vector2(self.corner.x + s * self.size.x, self.corner.y + t * self.size.y)
 
 
-def summed_areas(labels: NDArray[np.uint8], coefficients: NDArray[np.int8], clusters: int) -> NDArray[Any]:
-    """Tables of one face [rows + 1, columns + 1, (1 + rank)·clusters], int32.
+def summed_areas(
+    labels: NDArray[np.uint8], coefficients: NDArray[np.int8], parallax: NDArray[np.int8], clusters: int
+) -> NDArray[Any]:
+    """Tables of one face [rows + 1, columns + 1, (1 + n)·clusters + 4], int32.
 
-    The first channels count the texels of each cluster; the others sum the coefficients over them.
+    The first channels count the texels of each cluster, the next sum the coefficients over them, the last
+    those of parallax over all texels.
     """
-    rows, columns, rank = coefficients.shape
-    table = np.zeros((rows + 1, columns + 1, (1 + rank) * clusters), np.int32)
+    rows, columns, count = coefficients.shape
+    channels = (1 + count) * clusters
+    table = np.zeros((rows + 1, columns + 1, channels + parallax.shape[2]), np.int32)
+    table[1:, 1:, channels:] = parallax.cumsum(axis=0, dtype=np.int32).cumsum(axis=1, dtype=np.int32)
     for cluster in range(clusters):
         inside = labels == cluster
-        for number in range(1 + rank):
+        for number in range(1 + count):
             values = inside.astype(np.int32)
             if number:
                 values *= coefficients[:, :, number - 1]
@@ -73,6 +78,7 @@ class FootprintSums:
         self,
         labels: NDArray[np.uint8],
         coefficients: NDArray[np.int8],
+        parallax: NDArray[np.int8],
         clusters: int,
         size: tuple[float, float],
         types: ArrayTypes,
@@ -81,9 +87,11 @@ class FootprintSums:
         Args:
             size: of the repeat, millimetres.
         """
-        _, rows, columns, rank = coefficients.shape
-        tables = [summed_areas(*face, clusters) for face in zip(labels, coefficients, strict=True)]
-        self.channels = clusters * (1 + rank)
+        _, rows, columns, count = coefficients.shape
+        faces = zip(labels, coefficients, parallax, strict=True)
+        tables = [summed_areas(*face, clusters) for face in faces]
+        # Packets of clusters; that of parallax is the last one.
+        self._packets = clusters * (1 + count) // 4
         self._table = upload(types.UInt32, np.stack(tables).view(np.uint32))
         self._counts = [dr.opaque(types.Float, float(count)) for count in (columns, rows)]
         self._wholes = [dr.opaque(types.UInt32, count) for count in (columns, rows)]
@@ -135,7 +143,14 @@ class FootprintSums:
         return found[1] * self._wholes[0] + found[0]
 
     def means(self, box: FootprintBox, back: Mask) -> list[Array]:
-        """Means over the texels of a box of each channel, in packets of four (Vector4)."""
+        """Means over the texels of a box of the channels of clusters, in packets of four (Vector4)."""
+        return self._means(box, back, range(self._packets))
+
+    def parallax(self, box: FootprintBox, back: Mask) -> Array:
+        """Means over the texels of a box of the coefficients of parallax (Vector4)."""
+        return self._means(box, back, range(self._packets, self._packets + 1))[0]
+
+    def _means(self, box: FootprintBox, back: Mask, chosen: range) -> list[Array]:
         types = array_types(box.extent[0])
         turns, ends = [], []
         for first, extent, count, whole in zip(
@@ -149,12 +164,12 @@ class FootprintSums:
             turns.append(dr.select(wraps, number + 1, number))
         pitch = self._wholes[0] + 1
         start = dr.select(back, self._face, 0)
-        packets = self.channels // 4
+        packets = self._packets + 1
         scale = dr.rcp(box.extent[0] * box.extent[1])
         columns, rows = (box.first[0], ends[0], self._wholes[0]), (box.first[1], ends[1], self._wholes[1])
         entries = [[(start + row * pitch + column) * packets for column in columns] for row in rows]
         found = []
-        for packet in range(packets):
+        for packet in chosen:
             ((a, b, right), (c, d, far_right), (up, far_up, all_of_it)) = [
                 [dr.gather(types.Index4, self._table, entry + packet) for entry in row] for row in entries
             ]

@@ -1,13 +1,13 @@
-"""Clustered control variates as a multi-scale model: tables of one fabric, and a few exact yarn points."""
+"""Clustered control variates as a model: tables of a fabric, and a few of its texels (zhu2024)."""
 
 from __future__ import annotations
 
-from dataclasses import replace
+from copy import copy
 from typing import Self, final
 
 from loomlight.assets.loom_file import LoomFile
 from loomlight.assets.sources import Source
-from loomlight.core.arrays import Color3, FloatType, Mask, UInt, Vec3
+from loomlight.core.arrays import Color3, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
@@ -17,39 +17,37 @@ from loomlight.models.clustered.base import DeviceTables
 from loomlight.models.clustered.bsdf import ClusteredBsdf
 from loomlight.models.clustered.features import DEFAULT_TEXELS
 from loomlight.models.clustered.tables import ClusterTables, bake_tables, tables_of_loom
-from loomlight.models.clustered.trust import trust_by_view
 from loomlight.models.fabric_model import FilteredFabricModel, appearance_of, fabric_in_loom, fabric_source
 from loomlight.models.interface import Option, Values
 from loomlight.models.random_numbers import hashed
 from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.search import upload_extent
 
-DEFAULT_CLUSTERS, MAX_CLUSTERS = 16, 64
-DEFAULT_RANK, MAX_RANK = 1, 16
+DEFAULT_CLUSTERS, MAX_CLUSTERS = 8, 64
+DEFAULT_RANK, MAX_RANK = 4, 16
 DEFAULT_SAMPLES, MAX_SAMPLES = 2, 8
-DEFAULT_TEXEL_SAMPLES, MAX_TEXEL_SAMPLES = 16, 1024
 MIN_TEXELS, MAX_TEXELS = 16, 1024
 # What tables mean; to be raised when older ones no longer fit the formulas.
-_TABLES_VERSION = 2
+_TABLES_VERSION = 3
 # Scene parameters of a family that tables depend on.
 _BAKED = ("height_scale", "inclination", "twist", "roughness")
 
 
 @final
 class ClusteredModel(FilteredFabricModel):
-    """A base term from summed-area tables, and a residual from `samples` yarn points (zhu2024).
+    """A base term from summed-area tables, and a residual from `samples` texels of the footprint (zhu2024).
 
-    Values are unbiased estimates: those of many samples of a pixel average to the mean of the point model
-    over its footprint, and single ones may be negative. Edits of roughness and of the yarns' shape bake
-    the tables again; edits of colours or sheen do not.
+    Values are unbiased estimates of the mean over the footprint of the model's own surface, a map of texels,
+    and single ones may be negative. Edits of roughness and of the yarns' shape bake the tables again; edits
+    of colours or sheen do not.
 
     Attributes:
         tables: the baked tables.
-        samples: yarn points of a footprint; 0 leaves out what tells them from the texel model.
+        samples: texels of a footprint that the residual is estimated from; 0 leaves the base alone, which is
+            biased and without noise.
         texels: along the longer side of the repeat, as asked for.
-        texel_samples: points of the texel model; with 0 of both the base is alone, biased and without noise.
+        controlled: False estimates everything from the texels, as a comparison.
     """
 
     name = "clustered"
@@ -59,7 +57,6 @@ class ClusteredModel(FilteredFabricModel):
         Option("clusters", int, f"a multiple of 4 from 4 to {MAX_CLUSTERS}", 4, MAX_CLUSTERS),
         Option("rank", int, f"a whole number from 0 to {MAX_RANK}", 0, MAX_RANK),
         Option("texels", int, f"a whole number from {MIN_TEXELS} to {MAX_TEXELS}", MIN_TEXELS, MAX_TEXELS),
-        Option("texel_samples", int, f"a whole number from 0 to {MAX_TEXEL_SAMPLES}", 0, MAX_TEXEL_SAMPLES),
         Option("samples", int, f"a whole number from 0 to {MAX_SAMPLES}", 0, MAX_SAMPLES),
     )
 
@@ -68,13 +65,12 @@ class ClusteredModel(FilteredFabricModel):
         fabric: Fabric,
         tables: ClusterTables,
         samples: int = DEFAULT_SAMPLES,
-        texel_samples: int = DEFAULT_TEXEL_SAMPLES,
         texels: int = DEFAULT_TEXELS,
     ) -> None:
         """A model of baked tables; see `for_source` to bake them."""
         super().__init__(fabric)
-        self.tables, self.samples, self.texel_samples = tables, samples, texel_samples
-        self.texels = texels
+        self.tables, self.samples, self.texels = tables, samples, texels
+        self.controlled = True
         self._geometry = YarnGeometry(fabric.layout())
         self._uploaded: dict[type, DeviceTables] = {}
         self._use(fabric.appearance())
@@ -89,7 +85,6 @@ class ClusteredModel(FilteredFabricModel):
         clusters: int = DEFAULT_CLUSTERS,
         rank: int = DEFAULT_RANK,
         samples: int = DEFAULT_SAMPLES,
-        texel_samples: int = DEFAULT_TEXEL_SAMPLES,
         texels: int = DEFAULT_TEXELS,
     ) -> Self:
         """The model of a fabric.
@@ -97,8 +92,7 @@ class ClusteredModel(FilteredFabricModel):
         Args:
             clusters: of each face, a multiple of 4 up to 64.
             rank: principal components of the fibre densities of a cluster, 0 to 16.
-            samples: yarn points of a footprint, 0 to 8.
-            texel_samples: points of the texel model, 0 to 1024.
+            samples: texels of a footprint, 0 to 8.
             texels: along the longer side of the repeat, 16 to 1024; at least 6 across the finest thread
                 are used all the same.
 
@@ -106,33 +100,32 @@ class ClusteredModel(FilteredFabricModel):
             InputError: no fabric, one whose repeat is too large, or an option out of range.
         """
         fabric = fabric_source(source, cls.name)
-        _require_options(clusters, rank, samples, texel_samples, texels)
+        _require_options(clusters, rank, samples, texels)
         appearance = fabric.appearance()
         roughness = appearance.warp.roughness, appearance.weft.roughness
         tables = bake_tables(YarnGeometry(fabric.layout()), roughness, clusters, rank, llvm_float(), texels)
-        draft = cls(fabric, tables, samples, texel_samples, texels)
-        return cls(fabric, draft.trusted_tables(llvm_float()), samples, texel_samples, texels)
+        return cls(fabric, tables, samples, texels)
 
-    def trusted_tables(self, float_type: FloatType) -> ClusterTables:
-        """The tables with the best coefficients of base and texel model."""
-        device = self.on_backend(array_types(float_type))
-        trust, texel_trust = trust_by_view(device, self.point_model, float_type)
-        return replace(self.tables, trust=trust, texel_trust=texel_trust)
+    def without_control(self) -> Self:
+        """The same surface estimated from the texels alone: what control variates are compared with."""
+        model = copy(self)
+        model.controlled = False
+        return model
 
     def with_source(self, source: Source) -> Self:
         """The model of another fabric with the same options."""
         return type(self).for_source(
-            source, self.tables.clusters, self.tables.rank, self.samples, self.texel_samples, self.texels
+            source, self.tables.clusters, self.tables.rank, self.samples, self.texels
         )
 
     def with_fabric(self, fabric: Fabric, edits: frozenset[str]) -> Self:
         """The model of an edited fabric; tables are kept if the edit changes the sheen alone."""
         if any(name.endswith(_BAKED) and not name.startswith("sheen.") for name in edits):
             return self.with_source(fabric)
-        return type(self)(fabric, self.tables, self.samples, self.texel_samples, self.texels)
+        return type(self)(fabric, self.tables, self.samples, self.texels)
 
     def updated(self, values: Values, changed: frozenset[str]) -> Self:
-        """The model after an edit; yarn points have the edited albedos too."""
+        """The model after an edit; texels have the edited albedos of their threads too."""
         model = super().updated(values, changed)
         if model is not self:
             model._use(appearance_of(model.fabric, values))
@@ -146,7 +139,6 @@ class ClusteredModel(FilteredFabricModel):
             tensors=self.tables.arrays(),
             settings={
                 "samples": self.samples,
-                "texel_samples": self.texel_samples,
                 "texels": self.texels,
                 "tables_version": _TABLES_VERSION,
             },
@@ -162,16 +154,17 @@ class ClusteredModel(FilteredFabricModel):
         fabric = fabric_in_loom(loom, cls.name)
         if loom.settings.get("tables_version") != _TABLES_VERSION:
             raise InputError(f"{loom.file}: its tables are of another version of loomlight: bake it again.")
-        tables, samples = tables_of_loom(loom), loom.setting("samples", int)
-        texel_samples, texels = loom.setting("texel_samples", int), loom.setting("texels", int)
-        _require_options(tables.clusters, tables.rank, samples, texel_samples, texels)
-        return cls(fabric, tables, samples, texel_samples, texels)
+        tables, samples, texels = (
+            tables_of_loom(loom),
+            loom.setting("samples", int),
+            loom.setting("texels", int),
+        )
+        _require_options(tables.clusters, tables.rank, samples, texels)
+        return cls(fabric, tables, samples, texels)
 
     def upload(self, types: ArrayTypes) -> None:
         """Uploads all tables to a backend, which otherwise happens at first use."""
         super().upload(types)
-        self._geometry.upload(types)
-        upload_extent(self._geometry, types)
         self.point_model.parameters(types)
         self.on_backend(types)
 
@@ -198,7 +191,7 @@ class ClusteredModel(FilteredFabricModel):
             self.point_model,
             self.means,
             self.samples,
-            self.texel_samples,
+            self.controlled,
             seed,
             view,
             footprint,
@@ -213,8 +206,6 @@ class ClusteredModel(FilteredFabricModel):
             self._uploaded[types.Float] = DeviceTables(
                 self.tables,
                 self._geometry.size,
-                self._geometry.height_bounds[1],
-                min(self._geometry.finest),
                 appearance.diffuse_blend,
                 appearance.optical_depth,
                 types,
@@ -230,7 +221,7 @@ class ClusteredModel(FilteredFabricModel):
         }
 
 
-def _require_options(clusters: int, rank: int, samples: int, texel_samples: int, texels: int) -> None:
+def _require_options(clusters: int, rank: int, samples: int, texels: int) -> None:
     """Raises InputError unless options are in range."""
     if not 4 <= clusters <= MAX_CLUSTERS or clusters % 4:
         raise InputError(
@@ -240,7 +231,5 @@ def _require_options(clusters: int, rank: int, samples: int, texel_samples: int,
         raise InputError(f"rank = {rank} is out of range: use 0 to {MAX_RANK}.")
     if not 0 <= samples <= MAX_SAMPLES:
         raise InputError(f"samples = {samples} is out of range: use 0 to {MAX_SAMPLES}.")
-    if not 0 <= texel_samples <= MAX_TEXEL_SAMPLES:
-        raise InputError(f"texel_samples = {texel_samples} is out of range: use 0 to {MAX_TEXEL_SAMPLES}.")
     if not MIN_TEXELS <= texels <= MAX_TEXELS:
         raise InputError(f"texels = {texels} is out of range: use {MIN_TEXELS} to {MAX_TEXELS}.")

@@ -64,7 +64,7 @@ class LobeSampler:
         reflect, transmit = types.Float(_MIN), types.Float(0)
         for cluster, lobe in enumerate(self._lobes):
             family = families[0 if cluster < tables.clusters // 2 else 1]
-            share = maximum(means[cluster // 4][cluster % 4], 0) * base.masking[cluster // 4][cluster % 4]
+            share = maximum(means[cluster // 4][cluster % 4], 0)
             turned, through = layer_albedo_estimate(
                 base.view, lobe.normal, lobe.tangent, lobe.roughness, types.Float(tables.optical_depth)
             )

@@ -13,14 +13,19 @@ from loomlight.core.errors import InputError
 from loomlight.models.clustered.clusters import NO_CLUSTER, label_texels
 from loomlight.models.clustered.density_tables import density_tables
 from loomlight.models.clustered.features import DEFAULT_TEXELS, FeatureMaps, feature_maps, texel_counts
+from loomlight.models.clustered.gaussians import fitted_gaussians
+from loomlight.models.clustered.light_tables import light_tables
+from loomlight.models.clustered.parallax import PARALLAX_BINS, PARALLAX_RANK, parallax_tables
 from loomlight.models.clustered.square_map import BINS
-from loomlight.models.clustered.visibility_tables import VIEW_BINS, visibility_tables
 from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.horizon import AZIMUTHS
 
 # Numbers of a cluster: mean normal and mean fibre direction, each of unit length, roughness of its lobe for
 # sampling, and that of its family.
 NUMBERS = 8
+# Numbers of a texel: its lobe of visibility, its thread, and two that are unused.
+TEXEL_NUMBERS = 12
+# What a coefficient of 1 of a normal is.
+NORMAL_UNIT = 1 / 127
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,29 +34,24 @@ class ClusterTables:
 
     Attributes:
         labels: cluster of each texel [2, rows, columns], 255 in holes.
-        coefficients: of the principal components of D [2, rows, columns, rank].
+        coefficients: of the principal components of D, and x, y and z of the normal in units of 1/127
+            [2, rows, columns, rank + 3].
         basis: means and principal components of D, 1/sr [2, half-vector bins, 1 + rank, clusters].
         moments: numbers of each cluster [2, clusters, 8]; see `NUMBERS`.
-        features: normal, 1 for warp, 0 for weft and −1 for holes, fibre direction, and index of the thread of
-            each texel [2, rows, columns, 8].
-        height: of each texel, millimetres [2, rows, columns].
-        horizon: see `FeatureMaps`.
-        light, view, offset: see `VisibilityTables`.
-        trust, texel_trust: of base and texel model; see `trust_by_view` [2, view bins, 2].
+        texels: lobe of visibility (`Gaussians`), thread, and two zeros [2, rows, columns, 12].
+        light: see `light_tables`.
+        parallax: coefficients of heights [2, rows, columns, 4].
+        heights: means and components of heights, millimetres [2, view bins, 5]; see `parallax.py`.
     """
 
     labels: NDArray[np.uint8]
     coefficients: NDArray[np.int8]
     basis: NDArray[np.float32]
     moments: NDArray[np.float32]
-    features: NDArray[np.float16]
-    height: NDArray[np.float16]
-    horizon: NDArray[np.uint8]
+    texels: NDArray[np.float16]
     light: NDArray[np.float32]
-    view: NDArray[np.float32]
-    offset: NDArray[np.float32]
-    trust: NDArray[np.float32]
-    texel_trust: NDArray[np.float32]
+    parallax: NDArray[np.int8]
+    heights: NDArray[np.float32]
 
     @property
     def clusters(self) -> int:
@@ -61,7 +61,7 @@ class ClusterTables:
     @property
     def rank(self) -> int:
         """Principal components of a cluster."""
-        return self.coefficients.shape[3]
+        return self.coefficients.shape[3] - 3
 
     @property
     def counts(self) -> tuple[int, int]:
@@ -77,8 +77,9 @@ class ClusterTables:
     def device_bytes(self) -> int:
         """Size on a device, where summed-area tables take the place of coefficients."""
         columns, rows = self.counts
-        sums = 2 * (columns + 1) * (rows + 1) * self.clusters * (1 + self.rank) * 4
-        return self.nbytes + sums + 3 * self.labels.nbytes + 3 * self.coefficients.nbytes
+        sums = 2 * (columns + 1) * (rows + 1) * (self.clusters * (4 + self.rank) + PARALLAX_RANK) * 4
+        spread = 3 * (self.labels.nbytes + self.coefficients.nbytes) + self.texels.nbytes
+        return self.nbytes - self.parallax.nbytes + sums + spread
 
     def arrays(self) -> dict[str, NDArray[np.generic]]:
         """The tables by name."""
@@ -93,7 +94,7 @@ def bake_tables(
     float_type: FloatType,
     texels: int = DEFAULT_TEXELS,
 ) -> ClusterTables:
-    """Bakes the tables of a fabric: the same bytes every time. Trust is left at 1.
+    """Bakes the tables of a fabric: the same bytes every time.
 
     Args:
         roughness: of warp and weft.
@@ -106,29 +107,29 @@ def bake_tables(
     """
     counts = texel_counts(geometry, texels)
     maps = feature_maps(geometry, counts, float_type)
-    labels = label_texels(maps, clusters)
+    lobes = fitted_gaussians(maps.horizon, float_type).lobes
+    labels = label_texels(maps, lobes, clusters)
     densities = density_tables(labels, maps.tangent, roughness, clusters, rank)
-    visibility = visibility_tables(geometry, maps, labels, clusters, float_type)
+    parallax, heights = parallax_tables(geometry, counts, float_type)
     return ClusterTables(
         labels=labels,
-        coefficients=densities.coefficients,
+        coefficients=np.concatenate([densities.coefficients, _normals(maps)], axis=3),
         basis=densities.basis,
         moments=_moments(maps, labels, roughness, clusters),
-        features=_features(maps),
-        height=maps.height.astype(np.float16),
-        horizon=maps.horizon,
-        light=visibility.light,
-        view=visibility.view,
-        offset=visibility.offset,
-        trust=np.ones((2, VIEW_BINS**2, 2), np.float32),
-        texel_trust=np.ones((2, VIEW_BINS**2, 2), np.float32),
+        texels=_texels(maps, lobes),
+        light=light_tables(lobes, labels, clusters),
+        parallax=parallax,
+        heights=heights,
     )
 
 
-def _features(maps: FeatureMaps) -> NDArray[np.float16]:
-    kind = np.where(maps.hole, -1.0, np.where(maps.is_warp, 1.0, 0.0))
-    parts = (maps.normal, kind[..., None], maps.tangent, maps.thread[..., None])
+def _texels(maps: FeatureMaps, lobes: NDArray[np.float32]) -> NDArray[np.float16]:
+    parts = (lobes, maps.thread[..., None], np.zeros((*maps.thread.shape, 2)))
     return np.nan_to_num(np.concatenate(parts, axis=3)).astype(np.float16)
+
+
+def _normals(maps: FeatureMaps) -> NDArray[np.int8]:
+    return np.rint(np.nan_to_num(maps.normal) / NORMAL_UNIT).astype(np.int8)
 
 
 def _moments(
@@ -161,7 +162,9 @@ def tables_of_loom(loom: LoomFile) -> ClusterTables:
     _, rows, columns = labels.shape
     coefficients = loom.tensor("coefficients", (2, rows, columns, None), np.int8)
     moments = loom.tensor("moments", (2, None, NUMBERS), np.float32)
-    clusters, rank = moments.shape[1], coefficients.shape[3]
+    clusters, rank = moments.shape[1], coefficients.shape[3] - 3
+    if rank < 0:
+        raise InputError(f"{loom.file}: the tensor model.coefficients has no normals.")
     if clusters == 0 or clusters % 4 or labels.size == 0:
         raise InputError(
             f"{loom.file}: the tensor model.moments has {clusters} clusters a face: it should have a "
@@ -174,12 +177,8 @@ def tables_of_loom(loom: LoomFile) -> ClusterTables:
         coefficients=coefficients,
         basis=loom.tensor("basis", (2, BINS**2, 1 + rank, clusters), np.float32),
         moments=moments,
-        features=loom.tensor("features", (2, rows, columns, 8), np.float16),
-        height=loom.tensor("height", (2, rows, columns), np.float16),
-        horizon=loom.tensor("horizon", (2, rows, columns, AZIMUTHS), np.uint8),
-        light=loom.tensor("light", (2, 2, BINS**2, 2, clusters), np.float32),
-        view=loom.tensor("view", (2, VIEW_BINS**2, clusters), np.float32),
-        offset=loom.tensor("offset", (2, VIEW_BINS**2, 2), np.float32),
-        trust=loom.tensor("trust", (2, VIEW_BINS**2, 2), np.float32),
-        texel_trust=loom.tensor("texel_trust", (2, VIEW_BINS**2, 2), np.float32),
+        texels=loom.tensor("texels", (2, rows, columns, TEXEL_NUMBERS), np.float16),
+        light=loom.tensor("light", (2, 2, BINS**2, clusters), np.float32),
+        parallax=loom.tensor("parallax", (2, rows, columns, PARALLAX_RANK), np.int8),
+        heights=loom.tensor("heights", (2, PARALLAX_BINS**2, 1 + PARALLAX_RANK), np.float32),
     )

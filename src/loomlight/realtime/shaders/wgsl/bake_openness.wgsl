@@ -111,10 +111,9 @@ struct Clustered_std430_0
     @align(4) coefficients_0 : u32,
     @align(4) basis_0 : u32,
     @align(4) moments_1 : u32,
+    @align(4) texels_2 : u32,
     @align(4) light_0 : u32,
-    @align(4) view_0 : u32,
-    @align(4) offset_1 : u32,
-    @align(4) trust_0 : u32,
+    @align(4) heights_0 : u32,
 };
 
 struct Fabric_std430_0
@@ -755,40 +754,40 @@ fn flake_density_0( squared_along_0 : f32,  roughness_2 : f32) -> f32
     return 0.31830987334251404f * _S86 * roughness_2 / (_S87 * _S87);
 }
 
-fn density_between_0( light_2 : vec3<f32>,  view_1 : vec3<f32>,  tangent_1 : vec3<f32>,  roughness_3 : f32) -> f32
+fn density_between_0( light_2 : vec3<f32>,  view_0 : vec3<f32>,  tangent_1 : vec3<f32>,  roughness_3 : f32) -> f32
 {
-    var _S88 : vec3<f32> = light_2 + view_1;
+    var _S88 : vec3<f32> = light_2 + view_0;
     var _S89 : f32 = dot(_S88, tangent_1);
     return flake_density_0(min(_S89 * _S89 / max(square_1(_S88), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
-fn reflection_0( light_3 : vec3<f32>,  view_2 : vec3<f32>,  normal_2 : vec3<f32>,  tangent_2 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
+fn reflection_0( light_3 : vec3<f32>,  view_1 : vec3<f32>,  normal_2 : vec3<f32>,  tangent_2 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
 {
     var _S90 : f32 = dot(light_3, normal_2);
-    var _S91 : f32 = dot(view_2, normal_2);
+    var _S91 : f32 = dot(view_1, normal_2);
     if(((_S90 <= 0.0f) | ((_S91 <= 0.0f))))
     {
         return 0.0f;
     }
     var _S92 : f32 = max(_S90, 9.99999997475242708e-07f);
     var _S93 : f32 = max(_S91, 9.99999997475242708e-07f);
-    var _S94 : f32 = projected_area_1(light_3, tangent_2, roughness_4) * _S93 + projected_area_1(view_2, tangent_2, roughness_4) * _S92;
+    var _S94 : f32 = projected_area_1(light_3, tangent_2, roughness_4) * _S93 + projected_area_1(view_1, tangent_2, roughness_4) * _S92;
     var _S95 : f32 = optical_depth_1 * _S94 / (_S92 * _S93);
-    return 0.25f * density_between_0(light_3, view_2, tangent_2, roughness_4) * (_S95 * mean_attenuation_0(_S95)) * _S92 / _S94;
+    return 0.25f * density_between_0(light_3, view_1, tangent_2, roughness_4) * (_S95 * mean_attenuation_0(_S95)) * _S92 / _S94;
 }
 
-fn transmission_1( light_4 : vec3<f32>,  view_3 : vec3<f32>,  normal_3 : vec3<f32>,  tangent_3 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
+fn transmission_1( light_4 : vec3<f32>,  view_2 : vec3<f32>,  normal_3 : vec3<f32>,  tangent_3 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
 {
     var _S96 : f32 = - dot(light_4, normal_3);
-    var _S97 : f32 = dot(view_3, normal_3);
+    var _S97 : f32 = dot(view_2, normal_3);
     if(((_S96 <= 0.0f) | ((_S97 <= 0.0f))))
     {
         return 0.0f;
     }
     var _S98 : f32 = 1.0f / max(_S97, 9.99999997475242708e-07f);
     var _S99 : f32 = projected_area_1(light_4, tangent_3, roughness_5) / max(_S96, 9.99999997475242708e-07f);
-    var _S100 : f32 = projected_area_1(view_3, tangent_3, roughness_5) * _S98;
-    return density_between_0(light_4, view_3, tangent_3, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S99, _S100)) * mean_attenuation_0(optical_depth_2 * abs(_S99 - _S100)) * _S98;
+    var _S100 : f32 = projected_area_1(view_2, tangent_3, roughness_5) * _S98;
+    return density_between_0(light_4, view_2, tangent_3, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S99, _S100)) * mean_attenuation_0(optical_depth_2 * abs(_S99 - _S100)) * _S98;
 }
 
 struct Hit_0

@@ -155,10 +155,9 @@ struct Clustered_std430_0
     @align(4) coefficients_0 : u32,
     @align(4) basis_0 : u32,
     @align(4) moments_1 : u32,
+    @align(4) texels_2 : u32,
     @align(4) light_0 : u32,
-    @align(4) view_0 : u32,
-    @align(4) offset_1 : u32,
-    @align(4) trust_0 : u32,
+    @align(4) heights_0 : u32,
 };
 
 struct Fabric_std430_0

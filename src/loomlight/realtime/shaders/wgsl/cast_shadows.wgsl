@@ -169,10 +169,9 @@ struct Clustered_std430_0
     @align(4) coefficients_0 : u32,
     @align(4) basis_0 : u32,
     @align(4) moments_1 : u32,
+    @align(4) texels_2 : u32,
     @align(4) light_0 : u32,
-    @align(4) view_0 : u32,
-    @align(4) offset_1 : u32,
-    @align(4) trust_0 : u32,
+    @align(4) heights_0 : u32,
 };
 
 struct Fabric_std430_0
@@ -518,7 +517,7 @@ fn meet_face_0( face_3 : u32,  origin_1 : vec3<f32>,  direction_0 : vec3<f32>) -
 struct VisiblePoint_0
 {
      position_0 : vec3<f32>,
-     view_1 : vec3<f32>,
+     view_0 : vec3<f32>,
      axis_x_0 : vec3<f32>,
      axis_y_0 : vec3<f32>,
      normal_0 : vec3<f32>,
@@ -1154,7 +1153,7 @@ fn face_point_0( _S129 : u32,  _S130 : u32,  _S131 : f32,  _S132 : f32) -> Visib
     var _S153 : vec3<f32> = normalize(cross(_S138, _S139));
     point_1.face_normal_0 = select_vector_0((dot(_S153, _S151)) < 0.0f, (vec3<f32>(0) - _S153), _S153);
     point_1.position_0 = _S137 + _S149 * _S138 + _S150 * _S139;
-    point_1.view_1 = _S151;
+    point_1.view_0 = _S151;
     var _S154 : vec2<f32> = vec2<f32>(_S134.u_0, _S134.v_0) + vec2<f32>(_S131) * _S142 + vec2<f32>(_S132) * _S145;
     point_1.uv_0 = _S154;
     var _S155 : bool = (dot(cross(_S147, _S148), _S151)) < 0.0f;
@@ -1196,7 +1195,7 @@ fn visible_point_0( _S158 : u32,  _S159 : u32,  _S160 : vec2<u32>) -> VisiblePoi
     var _S185 : vec2<f32> = vec2<f32>(_S164.u_0 - _S162.u_0, _S164.v_0 - _S162.v_0);
     var point_2 : VisiblePoint_0 = face_point_0(_S158, _S159, dot(_S178, _S182), dot(_S178, _S183));
     point_2.position_0 = _S165 + _S178;
-    point_2.view_1 = (vec3<f32>(0) - normalize(_S173));
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S173));
     point_2.draft_dx_0 = (vec2<f32>(dot(_S179, _S182)) * _S184 + vec2<f32>(dot(_S179, _S183)) * _S185) * point_2.draft_per_uv_0;
     point_2.draft_dy_0 = (vec2<f32>(dot(_S180, _S182)) * _S184 + vec2<f32>(dot(_S180, _S183)) * _S185) * point_2.draft_per_uv_0;
     return point_2;

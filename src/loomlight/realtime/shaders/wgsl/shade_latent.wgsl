@@ -169,10 +169,9 @@ struct Clustered_std430_0
     @align(4) coefficients_0 : u32,
     @align(4) basis_0 : u32,
     @align(4) moments_1 : u32,
+    @align(4) texels_2 : u32,
     @align(4) light_0 : u32,
-    @align(4) view_0 : u32,
-    @align(4) offset_1 : u32,
-    @align(4) trust_0 : u32,
+    @align(4) heights_0 : u32,
 };
 
 struct Fabric_std430_0
@@ -1471,7 +1470,7 @@ fn normal_of_0( vertex_1 : Vertex_0) -> vec3<f32>
 struct VisiblePoint_0
 {
      position_0 : vec3<f32>,
-     view_1 : vec3<f32>,
+     view_0 : vec3<f32>,
      axis_x_0 : vec3<f32>,
      axis_y_0 : vec3<f32>,
      normal_0 : vec3<f32>,
@@ -1640,22 +1639,22 @@ fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_3 : vec2<f32>,  l
     var _S175 : f32 = _S173 - _S174;
     var _S176 : vec2<f32> = within_repeat_0(uv_3);
     var texel_1 : Eight_0 = no_numbers_0();
-    var offset_2 : u32 = u32(0);
+    var offset_1 : u32 = u32(0);
     for(;;)
     {
-        if(offset_2 < u32(2))
+        if(offset_1 < u32(2))
         {
         }
         else
         {
             break;
         }
-        var _S177 : f32 = select(_S175, 1.0f - _S175, offset_2 == u32(0));
+        var _S177 : f32 = select(_S175, 1.0f - _S175, offset_1 == u32(0));
         if(_S177 > 0.0f)
         {
-            TexelPyramid_add_level_0(this_5, _S176, u32(_S174) + offset_2, face_3, _S177, &(texel_1));
+            TexelPyramid_add_level_0(this_5, _S176, u32(_S174) + offset_1, face_3, _S177, &(texel_1));
         }
-        offset_2 = offset_2 + u32(1);
+        offset_1 = offset_1 + u32(1);
     }
     return texel_1;
 }
@@ -1852,7 +1851,7 @@ fn face_point_0( _S198 : u32,  _S199 : u32,  _S200 : f32,  _S201 : f32) -> Visib
     var _S222 : vec3<f32> = normalize(cross(_S207, _S208));
     point_1.face_normal_0 = select_vector_2((dot(_S222, _S220)) < 0.0f, (vec3<f32>(0) - _S222), _S222);
     point_1.position_0 = _S206 + _S218 * _S207 + _S219 * _S208;
-    point_1.view_1 = _S220;
+    point_1.view_0 = _S220;
     var _S223 : vec2<f32> = vec2<f32>(_S203.u_0, _S203.v_0) + vec2<f32>(_S200) * _S211 + vec2<f32>(_S201) * _S214;
     point_1.uv_0 = _S223;
     var _S224 : bool = (dot(cross(_S216, _S217), _S220)) < 0.0f;
@@ -1894,7 +1893,7 @@ fn visible_point_0( _S227 : u32,  _S228 : u32,  _S229 : vec2<u32>) -> VisiblePoi
     var _S254 : vec2<f32> = vec2<f32>(_S233.u_0 - _S231.u_0, _S233.v_0 - _S231.v_0);
     var point_2 : VisiblePoint_0 = face_point_0(_S227, _S228, dot(_S247, _S251), dot(_S247, _S252));
     point_2.position_0 = _S234 + _S247;
-    point_2.view_1 = (vec3<f32>(0) - normalize(_S242));
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S242));
     point_2.draft_dx_0 = (vec2<f32>(dot(_S248, _S251)) * _S253 + vec2<f32>(dot(_S248, _S252)) * _S254) * point_2.draft_per_uv_0;
     point_2.draft_dy_0 = (vec2<f32>(dot(_S249, _S251)) * _S253 + vec2<f32>(dot(_S249, _S252)) * _S254) * point_2.draft_per_uv_0;
     return point_2;
@@ -1912,7 +1911,7 @@ struct LatentView_0
      latent_1 : array<f32, i32(8)>,
      first_29 : LatentFrame_0,
      second_0 : LatentFrame_0,
-     view_2 : vec3<f32>,
+     view_1 : vec3<f32>,
      back_3 : bool,
 };
 
@@ -1921,7 +1920,7 @@ fn latent_view_0( _S255 : u32,  _S256 : Footprint_0,  _S257 : vec3<f32>,  _S258 
     var _S260 : Latent_std430_0 = fabrics_0[_S255].latent_0;
     var _S261 : bool = (_S257.z) < 0.0f;
     (*_S259).back_3 = _S261;
-    (*_S259).view_2 = to_face_frame_0(_S257, _S261);
+    (*_S259).view_1 = to_face_frame_0(_S257, _S261);
     var _S262 : u32 = select(u32(0), _S260.back_1, _S261);
     var _S263 : vec2<f32> = _S256.centre_0 * vec2<f32>(_S260.repeats_per_x_1, _S260.repeats_per_y_1);
     var _S264 : f32 = clamp(binary_logarithm_0(max(sqrt(abs(_S256.dx_0.x * _S256.dy_0.y - _S256.dx_0.y * _S256.dy_0.x)) * _S260.texels_per_mm_1, 9.99999971718068537e-10f)), 0.0f, _S260.last_level_2);
@@ -2043,9 +2042,9 @@ fn latent_value_0( _S292 : u32,  _S293 : ptr<function, LatentView_0>,  _S294 : v
         return vec3<f32>(0.0f);
     }
     var inputs_32 : array<f32, i32(20)>;
-    var _S296 : vec3<f32> = LatentFrame_coordinates_0((*_S293).first_29, (*_S293).view_2);
+    var _S296 : vec3<f32> = LatentFrame_coordinates_0((*_S293).first_29, (*_S293).view_1);
     var _S297 : vec3<f32> = LatentFrame_coordinates_0((*_S293).first_29, _S295);
-    var _S298 : vec3<f32> = LatentFrame_coordinates_0((*_S293).second_0, (*_S293).view_2);
+    var _S298 : vec3<f32> = LatentFrame_coordinates_0((*_S293).second_0, (*_S293).view_1);
     var _S299 : vec3<f32> = LatentFrame_coordinates_0((*_S293).second_0, _S295);
     var axis_0 : i32 = i32(0);
     for(;;)
@@ -2103,7 +2102,7 @@ fn light_of_latent_0( _S301 : u32,  _S302 : VisiblePoint_0,  _S303 : vec2<u32>) 
     footprint_0.dx_0 = _S302.draft_dx_0;
     footprint_0.dy_0 = _S302.draft_dy_0;
     var seen_0 : LatentView_0;
-    latent_view_0(_S301, footprint_0, to_local_0(_S302, _S302.view_1), pixel_sequence_0(_S303, frame_record_0.pass_number_0, u32(1)).x, &(seen_0));
+    latent_view_0(_S301, footprint_0, to_local_0(_S302, _S302.view_0), pixel_sequence_0(_S303, frame_record_0.pass_number_0, u32(1)).x, &(seen_0));
     var _S304 : vec3<f32> = vec3<f32>(0.0f);
     var number_1 : u32 = u32(0);
     var radiance_1 : vec3<f32> = _S304;

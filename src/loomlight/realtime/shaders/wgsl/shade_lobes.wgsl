@@ -169,10 +169,9 @@ struct Clustered_std430_0
     @align(4) coefficients_0 : u32,
     @align(4) basis_0 : u32,
     @align(4) moments_1 : u32,
+    @align(4) texels_2 : u32,
     @align(4) light_0 : u32,
-    @align(4) view_0 : u32,
-    @align(4) offset_1 : u32,
-    @align(4) trust_0 : u32,
+    @align(4) heights_0 : u32,
 };
 
 struct Fabric_std430_0
@@ -426,7 +425,7 @@ fn map_level_0( first_1 : u32,  side_0 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
 struct VisiblePoint_0
 {
      position_0 : vec3<f32>,
-     view_1 : vec3<f32>,
+     view_0 : vec3<f32>,
      axis_x_0 : vec3<f32>,
      axis_y_0 : vec3<f32>,
      normal_0 : vec3<f32>,
@@ -1265,40 +1264,40 @@ fn flake_density_0( squared_along_0 : f32,  roughness_2 : f32) -> f32
     return 0.31830987334251404f * _S136 * roughness_2 / (_S137 * _S137);
 }
 
-fn density_between_0( light_2 : vec3<f32>,  view_2 : vec3<f32>,  tangent_6 : vec3<f32>,  roughness_3 : f32) -> f32
+fn density_between_0( light_2 : vec3<f32>,  view_1 : vec3<f32>,  tangent_6 : vec3<f32>,  roughness_3 : f32) -> f32
 {
-    var _S138 : vec3<f32> = light_2 + view_2;
+    var _S138 : vec3<f32> = light_2 + view_1;
     var _S139 : f32 = dot(_S138, tangent_6);
     return flake_density_0(min(_S139 * _S139 / max(square_0(_S138), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
-fn transmission_1( light_3 : vec3<f32>,  view_3 : vec3<f32>,  normal_7 : vec3<f32>,  tangent_7 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
+fn transmission_1( light_3 : vec3<f32>,  view_2 : vec3<f32>,  normal_7 : vec3<f32>,  tangent_7 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
 {
     var _S140 : f32 = - dot(light_3, normal_7);
-    var _S141 : f32 = dot(view_3, normal_7);
+    var _S141 : f32 = dot(view_2, normal_7);
     if(((_S140 <= 0.0f) | ((_S141 <= 0.0f))))
     {
         return 0.0f;
     }
     var _S142 : f32 = 1.0f / max(_S141, 9.99999997475242708e-07f);
     var _S143 : f32 = projected_area_1(light_3, tangent_7, roughness_4) / max(_S140, 9.99999997475242708e-07f);
-    var _S144 : f32 = projected_area_1(view_3, tangent_7, roughness_4) * _S142;
-    return density_between_0(light_3, view_3, tangent_7, roughness_4) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S143, _S144)) * mean_attenuation_0(optical_depth_1 * abs(_S143 - _S144)) * _S142;
+    var _S144 : f32 = projected_area_1(view_2, tangent_7, roughness_4) * _S142;
+    return density_between_0(light_3, view_2, tangent_7, roughness_4) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S143, _S144)) * mean_attenuation_0(optical_depth_1 * abs(_S143 - _S144)) * _S142;
 }
 
-fn reflection_0( light_4 : vec3<f32>,  view_4 : vec3<f32>,  normal_8 : vec3<f32>,  tangent_8 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
+fn reflection_0( light_4 : vec3<f32>,  view_3 : vec3<f32>,  normal_8 : vec3<f32>,  tangent_8 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
 {
     var _S145 : f32 = dot(light_4, normal_8);
-    var _S146 : f32 = dot(view_4, normal_8);
+    var _S146 : f32 = dot(view_3, normal_8);
     if(((_S145 <= 0.0f) | ((_S146 <= 0.0f))))
     {
         return 0.0f;
     }
     var _S147 : f32 = max(_S145, 9.99999997475242708e-07f);
     var _S148 : f32 = max(_S146, 9.99999997475242708e-07f);
-    var _S149 : f32 = projected_area_1(light_4, tangent_8, roughness_5) * _S148 + projected_area_1(view_4, tangent_8, roughness_5) * _S147;
+    var _S149 : f32 = projected_area_1(light_4, tangent_8, roughness_5) * _S148 + projected_area_1(view_3, tangent_8, roughness_5) * _S147;
     var _S150 : f32 = optical_depth_2 * _S149 / (_S147 * _S148);
-    return 0.25f * density_between_0(light_4, view_4, tangent_8, roughness_5) * (_S150 * mean_attenuation_0(_S150)) * _S147 / _S149;
+    return 0.25f * density_between_0(light_4, view_3, tangent_8, roughness_5) * (_S150 * mean_attenuation_0(_S150)) * _S147 / _S149;
 }
 
 fn with_added_0( sums_1 : Components_0,  more_0 : Components_0,  weight_1 : f32) -> Components_0
@@ -1384,9 +1383,9 @@ fn node_taps_0( direction_5 : vec3<f32>) -> NodeTaps_0
     return _S168;
 }
 
-fn half_vector_0( light_5 : vec3<f32>,  view_5 : vec3<f32>) -> vec3<f32>
+fn half_vector_0( light_5 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S169 : vec3<f32> = light_5 + view_5;
+    var _S169 : vec3<f32> = light_5 + view_4;
     return _S169 * vec3<f32>(rsqrt_0(max(square_0(_S169), 9.999999960041972e-13f)));
 }
 
@@ -1486,13 +1485,13 @@ fn mean_density_0( group_2 : Group_0,  half_0 : vec3<f32>) -> f32
     return 0.15915493667125702f / group_2.roughness_6 * ((1.0f - _S192) / ((_S190 * _S190 + 1.0f) * (_S191 * _S191 + 1.0f)) + arc_tangent_0(_S193, 1.0f + _S192) / _S193);
 }
 
-fn layer_value_0( group_3 : Group_0,  half_1 : vec3<f32>,  light_6 : vec3<f32>,  view_6 : vec3<f32>,  optical_depth_3 : f32) -> f32
+fn layer_value_0( group_3 : Group_0,  half_1 : vec3<f32>,  light_6 : vec3<f32>,  view_5 : vec3<f32>,  optical_depth_3 : f32) -> f32
 {
     var _S194 : bool = (light_6.z) < 0.0f;
     var _S195 : f32 = dot(light_6, group_3.normal_9);
-    var _S196 : f32 = max(dot(view_6, group_3.normal_9), 0.01999999955296516f);
+    var _S196 : f32 = max(dot(view_5, group_3.normal_9), 0.01999999955296516f);
     var _S197 : f32 = mean_area_0(group_3, light_6) / max(select(_S195, - _S195, _S194), 0.01999999955296516f);
-    var _S198 : f32 = mean_area_0(group_3, view_6) / _S196;
+    var _S198 : f32 = mean_area_0(group_3, view_5) / _S196;
     var _S199 : f32 = optical_depth_3 * max(select(_S197 + _S198, abs(_S197 - _S198), _S194), 0.00100000004749745f);
     return 0.25f * mean_density_0(group_3, half_1) * select(1.0f - 0.34999999403953552f * (1.0f - square_0(group_3.normal_9)), 1.0f, _S194) * (optical_depth_3 * select(1.0f, exponential_0(- optical_depth_3 * min(_S197, _S198)), _S194) * (1.0f - exponential_0(- _S199)) / _S199 / _S196);
 }
@@ -1713,14 +1712,14 @@ fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : v
     return found_0;
 }
 
-fn view_terms_0( view_7 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
+fn view_terms_0( view_6 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S243 : f32 = 1.0f - view_7.z;
+    var _S243 : f32 = 1.0f - view_6.z;
     var _S244 : f32 = _S243 * _S243;
     (*terms_0)[i32(0)] = 1.0f;
-    var _S245 : f32 = view_7.x;
+    var _S245 : f32 = view_6.x;
     var _S246 : f32 = _S245 * _S245;
-    var _S247 : f32 = view_7.y;
+    var _S247 : f32 = view_6.y;
     var _S248 : f32 = _S247 * _S247;
     (*terms_0)[i32(1)] = sqrt(max(_S246 + _S248, 9.999999960041972e-13f));
     (*terms_0)[i32(2)] = _S244;
@@ -1730,14 +1729,14 @@ fn view_terms_0( view_7 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>
     return;
 }
 
-fn view_terms_1( view_8 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
+fn view_terms_1( view_7 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S249 : f32 = 1.0f - view_8.z;
+    var _S249 : f32 = 1.0f - view_7.z;
     var _S250 : f32 = _S249 * _S249;
     (*terms_1)[i32(0)] = 1.0f;
-    var _S251 : f32 = view_8.x;
+    var _S251 : f32 = view_7.x;
     var _S252 : f32 = _S251 * _S251;
-    var _S253 : f32 = view_8.y;
+    var _S253 : f32 = view_7.y;
     var _S254 : f32 = _S253 * _S253;
     (*terms_1)[i32(1)] = sqrt(max(_S252 + _S254, 9.999999960041972e-13f));
     (*terms_1)[i32(2)] = _S250;
@@ -1786,10 +1785,10 @@ fn sum_of_0( first_6 : Bounced_0,  second_2 : Bounced_0) -> Bounced_0
     return sum_1;
 }
 
-fn bounced_value_0( bounced_1 : Bounced_0,  light_7 : vec3<f32>,  view_9 : vec3<f32>) -> vec3<f32>
+fn bounced_value_0( bounced_1 : Bounced_0,  light_7 : vec3<f32>,  view_8 : vec3<f32>) -> vec3<f32>
 {
     var _S257 : f32 = light_7.z;
-    return select_vector_1((_S257 * view_9.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S257) * 0.31830987334251404f));
+    return select_vector_1((_S257 * view_8.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S257) * 0.31830987334251404f));
 }
 
 fn sheen_scale_0( x_11 : f32,  y_4 : f32) -> f32
@@ -1815,14 +1814,14 @@ fn sheen_lobe_0( cos_view_0 : f32,  roughness_8 : f32) -> vec3<f32>
     return vec3<f32>(clamp(sheen_scale_0(_S259, _S260), 0.00999999977648258f, 1.0f), clamp((1.0f - _S258) * sheen_shear_0(_S259, _S260), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S259, _S260), -60.0f, 60.0f))));
 }
 
-fn transformed_cosine_0( light_8 : vec3<f32>,  view_10 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
+fn transformed_cosine_0( light_8 : vec3<f32>,  view_9 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
     var _S261 : f32 = light_8.z;
-    if(((_S261 <= 0.0f) | (((view_10.z) <= 0.0f))))
+    if(((_S261 <= 0.0f) | (((view_9.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S262 : vec2<f32> = view_10.xy;
+    var _S262 : vec2<f32> = view_9.xy;
     var _S263 : f32 = dot(_S262, _S262);
     var _S264 : vec2<f32> = select_vector_0(_S263 > 9.99999968265522539e-21f, _S262 * vec2<f32>(rsqrt_0(max(_S263, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
     var _S265 : f32 = scale_0 * dot(light_8.xy, _S264) + shear_0 * _S261;
@@ -1831,11 +1830,11 @@ fn transformed_cosine_0( light_8 : vec3<f32>,  view_10 : vec3<f32>,  scale_0 : f
     return 0.31830987334251404f * scale_0 * scale_0 * _S261 / max(_S267 * _S267, 9.99999968265522539e-21f);
 }
 
-fn sheen_with_transmittance_0( light_9 : vec3<f32>,  view_11 : vec3<f32>,  strength_0 : f32,  roughness_9 : f32) -> vec2<f32>
+fn sheen_with_transmittance_0( light_9 : vec3<f32>,  view_10 : vec3<f32>,  strength_0 : f32,  roughness_9 : f32) -> vec2<f32>
 {
-    var _S268 : vec3<f32> = sheen_lobe_0(view_11.z, roughness_9);
+    var _S268 : vec3<f32> = sheen_lobe_0(view_10.z, roughness_9);
     var _S269 : f32 = strength_0 * _S268.z;
-    return vec2<f32>(_S269 * transformed_cosine_0(light_9, view_11, _S268.x, _S268.y), 1.0f - _S269);
+    return vec2<f32>(_S269 * transformed_cosine_0(light_9, view_10, _S268.x, _S268.y), 1.0f - _S269);
 }
 
 fn accumulate_0( index_7 : u32,  light_10 : vec4<f32>)
@@ -1895,7 +1894,7 @@ fn face_point_0( _S271 : u32,  _S272 : u32,  _S273 : f32,  _S274 : f32) -> Visib
     var _S295 : vec3<f32> = normalize(cross(_S280, _S281));
     point_2.face_normal_0 = select_vector_1((dot(_S295, _S293)) < 0.0f, (vec3<f32>(0) - _S295), _S295);
     point_2.position_0 = _S279 + _S291 * _S280 + _S292 * _S281;
-    point_2.view_1 = _S293;
+    point_2.view_0 = _S293;
     var _S296 : vec2<f32> = vec2<f32>(_S276.u_0, _S276.v_0) + vec2<f32>(_S273) * _S284 + vec2<f32>(_S274) * _S287;
     point_2.uv_1 = _S296;
     var _S297 : bool = (dot(cross(_S289, _S290), _S293)) < 0.0f;
@@ -1937,7 +1936,7 @@ fn visible_point_0( _S300 : u32,  _S301 : u32,  _S302 : vec2<u32>) -> VisiblePoi
     var _S327 : vec2<f32> = vec2<f32>(_S306.u_0 - _S304.u_0, _S306.v_0 - _S304.v_0);
     var point_3 : VisiblePoint_0 = face_point_0(_S300, _S301, dot(_S320, _S324), dot(_S320, _S325));
     point_3.position_0 = _S307 + _S320;
-    point_3.view_1 = (vec3<f32>(0) - normalize(_S315));
+    point_3.view_0 = (vec3<f32>(0) - normalize(_S315));
     point_3.draft_dx_0 = (vec2<f32>(dot(_S321, _S324)) * _S326 + vec2<f32>(dot(_S321, _S325)) * _S327) * point_3.draft_per_uv_0;
     point_3.draft_dy_0 = (vec2<f32>(dot(_S322, _S324)) * _S326 + vec2<f32>(dot(_S322, _S325)) * _S327) * point_3.draft_per_uv_0;
     return point_3;
@@ -2574,7 +2573,7 @@ struct FibreNoise_0
      bundle_weight_0 : f32,
      fibre_0 : vec2<f32>,
      fibre_weight_0 : f32,
-     offset_2 : f32,
+     offset_1 : f32,
      slope_2 : f32,
 };
 
@@ -2589,7 +2588,7 @@ fn fibre_noise_at_0( _S574 : u32,  _S575 : u32,  _S576 : SurfacePoint_0,  _S577 
     noise_0.bundle_weight_0 = fade_0(_S578, _S579);
     noise_0.fibre_0 = cell_noise_0(hash_key_0(_S577, ((fabrics_0[_S574].seed_0) ^ (u32(48610963)))), _S582);
     noise_0.fibre_weight_0 = fade_0(_S578, fabrics_0[_S574].fibre_size_0);
-    noise_0.offset_2 = _S582.z;
+    noise_0.offset_1 = _S582.z;
     noise_0.slope_2 = 0.5f * _S580.y;
     return noise_0;
 }
@@ -2678,7 +2677,7 @@ fn turned_frame_0( _S616 : u32,  _S617 : u32,  _S618 : SurfacePoint_0,  _S619 : 
     if((families_0[_S617].fibre_tilt_0) > 0.0f)
     {
         var _S631 : FibreNoise_0 = fibre_noise_at_0(_S616, _S617, _S618, _S620, _S621);
-        var _S632 : f32 = 1.09858846664428711f * _S630 * (_S631.bundle_weight_0 * _S631.bundle_0.x + _S631.fibre_weight_0 * (_S631.fibre_0.x + _S631.offset_2));
+        var _S632 : f32 = 1.09858846664428711f * _S630 * (_S631.bundle_weight_0 * _S631.bundle_0.x + _S631.fibre_weight_0 * (_S631.fibre_0.x + _S631.offset_1));
         var _S633 : f32 = _S630 * (1.42099642753601074f * (_S631.bundle_weight_0 * _S631.bundle_0.y + _S631.fibre_weight_0 * _S631.fibre_0.y) - _S631.bundle_weight_0 * _S631.slope_2);
         var _S634 : f32 = square_1(_S631.fibre_weight_0);
         frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S630 * _S630 * ((0.24761904776096344f * (square_1(_S631.bundle_weight_0) + _S634) + _S634 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
@@ -3395,7 +3394,7 @@ fn light_of_footprint_0( _S921 : u32,  _S922 : VisiblePoint_0,  _S923 : vec2<u32
     footprint_0.dx_0 = _S922.draft_dx_0;
     footprint_0.dy_0 = _S922.draft_dy_0;
     var _S925 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
-    var _S926 : vec3<f32> = to_local_0(_S922, _S922.view_1);
+    var _S926 : vec3<f32> = to_local_0(_S922, _S922.view_0);
     var _S927 : u32 = light_sample_count_0();
     var _S928 : vec3<f32> = vec3<f32>(0.0f);
     var number_8 : u32 = u32(0);

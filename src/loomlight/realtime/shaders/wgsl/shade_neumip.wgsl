@@ -169,10 +169,9 @@ struct Clustered_std430_0
     @align(4) coefficients_0 : u32,
     @align(4) basis_0 : u32,
     @align(4) moments_1 : u32,
+    @align(4) texels_2 : u32,
     @align(4) light_0 : u32,
-    @align(4) view_0 : u32,
-    @align(4) offset_1 : u32,
-    @align(4) trust_0 : u32,
+    @align(4) heights_0 : u32,
 };
 
 struct Fabric_std430_0
@@ -1245,7 +1244,7 @@ fn normal_of_0( vertex_1 : Vertex_0) -> vec3<f32>
 struct VisiblePoint_0
 {
      position_0 : vec3<f32>,
-     view_1 : vec3<f32>,
+     view_0 : vec3<f32>,
      axis_x_0 : vec3<f32>,
      axis_y_0 : vec3<f32>,
      normal_0 : vec3<f32>,
@@ -1365,7 +1364,7 @@ fn channel_0( numbers_4 : Eight_0,  k_0 : i32) -> f32
     return select(numbers_4.high_0[_S149], numbers_4.low_0[_S149], k_0 < i32(4));
 }
 
-fn neumip_depth_0( model_0 : ptr<function, Neumip_std430_0>,  uv_3 : vec2<f32>,  view_2 : vec2<f32>,  face_2 : u32) -> f32
+fn neumip_depth_0( model_0 : ptr<function, Neumip_std430_0>,  uv_3 : vec2<f32>,  view_1 : vec2<f32>,  face_2 : u32) -> f32
 {
     var _S150 : u32 = words_0[(*model_0).levels_2 + u32(1)];
     var _S151 : u32 = words_0[(*model_0).levels_2 + u32(2)];
@@ -1385,8 +1384,8 @@ fn neumip_depth_0( model_0 : ptr<function, Neumip_std430_0>,  uv_3 : vec2<f32>, 
         inputs_24[k_1] = channel_0(texel_1, k_1);
         k_1 = k_1 + i32(1);
     }
-    inputs_24[i32(7)] = view_2.x;
-    inputs_24[i32(8)] = view_2.y;
+    inputs_24[i32(7)] = view_1.x;
+    inputs_24[i32(8)] = view_1.y;
     var network_1 : MLP_0;
     network_1.weights_20.first_0 = (*model_0).offset_0;
     var depth_0 : array<f32, i32(1)>;
@@ -1450,22 +1449,22 @@ fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_5 : vec2<f32>,  l
     var _S157 : f32 = _S155 - _S156;
     var _S158 : vec2<f32> = within_repeat_0(uv_5);
     var texel_2 : Eight_0 = no_numbers_0();
-    var offset_2 : u32 = u32(0);
+    var offset_1 : u32 = u32(0);
     for(;;)
     {
-        if(offset_2 < u32(2))
+        if(offset_1 < u32(2))
         {
         }
         else
         {
             break;
         }
-        var _S159 : f32 = select(_S157, 1.0f - _S157, offset_2 == u32(0));
+        var _S159 : f32 = select(_S157, 1.0f - _S157, offset_1 == u32(0));
         if(_S159 > 0.0f)
         {
-            TexelPyramid_add_level_0(this_5, _S158, u32(_S156) + offset_2, face_4, _S159, &(texel_2));
+            TexelPyramid_add_level_0(this_5, _S158, u32(_S156) + offset_1, face_4, _S159, &(texel_2));
         }
-        offset_2 = offset_2 + u32(1);
+        offset_1 = offset_1 + u32(1);
     }
     return texel_2;
 }
@@ -1478,7 +1477,7 @@ fn exponential_0( x_5 : f32) -> f32
     return select(((((((0.00019875691214111f * _S162 + 0.00139819993637502f) * _S162 + 0.00833345204591751f) * _S162 + 0.04166579619050026f) * _S162 + 0.1666666567325592f) * _S162 + 0.5f) * _S162 * _S162 + _S162 + 1.0f) * (bitcast<f32>(((u32(i32(_S161) + i32(127)) << (u32(23)))))), 0.0f, x_5 < -87.0f);
 }
 
-fn neumip_hole_0( model_1 : ptr<function, Neumip_std430_0>,  texel_3 : Eight_0,  view_3 : vec2<f32>) -> f32
+fn neumip_hole_0( model_1 : ptr<function, Neumip_std430_0>,  texel_3 : Eight_0,  view_2 : vec2<f32>) -> f32
 {
     var inputs_25 : array<f32, i32(9)>;
     var k_2 : i32 = i32(0);
@@ -1494,8 +1493,8 @@ fn neumip_hole_0( model_1 : ptr<function, Neumip_std430_0>,  texel_3 : Eight_0, 
         inputs_25[k_2] = channel_0(texel_3, k_2);
         k_2 = k_2 + i32(1);
     }
-    inputs_25[i32(7)] = view_3.x;
-    inputs_25[i32(8)] = view_3.y;
+    inputs_25[i32(7)] = view_2.x;
+    inputs_25[i32(8)] = view_2.y;
     var network_2 : MLP_0;
     network_2.weights_20.first_0 = (*model_1).opacity_0;
     var opening_0 : array<f32, i32(1)>;
@@ -1675,7 +1674,7 @@ fn face_point_0( _S181 : u32,  _S182 : u32,  _S183 : f32,  _S184 : f32) -> Visib
     var _S205 : vec3<f32> = normalize(cross(_S190, _S191));
     point_1.face_normal_0 = select_vector_2((dot(_S205, _S203)) < 0.0f, (vec3<f32>(0) - _S205), _S205);
     point_1.position_0 = _S189 + _S201 * _S190 + _S202 * _S191;
-    point_1.view_1 = _S203;
+    point_1.view_0 = _S203;
     var _S206 : vec2<f32> = vec2<f32>(_S186.u_0, _S186.v_0) + vec2<f32>(_S183) * _S194 + vec2<f32>(_S184) * _S197;
     point_1.uv_0 = _S206;
     var _S207 : bool = (dot(cross(_S199, _S200), _S203)) < 0.0f;
@@ -1717,7 +1716,7 @@ fn visible_point_0( _S210 : u32,  _S211 : u32,  _S212 : vec2<u32>) -> VisiblePoi
     var _S237 : vec2<f32> = vec2<f32>(_S216.u_0 - _S214.u_0, _S216.v_0 - _S214.v_0);
     var point_2 : VisiblePoint_0 = face_point_0(_S210, _S211, dot(_S230, _S234), dot(_S230, _S235));
     point_2.position_0 = _S217 + _S230;
-    point_2.view_1 = (vec3<f32>(0) - normalize(_S225));
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S225));
     point_2.draft_dx_0 = (vec2<f32>(dot(_S231, _S234)) * _S236 + vec2<f32>(dot(_S231, _S235)) * _S237) * point_2.draft_per_uv_0;
     point_2.draft_dy_0 = (vec2<f32>(dot(_S232, _S234)) * _S236 + vec2<f32>(dot(_S232, _S235)) * _S237) * point_2.draft_per_uv_0;
     return point_2;
@@ -1733,7 +1732,7 @@ struct Footprint_0
 struct NeumipView_0
 {
      latent_1 : array<f32, i32(7)>,
-     view_4 : vec2<f32>,
+     view_3 : vec2<f32>,
      back_3 : bool,
      hole_0 : f32,
 };
@@ -1778,7 +1777,7 @@ fn neumip_view_0( _S238 : u32,  _S239 : Footprint_0,  _S240 : vec3<f32>,  _S241 
         k_3 = k_3 + i32(1);
     }
     var _S250 : vec2<f32> = _S245.xy;
-    (*_S241).view_4 = _S250;
+    (*_S241).view_3 = _S250;
     (*_S241).back_3 = _S243;
     var _S251 : f32;
     if((_S242.has_holes_0) != u32(0))
@@ -1891,8 +1890,8 @@ fn neumip_value_0( _S279 : u32,  _S280 : ptr<function, NeumipView_0>,  _S281 : v
     }
     inputs_26[i32(7)] = _S282.x;
     inputs_26[i32(8)] = _S282.y;
-    inputs_26[i32(9)] = (*_S280).view_4.x;
-    inputs_26[i32(10)] = (*_S280).view_4.y;
+    inputs_26[i32(9)] = (*_S280).view_3.x;
+    inputs_26[i32(10)] = (*_S280).view_3.y;
     var network_3 : MLP_0;
     network_3.weights_20.first_0 = select(_S284.decoder_0, _S284.transmission_0, _S285);
     var outputs_20 : array<f32, i32(3)>;
@@ -1907,7 +1906,7 @@ fn light_of_neumip_0( _S286 : u32,  _S287 : VisiblePoint_0,  _S288 : vec2<u32>) 
     footprint_0.dx_0 = _S287.draft_dx_0;
     footprint_0.dy_0 = _S287.draft_dy_0;
     var seen_0 : NeumipView_0;
-    neumip_view_0(_S286, footprint_0, to_local_0(_S287, _S287.view_1), &(seen_0));
+    neumip_view_0(_S286, footprint_0, to_local_0(_S287, _S287.view_0), &(seen_0));
     var _S289 : vec3<f32> = vec3<f32>(0.0f);
     var number_1 : u32 = u32(0);
     var radiance_1 : vec3<f32> = _S289;

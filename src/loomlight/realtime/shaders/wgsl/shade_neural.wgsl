@@ -169,10 +169,9 @@ struct Clustered_std430_0
     @align(4) coefficients_0 : u32,
     @align(4) basis_0 : u32,
     @align(4) moments_1 : u32,
+    @align(4) texels_2 : u32,
     @align(4) light_0 : u32,
-    @align(4) view_0 : u32,
-    @align(4) offset_1 : u32,
-    @align(4) trust_0 : u32,
+    @align(4) heights_0 : u32,
 };
 
 struct Fabric_std430_0
@@ -1451,7 +1450,7 @@ fn map_level_0( first_20 : u32,  side_0 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
 struct VisiblePoint_0
 {
      position_0 : vec3<f32>,
-     view_1 : vec3<f32>,
+     view_0 : vec3<f32>,
      axis_x_0 : vec3<f32>,
      axis_y_0 : vec3<f32>,
      normal_0 : vec3<f32>,
@@ -1928,11 +1927,11 @@ fn mirrored_bundle_0( bundle_0 : u32) -> u32
     return select(bundle_0 / u32(3) * u32(3) + u32(3) - u32(1) - bundle_0 % u32(3), bundle_0, bundle_0 == u32(24));
 }
 
-fn light_visibility_of_0( diffuse_0 : f32,  light_1 : vec3<f32>,  view_2 : vec3<f32>,  blend_0 : f32) -> f32
+fn light_visibility_of_0( diffuse_0 : f32,  light_1 : vec3<f32>,  view_1 : vec3<f32>,  blend_0 : f32) -> f32
 {
     var _S252 : f32 = max(abs(light_1.z), 0.00100000004749745f);
     var _S253 : vec2<f32> = light_1.xy;
-    return 3.14159274101257324f * max(diffuse_0, 0.0f) / mix(_S252, (0.59700000286102295f * _S252 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S253, view_2.xy) * rsqrt_0(max(dot(_S253, _S253), 9.99999997475242708e-07f))) + 1.0f), blend_0);
+    return 3.14159274101257324f * max(diffuse_0, 0.0f) / mix(_S252, (0.59700000286102295f * _S252 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S253, view_1.xy) * rsqrt_0(max(dot(_S253, _S253), 9.99999997475242708e-07f))) + 1.0f), blend_0);
 }
 
 struct Blocked_0
@@ -2008,14 +2007,14 @@ fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : v
     return found_0;
 }
 
-fn view_terms_0( view_3 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
+fn view_terms_0( view_2 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S258 : f32 = 1.0f - view_3.z;
+    var _S258 : f32 = 1.0f - view_2.z;
     var _S259 : f32 = _S258 * _S258;
     (*terms_0)[i32(0)] = 1.0f;
-    var _S260 : f32 = view_3.x;
+    var _S260 : f32 = view_2.x;
     var _S261 : f32 = _S260 * _S260;
-    var _S262 : f32 = view_3.y;
+    var _S262 : f32 = view_2.y;
     var _S263 : f32 = _S262 * _S262;
     (*terms_0)[i32(1)] = sqrt(max(_S261 + _S263, 9.999999960041972e-13f));
     (*terms_0)[i32(2)] = _S259;
@@ -2025,14 +2024,14 @@ fn view_terms_0( view_3 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>
     return;
 }
 
-fn view_terms_1( view_4 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
+fn view_terms_1( view_3 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S264 : f32 = 1.0f - view_4.z;
+    var _S264 : f32 = 1.0f - view_3.z;
     var _S265 : f32 = _S264 * _S264;
     (*terms_1)[i32(0)] = 1.0f;
-    var _S266 : f32 = view_4.x;
+    var _S266 : f32 = view_3.x;
     var _S267 : f32 = _S266 * _S266;
-    var _S268 : f32 = view_4.y;
+    var _S268 : f32 = view_3.y;
     var _S269 : f32 = _S268 * _S268;
     (*terms_1)[i32(1)] = sqrt(max(_S267 + _S269, 9.999999960041972e-13f));
     (*terms_1)[i32(2)] = _S265;
@@ -2090,10 +2089,10 @@ fn sum_of_0( first_23 : Bounced_0,  second_1 : Bounced_0) -> Bounced_0
     return sum_1;
 }
 
-fn bounced_value_0( bounced_1 : Bounced_0,  light_2 : vec3<f32>,  view_5 : vec3<f32>) -> vec3<f32>
+fn bounced_value_0( bounced_1 : Bounced_0,  light_2 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
 {
     var _S272 : f32 = light_2.z;
-    return select_vector_2((_S272 * view_5.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S272) * 0.31830987334251404f));
+    return select_vector_2((_S272 * view_4.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S272) * 0.31830987334251404f));
 }
 
 fn sheen_scale_0( x_10 : f32,  y_2 : f32) -> f32
@@ -2119,14 +2118,14 @@ fn sheen_lobe_0( cos_view_0 : f32,  roughness_1 : f32) -> vec3<f32>
     return vec3<f32>(clamp(sheen_scale_0(_S274, _S275), 0.00999999977648258f, 1.0f), clamp((1.0f - _S273) * sheen_shear_0(_S274, _S275), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S274, _S275), -60.0f, 60.0f))));
 }
 
-fn transformed_cosine_0( light_3 : vec3<f32>,  view_6 : vec3<f32>,  scale_1 : f32,  shear_0 : f32) -> f32
+fn transformed_cosine_0( light_3 : vec3<f32>,  view_5 : vec3<f32>,  scale_1 : f32,  shear_0 : f32) -> f32
 {
     var _S276 : f32 = light_3.z;
-    if(((_S276 <= 0.0f) | (((view_6.z) <= 0.0f))))
+    if(((_S276 <= 0.0f) | (((view_5.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S277 : vec2<f32> = view_6.xy;
+    var _S277 : vec2<f32> = view_5.xy;
     var _S278 : f32 = dot(_S277, _S277);
     var _S279 : vec2<f32> = select_vector_1(_S278 > 9.99999968265522539e-21f, _S277 * vec2<f32>(rsqrt_0(max(_S278, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
     var _S280 : f32 = scale_1 * dot(light_3.xy, _S279) + shear_0 * _S276;
@@ -2135,11 +2134,11 @@ fn transformed_cosine_0( light_3 : vec3<f32>,  view_6 : vec3<f32>,  scale_1 : f3
     return 0.31830987334251404f * scale_1 * scale_1 * _S276 / max(_S282 * _S282, 9.99999968265522539e-21f);
 }
 
-fn sheen_with_transmittance_0( light_4 : vec3<f32>,  view_7 : vec3<f32>,  strength_0 : f32,  roughness_2 : f32) -> vec2<f32>
+fn sheen_with_transmittance_0( light_4 : vec3<f32>,  view_6 : vec3<f32>,  strength_0 : f32,  roughness_2 : f32) -> vec2<f32>
 {
-    var _S283 : vec3<f32> = sheen_lobe_0(view_7.z, roughness_2);
+    var _S283 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_2);
     var _S284 : f32 = strength_0 * _S283.z;
-    return vec2<f32>(_S284 * transformed_cosine_0(light_4, view_7, _S283.x, _S283.y), 1.0f - _S284);
+    return vec2<f32>(_S284 * transformed_cosine_0(light_4, view_6, _S283.x, _S283.y), 1.0f - _S284);
 }
 
 fn accumulate_0( index_8 : u32,  light_5 : vec4<f32>)
@@ -2199,7 +2198,7 @@ fn face_point_0( _S286 : u32,  _S287 : u32,  _S288 : f32,  _S289 : f32) -> Visib
     var _S310 : vec3<f32> = normalize(cross(_S295, _S296));
     point_1.face_normal_0 = select_vector_2((dot(_S310, _S308)) < 0.0f, (vec3<f32>(0) - _S310), _S310);
     point_1.position_0 = _S294 + _S306 * _S295 + _S307 * _S296;
-    point_1.view_1 = _S308;
+    point_1.view_0 = _S308;
     var _S311 : vec2<f32> = vec2<f32>(_S291.u_0, _S291.v_0) + vec2<f32>(_S288) * _S299 + vec2<f32>(_S289) * _S302;
     point_1.uv_1 = _S311;
     var _S312 : bool = (dot(cross(_S304, _S305), _S308)) < 0.0f;
@@ -2241,7 +2240,7 @@ fn visible_point_0( _S315 : u32,  _S316 : u32,  _S317 : vec2<u32>) -> VisiblePoi
     var _S342 : vec2<f32> = vec2<f32>(_S321.u_0 - _S319.u_0, _S321.v_0 - _S319.v_0);
     var point_2 : VisiblePoint_0 = face_point_0(_S315, _S316, dot(_S335, _S339), dot(_S335, _S340));
     point_2.position_0 = _S322 + _S335;
-    point_2.view_1 = (vec3<f32>(0) - normalize(_S330));
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S330));
     point_2.draft_dx_0 = (vec2<f32>(dot(_S336, _S339)) * _S341 + vec2<f32>(dot(_S336, _S340)) * _S342) * point_2.draft_per_uv_0;
     point_2.draft_dy_0 = (vec2<f32>(dot(_S337, _S339)) * _S341 + vec2<f32>(dot(_S337, _S340)) * _S342) * point_2.draft_per_uv_0;
     return point_2;
@@ -2271,7 +2270,7 @@ struct NeuralView_0
      sums_7 : array<f32, i32(96)>,
      hole_0 : f32,
      correction_weight_0 : f32,
-     view_8 : vec3<f32>,
+     view_7 : vec3<f32>,
      back_5 : bool,
 };
 
@@ -2411,17 +2410,17 @@ fn code_footprint_0( _S394 : u32,  _S395 : AnisotropicTaps_0,  _S396 : vec3<f32>
             {
                 break;
             }
-            var offset_2 : f32 = _S396[number_3] - (f32(bin_0) + 0.5f) / 8.0f;
-            var offset_3 : f32;
+            var offset_1 : f32 = _S396[number_3] - (f32(bin_0) + 0.5f) / 8.0f;
+            var offset_2 : f32;
             if(number_3 < i32(2))
             {
-                offset_3 = offset_2 - round(offset_2);
+                offset_2 = offset_1 - round(offset_1);
             }
             else
             {
-                offset_3 = offset_2;
+                offset_2 = offset_1;
             }
-            (*_S398)[i32(64) + number_3 * i32(8) + bin_0] = bump_0(offset_3 * 3.20000004768371582f);
+            (*_S398)[i32(64) + number_3 * i32(8) + bin_0] = bump_0(offset_2 * 3.20000004768371582f);
             bin_0 = bin_0 + i32(1);
         }
         number_3 = number_3 + i32(1);
@@ -2466,7 +2465,7 @@ fn neural_view_0( _S410 : u32,  _S411 : Footprint_0,  _S412 : vec3<f32>,  _S413 
     (*_S413).sums_7 = _S419;
     (*_S413).hole_0 = clamp(hole_1[i32(0)], 0.0f, 1.0f);
     (*_S413).correction_weight_0 = correction_weight_of_0(_S416.z);
-    (*_S413).view_8 = _S417;
+    (*_S413).view_7 = _S417;
     (*_S413).back_5 = _S414;
     return;
 }
@@ -2653,12 +2652,12 @@ fn neural_components_0( _S489 : u32,  _S490 : ptr<function, NeuralView_0>,  _S49
 {
     var _S492 : bool = (*_S490).back_5;
     var _S493 : vec3<f32> = to_face_frame_0(_S491, (*_S490).back_5);
-    var _S494 : vec3<f32> = (*_S490).view_8;
+    var _S494 : vec3<f32> = (*_S490).view_7;
     var weights_24 : HalfWeights_0;
     var _S495 : Neural_std430_0 = fabrics_0[_S489].neural_0;
     weights_24.first_2 = fabrics_0[_S489].neural_0.network_0;
     var directions_0 : array<f32, i32(39)>;
-    code_light_0(_S489, _S493, (*_S490).view_8, (*_S490).back_5, &(directions_0));
+    code_light_0(_S489, _S493, (*_S490).view_7, (*_S490).back_5, &(directions_0));
     var skip_0 : array<f32, i32(96)>;
     var k_1 : i32 = i32(0);
     for(;;)
@@ -3005,7 +3004,7 @@ fn light_of_neural_0( _S624 : u32,  _S625 : VisiblePoint_0,  _S626 : vec2<u32>, 
     footprint_1.centre_0 = _S625.draft_0;
     footprint_1.dx_0 = _S625.draft_dx_0;
     footprint_1.dy_0 = _S625.draft_dy_0;
-    var _S628 : vec3<f32> = to_local_0(_S625, _S625.view_1);
+    var _S628 : vec3<f32> = to_local_0(_S625, _S625.view_0);
     var activations_0 : NeuralView_0;
     neural_view_0(_S624, footprint_1, _S628, &(activations_0));
     var _S629 : f32 = _S628.z;

@@ -169,10 +169,9 @@ struct Clustered_std430_0
     @align(4) coefficients_0 : u32,
     @align(4) basis_0 : u32,
     @align(4) moments_1 : u32,
+    @align(4) texels_2 : u32,
     @align(4) light_0 : u32,
-    @align(4) view_0 : u32,
-    @align(4) offset_1 : u32,
-    @align(4) trust_0 : u32,
+    @align(4) heights_0 : u32,
 };
 
 struct Fabric_std430_0
@@ -461,7 +460,7 @@ fn default_quality_0() -> SearchQuality_0
 struct VisiblePoint_0
 {
      position_0 : vec3<f32>,
-     view_1 : vec3<f32>,
+     view_0 : vec3<f32>,
      axis_x_0 : vec3<f32>,
      axis_y_0 : vec3<f32>,
      normal_0 : vec3<f32>,
@@ -1258,40 +1257,40 @@ fn flake_density_0( squared_along_0 : f32,  roughness_2 : f32) -> f32
     return 0.31830987334251404f * _S137 * roughness_2 / (_S138 * _S138);
 }
 
-fn density_between_0( light_2 : vec3<f32>,  view_2 : vec3<f32>,  tangent_5 : vec3<f32>,  roughness_3 : f32) -> f32
+fn density_between_0( light_2 : vec3<f32>,  view_1 : vec3<f32>,  tangent_5 : vec3<f32>,  roughness_3 : f32) -> f32
 {
-    var _S139 : vec3<f32> = light_2 + view_2;
+    var _S139 : vec3<f32> = light_2 + view_1;
     var _S140 : f32 = dot(_S139, tangent_5);
     return flake_density_0(min(_S140 * _S140 / max(square_0(_S139), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
-fn reflection_0( light_3 : vec3<f32>,  view_3 : vec3<f32>,  normal_6 : vec3<f32>,  tangent_6 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
+fn reflection_0( light_3 : vec3<f32>,  view_2 : vec3<f32>,  normal_6 : vec3<f32>,  tangent_6 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
 {
     var _S141 : f32 = dot(light_3, normal_6);
-    var _S142 : f32 = dot(view_3, normal_6);
+    var _S142 : f32 = dot(view_2, normal_6);
     if(((_S141 <= 0.0f) | ((_S142 <= 0.0f))))
     {
         return 0.0f;
     }
     var _S143 : f32 = max(_S141, 9.99999997475242708e-07f);
     var _S144 : f32 = max(_S142, 9.99999997475242708e-07f);
-    var _S145 : f32 = projected_area_1(light_3, tangent_6, roughness_4) * _S144 + projected_area_1(view_3, tangent_6, roughness_4) * _S143;
+    var _S145 : f32 = projected_area_1(light_3, tangent_6, roughness_4) * _S144 + projected_area_1(view_2, tangent_6, roughness_4) * _S143;
     var _S146 : f32 = optical_depth_1 * _S145 / (_S143 * _S144);
-    return 0.25f * density_between_0(light_3, view_3, tangent_6, roughness_4) * (_S146 * mean_attenuation_0(_S146)) * _S143 / _S145;
+    return 0.25f * density_between_0(light_3, view_2, tangent_6, roughness_4) * (_S146 * mean_attenuation_0(_S146)) * _S143 / _S145;
 }
 
-fn transmission_1( light_4 : vec3<f32>,  view_4 : vec3<f32>,  normal_7 : vec3<f32>,  tangent_7 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
+fn transmission_1( light_4 : vec3<f32>,  view_3 : vec3<f32>,  normal_7 : vec3<f32>,  tangent_7 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
 {
     var _S147 : f32 = - dot(light_4, normal_7);
-    var _S148 : f32 = dot(view_4, normal_7);
+    var _S148 : f32 = dot(view_3, normal_7);
     if(((_S147 <= 0.0f) | ((_S148 <= 0.0f))))
     {
         return 0.0f;
     }
     var _S149 : f32 = 1.0f / max(_S148, 9.99999997475242708e-07f);
     var _S150 : f32 = projected_area_1(light_4, tangent_7, roughness_5) / max(_S147, 9.99999997475242708e-07f);
-    var _S151 : f32 = projected_area_1(view_4, tangent_7, roughness_5) * _S149;
-    return density_between_0(light_4, view_4, tangent_7, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S150, _S151)) * mean_attenuation_0(optical_depth_2 * abs(_S150 - _S151)) * _S149;
+    var _S151 : f32 = projected_area_1(view_3, tangent_7, roughness_5) * _S149;
+    return density_between_0(light_4, view_3, tangent_7, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S150, _S151)) * mean_attenuation_0(optical_depth_2 * abs(_S150 - _S151)) * _S149;
 }
 
 fn sheen_scale_0( x_9 : f32,  y_2 : f32) -> f32
@@ -1317,14 +1316,14 @@ fn sheen_lobe_0( cos_view_0 : f32,  roughness_6 : f32) -> vec3<f32>
     return vec3<f32>(clamp(sheen_scale_0(_S153, _S154), 0.00999999977648258f, 1.0f), clamp((1.0f - _S152) * sheen_shear_0(_S153, _S154), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S153, _S154), -60.0f, 60.0f))));
 }
 
-fn transformed_cosine_0( light_5 : vec3<f32>,  view_5 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
+fn transformed_cosine_0( light_5 : vec3<f32>,  view_4 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
     var _S155 : f32 = light_5.z;
-    if(((_S155 <= 0.0f) | (((view_5.z) <= 0.0f))))
+    if(((_S155 <= 0.0f) | (((view_4.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S156 : vec2<f32> = view_5.xy;
+    var _S156 : vec2<f32> = view_4.xy;
     var _S157 : f32 = dot(_S156, _S156);
     var _S158 : vec2<f32> = select_vector_1(_S157 > 9.99999968265522539e-21f, _S156 * vec2<f32>(rsqrt_0(max(_S157, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
     var _S159 : f32 = scale_0 * dot(light_5.xy, _S158) + shear_0 * _S155;
@@ -1333,17 +1332,17 @@ fn transformed_cosine_0( light_5 : vec3<f32>,  view_5 : vec3<f32>,  scale_0 : f3
     return 0.31830987334251404f * scale_0 * scale_0 * _S155 / max(_S161 * _S161, 9.99999968265522539e-21f);
 }
 
-fn sheen_with_transmittance_0( light_6 : vec3<f32>,  view_6 : vec3<f32>,  strength_0 : f32,  roughness_7 : f32) -> vec2<f32>
+fn sheen_with_transmittance_0( light_6 : vec3<f32>,  view_5 : vec3<f32>,  strength_0 : f32,  roughness_7 : f32) -> vec2<f32>
 {
-    var _S162 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_7);
+    var _S162 : vec3<f32> = sheen_lobe_0(view_5.z, roughness_7);
     var _S163 : f32 = strength_0 * _S162.z;
-    return vec2<f32>(_S163 * transformed_cosine_0(light_6, view_6, _S162.x, _S162.y), 1.0f - _S163);
+    return vec2<f32>(_S163 * transformed_cosine_0(light_6, view_5, _S162.x, _S162.y), 1.0f - _S163);
 }
 
-fn bounced_value_0( bounced_1 : Bounced_0,  light_7 : vec3<f32>,  view_7 : vec3<f32>) -> vec3<f32>
+fn bounced_value_0( bounced_1 : Bounced_0,  light_7 : vec3<f32>,  view_6 : vec3<f32>) -> vec3<f32>
 {
     var _S164 : f32 = light_7.z;
-    return select_vector_0((_S164 * view_7.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S164) * 0.31830987334251404f));
+    return select_vector_0((_S164 * view_6.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S164) * 0.31830987334251404f));
 }
 
 fn accumulate_0( index_7 : u32,  light_8 : vec4<f32>)
@@ -1403,7 +1402,7 @@ fn face_point_0( _S166 : u32,  _S167 : u32,  _S168 : f32,  _S169 : f32) -> Visib
     var _S190 : vec3<f32> = normalize(cross(_S175, _S176));
     point_2.face_normal_0 = select_vector_0((dot(_S190, _S188)) < 0.0f, (vec3<f32>(0) - _S190), _S190);
     point_2.position_0 = _S174 + _S186 * _S175 + _S187 * _S176;
-    point_2.view_1 = _S188;
+    point_2.view_0 = _S188;
     var _S191 : vec2<f32> = vec2<f32>(_S171.u_0, _S171.v_0) + vec2<f32>(_S168) * _S179 + vec2<f32>(_S169) * _S182;
     point_2.uv_1 = _S191;
     var _S192 : bool = (dot(cross(_S184, _S185), _S188)) < 0.0f;
@@ -1445,7 +1444,7 @@ fn visible_point_0( _S195 : u32,  _S196 : u32,  _S197 : vec2<u32>) -> VisiblePoi
     var _S222 : vec2<f32> = vec2<f32>(_S201.u_0 - _S199.u_0, _S201.v_0 - _S199.v_0);
     var point_3 : VisiblePoint_0 = face_point_0(_S195, _S196, dot(_S215, _S219), dot(_S215, _S220));
     point_3.position_0 = _S202 + _S215;
-    point_3.view_1 = (vec3<f32>(0) - normalize(_S210));
+    point_3.view_0 = (vec3<f32>(0) - normalize(_S210));
     point_3.draft_dx_0 = (vec2<f32>(dot(_S216, _S219)) * _S221 + vec2<f32>(dot(_S216, _S220)) * _S222) * point_3.draft_per_uv_0;
     point_3.draft_dy_0 = (vec2<f32>(dot(_S217, _S219)) * _S221 + vec2<f32>(dot(_S217, _S220)) * _S222) * point_3.draft_per_uv_0;
     return point_3;
@@ -1978,7 +1977,7 @@ struct FibreNoise_0
      bundle_weight_0 : f32,
      fibre_0 : vec2<f32>,
      fibre_weight_0 : f32,
-     offset_2 : f32,
+     offset_1 : f32,
      slope_2 : f32,
 };
 
@@ -1993,7 +1992,7 @@ fn fibre_noise_at_0( _S436 : u32,  _S437 : u32,  _S438 : SurfacePoint_0,  _S439 
     noise_0.bundle_weight_0 = fade_0(_S440, _S441);
     noise_0.fibre_0 = cell_noise_0(hash_key_0(_S439, ((fabrics_0[_S436].seed_0) ^ (u32(48610963)))), _S444);
     noise_0.fibre_weight_0 = fade_0(_S440, fabrics_0[_S436].fibre_size_0);
-    noise_0.offset_2 = _S444.z;
+    noise_0.offset_1 = _S444.z;
     noise_0.slope_2 = 0.5f * _S442.y;
     return noise_0;
 }
@@ -2082,7 +2081,7 @@ fn turned_frame_0( _S478 : u32,  _S479 : u32,  _S480 : SurfacePoint_0,  _S481 : 
     if((families_0[_S479].fibre_tilt_0) > 0.0f)
     {
         var _S493 : FibreNoise_0 = fibre_noise_at_0(_S478, _S479, _S480, _S482, _S483);
-        var _S494 : f32 = 1.09858846664428711f * _S492 * (_S493.bundle_weight_0 * _S493.bundle_0.x + _S493.fibre_weight_0 * (_S493.fibre_0.x + _S493.offset_2));
+        var _S494 : f32 = 1.09858846664428711f * _S492 * (_S493.bundle_weight_0 * _S493.bundle_0.x + _S493.fibre_weight_0 * (_S493.fibre_0.x + _S493.offset_1));
         var _S495 : f32 = _S492 * (1.42099642753601074f * (_S493.bundle_weight_0 * _S493.bundle_0.y + _S493.fibre_weight_0 * _S493.fibre_0.y) - _S493.bundle_weight_0 * _S493.slope_2);
         var _S496 : f32 = square_1(_S493.fibre_weight_0);
         frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S492 * _S492 * ((0.24761904776096344f * (square_1(_S493.bundle_weight_0) + _S496) + _S496 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
@@ -2508,7 +2507,7 @@ fn straight_through_0( _S661 : u32,  _S662 : YarnPoint_0,  _S663 : vec3<f32>) ->
 fn light_of_point_0( _S665 : u32,  _S666 : VisiblePoint_0,  _S667 : vec2<u32>,  _S668 : vec3<f32>,  _S669 : vec2<f32>) -> vec4<f32>
 {
     var _S670 : SearchQuality_0 = default_quality_0();
-    var _S671 : vec3<f32> = to_local_0(_S666, _S666.view_1);
+    var _S671 : vec3<f32> = to_local_0(_S666, _S666.view_0);
     var footprint_0 : Footprint_0;
     footprint_0.centre_0 = _S669;
     footprint_0.dx_0 = _S666.draft_dx_0;
