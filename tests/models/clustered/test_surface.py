@@ -11,6 +11,7 @@ import drjit as dr
 import numpy as np
 from drjit.llvm.ad import Array2f, Array3f, Array4f, Bool, Float, UInt32
 
+from experiments.tabulated_visibility import unoccluded
 from loomlight.core.llvm import require_llvm
 from loomlight.models.clustered.gaussians import fitted_gaussians, lobe_value, lobe_values
 from loomlight.models.clustered.parallax import PARALLAX_BINS, parallax_offset, parallax_tables
@@ -41,8 +42,8 @@ def test_lobes_follow_the_horizons() -> None:
         lobes = fitted.lobes[face, row, column]
         parts = [Array3f(*(Float(part) for part in lobes[:, first : first + 3].T)) for first in (0, 3, 6)]
         found = lobe_value((parts[0], parts[1], parts[2]), vectors(light)).numpy()
-        visible = table.unoccluded(
-            Float(x), Float(y), vectors(light), dr.full(Bool, bool(face), count)
+        visible = unoccluded(
+            table, Float(x), Float(y), vectors(light), dr.full(Bool, bool(face), count)
         ).numpy()
         assert (found >= 0).all()
         assert (found <= 1).all()
