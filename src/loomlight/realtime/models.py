@@ -133,8 +133,8 @@ REALTIME_MODELS: dict[str, RealtimeModel] = {
         _TABLES,
         "the base over the footprint of a pixel, without noise; `cloth_estimate`, with another `seed` for "
         "every pixel and frame as its last argument, adds texels to it: the mean is that of the surface",
-        "For the base of a pixel and light 1,300 to 3,500 floating-point operations, more where a pixel "
-        "shows more clusters; with two exact points 5,000 to 8,000.",
+        "For the base of a pixel and light 1,600 to 3,600 floating-point operations, more where a pixel "
+        "shows more clusters; with two texels 2,400 to 4,400.",
         _made("clustered"),
         has_estimate=True,
     ),
