@@ -183,7 +183,8 @@ class _ShownWords:
 
     def __init__(self, words: NDArray[np.uint32], are_alike: bool) -> None:
         self._all, self.words = words, words.T
-        self.distinct = DistinctWords.of(words) if are_alike else None
+        # The tables pay for themselves with a hundred crossings a thread.
+        self.distinct = DistinctWords.of(words) if are_alike and len(words) > 100 else None
         if self.distinct is None:
             return
         values = self.distinct.values
