@@ -107,7 +107,7 @@ REALTIME_MODELS: dict[str, RealtimeModel] = {
         "shade_lobes",
         _TABLES,
         _FOOTPRINT,
-        "About 5,000 floating-point operations a pixel and light far away and close by, 13,000 where a pixel "
+        "About 7,000 floating-point operations a pixel and light far away and close by, 19,000 where a pixel "
         "is about half a thread. Far away 60 frames a second of 1920 × 1080 take 0.7 TFLOP/s; the tables "
         "stay in the caches.",
         _lobe_tables,
@@ -117,7 +117,7 @@ REALTIME_MODELS: dict[str, RealtimeModel] = {
         "shade_points",
         _TABLES,
         "one point of the cloth, `centre`; average several centres a pixel",
-        "About 1,800 floating-point operations for each point of a pixel and light.",
+        "About 3,000 floating-point operations for each point of a pixel and light.",
         lambda material: None,
     ),
     "neural": RealtimeModel(
