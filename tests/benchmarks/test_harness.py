@@ -24,6 +24,8 @@ LIBRARIES = (
     "cloth_paths",
     "held_out",
     "reference",
+    "scene_edits",
+    "tabulated_visibility",
     "timing",
     "neural_sampler_training",
 )

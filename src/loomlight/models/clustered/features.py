@@ -33,7 +33,6 @@ class FeatureMaps:
     Attributes:
         hole, is_warp: [2 faces, rows, columns]; nothing else means anything in holes.
         thread: index of the thread that shows [2, rows, columns].
-        height: above the plane of the crown lines, millimetres [2, rows, columns].
         normal, tangent: unit normal and unit fibre direction [2, rows, columns, 3].
         horizon: sines of elevation in steps of 1/255 [2, rows, columns, 16 azimuths].
     """
@@ -41,7 +40,6 @@ class FeatureMaps:
     hole: NDArray[np.bool_]
     is_warp: NDArray[np.bool_]
     thread: NDArray[np.int32]
-    height: NDArray[np.float32]
     normal: NDArray[np.float32]
     tangent: NDArray[np.float32]
     horizon: NDArray[np.uint8]
@@ -117,7 +115,6 @@ def feature_maps(geometry: YarnGeometry, counts: tuple[int, int], float_type: Fl
                 for point in points
             )
         ),
-        height=both(*(point.height.numpy() for point in points)),
         normal=both(*(point.normal.numpy().T for point in points)),
         tangent=both(*(point.tangent.numpy().T for point in points)),
         horizon=horizons.sine,
