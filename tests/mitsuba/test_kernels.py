@@ -38,6 +38,11 @@ def new_kernels(picture: Callable[[], object]) -> int:
     return sum(not kernel["cache_hit"] or kernel["cache_disk"] for kernel in large)
 
 
+@pytest.fixture(autouse=True)
+def no_kernels_of_other_tests() -> None:
+    dr.flush_kernel_cache()
+
+
 def shown(fabric: str, scene: str, zoom: float, model: str, seed: int = 0) -> None:
     built = build_scene(scene, material_bsdf(fabric, model), size=SIZE, zoom=zoom)
     render(built.scene, spp=2, seed=seed, integrator=built.integrator, denoise="auto")
