@@ -118,7 +118,7 @@ export class Passes {
   source(): Source {
     const [width, height] = this.size;
     const { pixels, radiance } = this.targets.buffers;
-    return { width, height, passes: this.count, pixels: pixels!, sums: radiance!, hasBackground: this.hasBackground };
+    return { width, height, passes: this.count, revision: this.revision, pixels: pixels!, sums: radiance!, hasBackground: this.hasBackground };
   }
 
   destroy(): void {

@@ -58,8 +58,6 @@ export class ClothRenderer {
   private cloth: ClothBuffers | null = null;
   private passes: Passes;
   private presenter: Presenter | null = null;
-  /** What the canvas shows: it stays there until there is another. */
-  private onCanvas = "";
   private readonly pace: Pace | null;
   /** What the last frame was drawn with. */
   private plan: ReadyPlan | null = null;
@@ -265,7 +263,6 @@ export class ClothRenderer {
     requireSize(width, height);
     const { canvas } = this.options;
     if (canvas) [canvas.width, canvas.height] = [width, height];
-    this.onCanvas = "";
     [this.width, this.height] = [width, height];
     this.passes.resize(width, height);
   }
@@ -368,7 +365,6 @@ export class ClothRenderer {
     this.device = shareWith?.device ?? (await Device.request(this.options));
     this.passes = new Passes(this.device, this.width, this.height);
     if (canvas) this.presenter = new Presenter(this.device, canvas, transparent ?? false);
-    this.onCanvas = "";
     this.keepCounts();
     const { model, cloth } = this;
     [this.cloth, this.isPending] = [null, false];
@@ -479,10 +475,7 @@ export class ClothRenderer {
     if (this.presenter === null || this.passes.count === 0) return;
     const left = this.passes.source();
     const right = this.other?.renderer.passes.source() ?? left;
-    const picture = [this.passes.revision, this.other?.renderer.passes.revision, this.other?.split].join();
-    if (right.passes === 0 || picture === this.onCanvas) return;
-    this.onCanvas = picture;
-    this.presenter.show(left, right, this.other?.split ?? 1);
+    if (right.passes > 0) this.presenter.show(left, right, this.other?.split ?? 1);
   }
 
   /** @throws InputError no cloth was given yet. */

@@ -7,6 +7,8 @@ export interface Source {
   readonly width: number;
   readonly height: number;
   readonly passes: number;
+  /** Another one each time that the pixels or sums change. */
+  readonly revision: number;
   /** sRGB, 8 bits a channel. */
   readonly pixels: GPUBuffer;
   /** Whether something is seen beside the cloth: then nothing behind the canvas is. */
@@ -23,6 +25,8 @@ export class Presenter {
   private readonly pipeline: GPURenderPipeline;
   private readonly uniform: GPUBuffer;
   private readonly isTransparent: boolean;
+  /** What the canvas shows: it stays there until there is another. */
+  private shown: readonly unknown[] = [];
 
   constructor(device: Device, canvas: HTMLCanvasElement | OffscreenCanvas, isTransparent: boolean) {
     const context = canvas.getContext("webgpu") as GPUCanvasContext | null;
@@ -41,9 +45,12 @@ export class Presenter {
     this.uniform = device.buffer(4 * UNIFORM_WORDS, GPUBufferUsage.UNIFORM);
   }
 
-  /** Shows `left`, and from `split` (0 to 1) on `right` in its place. */
+  /** Shows `left`, and from `split` (0 to 1) on `right` in its place; nothing is drawn where the canvas shows that already. */
   show(left: Source, right: Source, split: number): void {
     const { canvas } = this.context;
+    const picture = [left.pixels, left.revision, right.pixels, right.revision, split, canvas.width, canvas.height];
+    if (picture.every((part, number) => part === this.shown[number])) return;
+    this.shown = picture;
     const words = new Uint32Array(UNIFORM_WORDS);
     const floats = new Float32Array(words.buffer);
     [left, right].forEach((source, number) => {
