@@ -26,7 +26,7 @@ from loomlight.models.clustered.density_tables import densities
 from loomlight.models.clustered.features import MAX_TEXELS, feature_maps, texel_counts
 from loomlight.models.clustered.model import ClusteredModel
 from loomlight.models.clustered.square_map import BINS, bin_centres, bin_taps
-from loomlight.models.clustered.tables import NORMAL_UNIT, bake_tables
+from loomlight.models.clustered.tables import NORMAL_UNIT, THREAD_BASE, bake_tables
 from loomlight.models.random_numbers import hashed, uniform
 from loomlight.models.separable import Components
 from loomlight.scattering.yarn_point import to_face_frame
@@ -92,6 +92,21 @@ def test_normals_are_those_of_the_yarns() -> None:
     assert (
         np.abs(tables.coefficients[seen][:, -3:] * NORMAL_UNIT - maps.normal[seen]).max() < 0.51 * NORMAL_UNIT
     )
+
+
+def test_threads_beyond_those_of_half_precision_keep_their_numbers() -> None:
+    made = model()
+    columns, rows = made.tables.counts
+    numbers = np.arange(columns * rows * 2).reshape(2, rows, columns) * 7
+    texels = made.tables.texels.copy()
+    above, below = np.divmod(numbers, THREAD_BASE)
+    texels[..., 9], texels[..., 10] = below, above
+    changed = ClusteredModel(made.fabric, replace(made.tables, texels=texels)).on_backend(TYPES)
+    base = changed.seen_from(vectors(np.array([[0.0, 0.0, 1.0]])), Bool(True))
+    taps = base.light_taps(vectors(np.array([[0.0, 0.6, 0.8]])))
+    found = base.at_texel(UInt32(np.arange(columns * rows)), taps).thread.numpy()
+    assert numbers.max() > 2048
+    assert (found == numbers[1].ravel()).all()
 
 
 @pytest.mark.parametrize("size", [0.01, 0.4, 3.3])

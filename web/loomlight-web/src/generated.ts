@@ -546,6 +546,7 @@ export const CLUSTERED_MIN_VIEW_COSINE = 0.6;
 // models.clustered.tables
 export const CLUSTERED_NUMBERS = 8;
 export const CLUSTERED_TEXEL_NUMBERS = 12;
+export const CLUSTERED_THREAD_BASE = 1024;
 export const CLUSTERED_NORMAL_UNIT = 0.007874015748031496;
 
 // models.clustered.square_map

@@ -28,7 +28,7 @@ from loomlight.models.clustered.footprint_sums import FootprintBox, FootprintSum
 from loomlight.models.clustered.gaussians import LOBE_NUMBERS, lobe_value
 from loomlight.models.clustered.parallax import PARALLAX_BINS, parallax_offset
 from loomlight.models.clustered.square_map import BINS, BinTaps, bin_taps
-from loomlight.models.clustered.tables import NORMAL_UNIT, NUMBERS, TEXEL_NUMBERS, ClusterTables
+from loomlight.models.clustered.tables import NORMAL_UNIT, NUMBERS, TEXEL_NUMBERS, THREAD_BASE, ClusterTables
 from loomlight.models.separable import Components
 from loomlight.scattering.fibre import projected_area
 
@@ -218,8 +218,14 @@ class ViewedBase:
                 visible,
             ),
             known=components(lit * self._diffuse(taps, types.Float(1), cosine), lit * attenuated, lit),
-            thread=types.UInt32(dr.gather(types.Float, tables.texels, place * TEXEL_NUMBERS + LOBE_NUMBERS)),
+            thread=self._thread(place),
         )
+
+    def _thread(self, place: UInt) -> UInt:
+        """The thread that a texel shows, both faces counted."""
+        types, first = self._tables.types, place * TEXEL_NUMBERS + LOBE_NUMBERS
+        below, above = (dr.gather(types.Float, self._tables.texels, first + part) for part in (0, 1))
+        return types.UInt32(below) + THREAD_BASE * types.UInt32(above)
 
     def _visibility(self, place: UInt) -> tuple[Vec3, Vec3, Vec3]:
         """The lobe of a texel, both faces counted."""

@@ -22,8 +22,10 @@ from loomlight.yarn.geometry import YarnGeometry
 # Numbers of a cluster: mean normal and mean fibre direction, each of unit length, roughness of its lobe for
 # sampling, and that of its family.
 NUMBERS = 8
-# Numbers of a texel: its lobe of visibility, its thread, and two that are unused.
+# Numbers of a texel: its lobe of visibility, its thread modulo `THREAD_BASE` and over it, and one unused.
 TEXEL_NUMBERS = 12
+# Half precision has the whole numbers up to 2048.
+THREAD_BASE = 1024
 # What a coefficient of 1 of a normal is.
 NORMAL_UNIT = 1 / 127
 
@@ -38,7 +40,7 @@ class ClusterTables:
             [2, rows, columns, rank + 3].
         basis: means and principal components of D, 1/sr [2, half-vector bins, 1 + rank, clusters].
         moments: numbers of each cluster [2, clusters, 8]; see `NUMBERS`.
-        texels: lobe of visibility (`Gaussians`), thread, and two zeros [2, rows, columns, 12].
+        texels: lobe of visibility (`Gaussians`) and thread; see `TEXEL_NUMBERS` [2, rows, columns, 12].
         light: see `light_tables`.
         parallax: coefficients of heights [2, rows, columns, 4].
         heights: means and components of heights, millimetres [2, view bins, 5]; see `parallax.py`.
@@ -124,8 +126,9 @@ def bake_tables(
 
 
 def _texels(maps: FeatureMaps, lobes: NDArray[np.float32]) -> NDArray[np.float16]:
-    parts = (lobes, maps.thread[..., None], np.zeros((*maps.thread.shape, 2)))
-    return np.nan_to_num(np.concatenate(parts, axis=3)).astype(np.float16)
+    above, below = np.divmod(maps.thread, THREAD_BASE)
+    numbers = np.stack([below, above, np.zeros_like(below)], axis=-1)
+    return np.nan_to_num(np.concatenate([lobes, numbers], axis=3)).astype(np.float16)
 
 
 def _normals(maps: FeatureMaps) -> NDArray[np.int8]:

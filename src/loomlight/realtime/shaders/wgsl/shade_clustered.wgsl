@@ -1996,47 +1996,48 @@ fn texel_albedos_0( _S540 : u32,  _S541 : ViewedBase_0,  _S542 : u32) -> Albedos
 {
     var _S543 : u32 = _S541.face_6 * fabrics_0[_S540].clustered_0.columns_0 * fabrics_0[_S540].clustered_0.rows_0 + _S542;
     var _S544 : u32 = select(fabrics_0[_S540].weft_0, fabrics_0[_S540].warp_0, (table_byte_0(fabrics_0[_S540].clustered_0.labels_0, _S543)) < (fabrics_0[_S540].clustered_0.clusters_0 / u32(2)));
-    return table_albedos_0(families_0[_S544].albedo_table_0 + min(u32(table_number_0(fabrics_0[_S540].clustered_0.texels_2 + _S543 * u32(12) + u32(9))), u32(families_0[_S544].count_0) - u32(1)) * families_0[_S544].albedo_stride_0);
+    var _S545 : u32 = fabrics_0[_S540].clustered_0.texels_2 + _S543 * u32(12) + u32(9);
+    return table_albedos_0(families_0[_S544].albedo_table_0 + min(u32(table_number_0(_S545)) + u32(1024) * u32(table_number_0(_S545 + u32(1))), u32(families_0[_S544].count_0) - u32(1)) * families_0[_S544].albedo_stride_0);
 }
 
-fn clustered_residual_0( _S545 : u32,  _S546 : ClusteredView_0,  _S547 : u32,  _S548 : vec3<f32>,  _S549 : vec3<f32>) -> vec3<f32>
+fn clustered_residual_0( _S546 : u32,  _S547 : ClusteredView_0,  _S548 : u32,  _S549 : vec3<f32>,  _S550 : vec3<f32>) -> vec3<f32>
 {
-    var _S550 : BaseTaps_0 = base_taps_0(_S546.base_0, _S549);
-    var _S551 : TexelTerms_0 = at_texel_0(_S545, _S546.base_0, _S547, _S550);
+    var _S551 : BaseTaps_0 = base_taps_0(_S547.base_0, _S550);
+    var _S552 : TexelTerms_0 = at_texel_0(_S546, _S547.base_0, _S548, _S551);
     var own_2 : FamilyAlbedos_0;
-    var _S552 : Albedos_0 = tinted_0(texel_albedos_0(_S545, _S546.base_0, _S547), _S548);
-    own_2.warp_3 = _S552;
-    own_2.weft_3 = _S552;
-    return under_sheen_0(_S545, _S546, shaded_0(_S551.own_1, own_2, _S550.transmits_1) - shaded_0(_S551.known_0, _S546.albedos_5, _S550.transmits_1), _S551.own_1.light_visibility_1 - _S551.known_0.light_visibility_1, _S549);
+    var _S553 : Albedos_0 = tinted_0(texel_albedos_0(_S546, _S547.base_0, _S548), _S549);
+    own_2.warp_3 = _S553;
+    own_2.weft_3 = _S553;
+    return under_sheen_0(_S546, _S547, shaded_0(_S552.own_1, own_2, _S551.transmits_1) - shaded_0(_S552.known_0, _S547.albedos_5, _S551.transmits_1), _S552.own_1.light_visibility_1 - _S552.known_0.light_visibility_1, _S550);
 }
 
-fn passed_by_sheen_0( _S553 : u32,  _S554 : f32,  _S555 : vec3<f32>) -> f32
+fn passed_by_sheen_0( _S554 : u32,  _S555 : f32,  _S556 : vec3<f32>) -> f32
 {
-    var _S556 : f32 = fabrics_0[_S553].sheen_strength_0;
-    if((fabrics_0[_S553].sheen_strength_0) <= 0.0f)
+    var _S557 : f32 = fabrics_0[_S554].sheen_strength_0;
+    if((fabrics_0[_S554].sheen_strength_0) <= 0.0f)
     {
-        return _S554;
+        return _S555;
     }
-    return _S554 * (1.0f - _S556 * sheen_lobe_0(abs(_S555.z), fabrics_0[_S553].sheen_roughness_0).z);
+    return _S555 * (1.0f - _S557 * sheen_lobe_0(abs(_S556.z), fabrics_0[_S554].sheen_roughness_0).z);
 }
 
-fn light_of_clustered_0( _S557 : u32,  _S558 : VisiblePoint_0,  _S559 : vec2<u32>,  _S560 : vec3<f32>) -> vec4<f32>
+fn light_of_clustered_0( _S558 : u32,  _S559 : VisiblePoint_0,  _S560 : vec2<u32>,  _S561 : vec3<f32>) -> vec4<f32>
 {
     var footprint_1 : Footprint_0;
-    footprint_1.centre_0 = _S558.draft_0;
-    footprint_1.dx_0 = _S558.draft_dx_0;
-    footprint_1.dy_0 = _S558.draft_dy_0;
-    var _S561 : vec3<f32> = to_local_0(_S558, _S558.view_0);
-    var _S562 : Clustered_std430_0 = fabrics_0[_S557].clustered_0;
-    var _S563 : u32 = mixed_0(mixed_0(_S559.x + u32(65536) * _S559.y) + frame_record_0.pass_number_0 * u32(2654435769));
-    var _S564 : ClusteredView_0 = clustered_view_0(_S557, footprint_1, _S561, _S560, _S563);
-    var _S565 : f32 = clustered_hole_0(_S557, _S564.base_0);
-    var _S566 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_1.centre_0 = _S559.draft_0;
+    footprint_1.dx_0 = _S559.draft_dx_0;
+    footprint_1.dy_0 = _S559.draft_dy_0;
+    var _S562 : vec3<f32> = to_local_0(_S559, _S559.view_0);
+    var _S563 : Clustered_std430_0 = fabrics_0[_S558].clustered_0;
+    var _S564 : u32 = mixed_0(mixed_0(_S560.x + u32(65536) * _S560.y) + frame_record_0.pass_number_0 * u32(2654435769));
+    var _S565 : ClusteredView_0 = clustered_view_0(_S558, footprint_1, _S562, _S561, _S564);
+    var _S566 : f32 = clustered_hole_0(_S558, _S565.base_0);
+    var _S567 : vec3<f32> = vec3<f32>(0.0f);
     var term_1 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S566;
+    var radiance_1 : vec3<f32> = _S567;
     for(;;)
     {
-        if(term_1 <= (_S562.samples_1))
+        if(term_1 <= (_S563.samples_1))
         {
         }
         else
@@ -2046,7 +2047,7 @@ fn light_of_clustered_0( _S557 : u32,  _S558 : VisiblePoint_0,  _S559 : vec2<u32
         var texel_0 : u32;
         if(term_1 > u32(0))
         {
-            texel_0 = residual_texel_0(_S557, _S564, _S563, term_1 - u32(1));
+            texel_0 = residual_texel_0(_S558, _S565, _S564, term_1 - u32(1));
         }
         else
         {
@@ -2063,61 +2064,61 @@ fn light_of_clustered_0( _S557 : u32,  _S558 : VisiblePoint_0,  _S559 : vec2<u32
             {
                 break;
             }
-            var _S567 : f32 = visibility_at_0(number_5, _S559);
-            if(_S567 <= 0.0f)
+            var _S568 : f32 = visibility_at_0(number_5, _S560);
+            if(_S568 <= 0.0f)
             {
                 number_5 = number_5 + u32(1);
                 continue;
             }
-            var _S568 : LightSample_0 = light_sample_0(number_5, _S559, _S558.position_0);
-            var _S569 : vec3<f32> = to_local_0(_S558, _S568.towards_1);
+            var _S569 : LightSample_0 = light_sample_0(number_5, _S560, _S559.position_0);
+            var _S570 : vec3<f32> = to_local_0(_S559, _S569.towards_1);
             var value_1 : vec3<f32>;
             if(term_1 == u32(0))
             {
-                value_1 = clustered_base_value_0(_S557, _S564, _S565, _S569);
+                value_1 = clustered_base_value_0(_S558, _S565, _S566, _S570);
             }
             else
             {
-                value_1 = clustered_residual_0(_S557, _S564, texel_0, _S560, _S569) / vec3<f32>(f32(_S562.samples_1));
+                value_1 = clustered_residual_0(_S558, _S565, texel_0, _S561, _S570) / vec3<f32>(f32(_S563.samples_1));
             }
-            radiance_2 = radiance_2 + vec3<f32>(_S567) * _S568.irradiance_1 * value_1;
+            radiance_2 = radiance_2 + vec3<f32>(_S568) * _S569.irradiance_1 * value_1;
             number_5 = number_5 + u32(1);
         }
         term_1 = term_1 + u32(1);
         radiance_1 = radiance_2;
     }
-    return vec4<f32>(radiance_1, 1.0f - passed_by_sheen_0(_S557, _S565, _S561));
+    return vec4<f32>(radiance_1, 1.0f - passed_by_sheen_0(_S558, _S566, _S562));
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn shade_clustered(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S570 : u32 = id_0.x;
-    var _S571 : bool;
-    if(_S570 >= (frame_record_0.width_0))
+    var _S571 : u32 = id_0.x;
+    var _S572 : bool;
+    if(_S571 >= (frame_record_0.width_0))
     {
-        _S571 = true;
+        _S572 = true;
     }
     else
     {
-        _S571 = (id_0.y) >= (frame_record_0.height_0);
+        _S572 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S571)
+    if(_S572)
     {
         return;
     }
-    var _S572 : u32 = id_0.y * frame_record_0.width_0 + _S570;
-    var _S573 : u32 = layers_0[_S572].face_0;
-    if((layers_0[_S572].face_0) == u32(0))
+    var _S573 : u32 = id_0.y * frame_record_0.width_0 + _S571;
+    var _S574 : u32 = layers_0[_S573].face_0;
+    if((layers_0[_S573].face_0) == u32(0))
     {
         return;
     }
-    var _S574 : u32 = _S573 - u32(1);
-    var _S575 : u32 = fabric_of_0(_S574);
-    var _S576 : vec2<u32> = id_0.xy;
-    var _S577 : VisiblePoint_0 = visible_point_0(_S575, _S574, _S576);
-    accumulate_0(_S572, light_of_clustered_0(_S575, _S577, _S576, filtered_albedo_0(_S575, _S577)));
+    var _S575 : u32 = _S574 - u32(1);
+    var _S576 : u32 = fabric_of_0(_S575);
+    var _S577 : vec2<u32> = id_0.xy;
+    var _S578 : VisiblePoint_0 = visible_point_0(_S576, _S575, _S577);
+    accumulate_0(_S573, light_of_clustered_0(_S576, _S578, _S577, filtered_albedo_0(_S576, _S578)));
     return;
 }
 
