@@ -41,7 +41,7 @@ def random_latent(fabric: Fabric, decoder: str) -> LatentModel:
     rng = np.random.default_rng(0)
     shape = PyramidShape.of(fabric.repeat_mm, _LATENT_TEXELS, 2)
     widths = {
-        "decoder": latent.decoder_widths(DECODERS[decoder], True),
+        "decoder": latent.decoder_widths(DECODERS[decoder], True, True),
         "sampler": latent.SAMPLER_WIDTHS,
         "albedo": latent.ALBEDO_WIDTHS,
     }

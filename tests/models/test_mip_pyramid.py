@@ -67,3 +67,18 @@ def test_shapes() -> None:
     assert PyramidShape.of((2.0, 1.1), 16, 1).sizes[0] == (16, 8)
     assert SHAPE.texel_mm == pytest.approx(0.25)
     assert PyramidShape.of((1.0, 1e-4), 8, 1).sizes[-1] == (1, 1)
+
+
+@pytest.mark.parametrize("library", ["drjit", "torch"])
+def test_texels_apart_are_the_nearest_ones(library: str) -> None:
+    shape = PyramidShape(8, 4, 2.0, 1.0, 1, is_apart=True)
+    assert (shape.levels, shape.texels) == (1, 32)
+    u, v = np.random.default_rng(3).random((2, 50)).astype(np.float32)
+    wanted = TEXELS[:32].reshape(4, 8)[np.int32(v * 4), np.int32(u * 8)]
+    if library == "drjit":
+        level, start = Int32(np.zeros(50, np.int32)), Int32(np.zeros(50, np.int32))
+        taps = level_taps(shape, Float(u), Float(v), level, start, DrjitFunctions(array_types(Float)))
+    else:
+        none = torch.zeros(50).long()
+        taps = level_taps(shape, torch.from_numpy(u), torch.from_numpy(v), none, none, TorchTextures())
+    np.testing.assert_array_equal(fetched(taps), wanted)

@@ -78,6 +78,7 @@ def test_means_of_the_whole_cloth_are_learned_on_both_faces(name: str) -> None:
         ("latent", "resolution=100", "resolution = 100 is wrong: give a power of two from 8 to 1024"),
         ("latent", "mips=nearest", 'mips = "nearest" is wrong: give stochastic or trilinear'),
         ("latent", "precision=int8", 'precision = "int8" is wrong: give float32 or float16'),
+        ("latent", "features=all", 'features = "all" does not exist'),
         ("latent", "loss=l2", 'loss = "l2" does not exist'),
     ],
 )
@@ -98,6 +99,9 @@ def looms() -> dict[str, LoomFile]:
         ("neumip", {"columns": 3}, "columns = 3 is wrong: it is a power of two up to 4096"),
         ("neumip", {"columns": 32}, "model.features is"),
         ("neumip", {"faces": 4}, "faces = 4 is wrong"),
+        ("latent", {"version": 1}, "its networks are of another version of loomlight: bake it again"),
+        ("latent", {"features": "all"}, 'features = "all" is wrong: it is one of half-vector, none'),
+        ("latent", {"features": "none"}, "model.decoder.0.weight is"),
         ("latent", {"columns": 3}, "columns = 3 is wrong: it is a power of two up to 4096"),
         ("latent", {"columns": 32}, "model.latents is"),
         ("latent", {"precision": "int8"}, 'precision = "int8" is wrong: it is one of float32, float16'),

@@ -36,10 +36,16 @@ COUNT = 4096
 FABRIC = fabric_from_text('weave = "plain"')
 
 
-def random_model(decoder: str = "2x32", mips: str = "trilinear", frames: bool = True) -> LatentModel:
+def random_model(
+    decoder: str = "2x32",
+    mips: str = "trilinear",
+    frames: bool = True,
+    features: bool = True,
+    is_apart: bool = False,
+) -> LatentModel:
     """Numbers of the size of trained ones."""
     rng = np.random.default_rng(11)
-    shape = PyramidShape(16, 8, *FABRIC.repeat_mm, 2)
+    shape = PyramidShape(16, 8, *FABRIC.repeat_mm, 2, is_apart)
 
     def network(widths: tuple[int, ...]) -> Layers:
         return [
@@ -51,7 +57,7 @@ def random_model(decoder: str = "2x32", mips: str = "trilinear", frames: bool = 
         ]
 
     layers = {
-        "decoder": network(decoder_widths(DECODERS[decoder], frames)),
+        "decoder": network(decoder_widths(DECODERS[decoder], frames, features)),
         "sampler": network(SAMPLER_WIDTHS),
         "albedo": network(ALBEDO_WIDTHS),
     }
@@ -96,16 +102,18 @@ SEEN = (
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("decoder", "mips", "frames"),
+    ("decoder", "mips", "frames", "features", "is_apart"),
     [
-        ("2x16", "trilinear", True),
-        ("2x32", "stochastic", True),
-        ("3x64", "trilinear", True),
-        ("2x32", "trilinear", False),
+        ("2x16", "trilinear", True, True, False),
+        ("2x32", "stochastic", True, True, False),
+        ("3x64", "trilinear", True, True, False),
+        ("2x32", "trilinear", False, True, True),
+        ("2x32", "trilinear", True, False, False),
+        ("2x32", "stochastic", False, False, True),
     ],
 )
-def test_queries_of_latent(decoder: str, mips: str, frames: bool) -> None:
-    model = random_model(decoder, mips, frames)
+def test_queries_of_latent(decoder: str, mips: str, frames: bool, features: bool, is_apart: bool) -> None:
+    model = random_model(decoder, mips, frames, features, is_apart)
     packed = pack_fabrics([None], None, [model], half=False)
     rows = queries()
     footprint = Footprint(*(pairs(rows[name]) for name in ("centre", "dx", "dy")))

@@ -103,6 +103,7 @@ DRJIT: Any = SimpleNamespace(
     exp=dr.exp,
     floor=dr.floor,
     fma=dr.fma,
+    log=dr.log,
     log2=dr.log2,
     maximum=maximum,
     minimum=minimum,

@@ -16,6 +16,9 @@ from loomlight.models.latent.networks import (
     CHANNELS,
     FRAMES,
     MAX_EXPONENT,
+    MIN_HALF,
+    MIN_LIGHT,
+    SLOPE_FLOOR,
     VALUE_OFFSET,
     Weights,
 )
@@ -56,6 +59,7 @@ def write_latent_onnx(
         "repeat_mm": [shape.width_mm, shape.height_mm],
         "texel_mm": shape.texel_mm,
         "levels": levels,
+        "is_apart": shape.is_apart,
         "multiply_adds": made.multiply_adds,
     }
 
@@ -69,16 +73,25 @@ def latent_decoder(weights: Weights) -> bytes:
     graph = _Graph()
     directions = ("view", "light")
     inputs: list[str] = []
+    totals: list[str] = []
     if weights.frames is None:
         inputs += directions
+        totals.append(graph.add("Add", *directions))
     else:
         sums = graph.add("MatMul", "latent", graph.constant(weights.frames.T))
         for first in range(0, 6 * FRAMES, 6):
             normal = graph.axis(sums, first, (0.0, 0.0, 1.0))
             tangent = graph.axis(sums, first + 3, (1.0, 0.0, 0.0))
             bitangent = graph.cross(normal, tangent)
-            for direction in directions:
-                inputs += [graph.dot(direction, axis) for axis in (tangent, bitangent, normal)]
+            seen = [
+                graph.add("Concat", *(graph.dot(each, axis) for axis in (tangent, bitangent, normal)), axis=1)
+                for each in directions
+            ]
+            inputs += seen
+            totals.append(graph.add("Add", *seen))
+    if weights.with_features:
+        inputs += [graph.half_vector_feature(total) for total in totals]
+        inputs += graph.light_features(*directions)
     values = graph.add("Concat", *inputs, "latent", axis=1)
     layers = weights.layers["decoder"]
     for number, (matrix, bias) in enumerate(layers):
@@ -125,6 +138,26 @@ class _Graph:
     def dot(self, first: str, second: str) -> str:
         product = self.add("Mul", first, second)
         return self.add("ReduceSum", product, self.constant(np.array([1])), keepdims=1)
+
+    def half_vector_feature(self, total: str) -> str:
+        """¼ log(tan² θ_h + a little) of the sum of view and light in a frame."""
+        level, up = self.columns(total, [0, 1]), self.columns(total, [2])
+        slope = self.add("Div", self.add("ReduceL2", level, axes=[1], keepdims=1), self.above(up, MIN_HALF))
+        square = self.add("Add", self.add("Mul", slope, slope), self.constant(np.float32(SLOPE_FLOOR)))
+        return self.add("Mul", self.add("Log", square), self.constant(np.float32(0.25)))
+
+    def light_features(self, view: str, light: str) -> list[str]:
+        """(1 − cos θ_d)^5 and log cos θ_light."""
+        total = self.add("Add", view, light)
+        cosine = self.add(
+            "Mul", self.constant(np.float32(0.5)), self.add("ReduceL2", total, axes=[1], keepdims=1)
+        )
+        rest = self.add("Sub", self.constant(np.float32(1)), self.above(cosine, 1e-4))
+        fifth = self.add("Pow", rest, self.constant(np.float32(5)))
+        return [fifth, self.add("Log", self.above(self.columns(light, [2]), MIN_LIGHT))]
+
+    def above(self, values: str, least: float) -> str:
+        return self.add("Max", values, self.constant(np.float32(least)))
 
     def cross(self, first: str, second: str) -> str:
         following, preceding = (

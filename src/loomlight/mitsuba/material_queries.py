@@ -73,7 +73,10 @@ class MaterialReflectance:
         inputs: names of the encoder's inputs.
         resolution: texels of the finest level, powers of two: no more than the textures have.
         faces: 2 where the BSDF reflects light on its back too.
+        is_apart: never; texels are those of textures.
     """
+
+    is_apart = False
 
     def __init__(self, source: Material, resolution: int) -> None:
         """

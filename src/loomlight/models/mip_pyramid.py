@@ -41,6 +41,8 @@ class PyramidShape:
         columns, rows: of level 0, powers of two.
         width_mm, height_mm: of the repeat.
         faces: 1, or 2 where front and back have textures of their own.
+        is_apart: whether texels are materials of their own, such as a library's: of one level, and nothing is
+            interpolated between them.
     """
 
     columns: int
@@ -48,6 +50,7 @@ class PyramidShape:
     width_mm: float
     height_mm: float
     faces: int = 1
+    is_apart: bool = False
 
     @classmethod
     def of(cls, repeat_mm: tuple[float, float], resolution: int, faces: int) -> PyramidShape:
@@ -62,10 +65,8 @@ class PyramidShape:
     @cached_property
     def sizes(self) -> list[tuple[int, int]]:
         """Columns and rows of each level."""
-        return [
-            (max(1, self.columns >> level), max(1, self.rows >> level))
-            for level in range(int(math.log2(max(self.columns, self.rows))) + 1)
-        ]
+        levels = 1 if self.is_apart else int(math.log2(max(self.columns, self.rows))) + 1
+        return [(max(1, self.columns >> level), max(1, self.rows >> level)) for level in range(levels)]
 
     @cached_property
     def starts(self) -> list[int]:
@@ -160,6 +161,10 @@ def level_taps(
         level: a whole number, 0 to `shape.levels - 1`.
         face_start: first texel of the query's face.
     """
+    if shape.is_apart:
+        # At the middle of a texel the others weigh nothing.
+        u = (functions.floor(u * shape.columns) + 0.5) / shape.columns
+        v = (functions.floor(v * shape.rows) + 0.5) / shape.rows
     columns, rows = ([size[axis] for size in shape.sizes] for axis in (0, 1))
     start = face_start + functions.gather(shape.starts[:-1], level)
     return bilinear_taps(

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from loomlight.models.latent.model import LatentModel
-from loomlight.models.latent.networks import CHANNELS, FRAMES
+from loomlight.models.latent.networks import CHANNELS, FRAMES, Weights, decoder_widths
 from loomlight.models.relu_network import Layers
 from loomlight.realtime.networks import packed_layer, packed_numbers
 from loomlight.realtime.word_table import Tables, fill, pyramid_fields
@@ -26,12 +26,9 @@ def pack_latent(record: np.void, model: LatentModel, layout: ClothLayout | None,
 
     # Without learned frames both are the axes: their weights are 0.
     frames = np.zeros((6 * FRAMES, CHANNELS), np.float32) if weights.frames is None else weights.frames
-    decoder = weights.layers["decoder"]
-    if weights.frames is None:
-        decoder = _with_frames(decoder)
     is_half = tables.half or model.precision == "float16"
     values: dict[str, float] = pyramid_fields(shape, tables) | {
-        "decoder": table.add_mlp(decoder),
+        "decoder": table.add_mlp(_of_all_inputs(weights)),
         "hidden": weights.hidden[0],
         "frames": table.add(packed_layer(frames, half=False)),
         "sampler": table.add_mlp(weights.layers["sampler"]),
@@ -41,12 +38,21 @@ def pack_latent(record: np.void, model: LatentModel, layout: ClothLayout | None,
         "width": shape.width_mm,
         "height": shape.height_mm,
         "is_trilinear": int(model.mips == "trilinear"),
+        "is_apart": int(shape.is_apart),
     }
     fill(record["latent"], values)
 
 
-def _with_frames(decoder: Layers) -> Layers:
-    """A decoder of view, light and latent as one of both directions in two frames; it ignores the second."""
-    (matrix, bias), *others = decoder
-    without = np.zeros((len(matrix), 6), np.float32)
-    return [(np.concatenate([matrix[:, :6], without, matrix[:, 6:]], axis=1), bias), *others]
+def _of_all_inputs(weights: Weights) -> Layers:
+    """The decoder with zeros for the inputs that it lacks: the second frame, and features."""
+    (matrix, bias), *others = weights.layers["decoder"]
+    wide = np.zeros((len(matrix), decoder_widths((), with_frames=True, with_features=True)[0]), np.float32)
+    frames = 1 if weights.frames is None else FRAMES
+    first = 6 * FRAMES
+    wide[:, : 6 * frames] = matrix[:, : 6 * frames]
+    wide[:, -CHANNELS:] = matrix[:, -CHANNELS:]
+    if weights.with_features:
+        features = matrix[:, 6 * frames : -CHANNELS]
+        wide[:, first : first + frames] = features[:, :frames]
+        wide[:, first + FRAMES : first + FRAMES + 2] = features[:, frames:]
+    return [(wide, bias), *others]

@@ -160,6 +160,7 @@ LATENT: Fields = (
     ("width", "float", "of the repeat"),
     ("height", "float", ""),
     ("is_trilinear", "uint", "1 where levels are interpolated, 0 where one of two is chosen at random"),
+    ("is_apart", "uint", "1 where texels are materials of their own, between which nothing is interpolated"),
 )
 
 CLUSTERED: Fields = (

@@ -18,6 +18,7 @@ TORCH: Any = SimpleNamespace(
     abs=torch.abs,
     clip=torch.clamp,
     exp=torch.exp,
+    log=torch.log,
     maximum=lambda value, bound: value.clamp(min=bound),
     select=torch.where,
     sincos=_sincos,

@@ -57,11 +57,12 @@ def test_levels_are_chosen_in_proportion_to_their_distance() -> None:
 
 
 def test_options() -> None:
-    assert settings_of("full", 32, "3x64", "encoder", "cube-root", 3, 90) == replace(
+    assert settings_of("full", 32, "3x64", "encoder", "cube-root", 3, 90, features="none") == replace(
         QUALITIES["full"],
         resolution=32,
         decoder="3x64",
         rung="encoder",
+        features="none",
         loss="cube-root",
         seed=3,
         steps=90,
@@ -70,13 +71,21 @@ def test_options() -> None:
 
 
 def test_a_rung_without_frames_comes_back_from_a_file(tmp_path: Path) -> None:
-    chosen = ["rung=encoder", "decoder=2x16", "mips=trilinear", "steps=2", f"folder={tmp_path / 'kept'}"]
+    chosen = [
+        "rung=encoder",
+        "decoder=2x16",
+        "features=none",
+        "mips=trilinear",
+        "steps=2",
+        f"folder={tmp_path / 'kept'}",
+    ]
     settings = [part for setting in chosen for part in ("--set", setting)]
     assert run(["bake", "plain", "--model", "latent", "-o", str(tmp_path / "a.loom"), *settings]) == 0
     assert (tmp_path / "kept" / "sampler.safetensors").exists()
     model = model_from_loom(tmp_path / "a.loom")
     assert isinstance(model, LatentModel)
     assert model.weights.frames is None
+    assert not model.weights.with_features
     assert model.weights.hidden == (16, 16)
     assert model.mips == "trilinear"
 

@@ -5,6 +5,9 @@ Covers: models/latent/training/network.py, models/relu_network.py
 
 from __future__ import annotations
 
+import math
+from types import SimpleNamespace
+
 import drjit as dr
 import numpy as np
 import pytest
@@ -13,7 +16,7 @@ from drjit.llvm.ad import Array3f, Float, Int32, UInt32
 from numpy.typing import NDArray
 
 from loomlight.core.llvm import require_llvm
-from loomlight.models.latent.networks import DeviceWeights, decoder_widths
+from loomlight.models.latent.networks import DeviceWeights, decoder_widths, half_vector_features
 from loomlight.models.latent.settings import DECODERS
 from loomlight.models.latent.training.network import LatentNetwork, loss_of
 from loomlight.models.mip_pyramid import PyramidShape
@@ -23,13 +26,14 @@ require_llvm()
 
 SHAPE = PyramidShape(8, 4, 2.0, 1.0, 2)
 COUNT = 300
+SCALARS = SimpleNamespace(log=math.log, sqrt=math.sqrt, maximum=max)
 
 
-def network(decoder: str = "2x32", with_frames: bool = True) -> LatentNetwork:
+def network(decoder: str = "2x32", with_frames: bool = True, with_features: bool = True) -> LatentNetwork:
     """A network of random numbers, none of which is 0."""
     torch.manual_seed(3)
     inputs = np.random.default_rng(2).normal(size=(2 * SHAPE.texels, 5)).astype(np.float32)
-    made = LatentNetwork(SHAPE, inputs, DECODERS[decoder], with_frames, scale=4.0)
+    made = LatentNetwork(SHAPE, inputs, DECODERS[decoder], with_frames, with_features, scale=4.0)
     with torch.no_grad():
         for parameter in made.parameters():
             parameter.add_(0.1 * torch.randn_like(parameter))
@@ -43,12 +47,20 @@ def directions(rng: np.random.Generator) -> NDArray[np.float32]:
 
 
 @pytest.mark.parametrize(
-    ("decoder", "with_frames", "derivatives"),
-    [("2x16", True, False), ("2x32", True, True), ("3x64", True, False), ("2x32", False, False)],
+    ("decoder", "with_frames", "with_features", "derivatives"),
+    [
+        ("2x16", True, True, False),
+        ("2x32", True, True, True),
+        ("3x64", True, True, False),
+        ("2x32", False, True, False),
+        ("2x32", True, False, False),
+    ],
 )
-def test_values_and_lobes_are_those_of_torch(decoder: str, with_frames: bool, derivatives: bool) -> None:
+def test_values_and_lobes_are_those_of_torch(
+    decoder: str, with_frames: bool, with_features: bool, derivatives: bool
+) -> None:
     """By the SIMD kernel, and by cooperative vectors, which derivatives ask for."""
-    made, rng = network(decoder, with_frames), np.random.default_rng(1)
+    made, rng = network(decoder, with_frames, with_features), np.random.default_rng(1)
     positions = rng.random((COUNT, 2)).astype(np.float32)
     levels, faces = rng.integers(SHAPE.levels, size=COUNT), rng.integers(2, size=COUNT)
     lights, views = directions(rng), directions(rng)
@@ -80,8 +92,8 @@ def test_values_and_lobes_are_those_of_torch(decoder: str, with_frames: bool, de
 
 
 def test_the_networks_have_the_papers_inputs() -> None:
-    assert decoder_widths((32, 32), with_frames=True) == (20, 32, 32, 3)
-    assert decoder_widths((32, 32), with_frames=False) == (14, 32, 32, 3)
+    assert decoder_widths((32, 32), with_frames=True, with_features=False) == (20, 32, 32, 3)
+    assert decoder_widths((32, 32), with_frames=False, with_features=False) == (14, 32, 32, 3)
     weights = network().weights(np.zeros((2, 3), np.float32))
     assert [matrix.shape for matrix, _ in weights.layers["sampler"]] == [
         (32, 11),
@@ -92,6 +104,21 @@ def test_the_networks_have_the_papers_inputs() -> None:
     assert weights.frames is not None
     assert weights.frames.shape == (12, 8)
     assert weights.latents.shape == (2 * 43, 8)
+
+
+def test_features_of_a_half_vector() -> None:
+    """Of directions in one plane: the half vector is 15° from the normal, and 45° from both."""
+    view, light = ([math.sin(angle), 0.0, math.cos(angle)] for angle in np.radians((60, -30)))
+    found = half_vector_features([(view, light)], view, light, SCALARS)
+    rest = 1 - math.cos(math.radians(45))
+    wanted = [
+        0.25 * math.log(math.tan(math.radians(15)) ** 2 + 3e-4),
+        rest**5,
+        math.log(math.cos(math.radians(30))),
+    ]
+    assert found == pytest.approx(wanted, rel=1e-9)
+    # Opposite directions at the horizon have features too.
+    assert np.isfinite(half_vector_features([([1, 0, 0], [-1, 0, 0])], [1, 0, 0], [-1, 0, 0], SCALARS)).all()
 
 
 def test_textures_begin_as_what_the_encoder_gives() -> None:

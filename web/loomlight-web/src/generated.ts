@@ -52,7 +52,7 @@ export const RECORDS = {
     },
   },
   Fabric: {
-    words: 126,
+    words: 127,
     fields: {
       "warp": [0, "uint"],
       "weft": [1, "uint"],
@@ -163,23 +163,24 @@ export const RECORDS = {
       "latent.width": [106, "float"],
       "latent.height": [107, "float"],
       "latent.is_trilinear": [108, "uint"],
-      "clustered.is_baked": [109, "uint"],
-      "clustered.clusters": [110, "uint"],
-      "clustered.rank": [111, "uint"],
-      "clustered.channels": [112, "uint"],
-      "clustered.columns": [113, "uint"],
-      "clustered.rows": [114, "uint"],
-      "clustered.texel_width": [115, "float"],
-      "clustered.texel_height": [116, "float"],
-      "clustered.samples": [117, "uint"],
-      "clustered.sums": [118, "uint"],
-      "clustered.labels": [119, "uint"],
-      "clustered.coefficients": [120, "uint"],
-      "clustered.basis": [121, "uint"],
-      "clustered.moments": [122, "uint"],
-      "clustered.texels": [123, "uint"],
-      "clustered.light": [124, "uint"],
-      "clustered.heights": [125, "uint"],
+      "latent.is_apart": [109, "uint"],
+      "clustered.is_baked": [110, "uint"],
+      "clustered.clusters": [111, "uint"],
+      "clustered.rank": [112, "uint"],
+      "clustered.channels": [113, "uint"],
+      "clustered.columns": [114, "uint"],
+      "clustered.rows": [115, "uint"],
+      "clustered.texel_width": [116, "float"],
+      "clustered.texel_height": [117, "float"],
+      "clustered.samples": [118, "uint"],
+      "clustered.sums": [119, "uint"],
+      "clustered.labels": [120, "uint"],
+      "clustered.coefficients": [121, "uint"],
+      "clustered.basis": [122, "uint"],
+      "clustered.moments": [123, "uint"],
+      "clustered.texels": [124, "uint"],
+      "clustered.light": [125, "uint"],
+      "clustered.heights": [126, "uint"],
     },
   },
   Light: {
@@ -568,6 +569,9 @@ export const LATENT_ALBEDO_WIDTHS = [11, 16, 3] as const;
 export const LATENT_VALUE_OFFSET = 3.0;
 export const LATENT_ALBEDO_OFFSET = 1.0;
 export const LATENT_MAX_EXPONENT = 12.0;
+export const LATENT_SLOPE_FLOOR = 0.0003;
+export const LATENT_MIN_HALF = 0.02;
+export const LATENT_MIN_LIGHT = 0.01;
 
 // scattering.lobe_mixture
 export const MIXTURE_LOBE_OUTPUTS = 9;

@@ -36,6 +36,7 @@ class FabricReflectance:
         "roughness",
     )
     faces = 2
+    is_apart = False
 
     def __init__(self, fabric: Fabric, resolution: int) -> None:
         """

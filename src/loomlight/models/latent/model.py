@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cached_property
 from typing import Self, final
 
@@ -36,6 +37,7 @@ from loomlight.models.latent.settings import (
     DECODERS,
     DEFAULT_DECODER,
     DEFAULT_QUALITY,
+    FEATURES,
     LOSSES,
     OPTIMISERS,
     QUALITIES,
@@ -54,6 +56,8 @@ from loomlight.models.textured_model import (
 from loomlight.scattering.lobe_mixture import LobeMixture, mixture_density, sample_mixture
 from loomlight.scattering.yarn_point import DirectionSample, to_face_frame
 
+# Of files: to be raised when the same tensors mean something else.
+_FILE_VERSION = 2
 MIPS = ("stochastic", "trilinear")
 PRECISIONS = ("float32", "float16")
 
@@ -138,6 +142,8 @@ class LatentModel(TexturedModel[Weights, DeviceWeights]):
         Option("precision", str, f"one of {', '.join(PRECISIONS)}", is_training=True),
         # The rungs of the paper's ablation.
         Option("rung", str, f"one of {', '.join(RUNGS)}", is_training=True),
+        # Half-vector features beside the frames; the paper has none.
+        Option("features", str, f"one of {', '.join(FEATURES)}", is_training=True),
         Option("loss", str, f"one of {', '.join(LOSSES)}", is_training=True),
         Option("optimiser", str, f"one of {', '.join(OPTIMISERS)}", is_training=True),
         Option("seed", int, "a whole number from 0", low=0, high=2**32 - 1, is_training=True),
@@ -170,6 +176,7 @@ class LatentModel(TexturedModel[Weights, DeviceWeights]):
         mips: str = MIPS[0],
         precision: str = PRECISIONS[0],
         rung: str = "frames",
+        features: str | None = None,
         loss: str = AUTO,
         optimiser: str | None = None,
         seed: int = 0,
@@ -187,7 +194,7 @@ class LatentModel(TexturedModel[Weights, DeviceWeights]):
             InputError: a source of which no queries can be taken, or an option that cannot be.
             MissingDependencyError: PyTorch is missing.
         """
-        settings = settings_of(quality, resolution, decoder, rung, loss, seed, steps, optimiser)
+        settings = settings_of(quality, resolution, decoder, rung, loss, seed, steps, optimiser, features)
         if mips not in MIPS:
             raise InputError(f'mips = "{mips}" is wrong: give {" or ".join(MIPS)}.')
         if precision not in PRECISIONS:
@@ -214,10 +221,13 @@ class LatentModel(TexturedModel[Weights, DeviceWeights]):
         tensors |= tensors_of_layers(weights.layers)
         decoder = next(name for name, hidden in DECODERS.items() if hidden == weights.hidden)
         settings: dict[str, bool | int | float | str] = {
+            "version": _FILE_VERSION,
             "columns": shape.columns,
             "rows": shape.rows,
             "faces": shape.faces,
+            "is_apart": shape.is_apart,
             "decoder": decoder,
+            "features": FEATURES[0] if weights.with_features else FEATURES[1],
             "mips": self.mips,
             "precision": self.precision,
         }
@@ -229,15 +239,22 @@ class LatentModel(TexturedModel[Weights, DeviceWeights]):
         """The model of textures and networks in a file.
 
         Raises:
-            InputError: another model's file, or tensors that are missing or of another shape.
+            InputError: another model's file, one of another version, or tensors that are missing or of
+                another shape.
         """
         loom.require_model(cls.name)
-        shape = shape_of_loom(loom)
-        decoder, mips = (
-            _choice(loom, name, known) for name, known in (("decoder", tuple(DECODERS)), ("mips", MIPS))
+        if loom.settings.get("version") != _FILE_VERSION:
+            raise InputError(f"{loom.file}: its networks are of another version of loomlight: bake it again.")
+        shape = replace(shape_of_loom(loom), is_apart=loom.setting("is_apart", bool))
+        decoder, mips, precision, features = (
+            _choice(loom, name, known)
+            for name, known in (
+                ("decoder", tuple(DECODERS)),
+                ("mips", MIPS),
+                ("precision", PRECISIONS),
+                ("features", FEATURES),
+            )
         )
-        # Files of the first versions hold float32 and do not say so.
-        precision = _choice(loom, "precision", PRECISIONS) if "precision" in loom.settings else PRECISIONS[0]
         kind = np.dtype(precision)
         latents = loom.tensor("latents", (shape.faces * shape.texels, CHANNELS), kind)
         reflectance = loom.tensor("reflectance", (shape.faces, 3), kind)
@@ -245,7 +262,7 @@ class LatentModel(TexturedModel[Weights, DeviceWeights]):
         if "frames" in loom.tensors:
             frames = loom.tensor("frames", (6 * FRAMES, CHANNELS), kind)
         widths = {
-            "decoder": decoder_widths(DECODERS[decoder], frames is not None),
+            "decoder": decoder_widths(DECODERS[decoder], frames is not None, features == FEATURES[0]),
             "sampler": SAMPLER_WIDTHS,
             "albedo": ALBEDO_WIDTHS,
         }

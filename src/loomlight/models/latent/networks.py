@@ -1,12 +1,14 @@
 """Latent textures and networks as numbers, and their evaluation on any backend.
 
     frames   8 → 12                     latent → normals and tangents of two shading frames, without bias
-    decoder  20 → 2×16, 2×32, 3×64 → 3  both directions in both frames, latent → log f·cos + 3
+    decoder  24 → 2×16, 2×32, 3×64 → 3  both directions in both frames, features of the half vector, latent →
+                                        log f·cos + 3
     sampler  11 → 32 → 32 → 32 → 9      view, latent → lobes (`scattering/lobe_mixture.py`)
     albedo   11 → 16 → 3                view, latent → log of the share of light that is scattered, + 1
 
-The order of inputs and outputs is that of listings 2 and 3 of the supplemental of zeltner2024. Without
-learned frames the decoder has 14 inputs: view, light, latent.
+The order of inputs and outputs is that of listings 2 and 3 of the supplemental of zeltner2024, whose decoder
+has 20 inputs: no features. Without learned frames both directions are in the frame of the face, 6 inputs in
+place of 12, and there are 3 features in place of 4.
 """
 
 from __future__ import annotations
@@ -20,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.arrays import Color3, Float, FloatType, Int, UInt, Vec3
-from loomlight.core.backend import array_types, minimum, upload
+from loomlight.core.backend import DRJIT, array_types, minimum, upload
 from loomlight.models.mip_pyramid import (
     DrjitFunctions,
     PyramidShape,
@@ -41,11 +43,44 @@ ALBEDO_WIDTHS = (3 + CHANNELS, 16, 3)
 VALUE_OFFSET, ALBEDO_OFFSET = 3.0, 1.0
 # Bound of an exponent: values stay finite, and no training reaches it.
 MAX_EXPONENT = 12.0
+# Added to tan² of the half vector's angle: a lobe of a roughness of 0.017 is the sharpest that the feature
+# resolves. Below, the least cosines of half vectors and lights.
+SLOPE_FLOOR, MIN_HALF, MIN_LIGHT = 3e-4, 0.02, 0.01
 
 
-def decoder_widths(hidden: tuple[int, ...], with_frames: bool) -> tuple[int, ...]:
+def decoder_widths(hidden: tuple[int, ...], with_frames: bool, with_features: bool) -> tuple[int, ...]:
     """Widths of the decoder's layers, inputs first."""
-    return (CHANNELS + 6 * (FRAMES if with_frames else 1), *hidden, 3)
+    frames = FRAMES if with_frames else 1
+    return (CHANNELS + 6 * frames + (frames + 2 if with_features else 0), *hidden, 3)
+
+
+def half_vector_features(
+    seen: Sequence[tuple[Sequence[Any], Sequence[Any]]],
+    view: Sequence[Any],
+    light: Sequence[Any],
+    functions: Any,
+) -> list[Any]:
+    """What highlights, Fresnel's rise and the horizon depend on: small networks hardly find it by products.
+
+    ¼ log(tan² θ_h + 3e-4) for each frame, (1 - cos θ_d)^5 and log cos θ_light (θ_h, θ_d: Rusinkiewicz 1998).
+    In frames whose tangent is not at right angles to the normal, θ_h is 0 where the half vector is at right
+    angles to tangent and bitangent.
+
+    Args:
+        seen: coordinates of view and light in each frame.
+        view, light: coordinates in the frame of the face that is seen.
+        functions: of arrays, such as `DRJIT`.
+    """
+    maximum, log = functions.maximum, functions.log
+    features = []
+    for pair in seen:
+        x, y, z = (a + b for a, b in zip(*pair, strict=True))
+        across = maximum(z, MIN_HALF)
+        features.append(0.25 * log((x * x + y * y) / (across * across) + SLOPE_FLOOR))
+    x, y, z = (a + b for a, b in zip(view, light, strict=True))
+    rest = 1 - functions.sqrt(maximum(0.25 * (x * x + y * y + z * z), 1e-8))
+    fourth = rest * rest * rest * rest
+    return [*features, rest * fourth, log(maximum(light[2], MIN_LIGHT))]
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,6 +105,12 @@ class Weights:
     def hidden(self) -> tuple[int, ...]:
         """Widths of the decoder's hidden layers."""
         return tuple(len(bias) for _, bias in self.layers["decoder"][:-1])
+
+    @property
+    def with_features(self) -> bool:
+        """Whether the decoder is given `half_vector_features`."""
+        inputs: int = self.layers["decoder"][0][0].shape[1]
+        return inputs > decoder_widths((), self.frames is not None, with_features=False)[0]
 
     def rounded(self, precision: str) -> Weights:
         """The same numbers rounded to "float32" or "float16", in float32.
@@ -107,6 +148,7 @@ class DeviceWeights:
         self._functions = DrjitFunctions(self._types)
         self._latents = upload(float_type, weights.latents)
         self._frames = None if weights.frames is None else weights.frames.tolist()
+        self._with_features = weights.with_features
         self._networks = {name: ReluNetwork(layers, float_type) for name, layers in weights.layers.items()}
 
     def latent_of_level(self, u: Float, v: Float, level: Int, face: UInt) -> list[Float]:
@@ -134,12 +176,14 @@ class DeviceWeights:
 
     def value(self, latent: Sequence[Float], frames: list[Frame], light: Vec3, view: Vec3) -> Color3:
         """f·cos, 1/sr, of directions in the frame of the face that is seen."""
-        inputs: list[Float] = []
-        for tangent, bitangent, normal in frames:
-            for direction in (view, light):
-                inputs += [dr.dot(direction, axis) for axis in (tangent, bitangent, normal)]
-        if not frames:
-            inputs = [*view, *light]
+        pair = ([*view], [*light])
+        seen = [
+            ([dr.dot(view, axis) for axis in frame], [dr.dot(light, axis) for axis in frame])
+            for frame in frames
+        ] or [pair]
+        inputs = [number for both in seen for direction in both for number in direction]
+        if self._with_features:
+            inputs += half_vector_features(seen, *pair, DRJIT)
         outputs = self._networks["decoder"]([*inputs, *latent])
         return self._types.Color3(*(_exponential(output - VALUE_OFFSET) for output in outputs))
 

@@ -27,11 +27,13 @@ class Reflectance(Protocol):
             materials they are one per material (one-hot).
         resolution: texels of the finest level: width and height, powers of two.
         faces: 2 where front and back differ, else 1.
+        is_apart: whether each texel is a material of its own, and values are exact; see `PyramidShape`.
     """
 
     inputs: tuple[str, ...]
     resolution: tuple[int, int]
     faces: int
+    is_apart: bool
 
     def values(
         self,

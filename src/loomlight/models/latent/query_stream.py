@@ -78,10 +78,14 @@ class QueryStream:
         turn = np.where(faces == 1, -1, 1).astype(np.float32)[:, None]
         to_face = np.concatenate([np.ones_like(turn), np.ones_like(turn), turn], axis=1)
 
-        def repeated(rows: _Floats) -> _Floats:
-            return np.repeat(rows, self._samples, axis=0)
+        cone = self._cone(number)
+        # Of exact values one estimate is enough.
+        samples = self._samples if cone > 0 or not self._reflectance.is_apart else 1
 
-        spread = _within_cones(rng, repeated(lights), self._cone(number))
+        def repeated(rows: _Floats) -> _Floats:
+            return np.repeat(rows, samples, axis=0)
+
+        spread = _within_cones(rng, repeated(lights), cone)
         estimates = self._reflectance.values(
             repeated(positions),
             repeated(levels.astype(np.float32)),
@@ -89,7 +93,7 @@ class QueryStream:
             repeated(views * to_face),
             key,
         )
-        values = estimates.reshape(count, self._samples, 3).mean(axis=1, dtype=np.float32)
+        values = estimates.reshape(count, samples, 3).mean(axis=1, dtype=np.float32)
         return Queries(positions, levels, lights, views, faces, values)
 
 

@@ -15,6 +15,8 @@ DECODERS = {"2x16": (16, 16), "2x32": (32, 32), "3x64": (64, 64, 64)}
 DEFAULT_DECODER = "2x32"
 # The rungs of the paper's ablation (Tables 1 to 4), each with what the ones before have.
 RUNGS = ("mlp", "encoder", "frames")
+# What the decoder is given beside directions and latent; the paper has nothing there.
+FEATURES = ("half-vector", "none")
 # "auto" is `loss_of_kind`.
 AUTO = "auto"
 LOSSES = (AUTO, "log", "cube-root", "relative")
@@ -24,7 +26,7 @@ DEFAULT_OPTIMISER = OPTIMISERS[0]
 # Largest rates of networks and of textures, of an optimiser that is not the quality's.
 _RATES = {"soap": (1e-2, 2e-2), "adam": (5e-3, 1e-2)}
 # Part of every identity: to be raised when the same settings give other weights.
-_VERSION = 3
+_VERSION = 4
 
 
 def loss_of_kind(kind: str) -> str:
@@ -44,6 +46,7 @@ class LatentSettings:
         resolution: texels along the longer side of the repeat, a power of two.
         decoder: a name of `DECODERS`.
         rung: how much of the model is used, of `RUNGS`.
+        features: of `FEATURES`.
         loss: of `LOSSES`.
         optimiser: of `OPTIMISERS`, for encoder, textures and decoder.
         queries: of the source.
@@ -61,6 +64,7 @@ class LatentSettings:
     resolution: int = 128
     decoder: str = DEFAULT_DECODER
     rung: str = "frames"
+    features: str = FEATURES[0]
     loss: str = AUTO
     optimiser: str = DEFAULT_OPTIMISER
     queries: int = 1 << 21
@@ -93,6 +97,7 @@ QUALITIES: dict[str, LatentSettings] = {
         samples=64,
         steps=300_000,
         batch=1 << 17,
+        features="none",
         optimiser="adam",
         rate=1e-3,
         texture_rate=1e-3,
@@ -111,16 +116,16 @@ def settings_of(
     seed: int = 0,
     steps: int | None = None,
     optimiser: str | None = None,
+    features: str | None = None,
 ) -> LatentSettings:
     """The settings of a quality with some of them chosen.
 
     Args:
         steps: of the model; the sampler is trained a third as many.
-        optimiser: by default that of the quality.
+        optimiser, features: by default those of the quality.
 
     Raises:
-        InputError: an unknown quality, decoder, rung, loss or optimiser, or a resolution that is no power of
-            two.
+        InputError: an unknown quality or name of another choice, or a resolution that is no power of two.
     """
     named = (
         ("quality", quality, QUALITIES),
@@ -128,6 +133,7 @@ def settings_of(
         ("rung", rung, RUNGS),
         ("loss", loss, LOSSES),
         ("optimiser", optimiser or DEFAULT_OPTIMISER, OPTIMISERS),
+        ("features", features or FEATURES[0], FEATURES),
     )
     for name, value, known in named:
         if value not in known:
@@ -136,6 +142,8 @@ def settings_of(
     if optimiser is not None and optimiser != chosen.optimiser:
         rate, texture_rate = _RATES[optimiser]
         chosen = replace(chosen, optimiser=optimiser, rate=rate, texture_rate=texture_rate)
+    if features is not None:
+        chosen = replace(chosen, features=features)
     require_training(resolution, steps)
     if resolution is not None:
         chosen = replace(chosen, resolution=resolution)

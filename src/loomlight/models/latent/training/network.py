@@ -18,11 +18,12 @@ from loomlight.models.latent.networks import (
     VALUE_OFFSET,
     Weights,
     decoder_widths,
+    half_vector_features,
 )
 from loomlight.models.latent.queries import Reflectance
 from loomlight.models.mip_pyramid import PyramidShape, level_taps
 from loomlight.training.relu_layers import numbers_of, numbers_of_layers, relu_layers
-from loomlight.training.torch_functions import TorchTextures
+from loomlight.training.torch_functions import TORCH, TorchTextures
 
 # Added to values before cube roots, whose slope at 0 is infinite, and to what relative errors are divided by.
 _ROOT, _RELATIVE = 1e-4, 1e-2
@@ -47,6 +48,7 @@ class LatentNetwork(nn.Module):
         inputs: NDArray[np.float32],
         hidden: tuple[int, ...],
         with_frames: bool = True,
+        with_features: bool = True,
         scale: float = 1.0,
     ) -> None:
         """
@@ -55,12 +57,12 @@ class LatentNetwork(nn.Module):
             hidden: widths of the decoder's hidden layers.
         """
         super().__init__()
-        self.shape, self.scale = shape, scale
+        self.shape, self.scale, self.with_features = shape, scale, with_features
         self.register_buffer("inputs", torch.from_numpy(inputs), persistent=False)
         self.encoder = relu_layers((inputs.shape[1], *_ENCODER))
         self.latents = nn.Parameter(_LATENTS / scale * torch.randn(len(inputs), CHANNELS))
         self.frames = nn.Linear(CHANNELS, 6 * FRAMES, bias=False) if with_frames else None
-        self.decoder = relu_layers(decoder_widths(hidden, with_frames))
+        self.decoder = relu_layers(decoder_widths(hidden, with_frames, with_features))
         self.sampler = relu_layers(SAMPLER_WIDTHS)
         self.albedo = relu_layers(ALBEDO_WIDTHS)
 
@@ -92,18 +94,20 @@ class LatentNetwork(nn.Module):
 
     def forward(self, latent: Tensor, lights: Tensor, views: Tensor) -> Tensor:
         """f·cos [..., 3] of directions in the frame of the face that is seen."""
-        parts = [views, lights]
+        pair = views.unbind(-1), lights.unbind(-1)
+        seen = [pair]
         if self.frames is not None:
-            parts = []
+            seen = []
             for sums in self.frames(latent).split(6, dim=-1):
                 normal = functional.normalize(sums[..., :3] + sums.new_tensor([0.0, 0.0, 1.0]), dim=-1)
                 tangent = functional.normalize(sums[..., 3:] + sums.new_tensor([1.0, 0.0, 0.0]), dim=-1)
                 axes = (tangent, torch.linalg.cross(normal, tangent), normal)
-                parts += [
-                    torch.stack([(direction * axis).sum(-1) for axis in axes], dim=-1)
-                    for direction in (views, lights)
-                ]
-        exponent = self.decoder(torch.cat([*parts, latent], dim=-1)) - VALUE_OFFSET
+                coordinates = [[(part * axis).sum(-1) for axis in axes] for part in (views, lights)]
+                seen.append((coordinates[0], coordinates[1]))
+        inputs = [number for both in seen for direction in both for number in direction]
+        if self.with_features:
+            inputs += half_vector_features(seen, *pair, TORCH)
+        exponent = self.decoder(torch.cat([torch.stack(inputs, dim=-1), latent], dim=-1)) - VALUE_OFFSET
         return torch.exp(exponent.clamp(max=MAX_EXPONENT))
 
     def sampler_outputs(self, latent: Tensor, views: Tensor) -> tuple[Tensor, Tensor]:

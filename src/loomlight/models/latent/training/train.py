@@ -23,7 +23,7 @@ from loomlight.assets.sources import Source, kind_of_source
 from loomlight.models.latent.networks import Weights
 from loomlight.models.latent.queries import REFLECTANCES, Reflectance
 from loomlight.models.latent.query_stream import Queries, QueryStream, draw_levels
-from loomlight.models.latent.settings import AUTO, DECODERS, LatentSettings, loss_of_kind
+from loomlight.models.latent.settings import AUTO, DECODERS, FEATURES, LatentSettings, loss_of_kind
 from loomlight.models.latent.training.network import LatentNetwork, loss_of, texel_inputs
 from loomlight.models.mip_pyramid import PyramidShape
 from loomlight.models.query_parts import PART, FileStore, Progress, draw_directions, stored_queries
@@ -65,7 +65,7 @@ def train_latent(
     report = progress or (lambda done, total: None)
     folder.mkdir(parents=True, exist_ok=True)
     reflectance = REFLECTANCES.of(source, settings.resolution)
-    shape = PyramidShape(*reflectance.resolution, *source.repeat_mm, reflectance.faces)
+    shape = PyramidShape(*reflectance.resolution, *source.repeat_mm, reflectance.faces, reflectance.is_apart)
     queries = taken_queries(source, settings, reflectance, shape.levels, folder, report)
     torch.manual_seed(settings.seed)
     network = LatentNetwork(
@@ -73,6 +73,7 @@ def train_latent(
         texel_inputs(reflectance, shape),
         DECODERS[settings.decoder],
         settings.rung == "frames",
+        settings.features == FEATURES[0],
         settings.texture_rate / settings.rate,
     ).to(device)
     identity = settings.identity(source)

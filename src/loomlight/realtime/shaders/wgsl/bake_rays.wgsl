@@ -137,6 +137,7 @@ struct Latent_std430_0
     @align(4) width_0 : f32,
     @align(4) height_0 : f32,
     @align(4) is_trilinear_0 : u32,
+    @align(4) is_apart_0 : u32,
 };
 
 struct Clustered_std430_0

@@ -151,6 +151,7 @@ struct Latent_std430_0
     @align(4) width_1 : f32,
     @align(4) height_1 : f32,
     @align(4) is_trilinear_0 : u32,
+    @align(4) is_apart_0 : u32,
 };
 
 struct Clustered_std430_0
@@ -458,7 +459,7 @@ fn dense_part_1( weights_2 : FloatWeights_0,  first_2 : u32,  adds_1 : bool,  in
     return;
 }
 
-fn tile_product_1( weights_3 : FloatWeights_0,  row_1 : u32,  inputs_3 : ptr<function, array<f32, i32(20)>>) -> vec4<f32>
+fn tile_product_1( weights_3 : FloatWeights_0,  row_1 : u32,  inputs_3 : ptr<function, array<f32, i32(24)>>) -> vec4<f32>
 {
     var sums_2 : vec4<f32> = vec4<f32>(0.0f);
     var column_1 : u32 = u32(0);
@@ -474,17 +475,17 @@ fn tile_product_1( weights_3 : FloatWeights_0,  row_1 : u32,  inputs_3 : ptr<fun
         var low_2 : vec4<f32>;
         var high_2 : vec4<f32>;
         var _S30 : i32 = i32(u32(8) * column_1);
-        low_2[i32(0)] = (*inputs_3)[min(_S30, i32(19))];
-        high_2[i32(0)] = (*inputs_3)[min(_S30 + i32(4), i32(19))];
+        low_2[i32(0)] = (*inputs_3)[_S30];
+        high_2[i32(0)] = (*inputs_3)[_S30 + i32(4)];
         var _S31 : i32 = _S30 + i32(1);
-        low_2[i32(1)] = (*inputs_3)[min(_S31, i32(19))];
-        high_2[i32(1)] = (*inputs_3)[min(_S31 + i32(4), i32(19))];
+        low_2[i32(1)] = (*inputs_3)[_S31];
+        high_2[i32(1)] = (*inputs_3)[_S31 + i32(4)];
         var _S32 : i32 = _S30 + i32(2);
-        low_2[i32(2)] = (*inputs_3)[min(_S32, i32(19))];
-        high_2[i32(2)] = (*inputs_3)[min(_S32 + i32(4), i32(19))];
+        low_2[i32(2)] = (*inputs_3)[_S32];
+        high_2[i32(2)] = (*inputs_3)[_S32 + i32(4)];
         var _S33 : i32 = _S30 + i32(3);
-        low_2[i32(3)] = (*inputs_3)[min(_S33, i32(19))];
-        high_2[i32(3)] = (*inputs_3)[min(_S33 + i32(4), i32(19))];
+        low_2[i32(3)] = (*inputs_3)[_S33];
+        high_2[i32(3)] = (*inputs_3)[_S33 + i32(4)];
         var _S34 : Eight_0 = FloatWeights_eight_0(weights_3, row_1 + column_1);
         sums_2[i32(0)] = sums_2[i32(0)] + (dot(_S34.low_0, low_2) + dot(_S34.high_0, high_2));
         var _S35 : Eight_0 = FloatWeights_eight_0(weights_3, row_1 + u32(3) + column_1);
@@ -498,7 +499,7 @@ fn tile_product_1( weights_3 : FloatWeights_0,  row_1 : u32,  inputs_3 : ptr<fun
     return sums_2;
 }
 
-fn dense_part_2( weights_4 : FloatWeights_0,  first_3 : u32,  adds_2 : bool,  inputs_4 : ptr<function, array<f32, i32(20)>>,  outputs_2 : ptr<function, array<f32, i32(64)>>)
+fn dense_part_2( weights_4 : FloatWeights_0,  first_3 : u32,  adds_2 : bool,  inputs_4 : ptr<function, array<f32, i32(24)>>,  outputs_2 : ptr<function, array<f32, i32(64)>>)
 {
     var _S38 : u32 = first_3 + u32(whole_parts_0(i32(8)));
     var output_2 : i32 = i32(0);
@@ -585,7 +586,7 @@ fn dense_1( weights_6 : FloatWeights_0,  first_5 : u32,  adds_4 : bool,  inputs_
     return;
 }
 
-fn dense_2( weights_7 : FloatWeights_0,  first_6 : u32,  adds_5 : bool,  inputs_7 : ptr<function, array<f32, i32(20)>>,  outputs_5 : ptr<function, array<f32, i32(64)>>)
+fn dense_2( weights_7 : FloatWeights_0,  first_6 : u32,  adds_5 : bool,  inputs_7 : ptr<function, array<f32, i32(24)>>,  outputs_5 : ptr<function, array<f32, i32(64)>>)
 {
     dense_part_2(weights_7, first_6, adds_5, &((*inputs_7)), &((*outputs_5)));
     return;
@@ -601,7 +602,7 @@ fn layer_size_0( inputs_8 : i32,  outputs_6 : i32) -> i32
     return whole_parts_0((outputs_6 + i32(7)) / i32(8)) + whole_parts_0((inputs_8 + i32(7)) / i32(8) * ((outputs_6 + i32(4) - i32(1)) / i32(4) * i32(4)));
 }
 
-fn MLP_evaluate_0( this_1 : MLP_0,  inputs_9 : ptr<function, array<f32, i32(20)>>,  outputs_7 : ptr<function, array<f32, i32(3)>>)
+fn MLP_evaluate_0( this_1 : MLP_0,  inputs_9 : ptr<function, array<f32, i32(24)>>,  outputs_7 : ptr<function, array<f32, i32(3)>>)
 {
     var odd_0 : array<f32, i32(64)>;
     var even_0 : array<f32, i32(64)>;
@@ -617,7 +618,7 @@ fn MLP_evaluate_0( this_1 : MLP_0,  inputs_9 : ptr<function, array<f32, i32(20)>
             break;
         }
         var _S48 : i32 = layer_size_0(i32(64), i32(64));
-        var _S49 : u32 = u32(layer_size_0(i32(20), i32(64)) + (layer_0 - i32(1)) * _S48);
+        var _S49 : u32 = u32(layer_size_0(i32(24), i32(64)) + (layer_0 - i32(1)) * _S48);
         dense_0(this_1.weights_8, _S49, false, &(even_0), &(odd_0));
         if((layer_0 + i32(1)) < i32(3))
         {
@@ -625,7 +626,7 @@ fn MLP_evaluate_0( this_1 : MLP_0,  inputs_9 : ptr<function, array<f32, i32(20)>
         }
         layer_0 = layer_0 + i32(2);
     }
-    var _S50 : u32 = u32(layer_size_0(i32(20), i32(64)) + i32(2) * layer_size_0(i32(64), i32(64)));
+    var _S50 : u32 = u32(layer_size_0(i32(24), i32(64)) + i32(2) * layer_size_0(i32(64), i32(64)));
     dense_1(this_1.weights_8, _S50, false, &(even_0), &((*outputs_7)));
     return;
 }
@@ -820,7 +821,7 @@ fn dense_part_4( weights_11 : FloatWeights_0,  first_8 : u32,  adds_7 : bool,  i
     return;
 }
 
-fn dense_part_5( weights_12 : FloatWeights_0,  first_9 : u32,  adds_8 : bool,  inputs_13 : ptr<function, array<f32, i32(20)>>,  outputs_10 : ptr<function, array<f32, i32(32)>>)
+fn dense_part_5( weights_12 : FloatWeights_0,  first_9 : u32,  adds_8 : bool,  inputs_13 : ptr<function, array<f32, i32(24)>>,  outputs_10 : ptr<function, array<f32, i32(32)>>)
 {
     var _S79 : u32 = first_9 + u32(whole_parts_0(i32(4)));
     var output_5 : i32 = i32(0);
@@ -907,13 +908,13 @@ fn dense_4( weights_14 : FloatWeights_0,  first_11 : u32,  adds_10 : bool,  inpu
     return;
 }
 
-fn dense_5( weights_15 : FloatWeights_0,  first_12 : u32,  adds_11 : bool,  inputs_16 : ptr<function, array<f32, i32(20)>>,  outputs_13 : ptr<function, array<f32, i32(32)>>)
+fn dense_5( weights_15 : FloatWeights_0,  first_12 : u32,  adds_11 : bool,  inputs_16 : ptr<function, array<f32, i32(24)>>,  outputs_13 : ptr<function, array<f32, i32(32)>>)
 {
     dense_part_5(weights_15, first_12, adds_11, &((*inputs_16)), &((*outputs_13)));
     return;
 }
 
-fn MLP_evaluate_1( this_2 : MLP_0,  inputs_17 : ptr<function, array<f32, i32(20)>>,  outputs_14 : ptr<function, array<f32, i32(3)>>)
+fn MLP_evaluate_1( this_2 : MLP_0,  inputs_17 : ptr<function, array<f32, i32(24)>>,  outputs_14 : ptr<function, array<f32, i32(3)>>)
 {
     var odd_1 : array<f32, i32(32)>;
     var even_1 : array<f32, i32(32)>;
@@ -929,7 +930,7 @@ fn MLP_evaluate_1( this_2 : MLP_0,  inputs_17 : ptr<function, array<f32, i32(20)
             break;
         }
         var _S89 : i32 = layer_size_0(i32(32), i32(32));
-        var _S90 : u32 = u32(layer_size_0(i32(20), i32(32)) + (layer_1 - i32(1)) * _S89);
+        var _S90 : u32 = u32(layer_size_0(i32(24), i32(32)) + (layer_1 - i32(1)) * _S89);
         dense_3(this_2.weights_8, _S90, false, &(even_1), &(odd_1));
         if((layer_1 + i32(1)) < i32(2))
         {
@@ -937,7 +938,7 @@ fn MLP_evaluate_1( this_2 : MLP_0,  inputs_17 : ptr<function, array<f32, i32(20)
         }
         layer_1 = layer_1 + i32(2);
     }
-    var _S91 : u32 = u32(layer_size_0(i32(20), i32(32)) + layer_size_0(i32(32), i32(32)));
+    var _S91 : u32 = u32(layer_size_0(i32(24), i32(32)) + layer_size_0(i32(32), i32(32)));
     dense_4(this_2.weights_8, _S91, false, &(odd_1), &((*outputs_14)));
     return;
 }
@@ -1132,7 +1133,7 @@ fn dense_part_7( weights_18 : FloatWeights_0,  first_14 : u32,  adds_13 : bool, 
     return;
 }
 
-fn dense_part_8( weights_19 : FloatWeights_0,  first_15 : u32,  adds_14 : bool,  inputs_21 : ptr<function, array<f32, i32(20)>>,  outputs_17 : ptr<function, array<f32, i32(16)>>)
+fn dense_part_8( weights_19 : FloatWeights_0,  first_15 : u32,  adds_14 : bool,  inputs_21 : ptr<function, array<f32, i32(24)>>,  outputs_17 : ptr<function, array<f32, i32(16)>>)
 {
     var _S120 : u32 = first_15 + u32(whole_parts_0(i32(2)));
     var output_8 : i32 = i32(0);
@@ -1219,13 +1220,13 @@ fn dense_7( weights_21 : FloatWeights_0,  first_17 : u32,  adds_16 : bool,  inpu
     return;
 }
 
-fn dense_8( weights_22 : FloatWeights_0,  first_18 : u32,  adds_17 : bool,  inputs_24 : ptr<function, array<f32, i32(20)>>,  outputs_20 : ptr<function, array<f32, i32(16)>>)
+fn dense_8( weights_22 : FloatWeights_0,  first_18 : u32,  adds_17 : bool,  inputs_24 : ptr<function, array<f32, i32(24)>>,  outputs_20 : ptr<function, array<f32, i32(16)>>)
 {
     dense_part_8(weights_22, first_18, adds_17, &((*inputs_24)), &((*outputs_20)));
     return;
 }
 
-fn MLP_evaluate_2( this_3 : MLP_0,  inputs_25 : ptr<function, array<f32, i32(20)>>,  outputs_21 : ptr<function, array<f32, i32(3)>>)
+fn MLP_evaluate_2( this_3 : MLP_0,  inputs_25 : ptr<function, array<f32, i32(24)>>,  outputs_21 : ptr<function, array<f32, i32(3)>>)
 {
     var odd_2 : array<f32, i32(16)>;
     var even_2 : array<f32, i32(16)>;
@@ -1241,7 +1242,7 @@ fn MLP_evaluate_2( this_3 : MLP_0,  inputs_25 : ptr<function, array<f32, i32(20)
             break;
         }
         var _S130 : i32 = layer_size_0(i32(16), i32(16));
-        var _S131 : u32 = u32(layer_size_0(i32(20), i32(16)) + (layer_2 - i32(1)) * _S130);
+        var _S131 : u32 = u32(layer_size_0(i32(24), i32(16)) + (layer_2 - i32(1)) * _S130);
         dense_6(this_3.weights_8, _S131, false, &(even_2), &(odd_2));
         if((layer_2 + i32(1)) < i32(2))
         {
@@ -1249,7 +1250,7 @@ fn MLP_evaluate_2( this_3 : MLP_0,  inputs_25 : ptr<function, array<f32, i32(20)
         }
         layer_2 = layer_2 + i32(2);
     }
-    var _S132 : u32 = u32(layer_size_0(i32(20), i32(16)) + layer_size_0(i32(16), i32(16)));
+    var _S132 : u32 = u32(layer_size_0(i32(24), i32(16)) + layer_size_0(i32(16), i32(16)));
     dense_7(this_3.weights_8, _S132, false, &(odd_2), &((*outputs_21)));
     return;
 }
@@ -1369,7 +1370,7 @@ fn dense_part_9( weights_24 : FloatWeights_0,  first_19 : u32,  adds_18 : bool, 
     return;
 }
 
-fn decode_0( first_20 : u32,  inputs_28 : ptr<function, array<f32, i32(20)>>,  outputs_23 : ptr<function, array<f32, i32(3)>>)
+fn decode_0( first_20 : u32,  inputs_28 : ptr<function, array<f32, i32(24)>>,  outputs_23 : ptr<function, array<f32, i32(3)>>)
 {
     var network_1 : MLP_0;
     network_1.weights_8.first_0 = first_20;
@@ -1377,7 +1378,7 @@ fn decode_0( first_20 : u32,  inputs_28 : ptr<function, array<f32, i32(20)>>,  o
     return;
 }
 
-fn decode_1( first_21 : u32,  inputs_29 : ptr<function, array<f32, i32(20)>>,  outputs_24 : ptr<function, array<f32, i32(3)>>)
+fn decode_1( first_21 : u32,  inputs_29 : ptr<function, array<f32, i32(24)>>,  outputs_24 : ptr<function, array<f32, i32(3)>>)
 {
     var network_2 : MLP_0;
     network_2.weights_8.first_0 = first_21;
@@ -1385,7 +1386,7 @@ fn decode_1( first_21 : u32,  inputs_29 : ptr<function, array<f32, i32(20)>>,  o
     return;
 }
 
-fn decode_2( first_22 : u32,  inputs_30 : ptr<function, array<f32, i32(20)>>,  outputs_25 : ptr<function, array<f32, i32(3)>>)
+fn decode_2( first_22 : u32,  inputs_30 : ptr<function, array<f32, i32(24)>>,  outputs_25 : ptr<function, array<f32, i32(3)>>)
 {
     var network_3 : MLP_0;
     network_3.weights_8.first_0 = first_22;
@@ -1781,12 +1782,21 @@ fn LatentFrame_coordinates_0( this_7 : LatentFrame_0,  direction_2 : vec3<f32>) 
     return vec3<f32>(dot(direction_2, this_7.tangent_0), dot(direction_2, this_7.bitangent_0), dot(direction_2, this_7.normal_1));
 }
 
+fn half_vector_feature_0( view_1 : vec3<f32>,  light_1 : vec3<f32>) -> f32
+{
+    var _S194 : vec3<f32> = view_1 + light_1;
+    var _S195 : f32 = max(_S194.z, 0.01999999955296516f);
+    var _S196 : f32 = _S194.x;
+    var _S197 : f32 = _S194.y;
+    return 0.25f * natural_logarithm_0((_S196 * _S196 + _S197 * _S197) / (_S195 * _S195) + 0.00030000001424924f);
+}
+
 fn exponential_0( x_7 : f32) -> f32
 {
-    var _S194 : f32 = clamp(x_7, -87.0f, 88.0f);
-    var _S195 : f32 = floor(_S194 * 1.4426950216293335f + 0.5f);
-    var _S196 : f32 = _S194 - _S195 * 0.693359375f + _S195 * 0.00021219444170129f;
-    return select(((((((0.00019875691214111f * _S196 + 0.00139819993637502f) * _S196 + 0.00833345204591751f) * _S196 + 0.04166579619050026f) * _S196 + 0.1666666567325592f) * _S196 + 0.5f) * _S196 * _S196 + _S196 + 1.0f) * (bitcast<f32>(((u32(i32(_S195) + i32(127)) << (u32(23)))))), 0.0f, x_7 < -87.0f);
+    var _S198 : f32 = clamp(x_7, -87.0f, 88.0f);
+    var _S199 : f32 = floor(_S198 * 1.4426950216293335f + 0.5f);
+    var _S200 : f32 = _S198 - _S199 * 0.693359375f + _S199 * 0.00021219444170129f;
+    return select(((((((0.00019875691214111f * _S200 + 0.00139819993637502f) * _S200 + 0.00833345204591751f) * _S200 + 0.04166579619050026f) * _S200 + 0.1666666567325592f) * _S200 + 0.5f) * _S200 * _S200 + _S200 + 1.0f) * (bitcast<f32>(((u32(i32(_S199) + i32(127)) << (u32(23)))))), 0.0f, x_7 < -87.0f);
 }
 
 fn bounded_exponential_0( exponent_3 : f32) -> f32
@@ -1794,11 +1804,11 @@ fn bounded_exponential_0( exponent_3 : f32) -> f32
     return exponential_0(min(exponent_3, 12.0f));
 }
 
-fn accumulate_0( index_3 : u32,  light_1 : vec4<f32>)
+fn accumulate_0( index_3 : u32,  light_2 : vec4<f32>)
 {
-    var _S197 : f32 = layers_0[index_3].share_0;
-    radiance_0[index_3] = radiance_0[index_3] + vec4<f32>(layers_0[index_3].share_0) * light_1;
-    layers_0[index_3].share_0 = _S197 * (1.0f - light_1.w);
+    var _S201 : f32 = layers_0[index_3].share_0;
+    radiance_0[index_3] = radiance_0[index_3] + vec4<f32>(layers_0[index_3].share_0) * light_2;
+    layers_0[index_3].share_0 = _S201 * (1.0f - light_2.w);
     return;
 }
 
@@ -1822,80 +1832,80 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn face_point_0( _S198 : u32,  _S199 : u32,  _S200 : f32,  _S201 : f32) -> VisiblePoint_0
+fn face_point_0( _S202 : u32,  _S203 : u32,  _S204 : f32,  _S205 : f32) -> VisiblePoint_0
 {
-    var _S202 : u32 = u32(3) * _S199;
-    var _S203 : Vertex_0 = vertex_at_0(_S202);
-    var _S204 : Vertex_0 = vertex_at_0(_S202 + u32(1));
-    var _S205 : Vertex_0 = vertex_at_0(_S202 + u32(2));
-    var _S206 : vec3<f32> = position_of_0(_S203);
-    var _S207 : vec3<f32> = position_of_0(_S204) - _S206;
-    var _S208 : vec3<f32> = position_of_0(_S205) - _S206;
-    var _S209 : f32 = _S204.u_0 - _S203.u_0;
-    var _S210 : f32 = _S204.v_0 - _S203.v_0;
-    var _S211 : vec2<f32> = vec2<f32>(_S209, _S210);
-    var _S212 : f32 = _S205.u_0 - _S203.u_0;
-    var _S213 : f32 = _S205.v_0 - _S203.v_0;
-    var _S214 : vec2<f32> = vec2<f32>(_S212, _S213);
-    var _S215 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S209 * _S213 - _S210 * _S212) < 0.0f));
-    var _S216 : vec3<f32> = _S215 * (vec3<f32>(_S213) * _S207 - vec3<f32>(_S210) * _S208);
-    var _S217 : vec3<f32> = _S215 * (vec3<f32>(_S209) * _S208 - vec3<f32>(_S212) * _S207);
+    var _S206 : u32 = u32(3) * _S203;
+    var _S207 : Vertex_0 = vertex_at_0(_S206);
+    var _S208 : Vertex_0 = vertex_at_0(_S206 + u32(1));
+    var _S209 : Vertex_0 = vertex_at_0(_S206 + u32(2));
+    var _S210 : vec3<f32> = position_of_0(_S207);
+    var _S211 : vec3<f32> = position_of_0(_S208) - _S210;
+    var _S212 : vec3<f32> = position_of_0(_S209) - _S210;
+    var _S213 : f32 = _S208.u_0 - _S207.u_0;
+    var _S214 : f32 = _S208.v_0 - _S207.v_0;
+    var _S215 : vec2<f32> = vec2<f32>(_S213, _S214);
+    var _S216 : f32 = _S209.u_0 - _S207.u_0;
+    var _S217 : f32 = _S209.v_0 - _S207.v_0;
+    var _S218 : vec2<f32> = vec2<f32>(_S216, _S217);
+    var _S219 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S213 * _S217 - _S214 * _S216) < 0.0f));
+    var _S220 : vec3<f32> = _S219 * (vec3<f32>(_S217) * _S211 - vec3<f32>(_S214) * _S212);
+    var _S221 : vec3<f32> = _S219 * (vec3<f32>(_S213) * _S212 - vec3<f32>(_S216) * _S211);
     var point_1 : VisiblePoint_0;
-    var _S218 : vec3<f32> = vec3<f32>(_S200);
-    var _S219 : vec3<f32> = vec3<f32>(_S201);
-    var _S220 : vec3<f32> = normalize(vec3<f32>((1.0f - _S200 - _S201)) * normal_of_0(_S203) + _S218 * normal_of_0(_S204) + _S219 * normal_of_0(_S205));
-    point_1.normal_0 = _S220;
-    var _S221 : vec3<f32> = normalize(_S216 - _S220 * vec3<f32>(dot(_S220, _S216)));
-    point_1.axis_x_0 = _S221;
-    point_1.axis_y_0 = cross(_S220, _S221);
-    var _S222 : vec3<f32> = normalize(cross(_S207, _S208));
-    point_1.face_normal_0 = select_vector_2((dot(_S222, _S220)) < 0.0f, (vec3<f32>(0) - _S222), _S222);
-    point_1.position_0 = _S206 + _S218 * _S207 + _S219 * _S208;
-    point_1.view_0 = _S220;
-    var _S223 : vec2<f32> = vec2<f32>(_S203.u_0, _S203.v_0) + vec2<f32>(_S200) * _S211 + vec2<f32>(_S201) * _S214;
-    point_1.uv_0 = _S223;
-    var _S224 : bool = (dot(cross(_S216, _S217), _S220)) < 0.0f;
-    var _S225 : vec2<f32> = vec2<f32>(fabrics_0[_S198].uv_width_0, select(fabrics_0[_S198].uv_height_0, - fabrics_0[_S198].uv_height_0, _S224));
-    point_1.draft_per_uv_0 = _S225;
-    point_1.draft_0 = _S223 * _S225 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S198].uv_height_0, _S224));
-    var _S226 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S226;
-    point_1.draft_dy_0 = _S226;
+    var _S222 : vec3<f32> = vec3<f32>(_S204);
+    var _S223 : vec3<f32> = vec3<f32>(_S205);
+    var _S224 : vec3<f32> = normalize(vec3<f32>((1.0f - _S204 - _S205)) * normal_of_0(_S207) + _S222 * normal_of_0(_S208) + _S223 * normal_of_0(_S209));
+    point_1.normal_0 = _S224;
+    var _S225 : vec3<f32> = normalize(_S220 - _S224 * vec3<f32>(dot(_S224, _S220)));
+    point_1.axis_x_0 = _S225;
+    point_1.axis_y_0 = cross(_S224, _S225);
+    var _S226 : vec3<f32> = normalize(cross(_S211, _S212));
+    point_1.face_normal_0 = select_vector_2((dot(_S226, _S224)) < 0.0f, (vec3<f32>(0) - _S226), _S226);
+    point_1.position_0 = _S210 + _S222 * _S211 + _S223 * _S212;
+    point_1.view_0 = _S224;
+    var _S227 : vec2<f32> = vec2<f32>(_S207.u_0, _S207.v_0) + vec2<f32>(_S204) * _S215 + vec2<f32>(_S205) * _S218;
+    point_1.uv_0 = _S227;
+    var _S228 : bool = (dot(cross(_S220, _S221), _S224)) < 0.0f;
+    var _S229 : vec2<f32> = vec2<f32>(fabrics_0[_S202].uv_width_0, select(fabrics_0[_S202].uv_height_0, - fabrics_0[_S202].uv_height_0, _S228));
+    point_1.draft_per_uv_0 = _S229;
+    point_1.draft_0 = _S227 * _S229 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S202].uv_height_0, _S228));
+    var _S230 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S230;
+    point_1.draft_dy_0 = _S230;
     return point_1;
 }
 
-fn visible_point_0( _S227 : u32,  _S228 : u32,  _S229 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S231 : u32,  _S232 : u32,  _S233 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S230 : u32 = u32(3) * _S228;
-    var _S231 : Vertex_0 = vertex_at_0(_S230);
-    var _S232 : Vertex_0 = vertex_at_0(_S230 + u32(1));
-    var _S233 : Vertex_0 = vertex_at_0(_S230 + u32(2));
-    var _S234 : vec3<f32> = position_of_0(_S231);
-    var _S235 : vec3<f32> = position_of_0(_S232) - _S234;
-    var _S236 : vec3<f32> = position_of_0(_S233) - _S234;
-    var _S237 : vec3<f32> = cross(_S235, _S236);
-    var _S238 : f32 = f32(frame_record_0.width_0);
-    var _S239 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S238));
-    var _S240 : f32 = f32(frame_record_0.height_0);
-    var _S241 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S240));
-    var _S242 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S229.x) + 0.5f - 0.5f * _S238)) * _S239 + vec3<f32>((f32(_S229.y) + 0.5f - 0.5f * _S240)) * _S241;
-    var _S243 : f32 = dot(_S242, _S237);
-    var _S244 : f32 = 1.0f / select(1.00000000317107685e-30f, _S243, (abs(_S243)) > 1.00000000317107685e-30f);
-    var _S245 : vec3<f32> = _S234 - camera_origin_0();
-    var _S246 : vec3<f32> = vec3<f32>((dot(_S245, _S237) * _S244));
-    var _S247 : vec3<f32> = _S242 * _S246 - _S245;
-    var _S248 : vec3<f32> = _S246 * (_S239 - _S242 * vec3<f32>((dot(_S239, _S237) * _S244)));
-    var _S249 : vec3<f32> = _S246 * (_S241 - _S242 * vec3<f32>((dot(_S241, _S237) * _S244)));
-    var _S250 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S237), 1.00000000317107685e-30f)));
-    var _S251 : vec3<f32> = cross(_S236, _S237) * _S250;
-    var _S252 : vec3<f32> = cross(_S237, _S235) * _S250;
-    var _S253 : vec2<f32> = vec2<f32>(_S232.u_0 - _S231.u_0, _S232.v_0 - _S231.v_0);
-    var _S254 : vec2<f32> = vec2<f32>(_S233.u_0 - _S231.u_0, _S233.v_0 - _S231.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S227, _S228, dot(_S247, _S251), dot(_S247, _S252));
-    point_2.position_0 = _S234 + _S247;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S242));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S248, _S251)) * _S253 + vec2<f32>(dot(_S248, _S252)) * _S254) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S249, _S251)) * _S253 + vec2<f32>(dot(_S249, _S252)) * _S254) * point_2.draft_per_uv_0;
+    var _S234 : u32 = u32(3) * _S232;
+    var _S235 : Vertex_0 = vertex_at_0(_S234);
+    var _S236 : Vertex_0 = vertex_at_0(_S234 + u32(1));
+    var _S237 : Vertex_0 = vertex_at_0(_S234 + u32(2));
+    var _S238 : vec3<f32> = position_of_0(_S235);
+    var _S239 : vec3<f32> = position_of_0(_S236) - _S238;
+    var _S240 : vec3<f32> = position_of_0(_S237) - _S238;
+    var _S241 : vec3<f32> = cross(_S239, _S240);
+    var _S242 : f32 = f32(frame_record_0.width_0);
+    var _S243 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S242));
+    var _S244 : f32 = f32(frame_record_0.height_0);
+    var _S245 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S244));
+    var _S246 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S233.x) + 0.5f - 0.5f * _S242)) * _S243 + vec3<f32>((f32(_S233.y) + 0.5f - 0.5f * _S244)) * _S245;
+    var _S247 : f32 = dot(_S246, _S241);
+    var _S248 : f32 = 1.0f / select(1.00000000317107685e-30f, _S247, (abs(_S247)) > 1.00000000317107685e-30f);
+    var _S249 : vec3<f32> = _S238 - camera_origin_0();
+    var _S250 : vec3<f32> = vec3<f32>((dot(_S249, _S241) * _S248));
+    var _S251 : vec3<f32> = _S246 * _S250 - _S249;
+    var _S252 : vec3<f32> = _S250 * (_S243 - _S246 * vec3<f32>((dot(_S243, _S241) * _S248)));
+    var _S253 : vec3<f32> = _S250 * (_S245 - _S246 * vec3<f32>((dot(_S245, _S241) * _S248)));
+    var _S254 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S241), 1.00000000317107685e-30f)));
+    var _S255 : vec3<f32> = cross(_S240, _S241) * _S254;
+    var _S256 : vec3<f32> = cross(_S241, _S239) * _S254;
+    var _S257 : vec2<f32> = vec2<f32>(_S236.u_0 - _S235.u_0, _S236.v_0 - _S235.v_0);
+    var _S258 : vec2<f32> = vec2<f32>(_S237.u_0 - _S235.u_0, _S237.v_0 - _S235.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S231, _S232, dot(_S251, _S255), dot(_S251, _S256));
+    point_2.position_0 = _S238 + _S251;
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S246));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S252, _S255)) * _S257 + vec2<f32>(dot(_S252, _S256)) * _S258) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S253, _S255)) * _S257 + vec2<f32>(dot(_S253, _S256)) * _S258) * point_2.draft_per_uv_0;
     return point_2;
 }
 
@@ -1911,33 +1921,43 @@ struct LatentView_0
      latent_1 : array<f32, i32(8)>,
      first_29 : LatentFrame_0,
      second_0 : LatentFrame_0,
-     view_1 : vec3<f32>,
+     view_2 : vec3<f32>,
      back_3 : bool,
 };
 
-fn latent_view_0( _S255 : u32,  _S256 : Footprint_0,  _S257 : vec3<f32>,  _S258 : f32,  _S259 : ptr<function, LatentView_0>)
+fn latent_view_0( _S259 : u32,  _S260 : Footprint_0,  _S261 : vec3<f32>,  _S262 : f32,  _S263 : ptr<function, LatentView_0>)
 {
-    var _S260 : Latent_std430_0 = fabrics_0[_S255].latent_0;
-    var _S261 : bool = (_S257.z) < 0.0f;
-    (*_S259).back_3 = _S261;
-    (*_S259).view_1 = to_face_frame_0(_S257, _S261);
-    var _S262 : u32 = select(u32(0), _S260.back_1, _S261);
-    var _S263 : vec2<f32> = _S256.centre_0 * vec2<f32>(_S260.repeats_per_x_1, _S260.repeats_per_y_1);
-    var _S264 : f32 = clamp(binary_logarithm_0(max(sqrt(abs(_S256.dx_0.x * _S256.dy_0.y - _S256.dx_0.y * _S256.dy_0.x)) * _S260.texels_per_mm_1, 9.99999971718068537e-10f)), 0.0f, _S260.last_level_2);
-    var pyramid_0 : TexelPyramid_0;
-    pyramid_0.first_27 = _S260.texels_1;
-    pyramid_0.elements_3 = _S260.texel_elements_1;
-    pyramid_0.levels_4 = _S260.levels_3;
-    pyramid_0.last_level_3 = _S260.last_level_2;
-    pyramid_0.face_texels_2 = _S260.face_texels_1;
-    var texel_3 : Eight_0;
-    if((_S260.is_trilinear_0) != u32(0))
+    var _S264 : Latent_std430_0 = fabrics_0[_S259].latent_0;
+    var _S265 : bool = (_S261.z) < 0.0f;
+    (*_S263).back_3 = _S265;
+    (*_S263).view_2 = to_face_frame_0(_S261, _S265);
+    var _S266 : u32 = select(u32(0), _S264.back_1, _S265);
+    var uv_5 : vec2<f32> = _S260.centre_0 * vec2<f32>(_S264.repeats_per_x_1, _S264.repeats_per_y_1);
+    var uv_6 : vec2<f32>;
+    if((_S264.is_apart_0) != u32(0))
     {
-        texel_3 = TexelPyramid_between_levels_0(pyramid_0, _S263, _S264, _S262);
+        var _S267 : vec2<f32> = vec2<f32>(f32(words_0[_S264.levels_3 + u32(1)]), f32(words_0[_S264.levels_3 + u32(2)]));
+        uv_6 = (floor(uv_5 * _S267) + vec2<f32>(0.5f)) / _S267;
     }
     else
     {
-        texel_3 = TexelPyramid_of_level_0(pyramid_0, _S263, u32(_S264) + select(u32(0), u32(1), _S258 < (_S264 - floor(_S264))), _S262);
+        uv_6 = uv_5;
+    }
+    var _S268 : f32 = clamp(binary_logarithm_0(max(sqrt(abs(_S260.dx_0.x * _S260.dy_0.y - _S260.dx_0.y * _S260.dy_0.x)) * _S264.texels_per_mm_1, 9.99999971718068537e-10f)), 0.0f, _S264.last_level_2);
+    var pyramid_0 : TexelPyramid_0;
+    pyramid_0.first_27 = _S264.texels_1;
+    pyramid_0.elements_3 = _S264.texel_elements_1;
+    pyramid_0.levels_4 = _S264.levels_3;
+    pyramid_0.last_level_3 = _S264.last_level_2;
+    pyramid_0.face_texels_2 = _S264.face_texels_1;
+    var texel_3 : Eight_0;
+    if((_S264.is_trilinear_0) != u32(0))
+    {
+        texel_3 = TexelPyramid_between_levels_0(pyramid_0, uv_6, _S268, _S266);
+    }
+    else
+    {
+        texel_3 = TexelPyramid_of_level_0(pyramid_0, uv_6, u32(_S268) + select(u32(0), u32(1), _S262 < (_S268 - floor(_S268))), _S266);
     }
     var k_1 : i32 = i32(0);
     for(;;)
@@ -1949,17 +1969,17 @@ fn latent_view_0( _S255 : u32,  _S256 : Footprint_0,  _S257 : vec3<f32>,  _S258 
         {
             break;
         }
-        (*_S259).latent_1[k_1] = channel_0(texel_3, k_1);
+        (*_S263).latent_1[k_1] = channel_0(texel_3, k_1);
         k_1 = k_1 + i32(1);
     }
     var weights_26 : FloatWeights_0;
-    weights_26.first_0 = _S260.frames_0;
-    var _S265 : array<f32, i32(8)> = (*_S259).latent_1;
+    weights_26.first_0 = _S264.frames_0;
+    var _S269 : array<f32, i32(8)> = (*_S263).latent_1;
     var sums_8 : array<f32, i32(12)>;
-    dense_9(weights_26, u32(0), false, &(_S265), &(sums_8));
-    (*_S259).latent_1 = _S265;
-    (*_S259).first_29 = frame_of_0(vec3<f32>(sums_8[i32(0)], sums_8[i32(1)], sums_8[i32(2)]), vec3<f32>(sums_8[i32(3)], sums_8[i32(4)], sums_8[i32(5)]));
-    (*_S259).second_0 = frame_of_0(vec3<f32>(sums_8[i32(6)], sums_8[i32(7)], sums_8[i32(8)]), vec3<f32>(sums_8[i32(9)], sums_8[i32(10)], sums_8[i32(11)]));
+    dense_9(weights_26, u32(0), false, &(_S269), &(sums_8));
+    (*_S263).latent_1 = _S269;
+    (*_S263).first_29 = frame_of_0(vec3<f32>(sums_8[i32(0)], sums_8[i32(1)], sums_8[i32(2)]), vec3<f32>(sums_8[i32(3)], sums_8[i32(4)], sums_8[i32(5)]));
+    (*_S263).second_0 = frame_of_0(vec3<f32>(sums_8[i32(6)], sums_8[i32(7)], sums_8[i32(8)]), vec3<f32>(sums_8[i32(9)], sums_8[i32(10)], sums_8[i32(11)]));
     return;
 }
 
@@ -1968,13 +1988,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S266 : u32,  _S267 : vec2<u32>) -> f32
+fn visibility_at_0( _S270 : u32,  _S271 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S266 * frame_record_0.height_0 + _S267.y) * frame_record_0.width_0 + _S267.x];
+    return visibilities_0[(_S270 * frame_record_0.height_0 + _S271.y) * frame_record_0.width_0 + _S271.x];
 }
 
 struct LightSample_0
@@ -1984,68 +2004,69 @@ struct LightSample_0
      distance_0 : f32,
 };
 
-fn environment_texel_0( _S268 : u32,  _S269 : u32) -> vec3<f32>
+fn environment_texel_0( _S272 : u32,  _S273 : u32) -> vec3<f32>
 {
-    var _S270 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S268 * frame_record_0.environment_columns_0 + _S269);
-    return vec3<f32>(scene_number_0(_S270), scene_number_0(_S270 + u32(1)), scene_number_0(_S270 + u32(2)));
+    var _S274 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S272 * frame_record_0.environment_columns_0 + _S273);
+    return vec3<f32>(scene_number_0(_S274), scene_number_0(_S274 + u32(1)), scene_number_0(_S274 + u32(2)));
 }
 
-fn sample_environment_0( _S271 : vec2<f32>,  _S272 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S275 : vec2<f32>,  _S276 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S273 : u32 = frame_record_0.environment_rows_0;
-    var _S274 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S271.y);
-    var _S275 : u32 = frame_record_0.environment_columns_0;
-    var _S276 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S274.index_2 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S271.x);
-    var _S277 : vec3<f32> = environment_texel_0(_S274.index_2, _S276.index_2);
-    (*_S272) = _S277 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S277), 9.99999968265522539e-21f)));
-    var _S278 : f32 = 3.14159274101257324f / f32(_S273);
-    var _S279 : f32 = mix(sine_cosine_0(f32(_S274.index_2) * _S278).y, sine_cosine_0(f32(_S274.index_2 + u32(1)) * _S278).y, _S274.remainder_0);
-    var _S280 : f32 = sqrt(max(1.0f - _S279 * _S279, 0.0f));
-    var _S281 : vec2<f32> = sine_cosine_0((f32(_S276.index_2) + _S276.remainder_0) * (6.28318548202514648f / f32(_S275)));
-    var _S282 : f32 = _S280 * _S281.x;
-    var _S283 : f32 = - _S280 * _S281.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S282 + frame_record_0.environment_sine_0 * _S283, _S279, frame_record_0.environment_cosine_0 * _S283 - frame_record_0.environment_sine_0 * _S282);
+    var _S277 : u32 = frame_record_0.environment_rows_0;
+    var _S278 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S275.y);
+    var _S279 : u32 = frame_record_0.environment_columns_0;
+    var _S280 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S278.index_2 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S275.x);
+    var _S281 : vec3<f32> = environment_texel_0(_S278.index_2, _S280.index_2);
+    (*_S276) = _S281 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S281), 9.99999968265522539e-21f)));
+    var _S282 : f32 = 3.14159274101257324f / f32(_S277);
+    var _S283 : f32 = mix(sine_cosine_0(f32(_S278.index_2) * _S282).y, sine_cosine_0(f32(_S278.index_2 + u32(1)) * _S282).y, _S278.remainder_0);
+    var _S284 : f32 = sqrt(max(1.0f - _S283 * _S283, 0.0f));
+    var _S285 : vec2<f32> = sine_cosine_0((f32(_S280.index_2) + _S280.remainder_0) * (6.28318548202514648f / f32(_S279)));
+    var _S286 : f32 = _S284 * _S285.x;
+    var _S287 : f32 = - _S284 * _S285.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S286 + frame_record_0.environment_sine_0 * _S287, _S283, frame_record_0.environment_cosine_0 * _S287 - frame_record_0.environment_sine_0 * _S286);
 }
 
-fn light_sample_0( _S284 : u32,  _S285 : vec2<u32>,  _S286 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S288 : u32,  _S289 : vec2<u32>,  _S290 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_0 = 1.00000001504746622e+30f;
-    var _S287 : u32 = frame_record_0.lights_0;
-    if(_S284 >= (frame_record_0.lights_0))
+    var _S291 : u32 = frame_record_0.lights_0;
+    if(_S288 >= (frame_record_0.lights_0))
     {
         var weight_2 : vec3<f32>;
-        var _S288 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S285, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S284 - _S287), u32(3)), &(weight_2));
-        sample_0.towards_0 = _S288;
+        var _S292 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S289, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S288 - _S291), u32(3)), &(weight_2));
+        sample_0.towards_0 = _S292;
         sample_0.irradiance_1 = weight_2 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S289 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S284);
-    sample_0.irradiance_1 = vec3<f32>(_S289.red_0, _S289.green_0, _S289.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S289.x_6, _S289.y_1, _S289.z_1);
-    if((_S289.is_point_0) != u32(0))
+    var _S293 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S288);
+    sample_0.irradiance_1 = vec3<f32>(_S293.red_0, _S293.green_0, _S293.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S293.x_6, _S293.y_1, _S293.z_1);
+    if((_S293.is_point_0) != u32(0))
     {
-        var _S290 : vec3<f32> = sample_0.towards_0 - _S286;
-        var _S291 : f32 = max(square_0(_S290), 9.999999960041972e-13f);
-        sample_0.distance_0 = sqrt(_S291);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S291);
-        sample_0.towards_0 = normalize(_S290);
+        var _S294 : vec3<f32> = sample_0.towards_0 - _S290;
+        var _S295 : f32 = max(square_0(_S294), 9.999999960041972e-13f);
+        sample_0.distance_0 = sqrt(_S295);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S295);
+        sample_0.towards_0 = normalize(_S294);
     }
     return sample_0;
 }
 
-fn latent_value_0( _S292 : u32,  _S293 : ptr<function, LatentView_0>,  _S294 : vec3<f32>) -> vec3<f32>
+fn latent_value_0( _S296 : u32,  _S297 : ptr<function, LatentView_0>,  _S298 : vec3<f32>) -> vec3<f32>
 {
-    var _S295 : vec3<f32> = to_face_frame_0(_S294, (*_S293).back_3);
-    if((_S295.z) <= 0.0f)
+    var _S299 : vec3<f32> = to_face_frame_0(_S298, (*_S297).back_3);
+    var _S300 : f32 = _S299.z;
+    if(_S300 <= 0.0f)
     {
         return vec3<f32>(0.0f);
     }
-    var inputs_32 : array<f32, i32(20)>;
-    var _S296 : vec3<f32> = LatentFrame_coordinates_0((*_S293).first_29, (*_S293).view_1);
-    var _S297 : vec3<f32> = LatentFrame_coordinates_0((*_S293).first_29, _S295);
-    var _S298 : vec3<f32> = LatentFrame_coordinates_0((*_S293).second_0, (*_S293).view_1);
-    var _S299 : vec3<f32> = LatentFrame_coordinates_0((*_S293).second_0, _S295);
+    var inputs_32 : array<f32, i32(24)>;
+    var _S301 : vec3<f32> = LatentFrame_coordinates_0((*_S297).first_29, (*_S297).view_2);
+    var _S302 : vec3<f32> = LatentFrame_coordinates_0((*_S297).first_29, _S299);
+    var _S303 : vec3<f32> = LatentFrame_coordinates_0((*_S297).second_0, (*_S297).view_2);
+    var _S304 : vec3<f32> = LatentFrame_coordinates_0((*_S297).second_0, _S299);
     var axis_0 : i32 = i32(0);
     for(;;)
     {
@@ -2056,12 +2077,17 @@ fn latent_value_0( _S292 : u32,  _S293 : ptr<function, LatentView_0>,  _S294 : v
         {
             break;
         }
-        inputs_32[axis_0] = _S296[axis_0];
-        inputs_32[i32(3) + axis_0] = _S297[axis_0];
-        inputs_32[i32(6) + axis_0] = _S298[axis_0];
-        inputs_32[i32(9) + axis_0] = _S299[axis_0];
+        inputs_32[axis_0] = _S301[axis_0];
+        inputs_32[i32(3) + axis_0] = _S302[axis_0];
+        inputs_32[i32(6) + axis_0] = _S303[axis_0];
+        inputs_32[i32(9) + axis_0] = _S304[axis_0];
         axis_0 = axis_0 + i32(1);
     }
+    inputs_32[i32(12)] = half_vector_feature_0(_S301, _S302);
+    inputs_32[i32(13)] = half_vector_feature_0(_S303, _S304);
+    var _S305 : f32 = 1.0f - sqrt(max(0.25f * square_0((*_S297).view_2 + _S299), 9.99999993922529029e-09f));
+    inputs_32[i32(14)] = _S305 * (_S305 * _S305 * _S305 * _S305);
+    inputs_32[i32(15)] = natural_logarithm_0(max(_S300, 0.00999999977648258f));
     var k_2 : i32 = i32(0);
     for(;;)
     {
@@ -2072,40 +2098,40 @@ fn latent_value_0( _S292 : u32,  _S293 : ptr<function, LatentView_0>,  _S294 : v
         {
             break;
         }
-        inputs_32[i32(12) + k_2] = (*_S293).latent_1[k_2];
+        inputs_32[i32(16) + k_2] = (*_S297).latent_1[k_2];
         k_2 = k_2 + i32(1);
     }
     var outputs_27 : array<f32, i32(3)>;
-    var _S300 : Latent_std430_0 = fabrics_0[_S292].latent_0;
-    if((fabrics_0[_S292].latent_0.hidden_0) == u32(16))
+    var _S306 : Latent_std430_0 = fabrics_0[_S296].latent_0;
+    if((fabrics_0[_S296].latent_0.hidden_0) == u32(16))
     {
-        decode_2(_S300.decoder_1, &(inputs_32), &(outputs_27));
+        decode_2(_S306.decoder_1, &(inputs_32), &(outputs_27));
     }
     else
     {
-        if((_S300.hidden_0) == u32(32))
+        if((_S306.hidden_0) == u32(32))
         {
-            decode_1(_S300.decoder_1, &(inputs_32), &(outputs_27));
+            decode_1(_S306.decoder_1, &(inputs_32), &(outputs_27));
         }
         else
         {
-            decode_0(_S300.decoder_1, &(inputs_32), &(outputs_27));
+            decode_0(_S306.decoder_1, &(inputs_32), &(outputs_27));
         }
     }
     return vec3<f32>(bounded_exponential_0(outputs_27[i32(0)] - 3.0f), bounded_exponential_0(outputs_27[i32(1)] - 3.0f), bounded_exponential_0(outputs_27[i32(2)] - 3.0f));
 }
 
-fn light_of_latent_0( _S301 : u32,  _S302 : VisiblePoint_0,  _S303 : vec2<u32>) -> vec4<f32>
+fn light_of_latent_0( _S307 : u32,  _S308 : VisiblePoint_0,  _S309 : vec2<u32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S302.draft_0;
-    footprint_0.dx_0 = _S302.draft_dx_0;
-    footprint_0.dy_0 = _S302.draft_dy_0;
+    footprint_0.centre_0 = _S308.draft_0;
+    footprint_0.dx_0 = _S308.draft_dx_0;
+    footprint_0.dy_0 = _S308.draft_dy_0;
     var seen_0 : LatentView_0;
-    latent_view_0(_S301, footprint_0, to_local_0(_S302, _S302.view_0), pixel_sequence_0(_S303, frame_record_0.pass_number_0, u32(1)).x, &(seen_0));
-    var _S304 : vec3<f32> = vec3<f32>(0.0f);
+    latent_view_0(_S307, footprint_0, to_local_0(_S308, _S308.view_0), pixel_sequence_0(_S309, frame_record_0.pass_number_0, u32(1)).x, &(seen_0));
+    var _S310 : vec3<f32> = vec3<f32>(0.0f);
     var number_1 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S304;
+    var radiance_1 : vec3<f32> = _S310;
     for(;;)
     {
         if(number_1 < (light_sample_count_0()))
@@ -2115,16 +2141,16 @@ fn light_of_latent_0( _S301 : u32,  _S302 : VisiblePoint_0,  _S303 : vec2<u32>) 
         {
             break;
         }
-        var _S305 : f32 = visibility_at_0(number_1, _S303);
-        if(_S305 <= 0.0f)
+        var _S311 : f32 = visibility_at_0(number_1, _S309);
+        if(_S311 <= 0.0f)
         {
             number_1 = number_1 + u32(1);
             continue;
         }
-        var _S306 : LightSample_0 = light_sample_0(number_1, _S303, _S302.position_0);
-        var _S307 : vec3<f32> = vec3<f32>(_S305) * _S306.irradiance_1;
-        var _S308 : vec3<f32> = latent_value_0(_S301, &(seen_0), to_local_0(_S302, _S306.towards_0));
-        radiance_1 = radiance_1 + _S307 * _S308;
+        var _S312 : LightSample_0 = light_sample_0(number_1, _S309, _S308.position_0);
+        var _S313 : vec3<f32> = vec3<f32>(_S311) * _S312.irradiance_1;
+        var _S314 : vec3<f32> = latent_value_0(_S307, &(seen_0), to_local_0(_S308, _S312.towards_0));
+        radiance_1 = radiance_1 + _S313 * _S314;
         number_1 = number_1 + u32(1);
     }
     return vec4<f32>(radiance_1, 1.0f);
@@ -2134,30 +2160,30 @@ fn light_of_latent_0( _S301 : u32,  _S302 : VisiblePoint_0,  _S303 : vec2<u32>) 
 @workgroup_size(8, 8, 1)
 fn shade_latent(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S309 : u32 = id_0.x;
-    var _S310 : bool;
-    if(_S309 >= (frame_record_0.width_0))
+    var _S315 : u32 = id_0.x;
+    var _S316 : bool;
+    if(_S315 >= (frame_record_0.width_0))
     {
-        _S310 = true;
+        _S316 = true;
     }
     else
     {
-        _S310 = (id_0.y) >= (frame_record_0.height_0);
+        _S316 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S310)
+    if(_S316)
     {
         return;
     }
-    var _S311 : u32 = id_0.y * frame_record_0.width_0 + _S309;
-    var _S312 : u32 = layers_0[_S311].face_0;
-    if((layers_0[_S311].face_0) == u32(0))
+    var _S317 : u32 = id_0.y * frame_record_0.width_0 + _S315;
+    var _S318 : u32 = layers_0[_S317].face_0;
+    if((layers_0[_S317].face_0) == u32(0))
     {
         return;
     }
-    var _S313 : u32 = _S312 - u32(1);
-    var _S314 : u32 = fabric_of_0(_S313);
-    var _S315 : vec2<u32> = id_0.xy;
-    accumulate_0(_S311, light_of_latent_0(_S314, visible_point_0(_S314, _S313, _S315), _S315));
+    var _S319 : u32 = _S318 - u32(1);
+    var _S320 : u32 = fabric_of_0(_S319);
+    var _S321 : vec2<u32> = id_0.xy;
+    accumulate_0(_S317, light_of_latent_0(_S320, visible_point_0(_S320, _S319, _S321), _S321));
     return;
 }
 

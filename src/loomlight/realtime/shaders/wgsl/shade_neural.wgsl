@@ -151,6 +151,7 @@ struct Latent_std430_0
     @align(4) width_1 : f32,
     @align(4) height_1 : f32,
     @align(4) is_trilinear_0 : u32,
+    @align(4) is_apart_0 : u32,
 };
 
 struct Clustered_std430_0
