@@ -93,13 +93,7 @@ def launch_joint(cloth: FrozenArg[UploadedCloth]) -> JointPoints:
     directions = upload(types.Float, rows)
     thread = dr.opaque(types.Float, min(cloth.value.geometry.finest))
     hits, on_wall, facing, place = _trace_hits(cloth, directions, thread)
-    rings = dr.zeros(types.UInt32, 3 * 2 * _POINTS * JOINT_AZIMUTHS)
-    # Bisection: along an azimuth, rings are free down to the horizon.
-    half = RINGS // 2
-    while half:
-        step = dr.opaque(types.UInt32, half)
-        rings = _next_ring(cloth, directions, thread, facing, place, on_wall, hits.hole, rings, step)
-        half //= 2
+    rings = _free_rings(cloth, directions, thread, facing, place, on_wall, hits.hole)
     return JointPoints(hits, on_wall, facing, rings)
 
 
@@ -129,7 +123,7 @@ def _trace_hits(
 
 
 @FrozenFunction
-def _next_ring(
+def _free_rings(
     cloth: UploadedCloth,
     directions: Float,
     thread: Float,
@@ -137,16 +131,12 @@ def _next_ring(
     place: Vec3,
     on_wall: Mask,
     hole: Mask,
-    rings: UInt,
-    step: UInt,
 ) -> UInt:
-    """The rings `step` further out where those are free, else as they are."""
+    """`JointPoints.rings`, by bisection: along an azimuth, rings are free down to the horizon."""
     types, geometry = cloth.types, cloth.geometry
     lane = dr.arange(types.UInt32, 3 * 2 * _POINTS * JOINT_AZIMUTHS)
     ray = lane // JOINT_AZIMUTHS
     kind, number = ray // (2 * _POINTS), ray % (2 * _POINTS)
-    ring = rings + step
-    direction = _direction(cloth, directions, lane % JOINT_AZIMUTHS * RINGS + ring)
     start, normal = dr.gather(types.Vector3, place, number), dr.gather(types.Vector3, facing, number)
     is_wall = dr.gather(types.Bool, on_wall, number)
     face = (number >= _POINTS) ^ (kind == _BEHIND)
@@ -158,9 +148,22 @@ def _next_ring(
     aside = dr.select(from_wall, _OUTWARDS * thread, 0)
     x, y = dr.fma(normal.x, aside, start.x), dr.fma(normal.y, aside, start.y)
     height = dr.select(from_wall, start.z, point.height)
-    active &= dr.dot(normal, direction) > 0
-    is_free = unoccluded(geometry, x, y, height, direction, face, active, BAKE_QUALITY)
-    return dr.select(is_free, ring, rings)
+    first = lane % JOINT_AZIMUTHS * RINGS
+
+    def next_ring(rings: UInt, step: UInt) -> tuple[UInt, UInt]:
+        """The rings `step` further out where those are free, else as they are."""
+        direction = _direction(cloth, directions, first + rings + step)
+        searched = active & (dr.dot(normal, direction) > 0)
+        is_free = unoccluded(geometry, x, y, height, direction, face, searched, BAKE_QUALITY)
+        return dr.select(is_free, rings + step, rings), step // 2
+
+    rings, _ = dr.while_loop(
+        (types.UInt32(0), types.UInt32(RINGS // 2)),
+        lambda _, step: step > 0,
+        next_ring,
+        label="lobes: free rings",
+    )
+    return rings
 
 
 def _direction(cloth: UploadedCloth, directions: Float, node: UInt) -> Vec3:
