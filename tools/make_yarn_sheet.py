@@ -1,8 +1,11 @@
-"""Makes docs/images/yarns.jpg: a close-up of every kind of yarn, rendered in the studio.
+"""Makes pictures of kinds of yarn in docs/images, rendered in the studio.
 
     python -m tools.make_yarn_sheet [--pixels N] [--threads N] [--spp N] [--only NAME,…] [-o FILE.jpg]
+    python -m tools.make_yarn_sheet --gaps
 
-Cloths differ as the yarns' usual ones do, in weave, sett and colour; all else is by `yarn = "…"`.
+The first makes yarns.jpg, a close-up of every kind. The second makes yarn-gaps.jpg: six kinds at 10, 30, 100
+and 300 pixels a thread, on the left with a gap of 0.2, on the right with their own.
+Cloths differ as the yarns' usual ones do, in weave and colour; all else is by `yarn = "…"`.
 """
 
 from __future__ import annotations
@@ -20,25 +23,31 @@ from loomlight.fabric.file import YARNS
 from loomlight.mitsuba import build_scene, choose_variant, material_bsdf, render
 from loomlight.models.registry import make_model
 
-FILE = Path(__file__).resolve().parents[1] / "docs" / "images" / "yarns.jpg"
+IMAGES = Path(__file__).resolve().parents[1] / "docs" / "images"
+FILE = IMAGES / "yarns.jpg"
+GAPS_FILE = IMAGES / "yarn-gaps.jpg"
+OF_GAPS = ("cotton", "linen", "wool", "silk", "filament polyester", "viscose")
+PIXELS_A_THREAD = (10, 30, 100, 300)
+# Pixels of a square of the sheet of gaps.
+SIDE = 160
 COLUMNS = 4
 # The light comes from the side, so that relief shows.
 EXPOSURE = 1.6
 CLOTHS = {
-    "smooth": ("plain", "#b9ab92", "#b9ab92", "gap = 0.12"),
-    "cotton": ("plain", "#ddd6c6", "#ddd6c6", "gap = 0.12"),
-    "mercerised cotton": ("plain", "#2c5f94", "#2c5f94", "gap = 0.1"),
-    "linen": ("plain", "#c9ba98", "#bfae8a", "gap = 0.2"),
-    "wool": ("twill 2/2", "#70757d", "#a06a41", "gap = 0.06"),
-    "silk": ("satin 5/2", "#93263a", "#93263a", "gap = 0.04"),
-    "filament polyester": ("plain", "#44627f", "#44627f", "gap = 0.05"),
-    "viscose": ("twill 2/1", "#4d6f4b", "#4d6f4b", "gap = 0.08"),
+    "smooth": ("plain", "#b9ab92", "#b9ab92"),
+    "cotton": ("plain", "#ddd6c6", "#ddd6c6"),
+    "mercerised cotton": ("plain", "#2c5f94", "#2c5f94"),
+    "linen": ("plain", "#c9ba98", "#bfae8a"),
+    "wool": ("twill 2/2", "#70757d", "#a06a41"),
+    "silk": ("satin 5/2", "#93263a", "#93263a"),
+    "filament polyester": ("plain", "#44627f", "#44627f"),
+    "viscose": ("twill 2/1", "#4d6f4b", "#4d6f4b"),
 }
 
 
-def close_up(name: str, pixels: int, threads: float, spp: int) -> NDArray[np.uint8]:
-    """A square of cloth of `threads` threads, `pixels` pixels a thread, 8-bit sRGB."""
-    weave, warp, weft, more = CLOTHS[name]
+def close_up(name: str, pixels: int, threads: float, spp: int, more: str = "") -> NDArray[np.uint8]:
+    """A square of cloth of `threads` threads, `pixels` pixels a thread, 8-bit sRGB; `more` are fields."""
+    weave, warp, weft = CLOTHS[name]
     kind = f'yarn = "{name}"\n' if name in YARNS else ""
     fabric = fabric_from_text(
         f'weave = "{weave}"\n{kind}{more}\n[warp]\ncolor = "{warp}"\n[weft]\ncolor = "{weft}"\n'
@@ -66,6 +75,20 @@ def labelled(picture: NDArray[np.uint8], name: str) -> Image.Image:
     return image
 
 
+def gaps_sheet(spp: int) -> Image.Image:
+    """Rows of kinds, with a gap of 0.2 and with their own, at 10 to 300 pixels a thread."""
+    rows = []
+    for name in OF_GAPS:
+        tiles = [
+            close_up(name, pixels, SIDE / pixels, spp, more)
+            for more in ("gap = 0.2", "")
+            for pixels in PIXELS_A_THREAD
+        ]
+        tiles[0] = np.asarray(labelled(tiles[0], name))
+        rows.append(np.concatenate(tiles, axis=1))
+    return Image.fromarray(np.concatenate(rows))
+
+
 def main() -> None:
     """Renders the pictures and writes the sheet."""
     parser = ArgumentParser(description=__doc__)
@@ -74,8 +97,12 @@ def main() -> None:
     parser.add_argument("--spp", type=int, default=48)
     parser.add_argument("--only", help="names, separated by commas")
     parser.add_argument("--output", "-o", type=Path, default=FILE)
+    parser.add_argument("--gaps", action="store_true", help="make yarn-gaps.jpg instead")
     options = parser.parse_args()
     choose_variant(None)
+    if options.gaps:
+        gaps_sheet(options.spp).save(GAPS_FILE, quality=84)
+        return
     names = options.only.split(",") if options.only else list(CLOTHS)
     tiles = [labelled(close_up(name, options.pixels, options.threads, options.spp), name) for name in names]
     side, columns = tiles[0].width, min(COLUMNS, len(tiles))

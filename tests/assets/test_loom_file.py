@@ -1,6 +1,6 @@
 """`.loom` files: fabrics come back exactly, and whatever is wrong with a file is one sentence.
 
-Covers: assets/fabric_record.py, assets/load.py, assets/sources.py
+Covers: assets/load.py, assets/sources.py
 """
 
 from __future__ import annotations
@@ -260,8 +260,8 @@ FAULTS: dict[str, tuple[Change, str]] = {
     "no schema": (lambda m, t: m.pop("schema"), "schema is None"),
     "schema of another kind": (lambda m, t: m.update(schema="1"), 'schema is "1"'),
     "schema true": (lambda m, t: m.update(schema=True), "schema is true"),
-    "schema 0": (lambda m, t: m.update(schema=0), "from 1 to 3"),
-    "newer": (lambda m, t: m.update(schema=4), "schema is 4, and this loomlight reads up to 3"),
+    "schema 0": (lambda m, t: m.update(schema=0), "from 1 to 4"),
+    "newer": (lambda m, t: m.update(schema=5), "schema is 5, and this loomlight reads up to 4"),
     "no model": (lambda m, t: m.pop("model"), "model: Field required"),
     "an empty model": (lambda m, t: m.update(model=""), "model"),
     "a list of settings": (lambda m, t: m["settings"].update(points=[1]), "settings.points"),

@@ -31,14 +31,17 @@ def test_a_kind_of_yarn_is_what_its_fields_say(name: str) -> None:
     by_name = fabric_from_text(f'weave = "twill 2/2"\nyarn = "{name}"')
     fields = PRESETS[name].fields.model_dump(exclude_none=True)
     lines = "".join(f"{field} = {value}\n" for field, value in fields.items())
-    written = fabric_from_text(f'weave = "twill 2/2"\n[warp]\n{lines}[weft]\n{lines}')
+    head = f'weave = "twill 2/2"\ngap = {PRESETS[name].gap}\n'
+    written = fabric_from_text(f"{head}[warp]\n{lines}[weft]\n{lines}")
     for family in ("warp", "weft"):
         named, other = (getattr(fabric.appearance(), family) for fabric in (by_name, written))
         assert named.detail == other.detail
         assert named.detail.is_on
         assert named.roughness == other.roughness == fields["roughness"]
         assert (named.specular_reflect == other.specular_reflect).all()
-        assert getattr(by_name.layout(), family).twist == getattr(written.layout(), family).twist
+        named, other = (getattr(fabric.layout(), family) for fabric in (by_name, written))
+        assert named.twist == other.twist
+        assert (named.width == other.width).all()
 
 
 def test_fields_of_the_file_come_first() -> None:
@@ -66,12 +69,56 @@ def test_angles_and_widths_reach_the_detail() -> None:
 
 
 def test_wool_of_a_count_is_wider_than_cotton() -> None:
-    texts = {
-        name: f'weave = "plain"\n[warp]\nyarn = "{name}"\ncount = "30 tex"' for name in ("cotton", "wool")
-    }
-    cotton, wool = (fabric_from_text(text).layout().warp.width[0] for text in texts.values())
+    cotton, wool = (
+        _warp_width(f'ends_per_cm = 50\n[warp]\nyarn = "{name}"\ncount = "30 tex"')
+        for name in ("cotton", "wool")
+    )
     assert cotton == pytest.approx(yarn_diameter_mm("30 tex"))
     assert wool == pytest.approx(cotton * math.sqrt(1.52 * 0.6 / (1.31 * 0.45)))
+
+
+def _warp_width(text: str) -> float:
+    return float(fabric_from_text(f'weave = "plain"\n{text}').layout().warp.width[0])
+
+
+@pytest.mark.parametrize(
+    ("text", "width_mm"),
+    [
+        ("", 0.4),  # no kind, no gap
+        ('yarn = "wool"', 0.49),
+        ('yarn = "silk"', 0.47),
+        ('yarn = "wool"\ngap = 0.3', 0.35),
+        ('yarn = "wool"\n[warp]\nyarn = "filament polyester"', 0.46),
+        ('yarn = "wool"\n[warp]\ngap = 0.25', 0.375),
+        ('yarn = "wool"\n[warp]\nwidth_mm = 0.3', 0.3),
+    ],
+)
+def test_yarns_fill_as_their_kind_does(text: str, width_mm: float) -> None:
+    """At 20 threads a centimetre, 0.5 mm each."""
+    assert _warp_width(text) == pytest.approx(width_mm)
+
+
+@pytest.mark.parametrize(
+    ("ends_per_cm", "width_over_diameter"),
+    # 0.52 mm of Nm 8: as wide as it spreads, as the gap of wool lets it, and round where there is no room.
+    [(9, 1.6), (14, 0.98 * 10 / 14 / 0.5196), (22, 1)],
+)
+def test_a_yarn_of_a_count_spreads_where_there_is_room(
+    ends_per_cm: float, width_over_diameter: float
+) -> None:
+    text = f'ends_per_cm = {ends_per_cm}\n[warp]\nyarn = "wool"\ncount = "Nm 8"\n[weft]\ncount = "Nm 8"'
+    diameter = yarn_diameter_mm("Nm 8", density=1.31, packing=0.45)
+    assert diameter == pytest.approx(0.5196, abs=5e-5)
+    assert _warp_width(text) == pytest.approx(width_over_diameter * diameter, rel=1e-4)
+    # The weft, of no kind, stays round.
+    weft = fabric_from_text(f'weave = "plain"\n{text}').layout().weft.width[0]
+    assert weft == pytest.approx(yarn_diameter_mm("Nm 8"))
+
+
+def test_a_spread_yarn_is_as_flat_as_the_ellipse_of_its_area() -> None:
+    both = "".join(f'[{family}]\ncount = "Nm 8"\n' for family in ("warp", "weft"))
+    fabric = fabric_from_text(f'weave = "plain"\nends_per_cm = 9\nyarn = "wool"\n{both}')
+    assert cloth_facts(fabric).thickness_mm == pytest.approx(2 * 0.5196 / 1.6, rel=1e-4)
 
 
 def test_a_count_beside_a_gap_weighs() -> None:
@@ -103,4 +150,5 @@ def test_the_page_of_yarns_lists_their_fields() -> None:
             plies,
             *(f"{value or 0:g}" for value in (fields.fibre_tilt_deg, fields.slub, fields.hairiness)),
         ]
-        assert cells == [*expected, f"{yarn.density:.2f} × {yarn.packing:g}"], name
+        widths = [f"{yarn.gap:g}", f"{yarn.spread:g}"]
+        assert cells == [*expected, f"{yarn.density:.2f} × {yarn.packing:g}", *widths], name

@@ -20,6 +20,7 @@ from PIL import Image, ImageColor
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.fabric import Fabric, fabric_from_text, load_fabric
 from loomlight.fabric.facts import cloth_facts
+from loomlight.fabric.yarns import with_yarns
 from loomlight.weave import Draft, load_draft, named_weave
 from loomlight.weave.named import weave_names
 from loomlight.weave.wif_writer import wif_text_of
@@ -80,6 +81,8 @@ TOML = [
     'weave = "satin 8/3"\npicks_per_cm = 12\nwarp.count = "Ne 40/2"\nweft.width_mm = 0.3\nwarp.twist_deg = 9',
     'weave = "sateen 5"\nname = "a \\"b\\"\\n\\u00e9"\n[sheen]\nstrength = 1\n[variation]\nseed = 7',
     'weave = "twill 2/2"\nends_per_cm = 18\nwarp.count = "30 tex"\nweft.count = "Nm 28"\nweft.gap = 0.1',
+    'weave = "twill 2/2"\nends_per_cm = 14\nyarn = "wool"\nwarp.count = "Nm 8"\nweft.yarn = "silk"',
+    'weave = "plain"\npicks_per_cm = 9\nyarn = "linen"\nweft.yarn = "wool"\nweft.count = "Nm 8"',
     'weave = "gingham 4"\nwarp.color = ["#111", "#222", "#333"]\ngap = 0\nweft.height_scale = 2',
     'weave = "plain"\nwarp.color = "20 #223355, 4x#eee, #a0b0c0"\nweft.color = "#111,#222"',
     'weave = "twill 2/2"\nwarp.color = ["3 #223355", [0, 0.5, 1], "2 x #fff"]\nweft.albedo = "4 #666"',
@@ -179,7 +182,7 @@ def _assert_same(answer: dict[str, Any], fabric: Fabric) -> None:
         spacing, width = np.split(np.array(answer["lengths"][family]), 2)
         _assert_close(spacing, np.broadcast_to(lying.spacing, spacing.shape))
         _assert_close(np.minimum(width, 0.98 * spacing), np.minimum(lying.width, 0.98 * spacing))
-        table = getattr(fabric.fields, family)
+        table = getattr(with_yarns(fabric.fields), family)
         if table.inclination_deg is None:
             assert bend["inclinationDeg"] == pytest.approx(degrees(lying.inclination))
         if table.twist_deg is None:

@@ -48,6 +48,10 @@ export interface YarnPreset {
   readonly density: number;
   /** Share of the cross-section that is fibre. */
   readonly packing: number;
+  /** Share of a thread's spacing that the yarn leaves open in cloth. */
+  readonly gap: number;
+  /** Its largest width in cloth over its round diameter. */
+  readonly spread: number;
 }
 
 export const YARN_PRESETS: readonly YarnPreset[] ="""
@@ -82,6 +86,8 @@ def fabric_typescript() -> str:
             "fields": yarn.fields.model_dump(exclude_none=True),
             "density": yarn.density,
             "packing": yarn.packing,
+            "gap": yarn.gap,
+            "spread": yarn.spread,
         }
         for name, yarn in PRESETS.items()
     ]

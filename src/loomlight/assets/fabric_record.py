@@ -16,10 +16,13 @@ from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict
 
 from loomlight.core.errors import InputError
+from loomlight.fabric.defaults import GAP
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.file import FabricFile
 from loomlight.fabric.reading import parse_fabric_file
+from loomlight.fabric.spacing import yarn_diameter
 from loomlight.fabric.writing import fabric_toml
+from loomlight.fabric.yarns import with_yarns
 from loomlight.weave.draft import MAXIMUM_THREADS, Draft, Threads
 
 Tensor: TypeAlias = NDArray[Any]
@@ -92,6 +95,34 @@ def fabric_from_record(record: Mapping[str, Any], tensors: Mapping[str, Tensor],
     fields = parse_fabric_file(header.toml)
     draft = Draft(drawdown, threads["warp"], threads["weft"], title=header.title)
     return make_fabric(fields, draft, header.name, folder)
+
+
+def of_former_defaults(record: Mapping[str, Any], schema: int) -> dict[str, Any]:
+    """The record of a source as schema `schema` has it, whose fabric states what was a default then.
+
+    Before schema 3 there was no light between yarns, before 4 yarns of all kinds were round beside a count
+    and left a gap of 0.2 without. What is no fabric stays as it is: reading it says what is wrong.
+    """
+    toml = record.get("toml")
+    try:
+        fields = parse_fabric_file(toml) if isinstance(toml, str) else None
+    except InputError:
+        fields = None
+    if fields is None or record.get("kind") != "fabric":
+        return dict(record)
+    stated: dict[str, Any] = {}
+    if schema < 3 and fields.interreflection is None:
+        stated["interreflection"] = False
+    for family in _FAMILIES:
+        table = getattr(with_yarns(fields), family)
+        if table.yarn is None:
+            continue
+        if fields.gap is None:
+            stated["gap"] = GAP
+        if table.count is not None and table.width_mm is None and table.gap is None:
+            width = {"width_mm": yarn_diameter(table, f"{family}.count")}
+            stated[family] = getattr(fields, family).model_copy(update=width)
+    return {**record, "toml": fabric_toml(fields.model_copy(update=stated), "", "")}
 
 
 def _threads(family: str, tensors: Mapping[str, Tensor], count: int) -> Threads:

@@ -17,7 +17,6 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -29,14 +28,14 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from safetensors import SafetensorError, safe_open
 from safetensors.numpy import save
 
-from loomlight.assets.fabric_record import Tensor
+from loomlight.assets.fabric_record import Tensor, of_former_defaults
 from loomlight.assets.sources import SOURCE_KINDS, Source, kind_of_source
 from loomlight.core.errors import InputError
 from loomlight.core.files import replacing, require_file
 from loomlight.fabric.reading import speaking_of
 from loomlight.fabric.sentences import shown
 
-SCHEMA = 3
+SCHEMA = 4
 # The first schema whose models are those of today.
 FIRST_USABLE_SCHEMA = 2
 LOOM_SUFFIX = ".loom"
@@ -284,8 +283,8 @@ def _parsed(header: str, tensors: dict[str, Tensor]) -> tuple[_Material, dict[st
         raise InputError("its content does not fit its checksum, so it is damaged: bake the file again.")
     if schema == 1:
         raw, tensors = _of_first_schema(raw, tensors)
-    if schema < 3:
-        raw = _in_direct_light(raw)
+    if schema < SCHEMA and isinstance(raw.get("source"), dict):
+        raw = raw | {"source": of_former_defaults(raw["source"], schema)}
     if raw.get("model") == "woven":  # the former name of the network of chen2024, and of its file of weights
         raw = raw | {"model": "neural", "networks": {"neural": (raw.get("networks") or {}).get("woven", "")}}
     try:
@@ -314,19 +313,6 @@ def _of_first_schema(
         for name, values in tensors.items()
     }
     return today, renamed
-
-
-def _in_direct_light(raw: dict[str, Any]) -> dict[str, Any]:
-    """A material whose fabric says that it is without light between yarns, unless it speaks of it."""
-    source = raw.get("source")
-    toml = source.get("toml") if isinstance(source, dict) and source.get("kind") == "fabric" else None
-    if not isinstance(source, dict) or not isinstance(toml, str):
-        return raw
-    try:
-        speaks = "interreflection" in tomllib.loads(toml)
-    except (tomllib.TOMLDecodeError, RecursionError):  # reading the source says what is wrong
-        return raw
-    return raw if speaks else raw | {"source": source | {"toml": f"interreflection = false\n{toml}"}}
 
 
 def _refuse_constant(name: str) -> NoReturn:

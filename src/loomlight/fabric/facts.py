@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.file import YarnTable
-from loomlight.fabric.yarns import with_yarns, yarn_density
+from loomlight.fabric.yarns import kind_of, with_yarns
 from loomlight.weave.textile import per_inch, tex_of_diameter, yarn_diameter_mm
 from loomlight.weave.yarn_count import yarn_tex
 from loomlight.yarn.layout import FamilyLayout
@@ -137,12 +137,12 @@ def facts_text(fabric: Fabric) -> str:
 
 def _yarn(table: YarnTable, family: FamilyLayout) -> tuple[float, float]:
     """Mean height, millimetres, and linear density, tex."""
-    density, packing = yarn_density(table)
+    kind = kind_of(table)
+    density, packing = kind.density, kind.packing
     if table.count is not None:
         diameter = yarn_diameter_mm(table.count, density=density, packing=packing)
         flattened = diameter**2 / float(family.visible_width.mean())
-        is_wide = table.width_mm is not None or table.gap is not None
-        return min(diameter, flattened) if is_wide else diameter, yarn_tex(table.count)
+        return min(diameter, flattened), yarn_tex(table.count)
     tex = tex_of_diameter(family.width, density=density, packing=packing)
     return float(family.width.mean()), float(tex.mean())
 

@@ -6,9 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.fabric.defaults import GAP
 from loomlight.fabric.file import FabricFile, YarnTable
-from loomlight.fabric.yarns import yarn_density
+from loomlight.fabric.yarns import kind_of
 from loomlight.weave.draft import Threads
 from loomlight.weave.textile import CM_PER_INCH, DEFAULT_SETT_PER_CM, yarn_diameter_mm
 
@@ -49,7 +48,9 @@ def family_width(
 ) -> NDArray[np.float64]:
     """Width of each thread of family `name`, millimetres, as many as `spacing`.
 
-    The family's own width or gap comes first, then its count, the draft's thickness, and the file's gap.
+    The family's own width or gap comes first, then its count, the draft's thickness, the file's gap, and the
+    gap of its kind of yarn. A yarn of a count is at least as wide as it is when round; where its kind leaves
+    a smaller gap it spreads towards that, by the kind's `spread` at most, as an ellipse of the same area.
 
     Raises:
         InputError: a yarn count that cannot be read.
@@ -61,10 +62,11 @@ def family_width(
     if table.gap is not None:
         return spacing * (1 - table.gap)
     if of_count is not None:
-        return np.full_like(spacing, of_count)
+        kind = kind_of(table)
+        return np.clip((1 - kind.gap) * spacing, of_count, of_count * kind.spread)
     if threads.thickness_mm is not None:
         return threads.thickness_mm
-    return spacing * (1 - (GAP if fields.gap is None else fields.gap))
+    return spacing * (1 - (kind_of(table).gap if fields.gap is None else fields.gap))
 
 
 def yarn_diameter(table: YarnTable, field: str) -> float:
@@ -73,8 +75,8 @@ def yarn_diameter(table: YarnTable, field: str) -> float:
     Raises:
         InputError: a yarn count that cannot be read; the message names `field`.
     """
-    density, packing = yarn_density(table)
+    kind = kind_of(table)
     try:
-        return yarn_diameter_mm(str(table.count), density=density, packing=packing)
+        return yarn_diameter_mm(str(table.count), density=kind.density, packing=kind.packing)
     except InputError as error:
         raise InputError(f"{field}: {error}") from error

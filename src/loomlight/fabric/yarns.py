@@ -1,7 +1,7 @@
 """Kinds of yarn by name: what a fabric file need not say of a yarn of that fibre and spinning.
 
 Densities of fibres and packing of yarns are from Morton and Hearle 2008, angles of twist those of usual twist
-factors (Hearle, Grosberg and Backer 1969). Gloss, stray, slubs and hairs were set by eye.
+factors (Hearle, Grosberg and Backer 1969). Gloss, stray, slubs, hairs, gaps and spreads were set by eye.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 
+from loomlight.fabric.defaults import GAP
 from loomlight.fabric.file import YARNS, FabricFile, YarnTable
 from loomlight.weave.textile import COTTON_DENSITY, DEFAULT_PACKING
 
@@ -23,21 +24,27 @@ class Yarn:
         fields: of `[warp]` or `[weft]`, in the place of those that a file omits.
         density: of the fibre, g/cm³.
         packing: share of the cross-section that is fibre.
+        gap: share of a thread's spacing that the yarn leaves open in cloth.
+        spread: its largest width in cloth over its round diameter, at least 1.
     """
 
     fields: YarnTable
     density: float
     packing: float
+    gap: float
+    spread: float
 
 
-def _yarn(density: float, packing: float, **fields: float) -> Yarn:
-    return Yarn(YarnTable.model_validate(fields), density, packing)
+def _yarn(density: float, packing: float, gap: float, spread: float, **fields: float) -> Yarn:
+    return Yarn(YarnTable.model_validate(fields), density, packing, gap, spread)
 
 
 with Path(__file__).with_name("yarns.toml").open("rb") as _file:
     PRESETS = MappingProxyType({name: _yarn(**of_kind) for name, of_kind in tomllib.load(_file).items()})
 # The names are in `file.py`, which checks them.
 assert set(PRESETS) == set(YARNS)
+# Of a table that names none: round, of cotton's weight.
+_ANY = Yarn(YarnTable(), COTTON_DENSITY, DEFAULT_PACKING, GAP, 1.0)
 
 
 def with_yarns(fields: FabricFile) -> FabricFile:
@@ -46,11 +53,9 @@ def with_yarns(fields: FabricFile) -> FabricFile:
     return fields.model_copy(update=tables)
 
 
-def yarn_density(table: YarnTable) -> tuple[float, float]:
-    """Density of the fibre, g/cm³, and packing of the yarn of `[warp]` or `[weft]`: cotton's by default."""
-    if table.yarn is None:
-        return COTTON_DENSITY, DEFAULT_PACKING
-    return PRESETS[table.yarn].density, PRESETS[table.yarn].packing
+def kind_of(table: YarnTable) -> Yarn:
+    """Kind of yarn of `[warp]` or `[weft]`; without a name a round one of cotton's density and packing."""
+    return _ANY if table.yarn is None else PRESETS[table.yarn]
 
 
 def _filled(table: YarnTable, of_both: str | None) -> YarnTable:

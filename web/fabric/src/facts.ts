@@ -7,7 +7,7 @@ import { general } from "./numbers.ts";
 import { familySpacing, familyWidth } from "./spacing.ts";
 import { texOfDiameter, yarnDiameterMm } from "./textile.ts";
 import { yarnTex } from "./yarn_count.ts";
-import { yarnDensity } from "./yarns.ts";
+import { kindOf } from "./yarns.ts";
 
 /** Yarn cannot be longer than that over the cloth: jammed plain weaves have crimps up to .3. */
 const MAX_CRIMP = 0.5;
@@ -86,17 +86,16 @@ interface Yarn {
 function yarnOf(fields: FabricFields, family: FamilyName, draft: Draft): Yarn {
   const spacing = familySpacing(fields, family, draft);
   const width = familyWidth(fields, family, draft, spacing);
-  const density = yarnDensity(fields, family);
-  const { count, gap, width_mm } = fields[family] ?? {};
+  const density = kindOf(fields, family);
+  const count = fields[family]?.count;
   if (count === undefined) {
     const tex = sum(width.map((diameter) => texOfDiameter(diameter, density))) / width.length;
     return { spacing, heightMm: sum(width) / width.length, tex };
   }
   const diameter = yarnDiameterMm(count, density);
   const visible = sum(width.map((each, thread) => Math.min(each, (1 - MIN_GAP) * spacing[thread]!))) / width.length;
-  const isWide = gap !== undefined || width_mm !== undefined;
   // A yarn that is wider than round is pressed flat: the height of the ellipse of the same area.
-  return { spacing, heightMm: isWide ? Math.min(diameter, diameter ** 2 / visible) : diameter, tex: yarnTex(count) };
+  return { spacing, heightMm: Math.min(diameter, diameter ** 2 / visible), tex: yarnTex(count) };
 }
 
 function settOf(fields: FabricFields, family: FamilyName, draft: Draft): number {

@@ -141,6 +141,10 @@ export interface YarnPreset {
   readonly density: number;
   /** Share of the cross-section that is fibre. */
   readonly packing: number;
+  /** Share of a thread's spacing that the yarn leaves open in cloth. */
+  readonly gap: number;
+  /** Its largest width in cloth over its round diameter. */
+  readonly spread: number;
 }
 
 export const YARN_PRESETS: readonly YarnPreset[] = [
@@ -156,7 +160,9 @@ export const YARN_PRESETS: readonly YarnPreset[] = [
       "hairiness": 0.4
     },
     "density": 1.52,
-    "packing": 0.6
+    "packing": 0.6,
+    "gap": 0.02,
+    "spread": 1.3
   },
   {
     "name": "mercerised cotton",
@@ -172,7 +178,9 @@ export const YARN_PRESETS: readonly YarnPreset[] = [
       "hairiness": 0.06
     },
     "density": 1.52,
-    "packing": 0.65
+    "packing": 0.65,
+    "gap": 0.04,
+    "spread": 1.2
   },
   {
     "name": "linen",
@@ -186,7 +194,9 @@ export const YARN_PRESETS: readonly YarnPreset[] = [
       "hairiness": 0.12
     },
     "density": 1.5,
-    "packing": 0.65
+    "packing": 0.65,
+    "gap": 0.08,
+    "spread": 1.4
   },
   {
     "name": "wool",
@@ -202,7 +212,9 @@ export const YARN_PRESETS: readonly YarnPreset[] = [
       "hairiness": 1.0
     },
     "density": 1.31,
-    "packing": 0.45
+    "packing": 0.45,
+    "gap": 0.02,
+    "spread": 1.6
   },
   {
     "name": "silk",
@@ -214,7 +226,9 @@ export const YARN_PRESETS: readonly YarnPreset[] = [
       "fibre_tilt_deg": 2.5
     },
     "density": 1.34,
-    "packing": 0.7
+    "packing": 0.7,
+    "gap": 0.06,
+    "spread": 1.2
   },
   {
     "name": "filament polyester",
@@ -226,7 +240,9 @@ export const YARN_PRESETS: readonly YarnPreset[] = [
       "fibre_tilt_deg": 1.5
     },
     "density": 1.38,
-    "packing": 0.7
+    "packing": 0.7,
+    "gap": 0.08,
+    "spread": 1.1
   },
   {
     "name": "viscose",
@@ -240,6 +256,8 @@ export const YARN_PRESETS: readonly YarnPreset[] = [
       "hairiness": 0.12
     },
     "density": 1.51,
-    "packing": 0.6
+    "packing": 0.6,
+    "gap": 0.05,
+    "spread": 1.3
   }
 ];

@@ -1,9 +1,9 @@
 /** Spacing and width of the threads of a fabric, from its fields or from the draft. */
-import { type FabricFields, GAP } from "./generated.ts";
+import type { FabricFields } from "./generated.ts";
 import type { Draft } from "./draft.ts";
 import type { FamilyName } from "./fields.ts";
 import { CM_PER_INCH, DEFAULT_SETT_PER_CM, yarnDiameterMm } from "./textile.ts";
-import { yarnDensity } from "./yarns.ts";
+import { kindOf } from "./yarns.ts";
 
 const MM_PER_CM = 10;
 
@@ -36,7 +36,9 @@ export function familySpacing(fields: FabricFields, family: FamilyName, draft: D
 /**
  * Width of each thread of a family, millimetres, as many as `spacing`.
  *
- * The family's own width or gap comes first, then its count, the draft's thickness, and the fabric's gap.
+ * The family's own width or gap comes first, then its count, the draft's thickness, the fabric's gap, and that of its
+ * kind of yarn. A yarn of a count is at least as wide as it is when round; where its kind leaves a smaller gap it
+ * spreads towards that, by the kind's spread at most.
  */
 export function familyWidth(
   fields: FabricFields,
@@ -44,15 +46,16 @@ export function familyWidth(
   draft: Draft,
   spacing: Float64Array,
 ): Float64Array {
-  const table = fields[family] ?? {};
-  const ofCount = table.count === undefined ? null : yarnDiameterMm(table.count, yarnDensity(fields, family));
+  const [table, kind] = [fields[family] ?? {}, kindOf(fields, family)];
+  const ofCount = table.count === undefined ? null : yarnDiameterMm(table.count, kind);
   const { gap, width_mm: width } = table;
   if (width !== undefined) return new Float64Array(spacing.length).fill(width);
   if (gap !== undefined) return spacing.map((distance) => distance * (1 - gap));
-  if (ofCount !== null) return new Float64Array(spacing.length).fill(ofCount);
+  if (ofCount !== null)
+    return spacing.map((distance) => Math.min(Math.max((1 - kind.gap) * distance, ofCount), ofCount * kind.spread));
   const { thicknessMm } = draft[family];
   if (thicknessMm !== null) return thicknessMm;
-  return spacing.map((distance) => distance * (1 - (fields.gap ?? GAP)));
+  return spacing.map((distance) => distance * (1 - (fields.gap ?? kind.gap)));
 }
 
 function mean(values: Float64Array): number {

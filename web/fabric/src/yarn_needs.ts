@@ -9,7 +9,7 @@ import { familySpacing, familyWidth } from "./spacing.ts";
 import { texOfDiameter } from "./textile.ts";
 import { threadHexes } from "./thread_colours.ts";
 import { yarnTex } from "./yarn_count.ts";
-import { yarnDensity } from "./yarns.ts";
+import { kindOf } from "./yarns.ts";
 
 /** The piece that is woven. Setts are those of the finished cloth. */
 export interface WeavingPlan {
@@ -97,7 +97,7 @@ export function yarnNeeds(fields: FabricFields, draft: Draft, plan: WeavingPlan)
 function texOf(fields: FabricFields, family: FamilyName, draft: Draft, spacing: Float64Array): Float64Array {
   const count = fields[family]?.count;
   if (count !== undefined) return new Float64Array(spacing.length).fill(yarnTex(count));
-  const density = yarnDensity(fields, family);
+  const density = kindOf(fields, family);
   return familyWidth(fields, family, draft, spacing).map((width) => texOfDiameter(width, density));
 }
 

@@ -1,6 +1,6 @@
 /** Kinds of yarn by name: what a fabric file need not say of a yarn of that fibre and spinning. */
 import type { FamilyName } from "./fields.ts";
-import { type FabricFields, YARN_PRESETS, type YarnFields, type YarnPreset } from "./generated.ts";
+import { type FabricFields, GAP, YARN_PRESETS, type YarnFields, type YarnPreset } from "./generated.ts";
 import { COTTON_DENSITY, DEFAULT_PACKING } from "./textile.ts";
 
 /** Fields with what kinds of yarn say of the fields of [warp] and [weft] that the file omits. */
@@ -13,9 +13,12 @@ export function withYarns(fields: FabricFields): FabricFields {
   return { ...fields, ...(warp && { warp }), ...(weft && { weft }) };
 }
 
-/** Density of the fibre, g/cm³, and packing of the yarn of a family: cotton's by default. */
-export function yarnDensity(fields: FabricFields, family: FamilyName): { density: number; packing: number } {
-  return presetOf(fields, family) ?? { density: COTTON_DENSITY, packing: DEFAULT_PACKING };
+/** Of a family that names no kind: round, of cotton's weight. */
+const ANY: YarnPreset = { name: "", fields: {}, density: COTTON_DENSITY, packing: DEFAULT_PACKING, gap: GAP, spread: 1 };
+
+/** Kind of yarn of a family; without a name a round one of cotton's density and packing. */
+export function kindOf(fields: FabricFields, family: FamilyName): YarnPreset {
+  return presetOf(fields, family) ?? ANY;
 }
 
 function presetOf(fields: FabricFields, family: FamilyName): YarnPreset | null {
