@@ -152,7 +152,7 @@ function KindField({ fabric, dispatch, families }: FamiliesProps) {
   const label = families.length === 2 ? "both" : families[0]!;
   return (
     <div class="row is-field">
-      <label class="tip" data-tip="Other defaults of gloss, roughness, translucency and twist (yarn)" for={`kind-${label}`}>
+      <label class="tip" data-tip="Other defaults of openness, gloss, roughness, translucency and twist (yarn)" for={`kind-${label}`}>
         Kind of yarn
       </label>
       <select
