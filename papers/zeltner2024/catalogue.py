@@ -13,6 +13,12 @@ ITEMS = (
         tables.ablation,
         model=LATENT,
     ),
+    Item(
+        "zeltner2024/frames",
+        "what frames gain of two normal maps, with half-vector features and without",
+        tables.frames,
+        model=LATENT,
+    ),
     Item("zeltner2024/tables5-11", "2×16, 2×32 and 3×64, close and from far", tables.quality, model=LATENT),
     Item(
         "zeltner2024/fig5",

@@ -161,7 +161,7 @@ def layered_parts(name: str, side: int = SIDE) -> tuple[str, dict[str, Bytes]]:
         side: texels of its textures.
     """
     xml = (EXAMPLES / name / f"{name}.xml").read_text(encoding="utf-8")
-    return xml, {f"{file}.png": _png(file, values) for file, values in _TEXTURES[name](side).items()}
+    return xml, {f"{file}.png": png_of(file, values) for file, values in _TEXTURES[name](side).items()}
 
 
 def layered_material(name: str, side: int = SIDE) -> Material:
@@ -173,7 +173,8 @@ def layered_material(name: str, side: int = SIDE) -> Material:
         return material_from_xml(xml, folder, name, SIZE_MM)
 
 
-def _png(file: str, values: NDArray[np.float64]) -> Bytes:
+def png_of(file: str, values: NDArray[np.float64]) -> Bytes:
+    """The bytes of a picture of a map; colours, by the name of their file, are encoded as sRGB."""
     encoded = linear_to_srgb(values.clip(0, 1)) if _COLOUR in file else values
     pixels = np.rint(255 * np.clip(encoded, 0, 1)).astype(np.uint8)
     stream = io.BytesIO()

@@ -32,6 +32,7 @@ from papers.composed_scenes import Composition, composed_scene
 from papers.renders import one_picture
 from papers.setting import LATENT, Setting
 from papers.zeltner2024.layered_materials import layered_material
+from papers.zeltner2024.two_normals import TWO_NORMALS, two_normal_material
 
 # Texels a side, of textures and latents.
 RESOLUTION = 128
@@ -89,8 +90,9 @@ def metric_table(title: str, errors: dict[str, ShownError], note: str = "") -> T
 
 
 def stage_material(name: str) -> Material:
-    """A layered material of the stage."""
-    return layered_material(name, RESOLUTION)
+    """A material of the stage, of `LAYERED` or `TWO_NORMALS`."""
+    make = two_normal_material if name in TWO_NORMALS else layered_material
+    return make(name, RESOLUTION)
 
 
 def trained(

@@ -1,4 +1,8 @@
-"""zeltner2024's supplemental: Tables 1 to 4 (ablation), 5 to 11 (quality), and figure 5 (8 channels)."""
+"""zeltner2024's supplemental: Tables 1 to 4 (ablation), 5 to 11 (quality), and figure 5 (8 channels).
+
+The ablation has the paper's inputs of the decoder; the others have half-vector features too, as the model has
+them by default. A table of our own says what frames gain with these features and without them.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +16,7 @@ from loomlight.assets.material import Material
 from loomlight.evaluation.table import Table
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.measured_scenes import MeasuredScene
-from loomlight.models.latent.settings import DECODERS, RUNGS
+from loomlight.models.latent.settings import DECODERS, FEATURES, RUNGS
 from papers.figure import Evidence, Pixels, on_display
 from papers.setting import Setting
 from papers.sheet import Row, Tile, contact_sheet
@@ -30,6 +34,7 @@ from papers.zeltner2024.stage import (
     stage_scene,
     trained,
 )
+from papers.zeltner2024.two_normals import TWO_NORMALS
 
 # As the supplemental heads its columns.
 _RUNG_NAMES = {"mlp": "Vanilla MLP", "encoder": "with encoder", "frames": "with frame transform"}
@@ -55,9 +60,30 @@ def ablation(setting: Setting) -> Evidence:
         ("whole",),
         columns,
         lambda source: {
-            _RUNG_NAMES[rung]: model_factory(trained(source, setting, rung=rung)) for rung in RUNGS
+            _RUNG_NAMES[rung]: model_factory(trained(source, setting, rung=rung, features="none"))
+            for rung in RUNGS
         },
         Table("Mean FLIP in the paper", columns, {name: [*row] for name, row in _PAPER_RUNGS.items()}),
+    )
+
+
+def frames(setting: Setting) -> Evidence:
+    """What learned frames gain of two materials of two normal maps each, with and without features."""
+    columns = {
+        f"{_RUNG_NAMES[rung]}, {'features' if features == FEATURES[0] else 'none'}": (rung, features)
+        for features in reversed(FEATURES)
+        for rung in RUNGS[1:]
+    }
+    return _compared(
+        setting,
+        "frames of materials of two normal maps",
+        ("whole",),
+        list(columns),
+        lambda source: {
+            column: model_factory(trained(source, setting, rung=rung, features=features))
+            for column, (rung, features) in columns.items()
+        },
+        names=TWO_NORMALS,
     )
 
 
@@ -98,19 +124,22 @@ def _compared(
     columns: list[str],
     factories: Callable[[Material], dict[str, _Factory]],
     paper: Table | None = None,
+    names: tuple[str, ...] | None = None,
 ) -> Evidence:
-    """Pictures and tables of all materials in some views.
+    """Pictures and tables of materials in some views.
 
     Args:
         factories: from a material to functions that make its BSDFs, by the heading of their column.
+        names: of materials, by default `LAYERED`.
     """
     choose_variant()
     pictures: dict[str, Pixels] = {}
     rows: list[Row] = []
     tables: list[Table] = []
     means: dict[str, list[tuple[float, ...]]] = {column: [] for column in columns}
-    done, total = 0, len(LAYERED) * len(views)
-    for name in LAYERED:
+    names = LAYERED if names is None else names
+    done, total = 0, len(names) * len(views)
+    for name in names:
         source = stage_material(name)
         made = factories(source)
         for view in views:

@@ -2,7 +2,7 @@
 
 Covers: papers/zeltner2024/analytic_baseline.py, papers/zeltner2024/polar.py
 Covers: papers/zeltner2024/sampling.py, papers/zeltner2024/stage.py
-Covers: papers/zeltner2024/tables.py
+Covers: papers/zeltner2024/tables.py, papers/zeltner2024/two_normals.py
 """
 
 from __future__ import annotations
@@ -15,10 +15,11 @@ from drjit.llvm.ad import Array2f, Array3f, Float
 
 from loomlight.core.footprint import Footprint
 from loomlight.mitsuba import choose_variant
+from loomlight.mitsuba.material_queries import MaterialReflectance
 from loomlight.models.interface import Model
 from loomlight.models.latent.settings import QUALITIES, LatentSettings
 from papers.setting import LATENT, Setting
-from papers.zeltner2024 import analytic_baseline, polar, sampling, stage, tables
+from papers.zeltner2024 import analytic_baseline, polar, sampling, stage, tables, two_normals
 
 
 @pytest.fixture
@@ -33,6 +34,21 @@ def setting(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Setting:
     for module in (tables, sampling, polar):
         monkeypatch.setattr(module, "LAYERED", ("rough-plastic",))
     return Setting(size=(24, 16), samples=4, runs=tmp_path, model=LATENT, quality="tiny", steps=6)
+
+
+@pytest.mark.parametrize("name", two_normals.TWO_NORMALS)
+def test_two_normal_maps_lean_by_more_than_lobes_are_wide(name: str) -> None:
+    normals = [2 * texels - 1 for texels in two_normals.two_normal_maps(name, 64)]
+    for normal in normals:
+        assert 8 < np.median(np.degrees(np.arccos(normal[..., 2].clip(-1, 1)))) < 15
+    between = np.degrees(np.arccos((normals[0] * normals[1]).sum(axis=-1).clip(-1, 1)))
+    # α of the wider lobe is 0.1: 6°.
+    assert np.median(between) > 12
+    reflectance = MaterialReflectance(two_normals.two_normal_material(name, 32), 32)
+    assert reflectance.slopes.shape == (1, 3, 32, 32, 2)
+    up = np.tile(np.float32([[0, 0, 1]]), (64, 1))
+    places = np.random.default_rng(1).random((64, 2)).astype(np.float32)
+    assert reflectance.point_values(places, up, up).max() > 0.5
 
 
 def tiny_model(setting: Setting) -> Model:

@@ -73,6 +73,7 @@ class MaterialReflectance:
         inputs: names of the encoder's inputs.
         resolution: texels of the finest level, powers of two: no more than the textures have.
         faces: 2 where the BSDF reflects light on its back too.
+        slopes: of the flat surface and of its normal and bump maps.
         is_apart: never; texels are those of textures.
     """
 
@@ -100,6 +101,10 @@ class MaterialReflectance:
         # A BSDF without textures is one material: its only input says nothing.
         inputs = inputs or [_Input("constant", np.ones((height, width, 1), np.float32), ("",))]
         self.inputs = tuple(f"{part.name}{channel}" for part in inputs for channel in part.channels)
+        flat = [np.zeros((height, width, 2), np.float32)]
+        # The first two moments of a normal or bump map.
+        maps = [part.values[..., :2] for part in inputs if part.channels[:2] == (".x", ".y")]
+        self.slopes = np.stack([*flat, *maps])[None].repeat(self.faces, axis=0)
         self._inputs = np.concatenate([part.values for part in inputs], axis=-1)
 
     def values(

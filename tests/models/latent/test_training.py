@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -20,6 +21,7 @@ from loomlight.models.latent.fabric_queries import FabricReflectance
 from loomlight.models.latent.queries import REFLECTANCES
 from loomlight.models.latent.query_stream import PART, QueryStream, draw_lights
 from loomlight.models.latent.settings import QUALITIES, LatentSettings
+from loomlight.models.latent.training import train
 from loomlight.models.latent.training.train import cone_of, rate_factor, taken_queries, train_latent
 from loomlight.scattering.lobe_mixture import lobe_mixture, mixture_density
 from loomlight.training.direction_sampler import sampler_loss
@@ -95,6 +97,41 @@ def test_half_vectors_find_highlights() -> None:
     assert (lights[:, 2] > 0).all()
     # Within 5° of the mirror direction: 0.4 % of the hemisphere.
     assert (lights @ np.array([-0.6, 0.0, 0.8]) > math.cos(math.radians(5))).mean() > 0.1
+
+
+def test_lights_lie_about_the_normals_of_texels() -> None:
+    """Mirror directions about a normal that leans by 20°, and by none, of two maps."""
+    views = np.tile(np.array([[0.0, 0.0, 1.0]], np.float32), (20_000, 1))
+    lean = math.tan(math.radians(20))
+    lights = draw_lights(np.random.default_rng(0), views, np.tile(np.float32([-lean, 0]), (20_000, 1)))
+    mirrored = np.array([math.sin(math.radians(40)), 0, math.cos(math.radians(40))])
+    near = math.cos(math.radians(5))
+    assert (lights @ mirrored > near).mean() > 0.1
+    assert (lights @ np.array([0.0, 0.0, 1.0]) > near).mean() < 0.02
+    # Yarns lean to all sides alike.
+    reflectance = FabricReflectance(TWILL, 8)
+    assert reflectance.slopes.shape == (2, 1, 8, 8, 2)
+    assert np.abs(reflectance.slopes).max() > 0.2
+    np.testing.assert_allclose(reflectance.slopes.mean(axis=(1, 2, 3)), 0, atol=0.02)
+
+
+def test_one_cosine_leads_through_encoder_and_textures(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rates = []
+
+    def kept(*arguments: Any, **_others: Any) -> None:
+        rate = arguments[3].rate
+        rates.append((rate(0.0), rate(1.0)))
+
+    monkeypatch.setattr(train, "train", kept)
+    settings = short()
+    train_latent(TWILL, settings, tmp_path)
+    encoder, textures, sampler = rates
+    share = settings.encoder_share
+    assert encoder == pytest.approx((settings.rate, settings.rate * rate_factor(share)))
+    assert textures == pytest.approx((encoder[1], 0.1 * settings.rate))
+    assert sampler == pytest.approx((settings.rate, 0.1 * settings.rate))
 
 
 def test_mollification_and_rate_follow_the_supplemental(tmp_path: Path) -> None:

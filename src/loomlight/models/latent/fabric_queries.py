@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cached_property
+
 import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +15,8 @@ from loomlight.models.mip_pyramid import SIZE_OF_SIGMA, PyramidShape
 _Floats = NDArray[np.float32]
 # Points of a texel of the finest level along each side, of which encoder inputs are means.
 _POINTS = 4
+# Least cosine of a normal of which there is a slope.
+_MIN_COSINE = 0.3
 
 
 class FabricReflectance:
@@ -46,7 +50,17 @@ class FabricReflectance:
         self._points = FabricPoints(fabric)
         self._shape = PyramidShape.of(fabric.repeat_mm, resolution, self.faces)
         self.resolution = (self._shape.columns, self._shape.rows)
-        self._finest: dict[int, _Floats] = {}
+
+    @cached_property
+    def _finest(self) -> list[_Floats]:
+        return [self._point_inputs(back=False), self._point_inputs(back=True)]
+
+    @cached_property
+    def slopes(self) -> _Floats:
+        """Of yarns [2, 1, height, width, 2]; see `Reflectance.slopes`."""
+        first = self.inputs.index("normal_x")
+        normals = np.stack([means[..., first : first + 3] for means in self._finest])[:, None]
+        return (-normals[..., :2] / np.maximum(normals[..., 2:], _MIN_COSINE)).astype(np.float32)
 
     def values(
         self, positions: _Floats, levels: _Floats, lights: _Floats, views: _Floats, seed: tuple[int, ...]
@@ -60,8 +74,6 @@ class FabricReflectance:
 
     def encoder_inputs(self, level: int, face: int = 0) -> _Floats:
         """Inputs [height, width, K]; see `Reflectance.encoder_inputs`."""
-        if face not in self._finest:
-            self._finest[face] = self._point_inputs(face == 1)
         means = self._finest[face]
         columns, rows = self._shape.sizes[level]
         high, wide = means.shape[0] // rows, means.shape[1] // columns

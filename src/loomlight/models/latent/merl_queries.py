@@ -24,6 +24,7 @@ class MerlReflectance:
         del resolution
         self._source = source
         self.inputs, self.resolution = source.names, source.grid
+        self.slopes = np.zeros((1, 1, 1, 1, 2), np.float32)
 
     def values(
         self,

@@ -27,6 +27,8 @@ class Reflectance(Protocol):
             materials they are one per material (one-hot).
         resolution: texels of the finest level: width and height, powers of two.
         faces: 2 where front and back differ, else 1.
+        slopes: of normals (-slopes, 1), about which highlights lie, of the finest level's texels
+            [faces, maps, height, width, 2]; maps: flat surfaces and normal maps of a material.
         is_apart: whether each texel is a material of its own, and values are exact; see `PyramidShape`.
     """
 
@@ -34,6 +36,9 @@ class Reflectance(Protocol):
     resolution: tuple[int, int]
     faces: int
     is_apart: bool
+
+    @property
+    def slopes(self) -> _Floats: ...
 
     def values(
         self,

@@ -2,7 +2,7 @@
 
 Positions are uniform over the repeat. Levels are whole numbers; fine ones are more frequent, as they have
 more texels. Views are half uniform in solid angle, half uniform on the projected disk. Half of the lights are
-drawn alike; the others by half vectors close to the normal, which find highlights.
+drawn alike; the others by half vectors close to a normal of the footprint, which find highlights.
 """
 
 from __future__ import annotations
@@ -14,14 +14,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.models.latent.queries import Reflectance
+from loomlight.models.latent.queries import SIZE_OF_SIGMA, Reflectance
 from loomlight.models.query_parts import MIN_COSINE, PART, QueryArrays, draw_directions, from_cosine
 
 _Floats = NDArray[np.float32]
 # Share of queries whose level is uniform; the others' density quarters with each level, as texels do.
 _UNIFORM_LEVELS = 0.5
-# Share of lights drawn by half vectors, and the roughnesses of their Trowbridge–Reitz distributions.
-_BY_HALF_VECTOR, _ALPHAS = 0.5, (0.03, 0.1, 0.3, 0.7)
+# Share of lights drawn by half vectors, and the bounds of the roughnesses of their Trowbridge–Reitz
+# distributions, which are uniform in the logarithm.
+_BY_HALF_VECTOR, _ALPHAS = 0.5, (0.02, 0.7)
 # Key that separates the random numbers of queries from those of batches.
 _STREAM = 3
 
@@ -73,8 +74,8 @@ class QueryStream:
         positions = rng.random((count, 2), np.float32)
         levels = draw_levels(rng, count, self._levels)
         views = draw_directions(rng, count)
-        lights = draw_lights(rng, views)
         faces = rng.integers(self._reflectance.faces, size=count, dtype=np.uint8)
+        lights = draw_lights(rng, views, self._slopes(rng, positions, levels, faces))
         turn = np.where(faces == 1, -1, 1).astype(np.float32)[:, None]
         to_face = np.concatenate([np.ones_like(turn), np.ones_like(turn), turn], axis=1)
 
@@ -96,16 +97,35 @@ class QueryStream:
         values = estimates.reshape(count, samples, 3).mean(axis=1, dtype=np.float32)
         return Queries(positions, levels, lights, views, faces, values)
 
+    def _slopes(
+        self,
+        rng: np.random.Generator,
+        positions: _Floats,
+        levels: NDArray[np.uint8],
+        faces: NDArray[np.uint8],
+    ) -> _Floats:
+        """Slopes [n, 2] of one normal of each footprint."""
+        count, slopes = len(positions), self._reflectance.slopes
+        spread = rng.standard_normal((count, 2), np.float32) * np.exp2(levels)[:, None] / SIZE_OF_SIGMA
+        rows, columns = slopes.shape[2:4]
+        texel = np.floor(positions * np.array([columns, rows]) + spread).astype(np.intp)
+        maps = rng.integers(slopes.shape[1], size=count)
+        drawn: _Floats = slopes[faces, maps, texel[:, 1] % rows, texel[:, 0] % columns]
+        return drawn
 
-def draw_lights(rng: np.random.Generator, views: _Floats) -> _Floats:
-    """Lights [n, 3] with z > 0, for views."""
+
+def draw_lights(rng: np.random.Generator, views: _Floats, slopes: _Floats | float = 0.0) -> _Floats:
+    """Lights [n, 3] with z > 0, for views and normals (-slopes, 1) [n, 2]."""
     count = len(views)
     lights = draw_directions(rng, count)
-    alpha = rng.choice(_ALPHAS, count)
+    low, high = np.log(_ALPHAS)
+    alpha = np.exp(rng.uniform(low, high, count))
     u, azimuth = rng.random(count), 2 * math.pi * rng.random(count)
     # Slopes of a Trowbridge–Reitz distribution: tan² = α² u / (1 − u).
-    cosine = 1 / np.sqrt(1 + alpha**2 * u / (1 - u))
-    halves = from_cosine(cosine, azimuth)
+    tangent = alpha * np.sqrt(u / (1 - u))
+    about = slopes + tangent[:, None] * np.stack([np.cos(azimuth), np.sin(azimuth)], axis=1)
+    halves = np.concatenate([-about, np.ones((count, 1))], axis=1)
+    halves /= np.linalg.norm(halves, axis=1, keepdims=True)
     mirrored = 2 * (views * halves).sum(axis=1, keepdims=True) * halves - views
     chosen = (rng.random(count) < _BY_HALF_VECTOR) & (mirrored[:, 2] > MIN_COSINE)
     return np.where(chosen[:, None], mirrored, lights).astype(np.float32)

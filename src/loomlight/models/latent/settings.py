@@ -67,15 +67,15 @@ class LatentSettings:
     features: str = FEATURES[0]
     loss: str = AUTO
     optimiser: str = DEFAULT_OPTIMISER
-    queries: int = 1 << 21
+    queries: int = 1 << 20
     samples: int = 8
-    steps: int = 8000
+    steps: int = 2500
     encoder_share: float = 0.3
     mollified: float = 1 / 15
     batch: int = 1 << 12
     rate: float = 1e-2
     texture_rate: float = 2e-2
-    sampler_steps: int = 1000
+    sampler_steps: int = 300
     sampler_batch: int = 1 << 10
     seed: int = 0
 

@@ -72,7 +72,8 @@ def train_latent(
         shape,
         texel_inputs(reflectance, shape),
         DECODERS[settings.decoder],
-        settings.rung == "frames",
+        # Measured BRDFs are about the normal of their face.
+        settings.rung == "frames" and not reflectance.is_apart,
         settings.features == FEATURES[0],
         settings.texture_rate / settings.rate,
     ).to(device)
@@ -106,13 +107,16 @@ def _train_phases(
         first: int,
         span: int,
         optimiser: str = settings.optimiser,
+        done: tuple[float, float] = (0.0, 1.0),
     ) -> None:
-        rate = settings.rate
+        rate, (begin, end) = settings.rate, done
         train(
             network,
             Soap(parts, rate) if optimiser == "soap" else torch.optim.Adam(parts, rate, eps=1e-7),
             losses,
-            Schedule(steps, lambda done: rate * rate_factor(done), keep_every=keep_every),
+            Schedule(
+                steps, lambda share: rate * rate_factor(begin + (end - begin) * share), keep_every=keep_every
+            ),
             folder / f"{name}.safetensors",
             identity,
             lambda step, total, _: report(first + span * step // total, _WHOLE),
@@ -122,15 +126,18 @@ def _train_phases(
         return [parameter for module in modules for parameter in module.parameters()]
 
     span = _TEXTURES_DONE - _QUERIES_DONE
-    middle = span * encoder_steps // settings.steps
+    # One cosine over both phases.
+    share = encoder_steps / settings.steps
+    middle = round(span * share)
     if encoder_steps:
         losses = partial(batches.losses, encoded=True, first=0)
-        run("encoder", parameters(network.encoder, *common), losses, encoder_steps, _QUERIES_DONE, middle)
+        trained = parameters(network.encoder, *common)
+        run("encoder", trained, losses, encoder_steps, _QUERIES_DONE, middle, done=(0.0, share))
         network.encode_texels()
     losses = partial(batches.losses, encoded=False, first=encoder_steps)
     steps = max(1, settings.steps - encoder_steps)
     trained = [network.latents, *parameters(*common)]
-    run("textures", trained, losses, steps, _QUERIES_DONE + middle, span - middle)
+    run("textures", trained, losses, steps, _QUERIES_DONE + middle, span - middle, done=(share, 1.0))
     sampler = _SamplerLosses(network, settings)
     trained = parameters(network.sampler, network.albedo)
     last = _WHOLE - _TEXTURES_DONE
