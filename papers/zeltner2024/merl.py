@@ -1,6 +1,6 @@
 """One network of `latent` for a library of MERL files: how exact is it of each BRDF?
 
-    python -m papers.zeltner2024.merl --count 100 --steps 3000 --output papers/zeltner2024/results/merl.json
+    python -m papers.zeltner2024.merl --count 100 --output papers/zeltner2024/results/merl.json
 
 Without `--library FOLDER`, `.binary` files of analytic BRDFs over the whole range of roughness are written to
 a temporary folder (35 MB each) and read again: they stand for measurements and are none. Every BRDF is asked
@@ -9,7 +9,7 @@ at the middle of its cell, about pairs of directions that no training saw; the t
 - `nmae`: mean absolute difference of f·cos over the mean; `bias`: mean difference over the mean; `smape`;
 - `quartiles`, `worst`: of the BRDFs' nmae; `by_roughness`: its mean over each quarter of the analytic BRDFs,
   smooth ones first;
-- `bytes`, `file_bytes`: of texture and networks in float32, and of the files.
+- of each decoder, `bytes`, and `file_bytes`: of texture and networks in float32, and of the files.
 """
 
 from __future__ import annotations
@@ -47,8 +47,19 @@ def measure(options: Namespace) -> Figures:
 
 def _figures(folder: Path, options: Namespace) -> Figures:
     library = load_merl(folder)
+    return {
+        "source": "analytic" if options.library is None else folder.name,
+        "brdfs": len(library.names),
+        "steps": options.steps,
+        "file_bytes": sum(file.stat().st_size for file in folder.glob(f"*{SUFFIX}")),
+        **{decoder: _of_decoder(library, decoder, options) for decoder in options.decoders},
+    }
+
+
+def _of_decoder(library: MerlLibrary, decoder: str, options: Namespace) -> Figures:
+    """Figures of a network that is trained for a library."""
     start = time.process_time()
-    model = LatentModel.for_source(library, decoder=options.decoder, steps=options.steps)
+    model = LatentModel.for_source(library, decoder=decoder, steps=options.steps)
     spent = time.process_time() - start
     each = [_errors(model, library, number, options.pairs) for number in range(len(library.names))]
     overall = np.array([errors["nmae"] for errors in each])
@@ -56,17 +67,12 @@ def _figures(folder: Path, options: Namespace) -> Figures:
     parts = [weights.latents, *([] if weights.frames is None else [weights.frames])]
     parts += [array for layers in weights.layers.values() for layer in layers for array in layer]
     return {
-        "source": "analytic" if options.library is None else folder.name,
-        "brdfs": len(overall),
-        "steps": options.steps,
-        "decoder": options.decoder,
         "train_s": round(spent, 1),
         "means": {name: _short(np.mean([errors[name] for errors in each])) for name in each[0]},
         "quartiles": [_short(value) for value in np.percentile(overall, (25, 50, 75))],
         "worst": {"name": library.names[int(overall.argmax())], "nmae": _short(overall.max())},
         **({"by_roughness": _by_roughness(library, overall)} if options.library is None else {}),
         "bytes": 4 * sum(part.size for part in parts),
-        "file_bytes": sum(file.stat().st_size for file in folder.glob(f"*{SUFFIX}")),
         "nmae": {name: _short(value) for name, value in zip(library.names, overall, strict=True)},
     }
 
@@ -111,8 +117,8 @@ def _short(value: float | np.floating) -> float:
 def _add_options(parser: ArgumentParser) -> None:
     parser.add_argument("--library", help="a folder of .binary files; analytic ones by default")
     parser.add_argument("--count", type=int, default=100, help="of analytic BRDFs")
-    parser.add_argument("--decoder", default="2x32")
-    parser.add_argument("--steps", type=int, default=8000)
+    parser.add_argument("--decoders", nargs="+", default=["2x32"])
+    parser.add_argument("--steps", type=int, default=2500)
     parser.add_argument("--pairs", type=int, default=2000, help="of directions for each BRDF")
 
 

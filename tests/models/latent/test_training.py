@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 import torch
 
+from loomlight.assets.merl import BINS, library_of
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.latent.fabric_queries import FabricReflectance
@@ -132,6 +133,17 @@ def test_one_cosine_leads_through_encoder_and_textures(
     assert encoder == pytest.approx((settings.rate, settings.rate * rate_factor(share)))
     assert textures == pytest.approx((encoder[1], 0.1 * settings.rate))
     assert sampler == pytest.approx((settings.rate, 0.1 * settings.rate))
+
+
+def test_libraries_take_many_small_steps_and_no_frames(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    steps = []
+    monkeypatch.setattr(train, "train", lambda *arguments, **_others: steps.append(arguments[3].steps))
+    values = np.zeros((3, *BINS, 3), np.float16)
+    weights = train_latent(library_of("shelf", ["a", "b", "c"], values), short(), tmp_path)
+    assert sum(steps[:2]) == 4 * short().steps
+    assert (weights.frames, weights.shape.is_apart, len(weights.latents)) == (None, True, 4)
 
 
 def test_mollification_and_rate_follow_the_supplemental(tmp_path: Path) -> None:

@@ -36,6 +36,9 @@ from loomlight.training.soap import Soap
 _FIRST_CONE, _LAST_RATE = math.radians(10), 0.1
 # Lights of a view in a step of the sampler.
 _LIGHTS = 16
+# Of libraries, steps are so many times as many, with batches so many times as small: in equal time their
+# error is three quarters. Of others a step costs too much, whose textures have thousands of texels.
+_SMALL = 4
 # Keys that separate the random numbers of batches, of the sampler and of albedos from those of queries.
 _BATCHES, _SAMPLER, _ALBEDOS = 5, 6, 7
 # Thousandths of the progress after queries, and after textures.
@@ -80,6 +83,8 @@ def train_latent(
     identity = settings.identity(source)
     if settings.loss == AUTO:
         settings = replace(settings, loss=loss_of_kind(kind_of_source(source)))
+    if reflectance.is_apart:
+        settings = replace(settings, steps=_SMALL * settings.steps, batch=max(1, settings.batch // _SMALL))
     with one_thread():
         _train_phases(network, queries, settings, identity, folder, report, keep_every)
         return network.weights(_face_albedos(network, settings.seed))
