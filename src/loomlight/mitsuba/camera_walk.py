@@ -97,7 +97,8 @@ class CameraWalk:
         """
         chance = minimum(dr.max(self.share * at.through) / self.least_share, 1)
         # Where a path rides and passes, the ray passes too: its own chance is that of the rest.
-        drawn = dr.select(self.rides, channel_mean(at.through), 0)
+        # An unbiased estimate of a share may be above 1, the chance of passing is not.
+        drawn = dr.select(self.rides, minimum(channel_mean(at.through), 1), 0)
         chance = maximum(chance, drawn)
         rest = (chance - drawn) / maximum(1 - drawn, 1e-6)
         survives = (self.rides & at.passed) | (number < rest)

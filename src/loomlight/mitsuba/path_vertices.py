@@ -347,7 +347,7 @@ def _null_sample(si: mi.SurfaceInteraction3f, through: Any, choice: Any, active:
     """
     bs: Any = dr.zeros(mi.BSDFSample3f)
     bs.wo, bs.pdf, bs.eta = -si.wi, mi.Float(1), mi.Float(1)
-    chance = channel_mean(through)
+    chance = minimum(channel_mean(through), 1)
     passes = active & (choice < chance)
     bs.sampled_type = dr.select(passes, mi.UInt32(+mi.BSDFFlags.Null), 0)
     return bs, dr.select(passes, through * dr.rcp(maximum(chance, 1e-8)), 0)

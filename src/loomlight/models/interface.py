@@ -151,7 +151,7 @@ class Model(ABC):
             may be of other kinds.
         filters: whether it averages over the footprint; otherwise it looks at one point of it.
         conserves_energy: whether no footprint sends back more light than arrives, at any direction.
-        estimates: whether answers are unbiased Monte Carlo estimates, which may be negative.
+        estimates: whether answers are unbiased Monte Carlo estimates, which may be negative, shares above 1.
         symbolic: whether Dr.Jit may trace it in symbolic calls; networks are many times slower there.
         has_holes: whether light passes straight through some of its sources.
         trains: whether baking it takes minutes; `for_source` then takes `report`, called with (done, in
