@@ -26,6 +26,8 @@ def former(text: str, schema: int) -> Fabric:
         ('yarn = "wool"', 0.4, 0.4),
         ('yarn = "wool"\n[warp]\ncount = "Nm 8"', 0.5196, 0.4),
         ('yarn = "wool"\ngap = 0.1\n[weft]\ncount = "Nm 8"', 0.45, 0.5196),
+        ("gap = 0", 0.49, 0.49),
+        ("gap = 0.1\n[weft]\ngap = 0.01", 0.45, 0.49),
         ('[warp]\nyarn = "wool"\ngap = 0.3\ncount = "Nm 8"', 0.35, 0.4),
     ],
 )

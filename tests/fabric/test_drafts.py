@@ -88,7 +88,7 @@ def test_a_wif_file_alone_is_a_fabric(folder: Path) -> None:
     np.testing.assert_array_equal(fabric.draft.warp.colors, [[1, 0, 0], [0, 0, 1]])
     np.testing.assert_allclose(fabric.layout().warp.spacing, [1, 3])
     np.testing.assert_allclose(fabric.layout().weft.spacing, [2, 2])
-    # The draft's thickness, even above the spacing: the geometry takes at most 0.98 of that.
+    # The draft's thickness, even above the spacing: the geometry takes at most 0.995 of it.
     np.testing.assert_allclose(fabric.layout().warp.width, [5, 0.5])
     np.testing.assert_allclose(fabric.layout().weft.width, [1.6, 1.6])
 

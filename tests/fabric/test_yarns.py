@@ -85,7 +85,7 @@ def _warp_width(text: str) -> float:
     ("text", "width_mm"),
     [
         ("", 0.4),  # no kind, no gap
-        ('yarn = "wool"', 0.49),
+        ('yarn = "wool"', 0.5),
         ('yarn = "silk"', 0.47),
         ('yarn = "wool"\ngap = 0.3', 0.35),
         ('yarn = "wool"\n[warp]\nyarn = "filament polyester"', 0.46),
@@ -101,7 +101,7 @@ def test_yarns_fill_as_their_kind_does(text: str, width_mm: float) -> None:
 @pytest.mark.parametrize(
     ("ends_per_cm", "width_over_diameter"),
     # 0.52 mm of Nm 8: as wide as it spreads, as the gap of wool lets it, and round where there is no room.
-    [(9, 1.6), (14, 0.98 * 10 / 14 / 0.5196), (22, 1)],
+    [(9, 1.6), (14, 10 / 14 / 0.5196), (22, 1)],
 )
 def test_a_yarn_of_a_count_spreads_where_there_is_room(
     ends_per_cm: float, width_over_diameter: float

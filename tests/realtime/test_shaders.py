@@ -33,7 +33,10 @@ LAYOUTS = {
     "twill": even_layout(TWILL),
     "satin": even_layout(SATIN, gap=0.1, inclination=60),
     "uneven": random_layout(np.random.default_rng(1), uneven=True),
+    "closed": even_layout(TWILL, gap=0.0),
 }
+# Share of points of closed cloth whose slopes in the narrow gaps amplify rounding.
+MAX_STEEP = 2e-4
 layouts = pytest.mark.parametrize("layout", LAYOUTS.values(), ids=LAYOUTS)
 
 
@@ -109,7 +112,8 @@ def test_surface(layout: ClothLayout) -> None:
     expected = [point.is_warp, point.height, *point.normal, *point.tangent, point.across]
     expected += [point.fibre_across, point.fibre_along, point.warp_thread, point.weft_thread]
     for column, values in enumerate(expected, start=1):
-        assert share_beyond(found[~hole, column], np.array(values, np.float64)[~hole]) == 0, column
+        share = share_beyond(found[~hole, column], np.array(values, np.float64)[~hole])
+        assert share <= (MAX_STEEP if layout is LAYOUTS["closed"] else 0), column
 
 
 @pytest.mark.slow

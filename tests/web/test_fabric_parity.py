@@ -181,7 +181,7 @@ def _assert_same(answer: dict[str, Any], fabric: Fabric) -> None:
         # Widths above the spacing are cut by the layout, later than here.
         spacing, width = np.split(np.array(answer["lengths"][family]), 2)
         _assert_close(spacing, np.broadcast_to(lying.spacing, spacing.shape))
-        _assert_close(np.minimum(width, 0.98 * spacing), np.minimum(lying.width, 0.98 * spacing))
+        _assert_close(np.minimum(width, 0.995 * spacing), np.minimum(lying.width, 0.995 * spacing))
         table = getattr(with_yarns(fabric.fields), family)
         if table.inclination_deg is None:
             assert bend["inclinationDeg"] == pytest.approx(degrees(lying.inclination))

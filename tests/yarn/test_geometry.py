@@ -109,7 +109,7 @@ def test_no_thread_below_stands_above_the_edge_on_top(seed: int) -> None:
     ):
         thread = rng.integers(0, family.spacing.size, COUNT)
         centre = np.cumsum(family.spacing) - family.spacing / 2
-        half_width = np.minimum(family.width, 0.98 * family.spacing) / 2
+        half_width = np.minimum(family.width, (1 - MIN_GAP) * family.spacing) / 2
         side = rng.choice([-1, 1], COUNT)
         edge = centre[thread] + side * half_width[thread]
         along = rng.uniform(0, extent, COUNT)

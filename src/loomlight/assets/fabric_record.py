@@ -29,6 +29,8 @@ Tensor: TypeAlias = NDArray[Any]
 """An array of any type that a `.loom` can hold."""
 
 _FAMILIES = ("warp", "weft")
+# Share of the spacing that threads kept open before schema 4.
+_FORMER_MIN_GAP = 0.02
 _LENGTHS_MM = (1e-6, 1e6)
 _RANGES = {"colors": (0.0, 1.0), "spacing_mm": _LENGTHS_MM, "thickness_mm": _LENGTHS_MM}
 
@@ -101,27 +103,31 @@ def of_former_defaults(record: Mapping[str, Any], schema: int) -> dict[str, Any]
     """The record of a source as schema `schema` has it, whose fabric states what was a default then.
 
     Before schema 3 there was no light between yarns, before 4 yarns of all kinds were round beside a count
-    and left a gap of 0.2 without. What is no fabric stays as it is: reading it says what is wrong.
+    and left a gap of 0.2 without, and threads kept 0.02 of the spacing apart. What is no fabric stays
+    as it is: reading it says what is wrong.
     """
-    toml = record.get("toml")
+    if record.get("kind") != "fabric" or not isinstance(record.get("toml"), str):
+        return dict(record)
     try:
-        fields = parse_fabric_file(toml) if isinstance(toml, str) else None
+        fields = parse_fabric_file(record["toml"])
     except InputError:
-        fields = None
-    if fields is None or record.get("kind") != "fabric":
         return dict(record)
     stated: dict[str, Any] = {}
     if schema < 3 and fields.interreflection is None:
         stated["interreflection"] = False
+    if fields.gap is not None:
+        stated["gap"] = max(fields.gap, _FORMER_MIN_GAP)
     for family in _FAMILIES:
         table = getattr(with_yarns(fields), family)
-        if table.yarn is None:
-            continue
-        if fields.gap is None:
-            stated["gap"] = GAP
-        if table.count is not None and table.width_mm is None and table.gap is None:
+        if table.gap is not None:
+            width = {"gap": max(table.gap, _FORMER_MIN_GAP)}
+        elif table.yarn and table.count is not None and table.width_mm is None:
             width = {"width_mm": yarn_diameter(table, f"{family}.count")}
-            stated[family] = getattr(fields, family).model_copy(update=width)
+        else:
+            width = {}
+        stated[family] = getattr(fields, family).model_copy(update=width)
+        if table.yarn and fields.gap is None:
+            stated["gap"] = GAP
     return {**record, "toml": fabric_toml(fields.model_copy(update=stated), "", "")}
 
 

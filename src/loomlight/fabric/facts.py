@@ -13,8 +13,9 @@ from numpy.typing import NDArray
 
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.file import YarnTable
+from loomlight.fabric.spacing import yarn_diameter
 from loomlight.fabric.yarns import kind_of, with_yarns
-from loomlight.weave.textile import per_inch, tex_of_diameter, yarn_diameter_mm
+from loomlight.weave.textile import per_inch, tex_of_diameter
 from loomlight.weave.yarn_count import yarn_tex
 from loomlight.yarn.layout import FamilyLayout
 
@@ -137,13 +138,11 @@ def facts_text(fabric: Fabric) -> str:
 
 def _yarn(table: YarnTable, family: FamilyLayout) -> tuple[float, float]:
     """Mean height, millimetres, and linear density, tex."""
-    kind = kind_of(table)
-    density, packing = kind.density, kind.packing
     if table.count is not None:
-        diameter = yarn_diameter_mm(table.count, density=density, packing=packing)
-        flattened = diameter**2 / float(family.visible_width.mean())
-        return min(diameter, flattened), yarn_tex(table.count)
-    tex = tex_of_diameter(family.width, density=density, packing=packing)
+        diameter = yarn_diameter(table, "count")
+        return min(diameter, diameter**2 / float(family.visible_width.mean())), yarn_tex(table.count)
+    kind = kind_of(table)
+    tex = tex_of_diameter(family.width, density=kind.density, packing=kind.packing)
     return float(family.width.mean()), float(tex.mean())
 
 

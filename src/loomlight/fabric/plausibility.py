@@ -5,7 +5,6 @@ from __future__ import annotations
 import warnings
 
 import numpy as np
-from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.fabric.file import FabricFile, YarnTable
@@ -30,7 +29,7 @@ def require_interlacing(draft: Draft) -> None:
 def warn_of_slips(fields: FabricFile, draft: Draft, layout: ClothLayout, source: str) -> None:
     """Warns, in a sentence each, of a family that never interlaces and of yarns wider than their spacing.
 
-    Both are used: threads that never interlace lie straight, and widths are cut to 98 % of the spacing.
+    Both are used: threads that never interlace lie straight, and widths are cut to 99.5 % of the spacing.
 
     Args:
         source: the file, which sentences begin with; "" for none.
@@ -67,10 +66,6 @@ def _wide(fields: FabricFile, layout: ClothLayout) -> list[str]:
             continue
         sentences.append(
             f"{name}.{given} is wider than a thread's spacing of {spacing:.3g} mm: "
-            f"{_visible(family.spacing):.3g} mm of it are shown."
+            f"{(1 - MIN_GAP) * spacing:.3g} mm of it are shown."
         )
     return sentences
-
-
-def _visible(spacing: NDArray[np.float64]) -> float:
-    return (1 - MIN_GAP) * float(np.max(spacing))

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from loomlight.core.errors import InputError
 
 # Dense drafts give a thickness at or above the spacing; threads never touch closer than this share of it.
-MIN_GAP = 0.02
+MIN_GAP = 0.005
 
 
 @dataclass(frozen=True, eq=False)
@@ -20,7 +20,7 @@ class FamilyLayout:
 
     Attributes:
         spacing: distance that each thread takes up [n], millimetres, > 0.
-        width: visible width of each thread [n], millimetres; at most 0.98 of its spacing is used.
+        width: visible width of each thread [n], millimetres; at most 0.995 of its spacing is used.
         inclination: U, the angle of a float's ends to the cloth, radians, 0 to 80°.
         twist: ψ, the angle of the fibres to the yarn, radians, −89° to 89°.
         height_scale: β, 0.01 to 2.

@@ -12,7 +12,7 @@ import { kindOf } from "./yarns.ts";
 /** Yarn cannot be longer than that over the cloth: jammed plain weaves have crimps up to .3. */
 const MAX_CRIMP = 0.5;
 /** At least that share of a thread's spacing stays open, as `src/loomlight/yarn/layout.py` draws it. */
-const MIN_GAP = 0.02;
+const MIN_GAP = 0.005;
 /** Steps of the search for a sett: twice as many as the digits that are shown need. */
 const STEPS = 40;
 

@@ -161,7 +161,7 @@ export const YARN_PRESETS: readonly YarnPreset[] = [
     },
     "density": 1.52,
     "packing": 0.6,
-    "gap": 0.02,
+    "gap": 0,
     "spread": 1.3
   },
   {
@@ -213,7 +213,7 @@ export const YARN_PRESETS: readonly YarnPreset[] = [
     },
     "density": 1.31,
     "packing": 0.45,
-    "gap": 0.02,
+    "gap": 0,
     "spread": 1.6
   },
   {

@@ -688,7 +688,7 @@ export const MAX_COLUMNS = 1024;
 export const MAXIMUM_CROSSINGS = 67108864;
 
 // yarn.layout
-export const MIN_GAP = 0.02;
+export const MIN_GAP = 0.005;
 
 // models.lobes.model
 export const DEFAULT_GROUPS = 8;

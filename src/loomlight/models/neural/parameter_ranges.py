@@ -36,7 +36,7 @@ class ParameterRanges:
         twist_deg: ψ, degrees.
         roughness: α.
         height_scale: β.
-        gap: fraction of the spacing that is left open, of each family; small ones more often.
+        gap: fraction of the spacing left open, of each family, below 0.02 as 0.02; small ones more often.
         sett_ratio: ends per pick of the same length; drawn in its logarithm.
         diffuse_blend: w.
         optical_depth: Tρ.

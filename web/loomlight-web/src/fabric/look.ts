@@ -26,7 +26,7 @@ import { pairwiseSum } from "./sums.ts";
 export interface FamilyLayout {
   /** Distance that each thread takes up, millimetres, > 0. */
   readonly spacing: Float64Array;
-  /** Visible width of each thread, millimetres; at most 0.98 of its spacing is used. */
+  /** Visible width of each thread, millimetres; at most 0.995 of its spacing is used. */
   readonly width: Float64Array;
   /** U, the angle of a float's ends to the cloth, radians. */
   readonly inclination: number;
