@@ -143,13 +143,17 @@ def test_light_between_yarns_of_close_ups_is_that_of_their_points() -> None:
     centres = rng.random((count, 2)) * cloth.repeat_mm
     edges = np.tile(0.04 * np.eye(2), (count, 1, 1))
     queried = Queries(directions(rng, count), directions(rng, count), centres, edges)
+    # Points of each footprint, a footprint each.
+    places = centres[:, None] + 0.04 * (rng.random((count, 64, 2)) - 0.5)
+    each = [part.repeat(64, axis=0) for part in (queried.lights, queried.views)]
+    points = Queries(*each, places.reshape(-1, 2), edges.repeat(64, axis=0))
     means = []
-    for name, options in (("lobes", {}), ("samples", {"points": 64})):
-        at = make_model(name, cloth, **options).at(queried.view, queried.footprint)
+    for name, asked in (("lobes", queried), ("point", points)):
+        at = make_model(name, cloth).at(asked.view, asked.footprint)
         assert isinstance(at, SeparableBsdf)
-        bounced = at.bounced(at.evaluate(queried.light))
+        bounced = at.bounced(at.evaluate(asked.light))
         assert bounced is not None
-        means.append([part.numpy() for part in bounced])
+        means.append([part.numpy().reshape(count, -1).mean(axis=1) for part in bounced])
     actual, expected = means
     for one, other in zip(actual, expected, strict=True):
         assert abs(one.mean() - other.mean()) < 0.02 * other.mean()

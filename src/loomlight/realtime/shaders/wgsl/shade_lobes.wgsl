@@ -363,24 +363,12 @@ fn square_1( x_2 : f32) -> f32
 fn natural_logarithm_0( x_3 : f32) -> f32
 {
     var _S1 : u32 = (bitcast<u32>((x_3)));
-    var exponent_0 : f32 = f32(i32((_S1 >> (u32(23)))) - i32(126));
     var m_0 : f32 = (bitcast<f32>(((((_S1 & (u32(8388607)))) | (u32(1056964608))))));
-    var m_1 : f32;
-    var exponent_1 : f32;
-    if(m_0 < 0.70710676908493042f)
-    {
-        var exponent_2 : f32 = exponent_0 - 1.0f;
-        m_1 = m_0 + m_0;
-        exponent_1 = exponent_2;
-    }
-    else
-    {
-        m_1 = m_0;
-        exponent_1 = exponent_0;
-    }
-    var m_2 : f32 = m_1 - 1.0f;
-    var _S2 : f32 = m_2 * m_2;
-    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S2 - exponent_1 * 0.00021219444170129f - 0.5f * _S2) + exponent_1 * 0.693359375f;
+    var _S2 : bool = m_0 < 0.70710676908493042f;
+    var exponent_0 : f32 = f32(i32((_S1 >> (u32(23)))) - i32(126)) - select(0.0f, 1.0f, _S2);
+    var m_1 : f32 = select(m_0, m_0 + m_0, _S2) - 1.0f;
+    var _S3 : f32 = m_1 * m_1;
+    return m_1 + (((((((((0.07037683576345444f * m_1 - 0.11514610052108765f) * m_1 + 0.11676998436450958f) * m_1 - 0.12420140951871872f) * m_1 + 0.14249323308467865f) * m_1 - 0.16668057441711426f) * m_1 + 0.20000714063644409f) * m_1 - 0.24999994039535522f) * m_1 + 0.33333331346511841f) * m_1 * _S3 - exponent_0 * 0.00021219444170129f - 0.5f * _S3) + exponent_0 * 0.693359375f;
 }
 
 fn binary_logarithm_0( x_4 : f32) -> f32
@@ -390,37 +378,37 @@ fn binary_logarithm_0( x_4 : f32) -> f32
 
 fn exponential_0( x_5 : f32) -> f32
 {
-    var _S3 : f32 = clamp(x_5, -87.0f, 88.0f);
-    var _S4 : f32 = floor(_S3 * 1.4426950216293335f + 0.5f);
-    var _S5 : f32 = _S3 - _S4 * 0.693359375f + _S4 * 0.00021219444170129f;
-    return select(((((((0.00019875691214111f * _S5 + 0.00139819993637502f) * _S5 + 0.00833345204591751f) * _S5 + 0.04166579619050026f) * _S5 + 0.1666666567325592f) * _S5 + 0.5f) * _S5 * _S5 + _S5 + 1.0f) * (bitcast<f32>(((u32(i32(_S4) + i32(127)) << (u32(23)))))), 0.0f, x_5 < -87.0f);
+    var _S4 : f32 = clamp(x_5, -87.0f, 88.0f);
+    var _S5 : f32 = floor(_S4 * 1.4426950216293335f + 0.5f);
+    var _S6 : f32 = _S4 - _S5 * 0.693359375f + _S5 * 0.00021219444170129f;
+    return select(((((((0.00019875691214111f * _S6 + 0.00139819993637502f) * _S6 + 0.00833345204591751f) * _S6 + 0.04166579619050026f) * _S6 + 0.1666666567325592f) * _S6 + 0.5f) * _S6 * _S6 + _S6 + 1.0f) * (bitcast<f32>(((u32(i32(_S5) + i32(127)) << (u32(23)))))), 0.0f, x_5 < -87.0f);
 }
 
 fn map_texel_0( index_0 : u32) -> vec3<f32>
 {
-    var _S6 : u32 = scene_words_0[index_0];
-    var _S7 : vec3<f32> = vec3<f32>(f32((_S6 & (u32(1023)))), f32((((_S6 >> (u32(10)))) & (u32(1023)))), f32((_S6 >> (u32(20))))) / vec3<f32>(1023.0f);
-    return _S7 * _S7;
+    var _S7 : u32 = scene_words_0[index_0];
+    var _S8 : vec3<f32> = vec3<f32>(f32((_S7 & (u32(1023)))), f32((((_S7 >> (u32(10)))) & (u32(1023)))), f32((_S7 >> (u32(20))))) / vec3<f32>(1023.0f);
+    return _S8 * _S8;
 }
 
 fn map_level_0( first_1 : u32,  side_0 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
 {
-    var _S8 : f32 = uv_0.x;
-    var _S9 : f32 = f32(side_0);
-    var _S10 : f32 = (_S8 - floor(_S8)) * _S9 - 0.5f;
-    var _S11 : f32 = uv_0.y;
-    var _S12 : f32 = (_S11 - floor(_S11)) * _S9 - 0.5f;
-    var _S13 : f32 = floor(_S10);
-    var _S14 : i32 = i32(side_0);
-    var _S15 : u32 = side_0 - u32(1);
-    var _S16 : u32 = (u32(i32(_S13) + _S14) & (_S15));
-    var _S17 : f32 = floor(_S12);
-    var _S18 : u32 = (u32(i32(_S17) + _S14) & (_S15));
-    var _S19 : u32 = ((_S16 + u32(1)) & (_S15));
-    var _S20 : u32 = first_1 + _S18 * side_0;
-    var _S21 : vec3<f32> = vec3<f32>((_S10 - _S13));
-    var _S22 : u32 = first_1 + (((_S18 + u32(1)) & (_S15))) * side_0;
-    return mix(mix(map_texel_0(_S20 + _S16), map_texel_0(_S20 + _S19), _S21), mix(map_texel_0(_S22 + _S16), map_texel_0(_S22 + _S19), _S21), vec3<f32>((_S12 - _S17)));
+    var _S9 : f32 = uv_0.x;
+    var _S10 : f32 = f32(side_0);
+    var _S11 : f32 = (_S9 - floor(_S9)) * _S10 - 0.5f;
+    var _S12 : f32 = uv_0.y;
+    var _S13 : f32 = (_S12 - floor(_S12)) * _S10 - 0.5f;
+    var _S14 : f32 = floor(_S11);
+    var _S15 : i32 = i32(side_0);
+    var _S16 : u32 = side_0 - u32(1);
+    var _S17 : u32 = (u32(i32(_S14) + _S15) & (_S16));
+    var _S18 : f32 = floor(_S13);
+    var _S19 : u32 = (u32(i32(_S18) + _S15) & (_S16));
+    var _S20 : u32 = ((_S17 + u32(1)) & (_S16));
+    var _S21 : u32 = first_1 + _S19 * side_0;
+    var _S22 : vec3<f32> = vec3<f32>((_S11 - _S14));
+    var _S23 : u32 = first_1 + (((_S19 + u32(1)) & (_S16))) * side_0;
+    return mix(mix(map_texel_0(_S21 + _S17), map_texel_0(_S21 + _S20), _S22), mix(map_texel_0(_S23 + _S17), map_texel_0(_S23 + _S20), _S22), vec3<f32>((_S13 - _S18)));
 }
 
 struct VisiblePoint_0
@@ -445,9 +433,9 @@ fn to_local_0( point_0 : VisiblePoint_0,  direction_0 : vec3<f32>) -> vec3<f32>
 
 fn scramble_0( value_0 : u32) -> u32
 {
-    var _S23 : u32 = value_0 * u32(747796405) + u32(2891336453);
-    var _S24 : u32 = ((((_S23 >> ((((_S23 >> (u32(28)))) + u32(4))))) ^ (_S23))) * u32(277803737);
-    return (((_S24 >> (u32(22)))) ^ (_S24));
+    var _S24 : u32 = value_0 * u32(747796405) + u32(2891336453);
+    var _S25 : u32 = ((((_S24 >> ((((_S24 >> (u32(28)))) + u32(4))))) ^ (_S24))) * u32(277803737);
+    return (((_S25 >> (u32(22)))) ^ (_S25));
 }
 
 fn hash_key_0( thread_0 : u32,  stream_0 : u32) -> u32
@@ -467,9 +455,9 @@ fn uniform_hash_0( thread_1 : u32,  cell_1 : u32,  stream_1 : u32) -> f32
 
 fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_1 : u32,  stream_2 : u32) -> vec2<f32>
 {
-    var _S25 : u32 = pixel_0.x;
-    var _S26 : u32 = pixel_0.y;
-    return fract(vec2<f32>(uniform_hash_0(_S25, _S26, stream_2), uniform_hash_0(_S25, _S26, stream_2 + u32(1))) + vec2<f32>(f32((index_1 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S26 : u32 = pixel_0.x;
+    var _S27 : u32 = pixel_0.y;
+    return fract(vec2<f32>(uniform_hash_0(_S26, _S27, stream_2), uniform_hash_0(_S26, _S27, stream_2 + u32(1))) + vec2<f32>(f32((index_1 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
 }
 
 fn scene_number_0( index_2 : u32) -> f32
@@ -496,22 +484,22 @@ fn choose_0( table_0 : u32,  count_1 : u32,  number_0 : f32) -> Choice_0
         {
             break;
         }
-        var _S27 : u32 = (low_0 + high_0) / u32(2);
-        if((scene_number_0(table_0 + _S27)) <= number_0)
+        var _S28 : u32 = (low_0 + high_0) / u32(2);
+        if((scene_number_0(table_0 + _S28)) <= number_0)
         {
-            low_0 = _S27;
+            low_0 = _S28;
         }
         else
         {
-            high_0 = _S27;
+            high_0 = _S28;
         }
     }
-    var _S28 : u32 = table_0 + low_0;
-    var _S29 : f32 = scene_number_0(_S28);
-    var _S30 : f32 = scene_number_0(_S28 + u32(1));
+    var _S29 : u32 = table_0 + low_0;
+    var _S30 : f32 = scene_number_0(_S29);
+    var _S31 : f32 = scene_number_0(_S29 + u32(1));
     var choice_0 : Choice_0;
     choice_0.index_3 = low_0;
-    choice_0.remainder_0 = saturate((number_0 - _S29) / max(_S30 - _S29, 9.999999960041972e-13f));
+    choice_0.remainder_0 = saturate((number_0 - _S30) / max(_S31 - _S30, 9.999999960041972e-13f));
     return choice_0;
 }
 
@@ -522,16 +510,16 @@ fn mean_0( colour_0 : vec3<f32>) -> f32
 
 fn sine_cosine_0( x_6 : f32) -> vec2<f32>
 {
-    var _S31 : f32 = floor(x_6 * 0.63661974668502808f + 0.5f);
-    var _S32 : f32 = x_6 - _S31 * 1.5703125f - _S31 * 0.00048375129699707f - _S31 * 7.54979012640433211e-08f;
-    var _S33 : f32 = _S32 * _S32;
-    var _S34 : f32 = ((-0.00019515295571182f * _S33 + 0.00833216123282909f) * _S33 - 0.16666655242443085f) * _S33 * _S32 + _S32;
-    var _S35 : f32 = ((0.00002443315679557f * _S33 - 0.00138873164542019f) * _S33 + 0.04166664555668831f) * _S33 * _S33 - 0.5f * _S33 + 1.0f;
-    var _S36 : u32 = (u32(i32(_S31)) & (u32(3)));
-    var _S37 : vec2<f32> = select_vector_0(((_S36 & (u32(1)))) != u32(0), vec2<f32>(_S35, _S34), vec2<f32>(_S34, _S35));
-    var _S38 : f32 = _S37.x;
-    var _S39 : f32 = _S37.y;
-    return vec2<f32>(select(_S38, - _S38, ((_S36 & (u32(2)))) != u32(0)), select(_S39, - _S39, (((_S36 + u32(1)) & (u32(2)))) != u32(0)));
+    var _S32 : f32 = floor(x_6 * 0.63661974668502808f + 0.5f);
+    var _S33 : f32 = x_6 - _S32 * 1.5703125f - _S32 * 0.00048375129699707f - _S32 * 7.54979012640433211e-08f;
+    var _S34 : f32 = _S33 * _S33;
+    var _S35 : f32 = ((-0.00019515295571182f * _S34 + 0.00833216123282909f) * _S34 - 0.16666655242443085f) * _S34 * _S33 + _S33;
+    var _S36 : f32 = ((0.00002443315679557f * _S34 - 0.00138873164542019f) * _S34 + 0.04166664555668831f) * _S34 * _S34 - 0.5f * _S34 + 1.0f;
+    var _S37 : u32 = (u32(i32(_S32)) & (u32(3)));
+    var _S38 : vec2<f32> = select_vector_0(((_S37 & (u32(1)))) != u32(0), vec2<f32>(_S36, _S35), vec2<f32>(_S35, _S36));
+    var _S39 : f32 = _S38.x;
+    var _S40 : f32 = _S38.y;
+    return vec2<f32>(select(_S39, - _S39, ((_S37 & (u32(2)))) != u32(0)), select(_S40, - _S40, (((_S37 + u32(1)) & (u32(2)))) != u32(0)));
 }
 
 struct Light_0
@@ -567,15 +555,15 @@ struct Footprint_0
 
 fn Footprint_spread_side_0( this_0 : Footprint_0) -> f32
 {
-    var _S40 : vec2<f32> = this_0.dx_0;
-    var _S41 : vec2<f32> = this_0.dy_0;
-    return sqrt(0.5f * (dot(_S40, _S40) + dot(_S41, _S41)));
+    var _S41 : vec2<f32> = this_0.dx_0;
+    var _S42 : vec2<f32> = this_0.dy_0;
+    return sqrt(0.5f * (dot(_S41, _S41) + dot(_S42, _S42)));
 }
 
 fn to_face_frame_0( direction_1 : vec3<f32>,  back_2 : bool) -> vec3<f32>
 {
-    var _S42 : f32 = direction_1.z;
-    return vec3<f32>(direction_1.xy, select(_S42, - _S42, back_2));
+    var _S43 : f32 = direction_1.z;
+    return vec3<f32>(direction_1.xy, select(_S43, - _S43, back_2));
 }
 
 struct SurfacePoint_0
@@ -594,18 +582,18 @@ struct SurfacePoint_0
 
 fn SurfacePoint_x24init_0( hole_1 : bool,  is_warp_1 : bool,  warp_thread_1 : u32,  weft_thread_1 : u32,  height_3 : f32,  normal_2 : vec3<f32>,  tangent_1 : vec3<f32>,  across_1 : f32,  fibre_across_1 : f32,  fibre_along_1 : f32) -> SurfacePoint_0
 {
-    var _S43 : SurfacePoint_0;
-    _S43.hole_0 = hole_1;
-    _S43.is_warp_0 = is_warp_1;
-    _S43.warp_thread_0 = warp_thread_1;
-    _S43.weft_thread_0 = weft_thread_1;
-    _S43.height_2 = height_3;
-    _S43.normal_1 = normal_2;
-    _S43.tangent_0 = tangent_1;
-    _S43.across_0 = across_1;
-    _S43.fibre_across_0 = fibre_across_1;
-    _S43.fibre_along_0 = fibre_along_1;
-    return _S43;
+    var _S44 : SurfacePoint_0;
+    _S44.hole_0 = hole_1;
+    _S44.is_warp_0 = is_warp_1;
+    _S44.warp_thread_0 = warp_thread_1;
+    _S44.weft_thread_0 = weft_thread_1;
+    _S44.height_2 = height_3;
+    _S44.normal_1 = normal_2;
+    _S44.tangent_0 = tangent_1;
+    _S44.across_0 = across_1;
+    _S44.fibre_across_0 = fibre_across_1;
+    _S44.fibre_along_0 = fibre_along_1;
+    return _S44;
 }
 
 struct Components_0
@@ -657,9 +645,9 @@ fn no_close_up_0() -> CloseUp_0
 {
     var nothing_2 : CloseUp_0;
     nothing_2.weight_0 = 0.0f;
-    var _S44 : Blocked_0 = no_blocked_0();
-    nothing_2.warp_1 = _S44;
-    nothing_2.weft_1 = _S44;
+    var _S45 : Blocked_0 = no_blocked_0();
+    nothing_2.warp_1 = _S45;
+    nothing_2.weft_1 = _S45;
     return nothing_2;
 }
 
@@ -673,20 +661,20 @@ struct SearchQuality_0
 
 fn quality_of_0( threads_0 : f32) -> SearchQuality_0
 {
-    var _S45 : f32 = clamp((-3.0f - binary_logarithm_0(max(threads_0, 9.99999971718068537e-10f))) / 2.0f, 0.0f, 1.0f);
+    var _S46 : f32 = clamp((-3.0f - binary_logarithm_0(max(threads_0, 9.99999971718068537e-10f))) / 2.0f, 0.0f, 1.0f);
     var quality_0 : SearchQuality_0;
-    var _S46 : f32 = mix(2.5f, 5.0f, _S45);
-    quality_0.steps_per_thread_0 = _S46;
-    quality_0.steps_per_relief_0 = _S46;
-    quality_0.shadow_share_0 = mix(1.60000002384185791f, 1.0f, _S45);
-    quality_0.refinements_0 = u32(mix(1.0f, 2.0f, _S45) + 0.5f);
+    var _S47 : f32 = mix(2.5f, 5.0f, _S46);
+    quality_0.steps_per_thread_0 = _S47;
+    quality_0.steps_per_relief_0 = _S47;
+    quality_0.shadow_share_0 = mix(1.60000002384185791f, 1.0f, _S46);
+    quality_0.refinements_0 = u32(mix(1.0f, 2.0f, _S46) + 0.5f);
     return quality_0;
 }
 
 fn turns_and_remainder_0( family_0 : u32,  index_4 : f32) -> vec2<f32>
 {
-    var _S47 : f32 = floor(fma(index_4, families_0[family_0].inverse_count_0, families_0[family_0].half_inverse_count_0));
-    return vec2<f32>(_S47, fma(- _S47, families_0[family_0].count_0, index_4));
+    var _S48 : f32 = floor(fma(index_4, families_0[family_0].inverse_count_0, families_0[family_0].half_inverse_count_0));
+    return vec2<f32>(_S48, fma(- _S48, families_0[family_0].count_0, index_4));
 }
 
 struct Cell_0
@@ -700,14 +688,14 @@ struct Cell_0
 
 fn locate_alike_0( family_1 : u32,  position_1 : f32) -> Cell_0
 {
-    var _S48 : f32 = floor(position_1 * families_0[family_1].inverse_size_0);
+    var _S49 : f32 = floor(position_1 * families_0[family_1].inverse_size_0);
     var cell_2 : Cell_0;
-    var _S49 : f32 = fma(- _S48, families_0[family_1].size_0, position_1);
-    cell_2.below_0 = _S49;
-    cell_2.above_0 = families_0[family_1].size_0 - _S49;
-    cell_2.across_2 = _S49 - 0.5f * families_0[family_1].size_0;
+    var _S50 : f32 = fma(- _S49, families_0[family_1].size_0, position_1);
+    cell_2.below_0 = _S50;
+    cell_2.above_0 = families_0[family_1].size_0 - _S50;
+    cell_2.across_2 = _S50 - 0.5f * families_0[family_1].size_0;
     cell_2.half_width_1 = families_0[family_1].half_width_0;
-    cell_2.thread_2 = u32(clamp(turns_and_remainder_0(family_1, _S48).y, 0.0f, families_0[family_1].count_0 - 1.0f));
+    cell_2.thread_2 = u32(clamp(turns_and_remainder_0(family_1, _S49).y, 0.0f, families_0[family_1].count_0 - 1.0f));
     return cell_2;
 }
 
@@ -720,16 +708,16 @@ fn locate_varied_0( family_2 : u32,  position_2 : f32) -> Cell_0
 {
     var turns_0 : f32 = (position_2 - families_0[family_2].start_0) * families_0[family_2].inverse_period_0;
     var turns_1 : f32 = turns_0 - floor(turns_0);
-    var _S50 : f32 = turns_1 * families_0[family_2].period_0;
+    var _S51 : f32 = turns_1 * families_0[family_2].period_0;
     var thread_3 : u32 = words_0[families_0[family_2].first_thread_table_0 + u32(clamp(turns_1 * families_0[family_2].bins_0, 0.0f, families_0[family_2].bins_0 - 1.0f))];
-    var _S51 : u32 = min(thread_3 + select(u32(0), u32(1), _S50 >= (table_number_0(families_0[family_2].place_table_0 + thread_3 * u32(4) + u32(1)))), u32(families_0[family_2].count_0) - u32(1));
-    var _S52 : u32 = families_0[family_2].place_table_0 + _S51 * u32(4);
+    var _S52 : u32 = min(thread_3 + select(u32(0), u32(1), _S51 >= (table_number_0(families_0[family_2].place_table_0 + thread_3 * u32(4) + u32(1)))), u32(families_0[family_2].count_0) - u32(1));
+    var _S53 : u32 = families_0[family_2].place_table_0 + _S52 * u32(4);
     var cell_3 : Cell_0;
-    cell_3.thread_2 = _S51;
-    cell_3.below_0 = _S50 - table_number_0(_S52);
-    cell_3.above_0 = table_number_0(_S52 + u32(1)) - _S50;
-    cell_3.across_2 = _S50 - table_number_0(_S52 + u32(2));
-    cell_3.half_width_1 = table_number_0(_S52 + u32(3));
+    cell_3.thread_2 = _S52;
+    cell_3.below_0 = _S51 - table_number_0(_S53);
+    cell_3.above_0 = table_number_0(_S53 + u32(1)) - _S51;
+    cell_3.across_2 = _S51 - table_number_0(_S53 + u32(2));
+    cell_3.half_width_1 = table_number_0(_S53 + u32(3));
     return cell_3;
 }
 
@@ -761,15 +749,15 @@ struct Crossing_0
 
 fn shown_at_0( crossing_0 : Crossing_0,  back_3 : bool) -> Shown_0
 {
-    var _S53 : bool = (abs(crossing_0.warp_2.across_2)) < (crossing_0.warp_2.half_width_1);
+    var _S54 : bool = (abs(crossing_0.warp_2.across_2)) < (crossing_0.warp_2.half_width_1);
     var shown_0 : Shown_0;
-    var _S54 : bool = !((abs(crossing_0.weft_2.across_2)) < (crossing_0.weft_2.half_width_1));
-    var _S55 : bool = (_S53 & (((_S54 | ((crossing_0.warp_above_0))))));
-    shown_0.is_warp_2 = _S55;
-    shown_0.hole_3 = ((!_S53) & (_S54));
-    var _S56 : u32 = select(crossing_0.weft_word_0, crossing_0.warp_word_0, _S55);
-    shown_0.word_0 = _S56;
-    shown_0.on_top_0 = (((_S56 & (u32(1)))) == u32(1)) != back_3;
+    var _S55 : bool = !((abs(crossing_0.weft_2.across_2)) < (crossing_0.weft_2.half_width_1));
+    var _S56 : bool = (_S54 & (((_S55 | ((crossing_0.warp_above_0))))));
+    shown_0.is_warp_2 = _S56;
+    shown_0.hole_3 = ((!_S54) & (_S55));
+    var _S57 : u32 = select(crossing_0.weft_word_0, crossing_0.warp_word_0, _S56);
+    shown_0.word_0 = _S57;
+    shown_0.on_top_0 = (((_S57 & (u32(1)))) == u32(1)) != back_3;
     return shown_0;
 }
 
@@ -786,8 +774,8 @@ fn select_cell_0( is_first_0 : bool,  first_3 : Cell_0,  second_0 : Cell_0) -> C
 
 fn boundary_0( family_4 : u32,  thread_4 : u32,  step_0 : i32) -> f32
 {
-    var _S57 : vec2<f32> = turns_and_remainder_0(family_4, f32(i32(thread_4) + step_0));
-    return fma(_S57.x, families_0[family_4].period_0, table_number_0(families_0[family_4].place_table_0 + u32(_S57.y) * u32(4)));
+    var _S58 : vec2<f32> = turns_and_remainder_0(family_4, f32(i32(thread_4) + step_0));
+    return fma(_S58.x, families_0[family_4].period_0, table_number_0(families_0[family_4].place_table_0 + u32(_S58.y) * u32(4)));
 }
 
 fn span_0( family_5 : u32,  thread_5 : u32,  first_4 : i32,  last_0 : i32) -> f32
@@ -808,11 +796,11 @@ struct Bend_0
 
 fn bend_of_0( family_6 : u32,  thread_6 : u32) -> Bend_0
 {
-    var _S58 : u32 = families_0[family_6].bend_table_0 + select(thread_6 * u32(4), u32(0), (families_0[family_6].is_alike_0) != u32(0));
+    var _S59 : u32 = families_0[family_6].bend_table_0 + select(thread_6 * u32(4), u32(0), (families_0[family_6].is_alike_0) != u32(0));
     var bend_0 : Bend_0;
-    bend_0.sine_0 = table_number_0(_S58);
-    bend_0.half_tangent_0 = table_number_0(_S58 + u32(1));
-    bend_0.arc_0 = table_number_0(_S58 + u32(2));
+    bend_0.sine_0 = table_number_0(_S59);
+    bend_0.half_tangent_0 = table_number_0(_S59 + u32(1));
+    bend_0.arc_0 = table_number_0(_S59 + u32(2));
     return bend_0;
 }
 
@@ -832,29 +820,29 @@ struct Run_0
 
 fn unpack_0( own_0 : u32,  other_0 : u32,  thread_7 : u32,  crossed_0 : Cell_0,  word_1 : u32) -> Run_0
 {
-    var _S59 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
-    var _S60 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
-    var _S61 : i32 = i32((((word_1 >> (u32(15)))) & (u32(63))));
-    var _S62 : i32 = i32((((word_1 >> (u32(21)))) & (u32(63))));
+    var _S60 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
+    var _S61 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
+    var _S62 : i32 = i32((((word_1 >> (u32(15)))) & (u32(63))));
+    var _S63 : i32 = i32((((word_1 >> (u32(21)))) & (u32(63))));
     var run_0 : Run_0;
-    var _S63 : bool = ((((word_1 >> (u32(27)))) & (u32(1)))) == u32(1);
-    run_0.straight_0 = _S63;
-    var _S64 : i32 = - _S59;
-    var _S65 : f32 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_2, _S64, i32(0));
-    run_0.from_start_0 = _S65;
-    var _S66 : i32 = _S60 + i32(1);
-    var _S67 : f32 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_2, i32(1), _S66);
-    run_0.to_end_0 = _S67;
-    var _S68 : bool = _S65 < _S67;
-    run_0.near_start_0 = _S68;
-    var _S69 : i32 = select(_S66, _S64 - _S61, _S68);
-    var _S70 : i32 = select(_S66 + _S62, _S64, _S68);
+    var _S64 : bool = ((((word_1 >> (u32(27)))) & (u32(1)))) == u32(1);
+    run_0.straight_0 = _S64;
+    var _S65 : i32 = - _S60;
+    var _S66 : f32 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_2, _S65, i32(0));
+    run_0.from_start_0 = _S66;
+    var _S67 : i32 = _S61 + i32(1);
+    var _S68 : f32 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_2, i32(1), _S67);
+    run_0.to_end_0 = _S68;
+    var _S69 : bool = _S66 < _S68;
+    run_0.near_start_0 = _S69;
+    var _S70 : i32 = select(_S67, _S65 - _S62, _S69);
+    var _S71 : i32 = select(_S67 + _S63, _S65, _S69);
     run_0.bend_1 = bend_of_0(own_0, thread_7);
-    run_0.distance_0 = select(min(_S65, _S67), 1.0e+06f, _S63);
-    run_0.reach_0 = min(0.5f * (_S65 + _S67), run_0.bend_1.arc_0);
-    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_2, _S69, _S70), run_0.bend_1.arc_0);
-    run_0.first_crossing_0 = _S59 == i32(0);
-    run_0.last_crossing_0 = _S60 == i32(0);
+    run_0.distance_0 = select(min(_S66, _S68), 1.0e+06f, _S64);
+    run_0.reach_0 = min(0.5f * (_S66 + _S68), run_0.bend_1.arc_0);
+    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_2, _S70, _S71), run_0.bend_1.arc_0);
+    run_0.first_crossing_0 = _S60 == i32(0);
+    run_0.last_crossing_0 = _S61 == i32(0);
     return run_0;
 }
 
@@ -867,14 +855,14 @@ struct Section_0
 
 fn section_at_0( cell_5 : Cell_0) -> Section_0
 {
-    var _S71 : f32 = cell_5.half_width_1 * 1.0154266357421875f;
+    var _S72 : f32 = cell_5.half_width_1 * 1.0154266357421875f;
     var section_0 : Section_0;
-    var _S72 : f32 = clamp(cell_5.across_2, - cell_5.half_width_1, cell_5.half_width_1);
-    section_0.across_3 = _S72;
-    var _S73 : f32 = _S71 * _S71 - square_1(_S72);
-    var _S74 : f32 = rsqrt_0(_S73);
-    section_0.drop_0 = _S71 - _S73 * _S74;
-    section_0.slope_0 = - _S72 * _S74;
+    var _S73 : f32 = clamp(cell_5.across_2, - cell_5.half_width_1, cell_5.half_width_1);
+    section_0.across_3 = _S73;
+    var _S74 : f32 = _S72 * _S72 - square_1(_S73);
+    var _S75 : f32 = rsqrt_0(_S74);
+    section_0.drop_0 = _S72 - _S74 * _S75;
+    section_0.slope_0 = - _S73 * _S75;
     return section_0;
 }
 
@@ -885,31 +873,31 @@ fn edge_drop_0( family_7 : u32,  thread_8 : u32,  step_1 : i32) -> f32
 
 fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_0) -> vec2<f32>
 {
-    var _S75 : bool = (crossed_1.below_0) < (crossed_1.above_0);
-    var _S76 : f32 = min(crossed_1.below_0, crossed_1.above_0);
-    var _S77 : f32 = select(crossed_1.above_0 + crossed_1.across_2, crossed_1.below_0 - crossed_1.across_2, _S75) - crossed_1.half_width_1;
-    var _S78 : bool = select(run_1.last_crossing_0, run_1.first_crossing_0, _S75);
-    var _S79 : f32;
-    if(shown_1.on_top_0)
-    {
-        _S79 = 0.0f;
-    }
-    else
-    {
-        _S79 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, i32(0));
-    }
+    var _S76 : bool = (crossed_1.below_0) < (crossed_1.above_0);
+    var _S77 : f32 = min(crossed_1.below_0, crossed_1.above_0);
+    var _S78 : f32 = select(crossed_1.above_0 + crossed_1.across_2, crossed_1.below_0 - crossed_1.across_2, _S76) - crossed_1.half_width_1;
+    var _S79 : bool = select(run_1.last_crossing_0, run_1.first_crossing_0, _S76);
     var _S80 : f32;
-    if((shown_1.on_top_0) != _S78)
+    if(shown_1.on_top_0)
     {
         _S80 = 0.0f;
     }
     else
     {
-        _S80 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, select(i32(1), i32(-1), _S75));
+        _S80 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, i32(0));
     }
-    var _S81 : f32 = 1.0f / max(2.0f * _S77, 9.999999960041972e-13f);
-    var _S82 : f32 = clamp((_S77 - _S76) * _S81, 0.0f, 1.0f);
-    return vec2<f32>(_S79 + (_S80 - _S79) * (_S82 * _S82 * (3.0f - 2.0f * _S82)), (_S79 - _S80) * (6.0f * _S82 * (1.0f - _S82) * _S81) * select(-1.0f, 1.0f, _S75));
+    var _S81 : f32;
+    if((shown_1.on_top_0) != _S79)
+    {
+        _S81 = 0.0f;
+    }
+    else
+    {
+        _S81 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, select(i32(1), i32(-1), _S76));
+    }
+    var _S82 : f32 = 1.0f / max(2.0f * _S78, 9.999999960041972e-13f);
+    var _S83 : f32 = clamp((_S78 - _S77) * _S82, 0.0f, 1.0f);
+    return vec2<f32>(_S80 + (_S81 - _S80) * (_S83 * _S83 * (3.0f - 2.0f * _S83)), (_S80 - _S81) * (6.0f * _S83 * (1.0f - _S83) * _S82) * select(-1.0f, 1.0f, _S76));
 }
 
 struct StepControl_0
@@ -927,12 +915,12 @@ fn step_control_0( direction_2 : vec2<f32>,  step_3 : f32) -> StepControl_0
     var control_0 : StepControl_0;
     control_0.step_2 = step_3;
     control_0.epsilon_0 = 0.00499999988824129f * step_3;
-    var _S83 : f32 = direction_2.x;
-    control_0.per_x_0 = 1.0f / max(abs(_S83), 9.99999971718068537e-10f);
-    var _S84 : f32 = direction_2.y;
-    control_0.per_y_0 = 1.0f / max(abs(_S84), 9.99999971718068537e-10f);
-    control_0.right_0 = _S83 > 0.0f;
-    control_0.up_0 = _S84 > 0.0f;
+    var _S84 : f32 = direction_2.x;
+    control_0.per_x_0 = 1.0f / max(abs(_S84), 9.99999971718068537e-10f);
+    var _S85 : f32 = direction_2.y;
+    control_0.per_y_0 = 1.0f / max(abs(_S85), 9.99999971718068537e-10f);
+    control_0.right_0 = _S84 > 0.0f;
+    control_0.up_0 = _S85 > 0.0f;
     return control_0;
 }
 
@@ -956,19 +944,19 @@ fn no_previous_sample_0() -> PreviousSample_0
 
 fn outline_distance_0( cell_6 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  lengthwise_0 : bool,  forwards_0 : bool) -> f32
 {
-    var _S85 : f32 = select(- cell_6.across_2, cell_6.across_2, forwards_0);
-    var _S86 : f32 = select(cell_6.below_0, cell_6.above_0, forwards_0);
-    var _S87 : f32 = - cell_6.half_width_1;
-    var _S88 : bool = _S85 < _S87;
-    var _S89 : bool = _S85 >= (cell_6.half_width_1);
-    var _S90 : bool = (((lengthwise_0 & ((!select(run_2.first_crossing_0, run_2.last_crossing_0, forwards_0))))) & ((!shown_2.hole_3)));
-    var _S91 : f32 = select(cell_6.half_width_1, _S87, _S88) - _S85;
-    var _S92 : f32 = select(_S86, 2.0f * _S86 + _S85 - cell_6.half_width_1, ((shown_2.hole_3) | (((_S90 & ((!shown_2.on_top_0)))))));
-    if((((_S90 & ((shown_2.on_top_0)))) & ((!((select(run_2.last_crossing_0, run_2.first_crossing_0, forwards_0) & (_S88)))))))
+    var _S86 : f32 = select(- cell_6.across_2, cell_6.across_2, forwards_0);
+    var _S87 : f32 = select(cell_6.below_0, cell_6.above_0, forwards_0);
+    var _S88 : f32 = - cell_6.half_width_1;
+    var _S89 : bool = _S86 < _S88;
+    var _S90 : bool = _S86 >= (cell_6.half_width_1);
+    var _S91 : bool = (((lengthwise_0 & ((!select(run_2.first_crossing_0, run_2.last_crossing_0, forwards_0))))) & ((!shown_2.hole_3)));
+    var _S92 : f32 = select(cell_6.half_width_1, _S88, _S89) - _S86;
+    var _S93 : f32 = select(_S87, 2.0f * _S87 + _S86 - cell_6.half_width_1, ((shown_2.hole_3) | (((_S91 & ((!shown_2.on_top_0)))))));
+    if((((_S91 & ((shown_2.on_top_0)))) & ((!((select(run_2.last_crossing_0, run_2.first_crossing_0, forwards_0) & (_S89)))))))
     {
         return select(run_2.from_start_0, run_2.to_end_0, forwards_0);
     }
-    return select(_S91, _S92, _S89);
+    return select(_S92, _S93, _S90);
 }
 
 struct Probe_0
@@ -987,21 +975,21 @@ struct Probe_0
 
 fn way_back_to_dip_0( previous_1 : PreviousSample_0,  clearance_1 : f32,  rate_1 : f32,  step_4 : f32,  here_0 : Probe_0) -> f32
 {
-    var _S93 : f32 = previous_1.rate_0 * step_4;
-    var _S94 : f32 = rate_1 * step_4;
+    var _S94 : f32 = previous_1.rate_0 * step_4;
+    var _S95 : f32 = rate_1 * step_4;
     if(((((((((!previous_1.known_0) | ((here_0.hole_4)))) | (((previous_1.yarn_0) != (here_0.yarn_1))))) | (((previous_1.rate_0) >= 0.0f)))) | ((rate_1 <= 0.0f))))
     {
         return -1.0f;
     }
-    if((((3.0f * previous_1.clearance_0 + _S93) >= 0.0f) & (((3.0f * clearance_1 - _S94) >= 0.0f))))
+    if((((3.0f * previous_1.clearance_0 + _S94) >= 0.0f) & (((3.0f * clearance_1 - _S95) >= 0.0f))))
     {
         return -1.0f;
     }
-    var _S95 : f32 = clearance_1 - previous_1.clearance_0;
-    var _S96 : f32 = 6.0f * _S95 - 4.0f * _S93 - 2.0f * _S94;
-    var _S97 : f32 = -2.0f * _S93 / max(_S96 + sqrt(max(_S96 * _S96 - 4.0f * (3.0f * (_S93 + _S94 - 2.0f * _S95)) * _S93, 0.0f)), 9.99999968265522539e-21f);
-    var _S98 : f32 = 1.0f - _S97;
-    return select(-1.0f, _S98 * step_4, ((((_S97 > 0.01999999955296516f) & ((_S98 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S97 + 1.0f) + _S93 * _S97) * _S98 * _S98 + (clearance_1 * (2.0f * _S98 + 1.0f) - _S94 * _S98) * _S97 * _S97) < 0.0f))));
+    var _S96 : f32 = clearance_1 - previous_1.clearance_0;
+    var _S97 : f32 = 6.0f * _S96 - 4.0f * _S94 - 2.0f * _S95;
+    var _S98 : f32 = -2.0f * _S94 / max(_S97 + sqrt(max(_S97 * _S97 - 4.0f * (3.0f * (_S94 + _S95 - 2.0f * _S96)) * _S94, 0.0f)), 9.99999968265522539e-21f);
+    var _S99 : f32 = 1.0f - _S98;
+    return select(-1.0f, _S99 * step_4, ((((_S98 > 0.01999999955296516f) & ((_S99 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S98 + 1.0f) + _S94 * _S98) * _S99 * _S99 + (clearance_1 * (2.0f * _S99 + 1.0f) - _S95 * _S99) * _S98 * _S98) < 0.0f))));
 }
 
 fn after_sample_0( clearance_2 : f32,  rate_2 : f32,  here_1 : Probe_0,  is_cell_exit_0 : bool) -> PreviousSample_0
@@ -1021,8 +1009,8 @@ fn StepControl_to_cell_exit_0( this_1 : StepControl_0,  side_x_1 : f32,  side_y_
 
 fn StepControl_to_next_sample_0( this_2 : StepControl_0,  here_2 : Probe_0,  clearance_3 : f32,  rate_3 : f32) -> f32
 {
-    var _S99 : f32 = min(here_2.edge_x_0 * this_2.per_x_0, here_2.edge_y_0 * this_2.per_y_0);
-    return min(this_2.step_2, select(max(_S99, 0.0f) + this_2.epsilon_0, _S99 - this_2.epsilon_0, ((((!here_2.hole_4) & (((rate_3 * _S99 + clearance_3) < 0.0f)))) & ((_S99 > (2.0f * this_2.epsilon_0))))));
+    var _S100 : f32 = min(here_2.edge_x_0 * this_2.per_x_0, here_2.edge_y_0 * this_2.per_y_0);
+    return min(this_2.step_2, select(max(_S100, 0.0f) + this_2.epsilon_0, _S100 - this_2.epsilon_0, ((((!here_2.hole_4) & (((rate_3 * _S100 + clearance_3) < 0.0f)))) & ((_S100 > (2.0f * this_2.epsilon_0))))));
 }
 
 struct ViewRay_0
@@ -1043,10 +1031,10 @@ fn ViewRay_rate_0( this_4 : ViewRay_0,  here_3 : Probe_0) -> f32
 
 fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 : f32) -> f32
 {
-    var _S100 : f32 = end_0 - start_1;
-    var _S101 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S100;
-    var _S102 : f32 = 3.0f * _S100 - 2.0f * start_rate_0 - end_rate_0;
-    var share_1 : f32 = start_1 / max(- _S100, 9.99999968265522539e-21f);
+    var _S101 : f32 = end_0 - start_1;
+    var _S102 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S101;
+    var _S103 : f32 = 3.0f * _S101 - 2.0f * start_rate_0 - end_rate_0;
+    var share_1 : f32 = start_1 / max(- _S101, 9.99999968265522539e-21f);
     var i_0 : i32 = i32(0);
     for(;;)
     {
@@ -1057,10 +1045,10 @@ fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 :
         {
             break;
         }
-        var _S103 : f32 = clamp(share_1 - (((_S101 * share_1 + _S102) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S101 * share_1 + 2.0f * _S102) * share_1 + start_rate_0, 0.10000000149011612f * _S100 - 9.99999968265522539e-21f), 0.0f, 1.0f);
-        var _S104 : i32 = i_0 + i32(1);
-        share_1 = _S103;
-        i_0 = _S104;
+        var _S104 : f32 = clamp(share_1 - (((_S102 * share_1 + _S103) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S102 * share_1 + 2.0f * _S103) * share_1 + start_rate_0, 0.10000000149011612f * _S101 - 9.99999968265522539e-21f), 0.0f, 1.0f);
+        var _S105 : i32 = i_0 + i32(1);
+        share_1 = _S104;
+        i_0 = _S105;
     }
     return share_1;
 }
@@ -1072,21 +1060,21 @@ fn between_0( above_1 : f32,  under_0 : f32,  above_gap_0 : f32,  under_gap_0 : 
 
 fn fibre_direction_0( across_slope_0 : f32,  along_slope_0 : f32,  sine_1 : f32,  cosine_0 : f32) -> vec2<f32>
 {
-    var _S105 : f32 = along_slope_0 * along_slope_0 + 1.0f;
-    var _S106 : f32 = rsqrt_0(_S105);
-    var _S107 : f32 = sine_1 * _S106 * rsqrt_0(_S105 + across_slope_0 * across_slope_0);
-    return vec2<f32>(- _S107 * _S105, _S107 * across_slope_0 * along_slope_0 + cosine_0 * _S106);
+    var _S106 : f32 = along_slope_0 * along_slope_0 + 1.0f;
+    var _S107 : f32 = rsqrt_0(_S106);
+    var _S108 : f32 = sine_1 * _S107 * rsqrt_0(_S106 + across_slope_0 * across_slope_0);
+    return vec2<f32>(- _S108 * _S106, _S108 * across_slope_0 * along_slope_0 + cosine_0 * _S107);
 }
 
 fn arc_sine_0( x_8 : f32) -> f32
 {
-    var _S108 : f32 = abs(x_8);
-    var _S109 : bool = _S108 > 0.5f;
-    var _S110 : f32 = select(_S108 * _S108, 0.5f * (1.0f - _S108), _S109);
-    var _S111 : f32 = select(_S108, sqrt(max(_S110, 0.0f)), _S109);
-    var _S112 : f32 = ((((0.04216320067644119f * _S110 + 0.02418131195008755f) * _S110 + 0.04547002539038658f) * _S110 + 0.07495300471782684f) * _S110 + 0.16666752099990845f) * _S110 * _S111 + _S111;
-    var _S113 : f32 = select(_S112, 1.57079637050628662f - 2.0f * _S112, _S109);
-    return select(_S113, - _S113, x_8 < 0.0f);
+    var _S109 : f32 = abs(x_8);
+    var _S110 : bool = _S109 > 0.5f;
+    var _S111 : f32 = select(_S109 * _S109, 0.5f * (1.0f - _S109), _S110);
+    var _S112 : f32 = select(_S109, sqrt(max(_S111, 0.0f)), _S110);
+    var _S113 : f32 = ((((0.04216320067644119f * _S111 + 0.02418131195008755f) * _S111 + 0.04547002539038658f) * _S111 + 0.07495300471782684f) * _S111 + 0.16666752099990845f) * _S111 * _S112 + _S112;
+    var _S114 : f32 = select(_S113, 1.57079637050628662f - 2.0f * _S113, _S110);
+    return select(_S114, - _S114, x_8 < 0.0f);
 }
 
 struct Hair_0
@@ -1098,11 +1086,11 @@ struct Hair_0
 
 fn Hair_x24init_0( cover_1 : f32,  normal_4 : vec3<f32>,  tangent_3 : vec3<f32>) -> Hair_0
 {
-    var _S114 : Hair_0;
-    _S114.cover_0 = cover_1;
-    _S114.normal_3 = normal_4;
-    _S114.tangent_2 = tangent_3;
-    return _S114;
+    var _S115 : Hair_0;
+    _S115.cover_0 = cover_1;
+    _S115.normal_3 = normal_4;
+    _S115.tangent_2 = tangent_3;
+    return _S115;
 }
 
 fn fade_0( size_1 : f32,  period_1 : f32) -> f32
@@ -1145,14 +1133,14 @@ fn albedos_of_0( family_8 : u32,  thread_9 : u32) -> Albedos_0
 
 fn fibre_cell_0( across_4 : f32,  along_0 : f32,  width_2 : f32) -> vec3<f32>
 {
-    var _S115 : f32 = floor(across_4 / width_2);
-    return vec3<f32>(_S115, along_0 / (width_2 * 40.0f) + 0.61799997091293335f * _S115, 2.0f * (across_4 / width_2 - _S115) - 1.0f);
+    var _S116 : f32 = floor(across_4 / width_2);
+    return vec3<f32>(_S116, along_0 / (width_2 * 40.0f) + 0.61799997091293335f * _S116, 2.0f * (across_4 / width_2 - _S116) - 1.0f);
 }
 
 fn ply_offset_0( family_9 : u32,  point_1 : SurfacePoint_0,  back_4 : bool) -> f32
 {
-    var _S116 : f32 = (point_1.fibre_across_0 * families_0[family_9].ply_cosine_0 + point_1.fibre_along_0 * select(families_0[family_9].ply_sine_0, - families_0[family_9].ply_sine_0, back_4)) * families_0[family_9].plies_per_mm_0;
-    return 2.0f * (_S116 - floor(_S116)) - 1.0f;
+    var _S117 : f32 = (point_1.fibre_across_0 * families_0[family_9].ply_cosine_0 + point_1.fibre_along_0 * select(families_0[family_9].ply_sine_0, - families_0[family_9].ply_sine_0, back_4)) * families_0[family_9].plies_per_mm_0;
+    return 2.0f * (_S117 - floor(_S117)) - 1.0f;
 }
 
 fn signed_noise_0( bits_1 : u32) -> f32
@@ -1167,22 +1155,22 @@ fn smooth_share_0( share_2 : f32) -> f32
 
 fn wave_noise_0( key_1 : u32,  position_4 : f32) -> vec2<f32>
 {
-    var _S117 : f32 = floor(position_4);
-    var _S118 : f32 = position_4 - _S117;
-    var _S119 : u32 = u32(i32(_S117));
-    var _S120 : f32 = signed_noise_0(hash_bits_0(key_1, _S119));
-    var _S121 : f32 = signed_noise_0(hash_bits_0(key_1, _S119 + u32(1)));
-    return vec2<f32>(mix(_S120, _S121, smooth_share_0(_S118)), 6.0f * _S118 * (1.0f - _S118) * (_S121 - _S120));
+    var _S118 : f32 = floor(position_4);
+    var _S119 : f32 = position_4 - _S118;
+    var _S120 : u32 = u32(i32(_S118));
+    var _S121 : f32 = signed_noise_0(hash_bits_0(key_1, _S120));
+    var _S122 : f32 = signed_noise_0(hash_bits_0(key_1, _S120 + u32(1)));
+    return vec2<f32>(mix(_S121, _S122, smooth_share_0(_S119)), 6.0f * _S119 * (1.0f - _S119) * (_S122 - _S121));
 }
 
 fn cell_noise_0( key_2 : u32,  cell_7 : vec3<f32>) -> vec2<f32>
 {
-    var _S122 : f32 = cell_7.y;
-    var _S123 : f32 = floor(_S122);
-    var _S124 : u32 = u32(i32(cell_7.x)) * u32(65536) + u32(i32(_S123));
-    var _S125 : u32 = hash_bits_0(key_2, _S124);
-    var _S126 : u32 = hash_bits_0(key_2, _S124 + u32(1));
-    return mix(vec2<f32>(signed_noise_0(_S125), signed_noise_0((_S125 >> (u32(16))))), vec2<f32>(signed_noise_0(_S126), signed_noise_0((_S126 >> (u32(16))))), vec2<f32>(smooth_share_0(_S122 - _S123)));
+    var _S123 : f32 = cell_7.y;
+    var _S124 : f32 = floor(_S123);
+    var _S125 : u32 = u32(i32(cell_7.x)) * u32(65536) + u32(i32(_S124));
+    var _S126 : u32 = hash_bits_0(key_2, _S125);
+    var _S127 : u32 = hash_bits_0(key_2, _S125 + u32(1));
+    return mix(vec2<f32>(signed_noise_0(_S126), signed_noise_0((_S126 >> (u32(16))))), vec2<f32>(signed_noise_0(_S127), signed_noise_0((_S127 >> (u32(16))))), vec2<f32>(smooth_share_0(_S123 - _S124)));
 }
 
 fn thread_gain_0( thread_10 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
@@ -1192,14 +1180,14 @@ fn thread_gain_0( thread_10 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
 
 fn bounded_gain_0( gain_1 : f32,  albedo_1 : vec3<f32>,  room_0 : vec3<f32>) -> f32
 {
-    var _S127 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
-    return min(gain_1, max(min(min(_S127.x, _S127.y), _S127.z), 0.0f));
+    var _S128 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
+    return min(gain_1, max(min(min(_S128.x, _S128.y), _S128.z), 0.0f));
 }
 
 fn flattened_0( largest_0 : f32,  albedo_2 : vec3<f32>,  room_1 : vec3<f32>) -> f32
 {
-    var _S128 : vec3<f32> = room_1 / max(albedo_2, vec3<f32>(9.99999997475242708e-07f)) - vec3<f32>(1.0f);
-    return min(max(min(min(_S128.x, _S128.y), _S128.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
+    var _S129 : vec3<f32> = room_1 / max(albedo_2, vec3<f32>(9.99999997475242708e-07f)) - vec3<f32>(1.0f);
+    return min(max(min(min(_S129.x, _S129.y), _S129.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
 }
 
 fn fibre_gain_0( thread_11 : u32,  cell_8 : u32,  amount_1 : f32,  seed_2 : u32) -> f32
@@ -1216,14 +1204,14 @@ struct YarnFrame_0
 
 fn under_hair_0( frame_0 : YarnFrame_0,  hair_0 : Hair_0) -> YarnFrame_0
 {
-    var _S129 : vec3<f32> = select_vector_1((dot(frame_0.tangent_4, hair_0.tangent_2)) < 0.0f, (vec3<f32>(0) - hair_0.tangent_2), hair_0.tangent_2);
+    var _S130 : vec3<f32> = select_vector_1((dot(frame_0.tangent_4, hair_0.tangent_2)) < 0.0f, (vec3<f32>(0) - hair_0.tangent_2), hair_0.tangent_2);
     var blended_0 : YarnFrame_0;
-    var _S130 : vec3<f32> = vec3<f32>(hair_0.cover_0);
-    var _S131 : vec3<f32> = normalize(mix(frame_0.normal_5, hair_0.normal_3, _S130));
-    blended_0.normal_5 = _S131;
-    var _S132 : vec3<f32> = mix(frame_0.tangent_4, _S129, _S130);
-    var _S133 : vec3<f32> = _S132 - vec3<f32>(dot(_S132, _S131)) * _S131;
-    blended_0.tangent_4 = _S133 * vec3<f32>(rsqrt_0(max(dot(_S133, _S133), 9.999999960041972e-13f)));
+    var _S131 : vec3<f32> = vec3<f32>(hair_0.cover_0);
+    var _S132 : vec3<f32> = normalize(mix(frame_0.normal_5, hair_0.normal_3, _S131));
+    blended_0.normal_5 = _S132;
+    var _S133 : vec3<f32> = mix(frame_0.tangent_4, _S130, _S131);
+    var _S134 : vec3<f32> = _S133 - vec3<f32>(dot(_S133, _S132)) * _S132;
+    blended_0.tangent_4 = _S134 * vec3<f32>(rsqrt_0(max(dot(_S134, _S134), 9.999999960041972e-13f)));
     blended_0.loss_0 = frame_0.loss_0 * (1.0f - hair_0.cover_0);
     return blended_0;
 }
@@ -1235,18 +1223,18 @@ fn diffuse_gain_0( frame_1 : YarnFrame_0,  blend_0 : f32) -> f32
 
 fn diffuse_reflection_0( light_1 : vec3<f32>,  normal_6 : vec3<f32>,  blend_1 : f32) -> f32
 {
-    var _S134 : f32 = light_1.z;
-    if(_S134 <= 0.0f)
+    var _S135 : f32 = light_1.z;
+    if(_S135 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * mix(max(_S134, 0.0f), max(dot(light_1, normal_6), 0.0f), blend_1);
+    return 0.31830987334251404f * mix(max(_S135, 0.0f), max(dot(light_1, normal_6), 0.0f), blend_1);
 }
 
 fn projected_area_1( direction_3 : vec3<f32>,  tangent_5 : vec3<f32>,  roughness_1 : f32) -> f32
 {
-    var _S135 : f32 = dot(direction_3, tangent_5);
-    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S135 * _S135 + 1.0f, roughness_1 * roughness_1));
+    var _S136 : f32 = dot(direction_3, tangent_5);
+    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S136 * _S136 + 1.0f, roughness_1 * roughness_1));
 }
 
 fn mean_attenuation_0( depth_0 : f32) -> f32
@@ -1260,45 +1248,45 @@ fn mean_attenuation_0( depth_0 : f32) -> f32
 
 fn flake_density_0( squared_along_0 : f32,  roughness_2 : f32) -> f32
 {
-    var _S136 : f32 = roughness_2 * roughness_2;
-    var _S137 : f32 = squared_along_0 * (1.0f - _S136) + _S136;
-    return 0.31830987334251404f * _S136 * roughness_2 / (_S137 * _S137);
+    var _S137 : f32 = roughness_2 * roughness_2;
+    var _S138 : f32 = squared_along_0 * (1.0f - _S137) + _S137;
+    return 0.31830987334251404f * _S137 * roughness_2 / (_S138 * _S138);
 }
 
 fn density_between_0( light_2 : vec3<f32>,  view_1 : vec3<f32>,  tangent_6 : vec3<f32>,  roughness_3 : f32) -> f32
 {
-    var _S138 : vec3<f32> = light_2 + view_1;
-    var _S139 : f32 = dot(_S138, tangent_6);
-    return flake_density_0(min(_S139 * _S139 / max(square_0(_S138), 9.999999960041972e-13f), 1.0f), roughness_3);
+    var _S139 : vec3<f32> = light_2 + view_1;
+    var _S140 : f32 = dot(_S139, tangent_6);
+    return flake_density_0(min(_S140 * _S140 / max(square_0(_S139), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
 fn transmission_1( light_3 : vec3<f32>,  view_2 : vec3<f32>,  normal_7 : vec3<f32>,  tangent_7 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
 {
-    var _S140 : f32 = - dot(light_3, normal_7);
-    var _S141 : f32 = dot(view_2, normal_7);
-    if(((_S140 <= 0.0f) | ((_S141 <= 0.0f))))
+    var _S141 : f32 = - dot(light_3, normal_7);
+    var _S142 : f32 = dot(view_2, normal_7);
+    if(((_S141 <= 0.0f) | ((_S142 <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S142 : f32 = 1.0f / max(_S141, 9.99999997475242708e-07f);
-    var _S143 : f32 = projected_area_1(light_3, tangent_7, roughness_4) / max(_S140, 9.99999997475242708e-07f);
-    var _S144 : f32 = projected_area_1(view_2, tangent_7, roughness_4) * _S142;
-    return density_between_0(light_3, view_2, tangent_7, roughness_4) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S143, _S144)) * mean_attenuation_0(optical_depth_1 * abs(_S143 - _S144)) * _S142;
+    var _S143 : f32 = 1.0f / max(_S142, 9.99999997475242708e-07f);
+    var _S144 : f32 = projected_area_1(light_3, tangent_7, roughness_4) / max(_S141, 9.99999997475242708e-07f);
+    var _S145 : f32 = projected_area_1(view_2, tangent_7, roughness_4) * _S143;
+    return density_between_0(light_3, view_2, tangent_7, roughness_4) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S144, _S145)) * mean_attenuation_0(optical_depth_1 * abs(_S144 - _S145)) * _S143;
 }
 
 fn reflection_0( light_4 : vec3<f32>,  view_3 : vec3<f32>,  normal_8 : vec3<f32>,  tangent_8 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
 {
-    var _S145 : f32 = dot(light_4, normal_8);
-    var _S146 : f32 = dot(view_3, normal_8);
-    if(((_S145 <= 0.0f) | ((_S146 <= 0.0f))))
+    var _S146 : f32 = dot(light_4, normal_8);
+    var _S147 : f32 = dot(view_3, normal_8);
+    if(((_S146 <= 0.0f) | ((_S147 <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S147 : f32 = max(_S145, 9.99999997475242708e-07f);
     var _S148 : f32 = max(_S146, 9.99999997475242708e-07f);
-    var _S149 : f32 = projected_area_1(light_4, tangent_8, roughness_5) * _S148 + projected_area_1(view_3, tangent_8, roughness_5) * _S147;
-    var _S150 : f32 = optical_depth_2 * _S149 / (_S147 * _S148);
-    return 0.25f * density_between_0(light_4, view_3, tangent_8, roughness_5) * (_S150 * mean_attenuation_0(_S150)) * _S147 / _S149;
+    var _S149 : f32 = max(_S147, 9.99999997475242708e-07f);
+    var _S150 : f32 = projected_area_1(light_4, tangent_8, roughness_5) * _S149 + projected_area_1(view_3, tangent_8, roughness_5) * _S148;
+    var _S151 : f32 = optical_depth_2 * _S150 / (_S148 * _S149);
+    return 0.25f * density_between_0(light_4, view_3, tangent_8, roughness_5) * (_S151 * mean_attenuation_0(_S151)) * _S148 / _S150;
 }
 
 fn with_added_0( sums_1 : Components_0,  more_0 : Components_0,  weight_1 : f32) -> Components_0
@@ -1339,10 +1327,10 @@ fn arc_tangent_of_ratio_0( ratio_0 : f32) -> f32
 
 fn arc_tangent_0( y_3 : f32,  x_10 : f32) -> f32
 {
-    var _S151 : f32 = abs(x_10);
-    var _S152 : f32 = abs(y_3);
-    var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S151, _S152) / max(max(_S151, _S152), 1.00000000317107685e-30f));
-    var angle_1 : f32 = select(angle_0, 1.57079637050628662f - angle_0, _S152 > _S151);
+    var _S152 : f32 = abs(x_10);
+    var _S153 : f32 = abs(y_3);
+    var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S152, _S153) / max(max(_S152, _S153), 1.00000000317107685e-30f));
+    var angle_1 : f32 = select(angle_0, 1.57079637050628662f - angle_0, _S153 > _S152);
     var angle_2 : f32 = select(angle_1, 3.14159274101257324f - angle_1, x_10 < 0.0f);
     return select(angle_2, - angle_2, y_3 < 0.0f);
 }
@@ -1356,45 +1344,45 @@ struct NodeTaps_0
 
 fn node_taps_of_0( direction_4 : vec3<f32>,  azimuths_0 : u32) -> NodeTaps_0
 {
-    var _S153 : f32 = arc_tangent_0(direction_4.y, direction_4.x) * (0.5f * f32(azimuths_0) * 0.31830987334251404f);
-    var _S154 : f32 = floor(_S153);
-    var _S155 : f32 = _S153 - _S154;
-    var _S156 : f32 = sqrt(clamp((1.0f - abs(direction_4.z)) / 0.97000002861022949f, 0.0f, 1.0f));
-    var _S157 : f32 = 7.0f * _S156 * sqrt(_S156);
-    var _S158 : f32 = min(floor(_S157), 6.0f);
-    var _S159 : f32 = _S157 - _S158;
-    var _S160 : u32 = u32(i32(_S154) + i32(azimuths_0)) % azimuths_0;
-    var _S161 : u32 = u32(_S158);
-    var _S162 : u32 = _S160 * u32(8) + _S161;
-    var _S163 : u32 = (_S160 + u32(1)) % azimuths_0;
-    var _S164 : u32 = _S163 * u32(8) + _S161;
+    var _S154 : f32 = arc_tangent_0(direction_4.y, direction_4.x) * (0.5f * f32(azimuths_0) * 0.31830987334251404f);
+    var _S155 : f32 = floor(_S154);
+    var _S156 : f32 = _S154 - _S155;
+    var _S157 : f32 = sqrt(clamp((1.0f - abs(direction_4.z)) / 0.97000002861022949f, 0.0f, 1.0f));
+    var _S158 : f32 = 7.0f * _S157 * sqrt(_S157);
+    var _S159 : f32 = min(floor(_S158), 6.0f);
+    var _S160 : f32 = _S158 - _S159;
+    var _S161 : u32 = u32(i32(_S155) + i32(azimuths_0)) % azimuths_0;
+    var _S162 : u32 = u32(_S159);
+    var _S163 : u32 = _S161 * u32(8) + _S162;
+    var _S164 : u32 = (_S161 + u32(1)) % azimuths_0;
+    var _S165 : u32 = _S164 * u32(8) + _S162;
     var taps_0 : NodeTaps_0;
-    taps_0.nodes_0 = vec4<u32>(_S162, _S162 + u32(1), _S164, _S164 + u32(1));
-    var _S165 : f32 = 1.0f - _S155;
-    var _S166 : f32 = 1.0f - _S159;
-    var _S167 : vec4<u32> = vec4<u32>(vec4<f32>(_S165 * _S166, _S165 * _S159, _S155 * _S166, _S155 * _S159) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
-    taps_0.weights_0 = _S167;
-    taps_0.inverse_sum_0 = 1.0f / f32(_S167.x + _S167.y + _S167.z + _S167.w);
+    taps_0.nodes_0 = vec4<u32>(_S163, _S163 + u32(1), _S165, _S165 + u32(1));
+    var _S166 : f32 = 1.0f - _S156;
+    var _S167 : f32 = 1.0f - _S160;
+    var _S168 : vec4<u32> = vec4<u32>(vec4<f32>(_S166 * _S167, _S166 * _S160, _S156 * _S167, _S156 * _S160) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
+    taps_0.weights_0 = _S168;
+    taps_0.inverse_sum_0 = 1.0f / f32(_S168.x + _S168.y + _S168.z + _S168.w);
     return taps_0;
 }
 
 fn node_taps_0( direction_5 : vec3<f32>) -> NodeTaps_0
 {
-    var _S168 : NodeTaps_0 = node_taps_of_0(direction_5, u32(32));
-    return _S168;
+    var _S169 : NodeTaps_0 = node_taps_of_0(direction_5, u32(32));
+    return _S169;
 }
 
 fn half_vector_0( light_5 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S169 : vec3<f32> = light_5 + view_4;
-    return _S169 * vec3<f32>(rsqrt_0(max(square_0(_S169), 9.999999960041972e-13f)));
+    var _S170 : vec3<f32> = light_5 + view_4;
+    return _S170 * vec3<f32>(rsqrt_0(max(square_0(_S170), 9.999999960041972e-13f)));
 }
 
 fn joint_terms_0( taps_1 : NodeTaps_0,  table_1 : u32,  ratio_1 : u32) -> vec4<f32>
 {
-    var _S170 : vec4<f32> = vec4<f32>(0.0f);
+    var _S171 : vec4<f32> = vec4<f32>(0.0f);
     var i_1 : u32 = u32(0);
-    var sums_2 : vec4<f32> = _S170;
+    var sums_2 : vec4<f32> = _S171;
     for(;;)
     {
         if(i_1 < u32(4))
@@ -1404,9 +1392,9 @@ fn joint_terms_0( taps_1 : NodeTaps_0,  table_1 : u32,  ratio_1 : u32) -> vec4<f
         {
             break;
         }
-        var _S171 : u32 = table_1 + u32(4) * taps_1.nodes_0[i_1] + u32(2) * ratio_1;
-        var _S172 : vec2<u32> = vec2<u32>(words_0[_S171], words_0[_S171 + u32(1)]);
-        var sums_3 : vec4<f32> = sums_2 + vec4<f32>(((vec4<i32>(vec2<i32>((_S172 << (vec2<u32>(u32(16))))), vec2<i32>(_S172)).xzyw) >> (vec4<u32>(u32(16))))) * vec4<f32>(f32(taps_1.weights_0[i_1]));
+        var _S172 : u32 = table_1 + u32(4) * taps_1.nodes_0[i_1] + u32(2) * ratio_1;
+        var _S173 : vec2<u32> = vec2<u32>(words_0[_S172], words_0[_S172 + u32(1)]);
+        var sums_3 : vec4<f32> = sums_2 + vec4<f32>(((vec4<i32>(vec2<i32>((_S173 << (vec2<u32>(u32(16))))), vec2<i32>(_S173)).xzyw) >> (vec4<u32>(u32(16))))) * vec4<f32>(f32(taps_1.weights_0[i_1]));
         i_1 = i_1 + u32(1);
         sums_2 = sums_3;
     }
@@ -1420,16 +1408,16 @@ fn bytes_of_sums_0( even_0 : u32,  odd_0 : u32) -> vec4<f32>
 
 fn interpolate_0( taps_2 : NodeTaps_0,  packs_1 : vec4<u32>) -> vec4<f32>
 {
-    var _S173 : vec4<u32> = vec4<u32>(u32(16711935));
-    var _S174 : vec4<u32> = ((packs_1 & (_S173))) * taps_2.weights_0;
-    var _S175 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S173))) * taps_2.weights_0;
-    return bytes_of_sums_0(_S174.x + _S174.y + _S174.z + _S174.w, _S175.x + _S175.y + _S175.z + _S175.w) * vec4<f32>(taps_2.inverse_sum_0);
+    var _S174 : vec4<u32> = vec4<u32>(u32(16711935));
+    var _S175 : vec4<u32> = ((packs_1 & (_S174))) * taps_2.weights_0;
+    var _S176 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S174))) * taps_2.weights_0;
+    return bytes_of_sums_0(_S175.x + _S175.y + _S175.z + _S175.w, _S176.x + _S176.y + _S176.z + _S176.w) * vec4<f32>(taps_2.inverse_sum_0);
 }
 
 fn interpolate_table_0( taps_3 : NodeTaps_0,  table_2 : u32,  stride_0 : u32) -> vec4<f32>
 {
-    var _S176 : vec4<u32> = vec4<u32>(table_2) + taps_3.nodes_0 * vec4<u32>(stride_0);
-    return interpolate_0(taps_3, vec4<u32>(words_0[_S176.x], words_0[_S176.y], words_0[_S176.z], words_0[_S176.w]));
+    var _S177 : vec4<u32> = vec4<u32>(table_2) + taps_3.nodes_0 * vec4<u32>(stride_0);
+    return interpolate_0(taps_3, vec4<u32>(words_0[_S177.x], words_0[_S177.y], words_0[_S177.z], words_0[_S177.w]));
 }
 
 struct Group_0
@@ -1447,11 +1435,11 @@ fn group_at_0( row_1 : u32,  roughness_7 : f32) -> Group_0
     var group_0 : Group_0;
     group_0.normal_9 = vec3<f32>(table_number_0(row_1), table_number_0(row_1 + u32(1)), table_number_0(row_1 + u32(2)));
     group_0.weight_2 = table_number_0(row_1 + u32(3));
-    var _S177 : vec3<f32> = vec3<f32>(table_number_0(row_1 + u32(4)), table_number_0(row_1 + u32(5)), table_number_0(row_1 + u32(6)));
-    group_0.tangent_9 = _S177;
-    var _S178 : f32 = table_number_0(row_1 + u32(7));
-    var _S179 : f32 = table_number_0(row_1 + u32(8));
-    group_0.variance_0 = vec3<f32>(_S178, _S179, 1.0f - square_0(_S177) - _S178 - _S179);
+    var _S178 : vec3<f32> = vec3<f32>(table_number_0(row_1 + u32(4)), table_number_0(row_1 + u32(5)), table_number_0(row_1 + u32(6)));
+    group_0.tangent_9 = _S178;
+    var _S179 : f32 = table_number_0(row_1 + u32(7));
+    var _S180 : f32 = table_number_0(row_1 + u32(8));
+    group_0.variance_0 = vec3<f32>(_S179, _S180, 1.0f - square_0(_S178) - _S179 - _S180);
     group_0.covariance_0 = vec3<f32>(table_number_0(row_1 + u32(9)), table_number_0(row_1 + u32(10)), table_number_0(row_1 + u32(11)));
     group_0.roughness_6 = roughness_7;
     return group_0;
@@ -1459,42 +1447,42 @@ fn group_at_0( row_1 : u32,  roughness_7 : f32) -> Group_0
 
 fn Group_variance_along_0( this_5 : Group_0,  direction_6 : vec3<f32>) -> f32
 {
-    var _S180 : f32 = direction_6.x;
-    var _S181 : f32 = direction_6.y;
-    var _S182 : f32 = direction_6.z;
-    return max(dot(this_5.variance_0, direction_6 * direction_6) + 2.0f * dot(this_5.covariance_0, vec3<f32>(_S180 * _S181, _S180 * _S182, _S181 * _S182)), 0.0f);
+    var _S181 : f32 = direction_6.x;
+    var _S182 : f32 = direction_6.y;
+    var _S183 : f32 = direction_6.z;
+    return max(dot(this_5.variance_0, direction_6 * direction_6) + 2.0f * dot(this_5.covariance_0, vec3<f32>(_S181 * _S182, _S181 * _S183, _S182 * _S183)), 0.0f);
 }
 
 fn mean_area_0( group_1 : Group_0,  direction_7 : vec3<f32>) -> f32
 {
-    var _S183 : f32 = dot(direction_7, group_1.tangent_9);
-    var _S184 : f32 = group_1.roughness_6;
-    var _S185 : f32 = _S184 * _S184;
-    return sqrt(max((_S185 - 1.0f) * (_S183 * _S183 + Group_variance_along_0(group_1, direction_7)) + 1.0f, _S185));
+    var _S184 : f32 = dot(direction_7, group_1.tangent_9);
+    var _S185 : f32 = group_1.roughness_6;
+    var _S186 : f32 = _S185 * _S185;
+    return sqrt(max((_S186 - 1.0f) * (_S184 * _S184 + Group_variance_along_0(group_1, direction_7)) + 1.0f, _S186));
 }
 
 fn mean_density_0( group_2 : Group_0,  half_0 : vec3<f32>) -> f32
 {
-    var _S186 : f32 = group_2.roughness_6;
-    var _S187 : f32 = max(sqrt(max(1.0f - _S186 * _S186, 0.0f)) / group_2.roughness_6, 0.00100000004749745f);
-    var _S188 : f32 = max(sqrt(3.0f * Group_variance_along_0(group_2, half_0)), group_2.roughness_6 * 0.01999999955296516f + 0.00009999999747379f);
-    var _S189 : f32 = dot(half_0, group_2.tangent_9);
-    var _S190 : f32 = _S187 * (_S189 - _S188);
-    var _S191 : f32 = _S187 * (_S189 + _S188);
-    var _S192 : f32 = _S190 * _S191;
-    var _S193 : f32 = 2.0f * _S188 * _S187;
-    return 0.15915493667125702f / group_2.roughness_6 * ((1.0f - _S192) / ((_S190 * _S190 + 1.0f) * (_S191 * _S191 + 1.0f)) + arc_tangent_0(_S193, 1.0f + _S192) / _S193);
+    var _S187 : f32 = group_2.roughness_6;
+    var _S188 : f32 = max(sqrt(max(1.0f - _S187 * _S187, 0.0f)) / group_2.roughness_6, 0.00100000004749745f);
+    var _S189 : f32 = max(sqrt(3.0f * Group_variance_along_0(group_2, half_0)), group_2.roughness_6 * 0.01999999955296516f + 0.00009999999747379f);
+    var _S190 : f32 = dot(half_0, group_2.tangent_9);
+    var _S191 : f32 = _S188 * (_S190 - _S189);
+    var _S192 : f32 = _S188 * (_S190 + _S189);
+    var _S193 : f32 = _S191 * _S192;
+    var _S194 : f32 = 2.0f * _S189 * _S188;
+    return 0.15915493667125702f / group_2.roughness_6 * ((1.0f - _S193) / ((_S191 * _S191 + 1.0f) * (_S192 * _S192 + 1.0f)) + arc_tangent_0(_S194, 1.0f + _S193) / _S194);
 }
 
 fn layer_value_0( group_3 : Group_0,  half_1 : vec3<f32>,  light_6 : vec3<f32>,  view_5 : vec3<f32>,  optical_depth_3 : f32) -> f32
 {
-    var _S194 : bool = (light_6.z) < 0.0f;
-    var _S195 : f32 = dot(light_6, group_3.normal_9);
-    var _S196 : f32 = max(dot(view_5, group_3.normal_9), 0.01999999955296516f);
-    var _S197 : f32 = mean_area_0(group_3, light_6) / max(select(_S195, - _S195, _S194), 0.01999999955296516f);
-    var _S198 : f32 = mean_area_0(group_3, view_5) / _S196;
-    var _S199 : f32 = optical_depth_3 * max(select(_S197 + _S198, abs(_S197 - _S198), _S194), 0.00100000004749745f);
-    return 0.25f * mean_density_0(group_3, half_1) * select(1.0f - 0.34999999403953552f * (1.0f - square_0(group_3.normal_9)), 1.0f, _S194) * (optical_depth_3 * select(1.0f, exponential_0(- optical_depth_3 * min(_S197, _S198)), _S194) * (1.0f - exponential_0(- _S199)) / _S199 / _S196);
+    var _S195 : bool = (light_6.z) < 0.0f;
+    var _S196 : f32 = dot(light_6, group_3.normal_9);
+    var _S197 : f32 = max(dot(view_5, group_3.normal_9), 0.01999999955296516f);
+    var _S198 : f32 = mean_area_0(group_3, light_6) / max(select(_S196, - _S196, _S195), 0.01999999955296516f);
+    var _S199 : f32 = mean_area_0(group_3, view_5) / _S197;
+    var _S200 : f32 = optical_depth_3 * max(select(_S198 + _S199, abs(_S198 - _S199), _S195), 0.00100000004749745f);
+    return 0.25f * mean_density_0(group_3, half_1) * select(1.0f - 0.34999999403953552f * (1.0f - square_0(group_3.normal_9)), 1.0f, _S195) * (optical_depth_3 * select(1.0f, exponential_0(- optical_depth_3 * min(_S198, _S199)), _S195) * (1.0f - exponential_0(- _S200)) / _S200 / _S197);
 }
 
 struct Bound_0
@@ -1509,16 +1497,16 @@ struct Bound_0
 
 fn bound_at_0( family_10 : u32,  position_6 : f32) -> Bound_0
 {
-    var _S200 : Cell_0 = locate_0(family_10, position_6);
-    var _S201 : f32 = table_number_0(families_0[family_10].before_0 + u32(2) * _S200.thread_2 + u32(1));
+    var _S201 : Cell_0 = locate_0(family_10, position_6);
+    var _S202 : f32 = table_number_0(families_0[family_10].before_0 + u32(2) * _S201.thread_2 + u32(1));
     var bound_0 : Bound_0;
-    bound_0.thread_12 = _S200.thread_2;
-    bound_0.turns_2 = round((position_6 - families_0[family_10].start_0 - _S201 - _S200.below_0) * families_0[family_10].inverse_period_0);
-    bound_0.cell_9 = _S200.below_0;
-    var _S202 : f32 = 2.0f * _S200.half_width_1;
-    bound_0.width_3 = _S202;
-    bound_0.visible_0 = clamp((_S200.across_2 + _S200.half_width_1) / _S202, 0.0f, 1.0f);
-    bound_0.gap_0 = min(_S200.below_0, _S200.below_0 - _S200.across_2 - _S200.half_width_1) + max(_S200.across_2 - _S200.half_width_1, 0.0f);
+    bound_0.thread_12 = _S201.thread_2;
+    bound_0.turns_2 = round((position_6 - families_0[family_10].start_0 - _S202 - _S201.below_0) * families_0[family_10].inverse_period_0);
+    bound_0.cell_9 = _S201.below_0;
+    var _S203 : f32 = 2.0f * _S201.half_width_1;
+    bound_0.width_3 = _S203;
+    bound_0.visible_0 = clamp((_S201.across_2 + _S201.half_width_1) / _S203, 0.0f, 1.0f);
+    bound_0.gap_0 = min(_S201.below_0, _S201.below_0 - _S201.across_2 - _S201.half_width_1) + max(_S201.across_2 - _S201.half_width_1, 0.0f);
     return bound_0;
 }
 
@@ -1530,11 +1518,11 @@ struct Stretch_0
 
 fn stretch_of_0( family_11 : u32,  centre_1 : f32,  size_2 : f32) -> Stretch_0
 {
-    var _S203 : f32 = centre_1 - floor((centre_1 - families_0[family_11].start_0) * families_0[family_11].inverse_period_0) * families_0[family_11].period_0;
-    var _S204 : f32 = 0.5f * max(size_2, families_0[family_11].smallest_box_0);
+    var _S204 : f32 = centre_1 - floor((centre_1 - families_0[family_11].start_0) * families_0[family_11].inverse_period_0) * families_0[family_11].period_0;
+    var _S205 : f32 = 0.5f * max(size_2, families_0[family_11].smallest_box_0);
     var stretch_0 : Stretch_0;
-    stretch_0.low_1 = bound_at_0(family_11, _S203 - _S204);
-    stretch_0.high_1 = bound_at_0(family_11, _S203 + _S204);
+    stretch_0.low_1 = bound_at_0(family_11, _S204 - _S205);
+    stretch_0.high_1 = bound_at_0(family_11, _S204 + _S205);
     return stretch_0;
 }
 
@@ -1545,25 +1533,25 @@ fn Stretch_turns_0( this_6 : Stretch_0) -> f32
 
 fn lengths_0( family_12 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
 {
-    var _S205 : f32 = Stretch_turns_0(stretch_1);
-    var _S206 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.low_1.thread_12;
-    var _S207 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.high_1.thread_12;
-    var _S208 : f32 = table_number_0(_S207) - table_number_0(_S206);
-    var _S209 : f32 = table_number_0(_S207 + u32(1)) - table_number_0(_S206 + u32(1));
-    return vec3<f32>(_S208 + stretch_1.high_1.visible_0 * stretch_1.high_1.width_3 - stretch_1.low_1.visible_0 * stretch_1.low_1.width_3 + _S205 * families_0[family_12].visible_total_0, _S209 - _S208 + stretch_1.high_1.gap_0 - stretch_1.low_1.gap_0 + _S205 * (families_0[family_12].period_0 - families_0[family_12].visible_total_0), _S209 + stretch_1.high_1.cell_9 - stretch_1.low_1.cell_9 + _S205 * families_0[family_12].period_0);
+    var _S206 : f32 = Stretch_turns_0(stretch_1);
+    var _S207 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.low_1.thread_12;
+    var _S208 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.high_1.thread_12;
+    var _S209 : f32 = table_number_0(_S208) - table_number_0(_S207);
+    var _S210 : f32 = table_number_0(_S208 + u32(1)) - table_number_0(_S207 + u32(1));
+    return vec3<f32>(_S209 + stretch_1.high_1.visible_0 * stretch_1.high_1.width_3 - stretch_1.low_1.visible_0 * stretch_1.low_1.width_3 + _S206 * families_0[family_12].visible_total_0, _S210 - _S209 + stretch_1.high_1.gap_0 - stretch_1.low_1.gap_0 + _S206 * (families_0[family_12].period_0 - families_0[family_12].visible_total_0), _S210 + stretch_1.high_1.cell_9 - stretch_1.low_1.cell_9 + _S206 * families_0[family_12].period_0);
 }
 
 fn integrals_along_0( family_13 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
 {
-    var _S210 : u32 = u32(3) * families_0[family_13].quantities_0;
-    var _S211 : u32 = families_0[family_13].colour_threads_0 + _S210 * stretch_2.low_1.thread_12 + quantity_0;
-    var _S212 : u32 = families_0[family_13].colour_threads_0 + _S210 * stretch_2.high_1.thread_12 + quantity_0;
-    var _S213 : u32 = families_0[family_13].colour_threads_0 + _S210 * u32(families_0[family_13].count_0) + quantity_0;
-    var _S214 : f32 = table_number_0(_S211);
+    var _S211 : u32 = u32(3) * families_0[family_13].quantities_0;
+    var _S212 : u32 = families_0[family_13].colour_threads_0 + _S211 * stretch_2.low_1.thread_12 + quantity_0;
+    var _S213 : u32 = families_0[family_13].colour_threads_0 + _S211 * stretch_2.high_1.thread_12 + quantity_0;
+    var _S214 : u32 = families_0[family_13].colour_threads_0 + _S211 * u32(families_0[family_13].count_0) + quantity_0;
     var _S215 : f32 = table_number_0(_S212);
-    var _S216 : f32 = Stretch_turns_0(stretch_2);
-    var _S217 : u32 = u32(2) * families_0[family_13].quantities_0;
-    return vec2<f32>(table_number_0(_S212 + families_0[family_13].quantities_0) - table_number_0(_S211 + families_0[family_13].quantities_0) + _S215 * stretch_2.high_1.visible_0 * stretch_2.high_1.width_3 - _S214 * stretch_2.low_1.visible_0 * stretch_2.low_1.width_3 + _S216 * table_number_0(_S213 + families_0[family_13].quantities_0), table_number_0(_S212 + _S217) - table_number_0(_S211 + _S217) + _S215 * stretch_2.high_1.cell_9 - _S214 * stretch_2.low_1.cell_9 + _S216 * table_number_0(_S213 + _S217));
+    var _S216 : f32 = table_number_0(_S213);
+    var _S217 : f32 = Stretch_turns_0(stretch_2);
+    var _S218 : u32 = u32(2) * families_0[family_13].quantities_0;
+    return vec2<f32>(table_number_0(_S213 + families_0[family_13].quantities_0) - table_number_0(_S212 + families_0[family_13].quantities_0) + _S216 * stretch_2.high_1.visible_0 * stretch_2.high_1.width_3 - _S215 * stretch_2.low_1.visible_0 * stretch_2.low_1.width_3 + _S217 * table_number_0(_S214 + families_0[family_13].quantities_0), table_number_0(_S213 + _S218) - table_number_0(_S212 + _S218) + _S216 * stretch_2.high_1.cell_9 - _S215 * stretch_2.low_1.cell_9 + _S217 * table_number_0(_S214 + _S218));
 }
 
 fn Stretch_wraps_0( this_7 : Stretch_0) -> bool
@@ -1573,16 +1561,16 @@ fn Stretch_wraps_0( this_7 : Stretch_0) -> bool
 
 fn Stretch_differences_0( this_8 : Stretch_0,  entries_0 : vec4<u32>,  whole_0 : u32) -> vec4<u32>
 {
-    var _S218 : u32 = entries_0.z;
-    var _S219 : u32 = entries_0.x;
-    return vec4<u32>(_S218 - _S219 + select(u32(0), whole_0, Stretch_wraps_0(this_8)), entries_0.w - _S218, entries_0.y - _S219, whole_0);
+    var _S219 : u32 = entries_0.z;
+    var _S220 : u32 = entries_0.x;
+    return vec4<u32>(_S219 - _S220 + select(u32(0), whole_0, Stretch_wraps_0(this_8)), entries_0.w - _S219, entries_0.y - _S220, whole_0);
 }
 
 fn row_differences_0( across_5 : Stretch_0,  row_2 : u32,  count_3 : u32,  quantities_1 : u32) -> vec4<u32>
 {
-    var _S220 : u32 = row_2 + across_5.low_1.thread_12 * quantities_1;
-    var _S221 : u32 = row_2 + across_5.high_1.thread_12 * quantities_1;
-    return Stretch_differences_0(across_5, vec4<u32>(words_0[_S220], words_0[_S220 + quantities_1], words_0[_S221], words_0[_S221 + quantities_1]), words_0[row_2 + count_3 * quantities_1]);
+    var _S221 : u32 = row_2 + across_5.low_1.thread_12 * quantities_1;
+    var _S222 : u32 = row_2 + across_5.high_1.thread_12 * quantities_1;
+    return Stretch_differences_0(across_5, vec4<u32>(words_0[_S221], words_0[_S221 + quantities_1], words_0[_S222], words_0[_S222 + quantities_1]), words_0[row_2 + count_3 * quantities_1]);
 }
 
 fn Stretch_weights_0( this_9 : Stretch_0) -> vec4<f32>
@@ -1592,25 +1580,25 @@ fn Stretch_weights_0( this_9 : Stretch_0) -> vec4<f32>
 
 fn integral_on_top_0( family_14 : u32,  across_6 : Stretch_0,  along_1 : Stretch_0,  crossing_count_0 : u32,  quantity_1 : u32) -> f32
 {
-    var _S222 : u32 = u32(families_0[family_14].count_0);
-    var _S223 : u32 = (_S222 + u32(1)) * families_0[family_14].quantities_0;
-    var _S224 : u32 = families_0[family_14].colour_areas_0 + quantity_1;
-    var _S225 : vec4<u32> = row_differences_0(across_6, _S224 + along_1.low_1.thread_12 * _S223, _S222, families_0[family_14].quantities_0);
-    var _S226 : vec4<u32> = row_differences_0(across_6, _S224 + along_1.high_1.thread_12 * _S223, _S222, families_0[family_14].quantities_0);
-    var _S227 : vec4<u32> = row_differences_0(across_6, _S224 + crossing_count_0 * _S223, _S222, families_0[family_14].quantities_0);
-    var _S228 : vec4<f32> = Stretch_weights_0(across_6);
-    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S226 - _S225 + select_vector_2(Stretch_wraps_0(along_1), _S227, vec4<u32>(vec4<i32>(i32(0)))))), _S228), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S224 + (along_1.high_1.thread_12 + u32(1)) * _S223, _S222, families_0[family_14].quantities_0) - _S226)), _S228), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S224 + (along_1.low_1.thread_12 + u32(1)) * _S223, _S222, families_0[family_14].quantities_0) - _S225)), _S228), dot(vec4<f32>(vec4<i32>(_S227)), _S228)), Stretch_weights_0(along_1)) * families_0[family_14].area_unit_0;
+    var _S223 : u32 = u32(families_0[family_14].count_0);
+    var _S224 : u32 = (_S223 + u32(1)) * families_0[family_14].quantities_0;
+    var _S225 : u32 = families_0[family_14].colour_areas_0 + quantity_1;
+    var _S226 : vec4<u32> = row_differences_0(across_6, _S225 + along_1.low_1.thread_12 * _S224, _S223, families_0[family_14].quantities_0);
+    var _S227 : vec4<u32> = row_differences_0(across_6, _S225 + along_1.high_1.thread_12 * _S224, _S223, families_0[family_14].quantities_0);
+    var _S228 : vec4<u32> = row_differences_0(across_6, _S225 + crossing_count_0 * _S224, _S223, families_0[family_14].quantities_0);
+    var _S229 : vec4<f32> = Stretch_weights_0(across_6);
+    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S227 - _S226 + select_vector_2(Stretch_wraps_0(along_1), _S228, vec4<u32>(vec4<i32>(i32(0)))))), _S229), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S225 + (along_1.high_1.thread_12 + u32(1)) * _S224, _S223, families_0[family_14].quantities_0) - _S227)), _S229), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S225 + (along_1.low_1.thread_12 + u32(1)) * _S224, _S223, families_0[family_14].quantities_0) - _S226)), _S229), dot(vec4<f32>(vec4<i32>(_S228)), _S229)), Stretch_weights_0(along_1)) * families_0[family_14].area_unit_0;
 }
 
 fn with_added_albedos_0( albedos_1 : Albedos_0,  weight_3 : f32,  row_3 : u32) -> Albedos_0
 {
-    var _S229 : Albedos_0 = table_albedos_0(row_3);
+    var _S230 : Albedos_0 = table_albedos_0(row_3);
     var sum_0 : Albedos_0;
-    var _S230 : vec3<f32> = vec3<f32>(weight_3);
-    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S230 * _S229.diffuse_reflect_0;
-    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S230 * _S229.diffuse_transmit_0;
-    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S230 * _S229.specular_reflect_0;
-    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S230 * _S229.specular_transmit_0;
+    var _S231 : vec3<f32> = vec3<f32>(weight_3);
+    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S231 * _S230.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S231 * _S230.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S231 * _S230.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S231 * _S230.specular_transmit_0;
     return sum_0;
 }
 
@@ -1621,7 +1609,7 @@ fn mean_albedos_0( family_15 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  othe
     {
         return albedos_2;
     }
-    var _S231 : vec3<f32> = lengths_0(crossing_1, other_2);
+    var _S232 : vec3<f32> = lengths_0(crossing_1, other_2);
     var is_exposed_0 : bool = false;
     var weight_4 : f32 = 0.0f;
     var quantity_2 : u32 = u32(0);
@@ -1634,24 +1622,24 @@ fn mean_albedos_0( family_15 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  othe
         {
             break;
         }
-        var _S232 : vec2<f32> = integrals_along_0(family_15, own_1, quantity_2);
-        var _S233 : f32 = integral_on_top_0(family_15, own_1, other_2, u32(families_0[crossing_1].count_0), quantity_2);
-        var _S234 : f32 = _S232.x;
-        var _S235 : f32 = _S234 * _S231.x;
-        var _S236 : f32 = select(_S233, _S235 - _S233, back_5);
-        var _S237 : bool = quantity_2 == u32(0);
-        if(_S237)
+        var _S233 : vec2<f32> = integrals_along_0(family_15, own_1, quantity_2);
+        var _S234 : f32 = integral_on_top_0(family_15, own_1, other_2, u32(families_0[crossing_1].count_0), quantity_2);
+        var _S235 : f32 = _S233.x;
+        var _S236 : f32 = _S235 * _S232.x;
+        var _S237 : f32 = select(_S234, _S236 - _S234, back_5);
+        var _S238 : bool = quantity_2 == u32(0);
+        if(_S238)
         {
-            is_exposed_0 = _S236 > (16.0f * families_0[family_15].area_unit_0 * min(_S235 / families_0[family_15].crossing_area_0, 1.0f) + 0.00000999999974738f * _S235);
+            is_exposed_0 = _S237 > (16.0f * families_0[family_15].area_unit_0 * min(_S236 / families_0[family_15].crossing_area_0, 1.0f) + 0.00000999999974738f * _S236);
         }
-        var _S238 : f32 = _S234 * _S231.y + select(0.0f, _S236, is_exposed_0) + 0.000244140625f * _S231.z * _S232.y;
-        if(_S237)
+        var _S239 : f32 = _S235 * _S232.y + select(0.0f, _S237, is_exposed_0) + 0.000244140625f * _S232.z * _S233.y;
+        if(_S238)
         {
-            weight_4 = 1.0f / max(_S238, 9.99999968265522539e-21f);
+            weight_4 = 1.0f / max(_S239, 9.99999968265522539e-21f);
         }
         else
         {
-            albedos_2 = with_added_albedos_0(albedos_2, _S238 * weight_4, families_0[family_15].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
+            albedos_2 = with_added_albedos_0(albedos_2, _S239 * weight_4, families_0[family_15].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
         }
         quantity_2 = quantity_2 + u32(1);
     }
@@ -1665,11 +1653,11 @@ fn mean_albedos_0( family_15 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  othe
 fn lerp_albedos_0( first_5 : Albedos_0,  second_1 : Albedos_0,  weight_5 : f32) -> Albedos_0
 {
     var albedos_3 : Albedos_0;
-    var _S239 : vec3<f32> = vec3<f32>(weight_5);
-    albedos_3.diffuse_reflect_0 = mix(first_5.diffuse_reflect_0, second_1.diffuse_reflect_0, _S239);
-    albedos_3.diffuse_transmit_0 = mix(first_5.diffuse_transmit_0, second_1.diffuse_transmit_0, _S239);
-    albedos_3.specular_reflect_0 = mix(first_5.specular_reflect_0, second_1.specular_reflect_0, _S239);
-    albedos_3.specular_transmit_0 = mix(first_5.specular_transmit_0, second_1.specular_transmit_0, _S239);
+    var _S240 : vec3<f32> = vec3<f32>(weight_5);
+    albedos_3.diffuse_reflect_0 = mix(first_5.diffuse_reflect_0, second_1.diffuse_reflect_0, _S240);
+    albedos_3.diffuse_transmit_0 = mix(first_5.diffuse_transmit_0, second_1.diffuse_transmit_0, _S240);
+    albedos_3.specular_reflect_0 = mix(first_5.specular_reflect_0, second_1.specular_reflect_0, _S240);
+    albedos_3.specular_transmit_0 = mix(first_5.specular_transmit_0, second_1.specular_transmit_0, _S240);
     return albedos_3;
 }
 
@@ -1702,47 +1690,47 @@ struct FaceSends_0
 
 fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S240 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
+    var _S241 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
     var found_0 : FaceRadiance_0;
-    var _S241 : vec3<f32> = sends_0.sky_warp_0 + _S240 * sends_0.crossing_warp_0;
-    found_0.warp_3 = _S241;
-    var _S242 : vec3<f32> = sends_0.sky_weft_0 + _S240 * sends_0.crossing_weft_0;
-    found_0.weft_3 = _S242;
-    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S241 + vec3<f32>(sends_0.blocks_weft_0) * _S242;
+    var _S242 : vec3<f32> = sends_0.sky_warp_0 + _S241 * sends_0.crossing_warp_0;
+    found_0.warp_3 = _S242;
+    var _S243 : vec3<f32> = sends_0.sky_weft_0 + _S241 * sends_0.crossing_weft_0;
+    found_0.weft_3 = _S243;
+    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S242 + vec3<f32>(sends_0.blocks_weft_0) * _S243;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
 fn view_terms_0( view_6 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S243 : f32 = 1.0f - view_6.z;
-    var _S244 : f32 = _S243 * _S243;
+    var _S244 : f32 = 1.0f - view_6.z;
+    var _S245 : f32 = _S244 * _S244;
     (*terms_0)[i32(0)] = 1.0f;
-    var _S245 : f32 = view_6.x;
-    var _S246 : f32 = _S245 * _S245;
-    var _S247 : f32 = view_6.y;
-    var _S248 : f32 = _S247 * _S247;
-    (*terms_0)[i32(1)] = sqrt(max(_S246 + _S248, 9.999999960041972e-13f));
-    (*terms_0)[i32(2)] = _S244;
-    (*terms_0)[i32(3)] = _S244 * _S244;
-    (*terms_0)[i32(4)] = _S246 - _S248;
+    var _S246 : f32 = view_6.x;
+    var _S247 : f32 = _S246 * _S246;
+    var _S248 : f32 = view_6.y;
+    var _S249 : f32 = _S248 * _S248;
+    (*terms_0)[i32(1)] = sqrt(max(_S247 + _S249, 9.999999960041972e-13f));
+    (*terms_0)[i32(2)] = _S245;
+    (*terms_0)[i32(3)] = _S245 * _S245;
+    (*terms_0)[i32(4)] = _S247 - _S249;
     (*terms_0)[i32(5)] = 0.0f;
     return;
 }
 
 fn view_terms_1( view_7 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S249 : f32 = 1.0f - view_7.z;
-    var _S250 : f32 = _S249 * _S249;
+    var _S250 : f32 = 1.0f - view_7.z;
+    var _S251 : f32 = _S250 * _S250;
     (*terms_1)[i32(0)] = 1.0f;
-    var _S251 : f32 = view_7.x;
-    var _S252 : f32 = _S251 * _S251;
-    var _S253 : f32 = view_7.y;
-    var _S254 : f32 = _S253 * _S253;
-    (*terms_1)[i32(1)] = sqrt(max(_S252 + _S254, 9.999999960041972e-13f));
-    (*terms_1)[i32(2)] = _S250;
-    (*terms_1)[i32(3)] = _S250 * _S250;
-    (*terms_1)[i32(4)] = _S252 - _S254;
+    var _S252 : f32 = view_7.x;
+    var _S253 : f32 = _S252 * _S252;
+    var _S254 : f32 = view_7.y;
+    var _S255 : f32 = _S254 * _S254;
+    (*terms_1)[i32(1)] = sqrt(max(_S253 + _S255, 9.999999960041972e-13f));
+    (*terms_1)[i32(2)] = _S251;
+    (*terms_1)[i32(3)] = _S251 * _S251;
+    (*terms_1)[i32(4)] = _S253 - _S255;
     (*terms_1)[i32(5)] = 0.0f;
     return;
 }
@@ -1770,11 +1758,11 @@ struct Interior_0
 
 fn bounced_by_0( blocked_1 : Blocked_0,  yarn_2 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S255 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
-    var _S256 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
+    var _S256 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
+    var _S257 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_0 = yarn_2.back_6 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_4 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_4) + _S256 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S256 * interior_0.far_1 + yarn_2.back_6 * _S255;
+    bounced_0.reflected_0 = yarn_2.back_6 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_4 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_4) + _S257 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S257 * interior_0.far_1 + yarn_2.back_6 * _S256;
     return bounced_0;
 }
 
@@ -1788,8 +1776,8 @@ fn sum_of_0( first_6 : Bounced_0,  second_2 : Bounced_0) -> Bounced_0
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_7 : vec3<f32>,  view_8 : vec3<f32>) -> vec3<f32>
 {
-    var _S257 : f32 = light_7.z;
-    return select_vector_1((_S257 * view_8.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S257) * 0.31830987334251404f));
+    var _S258 : f32 = light_7.z;
+    return select_vector_1((_S258 * view_8.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S258) * 0.31830987334251404f));
 }
 
 fn sheen_scale_0( x_11 : f32,  y_4 : f32) -> f32
@@ -1809,40 +1797,40 @@ fn sheen_reflectance_0( x_13 : f32,  y_6 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_8 : f32) -> vec3<f32>
 {
-    var _S258 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S259 : f32 = 2.0f * sqrt(_S258) - 1.0f;
-    var _S260 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_8, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S259, _S260), 0.00999999977648258f, 1.0f), clamp((1.0f - _S258) * sheen_shear_0(_S259, _S260), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S259, _S260), -60.0f, 60.0f))));
+    var _S259 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S260 : f32 = 2.0f * sqrt(_S259) - 1.0f;
+    var _S261 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_8, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S260, _S261), 0.00999999977648258f, 1.0f), clamp((1.0f - _S259) * sheen_shear_0(_S260, _S261), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S260, _S261), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_8 : vec3<f32>,  view_9 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S261 : f32 = light_8.z;
-    if(((_S261 <= 0.0f) | (((view_9.z) <= 0.0f))))
+    var _S262 : f32 = light_8.z;
+    if(((_S262 <= 0.0f) | (((view_9.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S262 : vec2<f32> = view_9.xy;
-    var _S263 : f32 = dot(_S262, _S262);
-    var _S264 : vec2<f32> = select_vector_0(_S263 > 9.99999968265522539e-21f, _S262 * vec2<f32>(rsqrt_0(max(_S263, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S265 : f32 = scale_0 * dot(light_8.xy, _S264) + shear_0 * _S261;
-    var _S266 : f32 = scale_0 * (light_8.y * _S264.x - light_8.x * _S264.y);
-    var _S267 : f32 = _S265 * _S265 + _S266 * _S266 + _S261 * _S261;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S261 / max(_S267 * _S267, 9.99999968265522539e-21f);
+    var _S263 : vec2<f32> = view_9.xy;
+    var _S264 : f32 = dot(_S263, _S263);
+    var _S265 : vec2<f32> = select_vector_0(_S264 > 9.99999968265522539e-21f, _S263 * vec2<f32>(rsqrt_0(max(_S264, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S266 : f32 = scale_0 * dot(light_8.xy, _S265) + shear_0 * _S262;
+    var _S267 : f32 = scale_0 * (light_8.y * _S265.x - light_8.x * _S265.y);
+    var _S268 : f32 = _S266 * _S266 + _S267 * _S267 + _S262 * _S262;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S262 / max(_S268 * _S268, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_9 : vec3<f32>,  view_10 : vec3<f32>,  strength_0 : f32,  roughness_9 : f32) -> vec2<f32>
 {
-    var _S268 : vec3<f32> = sheen_lobe_0(view_10.z, roughness_9);
-    var _S269 : f32 = strength_0 * _S268.z;
-    return vec2<f32>(_S269 * transformed_cosine_0(light_9, view_10, _S268.x, _S268.y), 1.0f - _S269);
+    var _S269 : vec3<f32> = sheen_lobe_0(view_10.z, roughness_9);
+    var _S270 : f32 = strength_0 * _S269.z;
+    return vec2<f32>(_S270 * transformed_cosine_0(light_9, view_10, _S269.x, _S269.y), 1.0f - _S270);
 }
 
 fn accumulate_0( index_7 : u32,  light_10 : vec4<f32>)
 {
-    var _S270 : f32 = layers_0[index_7].share_0;
+    var _S271 : f32 = layers_0[index_7].share_0;
     radiance_0[index_7] = radiance_0[index_7] + vec4<f32>(layers_0[index_7].share_0) * light_10;
-    layers_0[index_7].share_0 = _S270 * (1.0f - light_10.w);
+    layers_0[index_7].share_0 = _S271 * (1.0f - light_10.w);
     return;
 }
 
@@ -1866,100 +1854,100 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn face_point_0( _S271 : u32,  _S272 : u32,  _S273 : f32,  _S274 : f32) -> VisiblePoint_0
+fn face_point_0( _S272 : u32,  _S273 : u32,  _S274 : f32,  _S275 : f32) -> VisiblePoint_0
 {
-    var _S275 : u32 = u32(3) * _S272;
-    var _S276 : Vertex_0 = vertex_at_0(_S275);
-    var _S277 : Vertex_0 = vertex_at_0(_S275 + u32(1));
-    var _S278 : Vertex_0 = vertex_at_0(_S275 + u32(2));
-    var _S279 : vec3<f32> = position_of_0(_S276);
-    var _S280 : vec3<f32> = position_of_0(_S277) - _S279;
-    var _S281 : vec3<f32> = position_of_0(_S278) - _S279;
-    var _S282 : f32 = _S277.u_0 - _S276.u_0;
-    var _S283 : f32 = _S277.v_0 - _S276.v_0;
-    var _S284 : vec2<f32> = vec2<f32>(_S282, _S283);
-    var _S285 : f32 = _S278.u_0 - _S276.u_0;
-    var _S286 : f32 = _S278.v_0 - _S276.v_0;
-    var _S287 : vec2<f32> = vec2<f32>(_S285, _S286);
-    var _S288 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S282 * _S286 - _S283 * _S285) < 0.0f));
-    var _S289 : vec3<f32> = _S288 * (vec3<f32>(_S286) * _S280 - vec3<f32>(_S283) * _S281);
-    var _S290 : vec3<f32> = _S288 * (vec3<f32>(_S282) * _S281 - vec3<f32>(_S285) * _S280);
+    var _S276 : u32 = u32(3) * _S273;
+    var _S277 : Vertex_0 = vertex_at_0(_S276);
+    var _S278 : Vertex_0 = vertex_at_0(_S276 + u32(1));
+    var _S279 : Vertex_0 = vertex_at_0(_S276 + u32(2));
+    var _S280 : vec3<f32> = position_of_0(_S277);
+    var _S281 : vec3<f32> = position_of_0(_S278) - _S280;
+    var _S282 : vec3<f32> = position_of_0(_S279) - _S280;
+    var _S283 : f32 = _S278.u_0 - _S277.u_0;
+    var _S284 : f32 = _S278.v_0 - _S277.v_0;
+    var _S285 : vec2<f32> = vec2<f32>(_S283, _S284);
+    var _S286 : f32 = _S279.u_0 - _S277.u_0;
+    var _S287 : f32 = _S279.v_0 - _S277.v_0;
+    var _S288 : vec2<f32> = vec2<f32>(_S286, _S287);
+    var _S289 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S283 * _S287 - _S284 * _S286) < 0.0f));
+    var _S290 : vec3<f32> = _S289 * (vec3<f32>(_S287) * _S281 - vec3<f32>(_S284) * _S282);
+    var _S291 : vec3<f32> = _S289 * (vec3<f32>(_S283) * _S282 - vec3<f32>(_S286) * _S281);
     var point_2 : VisiblePoint_0;
-    var _S291 : vec3<f32> = vec3<f32>(_S273);
     var _S292 : vec3<f32> = vec3<f32>(_S274);
-    var _S293 : vec3<f32> = normalize(vec3<f32>((1.0f - _S273 - _S274)) * normal_of_0(_S276) + _S291 * normal_of_0(_S277) + _S292 * normal_of_0(_S278));
-    point_2.normal_0 = _S293;
-    var _S294 : vec3<f32> = normalize(_S289 - _S293 * vec3<f32>(dot(_S293, _S289)));
-    point_2.axis_x_0 = _S294;
-    point_2.axis_y_0 = cross(_S293, _S294);
-    var _S295 : vec3<f32> = normalize(cross(_S280, _S281));
-    point_2.face_normal_0 = select_vector_1((dot(_S295, _S293)) < 0.0f, (vec3<f32>(0) - _S295), _S295);
-    point_2.position_0 = _S279 + _S291 * _S280 + _S292 * _S281;
-    point_2.view_0 = _S293;
-    var _S296 : vec2<f32> = vec2<f32>(_S276.u_0, _S276.v_0) + vec2<f32>(_S273) * _S284 + vec2<f32>(_S274) * _S287;
-    point_2.uv_1 = _S296;
-    var _S297 : bool = (dot(cross(_S289, _S290), _S293)) < 0.0f;
-    var _S298 : vec2<f32> = vec2<f32>(fabrics_0[_S271].uv_width_0, select(fabrics_0[_S271].uv_height_0, - fabrics_0[_S271].uv_height_0, _S297));
-    point_2.draft_per_uv_0 = _S298;
-    point_2.draft_0 = _S296 * _S298 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S271].uv_height_0, _S297));
-    var _S299 : vec2<f32> = vec2<f32>(0.0f);
-    point_2.draft_dx_0 = _S299;
-    point_2.draft_dy_0 = _S299;
+    var _S293 : vec3<f32> = vec3<f32>(_S275);
+    var _S294 : vec3<f32> = normalize(vec3<f32>((1.0f - _S274 - _S275)) * normal_of_0(_S277) + _S292 * normal_of_0(_S278) + _S293 * normal_of_0(_S279));
+    point_2.normal_0 = _S294;
+    var _S295 : vec3<f32> = normalize(_S290 - _S294 * vec3<f32>(dot(_S294, _S290)));
+    point_2.axis_x_0 = _S295;
+    point_2.axis_y_0 = cross(_S294, _S295);
+    var _S296 : vec3<f32> = normalize(cross(_S281, _S282));
+    point_2.face_normal_0 = select_vector_1((dot(_S296, _S294)) < 0.0f, (vec3<f32>(0) - _S296), _S296);
+    point_2.position_0 = _S280 + _S292 * _S281 + _S293 * _S282;
+    point_2.view_0 = _S294;
+    var _S297 : vec2<f32> = vec2<f32>(_S277.u_0, _S277.v_0) + vec2<f32>(_S274) * _S285 + vec2<f32>(_S275) * _S288;
+    point_2.uv_1 = _S297;
+    var _S298 : bool = (dot(cross(_S290, _S291), _S294)) < 0.0f;
+    var _S299 : vec2<f32> = vec2<f32>(fabrics_0[_S272].uv_width_0, select(fabrics_0[_S272].uv_height_0, - fabrics_0[_S272].uv_height_0, _S298));
+    point_2.draft_per_uv_0 = _S299;
+    point_2.draft_0 = _S297 * _S299 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S272].uv_height_0, _S298));
+    var _S300 : vec2<f32> = vec2<f32>(0.0f);
+    point_2.draft_dx_0 = _S300;
+    point_2.draft_dy_0 = _S300;
     return point_2;
 }
 
-fn visible_point_0( _S300 : u32,  _S301 : u32,  _S302 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S301 : u32,  _S302 : u32,  _S303 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S303 : u32 = u32(3) * _S301;
-    var _S304 : Vertex_0 = vertex_at_0(_S303);
-    var _S305 : Vertex_0 = vertex_at_0(_S303 + u32(1));
-    var _S306 : Vertex_0 = vertex_at_0(_S303 + u32(2));
-    var _S307 : vec3<f32> = position_of_0(_S304);
-    var _S308 : vec3<f32> = position_of_0(_S305) - _S307;
-    var _S309 : vec3<f32> = position_of_0(_S306) - _S307;
-    var _S310 : vec3<f32> = cross(_S308, _S309);
-    var _S311 : f32 = f32(frame_record_0.width_0);
-    var _S312 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S311));
-    var _S313 : f32 = f32(frame_record_0.height_0);
-    var _S314 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S313));
-    var _S315 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S302.x) + 0.5f - 0.5f * _S311)) * _S312 + vec3<f32>((f32(_S302.y) + 0.5f - 0.5f * _S313)) * _S314;
-    var _S316 : f32 = dot(_S315, _S310);
-    var _S317 : f32 = 1.0f / select(1.00000000317107685e-30f, _S316, (abs(_S316)) > 1.00000000317107685e-30f);
-    var _S318 : vec3<f32> = _S307 - camera_origin_0();
-    var _S319 : vec3<f32> = vec3<f32>((dot(_S318, _S310) * _S317));
-    var _S320 : vec3<f32> = _S315 * _S319 - _S318;
-    var _S321 : vec3<f32> = _S319 * (_S312 - _S315 * vec3<f32>((dot(_S312, _S310) * _S317)));
-    var _S322 : vec3<f32> = _S319 * (_S314 - _S315 * vec3<f32>((dot(_S314, _S310) * _S317)));
-    var _S323 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S310), 1.00000000317107685e-30f)));
-    var _S324 : vec3<f32> = cross(_S309, _S310) * _S323;
-    var _S325 : vec3<f32> = cross(_S310, _S308) * _S323;
-    var _S326 : vec2<f32> = vec2<f32>(_S305.u_0 - _S304.u_0, _S305.v_0 - _S304.v_0);
-    var _S327 : vec2<f32> = vec2<f32>(_S306.u_0 - _S304.u_0, _S306.v_0 - _S304.v_0);
-    var point_3 : VisiblePoint_0 = face_point_0(_S300, _S301, dot(_S320, _S324), dot(_S320, _S325));
-    point_3.position_0 = _S307 + _S320;
-    point_3.view_0 = (vec3<f32>(0) - normalize(_S315));
-    point_3.draft_dx_0 = (vec2<f32>(dot(_S321, _S324)) * _S326 + vec2<f32>(dot(_S321, _S325)) * _S327) * point_3.draft_per_uv_0;
-    point_3.draft_dy_0 = (vec2<f32>(dot(_S322, _S324)) * _S326 + vec2<f32>(dot(_S322, _S325)) * _S327) * point_3.draft_per_uv_0;
+    var _S304 : u32 = u32(3) * _S302;
+    var _S305 : Vertex_0 = vertex_at_0(_S304);
+    var _S306 : Vertex_0 = vertex_at_0(_S304 + u32(1));
+    var _S307 : Vertex_0 = vertex_at_0(_S304 + u32(2));
+    var _S308 : vec3<f32> = position_of_0(_S305);
+    var _S309 : vec3<f32> = position_of_0(_S306) - _S308;
+    var _S310 : vec3<f32> = position_of_0(_S307) - _S308;
+    var _S311 : vec3<f32> = cross(_S309, _S310);
+    var _S312 : f32 = f32(frame_record_0.width_0);
+    var _S313 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S312));
+    var _S314 : f32 = f32(frame_record_0.height_0);
+    var _S315 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S314));
+    var _S316 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S303.x) + 0.5f - 0.5f * _S312)) * _S313 + vec3<f32>((f32(_S303.y) + 0.5f - 0.5f * _S314)) * _S315;
+    var _S317 : f32 = dot(_S316, _S311);
+    var _S318 : f32 = 1.0f / select(1.00000000317107685e-30f, _S317, (abs(_S317)) > 1.00000000317107685e-30f);
+    var _S319 : vec3<f32> = _S308 - camera_origin_0();
+    var _S320 : vec3<f32> = vec3<f32>((dot(_S319, _S311) * _S318));
+    var _S321 : vec3<f32> = _S316 * _S320 - _S319;
+    var _S322 : vec3<f32> = _S320 * (_S313 - _S316 * vec3<f32>((dot(_S313, _S311) * _S318)));
+    var _S323 : vec3<f32> = _S320 * (_S315 - _S316 * vec3<f32>((dot(_S315, _S311) * _S318)));
+    var _S324 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S311), 1.00000000317107685e-30f)));
+    var _S325 : vec3<f32> = cross(_S310, _S311) * _S324;
+    var _S326 : vec3<f32> = cross(_S311, _S309) * _S324;
+    var _S327 : vec2<f32> = vec2<f32>(_S306.u_0 - _S305.u_0, _S306.v_0 - _S305.v_0);
+    var _S328 : vec2<f32> = vec2<f32>(_S307.u_0 - _S305.u_0, _S307.v_0 - _S305.v_0);
+    var point_3 : VisiblePoint_0 = face_point_0(_S301, _S302, dot(_S321, _S325), dot(_S321, _S326));
+    point_3.position_0 = _S308 + _S321;
+    point_3.view_0 = (vec3<f32>(0) - normalize(_S316));
+    point_3.draft_dx_0 = (vec2<f32>(dot(_S322, _S325)) * _S327 + vec2<f32>(dot(_S322, _S326)) * _S328) * point_3.draft_per_uv_0;
+    point_3.draft_dy_0 = (vec2<f32>(dot(_S323, _S325)) * _S327 + vec2<f32>(dot(_S323, _S326)) * _S328) * point_3.draft_per_uv_0;
     return point_3;
 }
 
-fn filtered_albedo_0( _S328 : u32,  _S329 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S329 : u32,  _S330 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S330 : u32 = fabrics_0[_S328].albedo_map_levels_0;
-    if((fabrics_0[_S328].albedo_map_levels_0) == u32(0))
+    var _S331 : u32 = fabrics_0[_S329].albedo_map_levels_0;
+    if((fabrics_0[_S329].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S331 : vec2<f32> = vec2<f32>(fabrics_0[_S328].uv_width_0, fabrics_0[_S328].uv_height_0);
-    var _S332 : vec2<f32> = _S329.draft_dx_0 / _S331;
-    var _S333 : vec2<f32> = _S329.draft_dy_0 / _S331;
-    var _S334 : u32 = _S330 - u32(1);
-    var _S335 : u32 = (u32(1) << (_S334));
-    var _S336 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S332.x * _S333.y - _S332.y * _S333.x), 9.99999968265522539e-21f) * (square_1(f32(_S335)) / 3.0f)), 0.0f, f32(_S330) - 1.0f);
-    var _S337 : u32 = min(u32(_S336), max(_S330, u32(2)) - u32(2));
-    var _S338 : u32 = min(_S337 + u32(1), _S334);
-    var _S339 : u32 = (u32(1) << ((u32(2) * _S330)));
-    return mix(map_level_0(fabrics_0[_S328].albedo_map_0 + (_S339 - ((_S339 >> ((u32(2) * _S337))))) / u32(3), (_S335 >> (_S337)), _S329.uv_1), map_level_0(fabrics_0[_S328].albedo_map_0 + (_S339 - ((_S339 >> ((u32(2) * _S338))))) / u32(3), (_S335 >> (_S338)), _S329.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S336 - f32(_S337))) - 1.0f) / 3.0f)));
+    var _S332 : vec2<f32> = vec2<f32>(fabrics_0[_S329].uv_width_0, fabrics_0[_S329].uv_height_0);
+    var _S333 : vec2<f32> = _S330.draft_dx_0 / _S332;
+    var _S334 : vec2<f32> = _S330.draft_dy_0 / _S332;
+    var _S335 : u32 = _S331 - u32(1);
+    var _S336 : u32 = (u32(1) << (_S335));
+    var _S337 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S333.x * _S334.y - _S333.y * _S334.x), 9.99999968265522539e-21f) * (square_1(f32(_S336)) / 3.0f)), 0.0f, f32(_S331) - 1.0f);
+    var _S338 : u32 = min(u32(_S337), max(_S331, u32(2)) - u32(2));
+    var _S339 : u32 = min(_S338 + u32(1), _S335);
+    var _S340 : u32 = (u32(1) << ((u32(2) * _S331)));
+    return mix(map_level_0(fabrics_0[_S329].albedo_map_0 + (_S340 - ((_S340 >> ((u32(2) * _S338))))) / u32(3), (_S336 >> (_S338)), _S330.uv_1), map_level_0(fabrics_0[_S329].albedo_map_0 + (_S340 - ((_S340 >> ((u32(2) * _S339))))) / u32(3), (_S336 >> (_S339)), _S330.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S337 - f32(_S338))) - 1.0f) / 3.0f)));
 }
 
 fn light_sample_count_0() -> u32
@@ -1967,13 +1955,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S340 : u32,  _S341 : vec2<u32>) -> f32
+fn visibility_at_0( _S341 : u32,  _S342 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S340 * frame_record_0.height_0 + _S341.y) * frame_record_0.width_0 + _S341.x];
+    return visibilities_0[(_S341 * frame_record_0.height_0 + _S342.y) * frame_record_0.width_0 + _S342.x];
 }
 
 struct LightSample_0
@@ -1983,52 +1971,52 @@ struct LightSample_0
      distance_1 : f32,
 };
 
-fn environment_texel_0( _S342 : u32,  _S343 : u32) -> vec3<f32>
+fn environment_texel_0( _S343 : u32,  _S344 : u32) -> vec3<f32>
 {
-    var _S344 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S342 * frame_record_0.environment_columns_0 + _S343);
-    return vec3<f32>(scene_number_0(_S344), scene_number_0(_S344 + u32(1)), scene_number_0(_S344 + u32(2)));
+    var _S345 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S343 * frame_record_0.environment_columns_0 + _S344);
+    return vec3<f32>(scene_number_0(_S345), scene_number_0(_S345 + u32(1)), scene_number_0(_S345 + u32(2)));
 }
 
-fn sample_environment_0( _S345 : vec2<f32>,  _S346 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S346 : vec2<f32>,  _S347 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S347 : u32 = frame_record_0.environment_rows_0;
-    var _S348 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S345.y);
-    var _S349 : u32 = frame_record_0.environment_columns_0;
-    var _S350 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S348.index_3 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S345.x);
-    var _S351 : vec3<f32> = environment_texel_0(_S348.index_3, _S350.index_3);
-    (*_S346) = _S351 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S351), 9.99999968265522539e-21f)));
-    var _S352 : f32 = 3.14159274101257324f / f32(_S347);
-    var _S353 : f32 = mix(sine_cosine_0(f32(_S348.index_3) * _S352).y, sine_cosine_0(f32(_S348.index_3 + u32(1)) * _S352).y, _S348.remainder_0);
-    var _S354 : f32 = sqrt(max(1.0f - _S353 * _S353, 0.0f));
-    var _S355 : vec2<f32> = sine_cosine_0((f32(_S350.index_3) + _S350.remainder_0) * (6.28318548202514648f / f32(_S349)));
-    var _S356 : f32 = _S354 * _S355.x;
-    var _S357 : f32 = - _S354 * _S355.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S356 + frame_record_0.environment_sine_0 * _S357, _S353, frame_record_0.environment_cosine_0 * _S357 - frame_record_0.environment_sine_0 * _S356);
+    var _S348 : u32 = frame_record_0.environment_rows_0;
+    var _S349 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S346.y);
+    var _S350 : u32 = frame_record_0.environment_columns_0;
+    var _S351 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S349.index_3 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S346.x);
+    var _S352 : vec3<f32> = environment_texel_0(_S349.index_3, _S351.index_3);
+    (*_S347) = _S352 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S352), 9.99999968265522539e-21f)));
+    var _S353 : f32 = 3.14159274101257324f / f32(_S348);
+    var _S354 : f32 = mix(sine_cosine_0(f32(_S349.index_3) * _S353).y, sine_cosine_0(f32(_S349.index_3 + u32(1)) * _S353).y, _S349.remainder_0);
+    var _S355 : f32 = sqrt(max(1.0f - _S354 * _S354, 0.0f));
+    var _S356 : vec2<f32> = sine_cosine_0((f32(_S351.index_3) + _S351.remainder_0) * (6.28318548202514648f / f32(_S350)));
+    var _S357 : f32 = _S355 * _S356.x;
+    var _S358 : f32 = - _S355 * _S356.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S357 + frame_record_0.environment_sine_0 * _S358, _S354, frame_record_0.environment_cosine_0 * _S358 - frame_record_0.environment_sine_0 * _S357);
 }
 
-fn light_sample_0( _S358 : u32,  _S359 : vec2<u32>,  _S360 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S359 : u32,  _S360 : vec2<u32>,  _S361 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_1 = 1.00000001504746622e+30f;
-    var _S361 : u32 = frame_record_0.lights_0;
-    if(_S358 >= (frame_record_0.lights_0))
+    var _S362 : u32 = frame_record_0.lights_0;
+    if(_S359 >= (frame_record_0.lights_0))
     {
         var weight_6 : vec3<f32>;
-        var _S362 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S359, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S358 - _S361), u32(3)), &(weight_6));
-        sample_0.towards_0 = _S362;
+        var _S363 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S360, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S359 - _S362), u32(3)), &(weight_6));
+        sample_0.towards_0 = _S363;
         sample_0.irradiance_1 = weight_6 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S363 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S358);
-    sample_0.irradiance_1 = vec3<f32>(_S363.red_0, _S363.green_0, _S363.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S363.x_7, _S363.y_1, _S363.z_1);
-    if((_S363.is_point_0) != u32(0))
+    var _S364 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S359);
+    sample_0.irradiance_1 = vec3<f32>(_S364.red_0, _S364.green_0, _S364.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S364.x_7, _S364.y_1, _S364.z_1);
+    if((_S364.is_point_0) != u32(0))
     {
-        var _S364 : vec3<f32> = sample_0.towards_0 - _S360;
-        var _S365 : f32 = max(square_0(_S364), 9.999999960041972e-13f);
-        sample_0.distance_1 = sqrt(_S365);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S365);
-        sample_0.towards_0 = normalize(_S364);
+        var _S365 : vec3<f32> = sample_0.towards_0 - _S361;
+        var _S366 : f32 = max(square_0(_S365), 9.999999960041972e-13f);
+        sample_0.distance_1 = sqrt(_S366);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S366);
+        sample_0.towards_0 = normalize(_S365);
     }
     return sample_0;
 }
@@ -2053,22 +2041,22 @@ struct Regime_0
      points_0 : f32,
 };
 
-fn regime_of_0( _S366 : u32,  _S367 : Footprint_0,  _S368 : f32) -> Regime_0
+fn regime_of_0( _S367 : u32,  _S368 : Footprint_0,  _S369 : f32) -> Regime_0
 {
-    var _S369 : f32 = Footprint_spread_side_0(_S367);
-    var _S370 : f32 = clamp((binary_logarithm_0(max(_S369, 9.99999971718068537e-10f)) - fabrics_0[_S366].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
+    var _S370 : f32 = Footprint_spread_side_0(_S368);
+    var _S371 : f32 = clamp((binary_logarithm_0(max(_S370, 9.99999971718068537e-10f)) - fabrics_0[_S367].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
     var regime_0 : Regime_0;
-    var _S371 : f32 = _S370 * _S370 * (3.0f - 2.0f * _S370);
-    regime_0.prefiltered_0 = _S371;
-    var _S372 : f32 = _S369 * fabrics_0[_S366].lobes_0.threads_per_mm_0;
-    regime_0.threads_1 = _S372;
-    regime_0.points_0 = select(0.0f, clamp(_S372 * 12.0f, 1.0f, mix(max(8.0f / _S368, 1.0f), 1.0f, _S371)), _S371 < 1.0f);
+    var _S372 : f32 = _S371 * _S371 * (3.0f - 2.0f * _S371);
+    regime_0.prefiltered_0 = _S372;
+    var _S373 : f32 = _S370 * fabrics_0[_S367].lobes_0.threads_per_mm_0;
+    regime_0.threads_1 = _S373;
+    regime_0.points_0 = select(0.0f, clamp(_S373 * 12.0f, 1.0f, mix(max(8.0f / _S369, 1.0f), 1.0f, _S372)), _S372 < 1.0f);
     return regime_0;
 }
 
-fn varies_at_0( _S373 : u32,  _S374 : f32) -> bool
+fn varies_at_0( _S374 : u32,  _S375 : f32) -> bool
 {
-    return (((((fabrics_0[_S373].fibre_noise_0) > 0.0f) | (((fabrics_0[_S373].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S373].has_detail_0) != u32(0)) & ((_S374 >= 0.0f))))));
+    return (((((fabrics_0[_S374].fibre_noise_0) > 0.0f) | (((fabrics_0[_S374].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S374].has_detail_0) != u32(0)) & ((_S375 >= 0.0f))))));
 }
 
 struct Hit_0
@@ -2092,130 +2080,130 @@ struct Sample_0
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S375 : u32,  _S376 : f32,  _S377 : f32,  _S378 : bool) -> Crossing_0
+fn crossing_at_0( _S376 : u32,  _S377 : f32,  _S378 : f32,  _S379 : bool) -> Crossing_0
 {
     var crossing_3 : Crossing_0;
-    crossing_3.warp_2 = locate_0(fabrics_0[_S375].warp_0, _S376);
-    crossing_3.weft_2 = locate_0(fabrics_0[_S375].weft_0, _S377);
-    var _S379 : u32 = fabrics_0[_S375].run_words_0 + u32(2) * (crossing_3.weft_2.thread_2 * fabrics_0[_S375].ends_1 + crossing_3.warp_2.thread_2);
-    var _S380 : u32 = words_0[_S379];
-    crossing_3.warp_word_0 = _S380;
-    crossing_3.weft_word_0 = words_0[_S379 + u32(1)];
-    crossing_3.warp_above_0 = (((_S380 & (u32(1)))) == u32(1)) != _S378;
+    crossing_3.warp_2 = locate_0(fabrics_0[_S376].warp_0, _S377);
+    crossing_3.weft_2 = locate_0(fabrics_0[_S376].weft_0, _S378);
+    var _S380 : u32 = fabrics_0[_S376].run_words_0 + u32(2) * (crossing_3.weft_2.thread_2 * fabrics_0[_S376].ends_1 + crossing_3.warp_2.thread_2);
+    var _S381 : u32 = words_0[_S380];
+    crossing_3.warp_word_0 = _S381;
+    crossing_3.weft_word_0 = words_0[_S380 + u32(1)];
+    crossing_3.warp_above_0 = (((_S381 & (u32(1)))) == u32(1)) != _S379;
     return crossing_3;
 }
 
-fn sample_at_0( _S381 : u32,  _S382 : f32,  _S383 : f32,  _S384 : bool) -> Sample_0
+fn sample_at_0( _S382 : u32,  _S383 : f32,  _S384 : f32,  _S385 : bool) -> Sample_0
 {
     var sample_1 : Sample_0;
-    var _S385 : Crossing_0 = crossing_at_0(_S381, _S382, _S383, _S384);
-    sample_1.crossing_2 = _S385;
-    var _S386 : Shown_0 = shown_at_0(_S385, _S384);
-    sample_1.shown_3 = _S386;
-    var _S387 : u32 = select(fabrics_0[_S381].weft_0, fabrics_0[_S381].warp_0, _S386.is_warp_2);
-    var _S388 : u32 = select(fabrics_0[_S381].warp_0, fabrics_0[_S381].weft_0, _S386.is_warp_2);
-    var _S389 : Cell_0 = select_cell_0(_S386.is_warp_2, sample_1.crossing_2.warp_2, sample_1.crossing_2.weft_2);
-    var _S390 : Cell_0 = select_cell_0(_S386.is_warp_2, sample_1.crossing_2.weft_2, sample_1.crossing_2.warp_2);
-    var _S391 : Run_0 = unpack_0(_S387, _S388, _S389.thread_2, _S390, _S386.word_0);
-    var _S392 : Section_0 = section_at_0(_S389);
-    var _S393 : bool = ((_S386.on_top_0) & (((_S391.distance_0) < (_S392.drop_0 * _S391.bend_1.sine_0))));
-    var _S394 : f32 = select(-1.0f, 1.0f, ((_S386.on_top_0) & ((!_S393))));
-    var _S395 : f32 = select(_S391.reach_0, _S391.other_reach_0, _S393);
-    var _S396 : f32 = select(max(_S395 - _S391.distance_0, 0.0f), _S395 + _S391.distance_0, _S393);
-    var _S397 : f32 = _S395 / _S391.bend_1.sine_0 - _S394 * _S392.drop_0;
-    var _S398 : f32 = _S396 * _S396;
-    var _S399 : f32 = max(_S397 * _S397 - _S398, 9.99999968265522539e-21f);
-    var _S400 : f32 = rsqrt_0(_S399);
-    var _S401 : f32 = _S398 / (_S399 * _S400 + _S397);
-    var _S402 : bool = _S396 > 0.0f;
-    var _S403 : f32 = select(-1.0f, 1.0f, _S386.on_top_0) * select(-1.0f, 1.0f, _S391.near_start_0);
-    var _S404 : f32 = _S392.slope_0 * select(1.0f, _S397 * _S400, _S402);
-    sample_1.slope_across_0 = _S404;
-    var _S405 : f32 = select(0.0f, _S403 * _S396 * _S400, _S402);
-    sample_1.slope_along_0 = _S405;
-    var _S406 : vec2<f32> = dive_0(_S388, _S386, _S391, _S390);
-    sample_1.height_7 = select(families_0[_S387].height_scale_0 * _S394, 0.0f, _S391.straight_0) * (_S395 * _S391.bend_1.half_tangent_0 - _S401) - families_0[_S387].height_scale_0 * _S392.drop_0 - _S406.x;
-    var _S407 : f32 = families_0[_S387].height_scale_0 * _S404;
-    var _S408 : f32 = families_0[_S387].height_scale_0 * _S405 - _S406.y;
-    sample_1.slope_x_1 = select(_S408, _S407, _S386.is_warp_2);
-    sample_1.slope_y_1 = select(_S407, _S408, _S386.is_warp_2);
-    sample_1.run_3 = _S391;
-    sample_1.section_1 = _S392;
+    var _S386 : Crossing_0 = crossing_at_0(_S382, _S383, _S384, _S385);
+    sample_1.crossing_2 = _S386;
+    var _S387 : Shown_0 = shown_at_0(_S386, _S385);
+    sample_1.shown_3 = _S387;
+    var _S388 : u32 = select(fabrics_0[_S382].weft_0, fabrics_0[_S382].warp_0, _S387.is_warp_2);
+    var _S389 : u32 = select(fabrics_0[_S382].warp_0, fabrics_0[_S382].weft_0, _S387.is_warp_2);
+    var _S390 : Cell_0 = select_cell_0(_S387.is_warp_2, sample_1.crossing_2.warp_2, sample_1.crossing_2.weft_2);
+    var _S391 : Cell_0 = select_cell_0(_S387.is_warp_2, sample_1.crossing_2.weft_2, sample_1.crossing_2.warp_2);
+    var _S392 : Run_0 = unpack_0(_S388, _S389, _S390.thread_2, _S391, _S387.word_0);
+    var _S393 : Section_0 = section_at_0(_S390);
+    var _S394 : bool = ((_S387.on_top_0) & (((_S392.distance_0) < (_S393.drop_0 * _S392.bend_1.sine_0))));
+    var _S395 : f32 = select(-1.0f, 1.0f, ((_S387.on_top_0) & ((!_S394))));
+    var _S396 : f32 = select(_S392.reach_0, _S392.other_reach_0, _S394);
+    var _S397 : f32 = select(max(_S396 - _S392.distance_0, 0.0f), _S396 + _S392.distance_0, _S394);
+    var _S398 : f32 = _S396 / _S392.bend_1.sine_0 - _S395 * _S393.drop_0;
+    var _S399 : f32 = _S397 * _S397;
+    var _S400 : f32 = max(_S398 * _S398 - _S399, 9.99999968265522539e-21f);
+    var _S401 : f32 = rsqrt_0(_S400);
+    var _S402 : f32 = _S399 / (_S400 * _S401 + _S398);
+    var _S403 : bool = _S397 > 0.0f;
+    var _S404 : f32 = select(-1.0f, 1.0f, _S387.on_top_0) * select(-1.0f, 1.0f, _S392.near_start_0);
+    var _S405 : f32 = _S393.slope_0 * select(1.0f, _S398 * _S401, _S403);
+    sample_1.slope_across_0 = _S405;
+    var _S406 : f32 = select(0.0f, _S404 * _S397 * _S401, _S403);
+    sample_1.slope_along_0 = _S406;
+    var _S407 : vec2<f32> = dive_0(_S389, _S387, _S392, _S391);
+    sample_1.height_7 = select(families_0[_S388].height_scale_0 * _S395, 0.0f, _S392.straight_0) * (_S396 * _S392.bend_1.half_tangent_0 - _S402) - families_0[_S388].height_scale_0 * _S393.drop_0 - _S407.x;
+    var _S408 : f32 = families_0[_S388].height_scale_0 * _S405;
+    var _S409 : f32 = families_0[_S388].height_scale_0 * _S406 - _S407.y;
+    sample_1.slope_x_1 = select(_S409, _S408, _S387.is_warp_2);
+    sample_1.slope_y_1 = select(_S408, _S409, _S387.is_warp_2);
+    sample_1.run_3 = _S392;
+    sample_1.section_1 = _S393;
     return sample_1;
 }
 
-fn steps_per_length_0( _S409 : u32,  _S410 : SearchQuality_0,  _S411 : vec3<f32>) -> f32
+fn steps_per_length_0( _S410 : u32,  _S411 : SearchQuality_0,  _S412 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S411.x) * fabrics_0[_S409].threads_per_x_0, abs(_S411.y) * fabrics_0[_S409].threads_per_y_0) * _S410.steps_per_thread_0, abs(_S411.z) * fabrics_0[_S409].per_relief_0 * _S410.steps_per_relief_0);
+    return max(max(abs(_S412.x) * fabrics_0[_S410].threads_per_x_0, abs(_S412.y) * fabrics_0[_S410].threads_per_y_0) * _S411.steps_per_thread_0, abs(_S412.z) * fabrics_0[_S410].per_relief_0 * _S411.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S412 : u32,  _S413 : Crossing_0) -> f32
+fn cell_maximum_0( _S413 : u32,  _S414 : Crossing_0) -> f32
 {
-    var _S414 : u32 = select(fabrics_0[_S412].weft_0, fabrics_0[_S412].warp_0, _S413.warp_above_0);
-    return f32((select(_S413.weft_word_0, _S413.warp_word_0, _S413.warp_above_0) >> (u32(28)))) * families_0[_S414].height_scale_0 * families_0[_S414].level_0;
+    var _S415 : u32 = select(fabrics_0[_S413].weft_0, fabrics_0[_S413].warp_0, _S414.warp_above_0);
+    return f32((select(_S414.weft_word_0, _S414.warp_word_0, _S414.warp_above_0) >> (u32(28)))) * families_0[_S415].height_scale_0 * families_0[_S415].level_0;
 }
 
-fn probe_0( _S415 : u32,  _S416 : f32,  _S417 : f32,  _S418 : bool,  _S419 : bool,  _S420 : bool) -> Probe_0
+fn probe_0( _S416 : u32,  _S417 : f32,  _S418 : f32,  _S419 : bool,  _S420 : bool,  _S421 : bool) -> Probe_0
 {
-    var _S421 : Sample_0 = sample_at_0(_S415, _S416, _S417, _S418);
+    var _S422 : Sample_0 = sample_at_0(_S416, _S417, _S418, _S419);
     var probe_1 : Probe_0;
-    probe_1.height_4 = _S421.height_7;
-    probe_1.hole_4 = _S421.shown_3.hole_3;
-    probe_1.slope_x_0 = _S421.slope_x_1;
-    probe_1.slope_y_0 = _S421.slope_y_1;
-    probe_1.yarn_1 = select(_S421.crossing_2.weft_2.thread_2 * u32(2), _S421.crossing_2.warp_2.thread_2 * u32(2) + u32(1), _S421.shown_3.is_warp_2);
-    probe_1.cell_max_0 = cell_maximum_0(_S415, _S421.crossing_2);
-    probe_1.side_x_0 = select(_S421.crossing_2.warp_2.below_0, _S421.crossing_2.warp_2.above_0, _S419);
-    probe_1.side_y_0 = select(_S421.crossing_2.weft_2.below_0, _S421.crossing_2.weft_2.above_0, _S420);
-    probe_1.edge_x_0 = outline_distance_0(_S421.crossing_2.warp_2, _S421.shown_3, _S421.run_3, !_S421.shown_3.is_warp_2, _S419);
-    probe_1.edge_y_0 = outline_distance_0(_S421.crossing_2.weft_2, _S421.shown_3, _S421.run_3, _S421.shown_3.is_warp_2, _S420);
+    probe_1.height_4 = _S422.height_7;
+    probe_1.hole_4 = _S422.shown_3.hole_3;
+    probe_1.slope_x_0 = _S422.slope_x_1;
+    probe_1.slope_y_0 = _S422.slope_y_1;
+    probe_1.yarn_1 = select(_S422.crossing_2.weft_2.thread_2 * u32(2), _S422.crossing_2.warp_2.thread_2 * u32(2) + u32(1), _S422.shown_3.is_warp_2);
+    probe_1.cell_max_0 = cell_maximum_0(_S416, _S422.crossing_2);
+    probe_1.side_x_0 = select(_S422.crossing_2.warp_2.below_0, _S422.crossing_2.warp_2.above_0, _S420);
+    probe_1.side_y_0 = select(_S422.crossing_2.weft_2.below_0, _S422.crossing_2.weft_2.above_0, _S421);
+    probe_1.edge_x_0 = outline_distance_0(_S422.crossing_2.warp_2, _S422.shown_3, _S422.run_3, !_S422.shown_3.is_warp_2, _S420);
+    probe_1.edge_y_0 = outline_distance_0(_S422.crossing_2.weft_2, _S422.shown_3, _S422.run_3, _S422.shown_3.is_warp_2, _S421);
     return probe_1;
 }
 
-fn is_free_0( _S422 : u32,  _S423 : SearchQuality_0,  _S424 : vec3<f32>,  _S425 : vec3<f32>,  _S426 : bool,  _S427 : f32) -> bool
+fn is_free_0( _S423 : u32,  _S424 : SearchQuality_0,  _S425 : vec3<f32>,  _S426 : vec3<f32>,  _S427 : bool,  _S428 : f32) -> bool
 {
-    var _S428 : f32 = _S425.z;
-    if(_S428 <= 0.0f)
+    var _S429 : f32 = _S426.z;
+    if(_S429 <= 0.0f)
     {
         return false;
     }
-    var _S429 : f32 = 1.0f / max(_S423.shadow_share_0 * steps_per_length_0(_S422, _S423, _S425), 9.99999971718068537e-10f);
-    var _S430 : StepControl_0 = step_control_0(_S425.xy, _S429);
+    var _S430 : f32 = 1.0f / max(_S424.shadow_share_0 * steps_per_length_0(_S423, _S424, _S426), 9.99999971718068537e-10f);
+    var _S431 : StepControl_0 = step_control_0(_S426.xy, _S430);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_4 : u32 = u32(0);
     var distance_2 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        if(((count_4 < u32(1024)) & (((_S424.z + _S428 * distance_2) < _S427))))
+        if(((count_4 < u32(1024)) & (((_S425.z + _S429 * distance_2) < _S428))))
         {
         }
         else
         {
             break;
         }
-        var _S431 : vec3<f32> = _S424 + _S425 * vec3<f32>(distance_2);
-        var _S432 : Probe_0 = probe_0(_S422, _S431.x, _S431.y, _S426, _S430.right_0, _S430.up_0);
-        var _S433 : f32 = _S431.z;
-        var _S434 : f32 = _S433 - _S432.height_4;
-        var _S435 : f32 = _S428 - _S432.slope_x_0 * _S425.x - _S432.slope_y_0 * _S425.y;
-        if(((!_S432.hole_4) & ((_S434 < 0.0f))))
+        var _S432 : vec3<f32> = _S425 + _S426 * vec3<f32>(distance_2);
+        var _S433 : Probe_0 = probe_0(_S423, _S432.x, _S432.y, _S427, _S431.right_0, _S431.up_0);
+        var _S434 : f32 = _S432.z;
+        var _S435 : f32 = _S434 - _S433.height_4;
+        var _S436 : f32 = _S429 - _S433.slope_x_0 * _S426.x - _S433.slope_y_0 * _S426.y;
+        if(((!_S433.hole_4) & ((_S435 < 0.0f))))
         {
             return false;
         }
-        var _S436 : f32 = way_back_to_dip_0(previous_3, _S434, _S435, last_step_0, _S432);
-        if(_S436 >= 0.0f)
+        var _S437 : f32 = way_back_to_dip_0(previous_3, _S435, _S436, last_step_0, _S433);
+        if(_S437 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S436;
-            distance_2 = distance_2 - _S436;
+            var last_step_1 : f32 = last_step_0 - _S437;
+            distance_2 = distance_2 - _S437;
             last_step_0 = last_step_1;
             count_4 = count_4 + u32(1);
             continue;
         }
-        var _S437 : bool = _S433 > (_S432.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S430, _S432, _S434, _S435), max(StepControl_to_cell_exit_0(_S430, _S432.side_x_0, _S432.side_y_0), _S429), _S437);
+        var _S438 : bool = _S434 > (_S433.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S431, _S433, _S435, _S436), max(StepControl_to_cell_exit_0(_S431, _S433.side_x_0, _S433.side_y_0), _S430), _S438);
         var distance_3 : f32 = distance_2 + last_step_2;
-        previous_3 = after_sample_0(_S434, _S435, _S432, _S437);
+        previous_3 = after_sample_0(_S435, _S436, _S433, _S438);
         distance_2 = distance_3;
         last_step_0 = last_step_2;
         count_4 = count_4 + u32(1);
@@ -2223,13 +2211,13 @@ fn is_free_0( _S422 : u32,  _S423 : SearchQuality_0,  _S424 : vec3<f32>,  _S425 
     return true;
 }
 
-fn passes_through_0( _S438 : u32,  _S439 : SearchQuality_0,  _S440 : f32,  _S441 : f32,  _S442 : vec3<f32>,  _S443 : bool) -> bool
+fn passes_through_0( _S439 : u32,  _S440 : SearchQuality_0,  _S441 : f32,  _S442 : f32,  _S443 : vec3<f32>,  _S444 : bool) -> bool
 {
-    if(!sample_at_0(_S438, _S440, _S441, _S443).shown_3.hole_3)
+    if(!sample_at_0(_S439, _S441, _S442, _S444).shown_3.hole_3)
     {
         return false;
     }
-    var _S444 : vec3<f32> = vec3<f32>(_S440, _S441, 0.0f);
+    var _S445 : vec3<f32> = vec3<f32>(_S441, _S442, 0.0f);
     var passes_0 : bool = true;
     var side_1 : u32 = u32(0);
     for(;;)
@@ -2241,10 +2229,10 @@ fn passes_through_0( _S438 : u32,  _S439 : SearchQuality_0,  _S440 : f32,  _S441
         {
             break;
         }
-        var _S445 : bool = is_free_0(_S438, _S439, _S444, select_vector_1(side_1 == u32(0), _S442, vec3<f32>(- _S442.x, - _S442.y, _S442.z)), _S443 != (side_1 == u32(1)), fabrics_0[_S438].height_high_0);
-        var _S446 : u32 = side_1 + u32(1);
-        passes_0 = _S445;
-        side_1 = _S446;
+        var _S446 : bool = is_free_0(_S439, _S440, _S445, select_vector_1(side_1 == u32(0), _S443, vec3<f32>(- _S443.x, - _S443.y, _S443.z)), _S444 != (side_1 == u32(1)), fabrics_0[_S439].height_high_0);
+        var _S447 : u32 = side_1 + u32(1);
+        passes_0 = _S446;
+        side_1 = _S447;
     }
     return passes_0;
 }
@@ -2259,14 +2247,14 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S447 : u32,  _S448 : f32,  _S449 : f32,  _S450 : f32,  _S451 : vec3<f32>,  _S452 : bool) -> f32
+fn max_height_along_0( _S448 : u32,  _S449 : f32,  _S450 : f32,  _S451 : f32,  _S452 : vec3<f32>,  _S453 : bool) -> f32
 {
-    var _S453 : f32 = _S451.x;
-    var _S454 : f32 = _S451.y;
-    var _S455 : u32 = (words_0[fabrics_0[_S447].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S447].weft_0, _S449).thread_2 / u32(2) * fabrics_0[_S447].max_height_columns_0 + locate_0(fabrics_0[_S447].warp_0, _S448).thread_2 / u32(2)) + (select(u32(0), u32(1), _S453 > 0.0f) + select(u32(0), u32(2), _S454 > 0.0f))] >> (u32(select(i32(0), i32(4), _S452))));
-    var _S456 : f32 = max(abs(_S453) * fabrics_0[_S447].threads_per_x_0, abs(_S454) * fabrics_0[_S447].threads_per_y_0) / _S451.z;
-    var _S457 : f32 = fabrics_0[_S447].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S447].height_high_0;
+    var _S454 : f32 = _S452.x;
+    var _S455 : f32 = _S452.y;
+    var _S456 : u32 = (words_0[fabrics_0[_S448].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S448].weft_0, _S450).thread_2 / u32(2) * fabrics_0[_S448].max_height_columns_0 + locate_0(fabrics_0[_S448].warp_0, _S449).thread_2 / u32(2)) + (select(u32(0), u32(1), _S454 > 0.0f) + select(u32(0), u32(2), _S455 > 0.0f))] >> (u32(select(i32(0), i32(4), _S453))));
+    var _S457 : f32 = max(abs(_S454) * fabrics_0[_S448].threads_per_x_0, abs(_S455) * fabrics_0[_S448].threads_per_y_0) / _S452.z;
+    var _S458 : f32 = fabrics_0[_S448].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S448].height_high_0;
     var number_1 : i32 = i32(3);
     for(;;)
     {
@@ -2277,26 +2265,26 @@ fn max_height_along_0( _S447 : u32,  _S448 : f32,  _S449 : f32,  _S450 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S450) * _S456) <= (PYRAMID_RADII_0[number_1]))
+        if(((max_height_0 - _S451) * _S457) <= (PYRAMID_RADII_0[number_1]))
         {
-            max_height_0 = min(max_height_0, f32((((_S455 >> (u32(i32(8) * number_1)))) & (u32(15)))) * 0.06666667014360428f * _S457);
+            max_height_0 = min(max_height_0, f32((((_S456 >> (u32(i32(8) * number_1)))) & (u32(15)))) * 0.06666667014360428f * _S458);
         }
         number_1 = number_1 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S458 : u32,  _S459 : f32,  _S460 : f32,  _S461 : bool,  _S462 : bool,  _S463 : bool) -> vec3<f32>
+fn cell_bounds_0( _S459 : u32,  _S460 : f32,  _S461 : f32,  _S462 : bool,  _S463 : bool,  _S464 : bool) -> vec3<f32>
 {
-    var _S464 : Crossing_0 = crossing_at_0(_S458, _S459, _S460, _S461);
-    return vec3<f32>(cell_maximum_0(_S458, _S464), select(_S464.warp_2.below_0, _S464.warp_2.above_0, _S462), select(_S464.weft_2.below_0, _S464.weft_2.above_0, _S463));
+    var _S465 : Crossing_0 = crossing_at_0(_S459, _S460, _S461, _S462);
+    return vec3<f32>(cell_maximum_0(_S459, _S465), select(_S465.warp_2.below_0, _S465.warp_2.above_0, _S463), select(_S465.weft_2.below_0, _S465.weft_2.above_0, _S464));
 }
 
-fn first_sample_height_0( _S465 : u32,  _S466 : ViewRay_0,  _S467 : StepControl_0,  _S468 : bool) -> f32
+fn first_sample_height_0( _S466 : u32,  _S467 : ViewRay_0,  _S468 : StepControl_0,  _S469 : bool) -> f32
 {
-    var _S469 : f32 = max_height_along_0(_S465, _S466.origin_0.x, _S466.origin_0.y, 0.0f, vec3<f32>(_S466.slope_1, 1.0f), _S468);
+    var _S470 : f32 = max_height_along_0(_S466, _S467.origin_0.x, _S467.origin_0.y, 0.0f, vec3<f32>(_S467.slope_1, 1.0f), _S469);
     var count_5 : u32 = u32(0);
-    var height_9 : f32 = _S469;
+    var height_9 : f32 = _S470;
     for(;;)
     {
         if(count_5 < u32(1024))
@@ -2306,12 +2294,12 @@ fn first_sample_height_0( _S465 : u32,  _S466 : ViewRay_0,  _S467 : StepControl_
         {
             break;
         }
-        var _S470 : vec2<f32> = ViewRay_at_0(_S466, height_9);
-        var _S471 : vec3<f32> = cell_bounds_0(_S465, _S470.x, _S470.y, _S468, _S467.right_0, _S467.up_0);
-        var _S472 : f32 = height_9 - _S471.x;
-        var _S473 : f32 = StepControl_to_cell_exit_0(_S467, _S471.y, _S471.z);
-        var height_10 : f32 = height_9 - clamp(_S472, 0.0f, _S473);
-        if(_S472 <= _S473)
+        var _S471 : vec2<f32> = ViewRay_at_0(_S467, height_9);
+        var _S472 : vec3<f32> = cell_bounds_0(_S466, _S471.x, _S471.y, _S469, _S468.right_0, _S468.up_0);
+        var _S473 : f32 = height_9 - _S472.x;
+        var _S474 : f32 = StepControl_to_cell_exit_0(_S468, _S472.y, _S472.z);
+        var height_10 : f32 = height_9 - clamp(_S473, 0.0f, _S474);
+        if(_S473 <= _S474)
         {
             height_9 = height_10;
             break;
@@ -2322,12 +2310,12 @@ fn first_sample_height_0( _S465 : u32,  _S466 : ViewRay_0,  _S467 : StepControl_
     return height_9;
 }
 
-fn search_down_0( _S474 : u32,  _S475 : ViewRay_0,  _S476 : StepControl_0,  _S477 : bool) -> ViewRayEnd_0
+fn search_down_0( _S475 : u32,  _S476 : ViewRay_0,  _S477 : StepControl_0,  _S478 : bool) -> ViewRayEnd_0
 {
-    var _S478 : f32 = fabrics_0[_S474].height_low_0 - (fabrics_0[_S474].height_high_0 - fabrics_0[_S474].height_low_0);
+    var _S479 : f32 = fabrics_0[_S475].height_low_0 - (fabrics_0[_S475].height_high_0 - fabrics_0[_S475].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_8 = first_sample_height_0(_S474, _S475, _S476, _S477);
-    end_1.last_step_3 = _S476.epsilon_0;
+    end_1.height_8 = first_sample_height_0(_S475, _S476, _S477, _S478);
+    end_1.last_step_3 = _S477.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_1 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -2342,144 +2330,144 @@ fn search_down_0( _S474 : u32,  _S475 : ViewRay_0,  _S476 : StepControl_0,  _S47
         {
             break;
         }
-        var _S479 : vec2<f32> = ViewRay_at_0(_S475, end_1.height_8);
-        var _S480 : Probe_0 = probe_0(_S474, _S479.x, _S479.y, _S477, _S476.right_0, _S476.up_0);
-        var _S481 : f32 = end_1.height_8 - _S480.height_4;
-        var _S482 : f32 = ViewRay_rate_0(_S475, _S480);
-        end_1.depth_1 = - _S481;
-        end_1.rate_4 = _S482;
-        var _S483 : bool = !_S480.hole_4;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S483))) & (((end_1.previous_4.yarn_0) == (_S480.yarn_1))));
-        if((((_S483 & ((_S481 <= 0.0f)))) | (((end_1.height_8) <= _S478))))
+        var _S480 : vec2<f32> = ViewRay_at_0(_S476, end_1.height_8);
+        var _S481 : Probe_0 = probe_0(_S475, _S480.x, _S480.y, _S478, _S477.right_0, _S477.up_0);
+        var _S482 : f32 = end_1.height_8 - _S481.height_4;
+        var _S483 : f32 = ViewRay_rate_0(_S476, _S481);
+        end_1.depth_1 = - _S482;
+        end_1.rate_4 = _S483;
+        var _S484 : bool = !_S481.hole_4;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S484))) & (((end_1.previous_4.yarn_0) == (_S481.yarn_1))));
+        if((((_S484 & ((_S482 <= 0.0f)))) | (((end_1.height_8) <= _S479))))
         {
             break;
         }
-        var _S484 : f32 = way_back_to_dip_0(end_1.previous_4, _S481, _S482, end_1.last_step_3, _S480);
-        if(_S484 >= 0.0f)
+        var _S485 : f32 = way_back_to_dip_0(end_1.previous_4, _S482, _S483, end_1.last_step_3, _S481);
+        if(_S485 >= 0.0f)
         {
-            end_1.height_8 = end_1.height_8 + _S484;
-            end_1.last_step_3 = end_1.last_step_3 - _S484;
+            end_1.height_8 = end_1.height_8 + _S485;
+            end_1.last_step_3 = end_1.last_step_3 - _S485;
             count_6 = count_6 + u32(1);
             continue;
         }
-        var _S485 : f32 = min(StepControl_to_cell_exit_0(_S476, _S480.side_x_0, _S480.side_y_0), end_1.height_8 - _S480.cell_max_0);
-        var _S486 : f32 = StepControl_to_next_sample_0(_S476, _S480, _S481, _S482);
-        end_1.previous_4 = after_sample_0(_S481, _S482, _S480, _S485 > _S486);
-        var _S487 : f32 = max(_S485, _S486);
-        end_1.last_step_3 = _S487;
-        end_1.height_8 = end_1.height_8 - _S487;
+        var _S486 : f32 = min(StepControl_to_cell_exit_0(_S477, _S481.side_x_0, _S481.side_y_0), end_1.height_8 - _S481.cell_max_0);
+        var _S487 : f32 = StepControl_to_next_sample_0(_S477, _S481, _S482, _S483);
+        end_1.previous_4 = after_sample_0(_S482, _S483, _S481, _S486 > _S487);
+        var _S488 : f32 = max(_S486, _S487);
+        end_1.last_step_3 = _S488;
+        end_1.height_8 = end_1.height_8 - _S488;
         count_6 = count_6 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S488 : u32,  _S489 : ViewRay_0,  _S490 : StepControl_0,  _S491 : bool,  _S492 : ViewRayEnd_0,  _S493 : u32) -> f32
+fn refined_height_0( _S489 : u32,  _S490 : ViewRay_0,  _S491 : StepControl_0,  _S492 : bool,  _S493 : ViewRayEnd_0,  _S494 : u32) -> f32
 {
-    var _S494 : f32 = fabrics_0[_S488].height_high_0 - fabrics_0[_S488].height_low_0;
-    var above_2 : f32 = _S492.height_8 + _S492.last_step_3;
-    var above_gap_1 : f32 = clamp(_S492.previous_4.clearance_0, 0.0f, _S494);
-    var under_gap_1 : f32 = clamp(_S492.depth_1, 0.0f, _S494);
-    var middle_0 : f32 = select(between_0(above_2, _S492.height_8, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S492.previous_4.rate_0 * _S492.last_step_3, _S492.rate_4 * _S492.last_step_3) * _S492.last_step_3, _S492.smooth_0);
+    var _S495 : f32 = fabrics_0[_S489].height_high_0 - fabrics_0[_S489].height_low_0;
+    var above_2 : f32 = _S493.height_8 + _S493.last_step_3;
+    var above_gap_1 : f32 = clamp(_S493.previous_4.clearance_0, 0.0f, _S495);
+    var under_gap_1 : f32 = clamp(_S493.depth_1, 0.0f, _S495);
+    var middle_0 : f32 = select(between_0(above_2, _S493.height_8, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S493.previous_4.rate_0 * _S493.last_step_3, _S493.rate_4 * _S493.last_step_3) * _S493.last_step_3, _S493.smooth_0);
     var side_2 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S492.height_8;
+    var under_1 : f32 = _S493.height_8;
     var above_3 : f32 = above_2;
     var i_2 : u32 = u32(0);
     for(;;)
     {
-        if(i_2 < _S493)
+        if(i_2 < _S494)
         {
         }
         else
         {
             break;
         }
-        var _S495 : vec2<f32> = ViewRay_at_0(_S489, middle_0);
-        var _S496 : Probe_0 = probe_0(_S488, _S495.x, _S495.y, _S491, _S490.right_0, _S490.up_0);
-        var _S497 : f32 = clamp(middle_0 - select(_S496.height_4, -1.0e+09f, _S496.hole_4), - _S494, _S494);
-        if(_S497 <= 0.0f)
+        var _S496 : vec2<f32> = ViewRay_at_0(_S490, middle_0);
+        var _S497 : Probe_0 = probe_0(_S489, _S496.x, _S496.y, _S492, _S491.right_0, _S491.up_0);
+        var _S498 : f32 = clamp(middle_0 - select(_S497.height_4, -1.0e+09f, _S497.hole_4), - _S495, _S495);
+        if(_S498 <= 0.0f)
         {
-            var _S498 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_2 > 0.0f);
-            var _S499 : f32 = - _S497;
+            var _S499 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_2 > 0.0f);
+            var _S500 : f32 = - _S498;
             under_1 = middle_0;
-            above_gap_2 = _S498;
-            under_gap_2 = _S499;
+            above_gap_2 = _S499;
+            under_gap_2 = _S500;
             side_2 = 1.0f;
         }
         else
         {
-            var _S500 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_2 < 0.0f);
+            var _S501 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_2 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S497;
-            under_gap_2 = _S500;
+            above_gap_2 = _S498;
+            under_gap_2 = _S501;
             side_2 = -1.0f;
         }
-        var _S501 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S497 / min(ViewRay_rate_0(_S489, _S496), -9.99999997475242708e-07f), under_1, above_3), _S492.smooth_0);
-        var _S502 : u32 = i_2 + u32(1);
-        middle_0 = _S501;
-        i_2 = _S502;
+        var _S502 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S498 / min(ViewRay_rate_0(_S490, _S497), -9.99999997475242708e-07f), under_1, above_3), _S493.smooth_0);
+        var _S503 : u32 = i_2 + u32(1);
+        middle_0 = _S502;
+        i_2 = _S503;
     }
-    return select(under_1, middle_0, _S492.smooth_0);
+    return select(under_1, middle_0, _S493.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S503 : u32,  _S504 : SearchQuality_0,  _S505 : f32,  _S506 : f32,  _S507 : vec3<f32>,  _S508 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S504 : u32,  _S505 : SearchQuality_0,  _S506 : f32,  _S507 : f32,  _S508 : vec3<f32>,  _S509 : bool) -> Hit_0
 {
-    var _S509 : f32 = max(_S507.z, 0.00009999999747379f);
+    var _S510 : f32 = max(_S508.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S505, _S506);
-    var _S510 : vec2<f32> = _S507.xy / vec2<f32>(_S509);
-    ray_0.slope_1 = _S510;
-    var _S511 : StepControl_0 = step_control_0((vec2<f32>(0) - _S510), 1.0f / max(steps_per_length_0(_S503, _S504, _S507) / _S509, 9.99999971718068537e-10f));
-    var _S512 : ViewRayEnd_0 = search_down_0(_S503, ray_0, _S511, _S508);
+    ray_0.origin_0 = vec2<f32>(_S506, _S507);
+    var _S511 : vec2<f32> = _S508.xy / vec2<f32>(_S510);
+    ray_0.slope_1 = _S511;
+    var _S512 : StepControl_0 = step_control_0((vec2<f32>(0) - _S511), 1.0f / max(steps_per_length_0(_S504, _S505, _S508) / _S510, 9.99999971718068537e-10f));
+    var _S513 : ViewRayEnd_0 = search_down_0(_S504, ray_0, _S512, _S509);
     var hit_0 : Hit_0;
     hit_0.hole_5 = false;
-    var _S513 : f32 = refined_height_0(_S503, ray_0, _S511, _S508, _S512, _S504.refinements_0);
-    hit_0.height_6 = _S513;
-    var _S514 : vec2<f32> = ViewRay_at_0(ray_0, _S513);
-    hit_0.x_14 = _S514.x;
-    hit_0.y_7 = _S514.y;
+    var _S514 : f32 = refined_height_0(_S504, ray_0, _S512, _S509, _S513, _S505.refinements_0);
+    hit_0.height_6 = _S514;
+    var _S515 : vec2<f32> = ViewRay_at_0(ray_0, _S514);
+    hit_0.x_14 = _S515.x;
+    hit_0.y_7 = _S515.y;
     return hit_0;
 }
 
-fn first_hit_0( _S515 : u32,  _S516 : SearchQuality_0,  _S517 : f32,  _S518 : f32,  _S519 : vec3<f32>,  _S520 : bool) -> Hit_0
+fn first_hit_0( _S516 : u32,  _S517 : SearchQuality_0,  _S518 : f32,  _S519 : f32,  _S520 : vec3<f32>,  _S521 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S515, _S516, _S517, _S518, _S519, _S520))
+    if(!passes_through_0(_S516, _S517, _S518, _S519, _S520, _S521))
     {
-        return first_hit_of_yarn_0(_S515, _S516, _S517, _S518, _S519, _S520);
+        return first_hit_of_yarn_0(_S516, _S517, _S518, _S519, _S520, _S521);
     }
     var hit_1 : Hit_0;
-    hit_1.x_14 = _S517;
-    hit_1.y_7 = _S518;
+    hit_1.x_14 = _S518;
+    hit_1.y_7 = _S519;
     hit_1.height_6 = 0.0f;
     hit_1.hole_5 = true;
     return hit_1;
 }
 
-fn surface_at_0( _S521 : u32,  _S522 : f32,  _S523 : f32,  _S524 : bool) -> SurfacePoint_0
+fn surface_at_0( _S522 : u32,  _S523 : f32,  _S524 : f32,  _S525 : bool) -> SurfacePoint_0
 {
-    var _S525 : Sample_0 = sample_at_0(_S521, _S522, _S523, _S524);
-    var _S526 : u32 = select(fabrics_0[_S521].weft_0, fabrics_0[_S521].warp_0, _S525.shown_3.is_warp_2);
-    var _S527 : f32 = families_0[_S526].twist_sine_0 * select(1.0f, -1.0f, _S524);
-    var _S528 : f32 = select(-1.0f, 1.0f, _S525.shown_3.is_warp_2);
-    var _S529 : vec2<f32> = fibre_direction_0(_S525.slope_across_0, _S528 * _S525.slope_along_0, _S527, families_0[_S526].twist_cosine_0);
-    var _S530 : f32 = _S529.x;
-    var _S531 : f32 = _S529.y;
-    var _S532 : f32 = select(_S525.slope_y_1, _S525.slope_x_1, _S525.shown_3.is_warp_2) * _S530 + _S528 * select(_S525.slope_x_1, _S525.slope_y_1, _S525.shown_3.is_warp_2) * _S531;
-    var _S533 : f32 = select(_S525.crossing_2.weft_2.half_width_1, _S525.crossing_2.warp_2.half_width_1, _S525.shown_3.is_warp_2) * 1.0154266357421875f;
-    var _S534 : f32 = _S533 * arc_sine_0(clamp(_S525.section_1.across_3 / _S533, -1.0f, 1.0f));
-    var _S535 : f32 = select(- _S522, _S523, _S525.shown_3.is_warp_2);
+    var _S526 : Sample_0 = sample_at_0(_S522, _S523, _S524, _S525);
+    var _S527 : u32 = select(fabrics_0[_S522].weft_0, fabrics_0[_S522].warp_0, _S526.shown_3.is_warp_2);
+    var _S528 : f32 = families_0[_S527].twist_sine_0 * select(1.0f, -1.0f, _S525);
+    var _S529 : f32 = select(-1.0f, 1.0f, _S526.shown_3.is_warp_2);
+    var _S530 : vec2<f32> = fibre_direction_0(_S526.slope_across_0, _S529 * _S526.slope_along_0, _S528, families_0[_S527].twist_cosine_0);
+    var _S531 : f32 = _S530.x;
+    var _S532 : f32 = _S530.y;
+    var _S533 : f32 = select(_S526.slope_y_1, _S526.slope_x_1, _S526.shown_3.is_warp_2) * _S531 + _S529 * select(_S526.slope_x_1, _S526.slope_y_1, _S526.shown_3.is_warp_2) * _S532;
+    var _S534 : f32 = select(_S526.crossing_2.weft_2.half_width_1, _S526.crossing_2.warp_2.half_width_1, _S526.shown_3.is_warp_2) * 1.0154266357421875f;
+    var _S535 : f32 = _S534 * arc_sine_0(clamp(_S526.section_1.across_3 / _S534, -1.0f, 1.0f));
+    var _S536 : f32 = select(- _S523, _S524, _S526.shown_3.is_warp_2);
     var point_4 : SurfacePoint_0;
-    point_4.hole_0 = _S525.shown_3.hole_3;
-    point_4.is_warp_0 = _S525.shown_3.is_warp_2;
-    point_4.warp_thread_0 = _S525.crossing_2.warp_2.thread_2;
-    point_4.weft_thread_0 = _S525.crossing_2.weft_2.thread_2;
-    point_4.height_2 = _S525.height_7;
-    point_4.normal_1 = normalize(vec3<f32>(- _S525.slope_x_1, - _S525.slope_y_1, 1.0f));
-    point_4.tangent_0 = normalize(select_vector_1(_S525.shown_3.is_warp_2, vec3<f32>(_S530, _S531, _S532), vec3<f32>(- _S531, _S530, _S532)));
-    point_4.across_0 = _S525.section_1.across_3;
-    point_4.fibre_across_0 = _S534 * families_0[_S526].twist_cosine_0 + _S535 * _S527;
-    point_4.fibre_along_0 = _S535 * families_0[_S526].twist_cosine_0 - _S534 * _S527;
+    point_4.hole_0 = _S526.shown_3.hole_3;
+    point_4.is_warp_0 = _S526.shown_3.is_warp_2;
+    point_4.warp_thread_0 = _S526.crossing_2.warp_2.thread_2;
+    point_4.weft_thread_0 = _S526.crossing_2.weft_2.thread_2;
+    point_4.height_2 = _S526.height_7;
+    point_4.normal_1 = normalize(vec3<f32>(- _S526.slope_x_1, - _S526.slope_y_1, 1.0f));
+    point_4.tangent_0 = normalize(select_vector_1(_S526.shown_3.is_warp_2, vec3<f32>(_S531, _S532, _S533), vec3<f32>(- _S532, _S531, _S533)));
+    point_4.across_0 = _S526.section_1.across_3;
+    point_4.fibre_across_0 = _S535 * families_0[_S527].twist_cosine_0 + _S536 * _S528;
+    point_4.fibre_along_0 = _S536 * families_0[_S527].twist_cosine_0 - _S535 * _S528;
     return point_4;
 }
 
@@ -2499,73 +2487,73 @@ struct YarnPoint_0
      albedos_6 : Albedos_0,
 };
 
-fn has_hairs_0( _S536 : u32) -> bool
+fn has_hairs_0( _S537 : u32) -> bool
 {
-    return (((families_0[fabrics_0[_S536].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S536].weft_0].hairiness_0) > 0.0f)));
+    return (((families_0[fabrics_0[_S537].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S537].weft_0].hairiness_0) > 0.0f)));
 }
 
-fn hair_at_0( _S537 : u32,  _S538 : vec2<f32>,  _S539 : bool,  _S540 : f32) -> Hair_0
+fn hair_at_0( _S538 : u32,  _S539 : vec2<f32>,  _S540 : bool,  _S541 : f32) -> Hair_0
 {
-    var _S541 : f32 = fabrics_0[_S537].fibre_size_0;
-    var _S542 : f32 = 17.0f * fabrics_0[_S537].fibre_size_0;
-    var _S543 : f32 = fade_0(_S540, _S542);
-    var _S544 : vec2<f32> = _S538 / vec2<f32>(_S542);
-    var _S545 : u32 = hash_key_0(select(u32(0), u32(1), _S539), ((fabrics_0[_S537].seed_0) ^ (u32(1013904242))));
-    var _S546 : f32 = 1.0f / max(_S540, 0.07999999821186066f * fabrics_0[_S537].fibre_size_0);
-    var _S547 : f32 = min(0.63999998569488525f * fabrics_0[_S537].fibre_size_0 * _S546, 1.0f);
-    const _S548 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
+    var _S542 : f32 = fabrics_0[_S538].fibre_size_0;
+    var _S543 : f32 = 17.0f * fabrics_0[_S538].fibre_size_0;
+    var _S544 : f32 = fade_0(_S541, _S543);
+    var _S545 : vec2<f32> = _S539 / vec2<f32>(_S543);
+    var _S546 : u32 = hash_key_0(select(u32(0), u32(1), _S540), ((fabrics_0[_S538].seed_0) ^ (u32(1013904242))));
+    var _S547 : f32 = 1.0f / max(_S541, 0.07999999821186066f * fabrics_0[_S538].fibre_size_0);
+    var _S548 : f32 = min(0.63999998569488525f * fabrics_0[_S538].fibre_size_0 * _S547, 1.0f);
+    const _S549 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
     var cover_2 : f32 = 0.0f;
     var hair_away_0 : f32 = 0.0f;
-    var hair_across_0 : vec2<f32> = _S548;
+    var hair_across_0 : vec2<f32> = _S549;
     var number_2 : u32 = u32(0);
     for(;;)
     {
-        if(((_S543 > 0.0f) & ((number_2 < u32(18)))))
+        if(((_S544 > 0.0f) & ((number_2 < u32(18)))))
         {
         }
         else
         {
             break;
         }
-        var _S549 : u32 = number_2 / u32(9);
-        var _S550 : u32 = number_2 / u32(3) - u32(3) * _S549;
-        var _S551 : vec2<f32> = floor(_S544) + vec2<f32>(f32(number_2 - u32(3) * _S550 - u32(9) * _S549), f32(_S550)) - vec2<f32>(1.0f);
-        var _S552 : u32 = hash_bits_0(_S545 + _S549, u32(i32(_S551.x)) * u32(65536) + u32(i32(_S551.y)));
-        var _S553 : u32 = hash_bits_0(_S545, _S552);
-        var _S554 : vec2<f32> = _S544 - _S551 - vec2<f32>(share_of_0(_S552), share_of_0((_S552 >> (u32(10)))));
-        var _S555 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S552 >> (u32(20)))));
-        var _S556 : f32 = mix(5.0f, 16.0f, share_of_0((_S553 >> (u32(10))))) / 17.0f;
-        var _S557 : f32 = _S554.x;
-        var _S558 : f32 = _S555.y;
-        var _S559 : f32 = _S554.y;
-        var _S560 : f32 = _S555.x;
-        var _S561 : f32 = (_S557 * _S558 + _S559 * _S560) / _S556;
-        var _S562 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S553 >> (u32(20)))) - 1.0f);
-        var _S563 : f32 = 2.0f * _S562 * _S561;
-        var _S564 : f32 = rsqrt_0(_S563 * _S563 + 1.0f);
-        var _S565 : f32 = (_S559 * _S558 - _S557 * _S560 - _S562 * _S556 * _S561 * _S561) * _S564 * 17.0f;
-        var _S566 : f32 = clamp((0.31999999284744263f - abs(_S565)) * _S541 * _S546 + 0.5f, 0.0f, _S547);
-        if((((((share_of_0(_S553)) < (families_0[select(fabrics_0[_S537].weft_0, fabrics_0[_S537].warp_0, ((((_S553 >> (u32(30)))) & (u32(1)))) == u32(1))].hairiness_0)) & (((abs(_S561)) < 1.0f)))) & ((_S566 > cover_2))))
+        var _S550 : u32 = number_2 / u32(9);
+        var _S551 : u32 = number_2 / u32(3) - u32(3) * _S550;
+        var _S552 : vec2<f32> = floor(_S545) + vec2<f32>(f32(number_2 - u32(3) * _S551 - u32(9) * _S550), f32(_S551)) - vec2<f32>(1.0f);
+        var _S553 : u32 = hash_bits_0(_S546 + _S550, u32(i32(_S552.x)) * u32(65536) + u32(i32(_S552.y)));
+        var _S554 : u32 = hash_bits_0(_S546, _S553);
+        var _S555 : vec2<f32> = _S545 - _S552 - vec2<f32>(share_of_0(_S553), share_of_0((_S553 >> (u32(10)))));
+        var _S556 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S553 >> (u32(20)))));
+        var _S557 : f32 = mix(5.0f, 16.0f, share_of_0((_S554 >> (u32(10))))) / 17.0f;
+        var _S558 : f32 = _S555.x;
+        var _S559 : f32 = _S556.y;
+        var _S560 : f32 = _S555.y;
+        var _S561 : f32 = _S556.x;
+        var _S562 : f32 = (_S558 * _S559 + _S560 * _S561) / _S557;
+        var _S563 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S554 >> (u32(20)))) - 1.0f);
+        var _S564 : f32 = 2.0f * _S563 * _S562;
+        var _S565 : f32 = rsqrt_0(_S564 * _S564 + 1.0f);
+        var _S566 : f32 = (_S560 * _S559 - _S558 * _S561 - _S563 * _S557 * _S562 * _S562) * _S565 * 17.0f;
+        var _S567 : f32 = clamp((0.31999999284744263f - abs(_S566)) * _S542 * _S547 + 0.5f, 0.0f, _S548);
+        if((((((share_of_0(_S554)) < (families_0[select(fabrics_0[_S538].weft_0, fabrics_0[_S538].warp_0, ((((_S554 >> (u32(30)))) & (u32(1)))) == u32(1))].hairiness_0)) & (((abs(_S562)) < 1.0f)))) & ((_S567 > cover_2))))
         {
-            var _S567 : vec2<f32> = vec2<f32>(- _S560 - _S563 * _S558, _S558 - _S563 * _S560) * vec2<f32>(_S564);
-            cover_2 = _S566;
-            hair_away_0 = _S565;
-            hair_across_0 = _S567;
+            var _S568 : vec2<f32> = vec2<f32>(- _S561 - _S564 * _S559, _S559 - _S564 * _S561) * vec2<f32>(_S565);
+            cover_2 = _S567;
+            hair_away_0 = _S566;
+            hair_across_0 = _S568;
         }
         number_2 = number_2 + u32(1);
     }
-    var _S568 : f32 = clamp(hair_away_0 * 2.5f, -0.80000001192092896f, 0.80000001192092896f);
+    var _S569 : f32 = clamp(hair_away_0 * 2.5f, -0.80000001192092896f, 0.80000001192092896f);
     var hair_1 : Hair_0;
-    hair_1.cover_0 = _S543 * cover_2;
-    hair_1.normal_3 = vec3<f32>(vec2<f32>(_S568) * hair_across_0, sqrt(1.0f - _S568 * _S568));
+    hair_1.cover_0 = _S544 * cover_2;
+    hair_1.normal_3 = vec3<f32>(vec2<f32>(_S569) * hair_across_0, sqrt(1.0f - _S569 * _S569));
     hair_1.tangent_2 = vec3<f32>(hair_across_0.y, - hair_across_0.x, 0.0f);
     return hair_1;
 }
 
-fn thread_number_0( _S569 : u32,  _S570 : SurfacePoint_0,  _S571 : f32,  _S572 : f32) -> u32
+fn thread_number_0( _S570 : u32,  _S571 : SurfacePoint_0,  _S572 : f32,  _S573 : f32) -> u32
 {
-    var _S573 : u32 = select(fabrics_0[_S569].weft_0, fabrics_0[_S569].warp_0, _S570.is_warp_0);
-    return u32(i32(floor((select(_S572, _S571, _S570.is_warp_0) - _S570.across_0) / families_0[_S573].period_0)) * i32(families_0[_S573].count_0) + i32(select(_S570.weft_thread_0, _S570.warp_thread_0, _S570.is_warp_0))) * u32(2) + select(u32(0), u32(1), _S570.is_warp_0);
+    var _S574 : u32 = select(fabrics_0[_S570].weft_0, fabrics_0[_S570].warp_0, _S571.is_warp_0);
+    return u32(i32(floor((select(_S573, _S572, _S571.is_warp_0) - _S571.across_0) / families_0[_S574].period_0)) * i32(families_0[_S574].count_0) + i32(select(_S571.weft_thread_0, _S571.warp_thread_0, _S571.is_warp_0))) * u32(2) + select(u32(0), u32(1), _S571.is_warp_0);
 }
 
 struct FibreNoise_0
@@ -2578,271 +2566,271 @@ struct FibreNoise_0
      slope_2 : f32,
 };
 
-fn fibre_noise_at_0( _S574 : u32,  _S575 : u32,  _S576 : SurfacePoint_0,  _S577 : u32,  _S578 : f32) -> FibreNoise_0
+fn fibre_noise_at_0( _S575 : u32,  _S576 : u32,  _S577 : SurfacePoint_0,  _S578 : u32,  _S579 : f32) -> FibreNoise_0
 {
-    var _S579 : f32 = 5.0f * fabrics_0[_S574].fibre_size_0;
-    var _S580 : vec2<f32> = wave_noise_0(hash_key_0(_S577, ((fabrics_0[_S574].seed_0) ^ (u32(458671337)))), _S576.fibre_along_0 / (25.0f * fabrics_0[_S574].fibre_size_0));
-    var _S581 : f32 = _S576.fibre_across_0 + families_0[_S575].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S574].fibre_size_0 * _S580.x;
-    var _S582 : vec3<f32> = fibre_cell_0(_S581, _S576.fibre_along_0, fabrics_0[_S574].fibre_size_0);
+    var _S580 : f32 = 5.0f * fabrics_0[_S575].fibre_size_0;
+    var _S581 : vec2<f32> = wave_noise_0(hash_key_0(_S578, ((fabrics_0[_S575].seed_0) ^ (u32(458671337)))), _S577.fibre_along_0 / (25.0f * fabrics_0[_S575].fibre_size_0));
+    var _S582 : f32 = _S577.fibre_across_0 + families_0[_S576].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S575].fibre_size_0 * _S581.x;
+    var _S583 : vec3<f32> = fibre_cell_0(_S582, _S577.fibre_along_0, fabrics_0[_S575].fibre_size_0);
     var noise_0 : FibreNoise_0;
-    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S577, ((fabrics_0[_S574].seed_0) ^ (u32(1757159915)))), fibre_cell_0(_S581, _S576.fibre_along_0, _S579));
-    noise_0.bundle_weight_0 = fade_0(_S578, _S579);
-    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S577, ((fabrics_0[_S574].seed_0) ^ (u32(48610963)))), _S582);
-    noise_0.fibre_weight_0 = fade_0(_S578, fabrics_0[_S574].fibre_size_0);
-    noise_0.offset_1 = _S582.z;
-    noise_0.slope_2 = 0.5f * _S580.y;
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S578, ((fabrics_0[_S575].seed_0) ^ (u32(1757159915)))), fibre_cell_0(_S582, _S577.fibre_along_0, _S580));
+    noise_0.bundle_weight_0 = fade_0(_S579, _S580);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S578, ((fabrics_0[_S575].seed_0) ^ (u32(48610963)))), _S583);
+    noise_0.fibre_weight_0 = fade_0(_S579, fabrics_0[_S575].fibre_size_0);
+    noise_0.offset_1 = _S583.z;
+    noise_0.slope_2 = 0.5f * _S581.y;
     return noise_0;
 }
 
-fn detail_gain_0( _S583 : u32,  _S584 : u32,  _S585 : SurfacePoint_0,  _S586 : vec2<f32>,  _S587 : bool,  _S588 : u32,  _S589 : f32) -> vec2<f32>
+fn detail_gain_0( _S584 : u32,  _S585 : u32,  _S586 : SurfacePoint_0,  _S587 : vec2<f32>,  _S588 : bool,  _S589 : u32,  _S590 : f32) -> vec2<f32>
 {
-    var _S590 : vec2<f32> = vec2<f32>(0.0f);
+    var _S591 : vec2<f32> = vec2<f32>(0.0f);
     var gain_2 : vec2<f32>;
-    if((families_0[_S584].has_plies_0) > 0.0f)
+    if((families_0[_S585].has_plies_0) > 0.0f)
     {
-        gain_2 = vec2<f32>((0.60000002384185791f * fade_0(_S589, 1.0f / families_0[_S584].plies_per_mm_0))) * vec2<f32>(0.20000000298023224f - square_1(square_1(ply_offset_0(_S584, _S585, _S587))), 0.20000000298023224f);
+        gain_2 = vec2<f32>((0.60000002384185791f * fade_0(_S590, 1.0f / families_0[_S585].plies_per_mm_0))) * vec2<f32>(0.20000000298023224f - square_1(square_1(ply_offset_0(_S585, _S586, _S588))), 0.20000000298023224f);
     }
     else
     {
-        gain_2 = _S590;
+        gain_2 = _S591;
     }
-    if((families_0[_S584].fibre_tone_0) > 0.0f)
+    if((families_0[_S585].fibre_tone_0) > 0.0f)
     {
-        var _S591 : FibreNoise_0 = fibre_noise_at_0(_S583, _S584, _S585, _S588, _S589);
-        gain_2 = gain_2 + vec2<f32>(families_0[_S584].fibre_tone_0) * vec2<f32>(_S591.bundle_weight_0 * _S591.bundle_0.y + _S591.fibre_weight_0 * _S591.fibre_0.y, _S591.bundle_weight_0 + _S591.fibre_weight_0);
+        var _S592 : FibreNoise_0 = fibre_noise_at_0(_S584, _S585, _S586, _S589, _S590);
+        gain_2 = gain_2 + vec2<f32>(families_0[_S585].fibre_tone_0) * vec2<f32>(_S592.bundle_weight_0 * _S592.bundle_0.y + _S592.fibre_weight_0 * _S592.fibre_0.y, _S592.bundle_weight_0 + _S592.fibre_weight_0);
     }
-    if((families_0[_S584].slub_0) > 0.0f)
+    if((families_0[_S585].slub_0) > 0.0f)
     {
-        gain_2 = gain_2 + vec2<f32>((0.25f * families_0[_S584].slub_0 * fade_0(_S589, 1.0f / families_0[_S584].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S588, ((fabrics_0[_S583].seed_0) ^ (u32(1373058189)))), select(- _S586.x, _S586.y, _S585.is_warp_0) * families_0[_S584].slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_1(_S585.across_0 * families_0[_S584].per_half_width_0), 1.0f)), 1.0f);
+        gain_2 = gain_2 + vec2<f32>((0.25f * families_0[_S585].slub_0 * fade_0(_S590, 1.0f / families_0[_S585].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S589, ((fabrics_0[_S584].seed_0) ^ (u32(1373058189)))), select(- _S587.x, _S587.y, _S586.is_warp_0) * families_0[_S585].slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_1(_S586.across_0 * families_0[_S585].per_half_width_0), 1.0f)), 1.0f);
     }
     return gain_2;
 }
 
-fn vary_albedos_0( _S592 : u32,  _S593 : Albedos_0,  _S594 : u32,  _S595 : u32,  _S596 : vec2<f32>) -> Albedos_0
+fn vary_albedos_0( _S593 : u32,  _S594 : Albedos_0,  _S595 : u32,  _S596 : u32,  _S597 : vec2<f32>) -> Albedos_0
 {
-    var _S597 : vec3<f32> = max(_S593.specular_reflect_0, _S593.specular_transmit_0);
-    var _S598 : vec3<f32> = _S593.diffuse_reflect_0 + _S593.diffuse_transmit_0;
-    var _S599 : vec3<f32> = vec3<f32>(fabrics_0[_S592].layer_bound_0);
-    var _S600 : vec3<f32> = vec3<f32>(1.0f);
-    var _S601 : vec3<f32> = _S600 - _S599 * _S597;
-    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S594, fabrics_0[_S592].colour_noise_0, fabrics_0[_S592].seed_0), _S598, _S601);
-    var _S602 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S596.y, vec3<f32>(colour_1) * _S598, _S601) * _S596.x)));
-    var _S603 : f32 = bounded_gain_0(fibre_gain_0(_S594, _S595, fabrics_0[_S592].fibre_noise_0, fabrics_0[_S592].seed_0), _S597, min((_S600 - _S602 * _S598) / _S599, vec3<f32>(1.0f)));
+    var _S598 : vec3<f32> = max(_S594.specular_reflect_0, _S594.specular_transmit_0);
+    var _S599 : vec3<f32> = _S594.diffuse_reflect_0 + _S594.diffuse_transmit_0;
+    var _S600 : vec3<f32> = vec3<f32>(fabrics_0[_S593].layer_bound_0);
+    var _S601 : vec3<f32> = vec3<f32>(1.0f);
+    var _S602 : vec3<f32> = _S601 - _S600 * _S598;
+    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S595, fabrics_0[_S593].colour_noise_0, fabrics_0[_S593].seed_0), _S599, _S602);
+    var _S603 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S597.y, vec3<f32>(colour_1) * _S599, _S602) * _S597.x)));
+    var _S604 : f32 = bounded_gain_0(fibre_gain_0(_S595, _S596, fabrics_0[_S593].fibre_noise_0, fabrics_0[_S593].seed_0), _S598, min((_S601 - _S603 * _S599) / _S600, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S602 * _S593.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S602 * _S593.diffuse_transmit_0;
-    var _S604 : vec3<f32> = vec3<f32>(_S603);
-    varied_0.specular_reflect_0 = _S604 * _S593.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S604 * _S593.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S603 * _S594.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S603 * _S594.diffuse_transmit_0;
+    var _S605 : vec3<f32> = vec3<f32>(_S604);
+    varied_0.specular_reflect_0 = _S605 * _S594.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S605 * _S594.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S605 : u32,  _S606 : SurfacePoint_0,  _S607 : Albedos_0,  _S608 : f32,  _S609 : f32,  _S610 : bool,  _S611 : f32,  _S612 : f32) -> Albedos_0
+fn varied_at_0( _S606 : u32,  _S607 : SurfacePoint_0,  _S608 : Albedos_0,  _S609 : f32,  _S610 : f32,  _S611 : bool,  _S612 : f32,  _S613 : f32) -> Albedos_0
 {
-    var _S613 : u32 = thread_number_0(_S605, _S606, _S608, _S609);
-    var _S614 : vec3<f32> = fibre_cell_0(_S606.fibre_across_0, _S606.fibre_along_0, fabrics_0[_S605].fibre_size_0);
-    var _S615 : vec2<f32> = vec2<f32>(0.0f);
+    var _S614 : u32 = thread_number_0(_S606, _S607, _S609, _S610);
+    var _S615 : vec3<f32> = fibre_cell_0(_S607.fibre_across_0, _S607.fibre_along_0, fabrics_0[_S606].fibre_size_0);
+    var _S616 : vec2<f32> = vec2<f32>(0.0f);
     var gain_3 : vec2<f32>;
-    if((((fabrics_0[_S605].has_detail_0) != u32(0)) & ((_S611 >= 0.0f))))
+    if((((fabrics_0[_S606].has_detail_0) != u32(0)) & ((_S612 >= 0.0f))))
     {
-        gain_3 = detail_gain_0(_S605, select(fabrics_0[_S605].weft_0, fabrics_0[_S605].warp_0, _S606.is_warp_0), _S606, vec2<f32>(_S608, _S609), _S610, _S613, _S611) * vec2<f32>(1.0f - _S612, 1.0f);
+        gain_3 = detail_gain_0(_S606, select(fabrics_0[_S606].weft_0, fabrics_0[_S606].warp_0, _S607.is_warp_0), _S607, vec2<f32>(_S609, _S610), _S611, _S614, _S612) * vec2<f32>(1.0f - _S613, 1.0f);
     }
     else
     {
-        gain_3 = _S615;
+        gain_3 = _S616;
     }
-    return vary_albedos_0(_S605, _S607, _S613, u32(i32(_S614.x)) * u32(65536) + u32(i32(floor(_S614.y))), gain_3);
+    return vary_albedos_0(_S606, _S608, _S614, u32(i32(_S615.x)) * u32(65536) + u32(i32(floor(_S615.y))), gain_3);
 }
 
-fn turned_frame_0( _S616 : u32,  _S617 : u32,  _S618 : SurfacePoint_0,  _S619 : bool,  _S620 : u32,  _S621 : f32) -> YarnFrame_0
+fn turned_frame_0( _S617 : u32,  _S618 : u32,  _S619 : SurfacePoint_0,  _S620 : bool,  _S621 : u32,  _S622 : f32) -> YarnFrame_0
 {
     var frame_2 : YarnFrame_0;
-    frame_2.normal_5 = _S618.normal_1;
-    frame_2.tangent_4 = _S618.tangent_0;
+    frame_2.normal_5 = _S619.normal_1;
+    frame_2.tangent_4 = _S619.tangent_0;
     frame_2.loss_0 = 0.0f;
-    if((families_0[_S617].has_plies_0) > 0.0f)
+    if((families_0[_S618].has_plies_0) > 0.0f)
     {
-        var _S622 : f32 = fade_0(_S621, 1.0f / families_0[_S617].plies_per_mm_0);
-        var _S623 : f32 = _S622 * 0.41999998688697815f * ply_offset_0(_S617, _S618, _S619);
-        var _S624 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
-        var _S625 : vec3<f32> = vec3<f32>(families_0[_S617].ply_cosine_0);
-        var _S626 : vec3<f32> = vec3<f32>(select(families_0[_S617].ply_sine_0, - families_0[_S617].ply_sine_0, _S619));
-        var _S627 : vec3<f32> = _S625 * _S624 + _S626 * frame_2.tangent_4;
-        var _S628 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S623 * _S623));
-        var _S629 : vec3<f32> = vec3<f32>(_S623);
-        frame_2.tangent_4 = _S625 * (_S625 * frame_2.tangent_4 - _S626 * _S624) + _S626 * (_S628 * _S627 - _S629 * frame_2.normal_5);
-        frame_2.normal_5 = _S628 * frame_2.normal_5 + _S629 * _S627;
-        frame_2.loss_0 = _S622 * _S622 * 0.41999998688697815f * 0.41999998688697815f / 6.0f;
+        var _S623 : f32 = fade_0(_S622, 1.0f / families_0[_S618].plies_per_mm_0);
+        var _S624 : f32 = _S623 * 0.41999998688697815f * ply_offset_0(_S618, _S619, _S620);
+        var _S625 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
+        var _S626 : vec3<f32> = vec3<f32>(families_0[_S618].ply_cosine_0);
+        var _S627 : vec3<f32> = vec3<f32>(select(families_0[_S618].ply_sine_0, - families_0[_S618].ply_sine_0, _S620));
+        var _S628 : vec3<f32> = _S626 * _S625 + _S627 * frame_2.tangent_4;
+        var _S629 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S624 * _S624));
+        var _S630 : vec3<f32> = vec3<f32>(_S624);
+        frame_2.tangent_4 = _S626 * (_S626 * frame_2.tangent_4 - _S627 * _S625) + _S627 * (_S629 * _S628 - _S630 * frame_2.normal_5);
+        frame_2.normal_5 = _S629 * frame_2.normal_5 + _S630 * _S628;
+        frame_2.loss_0 = _S623 * _S623 * 0.41999998688697815f * 0.41999998688697815f / 6.0f;
     }
-    var _S630 : f32 = families_0[_S617].fibre_tilt_0;
-    if((families_0[_S617].fibre_tilt_0) > 0.0f)
+    var _S631 : f32 = families_0[_S618].fibre_tilt_0;
+    if((families_0[_S618].fibre_tilt_0) > 0.0f)
     {
-        var _S631 : FibreNoise_0 = fibre_noise_at_0(_S616, _S617, _S618, _S620, _S621);
-        var _S632 : f32 = 1.09858846664428711f * _S630 * (_S631.bundle_weight_0 * _S631.bundle_0.x + _S631.fibre_weight_0 * (_S631.fibre_0.x + _S631.offset_1));
-        var _S633 : f32 = _S630 * (1.42099642753601074f * (_S631.bundle_weight_0 * _S631.bundle_0.y + _S631.fibre_weight_0 * _S631.fibre_0.y) - _S631.bundle_weight_0 * _S631.slope_2);
-        var _S634 : f32 = square_1(_S631.fibre_weight_0);
-        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S630 * _S630 * ((0.24761904776096344f * (square_1(_S631.bundle_weight_0) + _S634) + _S634 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
-        var _S635 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
-        var _S636 : vec2<f32> = sine_cosine_0(_S632);
+        var _S632 : FibreNoise_0 = fibre_noise_at_0(_S617, _S618, _S619, _S621, _S622);
+        var _S633 : f32 = 1.09858846664428711f * _S631 * (_S632.bundle_weight_0 * _S632.bundle_0.x + _S632.fibre_weight_0 * (_S632.fibre_0.x + _S632.offset_1));
+        var _S634 : f32 = _S631 * (1.42099642753601074f * (_S632.bundle_weight_0 * _S632.bundle_0.y + _S632.fibre_weight_0 * _S632.fibre_0.y) - _S632.bundle_weight_0 * _S632.slope_2);
+        var _S635 : f32 = square_1(_S632.fibre_weight_0);
+        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S631 * _S631 * ((0.24761904776096344f * (square_1(_S632.bundle_weight_0) + _S635) + _S635 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
+        var _S636 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
         var _S637 : vec2<f32> = sine_cosine_0(_S633);
-        var _S638 : vec3<f32> = vec3<f32>(_S636.y);
-        var _S639 : vec3<f32> = vec3<f32>(_S636.x);
-        var _S640 : vec3<f32> = _S638 * _S635 - _S639 * frame_2.normal_5;
-        frame_2.normal_5 = _S638 * frame_2.normal_5 + _S639 * _S635;
-        frame_2.tangent_4 = vec3<f32>(_S637.y) * frame_2.tangent_4 + vec3<f32>(_S637.x) * _S640;
+        var _S638 : vec2<f32> = sine_cosine_0(_S634);
+        var _S639 : vec3<f32> = vec3<f32>(_S637.y);
+        var _S640 : vec3<f32> = vec3<f32>(_S637.x);
+        var _S641 : vec3<f32> = _S639 * _S636 - _S640 * frame_2.normal_5;
+        frame_2.normal_5 = _S639 * frame_2.normal_5 + _S640 * _S636;
+        frame_2.tangent_4 = vec3<f32>(_S638.y) * frame_2.tangent_4 + vec3<f32>(_S638.x) * _S641;
     }
     return frame_2;
 }
 
-fn yarn_point_of_0( _S641 : u32,  _S642 : SurfacePoint_0,  _S643 : f32,  _S644 : f32,  _S645 : bool,  _S646 : bool,  _S647 : f32) -> YarnPoint_0
+fn yarn_point_of_0( _S642 : u32,  _S643 : SurfacePoint_0,  _S644 : f32,  _S645 : f32,  _S646 : bool,  _S647 : bool,  _S648 : f32) -> YarnPoint_0
 {
-    var _S648 : u32 = select(fabrics_0[_S641].weft_0, fabrics_0[_S641].warp_0, _S642.is_warp_0);
-    var _S649 : bool = (((fabrics_0[_S641].has_detail_0) != u32(0)) & ((_S647 >= 0.0f)));
-    var _S650 : vec3<f32> = vec3<f32>(0.0f);
-    var _S651 : Hair_0 = Hair_x24init_0(0.0f, _S650, _S650);
-    var _S652 : bool;
-    if(_S649)
+    var _S649 : u32 = select(fabrics_0[_S642].weft_0, fabrics_0[_S642].warp_0, _S643.is_warp_0);
+    var _S650 : bool = (((fabrics_0[_S642].has_detail_0) != u32(0)) & ((_S648 >= 0.0f)));
+    var _S651 : vec3<f32> = vec3<f32>(0.0f);
+    var _S652 : Hair_0 = Hair_x24init_0(0.0f, _S651, _S651);
+    var _S653 : bool;
+    if(_S650)
     {
-        _S652 = has_hairs_0(_S641);
+        _S653 = has_hairs_0(_S642);
     }
     else
     {
-        _S652 = false;
+        _S653 = false;
     }
     var hair_2 : Hair_0;
-    if(_S652)
+    if(_S653)
     {
-        hair_2 = hair_at_0(_S641, vec2<f32>(_S643, _S644), _S645, _S647);
+        hair_2 = hair_at_0(_S642, vec2<f32>(_S644, _S645), _S646, _S648);
     }
     else
     {
-        hair_2 = _S651;
+        hair_2 = _S652;
     }
-    var albedos_7 : Albedos_0 = albedos_of_0(_S648, select(_S642.weft_thread_0, _S642.warp_thread_0, _S642.is_warp_0));
+    var albedos_7 : Albedos_0 = albedos_of_0(_S649, select(_S643.weft_thread_0, _S643.warp_thread_0, _S643.is_warp_0));
     var albedos_8 : Albedos_0;
-    if(varies_at_0(_S641, _S647))
+    if(varies_at_0(_S642, _S648))
     {
-        albedos_8 = varied_at_0(_S641, _S642, albedos_7, _S643, _S644, _S645, _S647, hair_2.cover_0);
+        albedos_8 = varied_at_0(_S642, _S643, albedos_7, _S644, _S645, _S646, _S648, hair_2.cover_0);
     }
     else
     {
         albedos_8 = albedos_7;
     }
     var point_5 : YarnPoint_0;
-    point_5.back_7 = _S645;
-    point_5.hole_6 = _S646;
-    point_5.is_warp_3 = _S642.is_warp_0;
-    point_5.x_15 = _S643;
-    point_5.y_8 = _S644;
-    point_5.height_11 = _S642.height_2;
-    point_5.normal_10 = _S642.normal_1;
-    point_5.tangent_10 = _S642.tangent_0;
-    point_5.surface_normal_0 = _S642.normal_1;
+    point_5.back_7 = _S646;
+    point_5.hole_6 = _S647;
+    point_5.is_warp_3 = _S643.is_warp_0;
+    point_5.x_15 = _S644;
+    point_5.y_8 = _S645;
+    point_5.height_11 = _S643.height_2;
+    point_5.normal_10 = _S643.normal_1;
+    point_5.tangent_10 = _S643.tangent_0;
+    point_5.surface_normal_0 = _S643.normal_1;
     point_5.diffuse_gain_1 = 1.0f;
-    if(_S649)
+    if(_S650)
     {
-        var _S653 : YarnFrame_0 = turned_frame_0(_S641, _S648, _S642, _S645, thread_number_0(_S641, _S642, _S643, _S644), _S647);
+        var _S654 : YarnFrame_0 = turned_frame_0(_S642, _S649, _S643, _S646, thread_number_0(_S642, _S643, _S644, _S645), _S648);
         var frame_3 : YarnFrame_0;
-        if(has_hairs_0(_S641))
+        if(has_hairs_0(_S642))
         {
-            frame_3 = under_hair_0(_S653, hair_2);
+            frame_3 = under_hair_0(_S654, hair_2);
         }
         else
         {
-            frame_3 = _S653;
+            frame_3 = _S654;
         }
         point_5.normal_10 = frame_3.normal_5;
         point_5.tangent_10 = frame_3.tangent_4;
-        point_5.diffuse_gain_1 = diffuse_gain_0(frame_3, fabrics_0[_S641].diffuse_blend_0);
+        point_5.diffuse_gain_1 = diffuse_gain_0(frame_3, fabrics_0[_S642].diffuse_blend_0);
     }
-    point_5.roughness_10 = families_0[_S648].roughness_0;
+    point_5.roughness_10 = families_0[_S649].roughness_0;
     point_5.albedos_6 = albedos_8;
     return point_5;
 }
 
-fn unoccluded_0( _S654 : u32,  _S655 : SearchQuality_0,  _S656 : f32,  _S657 : f32,  _S658 : f32,  _S659 : vec3<f32>,  _S660 : bool) -> bool
+fn unoccluded_0( _S655 : u32,  _S656 : SearchQuality_0,  _S657 : f32,  _S658 : f32,  _S659 : f32,  _S660 : vec3<f32>,  _S661 : bool) -> bool
 {
-    if((_S659.z) <= 0.0f)
+    if((_S660.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S654, _S655, vec3<f32>(_S656, _S657, _S658 + fabrics_0[_S654].lift_0), _S659, _S660, max_height_along_0(_S654, _S656, _S657, _S658, _S659, _S660));
+    return is_free_0(_S655, _S656, vec3<f32>(_S657, _S658, _S659 + fabrics_0[_S655].lift_0), _S660, _S661, max_height_along_0(_S655, _S657, _S658, _S659, _S660, _S661));
 }
 
-fn is_lit_0( _S661 : u32,  _S662 : SearchQuality_0,  _S663 : YarnPoint_0,  _S664 : vec3<f32>) -> bool
+fn is_lit_0( _S662 : u32,  _S663 : SearchQuality_0,  _S664 : YarnPoint_0,  _S665 : vec3<f32>) -> bool
 {
-    if(_S663.hole_6)
+    if(_S664.hole_6)
     {
         return true;
     }
-    var _S665 : vec3<f32> = to_face_frame_0(_S664, _S663.back_7);
-    var _S666 : f32 = _S665.z;
-    var _S667 : bool = _S666 < 0.0f;
+    var _S666 : vec3<f32> = to_face_frame_0(_S665, _S664.back_7);
+    var _S667 : f32 = _S666.z;
+    var _S668 : bool = _S667 < 0.0f;
     var normal_11 : vec3<f32>;
     var height_12 : f32;
-    if(_S667)
+    if(_S668)
     {
-        var _S668 : SurfacePoint_0 = surface_at_0(_S661, _S663.x_15, _S663.y_8, !_S663.back_7);
-        normal_11 = _S668.normal_1;
-        height_12 = _S668.height_2;
+        var _S669 : SurfacePoint_0 = surface_at_0(_S662, _S664.x_15, _S664.y_8, !_S664.back_7);
+        normal_11 = _S669.normal_1;
+        height_12 = _S669.height_2;
     }
     else
     {
-        normal_11 = _S663.surface_normal_0;
-        height_12 = _S663.height_11;
+        normal_11 = _S664.surface_normal_0;
+        height_12 = _S664.height_11;
     }
-    var _S669 : vec3<f32> = vec3<f32>(_S665.xy, abs(_S666));
-    if((dot(normal_11, _S669)) <= 0.0f)
+    var _S670 : vec3<f32> = vec3<f32>(_S666.xy, abs(_S667));
+    if((dot(normal_11, _S670)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S661, _S662, _S663.x_15, _S663.y_8, height_12, _S669, (_S663.back_7) != _S667);
+    return unoccluded_0(_S662, _S663, _S664.x_15, _S664.y_8, height_12, _S670, (_S664.back_7) != _S668);
 }
 
-fn components_of_point_0( _S670 : u32,  _S671 : SearchQuality_0,  _S672 : YarnPoint_0,  _S673 : vec3<f32>,  _S674 : vec3<f32>) -> Components_0
+fn components_of_point_0( _S671 : u32,  _S672 : SearchQuality_0,  _S673 : YarnPoint_0,  _S674 : vec3<f32>,  _S675 : vec3<f32>) -> Components_0
 {
     var result_3 : Components_0 = no_components_0();
-    result_3.hole_2 = select(0.0f, 1.0f, _S672.hole_6);
-    var _S675 : bool;
-    if(_S672.hole_6)
+    result_3.hole_2 = select(0.0f, 1.0f, _S673.hole_6);
+    var _S676 : bool;
+    if(_S673.hole_6)
     {
-        _S675 = true;
+        _S676 = true;
     }
     else
     {
-        _S675 = !is_lit_0(_S670, _S671, _S672, _S673);
+        _S676 = !is_lit_0(_S671, _S672, _S673, _S674);
     }
-    if(_S675)
+    if(_S676)
     {
         return result_3;
     }
-    var _S676 : vec3<f32> = to_face_frame_0(_S673, _S672.back_7);
-    var _S677 : vec3<f32> = to_face_frame_0(_S674, _S672.back_7);
-    var _S678 : bool = (_S676.z) < 0.0f;
-    var _S679 : f32 = _S672.diffuse_gain_1 * diffuse_reflection_0(select_vector_1(_S678, (vec3<f32>(0) - _S676), _S676), _S672.normal_10, fabrics_0[_S670].diffuse_blend_0);
-    var _S680 : f32;
-    if(_S678)
+    var _S677 : vec3<f32> = to_face_frame_0(_S674, _S673.back_7);
+    var _S678 : vec3<f32> = to_face_frame_0(_S675, _S673.back_7);
+    var _S679 : bool = (_S677.z) < 0.0f;
+    var _S680 : f32 = _S673.diffuse_gain_1 * diffuse_reflection_0(select_vector_1(_S679, (vec3<f32>(0) - _S677), _S677), _S673.normal_10, fabrics_0[_S671].diffuse_blend_0);
+    var _S681 : f32;
+    if(_S679)
     {
-        _S680 = transmission_1(_S676, _S677, _S672.normal_10, _S672.tangent_10, _S672.roughness_10, fabrics_0[_S670].optical_depth_0);
+        _S681 = transmission_1(_S677, _S678, _S673.normal_10, _S673.tangent_10, _S673.roughness_10, fabrics_0[_S671].optical_depth_0);
     }
     else
     {
-        _S680 = reflection_0(_S676, _S677, _S672.normal_10, _S672.tangent_10, _S672.roughness_10, fabrics_0[_S670].optical_depth_0);
+        _S681 = reflection_0(_S677, _S678, _S673.normal_10, _S673.tangent_10, _S673.roughness_10, fabrics_0[_S671].optical_depth_0);
     }
-    result_3.diffuse_warp_0 = select(0.0f, _S679, _S672.is_warp_3);
-    result_3.diffuse_weft_0 = select(_S679, 0.0f, _S672.is_warp_3);
-    result_3.specular_warp_0 = select(0.0f, _S680, _S672.is_warp_3);
-    result_3.specular_weft_0 = select(_S680, 0.0f, _S672.is_warp_3);
+    result_3.diffuse_warp_0 = select(0.0f, _S680, _S673.is_warp_3);
+    result_3.diffuse_weft_0 = select(_S680, 0.0f, _S673.is_warp_3);
+    result_3.specular_warp_0 = select(0.0f, _S681, _S673.is_warp_3);
+    result_3.specular_weft_0 = select(_S681, 0.0f, _S673.is_warp_3);
     result_3.light_visibility_1 = 1.0f;
     return result_3;
 }
 
-fn openness_number_0( _S681 : u32,  _S682 : u32) -> f32
+fn openness_number_0( _S682 : u32,  _S683 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S681].openness_0 + _S682);
+    return table_number_0(fabrics_0[_S682].openness_0 + _S683);
 }
 
-fn blocked_of_terms_0( _S683 : u32,  _S684 : u32,  _S685 : array<f32, i32(6)>,  _S686 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S684 : u32,  _S685 : u32,  _S686 : array<f32, i32(6)>,  _S687 : u32) -> Blocked_0
 {
     var shares_0 : array<f32, i32(3)>;
     var share_4 : u32 = u32(0);
@@ -2859,14 +2847,14 @@ fn blocked_of_terms_0( _S683 : u32,  _S684 : u32,  _S685 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S686)
+            if(term_0 < _S687)
             {
             }
             else
             {
                 break;
             }
-            shares_0[share_4] = shares_0[share_4] + openness_number_0(_S683, _S684 + share_4 * _S686 + term_0) * _S685[term_0];
+            shares_0[share_4] = shares_0[share_4] + openness_number_0(_S684, _S685 + share_4 * _S687 + term_0) * _S686[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_0[share_4] = saturate(shares_0[share_4]);
@@ -2879,24 +2867,24 @@ fn blocked_of_terms_0( _S683 : u32,  _S684 : u32,  _S685 : array<f32, i32(6)>,  
     return blocked_2;
 }
 
-fn blocked_at_0( _S687 : u32,  _S688 : bool,  _S689 : bool,  _S690 : f32,  _S691 : f32) -> Blocked_0
+fn blocked_at_0( _S688 : u32,  _S689 : bool,  _S690 : bool,  _S691 : f32,  _S692 : f32) -> Blocked_0
 {
-    var _S692 : f32 = _S691 * openness_number_0(_S687, u32(158));
-    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S690, _S692, _S690 * _S690, _S690 * _S692, _S692 * _S692 );
-    return blocked_of_terms_0(_S687, u32(60) + (select(u32(0), u32(2), _S689) + select(u32(1), u32(0), _S688)) * u32(18), terms_2, u32(6));
+    var _S693 : f32 = _S692 * openness_number_0(_S688, u32(158));
+    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S691, _S693, _S691 * _S691, _S691 * _S693, _S693 * _S693 );
+    return blocked_of_terms_0(_S688, u32(60) + (select(u32(0), u32(2), _S690) + select(u32(1), u32(0), _S689)) * u32(18), terms_2, u32(6));
 }
 
-fn with_blocked_0( _S693 : u32,  _S694 : Blocked_0,  _S695 : YarnPoint_0,  _S696 : bool,  _S697 : f32) -> Blocked_0
+fn with_blocked_0( _S694 : u32,  _S695 : Blocked_0,  _S696 : YarnPoint_0,  _S697 : bool,  _S698 : f32) -> Blocked_0
 {
-    if(((_S695.hole_6) | (((_S695.is_warp_3) != _S696))))
+    if(((_S696.hole_6) | (((_S696.is_warp_3) != _S697))))
     {
-        return _S694;
+        return _S695;
     }
-    var _S698 : Blocked_0 = blocked_at_0(_S693, _S696, _S695.back_7, _S695.surface_normal_0.z, _S695.height_11);
+    var _S699 : Blocked_0 = blocked_at_0(_S694, _S697, _S696.back_7, _S696.surface_normal_0.z, _S696.height_11);
     var result_4 : Blocked_0;
-    result_4.by_warp_0 = _S694.by_warp_0 + _S697 * _S698.by_warp_0;
-    result_4.by_weft_0 = _S694.by_weft_0 + _S697 * _S698.by_weft_0;
-    result_4.far_0 = _S694.far_0 + _S697 * _S698.far_0;
+    result_4.by_warp_0 = _S695.by_warp_0 + _S698 * _S699.by_warp_0;
+    result_4.by_weft_0 = _S695.by_weft_0 + _S698 * _S699.by_weft_0;
+    result_4.far_0 = _S695.far_0 + _S698 * _S699.far_0;
     return result_4;
 }
 
@@ -2905,23 +2893,23 @@ struct CoverageTaps_0
      nodes_1 : array<u32, i32(9)>,
 };
 
-fn pyramid_level_0( _S699 : u32,  _S700 : f32) -> vec3<f32>
+fn pyramid_level_0( _S700 : u32,  _S701 : f32) -> vec3<f32>
 {
-    var _S701 : u32 = fabrics_0[_S699].lobes_0.levels_0 + u32(4) * u32(min(_S700, fabrics_0[_S699].lobes_0.last_level_0));
-    return vec3<f32>(table_number_0(_S701), table_number_0(_S701 + u32(1)), table_number_0(_S701 + u32(2)));
+    var _S702 : u32 = fabrics_0[_S700].lobes_0.levels_0 + u32(4) * u32(min(_S701, fabrics_0[_S700].lobes_0.last_level_0));
+    return vec3<f32>(table_number_0(_S702), table_number_0(_S702 + u32(1)), table_number_0(_S702 + u32(2)));
 }
 
-fn coverage_taps_0( _S702 : u32,  _S703 : Footprint_0,  _S704 : bool) -> CoverageTaps_0
+fn coverage_taps_0( _S703 : u32,  _S704 : Footprint_0,  _S705 : bool) -> CoverageTaps_0
 {
-    var _S705 : Lobes_std430_0 = fabrics_0[_S702].lobes_0;
-    var _S706 : f32 = Footprint_spread_side_0(_S703) * fabrics_0[_S702].lobes_0.inverse_base_size_0;
-    var _S707 : vec3<f32> = pyramid_level_0(_S702, floor(binary_logarithm_0(max(0.68000000715255737f * _S706, 1.0f))));
-    var _S708 : f32 = 1.0f / max(_S706, 9.99999997475242708e-07f);
-    var _S709 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S702].warp_0].inverse_period_0, families_0[fabrics_0[_S702].weft_0].inverse_period_0);
-    var _S710 : vec2<f32> = _S703.centre_0 * _S709;
-    var _S711 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S708 * _S708), 0.0f, 1.0f)), 0.3333333432674408f * _S708), 1.0f));
-    var _S712 : vec2<f32> = _S703.dx_0 * _S709 * _S711;
-    var _S713 : vec2<f32> = _S703.dy_0 * _S709 * _S711;
+    var _S706 : Lobes_std430_0 = fabrics_0[_S703].lobes_0;
+    var _S707 : f32 = Footprint_spread_side_0(_S704) * fabrics_0[_S703].lobes_0.inverse_base_size_0;
+    var _S708 : vec3<f32> = pyramid_level_0(_S703, floor(binary_logarithm_0(max(0.68000000715255737f * _S707, 1.0f))));
+    var _S709 : f32 = 1.0f / max(_S707, 9.99999997475242708e-07f);
+    var _S710 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S703].warp_0].inverse_period_0, families_0[fabrics_0[_S703].weft_0].inverse_period_0);
+    var _S711 : vec2<f32> = _S704.centre_0 * _S710;
+    var _S712 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S709 * _S709), 0.0f, 1.0f)), 0.3333333432674408f * _S709), 1.0f));
+    var _S713 : vec2<f32> = _S704.dx_0 * _S710 * _S712;
+    var _S714 : vec2<f32> = _S704.dy_0 * _S710 * _S712;
     var taps_4 : CoverageTaps_0;
     var number_3 : u32 = u32(0);
     for(;;)
@@ -2933,24 +2921,24 @@ fn coverage_taps_0( _S702 : u32,  _S703 : Footprint_0,  _S704 : bool) -> Coverag
         {
             break;
         }
-        var _S714 : vec2<f32> = _S710 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S712 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S713;
-        var _S715 : f32 = _S707.y;
-        taps_4.nodes_1[number_3] = select(u32(0), _S705.face_nodes_0, _S704) + u32(wrapped_cell_0(_S714.y, _S707.z) * _S715 + wrapped_cell_0(_S714.x, _S715) + _S707.x);
+        var _S715 : vec2<f32> = _S711 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S713 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S714;
+        var _S716 : f32 = _S708.y;
+        taps_4.nodes_1[number_3] = select(u32(0), _S706.face_nodes_0, _S705) + u32(wrapped_cell_0(_S715.y, _S708.z) * _S716 + wrapped_cell_0(_S715.x, _S716) + _S708.x);
         number_3 = number_3 + u32(1);
     }
     return taps_4;
 }
 
-fn joint_ratios_0( _S716 : u32,  _S717 : vec3<f32>,  _S718 : vec3<f32>,  _S719 : bool) -> vec2<f32>
+fn joint_ratios_0( _S717 : u32,  _S718 : vec3<f32>,  _S719 : vec3<f32>,  _S720 : bool) -> vec2<f32>
 {
-    var _S720 : NodeTaps_0 = node_taps_of_0(_S718, u32(16));
-    var _S721 : NodeTaps_0 = node_taps_of_0(_S717, u32(16));
-    var _S722 : u32 = fabrics_0[_S716].lobes_0.joint_0 + u32(2) * (select(u32(0), u32(2), _S719) + select(u32(0), u32(1), (_S717.z) < 0.0f)) * u32(512);
-    var _S723 : u32 = _S722 + u32(512);
-    return clamp(vec2<f32>(1.0f) + vec2<f32>(dot(joint_terms_0(_S720, _S722, u32(0)), joint_terms_0(_S721, _S723, u32(0))), dot(joint_terms_0(_S720, _S722, u32(1)), joint_terms_0(_S721, _S723, u32(1)))), vec2<f32>(0.0f), vec2<f32>(4.0f));
+    var _S721 : NodeTaps_0 = node_taps_of_0(_S719, u32(16));
+    var _S722 : NodeTaps_0 = node_taps_of_0(_S718, u32(16));
+    var _S723 : u32 = fabrics_0[_S717].lobes_0.joint_0 + u32(2) * (select(u32(0), u32(2), _S720) + select(u32(0), u32(1), (_S718.z) < 0.0f)) * u32(512);
+    var _S724 : u32 = _S723 + u32(512);
+    return clamp(vec2<f32>(1.0f) + vec2<f32>(dot(joint_terms_0(_S721, _S723, u32(0)), joint_terms_0(_S722, _S724, u32(0))), dot(joint_terms_0(_S721, _S723, u32(1)), joint_terms_0(_S722, _S724, u32(1)))), vec2<f32>(0.0f), vec2<f32>(4.0f));
 }
 
-fn coverage_of_pack_0( _S724 : u32,  _S725 : CoverageTaps_0,  _S726 : u32) -> vec4<f32>
+fn coverage_of_pack_0( _S725 : u32,  _S726 : CoverageTaps_0,  _S727 : u32) -> vec4<f32>
 {
     var number_4 : u32 = u32(0);
     var even_1 : u32 = u32(0);
@@ -2964,9 +2952,9 @@ fn coverage_of_pack_0( _S724 : u32,  _S725 : CoverageTaps_0,  _S726 : u32) -> ve
         {
             break;
         }
-        var _S727 : u32 = words_0[fabrics_0[_S724].lobes_0.coverage_0 + _S725.nodes_1[number_4] * fabrics_0[_S724].lobes_0.packs_0 + _S726];
-        var even_2 : u32 = even_1 + ((_S727 & (u32(16711935))));
-        var odd_2 : u32 = odd_1 + ((((_S727 >> (u32(8)))) & (u32(16711935))));
+        var _S728 : u32 = words_0[fabrics_0[_S725].lobes_0.coverage_0 + _S726.nodes_1[number_4] * fabrics_0[_S725].lobes_0.packs_0 + _S727];
+        var even_2 : u32 = even_1 + ((_S728 & (u32(16711935))));
+        var odd_2 : u32 = odd_1 + ((((_S728 >> (u32(8)))) & (u32(16711935))));
         number_4 = number_4 + u32(1);
         even_1 = even_2;
         odd_1 = odd_2;
@@ -2974,7 +2962,7 @@ fn coverage_of_pack_0( _S724 : u32,  _S725 : CoverageTaps_0,  _S726 : u32) -> ve
     return bytes_of_sums_0(even_1, odd_1) / vec4<f32>(9.0f);
 }
 
-fn coverage_of_holes_0( _S728 : u32,  _S729 : CoverageTaps_0) -> f32
+fn coverage_of_holes_0( _S729 : u32,  _S730 : CoverageTaps_0) -> f32
 {
     var number_5 : u32 = u32(0);
     var total_0 : u32 = u32(0);
@@ -2987,33 +2975,33 @@ fn coverage_of_holes_0( _S728 : u32,  _S729 : CoverageTaps_0) -> f32
         {
             break;
         }
-        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S728].lobes_0.coverage_holes_0 + _S729.nodes_1[number_5] / u32(4)] >> ((u32(8) * (_S729.nodes_1[number_5] % u32(4)))))) & (u32(255))));
+        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S729].lobes_0.coverage_holes_0 + _S730.nodes_1[number_5] / u32(4)] >> ((u32(8) * (_S730.nodes_1[number_5] % u32(4)))))) & (u32(255))));
         number_5 = number_5 + u32(1);
         total_0 = total_1;
     }
     return f32(total_0) / 9.0f;
 }
 
-fn prefiltered_hole_0( _S730 : u32,  _S731 : CoverageTaps_0,  _S732 : NodeTaps_0,  _S733 : bool) -> f32
+fn prefiltered_hole_0( _S731 : u32,  _S732 : CoverageTaps_0,  _S733 : NodeTaps_0,  _S734 : bool) -> f32
 {
-    var _S734 : f32 = interpolate_table_0(_S732, fabrics_0[_S730].lobes_0.projected_area_0 + fabrics_0[_S730].lobes_0.packs_0, fabrics_0[_S730].lobes_0.packs_0 + u32(1)).x;
-    return min(coverage_of_holes_0(_S730, _S731) * _S734 * _S734 * select(fabrics_0[_S730].lobes_0.front_hole_weight_0, fabrics_0[_S730].lobes_0.back_hole_weight_0, _S733), 1.0f);
+    var _S735 : f32 = interpolate_table_0(_S733, fabrics_0[_S731].lobes_0.projected_area_0 + fabrics_0[_S731].lobes_0.packs_0, fabrics_0[_S731].lobes_0.packs_0 + u32(1)).x;
+    return min(coverage_of_holes_0(_S731, _S732) * _S735 * _S735 * select(fabrics_0[_S731].lobes_0.front_hole_weight_0, fabrics_0[_S731].lobes_0.back_hole_weight_0, _S734), 1.0f);
 }
 
-fn prefiltered_components_0( _S735 : u32,  _S736 : Footprint_0,  _S737 : vec3<f32>,  _S738 : vec3<f32>,  _S739 : bool) -> Components_0
+fn prefiltered_components_0( _S736 : u32,  _S737 : Footprint_0,  _S738 : vec3<f32>,  _S739 : vec3<f32>,  _S740 : bool) -> Components_0
 {
-    var _S740 : CoverageTaps_0 = coverage_taps_0(_S735, _S736, _S739);
-    var _S741 : NodeTaps_0 = node_taps_0(_S738);
-    var view_nodes_0 : NodeTaps_0 = _S741;
-    var _S742 : NodeTaps_0 = node_taps_0(_S737);
-    var light_nodes_0 : NodeTaps_0 = _S742;
-    var _S743 : u32 = select(u32(0), u32(1), _S739);
-    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S743 * u32(256)));
-    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((u32(2) * _S743 + select(u32(0), u32(1), (_S737.z) < 0.0f)) * u32(256)));
-    var _S744 : vec3<f32> = half_vector_0(_S737, _S738);
-    var _S745 : vec2<f32> = joint_ratios_0(_S735, _S737, _S738, _S739);
-    var _S746 : Lobes_std430_0 = fabrics_0[_S735].lobes_0;
-    var _S747 : u32 = select(fabrics_0[_S735].lobes_0.front_warp_packs_0, fabrics_0[_S735].lobes_0.back_warp_packs_0, _S739);
+    var _S741 : CoverageTaps_0 = coverage_taps_0(_S736, _S737, _S740);
+    var _S742 : NodeTaps_0 = node_taps_0(_S739);
+    var view_nodes_0 : NodeTaps_0 = _S742;
+    var _S743 : NodeTaps_0 = node_taps_0(_S738);
+    var light_nodes_0 : NodeTaps_0 = _S743;
+    var _S744 : u32 = select(u32(0), u32(1), _S740);
+    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S744 * u32(256)));
+    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((u32(2) * _S744 + select(u32(0), u32(1), (_S738.z) < 0.0f)) * u32(256)));
+    var _S745 : vec3<f32> = half_vector_0(_S738, _S739);
+    var _S746 : vec2<f32> = joint_ratios_0(_S736, _S738, _S739, _S740);
+    var _S747 : Lobes_std430_0 = fabrics_0[_S736].lobes_0;
+    var _S748 : u32 = select(fabrics_0[_S736].lobes_0.front_warp_packs_0, fabrics_0[_S736].lobes_0.back_warp_packs_0, _S740);
     var sums_4 : Components_0;
     sums_4.diffuse_warp_0 = 0.0f;
     sums_4.diffuse_weft_0 = 0.0f;
@@ -3024,19 +3012,19 @@ fn prefiltered_components_0( _S735 : u32,  _S736 : Footprint_0,  _S737 : vec3<f3
     var total_2 : f32 = 0.0f;
     for(;;)
     {
-        if(pack_0 < (_S746.packs_0))
+        if(pack_0 < (_S747.packs_0))
         {
         }
         else
         {
             break;
         }
-        var _S748 : vec4<f32> = coverage_of_pack_0(_S735, _S740, pack_0);
-        var _S749 : vec4<f32> = interpolate_table_0(view_nodes_0, _S746.projected_area_0 + pack_0, _S746.packs_0 + u32(1));
-        var _S750 : vec4<f32> = interpolate_table_0(light_nodes_0, _S746.light_visibility_0 + pack_0, _S746.packs_0) / vec4<f32>(255.0f);
-        var _S751 : vec4<f32> = interpolate_table_0(light_nodes_0, _S746.irradiance_0 + pack_0, _S746.packs_0) * vec4<f32>(0.00124827399849892f);
-        var _S752 : bool = pack_0 < _S747;
-        var _S753 : f32 = families_0[select(fabrics_0[_S735].weft_0, fabrics_0[_S735].warp_0, _S752)].roughness_0;
+        var _S749 : vec4<f32> = coverage_of_pack_0(_S736, _S741, pack_0);
+        var _S750 : vec4<f32> = interpolate_table_0(view_nodes_0, _S747.projected_area_0 + pack_0, _S747.packs_0 + u32(1));
+        var _S751 : vec4<f32> = interpolate_table_0(light_nodes_0, _S747.light_visibility_0 + pack_0, _S747.packs_0) / vec4<f32>(255.0f);
+        var _S752 : vec4<f32> = interpolate_table_0(light_nodes_0, _S747.irradiance_0 + pack_0, _S747.packs_0) * vec4<f32>(0.00124827399849892f);
+        var _S753 : bool = pack_0 < _S748;
+        var _S754 : f32 = families_0[select(fabrics_0[_S736].weft_0, fabrics_0[_S736].warp_0, _S753)].roughness_0;
         var number_6 : u32 = u32(0);
         var diffuse_0 : f32 = 0.0f;
         var specular_0 : f32 = 0.0f;
@@ -3050,263 +3038,263 @@ fn prefiltered_components_0( _S735 : u32,  _S736 : Footprint_0,  _S737 : vec3<f3
             {
                 break;
             }
-            var _S754 : Group_0 = group_at_0(_S746.moments_0 + u32(12) * (u32(4) * (_S743 * _S746.packs_0 + pack_0) + number_6), _S753);
-            var _S755 : f32 = _S748[number_6] * _S749[number_6] * _S749[number_6] * _S754.weight_2;
-            var diffuse_1 : f32 = diffuse_0 + _S755 * _S751[number_6];
-            var specular_1 : f32 = specular_0 + _S755 * layer_value_0(_S754, _S744, _S737, _S738, fabrics_0[_S735].optical_depth_0) * _S750[number_6];
-            var lit_1 : f32 = lit_0 + _S755 * _S750[number_6];
-            var total_3 : f32 = total_2 + _S755;
+            var _S755 : Group_0 = group_at_0(_S747.moments_0 + u32(12) * (u32(4) * (_S744 * _S747.packs_0 + pack_0) + number_6), _S754);
+            var _S756 : f32 = _S749[number_6] * _S750[number_6] * _S750[number_6] * _S755.weight_2;
+            var diffuse_1 : f32 = diffuse_0 + _S756 * _S752[number_6];
+            var specular_1 : f32 = specular_0 + _S756 * layer_value_0(_S755, _S745, _S738, _S739, fabrics_0[_S736].optical_depth_0) * _S751[number_6];
+            var lit_1 : f32 = lit_0 + _S756 * _S751[number_6];
+            var total_3 : f32 = total_2 + _S756;
             number_6 = number_6 + u32(1);
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             lit_0 = lit_1;
             total_2 = total_3;
         }
-        sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 + select(0.0f, diffuse_0, _S752);
-        sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 + select(diffuse_0, 0.0f, _S752);
-        sums_4.specular_warp_0 = sums_4.specular_warp_0 + select(0.0f, specular_0, _S752);
-        sums_4.specular_weft_0 = sums_4.specular_weft_0 + select(specular_0, 0.0f, _S752);
-        sums_4.light_visibility_1 = sums_4.light_visibility_1 + lit_0 * select(_S745.y, _S745.x, _S752);
+        sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 + select(0.0f, diffuse_0, _S753);
+        sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 + select(diffuse_0, 0.0f, _S753);
+        sums_4.specular_warp_0 = sums_4.specular_warp_0 + select(0.0f, specular_0, _S753);
+        sums_4.specular_weft_0 = sums_4.specular_weft_0 + select(specular_0, 0.0f, _S753);
+        sums_4.light_visibility_1 = sums_4.light_visibility_1 + lit_0 * select(_S746.y, _S746.x, _S753);
         pack_0 = pack_0 + u32(1);
     }
-    var _S756 : f32 = prefiltered_hole_0(_S735, _S740, view_nodes_0, _S739);
-    sums_4.hole_2 = _S756;
-    var _S757 : f32 = 1.0f - _S756;
-    var _S758 : f32 = _S757 / max(total_2, 9.999999960041972e-13f);
-    var _S759 : f32 = _S758 * _S745.x;
-    sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 * _S759;
-    var _S760 : f32 = _S758 * _S745.y;
-    sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 * _S760;
-    sums_4.specular_warp_0 = sums_4.specular_warp_0 * _S759;
-    sums_4.specular_weft_0 = sums_4.specular_weft_0 * _S760;
-    sums_4.light_visibility_1 = min(sums_4.light_visibility_1 * _S758, _S757);
+    var _S757 : f32 = prefiltered_hole_0(_S736, _S741, view_nodes_0, _S740);
+    sums_4.hole_2 = _S757;
+    var _S758 : f32 = 1.0f - _S757;
+    var _S759 : f32 = _S758 / max(total_2, 9.999999960041972e-13f);
+    var _S760 : f32 = _S759 * _S746.x;
+    sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 * _S760;
+    var _S761 : f32 = _S759 * _S746.y;
+    sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 * _S761;
+    sums_4.specular_warp_0 = sums_4.specular_warp_0 * _S760;
+    sums_4.specular_weft_0 = sums_4.specular_weft_0 * _S761;
+    sums_4.light_visibility_1 = min(sums_4.light_visibility_1 * _S759, _S758);
     return sums_4;
 }
 
-fn albedos_over_0( _S761 : u32,  _S762 : Footprint_0,  _S763 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S762 : u32,  _S763 : Footprint_0,  _S764 : bool) -> FamilyAlbedos_0
 {
-    var _S764 : vec2<f32> = _S762.dx_0;
-    var _S765 : vec2<f32> = _S762.dy_0;
-    var _S766 : vec2<f32> = sqrt(_S764 * _S764 + _S765 * _S765);
-    var _S767 : Stretch_0 = stretch_of_0(fabrics_0[_S761].warp_0, _S762.centre_0.x, _S766.x);
-    var _S768 : Stretch_0 = stretch_of_0(fabrics_0[_S761].weft_0, _S762.centre_0.y, _S766.y);
+    var _S765 : vec2<f32> = _S763.dx_0;
+    var _S766 : vec2<f32> = _S763.dy_0;
+    var _S767 : vec2<f32> = sqrt(_S765 * _S765 + _S766 * _S766);
+    var _S768 : Stretch_0 = stretch_of_0(fabrics_0[_S762].warp_0, _S763.centre_0.x, _S767.x);
+    var _S769 : Stretch_0 = stretch_of_0(fabrics_0[_S762].weft_0, _S763.centre_0.y, _S767.y);
     var albedos_9 : FamilyAlbedos_0;
-    albedos_9.warp_5 = mean_albedos_0(fabrics_0[_S761].warp_0, fabrics_0[_S761].weft_0, _S767, _S768, _S763);
-    albedos_9.weft_5 = mean_albedos_0(fabrics_0[_S761].weft_0, fabrics_0[_S761].warp_0, _S768, _S767, _S763);
+    albedos_9.warp_5 = mean_albedos_0(fabrics_0[_S762].warp_0, fabrics_0[_S762].weft_0, _S768, _S769, _S764);
+    albedos_9.weft_5 = mean_albedos_0(fabrics_0[_S762].weft_0, fabrics_0[_S762].warp_0, _S769, _S768, _S764);
     return albedos_9;
 }
 
-fn lobes_estimate_of_pass_0( _S769 : u32,  _S770 : Footprint_0,  _S771 : f32,  _S772 : vec2<f32>,  _S773 : vec3<f32>,  _S774 : vec3<f32>) -> Estimate_0
+fn lobes_estimate_of_pass_0( _S770 : u32,  _S771 : Footprint_0,  _S772 : f32,  _S773 : vec2<f32>,  _S774 : vec3<f32>,  _S775 : vec3<f32>) -> Estimate_0
 {
-    var _S775 : f32;
-    var _S776 : Regime_0 = regime_of_0(_S769, _S770, _S771);
-    var _S777 : bool = (_S774.z) < 0.0f;
-    var _S778 : vec3<f32> = to_face_frame_0(_S774, _S777);
-    var _S779 : f32 = Footprint_spread_side_0(_S770);
-    var _S780 : bool = varies_at_0(_S769, _S779);
-    var _S781 : f32 = 1.0f - _S776.prefiltered_0;
-    var _S782 : bool = ((_S781 > 0.0f) & (((_S780 | (((((families_0[fabrics_0[_S769].warp_0].quantities_0) > u32(1)) | (((families_0[fabrics_0[_S769].weft_0].quantities_0) > u32(1))))))))));
-    var box_0 : Footprint_0 = _S770;
-    var _S783 : vec3<f32> = vec3<f32>(0.0f);
-    var _S784 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S783, _S783, 0.0f, 0.0f, 0.0f);
-    var _S785 : Components_0 = no_components_0();
+    var _S776 : f32;
+    var _S777 : Regime_0 = regime_of_0(_S770, _S771, _S772);
+    var _S778 : bool = (_S775.z) < 0.0f;
+    var _S779 : vec3<f32> = to_face_frame_0(_S775, _S778);
+    var _S780 : f32 = Footprint_spread_side_0(_S771);
+    var _S781 : bool = varies_at_0(_S770, _S780);
+    var _S782 : f32 = 1.0f - _S777.prefiltered_0;
+    var _S783 : bool = ((_S782 > 0.0f) & (((_S781 | (((((families_0[fabrics_0[_S770].warp_0].quantities_0) > u32(1)) | (((families_0[fabrics_0[_S770].weft_0].quantities_0) > u32(1))))))))));
+    var box_0 : Footprint_0 = _S771;
+    var _S784 : vec3<f32> = vec3<f32>(0.0f);
+    var _S785 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S784, _S784, 0.0f, 0.0f, 0.0f);
+    var _S786 : Components_0 = no_components_0();
     var close_1 : CloseUp_0 = no_close_up_0();
-    var _S786 : u32 = select(u32(1), u32(0), _S782);
-    var points_1 : Components_0 = _S785;
+    var _S787 : u32 = select(u32(1), u32(0), _S783);
+    var points_1 : Components_0 = _S786;
     var central_weight_0 : f32 = 0.0f;
-    var central_0 : SurfacePoint_0 = _S784;
-    var central_place_0 : vec2<f32> = _S770.centre_0;
-    var number_7 : u32 = _S786;
+    var central_0 : SurfacePoint_0 = _S785;
+    var central_place_0 : vec2<f32> = _S771.centre_0;
+    var number_7 : u32 = _S787;
     for(;;)
     {
-        var _S787 : f32 = f32(number_7);
-        _S775 = _S776.points_0;
-        if(_S787 < (_S776.points_0 + 1.0f))
+        var _S788 : f32 = f32(number_7);
+        _S776 = _S777.points_0;
+        if(_S788 < (_S777.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        var _S788 : bool = number_7 == u32(0);
-        var _S789 : u32 = number_7 - u32(1);
-        var _S790 : vec2<f32> = POINT_OFFSETS_0[select(_S789, u32(0), _S788)] + _S772;
-        var _S791 : vec2<f32> = select_vector_0(_S788, vec2<f32>(0.0f), _S790 - round(_S790));
-        var _S792 : vec2<f32> = _S770.centre_0 + vec2<f32>(_S791.x) * _S770.dx_0 + vec2<f32>(_S791.y) * _S770.dy_0;
-        var _S793 : SearchQuality_0 = quality_of_0(select(_S776.threads_1, 0.0f, _S788));
-        var _S794 : Hit_0 = first_hit_0(_S769, _S793, _S792.x, _S792.y, _S778, _S777);
-        var _S795 : SurfacePoint_0 = surface_at_0(_S769, _S794.x_14, _S794.y_7, _S777);
-        if(_S788)
+        var _S789 : bool = number_7 == u32(0);
+        var _S790 : u32 = number_7 - u32(1);
+        var _S791 : vec2<f32> = POINT_OFFSETS_0[select(_S790, u32(0), _S789)] + _S773;
+        var _S792 : vec2<f32> = select_vector_0(_S789, vec2<f32>(0.0f), _S791 - round(_S791));
+        var _S793 : vec2<f32> = _S771.centre_0 + vec2<f32>(_S792.x) * _S771.dx_0 + vec2<f32>(_S792.y) * _S771.dy_0;
+        var _S794 : SearchQuality_0 = quality_of_0(select(_S777.threads_1, 0.0f, _S789));
+        var _S795 : Hit_0 = first_hit_0(_S770, _S794, _S793.x, _S793.y, _S779, _S778);
+        var _S796 : SurfacePoint_0 = surface_at_0(_S770, _S795.x_14, _S795.y_7, _S778);
+        if(_S789)
         {
-            var central_weight_1 : f32 = select(_S781, 0.0f, _S794.hole_5);
-            var central_place_1 : vec2<f32> = vec2<f32>(_S794.x_14, _S794.y_7);
-            box_0.centre_0 = mix(_S770.centre_0, central_place_1, vec2<f32>(central_weight_1));
+            var central_weight_1 : f32 = select(_S782, 0.0f, _S795.hole_5);
+            var central_place_1 : vec2<f32> = vec2<f32>(_S795.x_14, _S795.y_7);
+            box_0.centre_0 = mix(_S771.centre_0, central_place_1, vec2<f32>(central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S795;
+            central_0 = _S796;
             central_place_0 = central_place_1;
             number_7 = number_7 + u32(1);
             continue;
         }
-        var _S796 : YarnPoint_0 = yarn_point_of_0(_S769, _S795, _S794.x_14, _S794.y_7, _S777, _S794.hole_5, _S779);
-        var _S797 : f32 = min(_S776.points_0 - f32(_S789), 1.0f);
-        var _S798 : Components_0 = with_added_0(points_1, components_of_point_0(_S769, _S793, _S796, _S773, _S774), _S797);
-        if((fabrics_0[_S769].openness_0) != u32(4294967295))
+        var _S797 : YarnPoint_0 = yarn_point_of_0(_S770, _S796, _S795.x_14, _S795.y_7, _S778, _S795.hole_5, _S780);
+        var _S798 : f32 = min(_S777.points_0 - f32(_S790), 1.0f);
+        var _S799 : Components_0 = with_added_0(points_1, components_of_point_0(_S770, _S794, _S797, _S774, _S775), _S798);
+        if((fabrics_0[_S770].openness_0) != u32(4294967295))
         {
-            close_1.warp_1 = with_blocked_0(_S769, close_1.warp_1, _S796, true, _S797);
-            close_1.weft_1 = with_blocked_0(_S769, close_1.weft_1, _S796, false, _S797);
+            close_1.warp_1 = with_blocked_0(_S770, close_1.warp_1, _S797, true, _S798);
+            close_1.weft_1 = with_blocked_0(_S770, close_1.weft_1, _S797, false, _S798);
         }
-        points_1 = _S798;
+        points_1 = _S799;
         number_7 = number_7 + u32(1);
     }
-    close_1.weight_0 = _S781;
-    var _S799 : f32 = max(_S775, 1.0f);
-    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S799);
-    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S799);
+    close_1.weight_0 = _S782;
+    var _S800 : f32 = max(_S776, 1.0f);
+    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S800);
+    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S800);
     var estimate_0 : Estimate_0;
     estimate_0.close_0 = close_1;
-    estimate_0.components_0 = with_added_0(_S785, points_1, _S781 / _S799);
-    if((_S776.prefiltered_0) > 0.0f)
+    estimate_0.components_0 = with_added_0(_S786, points_1, _S782 / _S800);
+    if((_S777.prefiltered_0) > 0.0f)
     {
-        var _S800 : Components_0 = prefiltered_components_0(_S769, _S770, to_face_frame_0(_S773, _S777), _S778, _S777);
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S800, _S776.prefiltered_0);
+        var _S801 : Components_0 = prefiltered_components_0(_S770, _S771, to_face_frame_0(_S774, _S778), _S779, _S778);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S801, _S777.prefiltered_0);
     }
-    estimate_0.albedos_5 = albedos_over_0(_S769, box_0, _S777);
-    if((_S780 & ((central_weight_0 > 0.0f))))
+    estimate_0.albedos_5 = albedos_over_0(_S770, box_0, _S778);
+    if((_S781 & ((central_weight_0 > 0.0f))))
     {
-        var _S801 : SurfacePoint_0 = central_0;
-        var _S802 : Albedos_0;
+        var _S802 : SurfacePoint_0 = central_0;
+        var _S803 : Albedos_0;
         if(central_0.is_warp_0)
         {
-            _S802 = estimate_0.albedos_5.warp_5;
+            _S803 = estimate_0.albedos_5.warp_5;
         }
         else
         {
-            _S802 = estimate_0.albedos_5.weft_5;
+            _S803 = estimate_0.albedos_5.weft_5;
         }
-        var _S803 : bool;
-        if((fabrics_0[_S769].has_detail_0) != u32(0))
+        var _S804 : bool;
+        if((fabrics_0[_S770].has_detail_0) != u32(0))
         {
-            _S803 = has_hairs_0(_S769);
-        }
-        else
-        {
-            _S803 = false;
-        }
-        var _S804 : f32;
-        if(_S803)
-        {
-            _S804 = hair_at_0(_S769, central_place_0, _S777, _S779).cover_0;
+            _S804 = has_hairs_0(_S770);
         }
         else
         {
-            _S804 = 0.0f;
+            _S804 = false;
         }
-        var _S805 : Albedos_0 = lerp_albedos_0(_S802, varied_at_0(_S769, central_0, _S802, central_place_0.x, central_place_0.y, _S777, _S779, _S804), central_weight_0);
-        if(_S801.is_warp_0)
+        var _S805 : f32;
+        if(_S804)
         {
-            estimate_0.albedos_5.warp_5 = _S805;
+            _S805 = hair_at_0(_S770, central_place_0, _S778, _S780).cover_0;
         }
         else
         {
-            estimate_0.albedos_5.weft_5 = _S805;
+            _S805 = 0.0f;
+        }
+        var _S806 : Albedos_0 = lerp_albedos_0(_S803, varied_at_0(_S770, central_0, _S803, central_place_0.x, central_place_0.y, _S778, _S780, _S805), central_weight_0);
+        if(_S802.is_warp_0)
+        {
+            estimate_0.albedos_5.warp_5 = _S806;
+        }
+        else
+        {
+            estimate_0.albedos_5.weft_5 = _S806;
         }
     }
     return estimate_0;
 }
 
-fn scattered_by_0( _S806 : u32,  _S807 : Albedos_0,  _S808 : u32,  _S809 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S807 : u32,  _S808 : Albedos_0,  _S809 : u32,  _S810 : vec3<f32>) -> Scattered_0
 {
-    var _S810 : u32 = u32(159) + u32(2) * _S808;
+    var _S811 : u32 = u32(159) + u32(2) * _S809;
     var yarn_3 : Scattered_0;
-    yarn_3.back_6 = _S809 * _S807.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S806, _S810)) * _S807.specular_reflect_0;
-    yarn_3.through_0 = _S809 * _S807.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S806, _S810 + u32(1))) * _S807.specular_transmit_0;
+    yarn_3.back_6 = _S810 * _S808.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S807, _S811)) * _S808.specular_reflect_0;
+    yarn_3.through_0 = _S810 * _S808.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S807, _S811 + u32(1))) * _S808.specular_transmit_0;
     return yarn_3;
 }
 
-fn sent_0( _S811 : u32,  _S812 : u32,  _S813 : vec3<f32>,  _S814 : vec3<f32>,  _S815 : vec3<f32>,  _S816 : vec3<f32>,  _S817 : ptr<function, vec3<f32>>,  _S818 : ptr<function, vec3<f32>>)
+fn sent_0( _S812 : u32,  _S813 : u32,  _S814 : vec3<f32>,  _S815 : vec3<f32>,  _S816 : vec3<f32>,  _S817 : vec3<f32>,  _S818 : ptr<function, vec3<f32>>,  _S819 : ptr<function, vec3<f32>>)
 {
-    var _S819 : u32 = u32(146) + u32(4) * _S812;
-    var _S820 : f32 = openness_number_0(_S811, _S819 + u32(1));
-    var _S821 : f32 = openness_number_0(_S811, _S819 + u32(2));
-    var _S822 : vec3<f32> = vec3<f32>(1.0f);
-    var _S823 : vec3<f32> = _S822 - _S815 * vec3<f32>(openness_number_0(_S811, _S819));
-    var _S824 : vec3<f32> = _S822 - _S816 * vec3<f32>(openness_number_0(_S811, _S819 + u32(3)));
-    var _S825 : vec3<f32> = _S822 / (_S823 * _S824 - _S815 * _S816 * vec3<f32>((_S820 * _S821)));
-    (*_S817) = (_S813 * _S824 + _S815 * vec3<f32>(_S820) * _S814) * _S825;
-    (*_S818) = (_S814 * _S823 + _S816 * vec3<f32>(_S821) * _S813) * _S825;
+    var _S820 : u32 = u32(146) + u32(4) * _S813;
+    var _S821 : f32 = openness_number_0(_S812, _S820 + u32(1));
+    var _S822 : f32 = openness_number_0(_S812, _S820 + u32(2));
+    var _S823 : vec3<f32> = vec3<f32>(1.0f);
+    var _S824 : vec3<f32> = _S823 - _S816 * vec3<f32>(openness_number_0(_S812, _S820));
+    var _S825 : vec3<f32> = _S823 - _S817 * vec3<f32>(openness_number_0(_S812, _S820 + u32(3)));
+    var _S826 : vec3<f32> = _S823 / (_S824 * _S825 - _S816 * _S817 * vec3<f32>((_S821 * _S822)));
+    (*_S818) = (_S814 * _S825 + _S816 * vec3<f32>(_S821) * _S815) * _S826;
+    (*_S819) = (_S815 * _S824 + _S817 * vec3<f32>(_S822) * _S814) * _S826;
     return;
 }
 
-fn face_sends_0( _S826 : u32,  _S827 : u32,  _S828 : Scattered_0,  _S829 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S827 : u32,  _S828 : u32,  _S829 : Scattered_0,  _S830 : Scattered_0) -> FaceSends_0
 {
-    var _S830 : u32 = u32(2) * _S827;
-    var _S831 : u32 = u32(142) + _S830;
-    var _S832 : f32 = openness_number_0(_S826, _S831);
-    var _S833 : f32 = openness_number_0(_S826, _S831 + u32(1));
-    var _S834 : vec3<f32> = vec3<f32>((1.0f - _S832)) * _S828.back_6;
+    var _S831 : u32 = u32(2) * _S828;
+    var _S832 : u32 = u32(142) + _S831;
+    var _S833 : f32 = openness_number_0(_S827, _S832);
+    var _S834 : f32 = openness_number_0(_S827, _S832 + u32(1));
     var _S835 : vec3<f32> = vec3<f32>((1.0f - _S833)) * _S829.back_6;
+    var _S836 : vec3<f32> = vec3<f32>((1.0f - _S834)) * _S830.back_6;
     var sends_1 : FaceSends_0;
-    var _S836 : u32 = u32(154) + _S830;
-    var _S837 : f32 = openness_number_0(_S826, _S836);
-    sends_1.blocks_warp_0 = _S837;
-    var _S838 : f32 = openness_number_0(_S826, _S836 + u32(1));
-    sends_1.blocks_weft_0 = _S838;
-    sends_1.open_0 = _S837 * _S832 + _S838 * _S833;
-    var _S839 : vec3<f32> = vec3<f32>(_S832) * _S828.back_6;
+    var _S837 : u32 = u32(154) + _S831;
+    var _S838 : f32 = openness_number_0(_S827, _S837);
+    sends_1.blocks_warp_0 = _S838;
+    var _S839 : f32 = openness_number_0(_S827, _S837 + u32(1));
+    sends_1.blocks_weft_0 = _S839;
+    sends_1.open_0 = _S838 * _S833 + _S839 * _S834;
     var _S840 : vec3<f32> = vec3<f32>(_S833) * _S829.back_6;
-    var _S841 : vec3<f32> = sends_1.sky_warp_0;
-    var _S842 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S826, _S827, _S839, _S840, _S834, _S835, &(_S841), &(_S842));
-    sends_1.sky_warp_0 = _S841;
-    sends_1.sky_weft_0 = _S842;
-    var _S843 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S844 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S826, _S827, _S828.through_0, _S829.through_0, _S834, _S835, &(_S843), &(_S844));
-    sends_1.crossing_warp_0 = _S843;
-    sends_1.crossing_weft_0 = _S844;
+    var _S841 : vec3<f32> = vec3<f32>(_S834) * _S830.back_6;
+    var _S842 : vec3<f32> = sends_1.sky_warp_0;
+    var _S843 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S827, _S828, _S840, _S841, _S835, _S836, &(_S842), &(_S843));
+    sends_1.sky_warp_0 = _S842;
+    sends_1.sky_weft_0 = _S843;
+    var _S844 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S845 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S827, _S828, _S829.through_0, _S830.through_0, _S835, _S836, &(_S844), &(_S845));
+    sends_1.crossing_warp_0 = _S844;
+    sends_1.crossing_weft_0 = _S845;
     return sends_1;
 }
 
-fn interior_of_0( _S845 : u32,  _S846 : vec3<f32>,  _S847 : bool) -> Interior_0
+fn interior_of_0( _S846 : u32,  _S847 : vec3<f32>,  _S848 : bool) -> Interior_0
 {
-    var _S848 : Scattered_0 = scattered_by_0(_S845, table_albedos_0(families_0[fabrics_0[_S845].warp_0].colour_mean_0), u32(0), _S846);
-    var _S849 : Scattered_0 = scattered_by_0(_S845, table_albedos_0(families_0[fabrics_0[_S845].weft_0].colour_mean_0), u32(1), _S846);
-    var _S850 : FaceSends_0 = face_sends_0(_S845, select(u32(0), u32(1), _S847), _S848, _S849);
-    var _S851 : FaceSends_0 = face_sends_0(_S845, select(u32(1), u32(0), _S847), _S848, _S849);
-    var _S852 : vec3<f32> = vec3<f32>(_S850.blocks_warp_0);
-    var _S853 : vec3<f32> = vec3<f32>(_S850.blocks_weft_0);
-    var _S854 : vec3<f32> = _S852 * _S850.crossing_warp_0 + _S853 * _S850.crossing_weft_0;
-    var _S855 : vec3<f32> = vec3<f32>(_S851.blocks_warp_0);
-    var _S856 : vec3<f32> = vec3<f32>(_S851.blocks_weft_0);
-    var _S857 : vec3<f32> = _S855 * _S851.crossing_warp_0 + _S856 * _S851.crossing_weft_0;
-    var _S858 : f32 = 1.0f - _S850.open_0;
+    var _S849 : Scattered_0 = scattered_by_0(_S846, table_albedos_0(families_0[fabrics_0[_S846].warp_0].colour_mean_0), u32(0), _S847);
+    var _S850 : Scattered_0 = scattered_by_0(_S846, table_albedos_0(families_0[fabrics_0[_S846].weft_0].colour_mean_0), u32(1), _S847);
+    var _S851 : FaceSends_0 = face_sends_0(_S846, select(u32(0), u32(1), _S848), _S849, _S850);
+    var _S852 : FaceSends_0 = face_sends_0(_S846, select(u32(1), u32(0), _S848), _S849, _S850);
+    var _S853 : vec3<f32> = vec3<f32>(_S851.blocks_warp_0);
+    var _S854 : vec3<f32> = vec3<f32>(_S851.blocks_weft_0);
+    var _S855 : vec3<f32> = _S853 * _S851.crossing_warp_0 + _S854 * _S851.crossing_weft_0;
+    var _S856 : vec3<f32> = vec3<f32>(_S852.blocks_warp_0);
+    var _S857 : vec3<f32> = vec3<f32>(_S852.blocks_weft_0);
+    var _S858 : vec3<f32> = _S856 * _S852.crossing_warp_0 + _S857 * _S852.crossing_weft_0;
     var _S859 : f32 = 1.0f - _S851.open_0;
-    var _S860 : vec3<f32> = vec3<f32>(1.0f);
-    var _S861 : vec3<f32> = _S860 / (_S860 - _S854 * _S857 * vec3<f32>((_S858 * _S859)));
-    var _S862 : vec3<f32> = _S857 * (vec3<f32>(_S850.open_0) + vec3<f32>(_S858) * (_S852 * _S850.sky_warp_0 + _S853 * _S850.sky_weft_0)) * _S861;
-    var _S863 : vec3<f32> = _S854 * (vec3<f32>(_S851.open_0) + vec3<f32>(_S859) * (_S855 * _S851.sky_warp_0 + _S856 * _S851.sky_weft_0)) * _S861;
-    var _S864 : FaceRadiance_0 = face_radiance_0(_S850, _S851.open_0, _S862, _S863);
-    var _S865 : FaceRadiance_0 = face_radiance_0(_S851, _S850.open_0, _S863, _S862);
+    var _S860 : f32 = 1.0f - _S852.open_0;
+    var _S861 : vec3<f32> = vec3<f32>(1.0f);
+    var _S862 : vec3<f32> = _S861 / (_S861 - _S855 * _S858 * vec3<f32>((_S859 * _S860)));
+    var _S863 : vec3<f32> = _S858 * (vec3<f32>(_S851.open_0) + vec3<f32>(_S859) * (_S853 * _S851.sky_warp_0 + _S854 * _S851.sky_weft_0)) * _S862;
+    var _S864 : vec3<f32> = _S855 * (vec3<f32>(_S852.open_0) + vec3<f32>(_S860) * (_S856 * _S852.sky_warp_0 + _S857 * _S852.sky_weft_0)) * _S862;
+    var _S865 : FaceRadiance_0 = face_radiance_0(_S851, _S852.open_0, _S863, _S864);
+    var _S866 : FaceRadiance_0 = face_radiance_0(_S852, _S851.open_0, _S864, _S863);
     var interior_1 : Interior_0;
-    interior_1.warp_4 = _S864.warp_3;
-    interior_1.weft_4 = _S864.weft_3;
-    interior_1.leaked_1 = _S864.leaked_0;
-    interior_1.far_1 = _S865.mean_1;
-    interior_1.far_leaked_0 = _S865.leaked_0;
+    interior_1.warp_4 = _S865.warp_3;
+    interior_1.weft_4 = _S865.weft_3;
+    interior_1.leaked_1 = _S865.leaked_0;
+    interior_1.far_1 = _S866.mean_1;
+    interior_1.far_leaked_0 = _S866.leaked_0;
     return interior_1;
 }
 
-fn blocked_from_0( _S866 : u32,  _S867 : vec3<f32>,  _S868 : bool,  _S869 : bool) -> Blocked_0
+fn blocked_from_0( _S867 : u32,  _S868 : vec3<f32>,  _S869 : bool,  _S870 : bool) -> Blocked_0
 {
     var terms_3 : array<f32, i32(6)>;
-    view_terms_0(_S867, &(terms_3));
-    return blocked_of_terms_0(_S866, (select(u32(0), u32(2), _S869) + select(u32(1), u32(0), _S868)) * u32(15), terms_3, u32(5));
+    view_terms_0(_S868, &(terms_3));
+    return blocked_of_terms_0(_S867, (select(u32(0), u32(2), _S870) + select(u32(1), u32(0), _S869)) * u32(15), terms_3, u32(5));
 }
 
-fn warp_seen_from_0( _S870 : u32,  _S871 : vec3<f32>,  _S872 : bool) -> f32
+fn warp_seen_from_0( _S871 : u32,  _S872 : vec3<f32>,  _S873 : bool) -> f32
 {
     var terms_4 : array<f32, i32(6)>;
-    view_terms_1(_S871, &(terms_4));
+    view_terms_1(_S872, &(terms_4));
     var term_1 : u32 = u32(0);
     var share_5 : f32 = 0.0f;
     for(;;)
@@ -3318,132 +3306,132 @@ fn warp_seen_from_0( _S870 : u32,  _S871 : vec3<f32>,  _S872 : bool) -> f32
         {
             break;
         }
-        var share_6 : f32 = share_5 + openness_number_0(_S870, u32(132) + select(u32(0), u32(5), _S872) + term_1) * terms_4[term_1];
+        var share_6 : f32 = share_5 + openness_number_0(_S871, u32(132) + select(u32(0), u32(5), _S873) + term_1) * terms_4[term_1];
         term_1 = term_1 + u32(1);
         share_5 = share_6;
     }
     return saturate(share_5);
 }
 
-fn bounced_of_families_0( _S873 : u32,  _S874 : FamilyAlbedos_0,  _S875 : vec3<f32>,  _S876 : Interior_0,  _S877 : Blocked_0,  _S878 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S874 : u32,  _S875 : FamilyAlbedos_0,  _S876 : vec3<f32>,  _S877 : Interior_0,  _S878 : Blocked_0,  _S879 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S877, scattered_by_0(_S873, _S874.warp_5, u32(0), _S875), _S876), bounced_by_0(_S878, scattered_by_0(_S873, _S874.weft_5, u32(1), _S875), _S876));
+    return sum_of_0(bounced_by_0(_S878, scattered_by_0(_S874, _S875.warp_5, u32(0), _S876), _S877), bounced_by_0(_S879, scattered_by_0(_S874, _S875.weft_5, u32(1), _S876), _S877));
 }
 
-fn bounced_far_0( _S879 : u32,  _S880 : FamilyAlbedos_0,  _S881 : vec3<f32>,  _S882 : Interior_0,  _S883 : vec3<f32>,  _S884 : bool,  _S885 : f32,  _S886 : f32,  _S887 : f32) -> Bounced_0
+fn bounced_far_0( _S880 : u32,  _S881 : FamilyAlbedos_0,  _S882 : vec3<f32>,  _S883 : Interior_0,  _S884 : vec3<f32>,  _S885 : bool,  _S886 : f32,  _S887 : f32,  _S888 : f32) -> Bounced_0
 {
-    var _S888 : Blocked_0 = blocked_from_0(_S879, _S883, true, _S884);
-    var _S889 : Blocked_0 = blocked_from_0(_S879, _S883, false, _S884);
-    var _S890 : f32 = _S885 / max(1.0f - _S888.by_warp_0 - _S888.by_weft_0, 0.10000000149011612f);
-    var _S891 : f32 = (0.0020000000949949f * warp_seen_from_0(_S879, _S883, _S884) + _S890) / (_S890 + _S886 / max(1.0f - _S889.by_warp_0 - _S889.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S892 : f32 = 1.0f - _S887;
-    return bounced_of_families_0(_S879, _S880, _S881, _S882, scaled_0(_S888, _S891 * _S892), scaled_0(_S889, (1.0f - _S891) * _S892));
+    var _S889 : Blocked_0 = blocked_from_0(_S880, _S884, true, _S885);
+    var _S890 : Blocked_0 = blocked_from_0(_S880, _S884, false, _S885);
+    var _S891 : f32 = _S886 / max(1.0f - _S889.by_warp_0 - _S889.by_weft_0, 0.10000000149011612f);
+    var _S892 : f32 = (0.0020000000949949f * warp_seen_from_0(_S880, _S884, _S885) + _S891) / (_S891 + _S887 / max(1.0f - _S890.by_warp_0 - _S890.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S893 : f32 = 1.0f - _S888;
+    return bounced_of_families_0(_S880, _S881, _S882, _S883, scaled_0(_S889, _S892 * _S893), scaled_0(_S890, (1.0f - _S892) * _S893));
 }
 
-fn bounced_over_0( _S893 : u32,  _S894 : Components_0,  _S895 : CloseUp_0,  _S896 : FamilyAlbedos_0,  _S897 : vec3<f32>,  _S898 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S894 : u32,  _S895 : Components_0,  _S896 : CloseUp_0,  _S897 : FamilyAlbedos_0,  _S898 : vec3<f32>,  _S899 : vec3<f32>) -> Bounced_0
 {
-    var _S899 : bool = (_S898.z) < 0.0f;
-    var _S900 : Interior_0 = interior_of_0(_S893, _S897, _S899);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S893, _S896, _S897, _S900, to_face_frame_0(_S898, _S899), _S899, _S894.diffuse_warp_0, _S894.diffuse_weft_0, _S894.hole_2);
-    if((_S895.weight_0) > 0.0f)
+    var _S900 : bool = (_S899.z) < 0.0f;
+    var _S901 : Interior_0 = interior_of_0(_S894, _S898, _S900);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S894, _S897, _S898, _S901, to_face_frame_0(_S899, _S900), _S900, _S895.diffuse_warp_0, _S895.diffuse_weft_0, _S895.hole_2);
+    if((_S896.weight_0) > 0.0f)
     {
-        var _S901 : Bounced_0 = bounced_of_families_0(_S893, _S896, _S897, _S900, _S895.warp_1, _S895.weft_1);
-        var _S902 : vec3<f32> = vec3<f32>(_S895.weight_0);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S901.reflected_0, _S902);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S901.transmitted_0, _S902);
+        var _S902 : Bounced_0 = bounced_of_families_0(_S894, _S897, _S898, _S901, _S896.warp_1, _S896.weft_1);
+        var _S903 : vec3<f32> = vec3<f32>(_S896.weight_0);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S902.reflected_0, _S903);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S902.transmitted_0, _S903);
     }
     return bounced_2;
 }
 
-fn composed_0( _S903 : u32,  _S904 : Components_0,  _S905 : CloseUp_0,  _S906 : FamilyAlbedos_0,  _S907 : vec3<f32>,  _S908 : vec3<f32>,  _S909 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S904 : u32,  _S905 : Components_0,  _S906 : CloseUp_0,  _S907 : FamilyAlbedos_0,  _S908 : vec3<f32>,  _S909 : vec3<f32>,  _S910 : vec3<f32>) -> vec3<f32>
 {
-    var _S910 : Albedos_0 = tinted_0(_S906.warp_5, _S907);
-    var _S911 : Albedos_0 = tinted_0(_S906.weft_5, _S907);
-    var _S912 : vec3<f32> = vec3<f32>(_S904.diffuse_warp_0);
-    var _S913 : vec3<f32> = vec3<f32>(_S904.diffuse_weft_0);
-    var _S914 : vec3<f32> = vec3<f32>(_S904.specular_warp_0);
-    var _S915 : vec3<f32> = vec3<f32>(_S904.specular_weft_0);
-    var _S916 : vec3<f32> = _S910.diffuse_reflect_0 * _S912 + _S911.diffuse_reflect_0 * _S913 + _S910.specular_reflect_0 * _S914 + _S911.specular_reflect_0 * _S915;
-    var _S917 : f32 = _S909.z;
+    var _S911 : Albedos_0 = tinted_0(_S907.warp_5, _S908);
+    var _S912 : Albedos_0 = tinted_0(_S907.weft_5, _S908);
+    var _S913 : vec3<f32> = vec3<f32>(_S905.diffuse_warp_0);
+    var _S914 : vec3<f32> = vec3<f32>(_S905.diffuse_weft_0);
+    var _S915 : vec3<f32> = vec3<f32>(_S905.specular_warp_0);
+    var _S916 : vec3<f32> = vec3<f32>(_S905.specular_weft_0);
+    var _S917 : vec3<f32> = _S911.diffuse_reflect_0 * _S913 + _S912.diffuse_reflect_0 * _S914 + _S911.specular_reflect_0 * _S915 + _S912.specular_reflect_0 * _S916;
+    var _S918 : f32 = _S910.z;
     var body_0 : vec3<f32>;
-    if((_S908.z * _S917) < 0.0f)
+    if((_S909.z * _S918) < 0.0f)
     {
-        body_0 = _S910.diffuse_transmit_0 * _S912 + _S911.diffuse_transmit_0 * _S913 + _S910.specular_transmit_0 * _S914 + _S911.specular_transmit_0 * _S915;
+        body_0 = _S911.diffuse_transmit_0 * _S913 + _S912.diffuse_transmit_0 * _S914 + _S911.specular_transmit_0 * _S915 + _S912.specular_transmit_0 * _S916;
     }
     else
     {
-        body_0 = _S916;
+        body_0 = _S917;
     }
-    if((fabrics_0[_S903].openness_0) != u32(4294967295))
+    if((fabrics_0[_S904].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S903, _S904, _S905, _S906, _S907, _S909), _S908, _S909);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S904, _S905, _S906, _S907, _S908, _S910), _S909, _S910);
     }
-    var _S918 : f32 = fabrics_0[_S903].sheen_strength_0;
-    if((fabrics_0[_S903].sheen_strength_0) <= 0.0f)
+    var _S919 : f32 = fabrics_0[_S904].sheen_strength_0;
+    if((fabrics_0[_S904].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S919 : bool = _S917 < 0.0f;
-    var _S920 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S908, _S919), to_face_frame_0(_S909, _S919), _S918, fabrics_0[_S903].sheen_roughness_0);
-    return vec3<f32>(_S920.y) * body_0 + vec3<f32>(((_S904.light_visibility_1 + _S904.hole_2) * _S920.x));
+    var _S920 : bool = _S918 < 0.0f;
+    var _S921 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S909, _S920), to_face_frame_0(_S910, _S920), _S919, fabrics_0[_S904].sheen_roughness_0);
+    return vec3<f32>(_S921.y) * body_0 + vec3<f32>(((_S905.light_visibility_1 + _S905.hole_2) * _S921.x));
 }
 
-fn light_of_footprint_0( _S921 : u32,  _S922 : VisiblePoint_0,  _S923 : vec2<u32>,  _S924 : vec3<f32>) -> vec4<f32>
+fn light_of_footprint_0( _S922 : u32,  _S923 : VisiblePoint_0,  _S924 : vec2<u32>,  _S925 : vec3<f32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S922.draft_0;
-    footprint_0.dx_0 = _S922.draft_dx_0;
-    footprint_0.dy_0 = _S922.draft_dy_0;
-    var _S925 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
-    var _S926 : vec3<f32> = to_local_0(_S922, _S922.view_0);
-    var _S927 : u32 = light_sample_count_0();
-    var _S928 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_0.centre_0 = _S923.draft_0;
+    footprint_0.dx_0 = _S923.draft_dx_0;
+    footprint_0.dy_0 = _S923.draft_dy_0;
+    var _S926 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S927 : vec3<f32> = to_local_0(_S923, _S923.view_0);
+    var _S928 : u32 = light_sample_count_0();
+    var _S929 : vec3<f32> = vec3<f32>(0.0f);
     var number_8 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S928;
+    var radiance_1 : vec3<f32> = _S929;
     var hole_7 : f32 = 0.0f;
     for(;;)
     {
-        if(number_8 < (max(_S927, u32(1))))
+        if(number_8 < (max(_S928, u32(1))))
         {
         }
         else
         {
             break;
         }
-        var _S929 : f32;
-        if(number_8 < _S927)
+        var _S930 : f32;
+        if(number_8 < _S928)
         {
-            _S929 = visibility_at_0(number_8, _S923);
+            _S930 = visibility_at_0(number_8, _S924);
         }
         else
         {
-            _S929 = 0.0f;
+            _S930 = 0.0f;
         }
-        var _S930 : bool;
-        if(_S929 <= 0.0f)
+        var _S931 : bool;
+        if(_S930 <= 0.0f)
         {
-            _S930 = number_8 > u32(0);
+            _S931 = number_8 > u32(0);
         }
         else
         {
-            _S930 = false;
+            _S931 = false;
         }
-        if(_S930)
+        if(_S931)
         {
             number_8 = number_8 + u32(1);
             continue;
         }
-        var _S931 : LightSample_0 = light_sample_0(number_8, _S923, _S922.position_0);
-        var _S932 : vec3<f32> = to_local_0(_S922, _S931.towards_0);
-        var _S933 : Estimate_0 = lobes_estimate_of_pass_0(_S921, footprint_0, 1.0f, _S925, _S932, _S926);
-        radiance_1 = radiance_1 + vec3<f32>(_S929) * _S931.irradiance_1 * composed_0(_S921, _S933.components_0, _S933.close_0, _S933.albedos_5, _S924, _S932, _S926);
-        hole_7 = _S933.components_0.hole_2;
+        var _S932 : LightSample_0 = light_sample_0(number_8, _S924, _S923.position_0);
+        var _S933 : vec3<f32> = to_local_0(_S923, _S932.towards_0);
+        var _S934 : Estimate_0 = lobes_estimate_of_pass_0(_S922, footprint_0, 1.0f, _S926, _S933, _S927);
+        radiance_1 = radiance_1 + vec3<f32>(_S930) * _S932.irradiance_1 * composed_0(_S922, _S934.components_0, _S934.close_0, _S934.albedos_5, _S925, _S933, _S927);
+        hole_7 = _S934.components_0.hole_2;
         number_8 = number_8 + u32(1);
     }
-    var _S934 : f32 = fabrics_0[_S921].sheen_strength_0;
-    if((fabrics_0[_S921].sheen_strength_0) > 0.0f)
+    var _S935 : f32 = fabrics_0[_S922].sheen_strength_0;
+    if((fabrics_0[_S922].sheen_strength_0) > 0.0f)
     {
-        hole_7 = hole_7 * (1.0f - _S934 * sheen_lobe_0(abs(_S926.z), fabrics_0[_S921].sheen_roughness_0).z);
+        hole_7 = hole_7 * (1.0f - _S935 * sheen_lobe_0(abs(_S927.z), fabrics_0[_S922].sheen_roughness_0).z);
     }
     return vec4<f32>(radiance_1, 1.0f - hole_7);
 }
@@ -3452,32 +3440,32 @@ fn light_of_footprint_0( _S921 : u32,  _S922 : VisiblePoint_0,  _S923 : vec2<u32
 @workgroup_size(8, 8, 1)
 fn shade_lobes(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S935 : u32 = id_0.x;
-    var _S936 : bool;
-    if(_S935 >= (frame_record_0.width_0))
+    var _S936 : u32 = id_0.x;
+    var _S937 : bool;
+    if(_S936 >= (frame_record_0.width_0))
     {
-        _S936 = true;
+        _S937 = true;
     }
     else
     {
-        _S936 = (id_0.y) >= (frame_record_0.height_0);
+        _S937 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S936)
+    if(_S937)
     {
         return;
     }
-    var _S937 : u32 = id_0.y * frame_record_0.width_0 + _S935;
-    var _S938 : u32 = layers_0[_S937].face_0;
-    if((layers_0[_S937].face_0) == u32(0))
+    var _S938 : u32 = id_0.y * frame_record_0.width_0 + _S936;
+    var _S939 : u32 = layers_0[_S938].face_0;
+    if((layers_0[_S938].face_0) == u32(0))
     {
         return;
     }
-    var _S939 : u32 = _S938 - u32(1);
-    var _S940 : u32 = fabric_of_0(_S939);
-    var _S941 : vec2<u32> = id_0.xy;
-    var _S942 : VisiblePoint_0 = visible_point_0(_S940, _S939, _S941);
-    var _S943 : vec4<f32> = light_of_footprint_0(_S940, _S942, _S941, filtered_albedo_0(_S940, _S942));
-    accumulate_0(_S937, _S943);
+    var _S940 : u32 = _S939 - u32(1);
+    var _S941 : u32 = fabric_of_0(_S940);
+    var _S942 : vec2<u32> = id_0.xy;
+    var _S943 : VisiblePoint_0 = visible_point_0(_S941, _S940, _S942);
+    var _S944 : vec4<f32> = light_of_footprint_0(_S941, _S943, _S942, filtered_albedo_0(_S941, _S943));
+    accumulate_0(_S938, _S944);
     return;
 }
 

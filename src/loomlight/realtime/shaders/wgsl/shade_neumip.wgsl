@@ -1397,24 +1397,12 @@ fn neumip_depth_0( model_0 : ptr<function, Neumip_std430_0>,  uv_3 : vec2<f32>, 
 fn natural_logarithm_0( x_3 : f32) -> f32
 {
     var _S152 : u32 = (bitcast<u32>((x_3)));
-    var exponent_0 : f32 = f32(i32((_S152 >> (u32(23)))) - i32(126));
     var m_0 : f32 = (bitcast<f32>(((((_S152 & (u32(8388607)))) | (u32(1056964608))))));
-    var m_1 : f32;
-    var exponent_1 : f32;
-    if(m_0 < 0.70710676908493042f)
-    {
-        var exponent_2 : f32 = exponent_0 - 1.0f;
-        m_1 = m_0 + m_0;
-        exponent_1 = exponent_2;
-    }
-    else
-    {
-        m_1 = m_0;
-        exponent_1 = exponent_0;
-    }
-    var m_2 : f32 = m_1 - 1.0f;
-    var _S153 : f32 = m_2 * m_2;
-    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S153 - exponent_1 * 0.00021219444170129f - 0.5f * _S153) + exponent_1 * 0.693359375f;
+    var _S153 : bool = m_0 < 0.70710676908493042f;
+    var exponent_0 : f32 = f32(i32((_S152 >> (u32(23)))) - i32(126)) - select(0.0f, 1.0f, _S153);
+    var m_1 : f32 = select(m_0, m_0 + m_0, _S153) - 1.0f;
+    var _S154 : f32 = m_1 * m_1;
+    return m_1 + (((((((((0.07037683576345444f * m_1 - 0.11514610052108765f) * m_1 + 0.11676998436450958f) * m_1 - 0.12420140951871872f) * m_1 + 0.14249323308467865f) * m_1 - 0.16668057441711426f) * m_1 + 0.20000714063644409f) * m_1 - 0.24999994039535522f) * m_1 + 0.33333331346511841f) * m_1 * _S154 - exponent_0 * 0.00021219444170129f - 0.5f * _S154) + exponent_0 * 0.693359375f;
 }
 
 fn binary_logarithm_0( x_4 : f32) -> f32
@@ -1438,17 +1426,17 @@ struct TexelPyramid_0
 
 fn TexelPyramid_add_level_0( this_4 : TexelPyramid_0,  place_0 : vec2<f32>,  level_0 : u32,  face_3 : u32,  weight_2 : f32,  sums_7 : ptr<function, Eight_0>)
 {
-    var _S154 : u32 = this_4.levels_4 + u32(3) * level_0;
-    add_bilinear_1(this_4.first_21, this_4.elements_4, face_3 * this_4.face_texels_2 + words_0[_S154], words_0[_S154 + u32(1)], words_0[_S154 + u32(2)], place_0, weight_2, &((*sums_7)));
+    var _S155 : u32 = this_4.levels_4 + u32(3) * level_0;
+    add_bilinear_1(this_4.first_21, this_4.elements_4, face_3 * this_4.face_texels_2 + words_0[_S155], words_0[_S155 + u32(1)], words_0[_S155 + u32(2)], place_0, weight_2, &((*sums_7)));
     return;
 }
 
 fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_5 : vec2<f32>,  level_1 : f32,  face_4 : u32) -> Eight_0
 {
-    var _S155 : f32 = clamp(level_1, 0.0f, this_5.last_level_3);
-    var _S156 : f32 = clamp(floor(_S155), 0.0f, max(this_5.last_level_3 - 1.0f, 0.0f));
-    var _S157 : f32 = _S155 - _S156;
-    var _S158 : vec2<f32> = within_repeat_0(uv_5);
+    var _S156 : f32 = clamp(level_1, 0.0f, this_5.last_level_3);
+    var _S157 : f32 = clamp(floor(_S156), 0.0f, max(this_5.last_level_3 - 1.0f, 0.0f));
+    var _S158 : f32 = _S156 - _S157;
+    var _S159 : vec2<f32> = within_repeat_0(uv_5);
     var texel_2 : Eight_0 = no_numbers_0();
     var offset_1 : u32 = u32(0);
     for(;;)
@@ -1460,10 +1448,10 @@ fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_5 : vec2<f32>,  l
         {
             break;
         }
-        var _S159 : f32 = select(_S157, 1.0f - _S157, offset_1 == u32(0));
-        if(_S159 > 0.0f)
+        var _S160 : f32 = select(_S158, 1.0f - _S158, offset_1 == u32(0));
+        if(_S160 > 0.0f)
         {
-            TexelPyramid_add_level_0(this_5, _S158, u32(_S156) + offset_1, face_4, _S159, &(texel_2));
+            TexelPyramid_add_level_0(this_5, _S159, u32(_S157) + offset_1, face_4, _S160, &(texel_2));
         }
         offset_1 = offset_1 + u32(1);
     }
@@ -1472,10 +1460,10 @@ fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_5 : vec2<f32>,  l
 
 fn exponential_0( x_5 : f32) -> f32
 {
-    var _S160 : f32 = clamp(x_5, -87.0f, 88.0f);
-    var _S161 : f32 = floor(_S160 * 1.4426950216293335f + 0.5f);
-    var _S162 : f32 = _S160 - _S161 * 0.693359375f + _S161 * 0.00021219444170129f;
-    return select(((((((0.00019875691214111f * _S162 + 0.00139819993637502f) * _S162 + 0.00833345204591751f) * _S162 + 0.04166579619050026f) * _S162 + 0.1666666567325592f) * _S162 + 0.5f) * _S162 * _S162 + _S162 + 1.0f) * (bitcast<f32>(((u32(i32(_S161) + i32(127)) << (u32(23)))))), 0.0f, x_5 < -87.0f);
+    var _S161 : f32 = clamp(x_5, -87.0f, 88.0f);
+    var _S162 : f32 = floor(_S161 * 1.4426950216293335f + 0.5f);
+    var _S163 : f32 = _S161 - _S162 * 0.693359375f + _S162 * 0.00021219444170129f;
+    return select(((((((0.00019875691214111f * _S163 + 0.00139819993637502f) * _S163 + 0.00833345204591751f) * _S163 + 0.04166579619050026f) * _S163 + 0.1666666567325592f) * _S163 + 0.5f) * _S163 * _S163 + _S163 + 1.0f) * (bitcast<f32>(((u32(i32(_S162) + i32(127)) << (u32(23)))))), 0.0f, x_5 < -87.0f);
 }
 
 fn neumip_hole_0( model_1 : ptr<function, Neumip_std430_0>,  texel_3 : Eight_0,  view_2 : vec2<f32>) -> f32
@@ -1505,9 +1493,9 @@ fn neumip_hole_0( model_1 : ptr<function, Neumip_std430_0>,  texel_3 : Eight_0, 
 
 fn scramble_0( value_0 : u32) -> u32
 {
-    var _S163 : u32 = value_0 * u32(747796405) + u32(2891336453);
-    var _S164 : u32 = ((((_S163 >> ((((_S163 >> (u32(28)))) + u32(4))))) ^ (_S163))) * u32(277803737);
-    return (((_S164 >> (u32(22)))) ^ (_S164));
+    var _S164 : u32 = value_0 * u32(747796405) + u32(2891336453);
+    var _S165 : u32 = ((((_S164 >> ((((_S164 >> (u32(28)))) + u32(4))))) ^ (_S164))) * u32(277803737);
+    return (((_S165 >> (u32(22)))) ^ (_S165));
 }
 
 fn hash_key_0( thread_0 : u32,  stream_0 : u32) -> u32
@@ -1527,9 +1515,9 @@ fn uniform_hash_0( thread_1 : u32,  cell_1 : u32,  stream_1 : u32) -> f32
 
 fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_0 : u32,  stream_2 : u32) -> vec2<f32>
 {
-    var _S165 : u32 = pixel_0.x;
-    var _S166 : u32 = pixel_0.y;
-    return fract(vec2<f32>(uniform_hash_0(_S165, _S166, stream_2), uniform_hash_0(_S165, _S166, stream_2 + u32(1))) + vec2<f32>(f32((index_0 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S166 : u32 = pixel_0.x;
+    var _S167 : u32 = pixel_0.y;
+    return fract(vec2<f32>(uniform_hash_0(_S166, _S167, stream_2), uniform_hash_0(_S166, _S167, stream_2 + u32(1))) + vec2<f32>(f32((index_0 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
 }
 
 fn scene_number_0( index_1 : u32) -> f32
@@ -1556,22 +1544,22 @@ fn choose_0( table_0 : u32,  count_0 : u32,  number_0 : f32) -> Choice_0
         {
             break;
         }
-        var _S167 : u32 = (low_5 + high_5) / u32(2);
-        if((scene_number_0(table_0 + _S167)) <= number_0)
+        var _S168 : u32 = (low_5 + high_5) / u32(2);
+        if((scene_number_0(table_0 + _S168)) <= number_0)
         {
-            low_5 = _S167;
+            low_5 = _S168;
         }
         else
         {
-            high_5 = _S167;
+            high_5 = _S168;
         }
     }
-    var _S168 : u32 = table_0 + low_5;
-    var _S169 : f32 = scene_number_0(_S168);
-    var _S170 : f32 = scene_number_0(_S168 + u32(1));
+    var _S169 : u32 = table_0 + low_5;
+    var _S170 : f32 = scene_number_0(_S169);
+    var _S171 : f32 = scene_number_0(_S169 + u32(1));
     var choice_0 : Choice_0;
     choice_0.index_2 = low_5;
-    choice_0.remainder_0 = saturate((number_0 - _S169) / max(_S170 - _S169, 9.999999960041972e-13f));
+    choice_0.remainder_0 = saturate((number_0 - _S170) / max(_S171 - _S170, 9.999999960041972e-13f));
     return choice_0;
 }
 
@@ -1582,16 +1570,16 @@ fn mean_0( colour_0 : vec3<f32>) -> f32
 
 fn sine_cosine_0( x_6 : f32) -> vec2<f32>
 {
-    var _S171 : f32 = floor(x_6 * 0.63661974668502808f + 0.5f);
-    var _S172 : f32 = x_6 - _S171 * 1.5703125f - _S171 * 0.00048375129699707f - _S171 * 7.54979012640433211e-08f;
-    var _S173 : f32 = _S172 * _S172;
-    var _S174 : f32 = ((-0.00019515295571182f * _S173 + 0.00833216123282909f) * _S173 - 0.16666655242443085f) * _S173 * _S172 + _S172;
-    var _S175 : f32 = ((0.00002443315679557f * _S173 - 0.00138873164542019f) * _S173 + 0.04166664555668831f) * _S173 * _S173 - 0.5f * _S173 + 1.0f;
-    var _S176 : u32 = (u32(i32(_S171)) & (u32(3)));
-    var _S177 : vec2<f32> = select_vector_1(((_S176 & (u32(1)))) != u32(0), vec2<f32>(_S175, _S174), vec2<f32>(_S174, _S175));
-    var _S178 : f32 = _S177.x;
-    var _S179 : f32 = _S177.y;
-    return vec2<f32>(select(_S178, - _S178, ((_S176 & (u32(2)))) != u32(0)), select(_S179, - _S179, (((_S176 + u32(1)) & (u32(2)))) != u32(0)));
+    var _S172 : f32 = floor(x_6 * 0.63661974668502808f + 0.5f);
+    var _S173 : f32 = x_6 - _S172 * 1.5703125f - _S172 * 0.00048375129699707f - _S172 * 7.54979012640433211e-08f;
+    var _S174 : f32 = _S173 * _S173;
+    var _S175 : f32 = ((-0.00019515295571182f * _S174 + 0.00833216123282909f) * _S174 - 0.16666655242443085f) * _S174 * _S173 + _S173;
+    var _S176 : f32 = ((0.00002443315679557f * _S174 - 0.00138873164542019f) * _S174 + 0.04166664555668831f) * _S174 * _S174 - 0.5f * _S174 + 1.0f;
+    var _S177 : u32 = (u32(i32(_S172)) & (u32(3)));
+    var _S178 : vec2<f32> = select_vector_1(((_S177 & (u32(1)))) != u32(0), vec2<f32>(_S176, _S175), vec2<f32>(_S175, _S176));
+    var _S179 : f32 = _S178.x;
+    var _S180 : f32 = _S178.y;
+    return vec2<f32>(select(_S179, - _S179, ((_S177 & (u32(2)))) != u32(0)), select(_S180, - _S180, (((_S177 + u32(1)) & (u32(2)))) != u32(0)));
 }
 
 struct Light_0
@@ -1620,9 +1608,9 @@ fn scene_light_0( first_22 : u32) -> Light_0
 
 fn accumulate_0( index_3 : u32,  light_1 : vec4<f32>)
 {
-    var _S180 : f32 = layers_0[index_3].share_0;
+    var _S181 : f32 = layers_0[index_3].share_0;
     radiance_0[index_3] = radiance_0[index_3] + vec4<f32>(layers_0[index_3].share_0) * light_1;
-    layers_0[index_3].share_0 = _S180 * (1.0f - light_1.w);
+    layers_0[index_3].share_0 = _S181 * (1.0f - light_1.w);
     return;
 }
 
@@ -1646,80 +1634,80 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn face_point_0( _S181 : u32,  _S182 : u32,  _S183 : f32,  _S184 : f32) -> VisiblePoint_0
+fn face_point_0( _S182 : u32,  _S183 : u32,  _S184 : f32,  _S185 : f32) -> VisiblePoint_0
 {
-    var _S185 : u32 = u32(3) * _S182;
-    var _S186 : Vertex_0 = vertex_at_0(_S185);
-    var _S187 : Vertex_0 = vertex_at_0(_S185 + u32(1));
-    var _S188 : Vertex_0 = vertex_at_0(_S185 + u32(2));
-    var _S189 : vec3<f32> = position_of_0(_S186);
-    var _S190 : vec3<f32> = position_of_0(_S187) - _S189;
-    var _S191 : vec3<f32> = position_of_0(_S188) - _S189;
-    var _S192 : f32 = _S187.u_0 - _S186.u_0;
-    var _S193 : f32 = _S187.v_0 - _S186.v_0;
-    var _S194 : vec2<f32> = vec2<f32>(_S192, _S193);
-    var _S195 : f32 = _S188.u_0 - _S186.u_0;
-    var _S196 : f32 = _S188.v_0 - _S186.v_0;
-    var _S197 : vec2<f32> = vec2<f32>(_S195, _S196);
-    var _S198 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S192 * _S196 - _S193 * _S195) < 0.0f));
-    var _S199 : vec3<f32> = _S198 * (vec3<f32>(_S196) * _S190 - vec3<f32>(_S193) * _S191);
-    var _S200 : vec3<f32> = _S198 * (vec3<f32>(_S192) * _S191 - vec3<f32>(_S195) * _S190);
+    var _S186 : u32 = u32(3) * _S183;
+    var _S187 : Vertex_0 = vertex_at_0(_S186);
+    var _S188 : Vertex_0 = vertex_at_0(_S186 + u32(1));
+    var _S189 : Vertex_0 = vertex_at_0(_S186 + u32(2));
+    var _S190 : vec3<f32> = position_of_0(_S187);
+    var _S191 : vec3<f32> = position_of_0(_S188) - _S190;
+    var _S192 : vec3<f32> = position_of_0(_S189) - _S190;
+    var _S193 : f32 = _S188.u_0 - _S187.u_0;
+    var _S194 : f32 = _S188.v_0 - _S187.v_0;
+    var _S195 : vec2<f32> = vec2<f32>(_S193, _S194);
+    var _S196 : f32 = _S189.u_0 - _S187.u_0;
+    var _S197 : f32 = _S189.v_0 - _S187.v_0;
+    var _S198 : vec2<f32> = vec2<f32>(_S196, _S197);
+    var _S199 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S193 * _S197 - _S194 * _S196) < 0.0f));
+    var _S200 : vec3<f32> = _S199 * (vec3<f32>(_S197) * _S191 - vec3<f32>(_S194) * _S192);
+    var _S201 : vec3<f32> = _S199 * (vec3<f32>(_S193) * _S192 - vec3<f32>(_S196) * _S191);
     var point_1 : VisiblePoint_0;
-    var _S201 : vec3<f32> = vec3<f32>(_S183);
     var _S202 : vec3<f32> = vec3<f32>(_S184);
-    var _S203 : vec3<f32> = normalize(vec3<f32>((1.0f - _S183 - _S184)) * normal_of_0(_S186) + _S201 * normal_of_0(_S187) + _S202 * normal_of_0(_S188));
-    point_1.normal_0 = _S203;
-    var _S204 : vec3<f32> = normalize(_S199 - _S203 * vec3<f32>(dot(_S203, _S199)));
-    point_1.axis_x_0 = _S204;
-    point_1.axis_y_0 = cross(_S203, _S204);
-    var _S205 : vec3<f32> = normalize(cross(_S190, _S191));
-    point_1.face_normal_0 = select_vector_2((dot(_S205, _S203)) < 0.0f, (vec3<f32>(0) - _S205), _S205);
-    point_1.position_0 = _S189 + _S201 * _S190 + _S202 * _S191;
-    point_1.view_0 = _S203;
-    var _S206 : vec2<f32> = vec2<f32>(_S186.u_0, _S186.v_0) + vec2<f32>(_S183) * _S194 + vec2<f32>(_S184) * _S197;
-    point_1.uv_0 = _S206;
-    var _S207 : bool = (dot(cross(_S199, _S200), _S203)) < 0.0f;
-    var _S208 : vec2<f32> = vec2<f32>(fabrics_0[_S181].uv_width_0, select(fabrics_0[_S181].uv_height_0, - fabrics_0[_S181].uv_height_0, _S207));
-    point_1.draft_per_uv_0 = _S208;
-    point_1.draft_0 = _S206 * _S208 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S181].uv_height_0, _S207));
-    var _S209 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S209;
-    point_1.draft_dy_0 = _S209;
+    var _S203 : vec3<f32> = vec3<f32>(_S185);
+    var _S204 : vec3<f32> = normalize(vec3<f32>((1.0f - _S184 - _S185)) * normal_of_0(_S187) + _S202 * normal_of_0(_S188) + _S203 * normal_of_0(_S189));
+    point_1.normal_0 = _S204;
+    var _S205 : vec3<f32> = normalize(_S200 - _S204 * vec3<f32>(dot(_S204, _S200)));
+    point_1.axis_x_0 = _S205;
+    point_1.axis_y_0 = cross(_S204, _S205);
+    var _S206 : vec3<f32> = normalize(cross(_S191, _S192));
+    point_1.face_normal_0 = select_vector_2((dot(_S206, _S204)) < 0.0f, (vec3<f32>(0) - _S206), _S206);
+    point_1.position_0 = _S190 + _S202 * _S191 + _S203 * _S192;
+    point_1.view_0 = _S204;
+    var _S207 : vec2<f32> = vec2<f32>(_S187.u_0, _S187.v_0) + vec2<f32>(_S184) * _S195 + vec2<f32>(_S185) * _S198;
+    point_1.uv_0 = _S207;
+    var _S208 : bool = (dot(cross(_S200, _S201), _S204)) < 0.0f;
+    var _S209 : vec2<f32> = vec2<f32>(fabrics_0[_S182].uv_width_0, select(fabrics_0[_S182].uv_height_0, - fabrics_0[_S182].uv_height_0, _S208));
+    point_1.draft_per_uv_0 = _S209;
+    point_1.draft_0 = _S207 * _S209 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S182].uv_height_0, _S208));
+    var _S210 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S210;
+    point_1.draft_dy_0 = _S210;
     return point_1;
 }
 
-fn visible_point_0( _S210 : u32,  _S211 : u32,  _S212 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S211 : u32,  _S212 : u32,  _S213 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S213 : u32 = u32(3) * _S211;
-    var _S214 : Vertex_0 = vertex_at_0(_S213);
-    var _S215 : Vertex_0 = vertex_at_0(_S213 + u32(1));
-    var _S216 : Vertex_0 = vertex_at_0(_S213 + u32(2));
-    var _S217 : vec3<f32> = position_of_0(_S214);
-    var _S218 : vec3<f32> = position_of_0(_S215) - _S217;
-    var _S219 : vec3<f32> = position_of_0(_S216) - _S217;
-    var _S220 : vec3<f32> = cross(_S218, _S219);
-    var _S221 : f32 = f32(frame_record_0.width_0);
-    var _S222 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S221));
-    var _S223 : f32 = f32(frame_record_0.height_0);
-    var _S224 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S223));
-    var _S225 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S212.x) + 0.5f - 0.5f * _S221)) * _S222 + vec3<f32>((f32(_S212.y) + 0.5f - 0.5f * _S223)) * _S224;
-    var _S226 : f32 = dot(_S225, _S220);
-    var _S227 : f32 = 1.0f / select(1.00000000317107685e-30f, _S226, (abs(_S226)) > 1.00000000317107685e-30f);
-    var _S228 : vec3<f32> = _S217 - camera_origin_0();
-    var _S229 : vec3<f32> = vec3<f32>((dot(_S228, _S220) * _S227));
-    var _S230 : vec3<f32> = _S225 * _S229 - _S228;
-    var _S231 : vec3<f32> = _S229 * (_S222 - _S225 * vec3<f32>((dot(_S222, _S220) * _S227)));
-    var _S232 : vec3<f32> = _S229 * (_S224 - _S225 * vec3<f32>((dot(_S224, _S220) * _S227)));
-    var _S233 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S220), 1.00000000317107685e-30f)));
-    var _S234 : vec3<f32> = cross(_S219, _S220) * _S233;
-    var _S235 : vec3<f32> = cross(_S220, _S218) * _S233;
-    var _S236 : vec2<f32> = vec2<f32>(_S215.u_0 - _S214.u_0, _S215.v_0 - _S214.v_0);
-    var _S237 : vec2<f32> = vec2<f32>(_S216.u_0 - _S214.u_0, _S216.v_0 - _S214.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S210, _S211, dot(_S230, _S234), dot(_S230, _S235));
-    point_2.position_0 = _S217 + _S230;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S225));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S231, _S234)) * _S236 + vec2<f32>(dot(_S231, _S235)) * _S237) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S232, _S234)) * _S236 + vec2<f32>(dot(_S232, _S235)) * _S237) * point_2.draft_per_uv_0;
+    var _S214 : u32 = u32(3) * _S212;
+    var _S215 : Vertex_0 = vertex_at_0(_S214);
+    var _S216 : Vertex_0 = vertex_at_0(_S214 + u32(1));
+    var _S217 : Vertex_0 = vertex_at_0(_S214 + u32(2));
+    var _S218 : vec3<f32> = position_of_0(_S215);
+    var _S219 : vec3<f32> = position_of_0(_S216) - _S218;
+    var _S220 : vec3<f32> = position_of_0(_S217) - _S218;
+    var _S221 : vec3<f32> = cross(_S219, _S220);
+    var _S222 : f32 = f32(frame_record_0.width_0);
+    var _S223 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S222));
+    var _S224 : f32 = f32(frame_record_0.height_0);
+    var _S225 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S224));
+    var _S226 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S213.x) + 0.5f - 0.5f * _S222)) * _S223 + vec3<f32>((f32(_S213.y) + 0.5f - 0.5f * _S224)) * _S225;
+    var _S227 : f32 = dot(_S226, _S221);
+    var _S228 : f32 = 1.0f / select(1.00000000317107685e-30f, _S227, (abs(_S227)) > 1.00000000317107685e-30f);
+    var _S229 : vec3<f32> = _S218 - camera_origin_0();
+    var _S230 : vec3<f32> = vec3<f32>((dot(_S229, _S221) * _S228));
+    var _S231 : vec3<f32> = _S226 * _S230 - _S229;
+    var _S232 : vec3<f32> = _S230 * (_S223 - _S226 * vec3<f32>((dot(_S223, _S221) * _S228)));
+    var _S233 : vec3<f32> = _S230 * (_S225 - _S226 * vec3<f32>((dot(_S225, _S221) * _S228)));
+    var _S234 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S221), 1.00000000317107685e-30f)));
+    var _S235 : vec3<f32> = cross(_S220, _S221) * _S234;
+    var _S236 : vec3<f32> = cross(_S221, _S219) * _S234;
+    var _S237 : vec2<f32> = vec2<f32>(_S216.u_0 - _S215.u_0, _S216.v_0 - _S215.v_0);
+    var _S238 : vec2<f32> = vec2<f32>(_S217.u_0 - _S215.u_0, _S217.v_0 - _S215.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S211, _S212, dot(_S231, _S235), dot(_S231, _S236));
+    point_2.position_0 = _S218 + _S231;
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S226));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S232, _S235)) * _S237 + vec2<f32>(dot(_S232, _S236)) * _S238) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S233, _S235)) * _S237 + vec2<f32>(dot(_S233, _S236)) * _S238) * point_2.draft_per_uv_0;
     return point_2;
 }
 
@@ -1738,32 +1726,32 @@ struct NeumipView_0
      hole_0 : f32,
 };
 
-fn neumip_view_0( _S238 : u32,  _S239 : Footprint_0,  _S240 : vec3<f32>,  _S241 : ptr<function, NeumipView_0>)
+fn neumip_view_0( _S239 : u32,  _S240 : Footprint_0,  _S241 : vec3<f32>,  _S242 : ptr<function, NeumipView_0>)
 {
-    var _S242 : Neumip_std430_0 = fabrics_0[_S238].neumip_0;
-    var _S243 : bool = (_S240.z) < 0.0f;
-    var _S244 : u32 = select(u32(0), _S242.back_0, _S243);
-    var _S245 : vec3<f32> = to_face_frame_0(_S240, _S243);
-    var uv_6 : vec2<f32> = _S239.centre_0 * vec2<f32>(_S242.repeats_per_x_0, _S242.repeats_per_y_0);
+    var _S243 : Neumip_std430_0 = fabrics_0[_S239].neumip_0;
+    var _S244 : bool = (_S241.z) < 0.0f;
+    var _S245 : u32 = select(u32(0), _S243.back_0, _S244);
+    var _S246 : vec3<f32> = to_face_frame_0(_S241, _S244);
+    var uv_6 : vec2<f32> = _S240.centre_0 * vec2<f32>(_S243.repeats_per_x_0, _S243.repeats_per_y_0);
     var uv_7 : vec2<f32>;
-    if((_S242.has_offset_0) != u32(0))
+    if((_S243.has_offset_0) != u32(0))
     {
-        var _S246 : vec2<f32> = _S245.xy;
-        var _S247 : f32 = neumip_depth_0(&(_S242), uv_6, _S246, _S244);
-        uv_7 = uv_6 + vec2<f32>((_S247 / max(_S245.z, 0.60000002384185791f))) * _S246 * vec2<f32>(_S242.unit_x_0, _S242.unit_y_0);
+        var _S247 : vec2<f32> = _S246.xy;
+        var _S248 : f32 = neumip_depth_0(&(_S243), uv_6, _S247, _S245);
+        uv_7 = uv_6 + vec2<f32>((_S248 / max(_S246.z, 0.60000002384185791f))) * _S247 * vec2<f32>(_S243.unit_x_0, _S243.unit_y_0);
     }
     else
     {
         uv_7 = uv_6;
     }
-    var _S248 : f32 = sqrt(abs(_S239.dx_0.x * _S239.dy_0.y - _S239.dx_0.y * _S239.dy_0.x)) * _S242.texels_per_mm_0;
+    var _S249 : f32 = sqrt(abs(_S240.dx_0.x * _S240.dy_0.y - _S240.dx_0.y * _S240.dy_0.x)) * _S243.texels_per_mm_0;
     var pyramid_0 : TexelPyramid_0;
-    pyramid_0.first_21 = _S242.features_0;
-    pyramid_0.elements_4 = _S242.texel_elements_0;
-    pyramid_0.levels_4 = _S242.levels_2;
-    pyramid_0.last_level_3 = _S242.last_level_1;
-    pyramid_0.face_texels_2 = _S242.face_texels_0;
-    var _S249 : Eight_0 = TexelPyramid_between_levels_0(pyramid_0, uv_7, binary_logarithm_0(max(_S248, 9.99999971718068537e-10f)), _S244);
+    pyramid_0.first_21 = _S243.features_0;
+    pyramid_0.elements_4 = _S243.texel_elements_0;
+    pyramid_0.levels_4 = _S243.levels_2;
+    pyramid_0.last_level_3 = _S243.last_level_1;
+    pyramid_0.face_texels_2 = _S243.face_texels_0;
+    var _S250 : Eight_0 = TexelPyramid_between_levels_0(pyramid_0, uv_7, binary_logarithm_0(max(_S249, 9.99999971718068537e-10f)), _S245);
     var k_3 : i32 = i32(0);
     for(;;)
     {
@@ -1774,23 +1762,23 @@ fn neumip_view_0( _S238 : u32,  _S239 : Footprint_0,  _S240 : vec3<f32>,  _S241 
         {
             break;
         }
-        (*_S241).latent_1[k_3] = channel_0(_S249, k_3);
+        (*_S242).latent_1[k_3] = channel_0(_S250, k_3);
         k_3 = k_3 + i32(1);
     }
-    var _S250 : vec2<f32> = _S245.xy;
-    (*_S241).view_3 = _S250;
-    (*_S241).back_3 = _S243;
-    var _S251 : f32;
-    if((_S242.has_holes_0) != u32(0))
+    var _S251 : vec2<f32> = _S246.xy;
+    (*_S242).view_3 = _S251;
+    (*_S242).back_3 = _S244;
+    var _S252 : f32;
+    if((_S243.has_holes_0) != u32(0))
     {
-        var _S252 : f32 = neumip_hole_0(&(_S242), _S249, _S250);
-        _S251 = _S252;
+        var _S253 : f32 = neumip_hole_0(&(_S243), _S250, _S251);
+        _S252 = _S253;
     }
     else
     {
-        _S251 = 0.0f;
+        _S252 = 0.0f;
     }
-    (*_S241).hole_0 = _S251;
+    (*_S242).hole_0 = _S252;
     return;
 }
 
@@ -1799,13 +1787,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S253 : u32,  _S254 : vec2<u32>) -> f32
+fn visibility_at_0( _S254 : u32,  _S255 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S253 * frame_record_0.height_0 + _S254.y) * frame_record_0.width_0 + _S254.x];
+    return visibilities_0[(_S254 * frame_record_0.height_0 + _S255.y) * frame_record_0.width_0 + _S255.x];
 }
 
 struct LightSample_0
@@ -1815,63 +1803,63 @@ struct LightSample_0
      distance_0 : f32,
 };
 
-fn environment_texel_0( _S255 : u32,  _S256 : u32) -> vec3<f32>
+fn environment_texel_0( _S256 : u32,  _S257 : u32) -> vec3<f32>
 {
-    var _S257 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S255 * frame_record_0.environment_columns_0 + _S256);
-    return vec3<f32>(scene_number_0(_S257), scene_number_0(_S257 + u32(1)), scene_number_0(_S257 + u32(2)));
+    var _S258 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S256 * frame_record_0.environment_columns_0 + _S257);
+    return vec3<f32>(scene_number_0(_S258), scene_number_0(_S258 + u32(1)), scene_number_0(_S258 + u32(2)));
 }
 
-fn sample_environment_0( _S258 : vec2<f32>,  _S259 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S259 : vec2<f32>,  _S260 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S260 : u32 = frame_record_0.environment_rows_0;
-    var _S261 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S258.y);
-    var _S262 : u32 = frame_record_0.environment_columns_0;
-    var _S263 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S261.index_2 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S258.x);
-    var _S264 : vec3<f32> = environment_texel_0(_S261.index_2, _S263.index_2);
-    (*_S259) = _S264 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S264), 9.99999968265522539e-21f)));
-    var _S265 : f32 = 3.14159274101257324f / f32(_S260);
-    var _S266 : f32 = mix(sine_cosine_0(f32(_S261.index_2) * _S265).y, sine_cosine_0(f32(_S261.index_2 + u32(1)) * _S265).y, _S261.remainder_0);
-    var _S267 : f32 = sqrt(max(1.0f - _S266 * _S266, 0.0f));
-    var _S268 : vec2<f32> = sine_cosine_0((f32(_S263.index_2) + _S263.remainder_0) * (6.28318548202514648f / f32(_S262)));
-    var _S269 : f32 = _S267 * _S268.x;
-    var _S270 : f32 = - _S267 * _S268.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S269 + frame_record_0.environment_sine_0 * _S270, _S266, frame_record_0.environment_cosine_0 * _S270 - frame_record_0.environment_sine_0 * _S269);
+    var _S261 : u32 = frame_record_0.environment_rows_0;
+    var _S262 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S259.y);
+    var _S263 : u32 = frame_record_0.environment_columns_0;
+    var _S264 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S262.index_2 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S259.x);
+    var _S265 : vec3<f32> = environment_texel_0(_S262.index_2, _S264.index_2);
+    (*_S260) = _S265 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S265), 9.99999968265522539e-21f)));
+    var _S266 : f32 = 3.14159274101257324f / f32(_S261);
+    var _S267 : f32 = mix(sine_cosine_0(f32(_S262.index_2) * _S266).y, sine_cosine_0(f32(_S262.index_2 + u32(1)) * _S266).y, _S262.remainder_0);
+    var _S268 : f32 = sqrt(max(1.0f - _S267 * _S267, 0.0f));
+    var _S269 : vec2<f32> = sine_cosine_0((f32(_S264.index_2) + _S264.remainder_0) * (6.28318548202514648f / f32(_S263)));
+    var _S270 : f32 = _S268 * _S269.x;
+    var _S271 : f32 = - _S268 * _S269.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S270 + frame_record_0.environment_sine_0 * _S271, _S267, frame_record_0.environment_cosine_0 * _S271 - frame_record_0.environment_sine_0 * _S270);
 }
 
-fn light_sample_0( _S271 : u32,  _S272 : vec2<u32>,  _S273 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S272 : u32,  _S273 : vec2<u32>,  _S274 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_0 = 1.00000001504746622e+30f;
-    var _S274 : u32 = frame_record_0.lights_0;
-    if(_S271 >= (frame_record_0.lights_0))
+    var _S275 : u32 = frame_record_0.lights_0;
+    if(_S272 >= (frame_record_0.lights_0))
     {
         var weight_3 : vec3<f32>;
-        var _S275 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S272, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S271 - _S274), u32(3)), &(weight_3));
-        sample_0.towards_0 = _S275;
+        var _S276 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S273, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S272 - _S275), u32(3)), &(weight_3));
+        sample_0.towards_0 = _S276;
         sample_0.irradiance_1 = weight_3 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S276 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S271);
-    sample_0.irradiance_1 = vec3<f32>(_S276.red_0, _S276.green_0, _S276.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S276.x_7, _S276.y_1, _S276.z_1);
-    if((_S276.is_point_0) != u32(0))
+    var _S277 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S272);
+    sample_0.irradiance_1 = vec3<f32>(_S277.red_0, _S277.green_0, _S277.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S277.x_7, _S277.y_1, _S277.z_1);
+    if((_S277.is_point_0) != u32(0))
     {
-        var _S277 : vec3<f32> = sample_0.towards_0 - _S273;
-        var _S278 : f32 = max(square_0(_S277), 9.999999960041972e-13f);
-        sample_0.distance_0 = sqrt(_S278);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S278);
-        sample_0.towards_0 = normalize(_S277);
+        var _S278 : vec3<f32> = sample_0.towards_0 - _S274;
+        var _S279 : f32 = max(square_0(_S278), 9.999999960041972e-13f);
+        sample_0.distance_0 = sqrt(_S279);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S279);
+        sample_0.towards_0 = normalize(_S278);
     }
     return sample_0;
 }
 
-fn neumip_value_0( _S279 : u32,  _S280 : ptr<function, NeumipView_0>,  _S281 : vec3<f32>) -> vec3<f32>
+fn neumip_value_0( _S280 : u32,  _S281 : ptr<function, NeumipView_0>,  _S282 : vec3<f32>) -> vec3<f32>
 {
-    var _S282 : vec3<f32> = to_face_frame_0(_S281, (*_S280).back_3);
-    var _S283 : f32 = _S282.z;
-    var _S284 : Neumip_std430_0 = fabrics_0[_S279].neumip_0;
-    var _S285 : bool = ((_S283 < 0.0f) & (((fabrics_0[_S279].neumip_0.transmits_0) != u32(0))));
-    if(((_S283 <= 0.0f) & ((!_S285))))
+    var _S283 : vec3<f32> = to_face_frame_0(_S282, (*_S281).back_3);
+    var _S284 : f32 = _S283.z;
+    var _S285 : Neumip_std430_0 = fabrics_0[_S280].neumip_0;
+    var _S286 : bool = ((_S284 < 0.0f) & (((fabrics_0[_S280].neumip_0.transmits_0) != u32(0))));
+    if(((_S284 <= 0.0f) & ((!_S286))))
     {
         return vec3<f32>(0.0f);
     }
@@ -1886,31 +1874,31 @@ fn neumip_value_0( _S279 : u32,  _S280 : ptr<function, NeumipView_0>,  _S281 : v
         {
             break;
         }
-        inputs_26[k_4] = (*_S280).latent_1[k_4];
+        inputs_26[k_4] = (*_S281).latent_1[k_4];
         k_4 = k_4 + i32(1);
     }
-    inputs_26[i32(7)] = _S282.x;
-    inputs_26[i32(8)] = _S282.y;
-    inputs_26[i32(9)] = (*_S280).view_3.x;
-    inputs_26[i32(10)] = (*_S280).view_3.y;
+    inputs_26[i32(7)] = _S283.x;
+    inputs_26[i32(8)] = _S283.y;
+    inputs_26[i32(9)] = (*_S281).view_3.x;
+    inputs_26[i32(10)] = (*_S281).view_3.y;
     var network_3 : MLP_0;
-    network_3.weights_20.first_0 = select(_S284.decoder_0, _S284.transmission_0, _S285);
+    network_3.weights_20.first_0 = select(_S285.decoder_0, _S285.transmission_0, _S286);
     var outputs_20 : array<f32, i32(3)>;
     MLP_evaluate_0(network_3, &(inputs_26), &(outputs_20));
     return max(vec3<f32>(outputs_20[i32(0)], outputs_20[i32(1)], outputs_20[i32(2)]), vec3<f32>(0.0f)) * vec3<f32>(0.31830987334251404f);
 }
 
-fn light_of_neumip_0( _S286 : u32,  _S287 : VisiblePoint_0,  _S288 : vec2<u32>) -> vec4<f32>
+fn light_of_neumip_0( _S287 : u32,  _S288 : VisiblePoint_0,  _S289 : vec2<u32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S287.draft_0;
-    footprint_0.dx_0 = _S287.draft_dx_0;
-    footprint_0.dy_0 = _S287.draft_dy_0;
+    footprint_0.centre_0 = _S288.draft_0;
+    footprint_0.dx_0 = _S288.draft_dx_0;
+    footprint_0.dy_0 = _S288.draft_dy_0;
     var seen_0 : NeumipView_0;
-    neumip_view_0(_S286, footprint_0, to_local_0(_S287, _S287.view_0), &(seen_0));
-    var _S289 : vec3<f32> = vec3<f32>(0.0f);
+    neumip_view_0(_S287, footprint_0, to_local_0(_S288, _S288.view_0), &(seen_0));
+    var _S290 : vec3<f32> = vec3<f32>(0.0f);
     var number_1 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S289;
+    var radiance_1 : vec3<f32> = _S290;
     for(;;)
     {
         if(number_1 < (light_sample_count_0()))
@@ -1920,16 +1908,16 @@ fn light_of_neumip_0( _S286 : u32,  _S287 : VisiblePoint_0,  _S288 : vec2<u32>) 
         {
             break;
         }
-        var _S290 : f32 = visibility_at_0(number_1, _S288);
-        if(_S290 <= 0.0f)
+        var _S291 : f32 = visibility_at_0(number_1, _S289);
+        if(_S291 <= 0.0f)
         {
             number_1 = number_1 + u32(1);
             continue;
         }
-        var _S291 : LightSample_0 = light_sample_0(number_1, _S288, _S287.position_0);
-        var _S292 : vec3<f32> = vec3<f32>(_S290) * _S291.irradiance_1;
-        var _S293 : vec3<f32> = neumip_value_0(_S286, &(seen_0), to_local_0(_S287, _S291.towards_0));
-        radiance_1 = radiance_1 + _S292 * _S293;
+        var _S292 : LightSample_0 = light_sample_0(number_1, _S289, _S288.position_0);
+        var _S293 : vec3<f32> = vec3<f32>(_S291) * _S292.irradiance_1;
+        var _S294 : vec3<f32> = neumip_value_0(_S287, &(seen_0), to_local_0(_S288, _S292.towards_0));
+        radiance_1 = radiance_1 + _S293 * _S294;
         number_1 = number_1 + u32(1);
     }
     return vec4<f32>(radiance_1, 1.0f - seen_0.hole_0);
@@ -1939,30 +1927,30 @@ fn light_of_neumip_0( _S286 : u32,  _S287 : VisiblePoint_0,  _S288 : vec2<u32>) 
 @workgroup_size(8, 8, 1)
 fn shade_neumip(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S294 : u32 = id_0.x;
-    var _S295 : bool;
-    if(_S294 >= (frame_record_0.width_0))
+    var _S295 : u32 = id_0.x;
+    var _S296 : bool;
+    if(_S295 >= (frame_record_0.width_0))
     {
-        _S295 = true;
+        _S296 = true;
     }
     else
     {
-        _S295 = (id_0.y) >= (frame_record_0.height_0);
+        _S296 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S295)
+    if(_S296)
     {
         return;
     }
-    var _S296 : u32 = id_0.y * frame_record_0.width_0 + _S294;
-    var _S297 : u32 = layers_0[_S296].face_0;
-    if((layers_0[_S296].face_0) == u32(0))
+    var _S297 : u32 = id_0.y * frame_record_0.width_0 + _S295;
+    var _S298 : u32 = layers_0[_S297].face_0;
+    if((layers_0[_S297].face_0) == u32(0))
     {
         return;
     }
-    var _S298 : u32 = _S297 - u32(1);
-    var _S299 : u32 = fabric_of_0(_S298);
-    var _S300 : vec2<u32> = id_0.xy;
-    accumulate_0(_S296, light_of_neumip_0(_S299, visible_point_0(_S299, _S298, _S300), _S300));
+    var _S299 : u32 = _S298 - u32(1);
+    var _S300 : u32 = fabric_of_0(_S299);
+    var _S301 : vec2<u32> = id_0.xy;
+    accumulate_0(_S297, light_of_neumip_0(_S300, visible_point_0(_S300, _S299, _S301), _S301));
     return;
 }
 
