@@ -1922,7 +1922,7 @@ fn latent_view_0( _S260 : u32,  _S261 : Footprint_0,  _S262 : vec3<f32>,  _S263 
     var _S267 : u32 = select(u32(0), _S265.back_1, _S266);
     var _S268 : vec2<f32> = _S261.centre_0 * vec2<f32>(_S265.repeats_per_x_1, _S265.repeats_per_y_1);
     var _S269 : vec2<f32> = vec2<f32>(f32(words_0[_S265.levels_3 + u32(1)]), f32(words_0[_S265.levels_3 + u32(2)]));
-    var _S270 : vec2<f32> = select(_S268, (floor(_S268 * _S269) + vec2<f32>(0.5f)) / _S269, vec2<bool>(((_S265.is_apart_0) != u32(0))));
+    var _S270 : vec2<f32> = select_vector_1((_S265.is_apart_0) != u32(0), (floor(_S268 * _S269) + vec2<f32>(0.5f)) / _S269, _S268);
     var _S271 : f32 = clamp(binary_logarithm_0(max(sqrt(abs(_S261.dx_0.x * _S261.dy_0.y - _S261.dx_0.y * _S261.dy_0.x)) * _S265.texels_per_mm_1, 9.99999971718068537e-10f)), 0.0f, _S265.last_level_2);
     var pyramid_0 : TexelPyramid_0;
     pyramid_0.first_27 = _S265.texels_1;
