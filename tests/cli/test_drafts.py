@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from loomlight.cli.drafts import draft_from
+from loomlight.cli.weave import draft_from
 from loomlight.core.errors import InputError
 from loomlight.core.images import write_png
 from loomlight.weave.named import named_weave

@@ -7,9 +7,10 @@ from typing import Annotated, Literal
 
 import typer
 
-from loomlight.cli.drafts import draft_from
 from loomlight.cli.help import WholeSentences
 from loomlight.cli.outputs import check_output, done
+from loomlight.core.errors import InputError
+from loomlight.weave.draft import Draft
 
 app = typer.Typer(
     cls=WholeSentences,
@@ -95,3 +96,25 @@ def names() -> None:
     from loomlight.weave.named import weave_names
 
     print("\n".join(weave_names()))
+
+
+def draft_from(argument: str) -> Draft:
+    """The draft of a .wif file, a picture of a drawdown, a fabric file, or a weave's name.
+
+    Raises:
+        InputError: nothing of these.
+    """
+    from loomlight.weave.load import DRAFT_SUFFIXES, load_draft
+    from loomlight.weave.named import named_weave
+
+    path = Path(argument)
+    suffix = path.suffix.lower()
+    if suffix == ".toml":
+        from loomlight.fabric.load import load_fabric
+
+        return load_fabric(path).draft
+    if suffix in DRAFT_SUFFIXES:
+        return load_draft(path)
+    if suffix or path.is_absolute():
+        raise InputError(f"{path} is no draft: give a .wif file, a picture, a fabric file or a weave's name.")
+    return named_weave(argument)

@@ -10,7 +10,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from loomlight.core.errors import InputError
-from loomlight.fabric.drafts import draft_of
+from loomlight.core.files import require_file
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.file import FabricFile
 from loomlight.fabric.measured_colours import with_measured_colours
@@ -23,7 +23,9 @@ from loomlight.fabric.reading import (
     validate_fields,
 )
 from loomlight.fabric.sentences import sentence_of
-from loomlight.weave.load import DRAFT_SUFFIXES
+from loomlight.weave.draft import Draft
+from loomlight.weave.load import DRAFT_SUFFIXES, load_draft
+from loomlight.weave.named import named_weave
 
 FABRIC_SUFFIX = ".toml"
 # A fabric has one of these, so a new one replaces what there was; the same holds for a density's two units.
@@ -139,9 +141,27 @@ def _only(**field: str) -> FabricFile:
 def _made(fields: FabricFile, folder: str, fallback_name: str, source: str) -> Fabric:
     with speaking_of(source):
         fields = with_measured_colours(fields, folder)
-        draft = draft_of(fields, folder)
+        draft = _draft_of(fields, folder)
         require_interlacing(draft)
         name = fields.name or draft.title or fields.weave or fallback_name
         fabric = make_fabric(fields, draft, name, folder)
     warn_of_slips(fields, draft, fabric.layout(), source)
     return fabric
+
+
+def _draft_of(fields: FabricFile, folder: str) -> Draft:
+    """The draft of a fabric file's `weave`, `draft` or `image`; paths are relative to `folder`.
+
+    Raises:
+        InputError: an unknown weave, or a file that is no draft.
+    """
+    if fields.weave is not None:
+        return named_weave(fields.weave)
+    name = "draft" if fields.draft is not None else "image"
+    given = str(getattr(fields, name))
+    path = Path(folder) / given
+    try:
+        require_file(path)
+    except InputError as error:
+        raise InputError(f'{name} = "{given[:80]}" names no draft: {error}') from error
+    return load_draft(path)

@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.models.lobes import cloth_samples, coverage_pyramid, groups, visibility_rays
+from loomlight.models.lobes.clustering import FEATURES
 from loomlight.models.lobes.hemisphere import NODES
 from loomlight.models.lobes.joint_lookup import JOINT_FACTORS, JOINT_NODES
 from loomlight.models.lobes.packed_uint8 import pack_count
@@ -110,11 +111,11 @@ SCRATCH: dict[str, Size] = {
     "gap_nulls": ((NODES, visibility_rays.MAX_GAP_RAYS),),
     "lit": _RAYS,
     "lists": ((5, _LIST),),
-    "points": ((4, groups.CLUSTERED_SAMPLES, 6),),
-    "clusters": ((4, "max_clusters", 32),),
-    "cluster_means": ((4, "max_clusters", "max_clusters", 6),),
+    "points": ((4, groups.CLUSTERED_SAMPLES, FEATURES),),
+    "clusters": ((4, "max_clusters", 1 + FEATURES + FEATURES * (FEATURES + 1) // 2),),
+    "cluster_means": ((4, "max_clusters", "max_clusters", FEATURES),),
     "cluster_errors": ((4, "max_clusters"),),
-    "centroids": ((2, "groups", 6),),
+    "centroids": ((2, "groups", FEATURES),),
     "view_sums": ((2, NODES, "groups", _VIEW_SUMS),),
     "light_sums": ((2, NODES, "groups", _LIGHT_SUMS),),
     "group_moments": ((2, "groups", MOMENTS),),
@@ -128,7 +129,7 @@ SCRATCH: dict[str, Size] = {
 }
 # Bytes of the other buffers that only baking uses.
 BUFFER_BYTES: dict[str, Size] = {
-    "hits": ((36, 2, NODES, "rays"), (36, 2, _TOP_DOWN)),
+    "hits": ((40, 2, NODES, "rays"), (40, 2, _TOP_DOWN)),
     "texel_counts": ((4, 2, "columns", "rows", "width"),),
     "coverage_pyramid": ((16, "face_nodes", "width"),),
 }

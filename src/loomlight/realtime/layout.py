@@ -293,6 +293,7 @@ SURFACE_HIT: Fields = (
     ("flags", "uint", "bits of `bake.slang`: family, hole, passing, group"),
     *_vector("normal", "unit normal, in the frame of the face"),
     *_vector("tangent", "unit fibre direction"),
+    ("shown_share", "float", "part of its thread that is on this face around"),
 )
 
 BAKE: Fields = (
@@ -321,11 +322,11 @@ BAKE: Fields = (
     ("gap_nulls", "uint", "whether rays through gaps pass [nodes, MAX_GAP_RAYS]"),
     ("lit", "uint", "bits of each shadow ray [2 faces, nodes, rays]"),
     ("lists", "uint", "samples of each family, and gaps [5, MAX_SAMPLES_OF_FACE]"),
-    ("points", "uint", "points that are clustered [4, CLUSTERED_SAMPLES, 6]"),
-    ("clusters", "uint", "clusters of the last split [4, max_clusters, 32]"),
-    ("cluster_means", "uint", "means of k clusters [4, max_clusters, max_clusters, 6]"),
+    ("points", "uint", "points that are clustered [4, CLUSTERED_SAMPLES, FEATURES]"),
+    ("clusters", "uint", "clusters of the last split [4, max_clusters, 1 + FEATURES + pairs of them]"),
+    ("cluster_means", "uint", "means of k clusters [4, max_clusters, max_clusters, FEATURES]"),
     ("cluster_errors", "uint", "squared errors of k clusters [4, max_clusters]"),
-    ("centroids", "uint", "of groups [2 faces, groups, 6]"),
+    ("centroids", "uint", "of groups [2 faces, groups, FEATURES]"),
     ("view_sums", "uint", "[2 faces, nodes, groups, VIEW_SUMS]"),
     ("light_sums", "uint", "[2 faces, nodes, groups, LIGHT_SUMS]"),
     ("group_moments", "uint", "[2 faces, groups, MOMENTS]"),

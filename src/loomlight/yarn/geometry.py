@@ -50,6 +50,7 @@ class SurfacePoint:
         across: distance from the middle of the thread, millimetres, signed.
         fibre_across, fibre_along: position on the yarn's unrolled section across and along its fibres, which
             are straight there, millimetres.
+        shown_share: part of its thread that is on this face around here, 0 to 1.
     """
 
     hole: Mask
@@ -62,6 +63,7 @@ class SurfacePoint:
     across: Float
     fibre_across: Float
     fibre_along: Float
+    shown_share: Float
 
 
 @dataclass
@@ -335,6 +337,7 @@ class YarnGeometry:
             across=across,
             fibre_across=dr.fma(unrolled, cosine, lengthwise * sine),
             fibre_along=dr.fma(lengthwise, cosine, -unrolled * sine),
+            shown_share=dr.select(shown.on_top, run.share, 1 - run.share),
         )
         return point, shown, run, (slope_x, slope_y)
 
@@ -369,6 +372,7 @@ class _Run:
     sine: Float
     half_tangent: Float
     straight: Mask
+    share: Float  # of it in itself and half of the runs before and after, by crossings
     first_crossing: UInt
     last_crossing: UInt
 
@@ -411,6 +415,7 @@ def _unpack(types: ArrayTypes, tables: DeviceTables, shown: _Shown, own: Cell, c
     bends = [tables.warp.bend(shown.crossing.warp.thread), tables.weft.bend(shown.crossing.weft.thread)]
     sine, half_tangent, arc = (dr.select(shown.is_warp, a, b) for a, b in zip(*bends, strict=True))
     far = types.Float(1e6)
+    crossings, beside = types.Float(behind + ahead + 1), types.Float(before + after)
     return _Run(
         distance=dr.select(straight, far, minimum(from_start, to_end)),
         near_start=near_start,
@@ -421,6 +426,7 @@ def _unpack(types: ArrayTypes, tables: DeviceTables, shown: _Shown, own: Cell, c
         sine=sine,
         half_tangent=half_tangent,
         straight=straight,
+        share=crossings * dr.rcp(dr.fma(0.5, beside, crossings)),
         first_crossing=behind == 0,
         last_crossing=ahead == 0,
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from drjit.llvm import Array3f, Bool
+from drjit.llvm import Array3f, Bool, Float
 from numpy.typing import NDArray
 
 from loomlight.models.lobes.accumulation import (
@@ -13,9 +13,11 @@ from loomlight.models.lobes.accumulation import (
     light_sums,
     view_sums,
 )
-from loomlight.models.lobes.groups import NORMAL_WEIGHT, Groups
+from loomlight.models.lobes.cloth_samples import SurfaceHits
+from loomlight.models.lobes.clustering import FEATURES
+from loomlight.models.lobes.groups import NORMAL_WEIGHT, SHARE_WEIGHT, Groups
 from loomlight.models.lobes.hemisphere import NODES, node_directions
-from loomlight.models.lobes.visibility_rays import SurfaceHits, start_of_shadow_ray
+from loomlight.models.lobes.visibility_rays import start_of_shadow_ray
 
 RAYS, PER_FAMILY, WARP_COUNT = 256, 6, (8, 4)
 GROUPS = 2 * PER_FAMILY
@@ -41,22 +43,31 @@ class _Rays:
         self.is_skipped = rng.random(COUNT) < 0.1
         self.normal, self.tangent = _unit_vectors(rng, COUNT), _unit_vectors(rng, COUNT)
         self.is_lit = rng.random(COUNT) < 0.5
-        centroids = (0.6 * rng.normal(size=(2, GROUPS, 6))).astype(np.float32)
+        self.share = rng.random(COUNT).astype(np.float32)
+        centroids = (0.6 * rng.normal(size=(2, GROUPS, FEATURES))).astype(np.float32)
         is_warp_group = np.arange(GROUPS) < np.array(WARP_COUNT)[:, None]
         none = np.zeros(0)
         self.groups = Groups(PER_FAMILY, np.array(WARP_COUNT), centroids, none, none, none, none)
-        features = np.concatenate([np.float32(NORMAL_WEIGHT) * self.normal, self.tangent]).T
+        features = self.features().T
         self.group = np.full(COUNT, GROUPS)
         for face, rays in enumerate(np.split(np.arange(COUNT), 2)):
             distance = np.square(features[rays, None] - centroids[face]).sum(axis=2)
             distance[is_warp_group[face] != self.is_warp[rays, None]] = np.inf
             self.group[rays] = np.where(self.is_skipped[rays], GROUPS, distance.argmin(axis=1))
 
+    def features(self) -> NDArray[np.float32]:
+        """What groups are told apart by [FEATURES, n]."""
+        weighted = (
+            np.float32(NORMAL_WEIGHT) * self.normal,
+            self.tangent,
+            np.float32(SHARE_WEIGHT) * self.share[None],
+        )
+        return np.concatenate(weighted)
+
     def found(self) -> NDArray[np.uint32]:
         """The group of each by Dr.Jit."""
-        hits = SurfaceHits(
-            Bool(self.is_warp), Bool(self.is_skipped), Array3f(self.normal), Array3f(self.tangent)
-        )
+        vectors = Array3f(self.normal), Array3f(self.tangent)
+        hits = SurfaceHits(Bool(self.is_warp), Bool(self.is_skipped), *vectors, Float(self.share))
         return group_of_hits(hits, Bool(self.is_skipped), self.groups)
 
     def sums(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -114,7 +125,7 @@ def test_a_ray_counts_where_its_face_has_such_groups() -> None:
     number = NODES * RAYS + 5
     rays.is_warp[number] = rays.is_skipped[number] = False
     # A centroid of the back's warp lies right there, and one of its weft hardly farther.
-    features = np.concatenate([NORMAL_WEIGHT * rays.normal[:, number], rays.tangent[:, number]])
+    features = rays.features()[:, number]
     rays.groups.centroids[1, 0] = features
     rays.groups.centroids[1, 7] = features + 0.01
     assert rays.found()[number] == 7

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from loomlight.models.lobes.clustering import BisectingClusters
+from loomlight.models.lobes.clustering import FEATURES, BisectingClusters
 
 PER_FAMILY = 8
 # Means are double precision, of up to 2048 coordinates that are rounded to four decimals.
@@ -79,10 +79,10 @@ def test_as_many_clusters_as_there_can_be() -> None:
 
 
 def test_no_points() -> None:
-    actual = BisectingClusters(np.zeros((0, 6)), 12)
+    actual = BisectingClusters(np.zeros((0, FEATURES)), 12)
     assert actual.size == 0
     assert actual.error(4) == 0
-    assert actual.refined_means(4).shape == (4, 6)
+    assert actual.refined_means(4).shape == (4, FEATURES)
 
 
 @pytest.mark.parametrize("count", [1, 100, 2047])

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
+from loomlight.models.lobes.cloth_samples import SurfaceHits
 from loomlight.models.lobes.coverage_lookup import CoverageLookup
 from loomlight.models.lobes.coverage_pyramid import CoveragePyramid
 from loomlight.models.lobes.groups import Groups, NearestGroup
@@ -74,7 +75,7 @@ def _by_counting(
     x, y = (centres[:, None] + places @ _edges_of(sizes, shapes)).reshape(-1, 2).T
     point = geometry.surface(floats(x), floats(y), Bool(back))
     nearest = NearestGroup(groups, TYPES)
-    group_of = nearest.find(Bool(back), point.is_warp, point.hole, point.normal, point.tangent).numpy()
+    group_of = nearest.find(Bool(back), SurfaceHits.of(point, point.hole)).numpy()
     shows = group_of.reshape(len(sizes), -1)
     return np.stack([(shows == group).mean(axis=1) for group in range(groups.count + 1)], axis=1)
 

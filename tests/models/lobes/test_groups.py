@@ -18,6 +18,7 @@ from loomlight.models.lobes import tables
 from loomlight.models.lobes.cloth_samples import (
     TOP_DOWN_SAMPLES,
     FaceSamples,
+    SurfaceHits,
     TopDownSamples,
     UploadedCloth,
     top_down_samples,
@@ -44,13 +45,13 @@ def _plan(geometry: YarnGeometry, seed: int, back: bool) -> SurfacePoint:
 
 
 def _features(samples: FaceSamples, chosen: NDArray[np.intp]) -> NDArray[np.float32]:
-    """Half the normal and the fibre direction of some samples [n, 6]."""
-    return np.concatenate([0.5 * samples.normal[:, chosen], samples.tangent[:, chosen]]).T
+    """Half the normal, the fibre direction and twice the shown share of some samples [n, 7]."""
+    return samples.features[chosen] * np.float32([0.5, 0.5, 0.5, 1, 1, 1, 2])
 
 
 def _numbers(groups: Groups, point: SurfacePoint, back: bool) -> NDArray[np.int64]:
     nearest = NearestGroup(groups, array_types(Float))
-    actual = nearest.find(Bool(back), point.is_warp, point.hole, point.normal, point.tangent)
+    actual = nearest.find(Bool(back), SurfaceHits.of(point, point.hole))
     return actual.numpy().astype(np.int64)
 
 
@@ -63,7 +64,8 @@ def test_points_belong_to_the_nearest_centre_of_their_family(name: str, back: bo
     actual = _numbers(groups, point, back)
     hole, is_warp = point.hole.numpy(), point.is_warp.numpy()
     assert (actual[hole] == groups.count).all()
-    features = np.concatenate([0.5 * point.normal.numpy().T, point.tangent.numpy().T], axis=1)
+    parts = 0.5 * point.normal.numpy().T, point.tangent.numpy().T, 2 * point.shown_share.numpy()[:, None]
+    features = np.concatenate(parts, axis=1)
     distance = np.linalg.norm(features[:, None] - groups.centroids[int(back)], axis=2)
     of_warp = int(groups.warp_count[int(back)])
     own = np.where(is_warp[:, None], np.arange(groups.count) < of_warp, np.arange(groups.count) >= of_warp)
@@ -90,7 +92,7 @@ def test_holes_are_those_of_the_plan(name: str, back: bool) -> None:
 
 def test_until_views_tell_more_fibres_lie_about_the_centre() -> None:
     groups = groups_of(geometry_of("smooth satin"), PER_FAMILY)
-    np.testing.assert_allclose(groups.tangent, groups.centroids[..., 3:])
+    np.testing.assert_allclose(groups.tangent, groups.centroids[..., 3:6])
     # Directions are unit vectors: their mean square is 1.
     square = np.square(groups.tangent).sum(axis=-1) + np.trace(groups.covariance, axis1=2, axis2=3)
     np.testing.assert_allclose(square, 1, atol=1e-6)
@@ -169,15 +171,14 @@ def test_a_family_that_a_face_never_shows_does_no_harm(
         return replace(
             points,
             is_warp=points.is_warp[taken],
-            normal=points.normal[:, taken],
-            tangent=points.tangent[:, taken],
+            features=points.features[taken],
         )
 
     monkeypatch.setattr(tables, "top_down_samples", without_weft)
     cloth = upload_cloth(YarnGeometry(fabric.layout()), Float)
     groups = find_groups(without_weft(cloth), view_samples(launch_views(cloth, per_family)), per_family)
-    assert (groups.centroids[0, per_family:] == [0, 0, 0.5, 0, 1, 0]).all()
-    assert (groups.centroids[1, per_family:] != [0, 0, 0.5, 0, 1, 0]).any(axis=1).all()
+    assert (groups.centroids[0, per_family:] == [0, 0, 0.5, 0, 1, 0, 0]).all()
+    assert (groups.centroids[1, per_family:] != [0, 0, 0.5, 0, 1, 0, 0]).any(axis=1).all()
     for part in fields(Groups):
         assert np.isfinite(getattr(groups, part.name)).all(), part.name
     actual = prefiltered_parts(LobesModel.for_source(fabric, per_family), queries)

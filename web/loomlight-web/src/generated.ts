@@ -333,7 +333,7 @@ export const GOLDEN_FRACTION = 2654435769;
 export const LATTICE_SHIFT = [3242174889, 3488053409] as const;
 
 // models.lobes.clustering
-export const FEATURES = 6;
+export const FEATURES = 7;
 export const BOUNDARY_STEPS = 4;
 export const REFINING_STEPS = 2;
 
@@ -404,6 +404,7 @@ export const TYPICAL_DEPTH = 1.4;
 
 // models.lobes.groups
 export const NORMAL_WEIGHT = 0.5;
+export const SHARE_WEIGHT = 2.0;
 export const CLUSTERED_SAMPLES = 2048;
 export const MIN_VIEW_SAMPLES = 64;
 export const MIN_VIEW_HITS = 8.0;

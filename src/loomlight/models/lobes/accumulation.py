@@ -7,6 +7,7 @@ a block, whose sums are a product of matrices: rays that hit each group, times t
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import drjit as dr
 import numpy as np
@@ -33,7 +34,7 @@ def group_of_hits(hits: SurfaceHits, is_skipped: Mask, groups: Groups) -> NDArra
     types, count = array_types(hits.normal.x), dr.width(hits.normal)
     back = dr.arange(types.UInt32, count) >= count // 2
     nearest = NearestGroup(groups, types)
-    found = nearest.find(back, hits.is_warp, is_skipped, hits.normal, hits.tangent)
+    found = nearest.find(back, replace(hits, hole=is_skipped))
     return np.asarray(found.numpy())
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Self
 
 import drjit as dr
 import numpy as np
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.frozen import FrozenArg, FrozenFunction
-from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.geometry import SurfacePoint, YarnGeometry
 from loomlight.yarn.search import upload_extent
 
 # Top-down samples of each face.
@@ -28,20 +29,46 @@ GOLDEN_FRACTION = 0x9E3779B9
 LATTICE_SHIFT = 0xC13FA9A9, 2**33 - 0x91E10DA6 - GOLDEN_FRACTION
 
 
+@dataclass
+class SurfaceHits:
+    """Yarn points in the frame of their face.
+
+    Attributes:
+        is_warp: the warp is hit, else the weft.
+        hole: no yarn is hit.
+        normal, tangent: unit normal and unit fibre direction.
+        shown_share: see `SurfacePoint`.
+    """
+
+    is_warp: Mask
+    hole: Mask
+    normal: Vec3
+    tangent: Vec3
+    shown_share: Float
+
+    @classmethod
+    def of(cls, point: SurfacePoint, hole: Mask) -> Self:
+        """The point as a hit; `hole` where nothing was hit."""
+        return cls(point.is_warp, hole, point.normal, point.tangent, point.shown_share)
+
+    def features(self) -> list[Float]:
+        """What points are told apart by: normal, fibre direction, shown share."""
+        return [*self.normal, *self.tangent, self.shown_share]
+
+
 @dataclass(frozen=True, eq=False)
 class FaceSamples:
     """Samples of both faces, in the frame of the face that shows them.
 
     Attributes:
         back, is_warp, hole: which face, which family, and whether neither family is there [n].
-        normal, tangent: unit normal and unit fibre direction [3, n].
+        features: see `SurfaceHits.features` [n, 7].
     """
 
     back: NDArray[np.bool_]
     is_warp: NDArray[np.bool_]
     hole: NDArray[np.bool_]
-    normal: NDArray[np.float32]
-    tangent: NDArray[np.float32]
+    features: NDArray[np.float32]
 
     def by_family(self) -> list[NDArray[np.intp]]:
         """Indices of samples by family, without holes: the front's warp and weft, then the back's."""
@@ -142,18 +169,19 @@ def upload_cloth(geometry: YarnGeometry, float_type: FloatType) -> FrozenArg[Upl
 
 def top_down_samples(cloth: FrozenArg[UploadedCloth]) -> TopDownSamples:
     """Samples both faces along the normal."""
-    x, y, is_warp, hole, normal, tangent = (part.numpy() for part in _sample_top_down(cloth))
-    front = slice(TOP_DOWN_SAMPLES)
-    gaps = np.stack([part[front][hole[front]] for part in (x, y)], axis=1)
+    x, y, hits = _sample_top_down(cloth)
+    hole = hits.hole.numpy()
     back = np.arange(2 * TOP_DOWN_SAMPLES) >= TOP_DOWN_SAMPLES
-    return TopDownSamples(back, is_warp, hole, normal, tangent, gaps)
+    gaps = np.stack([part.numpy()[hole & ~back] for part in (x, y)], axis=1)
+    features = np.stack([part.numpy() for part in hits.features()], axis=1)
+    return TopDownSamples(back, hits.is_warp.numpy(), hole, features, gaps)
 
 
 @FrozenFunction
-def _sample_top_down(cloth: UploadedCloth) -> tuple[Float, Float, Mask, Mask, Vec3, Vec3]:
-    """Position x, y, is_warp, hole, normal and fibre direction of all samples."""
+def _sample_top_down(cloth: UploadedCloth) -> tuple[Float, Float, SurfaceHits]:
+    """Positions x, y of all samples, and what is there."""
     lane = dr.arange(cloth.types.UInt32, 2 * TOP_DOWN_SAMPLES)
     back = lane >= TOP_DOWN_SAMPLES
     x, y = cloth.positions.at(lane & (TOP_DOWN_SAMPLES - 1), cloth.types.UInt32(0))
     point = cloth.geometry.surface(x, y, back)
-    return x, y, point.is_warp, point.hole, point.normal, point.tangent
+    return x, y, SurfaceHits.of(point, point.hole)

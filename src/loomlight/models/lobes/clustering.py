@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 Doubles: TypeAlias = NDArray[np.float64]
 
 # Coordinates of a point.
-FEATURES = 6
+FEATURES = 7
 # Points that agree in so many decimals are one, as those of a straight flat yarn are.
 _DECIMALS = 4
 # Steps of 2-means that place a boundary, and of k-means that refine all clusters.
@@ -28,11 +28,11 @@ class BisectingClusters:
     def __init__(self, points: NDArray[np.floating], max_clusters: int) -> None:
         """
         Args:
-            points: coordinates [n, 6]; n = 0 is allowed.
+            points: coordinates [n, FEATURES]; n = 0 is allowed.
             max_clusters: the largest count that the methods take, ≥ 1.
         """
         self._points = np.round(points, _DECIMALS).astype(np.float64)
-        # Of 1, 2, … clusters, fewer than wanted where points coincide: means [count, 6], sums of squares.
+        # Of 1, 2, … clusters, fewer where points coincide: means [count, FEATURES], sums of squares.
         self._means: list[Doubles] = []
         self._errors: list[float] = []
         if self.size:
@@ -48,14 +48,14 @@ class BisectingClusters:
         return self._errors[min(count, len(self._errors)) - 1] / self.size if self.size else 0.0
 
     def means(self, count: int) -> Doubles:
-        """Means of `count` clusters [count, 6]; with fewer distinct points, the first is repeated."""
+        """Means of `count` clusters [count, FEATURES]; with fewer distinct points, the first is repeated."""
         if not self.size:
             return np.zeros((count, FEATURES))
         means = self._means[min(count, len(self._means)) - 1]
         return np.concatenate([means, np.repeat(means[:1], count - len(means), axis=0)])
 
     def refined_means(self, count: int) -> Doubles:
-        """`means` after a few steps of k-means [count, 6]; a cluster without points stays."""
+        """`means` after a few steps of k-means [count, FEATURES]; a cluster without points stays."""
         means = self.means(count)
         for _ in range(REFINING_STEPS if self.size else 0):
             distance = np.square(means).sum(axis=1) - 2 * self._points @ means.T
@@ -81,7 +81,7 @@ class BisectingClusters:
 
 
 class _Cluster:
-    """Some of the points [n, 6], their mean [6] and their sum of squared distances from it."""
+    """Some of the points [n, FEATURES], their mean [FEATURES] and their sum of squared distances from it."""
 
     def __init__(self, points: Doubles) -> None:
         self.points = points

@@ -1,8 +1,10 @@
-"""Groups: clusters of the surface points of either family on each face, by normal and fibre direction.
+"""Groups: clusters of surface points of either family, by normal, fibre direction and shown share.
 
-A group stands for all points near one normal n_p and one fibre direction t, wherever in the repeat they lie,
-so that a few groups serve cloth of any draft. The first groups of a face are the warp's, the others the
-weft's. A face has 2 K groups; the family that more views hit may have more than half of them.
+A group stands for all points near one normal n_p and one fibre direction t, wherever in the repeat threads
+show as much as there, so that a few groups serve cloth of any draft. Stitches of a figure lie between long
+floats: slanting views see less of them than of the ground's floats, which look alike from above. The first
+groups of a face are the warp's, the others the weft's. A face has 2 K groups; the family that more views hit
+may have more than half of them.
 """
 
 from __future__ import annotations
@@ -14,16 +16,19 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.arrays import Float, Mask, UInt, Vec3
+from loomlight.core.arrays import Float, Mask, UInt
 from loomlight.core.backend import ArrayTypes, upload
 from loomlight.core.parallel_map import parallel_map
-from loomlight.models.lobes.cloth_samples import GOLDEN_FRACTION, FaceSamples, TopDownSamples
-from loomlight.models.lobes.clustering import BisectingClusters
+from loomlight.models.lobes.cloth_samples import GOLDEN_FRACTION, FaceSamples, SurfaceHits, TopDownSamples
+from loomlight.models.lobes.clustering import FEATURES, BisectingClusters
 from loomlight.models.lobes.packed_uint8 import pack_count
 from loomlight.yarn.geometry import SurfacePoint
 
 # Weight of the normal beside the fibre direction in distances: highlights are narrow in the latter.
 NORMAL_WEIGHT = 0.5
+# Weight of the shown share: a damask from afar is .13 off, .22 without. Plain cloth has one share a family.
+SHARE_WEIGHT = 2.0
+FEATURE_WEIGHTS = np.array([*[NORMAL_WEIGHT] * 3, 1, 1, 1, SHARE_WEIGHT], np.float32)
 # Most samples that a family is clustered by.
 CLUSTERED_SAMPLES = 1 << 11
 # A family with fewer samples from views is clustered by its top-down samples.
@@ -45,7 +50,7 @@ class Groups:
     Attributes:
         per_family: K, ≥ 1: half of a face's groups.
         warp_count: how many of a face's groups are the warp's [2].
-        centroids: [2 faces, 2 K, 6]: `NORMAL_WEIGHT` times the normal, then the fibre direction.
+        centroids: [2 faces, 2 K, FEATURES]: `FEATURE_WEIGHTS` times features of points.
         hole_fraction: fraction of the repeat without yarn [2].
         normal: mean normal, shorter than 1 [2, 2 K, 3].
         tangent: mean fibre direction, shorter than 1 [2, 2 K, 3].
@@ -72,7 +77,7 @@ class NearestGroup:
     def __init__(self, groups: Groups, types: ArrayTypes) -> None:
         self._types = types
         rows = np.zeros((2, groups.count, _ROW), np.float32)
-        rows[..., :6] = groups.centroids
+        rows[..., :FEATURES] = groups.centroids
         self._centroids = upload(types.Float, rows)
         self._warp_count = [dr.opaque(types.UInt32, int(count)) for count in groups.warp_count]
         self.hole_index = dr.opaque(types.UInt32, groups.count)
@@ -81,20 +86,19 @@ class NearestGroup:
 
     def find_byte(self, back: Mask, point: SurfacePoint) -> UInt:
         """Byte of the group of a point in the packs of a face; holes have the first one of a last pack."""
-        group = self.find(back, point.is_warp, point.hole, point.normal, point.tangent)
+        group = self.find(back, SurfaceHits.of(point, point.hole))
         of_weft = group - self._per_family + self._bytes_of_family
         byte = dr.select(group < self._per_family, group, of_weft)
         return dr.select(group == self.hole_index, 2 * self._bytes_of_family, byte)
 
-    def find(self, back: Mask, is_warp: Mask, hole: Mask, normal: Vec3, tangent: Vec3) -> UInt:
+    def find(self, back: Mask, hits: SurfaceHits) -> UInt:
         """Index of the group of the point's own family with the nearest centroid; 2 K in holes."""
-        types = self._types
-        width = dr.width(normal)
+        types, is_warp, width = self._types, hits.is_warp, dr.width(hits.normal)
         warp_count = dr.select(back, self._warp_count[1], self._warp_count[0])
         first = dr.select(is_warp, 0, warp_count)
         end = dr.select(is_warp, warp_count, self.hole_index)
         row_of_face = dr.select(back, self.hole_index, 0)
-        features = *(NORMAL_WEIGHT * normal), *tangent
+        features = [float(w) * part for w, part in zip(FEATURE_WEIGHTS, hits.features(), strict=True)]
 
         def compare(group: UInt, least: Float, nearest: UInt) -> tuple[UInt, Float, UInt]:
             centroid = dr.gather(types.Vectors, self._centroids, row_of_face + group, shape=(_ROW, width))
@@ -108,7 +112,7 @@ class NearestGroup:
         start = dr.zeros(types.UInt32, width) + first
         state = start, dr.full(types.Float, _FAR, width), types.UInt32(start)
         nearest = dr.while_loop(state, lambda group, least, nearest: group < end, compare)[2]
-        return dr.select(hole, self.hole_index, nearest)
+        return dr.select(hits.hole, self.hole_index, nearest)
 
 
 def find_groups(top_down: TopDownSamples, from_views: FaceSamples, per_family: int) -> Groups:
@@ -124,9 +128,9 @@ def find_groups(top_down: TopDownSamples, from_views: FaceSamples, per_family: i
     top_down_families, view_families = top_down.by_family(), from_views.by_family()
     hits = [len(family) for family in view_families]
     points_of_family = [
-        _features(from_views, hit)
+        FEATURE_WEIGHTS * from_views.features[_thinned(hit)]
         if len(shown) and len(hit) >= MIN_VIEW_SAMPLES
-        else _features(top_down, shown)
+        else FEATURE_WEIGHTS * top_down.features[_thinned(shown)]
         for shown, hit in zip(top_down_families, view_families, strict=True)
     ]
     max_clusters = max(per_family, 2 * per_family - GROUPS_PER_PACK)
@@ -136,11 +140,11 @@ def find_groups(top_down: TopDownSamples, from_views: FaceSamples, per_family: i
     ]
     counts = [count for warp in warp_count for count in (warp, 2 * per_family - warp)]
     means = [
-        family.refined_means(count) if family.size else np.tile([0, 0, NORMAL_WEIGHT, 0, 1, 0], (count, 1))
+        family.refined_means(count) if family.size else np.tile([0, 0, NORMAL_WEIGHT, 0, 1, 0, 0], (count, 1))
         for family, count in zip(clusters, counts, strict=True)
     ]
-    centroids = np.concatenate(means).reshape(2, 2 * per_family, 6).astype(np.float32)
-    tangent = centroids[..., 3:].astype(np.float64)
+    centroids = np.concatenate(means).reshape(2, 2 * per_family, FEATURES).astype(np.float32)
+    tangent = centroids[..., 3:6].astype(np.float64)
     # Until views are counted: fibre directions around the centroid, with the same variance along all axes.
     variance = np.maximum(1 - np.square(tangent).sum(axis=-1), 0)
     return Groups(
@@ -152,13 +156,6 @@ def find_groups(top_down: TopDownSamples, from_views: FaceSamples, per_family: i
         tangent,
         variance[..., None, None] / 3 * np.eye(3),
     )
-
-
-def _features(samples: FaceSamples, chosen: NDArray[np.intp]) -> NDArray[np.float32]:
-    """Clustering features of some of the samples [n, 6]: weighted normal and fibre direction."""
-    chosen = _thinned(chosen)
-    normal, tangent = (np.take(part, chosen, axis=1) for part in (samples.normal, samples.tangent))
-    return np.concatenate([np.float32(NORMAL_WEIGHT) * normal, tangent]).T
 
 
 def _thinned(indices: NDArray[np.intp]) -> NDArray[np.intp]:

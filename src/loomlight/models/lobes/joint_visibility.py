@@ -119,7 +119,7 @@ def _trace_hits(
     side = types.Vector3(dr.select(faces_x, beside[0], 0), dr.select(faces_x, 0, beside[1]), 0)
     place = types.Vector3(hit.x, hit.y, dr.select(on_wall, hit.height, point.height))
     facing = dr.select(on_wall, side, point.normal)
-    return SurfaceHits(point.is_warp, hole, point.normal, point.tangent), on_wall, facing, place
+    return SurfaceHits.of(point, hole), on_wall, facing, place
 
 
 @FrozenFunction

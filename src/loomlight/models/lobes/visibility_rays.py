@@ -20,7 +20,7 @@ from loomlight.core.arrays import Float, Mask, UInt, Vec3
 from loomlight.core.backend import upload
 from loomlight.core.frozen import FrozenArg, FrozenFunction
 from loomlight.core.invariant_divider import InvariantDivider
-from loomlight.models.lobes.cloth_samples import FaceSamples, TopDownSamples, UploadedCloth
+from loomlight.models.lobes.cloth_samples import FaceSamples, SurfaceHits, TopDownSamples, UploadedCloth
 from loomlight.models.lobes.hemisphere import NODES, node_directions
 from loomlight.yarn.search import SearchQuality
 from loomlight.yarn.visibility import first_hit, passes_through, unoccluded
@@ -39,22 +39,6 @@ assert NODES & (NODES - 1) == 0
 # Without refinement hits cost 6 % of the query benchmark's error. Shadow rays take smaller steps than view
 # rays: with equal ones they miss yarn, and cloth is 2 % too bright.
 BAKE_QUALITY = SearchQuality(steps_per_thread=2.5, steps_per_relief=2.5, shadow_share=1.6, refinements=1)
-
-
-@dataclass
-class SurfaceHits:
-    """Yarn points in the frame of their face.
-
-    Attributes:
-        is_warp: the warp is hit, else the weft.
-        hole: no yarn is hit.
-        normal, tangent: unit normal and unit fibre direction.
-    """
-
-    is_warp: Mask
-    hole: Mask
-    normal: Vec3
-    tangent: Vec3
 
 
 @dataclass
@@ -135,8 +119,8 @@ def view_samples(views: ViewRays) -> FaceSamples:
     hits = views.hits
     hole = some(hits.hole) | (some(views.below_plane) & some(views.starts_in_gap))
     back = np.arange(len(hole)) >= len(hole) // 2
-    normal, tangent = (np.stack([some(part) for part in vector]) for vector in (hits.normal, hits.tangent))
-    return FaceSamples(back, some(hits.is_warp), hole, normal, tangent)
+    features = np.stack([some(part) for part in hits.features()], axis=1)
+    return FaceSamples(back, some(hits.is_warp), hole, features)
 
 
 def launch_rays(cloth: FrozenArg[UploadedCloth], samples: TopDownSamples, views: ViewRays) -> VisibilityRays:
@@ -195,7 +179,7 @@ def _trace_views(
     back, x, y, view = _rays(cloth, directions, rays, dr.arange(cloth.types.UInt32, 2 * NODES * rays))
     hit = first_hit(cloth.geometry, x, y, view, back, True, BAKE_QUALITY, passing=False)
     point = cloth.geometry.surface(hit.x, hit.y, back)
-    hits = SurfaceHits(point.is_warp, point.hole, point.normal, point.tangent)
+    hits = SurfaceHits.of(point, point.hole)
     return hits, hit.x, hit.y, hit.height <= 0
 
 

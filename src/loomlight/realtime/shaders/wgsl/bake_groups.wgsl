@@ -57,6 +57,7 @@ struct SurfaceHit_std430_0
     @align(4) tangent_x_0 : f32,
     @align(4) tangent_y_0 : f32,
     @align(4) tangent_z_0 : f32,
+    @align(4) shown_share_0 : f32,
 };
 
 @binding(13) @group(0) var<storage, read_write> hits_0 : array<SurfaceHit_std430_0>;
@@ -89,7 +90,7 @@ fn features_of_pair_0( pair_0 : u32) -> vec2<u32>
     var k_0 : u32 = u32(1);
     for(;;)
     {
-        if(k_0 < u32(6))
+        if(k_0 < u32(7))
         {
         }
         else
@@ -109,24 +110,24 @@ fn features_of_pair_0( pair_0 : u32) -> vec2<u32>
     return vec2<u32>(first_0, pair_0 - begin_0);
 }
 
-var<workgroup> scatter_0 : array<f32, i32(21)>;
+var<workgroup> scatter_0 : array<f32, i32(28)>;
 
 var<workgroup> widest_0 : u32;
 
-var<workgroup> matrix_0 : array<f32, i32(36)>;
+var<workgroup> matrix_0 : array<f32, i32(49)>;
 
-var<workgroup> squared_0 : array<f32, i32(36)>;
+var<workgroup> squared_0 : array<f32, i32(49)>;
 
 fn principal_axis_0( worker_0 : u32,  row_0 : u32) -> u32
 {
-    var _S4 : u32 = min(worker_0, u32(35));
-    var _S5 : u32 = _S4 % u32(6);
-    var _S6 : u32 = max(_S4 / u32(6), _S5);
-    var _S7 : u32 = min(_S4 / u32(6), _S5);
-    var _S8 : bool = worker_0 < u32(36);
+    var _S4 : u32 = min(worker_0, u32(48));
+    var _S5 : u32 = _S4 % u32(7);
+    var _S6 : u32 = max(_S4 / u32(7), _S5);
+    var _S7 : u32 = min(_S4 / u32(7), _S5);
+    var _S8 : bool = worker_0 < u32(49);
     if(_S8)
     {
-        matrix_0[worker_0] = scratch_number_0(row_0 + u32(7) + _S6 * (_S6 + u32(1)) / u32(2) + _S7);
+        matrix_0[worker_0] = scratch_number_0(row_0 + u32(1) + u32(7) + _S6 * (_S6 + u32(1)) / u32(2) + _S7);
     }
     workgroupBarrier();
     var step_0 : u32 = u32(0);
@@ -139,8 +140,8 @@ fn principal_axis_0( worker_0 : u32,  row_0 : u32) -> u32
         {
             break;
         }
-        var _S9 : f32 = matrix_0[i32(0)] + matrix_0[i32(7)] + matrix_0[i32(14)] + matrix_0[i32(21)] + matrix_0[i32(28)] + matrix_0[i32(35)] + 1.00000000317107685e-30f;
-        var total_0 : f32 = matrix_0[_S4 / u32(6) * u32(6)] / _S9 * (matrix_0[_S5] / _S9) + matrix_0[_S4 / u32(6) * u32(6) + u32(1)] / _S9 * (matrix_0[u32(6) + _S5] / _S9) + matrix_0[_S4 / u32(6) * u32(6) + u32(2)] / _S9 * (matrix_0[u32(12) + _S5] / _S9) + matrix_0[_S4 / u32(6) * u32(6) + u32(3)] / _S9 * (matrix_0[u32(18) + _S5] / _S9) + matrix_0[_S4 / u32(6) * u32(6) + u32(4)] / _S9 * (matrix_0[u32(24) + _S5] / _S9) + matrix_0[_S4 / u32(6) * u32(6) + u32(5)] / _S9 * (matrix_0[u32(30) + _S5] / _S9);
+        var trace_0 : f32 = 1.00000000317107685e-30f + matrix_0[u32(0)] + matrix_0[u32(8)] + matrix_0[u32(16)] + matrix_0[u32(24)] + matrix_0[u32(32)] + matrix_0[u32(40)] + matrix_0[u32(48)];
+        var total_0 : f32 = matrix_0[_S4 / u32(7) * u32(7)] / trace_0 * (matrix_0[_S5] / trace_0) + matrix_0[_S4 / u32(7) * u32(7) + u32(1)] / trace_0 * (matrix_0[u32(7) + _S5] / trace_0) + matrix_0[_S4 / u32(7) * u32(7) + u32(2)] / trace_0 * (matrix_0[u32(14) + _S5] / trace_0) + matrix_0[_S4 / u32(7) * u32(7) + u32(3)] / trace_0 * (matrix_0[u32(21) + _S5] / trace_0) + matrix_0[_S4 / u32(7) * u32(7) + u32(4)] / trace_0 * (matrix_0[u32(28) + _S5] / trace_0) + matrix_0[_S4 / u32(7) * u32(7) + u32(5)] / trace_0 * (matrix_0[u32(35) + _S5] / trace_0) + matrix_0[_S4 / u32(7) * u32(7) + u32(6)] / trace_0 * (matrix_0[u32(42) + _S5] / trace_0);
         if(_S8)
         {
             squared_0[worker_0] = total_0;
@@ -157,18 +158,18 @@ fn principal_axis_0( worker_0 : u32,  row_0 : u32) -> u32
     var largest_0 : u32 = u32(0);
     for(;;)
     {
-        if(k_1 < u32(6))
+        if(k_1 < u32(7))
         {
         }
         else
         {
             break;
         }
-        var _S10 : u32 = select(largest_0, k_1, (matrix_0[u32(7) * k_1]) > (matrix_0[u32(7) * largest_0]));
+        var _S9 : u32 = select(largest_0, k_1, (matrix_0[u32(8) * k_1]) > (matrix_0[u32(8) * largest_0]));
         k_1 = k_1 + u32(1);
-        largest_0 = _S10;
+        largest_0 = _S9;
     }
-    return u32(6) * largest_0;
+    return u32(7) * largest_0;
 }
 
 var<workgroup> pairs_of_sums_0 : array<vec2<f32>, i32(256)>;
@@ -194,17 +195,17 @@ fn sum_of_workers_0( value_0 : vec2<f32>,  worker_1 : u32) -> vec2<f32>
         half_0 = half_0 / u32(2);
     }
     workgroupBarrier();
-    var _S11 : vec2<f32> = pairs_of_sums_0[i32(0)];
+    var _S10 : vec2<f32> = pairs_of_sums_0[i32(0)];
     workgroupBarrier();
-    return _S11;
+    return _S10;
 }
 
-fn point_row_0( _S12 : i32,  _S13 : u32,  _S14 : u32) -> u32
+fn point_row_0( _S11 : i32,  _S12 : u32,  _S13 : u32) -> u32
 {
-    return bakes_0[_S12].points_0 + (_S13 * u32(2048) + _S14) * u32(6);
+    return bakes_0[_S11].points_0 + (_S12 * u32(2048) + _S13) * u32(7);
 }
 
-fn measure_0( _S15 : i32,  _S16 : u32,  _S17 : u32,  _S18 : u32,  _S19 : u32)
+fn measure_0( _S14 : i32,  _S15 : u32,  _S16 : u32,  _S17 : u32,  _S18 : u32)
 {
     var total_1 : f32;
     var total_2 : f32;
@@ -213,8 +214,8 @@ fn measure_0( _S15 : i32,  _S16 : u32,  _S17 : u32,  _S18 : u32,  _S19 : u32)
     var total_5 : f32;
     var total_6 : f32;
     var total_7 : f32;
-    var _S20 : u32 = _S19 / u32(32);
-    var _S21 : u32 = _S19 % u32(32);
+    var _S19 : u32 = _S18 / u32(32);
+    var _S20 : u32 = _S18 % u32(32);
     var i_0 : u32 = u32(0);
     var total_8 : f32 = 0.0f;
     for(;;)
@@ -226,17 +227,17 @@ fn measure_0( _S15 : i32,  _S16 : u32,  _S17 : u32,  _S18 : u32,  _S19 : u32)
         {
             break;
         }
-        var _S22 : u32 = _S20 * u32(256) + i_0;
-        var _S23 : bool = _S21 <= u32(6);
-        if(((((_S22 < _S18) & (((labels_0[_S22]) == _S17)))) & (_S23)))
+        var _S21 : u32 = _S19 * u32(256) + i_0;
+        var _S22 : bool = _S20 <= u32(7);
+        if(((((_S21 < _S17) & (((labels_0[_S21]) == _S16)))) & (_S22)))
         {
-            if(_S21 == u32(6))
+            if(_S20 == u32(7))
             {
                 total_1 = 1.0f;
             }
             else
             {
-                total_1 = scratch_number_0(point_row_0(_S15, _S16, _S22) + min(_S21, u32(5)));
+                total_1 = scratch_number_0(point_row_0(_S14, _S15, _S21) + min(_S20, u32(6)));
             }
             total_1 = total_8 + total_1;
         }
@@ -244,16 +245,16 @@ fn measure_0( _S15 : i32,  _S16 : u32,  _S17 : u32,  _S18 : u32,  _S19 : u32)
         {
             total_1 = total_8;
         }
-        var _S24 : u32 = _S22 + u32(1);
-        if(((((_S24 < _S18) & (((labels_0[_S24]) == _S17)))) & (_S23)))
+        var _S23 : u32 = _S21 + u32(1);
+        if(((((_S23 < _S17) & (((labels_0[_S23]) == _S16)))) & (_S22)))
         {
-            if(_S21 == u32(6))
+            if(_S20 == u32(7))
             {
                 total_2 = 1.0f;
             }
             else
             {
-                total_2 = scratch_number_0(point_row_0(_S15, _S16, _S24) + min(_S21, u32(5)));
+                total_2 = scratch_number_0(point_row_0(_S14, _S15, _S23) + min(_S20, u32(6)));
             }
             total_2 = total_1 + total_2;
         }
@@ -261,16 +262,16 @@ fn measure_0( _S15 : i32,  _S16 : u32,  _S17 : u32,  _S18 : u32,  _S19 : u32)
         {
             total_2 = total_1;
         }
-        var _S25 : u32 = _S22 + u32(2);
-        if(((((_S25 < _S18) & (((labels_0[_S25]) == _S17)))) & (_S23)))
+        var _S24 : u32 = _S21 + u32(2);
+        if(((((_S24 < _S17) & (((labels_0[_S24]) == _S16)))) & (_S22)))
         {
-            if(_S21 == u32(6))
+            if(_S20 == u32(7))
             {
                 total_3 = 1.0f;
             }
             else
             {
-                total_3 = scratch_number_0(point_row_0(_S15, _S16, _S25) + min(_S21, u32(5)));
+                total_3 = scratch_number_0(point_row_0(_S14, _S15, _S24) + min(_S20, u32(6)));
             }
             total_3 = total_2 + total_3;
         }
@@ -278,16 +279,16 @@ fn measure_0( _S15 : i32,  _S16 : u32,  _S17 : u32,  _S18 : u32,  _S19 : u32)
         {
             total_3 = total_2;
         }
-        var _S26 : u32 = _S22 + u32(3);
-        if(((((_S26 < _S18) & (((labels_0[_S26]) == _S17)))) & (_S23)))
+        var _S25 : u32 = _S21 + u32(3);
+        if(((((_S25 < _S17) & (((labels_0[_S25]) == _S16)))) & (_S22)))
         {
-            if(_S21 == u32(6))
+            if(_S20 == u32(7))
             {
                 total_4 = 1.0f;
             }
             else
             {
-                total_4 = scratch_number_0(point_row_0(_S15, _S16, _S26) + min(_S21, u32(5)));
+                total_4 = scratch_number_0(point_row_0(_S14, _S15, _S25) + min(_S20, u32(6)));
             }
             total_4 = total_3 + total_4;
         }
@@ -295,16 +296,16 @@ fn measure_0( _S15 : i32,  _S16 : u32,  _S17 : u32,  _S18 : u32,  _S19 : u32)
         {
             total_4 = total_3;
         }
-        var _S27 : u32 = _S22 + u32(4);
-        if(((((_S27 < _S18) & (((labels_0[_S27]) == _S17)))) & (_S23)))
+        var _S26 : u32 = _S21 + u32(4);
+        if(((((_S26 < _S17) & (((labels_0[_S26]) == _S16)))) & (_S22)))
         {
-            if(_S21 == u32(6))
+            if(_S20 == u32(7))
             {
                 total_5 = 1.0f;
             }
             else
             {
-                total_5 = scratch_number_0(point_row_0(_S15, _S16, _S27) + min(_S21, u32(5)));
+                total_5 = scratch_number_0(point_row_0(_S14, _S15, _S26) + min(_S20, u32(6)));
             }
             total_5 = total_4 + total_5;
         }
@@ -312,16 +313,16 @@ fn measure_0( _S15 : i32,  _S16 : u32,  _S17 : u32,  _S18 : u32,  _S19 : u32)
         {
             total_5 = total_4;
         }
-        var _S28 : u32 = _S22 + u32(5);
-        if(((((_S28 < _S18) & (((labels_0[_S28]) == _S17)))) & (_S23)))
+        var _S27 : u32 = _S21 + u32(5);
+        if(((((_S27 < _S17) & (((labels_0[_S27]) == _S16)))) & (_S22)))
         {
-            if(_S21 == u32(6))
+            if(_S20 == u32(7))
             {
                 total_6 = 1.0f;
             }
             else
             {
-                total_6 = scratch_number_0(point_row_0(_S15, _S16, _S28) + min(_S21, u32(5)));
+                total_6 = scratch_number_0(point_row_0(_S14, _S15, _S27) + min(_S20, u32(6)));
             }
             total_6 = total_5 + total_6;
         }
@@ -329,16 +330,16 @@ fn measure_0( _S15 : i32,  _S16 : u32,  _S17 : u32,  _S18 : u32,  _S19 : u32)
         {
             total_6 = total_5;
         }
-        var _S29 : u32 = _S22 + u32(6);
-        if(((((_S29 < _S18) & (((labels_0[_S29]) == _S17)))) & (_S23)))
+        var _S28 : u32 = _S21 + u32(6);
+        if(((((_S28 < _S17) & (((labels_0[_S28]) == _S16)))) & (_S22)))
         {
-            if(_S21 == u32(6))
+            if(_S20 == u32(7))
             {
                 total_7 = 1.0f;
             }
             else
             {
-                total_7 = scratch_number_0(point_row_0(_S15, _S16, _S29) + min(_S21, u32(5)));
+                total_7 = scratch_number_0(point_row_0(_S14, _S15, _S28) + min(_S20, u32(6)));
             }
             total_7 = total_6 + total_7;
         }
@@ -346,19 +347,19 @@ fn measure_0( _S15 : i32,  _S16 : u32,  _S17 : u32,  _S18 : u32,  _S19 : u32)
         {
             total_7 = total_6;
         }
-        var _S30 : u32 = _S22 + u32(7);
-        if(((((_S30 < _S18) & (((labels_0[_S30]) == _S17)))) & (_S23)))
+        var _S29 : u32 = _S21 + u32(7);
+        if(((((_S29 < _S17) & (((labels_0[_S29]) == _S16)))) & (_S22)))
         {
-            var _S31 : f32;
-            if(_S21 == u32(6))
+            var _S30 : f32;
+            if(_S20 == u32(7))
             {
-                _S31 = 1.0f;
+                _S30 = 1.0f;
             }
             else
             {
-                _S31 = scratch_number_0(point_row_0(_S15, _S16, _S30) + min(_S21, u32(5)));
+                _S30 = scratch_number_0(point_row_0(_S14, _S15, _S29) + min(_S20, u32(6)));
             }
-            total_8 = total_7 + _S31;
+            total_8 = total_7 + _S30;
         }
         else
         {
@@ -366,10 +367,10 @@ fn measure_0( _S15 : i32,  _S16 : u32,  _S17 : u32,  _S18 : u32,  _S19 : u32)
         }
         i_0 = i_0 + u32(8);
     }
-    partial_0[_S19] = total_8;
+    partial_0[_S18] = total_8;
     workgroupBarrier();
     var other_0 : u32;
-    if(_S19 < u32(7))
+    if(_S18 < u32(8))
     {
         other_0 = u32(0);
         total_1 = 0.0f;
@@ -382,19 +383,19 @@ fn measure_0( _S15 : i32,  _S16 : u32,  _S17 : u32,  _S18 : u32,  _S19 : u32)
             {
                 break;
             }
-            var all_0 : f32 = total_1 + partial_0[other_0 * u32(32) + _S19];
+            var all_0 : f32 = total_1 + partial_0[other_0 * u32(32) + _S18];
             other_0 = other_0 + u32(1);
             total_1 = all_0;
         }
-        mean_0[_S19] = total_1;
+        mean_0[_S18] = total_1;
     }
     workgroupBarrier();
-    var _S32 : f32 = max(mean_0[u32(6)], 1.0f);
-    var _S33 : vec2<u32> = features_of_pair_0(min(_S21, u32(20)));
-    var _S34 : u32 = _S33.x;
-    var _S35 : f32 = mean_0[_S34] / _S32;
-    var _S36 : u32 = _S33.y;
-    var _S37 : f32 = mean_0[_S36] / _S32;
+    var _S31 : f32 = max(mean_0[u32(7)], 1.0f);
+    var _S32 : vec2<u32> = features_of_pair_0(min(_S20, u32(27)));
+    var _S33 : u32 = _S32.x;
+    var _S34 : f32 = mean_0[_S33] / _S31;
+    var _S35 : u32 = _S32.y;
+    var _S36 : f32 = mean_0[_S35] / _S31;
     i_0 = u32(0);
     total_8 = 0.0f;
     for(;;)
@@ -406,81 +407,81 @@ fn measure_0( _S15 : i32,  _S16 : u32,  _S17 : u32,  _S18 : u32,  _S19 : u32)
         {
             break;
         }
-        var _S38 : u32 = _S20 * u32(256) + i_0;
-        var _S39 : u32 = point_row_0(_S15, _S16, _S38);
-        if(((_S38 < _S18) & (((labels_0[_S38]) == _S17))))
+        var _S37 : u32 = _S19 * u32(256) + i_0;
+        var _S38 : u32 = point_row_0(_S14, _S15, _S37);
+        if(((_S37 < _S17) & (((labels_0[_S37]) == _S16))))
         {
-            total_1 = total_8 + (scratch_number_0(_S39 + _S34) - _S35) * (scratch_number_0(_S39 + _S36) - _S37);
+            total_1 = total_8 + (scratch_number_0(_S38 + _S33) - _S34) * (scratch_number_0(_S38 + _S35) - _S36);
         }
         else
         {
             total_1 = total_8;
         }
-        var _S40 : u32 = _S38 + u32(1);
-        var _S41 : u32 = point_row_0(_S15, _S16, _S40);
-        if(((_S40 < _S18) & (((labels_0[_S40]) == _S17))))
+        var _S39 : u32 = _S37 + u32(1);
+        var _S40 : u32 = point_row_0(_S14, _S15, _S39);
+        if(((_S39 < _S17) & (((labels_0[_S39]) == _S16))))
         {
-            total_2 = total_1 + (scratch_number_0(_S41 + _S34) - _S35) * (scratch_number_0(_S41 + _S36) - _S37);
+            total_2 = total_1 + (scratch_number_0(_S40 + _S33) - _S34) * (scratch_number_0(_S40 + _S35) - _S36);
         }
         else
         {
             total_2 = total_1;
         }
-        var _S42 : u32 = _S38 + u32(2);
-        var _S43 : u32 = point_row_0(_S15, _S16, _S42);
-        if(((_S42 < _S18) & (((labels_0[_S42]) == _S17))))
+        var _S41 : u32 = _S37 + u32(2);
+        var _S42 : u32 = point_row_0(_S14, _S15, _S41);
+        if(((_S41 < _S17) & (((labels_0[_S41]) == _S16))))
         {
-            total_3 = total_2 + (scratch_number_0(_S43 + _S34) - _S35) * (scratch_number_0(_S43 + _S36) - _S37);
+            total_3 = total_2 + (scratch_number_0(_S42 + _S33) - _S34) * (scratch_number_0(_S42 + _S35) - _S36);
         }
         else
         {
             total_3 = total_2;
         }
-        var _S44 : u32 = _S38 + u32(3);
-        var _S45 : u32 = point_row_0(_S15, _S16, _S44);
-        if(((_S44 < _S18) & (((labels_0[_S44]) == _S17))))
+        var _S43 : u32 = _S37 + u32(3);
+        var _S44 : u32 = point_row_0(_S14, _S15, _S43);
+        if(((_S43 < _S17) & (((labels_0[_S43]) == _S16))))
         {
-            total_4 = total_3 + (scratch_number_0(_S45 + _S34) - _S35) * (scratch_number_0(_S45 + _S36) - _S37);
+            total_4 = total_3 + (scratch_number_0(_S44 + _S33) - _S34) * (scratch_number_0(_S44 + _S35) - _S36);
         }
         else
         {
             total_4 = total_3;
         }
-        var _S46 : u32 = _S38 + u32(4);
-        var _S47 : u32 = point_row_0(_S15, _S16, _S46);
-        if(((_S46 < _S18) & (((labels_0[_S46]) == _S17))))
+        var _S45 : u32 = _S37 + u32(4);
+        var _S46 : u32 = point_row_0(_S14, _S15, _S45);
+        if(((_S45 < _S17) & (((labels_0[_S45]) == _S16))))
         {
-            total_5 = total_4 + (scratch_number_0(_S47 + _S34) - _S35) * (scratch_number_0(_S47 + _S36) - _S37);
+            total_5 = total_4 + (scratch_number_0(_S46 + _S33) - _S34) * (scratch_number_0(_S46 + _S35) - _S36);
         }
         else
         {
             total_5 = total_4;
         }
-        var _S48 : u32 = _S38 + u32(5);
-        var _S49 : u32 = point_row_0(_S15, _S16, _S48);
-        if(((_S48 < _S18) & (((labels_0[_S48]) == _S17))))
+        var _S47 : u32 = _S37 + u32(5);
+        var _S48 : u32 = point_row_0(_S14, _S15, _S47);
+        if(((_S47 < _S17) & (((labels_0[_S47]) == _S16))))
         {
-            total_6 = total_5 + (scratch_number_0(_S49 + _S34) - _S35) * (scratch_number_0(_S49 + _S36) - _S37);
+            total_6 = total_5 + (scratch_number_0(_S48 + _S33) - _S34) * (scratch_number_0(_S48 + _S35) - _S36);
         }
         else
         {
             total_6 = total_5;
         }
-        var _S50 : u32 = _S38 + u32(6);
-        var _S51 : u32 = point_row_0(_S15, _S16, _S50);
-        if(((_S50 < _S18) & (((labels_0[_S50]) == _S17))))
+        var _S49 : u32 = _S37 + u32(6);
+        var _S50 : u32 = point_row_0(_S14, _S15, _S49);
+        if(((_S49 < _S17) & (((labels_0[_S49]) == _S16))))
         {
-            total_7 = total_6 + (scratch_number_0(_S51 + _S34) - _S35) * (scratch_number_0(_S51 + _S36) - _S37);
+            total_7 = total_6 + (scratch_number_0(_S50 + _S33) - _S34) * (scratch_number_0(_S50 + _S35) - _S36);
         }
         else
         {
             total_7 = total_6;
         }
-        var _S52 : u32 = _S38 + u32(7);
-        var _S53 : u32 = point_row_0(_S15, _S16, _S52);
-        if(((_S52 < _S18) & (((labels_0[_S52]) == _S17))))
+        var _S51 : u32 = _S37 + u32(7);
+        var _S52 : u32 = point_row_0(_S14, _S15, _S51);
+        if(((_S51 < _S17) & (((labels_0[_S51]) == _S16))))
         {
-            total_8 = total_7 + (scratch_number_0(_S53 + _S34) - _S35) * (scratch_number_0(_S53 + _S36) - _S37);
+            total_8 = total_7 + (scratch_number_0(_S52 + _S33) - _S34) * (scratch_number_0(_S52 + _S35) - _S36);
         }
         else
         {
@@ -489,10 +490,10 @@ fn measure_0( _S15 : i32,  _S16 : u32,  _S17 : u32,  _S18 : u32,  _S19 : u32)
         i_0 = i_0 + u32(8);
     }
     workgroupBarrier();
-    partial_0[_S19] = total_8;
+    partial_0[_S18] = total_8;
     workgroupBarrier();
-    var _S54 : bool = _S19 < u32(21);
-    if(_S54)
+    var _S53 : bool = _S18 < u32(28);
+    if(_S53)
     {
         other_0 = u32(0);
         total_1 = 0.0f;
@@ -505,73 +506,73 @@ fn measure_0( _S15 : i32,  _S16 : u32,  _S17 : u32,  _S18 : u32,  _S19 : u32)
             {
                 break;
             }
-            var all_1 : f32 = total_1 + partial_0[other_0 * u32(32) + _S19];
+            var all_1 : f32 = total_1 + partial_0[other_0 * u32(32) + _S18];
             other_0 = other_0 + u32(1);
             total_1 = all_1;
         }
-        scatter_0[_S19] = total_1;
+        scatter_0[_S18] = total_1;
     }
     workgroupBarrier();
-    var _S55 : u32 = bakes_0[_S15].clusters_0 + (_S16 * bakes_0[_S15].max_clusters_0 + _S17) * u32(32);
+    var _S54 : u32 = bakes_0[_S14].clusters_0 + (_S15 * bakes_0[_S14].max_clusters_0 + _S16) * u32(36);
     if(is_finished_0 == u32(0))
     {
-        if(_S19 == u32(0))
+        if(_S18 == u32(0))
         {
-            scratch_0[_S55] = (bitcast<u32>((scatter_0[i32(0)] + scatter_0[i32(2)] + scatter_0[i32(5)] + scatter_0[i32(9)] + scatter_0[i32(14)] + scatter_0[i32(20)])));
+            scratch_0[_S54] = (bitcast<u32>((scatter_0[i32(0)] + scatter_0[i32(2)] + scatter_0[i32(5)] + scatter_0[i32(9)] + scatter_0[i32(14)] + scatter_0[i32(20)] + scatter_0[i32(27)])));
         }
-        if(_S19 < u32(6))
+        if(_S18 < u32(7))
         {
-            scratch_0[_S55 + u32(1) + _S19] = (bitcast<u32>((mean_0[_S19] / _S32)));
+            scratch_0[_S54 + u32(1) + _S18] = (bitcast<u32>((mean_0[_S18] / _S31)));
         }
-        if(_S54)
+        if(_S53)
         {
-            scratch_0[_S55 + u32(7) + _S19] = (bitcast<u32>((scatter_0[_S19])));
+            scratch_0[_S54 + u32(1) + u32(7) + _S18] = (bitcast<u32>((scatter_0[_S18])));
         }
     }
     storageBarrier(); textureBarrier(); workgroupBarrier();;
     return;
 }
 
-fn keep_level_0( _S56 : i32,  _S57 : u32,  _S58 : u32,  _S59 : u32)
+fn keep_level_0( _S55 : i32,  _S56 : u32,  _S57 : u32,  _S58 : u32)
 {
     if(is_finished_0 == u32(0))
     {
-        var _S60 : u32 = bakes_0[_S56].max_clusters_0;
-        var _S61 : u32 = _S57 * bakes_0[_S56].max_clusters_0;
-        var _S62 : u32 = bakes_0[_S56].clusters_0 + _S61 * u32(32);
-        var _S63 : u32 = _S61 + _S58 - u32(1);
-        var item_0 : u32 = _S59;
+        var _S59 : u32 = bakes_0[_S55].max_clusters_0;
+        var _S60 : u32 = _S56 * bakes_0[_S55].max_clusters_0;
+        var _S61 : u32 = bakes_0[_S55].clusters_0 + _S60 * u32(36);
+        var _S62 : u32 = _S60 + _S57 - u32(1);
+        var item_0 : u32 = _S58;
         for(;;)
         {
-            if(item_0 < (_S58 * u32(6)))
+            if(item_0 < (_S57 * u32(7)))
             {
             }
             else
             {
                 break;
             }
-            scratch_0[bakes_0[_S56].cluster_means_0 + _S63 * _S60 * u32(6) + item_0] = scratch_0[_S62 + item_0 / u32(6) * u32(32) + u32(1) + item_0 % u32(6)];
+            scratch_0[bakes_0[_S55].cluster_means_0 + _S62 * _S59 * u32(7) + item_0] = scratch_0[_S61 + item_0 / u32(7) * u32(36) + u32(1) + item_0 % u32(7)];
             item_0 = item_0 + u32(256);
         }
-        if(_S59 == u32(0))
+        if(_S58 == u32(0))
         {
             var cluster_0 : u32 = u32(0);
             var error_0 : f32 = 0.0f;
             for(;;)
             {
-                if(cluster_0 < _S58)
+                if(cluster_0 < _S57)
                 {
                 }
                 else
                 {
                     break;
                 }
-                var error_1 : f32 = error_0 + scratch_number_0(_S62 + cluster_0 * u32(32));
+                var error_1 : f32 = error_0 + scratch_number_0(_S61 + cluster_0 * u32(36));
                 cluster_0 = cluster_0 + u32(1);
                 error_0 = error_1;
             }
-            scratch_0[bakes_0[_S56].cluster_errors_0 + _S63] = (bitcast<u32>((error_0)));
-            scratch_0[bakes_0[_S56].facts_0 + u32(10) + _S57] = _S58;
+            scratch_0[bakes_0[_S55].cluster_errors_0 + _S62] = (bitcast<u32>((error_0)));
+            scratch_0[bakes_0[_S55].facts_0 + u32(10) + _S56] = _S57;
         }
     }
     storageBarrier(); textureBarrier(); workgroupBarrier();;
@@ -582,37 +583,37 @@ fn keep_level_0( _S56 : i32,  _S57 : u32,  _S58 : u32,  _S59 : u32)
 @workgroup_size(256, 1, 1)
 fn bake_bisect(@builtin(workgroup_id) group_0 : vec3<u32>, @builtin(local_invocation_id) thread_0 : vec3<u32>)
 {
-    var _S64 : u32 = group_0.x;
-    var _S65 : u32 = thread_0.x;
-    var _S66 : u32 = scratch_0[bakes_0[i32(0)].facts_0 + u32(4) + _S64];
-    var _S67 : u32 = _S65 * u32(8);
+    var _S63 : u32 = group_0.x;
+    var _S64 : u32 = thread_0.x;
+    var _S65 : u32 = scratch_0[bakes_0[i32(0)].facts_0 + u32(4) + _S63];
+    var _S66 : u32 = _S64 * u32(8);
+    labels_0[_S66] = u32(0);
+    var _S67 : u32 = _S66 + u32(1);
     labels_0[_S67] = u32(0);
-    var _S68 : u32 = _S67 + u32(1);
+    var _S68 : u32 = _S66 + u32(2);
     labels_0[_S68] = u32(0);
-    var _S69 : u32 = _S67 + u32(2);
+    var _S69 : u32 = _S66 + u32(3);
     labels_0[_S69] = u32(0);
-    var _S70 : u32 = _S67 + u32(3);
+    var _S70 : u32 = _S66 + u32(4);
     labels_0[_S70] = u32(0);
-    var _S71 : u32 = _S67 + u32(4);
+    var _S71 : u32 = _S66 + u32(5);
     labels_0[_S71] = u32(0);
-    var _S72 : u32 = _S67 + u32(5);
+    var _S72 : u32 = _S66 + u32(6);
     labels_0[_S72] = u32(0);
-    var _S73 : u32 = _S67 + u32(6);
+    var _S73 : u32 = _S66 + u32(7);
     labels_0[_S73] = u32(0);
-    var _S74 : u32 = _S67 + u32(7);
-    labels_0[_S74] = u32(0);
-    var _S75 : bool = _S65 == u32(0);
-    if(_S75)
+    var _S74 : bool = _S64 == u32(0);
+    if(_S74)
     {
         is_finished_0 = u32(0);
     }
     workgroupBarrier();
-    measure_0(i32(0), _S64, u32(0), _S66, _S65);
-    keep_level_0(i32(0), _S64, u32(1), _S65);
+    measure_0(i32(0), _S63, u32(0), _S65, _S64);
+    keep_level_0(i32(0), _S63, u32(1), _S64);
     var new_cluster_0 : u32 = u32(1);
     for(;;)
     {
-        var _S76 : u32 = bakes_0[i32(0)].max_clusters_0;
+        var _S75 : u32 = bakes_0[i32(0)].max_clusters_0;
         if(new_cluster_0 < (bakes_0[i32(0)].max_clusters_0))
         {
         }
@@ -620,9 +621,9 @@ fn bake_bisect(@builtin(workgroup_id) group_0 : vec3<u32>, @builtin(local_invoca
         {
             break;
         }
-        var _S77 : u32 = bakes_0[i32(0)].clusters_0 + _S64 * _S76 * u32(32);
+        var _S76 : u32 = bakes_0[i32(0)].clusters_0 + _S63 * _S75 * u32(36);
         var i_1 : u32;
-        if(_S75)
+        if(_S74)
         {
             widest_0 = u32(0);
             i_1 = u32(1);
@@ -635,7 +636,7 @@ fn bake_bisect(@builtin(workgroup_id) group_0 : vec3<u32>, @builtin(local_invoca
                 {
                     break;
                 }
-                if((scratch_number_0(_S77 + i_1 * u32(32))) > (scratch_number_0(_S77 + widest_0 * u32(32))))
+                if((scratch_number_0(_S76 + i_1 * u32(36))) > (scratch_number_0(_S76 + widest_0 * u32(36))))
                 {
                     widest_0 = i_1;
                 }
@@ -643,13 +644,13 @@ fn bake_bisect(@builtin(workgroup_id) group_0 : vec3<u32>, @builtin(local_invoca
             }
         }
         workgroupBarrier();
-        var _S78 : u32 = select(u32(0), widest_0, is_finished_0 == u32(0));
-        var _S79 : u32 = _S77 + _S78 * u32(32);
-        var _S80 : u32 = principal_axis_0(_S65, _S79);
+        var _S77 : u32 = select(u32(0), widest_0, is_finished_0 == u32(0));
+        var _S78 : u32 = _S76 + _S77 * u32(36);
+        var _S79 : u32 = principal_axis_0(_S64, _S78);
         var along_0 : array<f32, i32(8)>;
-        const _S81 : vec2<f32> = vec2<f32>(0.0f, 0.0f);
+        const _S80 : vec2<f32> = vec2<f32>(0.0f, 0.0f);
         i_1 = u32(0);
-        var sums_0 : vec2<f32> = _S81;
+        var sums_0 : vec2<f32> = _S80;
         for(;;)
         {
             if(i_1 < u32(8))
@@ -659,21 +660,21 @@ fn bake_bisect(@builtin(workgroup_id) group_0 : vec3<u32>, @builtin(local_invoca
             {
                 break;
             }
-            var _S82 : u32 = _S67 + i_1;
+            var _S81 : u32 = _S66 + i_1;
             along_0[i_1] = 0.0f;
-            if(((_S82 < _S66) & (((labels_0[_S82]) == _S78))))
+            if(((_S81 < _S65) & (((labels_0[_S81]) == _S77))))
             {
-                var _S83 : u32 = _S79 + u32(1);
-                var _S84 : f32 = along_0[i_1] + matrix_0[_S80] * (scratch_number_0(point_row_0(i32(0), _S64, _S82)) - scratch_number_0(_S83)) + matrix_0[_S80 + u32(1)] * (scratch_number_0(point_row_0(i32(0), _S64, _S82) + u32(1)) - scratch_number_0(_S83 + u32(1))) + matrix_0[_S80 + u32(2)] * (scratch_number_0(point_row_0(i32(0), _S64, _S82) + u32(2)) - scratch_number_0(_S83 + u32(2))) + matrix_0[_S80 + u32(3)] * (scratch_number_0(point_row_0(i32(0), _S64, _S82) + u32(3)) - scratch_number_0(_S83 + u32(3))) + matrix_0[_S80 + u32(4)] * (scratch_number_0(point_row_0(i32(0), _S64, _S82) + u32(4)) - scratch_number_0(_S83 + u32(4))) + matrix_0[_S80 + u32(5)] * (scratch_number_0(point_row_0(i32(0), _S64, _S82) + u32(5)) - scratch_number_0(_S83 + u32(5)));
-                along_0[i_1] = _S84;
-                sums_0 = sums_0 + vec2<f32>(1.0f, _S84);
+                var _S82 : u32 = _S78 + u32(1);
+                var _S83 : f32 = along_0[i_1] + matrix_0[_S79] * (scratch_number_0(point_row_0(i32(0), _S63, _S81)) - scratch_number_0(_S82)) + matrix_0[_S79 + u32(1)] * (scratch_number_0(point_row_0(i32(0), _S63, _S81) + u32(1)) - scratch_number_0(_S82 + u32(1))) + matrix_0[_S79 + u32(2)] * (scratch_number_0(point_row_0(i32(0), _S63, _S81) + u32(2)) - scratch_number_0(_S82 + u32(2))) + matrix_0[_S79 + u32(3)] * (scratch_number_0(point_row_0(i32(0), _S63, _S81) + u32(3)) - scratch_number_0(_S82 + u32(3))) + matrix_0[_S79 + u32(4)] * (scratch_number_0(point_row_0(i32(0), _S63, _S81) + u32(4)) - scratch_number_0(_S82 + u32(4))) + matrix_0[_S79 + u32(5)] * (scratch_number_0(point_row_0(i32(0), _S63, _S81) + u32(5)) - scratch_number_0(_S82 + u32(5))) + matrix_0[_S79 + u32(6)] * (scratch_number_0(point_row_0(i32(0), _S63, _S81) + u32(6)) - scratch_number_0(_S82 + u32(6)));
+                along_0[i_1] = _S83;
+                sums_0 = sums_0 + vec2<f32>(1.0f, _S83);
             }
             i_1 = i_1 + u32(1);
         }
-        var _S85 : vec2<f32> = sum_of_workers_0(sums_0, _S65);
+        var _S84 : vec2<f32> = sum_of_workers_0(sums_0, _S64);
         var step_1 : u32 = u32(0);
         var boundary_0 : f32 = 0.0f;
-        var beyond_0 : vec2<f32> = _S81;
+        var beyond_0 : vec2<f32> = _S80;
         for(;;)
         {
             if(step_1 <= u32(4))
@@ -683,38 +684,38 @@ fn bake_bisect(@builtin(workgroup_id) group_0 : vec3<u32>, @builtin(local_invoca
             {
                 break;
             }
-            var _S86 : vec2<f32> = vec2<f32>(0.0f);
-            var beyond_1 : vec2<f32> = sum_of_workers_0(select_vector_0(((((_S67 < _S66) & (((labels_0[_S67]) == _S78)))) & (((along_0[u32(0)]) > boundary_0))), vec2<f32>(1.0f, along_0[u32(0)]), _S86) + select_vector_0(((((_S68 < _S66) & (((labels_0[_S68]) == _S78)))) & (((along_0[u32(1)]) > boundary_0))), vec2<f32>(1.0f, along_0[u32(1)]), _S86) + select_vector_0(((((_S69 < _S66) & (((labels_0[_S69]) == _S78)))) & (((along_0[u32(2)]) > boundary_0))), vec2<f32>(1.0f, along_0[u32(2)]), _S86) + select_vector_0(((((_S70 < _S66) & (((labels_0[_S70]) == _S78)))) & (((along_0[u32(3)]) > boundary_0))), vec2<f32>(1.0f, along_0[u32(3)]), _S86) + select_vector_0(((((_S71 < _S66) & (((labels_0[_S71]) == _S78)))) & (((along_0[u32(4)]) > boundary_0))), vec2<f32>(1.0f, along_0[u32(4)]), _S86) + select_vector_0(((((_S72 < _S66) & (((labels_0[_S72]) == _S78)))) & (((along_0[u32(5)]) > boundary_0))), vec2<f32>(1.0f, along_0[u32(5)]), _S86) + select_vector_0(((((_S73 < _S66) & (((labels_0[_S73]) == _S78)))) & (((along_0[u32(6)]) > boundary_0))), vec2<f32>(1.0f, along_0[u32(6)]), _S86) + select_vector_0(((((_S74 < _S66) & (((labels_0[_S74]) == _S78)))) & (((along_0[u32(7)]) > boundary_0))), vec2<f32>(1.0f, along_0[u32(7)]), _S86), _S65);
-            var _S87 : vec2<f32> = _S85 - beyond_1;
-            var _S88 : f32 = beyond_1.x;
-            var _S89 : f32 = _S87.x;
-            if(((((step_1 < u32(4)) & ((_S88 > 0.0f)))) & ((_S89 > 0.0f))))
+            var _S85 : vec2<f32> = vec2<f32>(0.0f);
+            var beyond_1 : vec2<f32> = sum_of_workers_0(select_vector_0(((((_S66 < _S65) & (((labels_0[_S66]) == _S77)))) & (((along_0[u32(0)]) > boundary_0))), vec2<f32>(1.0f, along_0[u32(0)]), _S85) + select_vector_0(((((_S67 < _S65) & (((labels_0[_S67]) == _S77)))) & (((along_0[u32(1)]) > boundary_0))), vec2<f32>(1.0f, along_0[u32(1)]), _S85) + select_vector_0(((((_S68 < _S65) & (((labels_0[_S68]) == _S77)))) & (((along_0[u32(2)]) > boundary_0))), vec2<f32>(1.0f, along_0[u32(2)]), _S85) + select_vector_0(((((_S69 < _S65) & (((labels_0[_S69]) == _S77)))) & (((along_0[u32(3)]) > boundary_0))), vec2<f32>(1.0f, along_0[u32(3)]), _S85) + select_vector_0(((((_S70 < _S65) & (((labels_0[_S70]) == _S77)))) & (((along_0[u32(4)]) > boundary_0))), vec2<f32>(1.0f, along_0[u32(4)]), _S85) + select_vector_0(((((_S71 < _S65) & (((labels_0[_S71]) == _S77)))) & (((along_0[u32(5)]) > boundary_0))), vec2<f32>(1.0f, along_0[u32(5)]), _S85) + select_vector_0(((((_S72 < _S65) & (((labels_0[_S72]) == _S77)))) & (((along_0[u32(6)]) > boundary_0))), vec2<f32>(1.0f, along_0[u32(6)]), _S85) + select_vector_0(((((_S73 < _S65) & (((labels_0[_S73]) == _S77)))) & (((along_0[u32(7)]) > boundary_0))), vec2<f32>(1.0f, along_0[u32(7)]), _S85), _S64);
+            var _S86 : vec2<f32> = _S84 - beyond_1;
+            var _S87 : f32 = beyond_1.x;
+            var _S88 : f32 = _S86.x;
+            if(((((step_1 < u32(4)) & ((_S87 > 0.0f)))) & ((_S88 > 0.0f))))
             {
-                boundary_0 = 0.5f * (beyond_1.y / _S88 + _S87.y / _S89);
+                boundary_0 = 0.5f * (beyond_1.y / _S87 + _S86.y / _S88);
             }
             step_1 = step_1 + u32(1);
             beyond_0 = beyond_1;
         }
-        var _S90 : f32 = beyond_0.x;
-        if((_S75 & ((!(((_S90 > 0.0f) & ((_S90 < (_S85.x)))))))))
+        var _S89 : f32 = beyond_0.x;
+        if((_S74 & ((!(((_S89 > 0.0f) & ((_S89 < (_S84.x)))))))))
         {
             is_finished_0 = u32(1);
         }
         workgroupBarrier();
-        labels_0[_S67] = select(labels_0[_S67], new_cluster_0, ((((((is_finished_0 == u32(0)) & ((_S67 < _S66)))) & (((labels_0[_S67]) == _S78)))) & (((along_0[u32(0)]) > boundary_0))));
-        labels_0[_S68] = select(labels_0[_S68], new_cluster_0, ((((((is_finished_0 == u32(0)) & ((_S68 < _S66)))) & (((labels_0[_S68]) == _S78)))) & (((along_0[u32(1)]) > boundary_0))));
-        labels_0[_S69] = select(labels_0[_S69], new_cluster_0, ((((((is_finished_0 == u32(0)) & ((_S69 < _S66)))) & (((labels_0[_S69]) == _S78)))) & (((along_0[u32(2)]) > boundary_0))));
-        labels_0[_S70] = select(labels_0[_S70], new_cluster_0, ((((((is_finished_0 == u32(0)) & ((_S70 < _S66)))) & (((labels_0[_S70]) == _S78)))) & (((along_0[u32(3)]) > boundary_0))));
-        labels_0[_S71] = select(labels_0[_S71], new_cluster_0, ((((((is_finished_0 == u32(0)) & ((_S71 < _S66)))) & (((labels_0[_S71]) == _S78)))) & (((along_0[u32(4)]) > boundary_0))));
-        labels_0[_S72] = select(labels_0[_S72], new_cluster_0, ((((((is_finished_0 == u32(0)) & ((_S72 < _S66)))) & (((labels_0[_S72]) == _S78)))) & (((along_0[u32(5)]) > boundary_0))));
-        labels_0[_S73] = select(labels_0[_S73], new_cluster_0, ((((((is_finished_0 == u32(0)) & ((_S73 < _S66)))) & (((labels_0[_S73]) == _S78)))) & (((along_0[u32(6)]) > boundary_0))));
-        labels_0[_S74] = select(labels_0[_S74], new_cluster_0, ((((((is_finished_0 == u32(0)) & ((_S74 < _S66)))) & (((labels_0[_S74]) == _S78)))) & (((along_0[u32(7)]) > boundary_0))));
+        labels_0[_S66] = select(labels_0[_S66], new_cluster_0, ((((((is_finished_0 == u32(0)) & ((_S66 < _S65)))) & (((labels_0[_S66]) == _S77)))) & (((along_0[u32(0)]) > boundary_0))));
+        labels_0[_S67] = select(labels_0[_S67], new_cluster_0, ((((((is_finished_0 == u32(0)) & ((_S67 < _S65)))) & (((labels_0[_S67]) == _S77)))) & (((along_0[u32(1)]) > boundary_0))));
+        labels_0[_S68] = select(labels_0[_S68], new_cluster_0, ((((((is_finished_0 == u32(0)) & ((_S68 < _S65)))) & (((labels_0[_S68]) == _S77)))) & (((along_0[u32(2)]) > boundary_0))));
+        labels_0[_S69] = select(labels_0[_S69], new_cluster_0, ((((((is_finished_0 == u32(0)) & ((_S69 < _S65)))) & (((labels_0[_S69]) == _S77)))) & (((along_0[u32(3)]) > boundary_0))));
+        labels_0[_S70] = select(labels_0[_S70], new_cluster_0, ((((((is_finished_0 == u32(0)) & ((_S70 < _S65)))) & (((labels_0[_S70]) == _S77)))) & (((along_0[u32(4)]) > boundary_0))));
+        labels_0[_S71] = select(labels_0[_S71], new_cluster_0, ((((((is_finished_0 == u32(0)) & ((_S71 < _S65)))) & (((labels_0[_S71]) == _S77)))) & (((along_0[u32(5)]) > boundary_0))));
+        labels_0[_S72] = select(labels_0[_S72], new_cluster_0, ((((((is_finished_0 == u32(0)) & ((_S72 < _S65)))) & (((labels_0[_S72]) == _S77)))) & (((along_0[u32(6)]) > boundary_0))));
+        labels_0[_S73] = select(labels_0[_S73], new_cluster_0, ((((((is_finished_0 == u32(0)) & ((_S73 < _S65)))) & (((labels_0[_S73]) == _S77)))) & (((along_0[u32(7)]) > boundary_0))));
         workgroupBarrier();
-        measure_0(i32(0), _S64, _S78, _S66, _S65);
-        measure_0(i32(0), _S64, new_cluster_0, _S66, _S65);
-        var _S91 : u32 = new_cluster_0 + u32(1);
-        keep_level_0(i32(0), _S64, _S91, _S65);
-        new_cluster_0 = _S91;
+        measure_0(i32(0), _S63, _S77, _S65, _S64);
+        measure_0(i32(0), _S63, new_cluster_0, _S65, _S64);
+        var _S90 : u32 = new_cluster_0 + u32(1);
+        keep_level_0(i32(0), _S63, _S90, _S64);
+        new_cluster_0 = _S90;
     }
     return;
 }
@@ -724,71 +725,71 @@ fn square_0( x_1 : f32) -> f32
     return x_1 * x_1;
 }
 
-fn weighted_error_0( _S92 : i32,  _S93 : u32,  _S94 : u32) -> f32
+fn weighted_error_0( _S91 : i32,  _S92 : u32,  _S93 : u32) -> f32
 {
-    return scratch_number_0(bakes_0[_S92].cluster_errors_0 + _S93 * bakes_0[_S92].max_clusters_0 + (min(_S94, scratch_0[bakes_0[_S92].facts_0 + u32(10) + _S93]) - u32(1))) / f32(scratch_0[bakes_0[_S92].facts_0 + u32(4) + _S93]) * f32(scratch_0[bakes_0[_S92].facts_0 + _S93]);
+    return scratch_number_0(bakes_0[_S91].cluster_errors_0 + _S92 * bakes_0[_S91].max_clusters_0 + (min(_S93, scratch_0[bakes_0[_S91].facts_0 + u32(10) + _S92]) - u32(1))) / f32(scratch_0[bakes_0[_S91].facts_0 + u32(4) + _S92]) * f32(scratch_0[bakes_0[_S91].facts_0 + _S92]);
 }
 
-fn best_warp_count_0( _S95 : i32,  _S96 : u32) -> u32
+fn best_warp_count_0( _S94 : i32,  _S95 : u32) -> u32
 {
-    var _S97 : u32 = bakes_0[_S95].per_family_0;
-    var _S98 : u32 = u32(2) * bakes_0[_S95].per_family_0;
-    var _S99 : u32 = u32(2) * _S96;
-    var _S100 : u32 = bakes_0[_S95].facts_0 + u32(4) + _S99;
-    var _S101 : bool;
-    if(scratch_0[_S100] > u32(0))
+    var _S96 : u32 = bakes_0[_S94].per_family_0;
+    var _S97 : u32 = u32(2) * bakes_0[_S94].per_family_0;
+    var _S98 : u32 = u32(2) * _S95;
+    var _S99 : u32 = bakes_0[_S94].facts_0 + u32(4) + _S98;
+    var _S100 : bool;
+    if(scratch_0[_S99] > u32(0))
     {
-        _S101 = scratch_0[_S100 + u32(1)] > u32(0);
+        _S100 = scratch_0[_S99 + u32(1)] > u32(0);
     }
     else
     {
-        _S101 = false;
+        _S100 = false;
     }
-    if((_S98 % u32(8)) != u32(0))
+    if((_S97 % u32(8)) != u32(0))
     {
-        _S101 = true;
+        _S100 = true;
     }
     else
     {
-        _S101 = !_S101;
+        _S100 = !_S100;
     }
-    if(_S101)
+    if(_S100)
     {
-        return _S97;
+        return _S96;
     }
     var least_0 : f32 = 3.00000000549775576e+38f;
-    var best_0 : u32 = _S97;
+    var best_0 : u32 = _S96;
     var count_0 : u32 = u32(4);
     for(;;)
     {
-        if(count_0 < _S98)
+        if(count_0 < _S97)
         {
         }
         else
         {
             break;
         }
-        var _S102 : f32 = weighted_error_0(_S95, _S99, count_0) + weighted_error_0(_S95, _S99 + u32(1), _S98 - count_0);
-        var _S103 : i32 = i32(_S97);
-        var _S104 : i32 = abs(i32(count_0) - _S103);
-        if(_S102 < least_0)
+        var _S101 : f32 = weighted_error_0(_S94, _S98, count_0) + weighted_error_0(_S94, _S98 + u32(1), _S97 - count_0);
+        var _S102 : i32 = i32(_S96);
+        var _S103 : i32 = abs(i32(count_0) - _S102);
+        if(_S101 < least_0)
         {
-            _S101 = true;
+            _S100 = true;
         }
         else
         {
-            if(_S102 == least_0)
+            if(_S101 == least_0)
             {
-                _S101 = _S104 < (abs(i32(best_0) - _S103));
+                _S100 = _S103 < (abs(i32(best_0) - _S102));
             }
             else
             {
-                _S101 = false;
+                _S100 = false;
             }
         }
-        if(_S101)
+        if(_S100)
         {
-            least_0 = _S102;
+            least_0 = _S101;
             best_0 = count_0;
         }
         count_0 = count_0 + u32(4);
@@ -800,48 +801,48 @@ fn best_warp_count_0( _S95 : i32,  _S96 : u32) -> u32
 @workgroup_size(256, 1, 1)
 fn bake_refine(@builtin(workgroup_id) group_1 : vec3<u32>, @builtin(local_invocation_id) thread_1 : vec3<u32>)
 {
-    var _S105 : u32;
+    var _S104 : u32;
     var least_1 : f32;
     var nearest_0 : u32;
     var distance_0 : f32;
-    var _S106 : u32 = group_1.x;
-    var _S107 : u32 = _S106 / u32(2);
-    var _S108 : u32 = thread_1.x;
-    var _S109 : u32 = bakes_0[i32(0)].facts_0;
-    var _S110 : u32 = scratch_0[bakes_0[i32(0)].facts_0 + u32(4) + _S106];
-    var _S111 : u32 = best_warp_count_0(i32(0), _S107);
-    var _S112 : bool = (_S106 % u32(2)) == u32(0);
-    var _S113 : u32 = select(u32(2) * bakes_0[i32(0)].per_family_0 - _S111, _S111, _S112);
-    var _S114 : u32 = bakes_0[i32(0)].centroids_0 + (_S107 * u32(2) * bakes_0[i32(0)].per_family_0 + select(_S111, u32(0), _S112)) * u32(6);
-    var _S115 : u32 = min(_S113, scratch_0[bakes_0[i32(0)].facts_0 + u32(10) + _S106]);
-    var _S116 : u32 = bakes_0[i32(0)].cluster_means_0 + (_S106 * bakes_0[i32(0)].max_clusters_0 + _S115 - u32(1)) * bakes_0[i32(0)].max_clusters_0 * u32(6);
-    var item_1 : u32 = _S108;
+    var _S105 : u32 = group_1.x;
+    var _S106 : u32 = _S105 / u32(2);
+    var _S107 : u32 = thread_1.x;
+    var _S108 : u32 = bakes_0[i32(0)].facts_0;
+    var _S109 : u32 = scratch_0[bakes_0[i32(0)].facts_0 + u32(4) + _S105];
+    var _S110 : u32 = best_warp_count_0(i32(0), _S106);
+    var _S111 : bool = (_S105 % u32(2)) == u32(0);
+    var _S112 : u32 = select(u32(2) * bakes_0[i32(0)].per_family_0 - _S110, _S110, _S111);
+    var _S113 : u32 = bakes_0[i32(0)].centroids_0 + (_S106 * u32(2) * bakes_0[i32(0)].per_family_0 + select(_S110, u32(0), _S111)) * u32(7);
+    var _S114 : u32 = min(_S112, scratch_0[bakes_0[i32(0)].facts_0 + u32(10) + _S105]);
+    var _S115 : u32 = bakes_0[i32(0)].cluster_means_0 + (_S105 * bakes_0[i32(0)].max_clusters_0 + _S114 - u32(1)) * bakes_0[i32(0)].max_clusters_0 * u32(7);
+    var item_1 : u32 = _S107;
     for(;;)
     {
-        var _S117 : u32 = _S113 * u32(6);
-        _S105 = _S117;
-        if(item_1 < _S117)
+        var _S116 : u32 = _S112 * u32(7);
+        _S104 = _S116;
+        if(item_1 < _S116)
         {
         }
         else
         {
             break;
         }
-        scratch_0[_S114 + item_1] = scratch_0[_S116 + select(item_1 % u32(6), item_1, (item_1 / u32(6)) < _S115)];
+        scratch_0[_S113 + item_1] = scratch_0[_S115 + select(item_1 % u32(7), item_1, (item_1 / u32(7)) < _S114)];
         item_1 = item_1 + u32(256);
     }
-    var _S118 : bool;
-    if(_S108 == u32(0))
+    var _S117 : bool;
+    if(_S107 == u32(0))
     {
-        _S118 = _S112;
+        _S117 = _S111;
     }
     else
     {
-        _S118 = false;
+        _S117 = false;
     }
-    if(_S118)
+    if(_S117)
     {
-        scratch_0[_S109 + u32(14) + _S107] = _S111;
+        scratch_0[_S108 + u32(14) + _S106] = _S110;
     }
     storageBarrier(); textureBarrier(); workgroupBarrier();;
     var step_2 : u32 = u32(0);
@@ -864,21 +865,21 @@ fn bake_refine(@builtin(workgroup_id) group_1 : vec3<u32>, @builtin(local_invoca
             {
                 break;
             }
-            var _S119 : u32 = _S108 * u32(8) + i_2;
+            var _S118 : u32 = _S107 * u32(8) + i_2;
             least_1 = 3.00000000549775576e+38f;
             nearest_0 = u32(0);
             var cluster_1 : u32 = u32(0);
             for(;;)
             {
-                if(cluster_1 < _S113)
+                if(cluster_1 < _S112)
                 {
-                    _S118 = _S119 < _S110;
+                    _S117 = _S118 < _S109;
                 }
                 else
                 {
-                    _S118 = false;
+                    _S117 = false;
                 }
-                if(_S118)
+                if(_S117)
                 {
                 }
                 else
@@ -889,32 +890,32 @@ fn bake_refine(@builtin(workgroup_id) group_1 : vec3<u32>, @builtin(local_invoca
                 distance_0 = 0.0f;
                 for(;;)
                 {
-                    if(k_2 < u32(6))
+                    if(k_2 < u32(7))
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var distance_1 : f32 = distance_0 + square_0(scratch_number_0(point_row_0(i32(0), _S106, _S119) + k_2) - scratch_number_0(_S114 + cluster_1 * u32(6) + k_2));
+                    var distance_1 : f32 = distance_0 + square_0(scratch_number_0(point_row_0(i32(0), _S105, _S118) + k_2) - scratch_number_0(_S113 + cluster_1 * u32(7) + k_2));
                     k_2 = k_2 + u32(1);
                     distance_0 = distance_1;
                 }
-                var _S120 : u32 = select(nearest_0, cluster_1, distance_0 < least_1);
-                var _S121 : f32 = min(least_1, distance_0);
-                var _S122 : u32 = cluster_1 + u32(1);
-                least_1 = _S121;
-                nearest_0 = _S120;
-                cluster_1 = _S122;
+                var _S119 : u32 = select(nearest_0, cluster_1, distance_0 < least_1);
+                var _S120 : f32 = min(least_1, distance_0);
+                var _S121 : u32 = cluster_1 + u32(1);
+                least_1 = _S120;
+                nearest_0 = _S119;
+                cluster_1 = _S121;
             }
-            labels_0[_S119] = nearest_0;
+            labels_0[_S118] = nearest_0;
             i_2 = i_2 + u32(1);
         }
         storageBarrier(); textureBarrier(); workgroupBarrier();;
-        item_1 = _S108;
+        item_1 = _S107;
         for(;;)
         {
-            if(item_1 < _S105)
+            if(item_1 < _S104)
             {
             }
             else
@@ -926,16 +927,16 @@ fn bake_refine(@builtin(workgroup_id) group_1 : vec3<u32>, @builtin(local_invoca
             distance_0 = 0.0f;
             for(;;)
             {
-                if(nearest_0 < _S110)
+                if(nearest_0 < _S109)
                 {
                 }
                 else
                 {
                     break;
                 }
-                if((labels_0[nearest_0]) == (item_1 / u32(6)))
+                if((labels_0[nearest_0]) == (item_1 / u32(7)))
                 {
-                    var total_9 : f32 = distance_0 + scratch_number_0(point_row_0(i32(0), _S106, nearest_0) + item_1 % u32(6));
+                    var total_9 : f32 = distance_0 + scratch_number_0(point_row_0(i32(0), _S105, nearest_0) + item_1 % u32(7));
                     least_1 = least_1 + 1.0f;
                     distance_0 = total_9;
                 }
@@ -943,35 +944,35 @@ fn bake_refine(@builtin(workgroup_id) group_1 : vec3<u32>, @builtin(local_invoca
             }
             if(least_1 > 0.0f)
             {
-                scratch_0[_S114 + item_1] = (bitcast<u32>((distance_0 / least_1)));
+                scratch_0[_S113 + item_1] = (bitcast<u32>((distance_0 / least_1)));
             }
             item_1 = item_1 + u32(256);
         }
         storageBarrier(); textureBarrier(); workgroupBarrier();;
         step_2 = step_2 + u32(1);
     }
-    item_1 = _S108;
+    item_1 = _S107;
     for(;;)
     {
-        if(item_1 < _S105)
+        if(item_1 < _S104)
         {
         }
         else
         {
             break;
         }
-        var _S123 : u32 = item_1 % u32(6);
-        var _S124 : f32 = select(select(0.0f, 1.0f, _S123 == u32(4)), 0.5f, _S123 == u32(2));
-        var _S125 : u32 = _S114 + item_1;
-        if(_S110 > u32(0))
+        var _S122 : u32 = item_1 % u32(7);
+        var _S123 : f32 = select(select(0.0f, 1.0f, _S122 == u32(4)), 0.5f, _S122 == u32(2));
+        var _S124 : u32 = _S113 + item_1;
+        if(_S109 > u32(0))
         {
-            least_1 = scratch_number_0(_S125) / 10000.0f;
+            least_1 = scratch_number_0(_S124) / 10000.0f;
         }
         else
         {
-            least_1 = _S124;
+            least_1 = _S123;
         }
-        scratch_0[_S125] = (bitcast<u32>((least_1)));
+        scratch_0[_S124] = (bitcast<u32>((least_1)));
         item_1 = item_1 + u32(256);
     }
     return;
@@ -992,12 +993,12 @@ fn hit_tangent_0( hit_1 : ptr<function, SurfaceHit_std430_0>) -> vec3<f32>
     return vec3<f32>((*hit_1).tangent_x_0, (*hit_1).tangent_y_0, (*hit_1).tangent_z_0);
 }
 
-fn nearest_group_0( _S126 : i32,  _S127 : bool,  _S128 : bool,  _S129 : vec3<f32>,  _S130 : vec3<f32>) -> u32
+fn nearest_group_0( _S125 : i32,  _S126 : bool,  _S127 : bool,  _S128 : vec3<f32>,  _S129 : vec3<f32>,  _S130 : f32) -> u32
 {
-    var _S131 : u32 = select(u32(0), u32(1), _S127);
-    var _S132 : u32 = select(scratch_0[bakes_0[_S126].facts_0 + u32(14) + _S131], u32(0), _S128);
-    var _S133 : u32 = bakes_0[_S126].per_family_0;
-    var _S134 : u32 = select(u32(2) * bakes_0[_S126].per_family_0, scratch_0[bakes_0[_S126].facts_0 + u32(14) + _S131], _S128);
+    var _S131 : u32 = select(u32(0), u32(1), _S126);
+    var _S132 : u32 = select(scratch_0[bakes_0[_S125].facts_0 + u32(14) + _S131], u32(0), _S127);
+    var _S133 : u32 = bakes_0[_S125].per_family_0;
+    var _S134 : u32 = select(u32(2) * bakes_0[_S125].per_family_0, scratch_0[bakes_0[_S125].facts_0 + u32(14) + _S131], _S127);
     var least_2 : f32 = 1000.0f;
     var nearest_1 : u32 = _S132;
     var group_2 : u32 = _S132;
@@ -1010,10 +1011,10 @@ fn nearest_group_0( _S126 : i32,  _S127 : bool,  _S128 : bool,  _S129 : vec3<f32
         {
             break;
         }
-        var _S135 : u32 = bakes_0[_S126].centroids_0 + (_S131 * u32(2) * _S133 + group_2) * u32(6);
-        var _S136 : vec3<f32> = vec3<f32>(0.5f) * _S129 - vec3<f32>(scratch_number_0(_S135), scratch_number_0(_S135 + u32(1)), scratch_number_0(_S135 + u32(2)));
-        var _S137 : vec3<f32> = _S130 - vec3<f32>(scratch_number_0(_S135 + u32(3)), scratch_number_0(_S135 + u32(4)), scratch_number_0(_S135 + u32(5)));
-        var _S138 : f32 = dot(_S136, _S136) + dot(_S137, _S137);
+        var _S135 : u32 = bakes_0[_S125].centroids_0 + (_S131 * u32(2) * _S133 + group_2) * u32(7);
+        var _S136 : vec3<f32> = vec3<f32>(0.5f) * _S128 - vec3<f32>(scratch_number_0(_S135), scratch_number_0(_S135 + u32(1)), scratch_number_0(_S135 + u32(2)));
+        var _S137 : vec3<f32> = _S129 - vec3<f32>(scratch_number_0(_S135 + u32(3)), scratch_number_0(_S135 + u32(4)), scratch_number_0(_S135 + u32(5)));
+        var _S138 : f32 = dot(_S136, _S136) + dot(_S137, _S137) + square_0(2.0f * _S130 - scratch_number_0(_S135 + u32(6)));
         var _S139 : u32 = select(nearest_1, group_2, _S138 < least_2);
         var _S140 : f32 = min(least_2, _S138);
         var _S141 : u32 = group_2 + u32(1);
@@ -1044,7 +1045,7 @@ fn bake_assign(@builtin(global_invocation_id) id_1 : vec3<u32>)
     var _S147 : bool = ((_S145 & (u32(1)))) != u32(0);
     var _S148 : vec3<f32> = hit_normal_0(&(_S144));
     var _S149 : vec3<f32> = hit_tangent_0(&(_S144));
-    hits_0[_S142].flags_0 = (_S145 | ((((nearest_group_0(i32(0), _S146, _S147, _S148, _S149) + u32(1)) << (u32(8))))));
+    hits_0[_S142].flags_0 = (_S145 | ((((nearest_group_0(i32(0), _S146, _S147, _S148, _S149, _S144.shown_share_0) + u32(1)) << (u32(8))))));
     return;
 }
 

@@ -671,6 +671,12 @@ fn arc_sine_0( x_2 : f32) -> f32
     return select(_S67, - _S67, x_2 < 0.0f);
 }
 
+fn run_share_0( word_2 : u32) -> f32
+{
+    var _S68 : f32 = f32(((((word_2 >> (u32(1)))) & (u32(127)))) + ((((word_2 >> (u32(8)))) & (u32(127)))) + u32(1));
+    return _S68 / (_S68 + 0.5f * f32(((((word_2 >> (u32(15)))) & (u32(63)))) + ((((word_2 >> (u32(21)))) & (u32(63))))));
+}
+
 fn fract_of_0( number_1 : f32) -> f32
 {
     return number_1 - floor(number_1);
@@ -678,24 +684,24 @@ fn fract_of_0( number_1 : f32) -> f32
 
 fn sine_cosine_0( x_3 : f32) -> vec2<f32>
 {
-    var _S68 : f32 = floor(x_3 * 0.63661974668502808f + 0.5f);
-    var _S69 : f32 = x_3 - _S68 * 1.5703125f - _S68 * 0.00048375129699707f - _S68 * 7.54979012640433211e-08f;
-    var _S70 : f32 = _S69 * _S69;
-    var _S71 : f32 = ((-0.00019515295571182f * _S70 + 0.00833216123282909f) * _S70 - 0.16666655242443085f) * _S70 * _S69 + _S69;
-    var _S72 : f32 = ((0.00002443315679557f * _S70 - 0.00138873164542019f) * _S70 + 0.04166664555668831f) * _S70 * _S70 - 0.5f * _S70 + 1.0f;
-    var _S73 : u32 = (u32(i32(_S68)) & (u32(3)));
-    var _S74 : vec2<f32> = select_vector_0(((_S73 & (u32(1)))) != u32(0), vec2<f32>(_S72, _S71), vec2<f32>(_S71, _S72));
-    var _S75 : f32 = _S74.x;
-    var _S76 : f32 = _S74.y;
-    return vec2<f32>(select(_S75, - _S75, ((_S73 & (u32(2)))) != u32(0)), select(_S76, - _S76, (((_S73 + u32(1)) & (u32(2)))) != u32(0)));
+    var _S69 : f32 = floor(x_3 * 0.63661974668502808f + 0.5f);
+    var _S70 : f32 = x_3 - _S69 * 1.5703125f - _S69 * 0.00048375129699707f - _S69 * 7.54979012640433211e-08f;
+    var _S71 : f32 = _S70 * _S70;
+    var _S72 : f32 = ((-0.00019515295571182f * _S71 + 0.00833216123282909f) * _S71 - 0.16666655242443085f) * _S71 * _S70 + _S70;
+    var _S73 : f32 = ((0.00002443315679557f * _S71 - 0.00138873164542019f) * _S71 + 0.04166664555668831f) * _S71 * _S71 - 0.5f * _S71 + 1.0f;
+    var _S74 : u32 = (u32(i32(_S69)) & (u32(3)));
+    var _S75 : vec2<f32> = select_vector_0(((_S74 & (u32(1)))) != u32(0), vec2<f32>(_S73, _S72), vec2<f32>(_S72, _S73));
+    var _S76 : f32 = _S75.x;
+    var _S77 : f32 = _S75.y;
+    return vec2<f32>(select(_S76, - _S76, ((_S74 & (u32(2)))) != u32(0)), select(_S77, - _S77, (((_S74 + u32(1)) & (u32(2)))) != u32(0)));
 }
 
 fn uniform_on_sphere_0( u_0 : vec2<f32>) -> vec3<f32>
 {
-    var _S77 : f32 = u_0.x;
-    var _S78 : f32 = 2.0f * sqrt(max(_S77 * (1.0f - _S77), 0.0f));
-    var _S79 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_0.y);
-    return vec3<f32>(_S78 * _S79.y, _S78 * _S79.x, 1.0f - 2.0f * _S77);
+    var _S78 : f32 = u_0.x;
+    var _S79 : f32 = 2.0f * sqrt(max(_S78 * (1.0f - _S78), 0.0f));
+    var _S80 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_0.y);
+    return vec3<f32>(_S79 * _S80.y, _S79 * _S80.x, 1.0f - 2.0f * _S78);
 }
 
 fn square_1( v_0 : vec3<f32>) -> f32
@@ -715,9 +721,9 @@ fn cosine_about_0( axis_0 : vec3<f32>,  u_1 : vec2<f32>) -> vec3<f32>
 
 fn sample_diffuse_0( normal_0 : vec3<f32>,  blend_0 : f32,  u_2 : vec2<f32>) -> vec3<f32>
 {
-    var _S80 : f32 = u_2.x;
-    var _S81 : bool = _S80 < blend_0;
-    return cosine_about_0(select_vector_1(_S81, normal_0, vec3<f32>(0.0f, 0.0f, 1.0f)), vec2<f32>(min((_S80 - select(blend_0, 0.0f, _S81)) / max(select(1.0f - blend_0, blend_0, _S81), 1.00000001168609742e-07f), 0.99999994039535522f), u_2.y));
+    var _S81 : f32 = u_2.x;
+    var _S82 : bool = _S81 < blend_0;
+    return cosine_about_0(select_vector_1(_S82, normal_0, vec3<f32>(0.0f, 0.0f, 1.0f)), vec2<f32>(min((_S81 - select(blend_0, 0.0f, _S82)) / max(select(1.0f - blend_0, blend_0, _S82), 1.00000001168609742e-07f), 0.99999994039535522f), u_2.y));
 }
 
 fn diffuse_pdf_0( light_1 : vec3<f32>,  normal_1 : vec3<f32>,  blend_1 : f32) -> f32
@@ -727,16 +733,16 @@ fn diffuse_pdf_0( light_1 : vec3<f32>,  normal_1 : vec3<f32>,  blend_1 : f32) ->
 
 fn projected_area_1( direction_1 : vec3<f32>,  tangent_0 : vec3<f32>,  roughness_1 : f32) -> f32
 {
-    var _S82 : f32 = dot(direction_1, tangent_0);
-    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S82 * _S82 + 1.0f, roughness_1 * roughness_1));
+    var _S83 : f32 = dot(direction_1, tangent_0);
+    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S83 * _S83 + 1.0f, roughness_1 * roughness_1));
 }
 
 fn exponential_0( x_4 : f32) -> f32
 {
-    var _S83 : f32 = clamp(x_4, -87.0f, 88.0f);
-    var _S84 : f32 = floor(_S83 * 1.4426950216293335f + 0.5f);
-    var _S85 : f32 = _S83 - _S84 * 0.693359375f + _S84 * 0.00021219444170129f;
-    return select(((((((0.00019875691214111f * _S85 + 0.00139819993637502f) * _S85 + 0.00833345204591751f) * _S85 + 0.04166579619050026f) * _S85 + 0.1666666567325592f) * _S85 + 0.5f) * _S85 * _S85 + _S85 + 1.0f) * (bitcast<f32>(((u32(i32(_S84) + i32(127)) << (u32(23)))))), 0.0f, x_4 < -87.0f);
+    var _S84 : f32 = clamp(x_4, -87.0f, 88.0f);
+    var _S85 : f32 = floor(_S84 * 1.4426950216293335f + 0.5f);
+    var _S86 : f32 = _S84 - _S85 * 0.693359375f + _S85 * 0.00021219444170129f;
+    return select(((((((0.00019875691214111f * _S86 + 0.00139819993637502f) * _S86 + 0.00833345204591751f) * _S86 + 0.04166579619050026f) * _S86 + 0.1666666567325592f) * _S86 + 0.5f) * _S86 * _S86 + _S86 + 1.0f) * (bitcast<f32>(((u32(i32(_S85) + i32(127)) << (u32(23)))))), 0.0f, x_4 < -87.0f);
 }
 
 fn mean_attenuation_0( depth_0 : f32) -> f32
@@ -750,45 +756,45 @@ fn mean_attenuation_0( depth_0 : f32) -> f32
 
 fn flake_density_0( squared_along_0 : f32,  roughness_2 : f32) -> f32
 {
-    var _S86 : f32 = roughness_2 * roughness_2;
-    var _S87 : f32 = squared_along_0 * (1.0f - _S86) + _S86;
-    return 0.31830987334251404f * _S86 * roughness_2 / (_S87 * _S87);
+    var _S87 : f32 = roughness_2 * roughness_2;
+    var _S88 : f32 = squared_along_0 * (1.0f - _S87) + _S87;
+    return 0.31830987334251404f * _S87 * roughness_2 / (_S88 * _S88);
 }
 
 fn density_between_0( light_2 : vec3<f32>,  view_0 : vec3<f32>,  tangent_1 : vec3<f32>,  roughness_3 : f32) -> f32
 {
-    var _S88 : vec3<f32> = light_2 + view_0;
-    var _S89 : f32 = dot(_S88, tangent_1);
-    return flake_density_0(min(_S89 * _S89 / max(square_1(_S88), 9.999999960041972e-13f), 1.0f), roughness_3);
+    var _S89 : vec3<f32> = light_2 + view_0;
+    var _S90 : f32 = dot(_S89, tangent_1);
+    return flake_density_0(min(_S90 * _S90 / max(square_1(_S89), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
 fn reflection_0( light_3 : vec3<f32>,  view_1 : vec3<f32>,  normal_2 : vec3<f32>,  tangent_2 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
 {
-    var _S90 : f32 = dot(light_3, normal_2);
-    var _S91 : f32 = dot(view_1, normal_2);
-    if(((_S90 <= 0.0f) | ((_S91 <= 0.0f))))
+    var _S91 : f32 = dot(light_3, normal_2);
+    var _S92 : f32 = dot(view_1, normal_2);
+    if(((_S91 <= 0.0f) | ((_S92 <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S92 : f32 = max(_S90, 9.99999997475242708e-07f);
     var _S93 : f32 = max(_S91, 9.99999997475242708e-07f);
-    var _S94 : f32 = projected_area_1(light_3, tangent_2, roughness_4) * _S93 + projected_area_1(view_1, tangent_2, roughness_4) * _S92;
-    var _S95 : f32 = optical_depth_1 * _S94 / (_S92 * _S93);
-    return 0.25f * density_between_0(light_3, view_1, tangent_2, roughness_4) * (_S95 * mean_attenuation_0(_S95)) * _S92 / _S94;
+    var _S94 : f32 = max(_S92, 9.99999997475242708e-07f);
+    var _S95 : f32 = projected_area_1(light_3, tangent_2, roughness_4) * _S94 + projected_area_1(view_1, tangent_2, roughness_4) * _S93;
+    var _S96 : f32 = optical_depth_1 * _S95 / (_S93 * _S94);
+    return 0.25f * density_between_0(light_3, view_1, tangent_2, roughness_4) * (_S96 * mean_attenuation_0(_S96)) * _S93 / _S95;
 }
 
 fn transmission_1( light_4 : vec3<f32>,  view_2 : vec3<f32>,  normal_3 : vec3<f32>,  tangent_3 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
 {
-    var _S96 : f32 = - dot(light_4, normal_3);
-    var _S97 : f32 = dot(view_2, normal_3);
-    if(((_S96 <= 0.0f) | ((_S97 <= 0.0f))))
+    var _S97 : f32 = - dot(light_4, normal_3);
+    var _S98 : f32 = dot(view_2, normal_3);
+    if(((_S97 <= 0.0f) | ((_S98 <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S98 : f32 = 1.0f / max(_S97, 9.99999997475242708e-07f);
-    var _S99 : f32 = projected_area_1(light_4, tangent_3, roughness_5) / max(_S96, 9.99999997475242708e-07f);
-    var _S100 : f32 = projected_area_1(view_2, tangent_3, roughness_5) * _S98;
-    return density_between_0(light_4, view_2, tangent_3, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S99, _S100)) * mean_attenuation_0(optical_depth_2 * abs(_S99 - _S100)) * _S98;
+    var _S99 : f32 = 1.0f / max(_S98, 9.99999997475242708e-07f);
+    var _S100 : f32 = projected_area_1(light_4, tangent_3, roughness_5) / max(_S97, 9.99999997475242708e-07f);
+    var _S101 : f32 = projected_area_1(view_2, tangent_3, roughness_5) * _S99;
+    return density_between_0(light_4, view_2, tangent_3, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S100, _S101)) * mean_attenuation_0(optical_depth_2 * abs(_S100 - _S101)) * _S99;
 }
 
 struct Hit_0
@@ -812,130 +818,130 @@ struct Sample_0
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S101 : u32,  _S102 : f32,  _S103 : f32,  _S104 : bool) -> Crossing_0
+fn crossing_at_0( _S102 : u32,  _S103 : f32,  _S104 : f32,  _S105 : bool) -> Crossing_0
 {
     var crossing_2 : Crossing_0;
-    crossing_2.warp_1 = locate_0(fabrics_0[_S101].warp_0, _S102);
-    crossing_2.weft_1 = locate_0(fabrics_0[_S101].weft_0, _S103);
-    var _S105 : u32 = fabrics_0[_S101].run_words_0 + u32(2) * (crossing_2.weft_1.thread_0 * fabrics_0[_S101].ends_1 + crossing_2.warp_1.thread_0);
-    var _S106 : u32 = words_0[_S105];
-    crossing_2.warp_word_0 = _S106;
-    crossing_2.weft_word_0 = words_0[_S105 + u32(1)];
-    crossing_2.warp_above_0 = (((_S106 & (u32(1)))) == u32(1)) != _S104;
+    crossing_2.warp_1 = locate_0(fabrics_0[_S102].warp_0, _S103);
+    crossing_2.weft_1 = locate_0(fabrics_0[_S102].weft_0, _S104);
+    var _S106 : u32 = fabrics_0[_S102].run_words_0 + u32(2) * (crossing_2.weft_1.thread_0 * fabrics_0[_S102].ends_1 + crossing_2.warp_1.thread_0);
+    var _S107 : u32 = words_0[_S106];
+    crossing_2.warp_word_0 = _S107;
+    crossing_2.weft_word_0 = words_0[_S106 + u32(1)];
+    crossing_2.warp_above_0 = (((_S107 & (u32(1)))) == u32(1)) != _S105;
     return crossing_2;
 }
 
-fn sample_at_0( _S107 : u32,  _S108 : f32,  _S109 : f32,  _S110 : bool) -> Sample_0
+fn sample_at_0( _S108 : u32,  _S109 : f32,  _S110 : f32,  _S111 : bool) -> Sample_0
 {
     var sample_0 : Sample_0;
-    var _S111 : Crossing_0 = crossing_at_0(_S107, _S108, _S109, _S110);
-    sample_0.crossing_1 = _S111;
-    var _S112 : Shown_0 = shown_at_0(_S111, _S110);
-    sample_0.shown_3 = _S112;
-    var _S113 : u32 = select(fabrics_0[_S107].weft_0, fabrics_0[_S107].warp_0, _S112.is_warp_0);
-    var _S114 : u32 = select(fabrics_0[_S107].warp_0, fabrics_0[_S107].weft_0, _S112.is_warp_0);
-    var _S115 : Cell_0 = select_cell_0(_S112.is_warp_0, sample_0.crossing_1.warp_1, sample_0.crossing_1.weft_1);
-    var _S116 : Cell_0 = select_cell_0(_S112.is_warp_0, sample_0.crossing_1.weft_1, sample_0.crossing_1.warp_1);
-    var _S117 : Run_0 = unpack_0(_S113, _S114, _S115.thread_0, _S116, _S112.word_0);
-    var _S118 : Section_0 = section_at_0(_S115);
-    var _S119 : bool = ((_S112.on_top_0) & (((_S117.distance_0) < (_S118.drop_0 * _S117.bend_1.sine_0))));
-    var _S120 : f32 = select(-1.0f, 1.0f, ((_S112.on_top_0) & ((!_S119))));
-    var _S121 : f32 = select(_S117.reach_0, _S117.other_reach_0, _S119);
-    var _S122 : f32 = select(max(_S121 - _S117.distance_0, 0.0f), _S121 + _S117.distance_0, _S119);
-    var _S123 : f32 = _S121 / _S117.bend_1.sine_0 - _S120 * _S118.drop_0;
-    var _S124 : f32 = _S122 * _S122;
-    var _S125 : f32 = max(_S123 * _S123 - _S124, 9.99999968265522539e-21f);
-    var _S126 : f32 = rsqrt_0(_S125);
-    var _S127 : f32 = _S124 / (_S125 * _S126 + _S123);
-    var _S128 : bool = _S122 > 0.0f;
-    var _S129 : f32 = select(-1.0f, 1.0f, _S112.on_top_0) * select(-1.0f, 1.0f, _S117.near_start_0);
-    var _S130 : f32 = _S118.slope_0 * select(1.0f, _S123 * _S126, _S128);
-    sample_0.slope_across_0 = _S130;
-    var _S131 : f32 = select(0.0f, _S129 * _S122 * _S126, _S128);
-    sample_0.slope_along_0 = _S131;
-    var _S132 : vec2<f32> = dive_0(_S114, _S112, _S117, _S116);
-    sample_0.height_4 = select(families_0[_S113].height_scale_0 * _S120, 0.0f, _S117.straight_0) * (_S121 * _S117.bend_1.half_tangent_0 - _S127) - families_0[_S113].height_scale_0 * _S118.drop_0 - _S132.x;
-    var _S133 : f32 = families_0[_S113].height_scale_0 * _S130;
-    var _S134 : f32 = families_0[_S113].height_scale_0 * _S131 - _S132.y;
-    sample_0.slope_x_1 = select(_S134, _S133, _S112.is_warp_0);
-    sample_0.slope_y_1 = select(_S133, _S134, _S112.is_warp_0);
-    sample_0.run_3 = _S117;
-    sample_0.section_1 = _S118;
+    var _S112 : Crossing_0 = crossing_at_0(_S108, _S109, _S110, _S111);
+    sample_0.crossing_1 = _S112;
+    var _S113 : Shown_0 = shown_at_0(_S112, _S111);
+    sample_0.shown_3 = _S113;
+    var _S114 : u32 = select(fabrics_0[_S108].weft_0, fabrics_0[_S108].warp_0, _S113.is_warp_0);
+    var _S115 : u32 = select(fabrics_0[_S108].warp_0, fabrics_0[_S108].weft_0, _S113.is_warp_0);
+    var _S116 : Cell_0 = select_cell_0(_S113.is_warp_0, sample_0.crossing_1.warp_1, sample_0.crossing_1.weft_1);
+    var _S117 : Cell_0 = select_cell_0(_S113.is_warp_0, sample_0.crossing_1.weft_1, sample_0.crossing_1.warp_1);
+    var _S118 : Run_0 = unpack_0(_S114, _S115, _S116.thread_0, _S117, _S113.word_0);
+    var _S119 : Section_0 = section_at_0(_S116);
+    var _S120 : bool = ((_S113.on_top_0) & (((_S118.distance_0) < (_S119.drop_0 * _S118.bend_1.sine_0))));
+    var _S121 : f32 = select(-1.0f, 1.0f, ((_S113.on_top_0) & ((!_S120))));
+    var _S122 : f32 = select(_S118.reach_0, _S118.other_reach_0, _S120);
+    var _S123 : f32 = select(max(_S122 - _S118.distance_0, 0.0f), _S122 + _S118.distance_0, _S120);
+    var _S124 : f32 = _S122 / _S118.bend_1.sine_0 - _S121 * _S119.drop_0;
+    var _S125 : f32 = _S123 * _S123;
+    var _S126 : f32 = max(_S124 * _S124 - _S125, 9.99999968265522539e-21f);
+    var _S127 : f32 = rsqrt_0(_S126);
+    var _S128 : f32 = _S125 / (_S126 * _S127 + _S124);
+    var _S129 : bool = _S123 > 0.0f;
+    var _S130 : f32 = select(-1.0f, 1.0f, _S113.on_top_0) * select(-1.0f, 1.0f, _S118.near_start_0);
+    var _S131 : f32 = _S119.slope_0 * select(1.0f, _S124 * _S127, _S129);
+    sample_0.slope_across_0 = _S131;
+    var _S132 : f32 = select(0.0f, _S130 * _S123 * _S127, _S129);
+    sample_0.slope_along_0 = _S132;
+    var _S133 : vec2<f32> = dive_0(_S115, _S113, _S118, _S117);
+    sample_0.height_4 = select(families_0[_S114].height_scale_0 * _S121, 0.0f, _S118.straight_0) * (_S122 * _S118.bend_1.half_tangent_0 - _S128) - families_0[_S114].height_scale_0 * _S119.drop_0 - _S133.x;
+    var _S134 : f32 = families_0[_S114].height_scale_0 * _S131;
+    var _S135 : f32 = families_0[_S114].height_scale_0 * _S132 - _S133.y;
+    sample_0.slope_x_1 = select(_S135, _S134, _S113.is_warp_0);
+    sample_0.slope_y_1 = select(_S134, _S135, _S113.is_warp_0);
+    sample_0.run_3 = _S118;
+    sample_0.section_1 = _S119;
     return sample_0;
 }
 
-fn steps_per_length_0( _S135 : u32,  _S136 : SearchQuality_0,  _S137 : vec3<f32>) -> f32
+fn steps_per_length_0( _S136 : u32,  _S137 : SearchQuality_0,  _S138 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S137.x) * fabrics_0[_S135].threads_per_x_0, abs(_S137.y) * fabrics_0[_S135].threads_per_y_0) * _S136.steps_per_thread_0, abs(_S137.z) * fabrics_0[_S135].per_relief_0 * _S136.steps_per_relief_0);
+    return max(max(abs(_S138.x) * fabrics_0[_S136].threads_per_x_0, abs(_S138.y) * fabrics_0[_S136].threads_per_y_0) * _S137.steps_per_thread_0, abs(_S138.z) * fabrics_0[_S136].per_relief_0 * _S137.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S138 : u32,  _S139 : Crossing_0) -> f32
+fn cell_maximum_0( _S139 : u32,  _S140 : Crossing_0) -> f32
 {
-    var _S140 : u32 = select(fabrics_0[_S138].weft_0, fabrics_0[_S138].warp_0, _S139.warp_above_0);
-    return f32((select(_S139.weft_word_0, _S139.warp_word_0, _S139.warp_above_0) >> (u32(28)))) * families_0[_S140].height_scale_0 * families_0[_S140].level_0;
+    var _S141 : u32 = select(fabrics_0[_S139].weft_0, fabrics_0[_S139].warp_0, _S140.warp_above_0);
+    return f32((select(_S140.weft_word_0, _S140.warp_word_0, _S140.warp_above_0) >> (u32(28)))) * families_0[_S141].height_scale_0 * families_0[_S141].level_0;
 }
 
-fn probe_0( _S141 : u32,  _S142 : f32,  _S143 : f32,  _S144 : bool,  _S145 : bool,  _S146 : bool) -> Probe_0
+fn probe_0( _S142 : u32,  _S143 : f32,  _S144 : f32,  _S145 : bool,  _S146 : bool,  _S147 : bool) -> Probe_0
 {
-    var _S147 : Sample_0 = sample_at_0(_S141, _S142, _S143, _S144);
+    var _S148 : Sample_0 = sample_at_0(_S142, _S143, _S144, _S145);
     var probe_1 : Probe_0;
-    probe_1.height_1 = _S147.height_4;
-    probe_1.hole_1 = _S147.shown_3.hole_0;
-    probe_1.slope_x_0 = _S147.slope_x_1;
-    probe_1.slope_y_0 = _S147.slope_y_1;
-    probe_1.yarn_1 = select(_S147.crossing_1.weft_1.thread_0 * u32(2), _S147.crossing_1.warp_1.thread_0 * u32(2) + u32(1), _S147.shown_3.is_warp_0);
-    probe_1.cell_max_0 = cell_maximum_0(_S141, _S147.crossing_1);
-    probe_1.side_x_0 = select(_S147.crossing_1.warp_1.below_0, _S147.crossing_1.warp_1.above_0, _S145);
-    probe_1.side_y_0 = select(_S147.crossing_1.weft_1.below_0, _S147.crossing_1.weft_1.above_0, _S146);
-    probe_1.edge_x_0 = outline_distance_0(_S147.crossing_1.warp_1, _S147.shown_3, _S147.run_3, !_S147.shown_3.is_warp_0, _S145);
-    probe_1.edge_y_0 = outline_distance_0(_S147.crossing_1.weft_1, _S147.shown_3, _S147.run_3, _S147.shown_3.is_warp_0, _S146);
+    probe_1.height_1 = _S148.height_4;
+    probe_1.hole_1 = _S148.shown_3.hole_0;
+    probe_1.slope_x_0 = _S148.slope_x_1;
+    probe_1.slope_y_0 = _S148.slope_y_1;
+    probe_1.yarn_1 = select(_S148.crossing_1.weft_1.thread_0 * u32(2), _S148.crossing_1.warp_1.thread_0 * u32(2) + u32(1), _S148.shown_3.is_warp_0);
+    probe_1.cell_max_0 = cell_maximum_0(_S142, _S148.crossing_1);
+    probe_1.side_x_0 = select(_S148.crossing_1.warp_1.below_0, _S148.crossing_1.warp_1.above_0, _S146);
+    probe_1.side_y_0 = select(_S148.crossing_1.weft_1.below_0, _S148.crossing_1.weft_1.above_0, _S147);
+    probe_1.edge_x_0 = outline_distance_0(_S148.crossing_1.warp_1, _S148.shown_3, _S148.run_3, !_S148.shown_3.is_warp_0, _S146);
+    probe_1.edge_y_0 = outline_distance_0(_S148.crossing_1.weft_1, _S148.shown_3, _S148.run_3, _S148.shown_3.is_warp_0, _S147);
     return probe_1;
 }
 
-fn is_free_0( _S148 : u32,  _S149 : SearchQuality_0,  _S150 : vec3<f32>,  _S151 : vec3<f32>,  _S152 : bool,  _S153 : f32) -> bool
+fn is_free_0( _S149 : u32,  _S150 : SearchQuality_0,  _S151 : vec3<f32>,  _S152 : vec3<f32>,  _S153 : bool,  _S154 : f32) -> bool
 {
-    var _S154 : f32 = _S151.z;
-    if(_S154 <= 0.0f)
+    var _S155 : f32 = _S152.z;
+    if(_S155 <= 0.0f)
     {
         return false;
     }
-    var _S155 : f32 = 1.0f / max(_S149.shadow_share_0 * steps_per_length_0(_S148, _S149, _S151), 9.99999971718068537e-10f);
-    var _S156 : StepControl_0 = step_control_0(_S151.xy, _S155);
+    var _S156 : f32 = 1.0f / max(_S150.shadow_share_0 * steps_per_length_0(_S149, _S150, _S152), 9.99999971718068537e-10f);
+    var _S157 : StepControl_0 = step_control_0(_S152.xy, _S156);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_1 : u32 = u32(0);
     var distance_1 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        if(((count_1 < u32(1024)) & (((_S150.z + _S154 * distance_1) < _S153))))
+        if(((count_1 < u32(1024)) & (((_S151.z + _S155 * distance_1) < _S154))))
         {
         }
         else
         {
             break;
         }
-        var _S157 : vec3<f32> = _S150 + _S151 * vec3<f32>(distance_1);
-        var _S158 : Probe_0 = probe_0(_S148, _S157.x, _S157.y, _S152, _S156.right_0, _S156.up_0);
-        var _S159 : f32 = _S157.z;
-        var _S160 : f32 = _S159 - _S158.height_1;
-        var _S161 : f32 = _S154 - _S158.slope_x_0 * _S151.x - _S158.slope_y_0 * _S151.y;
-        if(((!_S158.hole_1) & ((_S160 < 0.0f))))
+        var _S158 : vec3<f32> = _S151 + _S152 * vec3<f32>(distance_1);
+        var _S159 : Probe_0 = probe_0(_S149, _S158.x, _S158.y, _S153, _S157.right_0, _S157.up_0);
+        var _S160 : f32 = _S158.z;
+        var _S161 : f32 = _S160 - _S159.height_1;
+        var _S162 : f32 = _S155 - _S159.slope_x_0 * _S152.x - _S159.slope_y_0 * _S152.y;
+        if(((!_S159.hole_1) & ((_S161 < 0.0f))))
         {
             return false;
         }
-        var _S162 : f32 = way_back_to_dip_0(previous_3, _S160, _S161, last_step_0, _S158);
-        if(_S162 >= 0.0f)
+        var _S163 : f32 = way_back_to_dip_0(previous_3, _S161, _S162, last_step_0, _S159);
+        if(_S163 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S162;
-            distance_1 = distance_1 - _S162;
+            var last_step_1 : f32 = last_step_0 - _S163;
+            distance_1 = distance_1 - _S163;
             last_step_0 = last_step_1;
             count_1 = count_1 + u32(1);
             continue;
         }
-        var _S163 : bool = _S159 > (_S158.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S156, _S158, _S160, _S161), max(StepControl_to_cell_exit_0(_S156, _S158.side_x_0, _S158.side_y_0), _S155), _S163);
+        var _S164 : bool = _S160 > (_S159.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S157, _S159, _S161, _S162), max(StepControl_to_cell_exit_0(_S157, _S159.side_x_0, _S159.side_y_0), _S156), _S164);
         var distance_2 : f32 = distance_1 + last_step_2;
-        previous_3 = after_sample_0(_S160, _S161, _S158, _S163);
+        previous_3 = after_sample_0(_S161, _S162, _S159, _S164);
         distance_1 = distance_2;
         last_step_0 = last_step_2;
         count_1 = count_1 + u32(1);
@@ -943,13 +949,13 @@ fn is_free_0( _S148 : u32,  _S149 : SearchQuality_0,  _S150 : vec3<f32>,  _S151 
     return true;
 }
 
-fn passes_through_0( _S164 : u32,  _S165 : SearchQuality_0,  _S166 : f32,  _S167 : f32,  _S168 : vec3<f32>,  _S169 : bool) -> bool
+fn passes_through_0( _S165 : u32,  _S166 : SearchQuality_0,  _S167 : f32,  _S168 : f32,  _S169 : vec3<f32>,  _S170 : bool) -> bool
 {
-    if(!sample_at_0(_S164, _S166, _S167, _S169).shown_3.hole_0)
+    if(!sample_at_0(_S165, _S167, _S168, _S170).shown_3.hole_0)
     {
         return false;
     }
-    var _S170 : vec3<f32> = vec3<f32>(_S166, _S167, 0.0f);
+    var _S171 : vec3<f32> = vec3<f32>(_S167, _S168, 0.0f);
     var passes_0 : bool = true;
     var side_0 : u32 = u32(0);
     for(;;)
@@ -961,10 +967,10 @@ fn passes_through_0( _S164 : u32,  _S165 : SearchQuality_0,  _S166 : f32,  _S167
         {
             break;
         }
-        var _S171 : bool = is_free_0(_S164, _S165, _S170, select_vector_1(side_0 == u32(0), _S168, vec3<f32>(- _S168.x, - _S168.y, _S168.z)), _S169 != (side_0 == u32(1)), fabrics_0[_S164].height_high_0);
-        var _S172 : u32 = side_0 + u32(1);
-        passes_0 = _S171;
-        side_0 = _S172;
+        var _S172 : bool = is_free_0(_S165, _S166, _S171, select_vector_1(side_0 == u32(0), _S169, vec3<f32>(- _S169.x, - _S169.y, _S169.z)), _S170 != (side_0 == u32(1)), fabrics_0[_S165].height_high_0);
+        var _S173 : u32 = side_0 + u32(1);
+        passes_0 = _S172;
+        side_0 = _S173;
     }
     return passes_0;
 }
@@ -979,14 +985,14 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S173 : u32,  _S174 : f32,  _S175 : f32,  _S176 : f32,  _S177 : vec3<f32>,  _S178 : bool) -> f32
+fn max_height_along_0( _S174 : u32,  _S175 : f32,  _S176 : f32,  _S177 : f32,  _S178 : vec3<f32>,  _S179 : bool) -> f32
 {
-    var _S179 : f32 = _S177.x;
-    var _S180 : f32 = _S177.y;
-    var _S181 : u32 = (words_0[fabrics_0[_S173].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S173].weft_0, _S175).thread_0 / u32(2) * fabrics_0[_S173].max_height_columns_0 + locate_0(fabrics_0[_S173].warp_0, _S174).thread_0 / u32(2)) + (select(u32(0), u32(1), _S179 > 0.0f) + select(u32(0), u32(2), _S180 > 0.0f))] >> (u32(select(i32(0), i32(4), _S178))));
-    var _S182 : f32 = max(abs(_S179) * fabrics_0[_S173].threads_per_x_0, abs(_S180) * fabrics_0[_S173].threads_per_y_0) / _S177.z;
-    var _S183 : f32 = fabrics_0[_S173].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S173].height_high_0;
+    var _S180 : f32 = _S178.x;
+    var _S181 : f32 = _S178.y;
+    var _S182 : u32 = (words_0[fabrics_0[_S174].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S174].weft_0, _S176).thread_0 / u32(2) * fabrics_0[_S174].max_height_columns_0 + locate_0(fabrics_0[_S174].warp_0, _S175).thread_0 / u32(2)) + (select(u32(0), u32(1), _S180 > 0.0f) + select(u32(0), u32(2), _S181 > 0.0f))] >> (u32(select(i32(0), i32(4), _S179))));
+    var _S183 : f32 = max(abs(_S180) * fabrics_0[_S174].threads_per_x_0, abs(_S181) * fabrics_0[_S174].threads_per_y_0) / _S178.z;
+    var _S184 : f32 = fabrics_0[_S174].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S174].height_high_0;
     var number_2 : i32 = i32(3);
     for(;;)
     {
@@ -997,26 +1003,26 @@ fn max_height_along_0( _S173 : u32,  _S174 : f32,  _S175 : f32,  _S176 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S176) * _S182) <= (PYRAMID_RADII_0[number_2]))
+        if(((max_height_0 - _S177) * _S183) <= (PYRAMID_RADII_0[number_2]))
         {
-            max_height_0 = min(max_height_0, f32((((_S181 >> (u32(i32(8) * number_2)))) & (u32(15)))) * 0.06666667014360428f * _S183);
+            max_height_0 = min(max_height_0, f32((((_S182 >> (u32(i32(8) * number_2)))) & (u32(15)))) * 0.06666667014360428f * _S184);
         }
         number_2 = number_2 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S184 : u32,  _S185 : f32,  _S186 : f32,  _S187 : bool,  _S188 : bool,  _S189 : bool) -> vec3<f32>
+fn cell_bounds_0( _S185 : u32,  _S186 : f32,  _S187 : f32,  _S188 : bool,  _S189 : bool,  _S190 : bool) -> vec3<f32>
 {
-    var _S190 : Crossing_0 = crossing_at_0(_S184, _S185, _S186, _S187);
-    return vec3<f32>(cell_maximum_0(_S184, _S190), select(_S190.warp_1.below_0, _S190.warp_1.above_0, _S188), select(_S190.weft_1.below_0, _S190.weft_1.above_0, _S189));
+    var _S191 : Crossing_0 = crossing_at_0(_S185, _S186, _S187, _S188);
+    return vec3<f32>(cell_maximum_0(_S185, _S191), select(_S191.warp_1.below_0, _S191.warp_1.above_0, _S189), select(_S191.weft_1.below_0, _S191.weft_1.above_0, _S190));
 }
 
-fn first_sample_height_0( _S191 : u32,  _S192 : ViewRay_0,  _S193 : StepControl_0,  _S194 : bool) -> f32
+fn first_sample_height_0( _S192 : u32,  _S193 : ViewRay_0,  _S194 : StepControl_0,  _S195 : bool) -> f32
 {
-    var _S195 : f32 = max_height_along_0(_S191, _S192.origin_0.x, _S192.origin_0.y, 0.0f, vec3<f32>(_S192.slope_1, 1.0f), _S194);
+    var _S196 : f32 = max_height_along_0(_S192, _S193.origin_0.x, _S193.origin_0.y, 0.0f, vec3<f32>(_S193.slope_1, 1.0f), _S195);
     var count_2 : u32 = u32(0);
-    var height_6 : f32 = _S195;
+    var height_6 : f32 = _S196;
     for(;;)
     {
         if(count_2 < u32(1024))
@@ -1026,12 +1032,12 @@ fn first_sample_height_0( _S191 : u32,  _S192 : ViewRay_0,  _S193 : StepControl_
         {
             break;
         }
-        var _S196 : vec2<f32> = ViewRay_at_0(_S192, height_6);
-        var _S197 : vec3<f32> = cell_bounds_0(_S191, _S196.x, _S196.y, _S194, _S193.right_0, _S193.up_0);
-        var _S198 : f32 = height_6 - _S197.x;
-        var _S199 : f32 = StepControl_to_cell_exit_0(_S193, _S197.y, _S197.z);
-        var height_7 : f32 = height_6 - clamp(_S198, 0.0f, _S199);
-        if(_S198 <= _S199)
+        var _S197 : vec2<f32> = ViewRay_at_0(_S193, height_6);
+        var _S198 : vec3<f32> = cell_bounds_0(_S192, _S197.x, _S197.y, _S195, _S194.right_0, _S194.up_0);
+        var _S199 : f32 = height_6 - _S198.x;
+        var _S200 : f32 = StepControl_to_cell_exit_0(_S194, _S198.y, _S198.z);
+        var height_7 : f32 = height_6 - clamp(_S199, 0.0f, _S200);
+        if(_S199 <= _S200)
         {
             height_6 = height_7;
             break;
@@ -1042,12 +1048,12 @@ fn first_sample_height_0( _S191 : u32,  _S192 : ViewRay_0,  _S193 : StepControl_
     return height_6;
 }
 
-fn search_down_0( _S200 : u32,  _S201 : ViewRay_0,  _S202 : StepControl_0,  _S203 : bool) -> ViewRayEnd_0
+fn search_down_0( _S201 : u32,  _S202 : ViewRay_0,  _S203 : StepControl_0,  _S204 : bool) -> ViewRayEnd_0
 {
-    var _S204 : f32 = fabrics_0[_S200].height_low_0 - (fabrics_0[_S200].height_high_0 - fabrics_0[_S200].height_low_0);
+    var _S205 : f32 = fabrics_0[_S201].height_low_0 - (fabrics_0[_S201].height_high_0 - fabrics_0[_S201].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_5 = first_sample_height_0(_S200, _S201, _S202, _S203);
-    end_1.last_step_3 = _S202.epsilon_0;
+    end_1.height_5 = first_sample_height_0(_S201, _S202, _S203, _S204);
+    end_1.last_step_3 = _S203.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_1 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -1062,115 +1068,115 @@ fn search_down_0( _S200 : u32,  _S201 : ViewRay_0,  _S202 : StepControl_0,  _S20
         {
             break;
         }
-        var _S205 : vec2<f32> = ViewRay_at_0(_S201, end_1.height_5);
-        var _S206 : Probe_0 = probe_0(_S200, _S205.x, _S205.y, _S203, _S202.right_0, _S202.up_0);
-        var _S207 : f32 = end_1.height_5 - _S206.height_1;
-        var _S208 : f32 = ViewRay_rate_0(_S201, _S206);
-        end_1.depth_1 = - _S207;
-        end_1.rate_4 = _S208;
-        var _S209 : bool = !_S206.hole_1;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S209))) & (((end_1.previous_4.yarn_0) == (_S206.yarn_1))));
-        if((((_S209 & ((_S207 <= 0.0f)))) | (((end_1.height_5) <= _S204))))
+        var _S206 : vec2<f32> = ViewRay_at_0(_S202, end_1.height_5);
+        var _S207 : Probe_0 = probe_0(_S201, _S206.x, _S206.y, _S204, _S203.right_0, _S203.up_0);
+        var _S208 : f32 = end_1.height_5 - _S207.height_1;
+        var _S209 : f32 = ViewRay_rate_0(_S202, _S207);
+        end_1.depth_1 = - _S208;
+        end_1.rate_4 = _S209;
+        var _S210 : bool = !_S207.hole_1;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S210))) & (((end_1.previous_4.yarn_0) == (_S207.yarn_1))));
+        if((((_S210 & ((_S208 <= 0.0f)))) | (((end_1.height_5) <= _S205))))
         {
             break;
         }
-        var _S210 : f32 = way_back_to_dip_0(end_1.previous_4, _S207, _S208, end_1.last_step_3, _S206);
-        if(_S210 >= 0.0f)
+        var _S211 : f32 = way_back_to_dip_0(end_1.previous_4, _S208, _S209, end_1.last_step_3, _S207);
+        if(_S211 >= 0.0f)
         {
-            end_1.height_5 = end_1.height_5 + _S210;
-            end_1.last_step_3 = end_1.last_step_3 - _S210;
+            end_1.height_5 = end_1.height_5 + _S211;
+            end_1.last_step_3 = end_1.last_step_3 - _S211;
             count_3 = count_3 + u32(1);
             continue;
         }
-        var _S211 : f32 = min(StepControl_to_cell_exit_0(_S202, _S206.side_x_0, _S206.side_y_0), end_1.height_5 - _S206.cell_max_0);
-        var _S212 : f32 = StepControl_to_next_sample_0(_S202, _S206, _S207, _S208);
-        end_1.previous_4 = after_sample_0(_S207, _S208, _S206, _S211 > _S212);
-        var _S213 : f32 = max(_S211, _S212);
-        end_1.last_step_3 = _S213;
-        end_1.height_5 = end_1.height_5 - _S213;
+        var _S212 : f32 = min(StepControl_to_cell_exit_0(_S203, _S207.side_x_0, _S207.side_y_0), end_1.height_5 - _S207.cell_max_0);
+        var _S213 : f32 = StepControl_to_next_sample_0(_S203, _S207, _S208, _S209);
+        end_1.previous_4 = after_sample_0(_S208, _S209, _S207, _S212 > _S213);
+        var _S214 : f32 = max(_S212, _S213);
+        end_1.last_step_3 = _S214;
+        end_1.height_5 = end_1.height_5 - _S214;
         count_3 = count_3 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S214 : u32,  _S215 : ViewRay_0,  _S216 : StepControl_0,  _S217 : bool,  _S218 : ViewRayEnd_0,  _S219 : u32) -> f32
+fn refined_height_0( _S215 : u32,  _S216 : ViewRay_0,  _S217 : StepControl_0,  _S218 : bool,  _S219 : ViewRayEnd_0,  _S220 : u32) -> f32
 {
-    var _S220 : f32 = fabrics_0[_S214].height_high_0 - fabrics_0[_S214].height_low_0;
-    var above_2 : f32 = _S218.height_5 + _S218.last_step_3;
-    var above_gap_1 : f32 = clamp(_S218.previous_4.clearance_0, 0.0f, _S220);
-    var under_gap_1 : f32 = clamp(_S218.depth_1, 0.0f, _S220);
-    var middle_0 : f32 = select(between_0(above_2, _S218.height_5, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S218.previous_4.rate_0 * _S218.last_step_3, _S218.rate_4 * _S218.last_step_3) * _S218.last_step_3, _S218.smooth_0);
+    var _S221 : f32 = fabrics_0[_S215].height_high_0 - fabrics_0[_S215].height_low_0;
+    var above_2 : f32 = _S219.height_5 + _S219.last_step_3;
+    var above_gap_1 : f32 = clamp(_S219.previous_4.clearance_0, 0.0f, _S221);
+    var under_gap_1 : f32 = clamp(_S219.depth_1, 0.0f, _S221);
+    var middle_0 : f32 = select(between_0(above_2, _S219.height_5, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S219.previous_4.rate_0 * _S219.last_step_3, _S219.rate_4 * _S219.last_step_3) * _S219.last_step_3, _S219.smooth_0);
     var side_1 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S218.height_5;
+    var under_1 : f32 = _S219.height_5;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S219)
+        if(i_1 < _S220)
         {
         }
         else
         {
             break;
         }
-        var _S221 : vec2<f32> = ViewRay_at_0(_S215, middle_0);
-        var _S222 : Probe_0 = probe_0(_S214, _S221.x, _S221.y, _S217, _S216.right_0, _S216.up_0);
-        var _S223 : f32 = clamp(middle_0 - select(_S222.height_1, -1.0e+09f, _S222.hole_1), - _S220, _S220);
-        if(_S223 <= 0.0f)
+        var _S222 : vec2<f32> = ViewRay_at_0(_S216, middle_0);
+        var _S223 : Probe_0 = probe_0(_S215, _S222.x, _S222.y, _S218, _S217.right_0, _S217.up_0);
+        var _S224 : f32 = clamp(middle_0 - select(_S223.height_1, -1.0e+09f, _S223.hole_1), - _S221, _S221);
+        if(_S224 <= 0.0f)
         {
-            var _S224 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_1 > 0.0f);
-            var _S225 : f32 = - _S223;
+            var _S225 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_1 > 0.0f);
+            var _S226 : f32 = - _S224;
             under_1 = middle_0;
-            above_gap_2 = _S224;
-            under_gap_2 = _S225;
+            above_gap_2 = _S225;
+            under_gap_2 = _S226;
             side_1 = 1.0f;
         }
         else
         {
-            var _S226 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_1 < 0.0f);
+            var _S227 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_1 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S223;
-            under_gap_2 = _S226;
+            above_gap_2 = _S224;
+            under_gap_2 = _S227;
             side_1 = -1.0f;
         }
-        var _S227 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S223 / min(ViewRay_rate_0(_S215, _S222), -9.99999997475242708e-07f), under_1, above_3), _S218.smooth_0);
-        var _S228 : u32 = i_1 + u32(1);
-        middle_0 = _S227;
-        i_1 = _S228;
+        var _S228 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S224 / min(ViewRay_rate_0(_S216, _S223), -9.99999997475242708e-07f), under_1, above_3), _S219.smooth_0);
+        var _S229 : u32 = i_1 + u32(1);
+        middle_0 = _S228;
+        i_1 = _S229;
     }
-    return select(under_1, middle_0, _S218.smooth_0);
+    return select(under_1, middle_0, _S219.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S229 : u32,  _S230 : SearchQuality_0,  _S231 : f32,  _S232 : f32,  _S233 : vec3<f32>,  _S234 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S230 : u32,  _S231 : SearchQuality_0,  _S232 : f32,  _S233 : f32,  _S234 : vec3<f32>,  _S235 : bool) -> Hit_0
 {
-    var _S235 : f32 = max(_S233.z, 0.00009999999747379f);
+    var _S236 : f32 = max(_S234.z, 0.00009999999747379f);
     var ray_1 : ViewRay_0;
-    ray_1.origin_0 = vec2<f32>(_S231, _S232);
-    var _S236 : vec2<f32> = _S233.xy / vec2<f32>(_S235);
-    ray_1.slope_1 = _S236;
-    var _S237 : StepControl_0 = step_control_0((vec2<f32>(0) - _S236), 1.0f / max(steps_per_length_0(_S229, _S230, _S233) / _S235, 9.99999971718068537e-10f));
-    var _S238 : ViewRayEnd_0 = search_down_0(_S229, ray_1, _S237, _S234);
+    ray_1.origin_0 = vec2<f32>(_S232, _S233);
+    var _S237 : vec2<f32> = _S234.xy / vec2<f32>(_S236);
+    ray_1.slope_1 = _S237;
+    var _S238 : StepControl_0 = step_control_0((vec2<f32>(0) - _S237), 1.0f / max(steps_per_length_0(_S230, _S231, _S234) / _S236, 9.99999971718068537e-10f));
+    var _S239 : ViewRayEnd_0 = search_down_0(_S230, ray_1, _S238, _S235);
     var hit_0 : Hit_0;
     hit_0.hole_2 = false;
-    var _S239 : f32 = refined_height_0(_S229, ray_1, _S237, _S234, _S238, _S230.refinements_0);
-    hit_0.height_3 = _S239;
-    var _S240 : vec2<f32> = ViewRay_at_0(ray_1, _S239);
-    hit_0.x_5 = _S240.x;
-    hit_0.y_0 = _S240.y;
+    var _S240 : f32 = refined_height_0(_S230, ray_1, _S238, _S235, _S239, _S231.refinements_0);
+    hit_0.height_3 = _S240;
+    var _S241 : vec2<f32> = ViewRay_at_0(ray_1, _S240);
+    hit_0.x_5 = _S241.x;
+    hit_0.y_0 = _S241.y;
     return hit_0;
 }
 
-fn first_hit_0( _S241 : u32,  _S242 : SearchQuality_0,  _S243 : f32,  _S244 : f32,  _S245 : vec3<f32>,  _S246 : bool) -> Hit_0
+fn first_hit_0( _S242 : u32,  _S243 : SearchQuality_0,  _S244 : f32,  _S245 : f32,  _S246 : vec3<f32>,  _S247 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S241, _S242, _S243, _S244, _S245, _S246))
+    if(!passes_through_0(_S242, _S243, _S244, _S245, _S246, _S247))
     {
-        return first_hit_of_yarn_0(_S241, _S242, _S243, _S244, _S245, _S246);
+        return first_hit_of_yarn_0(_S242, _S243, _S244, _S245, _S246, _S247);
     }
     var hit_1 : Hit_0;
-    hit_1.x_5 = _S243;
-    hit_1.y_0 = _S244;
+    hit_1.x_5 = _S244;
+    hit_1.y_0 = _S245;
     hit_1.height_3 = 0.0f;
     hit_1.hole_2 = true;
     return hit_1;
@@ -1188,46 +1194,49 @@ struct SurfacePoint_0
      across_2 : f32,
      fibre_across_0 : f32,
      fibre_along_0 : f32,
+     shown_share_0 : f32,
 };
 
-fn surface_at_0( _S247 : u32,  _S248 : f32,  _S249 : f32,  _S250 : bool) -> SurfacePoint_0
+fn surface_at_0( _S248 : u32,  _S249 : f32,  _S250 : f32,  _S251 : bool) -> SurfacePoint_0
 {
-    var _S251 : Sample_0 = sample_at_0(_S247, _S248, _S249, _S250);
-    var _S252 : u32 = select(fabrics_0[_S247].weft_0, fabrics_0[_S247].warp_0, _S251.shown_3.is_warp_0);
-    var _S253 : f32 = families_0[_S252].twist_sine_0 * select(1.0f, -1.0f, _S250);
-    var _S254 : f32 = select(-1.0f, 1.0f, _S251.shown_3.is_warp_0);
-    var _S255 : vec2<f32> = fibre_direction_0(_S251.slope_across_0, _S254 * _S251.slope_along_0, _S253, families_0[_S252].twist_cosine_0);
-    var _S256 : f32 = _S255.x;
-    var _S257 : f32 = _S255.y;
-    var _S258 : f32 = select(_S251.slope_y_1, _S251.slope_x_1, _S251.shown_3.is_warp_0) * _S256 + _S254 * select(_S251.slope_x_1, _S251.slope_y_1, _S251.shown_3.is_warp_0) * _S257;
-    var _S259 : f32 = select(_S251.crossing_1.weft_1.half_width_1, _S251.crossing_1.warp_1.half_width_1, _S251.shown_3.is_warp_0) * 1.0154266357421875f;
-    var _S260 : f32 = _S259 * arc_sine_0(clamp(_S251.section_1.across_1 / _S259, -1.0f, 1.0f));
-    var _S261 : f32 = select(- _S248, _S249, _S251.shown_3.is_warp_0);
+    var _S252 : Sample_0 = sample_at_0(_S248, _S249, _S250, _S251);
+    var _S253 : u32 = select(fabrics_0[_S248].weft_0, fabrics_0[_S248].warp_0, _S252.shown_3.is_warp_0);
+    var _S254 : f32 = families_0[_S253].twist_sine_0 * select(1.0f, -1.0f, _S251);
+    var _S255 : f32 = select(-1.0f, 1.0f, _S252.shown_3.is_warp_0);
+    var _S256 : vec2<f32> = fibre_direction_0(_S252.slope_across_0, _S255 * _S252.slope_along_0, _S254, families_0[_S253].twist_cosine_0);
+    var _S257 : f32 = _S256.x;
+    var _S258 : f32 = _S256.y;
+    var _S259 : f32 = select(_S252.slope_y_1, _S252.slope_x_1, _S252.shown_3.is_warp_0) * _S257 + _S255 * select(_S252.slope_x_1, _S252.slope_y_1, _S252.shown_3.is_warp_0) * _S258;
+    var _S260 : f32 = select(_S252.crossing_1.weft_1.half_width_1, _S252.crossing_1.warp_1.half_width_1, _S252.shown_3.is_warp_0) * 1.0154266357421875f;
+    var _S261 : f32 = _S260 * arc_sine_0(clamp(_S252.section_1.across_1 / _S260, -1.0f, 1.0f));
+    var _S262 : f32 = select(- _S249, _S250, _S252.shown_3.is_warp_0);
     var point_0 : SurfacePoint_0;
-    point_0.hole_3 = _S251.shown_3.hole_0;
-    point_0.is_warp_1 = _S251.shown_3.is_warp_0;
-    point_0.warp_thread_0 = _S251.crossing_1.warp_1.thread_0;
-    point_0.weft_thread_0 = _S251.crossing_1.weft_1.thread_0;
-    point_0.height_8 = _S251.height_4;
-    point_0.normal_4 = normalize(vec3<f32>(- _S251.slope_x_1, - _S251.slope_y_1, 1.0f));
-    point_0.tangent_4 = normalize(select_vector_1(_S251.shown_3.is_warp_0, vec3<f32>(_S256, _S257, _S258), vec3<f32>(- _S257, _S256, _S258)));
-    point_0.across_2 = _S251.section_1.across_1;
-    point_0.fibre_across_0 = _S260 * families_0[_S252].twist_cosine_0 + _S261 * _S253;
-    point_0.fibre_along_0 = _S261 * families_0[_S252].twist_cosine_0 - _S260 * _S253;
+    point_0.hole_3 = _S252.shown_3.hole_0;
+    point_0.is_warp_1 = _S252.shown_3.is_warp_0;
+    point_0.warp_thread_0 = _S252.crossing_1.warp_1.thread_0;
+    point_0.weft_thread_0 = _S252.crossing_1.weft_1.thread_0;
+    point_0.height_8 = _S252.height_4;
+    point_0.normal_4 = normalize(vec3<f32>(- _S252.slope_x_1, - _S252.slope_y_1, 1.0f));
+    point_0.tangent_4 = normalize(select_vector_1(_S252.shown_3.is_warp_0, vec3<f32>(_S257, _S258, _S259), vec3<f32>(- _S258, _S257, _S259)));
+    point_0.across_2 = _S252.section_1.across_1;
+    point_0.fibre_across_0 = _S261 * families_0[_S253].twist_cosine_0 + _S262 * _S254;
+    point_0.fibre_along_0 = _S262 * families_0[_S253].twist_cosine_0 - _S261 * _S254;
+    var _S263 : f32 = run_share_0(_S252.shown_3.word_0);
+    point_0.shown_share_0 = select(1.0f - _S263, _S263, _S252.shown_3.on_top_0);
     return point_0;
 }
 
-fn met_from_0( _S262 : u32,  _S263 : f32,  _S264 : f32,  _S265 : f32,  _S266 : vec3<f32>,  _S267 : bool) -> u32
+fn met_from_0( _S264 : u32,  _S265 : f32,  _S266 : f32,  _S267 : f32,  _S268 : vec3<f32>,  _S269 : bool) -> u32
 {
-    var _S268 : f32 = fabrics_0[_S262].height_high_0;
-    var _S269 : f32 = fabrics_0[_S262].height_low_0;
-    var _S270 : f32 = max(fabrics_0[_S262].height_high_0 - fabrics_0[_S262].height_low_0, 9.99999997475242708e-07f);
-    var _S271 : f32 = _S266.x;
-    var _S272 : f32 = _S266.y;
-    var _S273 : f32 = min(min(1.0f / fabrics_0[_S262].threads_per_x_0, 1.0f / fabrics_0[_S262].threads_per_y_0) / 16.0f / max(sqrt(_S271 * _S271 + _S272 * _S272), 9.99999997475242708e-07f), _S270 / 16.0f / max(abs(_S266.z), 9.99999997475242708e-07f));
-    var _S274 : vec3<f32> = vec3<f32>(_S263, _S264, _S265 + fabrics_0[_S262].lift_0);
+    var _S270 : f32 = fabrics_0[_S264].height_high_0;
+    var _S271 : f32 = fabrics_0[_S264].height_low_0;
+    var _S272 : f32 = max(fabrics_0[_S264].height_high_0 - fabrics_0[_S264].height_low_0, 9.99999997475242708e-07f);
+    var _S273 : f32 = _S268.x;
+    var _S274 : f32 = _S268.y;
+    var _S275 : f32 = min(min(1.0f / fabrics_0[_S264].threads_per_x_0, 1.0f / fabrics_0[_S264].threads_per_y_0) / 16.0f / max(sqrt(_S273 * _S273 + _S274 * _S274), 9.99999997475242708e-07f), _S272 / 16.0f / max(abs(_S268.z), 9.99999997475242708e-07f));
+    var _S276 : vec3<f32> = vec3<f32>(_S265, _S266, _S267 + fabrics_0[_S264].lift_0);
     var count_4 : u32 = u32(0);
-    var place_0 : vec3<f32> = _S274;
+    var place_0 : vec3<f32> = _S276;
     for(;;)
     {
         if(count_4 < u32(2048))
@@ -1237,14 +1246,14 @@ fn met_from_0( _S262 : u32,  _S263 : f32,  _S264 : f32,  _S265 : f32,  _S266 : v
         {
             break;
         }
-        var place_1 : vec3<f32> = place_0 + _S266 * vec3<f32>(_S273);
-        var _S275 : Sample_0 = sample_at_0(_S262, place_1.x, place_1.y, _S267);
-        var _S276 : f32 = place_1.z;
-        if(((!_S275.shown_3.hole_0) & ((_S276 < (_S275.height_4)))))
+        var place_1 : vec3<f32> = place_0 + _S268 * vec3<f32>(_S275);
+        var _S277 : Sample_0 = sample_at_0(_S264, place_1.x, place_1.y, _S269);
+        var _S278 : f32 = place_1.z;
+        if(((!_S277.shown_3.hole_0) & ((_S278 < (_S277.height_4)))))
         {
-            return (u32(4) | (select(u32(0), u32(8), _S275.shown_3.is_warp_0)));
+            return (u32(4) | (select(u32(0), u32(8), _S277.shown_3.is_warp_0)));
         }
-        if(((_S276 > _S268) | ((_S276 < (_S269 - _S270)))))
+        if(((_S278 > _S270) | ((_S278 < (_S271 - _S272)))))
         {
             break;
         }
@@ -1254,32 +1263,32 @@ fn met_from_0( _S262 : u32,  _S263 : f32,  _S264 : f32,  _S265 : f32,  _S266 : v
     return u32(0);
 }
 
-fn unoccluded_0( _S277 : u32,  _S278 : SearchQuality_0,  _S279 : f32,  _S280 : f32,  _S281 : f32,  _S282 : vec3<f32>,  _S283 : bool) -> bool
+fn unoccluded_0( _S279 : u32,  _S280 : SearchQuality_0,  _S281 : f32,  _S282 : f32,  _S283 : f32,  _S284 : vec3<f32>,  _S285 : bool) -> bool
 {
-    if((_S282.z) <= 0.0f)
+    if((_S284.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S277, _S278, vec3<f32>(_S279, _S280, _S281 + fabrics_0[_S277].lift_0), _S282, _S283, max_height_along_0(_S277, _S279, _S280, _S281, _S282, _S283));
+    return is_free_0(_S279, _S280, vec3<f32>(_S281, _S282, _S283 + fabrics_0[_S279].lift_0), _S284, _S285, max_height_along_0(_S279, _S281, _S282, _S283, _S284, _S285));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn bake_openness(@builtin(global_invocation_id) id_1 : vec3<u32>)
 {
-    var _S284 : u32 = thread_index_0(id_1);
-    var _S285 : u32 = steps_0[i32(1)];
-    if(_S284 >= (u32(2) * _S285))
+    var _S286 : u32 = thread_index_0(id_1);
+    var _S287 : u32 = steps_0[i32(1)];
+    if(_S286 >= (u32(2) * _S287))
     {
         return;
     }
-    var _S286 : u32 = steps_0[i32(0)];
-    var _S287 : bool = _S284 >= _S285;
-    var _S288 : u32 = select(_S284, _S284 - _S285, _S287);
-    var _S289 : vec3<f32> = vec3<f32>(ray_number_0(_S288, u32(2)), ray_number_0(_S288, u32(3)), ray_number_0(_S288, u32(4)));
-    var _S290 : SearchQuality_0 = openness_quality_0();
-    var _S291 : Hit_0 = first_hit_0(_S286, _S290, ray_number_0(_S288, u32(0)), ray_number_0(_S288, u32(1)), _S289, _S287);
-    var _S292 : u32 = _S284 * u32(10);
+    var _S288 : u32 = steps_0[i32(0)];
+    var _S289 : bool = _S286 >= _S287;
+    var _S290 : u32 = select(_S286, _S286 - _S287, _S289);
+    var _S291 : vec3<f32> = vec3<f32>(ray_number_0(_S290, u32(2)), ray_number_0(_S290, u32(3)), ray_number_0(_S290, u32(4)));
+    var _S292 : SearchQuality_0 = openness_quality_0();
+    var _S293 : Hit_0 = first_hit_0(_S288, _S292, ray_number_0(_S290, u32(0)), ray_number_0(_S290, u32(1)), _S291, _S289);
+    var _S294 : u32 = _S286 * u32(10);
     var k_0 : u32 = u32(0);
     for(;;)
     {
@@ -1290,37 +1299,37 @@ fn bake_openness(@builtin(global_invocation_id) id_1 : vec3<u32>)
         {
             break;
         }
-        scratch_0[_S292 + k_0] = u32(0);
+        scratch_0[_S294 + k_0] = u32(0);
         k_0 = k_0 + u32(1);
     }
-    if(_S291.hole_2)
+    if(_S293.hole_2)
     {
-        scratch_0[_S292] = u32(2);
+        scratch_0[_S294] = u32(2);
         return;
     }
-    var _S293 : SurfacePoint_0 = surface_at_0(_S286, _S291.x_5, _S291.y_0, _S287);
-    var _S294 : bool = !_S287;
-    var _S295 : SurfacePoint_0 = surface_at_0(_S286, _S291.x_5, _S291.y_0, _S294);
-    var _S296 : f32 = fabrics_0[_S286].diffuse_blend_0;
-    var _S297 : f32 = f32(_S284);
-    var _S298 : f32 = _S297 * 0.75487768650054932f;
-    var _S299 : vec3<f32> = sample_diffuse_0(_S293.normal_4, fabrics_0[_S286].diffuse_blend_0, vec2<f32>(fract_of_0(_S298), fract_of_0(_S297 * 0.56984031200408936f)));
-    var bits_0 : u32 = select(u32(0), u32(1), _S293.is_warp_1);
+    var _S295 : SurfacePoint_0 = surface_at_0(_S288, _S293.x_5, _S293.y_0, _S289);
+    var _S296 : bool = !_S289;
+    var _S297 : SurfacePoint_0 = surface_at_0(_S288, _S293.x_5, _S293.y_0, _S296);
+    var _S298 : f32 = fabrics_0[_S288].diffuse_blend_0;
+    var _S299 : f32 = f32(_S286);
+    var _S300 : f32 = _S299 * 0.75487768650054932f;
+    var _S301 : vec3<f32> = sample_diffuse_0(_S295.normal_4, fabrics_0[_S288].diffuse_blend_0, vec2<f32>(fract_of_0(_S300), fract_of_0(_S299 * 0.56984031200408936f)));
+    var bits_0 : u32 = select(u32(0), u32(1), _S295.is_warp_1);
     var bits_1 : u32;
-    if((dot(_S299, _S293.normal_4)) <= 0.0f)
+    if((dot(_S301, _S295.normal_4)) <= 0.0f)
     {
-        bits_1 = (bits_0 | (((u32(4) | (select(u32(0), u32(8), _S293.is_warp_1))))));
+        bits_1 = (bits_0 | (((u32(4) | (select(u32(0), u32(8), _S295.is_warp_1))))));
     }
     else
     {
-        bits_1 = (bits_0 | ((met_from_0(_S286, _S291.x_5, _S291.y_0, _S293.height_8, _S299, _S287))));
+        bits_1 = (bits_0 | ((met_from_0(_S288, _S293.x_5, _S293.y_0, _S295.height_8, _S301, _S289))));
     }
-    var _S300 : vec2<f32> = vec2<f32>(0.0f);
+    var _S302 : vec2<f32> = vec2<f32>(0.0f);
     var layers_0 : vec4<f32> = vec4<f32>(0.0f);
-    var _S301 : f32 = families_0[fabrics_0[_S286].warp_0].roughness_0;
-    var _S302 : f32 = families_0[fabrics_0[_S286].weft_0].roughness_0;
+    var _S303 : f32 = families_0[fabrics_0[_S288].warp_0].roughness_0;
+    var _S304 : f32 = families_0[fabrics_0[_S288].weft_0].roughness_0;
     var light_5 : u32 = u32(0);
-    var halves_0 : vec2<f32> = _S300;
+    var halves_0 : vec2<f32> = _S302;
     var beyond_0 : f32 = 0.0f;
     for(;;)
     {
@@ -1331,36 +1340,19 @@ fn bake_openness(@builtin(global_invocation_id) id_1 : vec3<u32>)
         {
             break;
         }
-        var _S303 : f32 = f32(light_5);
-        var _S304 : f32 = (_S303 + 0.5f) / 16.0f;
-        var _S305 : vec2<f32> = sine_cosine_0(6.28318548202514648f * fract_of_0(_S303 * 0.6180340051651001f + _S298));
-        var _S306 : f32 = sqrt(_S304);
-        var _S307 : f32 = _S306 * _S305.y;
-        var _S308 : f32 = _S306 * _S305.x;
-        var _S309 : f32 = sqrt(1.0f - _S304);
-        var _S310 : vec3<f32> = vec3<f32>(_S307, _S308, _S309);
-        var _S311 : f32 = 3.14159274101257324f / (_S309 * 16.0f);
-        var _S312 : bool;
-        if((dot(_S293.normal_4, _S310)) > 0.0f)
-        {
-            _S312 = unoccluded_0(_S286, _S290, _S291.x_5, _S291.y_0, _S293.height_8, _S310, _S287);
-        }
-        else
-        {
-            _S312 = false;
-        }
-        if(_S312)
-        {
-            var _S313 : f32 = 2.0f * _S311 * diffuse_pdf_0(_S310, _S293.normal_4, _S296);
-            var halves_1 : vec2<f32> = halves_0 + select_vector_0(((light_5 & (u32(1)))) == u32(0), vec2<f32>(_S313, 0.0f), vec2<f32>(0.0f, _S313));
-            layers_0[i32(0)] = layers_0[i32(0)] + _S311 * reflection_0(_S310, _S289, _S293.normal_4, _S293.tangent_4, _S301, fabrics_0[_S286].optical_depth_0);
-            layers_0[i32(2)] = layers_0[i32(2)] + _S311 * reflection_0(_S310, _S289, _S293.normal_4, _S293.tangent_4, _S302, fabrics_0[_S286].optical_depth_0);
-            halves_0 = halves_1;
-        }
+        var _S305 : f32 = f32(light_5);
+        var _S306 : f32 = (_S305 + 0.5f) / 16.0f;
+        var _S307 : vec2<f32> = sine_cosine_0(6.28318548202514648f * fract_of_0(_S305 * 0.6180340051651001f + _S300));
+        var _S308 : f32 = sqrt(_S306);
+        var _S309 : f32 = _S308 * _S307.y;
+        var _S310 : f32 = _S308 * _S307.x;
+        var _S311 : f32 = sqrt(1.0f - _S306);
+        var _S312 : vec3<f32> = vec3<f32>(_S309, _S310, _S311);
+        var _S313 : f32 = 3.14159274101257324f / (_S311 * 16.0f);
         var _S314 : bool;
-        if((dot(_S295.normal_4, _S310)) > 0.0f)
+        if((dot(_S295.normal_4, _S312)) > 0.0f)
         {
-            _S314 = unoccluded_0(_S286, _S290, _S291.x_5, _S291.y_0, _S295.height_8, _S310, _S294);
+            _S314 = unoccluded_0(_S288, _S292, _S293.x_5, _S293.y_0, _S295.height_8, _S312, _S289);
         }
         else
         {
@@ -1368,20 +1360,37 @@ fn bake_openness(@builtin(global_invocation_id) id_1 : vec3<u32>)
         }
         if(_S314)
         {
-            var _S315 : vec3<f32> = vec3<f32>(_S307, _S308, - _S309);
-            var beyond_1 : f32 = beyond_0 + _S311 * diffuse_pdf_0((vec3<f32>(0) - _S315), _S293.normal_4, _S296);
-            layers_0[i32(1)] = layers_0[i32(1)] + _S311 * transmission_1(_S315, _S289, _S293.normal_4, _S293.tangent_4, _S301, fabrics_0[_S286].optical_depth_0);
-            layers_0[i32(3)] = layers_0[i32(3)] + _S311 * transmission_1(_S315, _S289, _S293.normal_4, _S293.tangent_4, _S302, fabrics_0[_S286].optical_depth_0);
+            var _S315 : f32 = 2.0f * _S313 * diffuse_pdf_0(_S312, _S295.normal_4, _S298);
+            var halves_1 : vec2<f32> = halves_0 + select_vector_0(((light_5 & (u32(1)))) == u32(0), vec2<f32>(_S315, 0.0f), vec2<f32>(0.0f, _S315));
+            layers_0[i32(0)] = layers_0[i32(0)] + _S313 * reflection_0(_S312, _S291, _S295.normal_4, _S295.tangent_4, _S303, fabrics_0[_S288].optical_depth_0);
+            layers_0[i32(2)] = layers_0[i32(2)] + _S313 * reflection_0(_S312, _S291, _S295.normal_4, _S295.tangent_4, _S304, fabrics_0[_S288].optical_depth_0);
+            halves_0 = halves_1;
+        }
+        var _S316 : bool;
+        if((dot(_S297.normal_4, _S312)) > 0.0f)
+        {
+            _S316 = unoccluded_0(_S288, _S292, _S293.x_5, _S293.y_0, _S297.height_8, _S312, _S296);
+        }
+        else
+        {
+            _S316 = false;
+        }
+        if(_S316)
+        {
+            var _S317 : vec3<f32> = vec3<f32>(_S309, _S310, - _S311);
+            var beyond_1 : f32 = beyond_0 + _S313 * diffuse_pdf_0((vec3<f32>(0) - _S317), _S295.normal_4, _S298);
+            layers_0[i32(1)] = layers_0[i32(1)] + _S313 * transmission_1(_S317, _S291, _S295.normal_4, _S295.tangent_4, _S303, fabrics_0[_S288].optical_depth_0);
+            layers_0[i32(3)] = layers_0[i32(3)] + _S313 * transmission_1(_S317, _S291, _S295.normal_4, _S295.tangent_4, _S304, fabrics_0[_S288].optical_depth_0);
             beyond_0 = beyond_1;
         }
         light_5 = light_5 + u32(1);
     }
-    scratch_0[_S292] = bits_1;
-    scratch_0[_S292 + u32(1)] = (bitcast<u32>((_S293.normal_4.z)));
-    scratch_0[_S292 + u32(2)] = (bitcast<u32>((_S293.height_8)));
-    scratch_0[_S292 + u32(3)] = (bitcast<u32>((halves_0.x)));
-    scratch_0[_S292 + u32(4)] = (bitcast<u32>((halves_0.y)));
-    scratch_0[_S292 + u32(5)] = (bitcast<u32>((beyond_0)));
+    scratch_0[_S294] = bits_1;
+    scratch_0[_S294 + u32(1)] = (bitcast<u32>((_S295.normal_4.z)));
+    scratch_0[_S294 + u32(2)] = (bitcast<u32>((_S295.height_8)));
+    scratch_0[_S294 + u32(3)] = (bitcast<u32>((halves_0.x)));
+    scratch_0[_S294 + u32(4)] = (bitcast<u32>((halves_0.y)));
+    scratch_0[_S294 + u32(5)] = (bitcast<u32>((beyond_0)));
     k_0 = u32(0);
     for(;;)
     {
@@ -1392,7 +1401,7 @@ fn bake_openness(@builtin(global_invocation_id) id_1 : vec3<u32>)
         {
             break;
         }
-        scratch_0[_S292 + u32(6) + k_0] = (bitcast<u32>((layers_0[k_0])));
+        scratch_0[_S294 + u32(6) + k_0] = (bitcast<u32>((layers_0[k_0])));
         k_0 = k_0 + u32(1);
     }
     return;

@@ -55,6 +55,7 @@ struct SurfaceHit_std430_0
     @align(4) tangent_x_0 : f32,
     @align(4) tangent_y_0 : f32,
     @align(4) tangent_z_0 : f32,
+    @align(4) shown_share_0 : f32,
 };
 
 @binding(13) @group(0) var<storage, read_write> hits_0 : array<SurfaceHit_std430_0>;
@@ -204,7 +205,7 @@ fn hit_tangent_0( hit_1 : ptr<function, SurfaceHit_std430_0>) -> vec3<f32>
 
 fn point_row_0( _S31 : i32,  _S32 : u32,  _S33 : u32) -> u32
 {
-    return bakes_0[_S31].points_0 + (_S32 * u32(2048) + _S33) * u32(6);
+    return bakes_0[_S31].points_0 + (_S32 * u32(2048) + _S33) * u32(7);
 }
 
 @compute
@@ -276,6 +277,7 @@ fn bake_points(@builtin(workgroup_id) group_0 : vec3<u32>, @builtin(local_invoca
                 scratch_0[_S44 + u32(3) + k_0] = (bitcast<u32>((_S49[k_0])));
                 k_0 = k_0 + u32(1);
             }
+            scratch_0[_S44 + u32(6)] = (bitcast<u32>((round(2.0f * _S43.shown_share_0 * 10000.0f))));
         }
         i_2 = i_2 + u32(1);
     }

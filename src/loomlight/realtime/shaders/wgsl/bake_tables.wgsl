@@ -55,6 +55,7 @@ struct SurfaceHit_std430_0
     @align(4) tangent_x_0 : f32,
     @align(4) tangent_y_0 : f32,
     @align(4) tangent_z_0 : f32,
+    @align(4) shown_share_0 : f32,
 };
 
 @binding(13) @group(0) var<storage, read_write> hits_0 : array<SurfaceHit_std430_0>;
@@ -535,7 +536,7 @@ fn bake_moments(@builtin(global_invocation_id) id_4 : vec3<u32>)
         sum_0 = sum_0 + u32(1);
     }
     var _S67 : f32 = max(sums_1[i32(0)], 1.0f);
-    var _S68 : u32 = bakes_0[i32(0)].centroids_0 + _S62 * u32(6);
+    var _S68 : u32 = bakes_0[i32(0)].centroids_0 + _S62 * u32(7);
     var _S69 : vec3<f32> = vec3<f32>(_S67);
     var _S70 : vec3<f32> = vec3<f32>(sums_1[i32(1)], sums_1[i32(2)], sums_1[i32(3)]) / _S69;
     var t_0 : vec3<f32> = vec3<f32>(sums_1[i32(4)], sums_1[i32(5)], sums_1[i32(6)]) / _S69;

@@ -578,9 +578,10 @@ struct SurfacePoint_0
      across_0 : f32,
      fibre_across_0 : f32,
      fibre_along_0 : f32,
+     shown_share_0 : f32,
 };
 
-fn SurfacePoint_x24init_0( hole_1 : bool,  is_warp_1 : bool,  warp_thread_1 : u32,  weft_thread_1 : u32,  height_3 : f32,  normal_2 : vec3<f32>,  tangent_1 : vec3<f32>,  across_1 : f32,  fibre_across_1 : f32,  fibre_along_1 : f32) -> SurfacePoint_0
+fn SurfacePoint_x24init_0( hole_1 : bool,  is_warp_1 : bool,  warp_thread_1 : u32,  weft_thread_1 : u32,  height_3 : f32,  normal_2 : vec3<f32>,  tangent_1 : vec3<f32>,  across_1 : f32,  fibre_across_1 : f32,  fibre_along_1 : f32,  shown_share_1 : f32) -> SurfacePoint_0
 {
     var _S44 : SurfacePoint_0;
     _S44.hole_0 = hole_1;
@@ -593,6 +594,7 @@ fn SurfacePoint_x24init_0( hole_1 : bool,  is_warp_1 : bool,  warp_thread_1 : u3
     _S44.across_0 = across_1;
     _S44.fibre_across_0 = fibre_across_1;
     _S44.fibre_along_0 = fibre_along_1;
+    _S44.shown_share_0 = shown_share_1;
     return _S44;
 }
 
@@ -1077,6 +1079,12 @@ fn arc_sine_0( x_8 : f32) -> f32
     return select(_S114, - _S114, x_8 < 0.0f);
 }
 
+fn run_share_0( word_2 : u32) -> f32
+{
+    var _S115 : f32 = f32(((((word_2 >> (u32(1)))) & (u32(127)))) + ((((word_2 >> (u32(8)))) & (u32(127)))) + u32(1));
+    return _S115 / (_S115 + 0.5f * f32(((((word_2 >> (u32(15)))) & (u32(63)))) + ((((word_2 >> (u32(21)))) & (u32(63))))));
+}
+
 struct Hair_0
 {
      cover_0 : f32,
@@ -1086,11 +1094,11 @@ struct Hair_0
 
 fn Hair_x24init_0( cover_1 : f32,  normal_4 : vec3<f32>,  tangent_3 : vec3<f32>) -> Hair_0
 {
-    var _S115 : Hair_0;
-    _S115.cover_0 = cover_1;
-    _S115.normal_3 = normal_4;
-    _S115.tangent_2 = tangent_3;
-    return _S115;
+    var _S116 : Hair_0;
+    _S116.cover_0 = cover_1;
+    _S116.normal_3 = normal_4;
+    _S116.tangent_2 = tangent_3;
+    return _S116;
 }
 
 fn fade_0( size_1 : f32,  period_1 : f32) -> f32
@@ -1133,14 +1141,14 @@ fn albedos_of_0( family_8 : u32,  thread_9 : u32) -> Albedos_0
 
 fn fibre_cell_0( across_4 : f32,  along_0 : f32,  width_2 : f32) -> vec3<f32>
 {
-    var _S116 : f32 = floor(across_4 / width_2);
-    return vec3<f32>(_S116, along_0 / (width_2 * 40.0f) + 0.61799997091293335f * _S116, 2.0f * (across_4 / width_2 - _S116) - 1.0f);
+    var _S117 : f32 = floor(across_4 / width_2);
+    return vec3<f32>(_S117, along_0 / (width_2 * 40.0f) + 0.61799997091293335f * _S117, 2.0f * (across_4 / width_2 - _S117) - 1.0f);
 }
 
 fn ply_offset_0( family_9 : u32,  point_1 : SurfacePoint_0,  back_4 : bool) -> f32
 {
-    var _S117 : f32 = (point_1.fibre_across_0 * families_0[family_9].ply_cosine_0 + point_1.fibre_along_0 * select(families_0[family_9].ply_sine_0, - families_0[family_9].ply_sine_0, back_4)) * families_0[family_9].plies_per_mm_0;
-    return 2.0f * (_S117 - floor(_S117)) - 1.0f;
+    var _S118 : f32 = (point_1.fibre_across_0 * families_0[family_9].ply_cosine_0 + point_1.fibre_along_0 * select(families_0[family_9].ply_sine_0, - families_0[family_9].ply_sine_0, back_4)) * families_0[family_9].plies_per_mm_0;
+    return 2.0f * (_S118 - floor(_S118)) - 1.0f;
 }
 
 fn signed_noise_0( bits_1 : u32) -> f32
@@ -1155,22 +1163,22 @@ fn smooth_share_0( share_2 : f32) -> f32
 
 fn wave_noise_0( key_1 : u32,  position_4 : f32) -> vec2<f32>
 {
-    var _S118 : f32 = floor(position_4);
-    var _S119 : f32 = position_4 - _S118;
-    var _S120 : u32 = u32(i32(_S118));
-    var _S121 : f32 = signed_noise_0(hash_bits_0(key_1, _S120));
-    var _S122 : f32 = signed_noise_0(hash_bits_0(key_1, _S120 + u32(1)));
-    return vec2<f32>(mix(_S121, _S122, smooth_share_0(_S119)), 6.0f * _S119 * (1.0f - _S119) * (_S122 - _S121));
+    var _S119 : f32 = floor(position_4);
+    var _S120 : f32 = position_4 - _S119;
+    var _S121 : u32 = u32(i32(_S119));
+    var _S122 : f32 = signed_noise_0(hash_bits_0(key_1, _S121));
+    var _S123 : f32 = signed_noise_0(hash_bits_0(key_1, _S121 + u32(1)));
+    return vec2<f32>(mix(_S122, _S123, smooth_share_0(_S120)), 6.0f * _S120 * (1.0f - _S120) * (_S123 - _S122));
 }
 
 fn cell_noise_0( key_2 : u32,  cell_7 : vec3<f32>) -> vec2<f32>
 {
-    var _S123 : f32 = cell_7.y;
-    var _S124 : f32 = floor(_S123);
-    var _S125 : u32 = u32(i32(cell_7.x)) * u32(65536) + u32(i32(_S124));
-    var _S126 : u32 = hash_bits_0(key_2, _S125);
-    var _S127 : u32 = hash_bits_0(key_2, _S125 + u32(1));
-    return mix(vec2<f32>(signed_noise_0(_S126), signed_noise_0((_S126 >> (u32(16))))), vec2<f32>(signed_noise_0(_S127), signed_noise_0((_S127 >> (u32(16))))), vec2<f32>(smooth_share_0(_S123 - _S124)));
+    var _S124 : f32 = cell_7.y;
+    var _S125 : f32 = floor(_S124);
+    var _S126 : u32 = u32(i32(cell_7.x)) * u32(65536) + u32(i32(_S125));
+    var _S127 : u32 = hash_bits_0(key_2, _S126);
+    var _S128 : u32 = hash_bits_0(key_2, _S126 + u32(1));
+    return mix(vec2<f32>(signed_noise_0(_S127), signed_noise_0((_S127 >> (u32(16))))), vec2<f32>(signed_noise_0(_S128), signed_noise_0((_S128 >> (u32(16))))), vec2<f32>(smooth_share_0(_S124 - _S125)));
 }
 
 fn thread_gain_0( thread_10 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
@@ -1180,14 +1188,14 @@ fn thread_gain_0( thread_10 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
 
 fn bounded_gain_0( gain_1 : f32,  albedo_1 : vec3<f32>,  room_0 : vec3<f32>) -> f32
 {
-    var _S128 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
-    return min(gain_1, max(min(min(_S128.x, _S128.y), _S128.z), 0.0f));
+    var _S129 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
+    return min(gain_1, max(min(min(_S129.x, _S129.y), _S129.z), 0.0f));
 }
 
 fn flattened_0( largest_0 : f32,  albedo_2 : vec3<f32>,  room_1 : vec3<f32>) -> f32
 {
-    var _S129 : vec3<f32> = room_1 / max(albedo_2, vec3<f32>(9.99999997475242708e-07f)) - vec3<f32>(1.0f);
-    return min(max(min(min(_S129.x, _S129.y), _S129.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
+    var _S130 : vec3<f32> = room_1 / max(albedo_2, vec3<f32>(9.99999997475242708e-07f)) - vec3<f32>(1.0f);
+    return min(max(min(min(_S130.x, _S130.y), _S130.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
 }
 
 fn fibre_gain_0( thread_11 : u32,  cell_8 : u32,  amount_1 : f32,  seed_2 : u32) -> f32
@@ -1204,14 +1212,14 @@ struct YarnFrame_0
 
 fn under_hair_0( frame_0 : YarnFrame_0,  hair_0 : Hair_0) -> YarnFrame_0
 {
-    var _S130 : vec3<f32> = select_vector_1((dot(frame_0.tangent_4, hair_0.tangent_2)) < 0.0f, (vec3<f32>(0) - hair_0.tangent_2), hair_0.tangent_2);
+    var _S131 : vec3<f32> = select_vector_1((dot(frame_0.tangent_4, hair_0.tangent_2)) < 0.0f, (vec3<f32>(0) - hair_0.tangent_2), hair_0.tangent_2);
     var blended_0 : YarnFrame_0;
-    var _S131 : vec3<f32> = vec3<f32>(hair_0.cover_0);
-    var _S132 : vec3<f32> = normalize(mix(frame_0.normal_5, hair_0.normal_3, _S131));
-    blended_0.normal_5 = _S132;
-    var _S133 : vec3<f32> = mix(frame_0.tangent_4, _S130, _S131);
-    var _S134 : vec3<f32> = _S133 - vec3<f32>(dot(_S133, _S132)) * _S132;
-    blended_0.tangent_4 = _S134 * vec3<f32>(rsqrt_0(max(dot(_S134, _S134), 9.999999960041972e-13f)));
+    var _S132 : vec3<f32> = vec3<f32>(hair_0.cover_0);
+    var _S133 : vec3<f32> = normalize(mix(frame_0.normal_5, hair_0.normal_3, _S132));
+    blended_0.normal_5 = _S133;
+    var _S134 : vec3<f32> = mix(frame_0.tangent_4, _S131, _S132);
+    var _S135 : vec3<f32> = _S134 - vec3<f32>(dot(_S134, _S133)) * _S133;
+    blended_0.tangent_4 = _S135 * vec3<f32>(rsqrt_0(max(dot(_S135, _S135), 9.999999960041972e-13f)));
     blended_0.loss_0 = frame_0.loss_0 * (1.0f - hair_0.cover_0);
     return blended_0;
 }
@@ -1223,18 +1231,18 @@ fn diffuse_gain_0( frame_1 : YarnFrame_0,  blend_0 : f32) -> f32
 
 fn diffuse_reflection_0( light_1 : vec3<f32>,  normal_6 : vec3<f32>,  blend_1 : f32) -> f32
 {
-    var _S135 : f32 = light_1.z;
-    if(_S135 <= 0.0f)
+    var _S136 : f32 = light_1.z;
+    if(_S136 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * mix(max(_S135, 0.0f), max(dot(light_1, normal_6), 0.0f), blend_1);
+    return 0.31830987334251404f * mix(max(_S136, 0.0f), max(dot(light_1, normal_6), 0.0f), blend_1);
 }
 
 fn projected_area_1( direction_3 : vec3<f32>,  tangent_5 : vec3<f32>,  roughness_1 : f32) -> f32
 {
-    var _S136 : f32 = dot(direction_3, tangent_5);
-    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S136 * _S136 + 1.0f, roughness_1 * roughness_1));
+    var _S137 : f32 = dot(direction_3, tangent_5);
+    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S137 * _S137 + 1.0f, roughness_1 * roughness_1));
 }
 
 fn mean_attenuation_0( depth_0 : f32) -> f32
@@ -1248,45 +1256,45 @@ fn mean_attenuation_0( depth_0 : f32) -> f32
 
 fn flake_density_0( squared_along_0 : f32,  roughness_2 : f32) -> f32
 {
-    var _S137 : f32 = roughness_2 * roughness_2;
-    var _S138 : f32 = squared_along_0 * (1.0f - _S137) + _S137;
-    return 0.31830987334251404f * _S137 * roughness_2 / (_S138 * _S138);
+    var _S138 : f32 = roughness_2 * roughness_2;
+    var _S139 : f32 = squared_along_0 * (1.0f - _S138) + _S138;
+    return 0.31830987334251404f * _S138 * roughness_2 / (_S139 * _S139);
 }
 
 fn density_between_0( light_2 : vec3<f32>,  view_1 : vec3<f32>,  tangent_6 : vec3<f32>,  roughness_3 : f32) -> f32
 {
-    var _S139 : vec3<f32> = light_2 + view_1;
-    var _S140 : f32 = dot(_S139, tangent_6);
-    return flake_density_0(min(_S140 * _S140 / max(square_0(_S139), 9.999999960041972e-13f), 1.0f), roughness_3);
+    var _S140 : vec3<f32> = light_2 + view_1;
+    var _S141 : f32 = dot(_S140, tangent_6);
+    return flake_density_0(min(_S141 * _S141 / max(square_0(_S140), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
 fn transmission_1( light_3 : vec3<f32>,  view_2 : vec3<f32>,  normal_7 : vec3<f32>,  tangent_7 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
 {
-    var _S141 : f32 = - dot(light_3, normal_7);
-    var _S142 : f32 = dot(view_2, normal_7);
-    if(((_S141 <= 0.0f) | ((_S142 <= 0.0f))))
+    var _S142 : f32 = - dot(light_3, normal_7);
+    var _S143 : f32 = dot(view_2, normal_7);
+    if(((_S142 <= 0.0f) | ((_S143 <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S143 : f32 = 1.0f / max(_S142, 9.99999997475242708e-07f);
-    var _S144 : f32 = projected_area_1(light_3, tangent_7, roughness_4) / max(_S141, 9.99999997475242708e-07f);
-    var _S145 : f32 = projected_area_1(view_2, tangent_7, roughness_4) * _S143;
-    return density_between_0(light_3, view_2, tangent_7, roughness_4) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S144, _S145)) * mean_attenuation_0(optical_depth_1 * abs(_S144 - _S145)) * _S143;
+    var _S144 : f32 = 1.0f / max(_S143, 9.99999997475242708e-07f);
+    var _S145 : f32 = projected_area_1(light_3, tangent_7, roughness_4) / max(_S142, 9.99999997475242708e-07f);
+    var _S146 : f32 = projected_area_1(view_2, tangent_7, roughness_4) * _S144;
+    return density_between_0(light_3, view_2, tangent_7, roughness_4) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S145, _S146)) * mean_attenuation_0(optical_depth_1 * abs(_S145 - _S146)) * _S144;
 }
 
 fn reflection_0( light_4 : vec3<f32>,  view_3 : vec3<f32>,  normal_8 : vec3<f32>,  tangent_8 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
 {
-    var _S146 : f32 = dot(light_4, normal_8);
-    var _S147 : f32 = dot(view_3, normal_8);
-    if(((_S146 <= 0.0f) | ((_S147 <= 0.0f))))
+    var _S147 : f32 = dot(light_4, normal_8);
+    var _S148 : f32 = dot(view_3, normal_8);
+    if(((_S147 <= 0.0f) | ((_S148 <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S148 : f32 = max(_S146, 9.99999997475242708e-07f);
     var _S149 : f32 = max(_S147, 9.99999997475242708e-07f);
-    var _S150 : f32 = projected_area_1(light_4, tangent_8, roughness_5) * _S149 + projected_area_1(view_3, tangent_8, roughness_5) * _S148;
-    var _S151 : f32 = optical_depth_2 * _S150 / (_S148 * _S149);
-    return 0.25f * density_between_0(light_4, view_3, tangent_8, roughness_5) * (_S151 * mean_attenuation_0(_S151)) * _S148 / _S150;
+    var _S150 : f32 = max(_S148, 9.99999997475242708e-07f);
+    var _S151 : f32 = projected_area_1(light_4, tangent_8, roughness_5) * _S150 + projected_area_1(view_3, tangent_8, roughness_5) * _S149;
+    var _S152 : f32 = optical_depth_2 * _S151 / (_S149 * _S150);
+    return 0.25f * density_between_0(light_4, view_3, tangent_8, roughness_5) * (_S152 * mean_attenuation_0(_S152)) * _S149 / _S151;
 }
 
 fn with_added_0( sums_1 : Components_0,  more_0 : Components_0,  weight_1 : f32) -> Components_0
@@ -1327,10 +1335,10 @@ fn arc_tangent_of_ratio_0( ratio_0 : f32) -> f32
 
 fn arc_tangent_0( y_3 : f32,  x_10 : f32) -> f32
 {
-    var _S152 : f32 = abs(x_10);
-    var _S153 : f32 = abs(y_3);
-    var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S152, _S153) / max(max(_S152, _S153), 1.00000000317107685e-30f));
-    var angle_1 : f32 = select(angle_0, 1.57079637050628662f - angle_0, _S153 > _S152);
+    var _S153 : f32 = abs(x_10);
+    var _S154 : f32 = abs(y_3);
+    var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S153, _S154) / max(max(_S153, _S154), 1.00000000317107685e-30f));
+    var angle_1 : f32 = select(angle_0, 1.57079637050628662f - angle_0, _S154 > _S153);
     var angle_2 : f32 = select(angle_1, 3.14159274101257324f - angle_1, x_10 < 0.0f);
     return select(angle_2, - angle_2, y_3 < 0.0f);
 }
@@ -1344,45 +1352,45 @@ struct NodeTaps_0
 
 fn node_taps_of_0( direction_4 : vec3<f32>,  azimuths_0 : u32) -> NodeTaps_0
 {
-    var _S154 : f32 = arc_tangent_0(direction_4.y, direction_4.x) * (0.5f * f32(azimuths_0) * 0.31830987334251404f);
-    var _S155 : f32 = floor(_S154);
-    var _S156 : f32 = _S154 - _S155;
-    var _S157 : f32 = sqrt(clamp((1.0f - abs(direction_4.z)) / 0.97000002861022949f, 0.0f, 1.0f));
-    var _S158 : f32 = 7.0f * _S157 * sqrt(_S157);
-    var _S159 : f32 = min(floor(_S158), 6.0f);
-    var _S160 : f32 = _S158 - _S159;
-    var _S161 : u32 = u32(i32(_S155) + i32(azimuths_0)) % azimuths_0;
-    var _S162 : u32 = u32(_S159);
-    var _S163 : u32 = _S161 * u32(8) + _S162;
-    var _S164 : u32 = (_S161 + u32(1)) % azimuths_0;
-    var _S165 : u32 = _S164 * u32(8) + _S162;
+    var _S155 : f32 = arc_tangent_0(direction_4.y, direction_4.x) * (0.5f * f32(azimuths_0) * 0.31830987334251404f);
+    var _S156 : f32 = floor(_S155);
+    var _S157 : f32 = _S155 - _S156;
+    var _S158 : f32 = sqrt(clamp((1.0f - abs(direction_4.z)) / 0.97000002861022949f, 0.0f, 1.0f));
+    var _S159 : f32 = 7.0f * _S158 * sqrt(_S158);
+    var _S160 : f32 = min(floor(_S159), 6.0f);
+    var _S161 : f32 = _S159 - _S160;
+    var _S162 : u32 = u32(i32(_S156) + i32(azimuths_0)) % azimuths_0;
+    var _S163 : u32 = u32(_S160);
+    var _S164 : u32 = _S162 * u32(8) + _S163;
+    var _S165 : u32 = (_S162 + u32(1)) % azimuths_0;
+    var _S166 : u32 = _S165 * u32(8) + _S163;
     var taps_0 : NodeTaps_0;
-    taps_0.nodes_0 = vec4<u32>(_S163, _S163 + u32(1), _S165, _S165 + u32(1));
-    var _S166 : f32 = 1.0f - _S156;
-    var _S167 : f32 = 1.0f - _S160;
-    var _S168 : vec4<u32> = vec4<u32>(vec4<f32>(_S166 * _S167, _S166 * _S160, _S156 * _S167, _S156 * _S160) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
-    taps_0.weights_0 = _S168;
-    taps_0.inverse_sum_0 = 1.0f / f32(_S168.x + _S168.y + _S168.z + _S168.w);
+    taps_0.nodes_0 = vec4<u32>(_S164, _S164 + u32(1), _S166, _S166 + u32(1));
+    var _S167 : f32 = 1.0f - _S157;
+    var _S168 : f32 = 1.0f - _S161;
+    var _S169 : vec4<u32> = vec4<u32>(vec4<f32>(_S167 * _S168, _S167 * _S161, _S157 * _S168, _S157 * _S161) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
+    taps_0.weights_0 = _S169;
+    taps_0.inverse_sum_0 = 1.0f / f32(_S169.x + _S169.y + _S169.z + _S169.w);
     return taps_0;
 }
 
 fn node_taps_0( direction_5 : vec3<f32>) -> NodeTaps_0
 {
-    var _S169 : NodeTaps_0 = node_taps_of_0(direction_5, u32(32));
-    return _S169;
+    var _S170 : NodeTaps_0 = node_taps_of_0(direction_5, u32(32));
+    return _S170;
 }
 
 fn half_vector_0( light_5 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S170 : vec3<f32> = light_5 + view_4;
-    return _S170 * vec3<f32>(rsqrt_0(max(square_0(_S170), 9.999999960041972e-13f)));
+    var _S171 : vec3<f32> = light_5 + view_4;
+    return _S171 * vec3<f32>(rsqrt_0(max(square_0(_S171), 9.999999960041972e-13f)));
 }
 
 fn joint_terms_0( taps_1 : NodeTaps_0,  table_1 : u32,  ratio_1 : u32) -> vec4<f32>
 {
-    var _S171 : vec4<f32> = vec4<f32>(0.0f);
+    var _S172 : vec4<f32> = vec4<f32>(0.0f);
     var i_1 : u32 = u32(0);
-    var sums_2 : vec4<f32> = _S171;
+    var sums_2 : vec4<f32> = _S172;
     for(;;)
     {
         if(i_1 < u32(4))
@@ -1392,9 +1400,9 @@ fn joint_terms_0( taps_1 : NodeTaps_0,  table_1 : u32,  ratio_1 : u32) -> vec4<f
         {
             break;
         }
-        var _S172 : u32 = table_1 + u32(4) * taps_1.nodes_0[i_1] + u32(2) * ratio_1;
-        var _S173 : vec2<u32> = vec2<u32>(words_0[_S172], words_0[_S172 + u32(1)]);
-        var sums_3 : vec4<f32> = sums_2 + vec4<f32>(((vec4<i32>(vec2<i32>((_S173 << (vec2<u32>(u32(16))))), vec2<i32>(_S173)).xzyw) >> (vec4<u32>(u32(16))))) * vec4<f32>(f32(taps_1.weights_0[i_1]));
+        var _S173 : u32 = table_1 + u32(4) * taps_1.nodes_0[i_1] + u32(2) * ratio_1;
+        var _S174 : vec2<u32> = vec2<u32>(words_0[_S173], words_0[_S173 + u32(1)]);
+        var sums_3 : vec4<f32> = sums_2 + vec4<f32>(((vec4<i32>(vec2<i32>((_S174 << (vec2<u32>(u32(16))))), vec2<i32>(_S174)).xzyw) >> (vec4<u32>(u32(16))))) * vec4<f32>(f32(taps_1.weights_0[i_1]));
         i_1 = i_1 + u32(1);
         sums_2 = sums_3;
     }
@@ -1408,16 +1416,16 @@ fn bytes_of_sums_0( even_0 : u32,  odd_0 : u32) -> vec4<f32>
 
 fn interpolate_0( taps_2 : NodeTaps_0,  packs_1 : vec4<u32>) -> vec4<f32>
 {
-    var _S174 : vec4<u32> = vec4<u32>(u32(16711935));
-    var _S175 : vec4<u32> = ((packs_1 & (_S174))) * taps_2.weights_0;
-    var _S176 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S174))) * taps_2.weights_0;
-    return bytes_of_sums_0(_S175.x + _S175.y + _S175.z + _S175.w, _S176.x + _S176.y + _S176.z + _S176.w) * vec4<f32>(taps_2.inverse_sum_0);
+    var _S175 : vec4<u32> = vec4<u32>(u32(16711935));
+    var _S176 : vec4<u32> = ((packs_1 & (_S175))) * taps_2.weights_0;
+    var _S177 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S175))) * taps_2.weights_0;
+    return bytes_of_sums_0(_S176.x + _S176.y + _S176.z + _S176.w, _S177.x + _S177.y + _S177.z + _S177.w) * vec4<f32>(taps_2.inverse_sum_0);
 }
 
 fn interpolate_table_0( taps_3 : NodeTaps_0,  table_2 : u32,  stride_0 : u32) -> vec4<f32>
 {
-    var _S177 : vec4<u32> = vec4<u32>(table_2) + taps_3.nodes_0 * vec4<u32>(stride_0);
-    return interpolate_0(taps_3, vec4<u32>(words_0[_S177.x], words_0[_S177.y], words_0[_S177.z], words_0[_S177.w]));
+    var _S178 : vec4<u32> = vec4<u32>(table_2) + taps_3.nodes_0 * vec4<u32>(stride_0);
+    return interpolate_0(taps_3, vec4<u32>(words_0[_S178.x], words_0[_S178.y], words_0[_S178.z], words_0[_S178.w]));
 }
 
 struct Group_0
@@ -1435,11 +1443,11 @@ fn group_at_0( row_1 : u32,  roughness_7 : f32) -> Group_0
     var group_0 : Group_0;
     group_0.normal_9 = vec3<f32>(table_number_0(row_1), table_number_0(row_1 + u32(1)), table_number_0(row_1 + u32(2)));
     group_0.weight_2 = table_number_0(row_1 + u32(3));
-    var _S178 : vec3<f32> = vec3<f32>(table_number_0(row_1 + u32(4)), table_number_0(row_1 + u32(5)), table_number_0(row_1 + u32(6)));
-    group_0.tangent_9 = _S178;
-    var _S179 : f32 = table_number_0(row_1 + u32(7));
-    var _S180 : f32 = table_number_0(row_1 + u32(8));
-    group_0.variance_0 = vec3<f32>(_S179, _S180, 1.0f - square_0(_S178) - _S179 - _S180);
+    var _S179 : vec3<f32> = vec3<f32>(table_number_0(row_1 + u32(4)), table_number_0(row_1 + u32(5)), table_number_0(row_1 + u32(6)));
+    group_0.tangent_9 = _S179;
+    var _S180 : f32 = table_number_0(row_1 + u32(7));
+    var _S181 : f32 = table_number_0(row_1 + u32(8));
+    group_0.variance_0 = vec3<f32>(_S180, _S181, 1.0f - square_0(_S179) - _S180 - _S181);
     group_0.covariance_0 = vec3<f32>(table_number_0(row_1 + u32(9)), table_number_0(row_1 + u32(10)), table_number_0(row_1 + u32(11)));
     group_0.roughness_6 = roughness_7;
     return group_0;
@@ -1447,42 +1455,42 @@ fn group_at_0( row_1 : u32,  roughness_7 : f32) -> Group_0
 
 fn Group_variance_along_0( this_5 : Group_0,  direction_6 : vec3<f32>) -> f32
 {
-    var _S181 : f32 = direction_6.x;
-    var _S182 : f32 = direction_6.y;
-    var _S183 : f32 = direction_6.z;
-    return max(dot(this_5.variance_0, direction_6 * direction_6) + 2.0f * dot(this_5.covariance_0, vec3<f32>(_S181 * _S182, _S181 * _S183, _S182 * _S183)), 0.0f);
+    var _S182 : f32 = direction_6.x;
+    var _S183 : f32 = direction_6.y;
+    var _S184 : f32 = direction_6.z;
+    return max(dot(this_5.variance_0, direction_6 * direction_6) + 2.0f * dot(this_5.covariance_0, vec3<f32>(_S182 * _S183, _S182 * _S184, _S183 * _S184)), 0.0f);
 }
 
 fn mean_area_0( group_1 : Group_0,  direction_7 : vec3<f32>) -> f32
 {
-    var _S184 : f32 = dot(direction_7, group_1.tangent_9);
-    var _S185 : f32 = group_1.roughness_6;
-    var _S186 : f32 = _S185 * _S185;
-    return sqrt(max((_S186 - 1.0f) * (_S184 * _S184 + Group_variance_along_0(group_1, direction_7)) + 1.0f, _S186));
+    var _S185 : f32 = dot(direction_7, group_1.tangent_9);
+    var _S186 : f32 = group_1.roughness_6;
+    var _S187 : f32 = _S186 * _S186;
+    return sqrt(max((_S187 - 1.0f) * (_S185 * _S185 + Group_variance_along_0(group_1, direction_7)) + 1.0f, _S187));
 }
 
 fn mean_density_0( group_2 : Group_0,  half_0 : vec3<f32>) -> f32
 {
-    var _S187 : f32 = group_2.roughness_6;
-    var _S188 : f32 = max(sqrt(max(1.0f - _S187 * _S187, 0.0f)) / group_2.roughness_6, 0.00100000004749745f);
-    var _S189 : f32 = max(sqrt(3.0f * Group_variance_along_0(group_2, half_0)), group_2.roughness_6 * 0.01999999955296516f + 0.00009999999747379f);
-    var _S190 : f32 = dot(half_0, group_2.tangent_9);
-    var _S191 : f32 = _S188 * (_S190 - _S189);
-    var _S192 : f32 = _S188 * (_S190 + _S189);
-    var _S193 : f32 = _S191 * _S192;
-    var _S194 : f32 = 2.0f * _S189 * _S188;
-    return 0.15915493667125702f / group_2.roughness_6 * ((1.0f - _S193) / ((_S191 * _S191 + 1.0f) * (_S192 * _S192 + 1.0f)) + arc_tangent_0(_S194, 1.0f + _S193) / _S194);
+    var _S188 : f32 = group_2.roughness_6;
+    var _S189 : f32 = max(sqrt(max(1.0f - _S188 * _S188, 0.0f)) / group_2.roughness_6, 0.00100000004749745f);
+    var _S190 : f32 = max(sqrt(3.0f * Group_variance_along_0(group_2, half_0)), group_2.roughness_6 * 0.01999999955296516f + 0.00009999999747379f);
+    var _S191 : f32 = dot(half_0, group_2.tangent_9);
+    var _S192 : f32 = _S189 * (_S191 - _S190);
+    var _S193 : f32 = _S189 * (_S191 + _S190);
+    var _S194 : f32 = _S192 * _S193;
+    var _S195 : f32 = 2.0f * _S190 * _S189;
+    return 0.15915493667125702f / group_2.roughness_6 * ((1.0f - _S194) / ((_S192 * _S192 + 1.0f) * (_S193 * _S193 + 1.0f)) + arc_tangent_0(_S195, 1.0f + _S194) / _S195);
 }
 
 fn layer_value_0( group_3 : Group_0,  half_1 : vec3<f32>,  light_6 : vec3<f32>,  view_5 : vec3<f32>,  optical_depth_3 : f32) -> f32
 {
-    var _S195 : bool = (light_6.z) < 0.0f;
-    var _S196 : f32 = dot(light_6, group_3.normal_9);
-    var _S197 : f32 = max(dot(view_5, group_3.normal_9), 0.01999999955296516f);
-    var _S198 : f32 = mean_area_0(group_3, light_6) / max(select(_S196, - _S196, _S195), 0.01999999955296516f);
-    var _S199 : f32 = mean_area_0(group_3, view_5) / _S197;
-    var _S200 : f32 = optical_depth_3 * max(select(_S198 + _S199, abs(_S198 - _S199), _S195), 0.00100000004749745f);
-    return 0.25f * mean_density_0(group_3, half_1) * select(1.0f - 0.34999999403953552f * (1.0f - square_0(group_3.normal_9)), 1.0f, _S195) * (optical_depth_3 * select(1.0f, exponential_0(- optical_depth_3 * min(_S198, _S199)), _S195) * (1.0f - exponential_0(- _S200)) / _S200 / _S197);
+    var _S196 : bool = (light_6.z) < 0.0f;
+    var _S197 : f32 = dot(light_6, group_3.normal_9);
+    var _S198 : f32 = max(dot(view_5, group_3.normal_9), 0.01999999955296516f);
+    var _S199 : f32 = mean_area_0(group_3, light_6) / max(select(_S197, - _S197, _S196), 0.01999999955296516f);
+    var _S200 : f32 = mean_area_0(group_3, view_5) / _S198;
+    var _S201 : f32 = optical_depth_3 * max(select(_S199 + _S200, abs(_S199 - _S200), _S196), 0.00100000004749745f);
+    return 0.25f * mean_density_0(group_3, half_1) * select(1.0f - 0.34999999403953552f * (1.0f - square_0(group_3.normal_9)), 1.0f, _S196) * (optical_depth_3 * select(1.0f, exponential_0(- optical_depth_3 * min(_S199, _S200)), _S196) * (1.0f - exponential_0(- _S201)) / _S201 / _S198);
 }
 
 struct Bound_0
@@ -1497,16 +1505,16 @@ struct Bound_0
 
 fn bound_at_0( family_10 : u32,  position_6 : f32) -> Bound_0
 {
-    var _S201 : Cell_0 = locate_0(family_10, position_6);
-    var _S202 : f32 = table_number_0(families_0[family_10].before_0 + u32(2) * _S201.thread_2 + u32(1));
+    var _S202 : Cell_0 = locate_0(family_10, position_6);
+    var _S203 : f32 = table_number_0(families_0[family_10].before_0 + u32(2) * _S202.thread_2 + u32(1));
     var bound_0 : Bound_0;
-    bound_0.thread_12 = _S201.thread_2;
-    bound_0.turns_2 = round((position_6 - families_0[family_10].start_0 - _S202 - _S201.below_0) * families_0[family_10].inverse_period_0);
-    bound_0.cell_9 = _S201.below_0;
-    var _S203 : f32 = 2.0f * _S201.half_width_1;
-    bound_0.width_3 = _S203;
-    bound_0.visible_0 = clamp((_S201.across_2 + _S201.half_width_1) / _S203, 0.0f, 1.0f);
-    bound_0.gap_0 = min(_S201.below_0, _S201.below_0 - _S201.across_2 - _S201.half_width_1) + max(_S201.across_2 - _S201.half_width_1, 0.0f);
+    bound_0.thread_12 = _S202.thread_2;
+    bound_0.turns_2 = round((position_6 - families_0[family_10].start_0 - _S203 - _S202.below_0) * families_0[family_10].inverse_period_0);
+    bound_0.cell_9 = _S202.below_0;
+    var _S204 : f32 = 2.0f * _S202.half_width_1;
+    bound_0.width_3 = _S204;
+    bound_0.visible_0 = clamp((_S202.across_2 + _S202.half_width_1) / _S204, 0.0f, 1.0f);
+    bound_0.gap_0 = min(_S202.below_0, _S202.below_0 - _S202.across_2 - _S202.half_width_1) + max(_S202.across_2 - _S202.half_width_1, 0.0f);
     return bound_0;
 }
 
@@ -1518,11 +1526,11 @@ struct Stretch_0
 
 fn stretch_of_0( family_11 : u32,  centre_1 : f32,  size_2 : f32) -> Stretch_0
 {
-    var _S204 : f32 = centre_1 - floor((centre_1 - families_0[family_11].start_0) * families_0[family_11].inverse_period_0) * families_0[family_11].period_0;
-    var _S205 : f32 = 0.5f * max(size_2, families_0[family_11].smallest_box_0);
+    var _S205 : f32 = centre_1 - floor((centre_1 - families_0[family_11].start_0) * families_0[family_11].inverse_period_0) * families_0[family_11].period_0;
+    var _S206 : f32 = 0.5f * max(size_2, families_0[family_11].smallest_box_0);
     var stretch_0 : Stretch_0;
-    stretch_0.low_1 = bound_at_0(family_11, _S204 - _S205);
-    stretch_0.high_1 = bound_at_0(family_11, _S204 + _S205);
+    stretch_0.low_1 = bound_at_0(family_11, _S205 - _S206);
+    stretch_0.high_1 = bound_at_0(family_11, _S205 + _S206);
     return stretch_0;
 }
 
@@ -1533,25 +1541,25 @@ fn Stretch_turns_0( this_6 : Stretch_0) -> f32
 
 fn lengths_0( family_12 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
 {
-    var _S206 : f32 = Stretch_turns_0(stretch_1);
-    var _S207 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.low_1.thread_12;
-    var _S208 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.high_1.thread_12;
-    var _S209 : f32 = table_number_0(_S208) - table_number_0(_S207);
-    var _S210 : f32 = table_number_0(_S208 + u32(1)) - table_number_0(_S207 + u32(1));
-    return vec3<f32>(_S209 + stretch_1.high_1.visible_0 * stretch_1.high_1.width_3 - stretch_1.low_1.visible_0 * stretch_1.low_1.width_3 + _S206 * families_0[family_12].visible_total_0, _S210 - _S209 + stretch_1.high_1.gap_0 - stretch_1.low_1.gap_0 + _S206 * (families_0[family_12].period_0 - families_0[family_12].visible_total_0), _S210 + stretch_1.high_1.cell_9 - stretch_1.low_1.cell_9 + _S206 * families_0[family_12].period_0);
+    var _S207 : f32 = Stretch_turns_0(stretch_1);
+    var _S208 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.low_1.thread_12;
+    var _S209 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.high_1.thread_12;
+    var _S210 : f32 = table_number_0(_S209) - table_number_0(_S208);
+    var _S211 : f32 = table_number_0(_S209 + u32(1)) - table_number_0(_S208 + u32(1));
+    return vec3<f32>(_S210 + stretch_1.high_1.visible_0 * stretch_1.high_1.width_3 - stretch_1.low_1.visible_0 * stretch_1.low_1.width_3 + _S207 * families_0[family_12].visible_total_0, _S211 - _S210 + stretch_1.high_1.gap_0 - stretch_1.low_1.gap_0 + _S207 * (families_0[family_12].period_0 - families_0[family_12].visible_total_0), _S211 + stretch_1.high_1.cell_9 - stretch_1.low_1.cell_9 + _S207 * families_0[family_12].period_0);
 }
 
 fn integrals_along_0( family_13 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
 {
-    var _S211 : u32 = u32(3) * families_0[family_13].quantities_0;
-    var _S212 : u32 = families_0[family_13].colour_threads_0 + _S211 * stretch_2.low_1.thread_12 + quantity_0;
-    var _S213 : u32 = families_0[family_13].colour_threads_0 + _S211 * stretch_2.high_1.thread_12 + quantity_0;
-    var _S214 : u32 = families_0[family_13].colour_threads_0 + _S211 * u32(families_0[family_13].count_0) + quantity_0;
-    var _S215 : f32 = table_number_0(_S212);
+    var _S212 : u32 = u32(3) * families_0[family_13].quantities_0;
+    var _S213 : u32 = families_0[family_13].colour_threads_0 + _S212 * stretch_2.low_1.thread_12 + quantity_0;
+    var _S214 : u32 = families_0[family_13].colour_threads_0 + _S212 * stretch_2.high_1.thread_12 + quantity_0;
+    var _S215 : u32 = families_0[family_13].colour_threads_0 + _S212 * u32(families_0[family_13].count_0) + quantity_0;
     var _S216 : f32 = table_number_0(_S213);
-    var _S217 : f32 = Stretch_turns_0(stretch_2);
-    var _S218 : u32 = u32(2) * families_0[family_13].quantities_0;
-    return vec2<f32>(table_number_0(_S213 + families_0[family_13].quantities_0) - table_number_0(_S212 + families_0[family_13].quantities_0) + _S216 * stretch_2.high_1.visible_0 * stretch_2.high_1.width_3 - _S215 * stretch_2.low_1.visible_0 * stretch_2.low_1.width_3 + _S217 * table_number_0(_S214 + families_0[family_13].quantities_0), table_number_0(_S213 + _S218) - table_number_0(_S212 + _S218) + _S216 * stretch_2.high_1.cell_9 - _S215 * stretch_2.low_1.cell_9 + _S217 * table_number_0(_S214 + _S218));
+    var _S217 : f32 = table_number_0(_S214);
+    var _S218 : f32 = Stretch_turns_0(stretch_2);
+    var _S219 : u32 = u32(2) * families_0[family_13].quantities_0;
+    return vec2<f32>(table_number_0(_S214 + families_0[family_13].quantities_0) - table_number_0(_S213 + families_0[family_13].quantities_0) + _S217 * stretch_2.high_1.visible_0 * stretch_2.high_1.width_3 - _S216 * stretch_2.low_1.visible_0 * stretch_2.low_1.width_3 + _S218 * table_number_0(_S215 + families_0[family_13].quantities_0), table_number_0(_S214 + _S219) - table_number_0(_S213 + _S219) + _S217 * stretch_2.high_1.cell_9 - _S216 * stretch_2.low_1.cell_9 + _S218 * table_number_0(_S215 + _S219));
 }
 
 fn Stretch_wraps_0( this_7 : Stretch_0) -> bool
@@ -1561,16 +1569,16 @@ fn Stretch_wraps_0( this_7 : Stretch_0) -> bool
 
 fn Stretch_differences_0( this_8 : Stretch_0,  entries_0 : vec4<u32>,  whole_0 : u32) -> vec4<u32>
 {
-    var _S219 : u32 = entries_0.z;
-    var _S220 : u32 = entries_0.x;
-    return vec4<u32>(_S219 - _S220 + select(u32(0), whole_0, Stretch_wraps_0(this_8)), entries_0.w - _S219, entries_0.y - _S220, whole_0);
+    var _S220 : u32 = entries_0.z;
+    var _S221 : u32 = entries_0.x;
+    return vec4<u32>(_S220 - _S221 + select(u32(0), whole_0, Stretch_wraps_0(this_8)), entries_0.w - _S220, entries_0.y - _S221, whole_0);
 }
 
 fn row_differences_0( across_5 : Stretch_0,  row_2 : u32,  count_3 : u32,  quantities_1 : u32) -> vec4<u32>
 {
-    var _S221 : u32 = row_2 + across_5.low_1.thread_12 * quantities_1;
-    var _S222 : u32 = row_2 + across_5.high_1.thread_12 * quantities_1;
-    return Stretch_differences_0(across_5, vec4<u32>(words_0[_S221], words_0[_S221 + quantities_1], words_0[_S222], words_0[_S222 + quantities_1]), words_0[row_2 + count_3 * quantities_1]);
+    var _S222 : u32 = row_2 + across_5.low_1.thread_12 * quantities_1;
+    var _S223 : u32 = row_2 + across_5.high_1.thread_12 * quantities_1;
+    return Stretch_differences_0(across_5, vec4<u32>(words_0[_S222], words_0[_S222 + quantities_1], words_0[_S223], words_0[_S223 + quantities_1]), words_0[row_2 + count_3 * quantities_1]);
 }
 
 fn Stretch_weights_0( this_9 : Stretch_0) -> vec4<f32>
@@ -1580,25 +1588,25 @@ fn Stretch_weights_0( this_9 : Stretch_0) -> vec4<f32>
 
 fn integral_on_top_0( family_14 : u32,  across_6 : Stretch_0,  along_1 : Stretch_0,  crossing_count_0 : u32,  quantity_1 : u32) -> f32
 {
-    var _S223 : u32 = u32(families_0[family_14].count_0);
-    var _S224 : u32 = (_S223 + u32(1)) * families_0[family_14].quantities_0;
-    var _S225 : u32 = families_0[family_14].colour_areas_0 + quantity_1;
-    var _S226 : vec4<u32> = row_differences_0(across_6, _S225 + along_1.low_1.thread_12 * _S224, _S223, families_0[family_14].quantities_0);
-    var _S227 : vec4<u32> = row_differences_0(across_6, _S225 + along_1.high_1.thread_12 * _S224, _S223, families_0[family_14].quantities_0);
-    var _S228 : vec4<u32> = row_differences_0(across_6, _S225 + crossing_count_0 * _S224, _S223, families_0[family_14].quantities_0);
-    var _S229 : vec4<f32> = Stretch_weights_0(across_6);
-    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S227 - _S226 + select_vector_2(Stretch_wraps_0(along_1), _S228, vec4<u32>(vec4<i32>(i32(0)))))), _S229), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S225 + (along_1.high_1.thread_12 + u32(1)) * _S224, _S223, families_0[family_14].quantities_0) - _S227)), _S229), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S225 + (along_1.low_1.thread_12 + u32(1)) * _S224, _S223, families_0[family_14].quantities_0) - _S226)), _S229), dot(vec4<f32>(vec4<i32>(_S228)), _S229)), Stretch_weights_0(along_1)) * families_0[family_14].area_unit_0;
+    var _S224 : u32 = u32(families_0[family_14].count_0);
+    var _S225 : u32 = (_S224 + u32(1)) * families_0[family_14].quantities_0;
+    var _S226 : u32 = families_0[family_14].colour_areas_0 + quantity_1;
+    var _S227 : vec4<u32> = row_differences_0(across_6, _S226 + along_1.low_1.thread_12 * _S225, _S224, families_0[family_14].quantities_0);
+    var _S228 : vec4<u32> = row_differences_0(across_6, _S226 + along_1.high_1.thread_12 * _S225, _S224, families_0[family_14].quantities_0);
+    var _S229 : vec4<u32> = row_differences_0(across_6, _S226 + crossing_count_0 * _S225, _S224, families_0[family_14].quantities_0);
+    var _S230 : vec4<f32> = Stretch_weights_0(across_6);
+    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S228 - _S227 + select_vector_2(Stretch_wraps_0(along_1), _S229, vec4<u32>(vec4<i32>(i32(0)))))), _S230), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S226 + (along_1.high_1.thread_12 + u32(1)) * _S225, _S224, families_0[family_14].quantities_0) - _S228)), _S230), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S226 + (along_1.low_1.thread_12 + u32(1)) * _S225, _S224, families_0[family_14].quantities_0) - _S227)), _S230), dot(vec4<f32>(vec4<i32>(_S229)), _S230)), Stretch_weights_0(along_1)) * families_0[family_14].area_unit_0;
 }
 
 fn with_added_albedos_0( albedos_1 : Albedos_0,  weight_3 : f32,  row_3 : u32) -> Albedos_0
 {
-    var _S230 : Albedos_0 = table_albedos_0(row_3);
+    var _S231 : Albedos_0 = table_albedos_0(row_3);
     var sum_0 : Albedos_0;
-    var _S231 : vec3<f32> = vec3<f32>(weight_3);
-    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S231 * _S230.diffuse_reflect_0;
-    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S231 * _S230.diffuse_transmit_0;
-    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S231 * _S230.specular_reflect_0;
-    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S231 * _S230.specular_transmit_0;
+    var _S232 : vec3<f32> = vec3<f32>(weight_3);
+    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S232 * _S231.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S232 * _S231.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S232 * _S231.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S232 * _S231.specular_transmit_0;
     return sum_0;
 }
 
@@ -1609,7 +1617,7 @@ fn mean_albedos_0( family_15 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  othe
     {
         return albedos_2;
     }
-    var _S232 : vec3<f32> = lengths_0(crossing_1, other_2);
+    var _S233 : vec3<f32> = lengths_0(crossing_1, other_2);
     var is_exposed_0 : bool = false;
     var weight_4 : f32 = 0.0f;
     var quantity_2 : u32 = u32(0);
@@ -1622,24 +1630,24 @@ fn mean_albedos_0( family_15 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  othe
         {
             break;
         }
-        var _S233 : vec2<f32> = integrals_along_0(family_15, own_1, quantity_2);
-        var _S234 : f32 = integral_on_top_0(family_15, own_1, other_2, u32(families_0[crossing_1].count_0), quantity_2);
-        var _S235 : f32 = _S233.x;
-        var _S236 : f32 = _S235 * _S232.x;
-        var _S237 : f32 = select(_S234, _S236 - _S234, back_5);
-        var _S238 : bool = quantity_2 == u32(0);
-        if(_S238)
+        var _S234 : vec2<f32> = integrals_along_0(family_15, own_1, quantity_2);
+        var _S235 : f32 = integral_on_top_0(family_15, own_1, other_2, u32(families_0[crossing_1].count_0), quantity_2);
+        var _S236 : f32 = _S234.x;
+        var _S237 : f32 = _S236 * _S233.x;
+        var _S238 : f32 = select(_S235, _S237 - _S235, back_5);
+        var _S239 : bool = quantity_2 == u32(0);
+        if(_S239)
         {
-            is_exposed_0 = _S237 > (16.0f * families_0[family_15].area_unit_0 * min(_S236 / families_0[family_15].crossing_area_0, 1.0f) + 0.00000999999974738f * _S236);
+            is_exposed_0 = _S238 > (16.0f * families_0[family_15].area_unit_0 * min(_S237 / families_0[family_15].crossing_area_0, 1.0f) + 0.00000999999974738f * _S237);
         }
-        var _S239 : f32 = _S235 * _S232.y + select(0.0f, _S237, is_exposed_0) + 0.000244140625f * _S232.z * _S233.y;
-        if(_S238)
+        var _S240 : f32 = _S236 * _S233.y + select(0.0f, _S238, is_exposed_0) + 0.000244140625f * _S233.z * _S234.y;
+        if(_S239)
         {
-            weight_4 = 1.0f / max(_S239, 9.99999968265522539e-21f);
+            weight_4 = 1.0f / max(_S240, 9.99999968265522539e-21f);
         }
         else
         {
-            albedos_2 = with_added_albedos_0(albedos_2, _S239 * weight_4, families_0[family_15].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
+            albedos_2 = with_added_albedos_0(albedos_2, _S240 * weight_4, families_0[family_15].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
         }
         quantity_2 = quantity_2 + u32(1);
     }
@@ -1653,11 +1661,11 @@ fn mean_albedos_0( family_15 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  othe
 fn lerp_albedos_0( first_5 : Albedos_0,  second_1 : Albedos_0,  weight_5 : f32) -> Albedos_0
 {
     var albedos_3 : Albedos_0;
-    var _S240 : vec3<f32> = vec3<f32>(weight_5);
-    albedos_3.diffuse_reflect_0 = mix(first_5.diffuse_reflect_0, second_1.diffuse_reflect_0, _S240);
-    albedos_3.diffuse_transmit_0 = mix(first_5.diffuse_transmit_0, second_1.diffuse_transmit_0, _S240);
-    albedos_3.specular_reflect_0 = mix(first_5.specular_reflect_0, second_1.specular_reflect_0, _S240);
-    albedos_3.specular_transmit_0 = mix(first_5.specular_transmit_0, second_1.specular_transmit_0, _S240);
+    var _S241 : vec3<f32> = vec3<f32>(weight_5);
+    albedos_3.diffuse_reflect_0 = mix(first_5.diffuse_reflect_0, second_1.diffuse_reflect_0, _S241);
+    albedos_3.diffuse_transmit_0 = mix(first_5.diffuse_transmit_0, second_1.diffuse_transmit_0, _S241);
+    albedos_3.specular_reflect_0 = mix(first_5.specular_reflect_0, second_1.specular_reflect_0, _S241);
+    albedos_3.specular_transmit_0 = mix(first_5.specular_transmit_0, second_1.specular_transmit_0, _S241);
     return albedos_3;
 }
 
@@ -1690,47 +1698,47 @@ struct FaceSends_0
 
 fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S241 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
+    var _S242 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
     var found_0 : FaceRadiance_0;
-    var _S242 : vec3<f32> = sends_0.sky_warp_0 + _S241 * sends_0.crossing_warp_0;
-    found_0.warp_3 = _S242;
-    var _S243 : vec3<f32> = sends_0.sky_weft_0 + _S241 * sends_0.crossing_weft_0;
-    found_0.weft_3 = _S243;
-    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S242 + vec3<f32>(sends_0.blocks_weft_0) * _S243;
+    var _S243 : vec3<f32> = sends_0.sky_warp_0 + _S242 * sends_0.crossing_warp_0;
+    found_0.warp_3 = _S243;
+    var _S244 : vec3<f32> = sends_0.sky_weft_0 + _S242 * sends_0.crossing_weft_0;
+    found_0.weft_3 = _S244;
+    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S243 + vec3<f32>(sends_0.blocks_weft_0) * _S244;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
 fn view_terms_0( view_6 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S244 : f32 = 1.0f - view_6.z;
-    var _S245 : f32 = _S244 * _S244;
+    var _S245 : f32 = 1.0f - view_6.z;
+    var _S246 : f32 = _S245 * _S245;
     (*terms_0)[i32(0)] = 1.0f;
-    var _S246 : f32 = view_6.x;
-    var _S247 : f32 = _S246 * _S246;
-    var _S248 : f32 = view_6.y;
-    var _S249 : f32 = _S248 * _S248;
-    (*terms_0)[i32(1)] = sqrt(max(_S247 + _S249, 9.999999960041972e-13f));
-    (*terms_0)[i32(2)] = _S245;
-    (*terms_0)[i32(3)] = _S245 * _S245;
-    (*terms_0)[i32(4)] = _S247 - _S249;
+    var _S247 : f32 = view_6.x;
+    var _S248 : f32 = _S247 * _S247;
+    var _S249 : f32 = view_6.y;
+    var _S250 : f32 = _S249 * _S249;
+    (*terms_0)[i32(1)] = sqrt(max(_S248 + _S250, 9.999999960041972e-13f));
+    (*terms_0)[i32(2)] = _S246;
+    (*terms_0)[i32(3)] = _S246 * _S246;
+    (*terms_0)[i32(4)] = _S248 - _S250;
     (*terms_0)[i32(5)] = 0.0f;
     return;
 }
 
 fn view_terms_1( view_7 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S250 : f32 = 1.0f - view_7.z;
-    var _S251 : f32 = _S250 * _S250;
+    var _S251 : f32 = 1.0f - view_7.z;
+    var _S252 : f32 = _S251 * _S251;
     (*terms_1)[i32(0)] = 1.0f;
-    var _S252 : f32 = view_7.x;
-    var _S253 : f32 = _S252 * _S252;
-    var _S254 : f32 = view_7.y;
-    var _S255 : f32 = _S254 * _S254;
-    (*terms_1)[i32(1)] = sqrt(max(_S253 + _S255, 9.999999960041972e-13f));
-    (*terms_1)[i32(2)] = _S251;
-    (*terms_1)[i32(3)] = _S251 * _S251;
-    (*terms_1)[i32(4)] = _S253 - _S255;
+    var _S253 : f32 = view_7.x;
+    var _S254 : f32 = _S253 * _S253;
+    var _S255 : f32 = view_7.y;
+    var _S256 : f32 = _S255 * _S255;
+    (*terms_1)[i32(1)] = sqrt(max(_S254 + _S256, 9.999999960041972e-13f));
+    (*terms_1)[i32(2)] = _S252;
+    (*terms_1)[i32(3)] = _S252 * _S252;
+    (*terms_1)[i32(4)] = _S254 - _S256;
     (*terms_1)[i32(5)] = 0.0f;
     return;
 }
@@ -1758,11 +1766,11 @@ struct Interior_0
 
 fn bounced_by_0( blocked_1 : Blocked_0,  yarn_2 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S256 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
-    var _S257 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
+    var _S257 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
+    var _S258 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_0 = yarn_2.back_6 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_4 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_4) + _S257 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S257 * interior_0.far_1 + yarn_2.back_6 * _S256;
+    bounced_0.reflected_0 = yarn_2.back_6 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_4 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_4) + _S258 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S258 * interior_0.far_1 + yarn_2.back_6 * _S257;
     return bounced_0;
 }
 
@@ -1776,8 +1784,8 @@ fn sum_of_0( first_6 : Bounced_0,  second_2 : Bounced_0) -> Bounced_0
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_7 : vec3<f32>,  view_8 : vec3<f32>) -> vec3<f32>
 {
-    var _S258 : f32 = light_7.z;
-    return select_vector_1((_S258 * view_8.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S258) * 0.31830987334251404f));
+    var _S259 : f32 = light_7.z;
+    return select_vector_1((_S259 * view_8.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S259) * 0.31830987334251404f));
 }
 
 fn sheen_scale_0( x_11 : f32,  y_4 : f32) -> f32
@@ -1797,40 +1805,40 @@ fn sheen_reflectance_0( x_13 : f32,  y_6 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_8 : f32) -> vec3<f32>
 {
-    var _S259 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S260 : f32 = 2.0f * sqrt(_S259) - 1.0f;
-    var _S261 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_8, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S260, _S261), 0.00999999977648258f, 1.0f), clamp((1.0f - _S259) * sheen_shear_0(_S260, _S261), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S260, _S261), -60.0f, 60.0f))));
+    var _S260 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S261 : f32 = 2.0f * sqrt(_S260) - 1.0f;
+    var _S262 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_8, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S261, _S262), 0.00999999977648258f, 1.0f), clamp((1.0f - _S260) * sheen_shear_0(_S261, _S262), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S261, _S262), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_8 : vec3<f32>,  view_9 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S262 : f32 = light_8.z;
-    if(((_S262 <= 0.0f) | (((view_9.z) <= 0.0f))))
+    var _S263 : f32 = light_8.z;
+    if(((_S263 <= 0.0f) | (((view_9.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S263 : vec2<f32> = view_9.xy;
-    var _S264 : f32 = dot(_S263, _S263);
-    var _S265 : vec2<f32> = select_vector_0(_S264 > 9.99999968265522539e-21f, _S263 * vec2<f32>(rsqrt_0(max(_S264, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S266 : f32 = scale_0 * dot(light_8.xy, _S265) + shear_0 * _S262;
-    var _S267 : f32 = scale_0 * (light_8.y * _S265.x - light_8.x * _S265.y);
-    var _S268 : f32 = _S266 * _S266 + _S267 * _S267 + _S262 * _S262;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S262 / max(_S268 * _S268, 9.99999968265522539e-21f);
+    var _S264 : vec2<f32> = view_9.xy;
+    var _S265 : f32 = dot(_S264, _S264);
+    var _S266 : vec2<f32> = select_vector_0(_S265 > 9.99999968265522539e-21f, _S264 * vec2<f32>(rsqrt_0(max(_S265, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S267 : f32 = scale_0 * dot(light_8.xy, _S266) + shear_0 * _S263;
+    var _S268 : f32 = scale_0 * (light_8.y * _S266.x - light_8.x * _S266.y);
+    var _S269 : f32 = _S267 * _S267 + _S268 * _S268 + _S263 * _S263;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S263 / max(_S269 * _S269, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_9 : vec3<f32>,  view_10 : vec3<f32>,  strength_0 : f32,  roughness_9 : f32) -> vec2<f32>
 {
-    var _S269 : vec3<f32> = sheen_lobe_0(view_10.z, roughness_9);
-    var _S270 : f32 = strength_0 * _S269.z;
-    return vec2<f32>(_S270 * transformed_cosine_0(light_9, view_10, _S269.x, _S269.y), 1.0f - _S270);
+    var _S270 : vec3<f32> = sheen_lobe_0(view_10.z, roughness_9);
+    var _S271 : f32 = strength_0 * _S270.z;
+    return vec2<f32>(_S271 * transformed_cosine_0(light_9, view_10, _S270.x, _S270.y), 1.0f - _S271);
 }
 
 fn accumulate_0( index_7 : u32,  light_10 : vec4<f32>)
 {
-    var _S271 : f32 = layers_0[index_7].share_0;
+    var _S272 : f32 = layers_0[index_7].share_0;
     radiance_0[index_7] = radiance_0[index_7] + vec4<f32>(layers_0[index_7].share_0) * light_10;
-    layers_0[index_7].share_0 = _S271 * (1.0f - light_10.w);
+    layers_0[index_7].share_0 = _S272 * (1.0f - light_10.w);
     return;
 }
 
@@ -1854,100 +1862,100 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn face_point_0( _S272 : u32,  _S273 : u32,  _S274 : f32,  _S275 : f32) -> VisiblePoint_0
+fn face_point_0( _S273 : u32,  _S274 : u32,  _S275 : f32,  _S276 : f32) -> VisiblePoint_0
 {
-    var _S276 : u32 = u32(3) * _S273;
-    var _S277 : Vertex_0 = vertex_at_0(_S276);
-    var _S278 : Vertex_0 = vertex_at_0(_S276 + u32(1));
-    var _S279 : Vertex_0 = vertex_at_0(_S276 + u32(2));
-    var _S280 : vec3<f32> = position_of_0(_S277);
-    var _S281 : vec3<f32> = position_of_0(_S278) - _S280;
-    var _S282 : vec3<f32> = position_of_0(_S279) - _S280;
-    var _S283 : f32 = _S278.u_0 - _S277.u_0;
-    var _S284 : f32 = _S278.v_0 - _S277.v_0;
-    var _S285 : vec2<f32> = vec2<f32>(_S283, _S284);
-    var _S286 : f32 = _S279.u_0 - _S277.u_0;
-    var _S287 : f32 = _S279.v_0 - _S277.v_0;
-    var _S288 : vec2<f32> = vec2<f32>(_S286, _S287);
-    var _S289 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S283 * _S287 - _S284 * _S286) < 0.0f));
-    var _S290 : vec3<f32> = _S289 * (vec3<f32>(_S287) * _S281 - vec3<f32>(_S284) * _S282);
-    var _S291 : vec3<f32> = _S289 * (vec3<f32>(_S283) * _S282 - vec3<f32>(_S286) * _S281);
+    var _S277 : u32 = u32(3) * _S274;
+    var _S278 : Vertex_0 = vertex_at_0(_S277);
+    var _S279 : Vertex_0 = vertex_at_0(_S277 + u32(1));
+    var _S280 : Vertex_0 = vertex_at_0(_S277 + u32(2));
+    var _S281 : vec3<f32> = position_of_0(_S278);
+    var _S282 : vec3<f32> = position_of_0(_S279) - _S281;
+    var _S283 : vec3<f32> = position_of_0(_S280) - _S281;
+    var _S284 : f32 = _S279.u_0 - _S278.u_0;
+    var _S285 : f32 = _S279.v_0 - _S278.v_0;
+    var _S286 : vec2<f32> = vec2<f32>(_S284, _S285);
+    var _S287 : f32 = _S280.u_0 - _S278.u_0;
+    var _S288 : f32 = _S280.v_0 - _S278.v_0;
+    var _S289 : vec2<f32> = vec2<f32>(_S287, _S288);
+    var _S290 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S284 * _S288 - _S285 * _S287) < 0.0f));
+    var _S291 : vec3<f32> = _S290 * (vec3<f32>(_S288) * _S282 - vec3<f32>(_S285) * _S283);
+    var _S292 : vec3<f32> = _S290 * (vec3<f32>(_S284) * _S283 - vec3<f32>(_S287) * _S282);
     var point_2 : VisiblePoint_0;
-    var _S292 : vec3<f32> = vec3<f32>(_S274);
     var _S293 : vec3<f32> = vec3<f32>(_S275);
-    var _S294 : vec3<f32> = normalize(vec3<f32>((1.0f - _S274 - _S275)) * normal_of_0(_S277) + _S292 * normal_of_0(_S278) + _S293 * normal_of_0(_S279));
-    point_2.normal_0 = _S294;
-    var _S295 : vec3<f32> = normalize(_S290 - _S294 * vec3<f32>(dot(_S294, _S290)));
-    point_2.axis_x_0 = _S295;
-    point_2.axis_y_0 = cross(_S294, _S295);
-    var _S296 : vec3<f32> = normalize(cross(_S281, _S282));
-    point_2.face_normal_0 = select_vector_1((dot(_S296, _S294)) < 0.0f, (vec3<f32>(0) - _S296), _S296);
-    point_2.position_0 = _S280 + _S292 * _S281 + _S293 * _S282;
-    point_2.view_0 = _S294;
-    var _S297 : vec2<f32> = vec2<f32>(_S277.u_0, _S277.v_0) + vec2<f32>(_S274) * _S285 + vec2<f32>(_S275) * _S288;
-    point_2.uv_1 = _S297;
-    var _S298 : bool = (dot(cross(_S290, _S291), _S294)) < 0.0f;
-    var _S299 : vec2<f32> = vec2<f32>(fabrics_0[_S272].uv_width_0, select(fabrics_0[_S272].uv_height_0, - fabrics_0[_S272].uv_height_0, _S298));
-    point_2.draft_per_uv_0 = _S299;
-    point_2.draft_0 = _S297 * _S299 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S272].uv_height_0, _S298));
-    var _S300 : vec2<f32> = vec2<f32>(0.0f);
-    point_2.draft_dx_0 = _S300;
-    point_2.draft_dy_0 = _S300;
+    var _S294 : vec3<f32> = vec3<f32>(_S276);
+    var _S295 : vec3<f32> = normalize(vec3<f32>((1.0f - _S275 - _S276)) * normal_of_0(_S278) + _S293 * normal_of_0(_S279) + _S294 * normal_of_0(_S280));
+    point_2.normal_0 = _S295;
+    var _S296 : vec3<f32> = normalize(_S291 - _S295 * vec3<f32>(dot(_S295, _S291)));
+    point_2.axis_x_0 = _S296;
+    point_2.axis_y_0 = cross(_S295, _S296);
+    var _S297 : vec3<f32> = normalize(cross(_S282, _S283));
+    point_2.face_normal_0 = select_vector_1((dot(_S297, _S295)) < 0.0f, (vec3<f32>(0) - _S297), _S297);
+    point_2.position_0 = _S281 + _S293 * _S282 + _S294 * _S283;
+    point_2.view_0 = _S295;
+    var _S298 : vec2<f32> = vec2<f32>(_S278.u_0, _S278.v_0) + vec2<f32>(_S275) * _S286 + vec2<f32>(_S276) * _S289;
+    point_2.uv_1 = _S298;
+    var _S299 : bool = (dot(cross(_S291, _S292), _S295)) < 0.0f;
+    var _S300 : vec2<f32> = vec2<f32>(fabrics_0[_S273].uv_width_0, select(fabrics_0[_S273].uv_height_0, - fabrics_0[_S273].uv_height_0, _S299));
+    point_2.draft_per_uv_0 = _S300;
+    point_2.draft_0 = _S298 * _S300 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S273].uv_height_0, _S299));
+    var _S301 : vec2<f32> = vec2<f32>(0.0f);
+    point_2.draft_dx_0 = _S301;
+    point_2.draft_dy_0 = _S301;
     return point_2;
 }
 
-fn visible_point_0( _S301 : u32,  _S302 : u32,  _S303 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S302 : u32,  _S303 : u32,  _S304 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S304 : u32 = u32(3) * _S302;
-    var _S305 : Vertex_0 = vertex_at_0(_S304);
-    var _S306 : Vertex_0 = vertex_at_0(_S304 + u32(1));
-    var _S307 : Vertex_0 = vertex_at_0(_S304 + u32(2));
-    var _S308 : vec3<f32> = position_of_0(_S305);
-    var _S309 : vec3<f32> = position_of_0(_S306) - _S308;
-    var _S310 : vec3<f32> = position_of_0(_S307) - _S308;
-    var _S311 : vec3<f32> = cross(_S309, _S310);
-    var _S312 : f32 = f32(frame_record_0.width_0);
-    var _S313 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S312));
-    var _S314 : f32 = f32(frame_record_0.height_0);
-    var _S315 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S314));
-    var _S316 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S303.x) + 0.5f - 0.5f * _S312)) * _S313 + vec3<f32>((f32(_S303.y) + 0.5f - 0.5f * _S314)) * _S315;
-    var _S317 : f32 = dot(_S316, _S311);
-    var _S318 : f32 = 1.0f / select(1.00000000317107685e-30f, _S317, (abs(_S317)) > 1.00000000317107685e-30f);
-    var _S319 : vec3<f32> = _S308 - camera_origin_0();
-    var _S320 : vec3<f32> = vec3<f32>((dot(_S319, _S311) * _S318));
-    var _S321 : vec3<f32> = _S316 * _S320 - _S319;
-    var _S322 : vec3<f32> = _S320 * (_S313 - _S316 * vec3<f32>((dot(_S313, _S311) * _S318)));
-    var _S323 : vec3<f32> = _S320 * (_S315 - _S316 * vec3<f32>((dot(_S315, _S311) * _S318)));
-    var _S324 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S311), 1.00000000317107685e-30f)));
-    var _S325 : vec3<f32> = cross(_S310, _S311) * _S324;
-    var _S326 : vec3<f32> = cross(_S311, _S309) * _S324;
-    var _S327 : vec2<f32> = vec2<f32>(_S306.u_0 - _S305.u_0, _S306.v_0 - _S305.v_0);
-    var _S328 : vec2<f32> = vec2<f32>(_S307.u_0 - _S305.u_0, _S307.v_0 - _S305.v_0);
-    var point_3 : VisiblePoint_0 = face_point_0(_S301, _S302, dot(_S321, _S325), dot(_S321, _S326));
-    point_3.position_0 = _S308 + _S321;
-    point_3.view_0 = (vec3<f32>(0) - normalize(_S316));
-    point_3.draft_dx_0 = (vec2<f32>(dot(_S322, _S325)) * _S327 + vec2<f32>(dot(_S322, _S326)) * _S328) * point_3.draft_per_uv_0;
-    point_3.draft_dy_0 = (vec2<f32>(dot(_S323, _S325)) * _S327 + vec2<f32>(dot(_S323, _S326)) * _S328) * point_3.draft_per_uv_0;
+    var _S305 : u32 = u32(3) * _S303;
+    var _S306 : Vertex_0 = vertex_at_0(_S305);
+    var _S307 : Vertex_0 = vertex_at_0(_S305 + u32(1));
+    var _S308 : Vertex_0 = vertex_at_0(_S305 + u32(2));
+    var _S309 : vec3<f32> = position_of_0(_S306);
+    var _S310 : vec3<f32> = position_of_0(_S307) - _S309;
+    var _S311 : vec3<f32> = position_of_0(_S308) - _S309;
+    var _S312 : vec3<f32> = cross(_S310, _S311);
+    var _S313 : f32 = f32(frame_record_0.width_0);
+    var _S314 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S313));
+    var _S315 : f32 = f32(frame_record_0.height_0);
+    var _S316 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S315));
+    var _S317 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S304.x) + 0.5f - 0.5f * _S313)) * _S314 + vec3<f32>((f32(_S304.y) + 0.5f - 0.5f * _S315)) * _S316;
+    var _S318 : f32 = dot(_S317, _S312);
+    var _S319 : f32 = 1.0f / select(1.00000000317107685e-30f, _S318, (abs(_S318)) > 1.00000000317107685e-30f);
+    var _S320 : vec3<f32> = _S309 - camera_origin_0();
+    var _S321 : vec3<f32> = vec3<f32>((dot(_S320, _S312) * _S319));
+    var _S322 : vec3<f32> = _S317 * _S321 - _S320;
+    var _S323 : vec3<f32> = _S321 * (_S314 - _S317 * vec3<f32>((dot(_S314, _S312) * _S319)));
+    var _S324 : vec3<f32> = _S321 * (_S316 - _S317 * vec3<f32>((dot(_S316, _S312) * _S319)));
+    var _S325 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S312), 1.00000000317107685e-30f)));
+    var _S326 : vec3<f32> = cross(_S311, _S312) * _S325;
+    var _S327 : vec3<f32> = cross(_S312, _S310) * _S325;
+    var _S328 : vec2<f32> = vec2<f32>(_S307.u_0 - _S306.u_0, _S307.v_0 - _S306.v_0);
+    var _S329 : vec2<f32> = vec2<f32>(_S308.u_0 - _S306.u_0, _S308.v_0 - _S306.v_0);
+    var point_3 : VisiblePoint_0 = face_point_0(_S302, _S303, dot(_S322, _S326), dot(_S322, _S327));
+    point_3.position_0 = _S309 + _S322;
+    point_3.view_0 = (vec3<f32>(0) - normalize(_S317));
+    point_3.draft_dx_0 = (vec2<f32>(dot(_S323, _S326)) * _S328 + vec2<f32>(dot(_S323, _S327)) * _S329) * point_3.draft_per_uv_0;
+    point_3.draft_dy_0 = (vec2<f32>(dot(_S324, _S326)) * _S328 + vec2<f32>(dot(_S324, _S327)) * _S329) * point_3.draft_per_uv_0;
     return point_3;
 }
 
-fn filtered_albedo_0( _S329 : u32,  _S330 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S330 : u32,  _S331 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S331 : u32 = fabrics_0[_S329].albedo_map_levels_0;
-    if((fabrics_0[_S329].albedo_map_levels_0) == u32(0))
+    var _S332 : u32 = fabrics_0[_S330].albedo_map_levels_0;
+    if((fabrics_0[_S330].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S332 : vec2<f32> = vec2<f32>(fabrics_0[_S329].uv_width_0, fabrics_0[_S329].uv_height_0);
-    var _S333 : vec2<f32> = _S330.draft_dx_0 / _S332;
-    var _S334 : vec2<f32> = _S330.draft_dy_0 / _S332;
-    var _S335 : u32 = _S331 - u32(1);
-    var _S336 : u32 = (u32(1) << (_S335));
-    var _S337 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S333.x * _S334.y - _S333.y * _S334.x), 9.99999968265522539e-21f) * (square_1(f32(_S336)) / 3.0f)), 0.0f, f32(_S331) - 1.0f);
-    var _S338 : u32 = min(u32(_S337), max(_S331, u32(2)) - u32(2));
-    var _S339 : u32 = min(_S338 + u32(1), _S335);
-    var _S340 : u32 = (u32(1) << ((u32(2) * _S331)));
-    return mix(map_level_0(fabrics_0[_S329].albedo_map_0 + (_S340 - ((_S340 >> ((u32(2) * _S338))))) / u32(3), (_S336 >> (_S338)), _S330.uv_1), map_level_0(fabrics_0[_S329].albedo_map_0 + (_S340 - ((_S340 >> ((u32(2) * _S339))))) / u32(3), (_S336 >> (_S339)), _S330.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S337 - f32(_S338))) - 1.0f) / 3.0f)));
+    var _S333 : vec2<f32> = vec2<f32>(fabrics_0[_S330].uv_width_0, fabrics_0[_S330].uv_height_0);
+    var _S334 : vec2<f32> = _S331.draft_dx_0 / _S333;
+    var _S335 : vec2<f32> = _S331.draft_dy_0 / _S333;
+    var _S336 : u32 = _S332 - u32(1);
+    var _S337 : u32 = (u32(1) << (_S336));
+    var _S338 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S334.x * _S335.y - _S334.y * _S335.x), 9.99999968265522539e-21f) * (square_1(f32(_S337)) / 3.0f)), 0.0f, f32(_S332) - 1.0f);
+    var _S339 : u32 = min(u32(_S338), max(_S332, u32(2)) - u32(2));
+    var _S340 : u32 = min(_S339 + u32(1), _S336);
+    var _S341 : u32 = (u32(1) << ((u32(2) * _S332)));
+    return mix(map_level_0(fabrics_0[_S330].albedo_map_0 + (_S341 - ((_S341 >> ((u32(2) * _S339))))) / u32(3), (_S337 >> (_S339)), _S331.uv_1), map_level_0(fabrics_0[_S330].albedo_map_0 + (_S341 - ((_S341 >> ((u32(2) * _S340))))) / u32(3), (_S337 >> (_S340)), _S331.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S338 - f32(_S339))) - 1.0f) / 3.0f)));
 }
 
 fn light_sample_count_0() -> u32
@@ -1955,13 +1963,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S341 : u32,  _S342 : vec2<u32>) -> f32
+fn visibility_at_0( _S342 : u32,  _S343 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S341 * frame_record_0.height_0 + _S342.y) * frame_record_0.width_0 + _S342.x];
+    return visibilities_0[(_S342 * frame_record_0.height_0 + _S343.y) * frame_record_0.width_0 + _S343.x];
 }
 
 struct LightSample_0
@@ -1971,52 +1979,52 @@ struct LightSample_0
      distance_1 : f32,
 };
 
-fn environment_texel_0( _S343 : u32,  _S344 : u32) -> vec3<f32>
+fn environment_texel_0( _S344 : u32,  _S345 : u32) -> vec3<f32>
 {
-    var _S345 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S343 * frame_record_0.environment_columns_0 + _S344);
-    return vec3<f32>(scene_number_0(_S345), scene_number_0(_S345 + u32(1)), scene_number_0(_S345 + u32(2)));
+    var _S346 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S344 * frame_record_0.environment_columns_0 + _S345);
+    return vec3<f32>(scene_number_0(_S346), scene_number_0(_S346 + u32(1)), scene_number_0(_S346 + u32(2)));
 }
 
-fn sample_environment_0( _S346 : vec2<f32>,  _S347 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S347 : vec2<f32>,  _S348 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S348 : u32 = frame_record_0.environment_rows_0;
-    var _S349 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S346.y);
-    var _S350 : u32 = frame_record_0.environment_columns_0;
-    var _S351 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S349.index_3 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S346.x);
-    var _S352 : vec3<f32> = environment_texel_0(_S349.index_3, _S351.index_3);
-    (*_S347) = _S352 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S352), 9.99999968265522539e-21f)));
-    var _S353 : f32 = 3.14159274101257324f / f32(_S348);
-    var _S354 : f32 = mix(sine_cosine_0(f32(_S349.index_3) * _S353).y, sine_cosine_0(f32(_S349.index_3 + u32(1)) * _S353).y, _S349.remainder_0);
-    var _S355 : f32 = sqrt(max(1.0f - _S354 * _S354, 0.0f));
-    var _S356 : vec2<f32> = sine_cosine_0((f32(_S351.index_3) + _S351.remainder_0) * (6.28318548202514648f / f32(_S350)));
-    var _S357 : f32 = _S355 * _S356.x;
-    var _S358 : f32 = - _S355 * _S356.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S357 + frame_record_0.environment_sine_0 * _S358, _S354, frame_record_0.environment_cosine_0 * _S358 - frame_record_0.environment_sine_0 * _S357);
+    var _S349 : u32 = frame_record_0.environment_rows_0;
+    var _S350 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S347.y);
+    var _S351 : u32 = frame_record_0.environment_columns_0;
+    var _S352 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S350.index_3 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S347.x);
+    var _S353 : vec3<f32> = environment_texel_0(_S350.index_3, _S352.index_3);
+    (*_S348) = _S353 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S353), 9.99999968265522539e-21f)));
+    var _S354 : f32 = 3.14159274101257324f / f32(_S349);
+    var _S355 : f32 = mix(sine_cosine_0(f32(_S350.index_3) * _S354).y, sine_cosine_0(f32(_S350.index_3 + u32(1)) * _S354).y, _S350.remainder_0);
+    var _S356 : f32 = sqrt(max(1.0f - _S355 * _S355, 0.0f));
+    var _S357 : vec2<f32> = sine_cosine_0((f32(_S352.index_3) + _S352.remainder_0) * (6.28318548202514648f / f32(_S351)));
+    var _S358 : f32 = _S356 * _S357.x;
+    var _S359 : f32 = - _S356 * _S357.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S358 + frame_record_0.environment_sine_0 * _S359, _S355, frame_record_0.environment_cosine_0 * _S359 - frame_record_0.environment_sine_0 * _S358);
 }
 
-fn light_sample_0( _S359 : u32,  _S360 : vec2<u32>,  _S361 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S360 : u32,  _S361 : vec2<u32>,  _S362 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_1 = 1.00000001504746622e+30f;
-    var _S362 : u32 = frame_record_0.lights_0;
-    if(_S359 >= (frame_record_0.lights_0))
+    var _S363 : u32 = frame_record_0.lights_0;
+    if(_S360 >= (frame_record_0.lights_0))
     {
         var weight_6 : vec3<f32>;
-        var _S363 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S360, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S359 - _S362), u32(3)), &(weight_6));
-        sample_0.towards_0 = _S363;
+        var _S364 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S361, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S360 - _S363), u32(3)), &(weight_6));
+        sample_0.towards_0 = _S364;
         sample_0.irradiance_1 = weight_6 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S364 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S359);
-    sample_0.irradiance_1 = vec3<f32>(_S364.red_0, _S364.green_0, _S364.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S364.x_7, _S364.y_1, _S364.z_1);
-    if((_S364.is_point_0) != u32(0))
+    var _S365 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S360);
+    sample_0.irradiance_1 = vec3<f32>(_S365.red_0, _S365.green_0, _S365.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S365.x_7, _S365.y_1, _S365.z_1);
+    if((_S365.is_point_0) != u32(0))
     {
-        var _S365 : vec3<f32> = sample_0.towards_0 - _S361;
-        var _S366 : f32 = max(square_0(_S365), 9.999999960041972e-13f);
-        sample_0.distance_1 = sqrt(_S366);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S366);
-        sample_0.towards_0 = normalize(_S365);
+        var _S366 : vec3<f32> = sample_0.towards_0 - _S362;
+        var _S367 : f32 = max(square_0(_S366), 9.999999960041972e-13f);
+        sample_0.distance_1 = sqrt(_S367);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S367);
+        sample_0.towards_0 = normalize(_S366);
     }
     return sample_0;
 }
@@ -2041,22 +2049,22 @@ struct Regime_0
      points_0 : f32,
 };
 
-fn regime_of_0( _S367 : u32,  _S368 : Footprint_0,  _S369 : f32) -> Regime_0
+fn regime_of_0( _S368 : u32,  _S369 : Footprint_0,  _S370 : f32) -> Regime_0
 {
-    var _S370 : f32 = Footprint_spread_side_0(_S368);
-    var _S371 : f32 = clamp((binary_logarithm_0(max(_S370, 9.99999971718068537e-10f)) - fabrics_0[_S367].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
+    var _S371 : f32 = Footprint_spread_side_0(_S369);
+    var _S372 : f32 = clamp((binary_logarithm_0(max(_S371, 9.99999971718068537e-10f)) - fabrics_0[_S368].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
     var regime_0 : Regime_0;
-    var _S372 : f32 = _S371 * _S371 * (3.0f - 2.0f * _S371);
-    regime_0.prefiltered_0 = _S372;
-    var _S373 : f32 = _S370 * fabrics_0[_S367].lobes_0.threads_per_mm_0;
-    regime_0.threads_1 = _S373;
-    regime_0.points_0 = select(0.0f, clamp(_S373 * 12.0f, 1.0f, mix(max(8.0f / _S369, 1.0f), 1.0f, _S372)), _S372 < 1.0f);
+    var _S373 : f32 = _S372 * _S372 * (3.0f - 2.0f * _S372);
+    regime_0.prefiltered_0 = _S373;
+    var _S374 : f32 = _S371 * fabrics_0[_S368].lobes_0.threads_per_mm_0;
+    regime_0.threads_1 = _S374;
+    regime_0.points_0 = select(0.0f, clamp(_S374 * 12.0f, 1.0f, mix(max(8.0f / _S370, 1.0f), 1.0f, _S373)), _S373 < 1.0f);
     return regime_0;
 }
 
-fn varies_at_0( _S374 : u32,  _S375 : f32) -> bool
+fn varies_at_0( _S375 : u32,  _S376 : f32) -> bool
 {
-    return (((((fabrics_0[_S374].fibre_noise_0) > 0.0f) | (((fabrics_0[_S374].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S374].has_detail_0) != u32(0)) & ((_S375 >= 0.0f))))));
+    return (((((fabrics_0[_S375].fibre_noise_0) > 0.0f) | (((fabrics_0[_S375].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S375].has_detail_0) != u32(0)) & ((_S376 >= 0.0f))))));
 }
 
 struct Hit_0
@@ -2080,130 +2088,130 @@ struct Sample_0
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S376 : u32,  _S377 : f32,  _S378 : f32,  _S379 : bool) -> Crossing_0
+fn crossing_at_0( _S377 : u32,  _S378 : f32,  _S379 : f32,  _S380 : bool) -> Crossing_0
 {
     var crossing_3 : Crossing_0;
-    crossing_3.warp_2 = locate_0(fabrics_0[_S376].warp_0, _S377);
-    crossing_3.weft_2 = locate_0(fabrics_0[_S376].weft_0, _S378);
-    var _S380 : u32 = fabrics_0[_S376].run_words_0 + u32(2) * (crossing_3.weft_2.thread_2 * fabrics_0[_S376].ends_1 + crossing_3.warp_2.thread_2);
-    var _S381 : u32 = words_0[_S380];
-    crossing_3.warp_word_0 = _S381;
-    crossing_3.weft_word_0 = words_0[_S380 + u32(1)];
-    crossing_3.warp_above_0 = (((_S381 & (u32(1)))) == u32(1)) != _S379;
+    crossing_3.warp_2 = locate_0(fabrics_0[_S377].warp_0, _S378);
+    crossing_3.weft_2 = locate_0(fabrics_0[_S377].weft_0, _S379);
+    var _S381 : u32 = fabrics_0[_S377].run_words_0 + u32(2) * (crossing_3.weft_2.thread_2 * fabrics_0[_S377].ends_1 + crossing_3.warp_2.thread_2);
+    var _S382 : u32 = words_0[_S381];
+    crossing_3.warp_word_0 = _S382;
+    crossing_3.weft_word_0 = words_0[_S381 + u32(1)];
+    crossing_3.warp_above_0 = (((_S382 & (u32(1)))) == u32(1)) != _S380;
     return crossing_3;
 }
 
-fn sample_at_0( _S382 : u32,  _S383 : f32,  _S384 : f32,  _S385 : bool) -> Sample_0
+fn sample_at_0( _S383 : u32,  _S384 : f32,  _S385 : f32,  _S386 : bool) -> Sample_0
 {
     var sample_1 : Sample_0;
-    var _S386 : Crossing_0 = crossing_at_0(_S382, _S383, _S384, _S385);
-    sample_1.crossing_2 = _S386;
-    var _S387 : Shown_0 = shown_at_0(_S386, _S385);
-    sample_1.shown_3 = _S387;
-    var _S388 : u32 = select(fabrics_0[_S382].weft_0, fabrics_0[_S382].warp_0, _S387.is_warp_2);
-    var _S389 : u32 = select(fabrics_0[_S382].warp_0, fabrics_0[_S382].weft_0, _S387.is_warp_2);
-    var _S390 : Cell_0 = select_cell_0(_S387.is_warp_2, sample_1.crossing_2.warp_2, sample_1.crossing_2.weft_2);
-    var _S391 : Cell_0 = select_cell_0(_S387.is_warp_2, sample_1.crossing_2.weft_2, sample_1.crossing_2.warp_2);
-    var _S392 : Run_0 = unpack_0(_S388, _S389, _S390.thread_2, _S391, _S387.word_0);
-    var _S393 : Section_0 = section_at_0(_S390);
-    var _S394 : bool = ((_S387.on_top_0) & (((_S392.distance_0) < (_S393.drop_0 * _S392.bend_1.sine_0))));
-    var _S395 : f32 = select(-1.0f, 1.0f, ((_S387.on_top_0) & ((!_S394))));
-    var _S396 : f32 = select(_S392.reach_0, _S392.other_reach_0, _S394);
-    var _S397 : f32 = select(max(_S396 - _S392.distance_0, 0.0f), _S396 + _S392.distance_0, _S394);
-    var _S398 : f32 = _S396 / _S392.bend_1.sine_0 - _S395 * _S393.drop_0;
-    var _S399 : f32 = _S397 * _S397;
-    var _S400 : f32 = max(_S398 * _S398 - _S399, 9.99999968265522539e-21f);
-    var _S401 : f32 = rsqrt_0(_S400);
-    var _S402 : f32 = _S399 / (_S400 * _S401 + _S398);
-    var _S403 : bool = _S397 > 0.0f;
-    var _S404 : f32 = select(-1.0f, 1.0f, _S387.on_top_0) * select(-1.0f, 1.0f, _S392.near_start_0);
-    var _S405 : f32 = _S393.slope_0 * select(1.0f, _S398 * _S401, _S403);
-    sample_1.slope_across_0 = _S405;
-    var _S406 : f32 = select(0.0f, _S404 * _S397 * _S401, _S403);
-    sample_1.slope_along_0 = _S406;
-    var _S407 : vec2<f32> = dive_0(_S389, _S387, _S392, _S391);
-    sample_1.height_7 = select(families_0[_S388].height_scale_0 * _S395, 0.0f, _S392.straight_0) * (_S396 * _S392.bend_1.half_tangent_0 - _S402) - families_0[_S388].height_scale_0 * _S393.drop_0 - _S407.x;
-    var _S408 : f32 = families_0[_S388].height_scale_0 * _S405;
-    var _S409 : f32 = families_0[_S388].height_scale_0 * _S406 - _S407.y;
-    sample_1.slope_x_1 = select(_S409, _S408, _S387.is_warp_2);
-    sample_1.slope_y_1 = select(_S408, _S409, _S387.is_warp_2);
-    sample_1.run_3 = _S392;
-    sample_1.section_1 = _S393;
+    var _S387 : Crossing_0 = crossing_at_0(_S383, _S384, _S385, _S386);
+    sample_1.crossing_2 = _S387;
+    var _S388 : Shown_0 = shown_at_0(_S387, _S386);
+    sample_1.shown_3 = _S388;
+    var _S389 : u32 = select(fabrics_0[_S383].weft_0, fabrics_0[_S383].warp_0, _S388.is_warp_2);
+    var _S390 : u32 = select(fabrics_0[_S383].warp_0, fabrics_0[_S383].weft_0, _S388.is_warp_2);
+    var _S391 : Cell_0 = select_cell_0(_S388.is_warp_2, sample_1.crossing_2.warp_2, sample_1.crossing_2.weft_2);
+    var _S392 : Cell_0 = select_cell_0(_S388.is_warp_2, sample_1.crossing_2.weft_2, sample_1.crossing_2.warp_2);
+    var _S393 : Run_0 = unpack_0(_S389, _S390, _S391.thread_2, _S392, _S388.word_0);
+    var _S394 : Section_0 = section_at_0(_S391);
+    var _S395 : bool = ((_S388.on_top_0) & (((_S393.distance_0) < (_S394.drop_0 * _S393.bend_1.sine_0))));
+    var _S396 : f32 = select(-1.0f, 1.0f, ((_S388.on_top_0) & ((!_S395))));
+    var _S397 : f32 = select(_S393.reach_0, _S393.other_reach_0, _S395);
+    var _S398 : f32 = select(max(_S397 - _S393.distance_0, 0.0f), _S397 + _S393.distance_0, _S395);
+    var _S399 : f32 = _S397 / _S393.bend_1.sine_0 - _S396 * _S394.drop_0;
+    var _S400 : f32 = _S398 * _S398;
+    var _S401 : f32 = max(_S399 * _S399 - _S400, 9.99999968265522539e-21f);
+    var _S402 : f32 = rsqrt_0(_S401);
+    var _S403 : f32 = _S400 / (_S401 * _S402 + _S399);
+    var _S404 : bool = _S398 > 0.0f;
+    var _S405 : f32 = select(-1.0f, 1.0f, _S388.on_top_0) * select(-1.0f, 1.0f, _S393.near_start_0);
+    var _S406 : f32 = _S394.slope_0 * select(1.0f, _S399 * _S402, _S404);
+    sample_1.slope_across_0 = _S406;
+    var _S407 : f32 = select(0.0f, _S405 * _S398 * _S402, _S404);
+    sample_1.slope_along_0 = _S407;
+    var _S408 : vec2<f32> = dive_0(_S390, _S388, _S393, _S392);
+    sample_1.height_7 = select(families_0[_S389].height_scale_0 * _S396, 0.0f, _S393.straight_0) * (_S397 * _S393.bend_1.half_tangent_0 - _S403) - families_0[_S389].height_scale_0 * _S394.drop_0 - _S408.x;
+    var _S409 : f32 = families_0[_S389].height_scale_0 * _S406;
+    var _S410 : f32 = families_0[_S389].height_scale_0 * _S407 - _S408.y;
+    sample_1.slope_x_1 = select(_S410, _S409, _S388.is_warp_2);
+    sample_1.slope_y_1 = select(_S409, _S410, _S388.is_warp_2);
+    sample_1.run_3 = _S393;
+    sample_1.section_1 = _S394;
     return sample_1;
 }
 
-fn steps_per_length_0( _S410 : u32,  _S411 : SearchQuality_0,  _S412 : vec3<f32>) -> f32
+fn steps_per_length_0( _S411 : u32,  _S412 : SearchQuality_0,  _S413 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S412.x) * fabrics_0[_S410].threads_per_x_0, abs(_S412.y) * fabrics_0[_S410].threads_per_y_0) * _S411.steps_per_thread_0, abs(_S412.z) * fabrics_0[_S410].per_relief_0 * _S411.steps_per_relief_0);
+    return max(max(abs(_S413.x) * fabrics_0[_S411].threads_per_x_0, abs(_S413.y) * fabrics_0[_S411].threads_per_y_0) * _S412.steps_per_thread_0, abs(_S413.z) * fabrics_0[_S411].per_relief_0 * _S412.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S413 : u32,  _S414 : Crossing_0) -> f32
+fn cell_maximum_0( _S414 : u32,  _S415 : Crossing_0) -> f32
 {
-    var _S415 : u32 = select(fabrics_0[_S413].weft_0, fabrics_0[_S413].warp_0, _S414.warp_above_0);
-    return f32((select(_S414.weft_word_0, _S414.warp_word_0, _S414.warp_above_0) >> (u32(28)))) * families_0[_S415].height_scale_0 * families_0[_S415].level_0;
+    var _S416 : u32 = select(fabrics_0[_S414].weft_0, fabrics_0[_S414].warp_0, _S415.warp_above_0);
+    return f32((select(_S415.weft_word_0, _S415.warp_word_0, _S415.warp_above_0) >> (u32(28)))) * families_0[_S416].height_scale_0 * families_0[_S416].level_0;
 }
 
-fn probe_0( _S416 : u32,  _S417 : f32,  _S418 : f32,  _S419 : bool,  _S420 : bool,  _S421 : bool) -> Probe_0
+fn probe_0( _S417 : u32,  _S418 : f32,  _S419 : f32,  _S420 : bool,  _S421 : bool,  _S422 : bool) -> Probe_0
 {
-    var _S422 : Sample_0 = sample_at_0(_S416, _S417, _S418, _S419);
+    var _S423 : Sample_0 = sample_at_0(_S417, _S418, _S419, _S420);
     var probe_1 : Probe_0;
-    probe_1.height_4 = _S422.height_7;
-    probe_1.hole_4 = _S422.shown_3.hole_3;
-    probe_1.slope_x_0 = _S422.slope_x_1;
-    probe_1.slope_y_0 = _S422.slope_y_1;
-    probe_1.yarn_1 = select(_S422.crossing_2.weft_2.thread_2 * u32(2), _S422.crossing_2.warp_2.thread_2 * u32(2) + u32(1), _S422.shown_3.is_warp_2);
-    probe_1.cell_max_0 = cell_maximum_0(_S416, _S422.crossing_2);
-    probe_1.side_x_0 = select(_S422.crossing_2.warp_2.below_0, _S422.crossing_2.warp_2.above_0, _S420);
-    probe_1.side_y_0 = select(_S422.crossing_2.weft_2.below_0, _S422.crossing_2.weft_2.above_0, _S421);
-    probe_1.edge_x_0 = outline_distance_0(_S422.crossing_2.warp_2, _S422.shown_3, _S422.run_3, !_S422.shown_3.is_warp_2, _S420);
-    probe_1.edge_y_0 = outline_distance_0(_S422.crossing_2.weft_2, _S422.shown_3, _S422.run_3, _S422.shown_3.is_warp_2, _S421);
+    probe_1.height_4 = _S423.height_7;
+    probe_1.hole_4 = _S423.shown_3.hole_3;
+    probe_1.slope_x_0 = _S423.slope_x_1;
+    probe_1.slope_y_0 = _S423.slope_y_1;
+    probe_1.yarn_1 = select(_S423.crossing_2.weft_2.thread_2 * u32(2), _S423.crossing_2.warp_2.thread_2 * u32(2) + u32(1), _S423.shown_3.is_warp_2);
+    probe_1.cell_max_0 = cell_maximum_0(_S417, _S423.crossing_2);
+    probe_1.side_x_0 = select(_S423.crossing_2.warp_2.below_0, _S423.crossing_2.warp_2.above_0, _S421);
+    probe_1.side_y_0 = select(_S423.crossing_2.weft_2.below_0, _S423.crossing_2.weft_2.above_0, _S422);
+    probe_1.edge_x_0 = outline_distance_0(_S423.crossing_2.warp_2, _S423.shown_3, _S423.run_3, !_S423.shown_3.is_warp_2, _S421);
+    probe_1.edge_y_0 = outline_distance_0(_S423.crossing_2.weft_2, _S423.shown_3, _S423.run_3, _S423.shown_3.is_warp_2, _S422);
     return probe_1;
 }
 
-fn is_free_0( _S423 : u32,  _S424 : SearchQuality_0,  _S425 : vec3<f32>,  _S426 : vec3<f32>,  _S427 : bool,  _S428 : f32) -> bool
+fn is_free_0( _S424 : u32,  _S425 : SearchQuality_0,  _S426 : vec3<f32>,  _S427 : vec3<f32>,  _S428 : bool,  _S429 : f32) -> bool
 {
-    var _S429 : f32 = _S426.z;
-    if(_S429 <= 0.0f)
+    var _S430 : f32 = _S427.z;
+    if(_S430 <= 0.0f)
     {
         return false;
     }
-    var _S430 : f32 = 1.0f / max(_S424.shadow_share_0 * steps_per_length_0(_S423, _S424, _S426), 9.99999971718068537e-10f);
-    var _S431 : StepControl_0 = step_control_0(_S426.xy, _S430);
+    var _S431 : f32 = 1.0f / max(_S425.shadow_share_0 * steps_per_length_0(_S424, _S425, _S427), 9.99999971718068537e-10f);
+    var _S432 : StepControl_0 = step_control_0(_S427.xy, _S431);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_4 : u32 = u32(0);
     var distance_2 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        if(((count_4 < u32(1024)) & (((_S425.z + _S429 * distance_2) < _S428))))
+        if(((count_4 < u32(1024)) & (((_S426.z + _S430 * distance_2) < _S429))))
         {
         }
         else
         {
             break;
         }
-        var _S432 : vec3<f32> = _S425 + _S426 * vec3<f32>(distance_2);
-        var _S433 : Probe_0 = probe_0(_S423, _S432.x, _S432.y, _S427, _S431.right_0, _S431.up_0);
-        var _S434 : f32 = _S432.z;
-        var _S435 : f32 = _S434 - _S433.height_4;
-        var _S436 : f32 = _S429 - _S433.slope_x_0 * _S426.x - _S433.slope_y_0 * _S426.y;
-        if(((!_S433.hole_4) & ((_S435 < 0.0f))))
+        var _S433 : vec3<f32> = _S426 + _S427 * vec3<f32>(distance_2);
+        var _S434 : Probe_0 = probe_0(_S424, _S433.x, _S433.y, _S428, _S432.right_0, _S432.up_0);
+        var _S435 : f32 = _S433.z;
+        var _S436 : f32 = _S435 - _S434.height_4;
+        var _S437 : f32 = _S430 - _S434.slope_x_0 * _S427.x - _S434.slope_y_0 * _S427.y;
+        if(((!_S434.hole_4) & ((_S436 < 0.0f))))
         {
             return false;
         }
-        var _S437 : f32 = way_back_to_dip_0(previous_3, _S435, _S436, last_step_0, _S433);
-        if(_S437 >= 0.0f)
+        var _S438 : f32 = way_back_to_dip_0(previous_3, _S436, _S437, last_step_0, _S434);
+        if(_S438 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S437;
-            distance_2 = distance_2 - _S437;
+            var last_step_1 : f32 = last_step_0 - _S438;
+            distance_2 = distance_2 - _S438;
             last_step_0 = last_step_1;
             count_4 = count_4 + u32(1);
             continue;
         }
-        var _S438 : bool = _S434 > (_S433.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S431, _S433, _S435, _S436), max(StepControl_to_cell_exit_0(_S431, _S433.side_x_0, _S433.side_y_0), _S430), _S438);
+        var _S439 : bool = _S435 > (_S434.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S432, _S434, _S436, _S437), max(StepControl_to_cell_exit_0(_S432, _S434.side_x_0, _S434.side_y_0), _S431), _S439);
         var distance_3 : f32 = distance_2 + last_step_2;
-        previous_3 = after_sample_0(_S435, _S436, _S433, _S438);
+        previous_3 = after_sample_0(_S436, _S437, _S434, _S439);
         distance_2 = distance_3;
         last_step_0 = last_step_2;
         count_4 = count_4 + u32(1);
@@ -2211,13 +2219,13 @@ fn is_free_0( _S423 : u32,  _S424 : SearchQuality_0,  _S425 : vec3<f32>,  _S426 
     return true;
 }
 
-fn passes_through_0( _S439 : u32,  _S440 : SearchQuality_0,  _S441 : f32,  _S442 : f32,  _S443 : vec3<f32>,  _S444 : bool) -> bool
+fn passes_through_0( _S440 : u32,  _S441 : SearchQuality_0,  _S442 : f32,  _S443 : f32,  _S444 : vec3<f32>,  _S445 : bool) -> bool
 {
-    if(!sample_at_0(_S439, _S441, _S442, _S444).shown_3.hole_3)
+    if(!sample_at_0(_S440, _S442, _S443, _S445).shown_3.hole_3)
     {
         return false;
     }
-    var _S445 : vec3<f32> = vec3<f32>(_S441, _S442, 0.0f);
+    var _S446 : vec3<f32> = vec3<f32>(_S442, _S443, 0.0f);
     var passes_0 : bool = true;
     var side_1 : u32 = u32(0);
     for(;;)
@@ -2229,10 +2237,10 @@ fn passes_through_0( _S439 : u32,  _S440 : SearchQuality_0,  _S441 : f32,  _S442
         {
             break;
         }
-        var _S446 : bool = is_free_0(_S439, _S440, _S445, select_vector_1(side_1 == u32(0), _S443, vec3<f32>(- _S443.x, - _S443.y, _S443.z)), _S444 != (side_1 == u32(1)), fabrics_0[_S439].height_high_0);
-        var _S447 : u32 = side_1 + u32(1);
-        passes_0 = _S446;
-        side_1 = _S447;
+        var _S447 : bool = is_free_0(_S440, _S441, _S446, select_vector_1(side_1 == u32(0), _S444, vec3<f32>(- _S444.x, - _S444.y, _S444.z)), _S445 != (side_1 == u32(1)), fabrics_0[_S440].height_high_0);
+        var _S448 : u32 = side_1 + u32(1);
+        passes_0 = _S447;
+        side_1 = _S448;
     }
     return passes_0;
 }
@@ -2247,14 +2255,14 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S448 : u32,  _S449 : f32,  _S450 : f32,  _S451 : f32,  _S452 : vec3<f32>,  _S453 : bool) -> f32
+fn max_height_along_0( _S449 : u32,  _S450 : f32,  _S451 : f32,  _S452 : f32,  _S453 : vec3<f32>,  _S454 : bool) -> f32
 {
-    var _S454 : f32 = _S452.x;
-    var _S455 : f32 = _S452.y;
-    var _S456 : u32 = (words_0[fabrics_0[_S448].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S448].weft_0, _S450).thread_2 / u32(2) * fabrics_0[_S448].max_height_columns_0 + locate_0(fabrics_0[_S448].warp_0, _S449).thread_2 / u32(2)) + (select(u32(0), u32(1), _S454 > 0.0f) + select(u32(0), u32(2), _S455 > 0.0f))] >> (u32(select(i32(0), i32(4), _S453))));
-    var _S457 : f32 = max(abs(_S454) * fabrics_0[_S448].threads_per_x_0, abs(_S455) * fabrics_0[_S448].threads_per_y_0) / _S452.z;
-    var _S458 : f32 = fabrics_0[_S448].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S448].height_high_0;
+    var _S455 : f32 = _S453.x;
+    var _S456 : f32 = _S453.y;
+    var _S457 : u32 = (words_0[fabrics_0[_S449].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S449].weft_0, _S451).thread_2 / u32(2) * fabrics_0[_S449].max_height_columns_0 + locate_0(fabrics_0[_S449].warp_0, _S450).thread_2 / u32(2)) + (select(u32(0), u32(1), _S455 > 0.0f) + select(u32(0), u32(2), _S456 > 0.0f))] >> (u32(select(i32(0), i32(4), _S454))));
+    var _S458 : f32 = max(abs(_S455) * fabrics_0[_S449].threads_per_x_0, abs(_S456) * fabrics_0[_S449].threads_per_y_0) / _S453.z;
+    var _S459 : f32 = fabrics_0[_S449].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S449].height_high_0;
     var number_1 : i32 = i32(3);
     for(;;)
     {
@@ -2265,26 +2273,26 @@ fn max_height_along_0( _S448 : u32,  _S449 : f32,  _S450 : f32,  _S451 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S451) * _S457) <= (PYRAMID_RADII_0[number_1]))
+        if(((max_height_0 - _S452) * _S458) <= (PYRAMID_RADII_0[number_1]))
         {
-            max_height_0 = min(max_height_0, f32((((_S456 >> (u32(i32(8) * number_1)))) & (u32(15)))) * 0.06666667014360428f * _S458);
+            max_height_0 = min(max_height_0, f32((((_S457 >> (u32(i32(8) * number_1)))) & (u32(15)))) * 0.06666667014360428f * _S459);
         }
         number_1 = number_1 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S459 : u32,  _S460 : f32,  _S461 : f32,  _S462 : bool,  _S463 : bool,  _S464 : bool) -> vec3<f32>
+fn cell_bounds_0( _S460 : u32,  _S461 : f32,  _S462 : f32,  _S463 : bool,  _S464 : bool,  _S465 : bool) -> vec3<f32>
 {
-    var _S465 : Crossing_0 = crossing_at_0(_S459, _S460, _S461, _S462);
-    return vec3<f32>(cell_maximum_0(_S459, _S465), select(_S465.warp_2.below_0, _S465.warp_2.above_0, _S463), select(_S465.weft_2.below_0, _S465.weft_2.above_0, _S464));
+    var _S466 : Crossing_0 = crossing_at_0(_S460, _S461, _S462, _S463);
+    return vec3<f32>(cell_maximum_0(_S460, _S466), select(_S466.warp_2.below_0, _S466.warp_2.above_0, _S464), select(_S466.weft_2.below_0, _S466.weft_2.above_0, _S465));
 }
 
-fn first_sample_height_0( _S466 : u32,  _S467 : ViewRay_0,  _S468 : StepControl_0,  _S469 : bool) -> f32
+fn first_sample_height_0( _S467 : u32,  _S468 : ViewRay_0,  _S469 : StepControl_0,  _S470 : bool) -> f32
 {
-    var _S470 : f32 = max_height_along_0(_S466, _S467.origin_0.x, _S467.origin_0.y, 0.0f, vec3<f32>(_S467.slope_1, 1.0f), _S469);
+    var _S471 : f32 = max_height_along_0(_S467, _S468.origin_0.x, _S468.origin_0.y, 0.0f, vec3<f32>(_S468.slope_1, 1.0f), _S470);
     var count_5 : u32 = u32(0);
-    var height_9 : f32 = _S470;
+    var height_9 : f32 = _S471;
     for(;;)
     {
         if(count_5 < u32(1024))
@@ -2294,12 +2302,12 @@ fn first_sample_height_0( _S466 : u32,  _S467 : ViewRay_0,  _S468 : StepControl_
         {
             break;
         }
-        var _S471 : vec2<f32> = ViewRay_at_0(_S467, height_9);
-        var _S472 : vec3<f32> = cell_bounds_0(_S466, _S471.x, _S471.y, _S469, _S468.right_0, _S468.up_0);
-        var _S473 : f32 = height_9 - _S472.x;
-        var _S474 : f32 = StepControl_to_cell_exit_0(_S468, _S472.y, _S472.z);
-        var height_10 : f32 = height_9 - clamp(_S473, 0.0f, _S474);
-        if(_S473 <= _S474)
+        var _S472 : vec2<f32> = ViewRay_at_0(_S468, height_9);
+        var _S473 : vec3<f32> = cell_bounds_0(_S467, _S472.x, _S472.y, _S470, _S469.right_0, _S469.up_0);
+        var _S474 : f32 = height_9 - _S473.x;
+        var _S475 : f32 = StepControl_to_cell_exit_0(_S469, _S473.y, _S473.z);
+        var height_10 : f32 = height_9 - clamp(_S474, 0.0f, _S475);
+        if(_S474 <= _S475)
         {
             height_9 = height_10;
             break;
@@ -2310,12 +2318,12 @@ fn first_sample_height_0( _S466 : u32,  _S467 : ViewRay_0,  _S468 : StepControl_
     return height_9;
 }
 
-fn search_down_0( _S475 : u32,  _S476 : ViewRay_0,  _S477 : StepControl_0,  _S478 : bool) -> ViewRayEnd_0
+fn search_down_0( _S476 : u32,  _S477 : ViewRay_0,  _S478 : StepControl_0,  _S479 : bool) -> ViewRayEnd_0
 {
-    var _S479 : f32 = fabrics_0[_S475].height_low_0 - (fabrics_0[_S475].height_high_0 - fabrics_0[_S475].height_low_0);
+    var _S480 : f32 = fabrics_0[_S476].height_low_0 - (fabrics_0[_S476].height_high_0 - fabrics_0[_S476].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_8 = first_sample_height_0(_S475, _S476, _S477, _S478);
-    end_1.last_step_3 = _S477.epsilon_0;
+    end_1.height_8 = first_sample_height_0(_S476, _S477, _S478, _S479);
+    end_1.last_step_3 = _S478.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_1 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -2330,144 +2338,146 @@ fn search_down_0( _S475 : u32,  _S476 : ViewRay_0,  _S477 : StepControl_0,  _S47
         {
             break;
         }
-        var _S480 : vec2<f32> = ViewRay_at_0(_S476, end_1.height_8);
-        var _S481 : Probe_0 = probe_0(_S475, _S480.x, _S480.y, _S478, _S477.right_0, _S477.up_0);
-        var _S482 : f32 = end_1.height_8 - _S481.height_4;
-        var _S483 : f32 = ViewRay_rate_0(_S476, _S481);
-        end_1.depth_1 = - _S482;
-        end_1.rate_4 = _S483;
-        var _S484 : bool = !_S481.hole_4;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S484))) & (((end_1.previous_4.yarn_0) == (_S481.yarn_1))));
-        if((((_S484 & ((_S482 <= 0.0f)))) | (((end_1.height_8) <= _S479))))
+        var _S481 : vec2<f32> = ViewRay_at_0(_S477, end_1.height_8);
+        var _S482 : Probe_0 = probe_0(_S476, _S481.x, _S481.y, _S479, _S478.right_0, _S478.up_0);
+        var _S483 : f32 = end_1.height_8 - _S482.height_4;
+        var _S484 : f32 = ViewRay_rate_0(_S477, _S482);
+        end_1.depth_1 = - _S483;
+        end_1.rate_4 = _S484;
+        var _S485 : bool = !_S482.hole_4;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S485))) & (((end_1.previous_4.yarn_0) == (_S482.yarn_1))));
+        if((((_S485 & ((_S483 <= 0.0f)))) | (((end_1.height_8) <= _S480))))
         {
             break;
         }
-        var _S485 : f32 = way_back_to_dip_0(end_1.previous_4, _S482, _S483, end_1.last_step_3, _S481);
-        if(_S485 >= 0.0f)
+        var _S486 : f32 = way_back_to_dip_0(end_1.previous_4, _S483, _S484, end_1.last_step_3, _S482);
+        if(_S486 >= 0.0f)
         {
-            end_1.height_8 = end_1.height_8 + _S485;
-            end_1.last_step_3 = end_1.last_step_3 - _S485;
+            end_1.height_8 = end_1.height_8 + _S486;
+            end_1.last_step_3 = end_1.last_step_3 - _S486;
             count_6 = count_6 + u32(1);
             continue;
         }
-        var _S486 : f32 = min(StepControl_to_cell_exit_0(_S477, _S481.side_x_0, _S481.side_y_0), end_1.height_8 - _S481.cell_max_0);
-        var _S487 : f32 = StepControl_to_next_sample_0(_S477, _S481, _S482, _S483);
-        end_1.previous_4 = after_sample_0(_S482, _S483, _S481, _S486 > _S487);
-        var _S488 : f32 = max(_S486, _S487);
-        end_1.last_step_3 = _S488;
-        end_1.height_8 = end_1.height_8 - _S488;
+        var _S487 : f32 = min(StepControl_to_cell_exit_0(_S478, _S482.side_x_0, _S482.side_y_0), end_1.height_8 - _S482.cell_max_0);
+        var _S488 : f32 = StepControl_to_next_sample_0(_S478, _S482, _S483, _S484);
+        end_1.previous_4 = after_sample_0(_S483, _S484, _S482, _S487 > _S488);
+        var _S489 : f32 = max(_S487, _S488);
+        end_1.last_step_3 = _S489;
+        end_1.height_8 = end_1.height_8 - _S489;
         count_6 = count_6 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S489 : u32,  _S490 : ViewRay_0,  _S491 : StepControl_0,  _S492 : bool,  _S493 : ViewRayEnd_0,  _S494 : u32) -> f32
+fn refined_height_0( _S490 : u32,  _S491 : ViewRay_0,  _S492 : StepControl_0,  _S493 : bool,  _S494 : ViewRayEnd_0,  _S495 : u32) -> f32
 {
-    var _S495 : f32 = fabrics_0[_S489].height_high_0 - fabrics_0[_S489].height_low_0;
-    var above_2 : f32 = _S493.height_8 + _S493.last_step_3;
-    var above_gap_1 : f32 = clamp(_S493.previous_4.clearance_0, 0.0f, _S495);
-    var under_gap_1 : f32 = clamp(_S493.depth_1, 0.0f, _S495);
-    var middle_0 : f32 = select(between_0(above_2, _S493.height_8, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S493.previous_4.rate_0 * _S493.last_step_3, _S493.rate_4 * _S493.last_step_3) * _S493.last_step_3, _S493.smooth_0);
+    var _S496 : f32 = fabrics_0[_S490].height_high_0 - fabrics_0[_S490].height_low_0;
+    var above_2 : f32 = _S494.height_8 + _S494.last_step_3;
+    var above_gap_1 : f32 = clamp(_S494.previous_4.clearance_0, 0.0f, _S496);
+    var under_gap_1 : f32 = clamp(_S494.depth_1, 0.0f, _S496);
+    var middle_0 : f32 = select(between_0(above_2, _S494.height_8, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S494.previous_4.rate_0 * _S494.last_step_3, _S494.rate_4 * _S494.last_step_3) * _S494.last_step_3, _S494.smooth_0);
     var side_2 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S493.height_8;
+    var under_1 : f32 = _S494.height_8;
     var above_3 : f32 = above_2;
     var i_2 : u32 = u32(0);
     for(;;)
     {
-        if(i_2 < _S494)
+        if(i_2 < _S495)
         {
         }
         else
         {
             break;
         }
-        var _S496 : vec2<f32> = ViewRay_at_0(_S490, middle_0);
-        var _S497 : Probe_0 = probe_0(_S489, _S496.x, _S496.y, _S492, _S491.right_0, _S491.up_0);
-        var _S498 : f32 = clamp(middle_0 - select(_S497.height_4, -1.0e+09f, _S497.hole_4), - _S495, _S495);
-        if(_S498 <= 0.0f)
+        var _S497 : vec2<f32> = ViewRay_at_0(_S491, middle_0);
+        var _S498 : Probe_0 = probe_0(_S490, _S497.x, _S497.y, _S493, _S492.right_0, _S492.up_0);
+        var _S499 : f32 = clamp(middle_0 - select(_S498.height_4, -1.0e+09f, _S498.hole_4), - _S496, _S496);
+        if(_S499 <= 0.0f)
         {
-            var _S499 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_2 > 0.0f);
-            var _S500 : f32 = - _S498;
+            var _S500 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_2 > 0.0f);
+            var _S501 : f32 = - _S499;
             under_1 = middle_0;
-            above_gap_2 = _S499;
-            under_gap_2 = _S500;
+            above_gap_2 = _S500;
+            under_gap_2 = _S501;
             side_2 = 1.0f;
         }
         else
         {
-            var _S501 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_2 < 0.0f);
+            var _S502 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_2 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S498;
-            under_gap_2 = _S501;
+            above_gap_2 = _S499;
+            under_gap_2 = _S502;
             side_2 = -1.0f;
         }
-        var _S502 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S498 / min(ViewRay_rate_0(_S490, _S497), -9.99999997475242708e-07f), under_1, above_3), _S493.smooth_0);
-        var _S503 : u32 = i_2 + u32(1);
-        middle_0 = _S502;
-        i_2 = _S503;
+        var _S503 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S499 / min(ViewRay_rate_0(_S491, _S498), -9.99999997475242708e-07f), under_1, above_3), _S494.smooth_0);
+        var _S504 : u32 = i_2 + u32(1);
+        middle_0 = _S503;
+        i_2 = _S504;
     }
-    return select(under_1, middle_0, _S493.smooth_0);
+    return select(under_1, middle_0, _S494.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S504 : u32,  _S505 : SearchQuality_0,  _S506 : f32,  _S507 : f32,  _S508 : vec3<f32>,  _S509 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S505 : u32,  _S506 : SearchQuality_0,  _S507 : f32,  _S508 : f32,  _S509 : vec3<f32>,  _S510 : bool) -> Hit_0
 {
-    var _S510 : f32 = max(_S508.z, 0.00009999999747379f);
+    var _S511 : f32 = max(_S509.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S506, _S507);
-    var _S511 : vec2<f32> = _S508.xy / vec2<f32>(_S510);
-    ray_0.slope_1 = _S511;
-    var _S512 : StepControl_0 = step_control_0((vec2<f32>(0) - _S511), 1.0f / max(steps_per_length_0(_S504, _S505, _S508) / _S510, 9.99999971718068537e-10f));
-    var _S513 : ViewRayEnd_0 = search_down_0(_S504, ray_0, _S512, _S509);
+    ray_0.origin_0 = vec2<f32>(_S507, _S508);
+    var _S512 : vec2<f32> = _S509.xy / vec2<f32>(_S511);
+    ray_0.slope_1 = _S512;
+    var _S513 : StepControl_0 = step_control_0((vec2<f32>(0) - _S512), 1.0f / max(steps_per_length_0(_S505, _S506, _S509) / _S511, 9.99999971718068537e-10f));
+    var _S514 : ViewRayEnd_0 = search_down_0(_S505, ray_0, _S513, _S510);
     var hit_0 : Hit_0;
     hit_0.hole_5 = false;
-    var _S514 : f32 = refined_height_0(_S504, ray_0, _S512, _S509, _S513, _S505.refinements_0);
-    hit_0.height_6 = _S514;
-    var _S515 : vec2<f32> = ViewRay_at_0(ray_0, _S514);
-    hit_0.x_14 = _S515.x;
-    hit_0.y_7 = _S515.y;
+    var _S515 : f32 = refined_height_0(_S505, ray_0, _S513, _S510, _S514, _S506.refinements_0);
+    hit_0.height_6 = _S515;
+    var _S516 : vec2<f32> = ViewRay_at_0(ray_0, _S515);
+    hit_0.x_14 = _S516.x;
+    hit_0.y_7 = _S516.y;
     return hit_0;
 }
 
-fn first_hit_0( _S516 : u32,  _S517 : SearchQuality_0,  _S518 : f32,  _S519 : f32,  _S520 : vec3<f32>,  _S521 : bool) -> Hit_0
+fn first_hit_0( _S517 : u32,  _S518 : SearchQuality_0,  _S519 : f32,  _S520 : f32,  _S521 : vec3<f32>,  _S522 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S516, _S517, _S518, _S519, _S520, _S521))
+    if(!passes_through_0(_S517, _S518, _S519, _S520, _S521, _S522))
     {
-        return first_hit_of_yarn_0(_S516, _S517, _S518, _S519, _S520, _S521);
+        return first_hit_of_yarn_0(_S517, _S518, _S519, _S520, _S521, _S522);
     }
     var hit_1 : Hit_0;
-    hit_1.x_14 = _S518;
-    hit_1.y_7 = _S519;
+    hit_1.x_14 = _S519;
+    hit_1.y_7 = _S520;
     hit_1.height_6 = 0.0f;
     hit_1.hole_5 = true;
     return hit_1;
 }
 
-fn surface_at_0( _S522 : u32,  _S523 : f32,  _S524 : f32,  _S525 : bool) -> SurfacePoint_0
+fn surface_at_0( _S523 : u32,  _S524 : f32,  _S525 : f32,  _S526 : bool) -> SurfacePoint_0
 {
-    var _S526 : Sample_0 = sample_at_0(_S522, _S523, _S524, _S525);
-    var _S527 : u32 = select(fabrics_0[_S522].weft_0, fabrics_0[_S522].warp_0, _S526.shown_3.is_warp_2);
-    var _S528 : f32 = families_0[_S527].twist_sine_0 * select(1.0f, -1.0f, _S525);
-    var _S529 : f32 = select(-1.0f, 1.0f, _S526.shown_3.is_warp_2);
-    var _S530 : vec2<f32> = fibre_direction_0(_S526.slope_across_0, _S529 * _S526.slope_along_0, _S528, families_0[_S527].twist_cosine_0);
-    var _S531 : f32 = _S530.x;
-    var _S532 : f32 = _S530.y;
-    var _S533 : f32 = select(_S526.slope_y_1, _S526.slope_x_1, _S526.shown_3.is_warp_2) * _S531 + _S529 * select(_S526.slope_x_1, _S526.slope_y_1, _S526.shown_3.is_warp_2) * _S532;
-    var _S534 : f32 = select(_S526.crossing_2.weft_2.half_width_1, _S526.crossing_2.warp_2.half_width_1, _S526.shown_3.is_warp_2) * 1.0154266357421875f;
-    var _S535 : f32 = _S534 * arc_sine_0(clamp(_S526.section_1.across_3 / _S534, -1.0f, 1.0f));
-    var _S536 : f32 = select(- _S523, _S524, _S526.shown_3.is_warp_2);
+    var _S527 : Sample_0 = sample_at_0(_S523, _S524, _S525, _S526);
+    var _S528 : u32 = select(fabrics_0[_S523].weft_0, fabrics_0[_S523].warp_0, _S527.shown_3.is_warp_2);
+    var _S529 : f32 = families_0[_S528].twist_sine_0 * select(1.0f, -1.0f, _S526);
+    var _S530 : f32 = select(-1.0f, 1.0f, _S527.shown_3.is_warp_2);
+    var _S531 : vec2<f32> = fibre_direction_0(_S527.slope_across_0, _S530 * _S527.slope_along_0, _S529, families_0[_S528].twist_cosine_0);
+    var _S532 : f32 = _S531.x;
+    var _S533 : f32 = _S531.y;
+    var _S534 : f32 = select(_S527.slope_y_1, _S527.slope_x_1, _S527.shown_3.is_warp_2) * _S532 + _S530 * select(_S527.slope_x_1, _S527.slope_y_1, _S527.shown_3.is_warp_2) * _S533;
+    var _S535 : f32 = select(_S527.crossing_2.weft_2.half_width_1, _S527.crossing_2.warp_2.half_width_1, _S527.shown_3.is_warp_2) * 1.0154266357421875f;
+    var _S536 : f32 = _S535 * arc_sine_0(clamp(_S527.section_1.across_3 / _S535, -1.0f, 1.0f));
+    var _S537 : f32 = select(- _S524, _S525, _S527.shown_3.is_warp_2);
     var point_4 : SurfacePoint_0;
-    point_4.hole_0 = _S526.shown_3.hole_3;
-    point_4.is_warp_0 = _S526.shown_3.is_warp_2;
-    point_4.warp_thread_0 = _S526.crossing_2.warp_2.thread_2;
-    point_4.weft_thread_0 = _S526.crossing_2.weft_2.thread_2;
-    point_4.height_2 = _S526.height_7;
-    point_4.normal_1 = normalize(vec3<f32>(- _S526.slope_x_1, - _S526.slope_y_1, 1.0f));
-    point_4.tangent_0 = normalize(select_vector_1(_S526.shown_3.is_warp_2, vec3<f32>(_S531, _S532, _S533), vec3<f32>(- _S532, _S531, _S533)));
-    point_4.across_0 = _S526.section_1.across_3;
-    point_4.fibre_across_0 = _S535 * families_0[_S527].twist_cosine_0 + _S536 * _S528;
-    point_4.fibre_along_0 = _S536 * families_0[_S527].twist_cosine_0 - _S535 * _S528;
+    point_4.hole_0 = _S527.shown_3.hole_3;
+    point_4.is_warp_0 = _S527.shown_3.is_warp_2;
+    point_4.warp_thread_0 = _S527.crossing_2.warp_2.thread_2;
+    point_4.weft_thread_0 = _S527.crossing_2.weft_2.thread_2;
+    point_4.height_2 = _S527.height_7;
+    point_4.normal_1 = normalize(vec3<f32>(- _S527.slope_x_1, - _S527.slope_y_1, 1.0f));
+    point_4.tangent_0 = normalize(select_vector_1(_S527.shown_3.is_warp_2, vec3<f32>(_S532, _S533, _S534), vec3<f32>(- _S533, _S532, _S534)));
+    point_4.across_0 = _S527.section_1.across_3;
+    point_4.fibre_across_0 = _S536 * families_0[_S528].twist_cosine_0 + _S537 * _S529;
+    point_4.fibre_along_0 = _S537 * families_0[_S528].twist_cosine_0 - _S536 * _S529;
+    var _S538 : f32 = run_share_0(_S527.shown_3.word_0);
+    point_4.shown_share_0 = select(1.0f - _S538, _S538, _S527.shown_3.on_top_0);
     return point_4;
 }
 
@@ -2487,73 +2497,73 @@ struct YarnPoint_0
      albedos_6 : Albedos_0,
 };
 
-fn has_hairs_0( _S537 : u32) -> bool
+fn has_hairs_0( _S539 : u32) -> bool
 {
-    return (((families_0[fabrics_0[_S537].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S537].weft_0].hairiness_0) > 0.0f)));
+    return (((families_0[fabrics_0[_S539].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S539].weft_0].hairiness_0) > 0.0f)));
 }
 
-fn hair_at_0( _S538 : u32,  _S539 : vec2<f32>,  _S540 : bool,  _S541 : f32) -> Hair_0
+fn hair_at_0( _S540 : u32,  _S541 : vec2<f32>,  _S542 : bool,  _S543 : f32) -> Hair_0
 {
-    var _S542 : f32 = fabrics_0[_S538].fibre_size_0;
-    var _S543 : f32 = 17.0f * fabrics_0[_S538].fibre_size_0;
-    var _S544 : f32 = fade_0(_S541, _S543);
-    var _S545 : vec2<f32> = _S539 / vec2<f32>(_S543);
-    var _S546 : u32 = hash_key_0(select(u32(0), u32(1), _S540), ((fabrics_0[_S538].seed_0) ^ (u32(1013904242))));
-    var _S547 : f32 = 1.0f / max(_S541, 0.07999999821186066f * fabrics_0[_S538].fibre_size_0);
-    var _S548 : f32 = min(0.63999998569488525f * fabrics_0[_S538].fibre_size_0 * _S547, 1.0f);
-    const _S549 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
+    var _S544 : f32 = fabrics_0[_S540].fibre_size_0;
+    var _S545 : f32 = 17.0f * fabrics_0[_S540].fibre_size_0;
+    var _S546 : f32 = fade_0(_S543, _S545);
+    var _S547 : vec2<f32> = _S541 / vec2<f32>(_S545);
+    var _S548 : u32 = hash_key_0(select(u32(0), u32(1), _S542), ((fabrics_0[_S540].seed_0) ^ (u32(1013904242))));
+    var _S549 : f32 = 1.0f / max(_S543, 0.07999999821186066f * fabrics_0[_S540].fibre_size_0);
+    var _S550 : f32 = min(0.63999998569488525f * fabrics_0[_S540].fibre_size_0 * _S549, 1.0f);
+    const _S551 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
     var cover_2 : f32 = 0.0f;
     var hair_away_0 : f32 = 0.0f;
-    var hair_across_0 : vec2<f32> = _S549;
+    var hair_across_0 : vec2<f32> = _S551;
     var number_2 : u32 = u32(0);
     for(;;)
     {
-        if(((_S544 > 0.0f) & ((number_2 < u32(18)))))
+        if(((_S546 > 0.0f) & ((number_2 < u32(18)))))
         {
         }
         else
         {
             break;
         }
-        var _S550 : u32 = number_2 / u32(9);
-        var _S551 : u32 = number_2 / u32(3) - u32(3) * _S550;
-        var _S552 : vec2<f32> = floor(_S545) + vec2<f32>(f32(number_2 - u32(3) * _S551 - u32(9) * _S550), f32(_S551)) - vec2<f32>(1.0f);
-        var _S553 : u32 = hash_bits_0(_S546 + _S550, u32(i32(_S552.x)) * u32(65536) + u32(i32(_S552.y)));
-        var _S554 : u32 = hash_bits_0(_S546, _S553);
-        var _S555 : vec2<f32> = _S545 - _S552 - vec2<f32>(share_of_0(_S553), share_of_0((_S553 >> (u32(10)))));
-        var _S556 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S553 >> (u32(20)))));
-        var _S557 : f32 = mix(5.0f, 16.0f, share_of_0((_S554 >> (u32(10))))) / 17.0f;
-        var _S558 : f32 = _S555.x;
-        var _S559 : f32 = _S556.y;
-        var _S560 : f32 = _S555.y;
-        var _S561 : f32 = _S556.x;
-        var _S562 : f32 = (_S558 * _S559 + _S560 * _S561) / _S557;
-        var _S563 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S554 >> (u32(20)))) - 1.0f);
-        var _S564 : f32 = 2.0f * _S563 * _S562;
-        var _S565 : f32 = rsqrt_0(_S564 * _S564 + 1.0f);
-        var _S566 : f32 = (_S560 * _S559 - _S558 * _S561 - _S563 * _S557 * _S562 * _S562) * _S565 * 17.0f;
-        var _S567 : f32 = clamp((0.31999999284744263f - abs(_S566)) * _S542 * _S547 + 0.5f, 0.0f, _S548);
-        if((((((share_of_0(_S554)) < (families_0[select(fabrics_0[_S538].weft_0, fabrics_0[_S538].warp_0, ((((_S554 >> (u32(30)))) & (u32(1)))) == u32(1))].hairiness_0)) & (((abs(_S562)) < 1.0f)))) & ((_S567 > cover_2))))
+        var _S552 : u32 = number_2 / u32(9);
+        var _S553 : u32 = number_2 / u32(3) - u32(3) * _S552;
+        var _S554 : vec2<f32> = floor(_S547) + vec2<f32>(f32(number_2 - u32(3) * _S553 - u32(9) * _S552), f32(_S553)) - vec2<f32>(1.0f);
+        var _S555 : u32 = hash_bits_0(_S548 + _S552, u32(i32(_S554.x)) * u32(65536) + u32(i32(_S554.y)));
+        var _S556 : u32 = hash_bits_0(_S548, _S555);
+        var _S557 : vec2<f32> = _S547 - _S554 - vec2<f32>(share_of_0(_S555), share_of_0((_S555 >> (u32(10)))));
+        var _S558 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S555 >> (u32(20)))));
+        var _S559 : f32 = mix(5.0f, 16.0f, share_of_0((_S556 >> (u32(10))))) / 17.0f;
+        var _S560 : f32 = _S557.x;
+        var _S561 : f32 = _S558.y;
+        var _S562 : f32 = _S557.y;
+        var _S563 : f32 = _S558.x;
+        var _S564 : f32 = (_S560 * _S561 + _S562 * _S563) / _S559;
+        var _S565 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S556 >> (u32(20)))) - 1.0f);
+        var _S566 : f32 = 2.0f * _S565 * _S564;
+        var _S567 : f32 = rsqrt_0(_S566 * _S566 + 1.0f);
+        var _S568 : f32 = (_S562 * _S561 - _S560 * _S563 - _S565 * _S559 * _S564 * _S564) * _S567 * 17.0f;
+        var _S569 : f32 = clamp((0.31999999284744263f - abs(_S568)) * _S544 * _S549 + 0.5f, 0.0f, _S550);
+        if((((((share_of_0(_S556)) < (families_0[select(fabrics_0[_S540].weft_0, fabrics_0[_S540].warp_0, ((((_S556 >> (u32(30)))) & (u32(1)))) == u32(1))].hairiness_0)) & (((abs(_S564)) < 1.0f)))) & ((_S569 > cover_2))))
         {
-            var _S568 : vec2<f32> = vec2<f32>(- _S561 - _S564 * _S559, _S559 - _S564 * _S561) * vec2<f32>(_S565);
-            cover_2 = _S567;
-            hair_away_0 = _S566;
-            hair_across_0 = _S568;
+            var _S570 : vec2<f32> = vec2<f32>(- _S563 - _S566 * _S561, _S561 - _S566 * _S563) * vec2<f32>(_S567);
+            cover_2 = _S569;
+            hair_away_0 = _S568;
+            hair_across_0 = _S570;
         }
         number_2 = number_2 + u32(1);
     }
-    var _S569 : f32 = clamp(hair_away_0 * 2.5f, -0.80000001192092896f, 0.80000001192092896f);
+    var _S571 : f32 = clamp(hair_away_0 * 2.5f, -0.80000001192092896f, 0.80000001192092896f);
     var hair_1 : Hair_0;
-    hair_1.cover_0 = _S544 * cover_2;
-    hair_1.normal_3 = vec3<f32>(vec2<f32>(_S569) * hair_across_0, sqrt(1.0f - _S569 * _S569));
+    hair_1.cover_0 = _S546 * cover_2;
+    hair_1.normal_3 = vec3<f32>(vec2<f32>(_S571) * hair_across_0, sqrt(1.0f - _S571 * _S571));
     hair_1.tangent_2 = vec3<f32>(hair_across_0.y, - hair_across_0.x, 0.0f);
     return hair_1;
 }
 
-fn thread_number_0( _S570 : u32,  _S571 : SurfacePoint_0,  _S572 : f32,  _S573 : f32) -> u32
+fn thread_number_0( _S572 : u32,  _S573 : SurfacePoint_0,  _S574 : f32,  _S575 : f32) -> u32
 {
-    var _S574 : u32 = select(fabrics_0[_S570].weft_0, fabrics_0[_S570].warp_0, _S571.is_warp_0);
-    return u32(i32(floor((select(_S573, _S572, _S571.is_warp_0) - _S571.across_0) / families_0[_S574].period_0)) * i32(families_0[_S574].count_0) + i32(select(_S571.weft_thread_0, _S571.warp_thread_0, _S571.is_warp_0))) * u32(2) + select(u32(0), u32(1), _S571.is_warp_0);
+    var _S576 : u32 = select(fabrics_0[_S572].weft_0, fabrics_0[_S572].warp_0, _S573.is_warp_0);
+    return u32(i32(floor((select(_S575, _S574, _S573.is_warp_0) - _S573.across_0) / families_0[_S576].period_0)) * i32(families_0[_S576].count_0) + i32(select(_S573.weft_thread_0, _S573.warp_thread_0, _S573.is_warp_0))) * u32(2) + select(u32(0), u32(1), _S573.is_warp_0);
 }
 
 struct FibreNoise_0
@@ -2566,271 +2576,271 @@ struct FibreNoise_0
      slope_2 : f32,
 };
 
-fn fibre_noise_at_0( _S575 : u32,  _S576 : u32,  _S577 : SurfacePoint_0,  _S578 : u32,  _S579 : f32) -> FibreNoise_0
+fn fibre_noise_at_0( _S577 : u32,  _S578 : u32,  _S579 : SurfacePoint_0,  _S580 : u32,  _S581 : f32) -> FibreNoise_0
 {
-    var _S580 : f32 = 5.0f * fabrics_0[_S575].fibre_size_0;
-    var _S581 : vec2<f32> = wave_noise_0(hash_key_0(_S578, ((fabrics_0[_S575].seed_0) ^ (u32(458671337)))), _S577.fibre_along_0 / (25.0f * fabrics_0[_S575].fibre_size_0));
-    var _S582 : f32 = _S577.fibre_across_0 + families_0[_S576].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S575].fibre_size_0 * _S581.x;
-    var _S583 : vec3<f32> = fibre_cell_0(_S582, _S577.fibre_along_0, fabrics_0[_S575].fibre_size_0);
+    var _S582 : f32 = 5.0f * fabrics_0[_S577].fibre_size_0;
+    var _S583 : vec2<f32> = wave_noise_0(hash_key_0(_S580, ((fabrics_0[_S577].seed_0) ^ (u32(458671337)))), _S579.fibre_along_0 / (25.0f * fabrics_0[_S577].fibre_size_0));
+    var _S584 : f32 = _S579.fibre_across_0 + families_0[_S578].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S577].fibre_size_0 * _S583.x;
+    var _S585 : vec3<f32> = fibre_cell_0(_S584, _S579.fibre_along_0, fabrics_0[_S577].fibre_size_0);
     var noise_0 : FibreNoise_0;
-    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S578, ((fabrics_0[_S575].seed_0) ^ (u32(1757159915)))), fibre_cell_0(_S582, _S577.fibre_along_0, _S580));
-    noise_0.bundle_weight_0 = fade_0(_S579, _S580);
-    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S578, ((fabrics_0[_S575].seed_0) ^ (u32(48610963)))), _S583);
-    noise_0.fibre_weight_0 = fade_0(_S579, fabrics_0[_S575].fibre_size_0);
-    noise_0.offset_1 = _S583.z;
-    noise_0.slope_2 = 0.5f * _S581.y;
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S580, ((fabrics_0[_S577].seed_0) ^ (u32(1757159915)))), fibre_cell_0(_S584, _S579.fibre_along_0, _S582));
+    noise_0.bundle_weight_0 = fade_0(_S581, _S582);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S580, ((fabrics_0[_S577].seed_0) ^ (u32(48610963)))), _S585);
+    noise_0.fibre_weight_0 = fade_0(_S581, fabrics_0[_S577].fibre_size_0);
+    noise_0.offset_1 = _S585.z;
+    noise_0.slope_2 = 0.5f * _S583.y;
     return noise_0;
 }
 
-fn detail_gain_0( _S584 : u32,  _S585 : u32,  _S586 : SurfacePoint_0,  _S587 : vec2<f32>,  _S588 : bool,  _S589 : u32,  _S590 : f32) -> vec2<f32>
+fn detail_gain_0( _S586 : u32,  _S587 : u32,  _S588 : SurfacePoint_0,  _S589 : vec2<f32>,  _S590 : bool,  _S591 : u32,  _S592 : f32) -> vec2<f32>
 {
-    var _S591 : vec2<f32> = vec2<f32>(0.0f);
+    var _S593 : vec2<f32> = vec2<f32>(0.0f);
     var gain_2 : vec2<f32>;
-    if((families_0[_S585].has_plies_0) > 0.0f)
+    if((families_0[_S587].has_plies_0) > 0.0f)
     {
-        gain_2 = vec2<f32>((0.60000002384185791f * fade_0(_S590, 1.0f / families_0[_S585].plies_per_mm_0))) * vec2<f32>(0.20000000298023224f - square_1(square_1(ply_offset_0(_S585, _S586, _S588))), 0.20000000298023224f);
+        gain_2 = vec2<f32>((0.60000002384185791f * fade_0(_S592, 1.0f / families_0[_S587].plies_per_mm_0))) * vec2<f32>(0.20000000298023224f - square_1(square_1(ply_offset_0(_S587, _S588, _S590))), 0.20000000298023224f);
     }
     else
     {
-        gain_2 = _S591;
+        gain_2 = _S593;
     }
-    if((families_0[_S585].fibre_tone_0) > 0.0f)
+    if((families_0[_S587].fibre_tone_0) > 0.0f)
     {
-        var _S592 : FibreNoise_0 = fibre_noise_at_0(_S584, _S585, _S586, _S589, _S590);
-        gain_2 = gain_2 + vec2<f32>(families_0[_S585].fibre_tone_0) * vec2<f32>(_S592.bundle_weight_0 * _S592.bundle_0.y + _S592.fibre_weight_0 * _S592.fibre_0.y, _S592.bundle_weight_0 + _S592.fibre_weight_0);
+        var _S594 : FibreNoise_0 = fibre_noise_at_0(_S586, _S587, _S588, _S591, _S592);
+        gain_2 = gain_2 + vec2<f32>(families_0[_S587].fibre_tone_0) * vec2<f32>(_S594.bundle_weight_0 * _S594.bundle_0.y + _S594.fibre_weight_0 * _S594.fibre_0.y, _S594.bundle_weight_0 + _S594.fibre_weight_0);
     }
-    if((families_0[_S585].slub_0) > 0.0f)
+    if((families_0[_S587].slub_0) > 0.0f)
     {
-        gain_2 = gain_2 + vec2<f32>((0.25f * families_0[_S585].slub_0 * fade_0(_S590, 1.0f / families_0[_S585].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S589, ((fabrics_0[_S584].seed_0) ^ (u32(1373058189)))), select(- _S587.x, _S587.y, _S586.is_warp_0) * families_0[_S585].slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_1(_S586.across_0 * families_0[_S585].per_half_width_0), 1.0f)), 1.0f);
+        gain_2 = gain_2 + vec2<f32>((0.25f * families_0[_S587].slub_0 * fade_0(_S592, 1.0f / families_0[_S587].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S591, ((fabrics_0[_S586].seed_0) ^ (u32(1373058189)))), select(- _S589.x, _S589.y, _S588.is_warp_0) * families_0[_S587].slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_1(_S588.across_0 * families_0[_S587].per_half_width_0), 1.0f)), 1.0f);
     }
     return gain_2;
 }
 
-fn vary_albedos_0( _S593 : u32,  _S594 : Albedos_0,  _S595 : u32,  _S596 : u32,  _S597 : vec2<f32>) -> Albedos_0
+fn vary_albedos_0( _S595 : u32,  _S596 : Albedos_0,  _S597 : u32,  _S598 : u32,  _S599 : vec2<f32>) -> Albedos_0
 {
-    var _S598 : vec3<f32> = max(_S594.specular_reflect_0, _S594.specular_transmit_0);
-    var _S599 : vec3<f32> = _S594.diffuse_reflect_0 + _S594.diffuse_transmit_0;
-    var _S600 : vec3<f32> = vec3<f32>(fabrics_0[_S593].layer_bound_0);
-    var _S601 : vec3<f32> = vec3<f32>(1.0f);
-    var _S602 : vec3<f32> = _S601 - _S600 * _S598;
-    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S595, fabrics_0[_S593].colour_noise_0, fabrics_0[_S593].seed_0), _S599, _S602);
-    var _S603 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S597.y, vec3<f32>(colour_1) * _S599, _S602) * _S597.x)));
-    var _S604 : f32 = bounded_gain_0(fibre_gain_0(_S595, _S596, fabrics_0[_S593].fibre_noise_0, fabrics_0[_S593].seed_0), _S598, min((_S601 - _S603 * _S599) / _S600, vec3<f32>(1.0f)));
+    var _S600 : vec3<f32> = max(_S596.specular_reflect_0, _S596.specular_transmit_0);
+    var _S601 : vec3<f32> = _S596.diffuse_reflect_0 + _S596.diffuse_transmit_0;
+    var _S602 : vec3<f32> = vec3<f32>(fabrics_0[_S595].layer_bound_0);
+    var _S603 : vec3<f32> = vec3<f32>(1.0f);
+    var _S604 : vec3<f32> = _S603 - _S602 * _S600;
+    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S597, fabrics_0[_S595].colour_noise_0, fabrics_0[_S595].seed_0), _S601, _S604);
+    var _S605 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S599.y, vec3<f32>(colour_1) * _S601, _S604) * _S599.x)));
+    var _S606 : f32 = bounded_gain_0(fibre_gain_0(_S597, _S598, fabrics_0[_S595].fibre_noise_0, fabrics_0[_S595].seed_0), _S600, min((_S603 - _S605 * _S601) / _S602, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S603 * _S594.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S603 * _S594.diffuse_transmit_0;
-    var _S605 : vec3<f32> = vec3<f32>(_S604);
-    varied_0.specular_reflect_0 = _S605 * _S594.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S605 * _S594.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S605 * _S596.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S605 * _S596.diffuse_transmit_0;
+    var _S607 : vec3<f32> = vec3<f32>(_S606);
+    varied_0.specular_reflect_0 = _S607 * _S596.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S607 * _S596.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S606 : u32,  _S607 : SurfacePoint_0,  _S608 : Albedos_0,  _S609 : f32,  _S610 : f32,  _S611 : bool,  _S612 : f32,  _S613 : f32) -> Albedos_0
+fn varied_at_0( _S608 : u32,  _S609 : SurfacePoint_0,  _S610 : Albedos_0,  _S611 : f32,  _S612 : f32,  _S613 : bool,  _S614 : f32,  _S615 : f32) -> Albedos_0
 {
-    var _S614 : u32 = thread_number_0(_S606, _S607, _S609, _S610);
-    var _S615 : vec3<f32> = fibre_cell_0(_S607.fibre_across_0, _S607.fibre_along_0, fabrics_0[_S606].fibre_size_0);
-    var _S616 : vec2<f32> = vec2<f32>(0.0f);
+    var _S616 : u32 = thread_number_0(_S608, _S609, _S611, _S612);
+    var _S617 : vec3<f32> = fibre_cell_0(_S609.fibre_across_0, _S609.fibre_along_0, fabrics_0[_S608].fibre_size_0);
+    var _S618 : vec2<f32> = vec2<f32>(0.0f);
     var gain_3 : vec2<f32>;
-    if((((fabrics_0[_S606].has_detail_0) != u32(0)) & ((_S612 >= 0.0f))))
+    if((((fabrics_0[_S608].has_detail_0) != u32(0)) & ((_S614 >= 0.0f))))
     {
-        gain_3 = detail_gain_0(_S606, select(fabrics_0[_S606].weft_0, fabrics_0[_S606].warp_0, _S607.is_warp_0), _S607, vec2<f32>(_S609, _S610), _S611, _S614, _S612) * vec2<f32>(1.0f - _S613, 1.0f);
+        gain_3 = detail_gain_0(_S608, select(fabrics_0[_S608].weft_0, fabrics_0[_S608].warp_0, _S609.is_warp_0), _S609, vec2<f32>(_S611, _S612), _S613, _S616, _S614) * vec2<f32>(1.0f - _S615, 1.0f);
     }
     else
     {
-        gain_3 = _S616;
+        gain_3 = _S618;
     }
-    return vary_albedos_0(_S606, _S608, _S614, u32(i32(_S615.x)) * u32(65536) + u32(i32(floor(_S615.y))), gain_3);
+    return vary_albedos_0(_S608, _S610, _S616, u32(i32(_S617.x)) * u32(65536) + u32(i32(floor(_S617.y))), gain_3);
 }
 
-fn turned_frame_0( _S617 : u32,  _S618 : u32,  _S619 : SurfacePoint_0,  _S620 : bool,  _S621 : u32,  _S622 : f32) -> YarnFrame_0
+fn turned_frame_0( _S619 : u32,  _S620 : u32,  _S621 : SurfacePoint_0,  _S622 : bool,  _S623 : u32,  _S624 : f32) -> YarnFrame_0
 {
     var frame_2 : YarnFrame_0;
-    frame_2.normal_5 = _S619.normal_1;
-    frame_2.tangent_4 = _S619.tangent_0;
+    frame_2.normal_5 = _S621.normal_1;
+    frame_2.tangent_4 = _S621.tangent_0;
     frame_2.loss_0 = 0.0f;
-    if((families_0[_S618].has_plies_0) > 0.0f)
+    if((families_0[_S620].has_plies_0) > 0.0f)
     {
-        var _S623 : f32 = fade_0(_S622, 1.0f / families_0[_S618].plies_per_mm_0);
-        var _S624 : f32 = _S623 * 0.41999998688697815f * ply_offset_0(_S618, _S619, _S620);
-        var _S625 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
-        var _S626 : vec3<f32> = vec3<f32>(families_0[_S618].ply_cosine_0);
-        var _S627 : vec3<f32> = vec3<f32>(select(families_0[_S618].ply_sine_0, - families_0[_S618].ply_sine_0, _S620));
-        var _S628 : vec3<f32> = _S626 * _S625 + _S627 * frame_2.tangent_4;
-        var _S629 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S624 * _S624));
-        var _S630 : vec3<f32> = vec3<f32>(_S624);
-        frame_2.tangent_4 = _S626 * (_S626 * frame_2.tangent_4 - _S627 * _S625) + _S627 * (_S629 * _S628 - _S630 * frame_2.normal_5);
-        frame_2.normal_5 = _S629 * frame_2.normal_5 + _S630 * _S628;
-        frame_2.loss_0 = _S623 * _S623 * 0.41999998688697815f * 0.41999998688697815f / 6.0f;
+        var _S625 : f32 = fade_0(_S624, 1.0f / families_0[_S620].plies_per_mm_0);
+        var _S626 : f32 = _S625 * 0.41999998688697815f * ply_offset_0(_S620, _S621, _S622);
+        var _S627 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
+        var _S628 : vec3<f32> = vec3<f32>(families_0[_S620].ply_cosine_0);
+        var _S629 : vec3<f32> = vec3<f32>(select(families_0[_S620].ply_sine_0, - families_0[_S620].ply_sine_0, _S622));
+        var _S630 : vec3<f32> = _S628 * _S627 + _S629 * frame_2.tangent_4;
+        var _S631 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S626 * _S626));
+        var _S632 : vec3<f32> = vec3<f32>(_S626);
+        frame_2.tangent_4 = _S628 * (_S628 * frame_2.tangent_4 - _S629 * _S627) + _S629 * (_S631 * _S630 - _S632 * frame_2.normal_5);
+        frame_2.normal_5 = _S631 * frame_2.normal_5 + _S632 * _S630;
+        frame_2.loss_0 = _S625 * _S625 * 0.41999998688697815f * 0.41999998688697815f / 6.0f;
     }
-    var _S631 : f32 = families_0[_S618].fibre_tilt_0;
-    if((families_0[_S618].fibre_tilt_0) > 0.0f)
+    var _S633 : f32 = families_0[_S620].fibre_tilt_0;
+    if((families_0[_S620].fibre_tilt_0) > 0.0f)
     {
-        var _S632 : FibreNoise_0 = fibre_noise_at_0(_S617, _S618, _S619, _S621, _S622);
-        var _S633 : f32 = 1.09858846664428711f * _S631 * (_S632.bundle_weight_0 * _S632.bundle_0.x + _S632.fibre_weight_0 * (_S632.fibre_0.x + _S632.offset_1));
-        var _S634 : f32 = _S631 * (1.42099642753601074f * (_S632.bundle_weight_0 * _S632.bundle_0.y + _S632.fibre_weight_0 * _S632.fibre_0.y) - _S632.bundle_weight_0 * _S632.slope_2);
-        var _S635 : f32 = square_1(_S632.fibre_weight_0);
-        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S631 * _S631 * ((0.24761904776096344f * (square_1(_S632.bundle_weight_0) + _S635) + _S635 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
-        var _S636 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
-        var _S637 : vec2<f32> = sine_cosine_0(_S633);
-        var _S638 : vec2<f32> = sine_cosine_0(_S634);
-        var _S639 : vec3<f32> = vec3<f32>(_S637.y);
-        var _S640 : vec3<f32> = vec3<f32>(_S637.x);
-        var _S641 : vec3<f32> = _S639 * _S636 - _S640 * frame_2.normal_5;
-        frame_2.normal_5 = _S639 * frame_2.normal_5 + _S640 * _S636;
-        frame_2.tangent_4 = vec3<f32>(_S638.y) * frame_2.tangent_4 + vec3<f32>(_S638.x) * _S641;
+        var _S634 : FibreNoise_0 = fibre_noise_at_0(_S619, _S620, _S621, _S623, _S624);
+        var _S635 : f32 = 1.09858846664428711f * _S633 * (_S634.bundle_weight_0 * _S634.bundle_0.x + _S634.fibre_weight_0 * (_S634.fibre_0.x + _S634.offset_1));
+        var _S636 : f32 = _S633 * (1.42099642753601074f * (_S634.bundle_weight_0 * _S634.bundle_0.y + _S634.fibre_weight_0 * _S634.fibre_0.y) - _S634.bundle_weight_0 * _S634.slope_2);
+        var _S637 : f32 = square_1(_S634.fibre_weight_0);
+        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S633 * _S633 * ((0.24761904776096344f * (square_1(_S634.bundle_weight_0) + _S637) + _S637 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
+        var _S638 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
+        var _S639 : vec2<f32> = sine_cosine_0(_S635);
+        var _S640 : vec2<f32> = sine_cosine_0(_S636);
+        var _S641 : vec3<f32> = vec3<f32>(_S639.y);
+        var _S642 : vec3<f32> = vec3<f32>(_S639.x);
+        var _S643 : vec3<f32> = _S641 * _S638 - _S642 * frame_2.normal_5;
+        frame_2.normal_5 = _S641 * frame_2.normal_5 + _S642 * _S638;
+        frame_2.tangent_4 = vec3<f32>(_S640.y) * frame_2.tangent_4 + vec3<f32>(_S640.x) * _S643;
     }
     return frame_2;
 }
 
-fn yarn_point_of_0( _S642 : u32,  _S643 : SurfacePoint_0,  _S644 : f32,  _S645 : f32,  _S646 : bool,  _S647 : bool,  _S648 : f32) -> YarnPoint_0
+fn yarn_point_of_0( _S644 : u32,  _S645 : SurfacePoint_0,  _S646 : f32,  _S647 : f32,  _S648 : bool,  _S649 : bool,  _S650 : f32) -> YarnPoint_0
 {
-    var _S649 : u32 = select(fabrics_0[_S642].weft_0, fabrics_0[_S642].warp_0, _S643.is_warp_0);
-    var _S650 : bool = (((fabrics_0[_S642].has_detail_0) != u32(0)) & ((_S648 >= 0.0f)));
-    var _S651 : vec3<f32> = vec3<f32>(0.0f);
-    var _S652 : Hair_0 = Hair_x24init_0(0.0f, _S651, _S651);
-    var _S653 : bool;
-    if(_S650)
+    var _S651 : u32 = select(fabrics_0[_S644].weft_0, fabrics_0[_S644].warp_0, _S645.is_warp_0);
+    var _S652 : bool = (((fabrics_0[_S644].has_detail_0) != u32(0)) & ((_S650 >= 0.0f)));
+    var _S653 : vec3<f32> = vec3<f32>(0.0f);
+    var _S654 : Hair_0 = Hair_x24init_0(0.0f, _S653, _S653);
+    var _S655 : bool;
+    if(_S652)
     {
-        _S653 = has_hairs_0(_S642);
+        _S655 = has_hairs_0(_S644);
     }
     else
     {
-        _S653 = false;
+        _S655 = false;
     }
     var hair_2 : Hair_0;
-    if(_S653)
+    if(_S655)
     {
-        hair_2 = hair_at_0(_S642, vec2<f32>(_S644, _S645), _S646, _S648);
+        hair_2 = hair_at_0(_S644, vec2<f32>(_S646, _S647), _S648, _S650);
     }
     else
     {
-        hair_2 = _S652;
+        hair_2 = _S654;
     }
-    var albedos_7 : Albedos_0 = albedos_of_0(_S649, select(_S643.weft_thread_0, _S643.warp_thread_0, _S643.is_warp_0));
+    var albedos_7 : Albedos_0 = albedos_of_0(_S651, select(_S645.weft_thread_0, _S645.warp_thread_0, _S645.is_warp_0));
     var albedos_8 : Albedos_0;
-    if(varies_at_0(_S642, _S648))
+    if(varies_at_0(_S644, _S650))
     {
-        albedos_8 = varied_at_0(_S642, _S643, albedos_7, _S644, _S645, _S646, _S648, hair_2.cover_0);
+        albedos_8 = varied_at_0(_S644, _S645, albedos_7, _S646, _S647, _S648, _S650, hair_2.cover_0);
     }
     else
     {
         albedos_8 = albedos_7;
     }
     var point_5 : YarnPoint_0;
-    point_5.back_7 = _S646;
-    point_5.hole_6 = _S647;
-    point_5.is_warp_3 = _S643.is_warp_0;
-    point_5.x_15 = _S644;
-    point_5.y_8 = _S645;
-    point_5.height_11 = _S643.height_2;
-    point_5.normal_10 = _S643.normal_1;
-    point_5.tangent_10 = _S643.tangent_0;
-    point_5.surface_normal_0 = _S643.normal_1;
+    point_5.back_7 = _S648;
+    point_5.hole_6 = _S649;
+    point_5.is_warp_3 = _S645.is_warp_0;
+    point_5.x_15 = _S646;
+    point_5.y_8 = _S647;
+    point_5.height_11 = _S645.height_2;
+    point_5.normal_10 = _S645.normal_1;
+    point_5.tangent_10 = _S645.tangent_0;
+    point_5.surface_normal_0 = _S645.normal_1;
     point_5.diffuse_gain_1 = 1.0f;
-    if(_S650)
+    if(_S652)
     {
-        var _S654 : YarnFrame_0 = turned_frame_0(_S642, _S649, _S643, _S646, thread_number_0(_S642, _S643, _S644, _S645), _S648);
+        var _S656 : YarnFrame_0 = turned_frame_0(_S644, _S651, _S645, _S648, thread_number_0(_S644, _S645, _S646, _S647), _S650);
         var frame_3 : YarnFrame_0;
-        if(has_hairs_0(_S642))
+        if(has_hairs_0(_S644))
         {
-            frame_3 = under_hair_0(_S654, hair_2);
+            frame_3 = under_hair_0(_S656, hair_2);
         }
         else
         {
-            frame_3 = _S654;
+            frame_3 = _S656;
         }
         point_5.normal_10 = frame_3.normal_5;
         point_5.tangent_10 = frame_3.tangent_4;
-        point_5.diffuse_gain_1 = diffuse_gain_0(frame_3, fabrics_0[_S642].diffuse_blend_0);
+        point_5.diffuse_gain_1 = diffuse_gain_0(frame_3, fabrics_0[_S644].diffuse_blend_0);
     }
-    point_5.roughness_10 = families_0[_S649].roughness_0;
+    point_5.roughness_10 = families_0[_S651].roughness_0;
     point_5.albedos_6 = albedos_8;
     return point_5;
 }
 
-fn unoccluded_0( _S655 : u32,  _S656 : SearchQuality_0,  _S657 : f32,  _S658 : f32,  _S659 : f32,  _S660 : vec3<f32>,  _S661 : bool) -> bool
+fn unoccluded_0( _S657 : u32,  _S658 : SearchQuality_0,  _S659 : f32,  _S660 : f32,  _S661 : f32,  _S662 : vec3<f32>,  _S663 : bool) -> bool
 {
-    if((_S660.z) <= 0.0f)
+    if((_S662.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S655, _S656, vec3<f32>(_S657, _S658, _S659 + fabrics_0[_S655].lift_0), _S660, _S661, max_height_along_0(_S655, _S657, _S658, _S659, _S660, _S661));
+    return is_free_0(_S657, _S658, vec3<f32>(_S659, _S660, _S661 + fabrics_0[_S657].lift_0), _S662, _S663, max_height_along_0(_S657, _S659, _S660, _S661, _S662, _S663));
 }
 
-fn is_lit_0( _S662 : u32,  _S663 : SearchQuality_0,  _S664 : YarnPoint_0,  _S665 : vec3<f32>) -> bool
+fn is_lit_0( _S664 : u32,  _S665 : SearchQuality_0,  _S666 : YarnPoint_0,  _S667 : vec3<f32>) -> bool
 {
-    if(_S664.hole_6)
+    if(_S666.hole_6)
     {
         return true;
     }
-    var _S666 : vec3<f32> = to_face_frame_0(_S665, _S664.back_7);
-    var _S667 : f32 = _S666.z;
-    var _S668 : bool = _S667 < 0.0f;
+    var _S668 : vec3<f32> = to_face_frame_0(_S667, _S666.back_7);
+    var _S669 : f32 = _S668.z;
+    var _S670 : bool = _S669 < 0.0f;
     var normal_11 : vec3<f32>;
     var height_12 : f32;
-    if(_S668)
+    if(_S670)
     {
-        var _S669 : SurfacePoint_0 = surface_at_0(_S662, _S664.x_15, _S664.y_8, !_S664.back_7);
-        normal_11 = _S669.normal_1;
-        height_12 = _S669.height_2;
+        var _S671 : SurfacePoint_0 = surface_at_0(_S664, _S666.x_15, _S666.y_8, !_S666.back_7);
+        normal_11 = _S671.normal_1;
+        height_12 = _S671.height_2;
     }
     else
     {
-        normal_11 = _S664.surface_normal_0;
-        height_12 = _S664.height_11;
+        normal_11 = _S666.surface_normal_0;
+        height_12 = _S666.height_11;
     }
-    var _S670 : vec3<f32> = vec3<f32>(_S666.xy, abs(_S667));
-    if((dot(normal_11, _S670)) <= 0.0f)
+    var _S672 : vec3<f32> = vec3<f32>(_S668.xy, abs(_S669));
+    if((dot(normal_11, _S672)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S662, _S663, _S664.x_15, _S664.y_8, height_12, _S670, (_S664.back_7) != _S668);
+    return unoccluded_0(_S664, _S665, _S666.x_15, _S666.y_8, height_12, _S672, (_S666.back_7) != _S670);
 }
 
-fn components_of_point_0( _S671 : u32,  _S672 : SearchQuality_0,  _S673 : YarnPoint_0,  _S674 : vec3<f32>,  _S675 : vec3<f32>) -> Components_0
+fn components_of_point_0( _S673 : u32,  _S674 : SearchQuality_0,  _S675 : YarnPoint_0,  _S676 : vec3<f32>,  _S677 : vec3<f32>) -> Components_0
 {
     var result_3 : Components_0 = no_components_0();
-    result_3.hole_2 = select(0.0f, 1.0f, _S673.hole_6);
-    var _S676 : bool;
-    if(_S673.hole_6)
+    result_3.hole_2 = select(0.0f, 1.0f, _S675.hole_6);
+    var _S678 : bool;
+    if(_S675.hole_6)
     {
-        _S676 = true;
+        _S678 = true;
     }
     else
     {
-        _S676 = !is_lit_0(_S671, _S672, _S673, _S674);
+        _S678 = !is_lit_0(_S673, _S674, _S675, _S676);
     }
-    if(_S676)
+    if(_S678)
     {
         return result_3;
     }
-    var _S677 : vec3<f32> = to_face_frame_0(_S674, _S673.back_7);
-    var _S678 : vec3<f32> = to_face_frame_0(_S675, _S673.back_7);
-    var _S679 : bool = (_S677.z) < 0.0f;
-    var _S680 : f32 = _S673.diffuse_gain_1 * diffuse_reflection_0(select_vector_1(_S679, (vec3<f32>(0) - _S677), _S677), _S673.normal_10, fabrics_0[_S671].diffuse_blend_0);
-    var _S681 : f32;
-    if(_S679)
+    var _S679 : vec3<f32> = to_face_frame_0(_S676, _S675.back_7);
+    var _S680 : vec3<f32> = to_face_frame_0(_S677, _S675.back_7);
+    var _S681 : bool = (_S679.z) < 0.0f;
+    var _S682 : f32 = _S675.diffuse_gain_1 * diffuse_reflection_0(select_vector_1(_S681, (vec3<f32>(0) - _S679), _S679), _S675.normal_10, fabrics_0[_S673].diffuse_blend_0);
+    var _S683 : f32;
+    if(_S681)
     {
-        _S681 = transmission_1(_S677, _S678, _S673.normal_10, _S673.tangent_10, _S673.roughness_10, fabrics_0[_S671].optical_depth_0);
+        _S683 = transmission_1(_S679, _S680, _S675.normal_10, _S675.tangent_10, _S675.roughness_10, fabrics_0[_S673].optical_depth_0);
     }
     else
     {
-        _S681 = reflection_0(_S677, _S678, _S673.normal_10, _S673.tangent_10, _S673.roughness_10, fabrics_0[_S671].optical_depth_0);
+        _S683 = reflection_0(_S679, _S680, _S675.normal_10, _S675.tangent_10, _S675.roughness_10, fabrics_0[_S673].optical_depth_0);
     }
-    result_3.diffuse_warp_0 = select(0.0f, _S680, _S673.is_warp_3);
-    result_3.diffuse_weft_0 = select(_S680, 0.0f, _S673.is_warp_3);
-    result_3.specular_warp_0 = select(0.0f, _S681, _S673.is_warp_3);
-    result_3.specular_weft_0 = select(_S681, 0.0f, _S673.is_warp_3);
+    result_3.diffuse_warp_0 = select(0.0f, _S682, _S675.is_warp_3);
+    result_3.diffuse_weft_0 = select(_S682, 0.0f, _S675.is_warp_3);
+    result_3.specular_warp_0 = select(0.0f, _S683, _S675.is_warp_3);
+    result_3.specular_weft_0 = select(_S683, 0.0f, _S675.is_warp_3);
     result_3.light_visibility_1 = 1.0f;
     return result_3;
 }
 
-fn openness_number_0( _S682 : u32,  _S683 : u32) -> f32
+fn openness_number_0( _S684 : u32,  _S685 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S682].openness_0 + _S683);
+    return table_number_0(fabrics_0[_S684].openness_0 + _S685);
 }
 
-fn blocked_of_terms_0( _S684 : u32,  _S685 : u32,  _S686 : array<f32, i32(6)>,  _S687 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S686 : u32,  _S687 : u32,  _S688 : array<f32, i32(6)>,  _S689 : u32) -> Blocked_0
 {
     var shares_0 : array<f32, i32(3)>;
     var share_4 : u32 = u32(0);
@@ -2847,14 +2857,14 @@ fn blocked_of_terms_0( _S684 : u32,  _S685 : u32,  _S686 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S687)
+            if(term_0 < _S689)
             {
             }
             else
             {
                 break;
             }
-            shares_0[share_4] = shares_0[share_4] + openness_number_0(_S684, _S685 + share_4 * _S687 + term_0) * _S686[term_0];
+            shares_0[share_4] = shares_0[share_4] + openness_number_0(_S686, _S687 + share_4 * _S689 + term_0) * _S688[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_0[share_4] = saturate(shares_0[share_4]);
@@ -2867,24 +2877,24 @@ fn blocked_of_terms_0( _S684 : u32,  _S685 : u32,  _S686 : array<f32, i32(6)>,  
     return blocked_2;
 }
 
-fn blocked_at_0( _S688 : u32,  _S689 : bool,  _S690 : bool,  _S691 : f32,  _S692 : f32) -> Blocked_0
+fn blocked_at_0( _S690 : u32,  _S691 : bool,  _S692 : bool,  _S693 : f32,  _S694 : f32) -> Blocked_0
 {
-    var _S693 : f32 = _S692 * openness_number_0(_S688, u32(158));
-    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S691, _S693, _S691 * _S691, _S691 * _S693, _S693 * _S693 );
-    return blocked_of_terms_0(_S688, u32(60) + (select(u32(0), u32(2), _S690) + select(u32(1), u32(0), _S689)) * u32(18), terms_2, u32(6));
+    var _S695 : f32 = _S694 * openness_number_0(_S690, u32(158));
+    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S693, _S695, _S693 * _S693, _S693 * _S695, _S695 * _S695 );
+    return blocked_of_terms_0(_S690, u32(60) + (select(u32(0), u32(2), _S692) + select(u32(1), u32(0), _S691)) * u32(18), terms_2, u32(6));
 }
 
-fn with_blocked_0( _S694 : u32,  _S695 : Blocked_0,  _S696 : YarnPoint_0,  _S697 : bool,  _S698 : f32) -> Blocked_0
+fn with_blocked_0( _S696 : u32,  _S697 : Blocked_0,  _S698 : YarnPoint_0,  _S699 : bool,  _S700 : f32) -> Blocked_0
 {
-    if(((_S696.hole_6) | (((_S696.is_warp_3) != _S697))))
+    if(((_S698.hole_6) | (((_S698.is_warp_3) != _S699))))
     {
-        return _S695;
+        return _S697;
     }
-    var _S699 : Blocked_0 = blocked_at_0(_S694, _S697, _S696.back_7, _S696.surface_normal_0.z, _S696.height_11);
+    var _S701 : Blocked_0 = blocked_at_0(_S696, _S699, _S698.back_7, _S698.surface_normal_0.z, _S698.height_11);
     var result_4 : Blocked_0;
-    result_4.by_warp_0 = _S695.by_warp_0 + _S698 * _S699.by_warp_0;
-    result_4.by_weft_0 = _S695.by_weft_0 + _S698 * _S699.by_weft_0;
-    result_4.far_0 = _S695.far_0 + _S698 * _S699.far_0;
+    result_4.by_warp_0 = _S697.by_warp_0 + _S700 * _S701.by_warp_0;
+    result_4.by_weft_0 = _S697.by_weft_0 + _S700 * _S701.by_weft_0;
+    result_4.far_0 = _S697.far_0 + _S700 * _S701.far_0;
     return result_4;
 }
 
@@ -2893,23 +2903,23 @@ struct CoverageTaps_0
      nodes_1 : array<u32, i32(9)>,
 };
 
-fn pyramid_level_0( _S700 : u32,  _S701 : f32) -> vec3<f32>
+fn pyramid_level_0( _S702 : u32,  _S703 : f32) -> vec3<f32>
 {
-    var _S702 : u32 = fabrics_0[_S700].lobes_0.levels_0 + u32(4) * u32(min(_S701, fabrics_0[_S700].lobes_0.last_level_0));
-    return vec3<f32>(table_number_0(_S702), table_number_0(_S702 + u32(1)), table_number_0(_S702 + u32(2)));
+    var _S704 : u32 = fabrics_0[_S702].lobes_0.levels_0 + u32(4) * u32(min(_S703, fabrics_0[_S702].lobes_0.last_level_0));
+    return vec3<f32>(table_number_0(_S704), table_number_0(_S704 + u32(1)), table_number_0(_S704 + u32(2)));
 }
 
-fn coverage_taps_0( _S703 : u32,  _S704 : Footprint_0,  _S705 : bool) -> CoverageTaps_0
+fn coverage_taps_0( _S705 : u32,  _S706 : Footprint_0,  _S707 : bool) -> CoverageTaps_0
 {
-    var _S706 : Lobes_std430_0 = fabrics_0[_S703].lobes_0;
-    var _S707 : f32 = Footprint_spread_side_0(_S704) * fabrics_0[_S703].lobes_0.inverse_base_size_0;
-    var _S708 : vec3<f32> = pyramid_level_0(_S703, floor(binary_logarithm_0(max(0.68000000715255737f * _S707, 1.0f))));
-    var _S709 : f32 = 1.0f / max(_S707, 9.99999997475242708e-07f);
-    var _S710 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S703].warp_0].inverse_period_0, families_0[fabrics_0[_S703].weft_0].inverse_period_0);
-    var _S711 : vec2<f32> = _S704.centre_0 * _S710;
-    var _S712 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S709 * _S709), 0.0f, 1.0f)), 0.3333333432674408f * _S709), 1.0f));
-    var _S713 : vec2<f32> = _S704.dx_0 * _S710 * _S712;
-    var _S714 : vec2<f32> = _S704.dy_0 * _S710 * _S712;
+    var _S708 : Lobes_std430_0 = fabrics_0[_S705].lobes_0;
+    var _S709 : f32 = Footprint_spread_side_0(_S706) * fabrics_0[_S705].lobes_0.inverse_base_size_0;
+    var _S710 : vec3<f32> = pyramid_level_0(_S705, floor(binary_logarithm_0(max(0.68000000715255737f * _S709, 1.0f))));
+    var _S711 : f32 = 1.0f / max(_S709, 9.99999997475242708e-07f);
+    var _S712 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S705].warp_0].inverse_period_0, families_0[fabrics_0[_S705].weft_0].inverse_period_0);
+    var _S713 : vec2<f32> = _S706.centre_0 * _S712;
+    var _S714 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S711 * _S711), 0.0f, 1.0f)), 0.3333333432674408f * _S711), 1.0f));
+    var _S715 : vec2<f32> = _S706.dx_0 * _S712 * _S714;
+    var _S716 : vec2<f32> = _S706.dy_0 * _S712 * _S714;
     var taps_4 : CoverageTaps_0;
     var number_3 : u32 = u32(0);
     for(;;)
@@ -2921,24 +2931,24 @@ fn coverage_taps_0( _S703 : u32,  _S704 : Footprint_0,  _S705 : bool) -> Coverag
         {
             break;
         }
-        var _S715 : vec2<f32> = _S711 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S713 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S714;
-        var _S716 : f32 = _S708.y;
-        taps_4.nodes_1[number_3] = select(u32(0), _S706.face_nodes_0, _S705) + u32(wrapped_cell_0(_S715.y, _S708.z) * _S716 + wrapped_cell_0(_S715.x, _S716) + _S708.x);
+        var _S717 : vec2<f32> = _S713 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S715 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S716;
+        var _S718 : f32 = _S710.y;
+        taps_4.nodes_1[number_3] = select(u32(0), _S708.face_nodes_0, _S707) + u32(wrapped_cell_0(_S717.y, _S710.z) * _S718 + wrapped_cell_0(_S717.x, _S718) + _S710.x);
         number_3 = number_3 + u32(1);
     }
     return taps_4;
 }
 
-fn joint_ratios_0( _S717 : u32,  _S718 : vec3<f32>,  _S719 : vec3<f32>,  _S720 : bool) -> vec2<f32>
+fn joint_ratios_0( _S719 : u32,  _S720 : vec3<f32>,  _S721 : vec3<f32>,  _S722 : bool) -> vec2<f32>
 {
-    var _S721 : NodeTaps_0 = node_taps_of_0(_S719, u32(16));
-    var _S722 : NodeTaps_0 = node_taps_of_0(_S718, u32(16));
-    var _S723 : u32 = fabrics_0[_S717].lobes_0.joint_0 + u32(2) * (select(u32(0), u32(2), _S720) + select(u32(0), u32(1), (_S718.z) < 0.0f)) * u32(512);
-    var _S724 : u32 = _S723 + u32(512);
-    return clamp(vec2<f32>(1.0f) + vec2<f32>(dot(joint_terms_0(_S721, _S723, u32(0)), joint_terms_0(_S722, _S724, u32(0))), dot(joint_terms_0(_S721, _S723, u32(1)), joint_terms_0(_S722, _S724, u32(1)))), vec2<f32>(0.0f), vec2<f32>(4.0f));
+    var _S723 : NodeTaps_0 = node_taps_of_0(_S721, u32(16));
+    var _S724 : NodeTaps_0 = node_taps_of_0(_S720, u32(16));
+    var _S725 : u32 = fabrics_0[_S719].lobes_0.joint_0 + u32(2) * (select(u32(0), u32(2), _S722) + select(u32(0), u32(1), (_S720.z) < 0.0f)) * u32(512);
+    var _S726 : u32 = _S725 + u32(512);
+    return clamp(vec2<f32>(1.0f) + vec2<f32>(dot(joint_terms_0(_S723, _S725, u32(0)), joint_terms_0(_S724, _S726, u32(0))), dot(joint_terms_0(_S723, _S725, u32(1)), joint_terms_0(_S724, _S726, u32(1)))), vec2<f32>(0.0f), vec2<f32>(4.0f));
 }
 
-fn coverage_of_pack_0( _S725 : u32,  _S726 : CoverageTaps_0,  _S727 : u32) -> vec4<f32>
+fn coverage_of_pack_0( _S727 : u32,  _S728 : CoverageTaps_0,  _S729 : u32) -> vec4<f32>
 {
     var number_4 : u32 = u32(0);
     var even_1 : u32 = u32(0);
@@ -2952,9 +2962,9 @@ fn coverage_of_pack_0( _S725 : u32,  _S726 : CoverageTaps_0,  _S727 : u32) -> ve
         {
             break;
         }
-        var _S728 : u32 = words_0[fabrics_0[_S725].lobes_0.coverage_0 + _S726.nodes_1[number_4] * fabrics_0[_S725].lobes_0.packs_0 + _S727];
-        var even_2 : u32 = even_1 + ((_S728 & (u32(16711935))));
-        var odd_2 : u32 = odd_1 + ((((_S728 >> (u32(8)))) & (u32(16711935))));
+        var _S730 : u32 = words_0[fabrics_0[_S727].lobes_0.coverage_0 + _S728.nodes_1[number_4] * fabrics_0[_S727].lobes_0.packs_0 + _S729];
+        var even_2 : u32 = even_1 + ((_S730 & (u32(16711935))));
+        var odd_2 : u32 = odd_1 + ((((_S730 >> (u32(8)))) & (u32(16711935))));
         number_4 = number_4 + u32(1);
         even_1 = even_2;
         odd_1 = odd_2;
@@ -2962,7 +2972,7 @@ fn coverage_of_pack_0( _S725 : u32,  _S726 : CoverageTaps_0,  _S727 : u32) -> ve
     return bytes_of_sums_0(even_1, odd_1) / vec4<f32>(9.0f);
 }
 
-fn coverage_of_holes_0( _S729 : u32,  _S730 : CoverageTaps_0) -> f32
+fn coverage_of_holes_0( _S731 : u32,  _S732 : CoverageTaps_0) -> f32
 {
     var number_5 : u32 = u32(0);
     var total_0 : u32 = u32(0);
@@ -2975,33 +2985,33 @@ fn coverage_of_holes_0( _S729 : u32,  _S730 : CoverageTaps_0) -> f32
         {
             break;
         }
-        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S729].lobes_0.coverage_holes_0 + _S730.nodes_1[number_5] / u32(4)] >> ((u32(8) * (_S730.nodes_1[number_5] % u32(4)))))) & (u32(255))));
+        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S731].lobes_0.coverage_holes_0 + _S732.nodes_1[number_5] / u32(4)] >> ((u32(8) * (_S732.nodes_1[number_5] % u32(4)))))) & (u32(255))));
         number_5 = number_5 + u32(1);
         total_0 = total_1;
     }
     return f32(total_0) / 9.0f;
 }
 
-fn prefiltered_hole_0( _S731 : u32,  _S732 : CoverageTaps_0,  _S733 : NodeTaps_0,  _S734 : bool) -> f32
+fn prefiltered_hole_0( _S733 : u32,  _S734 : CoverageTaps_0,  _S735 : NodeTaps_0,  _S736 : bool) -> f32
 {
-    var _S735 : f32 = interpolate_table_0(_S733, fabrics_0[_S731].lobes_0.projected_area_0 + fabrics_0[_S731].lobes_0.packs_0, fabrics_0[_S731].lobes_0.packs_0 + u32(1)).x;
-    return min(coverage_of_holes_0(_S731, _S732) * _S735 * _S735 * select(fabrics_0[_S731].lobes_0.front_hole_weight_0, fabrics_0[_S731].lobes_0.back_hole_weight_0, _S734), 1.0f);
+    var _S737 : f32 = interpolate_table_0(_S735, fabrics_0[_S733].lobes_0.projected_area_0 + fabrics_0[_S733].lobes_0.packs_0, fabrics_0[_S733].lobes_0.packs_0 + u32(1)).x;
+    return min(coverage_of_holes_0(_S733, _S734) * _S737 * _S737 * select(fabrics_0[_S733].lobes_0.front_hole_weight_0, fabrics_0[_S733].lobes_0.back_hole_weight_0, _S736), 1.0f);
 }
 
-fn prefiltered_components_0( _S736 : u32,  _S737 : Footprint_0,  _S738 : vec3<f32>,  _S739 : vec3<f32>,  _S740 : bool) -> Components_0
+fn prefiltered_components_0( _S738 : u32,  _S739 : Footprint_0,  _S740 : vec3<f32>,  _S741 : vec3<f32>,  _S742 : bool) -> Components_0
 {
-    var _S741 : CoverageTaps_0 = coverage_taps_0(_S736, _S737, _S740);
-    var _S742 : NodeTaps_0 = node_taps_0(_S739);
-    var view_nodes_0 : NodeTaps_0 = _S742;
-    var _S743 : NodeTaps_0 = node_taps_0(_S738);
-    var light_nodes_0 : NodeTaps_0 = _S743;
-    var _S744 : u32 = select(u32(0), u32(1), _S740);
-    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S744 * u32(256)));
-    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((u32(2) * _S744 + select(u32(0), u32(1), (_S738.z) < 0.0f)) * u32(256)));
-    var _S745 : vec3<f32> = half_vector_0(_S738, _S739);
-    var _S746 : vec2<f32> = joint_ratios_0(_S736, _S738, _S739, _S740);
-    var _S747 : Lobes_std430_0 = fabrics_0[_S736].lobes_0;
-    var _S748 : u32 = select(fabrics_0[_S736].lobes_0.front_warp_packs_0, fabrics_0[_S736].lobes_0.back_warp_packs_0, _S740);
+    var _S743 : CoverageTaps_0 = coverage_taps_0(_S738, _S739, _S742);
+    var _S744 : NodeTaps_0 = node_taps_0(_S741);
+    var view_nodes_0 : NodeTaps_0 = _S744;
+    var _S745 : NodeTaps_0 = node_taps_0(_S740);
+    var light_nodes_0 : NodeTaps_0 = _S745;
+    var _S746 : u32 = select(u32(0), u32(1), _S742);
+    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S746 * u32(256)));
+    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((u32(2) * _S746 + select(u32(0), u32(1), (_S740.z) < 0.0f)) * u32(256)));
+    var _S747 : vec3<f32> = half_vector_0(_S740, _S741);
+    var _S748 : vec2<f32> = joint_ratios_0(_S738, _S740, _S741, _S742);
+    var _S749 : Lobes_std430_0 = fabrics_0[_S738].lobes_0;
+    var _S750 : u32 = select(fabrics_0[_S738].lobes_0.front_warp_packs_0, fabrics_0[_S738].lobes_0.back_warp_packs_0, _S742);
     var sums_4 : Components_0;
     sums_4.diffuse_warp_0 = 0.0f;
     sums_4.diffuse_weft_0 = 0.0f;
@@ -3012,19 +3022,19 @@ fn prefiltered_components_0( _S736 : u32,  _S737 : Footprint_0,  _S738 : vec3<f3
     var total_2 : f32 = 0.0f;
     for(;;)
     {
-        if(pack_0 < (_S747.packs_0))
+        if(pack_0 < (_S749.packs_0))
         {
         }
         else
         {
             break;
         }
-        var _S749 : vec4<f32> = coverage_of_pack_0(_S736, _S741, pack_0);
-        var _S750 : vec4<f32> = interpolate_table_0(view_nodes_0, _S747.projected_area_0 + pack_0, _S747.packs_0 + u32(1));
-        var _S751 : vec4<f32> = interpolate_table_0(light_nodes_0, _S747.light_visibility_0 + pack_0, _S747.packs_0) / vec4<f32>(255.0f);
-        var _S752 : vec4<f32> = interpolate_table_0(light_nodes_0, _S747.irradiance_0 + pack_0, _S747.packs_0) * vec4<f32>(0.00124827399849892f);
-        var _S753 : bool = pack_0 < _S748;
-        var _S754 : f32 = families_0[select(fabrics_0[_S736].weft_0, fabrics_0[_S736].warp_0, _S753)].roughness_0;
+        var _S751 : vec4<f32> = coverage_of_pack_0(_S738, _S743, pack_0);
+        var _S752 : vec4<f32> = interpolate_table_0(view_nodes_0, _S749.projected_area_0 + pack_0, _S749.packs_0 + u32(1));
+        var _S753 : vec4<f32> = interpolate_table_0(light_nodes_0, _S749.light_visibility_0 + pack_0, _S749.packs_0) / vec4<f32>(255.0f);
+        var _S754 : vec4<f32> = interpolate_table_0(light_nodes_0, _S749.irradiance_0 + pack_0, _S749.packs_0) * vec4<f32>(0.00124827399849892f);
+        var _S755 : bool = pack_0 < _S750;
+        var _S756 : f32 = families_0[select(fabrics_0[_S738].weft_0, fabrics_0[_S738].warp_0, _S755)].roughness_0;
         var number_6 : u32 = u32(0);
         var diffuse_0 : f32 = 0.0f;
         var specular_0 : f32 = 0.0f;
@@ -3038,263 +3048,263 @@ fn prefiltered_components_0( _S736 : u32,  _S737 : Footprint_0,  _S738 : vec3<f3
             {
                 break;
             }
-            var _S755 : Group_0 = group_at_0(_S747.moments_0 + u32(12) * (u32(4) * (_S744 * _S747.packs_0 + pack_0) + number_6), _S754);
-            var _S756 : f32 = _S749[number_6] * _S750[number_6] * _S750[number_6] * _S755.weight_2;
-            var diffuse_1 : f32 = diffuse_0 + _S756 * _S752[number_6];
-            var specular_1 : f32 = specular_0 + _S756 * layer_value_0(_S755, _S745, _S738, _S739, fabrics_0[_S736].optical_depth_0) * _S751[number_6];
-            var lit_1 : f32 = lit_0 + _S756 * _S751[number_6];
-            var total_3 : f32 = total_2 + _S756;
+            var _S757 : Group_0 = group_at_0(_S749.moments_0 + u32(12) * (u32(4) * (_S746 * _S749.packs_0 + pack_0) + number_6), _S756);
+            var _S758 : f32 = _S751[number_6] * _S752[number_6] * _S752[number_6] * _S757.weight_2;
+            var diffuse_1 : f32 = diffuse_0 + _S758 * _S754[number_6];
+            var specular_1 : f32 = specular_0 + _S758 * layer_value_0(_S757, _S747, _S740, _S741, fabrics_0[_S738].optical_depth_0) * _S753[number_6];
+            var lit_1 : f32 = lit_0 + _S758 * _S753[number_6];
+            var total_3 : f32 = total_2 + _S758;
             number_6 = number_6 + u32(1);
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             lit_0 = lit_1;
             total_2 = total_3;
         }
-        sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 + select(0.0f, diffuse_0, _S753);
-        sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 + select(diffuse_0, 0.0f, _S753);
-        sums_4.specular_warp_0 = sums_4.specular_warp_0 + select(0.0f, specular_0, _S753);
-        sums_4.specular_weft_0 = sums_4.specular_weft_0 + select(specular_0, 0.0f, _S753);
-        sums_4.light_visibility_1 = sums_4.light_visibility_1 + lit_0 * select(_S746.y, _S746.x, _S753);
+        sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 + select(0.0f, diffuse_0, _S755);
+        sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 + select(diffuse_0, 0.0f, _S755);
+        sums_4.specular_warp_0 = sums_4.specular_warp_0 + select(0.0f, specular_0, _S755);
+        sums_4.specular_weft_0 = sums_4.specular_weft_0 + select(specular_0, 0.0f, _S755);
+        sums_4.light_visibility_1 = sums_4.light_visibility_1 + lit_0 * select(_S748.y, _S748.x, _S755);
         pack_0 = pack_0 + u32(1);
     }
-    var _S757 : f32 = prefiltered_hole_0(_S736, _S741, view_nodes_0, _S740);
-    sums_4.hole_2 = _S757;
-    var _S758 : f32 = 1.0f - _S757;
-    var _S759 : f32 = _S758 / max(total_2, 9.999999960041972e-13f);
-    var _S760 : f32 = _S759 * _S746.x;
-    sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 * _S760;
-    var _S761 : f32 = _S759 * _S746.y;
-    sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 * _S761;
-    sums_4.specular_warp_0 = sums_4.specular_warp_0 * _S760;
-    sums_4.specular_weft_0 = sums_4.specular_weft_0 * _S761;
-    sums_4.light_visibility_1 = min(sums_4.light_visibility_1 * _S759, _S758);
+    var _S759 : f32 = prefiltered_hole_0(_S738, _S743, view_nodes_0, _S742);
+    sums_4.hole_2 = _S759;
+    var _S760 : f32 = 1.0f - _S759;
+    var _S761 : f32 = _S760 / max(total_2, 9.999999960041972e-13f);
+    var _S762 : f32 = _S761 * _S748.x;
+    sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 * _S762;
+    var _S763 : f32 = _S761 * _S748.y;
+    sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 * _S763;
+    sums_4.specular_warp_0 = sums_4.specular_warp_0 * _S762;
+    sums_4.specular_weft_0 = sums_4.specular_weft_0 * _S763;
+    sums_4.light_visibility_1 = min(sums_4.light_visibility_1 * _S761, _S760);
     return sums_4;
 }
 
-fn albedos_over_0( _S762 : u32,  _S763 : Footprint_0,  _S764 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S764 : u32,  _S765 : Footprint_0,  _S766 : bool) -> FamilyAlbedos_0
 {
-    var _S765 : vec2<f32> = _S763.dx_0;
-    var _S766 : vec2<f32> = _S763.dy_0;
-    var _S767 : vec2<f32> = sqrt(_S765 * _S765 + _S766 * _S766);
-    var _S768 : Stretch_0 = stretch_of_0(fabrics_0[_S762].warp_0, _S763.centre_0.x, _S767.x);
-    var _S769 : Stretch_0 = stretch_of_0(fabrics_0[_S762].weft_0, _S763.centre_0.y, _S767.y);
+    var _S767 : vec2<f32> = _S765.dx_0;
+    var _S768 : vec2<f32> = _S765.dy_0;
+    var _S769 : vec2<f32> = sqrt(_S767 * _S767 + _S768 * _S768);
+    var _S770 : Stretch_0 = stretch_of_0(fabrics_0[_S764].warp_0, _S765.centre_0.x, _S769.x);
+    var _S771 : Stretch_0 = stretch_of_0(fabrics_0[_S764].weft_0, _S765.centre_0.y, _S769.y);
     var albedos_9 : FamilyAlbedos_0;
-    albedos_9.warp_5 = mean_albedos_0(fabrics_0[_S762].warp_0, fabrics_0[_S762].weft_0, _S768, _S769, _S764);
-    albedos_9.weft_5 = mean_albedos_0(fabrics_0[_S762].weft_0, fabrics_0[_S762].warp_0, _S769, _S768, _S764);
+    albedos_9.warp_5 = mean_albedos_0(fabrics_0[_S764].warp_0, fabrics_0[_S764].weft_0, _S770, _S771, _S766);
+    albedos_9.weft_5 = mean_albedos_0(fabrics_0[_S764].weft_0, fabrics_0[_S764].warp_0, _S771, _S770, _S766);
     return albedos_9;
 }
 
-fn lobes_estimate_of_pass_0( _S770 : u32,  _S771 : Footprint_0,  _S772 : f32,  _S773 : vec2<f32>,  _S774 : vec3<f32>,  _S775 : vec3<f32>) -> Estimate_0
+fn lobes_estimate_of_pass_0( _S772 : u32,  _S773 : Footprint_0,  _S774 : f32,  _S775 : vec2<f32>,  _S776 : vec3<f32>,  _S777 : vec3<f32>) -> Estimate_0
 {
-    var _S776 : f32;
-    var _S777 : Regime_0 = regime_of_0(_S770, _S771, _S772);
-    var _S778 : bool = (_S775.z) < 0.0f;
-    var _S779 : vec3<f32> = to_face_frame_0(_S775, _S778);
-    var _S780 : f32 = Footprint_spread_side_0(_S771);
-    var _S781 : bool = varies_at_0(_S770, _S780);
-    var _S782 : f32 = 1.0f - _S777.prefiltered_0;
-    var _S783 : bool = ((_S782 > 0.0f) & (((_S781 | (((((families_0[fabrics_0[_S770].warp_0].quantities_0) > u32(1)) | (((families_0[fabrics_0[_S770].weft_0].quantities_0) > u32(1))))))))));
-    var box_0 : Footprint_0 = _S771;
-    var _S784 : vec3<f32> = vec3<f32>(0.0f);
-    var _S785 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S784, _S784, 0.0f, 0.0f, 0.0f);
-    var _S786 : Components_0 = no_components_0();
+    var _S778 : f32;
+    var _S779 : Regime_0 = regime_of_0(_S772, _S773, _S774);
+    var _S780 : bool = (_S777.z) < 0.0f;
+    var _S781 : vec3<f32> = to_face_frame_0(_S777, _S780);
+    var _S782 : f32 = Footprint_spread_side_0(_S773);
+    var _S783 : bool = varies_at_0(_S772, _S782);
+    var _S784 : f32 = 1.0f - _S779.prefiltered_0;
+    var _S785 : bool = ((_S784 > 0.0f) & (((_S783 | (((((families_0[fabrics_0[_S772].warp_0].quantities_0) > u32(1)) | (((families_0[fabrics_0[_S772].weft_0].quantities_0) > u32(1))))))))));
+    var box_0 : Footprint_0 = _S773;
+    var _S786 : vec3<f32> = vec3<f32>(0.0f);
+    var _S787 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S786, _S786, 0.0f, 0.0f, 0.0f, 0.0f);
+    var _S788 : Components_0 = no_components_0();
     var close_1 : CloseUp_0 = no_close_up_0();
-    var _S787 : u32 = select(u32(1), u32(0), _S783);
-    var points_1 : Components_0 = _S786;
+    var _S789 : u32 = select(u32(1), u32(0), _S785);
+    var points_1 : Components_0 = _S788;
     var central_weight_0 : f32 = 0.0f;
-    var central_0 : SurfacePoint_0 = _S785;
-    var central_place_0 : vec2<f32> = _S771.centre_0;
-    var number_7 : u32 = _S787;
+    var central_0 : SurfacePoint_0 = _S787;
+    var central_place_0 : vec2<f32> = _S773.centre_0;
+    var number_7 : u32 = _S789;
     for(;;)
     {
-        var _S788 : f32 = f32(number_7);
-        _S776 = _S777.points_0;
-        if(_S788 < (_S777.points_0 + 1.0f))
+        var _S790 : f32 = f32(number_7);
+        _S778 = _S779.points_0;
+        if(_S790 < (_S779.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        var _S789 : bool = number_7 == u32(0);
-        var _S790 : u32 = number_7 - u32(1);
-        var _S791 : vec2<f32> = POINT_OFFSETS_0[select(_S790, u32(0), _S789)] + _S773;
-        var _S792 : vec2<f32> = select_vector_0(_S789, vec2<f32>(0.0f), _S791 - round(_S791));
-        var _S793 : vec2<f32> = _S771.centre_0 + vec2<f32>(_S792.x) * _S771.dx_0 + vec2<f32>(_S792.y) * _S771.dy_0;
-        var _S794 : SearchQuality_0 = quality_of_0(select(_S777.threads_1, 0.0f, _S789));
-        var _S795 : Hit_0 = first_hit_0(_S770, _S794, _S793.x, _S793.y, _S779, _S778);
-        var _S796 : SurfacePoint_0 = surface_at_0(_S770, _S795.x_14, _S795.y_7, _S778);
-        if(_S789)
+        var _S791 : bool = number_7 == u32(0);
+        var _S792 : u32 = number_7 - u32(1);
+        var _S793 : vec2<f32> = POINT_OFFSETS_0[select(_S792, u32(0), _S791)] + _S775;
+        var _S794 : vec2<f32> = select_vector_0(_S791, vec2<f32>(0.0f), _S793 - round(_S793));
+        var _S795 : vec2<f32> = _S773.centre_0 + vec2<f32>(_S794.x) * _S773.dx_0 + vec2<f32>(_S794.y) * _S773.dy_0;
+        var _S796 : SearchQuality_0 = quality_of_0(select(_S779.threads_1, 0.0f, _S791));
+        var _S797 : Hit_0 = first_hit_0(_S772, _S796, _S795.x, _S795.y, _S781, _S780);
+        var _S798 : SurfacePoint_0 = surface_at_0(_S772, _S797.x_14, _S797.y_7, _S780);
+        if(_S791)
         {
-            var central_weight_1 : f32 = select(_S782, 0.0f, _S795.hole_5);
-            var central_place_1 : vec2<f32> = vec2<f32>(_S795.x_14, _S795.y_7);
-            box_0.centre_0 = mix(_S771.centre_0, central_place_1, vec2<f32>(central_weight_1));
+            var central_weight_1 : f32 = select(_S784, 0.0f, _S797.hole_5);
+            var central_place_1 : vec2<f32> = vec2<f32>(_S797.x_14, _S797.y_7);
+            box_0.centre_0 = mix(_S773.centre_0, central_place_1, vec2<f32>(central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S796;
+            central_0 = _S798;
             central_place_0 = central_place_1;
             number_7 = number_7 + u32(1);
             continue;
         }
-        var _S797 : YarnPoint_0 = yarn_point_of_0(_S770, _S796, _S795.x_14, _S795.y_7, _S778, _S795.hole_5, _S780);
-        var _S798 : f32 = min(_S777.points_0 - f32(_S790), 1.0f);
-        var _S799 : Components_0 = with_added_0(points_1, components_of_point_0(_S770, _S794, _S797, _S774, _S775), _S798);
-        if((fabrics_0[_S770].openness_0) != u32(4294967295))
+        var _S799 : YarnPoint_0 = yarn_point_of_0(_S772, _S798, _S797.x_14, _S797.y_7, _S780, _S797.hole_5, _S782);
+        var _S800 : f32 = min(_S779.points_0 - f32(_S792), 1.0f);
+        var _S801 : Components_0 = with_added_0(points_1, components_of_point_0(_S772, _S796, _S799, _S776, _S777), _S800);
+        if((fabrics_0[_S772].openness_0) != u32(4294967295))
         {
-            close_1.warp_1 = with_blocked_0(_S770, close_1.warp_1, _S797, true, _S798);
-            close_1.weft_1 = with_blocked_0(_S770, close_1.weft_1, _S797, false, _S798);
+            close_1.warp_1 = with_blocked_0(_S772, close_1.warp_1, _S799, true, _S800);
+            close_1.weft_1 = with_blocked_0(_S772, close_1.weft_1, _S799, false, _S800);
         }
-        points_1 = _S799;
+        points_1 = _S801;
         number_7 = number_7 + u32(1);
     }
-    close_1.weight_0 = _S782;
-    var _S800 : f32 = max(_S776, 1.0f);
-    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S800);
-    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S800);
+    close_1.weight_0 = _S784;
+    var _S802 : f32 = max(_S778, 1.0f);
+    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S802);
+    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S802);
     var estimate_0 : Estimate_0;
     estimate_0.close_0 = close_1;
-    estimate_0.components_0 = with_added_0(_S786, points_1, _S782 / _S800);
-    if((_S777.prefiltered_0) > 0.0f)
+    estimate_0.components_0 = with_added_0(_S788, points_1, _S784 / _S802);
+    if((_S779.prefiltered_0) > 0.0f)
     {
-        var _S801 : Components_0 = prefiltered_components_0(_S770, _S771, to_face_frame_0(_S774, _S778), _S779, _S778);
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S801, _S777.prefiltered_0);
+        var _S803 : Components_0 = prefiltered_components_0(_S772, _S773, to_face_frame_0(_S776, _S780), _S781, _S780);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S803, _S779.prefiltered_0);
     }
-    estimate_0.albedos_5 = albedos_over_0(_S770, box_0, _S778);
-    if((_S781 & ((central_weight_0 > 0.0f))))
+    estimate_0.albedos_5 = albedos_over_0(_S772, box_0, _S780);
+    if((_S783 & ((central_weight_0 > 0.0f))))
     {
-        var _S802 : SurfacePoint_0 = central_0;
-        var _S803 : Albedos_0;
+        var _S804 : SurfacePoint_0 = central_0;
+        var _S805 : Albedos_0;
         if(central_0.is_warp_0)
         {
-            _S803 = estimate_0.albedos_5.warp_5;
+            _S805 = estimate_0.albedos_5.warp_5;
         }
         else
         {
-            _S803 = estimate_0.albedos_5.weft_5;
+            _S805 = estimate_0.albedos_5.weft_5;
         }
-        var _S804 : bool;
-        if((fabrics_0[_S770].has_detail_0) != u32(0))
+        var _S806 : bool;
+        if((fabrics_0[_S772].has_detail_0) != u32(0))
         {
-            _S804 = has_hairs_0(_S770);
-        }
-        else
-        {
-            _S804 = false;
-        }
-        var _S805 : f32;
-        if(_S804)
-        {
-            _S805 = hair_at_0(_S770, central_place_0, _S778, _S780).cover_0;
+            _S806 = has_hairs_0(_S772);
         }
         else
         {
-            _S805 = 0.0f;
+            _S806 = false;
         }
-        var _S806 : Albedos_0 = lerp_albedos_0(_S803, varied_at_0(_S770, central_0, _S803, central_place_0.x, central_place_0.y, _S778, _S780, _S805), central_weight_0);
-        if(_S802.is_warp_0)
+        var _S807 : f32;
+        if(_S806)
         {
-            estimate_0.albedos_5.warp_5 = _S806;
+            _S807 = hair_at_0(_S772, central_place_0, _S780, _S782).cover_0;
         }
         else
         {
-            estimate_0.albedos_5.weft_5 = _S806;
+            _S807 = 0.0f;
+        }
+        var _S808 : Albedos_0 = lerp_albedos_0(_S805, varied_at_0(_S772, central_0, _S805, central_place_0.x, central_place_0.y, _S780, _S782, _S807), central_weight_0);
+        if(_S804.is_warp_0)
+        {
+            estimate_0.albedos_5.warp_5 = _S808;
+        }
+        else
+        {
+            estimate_0.albedos_5.weft_5 = _S808;
         }
     }
     return estimate_0;
 }
 
-fn scattered_by_0( _S807 : u32,  _S808 : Albedos_0,  _S809 : u32,  _S810 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S809 : u32,  _S810 : Albedos_0,  _S811 : u32,  _S812 : vec3<f32>) -> Scattered_0
 {
-    var _S811 : u32 = u32(159) + u32(2) * _S809;
+    var _S813 : u32 = u32(159) + u32(2) * _S811;
     var yarn_3 : Scattered_0;
-    yarn_3.back_6 = _S810 * _S808.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S807, _S811)) * _S808.specular_reflect_0;
-    yarn_3.through_0 = _S810 * _S808.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S807, _S811 + u32(1))) * _S808.specular_transmit_0;
+    yarn_3.back_6 = _S812 * _S810.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S809, _S813)) * _S810.specular_reflect_0;
+    yarn_3.through_0 = _S812 * _S810.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S809, _S813 + u32(1))) * _S810.specular_transmit_0;
     return yarn_3;
 }
 
-fn sent_0( _S812 : u32,  _S813 : u32,  _S814 : vec3<f32>,  _S815 : vec3<f32>,  _S816 : vec3<f32>,  _S817 : vec3<f32>,  _S818 : ptr<function, vec3<f32>>,  _S819 : ptr<function, vec3<f32>>)
+fn sent_0( _S814 : u32,  _S815 : u32,  _S816 : vec3<f32>,  _S817 : vec3<f32>,  _S818 : vec3<f32>,  _S819 : vec3<f32>,  _S820 : ptr<function, vec3<f32>>,  _S821 : ptr<function, vec3<f32>>)
 {
-    var _S820 : u32 = u32(146) + u32(4) * _S813;
-    var _S821 : f32 = openness_number_0(_S812, _S820 + u32(1));
-    var _S822 : f32 = openness_number_0(_S812, _S820 + u32(2));
-    var _S823 : vec3<f32> = vec3<f32>(1.0f);
-    var _S824 : vec3<f32> = _S823 - _S816 * vec3<f32>(openness_number_0(_S812, _S820));
-    var _S825 : vec3<f32> = _S823 - _S817 * vec3<f32>(openness_number_0(_S812, _S820 + u32(3)));
-    var _S826 : vec3<f32> = _S823 / (_S824 * _S825 - _S816 * _S817 * vec3<f32>((_S821 * _S822)));
-    (*_S818) = (_S814 * _S825 + _S816 * vec3<f32>(_S821) * _S815) * _S826;
-    (*_S819) = (_S815 * _S824 + _S817 * vec3<f32>(_S822) * _S814) * _S826;
+    var _S822 : u32 = u32(146) + u32(4) * _S815;
+    var _S823 : f32 = openness_number_0(_S814, _S822 + u32(1));
+    var _S824 : f32 = openness_number_0(_S814, _S822 + u32(2));
+    var _S825 : vec3<f32> = vec3<f32>(1.0f);
+    var _S826 : vec3<f32> = _S825 - _S818 * vec3<f32>(openness_number_0(_S814, _S822));
+    var _S827 : vec3<f32> = _S825 - _S819 * vec3<f32>(openness_number_0(_S814, _S822 + u32(3)));
+    var _S828 : vec3<f32> = _S825 / (_S826 * _S827 - _S818 * _S819 * vec3<f32>((_S823 * _S824)));
+    (*_S820) = (_S816 * _S827 + _S818 * vec3<f32>(_S823) * _S817) * _S828;
+    (*_S821) = (_S817 * _S826 + _S819 * vec3<f32>(_S824) * _S816) * _S828;
     return;
 }
 
-fn face_sends_0( _S827 : u32,  _S828 : u32,  _S829 : Scattered_0,  _S830 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S829 : u32,  _S830 : u32,  _S831 : Scattered_0,  _S832 : Scattered_0) -> FaceSends_0
 {
-    var _S831 : u32 = u32(2) * _S828;
-    var _S832 : u32 = u32(142) + _S831;
-    var _S833 : f32 = openness_number_0(_S827, _S832);
-    var _S834 : f32 = openness_number_0(_S827, _S832 + u32(1));
-    var _S835 : vec3<f32> = vec3<f32>((1.0f - _S833)) * _S829.back_6;
-    var _S836 : vec3<f32> = vec3<f32>((1.0f - _S834)) * _S830.back_6;
+    var _S833 : u32 = u32(2) * _S830;
+    var _S834 : u32 = u32(142) + _S833;
+    var _S835 : f32 = openness_number_0(_S829, _S834);
+    var _S836 : f32 = openness_number_0(_S829, _S834 + u32(1));
+    var _S837 : vec3<f32> = vec3<f32>((1.0f - _S835)) * _S831.back_6;
+    var _S838 : vec3<f32> = vec3<f32>((1.0f - _S836)) * _S832.back_6;
     var sends_1 : FaceSends_0;
-    var _S837 : u32 = u32(154) + _S831;
-    var _S838 : f32 = openness_number_0(_S827, _S837);
-    sends_1.blocks_warp_0 = _S838;
-    var _S839 : f32 = openness_number_0(_S827, _S837 + u32(1));
-    sends_1.blocks_weft_0 = _S839;
-    sends_1.open_0 = _S838 * _S833 + _S839 * _S834;
-    var _S840 : vec3<f32> = vec3<f32>(_S833) * _S829.back_6;
-    var _S841 : vec3<f32> = vec3<f32>(_S834) * _S830.back_6;
-    var _S842 : vec3<f32> = sends_1.sky_warp_0;
-    var _S843 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S827, _S828, _S840, _S841, _S835, _S836, &(_S842), &(_S843));
-    sends_1.sky_warp_0 = _S842;
-    sends_1.sky_weft_0 = _S843;
-    var _S844 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S845 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S827, _S828, _S829.through_0, _S830.through_0, _S835, _S836, &(_S844), &(_S845));
-    sends_1.crossing_warp_0 = _S844;
-    sends_1.crossing_weft_0 = _S845;
+    var _S839 : u32 = u32(154) + _S833;
+    var _S840 : f32 = openness_number_0(_S829, _S839);
+    sends_1.blocks_warp_0 = _S840;
+    var _S841 : f32 = openness_number_0(_S829, _S839 + u32(1));
+    sends_1.blocks_weft_0 = _S841;
+    sends_1.open_0 = _S840 * _S835 + _S841 * _S836;
+    var _S842 : vec3<f32> = vec3<f32>(_S835) * _S831.back_6;
+    var _S843 : vec3<f32> = vec3<f32>(_S836) * _S832.back_6;
+    var _S844 : vec3<f32> = sends_1.sky_warp_0;
+    var _S845 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S829, _S830, _S842, _S843, _S837, _S838, &(_S844), &(_S845));
+    sends_1.sky_warp_0 = _S844;
+    sends_1.sky_weft_0 = _S845;
+    var _S846 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S847 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S829, _S830, _S831.through_0, _S832.through_0, _S837, _S838, &(_S846), &(_S847));
+    sends_1.crossing_warp_0 = _S846;
+    sends_1.crossing_weft_0 = _S847;
     return sends_1;
 }
 
-fn interior_of_0( _S846 : u32,  _S847 : vec3<f32>,  _S848 : bool) -> Interior_0
+fn interior_of_0( _S848 : u32,  _S849 : vec3<f32>,  _S850 : bool) -> Interior_0
 {
-    var _S849 : Scattered_0 = scattered_by_0(_S846, table_albedos_0(families_0[fabrics_0[_S846].warp_0].colour_mean_0), u32(0), _S847);
-    var _S850 : Scattered_0 = scattered_by_0(_S846, table_albedos_0(families_0[fabrics_0[_S846].weft_0].colour_mean_0), u32(1), _S847);
-    var _S851 : FaceSends_0 = face_sends_0(_S846, select(u32(0), u32(1), _S848), _S849, _S850);
-    var _S852 : FaceSends_0 = face_sends_0(_S846, select(u32(1), u32(0), _S848), _S849, _S850);
-    var _S853 : vec3<f32> = vec3<f32>(_S851.blocks_warp_0);
-    var _S854 : vec3<f32> = vec3<f32>(_S851.blocks_weft_0);
-    var _S855 : vec3<f32> = _S853 * _S851.crossing_warp_0 + _S854 * _S851.crossing_weft_0;
-    var _S856 : vec3<f32> = vec3<f32>(_S852.blocks_warp_0);
-    var _S857 : vec3<f32> = vec3<f32>(_S852.blocks_weft_0);
-    var _S858 : vec3<f32> = _S856 * _S852.crossing_warp_0 + _S857 * _S852.crossing_weft_0;
-    var _S859 : f32 = 1.0f - _S851.open_0;
-    var _S860 : f32 = 1.0f - _S852.open_0;
-    var _S861 : vec3<f32> = vec3<f32>(1.0f);
-    var _S862 : vec3<f32> = _S861 / (_S861 - _S855 * _S858 * vec3<f32>((_S859 * _S860)));
-    var _S863 : vec3<f32> = _S858 * (vec3<f32>(_S851.open_0) + vec3<f32>(_S859) * (_S853 * _S851.sky_warp_0 + _S854 * _S851.sky_weft_0)) * _S862;
-    var _S864 : vec3<f32> = _S855 * (vec3<f32>(_S852.open_0) + vec3<f32>(_S860) * (_S856 * _S852.sky_warp_0 + _S857 * _S852.sky_weft_0)) * _S862;
-    var _S865 : FaceRadiance_0 = face_radiance_0(_S851, _S852.open_0, _S863, _S864);
-    var _S866 : FaceRadiance_0 = face_radiance_0(_S852, _S851.open_0, _S864, _S863);
+    var _S851 : Scattered_0 = scattered_by_0(_S848, table_albedos_0(families_0[fabrics_0[_S848].warp_0].colour_mean_0), u32(0), _S849);
+    var _S852 : Scattered_0 = scattered_by_0(_S848, table_albedos_0(families_0[fabrics_0[_S848].weft_0].colour_mean_0), u32(1), _S849);
+    var _S853 : FaceSends_0 = face_sends_0(_S848, select(u32(0), u32(1), _S850), _S851, _S852);
+    var _S854 : FaceSends_0 = face_sends_0(_S848, select(u32(1), u32(0), _S850), _S851, _S852);
+    var _S855 : vec3<f32> = vec3<f32>(_S853.blocks_warp_0);
+    var _S856 : vec3<f32> = vec3<f32>(_S853.blocks_weft_0);
+    var _S857 : vec3<f32> = _S855 * _S853.crossing_warp_0 + _S856 * _S853.crossing_weft_0;
+    var _S858 : vec3<f32> = vec3<f32>(_S854.blocks_warp_0);
+    var _S859 : vec3<f32> = vec3<f32>(_S854.blocks_weft_0);
+    var _S860 : vec3<f32> = _S858 * _S854.crossing_warp_0 + _S859 * _S854.crossing_weft_0;
+    var _S861 : f32 = 1.0f - _S853.open_0;
+    var _S862 : f32 = 1.0f - _S854.open_0;
+    var _S863 : vec3<f32> = vec3<f32>(1.0f);
+    var _S864 : vec3<f32> = _S863 / (_S863 - _S857 * _S860 * vec3<f32>((_S861 * _S862)));
+    var _S865 : vec3<f32> = _S860 * (vec3<f32>(_S853.open_0) + vec3<f32>(_S861) * (_S855 * _S853.sky_warp_0 + _S856 * _S853.sky_weft_0)) * _S864;
+    var _S866 : vec3<f32> = _S857 * (vec3<f32>(_S854.open_0) + vec3<f32>(_S862) * (_S858 * _S854.sky_warp_0 + _S859 * _S854.sky_weft_0)) * _S864;
+    var _S867 : FaceRadiance_0 = face_radiance_0(_S853, _S854.open_0, _S865, _S866);
+    var _S868 : FaceRadiance_0 = face_radiance_0(_S854, _S853.open_0, _S866, _S865);
     var interior_1 : Interior_0;
-    interior_1.warp_4 = _S865.warp_3;
-    interior_1.weft_4 = _S865.weft_3;
-    interior_1.leaked_1 = _S865.leaked_0;
-    interior_1.far_1 = _S866.mean_1;
-    interior_1.far_leaked_0 = _S866.leaked_0;
+    interior_1.warp_4 = _S867.warp_3;
+    interior_1.weft_4 = _S867.weft_3;
+    interior_1.leaked_1 = _S867.leaked_0;
+    interior_1.far_1 = _S868.mean_1;
+    interior_1.far_leaked_0 = _S868.leaked_0;
     return interior_1;
 }
 
-fn blocked_from_0( _S867 : u32,  _S868 : vec3<f32>,  _S869 : bool,  _S870 : bool) -> Blocked_0
+fn blocked_from_0( _S869 : u32,  _S870 : vec3<f32>,  _S871 : bool,  _S872 : bool) -> Blocked_0
 {
     var terms_3 : array<f32, i32(6)>;
-    view_terms_0(_S868, &(terms_3));
-    return blocked_of_terms_0(_S867, (select(u32(0), u32(2), _S870) + select(u32(1), u32(0), _S869)) * u32(15), terms_3, u32(5));
+    view_terms_0(_S870, &(terms_3));
+    return blocked_of_terms_0(_S869, (select(u32(0), u32(2), _S872) + select(u32(1), u32(0), _S871)) * u32(15), terms_3, u32(5));
 }
 
-fn warp_seen_from_0( _S871 : u32,  _S872 : vec3<f32>,  _S873 : bool) -> f32
+fn warp_seen_from_0( _S873 : u32,  _S874 : vec3<f32>,  _S875 : bool) -> f32
 {
     var terms_4 : array<f32, i32(6)>;
-    view_terms_1(_S872, &(terms_4));
+    view_terms_1(_S874, &(terms_4));
     var term_1 : u32 = u32(0);
     var share_5 : f32 = 0.0f;
     for(;;)
@@ -3306,132 +3316,132 @@ fn warp_seen_from_0( _S871 : u32,  _S872 : vec3<f32>,  _S873 : bool) -> f32
         {
             break;
         }
-        var share_6 : f32 = share_5 + openness_number_0(_S871, u32(132) + select(u32(0), u32(5), _S873) + term_1) * terms_4[term_1];
+        var share_6 : f32 = share_5 + openness_number_0(_S873, u32(132) + select(u32(0), u32(5), _S875) + term_1) * terms_4[term_1];
         term_1 = term_1 + u32(1);
         share_5 = share_6;
     }
     return saturate(share_5);
 }
 
-fn bounced_of_families_0( _S874 : u32,  _S875 : FamilyAlbedos_0,  _S876 : vec3<f32>,  _S877 : Interior_0,  _S878 : Blocked_0,  _S879 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S876 : u32,  _S877 : FamilyAlbedos_0,  _S878 : vec3<f32>,  _S879 : Interior_0,  _S880 : Blocked_0,  _S881 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S878, scattered_by_0(_S874, _S875.warp_5, u32(0), _S876), _S877), bounced_by_0(_S879, scattered_by_0(_S874, _S875.weft_5, u32(1), _S876), _S877));
+    return sum_of_0(bounced_by_0(_S880, scattered_by_0(_S876, _S877.warp_5, u32(0), _S878), _S879), bounced_by_0(_S881, scattered_by_0(_S876, _S877.weft_5, u32(1), _S878), _S879));
 }
 
-fn bounced_far_0( _S880 : u32,  _S881 : FamilyAlbedos_0,  _S882 : vec3<f32>,  _S883 : Interior_0,  _S884 : vec3<f32>,  _S885 : bool,  _S886 : f32,  _S887 : f32,  _S888 : f32) -> Bounced_0
+fn bounced_far_0( _S882 : u32,  _S883 : FamilyAlbedos_0,  _S884 : vec3<f32>,  _S885 : Interior_0,  _S886 : vec3<f32>,  _S887 : bool,  _S888 : f32,  _S889 : f32,  _S890 : f32) -> Bounced_0
 {
-    var _S889 : Blocked_0 = blocked_from_0(_S880, _S884, true, _S885);
-    var _S890 : Blocked_0 = blocked_from_0(_S880, _S884, false, _S885);
-    var _S891 : f32 = _S886 / max(1.0f - _S889.by_warp_0 - _S889.by_weft_0, 0.10000000149011612f);
-    var _S892 : f32 = (0.0020000000949949f * warp_seen_from_0(_S880, _S884, _S885) + _S891) / (_S891 + _S887 / max(1.0f - _S890.by_warp_0 - _S890.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S893 : f32 = 1.0f - _S888;
-    return bounced_of_families_0(_S880, _S881, _S882, _S883, scaled_0(_S889, _S892 * _S893), scaled_0(_S890, (1.0f - _S892) * _S893));
+    var _S891 : Blocked_0 = blocked_from_0(_S882, _S886, true, _S887);
+    var _S892 : Blocked_0 = blocked_from_0(_S882, _S886, false, _S887);
+    var _S893 : f32 = _S888 / max(1.0f - _S891.by_warp_0 - _S891.by_weft_0, 0.10000000149011612f);
+    var _S894 : f32 = (0.0020000000949949f * warp_seen_from_0(_S882, _S886, _S887) + _S893) / (_S893 + _S889 / max(1.0f - _S892.by_warp_0 - _S892.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S895 : f32 = 1.0f - _S890;
+    return bounced_of_families_0(_S882, _S883, _S884, _S885, scaled_0(_S891, _S894 * _S895), scaled_0(_S892, (1.0f - _S894) * _S895));
 }
 
-fn bounced_over_0( _S894 : u32,  _S895 : Components_0,  _S896 : CloseUp_0,  _S897 : FamilyAlbedos_0,  _S898 : vec3<f32>,  _S899 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S896 : u32,  _S897 : Components_0,  _S898 : CloseUp_0,  _S899 : FamilyAlbedos_0,  _S900 : vec3<f32>,  _S901 : vec3<f32>) -> Bounced_0
 {
-    var _S900 : bool = (_S899.z) < 0.0f;
-    var _S901 : Interior_0 = interior_of_0(_S894, _S898, _S900);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S894, _S897, _S898, _S901, to_face_frame_0(_S899, _S900), _S900, _S895.diffuse_warp_0, _S895.diffuse_weft_0, _S895.hole_2);
-    if((_S896.weight_0) > 0.0f)
+    var _S902 : bool = (_S901.z) < 0.0f;
+    var _S903 : Interior_0 = interior_of_0(_S896, _S900, _S902);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S896, _S899, _S900, _S903, to_face_frame_0(_S901, _S902), _S902, _S897.diffuse_warp_0, _S897.diffuse_weft_0, _S897.hole_2);
+    if((_S898.weight_0) > 0.0f)
     {
-        var _S902 : Bounced_0 = bounced_of_families_0(_S894, _S897, _S898, _S901, _S896.warp_1, _S896.weft_1);
-        var _S903 : vec3<f32> = vec3<f32>(_S896.weight_0);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S902.reflected_0, _S903);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S902.transmitted_0, _S903);
+        var _S904 : Bounced_0 = bounced_of_families_0(_S896, _S899, _S900, _S903, _S898.warp_1, _S898.weft_1);
+        var _S905 : vec3<f32> = vec3<f32>(_S898.weight_0);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S904.reflected_0, _S905);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S904.transmitted_0, _S905);
     }
     return bounced_2;
 }
 
-fn composed_0( _S904 : u32,  _S905 : Components_0,  _S906 : CloseUp_0,  _S907 : FamilyAlbedos_0,  _S908 : vec3<f32>,  _S909 : vec3<f32>,  _S910 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S906 : u32,  _S907 : Components_0,  _S908 : CloseUp_0,  _S909 : FamilyAlbedos_0,  _S910 : vec3<f32>,  _S911 : vec3<f32>,  _S912 : vec3<f32>) -> vec3<f32>
 {
-    var _S911 : Albedos_0 = tinted_0(_S907.warp_5, _S908);
-    var _S912 : Albedos_0 = tinted_0(_S907.weft_5, _S908);
-    var _S913 : vec3<f32> = vec3<f32>(_S905.diffuse_warp_0);
-    var _S914 : vec3<f32> = vec3<f32>(_S905.diffuse_weft_0);
-    var _S915 : vec3<f32> = vec3<f32>(_S905.specular_warp_0);
-    var _S916 : vec3<f32> = vec3<f32>(_S905.specular_weft_0);
-    var _S917 : vec3<f32> = _S911.diffuse_reflect_0 * _S913 + _S912.diffuse_reflect_0 * _S914 + _S911.specular_reflect_0 * _S915 + _S912.specular_reflect_0 * _S916;
-    var _S918 : f32 = _S910.z;
+    var _S913 : Albedos_0 = tinted_0(_S909.warp_5, _S910);
+    var _S914 : Albedos_0 = tinted_0(_S909.weft_5, _S910);
+    var _S915 : vec3<f32> = vec3<f32>(_S907.diffuse_warp_0);
+    var _S916 : vec3<f32> = vec3<f32>(_S907.diffuse_weft_0);
+    var _S917 : vec3<f32> = vec3<f32>(_S907.specular_warp_0);
+    var _S918 : vec3<f32> = vec3<f32>(_S907.specular_weft_0);
+    var _S919 : vec3<f32> = _S913.diffuse_reflect_0 * _S915 + _S914.diffuse_reflect_0 * _S916 + _S913.specular_reflect_0 * _S917 + _S914.specular_reflect_0 * _S918;
+    var _S920 : f32 = _S912.z;
     var body_0 : vec3<f32>;
-    if((_S909.z * _S918) < 0.0f)
+    if((_S911.z * _S920) < 0.0f)
     {
-        body_0 = _S911.diffuse_transmit_0 * _S913 + _S912.diffuse_transmit_0 * _S914 + _S911.specular_transmit_0 * _S915 + _S912.specular_transmit_0 * _S916;
+        body_0 = _S913.diffuse_transmit_0 * _S915 + _S914.diffuse_transmit_0 * _S916 + _S913.specular_transmit_0 * _S917 + _S914.specular_transmit_0 * _S918;
     }
     else
     {
-        body_0 = _S917;
+        body_0 = _S919;
     }
-    if((fabrics_0[_S904].openness_0) != u32(4294967295))
+    if((fabrics_0[_S906].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S904, _S905, _S906, _S907, _S908, _S910), _S909, _S910);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S906, _S907, _S908, _S909, _S910, _S912), _S911, _S912);
     }
-    var _S919 : f32 = fabrics_0[_S904].sheen_strength_0;
-    if((fabrics_0[_S904].sheen_strength_0) <= 0.0f)
+    var _S921 : f32 = fabrics_0[_S906].sheen_strength_0;
+    if((fabrics_0[_S906].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S920 : bool = _S918 < 0.0f;
-    var _S921 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S909, _S920), to_face_frame_0(_S910, _S920), _S919, fabrics_0[_S904].sheen_roughness_0);
-    return vec3<f32>(_S921.y) * body_0 + vec3<f32>(((_S905.light_visibility_1 + _S905.hole_2) * _S921.x));
+    var _S922 : bool = _S920 < 0.0f;
+    var _S923 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S911, _S922), to_face_frame_0(_S912, _S922), _S921, fabrics_0[_S906].sheen_roughness_0);
+    return vec3<f32>(_S923.y) * body_0 + vec3<f32>(((_S907.light_visibility_1 + _S907.hole_2) * _S923.x));
 }
 
-fn light_of_footprint_0( _S922 : u32,  _S923 : VisiblePoint_0,  _S924 : vec2<u32>,  _S925 : vec3<f32>) -> vec4<f32>
+fn light_of_footprint_0( _S924 : u32,  _S925 : VisiblePoint_0,  _S926 : vec2<u32>,  _S927 : vec3<f32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S923.draft_0;
-    footprint_0.dx_0 = _S923.draft_dx_0;
-    footprint_0.dy_0 = _S923.draft_dy_0;
-    var _S926 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
-    var _S927 : vec3<f32> = to_local_0(_S923, _S923.view_0);
-    var _S928 : u32 = light_sample_count_0();
-    var _S929 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_0.centre_0 = _S925.draft_0;
+    footprint_0.dx_0 = _S925.draft_dx_0;
+    footprint_0.dy_0 = _S925.draft_dy_0;
+    var _S928 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S929 : vec3<f32> = to_local_0(_S925, _S925.view_0);
+    var _S930 : u32 = light_sample_count_0();
+    var _S931 : vec3<f32> = vec3<f32>(0.0f);
     var number_8 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S929;
+    var radiance_1 : vec3<f32> = _S931;
     var hole_7 : f32 = 0.0f;
     for(;;)
     {
-        if(number_8 < (max(_S928, u32(1))))
+        if(number_8 < (max(_S930, u32(1))))
         {
         }
         else
         {
             break;
         }
-        var _S930 : f32;
-        if(number_8 < _S928)
+        var _S932 : f32;
+        if(number_8 < _S930)
         {
-            _S930 = visibility_at_0(number_8, _S924);
+            _S932 = visibility_at_0(number_8, _S926);
         }
         else
         {
-            _S930 = 0.0f;
+            _S932 = 0.0f;
         }
-        var _S931 : bool;
-        if(_S930 <= 0.0f)
+        var _S933 : bool;
+        if(_S932 <= 0.0f)
         {
-            _S931 = number_8 > u32(0);
+            _S933 = number_8 > u32(0);
         }
         else
         {
-            _S931 = false;
+            _S933 = false;
         }
-        if(_S931)
+        if(_S933)
         {
             number_8 = number_8 + u32(1);
             continue;
         }
-        var _S932 : LightSample_0 = light_sample_0(number_8, _S924, _S923.position_0);
-        var _S933 : vec3<f32> = to_local_0(_S923, _S932.towards_0);
-        var _S934 : Estimate_0 = lobes_estimate_of_pass_0(_S922, footprint_0, 1.0f, _S926, _S933, _S927);
-        radiance_1 = radiance_1 + vec3<f32>(_S930) * _S932.irradiance_1 * composed_0(_S922, _S934.components_0, _S934.close_0, _S934.albedos_5, _S925, _S933, _S927);
-        hole_7 = _S934.components_0.hole_2;
+        var _S934 : LightSample_0 = light_sample_0(number_8, _S926, _S925.position_0);
+        var _S935 : vec3<f32> = to_local_0(_S925, _S934.towards_0);
+        var _S936 : Estimate_0 = lobes_estimate_of_pass_0(_S924, footprint_0, 1.0f, _S928, _S935, _S929);
+        radiance_1 = radiance_1 + vec3<f32>(_S932) * _S934.irradiance_1 * composed_0(_S924, _S936.components_0, _S936.close_0, _S936.albedos_5, _S927, _S935, _S929);
+        hole_7 = _S936.components_0.hole_2;
         number_8 = number_8 + u32(1);
     }
-    var _S935 : f32 = fabrics_0[_S922].sheen_strength_0;
-    if((fabrics_0[_S922].sheen_strength_0) > 0.0f)
+    var _S937 : f32 = fabrics_0[_S924].sheen_strength_0;
+    if((fabrics_0[_S924].sheen_strength_0) > 0.0f)
     {
-        hole_7 = hole_7 * (1.0f - _S935 * sheen_lobe_0(abs(_S927.z), fabrics_0[_S922].sheen_roughness_0).z);
+        hole_7 = hole_7 * (1.0f - _S937 * sheen_lobe_0(abs(_S929.z), fabrics_0[_S924].sheen_roughness_0).z);
     }
     return vec4<f32>(radiance_1, 1.0f - hole_7);
 }
@@ -3440,32 +3450,32 @@ fn light_of_footprint_0( _S922 : u32,  _S923 : VisiblePoint_0,  _S924 : vec2<u32
 @workgroup_size(8, 8, 1)
 fn shade_lobes(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S936 : u32 = id_0.x;
-    var _S937 : bool;
-    if(_S936 >= (frame_record_0.width_0))
+    var _S938 : u32 = id_0.x;
+    var _S939 : bool;
+    if(_S938 >= (frame_record_0.width_0))
     {
-        _S937 = true;
+        _S939 = true;
     }
     else
     {
-        _S937 = (id_0.y) >= (frame_record_0.height_0);
+        _S939 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S937)
+    if(_S939)
     {
         return;
     }
-    var _S938 : u32 = id_0.y * frame_record_0.width_0 + _S936;
-    var _S939 : u32 = layers_0[_S938].face_0;
-    if((layers_0[_S938].face_0) == u32(0))
+    var _S940 : u32 = id_0.y * frame_record_0.width_0 + _S938;
+    var _S941 : u32 = layers_0[_S940].face_0;
+    if((layers_0[_S940].face_0) == u32(0))
     {
         return;
     }
-    var _S940 : u32 = _S939 - u32(1);
-    var _S941 : u32 = fabric_of_0(_S940);
-    var _S942 : vec2<u32> = id_0.xy;
-    var _S943 : VisiblePoint_0 = visible_point_0(_S941, _S940, _S942);
-    var _S944 : vec4<f32> = light_of_footprint_0(_S941, _S943, _S942, filtered_albedo_0(_S941, _S943));
-    accumulate_0(_S938, _S944);
+    var _S942 : u32 = _S941 - u32(1);
+    var _S943 : u32 = fabric_of_0(_S942);
+    var _S944 : vec2<u32> = id_0.xy;
+    var _S945 : VisiblePoint_0 = visible_point_0(_S943, _S942, _S944);
+    var _S946 : vec4<f32> = light_of_footprint_0(_S943, _S945, _S944, filtered_albedo_0(_S943, _S945));
+    accumulate_0(_S940, _S946);
     return;
 }
 
