@@ -38,13 +38,14 @@ _PLACES = (0.001, 0.5, 0.999)
 
 @dataclass(frozen=True)
 class MeasuredShot:
-    """Contents of a scene; one directional light, direct light only.
+    """Contents of a scene; direct light only.
 
     Attributes:
         pieces: makes the pieces of cloth, in the order of the fabrics.
         towards_camera, towards_light: directions from the first piece, of any length.
         yarns: yarns that the median pixel covers, along one side.
         zoom: 1 frames the first piece.
+        light: one of `LIGHTS`.
     """
 
     pieces: tuple[Callable[[], ClothMesh], ...]
@@ -52,6 +53,7 @@ class MeasuredShot:
     towards_light: tuple[float, float, float]
     yarns: float
     zoom: float = 1.0
+    light: str = "directional"
 
 
 def _background() -> ClothMesh:
@@ -169,11 +171,7 @@ def shot_counted(shot: MeasuredShot, size: tuple[int, int]) -> NDArray[np.bool_]
 
 
 def require_scenes(names: Sequence[str]) -> None:
-    """Raises InputError unless at least one scene is named and all are in `MEASURED_SCENES`.
-
-    Raises:
-        InputError: none is given, or one is unknown.
-    """
+    """Raises InputError unless at least one scene is named and all are in `MEASURED_SCENES`."""
     if not names:
         raise InputError(f"No scene is given: name some of {', '.join(_SHOTS)}.")
     for name in names:
@@ -212,7 +210,7 @@ def _parts(
         parts[f"cloth{number}"] = to_shape(piece, material)
     first = pieces[0].positions
     centre = (first.min(axis=0) + first.max(axis=0)) / 2
-    return parts | light_dicts("directional", centre, 1.0, np.array(shot.towards_light))
+    return parts | light_dicts(shot.light, centre, 1.0, np.array(shot.towards_light))
 
 
 @lru_cache(maxsize=32)
