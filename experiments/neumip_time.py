@@ -19,11 +19,10 @@ from benchmarks.harness import Figures, run
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.neumip.settings import QUALITIES
-from loomlight.models.neumip.training.train import shape_of, taken_queries, train_neumip
+from loomlight.models.neumip.training.train import taken_queries, train_neumip
 
-# Queries a texel that are taken, and the resolutions of each quality that is extrapolated.
-_QUERIES = 4
-_CASES = {"preview": (64, 256), "full": (256,)}
+# Queries that are taken to extrapolate from.
+_QUERIES = 1 << 18
 
 
 def measure(options: Namespace) -> Figures:
@@ -31,32 +30,29 @@ def measure(options: Namespace) -> Figures:
     require_llvm()
     source = fabric_from_text(options.fabric)
     rows: Figures = {}
-    for quality, resolutions in _CASES.items():
-        for resolution in resolutions:
-            whole = replace(QUALITIES[quality], resolution=resolution)
-            few = replace(whole, queries=_QUERIES, steps=options.steps)
-            shape = shape_of(source, few)
-            taken = _QUERIES * shape.columns * shape.rows * shape.faces
-            marks: list[float] = []
-            with TemporaryDirectory() as place:
-                folder = Path(place)
-                taken_queries(source, replace(few, seed=1), folder, lambda done, total: None)
-                begun = time.process_time()
-                taken_queries(source, few, folder, lambda done, total: None)
-                query = (time.process_time() - begun) / taken
-                train_neumip(source, few, folder, _marker(marks))
-                fit = time.process_time() - marks[-1]
-            # Reports of the queries come first; the first step compiles and allocates.
-            step = (marks[-1] - marks[-options.steps + 1]) / (options.steps - 2)
-            queries = query * taken / _QUERIES * whole.queries
-            rows[f"{quality} at {resolution}"] = {
-                "queries": taken // _QUERIES * whole.queries,
-                "cpu_seconds_of_queries": queries,
-                "cpu_seconds_of_a_step": step,
-                "steps": whole.steps,
-                "cpu_seconds_of_proposal": fit,
-                "cpu_minutes": (queries + step * whole.steps) / 60,
-            }
+    for quality, whole in QUALITIES.items():
+        few = replace(whole, queries=_QUERIES, steps=options.steps)
+        shape = whole.shape(source)
+        marks: list[float] = []
+        with TemporaryDirectory() as place:
+            folder = Path(place)
+            taken_queries(source, replace(few, seed=1), folder, lambda done, total: None)
+            begun = time.process_time()
+            taken_queries(source, few, folder, lambda done, total: None)
+            queries = (time.process_time() - begun) / _QUERIES * whole.queries
+            train_neumip(source, few, folder, _marker(marks))
+            fit = time.process_time() - marks[-1]
+        # Reports of the queries come first; the first step compiles and allocates.
+        step = (marks[-1] - marks[-options.steps + 1]) / (options.steps - 2)
+        rows[quality] = {
+            "texels": f"{shape.columns} × {shape.rows}",
+            "queries": whole.queries,
+            "cpu_seconds_of_queries": queries,
+            "cpu_seconds_of_a_step": step,
+            "steps": whole.steps,
+            "cpu_seconds_of_proposal": fit / few.sampler_steps * whole.sampler_steps,
+            "cpu_minutes": (queries + step * whole.steps) / 60,
+        }
     return {"fabric": options.fabric, "steps_measured": options.steps, "rows": rows}
 
 

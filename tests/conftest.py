@@ -63,9 +63,7 @@ def short_training() -> Iterator[None]:
     from loomlight.models.latent.settings import QUALITIES as LATENT_QUALITIES
     from loomlight.models.neumip.settings import QUALITIES
 
-    short = replace(
-        QUALITIES["preview"], resolution=16, queries=100, samples=4, steps=120, batch=1 << 11, rate=5e-3
-    )
+    short = replace(QUALITIES["preview"], resolution=16, queries=100 << 9, steps=200, batch=1 << 10)
     latent = replace(
         LATENT_QUALITIES["preview"],
         resolution=8,

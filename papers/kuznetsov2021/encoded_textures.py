@@ -32,14 +32,13 @@ from loomlight.models.neumip.training.train import (
     Batches,
     gains_of,
     rate_factor,
-    shape_of,
     taken_queries,
 )
 from loomlight.models.query_parts import draw_directions
 from loomlight.training.loop import Schedule, one_thread, train
 from loomlight.training.relu_layers import relu_layers
 from papers.kuznetsov2021.designs import Design
-from papers.kuznetsov2021.neural_textures import NeuralTextures
+from papers.kuznetsov2021.neural_textures import NeuralTextures, published_error
 
 _Floats = NDArray[np.float32]
 # Pairs of light and view of an apparent BRDF, and hidden layers of an encoder.
@@ -89,9 +88,8 @@ class EncodedTextures(NeuralTextures):
         """None: all are encoded."""
         return nn.ParameterList()
 
-    def rows(self, blur: float) -> Tensor:
+    def rows(self) -> Tensor:
         """Latents and colours of all texels [texels, channels]; encoded textures are not blurred."""
-        del blur
         return torch.cat([self.encoder(self.inputs), self.colours], dim=1)
 
 
@@ -121,10 +119,10 @@ def trained_encodings(
     for source in sources:
         queries = taken_queries(source, settings, queries_folder, lambda done, total: None)
         apparent = apparent_brdfs(source, settings, queries_folder)
-        made = EncodedTextures(design, shape_of(source, settings), apparent, gains_of(queries), networks)
+        made = EncodedTextures(design, settings.shape(source), apparent, gains_of(queries), networks)
         networks = made.encoder, made.decoder
         textures.append(made)
-        batches.append(Batches(made, queries, settings, "cpu"))
+        batches.append(Batches(made, queries, settings, "cpu", published_error))
 
     def losses(step: int) -> Iterator[Any]:
         return batches[step % len(batches)].losses(step // len(batches))
@@ -149,7 +147,7 @@ def apparent_brdfs(source: Source, settings: NeumipSettings, folder: Path) -> _F
     Args:
         settings: of texels, rays and seed.
     """
-    shape = shape_of(source, settings)
+    shape = settings.shape(source)
     file = folder / f"apparent-{settings.query_identity(source)[:12]}.safetensors"
     try:
         found = load_file(file)["values"]

@@ -2,12 +2,13 @@
 
 Latents are found by descent, as in neumip; those of Rainer et al. are encoded (`encoded_textures.py`). All
 designs have the pyramid, the loss and the schedule of neumip, without which queries of all sizes would
-contradict one another.
+contradict one another. That pyramid, loss and schedule are the paper's and its released code's: Adam from
+random textures that are blurred at first. The model of the package has a recipe of its own.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -18,19 +19,18 @@ from torch.nn import functional
 
 from loomlight.assets.sources import Source
 from loomlight.models.mip_pyramid import PyramidShape, Taps, bilinear_taps, trilinear_taps
-from loomlight.models.neumip.networks import EXPOSURE
+from loomlight.models.neumip.networks import EXPOSURE, Weights
 from loomlight.models.neumip.parallax import MIN_COSINE, shifted
 from loomlight.models.neumip.settings import NeumipSettings
-from loomlight.models.neumip.training.network import MIN_OUTPUT, SLOPE, blurred
+from loomlight.models.neumip.training.network import SLOPE
 from loomlight.models.neumip.training.train import (
     Batches,
     gains_of,
     rate_factor,
-    shape_of,
     taken_queries,
 )
 from loomlight.training.loop import Schedule, one_thread, train
-from loomlight.training.relu_layers import relu_layers
+from loomlight.training.relu_layers import numbers_of, numbers_of_layers, relu_layers
 from loomlight.training.torch_functions import TorchTextures
 from papers.kuznetsov2021.designs import Design
 
@@ -38,13 +38,26 @@ _FUNCTIONS = TorchTextures()
 # Of the first textures: deviation of latents, and mean and deviation of colours.
 _LATENTS, _COLOUR = 0.1, 0.3
 _CHUNK = 1 << 16
+# A bound below outputs that keeps log(1 + x) finite.
+_MIN_OUTPUT = -0.5
+# Standard deviation of the first blur in texels, and how often it is halved in a training: 30 000 steps of a
+# half-life of 3333. The textures of coarse levels have fewer texels, and less blur.
+_FIRST_BLUR, _HALVINGS = 8.0, 9.0
+# The first blur is at most so many times smaller than the texture; blurs of fewer texels change nothing.
+_MIN_WIDTHS, _MIN_BLUR = 8, 0.05
 
 # Called with (steps done, steps in all).
 Report = Callable[[int, int], None]
 
 
 class NeuralTextures(nn.Module):
-    """A pyramid of neural textures and its networks, of one face; light is reflected alone."""
+    """A pyramid of neural textures and its networks, of one face; light is reflected alone.
+
+    Attributes:
+        blur: standard deviation of the Gaussian over the textures, in texels of level 0.
+    """
+
+    blur = 0.0
 
     def __init__(
         self,
@@ -90,7 +103,6 @@ class NeuralTextures(nn.Module):
         lights: Tensor,
         views: Tensor,
         faces: Tensor,
-        blur: float = 0.0,
         offset_frozen: bool = False,
         is_transmission: Tensor | None = None,
     ) -> tuple[Tensor, None]:
@@ -100,28 +112,42 @@ class NeuralTextures(nn.Module):
         if self.offset is not None and self.offset_texture is not None:
             texture = self.offset_texture.detach() if offset_frozen else self.offset_texture
             taps = bilinear_taps(u, v, shape.columns, shape.rows, faces * 0, _FUNCTIONS)
-            texel = _fetched(self._rows([texture], blur), taps)
+            texel = _fetched(self._rows([texture]), taps)
             depth = self.offset(torch.cat([texel, views], dim=1))[:, 0]
             cosine = torch.sqrt((1 - views.square().sum(1)).clamp(min=0))
             slope = 1 / cosine.clamp(min=MIN_COSINE)
             u, v = shifted(shape, u, v, depth, views[:, 0], views[:, 1], slope)
         taps = trilinear_taps(shape, u, v, levels, faces * 0, _FUNCTIONS)
-        texel = _fetched(self.rows(blur), taps)
+        texel = _fetched(self.rows(), taps)
         latent, colours = texel[:, : self.design.latent], texel[:, self.design.latent :]
         outputs = self.decoder(torch.cat([latent, lights, views], dim=1))
         if self.design.whitened:
             outputs = torch.addcmul(colours[:, :3], colours[:, 3:], outputs)
         if self.training:
-            return functional.leaky_relu(outputs, SLOPE).clamp(min=MIN_OUTPUT), None
+            return functional.leaky_relu(outputs, SLOPE).clamp(min=_MIN_OUTPUT), None
         return functional.relu(outputs), None
 
-    def rows(self, blur: float) -> Tensor:
+    def rows(self) -> Tensor:
         """Texels of all levels [texels, channels], blurred."""
-        return self._rows(list(self.features), blur)
+        return self._rows(list(self.features))
 
-    def _rows(self, textures: list[Tensor], blur: float) -> Tensor:
+    def weights(self) -> Weights:
+        """The trained numbers, for the renderer; of ours, with or without the offset."""
+        layers = {"decoder": numbers_of_layers(self.decoder)}
+        # The final ReLU passes factors on.
+        weight, bias = layers["decoder"][-1]
+        layers["decoder"][-1] = weight / np.float32(self.gains[0]), bias / np.float32(self.gains[0])
+        offset_texels = None
+        if self.offset is not None and self.offset_texture is not None:
+            layers["offset"] = numbers_of_layers(self.offset)
+            offset_texels = numbers_of(self._rows([self.offset_texture]))
+        return Weights(
+            self.shape, numbers_of(self.rows()), offset_texels, layers, np.zeros((1, 3), np.float32)
+        )
+
+    def _rows(self, textures: list[Tensor]) -> Tensor:
         rows = [
-            (self.scale * blurred(texture, blur / 2**level)).permute(1, 2, 0).flatten(0, 1)
+            (self.scale * blurred(texture, self.blur / 2**level)).permute(1, 2, 0).flatten(0, 1)
             for level, texture in enumerate(textures)
         ]
         return torch.cat(rows)
@@ -167,20 +193,50 @@ def trained_textures(
     queries = taken_queries(source, settings, queries_folder, lambda done, total: None)
     torch.manual_seed(settings.seed)
     scale = settings.texture_rate / settings.rate
-    network = NeuralTextures(design, shape_of(source, settings), scale, gains_of(queries))
-    batches = Batches(network, queries, settings, "cpu")
+    network = NeuralTextures(design, settings.shape(source), scale, gains_of(queries))
+    batches = Batches(network, queries, settings, "cpu", published_error)
+
+    def losses(step: int) -> Iterator[Tensor]:
+        network.blur = blur_of(network.shape, step / settings.steps)
+        yield from batches.losses(step)
+
     optimiser = torch.optim.Adam(network.parameters(), settings.rate)
     with one_thread():
         train(
             network,
             optimiser,
-            batches.losses,
+            losses,
             Schedule(settings.steps, lambda done: settings.rate * rate_factor(done)),
             folder / "checkpoint.safetensors",
             f"{design} {settings.identity(source)}",
             None if report is None else lambda step, steps, _: report(step, steps),
         )
+    network.blur = 0.0
     return network
+
+
+def published_error(predicted: Tensor, truth: Tensor) -> Tensor:
+    """The released code's loss: squares of differences of log(1 + x), and a tenth of absolute ones."""
+    logarithmic = functional.mse_loss(torch.log1p(predicted), torch.log1p(truth))
+    return logarithmic + 0.1 * functional.l1_loss(predicted, truth)
+
+
+def blur_of(shape: PyramidShape, progress: float) -> float:
+    """Standard deviation of the blur in texels of level 0, at a progress from 0 to 1 (section 4)."""
+    first = min(_FIRST_BLUR, max(shape.columns, shape.rows) / _MIN_WIDTHS)
+    return first * 2 ** (-_HALVINGS * progress)
+
+
+def blurred(texture: Tensor, sigma: float) -> Tensor:
+    """A periodic texture [..., rows, columns] under a Gaussian of `sigma` texels, by Fourier transform."""
+    if sigma < _MIN_BLUR:
+        return texture
+    rows, columns = texture.shape[-2:]
+    along = torch.fft.fftfreq(rows, device=texture.device)
+    across = torch.fft.rfftfreq(columns, device=texture.device)
+    squared = along[:, None] ** 2 + across[None, :] ** 2
+    response = torch.exp(-2 * (torch.pi * sigma) ** 2 * squared)
+    return torch.fft.irfft2(torch.fft.rfft2(texture) * response, s=(rows, columns))
 
 
 def _fetched(rows: Tensor, taps: Taps) -> Tensor:

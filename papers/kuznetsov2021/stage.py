@@ -22,21 +22,44 @@ from numpy.typing import NDArray
 
 from loomlight.assets.heightfield import Heightfield
 from loomlight.assets.loom_file import write_loom
+from loomlight.core.errors import InputError
 from loomlight.core.extras import import_extra
 from loomlight.core.footprint import Box, box_footprint
 from loomlight.evaluation.pictures import PictureError, picture_error
+from loomlight.fabric.sentences import closest
 from loomlight.models.mip_pyramid import SIZE_OF_SIGMA, PyramidShape
 from loomlight.models.neumip.btf import BTFS
 from loomlight.models.neumip.model import NeumipModel
-from loomlight.models.neumip.settings import QUALITIES, NeumipSettings, settings_of
+from loomlight.models.neumip.settings import NeumipSettings
 from loomlight.models.registry import model_from_loom
+from loomlight.models.textured_model import require_training
 from papers.kuznetsov2021.designs import DESIGNS, OURS, WITHOUT, Design
 from papers.kuznetsov2021.materials import paper_heightfield
 from papers.setting import Setting
 
 _Floats = NDArray[np.float32]
-# Trainings of `preview`, which are 20 or 30 for all tables: two cores take minutes for a material.
-PREVIEW = replace(QUALITIES["preview"], resolution=128, queries=100, steps=1000, batch=1 << 13)
+# The paper's schedule, for GPUs.
+PUBLISHED = NeumipSettings(
+    resolution=512,
+    queries=400 * 512**2,
+    fine_samples=64,
+    samples=64,
+    steps=30_000,
+    batch=1 << 20,
+    rate=1e-3,
+    texture_rate=1e-3,
+    offset_share=1 / 3,
+    footprint_texels=1,
+)
+# The same in fewer steps, with higher rates. `preview` is for tables of 20 or 30 trainings: two cores take
+# minutes for a material.
+_SHORT = replace(PUBLISHED, rate=3e-3, texture_rate=1e-2, offset_share=2 / 3)
+PREVIEW = replace(
+    _SHORT, resolution=128, queries=100 * 128**2, fine_samples=8, samples=8, steps=1000, batch=1 << 13
+)
+FULL = replace(
+    _SHORT, resolution=256, queries=300 * 256**2, fine_samples=16, samples=16, steps=6000, batch=1 << 16
+)
 # Horizontal angle of view; the footprint of the nearest row is about two thirds of the farthest's.
 _VIEW_ANGLE = math.radians(20)
 _LIGHT = np.array([-0.45, 0.15, 1.0]) / np.linalg.norm([-0.45, 0.15, 1.0])
@@ -91,16 +114,20 @@ def stage_material(name: str) -> Heightfield:
 
 
 def stage_settings(setting: Setting, resolution: int | None = None) -> NeumipSettings:
-    """Settings of the trainings of a figure: its quality, `PREVIEW` for "preview".
+    """Settings of the trainings of a figure, with as many queries a texel at any resolution.
 
     Raises:
         InputError: an unknown quality.
     """
-    chosen = settings_of(setting.quality, steps=setting.steps)
-    if setting.quality == "preview":
-        chosen = PREVIEW if setting.steps is None else replace(PREVIEW, steps=setting.steps)
-    resolution = resolution or setting.resolution
-    return chosen if resolution is None else replace(chosen, resolution=resolution)
+    known = {"preview": PREVIEW, "full": FULL, "published": PUBLISHED}
+    require_training(None, setting.steps)
+    if setting.quality not in known:
+        raise InputError(f"--quality {setting.quality} does not exist: {closest(setting.quality, known)}")
+    chosen = known[setting.quality]
+    usual = chosen.resolution or chosen.max_resolution
+    resolution = resolution or setting.resolution or usual
+    queries = chosen.queries // usual**2 * resolution**2
+    return replace(chosen, resolution=resolution, queries=queries, steps=setting.steps or chosen.steps)
 
 
 def plane_shot(source: Heightfield, texel_mm: float, level: float, size: tuple[int, int]) -> Shot:
@@ -189,7 +216,7 @@ def trained_model(
         InputError: an unknown quality, or a folder that cannot be written to.
         MissingDependencyError: PyTorch is missing, where there is a training to do.
     """
-    settings = replace(stage_settings(setting), offset=name != WITHOUT)
+    settings = stage_settings(setting)
     place = _place(source, settings, setting, name)
     file = place / "model.loom"
     if file.exists():
@@ -197,10 +224,11 @@ def trained_model(
         if isinstance(model, NeumipModel):
             return model
     import_extra("torch", "train", "Training neumip")
-    from loomlight.models.neumip.training.train import train_neumip
+    from papers.kuznetsov2021.neural_textures import trained_textures
 
-    weights = train_neumip(source, settings, place, report, queries_folder=_queries(setting.runs))
-    model = NeumipModel(source, weights)
+    queries = _queries(setting.runs)
+    textures = trained_textures(DESIGNS[name], source, settings, place, queries, report)
+    model = NeumipModel(source, textures.weights())
     write_loom(file, model.to_loom())
     return model
 

@@ -8,7 +8,6 @@ import numpy as np
 
 from loomlight.evaluation.pictures import PictureError
 from loomlight.evaluation.table import Cell, Table
-from loomlight.models.mip_pyramid import PyramidShape
 from papers.figure import Evidence, Pixels, error_caption, on_display
 from papers.kuznetsov2021.designs import DESIGNS, OURS, RAINER19, RAINER20, WITHOUT
 from papers.kuznetsov2021.materials import RECIPES
@@ -144,7 +143,7 @@ def sizes(setting: Setting) -> Evidence:
 def _texel_mm(setting: Setting) -> float:
     """Side of a texel of level 0 of the trainings, millimetres."""
     source = stage_material(next(iter(RECIPES)))
-    return PyramidShape.of(source.repeat_mm, stage_settings(setting).resolution, 1).texel_mm
+    return stage_settings(setting).shape(source).texel_mm
 
 
 def _ratios(title: str, squared: dict[str, list[Cell]]) -> Table:
@@ -162,8 +161,9 @@ def _ratios(title: str, squared: dict[str, list[Cell]]) -> Table:
 
 def _note(setting: Setting) -> str:
     used = stage_settings(setting)
+    a_texel = used.queries // (used.resolution or used.max_resolution) ** 2
     return (
-        f"Textures of {used.resolution} texels a side, {used.queries} queries a texel of {used.samples} "
+        f"Textures of {used.resolution} texels a side, {a_texel} queries a texel of {used.samples} "
         f"paths, {used.steps} steps of {used.batch} queries (the paper: 512, 200 to 400 of 64, 30000 of "
         f"2^20); references of {setting.samples} paths a pixel. All share queries, loop, loss and pyramid; "
         "the encoders of Rainer et al. see 64 further queries of each texel, and 2020's is one for all."

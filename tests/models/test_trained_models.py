@@ -66,7 +66,7 @@ def test_means_of_the_whole_cloth_are_learned_on_both_faces(name: str) -> None:
     [
         ("neumip", "qualty=full", '"qualty" is no option of neumip: did you mean quality?'),
         ("neumip", "quality", '"quality" is no option: write its name, "=" and its value'),
-        ("neumip", "quality=best", 'quality = "best" does not exist: known are preview, full, published'),
+        ("neumip", "quality=best", 'quality = "best" does not exist: known are preview, full.'),
         ("neumip", "resolution=100", "resolution = 100 is wrong: give a power of two from 8 to 1024"),
         ("neumip", "resolution=4", 'resolution = "4" is wrong: give a power of two from 8 to 1024'),
         ("neumip", "steps=many", 'steps = "many" is wrong: give a whole number from 1'),
@@ -148,7 +148,7 @@ def test_a_stopped_training_goes_on_to_the_same_weights(name: str, tmp_path: Pat
     train: Any = train_neumip if name == "neumip" else train_latent
     if name == "neumip":
         short: Any = replace(
-            neumip_settings.QUALITIES["preview"], resolution=8, queries=60, steps=30, batch=512
+            neumip_settings.QUALITIES["preview"], resolution=8, queries=60 << 7, steps=30, batch=512
         )
     else:
         short = replace(

@@ -24,7 +24,7 @@ MATERIAL = "turtle shell"
 def setting(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Setting:
     """One material with few texels, and trainings that learn next to nothing."""
     pytest.importorskip("torch", exc_type=ImportError)
-    tiny = replace(stage.PREVIEW, resolution=8, queries=8, samples=1, steps=3, batch=64)
+    tiny = replace(stage.PREVIEW, resolution=8, queries=8 * 8**2, samples=1, steps=3, batch=64)
     monkeypatch.setattr(stage, "PREVIEW", tiny)
     for module in (stage, tables, figures):
         monkeypatch.setattr(module, "stage_material", lambda name: paper_heightfield(MATERIAL, 16))

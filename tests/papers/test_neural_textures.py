@@ -25,7 +25,7 @@ from papers.kuznetsov2021.encoded_textures import (  # noqa: E402
     trained_encodings,
 )
 from papers.kuznetsov2021.materials import paper_heightfield  # noqa: E402
-from papers.kuznetsov2021.neural_textures import NeuralTextures  # noqa: E402
+from papers.kuznetsov2021.neural_textures import NeuralTextures, blur_of, blurred  # noqa: E402
 
 SHAPE = PyramidShape(8, 8, 2.0, 2.0)
 
@@ -47,7 +47,7 @@ def test_encoded_textures_are_those_of_their_apparent_brdfs() -> None:
     first = EncodedTextures(DESIGNS[RAINER19], SHAPE, apparent[0])
     second = EncodedTextures(DESIGNS[RAINER19], SHAPE, apparent[1], networks=(first.encoder, first.decoder))
     assert first.decoder is second.decoder
-    rows = first.rows(0.0).detach().numpy()
+    rows = first.rows().detach().numpy()
     assert rows.shape == (SHAPE.texels, 14)
     for level in range(SHAPE.levels):
         found = rows[
@@ -63,7 +63,7 @@ def test_encoded_textures_are_those_of_their_apparent_brdfs() -> None:
 def test_encoders_learn_two_materials_at_once(tmp_path: Path) -> None:
     """The error of both falls; the folder keeps what is measured, and the training."""
     sources = [paper_heightfield(name, 16) for name in ("straight wool", "cliff rock")]
-    settings = replace(NeumipSettings(), resolution=8, queries=60, samples=2, batch=1024)
+    settings = replace(NeumipSettings(), resolution=8, queries=60 * 8**2, samples=2, batch=1024)
     design = DESIGNS[RAINER20]
     losses = []
     for steps in (1, 60):
@@ -83,17 +83,40 @@ def test_ours_as_a_design_is_the_model() -> None:
     torch.manual_seed(1)
     model, network = NeumipNetwork(SHAPE, True, 2.0), NeuralTextures(DESIGNS[OURS], SHAPE, 2.0)
     with torch.no_grad():
-        model.offset_texture.normal_()
-    state = {name: part[0] if part.ndim == 4 else part for name, part in model.state_dict().items()}
-    network.load_state_dict(state)
+        network.offset_texture.normal_()
+        # Both divide their textures by the scale.
+        model.features.copy_(network.rows() / 2)
+        model.offset_texture.copy_(network.offset_texture.permute(1, 2, 0).flatten(0, 1))
+    model.decoder.load_state_dict(network.decoder.state_dict())
+    model.offset.load_state_dict(network.offset.state_dict())
     positions, levels = torch.rand(64, 2), 4 * torch.rand(64)
     lights, views = (0.7 * (2 * torch.rand(64, 2) - 1) for _ in range(2))
     faces = torch.zeros(64, dtype=torch.int64)
-    for blur in (0.0, 1.5):
-        expected, _ = model(positions, levels, lights, views, faces, blur)
-        actual, _ = network(positions, levels, lights, views, faces, blur)
-        # The same operations in the same order.
-        torch.testing.assert_close(actual, expected, rtol=1e-5, atol=1e-6)
+    expected, _ = model(positions, levels, lights, views, faces)
+    actual, _ = network(positions, levels, lights, views, faces)
+    # The same operations in the same order.
+    torch.testing.assert_close(actual, expected, rtol=1e-5, atol=1e-6)
+    features = network.weights().features
+    np.testing.assert_allclose(features, model.weights(np.zeros((1, 3), np.float32)).features)
+
+
+def test_a_blur_is_a_periodic_gaussian() -> None:
+    texture = torch.zeros(1, 1, 16, 32)
+    texture[..., 0, 0] = 1
+    found = blurred(texture, 1.5)[0, 0].numpy()
+    along, across = (np.minimum(np.arange(n), n - np.arange(n)) for n in (16, 32))
+    wanted = np.exp(-(along[:, None] ** 2 + across**2) / (2 * 1.5**2))
+    # Its integral over texels differs from its values by less.
+    np.testing.assert_allclose(found, wanted / wanted.sum(), atol=1e-4)
+    assert blurred(texture, 0.01) is texture
+
+
+def test_schedules() -> None:
+    shape = PyramidShape(512, 512, 1.0, 1.0)
+    assert blur_of(shape, 0) == 8
+    # A half-life of 3333 of 30 000 steps.
+    assert blur_of(shape, 1 / 9) == pytest.approx(4)
+    assert blur_of(PyramidShape(16, 16, 1.0, 1.0), 0) == 2
 
 
 def test_whitened_outputs_are_means_and_deviations() -> None:

@@ -1,7 +1,8 @@
 """Mip pyramids of neural textures: their shape, and the texels that a query reads, with wrap-around.
 
 Level 0 is the finest; each further one has half the texels a side, down to one. A footprint whose square of
-the same area has side s belongs to level l = log2(s / texel); a Gaussian one of deviation σ has s = √12 σ.
+the same area has side s belongs to level l = log2(s / `footprint_mm`), a texel or more; a Gaussian one of
+deviation σ has s = √12 σ.
 
 The formulas take Dr.Jit arrays or torch tensors: what differs between them is `ArrayFunctions`.
 """
@@ -43,6 +44,7 @@ class PyramidShape:
         faces: 1, or 2 where front and back have textures of their own.
         is_apart: whether texels are materials of their own, such as a library's: of one level, and nothing is
             interpolated between them.
+        footprint_texels: side of the footprints that level 0 is for, in texels.
     """
 
     columns: int
@@ -51,6 +53,7 @@ class PyramidShape:
     height_mm: float
     faces: int = 1
     is_apart: bool = False
+    footprint_texels: int = 1
 
     @classmethod
     def of(cls, repeat_mm: tuple[float, float], resolution: int, faces: int) -> PyramidShape:
@@ -90,6 +93,11 @@ class PyramidShape:
     def texel_mm(self) -> float:
         """Side of a texel of level 0: the geometric mean of both directions."""
         return math.sqrt(self.width_mm / self.columns * self.height_mm / self.rows)
+
+    @property
+    def footprint_mm(self) -> float:
+        """Side of the footprints that level 0 is for."""
+        return self.footprint_texels * self.texel_mm
 
     @property
     def length_mm(self) -> float:

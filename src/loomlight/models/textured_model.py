@@ -83,12 +83,12 @@ class TexturedBsdf(FootprintBsdf):
 
     @final
     def _place(self) -> tuple[Float, Float, Float, UInt]:
-        """Position in repeats, log2 of the footprint's size in texels of the finest level, and face."""
+        """Position in repeats, log2 of the footprint's size over that of the finest level, and face."""
         types, shape = self._types, self._weights.shape
         face = dr.select(self._back, types.UInt32(shape.faces - 1), types.UInt32(0))
         u = self.footprint.centre.x * (1 / shape.width_mm)
         v = self.footprint.centre.y * (1 / shape.height_mm)
-        side = maximum(self.footprint.square_side * (1 / shape.texel_mm), MIN_SIZE)
+        side = maximum(self.footprint.square_side * (1 / shape.footprint_mm), MIN_SIZE)
         return u, v, dr.log2(side), face
 
 
@@ -236,10 +236,12 @@ def shape_of_loom(loom: LoomFile) -> PyramidShape:
         InputError: other counts.
     """
     counts = []
-    for name, most in (("columns", _MAX_TEXELS), ("rows", _MAX_TEXELS), ("faces", 2)):
-        value = loom.setting(name, int)
+    limits = {"columns": _MAX_TEXELS, "rows": _MAX_TEXELS, "faces": 2, "footprint_texels": _MAX_TEXELS}
+    for name, most in limits.items():
+        # A texel's own, of files that say nothing.
+        value = loom.setting(name, int) if name in loom.settings or name != "footprint_texels" else 1
         if not 1 <= value <= most or value & (value - 1):
             raise InputError(f"{loom.file}: {name} = {value} is wrong: it is a power of two up to {most}.")
         counts.append(value)
-    columns, rows, faces = counts
-    return PyramidShape(columns, rows, *loom.source.repeat_mm, faces)
+    columns, rows, faces, footprint = counts
+    return PyramidShape(columns, rows, *loom.source.repeat_mm, faces, footprint_texels=footprint)

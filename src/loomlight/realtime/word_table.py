@@ -66,7 +66,7 @@ def pyramid_fields(shape: PyramidShape, tables: Tables) -> dict[str, float]:
         "back": shape.faces - 1,
         "repeats_per_x": 1 / shape.width_mm,
         "repeats_per_y": 1 / shape.height_mm,
-        "texels_per_mm": 1 / shape.texel_mm,
+        "texels_per_mm": 1 / shape.footprint_mm,
     }
 
 

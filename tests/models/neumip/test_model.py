@@ -71,3 +71,23 @@ def test_the_baseline_without_offset_comes_back_from_a_file(tmp_path: Path) -> N
     assert model.weights.offset_texels is None
     # Plain cloth of the default spacing lets light through its yarns.
     assert set(model.weights.layers) - {"opacity"} == {"decoder", "transmission"}
+    assert model.weights.shape.footprint_texels == 2
+    # Files of before say nothing: their finest level is for footprints of a texel.
+    loom = model.to_loom()
+    del loom.settings["footprint_texels"]
+    assert NeumipModel.from_loom(loom).weights.shape.footprint_texels == 1
+
+
+def test_textures_have_about_ten_texels_a_yarn() -> None:
+    """Seven warp colours under four picks, 28 yarns a repeat; up to what a quality allows."""
+    for weave, colours, columns, rows in (
+        ("twill 3/1", 7, 256, 32),
+        ("plain", 1, 32, 32),
+        ("plain", 30, 256, 16),
+    ):
+        yarns = ", ".join('"#c04020"' for _ in range(colours))
+        cloth = fabric_from_text(
+            f'weave = "{weave}"\nends_per_cm = 10\npicks_per_cm = 10\n[warp]\ncolor = [{yarns}]'
+        )
+        shape = QUALITIES["full"].shape(cloth)
+        assert (shape.columns, shape.rows) == (columns, rows)

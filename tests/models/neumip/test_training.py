@@ -30,7 +30,7 @@ from loomlight.models.neumip.networks import sampler_widths
 from loomlight.models.neumip.settings import QUALITIES, NeumipSettings
 from loomlight.models.neumip.training.network import NeumipNetwork
 from loomlight.models.neumip.training.sampler_fit import sampler_divergence, trained_sampler
-from loomlight.models.neumip.training.train import blur_of, gains_of, rate_factor, taken_queries, train_neumip
+from loomlight.models.neumip.training.train import gains_of, rate_factor, taken_queries, train_neumip
 from loomlight.models.registry import model_from_loom
 from loomlight.scattering.point import YarnScattering
 from loomlight.training.relu_layers import relu_layers
@@ -43,7 +43,7 @@ TWILL = fabric_from_text('weave = "twill 2/1"\n[warp]\ncolor = "#c04020"\n[weft]
 
 
 def short(**changes: int) -> NeumipSettings:
-    return replace(QUALITIES["preview"], resolution=8, queries=60, steps=30, batch=512, **changes)
+    return replace(QUALITIES["preview"], resolution=8, queries=60 << 7, steps=30, batch=512, **changes)
 
 
 @pytest.mark.slow
@@ -75,7 +75,7 @@ def shown(model: NeumipModel, queries: Queries) -> NDArray[np.float32]:
         for xy, turn in zip((queries.lights, queries.views), turns, strict=True)
     )
     extent = np.array([shape.width_mm, shape.height_mm], np.float32)
-    sides = Float(shape.texel_mm * np.exp2(queries.levels))
+    sides = Float(shape.footprint_mm * np.exp2(queries.levels))
     centre = Array2f(np.ascontiguousarray((queries.positions * extent).T))
     found: NDArray[np.float32] = (
         model.at(view, box_footprint(Box(centre, Array2f(sides, sides)))).value(light).numpy()
@@ -111,7 +111,7 @@ def test_files_keep_the_sampler_network_which_learns_what_the_decoders_scatter(t
 def test_queries_are_gaussian_means() -> None:
     """Against Gaussian means of slices: the stream's own draws, with enough rays to compare."""
     shape = PyramidShape.of(TWILL.repeat_mm, 16, 2)
-    stream = QueryStream(FabricBtf(TWILL), shape, 400, seed=2)
+    stream = QueryStream(FabricBtf(TWILL), shape, (400, 400), seed=2)
     queries = stream.part(0, 60)
     assert np.array_equal(stream.part(0, 60).values, queries.values)
     assert not np.array_equal(stream.part(1, 60).positions, queries.positions)
@@ -140,6 +140,27 @@ def test_queries_are_gaussian_means() -> None:
     assert abs(np.sum(errors)) < 0.02 * np.sum(truths)
 
 
+def test_larger_footprints_have_more_rays() -> None:
+    """Of a source that counts them: one for a texel, four for four texels a side, and six for larger ones."""
+
+    class Counting(FabricBtf):
+        def values(self, positions, lights, views, seed):  # type: ignore[no-untyped-def]
+            del lights, views, seed
+            self.points = positions
+            return np.ones((len(positions), 3), np.float32)
+
+    shape = replace(PyramidShape.of(TWILL.repeat_mm, 16, 2), footprint_texels=2)
+    btf = Counting(TWILL)
+    queries = QueryStream(btf, shape, (1, 6), seed=2).part(0, 4000)
+    assert np.allclose(queries.values, 1)
+    assert -1 <= queries.levels.min() < -0.9
+    # Twice the repeat, and a little below it.
+    assert 4.4 < queries.levels.max() <= np.log2(2 * 16 / 2) + 1
+    expected = np.minimum(np.ceil(2 ** (queries.levels + 1)), 6).sum()
+    # Filled up to a multiple of a quarter of the queries.
+    assert 0 <= len(btf.points) - expected < 1001
+
+
 def test_queries_of_a_folder_are_read_and_damaged_ones_taken_again(tmp_path: Path) -> None:
     first = taken_queries(TWILL, short(), tmp_path, lambda done, total: None)
     (file,) = tmp_path.iterdir()
@@ -150,11 +171,6 @@ def test_queries_of_a_folder_are_read_and_damaged_ones_taken_again(tmp_path: Pat
 
 
 def test_schedules() -> None:
-    shape = PyramidShape(512, 512, 1.0, 1.0)
-    assert blur_of(shape, 0) == 8
-    # A half-life of 3333 of 30 000 steps.
-    assert blur_of(shape, 1 / 9) == pytest.approx(4)
-    assert blur_of(PyramidShape(16, 16, 1.0, 1.0), 0) == 2
     assert rate_factor(0.02) == pytest.approx(1, abs=2e-3)
     assert rate_factor(1) == pytest.approx(0, abs=1e-6)
 

@@ -75,7 +75,7 @@ class Queries(QueryArrays):
 
     Attributes:
         positions: in repeats [n, 2], 0 to 1.
-        levels: log2 of the footprint's size in texels of the finest level [n].
+        levels: log2 of the footprint's size over `PyramidShape.footprint_mm` [n].
         lights, views: x and y of unit vectors [n, 2] in the frame of the face that is seen.
         faces: 0 for the front, 1 for the back [n].
         is_transmission: 1 for lights on the other side, else 0 [n].
@@ -96,10 +96,10 @@ class Queries(QueryArrays):
 class QueryStream:
     """Queries of a source in parts, each of which depends on the seed and its number alone."""
 
-    def __init__(self, btf: Btf, shape: PyramidShape, samples: int, seed: int) -> None:
+    def __init__(self, btf: Btf, shape: PyramidShape, samples: tuple[int, int], seed: int) -> None:
         """
         Args:
-            samples: rays of a query.
+            samples: rays of a query of a texel, and at most; between them as many as its side is long.
         """
         self._btf, self._shape, self._samples, self._seed = btf, shape, samples, seed
 
@@ -107,28 +107,32 @@ class QueryStream:
         """The queries of one part."""
         rng = np.random.default_rng([self._seed, _STREAM, number])
         positions = rng.random((count, 2), np.float32)
-        levels = draw_levels(rng, count, self._shape.levels - 1)
+        finer = math.log2(self._shape.footprint_texels)
+        levels = draw_levels(rng, count, self._shape.levels - 1 + finer)
         lights, views = self._drawn(rng, count)
         faces = rng.integers(self._btf.faces, size=count, dtype=np.uint8)
         extent = np.array([self._shape.width_mm, self._shape.height_mm], np.float32)
-        sigmas = (self._shape.texel_mm / SIZE_OF_SIGMA * np.exp2(levels))[:, None, None]
-        offsets = rng.standard_normal((count, self._samples, 2), np.float32)
-        points = (positions[:, None] * extent + sigmas * offsets).astype(np.float32)
+        texels = np.exp2(levels)
+        counts = np.minimum(np.ceil(self._samples[0] * texels).astype(np.intp), self._samples[1])
+        ends = np.cumsum(counts)
+        # A number of rays that few parts differ in: Dr.Jit compiles anew for another one.
+        query = np.repeat(np.arange(count), counts)
+        query = np.pad(query, (0, -len(query) % max(1, count // 4)))
+        sigmas = self._shape.texel_mm / SIZE_OF_SIGMA * texels
+        offsets = rng.standard_normal((len(query), 2), np.float32)
+        points = np.asarray((positions * extent)[query] + sigmas[query, None] * offsets, np.float32)
+        levels -= np.float32(finer)
         is_transmission = np.zeros(count, np.uint8)
         if self._btf.transmits:
             is_transmission = (rng.random(count) < TRANSMISSION_SHARE).astype(np.uint8)
         of_view = _with_sign(views, faces == 1)
         of_light = _with_sign(lights, (faces == 1) ^ (is_transmission == 1))
-        flat = points.reshape(-1, 2)
-        repeated = np.repeat(of_view, self._samples, axis=0)
-        found = self._btf.values(
-            flat, np.repeat(of_light, self._samples, axis=0), repeated, (self._seed, _STREAM, number)
-        )
-        values = found.reshape(count, self._samples, 3).mean(axis=1, dtype=np.float32)
+        found = self._btf.values(points, of_light[query], of_view[query], (self._seed, _STREAM, number))
+        starts, number_of = ends - counts, counts.astype(np.float32)
+        values = np.add.reduceat(found[: ends[-1]], starts) / number_of[:, None]
         holes = np.zeros(count, np.float32)
         if self._btf.has_holes:
-            passed = self._btf.holes(flat, repeated).reshape(count, self._samples)
-            holes = passed.mean(axis=1, dtype=np.float32)
+            holes = np.add.reduceat(self._btf.holes(points, of_view[query])[: ends[-1]], starts) / number_of
         lights, views = lights[:, :2].copy(), views[:, :2].copy()
         return Queries(positions, levels, lights, views, faces, is_transmission, values, holes)
 
@@ -148,7 +152,7 @@ def _with_sign(directions: _Floats, below: NDArray[np.bool_]) -> _Floats:
     return signed
 
 
-def draw_levels(rng: np.random.Generator, count: int, coarsest: int) -> _Floats:
+def draw_levels(rng: np.random.Generator, count: int, coarsest: float) -> _Floats:
     """Levels [count] from 0 to one beyond the coarsest, fine ones more often."""
     top = coarsest + _LEVELS_BEYOND
     u = rng.random(count)

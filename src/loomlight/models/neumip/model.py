@@ -179,7 +179,7 @@ class NeumipModel(TexturedModel[Weights, DeviceWeights]):
         tensors |= tensors_of_layers({**weights.layers, **sampler})
         shape = weights.shape
         settings: dict[str, Setting] = {"columns": shape.columns, "rows": shape.rows, "faces": shape.faces}
-        settings["open_area"] = weights.open_area
+        settings |= {"footprint_texels": shape.footprint_texels, "open_area": weights.open_area}
         return LoomFile(self.name, self.source, tensors, settings)
 
     @classmethod

@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import asdict, dataclass, replace
 
 from loomlight.assets.sources import Source
 from loomlight.core.errors import InputError
+from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.sentences import closest, shown
+from loomlight.models.mip_pyramid import PyramidShape
+from loomlight.models.neumip.btf import BTFS
 from loomlight.models.textured_model import require_training, training_identity
 
 DEFAULT_QUALITY = "preview"
 _MAX_SAMPLER_STEPS = 2000
 # Part of every identity: to be raised when the same settings give other weights.
-_VERSION = 3
+_VERSION = 4
+# Texels of the width of a yarn, about, and the fewest of a repeat.
+_YARN_TEXELS, _MIN_TEXELS = 10, 32
 
 
 @dataclass(frozen=True)
@@ -20,10 +26,13 @@ class NeumipSettings:
     """Settings of the training of a material.
 
     Attributes:
-        resolution: texels along the longer side of the repeat, a power of two.
+        resolution: texels along the longer side of the repeat, a power of two; None for about ten a yarn
+            of fabrics, and for `max_resolution` of other sources.
+        max_resolution: of what None chooses.
         offset: with the neural offset module; without it, the baseline of the paper's section 3.2.
-        queries: of the source, for each texel of the finest level and each face.
-        samples: rays of a query.
+        queries: of the source, in all.
+        fine_samples: rays of a query of a texel; larger footprints have more by their sides.
+        samples: rays of a query, at most.
         steps: updates of the weights.
         batch: queries of a step.
         rate: largest learning rate of the networks.
@@ -31,18 +40,34 @@ class NeumipSettings:
         offset_share: share of the training after which the offset texture stays as it is; a third in the
             released code, whose trainings are longer.
         seed: of queries, weights and batches.
+        footprint_texels: side of the footprints that level 0 is for. A texel's own, as published, has a
+            deviation of 0.29 texel, which bilinear interpolation blurs.
     """
 
-    resolution: int = 64
+    resolution: int | None = None
+    max_resolution: int = 256
     offset: bool = True
-    queries: int = 200
-    samples: int = 8
-    steps: int = 2000
-    batch: int = 1 << 14
-    rate: float = 3e-3
-    texture_rate: float = 1e-2
+    queries: int = 1 << 22
+    fine_samples: int = 1
+    samples: int = 4
+    steps: int = 1000
+    batch: int = 1 << 13
+    rate: float = 1e-2
+    texture_rate: float = 3e-2
     offset_share: float = 2 / 3
     seed: int = 0
+    footprint_texels: int = 2
+
+    def shape(self, source: Source) -> PyramidShape:
+        """The shape of the textures of a source."""
+        resolution = self.resolution or self.max_resolution
+        if self.resolution is None and isinstance(source, Fabric):
+            layout = source.layout()
+            yarns = max(layout.size) / min(layout.warp.spacing.mean(), layout.weft.spacing.mean())
+            finest = 2 ** round(math.log2(_YARN_TEXELS * yarns))
+            resolution = min(max(finest, _MIN_TEXELS), resolution)
+        shape = PyramidShape.of(source.repeat_mm, resolution, BTFS.of(source).faces)
+        return replace(shape, footprint_texels=self.footprint_texels)
 
     @property
     def sampler_steps(self) -> int:
@@ -55,27 +80,14 @@ class NeumipSettings:
 
     def query_identity(self, source: Source) -> str:
         """A hash of all that the queries depend on: trainings that differ in the rest share them."""
-        return training_identity(source, _VERSION, {name: getattr(self, name) for name in _OF_QUERIES})
+        return replace(self, offset=True, steps=1, batch=1, rate=1, texture_rate=1, offset_share=1).identity(
+            source
+        )
 
 
-# Settings that queries depend on.
-_OF_QUERIES = ("resolution", "queries", "samples", "seed")
-
-
-# The paper's schedule is 30 000 steps of 2^20 queries on a GPU: "published".
 QUALITIES: dict[str, NeumipSettings] = {
     "preview": NeumipSettings(),
-    "full": NeumipSettings(resolution=256, queries=300, samples=16, steps=6000, batch=1 << 16),
-    "published": NeumipSettings(
-        resolution=512,
-        queries=400,
-        samples=64,
-        steps=30_000,
-        batch=1 << 20,
-        rate=1e-3,
-        texture_rate=1e-3,
-        offset_share=1 / 3,
-    ),
+    "full": NeumipSettings(queries=1 << 24, samples=8, steps=4000, batch=1 << 14),
 }
 
 

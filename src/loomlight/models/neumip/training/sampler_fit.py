@@ -48,7 +48,7 @@ def trained_sampler(
     network.eval()
     torch.manual_seed(settings.seed)
     sampler = relu_layers(sampler_widths(network.transmission is not None))
-    sampler.to(network.features[0].device)
+    sampler.to(network.features.device)
 
     def losses(step: int) -> Iterator[Tensor]:
         rng = np.random.default_rng([settings.seed, _SAMPLER, step])
@@ -66,7 +66,7 @@ def sampler_divergence(
     network: NeumipNetwork, sampler: torch.nn.Module, rng: np.random.Generator, count: int
 ) -> Tensor:
     """The loss of a step, of views at random places and sizes."""
-    device, shape = network.features[0].device, network.shape
+    device, shape = network.features.device, network.shape
     views = torch.from_numpy(draw_directions(rng, count)).to(device)
     with torch.no_grad():
         latent = network.latent(

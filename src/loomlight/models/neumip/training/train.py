@@ -7,7 +7,7 @@ folder to the same weights.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -17,23 +17,19 @@ import numpy as np
 import torch
 from numpy.typing import NDArray
 from torch import Tensor, nn
+from torch.nn import functional
 
 from loomlight.assets.sources import Source
-from loomlight.models.mip_pyramid import PyramidShape
 from loomlight.models.neumip.btf import BTFS, Queries, QueryStream, light_density
 from loomlight.models.neumip.networks import EXPOSURE, Weights
 from loomlight.models.neumip.settings import NeumipSettings
-from loomlight.models.neumip.training.network import NeumipNetwork, loss_of, opacity_loss
+from loomlight.models.neumip.training.network import NeumipNetwork, opacity_loss
 from loomlight.models.neumip.training.sampler_fit import trained_sampler
 from loomlight.models.query_parts import FileStore, Progress, stored_queries
 from loomlight.training.loop import Schedule, one_thread, train
 from loomlight.training.side_by_side import SideBySide
+from loomlight.training.soap import Soap
 
-# Standard deviation of the first blur in texels, and how often it is halved in a training: 30 000 steps of a
-# half-life of 3333. The textures of coarse levels have fewer texels, and less blur.
-_FIRST_BLUR, _HALVINGS = 8.0, 9.0
-# The first blur is at most so many times smaller than the texture.
-_MIN_WIDTHS = 8
 _WARM_UP = 0.02
 # Mean of π f·cos that dark sources are scaled to while they are trained, and the largest factor.
 _MEAN, _MAX_GAIN = 0.15, 1e3
@@ -50,7 +46,6 @@ def train_neumip(
     progress: Progress | None = None,
     device: str = "cpu",
     keep_every: float = 30.0,
-    queries_folder: Path | None = None,
 ) -> Weights:
     """The weights of a material.
 
@@ -58,21 +53,24 @@ def train_neumip(
         folder: holds queries and the checkpoint; made if need be, and used again to go on.
         device: of torch, "cpu" or "cuda".
         keep_every: seconds between checkpoints.
-        queries_folder: holds the queries instead, for trainings that share them.
 
     Raises:
         InputError: a source of which no queries can be taken, or a damaged checkpoint.
     """
     report = progress or (lambda done, total: None)
     folder.mkdir(parents=True, exist_ok=True)
-    queries = taken_queries(source, settings, queries_folder or folder, report)
-    btf, shape = BTFS.of(source), shape_of(source, settings)
+    queries = taken_queries(source, settings, folder, report)
+    btf, shape = BTFS.of(source), settings.shape(source)
     torch.manual_seed(settings.seed)
     scale = settings.texture_rate / settings.rate
     gains = gains_of(queries)
     network = NeumipNetwork(shape, settings.offset, scale, btf.transmits, btf.has_holes, gains).to(device)
     batches = Batches(network, queries, settings, device)
-    optimiser = torch.optim.Adam(network.parameters(), settings.rate)
+    parts = dict(network.named_parameters())
+    textures = [parts.pop(name) for name in ("features", "offset_texture") if name in parts]
+    # Texels are seldom seen: the squares of their gradients are remembered longer, and no axes are turned.
+    unturned = {"params": textures, "largest_side": 1, "memory": (0.9, 0.99)}
+    optimiser = Soap([{"params": [*parts.values()]}, unturned], settings.rate)
     with one_thread():
         train(
             network,
@@ -91,19 +89,13 @@ def train_neumip(
         return replace(weights, sampler=trained_sampler(network, settings, file, identity))
 
 
-def shape_of(source: Source, settings: NeumipSettings) -> PyramidShape:
-    """The shape of the textures of a source."""
-    return PyramidShape.of(source.repeat_mm, settings.resolution, BTFS.of(source).faces)
-
-
 def taken_queries(source: Source, settings: NeumipSettings, folder: Path, report: Progress) -> Queries:
     """All queries of a training; parts that the folder holds are read."""
-    shape = shape_of(source, settings)
-    total = settings.queries * shape.columns * shape.rows * shape.faces
-    stream = QueryStream(BTFS.of(source), shape, settings.samples, settings.seed)
+    samples = settings.fine_samples, settings.samples
+    stream = QueryStream(BTFS.of(source), settings.shape(source), samples, settings.seed)
     kept = FileStore(Queries, folder, settings.query_identity(source))
     return stored_queries(
-        stream.part, kept, total, lambda done, parts: report(_OF_QUERIES * done // parts, _WHOLE)
+        stream.part, kept, settings.queries, lambda done, parts: report(_OF_QUERIES * done // parts, _WHOLE)
     )
 
 
@@ -136,18 +128,8 @@ def rate_factor(progress: float) -> float:
     return min(1.0, (progress + 1e-9) / _WARM_UP) * 0.5 * (1 + math.cos(math.pi * progress))
 
 
-def blur_of(shape: PyramidShape, progress: float) -> float:
-    """Standard deviation of the blur in texels of level 0, at a progress from 0 to 1 (section 4)."""
-    first = min(_FIRST_BLUR, max(shape.columns, shape.rows) / _MIN_WIDTHS)
-    return first * 2 ** (-_HALVINGS * progress)
-
-
 class Trainable(Protocol):
     """A network that `Batches` trains."""
-
-    @property
-    def shape(self) -> PyramidShape:
-        """Of its textures."""
 
     @property
     def gains(self) -> tuple[float, float]:
@@ -163,12 +145,20 @@ class Trainable(Protocol):
 class Batches:
     """Losses of steps: each pass over the queries is in an order of its own."""
 
-    def __init__(self, network: Trainable, queries: Queries, settings: NeumipSettings, device: str) -> None:
+    def __init__(
+        self,
+        network: Trainable,
+        queries: Queries,
+        settings: NeumipSettings,
+        device: str,
+        error: Callable[[Tensor, Tensor], Tensor] = functional.mse_loss,
+    ) -> None:
         """
         Args:
-            network: `NeumipNetwork`, or one with its `shape` and `forward`.
             device: of torch, "cpu" or "cuda".
+            error: of predicted and true π f·cos times the gains [n, 3].
         """
+        self._error = error
         self._network, self._queries, self._settings = network, queries, settings
         self._device = device
         self._side_by_side = SideBySide.for_batch(device, settings.batch)
@@ -177,13 +167,12 @@ class Batches:
 
     def losses(self, step: int) -> Iterator[Tensor]:
         """The loss of one step."""
-        progress = step / self._settings.steps
-        frozen, blur = progress >= self._settings.offset_share, blur_of(self._network.shape, progress)
+        frozen = step >= self._settings.offset_share * self._settings.steps
         parts = np.array_split(self._chosen(step), self._side_by_side.parts)
-        losses = [partial(self._loss, part, blur, frozen) for part in parts]
+        losses = [partial(self._loss, part, frozen) for part in parts]
         yield self._side_by_side.loss(losses, [1 / len(parts)] * len(parts), self._network)
 
-    def _loss(self, chosen: NDArray[np.intp], blur: float, offset_frozen: bool) -> Tensor:
+    def _loss(self, chosen: NDArray[np.intp], offset_frozen: bool) -> Tensor:
         batch = self._queries[chosen]
         positions, levels, lights, views, values = (
             torch.from_numpy(part).to(self._device)
@@ -192,10 +181,11 @@ class Batches:
         faces = torch.from_numpy(batch.faces.astype(np.int64)).to(self._device)
         is_transmission = torch.from_numpy(batch.is_transmission.astype(bool)).to(self._device)
         predicted, opacity = self._network(
-            positions, levels, lights, views, faces, blur, offset_frozen, is_transmission
+            positions, levels, lights, views, faces, offset_frozen, is_transmission
         )
         near, far = (values.new_tensor(gain) for gain in self._network.gains)
-        loss = loss_of(predicted, values, torch.where(is_transmission, far, near))
+        gains = torch.where(is_transmission, far, near)
+        loss = self._error(predicted, EXPOSURE * gains[:, None] * values)
         if opacity is None:
             return loss
         return loss + opacity_loss(opacity, torch.from_numpy(batch.holes).to(self._device))
