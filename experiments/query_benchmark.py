@@ -19,6 +19,7 @@ import sys
 from argparse import ArgumentParser, Namespace
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 from benchmarks.harness import Figures, run
 from experiments.held_out import held_out_fabrics
@@ -27,22 +28,33 @@ from loomlight.evaluation.query_benchmark import SEED, run_query_benchmark
 from loomlight.evaluation.truth import FOOTPRINTS, PAIRS
 from loomlight.models.neural.parameter_ranges import LAYOUT_RANGES, PARAMETER_RANGES
 from loomlight.models.neural.weights import read_weights
-from loomlight.models.registry import make_model
+from loomlight.models.registry import make_model, model_class
 from papers.setting import neural_predictor
 
 
-def predictors(names: list[str], files: list[Path]) -> dict[str, Predictor]:
+def predictors(names: list[str], files: list[Path], quality: str | None = None) -> dict[str, Predictor]:
     """A predictor for each model by its name, and one for each file of weights of the neural network."""
-    predictors_by_name = {name: model_predictor(partial(make_model, name)) for name in names}
+    trained: dict[str, Any] = {} if quality is None else {"quality": quality}
+    predictors_by_name = {
+        name: model_predictor(
+            partial(make_model, name, **trained) if _is_trained(name) else partial(make_model, name)
+        )
+        for name in names
+    }
     for file in files:
         predictors_by_name[f"neural {file.stem}"] = neural_predictor(read_weights(file))
     return predictors_by_name
+
+
+def _is_trained(name: str) -> bool:
+    return any(option.name == "quality" for option in model_class(name).options)
 
 
 def add_options(parser: ArgumentParser) -> None:
     """Which models, on what."""
     parser.add_argument("--models", default="", help="names, with commas between them")
     parser.add_argument("--weights", type=Path, action="append", default=[], help="weights of neural")
+    parser.add_argument("--quality", default=None, help="of models that are trained")
     parser.add_argument("--fabrics", type=int, default=None, help="only so many, of every kind")
     parser.add_argument("--varied-layouts", action="store_true", help="gaps and setts other than chen2024's")
     parser.add_argument("--pairs", type=int, default=PAIRS)
@@ -54,7 +66,7 @@ def measure(options: Namespace) -> Figures:
     """Runs the benchmark, prints its tables and returns every figure."""
     names = [name for name in options.models.split(",") if name]
     result = run_query_benchmark(
-        predictors(names, options.weights),
+        predictors(names, options.weights, options.quality),
         held_out_fabrics(options.fabrics, LAYOUT_RANGES if options.varied_layouts else PARAMETER_RANGES),
         pairs=options.pairs,
         footprints=options.footprints,
