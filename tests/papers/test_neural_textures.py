@@ -14,6 +14,7 @@ import pytest
 
 torch = pytest.importorskip("torch", exc_type=ImportError)
 
+# These need torch: they follow the line that skips the file without it.
 from loomlight.models.mip_pyramid import PyramidShape  # noqa: E402
 from loomlight.models.neumip.settings import NeumipSettings  # noqa: E402
 from loomlight.models.neumip.training.network import NeumipNetwork  # noqa: E402

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -144,7 +145,7 @@ def test_larger_footprints_have_more_rays() -> None:
     """Of a source that counts them: one for a texel, four for four texels a side, and six for larger ones."""
 
     class Counting(FabricBtf):
-        def values(self, positions, lights, views, seed):  # type: ignore[no-untyped-def]
+        def values(self, positions: Any, lights: Any, views: Any, seed: Any) -> Any:
             del lights, views, seed
             self.points = positions
             return np.ones((len(positions), 3), np.float32)
