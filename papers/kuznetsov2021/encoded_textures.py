@@ -4,13 +4,13 @@ The encoder sees the apparent BRDF of a texel: f·cos for a fixed set of pairs o
 and over its deviation, which texels keep as colours. 2019 has an encoder and a decoder for each material,
 2020 one of both for all materials. The published encoders are built for the grids of directions of measured
 BTFs; here they are dense layers, as pairs are scattered. Texels of coarse levels have the means of the
-apparent BRDFs below them, so that the pyramid needs no further queries. Networks learn by the queries, loss
-and schedule of neumip; pictures are asked of the encoded textures alone.
+apparent BRDFs below them, so that the pyramid needs no further queries. Networks learn by random queries, and
+by the optimiser, loss and schedule of neumip; pictures are asked of the encoded textures alone.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -24,21 +24,17 @@ from torch.nn import functional
 
 from loomlight.assets.sources import Source
 from loomlight.core.files import replacing
-from loomlight.models.mip_pyramid import SIZE_OF_SIGMA, PyramidShape
-from loomlight.models.neumip.btf import BTFS
+from loomlight.models.mip_pyramid import SIZE_OF_SIGMA, PyramidShape, Taps
+from loomlight.models.neumip.btf import BTFS, Queries
 from loomlight.models.neumip.networks import EXPOSURE
 from loomlight.models.neumip.settings import NeumipSettings
-from loomlight.models.neumip.training.train import (
-    Batches,
-    gains_of,
-    rate_factor,
-    taken_queries,
-)
+from loomlight.models.neumip.training.train import Batches, Trainable, rate_factor
 from loomlight.models.query_parts import draw_directions
 from loomlight.training.loop import Schedule, one_thread, train
 from loomlight.training.relu_layers import relu_layers
+from loomlight.training.soap import Soap
 from papers.kuznetsov2021.designs import Design
-from papers.kuznetsov2021.neural_textures import NeuralTextures, published_error
+from papers.kuznetsov2021.neural_textures import NeuralTextures, fetched
 
 _Floats = NDArray[np.float32]
 # Pairs of light and view of an apparent BRDF, and hidden layers of an encoder.
@@ -46,7 +42,8 @@ PAIRS = 64
 _HIDDEN = (128, 64)
 # Added to deviations, which texels of one colour do not have.
 _MIN_DEVIATION = 1e-3
-_APPARENT = 11  # key of random numbers
+_APPARENT, _TILE_ORDER = 11, 12  # keys of random numbers
+_TILES = 4  # of a side of the repeat, in training
 _CHUNK = 1 << 14  # texels evaluated at once
 
 
@@ -92,63 +89,81 @@ class EncodedTextures(NeuralTextures):
         """Latents and colours of all texels [texels, channels]; encoded textures are not blurred."""
         return torch.cat([self.encoder(self.inputs), self.colours], dim=1)
 
+    def texels(self, taps: Taps) -> Tensor:
+        """Interpolated texels [n, channels]; those that no query reads are not encoded."""
+        read, places = torch.unique(torch.stack(taps.texels, dim=1), return_inverse=True)
+        rows = torch.cat([self.encoder(self.inputs[read]), self.colours[read]], dim=1)
+        return fetched(rows, Taps([*places.unbind(1)], taps.weights))
+
+
+class TiledBatches(Batches):
+    """Batches of one tile of the repeat each, in random order: their queries share encoded texels."""
+
+    def __init__(self, network: Trainable, queries: Queries, settings: NeumipSettings) -> None:
+        super().__init__(network, queries, settings, "cpu")
+        column, row = np.minimum(_TILES * queries.positions, _TILES - 1).astype(np.intp).T
+        self._tiles = _TILES * row + column
+
+    def order(self, number: int) -> NDArray[np.intp]:
+        """Queries of a pass."""
+        shuffled = super().order(number)
+        by_tile = shuffled[np.argsort(self._tiles[shuffled], kind="stable")]
+        whole = by_tile[: self._per_pass * self._settings.batch].reshape(self._per_pass, -1)
+        rng = np.random.default_rng([self._settings.seed, _TILE_ORDER, number])
+        return whole[rng.permutation(self._per_pass)].reshape(-1)
+
 
 def trained_encodings(
     design: Design,
-    sources: Sequence[Source],
+    textures: Sequence[EncodedTextures],
+    queries: Sequence[Queries],
     settings: NeumipSettings,
     folder: Path,
-    queries_folder: Path,
-) -> list[EncodedTextures]:
-    """A design trained for opaque sources of one face, with encoder and decoder shared by all of them.
+    identity: str,
+    report: Callable[[int, int], None] | None = None,
+) -> None:
+    """Trains the encoder and the decoder that textures share, by the optimiser and the loss of `neumip`.
 
-    A step is of one source, in turn, so each source has the steps of the settings.
+    A step is of one material, in turn. A training that was stopped goes on.
 
     Args:
+        queries: of each of the textures.
+        settings: of the schedule; `steps` is of all materials together.
         folder: holds the checkpoint.
-        queries_folder: holds queries and apparent BRDFs, which designs share.
+        identity: of all that the weights depend on.
+        report: called with (steps done, steps in all).
 
     Raises:
         InputError: a damaged checkpoint, or one of another training.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    torch.manual_seed(settings.seed)
-    networks: tuple[nn.Sequential, nn.Sequential] | None = None
-    textures: list[EncodedTextures] = []
-    batches = []
-    for source in sources:
-        queries = taken_queries(source, settings, queries_folder, lambda done, total: None)
-        apparent = apparent_brdfs(source, settings, queries_folder)
-        made = EncodedTextures(design, settings.shape(source), apparent, gains_of(queries), networks)
-        networks = made.encoder, made.decoder
-        textures.append(made)
-        batches.append(Batches(made, queries, settings, "cpu", published_error))
+    batches = [TiledBatches(*each, settings) for each in zip(textures, queries, strict=True)]
+    shared = nn.ModuleList([textures[0].encoder, textures[0].decoder])
 
     def losses(step: int) -> Iterator[Any]:
         return batches[step % len(batches)].losses(step // len(batches))
 
-    shared = nn.ModuleList(networks or ())
-    identity = " ".join(settings.identity(source) for source in sources)
     with one_thread():
         train(
             shared,
-            torch.optim.Adam(shared.parameters(), settings.rate),
+            Soap(shared.parameters(), settings.rate),
             losses,
-            Schedule(settings.steps * len(sources), lambda done: settings.rate * rate_factor(done)),
+            Schedule(settings.steps, lambda done: settings.rate * rate_factor(done)),
             folder / "checkpoint.safetensors",
             f"encoded {design} {identity}",
+            None if report is None else lambda step, steps, _: report(step, steps),
         )
-    return textures
 
 
-def apparent_brdfs(source: Source, settings: NeumipSettings, folder: Path) -> _Floats:
+def apparent_brdfs(source: Source, settings: NeumipSettings, folder: Path, samples: int) -> _Floats:
     """f·cos [rows, columns, `PAIRS`, 3], 1/sr, over the Gaussian of each texel; the folder keeps it.
 
     Args:
-        settings: of texels, rays and seed.
+        settings: of texels and seed.
+        samples: rays of a pair.
     """
     shape = settings.shape(source)
-    file = folder / f"apparent-{settings.query_identity(source)[:12]}.safetensors"
+    file = folder / f"apparent-{samples}-{settings.query_identity(source)[:12]}.safetensors"
     try:
         found = load_file(file)["values"]
         if found.shape == (shape.rows, shape.columns, PAIRS, 3):
@@ -163,13 +178,13 @@ def apparent_brdfs(source: Source, settings: NeumipSettings, folder: Path) -> _F
     parts = []
     for number, first in enumerate(range(0, texels * PAIRS, _CHUNK)):
         queries = np.arange(first, min(first + _CHUNK, texels * PAIRS))
-        spread = rng.standard_normal((len(queries), settings.samples, 2), np.float32)
+        spread = rng.standard_normal((len(queries), samples, 2), np.float32)
         points = place[queries // PAIRS, None] + shape.texel_mm / SIZE_OF_SIGMA * spread
-        light, view = (np.repeat(part[queries % PAIRS], settings.samples, axis=0) for part in (lights, views))
+        light, view = (np.repeat(part[queries % PAIRS], samples, axis=0) for part in (lights, views))
         values = btf.values(
             points.reshape(-1, 2).astype(np.float32), light, view, (settings.seed, _APPARENT, number)
         )
-        parts.append(values.reshape(len(queries), settings.samples, 3).mean(axis=1, dtype=np.float32))
+        parts.append(values.reshape(len(queries), samples, 3).mean(axis=1, dtype=np.float32))
     measured = np.concatenate(parts).reshape(shape.rows, shape.columns, PAIRS, 3)
     with replacing(file) as temporary:
         save_file({"values": measured}, temporary)

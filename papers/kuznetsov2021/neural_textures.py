@@ -22,7 +22,7 @@ from loomlight.models.mip_pyramid import PyramidShape, Taps, bilinear_taps, tril
 from loomlight.models.neumip.networks import EXPOSURE, Weights
 from loomlight.models.neumip.parallax import MIN_COSINE, shifted
 from loomlight.models.neumip.settings import NeumipSettings
-from loomlight.models.neumip.training.network import SLOPE
+from loomlight.models.neumip.training.network import SLOPE, Gather
 from loomlight.models.neumip.training.train import (
     Batches,
     gains_of,
@@ -112,13 +112,13 @@ class NeuralTextures(nn.Module):
         if self.offset is not None and self.offset_texture is not None:
             texture = self.offset_texture.detach() if offset_frozen else self.offset_texture
             taps = bilinear_taps(u, v, shape.columns, shape.rows, faces * 0, _FUNCTIONS)
-            texel = _fetched(self._rows([texture]), taps)
+            texel = fetched(self._rows([texture]), taps)
             depth = self.offset(torch.cat([texel, views], dim=1))[:, 0]
             cosine = torch.sqrt((1 - views.square().sum(1)).clamp(min=0))
             slope = 1 / cosine.clamp(min=MIN_COSINE)
             u, v = shifted(shape, u, v, depth, views[:, 0], views[:, 1], slope)
         taps = trilinear_taps(shape, u, v, levels, faces * 0, _FUNCTIONS)
-        texel = _fetched(self.rows(), taps)
+        texel = self.texels(taps)
         latent, colours = texel[:, : self.design.latent], texel[:, self.design.latent :]
         outputs = self.decoder(torch.cat([latent, lights, views], dim=1))
         if self.design.whitened:
@@ -126,6 +126,10 @@ class NeuralTextures(nn.Module):
         if self.training:
             return functional.leaky_relu(outputs, SLOPE).clamp(min=_MIN_OUTPUT), None
         return functional.relu(outputs), None
+
+    def texels(self, taps: Taps) -> Tensor:
+        """Interpolated texels of the pyramid [n, channels]."""
+        return fetched(self.rows(), taps)
 
     def rows(self) -> Tensor:
         """Texels of all levels [texels, channels], blurred."""
@@ -239,7 +243,8 @@ def blurred(texture: Tensor, sigma: float) -> Tensor:
     return torch.fft.irfft2(torch.fft.rfft2(texture) * response, s=(rows, columns))
 
 
-def _fetched(rows: Tensor, taps: Taps) -> Tensor:
+def fetched(rows: Tensor, taps: Taps) -> Tensor:
     """Weighted sums of texels [n, channels]."""
     texels, weights = torch.stack(taps.texels, dim=1), torch.stack(taps.weights, dim=1)
-    return functional.embedding_bag(texels, rows, per_sample_weights=weights, mode="sum")
+    found: Tensor = Gather.apply(texels, weights, rows)
+    return found

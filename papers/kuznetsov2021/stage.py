@@ -9,10 +9,8 @@ averages paths over the same Gaussian, so that errors are the model's alone.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import lru_cache
-from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -80,7 +78,7 @@ class Shot:
         positions: on the reference plane [n, 2], millimetres.
         sides: of the footprints [n], millimetres.
         views: unit vectors [n, 3].
-        light: the unit vector of all pixels.
+        light: the unit vector of all pixels [3], or of each [n, 3].
     """
 
     size: tuple[int, int]
@@ -92,7 +90,7 @@ class Shot:
     @property
     def lights(self) -> _Floats:
         """The light of each pixel [n, 3]."""
-        return np.tile(self.light, (len(self.sides), 1))
+        return np.ascontiguousarray(np.broadcast_to(self.light, self.views.shape))
 
 
 @dataclass(frozen=True, eq=False)
@@ -197,8 +195,13 @@ def model_picture(predict: Predict, shot: Shot) -> _Floats:
 def stage_error(picture: _Floats, truth: Truth) -> PictureError:
     """MSE of linear RGB without the noise of the truth, which two estimates cancel, and FLIP with it."""
     found = picture_error(picture, truth.mean, np.ones(picture.shape[:2], bool))
+    return replace(found, mse=squared_error(picture, truth))
+
+
+def squared_error(picture: _Floats, truth: Truth) -> float:
+    """MSE without the noise of the truth, which two estimates cancel."""
     first, second = (picture.astype(np.float64) - half for half in (truth.first, truth.second))
-    return replace(found, mse=float((first * second).mean()))
+    return float((first * second).mean())
 
 
 def trained_model(
@@ -239,7 +242,6 @@ def predictor(
     name: str,
     design: Design | None = None,
     resolution: int | None = None,
-    together: Sequence[str] = (),
 ) -> Predict:
     """The values of a trained design.
 
@@ -247,44 +249,31 @@ def predictor(
         name: of `DESIGNS`, or of the design given.
         design: any other, trained as a torch module.
         resolution: of its textures, instead of `stage_settings`'.
-        together: names of the materials that share networks, of designs that share any.
 
     Raises:
         InputError: as of `trained_model`.
     """
     if design is None and name in (OURS, WITHOUT):
         return model_predictor(trained_model(source, setting, name))
-    import_extra("torch", "train", "Training a baseline")
-    chosen, settings = design or DESIGNS[name], stage_settings(setting, resolution)
-    if chosen.encoded:
-        names = tuple(together) if chosen.together else (source.name,)
-        network = _encodings(chosen, names, settings, setting.runs)[names.index(source.name)]
-    else:
-        from papers.kuznetsov2021.neural_textures import trained_textures
+    import_extra("torch", "train", "Training a design")
+    from papers.kuznetsov2021.neural_textures import trained_textures
 
-        place = _place(source, settings, setting, name)
-        network = trained_textures(chosen, source, settings, place, _queries(setting.runs))
+    settings = stage_settings(setting, resolution)
+    place = _place(source, settings, setting, name)
+    network = trained_textures(design or DESIGNS[name], source, settings, place, _queries(setting.runs))
+    return network_predictor(network, source)
+
+
+def network_predictor(network: Any, source: Heightfield) -> Predict:
+    """The values of a torch module of `neural_textures.py`."""
     shape: PyramidShape = network.shape
 
-    def predict(shot: Shot) -> _Floats:
+    def predict(shot: Shot) -> Any:
         repeats = (shot.positions / np.array(source.repeat_mm)).astype(np.float32)
-        found: _Floats = network.value(
-            repeats, np.log2(shot.sides / shape.texel_mm), shot.lights[:, :2], shot.views[:, :2]
-        )
-        return found
+        levels = np.log2(shot.sides / shape.footprint_mm)
+        return network.value(repeats, levels, shot.lights[:, :2], shot.views[:, :2])
 
     return predict
-
-
-@lru_cache(2)
-def _encodings(design: Design, names: tuple[str, ...], settings: NeumipSettings, runs: Path) -> Any:
-    """`trained_encodings` of materials, in the order of their names."""
-    from papers.kuznetsov2021.encoded_textures import trained_encodings
-
-    sources = [stage_material(name) for name in names]
-    digest = sha256(" ".join([repr(design), *map(settings.identity, sources)]).encode()).hexdigest()[:12]
-    place = Path(runs) / "kuznetsov2021" / f"encoded-{digest}"
-    return trained_encodings(design, sources, settings, place, _queries(runs))
 
 
 def model_predictor(model: NeumipModel) -> Predict:

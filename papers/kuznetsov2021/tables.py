@@ -1,13 +1,11 @@
-"""kuznetsov2021: Table 2 with Fig. 6, Table 3 with Fig. 11, and Table 4."""
+"""kuznetsov2021: Table 3 with Fig. 11, and Table 4."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numpy as np
-
 from loomlight.evaluation.pictures import PictureError
-from loomlight.evaluation.table import Cell, Table
+from loomlight.evaluation.table import Table
 from papers.figure import Evidence, Pixels, error_caption, on_display
 from papers.kuznetsov2021.designs import DESIGNS, OURS, RAINER19, RAINER20, WITHOUT
 from papers.kuznetsov2021.materials import RECIPES
@@ -25,14 +23,6 @@ from papers.sheet import Row, Tile, contact_sheet
 
 # Levels of Table 3.
 LEVELS = range(8)
-# MSE times 1000 of Table 2, in the order of `DESIGNS`: without the offset, ours, Rainer19, Rainer20.
-_PAPER_TABLE2 = {
-    "twisted wool": (11.31, 3.98, 12.79, 19.03),
-    "straight wool": (1.04, 0.39, 2.30, 1.92),
-    "turtle shell": (3.35, 1.31, 2.83, 4.84),
-    "cliff rock": (6.00, 2.00, 7.89, 10.26),
-    "insulation foam": (9.18, 3.90, 10.04, 21.75),
-}
 # MSE times 1000 of Table 3 by level.
 _PAPER_TABLE3 = {
     "twisted wool": (3.98, 2.10, 1.47, 1.07, 0.74, 1.16, 1.17, 1.08),
@@ -45,43 +35,12 @@ _PAPER_TABLE3 = {
 _PAPER_TABLE4 = {OURS: (3332, 14), RAINER19: (35725, 14), RAINER20: (38269, 38)}
 
 
-def comparison(setting: Setting, materials: Sequence[str] | None = None) -> Evidence:
-    """Table 2 and Fig. 6: ours, ours without offset, and Rainer et al. with their encoders.
+def by_level(setting: Setting, materials: Sequence[str] | None = None) -> Evidence:
+    """Table 3: the error of ours over levels of detail.
 
     Args:
         materials: some of `RECIPES`; all by default.
     """
-    names = list(materials or RECIPES)
-    columns = list(DESIGNS)
-    squared, flip = Table("MSE × 1000, of π f·cos", columns), Table("FLIP", columns)
-    rows: list[Row] = []
-    pictures: dict[str, Pixels] = {}
-    for number, name in enumerate(names):
-        source = stage_material(name)
-        shot = plane_shot(source, _texel_mm(setting), 0, setting.size)
-        truth = traced(source, shot, setting.samples)
-        errors: dict[str, PictureError] = {}
-        for design in columns:
-            picture = model_picture(predictor(source, setting, design, together=names), shot)
-            errors[design] = stage_error(picture, truth)
-            pictures[f"{name}-{design}"] = on_display(picture)
-        pictures[f"{name}-reference"] = on_display(truth.mean)
-        squared.rows[name] = [1e3 * error.mse for error in errors.values()]
-        flip.rows[name] = [error.flip for error in errors.values()]
-        tiles = [Tile(pictures[f"{name}-{design}"], error_caption(errors[design])) for design in columns]
-        rows.append(Row(name, [*tiles, Tile(pictures[f"{name}-reference"])]))
-        setting.step(number + 1, len(names))
-    ratios = _ratios("Ratios of MSE to ours", squared.rows)
-    paper = Table("MSE × 1000 in the paper", columns, {name: [*row] for name, row in _PAPER_TABLE2.items()})
-    note = _note(setting)
-    squared.note = note
-    tables = [squared, flip, ratios, paper, _ratios("Ratios in the paper", paper.rows)]
-    sheet = contact_sheet("kuznetsov2021 table 2 and figure 6", [*columns, "reference"], rows, note)
-    return Evidence(sheet, pictures, tables)
-
-
-def by_level(setting: Setting, materials: Sequence[str] | None = None) -> Evidence:
-    """Table 3: the error of ours over levels of detail; arguments as of `comparison`."""
     return _zooms(setting, "kuznetsov2021 table 3: error by level", False, list(materials or RECIPES))
 
 
@@ -146,25 +105,11 @@ def _texel_mm(setting: Setting) -> float:
     return stage_settings(setting).shape(source).texel_mm
 
 
-def _ratios(title: str, squared: dict[str, list[Cell]]) -> Table:
-    """Errors of the others over those of ours, and their geometric means."""
-    names = list(DESIGNS)
-    ours = names.index(OURS)
-    others = [number for number in range(len(names)) if number != ours]
-    values = {name: np.array(row, float) for name, row in squared.items()}
-    ratios = {name: row[others] / row[ours] for name, row in values.items()}
-    ratios["geometric mean"] = np.exp(np.mean([np.log(row) for row in ratios.values()], axis=0))
-    return Table(
-        title, [names[k] for k in others], {name: [*map(float, row)] for name, row in ratios.items()}
-    )
-
-
 def _note(setting: Setting) -> str:
     used = stage_settings(setting)
     a_texel = used.queries // (used.resolution or used.max_resolution) ** 2
     return (
         f"Textures of {used.resolution} texels a side, {a_texel} queries a texel of {used.samples} "
         f"paths, {used.steps} steps of {used.batch} queries (the paper: 512, 200 to 400 of 64, 30000 of "
-        f"2^20); references of {setting.samples} paths a pixel. All share queries, loop, loss and pyramid; "
-        "the encoders of Rainer et al. see 64 further queries of each texel, and 2020's is one for all."
+        f"2^20); references of {setting.samples} paths a pixel."
     )

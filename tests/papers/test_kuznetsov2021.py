@@ -1,18 +1,19 @@
 """The figures of kuznetsov2021, small: trainings of a few steps of one material.
 
 Covers: papers/kuznetsov2021/figures.py, papers/kuznetsov2021/stage.py
-Covers: papers/kuznetsov2021/tables.py
+Covers: papers/kuznetsov2021/tables.py, papers/kuznetsov2021/equal_cost.py
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from papers.kuznetsov2021 import figures, stage, tables
+from papers.kuznetsov2021 import equal_cost, figures, stage, tables
 from papers.kuznetsov2021.designs import DESIGNS
 from papers.kuznetsov2021.materials import paper_heightfield
 from papers.setting import NEUMIP, Setting
@@ -34,19 +35,64 @@ def setting(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Setting:
 
 
 @pytest.mark.slow
-def test_table_2_has_every_design_and_keeps_its_trainings(setting: Setting) -> None:
-    actual = tables.comparison(setting)
-    squared, flip, ratios, paper, of_paper = actual.tables
-    assert squared.columns == flip.columns == paper.columns == list(DESIGNS)
-    assert np.isfinite(np.array(squared.rows[MATERIAL], float)).all()
-    assert set(ratios.rows) == {MATERIAL, "geometric mean"}
+def test_table_2_has_every_design_at_equal_rays_and_keeps_its_trainings(
+    setting: Setting, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    names = (MATERIAL, "straight wool")
+    monkeypatch.setattr(equal_cost, "stage_material", lambda name: paper_heightfield(name, 16))
+    monkeypatch.setattr(equal_cost, "LEVELS", range(2))
+    monkeypatch.setattr(equal_cost, "PROBES", 32)
+    monkeypatch.setattr(equal_cost, "PROBE_RAYS", 2)
+    setting = replace(setting, steps=3, resolution=8)
+    squared, flip, ratios, by_level, _, cost, paper, of_paper = equal_cost.comparison(setting, names).tables
+    assert squared.columns == flip.columns == by_level.columns == list(equal_cost.COLUMNS)
+    assert paper.columns == list(DESIGNS)
+    assert set(by_level.rows) == {f"{name}, {level}" for name in names for level in range(2)}
+    assert np.isfinite(np.array([*squared.rows.values(), *by_level.rows.values()], float)).all()
+    assert set(ratios.rows) == {*names, "geometric mean"}
+    # 128² texels have 2²² rays.
+    assert {cell for name in names for cell in cost.rows[f"{name}, rays"]} == {16384}
     # 11.31, 12.79 and 19.03 over 3.98.
     assert of_paper.rows["twisted wool"] == pytest.approx([2.842, 3.214, 4.781], abs=0.001)
     places = list((setting.runs / "kuznetsov2021").iterdir())
+    before = {file: file.stat().st_mtime_ns for place in places for file in place.glob("*.json")}
+    again = equal_cost.comparison(setting, names).tables
+    assert again[0].rows == squared.rows
+    assert again[5].rows == cost.rows
+    assert before == {file: file.stat().st_mtime_ns for file in before}
+
+
+def test_seconds_become_steps(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of a training whose steps take 2 s after a first of 100: 30 s are 15 steps."""
+    clock = [0.0]
+    monkeypatch.setattr(equal_cost.time, "process_time", lambda: clock[0])
+    trainings = equal_cost.EqualCost([], equal_cost.Budget(8, 64, 30), tmp_path)
+    ran: list[int] = []
+
+    def run(steps: int, folder: Path, report: Callable[[int, int], None]) -> None:
+        ran.append(steps)
+        for step in range(steps):
+            clock[0] += 2 if step else 100
+            report(step + 1, steps)
+
+    _, cost = trainings._run("ours", "one", run)
+    assert ran[1:] == [15]
+    assert cost == {"steps": 15, "cpu_seconds": pytest.approx(30)}
+    _, again = trainings._run("ours", "one", run)
+    assert again == cost
+    assert ran[2:] == [15]
+    assert equal_cost.EqualCost([], equal_cost.Budget(8, 64, 30, steps=4), tmp_path)._run("ours", "one", run)[
+        1
+    ] == {"steps": 4, "cpu_seconds": pytest.approx(8)}
+
+
+def test_table_3_has_levels_and_keeps_its_trainings(setting: Setting) -> None:
+    first = tables.by_level(setting).tables[0].rows
+    places = list((setting.runs / "kuznetsov2021").iterdir())
     before = {file: file.stat().st_mtime_ns for place in places for file in place.iterdir()}
-    again = tables.by_level(setting)
-    assert again.tables[0].rows[MATERIAL][0] == pytest.approx(squared.rows[MATERIAL][1], rel=1e-5)
-    assert before == {file: file.stat().st_mtime_ns for place in places for file in place.iterdir()}
+    assert tables.by_level(setting).tables[0].rows == first
+    assert len(first[MATERIAL]) == 2
+    assert before == {file: file.stat().st_mtime_ns for file in before}
 
 
 def test_figures_5_and_10(setting: Setting, monkeypatch: pytest.MonkeyPatch) -> None:

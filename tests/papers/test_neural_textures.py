@@ -15,14 +15,17 @@ import pytest
 torch = pytest.importorskip("torch", exc_type=ImportError)
 
 # These need torch: they follow the line that skips the file without it.
-from loomlight.models.mip_pyramid import PyramidShape  # noqa: E402
+from loomlight.models.mip_pyramid import PyramidShape, Taps  # noqa: E402
+from loomlight.models.neumip.btf import Queries  # noqa: E402
 from loomlight.models.neumip.settings import NeumipSettings  # noqa: E402
 from loomlight.models.neumip.training.network import NeumipNetwork  # noqa: E402
-from loomlight.models.neumip.training.train import taken_queries  # noqa: E402
+from loomlight.models.neumip.training.train import gains_of, taken_queries  # noqa: E402
 from papers.kuznetsov2021.designs import DESIGNS, OURS, RAINER19, RAINER20  # noqa: E402
 from papers.kuznetsov2021.encoded_textures import (  # noqa: E402
     PAIRS,
     EncodedTextures,
+    TiledBatches,
+    apparent_brdfs,
     trained_encodings,
 )
 from papers.kuznetsov2021.materials import paper_heightfield  # noqa: E402
@@ -66,18 +69,61 @@ def test_encoders_learn_two_materials_at_once(tmp_path: Path) -> None:
     sources = [paper_heightfield(name, 16) for name in ("straight wool", "cliff rock")]
     settings = replace(NeumipSettings(), resolution=8, queries=60 * 8**2, samples=2, batch=1024)
     design = DESIGNS[RAINER20]
+    queries = [taken_queries(source, settings, tmp_path, lambda done, total: None) for source in sources]
+    apparent = [apparent_brdfs(source, settings, tmp_path, 2) for source in sources]
     losses = []
     for steps in (1, 60):
-        used = replace(settings, steps=steps)
-        trained = trained_encodings(design, sources, used, tmp_path / f"{steps}", tmp_path)
+        torch.manual_seed(1)
+        first = EncodedTextures(design, SHAPE, apparent[0], gains_of(queries[0]))
+        networks = first.encoder, first.decoder
+        second = EncodedTextures(design, SHAPE, apparent[1], gains_of(queries[1]), networks)
+        used, folder = replace(settings, steps=steps), tmp_path / f"{steps}"
+        trained_encodings(design, (first, second), queries, used, folder, "two")
         errors = []
-        for source, textures in zip(sources, trained, strict=True):
-            queries = taken_queries(source, used, tmp_path, lambda done, total: None)
-            shown = textures.value(queries.positions, queries.levels, queries.lights, queries.views)
-            errors.append(np.square(shown - queries.values).mean())
+        for known, textures in zip(queries, (first, second), strict=True):
+            shown = textures.value(known.positions, known.levels, known.lights, known.views)
+            errors.append(np.square(shown - known.values).mean())
         losses.append(errors)
     assert (np.array(losses[1]) < 0.7 * np.array(losses[0])).all()
     assert len(list(tmp_path.glob("apparent-*"))) == 2
+
+
+def test_only_texels_that_are_read_are_encoded() -> None:
+    rng = np.random.default_rng(2)
+    network = EncodedTextures(DESIGNS[RAINER19], SHAPE, rng.random((8, 8, PAIRS, 3), np.float32))
+    taps = Taps([torch.tensor([3, 7]), torch.tensor([7, 60])], [torch.tensor([0.5, 1.0]), torch.ones(2)])
+    rows = network.rows()
+    wanted = torch.stack([0.5 * rows[3] + rows[7], rows[7] + rows[60]])
+    torch.testing.assert_close(network.texels(taps), wanted)
+    seen: list[int] = []
+    network.encoder.register_forward_hook(lambda module, inputs, output: seen.append(len(inputs[0])))
+    network.texels(taps)
+    assert seen == [3]
+
+
+def test_a_batch_is_of_one_tile_and_a_pass_has_every_query_once() -> None:
+    rng = np.random.default_rng(3)
+    count, batch = 1 << 12, 64
+    columns = {
+        "positions": rng.random((count, 2), np.float32),
+        "levels": np.zeros(count, np.float32),
+        "lights": np.zeros((count, 2), np.float32),
+        "views": np.zeros((count, 2), np.float32),
+        "faces": np.zeros(count, np.uint8),
+        "is_transmission": np.zeros(count, np.uint8),
+        "values": np.zeros((count, 3), np.float32),
+        "holes": np.zeros(count, np.float32),
+    }
+    network = NeuralTextures(DESIGNS[OURS], SHAPE)
+    batches = TiledBatches(network, Queries(**columns), replace(NeumipSettings(), batch=batch))
+    order = batches.order(0)
+    assert sorted(order) == list(range(count))
+    assert not np.array_equal(order, batches.order(1))
+    tiles = np.floor(4 * columns["positions"][order]).reshape(-1, batch, 2)
+    spread = [len(np.unique(part, axis=0)) for part in tiles]
+    # A batch at the border of two tiles has both.
+    assert np.mean(np.array(spread) == 1) > 0.7
+    assert max(spread) == 2
 
 
 def test_ours_as_a_design_is_the_model() -> None:

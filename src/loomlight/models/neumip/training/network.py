@@ -124,7 +124,7 @@ class NeumipNetwork(nn.Module):
     def _fetched(self, table: Tensor, taps: Taps) -> Tensor:
         """Weighted sums of texels [n, channels]."""
         texels, weights = torch.stack(taps.texels, dim=1), torch.stack(taps.weights, dim=1)
-        found: Tensor = _Gather.apply(texels, weights, table)
+        found: Tensor = Gather.apply(texels, weights, table)
         return self.scale * found
 
     def _decoded(self, inputs: Tensor, is_transmission: Tensor | None) -> Tensor:
@@ -163,7 +163,7 @@ def opacity_loss(log_odds: Tensor, holes: Tensor) -> Tensor:
     return _OPACITY_WEIGHT * functional.binary_cross_entropy_with_logits(log_odds, holes)
 
 
-class _Gather(torch.autograd.Function):
+class Gather(torch.autograd.Function):
     """`embedding_bag` of weighted sums, whose own gradient sorts the texels and takes four times as long."""
 
     @staticmethod

@@ -46,6 +46,7 @@ def train_neumip(
     progress: Progress | None = None,
     device: str = "cpu",
     keep_every: float = 30.0,
+    queries: Queries | None = None,
 ) -> Weights:
     """The weights of a material.
 
@@ -53,13 +54,14 @@ def train_neumip(
         folder: holds queries and the checkpoint; made if need be, and used again to go on.
         device: of torch, "cpu" or "cuda".
         keep_every: seconds between checkpoints.
+        queries: those of `taken_queries`, where they are at hand.
 
     Raises:
         InputError: a source of which no queries can be taken, or a damaged checkpoint.
     """
     report = progress or (lambda done, total: None)
     folder.mkdir(parents=True, exist_ok=True)
-    queries = taken_queries(source, settings, folder, report)
+    queries = taken_queries(source, settings, folder, report) if queries is None else queries
     btf, shape = BTFS.of(source), settings.shape(source)
     torch.manual_seed(settings.seed)
     scale = settings.texture_rate / settings.rate
@@ -193,7 +195,11 @@ class Batches:
     def _chosen(self, step: int) -> NDArray[np.intp]:
         number, place = divmod(step, self._per_pass)
         if self._order is None or self._order[0] != number:
-            rng = np.random.default_rng([self._settings.seed, _BATCHES, number])
-            self._order = number, rng.permutation(len(self._queries))
+            self._order = number, self.order(number)
         first = place * self._settings.batch
         return self._order[1][first : first + self._settings.batch]
+
+    def order(self, number: int) -> NDArray[np.intp]:
+        """Queries of a pass over them."""
+        rng = np.random.default_rng([self._settings.seed, _BATCHES, number])
+        return rng.permutation(len(self._queries))
