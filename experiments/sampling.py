@@ -1,6 +1,7 @@
 """How much noise the sampler of a model saves: variances of weights against those of a cosine on either side.
 
     python -m experiments.sampling examples/denim.toml … [--environment SKY.exr] [--output FILE.json]
+    python -m experiments.sampling brass.loom …
 
 Footprints of 0.05 to 5 threads lie anywhere, and views all around. A weight is the luminance of f·cos over
 the density, times the sky's radiance in that direction, given that light does not pass straight through a
@@ -12,7 +13,10 @@ under a white sky and under the environment if one is given,
 - `deviation`: of the sampler, over the mean;
 - `mean_ratio`: of both means, which estimate the same number;
 - `largest`, `largest_by_cosine`: the largest weights of all, under a white sky;
-- `sample_ns`: CPU nanoseconds of a view and a sample of it, the least of three.
+- `sample_ns`: CPU nanoseconds of a view and a sample of it, the least of three; `cosine_ns` of a view and a
+  value, as a cosine's sample needs; `equal_time_gain`: the gain times the second over the first;
+- of a `.loom` of a Mitsuba material, `source_gain`: the variance of the material's own sampler, at the middle
+  of the footprint, over that of the model's; `source_ns`, and `source_equal_time_gain`, by their product.
 """
 
 from __future__ import annotations
@@ -20,7 +24,10 @@ from __future__ import annotations
 import math
 import time
 from argparse import ArgumentParser, Namespace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any, TypeVar
 
 import drjit as dr
 import numpy as np
@@ -29,6 +36,7 @@ from numpy.typing import NDArray
 
 from benchmarks.harness import Figures, run
 from loomlight.assets.load import load_source
+from loomlight.assets.material import Material
 from loomlight.assets.sources import kind_of_file
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
@@ -43,6 +51,7 @@ _SEED = 999
 _BRIGHTEST = 10.0  # of a sky, over its mean
 
 _Floats = NDArray[np.float64]
+T = TypeVar("T")
 
 
 class _Sky:
@@ -102,26 +111,27 @@ def _row(model: Model, options: Namespace, skies: dict[str, _Sky]) -> Figures:
     view, footprint = _places(model, rng, places, samples)
     at = model.at(view, footprint)
     numbers = [Float(rng.random(places * samples, np.float32)) for _ in range(3)]
-    times = []
-    for _ in range(3):
-        dr.eval(view, footprint, numbers)
-        dr.sync_thread()
-        start = time.process_time()
-        drawn = model.at(view, footprint).sample(numbers[0], Array2f(*numbers[1:]))
-        dr.eval(drawn)
-        dr.sync_thread()
-        times.append(time.process_time() - start)
+    dr.eval(view, footprint, numbers)
+    drawn, seconds = _timed(lambda: model.at(view, footprint).sample(numbers[0], Array2f(*numbers[1:])))
     is_null = np.array(drawn.is_null)
     scatters = ~is_null.reshape(places, samples)
     own_light = np.array(drawn.light, np.float64)
     own = np.where(is_null, 0, _LUMINANCE @ np.array(drawn.weight, np.float64))
     sides = [_by_cosine(at, rng, side) for side in (1, -1)]
+    by_cosine = Array3f(sides[0][1].astype(np.float32))
+    cosine_seconds = _timed(lambda: model.at(view, footprint).value(by_cosine))[1]
     energies = [weights.reshape(places, samples).mean(axis=1) for weights, _ in sides]
     total = np.maximum(energies[0] + energies[1], 1e-9)
     # Neither share is 0: an energy is an estimate.
     first = np.clip(energies[0] / total, 0.01, 0.99)
     shares = [first, 1 - first]
-    row: Figures = {"sample_ns": 1e9 * min(times) / (places * samples)}
+    row: Figures = {}
+    for name, spent in (("sample", seconds), ("cosine", cosine_seconds)):
+        row[f"{name}_ns"] = 1e9 * spent / (places * samples)
+    source = None
+    if isinstance(model.source, Material):
+        source = _by_source(model.source, view, footprint, numbers)
+        row["source_ns"] = 1e9 * source.seconds / (places * samples)
     for name, sky in skies.items():
         grid = (own * sky.radiance(own_light)).reshape(places, samples)
         # Given that light does not pass through a hole, f·cos over the density is smaller by that share.
@@ -136,15 +146,70 @@ def _row(model: Model, options: Namespace, skies: dict[str, _Sky]) -> Figures:
         own_variance, variance = np.nanvar(grid, axis=1), np.maximum(moment - mean**2, 0)
         prefix = "" if name == "white" else f"{name}_"
         row[f"{prefix}gain"] = variance.mean() / own_variance.mean()
+        row[f"{prefix}equal_time_gain"] = row[f"{prefix}gain"] * row["cosine_ns"] / row["sample_ns"]
         row[f"{prefix}median_gain"] = float(np.median(variance / np.maximum(own_variance, 1e-12)))
         row[f"{prefix}mean_ratio"] = np.nanmean(grid, axis=1).mean() / mean.mean()
         row[f"{prefix}deviation"] = math.sqrt(own_variance.mean()) / mean.mean()
+        if source is not None:
+            of_source = (source.weights * sky.radiance(source.light)).reshape(places, samples)
+            gain = of_source.var(axis=1).mean() / own_variance.mean()
+            row[f"{prefix}source_gain"] = gain
+            row[f"{prefix}source_mean_ratio"] = of_source.mean() / np.nanmean(grid, axis=1).mean()
+            row[f"{prefix}source_equal_time_gain"] = gain * row["source_ns"] / row["sample_ns"]
     row["largest"] = own.max()
     row["largest_by_cosine"] = max(
         float((weights.reshape(places, samples) / share[:, None]).max())
         for (weights, _), share in zip(sides, shares, strict=True)
     )
     return row
+
+
+def _timed(compute: Callable[[], T]) -> tuple[T, float]:
+    """What a function returns, and its least CPU seconds of three."""
+    times = []
+    for _ in range(3):
+        dr.sync_thread()
+        start = time.process_time()
+        found = compute()
+        dr.eval(found)
+        dr.sync_thread()
+        times.append(time.process_time() - start)
+    return found, min(times)
+
+
+@dataclass(frozen=True, eq=False)
+class _OfSource:
+    """Luminances of weights [n], directions [3, n], and CPU seconds of a source's own sampler."""
+
+    weights: _Floats
+    light: _Floats
+    seconds: float
+
+
+def _by_source(source: Material, view: Array3f, footprint: Footprint, numbers: Sequence[Float]) -> _OfSource:
+    """Directions that a material's BSDF draws itself."""
+    import mitsuba as mi
+
+    from loomlight.mitsuba.material_queries import material_bsdf_of
+
+    mi.set_variant("llvm_ad_rgb")
+    bsdf: Any = material_bsdf_of(source)
+    context: Any = mi.BSDFContext()
+    width, height = source.repeat_mm
+
+    def sample() -> Any:
+        si: Any = dr.zeros(mi.SurfaceInteraction3f, dr.width(view))
+        si.uv = mi.Point2f(footprint.centre.x / width, footprint.centre.y / height)
+        si.n, si.dp_du, si.dp_dv = mi.Normal3f(0, 0, 1), mi.Vector3f(1, 0, 0), mi.Vector3f(0, 1, 0)
+        si.sh_frame = mi.Frame3f(si.dp_du, si.dp_dv, si.n)
+        si.wi = mi.Vector3f(view.x, view.y, dr.abs(view.z))
+        drawn, weight = bsdf.sample(context, si, numbers[0], mi.Point2f(*numbers[1:]))
+        return drawn.wo, weight
+
+    (light, weight), seconds = _timed(sample)
+    toward = np.array(light, np.float64)
+    toward[2] *= np.sign(np.array(view.z))
+    return _OfSource(_LUMINANCE @ np.nan_to_num(np.array(weight, np.float64)), toward, seconds)
 
 
 def _places(model: Model, rng: np.random.Generator, places: int, samples: int) -> tuple[Array3f, Footprint]:

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import argparse
 import os
+from collections.abc import Sequence
 from pathlib import Path
 from xml.sax.saxutils import quoteattr
 
@@ -24,11 +25,14 @@ from loomlight.fabric.load import load_fabric
 from tools.fibre_curves import FibreCurves, FibreSettings, fibre_curves
 
 SCENE, TILE = "scene.xml", "tile.toml"
+# Control points of a cubic B-spline [n, 3] and its radius, millimetres.
+Curve = tuple[NDArray[np.float64], float]
 # Roughness of fibres along and around them; colours are kept off black and white, where absorption ends.
 _ROUGHNESS = 0.3
+_OPAQUE_ROUGHNESS, _SPECULAR = 0.55, 0.3
 _COLOURS = (0.01, 0.95)
 # Vertices of a path: pale fibres scatter often.
-_BOUNCES = 16
+_BOUNCES, _OPAQUE_BOUNCES = 16, 6
 
 
 def write_fibre_tile(
@@ -39,40 +43,67 @@ def write_fibre_tile(
     Raises:
         InputError: settings that cannot be, or a folder that cannot be written.
     """
-    place = Path(folder)
+    groups = [
+        (np.array(colour), [(fibre, one.radius) for one in curves for fibre in one.points])
+        for colour, curves in _by_colour(fabric, settings or FibreSettings())
+    ]
+    return write_curves(Path(folder), TILE, fabric.repeat_mm, groups)
+
+
+def write_curves(
+    folder: Path,
+    name: str,
+    size_mm: tuple[float, float],
+    groups: Sequence[tuple[NDArray[np.float64], Sequence[Curve]]],
+    digits: int = 5,
+    heading: str = "",
+    front_mm: float | None = None,
+) -> Path:
+    """Writes curves as a tile, all files or none, and returns its TOML file.
+
+    Args:
+        name: of the TOML file.
+        groups: colours, linear RGB 0.01 to 0.95, and the curves that have them.
+        digits: of millimetres.
+        heading: the first lines of the TOML file.
+        front_mm: where most of the front lies, of curves that are opaque and seen from there alone:
+            a rough dielectric over a diffuse base covers them. None lets light through, as hair does.
+
+    Raises:
+        InputError: a folder that cannot be written.
+    """
     shapes, texts = [], {}
-    for number, (colour, curves) in enumerate(_by_colour(fabric, settings or FibreSettings())):
-        name = f"fibres-{number}.txt"
-        texts[name] = "\n\n".join(
-            "\n".join(f"{x:.5f} {y:.5f} {z:.5f} {one.radius:.5f}" for x, y, z in fibre)
-            for one in curves
-            for fibre in one.points
+    for number, (colour, curves) in enumerate(groups):
+        file = f"fibres-{number}.txt"
+        texts[file] = "\n\n".join(
+            "\n".join(
+                f"{x:.{digits}f} {y:.{digits}f} {z:.{digits}f} {radius:.{digits}f}" for x, y, z in points
+            )
+            for points, radius in curves
         )
-        absorption = ", ".join(f"{value:.5f}" for value in _absorption(np.array(colour)))
         shapes.append(
-            f'  <bsdf type="hair" id="fibre-{number}">\n'
-            f'    <rgb name="sigma_a" value="{absorption}"/>\n'
-            f'    <float name="longitudinal_roughness" value="{_ROUGHNESS}"/>\n'
-            f'    <float name="azimuthal_roughness" value="{_ROUGHNESS}"/>\n'
-            f"  </bsdf>\n"
+            f"{_bsdf(colour, front_mm is not None, f'fibre-{number}')}"
             f'  <shape type="bsplinecurve">\n'
-            f'    <string name="filename" value={quoteattr(name)}/>\n'
+            f'    <string name="filename" value={quoteattr(file)}/>\n'
             f'    <ref id="fibre-{number}"/>\n'
             f"  </shape>\n"
         )
     texts[SCENE] = '<scene version="3.0.0">\n' + "".join(shapes) + "</scene>\n"
-    width, height = fabric.repeat_mm
-    texts[TILE] = (
-        f'tile = "{SCENE}"\nsize_mm = [{width!r}, {height!r}]\ntwo_sided = true\nbounces = {_BOUNCES}\n'
+    width, height = size_mm
+    seen = (
+        f"two_sided = true\nbounces = {_BOUNCES}\n"
+        if front_mm is None
+        else f"reference_height_mm = {front_mm!r}\nbounces = {_OPAQUE_BOUNCES}\n"
     )
+    texts[name] = f'{heading}tile = "{SCENE}"\nsize_mm = [{width!r}, {height!r}]\n{seen}'
     try:
-        place.mkdir(parents=True, exist_ok=True)
+        folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise InputError(f"{place} cannot be made: {error.strerror}.") from error
-    with replacing_all([place / name for name in texts]) as files:
-        for file, text in zip(files, texts.values(), strict=True):
-            file.write_text(text, encoding="utf-8")
-    return place / TILE
+        raise InputError(f"{folder} cannot be made: {error.strerror}.") from error
+    with replacing_all([folder / file for file in texts]) as files:
+        for place, text in zip(files, texts.values(), strict=True):
+            place.write_text(text, encoding="utf-8")
+    return folder / name
 
 
 def _by_colour(fabric: Fabric, settings: FibreSettings) -> list[tuple[tuple[float, ...], list[FibreCurves]]]:
@@ -94,6 +125,27 @@ def _by_colour(fabric: Fabric, settings: FibreSettings) -> list[tuple[tuple[floa
         colour = tuple(float(value) for value in np.clip(albedo, *_COLOURS))
         groups.setdefault(colour, []).append(curves)
     return list(groups.items())
+
+
+def _bsdf(colour: NDArray[np.float64], is_opaque: bool, name: str) -> str:
+    """The element of a colour's BSDF."""
+    if is_opaque:
+        base = ", ".join(f"{value:.5f}" for value in colour)
+        return (
+            f'  <bsdf type="principled" id="{name}">\n'
+            f'    <rgb name="base_color" value="{base}"/>\n'
+            f'    <float name="roughness" value="{_OPAQUE_ROUGHNESS}"/>\n'
+            f'    <float name="specular" value="{_SPECULAR}"/>\n'
+            f"  </bsdf>\n"
+        )
+    absorption = ", ".join(f"{value:.5f}" for value in _absorption(colour))
+    return (
+        f'  <bsdf type="hair" id="{name}">\n'
+        f'    <rgb name="sigma_a" value="{absorption}"/>\n'
+        f'    <float name="longitudinal_roughness" value="{_ROUGHNESS}"/>\n'
+        f'    <float name="azimuthal_roughness" value="{_ROUGHNESS}"/>\n'
+        f"  </bsdf>\n"
+    )
 
 
 def _absorption(colour: NDArray[np.float64]) -> NDArray[np.float64]:

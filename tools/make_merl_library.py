@@ -1,0 +1,26 @@
+"""Makes a library of BRDFs in MERL's format, as `latent` takes those that were measured.
+
+    python -m tools.make_merl_library FOLDER [COUNT]
+
+COUNT files of 35 MB each, 16 by default, from near-mirrors to chalk, of metals and of plastics: analytic
+BRDFs, none of them measured.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+from papers.zeltner2024.analytic_brdfs import write_analytic_library
+
+COUNT = 16
+
+
+def main(folder: Path, count: int = COUNT) -> None:
+    """Writes the files into a folder, which is made."""
+    folder.mkdir(parents=True, exist_ok=True)
+    write_analytic_library(folder, count)
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else COUNT)
