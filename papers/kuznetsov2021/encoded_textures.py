@@ -28,7 +28,7 @@ from loomlight.models.mip_pyramid import SIZE_OF_SIGMA, PyramidShape, Taps
 from loomlight.models.neumip.btf import BTFS, Queries
 from loomlight.models.neumip.networks import EXPOSURE
 from loomlight.models.neumip.settings import NeumipSettings
-from loomlight.models.neumip.training.train import Batches, Trainable, rate_factor
+from loomlight.models.neumip.training.train import Batches, rate_factor
 from loomlight.models.query_parts import draw_directions
 from loomlight.training.loop import Schedule, one_thread, train
 from loomlight.training.relu_layers import relu_layers
@@ -99,18 +99,21 @@ class EncodedTextures(NeuralTextures):
 class TiledBatches(Batches):
     """Batches of one tile of the repeat each, in random order: their queries share encoded texels."""
 
-    def __init__(self, network: Trainable, queries: Queries, settings: NeumipSettings) -> None:
-        super().__init__(network, queries, settings, "cpu")
+    def __init__(self, network: EncodedTextures, queries: Queries, settings: NeumipSettings) -> None:
+        super().__init__(network, network.gains, queries, settings, "cpu")
         column, row = np.minimum(_TILES * queries.positions, _TILES - 1).astype(np.intp).T
-        self._tiles = _TILES * row + column
+        self._tiles, self._seed = _TILES * row + column, settings.seed
+        self._batch, self._tiled = settings.batch, (-1, np.zeros((0, 0), np.intp))
 
-    def order(self, number: int) -> NDArray[np.intp]:
-        """Queries of a pass."""
-        shuffled = super().order(number)
-        by_tile = shuffled[np.argsort(self._tiles[shuffled], kind="stable")]
-        whole = by_tile[: self._per_pass * self._settings.batch].reshape(self._per_pass, -1)
-        rng = np.random.default_rng([self._settings.seed, _TILE_ORDER, number])
-        return whole[rng.permutation(self._per_pass)].reshape(-1)
+    def _chosen(self, step: int) -> NDArray[np.intp]:
+        number, place = divmod(step, self._per_pass)
+        if self._tiled[0] != number:
+            rng = np.random.default_rng([self._seed, _TILE_ORDER, number])
+            shuffled = rng.permutation(len(self._tiles))
+            by_tile = shuffled[np.argsort(self._tiles[shuffled], kind="stable")]
+            whole = by_tile[: self._per_pass * self._batch].reshape(self._per_pass, -1)
+            self._tiled = number, rng.permutation(whole)
+        return self._tiled[1][place]
 
 
 def trained_encodings(

@@ -26,7 +26,7 @@ from loomlight.evaluation.pictures import PictureError
 from loomlight.evaluation.table import Cell, Table
 from loomlight.fabric.sentences import closest
 from loomlight.models.neumip.model import NeumipModel
-from loomlight.models.neumip.settings import QUALITIES, NeumipSettings
+from loomlight.models.neumip.settings import NeumipSettings, settings_of
 from loomlight.models.query_parts import draw_directions
 from papers.figure import Evidence, Pixels, error_caption, on_display
 from papers.kuznetsov2021.designs import DESIGNS, OURS, RAINER19, RAINER20, WITHOUT
@@ -57,7 +57,6 @@ _TIMED, _BEFORE = 24, 8
 # Trainings of 2020 have so many times the seconds of the others, for all materials together.
 _UNIVERSAL = 2
 _SEED = 43
-BATCH = 4096
 
 # MSE times 1000 of Table 2, in the order of `DESIGNS`: without the offset, ours, Rainer19, Rainer20.
 PAPER = {
@@ -129,9 +128,8 @@ class EqualCost:
         self._queries_folder = self._folder / "queries"
         self._queries_folder.mkdir(parents=True, exist_ok=True)
         # One ray a query: rays are then queries.
-        self.settings = replace(
-            QUALITIES["preview"], resolution=budget.resolution, queries=budget.rays, samples=1, batch=BATCH
-        )
+        recipe = settings_of("preview", budget.resolution, is_fabric=False)
+        self.settings = replace(recipe, queries=budget.rays)
 
     def trained(self, name: str, source: Heightfield) -> Trained:
         """A design of `COLUMNS` for a material.
@@ -151,14 +149,20 @@ class EqualCost:
         from loomlight.models.neumip.training.train import train_neumip
 
         settings = replace(self.settings, offset=name == OURS)
-        queries = self._taken(source, settings)
+        self._taken(source, settings)
 
         def run(steps: int, folder: Path, report: Callable[[int, int], None]) -> Any:
             used = replace(settings, steps=steps)
-            return train_neumip(source, used, folder, report, queries=queries)
+            for file in self._queries_folder.glob(f"queries-{settings.query_identity(source)[:12]}-*"):
+                if not (folder / file.name).exists():
+                    (folder / file.name).hardlink_to(file)
+            # Reports up to 300 of 1000 are of queries.
+            return train_neumip(
+                source, used, folder, lambda done, total: report(done, total) if done > 300 else None
+            )
 
         weights, cost = self._run(name, settings.identity(source), run)
-        return Trained(model_predictor(NeumipModel(source, weights)), cost | {"rays": len(queries)})
+        return Trained(model_predictor(NeumipModel(source, weights)), cost | {"rays": self._budget.rays})
 
     def _former(self, source: Heightfield) -> Trained:
         from papers.kuznetsov2021.neural_textures import trained_textures

@@ -198,7 +198,7 @@ def trained_textures(
     torch.manual_seed(settings.seed)
     scale = settings.texture_rate / settings.rate
     network = NeuralTextures(design, settings.shape(source), scale, gains_of(queries))
-    batches = Batches(network, queries, settings, "cpu", published_error)
+    batches = Batches(network, network.gains, queries, settings, "cpu", published_error)
 
     def losses(step: int) -> Iterator[Tensor]:
         network.blur = blur_of(network.shape, step / settings.steps)

@@ -5,13 +5,20 @@ Covers: assets/toml_source.py
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from PIL import Image
 
-from loomlight.assets.heightfield import Heightfield, is_heightfield_file, load_heightfield
+from loomlight.assets.heightfield import (
+    Heightfield,
+    heightfield_from_record,
+    heightfield_record,
+    is_heightfield_file,
+    load_heightfield,
+)
 from loomlight.assets.load import load_source
 from loomlight.assets.loom_file import LoomFile, read_loom, write_loom
 from loomlight.cli.main import run
@@ -92,3 +99,25 @@ def test_a_fault_is_one_sentence(text: str, says: str, folder: Path) -> None:
         load_heightfield(written(folder, text))
     assert says in str(caught.value)
     assert str(folder / "wool.toml") in str(caught.value)
+
+
+def test_files_hold_maps_as_their_pixels(folder: Path) -> None:
+    """The same floats from fewer bytes; maps of other numbers, and those of former files, are floats."""
+    rng = np.random.default_rng(4)
+    for name, channels in (("albedo.png", 3), ("normal.png", 3), ("height.png", 1)):
+        pixels = rng.integers(256, size=(16, 16, channels), dtype=np.uint8)
+        Image.fromarray(pixels.squeeze()).save(folder / name)
+    text = 'albedo = "albedo.png"\nnormal_map = "normal.png"\nroughness = 0.6\n'
+    text += 'height_map = "height.png"\nsize_mm = [2, 2]\nheight_mm = 1\n'
+    source = load_heightfield(written(folder, text))
+    record, maps = heightfield_record(source)
+    kinds = {name: str(values.dtype) for name, values in maps.items()}
+    assert kinds.pop("albedo") == "uint8"
+    assert set(kinds.values()) == {"uint16"}
+    floats = {name: getattr(source, name) for name in maps}
+    for tensors in (maps, floats):
+        back = heightfield_from_record(record, tensors, "")
+        for name, values in floats.items():
+            np.testing.assert_array_equal(getattr(back, name), values)
+    smooth = replace(source, height=rng.random((16, 16), np.float32))
+    assert heightfield_record(smooth)[1]["height"] is smooth.height

@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
 from loomlight.assets.toml_source import Lengths, SizedSource, SourceFields, has_field, read_fields
-from loomlight.core.colour import parse_colour, srgb_to_linear
+from loomlight.core.colour import linear_to_srgb, parse_colour, srgb_to_linear
 from loomlight.core.errors import InputError
 from loomlight.core.images import read_map
 from loomlight.fabric.reading import speaking_of
@@ -170,7 +170,23 @@ def heightfield_record(source: Heightfield) -> tuple[dict[str, Any], dict[str, N
         specular=source.specular,
     )
     maps = {name: getattr(source, name) for name in _MAPS}
-    return record.model_dump(), {name: values for name, values in maps.items() if values is not None}
+    return record.model_dump(), {name: _stored(map_) for name, map_ in maps.items() if map_ is not None}
+
+
+def _stored(values: _Map) -> NDArray[Any]:
+    """A map as its pixels, of 16 bits or bytes of sRGB, if it is made of those."""
+    numbers, colours = 65535 * values, 255 * linear_to_srgb(values)
+    for codes in (np.rint(numbers).astype(np.uint16), np.rint(colours).astype(np.uint8)):
+        if np.array_equal(_read(codes), values):
+            return codes
+    return values
+
+
+def _read(stored: NDArray[Any]) -> NDArray[Any]:
+    """The map of `_stored`."""
+    if stored.dtype == np.uint8:
+        return np.asarray(srgb_to_linear(stored.astype(np.float32) / 255), np.float32)
+    return (stored / 65535).astype(np.float32) if stored.dtype == np.uint16 else stored
 
 
 def heightfield_from_record(
@@ -186,9 +202,9 @@ def heightfield_from_record(
     header = _Record.model_validate(record)
     maps: dict[str, Any] = {"normal": None}
     for name, channels in _MAPS.items():
-        values = tensors.get(name)
-        if values is None and name == "normal":
+        if name not in tensors and name == "normal":
             continue
+        values = _read(tensors[name]) if name in tensors else None
         shape = 2 if channels == 1 else 3
         if values is None or values.dtype != np.float32 or values.ndim != shape or values.size == 0:
             raise InputError(f"the tensor source.{name} must hold a map of float32 numbers.")

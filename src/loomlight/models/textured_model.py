@@ -136,17 +136,10 @@ class TexturedModel(Model, Generic[WeightsT, DeviceT]):
         }
 
 
-class Settings(Protocol):
-    """Settings of a training."""
-
-    def identity(self, source: Source) -> str:
-        """A hash of all that the weights depend on."""
-
-
 def run_training(
     model: str,
     source: Source,
-    settings: Settings,
+    settings: Any,
     folder: str | os.PathLike[str] | None,
     report: Callable[[int, int], None] | None,
     device: str,
@@ -155,6 +148,7 @@ def run_training(
     """The weights that `train` of a model's folder `training` gives; one that was stopped goes on.
 
     Args:
+        settings: with the method `identity`; see `NeumipSettings`.
         folder: of queries and checkpoints; None keeps them in the cache until the end.
         options: further arguments of the training.
 

@@ -13,7 +13,9 @@ import pytest
 from drjit.llvm.ad import Array2f, Array3f
 
 from loomlight.aggregate.slices import FabricSlices
+from loomlight.assets.loom_file import write_loom
 from loomlight.cli.main import run
+from loomlight.core.errors import InputError
 from loomlight.core.footprint import Box, box_footprint
 from loomlight.core.llvm import llvm_float, require_llvm
 from loomlight.fabric import fabric_from_text
@@ -60,6 +62,10 @@ def test_options() -> None:
         QUALITIES["full"], resolution=32, offset=False, seed=3
     )
     assert parse_options("lobes", []) == {}
+    # Paths cost more than steps: one ray a query.
+    traced = settings_of("preview", is_fabric=False)
+    assert (traced.max_resolution, traced.samples, traced.batch) == (128, 1, QUALITIES["preview"].batch // 2)
+    assert traced.queries == QUALITIES["preview"].queries
 
 
 def test_the_baseline_without_offset_comes_back_from_a_file(tmp_path: Path) -> None:
@@ -76,6 +82,25 @@ def test_the_baseline_without_offset_comes_back_from_a_file(tmp_path: Path) -> N
     loom = model.to_loom()
     del loom.settings["footprint_texels"]
     assert NeumipModel.from_loom(loom).weights.shape.footprint_texels == 1
+
+
+def test_texels_are_bytes_in_files_and_floats_where_bytes_would_round(tmp_path: Path) -> None:
+    """Files of before hold floats: those open too."""
+    model = make_model("neumip", TWILL)
+    assert isinstance(model, NeumipModel)
+    loom = model.to_loom()
+    assert loom.tensors["features"].dtype == loom.tensors["offset_texels"].dtype == np.int8
+    back = NeumipModel.from_loom(loom)
+    for name in ("features", "offset_texels"):
+        np.testing.assert_array_equal(getattr(back.weights, name), getattr(model.weights, name))
+    finer = replace(model.weights, features=model.weights.features + np.float32(1e-4))
+    write_loom(tmp_path / "a.loom", NeumipModel(TWILL, finer).to_loom())
+    read = model_from_loom(tmp_path / "a.loom")
+    assert isinstance(read, NeumipModel)
+    np.testing.assert_array_equal(read.weights.features, finer.features)
+    del loom.tensors["features_steps"]
+    with pytest.raises(InputError, match=r"features is .* int8: it should be .* float32"):
+        NeumipModel.from_loom(loom)
 
 
 def test_textures_have_about_ten_texels_a_yarn() -> None:

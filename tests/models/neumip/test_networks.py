@@ -15,7 +15,7 @@ from drjit.llvm.ad import Float, UInt32
 
 from loomlight.core.llvm import require_llvm
 from loomlight.models.mip_pyramid import PyramidShape
-from loomlight.models.neumip.networks import DeviceWeights
+from loomlight.models.neumip.networks import DeviceWeights, quantised
 from loomlight.models.neumip.parallax import MIN_COSINE, shifted
 from loomlight.models.neumip.training.network import NeumipNetwork
 
@@ -32,6 +32,10 @@ def network(with_offset: bool = True) -> NeumipNetwork:
     with torch.no_grad():
         for parameter in made.parameters():
             parameter.add_(0.1 * torch.randn_like(parameter))
+        # What files hold; the scale is a power of two.
+        for texture in (made.features, made.offset_texture):
+            if texture is not None:
+                texture.copy_(torch.from_numpy(np.multiply(*quantised(texture.numpy()))))
     return made.eval()
 
 
@@ -61,7 +65,6 @@ def test_values_are_those_of_torch(with_offset: bool, derivatives: bool) -> None
         wanted = made(positions, levels, lights, views, faces)[0].numpy() / np.pi
     assert (wanted > 0).mean() > 0.5
     device = DeviceWeights(made.weights(np.zeros((2, 3), np.float32)), Float)
-    assert device.has_offset == with_offset
     (u, v), light, view = (
         [Float(column) for column in part.numpy().T.copy()] for part in (positions, lights, views)
     )
@@ -118,3 +121,22 @@ def test_gradients_of_texels_are_those_of_indexing(monkeypatch: pytest.MonkeyPat
         assert wanted.abs().max() > 0
         # Sums of hundreds of terms, in another order.
         torch.testing.assert_close(actual, wanted, rtol=1e-4, atol=1e-4)
+
+
+def test_bytes_are_multiples_of_a_power_of_two_and_come_back_as_they_are() -> None:
+    """Half a step of error at most; 127 multiples of a power of two are a channel's own largest."""
+    rng = np.random.default_rng(5)
+    texels = (rng.normal(size=(500, 7)) * np.array([1e-3, 0.1, 1, 3, 50, 0, 2])).astype(np.float32)
+    texels[0, 6] = 127 * 0.125
+    codes, steps = quantised(texels)
+    assert codes.dtype == np.int8
+    assert (np.frexp(steps)[0] == 0.5).all()
+    assert steps[6] == 0.125
+    assert (np.abs(codes).max(axis=0)[[0, 1, 2, 3, 4, 6]] >= 64).all()
+    once = codes * steps
+    assert once.dtype == np.float32
+    assert (np.abs(once - texels) <= 0.5 * steps).all()
+    again, same = quantised(once)
+    np.testing.assert_array_equal(again, codes)
+    # Of a channel of nothing any will do.
+    np.testing.assert_array_equal(same[[0, 1, 2, 3, 4, 6]], steps[[0, 1, 2, 3, 4, 6]])

@@ -109,7 +109,10 @@ class QueryStream:
         positions = rng.random((count, 2), np.float32)
         finer = math.log2(self._shape.footprint_texels)
         levels = draw_levels(rng, count, self._shape.levels - 1 + finer)
-        lights, views = self._drawn(rng, count)
+        lights, views = draw_directions(rng, count), draw_directions(rng, count)
+        # A measured BTF has lights and views of its own.
+        if (measured := getattr(self._btf, "measured", None)) is not None:
+            lights, views = (known[rng.integers(len(known), size=count)] for known in measured)
         faces = rng.integers(self._btf.faces, size=count, dtype=np.uint8)
         extent = np.array([self._shape.width_mm, self._shape.height_mm], np.float32)
         texels = np.exp2(levels)
@@ -125,8 +128,9 @@ class QueryStream:
         is_transmission = np.zeros(count, np.uint8)
         if self._btf.transmits:
             is_transmission = (rng.random(count) < TRANSMISSION_SHARE).astype(np.uint8)
-        of_view = _with_sign(views, faces == 1)
-        of_light = _with_sign(lights, (faces == 1) ^ (is_transmission == 1))
+        is_back, mirror = (faces == 1)[:, None], np.array([1, 1, -1], np.float32)
+        of_view = np.where(is_back, mirror * views, views)
+        of_light = np.where(is_back ^ (is_transmission == 1)[:, None], mirror * lights, lights)
         found = self._btf.values(points, of_light[query], of_view[query], (self._seed, _STREAM, number))
         starts, number_of = ends - counts, counts.astype(np.float32)
         values = np.add.reduceat(found[: ends[-1]], starts) / number_of[:, None]
@@ -135,21 +139,6 @@ class QueryStream:
             holes = np.add.reduceat(self._btf.holes(points, of_view[query])[: ends[-1]], starts) / number_of
         lights, views = lights[:, :2].copy(), views[:, :2].copy()
         return Queries(positions, levels, lights, views, faces, is_transmission, values, holes)
-
-    def _drawn(self, rng: np.random.Generator, count: int) -> tuple[_Floats, _Floats]:
-        """Lights and views above the surface; of a measured BTF its own."""
-        measured = getattr(self._btf, "measured", None)
-        if measured is None:
-            return draw_directions(rng, count), draw_directions(rng, count)
-        lights, views = (known[rng.integers(len(known), size=count)] for known in measured)
-        return lights, views
-
-
-def _with_sign(directions: _Floats, below: NDArray[np.bool_]) -> _Floats:
-    """Directions with z < 0 where they are `below`."""
-    signed = directions.copy()
-    signed[below, 2] *= -1
-    return signed
 
 
 def draw_levels(rng: np.random.Generator, count: int, coarsest: float) -> _Floats:

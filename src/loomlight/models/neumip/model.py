@@ -10,16 +10,18 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from functools import cached_property
-from typing import Self, final
+from typing import Any, Self, final
 
 import drjit as dr
 import numpy as np
+from numpy.typing import NDArray
 
 from loomlight.assets.loom_file import LoomFile, Setting
 from loomlight.assets.sources import Source
 from loomlight.core.arrays import Color3, Float, FloatType, Mask, Vec2, Vec3
 from loomlight.core.backend import array_types, maximum
 from loomlight.core.footprint import Footprint
+from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import Option
 from loomlight.models.learned_proposal import LearnedProposal
 from loomlight.models.neumip.networks import (
@@ -27,6 +29,7 @@ from loomlight.models.neumip.networks import (
     NETWORKS,
     DeviceWeights,
     Weights,
+    quantised,
     sampler_widths,
 )
 from loomlight.models.neumip.parallax import MIN_COSINE, shifted
@@ -65,7 +68,7 @@ class NeumipBsdf(TexturedBsdf):
     @cached_property
     def _latent(self) -> list[Float]:
         u, v, level, face = self._place()
-        if self._device.has_offset:
+        if self._model.weights.offset_texels is not None:
             x, y = self._facing.x, self._facing.y
             depth = self._device.depth(u, v, [x, y], face)
             slope = dr.rcp(maximum(self._facing.z, MIN_COSINE))
@@ -151,7 +154,7 @@ class NeumipModel(TexturedModel[Weights, DeviceWeights]):
             InputError: a source of which no queries can be taken, or an option that cannot be.
             MissingDependencyError: PyTorch is missing.
         """
-        settings = settings_of(quality, resolution, offset, seed, steps)
+        settings = settings_of(quality, resolution, offset, seed, steps, isinstance(source, Fabric))
         return cls(source, run_training(cls.name, source, settings, folder, report, device))
 
     @property
@@ -172,9 +175,9 @@ class NeumipModel(TexturedModel[Weights, DeviceWeights]):
     def to_loom(self) -> LoomFile:
         """A file of textures and networks."""
         weights = self.weights
-        tensors = {"features": weights.features, "reflectance": weights.reflectance}
+        tensors = {**_stored("features", weights.features), "reflectance": weights.reflectance}
         if weights.offset_texels is not None:
-            tensors["offset_texels"] = weights.offset_texels
+            tensors |= _stored("offset_texels", weights.offset_texels)
         sampler = {} if weights.sampler is None else {"sampler": weights.sampler}
         tensors |= tensors_of_layers({**weights.layers, **sampler})
         shape = weights.shape
@@ -192,13 +195,13 @@ class NeumipModel(TexturedModel[Weights, DeviceWeights]):
         loom.require_model(cls.name)
         shape = shape_of_loom(loom)
         faces = shape.faces
-        features = loom.tensor("features", (faces * shape.texels, CHANNELS), np.float32)
+        features = _texels(loom, "features", faces * shape.texels)
         reflectance = loom.tensor("reflectance", (faces, 3), np.float32)
         offset_texels = None
         further = ("transmission", "opacity")
         names = ["decoder", *(name for name in further if f"{name}.0.weight" in loom.tensors)]
         if "offset_texels" in loom.tensors:
-            offset_texels = loom.tensor("offset_texels", (faces * shape.starts[1], CHANNELS), np.float32)
+            offset_texels = _texels(loom, "offset_texels", faces * shape.starts[1])
             names.append("offset")
         layers = {name: layers_of_loom(loom, name, NETWORKS[name]) for name in names}
         sampler = None
@@ -211,3 +214,16 @@ class NeumipModel(TexturedModel[Weights, DeviceWeights]):
     def facts(self) -> dict[str, str]:
         """The source, and the size of textures and networks."""
         return {**super().facts(), "weights": f"{self.weights.count}"}
+
+
+def _stored(name: str, texels: NDArray[np.float32]) -> dict[str, NDArray[Any]]:
+    """Texels as a file has them: bytes and their steps, or floats where those would round."""
+    codes, steps = quantised(texels)
+    return {name: codes, f"{name}_steps": steps} if np.array_equal(codes * steps, texels) else {name: texels}
+
+
+def _texels(loom: LoomFile, name: str, count: int) -> NDArray[np.float32]:
+    if f"{name}_steps" not in loom.tensors:
+        return loom.tensor(name, (count, CHANNELS), np.float32)
+    steps = loom.tensor(f"{name}_steps", (CHANNELS,), np.float32)
+    return steps * loom.tensor(name, (count, CHANNELS), np.int8)

@@ -118,11 +118,6 @@ class DeviceWeights:
         self._sampler_outputs = sampler_widths(weights.transmits)[-1]
         self._networks = {name: ReluNetwork(layers, float_type) for name, layers in weights.layers.items()}
 
-    @property
-    def has_offset(self) -> bool:
-        """Whether there is an offset module."""
-        return self._offset_texels is not None
-
     def depth(self, u: Float, v: Float, view: Sequence[Float], face: UInt) -> Float:
         """The ray depth r of eq. 5, in units of `PyramidShape.length_mm`.
 
@@ -176,6 +171,13 @@ class DeviceWeights:
         """Share of light that passes straight through, 0 to 1."""
         (value,) = self._networks["opacity"]([*latent, *view])
         return dr.rcp(1 + dr.exp(-clip(value, -30, 30)))
+
+
+def quantised(texels: NDArray[np.float32]) -> tuple[NDArray[np.int8], NDArray[np.float32]]:
+    """Texels as bytes, and the power of two for each channel [7] that they are multiples of."""
+    mantissa, exponent = np.frexp(np.maximum(np.abs(texels).max(axis=0), 1e-20) / np.float32(127))
+    steps = np.ldexp(np.float32(1), exponent - (mantissa == 0.5))
+    return np.rint(texels / steps).astype(np.int8), steps
 
 
 def _padded(texels: NDArray[np.float32]) -> NDArray[np.float32]:

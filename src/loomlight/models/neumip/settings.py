@@ -16,7 +16,7 @@ from loomlight.models.textured_model import require_training, training_identity
 DEFAULT_QUALITY = "preview"
 _MAX_SAMPLER_STEPS = 2000
 # Part of every identity: to be raised when the same settings give other weights.
-_VERSION = 4
+_VERSION = 5
 # Texels of the width of a yarn, about, and the fewest of a repeat.
 _YARN_TEXELS, _MIN_TEXELS = 10, 32
 
@@ -90,6 +90,9 @@ QUALITIES: dict[str, NeumipSettings] = {
     "full": NeumipSettings(queries=1 << 24, samples=8, steps=4000, batch=1 << 14),
 }
 
+# Texels of sources whose rays are paths, which cost more than the steps that learn from them.
+_TRACED = {"preview": 128, "full": 256}
+
 
 def settings_of(
     quality: str,
@@ -97,8 +100,12 @@ def settings_of(
     offset: bool = True,
     seed: int = 0,
     steps: int | None = None,
+    is_fabric: bool = True,
 ) -> NeumipSettings:
     """The settings of a quality with some of them chosen.
+
+    Args:
+        is_fabric: other sources have one ray a query, smaller batches, and fewer texels in `preview`.
 
     Raises:
         InputError: an unknown quality, or a resolution that is no power of two.
@@ -106,6 +113,8 @@ def settings_of(
     if quality not in QUALITIES:
         raise InputError(f"quality = {shown(quality)} does not exist: {closest(quality, QUALITIES)}")
     chosen = replace(QUALITIES[quality], offset=offset, seed=seed)
+    if not is_fabric:
+        chosen = replace(chosen, max_resolution=_TRACED[quality], samples=1, batch=chosen.batch // 2)
     require_training(resolution, steps)
     if resolution is not None:
         chosen = replace(chosen, resolution=resolution)

@@ -17,6 +17,7 @@ from loomlight.models.neumip.networks import (
     OFFSET_WIDTHS,
     OPACITY_WIDTHS,
     Weights,
+    quantised,
 )
 from loomlight.models.neumip.parallax import MIN_COSINE, shifted
 from loomlight.training.relu_layers import numbers_of, numbers_of_layers, relu_layers
@@ -26,8 +27,6 @@ from loomlight.training.torch_functions import TorchTextures
 _FIRST_VALUE = 0.3
 # Of the final activation below 0 while it is trained.
 SLOPE = 0.05
-# Of the cross-entropy of holes, beside errors of colours.
-_OPACITY_WEIGHT = 0.05
 
 
 _TEXTURES = TorchTextures()
@@ -136,7 +135,7 @@ class NeumipNetwork(nn.Module):
         return parts[torch.argsort(torch.cat([near, far]))]
 
     def weights(self, reflectance: NDArray[np.float32]) -> Weights:
-        """The trained numbers, for the renderer.
+        """The trained numbers, for the renderer: texels are rounded to what files store.
 
         Args:
             reflectance: mean albedo of each face [faces, 3].
@@ -154,13 +153,9 @@ class NeumipNetwork(nn.Module):
         offset_texels = None
         if self.offset is not None and self.offset_texture is not None:
             layers["offset"] = numbers_of_layers(self.offset)
-            offset_texels = numbers_of(self.scale * self.offset_texture)
-        return Weights(self.shape, numbers_of(self.scale * self.features), offset_texels, layers, reflectance)
-
-
-def opacity_loss(log_odds: Tensor, holes: Tensor) -> Tensor:
-    """Cross-entropy of shares that pass straight through, weighted to be of the size of those of colours."""
-    return _OPACITY_WEIGHT * functional.binary_cross_entropy_with_logits(log_odds, holes)
+            offset_texels = np.multiply(*quantised(numbers_of(self.scale * self.offset_texture)))
+        features = np.multiply(*quantised(numbers_of(self.scale * self.features)))
+        return Weights(self.shape, features, offset_texels, layers, reflectance)
 
 
 class Gather(torch.autograd.Function):

@@ -11,7 +11,6 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import Any, Protocol
 
 import numpy as np
 import torch
@@ -23,7 +22,7 @@ from loomlight.assets.sources import Source
 from loomlight.models.neumip.btf import BTFS, Queries, QueryStream, light_density
 from loomlight.models.neumip.networks import EXPOSURE, Weights
 from loomlight.models.neumip.settings import NeumipSettings
-from loomlight.models.neumip.training.network import NeumipNetwork, opacity_loss
+from loomlight.models.neumip.training.network import NeumipNetwork
 from loomlight.models.neumip.training.sampler_fit import trained_sampler
 from loomlight.models.query_parts import FileStore, Progress, stored_queries
 from loomlight.training.loop import Schedule, one_thread, train
@@ -33,6 +32,8 @@ from loomlight.training.soap import Soap
 _WARM_UP = 0.02
 # Mean of π f·cos that dark sources are scaled to while they are trained, and the largest factor.
 _MEAN, _MAX_GAIN = 0.15, 1e3
+# Weight of the cross-entropy of holes, beside errors of colours.
+_OF_HOLES = 0.05
 # Key that separates the random numbers of batches from those of queries.
 _BATCHES = 5
 # Thousandths of the progress that taking queries is counted as.
@@ -46,7 +47,6 @@ def train_neumip(
     progress: Progress | None = None,
     device: str = "cpu",
     keep_every: float = 30.0,
-    queries: Queries | None = None,
 ) -> Weights:
     """The weights of a material.
 
@@ -54,20 +54,19 @@ def train_neumip(
         folder: holds queries and the checkpoint; made if need be, and used again to go on.
         device: of torch, "cpu" or "cuda".
         keep_every: seconds between checkpoints.
-        queries: those of `taken_queries`, where they are at hand.
 
     Raises:
         InputError: a source of which no queries can be taken, or a damaged checkpoint.
     """
     report = progress or (lambda done, total: None)
     folder.mkdir(parents=True, exist_ok=True)
-    queries = taken_queries(source, settings, folder, report) if queries is None else queries
+    queries = taken_queries(source, settings, folder, report)
     btf, shape = BTFS.of(source), settings.shape(source)
     torch.manual_seed(settings.seed)
     scale = settings.texture_rate / settings.rate
     gains = gains_of(queries)
     network = NeumipNetwork(shape, settings.offset, scale, btf.transmits, btf.has_holes, gains).to(device)
-    batches = Batches(network, queries, settings, device)
+    batches = Batches(network, gains, queries, settings, device)
     parts = dict(network.named_parameters())
     textures = [parts.pop(name) for name in ("features", "offset_texture") if name in parts]
     # Texels are seldom seen: the squares of their gradients are remembered longer, and no axes are turned.
@@ -130,26 +129,13 @@ def rate_factor(progress: float) -> float:
     return min(1.0, (progress + 1e-9) / _WARM_UP) * 0.5 * (1 + math.cos(math.pi * progress))
 
 
-class Trainable(Protocol):
-    """A network that `Batches` trains."""
-
-    @property
-    def gains(self) -> tuple[float, float]:
-        """Factors of its π f·cos; see `gains_of`."""
-
-    def __call__(self, *inputs: Any) -> tuple[Tensor, Tensor | None]:
-        """π f·cos of queries [n, 3], and log-odds of passing straight [n]; see `NeumipNetwork.forward`."""
-
-    def parameters(self) -> Iterator[nn.Parameter]:
-        """All that is trained."""
-
-
 class Batches:
     """Losses of steps: each pass over the queries is in an order of its own."""
 
     def __init__(
         self,
-        network: Trainable,
+        network: nn.Module,
+        gains: tuple[float, float],
         queries: Queries,
         settings: NeumipSettings,
         device: str,
@@ -157,12 +143,14 @@ class Batches:
     ) -> None:
         """
         Args:
+            network: of the outputs of `NeumipNetwork.forward`.
+            gains: see `gains_of`.
             device: of torch, "cpu" or "cuda".
             error: of predicted and true π f·cos times the gains [n, 3].
         """
         self._error = error
         self._network, self._queries, self._settings = network, queries, settings
-        self._device = device
+        self._device, self._gains = device, gains
         self._side_by_side = SideBySide.for_batch(device, settings.batch)
         self._per_pass = max(1, len(queries) // settings.batch)
         self._order: tuple[int, NDArray[np.intp]] | None = None
@@ -185,21 +173,18 @@ class Batches:
         predicted, opacity = self._network(
             positions, levels, lights, views, faces, offset_frozen, is_transmission
         )
-        near, far = (values.new_tensor(gain) for gain in self._network.gains)
+        near, far = (values.new_tensor(gain) for gain in self._gains)
         gains = torch.where(is_transmission, far, near)
         loss = self._error(predicted, EXPOSURE * gains[:, None] * values)
         if opacity is None:
             return loss
-        return loss + opacity_loss(opacity, torch.from_numpy(batch.holes).to(self._device))
+        holes = torch.from_numpy(batch.holes).to(self._device)
+        return loss + _OF_HOLES * functional.binary_cross_entropy_with_logits(opacity, holes)
 
     def _chosen(self, step: int) -> NDArray[np.intp]:
         number, place = divmod(step, self._per_pass)
         if self._order is None or self._order[0] != number:
-            self._order = number, self.order(number)
+            rng = np.random.default_rng([self._settings.seed, _BATCHES, number])
+            self._order = number, rng.permutation(len(self._queries))
         first = place * self._settings.batch
         return self._order[1][first : first + self._settings.batch]
-
-    def order(self, number: int) -> NDArray[np.intp]:
-        """Queries of a pass over them."""
-        rng = np.random.default_rng([self._settings.seed, _BATCHES, number])
-        return rng.permutation(len(self._queries))
